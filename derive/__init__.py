@@ -1,0 +1,45 @@
+r"""Derive, prove and emit the higher-order Cayley parameterization of rigid displacement.
+
+Notation, one letter one meaning (CP23 = Condurache & Popa 2023, K10 = Karakılıç 2010):
+
+=================  ==========================================================================================
+ε, a°              dual unit, ε² = 0; dual part of a (a trailing ``o`` in code: ``v1o`` is the dual part of v1)
+α, u               dual angle (rotation angle + ε translation along the axis) and unit dual vector of the axis
+n, k               order n ≥ 1 and branch k = 0 … n−1 (0 principal)
+θ                  α/2n
+v                  Rodrigues dual vector tan(θ) u; CP23 writes b for n = 1 and σ for n = 2
+x                  v·v as a dual number; the X of CP23 is its square root
+p, q               the polynomials p_n(x), q_n(x); a quaternion is q̂, in code ``e0 … e3``
+R, Q, ρ            orthogonal dual tensor R = (I + ε skew(ρ)) Q, rotation Q, translation ρ
+dcay, dcay⁻¹       tangent operator ω = dcay v̇ and its inverse
+f, g, h            coefficients of dcay: f I + g skew(v) + h v⊗v, and R = I + f skew(v) + g skew(v)²
+φ                  an odd function of α in v = φ(α) u; the isomorphism SE(3) → dual tensors of CP23 (15), also called
+                   φ there, is ``tensor_from_pose`` here
+cay                CP23's bare ``cay`` is n = 1 on tensors (27) but n = 2 on quaternions (34); here ``Cayley(n)``
+=================  ==========================================================================================
+
+Everything is loaded on first use, so that importing :mod:`derive` costs nothing.
+"""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from .codegen import generate
+    from .maps import Cayley, x
+
+__all__ = ["Cayley", "generate", "x"]
+
+_HOMES = {"Cayley": "derive.maps", "x": "derive.maps", "generate": "derive.codegen"}
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOMES:
+        raise AttributeError(f"module 'derive' has no attribute {name!r}")
+    return getattr(importlib.import_module(_HOMES[name]), name)
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

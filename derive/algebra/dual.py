@@ -1,0 +1,145 @@
+"""Dual numbers ``a + ε a°`` with ``ε² = 0`` over any commutative coefficients."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from .coefficients import Coefficient, Structure, ZeroDivisorError
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Dual:
+    """The dual number ``re + ε du``.
+
+    Plain numbers mix in as ``a + ε 0``. A dual number is invertible if and only if its real part is; otherwise it is a
+    zero divisor, and dividing by it raises `ZeroDivisorError`. Quotients follow the coefficients: ``int / int`` is a
+    ``float`` in Python, so exact work takes ``Fraction`` or SymPy coefficients.
+
+    Nested dual numbers (second derivatives) work as long as all operands have the same depth.
+
+    Parameters
+    ----------
+    re : coefficient
+        Real part.
+    du : coefficient, optional
+        Dual part, 0 by default.
+    """
+
+    re: Coefficient
+    du: Coefficient = 0
+
+    __array_ufunc__: ClassVar[None] = None
+
+    def apply(self, f: Callable[[Any], Any], df: Callable[[Any], Any]) -> Dual:
+        """Return ``f(a) + ε a° f'(a)``, the only extension of a differentiable function that keeps its identities.
+
+        Parameters
+        ----------
+        f, df : callable
+            The function and its derivative on the coefficients.
+        """
+        return Dual(f(self.re), self.du * df(self.re))
+
+    def conjugate(self) -> Dual:
+        """Return ``a − ε a°``."""
+        return Dual(self.re, -self.du)
+
+    def inverse(self) -> Dual:
+        """Return ``1/a − ε a°/a²``.
+
+        Raises
+        ------
+        ZeroDivisorError
+            If the real part is zero.
+        """
+        return 1 / self
+
+    def __add__(self, other: Any) -> Dual:
+        if isinstance(other, Structure):
+            return NotImplemented
+        if isinstance(other, Dual):
+            return Dual(self.re + other.re, self.du + other.du)
+        return Dual(self.re + other, self.du)
+
+    __radd__ = __add__
+
+    def __neg__(self) -> Dual:
+        return Dual(-self.re, -self.du)
+
+    def __pos__(self) -> Dual:
+        return self
+
+    def __sub__(self, other: Any) -> Dual:
+        if isinstance(other, Structure):
+            return NotImplemented
+        if isinstance(other, Dual):
+            return Dual(self.re - other.re, self.du - other.du)
+        return Dual(self.re - other, self.du)
+
+    def __rsub__(self, other: Any) -> Dual:
+        return Dual(other - self.re, -self.du)
+
+    def __mul__(self, other: Any) -> Dual:
+        if isinstance(other, Structure):
+            return NotImplemented
+        if isinstance(other, Dual):
+            return Dual(self.re * other.re, self.re * other.du + self.du * other.re)
+        return Dual(self.re * other, self.du * other)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Any) -> Dual:
+        if isinstance(other, Structure):
+            return NotImplemented
+        if not isinstance(other, Dual):
+            return Dual(self.re / other, self.du / other)
+        other._require_invertible()
+        quotient = self.re / other.re
+        return Dual(quotient, (self.du - quotient * other.du) / other.re)
+
+    def __rtruediv__(self, other: Any) -> Dual:
+        self._require_invertible()
+        quotient = other / self.re
+        return Dual(quotient, -quotient * self.du / self.re)
+
+    def __pow__(self, exponent: int) -> Dual:
+        """Integer power ``aⁿ + ε n aⁿ⁻¹ a°``; a negative one inverts first, so a zero divisor is refused."""
+        if isinstance(exponent, bool) or not isinstance(exponent, int):
+            return NotImplemented
+        if exponent < 0:
+            return self.inverse() ** -exponent
+        if exponent == 0:
+            return Dual(self.re**0, 0 * self.du)
+        return Dual(self.re**exponent, exponent * self.re ** (exponent - 1) * self.du)
+
+    def __abs__(self) -> Dual:
+        """Magnitude, whose square is that of the number: ``|a| + ε sgn(a) a°``, or ``ε |a°|`` at ``a = 0``."""
+        if self.re == 0:
+            return Dual(self.re, abs(self.du))
+        magnitude = abs(self.re)
+        return Dual(magnitude, magnitude / self.re * self.du)
+
+    def __eq__(self, other: object) -> bool:
+        if isinstance(other, Structure):
+            return NotImplemented
+        return bool(self.re == real_part(other)) and bool(self.du == dual_part(other))
+
+    def __hash__(self) -> int:
+        # Dual(a, 0) equals the plain number a, so it must hash as one.
+        return hash(self.re) if self.du == 0 else hash((self.re, self.du))
+
+    def _require_invertible(self) -> None:
+        if self.re == 0:
+            raise ZeroDivisorError(f"{self!r} has real part zero: it is a zero divisor and has no inverse")
+
+
+def real_part(value: Coefficient) -> Coefficient:
+    """Return the real part of a dual number; a plain number is its own."""
+    return value.re if isinstance(value, Dual) else value
+
+
+def dual_part(value: Coefficient) -> Coefficient:
+    """Return the dual part of a dual number; that of a plain number is 0."""
+    return value.du if isinstance(value, Dual) else 0

@@ -1,0 +1,118 @@
+"""The commutative algebra of tensors ``a I + b skew(v) + c v⊗v`` of one vector v, with ``x = v · v``.
+
+Since ``skew(v)² = v⊗v − x I`` and ``skew(v) v = 0``, products, transposes and inverses stay in it and their
+coefficients are rational in a, b, c and x: v itself never appears. So an identity between such tensors is an identity
+between functions of x, for real and dual vectors alike.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from .coefficients import Coefficient, Structure
+from .tensor import Tensor
+from .vector import Vector
+
+
+@dataclass(frozen=True, slots=True)
+class Isotropic(Structure):
+    """The tensor ``a I + b skew(v) + c v⊗v`` for any v with ``v · v = x``."""
+
+    a: Coefficient
+    b: Coefficient
+    c: Coefficient
+    x: Coefficient
+
+    @classmethod
+    def identity(cls, x: Coefficient) -> Isotropic:
+        """Return I."""
+        return cls(1, 0, 0, x)
+
+    @property
+    def coefficients(self) -> tuple[Coefficient, Coefficient, Coefficient]:
+        """The coefficients (a, b, c) of I, skew(v) and v⊗v."""
+        return self.a, self.b, self.c
+
+    @property
+    def transpose(self) -> Isotropic:
+        """``a I − b skew(v) + c v⊗v``."""
+        return Isotropic(self.a, -self.b, self.c, self.x)
+
+    @property
+    def axial(self) -> Coefficient:
+        """Eigenvalue along v, ``a + x c``."""
+        return self.a + self.x * self.c
+
+    @property
+    def planar2(self) -> Coefficient:
+        """Squared modulus ``a² + x b²`` of the conjugate pair of eigenvalues across v."""
+        return self.a * self.a + self.x * self.b * self.b
+
+    def det(self) -> Coefficient:
+        """Return the determinant ``(a + x c)(a² + x b²)``."""
+        return self.axial * self.planar2
+
+    def inverse(self) -> Isotropic:
+        """Return the inverse ``(a I − b skew(v) + (b² − a c)/(a + x c) v⊗v) / (a² + x b²)``.
+
+        Raises
+        ------
+        ZeroDivisionError
+            If the determinant is zero; `ZeroDivisorError` if it is a zero divisor of the dual numbers.
+        """
+        planar2 = self.planar2
+        c = (self.b * self.b - self.a * self.c) / (planar2 * self.axial)
+        return Isotropic(self.a / planar2, -self.b / planar2, c, self.x)
+
+    def apply(self, v: Vector, w: Vector) -> Vector:
+        """Return the image of `w`: ``a w + b v × w + c (v · w) v``. Needs ``v · v = x``, which is not checked."""
+        image: Vector = w * self.a + v.cross(w) * self.b + v * (self.c * v.dot(w))
+        return image
+
+    def tensor(self, v: Vector) -> Tensor:
+        """Expand at a vector `v` with ``v · v = x`` (not checked: it may hold only after simplification)."""
+        expanded: Tensor = Tensor.identity() * self.a + Tensor.skew(v) * self.b + Tensor.dyad(v, v) * self.c
+        return expanded
+
+    def __add__(self, other: Isotropic) -> Isotropic:
+        if not isinstance(other, Isotropic):
+            return NotImplemented
+        self._require_same_vector(other)
+        return Isotropic(self.a + other.a, self.b + other.b, self.c + other.c, self.x)
+
+    def __sub__(self, other: Isotropic) -> Isotropic:
+        if not isinstance(other, Isotropic):
+            return NotImplemented
+        return self + -other
+
+    def __neg__(self) -> Isotropic:
+        return Isotropic(-self.a, -self.b, -self.c, self.x)
+
+    def __mul__(self, scalar: Coefficient) -> Isotropic:
+        if isinstance(scalar, Structure):
+            return NotImplemented
+        return Isotropic(self.a * scalar, self.b * scalar, self.c * scalar, self.x)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, scalar: Coefficient) -> Isotropic:
+        if isinstance(scalar, Structure):
+            return NotImplemented
+        return Isotropic(self.a / scalar, self.b / scalar, self.c / scalar, self.x)
+
+    def __matmul__(self, other: Isotropic) -> Isotropic:
+        """Return the product, which commutes."""
+        if not isinstance(other, Isotropic):
+            return NotImplemented
+        self._require_same_vector(other)
+        x = self.x
+        return Isotropic(
+            self.a * other.a - x * (self.b * other.b),
+            self.a * other.b + self.b * other.a,
+            self.a * other.c + self.c * other.a + self.b * other.b + x * (self.c * other.c),
+            x,
+        )
+
+    def _require_same_vector(self, other: Isotropic) -> None:
+        if self.x != other.x:
+            raise ValueError(f"tensors of different vectors: x = {self.x!r} and x = {other.x!r}")

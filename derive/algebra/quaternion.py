@@ -1,0 +1,96 @@
+"""Quaternions, scalar part first, over any commutative coefficients."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from .coefficients import Coefficient, Structure
+from .dual import Dual, dual_part, real_part
+from .vector import Vector
+
+
+@dataclass(frozen=True, slots=True)
+class Quaternion(Structure):
+    """The quaternion ``scalar + vector``; `Dual` coefficients make it a dual quaternion."""
+
+    scalar: Coefficient
+    vector: Vector
+
+    @classmethod
+    def from_components(cls, components: Iterable[Coefficient]) -> Quaternion:
+        """Return the quaternion with four components, scalar first."""
+        scalar, c1, c2, c3 = components
+        return cls(scalar, Vector(c1, c2, c3))
+
+    @classmethod
+    def dual(cls, re: Iterable[Coefficient], du: Iterable[Coefficient]) -> Quaternion:
+        """Return the dual quaternion ``re + ε du`` from the four components of each part, scalar first."""
+        return cls.from_components(Dual(a, b) for a, b in zip(re, du, strict=True))
+
+    @property
+    def re(self) -> Quaternion:
+        """Real part."""
+        return self.map(real_part)
+
+    @property
+    def du(self) -> Quaternion:
+        """Dual part."""
+        return self.map(dual_part)
+
+    def map(self, f: Callable[[Any], Any]) -> Quaternion:
+        """Apply `f` to every component."""
+        return Quaternion(f(self.scalar), self.vector.map(f))
+
+    def __iter__(self) -> Iterator[Coefficient]:
+        return iter((self.scalar, *self.vector))
+
+    def __add__(self, other: Quaternion) -> Quaternion:
+        if not isinstance(other, Quaternion):
+            return NotImplemented
+        return Quaternion(self.scalar + other.scalar, self.vector + other.vector)
+
+    def __sub__(self, other: Quaternion) -> Quaternion:
+        if not isinstance(other, Quaternion):
+            return NotImplemented
+        return Quaternion(self.scalar - other.scalar, self.vector - other.vector)
+
+    def __neg__(self) -> Quaternion:
+        return Quaternion(-self.scalar, -self.vector)
+
+    def __mul__(self, other: Any) -> Quaternion:
+        """Quaternion product ``(s t − a·b, s b + t a + a × b)``, or multiple by a scalar."""
+        if isinstance(other, Quaternion):
+            s, t, a, b = self.scalar, other.scalar, self.vector, other.vector
+            return Quaternion(s * t - a.dot(b), b * s + a * t + a.cross(b))
+        if isinstance(other, Structure):
+            return NotImplemented
+        return Quaternion(self.scalar * other, self.vector * other)
+
+    def __rmul__(self, scalar: Coefficient) -> Quaternion:
+        if isinstance(scalar, Structure):
+            return NotImplemented
+        return Quaternion(self.scalar * scalar, self.vector * scalar)
+
+    def __truediv__(self, scalar: Coefficient) -> Quaternion:
+        if isinstance(scalar, Structure):
+            return NotImplemented
+        return Quaternion(self.scalar / scalar, self.vector / scalar)
+
+    def conjugate(self) -> Quaternion:
+        """Return ``scalar − vector``."""
+        return Quaternion(self.scalar, -self.vector)
+
+    def norm2(self) -> Coefficient:
+        """Return the squared norm, ``q q*``."""
+        return self.scalar * self.scalar + self.vector.dot(self.vector)
+
+    def inverse(self) -> Quaternion:
+        """Return ``q* / |q|²``; a dual quaternion with real part zero raises `ZeroDivisorError`."""
+        inverse: Quaternion = self.conjugate() / self.norm2()
+        return inverse
+
+    def sandwich(self, v: Vector) -> Vector:
+        """Return ``q v q*``, the vector turned by a unit quaternion."""
+        return (self * Quaternion(0, v) * self.conjugate()).vector

@@ -1,0 +1,94 @@
+"""Vectors of the free module of rank 3 over any commutative coefficients."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from . import functions
+from .coefficients import Coefficient, Structure
+from .dual import Dual, dual_part, real_part
+
+
+@dataclass(frozen=True, slots=True)
+class Vector(Structure):
+    """The vector with components ``c1, c2, c3`` in a right-handed orthonormal basis.
+
+    `Dual` components make it a dual vector.
+    """
+
+    c1: Coefficient
+    c2: Coefficient
+    c3: Coefficient
+
+    @classmethod
+    def dual(cls, re: Iterable[Coefficient], du: Iterable[Coefficient]) -> Vector:
+        """Return the dual vector ``re + ε du`` from the three components of each part."""
+        return cls(*(Dual(a, b) for a, b in zip(re, du, strict=True)))
+
+    @property
+    def re(self) -> Vector:
+        """Real part."""
+        return self.map(real_part)
+
+    @property
+    def du(self) -> Vector:
+        """Dual part."""
+        return self.map(dual_part)
+
+    def map(self, f: Callable[[Any], Any]) -> Vector:
+        """Apply `f` to every component."""
+        return Vector(f(self.c1), f(self.c2), f(self.c3))
+
+    def __iter__(self) -> Iterator[Coefficient]:
+        return iter((self.c1, self.c2, self.c3))
+
+    def __add__(self, other: Vector) -> Vector:
+        if not isinstance(other, Vector):
+            return NotImplemented
+        return Vector(self.c1 + other.c1, self.c2 + other.c2, self.c3 + other.c3)
+
+    def __sub__(self, other: Vector) -> Vector:
+        if not isinstance(other, Vector):
+            return NotImplemented
+        return Vector(self.c1 - other.c1, self.c2 - other.c2, self.c3 - other.c3)
+
+    def __neg__(self) -> Vector:
+        return Vector(-self.c1, -self.c2, -self.c3)
+
+    def __mul__(self, scalar: Coefficient) -> Vector:
+        if isinstance(scalar, Structure):
+            return NotImplemented
+        return Vector(self.c1 * scalar, self.c2 * scalar, self.c3 * scalar)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, scalar: Coefficient) -> Vector:
+        if isinstance(scalar, Structure):
+            return NotImplemented
+        return Vector(self.c1 / scalar, self.c2 / scalar, self.c3 / scalar)
+
+    def dot(self, other: Vector) -> Coefficient:
+        """Return the scalar product."""
+        return self.c1 * other.c1 + self.c2 * other.c2 + self.c3 * other.c3
+
+    def cross(self, other: Vector) -> Vector:
+        """Return the vector product ``self × other``."""
+        return Vector(
+            self.c2 * other.c3 - self.c3 * other.c2,
+            self.c3 * other.c1 - self.c1 * other.c3,
+            self.c1 * other.c2 - self.c2 * other.c1,
+        )
+
+    def magnitude(self) -> Coefficient:
+        """Return the magnitude, a (dual) number whose square is ``self · self``.
+
+        For a dual vector it is ``|a| + ε a·a°/|a|`` where the real part is non-zero and ``ε |a°|`` where it is zero.
+        Real coefficients are assumed.
+        """
+        if not any(isinstance(c, Dual) for c in self):
+            return functions.sqrt(self.dot(self))
+        re, du = self.re, self.du
+        length = re.magnitude()
+        return Dual(length, du.magnitude() if length == 0 else re.dot(du) / length)

@@ -1,0 +1,10 @@
+"""What the papers define: the polynomials p_n, q_n, the Cayley maps of order n and their inverses, screws and poses.
+
+CP23 is Condurache and Popa, Symmetry 15(11) 2011 (2023), cited by equation number.
+"""
+
+from .cayley import Cayley
+from .formula import Formula, IsotropicMap, QuaternionMap
+from .polynomials import x
+
+__all__ = ["Cayley", "Formula", "IsotropicMap", "QuaternionMap", "x"]

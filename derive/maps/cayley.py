@@ -1,0 +1,215 @@
+r"""`Cayley(n)`, the front door: everything the Cayley map of order n defines, as formulas in ``x = v · v``.
+
+This is the Cayley map of unit dual quaternions, ``q̂ = (1 + v)^(n/2) (1 − v)^(−n/2)`` (CP23 (46)), equally of 6x6
+adjoint matrices. The Cayley map of 4x4 homogeneous matrices has the same rotation and another translation.
+
+Conventions: real part first; ``v = tan(α/2n) u``; quaternions scalar first; ``ω = dcay v̇`` is the space twist.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import sympy
+
+from . import closed_forms, polynomials
+from .formula import LATEX_ORDER, IsotropicMap, QuaternionMap
+from .polynomials import FIELD, rational, require_order, x
+
+if TYPE_CHECKING:
+    from ..proof.identity import Proof
+
+_PRINTED = {1: 95, 2: 102, 3: 109, 4: 116, 5: 122}
+"""First of the four equations (q̂, R, dcay, dcay⁻¹) that CP23 prints for an order."""
+
+
+@dataclass(frozen=True)
+class Cayley:
+    """The Cayley map of order n, ``v = tan(α/2n) u``.
+
+    Parameters
+    ----------
+    order : int
+        n ≥ 1. TypeError for anything but an integer, ValueError below 1.
+
+    Attributes
+    ----------
+    p, q, c, d : Expr
+        The polynomials of order n in `derive.x` (see `polynomials`).
+    quaternion : QuaternionMap
+        Unit dual quaternion ``(p + q v)/(1+x)^(n/2)``, CP23 (50), (55).
+    tensor : IsotropicMap
+        Orthogonal dual tensor, CP23 (57).
+    tangent, tangent_inv : IsotropicMap
+        Tangent operator dcay_n and its inverse, CP23 (88), (89).
+    """
+
+    order: int
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "order", require_order(self.order))
+
+    @property
+    def n(self) -> int:
+        """The order."""
+        return self.order
+
+    @cached_property
+    def p(self) -> sympy.Expr:
+        """p_n, CP23 (51)."""
+        return polynomials.p(self.order)
+
+    @cached_property
+    def q(self) -> sympy.Expr:
+        """q_n, CP23 (52)."""
+        return polynomials.q(self.order)
+
+    @cached_property
+    def c(self) -> sympy.Expr:
+        """``[n (1+x)ⁿ⁻¹ − p q]/x``, the bracket of dcay_n."""
+        return polynomials.c(self.order)
+
+    @cached_property
+    def d(self) -> sympy.Expr:
+        """``[(1+x) q − n p]/x``, the bracket of dcay_n⁻¹."""
+        return polynomials.d(self.order)
+
+    @property
+    def singular_angles(self) -> tuple[sympy.Expr, ...]:
+        """Re α > 0 where dcay_n loses rank (2πk), then where v is infinite (nπ)."""
+        return polynomials.singular_angles(self.order)
+
+    @property
+    def poles(self) -> tuple[sympy.Expr, ...]:
+        """Re|v| > 0 where dcay_n⁻¹ has a pole, ``tan(kπ/n)``."""
+        return polynomials.poles(self.order)
+
+    @cached_property
+    def quaternion(self) -> QuaternionMap:
+        """Unit dual quaternion, CP23 (50), (55)."""
+        n = self.order
+        root = (1 + x) ** sympy.Rational(n, 2)
+        return QuaternionMap(
+            name="quaternion",
+            order=n,
+            coefficients=(self.p / root, self.q / root),
+            at=lambda at: closed_forms.quaternion(n, at),
+            equations=self._equations(0, 50, 55),
+            identities=("|q|^2 = 1",),
+            domain="every dual vector v",
+            singular=f"none; v is infinite at {self._chart_edge}",
+            symbol=r"\hat{q}",
+            definition=rf"\frac{{p_{{{n}}} + q_{{{n}}} v}}{{{_power(sympy.Rational(n, 2))}}}",
+        )
+
+    @cached_property
+    def tensor(self) -> IsotropicMap:
+        """Orthogonal dual tensor, CP23 (57)."""
+        p, q, norm = self._letters
+        return self._isotropic(
+            "tensor",
+            equations=self._equations(1, 57),
+            identities=("R R^T = I", "det R = 1"),
+            domain="every dual vector v",
+            singular=f"none; v is infinite at {self._chart_edge}",
+            symbol="R",
+            definition=rf"I + \frac{{2 {p} {q}}}{{{norm}}} \tilde{{v}} + \frac{{2 {q}^2}}{{{norm}}} \tilde{{v}}^2",
+        )
+
+    @cached_property
+    def tangent(self) -> IsotropicMap:
+        """Tangent operator dcay_n, CP23 (88): space twist from v̇."""
+        n = self.order
+        p, q, norm = self._letters
+        return self._isotropic(
+            "tangent",
+            equations=self._equations(2, 88),
+            identities=("dcay v = 2n/(1+x) v", "dcay^T = R^T dcay", "det dcay = 8n q^2/(1+x)^(n+1)"),
+            domain="every dual vector v",
+            singular=f"loses rank at {self._rank_loss}; v is infinite at {self._chart_edge}",
+            symbol=rf"\mathrm{{dcay}}_{{{n}}}",
+            definition=(
+                rf"\frac{{2 {p} {q}}}{{{norm}}} I + \frac{{2 {q}^2}}{{{norm}}} \tilde{{v}} + "
+                rf"\frac{{2 [{f'{n} {_power(n - 1)}'.rstrip()} - {p} {q}]}}{{x {norm}}} v \otimes v"
+            ),
+        )
+
+    @cached_property
+    def tangent_inv(self) -> IsotropicMap:
+        """Inverse tangent operator dcay_n⁻¹, CP23 (89): v̇ from the space twist."""
+        n = self.order
+        p, q, _ = self._letters
+        return self._isotropic(
+            "tangent_inv",
+            equations=self._equations(3, 89),
+            identities=("dcay dcay^-1 = I",),
+            domain="every dual vector v" if n < 3 else f"every dual vector v with Re q_{n} != 0",
+            singular=f"pole at {self._rank_loss}; v is infinite at {self._chart_edge}",
+            symbol=rf"\mathrm{{dcay}}_{{{n}}}^{{-1}}",
+            definition=(
+                rf"\frac{{{p}}}{{2 {q}}} I - \frac{{1}}{{2}} \tilde{{v}} + "
+                rf"\frac{{(1 + x) {q} - {f'{n} ' if n > 1 else ''}{p}}}{{{2 * n} x {q}}} v \otimes v"
+            ),
+        )
+
+    def prove(self) -> list[Proof]:
+        """Prove the formulas of this order, for all n and by components at this n; return each `Proof`.
+
+        Raises
+        ------
+        derive.proof.proved.ProofFailed
+            If a statement does not hold.
+        """
+        from ..proof.proved import proofs
+
+        return list(proofs(self))
+
+    def latex(self) -> str:
+        """Return the polynomials and the four maps as LaTeX, in the paper's letters."""
+        n = self.order
+        values = (("p", self.p), ("q", self.q))
+        lines = [f"{letter}_{{{n}}} &= {sympy.latex(value, order=LATEX_ORDER)}" for letter, value in values]
+        maps = (self.quaternion, self.tensor, self.tangent, self.tangent_inv)
+        lines += [f"{item.symbol} &= {item.definition}" for item in maps]
+        separator = " \\\\\n"
+        return f"\\begin{{aligned}}\n{separator.join(lines)}\n\\end{{aligned}}"
+
+    def _repr_latex_(self) -> str:
+        return f"$\\displaystyle {self.latex()}$"
+
+    @property
+    def _letters(self) -> tuple[str, str, str]:
+        return f"p_{{{self.order}}}", f"q_{{{self.order}}}", _power(self.order)
+
+    @property
+    def _chart_edge(self) -> str:
+        return f"Re alpha = {sympy.pi * self.order}"
+
+    @property
+    def _rank_loss(self) -> str:
+        angles = self.singular_angles[:-1]
+        return f"Re alpha = {', '.join(map(str, angles))}" if angles else "no finite v"
+
+    def _equations(self, offset: int, *general: int) -> tuple[int, ...]:
+        printed = _PRINTED.get(self.order)
+        return general if printed is None else (*general, printed + offset)
+
+    def _isotropic(self, name: str, **texts: Any) -> IsotropicMap:
+        closed_form = getattr(closed_forms, name)
+        coefficients = closed_form(self.order, FIELD.gens[0]).coefficients
+        return IsotropicMap(
+            name=name,
+            order=self.order,
+            coefficients=tuple(map(rational, coefficients)),
+            at=lambda at: closed_form(self.order, at),
+            **texts,
+        )
+
+
+def _power(exponent: int | sympy.Rational) -> str:
+    """LaTeX of a power of 1 + x."""
+    if exponent == 0:
+        return ""
+    return "(1 + x)" if exponent == 1 else f"(1 + x)^{{{exponent}}}"

@@ -1,0 +1,129 @@
+"""A formula of the paper as a value: what it says, where it stands, where it holds."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import Any, ClassVar
+
+import sympy
+
+from ..algebra import Dual, Isotropic, Quaternion, Tensor, Vector
+from .polynomials import x
+
+LATEX_ORDER = "rev-lex"
+"""Ascending powers, as the paper prints its polynomials."""
+
+
+@dataclass(frozen=True, slots=True)
+class Formula:
+    """A map of order n whose coefficients are functions of ``x = v · v``.
+
+    Parameters
+    ----------
+    name : str
+        ``quaternion``, ``tensor``, ``tangent`` or ``tangent_inv``.
+    order : int
+        The order n.
+    coefficients : tuple of Expr
+        In `x`, exact and reduced.
+    at : callable
+        The same coefficients at any number x, as `closed_forms` computes them.
+    equations : tuple of int
+        The equations of CP23 it stands in: the general one, then that of this order if the paper prints it.
+    identities : tuple of str
+        What it has to satisfy.
+    domain, singular : str
+        Where it is defined, and where it or its inverse is not.
+    symbol, definition : str
+        LaTeX of the left-hand side and of the right-hand side in p_n, q_n.
+    """
+
+    name: str
+    order: int
+    coefficients: tuple[sympy.Expr, ...]
+    at: Callable[[Any], Any] = field(repr=False, compare=False)
+    equations: tuple[int, ...]
+    identities: tuple[str, ...] = field(repr=False)
+    domain: str = field(repr=False)
+    singular: str = field(repr=False)
+    symbol: str = field(repr=False)
+    definition: str = field(repr=False)
+
+    basis: ClassVar[tuple[str, ...]] = ()
+    """LaTeX of what the coefficients multiply."""
+
+    def latex(self) -> str:
+        """Return the formula with its coefficients written out, ``symbol = definition = a I + …``."""
+        terms = [_term(a, e) for a, e in zip(self.coefficients, self.basis, strict=True) if a != 0]
+        explicit = " + ".join(terms).replace("+ - ", "- ").replace("+ -", "- ")
+        return f"{self.symbol} = {self.definition} = {explicit}"
+
+    def _repr_latex_(self) -> str:
+        return f"$\\displaystyle {self.latex()}$"
+
+    def _expand(self, v: Sequence[sympy.Expr]) -> tuple[tuple[Dual, ...], Vector]:
+        """Return the coefficients at the dual vector `v`, f(x) + ε x° f′(x), and that vector."""
+        if len(v) != 6:
+            raise ValueError(f"expected 6 symbols, real part v1 v2 v3 then dual part, got {len(v)}")
+        vector = Vector.dual(v[:3], v[3:])
+        square = vector.dot(vector)
+
+        def at(expression: sympy.Expr) -> sympy.Expr:
+            return expression.xreplace({x: square.re})
+
+        duals = (Dual(at(a), square.du * at(a.diff(x))) for a in self.coefficients)
+        return tuple(duals), vector
+
+
+class IsotropicMap(Formula):
+    """A dual tensor ``a I + b skew(v) + c v⊗v``; its coefficients are (a, b, c), rational in x."""
+
+    __slots__ = ()
+
+    basis = ("I", r"\tilde{v}", r"v \otimes v")
+
+    @property
+    def isotropic(self) -> Isotropic:
+        """The formula as an element of the algebra {I, skew(v), v⊗v} over the rational functions of x."""
+        a, b, c = self.coefficients
+        return Isotropic(a, b, c, x)
+
+    def matrix(self, v: Sequence[sympy.Expr]) -> tuple[sympy.Matrix, sympy.Matrix]:
+        """Return the real and the dual part as 3x3 matrices.
+
+        Parameters
+        ----------
+        v : sequence of 6 symbols or expressions
+            The Rodrigues dual vector of this order: real part, then dual part.
+        """
+        (a, b, c), vector = self._expand(v)
+        entries: Tensor = Isotropic(a, b, c, vector.dot(vector)).tensor(vector)
+        return sympy.Matrix(3, 3, list(entries.re)), sympy.Matrix(3, 3, list(entries.du))
+
+
+class QuaternionMap(Formula):
+    """A unit dual quaternion ``s + t v``; its coefficients are (s, t), over ``(1+x)^(n/2)``."""
+
+    __slots__ = ()
+
+    basis = ("", "v")
+
+    def matrix(self, v: Sequence[sympy.Expr]) -> tuple[sympy.Matrix, sympy.Matrix]:
+        """Return the real and the dual part as columns of four components, scalar first.
+
+        Parameters
+        ----------
+        v : sequence of 6 symbols or expressions
+            The Rodrigues dual vector of this order: real part, then dual part.
+        """
+        (s, t), vector = self._expand(v)
+        components = Quaternion(s, vector * t)
+        return sympy.Matrix(list(components.re)), sympy.Matrix(list(components.du))
+
+
+def _term(coefficient: sympy.Expr, basis: str) -> str:
+    text = str(sympy.latex(coefficient, order=LATEX_ORDER))
+    if basis and coefficient.is_Add:
+        text = rf"\left({text}\right)"
+    return f"{text} {basis}".rstrip()

@@ -1,0 +1,197 @@
+r"""The polynomials p_n, q_n of the higher-order Cayley maps and what follows from them alone.
+
+With ``(1 + iX)ⁿ = p_n + i X q_n`` and ``x = X²`` (CP23 writes p_n(X), q_n(X); both are even, here they are functions
+of x):
+
+.. math::
+    p_1 = q_1 = 1, \quad p_{n+1} = p_n - x\,q_n, \quad q_{n+1} = q_n + p_n \qquad \text{CP23 (56)}
+
+The recurrence is the definition. The binomial sums CP23 (51), (52), the addition law and the closed forms of c_n and
+d_n are theorems; they stand here as functions of their own, computed on their own.
+"""
+
+from __future__ import annotations
+
+import operator
+from functools import lru_cache
+from math import comb
+from typing import Any, TypeAlias
+
+import sympy
+
+from ..algebra import Coefficient, Dual
+
+x = sympy.Symbol("x")
+"""The square ``v · v`` of the parameter vector, a dual number."""
+
+RING, RING_X = sympy.ring(x, sympy.ZZ)
+"""Z[x], in which the polynomials are computed, and its generator."""
+
+FIELD = RING.to_field()
+"""Q(x), in which the coefficients of the maps are computed."""
+
+Pair: TypeAlias = tuple[Coefficient, Coefficient]
+
+
+def require_order(n: Any) -> int:
+    """Return the order as an ``int``.
+
+    Raises
+    ------
+    TypeError
+        If `n` is no integer (``bool`` is refused too).
+    ValueError
+        If `n` is less than 1.
+    """
+    try:
+        order = operator.index(n)
+    except TypeError:
+        order = None
+    if order is None or isinstance(n, bool):
+        raise TypeError(f"the order n must be an integer >= 1, got {n!r} of type {type(n).__name__}")
+    if order < 1:
+        raise ValueError(f"the order n must be an integer >= 1, got {order}")
+    return order
+
+
+def pair(n: int, at: Coefficient) -> Pair:
+    """Return (p_n, q_n) at any number `at` by the recurrence CP23 (56), in n − 1 steps."""
+    p, q = 1, 1
+    for _ in range(require_order(n) - 1):
+        p, q = p - at * q, p + q
+    return p, q
+
+
+def multiply(first: Pair, second: Pair, at: Coefficient) -> Pair:
+    """Addition law: the pairs of orders m and n give that of order m + n, as ``(1 + iX)ᵐ (1 + iX)ⁿ`` does."""
+    (p, q), (r, s) = first, second
+    return p * r - at * (q * s), p * s + q * r
+
+
+def double(half: Pair, at: Coefficient) -> Pair:
+    """Doubling law: ``p_2m = p_m² − x q_m²``, ``q_2m = 2 p_m q_m``."""
+    p, q = half
+    return p * p - at * (q * q), 2 * (p * q)
+
+
+def pair_by_squaring(n: int, at: Coefficient) -> Pair:
+    """Return (p_n, q_n) at any number `at` by doubling and single steps, about ``2 log2 n`` of them."""
+    result: Pair = (1, 1)
+    for bit in f"{require_order(n):b}"[1:]:
+        result = double(result, at)
+        if bit == "1":
+            p, q = result
+            result = p - at * q, p + q
+    return result
+
+
+def pair_with_derivative(n: int, at: Coefficient) -> tuple[Coefficient, Coefficient, Coefficient, Coefficient]:
+    """Return (p_n, q_n, p_n′, q_n′), a prime being d/dx: the pair at the dual number ``at + ε``."""
+    if require_order(n) == 1:
+        return 1, 1, 0, 0
+    p, q = (value if isinstance(value, Dual) else Dual(value, 0) for value in pair_by_squaring(n, Dual(at, 1)))
+    return p.re, q.re, p.du, q.du
+
+
+def brackets(n: int, at: Coefficient) -> Pair:
+    """Return (c_n, d_n) at any number: ``c_n = 2 (p q′ − q p′)``, ``d_n = q − 2 q′ − 2 p′``.
+
+    Unlike the alternating sums of `c_binomial` and `d_binomial`, this loses no digits on shadows at high order.
+    """
+    p, q, dp, dq = pair_with_derivative(n, at)
+    return 2 * (p * dq - q * dp), q - 2 * dq - 2 * dp
+
+
+@lru_cache(maxsize=256)
+def ring_pair(n: int) -> tuple[Any, Any]:
+    """Return p_n and q_n as elements of `RING`, by the recurrence."""
+    p, q = pair(n, RING_X)
+    return RING(p), RING(q)
+
+
+def p(n: int) -> sympy.Expr:
+    """Return p_n in x, CP23 (51), (56)."""
+    return ring_pair(n)[0].as_expr()
+
+
+def q(n: int) -> sympy.Expr:
+    """Return q_n in x, CP23 (52), (56)."""
+    return ring_pair(n)[1].as_expr()
+
+
+@lru_cache(maxsize=256)
+def ring_brackets(n: int) -> tuple[Any, Any]:
+    """Return c_n and d_n as elements of `RING`, the brackets of CP23 (88) and (89) divided by x.
+
+    Raises
+    ------
+    ArithmeticError
+        If x did not divide a bracket. It always does.
+    """
+    p_n, q_n = ring_pair(n)
+    quotients = []
+    for bracket in (n * (1 + RING_X) ** (n - 1) - p_n * q_n, (1 + RING_X) * q_n - n * p_n):
+        quotient, remainder = divmod(bracket, RING_X)
+        if remainder != 0:
+            raise ArithmeticError(f"x does not divide {bracket}")
+        quotients.append(quotient)
+    return quotients[0], quotients[1]
+
+
+def c(n: int) -> sympy.Expr:
+    """Return ``c_n = [n (1+x)ⁿ⁻¹ − p_n q_n]/x``, the bracket of dcay_n in CP23 (88), by exact division."""
+    return ring_brackets(n)[0].as_expr()
+
+
+def d(n: int) -> sympy.Expr:
+    """Return ``d_n = [(1+x) q_n − n p_n]/x``, the bracket of dcay_n⁻¹ in CP23 (89), by exact division."""
+    return ring_brackets(n)[1].as_expr()
+
+
+def p_binomial(n: int) -> sympy.Expr:
+    """Return ``Σ_k (−1)ᵏ C(n, 2k) xᵏ``, CP23 (51)."""
+    return _sum((-1) ** k * comb(n, 2 * k) for k in range(require_order(n) // 2 + 1))
+
+
+def q_binomial(n: int) -> sympy.Expr:
+    """Return ``Σ_k (−1)ᵏ C(n, 2k+1) xᵏ``, CP23 (52)."""
+    return _sum((-1) ** k * comb(n, 2 * k + 1) for k in range((require_order(n) - 1) // 2 + 1))
+
+
+def c_binomial(n: int) -> sympy.Expr:
+    """Return ``c_n = Σ_{j≥1} [n C(n−1, j) − ½ (−1)ʲ C(2n, 2j+1)] xʲ⁻¹``."""
+    terms = range(1, require_order(n))
+    return _sum(n * comb(n - 1, j) - (-1) ** j * comb(2 * n, 2 * j + 1) // 2 for j in terms)
+
+
+def d_binomial(n: int) -> sympy.Expr:
+    """Return ``d_n = Σ_{j≥1} (−1)ʲ [C(n, 2j+1) − C(n, 2j−1) − n C(n, 2j)] xʲ⁻¹``."""
+    terms = range(1, require_order(n) // 2 + 2)
+    return _sum((-1) ** j * (comb(n, 2 * j + 1) - comb(n, 2 * j - 1) - n * comb(n, 2 * j)) for j in terms)
+
+
+def rational(value: Any) -> sympy.Expr:
+    """Return an element of `FIELD` as a reduced fraction in x, powers of ``1 + x`` in the denominator kept as such."""
+    element = FIELD(value)
+    numerator, denominator, power = element.numer, element.denom, 0
+    while denominator.evaluate(0, -1) == 0:
+        denominator, power = denominator.exquo(1 + RING_X), power + 1
+    if denominator.evaluate(0, 0) < 0:
+        numerator, denominator = -numerator, -denominator
+    return numerator.as_expr() / (denominator.as_expr() * (1 + x) ** power)
+
+
+def singular_angles(n: int) -> tuple[sympy.Expr, ...]:
+    """Return the Re α > 0 where dcay_n loses rank, ``2πk`` for ``1 ≤ k ≤ ⌊(n−1)/2⌋``, then ``nπ``, where v → ∞."""
+    poles = tuple(2 * sympy.pi * k for k in range(1, (require_order(n) - 1) // 2 + 1))
+    return (*poles, n * sympy.pi)
+
+
+def poles(n: int) -> tuple[sympy.Expr, ...]:
+    """Return the positive Re|v| with ``q_n = 0``, ``tan(kπ/n)`` for ``1 ≤ k ≤ ⌊(n−1)/2⌋``: the poles of dcay_n⁻¹."""
+    return tuple(sympy.tan(sympy.pi * k / n) for k in range(1, (require_order(n) - 1) // 2 + 1))
+
+
+def _sum(coefficients: Any) -> sympy.Expr:
+    """Return the polynomial with ascending `coefficients`."""
+    return RING.from_dict({(k,): value for k, value in enumerate(coefficients) if value}).as_expr()

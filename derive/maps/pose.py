@@ -1,0 +1,151 @@
+r"""Poses, orthogonal dual tensors and screws: the isomorphism φ, structural and natural invariants.
+
+A pose takes body to space: rotation Q, displacement ρ of the origin (length units). CP23 (14) makes it the orthogonal
+dual tensor ``R = (I + ε skew(ρ)) Q``. All functions take any real number type: SymPy, mpmath, floats.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ..algebra import Coefficient, Dual, Quaternion, Tensor, Vector
+from ..algebra.functions import atan2, cos, cot, sin
+from .decide import is_zero, orientation
+
+
+@dataclass(frozen=True, slots=True)
+class Pose:
+    """An element of SE(3), the homogeneous matrix ``[[Q, ρ], [0, 1]]``: ``r -> Q r + ρ``.
+
+    `rotation` and `displacement` are the structural invariants of CP23 Theorem 1.
+    """
+
+    rotation: Tensor
+    displacement: Vector
+
+    def __matmul__(self, other: Pose) -> Pose:
+        """Return the pose of moving by `other` first, then by this one."""
+        return Pose(self.rotation @ other.rotation, self.rotation @ other.displacement + self.displacement)
+
+    def inverse(self) -> Pose:
+        """Return the inverse pose ``(Qᵀ, −Qᵀ ρ)``."""
+        back = self.rotation.transpose
+        return Pose(back, -(back @ self.displacement))
+
+    def apply(self, point: Vector) -> Vector:
+        """Return the moved point ``Q r + ρ``."""
+        return self.rotation @ point + self.displacement
+
+
+@dataclass(frozen=True, slots=True)
+class Screw:
+    """The natural invariants of a pose, CP23 Theorem 3.
+
+    `angle` is the dual angle ``α + ε d`` (rotation, translation along the axis); `axis` is the unit dual vector
+    ``u + ε u°`` of the Mozzi-Chasles axis (direction, moment about the space origin).
+    """
+
+    angle: Dual
+    axis: Vector
+
+
+def tensor_from_pose(pose: Pose) -> Tensor:
+    """Return φ of the pose, ``(I + ε skew(ρ)) Q``, CP23 (14), (15): an isomorphism onto the orthogonal dual tensors."""
+    return Tensor.dual(pose.rotation, Tensor.skew(pose.displacement) @ pose.rotation)
+
+
+def pose_from_tensor(R: Tensor) -> Pose:
+    """Return φ⁻¹ of an orthogonal dual tensor, ``Q = Re R``, ``ρ = vect(Du R Qᵀ)``, CP23 (16).
+
+    These are its structural invariants. Orthogonality is not checked.
+    """
+    Q = R.re
+    return Pose(Q, (R.du @ Q.transpose).vect())
+
+
+def natural_invariants(R: Tensor) -> Screw:
+    r"""Return the dual angle, 0 ≤ α ≤ π, and the unit dual axis of an orthogonal dual tensor, CP23 (18).
+
+    With ``w = vect Q = sin α u`` and ``tr Q = 1 + 2 cos α``, ``α = atan2(|w|, (tr Q − 1)/2)``. CP23 writes |w| as
+    ``½ sqrt((1 + tr Q)(3 − tr Q))``, which is equal. The axis, in the three cases of the trace:
+
+    * −1 < tr Q < 3: ``u = w/|w|``;
+    * tr Q = −1 (Q is symmetric, α = π): u from ``Q + I = 2 u⊗u``. ±u are both right; the first non-zero component is
+      made positive;
+    * tr Q = 3 (Q = I, α = 0, a translation): ``u = ρ/|ρ|``, with moment zero; any parallel axis would do.
+
+    The second is the limit of ``(Q + Qᵀ)/2 − cos α I = (1 − cos α) u⊗u``, sign by w, which serves all of tr Q < 1:
+    towards α = π ``w/|w|`` loses digits.
+
+    .. math::
+        d = \rho \cdot u, \qquad
+        u^\circ = \tfrac12 \rho \times u + \tfrac12 \cot\tfrac\alpha2\,u \times (\rho \times u)
+
+    Parameters
+    ----------
+    R : Tensor
+        Dual tensor. Its orthogonality is not checked. Whether w or ρ vanishes is decided exactly; roots
+        in SymPy numbers are rationalised and expanded for it.
+
+    Raises
+    ------
+    ValueError
+        For the identity, which has no axis.
+    """
+    pose = pose_from_tensor(R)
+    Q, rho = pose.rotation, pose.displacement
+    w, cosine = Q.vect(), (Q.trace() - 1) / 2
+    if cosine < 0:
+        u = _axis_past_quarter_turn(Q, w, cosine)
+    elif not is_zero(w.dot(w)):
+        u = w / w.magnitude()
+    elif not is_zero(rho.dot(rho)):
+        distance = rho.magnitude()
+        return Screw(Dual(0 * cosine, distance), Vector.dual(rho / distance, rho * 0))
+    else:
+        raise ValueError("the identity has no axis: every unit dual vector would do")
+    angle = atan2(w.magnitude(), cosine)
+    across = rho.cross(u)
+    moment = across / 2 + u.cross(across) * cot(angle / 2) / 2
+    return Screw(Dual(angle, rho.dot(u)), Vector.dual(u, moment))
+
+
+def structural_invariants(screw: Screw) -> Pose:
+    r"""Return the structural invariants from the natural ones, CP23 (19).
+
+    .. math::
+        Q = I + \sin\alpha\,\tilde u + (1 - \cos\alpha)\,\tilde u^2, \qquad
+        \rho = d\,u + \sin\alpha\,u^\circ + (1 - \cos\alpha)\,u \times u^\circ
+    """
+    alpha, u, moment = screw.angle.re, screw.axis.re, screw.axis.du
+    s, versine = sin(alpha), 1 - cos(alpha)
+    skew = Tensor.skew(u)
+    rotation = Tensor.identity() + skew * s + skew @ skew * versine
+    return Pose(rotation, u * screw.angle.du + moment * s + u.cross(moment) * versine)
+
+
+def tensor_from_screw(screw: Screw) -> Tensor:
+    """Return ``I + sin α skew(u) + (1 − cos α) skew(u)²`` in dual numbers, CP23 (17)."""
+    skew = Tensor.skew(screw.axis)
+    R: Tensor = Tensor.identity() + skew * sin(screw.angle) + skew @ skew * (1 - cos(screw.angle))
+    return R
+
+
+def quaternion_from_screw(screw: Screw) -> Quaternion:
+    """Return the unit dual quaternion ``cos(α/2) + sin(α/2) u``, CP23 (23)."""
+    half = screw.angle / 2
+    return Quaternion(cos(half), screw.axis * sin(half))
+
+
+def quaternion_from_pose(rotation: Quaternion, displacement: Vector) -> Quaternion:
+    """Return the unit dual quaternion ``(1 + ε ρ/2) q`` of a unit quaternion and a displacement, CP23 (22)."""
+    return Quaternion.dual(rotation, Quaternion(0, displacement) * rotation / 2)
+
+
+def _axis_past_quarter_turn(Q: Tensor, w: Vector, cosine: Coefficient) -> Vector:
+    """Return u from ``(1 − cos α) u⊗u``, by its column of largest diagonal entry, so that no small number divides."""
+    outer = (Q + Q.transpose) / 2 - Tensor.identity() * cosine
+    k = max(range(3), key=lambda i: outer[i, i])
+    column = Vector(outer[0, k], outer[1, k], outer[2, k])
+    u: Vector = column / (column.magnitude() * orientation(column.dot(w), *column))
+    return u

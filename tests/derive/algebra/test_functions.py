@@ -1,0 +1,70 @@
+"""Elementary functions of dual numbers: identities hold in the dual part because they hold as functions."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+
+import mpmath
+import numpy as np
+import pytest
+import sympy
+
+from derive.algebra import Dual, ZeroDivisorError
+from derive.algebra.functions import atan, atan2, cos, cot, namespace, sin, sqrt, tan
+
+A = Dual(mpmath.mpf("0.7"), mpmath.mpf("-1.3"))
+B = Dual(mpmath.mpf("0.2"), mpmath.mpf("2.1"))
+EPS = mpmath.mpf(10) ** -13
+
+
+def close(a, b) -> bool:
+    difference = a - b
+    return abs(difference.re) < EPS and abs(difference.du) < EPS
+
+
+def test_identities_hold_with_their_dual_parts() -> None:
+    assert close(sin(A) ** 2 + cos(A) ** 2, Dual(1))
+    assert close(sin(A + B), sin(A) * cos(B) + cos(A) * sin(B))
+    assert close(tan(A + B) * (1 - tan(A) * tan(B)), tan(A) + tan(B))
+    assert close(cot(A) * tan(A), Dual(1))
+    assert close(tan(atan(A)), A)
+    assert close(sqrt(A) ** 2, A)
+
+
+@pytest.mark.parametrize("quarter", range(8))
+def test_atan2_inverts_the_circle_all_round(quarter: int) -> None:
+    angle = Dual(mpmath.pi * (2 * quarter - 7) / 8, mpmath.mpf("1.7"))
+    radius = Dual(mpmath.mpf("2.5"), mpmath.mpf("-0.4"))
+    assert close(atan2(radius * sin(angle), radius * cos(angle)), angle)
+
+
+@pytest.mark.parametrize("f", [sin, cos, tan, cot, atan, sqrt])
+def test_dual_part_is_the_derivative(f) -> None:
+    x = sympy.Symbol("x")
+    derivative = f(x).diff(x).subs(x, sympy.Rational(3, 5))
+    value = f(Dual(sympy.Rational(3, 5), sympy.Integer(1)))
+    assert abs(sympy.N(value.du - derivative, 30)) < 1e-25
+
+
+def test_symbols_stay_symbols() -> None:
+    x = sympy.Symbol("x")
+    assert cos(Dual(x, 2)) == Dual(sympy.cos(x), -2 * sympy.sin(x))
+    assert sqrt(Dual(sympy.Integer(2), sympy.Integer(1))) == Dual(sympy.sqrt(2), sympy.sqrt(2) / 4)
+
+
+def test_the_library_follows_the_number() -> None:
+    assert namespace(1, 2.0, Fraction(1, 2)) is math
+    assert namespace(mpmath.mpf(1)) is mpmath and namespace(Dual(mpmath.mpf(1), 0)) is mpmath
+    assert namespace(np.float64(1)) is np and namespace(sympy.Integer(1), 1.0) is sympy
+    assert isinstance(sin(0.5), float) and isinstance(sin(mpmath.mpf("0.5")), mpmath.mpf)
+    assert atan2(1.0, -1.0) == math.atan2(1.0, -1.0)
+
+
+def test_poles_and_zero_divisors_are_errors() -> None:
+    with pytest.raises(ZeroDivisorError, match="zero divisor has no square root"):
+        sqrt(Dual(0.0, 1.0))
+    with pytest.raises(ZeroDivisorError, match="tan has a pole"):
+        tan(Dual(sympy.pi / 2, sympy.Integer(1)))
+    with pytest.raises(ZeroDivisorError, match="cot has a pole"):
+        cot(0.0)

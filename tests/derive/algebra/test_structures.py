@@ -1,0 +1,143 @@
+"""Vectors, tensors and quaternions: the laws of their products, over exact and dual coefficients alike."""
+
+from __future__ import annotations
+
+import operator
+from fractions import Fraction
+
+import mpmath
+import pytest
+import sympy
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from derive.algebra import Dual, Quaternion, Tensor, Vector, ZeroDivisorError
+
+fractions = st.fractions(min_value=-5, max_value=5, max_denominator=4)
+duals = st.builds(Dual, fractions, fractions)
+vectors = st.builds(Vector, duals, duals, duals)
+tensors = st.lists(duals, min_size=9, max_size=9).map(Tensor.from_entries)
+quaternions = st.builds(Quaternion, duals, vectors)
+few = settings(max_examples=12, deadline=None)
+
+
+@few
+@given(vectors, vectors, vectors, duals)
+def test_vector_products(a: Vector, b: Vector, c: Vector, s: Dual) -> None:
+    assert a.cross(b) == -b.cross(a) and a.dot(b) == b.dot(a)
+    assert a.dot(a.cross(b)) == 0
+    assert a.cross(b.cross(c)) == b * a.dot(c) - c * a.dot(b)
+    assert (s * a).dot(b) == s * a.dot(b) and s * a == a * s
+    assert a - b == a + -b
+
+
+def test_right_handed_basis() -> None:
+    e1, e2, e3 = Vector(1, 0, 0), Vector(0, 1, 0), Vector(0, 0, 1)
+    assert (e1.cross(e2), e2.cross(e3), e3.cross(e1)) == (e3, e1, e2)
+
+
+def test_dual_parts_of_a_vector() -> None:
+    v = Vector.dual((1, 2, 3), (4, 5, 6))
+    assert v.re == Vector(1, 2, 3) and v.du == Vector(4, 5, 6)
+    assert Vector(1, 2, 3).re == Vector(1, 2, 3) and Vector(1, 2, 3).du == Vector(0, 0, 0)
+    assert v.dot(v) == Dual(14, 64)
+    with pytest.raises(ValueError):
+        Vector.dual((1, 2), (3, 4, 5))
+
+
+def test_magnitude_of_a_dual_vector_in_both_cases() -> None:
+    assert Vector.dual((3, 0, 4), (1, 7, 2)).magnitude() == Dual(5.0, 2.2)
+    assert Vector.dual((0, 0, 0), (3, 0, 4)).magnitude() == Dual(0, 5)
+    assert Vector(3, 0, 4).magnitude() == 5
+    root = Vector.dual(sympy.Matrix([1, 1, 0]), sympy.Matrix([1, 2, 5])).magnitude()
+    assert root == Dual(sympy.sqrt(2), 3 / sympy.sqrt(2))
+
+
+@given(st.lists(fractions, min_size=6, max_size=6).filter(any))
+def test_magnitude_squares_to_the_square(c: list[Fraction]) -> None:
+    v = Vector.dual(map(mpmath.mpmathify, c[:3]), map(mpmath.mpmathify, c[3:]))
+    residue = v.magnitude() ** 2 - v.dot(v)
+    assert abs(residue.re) + abs(residue.du) < 1e-11
+
+
+@few
+@given(tensors, tensors, vectors, vectors)
+def test_tensor_products(S: Tensor, T: Tensor, a: Vector, b: Vector) -> None:
+    assert (S @ T) @ a == S @ (T @ a)
+    assert (S @ T).transpose == T.transpose @ S.transpose
+    assert (S @ T).trace() == (T @ S).trace()
+    assert (S @ T).det() == S.det() * T.det()
+    assert a.dot(T.transpose @ b) == b.dot(T @ a)
+    assert S - T == S + -T and (S + T) @ a == S @ a + T @ a
+
+
+@few
+@given(vectors, vectors, vectors, vectors)
+def test_skew_dyad_vect(a: Vector, b: Vector, c: Vector, d: Vector) -> None:
+    assert Tensor.skew(a) @ b == a.cross(b)
+    assert Tensor.skew(a).vect() == a
+    assert Tensor.dyad(a, b) @ c == a * b.dot(c)
+    assert Tensor.dyad(a, b) @ Tensor.dyad(c, d) == Tensor.dyad(a, d) * b.dot(c)
+    assert Tensor.dyad(a, b).trace() == a.dot(b)
+    assert (Tensor.dyad(a, b) + Tensor.skew(c)).vect() == c - a.cross(b) / 2
+
+
+@few
+@given(tensors.filter(lambda T: T.re.det() != 0))
+def test_tensor_inverse(T: Tensor) -> None:
+    assert T @ T.inverse() == T.inverse() @ T == Tensor.identity()
+
+
+def test_singular_tensors_have_no_inverse() -> None:
+    singular = Tensor.dual(Tensor.skew(Vector(1, 2, 3)), Tensor.identity())
+    with pytest.raises(ZeroDivisorError, match="zero divisor"):
+        singular.inverse()
+    with pytest.raises(ZeroDivisionError):
+        Tensor.skew(Vector(Fraction(1), Fraction(2), Fraction(3))).inverse()
+    with pytest.raises(ValueError, match="9 entries, got 8"):
+        Tensor.from_entries(range(8))
+
+
+def test_dual_parts_of_a_tensor() -> None:
+    S, T = Tensor.from_entries(range(9)), Tensor.identity()
+    assert Tensor.dual(S, T).re == S and Tensor.dual(S, T).du == T and S[1, 2] == 5
+
+
+@few
+@given(quaternions, quaternions, quaternions, vectors)
+def test_quaternion_algebra(q: Quaternion, r: Quaternion, s: Quaternion, v: Vector) -> None:
+    assert (q * r) * s == q * (r * s)
+    assert q * (r + s) == q * r + q * s and q - r == q + -r
+    assert (q * r).conjugate() == r.conjugate() * q.conjugate()
+    assert q * q.conjugate() == Quaternion(q.norm2(), Vector(0, 0, 0))
+    assert (q * r).norm2() == q.norm2() * r.norm2()
+    assert (q * r).sandwich(v) == q.sandwich(r.sandwich(v))
+    assert q.sandwich(v).dot(q.sandwich(v)) == q.norm2() ** 2 * v.dot(v)
+
+
+@few
+@given(quaternions.filter(lambda q: q.norm2().re != 0))
+def test_quaternion_inverse(q: Quaternion) -> None:
+    assert q * q.inverse() == Quaternion(1, Vector(0, 0, 0))
+
+
+def test_hamilton_and_zero_divisors() -> None:
+    i, j, k = (Quaternion(0, Vector(*e)) for e in ((1, 0, 0), (0, 1, 0), (0, 0, 1)))
+    assert i * j == k and j * i == -k and i * i == Quaternion(-1, Vector(0, 0, 0))
+    q = Quaternion.dual((0, 0, 0, 0), (1, 2, 3, 4))
+    assert q.re == Quaternion(0, Vector(0, 0, 0)) and q.du == Quaternion(1, Vector(2, 3, 4)) and 2 * q == q * 2
+    with pytest.raises(ZeroDivisorError, match="zero divisor"):
+        q.inverse()
+
+
+@pytest.mark.parametrize("operation", [operator.add, operator.sub, operator.mul, operator.truediv])
+@pytest.mark.parametrize("left", [Vector(1, 2, 3), Tensor.identity(), Quaternion(1, Vector(1, 2, 3)), Dual(1, 2)])
+@pytest.mark.parametrize("right", [Vector(1, 2, 3), Tensor.identity()])
+def test_mixed_structures_are_type_errors(operation, left, right) -> None:
+    if type(left) is type(right) and operation in (operator.add, operator.sub):
+        return
+    if isinstance(left, Dual) and operation is operator.mul:
+        assert isinstance(left * right, type(right))
+        return
+    with pytest.raises(TypeError):
+        operation(left, right)

@@ -1,0 +1,210 @@
+"""The front door: coefficients, matrices and texts of Cayley(n) against what they claim."""
+
+from __future__ import annotations
+
+import dataclasses
+from fractions import Fraction
+
+import pytest
+import sympy
+
+from derive.algebra import Dual, Isotropic, Quaternion, Vector, dual_part, real_part
+from derive.maps import Cayley, Formula, closed_forms, x
+from derive.maps.polynomials import FIELD
+
+ORDERS = [1, 2, 3, 4, 5, 8, 11]
+V = sympy.symbols("v1:4 d1:4")
+MAPS = ("tensor", "tangent", "tangent_inv")
+
+
+def field_form(formula: Formula) -> Isotropic:
+    a, b, c = (FIELD.from_expr(coefficient) for coefficient in formula.coefficients)
+    return Isotropic(a, b, c, FIELD.gens[0])
+
+
+def is_zero(expression: sympy.Expr) -> bool:
+    return sympy.cancel(sympy.together(expression)) == 0
+
+
+def test_printed_coefficients() -> None:
+    """CP23 (96)-(98), (103)-(105), (110)-(112), with the shared signs and fraction bars derived."""
+    expected = {
+        (1, "tangent"): (2 / (1 + x), 2 / (1 + x), 0),
+        (1, "tangent_inv"): (sympy.Rational(1, 2), -sympy.Rational(1, 2), sympy.Rational(1, 2)),
+        (2, "tangent"): (4 * (1 - x) / (1 + x) ** 2, 8 / (1 + x) ** 2, 8 / (1 + x) ** 2),
+        (2, "tangent_inv"): ((1 - x) / 4, -sympy.Rational(1, 2), sympy.Rational(1, 2)),
+        (3, "tensor"): (
+            1 - 2 * x * (3 - x) ** 2 / (1 + x) ** 3,
+            2 * (3 - x) * (1 - 3 * x) / (1 + x) ** 3,
+            2 * (3 - x) ** 2 / (1 + x) ** 3,
+        ),
+        (3, "tangent"): (
+            2 * (1 - 3 * x) * (3 - x) / (1 + x) ** 3,
+            2 * (3 - x) ** 2 / (1 + x) ** 3,
+            32 / (1 + x) ** 3,
+        ),
+        (3, "tangent_inv"): (
+            (1 - 3 * x) / (2 * (3 - x)),
+            -sympy.Rational(1, 2),
+            (11 - x) / (6 * (3 - x)),
+        ),
+    }
+    for (n, name), coefficients in expected.items():
+        for got, wanted in zip(getattr(Cayley(n), name).coefficients, coefficients, strict=True):
+            assert is_zero(got - wanted), (n, name)
+
+
+def identities(m: Cayley) -> dict[str, tuple[object, object]]:
+    at, q = FIELD.gens[0], FIELD.from_expr(m.q)
+    R, T, inverse = field_form(m.tensor), field_form(m.tangent), field_form(m.tangent_inv)
+    s, t = m.quaternion.coefficients
+    one = Isotropic.identity(at)
+    return {
+        "|q|^2 = 1": (sympy.cancel(s**2 + x * t**2), 1),
+        "R R^T = I": (R @ R.transpose, one),
+        "det R = 1": (R.det(), 1),
+        "dcay v = 2n/(1+x) v": (T.axial, 2 * m.n / (1 + at)),
+        "dcay^T = R^T dcay": (T.transpose, R.transpose @ T),
+        "det dcay = 8n q^2/(1+x)^(n+1)": (T.det(), 8 * m.n * q**2 / (1 + at) ** (m.n + 1)),
+        "dcay dcay^-1 = I": (T @ inverse, one),
+    }
+
+
+@pytest.mark.parametrize("n", ORDERS)
+def test_every_identity_a_formula_states(n: int) -> None:
+    m = Cayley(n)
+    table = identities(m)
+    stated = [text for name in ("quaternion", *MAPS) for text in getattr(m, name).identities]
+    assert set(stated) == set(table)
+    for text in stated:
+        left, right = table[text]
+        assert left == right, text
+
+
+@pytest.mark.parametrize("n", [1, 2, 3, 4])
+def test_tangent_is_the_derivative_of_the_tensor(n: int) -> None:
+    """ω = vect(Ṙ Rᵀ), entry by entry along one symbol, at rational points."""
+    R, _ = Cayley(n).tensor.matrix(V)
+    T, _ = Cayley(n).tangent.matrix(V)
+    point = dict(zip(V, map(sympy.Rational, ("1/3", "-2/5", "3/7", "1", "2", "3")), strict=True))
+    for k in range(3):
+        rate = R.diff(V[k]).subs(point) * R.subs(point).T
+        assert rate + rate.T == sympy.zeros(3)
+        assert sympy.Matrix([rate[2, 1], rate[0, 2], rate[1, 0]]) == T.subs(point)[:, k]
+
+
+@pytest.mark.parametrize("name", ["quaternion", *MAPS])
+@pytest.mark.parametrize("n", [1, 2, 3, 6])
+def test_dual_matrix_is_the_directional_derivative(n: int, name: str) -> None:
+    re, du = getattr(Cayley(n), name).matrix(V)
+    slope = sum((re.diff(V[k]) * V[k + 3] for k in range(3)), sympy.zeros(*re.shape))
+    point = dict(zip(V, map(sympy.Rational, ("1/3", "-2/5", "3/7", "1", "2", "3")), strict=True))
+    assert du.subs(point) != sympy.zeros(*re.shape)
+    assert all(sympy.expand(entry) == 0 for entry in (du - slope).subs(point))
+    assert re.shape == ((4, 1) if name == "quaternion" else (3, 3))
+
+
+@pytest.mark.parametrize("n", ORDERS)
+def test_symbolic_and_numeric_forms_are_one(n: int, draw_exact) -> None:
+    m = Cayley(n)
+    for _ in range(3):
+        v = draw_exact()
+        square = v.dot(v)
+        for name in MAPS:
+            formula = getattr(m, name)
+            values = formula.at(square)
+            assert values == getattr(closed_forms, name)(n, square)
+            for value, expression in zip(values.coefficients, formula.coefficients, strict=True):
+                at = {x: sympy.Rational(square.re)}
+                assert real_part(value) == Fraction(str(expression.subs(at)))
+                assert dual_part(value) == square.du * Fraction(str(expression.diff(x).subs(at)))
+
+
+@pytest.mark.parametrize("n", range(1, 12))
+def test_quaternion_is_unit_and_gives_the_tensor(n: int, draw, gap) -> None:
+    v = draw(2)
+    s, t = closed_forms.quaternion(n, v.dot(v))
+    R = closed_forms.tensor(n, v.dot(v))
+    assert gap(s * s + v.dot(v) * t * t, Dual(1)) < 1e-45
+    assert max(gap(2 * s * t, R.b), gap(2 * t * t, R.c)) < 1e-44
+
+
+@pytest.mark.parametrize("n", range(1, 9))
+def test_quaternion_is_the_power_of_its_definition(n: int, draw, gap) -> None:
+    """CP23 (46) squared, ``q̂² = ((1 + v)(1 − v)⁻¹)ⁿ``, by quaternion products."""
+    v = draw()
+    step = Quaternion(Dual(1), v) * Quaternion(Dual(1), -v).inverse()
+    power = step
+    for _ in range(n - 1):
+        power = power * step
+    q = closed_forms.quaternion_from_vector(n, v)
+    assert gap(q * q, power) < 1e-42
+
+
+@pytest.mark.parametrize("n", range(1, 6))
+def test_pure_translation(n: int) -> None:
+    v = Vector.dual((Fraction(0),) * 3, (Fraction(1), Fraction(-2), Fraction(3)))
+    square = v.dot(v)
+    assert closed_forms.tensor(n, square).tensor(v) == Isotropic(1, 2 * n, 0, square).tensor(v)
+    assert closed_forms.tangent(n, square).tensor(v) == Isotropic(2 * n, 2 * n**2, 0, square).tensor(v)
+
+
+def test_equation_numbers() -> None:
+    assert [getattr(Cayley(3), name).equations for name in ("quaternion", *MAPS)] == [
+        (50, 55, 109),
+        (57, 110),
+        (88, 111),
+        (89, 112),
+    ]
+    assert Cayley(5).tangent_inv.equations == (89, 125) and Cayley(7).tangent.equations == (88,)
+
+
+def test_domains_and_singular_sets() -> None:
+    assert Cayley(2).tangent_inv.domain == "every dual vector v"
+    assert Cayley(5).tangent_inv.domain == "every dual vector v with Re q_5 != 0"
+    assert Cayley(5).tangent.singular == "loses rank at Re alpha = 2*pi, 4*pi; v is infinite at Re alpha = 5*pi"
+    assert Cayley(1).tangent_inv.singular == "pole at no finite v; v is infinite at Re alpha = pi"
+
+
+def test_latex() -> None:
+    assert Cayley(3).tangent_inv.latex() == (
+        r"\mathrm{dcay}_{3}^{-1} = \frac{p_{3}}{2 q_{3}} I - \frac{1}{2} \tilde{v} + "
+        r"\frac{(1 + x) q_{3} - 3 p_{3}}{6 x q_{3}} v \otimes v = "
+        r"\frac{1 - 3 x}{6 - 2 x} I - \frac{1}{2} \tilde{v} + \frac{11 - x}{18 - 6 x} v \otimes v"
+    )
+    assert (
+        Cayley(2)
+        .tangent_inv.latex()
+        .endswith(r"= \left(\frac{1}{4} - \frac{x}{4}\right) I - \frac{1}{2} \tilde{v} + \frac{1}{2} v \otimes v")
+    )
+    assert Cayley(1).tangent.latex().endswith(r"= \frac{2}{1 + x} I + \frac{2}{1 + x} \tilde{v}")
+    text = Cayley(3).latex()
+    for part in (r"p_{3} &= 1 - 3 x", r"q_{3} &= 3 - x", r"\hat{q} &=", r"(1 + x)^{3/2}", r"\mathrm{dcay}_{3}^{-1}"):
+        assert part in text
+    for item in (Cayley(3), Cayley(3).tensor):
+        shown = item._repr_latex_()
+        assert shown.startswith("$") and shown.endswith("$") and item.latex() in shown
+
+
+def test_values_are_frozen_and_equal_by_content() -> None:
+    assert Cayley(3) == Cayley(3) and hash(Cayley(3)) == hash(Cayley(3)) and Cayley(3).n == Cayley(3).order == 3
+    assert Cayley(3).tensor == Cayley(3).tensor != Cayley(3).tangent
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        Cayley(3).order = 4  # type: ignore[misc]
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        Cayley(3).tensor.order = 4  # type: ignore[misc]
+
+
+def test_prove_lists_proofs_for_all_n_and_for_this_one() -> None:
+    proofs = Cayley(2).prove()
+    assert isinstance(proofs, list) and {"all n", "n = 2"} <= {proof.scope for proof in proofs}
+    assert all(proof.status == "proved" for proof in proofs)
+
+
+def test_bad_input() -> None:
+    with pytest.raises(ValueError, match="n must be an integer >= 1, got 0"):
+        Cayley(0)
+    with pytest.raises(TypeError, match="n must be an integer >= 1, got 2.5 of type float"):
+        Cayley(2.5)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="expected 6 symbols, .* got 3"):
+        Cayley(2).tensor.matrix(V[:3])

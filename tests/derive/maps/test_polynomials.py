@@ -1,0 +1,128 @@
+"""p_n, q_n by recurrence, binomial sums and doubling; the brackets c_n, d_n; orders refused."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import mpmath
+import numpy as np
+import pytest
+import sympy
+
+from derive.algebra import Dual
+from derive.maps import polynomials
+from derive.maps.polynomials import FIELD, RING, RING_X, rational, x
+
+ORDERS = [*range(1, 17), 31, 64]
+
+
+def ring(expression: sympy.Expr):
+    return RING.from_expr(sympy.expand(expression))
+
+
+def test_printed_polynomials() -> None:
+    printed = {
+        1: (1, 1),
+        2: (1 - x, 2),
+        3: (1 - 3 * x, 3 - x),
+        4: (1 - 6 * x + x**2, 4 - 4 * x),
+        5: (1 - 10 * x + 5 * x**2, 5 - 10 * x + x**2),
+    }
+    for n, (p, q) in printed.items():
+        assert sympy.expand(polynomials.p(n) - p) == 0 and sympy.expand(polynomials.q(n) - q) == 0
+
+
+@pytest.mark.parametrize("n", ORDERS)
+def test_binomial_sums(n: int) -> None:
+    for name in "pqcd":
+        assert getattr(polynomials, name)(n) == getattr(polynomials, f"{name}_binomial")(n)
+
+
+@pytest.mark.parametrize("n", ORDERS)
+def test_power_of_a_gaussian_number(n: int) -> None:
+    # (1 + 2i)^n by integer arithmetic: X = 2, x = 4
+    re, im = 1, 0
+    for _ in range(n):
+        re, im = re - 2 * im, im + 2 * re
+    p, q = polynomials.pair(n, 4)
+    assert (re, im) == (p, 2 * q)
+    assert p * p + 4 * q * q == 5**n
+
+
+@pytest.mark.parametrize("n", ORDERS)
+def test_squaring_gives_the_recurrence_on_any_number(n: int) -> None:
+    for at in (RING_X, Fraction(3, 7), Dual(Fraction(1, 3), Fraction(2)), -5):
+        assert polynomials.pair_by_squaring(n, at) == polynomials.pair(n, at)
+    p, q = polynomials.ring_pair(n)
+    assert p**2 + RING_X * q**2 == (1 + RING_X) ** n
+
+
+def test_addition_and_doubling() -> None:
+    for m in range(1, 8):
+        for n in range(1, 8):
+            pairs = polynomials.pair(m, RING_X), polynomials.pair(n, RING_X)
+            assert polynomials.multiply(*pairs, RING_X) == polynomials.pair(m + n, RING_X)
+        assert polynomials.double(polynomials.pair(m, RING_X), RING_X) == polynomials.pair(2 * m, RING_X)
+
+
+@pytest.mark.parametrize("n", ORDERS)
+def test_derivatives_and_brackets(n: int) -> None:
+    p, q, dp, dq = polynomials.pair_with_derivative(n, RING_X)
+    assert (ring(polynomials.p(n).diff(x)), ring(polynomials.q(n).diff(x))) == (dp, dq)
+    c, d = polynomials.brackets(n, RING_X)
+    assert (c, d) == polynomials.ring_brackets(n)
+    assert RING_X * c == n * (1 + RING_X) ** (n - 1) - p * q
+    assert RING_X * d == (1 + RING_X) * q - n * p
+    assert polynomials.c(n).subs(x, 0) == sympy.Rational(2 * n * (n**2 - 1), 3)
+
+
+def test_brackets_keep_their_digits_on_a_shadow() -> None:
+    n, at = 64, mpmath.tan(mpmath.mpf("1.2")) ** 2
+    exact = [polynomials.c(n).subs(x, sympy.Float(at, 60)), polynomials.d(n).subs(x, sympy.Float(at, 60))]
+    floats = polynomials.brackets(n, float(at))
+    c, d = polynomials.brackets(n, at)
+    assert abs(floats[0] / float(c) - 1) < 1e-12 and abs(floats[1] / float(d) - 1) < 1e-12
+    assert abs(sympy.Float(c, 30) / exact[0] - 1) < 1e-20 and abs(sympy.Float(d, 30) / exact[1] - 1) < 1e-20
+
+
+@pytest.mark.parametrize("n", [1, 2, 3, 5, 8, 13])
+def test_tangent_of_multiple_angles(n: int) -> None:
+    theta = mpmath.mpf("0.31")
+    p, q = polynomials.pair_by_squaring(n, mpmath.tan(theta) ** 2)
+    assert abs(p - mpmath.cos(n * theta) / mpmath.cos(theta) ** n) < 1e-14
+    assert abs(q - mpmath.sin(n * theta) / (mpmath.cos(theta) ** n * mpmath.tan(theta))) < 1e-13
+
+
+@pytest.mark.parametrize("n", range(1, 13))
+def test_singular_angles_and_poles(n: int) -> None:
+    angles = polynomials.singular_angles(n)
+    assert angles == (*(2 * sympy.pi * k for k in range(1, (n + 1) // 2)), n * sympy.pi)
+    roots = polynomials.poles(n)
+    assert len(roots) == len(angles) - 1 == sympy.Poly(polynomials.q(n), x).degree()
+    for root, angle in zip(roots, angles, strict=False):
+        assert root == sympy.tan(angle / (2 * n))
+        assert abs(sympy.N(polynomials.q(n).subs(x, root**2), 40)) < 1e-25
+
+
+def test_rational_keeps_powers_of_one_plus_x_and_positive_denominators() -> None:
+    at = FIELD.gens[0]
+    assert rational(3) == 3
+    assert rational((1 - at) / (1 + at) ** 3) == (1 - x) / (1 + x) ** 3
+    assert rational(at / ((at - 2) * (1 + at))) == -x / ((2 - x) * (1 + x))
+    assert rational((1 - at**2) / (1 + at)) == 1 - x
+
+
+@pytest.mark.parametrize("n", [0, -1, -7])
+def test_orders_below_one_are_refused(n: int) -> None:
+    with pytest.raises(ValueError, match=rf"the order n must be an integer >= 1, got {n}"):
+        polynomials.p(n)
+
+
+@pytest.mark.parametrize("n", [True, 2.0, "3", None, 1.5, Fraction(3)])
+def test_what_is_no_integer_is_refused(n) -> None:
+    with pytest.raises(TypeError, match=r"the order n must be an integer >= 1, got .* of type"):
+        polynomials.pair(n, 1)
+
+
+def test_other_integers_are_taken() -> None:
+    assert polynomials.require_order(np.int64(3)) == polynomials.require_order(sympy.Integer(3)) == 3

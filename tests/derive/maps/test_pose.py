@@ -1,0 +1,116 @@
+"""Poses, orthogonal dual tensors and screws: the isomorphism, and the natural invariants in all three trace cases."""
+
+from __future__ import annotations
+
+import math
+
+import mpmath
+import pytest
+import sympy
+
+from derive.algebra import Dual, Quaternion, Tensor, Vector
+from derive.maps import closed_forms
+from derive.maps.composition import tensor_from_quaternion
+from derive.maps.pose import (
+    Pose,
+    Screw,
+    natural_invariants,
+    pose_from_tensor,
+    quaternion_from_pose,
+    quaternion_from_screw,
+    structural_invariants,
+    tensor_from_pose,
+    tensor_from_screw,
+)
+
+S = sympy.Rational
+
+
+@pytest.fixture
+def draw_pose(draw):
+    def pose() -> Pose:
+        v = draw()
+        return Pose(closed_forms.tensor(1, v.re.dot(v.re)).tensor(v.re), v.du)
+
+    return pose
+
+
+def screw(angle, distance, direction, point) -> Screw:
+    u = Vector(*direction)
+    return Screw(Dual(angle, distance), Vector.dual(u, Vector(*point).cross(u)))
+
+
+def test_isomorphism(draw_pose, gap) -> None:
+    for _ in range(4):
+        g, h = draw_pose(), draw_pose()
+        assert gap(tensor_from_pose(g @ h), tensor_from_pose(g) @ tensor_from_pose(h)) < 1e-45
+        assert gap(tensor_from_pose(g.inverse()), tensor_from_pose(g).transpose) < 1e-45
+        back = pose_from_tensor(tensor_from_pose(g))
+        assert gap(back.rotation, g.rotation) < 1e-45 and gap(back.displacement, g.displacement) < 1e-45
+        point = h.displacement
+        assert gap((g @ h).apply(point), g.apply(h.apply(point))) < 1e-45
+
+
+def test_orthogonal_dual_tensor_moves_lines_as_the_pose_moves_points(draw_pose, gap) -> None:
+    g = draw_pose()
+    a, b = Vector(1, 2, 3), Vector(-2, 5, 1)
+    line = Vector.dual(b - a, a.cross(b))
+    moved = Vector.dual(g.apply(b) - g.apply(a), g.apply(a).cross(g.apply(b)))
+    assert gap(tensor_from_pose(g) @ line, moved) < 1e-44
+
+
+def test_natural_invariants_of_any_pose(draw_pose, gap) -> None:
+    for _ in range(6):
+        R = tensor_from_pose(draw_pose())
+        found = natural_invariants(R)
+        assert 0 < found.angle.re < mpmath.pi
+        assert gap(found.axis.dot(found.axis), Dual(1)) < 1e-45
+        assert gap(tensor_from_screw(found), R) < 1e-45
+        assert gap(tensor_from_pose(structural_invariants(found)), R) < 1e-45
+        assert gap(tensor_from_quaternion(quaternion_from_screw(found)), R) < 1e-45
+
+
+def test_a_known_screw_is_found_exactly() -> None:
+    given = screw(sympy.pi / 3, S(5), (S(2, 3), S(-2, 3), S(1, 3)), (S(1), S(2), S(3)))
+    found = natural_invariants(tensor_from_screw(given))
+    for a, b in zip((*found.axis, found.angle), (*given.axis, given.angle), strict=True):
+        assert sympy.radsimp(sympy.expand(a.re - b.re)) == 0 == sympy.radsimp(sympy.expand(a.du - b.du))
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_trace_minus_one_exactly(sign: int) -> None:
+    direction = [sign * S(k, 3) for k in (1, -2, 2)]
+    given = screw(sympy.pi, S(4), direction, (S(1), S(1), S(0)))
+    R = tensor_from_screw(given)
+    assert R.re.trace() == -1
+    found = natural_invariants(R)
+    # both axes give R; the one with first non-zero component positive is returned
+    assert found.angle == Dual(sympy.pi, sign * 4) and found.axis == given.axis * sign
+    assert natural_invariants(tensor_from_screw(screw(sympy.pi, 0, (0, -1, 0), (0, 0, 0)))).axis.re == Vector(0, 1, 0)
+
+
+@pytest.mark.parametrize("below", [0.0, 1e-15, 1e-9, 1e-4, 0.1, 1.0, 1.5, 1.6])
+def test_floats_keep_their_digits_up_to_pi(below: float) -> None:
+    given = screw(math.pi - below, 2.0, (0.6, 0.0, 0.8), (1.0, 2.0, 3.0))
+    found = natural_invariants(tensor_from_screw(given))
+    for a, b in zip((*found.axis, found.angle), (*given.axis, given.angle), strict=True):
+        assert abs(a.re - b.re) < 4e-15 and abs(a.du - b.du) < 2e-14
+
+
+def test_trace_three() -> None:
+    rho = Vector(S(2), S(-1), S(2))
+    identity = Tensor.identity().map(S)
+    found = natural_invariants(tensor_from_pose(Pose(identity, rho)))
+    assert found == Screw(Dual(0, 3), Vector.dual((S(2, 3), S(-1, 3), S(2, 3)), (0, 0, 0)))
+    assert structural_invariants(found) == Pose(identity, rho)
+    with pytest.raises(ValueError, match="the identity has no axis"):
+        natural_invariants(tensor_from_pose(Pose(identity, rho * 0)))
+
+
+def test_quaternion_of_a_pose(gap) -> None:
+    half = mpmath.mpf("0.4")
+    q = Quaternion(mpmath.cos(half), Vector(0, mpmath.sin(half), 0))
+    rho = Vector(mpmath.mpf(1), mpmath.mpf(2), mpmath.mpf(3))
+    dual = quaternion_from_pose(q, rho)
+    assert gap(dual.norm2(), Dual(1)) < 1e-48
+    assert gap(tensor_from_quaternion(dual), tensor_from_pose(Pose(tensor_from_quaternion(q), rho))) < 1e-48
