@@ -1,0 +1,222 @@
+r"""The second road: one order, by components, from the definition.
+
+:math:`z = (1 + v)^n` is multiplied out as a dual quaternion of six real symbols; :math:`\hat q = z/|z|` (CP23 (46)),
+R is the sandwich ``q̂ r q̂*`` entry by entry (24), and ω = vect(R' Rᵀ) (68) with every entry differentiated along v'.
+The formulas under test enter as functions of x, expanded at the dual number :math:`x = v \cdot v` by
+:math:`f(x) + \varepsilon x^\circ f'(x)`. All residues are polynomials, modulo v·v = x with x° = 2 v·v°; denominators
+and |z|², which have real part ≠ 0, are multiplied out. Nothing is taken from the proofs for every order.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+from ..maps.polynomials import x
+from .at_order import CayleyFormulas
+from .element import Element
+from .exact import Ring
+from .identity import Check, Claim, Proof, decide
+
+METHOD = "componentwise from the definition, exact polynomials in v1 v2 v3 and their dual parts"
+CYCLIC = ((2, 1), (0, 2), (1, 0))  # vect(T) takes T_32 - T_23, T_13 - T_31, T_21 - T_12
+
+
+class _Dual:
+    """re + ε du over the exact ring; kept apart from :mod:`derive.algebra`, which the formulas are made with."""
+
+    __slots__ = ("du", "re")
+
+    def __init__(self, re: Element, du: Element) -> None:
+        self.re, self.du = re, du
+
+    def __add__(self, other: _Dual) -> _Dual:
+        return _Dual(self.re + other.re, self.du + other.du)
+
+    def __sub__(self, other: _Dual) -> _Dual:
+        return _Dual(self.re - other.re, self.du - other.du)
+
+    def __neg__(self) -> _Dual:
+        return _Dual(-self.re, -self.du)
+
+    def __mul__(self, other: _Dual) -> _Dual:
+        return _Dual(self.re * other.re, self.re * other.du + self.du * other.re)
+
+    def derivative(self, name: str) -> _Dual:
+        return _Dual(self.re.derivative(name), self.du.derivative(name))
+
+
+_Row = list[_Dual]
+
+
+def _sum(terms: Iterator[_Dual] | Sequence[_Dual]) -> _Dual:
+    first, *rest = terms
+    for term in rest:
+        first = first + term
+    return first
+
+
+def _multiply(a: Sequence[_Dual], b: Sequence[_Dual]) -> _Row:
+    """Hamilton's product: i j = k and cyclic."""
+    return [
+        a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
+        a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
+        a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1],
+        a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0],
+    ]
+
+
+def _conjugate(a: Sequence[_Dual]) -> _Row:
+    return [a[0], -a[1], -a[2], -a[3]]
+
+
+class Components:
+    """Definition and formulas of one Cayley map, expanded in six real symbols.
+
+    Parameters
+    ----------
+    cayley : CayleyFormulas
+        Such as ``derive.Cayley(7)``.
+    backend : {"flint", "sympy"}, optional
+        Polynomial library of the exact ring.
+    """
+
+    def __init__(self, cayley: CayleyFormulas, backend: str | None = None) -> None:
+        self.cayley = cayley
+        self.ring = Ring(vectors=("v",), extra=("d1", "d2", "d3"), backend=backend)
+        zero = self.ring.constant(0)
+        self.zero, self.one = _Dual(zero, zero), _Dual(self.ring.constant(1), zero)
+        self.v = [_Dual(self.ring.symbol(f"v{i}"), self.ring.symbol(f"d{i}")) for i in (1, 2, 3)]
+        self.x = _sum([c * c for c in self.v])
+        self.z = self._power([self.one, *self.v])
+        self.norm = _sum([c * c for c in self.z])  # |z|²
+        units = [[self.one if i == k else self.zero for i in range(4)] for k in (1, 2, 3)]
+        images = [_multiply(_multiply(self.z, unit), _conjugate(self.z))[1:] for unit in units]
+        self.rotation = [list(row) for row in zip(*images, strict=True)]  # |z|² R
+
+    def _power(self, base: _Row) -> _Row:
+        result = [self.one, self.zero, self.zero, self.zero]
+        for bit in f"{self.cayley.order:b}":
+            result = _multiply(result, result)
+            if bit == "1":
+                result = _multiply(result, base)
+        return result
+
+    def _at_dual(self, polynomial: Element) -> _Dual:
+        """f(x) + ε x° f'(x)."""
+        return _Dual(polynomial, self.x.du * polynomial.derivative("x"))
+
+    def _expand(self, coefficients: Sequence[Any]) -> tuple[_Row, _Dual]:
+        """Coefficients at the dual x, over a common denominator: the numerators, and that denominator."""
+        lifted = [self.ring.lift(coefficient, {x: self.x.re}) for coefficient in coefficients]
+        numerators, denominator = self.ring.cleared(lifted)
+        return [self._at_dual(numerator) for numerator in numerators], self._at_dual(denominator)
+
+    def _isotropic(self, coefficients: Sequence[Any]) -> tuple[list[_Row], _Dual]:
+        """Entries of a I + b skew(v) + c v⊗v, and their common denominator."""
+        (a, b, c), denominator = self._expand(coefficients)
+        v1, v2, v3 = self.v
+        skew = [[self.zero, -v3, v2], [v3, self.zero, -v1], [-v2, v1, self.zero]]
+        scaled = [c * component for component in self.v]
+        matrix = [[b * skew[i][j] + scaled[i] * self.v[j] for j in range(3)] for i in range(3)]
+        for i in range(3):
+            matrix[i][i] = matrix[i][i] + a
+        return matrix, denominator
+
+    def definition(self) -> Iterator[Check]:
+        """(z/|z|)² (1 - v)ⁿ = (1 + v)ⁿ."""
+        product = _multiply(self.z, self._power(_conjugate([self.one, *self.v])))
+        for k, value in enumerate(product):
+            yield from _checks(f"z (1-v)^n - |z|^2, component {k}", value - self.norm if k == 0 else value)
+
+    def quaternion(self) -> Iterator[Check]:
+        """q̂ ⊗ q̂ = z ⊗ z / |z|²: the quaternion up to its sign."""
+        s, t = self.cayley.quaternion.coefficients
+        (ss, st, tt), denominator = self._expand((s * s, s * t, t * t))
+        formula = [[ss] + [st * c for c in self.v]] + [[tt * a * b for b in self.v] for a in self.v]
+        for i in range(4):
+            for j in range(i, 4):
+                stated = formula[0][j] if i == 0 else formula[i][j - 1]
+                residue = self.z[i] * self.z[j] * denominator - self.norm * stated
+                yield from _checks(f"q_{i} q_{j}", residue)
+
+    def tensor(self) -> Iterator[Check]:
+        """R from the sandwich equals a I + b skew(v) + c v⊗v."""
+        formula, denominator = self._isotropic(self.cayley.tensor.coefficients)
+        for i in range(3):
+            for j in range(3):
+                residue = self.rotation[i][j] * denominator - self.norm * formula[i][j]
+                yield from _checks(f"R_{i + 1}{j + 1}", residue)
+
+    def orthogonality(self) -> Iterator[Check]:
+        """R Rᵀ = I; six entries, since the product is symmetric."""
+        square = self.norm * self.norm
+        for i in range(3):
+            for j in range(i, 3):
+                product = _sum([self.rotation[i][k] * self.rotation[j][k] for k in range(3)])
+                yield from _checks(f"(R R^T)_{i + 1}{j + 1}", product - square if i == j else product)
+
+    def twist(self) -> Iterator[Check]:
+        """vect(R' Rᵀ) = dcay v' in the three dual basis directions.
+
+        With R = M/|z|², R' Rᵀ = M' Mᵀ/|z|⁴ + (scalar) R Rᵀ, and the second term is symmetric.
+        """
+        formula, denominator = self._isotropic(self.cayley.tangent.coefficients)
+        square = self.norm * self.norm
+        for direction in range(3):
+            rate = [[entry.derivative(f"v{direction + 1}") for entry in row] for row in self.rotation]
+            for i, (a, b) in enumerate(CYCLIC):
+                twice = _sum([rate[a][k] * self.rotation[b][k] - rate[b][k] * self.rotation[a][k] for k in range(3)])
+                stated = square * formula[i][direction]
+                yield from _checks(f"omega_{i + 1} along e{direction + 1}", twice * denominator - stated - stated)
+            for i in range(9):  # along ε e_j the rate is ε times that along e_j
+                entry, along = self.rotation[i // 3][i % 3], rate[i // 3][i % 3]
+                dual_rate = entry.derivative(f"d{direction + 1}")
+                yield from _checks(f"rate {i} along eps e{direction + 1}", dual_rate - _Dual(self.zero.re, along.re))
+
+    def inverse(self) -> Iterator[Check]:
+        """dcay dcay⁻¹ = I."""
+        tangent, below = self._isotropic(self.cayley.tangent.coefficients)
+        inverse, below_inverse = self._isotropic(self.cayley.tangent_inv.coefficients)
+        unit = below * below_inverse
+        for i in range(3):
+            for j in range(3):
+                product = _sum([tangent[i][k] * inverse[k][j] for k in range(3)])
+                yield from _checks(f"(dcay dcay^-1)_{i + 1}{j + 1}", product - unit if i == j else product)
+
+    def proofs(self) -> Iterator[Proof]:
+        """Decide the statements one after another."""
+        table = (
+            (Claim("q^2 (1-v)^n = (1+v)^n", r"\hat q^2 (1 - v)^n = (1 + v)^n", METHOD, (46,)), self.definition),
+            (Claim("q is the quaternion formula, up to sign", r"\hat q", METHOD, (50, 55)), self.quaternion),
+            (
+                Claim("q r q* = R r for the tensor formula", r"\hat q\, r\, \hat q^* = R r", METHOD, (24, 57)),
+                self.tensor,
+            ),
+            (Claim("R R^T = I", "R R^T = I", METHOD, (13,)), self.orthogonality),
+            (
+                Claim(
+                    "vect(R' R^T) = dcay v' for the tangent formula",
+                    r"\mathrm{vect}(\dot R R^T) = \mathrm{dcay}\, \dot v",
+                    METHOD,
+                    (68, 86, 88),
+                ),
+                self.twist,
+            ),
+            (
+                Claim(
+                    "dcay dcay^-1 = I for the tangent_inv formula",
+                    r"\mathrm{dcay}\, \mathrm{dcay}^{-1} = I",
+                    METHOD,
+                    (87, 89),
+                ),
+                self.inverse,
+            ),
+        )
+        for claim, checks in table:
+            yield decide(claim, checks, f"n = {self.cayley.order}")
+
+
+def _checks(label: str, value: _Dual) -> Iterator[Check]:
+    yield f"{label}, real part", value.re
+    yield f"{label}, dual part", value.du

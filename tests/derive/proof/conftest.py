@@ -1,0 +1,70 @@
+"""Copies of Cayley maps with one thing wrong, to see that it is noticed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from typing import Any
+
+import pytest
+import sympy
+
+from derive.maps import Cayley, x
+
+
+@dataclass(frozen=True)
+class Stated:
+    """A map that claims these coefficients."""
+
+    coefficients: tuple[sympy.Expr, ...]
+
+
+@dataclass(frozen=True)
+class StatedCayley:
+    """The formulas of an order, each replaceable."""
+
+    order: int
+    p: sympy.Expr
+    q: sympy.Expr
+    c: sympy.Expr
+    d: sympy.Expr
+    quaternion: Stated
+    tensor: Stated
+    tangent: Stated
+    tangent_inv: Stated
+
+    @classmethod
+    def of(cls, n: int) -> StatedCayley:
+        cayley = Cayley(n)
+        names = ("quaternion", "tensor", "tangent", "tangent_inv")
+        maps = {name: Stated(tuple(getattr(cayley, name).coefficients)) for name in names}
+        return cls(n, cayley.p, cayley.q, cayley.c, cayley.d, **maps)
+
+    def with_map(self, name: str, coefficients: tuple[sympy.Expr, ...]) -> StatedCayley:
+        changed: dict[str, Any] = {name: Stated(coefficients)}
+        return replace(self, **changed)
+
+
+@pytest.fixture
+def stated() -> Callable[[int], StatedCayley]:
+    """The right formulas of an order, in a form that can be changed."""
+    return StatedCayley.of
+
+
+@pytest.fixture
+def mutations() -> Callable[[int], Iterator[tuple[str, str, StatedCayley]]]:
+    """All single-coefficient changes of an order's three tensors."""
+    return _mutations
+
+
+def _mutations(n: int) -> Iterator[tuple[str, str, StatedCayley]]:
+    """Every coefficient of every numerator of the three tensors, increased by one: (map, description, copy)."""
+    right = StatedCayley.of(n)
+    for name in ("tensor", "tangent", "tangent_inv"):
+        coefficients = getattr(right, name).coefficients
+        for i, coefficient in enumerate(coefficients):
+            numerator, denominator = sympy.fraction(sympy.together(coefficient))
+            for power in range(len(sympy.Poly(numerator, x).all_coeffs())):
+                wrong = (numerator + x**power) / denominator
+                changed = (*coefficients[:i], wrong, *coefficients[i + 1 :])
+                yield name, f"{name}[{i}], x^{power}", right.with_map(name, changed)

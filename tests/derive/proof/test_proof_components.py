@@ -1,0 +1,60 @@
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import pytest
+import sympy
+
+from derive.maps import Cayley
+from derive.proof.at_order import instances
+from derive.proof.components import Components
+
+
+@pytest.mark.parametrize("backend", ["flint", "sympy"])
+@pytest.mark.parametrize("n", [1, 2, 3, 4, 5, 8, 13])
+def test_both_roads_agree_with_the_formulas(n: int, backend: str) -> None:
+    pytest.importorskip("flint" if backend == "flint" else "sympy")
+    cayley = Cayley(n)
+    for proof in (*instances(cayley), *Components(cayley, backend).proofs()):
+        assert proof.proved, str(proof)
+        assert proof.scope == f"n = {n}"
+
+
+def test_high_order() -> None:
+    cayley = Cayley(64)
+    assert all(proof.proved for proof in (*instances(cayley), *Components(cayley).proofs()))
+
+
+Mutations = Callable[[int], Iterator[tuple[str, str, Any]]]
+CHECKS = {"tensor": Components.tensor, "tangent": Components.twist, "tangent_inv": Components.inverse}
+
+
+@pytest.mark.parametrize("n", [1, 2, 5])
+def test_every_single_coefficient_matters(n: int, mutations: Mutations) -> None:
+    caught = 0
+    for name, description, wrong in mutations(n):
+        checks = CHECKS[name](Components(wrong))
+        assert any(value != 0 for _, value in checks), f"not noticed by components: {description}"
+        assert any(not proof.proved for proof in instances(wrong)), f"not noticed by the instance: {description}"
+        caught += 1
+    assert caught >= 8
+
+
+@pytest.mark.parametrize("n", [3, 4])
+def test_a_wrong_quaternion_is_noticed(n: int, stated: Callable[[int], Any]) -> None:
+    right = stated(n)
+    s, t = right.quaternion.coefficients
+    for wrong in ((s, -t), (-s, t), (t, s), (2 * s, t), (s * sympy.Symbol("x"), t)):
+        changed = right.with_map("quaternion", wrong)
+        assert any(value != 0 for _, value in Components(changed).quaternion())
+        assert not all(proof.proved for proof in instances(changed))
+    both = right.with_map("quaternion", (-s, -t))  # the same rotation and, by the statement, the same quaternion
+    assert all(value == 0 for _, value in Components(both).quaternion())
+
+
+def test_another_order_is_noticed(stated: Callable[[int], Any]) -> None:
+    other = Cayley(4)
+    for name in ("quaternion", "tensor", "tangent", "tangent_inv"):
+        mixed = stated(3).with_map(name, getattr(other, name).coefficients)
+        assert not all(proof.proved for proof in Components(mixed).proofs()), name
