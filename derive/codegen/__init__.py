@@ -1,0 +1,20 @@
+"""From proved formulas to files of kernels.
+
+=========== ==============================================================================
+catalogue   which targets and orders there are
+compiler    the road: prove, lower, print, write, validate, publish
+lowering    recipes from formulas to straight-line programs
+program     the tracer and the program
+infix       programs as plain Python
+module      the text of a module, through the templates
+templates   the template environment
+files       write all or none, compare
+validation  the file on disk computes its formula
+=========== ==============================================================================
+"""
+
+from .compiler import Module, Package, build, check, generate
+from .files import Difference, RefusedError
+from .validation import ValidationFailed
+
+__all__ = ["Difference", "Module", "Package", "RefusedError", "ValidationFailed", "build", "check", "generate"]

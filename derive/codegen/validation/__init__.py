@@ -1,0 +1,12 @@
+"""Translation validation: the emitted file is executed on exact elements, and its results equal the formula's.
+
+======= =========================================================================================
+exact   what every rational function must return on symbols (ring elements), from the formula
+digits  what the maps with sqrt, tan and atan2 must return at seeded screws, to 50 digits
+run     load the package from disk and call its public functions, in both layouts
+======= =========================================================================================
+"""
+
+from .run import ValidationFailed, validate
+
+__all__ = ["ValidationFailed", "validate"]

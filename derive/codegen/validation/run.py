@@ -1,0 +1,110 @@
+"""Load a package of kernels from disk and compare its public functions with their expectations."""
+
+from __future__ import annotations
+
+import importlib
+import importlib.util
+import itertools
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import mpmath
+import numpy as np
+
+from ...maps import Cayley
+from . import digits, exact
+from .exact import Expectation
+
+SHAPES = {
+    "q": (8,), "R": (2, 3, 3), "T": (4, 4), "r": (3,), "angle": (2,),
+}  # fmt: skip
+"""Component shapes of arguments which are not dual vectors, by parameter name."""
+
+TOLERANCE = mpmath.mpf(10) ** -32
+"""Of 50-digit results: 40-digit constants lose at most six digits to the conditioning of the seeded cases."""
+
+_serial = itertools.count()
+
+
+class ValidationFailed(Exception):
+    """An emitted kernel does not compute its formula."""
+
+
+def validate(folder: Path, cayley: Cayley) -> int:
+    """Check the module of an order in a folder; return how many function calls were compared.
+
+    Raises
+    ------
+    ValidationFailed
+        Naming the function, the layout and the first component that differs.
+    """
+    with _package(folder) as package, mpmath.workdps(digits.DIGITS):
+        module = importlib.import_module(f"{package}.cayley{cayley.order}")
+        exactly = sum(_check(module, case, _same) for case in exact.expectations(cayley))
+        closely = sum(_check(module, _decimal(case), _close) for case in digits.expectations(cayley))
+    return exactly + closely
+
+
+@contextmanager
+def _package(folder: Path) -> Iterator[str]:
+    """Import a folder as a package under a name of its own, so that no other copy answers for it."""
+    name = f"_dualcay_validated_{next(_serial)}"
+    init = folder / "__init__.py"
+    spec = importlib.util.spec_from_file_location(name, init, submodule_search_locations=[str(folder)])
+    if spec is None or spec.loader is None:
+        raise ValidationFailed(f"{folder} is not a package")
+    package = importlib.util.module_from_spec(spec)
+    sys.modules[name] = package
+    writes, sys.dont_write_bytecode = sys.dont_write_bytecode, True
+    try:
+        spec.loader.exec_module(package)
+        yield name
+    finally:
+        sys.dont_write_bytecode = writes
+        for loaded in [key for key in sys.modules if key == name or key.startswith(name + ".")]:
+            del sys.modules[loaded]
+
+
+def _decimal(case: Expectation) -> Expectation:
+    arguments = tuple(tuple(digits.Decimal(c) for c in argument) for argument in case.arguments)
+    return Expectation(case.function, arguments, case.result)
+
+
+def _check(module: ModuleType, case: Expectation, agree: Any) -> int:
+    """Call one function with components last and first; the batch axis makes the two layouts differ."""
+    name, *branch = case.function.split()
+    function = getattr(module, name)
+    code = function.__code__
+    parameters = code.co_varnames[: code.co_argcount]
+    for axis in (-1, 0):
+        arrays = [_array(c, parameter, axis) for c, parameter in zip(case.arguments, parameters, strict=False)]
+        found = function(*arrays, *map(int, branch), axis=axis)
+        parts = found if isinstance(found, tuple) else (found,)
+        components = [c for part in parts for c in (part if axis == 0 else np.moveaxis(part, 0, -1)).ravel()]
+        if len(components) != len(case.result):
+            raise ValidationFailed(f"{case.function}: {len(components)} components, expected {len(case.result)}")
+        for index, (got, expected) in enumerate(zip(components, case.result, strict=True)):
+            if not agree(got, expected):
+                where = f"{module.__name__.rpartition('.')[2]}.{case.function}(axis={axis}), component {index}"
+                raise ValidationFailed(f"{where}: {got} is not {expected}")
+    return 2
+
+
+def _array(components: tuple[Any, ...], parameter: str, axis: int) -> np.ndarray[Any, np.dtype[Any]]:
+    array = np.empty(len(components), object)
+    array[:] = components
+    shaped = array.reshape(SHAPES.get(parameter, (len(components),)))
+    return shaped[..., np.newaxis] if axis == 0 else shaped[np.newaxis]
+
+
+def _same(got: Any, expected: Any) -> bool:
+    return bool(got == expected)
+
+
+def _close(got: Any, expected: Any) -> bool:
+    value = got.value if isinstance(got, digits.Decimal) else mpmath.mpf(got)
+    return bool(abs(value - expected) <= TOLERANCE * (1 + abs(expected)))
