@@ -12,6 +12,7 @@ import sympy
 from ..codegen import RefusedError, ValidationFailed, catalogue
 from ..codegen import check as check_folder
 from ..codegen import generate as generate_kernels
+from ..codegen.targets import TARGETS
 from ..maps import Cayley
 from ..maps.formula import LATEX_ORDER
 from ..proof import ProofFailed
@@ -30,7 +31,7 @@ def cli() -> None:
 
 @cli.command()
 @click.option("-n", "orders", type=OrderList(), help="Orders, e.g. 7 or 1-5,8; the committed catalogue by default.")
-@click.option("--target", type=click.Choice(tuple(catalogue.TARGETS)), default="numpy", show_default=True)
+@click.option("--target", type=click.Choice(tuple(TARGETS)), default="numpy", show_default=True)
 @click.option("-o", "output", type=click.Path(path_type=Path, file_okay=False), help="Folder of the package.")
 @click.option("--check", is_flag=True, help="Write nothing; exit 1 if a file is stale, missing or foreign.")
 @click.option("--force", is_flag=True, help="Overwrite files which do not bear the generated header.")
@@ -77,7 +78,7 @@ def list_catalogue() -> None:
     """List targets, committed orders and what a module holds."""
     from ..codegen.module import PUBLIC
 
-    click.echo(f"targets   {', '.join(catalogue.TARGETS)}")
+    click.echo(f"targets   {', '.join(TARGETS)}")
     click.echo(f"orders    any n >= 1; committed: {', '.join(map(str, catalogue.ORDERS))}")
     click.echo(f"formulas  {', '.join(FORMULAS)}")
     click.echo(f"functions {', '.join(PUBLIC)}")

@@ -7,9 +7,8 @@ from typing import Any
 
 import click
 
-from ..codegen.catalogue import MAX_ORDER
 
-class OrderList(click.ParamType):
+class OrderList(click.ParamType[tuple[int, ...]]):
     """Orders such as ``7``, ``1-5,8``: integers and ranges, separated by commas."""
 
     name = "orders"
@@ -34,7 +33,7 @@ class OrderList(click.ParamType):
             orders.update(range(first, last + 1))
         return tuple(sorted(orders))
 
-class NameList(click.ParamType):
+class NameList(click.ParamType[tuple[str, ...]]):
     """Names out of a fixed set, separated by commas."""
 
     name = "names"
@@ -49,7 +48,8 @@ class NameList(click.ParamType):
         names = tuple(part.strip() for part in str(value).split(","))
         unknown = [name for name in names if name not in self.choices]
         if unknown:
-            self.fail(f"expected names out of {','.join(self.choices)}, got {', '.join(map(repr, unknown))}", param, ctx)
+            given = ", ".join(map(repr, unknown))
+            self.fail(f"expected names out of {', '.join(self.choices)}, got {given}", param, ctx)
         return names
 
 def require_cap(orders: tuple[int, ...], cap: int) -> None:

@@ -1,8 +1,9 @@
 """From proved formulas to files of kernels.
 
 =========== ==============================================================================
-catalogue   which targets and orders there are
 compiler    the road: prove, lower, print, write, validate, publish
+catalogue   which orders are committed, and the commands that make them
+targets     the table of languages: a printer, a template folder and a row each
 lowering    recipes from formulas to straight-line programs
 program     the tracer and the program
 infix       programs as plain Python

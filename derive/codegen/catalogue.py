@@ -1,16 +1,15 @@
-"""What can be generated: targets, their committed modules, and the files every package of a target holds."""
+"""What is committed, where, and the commands that make it."""
 
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from pathlib import Path
 
 ORDERS = (1, 2, 3, 4, 5, 8)
 """Orders whose modules are committed."""
 
 MAX_ORDER = 64
-"""Largest order generated without being asked twice: beyond it proofs take minutes."""
+"""Largest order generated without being asked twice: proof times beyond it are not measured."""
 
 CHECKOUT = Path(__file__).parent.parent.parent
 COMMITTED = CHECKOUT / "generated" / "dualcay"
@@ -22,23 +21,12 @@ def is_checkout() -> bool:
     return (CHECKOUT / "templates").is_dir() and (CHECKOUT / "pyproject.toml").is_file()
 
 
-@dataclass(frozen=True, slots=True)
-class Target:
-    """A language kernels are printed in, and the files its packages share."""
-
-    name: str
-    shared: tuple[str, ...]
+def command(target: str, order: int) -> str:
+    """The command that writes the module of an order, wherever it is put."""
+    return f"python -m derive generate -n {order} --target {target}"
 
 
-TARGETS = {"numpy": Target("numpy", ("__init__.py", "_runtime.py", "_tools.py", "py.typed"))}
-
-
-def module_name(order: int) -> str:
-    """File name of the module of an order."""
-    return f"cayley{order}.py"
-
-
-def order_of(command: str) -> int | None:
-    """The order in a module's header command; None for the command of shared files."""
-    found = re.search(r" -n (\d+)\b", command)
+def order_of(line: str) -> int | None:
+    """The order in the command of a module; None for the command of shared files."""
+    found = re.search(r" -n (\d+)\b", line)
     return int(found.group(1)) if found else None

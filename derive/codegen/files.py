@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import difflib
 import os
+import re
 import tempfile
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-MARK = "# python -m derive generate"
-"""How the first line of every generated file begins: the command that makes it."""
+MARK = re.compile(r"\S{1,2} (python -m derive generate\b.*)")
+"""The first line of every generated file: a comment with the command that makes it."""
 
 
 class RefusedError(Exception):
@@ -30,10 +31,10 @@ def header_command(path: Path) -> str | None:
     """The command in the first line of a generated file; None for any other file."""
     try:
         with path.open(encoding="utf-8") as file:
-            line = file.readline()
+            found = MARK.match(file.readline())
     except (OSError, UnicodeDecodeError):
         return None
-    return line.removeprefix("# ").strip() if line.startswith(MARK) else None
+    return found.group(1) if found else None
 
 
 def write(folder: Path, texts: Mapping[str, str], force: bool = False) -> list[Path]:
