@@ -82,16 +82,23 @@ def _check(module: ModuleType, case: Expectation, agree: Any) -> int:
     parameters = code.co_varnames[: code.co_argcount]
     for axis in (-1, 0):
         arrays = [_array(c, parameter, axis) for c, parameter in zip(case.arguments, parameters, strict=False)]
-        found = function(*arrays, *map(int, branch), axis=axis)
+        try:
+            found = function(*arrays, *map(int, branch), axis=axis)
+        except (ArithmeticError, TypeError, ValueError) as error:
+            raise ValidationFailed(f"{_name(module)}.{case.function}(axis={axis}), no component: {error}") from error
         parts = found if isinstance(found, tuple) else (found,)
         components = [c for part in parts for c in (part if axis == 0 else np.moveaxis(part, 0, -1)).ravel()]
         if len(components) != len(case.result):
             raise ValidationFailed(f"{case.function}: {len(components)} components, expected {len(case.result)}")
         for index, (got, expected) in enumerate(zip(components, case.result, strict=True)):
             if not agree(got, expected):
-                where = f"{module.__name__.rpartition('.')[2]}.{case.function}(axis={axis}), component {index}"
+                where = f"{_name(module)}.{case.function}(axis={axis}), component {index}"
                 raise ValidationFailed(f"{where}: {got} is not {expected}")
     return 2
+
+
+def _name(module: ModuleType) -> str:
+    return module.__name__.rpartition(".")[2]
 
 
 def _array(components: tuple[Any, ...], parameter: str, axis: int) -> np.ndarray[Any, np.dtype[Any]]:
