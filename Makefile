@@ -12,6 +12,10 @@ generate: $(READY)  ## derive, prove and write the committed kernels (the defaul
 
 check: $(READY)  ## fail if a generated file is stale, missing or foreign
 	$(RUN) -m derive generate --check
+	$(RUN) -m derive verify --format markdown -o docs/errata.md --check
+
+verify: $(READY)  ## decide every equation of the papers and write docs/errata.md
+	$(RUN) -m derive verify --format markdown -o docs/errata.md
 
 show: $(READY)  ## print the formulas of an order: make show N=3
 	$(RUN) -m derive show -n $(or $(N),1-3)

@@ -17,6 +17,7 @@ from ..maps import Cayley
 from ..maps.formula import LATEX_ORDER
 from ..proof import ProofFailed
 from . import display, options
+from .verify import verify
 
 FORMULAS = ("p", "q", "quaternion", "tensor", "tangent", "tangent_inv")
 ALL = ",".join(FORMULAS)
@@ -82,6 +83,9 @@ def list_catalogue() -> None:
     click.echo(f"orders    any n >= 1; committed: {', '.join(map(str, catalogue.ORDERS))}")
     click.echo(f"formulas  {', '.join(FORMULAS)}")
     click.echo(f"functions {', '.join(PUBLIC)}")
+
+
+cli.add_command(verify)
 
 
 def run() -> int:
