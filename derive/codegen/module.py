@@ -15,6 +15,7 @@ from ..proof import Proved
 from . import catalogue, templates
 from .lowering import lower
 from .program import Program
+from .signatures import SIGNATURES
 from .targets import Target
 
 DIGITS = 40
@@ -59,6 +60,7 @@ def module_text(proved: Proved, target: Target) -> str:
         singular={f.name: f.singular for f in maps},
         singular_angles=[_multiple_of_pi(angle) for angle in cayley.singular_angles],
         inverse_domain=_inverse_domain(n),
+        signatures=SIGNATURES,
     )
 
 

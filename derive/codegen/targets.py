@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from ..maps import Cayley
-from . import infix
+from . import c99, infix
 from .program import Program
 from .validation import validate
 
@@ -60,6 +60,14 @@ TARGETS: Mapping[str, Target] = {
             comment="#",
             printer=infix.body,
             validate=validate,
+        ),
+        Target(
+            name="c",
+            extension="h",
+            shared=("dualcay.h",),
+            comment="//",
+            printer=c99.function,
+            validate=lambda folder, cayley: 0,
         ),
     )
 }
