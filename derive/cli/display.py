@@ -45,7 +45,8 @@ def written(package: Package, folder: Path) -> Table:
         proofs = module.proved.proofs
         general = sum(proof.scope == "all n" for proof in proofs)
         lines = module.text.count("\n")
-        table.add_row(module.name, str(general), str(len(proofs) - general), str(module.validated), str(lines))
+        validated = "-" if module.validated is None else str(module.validated)
+        table.add_row(module.name, str(general), str(len(proofs) - general), validated, str(lines))
     return table
 
 

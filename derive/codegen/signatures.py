@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True)
 class Array:
-    """A named array of components; ``parts`` are the sizes of its real part, its dual part and so on."""
+    """A named array of components; ``parts`` are the sizes of its real part, its dual part and so on, in order."""
 
     name: str
     parts: tuple[int, ...]
@@ -35,7 +35,7 @@ def _dual(name: str) -> Array:
 V, OMEGA, V_DOT, LINE, SHADOW = map(_dual, ("v", "omega", "v_dot", "line", "v_k"))
 QUATERNION = Array("q", (4, 4))
 TENSOR, TANGENT = (Array(name, (9, 9)) for name in ("tensor", "tangent"))
-POSE = Array("pose", (16,))
+POSE = Array("pose", (3, 1, 3, 1, 3, 1, 4))
 ANGLE = Array("angle", (1, 1))
 
 SIGNATURES: Mapping[str, Signature] = {

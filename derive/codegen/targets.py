@@ -10,7 +10,7 @@ from typing import Any
 from ..maps import Cayley
 from . import c99, infix
 from .program import Program
-from .validation import validate
+from .validation import compiled, validate
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,7 +30,11 @@ class Target:
     printer : callable
         What the template shows of a program.
     validate : callable
-        Executes the module of an order in a folder and returns how many calls equal the formula.
+        Executes the module of an order in a folder and returns how many calls equal the formula; None where nothing
+        can execute it.
+    companions : tuple of str
+        Further files of every module; ``test_cayley.c`` is ``test_cayley3.c`` of order 3, from the template of its
+        name.
     """
 
     name: str
@@ -38,7 +42,8 @@ class Target:
     shared: tuple[str, ...]
     comment: str
     printer: Callable[[Program], Any]
-    validate: Callable[[Path, Cayley], int]
+    validate: Callable[[Path, Cayley], int | None]
+    companions: tuple[str, ...] = ()
 
     def module_name(self, order: int) -> str:
         """File name of the module of an order."""
@@ -64,10 +69,11 @@ TARGETS: Mapping[str, Target] = {
         Target(
             name="c",
             extension="h",
-            shared=("dualcay.h",),
+            shared=("dualcay.h", "differential.h", "CMakeLists.txt"),
             comment="//",
             printer=c99.function,
-            validate=lambda folder, cayley: 0,
+            validate=compiled.validate,
+            companions=("test_cayley.c",),
         ),
     )
 }
