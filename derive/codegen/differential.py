@@ -10,7 +10,7 @@ from ..maps import Cayley
 from .signatures import SIGNATURES, Array
 from .validation.cases import Case, cases
 
-GATES = {"float": 16, "double": 16}
+GATES = {"float": 8, "double": 8}
 """Largest error, in units of the machine epsilon and of the scale of the result."""
 
 Rows = tuple[tuple[str, ...], ...]

@@ -18,6 +18,11 @@ class Array:
         """How many components."""
         return sum(self.parts)
 
+    @property
+    def part_of(self) -> tuple[int, ...]:
+        """Which part each component belongs to."""
+        return tuple(part for part, size in enumerate(self.parts) for _ in range(size))
+
 
 @dataclass(frozen=True, slots=True)
 class Signature:
