@@ -50,6 +50,14 @@ def written(package: Package, folder: Path) -> Table:
     return table
 
 
+def not_executed(package: Package) -> None:
+    """Say which modules nothing could execute: they are printed from proved formulas, but were not compared."""
+    names = [module.name for module in package.modules if module.validated is None]
+    if names:
+        found = f"no C compiler found (set CC), so not executed: {', '.join(names)}"
+        console(stderr=True).print(found, markup=False)
+
+
 def differences(found: list[Difference], command: str) -> None:
     """Print each difference as a diff, and the command that accepts them."""
     out = console()

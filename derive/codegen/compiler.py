@@ -47,12 +47,13 @@ def build(orders: Iterable[int], target: Target, progress: Progress | None = Non
         Nothing is returned unless every module passes both.
     """
     report = progress or (lambda line: None)
-    shared = {name: shared_text(name, target) for name in target.shared}
+    texts = {name: shared_text(name, target) for name in target.shared}
     with tempfile.TemporaryDirectory() as staging:
-        files.write(Path(staging), shared)
+        files.write(Path(staging), texts)
         modules = tuple(_modules(sorted(set(orders)), target, Path(staging), report))
-    texts = {name: text for module in modules for name, text in (module.companions | {module.name: module.text}).items()}
-    return Package(shared | texts, modules)
+    for module in modules:
+        texts |= module.companions | {module.name: module.text}
+    return Package(texts, modules)
 
 
 def _modules(orders: Sequence[int], target: Target, staging: Path, report: Progress) -> Iterator[Module]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
@@ -10,7 +11,7 @@ from ..maps import Cayley
 from .signatures import SIGNATURES, Array
 from .validation.cases import Case, cases
 
-GATES = {"float": 8, "double": 8}
+GATE = 8
 """Largest error, in units of the machine epsilon and of the scale of the result."""
 
 Rows = tuple[tuple[str, ...], ...]
@@ -59,4 +60,5 @@ def _results(arrays: Sequence[Array], found: Sequence[Case]) -> Iterator[Table]:
 
 
 def _hexadecimal(values: Sequence[float]) -> tuple[str, ...]:
-    return tuple(value.hex() for value in values)
+    """Exact numbers in C, without trailing zeros."""
+    return tuple(re.sub(r"\.?0*p", "p", value.hex()) for value in values)

@@ -86,7 +86,7 @@ class Dialect:
             return inlined.get(operand, (operand, ATOM))
         if isinstance(operand, Fraction) and operand.denominator != 1:
             raise ValueError(f"constant {operand} is not an integer: divide instead, so that exact types stay exact")
-        if abs(operand) > self.largest:
+        if not -self.largest <= operand <= self.largest:
             raise ValueError(f"constant {operand} is beyond {self.largest:.0f}: some number type would round it")
         return str(operand), ATOM if operand >= 0 else NEGATION
 

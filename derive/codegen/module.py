@@ -79,7 +79,7 @@ def companion_texts(cayley: Cayley, target: Target) -> dict[str, str]:
         template = f"{target.name}/{companion}.j2"
         stem, _, extension = companion.rpartition(".")
         lines = [catalogue.command(target.name, cayley.order), _notice(template)]
-        data = {"header": _comment(lines, target.comment), "n": cayley.order, "gates": differential.GATES}
+        data = {"header": _comment(lines, target.comment), "n": cayley.order, "gate": differential.GATE}
         functions = list(differential.tables(cayley))
         texts[f"{stem}{cayley.order}.{extension}"] = templates.render(template, functions=functions, **data)
     return texts

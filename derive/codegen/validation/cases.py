@@ -10,7 +10,7 @@ this is their condition.
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -79,7 +79,8 @@ class Point:
 
 def _fraction(value: Any) -> Fraction:
     sign, mantissa, exponent, _ = mpmath.mpf(value)._mpf_
-    return Fraction(-int(mantissa) if sign else int(mantissa)) * Fraction(2) ** exponent
+    magnitude = Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+    return -magnitude if sign else magnitude
 
 
 def _rational(cayley: Cayley, draw: random.Random) -> Iterator[Case]:

@@ -84,6 +84,7 @@ def seeded_arguments(
         v, v2 = (short(_flat(vector_from_screw(n, s))) for s in (screw, other))
         yield "from_screw", None, (short((screw.angle.re, screw.angle.du)), short(_flat(screw.axis)))
         yield "to_screw", None, (v,)
+        yield "principal", None, (v,)
         yield "compose", None, (v2, v)
         yield from _on_branch(n, screw, 0, v)
     for branch in range(1, min(n, MAX_BRANCHES)):
