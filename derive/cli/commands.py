@@ -54,7 +54,8 @@ def generate(
         display.console().print(display.written(package, folder))
         display.not_executed(package)
     elif found:
-        option = "" if output is None else f" --target {target} -o {output}"
+        option = "" if target == catalogue.TARGET else f" --target {target}"
+        option += "" if output is None else f" -o {output}"
         display.differences(found, f"python -m derive generate{option}")
         raise click.exceptions.Exit(1)
 
