@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import Any
 
 from ..maps import Cayley
-from . import infix
+from . import c99, infix
 from .program import Program
-from .validation import validate
+from .validation import compiled, validate
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,7 +30,11 @@ class Target:
     printer : callable
         What the template shows of a program.
     validate : callable
-        Executes the module of an order in a folder and returns how many calls equal the formula.
+        Executes the module of an order in a folder and returns how many calls equal the formula; None where nothing
+        can execute it.
+    companions : tuple of str
+        Further files of every module; ``test_cayley.c`` is ``test_cayley3.c`` of order 3, from the template of its
+        name.
     """
 
     name: str
@@ -38,7 +42,8 @@ class Target:
     shared: tuple[str, ...]
     comment: str
     printer: Callable[[Program], Any]
-    validate: Callable[[Path, Cayley], int]
+    validate: Callable[[Path, Cayley], int | None]
+    companions: tuple[str, ...] = ()
 
     def module_name(self, order: int) -> str:
         """File name of the module of an order."""
@@ -60,6 +65,15 @@ TARGETS: Mapping[str, Target] = {
             comment="#",
             printer=infix.body,
             validate=validate,
+        ),
+        Target(
+            name="c",
+            extension="h",
+            shared=("dualcay.h", "differential.h", "CMakeLists.txt"),
+            comment="//",
+            printer=c99.function,
+            validate=compiled.validate,
+            companions=("test_cayley.c",),
         ),
     )
 }
