@@ -51,7 +51,7 @@ def call(
     core: Core,
     shape: Shape,
     axis: int,
-    out: Array | None,
+    out: Array | None = None,
     *,
     real: bool = False,
     constants: Components | None = None,

@@ -67,9 +67,9 @@
 #   from_tensor: 119: 40 +, 37 *, 11 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 83: 25 +, 19 *, 8 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
-#   to_screw: 42: 10 +, 14 *, 7 /, 2 sqrt, 1 atan2, 1 eq, 7 where
-#   turn: 57: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 7 where
-#   shadow: 57: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 7 where
+#   to_screw: 42: 10 +, 14 *, 7 /, 1 sqrt, 1 atan2, 1 eq, 8 where
+#   turn: 57: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 8 where
+#   shadow: 57: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 8 where
 #   compose: 73: 35 +, 36 *, 1 /, 1 neg
 """Cayley map of order 1: Rodrigues dual vectors ``v = tan(α/2) u`` of rigid displacements.
 
@@ -756,7 +756,7 @@ def body_rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | No
 # --- inverse maps, shadows, composition -------------------------------------------------------------------------
 
 
-# operations 57: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 7 where
+# operations 57: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 8 where
 def _turn(m: Any, v: Components, cs: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = cs
@@ -765,8 +765,8 @@ def _turn(m: Any, v: Components, cs: Components) -> Result:
     v33 = v3 * v3
     x = v11 + v22 + v33
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, 0, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -780,7 +780,7 @@ def _turn(m: Any, v: Components, cs: Components) -> Result:
     return (u1 * rk, u2 * rk, u3 * rk, uo1 * rk + u1 * rko, uo2 * rk + u2 * rko, uo3 * rk + u3 * rko)
 
 
-# operations 57: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 7 where
+# operations 57: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 8 where
 def _shadow(m: Any, v: Components, cs: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = cs
@@ -789,8 +789,8 @@ def _shadow(m: Any, v: Components, cs: Components) -> Result:
     v33 = v3 * v3
     x = v11 + v22 + v33
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, 0, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1118,7 +1118,7 @@ def from_screw(angle: ArrayLike, line: ArrayLike, /, *, axis: int = -1, out: Arr
     return call(_from_screw, (6,), axis, out, real=True, angle=(angle, (2,)), line=(line, (6,)))
 
 
-# operations 42: 10 +, 14 *, 7 /, 2 sqrt, 1 atan2, 1 eq, 7 where
+# operations 42: 10 +, 14 *, 7 /, 1 sqrt, 1 atan2, 1 eq, 8 where
 def _to_screw(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -1126,8 +1126,8 @@ def _to_screw(m: Any, v: Components) -> Result:
     v33 = v3 * v3
     x = v11 + v22 + v33
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, 0, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1162,7 +1162,7 @@ def to_screw(v: ArrayLike, *, axis: int = -1) -> tuple[Array, Array]:
     TypeError
         If v is complex.
     """
-    screw = call(_to_screw, (8,), axis, None, real=True, v=(v, (6,)))
+    screw = call(_to_screw, (8,), axis, real=True, v=(v, (6,)))
     return (screw[:2], screw[2:]) if axis == 0 else (screw[..., :2], screw[..., 2:])
 
 

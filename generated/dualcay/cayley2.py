@@ -67,9 +67,9 @@
 #   from_tensor: 139: 47 +, 47 *, 9 /, 1 neg, 1 sqrt, 8 lt, 3 eq, 3 and, 3 or, 17 where
 #   from_pose: 103: 32 +, 29 *, 6 /, 1 neg, 1 sqrt, 8 lt, 3 eq, 3 and, 3 or, 17 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
-#   to_screw: 57: 11 +, 22 *, 7 /, 1 neg, 2 sqrt, 1 atan2, 2 lt, 1 eq, 10 where
-#   turn: 57: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 7 where
-#   shadow: 63: 15 +, 27 *, 7 /, 2 sqrt, 2 lt, 1 eq, 9 where
+#   to_screw: 57: 11 +, 22 *, 7 /, 1 neg, 1 sqrt, 1 atan2, 2 lt, 1 eq, 11 where
+#   turn: 57: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 8 where
+#   shadow: 63: 15 +, 27 *, 7 /, 1 sqrt, 2 lt, 1 eq, 10 where
 #   compose: 209: 78 +, 116 *, 9 /, 3 neg, 1 lt, 2 where
 """Cayley map of order 2: Rodrigues dual vectors ``v = tan(α/4) u`` of rigid displacements.
 
@@ -862,7 +862,7 @@ def body_rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | No
 # --- inverse maps, shadows, composition -------------------------------------------------------------------------
 
 
-# operations 57: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 7 where
+# operations 57: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 8 where
 def _turn(m: Any, v: Components, cs: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = cs
@@ -871,8 +871,8 @@ def _turn(m: Any, v: Components, cs: Components) -> Result:
     v33 = v3 * v3
     x = v11 + v22 + v33
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, 0, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -886,7 +886,7 @@ def _turn(m: Any, v: Components, cs: Components) -> Result:
     return (u1 * rk, u2 * rk, u3 * rk, uo1 * rk + u1 * rko, uo2 * rk + u2 * rko, uo3 * rk + u3 * rko)
 
 
-# operations 63: 15 +, 27 *, 7 /, 2 sqrt, 2 lt, 1 eq, 9 where
+# operations 63: 15 +, 27 *, 7 /, 1 sqrt, 2 lt, 1 eq, 10 where
 def _shadow(m: Any, v: Components, cs: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = cs
@@ -900,8 +900,8 @@ def _shadow(m: Any, v: Components, cs: Components) -> Result:
     sign = m.where(qp < 0, -1, 1)
     sn = sign * sin
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, 0, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1255,7 +1255,7 @@ def from_screw(angle: ArrayLike, line: ArrayLike, /, *, axis: int = -1, out: Arr
     return call(_from_screw, (6,), axis, out, real=True, angle=(angle, (2,)), line=(line, (6,)))
 
 
-# operations 57: 11 +, 22 *, 7 /, 1 neg, 2 sqrt, 1 atan2, 2 lt, 1 eq, 10 where
+# operations 57: 11 +, 22 *, 7 /, 1 neg, 1 sqrt, 1 atan2, 2 lt, 1 eq, 11 where
 def _to_screw(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -1267,8 +1267,8 @@ def _to_screw(m: Any, v: Components) -> Result:
     qp = m.where(pneg, -2, 2)
     sign = m.where(qp < 0, -1, 1)
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, 0, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1312,7 +1312,7 @@ def to_screw(v: ArrayLike, *, axis: int = -1) -> tuple[Array, Array]:
     TypeError
         If v is complex.
     """
-    screw = call(_to_screw, (8,), axis, None, real=True, v=(v, (6,)))
+    screw = call(_to_screw, (8,), axis, real=True, v=(v, (6,)))
     return (screw[:2], screw[2:]) if axis == 0 else (screw[..., :2], screw[..., 2:])
 
 

@@ -63,14 +63,14 @@
 #   rate: 123: 46 +, 66 *, 9 /, 2 neg
 #   body_twist: 135: 51 +, 79 *, 3 /, 2 neg
 #   body_rate: 123: 46 +, 66 *, 9 /, 2 neg
-#   from_quaternion: 90: 27 +, 46 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 4 where
-#   from_tensor: 151: 47 +, 53 *, 10 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 19 where
-#   from_pose: 115: 32 +, 35 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 19 where
+#   from_quaternion: 91: 27 +, 46 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   from_tensor: 152: 47 +, 53 *, 10 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 20 where
+#   from_pose: 116: 32 +, 35 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 20 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
-#   to_screw: 71: 14 +, 26 *, 7 /, 2 neg, 2 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 11 where
-#   turn: 57: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 7 where
-#   shadow: 75: 18 +, 31 *, 7 /, 1 neg, 2 sqrt, 3 lt, 2 eq, 1 and, 1 or, 9 where
-#   compose: 246: 87 +, 137 *, 10 /, 3 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 4 where
+#   to_screw: 71: 14 +, 26 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 12 where
+#   turn: 57: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 8 where
+#   shadow: 75: 18 +, 31 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 10 where
+#   compose: 247: 87 +, 137 *, 10 /, 3 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 """Cayley map of order 3: Rodrigues dual vectors ``v = tan(α/6) u`` of rigid displacements.
 
 α is the dual angle (rotation angle, translation along the axis) and u the unit dual vector of the screw axis. Arrays
@@ -922,7 +922,7 @@ def body_rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | No
 # --- inverse maps, shadows, composition -------------------------------------------------------------------------
 
 
-# operations 57: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 7 where
+# operations 57: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 8 where
 def _turn(m: Any, v: Components, cs: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = cs
@@ -931,8 +931,8 @@ def _turn(m: Any, v: Components, cs: Components) -> Result:
     v33 = v3 * v3
     x = v11 + v22 + v33
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, 0, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -946,7 +946,7 @@ def _turn(m: Any, v: Components, cs: Components) -> Result:
     return (u1 * rk, u2 * rk, u3 * rk, uo1 * rk + u1 * rko, uo2 * rk + u2 * rko, uo3 * rk + u3 * rko)
 
 
-# operations 75: 18 +, 31 *, 7 /, 1 neg, 2 sqrt, 3 lt, 2 eq, 1 and, 1 or, 9 where
+# operations 75: 18 +, 31 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 10 where
 def _shadow(m: Any, v: Components, cs: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = cs
@@ -963,8 +963,8 @@ def _shadow(m: Any, v: Components, cs: Components) -> Result:
     sign = m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     sn = sign * sin
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, 0, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1033,7 +1033,7 @@ def principal(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Arra
     return nearest(_turn, TURNS, LIMITS, v, axis, out)
 
 
-# operations 90: 27 +, 46 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 4 where
+# operations 91: 27 +, 46 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 def _from_quaternion(m: Any, e: Components) -> Result:
     e0, e1, e2, e3, e0o, e1o, e2o, e3o = e
     rho1 = 2 * (e1o * e0 - e1 * e0o + (e2 * e3o - e3 * e2o))
@@ -1041,8 +1041,9 @@ def _from_quaternion(m: Any, e: Components) -> Result:
     rho3 = 2 * (e3o * e0 - e3 * e0o + (e1 * e2o - e2 * e1o))
     negative = e0 < 0
     cos = m.where(negative, -e0, e0)
-    sin = m.sqrt(e1 * e1 + e2 * e2 + e3 * e3)
-    still = sin == 0
+    ss = e1 * e1 + e2 * e2 + e3 * e3
+    still = ss == 0
+    sin = m.sqrt(m.where(still, 1, ss))
     gain = m.where(negative, -1, 1) * (m.where(still, 1, m.tan(m.atan2(sin, cos) / 3)) / m.where(still, 3 * cos, sin))
     v1 = e1 * gain
     v2 = e2 * gain
@@ -1100,7 +1101,7 @@ def from_quaternion(q: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array
     return call_branch(_from_quaternion, _turn, TURNS, branch, axis, out, q=(q, (8,)))
 
 
-# operations 151: 47 +, 53 *, 10 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 19 where
+# operations 152: 47 +, 53 *, 10 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 20 where
 def _from_tensor(m: Any, R: Components) -> Result:
     Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33, D11, D12, D13, D21, D22, D23, D31, D32, D33 = R
     rho1 = (D31 * Q21 + D32 * Q22 + D33 * Q23 - (D21 * Q31 + D22 * Q32 + D23 * Q33)) / 2
@@ -1142,10 +1143,11 @@ def _from_tensor(m: Any, R: Components) -> Result:
     e1 = sign * z31
     e2 = sign * z32
     e3 = sign * z33
+    ss = e1 * e1 + e2 * e2 + e3 * e3
     negative = e0 < 0
     cos = m.where(negative, -e0, e0)
-    sin = m.sqrt(e1 * e1 + e2 * e2 + e3 * e3)
-    still = sin == 0
+    still = ss == 0
+    sin = m.sqrt(m.where(still, 1, ss))
     gain = m.where(negative, -1, 1) * (m.where(still, 1, m.tan(m.atan2(sin, cos) / 3)) / m.where(still, 3 * cos, sin))
     v1 = e1 * gain
     v2 = e2 * gain
@@ -1203,7 +1205,7 @@ def from_tensor(R: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | N
     return call_branch(_from_tensor, _turn, TURNS, branch, axis, out, R=(R, (2, 3, 3)))
 
 
-# operations 115: 32 +, 35 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 19 where
+# operations 116: 32 +, 35 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 20 where
 def _from_pose(m: Any, T: Components) -> Result:
     Q11, Q12, Q13, T14, Q21, Q22, Q23, T24, Q31, Q32, Q33, T34, _, _, _, _ = T
     a1 = Q32 - Q23
@@ -1242,10 +1244,11 @@ def _from_pose(m: Any, T: Components) -> Result:
     e1 = sign * z31
     e2 = sign * z32
     e3 = sign * z33
+    ss = e1 * e1 + e2 * e2 + e3 * e3
     negative = e0 < 0
     cos = m.where(negative, -e0, e0)
-    sin = m.sqrt(e1 * e1 + e2 * e2 + e3 * e3)
-    still = sin == 0
+    still = ss == 0
+    sin = m.sqrt(m.where(still, 1, ss))
     gain = m.where(negative, -1, 1) * (m.where(still, 1, m.tan(m.atan2(sin, cos) / 3)) / m.where(still, 3 * cos, sin))
     v1 = e1 * gain
     v2 = e2 * gain
@@ -1334,7 +1337,7 @@ def from_screw(angle: ArrayLike, line: ArrayLike, /, *, axis: int = -1, out: Arr
     return call(_from_screw, (6,), axis, out, real=True, angle=(angle, (2,)), line=(line, (6,)))
 
 
-# operations 71: 14 +, 26 *, 7 /, 2 neg, 2 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 11 where
+# operations 71: 14 +, 26 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 12 where
 def _to_screw(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -1349,8 +1352,8 @@ def _to_screw(m: Any, v: Components) -> Result:
     y = v1 * v1o + v2 * v2o + v3 * v3o
     sign = m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, 0, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1394,11 +1397,11 @@ def to_screw(v: ArrayLike, *, axis: int = -1) -> tuple[Array, Array]:
     TypeError
         If v is complex.
     """
-    screw = call(_to_screw, (8,), axis, None, real=True, v=(v, (6,)))
+    screw = call(_to_screw, (8,), axis, real=True, v=(v, (6,)))
     return (screw[:2], screw[2:]) if axis == 0 else (screw[..., :2], screw[..., 2:])
 
 
-# operations 246: 87 +, 137 *, 10 /, 3 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 4 where
+# operations 247: 87 +, 137 *, 10 /, 3 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 def _compose(m: Any, b: Components, a: Components) -> Result:
     b1, b2, b3, b1o, b2o, b3o = b
     a1, a2, a3, a1o, a2o, a3o = a
@@ -1464,8 +1467,9 @@ def _compose(m: Any, b: Components, a: Components) -> Result:
     rho3 = 2 * (z3o * z0 - z3 * z0o + (z1 * z2o - z2 * z1o)) / zz
     negative = z0 < 0
     cos = m.where(negative, -z0, z0)
-    sin = m.sqrt(z1 * z1 + z2 * z2 + z3 * z3)
-    still = sin == 0
+    ss = z1 * z1 + z2 * z2 + z3 * z3
+    still = ss == 0
+    sin = m.sqrt(m.where(still, 1, ss))
     gain = m.where(negative, -1, 1) * (m.where(still, 1, m.tan(m.atan2(sin, cos) / 3)) / m.where(still, 3 * cos, sin))
     v1 = z1 * gain
     v2 = z2 * gain

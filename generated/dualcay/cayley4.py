@@ -67,9 +67,9 @@
 #   from_tensor: 156: 51 +, 57 *, 11 /, 1 neg, 2 sqrt, 8 lt, 3 eq, 3 and, 3 or, 17 where
 #   from_pose: 120: 36 +, 39 *, 8 /, 1 neg, 2 sqrt, 8 lt, 3 eq, 3 and, 3 or, 17 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
-#   to_screw: 73: 15 +, 27 *, 7 /, 2 neg, 2 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 11 where
-#   turn: 57: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 7 where
-#   shadow: 77: 19 +, 32 *, 7 /, 1 neg, 2 sqrt, 3 lt, 2 eq, 1 and, 1 or, 9 where
+#   to_screw: 73: 15 +, 27 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 12 where
+#   turn: 57: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 8 where
+#   shadow: 77: 19 +, 32 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 10 where
 #   compose: 258: 96 +, 146 *, 11 /, 1 neg, 1 sqrt, 1 lt, 2 where
 """Cayley map of order 4: Rodrigues dual vectors ``v = tan(α/8) u`` of rigid displacements.
 
@@ -940,7 +940,7 @@ def body_rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | No
 # --- inverse maps, shadows, composition -------------------------------------------------------------------------
 
 
-# operations 57: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 7 where
+# operations 57: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 8 where
 def _turn(m: Any, v: Components, cs: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = cs
@@ -949,8 +949,8 @@ def _turn(m: Any, v: Components, cs: Components) -> Result:
     v33 = v3 * v3
     x = v11 + v22 + v33
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, 0, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -964,7 +964,7 @@ def _turn(m: Any, v: Components, cs: Components) -> Result:
     return (u1 * rk, u2 * rk, u3 * rk, uo1 * rk + u1 * rko, uo2 * rk + u2 * rko, uo3 * rk + u3 * rko)
 
 
-# operations 77: 19 +, 32 *, 7 /, 1 neg, 2 sqrt, 3 lt, 2 eq, 1 and, 1 or, 9 where
+# operations 77: 19 +, 32 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 10 where
 def _shadow(m: Any, v: Components, cs: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = cs
@@ -981,8 +981,8 @@ def _shadow(m: Any, v: Components, cs: Components) -> Result:
     sign = m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     sn = sign * sin
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, 0, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1353,7 +1353,7 @@ def from_screw(angle: ArrayLike, line: ArrayLike, /, *, axis: int = -1, out: Arr
     return call(_from_screw, (6,), axis, out, real=True, angle=(angle, (2,)), line=(line, (6,)))
 
 
-# operations 73: 15 +, 27 *, 7 /, 2 neg, 2 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 11 where
+# operations 73: 15 +, 27 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 12 where
 def _to_screw(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -1368,8 +1368,8 @@ def _to_screw(m: Any, v: Components) -> Result:
     y = v1 * v1o + v2 * v2o + v3 * v3o
     sign = m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, 0, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1413,7 +1413,7 @@ def to_screw(v: ArrayLike, *, axis: int = -1) -> tuple[Array, Array]:
     TypeError
         If v is complex.
     """
-    screw = call(_to_screw, (8,), axis, None, real=True, v=(v, (6,)))
+    screw = call(_to_screw, (8,), axis, real=True, v=(v, (6,)))
     return (screw[:2], screw[2:]) if axis == 0 else (screw[..., :2], screw[..., 2:])
 
 

@@ -63,14 +63,14 @@
 #   rate: 136: 53 +, 73 *, 9 /, 1 neg
 #   body_twist: 148: 58 +, 87 *, 3 /
 #   body_rate: 136: 53 +, 73 *, 9 /, 1 neg
-#   from_quaternion: 96: 30 +, 49 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 4 where
-#   from_tensor: 157: 50 +, 56 *, 10 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 19 where
-#   from_pose: 121: 35 +, 38 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 19 where
+#   from_quaternion: 97: 30 +, 49 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   from_tensor: 158: 50 +, 56 *, 10 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 20 where
+#   from_pose: 122: 35 +, 38 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 20 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
-#   to_screw: 75: 16 +, 28 *, 7 /, 2 neg, 2 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 11 where
-#   turn: 57: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 7 where
-#   shadow: 79: 20 +, 33 *, 7 /, 1 neg, 2 sqrt, 3 lt, 2 eq, 1 and, 1 or, 9 where
-#   compose: 268: 98 +, 150 *, 10 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 4 where
+#   to_screw: 75: 16 +, 28 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 12 where
+#   turn: 57: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 8 where
+#   shadow: 79: 20 +, 33 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 10 where
+#   compose: 269: 98 +, 150 *, 10 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 """Cayley map of order 5: Rodrigues dual vectors ``v = tan(α/10) u`` of rigid displacements.
 
 α is the dual angle (rotation angle, translation along the axis) and u the unit dual vector of the screw axis. Arrays
@@ -951,7 +951,7 @@ def body_rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | No
 # --- inverse maps, shadows, composition -------------------------------------------------------------------------
 
 
-# operations 57: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 7 where
+# operations 57: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 8 where
 def _turn(m: Any, v: Components, cs: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = cs
@@ -960,8 +960,8 @@ def _turn(m: Any, v: Components, cs: Components) -> Result:
     v33 = v3 * v3
     x = v11 + v22 + v33
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, 0, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -975,7 +975,7 @@ def _turn(m: Any, v: Components, cs: Components) -> Result:
     return (u1 * rk, u2 * rk, u3 * rk, uo1 * rk + u1 * rko, uo2 * rk + u2 * rko, uo3 * rk + u3 * rko)
 
 
-# operations 79: 20 +, 33 *, 7 /, 1 neg, 2 sqrt, 3 lt, 2 eq, 1 and, 1 or, 9 where
+# operations 79: 20 +, 33 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 10 where
 def _shadow(m: Any, v: Components, cs: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = cs
@@ -992,8 +992,8 @@ def _shadow(m: Any, v: Components, cs: Components) -> Result:
     sign = m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     sn = sign * sin
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, 0, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1062,7 +1062,7 @@ def principal(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Arra
     return nearest(_turn, TURNS, LIMITS, v, axis, out)
 
 
-# operations 96: 30 +, 49 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 4 where
+# operations 97: 30 +, 49 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 def _from_quaternion(m: Any, e: Components) -> Result:
     e0, e1, e2, e3, e0o, e1o, e2o, e3o = e
     rho1 = 2 * (e1o * e0 - e1 * e0o + (e2 * e3o - e3 * e2o))
@@ -1070,8 +1070,9 @@ def _from_quaternion(m: Any, e: Components) -> Result:
     rho3 = 2 * (e3o * e0 - e3 * e0o + (e1 * e2o - e2 * e1o))
     negative = e0 < 0
     cos = m.where(negative, -e0, e0)
-    sin = m.sqrt(e1 * e1 + e2 * e2 + e3 * e3)
-    still = sin == 0
+    ss = e1 * e1 + e2 * e2 + e3 * e3
+    still = ss == 0
+    sin = m.sqrt(m.where(still, 1, ss))
     gain = m.where(negative, -1, 1) * (m.where(still, 1, m.tan(m.atan2(sin, cos) / 5)) / m.where(still, 5 * cos, sin))
     v1 = e1 * gain
     v2 = e2 * gain
@@ -1129,7 +1130,7 @@ def from_quaternion(q: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array
     return call_branch(_from_quaternion, _turn, TURNS, branch, axis, out, q=(q, (8,)))
 
 
-# operations 157: 50 +, 56 *, 10 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 19 where
+# operations 158: 50 +, 56 *, 10 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 20 where
 def _from_tensor(m: Any, R: Components) -> Result:
     Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33, D11, D12, D13, D21, D22, D23, D31, D32, D33 = R
     rho1 = (D31 * Q21 + D32 * Q22 + D33 * Q23 - (D21 * Q31 + D22 * Q32 + D23 * Q33)) / 2
@@ -1171,10 +1172,11 @@ def _from_tensor(m: Any, R: Components) -> Result:
     e1 = sign * z31
     e2 = sign * z32
     e3 = sign * z33
+    ss = e1 * e1 + e2 * e2 + e3 * e3
     negative = e0 < 0
     cos = m.where(negative, -e0, e0)
-    sin = m.sqrt(e1 * e1 + e2 * e2 + e3 * e3)
-    still = sin == 0
+    still = ss == 0
+    sin = m.sqrt(m.where(still, 1, ss))
     gain = m.where(negative, -1, 1) * (m.where(still, 1, m.tan(m.atan2(sin, cos) / 5)) / m.where(still, 5 * cos, sin))
     v1 = e1 * gain
     v2 = e2 * gain
@@ -1232,7 +1234,7 @@ def from_tensor(R: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | N
     return call_branch(_from_tensor, _turn, TURNS, branch, axis, out, R=(R, (2, 3, 3)))
 
 
-# operations 121: 35 +, 38 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 19 where
+# operations 122: 35 +, 38 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 20 where
 def _from_pose(m: Any, T: Components) -> Result:
     Q11, Q12, Q13, T14, Q21, Q22, Q23, T24, Q31, Q32, Q33, T34, _, _, _, _ = T
     a1 = Q32 - Q23
@@ -1271,10 +1273,11 @@ def _from_pose(m: Any, T: Components) -> Result:
     e1 = sign * z31
     e2 = sign * z32
     e3 = sign * z33
+    ss = e1 * e1 + e2 * e2 + e3 * e3
     negative = e0 < 0
     cos = m.where(negative, -e0, e0)
-    sin = m.sqrt(e1 * e1 + e2 * e2 + e3 * e3)
-    still = sin == 0
+    still = ss == 0
+    sin = m.sqrt(m.where(still, 1, ss))
     gain = m.where(negative, -1, 1) * (m.where(still, 1, m.tan(m.atan2(sin, cos) / 5)) / m.where(still, 5 * cos, sin))
     v1 = e1 * gain
     v2 = e2 * gain
@@ -1363,7 +1366,7 @@ def from_screw(angle: ArrayLike, line: ArrayLike, /, *, axis: int = -1, out: Arr
     return call(_from_screw, (6,), axis, out, real=True, angle=(angle, (2,)), line=(line, (6,)))
 
 
-# operations 75: 16 +, 28 *, 7 /, 2 neg, 2 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 11 where
+# operations 75: 16 +, 28 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 12 where
 def _to_screw(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -1378,8 +1381,8 @@ def _to_screw(m: Any, v: Components) -> Result:
     y = v1 * v1o + v2 * v2o + v3 * v3o
     sign = m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, 0, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1423,11 +1426,11 @@ def to_screw(v: ArrayLike, *, axis: int = -1) -> tuple[Array, Array]:
     TypeError
         If v is complex.
     """
-    screw = call(_to_screw, (8,), axis, None, real=True, v=(v, (6,)))
+    screw = call(_to_screw, (8,), axis, real=True, v=(v, (6,)))
     return (screw[:2], screw[2:]) if axis == 0 else (screw[..., :2], screw[..., 2:])
 
 
-# operations 268: 98 +, 150 *, 10 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 4 where
+# operations 269: 98 +, 150 *, 10 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 def _compose(m: Any, b: Components, a: Components) -> Result:
     b1, b2, b3, b1o, b2o, b3o = b
     a1, a2, a3, a1o, a2o, a3o = a
@@ -1497,8 +1500,9 @@ def _compose(m: Any, b: Components, a: Components) -> Result:
     rho3 = 2 * (z3o * z0 - z3 * z0o + (z1 * z2o - z2 * z1o)) / zz
     negative = z0 < 0
     cos = m.where(negative, -z0, z0)
-    sin = m.sqrt(z1 * z1 + z2 * z2 + z3 * z3)
-    still = sin == 0
+    ss = z1 * z1 + z2 * z2 + z3 * z3
+    still = ss == 0
+    sin = m.sqrt(m.where(still, 1, ss))
     gain = m.where(negative, -1, 1) * (m.where(still, 1, m.tan(m.atan2(sin, cos) / 5)) / m.where(still, 5 * cos, sin))
     v1 = z1 * gain
     v2 = z2 * gain

@@ -151,8 +151,10 @@ def _gain(trace: Trace, order: int, e: Quaternion, size: Number) -> Number:
     sign = trace.where(negative, -1, 1)
     if _has_ladder(order):
         return sign / _ladder(trace, order, cosine, size)
-    sine = trace.name("sin", trace.sqrt(e.vector.dot(e.vector)))
-    still = trace.name("still", trace.equal(sine, 0))
+    square = trace.name("ss", e.vector.dot(e.vector))
+    still = trace.name("still", trace.equal(square, 0))
+    # the root is taken of 1 where it would be of 0: its slope there is infinite, and 0 times that is no gradient
+    sine = trace.name("sin", trace.sqrt(trace.where(still, 1, square)))
     tangent = trace.tan(trace.atan2(sine, cosine) / order)
     return sign * (trace.where(still, 1, tangent) / trace.where(still, order * cosine, sine))
 
@@ -204,10 +206,11 @@ def _axis_sign(chart: CayleyChart) -> Number:
 def _axis(chart: CayleyChart) -> tuple[Number, Vector, Number, Vector]:
     """|v| and v/|v| as dual quantities; at Re v = 0 the axis is that of v°, through the origin."""
     trace = chart.trace
-    still = chart.name("still", trace.equal(chart.x, 0))
-    size = chart.name("r", trace.sqrt(chart.x))
-    length = chart.name("length", trace.where(still, trace.sqrt(chart.du.dot(chart.du)), size))
     v, vo = chart.re, chart.du
+    still = chart.name("still", trace.equal(chart.x, 0))
+    # one root, never of 0 but at the identity: so the gradient is finite wherever the axis is defined
+    length = chart.name("length", trace.sqrt(trace.where(still, vo.dot(vo), chart.x)))
+    size = chart.name("r", trace.where(still, 0, length))
     u = named(trace, "u", Vector(*(trace.where(still, b, a) / length for a, b in zip(v, vo, strict=True))))
     size_du = chart.name("ro", u.dot(vo))
     across = vo - size_du * u
