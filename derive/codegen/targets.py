@@ -61,5 +61,13 @@ TARGETS: Mapping[str, Target] = {
             printer=infix.body,
             validate=validate,
         ),
+        Target(
+            name="array-api",
+            extension="py",
+            shared=("__init__.py", "_runtime.py", "_tools.py", "py.typed"),
+            comment="#",
+            printer=infix.body,
+            validate=validate,
+        ),
     )
 }
