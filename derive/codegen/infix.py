@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from fractions import Fraction
 
 from .program import Operand, Program, Step
@@ -10,41 +11,52 @@ from .program import Operand, Program, Step
 WIDTH = 120
 _SYMBOLS = {"add": ("+", 4), "sub": ("-", 4), "mul": ("*", 5), "div": ("/", 5), "and": ("&", 3), "or": ("|", 2)}
 _COMPARISONS = {"lt": "<", "eq": "=="}
-_CALLS = {"sqrt": "m.sqrt", "tan": "m.tan", "atan2": "m.atan2", "where": "m.where"}
+_CALLS = frozenset({"sqrt", "tan", "atan2", "where"})
 _COMPARISON, _NEGATION, _ATOM = 1, 6, 9
 
 Text = tuple[str, int]
 """Source text and the binding strength of its outermost operator."""
 
 
-def body(program: Program, indent: str = "    ") -> str:
+@dataclass(frozen=True, slots=True)
+class Dialect:
+    """How functions are called and constants written."""
+
+    prefix: str = "m."
+    literal: Callable[[int], str] = str
+
+
+PLAIN = Dialect()
+
+
+def body(program: Program, indent: str = "    ", dialect: Dialect = PLAIN) -> str:
     """Source lines of the program: unpacked arguments, assignments, and the returned tuple."""
-    return "\n".join(line for statement in _statements(program) for line in _wrap(statement, indent))
+    return "\n".join(line for statement in _statements(program, dialect) for line in _wrap(statement, indent))
 
 
-def _statements(program: Program) -> Iterator[str | list[str]]:
+def _statements(program: Program, dialect: Dialect) -> Iterator[str | list[str]]:
     """Assignments, then the list of outputs."""
     for argument, names in program.inputs:
         used = _used_names(program)
         yield f"{', '.join(name if name in used else '_' for name in names)}{',' * (len(names) == 1)} = {argument}"
     texts: dict[str, Text] = {}
     for step in program.steps:
-        text = _expression(step, texts)
+        text = _expression(step, texts, dialect)
         if step.inline:
             texts[step.name] = text
         else:
             yield f"{step.name} = {text[0]}"
-    yield [_operand(output, texts)[0] for output in program.outputs]
+    yield [_operand(output, texts, dialect)[0] for output in program.outputs]
 
 
 def _used_names(program: Program) -> set[Operand]:
     return {arg for step in program.steps for arg in step.args} | set(program.outputs)
 
 
-def _expression(step: Step, texts: dict[str, Text]) -> Text:
-    args = [_operand(arg, texts) for arg in step.args]
+def _expression(step: Step, texts: dict[str, Text], dialect: Dialect) -> Text:
+    args = [_operand(arg, texts, dialect) for arg in step.args]
     if step.op in _CALLS:
-        return f"{_CALLS[step.op]}({', '.join(text for text, _ in args)})", _ATOM
+        return f"{dialect.prefix}{step.op}({', '.join(text for text, _ in args)})", _ATOM
     if step.op == "neg":
         return f"-{_bracket(args[0], _NEGATION)}", _NEGATION
     if step.op in _COMPARISONS:
@@ -59,12 +71,13 @@ def _bracket(text: Text, strength: int) -> str:
     return text[0] if text[1] >= strength else f"({text[0]})"
 
 
-def _operand(operand: Operand, texts: dict[str, Text]) -> Text:
+def _operand(operand: Operand, texts: dict[str, Text], dialect: Dialect) -> Text:
     if isinstance(operand, str):
         return texts.get(operand, (operand, _ATOM))
     if isinstance(operand, Fraction) and operand.denominator != 1:
         raise ValueError(f"constant {operand} is not an integer: divide instead, so that exact types stay exact")
-    return str(operand), _ATOM if operand >= 0 else _NEGATION
+    text = dialect.literal(int(operand))
+    return text, _NEGATION if text.startswith("-") else _ATOM
 
 
 def _wrap(statement: str | list[str], indent: str) -> Iterator[str]:

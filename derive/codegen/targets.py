@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from ..maps import Cayley
-from . import infix
+from . import infix, jit
 from .program import Program
 from .validation import validate
 
@@ -67,6 +67,14 @@ TARGETS: Mapping[str, Target] = {
             shared=("__init__.py", "_runtime.py", "_tools.py", "py.typed"),
             comment="#",
             printer=infix.body,
+            validate=validate,
+        ),
+        Target(
+            name="numba",
+            extension="py",
+            shared=("__init__.py", "_runtime.py", "_tools.py", "py.typed"),
+            comment="#",
+            printer=jit.parts,
             validate=validate,
         ),
     )
