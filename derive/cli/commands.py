@@ -16,10 +16,10 @@ from ..codegen.targets import TARGETS
 from ..maps import Cayley
 from ..maps.formula import LATEX_ORDER
 from ..proof import ProofFailed
-from . import display
-from .options import NameList, OrderList, require_cap
+from . import display, options
 
 FORMULAS = ("p", "q", "quaternion", "tensor", "tangent", "tangent_inv")
+ALL = ",".join(FORMULAS)
 STEPS_PER_ORDER = 3
 
 
@@ -30,24 +30,24 @@ def cli() -> None:
 
 
 @cli.command()
-@click.option("-n", "orders", type=OrderList(), help="Orders, e.g. 7 or 1-5,8; the committed catalogue by default.")
+@click.option("-n", "orders", callback=options.orders, help="Orders, e.g. 7 or 1-5,8; by default the committed ones.")
 @click.option("--target", type=click.Choice(tuple(TARGETS)), default="numpy", show_default=True)
 @click.option("-o", "output", type=click.Path(path_type=Path, file_okay=False), help="Folder of the package.")
 @click.option("--check", is_flag=True, help="Write nothing; exit 1 if a file is stale, missing or foreign.")
 @click.option("--force", is_flag=True, help="Overwrite files which do not bear the generated header.")
 @click.option("--max-n", default=catalogue.MAX_ORDER, show_default=True, type=click.IntRange(min=1))
 def generate(
-    orders: tuple[int, ...] | None, target: str, output: Path | None, check: bool, force: bool, max_n: int
+    orders: tuple[int, ...], target: str, output: Path | None, check: bool, force: bool, max_n: int
 ) -> None:
     """Prove formulas and write their kernels, or check the ones on disk."""
-    require_cap(orders or (), max_n)
+    options.require_cap(orders, max_n)
     if output is None and not catalogue.is_checkout():
         raise click.UsageError("outside a checkout of the project, name a folder with -o")
     folder = output or catalogue.COMMITTED
     chosen = orders or catalogue.ORDERS
     with display.progress(STEPS_PER_ORDER * len(chosen)) as step:
         if check:
-            found = check_folder(folder, orders, target, step)
+            found = check_folder(folder, chosen, target, step)
         else:
             package = generate_kernels(chosen, target, folder, force=force, progress=step)
     if not check:
@@ -59,13 +59,13 @@ def generate(
 
 
 @cli.command()
-@click.option("-n", "orders", type=OrderList(), required=True, help="Orders, e.g. 3 or 1-5.")
-@click.option("--what", type=NameList(FORMULAS), default=",".join(FORMULAS), help=f"Out of {','.join(FORMULAS)}.")
+@click.option("-n", "orders", callback=options.orders, required=True, help="Orders, e.g. 3 or 1-5.")
+@click.option("--what", callback=options.names(FORMULAS), default=ALL, help=f"Out of {ALL}; all by default.")
 @click.option("--format", "form", type=click.Choice(("text", "latex", "markdown", "json")), default="text")
 @click.option("--max-n", default=catalogue.MAX_ORDER, show_default=True, type=click.IntRange(min=1))
 def show(orders: tuple[int, ...], what: tuple[str, ...], form: str, max_n: int) -> None:
     """Print the formulas of an order."""
-    require_cap(orders, max_n)
+    options.require_cap(orders, max_n)
     if form == "json":
         click.echo(json.dumps([_as_json(Cayley(n), what) for n in orders], indent=2))
         return

@@ -1,59 +1,49 @@
-"""Parsed options: lists of orders, names to show."""
+"""Parsed options: lists of orders, names to show, the cap on orders."""
 
 from __future__ import annotations
 
 import re
-from typing import Any
+from collections.abc import Callable
 
 import click
 
+LONGEST_RANGE = 10_000
 
-class OrderList(click.ParamType[tuple[int, ...]]):
-    """Orders such as ``7``, ``1-5,8``: integers and ranges, separated by commas."""
 
-    name = "orders"
+def orders(context: click.Context, parameter: click.Parameter, value: str | None) -> tuple[int, ...]:
+    """Return orders such as ``7`` or ``1-5,8``, sorted and each once; none for no value."""
+    if value is None:
+        return ()
+    found = {order for part in value.split(",") for order in _range(part.strip(), value)}
+    return tuple(sorted(found))
 
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[int, ...]:
-        """Return the orders, sorted, each once."""
-        if isinstance(value, tuple):
-            return value
-        orders: set[int] = set()
-        for part in str(value).split(","):
-            found = re.fullmatch(r"\s*(\d+)\s*(?:-\s*(\d+)\s*)?", part)
-            if found is None:
-                self.fail(f"expected orders such as 7 or 1-5,8, got {value!r}", param, ctx)
-            first = int(found.group(1))
-            last = int(found.group(2) or first)
-            if first < 1:
-                self.fail(f"an order is an integer n >= 1, got {part.strip()}", param, ctx)
-            if last < first:
-                self.fail(f"the range {part.strip()} runs backwards", param, ctx)
-            if last - first > 10_000:
-                self.fail(f"the range {part.strip()} holds more than 10000 orders", param, ctx)
-            orders.update(range(first, last + 1))
-        return tuple(sorted(orders))
 
-class NameList(click.ParamType[tuple[str, ...]]):
-    """Names out of a fixed set, separated by commas."""
+def _range(part: str, value: str) -> range:
+    match = re.fullmatch(r"(\d{1,9})\s*(?:-\s*(\d{1,9}))?", part)
+    if match is None:
+        raise click.BadParameter(f"expected orders such as 7 or 1-5,8, got {value!r}")
+    first, last = int(match.group(1)), int(match.group(2) or match.group(1))
+    if first < 1:
+        raise click.BadParameter(f"an order is an integer n >= 1, got {part!r}")
+    if not first <= last < first + LONGEST_RANGE:
+        raise click.BadParameter(f"a range runs upwards over at most {LONGEST_RANGE} orders, got {part!r}")
+    return range(first, last + 1)
 
-    name = "names"
 
-    def __init__(self, choices: tuple[str, ...]) -> None:
-        self.choices = choices
+def names(choices: tuple[str, ...]) -> Callable[[click.Context, click.Parameter, str], tuple[str, ...]]:
+    """Return a parser of comma-separated names out of a fixed set."""
 
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[str, ...]:
-        """Return the names in the given order."""
-        if isinstance(value, tuple):
-            return value
-        names = tuple(part.strip() for part in str(value).split(","))
-        unknown = [name for name in names if name not in self.choices]
+    def parse(context: click.Context, parameter: click.Parameter, value: str) -> tuple[str, ...]:
+        given = tuple(part.strip() for part in value.split(","))
+        unknown = ", ".join(repr(name) for name in given if name not in choices)
         if unknown:
-            given = ", ".join(map(repr, unknown))
-            self.fail(f"expected names out of {', '.join(self.choices)}, got {given}", param, ctx)
-        return names
+            raise click.BadParameter(f"expected names out of {', '.join(choices)}, got {unknown}")
+        return given
 
-def require_cap(orders: tuple[int, ...], cap: int) -> None:
+    return parse
+
+
+def require_cap(chosen: tuple[int, ...], cap: int) -> None:
     """Refuse an order above the cap, naming the option that raises it."""
-    if orders and orders[-1] > cap:
-
-        raise click.BadParameter(f"order {orders[-1]} is above the cap {cap}; raise it with --max-n", param_hint="-n")
+    if chosen and chosen[-1] > cap:
+        raise click.BadParameter(f"order {chosen[-1]} is above the cap {cap}; raise it with --max-n", param_hint="-n")

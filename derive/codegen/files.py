@@ -50,9 +50,9 @@ def write(folder: Path, texts: Mapping[str, str], force: bool = False) -> list[P
     if foreign and not force:
         names = ", ".join(map(str, foreign))
         raise RefusedError(f"not a generated file, so not overwritten: {names} (--force overwrites)")
-    changed = [path for path, text in targets.items() if _read(path) != text]
     try:
         folder.mkdir(parents=True, exist_ok=True)
+        changed = [path for path, text in targets.items() if _read(path) != text]
         _replace_all({path: targets[path] for path in changed})
     except OSError as error:
         raise RefusedError(f"cannot write {error.filename or folder}: {error.strerror}") from error

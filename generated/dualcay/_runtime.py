@@ -65,7 +65,8 @@ def call(
     extra = () if constants is None else (constants,)
     if not batch and dtype == np.float64:
         try:
-            values = core(Floats, *(array.ravel().tolist() for array in arrays.values()), *extra)
+            floats = [list(map(float, values)) for values in extra]
+            values = core(Floats, *(array.ravel().tolist() for array in arrays.values()), *floats)
             return _pack(values, shape, (), axis, dtype, out)
         except (ZeroDivisionError, OverflowError, ValueError):
             pass  # at a singular point Python raises where IEEE arithmetic has a result: NumPy gives it below

@@ -67,10 +67,10 @@
 #   from_tensor: 119: 40 +, 37 *, 11 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 83: 25 +, 19 *, 8 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
-#   to_screw: 42: 10 +, 14 *, 7 /, 1 sqrt, 1 atan2, 1 eq, 8 where
-#   turn: 57: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 8 where
-#   shadow: 57: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 8 where
-#   compose: 73: 35 +, 36 *, 1 /, 1 neg
+#   to_screw: 43: 10 +, 14 *, 7 /, 1 sqrt, 1 atan2, 1 eq, 9 where
+#   turn: 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
+#   shadow: 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
+#   compose: 135: 56 +, 69 *, 10 /
 """Cayley map of order 1: Rodrigues dual vectors ``v = tan(α/2) u`` of rigid displacements.
 
 α is the dual angle (rotation angle, translation along the axis) and u the unit dual vector of the screw axis. Arrays
@@ -309,25 +309,25 @@ def pose(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
 def _transform_point(m: Any, v: Components, r: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     r1, r2, r3 = r
-    vr1 = v2 * r3 - v3 * r2
-    vr2 = v3 * r1 - v1 * r3
-    vr3 = v1 * r2 - v2 * r1
+    v_r1 = v2 * r3 - v3 * r2
+    v_r2 = v3 * r1 - v1 * r3
+    v_r3 = v1 * r2 - v2 * r1
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
     N = 1 + x
     s = 2 / N
-    gvr1 = vr1 * s
-    gvr2 = vr2 * s
-    gvr3 = vr3 * s
+    gv_r1 = v_r1 * s
+    gv_r2 = v_r2 * s
+    gv_r3 = v_r3 * s
     gv1 = v1 * s
     gv2 = v2 * s
     gv3 = v3 * s
     return (
-        r1 + (gvr1 + (v2 * gvr3 - v3 * gvr2)) + (v1o * s + (gv2 * v3o - gv3 * v2o)),
-        r2 + (gvr2 + (v3 * gvr1 - v1 * gvr3)) + (v2o * s + (gv3 * v1o - gv1 * v3o)),
-        r3 + (gvr3 + (v1 * gvr2 - v2 * gvr1)) + (v3o * s + (gv1 * v2o - gv2 * v1o)),
+        r1 + (gv_r1 + (v2 * gv_r3 - v3 * gv_r2)) + (v1o * s + (gv2 * v3o - gv3 * v2o)),
+        r2 + (gv_r2 + (v3 * gv_r1 - v1 * gv_r3)) + (v2o * s + (gv3 * v1o - gv1 * v3o)),
+        r3 + (gv_r3 + (v1 * gv_r2 - v2 * gv_r1)) + (v3o * s + (gv1 * v2o - gv2 * v1o)),
     )
 
 
@@ -357,27 +357,27 @@ def transform_point(v: ArrayLike, r: ArrayLike, *, axis: int = -1, out: Array | 
 def _transform_line(m: Any, v: Components, line: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     l1, l2, l3, m1, m2, m3 = line
-    vl1 = v2 * l3 - v3 * l2
-    vl2 = v3 * l1 - v1 * l3
-    vl3 = v1 * l2 - v2 * l1
+    v_l1 = v2 * l3 - v3 * l2
+    v_l2 = v3 * l1 - v1 * l3
+    v_l3 = v1 * l2 - v2 * l1
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
     N = 1 + x
     s = 2 / N
-    gvl1 = vl1 * s
-    gvl2 = vl2 * s
-    gvl3 = vl3 * s
-    Ql1 = l1 + (gvl1 + (v2 * gvl3 - v3 * gvl2))
-    Ql2 = l2 + (gvl2 + (v3 * gvl1 - v1 * gvl3))
-    Ql3 = l3 + (gvl3 + (v1 * gvl2 - v2 * gvl1))
-    vm1 = v2 * m3 - v3 * m2
-    vm2 = v3 * m1 - v1 * m3
-    vm3 = v1 * m2 - v2 * m1
-    gvm1 = vm1 * s
-    gvm2 = vm2 * s
-    gvm3 = vm3 * s
+    gv_l1 = v_l1 * s
+    gv_l2 = v_l2 * s
+    gv_l3 = v_l3 * s
+    Ql1 = l1 + (gv_l1 + (v2 * gv_l3 - v3 * gv_l2))
+    Ql2 = l2 + (gv_l2 + (v3 * gv_l1 - v1 * gv_l3))
+    Ql3 = l3 + (gv_l3 + (v1 * gv_l2 - v2 * gv_l1))
+    v_m1 = v2 * m3 - v3 * m2
+    v_m2 = v3 * m1 - v1 * m3
+    v_m3 = v1 * m2 - v2 * m1
+    gv_m1 = v_m1 * s
+    gv_m2 = v_m2 * s
+    gv_m3 = v_m3 * s
     gv1 = v1 * s
     gv2 = v2 * s
     gv3 = v3 * s
@@ -388,9 +388,9 @@ def _transform_line(m: Any, v: Components, line: Components) -> Result:
         Ql1,
         Ql2,
         Ql3,
-        m1 + (gvm1 + (v2 * gvm3 - v3 * gvm2)) + (rho2 * Ql3 - rho3 * Ql2),
-        m2 + (gvm2 + (v3 * gvm1 - v1 * gvm3)) + (rho3 * Ql1 - rho1 * Ql3),
-        m3 + (gvm3 + (v1 * gvm2 - v2 * gvm1)) + (rho1 * Ql2 - rho2 * Ql1),
+        m1 + (gv_m1 + (v2 * gv_m3 - v3 * gv_m2)) + (rho2 * Ql3 - rho3 * Ql2),
+        m2 + (gv_m2 + (v3 * gv_m1 - v1 * gv_m3)) + (rho3 * Ql1 - rho1 * Ql3),
+        m3 + (gv_m3 + (v1 * gv_m2 - v2 * gv_m1)) + (rho1 * Ql2 - rho2 * Ql1),
     )
 
 
@@ -756,7 +756,7 @@ def body_rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | No
 # --- inverse maps, shadows, composition -------------------------------------------------------------------------
 
 
-# operations 57: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 8 where
+# operations 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
 def _turn(m: Any, v: Components, cs: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = cs
@@ -770,17 +770,17 @@ def _turn(m: Any, v: Components, cs: Components) -> Result:
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
-    ro = u1 * v1o + u2 * v2o + u3 * v3o
-    uo1 = m.where(still, 0, (v1o - u1 * ro) / length)
-    uo2 = m.where(still, 0, (v2o - u2 * ro) / length)
-    uo3 = m.where(still, 0, (v3o - u3 * ro) / length)
+    ro = m.where(still, length, u1 * v1o + u2 * v2o + u3 * v3o)
+    uo1 = m.where(still, 0, v1o - u1 * ro) / length
+    uo2 = m.where(still, 0, v2o - u2 * ro) / length
+    uo3 = m.where(still, 0, v3o - u3 * ro) / length
     iden = 1 / (cos - r * sin)
     rk = (r * cos + sin) * iden
     rko = ro * (iden * iden)
     return (u1 * rk, u2 * rk, u3 * rk, uo1 * rk + u1 * rko, uo2 * rk + u2 * rko, uo3 * rk + u3 * rko)
 
 
-# operations 57: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 8 where
+# operations 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
 def _shadow(m: Any, v: Components, cs: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = cs
@@ -794,10 +794,10 @@ def _shadow(m: Any, v: Components, cs: Components) -> Result:
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
-    ro = u1 * v1o + u2 * v2o + u3 * v3o
-    uo1 = m.where(still, 0, (v1o - u1 * ro) / length)
-    uo2 = m.where(still, 0, (v2o - u2 * ro) / length)
-    uo3 = m.where(still, 0, (v3o - u3 * ro) / length)
+    ro = m.where(still, length, u1 * v1o + u2 * v2o + u3 * v3o)
+    uo1 = m.where(still, 0, v1o - u1 * ro) / length
+    uo2 = m.where(still, 0, v2o - u2 * ro) / length
+    uo3 = m.where(still, 0, v3o - u3 * ro) / length
     iden = 1 / (cos - r * sin)
     rk = (r * cos + sin) * iden
     rko = ro * (iden * iden)
@@ -1118,7 +1118,7 @@ def from_screw(angle: ArrayLike, line: ArrayLike, /, *, axis: int = -1, out: Arr
     return call(_from_screw, (6,), axis, out, real=True, angle=(angle, (2,)), line=(line, (6,)))
 
 
-# operations 42: 10 +, 14 *, 7 /, 1 sqrt, 1 atan2, 1 eq, 8 where
+# operations 43: 10 +, 14 *, 7 /, 1 sqrt, 1 atan2, 1 eq, 9 where
 def _to_screw(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -1131,10 +1131,10 @@ def _to_screw(m: Any, v: Components) -> Result:
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
-    ro = u1 * v1o + u2 * v2o + u3 * v3o
-    uo1 = m.where(still, 0, (v1o - u1 * ro) / length)
-    uo2 = m.where(still, 0, (v2o - u2 * ro) / length)
-    uo3 = m.where(still, 0, (v3o - u3 * ro) / length)
+    ro = m.where(still, length, u1 * v1o + u2 * v2o + u3 * v3o)
+    uo1 = m.where(still, 0, v1o - u1 * ro) / length
+    uo2 = m.where(still, 0, v2o - u2 * ro) / length
+    uo3 = m.where(still, 0, v3o - u3 * ro) / length
     k = 1 + x
     return (2 * m.atan2(r, 1), 2 * ro / k, u1, u2, u3, uo1, uo2, uo3)
 
@@ -1166,23 +1166,60 @@ def to_screw(v: ArrayLike, *, axis: int = -1) -> tuple[Array, Array]:
     return (screw[:2], screw[2:]) if axis == 0 else (screw[..., :2], screw[..., 2:])
 
 
-# operations 73: 35 +, 36 *, 1 /, 1 neg
+# operations 135: 56 +, 69 *, 10 /
 def _compose(m: Any, b: Components, a: Components) -> Result:
     b1, b2, b3, b1o, b2o, b3o = b
     a1, a2, a3, a1o, a2o, a3o = a
+    v11b = b1 * b1
+    v22b = b2 * b2
+    v33b = b3 * b3
+    xb = v11b + v22b + v33b
+    v11a = a1 * a1
+    v22a = a2 * a2
+    v33a = a3 * a3
+    xa = v11a + v22a + v33a
     z0 = 1 - (b1 * a1 + b2 * a2 + b3 * a3)
-    z0o = -(b1 * a1o + b1o * a1 + (b2 * a2o + b2o * a2) + (b3 * a3o + b3o * a3))
     z1 = a1 + b1 + (b2 * a3 - b3 * a2)
-    z1o = a1o + b1o + (b2 * a3o + b2o * a3 - (b3 * a2o + b3o * a2))
     z2 = a2 + b2 + (b3 * a1 - b1 * a3)
-    z2o = a2o + b2o + (b3 * a1o + b3o * a1 - (b1 * a3o + b1o * a3))
     z3 = a3 + b3 + (b1 * a2 - b2 * a1)
-    z3o = a3o + b3o + (b1 * a2o + b1o * a2 - (b2 * a1o + b2o * a1))
-    iz = 1 / z0
-    v1 = z1 * iz
-    v2 = z2 * iz
-    v3 = z3 * iz
-    return (v1, v2, v3, (z1o - v1 * z0o) * iz, (z2o - v2 * z0o) * iz, (z3o - v3 * z0o) * iz)
+    Na = 1 + xa
+    sa = 2 / Na
+    gva1 = a1 * sa
+    gva2 = a2 * sa
+    gva3 = a3 * sa
+    rhoa1 = a1o * sa + (gva2 * a3o - gva3 * a2o)
+    rhoa2 = a2o * sa + (gva3 * a1o - gva1 * a3o)
+    rhoa3 = a3o * sa + (gva1 * a2o - gva2 * a1o)
+    v_rho1 = b2 * rhoa3 - b3 * rhoa2
+    v_rho2 = b3 * rhoa1 - b1 * rhoa3
+    v_rho3 = b1 * rhoa2 - b2 * rhoa1
+    Nb = 1 + xb
+    sb = 2 / Nb
+    gv_rho1 = v_rho1 * sb
+    gv_rho2 = v_rho2 * sb
+    gv_rho3 = v_rho3 * sb
+    gvb1 = b1 * sb
+    gvb2 = b2 * sb
+    gvb3 = b3 * sb
+    rho1 = rhoa1 + (gv_rho1 + (b2 * gv_rho3 - b3 * gv_rho2)) + (b1o * sb + (gvb2 * b3o - gvb3 * b2o))
+    rho2 = rhoa2 + (gv_rho2 + (b3 * gv_rho1 - b1 * gv_rho3)) + (b2o * sb + (gvb3 * b1o - gvb1 * b3o))
+    rho3 = rhoa3 + (gv_rho3 + (b1 * gv_rho2 - b2 * gv_rho1)) + (b3o * sb + (gvb1 * b2o - gvb2 * b1o))
+    gain = 1 / z0
+    v1 = z1 * gain
+    v2 = z2 * gain
+    v3 = z3 * gain
+    hvr = (v1 * rho1 + v2 * rho2 + v3 * rho3) / 2
+    hv1 = v1 / 2
+    hv2 = v2 / 2
+    hv3 = v3 / 2
+    return (
+        v1,
+        v2,
+        v3,
+        rho1 / 2 - (hv2 * rho3 - hv3 * rho2) + v1 * hvr,
+        rho2 / 2 - (hv3 * rho1 - hv1 * rho3) + v2 * hvr,
+        rho3 / 2 - (hv1 * rho2 - hv2 * rho1) + v3 * hvr,
+    )
 
 
 def compose(v2: ArrayLike, v1: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:

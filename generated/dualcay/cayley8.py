@@ -67,10 +67,10 @@
 #   from_tensor: 173: 58 +, 65 *, 12 /, 1 neg, 3 sqrt, 8 lt, 3 eq, 3 and, 3 or, 17 where
 #   from_pose: 137: 43 +, 47 *, 9 /, 1 neg, 3 sqrt, 8 lt, 3 eq, 3 and, 3 or, 17 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
-#   to_screw: 81: 19 +, 31 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 12 where
-#   turn: 57: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 8 where
-#   shadow: 85: 23 +, 36 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 10 where
-#   compose: 317: 123 +, 176 *, 12 /, 1 neg, 2 sqrt, 1 lt, 2 where
+#   to_screw: 82: 19 +, 31 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
+#   turn: 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
+#   shadow: 86: 23 +, 36 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 11 where
+#   compose: 304: 115 +, 172 *, 11 /, 1 neg, 2 sqrt, 1 lt, 2 where
 """Cayley map of order 8: Rodrigues dual vectors ``v = tan(α/16) u`` of rigid displacements.
 
 α is the dual angle (rotation angle, translation along the axis) and u the unit dual vector of the screw axis. Arrays
@@ -352,9 +352,9 @@ def pose(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
 def _transform_point(m: Any, v: Components, r: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     r1, r2, r3 = r
-    vr1 = v2 * r3 - v3 * r2
-    vr2 = v3 * r1 - v1 * r3
-    vr3 = v1 * r2 - v2 * r1
+    v_r1 = v2 * r3 - v3 * r2
+    v_r2 = v3 * r1 - v1 * r3
+    v_r3 = v1 * r2 - v2 * r1
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
@@ -365,9 +365,9 @@ def _transform_point(m: Any, v: Components, r: Components) -> Result:
     N = p * p + x * qq
     s = 2 / N
     g = qq * s
-    gvr1 = vr1 * g
-    gvr2 = vr2 * g
-    gvr3 = vr3 * g
+    gv_r1 = v_r1 * g
+    gv_r2 = v_r2 * g
+    gv_r3 = v_r3 * g
     f = p * q * s
     gv1 = v1 * g
     gv2 = v2 * g
@@ -377,9 +377,9 @@ def _transform_point(m: Any, v: Components, r: Components) -> Result:
     y = v1 * v1o + v2 * v2o + v3 * v3o
     hy = h * y
     return (
-        r1 + (vr1 * f + (v2 * gvr3 - v3 * gvr2)) + (v1o * f + (gv2 * v3o - gv3 * v2o) + v1 * hy),
-        r2 + (vr2 * f + (v3 * gvr1 - v1 * gvr3)) + (v2o * f + (gv3 * v1o - gv1 * v3o) + v2 * hy),
-        r3 + (vr3 * f + (v1 * gvr2 - v2 * gvr1)) + (v3o * f + (gv1 * v2o - gv2 * v1o) + v3 * hy),
+        r1 + (v_r1 * f + (v2 * gv_r3 - v3 * gv_r2)) + (v1o * f + (gv2 * v3o - gv3 * v2o) + v1 * hy),
+        r2 + (v_r2 * f + (v3 * gv_r1 - v1 * gv_r3)) + (v2o * f + (gv3 * v1o - gv1 * v3o) + v2 * hy),
+        r3 + (v_r3 * f + (v1 * gv_r2 - v2 * gv_r1)) + (v3o * f + (gv1 * v2o - gv2 * v1o) + v3 * hy),
     )
 
 
@@ -409,9 +409,9 @@ def transform_point(v: ArrayLike, r: ArrayLike, *, axis: int = -1, out: Array | 
 def _transform_line(m: Any, v: Components, line: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     l1, l2, l3, m1, m2, m3 = line
-    vl1 = v2 * l3 - v3 * l2
-    vl2 = v3 * l1 - v1 * l3
-    vl3 = v1 * l2 - v2 * l1
+    v_l1 = v2 * l3 - v3 * l2
+    v_l2 = v3 * l1 - v1 * l3
+    v_l3 = v1 * l2 - v2 * l1
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
@@ -422,19 +422,19 @@ def _transform_line(m: Any, v: Components, line: Components) -> Result:
     N = p * p + x * qq
     s = 2 / N
     g = qq * s
-    gvl1 = vl1 * g
-    gvl2 = vl2 * g
-    gvl3 = vl3 * g
+    gv_l1 = v_l1 * g
+    gv_l2 = v_l2 * g
+    gv_l3 = v_l3 * g
     f = p * q * s
-    Ql1 = l1 + (vl1 * f + (v2 * gvl3 - v3 * gvl2))
-    Ql2 = l2 + (vl2 * f + (v3 * gvl1 - v1 * gvl3))
-    Ql3 = l3 + (vl3 * f + (v1 * gvl2 - v2 * gvl1))
-    vm1 = v2 * m3 - v3 * m2
-    vm2 = v3 * m1 - v1 * m3
-    vm3 = v1 * m2 - v2 * m1
-    gvm1 = vm1 * g
-    gvm2 = vm2 * g
-    gvm3 = vm3 * g
+    Ql1 = l1 + (v_l1 * f + (v2 * gv_l3 - v3 * gv_l2))
+    Ql2 = l2 + (v_l2 * f + (v3 * gv_l1 - v1 * gv_l3))
+    Ql3 = l3 + (v_l3 * f + (v1 * gv_l2 - v2 * gv_l1))
+    v_m1 = v2 * m3 - v3 * m2
+    v_m2 = v3 * m1 - v1 * m3
+    v_m3 = v1 * m2 - v2 * m1
+    gv_m1 = v_m1 * g
+    gv_m2 = v_m2 * g
+    gv_m3 = v_m3 * g
     gv1 = v1 * g
     gv2 = v2 * g
     gv3 = v3 * g
@@ -449,9 +449,9 @@ def _transform_line(m: Any, v: Components, line: Components) -> Result:
         Ql1,
         Ql2,
         Ql3,
-        m1 + (vm1 * f + (v2 * gvm3 - v3 * gvm2)) + (rho2 * Ql3 - rho3 * Ql2),
-        m2 + (vm2 * f + (v3 * gvm1 - v1 * gvm3)) + (rho3 * Ql1 - rho1 * Ql3),
-        m3 + (vm3 * f + (v1 * gvm2 - v2 * gvm1)) + (rho1 * Ql2 - rho2 * Ql1),
+        m1 + (v_m1 * f + (v2 * gv_m3 - v3 * gv_m2)) + (rho2 * Ql3 - rho3 * Ql2),
+        m2 + (v_m2 * f + (v3 * gv_m1 - v1 * gv_m3)) + (rho3 * Ql1 - rho1 * Ql3),
+        m3 + (v_m3 * f + (v1 * gv_m2 - v2 * gv_m1)) + (rho1 * Ql2 - rho2 * Ql1),
     )
 
 
@@ -956,7 +956,7 @@ def body_rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | No
 # --- inverse maps, shadows, composition -------------------------------------------------------------------------
 
 
-# operations 57: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 8 where
+# operations 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
 def _turn(m: Any, v: Components, cs: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = cs
@@ -970,17 +970,17 @@ def _turn(m: Any, v: Components, cs: Components) -> Result:
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
-    ro = u1 * v1o + u2 * v2o + u3 * v3o
-    uo1 = m.where(still, 0, (v1o - u1 * ro) / length)
-    uo2 = m.where(still, 0, (v2o - u2 * ro) / length)
-    uo3 = m.where(still, 0, (v3o - u3 * ro) / length)
+    ro = m.where(still, length, u1 * v1o + u2 * v2o + u3 * v3o)
+    uo1 = m.where(still, 0, v1o - u1 * ro) / length
+    uo2 = m.where(still, 0, v2o - u2 * ro) / length
+    uo3 = m.where(still, 0, v3o - u3 * ro) / length
     iden = 1 / (cos - r * sin)
     rk = (r * cos + sin) * iden
     rko = ro * (iden * iden)
     return (u1 * rk, u2 * rk, u3 * rk, uo1 * rk + u1 * rko, uo2 * rk + u2 * rko, uo3 * rk + u3 * rko)
 
 
-# operations 85: 23 +, 36 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 10 where
+# operations 86: 23 +, 36 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 11 where
 def _shadow(m: Any, v: Components, cs: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = cs
@@ -1002,10 +1002,10 @@ def _shadow(m: Any, v: Components, cs: Components) -> Result:
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
-    ro = u1 * v1o + u2 * v2o + u3 * v3o
-    uo1 = m.where(still, 0, (v1o - u1 * ro) / length)
-    uo2 = m.where(still, 0, (v2o - u2 * ro) / length)
-    uo3 = m.where(still, 0, (v3o - u3 * ro) / length)
+    ro = m.where(still, length, u1 * v1o + u2 * v2o + u3 * v3o)
+    uo1 = m.where(still, 0, v1o - u1 * ro) / length
+    uo2 = m.where(still, 0, v2o - u2 * ro) / length
+    uo3 = m.where(still, 0, v3o - u3 * ro) / length
     iden = 1 / (cos - r * sn)
     rk = (r * cos + sn) * iden
     rko = ro * (iden * iden)
@@ -1372,7 +1372,7 @@ def from_screw(angle: ArrayLike, line: ArrayLike, /, *, axis: int = -1, out: Arr
     return call(_from_screw, (6,), axis, out, real=True, angle=(angle, (2,)), line=(line, (6,)))
 
 
-# operations 81: 19 +, 31 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 12 where
+# operations 82: 19 +, 31 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
 def _to_screw(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -1392,10 +1392,10 @@ def _to_screw(m: Any, v: Components) -> Result:
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
-    ro = u1 * v1o + u2 * v2o + u3 * v3o
-    uo1 = m.where(still, 0, (v1o - u1 * ro) / length)
-    uo2 = m.where(still, 0, (v2o - u2 * ro) / length)
-    uo3 = m.where(still, 0, (v3o - u3 * ro) / length)
+    ro = m.where(still, length, u1 * v1o + u2 * v2o + u3 * v3o)
+    uo1 = m.where(still, 0, v1o - u1 * ro) / length
+    uo2 = m.where(still, 0, v2o - u2 * ro) / length
+    uo3 = m.where(still, 0, v3o - u3 * ro) / length
     k = 1 + x
     return (
         2 * m.atan2(r * m.where(q < 0, mq, q), m.where(pneg, -p, p)),
@@ -1436,83 +1436,75 @@ def to_screw(v: ArrayLike, *, axis: int = -1) -> tuple[Array, Array]:
     return (screw[:2], screw[2:]) if axis == 0 else (screw[..., :2], screw[..., 2:])
 
 
-# operations 317: 123 +, 176 *, 12 /, 1 neg, 2 sqrt, 1 lt, 2 where
+# operations 304: 115 +, 172 *, 11 /, 1 neg, 2 sqrt, 1 lt, 2 where
 def _compose(m: Any, b: Components, a: Components) -> Result:
     b1, b2, b3, b1o, b2o, b3o = b
     a1, a2, a3, a1o, a2o, a3o = a
-    yb = b1 * b1o + b2 * b2o + b3 * b3o
-    xob = 2 * yb
     v11b = b1 * b1
     v22b = b2 * b2
     v33b = b3 * b3
     xb = v11b + v22b + v33b
     pb = (((xb - 28) * xb + 70) * xb - 28) * xb + 1
-    xb_by_4 = 4 * xb
-    dpb = ((xb_by_4 - 84) * xb + 140) * xb - 28
-    pob = dpb * xob
     qb = ((56 - 8 * xb) * xb - 56) * xb + 8
-    dqb = (112 - 24 * xb) * xb - 56
-    qob = dqb * xob
-    qv1b = qb * b1
-    qv1ob = qb * b1o + qob * b1
-    qv2b = qb * b2
-    qv2ob = qb * b2o + qob * b2
-    qv3b = qb * b3
-    qv3ob = qb * b3o + qob * b3
-    ya = a1 * a1o + a2 * a2o + a3 * a3o
-    xoa = 2 * ya
+    qvb1 = b1 * qb
+    qvb2 = b2 * qb
+    qvb3 = b3 * qb
     v11a = a1 * a1
     v22a = a2 * a2
     v33a = a3 * a3
     xa = v11a + v22a + v33a
     pa = (((xa - 28) * xa + 70) * xa - 28) * xa + 1
-    xa_by_4 = 4 * xa
-    dpa = ((xa_by_4 - 84) * xa + 140) * xa - 28
-    poa = dpa * xoa
     qa = ((56 - 8 * xa) * xa - 56) * xa + 8
-    dqa = (112 - 24 * xa) * xa - 56
-    qoa = dqa * xoa
-    qv1a = qa * a1
-    qv1oa = qa * a1o + qoa * a1
-    qv2a = qa * a2
-    qv2oa = qa * a2o + qoa * a2
-    qv3a = qa * a3
-    qv3oa = qa * a3o + qoa * a3
-    z0 = pb * pa - (qv1b * qv1a + qv2b * qv2a + qv3b * qv3a)
-    z0o = (
-        pb * poa + pob * pa - (qv1b * qv1oa + qv1ob * qv1a + (qv2b * qv2oa + qv2ob * qv2a) + (qv3b * qv3oa + qv3ob
-        * qv3a))
-    )
-    z1 = qv1a * pb + qv1b * pa + (qv2b * qv3a - qv3b * qv2a)
-    z1o = (
-        qv1a * pob + qv1oa * pb + (qv1b * poa + qv1ob * pa) + (qv2b * qv3oa + qv2ob * qv3a - (qv3b * qv2oa + qv3ob
-        * qv2a))
-    )
-    z2 = qv2a * pb + qv2b * pa + (qv3b * qv1a - qv1b * qv3a)
-    z2o = (
-        qv2a * pob + qv2oa * pb + (qv2b * poa + qv2ob * pa) + (qv3b * qv1oa + qv3ob * qv1a - (qv1b * qv3oa + qv1ob
-        * qv3a))
-    )
-    z3 = qv3a * pb + qv3b * pa + (qv1b * qv2a - qv2b * qv1a)
-    z3o = (
-        qv3a * pob + qv3oa * pb + (qv3b * poa + qv3ob * pa) + (qv1b * qv2oa + qv1ob * qv2a - (qv2b * qv1oa + qv2ob
-        * qv1a))
-    )
-    qqb = qb * qb
-    Nb = pb * pb + xb * qqb
-    qqa = qa * qa
-    Na = pa * pa + xa * qqa
-    zz = Nb * Na
+    qva1 = a1 * qa
+    qva2 = a2 * qa
+    qva3 = a3 * qa
+    z0 = pb * pa - (qvb1 * qva1 + qvb2 * qva2 + qvb3 * qva3)
+    z1 = qva1 * pb + qvb1 * pa + (qvb2 * qva3 - qvb3 * qva2)
+    z2 = qva2 * pb + qvb2 * pa + (qvb3 * qva1 - qvb1 * qva3)
+    z3 = qva3 * pb + qvb3 * pa + (qvb1 * qva2 - qvb2 * qva1)
     phb = (xb - 6) * xb + 1
-    qhb = 4 - xb_by_4
+    qhb = 4 - 4 * xb
     rootb = phb * phb + xb * (qhb * qhb)
     pha = (xa - 6) * xa + 1
-    qha = 4 - xa_by_4
+    qha = 4 - 4 * xa
     roota = pha * pha + xa * (qha * qha)
     size = rootb * roota
-    rho1 = 2 * (z1o * z0 - z1 * z0o + (z2 * z3o - z3 * z2o)) / zz
-    rho2 = 2 * (z2o * z0 - z2 * z0o + (z3 * z1o - z1 * z3o)) / zz
-    rho3 = 2 * (z3o * z0 - z3 * z0o + (z1 * z2o - z2 * z1o)) / zz
+    qqa = qa * qa
+    Na = pa * pa + xa * qqa
+    sa = 2 / Na
+    ga = qqa * sa
+    gva1 = a1 * ga
+    gva2 = a2 * ga
+    gva3 = a3 * ga
+    ca = (((((16 * xa - 224) * xa + 2352) * xa - 5440) * xa + 6000) * xa - 2016) * xa + 336
+    ha = ca * sa
+    ya = a1 * a1o + a2 * a2o + a3 * a3o
+    hya = ha * ya
+    fa = pa * qa * sa
+    rhoa1 = a1o * fa + (gva2 * a3o - gva3 * a2o) + a1 * hya
+    rhoa2 = a2o * fa + (gva3 * a1o - gva1 * a3o) + a2 * hya
+    rhoa3 = a3o * fa + (gva1 * a2o - gva2 * a1o) + a3 * hya
+    v_rho1 = b2 * rhoa3 - b3 * rhoa2
+    v_rho2 = b3 * rhoa1 - b1 * rhoa3
+    v_rho3 = b1 * rhoa2 - b2 * rhoa1
+    qqb = qb * qb
+    Nb = pb * pb + xb * qqb
+    sb = 2 / Nb
+    gb = qqb * sb
+    gv_rho1 = v_rho1 * gb
+    gv_rho2 = v_rho2 * gb
+    gv_rho3 = v_rho3 * gb
+    fb = pb * qb * sb
+    gvb1 = b1 * gb
+    gvb2 = b2 * gb
+    gvb3 = b3 * gb
+    cb = (((((16 * xb - 224) * xb + 2352) * xb - 5440) * xb + 6000) * xb - 2016) * xb + 336
+    hb = cb * sb
+    yb = b1 * b1o + b2 * b2o + b3 * b3o
+    hyb = hb * yb
+    rho1 = rhoa1 + (v_rho1 * fb + (b2 * gv_rho3 - b3 * gv_rho2)) + (b1o * fb + (gvb2 * b3o - gvb3 * b2o) + b1 * hyb)
+    rho2 = rhoa2 + (v_rho2 * fb + (b3 * gv_rho1 - b1 * gv_rho3)) + (b2o * fb + (gvb3 * b1o - gvb1 * b3o) + b2 * hyb)
+    rho3 = rhoa3 + (v_rho3 * fb + (b1 * gv_rho2 - b2 * gv_rho1)) + (b3o * fb + (gvb1 * b2o - gvb2 * b1o) + b3 * hyb)
     negative = z0 < 0
     cos = m.where(negative, -z0, z0)
     cos1 = cos / size

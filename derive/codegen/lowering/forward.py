@@ -14,8 +14,8 @@ Rows = tuple[Vector, Vector, Vector]
 
 def rotate(chart: CayleyChart, r: Vector, letter: str) -> Vector:
     """Q r = r + f v × r + v × (g v × r); the products are named after the letter of r."""
-    turned = named(chart.trace, f"v{letter}", chart.re.cross(r))
-    twice = named(chart.trace, f"gv{letter}", chart.g * turned)
+    turned = named(chart.trace, f"v_{letter}", chart.re.cross(r))
+    twice = named(chart.trace, f"gv_{letter}", chart.g * turned)
     moved: Vector = r + (chart.f * turned + chart.re.cross(twice))
     return moved
 

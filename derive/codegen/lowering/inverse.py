@@ -6,10 +6,10 @@ quaternion: scalar part >= 0, and where it is 0 the given vector part stands.
 
 from __future__ import annotations
 
-from ...algebra import Dual, Quaternion, Vector
+from ...algebra import Quaternion, Vector
 from ..program import Number, Program, Trace
 from .chart import CayleyChart
-from .forward import named
+from .forward import named, rotate, translation
 from .inputs import dual_vector
 
 
@@ -85,42 +85,20 @@ def _positive(trace: Trace, entries: tuple[Number, ...]) -> Quaternion:
 
 
 def compose(order: int) -> Program:
-    """Through (p2 + q2 v2)(p1 + q1 v1), an unnormalised dual quaternion Z."""
+    """Through the quaternion product (p2 + q2 v2)(p1 + q1 v1), unnormalised, and rho = rho2 + Q2 rho1."""
     trace = Trace()
     second = CayleyChart(trace, order, dual_vector(trace, "b", "b"), "b")
     first = CayleyChart(trace, order, dual_vector(trace, "a", "a"), "a")
-    product = _dual_quaternion(second) * _dual_quaternion(first)
-    z, zo = _named_quaternion(trace, "z{}", product.re), _named_quaternion(trace, "z{}o", product.du)
-    norm = trace.name("zz", second.norm * first.norm)
-    if order == 1:
-        return _first_order_composition(trace, z, zo)
-    size = trace.name("size", second.root * first.root) if _has_ladder(order) else 1
-    rho = named(trace, "rho", _translation(z, zo) / norm)
-    return _finish(trace, "compose", order, z, size, rho)
+    product = _quaternion(second) * _quaternion(first)
+    z = Quaternion.from_components(trace.name(f"z{i}", c) for i, c in enumerate(product))
+    size = trace.name("size", second.root * first.root) if _has_ladder(order) and order > 1 else 1
+    moved = rotate(second, named(trace, "rhoa", translation(first)), "rho")
+    return _finish(trace, "compose", order, z, size, named(trace, "rho", moved + translation(second)))
 
 
-def _dual_quaternion(chart: CayleyChart) -> Quaternion:
-    """p + q v over dual numbers."""
-    xo = chart.name("xo", 2 * chart.y)
-    p = Dual(chart.p, chart.name("po", chart.dp * xo))
-    q = Dual(chart.q, chart.name("qo", chart.dq * xo))
-    qv = (q * Dual(re, du) for re, du in zip(chart.re, chart.du, strict=True))
-    return Quaternion(p, Vector(*(_named_dual(chart, f"qv{i}", c) for i, c in enumerate(qv, 1))))
-
-
-def _named_quaternion(trace: Trace, pattern: str, value: Quaternion) -> Quaternion:
-    return Quaternion.from_components(trace.name(pattern.format(i), c) for i, c in enumerate(value))
-
-
-def _named_dual(chart: CayleyChart, letter: str, value: Dual) -> Dual:
-    return Dual(chart.name(letter, value.re), chart.name(letter + "o", value.du))
-
-
-def _first_order_composition(trace: Trace, z: Quaternion, zo: Quaternion) -> Program:
-    """v = Z / Z0 over dual numbers, CP23 (45): no selection, so it stays rational."""
-    inverse = trace.name("iz", 1 / z.scalar)
-    v = named(trace, "v", inverse * z.vector)
-    return trace.program("compose", (*v, *(inverse * (zo.vector - zo.scalar * v))))
+def _quaternion(chart: CayleyChart) -> Quaternion:
+    """p + q v."""
+    return Quaternion(chart.p, named(chart.trace, "qv" + chart.mark, chart.q * chart.re))
 
 
 # --- v of a quaternion ----------------------------------------------------------------------------------------
@@ -212,9 +190,9 @@ def _axis(chart: CayleyChart) -> tuple[Number, Vector, Number, Vector]:
     length = chart.name("length", trace.sqrt(trace.where(still, vo.dot(vo), chart.x)))
     size = chart.name("r", trace.where(still, 0, length))
     u = named(trace, "u", Vector(*(trace.where(still, b, a) / length for a, b in zip(v, vo, strict=True))))
-    size_du = chart.name("ro", u.dot(vo))
+    size_du = chart.name("ro", trace.where(still, length, u.dot(vo)))
     across = vo - size_du * u
-    moment = named(trace, "uo", Vector(*(trace.where(still, 0, c / length) for c in across)))
+    moment = named(trace, "uo", Vector(*(trace.where(still, 0, c) / length for c in across)))
     return size, u, size_du, moment
 
 

@@ -1,0 +1,130 @@
+"""The tracer: what is recorded, folded, shared, dropped and named."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import pytest
+
+from derive.algebra import Vector
+from derive.codegen import infix
+from derive.codegen.lowering import RECIPES
+from derive.codegen.program import Trace, UnnamedValueError
+
+
+def traced(count: int = 2):
+    trace = Trace()
+    return trace, *trace.inputs("v", [f"v{i}" for i in range(1, count + 1)])
+
+
+def ops(trace: Trace, *outputs):
+    return [step.op for step in trace.program("f", outputs).steps]
+
+
+def test_equal_operations_are_recorded_once():
+    trace, a, b = traced()
+    product = trace.name("ab", a * b)
+    assert ops(trace, product + b * a) == ["mul", "add"]
+
+
+def test_what_no_output_needs_is_dropped():
+    trace, a, b = traced()
+    trace.name("unused", a / b)
+    assert ops(trace, a + b) == ["add"]
+
+
+@pytest.mark.parametrize(
+    ("make", "expected"),
+    [
+        (lambda a: a + 0, []),
+        (lambda a: 0 * a + 1 * a, []),
+        (lambda a: 0 - (0 - a), []),
+        (lambda a: a - -a, ["add"]),
+        (lambda a: 1 + -3 * a, ["mul", "sub"]),
+        (lambda a: a / 1, []),
+        (lambda a: Fraction(1, 2) * a, ["div"]),
+        (lambda a: Fraction(3, 2) * a, ["mul", "div"]),
+        (lambda a: a + Fraction(1, 2), ["mul", "add", "div"]),
+    ],
+)
+def test_constants_are_folded(make, expected):
+    trace, a, _ = traced()
+    assert sorted(ops(trace, make(a))) == sorted(expected) or ops(trace, make(a)) == ["mul", "sub"] == expected
+
+
+def test_selection_on_constants_is_decided_while_tracing():
+    trace, a, b = traced()
+    assert trace.where(trace.less(0, 1), a, b) is a
+    assert trace.both(trace.equal(1, 2), trace.less(a, b)) is False
+    assert trace.either(False, True) is True
+
+
+def test_division_by_the_constant_zero_is_an_error():
+    _, a, _ = traced()
+    with pytest.raises(ZeroDivisionError, match="divides by the constant 0"):
+        a / 0
+
+
+def test_a_shared_value_needs_a_name_and_a_name_is_given_once():
+    trace, a, b = traced()
+    shared = a * b
+    with pytest.raises(UnnamedValueError, match="'f' uses unnamed values more than once: mul"):
+        trace.program("f", (shared + a, shared - b))
+    trace.name("ab", shared)
+    with pytest.raises(ValueError, match="'ab' is already taken"):
+        trace.name("ab", a + b)
+
+
+def test_multiples_are_named_after_what_they_are_multiples_of():
+    trace, a, b = traced()
+    four = 4 * a
+    program = trace.program("f", (four + b, four - b, -a * b, -a + b * b))
+    assert "v1_by_4" in {step.name for step in program.steps}
+
+
+def test_vectors_of_traced_values_are_vectors():
+    trace, *components = traced(3)
+    v = Vector(*components)
+    assert ops(trace, (2 * v).dot(v)).count("mul") == 6
+
+
+def test_printing_keeps_the_order_of_evaluation():
+    trace, a, b = traced()
+    for value, text in [
+        (a * (b / a), "v1 * (v2 / v1)"),
+        (a - (b - a), "v1 - (v2 - v1)"),
+        (a / (a * b), "v1 / (v1 * v2)"),
+        (-(a + b) * a, "-(v1 + v2) * v1"),
+        (trace.where(trace.both(trace.less(a, b), trace.equal(a, 0)), a, b), "m.where((v1 < v2) & (v1 == 0), v1, v2)"),
+    ]:
+        assert infix.body(trace.program("f", (value,))).splitlines()[-1] == f"    return ({text})"
+
+
+def test_long_statements_are_wrapped_and_mean_the_same():
+    trace, *inputs = traced(12)
+    value = trace.name("total", sum((a * a * a * a for a in inputs[1:]), inputs[0]))
+    program = trace.program("f", (value, *(a + value for a in inputs)))
+    source = infix.body(program)
+    assert max(map(len, source.splitlines())) <= infix.WIDTH
+    space: dict = {}
+    exec(f"def f(v):\n{source}", space)
+    numbers = list(range(12))
+    total = sum(n**4 for n in numbers)
+    assert space["f"](numbers) == (total, *(n + total for n in numbers))
+
+
+@pytest.mark.parametrize("order", [1, 2, 3, 4, 6, 7, 8, 9, 16, 33])
+def test_every_recipe_speaks_in_named_values(order):
+    for name, recipe in RECIPES.items():
+        program = recipe(order)
+        assert program.name == name
+        assert not [step.name for step in program.steps if not step.inline and step.name.startswith("t_")]
+
+
+def test_forward_maps_have_no_trigonometry_and_small_powers_of_two_none_at_all():
+    forward = ("quaternion", "tensor", "pose", "tangent", "tangent_inv", "twist", "rate", "transform_point")
+    inverse = ("from_quaternion", "from_tensor", "from_pose", "shadow", "turn", "compose")
+    for order in (1, 2, 3, 4, 5, 8):
+        names = forward + (inverse if order in (1, 2, 4, 8) else ())
+        for name in names:
+            assert not {"tan", "atan2"} & set(RECIPES[name](order).operations), (order, name)
