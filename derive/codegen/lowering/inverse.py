@@ -170,6 +170,27 @@ def shadow(order: int) -> Program:
     return trace.program("shadow", _turned(chart, cosine, sign * sine))
 
 
+def principal(order: int) -> Program:
+    """Go back by as many steps of pi/n as bring theta to within pi/2n of zero; where it is there already, v stands.
+
+    The table holds, for each step, the |v| beyond which it is taken, then cosine and sine of the way back.
+    """
+    trace = Trace()
+    v = dual_vector(trace, "v", "v")
+    if order == 1:
+        return trace.program("principal", v)
+    chart = CayleyChart(trace, order, v)
+    table = trace.inputs("table", [f"{name}{j}" for j in range(1, order // 2 + 1) for name in ("limit", "cos", "sin")])
+    size = chart.name("r", trace.sqrt(chart.x))
+    beyond = [trace.name(f"beyond{j}", trace.less(limit, size)) for j, limit in enumerate(table[::3], 1)]
+    cosine, sine = table[1:3]
+    for j, (further, *values) in enumerate(zip(beyond[1:], table[4::3], table[5::3], strict=True), 2):
+        cosine = trace.name(f"cosine{j}", trace.where(further, values[0], cosine))
+        sine = trace.name(f"sine{j}", trace.where(further, values[1], sine))
+    turned = zip(_turned(chart, cosine, sine), v, strict=True)
+    return trace.program("principal", [trace.where(beyond[0], back, stays) for back, stays in turned])
+
+
 def _axis_sign(chart: CayleyChart) -> Number:
     """sign(p q); where p = 0 the vector part of the quaternion decides, where q = 0 the translation along v."""
     trace = chart.trace
