@@ -80,22 +80,24 @@ class Decimal:
         return Decimal(mpmath.atan2(self.value, self._value(other)))
 
 
-def expectations(cayley: Cayley) -> Iterator[Expectation]:
-    """Inverse maps, screws, shadows and composition at seeded screws, on every branch (at most eight of them)."""
+def expectations(cayley: Cayley) -> Iterator[tuple[Expectation, ...]]:
+    """Inverse maps, screws, shadows (at most eight branches) and composition, a batch of seeded screws each."""
     draw = random.Random(SEED)
-    n = cayley.order
-    for _ in range(CASES):
-        screw, other = _screw(draw), _screw(draw)
-        principal = vector_from_screw(n, screw)
-        dual_angle = (screw.angle.re, screw.angle.du)
-        axis = (*screw.axis.re, *screw.axis.du)
-        yield Expectation("from_screw", (dual_angle, axis), _flat(principal))
-        yield Expectation("to_screw", (_flat(principal),), (*dual_angle, *axis))
-        product = quaternion_from_screw(other) * quaternion_from_screw(screw)
-        vectors = (_flat(vector_from_screw(n, other)), _flat(principal))
-        yield Expectation("compose", vectors, _flat(vector_from_quaternion(n, product)))
-        for branch in range(min(n, 8)):
-            yield from _branch(n, screw, branch)
+    cases = (_expectations(cayley.order, _screw(draw), _screw(draw)) for _ in range(CASES))
+    return zip(*cases, strict=True)
+
+
+def _expectations(n: int, screw: Screw, other: Screw) -> Iterator[Expectation]:
+    principal = vector_from_screw(n, screw)
+    dual_angle = (screw.angle.re, screw.angle.du)
+    axis = (*screw.axis.re, *screw.axis.du)
+    yield Expectation("from_screw", (dual_angle, axis), _flat(principal))
+    yield Expectation("to_screw", (_flat(principal),), (*dual_angle, *axis))
+    product = quaternion_from_screw(other) * quaternion_from_screw(screw)
+    vectors = (_flat(vector_from_screw(n, other)), _flat(principal))
+    yield Expectation("compose", vectors, _flat(vector_from_quaternion(n, product)))
+    for branch in range(min(n, 8)):
+        yield from _branch(n, screw, branch)
 
 
 def _branch(n: int, screw: Screw, branch: int) -> Iterator[Expectation]:

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from types import ModuleType
-from typing import Any
+from typing import Any, TypeAlias
 
 import mpmath
 import numpy as np
@@ -26,6 +26,8 @@ SHAPES = {
 
 TOLERANCE = mpmath.mpf(10) ** -32
 """Of 50-digit results: 40-digit constants lose at most six digits to the conditioning of the seeded cases."""
+
+Objects: TypeAlias = "np.ndarray[Any, np.dtype[Any]]"
 
 _serial = itertools.count()
 
@@ -44,8 +46,8 @@ def validate(folder: Path, cayley: Cayley) -> int:
     """
     with _package(folder) as package, mpmath.workdps(digits.DIGITS):
         module = importlib.import_module(f"{package}.cayley{cayley.order}")
-        exactly = sum(_check(module, case, _same) for case in exact.expectations(cayley))
-        closely = sum(_check(module, _decimal(case), _close) for case in digits.expectations(cayley))
+        exactly = sum(_check(module, (case,), _same) for case in exact.expectations(cayley))
+        closely = sum(_check(module, tuple(map(_decimal, batch)), _close) for batch in digits.expectations(cayley))
     return exactly + closely
 
 
@@ -74,38 +76,55 @@ def _decimal(case: Expectation) -> Expectation:
     return Expectation(case.function, arguments, case.result)
 
 
-def _check(module: ModuleType, case: Expectation, agree: Any) -> int:
-    """Call one function with components last and first; the batch axis makes the two layouts differ."""
-    name, *branch = case.function.split()
+def _check(module: ModuleType, batch: tuple[Expectation, ...], agree: Any) -> int:
+    """Call one function on a batch, components last and components first; return the number of calls."""
+    name, *branch = batch[0].function.split()
     function = getattr(module, name)
     code = function.__code__
     parameters = code.co_varnames[: code.co_argcount]
+    columns = zip(*(case.arguments for case in batch), strict=True)
+    arguments = [_array(rows, parameter) for rows, parameter in zip(columns, parameters, strict=False)]
     for axis in (-1, 0):
-        arrays = [_array(c, parameter, axis) for c, parameter in zip(case.arguments, parameters, strict=False)]
+        where = f"{_name(module)}.{batch[0].function}(axis={axis})"
+        arrays = [_components_first(array) if axis == 0 else array for array in arguments]
         try:
             found = function(*arrays, *map(int, branch), axis=axis)
         except (ArithmeticError, TypeError, ValueError) as error:
-            raise ValidationFailed(f"{_name(module)}.{case.function}(axis={axis}), no component: {error}") from error
+            raise ValidationFailed(f"{where}, no component: {error}") from error
         parts = found if isinstance(found, tuple) else (found,)
-        components = [c for part in parts for c in (part if axis == 0 else np.moveaxis(part, 0, -1)).ravel()]
-        if len(components) != len(case.result):
-            raise ValidationFailed(f"{case.function}: {len(components)} components, expected {len(case.result)}")
-        for index, (got, expected) in enumerate(zip(components, case.result, strict=True)):
-            if not agree(got, expected):
-                where = f"{_name(module)}.{case.function}(axis={axis}), component {index}"
-                raise ValidationFailed(f"{where}: {got} is not {expected}")
+        rows = [_batch_first(part) if axis == 0 else part for part in parts]
+        results = np.concatenate([row.reshape(len(batch), -1) for row in rows], axis=-1)
+        for row, case in zip(results, batch, strict=True):
+            _compare(row, case, agree, where)
     return 2
+
+
+def _compare(row: Any, case: Expectation, agree: Any, where: str) -> None:
+    if len(row) != len(case.result):
+        raise ValidationFailed(f"{where}: {len(row)} components, expected {len(case.result)}")
+    for index, (got, expected) in enumerate(zip(row, case.result, strict=True)):
+        if not agree(got, expected):
+            raise ValidationFailed(f"{where}, component {index}: {got} is not {expected}")
 
 
 def _name(module: ModuleType) -> str:
     return module.__name__.rpartition(".")[2]
 
 
-def _array(components: tuple[Any, ...], parameter: str, axis: int) -> np.ndarray[Any, np.dtype[Any]]:
-    array = np.empty(len(components), object)
-    array[:] = components
-    shaped = array.reshape(SHAPES.get(parameter, (len(components),)))
-    return shaped[..., np.newaxis] if axis == 0 else shaped[np.newaxis]
+def _array(rows: tuple[tuple[Any, ...], ...], parameter: str) -> Objects:
+    """The components of a batch as an object array, in the shape of the parameter."""
+    array = np.empty((len(rows), len(rows[0])), object)
+    for index, row in enumerate(rows):
+        array[index] = row
+    return array.reshape(len(rows), *SHAPES.get(parameter, (len(rows[0]),)))
+
+
+def _components_first(array: Objects) -> Objects:
+    return np.moveaxis(array, 0, -1)
+
+
+def _batch_first(array: Objects) -> Objects:
+    return np.moveaxis(array, -1, 0)
 
 
 def _same(got: Any, expected: Any) -> bool:

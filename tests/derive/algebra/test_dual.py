@@ -22,10 +22,15 @@ few = settings(max_examples=40, deadline=None)
 @few
 @given(duals, duals, duals)
 def test_ring_laws(a: Dual, b: Dual, c: Dual) -> None:
-    assert a + b == b + a and a * b == b * a
-    assert (a + b) + c == a + (b + c) and (a * b) * c == a * (b * c)
+    assert a + b == b + a
+    assert a * b == b * a
+    assert (a + b) + c == a + (b + c)
+    assert (a * b) * c == a * (b * c)
     assert a * (b + c) == a * b + a * c
-    assert a + 0 == a and a * 1 == a and a - a == 0 and a + -a == 0
+    assert a + 0 == a
+    assert a * 1 == a
+    assert a - a == 0
+    assert a + -a == 0
 
 
 def test_epsilon_squares_to_zero() -> None:
@@ -61,7 +66,8 @@ def test_power_is_repeated_product(a: Dual, n: int) -> None:
 
 
 def test_power_of_a_zero_divisor() -> None:
-    assert Dual(0, 3) ** 0 == 1 and Dual(0, 3) ** 1 == Dual(0, 3)
+    assert Dual(0, 3) ** 0 == 1
+    assert Dual(0, 3) ** 1 == Dual(0, 3)
 
 
 @pytest.mark.parametrize("exponent", [0.5, Fraction(1, 2), True])
@@ -74,14 +80,19 @@ def test_only_integer_powers(exponent) -> None:
 @given(duals)
 def test_magnitude_squares_to_the_square(a: Dual) -> None:
     assert abs(a) ** 2 == a**2
-    assert abs(a).re >= 0 and (a.re != 0 or abs(a) == Dual(0, abs(a.du)))
+    assert abs(a).re >= 0
+    assert (a.re != 0 or abs(a) == Dual(0, abs(a.du)))
     assert abs(a) == abs(-a)
 
 
 def test_plain_numbers_are_dual_numbers_without_dual_part() -> None:
-    assert Dual(3, 0) == 3 and Dual(3) == 3 and hash(Dual(3, 0)) == hash(3)
-    assert Dual(3, 1) != 3 and Dual(3, 1) != Dual(3, 2)
-    assert (real_part(7), dual_part(7)) == (7, 0) and (real_part(Dual(7, 8)), dual_part(Dual(7, 8))) == (7, 8)
+    assert Dual(3, 0) == 3
+    assert Dual(3) == 3
+    assert hash(Dual(3, 0)) == hash(3)
+    assert Dual(3, 1) != 3
+    assert Dual(3, 1) != Dual(3, 2)
+    assert (real_part(7), dual_part(7)) == (7, 0)
+    assert (real_part(Dual(7, 8)), dual_part(Dual(7, 8))) == (7, 8)
 
 
 RING_X = sympy.ring("x", sympy.ZZ)[1]
@@ -93,7 +104,8 @@ SCALARS = [2, 2.5, Fraction(2, 3), mpmath.mpf("2.5"), sympy.Symbol("s"), RING_X,
 def test_every_number_type_mixes_from_both_sides(scalar) -> None:
     a = Dual(scalar, 3)
     for result in (scalar * a, a * scalar):
-        assert isinstance(result, Dual) and result == Dual(scalar * scalar, 3 * scalar)
+        assert isinstance(result, Dual)
+        assert result == Dual(scalar * scalar, 3 * scalar)
     assert scalar + a == a + scalar == Dual(scalar + scalar, 3)
     assert scalar - a == -(a - scalar) == Dual(0, -3)
     assert isinstance(scalar * Vector(1, 2, 3), Vector)

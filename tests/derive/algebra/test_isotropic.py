@@ -25,12 +25,14 @@ def test_operations_are_those_of_tensors(f, g, v: Vector, w: Vector) -> None:
     S, T = Isotropic(*f, x), Isotropic(*g, x)
     assert (S @ T).tensor(v) == S.tensor(v) @ T.tensor(v)
     assert S @ T == T @ S
-    assert (S + T).tensor(v) == S.tensor(v) + T.tensor(v) and (S - T).tensor(v) == S.tensor(v) - T.tensor(v)
+    assert (S + T).tensor(v) == S.tensor(v) + T.tensor(v)
+    assert (S - T).tensor(v) == S.tensor(v) - T.tensor(v)
     assert S.transpose.tensor(v) == S.tensor(v).transpose
     assert S.det() == S.tensor(v).det()
     assert S.apply(v, w) == S.tensor(v) @ w
     assert S.tensor(v) @ v == v * S.axial
-    assert (3 * S).tensor(v) == S.tensor(v) * 3 and (S / 3) * 3 == S
+    assert (3 * S).tensor(v) == S.tensor(v) * 3
+    assert (S / 3) * 3 == S
 
 
 @few

@@ -24,10 +24,12 @@ few = settings(max_examples=12, deadline=None)
 @few
 @given(vectors, vectors, vectors, duals)
 def test_vector_products(a: Vector, b: Vector, c: Vector, s: Dual) -> None:
-    assert a.cross(b) == -b.cross(a) and a.dot(b) == b.dot(a)
+    assert a.cross(b) == -b.cross(a)
+    assert a.dot(b) == b.dot(a)
     assert a.dot(a.cross(b)) == 0
     assert a.cross(b.cross(c)) == b * a.dot(c) - c * a.dot(b)
-    assert (s * a).dot(b) == s * a.dot(b) and s * a == a * s
+    assert (s * a).dot(b) == s * a.dot(b)
+    assert s * a == a * s
     assert a - b == a + -b
 
 
@@ -38,10 +40,12 @@ def test_right_handed_basis() -> None:
 
 def test_dual_parts_of_a_vector() -> None:
     v = Vector.dual((1, 2, 3), (4, 5, 6))
-    assert v.re == Vector(1, 2, 3) and v.du == Vector(4, 5, 6)
-    assert Vector(1, 2, 3).re == Vector(1, 2, 3) and Vector(1, 2, 3).du == Vector(0, 0, 0)
+    assert v.re == Vector(1, 2, 3)
+    assert v.du == Vector(4, 5, 6)
+    assert Vector(1, 2, 3).re == Vector(1, 2, 3)
+    assert Vector(1, 2, 3).du == Vector(0, 0, 0)
     assert v.dot(v) == Dual(14, 64)
-    with pytest.raises(ValueError):
+    with pytest.raises(ValueError, match="shorter"):
         Vector.dual((1, 2), (3, 4, 5))
 
 
@@ -68,7 +72,8 @@ def test_tensor_products(S: Tensor, T: Tensor, a: Vector, b: Vector) -> None:
     assert (S @ T).trace() == (T @ S).trace()
     assert (S @ T).det() == S.det() * T.det()
     assert a.dot(T.transpose @ b) == b.dot(T @ a)
-    assert S - T == S + -T and (S + T) @ a == S @ a + T @ a
+    assert S - T == S + -T
+    assert (S + T) @ a == S @ a + T @ a
 
 
 @few
@@ -100,14 +105,17 @@ def test_singular_tensors_have_no_inverse() -> None:
 
 def test_dual_parts_of_a_tensor() -> None:
     S, T = Tensor.from_entries(range(9)), Tensor.identity()
-    assert Tensor.dual(S, T).re == S and Tensor.dual(S, T).du == T and S[1, 2] == 5
+    assert Tensor.dual(S, T).re == S
+    assert Tensor.dual(S, T).du == T
+    assert S[1, 2] == 5
 
 
 @few
 @given(quaternions, quaternions, quaternions, vectors)
 def test_quaternion_algebra(q: Quaternion, r: Quaternion, s: Quaternion, v: Vector) -> None:
     assert (q * r) * s == q * (r * s)
-    assert q * (r + s) == q * r + q * s and q - r == q + -r
+    assert q * (r + s) == q * r + q * s
+    assert q - r == q + -r
     assert (q * r).conjugate() == r.conjugate() * q.conjugate()
     assert q * q.conjugate() == Quaternion(q.norm2(), Vector(0, 0, 0))
     assert (q * r).norm2() == q.norm2() * r.norm2()
@@ -123,9 +131,13 @@ def test_quaternion_inverse(q: Quaternion) -> None:
 
 def test_hamilton_and_zero_divisors() -> None:
     i, j, k = (Quaternion(0, Vector(*e)) for e in ((1, 0, 0), (0, 1, 0), (0, 0, 1)))
-    assert i * j == k and j * i == -k and i * i == Quaternion(-1, Vector(0, 0, 0))
+    assert i * j == k
+    assert j * i == -k
+    assert i * i == Quaternion(-1, Vector(0, 0, 0))
     q = Quaternion.dual((0, 0, 0, 0), (1, 2, 3, 4))
-    assert q.re == Quaternion(0, Vector(0, 0, 0)) and q.du == Quaternion(1, Vector(2, 3, 4)) and 2 * q == q * 2
+    assert q.re == Quaternion(0, Vector(0, 0, 0))
+    assert q.du == Quaternion(1, Vector(2, 3, 4))
+    assert 2 * q == q * 2
     with pytest.raises(ZeroDivisorError, match="zero divisor"):
         q.inverse()
 

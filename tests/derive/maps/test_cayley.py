@@ -156,7 +156,8 @@ def test_equation_numbers() -> None:
         (88, 111),
         (89, 112),
     ]
-    assert Cayley(5).tangent_inv.equations == (89, 125) and Cayley(7).tangent.equations == (88,)
+    assert Cayley(5).tangent_inv.equations == (89, 125)
+    assert Cayley(7).tangent.equations == (88,)
 
 
 def test_domains_and_singular_sets() -> None:
@@ -183,11 +184,15 @@ def test_latex() -> None:
         assert part in text
     for item in (Cayley(3), Cayley(3).tensor):
         shown = item._repr_latex_()
-        assert shown.startswith("$") and shown.endswith("$") and item.latex() in shown
+        assert shown.startswith("$")
+        assert shown.endswith("$")
+        assert item.latex() in shown
 
 
 def test_values_are_frozen_and_equal_by_content() -> None:
-    assert Cayley(3) == Cayley(3) and hash(Cayley(3)) == hash(Cayley(3)) and Cayley(3).n == Cayley(3).order == 3
+    assert Cayley(3) == Cayley(3)
+    assert hash(Cayley(3)) == hash(Cayley(3))
+    assert Cayley(3).n == Cayley(3).order == 3
     assert Cayley(3).tensor == Cayley(3).tensor != Cayley(3).tangent
     with pytest.raises(dataclasses.FrozenInstanceError):
         Cayley(3).order = 4  # type: ignore[misc]
@@ -197,14 +202,15 @@ def test_values_are_frozen_and_equal_by_content() -> None:
 
 def test_prove_lists_proofs_for_all_n_and_for_this_one() -> None:
     proofs = Cayley(2).prove()
-    assert isinstance(proofs, list) and {"all n", "n = 2"} <= {proof.scope for proof in proofs}
+    assert isinstance(proofs, list)
+    assert {"all n", "n = 2"} <= {proof.scope for proof in proofs}
     assert all(proof.status == "proved" for proof in proofs)
 
 
 def test_bad_input() -> None:
     with pytest.raises(ValueError, match="n must be an integer >= 1, got 0"):
         Cayley(0)
-    with pytest.raises(TypeError, match="n must be an integer >= 1, got 2.5 of type float"):
+    with pytest.raises(TypeError, match=r"n must be an integer >= 1, got 2.5 of type float"):
         Cayley(2.5)  # type: ignore[arg-type]
-    with pytest.raises(ValueError, match="expected 6 symbols, .* got 3"):
+    with pytest.raises(ValueError, match=r"expected 6 symbols, .* got 3"):
         Cayley(2).tensor.matrix(V[:3])

@@ -39,7 +39,8 @@ def test_every_branch_gives_the_same_pose(n: int, draw, gap) -> None:
         assert gap(vector_from_quaternion(n, -q, k - n), v_k) < 1e-40
         assert gap(principal(n, v_k), branches[0]) < 1e-40
     sizes = [v_k.magnitude().re for v_k in branches]
-    assert sizes[0] == min(sizes) and mpmath.atan(sizes[0]) * 2 * n < mpmath.pi
+    assert sizes[0] == min(sizes)
+    assert mpmath.atan(sizes[0]) * 2 * n < mpmath.pi
     assert min(gap(v, v_k) for v_k in branches) < 1e-40
 
 
@@ -117,6 +118,8 @@ def test_screw_of_a_vector(draw, gap) -> None:
     v = principal(5, draw())
     u, r = axis(5, v)
     found = natural_invariants(tensor(5, v))
-    assert gap(found.axis, u) < 1e-42 and gap(u * r, v) < 1e-45
+    assert gap(found.axis, u) < 1e-42
+    assert gap(u * r, v) < 1e-45
     assert gap(tensor_from_screw(found), tensor(5, v)) < 1e-42
-    assert isinstance(r, Dual) and r.re > 0
+    assert isinstance(r, Dual)
+    assert r.re > 0

@@ -29,7 +29,8 @@ def test_printed_polynomials() -> None:
         5: (1 - 10 * x + 5 * x**2, 5 - 10 * x + x**2),
     }
     for n, (p, q) in printed.items():
-        assert sympy.expand(polynomials.p(n) - p) == 0 and sympy.expand(polynomials.q(n) - q) == 0
+        assert sympy.expand(polynomials.p(n) - p) == 0
+        assert sympy.expand(polynomials.q(n) - q) == 0
 
 
 @pytest.mark.parametrize("n", ORDERS)
@@ -81,8 +82,10 @@ def test_brackets_keep_their_digits_on_a_shadow() -> None:
     exact = [polynomials.c(n).subs(x, sympy.Float(at, 60)), polynomials.d(n).subs(x, sympy.Float(at, 60))]
     floats = polynomials.brackets(n, float(at))
     c, d = polynomials.brackets(n, at)
-    assert abs(floats[0] / float(c) - 1) < 1e-12 and abs(floats[1] / float(d) - 1) < 1e-12
-    assert abs(sympy.Float(c, 30) / exact[0] - 1) < 1e-20 and abs(sympy.Float(d, 30) / exact[1] - 1) < 1e-20
+    assert abs(floats[0] / float(c) - 1) < 1e-12
+    assert abs(floats[1] / float(d) - 1) < 1e-12
+    assert abs(sympy.Float(c, 30) / exact[0] - 1) < 1e-20
+    assert abs(sympy.Float(d, 30) / exact[1] - 1) < 1e-20
 
 
 @pytest.mark.parametrize("n", [1, 2, 3, 5, 8, 13])

@@ -46,7 +46,8 @@ def test_isomorphism(draw_pose, gap) -> None:
         assert gap(tensor_from_pose(g @ h), tensor_from_pose(g) @ tensor_from_pose(h)) < 1e-45
         assert gap(tensor_from_pose(g.inverse()), tensor_from_pose(g).transpose) < 1e-45
         back = pose_from_tensor(tensor_from_pose(g))
-        assert gap(back.rotation, g.rotation) < 1e-45 and gap(back.displacement, g.displacement) < 1e-45
+        assert gap(back.rotation, g.rotation) < 1e-45
+        assert gap(back.displacement, g.displacement) < 1e-45
         point = h.displacement
         assert gap((g @ h).apply(point), g.apply(h.apply(point))) < 1e-45
 
@@ -85,7 +86,8 @@ def test_trace_minus_one_exactly(sign: int) -> None:
     assert R.re.trace() == -1
     found = natural_invariants(R)
     # both axes give R; the one with first non-zero component positive is returned
-    assert found.angle == Dual(sympy.pi, sign * 4) and found.axis == given.axis * sign
+    assert found.angle == Dual(sympy.pi, sign * 4)
+    assert found.axis == given.axis * sign
     assert natural_invariants(tensor_from_screw(screw(sympy.pi, 0, (0, -1, 0), (0, 0, 0)))).axis.re == Vector(0, 1, 0)
 
 
@@ -94,7 +96,8 @@ def test_floats_keep_their_digits_up_to_pi(below: float) -> None:
     given = screw(math.pi - below, 2.0, (0.6, 0.0, 0.8), (1.0, 2.0, 3.0))
     found = natural_invariants(tensor_from_screw(given))
     for a, b in zip((*found.axis, found.angle), (*given.axis, given.angle), strict=True):
-        assert abs(a.re - b.re) < 4e-15 and abs(a.du - b.du) < 2e-14
+        assert abs(a.re - b.re) < 4e-15
+        assert abs(a.du - b.du) < 2e-14
 
 
 def test_trace_three() -> None:

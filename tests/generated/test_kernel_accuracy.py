@@ -1,0 +1,59 @@
+"""Every kernel function against the 50-digit oracle: orders x regimes x float types."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tests.support import errors, sampling
+from tests.support.accuracy import FUNCTIONS, Trial
+from tests.support.kernels import ORDERS, load
+from tests.support.nilpotent import Nil
+from tests.support.oracle import oracle_of
+
+CASES = [(n, regime) for n in ORDERS for regime in sampling.REGIMES if sampling.has_regime(n, regime)]
+CASE = pytest.mark.parametrize(("order", "regime"), CASES, ids=[f"n={n}, {regime}" for n, regime in CASES])
+FUNCTION = pytest.mark.parametrize("name", FUNCTIONS)
+
+
+@CASE
+@FUNCTION
+def test_double_precision(name: str, order: int, regime: str) -> None:
+    Trial(load(order), order, regime).check(name)
+
+
+# The other types run the same programs: the orders and regimes in which they have once been different elsewhere.
+OTHER = [(n, r) for n, r in CASES if n in (2, 3) and r in ("uniform", "middle band", "below pi", "shadow")]
+OTHER_CASE = pytest.mark.parametrize(("order", "regime"), OTHER, ids=[f"n={n}, {regime}" for n, regime in OTHER])
+
+
+@OTHER_CASE
+@FUNCTION
+@pytest.mark.parametrize("dtype", [np.float32, np.longdouble])
+def test_other_float_types(name: str, order: int, regime: str, dtype: type) -> None:
+    Trial(load(order), order, regime, dtype).check(name)
+
+
+COMPLEX_MAPS = ("quaternion", "tensor", "tangent", "tangent_inv", "twist", "rate", "body_twist", "body_rate")
+# A complex product has an error of at most √5 u where a real one has u.
+COMPLEX = errors.GENERAL * np.sqrt(5)
+
+
+@pytest.mark.parametrize("dtype", [np.complex64, np.complex128])
+@pytest.mark.parametrize("name", [*COMPLEX_MAPS, "pose", "transform_line"])
+def test_complex_vectors_are_the_analytic_continuation(name: str, dtype: type, order: int) -> None:
+    oracle = oracle_of(order)
+    rng = sampling.generator("complex", name, order)
+    # |v| of a few tenths over n: along imaginary v the maps grow like (1 + |v|)^n.
+    v, w = (0.2 / order * (rng.normal(size=(3, 6)) + 1j * rng.normal(size=(3, 6)))).astype(dtype), None
+    if name in ("twist", "rate", "body_twist", "body_rate", "transform_line"):
+        w = (rng.normal(size=(3, 6)) + 1j * rng.normal(size=(3, 6))).astype(dtype)
+    arguments = [(a,) for a in v] if w is None else list(zip(v, w, strict=True))
+    results = getattr(load(order), name)(*(np.stack(column) for column in zip(*arguments, strict=True)))
+    assert results.dtype == dtype
+    for argument, got in zip(arguments, results, strict=True):
+        exact = getattr(oracle, name)(*argument)
+        re, du = errors.parts(exact)
+        # No cancellation to speak of: the dual part's terms are bounded by both norms.
+        scale = Nil(errors.norm(re), errors.norm(du) + errors.norm(re))
+        assert max(errors.errors(got, exact, scale, oracle)) <= COMPLEX

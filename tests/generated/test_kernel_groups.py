@@ -1,0 +1,180 @@
+"""Composition, screws and the action on points and lines."""
+
+from __future__ import annotations
+
+from types import ModuleType
+
+import numpy as np
+import pytest
+
+import dualcay
+from tests.support import errors, sampling
+from tests.support.nilpotent import Nil
+
+EPS = float(np.finfo(float).eps)
+REGIMES = ("uniform", "angle 1e-7", "middle band", "shadow", "translation 1e6", "pure translation", "identity")
+REGIME = pytest.mark.parametrize("regime", REGIMES)
+
+
+def samples(order: int, regime: str, count: int = 6) -> np.ndarray:
+    return sampling.poses(order, regime if sampling.has_regime(order, regime) else "uniform", count=count)
+
+
+def dual_product(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    return np.stack(
+        [a[..., 0, :, :] @ b[..., 0, :, :], a[..., 0, :, :] @ b[..., 1, :, :] + a[..., 1, :, :] @ b[..., 0, :, :]], -3
+    )
+
+
+def pose_scale(order: int, *vectors: np.ndarray) -> Nil:
+    """Scale of a product of tensors, each moved by the rounding of its own vector."""
+    scale = Nil(1.0, 0.0)
+    for v in vectors:
+        local = errors.scales(order, v)
+        scale = scale * (local.tensor + local.tangent * local.vector * local.tensor)
+    return scale
+
+
+def assert_close(got: np.ndarray, expected: np.ndarray, scale: Nil, eps: float = errors.AGREE) -> None:
+    for a, b, s in zip(errors.parts(got), errors.parts(expected), (scale.re, scale.du), strict=True):
+        assert errors.norm(a - b) <= eps * EPS * s, (got, expected)
+
+
+@REGIME
+def test_composition_is_the_product_of_tensors_v1_first(kernel: ModuleType, order: int, regime: str) -> None:
+    v2, v1 = samples(order, regime), samples(order, "uniform")[::-1]
+    composed = kernel.compose(v2, v1)
+    product = dual_product(kernel.tensor(v2), kernel.tensor(v1))
+    for i, v in enumerate(composed):
+        scale = pose_scale(order, v2[i], v1[i]) + pose_scale(order, v)
+        assert_close(kernel.tensor(v), product[i], scale)
+        assert_close(kernel.pose(v), kernel.pose(v2[i]) @ kernel.pose(v1[i]), scale)
+        if regime != "identity":
+            assert errors.norm(kernel.pose(v) - kernel.pose(v1[i]) @ kernel.pose(v2[i])) > 1e-9  # the order matters
+
+
+@REGIME
+def test_composition_with_the_inverse_and_the_identity(kernel: ModuleType, order: int, regime: str) -> None:
+    v = samples(order, regime)
+    # −v is the inverse, closed form and all.
+    inverse = dual_product(kernel.tensor(v), kernel.tensor(-v))
+    back, same = kernel.compose(v, -v), kernel.compose(v, np.zeros(6))
+    for i in range(len(v)):
+        scale = pose_scale(order, v[i], v[i])
+        assert_close(inverse[i], np.stack([np.eye(3), np.zeros((3, 3))]), scale)
+        assert errors.norm(back[i, :3]) <= errors.AGREE * EPS * scale.re
+        assert errors.norm(back[i, 3:]) <= errors.AGREE * EPS * scale.du
+        assert_close(kernel.tensor(same[i]), kernel.tensor(v[i]), pose_scale(order, v[i]) + pose_scale(order, same[i]))
+
+
+def test_composition_is_associative_and_principal(kernel: ModuleType, order: int) -> None:
+    a, b, c = (samples(order, r) for r in ("shadow", "uniform", "middle band"))
+    left, right = kernel.compose(kernel.compose(a, b), c), kernel.compose(a, kernel.compose(b, c))
+    limit = np.tan(np.pi / (2 * order)) * (1 + 1e-12)
+    for i in range(len(a)):
+        assert np.linalg.norm(left[i, :3]) <= limit
+        scale = pose_scale(order, a[i], b[i], c[i]) + pose_scale(order, left[i]) + pose_scale(order, right[i])
+        assert_close(kernel.tensor(left[i]), kernel.tensor(right[i]), scale)
+
+
+@pytest.mark.parametrize("regime", ["uniform", "middle band", "angle 1e-7", "below pi", "shadow", "translation 1e6"])
+def test_screws_there_and_back(kernel: ModuleType, order: int, regime: str) -> None:
+    v = samples(order, regime)
+    angle, axis = kernel.to_screw(v)
+    assert angle.shape == (6, 2)
+    assert axis.shape == (6, 6)
+    assert ((angle[:, 0] >= 0) & (angle[:, 0] <= np.pi)).all()
+    norms = np.einsum("ij,ij->i", axis[:, :3], axis[:, :3])
+    np.testing.assert_allclose(norms, 1, rtol=8 * EPS)
+    moments = np.linalg.norm(axis[:, 3:], axis=-1)
+    assert (
+        abs(np.einsum("ij,ij->i", axis[:, :3], axis[:, 3:]))
+        <= errors.AGREE * EPS * (moments + np.linalg.norm(v[:, 3:], axis=-1) / np.linalg.norm(v[:, :3], axis=-1))
+    ).all()
+    back = kernel.from_screw(angle, axis)
+    for i in range(len(v)):
+        assert_close(kernel.tensor(back[i]), kernel.tensor(v[i]), pose_scale(order, v[i]) + pose_scale(order, back[i]))
+    if regime in sampling.PRINCIPAL:
+        np.testing.assert_allclose(back[:, :3], v[:, :3], rtol=0, atol=1e-8 if regime == "below pi" else 1e-12)
+
+
+def test_from_screw_takes_any_angle(kernel: ModuleType, order: int) -> None:
+    angle, axis = sampling.screws(order, count=6)
+    there = kernel.from_screw(angle, axis)
+    np.testing.assert_allclose(kernel.from_screw(-angle, axis), -there, rtol=8 * EPS)
+    np.testing.assert_allclose(kernel.from_screw(-angle, -axis), there, rtol=8 * EPS)
+    for k in range(1, order):
+        turned = kernel.from_screw(np.add(angle, (2 * np.pi * k, 0)), axis)
+        np.testing.assert_allclose(kernel.pose(turned), kernel.pose(there), atol=1e-11)
+        np.testing.assert_allclose(turned, kernel.shadow(there, k), rtol=1e-9, atol=1e-11)
+
+
+def test_screw_of_a_translation_and_of_the_identity(kernel: ModuleType, order: int) -> None:
+    v = np.array([0, 0, 0, 0.0, -3.0, 4.0])
+    angle, axis = kernel.to_screw(v)
+    np.testing.assert_allclose(angle, [0, 10 * order], rtol=4 * EPS)
+    np.testing.assert_allclose(axis, [0, -0.6, 0.8, 0, 0, 0], rtol=4 * EPS)
+    np.testing.assert_allclose(kernel.from_screw(angle, axis), v, rtol=8 * EPS)
+    angle, axis = kernel.to_screw(np.zeros(6))
+    np.testing.assert_array_equal(angle, [0, 0])
+    assert np.isnan(axis).all()
+
+
+@REGIME
+def test_points_move_as_by_the_homogeneous_matrix(kernel: ModuleType, order: int, regime: str) -> None:
+    v, r = samples(order, regime), sampling.points("points", count=6)
+    pose = kernel.pose(v)
+    for i, moved in enumerate(kernel.transform_point(v, r)):
+        local = errors.scales(order, v[i])
+        difference = moved - (pose[i, :3, :3] @ r[i] + pose[i, :3, 3])
+        assert errors.norm(difference) <= errors.AGREE * EPS * (local.tensor.re * errors.norm(r[i]) + local.position)
+
+
+@REGIME
+def test_lines_move_as_by_the_dual_tensor_and_as_their_points_do(kernel: ModuleType, order: int, regime: str) -> None:
+    v = samples(order, regime)
+    first, second = sampling.points("first", count=6), sampling.points("second", count=6)
+
+    def line(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+        return np.concatenate([b - a, np.cross(a, b - a)], axis=-1)
+
+    given = line(first, second)
+    moved = kernel.transform_line(v, given)
+    by_points = line(kernel.transform_point(v, first), kernel.transform_point(v, second))
+    by_tensor = np.einsum("...ij,...j->...i", dualcay.matrix6(kernel.tensor(v)), given)
+    for i in range(len(v)):
+        local = errors.scales(order, v[i])
+        assert_close(moved[i], by_tensor[i], local.tensor * errors.size(given[i]))
+        reach = errors.norm(first[i]) + errors.norm(second[i]) + local.position
+        assert_close(moved[i], by_points[i], Nil(3 * reach, 3 * reach**2))
+
+
+def test_matrix6_acts_on_twists_as_the_dual_tensor_does(order: int, kernel: ModuleType) -> None:
+    d = kernel.tangent(samples(order, "uniform").reshape(2, 3, 6))
+    m = dualcay.matrix6(d)
+    assert m.shape == (2, 3, 6, 6)
+    assert m.dtype == d.dtype
+    np.testing.assert_array_equal(m[..., :3, :3], d[..., 0, :, :])
+    np.testing.assert_array_equal(m[..., 3:, 3:], d[..., 0, :, :])
+    np.testing.assert_array_equal(m[..., 3:, :3], d[..., 1, :, :])
+    np.testing.assert_array_equal(m[..., :3, 3:], 0)
+
+
+def test_random_vectors_are_seeded_and_stay_within_their_limits(kernel: ModuleType, order: int) -> None:
+    def draw(seed: int) -> np.ndarray:
+        rng = np.random.default_rng(seed)
+        return dualcay.random_vector((50, 4), max_angle=2.5, max_translation=3.0, order=order, rng=rng)
+
+    v = draw(1)
+    assert v.shape == (50, 4, 6)
+    assert v.dtype == np.float64
+    np.testing.assert_array_equal(v, draw(1))
+    assert (v != draw(2)).any()
+    angle, _ = kernel.to_screw(v)
+    assert angle[..., 0].max() <= 2.5 + 1e-12
+    assert angle[..., 0].max() > 1.5
+    shifts = np.linalg.norm(kernel.pose(v)[..., :3, 3], axis=-1)
+    assert shifts.max() <= 3.0 + 1e-12
+    assert shifts.max() > 1.0
+    one = dualcay.random_vector(max_angle=1.0, max_translation=1.0, order=order, rng=np.random.default_rng(0))
+    assert one.shape == (6,)

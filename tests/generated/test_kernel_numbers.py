@@ -1,0 +1,158 @@
+"""Number types: floats of every width kept, integers promoted, complex refused where maps are real, exact Fractions."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from types import ModuleType
+
+import numpy as np
+import pytest
+
+import dualcay
+from tests.support.nilpotent import Nil, conjugate, exact_field, hamilton, power
+from tests.support.oracle import Oracle, pack
+from tests.support.signatures import SHAPES, SIGNATURES, assert_nearly_equal, components_first, components_last, inputs
+
+FUNCTION = pytest.mark.parametrize("name", SIGNATURES)
+REAL = [f for f, s in SIGNATURES.items() if not s.complex]
+FORWARD = [f for f, s in SIGNATURES.items() if s.complex]
+
+
+@FUNCTION
+@pytest.mark.parametrize("dtype", [np.float32, np.float64, np.longdouble])
+@pytest.mark.parametrize("shape", [(), (3,), (0,)], ids=str)
+def test_float_types_are_kept(kernel: ModuleType, order: int, name: str, dtype: type, shape) -> None:
+    for axis in (-1, 0):
+        arguments = inputs(kernel, name, order, shape, dtype)
+        if axis == 0:
+            kinds = SIGNATURES[name].arguments
+            arguments = [components_first(a, len(SHAPES[k])) for a, k in zip(arguments, kinds, strict=True)]
+        result = getattr(kernel, name)(*arguments, axis=axis)
+        assert result.dtype == dtype
+        out = np.empty_like(result)
+        assert getattr(kernel, name)(*arguments, axis=axis, out=out) is out
+
+
+@pytest.mark.parametrize("name", FORWARD)
+@pytest.mark.parametrize("dtype", [np.complex64, np.complex128])
+@pytest.mark.parametrize("shape", [(), (3,), (0,)], ids=str)
+def test_complex_types_are_kept_in_forward_maps(kernel: ModuleType, order: int, name: str, dtype: type, shape) -> None:
+    result = getattr(kernel, name)(*inputs(kernel, name, order, shape, dtype))
+    assert result.dtype == dtype
+    real = getattr(kernel, name)(*inputs(kernel, name, order, shape, np.float32))
+    np.testing.assert_allclose(result, real, rtol=1e-4, atol=1e-4)
+
+
+@pytest.mark.parametrize("name", REAL)
+@pytest.mark.parametrize("dtype", [np.complex64, np.complex128])
+def test_complex_numbers_are_refused_where_the_map_is_real(
+    kernel: ModuleType, order: int, name: str, dtype: type
+) -> None:
+    for shape in ((), (3,), (0,)):
+        with pytest.raises(TypeError, match=r"(?i)complex"):
+            getattr(kernel, name)(*inputs(kernel, name, order, shape, dtype))
+    with pytest.raises(TypeError, match=r"(?i)complex"):
+        getattr(kernel, name)(*(a.tolist() for a in inputs(kernel, name, order, (), dtype)))
+
+
+def test_complex_screws_are_refused(kernel: ModuleType) -> None:
+    with pytest.raises(TypeError, match=r"(?i)complex"):
+        kernel.from_screw(np.array([0.1 + 0j, 1]), np.array([1.0, 0, 0, 0, 0, 0]))
+
+
+@FUNCTION
+@pytest.mark.parametrize("dtype", [np.int8, np.int64, np.uint16])
+def test_integers_become_doubles(kernel: ModuleType, order: int, name: str, dtype: type) -> None:
+    whole = {
+        "v": np.array([1, 0, 2, 0, 1, 3]),
+        "w": np.array([3, 1, 0, 2, 5, 1]),
+        "r": np.array([1, 2, 3]),
+        "q": np.array([1, 0, 0, 0, 0, 1, 2, 3]),
+        "T": np.array([[0, 0, 1, 4], [1, 0, 0, 5], [0, 1, 0, 6], [0, 0, 0, 1]]),
+        "R": np.array([np.eye(3), np.zeros((3, 3))]),
+    }
+    arguments = [whole[k].astype(dtype) for k in SIGNATURES[name].arguments]
+    expected = getattr(kernel, name)(*(a.astype(float) for a in arguments))
+    assert expected.dtype == np.float64
+    for form in (arguments, [a.tolist() for a in arguments], [np.stack([a, a]) for a in arguments]):
+        result = getattr(kernel, name)(*form)
+        assert_nearly_equal(np.atleast_1d(result), np.broadcast_to(expected, result.shape))
+
+
+@pytest.mark.parametrize("name", [f for f, s in SIGNATURES.items() if len(s.arguments) == 2])
+@pytest.mark.parametrize(
+    ("first", "second", "result"),
+    [
+        (np.float32, np.float64, np.float64),
+        (np.float64, np.longdouble, np.longdouble),
+        (np.int64, np.float64, np.float64),
+    ],
+)
+def test_mixed_types_meet_in_the_wider(kernel: ModuleType, order: int, name: str, first, second, result) -> None:
+    for shape in ((), (3,)):
+        a, b = inputs(kernel, name, order, shape)
+        assert getattr(kernel, name)(a.astype(first), b.astype(second)).dtype == result
+        assert getattr(kernel, name)(a.astype(second), b.astype(first)).dtype == result
+
+
+@FUNCTION
+def test_other_byte_orders_are_read(kernel: ModuleType, order: int, name: str) -> None:
+    arguments = inputs(kernel, name, order, (3,))
+    swapped = [a.astype(a.dtype.newbyteorder()) for a in arguments]
+    assert_nearly_equal(getattr(kernel, name)(*swapped).astype(float), getattr(kernel, name)(*arguments))
+
+
+@FUNCTION
+def test_text_is_refused(kernel: ModuleType, order: int, name: str) -> None:
+    arguments = [np.full(SHAPES[k], "one") for k in SIGNATURES[name].arguments]
+    with pytest.raises((TypeError, ValueError)):
+        getattr(kernel, name)(*arguments)
+
+
+V = (Fraction(3, 7), Fraction(-2, 5), Fraction(1, 3), Fraction(11, 2), Fraction(-5, 9), Fraction(4))
+W = (Fraction(1, 2), Fraction(5, 3), Fraction(-7, 4), Fraction(2, 9), Fraction(1), Fraction(-8, 3))
+RATIONAL = [f for f in FORWARD if f not in ("quaternion", "dcay", "dcay_inv")]
+
+
+@pytest.mark.parametrize("name", RATIONAL)
+def test_fractions_give_exact_fractions(kernel: ModuleType, order: int, name: str) -> None:
+    """The kernel's own formulas, wrappers and all, equal the definition over the rational numbers."""
+    rows = [np.array(V, dtype=object), np.array(W, dtype=object)]
+    size = {"v": 6, "w": 6, "r": 3}
+    arguments = [row[: size[k]] for row, k in zip(rows, SIGNATURES[name].arguments, strict=False)]
+    exact = np.array(getattr(Oracle(order, field=exact_field()), name)(*arguments), dtype=object)
+    result = getattr(kernel, name)(*arguments)
+    assert result.dtype == object
+    assert result.shape == exact.shape
+    assert (result == exact).all()
+    assert all(isinstance(c, Fraction | int) for c in result.flat)
+    rank = len(SIGNATURES[name].result)
+    batch = [np.stack([a, a]) for a in arguments]
+    assert (getattr(kernel, name)(*batch) == np.stack([exact, exact])).all()
+    first = getattr(kernel, name)(*(components_first(b, 1) for b in batch), axis=0)
+    assert (components_last(first, rank) == np.stack([exact, exact])).all()
+    out = np.empty(exact.shape, dtype=object)
+    assert getattr(kernel, name)(*arguments, out=out) is out
+    assert (out == exact).all()
+
+
+@pytest.mark.parametrize("order", [2, 4, 8])
+def test_quaternions_of_even_order_are_rational(order: int) -> None:
+    from tests.support.kernels import load
+
+    dual = Oracle(order, field=exact_field()).unpack(V)
+    spinor = (Nil(Fraction(1), Fraction(0)), *dual)
+    (norm2, *_) = hamilton(spinor, conjugate(spinor))
+    root = power((norm2, norm2 * 0, norm2 * 0, norm2 * 0), order // 2)[0]
+    exact = pack(tuple(c / root for c in power(spinor, order)))
+    result = load(order).quaternion(np.array(V, dtype=object))
+    assert result.dtype == object
+    assert (result == exact).all()
+
+
+def test_matrix6_keeps_every_type(kernel: ModuleType) -> None:
+    for dtype in (np.float32, np.float64, np.longdouble, np.complex64, np.complex128):
+        assert dualcay.matrix6(kernel.tangent(np.zeros(6, dtype))).dtype == dtype
+    exact = dualcay.matrix6(kernel.tangent(np.array(V, dtype=object)))
+    assert exact.dtype == object
+    assert exact.shape == (6, 6)

@@ -1,0 +1,127 @@
+"""Parameters to poses and back: all branches, all representations, both signs of the quaternion, the shadow group."""
+
+from __future__ import annotations
+
+from types import ModuleType
+
+import numpy as np
+import pytest
+
+from tests.support import errors, sampling
+from tests.support.accuracy import Trial
+from tests.support.nilpotent import Nil
+
+EPS = float(np.finfo(float).eps)
+REGIMES = ("uniform", "middle band", "below pi", "translation 1e6", "pure rotation", "pure translation", "shadow")
+ROUTES = {
+    "from_quaternion": lambda kernel, v: kernel.quaternion(v),
+    "from_tensor": lambda kernel, v: kernel.tensor(v),
+    "from_pose": lambda kernel, v: kernel.pose(v),
+}
+
+
+def samples(order: int, regime: str) -> np.ndarray:
+    if not sampling.has_regime(order, regime):
+        return np.zeros((0, 6))
+    return sampling.poses(order, regime, count=5)
+
+
+def assert_same_pose(kernel: ModuleType, order: int, a: np.ndarray, b: np.ndarray) -> None:
+    """The tensors of two batches differ by what rounding of the vectors themselves moves them, plus their own error."""
+    for x, y, left, right in zip(a, b, kernel.tensor(a), kernel.tensor(b), strict=True):
+        allowed = Nil(0.0, 0.0)
+        for v in (x, y):
+            local = errors.scales(order, v)
+            allowed = allowed + local.tensor + local.tangent * local.vector * local.tensor
+        difference = left - right
+        for part, scale in zip(difference, (allowed.re, allowed.du), strict=True):
+            assert errors.norm(part) <= errors.AGREE * EPS * scale, (x, y)
+
+
+@pytest.mark.parametrize("regime", REGIMES)
+@pytest.mark.parametrize("route", ROUTES)
+def test_every_branch_gives_the_pose_back(kernel: ModuleType, order: int, route: str, regime: str) -> None:
+    v = samples(order, regime)
+    for branch in range(order):
+        found = getattr(kernel, route)(ROUTES[route](kernel, v), branch)
+        chart = np.linalg.norm(found[:, :3], axis=-1) < 1e4  # farther out the pose is lost in the vector's own rounding
+        assert_same_pose(kernel, order, v[chart], found[chart])
+
+
+@pytest.mark.parametrize("route", ROUTES)
+def test_branches_are_counted_modulo_the_order(kernel: ModuleType, order: int, route: str) -> None:
+    given = ROUTES[route](kernel, samples(order, "uniform"))
+    for branch in range(order):
+        for turns in (-2, -1, 1):
+            again = getattr(kernel, route)(given, branch + turns * order)
+            np.testing.assert_array_equal(again, getattr(kernel, route)(given, branch))
+
+
+@pytest.mark.parametrize("regime", ["uniform", "middle band", "shadow", "pure translation"])
+def test_q_and_minus_q_are_one_pose(kernel: ModuleType, order: int, regime: str) -> None:
+    q = kernel.quaternion(samples(order, regime))
+    for branch in [0, 1] if regime != "pure translation" else [0]:
+        np.testing.assert_array_equal(kernel.from_quaternion(q, branch), kernel.from_quaternion(-q, branch))
+
+
+@pytest.mark.parametrize("regime", REGIMES)
+def test_branches_of_the_pose_are_shadows_of_the_principal_vector(kernel: ModuleType, order: int, regime: str) -> None:
+    v = samples(order, regime)
+    if len(v):
+        trial = Trial(kernel, order, "uniform")
+        principal = kernel.from_pose(kernel.pose(v))
+        for branch in range(order):
+            found = kernel.from_pose(kernel.pose(v), branch)
+            shadows = kernel.shadow(principal, branch)
+            for a, b, start in zip(found, shadows, principal, strict=True):
+                if np.linalg.norm(a[:3]) < 1e3:
+                    allowed = trial.shadow_scale(start, a)
+                    gate = errors.GENERAL + errors.shadow_gate(order)
+                    # Times two: the principal vector, from which both start, has passed through the same Jacobian.
+                    assert errors.norm(a[:3] - b[:3]) <= 2 * gate * EPS * allowed.re
+                    assert errors.norm(a[3:] - b[3:]) <= 2 * gate * EPS * allowed.du
+
+
+@pytest.mark.parametrize("regime", ["uniform", "translation 1e6"])
+def test_shadows_form_a_cyclic_group(kernel: ModuleType, order: int, regime: str) -> None:
+    v = sampling.poses(order, regime, count=2)
+    trial = Trial(kernel, order, "uniform")
+    for j in range(order):
+        middle = kernel.shadow(v, j)
+        for k in range(-1, order + 1):
+            for start, between, twice, once in zip(
+                v, middle, kernel.shadow(middle, k), kernel.shadow(v, j + k), strict=True
+            ):
+                allowed = trial.shadow_scale(start, once) + trial.shadow_scale(between, once)
+                gate = 2 * errors.shadow_gate(order) * EPS
+                assert errors.norm(twice[:3] - once[:3]) <= gate * allowed.re
+                assert errors.norm(twice[3:] - once[3:]) <= gate * allowed.du
+
+
+@pytest.mark.parametrize("regime", REGIMES)
+def test_shadows_give_the_same_pose_and_the_quaternion_up_to_sign(kernel: ModuleType, order: int, regime: str) -> None:
+    v = samples(order, regime)
+    q = kernel.quaternion(v)
+    for branch in range(order):
+        shadows = kernel.shadow(v, branch)
+        chart = np.linalg.norm(shadows[:, :3], axis=-1) < 1e4
+        assert_same_pose(kernel, order, v[chart], shadows[chart])
+        if order % 2 == 0:
+            # The closed form's own sign: (−1)^k.
+            agree = np.einsum("ij,ij->i", kernel.quaternion(shadows[chart])[:, :4], q[chart][:, :4])
+            np.testing.assert_allclose(agree, (-1.0) ** branch, rtol=1e-9)
+
+
+@pytest.mark.parametrize("regime", REGIMES)
+def test_principal_is_the_smallest_shadow_and_is_a_projection(kernel: ModuleType, order: int, regime: str) -> None:
+    v = samples(order, regime)
+    principal = kernel.principal(v)
+    sizes = np.linalg.norm(principal[:, :3], axis=-1)
+    for branch in range(order):
+        assert (sizes <= np.linalg.norm(kernel.shadow(v, branch)[:, :3], axis=-1) * (1 + 1e-12)).all()
+    tolerance = errors.shadow_gate(order) * EPS
+    for once, twice, start in zip(principal, kernel.principal(principal), v, strict=True):
+        others = [twice, start] if regime in sampling.PRINCIPAL else [twice]
+        for part in (slice(3), slice(3, 6)):
+            assert all(errors.norm(other[part] - once[part]) <= tolerance * errors.norm(once) for other in others)
+    assert (sizes <= np.tan(np.pi / (2 * order)) * (1 + 1e-9)).all()

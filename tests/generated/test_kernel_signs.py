@@ -1,0 +1,228 @@
+"""Half turns, signs and branches where a rule has to decide."""
+
+from __future__ import annotations
+
+from types import ModuleType
+
+import numpy as np
+import pytest
+
+from tests.support import sampling
+from tests.support.kernels import ORDERS, load
+from tests.support.oracle import oracle_of
+
+EPS = float(np.finfo(float).eps)
+AXES = [
+    [1.0, 0, 0],
+    [-1.0, 0, 0],
+    [0, 1.0, 0],
+    [0, -1.0, 0],
+    [0, 0, 1.0],
+    [0, 0, -1.0],
+    [0.6, 0.8, 0],
+    [-0.6, 0.8, 0],
+    [0, -0.6, 0.8],
+    [0.6, 0, -0.8],
+    [-1 / 3, 2 / 3, -2 / 3],
+]
+AXIS = pytest.mark.parametrize("axis", AXES, ids=str)
+FINITE = pytest.mark.parametrize("order", [n for n in ORDERS if n > 1])  # n = 1 has no vector at π
+
+
+def half_turn(axis: np.ndarray, shift: float, moment: np.ndarray) -> np.ndarray:
+    """Dual quaternion of angle π + ε shift about the line of this axis and moment: scalar exactly 0."""
+    return np.concatenate([[0.0], axis, [-shift / 2], moment])
+
+
+def expected(order: int, axis: np.ndarray, shift: float, moment: np.ndarray, branch: int = 0) -> np.ndarray:
+    tangent = np.tan((np.pi + 2 * np.pi * branch) / (2 * order))
+    slope = (1 + tangent**2) * shift / (2 * order)
+    return np.concatenate([tangent * axis, slope * axis + tangent * moment])
+
+
+def branches(order: int) -> list[int]:
+    return [k for k in range(order) if 2 * k + 1 != order]
+
+
+@FINITE
+@AXIS
+@pytest.mark.parametrize("zero", [0.0, -0.0])
+def test_at_scalar_zero_the_given_vector_part_stands(order: int, axis: list[float], zero: float) -> None:
+    kernel, u = load(order), np.array(axis)
+    m = np.cross([1.0, -2.0, 0.5], u)
+    q = half_turn(u, 0.7, m)
+    q[0] = zero
+    for branch in branches(order):
+        wanted = expected(order, u, 0.7, m, branch)
+        for got in (kernel.from_quaternion(q, branch), kernel.from_quaternion(np.stack([q, q]), branch)[1]):
+            np.testing.assert_allclose(got, wanted, rtol=1e-13, atol=1e-13 * abs(wanted).max())
+
+
+@FINITE
+@AXIS
+def test_at_pi_matrices_give_the_axis_with_first_component_positive(order: int, axis: list[float]) -> None:
+    """2 u uᵀ − I is symmetric to the last bit, so the scalar part is exactly 0."""
+    kernel, u = load(order), np.array(axis)
+    leading = u[np.flatnonzero(u)[0]]
+    side = np.sign(leading) * u
+    turn = 2 * np.outer(u, u) - np.eye(3)
+    matrix = np.eye(4)
+    matrix[:3, :3] = turn
+    dual = np.stack([turn, np.zeros((3, 3))])
+    for branch in branches(order):
+        wanted = expected(order, side, 0.0, np.zeros(3), branch)
+        for got in (kernel.from_pose(matrix, branch), kernel.from_pose(matrix[None], branch)[0]):
+            np.testing.assert_allclose(got, wanted, rtol=1e-13, atol=1e-14)
+        for got in (kernel.from_tensor(dual, branch), kernel.from_tensor(dual[None], branch)[0]):
+            np.testing.assert_allclose(got, wanted, rtol=1e-13, atol=1e-14)
+
+
+@FINITE
+@AXIS
+def test_half_turns_with_translation_from_matrices(order: int, axis: list[float]) -> None:
+    kernel, u = load(order), np.array(axis)
+    matrix = np.eye(4)
+    matrix[:3, :3] = 2 * np.outer(u, u) - np.eye(3)
+    matrix[:3, 3] = [1.0, -2.0, 3.0]
+    for got in (kernel.from_pose(matrix), kernel.from_pose(matrix[None])[0]):
+        assert np.sign(got[np.flatnonzero(u)[0]]) == 1
+        np.testing.assert_allclose(kernel.pose(got), matrix, atol=1e-14)
+
+
+@AXIS
+def test_order_two_keeps_the_given_side_on_a_tie(axis: list[float]) -> None:
+    """|v| = 1 is the angle π for n = 2, exactly for axes of exact length: v and its shadow are equally long."""
+    kernel, u = load(2), np.array(axis)
+    if u @ u != 1:
+        return
+    for v in (np.concatenate([u, [0.3, -0.2, 0.5]]), np.concatenate([u, np.zeros(3)])):
+        for got in (kernel.principal(v), kernel.principal(np.stack([v, v]))[0]):
+            np.testing.assert_allclose(got, v, rtol=4 * EPS, atol=4 * EPS)
+        other = kernel.shadow(v, 1)
+        np.testing.assert_allclose(other[:3], -u, atol=4 * EPS)
+        np.testing.assert_allclose(kernel.principal(other), other, atol=8 * EPS)
+        np.testing.assert_allclose(kernel.pose(other), kernel.pose(v), atol=16 * EPS)
+        composed = kernel.compose(v, np.zeros(6))
+        np.testing.assert_allclose(composed, v, rtol=8 * EPS, atol=8 * EPS)
+        np.testing.assert_allclose(kernel.compose(np.zeros(6), -v), -v, rtol=8 * EPS, atol=8 * EPS)
+
+
+@AXIS
+def test_screws_of_half_turns(axis: list[float]) -> None:
+    """At the angle π the axis is the vector's own direction."""
+    kernel, u = load(2), np.array(axis)
+    angle, direction = kernel.to_screw(np.concatenate([u, np.zeros(3)]))
+    np.testing.assert_allclose(angle, [np.pi, 0], rtol=4 * EPS)
+    if u @ u == 1:
+        np.testing.assert_allclose(direction, [*u, 0, 0, 0], rtol=4 * EPS, atol=0)
+
+
+def test_the_quaternion_of_a_principal_vector_has_a_positive_scalar(order: int, kernel: ModuleType) -> None:
+    v = np.concatenate([sampling.poses(order, r) for r in ("uniform", "middle band", "below pi", "pure translation")])
+    assert (kernel.quaternion(v)[:, 0] > 0).all()
+
+
+@pytest.mark.parametrize("shape", [(6,), (4, 6)])
+def test_the_identity_has_no_other_branches(kernel: ModuleType, order: int, shape: tuple[int, ...]) -> None:
+    zero = np.zeros(shape)
+    forms = [
+        lambda k: kernel.from_quaternion(kernel.quaternion(zero), k),
+        lambda k: kernel.from_quaternion(-kernel.quaternion(zero), k),
+        lambda k: kernel.from_tensor(kernel.tensor(zero), k),
+        lambda k: kernel.from_pose(kernel.pose(zero), k),
+        lambda k: kernel.shadow(zero, k),
+    ]
+    for form in forms:
+        for k in (0, order, -order):
+            np.testing.assert_array_equal(form(k), zero)
+        for k in range(1, order):
+            assert np.isnan(form(k)).all()
+    np.testing.assert_array_equal(kernel.principal(zero), zero)
+    np.testing.assert_array_equal(kernel.compose(zero, zero), zero)
+
+
+@pytest.mark.parametrize("batch", [False, True])
+def test_branches_of_a_translation_take_it_as_their_axis(kernel: ModuleType, order: int, batch: bool) -> None:
+    """tan(kπ/n + ε |v°|) u with u = v°/|v°| through the origin."""
+    v = np.array([0, 0, 0, 1.0, -2.0, 2.0])
+    u = v[3:] / 3
+    given = np.stack([v, -2 * v]) if batch else v
+    forms = [
+        lambda k: kernel.shadow(given, k),
+        lambda k: kernel.from_quaternion(kernel.quaternion(given), k),
+        lambda k: kernel.from_tensor(kernel.tensor(given), k),
+        lambda k: kernel.from_pose(kernel.pose(given), k),
+    ]
+    for k in range(order):
+        if 2 * k == order:
+            continue  # there the branch is at infinity
+        tangent = np.tan(np.pi * k / order)
+        wanted = np.concatenate([tangent * u, 3 * (1 + tangent**2) * u])
+        for form in forms:
+            got = form(k)
+            np.testing.assert_allclose(got[0] if batch else got, wanted, rtol=1e-14, atol=1e-14)
+            np.testing.assert_allclose(kernel.tensor(got), kernel.tensor(given), rtol=1e-12, atol=1e-12)
+
+
+# Vectors that stand at a multiple of 2π to the last bit: |v|² = 3 for n = 3, 1 for n = 4 and 8.
+AT_FULL_TURNS = [
+    (3, [1.0, 1.0, 1.0]),
+    (3, [1.0, -1.0, 1.0]),
+    (4, [0.0, 1.0, 0.0]),
+    (4, [0.0, 0.0, -1.0]),
+    (8, [-1.0, 0.0, 0.0]),
+    (8, [0.0, 1.0, 0.0]),
+]
+
+
+@pytest.mark.parametrize(("order", "real"), AT_FULL_TURNS)
+@pytest.mark.parametrize("dual", [[1.0, 2.0, -0.5], [-1.0, -2.0, 0.5], [0.3, -0.4, 0.2]])
+def test_full_turns_are_translations_along_the_axis(order: int, real: list[float], dual: list[float]) -> None:
+    """There the operator has rank one: ρ = 2n/(1 + x) (u·v°) u, whatever the rest of v° is."""
+    kernel = load(order)
+    v = np.array([*real, *dual])
+    x = v[:3] @ v[:3]
+    rho = 2 * order / (1 + x) * (v[:3] @ v[3:]) / x * v[:3]
+    size = np.linalg.norm(rho)
+    for given, pick in ((v, lambda a: a), (np.stack([v, -v]), lambda a: a[0])):
+        np.testing.assert_allclose(pick(kernel.pose(given))[:3, 3], rho, atol=1e-14)
+        angle, line = kernel.to_screw(given)
+        np.testing.assert_allclose(pick(angle), [0, size], atol=1e-14)
+        np.testing.assert_allclose(pick(line)[:3], rho / size, atol=1e-14)
+        principal = pick(kernel.principal(given))
+        np.testing.assert_allclose(principal, [0, 0, 0, *(rho / (2 * order))], atol=1e-14)
+        for k in range(order):
+            shadow = pick(kernel.shadow(given, k))
+            if np.linalg.norm(shadow[:3]) < 1e3:
+                np.testing.assert_allclose(kernel.pose(shadow), kernel.pose(v), atol=1e-12)
+                # Branches count to the side of the translation.
+                wanted = oracle_of(order).shadow(v, k).astype(float)
+                np.testing.assert_allclose(shadow, wanted, rtol=1e-13, atol=1e-13)
+
+
+@pytest.mark.parametrize("order", [4, 8])
+@pytest.mark.parametrize("shift", [[0, 0, 2.0], [0, -0.5, 0]])
+def test_shadows_of_translations_form_the_group_too(order: int, shift: list[float]) -> None:
+    """From |v| = 1, which is 2π or 6π at n = 4, on to every other branch: the side is that of the translation."""
+    kernel, v = load(order), np.array([0, 0, 0, *shift])
+    for j in (order // 4, -order // 4):
+        middle = kernel.shadow(v, j)
+        for k in range(order):
+            if (j + k) % order != order // 2:
+                np.testing.assert_allclose(kernel.shadow(middle, k), kernel.shadow(v, j + k), rtol=1e-14, atol=1e-14)
+
+
+def test_mixed_batches_do_not_disturb_each_other(kernel: ModuleType, order: int) -> None:
+    """The branch not taken must not leak: identity, translation, half turn and general poses side by side."""
+    regimes = ["uniform", "identity", "pure translation", "angle 1e-12", "below pi", "shadow", "middle band"]
+    v = np.concatenate([sampling.poses(order, r)[:2] for r in regimes if sampling.has_regime(order, r)])
+    for name in ("principal", "shadow", "quaternion", "tangent_inv"):
+        batch = getattr(kernel, name)(v)
+        for i, row in enumerate(v):
+            np.testing.assert_allclose(batch[i], getattr(kernel, name)(row), rtol=1e-13, atol=0)
+    for name, given in (("from_pose", kernel.pose(v)), ("from_quaternion", kernel.quaternion(v))):
+        for branch in (0, 1):
+            batch = getattr(kernel, name)(given, branch)
+            for i, row in enumerate(given):
+                single = getattr(kernel, name)(row, branch)
+                np.testing.assert_allclose(batch[i], single, rtol=1e-12, atol=1e-14 * np.nanmax(abs(single), initial=1))

@@ -1,0 +1,174 @@
+"""One pose at a time: agreement with batches, and IEEE results without exception or warning at singular points."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Iterator
+from types import ModuleType
+
+import numpy as np
+import pytest
+
+from tests.support import sampling
+from tests.support.kernels import ORDERS, load
+from tests.support.signatures import SHAPES, SIGNATURES, assert_nearly_equal, inputs
+
+FUNCTION = pytest.mark.parametrize("name", SIGNATURES)
+
+
+@pytest.fixture(autouse=True)
+def warnings_are_errors() -> Iterator[None]:
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        yield
+
+
+@FUNCTION
+@pytest.mark.parametrize("dtype", [np.float32, np.float64, np.longdouble])
+def test_one_pose_is_a_batch_of_one(kernel: ModuleType, order: int, name: str, dtype: type) -> None:
+    arguments = inputs(kernel, name, order, (), dtype)
+    single = getattr(kernel, name)(*arguments)
+    assert isinstance(single, np.ndarray)
+    assert single.flags.writeable
+    assert_nearly_equal(single, getattr(kernel, name)(*(a[None] for a in arguments))[0])
+    crowd = getattr(kernel, name)(*(np.repeat(a[None], 100, axis=0) for a in arguments))
+    assert_nearly_equal(crowd, np.broadcast_to(single, crowd.shape))
+    assert_nearly_equal(getattr(kernel, name)(*arguments, axis=0), single)
+
+
+@FUNCTION
+def test_lists_and_tuples_of_python_numbers(kernel: ModuleType, order: int, name: str) -> None:
+    arguments = inputs(kernel, name, order)
+    expected = getattr(kernel, name)(*arguments)
+    assert_nearly_equal(getattr(kernel, name)(*(a.tolist() for a in arguments)), expected)
+    if all(a.ndim == 1 for a in arguments):
+        assert_nearly_equal(getattr(kernel, name)(*(tuple(a) for a in arguments)), expected)
+
+
+@pytest.mark.parametrize("regime", [r for r in sampling.REGIMES if r != "at pi"])
+def test_one_pose_is_its_batch_element_in_every_regime(kernel: ModuleType, order: int, regime: str) -> None:
+    if not sampling.has_regime(order, regime):
+        regime = "uniform"
+    v = sampling.poses(order, regime)
+    for name in ("quaternion", "tensor", "pose", "tangent", "tangent_inv", "principal", "shadow"):
+        batch = getattr(kernel, name)(v)
+        for i, row in enumerate(v):
+            assert_nearly_equal(getattr(kernel, name)(row), batch[i], 256)
+    for name, given in (("from_quaternion", kernel.quaternion(v)), ("from_pose", kernel.pose(v))):
+        batch = getattr(kernel, name)(given)
+        for i, row in enumerate(given):
+            assert_nearly_equal(getattr(kernel, name)(row), batch[i], 256)
+    for i, (angle, axis) in enumerate(zip(*kernel.to_screw(v), strict=True)):
+        assert_nearly_equal(kernel.to_screw(v[i])[0], angle, 256)
+        assert_nearly_equal(kernel.to_screw(v[i])[1], axis, 256)
+
+
+SPECIAL = {
+    "v": [
+        np.zeros(6),
+        np.array([1.0, 0, 0, 0, 0, 0]),  # a pole of tangent_inv for n = 4 and 8, π for n = 2
+        np.array([0, -1.0, 0, 0.3, 0.2, 0.1]),
+        np.array([0, 0, 0, 0, 0, 2.0]),
+        np.full(6, 1e-320),
+        np.full(6, 1e160),
+        np.full(6, 1.7e308),
+        np.array([1e200, 0, 0, 0, 1e-200, 0]),
+        np.full(6, np.inf),
+        np.full(6, np.nan),
+        np.array([0, 0, 0, np.inf, 0, 0]),
+        np.array([0, np.nan, 0, 1.0, 0, 0]),
+        -np.zeros(6),
+    ],
+    "q": [
+        np.zeros(8),
+        np.array([0, 1.0, 0, 0, 0, 0, 0, 0]),
+        np.array([0, 0, 0, 1.0, -0.5, 0, 0, 0]),
+        np.array([1.0, 0, 0, 0, 0, 0, 0, 0]),
+        np.array([-1.0, 0, 0, 0, 0, 1.0, 0, 0]),
+        np.array([1.0, 0, 0, 0, 0, 1.0, 0, 0]),
+        np.full(8, np.inf),
+        np.full(8, np.nan),
+        np.full(8, 1e200),
+    ],
+    "T": [
+        np.eye(4),
+        np.zeros((4, 4)),
+        np.diag([1.0, -1, -1, 1]),
+        np.diag([-1.0, 1, -1, 1]),
+        np.full((4, 4), np.nan),
+        np.full((4, 4), np.inf),
+        np.full((4, 4), 1e200),
+    ],
+    "r": [np.zeros(3), np.full(3, np.nan), np.full(3, np.inf), np.full(3, 1e308)],
+}
+SPECIAL["w"] = SPECIAL["v"]
+SPECIAL["R"] = [np.stack([t[:3, :3], 0 * t[:3, :3]]) for t in SPECIAL["T"][:4]] + [np.full((2, 3, 3), np.nan)]
+
+
+@FUNCTION
+def test_special_inputs_neither_raise_nor_warn_and_batches_agree(kernel: ModuleType, order: int, name: str) -> None:
+    kinds = SIGNATURES[name].arguments
+    for first in SPECIAL[kinds[0]]:
+        for second in SPECIAL[kinds[1]] if len(kinds) == 2 else [None]:
+            arguments = [first] if second is None else [first, second]
+            for branch in ({}, {"branch": 1}) if name.startswith("from_") or name == "shadow" else ({},):
+                single = getattr(kernel, name)(*arguments, **branch)
+                batch = getattr(kernel, name)(*(np.repeat(a[None], 3, axis=0) for a in arguments), **branch)
+                np.testing.assert_array_equal(np.isfinite(single), np.isfinite(batch[1]), str((name, arguments)))
+                assert_nearly_equal(
+                    np.nan_to_num(single, posinf=0, neginf=0), np.nan_to_num(batch[1], posinf=0, neginf=0)
+                )
+                rows = getattr(kernel, name)(*arguments, **branch, axis=0)
+                np.testing.assert_array_equal(np.isfinite(rows), np.isfinite(single))
+
+
+def test_special_screws_neither_raise_nor_warn(kernel: ModuleType, order: int) -> None:
+    for v in SPECIAL["v"]:
+        kernel.to_screw(v)
+        kernel.to_screw(v[None])
+    for angle in ([0.0, 0.0], [order * np.pi, 1.0], [np.inf, 0], [np.nan, 1.0], [1e300, 1e300]):
+        for axis in ([0, 0, 1.0, 0, 0, 0], [np.nan] * 6, [0.0] * 6):
+            kernel.from_screw(angle, axis)
+            kernel.from_screw(np.array([angle] * 3), np.array([axis] * 3))
+
+
+def test_the_caller_s_error_state_is_left_alone() -> None:
+    """Warnings are silenced inside, whatever the caller has set, and the setting survives."""
+    kernel = load(4)
+    with np.errstate(all="raise"):
+        kernel.tangent_inv(np.array([1.0, 0, 0, 0, 0, 0]))
+        kernel.tangent_inv(np.array([[1.0, 0, 0, 0, 0, 0]] * 3))
+        assert set(np.geterr().values()) == {"raise"}
+
+
+def test_single_precision_overflow_neither_raises_nor_warns(kernel: ModuleType, order: int) -> None:
+    for v in (np.full(6, 1e30, np.float32), np.full((3, 6), 1e30, np.float32)):
+        for name in ("quaternion", "tensor", "pose", "tangent", "tangent_inv", "principal"):
+            assert getattr(kernel, name)(v).dtype == np.float32
+
+
+@pytest.mark.parametrize("order", [n for n in ORDERS if n in (4, 8)])
+def test_poles_give_infinities_or_nan(order: int) -> None:
+    """|v| = 1 is Re α = 2π at n = 4 and 4π (and a zero of q_8) at n = 8: no inverse exists there."""
+    kernel = load(order)
+    v = np.array([[0, 0, 1.0, 0, 0, 0], [0.1, 0, 0, 0, 0, 0]])
+    for got in (kernel.tangent_inv(v), np.stack([kernel.tangent_inv(row) for row in v])):
+        assert not np.isfinite(got[0]).all()
+        assert np.isfinite(got[1]).all()
+    w = np.array([1.0, 2.0, 3.0, 0, 0, 0])
+    for got in (kernel.rate(v, w), np.stack([kernel.rate(row, w) for row in v])):
+        assert not np.isfinite(got[0]).all()
+        assert np.isfinite(got[1]).all()
+
+
+def test_order_one_has_no_vector_at_pi() -> None:
+    kernel = load(1)
+    q = np.array([0, 0.6, 0.8, 0, 0, 0, 0, 1.0])
+    for got in (kernel.from_quaternion(q), kernel.from_quaternion(q[None])[0]):
+        assert not np.isfinite(got[:3]).any() or np.linalg.norm(got[:3]) > 1e15
+
+
+def test_no_special_argument_is_written_to() -> None:
+    """The inputs above are shared by all tests of this module."""
+    for kind, values in SPECIAL.items():
+        assert all(value.shape == SHAPES[kind] for value in values)

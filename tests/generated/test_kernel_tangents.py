@@ -1,0 +1,190 @@
+"""Tangent operators, twists and rates: derivatives of the tensor and the pose, and inverses of each other."""
+
+from __future__ import annotations
+
+from types import ModuleType
+
+import numpy as np
+import pytest
+
+import dualcay
+from tests.support import errors, sampling
+from tests.support.nilpotent import Nil
+
+EPS = float(np.finfo(float).eps)
+REGIMES = ("uniform", "angle 1e-12", "angle 1e-7", "middle band", "below pi", "shadow", "translation 1e6", "identity")
+REGIME = pytest.mark.parametrize("regime", REGIMES)
+COMPLEX_STEP = 1e-40  # no subtraction, so no lower limit but underflow
+
+
+def samples(order: int, regime: str) -> np.ndarray:
+    return sampling.poses(order, regime if sampling.has_regime(order, regime) else "uniform", count=6)
+
+
+def vect(m: np.ndarray) -> np.ndarray:
+    return np.stack([m[..., 2, 1] - m[..., 1, 2], m[..., 0, 2] - m[..., 2, 0], m[..., 1, 0] - m[..., 0, 1]], -1) / 2
+
+
+def spin(tensor: np.ndarray, change: np.ndarray) -> np.ndarray:
+    """vect(Ṙ Rᵀ) of dual tensors."""
+    (r, r_du), (c, c_du) = np.moveaxis(tensor, -3, 0), np.moveaxis(change, -3, 0)
+    back, back_du = np.swapaxes(r, -1, -2), np.swapaxes(r_du, -1, -2)
+    return np.concatenate([vect(c @ back), vect(c_du @ back + c @ back_du)], axis=-1)
+
+
+def twist_of_pose(pose: np.ndarray, change: np.ndarray) -> np.ndarray:
+    """[ω, v] of Ṫ T⁻¹ = [[skew ω, v], [0, 0]]."""
+    velocity = change @ np.linalg.inv(pose)
+    return np.concatenate([vect(velocity[..., :3, :3]), velocity[..., :3, 3]], axis=-1)
+
+
+def allowed(order: int, v: np.ndarray) -> Nil:
+    """Scale of T e_j: that of T, and of the tensors whose product it comes from."""
+    local = errors.scales(order, v)
+    return local.tangent * local.tensor * local.tensor
+
+
+def assert_close(got: np.ndarray, expected: np.ndarray, scale: Nil, tolerance: float) -> None:
+    for a, b, s in zip(errors.parts(got), errors.parts(expected), (scale.re, scale.du), strict=True):
+        assert errors.norm(a - b) <= tolerance * s, (got, expected)
+
+
+@REGIME
+def test_complex_steps_of_the_tensor(kernel: ModuleType, order: int, regime: str) -> None:
+    v = samples(order, regime)
+    operators = dualcay.matrix6(kernel.tangent(v))
+    for j, direction in enumerate(np.eye(6)):
+        change = kernel.tensor(v + 1j * COMPLEX_STEP * direction).imag / COMPLEX_STEP
+        for i, found in enumerate(spin(kernel.tensor(v), change)):
+            assert_close(found, operators[i, :, j], allowed(order, v[i]), errors.AGREE * EPS)
+
+
+@REGIME
+def test_complex_steps_of_the_pose(kernel: ModuleType, order: int, regime: str) -> None:
+    v = samples(order, regime)
+    rates = sampling.dual_vectors("rates", count=len(v))
+    change = kernel.pose(v + 1j * COMPLEX_STEP * rates).imag / COMPLEX_STEP
+    found = twist_of_pose(kernel.pose(v), change)
+    for i, twist in enumerate(kernel.twist(v, rates)):
+        assert_close(found[i], twist, allowed(order, v[i]) * errors.size(rates[i]), errors.AGREE * EPS)
+
+
+@REGIME
+def test_complex_steps_of_the_quaternion(kernel: ModuleType, order: int, regime: str) -> None:
+    """q̇ = ω q / 2, by the real and the dual part."""
+    v = samples(order, regime)
+    rates = sampling.dual_vectors("rates", count=len(v))
+    change = kernel.quaternion(v + 1j * COMPLEX_STEP * rates).imag / COMPLEX_STEP
+    q, w = kernel.quaternion(v), kernel.twist(v, rates)
+
+    def product(omega: np.ndarray, p: np.ndarray) -> np.ndarray:
+        scalar = -np.einsum("ij,ij->i", omega, p[:, 1:])
+        return np.concatenate([scalar[:, None], p[:, :1] * omega + np.cross(omega, p[:, 1:])], axis=-1) / 2
+
+    expected = [product(w[:, :3], q[:, :4]), product(w[:, 3:], q[:, :4]) + product(w[:, :3], q[:, 4:])]
+    for i, (found, wanted) in enumerate(zip(change, np.concatenate(expected, axis=-1), strict=True)):
+        assert_close(found, wanted, allowed(order, v[i]) * errors.size(rates[i]), errors.AGREE * EPS)
+
+
+@pytest.mark.parametrize("regime", ["uniform", "middle band", "shadow", "pure translation"])
+def test_central_differences_of_the_tensor_and_the_pose(kernel: ModuleType, order: int, regime: str) -> None:
+    v = samples(order, regime)
+    rates = sampling.dual_vectors("rates", count=len(v))
+    step = errors.STEP * rates
+    tensors = (kernel.tensor(v + step) - kernel.tensor(v - step)) / (2 * errors.STEP)
+    poses = (kernel.pose(v + step) - kernel.pose(v - step)) / (2 * errors.STEP)
+    by_tensor, by_pose = spin(kernel.tensor(v), tensors), twist_of_pose(kernel.pose(v), poses)
+    for i, twist in enumerate(kernel.twist(v, rates)):
+        scale = allowed(order, v[i]) * errors.size(rates[i])
+        for found in (by_tensor[i], by_pose[i]):
+            assert_close(found, twist, scale + Nil(1.0, 1.0), errors.difference_tolerance(order))
+
+
+@REGIME
+def test_twist_and_rate_are_the_operators_applied_and_undo_each_other(
+    kernel: ModuleType, order: int, regime: str
+) -> None:
+    v = samples(order, regime)
+    w = sampling.dual_vectors("twists", count=len(v))
+    forth, back = dualcay.matrix6(kernel.tangent(v)), dualcay.matrix6(kernel.tangent_inv(v))
+    twist, rate = kernel.twist(v, w), kernel.rate(v, w)
+    again, undone = kernel.rate(v, twist), kernel.twist(v, rate)
+    identity = np.eye(6)
+    for i in range(len(v)):
+        local, size = errors.scales(order, v[i]), errors.size(w[i])
+        inverse, tolerance = local.near_pole, errors.AGREE * EPS
+        assert_close(twist[i], forth[i] @ w[i], local.tangent * size, tolerance)
+        assert_close(rate[i], back[i] @ w[i], inverse * size, tolerance)
+        assert_close(again[i], w[i], inverse * local.tangent * size, tolerance)
+        assert_close(undone[i], w[i], inverse * local.tangent * size, tolerance)
+        for j in range(3):
+            assert_close(forth[i] @ back[i][:, j], identity[:, j], inverse * local.tangent, tolerance)
+
+
+@REGIME
+def test_body_twists_are_space_twists_turned_back(kernel: ModuleType, order: int, regime: str) -> None:
+    v = samples(order, regime)
+    w = sampling.dual_vectors("twists", count=len(v))
+    space = kernel.transform_line(v, kernel.body_twist(v, w))
+    again = kernel.body_rate(v, kernel.body_twist(v, w))
+    from_space = kernel.rate(v, kernel.transform_line(v, w))
+    transposed = np.swapaxes(kernel.tangent(v), -1, -2)
+    for i in range(len(v)):
+        local, size = errors.scales(order, v[i]), errors.size(w[i])
+        tolerance = errors.AGREE * EPS
+        assert_close(space[i], kernel.twist(v[i], w[i]), allowed(order, v[i]) * size, tolerance)
+        applied = dualcay.matrix6(transposed[i]) @ w[i]
+        assert_close(kernel.body_twist(v[i], w[i]), applied, local.tangent * size, tolerance)
+        assert_close(again[i], w[i], local.near_pole * local.tangent * size, tolerance)
+        assert_close(kernel.body_rate(v[i], w[i]), from_space[i], local.near_pole * local.tensor * size, tolerance)
+
+
+def test_cayley_names_of_the_tangent_operators(kernel: ModuleType, order: int) -> None:
+    v = samples(order, "uniform")
+    np.testing.assert_array_equal(kernel.dcay(v), kernel.tangent(v))
+    np.testing.assert_array_equal(kernel.dcay_inv(v), kernel.tangent_inv(v))
+
+
+def test_tangent_at_a_translation_is_diagonal_and_at_the_identity_a_multiple_of_it(
+    kernel: ModuleType, order: int
+) -> None:
+    v = sampling.poses(order, "pure translation", count=3)
+    np.testing.assert_allclose(kernel.tangent(v)[:, 0], np.broadcast_to(2 * order * np.eye(3), (3, 3, 3)), rtol=1e-15)
+    np.testing.assert_allclose(vect(kernel.tangent(v)[:, 1]), 2 * order**2 * v[:, 3:], rtol=1e-15)
+    np.testing.assert_array_equal(kernel.tangent(np.zeros(6)), [2 * order * np.eye(3), np.zeros((3, 3))])
+    np.testing.assert_allclose(kernel.tangent_inv(np.zeros(6)), [np.eye(3) / (2 * order), np.zeros((3, 3))], rtol=1e-15)
+
+
+@pytest.mark.parametrize("regime", ["uniform", "shadow", "below pi", "translation 1e6"])
+def test_order_two_is_conformal(regime: str) -> None:
+    """dcay_2 is 4/(1 + x) times a rotation, as dual numbers, and its inverse a scaled transpose."""
+    from dualcay import cayley2
+
+    v = samples(2, regime)
+    for i, (forth, back) in enumerate(zip(cayley2.tangent(v), cayley2.tangent_inv(v), strict=True)):
+        x, x_du = v[i, :3] @ v[i, :3], 2 * v[i, :3] @ v[i, 3:]
+        factor = Nil(16 / (1 + x) ** 2, -32 * x_du / (1 + x) ** 3)
+        local = errors.scales(2, v[i])
+        square = np.stack([forth[0] @ forth[0].T, forth[0] @ forth[1].T + forth[1] @ forth[0].T])
+        scaled = np.stack([factor.re * np.eye(3), factor.du * np.eye(3)])
+        assert_close(square, scaled, local.tangent * local.tangent, errors.AGREE * EPS)
+        wanted = np.stack([forth[0].T / factor.re, (forth[1].T - factor.du / factor.re * forth[0].T) / factor.re])
+        size = local.tangent_inv * local.tangent * local.tangent_inv
+        assert_close(back, wanted, size, errors.AGREE * EPS)
+
+
+def test_singular_angles(kernel: ModuleType, order: int) -> None:
+    """Where the tangent operator loses rank, and the end of the chart; nowhere else."""
+    angles = kernel.singular_angles()
+    assert isinstance(angles, tuple)
+    poles = [2 * np.pi * k for k in range(1, order) if 2 * k < order]
+    np.testing.assert_allclose(sorted(angles), [*poles, order * np.pi], rtol=1e-15)
+
+    def rank_loss(angle: float) -> float:
+        v = np.array([0.6, -0.8, 0.0, 0.0, 0.0, 0.0]) * np.tan(angle / (2 * order))
+        singular_values = np.linalg.svd(kernel.tangent(v)[0], compute_uv=False)
+        return singular_values[-1] / singular_values[0]
+
+    assert all(rank_loss(a) < 1e-14 for a in poles)
+    elsewhere = [a for a in np.linspace(0, order * np.pi, 64)[:-1] if all(abs(a - p) > 0.1 for p in angles)]
+    assert all(rank_loss(a) > 1e-3 for a in elsewhere)

@@ -1,0 +1,318 @@
+"""Every kernel function against the oracle in one regime: results, exact values, scales and gates.
+
+`Trial(module, order, regime).check(name)` raises AssertionError with the worst input if the function of that name
+misses its gate; `worst(name)` is the largest error as a fraction of the gate. The module is an argument, so that
+kernels of other orders, written elsewhere, and broken copies can be tried in the same way.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from types import ModuleType
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from tests.support import errors, sampling
+from tests.support.nilpotent import Nil, hamilton, inverse, matmul
+from tests.support.oracle import oracle_of, pack
+
+
+class Result(NamedTuple):
+    """One computed value, what it may be (two values only where a tie leaves the side open), and what is allowed."""
+
+    got: np.ndarray
+    exact: list[Any]
+    scales: list[Nil]
+    gates: tuple[float, float]
+    note: str
+
+
+def rounded(exact: Any, dtype: Any) -> np.ndarray:
+    """Mpmath numbers to the nearest of a float type."""
+    flat = [np.longdouble(float(c)) + np.longdouble(float(c - float(c))) for c in exact.flat]
+    return np.array(flat, dtype=np.longdouble).reshape(exact.shape).astype(dtype)
+
+
+class Trial:
+    """One kernel module in one regime."""
+
+    def __init__(self, module: ModuleType, order: int, regime: str, dtype: Any = np.float64) -> None:
+        self.module, self.order, self.regime, self.dtype = module, order, regime, dtype
+        self.oracle = oracle_of(order)
+        self.v = sampling.poses(order, regime, dtype)
+        self.inside = regime in sampling.PRINCIPAL
+        self.tie = regime == "at pi"
+
+    def gates(self, inside: float, outside: float) -> tuple[float, float]:
+        gate = inside if self.inside else outside
+        return gate, gate
+
+    def branches(self) -> list[int]:
+        """Some branches, those left out where the angle α + 2kπ is the end nπ of the chart."""
+        n = self.order
+        chosen = sorted({0, 1 % n, n // 2, n - 1})
+        if self.regime == "identity":
+            return [0]
+        if self.regime == "pure translation":
+            return [k for k in chosen if 2 * k != n]
+        return [k for k in chosen if not (self.tie and abs(2 * k - n) == 1)]
+
+    def check(self, name: str) -> None:
+        for result in getattr(self, name)():
+            assert result.got.dtype == self.dtype, f"{name}: {result.got.dtype} for {self.dtype}"
+            found = self.fractions(result)
+            assert max(found) <= 1, (
+                f"{name}, n = {self.order}, {self.regime}: (real, dual) error {self.in_eps(result)} eps, allowed "
+                f"{result.gates} for {result.note}\ngot   {result.got!r}\nexact {result.exact[0].astype(float)!r}"
+            )
+
+    def in_eps(self, result: Result) -> list[tuple[float, float]]:
+        return [errors.errors(result.got, e, s, self.oracle) for e, s in zip(result.exact, result.scales, strict=True)]
+
+    def fractions(self, result: Result) -> tuple[float, float]:
+        """Error over gate, of the nearer of the values allowed."""
+        found = [(re / result.gates[0], du / result.gates[1]) for re, du in self.in_eps(result)]
+        return min(found, key=max)
+
+    def worst(self, name: str) -> float:
+        return max((max(self.fractions(result)) for result in getattr(self, name)()), default=0.0)
+
+    # ---- forward maps ------------------------------------------------------------------------------------------
+
+    def _forward(self, name: str, scale: str, gates: tuple[float, float]) -> Iterator[Result]:
+        for v, got in zip(self.v, getattr(self.module, name)(self.v), strict=True):
+            exact = getattr(self.oracle, name)(v)
+            yield Result(got, [exact], [getattr(errors.scales(self.order, v), scale)], gates, f"v = {v!r}")
+
+    def quaternion(self) -> Iterator[Result]:
+        gates = self.gates(errors.QUATERNION, errors.shadow_gate(self.order))
+        return self._forward("quaternion", "quaternion", gates)
+
+    def tensor(self) -> Iterator[Result]:
+        # The dual part is skew(ρ) Q: both errors, in a chain.
+        outside = errors.shadow_gate(self.order)
+        gates = (errors.ROTATION, errors.GENERAL) if self.inside else (outside, max(errors.GENERAL, outside))
+        return self._forward("tensor", "tensor", gates)
+
+    def pose(self) -> Iterator[Result]:
+        outside = errors.shadow_gate(self.order)
+        gates = (errors.ROTATION, errors.POSITION) if self.inside else (outside, outside)
+        for v, got in zip(self.v, self.module.pose(self.v), strict=True):
+            local = errors.scales(self.order, v)
+            assert got[3].tolist() == [0, 0, 0, 1]
+            yield Result(got, [self.oracle.pose(v)], [Nil(local.tensor.re, local.position)], gates, f"v = {v!r}")
+
+    def tangent(self) -> Iterator[Result]:
+        gates = self.gates(errors.TANGENT, errors.tangent_shadow_gate(self.order))
+        return self._forward("tangent", "tangent", gates)
+
+    def tangent_inv(self) -> Iterator[Result]:
+        scale = "tangent_inv" if self.inside else "near_pole"
+        return self._forward("tangent_inv", scale, self.gates(errors.RATE, errors.GENERAL))
+
+    def _applied(self, name: str, scale: str, gates: tuple[float, float]) -> Iterator[Result]:
+        argument = sampling.dual_vectors(f"{name} {self.regime}", self.dtype)
+        for v, w, got in zip(self.v, argument, getattr(self.module, name)(self.v, argument), strict=True):
+            allowed = getattr(errors.scales(self.order, v), scale) * errors.size(w)
+            yield Result(got, [getattr(self.oracle, name)(v, w)], [allowed], gates, f"v = {v!r}, argument = {w!r}")
+
+    def twist(self) -> Iterator[Result]:
+        outside = errors.tangent_shadow_gate(self.order)
+        return self._applied("twist", "tangent", self.gates(errors.GENERAL, outside))
+
+    def body_twist(self) -> Iterator[Result]:
+        outside = errors.tangent_shadow_gate(self.order)
+        return self._applied("body_twist", "tangent", self.gates(errors.GENERAL, outside))
+
+    def rate(self) -> Iterator[Result]:
+        scale = "tangent_inv" if self.inside else "near_pole"
+        return self._applied("rate", scale, self.gates(errors.RATE, errors.GENERAL))
+
+    def body_rate(self) -> Iterator[Result]:
+        scale = "tangent_inv" if self.inside else "near_pole"
+        return self._applied("body_rate", scale, self.gates(errors.RATE, errors.GENERAL))
+
+    def transform_line(self) -> Iterator[Result]:
+        return self._applied("transform_line", "tensor", self.gates(errors.GENERAL, errors.GENERAL))
+
+    def transform_point(self) -> Iterator[Result]:
+        points = sampling.points(f"transform_point {self.regime}", self.dtype)
+        for v, r, got in zip(self.v, points, self.module.transform_point(self.v, points), strict=True):
+            local = errors.scales(self.order, v)
+            # One real vector: as the dual part of an otherwise exact result.
+            exact = np.concatenate([0 * self.oracle.transform_point(v, r), self.oracle.transform_point(v, r)])
+            allowed = Nil(1.0, local.tensor.re * errors.norm(r) + local.position)
+            full = np.concatenate([np.zeros(3, got.dtype), got])
+            yield Result(full, [exact], [allowed], (errors.GENERAL,) * 2, f"v = {v!r}, r = {r!r}")
+
+    # ---- inverse maps ------------------------------------------------------------------------------------------
+
+    def _inverse(self, name: str, given: Any, entries: Any, gate: float) -> Iterator[Result]:
+        """`given(v)`: the input as rounded numbers; `entries(v)`: (directions, entries) of `errors.branch_scale`."""
+        inputs = np.stack([given(v) for v in self.v])
+        for branch in self.branches():
+            for v, x, got in zip(self.v, inputs, getattr(self.module, name)(inputs, branch), strict=True):
+                exact, scales = [], []
+                for half, axis in self.sides(v):
+                    result = self.oracle.on_branch(half, axis, branch)
+                    exact.append(pack(result))
+                    scales.append(self.inverse_scale(result, half, axis, branch, *entries(v)))
+                yield Result(got, exact, scales, (gate, gate), f"branch {branch} of v = {v!r}, input {x!r}")
+
+    def sides(self, v: Any) -> list[tuple[Any, Any]]:
+        """Half the principal angle and the axis; both signs of q̂ where the angle is π to within rounding."""
+        q = self.oracle.unit(self.oracle.unpack(v))
+        if q[0].re < 0:
+            q = tuple(-c for c in q)
+        flipped = [tuple(-c for c in q)] if self.tie else []
+        return [self.oracle.half_screw(side) for side in (q, *flipped)]
+
+    def inverse_scale(self, result: Any, half: Any, axis: Any, branch: int, directions: Any, entries: Any) -> Nil:
+        if self.regime == "pure translation" and branch:
+            return self.translation_shadow_scale(branch, float(half.du) / self.order)
+        scale = errors.branch_scale(self.oracle, result, directions, entries)
+        if branch:
+            angle = 2 * half + 2 * branch * self.oracle.field.pi
+            scale = scale + errors.angle_scale(self.order, angle, axis)
+        return scale
+
+    def translation_shadow_scale(self, branch: int, length: float) -> Nil:
+        """tan(kπ/n + ε |v°|) u: the tangent operator has no inverse there, but u is exact."""
+        tangent = math.tan(branch * math.pi / self.order)
+        return Nil(abs(tangent), (1 + tangent**2) * length)
+
+    def quaternion_entries(self, v: Any) -> tuple[Any, Any]:
+        q = self.oracle.unit(self.oracle.unpack(v))
+        back = (q[0], -q[1], -q[2], -q[3])
+        units = [tuple(int(i == j) for j in range(4)) for i in range(4)]
+        columns = [[2 * c for c in hamilton(e, back)[1:]] for e in units]
+        directions = np.array(pack(columns), dtype=float).transpose(0, 2, 1)
+        return directions, np.array(errors.parts(pack(q)), dtype=float)
+
+    def tensor_entries(self, v: Any) -> tuple[Any, Any]:
+        rotation = self.oracle.rotation(self.oracle.unpack(v))
+        return errors.entry_twists(rotation), np.array(pack(rotation), dtype=float).reshape(2, 9)
+
+    def from_quaternion(self) -> Iterator[Result]:
+        given = lambda v: rounded(self.oracle.quaternion(v), self.dtype)  # noqa: E731
+        return self._inverse("from_quaternion", given, self.quaternion_entries, errors.GENERAL)
+
+    def from_tensor(self) -> Iterator[Result]:
+        given = lambda v: rounded(self.oracle.tensor(v), self.dtype)  # noqa: E731
+        return self._inverse("from_tensor", given, self.tensor_entries, errors.GENERAL)
+
+    def from_pose(self) -> Iterator[Result]:
+        given = lambda v: rounded(self.oracle.pose(v), self.dtype)  # noqa: E731
+        return self._inverse("from_pose", given, self.tensor_entries, errors.GENERAL)
+
+    def round_trip(self) -> Iterator[Result]:
+        """v -> pose -> v, against v's own principal shadow: 8 eps for n ≥ 2 by the measured figures, 20 for n = 1."""
+        gate = errors.ROUND_TRIP if self.order > 1 else errors.GENERAL
+        inputs = self.module.pose(self.v)
+        for v, got in zip(self.v, self.module.from_pose(inputs), strict=True):
+            results = [self.oracle.on_branch(half, axis, 0) for half, axis in self.sides(v)]
+            scales = [errors.branch_scale(self.oracle, r, *self.tensor_entries(v)) for r in results]
+            if not self.inside:
+                # The pose of a shadow is right in norm, not entry by entry: near 2π its small entries are differences.
+                gate, local = errors.shadow_gate(self.order), errors.scales(self.order, v)
+                backs = [inverse(self.oracle.operator_by_spin(r)) for r in results]
+                lost = Nil(local.tensor.re, local.position)
+                scales = [s + errors.through(back, lost) for s, back in zip(scales, backs, strict=True)]
+            yield Result(got, [pack(r) for r in results], scales, (gate, gate), f"v = {v!r}")
+
+    # ---- screws, shadows, composition --------------------------------------------------------------------------
+
+    def from_screw(self) -> Iterator[Result]:
+        if self.regime == "identity":
+            return
+        pairs = [self.oracle.to_screw(v) for v in self.v]
+        angle, axis = (rounded(np.stack(column), self.dtype) for column in zip(*pairs, strict=True))
+        for a, u, got in zip(angle, axis, self.module.from_screw(angle, axis), strict=True):
+            exact = self.oracle.from_screw(a, u)
+            (alpha,), direction = self.oracle.unpack(a), self.oracle.unpack(u)
+            scale = errors.angle_scale(self.order, alpha, direction) + errors.size(exact)
+            yield Result(got, [exact], [scale], (errors.GENERAL,) * 2, f"angle = {a!r}, axis = {u!r}")
+
+    def to_screw(self) -> Iterator[Result]:
+        if self.regime == "identity":
+            return
+        angles, axes = self.module.to_screw(self.v)
+        gates = (errors.GENERAL, errors.GENERAL)
+        for v, angle, axis in zip(self.v, angles, axes, strict=True):
+            alpha, u = self.oracle.reduced(self.oracle.unpack(v))
+            other = [(2 * self.oracle.field.pi - alpha, tuple(-c for c in u))] if self.tie else []
+            sides = [(alpha, u), *other]
+            n, length, size = self.order, errors.norm(v[:3]), errors.norm(v[3:])
+            turned = Nil(2 * n * math.atan(length), 2 * n / (1 + length**2) * size)
+            direction = Nil(1.0, 2 * size / length if length else 0.0)
+            yield Result(angle, [pack((a,)) for a, _ in sides], [turned] * len(sides), gates, f"angle of v = {v!r}")
+            yield Result(axis, [pack(b) for _, b in sides], [direction] * len(sides), gates, f"axis of v = {v!r}")
+
+    def shadow_scale(self, v: Any, result: Any) -> Nil:
+        """The exact Jacobian of a shadow is T(v_k)⁻¹ T(v)."""
+        here, there = (self.oracle.operator_by_spin(self.oracle.unpack(w)) for w in (v, result))
+        return errors.size(result) + errors.through(matmul(inverse(there), here), errors.size(v))
+
+    def shadow(self) -> Iterator[Result]:
+        gate = errors.shadow_gate(self.order)
+        for branch in self.branches():
+            for v, got in zip(self.v, self.module.shadow(self.v, branch), strict=True):
+                exact = [self.oracle.shadow(v, k) for k in ((branch, -branch) if self.tie else (branch,))]
+                if self.regime == "pure translation" and branch:
+                    scales = [self.translation_shadow_scale(branch, errors.norm(v[3:]))]
+                else:
+                    scales = [self.shadow_scale(v, e) for e in exact]
+                yield Result(got, exact, scales, (gate, gate), f"branch {branch} of v = {v!r}")
+
+    def principal(self) -> Iterator[Result]:
+        gate = errors.shadow_gate(self.order)
+        for v, got in zip(self.v, self.module.principal(self.v), strict=True):
+            exact = [self.oracle.principal(v)]
+            if self.tie:
+                alpha, axis = self.oracle.reduced(self.oracle.unpack(v))
+                exact.append(pack(self.oracle.on_branch(alpha / 2, axis, -1)))
+            yield Result(got, exact, [self.shadow_scale(v, e) for e in exact], (gate, gate), f"v = {v!r}")
+
+    def compose(self) -> Iterator[Result]:
+        """With poses of the same regime and with poses from anywhere, v1 first."""
+        others = (np.roll(self.v, 1, axis=0), sampling.poses(self.order, "uniform", self.dtype)[::-1])
+        for v1 in others:
+            for a, b, got in zip(self.v, v1, self.module.compose(self.v, v1), strict=True):
+                exact = self.oracle.compose(a, b)
+                scale = self.compose_scale(a, b, exact)
+                yield Result(got, [exact], [scale], (errors.GENERAL,) * 2, f"v2 = {a!r}, v1 = {b!r}")
+
+    def compose_scale(self, v2: Any, v1: Any, result: Any) -> Nil:
+        """The exact Jacobians are T(v)⁻¹ T(v2) and T(v)⁻¹ R(v2) T(v1)."""
+        unpack, operator = self.oracle.unpack, self.oracle.operator_by_spin
+        back = inverse(operator(unpack(result)))
+        left = matmul(back, operator(unpack(v2)))
+        right = matmul(back, matmul(self.oracle.rotation(unpack(v2)), operator(unpack(v1))))
+        own = errors.size(result)
+        return own + errors.through(left, errors.size(v2)) + errors.through(right, errors.size(v1))
+
+
+FUNCTIONS = (
+    "quaternion",
+    "tensor",
+    "pose",
+    "tangent",
+    "tangent_inv",
+    "twist",
+    "rate",
+    "body_twist",
+    "body_rate",
+    "from_quaternion",
+    "from_tensor",
+    "from_pose",
+    "round_trip",
+    "from_screw",
+    "to_screw",
+    "shadow",
+    "principal",
+    "compose",
+    "transform_point",
+    "transform_line",
+)

@@ -1,0 +1,186 @@
+"""How errors are measured and what is allowed: every norm, scale and tolerance of the kernel tests.
+
+Errors are normwise, in eps of the result's type, the larger of two: real part ‖Δ‖ / ‖Re‖, dual part ‖Δ‖ / (sum of the
+norms of the terms it is made of). The dual part of F at v + ε v° is DF(v)[v°], so the terms' norms are those of the
+exact Jacobian times those of v°: ‖DF(v)‖ ‖v°‖, a number that no formula under test enters. Where a map is ill
+conditioned the scale is the exact Jacobian of the result applied to relative perturbations of its inputs.
+
+A scale is a pair (re, du) of norms held in a `Nil`, so that the scale of a product of dual quantities is the product
+of their scales: |ab|° ≤ |a| |b|° + |a|° |b|.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from tests.support.nilpotent import Nil, float_field, inverse, matmul, transpose
+from tests.support.oracle import Oracle, pack
+
+Array = Any  # object arrays of mpmath numbers
+
+# Gates in eps, inside the principal range. With u = eps/2 one rounding: x = v·v carries 3u, each Horner or pair step
+# of p and q 2u, and the norm p² + x q² is taken of the computed p and q, so their common error cancels and what is
+# left is the error of one ratio (4u to 6u), of its products and sums (3u), and of x's derivative in the dual part.
+QUATERNION = 4  # p/N, q v/N: a ratio, a root, a product; measured 2.8
+ROTATION = 10  # I + 2pq/N² skew + 2q²/N² skew²: three roundings more, summed over nine entries; measured 6.5
+POSITION = 6  # T v°: coefficients as in T, then three products summed; measured 3.1
+TANGENT = 6  # as the tensor, without the unit entries' own rounding; measured 2.5
+RATE = 6  # T⁻¹ ω: three coefficients, three products, summed; measured 2.9
+ROUND_TRIP = 8  # pose and back: its 6 to 10 eps pass through a Jacobian of norm below 1; measured 3.8 (n ≥ 2)
+GENERAL = 20  # any other map, over all regimes: at most two of the above in a chain (10 + 10)
+
+
+def shadow_gate(order: int) -> int:
+    """q̂, Q, ρ on shadows: there p and q are sums of alternating terms as large as (1+x)^n; measured ≤ 41 at n = 64."""
+    return max(16, 2 * order)
+
+
+def tangent_shadow_gate(order: int) -> int:
+    """The tangent operator on shadows, relative to its norm: its coefficients hold p′, q′; measured 126 at n = 64."""
+    return max(40, 10 * order)
+
+
+# Agreement of two computed quantities, both within their gates: the sum of the two, rounded up.
+AGREE = 40
+# Central differences of step h: h² from the third derivative and eps/h from the function: 1e-10 at h = 1e-5; times
+# the scale of third derivatives of the map (n³ at order n).
+STEP = 1e-5
+
+
+def difference_tolerance(order: int) -> float:
+    return 1e-9 * (1 + order) ** 3
+
+
+def norm(a: Any) -> float:
+    """Frobenius norm of anything array-like, mpmath numbers included; squares neither overflow nor vanish."""
+    entries = [abs(e) for e in np.asarray(a, dtype=object).flat]
+    largest = max(entries, default=0)
+    if not largest or not math.isfinite(largest):
+        return float(largest)
+    return float(largest) * math.sqrt(sum(float(e / largest) ** 2 for e in entries))
+
+
+def parts(array: Any) -> tuple[Any, Any]:
+    """Real and dual part of a packed dual vector, quaternion or tensor; Q and ρ of a homogeneous matrix."""
+    array = np.asarray(array)
+    if array.shape == (4, 4):
+        return array[:3, :3], array[:3, 3]
+    if array.ndim == 3:
+        return array[0], array[1]
+    half = len(array) // 2
+    return array[:half], array[half:]
+
+
+def ratio(difference: float, scale: float) -> float:
+    """0/0 is no error: where all terms vanish the result must be exactly zero. NaN is the largest error."""
+    if difference == 0:
+        return 0.0
+    return difference / scale if scale > 0 and not math.isnan(difference) else math.inf
+
+
+def errors(got: Any, exact: Any, scale: Nil, oracle: Oracle) -> tuple[float, float]:
+    """(real, dual) error of one result in eps of its type."""
+    eps = float(np.finfo(got.dtype).eps)
+    number = oracle.field.number
+    return tuple(  # type: ignore[return-value]
+        ratio(norm(np.array([number(c) for c in g.flat], dtype=object) - e.ravel()), s) / eps
+        for g, e, s in zip(parts(got), parts(exact), (scale.re, scale.du), strict=True)
+    )
+
+
+def size(a: Any) -> Nil:
+    """The scale of an input: its own norms."""
+    re, du = parts(a)
+    return Nil(norm(re), norm(du))
+
+
+def majorant(dual_tensor: Any) -> Nil:
+    return size(pack(dual_tensor))
+
+
+@dataclass(frozen=True)
+class Scales:
+    """Scales of the forward maps at one pose."""
+
+    vector: Nil
+    quaternion: Nil
+    tensor: Nil
+    position: float
+    tangent: Nil
+    tangent_inv: Nil
+    condition: float  # relative condition number of inverting the tangent operator: ‖T⁻¹‖ ‖DT‖ ‖v‖
+    near_pole: Nil  # tangent_inv times its condition: T⁻¹ once, its derivative −T⁻¹ DT T⁻¹ twice
+
+
+@functools.lru_cache(maxsize=4096)
+def _scales(order: int, vector: tuple[float, ...]) -> Scales:
+    oracle = Oracle(order, 15, float_field())
+    re, size_du = vector[:3], norm(vector[3:])
+    turned = [[Nil(a, 1.0 * (i == j)) for i, a in enumerate(re)] for j in range(3)]
+
+    def gradient(f: Any) -> list[Any]:
+        return [parts(pack(f(v)))[1] for v in turned]
+
+    operator = parts(pack(oracle.operator([Nil(a, 0.0) for a in re])))[0].astype(float)
+    inverted = np.array(inverse(operator.tolist()))
+    change = np.array(gradient(oracle.operator), dtype=float)
+    change_inv = -inverted @ change @ inverted
+    kappa = norm(inverted) * norm(change) * norm(re)
+    return Scales(
+        vector=Nil(norm(re), size_du),
+        quaternion=Nil(1.0, norm(gradient(oracle.unit)) * size_du),
+        tensor=Nil(math.sqrt(3), norm(gradient(oracle.rotation)) * size_du),
+        position=norm(operator) * size_du,
+        tangent=Nil(norm(operator), norm(change) * size_du),
+        tangent_inv=Nil(norm(inverted), norm(change_inv) * size_du),
+        condition=kappa,
+        near_pole=Nil(norm(inverted) * (1 + kappa), norm(change_inv) * size_du * (1 + 2 * kappa)),
+    )
+
+
+def scales(order: int, v: Any) -> Scales:
+    return _scales(order, tuple(float(c) for c in v))
+
+
+def through(jacobian: Any, argument: Nil) -> Nil:
+    """Scale of a result whose exact Jacobian is this dual tensor, for relative perturbations of the argument."""
+    return majorant(jacobian) * argument
+
+
+def branch_scale(oracle: Oracle, result: Any, directions: Any, entries: Any) -> Nil:
+    """Scale of an inverse map: v̇ = T(v)⁻¹ ω, ω the twist per unit of each input entry, times that entry.
+
+    `directions` is (2, 3, m), the dual twists of the m entries, `entries` (2, m) their real and dual values. Entry by
+    entry, not in norm: a small rotation is known from small entries to full relative precision, and must be found so.
+    """
+    re, du = np.array(pack(inverse(oracle.operator_by_spin(result))), dtype=float)
+    turn, shift = re @ directions[0], du @ directions[0] + re @ directions[1]
+    turn, shift = np.linalg.norm(turn, axis=0), np.linalg.norm(shift, axis=0)
+    own = size(pack(result))
+    return own + Nil(float(turn @ abs(entries[0])), float(turn @ abs(entries[1]) + shift @ abs(entries[0])))
+
+
+def angle_scale(order: int, alpha: Nil, axis: Any) -> Nil:
+    """What a relative error of the angle α + 2kπ does to tan((α + 2kπ)/2n) u: |dv/dα| |α|, with its dual part."""
+    tangent = math.tan(float(alpha.re) / (2 * order))
+    slope = (1 + tangent * tangent) / (2 * order)
+    bend = slope * abs(tangent) / order
+    tilt = Nil(slope, bend * abs(float(alpha.du))) * Nil(abs(float(alpha.re)), abs(float(alpha.du)))
+    return tilt * size(pack(axis))
+
+
+def entry_twists(rotation: Any) -> np.ndarray:
+    """(2, 3, 9): the dual twist vect(E Rᵀ) of changing each entry of R."""
+    back = transpose(rotation)
+    columns = []
+    for i in range(3):
+        for j in range(3):
+            unit = tuple(tuple(int((i, j) == (k, m)) for m in range(3)) for k in range(3))
+            m = matmul(unit, back)
+            columns.append([(m[2][1] - m[1][2]) / 2, (m[0][2] - m[2][0]) / 2, (m[1][0] - m[0][1]) / 2])
+    return np.array(pack(columns), dtype=float).transpose(0, 2, 1)

@@ -1,0 +1,278 @@
+"""The Cayley maps of any order from first principles, in mpmath with as many digits as asked for.
+
+Independent of the code under test: no p_n, q_n, no closed form of any coefficient. The dual quaternion is the n-th
+power of 1 + v over its own norm, the tensor is the sandwich of the basis vectors, the tangent operator is
+vect(Ṙ Rᵀ) with R differentiated exactly in nilpotent arithmetic, the inverse maps take half the dual angle by atan2
+and give tan of its n-th part. Where the real part of the vector vanishes (pure translation, identity) axis and angle
+come from the dual part, by a case of their own.
+
+Arguments are flat arrays as the kernels take them for one pose; results are object arrays of the kernels' shapes.
+"""
+
+from __future__ import annotations
+
+import functools
+from typing import Any
+
+import numpy as np
+
+from tests.support.nilpotent import (
+    Field,
+    Nil,
+    conjugate,
+    dot,
+    hamilton,
+    inverse,
+    matmul,
+    matvec,
+    mp_field,
+    power,
+    split,
+    transpose,
+    vect,
+)
+
+E = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
+
+
+def pack(value: Any) -> np.ndarray:
+    """Real parts first, then dual parts, along a new leading axis (vectors and quaternions flat)."""
+    entries = np.array(value, dtype=object)
+    parts = [np.array([getattr(e, part) for e in entries.flat], dtype=object) for part in ("re", "du")]
+    if entries.ndim == 1:
+        return np.concatenate(parts)
+    return np.stack([p.reshape(entries.shape) for p in parts])
+
+
+@functools.cache
+def oracle_of(order: int) -> Oracle:
+    """The 50-digit oracle of an order, one for all tests: it remembers tangent operators."""
+    return Oracle(order)
+
+
+class Oracle:
+    """Order n over a field of numbers (50-digit mpmath unless another is given)."""
+
+    def __init__(self, order: int, dps: int = 50, field: Field | None = None) -> None:
+        self.order = order
+        self.field = mp_field(dps) if field is None else field
+        # An angle closer than this to a multiple of π counts as equal: far below any input's rounding.
+        self.tie = 10.0 ** (-dps / 2)
+        self._operators: dict[Any, Any] = {}
+
+    def unpack(self, array: Any) -> tuple[Nil, ...]:
+        """Flat (2m,) array to m dual numbers."""
+        numbers = [self.field.number(a) for a in array]
+        half = len(numbers) // 2
+        return tuple(Nil(a, b) for a, b in zip(numbers[:half], numbers[half:], strict=True))
+
+    def unpack_tensor(self, array: Any) -> tuple[Any, ...]:
+        number = self.field.number
+        return tuple(tuple(Nil(number(array[0][i][j]), number(array[1][i][j])) for j in range(3)) for i in range(3))
+
+    # ---- forward maps, on tuples of dual numbers -------------------------------------------------------------
+
+    def spin(self, v: Any) -> tuple[Any, ...]:
+        """(1 + v)^n, not normalised."""
+        return power((v[0] * 0 + 1, v[0], v[1], v[2]), self.order)
+
+    def unit(self, v: Any) -> tuple[Any, ...]:
+        w = self.spin(v)
+        norm = self.field.sqrt(hamilton(w, conjugate(w))[0])
+        return tuple(c / norm for c in w)
+
+    def rotation(self, v: Any) -> tuple[Any, ...]:
+        """Columns w e w⁻¹ for the basis vectors e."""
+        w = self.spin(v)
+        norm2 = hamilton(w, conjugate(w))[0]
+        back = tuple(c / norm2 for c in conjugate(w))
+        return transpose([hamilton(hamilton(w, (0, *e)), back)[1:] for e in E])
+
+    def rotation_and_derivative(self, v: Any, v_dot: Any) -> tuple[Any, Any]:
+        moving = tuple(Nil(Nil(a.re, d.re), Nil(a.du, d.du)) for a, d in zip(v, v_dot, strict=True))
+        return split(self.rotation(moving))
+
+    def space_twist(self, v: Any, v_dot: Any) -> tuple[Any, ...]:
+        r, r_dot = self.rotation_and_derivative(v, v_dot)
+        return vect(matmul(r_dot, transpose(r)))
+
+    def operator(self, v: Any) -> tuple[Any, ...]:
+        """The tangent operator: column j is the twist of v moving along e_j."""
+
+        def column(e: Any) -> tuple[Any, ...]:
+            return self.space_twist(v, [Nil(v[0].re * 0 + c, v[0].re * 0) for c in e])
+
+        return self._remembered("sandwich", v, column)
+
+    def operator_by_spin(self, v: Any) -> tuple[Any, ...]:
+        """The same through ω = 2 vec(ẇ w⁻¹): a third of the cost, checked against `operator`."""
+
+        def column(e: Any) -> tuple[Any, ...]:
+            moving = tuple(Nil(Nil(a.re, a.re * 0 + c), Nil(a.du, a.du * 0)) for a, c in zip(v, e, strict=True))
+            w, w_dot = split(self.spin(moving))
+            norm2 = hamilton(w, conjugate(w))[0]
+            return tuple(2 * c / norm2 for c in hamilton(w_dot, conjugate(w))[1:])
+
+        return self._remembered("spin", v, column)
+
+    def _remembered(self, road: str, v: Any, column: Any) -> Any:
+        """Columns for the basis vectors as a matrix; kept, for many functions are tested at the same vectors."""
+        key = (road, *((c.re, c.du) for c in v))
+        if key not in self._operators:
+            self._operators[key] = transpose([column(e) for e in E])
+        return self._operators[key]
+
+    # ---- inverse maps ---------------------------------------------------------------------------------------
+
+    def half_screw(self, q: Any) -> tuple[Any, Any]:
+        """(half the dual angle, unit dual axis) of a dual quaternion as given; axis None at ±1."""
+        scalar, vector = q[0], q[1:]
+        if any(c.re != 0 for c in vector):
+            norm = self.field.sqrt(dot(vector, vector))
+            return self.field.atan2(norm, scalar), tuple(c / norm for c in vector)
+        zero = scalar.re * 0
+        moment = tuple(c.du for c in vector)
+        if all(c == 0 for c in moment):
+            return Nil(zero, zero), None
+        size = self.field.sqrt(dot(moment, moment))
+        return Nil(zero, size / scalar.re), tuple(Nil(c / size, zero) for c in moment)
+
+    def on_branch(self, half: Any, axis: Any, branch: int) -> tuple[Any, ...]:
+        """tan((α + 2kπ)/2n) u."""
+        zero = half.re * 0
+        if axis is None:
+            value = zero if branch % self.order == 0 else self.field.number(float("nan"))
+            return (Nil(value, value),) * 3
+        tangent = self.field.tan((half + branch * self.field.pi) / self.order)
+        return tuple(tangent * c for c in axis)
+
+    def vector_of(self, q: Any, branch: int = 0) -> tuple[Any, ...]:
+        if q[0].re < 0:
+            q = tuple(-c for c in q)
+        return self.on_branch(*self.half_screw(q), branch)
+
+    def quaternion_of(self, r: Any) -> tuple[Any, ...]:
+        """Dual quaternion of an orthogonal dual tensor: of four proportional rows the longest; then q° = ρ q / 2."""
+        m = [[c.re for c in row] for row in r]
+        trace = m[0][0] + m[1][1] + m[2][2]
+        skew = [m[2][1] - m[1][2], m[0][2] - m[2][0], m[1][0] - m[0][1]]
+        rows = [[1 + trace, *skew]]
+        for i in range(3):
+            symmetric = [m[i][j] + m[j][i] for j in range(3)]
+            symmetric[i] = 1 - trace + 2 * m[i][i]
+            rows.append([skew[i], *symmetric])
+        row = max(rows, key=lambda entries: sum(c * c for c in entries))
+        size = self.field.sqrt(sum(c * c for c in row))
+        leading = next(c for c in row if c != 0)
+        sign = -1 if leading < 0 else 1
+        real = tuple(sign * c / size for c in row)
+        rho = vect(matmul([[c.du for c in row] for row in r], transpose(m)))
+        dual = hamilton((0, *rho), real)
+        return tuple(Nil(a, b / 2) for a, b in zip(real, dual, strict=True))
+
+    def reduced(self, v: Any) -> tuple[Any, Any]:
+        """(α, u) of v's pose with 0 ≤ Re α ≤ π: the principal dual angle and its axis (None at the identity)."""
+        one = v[0].re * 0 + 1
+        half, axis = self.half_screw((Nil(one, one * 0), *v))
+        alpha = 2 * self.order * half
+        if axis is None or all(c.re == 0 for c in v):
+            return alpha, axis
+        pi = self.field.pi
+        turns = int((alpha.re + pi) / (2 * pi))
+        alpha = alpha - 2 * turns * pi
+        if abs(abs(alpha.re) - pi) < self.tie:
+            return Nil(pi, alpha.du), axis
+        if turns and abs(alpha.re) < self.tie:
+            # A whole number of turns: a translation, and its side is the axis.
+            alpha = Nil(pi * 0, alpha.du)
+        if alpha.re < 0 or (alpha.re == 0 and alpha.du < 0):
+            return -alpha, tuple(-c for c in axis)
+        return alpha, axis
+
+    # ---- the kernels' interface, one pose at a time -----------------------------------------------------------
+
+    def quaternion(self, v: Any) -> np.ndarray:
+        return pack(self.unit(self.unpack(v)))
+
+    def tensor(self, v: Any) -> np.ndarray:
+        return pack(self.rotation(self.unpack(v)))
+
+    def pose(self, v: Any) -> np.ndarray:
+        r = self.rotation(self.unpack(v))
+        q = tuple(tuple(c.re for c in row) for row in r)
+        rho = vect(matmul([[c.du for c in row] for row in r], transpose(q)))
+        zero = q[0][0] * 0
+        rows = [(*row, shift) for row, shift in zip(q, rho, strict=True)]
+        return np.array([*rows, (zero, zero, zero, zero + 1)], dtype=object)
+
+    def tangent(self, v: Any) -> np.ndarray:
+        return pack(self.operator(self.unpack(v)))
+
+    def tangent_inv(self, v: Any) -> np.ndarray:
+        return pack(inverse(self.operator(self.unpack(v))))
+
+    def twist(self, v: Any, v_dot: Any) -> np.ndarray:
+        return pack(self.space_twist(self.unpack(v), self.unpack(v_dot)))
+
+    def body_twist(self, v: Any, v_dot: Any) -> np.ndarray:
+        r, r_dot = self.rotation_and_derivative(self.unpack(v), self.unpack(v_dot))
+        return pack(vect(matmul(transpose(r), r_dot)))
+
+    def rate(self, v: Any, omega: Any) -> np.ndarray:
+        return pack(matvec(inverse(self.operator(self.unpack(v))), self.unpack(omega)))
+
+    def body_rate(self, v: Any, omega: Any) -> np.ndarray:
+        dual = self.unpack(v)
+        return pack(matvec(inverse(self.operator(dual)), matvec(self.rotation(dual), self.unpack(omega))))
+
+    def from_quaternion(self, q: Any, branch: int = 0) -> np.ndarray:
+        return pack(self.vector_of(self.unpack(q), branch))
+
+    def from_tensor(self, r: Any, branch: int = 0) -> np.ndarray:
+        return pack(self.vector_of(self.quaternion_of(self.unpack_tensor(r)), branch))
+
+    def from_pose(self, t: Any, branch: int = 0) -> np.ndarray:
+        number = self.field.number
+        q = tuple(tuple(number(t[i][j]) for j in range(3)) for i in range(3))
+        x, y, z = (number(t[i][3]) for i in range(3))
+        moments = matmul(((0, -z, y), (z, 0, -x), (-y, x, 0)), q)
+        dual = tuple(tuple(Nil(a, b) for a, b in zip(*rows, strict=True)) for rows in zip(q, moments, strict=True))
+        return pack(self.vector_of(self.quaternion_of(dual), branch))
+
+    def from_screw(self, angle: Any, axis: Any) -> np.ndarray:
+        (alpha,) = self.unpack(angle)
+        tangent = self.field.tan(alpha / (2 * self.order))
+        return pack(tuple(tangent * c for c in self.unpack(axis)))
+
+    def to_screw(self, v: Any) -> tuple[np.ndarray, np.ndarray]:
+        alpha, axis = self.reduced(self.unpack(v))
+        if axis is None:
+            nan = self.field.number(float("nan"))
+            axis = (Nil(nan, nan),) * 3
+        return pack((alpha,)), pack(axis)
+
+    def shadow(self, v: Any, branch: int = 1) -> np.ndarray:
+        dual = self.unpack(v)
+        alpha, axis = self.reduced(dual)
+        if axis is None:
+            return pack(self.on_branch(alpha, None, branch))
+        # Branches count from where v itself stands: from the multiple of 2π nearest to its angle along the axis.
+        coefficient = dot(dual, axis)
+        one = Nil(coefficient.re * 0 + 1, coefficient.re * 0)
+        own = self.field.atan2(coefficient, one) + branch * self.field.pi / self.order
+        tangent = self.field.tan(own)
+        return pack(tuple(tangent * c for c in axis))
+
+    def principal(self, v: Any) -> np.ndarray:
+        alpha, axis = self.reduced(self.unpack(v))
+        return pack(self.on_branch(alpha / 2, axis, 0))
+
+    def compose(self, v2: Any, v1: Any) -> np.ndarray:
+        return pack(self.vector_of(hamilton(self.unit(self.unpack(v2)), self.unit(self.unpack(v1)))))
+
+    def transform_point(self, v: Any, r: Any) -> np.ndarray:
+        pose = self.pose(v)
+        return pose[:3, :3] @ np.array([self.field.number(c) for c in r], dtype=object) + pose[:3, 3]
+
+    def transform_line(self, v: Any, line: Any) -> np.ndarray:
+        return pack(matvec(self.rotation(self.unpack(v)), self.unpack(line)))

@@ -1,0 +1,122 @@
+"""Seeded test poses, regime by regime.
+
+A sample is made of a rotation angle, a unit axis, a translation along it and a random rest in the dual part, so that
+poses are of natural size in every regime: v = tan(α/2n) u, v° the derivative along the screw plus a normal vector.
+"""
+
+from __future__ import annotations
+
+import zlib
+from collections.abc import Callable
+
+import numpy as np
+
+# A pose per row. Few, because the oracle is slow; the seeds differ for every (order, regime), so no two share inputs.
+COUNT = 4
+
+Angles = Callable[[np.random.Generator, int, int], np.ndarray]
+
+
+def _log_uniform(rng: np.random.Generator, low: float, high: float, count: int) -> np.ndarray:
+    return 10.0 ** rng.uniform(low, high, count)
+
+
+def _shadow_angles(rng: np.random.Generator, order: int, count: int) -> np.ndarray:
+    """Angles past the principal range and away from the multiples of π, where sides and poles are."""
+    if order == 2:
+        return rng.uniform(np.pi + 0.2, 2 * np.pi - 0.2, count)
+    turns = rng.integers(1, order - 1, count, endpoint=True)
+    return 2 * np.pi * turns + rng.uniform(0.2, np.pi - 0.2, count) * rng.choice([-1, 1], count)
+
+
+ANGLES: dict[str, Angles] = {
+    "uniform": lambda rng, n, count: rng.uniform(0.05, 3.0, count),
+    "angle 1e-12": lambda rng, n, count: 1e-12 * rng.uniform(0.5, 2.0, count),
+    "angle 1e-7": lambda rng, n, count: 1e-7 * rng.uniform(0.5, 2.0, count),
+    "middle band": lambda rng, n, count: _log_uniform(rng, -5, -2, count),
+    "below pi": lambda rng, n, count: np.pi - _log_uniform(rng, -7, -2, count),
+    "above pi": lambda rng, n, count: np.pi + _log_uniform(rng, -7, -2, count),
+    "at pi": lambda rng, n, count: np.full(count, np.pi),
+    "near 2 pi": lambda rng, n, count: 2 * np.pi - _log_uniform(rng, -5, -1, count) * rng.choice([-1, 1], count),
+    "shadow": _shadow_angles,
+    "coordinate axes": lambda rng, n, count: np.pi - _log_uniform(rng, -7, -2, count),
+    "translation 1e6": lambda rng, n, count: rng.uniform(0.05, 3.0, count),
+    "pure rotation": lambda rng, n, count: rng.uniform(0.05, 3.0, count),
+    "pure translation": lambda rng, n, count: np.zeros(count),
+    "identity": lambda rng, n, count: np.zeros(count),
+}
+
+# Regimes inside the principal range: the closed form's own domain, where every chart of the map is well conditioned.
+PRINCIPAL = (
+    "uniform",
+    "angle 1e-12",
+    "angle 1e-7",
+    "middle band",
+    "below pi",
+    "coordinate axes",
+    "translation 1e6",
+    "pure rotation",
+    "pure translation",
+    "identity",
+)
+# Outside it; at 2π and beyond only n ≥ 2 has a v at all, and n = 1 at π has none.
+OUTSIDE = ("above pi", "at pi", "near 2 pi", "shadow")
+REGIMES = PRINCIPAL + OUTSIDE
+
+
+def has_regime(order: int, regime: str) -> bool:
+    """Whether the chart of this order reaches the regime."""
+    return order > 1 or regime in PRINCIPAL
+
+
+def generator(*key: object) -> np.random.Generator:
+    """A generator that depends on the key alone, in every process and on every machine."""
+    return np.random.default_rng(zlib.crc32(repr(key).encode()))
+
+
+def unit_vectors(rng: np.random.Generator, shape: tuple[int, ...]) -> np.ndarray:
+    vectors = rng.normal(size=(*shape, 3))
+    return vectors / np.linalg.norm(vectors, axis=-1, keepdims=True)
+
+
+def _leading_in_turn(vectors: np.ndarray) -> np.ndarray:
+    """Largest component first, second, third in turn: inverse maps of matrices go by it, and samples are few."""
+    for i, row in enumerate(vectors):
+        row[:] = np.roll(row, i - np.argmax(np.abs(row)))
+    return vectors
+
+
+def poses(order: int, regime: str, dtype: type = np.float64, count: int = COUNT) -> np.ndarray:
+    """Rodrigues dual vectors, shape (count, 6)."""
+    rng = generator(order, regime, np.dtype(dtype).name)
+    angle = ANGLES[regime](rng, order, count)
+    if np.dtype(dtype) == np.float32:
+        # In single precision the distance to π must not round away.
+        angle = np.where(np.abs(angle - np.pi) < 1e-4, np.pi + 1e-3 * np.sign(angle - np.pi), angle)
+    axis, moment = _leading_in_turn(unit_vectors(rng, (count,))), rng.normal(size=(count, 3))
+    if regime == "coordinate axes":
+        axis = np.sign(axis) * (abs(axis) == abs(axis).max(axis=-1, keepdims=True))
+    size = 1e6 if regime == "translation 1e6" else 1.0
+    tangent = np.tan(angle / (2 * order))[:, None]
+    along = rng.normal(size=(count, 1)) * (1 + tangent**2) / (2 * order)
+    dual = size * (along * axis + tangent * np.cross(moment, axis) + rng.normal(size=(count, 3)) / order)
+    if regime in ("pure rotation", "identity"):
+        dual = np.zeros((count, 3))
+    return np.concatenate([tangent * axis, dual], axis=-1).astype(dtype)
+
+
+def dual_vectors(key: str, dtype: type = np.float64, count: int = COUNT) -> np.ndarray:
+    """Twists, rates, lines: six normal numbers a row."""
+    return generator(key, np.dtype(dtype).name).normal(size=(count, 6)).astype(dtype)
+
+
+def points(key: str, dtype: type = np.float64, count: int = COUNT) -> np.ndarray:
+    return generator(key, np.dtype(dtype).name).normal(size=(count, 3)).astype(dtype)
+
+
+def screws(order: int, dtype: type = np.float64, count: int = COUNT) -> tuple[np.ndarray, np.ndarray]:
+    """Principal dual angles (count, 2), Re in (0, π), and unit dual axes (count, 6)."""
+    rng = generator("screw", order, np.dtype(dtype).name)
+    angle = np.stack([rng.uniform(0.05, 3.0, count), rng.normal(size=count)], axis=-1)
+    axis = unit_vectors(rng, (count,))
+    return angle.astype(dtype), np.concatenate([axis, np.cross(rng.normal(size=(count, 3)), axis)], -1).astype(dtype)

@@ -1,0 +1,87 @@
+"""What each kernel function takes and gives, and inputs for it: for the tests that go over all of them alike."""
+
+from __future__ import annotations
+
+from types import ModuleType
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from tests.support import sampling
+
+SHAPES: dict[str, tuple[int, ...]] = {"v": (6,), "w": (6,), "q": (8,), "R": (2, 3, 3), "T": (4, 4), "r": (3,)}
+
+
+class Signature(NamedTuple):
+    """Kinds of the arguments (keys of SHAPES) and the shape of one result."""
+
+    arguments: str
+    result: tuple[int, ...]
+    complex: bool = True
+
+
+# Functions that return one array and take axis= and out=. from_screw is apart: its second argument is named axis.
+SIGNATURES: dict[str, Signature] = {
+    "quaternion": Signature("v", (8,)),
+    "tensor": Signature("v", (2, 3, 3)),
+    "pose": Signature("v", (4, 4)),
+    "tangent": Signature("v", (2, 3, 3)),
+    "tangent_inv": Signature("v", (2, 3, 3)),
+    "dcay": Signature("v", (2, 3, 3)),
+    "dcay_inv": Signature("v", (2, 3, 3)),
+    "twist": Signature("vw", (6,)),
+    "rate": Signature("vw", (6,)),
+    "body_twist": Signature("vw", (6,)),
+    "body_rate": Signature("vw", (6,)),
+    "from_quaternion": Signature("q", (6,), complex=False),
+    "from_tensor": Signature("R", (6,), complex=False),
+    "from_pose": Signature("T", (6,), complex=False),
+    "shadow": Signature("v", (6,), complex=False),
+    "principal": Signature("v", (6,), complex=False),
+    "compose": Signature("vv", (6,), complex=False),
+    "transform_point": Signature("vr", (3,)),
+    "transform_line": Signature("vw", (6,)),
+}
+
+
+def inputs(
+    kernel: ModuleType, name: str, order: int, shape: tuple[int, ...] = (), dtype: Any = np.float64
+) -> list[np.ndarray]:
+    """Arguments of one function, of this batch shape, components last. Every argument is drawn anew."""
+    count = int(np.prod(shape))
+    drawn = []
+    for i, kind in enumerate(SIGNATURES[name].arguments):
+        v = sampling.poses(order, "uniform", count=count + 3)[3 if i == 0 else 0 :][:count]
+        if kind == "q":
+            value = kernel.quaternion(v)
+        elif kind == "R":
+            value = kernel.tensor(v)
+        elif kind == "T":
+            value = kernel.pose(v)
+        elif kind == "r":
+            value = sampling.points(name, count=count)
+        elif kind == "w":
+            value = sampling.dual_vectors(name, count=count)
+        else:
+            value = v
+        drawn.append(np.ascontiguousarray(value).reshape(shape + SHAPES[kind]).astype(dtype))
+    return drawn
+
+
+def components_first(array: Any, rank: int) -> np.ndarray:
+    """The structure-of-arrays form: the last `rank` axes to the front."""
+    array = np.asarray(array)
+    return np.ascontiguousarray(np.moveaxis(array, range(-rank, 0), range(rank)))
+
+
+def components_last(array: Any, rank: int) -> np.ndarray:
+    return np.moveaxis(array, range(rank), range(-rank, 0))
+
+
+def assert_nearly_equal(got: Any, expected: Any, eps: int = 16) -> None:
+    """Equal but for the order of roundings: the same program on other blocks, or on Python floats."""
+    assert got.shape == expected.shape
+    assert got.dtype == expected.dtype
+    unit = np.finfo(got.dtype).eps
+    size = np.nanmax(np.abs(expected), initial=1)
+    np.testing.assert_allclose(got, expected, rtol=eps * unit, atol=eps * unit * size)
