@@ -89,7 +89,7 @@ def _wrap(statement: str | list[str], indent: str) -> Iterator[str]:
     else:
         name, value = statement.split(" = ", 1)
         yield f"{indent}{name} = ("
-        yield from _fill(value, indent + "    ")
+        yield from fill(value, indent + "    ")
         yield f"{indent})"
 
 
@@ -100,11 +100,12 @@ def _wrap_result(outputs: list[str], indent: str) -> Iterator[str]:
         return
     yield f"{indent}return ("
     for output in outputs:
-        yield from _fill(f"{output},", indent + "    ")
+        yield from fill(f"{output},", indent + "    ")
     yield f"{indent})"
 
 
-def _fill(text: str, indent: str) -> Iterator[str]:
+def fill(text: str, indent: str) -> Iterator[str]:
+    """Lines of a text broken at spaces, before operators rather than after them."""
     words = text.split(" ")
     line = words[0]
     for operator, operand in _pairs(words[1:]):

@@ -19,6 +19,9 @@ MOST_OUTPUTS = 9
 _POSE_ROTATION = (0, 1, 2, 4, 5, 6, 8, 9, 10)
 _POSE_TRANSLATION = (3, 7, 11, 12, 13, 14, 15)
 
+_TABLES = frozenset({"cs", "table"})
+"""Arguments which are constants, the same for every pose."""
+
 DIALECT = infix.Dialect(prefix="", literal=lambda value: f"_m{-value}" if value < 0 else f"_{value}")
 
 
@@ -84,7 +87,8 @@ def _call(name: str, program: Program, group: Sequence[int], indent: str, suffix
     stored = ", ".join(f"out[{index}{suffix}]" for index in group)
     lines = [f"{indent}(", *_wrapped(stored, indent), f"{indent}) = _{name}("]
     for argument, names in program.inputs:
-        loaded = ", ".join(f"{argument}[{index}{suffix}]" for index in range(len(names)))
+        each = "" if argument in _TABLES else suffix
+        loaded = ", ".join(f"{argument}[{index}{each}]" for index in range(len(names)))
         lines += _wrapped(f"({loaded}),", indent)
     return "\n".join([*lines, f"{indent})"])
 

@@ -51,7 +51,7 @@ def module_text(proved: Proved, target: Target) -> str:
         n=n,
         public=PUBLIC,
         turns=[(_decimal(mpmath.cospi, k, n), _decimal(mpmath.sinpi, k, n)) for k in range(n)],
-        limits=[_decimal(_tanpi, 2 * j + 1, 2 * n) for j in range(n // 2)],
+        returns=[_return(j, n) for j in range(1, n // 2 + 1)],
         programs={name: _printed(program, target) for name, program in programs.items()},
         equations={f.name: _numbers(f.equations) for f in maps} | {"compose": _COMPOSITIONS.get(n, "(58)")},
         definitions={f.name: _display(f"{f.symbol} = {f.definition}") for f in maps},
@@ -116,6 +116,11 @@ def _decimal(function: Any, k: int, n: int) -> str:
     """A function of k pi/n as a decimal."""
     with mpmath.workdps(DIGITS + 10):
         return str(mpmath.nstr(function(mpmath.mpf(k) / n), DIGITS, min_fixed=-DIGITS))
+
+
+def _return(steps: int, n: int) -> tuple[str, str, str]:
+    """The |v| beyond which theta goes back by so many steps of pi/n, and cosine and sine of the way."""
+    return _decimal(_tanpi, 2 * steps - 1, 2 * n), _decimal(mpmath.cospi, steps, n), _decimal(mpmath.sinpi, -steps, n)
 
 
 def _tanpi(x: Any) -> Any:

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from ..maps import Cayley
-from . import infix, jit
+from . import infix, inplace, jit
 from .program import Program
 from .validation import validate
 
@@ -56,9 +56,9 @@ TARGETS: Mapping[str, Target] = {
         Target(
             name="numpy",
             extension="py",
-            shared=("__init__.py", "_runtime.py", "_tools.py", "py.typed"),
+            shared=("__init__.py", "_kernel.py", "_runtime.py", "_selection.py", "_tools.py", "py.typed"),
             comment="#",
-            printer=infix.body,
+            printer=inplace.two_forms,
             validate=validate,
         ),
         Target(
@@ -72,7 +72,7 @@ TARGETS: Mapping[str, Target] = {
         Target(
             name="numba",
             extension="py",
-            shared=("__init__.py", "_runtime.py", "_tools.py", "py.typed"),
+            shared=("__init__.py", "_compiled.py", "_runtime.py", "_tools.py", "py.typed"),
             comment="#",
             printer=jit.parts,
             validate=validate,

@@ -12,6 +12,9 @@ from .chart import CayleyChart
 from .forward import named, rotate, translation
 from .inputs import dual_vector
 
+Axis = tuple[Number, Vector, Number, Vector]
+"""Magnitude and direction of a dual vector, and the dual parts of both."""
+
 
 def from_quaternion(order: int) -> Program:
     trace = Trace()
@@ -160,7 +163,7 @@ def turn(order: int) -> Program:
     trace = Trace()
     chart = CayleyChart(trace, order, dual_vector(trace, "v", "v"))
     cosine, sine = trace.inputs("cs", ("cos", "sin"))
-    return trace.program("turn", _turned(chart, cosine, sine))
+    return trace.program("turn", _turned(chart, _axis(chart), cosine, sine))
 
 
 def shadow(order: int) -> Program:
@@ -169,7 +172,29 @@ def shadow(order: int) -> Program:
     chart = CayleyChart(trace, order, dual_vector(trace, "v", "v"))
     cosine, sine = trace.inputs("cs", ("cos", "sin"))
     sign = trace.name("sign", _axis_sign(chart))
-    return trace.program("shadow", _turned(chart, cosine, sign * sine))
+    return trace.program("shadow", _turned(chart, _axis(chart), cosine, sign * sine))
+
+
+def principal(order: int) -> Program:
+    """Go back by as many steps of pi/n as bring theta to within pi/2n of zero; where it is there already, v stands.
+
+    The table holds, for each step, the |v| beyond which it is taken, then cosine and sine of the way back.
+    """
+    trace = Trace()
+    v = dual_vector(trace, "v", "v")
+    if order == 1:
+        return trace.program("principal", v)
+    chart = CayleyChart(trace, order, v)
+    table = trace.inputs("table", [f"{name}{j}" for j in range(1, order // 2 + 1) for name in ("limit", "cos", "sin")])
+    axis = _axis(chart, resting=False)
+    size = axis[0]
+    beyond = [trace.name(f"beyond{j}", trace.less(limit, size)) for j, limit in enumerate(table[::3], 1)]
+    cosine, sine = table[1:3]
+    for j, (further, *values) in enumerate(zip(beyond[1:], table[4::3], table[5::3], strict=True), 2):
+        cosine = trace.name(f"cosine{j}", trace.where(further, values[0], cosine))
+        sine = trace.name(f"sine{j}", trace.where(further, values[1], sine))
+    turned = zip(_turned(chart, axis, cosine, sine), v, strict=True)
+    return trace.program("principal", [trace.where(beyond[0], back, stays) for back, stays in turned])
 
 
 def _axis_sign(chart: CayleyChart) -> Number:
@@ -181,25 +206,33 @@ def _axis_sign(chart: CayleyChart) -> Number:
     return trace.where(trace.either(trace.less(flipped, 0), backwards), -1, 1)
 
 
-def _axis(chart: CayleyChart) -> tuple[Number, Vector, Number, Vector]:
-    """|v| and v/|v| as dual quantities; at Re v = 0 the axis is that of v°, through the origin."""
+def _axis(chart: CayleyChart, resting: bool = True) -> Axis:
+    """|v| and v/|v| as dual quantities; at Re v = 0 the axis is that of v°, through the origin.
+
+    Not ``resting``: what comes out at Re v = 0 is not selected, and only must not spoil the gradient.
+    """
     trace = chart.trace
     v, vo = chart.re, chart.du
     still = chart.name("still", trace.equal(chart.x, 0))
     # one root, never of 0 but at the identity: so the gradient is finite wherever the axis is defined
-    length = chart.name("length", trace.sqrt(trace.where(still, vo.dot(vo), chart.x)))
+    length = chart.name("length", trace.sqrt(trace.where(still, vo.dot(vo) if resting else 1, chart.x)))
     size = chart.name("r", trace.where(still, 0, length))
-    u = named(trace, "u", Vector(*(trace.where(still, b, a) / length for a, b in zip(v, vo, strict=True))))
-    size_du = chart.name("ro", trace.where(still, length, u.dot(vo)))
-    across = vo - size_du * u
-    moment = named(trace, "uo", Vector(*(trace.where(still, 0, c) / length for c in across)))
+
+    def moving(at_rest: Vector, elsewhere: Vector) -> Vector:
+        pairs = zip(at_rest, elsewhere, strict=True)
+        return Vector(*(trace.where(still, a, b) for a, b in pairs)) if resting else elsewhere
+
+    u = named(trace, "u", moving(vo, v) / length)
+    along = u.dot(vo)
+    size_du = chart.name("ro", trace.where(still, length, along) if resting else along)
+    moment = named(trace, "uo", moving(Vector(0, 0, 0), vo - size_du * u) / length)
     return size, u, size_du, moment
 
 
-def _turned(chart: CayleyChart, cosine: Number, sine: Number) -> tuple[Number, ...]:
+def _turned(chart: CayleyChart, axis: Axis, cosine: Number, sine: Number) -> tuple[Number, ...]:
     """r -> (r cos + sin)/(cos - r sin) along u; its derivative is 1/(cos - r sin)²."""
     sine = chart.name("sn", sine)
-    size, u, size_du, moment = _axis(chart)
+    size, u, size_du, moment = axis
     inverse = chart.name("iden", 1 / (cosine - size * sine))
     length = chart.name("rk", (size * cosine + sine) * inverse)
     length_du = chart.name("rko", size_du * (inverse * inverse))
