@@ -59,6 +59,7 @@ def module_text(proved: Proved, target: Target) -> str:
         singular={f.name: f.singular for f in maps},
         singular_angles=[_multiple_of_pi(angle) for angle in cayley.singular_angles],
         inverse_domain=_inverse_domain(n),
+        **target.words,
     )
 
 
@@ -119,12 +120,12 @@ def _decimal(function: Any, k: int, n: int) -> str:
 
 
 def _return(steps: int, n: int) -> tuple[str, str, str]:
-    """The |v| beyond which theta goes back by so many steps of pi/n, and cosine and sine of the way."""
-    return _decimal(_tanpi, 2 * steps - 1, 2 * n), _decimal(mpmath.cospi, steps, n), _decimal(mpmath.sinpi, -steps, n)
+    """The |v|² beyond which theta goes back by so many steps of pi/n, and cosine and sine of the way."""
+    return _decimal(_tanpi2, 2 * steps - 1, 2 * n), _decimal(mpmath.cospi, steps, n), _decimal(mpmath.sinpi, -steps, n)
 
 
-def _tanpi(x: Any) -> Any:
-    return mpmath.sinpi(x) / mpmath.cospi(x)
+def _tanpi2(x: Any) -> Any:
+    return (mpmath.sinpi(x) / mpmath.cospi(x)) ** 2
 
 
 def _display(latex: str) -> str:

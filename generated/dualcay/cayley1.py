@@ -122,7 +122,7 @@ TURNS = (
     ("1.0", "0.0"),
 )
 
-# the |v| halfway between branches, tan((2 j - 1) pi/2), then cosine and sine of the way back from beyond it
+# the |v|² halfway between branches, tan((2 j - 1) pi/2)², then cosine and sine of the way back from beyond it
 RETURNS: tuple[str, ...] = (
 )
 

@@ -70,7 +70,7 @@
 #   to_screw: 58: 11 +, 22 *, 7 /, 1 neg, 1 sqrt, 1 atan2, 2 lt, 1 eq, 12 where
 #   turn: 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
 #   shadow: 64: 15 +, 27 *, 7 /, 1 sqrt, 2 lt, 1 eq, 11 where
-#   principal: 53: 12 +, 23 *, 7 /, 1 sqrt, 1 lt, 1 eq, 8 where
+#   principal: 52: 13 +, 23 *, 7 /, 1 sqrt, 1 lt, 7 where
 #   compose: 202: 74 +, 116 *, 8 /, 1 neg, 1 lt, 2 where
 """Cayley map of order 2: Rodrigues dual vectors ``v = tan(α/4) u`` of rigid displacements.
 
@@ -123,7 +123,7 @@ TURNS = (
     ("0.0", "1.0"),
 )
 
-# the |v| halfway between branches, tan((2 j - 1) pi/4), then cosine and sine of the way back from beyond it
+# the |v|² halfway between branches, tan((2 j - 1) pi/4)², then cosine and sine of the way back from beyond it
 RETURNS: tuple[str, ...] = (
     "1.0", "0.0", "-1.0",
 )
@@ -1702,7 +1702,7 @@ def shadow(v: ArrayLike, branch: int = 1, *, axis: int = -1, out: Array | None =
     return shifted(_SHADOW, TURNS, branch, v, axis, out)
 
 
-# operations 53: 12 +, 23 *, 7 /, 1 sqrt, 1 lt, 1 eq, 8 where
+# operations 52: 13 +, 23 *, 7 /, 1 sqrt, 1 lt, 7 where
 def _principal(m: Any, v: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     limit1, cos1, sin1 = table
@@ -1710,17 +1710,16 @@ def _principal(m: Any, v: Components, table: Components) -> Result:
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
-    still = x == 0
-    length = m.sqrt(m.where(still, 1, x))
-    r = m.where(still, 0, length)
-    u1 = v1 / length
-    u2 = v2 / length
-    u3 = v3 / length
+    beyond1 = limit1 < x
+    k = 1 + x
+    r = m.sqrt(m.where(beyond1, x, k))
+    u1 = v1 / r
+    u2 = v2 / r
+    u3 = v3 / r
     ro = u1 * v1o + u2 * v2o + u3 * v3o
-    uo1 = (v1o - u1 * ro) / length
-    uo2 = (v2o - u2 * ro) / length
-    uo3 = (v3o - u3 * ro) / length
-    beyond1 = limit1 < r
+    uo1 = (v1o - u1 * ro) / r
+    uo2 = (v2o - u2 * ro) / r
+    uo3 = (v3o - u3 * ro) / r
     iden = 1 / (cos1 - r * sin1)
     rk = (r * cos1 + sin1) * iden
     rko = ro * (iden * iden)
@@ -1742,30 +1741,29 @@ def _principal_blocks(
     o1, o2, o3, o4, o5, o6 = out
     k1, k2, k3, k4, k5, k6, k7, k8 = scratch
     mask1, = masks
-    n0, n1 = numbers
+    n1, = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
-    still = m.equal(x, n0, mask1)
-    length = sqrt(m.where(still, n1, x, k2), k1)
-    r = m.where(still, n0, length, k2)
-    iden = div(n1, sub(cos1, mul(r, sin1, k3), k3), k3)
-    rk = mul(add(mul(r, cos1, k4), sin1, k4), iden, k4)
-    beyond1 = m.less(limit1, r, mask1)
-    u1 = div(v1, length, k2)
+    beyond1 = m.less(limit1, x, mask1)
+    k = add(n1, x, k2)
+    r = sqrt(m.where(beyond1, x, k, k1), k1)
+    iden = div(n1, sub(cos1, mul(r, sin1, k2), k2), k2)
+    rk = mul(add(mul(r, cos1, k3), sin1, k3), iden, k3)
+    u1 = div(v1, r, k4)
     m.where(beyond1, mul(u1, rk, k5), v1, o1)
-    u2 = div(v2, length, k5)
+    u2 = div(v2, r, k5)
     m.where(beyond1, mul(u2, rk, k6), v2, o2)
-    u3 = div(v3, length, k6)
+    u3 = div(v3, r, k6)
     m.where(beyond1, mul(u3, rk, k7), v3, o3)
     ro = add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7)
-    rko = mul(ro, mul(iden, iden, k3), k3)
-    uo1 = div(sub(v1o, mul(u1, ro, k8), k8), length, k8)
-    m.where(beyond1, add(mul(uo1, rk, k8), mul(u1, rko, k2), k2), v1o, o4)
-    uo2 = div(sub(v2o, mul(u2, ro, k2), k2), length, k2)
-    m.where(beyond1, add(mul(uo2, rk, k2), mul(u2, rko, k5), k2), v2o, o5)
-    uo3 = div(sub(v3o, mul(u3, ro, k2), k2), length, k1)
+    rko = mul(ro, mul(iden, iden, k2), k2)
+    uo1 = div(sub(v1o, mul(u1, ro, k8), k8), r, k8)
+    m.where(beyond1, add(mul(uo1, rk, k8), mul(u1, rko, k4), k4), v1o, o4)
+    uo2 = div(sub(v2o, mul(u2, ro, k4), k4), r, k4)
+    m.where(beyond1, add(mul(uo2, rk, k4), mul(u2, rko, k5), k4), v2o, o5)
+    uo3 = div(sub(v3o, mul(u3, ro, k4), k4), r, k1)
     m.where(beyond1, add(mul(uo3, rk, k1), mul(u3, rko, k2), k1), v3o, o6)
 
 
@@ -1776,7 +1774,7 @@ _PRINCIPAL = Kernel(
     (6,),
     registers=8,
     masks=1,
-    numbers=(0, 1),
+    numbers=(1,),
     real=True,
 )
 

@@ -70,7 +70,7 @@
 #   to_screw: 76: 16 +, 28 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
 #   turn: 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
 #   shadow: 80: 20 +, 33 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 11 where
-#   principal: 56: 12 +, 23 *, 7 /, 1 sqrt, 2 lt, 1 eq, 10 where
+#   principal: 55: 13 +, 23 *, 7 /, 1 sqrt, 2 lt, 9 where
 #   compose: 250: 88 +, 142 *, 9 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 """Cayley map of order 5: Rodrigues dual vectors ``v = tan(α/10) u`` of rigid displacements.
 
@@ -126,10 +126,10 @@ TURNS = (
     ("-0.8090169943749474241022934171828190588602", "0.5877852522924731291687059546390727685977"),
 )
 
-# the |v| halfway between branches, tan((2 j - 1) pi/10), then cosine and sine of the way back from beyond it
+# the |v|² halfway between branches, tan((2 j - 1) pi/10)², then cosine and sine of the way back from beyond it
 RETURNS: tuple[str, ...] = (
-    "0.3249196962329063261558714122151344649549", "0.8090169943749474241022934171828190588602", "-0.5877852522924731291687059546390727685977",
-    "1.376381920471173538207209581910887679526", "0.3090169943749474241022934171828190588602", "-0.9510565162951535721164393333793821434057",
+    "0.1055728090000841214363305325074895058238", "0.8090169943749474241022934171828190588602", "-0.5877852522924731291687059546390727685977",
+    "1.894427190999915878563669467492510494176", "0.3090169943749474241022934171828190588602", "-0.9510565162951535721164393333793821434057",
 )
 
 # --- forward maps -----------------------------------------------------------------------------------------------
@@ -1885,7 +1885,7 @@ def shadow(v: ArrayLike, branch: int = 1, *, axis: int = -1, out: Array | None =
     return shifted(_SHADOW, TURNS, branch, v, axis, out)
 
 
-# operations 56: 12 +, 23 *, 7 /, 1 sqrt, 2 lt, 1 eq, 10 where
+# operations 55: 13 +, 23 *, 7 /, 1 sqrt, 2 lt, 9 where
 def _principal(m: Any, v: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     limit1, cos1, sin1, limit2, cos2, sin2 = table
@@ -1893,20 +1893,19 @@ def _principal(m: Any, v: Components, table: Components) -> Result:
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
-    still = x == 0
-    length = m.sqrt(m.where(still, 1, x))
-    r = m.where(still, 0, length)
-    u1 = v1 / length
-    u2 = v2 / length
-    u3 = v3 / length
-    ro = u1 * v1o + u2 * v2o + u3 * v3o
-    uo1 = (v1o - u1 * ro) / length
-    uo2 = (v2o - u2 * ro) / length
-    uo3 = (v3o - u3 * ro) / length
-    beyond1 = limit1 < r
-    beyond2 = limit2 < r
+    beyond1 = limit1 < x
+    beyond2 = limit2 < x
     cosine2 = m.where(beyond2, cos2, cos1)
     sine2 = m.where(beyond2, sin2, sin1)
+    k = 1 + x
+    r = m.sqrt(m.where(beyond1, x, k))
+    u1 = v1 / r
+    u2 = v2 / r
+    u3 = v3 / r
+    ro = u1 * v1o + u2 * v2o + u3 * v3o
+    uo1 = (v1o - u1 * ro) / r
+    uo2 = (v2o - u2 * ro) / r
+    uo3 = (v3o - u3 * ro) / r
     iden = 1 / (cosine2 - r * sine2)
     rk = (r * cosine2 + sine2) * iden
     rko = ro * (iden * iden)
@@ -1927,34 +1926,33 @@ def _principal_blocks(
     limit1, cos1, sin1, limit2, cos2, sin2 = table
     o1, o2, o3, o4, o5, o6 = out
     k1, k2, k3, k4, k5, k6, k7, k8 = scratch
-    mask1, = masks
-    n0, n1 = numbers
+    mask1, mask2 = masks
+    n1, = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
-    still = m.equal(x, n0, mask1)
-    length = sqrt(m.where(still, n1, x, k2), k1)
-    r = m.where(still, n0, length, k2)
-    beyond2 = m.less(limit2, r, mask1)
-    cosine2 = m.where(beyond2, cos2, cos1, k3)
-    sine2 = m.where(beyond2, sin2, sin1, k4)
-    iden = div(n1, sub(cosine2, mul(r, sine2, k5), k5), k5)
-    rk = mul(add(mul(r, cosine2, k3), sine2, k3), iden, k3)
-    beyond1 = m.less(limit1, r, mask1)
-    u1 = div(v1, length, k2)
-    m.where(beyond1, mul(u1, rk, k4), v1, o1)
-    u2 = div(v2, length, k4)
+    beyond1 = m.less(limit1, x, mask1)
+    k = add(n1, x, k2)
+    r = sqrt(m.where(beyond1, x, k, k3), k2)
+    beyond2 = m.less(limit2, x, mask2)
+    cosine2 = m.where(beyond2, cos2, cos1, k1)
+    sine2 = m.where(beyond2, sin2, sin1, k3)
+    iden = div(n1, sub(cosine2, mul(r, sine2, k4), k4), k4)
+    rk = mul(add(mul(r, cosine2, k1), sine2, k1), iden, k1)
+    u1 = div(v1, r, k3)
+    m.where(beyond1, mul(u1, rk, k5), v1, o1)
+    u2 = div(v2, r, k5)
     m.where(beyond1, mul(u2, rk, k6), v2, o2)
-    u3 = div(v3, length, k6)
+    u3 = div(v3, r, k6)
     m.where(beyond1, mul(u3, rk, k7), v3, o3)
     ro = add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7)
-    rko = mul(ro, mul(iden, iden, k5), k5)
-    uo1 = div(sub(v1o, mul(u1, ro, k8), k8), length, k8)
-    m.where(beyond1, add(mul(uo1, rk, k8), mul(u1, rko, k2), k2), v1o, o4)
-    uo2 = div(sub(v2o, mul(u2, ro, k2), k2), length, k2)
-    m.where(beyond1, add(mul(uo2, rk, k2), mul(u2, rko, k4), k2), v2o, o5)
-    uo3 = div(sub(v3o, mul(u3, ro, k2), k2), length, k1)
+    rko = mul(ro, mul(iden, iden, k4), k4)
+    uo1 = div(sub(v1o, mul(u1, ro, k8), k8), r, k8)
+    m.where(beyond1, add(mul(uo1, rk, k8), mul(u1, rko, k3), k3), v1o, o4)
+    uo2 = div(sub(v2o, mul(u2, ro, k3), k3), r, k3)
+    m.where(beyond1, add(mul(uo2, rk, k3), mul(u2, rko, k5), k3), v2o, o5)
+    uo3 = div(sub(v3o, mul(u3, ro, k3), k3), r, k2)
     m.where(beyond1, add(mul(uo3, rk, k1), mul(u3, rko, k2), k1), v3o, o6)
 
 
@@ -1964,8 +1962,8 @@ _PRINCIPAL = Kernel(
     (("v", (6,)),),
     (6,),
     registers=8,
-    masks=1,
-    numbers=(0, 1),
+    masks=2,
+    numbers=(1,),
     real=True,
 )
 
@@ -2005,7 +2003,7 @@ def _from_quaternion(m: Any, e: Components) -> Result:
     cos = m.where(negative, -e0, e0)
     ss = e1 * e1 + e2 * e2 + e3 * e3
     still = ss == 0
-    sin = m.sqrt(m.where(still, 1, ss))
+    sin = m.sqrt(m.where(still, cos, ss))
     gain = m.where(negative, -1, 1) * (m.where(still, 1, m.tan(m.atan2(sin, cos) / 5)) / m.where(still, 5 * cos, sin))
     v1 = e1 * gain
     v2 = e2 * gain
@@ -2044,9 +2042,9 @@ def _from_quaternion_blocks(
     n_minus_1, n0, n1, n2, n5, n10, n34, n45 = numbers
     ss = add(add(mul(e1, e1, k1), mul(e2, e2, k2), k1), mul(e3, e3, k2), k1)
     still = m.equal(ss, n0, mask1)
-    sin = sqrt(m.where(still, n1, ss, k2), k1)
     negative = m.less(e0, n0, mask2)
     cos = m.where(negative, neg(e0, k2), e0, k2)
+    sin = sqrt(m.where(still, cos, ss, k3), k1)
     gain = mul(
         m.where(negative, n_minus_1, n1, k3), div(m.where(still, n1, tan(div(atan2(sin, cos, k4), n5, k4), k4), k5),
         m.where(still, mul(n5, cos, k2), sin, k2), k1), k1
@@ -2169,7 +2167,7 @@ def _from_tensor(m: Any, R: Components) -> Result:
     negative = e0 < 0
     cos = m.where(negative, -e0, e0)
     still = ss == 0
-    sin = m.sqrt(m.where(still, 1, ss))
+    sin = m.sqrt(m.where(still, cos, ss))
     gain = m.where(negative, -1, 1) * (m.where(still, 1, m.tan(m.atan2(sin, cos) / 5)) / m.where(still, 5 * cos, sin))
     v1 = e1 * gain
     v2 = e2 * gain
@@ -2248,12 +2246,12 @@ def _from_tensor_blocks(
     e0 = mul(sign, z30, k4)
     ss = add(add(mul(e1, e1, k5), mul(e2, e2, k6), k5), mul(e3, e3, k6), k5)
     still = m.equal(ss, n0, mask1)
-    sin = sqrt(m.where(still, n1, ss, k6), k5)
     negative = m.less(e0, n0, mask2)
     cos = m.where(negative, neg(e0, k6), e0, k6)
+    sin = sqrt(m.where(still, cos, ss, k4), k4)
     gain = mul(
-        m.where(negative, n_minus_1, n1, k4), div(m.where(still, n1, tan(div(atan2(sin, cos, k7), n5, k7), k7), k8),
-        m.where(still, mul(n5, cos, k6), sin, k6), k5), k4
+        m.where(negative, n_minus_1, n1, k5), div(m.where(still, n1, tan(div(atan2(sin, cos, k7), n5, k7), k7), k8),
+        m.where(still, mul(n5, cos, k6), sin, k6), k4), k4
     )
     v1 = mul(e1, gain, o1)
     v2 = mul(e2, gain, o2)
@@ -2373,7 +2371,7 @@ def _from_pose(m: Any, T: Components) -> Result:
     negative = e0 < 0
     cos = m.where(negative, -e0, e0)
     still = ss == 0
-    sin = m.sqrt(m.where(still, 1, ss))
+    sin = m.sqrt(m.where(still, cos, ss))
     gain = m.where(negative, -1, 1) * (m.where(still, 1, m.tan(m.atan2(sin, cos) / 5)) / m.where(still, 5 * cos, sin))
     v1 = e1 * gain
     v2 = e2 * gain
@@ -2452,12 +2450,12 @@ def _from_pose_blocks(
     e0 = mul(sign, z30, k4)
     ss = add(add(mul(e1, e1, k5), mul(e2, e2, k6), k5), mul(e3, e3, k6), k5)
     still = m.equal(ss, n0, mask1)
-    sin = sqrt(m.where(still, n1, ss, k6), k5)
     negative = m.less(e0, n0, mask2)
     cos = m.where(negative, neg(e0, k6), e0, k6)
+    sin = sqrt(m.where(still, cos, ss, k4), k4)
     gain = mul(
-        m.where(negative, n_minus_1, n1, k4), div(m.where(still, n1, tan(div(atan2(sin, cos, k7), n5, k7), k7), k8),
-        m.where(still, mul(n5, cos, k6), sin, k6), k5), k4
+        m.where(negative, n_minus_1, n1, k5), div(m.where(still, n1, tan(div(atan2(sin, cos, k7), n5, k7), k7), k8),
+        m.where(still, mul(n5, cos, k6), sin, k6), k4), k4
     )
     v1 = mul(e1, gain, o1)
     v2 = mul(e2, gain, o2)
@@ -2768,7 +2766,7 @@ def _compose(m: Any, b: Components, a: Components) -> Result:
     cos = m.where(negative, -z0, z0)
     ss = z1 * z1 + z2 * z2 + z3 * z3
     still = ss == 0
-    sin = m.sqrt(m.where(still, 1, ss))
+    sin = m.sqrt(m.where(still, cos, ss))
     gain = m.where(negative, -1, 1) * (m.where(still, 1, m.tan(m.atan2(sin, cos) / 5)) / m.where(still, 5 * cos, sin))
     v1 = z1 * gain
     v2 = z2 * gain
@@ -2836,12 +2834,12 @@ def _compose_blocks(
     z0 = sub(mul(pb, pa, k16), add(add(mul(qvb1, qva1, k3), mul(qvb2, qva2, k7), k3), mul(qvb3, qva3, k7), k3), k3)
     ss = add(add(mul(z1, z1, k7), mul(z2, z2, k9), k7), mul(z3, z3, k9), k7)
     still = m.equal(ss, n0, mask1)
-    sin = sqrt(m.where(still, n1, ss, k9), k7)
     negative = m.less(z0, n0, mask2)
     cos = m.where(negative, neg(z0, k9), z0, k9)
+    sin = sqrt(m.where(still, cos, ss, k3), k3)
     gain = mul(
-        m.where(negative, n_minus_1, n1, k3), div(m.where(still, n1, tan(div(atan2(sin, cos, k10), n5, k10), k10), k11),
-        m.where(still, mul(n5, cos, k9), sin, k9), k7), k3
+        m.where(negative, n_minus_1, n1, k7), div(m.where(still, n1, tan(div(atan2(sin, cos, k10), n5, k10), k10), k11),
+        m.where(still, mul(n5, cos, k9), sin, k9), k3), k3
     )
     v1 = mul(z1, gain, o1)
     v2 = mul(z2, gain, o2)

@@ -70,7 +70,7 @@
 #   to_screw: 82: 19 +, 31 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
 #   turn: 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
 #   shadow: 86: 23 +, 36 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 11 where
-#   principal: 62: 12 +, 23 *, 7 /, 1 sqrt, 4 lt, 1 eq, 14 where
+#   principal: 61: 13 +, 23 *, 7 /, 1 sqrt, 4 lt, 13 where
 #   compose: 304: 115 +, 172 *, 11 /, 1 neg, 2 sqrt, 1 lt, 2 where
 """Cayley map of order 8: Rodrigues dual vectors ``v = tan(α/16) u`` of rigid displacements.
 
@@ -129,12 +129,12 @@ TURNS = (
     ("-0.9238795325112867561281831893967882868224", "0.3826834323650897717284599840303988667613"),
 )
 
-# the |v| halfway between branches, tan((2 j - 1) pi/16), then cosine and sine of the way back from beyond it
+# the |v|² halfway between branches, tan((2 j - 1) pi/16)², then cosine and sine of the way back from beyond it
 RETURNS: tuple[str, ...] = (
-    "0.1989123673796580069115976226446762285979", "0.9238795325112867561281831893967882868224", "-0.3826834323650897717284599840303988667613",
-    "0.6681786379192989199977576865230807615525", "0.7071067811865475244008443621048490392848", "-0.7071067811865475244008443621048490392848",
-    "1.496605762665489017601135134942476918692", "0.3826834323650897717284599840303988667613", "-0.9238795325112867561281831893967882868224",
-    "5.027339492125848104514975071064072385737", "0.0", "-1.0",
+    "0.03956612989658003475471668795573740536431", "0.9238795325112867561281831893967882868224", "-0.3826834323650897717284599840303988667613",
+    "0.4464626921716895685644580523835744318748", "0.7071067811865475244008443621048490392848", "-0.7071067811865475244008443621048490392848",
+    "2.239828808843550041022032153938840939568", "0.3826834323650897717284599840303988667613", "-0.9238795325112867561281831893967882868224",
+    "25.27414236908818035565879310572184722319", "0.0", "-1.0",
 )
 
 # --- forward maps -----------------------------------------------------------------------------------------------
@@ -1947,7 +1947,7 @@ def shadow(v: ArrayLike, branch: int = 1, *, axis: int = -1, out: Array | None =
     return shifted(_SHADOW, TURNS, branch, v, axis, out)
 
 
-# operations 62: 12 +, 23 *, 7 /, 1 sqrt, 4 lt, 1 eq, 14 where
+# operations 61: 13 +, 23 *, 7 /, 1 sqrt, 4 lt, 13 where
 def _principal(m: Any, v: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     limit1, cos1, sin1, limit2, cos2, sin2, limit3, cos3, sin3, limit4, cos4, sin4 = table
@@ -1955,26 +1955,25 @@ def _principal(m: Any, v: Components, table: Components) -> Result:
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
-    still = x == 0
-    length = m.sqrt(m.where(still, 1, x))
-    r = m.where(still, 0, length)
-    u1 = v1 / length
-    u2 = v2 / length
-    u3 = v3 / length
-    ro = u1 * v1o + u2 * v2o + u3 * v3o
-    uo1 = (v1o - u1 * ro) / length
-    uo2 = (v2o - u2 * ro) / length
-    uo3 = (v3o - u3 * ro) / length
-    beyond1 = limit1 < r
-    beyond2 = limit2 < r
-    beyond3 = limit3 < r
-    beyond4 = limit4 < r
+    beyond1 = limit1 < x
+    beyond2 = limit2 < x
+    beyond3 = limit3 < x
+    beyond4 = limit4 < x
     cosine2 = m.where(beyond2, cos2, cos1)
     sine2 = m.where(beyond2, sin2, sin1)
     cosine3 = m.where(beyond3, cos3, cosine2)
     sine3 = m.where(beyond3, sin3, sine2)
     cosine4 = m.where(beyond4, cos4, cosine3)
     sine4 = m.where(beyond4, sin4, sine3)
+    k = 1 + x
+    r = m.sqrt(m.where(beyond1, x, k))
+    u1 = v1 / r
+    u2 = v2 / r
+    u3 = v3 / r
+    ro = u1 * v1o + u2 * v2o + u3 * v3o
+    uo1 = (v1o - u1 * ro) / r
+    uo2 = (v2o - u2 * ro) / r
+    uo3 = (v3o - u3 * ro) / r
     iden = 1 / (cosine4 - r * sine4)
     rk = (r * cosine4 + sine4) * iden
     rko = ro * (iden * iden)
@@ -1995,40 +1994,39 @@ def _principal_blocks(
     limit1, cos1, sin1, limit2, cos2, sin2, limit3, cos3, sin3, limit4, cos4, sin4 = table
     o1, o2, o3, o4, o5, o6 = out
     k1, k2, k3, k4, k5, k6, k7, k8 = scratch
-    mask1, mask2 = masks
-    n0, n1 = numbers
+    mask1, mask2, mask3, mask4 = masks
+    n1, = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
-    still = m.equal(x, n0, mask1)
-    length = sqrt(m.where(still, n1, x, k2), k1)
-    r = m.where(still, n0, length, k2)
-    beyond3 = m.less(limit3, r, mask1)
-    beyond2 = m.less(limit2, r, mask2)
-    cosine2 = m.where(beyond2, cos2, cos1, k3)
-    cosine3 = m.where(beyond3, cos3, cosine2, k4)
+    beyond1 = m.less(limit1, x, mask1)
+    k = add(n1, x, k2)
+    r = sqrt(m.where(beyond1, x, k, k3), k2)
+    beyond3 = m.less(limit3, x, mask2)
+    beyond2 = m.less(limit2, x, mask3)
+    beyond4 = m.less(limit4, x, mask4)
+    cosine2 = m.where(beyond2, cos2, cos1, k1)
+    cosine3 = m.where(beyond3, cos3, cosine2, k3)
+    cosine4 = m.where(beyond4, cos4, cosine3, k1)
     sine2 = m.where(beyond2, sin2, sin1, k3)
-    sine3 = m.where(beyond3, sin3, sine2, k5)
-    beyond4 = m.less(limit4, r, mask1)
-    cosine4 = m.where(beyond4, cos4, cosine3, k3)
-    sine4 = m.where(beyond4, sin4, sine3, k4)
-    iden = div(n1, sub(cosine4, mul(r, sine4, k5), k5), k5)
-    rk = mul(add(mul(r, cosine4, k3), sine4, k3), iden, k3)
-    beyond1 = m.less(limit1, r, mask1)
-    u1 = div(v1, length, k2)
-    m.where(beyond1, mul(u1, rk, k4), v1, o1)
-    u2 = div(v2, length, k4)
+    sine3 = m.where(beyond3, sin3, sine2, k4)
+    sine4 = m.where(beyond4, sin4, sine3, k3)
+    iden = div(n1, sub(cosine4, mul(r, sine4, k4), k4), k4)
+    rk = mul(add(mul(r, cosine4, k1), sine4, k1), iden, k1)
+    u1 = div(v1, r, k3)
+    m.where(beyond1, mul(u1, rk, k5), v1, o1)
+    u2 = div(v2, r, k5)
     m.where(beyond1, mul(u2, rk, k6), v2, o2)
-    u3 = div(v3, length, k6)
+    u3 = div(v3, r, k6)
     m.where(beyond1, mul(u3, rk, k7), v3, o3)
     ro = add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7)
-    rko = mul(ro, mul(iden, iden, k5), k5)
-    uo1 = div(sub(v1o, mul(u1, ro, k8), k8), length, k8)
-    m.where(beyond1, add(mul(uo1, rk, k8), mul(u1, rko, k2), k2), v1o, o4)
-    uo2 = div(sub(v2o, mul(u2, ro, k2), k2), length, k2)
-    m.where(beyond1, add(mul(uo2, rk, k2), mul(u2, rko, k4), k2), v2o, o5)
-    uo3 = div(sub(v3o, mul(u3, ro, k2), k2), length, k1)
+    rko = mul(ro, mul(iden, iden, k4), k4)
+    uo1 = div(sub(v1o, mul(u1, ro, k8), k8), r, k8)
+    m.where(beyond1, add(mul(uo1, rk, k8), mul(u1, rko, k3), k3), v1o, o4)
+    uo2 = div(sub(v2o, mul(u2, ro, k3), k3), r, k3)
+    m.where(beyond1, add(mul(uo2, rk, k3), mul(u2, rko, k5), k3), v2o, o5)
+    uo3 = div(sub(v3o, mul(u3, ro, k3), k3), r, k2)
     m.where(beyond1, add(mul(uo3, rk, k1), mul(u3, rko, k2), k1), v3o, o6)
 
 
@@ -2038,8 +2036,8 @@ _PRINCIPAL = Kernel(
     (("v", (6,)),),
     (6,),
     registers=8,
-    masks=2,
-    numbers=(0, 1),
+    masks=4,
+    numbers=(1,),
     real=True,
 )
 

@@ -134,8 +134,8 @@ def _gain(trace: Trace, order: int, e: Quaternion, size: Number) -> Number:
         return sign / _ladder(trace, order, cosine, size)
     square = trace.name("ss", e.vector.dot(e.vector))
     still = trace.name("still", trace.equal(square, 0))
-    # the root is taken of 1 where it would be of 0: its slope there is infinite, and 0 times that is no gradient
-    sine = trace.name("sin", trace.sqrt(trace.where(still, 1, square)))
+    # the root is not taken of 0: its slope there is infinite, and 0 times that is no gradient
+    sine = trace.name("sin", trace.sqrt(trace.where(still, cosine, square)))
     tangent = trace.tan(trace.atan2(sine, cosine) / order)
     return sign * (trace.where(still, 1, tangent) / trace.where(still, order * cosine, sine))
 
@@ -178,7 +178,7 @@ def shadow(order: int) -> Program:
 def principal(order: int) -> Program:
     """Go back by as many steps of pi/n as bring theta to within pi/2n of zero; where it is there already, v stands.
 
-    The table holds, for each step, the |v| beyond which it is taken, then cosine and sine of the way back.
+    The table holds, for each step, the |v|² beyond which it is taken, then cosine and sine of the way back.
     """
     trace = Trace()
     v = dual_vector(trace, "v", "v")
@@ -186,14 +186,12 @@ def principal(order: int) -> Program:
         return trace.program("principal", v)
     chart = CayleyChart(trace, order, v)
     table = trace.inputs("table", [f"{name}{j}" for j in range(1, order // 2 + 1) for name in ("limit", "cos", "sin")])
-    axis = _axis(chart, resting=False)
-    size = axis[0]
-    beyond = [trace.name(f"beyond{j}", trace.less(limit, size)) for j, limit in enumerate(table[::3], 1)]
+    beyond = [trace.name(f"beyond{j}", trace.less(limit, chart.x)) for j, limit in enumerate(table[::3], 1)]
     cosine, sine = table[1:3]
     for j, (further, *values) in enumerate(zip(beyond[1:], table[4::3], table[5::3], strict=True), 2):
         cosine = trace.name(f"cosine{j}", trace.where(further, values[0], cosine))
         sine = trace.name(f"sine{j}", trace.where(further, values[1], sine))
-    turned = zip(_turned(chart, axis, cosine, sine), v, strict=True)
+    turned = zip(_turned(chart, _axis_where(chart, beyond[0]), cosine, sine), v, strict=True)
     return trace.program("principal", [trace.where(beyond[0], back, stays) for back, stays in turned])
 
 
@@ -206,26 +204,28 @@ def _axis_sign(chart: CayleyChart) -> Number:
     return trace.where(trace.either(trace.less(flipped, 0), backwards), -1, 1)
 
 
-def _axis(chart: CayleyChart, resting: bool = True) -> Axis:
-    """|v| and v/|v| as dual quantities; at Re v = 0 the axis is that of v°, through the origin.
-
-    Not ``resting``: what comes out at Re v = 0 is not selected, and only must not spoil the gradient.
-    """
+def _axis(chart: CayleyChart) -> Axis:
+    """|v| and v/|v| as dual quantities; at Re v = 0 the axis is that of v°, through the origin."""
     trace = chart.trace
     v, vo = chart.re, chart.du
     still = chart.name("still", trace.equal(chart.x, 0))
     # one root, never of 0 but at the identity: so the gradient is finite wherever the axis is defined
-    length = chart.name("length", trace.sqrt(trace.where(still, vo.dot(vo) if resting else 1, chart.x)))
+    length = chart.name("length", trace.sqrt(trace.where(still, vo.dot(vo), chart.x)))
     size = chart.name("r", trace.where(still, 0, length))
+    u = named(trace, "u", Vector(*(trace.where(still, b, a) / length for a, b in zip(v, vo, strict=True))))
+    size_du = chart.name("ro", trace.where(still, length, u.dot(vo)))
+    across = vo - size_du * u
+    moment = named(trace, "uo", Vector(*(trace.where(still, 0, c) / length for c in across)))
+    return size, u, size_du, moment
 
-    def moving(at_rest: Vector, elsewhere: Vector) -> Vector:
-        pairs = zip(at_rest, elsewhere, strict=True)
-        return Vector(*(trace.where(still, a, b) for a, b in pairs)) if resting else elsewhere
 
-    u = named(trace, "u", moving(vo, v) / length)
-    along = u.dot(vo)
-    size_du = chart.name("ro", trace.where(still, length, along) if resting else along)
-    moment = named(trace, "uo", moving(Vector(0, 0, 0), vo - size_du * u) / length)
+def _axis_where(chart: CayleyChart, selected: Number) -> Axis:
+    """The same where it is needed, Re v ≠ 0; elsewhere numbers which are not used and spoil no gradient."""
+    trace = chart.trace
+    size = chart.name("r", trace.sqrt(trace.where(selected, chart.x, chart.k)))
+    u = named(trace, "u", chart.re / size)
+    size_du = chart.name("ro", u.dot(chart.du))
+    moment = named(trace, "uo", (chart.du - size_du * u) / size)
     return size, u, size_du, moment
 
 
