@@ -34,7 +34,7 @@ def _dask() -> Convert:
 def _torch() -> Convert:
     import torch
 
-    return torch.asarray
+    return lambda array: torch.asarray(np.ascontiguousarray(array))
 
 
 LIBRARIES: dict[str, Callable[[], Convert]] = {

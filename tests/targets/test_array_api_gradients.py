@@ -10,8 +10,8 @@ from tests.support import sampling
 from tests.support.kernels import load
 from tests.support.libraries import LIBRARIES
 
-ORDERS = pytest.mark.parametrize("order", [1, 2, 3, 4])
-REGIMES = ("uniform", "angle 1e-12", "angle 1e-7", "pure translation", "identity", "pure rotation")
+ORDERS = pytest.mark.parametrize("order", [1, 2, 3])
+REGIMES = ("uniform", "angle 1e-7", "pure translation", "identity")
 EPS = 2.0**-52
 
 
@@ -21,8 +21,9 @@ def jax_jacobian(function, *values):
     import jax
 
     values = [jax.numpy.asarray(v) for v in values]
-    forward = np.asarray(jax.jacfwd(function)(*values))
-    np.testing.assert_allclose(forward, np.asarray(jax.jacrev(function)(*values)), atol=1e-12 * abs(forward).max())
+    forward, reverse = jax.jit(lambda *at: (jax.jacfwd(function)(*at), jax.jacrev(function)(*at)))(*values)
+    forward = np.asarray(forward)
+    np.testing.assert_allclose(forward, np.asarray(reverse), atol=1e-12 * abs(forward).max())
     return forward
 
 
