@@ -12,7 +12,7 @@ import math
 import operator
 from collections.abc import Sequence
 from fractions import Fraction
-from functools import lru_cache
+from functools import cache
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -38,12 +38,13 @@ class Floats:
         return a if condition else b
 
 
-class Objects(Floats):
+class Objects:
     """Functions on numbers of any other kind, which are asked for their own ``sqrt``, ``tan`` and ``arctan2``."""
 
     sqrt = staticmethod(np.sqrt)
     tan = staticmethod(np.tan)
     atan2 = staticmethod(np.arctan2)
+    where = staticmethod(Floats.where)
 
 
 def call(kernel: Kernel, axis: int, out: Array | None, *values: ArrayLike, table: tuple[str, ...] = ()) -> Array:
@@ -71,7 +72,7 @@ def _one_by_one(
 ) -> Array | None:
     """The result for a few poses of floats, or one of objects; None where the in-place form has to do it."""
     extra = (constants(table, dtype),) if table else ()
-    if not batch and dtype == object:
+    if not batch and dtype.hasobject:
         values = kernel.plain(Objects, *(array.ravel().tolist() for array in arrays), *extra)
         return _packed(values, object).reshape(kernel.shape)
     if dtype != np.float64 or math.prod(batch) > FEW:
@@ -173,10 +174,10 @@ def branch_index(branch: int, order: int) -> int:
         raise TypeError(f"branch must be an integer, got {branch!r}") from None
 
 
-@lru_cache(maxsize=None)
+@cache
 def constants(texts: tuple[str, ...], dtype: np.dtype[Any]) -> tuple[Any, ...]:
     """Return decimal constants at the precision of a type; objects get exact fractions of all the digits."""
-    if dtype == object:
+    if dtype.hasobject:
         return tuple(map(Fraction, texts))
     return tuple(map(np.longdouble if dtype == np.longdouble else float, texts))
 

@@ -738,10 +738,10 @@ def _tangent_blocks(
     gvo1 = add(mul(v1o, s, k1), mul(v1, fo, k2), o17)
     neg(gvo1, o15)
     neg(gvo2, o16)
-    copy(s, o5)
-    copy(s, o9)
-    copy(fo, o14)
-    copy(fo, o18)
+    copy(o1, o5)
+    copy(o1, o9)
+    copy(o10, o14)
+    copy(o10, o18)
 
 
 _TANGENT = Kernel(
@@ -2074,9 +2074,9 @@ def _to_screw_blocks(
     k = add(n1, x, k1)
     ro = m.where(still, length, add(add(mul(u1, v1o, k2), mul(u2, v2o, k4), k2), mul(u3, v3o, k4), k2), k4)
     div(mul(n2, ro, k2), k, o2)
-    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k1), k1), k2), length, o6)
-    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k1), k1), k2), length, o7)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k1), k1), k2), length, o8)
+    div(m.where(still, n0, sub(v1o, mul(u1, ro, k1), k1), k2), length, o6)
+    div(m.where(still, n0, sub(v2o, mul(u2, ro, k1), k1), k2), length, o7)
+    div(m.where(still, n0, sub(v3o, mul(u3, ro, k1), k1), k2), length, o8)
 
 
 _TO_SCREW = Kernel(

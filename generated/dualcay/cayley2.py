@@ -163,7 +163,7 @@ def _quaternion_blocks(
     p = sub(n1, x, k2)
     root = add(n1, x, k1)
     sr = div(n1, root, k3)
-    sc = mul(p, sr, o1)
+    mul(p, sr, o1)
     w = mul(n2, sr, k2)
     mul(v1, w, o2)
     mul(v2, w, o3)

@@ -172,7 +172,7 @@ def _quaternion_blocks(
     N = add(mul(p, p, k5), mul(x, qq, k3), k3)
     root = sqrt(N, k3)
     sr = div(n1, root, k3)
-    sc = mul(p, sr, o1)
+    mul(p, sr, o1)
     w = mul(q, sr, k2)
     mul(v1, w, o2)
     mul(v2, w, o3)

@@ -178,7 +178,7 @@ def _quaternion_blocks(
     mul(v2, w, o3)
     mul(v3, w, o4)
     p = add(mul(sub(x, n6, k4), x, k4), n1, k4)
-    sc = mul(p, sr, o1)
+    mul(p, sr, o1)
     k = add(n1, x, k1)
     e = div(n4, k, k1)
     y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k5), k4), mul(v3, v3o, k5), k4)

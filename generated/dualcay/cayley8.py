@@ -180,7 +180,7 @@ def _quaternion_blocks(
     root = add(mul(ph, ph, k2), mul(x, mul(qh, qh, k3), k3), k2)
     sr = div(n1, root, k2)
     p = add(mul(sub(mul(add(mul(sub(x, n28, k3), x, k3), n70, k3), x, k3), n28, k3), x, k3), n1, k3)
-    sc = mul(p, sr, o1)
+    mul(p, sr, o1)
     q = add(mul(sub(mul(sub(n56, mul(n8, x, k3), k3), x, k3), n56, k3), x, k3), n8, k3)
     w = mul(q, sr, k3)
     mul(v1, w, o2)
