@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import re
 from types import ModuleType
 
@@ -132,6 +133,40 @@ def test_a_bad_number_stays_in_its_element(kernel: ModuleType, order: int, name:
             assert_nearly_equal(others, np.delete(getattr(kernel, name)(*arguments), 4, axis=0))
             if np.isnan(bad):
                 assert np.isnan(result[4]).any()
+
+
+NAMES = {
+    "quaternion": ["v"],
+    "tensor": ["v"],
+    "pose": ["v"],
+    "tangent": ["v"],
+    "tangent_inv": ["v"],
+    "twist": ["v", "v_dot"],
+    "rate": ["v", "omega"],
+    "body_twist": ["v", "v_dot"],
+    "body_rate": ["v", "omega"],
+    "from_quaternion": ["q", "branch"],
+    "from_tensor": ["R", "branch"],
+    "from_pose": ["T", "branch"],
+    "shadow": ["v", "branch"],
+    "principal": ["v"],
+    "compose": ["v2", "v1"],
+    "transform_point": ["v", "r"],
+    "transform_line": ["v", "line"],
+}
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_arguments_have_the_documented_names(kernel: ModuleType, order: int, name: str) -> None:
+    parameters = inspect.signature(getattr(kernel, name)).parameters
+    assert list(parameters) == [*NAMES[name], "axis", "out"]
+    assert parameters["axis"].default == -1
+    assert parameters["out"].default is None
+    if "branch" in parameters:
+        assert parameters["branch"].default == (1 if name == "shadow" else 0)
+    arguments = inputs(kernel, name, order, (2,))
+    by_name = getattr(kernel, name)(**dict(zip(NAMES[name], arguments, strict=False)))
+    np.testing.assert_array_equal(by_name, getattr(kernel, name)(*arguments))
 
 
 WRONG = {

@@ -23,7 +23,7 @@ ROUTES = {
 def samples(order: int, regime: str) -> np.ndarray:
     if not sampling.has_regime(order, regime):
         return np.zeros((0, 6))
-    return sampling.poses(order, regime, count=5)
+    return sampling.poses(order, regime, count=3)
 
 
 def assert_same_pose(kernel: ModuleType, order: int, a: np.ndarray, b: np.ndarray) -> None:
@@ -55,6 +55,31 @@ def test_branches_are_counted_modulo_the_order(kernel: ModuleType, order: int, r
         for turns in (-2, -1, 1):
             again = getattr(kernel, route)(given, branch + turns * order)
             np.testing.assert_array_equal(again, getattr(kernel, route)(given, branch))
+
+
+@pytest.mark.parametrize("route", [*ROUTES, "shadow"])
+def test_branches_are_integers(kernel: ModuleType, order: int, route: str) -> None:
+    v = samples(order, "uniform")
+    given = v if route == "shadow" else ROUTES[route](kernel, v)
+    for form in (given, given[0]):
+        expected = getattr(kernel, route)(form, 1)
+        np.testing.assert_array_equal(getattr(kernel, route)(form, np.int64(1)), expected)
+        np.testing.assert_array_equal(getattr(kernel, route)(form, branch=1), expected)
+        for wrong in (0.5, 1.0, "1", None):
+            with pytest.raises(TypeError, match="branch"):
+                getattr(kernel, route)(form, wrong)
+
+
+@pytest.mark.parametrize("route", ROUTES)
+@pytest.mark.parametrize("regime", ["uniform", "pure rotation"])
+def test_results_are_first_order_in_the_violation(kernel: ModuleType, order: int, route: str, regime: str) -> None:
+    """Inputs that are not quite unit or orthogonal are taken as they come."""
+    v = samples(order, regime)
+    given = ROUTES[route](kernel, v)
+    noise = sampling.generator("noise", route).normal(size=given.shape)
+    for step in (1e-10, 1e-7):
+        found = getattr(kernel, route)(given + step * noise)
+        assert (abs(found - v) <= 1e3 * step * (1 + np.linalg.norm(v, axis=-1, keepdims=True)) ** 2).all()
 
 
 @pytest.mark.parametrize("regime", ["uniform", "middle band", "shadow", "pure translation"])

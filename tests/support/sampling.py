@@ -12,7 +12,7 @@ from collections.abc import Callable
 import numpy as np
 
 # A pose per row. Few, because the oracle is slow; the seeds differ for every (order, regime), so no two share inputs.
-COUNT = 4
+COUNT = 3
 
 Angles = Callable[[np.random.Generator, int, int], np.ndarray]
 
