@@ -64,8 +64,8 @@
 #   body_twist: 125: 49 +, 72 *, 3 /, 1 neg
 #   body_rate: 105: 42 +, 52 *, 10 /, 1 neg
 #   from_quaternion: 70: 24 +, 36 *, 6 /, 1 neg, 1 lt, 2 where
-#   from_tensor: 139: 47 +, 47 *, 9 /, 1 neg, 1 sqrt, 8 lt, 3 eq, 3 and, 3 or, 17 where
-#   from_pose: 103: 32 +, 29 *, 6 /, 1 neg, 1 sqrt, 8 lt, 3 eq, 3 and, 3 or, 17 where
+#   from_tensor: 135: 47 +, 47 *, 9 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_pose: 99: 32 +, 29 *, 6 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
 #   to_screw: 58: 11 +, 22 *, 7 /, 1 neg, 2 sqrt, 1 atan2, 2 lt, 1 eq, 11 where
 #   turn: 58: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 8 where
@@ -1917,7 +1917,7 @@ def from_quaternion(q: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array
     return call_branch(_FROM_QUATERNION, _TURN, TURNS, branch, axis, out, q)
 
 
-# operations 139: 47 +, 47 *, 9 /, 1 neg, 1 sqrt, 8 lt, 3 eq, 3 and, 3 or, 17 where
+# operations 135: 47 +, 47 *, 9 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 def _from_tensor(m: Any, R: Components) -> Result:
     Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33, D11, D12, D13, D21, D22, D23, D31, D32, D33 = R
     rho1 = (D31 * Q21 + D32 * Q22 + D33 * Q23 - (D21 * Q31 + D22 * Q32 + D23 * Q33)) / 2
@@ -1960,9 +1960,7 @@ def _from_tensor(m: Any, R: Components) -> Result:
     e2 = sign * z32
     e3 = sign * z33
     size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
-    gain = m.where(negative, -1, 1) / (size + cos)
+    gain = 1 / (size + e0)
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
@@ -2035,9 +2033,7 @@ def _from_tensor_blocks(
     e2 = mul(sign, z32, k3)
     e3 = mul(sign, z33, k2)
     size = sqrt(add(mul(e0, e0, k4), add(add(mul(e1, e1, k6), mul(e2, e2, k7), k6), mul(e3, e3, k7), k6), k4), k4)
-    negative = m.less(e0, n0, mask1)
-    cos = m.where(negative, neg(e0, k6), e0, k6)
-    gain = div(m.where(negative, n_minus_1, n1, k5), add(size, cos, k4), k4)
+    gain = div(n1, add(size, e0, k4), k4)
     v1 = mul(e1, gain, o1)
     v2 = mul(e2, gain, o2)
     v3 = mul(e3, gain, o3)
@@ -2109,7 +2105,7 @@ def from_tensor(R: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | N
     return call_branch(_FROM_TENSOR, _TURN, TURNS, branch, axis, out, R)
 
 
-# operations 103: 32 +, 29 *, 6 /, 1 neg, 1 sqrt, 8 lt, 3 eq, 3 and, 3 or, 17 where
+# operations 99: 32 +, 29 *, 6 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 def _from_pose(m: Any, T: Components) -> Result:
     Q11, Q12, Q13, T14, Q21, Q22, Q23, T24, Q31, Q32, Q33, T34, _, _, _, _ = T
     a1 = Q32 - Q23
@@ -2149,9 +2145,7 @@ def _from_pose(m: Any, T: Components) -> Result:
     e2 = sign * z32
     e3 = sign * z33
     size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
-    gain = m.where(negative, -1, 1) / (size + cos)
+    gain = 1 / (size + e0)
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
@@ -2224,9 +2218,7 @@ def _from_pose_blocks(
     e2 = mul(sign, z32, k3)
     e3 = mul(sign, z33, k2)
     size = sqrt(add(mul(e0, e0, k4), add(add(mul(e1, e1, k6), mul(e2, e2, k7), k6), mul(e3, e3, k7), k6), k4), k4)
-    negative = m.less(e0, n0, mask1)
-    cos = m.where(negative, neg(e0, k6), e0, k6)
-    gain = div(m.where(negative, n_minus_1, n1, k5), add(size, cos, k4), k4)
+    gain = div(n1, add(size, e0, k4), k4)
     v1 = mul(e1, gain, o1)
     v2 = mul(e2, gain, o2)
     v3 = mul(e3, gain, o3)

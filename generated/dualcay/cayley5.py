@@ -64,8 +64,8 @@
 #   body_twist: 148: 58 +, 87 *, 3 /
 #   body_rate: 136: 53 +, 73 *, 9 /, 1 neg
 #   from_quaternion: 96: 30 +, 49 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 4 where
-#   from_tensor: 157: 50 +, 56 *, 10 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 19 where
-#   from_pose: 121: 35 +, 38 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 19 where
+#   from_tensor: 152: 50 +, 55 *, 10 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 17 where
+#   from_pose: 116: 35 +, 37 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 17 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
 #   to_screw: 76: 16 +, 28 *, 7 /, 2 neg, 2 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 12 where
 #   turn: 58: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 8 where
@@ -2121,7 +2121,7 @@ def from_quaternion(q: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array
     return call_branch(_FROM_QUATERNION, _TURN, TURNS, branch, axis, out, q)
 
 
-# operations 157: 50 +, 56 *, 10 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 19 where
+# operations 152: 50 +, 55 *, 10 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 17 where
 def _from_tensor(m: Any, R: Components) -> Result:
     Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33, D11, D12, D13, D21, D22, D23, D31, D32, D33 = R
     rho1 = (D31 * Q21 + D32 * Q22 + D33 * Q23 - (D21 * Q31 + D22 * Q32 + D23 * Q33)) / 2
@@ -2163,11 +2163,9 @@ def _from_tensor(m: Any, R: Components) -> Result:
     e1 = sign * z31
     e2 = sign * z32
     e3 = sign * z33
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
     sin = m.sqrt(e1 * e1 + e2 * e2 + e3 * e3)
     still = sin == 0
-    gain = m.where(negative, -1, 1) * (m.where(still, 1, m.tan(m.atan2(sin, cos) / 5)) / m.where(still, 5 * cos, sin))
+    gain = m.where(still, 1, m.tan(m.atan2(sin, e0) / 5)) / m.where(still, 5 * e0, sin)
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
@@ -2245,11 +2243,8 @@ def _from_tensor_blocks(
     e0 = mul(sign, z30, k4)
     sin = sqrt(add(add(mul(e1, e1, k5), mul(e2, e2, k6), k5), mul(e3, e3, k6), k5), k5)
     still = m.equal(sin, n0, mask1)
-    negative = m.less(e0, n0, mask2)
-    cos = m.where(negative, neg(e0, k6), e0, k6)
-    gain = mul(
-        m.where(negative, n_minus_1, n1, k4), div(m.where(still, n1, tan(div(atan2(sin, cos, k7), n5, k7), k7), k8),
-        m.where(still, mul(n5, cos, k6), sin, k6), k5), k4
+    gain = div(
+        m.where(still, n1, tan(div(atan2(sin, e0, k6), n5, k6), k6), k7), m.where(still, mul(n5, e0, k4), sin, k4), k4
     )
     v1 = mul(e1, gain, o1)
     v2 = mul(e2, gain, o2)
@@ -2326,7 +2321,7 @@ def from_tensor(R: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | N
     return call_branch(_FROM_TENSOR, _TURN, TURNS, branch, axis, out, R)
 
 
-# operations 121: 35 +, 38 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 19 where
+# operations 116: 35 +, 37 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 17 where
 def _from_pose(m: Any, T: Components) -> Result:
     Q11, Q12, Q13, T14, Q21, Q22, Q23, T24, Q31, Q32, Q33, T34, _, _, _, _ = T
     a1 = Q32 - Q23
@@ -2365,11 +2360,9 @@ def _from_pose(m: Any, T: Components) -> Result:
     e1 = sign * z31
     e2 = sign * z32
     e3 = sign * z33
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
     sin = m.sqrt(e1 * e1 + e2 * e2 + e3 * e3)
     still = sin == 0
-    gain = m.where(negative, -1, 1) * (m.where(still, 1, m.tan(m.atan2(sin, cos) / 5)) / m.where(still, 5 * cos, sin))
+    gain = m.where(still, 1, m.tan(m.atan2(sin, e0) / 5)) / m.where(still, 5 * e0, sin)
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
@@ -2447,11 +2440,8 @@ def _from_pose_blocks(
     e0 = mul(sign, z30, k4)
     sin = sqrt(add(add(mul(e1, e1, k5), mul(e2, e2, k6), k5), mul(e3, e3, k6), k5), k5)
     still = m.equal(sin, n0, mask1)
-    negative = m.less(e0, n0, mask2)
-    cos = m.where(negative, neg(e0, k6), e0, k6)
-    gain = mul(
-        m.where(negative, n_minus_1, n1, k4), div(m.where(still, n1, tan(div(atan2(sin, cos, k7), n5, k7), k7), k8),
-        m.where(still, mul(n5, cos, k6), sin, k6), k5), k4
+    gain = div(
+        m.where(still, n1, tan(div(atan2(sin, e0, k6), n5, k6), k6), k7), m.where(still, mul(n5, e0, k4), sin, k4), k4
     )
     v1 = mul(e1, gain, o1)
     v2 = mul(e2, gain, o2)

@@ -64,8 +64,8 @@
 #   body_twist: 172: 70 +, 99 *, 3 /
 #   body_rate: 157: 63 +, 84 *, 9 /, 1 neg
 #   from_quaternion: 102: 35 +, 53 *, 8 /, 1 neg, 2 sqrt, 1 lt, 2 where
-#   from_tensor: 173: 58 +, 65 *, 12 /, 1 neg, 3 sqrt, 8 lt, 3 eq, 3 and, 3 or, 17 where
-#   from_pose: 137: 43 +, 47 *, 9 /, 1 neg, 3 sqrt, 8 lt, 3 eq, 3 and, 3 or, 17 where
+#   from_tensor: 169: 58 +, 65 *, 12 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_pose: 133: 43 +, 47 *, 9 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
 #   to_screw: 82: 19 +, 31 *, 7 /, 2 neg, 2 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 12 where
 #   turn: 58: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 8 where
@@ -2195,7 +2195,7 @@ def from_quaternion(q: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array
     return call_branch(_FROM_QUATERNION, _TURN, TURNS, branch, axis, out, q)
 
 
-# operations 173: 58 +, 65 *, 12 /, 1 neg, 3 sqrt, 8 lt, 3 eq, 3 and, 3 or, 17 where
+# operations 169: 58 +, 65 *, 12 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 def _from_tensor(m: Any, R: Components) -> Result:
     Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33, D11, D12, D13, D21, D22, D23, D31, D32, D33 = R
     rho1 = (D31 * Q21 + D32 * Q22 + D33 * Q23 - (D21 * Q31 + D22 * Q32 + D23 * Q33)) / 2
@@ -2238,12 +2238,10 @@ def _from_tensor(m: Any, R: Components) -> Result:
     e2 = sign * z32
     e3 = sign * z33
     size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
-    cos1 = cos / size
+    cos1 = e0 / size
     cos2 = m.sqrt((1 + cos1) / 2)
     cos3 = m.sqrt((1 + cos2) / 2)
-    gain = m.where(negative, -1, 1) / (2 * cos2 * (2 * cos3) * (1 + cos3) * size)
+    gain = 1 / (2 * cos2 * (2 * cos3) * (1 + cos3) * size)
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
@@ -2320,15 +2318,10 @@ def _from_tensor_blocks(
     e2 = mul(sign, z32, k3)
     e3 = mul(sign, z33, k2)
     size = sqrt(add(mul(e0, e0, k4), add(add(mul(e1, e1, k6), mul(e2, e2, k7), k6), mul(e3, e3, k7), k6), k4), k4)
-    negative = m.less(e0, n0, mask1)
-    cos = m.where(negative, neg(e0, k6), e0, k6)
-    cos1 = div(cos, size, k5)
+    cos1 = div(e0, size, k5)
     cos2 = sqrt(div(add(n1, cos1, k5), n2, k5), k5)
     cos3 = sqrt(div(add(n1, cos2, k6), n2, k6), k6)
-    gain = div(
-        m.where(negative, n_minus_1, n1, k7), mul(mul(mul(mul(n2, cos2, k5), mul(n2, cos3, k8), k5), add(n1, cos3, k6),
-        k5), size, k4), k4
-    )
+    gain = div(n1, mul(mul(mul(mul(n2, cos2, k5), mul(n2, cos3, k7), k5), add(n1, cos3, k6), k5), size, k4), k4)
     v1 = mul(e1, gain, o1)
     v2 = mul(e2, gain, o2)
     v3 = mul(e3, gain, o3)
@@ -2404,7 +2397,7 @@ def from_tensor(R: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | N
     return call_branch(_FROM_TENSOR, _TURN, TURNS, branch, axis, out, R)
 
 
-# operations 137: 43 +, 47 *, 9 /, 1 neg, 3 sqrt, 8 lt, 3 eq, 3 and, 3 or, 17 where
+# operations 133: 43 +, 47 *, 9 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 def _from_pose(m: Any, T: Components) -> Result:
     Q11, Q12, Q13, T14, Q21, Q22, Q23, T24, Q31, Q32, Q33, T34, _, _, _, _ = T
     a1 = Q32 - Q23
@@ -2444,12 +2437,10 @@ def _from_pose(m: Any, T: Components) -> Result:
     e2 = sign * z32
     e3 = sign * z33
     size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
-    cos1 = cos / size
+    cos1 = e0 / size
     cos2 = m.sqrt((1 + cos1) / 2)
     cos3 = m.sqrt((1 + cos2) / 2)
-    gain = m.where(negative, -1, 1) / (2 * cos2 * (2 * cos3) * (1 + cos3) * size)
+    gain = 1 / (2 * cos2 * (2 * cos3) * (1 + cos3) * size)
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
@@ -2526,15 +2517,10 @@ def _from_pose_blocks(
     e2 = mul(sign, z32, k3)
     e3 = mul(sign, z33, k2)
     size = sqrt(add(mul(e0, e0, k4), add(add(mul(e1, e1, k6), mul(e2, e2, k7), k6), mul(e3, e3, k7), k6), k4), k4)
-    negative = m.less(e0, n0, mask1)
-    cos = m.where(negative, neg(e0, k6), e0, k6)
-    cos1 = div(cos, size, k5)
+    cos1 = div(e0, size, k5)
     cos2 = sqrt(div(add(n1, cos1, k5), n2, k5), k5)
     cos3 = sqrt(div(add(n1, cos2, k6), n2, k6), k6)
-    gain = div(
-        m.where(negative, n_minus_1, n1, k7), mul(mul(mul(mul(n2, cos2, k5), mul(n2, cos3, k8), k5), add(n1, cos3, k6),
-        k5), size, k4), k4
-    )
+    gain = div(n1, mul(mul(mul(mul(n2, cos2, k5), mul(n2, cos3, k7), k5), add(n1, cos3, k6), k5), size, k4), k4)
     v1 = mul(e1, gain, o1)
     v2 = mul(e2, gain, o2)
     v3 = mul(e3, gain, o3)
