@@ -162,7 +162,7 @@ def blocks(batch: Shape, size: int) -> Iterator[tuple[Any, ...]]:
         yield ()
         return
     length = batch[axis - 1]
-    pieces = -(-length * inner // size)
+    pieces = -(-length // (size // inner))
     step = -(-length // pieces)
     for outer in np.ndindex(batch[: axis - 1]):
         for start in range(0, length, step):

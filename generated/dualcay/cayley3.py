@@ -52,16 +52,16 @@
 #   [n = 3] dcay dcay^-1 = I for the tangent_inv formula
 #
 # Operations:
-#   quaternion: 42: 12 +, 25 *, 2 /, 2 neg, 1 sqrt
-#   tensor: 94: 36 +, 57 *, 1 /
-#   pose: 67: 27 +, 39 *, 1 /
-#   transform_point: 80: 31 +, 48 *, 1 /
-#   transform_line: 119: 46 +, 72 *, 1 /
-#   tangent: 103: 40 +, 58 *, 3 /, 2 neg
+#   quaternion: 43: 12 +, 25 *, 3 /, 2 neg, 1 sqrt
+#   tensor: 96: 36 +, 58 *, 2 /
+#   pose: 69: 27 +, 40 *, 2 /
+#   transform_point: 82: 31 +, 49 *, 2 /
+#   transform_line: 121: 46 +, 73 *, 2 /
+#   tangent: 105: 40 +, 59 *, 4 /, 2 neg
 #   tangent_inv: 91: 35 +, 45 *, 9 /, 2 neg
-#   twist: 135: 51 +, 79 *, 3 /, 2 neg
+#   twist: 137: 51 +, 80 *, 4 /, 2 neg
 #   rate: 123: 46 +, 66 *, 9 /, 2 neg
-#   body_twist: 135: 51 +, 79 *, 3 /, 2 neg
+#   body_twist: 137: 51 +, 80 *, 4 /, 2 neg
 #   body_rate: 123: 46 +, 66 *, 9 /, 2 neg
 #   from_quaternion: 90: 27 +, 46 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 4 where
 #   from_tensor: 146: 47 +, 52 *, 10 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 17 where
@@ -71,13 +71,14 @@
 #   turn: 58: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 8 where
 #   shadow: 76: 18 +, 31 *, 7 /, 1 neg, 2 sqrt, 3 lt, 2 eq, 1 and, 1 or, 10 where
 #   principal: 65: 14 +, 26 *, 7 /, 2 sqrt, 1 lt, 1 eq, 14 where
-#   compose: 227: 77 +, 131 *, 9 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 4 where
+#   compose: 231: 77 +, 133 *, 11 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 4 where
 """Cayley map of order 3: Rodrigues dual vectors ``v = tan(α/6) u`` of rigid displacements.
 
 α is the dual angle (rotation angle, translation along the axis) and u the unit dual vector of the screw axis. Arrays
 hold the real part first: v and twists (..., 6), dual quaternions (..., 8) scalar first in each half, dual tensors
 (..., 2, 3, 3). All functions broadcast over leading axes, keep float32, float64 and longdouble (and complex types where
 no branch is selected), and take ``axis=0`` for components first. NaN in gives NaN out, element by element.
+Forward maps are NaN where (1 + x)^3 overflows: beyond Re|v| = 2e+51 in float64, 3e+06 in float32.
 """
 
 from __future__ import annotations
@@ -132,7 +133,7 @@ RETURNS: tuple[str, ...] = (
 # --- forward maps -----------------------------------------------------------------------------------------------
 
 
-# operations 42: 12 +, 25 *, 2 /, 2 neg, 1 sqrt
+# operations 43: 12 +, 25 *, 3 /, 2 neg, 1 sqrt
 def _quaternion(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -144,7 +145,7 @@ def _quaternion(m: Any, v: Components) -> Result:
     qq = q * q
     N = p * p + x * qq
     root = m.sqrt(N)
-    sr = 1 / root
+    sr = root / root / root
     sc = p * sr
     w = q * sr
     k = 1 + x
@@ -171,7 +172,7 @@ def _quaternion_blocks(
     p = sub(n1, mul(n3, x, k4), k4)
     N = add(mul(p, p, k5), mul(x, qq, k3), k3)
     root = sqrt(N, k3)
-    sr = div(n1, root, k3)
+    sr = div(div(root, root, k5), root, k3)
     mul(p, sr, o1)
     w = mul(q, sr, k2)
     mul(v1, w, o2)
@@ -223,7 +224,7 @@ def quaternion(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Arr
     return call(_QUATERNION, axis, out, v)
 
 
-# operations 94: 36 +, 57 *, 1 /
+# operations 96: 36 +, 58 *, 2 /
 def _tensor(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -237,7 +238,7 @@ def _tensor(m: Any, v: Components) -> Result:
     q = 3 - x
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     f = p * q * s
     fv1 = v1 * f
     fv2 = v2 * f
@@ -304,7 +305,7 @@ def _tensor_blocks(
     qq = mul(q, q, k6)
     p = sub(n1, mul(n3, x, k7), k7)
     N = add(mul(p, p, k8), mul(x, qq, k4), k4)
-    s = div(n2, N, k4)
+    s = mul(n2, div(div(N, N, k8), N, k4), k4)
     f = mul(mul(p, q, k5), s, k5)
     g = mul(qq, s, k6)
     Q11 = sub(n1, mul(g, x23, k2), o1)
@@ -377,7 +378,7 @@ def tensor(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     return call(_TENSOR, axis, out, v)
 
 
-# operations 67: 27 +, 39 *, 1 /
+# operations 69: 27 +, 40 *, 2 /
 def _pose(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -391,7 +392,7 @@ def _pose(m: Any, v: Components) -> Result:
     q = 3 - x
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     f = p * q * s
     fv1 = v1 * f
     fv2 = v2 * f
@@ -444,7 +445,7 @@ def _pose_blocks(
     qq = mul(q, q, k6)
     p = sub(n1, mul(n3, x, k7), k7)
     N = add(mul(p, p, k8), mul(x, qq, k4), k4)
-    s = div(n2, N, k4)
+    s = mul(n2, div(div(N, N, k8), N, k4), k4)
     f = mul(mul(p, q, k5), s, k5)
     g = mul(qq, s, k6)
     sub(n1, mul(g, x23, k2), o1)
@@ -511,7 +512,7 @@ def pose(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     return call(_POSE, axis, out, v)
 
 
-# operations 80: 31 +, 48 *, 1 /
+# operations 82: 31 +, 49 *, 2 /
 def _transform_point(m: Any, v: Components, r: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     r1, r2, r3 = r
@@ -526,7 +527,7 @@ def _transform_point(m: Any, v: Components, r: Components) -> Result:
     qq = q * q
     p = 1 - 3 * x
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     g = qq * s
     gv_r1 = v_r1 * g
     gv_r2 = v_r2 * g
@@ -561,7 +562,7 @@ def _transform_point_blocks(
     qq = mul(q, q, k3)
     p = sub(n1, mul(n3, x, k4), k4)
     N = add(mul(p, p, k5), mul(x, qq, k1), k1)
-    s = div(n2, N, k1)
+    s = mul(n2, div(div(N, N, k5), N, k1), k1)
     f = mul(mul(p, q, k2), s, k2)
     g = mul(qq, s, k3)
     h = mul(n16, s, k1)
@@ -623,7 +624,7 @@ def transform_point(v: ArrayLike, r: ArrayLike, *, axis: int = -1, out: Array | 
     return call(_TRANSFORM_POINT, axis, out, v, r)
 
 
-# operations 119: 46 +, 72 *, 1 /
+# operations 121: 46 +, 73 *, 2 /
 def _transform_line(m: Any, v: Components, line: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     l1, l2, l3, m1, m2, m3 = line
@@ -638,7 +639,7 @@ def _transform_line(m: Any, v: Components, line: Components) -> Result:
     qq = q * q
     p = 1 - 3 * x
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     g = qq * s
     gv_l1 = v_l1 * g
     gv_l2 = v_l2 * g
@@ -688,7 +689,7 @@ def _transform_line_blocks(
     qq = mul(q, q, k3)
     p = sub(n1, mul(n3, x, k4), k4)
     N = add(mul(p, p, k5), mul(x, qq, k1), k1)
-    s = div(n2, N, k1)
+    s = mul(n2, div(div(N, N, k5), N, k1), k1)
     f = mul(mul(p, q, k2), s, k2)
     g = mul(qq, s, k3)
     h = mul(n16, s, k1)
@@ -776,7 +777,7 @@ def singular_angles() -> tuple[float, ...]:
     return (2 * pi, 3 * pi,)
 
 
-# operations 103: 40 +, 58 *, 3 /, 2 neg
+# operations 105: 40 +, 59 *, 4 /, 2 neg
 def _tangent(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     y = v1 * v1o + v2 * v2o + v3 * v3o
@@ -789,7 +790,7 @@ def _tangent(m: Any, v: Components) -> Result:
     q = 3 - x
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     h = 16 * s
     k = 1 + x
     e = 3 / k
@@ -857,7 +858,7 @@ def _tangent_blocks(
     qq = mul(q, q, k3)
     p = sub(n1, mul(n3, x, k4), k4)
     N = add(mul(p, p, k5), mul(x, qq, k6), k5)
-    s = div(n2, N, k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
     f = mul(mul(p, q, k4), s, k4)
     g = mul(qq, s, k3)
     k = add(n1, x, k1)
@@ -1110,7 +1111,7 @@ def tangent_inv(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Ar
 dcay_inv = tangent_inv
 
 
-# operations 135: 51 +, 79 *, 3 /, 2 neg
+# operations 137: 51 +, 80 *, 4 /, 2 neg
 def _twist(m: Any, v: Components, v_dot: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
@@ -1124,7 +1125,7 @@ def _twist(m: Any, v: Components, v_dot: Components) -> Result:
     q = 3 - x
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     h = 16 * s
     k = 1 + x
     e = 3 / k
@@ -1172,7 +1173,7 @@ def _twist_blocks(
     qq = mul(q, q, k3)
     p = sub(n1, mul(n3, x, k4), k4)
     N = add(mul(p, p, k5), mul(x, qq, k6), k5)
-    s = div(n2, N, k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
     f = mul(mul(p, q, k4), s, k4)
     g = mul(qq, s, k3)
     k = add(n1, x, k1)
@@ -1374,7 +1375,7 @@ def rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | None = 
     return call(_RATE, axis, out, v, omega)
 
 
-# operations 135: 51 +, 79 *, 3 /, 2 neg
+# operations 137: 51 +, 80 *, 4 /, 2 neg
 def _body_twist(m: Any, v: Components, v_dot: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
@@ -1388,7 +1389,7 @@ def _body_twist(m: Any, v: Components, v_dot: Components) -> Result:
     q = 3 - x
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     h = 16 * s
     k = 1 + x
     e = 3 / k
@@ -1436,7 +1437,7 @@ def _body_twist_blocks(
     qq = mul(q, q, k3)
     p = sub(n1, mul(n3, x, k4), k4)
     N = add(mul(p, p, k5), mul(x, qq, k6), k5)
-    s = div(n2, N, k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
     f = mul(mul(p, q, k4), s, k4)
     g = mul(qq, s, k3)
     k = add(n1, x, k1)
@@ -2625,7 +2626,7 @@ def to_screw(v: ArrayLike, *, axis: int = -1) -> tuple[Array, Array]:
     return (screw[:2], screw[2:]) if axis == 0 else (screw[..., :2], screw[..., 2:])
 
 
-# operations 227: 77 +, 131 *, 9 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 4 where
+# operations 231: 77 +, 133 *, 11 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 4 where
 def _compose(m: Any, b: Components, a: Components) -> Result:
     b1, b2, b3, b1o, b2o, b3o = b
     a1, a2, a3, a1o, a2o, a3o = a
@@ -2653,7 +2654,7 @@ def _compose(m: Any, b: Components, a: Components) -> Result:
     z3 = qva3 * pb + qvb3 * pa + (qvb1 * qva2 - qvb2 * qva1)
     qqa = qa * qa
     Na = pa * pa + xa * qqa
-    sa = 2 / Na
+    sa = 2 * (Na / Na / Na)
     ga = qqa * sa
     gva1 = a1 * ga
     gva2 = a2 * ga
@@ -2670,7 +2671,7 @@ def _compose(m: Any, b: Components, a: Components) -> Result:
     v_rho3 = b1 * rhoa2 - b2 * rhoa1
     qqb = qb * qb
     Nb = pb * pb + xb * qqb
-    sb = 2 / Nb
+    sb = 2 * (Nb / Nb / Nb)
     gb = qqb * sb
     gv_rho1 = v_rho1 * gb
     gv_rho2 = v_rho2 * gb
@@ -2777,7 +2778,7 @@ def _compose_blocks(
     hi = div(mul(d, iq, k3), n3, k3)
     qqa = mul(qa, qa, k9)
     Na = add(mul(pa, pa, k10), mul(xa, qqa, k1), k1)
-    sa = div(n2, Na, k1)
+    sa = mul(n2, div(div(Na, Na, k10), Na, k1), k1)
     fa = mul(mul(pa, qa, k2), sa, k2)
     ga = mul(qqa, sa, k8)
     ha = mul(n16, sa, k1)
@@ -2793,7 +2794,7 @@ def _compose_blocks(
     v_rho3 = sub(mul(b1, rhoa2, k8), mul(b2, rhoa1, k10), k8)
     qqb = mul(qb, qb, k10)
     Nb = add(mul(pb, pb, k12), mul(xb, qqb, k4), k4)
-    sb = div(n2, Nb, k4)
+    sb = mul(n2, div(div(Nb, Nb, k12), Nb, k4), k4)
     fb = mul(mul(pb, qb, k5), sb, k5)
     gb = mul(qqb, sb, k6)
     hb = mul(n16, sb, k4)

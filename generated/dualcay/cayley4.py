@@ -52,16 +52,16 @@
 #   [n = 4] dcay dcay^-1 = I for the tangent_inv formula
 #
 # Operations:
-#   quaternion: 42: 14 +, 25 *, 2 /, 1 neg
-#   tensor: 100: 39 +, 60 *, 1 /
-#   pose: 73: 30 +, 42 *, 1 /
-#   transform_point: 86: 34 +, 51 *, 1 /
-#   transform_line: 125: 49 +, 75 *, 1 /
-#   tangent: 112: 45 +, 64 *, 3 /
+#   quaternion: 43: 14 +, 25 *, 3 /, 1 neg
+#   tensor: 102: 39 +, 61 *, 2 /
+#   pose: 75: 30 +, 43 *, 2 /
+#   transform_point: 88: 34 +, 52 *, 2 /
+#   transform_line: 127: 49 +, 76 *, 2 /
+#   tangent: 114: 45 +, 65 *, 4 /
 #   tangent_inv: 97: 38 +, 49 *, 9 /, 1 neg
-#   twist: 144: 56 +, 85 *, 3 /
+#   twist: 146: 56 +, 86 *, 4 /
 #   rate: 129: 49 +, 70 *, 9 /, 1 neg
-#   body_twist: 144: 56 +, 85 *, 3 /
+#   body_twist: 146: 56 +, 86 *, 4 /
 #   body_rate: 129: 49 +, 70 *, 9 /, 1 neg
 #   from_quaternion: 85: 28 +, 45 *, 7 /, 1 neg, 1 sqrt, 1 lt, 2 where
 #   from_tensor: 152: 51 +, 57 *, 11 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -71,13 +71,14 @@
 #   turn: 58: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 8 where
 #   shadow: 78: 19 +, 32 *, 7 /, 1 neg, 2 sqrt, 3 lt, 2 eq, 1 and, 1 or, 10 where
 #   principal: 68: 14 +, 26 *, 7 /, 2 sqrt, 2 lt, 1 eq, 16 where
-#   compose: 243: 88 +, 140 *, 10 /, 1 neg, 1 sqrt, 1 lt, 2 where
+#   compose: 247: 88 +, 142 *, 12 /, 1 neg, 1 sqrt, 1 lt, 2 where
 """Cayley map of order 4: Rodrigues dual vectors ``v = tan(α/8) u`` of rigid displacements.
 
 α is the dual angle (rotation angle, translation along the axis) and u the unit dual vector of the screw axis. Arrays
 hold the real part first: v and twists (..., 6), dual quaternions (..., 8) scalar first in each half, dual tensors
 (..., 2, 3, 3). All functions broadcast over leading axes, keep float32, float64 and longdouble (and complex types where
 no branch is selected), and take ``axis=0`` for components first. NaN in gives NaN out, element by element.
+Forward maps are NaN where (1 + x)^4 overflows: beyond Re|v| = 3e+38 in float64, 7e+04 in float32.
 """
 
 from __future__ import annotations
@@ -134,7 +135,7 @@ RETURNS: tuple[str, ...] = (
 # --- forward maps -----------------------------------------------------------------------------------------------
 
 
-# operations 42: 14 +, 25 *, 2 /, 1 neg
+# operations 43: 14 +, 25 *, 3 /, 1 neg
 def _quaternion(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -144,7 +145,7 @@ def _quaternion(m: Any, v: Components) -> Result:
     ph = 1 - x
     x_by_4 = 4 * x
     root = ph * ph + x_by_4
-    sr = 1 / root
+    sr = root / root / root
     p = (x - 6) * x + 1
     sc = p * sr
     q = 4 - x_by_4
@@ -171,7 +172,7 @@ def _quaternion_blocks(
     ph = sub(n1, x, k2)
     x_by_4 = mul(n4, x, k3)
     root = add(mul(ph, ph, k2), x_by_4, k2)
-    sr = div(n1, root, k2)
+    sr = div(div(root, root, k4), root, k2)
     q = sub(n4, x_by_4, k3)
     w = mul(q, sr, k3)
     mul(v1, w, o2)
@@ -225,7 +226,7 @@ def quaternion(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Arr
     return call(_QUATERNION, axis, out, v)
 
 
-# operations 100: 39 +, 60 *, 1 /
+# operations 102: 39 +, 61 *, 2 /
 def _tensor(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -239,7 +240,7 @@ def _tensor(m: Any, v: Components) -> Result:
     q = 4 - 4 * x
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     f = p * q * s
     fv1 = v1 * f
     fv2 = v2 * f
@@ -307,7 +308,7 @@ def _tensor_blocks(
     q = sub(n4, mul(n4, x, k6), k6)
     qq = mul(q, q, k7)
     N = add(mul(p, p, k8), mul(x, qq, k9), k8)
-    s = div(n2, N, k8)
+    s = mul(n2, div(div(N, N, k9), N, k8), k8)
     f = mul(mul(p, q, k5), s, k5)
     g = mul(qq, s, k6)
     Q11 = sub(n1, mul(g, x23, k2), o1)
@@ -381,7 +382,7 @@ def tensor(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     return call(_TENSOR, axis, out, v)
 
 
-# operations 73: 30 +, 42 *, 1 /
+# operations 75: 30 +, 43 *, 2 /
 def _pose(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -395,7 +396,7 @@ def _pose(m: Any, v: Components) -> Result:
     q = 4 - 4 * x
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     f = p * q * s
     fv1 = v1 * f
     fv2 = v2 * f
@@ -449,7 +450,7 @@ def _pose_blocks(
     q = sub(n4, mul(n4, x, k6), k6)
     qq = mul(q, q, k7)
     N = add(mul(p, p, k8), mul(x, qq, k9), k8)
-    s = div(n2, N, k8)
+    s = mul(n2, div(div(N, N, k9), N, k8), k8)
     f = mul(mul(p, q, k5), s, k5)
     g = mul(qq, s, k6)
     sub(n1, mul(g, x23, k2), o1)
@@ -517,7 +518,7 @@ def pose(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     return call(_POSE, axis, out, v)
 
 
-# operations 86: 34 +, 51 *, 1 /
+# operations 88: 34 +, 52 *, 2 /
 def _transform_point(m: Any, v: Components, r: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     r1, r2, r3 = r
@@ -532,7 +533,7 @@ def _transform_point(m: Any, v: Components, r: Components) -> Result:
     qq = q * q
     p = (x - 6) * x + 1
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     g = qq * s
     gv_r1 = v_r1 * g
     gv_r2 = v_r2 * g
@@ -568,7 +569,7 @@ def _transform_point_blocks(
     q = sub(n4, mul(n4, x, k3), k3)
     qq = mul(q, q, k4)
     N = add(mul(p, p, k5), mul(x, qq, k6), k5)
-    s = div(n2, N, k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
     f = mul(mul(p, q, k2), s, k2)
     g = mul(qq, s, k3)
     c = add(mul(sub(mul(n8, x, k4), n16, k4), x, k1), n40, k1)
@@ -631,7 +632,7 @@ def transform_point(v: ArrayLike, r: ArrayLike, *, axis: int = -1, out: Array | 
     return call(_TRANSFORM_POINT, axis, out, v, r)
 
 
-# operations 125: 49 +, 75 *, 1 /
+# operations 127: 49 +, 76 *, 2 /
 def _transform_line(m: Any, v: Components, line: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     l1, l2, l3, m1, m2, m3 = line
@@ -646,7 +647,7 @@ def _transform_line(m: Any, v: Components, line: Components) -> Result:
     qq = q * q
     p = (x - 6) * x + 1
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     g = qq * s
     gv_l1 = v_l1 * g
     gv_l2 = v_l2 * g
@@ -697,7 +698,7 @@ def _transform_line_blocks(
     q = sub(n4, mul(n4, x, k3), k3)
     qq = mul(q, q, k4)
     N = add(mul(p, p, k5), mul(x, qq, k6), k5)
-    s = div(n2, N, k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
     f = mul(mul(p, q, k2), s, k2)
     g = mul(qq, s, k3)
     c = add(mul(sub(mul(n8, x, k4), n16, k4), x, k1), n40, k1)
@@ -786,7 +787,7 @@ def singular_angles() -> tuple[float, ...]:
     return (2 * pi, 4 * pi,)
 
 
-# operations 112: 45 +, 64 *, 3 /
+# operations 114: 45 +, 65 *, 4 /
 def _tangent(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     y = v1 * v1o + v2 * v2o + v3 * v3o
@@ -800,7 +801,7 @@ def _tangent(m: Any, v: Components) -> Result:
     q = 4 - 4 * x
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     h = c * s
     k = 1 + x
     e = 4 / k
@@ -869,7 +870,7 @@ def _tangent_blocks(
     q = sub(n4, mul(n4, x, k3), k3)
     qq = mul(q, q, k4)
     N = add(mul(p, p, k5), mul(x, qq, k6), k5)
-    s = div(n2, N, k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
     f = mul(mul(p, q, k2), s, k2)
     g = mul(qq, s, k4)
     c = add(mul(sub(mul(n8, x, k6), n16, k6), x, k6), n40, k6)
@@ -1128,7 +1129,7 @@ def tangent_inv(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Ar
 dcay_inv = tangent_inv
 
 
-# operations 144: 56 +, 85 *, 3 /
+# operations 146: 56 +, 86 *, 4 /
 def _twist(m: Any, v: Components, v_dot: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
@@ -1143,7 +1144,7 @@ def _twist(m: Any, v: Components, v_dot: Components) -> Result:
     q = 4 - 4 * x
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     h = c * s
     k = 1 + x
     e = 4 / k
@@ -1192,7 +1193,7 @@ def _twist_blocks(
     q = sub(n4, mul(n4, x, k3), k3)
     qq = mul(q, q, k4)
     N = add(mul(p, p, k5), mul(x, qq, k6), k5)
-    s = div(n2, N, k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
     f = mul(mul(p, q, k2), s, k2)
     g = mul(qq, s, k4)
     gv2 = mul(v2, g, k6)
@@ -1400,7 +1401,7 @@ def rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | None = 
     return call(_RATE, axis, out, v, omega)
 
 
-# operations 144: 56 +, 85 *, 3 /
+# operations 146: 56 +, 86 *, 4 /
 def _body_twist(m: Any, v: Components, v_dot: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
@@ -1415,7 +1416,7 @@ def _body_twist(m: Any, v: Components, v_dot: Components) -> Result:
     q = 4 - 4 * x
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     h = c * s
     k = 1 + x
     e = 4 / k
@@ -1464,7 +1465,7 @@ def _body_twist_blocks(
     q = sub(n4, mul(n4, x, k3), k3)
     qq = mul(q, q, k4)
     N = add(mul(p, p, k5), mul(x, qq, k6), k5)
-    s = div(n2, N, k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
     f = mul(mul(p, q, k2), s, k2)
     g = mul(qq, s, k4)
     gv3 = mul(v3, g, k6)
@@ -2660,7 +2661,7 @@ def to_screw(v: ArrayLike, *, axis: int = -1) -> tuple[Array, Array]:
     return (screw[:2], screw[2:]) if axis == 0 else (screw[..., :2], screw[..., 2:])
 
 
-# operations 243: 88 +, 140 *, 10 /, 1 neg, 1 sqrt, 1 lt, 2 where
+# operations 247: 88 +, 142 *, 12 /, 1 neg, 1 sqrt, 1 lt, 2 where
 def _compose(m: Any, b: Components, a: Components) -> Result:
     b1, b2, b3, b1o, b2o, b3o = b
     a1, a2, a3, a1o, a2o, a3o = a
@@ -2695,7 +2696,7 @@ def _compose(m: Any, b: Components, a: Components) -> Result:
     size = rootb * roota
     qqa = qa * qa
     Na = pa * pa + xa * qqa
-    sa = 2 / Na
+    sa = 2 * (Na / Na / Na)
     ga = qqa * sa
     gva1 = a1 * ga
     gva2 = a2 * ga
@@ -2713,7 +2714,7 @@ def _compose(m: Any, b: Components, a: Components) -> Result:
     v_rho3 = b1 * rhoa2 - b2 * rhoa1
     qqb = qb * qb
     Nb = pb * pb + xb * qqb
-    sb = 2 / Nb
+    sb = 2 * (Nb / Nb / Nb)
     gb = qqb * sb
     gv_rho1 = v_rho1 * gb
     gv_rho2 = v_rho2 * gb
@@ -2821,7 +2822,7 @@ def _compose_blocks(
     fi = mul(p, iq, k5)
     qqa = mul(qa, qa, k8)
     Na = add(mul(pa, pa, k10), mul(xa, qqa, k11), k10)
-    sa = div(n2, Na, k10)
+    sa = mul(n2, div(div(Na, Na, k11), Na, k10), k10)
     fa = mul(mul(pa, qa, k4), sa, k4)
     ga = mul(qqa, sa, k8)
     ca = add(mul(sub(mul(n8, xa, k9), n16, k9), xa, k3), n40, k3)
@@ -2838,7 +2839,7 @@ def _compose_blocks(
     v_rho3 = sub(mul(b1, rhoa2, k8), mul(b2, rhoa1, k10), k8)
     qqb = mul(qb, qb, k10)
     Nb = add(mul(pb, pb, k12), mul(xb, qqb, k13), k12)
-    sb = div(n2, Nb, k12)
+    sb = mul(n2, div(div(Nb, Nb, k13), Nb, k12), k12)
     fb = mul(mul(pb, qb, k2), sb, k2)
     gb = mul(qqb, sb, k6)
     cb = add(mul(sub(mul(n8, xb, k10), n16, k10), xb, k1), n40, k1)

@@ -52,16 +52,16 @@
 #   [n = 5] dcay dcay^-1 = I for the tangent_inv formula
 #
 # Operations:
-#   quaternion: 48: 15 +, 29 *, 2 /, 1 neg, 1 sqrt
-#   tensor: 102: 40 +, 61 *, 1 /
-#   pose: 75: 31 +, 43 *, 1 /
-#   transform_point: 88: 35 +, 52 *, 1 /
-#   transform_line: 127: 50 +, 76 *, 1 /
-#   tangent: 116: 47 +, 66 *, 3 /
+#   quaternion: 49: 15 +, 29 *, 3 /, 1 neg, 1 sqrt
+#   tensor: 104: 40 +, 62 *, 2 /
+#   pose: 77: 31 +, 44 *, 2 /
+#   transform_point: 90: 35 +, 53 *, 2 /
+#   transform_line: 129: 50 +, 77 *, 2 /
+#   tangent: 118: 47 +, 67 *, 4 /
 #   tangent_inv: 104: 42 +, 52 *, 9 /, 1 neg
-#   twist: 148: 58 +, 87 *, 3 /
+#   twist: 150: 58 +, 88 *, 4 /
 #   rate: 136: 53 +, 73 *, 9 /, 1 neg
-#   body_twist: 148: 58 +, 87 *, 3 /
+#   body_twist: 150: 58 +, 88 *, 4 /
 #   body_rate: 136: 53 +, 73 *, 9 /, 1 neg
 #   from_quaternion: 96: 30 +, 49 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 4 where
 #   from_tensor: 152: 50 +, 55 *, 10 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 17 where
@@ -71,13 +71,14 @@
 #   turn: 58: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 8 where
 #   shadow: 80: 20 +, 33 *, 7 /, 1 neg, 2 sqrt, 3 lt, 2 eq, 1 and, 1 or, 10 where
 #   principal: 68: 14 +, 26 *, 7 /, 2 sqrt, 2 lt, 1 eq, 16 where
-#   compose: 249: 88 +, 142 *, 9 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 4 where
+#   compose: 253: 88 +, 144 *, 11 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 4 where
 """Cayley map of order 5: Rodrigues dual vectors ``v = tan(α/10) u`` of rigid displacements.
 
 α is the dual angle (rotation angle, translation along the axis) and u the unit dual vector of the screw axis. Arrays
 hold the real part first: v and twists (..., 6), dual quaternions (..., 8) scalar first in each half, dual tensors
 (..., 2, 3, 3). All functions broadcast over leading axes, keep float32, float64 and longdouble (and complex types where
 no branch is selected), and take ``axis=0`` for components first. NaN in gives NaN out, element by element.
+Forward maps are NaN where (1 + x)^5 overflows: beyond Re|v| = 7e+30 in float64, 7e+03 in float32.
 """
 
 from __future__ import annotations
@@ -135,7 +136,7 @@ RETURNS: tuple[str, ...] = (
 # --- forward maps -----------------------------------------------------------------------------------------------
 
 
-# operations 48: 15 +, 29 *, 2 /, 1 neg, 1 sqrt
+# operations 49: 15 +, 29 *, 3 /, 1 neg, 1 sqrt
 def _quaternion(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -147,7 +148,7 @@ def _quaternion(m: Any, v: Components) -> Result:
     qq = q * q
     N = p * p + x * qq
     root = m.sqrt(N)
-    sr = 1 / root
+    sr = root / root / root
     sc = p * sr
     w = q * sr
     k = 1 + x
@@ -175,7 +176,7 @@ def _quaternion_blocks(
     p = add(mul(sub(mul(n5, x, k4), n10, k4), x, k4), n1, k4)
     N = add(mul(p, p, k5), mul(x, qq, k3), k3)
     root = sqrt(N, k3)
-    sr = div(n1, root, k3)
+    sr = div(div(root, root, k5), root, k3)
     mul(p, sr, o1)
     w = mul(q, sr, k2)
     mul(v1, w, o2)
@@ -228,7 +229,7 @@ def quaternion(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Arr
     return call(_QUATERNION, axis, out, v)
 
 
-# operations 102: 40 +, 61 *, 1 /
+# operations 104: 40 +, 62 *, 2 /
 def _tensor(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -242,7 +243,7 @@ def _tensor(m: Any, v: Components) -> Result:
     q = (x - 10) * x + 5
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     f = p * q * s
     fv1 = v1 * f
     fv2 = v2 * f
@@ -310,7 +311,7 @@ def _tensor_blocks(
     qq = mul(q, q, k6)
     p = add(mul(sub(mul(n5, x, k7), n10, k7), x, k7), n1, k7)
     N = add(mul(p, p, k8), mul(x, qq, k9), k8)
-    s = div(n2, N, k8)
+    s = mul(n2, div(div(N, N, k9), N, k8), k8)
     f = mul(mul(p, q, k5), s, k5)
     g = mul(qq, s, k6)
     Q11 = sub(n1, mul(g, x23, k2), o1)
@@ -384,7 +385,7 @@ def tensor(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     return call(_TENSOR, axis, out, v)
 
 
-# operations 75: 31 +, 43 *, 1 /
+# operations 77: 31 +, 44 *, 2 /
 def _pose(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -398,7 +399,7 @@ def _pose(m: Any, v: Components) -> Result:
     q = (x - 10) * x + 5
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     f = p * q * s
     fv1 = v1 * f
     fv2 = v2 * f
@@ -452,7 +453,7 @@ def _pose_blocks(
     qq = mul(q, q, k6)
     p = add(mul(sub(mul(n5, x, k7), n10, k7), x, k7), n1, k7)
     N = add(mul(p, p, k8), mul(x, qq, k9), k8)
-    s = div(n2, N, k8)
+    s = mul(n2, div(div(N, N, k9), N, k8), k8)
     f = mul(mul(p, q, k5), s, k5)
     g = mul(qq, s, k6)
     sub(n1, mul(g, x23, k2), o1)
@@ -520,7 +521,7 @@ def pose(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     return call(_POSE, axis, out, v)
 
 
-# operations 88: 35 +, 52 *, 1 /
+# operations 90: 35 +, 53 *, 2 /
 def _transform_point(m: Any, v: Components, r: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     r1, r2, r3 = r
@@ -535,7 +536,7 @@ def _transform_point(m: Any, v: Components, r: Components) -> Result:
     qq = q * q
     p = (5 * x - 10) * x + 1
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     g = qq * s
     gv_r1 = v_r1 * g
     gv_r2 = v_r2 * g
@@ -571,7 +572,7 @@ def _transform_point_blocks(
     qq = mul(q, q, k3)
     p = add(mul(sub(mul(n5, x, k4), n10, k4), x, k4), n1, k4)
     N = add(mul(p, p, k5), mul(x, qq, k6), k5)
-    s = div(n2, N, k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
     f = mul(mul(p, q, k2), s, k2)
     g = mul(qq, s, k3)
     c = add(mul(sub(mul(n80, x, k4), n96, k4), x, k1), n80, k1)
@@ -634,7 +635,7 @@ def transform_point(v: ArrayLike, r: ArrayLike, *, axis: int = -1, out: Array | 
     return call(_TRANSFORM_POINT, axis, out, v, r)
 
 
-# operations 127: 50 +, 76 *, 1 /
+# operations 129: 50 +, 77 *, 2 /
 def _transform_line(m: Any, v: Components, line: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     l1, l2, l3, m1, m2, m3 = line
@@ -649,7 +650,7 @@ def _transform_line(m: Any, v: Components, line: Components) -> Result:
     qq = q * q
     p = (5 * x - 10) * x + 1
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     g = qq * s
     gv_l1 = v_l1 * g
     gv_l2 = v_l2 * g
@@ -700,7 +701,7 @@ def _transform_line_blocks(
     qq = mul(q, q, k3)
     p = add(mul(sub(mul(n5, x, k4), n10, k4), x, k4), n1, k4)
     N = add(mul(p, p, k5), mul(x, qq, k6), k5)
-    s = div(n2, N, k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
     f = mul(mul(p, q, k2), s, k2)
     g = mul(qq, s, k3)
     c = add(mul(sub(mul(n80, x, k4), n96, k4), x, k1), n80, k1)
@@ -789,7 +790,7 @@ def singular_angles() -> tuple[float, ...]:
     return (2 * pi, 4 * pi, 5 * pi,)
 
 
-# operations 116: 47 +, 66 *, 3 /
+# operations 118: 47 +, 67 *, 4 /
 def _tangent(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     y = v1 * v1o + v2 * v2o + v3 * v3o
@@ -803,7 +804,7 @@ def _tangent(m: Any, v: Components) -> Result:
     q = (x - 10) * x + 5
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     h = c * s
     k = 1 + x
     e = 5 / k
@@ -873,7 +874,7 @@ def _tangent_blocks(
     qq = mul(q, q, k3)
     p = add(mul(sub(mul(n5, x, k4), n10, k4), x, k4), n1, k4)
     N = add(mul(p, p, k5), mul(x, qq, k6), k5)
-    s = div(n2, N, k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
     f = mul(mul(p, q, k4), s, k4)
     g = mul(qq, s, k3)
     c = add(mul(sub(mul(n80, x, k6), n96, k6), x, k6), n80, k6)
@@ -1137,7 +1138,7 @@ def tangent_inv(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Ar
 dcay_inv = tangent_inv
 
 
-# operations 148: 58 +, 87 *, 3 /
+# operations 150: 58 +, 88 *, 4 /
 def _twist(m: Any, v: Components, v_dot: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
@@ -1152,7 +1153,7 @@ def _twist(m: Any, v: Components, v_dot: Components) -> Result:
     q = (x - 10) * x + 5
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     h = c * s
     k = 1 + x
     e = 5 / k
@@ -1202,7 +1203,7 @@ def _twist_blocks(
     qq = mul(q, q, k3)
     p = add(mul(sub(mul(n5, x, k4), n10, k4), x, k4), n1, k4)
     N = add(mul(p, p, k5), mul(x, qq, k6), k5)
-    s = div(n2, N, k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
     f = mul(mul(p, q, k4), s, k4)
     g = mul(qq, s, k3)
     gv2 = mul(v2, g, k6)
@@ -1415,7 +1416,7 @@ def rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | None = 
     return call(_RATE, axis, out, v, omega)
 
 
-# operations 148: 58 +, 87 *, 3 /
+# operations 150: 58 +, 88 *, 4 /
 def _body_twist(m: Any, v: Components, v_dot: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
@@ -1430,7 +1431,7 @@ def _body_twist(m: Any, v: Components, v_dot: Components) -> Result:
     q = (x - 10) * x + 5
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     h = c * s
     k = 1 + x
     e = 5 / k
@@ -1480,7 +1481,7 @@ def _body_twist_blocks(
     qq = mul(q, q, k3)
     p = add(mul(sub(mul(n5, x, k4), n10, k4), x, k4), n1, k4)
     N = add(mul(p, p, k5), mul(x, qq, k6), k5)
-    s = div(n2, N, k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
     f = mul(mul(p, q, k4), s, k4)
     g = mul(qq, s, k3)
     gv3 = mul(v3, g, k6)
@@ -2686,7 +2687,7 @@ def to_screw(v: ArrayLike, *, axis: int = -1) -> tuple[Array, Array]:
     return (screw[:2], screw[2:]) if axis == 0 else (screw[..., :2], screw[..., 2:])
 
 
-# operations 249: 88 +, 142 *, 9 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 4 where
+# operations 253: 88 +, 144 *, 11 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 4 where
 def _compose(m: Any, b: Components, a: Components) -> Result:
     b1, b2, b3, b1o, b2o, b3o = b
     a1, a2, a3, a1o, a2o, a3o = a
@@ -2714,7 +2715,7 @@ def _compose(m: Any, b: Components, a: Components) -> Result:
     z3 = qva3 * pb + qvb3 * pa + (qvb1 * qva2 - qvb2 * qva1)
     qqa = qa * qa
     Na = pa * pa + xa * qqa
-    sa = 2 / Na
+    sa = 2 * (Na / Na / Na)
     ga = qqa * sa
     gva1 = a1 * ga
     gva2 = a2 * ga
@@ -2732,7 +2733,7 @@ def _compose(m: Any, b: Components, a: Components) -> Result:
     v_rho3 = b1 * rhoa2 - b2 * rhoa1
     qqb = qb * qb
     Nb = pb * pb + xb * qqb
-    sb = 2 / Nb
+    sb = 2 * (Nb / Nb / Nb)
     gb = qqb * sb
     gv_rho1 = v_rho1 * gb
     gv_rho2 = v_rho2 * gb
@@ -2840,7 +2841,7 @@ def _compose_blocks(
     hi = div(mul(d, iq, k3), n5, k3)
     qqa = mul(qa, qa, k9)
     Na = add(mul(pa, pa, k10), mul(xa, qqa, k11), k10)
-    sa = div(n2, Na, k10)
+    sa = mul(n2, div(div(Na, Na, k11), Na, k10), k10)
     fa = mul(mul(pa, qa, k2), sa, k2)
     ga = mul(qqa, sa, k8)
     ca = add(mul(sub(mul(n80, xa, k9), n96, k9), xa, k1), n80, k1)
@@ -2857,7 +2858,7 @@ def _compose_blocks(
     v_rho3 = sub(mul(b1, rhoa2, k8), mul(b2, rhoa1, k10), k8)
     qqb = mul(qb, qb, k10)
     Nb = add(mul(pb, pb, k12), mul(xb, qqb, k13), k12)
-    sb = div(n2, Nb, k12)
+    sb = mul(n2, div(div(Nb, Nb, k13), Nb, k12), k12)
     fb = mul(mul(pb, qb, k5), sb, k5)
     gb = mul(qqb, sb, k6)
     cb = add(mul(sub(mul(n80, xb, k10), n96, k10), xb, k4), n80, k4)
