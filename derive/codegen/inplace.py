@@ -1,7 +1,7 @@
 """Print a program as NumPy calls which write where the register allocation says: no temporary is ever made.
 
 A statement keeps the name it has in the infix form, ``x = add(add(v11, v22, k1), v33, k1)``: a call returns where it
-wrote.  Scratch registers are ``k1, k2, ...``, mask registers ``mask1, ...``, outputs ``o1, ...``, constants ``n2`` for 2.
+wrote.  Scratch registers are ``k1, k2, ...``, mask registers ``mask1, ...``, outputs ``o1, ...``, and ``n2`` is 2.
 """
 
 from __future__ import annotations
@@ -62,9 +62,11 @@ def _statements(program: Program, placement: Placement, numbers: tuple[int, ...]
         raise ValueError(f"program {program.name!r} uses names of registers: {', '.join(map(str, taken))}")
     yield from (_unpacked(names, argument) for argument, names in fixed.items() if names)
     printer = _Calls({step.name: step for step in program.steps}, placement)
+    read = {arg for step in program.steps for arg in step.args}
     for step in placement.statements:
-        yield ("" if step.inline else f"{step.name} = ") + printer.call(step)
-    yield from (f"copy({printer.operand(source)}, o{index})" for source, index in placement.copies)
+        named = step.name in read and not step.inline
+        yield (f"{step.name} = " if named else "") + printer.call(step)
+    yield from (f"copy({printer.place(source)}, o{index})" for source, index in placement.copies)
 
 
 def _unpacked(names: list[str], argument: str) -> str:
@@ -85,6 +87,13 @@ class _Calls:
     def call(self, step: Step) -> str:
         kind, index = self.placement.places[step.name]
         return f"{_FUNCTIONS[step.op]}({', '.join(map(self.operand, step.args))}, {kind}{index})"
+
+    def place(self, operand: Operand) -> str:
+        """Where an output stands that is written a second time."""
+        if isinstance(operand, str) and operand in self.steps:
+            kind, index = self.placement.places[operand]
+            return f"{kind}{index}"
+        return self.operand(operand)
 
     def operand(self, operand: Operand) -> str:
         if not isinstance(operand, str):

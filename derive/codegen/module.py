@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import mpmath
+import numpy as np
 import sympy
 
 from ..maps import Formula
@@ -59,6 +60,7 @@ def module_text(proved: Proved, target: Target) -> str:
         singular={f.name: f.singular for f in maps},
         singular_angles=[_multiple_of_pi(angle) for angle in cayley.singular_angles],
         inverse_domain=_inverse_domain(n),
+        largest={name: f"{float(np.finfo(name).max) ** (0.5 / n):.1g}" for name in ("float32", "float64")},
         **target.words,
     )
 

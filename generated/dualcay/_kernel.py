@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -162,20 +162,20 @@ def blocks(batch: Shape, size: int) -> Iterator[tuple[Any, ...]]:
         yield ()
         return
     length = batch[axis - 1]
-    pieces = -(-length * inner // size)
+    pieces = -(-length // (size // inner))
     step = -(-length // pieces)
     for outer in np.ndindex(batch[: axis - 1]):
         for start in range(0, length, step):
             yield (*outer, slice(start, start + step))
 
 
-@lru_cache(maxsize=None)
+@cache
 def components(part: Shape) -> tuple[Shape, ...]:
     """Indices of the components of an argument or a result, in C order."""
     return tuple(np.ndindex(part))
 
 
-@lru_cache(maxsize=None)
+@cache
 def constants(values: tuple[int, ...], dtype: np.dtype[Any]) -> Rows:
     """Constants as arrays of a type, which a ufunc need not convert again."""
     return tuple(np.array(value, dtype) for value in values)

@@ -12,7 +12,7 @@ import math
 import operator
 from collections.abc import Sequence
 from fractions import Fraction
-from functools import lru_cache
+from functools import cache
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -22,8 +22,12 @@ from ._kernel import Array, Kernel, Result, Shape, run
 
 Table: TypeAlias = tuple[tuple[str, ...], ...]
 
-FEW = 8
+FEW = 20
 """Largest batch that runs pose by pose: above it the calls of NumPy cost less than Python's arithmetic."""
+
+FLOAT = np.dtype(np.float64)
+RAISED = (ZeroDivisionError, OverflowError, ValueError)
+"""What Python raises at singular points, where IEEE arithmetic has a result."""
 
 
 class Floats:
@@ -38,18 +42,23 @@ class Floats:
         return a if condition else b
 
 
-class Objects(Floats):
+class Objects:
     """Functions on numbers of any other kind, which are asked for their own ``sqrt``, ``tan`` and ``arctan2``."""
 
     sqrt = staticmethod(np.sqrt)
     tan = staticmethod(np.tan)
     atan2 = staticmethod(np.arctan2)
+    where = staticmethod(Floats.where)
 
 
 def call(kernel: Kernel, axis: int, out: Array | None, *values: ArrayLike, table: tuple[str, ...] = ()) -> Array:
     """Run a kernel on its arguments; ``table`` holds decimal constants that are its last one."""
-    pairs = zip(kernel.arguments, values, strict=True)
-    arrays = [as_array(name, value, part, axis, kernel.real) for (name, part), value in pairs]
+    arguments = kernel.arguments
+    arrays = [as_array(name, value, part, axis, kernel.real) for (name, part), value in zip(arguments, values)]
+    if out is None and all(a.dtype == FLOAT and a.ndim == len(part) for a, (_, part) in zip(arrays, arguments)):
+        alone = _alone(kernel, arrays, table)
+        if alone is not None:
+            return alone
     dtype = arrays[0].dtype if len(arrays) == 1 else np.result_type(*arrays)
     batch = _batch(kernel, arrays, axis)
     full = kernel.shape + batch if axis == 0 else batch + kernel.shape
@@ -66,24 +75,30 @@ def call(kernel: Kernel, axis: int, out: Array | None, *values: ArrayLike, table
     return out
 
 
+def _alone(kernel: Kernel, arrays: Sequence[Array], table: tuple[str, ...]) -> Array | None:
+    """The result for one pose of floats, on the shortest way; None where Python raises and IEEE has a result."""
+    try:
+        extra = (constants(table, FLOAT),) if table else ()
+        return np.array(kernel.plain(Floats, *[a.ravel().tolist() for a in arrays], *extra), FLOAT).reshape(kernel.shape)
+    except RAISED:
+        return None
+
+
 def _one_by_one(
     kernel: Kernel, arrays: Sequence[Array], batch: Shape, axis: int, dtype: np.dtype[Any], table: tuple[str, ...]
 ) -> Array | None:
     """The result for a few poses of floats, or one of objects; None where the in-place form has to do it."""
     extra = (constants(table, dtype),) if table else ()
-    if not batch and dtype == object:
+    if not batch and dtype.hasobject:
         values = kernel.plain(Objects, *(array.ravel().tolist() for array in arrays), *extra)
         return _packed(values, object).reshape(kernel.shape)
-    if dtype != np.float64 or math.prod(batch) > FEW:
+    if dtype != FLOAT or math.prod(batch) > FEW:
         return None
     try:
-        if not batch:
-            values = kernel.plain(Floats, *[array.ravel().tolist() for array in arrays], *extra)
-            return np.array(values, dtype).reshape(kernel.shape)
         poses = zip(*(_poses(a, part, batch, axis) for a, (_, part) in zip(arrays, kernel.arguments, strict=True)))
         results = [kernel.plain(Floats, *pose, *extra) for pose in poses]
-    except (ZeroDivisionError, OverflowError, ValueError):
-        return None  # at a singular point Python raises where IEEE arithmetic has a result
+    except RAISED:
+        return None
     last = np.array(results, dtype).reshape(batch + kernel.shape)
     return last if axis == -1 else np.ascontiguousarray(np.moveaxis(last, range(len(batch)), range(-len(batch), 0)))
 
@@ -119,7 +134,7 @@ def as_array(name: str, value: ArrayLike, part: Shape, axis: int, real: bool = F
     if axis not in (-1, 0):
         raise ValueError(f"axis must be -1 (components last) or 0 (components first), got {axis!r}")
     array = np.asarray(value)
-    if array.dtype != np.float64:
+    if array.dtype != FLOAT:
         array = _supported(name, array, real)
     found = array.shape[: len(part)] if axis == 0 else array.shape[-len(part) :]
     if found != part:
@@ -173,10 +188,10 @@ def branch_index(branch: int, order: int) -> int:
         raise TypeError(f"branch must be an integer, got {branch!r}") from None
 
 
-@lru_cache(maxsize=None)
+@cache
 def constants(texts: tuple[str, ...], dtype: np.dtype[Any]) -> tuple[Any, ...]:
     """Return decimal constants at the precision of a type; objects get exact fractions of all the digits."""
-    if dtype == object:
+    if dtype.hasobject:
         return tuple(map(Fraction, texts))
     return tuple(map(np.longdouble if dtype == np.longdouble else float, texts))
 

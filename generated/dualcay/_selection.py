@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
+from functools import cache
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -67,7 +67,7 @@ class Flags:
 Selection: TypeAlias = Bits | Flags
 
 
-@lru_cache(maxsize=None)
+@cache
 def selection(dtype: np.dtype[Any]) -> Selection:
     """How numbers of a type are selected."""
     return Bits(dtype) if dtype in (np.float64, np.float32) else Flags()

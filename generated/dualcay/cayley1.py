@@ -52,16 +52,16 @@
 #   [n = 1] dcay dcay^-1 = I for the tangent_inv formula
 #
 # Operations:
-#   quaternion: 29: 8 +, 17 *, 2 /, 1 neg, 1 sqrt
-#   tensor: 69: 29 +, 39 *, 1 /
-#   pose: 42: 20 +, 21 *, 1 /
-#   transform_point: 55: 24 +, 30 *, 1 /
-#   transform_line: 91: 39 +, 51 *, 1 /
-#   tangent: 35: 8 +, 18 *, 2 /, 7 neg
+#   quaternion: 30: 8 +, 17 *, 3 /, 1 neg, 1 sqrt
+#   tensor: 71: 29 +, 40 *, 2 /
+#   pose: 44: 20 +, 22 *, 2 /
+#   transform_point: 57: 24 +, 31 *, 2 /
+#   transform_line: 93: 39 +, 52 *, 2 /
+#   tangent: 37: 8 +, 19 *, 3 /, 7 neg
 #   tangent_inv: 57: 21 +, 21 *, 15 /
-#   twist: 77: 29 +, 45 *, 2 /, 1 neg
+#   twist: 79: 29 +, 46 *, 3 /, 1 neg
 #   rate: 84: 34 +, 36 *, 14 /
-#   body_twist: 77: 29 +, 45 *, 2 /, 1 neg
+#   body_twist: 79: 29 +, 46 *, 3 /, 1 neg
 #   body_rate: 84: 34 +, 36 *, 14 /
 #   from_quaternion: 58: 20 +, 30 *, 8 /
 #   from_tensor: 119: 40 +, 37 *, 11 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -71,13 +71,14 @@
 #   turn: 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
 #   shadow: 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
 #   principal: 0
-#   compose: 135: 56 +, 69 *, 10 /
+#   compose: 139: 56 +, 71 *, 12 /
 """Cayley map of order 1: Rodrigues dual vectors ``v = tan(α/2) u`` of rigid displacements.
 
 α is the dual angle (rotation angle, translation along the axis) and u the unit dual vector of the screw axis. Arrays
 hold the real part first: v and twists (..., 6), dual quaternions (..., 8) scalar first in each half, dual tensors
 (..., 2, 3, 3). All functions broadcast over leading axes, keep float32, float64 and longdouble (and complex types where
 no branch is selected), and take ``axis=0`` for components first. NaN in gives NaN out, element by element.
+Forward maps are NaN where (1 + x)^1 overflows: beyond Re|v| = 1e+154 in float64, 2e+19 in float32.
 """
 
 from __future__ import annotations
@@ -129,7 +130,7 @@ RETURNS: tuple[str, ...] = (
 # --- forward maps -----------------------------------------------------------------------------------------------
 
 
-# operations 29: 8 +, 17 *, 2 /, 1 neg, 1 sqrt
+# operations 30: 8 +, 17 *, 3 /, 1 neg, 1 sqrt
 def _quaternion(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -138,7 +139,7 @@ def _quaternion(m: Any, v: Components) -> Result:
     x = v11 + v22 + v33
     N = 1 + x
     root = m.sqrt(N)
-    sr = 1 / root
+    sr = root / root / root
     e = 1 / N
     y = v1 * v1o + v2 * v2o + v3 * v3o
     sco = -(sr * (e * y))
@@ -158,7 +159,7 @@ def _quaternion_blocks(
     x = add(add(v11, v22, k1), v33, k1)
     N = add(n1, x, k1)
     root = sqrt(N, k2)
-    sr = div(n1, root, o1)
+    sr = div(div(root, root, k3), root, o1)
     mul(v1, sr, o2)
     mul(v2, sr, o3)
     mul(v3, sr, o4)
@@ -206,7 +207,7 @@ def quaternion(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Arr
     return call(_QUATERNION, axis, out, v)
 
 
-# operations 69: 29 +, 39 *, 1 /
+# operations 71: 29 +, 40 *, 2 /
 def _tensor(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -217,7 +218,7 @@ def _tensor(m: Any, v: Components) -> Result:
     x12 = v11 + v22
     x = x12 + v33
     N = 1 + x
-    s = 2 / N
+    s = 2 * (N / N / N)
     fv1 = v1 * s
     fv2 = v2 * s
     fv3 = v3 * s
@@ -273,7 +274,7 @@ def _tensor_blocks(
     x13 = add(v11, v33, k1)
     x = add(x12, v33, k4)
     N = add(n1, x, k4)
-    s = div(n2, N, k4)
+    s = mul(n2, div(div(N, N, k5), N, k4), k4)
     Q11 = sub(n1, mul(s, x23, k2), o1)
     Q22 = sub(n1, mul(s, x13, k1), o5)
     Q33 = sub(n1, mul(s, x12, k1), o9)
@@ -338,7 +339,7 @@ def tensor(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     return call(_TENSOR, axis, out, v)
 
 
-# operations 42: 20 +, 21 *, 1 /
+# operations 44: 20 +, 22 *, 2 /
 def _pose(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -349,7 +350,7 @@ def _pose(m: Any, v: Components) -> Result:
     x12 = v11 + v22
     x = x12 + v33
     N = 1 + x
-    s = 2 / N
+    s = 2 * (N / N / N)
     fv1 = v1 * s
     fv2 = v2 * s
     fv3 = v3 * s
@@ -391,7 +392,7 @@ def _pose_blocks(
     x13 = add(v11, v33, k1)
     x = add(x12, v33, k4)
     N = add(n1, x, k4)
-    s = div(n2, N, k4)
+    s = mul(n2, div(div(N, N, k5), N, k4), k4)
     sub(n1, mul(s, x23, k2), o1)
     sub(n1, mul(s, x13, k1), o6)
     sub(n1, mul(s, x12, k1), o11)
@@ -450,7 +451,7 @@ def pose(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     return call(_POSE, axis, out, v)
 
 
-# operations 55: 24 +, 30 *, 1 /
+# operations 57: 24 +, 31 *, 2 /
 def _transform_point(m: Any, v: Components, r: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     r1, r2, r3 = r
@@ -462,7 +463,7 @@ def _transform_point(m: Any, v: Components, r: Components) -> Result:
     v33 = v3 * v3
     x = v11 + v22 + v33
     N = 1 + x
-    s = 2 / N
+    s = 2 * (N / N / N)
     gv_r1 = v_r1 * s
     gv_r2 = v_r2 * s
     gv_r3 = v_r3 * s
@@ -489,7 +490,7 @@ def _transform_point_blocks(
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
     N = add(n1, x, k1)
-    s = div(n2, N, k1)
+    s = mul(n2, div(div(N, N, k2), N, k1), k1)
     v_r1 = sub(mul(v2, r3, k2), mul(v3, r2, k3), k2)
     gv_r1 = mul(v_r1, s, k2)
     v_r3 = sub(mul(v1, r2, k3), mul(v2, r1, k4), k3)
@@ -546,7 +547,7 @@ def transform_point(v: ArrayLike, r: ArrayLike, *, axis: int = -1, out: Array | 
     return call(_TRANSFORM_POINT, axis, out, v, r)
 
 
-# operations 91: 39 +, 51 *, 1 /
+# operations 93: 39 +, 52 *, 2 /
 def _transform_line(m: Any, v: Components, line: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     l1, l2, l3, m1, m2, m3 = line
@@ -558,7 +559,7 @@ def _transform_line(m: Any, v: Components, line: Components) -> Result:
     v33 = v3 * v3
     x = v11 + v22 + v33
     N = 1 + x
-    s = 2 / N
+    s = 2 * (N / N / N)
     gv_l1 = v_l1 * s
     gv_l2 = v_l2 * s
     gv_l3 = v_l3 * s
@@ -600,7 +601,7 @@ def _transform_line_blocks(
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
     N = add(n1, x, k1)
-    s = div(n2, N, k1)
+    s = mul(n2, div(div(N, N, k2), N, k1), k1)
     v_l1 = sub(mul(v2, l3, k2), mul(v3, l2, k3), k2)
     gv_l1 = mul(v_l1, s, k2)
     v_l3 = sub(mul(v1, l2, k3), mul(v2, l1, k4), k3)
@@ -683,7 +684,7 @@ def singular_angles() -> tuple[float, ...]:
     return (pi,)
 
 
-# operations 35: 8 +, 18 *, 2 /, 7 neg
+# operations 37: 8 +, 19 *, 3 /, 7 neg
 def _tangent(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     y = v1 * v1o + v2 * v2o + v3 * v3o
@@ -693,7 +694,7 @@ def _tangent(m: Any, v: Components) -> Result:
     v33 = v3 * v3
     x = v11 + v22 + v33
     N = 1 + x
-    s = 2 / N
+    s = 2 * (N / N / N)
     e = 1 / N
     eg = e * s
     df = -eg
@@ -719,7 +720,7 @@ def _tangent_blocks(
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
     N = add(n1, x, k1)
-    s = div(n2, N, o1)
+    s = mul(n2, div(div(N, N, k2), N, k2), o1)
     gv3 = mul(v3, s, o4)
     neg(gv3, o2)
     gv2 = mul(v2, s, o3)
@@ -738,10 +739,10 @@ def _tangent_blocks(
     gvo1 = add(mul(v1o, s, k1), mul(v1, fo, k2), o17)
     neg(gvo1, o15)
     neg(gvo2, o16)
-    copy(s, o5)
-    copy(s, o9)
-    copy(fo, o14)
-    copy(fo, o18)
+    copy(o1, o5)
+    copy(o1, o9)
+    copy(o10, o14)
+    copy(o10, o18)
 
 
 _TANGENT = Kernel(
@@ -912,7 +913,7 @@ def tangent_inv(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Ar
 dcay_inv = tangent_inv
 
 
-# operations 77: 29 +, 45 *, 2 /, 1 neg
+# operations 79: 29 +, 46 *, 3 /, 1 neg
 def _twist(m: Any, v: Components, v_dot: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
@@ -923,7 +924,7 @@ def _twist(m: Any, v: Components, v_dot: Components) -> Result:
     v33 = v3 * v3
     x = v11 + v22 + v33
     N = 1 + x
-    s = 2 / N
+    s = 2 * (N / N / N)
     e = 1 / N
     eg = e * s
     df = -eg
@@ -957,7 +958,7 @@ def _twist_blocks(
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
     N = add(n1, x, k1)
-    s = div(n2, N, k2)
+    s = mul(n2, div(div(N, N, k2), N, k2), k2)
     e = div(n1, N, k1)
     eg = mul(e, s, k1)
     df = neg(eg, k1)
@@ -1113,7 +1114,7 @@ def rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | None = 
     return call(_RATE, axis, out, v, omega)
 
 
-# operations 77: 29 +, 45 *, 2 /, 1 neg
+# operations 79: 29 +, 46 *, 3 /, 1 neg
 def _body_twist(m: Any, v: Components, v_dot: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
@@ -1124,7 +1125,7 @@ def _body_twist(m: Any, v: Components, v_dot: Components) -> Result:
     v33 = v3 * v3
     x = v11 + v22 + v33
     N = 1 + x
-    s = 2 / N
+    s = 2 * (N / N / N)
     e = 1 / N
     eg = e * s
     df = -eg
@@ -1158,7 +1159,7 @@ def _body_twist_blocks(
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
     N = add(n1, x, k1)
-    s = div(n2, N, k2)
+    s = mul(n2, div(div(N, N, k2), N, k2), k2)
     e = div(n1, N, k1)
     eg = mul(e, s, k1)
     df = neg(eg, k1)
@@ -1327,7 +1328,7 @@ def _turn(m: Any, v: Components, cs: Components) -> Result:
     x = v11 + v22 + v33
     still = x == 0
     length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
-    r = m.where(still, 0, length)
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1355,10 +1356,10 @@ def _turn_blocks(
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
     still = m.equal(x, n0, mask1)
-    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k1)
-    r = m.where(still, n0, length, k2)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
+    r = m.where(still, x, length, k1)
     iden = div(n1, sub(cos, mul(r, sin, k3), k3), k3)
-    rk = mul(add(mul(r, cos, k2), sin, k2), iden, k2)
+    rk = mul(add(mul(r, cos, k1), sin, k1), iden, k1)
     u1 = div(m.where(still, v1o, v1, k4), length, k4)
     mul(u1, rk, o1)
     u2 = div(m.where(still, v2o, v2, k5), length, k5)
@@ -1371,7 +1372,7 @@ def _turn_blocks(
     add(mul(uo1, rk, k7), mul(u1, rko, k4), o4)
     uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k4), k4), k7), length, k4)
     add(mul(uo2, rk, k4), mul(u2, rko, k5), o5)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k1)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k2)
     add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
 
 
@@ -1397,7 +1398,7 @@ def _shadow(m: Any, v: Components, cs: Components) -> Result:
     x = v11 + v22 + v33
     still = x == 0
     length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
-    r = m.where(still, 0, length)
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1425,10 +1426,10 @@ def _shadow_blocks(
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
     still = m.equal(x, n0, mask1)
-    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k1)
-    r = m.where(still, n0, length, k2)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
+    r = m.where(still, x, length, k1)
     iden = div(n1, sub(cos, mul(r, sin, k3), k3), k3)
-    rk = mul(add(mul(r, cos, k2), sin, k2), iden, k2)
+    rk = mul(add(mul(r, cos, k1), sin, k1), iden, k1)
     u1 = div(m.where(still, v1o, v1, k4), length, k4)
     mul(u1, rk, o1)
     u2 = div(m.where(still, v2o, v2, k5), length, k5)
@@ -1441,7 +1442,7 @@ def _shadow_blocks(
     add(mul(uo1, rk, k7), mul(u1, rko, k4), o4)
     uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k4), k4), k7), length, k4)
     add(mul(uo2, rk, k4), mul(u2, rko, k5), o5)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k1)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k2)
     add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
 
 
@@ -2040,7 +2041,7 @@ def _to_screw(m: Any, v: Components) -> Result:
     x = v11 + v22 + v33
     still = x == 0
     length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
-    r = m.where(still, 0, length)
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -2069,14 +2070,14 @@ def _to_screw_blocks(
     u1 = div(m.where(still, v1o, v1, k3), length, o3)
     u2 = div(m.where(still, v2o, v2, k3), length, o4)
     u3 = div(m.where(still, v3o, v3, k3), length, o5)
-    k = add(n1, x, k1)
-    r = m.where(still, n0, length, k3)
+    r = m.where(still, x, length, k3)
     mul(n2, atan2(r, n1, k3), o1)
+    k = add(n1, x, k1)
     ro = m.where(still, length, add(add(mul(u1, v1o, k3), mul(u2, v2o, k4), k3), mul(u3, v3o, k4), k3), k4)
     div(mul(n2, ro, k3), k, o2)
-    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k1), k1), k3), length, o6)
-    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k1), k1), k3), length, o7)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k1), k1), k3), length, o8)
+    div(m.where(still, n0, sub(v1o, mul(u1, ro, k1), k1), k3), length, o6)
+    div(m.where(still, n0, sub(v2o, mul(u2, ro, k1), k1), k3), length, o7)
+    div(m.where(still, n0, sub(v3o, mul(u3, ro, k1), k1), k3), length, o8)
 
 
 _TO_SCREW = Kernel(
@@ -2118,7 +2119,7 @@ def to_screw(v: ArrayLike, *, axis: int = -1) -> tuple[Array, Array]:
     return (screw[:2], screw[2:]) if axis == 0 else (screw[..., :2], screw[..., 2:])
 
 
-# operations 135: 56 +, 69 *, 10 /
+# operations 139: 56 +, 71 *, 12 /
 def _compose(m: Any, b: Components, a: Components) -> Result:
     b1, b2, b3, b1o, b2o, b3o = b
     a1, a2, a3, a1o, a2o, a3o = a
@@ -2135,7 +2136,7 @@ def _compose(m: Any, b: Components, a: Components) -> Result:
     z2 = a2 + b2 + (b3 * a1 - b1 * a3)
     z3 = a3 + b3 + (b1 * a2 - b2 * a1)
     Na = 1 + xa
-    sa = 2 / Na
+    sa = 2 * (Na / Na / Na)
     gva1 = a1 * sa
     gva2 = a2 * sa
     gva3 = a3 * sa
@@ -2146,7 +2147,7 @@ def _compose(m: Any, b: Components, a: Components) -> Result:
     v_rho2 = b3 * rhoa1 - b1 * rhoa3
     v_rho3 = b1 * rhoa2 - b2 * rhoa1
     Nb = 1 + xb
-    sb = 2 / Nb
+    sb = 2 * (Nb / Nb / Nb)
     gv_rho1 = v_rho1 * sb
     gv_rho2 = v_rho2 * sb
     gv_rho3 = v_rho3 * sb
@@ -2195,7 +2196,7 @@ def _compose_blocks(
     v33a = mul(a3, a3, k3)
     xa = add(add(v11a, v22a, k1), v33a, k1)
     Na = add(n1, xa, k1)
-    sa = div(n2, Na, k1)
+    sa = mul(n2, div(div(Na, Na, k2), Na, k1), k1)
     gva1 = mul(a1, sa, k2)
     gva2 = mul(a2, sa, k3)
     rhoa3 = add(mul(a3o, sa, k4), sub(mul(gva1, a2o, k5), mul(gva2, a1o, k6), k5), k4)
@@ -2208,7 +2209,7 @@ def _compose_blocks(
     v33b = mul(b3, b3, k7)
     xb = add(add(v11b, v22b, k5), v33b, k5)
     Nb = add(n1, xb, k5)
-    sb = div(n2, Nb, k5)
+    sb = mul(n2, div(div(Nb, Nb, k6), Nb, k5), k5)
     gv_rho1 = mul(v_rho1, sb, k3)
     v_rho3 = sub(mul(b1, rhoa2, k6), mul(b2, rhoa1, k7), k6)
     gv_rho3 = mul(v_rho3, sb, k6)

@@ -52,32 +52,33 @@
 #   [n = 2] dcay dcay^-1 = I for the tangent_inv formula
 #
 # Operations:
-#   quaternion: 31: 9 +, 19 *, 2 /, 1 neg
-#   tensor: 90: 35 +, 54 *, 1 /
-#   pose: 63: 26 +, 36 *, 1 /
-#   transform_point: 76: 30 +, 45 *, 1 /
-#   transform_line: 115: 45 +, 69 *, 1 /
-#   tangent: 81: 35 +, 42 *, 3 /, 1 neg
+#   quaternion: 32: 9 +, 19 *, 3 /, 1 neg
+#   tensor: 92: 35 +, 55 *, 2 /
+#   pose: 65: 26 +, 37 *, 2 /
+#   transform_point: 78: 30 +, 46 *, 2 /
+#   transform_line: 117: 45 +, 70 *, 2 /
+#   tangent: 83: 35 +, 43 *, 4 /, 1 neg
 #   tangent_inv: 69: 29 +, 25 *, 14 /, 1 neg
-#   twist: 125: 49 +, 72 *, 3 /, 1 neg
+#   twist: 127: 49 +, 73 *, 4 /, 1 neg
 #   rate: 105: 42 +, 52 *, 10 /, 1 neg
-#   body_twist: 125: 49 +, 72 *, 3 /, 1 neg
+#   body_twist: 127: 49 +, 73 *, 4 /, 1 neg
 #   body_rate: 105: 42 +, 52 *, 10 /, 1 neg
 #   from_quaternion: 70: 24 +, 36 *, 6 /, 1 neg, 1 lt, 2 where
-#   from_tensor: 139: 47 +, 47 *, 9 /, 1 neg, 1 sqrt, 8 lt, 3 eq, 3 and, 3 or, 17 where
-#   from_pose: 103: 32 +, 29 *, 6 /, 1 neg, 1 sqrt, 8 lt, 3 eq, 3 and, 3 or, 17 where
+#   from_tensor: 135: 47 +, 47 *, 9 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_pose: 99: 32 +, 29 *, 6 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
 #   to_screw: 58: 11 +, 22 *, 7 /, 1 neg, 1 sqrt, 1 atan2, 2 lt, 1 eq, 12 where
 #   turn: 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
 #   shadow: 64: 15 +, 27 *, 7 /, 1 sqrt, 2 lt, 1 eq, 11 where
 #   principal: 52: 13 +, 23 *, 7 /, 1 sqrt, 1 lt, 7 where
-#   compose: 202: 74 +, 116 *, 8 /, 1 neg, 1 lt, 2 where
+#   compose: 206: 74 +, 118 *, 10 /, 1 neg, 1 lt, 2 where
 """Cayley map of order 2: Rodrigues dual vectors ``v = tan(α/4) u`` of rigid displacements.
 
 α is the dual angle (rotation angle, translation along the axis) and u the unit dual vector of the screw axis. Arrays
 hold the real part first: v and twists (..., 6), dual quaternions (..., 8) scalar first in each half, dual tensors
 (..., 2, 3, 3). All functions broadcast over leading axes, keep float32, float64 and longdouble (and complex types where
 no branch is selected), and take ``axis=0`` for components first. NaN in gives NaN out, element by element.
+Forward maps are NaN where (1 + x)^2 overflows: beyond Re|v| = 1e+77 in float64, 4e+09 in float32.
 """
 
 from __future__ import annotations
@@ -131,7 +132,7 @@ RETURNS: tuple[str, ...] = (
 # --- forward maps -----------------------------------------------------------------------------------------------
 
 
-# operations 31: 9 +, 19 *, 2 /, 1 neg
+# operations 32: 9 +, 19 *, 3 /, 1 neg
 def _quaternion(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -139,7 +140,7 @@ def _quaternion(m: Any, v: Components) -> Result:
     v33 = v3 * v3
     x = v11 + v22 + v33
     root = 1 + x
-    sr = 1 / root
+    sr = root / root / root
     p = 1 - x
     sc = p * sr
     w = 2 * sr
@@ -160,19 +161,19 @@ def _quaternion_blocks(
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
-    p = sub(n1, x, k2)
-    root = add(n1, x, k1)
-    sr = div(n1, root, k3)
-    sc = mul(p, sr, o1)
-    w = mul(n2, sr, k2)
+    root = add(n1, x, k2)
+    p = sub(n1, x, k1)
+    sr = div(div(root, root, k3), root, k3)
+    mul(p, sr, o1)
+    w = mul(n2, sr, k1)
     mul(v1, w, o2)
     mul(v2, w, o3)
     mul(v3, w, o4)
-    e = div(n2, root, k1)
+    e = div(n2, root, k2)
     y = add(add(mul(v1, v1o, k3), mul(v2, v2o, k4), k3), mul(v3, v3o, k4), k3)
-    sco = neg(mul(w, mul(e, y, k1), k1), o5)
-    add(mul(v1o, w, k1), mul(v1, sco, k3), o6)
-    add(mul(v2o, w, k1), mul(v2, sco, k3), o7)
+    sco = neg(mul(w, mul(e, y, k2), k2), o5)
+    add(mul(v1o, w, k2), mul(v1, sco, k3), o6)
+    add(mul(v2o, w, k2), mul(v2, sco, k3), o7)
     add(mul(v3o, w, k1), mul(v3, sco, k2), o8)
 
 
@@ -212,7 +213,7 @@ def quaternion(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Arr
     return call(_QUATERNION, axis, out, v)
 
 
-# operations 90: 35 +, 54 *, 1 /
+# operations 92: 35 +, 55 *, 2 /
 def _tensor(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -224,7 +225,7 @@ def _tensor(m: Any, v: Components) -> Result:
     x = x12 + v33
     p = 1 - x
     N = p * p + 4 * x
-    s = 2 / N
+    s = 2 * (N / N / N)
     f = 2 * p * s
     fv1 = v1 * f
     fv2 = v2 * f
@@ -288,7 +289,7 @@ def _tensor_blocks(
     x = add(x12, v33, k4)
     p = sub(n1, x, k5)
     N = add(mul(p, p, k6), mul(n4, x, k4), k4)
-    s = div(n2, N, k4)
+    s = mul(n2, div(div(N, N, k6), N, k4), k4)
     f = mul(mul(n2, p, k5), s, k5)
     g = mul(n4, s, k4)
     Q11 = sub(n1, mul(g, x23, k2), o1)
@@ -360,7 +361,7 @@ def tensor(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     return call(_TENSOR, axis, out, v)
 
 
-# operations 63: 26 +, 36 *, 1 /
+# operations 65: 26 +, 37 *, 2 /
 def _pose(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -372,7 +373,7 @@ def _pose(m: Any, v: Components) -> Result:
     x = x12 + v33
     p = 1 - x
     N = p * p + 4 * x
-    s = 2 / N
+    s = 2 * (N / N / N)
     f = 2 * p * s
     fv1 = v1 * f
     fv2 = v2 * f
@@ -422,7 +423,7 @@ def _pose_blocks(
     x = add(x12, v33, k4)
     p = sub(n1, x, k5)
     N = add(mul(p, p, k6), mul(n4, x, k4), k4)
-    s = div(n2, N, k4)
+    s = mul(n2, div(div(N, N, k6), N, k4), k4)
     f = mul(mul(n2, p, k5), s, k5)
     g = mul(n4, s, k4)
     sub(n1, mul(g, x23, k2), o1)
@@ -488,7 +489,7 @@ def pose(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     return call(_POSE, axis, out, v)
 
 
-# operations 76: 30 +, 45 *, 1 /
+# operations 78: 30 +, 46 *, 2 /
 def _transform_point(m: Any, v: Components, r: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     r1, r2, r3 = r
@@ -501,7 +502,7 @@ def _transform_point(m: Any, v: Components, r: Components) -> Result:
     x = v11 + v22 + v33
     p = 1 - x
     N = p * p + 4 * x
-    s = 2 / N
+    s = 2 * (N / N / N)
     g = 4 * s
     gv_r1 = v_r1 * g
     gv_r2 = v_r2 * g
@@ -533,7 +534,7 @@ def _transform_point_blocks(
     x = add(add(v11, v22, k1), v33, k1)
     p = sub(n1, x, k2)
     N = add(mul(p, p, k3), mul(n4, x, k1), k1)
-    s = div(n2, N, k1)
+    s = mul(n2, div(div(N, N, k3), N, k1), k1)
     f = mul(mul(n2, p, k2), s, k2)
     g = mul(n4, s, k1)
     v_r3 = sub(mul(v1, r2, k3), mul(v2, r1, k4), k3)
@@ -594,7 +595,7 @@ def transform_point(v: ArrayLike, r: ArrayLike, *, axis: int = -1, out: Array | 
     return call(_TRANSFORM_POINT, axis, out, v, r)
 
 
-# operations 115: 45 +, 69 *, 1 /
+# operations 117: 45 +, 70 *, 2 /
 def _transform_line(m: Any, v: Components, line: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     l1, l2, l3, m1, m2, m3 = line
@@ -607,7 +608,7 @@ def _transform_line(m: Any, v: Components, line: Components) -> Result:
     x = v11 + v22 + v33
     p = 1 - x
     N = p * p + 4 * x
-    s = 2 / N
+    s = 2 * (N / N / N)
     g = 4 * s
     gv_l1 = v_l1 * g
     gv_l2 = v_l2 * g
@@ -654,7 +655,7 @@ def _transform_line_blocks(
     x = add(add(v11, v22, k1), v33, k1)
     p = sub(n1, x, k2)
     N = add(mul(p, p, k3), mul(n4, x, k1), k1)
-    s = div(n2, N, k1)
+    s = mul(n2, div(div(N, N, k3), N, k1), k1)
     f = mul(mul(n2, p, k2), s, k2)
     g = mul(n4, s, k1)
     v_l3 = sub(mul(v1, l2, k3), mul(v2, l1, k4), k3)
@@ -741,7 +742,7 @@ def singular_angles() -> tuple[float, ...]:
     return (2 * pi,)
 
 
-# operations 81: 35 +, 42 *, 3 /, 1 neg
+# operations 83: 35 +, 43 *, 4 /, 1 neg
 def _tangent(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     y = v1 * v1o + v2 * v2o + v3 * v3o
@@ -752,7 +753,7 @@ def _tangent(m: Any, v: Components) -> Result:
     x = v11 + v22 + v33
     p = 1 - x
     N = p * p + 4 * x
-    s = 2 / N
+    s = 2 * (N / N / N)
     h = 4 * s
     k = 1 + x
     e = 2 / k
@@ -809,7 +810,7 @@ def _tangent_blocks(
     x = add(add(v11, v22, k1), v33, k1)
     p = sub(n1, x, k2)
     N = add(mul(p, p, k3), mul(n4, x, k4), k3)
-    s = div(n2, N, k3)
+    s = mul(n2, div(div(N, N, k4), N, k3), k3)
     f = mul(mul(n2, p, k2), s, k2)
     h = mul(n4, s, k3)
     k = add(n1, x, k1)
@@ -1039,7 +1040,7 @@ def tangent_inv(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Ar
 dcay_inv = tangent_inv
 
 
-# operations 125: 49 +, 72 *, 3 /, 1 neg
+# operations 127: 49 +, 73 *, 4 /, 1 neg
 def _twist(m: Any, v: Components, v_dot: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
@@ -1051,7 +1052,7 @@ def _twist(m: Any, v: Components, v_dot: Components) -> Result:
     x = v11 + v22 + v33
     p = 1 - x
     N = p * p + 4 * x
-    s = 2 / N
+    s = 2 * (N / N / N)
     h = 4 * s
     k = 1 + x
     e = 2 / k
@@ -1094,7 +1095,7 @@ def _twist_blocks(
     x = add(add(v11, v22, k1), v33, k1)
     p = sub(n1, x, k2)
     N = add(mul(p, p, k3), mul(n4, x, k4), k3)
-    s = div(n2, N, k3)
+    s = mul(n2, div(div(N, N, k4), N, k3), k3)
     f = mul(mul(n2, p, k2), s, k2)
     h = mul(n4, s, k3)
     k = add(n1, x, k1)
@@ -1279,7 +1280,7 @@ def rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | None = 
     return call(_RATE, axis, out, v, omega)
 
 
-# operations 125: 49 +, 72 *, 3 /, 1 neg
+# operations 127: 49 +, 73 *, 4 /, 1 neg
 def _body_twist(m: Any, v: Components, v_dot: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
@@ -1291,7 +1292,7 @@ def _body_twist(m: Any, v: Components, v_dot: Components) -> Result:
     x = v11 + v22 + v33
     p = 1 - x
     N = p * p + 4 * x
-    s = 2 / N
+    s = 2 * (N / N / N)
     h = 4 * s
     k = 1 + x
     e = 2 / k
@@ -1334,7 +1335,7 @@ def _body_twist_blocks(
     x = add(add(v11, v22, k1), v33, k1)
     p = sub(n1, x, k2)
     N = add(mul(p, p, k3), mul(n4, x, k4), k3)
-    s = div(n2, N, k3)
+    s = mul(n2, div(div(N, N, k4), N, k3), k3)
     f = mul(mul(n2, p, k2), s, k2)
     h = mul(n4, s, k3)
     k = add(n1, x, k1)
@@ -1532,7 +1533,7 @@ def _turn(m: Any, v: Components, cs: Components) -> Result:
     x = v11 + v22 + v33
     still = x == 0
     length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
-    r = m.where(still, 0, length)
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1560,10 +1561,10 @@ def _turn_blocks(
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
     still = m.equal(x, n0, mask1)
-    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k1)
-    r = m.where(still, n0, length, k2)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
+    r = m.where(still, x, length, k1)
     iden = div(n1, sub(cos, mul(r, sin, k3), k3), k3)
-    rk = mul(add(mul(r, cos, k2), sin, k2), iden, k2)
+    rk = mul(add(mul(r, cos, k1), sin, k1), iden, k1)
     u1 = div(m.where(still, v1o, v1, k4), length, k4)
     mul(u1, rk, o1)
     u2 = div(m.where(still, v2o, v2, k5), length, k5)
@@ -1576,7 +1577,7 @@ def _turn_blocks(
     add(mul(uo1, rk, k7), mul(u1, rko, k4), o4)
     uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k4), k4), k7), length, k4)
     add(mul(uo2, rk, k4), mul(u2, rko, k5), o5)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k1)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k2)
     add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
 
 
@@ -1606,7 +1607,7 @@ def _shadow(m: Any, v: Components, cs: Components) -> Result:
     sign = m.where(qp < 0, -1, 1)
     still = x == 0
     length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
-    r = m.where(still, 0, length)
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1636,12 +1637,12 @@ def _shadow_blocks(
     x = add(add(v11, v22, k1), v33, k1)
     still = m.equal(x, n0, mask1)
     length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
+    r = m.where(still, x, length, k3)
     p = sub(n1, x, k1)
     pneg = m.less(p, n0, mask2)
     qp = m.where(pneg, n_minus_2, n2, k1)
     sign = m.where(m.less(qp, n0, mask2), n_minus_1, n1, k1)
     sn = mul(sign, sin, k1)
-    r = m.where(still, n0, length, k3)
     iden = div(n1, sub(cos, mul(r, sn, k4), k4), k4)
     rk = mul(add(mul(r, cos, k3), sn, k1), iden, k1)
     u1 = div(m.where(still, v1o, v1, k3), length, k3)
@@ -1915,7 +1916,7 @@ def from_quaternion(q: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array
     return call_branch(_FROM_QUATERNION, _TURN, TURNS, branch, axis, out, q)
 
 
-# operations 139: 47 +, 47 *, 9 /, 1 neg, 1 sqrt, 8 lt, 3 eq, 3 and, 3 or, 17 where
+# operations 135: 47 +, 47 *, 9 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 def _from_tensor(m: Any, R: Components) -> Result:
     Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33, D11, D12, D13, D21, D22, D23, D31, D32, D33 = R
     rho1 = (D31 * Q21 + D32 * Q22 + D33 * Q23 - (D21 * Q31 + D22 * Q32 + D23 * Q33)) / 2
@@ -1958,9 +1959,7 @@ def _from_tensor(m: Any, R: Components) -> Result:
     e2 = sign * z32
     e3 = sign * z33
     size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
-    gain = m.where(negative, -1, 1) / (size + cos)
+    gain = 1 / (size + e0)
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
@@ -2033,9 +2032,7 @@ def _from_tensor_blocks(
     e2 = mul(sign, z32, k3)
     e3 = mul(sign, z33, k2)
     size = sqrt(add(mul(e0, e0, k4), add(add(mul(e1, e1, k6), mul(e2, e2, k7), k6), mul(e3, e3, k7), k6), k4), k4)
-    negative = m.less(e0, n0, mask1)
-    cos = m.where(negative, neg(e0, k6), e0, k6)
-    gain = div(m.where(negative, n_minus_1, n1, k5), add(size, cos, k4), k4)
+    gain = div(n1, add(size, e0, k4), k4)
     v1 = mul(e1, gain, o1)
     v2 = mul(e2, gain, o2)
     v3 = mul(e3, gain, o3)
@@ -2107,7 +2104,7 @@ def from_tensor(R: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | N
     return call_branch(_FROM_TENSOR, _TURN, TURNS, branch, axis, out, R)
 
 
-# operations 103: 32 +, 29 *, 6 /, 1 neg, 1 sqrt, 8 lt, 3 eq, 3 and, 3 or, 17 where
+# operations 99: 32 +, 29 *, 6 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 def _from_pose(m: Any, T: Components) -> Result:
     Q11, Q12, Q13, T14, Q21, Q22, Q23, T24, Q31, Q32, Q33, T34, _, _, _, _ = T
     a1 = Q32 - Q23
@@ -2147,9 +2144,7 @@ def _from_pose(m: Any, T: Components) -> Result:
     e2 = sign * z32
     e3 = sign * z33
     size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
-    gain = m.where(negative, -1, 1) / (size + cos)
+    gain = 1 / (size + e0)
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
@@ -2222,9 +2217,7 @@ def _from_pose_blocks(
     e2 = mul(sign, z32, k3)
     e3 = mul(sign, z33, k2)
     size = sqrt(add(mul(e0, e0, k4), add(add(mul(e1, e1, k6), mul(e2, e2, k7), k6), mul(e3, e3, k7), k6), k4), k4)
-    negative = m.less(e0, n0, mask1)
-    cos = m.where(negative, neg(e0, k6), e0, k6)
-    gain = div(m.where(negative, n_minus_1, n1, k5), add(size, cos, k4), k4)
+    gain = div(n1, add(size, e0, k4), k4)
     v1 = mul(e1, gain, o1)
     v2 = mul(e2, gain, o2)
     v3 = mul(e3, gain, o3)
@@ -2358,7 +2351,7 @@ def _to_screw(m: Any, v: Components) -> Result:
     sign = m.where(qp < 0, -1, 1)
     still = x == 0
     length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
-    r = m.where(still, 0, length)
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -2393,7 +2386,7 @@ def _to_screw_blocks(
     x = add(add(v11, v22, k1), v33, k1)
     still = m.equal(x, n0, mask1)
     length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
-    r = m.where(still, n0, length, k3)
+    r = m.where(still, x, length, k3)
     p = sub(n1, x, k4)
     k = add(n1, x, k1)
     pneg = m.less(p, n0, mask2)
@@ -2455,7 +2448,7 @@ def to_screw(v: ArrayLike, *, axis: int = -1) -> tuple[Array, Array]:
     return (screw[:2], screw[2:]) if axis == 0 else (screw[..., :2], screw[..., 2:])
 
 
-# operations 202: 74 +, 116 *, 8 /, 1 neg, 1 lt, 2 where
+# operations 206: 74 +, 118 *, 10 /, 1 neg, 1 lt, 2 where
 def _compose(m: Any, b: Components, a: Components) -> Result:
     b1, b2, b3, b1o, b2o, b3o = b
     a1, a2, a3, a1o, a2o, a3o = a
@@ -2483,7 +2476,7 @@ def _compose(m: Any, b: Components, a: Components) -> Result:
     roota = 1 + xa
     size = rootb * roota
     Na = pa * pa + 4 * xa
-    sa = 2 / Na
+    sa = 2 * (Na / Na / Na)
     ga = 4 * sa
     gva1 = a1 * ga
     gva2 = a2 * ga
@@ -2498,7 +2491,7 @@ def _compose(m: Any, b: Components, a: Components) -> Result:
     v_rho2 = b3 * rhoa1 - b1 * rhoa3
     v_rho3 = b1 * rhoa2 - b2 * rhoa1
     Nb = pb * pb + 4 * xb
-    sb = 2 / Nb
+    sb = 2 * (Nb / Nb / Nb)
     gb = 4 * sb
     gv_rho1 = v_rho1 * gb
     gv_rho2 = v_rho2 * gb
@@ -2570,12 +2563,12 @@ def _compose_blocks(
     cos = m.where(negative, neg(z0, k12), z0, k12)
     rootb = add(n1, xb, k11)
     Nb = add(mul(pb, pb, k13), mul(n4, xb, k1), k1)
-    sb = div(n2, Nb, k1)
+    sb = mul(n2, div(div(Nb, Nb, k13), Nb, k1), k1)
     roota = add(n1, xa, k13)
     size = mul(rootb, roota, k11)
     gain = div(m.where(negative, n_minus_1, n1, k13), add(size, cos, k11), k11)
     Na = add(mul(pa, pa, k12), mul(n4, xa, k3), k3)
-    sa = div(n2, Na, k3)
+    sa = mul(n2, div(div(Na, Na, k12), Na, k3), k3)
     z1 = add(
         add(mul(qva1, pb, k12), mul(qvb1, pa, k13), k12), sub(mul(qvb2, qva3, k13), mul(qvb3, qva2, k14), k13), k12
     )

@@ -52,32 +52,33 @@
 #   [n = 3] dcay dcay^-1 = I for the tangent_inv formula
 #
 # Operations:
-#   quaternion: 42: 12 +, 25 *, 2 /, 2 neg, 1 sqrt
-#   tensor: 94: 36 +, 57 *, 1 /
-#   pose: 67: 27 +, 39 *, 1 /
-#   transform_point: 80: 31 +, 48 *, 1 /
-#   transform_line: 119: 46 +, 72 *, 1 /
-#   tangent: 103: 40 +, 58 *, 3 /, 2 neg
+#   quaternion: 43: 12 +, 25 *, 3 /, 2 neg, 1 sqrt
+#   tensor: 96: 36 +, 58 *, 2 /
+#   pose: 69: 27 +, 40 *, 2 /
+#   transform_point: 82: 31 +, 49 *, 2 /
+#   transform_line: 121: 46 +, 73 *, 2 /
+#   tangent: 105: 40 +, 59 *, 4 /, 2 neg
 #   tangent_inv: 91: 35 +, 45 *, 9 /, 2 neg
-#   twist: 135: 51 +, 79 *, 3 /, 2 neg
+#   twist: 137: 51 +, 80 *, 4 /, 2 neg
 #   rate: 123: 46 +, 66 *, 9 /, 2 neg
-#   body_twist: 135: 51 +, 79 *, 3 /, 2 neg
+#   body_twist: 137: 51 +, 80 *, 4 /, 2 neg
 #   body_rate: 123: 46 +, 66 *, 9 /, 2 neg
 #   from_quaternion: 91: 27 +, 46 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   from_tensor: 152: 47 +, 53 *, 10 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 20 where
-#   from_pose: 116: 32 +, 35 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 20 where
+#   from_tensor: 147: 47 +, 52 *, 10 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
+#   from_pose: 111: 32 +, 34 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
 #   to_screw: 72: 14 +, 26 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
 #   turn: 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
 #   shadow: 76: 18 +, 31 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 11 where
 #   principal: 52: 13 +, 23 *, 7 /, 1 sqrt, 1 lt, 7 where
-#   compose: 228: 77 +, 131 *, 9 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   compose: 232: 77 +, 133 *, 11 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 """Cayley map of order 3: Rodrigues dual vectors ``v = tan(α/6) u`` of rigid displacements.
 
 α is the dual angle (rotation angle, translation along the axis) and u the unit dual vector of the screw axis. Arrays
 hold the real part first: v and twists (..., 6), dual quaternions (..., 8) scalar first in each half, dual tensors
 (..., 2, 3, 3). All functions broadcast over leading axes, keep float32, float64 and longdouble (and complex types where
 no branch is selected), and take ``axis=0`` for components first. NaN in gives NaN out, element by element.
+Forward maps are NaN where (1 + x)^3 overflows: beyond Re|v| = 2e+51 in float64, 3e+06 in float32.
 """
 
 from __future__ import annotations
@@ -132,7 +133,7 @@ RETURNS: tuple[str, ...] = (
 # --- forward maps -----------------------------------------------------------------------------------------------
 
 
-# operations 42: 12 +, 25 *, 2 /, 2 neg, 1 sqrt
+# operations 43: 12 +, 25 *, 3 /, 2 neg, 1 sqrt
 def _quaternion(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -144,7 +145,7 @@ def _quaternion(m: Any, v: Components) -> Result:
     qq = q * q
     N = p * p + x * qq
     root = m.sqrt(N)
-    sr = 1 / root
+    sr = root / root / root
     sc = p * sr
     w = q * sr
     k = 1 + x
@@ -171,8 +172,8 @@ def _quaternion_blocks(
     p = sub(n1, mul(n3, x, k4), k4)
     N = add(mul(p, p, k5), mul(x, qq, k3), k3)
     root = sqrt(N, k3)
-    sr = div(n1, root, k3)
-    sc = mul(p, sr, o1)
+    sr = div(div(root, root, k5), root, k3)
+    mul(p, sr, o1)
     w = mul(q, sr, k2)
     mul(v1, w, o2)
     mul(v2, w, o3)
@@ -223,7 +224,7 @@ def quaternion(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Arr
     return call(_QUATERNION, axis, out, v)
 
 
-# operations 94: 36 +, 57 *, 1 /
+# operations 96: 36 +, 58 *, 2 /
 def _tensor(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -237,7 +238,7 @@ def _tensor(m: Any, v: Components) -> Result:
     q = 3 - x
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     f = p * q * s
     fv1 = v1 * f
     fv2 = v2 * f
@@ -304,7 +305,7 @@ def _tensor_blocks(
     qq = mul(q, q, k6)
     p = sub(n1, mul(n3, x, k7), k7)
     N = add(mul(p, p, k8), mul(x, qq, k4), k4)
-    s = div(n2, N, k4)
+    s = mul(n2, div(div(N, N, k8), N, k4), k4)
     f = mul(mul(p, q, k5), s, k5)
     g = mul(qq, s, k6)
     Q11 = sub(n1, mul(g, x23, k2), o1)
@@ -377,7 +378,7 @@ def tensor(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     return call(_TENSOR, axis, out, v)
 
 
-# operations 67: 27 +, 39 *, 1 /
+# operations 69: 27 +, 40 *, 2 /
 def _pose(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -391,7 +392,7 @@ def _pose(m: Any, v: Components) -> Result:
     q = 3 - x
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     f = p * q * s
     fv1 = v1 * f
     fv2 = v2 * f
@@ -444,7 +445,7 @@ def _pose_blocks(
     qq = mul(q, q, k6)
     p = sub(n1, mul(n3, x, k7), k7)
     N = add(mul(p, p, k8), mul(x, qq, k4), k4)
-    s = div(n2, N, k4)
+    s = mul(n2, div(div(N, N, k8), N, k4), k4)
     f = mul(mul(p, q, k5), s, k5)
     g = mul(qq, s, k6)
     sub(n1, mul(g, x23, k2), o1)
@@ -511,7 +512,7 @@ def pose(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     return call(_POSE, axis, out, v)
 
 
-# operations 80: 31 +, 48 *, 1 /
+# operations 82: 31 +, 49 *, 2 /
 def _transform_point(m: Any, v: Components, r: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     r1, r2, r3 = r
@@ -526,7 +527,7 @@ def _transform_point(m: Any, v: Components, r: Components) -> Result:
     qq = q * q
     p = 1 - 3 * x
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     g = qq * s
     gv_r1 = v_r1 * g
     gv_r2 = v_r2 * g
@@ -561,7 +562,7 @@ def _transform_point_blocks(
     qq = mul(q, q, k3)
     p = sub(n1, mul(n3, x, k4), k4)
     N = add(mul(p, p, k5), mul(x, qq, k1), k1)
-    s = div(n2, N, k1)
+    s = mul(n2, div(div(N, N, k5), N, k1), k1)
     f = mul(mul(p, q, k2), s, k2)
     g = mul(qq, s, k3)
     h = mul(n16, s, k1)
@@ -623,7 +624,7 @@ def transform_point(v: ArrayLike, r: ArrayLike, *, axis: int = -1, out: Array | 
     return call(_TRANSFORM_POINT, axis, out, v, r)
 
 
-# operations 119: 46 +, 72 *, 1 /
+# operations 121: 46 +, 73 *, 2 /
 def _transform_line(m: Any, v: Components, line: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     l1, l2, l3, m1, m2, m3 = line
@@ -638,7 +639,7 @@ def _transform_line(m: Any, v: Components, line: Components) -> Result:
     qq = q * q
     p = 1 - 3 * x
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     g = qq * s
     gv_l1 = v_l1 * g
     gv_l2 = v_l2 * g
@@ -688,7 +689,7 @@ def _transform_line_blocks(
     qq = mul(q, q, k3)
     p = sub(n1, mul(n3, x, k4), k4)
     N = add(mul(p, p, k5), mul(x, qq, k1), k1)
-    s = div(n2, N, k1)
+    s = mul(n2, div(div(N, N, k5), N, k1), k1)
     f = mul(mul(p, q, k2), s, k2)
     g = mul(qq, s, k3)
     h = mul(n16, s, k1)
@@ -776,7 +777,7 @@ def singular_angles() -> tuple[float, ...]:
     return (2 * pi, 3 * pi,)
 
 
-# operations 103: 40 +, 58 *, 3 /, 2 neg
+# operations 105: 40 +, 59 *, 4 /, 2 neg
 def _tangent(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     y = v1 * v1o + v2 * v2o + v3 * v3o
@@ -789,7 +790,7 @@ def _tangent(m: Any, v: Components) -> Result:
     q = 3 - x
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     h = 16 * s
     k = 1 + x
     e = 3 / k
@@ -857,7 +858,7 @@ def _tangent_blocks(
     qq = mul(q, q, k3)
     p = sub(n1, mul(n3, x, k4), k4)
     N = add(mul(p, p, k5), mul(x, qq, k6), k5)
-    s = div(n2, N, k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
     f = mul(mul(p, q, k4), s, k4)
     g = mul(qq, s, k3)
     k = add(n1, x, k1)
@@ -1110,7 +1111,7 @@ def tangent_inv(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Ar
 dcay_inv = tangent_inv
 
 
-# operations 135: 51 +, 79 *, 3 /, 2 neg
+# operations 137: 51 +, 80 *, 4 /, 2 neg
 def _twist(m: Any, v: Components, v_dot: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
@@ -1124,7 +1125,7 @@ def _twist(m: Any, v: Components, v_dot: Components) -> Result:
     q = 3 - x
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     h = 16 * s
     k = 1 + x
     e = 3 / k
@@ -1172,7 +1173,7 @@ def _twist_blocks(
     qq = mul(q, q, k3)
     p = sub(n1, mul(n3, x, k4), k4)
     N = add(mul(p, p, k5), mul(x, qq, k6), k5)
-    s = div(n2, N, k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
     f = mul(mul(p, q, k4), s, k4)
     g = mul(qq, s, k3)
     k = add(n1, x, k1)
@@ -1374,7 +1375,7 @@ def rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | None = 
     return call(_RATE, axis, out, v, omega)
 
 
-# operations 135: 51 +, 79 *, 3 /, 2 neg
+# operations 137: 51 +, 80 *, 4 /, 2 neg
 def _body_twist(m: Any, v: Components, v_dot: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
@@ -1388,7 +1389,7 @@ def _body_twist(m: Any, v: Components, v_dot: Components) -> Result:
     q = 3 - x
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     h = 16 * s
     k = 1 + x
     e = 3 / k
@@ -1436,7 +1437,7 @@ def _body_twist_blocks(
     qq = mul(q, q, k3)
     p = sub(n1, mul(n3, x, k4), k4)
     N = add(mul(p, p, k5), mul(x, qq, k6), k5)
-    s = div(n2, N, k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
     f = mul(mul(p, q, k4), s, k4)
     g = mul(qq, s, k3)
     k = add(n1, x, k1)
@@ -1651,7 +1652,7 @@ def _turn(m: Any, v: Components, cs: Components) -> Result:
     x = v11 + v22 + v33
     still = x == 0
     length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
-    r = m.where(still, 0, length)
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1679,10 +1680,10 @@ def _turn_blocks(
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
     still = m.equal(x, n0, mask1)
-    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k1)
-    r = m.where(still, n0, length, k2)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
+    r = m.where(still, x, length, k1)
     iden = div(n1, sub(cos, mul(r, sin, k3), k3), k3)
-    rk = mul(add(mul(r, cos, k2), sin, k2), iden, k2)
+    rk = mul(add(mul(r, cos, k1), sin, k1), iden, k1)
     u1 = div(m.where(still, v1o, v1, k4), length, k4)
     mul(u1, rk, o1)
     u2 = div(m.where(still, v2o, v2, k5), length, k5)
@@ -1695,7 +1696,7 @@ def _turn_blocks(
     add(mul(uo1, rk, k7), mul(u1, rko, k4), o4)
     uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k4), k4), k7), length, k4)
     add(mul(uo2, rk, k4), mul(u2, rko, k5), o5)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k1)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k2)
     add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
 
 
@@ -1728,7 +1729,7 @@ def _shadow(m: Any, v: Components, cs: Components) -> Result:
     sign = m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     still = x == 0
     length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
-    r = m.where(still, 0, length)
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1750,28 +1751,28 @@ def _shadow_blocks(
     cos, sin = cs
     o1, o2, o3, o4, o5, o6 = out
     k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
-    mask1, mask2, mask3 = masks
+    mask1, mask2, mask3, mask4 = masks
     n_minus_1, n0, n1, n3 = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
-    p = sub(n1, mul(n3, x, k2), k2)
-    pneg = m.less(p, n0, mask1)
-    q = sub(n3, x, k2)
-    mq = neg(q, k3)
-    qp = m.where(pneg, mq, q, k3)
-    y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k5), k4), mul(v3, v3o, k5), k4)
-    sign = m.where(
-        m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1), n_minus_1,
-        n1, k2
-    )
-    sn = mul(sign, sin, k2)
     still = m.equal(x, n0, mask1)
-    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k3), mul(v2o, v2o, k4), k3), mul(v3o, v3o, k4), k3), x, k3), k1)
-    r = m.where(still, n0, length, k3)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
+    r = m.where(still, x, length, k3)
+    p = sub(n1, mul(n3, x, k4), k4)
+    pneg = m.less(p, n0, mask2)
+    q = sub(n3, x, k1)
+    mq = neg(q, k4)
+    qp = m.where(pneg, mq, q, k4)
+    y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k6), k5), mul(v3, v3o, k6), k5)
+    sign = m.where(
+        m.either(m.less(qp, n0, mask2), m.both(m.equal(q, n0, mask3), m.less(y, n0, mask4), mask3), mask2), n_minus_1,
+        n1, k1
+    )
+    sn = mul(sign, sin, k1)
     iden = div(n1, sub(cos, mul(r, sn, k4), k4), k4)
-    rk = mul(add(mul(r, cos, k3), sn, k2), iden, k2)
+    rk = mul(add(mul(r, cos, k3), sn, k1), iden, k1)
     u1 = div(m.where(still, v1o, v1, k3), length, k3)
     mul(u1, rk, o1)
     u2 = div(m.where(still, v2o, v2, k5), length, k5)
@@ -1784,7 +1785,7 @@ def _shadow_blocks(
     add(mul(uo1, rk, k7), mul(u1, rko, k3), o4)
     uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k3), k3), k7), length, k3)
     add(mul(uo2, rk, k3), mul(u2, rko, k5), o5)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k3), k3), k5), length, k1)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k3), k3), k5), length, k2)
     add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
 
 
@@ -1794,7 +1795,7 @@ _SHADOW = Kernel(
     (("v", (6,)),),
     (6,),
     registers=9,
-    masks=3,
+    masks=4,
     numbers=(-1, 0, 1, 3),
     real=True,
 )
@@ -2060,7 +2061,7 @@ def from_quaternion(q: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array
     return call_branch(_FROM_QUATERNION, _TURN, TURNS, branch, axis, out, q)
 
 
-# operations 152: 47 +, 53 *, 10 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 20 where
+# operations 147: 47 +, 52 *, 10 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 def _from_tensor(m: Any, R: Components) -> Result:
     Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33, D11, D12, D13, D21, D22, D23, D31, D32, D33 = R
     rho1 = (D31 * Q21 + D32 * Q22 + D33 * Q23 - (D21 * Q31 + D22 * Q32 + D23 * Q33)) / 2
@@ -2103,11 +2104,9 @@ def _from_tensor(m: Any, R: Components) -> Result:
     e2 = sign * z32
     e3 = sign * z33
     ss = e1 * e1 + e2 * e2 + e3 * e3
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
     still = ss == 0
-    sin = m.sqrt(m.where(still, cos, ss))
-    gain = m.where(negative, -1, 1) * (m.where(still, 1, m.tan(m.atan2(sin, cos) / 3)) / m.where(still, 3 * cos, sin))
+    sin = m.sqrt(m.where(still, e0, ss))
+    gain = m.where(still, 1, m.tan(m.atan2(sin, e0) / 3)) / m.where(still, 3 * e0, sin)
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
@@ -2185,12 +2184,9 @@ def _from_tensor_blocks(
     e0 = mul(sign, z30, k4)
     ss = add(add(mul(e1, e1, k5), mul(e2, e2, k6), k5), mul(e3, e3, k6), k5)
     still = m.equal(ss, n0, mask1)
-    negative = m.less(e0, n0, mask2)
-    cos = m.where(negative, neg(e0, k6), e0, k6)
-    sin = sqrt(m.where(still, cos, ss, k4), k4)
-    gain = mul(
-        m.where(negative, n_minus_1, n1, k5), div(m.where(still, n1, tan(div(atan2(sin, cos, k7), n3, k7), k7), k8),
-        m.where(still, mul(n3, cos, k6), sin, k6), k4), k4
+    sin = sqrt(m.where(still, e0, ss, k6), k5)
+    gain = div(
+        m.where(still, n1, tan(div(atan2(sin, e0, k6), n3, k6), k6), k7), m.where(still, mul(n3, e0, k4), sin, k4), k4
     )
     v1 = mul(e1, gain, o1)
     v2 = mul(e2, gain, o2)
@@ -2267,7 +2263,7 @@ def from_tensor(R: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | N
     return call_branch(_FROM_TENSOR, _TURN, TURNS, branch, axis, out, R)
 
 
-# operations 116: 32 +, 35 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 20 where
+# operations 111: 32 +, 34 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 def _from_pose(m: Any, T: Components) -> Result:
     Q11, Q12, Q13, T14, Q21, Q22, Q23, T24, Q31, Q32, Q33, T34, _, _, _, _ = T
     a1 = Q32 - Q23
@@ -2307,11 +2303,9 @@ def _from_pose(m: Any, T: Components) -> Result:
     e2 = sign * z32
     e3 = sign * z33
     ss = e1 * e1 + e2 * e2 + e3 * e3
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
     still = ss == 0
-    sin = m.sqrt(m.where(still, cos, ss))
-    gain = m.where(negative, -1, 1) * (m.where(still, 1, m.tan(m.atan2(sin, cos) / 3)) / m.where(still, 3 * cos, sin))
+    sin = m.sqrt(m.where(still, e0, ss))
+    gain = m.where(still, 1, m.tan(m.atan2(sin, e0) / 3)) / m.where(still, 3 * e0, sin)
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
@@ -2389,12 +2383,9 @@ def _from_pose_blocks(
     e0 = mul(sign, z30, k4)
     ss = add(add(mul(e1, e1, k5), mul(e2, e2, k6), k5), mul(e3, e3, k6), k5)
     still = m.equal(ss, n0, mask1)
-    negative = m.less(e0, n0, mask2)
-    cos = m.where(negative, neg(e0, k6), e0, k6)
-    sin = sqrt(m.where(still, cos, ss, k4), k4)
-    gain = mul(
-        m.where(negative, n_minus_1, n1, k5), div(m.where(still, n1, tan(div(atan2(sin, cos, k7), n3, k7), k7), k8),
-        m.where(still, mul(n3, cos, k6), sin, k6), k4), k4
+    sin = sqrt(m.where(still, e0, ss, k6), k5)
+    gain = div(
+        m.where(still, n1, tan(div(atan2(sin, e0, k6), n3, k6), k6), k7), m.where(still, mul(n3, e0, k4), sin, k4), k4
     )
     v1 = mul(e1, gain, o1)
     v2 = mul(e2, gain, o2)
@@ -2536,7 +2527,7 @@ def _to_screw(m: Any, v: Components) -> Result:
     sign = m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     still = x == 0
     length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
-    r = m.where(still, 0, length)
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -2571,7 +2562,7 @@ def _to_screw_blocks(
     x = add(add(v11, v22, k1), v33, k1)
     still = m.equal(x, n0, mask1)
     length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
-    r = m.where(still, n0, length, k3)
+    r = m.where(still, x, length, k3)
     q = sub(n3, x, k4)
     mq = neg(q, k5)
     p = sub(n1, mul(n3, x, k6), k6)
@@ -2639,7 +2630,7 @@ def to_screw(v: ArrayLike, *, axis: int = -1) -> tuple[Array, Array]:
     return (screw[:2], screw[2:]) if axis == 0 else (screw[..., :2], screw[..., 2:])
 
 
-# operations 228: 77 +, 131 *, 9 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+# operations 232: 77 +, 133 *, 11 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 def _compose(m: Any, b: Components, a: Components) -> Result:
     b1, b2, b3, b1o, b2o, b3o = b
     a1, a2, a3, a1o, a2o, a3o = a
@@ -2667,7 +2658,7 @@ def _compose(m: Any, b: Components, a: Components) -> Result:
     z3 = qva3 * pb + qvb3 * pa + (qvb1 * qva2 - qvb2 * qva1)
     qqa = qa * qa
     Na = pa * pa + xa * qqa
-    sa = 2 / Na
+    sa = 2 * (Na / Na / Na)
     ga = qqa * sa
     gva1 = a1 * ga
     gva2 = a2 * ga
@@ -2684,7 +2675,7 @@ def _compose(m: Any, b: Components, a: Components) -> Result:
     v_rho3 = b1 * rhoa2 - b2 * rhoa1
     qqb = qb * qb
     Nb = pb * pb + xb * qqb
-    sb = 2 / Nb
+    sb = 2 * (Nb / Nb / Nb)
     gb = qqb * sb
     gv_rho1 = v_rho1 * gb
     gv_rho2 = v_rho2 * gb
@@ -2793,7 +2784,7 @@ def _compose_blocks(
     hi = div(mul(d, iq, k3), n3, k3)
     qqa = mul(qa, qa, k9)
     Na = add(mul(pa, pa, k10), mul(xa, qqa, k1), k1)
-    sa = div(n2, Na, k1)
+    sa = mul(n2, div(div(Na, Na, k10), Na, k1), k1)
     fa = mul(mul(pa, qa, k2), sa, k2)
     ga = mul(qqa, sa, k8)
     ha = mul(n16, sa, k1)
@@ -2809,7 +2800,7 @@ def _compose_blocks(
     v_rho3 = sub(mul(b1, rhoa2, k8), mul(b2, rhoa1, k10), k8)
     qqb = mul(qb, qb, k10)
     Nb = add(mul(pb, pb, k12), mul(xb, qqb, k4), k4)
-    sb = div(n2, Nb, k4)
+    sb = mul(n2, div(div(Nb, Nb, k12), Nb, k4), k4)
     fb = mul(mul(pb, qb, k5), sb, k5)
     gb = mul(qqb, sb, k6)
     hb = mul(n16, sb, k4)

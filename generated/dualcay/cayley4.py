@@ -52,32 +52,33 @@
 #   [n = 4] dcay dcay^-1 = I for the tangent_inv formula
 #
 # Operations:
-#   quaternion: 42: 14 +, 25 *, 2 /, 1 neg
-#   tensor: 100: 39 +, 60 *, 1 /
-#   pose: 73: 30 +, 42 *, 1 /
-#   transform_point: 86: 34 +, 51 *, 1 /
-#   transform_line: 125: 49 +, 75 *, 1 /
-#   tangent: 112: 45 +, 64 *, 3 /
+#   quaternion: 43: 14 +, 25 *, 3 /, 1 neg
+#   tensor: 102: 39 +, 61 *, 2 /
+#   pose: 75: 30 +, 43 *, 2 /
+#   transform_point: 88: 34 +, 52 *, 2 /
+#   transform_line: 127: 49 +, 76 *, 2 /
+#   tangent: 114: 45 +, 65 *, 4 /
 #   tangent_inv: 97: 38 +, 49 *, 9 /, 1 neg
-#   twist: 144: 56 +, 85 *, 3 /
+#   twist: 146: 56 +, 86 *, 4 /
 #   rate: 129: 49 +, 70 *, 9 /, 1 neg
-#   body_twist: 144: 56 +, 85 *, 3 /
+#   body_twist: 146: 56 +, 86 *, 4 /
 #   body_rate: 129: 49 +, 70 *, 9 /, 1 neg
 #   from_quaternion: 85: 28 +, 45 *, 7 /, 1 neg, 1 sqrt, 1 lt, 2 where
-#   from_tensor: 156: 51 +, 57 *, 11 /, 1 neg, 2 sqrt, 8 lt, 3 eq, 3 and, 3 or, 17 where
-#   from_pose: 120: 36 +, 39 *, 8 /, 1 neg, 2 sqrt, 8 lt, 3 eq, 3 and, 3 or, 17 where
+#   from_tensor: 152: 51 +, 57 *, 11 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_pose: 116: 36 +, 39 *, 8 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
 #   to_screw: 74: 15 +, 27 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
 #   turn: 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
 #   shadow: 78: 19 +, 32 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 11 where
 #   principal: 55: 13 +, 23 *, 7 /, 1 sqrt, 2 lt, 9 where
-#   compose: 243: 88 +, 140 *, 10 /, 1 neg, 1 sqrt, 1 lt, 2 where
+#   compose: 247: 88 +, 142 *, 12 /, 1 neg, 1 sqrt, 1 lt, 2 where
 """Cayley map of order 4: Rodrigues dual vectors ``v = tan(α/8) u`` of rigid displacements.
 
 α is the dual angle (rotation angle, translation along the axis) and u the unit dual vector of the screw axis. Arrays
 hold the real part first: v and twists (..., 6), dual quaternions (..., 8) scalar first in each half, dual tensors
 (..., 2, 3, 3). All functions broadcast over leading axes, keep float32, float64 and longdouble (and complex types where
 no branch is selected), and take ``axis=0`` for components first. NaN in gives NaN out, element by element.
+Forward maps are NaN where (1 + x)^4 overflows: beyond Re|v| = 3e+38 in float64, 7e+04 in float32.
 """
 
 from __future__ import annotations
@@ -134,7 +135,7 @@ RETURNS: tuple[str, ...] = (
 # --- forward maps -----------------------------------------------------------------------------------------------
 
 
-# operations 42: 14 +, 25 *, 2 /, 1 neg
+# operations 43: 14 +, 25 *, 3 /, 1 neg
 def _quaternion(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -144,7 +145,7 @@ def _quaternion(m: Any, v: Components) -> Result:
     ph = 1 - x
     x_by_4 = 4 * x
     root = ph * ph + x_by_4
-    sr = 1 / root
+    sr = root / root / root
     p = (x - 6) * x + 1
     sc = p * sr
     q = 4 - x_by_4
@@ -171,14 +172,14 @@ def _quaternion_blocks(
     ph = sub(n1, x, k2)
     x_by_4 = mul(n4, x, k3)
     root = add(mul(ph, ph, k2), x_by_4, k2)
-    sr = div(n1, root, k2)
+    sr = div(div(root, root, k4), root, k2)
     q = sub(n4, x_by_4, k3)
     w = mul(q, sr, k3)
     mul(v1, w, o2)
     mul(v2, w, o3)
     mul(v3, w, o4)
     p = add(mul(sub(x, n6, k4), x, k4), n1, k4)
-    sc = mul(p, sr, o1)
+    mul(p, sr, o1)
     k = add(n1, x, k1)
     e = div(n4, k, k1)
     y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k5), k4), mul(v3, v3o, k5), k4)
@@ -225,7 +226,7 @@ def quaternion(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Arr
     return call(_QUATERNION, axis, out, v)
 
 
-# operations 100: 39 +, 60 *, 1 /
+# operations 102: 39 +, 61 *, 2 /
 def _tensor(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -239,7 +240,7 @@ def _tensor(m: Any, v: Components) -> Result:
     q = 4 - 4 * x
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     f = p * q * s
     fv1 = v1 * f
     fv2 = v2 * f
@@ -307,7 +308,7 @@ def _tensor_blocks(
     q = sub(n4, mul(n4, x, k6), k6)
     qq = mul(q, q, k7)
     N = add(mul(p, p, k8), mul(x, qq, k9), k8)
-    s = div(n2, N, k8)
+    s = mul(n2, div(div(N, N, k9), N, k8), k8)
     f = mul(mul(p, q, k5), s, k5)
     g = mul(qq, s, k6)
     Q11 = sub(n1, mul(g, x23, k2), o1)
@@ -381,7 +382,7 @@ def tensor(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     return call(_TENSOR, axis, out, v)
 
 
-# operations 73: 30 +, 42 *, 1 /
+# operations 75: 30 +, 43 *, 2 /
 def _pose(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -395,7 +396,7 @@ def _pose(m: Any, v: Components) -> Result:
     q = 4 - 4 * x
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     f = p * q * s
     fv1 = v1 * f
     fv2 = v2 * f
@@ -449,7 +450,7 @@ def _pose_blocks(
     q = sub(n4, mul(n4, x, k6), k6)
     qq = mul(q, q, k7)
     N = add(mul(p, p, k8), mul(x, qq, k9), k8)
-    s = div(n2, N, k8)
+    s = mul(n2, div(div(N, N, k9), N, k8), k8)
     f = mul(mul(p, q, k5), s, k5)
     g = mul(qq, s, k6)
     sub(n1, mul(g, x23, k2), o1)
@@ -517,7 +518,7 @@ def pose(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     return call(_POSE, axis, out, v)
 
 
-# operations 86: 34 +, 51 *, 1 /
+# operations 88: 34 +, 52 *, 2 /
 def _transform_point(m: Any, v: Components, r: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     r1, r2, r3 = r
@@ -532,7 +533,7 @@ def _transform_point(m: Any, v: Components, r: Components) -> Result:
     qq = q * q
     p = (x - 6) * x + 1
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     g = qq * s
     gv_r1 = v_r1 * g
     gv_r2 = v_r2 * g
@@ -568,7 +569,7 @@ def _transform_point_blocks(
     q = sub(n4, mul(n4, x, k3), k3)
     qq = mul(q, q, k4)
     N = add(mul(p, p, k5), mul(x, qq, k6), k5)
-    s = div(n2, N, k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
     f = mul(mul(p, q, k2), s, k2)
     g = mul(qq, s, k3)
     c = add(mul(sub(mul(n8, x, k4), n16, k4), x, k1), n40, k1)
@@ -631,7 +632,7 @@ def transform_point(v: ArrayLike, r: ArrayLike, *, axis: int = -1, out: Array | 
     return call(_TRANSFORM_POINT, axis, out, v, r)
 
 
-# operations 125: 49 +, 75 *, 1 /
+# operations 127: 49 +, 76 *, 2 /
 def _transform_line(m: Any, v: Components, line: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     l1, l2, l3, m1, m2, m3 = line
@@ -646,7 +647,7 @@ def _transform_line(m: Any, v: Components, line: Components) -> Result:
     qq = q * q
     p = (x - 6) * x + 1
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     g = qq * s
     gv_l1 = v_l1 * g
     gv_l2 = v_l2 * g
@@ -697,7 +698,7 @@ def _transform_line_blocks(
     q = sub(n4, mul(n4, x, k3), k3)
     qq = mul(q, q, k4)
     N = add(mul(p, p, k5), mul(x, qq, k6), k5)
-    s = div(n2, N, k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
     f = mul(mul(p, q, k2), s, k2)
     g = mul(qq, s, k3)
     c = add(mul(sub(mul(n8, x, k4), n16, k4), x, k1), n40, k1)
@@ -786,7 +787,7 @@ def singular_angles() -> tuple[float, ...]:
     return (2 * pi, 4 * pi,)
 
 
-# operations 112: 45 +, 64 *, 3 /
+# operations 114: 45 +, 65 *, 4 /
 def _tangent(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     y = v1 * v1o + v2 * v2o + v3 * v3o
@@ -800,7 +801,7 @@ def _tangent(m: Any, v: Components) -> Result:
     q = 4 - 4 * x
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     h = c * s
     k = 1 + x
     e = 4 / k
@@ -869,7 +870,7 @@ def _tangent_blocks(
     q = sub(n4, mul(n4, x, k3), k3)
     qq = mul(q, q, k4)
     N = add(mul(p, p, k5), mul(x, qq, k6), k5)
-    s = div(n2, N, k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
     f = mul(mul(p, q, k2), s, k2)
     g = mul(qq, s, k4)
     c = add(mul(sub(mul(n8, x, k6), n16, k6), x, k6), n40, k6)
@@ -1128,7 +1129,7 @@ def tangent_inv(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Ar
 dcay_inv = tangent_inv
 
 
-# operations 144: 56 +, 85 *, 3 /
+# operations 146: 56 +, 86 *, 4 /
 def _twist(m: Any, v: Components, v_dot: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
@@ -1143,7 +1144,7 @@ def _twist(m: Any, v: Components, v_dot: Components) -> Result:
     q = 4 - 4 * x
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     h = c * s
     k = 1 + x
     e = 4 / k
@@ -1192,7 +1193,7 @@ def _twist_blocks(
     q = sub(n4, mul(n4, x, k3), k3)
     qq = mul(q, q, k4)
     N = add(mul(p, p, k5), mul(x, qq, k6), k5)
-    s = div(n2, N, k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
     f = mul(mul(p, q, k2), s, k2)
     g = mul(qq, s, k4)
     gv2 = mul(v2, g, k6)
@@ -1400,7 +1401,7 @@ def rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | None = 
     return call(_RATE, axis, out, v, omega)
 
 
-# operations 144: 56 +, 85 *, 3 /
+# operations 146: 56 +, 86 *, 4 /
 def _body_twist(m: Any, v: Components, v_dot: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
@@ -1415,7 +1416,7 @@ def _body_twist(m: Any, v: Components, v_dot: Components) -> Result:
     q = 4 - 4 * x
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     h = c * s
     k = 1 + x
     e = 4 / k
@@ -1464,7 +1465,7 @@ def _body_twist_blocks(
     q = sub(n4, mul(n4, x, k3), k3)
     qq = mul(q, q, k4)
     N = add(mul(p, p, k5), mul(x, qq, k6), k5)
-    s = div(n2, N, k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
     f = mul(mul(p, q, k2), s, k2)
     g = mul(qq, s, k4)
     gv3 = mul(v3, g, k6)
@@ -1685,7 +1686,7 @@ def _turn(m: Any, v: Components, cs: Components) -> Result:
     x = v11 + v22 + v33
     still = x == 0
     length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
-    r = m.where(still, 0, length)
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1713,10 +1714,10 @@ def _turn_blocks(
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
     still = m.equal(x, n0, mask1)
-    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k1)
-    r = m.where(still, n0, length, k2)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
+    r = m.where(still, x, length, k1)
     iden = div(n1, sub(cos, mul(r, sin, k3), k3), k3)
-    rk = mul(add(mul(r, cos, k2), sin, k2), iden, k2)
+    rk = mul(add(mul(r, cos, k1), sin, k1), iden, k1)
     u1 = div(m.where(still, v1o, v1, k4), length, k4)
     mul(u1, rk, o1)
     u2 = div(m.where(still, v2o, v2, k5), length, k5)
@@ -1729,7 +1730,7 @@ def _turn_blocks(
     add(mul(uo1, rk, k7), mul(u1, rko, k4), o4)
     uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k4), k4), k7), length, k4)
     add(mul(uo2, rk, k4), mul(u2, rko, k5), o5)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k1)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k2)
     add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
 
 
@@ -1762,7 +1763,7 @@ def _shadow(m: Any, v: Components, cs: Components) -> Result:
     sign = m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     still = x == 0
     length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
-    r = m.where(still, 0, length)
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1784,28 +1785,28 @@ def _shadow_blocks(
     cos, sin = cs
     o1, o2, o3, o4, o5, o6 = out
     k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
-    mask1, mask2, mask3 = masks
+    mask1, mask2, mask3, mask4 = masks
     n_minus_1, n0, n1, n4, n6 = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
-    p = add(mul(sub(x, n6, k2), x, k2), n1, k2)
-    pneg = m.less(p, n0, mask1)
-    q = sub(n4, mul(n4, x, k2), k2)
-    mq = neg(q, k3)
-    qp = m.where(pneg, mq, q, k3)
-    y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k5), k4), mul(v3, v3o, k5), k4)
-    sign = m.where(
-        m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1), n_minus_1,
-        n1, k2
-    )
-    sn = mul(sign, sin, k2)
     still = m.equal(x, n0, mask1)
-    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k3), mul(v2o, v2o, k4), k3), mul(v3o, v3o, k4), k3), x, k3), k1)
-    r = m.where(still, n0, length, k3)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
+    r = m.where(still, x, length, k3)
+    p = add(mul(sub(x, n6, k4), x, k4), n1, k4)
+    pneg = m.less(p, n0, mask2)
+    q = sub(n4, mul(n4, x, k1), k1)
+    mq = neg(q, k4)
+    qp = m.where(pneg, mq, q, k4)
+    y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k6), k5), mul(v3, v3o, k6), k5)
+    sign = m.where(
+        m.either(m.less(qp, n0, mask2), m.both(m.equal(q, n0, mask3), m.less(y, n0, mask4), mask3), mask2), n_minus_1,
+        n1, k1
+    )
+    sn = mul(sign, sin, k1)
     iden = div(n1, sub(cos, mul(r, sn, k4), k4), k4)
-    rk = mul(add(mul(r, cos, k3), sn, k2), iden, k2)
+    rk = mul(add(mul(r, cos, k3), sn, k1), iden, k1)
     u1 = div(m.where(still, v1o, v1, k3), length, k3)
     mul(u1, rk, o1)
     u2 = div(m.where(still, v2o, v2, k5), length, k5)
@@ -1818,7 +1819,7 @@ def _shadow_blocks(
     add(mul(uo1, rk, k7), mul(u1, rko, k3), o4)
     uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k3), k3), k7), length, k3)
     add(mul(uo2, rk, k3), mul(u2, rko, k5), o5)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k3), k3), k5), length, k1)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k3), k3), k5), length, k2)
     add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
 
 
@@ -1828,7 +1829,7 @@ _SHADOW = Kernel(
     (("v", (6,)),),
     (6,),
     registers=9,
-    masks=3,
+    masks=4,
     numbers=(-1, 0, 1, 4, 6),
     real=True,
 )
@@ -2093,7 +2094,7 @@ def from_quaternion(q: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array
     return call_branch(_FROM_QUATERNION, _TURN, TURNS, branch, axis, out, q)
 
 
-# operations 156: 51 +, 57 *, 11 /, 1 neg, 2 sqrt, 8 lt, 3 eq, 3 and, 3 or, 17 where
+# operations 152: 51 +, 57 *, 11 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 def _from_tensor(m: Any, R: Components) -> Result:
     Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33, D11, D12, D13, D21, D22, D23, D31, D32, D33 = R
     rho1 = (D31 * Q21 + D32 * Q22 + D33 * Q23 - (D21 * Q31 + D22 * Q32 + D23 * Q33)) / 2
@@ -2136,11 +2137,9 @@ def _from_tensor(m: Any, R: Components) -> Result:
     e2 = sign * z32
     e3 = sign * z33
     size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
-    cos1 = cos / size
+    cos1 = e0 / size
     cos2 = m.sqrt((1 + cos1) / 2)
-    gain = m.where(negative, -1, 1) / (2 * cos2 * (1 + cos2) * size)
+    gain = 1 / (2 * cos2 * (1 + cos2) * size)
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
@@ -2217,11 +2216,9 @@ def _from_tensor_blocks(
     e2 = mul(sign, z32, k3)
     e3 = mul(sign, z33, k2)
     size = sqrt(add(mul(e0, e0, k4), add(add(mul(e1, e1, k6), mul(e2, e2, k7), k6), mul(e3, e3, k7), k6), k4), k4)
-    negative = m.less(e0, n0, mask1)
-    cos = m.where(negative, neg(e0, k6), e0, k6)
-    cos1 = div(cos, size, k5)
+    cos1 = div(e0, size, k5)
     cos2 = sqrt(div(add(n1, cos1, k5), n2, k5), k5)
-    gain = div(m.where(negative, n_minus_1, n1, k6), mul(mul(mul(n2, cos2, k7), add(n1, cos2, k5), k5), size, k4), k4)
+    gain = div(n1, mul(mul(mul(n2, cos2, k6), add(n1, cos2, k5), k5), size, k4), k4)
     v1 = mul(e1, gain, o1)
     v2 = mul(e2, gain, o2)
     v3 = mul(e3, gain, o3)
@@ -2297,7 +2294,7 @@ def from_tensor(R: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | N
     return call_branch(_FROM_TENSOR, _TURN, TURNS, branch, axis, out, R)
 
 
-# operations 120: 36 +, 39 *, 8 /, 1 neg, 2 sqrt, 8 lt, 3 eq, 3 and, 3 or, 17 where
+# operations 116: 36 +, 39 *, 8 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 def _from_pose(m: Any, T: Components) -> Result:
     Q11, Q12, Q13, T14, Q21, Q22, Q23, T24, Q31, Q32, Q33, T34, _, _, _, _ = T
     a1 = Q32 - Q23
@@ -2337,11 +2334,9 @@ def _from_pose(m: Any, T: Components) -> Result:
     e2 = sign * z32
     e3 = sign * z33
     size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
-    cos1 = cos / size
+    cos1 = e0 / size
     cos2 = m.sqrt((1 + cos1) / 2)
-    gain = m.where(negative, -1, 1) / (2 * cos2 * (1 + cos2) * size)
+    gain = 1 / (2 * cos2 * (1 + cos2) * size)
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
@@ -2418,11 +2413,9 @@ def _from_pose_blocks(
     e2 = mul(sign, z32, k3)
     e3 = mul(sign, z33, k2)
     size = sqrt(add(mul(e0, e0, k4), add(add(mul(e1, e1, k6), mul(e2, e2, k7), k6), mul(e3, e3, k7), k6), k4), k4)
-    negative = m.less(e0, n0, mask1)
-    cos = m.where(negative, neg(e0, k6), e0, k6)
-    cos1 = div(cos, size, k5)
+    cos1 = div(e0, size, k5)
     cos2 = sqrt(div(add(n1, cos1, k5), n2, k5), k5)
-    gain = div(m.where(negative, n_minus_1, n1, k6), mul(mul(mul(n2, cos2, k7), add(n1, cos2, k5), k5), size, k4), k4)
+    gain = div(n1, mul(mul(mul(n2, cos2, k6), add(n1, cos2, k5), k5), size, k4), k4)
     v1 = mul(e1, gain, o1)
     v2 = mul(e2, gain, o2)
     v3 = mul(e3, gain, o3)
@@ -2563,7 +2556,7 @@ def _to_screw(m: Any, v: Components) -> Result:
     sign = m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     still = x == 0
     length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
-    r = m.where(still, 0, length)
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -2598,7 +2591,7 @@ def _to_screw_blocks(
     x = add(add(v11, v22, k1), v33, k1)
     still = m.equal(x, n0, mask1)
     length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
-    r = m.where(still, n0, length, k3)
+    r = m.where(still, x, length, k3)
     p = add(mul(sub(x, n6, k4), x, k4), n1, k4)
     pneg = m.less(p, n0, mask2)
     q = sub(n4, mul(n4, x, k5), k5)
@@ -2666,7 +2659,7 @@ def to_screw(v: ArrayLike, *, axis: int = -1) -> tuple[Array, Array]:
     return (screw[:2], screw[2:]) if axis == 0 else (screw[..., :2], screw[..., 2:])
 
 
-# operations 243: 88 +, 140 *, 10 /, 1 neg, 1 sqrt, 1 lt, 2 where
+# operations 247: 88 +, 142 *, 12 /, 1 neg, 1 sqrt, 1 lt, 2 where
 def _compose(m: Any, b: Components, a: Components) -> Result:
     b1, b2, b3, b1o, b2o, b3o = b
     a1, a2, a3, a1o, a2o, a3o = a
@@ -2701,7 +2694,7 @@ def _compose(m: Any, b: Components, a: Components) -> Result:
     size = rootb * roota
     qqa = qa * qa
     Na = pa * pa + xa * qqa
-    sa = 2 / Na
+    sa = 2 * (Na / Na / Na)
     ga = qqa * sa
     gva1 = a1 * ga
     gva2 = a2 * ga
@@ -2719,7 +2712,7 @@ def _compose(m: Any, b: Components, a: Components) -> Result:
     v_rho3 = b1 * rhoa2 - b2 * rhoa1
     qqb = qb * qb
     Nb = pb * pb + xb * qqb
-    sb = 2 / Nb
+    sb = 2 * (Nb / Nb / Nb)
     gb = qqb * sb
     gv_rho1 = v_rho1 * gb
     gv_rho2 = v_rho2 * gb
@@ -2827,7 +2820,7 @@ def _compose_blocks(
     fi = mul(p, iq, k5)
     qqa = mul(qa, qa, k8)
     Na = add(mul(pa, pa, k10), mul(xa, qqa, k11), k10)
-    sa = div(n2, Na, k10)
+    sa = mul(n2, div(div(Na, Na, k11), Na, k10), k10)
     fa = mul(mul(pa, qa, k4), sa, k4)
     ga = mul(qqa, sa, k8)
     ca = add(mul(sub(mul(n8, xa, k9), n16, k9), xa, k3), n40, k3)
@@ -2844,7 +2837,7 @@ def _compose_blocks(
     v_rho3 = sub(mul(b1, rhoa2, k8), mul(b2, rhoa1, k10), k8)
     qqb = mul(qb, qb, k10)
     Nb = add(mul(pb, pb, k12), mul(xb, qqb, k13), k12)
-    sb = div(n2, Nb, k12)
+    sb = mul(n2, div(div(Nb, Nb, k13), Nb, k12), k12)
     fb = mul(mul(pb, qb, k2), sb, k2)
     gb = mul(qqb, sb, k6)
     cb = add(mul(sub(mul(n8, xb, k10), n16, k10), xb, k1), n40, k1)

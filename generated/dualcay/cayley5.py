@@ -52,32 +52,33 @@
 #   [n = 5] dcay dcay^-1 = I for the tangent_inv formula
 #
 # Operations:
-#   quaternion: 48: 15 +, 29 *, 2 /, 1 neg, 1 sqrt
-#   tensor: 102: 40 +, 61 *, 1 /
-#   pose: 75: 31 +, 43 *, 1 /
-#   transform_point: 88: 35 +, 52 *, 1 /
-#   transform_line: 127: 50 +, 76 *, 1 /
-#   tangent: 116: 47 +, 66 *, 3 /
+#   quaternion: 49: 15 +, 29 *, 3 /, 1 neg, 1 sqrt
+#   tensor: 104: 40 +, 62 *, 2 /
+#   pose: 77: 31 +, 44 *, 2 /
+#   transform_point: 90: 35 +, 53 *, 2 /
+#   transform_line: 129: 50 +, 77 *, 2 /
+#   tangent: 118: 47 +, 67 *, 4 /
 #   tangent_inv: 104: 42 +, 52 *, 9 /, 1 neg
-#   twist: 148: 58 +, 87 *, 3 /
+#   twist: 150: 58 +, 88 *, 4 /
 #   rate: 136: 53 +, 73 *, 9 /, 1 neg
-#   body_twist: 148: 58 +, 87 *, 3 /
+#   body_twist: 150: 58 +, 88 *, 4 /
 #   body_rate: 136: 53 +, 73 *, 9 /, 1 neg
 #   from_quaternion: 97: 30 +, 49 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   from_tensor: 158: 50 +, 56 *, 10 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 20 where
-#   from_pose: 122: 35 +, 38 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 20 where
+#   from_tensor: 153: 50 +, 55 *, 10 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
+#   from_pose: 117: 35 +, 37 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
 #   to_screw: 76: 16 +, 28 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
 #   turn: 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
 #   shadow: 80: 20 +, 33 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 11 where
 #   principal: 55: 13 +, 23 *, 7 /, 1 sqrt, 2 lt, 9 where
-#   compose: 250: 88 +, 142 *, 9 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   compose: 254: 88 +, 144 *, 11 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 """Cayley map of order 5: Rodrigues dual vectors ``v = tan(α/10) u`` of rigid displacements.
 
 α is the dual angle (rotation angle, translation along the axis) and u the unit dual vector of the screw axis. Arrays
 hold the real part first: v and twists (..., 6), dual quaternions (..., 8) scalar first in each half, dual tensors
 (..., 2, 3, 3). All functions broadcast over leading axes, keep float32, float64 and longdouble (and complex types where
 no branch is selected), and take ``axis=0`` for components first. NaN in gives NaN out, element by element.
+Forward maps are NaN where (1 + x)^5 overflows: beyond Re|v| = 7e+30 in float64, 7e+03 in float32.
 """
 
 from __future__ import annotations
@@ -135,7 +136,7 @@ RETURNS: tuple[str, ...] = (
 # --- forward maps -----------------------------------------------------------------------------------------------
 
 
-# operations 48: 15 +, 29 *, 2 /, 1 neg, 1 sqrt
+# operations 49: 15 +, 29 *, 3 /, 1 neg, 1 sqrt
 def _quaternion(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -147,7 +148,7 @@ def _quaternion(m: Any, v: Components) -> Result:
     qq = q * q
     N = p * p + x * qq
     root = m.sqrt(N)
-    sr = 1 / root
+    sr = root / root / root
     sc = p * sr
     w = q * sr
     k = 1 + x
@@ -175,8 +176,8 @@ def _quaternion_blocks(
     p = add(mul(sub(mul(n5, x, k4), n10, k4), x, k4), n1, k4)
     N = add(mul(p, p, k5), mul(x, qq, k3), k3)
     root = sqrt(N, k3)
-    sr = div(n1, root, k3)
-    sc = mul(p, sr, o1)
+    sr = div(div(root, root, k5), root, k3)
+    mul(p, sr, o1)
     w = mul(q, sr, k2)
     mul(v1, w, o2)
     mul(v2, w, o3)
@@ -228,7 +229,7 @@ def quaternion(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Arr
     return call(_QUATERNION, axis, out, v)
 
 
-# operations 102: 40 +, 61 *, 1 /
+# operations 104: 40 +, 62 *, 2 /
 def _tensor(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -242,7 +243,7 @@ def _tensor(m: Any, v: Components) -> Result:
     q = (x - 10) * x + 5
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     f = p * q * s
     fv1 = v1 * f
     fv2 = v2 * f
@@ -310,7 +311,7 @@ def _tensor_blocks(
     qq = mul(q, q, k6)
     p = add(mul(sub(mul(n5, x, k7), n10, k7), x, k7), n1, k7)
     N = add(mul(p, p, k8), mul(x, qq, k9), k8)
-    s = div(n2, N, k8)
+    s = mul(n2, div(div(N, N, k9), N, k8), k8)
     f = mul(mul(p, q, k5), s, k5)
     g = mul(qq, s, k6)
     Q11 = sub(n1, mul(g, x23, k2), o1)
@@ -384,7 +385,7 @@ def tensor(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     return call(_TENSOR, axis, out, v)
 
 
-# operations 75: 31 +, 43 *, 1 /
+# operations 77: 31 +, 44 *, 2 /
 def _pose(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -398,7 +399,7 @@ def _pose(m: Any, v: Components) -> Result:
     q = (x - 10) * x + 5
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     f = p * q * s
     fv1 = v1 * f
     fv2 = v2 * f
@@ -452,7 +453,7 @@ def _pose_blocks(
     qq = mul(q, q, k6)
     p = add(mul(sub(mul(n5, x, k7), n10, k7), x, k7), n1, k7)
     N = add(mul(p, p, k8), mul(x, qq, k9), k8)
-    s = div(n2, N, k8)
+    s = mul(n2, div(div(N, N, k9), N, k8), k8)
     f = mul(mul(p, q, k5), s, k5)
     g = mul(qq, s, k6)
     sub(n1, mul(g, x23, k2), o1)
@@ -520,7 +521,7 @@ def pose(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     return call(_POSE, axis, out, v)
 
 
-# operations 88: 35 +, 52 *, 1 /
+# operations 90: 35 +, 53 *, 2 /
 def _transform_point(m: Any, v: Components, r: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     r1, r2, r3 = r
@@ -535,7 +536,7 @@ def _transform_point(m: Any, v: Components, r: Components) -> Result:
     qq = q * q
     p = (5 * x - 10) * x + 1
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     g = qq * s
     gv_r1 = v_r1 * g
     gv_r2 = v_r2 * g
@@ -571,7 +572,7 @@ def _transform_point_blocks(
     qq = mul(q, q, k3)
     p = add(mul(sub(mul(n5, x, k4), n10, k4), x, k4), n1, k4)
     N = add(mul(p, p, k5), mul(x, qq, k6), k5)
-    s = div(n2, N, k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
     f = mul(mul(p, q, k2), s, k2)
     g = mul(qq, s, k3)
     c = add(mul(sub(mul(n80, x, k4), n96, k4), x, k1), n80, k1)
@@ -634,7 +635,7 @@ def transform_point(v: ArrayLike, r: ArrayLike, *, axis: int = -1, out: Array | 
     return call(_TRANSFORM_POINT, axis, out, v, r)
 
 
-# operations 127: 50 +, 76 *, 1 /
+# operations 129: 50 +, 77 *, 2 /
 def _transform_line(m: Any, v: Components, line: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     l1, l2, l3, m1, m2, m3 = line
@@ -649,7 +650,7 @@ def _transform_line(m: Any, v: Components, line: Components) -> Result:
     qq = q * q
     p = (5 * x - 10) * x + 1
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     g = qq * s
     gv_l1 = v_l1 * g
     gv_l2 = v_l2 * g
@@ -700,7 +701,7 @@ def _transform_line_blocks(
     qq = mul(q, q, k3)
     p = add(mul(sub(mul(n5, x, k4), n10, k4), x, k4), n1, k4)
     N = add(mul(p, p, k5), mul(x, qq, k6), k5)
-    s = div(n2, N, k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
     f = mul(mul(p, q, k2), s, k2)
     g = mul(qq, s, k3)
     c = add(mul(sub(mul(n80, x, k4), n96, k4), x, k1), n80, k1)
@@ -789,7 +790,7 @@ def singular_angles() -> tuple[float, ...]:
     return (2 * pi, 4 * pi, 5 * pi,)
 
 
-# operations 116: 47 +, 66 *, 3 /
+# operations 118: 47 +, 67 *, 4 /
 def _tangent(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     y = v1 * v1o + v2 * v2o + v3 * v3o
@@ -803,7 +804,7 @@ def _tangent(m: Any, v: Components) -> Result:
     q = (x - 10) * x + 5
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     h = c * s
     k = 1 + x
     e = 5 / k
@@ -873,7 +874,7 @@ def _tangent_blocks(
     qq = mul(q, q, k3)
     p = add(mul(sub(mul(n5, x, k4), n10, k4), x, k4), n1, k4)
     N = add(mul(p, p, k5), mul(x, qq, k6), k5)
-    s = div(n2, N, k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
     f = mul(mul(p, q, k4), s, k4)
     g = mul(qq, s, k3)
     c = add(mul(sub(mul(n80, x, k6), n96, k6), x, k6), n80, k6)
@@ -1137,7 +1138,7 @@ def tangent_inv(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Ar
 dcay_inv = tangent_inv
 
 
-# operations 148: 58 +, 87 *, 3 /
+# operations 150: 58 +, 88 *, 4 /
 def _twist(m: Any, v: Components, v_dot: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
@@ -1152,7 +1153,7 @@ def _twist(m: Any, v: Components, v_dot: Components) -> Result:
     q = (x - 10) * x + 5
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     h = c * s
     k = 1 + x
     e = 5 / k
@@ -1202,7 +1203,7 @@ def _twist_blocks(
     qq = mul(q, q, k3)
     p = add(mul(sub(mul(n5, x, k4), n10, k4), x, k4), n1, k4)
     N = add(mul(p, p, k5), mul(x, qq, k6), k5)
-    s = div(n2, N, k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
     f = mul(mul(p, q, k4), s, k4)
     g = mul(qq, s, k3)
     gv2 = mul(v2, g, k6)
@@ -1415,7 +1416,7 @@ def rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | None = 
     return call(_RATE, axis, out, v, omega)
 
 
-# operations 148: 58 +, 87 *, 3 /
+# operations 150: 58 +, 88 *, 4 /
 def _body_twist(m: Any, v: Components, v_dot: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
@@ -1430,7 +1431,7 @@ def _body_twist(m: Any, v: Components, v_dot: Components) -> Result:
     q = (x - 10) * x + 5
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     h = c * s
     k = 1 + x
     e = 5 / k
@@ -1480,7 +1481,7 @@ def _body_twist_blocks(
     qq = mul(q, q, k3)
     p = add(mul(sub(mul(n5, x, k4), n10, k4), x, k4), n1, k4)
     N = add(mul(p, p, k5), mul(x, qq, k6), k5)
-    s = div(n2, N, k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
     f = mul(mul(p, q, k4), s, k4)
     g = mul(qq, s, k3)
     gv3 = mul(v3, g, k6)
@@ -1706,7 +1707,7 @@ def _turn(m: Any, v: Components, cs: Components) -> Result:
     x = v11 + v22 + v33
     still = x == 0
     length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
-    r = m.where(still, 0, length)
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1734,10 +1735,10 @@ def _turn_blocks(
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
     still = m.equal(x, n0, mask1)
-    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k1)
-    r = m.where(still, n0, length, k2)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
+    r = m.where(still, x, length, k1)
     iden = div(n1, sub(cos, mul(r, sin, k3), k3), k3)
-    rk = mul(add(mul(r, cos, k2), sin, k2), iden, k2)
+    rk = mul(add(mul(r, cos, k1), sin, k1), iden, k1)
     u1 = div(m.where(still, v1o, v1, k4), length, k4)
     mul(u1, rk, o1)
     u2 = div(m.where(still, v2o, v2, k5), length, k5)
@@ -1750,7 +1751,7 @@ def _turn_blocks(
     add(mul(uo1, rk, k7), mul(u1, rko, k4), o4)
     uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k4), k4), k7), length, k4)
     add(mul(uo2, rk, k4), mul(u2, rko, k5), o5)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k1)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k2)
     add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
 
 
@@ -1783,7 +1784,7 @@ def _shadow(m: Any, v: Components, cs: Components) -> Result:
     sign = m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     still = x == 0
     length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
-    r = m.where(still, 0, length)
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1823,11 +1824,11 @@ def _shadow_blocks(
     )
     sn = mul(sign, sin, k2)
     still = m.equal(x, n0, mask1)
-    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k3), mul(v2o, v2o, k4), k3), mul(v3o, v3o, k4), k3), x, k3), k1)
-    r = m.where(still, n0, length, k3)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k3), mul(v2o, v2o, k4), k3), mul(v3o, v3o, k4), k3), x, k3), k3)
+    r = m.where(still, x, length, k1)
     iden = div(n1, sub(cos, mul(r, sn, k4), k4), k4)
-    rk = mul(add(mul(r, cos, k3), sn, k2), iden, k2)
-    u1 = div(m.where(still, v1o, v1, k3), length, k3)
+    rk = mul(add(mul(r, cos, k1), sn, k1), iden, k1)
+    u1 = div(m.where(still, v1o, v1, k2), length, k2)
     mul(u1, rk, o1)
     u2 = div(m.where(still, v2o, v2, k5), length, k5)
     mul(u2, rk, o2)
@@ -1836,10 +1837,10 @@ def _shadow_blocks(
     ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
     rko = mul(ro, mul(iden, iden, k4), k4)
     uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k7), k7), k9), length, k7)
-    add(mul(uo1, rk, k7), mul(u1, rko, k3), o4)
-    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k3), k3), k7), length, k3)
-    add(mul(uo2, rk, k3), mul(u2, rko, k5), o5)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k3), k3), k5), length, k1)
+    add(mul(uo1, rk, k7), mul(u1, rko, k2), o4)
+    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k2), k2), k7), length, k2)
+    add(mul(uo2, rk, k2), mul(u2, rko, k5), o5)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k2), k2), k5), length, k2)
     add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
 
 
@@ -2121,7 +2122,7 @@ def from_quaternion(q: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array
     return call_branch(_FROM_QUATERNION, _TURN, TURNS, branch, axis, out, q)
 
 
-# operations 158: 50 +, 56 *, 10 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 20 where
+# operations 153: 50 +, 55 *, 10 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 def _from_tensor(m: Any, R: Components) -> Result:
     Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33, D11, D12, D13, D21, D22, D23, D31, D32, D33 = R
     rho1 = (D31 * Q21 + D32 * Q22 + D33 * Q23 - (D21 * Q31 + D22 * Q32 + D23 * Q33)) / 2
@@ -2164,11 +2165,9 @@ def _from_tensor(m: Any, R: Components) -> Result:
     e2 = sign * z32
     e3 = sign * z33
     ss = e1 * e1 + e2 * e2 + e3 * e3
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
     still = ss == 0
-    sin = m.sqrt(m.where(still, cos, ss))
-    gain = m.where(negative, -1, 1) * (m.where(still, 1, m.tan(m.atan2(sin, cos) / 5)) / m.where(still, 5 * cos, sin))
+    sin = m.sqrt(m.where(still, e0, ss))
+    gain = m.where(still, 1, m.tan(m.atan2(sin, e0) / 5)) / m.where(still, 5 * e0, sin)
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
@@ -2246,12 +2245,9 @@ def _from_tensor_blocks(
     e0 = mul(sign, z30, k4)
     ss = add(add(mul(e1, e1, k5), mul(e2, e2, k6), k5), mul(e3, e3, k6), k5)
     still = m.equal(ss, n0, mask1)
-    negative = m.less(e0, n0, mask2)
-    cos = m.where(negative, neg(e0, k6), e0, k6)
-    sin = sqrt(m.where(still, cos, ss, k4), k4)
-    gain = mul(
-        m.where(negative, n_minus_1, n1, k5), div(m.where(still, n1, tan(div(atan2(sin, cos, k7), n5, k7), k7), k8),
-        m.where(still, mul(n5, cos, k6), sin, k6), k4), k4
+    sin = sqrt(m.where(still, e0, ss, k6), k5)
+    gain = div(
+        m.where(still, n1, tan(div(atan2(sin, e0, k6), n5, k6), k6), k7), m.where(still, mul(n5, e0, k4), sin, k4), k4
     )
     v1 = mul(e1, gain, o1)
     v2 = mul(e2, gain, o2)
@@ -2328,7 +2324,7 @@ def from_tensor(R: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | N
     return call_branch(_FROM_TENSOR, _TURN, TURNS, branch, axis, out, R)
 
 
-# operations 122: 35 +, 38 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 20 where
+# operations 117: 35 +, 37 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 def _from_pose(m: Any, T: Components) -> Result:
     Q11, Q12, Q13, T14, Q21, Q22, Q23, T24, Q31, Q32, Q33, T34, _, _, _, _ = T
     a1 = Q32 - Q23
@@ -2368,11 +2364,9 @@ def _from_pose(m: Any, T: Components) -> Result:
     e2 = sign * z32
     e3 = sign * z33
     ss = e1 * e1 + e2 * e2 + e3 * e3
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
     still = ss == 0
-    sin = m.sqrt(m.where(still, cos, ss))
-    gain = m.where(negative, -1, 1) * (m.where(still, 1, m.tan(m.atan2(sin, cos) / 5)) / m.where(still, 5 * cos, sin))
+    sin = m.sqrt(m.where(still, e0, ss))
+    gain = m.where(still, 1, m.tan(m.atan2(sin, e0) / 5)) / m.where(still, 5 * e0, sin)
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
@@ -2450,12 +2444,9 @@ def _from_pose_blocks(
     e0 = mul(sign, z30, k4)
     ss = add(add(mul(e1, e1, k5), mul(e2, e2, k6), k5), mul(e3, e3, k6), k5)
     still = m.equal(ss, n0, mask1)
-    negative = m.less(e0, n0, mask2)
-    cos = m.where(negative, neg(e0, k6), e0, k6)
-    sin = sqrt(m.where(still, cos, ss, k4), k4)
-    gain = mul(
-        m.where(negative, n_minus_1, n1, k5), div(m.where(still, n1, tan(div(atan2(sin, cos, k7), n5, k7), k7), k8),
-        m.where(still, mul(n5, cos, k6), sin, k6), k4), k4
+    sin = sqrt(m.where(still, e0, ss, k6), k5)
+    gain = div(
+        m.where(still, n1, tan(div(atan2(sin, e0, k6), n5, k6), k6), k7), m.where(still, mul(n5, e0, k4), sin, k4), k4
     )
     v1 = mul(e1, gain, o1)
     v2 = mul(e2, gain, o2)
@@ -2597,7 +2588,7 @@ def _to_screw(m: Any, v: Components) -> Result:
     sign = m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     still = x == 0
     length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
-    r = m.where(still, 0, length)
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -2632,7 +2623,7 @@ def _to_screw_blocks(
     x = add(add(v11, v22, k1), v33, k1)
     still = m.equal(x, n0, mask1)
     length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
-    r = m.where(still, n0, length, k3)
+    r = m.where(still, x, length, k3)
     q = add(mul(sub(x, n10, k4), x, k4), n5, k4)
     mq = neg(q, k5)
     p = add(mul(sub(mul(n5, x, k6), n10, k6), x, k6), n1, k6)
@@ -2700,7 +2691,7 @@ def to_screw(v: ArrayLike, *, axis: int = -1) -> tuple[Array, Array]:
     return (screw[:2], screw[2:]) if axis == 0 else (screw[..., :2], screw[..., 2:])
 
 
-# operations 250: 88 +, 142 *, 9 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+# operations 254: 88 +, 144 *, 11 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 def _compose(m: Any, b: Components, a: Components) -> Result:
     b1, b2, b3, b1o, b2o, b3o = b
     a1, a2, a3, a1o, a2o, a3o = a
@@ -2728,7 +2719,7 @@ def _compose(m: Any, b: Components, a: Components) -> Result:
     z3 = qva3 * pb + qvb3 * pa + (qvb1 * qva2 - qvb2 * qva1)
     qqa = qa * qa
     Na = pa * pa + xa * qqa
-    sa = 2 / Na
+    sa = 2 * (Na / Na / Na)
     ga = qqa * sa
     gva1 = a1 * ga
     gva2 = a2 * ga
@@ -2746,7 +2737,7 @@ def _compose(m: Any, b: Components, a: Components) -> Result:
     v_rho3 = b1 * rhoa2 - b2 * rhoa1
     qqb = qb * qb
     Nb = pb * pb + xb * qqb
-    sb = 2 / Nb
+    sb = 2 * (Nb / Nb / Nb)
     gb = qqb * sb
     gv_rho1 = v_rho1 * gb
     gv_rho2 = v_rho2 * gb
@@ -2856,7 +2847,7 @@ def _compose_blocks(
     hi = div(mul(d, iq, k3), n5, k3)
     qqa = mul(qa, qa, k9)
     Na = add(mul(pa, pa, k10), mul(xa, qqa, k11), k10)
-    sa = div(n2, Na, k10)
+    sa = mul(n2, div(div(Na, Na, k11), Na, k10), k10)
     fa = mul(mul(pa, qa, k2), sa, k2)
     ga = mul(qqa, sa, k8)
     ca = add(mul(sub(mul(n80, xa, k9), n96, k9), xa, k1), n80, k1)
@@ -2873,7 +2864,7 @@ def _compose_blocks(
     v_rho3 = sub(mul(b1, rhoa2, k8), mul(b2, rhoa1, k10), k8)
     qqb = mul(qb, qb, k10)
     Nb = add(mul(pb, pb, k12), mul(xb, qqb, k13), k12)
-    sb = div(n2, Nb, k12)
+    sb = mul(n2, div(div(Nb, Nb, k13), Nb, k12), k12)
     fb = mul(mul(pb, qb, k5), sb, k5)
     gb = mul(qqb, sb, k6)
     cb = add(mul(sub(mul(n80, xb, k10), n96, k10), xb, k4), n80, k4)

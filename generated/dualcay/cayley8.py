@@ -52,32 +52,33 @@
 #   [n = 8] dcay dcay^-1 = I for the tangent_inv formula
 #
 # Operations:
-#   quaternion: 60: 22 +, 35 *, 2 /, 1 neg
-#   tensor: 116: 47 +, 68 *, 1 /
-#   pose: 89: 38 +, 50 *, 1 /
-#   transform_point: 102: 42 +, 59 *, 1 /
-#   transform_line: 141: 57 +, 83 *, 1 /
-#   tangent: 140: 59 +, 78 *, 3 /
+#   quaternion: 61: 22 +, 35 *, 3 /, 1 neg
+#   tensor: 118: 47 +, 69 *, 2 /
+#   pose: 91: 38 +, 51 *, 2 /
+#   transform_point: 104: 42 +, 60 *, 2 /
+#   transform_line: 143: 57 +, 84 *, 2 /
+#   tangent: 142: 59 +, 79 *, 4 /
 #   tangent_inv: 125: 52 +, 63 *, 9 /, 1 neg
-#   twist: 172: 70 +, 99 *, 3 /
+#   twist: 174: 70 +, 100 *, 4 /
 #   rate: 157: 63 +, 84 *, 9 /, 1 neg
-#   body_twist: 172: 70 +, 99 *, 3 /
+#   body_twist: 174: 70 +, 100 *, 4 /
 #   body_rate: 157: 63 +, 84 *, 9 /, 1 neg
 #   from_quaternion: 102: 35 +, 53 *, 8 /, 1 neg, 2 sqrt, 1 lt, 2 where
-#   from_tensor: 173: 58 +, 65 *, 12 /, 1 neg, 3 sqrt, 8 lt, 3 eq, 3 and, 3 or, 17 where
-#   from_pose: 137: 43 +, 47 *, 9 /, 1 neg, 3 sqrt, 8 lt, 3 eq, 3 and, 3 or, 17 where
+#   from_tensor: 169: 58 +, 65 *, 12 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_pose: 133: 43 +, 47 *, 9 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
 #   to_screw: 82: 19 +, 31 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
 #   turn: 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
 #   shadow: 86: 23 +, 36 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 11 where
 #   principal: 61: 13 +, 23 *, 7 /, 1 sqrt, 4 lt, 13 where
-#   compose: 304: 115 +, 172 *, 11 /, 1 neg, 2 sqrt, 1 lt, 2 where
+#   compose: 308: 115 +, 174 *, 13 /, 1 neg, 2 sqrt, 1 lt, 2 where
 """Cayley map of order 8: Rodrigues dual vectors ``v = tan(α/16) u`` of rigid displacements.
 
 α is the dual angle (rotation angle, translation along the axis) and u the unit dual vector of the screw axis. Arrays
 hold the real part first: v and twists (..., 6), dual quaternions (..., 8) scalar first in each half, dual tensors
 (..., 2, 3, 3). All functions broadcast over leading axes, keep float32, float64 and longdouble (and complex types where
 no branch is selected), and take ``axis=0`` for components first. NaN in gives NaN out, element by element.
+Forward maps are NaN where (1 + x)^8 overflows: beyond Re|v| = 2e+19 in float64, 3e+02 in float32.
 """
 
 from __future__ import annotations
@@ -140,7 +141,7 @@ RETURNS: tuple[str, ...] = (
 # --- forward maps -----------------------------------------------------------------------------------------------
 
 
-# operations 60: 22 +, 35 *, 2 /, 1 neg
+# operations 61: 22 +, 35 *, 3 /, 1 neg
 def _quaternion(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -150,7 +151,7 @@ def _quaternion(m: Any, v: Components) -> Result:
     ph = (x - 6) * x + 1
     qh = 4 - 4 * x
     root = ph * ph + x * (qh * qh)
-    sr = 1 / root
+    sr = root / root / root
     p = (((x - 28) * x + 70) * x - 28) * x + 1
     sc = p * sr
     q = ((56 - 8 * x) * x - 56) * x + 8
@@ -178,9 +179,9 @@ def _quaternion_blocks(
     ph = add(mul(sub(x, n6, k2), x, k2), n1, k2)
     qh = sub(n4, mul(n4, x, k3), k3)
     root = add(mul(ph, ph, k2), mul(x, mul(qh, qh, k3), k3), k2)
-    sr = div(n1, root, k2)
+    sr = div(div(root, root, k3), root, k2)
     p = add(mul(sub(mul(add(mul(sub(x, n28, k3), x, k3), n70, k3), x, k3), n28, k3), x, k3), n1, k3)
-    sc = mul(p, sr, o1)
+    mul(p, sr, o1)
     q = add(mul(sub(mul(sub(n56, mul(n8, x, k3), k3), x, k3), n56, k3), x, k3), n8, k3)
     w = mul(q, sr, k3)
     mul(v1, w, o2)
@@ -233,7 +234,7 @@ def quaternion(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Arr
     return call(_QUATERNION, axis, out, v)
 
 
-# operations 116: 47 +, 68 *, 1 /
+# operations 118: 47 +, 69 *, 2 /
 def _tensor(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -247,7 +248,7 @@ def _tensor(m: Any, v: Components) -> Result:
     q = ((56 - 8 * x) * x - 56) * x + 8
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     f = p * q * s
     fv1 = v1 * f
     fv2 = v2 * f
@@ -315,7 +316,7 @@ def _tensor_blocks(
     q = add(mul(sub(mul(sub(n56, mul(n8, x, k6), k6), x, k6), n56, k6), x, k6), n8, k6)
     qq = mul(q, q, k7)
     N = add(mul(p, p, k8), mul(x, qq, k9), k8)
-    s = div(n2, N, k8)
+    s = mul(n2, div(div(N, N, k9), N, k8), k8)
     f = mul(mul(p, q, k5), s, k5)
     g = mul(qq, s, k6)
     Q11 = sub(n1, mul(g, x23, k2), o1)
@@ -392,7 +393,7 @@ def tensor(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     return call(_TENSOR, axis, out, v)
 
 
-# operations 89: 38 +, 50 *, 1 /
+# operations 91: 38 +, 51 *, 2 /
 def _pose(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -406,7 +407,7 @@ def _pose(m: Any, v: Components) -> Result:
     q = ((56 - 8 * x) * x - 56) * x + 8
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     f = p * q * s
     fv1 = v1 * f
     fv2 = v2 * f
@@ -460,7 +461,7 @@ def _pose_blocks(
     q = add(mul(sub(mul(sub(n56, mul(n8, x, k6), k6), x, k6), n56, k6), x, k6), n8, k6)
     qq = mul(q, q, k7)
     N = add(mul(p, p, k8), mul(x, qq, k9), k8)
-    s = div(n2, N, k8)
+    s = mul(n2, div(div(N, N, k9), N, k8), k8)
     f = mul(mul(p, q, k5), s, k5)
     g = mul(qq, s, k6)
     sub(n1, mul(g, x23, k2), o1)
@@ -480,10 +481,10 @@ def _pose_blocks(
     fv2 = mul(v2, f, k4)
     add(gvv2, fv2, o3)
     sub(gvv2, fv2, o9)
-    y = add(add(mul(v1, v1o, k3), mul(v2, v2o, k4), k3), mul(v3, v3o, k4), k3)
-    hy = mul(h, y, k1)
     gv2 = mul(v2, g, k3)
     gv3 = mul(v3, g, k4)
+    y = add(add(mul(v1, v1o, k6), mul(v2, v2o, k7), k6), mul(v3, v3o, k7), k6)
+    hy = mul(h, y, k1)
     add(add(mul(v1o, f, k6), sub(mul(gv2, v3o, k7), mul(gv3, v2o, k8), k7), k6), mul(v1, hy, k7), o4)
     add(add(mul(v2o, f, k6), sub(mul(gv3, v1o, k4), mul(gv1, v3o, k7), k4), k4), mul(v2, hy, k6), o8)
     add(add(mul(v3o, f, k4), sub(mul(gv1, v2o, k2), mul(gv2, v1o, k6), k2), k2), mul(v3, hy, k1), o12)
@@ -531,7 +532,7 @@ def pose(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     return call(_POSE, axis, out, v)
 
 
-# operations 102: 42 +, 59 *, 1 /
+# operations 104: 42 +, 60 *, 2 /
 def _transform_point(m: Any, v: Components, r: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     r1, r2, r3 = r
@@ -546,7 +547,7 @@ def _transform_point(m: Any, v: Components, r: Components) -> Result:
     qq = q * q
     p = (((x - 28) * x + 70) * x - 28) * x + 1
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     g = qq * s
     gv_r1 = v_r1 * g
     gv_r2 = v_r2 * g
@@ -578,40 +579,40 @@ def _transform_point_blocks(
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
+    p = add(mul(sub(mul(add(mul(sub(x, n28, k2), x, k2), n70, k2), x, k2), n28, k2), x, k2), n1, k2)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, k3), k3), x, k3), n56, k3), x, k3), n8, k3)
+    qq = mul(q, q, k4)
+    N = add(mul(p, p, k5), mul(x, qq, k6), k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
+    f = mul(mul(p, q, k2), s, k2)
+    g = mul(qq, s, k3)
     c = add(
-        mul(sub(mul(add(mul(sub(mul(add(mul(sub(mul(n16, x, k2), n224, k2), x, k2), n2352, k2), x, k2), n5440, k2), x,
-        k2), n6000, k2), x, k2), n2016, k2), x, k2), n336, k2
+        mul(sub(mul(add(mul(sub(mul(add(mul(sub(mul(n16, x, k4), n224, k4), x, k4), n2352, k4), x, k4), n5440, k4), x,
+        k4), n6000, k4), x, k4), n2016, k4), x, k1), n336, k1
     )
-    p = add(mul(sub(mul(add(mul(sub(x, n28, k3), x, k3), n70, k3), x, k3), n28, k3), x, k3), n1, k3)
-    q = add(mul(sub(mul(sub(n56, mul(n8, x, k4), k4), x, k4), n56, k4), x, k4), n8, k4)
-    qq = mul(q, q, k5)
-    N = add(mul(p, p, k6), mul(x, qq, k1), k1)
-    s = div(n2, N, k1)
-    f = mul(mul(p, q, k3), s, k3)
-    h = mul(c, s, k2)
-    g = mul(qq, s, k1)
-    y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k5), k4), mul(v3, v3o, k5), k4)
-    hy = mul(h, y, k2)
+    h = mul(c, s, k1)
     v_r3 = sub(mul(v1, r2, k4), mul(v2, r1, k5), k4)
     gv_r3 = mul(v_r3, g, k5)
     v_r2 = sub(mul(v3, r1, k6), mul(v1, r3, k7), k6)
     gv_r2 = mul(v_r2, g, k7)
     gv2 = mul(v2, g, k8)
     gv3 = mul(v3, g, k9)
+    y = add(add(mul(v1, v1o, k10), mul(v2, v2o, k11), k10), mul(v3, v3o, k11), k10)
+    hy = mul(h, y, k1)
     v_r1 = sub(mul(v2, r3, k10), mul(v3, r2, k11), k10)
     add(
         add(r1, add(mul(v_r1, f, k11), sub(mul(v2, gv_r3, k12), mul(v3, gv_r2, k13), k12), k11), k11), add(add(mul(v1o,
         f, k12), sub(mul(gv2, v3o, k13), mul(gv3, v2o, k14), k13), k12), mul(v1, hy, k13), k12), o1
     )
     gv_r1 = mul(v_r1, g, k10)
-    gv1 = mul(v1, g, k1)
+    gv1 = mul(v1, g, k3)
     add(
         add(r2, add(mul(v_r2, f, k6), sub(mul(v3, gv_r1, k11), mul(v1, gv_r3, k5), k5), k5), k5), add(add(mul(v2o, f,
         k6), sub(mul(gv3, v1o, k9), mul(gv1, v3o, k11), k9), k6), mul(v2, hy, k9), k6), o2
     )
     add(
         add(r3, add(mul(v_r3, f, k4), sub(mul(v1, gv_r2, k5), mul(v2, gv_r1, k6), k5), k4), k4), add(add(mul(v3o, f,
-        k3), sub(mul(gv1, v2o, k1), mul(gv2, v1o, k5), k1), k1), mul(v3, hy, k2), k1), o3
+        k2), sub(mul(gv1, v2o, k3), mul(gv2, v1o, k5), k3), k2), mul(v3, hy, k1), k1), o3
     )
 
 
@@ -648,7 +649,7 @@ def transform_point(v: ArrayLike, r: ArrayLike, *, axis: int = -1, out: Array | 
     return call(_TRANSFORM_POINT, axis, out, v, r)
 
 
-# operations 141: 57 +, 83 *, 1 /
+# operations 143: 57 +, 84 *, 2 /
 def _transform_line(m: Any, v: Components, line: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     l1, l2, l3, m1, m2, m3 = line
@@ -663,7 +664,7 @@ def _transform_line(m: Any, v: Components, line: Components) -> Result:
     qq = q * q
     p = (((x - 28) * x + 70) * x - 28) * x + 1
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     g = qq * s
     gv_l1 = v_l1 * g
     gv_l2 = v_l2 * g
@@ -714,7 +715,7 @@ def _transform_line_blocks(
     q = add(mul(sub(mul(sub(n56, mul(n8, x, k3), k3), x, k3), n56, k3), x, k3), n8, k3)
     qq = mul(q, q, k4)
     N = add(mul(p, p, k5), mul(x, qq, k6), k5)
-    s = div(n2, N, k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
     f = mul(mul(p, q, k2), s, k2)
     g = mul(qq, s, k3)
     c = add(
@@ -731,10 +732,10 @@ def _transform_line_blocks(
     gv_l1 = mul(v_l1, g, k8)
     Ql2 = add(l2, add(mul(v_l2, f, k6), sub(mul(v3, gv_l1, k9), mul(v1, gv_l3, k5), k5), k5), o2)
     Ql3 = add(l3, add(mul(v_l3, f, k4), sub(mul(v1, gv_l2, k5), mul(v2, gv_l1, k6), k5), k4), o3)
-    y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k5), k4), mul(v3, v3o, k5), k4)
-    hy = mul(h, y, k1)
     gv3 = mul(v3, g, k4)
     gv1 = mul(v1, g, k5)
+    y = add(add(mul(v1, v1o, k6), mul(v2, v2o, k7), k6), mul(v3, v3o, k7), k6)
+    hy = mul(h, y, k1)
     rho2 = add(add(mul(v2o, f, k6), sub(mul(gv3, v1o, k7), mul(gv1, v3o, k8), k7), k6), mul(v2, hy, k7), k6)
     gv2 = mul(v2, g, k7)
     rho3 = add(add(mul(v3o, f, k8), sub(mul(gv1, v2o, k5), mul(gv2, v1o, k9), k5), k5), mul(v3, hy, k8), k5)
@@ -806,7 +807,7 @@ def singular_angles() -> tuple[float, ...]:
     return (2 * pi, 4 * pi, 6 * pi, 8 * pi,)
 
 
-# operations 140: 59 +, 78 *, 3 /
+# operations 142: 59 +, 79 *, 4 /
 def _tangent(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     y = v1 * v1o + v2 * v2o + v3 * v3o
@@ -820,7 +821,7 @@ def _tangent(m: Any, v: Components) -> Result:
     q = ((56 - 8 * x) * x - 56) * x + 8
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     h = c * s
     k = 1 + x
     e = 8 / k
@@ -880,7 +881,7 @@ def _tangent_blocks(
 ) -> None:
     v1, v2, v3, v1o, v2o, v3o = v
     o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11 = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13 = scratch
     (
         n1, n2, n8, n16, n24, n28, n56, n70, n96, n112, n224, n336, n1120, n2016, n2352, n5440, n6000, n9408, n12000,
         n16320,
@@ -889,18 +890,18 @@ def _tangent_blocks(
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
+    p = add(mul(sub(mul(add(mul(sub(x, n28, k2), x, k2), n70, k2), x, k2), n28, k2), x, k2), n1, k2)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, k3), k3), x, k3), n56, k3), x, k3), n8, k3)
+    qq = mul(q, q, k4)
+    N = add(mul(p, p, k5), mul(x, qq, k6), k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
+    f = mul(mul(p, q, k2), s, k2)
+    g = mul(qq, s, k4)
     c = add(
-        mul(sub(mul(add(mul(sub(mul(add(mul(sub(mul(n16, x, k2), n224, k2), x, k2), n2352, k2), x, k2), n5440, k2), x,
-        k2), n6000, k2), x, k2), n2016, k2), x, k2), n336, k2
+        mul(sub(mul(add(mul(sub(mul(add(mul(sub(mul(n16, x, k6), n224, k6), x, k6), n2352, k6), x, k6), n5440, k6), x,
+        k6), n6000, k6), x, k6), n2016, k6), x, k6), n336, k6
     )
-    p = add(mul(sub(mul(add(mul(sub(x, n28, k3), x, k3), n70, k3), x, k3), n28, k3), x, k3), n1, k3)
-    q = add(mul(sub(mul(sub(n56, mul(n8, x, k4), k4), x, k4), n56, k4), x, k4), n8, k4)
-    qq = mul(q, q, k5)
-    N = add(mul(p, p, k6), mul(x, qq, k7), k6)
-    s = div(n2, N, k6)
-    h = mul(c, s, k2)
-    f = mul(mul(p, q, k3), s, k3)
-    g = mul(qq, s, k5)
+    h = mul(c, s, k6)
     cv1 = mul(v1, h, k7)
     add(f, mul(cv1, v1, k8), o1)
     d12 = mul(cv1, v2, k8)
@@ -919,37 +920,37 @@ def _tangent_blocks(
     add(d23, gv1, o8)
     cv3 = mul(v3, h, k9)
     add(f, mul(cv3, v3, k10), o9)
-    dc = sub(
-        mul(add(mul(sub(mul(add(mul(sub(mul(n96, x, k3), n1120, k3), x, k3), n9408, k3), x, k3), n16320, k3), x, k3),
-        n12000, k3), x, k3), n2016, k3
-    )
-    k = add(n1, x, k10)
-    e = div(n8, k, k10)
-    dh = sub(mul(dc, s, k3), mul(e, h, k11), k3)
+    k = add(n1, x, k2)
+    e = div(n8, k, k2)
     eg = mul(e, g, k10)
-    dq = sub(mul(sub(n112, mul(n24, x, k11), k11), x, k1), n56, k1)
+    df = sub(div(h, n2, k11), eg, k11)
+    y = add(add(mul(v1, v1o, k12), mul(v2, v2o, k13), k12), mul(v3, v3o, k13), k12)
+    xo = mul(n2, y, k12)
+    fo = mul(df, xo, k11)
+    dc = sub(
+        mul(add(mul(sub(mul(add(mul(sub(mul(n96, x, k13), n1120, k13), x, k13), n9408, k13), x, k13), n16320, k13), x,
+        k13), n12000, k13), x, k13), n2016, k13
+    )
+    dh = sub(mul(dc, s, k13), mul(e, h, k2), k2)
+    ho = mul(dh, xo, k2)
+    dq = sub(mul(sub(n112, mul(n24, x, k13), k13), x, k1), n56, k1)
     dg = sub(mul(n2, mul(mul(q, dq, k1), s, k1), k1), eg, k1)
-    df = sub(div(h, n2, k4), eg, k4)
-    y = add(add(mul(v1, v1o, k6), mul(v2, v2o, k10), k6), mul(v3, v3o, k10), k6)
-    xo = mul(n2, y, k6)
-    ho = mul(dh, xo, k3)
-    fo = mul(df, xo, k4)
     go = mul(dg, xo, k1)
-    cvo1 = add(mul(v1o, h, k6), mul(v1, ho, k10), k6)
-    add(fo, add(mul(cv1, v1o, k10), mul(cvo1, v1, k11), k10), o10)
-    d12o = add(mul(cv1, v2o, k10), mul(cvo1, v2, k11), k10)
-    d13o = add(mul(cv1, v3o, k7), mul(cvo1, v3, k6), k6)
-    gvo3 = add(mul(v3o, g, k7), mul(v3, go, k11), k7)
+    cvo1 = add(mul(v1o, h, k3), mul(v1, ho, k5), k3)
+    add(fo, add(mul(cv1, v1o, k5), mul(cvo1, v1, k10), k5), o10)
+    d12o = add(mul(cv1, v2o, k5), mul(cvo1, v2, k10), k5)
+    d13o = add(mul(cv1, v3o, k7), mul(cvo1, v3, k3), k3)
+    gvo3 = add(mul(v3o, g, k7), mul(v3, go, k10), k7)
     sub(d12o, gvo3, o11)
     add(d12o, gvo3, o13)
-    gvo2 = add(mul(v2o, g, k7), mul(v2, go, k10), k7)
-    gvo1 = add(mul(v1o, g, k5), mul(v1, go, k1), k1)
+    gvo2 = add(mul(v2o, g, k5), mul(v2, go, k7), k5)
+    gvo1 = add(mul(v1o, g, k4), mul(v1, go, k1), k1)
     add(d13o, gvo2, o12)
     sub(d13o, gvo2, o16)
-    cvo2 = add(mul(v2o, h, k5), mul(v2, ho, k6), k5)
-    cvo3 = add(mul(v3o, h, k2), mul(v3, ho, k3), k2)
-    add(fo, add(mul(cv3, v3o, k3), mul(cvo3, v3, k2), k2), o18)
-    add(fo, add(mul(cv2, v2o, k2), mul(cvo2, v2, k3), k2), o14)
+    cvo2 = add(mul(v2o, h, k3), mul(v2, ho, k4), k3)
+    cvo3 = add(mul(v3o, h, k4), mul(v3, ho, k2), k2)
+    add(fo, add(mul(cv3, v3o, k4), mul(cvo3, v3, k2), k2), o18)
+    add(fo, add(mul(cv2, v2o, k2), mul(cvo2, v2, k4), k2), o14)
     d23o = add(mul(cv2, v3o, k2), mul(cvo2, v3, k3), k2)
     sub(d23o, gvo1, o15)
     add(d23o, gvo1, o17)
@@ -960,7 +961,7 @@ _TANGENT = Kernel(
     _tangent_blocks,
     (("v", (6,)),),
     (2, 3, 3),
-    registers=11,
+    registers=13,
     masks=0,
     numbers=(1, 2, 8, 16, 24, 28, 56, 70, 96, 112, 224, 336, 1120, 2016, 2352, 5440, 6000, 9408, 12000, 16320),
 )
@@ -1169,7 +1170,7 @@ def tangent_inv(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Ar
 dcay_inv = tangent_inv
 
 
-# operations 172: 70 +, 99 *, 3 /
+# operations 174: 70 +, 100 *, 4 /
 def _twist(m: Any, v: Components, v_dot: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
@@ -1184,7 +1185,7 @@ def _twist(m: Any, v: Components, v_dot: Components) -> Result:
     q = ((56 - 8 * x) * x - 56) * x + 8
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     h = c * s
     k = 1 + x
     e = 8 / k
@@ -1224,7 +1225,7 @@ def _twist_blocks(
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15 = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16 = scratch
     (
         n1, n2, n8, n16, n24, n28, n56, n70, n96, n112, n224, n336, n1120, n2016, n2352, n5440, n6000, n9408, n12000,
         n16320,
@@ -1233,60 +1234,60 @@ def _twist_blocks(
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
+    p = add(mul(sub(mul(add(mul(sub(x, n28, k2), x, k2), n70, k2), x, k2), n28, k2), x, k2), n1, k2)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, k3), k3), x, k3), n56, k3), x, k3), n8, k3)
+    qq = mul(q, q, k4)
+    N = add(mul(p, p, k5), mul(x, qq, k6), k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
+    f = mul(mul(p, q, k2), s, k2)
+    g = mul(qq, s, k4)
+    gv2 = mul(v2, g, k6)
+    gv3 = mul(v3, g, k7)
     c = add(
-        mul(sub(mul(add(mul(sub(mul(add(mul(sub(mul(n16, x, k2), n224, k2), x, k2), n2352, k2), x, k2), n5440, k2), x,
-        k2), n6000, k2), x, k2), n2016, k2), x, k2), n336, k2
+        mul(sub(mul(add(mul(sub(mul(add(mul(sub(mul(n16, x, k8), n224, k8), x, k8), n2352, k8), x, k8), n5440, k8), x,
+        k8), n6000, k8), x, k8), n2016, k8), x, k8), n336, k8
     )
-    p = add(mul(sub(mul(add(mul(sub(x, n28, k3), x, k3), n70, k3), x, k3), n28, k3), x, k3), n1, k3)
-    q = add(mul(sub(mul(sub(n56, mul(n8, x, k4), k4), x, k4), n56, k4), x, k4), n8, k4)
-    qq = mul(q, q, k5)
-    N = add(mul(p, p, k6), mul(x, qq, k7), k6)
-    s = div(n2, N, k6)
-    h = mul(c, s, k2)
-    f = mul(mul(p, q, k3), s, k3)
-    g = mul(qq, s, k5)
-    vw = add(add(mul(v1, w1, k7), mul(v2, w2, k8), k7), mul(v3, w3, k8), k7)
-    cvw = mul(h, vw, k8)
-    gv2 = mul(v2, g, k9)
-    gv3 = mul(v3, g, k10)
+    h = mul(c, s, k8)
+    vw = add(add(mul(v1, w1, k9), mul(v2, w2, k10), k9), mul(v3, w3, k10), k9)
+    cvw = mul(h, vw, k10)
     add(add(mul(w1, f, k11), sub(mul(gv2, w3, k12), mul(gv3, w2, k13), k12), k11), mul(v1, cvw, k12), o1)
     gv1 = mul(v1, g, k11)
     add(add(mul(w2, f, k12), sub(mul(gv3, w1, k13), mul(gv1, w3, k14), k13), k12), mul(v2, cvw, k13), o2)
     add(add(mul(w3, f, k12), sub(mul(gv1, w2, k13), mul(gv2, w1, k14), k13), k12), mul(v3, cvw, k13), o3)
-    dc = sub(
-        mul(add(mul(sub(mul(add(mul(sub(mul(n96, x, k12), n1120, k12), x, k12), n9408, k12), x, k12), n16320, k12), x,
-        k12), n12000, k12), x, k12), n2016, k12
-    )
-    k = add(n1, x, k13)
-    e = div(n8, k, k13)
-    dh = sub(mul(dc, s, k12), mul(e, h, k14), k12)
+    k = add(n1, x, k12)
+    e = div(n8, k, k12)
     eg = mul(e, g, k13)
-    dq = sub(mul(sub(n112, mul(n24, x, k14), k14), x, k1), n56, k1)
-    dg = sub(mul(n2, mul(mul(q, dq, k1), s, k1), k1), eg, k1)
-    df = sub(div(h, n2, k4), eg, k4)
-    y = add(add(mul(v1, v1o, k6), mul(v2, v2o, k13), k6), mul(v3, v3o, k13), k6)
-    xo = mul(n2, y, k6)
-    ho = mul(dh, xo, k12)
+    df = sub(div(h, n2, k14), eg, k14)
+    y = add(add(mul(v1, v1o, k15), mul(v2, v2o, k16), k15), mul(v3, v3o, k16), k15)
+    xo = mul(n2, y, k15)
+    fo = mul(df, xo, k14)
+    dq = sub(mul(sub(n112, mul(n24, x, k16), k16), x, k16), n56, k16)
+    dg = sub(mul(n2, mul(mul(q, dq, k3), s, k3), k3), eg, k3)
+    go = mul(dg, xo, k3)
+    dc = sub(
+        mul(add(mul(sub(mul(add(mul(sub(mul(n96, x, k13), n1120, k13), x, k13), n9408, k13), x, k13), n16320, k13), x,
+        k13), n12000, k13), x, k1), n2016, k1
+    )
+    dh = sub(mul(dc, s, k1), mul(e, h, k5), k1)
+    ho = mul(dh, xo, k1)
     cvwo = add(
-        mul(h, add(add(add(mul(v1o, w1, k13), mul(v2o, w2, k14), k13), mul(v3o, w3, k14), k13), add(add(mul(v1, w1o,
-        k14), mul(v2, w2o, k15), k14), mul(v3, w3o, k15), k14), k13), k2), mul(ho, vw, k7), k2
+        mul(h, add(add(add(mul(v1o, w1, k5), mul(v2o, w2, k12), k5), mul(v3o, w3, k12), k5), add(add(mul(v1, w1o, k12),
+        mul(v2, w2o, k13), k12), mul(v3, w3o, k13), k12), k5), k5), mul(ho, vw, k1), k1
     )
-    fo = mul(df, xo, k4)
-    go = mul(dg, xo, k1)
-    gvo2 = add(mul(v2o, g, k6), mul(v2, go, k7), k6)
-    gvo3 = add(mul(v3o, g, k7), mul(v3, go, k12), k7)
-    gvo1 = add(mul(v1o, g, k5), mul(v1, go, k1), k1)
+    gvo2 = add(mul(v2o, g, k5), mul(v2, go, k8), k5)
+    gvo3 = add(mul(v3o, g, k8), mul(v3, go, k9), k8)
+    gvo1 = add(mul(v1o, g, k4), mul(v1, go, k3), k3)
     add(
-        add(add(add(mul(w1o, f, k5), mul(w1, fo, k12), k5), sub(mul(gv2, w3o, k12), mul(gv3, w2o, k13), k12), k5),
-        sub(mul(gvo2, w3, k12), mul(gvo3, w2, k13), k12), k5), add(mul(v1o, cvw, k12), mul(v1, cvwo, k13), k12), o4
+        add(add(add(mul(w1o, f, k4), mul(w1, fo, k9), k4), sub(mul(gv2, w3o, k9), mul(gv3, w2o, k12), k9), k4),
+        sub(mul(gvo2, w3, k9), mul(gvo3, w2, k12), k9), k4), add(mul(v1o, cvw, k9), mul(v1, cvwo, k12), k9), o4
     )
     add(
-        add(add(add(mul(w2o, f, k5), mul(w2, fo, k12), k5), sub(mul(gv3, w1o, k10), mul(gv1, w3o, k12), k10), k5),
-        sub(mul(gvo3, w1, k7), mul(gvo1, w3, k10), k7), k5), add(mul(v2o, cvw, k7), mul(v2, cvwo, k10), k7), o5
+        add(add(add(mul(w2o, f, k4), mul(w2, fo, k9), k4), sub(mul(gv3, w1o, k7), mul(gv1, w3o, k9), k7), k4),
+        sub(mul(gvo3, w1, k7), mul(gvo1, w3, k8), k7), k4), add(mul(v2o, cvw, k7), mul(v2, cvwo, k8), k7), o5
     )
     add(
-        add(add(add(mul(w3o, f, k3), mul(w3, fo, k4), k3), sub(mul(gv1, w2o, k4), mul(gv2, w1o, k5), k4), k3),
-        sub(mul(gvo1, w2, k1), mul(gvo2, w1, k4), k1), k1), add(mul(v3o, cvw, k3), mul(v3, cvwo, k2), k2), o6
+        add(add(add(mul(w3o, f, k2), mul(w3, fo, k4), k2), sub(mul(gv1, w2o, k4), mul(gv2, w1o, k6), k4), k2),
+        sub(mul(gvo1, w2, k3), mul(gvo2, w1, k4), k3), k2), add(mul(v3o, cvw, k3), mul(v3, cvwo, k1), k1), o6
     )
 
 
@@ -1295,7 +1296,7 @@ _TWIST = Kernel(
     _twist_blocks,
     (("v", (6,)), ("v_dot", (6,)),),
     (6,),
-    registers=15,
+    registers=16,
     masks=0,
     numbers=(1, 2, 8, 16, 24, 28, 56, 70, 96, 112, 224, 336, 1120, 2016, 2352, 5440, 6000, 9408, 12000, 16320),
 )
@@ -1462,7 +1463,7 @@ def rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | None = 
     return call(_RATE, axis, out, v, omega)
 
 
-# operations 172: 70 +, 99 *, 3 /
+# operations 174: 70 +, 100 *, 4 /
 def _body_twist(m: Any, v: Components, v_dot: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
@@ -1477,7 +1478,7 @@ def _body_twist(m: Any, v: Components, v_dot: Components) -> Result:
     q = ((56 - 8 * x) * x - 56) * x + 8
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     h = c * s
     k = 1 + x
     e = 8 / k
@@ -1517,7 +1518,7 @@ def _body_twist_blocks(
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15 = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16 = scratch
     (
         n1, n2, n8, n16, n24, n28, n56, n70, n96, n112, n224, n336, n1120, n2016, n2352, n5440, n6000, n9408, n12000,
         n16320,
@@ -1526,60 +1527,60 @@ def _body_twist_blocks(
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
+    p = add(mul(sub(mul(add(mul(sub(x, n28, k2), x, k2), n70, k2), x, k2), n28, k2), x, k2), n1, k2)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, k3), k3), x, k3), n56, k3), x, k3), n8, k3)
+    qq = mul(q, q, k4)
+    N = add(mul(p, p, k5), mul(x, qq, k6), k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
+    f = mul(mul(p, q, k2), s, k2)
+    g = mul(qq, s, k4)
+    gv3 = mul(v3, g, k6)
+    gv2 = mul(v2, g, k7)
     c = add(
-        mul(sub(mul(add(mul(sub(mul(add(mul(sub(mul(n16, x, k2), n224, k2), x, k2), n2352, k2), x, k2), n5440, k2), x,
-        k2), n6000, k2), x, k2), n2016, k2), x, k2), n336, k2
+        mul(sub(mul(add(mul(sub(mul(add(mul(sub(mul(n16, x, k8), n224, k8), x, k8), n2352, k8), x, k8), n5440, k8), x,
+        k8), n6000, k8), x, k8), n2016, k8), x, k8), n336, k8
     )
-    p = add(mul(sub(mul(add(mul(sub(x, n28, k3), x, k3), n70, k3), x, k3), n28, k3), x, k3), n1, k3)
-    q = add(mul(sub(mul(sub(n56, mul(n8, x, k4), k4), x, k4), n56, k4), x, k4), n8, k4)
-    qq = mul(q, q, k5)
-    N = add(mul(p, p, k6), mul(x, qq, k7), k6)
-    s = div(n2, N, k6)
-    h = mul(c, s, k2)
-    f = mul(mul(p, q, k3), s, k3)
-    g = mul(qq, s, k5)
-    vw = add(add(mul(v1, w1, k7), mul(v2, w2, k8), k7), mul(v3, w3, k8), k7)
-    cvw = mul(h, vw, k8)
-    gv3 = mul(v3, g, k9)
-    gv2 = mul(v2, g, k10)
+    h = mul(c, s, k8)
+    vw = add(add(mul(v1, w1, k9), mul(v2, w2, k10), k9), mul(v3, w3, k10), k9)
+    cvw = mul(h, vw, k10)
     add(add(mul(w1, f, k11), sub(mul(w2, gv3, k12), mul(w3, gv2, k13), k12), k11), mul(v1, cvw, k12), o1)
     gv1 = mul(v1, g, k11)
     add(add(mul(w2, f, k12), sub(mul(w3, gv1, k13), mul(w1, gv3, k14), k13), k12), mul(v2, cvw, k13), o2)
     add(add(mul(w3, f, k12), sub(mul(w1, gv2, k13), mul(w2, gv1, k14), k13), k12), mul(v3, cvw, k13), o3)
-    dc = sub(
-        mul(add(mul(sub(mul(add(mul(sub(mul(n96, x, k12), n1120, k12), x, k12), n9408, k12), x, k12), n16320, k12), x,
-        k12), n12000, k12), x, k12), n2016, k12
-    )
-    k = add(n1, x, k13)
-    e = div(n8, k, k13)
-    dh = sub(mul(dc, s, k12), mul(e, h, k14), k12)
+    k = add(n1, x, k12)
+    e = div(n8, k, k12)
     eg = mul(e, g, k13)
-    dq = sub(mul(sub(n112, mul(n24, x, k14), k14), x, k1), n56, k1)
-    dg = sub(mul(n2, mul(mul(q, dq, k1), s, k1), k1), eg, k1)
-    df = sub(div(h, n2, k4), eg, k4)
-    y = add(add(mul(v1, v1o, k6), mul(v2, v2o, k13), k6), mul(v3, v3o, k13), k6)
-    xo = mul(n2, y, k6)
-    ho = mul(dh, xo, k12)
+    df = sub(div(h, n2, k14), eg, k14)
+    y = add(add(mul(v1, v1o, k15), mul(v2, v2o, k16), k15), mul(v3, v3o, k16), k15)
+    xo = mul(n2, y, k15)
+    fo = mul(df, xo, k14)
+    dq = sub(mul(sub(n112, mul(n24, x, k16), k16), x, k16), n56, k16)
+    dg = sub(mul(n2, mul(mul(q, dq, k3), s, k3), k3), eg, k3)
+    go = mul(dg, xo, k3)
+    dc = sub(
+        mul(add(mul(sub(mul(add(mul(sub(mul(n96, x, k13), n1120, k13), x, k13), n9408, k13), x, k13), n16320, k13), x,
+        k13), n12000, k13), x, k1), n2016, k1
+    )
+    dh = sub(mul(dc, s, k1), mul(e, h, k5), k1)
+    ho = mul(dh, xo, k1)
     cvwo = add(
-        mul(h, add(add(add(mul(v1o, w1, k13), mul(v2o, w2, k14), k13), mul(v3o, w3, k14), k13), add(add(mul(v1, w1o,
-        k14), mul(v2, w2o, k15), k14), mul(v3, w3o, k15), k14), k13), k2), mul(ho, vw, k7), k2
+        mul(h, add(add(add(mul(v1o, w1, k5), mul(v2o, w2, k12), k5), mul(v3o, w3, k12), k5), add(add(mul(v1, w1o, k12),
+        mul(v2, w2o, k13), k12), mul(v3, w3o, k13), k12), k5), k5), mul(ho, vw, k1), k1
     )
-    fo = mul(df, xo, k4)
-    go = mul(dg, xo, k1)
-    gvo3 = add(mul(v3o, g, k6), mul(v3, go, k7), k6)
-    gvo2 = add(mul(v2o, g, k7), mul(v2, go, k12), k7)
-    gvo1 = add(mul(v1o, g, k5), mul(v1, go, k1), k1)
+    gvo3 = add(mul(v3o, g, k5), mul(v3, go, k8), k5)
+    gvo2 = add(mul(v2o, g, k8), mul(v2, go, k9), k8)
+    gvo1 = add(mul(v1o, g, k4), mul(v1, go, k3), k3)
     add(
-        add(add(add(mul(w1o, f, k5), mul(w1, fo, k12), k5), sub(mul(w2o, gv3, k12), mul(w3o, gv2, k13), k12), k5),
-        sub(mul(w2, gvo3, k12), mul(w3, gvo2, k13), k12), k5), add(mul(v1o, cvw, k12), mul(v1, cvwo, k13), k12), o4
+        add(add(add(mul(w1o, f, k4), mul(w1, fo, k9), k4), sub(mul(w2o, gv3, k9), mul(w3o, gv2, k12), k9), k4),
+        sub(mul(w2, gvo3, k9), mul(w3, gvo2, k12), k9), k4), add(mul(v1o, cvw, k9), mul(v1, cvwo, k12), k9), o4
     )
     add(
-        add(add(add(mul(w2o, f, k5), mul(w2, fo, k12), k5), sub(mul(w3o, gv1, k12), mul(w1o, gv3, k9), k9), k5),
-        sub(mul(w3, gvo1, k9), mul(w1, gvo3, k6), k6), k5), add(mul(v2o, cvw, k6), mul(v2, cvwo, k9), k6), o5
+        add(add(add(mul(w2o, f, k4), mul(w2, fo, k9), k4), sub(mul(w3o, gv1, k9), mul(w1o, gv3, k6), k6), k4),
+        sub(mul(w3, gvo1, k6), mul(w1, gvo3, k5), k5), k4), add(mul(v2o, cvw, k5), mul(v2, cvwo, k6), k5), o5
     )
     add(
-        add(add(add(mul(w3o, f, k3), mul(w3, fo, k4), k3), sub(mul(w1o, gv2, k4), mul(w2o, gv1, k5), k4), k3),
-        sub(mul(w1, gvo2, k4), mul(w2, gvo1, k1), k1), k1), add(mul(v3o, cvw, k3), mul(v3, cvwo, k2), k2), o6
+        add(add(add(mul(w3o, f, k2), mul(w3, fo, k4), k2), sub(mul(w1o, gv2, k4), mul(w2o, gv1, k5), k4), k2),
+        sub(mul(w1, gvo2, k4), mul(w2, gvo1, k3), k3), k2), add(mul(v3o, cvw, k3), mul(v3, cvwo, k1), k1), o6
     )
 
 
@@ -1588,7 +1589,7 @@ _BODY_TWIST = Kernel(
     _body_twist_blocks,
     (("v", (6,)), ("v_dot", (6,)),),
     (6,),
-    registers=15,
+    registers=16,
     masks=0,
     numbers=(1, 2, 8, 16, 24, 28, 56, 70, 96, 112, 224, 336, 1120, 2016, 2352, 5440, 6000, 9408, 12000, 16320),
 )
@@ -1768,7 +1769,7 @@ def _turn(m: Any, v: Components, cs: Components) -> Result:
     x = v11 + v22 + v33
     still = x == 0
     length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
-    r = m.where(still, 0, length)
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1796,10 +1797,10 @@ def _turn_blocks(
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
     still = m.equal(x, n0, mask1)
-    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k1)
-    r = m.where(still, n0, length, k2)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
+    r = m.where(still, x, length, k1)
     iden = div(n1, sub(cos, mul(r, sin, k3), k3), k3)
-    rk = mul(add(mul(r, cos, k2), sin, k2), iden, k2)
+    rk = mul(add(mul(r, cos, k1), sin, k1), iden, k1)
     u1 = div(m.where(still, v1o, v1, k4), length, k4)
     mul(u1, rk, o1)
     u2 = div(m.where(still, v2o, v2, k5), length, k5)
@@ -1812,7 +1813,7 @@ def _turn_blocks(
     add(mul(uo1, rk, k7), mul(u1, rko, k4), o4)
     uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k4), k4), k7), length, k4)
     add(mul(uo2, rk, k4), mul(u2, rko, k5), o5)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k1)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k2)
     add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
 
 
@@ -1845,7 +1846,7 @@ def _shadow(m: Any, v: Components, cs: Components) -> Result:
     sign = m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     still = x == 0
     length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
-    r = m.where(still, 0, length)
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1885,11 +1886,11 @@ def _shadow_blocks(
     )
     sn = mul(sign, sin, k2)
     still = m.equal(x, n0, mask1)
-    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k3), mul(v2o, v2o, k4), k3), mul(v3o, v3o, k4), k3), x, k3), k1)
-    r = m.where(still, n0, length, k3)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k3), mul(v2o, v2o, k4), k3), mul(v3o, v3o, k4), k3), x, k3), k3)
+    r = m.where(still, x, length, k1)
     iden = div(n1, sub(cos, mul(r, sn, k4), k4), k4)
-    rk = mul(add(mul(r, cos, k3), sn, k2), iden, k2)
-    u1 = div(m.where(still, v1o, v1, k3), length, k3)
+    rk = mul(add(mul(r, cos, k1), sn, k1), iden, k1)
+    u1 = div(m.where(still, v1o, v1, k2), length, k2)
     mul(u1, rk, o1)
     u2 = div(m.where(still, v2o, v2, k5), length, k5)
     mul(u2, rk, o2)
@@ -1898,10 +1899,10 @@ def _shadow_blocks(
     ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
     rko = mul(ro, mul(iden, iden, k4), k4)
     uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k7), k7), k9), length, k7)
-    add(mul(uo1, rk, k7), mul(u1, rko, k3), o4)
-    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k3), k3), k7), length, k3)
-    add(mul(uo2, rk, k3), mul(u2, rko, k5), o5)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k3), k3), k5), length, k1)
+    add(mul(uo1, rk, k7), mul(u1, rko, k2), o4)
+    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k2), k2), k7), length, k2)
+    add(mul(uo2, rk, k2), mul(u2, rko, k5), o5)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k2), k2), k5), length, k2)
     add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
 
 
@@ -2193,7 +2194,7 @@ def from_quaternion(q: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array
     return call_branch(_FROM_QUATERNION, _TURN, TURNS, branch, axis, out, q)
 
 
-# operations 173: 58 +, 65 *, 12 /, 1 neg, 3 sqrt, 8 lt, 3 eq, 3 and, 3 or, 17 where
+# operations 169: 58 +, 65 *, 12 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 def _from_tensor(m: Any, R: Components) -> Result:
     Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33, D11, D12, D13, D21, D22, D23, D31, D32, D33 = R
     rho1 = (D31 * Q21 + D32 * Q22 + D33 * Q23 - (D21 * Q31 + D22 * Q32 + D23 * Q33)) / 2
@@ -2236,12 +2237,10 @@ def _from_tensor(m: Any, R: Components) -> Result:
     e2 = sign * z32
     e3 = sign * z33
     size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
-    cos1 = cos / size
+    cos1 = e0 / size
     cos2 = m.sqrt((1 + cos1) / 2)
     cos3 = m.sqrt((1 + cos2) / 2)
-    gain = m.where(negative, -1, 1) / (2 * cos2 * (2 * cos3) * (1 + cos3) * size)
+    gain = 1 / (2 * cos2 * (2 * cos3) * (1 + cos3) * size)
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
@@ -2318,15 +2317,10 @@ def _from_tensor_blocks(
     e2 = mul(sign, z32, k3)
     e3 = mul(sign, z33, k2)
     size = sqrt(add(mul(e0, e0, k4), add(add(mul(e1, e1, k6), mul(e2, e2, k7), k6), mul(e3, e3, k7), k6), k4), k4)
-    negative = m.less(e0, n0, mask1)
-    cos = m.where(negative, neg(e0, k6), e0, k6)
-    cos1 = div(cos, size, k5)
+    cos1 = div(e0, size, k5)
     cos2 = sqrt(div(add(n1, cos1, k5), n2, k5), k5)
     cos3 = sqrt(div(add(n1, cos2, k6), n2, k6), k6)
-    gain = div(
-        m.where(negative, n_minus_1, n1, k7), mul(mul(mul(mul(n2, cos2, k5), mul(n2, cos3, k8), k5), add(n1, cos3, k6),
-        k5), size, k4), k4
-    )
+    gain = div(n1, mul(mul(mul(mul(n2, cos2, k5), mul(n2, cos3, k7), k5), add(n1, cos3, k6), k5), size, k4), k4)
     v1 = mul(e1, gain, o1)
     v2 = mul(e2, gain, o2)
     v3 = mul(e3, gain, o3)
@@ -2402,7 +2396,7 @@ def from_tensor(R: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | N
     return call_branch(_FROM_TENSOR, _TURN, TURNS, branch, axis, out, R)
 
 
-# operations 137: 43 +, 47 *, 9 /, 1 neg, 3 sqrt, 8 lt, 3 eq, 3 and, 3 or, 17 where
+# operations 133: 43 +, 47 *, 9 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 def _from_pose(m: Any, T: Components) -> Result:
     Q11, Q12, Q13, T14, Q21, Q22, Q23, T24, Q31, Q32, Q33, T34, _, _, _, _ = T
     a1 = Q32 - Q23
@@ -2442,12 +2436,10 @@ def _from_pose(m: Any, T: Components) -> Result:
     e2 = sign * z32
     e3 = sign * z33
     size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
-    cos1 = cos / size
+    cos1 = e0 / size
     cos2 = m.sqrt((1 + cos1) / 2)
     cos3 = m.sqrt((1 + cos2) / 2)
-    gain = m.where(negative, -1, 1) / (2 * cos2 * (2 * cos3) * (1 + cos3) * size)
+    gain = 1 / (2 * cos2 * (2 * cos3) * (1 + cos3) * size)
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
@@ -2524,15 +2516,10 @@ def _from_pose_blocks(
     e2 = mul(sign, z32, k3)
     e3 = mul(sign, z33, k2)
     size = sqrt(add(mul(e0, e0, k4), add(add(mul(e1, e1, k6), mul(e2, e2, k7), k6), mul(e3, e3, k7), k6), k4), k4)
-    negative = m.less(e0, n0, mask1)
-    cos = m.where(negative, neg(e0, k6), e0, k6)
-    cos1 = div(cos, size, k5)
+    cos1 = div(e0, size, k5)
     cos2 = sqrt(div(add(n1, cos1, k5), n2, k5), k5)
     cos3 = sqrt(div(add(n1, cos2, k6), n2, k6), k6)
-    gain = div(
-        m.where(negative, n_minus_1, n1, k7), mul(mul(mul(mul(n2, cos2, k5), mul(n2, cos3, k8), k5), add(n1, cos3, k6),
-        k5), size, k4), k4
-    )
+    gain = div(n1, mul(mul(mul(mul(n2, cos2, k5), mul(n2, cos3, k7), k5), add(n1, cos3, k6), k5), size, k4), k4)
     v1 = mul(e1, gain, o1)
     v2 = mul(e2, gain, o2)
     v3 = mul(e3, gain, o3)
@@ -2673,7 +2660,7 @@ def _to_screw(m: Any, v: Components) -> Result:
     sign = m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     still = x == 0
     length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
-    r = m.where(still, 0, length)
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -2708,31 +2695,31 @@ def _to_screw_blocks(
     x = add(add(v11, v22, k1), v33, k1)
     p = add(mul(sub(mul(add(mul(sub(x, n28, k2), x, k2), n70, k2), x, k2), n28, k2), x, k2), n1, k2)
     pneg = m.less(p, n0, mask1)
-    q = add(mul(sub(mul(sub(n56, mul(n8, x, k3), k3), x, k3), n56, k3), x, k3), n8, k3)
-    mq = neg(q, k4)
     still = m.equal(x, n0, mask2)
-    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k5), mul(v2o, v2o, k6), k5), mul(v3o, v3o, k6), k5), x, k5), k5)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k3), mul(v2o, v2o, k4), k3), mul(v3o, v3o, k4), k3), x, k3), k3)
+    r = m.where(still, x, length, k4)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, k5), k5), x, k5), n56, k5), x, k5), n8, k5)
     k = add(n1, x, k1)
-    r = m.where(still, n0, length, k6)
-    mul(n2, atan2(mul(r, m.where(m.less(q, n0, mask3), mq, q, k7), k6), m.where(pneg, neg(p, k7), p, k7), k2), o1)
+    mq = neg(q, k6)
+    mul(n2, atan2(mul(r, m.where(m.less(q, n0, mask3), mq, q, k7), k4), m.where(pneg, neg(p, k7), p, k7), k2), o1)
     qp = m.where(pneg, mq, q, k2)
     y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k6), k4), mul(v3, v3o, k6), k4)
     sign = m.where(
         m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask3), m.less(y, n0, mask4), mask3), mask1), n_minus_1,
         n1, k2
     )
-    u1 = div(m.where(still, v1o, v1, k3), length, k3)
+    u1 = div(m.where(still, v1o, v1, k4), length, k4)
     mul(u1, sign, o3)
-    u2 = div(m.where(still, v2o, v2, k4), length, k4)
+    u2 = div(m.where(still, v2o, v2, k5), length, k5)
     mul(u2, sign, o4)
     u3 = div(m.where(still, v3o, v3, k6), length, k6)
     mul(u3, sign, o5)
     ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
     mul(sign, div(mul(n16, ro, k7), k, k1), o2)
-    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k1), k1), k3), length, k1)
+    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k1), k1), k4), length, k1)
     mul(uo1, sign, o6)
-    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k1), k1), k3), length, k1)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k3), k3), k4), length, k3)
+    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k1), k1), k4), length, k1)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k3)
     mul(uo2, sign, o7)
     mul(uo3, sign, o8)
 
@@ -2776,7 +2763,7 @@ def to_screw(v: ArrayLike, *, axis: int = -1) -> tuple[Array, Array]:
     return (screw[:2], screw[2:]) if axis == 0 else (screw[..., :2], screw[..., 2:])
 
 
-# operations 304: 115 +, 172 *, 11 /, 1 neg, 2 sqrt, 1 lt, 2 where
+# operations 308: 115 +, 174 *, 13 /, 1 neg, 2 sqrt, 1 lt, 2 where
 def _compose(m: Any, b: Components, a: Components) -> Result:
     b1, b2, b3, b1o, b2o, b3o = b
     a1, a2, a3, a1o, a2o, a3o = a
@@ -2811,7 +2798,7 @@ def _compose(m: Any, b: Components, a: Components) -> Result:
     size = rootb * roota
     qqa = qa * qa
     Na = pa * pa + xa * qqa
-    sa = 2 / Na
+    sa = 2 * (Na / Na / Na)
     ga = qqa * sa
     gva1 = a1 * ga
     gva2 = a2 * ga
@@ -2829,7 +2816,7 @@ def _compose(m: Any, b: Components, a: Components) -> Result:
     v_rho3 = b1 * rhoa2 - b2 * rhoa1
     qqb = qb * qb
     Nb = pb * pb + xb * qqb
-    sb = 2 / Nb
+    sb = 2 * (Nb / Nb / Nb)
     gb = qqb * sb
     gv_rho1 = v_rho1 * gb
     gv_rho2 = v_rho2 * gb
@@ -2946,29 +2933,29 @@ def _compose_blocks(
     fi = mul(p, iq, k8)
     d = add(mul(sub(mul(sub(n272, mul(n16, x, k10), k10), x, k10), n560, k10), x, k6), n176, k6)
     hi = div(mul(d, iq, k6), n8, k6)
+    qqa = mul(qa, qa, k9)
+    Na = add(mul(pa, pa, k10), mul(xa, qqa, k11), k10)
+    sa = mul(n2, div(div(Na, Na, k11), Na, k10), k10)
+    fa = mul(mul(pa, qa, k4), sa, k4)
+    ga = mul(qqa, sa, k7)
     ca = add(
         mul(sub(mul(add(mul(sub(mul(add(mul(sub(mul(n16, xa, k9), n224, k9), xa, k9), n2352, k9), xa, k9), n5440, k9),
-        xa, k9), n6000, k9), xa, k9), n2016, k9), xa, k9), n336, k9
+        xa, k9), n6000, k9), xa, k9), n2016, k9), xa, k3), n336, k3
     )
-    qqa = mul(qa, qa, k10)
-    Na = add(mul(pa, pa, k11), mul(xa, qqa, k3), k3)
-    sa = div(n2, Na, k3)
-    fa = mul(mul(pa, qa, k4), sa, k4)
-    ha = mul(ca, sa, k7)
-    ga = mul(qqa, sa, k3)
-    ya = add(add(mul(a1, a1o, k9), mul(a2, a2o, k10), k9), mul(a3, a3o, k10), k9)
-    hya = mul(ha, ya, k7)
+    ha = mul(ca, sa, k3)
     gva1 = mul(a1, ga, k9)
     gva2 = mul(a2, ga, k10)
-    gva3 = mul(a3, ga, k3)
+    gva3 = mul(a3, ga, k7)
+    ya = add(add(mul(a1, a1o, k11), mul(a2, a2o, k12), k11), mul(a3, a3o, k12), k11)
+    hya = mul(ha, ya, k3)
     rhoa3 = add(add(mul(a3o, fa, k11), sub(mul(gva1, a2o, k12), mul(gva2, a1o, k13), k12), k11), mul(a3, hya, k12), k11)
     rhoa2 = add(add(mul(a2o, fa, k12), sub(mul(gva3, a1o, k13), mul(gva1, a3o, k9), k9), k9), mul(a2, hya, k12), k9)
-    rhoa1 = add(add(mul(a1o, fa, k4), sub(mul(gva2, a3o, k10), mul(gva3, a2o, k3), k3), k3), mul(a1, hya, k4), k3)
+    rhoa1 = add(add(mul(a1o, fa, k4), sub(mul(gva2, a3o, k10), mul(gva3, a2o, k7), k7), k4), mul(a1, hya, k3), k3)
     v_rho1 = sub(mul(b2, rhoa3, k4), mul(b3, rhoa2, k7), k4)
     v_rho3 = sub(mul(b1, rhoa2, k7), mul(b2, rhoa1, k10), k7)
     qqb = mul(qb, qb, k10)
     Nb = add(mul(pb, pb, k12), mul(xb, qqb, k13), k12)
-    sb = div(n2, Nb, k12)
+    sb = mul(n2, div(div(Nb, Nb, k13), Nb, k12), k12)
     fb = mul(mul(pb, qb, k2), sb, k2)
     gb = mul(qqb, sb, k5)
     cb = add(
@@ -2979,10 +2966,10 @@ def _compose_blocks(
     gv_rho3 = mul(v_rho3, gb, k10)
     v_rho2 = sub(mul(b3, rhoa1, k12), mul(b1, rhoa3, k13), k12)
     gv_rho2 = mul(v_rho2, gb, k13)
-    yb = add(add(mul(b1, b1o, k14), mul(b2, b2o, k15), k14), mul(b3, b3o, k15), k14)
-    hyb = mul(hb, yb, k1)
     gvb2 = mul(b2, gb, k14)
     gvb3 = mul(b3, gb, k15)
+    yb = add(add(mul(b1, b1o, k16), mul(b2, b2o, k17), k16), mul(b3, b3o, k17), k16)
+    hyb = mul(hb, yb, k1)
     rho1 = add(
         add(rhoa1, add(mul(v_rho1, fb, k16), sub(mul(b2, gv_rho3, k17), mul(b3, gv_rho2, k18), k17), k16), k3),
         add(add(mul(b1o, fb, k16), sub(mul(gvb2, b3o, k17), mul(gvb3, b2o, k18), k17), k16), mul(b1, hyb, k17), k16), k3

@@ -53,7 +53,7 @@ def _rows(entries: tuple[Number, ...]) -> tuple[Vector, ...]:
 def _from_rotation(trace: Trace, name: str, order: int, rotation: tuple[Vector, ...], rho: Vector) -> Program:
     e = _quaternion_of(trace, rotation)
     size = 1 if order == 1 else trace.name("size", trace.sqrt(e.norm2()))
-    return _finish(trace, name, order, e, size, rho)
+    return _finish(trace, name, order, e, size, rho, positive=True)
 
 
 def _quaternion_of(trace: Trace, rotation: tuple[Vector, ...]) -> Quaternion:
@@ -112,9 +112,11 @@ def _has_ladder(order: int) -> bool:
     return order & (order - 1) == 0
 
 
-def _finish(trace: Trace, name: str, order: int, e: Quaternion, size: Number, rho: Vector) -> Program:
-    """v = gain · e and v° = Re(dcay)⁻¹ rho, for a quaternion e of norm ``size``."""
-    gain = trace.name("gain", _gain(trace, order, e, size))
+def _finish(
+    trace: Trace, name: str, order: int, e: Quaternion, size: Number, rho: Vector, positive: bool = False
+) -> Program:
+    """v = gain · e and v° = Re(dcay)⁻¹ rho, for a quaternion e of norm ``size``; ``positive`` says that e0 >= 0."""
+    gain = trace.name("gain", _gain(trace, order, e, size, positive))
     re = named(trace, "v", gain * e.vector)
     chart = CayleyChart(trace, order, (*re, 0, 0, 0))
     f, h = chart.inverse
@@ -123,11 +125,11 @@ def _finish(trace: Trace, name: str, order: int, e: Quaternion, size: Number, rh
     return trace.program(name, (*re, *(f * rho - half.cross(rho) + along * re)))
 
 
-def _gain(trace: Trace, order: int, e: Quaternion, size: Number) -> Number:
+def _gain(trace: Trace, order: int, e: Quaternion, size: Number, positive: bool) -> Number:
     """tan(alpha/2n) / |vector part|, with the sign of the scalar part."""
     if order == 1:
         return 1 / e.scalar
-    negative = trace.name("negative", trace.less(e.scalar, 0))
+    negative = False if positive else trace.name("negative", trace.less(e.scalar, 0))
     cosine = trace.name("cos", trace.where(negative, -e.scalar, e.scalar))
     sign = trace.where(negative, -1, 1)
     if _has_ladder(order):
@@ -211,7 +213,7 @@ def _axis(chart: CayleyChart) -> Axis:
     still = chart.name("still", trace.equal(chart.x, 0))
     # one root, never of 0 but at the identity: so the gradient is finite wherever the axis is defined
     length = chart.name("length", trace.sqrt(trace.where(still, vo.dot(vo), chart.x)))
-    size = chart.name("r", trace.where(still, 0, length))
+    size = chart.name("r", trace.where(still, chart.x, length))  # 0 of the type of x
     u = named(trace, "u", Vector(*(trace.where(still, b, a) / length for a, b in zip(v, vo, strict=True))))
     size_du = chart.name("ro", trace.where(still, length, u.dot(vo)))
     across = vo - size_du * u
