@@ -29,8 +29,9 @@ lint: $(READY)  ## ruff
 types: $(READY)  ## mypy --strict
 	$(RUN) -m mypy
 
-bench: $(READY)  ## proof times by order
+bench: $(READY)  ## proof times by order, then kernels against their peers (docs/benchmarks.md)
 	$(RUN) benchmarks/proofs.py
+	$(RUN) -m benchmarks.kernels -o docs/benchmarks.md
 
 clean:  ## remove the environment and caches
 	rm -rf $(VENV) build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis

@@ -59,12 +59,15 @@ class Dialect:
         Selection: condition and two values, as texts.
     largest : int
         Largest magnitude of a constant.
+    literal : callable
+        How a constant is written.
     """
 
     operators: Mapping[str, Operator]
     calls: Mapping[str, str]
     select: Callable[[Text, Text, Text], Text]
     largest: float = float("inf")
+    literal: Callable[[int], str] = str
 
     def expression(self, step: Step, inlined: Mapping[str, Text]) -> Text:
         """The right-hand side of a step; operands which are inlined are written out."""
@@ -88,7 +91,8 @@ class Dialect:
             raise ValueError(f"constant {operand} is not an integer: divide instead, so that exact types stay exact")
         if not -self.largest <= operand <= self.largest:
             raise ValueError(f"constant {operand} is beyond {self.largest:.0f}: some number type would round it")
-        return str(operand), ATOM if operand >= 0 else NEGATION
+        text = self.literal(int(operand))
+        return text, NEGATION if text.startswith("-") else ATOM
 
     def statements(self, program: Program) -> tuple[list[tuple[Step, str]], list[str]]:
         """Named steps with their right-hand sides, and the expressions of the outputs."""

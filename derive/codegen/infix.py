@@ -2,41 +2,47 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from .expression import ARITHMETIC, ATOM, WIDTH, Dialect, Operator, Text, fill, left_associative, used_names
 from .program import Program
 
 
-def _where(condition: Text, first: Text, second: Text) -> Text:
-    return f"m.where({condition[0]}, {first[0]}, {second[0]})", ATOM
+def python(prefix: str, literal: Callable[[int], str] = str) -> Dialect:
+    """Return the dialect of Python with functions of a prefix and constants written in a way."""
+
+    def where(condition: Text, first: Text, second: Text) -> Text:
+        return f"{prefix}where({condition[0]}, {first[0]}, {second[0]})", ATOM
+
+    return Dialect(
+        operators=ARITHMETIC
+        | {
+            "and": left_associative("&", 3),
+            "or": left_associative("|", 2),
+            "lt": Operator("<", 1, 4, 4),
+            "eq": Operator("==", 1, 4, 4),
+        },
+        calls={name: prefix + name for name in ("sqrt", "tan", "atan2")},
+        select=where,
+        literal=literal,
+    )
 
 
-PYTHON = Dialect(
-    operators=ARITHMETIC
-    | {
-        "and": left_associative("&", 3),
-        "or": left_associative("|", 2),
-        "lt": Operator("<", 1, 4, 4),
-        "eq": Operator("==", 1, 4, 4),
-    },
-    calls={"sqrt": "m.sqrt", "tan": "m.tan", "atan2": "m.atan2"},
-    select=_where,
-)
-"""Python, with the functions of the number type in ``m``."""
+PLAIN = python("m.")
+"""Functions of the number type in ``m``, constants as they are."""
 
 
-def body(program: Program, indent: str = "    ") -> str:
+def body(program: Program, indent: str = "    ", dialect: Dialect = PLAIN) -> str:
     """Source lines of the program: unpacked arguments, assignments, and the returned tuple."""
-    return "\n".join(line for statement in _statements(program) for line in _wrap(statement, indent))
+    return "\n".join(line for statement in _statements(program, dialect) for line in _wrap(statement, indent))
 
 
-def _statements(program: Program) -> Iterator[str | list[str]]:
+def _statements(program: Program, dialect: Dialect) -> Iterator[str | list[str]]:
     """Assignments, then the list of outputs."""
     used = used_names(program)
     for argument, names in program.inputs:
         yield f"{', '.join(name if name in used else '_' for name in names)}{',' * (len(names) == 1)} = {argument}"
-    assignments, outputs = PYTHON.statements(program)
+    assignments, outputs = dialect.statements(program)
     for step, text in assignments:
         yield f"{step.name} = {text}"
     yield outputs

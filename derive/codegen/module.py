@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import mpmath
+import numpy as np
 import sympy
 
 from ..maps import Cayley, Formula
@@ -52,7 +53,7 @@ def module_text(proved: Proved, target: Target) -> str:
         n=n,
         public=PUBLIC,
         turns=[(_decimal(mpmath.cospi, k, n), _decimal(mpmath.sinpi, k, n)) for k in range(n)],
-        limits=[_decimal(_tanpi, 2 * j + 1, 2 * n) for j in range(n // 2)],
+        returns=[_return(j, n) for j in range(1, n // 2 + 1)],
         programs={name: _printed(program, target) for name, program in programs.items()},
         equations={f.name: _numbers(f.equations) for f in maps} | {"compose": _COMPOSITIONS.get(n, "(58)")},
         definitions={f.name: _display(f"{f.symbol} = {f.definition}") for f in maps},
@@ -61,6 +62,8 @@ def module_text(proved: Proved, target: Target) -> str:
         singular_angles=[_multiple_of_pi(angle) for angle in cayley.singular_angles],
         inverse_domain=_inverse_domain(n),
         signatures=SIGNATURES,
+        largest={name: f"{float(np.finfo(name).max) ** (0.5 / n):.1g}" for name in ("float32", "float64")},
+        **target.words,
     )
 
 
@@ -134,8 +137,13 @@ def _decimal(function: Any, k: int, n: int) -> str:
         return str(mpmath.nstr(function(mpmath.mpf(k) / n), DIGITS, min_fixed=-DIGITS))
 
 
-def _tanpi(x: Any) -> Any:
-    return mpmath.sinpi(x) / mpmath.cospi(x)
+def _return(steps: int, n: int) -> tuple[str, str, str]:
+    """The |v|² beyond which theta goes back by so many steps of pi/n, and cosine and sine of the way."""
+    return _decimal(_tanpi2, 2 * steps - 1, 2 * n), _decimal(mpmath.cospi, steps, n), _decimal(mpmath.sinpi, -steps, n)
+
+
+def _tanpi2(x: Any) -> Any:
+    return (mpmath.sinpi(x) / mpmath.cospi(x)) ** 2
 
 
 def _display(latex: str) -> str:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from ..maps import Cayley
-from . import c99, infix
+from . import c99, infix, inplace, jit
+from .files import RefusedError
 from .program import Program
 from .validation import compiled, validate
 
@@ -35,6 +36,8 @@ class Target:
     companions : tuple of str
         Further files of every module; ``test_cayley.c`` is ``test_cayley3.c`` of order 3, from the template of its
         name.
+    words : mapping
+        Words in which the functions of this target differ from those of another with the same templates.
     """
 
     name: str
@@ -44,6 +47,7 @@ class Target:
     printer: Callable[[Program], Any]
     validate: Callable[[Path, Cayley], int | None]
     companions: tuple[str, ...] = ()
+    words: Mapping[str, str] = field(default_factory=dict)
 
     def module_name(self, order: int) -> str:
         """File name of the module of an order."""
@@ -55,16 +59,61 @@ class Target:
         return f"{self.name}/cayley.{self.extension}.j2"
 
 
+def _words(value: str, array_like: str, array: str, options: str, passed: str, passed_alone: str) -> dict[str, str]:
+    """Annotation and names of arrays; keyword parameters of a function, and what it passes on of them.
+
+    ``passed_alone`` is what a function passes that returns several arrays.
+    """
+    return {
+        "value": value,
+        "array_like": array_like,
+        "array": array,
+        "options": f"*, axis: int = -1{options}",
+        "passed": f"axis{passed}",
+        "passed_alone": f"axis{passed_alone}",
+    }
+
+
+def _validate_compiled(folder: Path, cayley: Cayley) -> int:
+    """Run the source of a package which wants its compiler even so."""
+    try:
+        return validate(folder, cayley)
+    except ImportError as error:
+        raise RefusedError(f"cannot validate what was printed: {error}") from error
+
+
+_OUT = ", out: Array | None = None"
+_NUMPY = ("ArrayLike", "array_like", "ndarray")
+
 TARGETS: Mapping[str, Target] = {
     target.name: target
     for target in (
         Target(
             name="numpy",
             extension="py",
+            shared=("__init__.py", "_kernel.py", "_runtime.py", "_selection.py", "_tools.py", "py.typed"),
+            comment="#",
+            printer=inplace.two_forms,
+            validate=validate,
+            words=_words(*_NUMPY, _OUT, ", out", ", None"),
+        ),
+        Target(
+            name="array-api",
+            extension="py",
             shared=("__init__.py", "_runtime.py", "_tools.py", "py.typed"),
             comment="#",
             printer=infix.body,
             validate=validate,
+            words=_words("Array", "array", "array", "", "", ""),
+        ),
+        Target(
+            name="numba",
+            extension="py",
+            shared=("__init__.py", "_compiled.py", "_runtime.py", "_tools.py", "py.typed"),
+            comment="#",
+            printer=jit.parts,
+            validate=_validate_compiled,
+            words=_words(*_NUMPY, f"{_OUT}, parallel: bool = False", ", out, parallel", ", None, False"),
         ),
         Target(
             name="c",

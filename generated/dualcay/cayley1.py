@@ -52,31 +52,33 @@
 #   [n = 1] dcay dcay^-1 = I for the tangent_inv formula
 #
 # Operations:
-#   quaternion: 29: 8 +, 17 *, 2 /, 1 neg, 1 sqrt
-#   tensor: 69: 29 +, 39 *, 1 /
-#   pose: 42: 20 +, 21 *, 1 /
-#   transform_point: 55: 24 +, 30 *, 1 /
-#   transform_line: 91: 39 +, 51 *, 1 /
-#   tangent: 35: 8 +, 18 *, 2 /, 7 neg
+#   quaternion: 30: 8 +, 17 *, 3 /, 1 neg, 1 sqrt
+#   tensor: 71: 29 +, 40 *, 2 /
+#   pose: 44: 20 +, 22 *, 2 /
+#   transform_point: 57: 24 +, 31 *, 2 /
+#   transform_line: 93: 39 +, 52 *, 2 /
+#   tangent: 37: 8 +, 19 *, 3 /, 7 neg
 #   tangent_inv: 57: 21 +, 21 *, 15 /
-#   twist: 77: 29 +, 45 *, 2 /, 1 neg
+#   twist: 79: 29 +, 46 *, 3 /, 1 neg
 #   rate: 84: 34 +, 36 *, 14 /
-#   body_twist: 77: 29 +, 45 *, 2 /, 1 neg
+#   body_twist: 79: 29 +, 46 *, 3 /, 1 neg
 #   body_rate: 84: 34 +, 36 *, 14 /
 #   from_quaternion: 58: 20 +, 30 *, 8 /
 #   from_tensor: 119: 40 +, 37 *, 11 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 83: 25 +, 19 *, 8 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
-#   to_screw: 43: 10 +, 14 *, 7 /, 2 sqrt, 1 atan2, 1 eq, 8 where
-#   turn: 58: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 8 where
-#   shadow: 58: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 8 where
-#   compose: 135: 56 +, 69 *, 10 /
+#   to_screw: 43: 10 +, 14 *, 7 /, 1 sqrt, 1 atan2, 1 eq, 9 where
+#   turn: 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
+#   shadow: 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
+#   principal: 0
+#   compose: 139: 56 +, 71 *, 12 /
 """Cayley map of order 1: Rodrigues dual vectors ``v = tan(α/2) u`` of rigid displacements.
 
 α is the dual angle (rotation angle, translation along the axis) and u the unit dual vector of the screw axis. Arrays
 hold the real part first: v and twists (..., 6), dual quaternions (..., 8) scalar first in each half, dual tensors
 (..., 2, 3, 3). All functions broadcast over leading axes, keep float32, float64 and longdouble (and complex types where
 no branch is selected), and take ``axis=0`` for components first. NaN in gives NaN out, element by element.
+Forward maps are NaN where (1 + x)^1 overflows: beyond Re|v| = 1e+154 in float64, 2e+19 in float32.
 """
 
 from __future__ import annotations
@@ -86,7 +88,8 @@ from typing import Any
 
 from numpy.typing import ArrayLike
 
-from ._runtime import Array, Components, Result, call, call_branch, nearest, shifted
+from ._kernel import Array, Components, Kernel, Result, Rows, add, atan2, copy, div, mul, neg, sqrt, sub, tan
+from ._runtime import call, call_branch, shifted
 
 __all__ = [
     "body_rate",
@@ -120,14 +123,14 @@ TURNS = (
     ("1.0", "0.0"),
 )
 
-# |v| halfway between branches, tan((2 j + 1) pi/2)
-LIMITS: tuple[str, ...] = (
+# the |v|² halfway between branches, tan((2 j - 1) pi/2)², then cosine and sine of the way back from beyond it
+RETURNS: tuple[str, ...] = (
 )
 
 # --- forward maps -----------------------------------------------------------------------------------------------
 
 
-# operations 29: 8 +, 17 *, 2 /, 1 neg, 1 sqrt
+# operations 30: 8 +, 17 *, 3 /, 1 neg, 1 sqrt
 def _quaternion(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -136,11 +139,47 @@ def _quaternion(m: Any, v: Components) -> Result:
     x = v11 + v22 + v33
     N = 1 + x
     root = m.sqrt(N)
-    sr = 1 / root
+    sr = root / root / root
     e = 1 / N
     y = v1 * v1o + v2 * v2o + v3 * v3o
     sco = -(sr * (e * y))
     return (sr, v1 * sr, v2 * sr, v3 * sr, sco, v1o * sr + v1 * sco, v2o * sr + v2 * sco, v3o * sr + v3 * sco)
+
+
+def _quaternion_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    o1, o2, o3, o4, o5, o6, o7, o8 = out
+    k1, k2, k3 = scratch
+    n1, = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    N = add(n1, x, k1)
+    root = sqrt(N, k2)
+    sr = div(div(root, root, k3), root, o1)
+    mul(v1, sr, o2)
+    mul(v2, sr, o3)
+    mul(v3, sr, o4)
+    e = div(n1, N, k1)
+    y = add(add(mul(v1, v1o, k2), mul(v2, v2o, k3), k2), mul(v3, v3o, k3), k2)
+    sco = neg(mul(sr, mul(e, y, k1), k1), o5)
+    add(mul(v1o, sr, k1), mul(v1, sco, k2), o6)
+    add(mul(v2o, sr, k1), mul(v2, sco, k2), o7)
+    add(mul(v3o, sr, k1), mul(v3, sco, k2), o8)
+
+
+_QUATERNION = Kernel(
+    _quaternion,
+    _quaternion_blocks,
+    (("v", (6,)),),
+    (8,),
+    registers=3,
+    masks=0,
+    numbers=(1,),
+)
 
 
 def quaternion(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
@@ -165,10 +204,10 @@ def quaternion(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Arr
         Real part (scalar first), then dual part. Defined for every v. The scalar part is >= 0 for Re α <= π; on shadows
         the sign is that of the closed form.
     """
-    return call(_quaternion, (8,), axis, out, v=(v, (6,)))
+    return call(_QUATERNION, axis, out, v)
 
 
-# operations 69: 29 +, 39 *, 1 /
+# operations 71: 29 +, 40 *, 2 /
 def _tensor(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -179,7 +218,7 @@ def _tensor(m: Any, v: Components) -> Result:
     x12 = v11 + v22
     x = x12 + v33
     N = 1 + x
-    s = 2 / N
+    s = 2 * (N / N / N)
     fv1 = v1 * s
     fv2 = v2 * s
     fv3 = v3 * s
@@ -220,6 +259,62 @@ def _tensor(m: Any, v: Components) -> Result:
     )
 
 
+def _tensor_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
+    k1, k2, k3, k4, k5, k6, k7 = scratch
+    n1, n2 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    x12 = add(v11, v22, k3)
+    v33 = mul(v3, v3, k4)
+    x23 = add(v22, v33, k2)
+    x13 = add(v11, v33, k1)
+    x = add(x12, v33, k4)
+    N = add(n1, x, k4)
+    s = mul(n2, div(div(N, N, k5), N, k4), k4)
+    Q11 = sub(n1, mul(s, x23, k2), o1)
+    Q22 = sub(n1, mul(s, x13, k1), o5)
+    Q33 = sub(n1, mul(s, x12, k1), o9)
+    fv1 = mul(v1, s, k1)
+    gvv1 = mul(fv1, v2, k2)
+    fv3 = mul(v3, s, k3)
+    Q12 = sub(gvv1, fv3, o2)
+    Q21 = add(gvv1, fv3, o4)
+    gvv2 = mul(fv1, v3, k2)
+    fv2 = mul(v2, s, k5)
+    Q13 = add(gvv2, fv2, o3)
+    Q31 = sub(gvv2, fv2, o7)
+    gvv3 = mul(fv2, v3, k2)
+    Q23 = sub(gvv3, fv1, o6)
+    Q32 = add(gvv3, fv1, o8)
+    rho2 = add(mul(v2o, s, k2), sub(mul(fv3, v1o, k6), mul(fv1, v3o, k7), k6), k2)
+    rho3 = add(mul(v3o, s, k6), sub(mul(fv1, v2o, k1), mul(fv2, v1o, k7), k1), k1)
+    rho1 = add(mul(v1o, s, k4), sub(mul(fv2, v3o, k5), mul(fv3, v2o, k3), k3), k3)
+    sub(mul(Q31, rho2, k4), mul(Q21, rho3, k5), o10)
+    sub(mul(Q32, rho2, k4), mul(Q22, rho3, k5), o11)
+    sub(mul(Q33, rho2, k4), mul(Q23, rho3, k5), o12)
+    sub(mul(Q11, rho3, k4), mul(Q31, rho1, k5), o13)
+    sub(mul(Q12, rho3, k4), mul(Q32, rho1, k5), o14)
+    sub(mul(Q13, rho3, k1), mul(Q33, rho1, k4), o15)
+    sub(mul(Q21, rho1, k1), mul(Q11, rho2, k4), o16)
+    sub(mul(Q22, rho1, k1), mul(Q12, rho2, k4), o17)
+    sub(mul(Q23, rho1, k1), mul(Q13, rho2, k2), o18)
+
+
+_TENSOR = Kernel(
+    _tensor,
+    _tensor_blocks,
+    (("v", (6,)),),
+    (2, 3, 3),
+    registers=7,
+    masks=0,
+    numbers=(1, 2),
+)
+
+
 def tensor(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Orthogonal dual tensor of a displacement, CP23 (57), (96).
 
@@ -241,10 +336,10 @@ def tensor(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     ndarray, shape (..., 2, 3, 3)
         R = (I + ε skew(ρ)) Q: the rotation Q from body to space axes, then skew(ρ) Q. Defined for every v.
     """
-    return call(_tensor, (2, 3, 3), axis, out, v=(v, (6,)))
+    return call(_TENSOR, axis, out, v)
 
 
-# operations 42: 20 +, 21 *, 1 /
+# operations 44: 20 +, 22 *, 2 /
 def _pose(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -255,7 +350,7 @@ def _pose(m: Any, v: Components) -> Result:
     x12 = v11 + v22
     x = x12 + v33
     N = 1 + x
-    s = 2 / N
+    s = 2 * (N / N / N)
     fv1 = v1 * s
     fv2 = v2 * s
     fv3 = v3 * s
@@ -282,6 +377,57 @@ def _pose(m: Any, v: Components) -> Result:
     )
 
 
+def _pose_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16 = out
+    k1, k2, k3, k4, k5, k6, k7 = scratch
+    n0, n1, n2 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    x12 = add(v11, v22, k3)
+    v33 = mul(v3, v3, k4)
+    x23 = add(v22, v33, k2)
+    x13 = add(v11, v33, k1)
+    x = add(x12, v33, k4)
+    N = add(n1, x, k4)
+    s = mul(n2, div(div(N, N, k5), N, k4), k4)
+    sub(n1, mul(s, x23, k2), o1)
+    sub(n1, mul(s, x13, k1), o6)
+    sub(n1, mul(s, x12, k1), o11)
+    fv1 = mul(v1, s, k1)
+    gvv1 = mul(fv1, v2, k2)
+    fv3 = mul(v3, s, k3)
+    sub(gvv1, fv3, o2)
+    add(gvv1, fv3, o5)
+    add(mul(v2o, s, k2), sub(mul(fv3, v1o, k5), mul(fv1, v3o, k6), k5), o8)
+    gvv2 = mul(fv1, v3, k2)
+    fv2 = mul(v2, s, k5)
+    add(mul(v1o, s, k6), sub(mul(fv2, v3o, k7), mul(fv3, v2o, k3), k3), o4)
+    add(mul(v3o, s, k3), sub(mul(fv1, v2o, k4), mul(fv2, v1o, k6), k4), o12)
+    add(gvv2, fv2, o3)
+    sub(gvv2, fv2, o9)
+    gvv3 = mul(fv2, v3, k2)
+    sub(gvv3, fv1, o7)
+    add(gvv3, fv1, o10)
+    copy(n0, o13)
+    copy(n0, o14)
+    copy(n0, o15)
+    copy(n1, o16)
+
+
+_POSE = Kernel(
+    _pose,
+    _pose_blocks,
+    (("v", (6,)),),
+    (4, 4),
+    registers=7,
+    masks=0,
+    numbers=(0, 1, 2),
+)
+
+
 def pose(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Homogeneous matrix of a displacement, CP23 (16) of (57), (96).
 
@@ -302,10 +448,10 @@ def pose(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     ndarray, shape (..., 4, 4)
         [[Q, ρ], [0, 1]], from body to space. Defined for every v.
     """
-    return call(_pose, (4, 4), axis, out, v=(v, (6,)))
+    return call(_POSE, axis, out, v)
 
 
-# operations 55: 24 +, 30 *, 1 /
+# operations 57: 24 +, 31 *, 2 /
 def _transform_point(m: Any, v: Components, r: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     r1, r2, r3 = r
@@ -317,7 +463,7 @@ def _transform_point(m: Any, v: Components, r: Components) -> Result:
     v33 = v3 * v3
     x = v11 + v22 + v33
     N = 1 + x
-    s = 2 / N
+    s = 2 * (N / N / N)
     gv_r1 = v_r1 * s
     gv_r2 = v_r2 * s
     gv_r3 = v_r3 * s
@@ -329,6 +475,54 @@ def _transform_point(m: Any, v: Components, r: Components) -> Result:
         r2 + (gv_r2 + (v3 * gv_r1 - v1 * gv_r3)) + (v2o * s + (gv3 * v1o - gv1 * v3o)),
         r3 + (gv_r3 + (v1 * gv_r2 - v2 * gv_r1)) + (v3o * s + (gv1 * v2o - gv2 * v1o)),
     )
+
+
+def _transform_point_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, r: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    r1, r2, r3 = r
+    o1, o2, o3 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10 = scratch
+    n1, n2 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    N = add(n1, x, k1)
+    s = mul(n2, div(div(N, N, k2), N, k1), k1)
+    v_r1 = sub(mul(v2, r3, k2), mul(v3, r2, k3), k2)
+    gv_r1 = mul(v_r1, s, k2)
+    v_r3 = sub(mul(v1, r2, k3), mul(v2, r1, k4), k3)
+    gv_r3 = mul(v_r3, s, k3)
+    v_r2 = sub(mul(v3, r1, k4), mul(v1, r3, k5), k4)
+    gv_r2 = mul(v_r2, s, k4)
+    gv2 = mul(v2, s, k5)
+    gv3 = mul(v3, s, k6)
+    add(
+        add(r1, add(gv_r1, sub(mul(v2, gv_r3, k7), mul(v3, gv_r2, k8), k7), k7), k7), add(mul(v1o, s, k8), sub(mul(gv2,
+        v3o, k9), mul(gv3, v2o, k10), k9), k8), o1
+    )
+    gv1 = mul(v1, s, k7)
+    add(
+        add(r2, add(gv_r2, sub(mul(v3, gv_r1, k8), mul(v1, gv_r3, k9), k8), k8), k8), add(mul(v2o, s, k9), sub(mul(gv3,
+        v1o, k6), mul(gv1, v3o, k10), k6), k6), o2
+    )
+    add(
+        add(r3, add(gv_r3, sub(mul(v1, gv_r2, k4), mul(v2, gv_r1, k2), k2), k2), k2), add(mul(v3o, s, k1), sub(mul(gv1,
+        v2o, k3), mul(gv2, v1o, k4), k3), k1), o3
+    )
+
+
+_TRANSFORM_POINT = Kernel(
+    _transform_point,
+    _transform_point_blocks,
+    (("v", (6,)), ("r", (3,)),),
+    (3,),
+    registers=10,
+    masks=0,
+    numbers=(1, 2),
+)
 
 
 def transform_point(v: ArrayLike, r: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
@@ -350,10 +544,10 @@ def transform_point(v: ArrayLike, r: ArrayLike, *, axis: int = -1, out: Array | 
     ndarray, shape (..., 3)
         Defined for every v.
     """
-    return call(_transform_point, (3,), axis, out, v=(v, (6,)), r=(r, (3,)))
+    return call(_TRANSFORM_POINT, axis, out, v, r)
 
 
-# operations 91: 39 +, 51 *, 1 /
+# operations 93: 39 +, 52 *, 2 /
 def _transform_line(m: Any, v: Components, line: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     l1, l2, l3, m1, m2, m3 = line
@@ -365,7 +559,7 @@ def _transform_line(m: Any, v: Components, line: Components) -> Result:
     v33 = v3 * v3
     x = v11 + v22 + v33
     N = 1 + x
-    s = 2 / N
+    s = 2 * (N / N / N)
     gv_l1 = v_l1 * s
     gv_l2 = v_l2 * s
     gv_l3 = v_l3 * s
@@ -394,6 +588,66 @@ def _transform_line(m: Any, v: Components, line: Components) -> Result:
     )
 
 
+def _transform_line_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, line: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    l1, l2, l3, m1, m2, m3 = line
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
+    n1, n2 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    N = add(n1, x, k1)
+    s = mul(n2, div(div(N, N, k2), N, k1), k1)
+    v_l1 = sub(mul(v2, l3, k2), mul(v3, l2, k3), k2)
+    gv_l1 = mul(v_l1, s, k2)
+    v_l3 = sub(mul(v1, l2, k3), mul(v2, l1, k4), k3)
+    gv_l3 = mul(v_l3, s, k3)
+    v_l2 = sub(mul(v3, l1, k4), mul(v1, l3, k5), k4)
+    gv_l2 = mul(v_l2, s, k4)
+    Ql1 = add(l1, add(gv_l1, sub(mul(v2, gv_l3, k5), mul(v3, gv_l2, k6), k5), k5), o1)
+    Ql2 = add(l2, add(gv_l2, sub(mul(v3, gv_l1, k5), mul(v1, gv_l3, k6), k5), k5), o2)
+    Ql3 = add(l3, add(gv_l3, sub(mul(v1, gv_l2, k4), mul(v2, gv_l1, k2), k2), k2), o3)
+    gv3 = mul(v3, s, k2)
+    gv1 = mul(v1, s, k3)
+    rho2 = add(mul(v2o, s, k4), sub(mul(gv3, v1o, k5), mul(gv1, v3o, k6), k5), k4)
+    gv2 = mul(v2, s, k5)
+    rho3 = add(mul(v3o, s, k6), sub(mul(gv1, v2o, k3), mul(gv2, v1o, k7), k3), k3)
+    rho1 = add(mul(v1o, s, k6), sub(mul(gv2, v3o, k5), mul(gv3, v2o, k2), k2), k2)
+    v_m1 = sub(mul(v2, m3, k5), mul(v3, m2, k6), k5)
+    gv_m1 = mul(v_m1, s, k5)
+    v_m3 = sub(mul(v1, m2, k6), mul(v2, m1, k7), k6)
+    gv_m3 = mul(v_m3, s, k6)
+    v_m2 = sub(mul(v3, m1, k7), mul(v1, m3, k8), k7)
+    gv_m2 = mul(v_m2, s, k1)
+    add(
+        add(m1, add(gv_m1, sub(mul(v2, gv_m3, k7), mul(v3, gv_m2, k8), k7), k7), k7), sub(mul(rho2, Ql3, k8), mul(rho3,
+        Ql2, k9), k8), o4
+    )
+    add(
+        add(m2, add(gv_m2, sub(mul(v3, gv_m1, k7), mul(v1, gv_m3, k8), k7), k7), k7), sub(mul(rho3, Ql1, k3), mul(rho1,
+        Ql3, k8), k3), o5
+    )
+    add(
+        add(m3, add(gv_m3, sub(mul(v1, gv_m2, k1), mul(v2, gv_m1, k3), k1), k1), k1), sub(mul(rho1, Ql2, k2), mul(rho2,
+        Ql1, k3), k2), o6
+    )
+
+
+_TRANSFORM_LINE = Kernel(
+    _transform_line,
+    _transform_line_blocks,
+    (("v", (6,)), ("line", (6,)),),
+    (6,),
+    registers=9,
+    masks=0,
+    numbers=(1, 2),
+)
+
+
 def transform_line(v: ArrayLike, line: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Line (or any motor) moved by a displacement, ``R l``, CP23 (66).
 
@@ -413,7 +667,7 @@ def transform_line(v: ArrayLike, line: ArrayLike, *, axis: int = -1, out: Array 
     ndarray, shape (..., 6)
         Direction, then moment. Defined for every v.
     """
-    return call(_transform_line, (6,), axis, out, v=(v, (6,)), line=(line, (6,)))
+    return call(_TRANSFORM_LINE, axis, out, v, line)
 
 
 # --- kinematics -------------------------------------------------------------------------------------------------
@@ -430,7 +684,7 @@ def singular_angles() -> tuple[float, ...]:
     return (pi,)
 
 
-# operations 35: 8 +, 18 *, 2 /, 7 neg
+# operations 37: 8 +, 19 *, 3 /, 7 neg
 def _tangent(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     y = v1 * v1o + v2 * v2o + v3 * v3o
@@ -440,7 +694,7 @@ def _tangent(m: Any, v: Components) -> Result:
     v33 = v3 * v3
     x = v11 + v22 + v33
     N = 1 + x
-    s = 2 / N
+    s = 2 * (N / N / N)
     e = 1 / N
     eg = e * s
     df = -eg
@@ -452,6 +706,54 @@ def _tangent(m: Any, v: Components) -> Result:
     gvo2 = v2o * s + v2 * fo
     gvo3 = v3o * s + v3 * fo
     return (s, -gv3, gv2, gv3, s, -gv1, -gv2, gv1, s, fo, -gvo3, gvo2, gvo3, fo, -gvo1, -gvo2, gvo1, fo)
+
+
+def _tangent_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
+    k1, k2, k3 = scratch
+    n1, n2 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    N = add(n1, x, k1)
+    s = mul(n2, div(div(N, N, k2), N, k2), o1)
+    gv3 = mul(v3, s, o4)
+    neg(gv3, o2)
+    gv2 = mul(v2, s, o3)
+    gv1 = mul(v1, s, o8)
+    neg(gv1, o6)
+    neg(gv2, o7)
+    e = div(n1, N, k1)
+    eg = mul(e, s, k1)
+    df = neg(eg, k1)
+    y = add(add(mul(v1, v1o, k2), mul(v2, v2o, k3), k2), mul(v3, v3o, k3), k2)
+    xo = mul(n2, y, k2)
+    fo = mul(df, xo, o10)
+    gvo3 = add(mul(v3o, s, k1), mul(v3, fo, k2), o13)
+    neg(gvo3, o11)
+    gvo2 = add(mul(v2o, s, k1), mul(v2, fo, k2), o12)
+    gvo1 = add(mul(v1o, s, k1), mul(v1, fo, k2), o17)
+    neg(gvo1, o15)
+    neg(gvo2, o16)
+    copy(o1, o5)
+    copy(o1, o9)
+    copy(o10, o14)
+    copy(o10, o18)
+
+
+_TANGENT = Kernel(
+    _tangent,
+    _tangent_blocks,
+    (("v", (6,)),),
+    (2, 3, 3),
+    registers=3,
+    masks=0,
+    numbers=(1, 2),
+)
 
 
 def tangent(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
@@ -477,7 +779,7 @@ def tangent(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         Dual tensor, real part first; maps v̇ (1/s) to the twist in the space frame, its transpose to that in the body
         frame. Defined for every v; it loses rank at no finite v; v is infinite at Re alpha = pi.
     """
-    return call(_tangent, (2, 3, 3), axis, out, v=(v, (6,)))
+    return call(_TANGENT, axis, out, v)
 
 
 dcay = tangent
@@ -526,6 +828,62 @@ def _tangent_inv(m: Any, v: Components) -> Result:
     )
 
 
+def _tangent_inv_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
+    k1, k2, k3, k4, k5, k6 = scratch
+    n_minus_2, n1, n2 = numbers
+    cv1 = div(v1, n2, k1)
+    div(add(n1, mul(n2, mul(cv1, v1, k2), k2), k2), n2, o1)
+    d12 = mul(cv1, v2, k2)
+    s3 = div(v3, n_minus_2, k3)
+    sub(d12, s3, o2)
+    add(d12, s3, o4)
+    d13 = mul(cv1, v3, k2)
+    s2 = div(v2, n_minus_2, k3)
+    add(d13, s2, o3)
+    sub(d13, s2, o7)
+    cv2 = div(v2, n2, k2)
+    div(add(n1, mul(n2, mul(cv2, v2, k3), k3), k3), n2, o5)
+    d23 = mul(cv2, v3, k3)
+    s1 = div(v1, n_minus_2, k4)
+    sub(d23, s1, o6)
+    add(d23, s1, o8)
+    cv3 = div(v3, n2, k3)
+    div(add(n1, mul(n2, mul(cv3, v3, k4), k4), k4), n2, o9)
+    cvo1 = div(v1o, n2, k4)
+    add(mul(cv1, v1o, k5), mul(cvo1, v1, k6), o10)
+    d12o = add(mul(cv1, v2o, k5), mul(cvo1, v2, k6), k5)
+    d13o = add(mul(cv1, v3o, k1), mul(cvo1, v3, k4), k1)
+    so3 = div(v3o, n_minus_2, k4)
+    sub(d12o, so3, o11)
+    add(d12o, so3, o13)
+    so2 = div(v2o, n_minus_2, k4)
+    add(d13o, so2, o12)
+    sub(d13o, so2, o16)
+    cvo2 = div(v2o, n2, k1)
+    add(mul(cv2, v2o, k4), mul(cvo2, v2, k5), o14)
+    d23o = add(mul(cv2, v3o, k2), mul(cvo2, v3, k1), k1)
+    so1 = div(v1o, n_minus_2, k2)
+    sub(d23o, so1, o15)
+    add(d23o, so1, o17)
+    cvo3 = div(v3o, n2, k1)
+    add(mul(cv3, v3o, k2), mul(cvo3, v3, k1), o18)
+
+
+_TANGENT_INV = Kernel(
+    _tangent_inv,
+    _tangent_inv_blocks,
+    (("v", (6,)),),
+    (2, 3, 3),
+    registers=6,
+    masks=0,
+    numbers=(-2, 1, 2),
+)
+
+
 def tangent_inv(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Inverse tangent operator of the map, CP23 (89), (98): ``v_dot = dcay_inv twist``.
 
@@ -549,13 +907,13 @@ def tangent_inv(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Ar
         Dual tensor, real part first; maps the twist in the space frame to v̇, its transpose that in the body frame.
         Defined for every dual vector v; pole at no finite v; v is infinite at Re alpha = pi.
     """
-    return call(_tangent_inv, (2, 3, 3), axis, out, v=(v, (6,)))
+    return call(_TANGENT_INV, axis, out, v)
 
 
 dcay_inv = tangent_inv
 
 
-# operations 77: 29 +, 45 *, 2 /, 1 neg
+# operations 79: 29 +, 46 *, 3 /, 1 neg
 def _twist(m: Any, v: Components, v_dot: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
@@ -566,7 +924,7 @@ def _twist(m: Any, v: Components, v_dot: Components) -> Result:
     v33 = v3 * v3
     x = v11 + v22 + v33
     N = 1 + x
-    s = 2 / N
+    s = 2 * (N / N / N)
     e = 1 / N
     eg = e * s
     df = -eg
@@ -585,6 +943,60 @@ def _twist(m: Any, v: Components, v_dot: Components) -> Result:
         w2o * s + w2 * fo + (gv3 * w1o - gv1 * w3o) + (gvo3 * w1 - gvo1 * w3),
         w3o * s + w3 * fo + (gv1 * w2o - gv2 * w1o) + (gvo1 * w2 - gvo2 * w1),
     )
+
+
+def _twist_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10 = scratch
+    n1, n2 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    N = add(n1, x, k1)
+    s = mul(n2, div(div(N, N, k2), N, k2), k2)
+    e = div(n1, N, k1)
+    eg = mul(e, s, k1)
+    df = neg(eg, k1)
+    gv2 = mul(v2, s, k3)
+    gv3 = mul(v3, s, k4)
+    add(mul(w1, s, k5), sub(mul(gv2, w3, k6), mul(gv3, w2, k7), k6), o1)
+    gv1 = mul(v1, s, k5)
+    add(mul(w2, s, k6), sub(mul(gv3, w1, k7), mul(gv1, w3, k8), k7), o2)
+    add(mul(w3, s, k6), sub(mul(gv1, w2, k7), mul(gv2, w1, k8), k7), o3)
+    y = add(add(mul(v1, v1o, k6), mul(v2, v2o, k7), k6), mul(v3, v3o, k7), k6)
+    xo = mul(n2, y, k6)
+    fo = mul(df, xo, k1)
+    gvo2 = add(mul(v2o, s, k6), mul(v2, fo, k7), k6)
+    gvo3 = add(mul(v3o, s, k7), mul(v3, fo, k8), k7)
+    add(
+        add(add(mul(w1o, s, k8), mul(w1, fo, k9), k8), sub(mul(gv2, w3o, k9), mul(gv3, w2o, k10), k9), k8),
+        sub(mul(gvo2, w3, k9), mul(gvo3, w2, k10), k9), o4
+    )
+    gvo1 = add(mul(v1o, s, k8), mul(v1, fo, k9), k8)
+    add(
+        add(add(mul(w2o, s, k9), mul(w2, fo, k10), k9), sub(mul(gv3, w1o, k4), mul(gv1, w3o, k10), k4), k4),
+        sub(mul(gvo3, w1, k7), mul(gvo1, w3, k9), k7), o5
+    )
+    add(
+        add(add(mul(w3o, s, k2), mul(w3, fo, k1), k1), sub(mul(gv1, w2o, k2), mul(gv2, w1o, k3), k2), k1), sub(mul(gvo1,
+        w2, k2), mul(gvo2, w1, k3), k2), o6
+    )
+
+
+_TWIST = Kernel(
+    _twist,
+    _twist_blocks,
+    (("v", (6,)), ("v_dot", (6,)),),
+    (6,),
+    registers=10,
+    masks=0,
+    numbers=(1, 2),
+)
 
 
 def twist(v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
@@ -606,7 +1018,7 @@ def twist(v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | None =
     ndarray, shape (..., 6)
         [ω, v]: angular velocity (rad/s), then the velocity of the body point at the space origin. Defined for every v.
     """
-    return call(_twist, (6,), axis, out, v=(v, (6,)), v_dot=(v_dot, (6,)))
+    return call(_TWIST, axis, out, v, v_dot)
 
 
 # operations 84: 34 +, 36 *, 14 /
@@ -632,6 +1044,54 @@ def _rate(m: Any, v: Components, omega: Components) -> Result:
     )
 
 
+def _rate_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10 = scratch
+    n_minus_2, n2 = numbers
+    s2 = div(v2, n_minus_2, k1)
+    s3 = div(v3, n_minus_2, k2)
+    vw = add(add(mul(v1, w1, k3), mul(v2, w2, k4), k3), mul(v3, w3, k4), k3)
+    cvw = div(vw, n2, k3)
+    add(add(div(w1, n2, k4), sub(mul(s2, w3, k5), mul(s3, w2, k6), k5), k4), mul(v1, cvw, k5), o1)
+    s1 = div(v1, n_minus_2, k4)
+    add(add(div(w2, n2, k5), sub(mul(s3, w1, k6), mul(s1, w3, k7), k6), k5), mul(v2, cvw, k6), o2)
+    add(add(div(w3, n2, k5), sub(mul(s1, w2, k6), mul(s2, w1, k7), k6), k5), mul(v3, cvw, k6), o3)
+    so2 = div(v2o, n_minus_2, k5)
+    so3 = div(v3o, n_minus_2, k6)
+    cvwo = div(
+        add(add(add(mul(v1o, w1, k7), mul(v2o, w2, k8), k7), mul(v3o, w3, k8), k7), add(add(mul(v1, w1o, k8), mul(v2,
+        w2o, k9), k8), mul(v3, w3o, k9), k8), k7), n2, k7
+    )
+    add(
+        add(add(div(w1o, n2, k8), sub(mul(s2, w3o, k9), mul(s3, w2o, k10), k9), k8), sub(mul(so2, w3, k9), mul(so3, w2,
+        k10), k9), k8), add(mul(v1o, cvw, k9), mul(v1, cvwo, k10), k9), o4
+    )
+    so1 = div(v1o, n_minus_2, k8)
+    add(
+        add(add(div(w2o, n2, k9), sub(mul(s3, w1o, k2), mul(s1, w3o, k10), k2), k2), sub(mul(so3, w1, k6), mul(so1, w3,
+        k9), k6), k2), add(mul(v2o, cvw, k6), mul(v2, cvwo, k9), k6), o5
+    )
+    add(
+        add(add(div(w3o, n2, k2), sub(mul(s1, w2o, k4), mul(s2, w1o, k1), k1), k1), sub(mul(so1, w2, k2), mul(so2, w1,
+        k4), k2), k1), add(mul(v3o, cvw, k2), mul(v3, cvwo, k3), k2), o6
+    )
+
+
+_RATE = Kernel(
+    _rate,
+    _rate_blocks,
+    (("v", (6,)), ("omega", (6,)),),
+    (6,),
+    registers=10,
+    masks=0,
+    numbers=(-2, 2),
+)
+
+
 def rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Rate of v from the twist in the space frame, CP23 (87), (90): ``v̇ = dcay⁻¹ ω``.
 
@@ -651,10 +1111,10 @@ def rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | None = 
     ndarray, shape (..., 6)
         Time derivative of v (1/s); inf or NaN where ``tangent_inv`` has a pole.
     """
-    return call(_rate, (6,), axis, out, v=(v, (6,)), omega=(omega, (6,)))
+    return call(_RATE, axis, out, v, omega)
 
 
-# operations 77: 29 +, 45 *, 2 /, 1 neg
+# operations 79: 29 +, 46 *, 3 /, 1 neg
 def _body_twist(m: Any, v: Components, v_dot: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
@@ -665,7 +1125,7 @@ def _body_twist(m: Any, v: Components, v_dot: Components) -> Result:
     v33 = v3 * v3
     x = v11 + v22 + v33
     N = 1 + x
-    s = 2 / N
+    s = 2 * (N / N / N)
     e = 1 / N
     eg = e * s
     df = -eg
@@ -684,6 +1144,60 @@ def _body_twist(m: Any, v: Components, v_dot: Components) -> Result:
         w2o * s + w2 * fo + (w3o * gv1 - w1o * gv3) + (w3 * gvo1 - w1 * gvo3),
         w3o * s + w3 * fo + (w1o * gv2 - w2o * gv1) + (w1 * gvo2 - w2 * gvo1),
     )
+
+
+def _body_twist_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10 = scratch
+    n1, n2 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    N = add(n1, x, k1)
+    s = mul(n2, div(div(N, N, k2), N, k2), k2)
+    e = div(n1, N, k1)
+    eg = mul(e, s, k1)
+    df = neg(eg, k1)
+    gv3 = mul(v3, s, k3)
+    gv2 = mul(v2, s, k4)
+    add(mul(w1, s, k5), sub(mul(w2, gv3, k6), mul(w3, gv2, k7), k6), o1)
+    gv1 = mul(v1, s, k5)
+    add(mul(w2, s, k6), sub(mul(w3, gv1, k7), mul(w1, gv3, k8), k7), o2)
+    add(mul(w3, s, k6), sub(mul(w1, gv2, k7), mul(w2, gv1, k8), k7), o3)
+    y = add(add(mul(v1, v1o, k6), mul(v2, v2o, k7), k6), mul(v3, v3o, k7), k6)
+    xo = mul(n2, y, k6)
+    fo = mul(df, xo, k1)
+    gvo3 = add(mul(v3o, s, k6), mul(v3, fo, k7), k6)
+    gvo2 = add(mul(v2o, s, k7), mul(v2, fo, k8), k7)
+    add(
+        add(add(mul(w1o, s, k8), mul(w1, fo, k9), k8), sub(mul(w2o, gv3, k9), mul(w3o, gv2, k10), k9), k8), sub(mul(w2,
+        gvo3, k9), mul(w3, gvo2, k10), k9), o4
+    )
+    gvo1 = add(mul(v1o, s, k8), mul(v1, fo, k9), k8)
+    add(
+        add(add(mul(w2o, s, k9), mul(w2, fo, k10), k9), sub(mul(w3o, gv1, k10), mul(w1o, gv3, k3), k3), k3), sub(mul(w3,
+        gvo1, k9), mul(w1, gvo3, k6), k6), o5
+    )
+    add(
+        add(add(mul(w3o, s, k2), mul(w3, fo, k1), k1), sub(mul(w1o, gv2, k2), mul(w2o, gv1, k3), k2), k1), sub(mul(w1,
+        gvo2, k2), mul(w2, gvo1, k3), k2), o6
+    )
+
+
+_BODY_TWIST = Kernel(
+    _body_twist,
+    _body_twist_blocks,
+    (("v", (6,)), ("v_dot", (6,)),),
+    (6,),
+    registers=10,
+    masks=0,
+    numbers=(1, 2),
+)
 
 
 def body_twist(v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
@@ -705,7 +1219,7 @@ def body_twist(v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | N
     ndarray, shape (..., 6)
         [ω, v] in the body frame: angular velocity (rad/s), then the velocity of the body's origin. Defined for every v.
     """
-    return call(_body_twist, (6,), axis, out, v=(v, (6,)), v_dot=(v_dot, (6,)))
+    return call(_BODY_TWIST, axis, out, v, v_dot)
 
 
 # operations 84: 34 +, 36 *, 14 /
@@ -731,6 +1245,54 @@ def _body_rate(m: Any, v: Components, omega: Components) -> Result:
     )
 
 
+def _body_rate_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10 = scratch
+    n_minus_2, n2 = numbers
+    s3 = div(v3, n_minus_2, k1)
+    s2 = div(v2, n_minus_2, k2)
+    vw = add(add(mul(v1, w1, k3), mul(v2, w2, k4), k3), mul(v3, w3, k4), k3)
+    cvw = div(vw, n2, k3)
+    add(add(div(w1, n2, k4), sub(mul(w2, s3, k5), mul(w3, s2, k6), k5), k4), mul(v1, cvw, k5), o1)
+    s1 = div(v1, n_minus_2, k4)
+    add(add(div(w2, n2, k5), sub(mul(w3, s1, k6), mul(w1, s3, k7), k6), k5), mul(v2, cvw, k6), o2)
+    add(add(div(w3, n2, k5), sub(mul(w1, s2, k6), mul(w2, s1, k7), k6), k5), mul(v3, cvw, k6), o3)
+    so3 = div(v3o, n_minus_2, k5)
+    so2 = div(v2o, n_minus_2, k6)
+    cvwo = div(
+        add(add(add(mul(v1o, w1, k7), mul(v2o, w2, k8), k7), mul(v3o, w3, k8), k7), add(add(mul(v1, w1o, k8), mul(v2,
+        w2o, k9), k8), mul(v3, w3o, k9), k8), k7), n2, k7
+    )
+    add(
+        add(add(div(w1o, n2, k8), sub(mul(w2o, s3, k9), mul(w3o, s2, k10), k9), k8), sub(mul(w2, so3, k9), mul(w3, so2,
+        k10), k9), k8), add(mul(v1o, cvw, k9), mul(v1, cvwo, k10), k9), o4
+    )
+    so1 = div(v1o, n_minus_2, k8)
+    add(
+        add(add(div(w2o, n2, k9), sub(mul(w3o, s1, k10), mul(w1o, s3, k1), k1), k1), sub(mul(w3, so1, k9), mul(w1, so3,
+        k5), k5), k1), add(mul(v2o, cvw, k5), mul(v2, cvwo, k9), k5), o5
+    )
+    add(
+        add(add(div(w3o, n2, k1), sub(mul(w1o, s2, k2), mul(w2o, s1, k4), k2), k1), sub(mul(w1, so2, k2), mul(w2, so1,
+        k4), k2), k1), add(mul(v3o, cvw, k2), mul(v3, cvwo, k3), k2), o6
+    )
+
+
+_BODY_RATE = Kernel(
+    _body_rate,
+    _body_rate_blocks,
+    (("v", (6,)), ("omega", (6,)),),
+    (6,),
+    registers=10,
+    masks=0,
+    numbers=(-2, 2),
+)
+
+
 def body_rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Rate of v from the twist in the body frame, CP23 (87), (91): ``v̇ = dcay⁻ᵀ ω_B``.
 
@@ -750,13 +1312,13 @@ def body_rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | No
     ndarray, shape (..., 6)
         Time derivative of v (1/s); inf or NaN where ``tangent_inv`` has a pole.
     """
-    return call(_body_rate, (6,), axis, out, v=(v, (6,)), omega=(omega, (6,)))
+    return call(_BODY_RATE, axis, out, v, omega)
 
 
 # --- inverse maps, shadows, composition -------------------------------------------------------------------------
 
 
-# operations 58: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 8 where
+# operations 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
 def _turn(m: Any, v: Components, cs: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = cs
@@ -765,8 +1327,8 @@ def _turn(m: Any, v: Components, cs: Components) -> Result:
     v33 = v3 * v3
     x = v11 + v22 + v33
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -780,7 +1342,53 @@ def _turn(m: Any, v: Components, cs: Components) -> Result:
     return (u1 * rk, u2 * rk, u3 * rk, uo1 * rk + u1 * rko, uo2 * rk + u2 * rko, uo3 * rk + u3 * rko)
 
 
-# operations 58: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 8 where
+def _turn_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, cs: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    cos, sin = cs
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
+    mask1, = masks
+    n0, n1 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    still = m.equal(x, n0, mask1)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
+    r = m.where(still, x, length, k1)
+    iden = div(n1, sub(cos, mul(r, sin, k3), k3), k3)
+    rk = mul(add(mul(r, cos, k1), sin, k1), iden, k1)
+    u1 = div(m.where(still, v1o, v1, k4), length, k4)
+    mul(u1, rk, o1)
+    u2 = div(m.where(still, v2o, v2, k5), length, k5)
+    mul(u2, rk, o2)
+    u3 = div(m.where(still, v3o, v3, k6), length, k6)
+    mul(u3, rk, o3)
+    ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
+    rko = mul(ro, mul(iden, iden, k3), k3)
+    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k7), k7), k9), length, k7)
+    add(mul(uo1, rk, k7), mul(u1, rko, k4), o4)
+    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k4), k4), k7), length, k4)
+    add(mul(uo2, rk, k4), mul(u2, rko, k5), o5)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k2)
+    add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
+
+
+_TURN = Kernel(
+    _turn,
+    _turn_blocks,
+    (("v", (6,)),),
+    (6,),
+    registers=9,
+    masks=1,
+    numbers=(0, 1),
+    real=True,
+)
+
+
+# operations 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
 def _shadow(m: Any, v: Components, cs: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = cs
@@ -789,8 +1397,8 @@ def _shadow(m: Any, v: Components, cs: Components) -> Result:
     v33 = v3 * v3
     x = v11 + v22 + v33
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -802,6 +1410,52 @@ def _shadow(m: Any, v: Components, cs: Components) -> Result:
     rk = (r * cos + sin) * iden
     rko = ro * (iden * iden)
     return (u1 * rk, u2 * rk, u3 * rk, uo1 * rk + u1 * rko, uo2 * rk + u2 * rko, uo3 * rk + u3 * rko)
+
+
+def _shadow_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, cs: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    cos, sin = cs
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
+    mask1, = masks
+    n0, n1 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    still = m.equal(x, n0, mask1)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
+    r = m.where(still, x, length, k1)
+    iden = div(n1, sub(cos, mul(r, sin, k3), k3), k3)
+    rk = mul(add(mul(r, cos, k1), sin, k1), iden, k1)
+    u1 = div(m.where(still, v1o, v1, k4), length, k4)
+    mul(u1, rk, o1)
+    u2 = div(m.where(still, v2o, v2, k5), length, k5)
+    mul(u2, rk, o2)
+    u3 = div(m.where(still, v3o, v3, k6), length, k6)
+    mul(u3, rk, o3)
+    ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
+    rko = mul(ro, mul(iden, iden, k3), k3)
+    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k7), k7), k9), length, k7)
+    add(mul(uo1, rk, k7), mul(u1, rko, k4), o4)
+    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k4), k4), k7), length, k4)
+    add(mul(uo2, rk, k4), mul(u2, rko, k5), o5)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k2)
+    add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
+
+
+_SHADOW = Kernel(
+    _shadow,
+    _shadow_blocks,
+    (("v", (6,)),),
+    (6,),
+    registers=9,
+    masks=1,
+    numbers=(0, 1),
+    real=True,
+)
 
 
 def shadow(v: ArrayLike, branch: int = 1, *, axis: int = -1, out: Array | None = None) -> Array:
@@ -831,7 +1485,38 @@ def shadow(v: ArrayLike, branch: int = 1, *, axis: int = -1, out: Array | None =
     TypeError
         If v is complex or branch is no integer.
     """
-    return shifted(_shadow, TURNS, branch, v, axis, out)
+    return shifted(_SHADOW, TURNS, branch, v, axis, out)
+
+
+# operations 0
+def _principal(m: Any, v: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    return (v1, v2, v3, v1o, v2o, v3o)
+
+
+def _principal_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    o1, o2, o3, o4, o5, o6 = out
+    copy(v1, o1)
+    copy(v2, o2)
+    copy(v3, o3)
+    copy(v1o, o4)
+    copy(v2o, o5)
+    copy(v3o, o6)
+
+
+_PRINCIPAL = Kernel(
+    _principal,
+    _principal_blocks,
+    (("v", (6,)),),
+    (6,),
+    registers=0,
+    masks=0,
+    numbers=(),
+    real=True,
+)
 
 
 def principal(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
@@ -856,7 +1541,7 @@ def principal(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Arra
     TypeError
         If v is complex.
     """
-    return nearest(_turn, TURNS, LIMITS, v, axis, out)
+    return call(_PRINCIPAL, axis, out, v, table=RETURNS)
 
 
 # operations 58: 20 +, 30 *, 8 /
@@ -881,6 +1566,47 @@ def _from_quaternion(m: Any, e: Components) -> Result:
         rho2 / 2 - (hv3 * rho1 - hv1 * rho3) + v2 * hvr,
         rho3 / 2 - (hv1 * rho2 - hv2 * rho1) + v3 * hvr,
     )
+
+
+def _from_quaternion_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, e: Rows
+) -> None:
+    e0, e1, e2, e3, e0o, e1o, e2o, e3o = e
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
+    n1, n2 = numbers
+    gain = div(n1, e0, k1)
+    v1 = mul(e1, gain, o1)
+    v2 = mul(e2, gain, o2)
+    v3 = mul(e3, gain, o3)
+    rho1 = mul(
+        n2, add(sub(mul(e1o, e0, k1), mul(e1, e0o, k2), k1), sub(mul(e2, e3o, k2), mul(e3, e2o, k3), k2), k1), k1
+    )
+    rho2 = mul(
+        n2, add(sub(mul(e2o, e0, k2), mul(e2, e0o, k3), k2), sub(mul(e3, e1o, k3), mul(e1, e3o, k4), k3), k2), k2
+    )
+    rho3 = mul(
+        n2, add(sub(mul(e3o, e0, k3), mul(e3, e0o, k4), k3), sub(mul(e1, e2o, k4), mul(e2, e1o, k5), k4), k3), k3
+    )
+    hvr = div(add(add(mul(v1, rho1, k4), mul(v2, rho2, k5), k4), mul(v3, rho3, k5), k4), n2, k4)
+    hv2 = div(v2, n2, k5)
+    hv3 = div(v3, n2, k6)
+    add(sub(div(rho1, n2, k7), sub(mul(hv2, rho3, k8), mul(hv3, rho2, k9), k8), k7), mul(v1, hvr, k8), o4)
+    hv1 = div(v1, n2, k7)
+    add(sub(div(rho2, n2, k8), sub(mul(hv3, rho1, k6), mul(hv1, rho3, k9), k6), k6), mul(v2, hvr, k8), o5)
+    add(sub(div(rho3, n2, k3), sub(mul(hv1, rho2, k2), mul(hv2, rho1, k1), k1), k1), mul(v3, hvr, k2), o6)
+
+
+_FROM_QUATERNION = Kernel(
+    _from_quaternion,
+    _from_quaternion_blocks,
+    (("q", (8,)),),
+    (6,),
+    registers=9,
+    masks=0,
+    numbers=(1, 2),
+    real=True,
+)
 
 
 def from_quaternion(q: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None) -> Array:
@@ -909,7 +1635,7 @@ def from_quaternion(q: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array
     TypeError
         If q is complex or branch is no integer.
     """
-    return call_branch(_from_quaternion, _turn, TURNS, branch, axis, out, q=(q, (8,)))
+    return call_branch(_FROM_QUATERNION, _TURN, TURNS, branch, axis, out, q)
 
 
 # operations 119: 40 +, 37 *, 11 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -972,6 +1698,91 @@ def _from_tensor(m: Any, R: Components) -> Result:
     )
 
 
+def _from_tensor_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, R: Rows
+) -> None:
+    Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33, D11, D12, D13, D21, D22, D23, D31, D32, D33 = R
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
+    mask1, mask2, mask3, mask4, mask5, mask6, mask7 = masks
+    n_minus_1, n0, n1, n2 = numbers
+    up = add(n1, Q11, k1)
+    total = add(Q22, Q33, k2)
+    t0 = add(up, total, k3)
+    t1 = sub(up, total, k1)
+    larger1 = m.less(t0, t1, mask1)
+    best1 = m.where(larger1, t1, t0, k2)
+    down = sub(n1, Q11, k4)
+    difference = sub(Q22, Q33, k5)
+    t2 = add(down, difference, k6)
+    t3 = sub(down, difference, k4)
+    larger2 = m.less(best1, t2, mask2)
+    best2 = m.where(larger2, t2, best1, k5)
+    larger3 = m.less(best2, t3, mask3)
+    a1 = sub(Q32, Q23, k2)
+    z10 = m.where(larger1, a1, t0, k5)
+    z11 = m.where(larger1, t1, a1, k1)
+    a2 = sub(Q13, Q31, k2)
+    z20 = m.where(larger2, a2, z10, k3)
+    a3 = sub(Q21, Q12, k5)
+    z30 = m.where(larger3, a3, z20, k7)
+    s12 = add(Q12, Q21, k3)
+    z21 = m.where(larger2, s12, z11, k8)
+    z12 = m.where(larger1, s12, a2, k1)
+    z22 = m.where(larger2, t2, z12, k2)
+    s13 = add(Q13, Q31, k1)
+    z13 = m.where(larger1, s13, a3, k3)
+    z31 = m.where(larger3, s13, z21, k1)
+    s23 = add(Q23, Q32, k5)
+    z23 = m.where(larger2, s23, z13, k6)
+    z32 = m.where(larger3, s23, z22, k3)
+    z33 = m.where(larger3, t3, z23, k2)
+    sign = m.where(
+        m.either(m.less(z30, n0, mask1), m.both(m.equal(z30, n0, mask2), m.either(m.less(z31, n0, mask3),
+        m.both(m.equal(z31, n0, mask4), m.either(m.less(z32, n0, mask5), m.both(m.equal(z32, n0, mask6), m.less(z33, n0,
+        mask7), mask6), mask5), mask4), mask3), mask2), mask1), n_minus_1, n1, k4
+    )
+    e1 = mul(sign, z31, k1)
+    e0 = mul(sign, z30, k5)
+    gain = div(n1, e0, k5)
+    v1 = mul(e1, gain, o1)
+    e2 = mul(sign, z32, k1)
+    v2 = mul(e2, gain, o2)
+    e3 = mul(sign, z33, k1)
+    v3 = mul(e3, gain, o3)
+    rho1 = div(
+        sub(add(add(mul(D31, Q21, k1), mul(D32, Q22, k2), k1), mul(D33, Q23, k2), k1), add(add(mul(D21, Q31, k2),
+        mul(D22, Q32, k3), k2), mul(D23, Q33, k3), k2), k1), n2, k1
+    )
+    rho2 = div(
+        sub(add(add(mul(D11, Q31, k2), mul(D12, Q32, k3), k2), mul(D13, Q33, k3), k2), add(add(mul(D31, Q11, k3),
+        mul(D32, Q12, k4), k3), mul(D33, Q13, k4), k3), k2), n2, k2
+    )
+    rho3 = div(
+        sub(add(add(mul(D21, Q11, k3), mul(D22, Q12, k4), k3), mul(D23, Q13, k4), k3), add(add(mul(D11, Q21, k4),
+        mul(D12, Q22, k5), k4), mul(D13, Q23, k5), k4), k3), n2, k3
+    )
+    hvr = div(add(add(mul(v1, rho1, k4), mul(v2, rho2, k5), k4), mul(v3, rho3, k5), k4), n2, k4)
+    hv2 = div(v2, n2, k5)
+    hv3 = div(v3, n2, k6)
+    add(sub(div(rho1, n2, k7), sub(mul(hv2, rho3, k8), mul(hv3, rho2, k9), k8), k7), mul(v1, hvr, k8), o4)
+    hv1 = div(v1, n2, k7)
+    add(sub(div(rho2, n2, k8), sub(mul(hv3, rho1, k6), mul(hv1, rho3, k9), k6), k6), mul(v2, hvr, k8), o5)
+    add(sub(div(rho3, n2, k3), sub(mul(hv1, rho2, k2), mul(hv2, rho1, k1), k1), k1), mul(v3, hvr, k2), o6)
+
+
+_FROM_TENSOR = Kernel(
+    _from_tensor,
+    _from_tensor_blocks,
+    (("R", (2, 3, 3)),),
+    (6,),
+    registers=9,
+    masks=7,
+    numbers=(-1, 0, 1, 2),
+    real=True,
+)
+
+
 def from_tensor(R: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Rodrigues dual vector of an orthogonal dual tensor.
 
@@ -998,7 +1809,7 @@ def from_tensor(R: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | N
     TypeError
         If R is complex or branch is no integer.
     """
-    return call_branch(_from_tensor, _turn, TURNS, branch, axis, out, R=(R, (2, 3, 3)))
+    return call_branch(_FROM_TENSOR, _TURN, TURNS, branch, axis, out, R)
 
 
 # operations 83: 25 +, 19 *, 8 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -1058,6 +1869,79 @@ def _from_pose(m: Any, T: Components) -> Result:
     )
 
 
+def _from_pose_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, T: Rows
+) -> None:
+    Q11, Q12, Q13, T14, Q21, Q22, Q23, T24, Q31, Q32, Q33, T34, _, _, _, _ = T
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
+    mask1, mask2, mask3, mask4, mask5, mask6, mask7 = masks
+    n_minus_1, n0, n1, n2 = numbers
+    up = add(n1, Q11, k1)
+    total = add(Q22, Q33, k2)
+    t0 = add(up, total, k3)
+    t1 = sub(up, total, k1)
+    larger1 = m.less(t0, t1, mask1)
+    best1 = m.where(larger1, t1, t0, k2)
+    down = sub(n1, Q11, k4)
+    difference = sub(Q22, Q33, k5)
+    t2 = add(down, difference, k6)
+    t3 = sub(down, difference, k4)
+    larger2 = m.less(best1, t2, mask2)
+    best2 = m.where(larger2, t2, best1, k5)
+    larger3 = m.less(best2, t3, mask3)
+    a1 = sub(Q32, Q23, k2)
+    z10 = m.where(larger1, a1, t0, k5)
+    z11 = m.where(larger1, t1, a1, k1)
+    a2 = sub(Q13, Q31, k2)
+    z20 = m.where(larger2, a2, z10, k3)
+    a3 = sub(Q21, Q12, k5)
+    z30 = m.where(larger3, a3, z20, k7)
+    s12 = add(Q12, Q21, k3)
+    z21 = m.where(larger2, s12, z11, k8)
+    z12 = m.where(larger1, s12, a2, k1)
+    z22 = m.where(larger2, t2, z12, k2)
+    s13 = add(Q13, Q31, k1)
+    z13 = m.where(larger1, s13, a3, k3)
+    z31 = m.where(larger3, s13, z21, k1)
+    s23 = add(Q23, Q32, k5)
+    z23 = m.where(larger2, s23, z13, k6)
+    z32 = m.where(larger3, s23, z22, k3)
+    z33 = m.where(larger3, t3, z23, k2)
+    sign = m.where(
+        m.either(m.less(z30, n0, mask1), m.both(m.equal(z30, n0, mask2), m.either(m.less(z31, n0, mask3),
+        m.both(m.equal(z31, n0, mask4), m.either(m.less(z32, n0, mask5), m.both(m.equal(z32, n0, mask6), m.less(z33, n0,
+        mask7), mask6), mask5), mask4), mask3), mask2), mask1), n_minus_1, n1, k4
+    )
+    e1 = mul(sign, z31, k1)
+    e0 = mul(sign, z30, k5)
+    gain = div(n1, e0, k5)
+    v1 = mul(e1, gain, o1)
+    e2 = mul(sign, z32, k1)
+    v2 = mul(e2, gain, o2)
+    e3 = mul(sign, z33, k1)
+    v3 = mul(e3, gain, o3)
+    hvr = div(add(add(mul(v1, T14, k1), mul(v2, T24, k2), k1), mul(v3, T34, k2), k1), n2, k1)
+    hv2 = div(v2, n2, k2)
+    hv3 = div(v3, n2, k3)
+    add(sub(div(T14, n2, k4), sub(mul(hv2, T34, k5), mul(hv3, T24, k6), k5), k4), mul(v1, hvr, k5), o4)
+    hv1 = div(v1, n2, k4)
+    add(sub(div(T24, n2, k5), sub(mul(hv3, T14, k3), mul(hv1, T34, k6), k3), k3), mul(v2, hvr, k5), o5)
+    add(sub(div(T34, n2, k3), sub(mul(hv1, T24, k4), mul(hv2, T14, k2), k2), k2), mul(v3, hvr, k1), o6)
+
+
+_FROM_POSE = Kernel(
+    _from_pose,
+    _from_pose_blocks,
+    (("T", (4, 4)),),
+    (6,),
+    registers=8,
+    masks=7,
+    numbers=(-1, 0, 1, 2),
+    real=True,
+)
+
+
 def from_pose(T: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Rodrigues dual vector of a homogeneous matrix.
 
@@ -1084,7 +1968,7 @@ def from_pose(T: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | Non
     TypeError
         If T is complex or branch is no integer.
     """
-    return call_branch(_from_pose, _turn, TURNS, branch, axis, out, T=(T, (4, 4)))
+    return call_branch(_FROM_POSE, _TURN, TURNS, branch, axis, out, T)
 
 
 # operations 18: 4 +, 11 *, 2 /, 1 tan
@@ -1094,6 +1978,36 @@ def _from_screw(m: Any, angle: Components, axis: Components) -> Result:
     r = m.tan(alpha / 2)
     ro = d * (1 + r * r) / 2
     return (u1 * r, u2 * r, u3 * r, u1o * r + u1 * ro, u2o * r + u2 * ro, u3o * r + u3 * ro)
+
+
+def _from_screw_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, angle: Rows, axis: Rows
+) -> None:
+    alpha, d = angle
+    u1, u2, u3, u1o, u2o, u3o = axis
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4 = scratch
+    n1, n2 = numbers
+    r = tan(div(alpha, n2, k1), k1)
+    mul(u1, r, o1)
+    mul(u2, r, o2)
+    mul(u3, r, o3)
+    ro = div(mul(d, add(n1, mul(r, r, k2), k2), k2), n2, k2)
+    add(mul(u1o, r, k3), mul(u1, ro, k4), o4)
+    add(mul(u2o, r, k3), mul(u2, ro, k4), o5)
+    add(mul(u3o, r, k1), mul(u3, ro, k2), o6)
+
+
+_FROM_SCREW = Kernel(
+    _from_screw,
+    _from_screw_blocks,
+    (("angle", (2,)), ("line", (6,)),),
+    (6,),
+    registers=4,
+    masks=0,
+    numbers=(1, 2),
+    real=True,
+)
 
 
 def from_screw(angle: ArrayLike, line: ArrayLike, /, *, axis: int = -1, out: Array | None = None) -> Array:
@@ -1115,10 +2029,10 @@ def from_screw(angle: ArrayLike, line: ArrayLike, /, *, axis: int = -1, out: Arr
     ndarray, shape (..., 6)
         Pole at the angle 1 π.
     """
-    return call(_from_screw, (6,), axis, out, real=True, angle=(angle, (2,)), line=(line, (6,)))
+    return call(_FROM_SCREW, axis, out, angle, line)
 
 
-# operations 43: 10 +, 14 *, 7 /, 2 sqrt, 1 atan2, 1 eq, 8 where
+# operations 43: 10 +, 14 *, 7 /, 1 sqrt, 1 atan2, 1 eq, 9 where
 def _to_screw(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -1126,8 +2040,8 @@ def _to_screw(m: Any, v: Components) -> Result:
     v33 = v3 * v3
     x = v11 + v22 + v33
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1137,6 +2051,45 @@ def _to_screw(m: Any, v: Components) -> Result:
     uo3 = m.where(still, 0, v3o - u3 * ro) / length
     k = 1 + x
     return (2 * m.atan2(r, 1), 2 * ro / k, u1, u2, u3, uo1, uo2, uo3)
+
+
+def _to_screw_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    o1, o2, o3, o4, o5, o6, o7, o8 = out
+    k1, k2, k3, k4 = scratch
+    mask1, = masks
+    n0, n1, n2 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    still = m.equal(x, n0, mask1)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
+    u1 = div(m.where(still, v1o, v1, k3), length, o3)
+    u2 = div(m.where(still, v2o, v2, k3), length, o4)
+    u3 = div(m.where(still, v3o, v3, k3), length, o5)
+    r = m.where(still, x, length, k3)
+    mul(n2, atan2(r, n1, k3), o1)
+    k = add(n1, x, k1)
+    ro = m.where(still, length, add(add(mul(u1, v1o, k3), mul(u2, v2o, k4), k3), mul(u3, v3o, k4), k3), k4)
+    div(mul(n2, ro, k3), k, o2)
+    div(m.where(still, n0, sub(v1o, mul(u1, ro, k1), k1), k3), length, o6)
+    div(m.where(still, n0, sub(v2o, mul(u2, ro, k1), k1), k3), length, o7)
+    div(m.where(still, n0, sub(v3o, mul(u3, ro, k1), k1), k3), length, o8)
+
+
+_TO_SCREW = Kernel(
+    _to_screw,
+    _to_screw_blocks,
+    (("v", (6,)),),
+    (8,),
+    registers=4,
+    masks=1,
+    numbers=(0, 1, 2),
+    real=True,
+)
 
 
 def to_screw(v: ArrayLike, *, axis: int = -1) -> tuple[Array, Array]:
@@ -1162,11 +2115,11 @@ def to_screw(v: ArrayLike, *, axis: int = -1) -> tuple[Array, Array]:
     TypeError
         If v is complex.
     """
-    screw = call(_to_screw, (8,), axis, None, real=True, v=(v, (6,)))
+    screw = call(_TO_SCREW, axis, None, v)
     return (screw[:2], screw[2:]) if axis == 0 else (screw[..., :2], screw[..., 2:])
 
 
-# operations 135: 56 +, 69 *, 10 /
+# operations 139: 56 +, 71 *, 12 /
 def _compose(m: Any, b: Components, a: Components) -> Result:
     b1, b2, b3, b1o, b2o, b3o = b
     a1, a2, a3, a1o, a2o, a3o = a
@@ -1183,7 +2136,7 @@ def _compose(m: Any, b: Components, a: Components) -> Result:
     z2 = a2 + b2 + (b3 * a1 - b1 * a3)
     z3 = a3 + b3 + (b1 * a2 - b2 * a1)
     Na = 1 + xa
-    sa = 2 / Na
+    sa = 2 * (Na / Na / Na)
     gva1 = a1 * sa
     gva2 = a2 * sa
     gva3 = a3 * sa
@@ -1194,7 +2147,7 @@ def _compose(m: Any, b: Components, a: Components) -> Result:
     v_rho2 = b3 * rhoa1 - b1 * rhoa3
     v_rho3 = b1 * rhoa2 - b2 * rhoa1
     Nb = 1 + xb
-    sb = 2 / Nb
+    sb = 2 * (Nb / Nb / Nb)
     gv_rho1 = v_rho1 * sb
     gv_rho2 = v_rho2 * sb
     gv_rho3 = v_rho3 * sb
@@ -1222,6 +2175,82 @@ def _compose(m: Any, b: Components, a: Components) -> Result:
     )
 
 
+def _compose_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, b: Rows, a: Rows
+) -> None:
+    b1, b2, b3, b1o, b2o, b3o = b
+    a1, a2, a3, a1o, a2o, a3o = a
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12 = scratch
+    n1, n2 = numbers
+    z1 = add(add(a1, b1, k1), sub(mul(b2, a3, k2), mul(b3, a2, k3), k2), k1)
+    z0 = sub(n1, add(add(mul(b1, a1, k2), mul(b2, a2, k3), k2), mul(b3, a3, k3), k2), k2)
+    gain = div(n1, z0, k2)
+    v1 = mul(z1, gain, o1)
+    z2 = add(add(a2, b2, k1), sub(mul(b3, a1, k3), mul(b1, a3, k4), k3), k1)
+    v2 = mul(z2, gain, o2)
+    z3 = add(add(a3, b3, k1), sub(mul(b1, a2, k3), mul(b2, a1, k4), k3), k1)
+    v3 = mul(z3, gain, o3)
+    v11a = mul(a1, a1, k1)
+    v22a = mul(a2, a2, k2)
+    v33a = mul(a3, a3, k3)
+    xa = add(add(v11a, v22a, k1), v33a, k1)
+    Na = add(n1, xa, k1)
+    sa = mul(n2, div(div(Na, Na, k2), Na, k1), k1)
+    gva1 = mul(a1, sa, k2)
+    gva2 = mul(a2, sa, k3)
+    rhoa3 = add(mul(a3o, sa, k4), sub(mul(gva1, a2o, k5), mul(gva2, a1o, k6), k5), k4)
+    gva3 = mul(a3, sa, k5)
+    rhoa2 = add(mul(a2o, sa, k6), sub(mul(gva3, a1o, k7), mul(gva1, a3o, k2), k2), k2)
+    rhoa1 = add(mul(a1o, sa, k1), sub(mul(gva2, a3o, k3), mul(gva3, a2o, k5), k3), k1)
+    v_rho1 = sub(mul(b2, rhoa3, k3), mul(b3, rhoa2, k5), k3)
+    v11b = mul(b1, b1, k5)
+    v22b = mul(b2, b2, k6)
+    v33b = mul(b3, b3, k7)
+    xb = add(add(v11b, v22b, k5), v33b, k5)
+    Nb = add(n1, xb, k5)
+    sb = mul(n2, div(div(Nb, Nb, k6), Nb, k5), k5)
+    gv_rho1 = mul(v_rho1, sb, k3)
+    v_rho3 = sub(mul(b1, rhoa2, k6), mul(b2, rhoa1, k7), k6)
+    gv_rho3 = mul(v_rho3, sb, k6)
+    v_rho2 = sub(mul(b3, rhoa1, k7), mul(b1, rhoa3, k8), k7)
+    gv_rho2 = mul(v_rho2, sb, k7)
+    gvb2 = mul(b2, sb, k8)
+    gvb3 = mul(b3, sb, k9)
+    rho1 = add(
+        add(rhoa1, add(gv_rho1, sub(mul(b2, gv_rho3, k10), mul(b3, gv_rho2, k11), k10), k10), k1), add(mul(b1o, sb,
+        k10), sub(mul(gvb2, b3o, k11), mul(gvb3, b2o, k12), k11), k10), k1
+    )
+    gvb1 = mul(b1, sb, k10)
+    rho2 = add(
+        add(rhoa2, add(gv_rho2, sub(mul(b3, gv_rho1, k11), mul(b1, gv_rho3, k12), k11), k11), k2), add(mul(b2o, sb,
+        k11), sub(mul(gvb3, b1o, k9), mul(gvb1, b3o, k12), k9), k9), k2
+    )
+    rho3 = add(
+        add(rhoa3, add(gv_rho3, sub(mul(b1, gv_rho2, k7), mul(b2, gv_rho1, k3), k3), k3), k3), add(mul(b3o, sb, k4),
+        sub(mul(gvb1, b2o, k5), mul(gvb2, b1o, k6), k5), k4), k3
+    )
+    hvr = div(add(add(mul(v1, rho1, k4), mul(v2, rho2, k5), k4), mul(v3, rho3, k5), k4), n2, k4)
+    hv2 = div(v2, n2, k5)
+    hv3 = div(v3, n2, k6)
+    add(sub(div(rho1, n2, k7), sub(mul(hv2, rho3, k8), mul(hv3, rho2, k9), k8), k7), mul(v1, hvr, k8), o4)
+    hv1 = div(v1, n2, k7)
+    add(sub(div(rho2, n2, k8), sub(mul(hv3, rho1, k6), mul(hv1, rho3, k9), k6), k6), mul(v2, hvr, k8), o5)
+    add(sub(div(rho3, n2, k3), sub(mul(hv1, rho2, k2), mul(hv2, rho1, k1), k1), k1), mul(v3, hvr, k2), o6)
+
+
+_COMPOSE = Kernel(
+    _compose,
+    _compose_blocks,
+    (("v2", (6,)), ("v1", (6,)),),
+    (6,),
+    registers=12,
+    masks=0,
+    numbers=(1, 2),
+    real=True,
+)
+
+
 def compose(v2: ArrayLike, v1: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Principal v of ``R(v2) R(v1)``: v1 acts first, CP23 (45), (58).
 
@@ -1245,4 +2274,4 @@ def compose(v2: ArrayLike, v1: ArrayLike, *, axis: int = -1, out: Array | None =
     TypeError
         If an argument is complex.
     """
-    return call(_compose, (6,), axis, out, real=True, v2=(v2, (6,)), v1=(v1, (6,)))
+    return call(_COMPOSE, axis, out, v2, v1)

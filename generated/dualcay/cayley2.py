@@ -52,31 +52,33 @@
 #   [n = 2] dcay dcay^-1 = I for the tangent_inv formula
 #
 # Operations:
-#   quaternion: 31: 9 +, 19 *, 2 /, 1 neg
-#   tensor: 90: 35 +, 54 *, 1 /
-#   pose: 63: 26 +, 36 *, 1 /
-#   transform_point: 76: 30 +, 45 *, 1 /
-#   transform_line: 115: 45 +, 69 *, 1 /
-#   tangent: 81: 35 +, 42 *, 3 /, 1 neg
+#   quaternion: 32: 9 +, 19 *, 3 /, 1 neg
+#   tensor: 92: 35 +, 55 *, 2 /
+#   pose: 65: 26 +, 37 *, 2 /
+#   transform_point: 78: 30 +, 46 *, 2 /
+#   transform_line: 117: 45 +, 70 *, 2 /
+#   tangent: 83: 35 +, 43 *, 4 /, 1 neg
 #   tangent_inv: 69: 29 +, 25 *, 14 /, 1 neg
-#   twist: 125: 49 +, 72 *, 3 /, 1 neg
+#   twist: 127: 49 +, 73 *, 4 /, 1 neg
 #   rate: 105: 42 +, 52 *, 10 /, 1 neg
-#   body_twist: 125: 49 +, 72 *, 3 /, 1 neg
+#   body_twist: 127: 49 +, 73 *, 4 /, 1 neg
 #   body_rate: 105: 42 +, 52 *, 10 /, 1 neg
 #   from_quaternion: 70: 24 +, 36 *, 6 /, 1 neg, 1 lt, 2 where
-#   from_tensor: 139: 47 +, 47 *, 9 /, 1 neg, 1 sqrt, 8 lt, 3 eq, 3 and, 3 or, 17 where
-#   from_pose: 103: 32 +, 29 *, 6 /, 1 neg, 1 sqrt, 8 lt, 3 eq, 3 and, 3 or, 17 where
+#   from_tensor: 135: 47 +, 47 *, 9 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_pose: 99: 32 +, 29 *, 6 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
-#   to_screw: 58: 11 +, 22 *, 7 /, 1 neg, 2 sqrt, 1 atan2, 2 lt, 1 eq, 11 where
-#   turn: 58: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 8 where
-#   shadow: 64: 15 +, 27 *, 7 /, 2 sqrt, 2 lt, 1 eq, 10 where
-#   compose: 202: 74 +, 116 *, 8 /, 1 neg, 1 lt, 2 where
+#   to_screw: 58: 11 +, 22 *, 7 /, 1 neg, 1 sqrt, 1 atan2, 2 lt, 1 eq, 12 where
+#   turn: 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
+#   shadow: 64: 15 +, 27 *, 7 /, 1 sqrt, 2 lt, 1 eq, 11 where
+#   principal: 52: 13 +, 23 *, 7 /, 1 sqrt, 1 lt, 7 where
+#   compose: 206: 74 +, 118 *, 10 /, 1 neg, 1 lt, 2 where
 """Cayley map of order 2: Rodrigues dual vectors ``v = tan(α/4) u`` of rigid displacements.
 
 α is the dual angle (rotation angle, translation along the axis) and u the unit dual vector of the screw axis. Arrays
 hold the real part first: v and twists (..., 6), dual quaternions (..., 8) scalar first in each half, dual tensors
 (..., 2, 3, 3). All functions broadcast over leading axes, keep float32, float64 and longdouble (and complex types where
 no branch is selected), and take ``axis=0`` for components first. NaN in gives NaN out, element by element.
+Forward maps are NaN where (1 + x)^2 overflows: beyond Re|v| = 1e+77 in float64, 4e+09 in float32.
 """
 
 from __future__ import annotations
@@ -86,7 +88,8 @@ from typing import Any
 
 from numpy.typing import ArrayLike
 
-from ._runtime import Array, Components, Result, call, call_branch, nearest, shifted
+from ._kernel import Array, Components, Kernel, Result, Rows, add, atan2, copy, div, mul, neg, sqrt, sub, tan
+from ._runtime import call, call_branch, shifted
 
 __all__ = [
     "body_rate",
@@ -121,15 +124,15 @@ TURNS = (
     ("0.0", "1.0"),
 )
 
-# |v| halfway between branches, tan((2 j + 1) pi/4)
-LIMITS: tuple[str, ...] = (
-    "1.0",
+# the |v|² halfway between branches, tan((2 j - 1) pi/4)², then cosine and sine of the way back from beyond it
+RETURNS: tuple[str, ...] = (
+    "1.0", "0.0", "-1.0",
 )
 
 # --- forward maps -----------------------------------------------------------------------------------------------
 
 
-# operations 31: 9 +, 19 *, 2 /, 1 neg
+# operations 32: 9 +, 19 *, 3 /, 1 neg
 def _quaternion(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -137,7 +140,7 @@ def _quaternion(m: Any, v: Components) -> Result:
     v33 = v3 * v3
     x = v11 + v22 + v33
     root = 1 + x
-    sr = 1 / root
+    sr = root / root / root
     p = 1 - x
     sc = p * sr
     w = 2 * sr
@@ -145,6 +148,44 @@ def _quaternion(m: Any, v: Components) -> Result:
     y = v1 * v1o + v2 * v2o + v3 * v3o
     sco = -(w * (e * y))
     return (sc, v1 * w, v2 * w, v3 * w, sco, v1o * w + v1 * sco, v2o * w + v2 * sco, v3o * w + v3 * sco)
+
+
+def _quaternion_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    o1, o2, o3, o4, o5, o6, o7, o8 = out
+    k1, k2, k3, k4 = scratch
+    n1, n2 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    root = add(n1, x, k2)
+    p = sub(n1, x, k1)
+    sr = div(div(root, root, k3), root, k3)
+    mul(p, sr, o1)
+    w = mul(n2, sr, k1)
+    mul(v1, w, o2)
+    mul(v2, w, o3)
+    mul(v3, w, o4)
+    e = div(n2, root, k2)
+    y = add(add(mul(v1, v1o, k3), mul(v2, v2o, k4), k3), mul(v3, v3o, k4), k3)
+    sco = neg(mul(w, mul(e, y, k2), k2), o5)
+    add(mul(v1o, w, k2), mul(v1, sco, k3), o6)
+    add(mul(v2o, w, k2), mul(v2, sco, k3), o7)
+    add(mul(v3o, w, k1), mul(v3, sco, k2), o8)
+
+
+_QUATERNION = Kernel(
+    _quaternion,
+    _quaternion_blocks,
+    (("v", (6,)),),
+    (8,),
+    registers=4,
+    masks=0,
+    numbers=(1, 2),
+)
 
 
 def quaternion(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
@@ -169,10 +210,10 @@ def quaternion(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Arr
         Real part (scalar first), then dual part. Defined for every v. The scalar part is >= 0 for Re α <= π; on shadows
         the sign is that of the closed form.
     """
-    return call(_quaternion, (8,), axis, out, v=(v, (6,)))
+    return call(_QUATERNION, axis, out, v)
 
 
-# operations 90: 35 +, 54 *, 1 /
+# operations 92: 35 +, 55 *, 2 /
 def _tensor(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -184,7 +225,7 @@ def _tensor(m: Any, v: Components) -> Result:
     x = x12 + v33
     p = 1 - x
     N = p * p + 4 * x
-    s = 2 / N
+    s = 2 * (N / N / N)
     f = 2 * p * s
     fv1 = v1 * f
     fv2 = v2 * f
@@ -232,6 +273,70 @@ def _tensor(m: Any, v: Components) -> Result:
     )
 
 
+def _tensor_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
+    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
+    n1, n2, n4 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    x12 = add(v11, v22, k3)
+    v33 = mul(v3, v3, k4)
+    x23 = add(v22, v33, k2)
+    x13 = add(v11, v33, k1)
+    x = add(x12, v33, k4)
+    p = sub(n1, x, k5)
+    N = add(mul(p, p, k6), mul(n4, x, k4), k4)
+    s = mul(n2, div(div(N, N, k6), N, k4), k4)
+    f = mul(mul(n2, p, k5), s, k5)
+    g = mul(n4, s, k4)
+    Q11 = sub(n1, mul(g, x23, k2), o1)
+    Q22 = sub(n1, mul(g, x13, k1), o5)
+    Q33 = sub(n1, mul(g, x12, k1), o9)
+    gv1 = mul(v1, g, k1)
+    gvv1 = mul(gv1, v2, k2)
+    fv3 = mul(v3, f, k3)
+    Q12 = sub(gvv1, fv3, o2)
+    Q21 = add(gvv1, fv3, o4)
+    gvv2 = mul(gv1, v3, k2)
+    fv2 = mul(v2, f, k3)
+    Q13 = add(gvv2, fv2, o3)
+    Q31 = sub(gvv2, fv2, o7)
+    gv2 = mul(v2, g, k2)
+    gvv3 = mul(gv2, v3, k3)
+    fv1 = mul(v1, f, k6)
+    Q23 = sub(gvv3, fv1, o6)
+    Q32 = add(gvv3, fv1, o8)
+    gv3 = mul(v3, g, k3)
+    y = add(add(mul(v1, v1o, k6), mul(v2, v2o, k7), k6), mul(v3, v3o, k7), k6)
+    hy = mul(g, y, k4)
+    rho2 = add(add(mul(v2o, f, k6), sub(mul(gv3, v1o, k7), mul(gv1, v3o, k8), k7), k6), mul(v2, hy, k7), k6)
+    rho3 = add(add(mul(v3o, f, k7), sub(mul(gv1, v2o, k1), mul(gv2, v1o, k8), k1), k1), mul(v3, hy, k7), k1)
+    rho1 = add(add(mul(v1o, f, k5), sub(mul(gv2, v3o, k2), mul(gv3, v2o, k3), k2), k2), mul(v1, hy, k3), k2)
+    sub(mul(Q31, rho2, k3), mul(Q21, rho3, k4), o10)
+    sub(mul(Q32, rho2, k3), mul(Q22, rho3, k4), o11)
+    sub(mul(Q33, rho2, k3), mul(Q23, rho3, k4), o12)
+    sub(mul(Q11, rho3, k3), mul(Q31, rho1, k4), o13)
+    sub(mul(Q12, rho3, k3), mul(Q32, rho1, k4), o14)
+    sub(mul(Q13, rho3, k1), mul(Q33, rho1, k3), o15)
+    sub(mul(Q21, rho1, k1), mul(Q11, rho2, k3), o16)
+    sub(mul(Q22, rho1, k1), mul(Q12, rho2, k3), o17)
+    sub(mul(Q23, rho1, k1), mul(Q13, rho2, k2), o18)
+
+
+_TENSOR = Kernel(
+    _tensor,
+    _tensor_blocks,
+    (("v", (6,)),),
+    (2, 3, 3),
+    registers=8,
+    masks=0,
+    numbers=(1, 2, 4),
+)
+
+
 def tensor(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Orthogonal dual tensor of a displacement, CP23 (57), (103).
 
@@ -253,10 +358,10 @@ def tensor(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     ndarray, shape (..., 2, 3, 3)
         R = (I + ε skew(ρ)) Q: the rotation Q from body to space axes, then skew(ρ) Q. Defined for every v.
     """
-    return call(_tensor, (2, 3, 3), axis, out, v=(v, (6,)))
+    return call(_TENSOR, axis, out, v)
 
 
-# operations 63: 26 +, 36 *, 1 /
+# operations 65: 26 +, 37 *, 2 /
 def _pose(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -268,7 +373,7 @@ def _pose(m: Any, v: Components) -> Result:
     x = x12 + v33
     p = 1 - x
     N = p * p + 4 * x
-    s = 2 / N
+    s = 2 * (N / N / N)
     f = 2 * p * s
     fv1 = v1 * f
     fv2 = v2 * f
@@ -302,6 +407,65 @@ def _pose(m: Any, v: Components) -> Result:
     )
 
 
+def _pose_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16 = out
+    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
+    n0, n1, n2, n4 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    x12 = add(v11, v22, k3)
+    v33 = mul(v3, v3, k4)
+    x23 = add(v22, v33, k2)
+    x13 = add(v11, v33, k1)
+    x = add(x12, v33, k4)
+    p = sub(n1, x, k5)
+    N = add(mul(p, p, k6), mul(n4, x, k4), k4)
+    s = mul(n2, div(div(N, N, k6), N, k4), k4)
+    f = mul(mul(n2, p, k5), s, k5)
+    g = mul(n4, s, k4)
+    sub(n1, mul(g, x23, k2), o1)
+    sub(n1, mul(g, x13, k1), o6)
+    sub(n1, mul(g, x12, k1), o11)
+    gv1 = mul(v1, g, k1)
+    gvv1 = mul(gv1, v2, k2)
+    fv3 = mul(v3, f, k3)
+    sub(gvv1, fv3, o2)
+    add(gvv1, fv3, o5)
+    gvv2 = mul(gv1, v3, k2)
+    fv2 = mul(v2, f, k3)
+    add(gvv2, fv2, o3)
+    sub(gvv2, fv2, o9)
+    gv2 = mul(v2, g, k2)
+    gv3 = mul(v3, g, k3)
+    y = add(add(mul(v1, v1o, k6), mul(v2, v2o, k7), k6), mul(v3, v3o, k7), k6)
+    hy = mul(g, y, k4)
+    add(add(mul(v1o, f, k6), sub(mul(gv2, v3o, k7), mul(gv3, v2o, k8), k7), k6), mul(v1, hy, k7), o4)
+    add(add(mul(v2o, f, k6), sub(mul(gv3, v1o, k3), mul(gv1, v3o, k7), k3), k3), mul(v2, hy, k6), o8)
+    add(add(mul(v3o, f, k3), sub(mul(gv1, v2o, k1), mul(gv2, v1o, k6), k1), k1), mul(v3, hy, k3), o12)
+    gvv3 = mul(gv2, v3, k1)
+    fv1 = mul(v1, f, k2)
+    sub(gvv3, fv1, o7)
+    add(gvv3, fv1, o10)
+    copy(n0, o13)
+    copy(n0, o14)
+    copy(n0, o15)
+    copy(n1, o16)
+
+
+_POSE = Kernel(
+    _pose,
+    _pose_blocks,
+    (("v", (6,)),),
+    (4, 4),
+    registers=8,
+    masks=0,
+    numbers=(0, 1, 2, 4),
+)
+
+
 def pose(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Homogeneous matrix of a displacement, CP23 (16) of (57), (103).
 
@@ -322,10 +486,10 @@ def pose(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     ndarray, shape (..., 4, 4)
         [[Q, ρ], [0, 1]], from body to space. Defined for every v.
     """
-    return call(_pose, (4, 4), axis, out, v=(v, (6,)))
+    return call(_POSE, axis, out, v)
 
 
-# operations 76: 30 +, 45 *, 1 /
+# operations 78: 30 +, 46 *, 2 /
 def _transform_point(m: Any, v: Components, r: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     r1, r2, r3 = r
@@ -338,7 +502,7 @@ def _transform_point(m: Any, v: Components, r: Components) -> Result:
     x = v11 + v22 + v33
     p = 1 - x
     N = p * p + 4 * x
-    s = 2 / N
+    s = 2 * (N / N / N)
     g = 4 * s
     gv_r1 = v_r1 * g
     gv_r2 = v_r2 * g
@@ -354,6 +518,59 @@ def _transform_point(m: Any, v: Components, r: Components) -> Result:
         r2 + (v_r2 * f + (v3 * gv_r1 - v1 * gv_r3)) + (v2o * f + (gv3 * v1o - gv1 * v3o) + v2 * hy),
         r3 + (v_r3 * f + (v1 * gv_r2 - v2 * gv_r1)) + (v3o * f + (gv1 * v2o - gv2 * v1o) + v3 * hy),
     )
+
+
+def _transform_point_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, r: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    r1, r2, r3 = r
+    o1, o2, o3 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14 = scratch
+    n1, n2, n4 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    p = sub(n1, x, k2)
+    N = add(mul(p, p, k3), mul(n4, x, k1), k1)
+    s = mul(n2, div(div(N, N, k3), N, k1), k1)
+    f = mul(mul(n2, p, k2), s, k2)
+    g = mul(n4, s, k1)
+    v_r3 = sub(mul(v1, r2, k3), mul(v2, r1, k4), k3)
+    gv_r3 = mul(v_r3, g, k4)
+    v_r2 = sub(mul(v3, r1, k5), mul(v1, r3, k6), k5)
+    gv_r2 = mul(v_r2, g, k6)
+    gv2 = mul(v2, g, k7)
+    gv3 = mul(v3, g, k8)
+    y = add(add(mul(v1, v1o, k9), mul(v2, v2o, k10), k9), mul(v3, v3o, k10), k9)
+    hy = mul(g, y, k9)
+    v_r1 = sub(mul(v2, r3, k10), mul(v3, r2, k11), k10)
+    add(
+        add(r1, add(mul(v_r1, f, k11), sub(mul(v2, gv_r3, k12), mul(v3, gv_r2, k13), k12), k11), k11), add(add(mul(v1o,
+        f, k12), sub(mul(gv2, v3o, k13), mul(gv3, v2o, k14), k13), k12), mul(v1, hy, k13), k12), o1
+    )
+    gv_r1 = mul(v_r1, g, k10)
+    gv1 = mul(v1, g, k1)
+    add(
+        add(r2, add(mul(v_r2, f, k5), sub(mul(v3, gv_r1, k11), mul(v1, gv_r3, k4), k4), k4), k4), add(add(mul(v2o, f,
+        k5), sub(mul(gv3, v1o, k8), mul(gv1, v3o, k11), k8), k5), mul(v2, hy, k8), k5), o2
+    )
+    add(
+        add(r3, add(mul(v_r3, f, k3), sub(mul(v1, gv_r2, k4), mul(v2, gv_r1, k5), k4), k3), k3), add(add(mul(v3o, f,
+        k2), sub(mul(gv1, v2o, k1), mul(gv2, v1o, k4), k1), k1), mul(v3, hy, k2), k1), o3
+    )
+
+
+_TRANSFORM_POINT = Kernel(
+    _transform_point,
+    _transform_point_blocks,
+    (("v", (6,)), ("r", (3,)),),
+    (3,),
+    registers=14,
+    masks=0,
+    numbers=(1, 2, 4),
+)
 
 
 def transform_point(v: ArrayLike, r: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
@@ -375,10 +592,10 @@ def transform_point(v: ArrayLike, r: ArrayLike, *, axis: int = -1, out: Array | 
     ndarray, shape (..., 3)
         Defined for every v.
     """
-    return call(_transform_point, (3,), axis, out, v=(v, (6,)), r=(r, (3,)))
+    return call(_TRANSFORM_POINT, axis, out, v, r)
 
 
-# operations 115: 45 +, 69 *, 1 /
+# operations 117: 45 +, 70 *, 2 /
 def _transform_line(m: Any, v: Components, line: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     l1, l2, l3, m1, m2, m3 = line
@@ -391,7 +608,7 @@ def _transform_line(m: Any, v: Components, line: Components) -> Result:
     x = v11 + v22 + v33
     p = 1 - x
     N = p * p + 4 * x
-    s = 2 / N
+    s = 2 * (N / N / N)
     g = 4 * s
     gv_l1 = v_l1 * g
     gv_l2 = v_l2 * g
@@ -424,6 +641,71 @@ def _transform_line(m: Any, v: Components, line: Components) -> Result:
     )
 
 
+def _transform_line_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, line: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    l1, l2, l3, m1, m2, m3 = line
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13 = scratch
+    n1, n2, n4 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    p = sub(n1, x, k2)
+    N = add(mul(p, p, k3), mul(n4, x, k1), k1)
+    s = mul(n2, div(div(N, N, k3), N, k1), k1)
+    f = mul(mul(n2, p, k2), s, k2)
+    g = mul(n4, s, k1)
+    v_l3 = sub(mul(v1, l2, k3), mul(v2, l1, k4), k3)
+    gv_l3 = mul(v_l3, g, k4)
+    v_l2 = sub(mul(v3, l1, k5), mul(v1, l3, k6), k5)
+    gv_l2 = mul(v_l2, g, k6)
+    v_l1 = sub(mul(v2, l3, k7), mul(v3, l2, k8), k7)
+    Ql1 = add(l1, add(mul(v_l1, f, k8), sub(mul(v2, gv_l3, k9), mul(v3, gv_l2, k10), k9), k8), o1)
+    gv_l1 = mul(v_l1, g, k7)
+    Ql2 = add(l2, add(mul(v_l2, f, k5), sub(mul(v3, gv_l1, k8), mul(v1, gv_l3, k4), k4), k4), o2)
+    Ql3 = add(l3, add(mul(v_l3, f, k3), sub(mul(v1, gv_l2, k4), mul(v2, gv_l1, k5), k4), k3), o3)
+    gv3 = mul(v3, g, k3)
+    gv1 = mul(v1, g, k4)
+    y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k6), k5), mul(v3, v3o, k6), k5)
+    hy = mul(g, y, k5)
+    rho2 = add(add(mul(v2o, f, k6), sub(mul(gv3, v1o, k7), mul(gv1, v3o, k8), k7), k6), mul(v2, hy, k7), k6)
+    gv2 = mul(v2, g, k7)
+    rho3 = add(add(mul(v3o, f, k8), sub(mul(gv1, v2o, k4), mul(gv2, v1o, k9), k4), k4), mul(v3, hy, k8), k4)
+    rho1 = add(add(mul(v1o, f, k8), sub(mul(gv2, v3o, k7), mul(gv3, v2o, k3), k3), k3), mul(v1, hy, k5), k3)
+    v_m3 = sub(mul(v1, m2, k5), mul(v2, m1, k7), k5)
+    gv_m3 = mul(v_m3, g, k7)
+    v_m2 = sub(mul(v3, m1, k8), mul(v1, m3, k9), k8)
+    gv_m2 = mul(v_m2, g, k9)
+    v_m1 = sub(mul(v2, m3, k10), mul(v3, m2, k11), k10)
+    add(
+        add(m1, add(mul(v_m1, f, k11), sub(mul(v2, gv_m3, k12), mul(v3, gv_m2, k13), k12), k11), k11), sub(mul(rho2,
+        Ql3, k12), mul(rho3, Ql2, k13), k12), o4
+    )
+    gv_m1 = mul(v_m1, g, k1)
+    add(
+        add(m2, add(mul(v_m2, f, k8), sub(mul(v3, gv_m1, k10), mul(v1, gv_m3, k7), k7), k7), k7), sub(mul(rho3, Ql1,
+        k4), mul(rho1, Ql3, k8), k4), o5
+    )
+    add(
+        add(m3, add(mul(v_m3, f, k2), sub(mul(v1, gv_m2, k4), mul(v2, gv_m1, k1), k1), k1), k1), sub(mul(rho1, Ql2, k2),
+        mul(rho2, Ql1, k3), k2), o6
+    )
+
+
+_TRANSFORM_LINE = Kernel(
+    _transform_line,
+    _transform_line_blocks,
+    (("v", (6,)), ("line", (6,)),),
+    (6,),
+    registers=13,
+    masks=0,
+    numbers=(1, 2, 4),
+)
+
+
 def transform_line(v: ArrayLike, line: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Line (or any motor) moved by a displacement, ``R l``, CP23 (66).
 
@@ -443,7 +725,7 @@ def transform_line(v: ArrayLike, line: ArrayLike, *, axis: int = -1, out: Array 
     ndarray, shape (..., 6)
         Direction, then moment. Defined for every v.
     """
-    return call(_transform_line, (6,), axis, out, v=(v, (6,)), line=(line, (6,)))
+    return call(_TRANSFORM_LINE, axis, out, v, line)
 
 
 # --- kinematics -------------------------------------------------------------------------------------------------
@@ -460,7 +742,7 @@ def singular_angles() -> tuple[float, ...]:
     return (2 * pi,)
 
 
-# operations 81: 35 +, 42 *, 3 /, 1 neg
+# operations 83: 35 +, 43 *, 4 /, 1 neg
 def _tangent(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     y = v1 * v1o + v2 * v2o + v3 * v3o
@@ -471,7 +753,7 @@ def _tangent(m: Any, v: Components) -> Result:
     x = v11 + v22 + v33
     p = 1 - x
     N = p * p + 4 * x
-    s = 2 / N
+    s = 2 * (N / N / N)
     h = 4 * s
     k = 1 + x
     e = 2 / k
@@ -515,6 +797,74 @@ def _tangent(m: Any, v: Components) -> Result:
     )
 
 
+def _tangent_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10 = scratch
+    n1, n2, n4 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    p = sub(n1, x, k2)
+    N = add(mul(p, p, k3), mul(n4, x, k4), k3)
+    s = mul(n2, div(div(N, N, k4), N, k3), k3)
+    f = mul(mul(n2, p, k2), s, k2)
+    h = mul(n4, s, k3)
+    k = add(n1, x, k1)
+    e = div(n2, k, k1)
+    eg = mul(e, h, k1)
+    gv1 = mul(v1, h, k4)
+    add(f, mul(gv1, v1, k5), o1)
+    d12 = mul(gv1, v2, k5)
+    gv3 = mul(v3, h, k6)
+    sub(d12, gv3, o2)
+    add(d12, gv3, o4)
+    add(f, mul(gv3, v3, k5), o9)
+    d13 = mul(gv1, v3, k5)
+    gv2 = mul(v2, h, k7)
+    add(f, mul(gv2, v2, k8), o5)
+    add(d13, gv2, o3)
+    sub(d13, gv2, o7)
+    d23 = mul(gv2, v3, k2)
+    sub(d23, gv1, o6)
+    add(d23, gv1, o8)
+    df = sub(div(h, n2, k2), eg, k2)
+    dg = neg(eg, k1)
+    y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k8), k5), mul(v3, v3o, k8), k5)
+    xo = mul(n2, y, k5)
+    fo = mul(df, xo, k2)
+    go = mul(dg, xo, k1)
+    gvo1 = add(mul(v1o, h, k5), mul(v1, go, k8), k5)
+    add(fo, add(mul(gv1, v1o, k8), mul(gvo1, v1, k9), k8), o10)
+    d12o = add(mul(gv1, v2o, k8), mul(gvo1, v2, k9), k8)
+    d13o = add(mul(gv1, v3o, k4), mul(gvo1, v3, k9), k4)
+    gvo3 = add(mul(v3o, h, k9), mul(v3, go, k10), k9)
+    gvo2 = add(mul(v2o, h, k3), mul(v2, go, k1), k1)
+    add(fo, add(mul(gv3, v3o, k3), mul(gvo3, v3, k6), k3), o18)
+    add(fo, add(mul(gv2, v2o, k3), mul(gvo2, v2, k6), k3), o14)
+    sub(d12o, gvo3, o11)
+    add(d12o, gvo3, o13)
+    add(d13o, gvo2, o12)
+    sub(d13o, gvo2, o16)
+    d23o = add(mul(gv2, v3o, k2), mul(gvo2, v3, k1), k1)
+    sub(d23o, gvo1, o15)
+    add(d23o, gvo1, o17)
+
+
+_TANGENT = Kernel(
+    _tangent,
+    _tangent_blocks,
+    (("v", (6,)),),
+    (2, 3, 3),
+    registers=10,
+    masks=0,
+    numbers=(1, 2, 4),
+)
+
+
 def tangent(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Tangent operator of the map, CP23 (88), (104): ``twist = dcay v_dot``.
 
@@ -538,7 +888,7 @@ def tangent(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         Dual tensor, real part first; maps v̇ (1/s) to the twist in the space frame, its transpose to that in the body
         frame. Defined for every v; it loses rank at no finite v; v is infinite at Re alpha = 2*pi.
     """
-    return call(_tangent, (2, 3, 3), axis, out, v=(v, (6,)))
+    return call(_TANGENT, axis, out, v)
 
 
 dcay = tangent
@@ -596,6 +946,71 @@ def _tangent_inv(m: Any, v: Components) -> Result:
     )
 
 
+def _tangent_inv_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
+    k1, k2, k3, k4, k5, k6, k7 = scratch
+    n_minus_2, n1, n2, n4 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    p = sub(n1, x, k1)
+    fi = div(p, n4, k1)
+    cv1 = div(v1, n2, k2)
+    add(fi, mul(cv1, v1, k3), o1)
+    d12 = mul(cv1, v2, k3)
+    s3 = div(v3, n_minus_2, k4)
+    sub(d12, s3, o2)
+    add(d12, s3, o4)
+    d13 = mul(cv1, v3, k3)
+    s2 = div(v2, n_minus_2, k4)
+    add(d13, s2, o3)
+    sub(d13, s2, o7)
+    cv2 = div(v2, n2, k3)
+    add(fi, mul(cv2, v2, k4), o5)
+    d23 = mul(cv2, v3, k4)
+    s1 = div(v1, n_minus_2, k5)
+    sub(d23, s1, o6)
+    add(d23, s1, o8)
+    cv3 = div(v3, n2, k4)
+    add(fi, mul(cv3, v3, k5), o9)
+    y = add(add(mul(v1, v1o, k1), mul(v2, v2o, k5), k1), mul(v3, v3o, k5), k1)
+    xo = mul(n2, y, k1)
+    fio = div(neg(xo, k1), n4, k1)
+    cvo1 = div(v1o, n2, k5)
+    add(fio, add(mul(cv1, v1o, k6), mul(cvo1, v1, k7), k6), o10)
+    d12o = add(mul(cv1, v2o, k6), mul(cvo1, v2, k7), k6)
+    d13o = add(mul(cv1, v3o, k2), mul(cvo1, v3, k5), k2)
+    so3 = div(v3o, n_minus_2, k5)
+    sub(d12o, so3, o11)
+    add(d12o, so3, o13)
+    so2 = div(v2o, n_minus_2, k5)
+    add(d13o, so2, o12)
+    sub(d13o, so2, o16)
+    cvo2 = div(v2o, n2, k2)
+    add(fio, add(mul(cv2, v2o, k5), mul(cvo2, v2, k6), k5), o14)
+    d23o = add(mul(cv2, v3o, k3), mul(cvo2, v3, k2), k2)
+    so1 = div(v1o, n_minus_2, k3)
+    sub(d23o, so1, o15)
+    add(d23o, so1, o17)
+    cvo3 = div(v3o, n2, k2)
+    add(fio, add(mul(cv3, v3o, k3), mul(cvo3, v3, k2), k2), o18)
+
+
+_TANGENT_INV = Kernel(
+    _tangent_inv,
+    _tangent_inv_blocks,
+    (("v", (6,)),),
+    (2, 3, 3),
+    registers=7,
+    masks=0,
+    numbers=(-2, 1, 2, 4),
+)
+
+
 def tangent_inv(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Inverse tangent operator of the map, CP23 (89), (105): ``v_dot = dcay_inv twist``.
 
@@ -619,13 +1034,13 @@ def tangent_inv(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Ar
         Dual tensor, real part first; maps the twist in the space frame to v̇, its transpose that in the body frame.
         Defined for every dual vector v; pole at no finite v; v is infinite at Re alpha = 2*pi.
     """
-    return call(_tangent_inv, (2, 3, 3), axis, out, v=(v, (6,)))
+    return call(_TANGENT_INV, axis, out, v)
 
 
 dcay_inv = tangent_inv
 
 
-# operations 125: 49 +, 72 *, 3 /, 1 neg
+# operations 127: 49 +, 73 *, 4 /, 1 neg
 def _twist(m: Any, v: Components, v_dot: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
@@ -637,7 +1052,7 @@ def _twist(m: Any, v: Components, v_dot: Components) -> Result:
     x = v11 + v22 + v33
     p = 1 - x
     N = p * p + 4 * x
-    s = 2 / N
+    s = 2 * (N / N / N)
     h = 4 * s
     k = 1 + x
     e = 2 / k
@@ -666,6 +1081,72 @@ def _twist(m: Any, v: Components, v_dot: Components) -> Result:
     )
 
 
+def _twist_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13 = scratch
+    n1, n2, n4 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    p = sub(n1, x, k2)
+    N = add(mul(p, p, k3), mul(n4, x, k4), k3)
+    s = mul(n2, div(div(N, N, k4), N, k3), k3)
+    f = mul(mul(n2, p, k2), s, k2)
+    h = mul(n4, s, k3)
+    k = add(n1, x, k1)
+    e = div(n2, k, k1)
+    eg = mul(e, h, k1)
+    gv2 = mul(v2, h, k4)
+    gv3 = mul(v3, h, k5)
+    vw = add(add(mul(v1, w1, k6), mul(v2, w2, k7), k6), mul(v3, w3, k7), k6)
+    cvw = mul(h, vw, k7)
+    add(add(mul(w1, f, k8), sub(mul(gv2, w3, k9), mul(gv3, w2, k10), k9), k8), mul(v1, cvw, k9), o1)
+    gv1 = mul(v1, h, k8)
+    add(add(mul(w2, f, k9), sub(mul(gv3, w1, k10), mul(gv1, w3, k11), k10), k9), mul(v2, cvw, k10), o2)
+    add(add(mul(w3, f, k9), sub(mul(gv1, w2, k10), mul(gv2, w1, k11), k10), k9), mul(v3, cvw, k10), o3)
+    df = sub(div(h, n2, k9), eg, k9)
+    dg = neg(eg, k1)
+    y = add(add(mul(v1, v1o, k10), mul(v2, v2o, k11), k10), mul(v3, v3o, k11), k10)
+    xo = mul(n2, y, k10)
+    fo = mul(df, xo, k9)
+    go = mul(dg, xo, k1)
+    cvwo = add(
+        mul(h, add(add(add(mul(v1o, w1, k10), mul(v2o, w2, k11), k10), mul(v3o, w3, k11), k10), add(add(mul(v1, w1o,
+        k11), mul(v2, w2o, k12), k11), mul(v3, w3o, k12), k11), k10), k10), mul(go, vw, k6), k6
+    )
+    gvo2 = add(mul(v2o, h, k10), mul(v2, go, k11), k10)
+    gvo3 = add(mul(v3o, h, k11), mul(v3, go, k12), k11)
+    gvo1 = add(mul(v1o, h, k3), mul(v1, go, k1), k1)
+    add(
+        add(add(add(mul(w1o, f, k3), mul(w1, fo, k12), k3), sub(mul(gv2, w3o, k12), mul(gv3, w2o, k13), k12), k3),
+        sub(mul(gvo2, w3, k12), mul(gvo3, w2, k13), k12), k3), add(mul(v1o, cvw, k12), mul(v1, cvwo, k13), k12), o4
+    )
+    add(
+        add(add(add(mul(w2o, f, k3), mul(w2, fo, k12), k3), sub(mul(gv3, w1o, k5), mul(gv1, w3o, k12), k5), k3),
+        sub(mul(gvo3, w1, k5), mul(gvo1, w3, k11), k5), k3), add(mul(v2o, cvw, k5), mul(v2, cvwo, k11), k5), o5
+    )
+    add(
+        add(add(add(mul(w3o, f, k2), mul(w3, fo, k3), k2), sub(mul(gv1, w2o, k3), mul(gv2, w1o, k4), k3), k2),
+        sub(mul(gvo1, w2, k1), mul(gvo2, w1, k3), k1), k1), add(mul(v3o, cvw, k2), mul(v3, cvwo, k3), k2), o6
+    )
+
+
+_TWIST = Kernel(
+    _twist,
+    _twist_blocks,
+    (("v", (6,)), ("v_dot", (6,)),),
+    (6,),
+    registers=13,
+    masks=0,
+    numbers=(1, 2, 4),
+)
+
+
 def twist(v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Twist in the space frame from the rate of v, CP23 (86): ``ω = dcay v̇``.
 
@@ -685,7 +1166,7 @@ def twist(v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | None =
     ndarray, shape (..., 6)
         [ω, v]: angular velocity (rad/s), then the velocity of the body point at the space origin. Defined for every v.
     """
-    return call(_twist, (6,), axis, out, v=(v, (6,)), v_dot=(v_dot, (6,)))
+    return call(_TWIST, axis, out, v, v_dot)
 
 
 # operations 105: 42 +, 52 *, 10 /, 1 neg
@@ -720,6 +1201,63 @@ def _rate(m: Any, v: Components, omega: Components) -> Result:
     )
 
 
+def _rate_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12 = scratch
+    n_minus_2, n1, n2, n4 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    p = sub(n1, x, k1)
+    fi = div(p, n4, k1)
+    s2 = div(v2, n_minus_2, k2)
+    s3 = div(v3, n_minus_2, k3)
+    vw = add(add(mul(v1, w1, k4), mul(v2, w2, k5), k4), mul(v3, w3, k5), k4)
+    cvw = div(vw, n2, k4)
+    add(add(mul(w1, fi, k5), sub(mul(s2, w3, k6), mul(s3, w2, k7), k6), k5), mul(v1, cvw, k6), o1)
+    s1 = div(v1, n_minus_2, k5)
+    add(add(mul(w2, fi, k6), sub(mul(s3, w1, k7), mul(s1, w3, k8), k7), k6), mul(v2, cvw, k7), o2)
+    add(add(mul(w3, fi, k6), sub(mul(s1, w2, k7), mul(s2, w1, k8), k7), k6), mul(v3, cvw, k7), o3)
+    y = add(add(mul(v1, v1o, k6), mul(v2, v2o, k7), k6), mul(v3, v3o, k7), k6)
+    xo = mul(n2, y, k6)
+    fio = div(neg(xo, k6), n4, k6)
+    so2 = div(v2o, n_minus_2, k7)
+    so3 = div(v3o, n_minus_2, k8)
+    cvwo = div(
+        add(add(add(mul(v1o, w1, k9), mul(v2o, w2, k10), k9), mul(v3o, w3, k10), k9), add(add(mul(v1, w1o, k10), mul(v2,
+        w2o, k11), k10), mul(v3, w3o, k11), k10), k9), n2, k9
+    )
+    add(
+        add(add(add(mul(w1o, fi, k10), mul(w1, fio, k11), k10), sub(mul(s2, w3o, k11), mul(s3, w2o, k12), k11), k10),
+        sub(mul(so2, w3, k11), mul(so3, w2, k12), k11), k10), add(mul(v1o, cvw, k11), mul(v1, cvwo, k12), k11), o4
+    )
+    so1 = div(v1o, n_minus_2, k10)
+    add(
+        add(add(add(mul(w2o, fi, k11), mul(w2, fio, k12), k11), sub(mul(s3, w1o, k3), mul(s1, w3o, k12), k3), k3),
+        sub(mul(so3, w1, k8), mul(so1, w3, k11), k8), k3), add(mul(v2o, cvw, k8), mul(v2, cvwo, k11), k8), o5
+    )
+    add(
+        add(add(add(mul(w3o, fi, k1), mul(w3, fio, k3), k1), sub(mul(s1, w2o, k3), mul(s2, w1o, k2), k2), k1),
+        sub(mul(so1, w2, k2), mul(so2, w1, k3), k2), k1), add(mul(v3o, cvw, k2), mul(v3, cvwo, k3), k2), o6
+    )
+
+
+_RATE = Kernel(
+    _rate,
+    _rate_blocks,
+    (("v", (6,)), ("omega", (6,)),),
+    (6,),
+    registers=12,
+    masks=0,
+    numbers=(-2, 1, 2, 4),
+)
+
+
 def rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Rate of v from the twist in the space frame, CP23 (87), (90): ``v̇ = dcay⁻¹ ω``.
 
@@ -739,10 +1277,10 @@ def rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | None = 
     ndarray, shape (..., 6)
         Time derivative of v (1/s); inf or NaN where ``tangent_inv`` has a pole.
     """
-    return call(_rate, (6,), axis, out, v=(v, (6,)), omega=(omega, (6,)))
+    return call(_RATE, axis, out, v, omega)
 
 
-# operations 125: 49 +, 72 *, 3 /, 1 neg
+# operations 127: 49 +, 73 *, 4 /, 1 neg
 def _body_twist(m: Any, v: Components, v_dot: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
@@ -754,7 +1292,7 @@ def _body_twist(m: Any, v: Components, v_dot: Components) -> Result:
     x = v11 + v22 + v33
     p = 1 - x
     N = p * p + 4 * x
-    s = 2 / N
+    s = 2 * (N / N / N)
     h = 4 * s
     k = 1 + x
     e = 2 / k
@@ -783,6 +1321,72 @@ def _body_twist(m: Any, v: Components, v_dot: Components) -> Result:
     )
 
 
+def _body_twist_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13 = scratch
+    n1, n2, n4 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    p = sub(n1, x, k2)
+    N = add(mul(p, p, k3), mul(n4, x, k4), k3)
+    s = mul(n2, div(div(N, N, k4), N, k3), k3)
+    f = mul(mul(n2, p, k2), s, k2)
+    h = mul(n4, s, k3)
+    k = add(n1, x, k1)
+    e = div(n2, k, k1)
+    eg = mul(e, h, k1)
+    gv3 = mul(v3, h, k4)
+    gv2 = mul(v2, h, k5)
+    vw = add(add(mul(v1, w1, k6), mul(v2, w2, k7), k6), mul(v3, w3, k7), k6)
+    cvw = mul(h, vw, k7)
+    add(add(mul(w1, f, k8), sub(mul(w2, gv3, k9), mul(w3, gv2, k10), k9), k8), mul(v1, cvw, k9), o1)
+    gv1 = mul(v1, h, k8)
+    add(add(mul(w2, f, k9), sub(mul(w3, gv1, k10), mul(w1, gv3, k11), k10), k9), mul(v2, cvw, k10), o2)
+    add(add(mul(w3, f, k9), sub(mul(w1, gv2, k10), mul(w2, gv1, k11), k10), k9), mul(v3, cvw, k10), o3)
+    df = sub(div(h, n2, k9), eg, k9)
+    dg = neg(eg, k1)
+    y = add(add(mul(v1, v1o, k10), mul(v2, v2o, k11), k10), mul(v3, v3o, k11), k10)
+    xo = mul(n2, y, k10)
+    fo = mul(df, xo, k9)
+    go = mul(dg, xo, k1)
+    cvwo = add(
+        mul(h, add(add(add(mul(v1o, w1, k10), mul(v2o, w2, k11), k10), mul(v3o, w3, k11), k10), add(add(mul(v1, w1o,
+        k11), mul(v2, w2o, k12), k11), mul(v3, w3o, k12), k11), k10), k10), mul(go, vw, k6), k6
+    )
+    gvo3 = add(mul(v3o, h, k10), mul(v3, go, k11), k10)
+    gvo2 = add(mul(v2o, h, k11), mul(v2, go, k12), k11)
+    gvo1 = add(mul(v1o, h, k3), mul(v1, go, k1), k1)
+    add(
+        add(add(add(mul(w1o, f, k3), mul(w1, fo, k12), k3), sub(mul(w2o, gv3, k12), mul(w3o, gv2, k13), k12), k3),
+        sub(mul(w2, gvo3, k12), mul(w3, gvo2, k13), k12), k3), add(mul(v1o, cvw, k12), mul(v1, cvwo, k13), k12), o4
+    )
+    add(
+        add(add(add(mul(w2o, f, k3), mul(w2, fo, k12), k3), sub(mul(w3o, gv1, k12), mul(w1o, gv3, k4), k4), k3),
+        sub(mul(w3, gvo1, k4), mul(w1, gvo3, k10), k4), k3), add(mul(v2o, cvw, k4), mul(v2, cvwo, k10), k4), o5
+    )
+    add(
+        add(add(add(mul(w3o, f, k2), mul(w3, fo, k3), k2), sub(mul(w1o, gv2, k3), mul(w2o, gv1, k4), k3), k2),
+        sub(mul(w1, gvo2, k3), mul(w2, gvo1, k1), k1), k1), add(mul(v3o, cvw, k2), mul(v3, cvwo, k3), k2), o6
+    )
+
+
+_BODY_TWIST = Kernel(
+    _body_twist,
+    _body_twist_blocks,
+    (("v", (6,)), ("v_dot", (6,)),),
+    (6,),
+    registers=13,
+    masks=0,
+    numbers=(1, 2, 4),
+)
+
+
 def body_twist(v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Twist in the body frame from the rate of v, CP23 (86): ``ω_B = dcayᵀ v̇ = Rᵀ ω``.
 
@@ -802,7 +1406,7 @@ def body_twist(v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | N
     ndarray, shape (..., 6)
         [ω, v] in the body frame: angular velocity (rad/s), then the velocity of the body's origin. Defined for every v.
     """
-    return call(_body_twist, (6,), axis, out, v=(v, (6,)), v_dot=(v_dot, (6,)))
+    return call(_BODY_TWIST, axis, out, v, v_dot)
 
 
 # operations 105: 42 +, 52 *, 10 /, 1 neg
@@ -837,6 +1441,63 @@ def _body_rate(m: Any, v: Components, omega: Components) -> Result:
     )
 
 
+def _body_rate_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12 = scratch
+    n_minus_2, n1, n2, n4 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    p = sub(n1, x, k1)
+    fi = div(p, n4, k1)
+    s3 = div(v3, n_minus_2, k2)
+    s2 = div(v2, n_minus_2, k3)
+    vw = add(add(mul(v1, w1, k4), mul(v2, w2, k5), k4), mul(v3, w3, k5), k4)
+    cvw = div(vw, n2, k4)
+    add(add(mul(w1, fi, k5), sub(mul(w2, s3, k6), mul(w3, s2, k7), k6), k5), mul(v1, cvw, k6), o1)
+    s1 = div(v1, n_minus_2, k5)
+    add(add(mul(w2, fi, k6), sub(mul(w3, s1, k7), mul(w1, s3, k8), k7), k6), mul(v2, cvw, k7), o2)
+    add(add(mul(w3, fi, k6), sub(mul(w1, s2, k7), mul(w2, s1, k8), k7), k6), mul(v3, cvw, k7), o3)
+    y = add(add(mul(v1, v1o, k6), mul(v2, v2o, k7), k6), mul(v3, v3o, k7), k6)
+    xo = mul(n2, y, k6)
+    fio = div(neg(xo, k6), n4, k6)
+    so3 = div(v3o, n_minus_2, k7)
+    so2 = div(v2o, n_minus_2, k8)
+    cvwo = div(
+        add(add(add(mul(v1o, w1, k9), mul(v2o, w2, k10), k9), mul(v3o, w3, k10), k9), add(add(mul(v1, w1o, k10), mul(v2,
+        w2o, k11), k10), mul(v3, w3o, k11), k10), k9), n2, k9
+    )
+    add(
+        add(add(add(mul(w1o, fi, k10), mul(w1, fio, k11), k10), sub(mul(w2o, s3, k11), mul(w3o, s2, k12), k11), k10),
+        sub(mul(w2, so3, k11), mul(w3, so2, k12), k11), k10), add(mul(v1o, cvw, k11), mul(v1, cvwo, k12), k11), o4
+    )
+    so1 = div(v1o, n_minus_2, k10)
+    add(
+        add(add(add(mul(w2o, fi, k11), mul(w2, fio, k12), k11), sub(mul(w3o, s1, k12), mul(w1o, s3, k2), k2), k2),
+        sub(mul(w3, so1, k11), mul(w1, so3, k7), k7), k2), add(mul(v2o, cvw, k7), mul(v2, cvwo, k11), k7), o5
+    )
+    add(
+        add(add(add(mul(w3o, fi, k1), mul(w3, fio, k2), k1), sub(mul(w1o, s2, k2), mul(w2o, s1, k3), k2), k1),
+        sub(mul(w1, so2, k2), mul(w2, so1, k3), k2), k1), add(mul(v3o, cvw, k2), mul(v3, cvwo, k3), k2), o6
+    )
+
+
+_BODY_RATE = Kernel(
+    _body_rate,
+    _body_rate_blocks,
+    (("v", (6,)), ("omega", (6,)),),
+    (6,),
+    registers=12,
+    masks=0,
+    numbers=(-2, 1, 2, 4),
+)
+
+
 def body_rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Rate of v from the twist in the body frame, CP23 (87), (91): ``v̇ = dcay⁻ᵀ ω_B``.
 
@@ -856,13 +1517,13 @@ def body_rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | No
     ndarray, shape (..., 6)
         Time derivative of v (1/s); inf or NaN where ``tangent_inv`` has a pole.
     """
-    return call(_body_rate, (6,), axis, out, v=(v, (6,)), omega=(omega, (6,)))
+    return call(_BODY_RATE, axis, out, v, omega)
 
 
 # --- inverse maps, shadows, composition -------------------------------------------------------------------------
 
 
-# operations 58: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 8 where
+# operations 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
 def _turn(m: Any, v: Components, cs: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = cs
@@ -871,8 +1532,8 @@ def _turn(m: Any, v: Components, cs: Components) -> Result:
     v33 = v3 * v3
     x = v11 + v22 + v33
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -886,7 +1547,53 @@ def _turn(m: Any, v: Components, cs: Components) -> Result:
     return (u1 * rk, u2 * rk, u3 * rk, uo1 * rk + u1 * rko, uo2 * rk + u2 * rko, uo3 * rk + u3 * rko)
 
 
-# operations 64: 15 +, 27 *, 7 /, 2 sqrt, 2 lt, 1 eq, 10 where
+def _turn_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, cs: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    cos, sin = cs
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
+    mask1, = masks
+    n0, n1 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    still = m.equal(x, n0, mask1)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
+    r = m.where(still, x, length, k1)
+    iden = div(n1, sub(cos, mul(r, sin, k3), k3), k3)
+    rk = mul(add(mul(r, cos, k1), sin, k1), iden, k1)
+    u1 = div(m.where(still, v1o, v1, k4), length, k4)
+    mul(u1, rk, o1)
+    u2 = div(m.where(still, v2o, v2, k5), length, k5)
+    mul(u2, rk, o2)
+    u3 = div(m.where(still, v3o, v3, k6), length, k6)
+    mul(u3, rk, o3)
+    ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
+    rko = mul(ro, mul(iden, iden, k3), k3)
+    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k7), k7), k9), length, k7)
+    add(mul(uo1, rk, k7), mul(u1, rko, k4), o4)
+    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k4), k4), k7), length, k4)
+    add(mul(uo2, rk, k4), mul(u2, rko, k5), o5)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k2)
+    add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
+
+
+_TURN = Kernel(
+    _turn,
+    _turn_blocks,
+    (("v", (6,)),),
+    (6,),
+    registers=9,
+    masks=1,
+    numbers=(0, 1),
+    real=True,
+)
+
+
+# operations 64: 15 +, 27 *, 7 /, 1 sqrt, 2 lt, 1 eq, 11 where
 def _shadow(m: Any, v: Components, cs: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = cs
@@ -898,10 +1605,9 @@ def _shadow(m: Any, v: Components, cs: Components) -> Result:
     pneg = p < 0
     qp = m.where(pneg, -2, 2)
     sign = m.where(qp < 0, -1, 1)
-    sn = sign * sin
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -909,10 +1615,62 @@ def _shadow(m: Any, v: Components, cs: Components) -> Result:
     uo1 = m.where(still, 0, v1o - u1 * ro) / length
     uo2 = m.where(still, 0, v2o - u2 * ro) / length
     uo3 = m.where(still, 0, v3o - u3 * ro) / length
+    sn = sign * sin
     iden = 1 / (cos - r * sn)
     rk = (r * cos + sn) * iden
     rko = ro * (iden * iden)
     return (u1 * rk, u2 * rk, u3 * rk, uo1 * rk + u1 * rko, uo2 * rk + u2 * rko, uo3 * rk + u3 * rko)
+
+
+def _shadow_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, cs: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    cos, sin = cs
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
+    mask1, mask2 = masks
+    n_minus_2, n_minus_1, n0, n1, n2 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    still = m.equal(x, n0, mask1)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
+    r = m.where(still, x, length, k3)
+    p = sub(n1, x, k1)
+    pneg = m.less(p, n0, mask2)
+    qp = m.where(pneg, n_minus_2, n2, k1)
+    sign = m.where(m.less(qp, n0, mask2), n_minus_1, n1, k1)
+    sn = mul(sign, sin, k1)
+    iden = div(n1, sub(cos, mul(r, sn, k4), k4), k4)
+    rk = mul(add(mul(r, cos, k3), sn, k1), iden, k1)
+    u1 = div(m.where(still, v1o, v1, k3), length, k3)
+    mul(u1, rk, o1)
+    u2 = div(m.where(still, v2o, v2, k5), length, k5)
+    mul(u2, rk, o2)
+    u3 = div(m.where(still, v3o, v3, k6), length, k6)
+    mul(u3, rk, o3)
+    ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
+    rko = mul(ro, mul(iden, iden, k4), k4)
+    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k7), k7), k9), length, k7)
+    add(mul(uo1, rk, k7), mul(u1, rko, k3), o4)
+    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k3), k3), k7), length, k3)
+    add(mul(uo2, rk, k3), mul(u2, rko, k5), o5)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k3), k3), k5), length, k2)
+    add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
+
+
+_SHADOW = Kernel(
+    _shadow,
+    _shadow_blocks,
+    (("v", (6,)),),
+    (6,),
+    registers=9,
+    masks=2,
+    numbers=(-2, -1, 0, 1, 2),
+    real=True,
+)
 
 
 def shadow(v: ArrayLike, branch: int = 1, *, axis: int = -1, out: Array | None = None) -> Array:
@@ -942,7 +1700,84 @@ def shadow(v: ArrayLike, branch: int = 1, *, axis: int = -1, out: Array | None =
     TypeError
         If v is complex or branch is no integer.
     """
-    return shifted(_shadow, TURNS, branch, v, axis, out)
+    return shifted(_SHADOW, TURNS, branch, v, axis, out)
+
+
+# operations 52: 13 +, 23 *, 7 /, 1 sqrt, 1 lt, 7 where
+def _principal(m: Any, v: Components, table: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    limit1, cos1, sin1 = table
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    beyond1 = limit1 < x
+    k = 1 + x
+    r = m.sqrt(m.where(beyond1, x, k))
+    u1 = v1 / r
+    u2 = v2 / r
+    u3 = v3 / r
+    ro = u1 * v1o + u2 * v2o + u3 * v3o
+    uo1 = (v1o - u1 * ro) / r
+    uo2 = (v2o - u2 * ro) / r
+    uo3 = (v3o - u3 * ro) / r
+    iden = 1 / (cos1 - r * sin1)
+    rk = (r * cos1 + sin1) * iden
+    rko = ro * (iden * iden)
+    return (
+        m.where(beyond1, u1 * rk, v1),
+        m.where(beyond1, u2 * rk, v2),
+        m.where(beyond1, u3 * rk, v3),
+        m.where(beyond1, uo1 * rk + u1 * rko, v1o),
+        m.where(beyond1, uo2 * rk + u2 * rko, v2o),
+        m.where(beyond1, uo3 * rk + u3 * rko, v3o),
+    )
+
+
+def _principal_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, table: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    limit1, cos1, sin1 = table
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
+    mask1, = masks
+    n1, = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    beyond1 = m.less(limit1, x, mask1)
+    k = add(n1, x, k2)
+    r = sqrt(m.where(beyond1, x, k, k1), k1)
+    iden = div(n1, sub(cos1, mul(r, sin1, k2), k2), k2)
+    rk = mul(add(mul(r, cos1, k3), sin1, k3), iden, k3)
+    u1 = div(v1, r, k4)
+    m.where(beyond1, mul(u1, rk, k5), v1, o1)
+    u2 = div(v2, r, k5)
+    m.where(beyond1, mul(u2, rk, k6), v2, o2)
+    u3 = div(v3, r, k6)
+    m.where(beyond1, mul(u3, rk, k7), v3, o3)
+    ro = add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7)
+    rko = mul(ro, mul(iden, iden, k2), k2)
+    uo1 = div(sub(v1o, mul(u1, ro, k8), k8), r, k8)
+    m.where(beyond1, add(mul(uo1, rk, k8), mul(u1, rko, k4), k4), v1o, o4)
+    uo2 = div(sub(v2o, mul(u2, ro, k4), k4), r, k4)
+    m.where(beyond1, add(mul(uo2, rk, k4), mul(u2, rko, k5), k4), v2o, o5)
+    uo3 = div(sub(v3o, mul(u3, ro, k4), k4), r, k1)
+    m.where(beyond1, add(mul(uo3, rk, k1), mul(u3, rko, k2), k1), v3o, o6)
+
+
+_PRINCIPAL = Kernel(
+    _principal,
+    _principal_blocks,
+    (("v", (6,)),),
+    (6,),
+    registers=8,
+    masks=1,
+    numbers=(1,),
+    real=True,
+)
 
 
 def principal(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
@@ -967,7 +1802,7 @@ def principal(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Arra
     TypeError
         If v is complex.
     """
-    return nearest(_turn, TURNS, LIMITS, v, axis, out)
+    return call(_PRINCIPAL, axis, out, v, table=RETURNS)
 
 
 # operations 70: 24 +, 36 *, 6 /, 1 neg, 1 lt, 2 where
@@ -1002,6 +1837,56 @@ def _from_quaternion(m: Any, e: Components) -> Result:
     )
 
 
+def _from_quaternion_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, e: Rows
+) -> None:
+    e0, e1, e2, e3, e0o, e1o, e2o, e3o = e
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10 = scratch
+    mask1, = masks
+    n_minus_1, n0, n1, n2, n4 = numbers
+    negative = m.less(e0, n0, mask1)
+    cos = m.where(negative, neg(e0, k1), e0, k1)
+    gain = div(m.where(negative, n_minus_1, n1, k2), add(n1, cos, k1), k1)
+    v1 = mul(e1, gain, o1)
+    v2 = mul(e2, gain, o2)
+    v3 = mul(e3, gain, o3)
+    rho1 = mul(
+        n2, add(sub(mul(e1o, e0, k1), mul(e1, e0o, k2), k1), sub(mul(e2, e3o, k2), mul(e3, e2o, k3), k2), k1), k1
+    )
+    rho2 = mul(
+        n2, add(sub(mul(e2o, e0, k2), mul(e2, e0o, k3), k2), sub(mul(e3, e1o, k3), mul(e1, e3o, k4), k3), k2), k2
+    )
+    rho3 = mul(
+        n2, add(sub(mul(e3o, e0, k3), mul(e3, e0o, k4), k3), sub(mul(e1, e2o, k4), mul(e2, e1o, k5), k4), k3), k3
+    )
+    hvr = div(add(add(mul(v1, rho1, k4), mul(v2, rho2, k5), k4), mul(v3, rho3, k5), k4), n2, k4)
+    v11 = mul(v1, v1, k5)
+    v22 = mul(v2, v2, k6)
+    v33 = mul(v3, v3, k7)
+    x = add(add(v11, v22, k5), v33, k5)
+    p = sub(n1, x, k5)
+    fi = div(p, n4, k5)
+    hv2 = div(v2, n2, k6)
+    hv3 = div(v3, n2, k7)
+    add(sub(mul(rho1, fi, k8), sub(mul(hv2, rho3, k9), mul(hv3, rho2, k10), k9), k8), mul(v1, hvr, k9), o4)
+    hv1 = div(v1, n2, k8)
+    add(sub(mul(rho2, fi, k9), sub(mul(hv3, rho1, k7), mul(hv1, rho3, k10), k7), k7), mul(v2, hvr, k9), o5)
+    add(sub(mul(rho3, fi, k3), sub(mul(hv1, rho2, k2), mul(hv2, rho1, k1), k1), k1), mul(v3, hvr, k2), o6)
+
+
+_FROM_QUATERNION = Kernel(
+    _from_quaternion,
+    _from_quaternion_blocks,
+    (("q", (8,)),),
+    (6,),
+    registers=10,
+    masks=1,
+    numbers=(-1, 0, 1, 2, 4),
+    real=True,
+)
+
+
 def from_quaternion(q: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Rodrigues dual vector of a unit dual quaternion, CP23 (47), (49).
 
@@ -1028,10 +1913,10 @@ def from_quaternion(q: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array
     TypeError
         If q is complex or branch is no integer.
     """
-    return call_branch(_from_quaternion, _turn, TURNS, branch, axis, out, q=(q, (8,)))
+    return call_branch(_FROM_QUATERNION, _TURN, TURNS, branch, axis, out, q)
 
 
-# operations 139: 47 +, 47 *, 9 /, 1 neg, 1 sqrt, 8 lt, 3 eq, 3 and, 3 or, 17 where
+# operations 135: 47 +, 47 *, 9 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 def _from_tensor(m: Any, R: Components) -> Result:
     Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33, D11, D12, D13, D21, D22, D23, D31, D32, D33 = R
     rho1 = (D31 * Q21 + D32 * Q22 + D33 * Q23 - (D21 * Q31 + D22 * Q32 + D23 * Q33)) / 2
@@ -1074,9 +1959,7 @@ def _from_tensor(m: Any, R: Components) -> Result:
     e2 = sign * z32
     e3 = sign * z33
     size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
-    gain = m.where(negative, -1, 1) / (size + cos)
+    gain = 1 / (size + e0)
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
@@ -1098,6 +1981,98 @@ def _from_tensor(m: Any, R: Components) -> Result:
         rho2 * fi - (hv3 * rho1 - hv1 * rho3) + v2 * hvr,
         rho3 * fi - (hv1 * rho2 - hv2 * rho1) + v3 * hvr,
     )
+
+
+def _from_tensor_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, R: Rows
+) -> None:
+    Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33, D11, D12, D13, D21, D22, D23, D31, D32, D33 = R
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10 = scratch
+    mask1, mask2, mask3, mask4, mask5, mask6, mask7 = masks
+    n_minus_1, n0, n1, n2, n4 = numbers
+    up = add(n1, Q11, k1)
+    total = add(Q22, Q33, k2)
+    t0 = add(up, total, k3)
+    t1 = sub(up, total, k1)
+    larger1 = m.less(t0, t1, mask1)
+    best1 = m.where(larger1, t1, t0, k2)
+    down = sub(n1, Q11, k4)
+    difference = sub(Q22, Q33, k5)
+    t2 = add(down, difference, k6)
+    t3 = sub(down, difference, k4)
+    larger2 = m.less(best1, t2, mask2)
+    best2 = m.where(larger2, t2, best1, k5)
+    larger3 = m.less(best2, t3, mask3)
+    a1 = sub(Q32, Q23, k2)
+    z10 = m.where(larger1, a1, t0, k5)
+    z11 = m.where(larger1, t1, a1, k1)
+    a2 = sub(Q13, Q31, k2)
+    z20 = m.where(larger2, a2, z10, k3)
+    a3 = sub(Q21, Q12, k5)
+    z30 = m.where(larger3, a3, z20, k7)
+    s12 = add(Q12, Q21, k3)
+    z21 = m.where(larger2, s12, z11, k8)
+    z12 = m.where(larger1, s12, a2, k1)
+    z22 = m.where(larger2, t2, z12, k2)
+    s13 = add(Q13, Q31, k1)
+    z13 = m.where(larger1, s13, a3, k3)
+    z31 = m.where(larger3, s13, z21, k1)
+    s23 = add(Q23, Q32, k5)
+    z23 = m.where(larger2, s23, z13, k6)
+    z32 = m.where(larger3, s23, z22, k3)
+    z33 = m.where(larger3, t3, z23, k2)
+    sign = m.where(
+        m.either(m.less(z30, n0, mask1), m.both(m.equal(z30, n0, mask2), m.either(m.less(z31, n0, mask3),
+        m.both(m.equal(z31, n0, mask4), m.either(m.less(z32, n0, mask5), m.both(m.equal(z32, n0, mask6), m.less(z33, n0,
+        mask7), mask6), mask5), mask4), mask3), mask2), mask1), n_minus_1, n1, k4
+    )
+    e0 = mul(sign, z30, k5)
+    e1 = mul(sign, z31, k1)
+    e2 = mul(sign, z32, k3)
+    e3 = mul(sign, z33, k2)
+    size = sqrt(add(mul(e0, e0, k4), add(add(mul(e1, e1, k6), mul(e2, e2, k7), k6), mul(e3, e3, k7), k6), k4), k4)
+    gain = div(n1, add(size, e0, k4), k4)
+    v1 = mul(e1, gain, o1)
+    v2 = mul(e2, gain, o2)
+    v3 = mul(e3, gain, o3)
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    p = sub(n1, x, k1)
+    fi = div(p, n4, k1)
+    rho1 = div(
+        sub(add(add(mul(D31, Q21, k2), mul(D32, Q22, k3), k2), mul(D33, Q23, k3), k2), add(add(mul(D21, Q31, k3),
+        mul(D22, Q32, k4), k3), mul(D23, Q33, k4), k3), k2), n2, k2
+    )
+    rho2 = div(
+        sub(add(add(mul(D11, Q31, k3), mul(D12, Q32, k4), k3), mul(D13, Q33, k4), k3), add(add(mul(D31, Q11, k4),
+        mul(D32, Q12, k5), k4), mul(D33, Q13, k5), k4), k3), n2, k3
+    )
+    rho3 = div(
+        sub(add(add(mul(D21, Q11, k4), mul(D22, Q12, k5), k4), mul(D23, Q13, k5), k4), add(add(mul(D11, Q21, k5),
+        mul(D12, Q22, k6), k5), mul(D13, Q23, k6), k5), k4), n2, k4
+    )
+    hvr = div(add(add(mul(v1, rho1, k5), mul(v2, rho2, k6), k5), mul(v3, rho3, k6), k5), n2, k5)
+    hv2 = div(v2, n2, k6)
+    hv3 = div(v3, n2, k7)
+    add(sub(mul(rho1, fi, k8), sub(mul(hv2, rho3, k9), mul(hv3, rho2, k10), k9), k8), mul(v1, hvr, k9), o4)
+    hv1 = div(v1, n2, k8)
+    add(sub(mul(rho2, fi, k9), sub(mul(hv3, rho1, k7), mul(hv1, rho3, k10), k7), k7), mul(v2, hvr, k9), o5)
+    add(sub(mul(rho3, fi, k1), sub(mul(hv1, rho2, k3), mul(hv2, rho1, k2), k2), k1), mul(v3, hvr, k2), o6)
+
+
+_FROM_TENSOR = Kernel(
+    _from_tensor,
+    _from_tensor_blocks,
+    (("R", (2, 3, 3)),),
+    (6,),
+    registers=10,
+    masks=7,
+    numbers=(-1, 0, 1, 2, 4),
+    real=True,
+)
 
 
 def from_tensor(R: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None) -> Array:
@@ -1126,10 +2101,10 @@ def from_tensor(R: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | N
     TypeError
         If R is complex or branch is no integer.
     """
-    return call_branch(_from_tensor, _turn, TURNS, branch, axis, out, R=(R, (2, 3, 3)))
+    return call_branch(_FROM_TENSOR, _TURN, TURNS, branch, axis, out, R)
 
 
-# operations 103: 32 +, 29 *, 6 /, 1 neg, 1 sqrt, 8 lt, 3 eq, 3 and, 3 or, 17 where
+# operations 99: 32 +, 29 *, 6 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 def _from_pose(m: Any, T: Components) -> Result:
     Q11, Q12, Q13, T14, Q21, Q22, Q23, T24, Q31, Q32, Q33, T34, _, _, _, _ = T
     a1 = Q32 - Q23
@@ -1169,9 +2144,7 @@ def _from_pose(m: Any, T: Components) -> Result:
     e2 = sign * z32
     e3 = sign * z33
     size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
-    gain = m.where(negative, -1, 1) / (size + cos)
+    gain = 1 / (size + e0)
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
@@ -1193,6 +2166,86 @@ def _from_pose(m: Any, T: Components) -> Result:
         T24 * fi - (hv3 * T14 - hv1 * T34) + v2 * hvr,
         T34 * fi - (hv1 * T24 - hv2 * T14) + v3 * hvr,
     )
+
+
+def _from_pose_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, T: Rows
+) -> None:
+    Q11, Q12, Q13, T14, Q21, Q22, Q23, T24, Q31, Q32, Q33, T34, _, _, _, _ = T
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
+    mask1, mask2, mask3, mask4, mask5, mask6, mask7 = masks
+    n_minus_1, n0, n1, n2, n4 = numbers
+    up = add(n1, Q11, k1)
+    total = add(Q22, Q33, k2)
+    t0 = add(up, total, k3)
+    t1 = sub(up, total, k1)
+    larger1 = m.less(t0, t1, mask1)
+    best1 = m.where(larger1, t1, t0, k2)
+    down = sub(n1, Q11, k4)
+    difference = sub(Q22, Q33, k5)
+    t2 = add(down, difference, k6)
+    t3 = sub(down, difference, k4)
+    larger2 = m.less(best1, t2, mask2)
+    best2 = m.where(larger2, t2, best1, k5)
+    larger3 = m.less(best2, t3, mask3)
+    a1 = sub(Q32, Q23, k2)
+    z10 = m.where(larger1, a1, t0, k5)
+    z11 = m.where(larger1, t1, a1, k1)
+    a2 = sub(Q13, Q31, k2)
+    z20 = m.where(larger2, a2, z10, k3)
+    a3 = sub(Q21, Q12, k5)
+    z30 = m.where(larger3, a3, z20, k7)
+    s12 = add(Q12, Q21, k3)
+    z21 = m.where(larger2, s12, z11, k8)
+    z12 = m.where(larger1, s12, a2, k1)
+    z22 = m.where(larger2, t2, z12, k2)
+    s13 = add(Q13, Q31, k1)
+    z13 = m.where(larger1, s13, a3, k3)
+    z31 = m.where(larger3, s13, z21, k1)
+    s23 = add(Q23, Q32, k5)
+    z23 = m.where(larger2, s23, z13, k6)
+    z32 = m.where(larger3, s23, z22, k3)
+    z33 = m.where(larger3, t3, z23, k2)
+    sign = m.where(
+        m.either(m.less(z30, n0, mask1), m.both(m.equal(z30, n0, mask2), m.either(m.less(z31, n0, mask3),
+        m.both(m.equal(z31, n0, mask4), m.either(m.less(z32, n0, mask5), m.both(m.equal(z32, n0, mask6), m.less(z33, n0,
+        mask7), mask6), mask5), mask4), mask3), mask2), mask1), n_minus_1, n1, k4
+    )
+    e0 = mul(sign, z30, k5)
+    e1 = mul(sign, z31, k1)
+    e2 = mul(sign, z32, k3)
+    e3 = mul(sign, z33, k2)
+    size = sqrt(add(mul(e0, e0, k4), add(add(mul(e1, e1, k6), mul(e2, e2, k7), k6), mul(e3, e3, k7), k6), k4), k4)
+    gain = div(n1, add(size, e0, k4), k4)
+    v1 = mul(e1, gain, o1)
+    v2 = mul(e2, gain, o2)
+    v3 = mul(e3, gain, o3)
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    p = sub(n1, x, k1)
+    fi = div(p, n4, k1)
+    hvr = div(add(add(mul(v1, T14, k2), mul(v2, T24, k3), k2), mul(v3, T34, k3), k2), n2, k2)
+    hv2 = div(v2, n2, k3)
+    hv3 = div(v3, n2, k4)
+    add(sub(mul(T14, fi, k5), sub(mul(hv2, T34, k6), mul(hv3, T24, k7), k6), k5), mul(v1, hvr, k6), o4)
+    hv1 = div(v1, n2, k5)
+    add(sub(mul(T24, fi, k6), sub(mul(hv3, T14, k4), mul(hv1, T34, k7), k4), k4), mul(v2, hvr, k6), o5)
+    add(sub(mul(T34, fi, k1), sub(mul(hv1, T24, k4), mul(hv2, T14, k3), k3), k1), mul(v3, hvr, k2), o6)
+
+
+_FROM_POSE = Kernel(
+    _from_pose,
+    _from_pose_blocks,
+    (("T", (4, 4)),),
+    (6,),
+    registers=8,
+    masks=7,
+    numbers=(-1, 0, 1, 2, 4),
+    real=True,
+)
 
 
 def from_pose(T: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None) -> Array:
@@ -1221,7 +2274,7 @@ def from_pose(T: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | Non
     TypeError
         If T is complex or branch is no integer.
     """
-    return call_branch(_from_pose, _turn, TURNS, branch, axis, out, T=(T, (4, 4)))
+    return call_branch(_FROM_POSE, _TURN, TURNS, branch, axis, out, T)
 
 
 # operations 18: 4 +, 11 *, 2 /, 1 tan
@@ -1231,6 +2284,36 @@ def _from_screw(m: Any, angle: Components, axis: Components) -> Result:
     r = m.tan(alpha / 4)
     ro = d * (1 + r * r) / 4
     return (u1 * r, u2 * r, u3 * r, u1o * r + u1 * ro, u2o * r + u2 * ro, u3o * r + u3 * ro)
+
+
+def _from_screw_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, angle: Rows, axis: Rows
+) -> None:
+    alpha, d = angle
+    u1, u2, u3, u1o, u2o, u3o = axis
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4 = scratch
+    n1, n4 = numbers
+    r = tan(div(alpha, n4, k1), k1)
+    mul(u1, r, o1)
+    mul(u2, r, o2)
+    mul(u3, r, o3)
+    ro = div(mul(d, add(n1, mul(r, r, k2), k2), k2), n4, k2)
+    add(mul(u1o, r, k3), mul(u1, ro, k4), o4)
+    add(mul(u2o, r, k3), mul(u2, ro, k4), o5)
+    add(mul(u3o, r, k1), mul(u3, ro, k2), o6)
+
+
+_FROM_SCREW = Kernel(
+    _from_screw,
+    _from_screw_blocks,
+    (("angle", (2,)), ("line", (6,)),),
+    (6,),
+    registers=4,
+    masks=0,
+    numbers=(1, 4),
+    real=True,
+)
 
 
 def from_screw(angle: ArrayLike, line: ArrayLike, /, *, axis: int = -1, out: Array | None = None) -> Array:
@@ -1252,10 +2335,10 @@ def from_screw(angle: ArrayLike, line: ArrayLike, /, *, axis: int = -1, out: Arr
     ndarray, shape (..., 6)
         Pole at the angle 2 π.
     """
-    return call(_from_screw, (6,), axis, out, real=True, angle=(angle, (2,)), line=(line, (6,)))
+    return call(_FROM_SCREW, axis, out, angle, line)
 
 
-# operations 58: 11 +, 22 *, 7 /, 1 neg, 2 sqrt, 1 atan2, 2 lt, 1 eq, 11 where
+# operations 58: 11 +, 22 *, 7 /, 1 neg, 1 sqrt, 1 atan2, 2 lt, 1 eq, 12 where
 def _to_screw(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -1267,8 +2350,8 @@ def _to_screw(m: Any, v: Components) -> Result:
     qp = m.where(pneg, -2, 2)
     sign = m.where(qp < 0, -1, 1)
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1287,6 +2370,55 @@ def _to_screw(m: Any, v: Components) -> Result:
         uo2 * sign,
         uo3 * sign,
     )
+
+
+def _to_screw_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    o1, o2, o3, o4, o5, o6, o7, o8 = out
+    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
+    mask1, mask2 = masks
+    n_minus_2, n_minus_1, n0, n1, n2, n4 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    still = m.equal(x, n0, mask1)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
+    r = m.where(still, x, length, k3)
+    p = sub(n1, x, k4)
+    k = add(n1, x, k1)
+    pneg = m.less(p, n0, mask2)
+    mul(n2, atan2(mul(n2, r, k3), m.where(pneg, neg(p, k5), p, k5), k3), o1)
+    qp = m.where(pneg, n_minus_2, n2, k3)
+    sign = m.where(m.less(qp, n0, mask2), n_minus_1, n1, k3)
+    u1 = div(m.where(still, v1o, v1, k4), length, k4)
+    mul(u1, sign, o3)
+    u2 = div(m.where(still, v2o, v2, k5), length, k5)
+    mul(u2, sign, o4)
+    u3 = div(m.where(still, v3o, v3, k6), length, k6)
+    mul(u3, sign, o5)
+    ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
+    mul(sign, div(mul(n4, ro, k7), k, k1), o2)
+    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k1), k1), k4), length, k1)
+    mul(uo1, sign, o6)
+    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k1), k1), k4), length, k1)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k2)
+    mul(uo2, sign, o7)
+    mul(uo3, sign, o8)
+
+
+_TO_SCREW = Kernel(
+    _to_screw,
+    _to_screw_blocks,
+    (("v", (6,)),),
+    (8,),
+    registers=8,
+    masks=2,
+    numbers=(-2, -1, 0, 1, 2, 4),
+    real=True,
+)
 
 
 def to_screw(v: ArrayLike, *, axis: int = -1) -> tuple[Array, Array]:
@@ -1312,11 +2444,11 @@ def to_screw(v: ArrayLike, *, axis: int = -1) -> tuple[Array, Array]:
     TypeError
         If v is complex.
     """
-    screw = call(_to_screw, (8,), axis, None, real=True, v=(v, (6,)))
+    screw = call(_TO_SCREW, axis, None, v)
     return (screw[:2], screw[2:]) if axis == 0 else (screw[..., :2], screw[..., 2:])
 
 
-# operations 202: 74 +, 116 *, 8 /, 1 neg, 1 lt, 2 where
+# operations 206: 74 +, 118 *, 10 /, 1 neg, 1 lt, 2 where
 def _compose(m: Any, b: Components, a: Components) -> Result:
     b1, b2, b3, b1o, b2o, b3o = b
     a1, a2, a3, a1o, a2o, a3o = a
@@ -1344,7 +2476,7 @@ def _compose(m: Any, b: Components, a: Components) -> Result:
     roota = 1 + xa
     size = rootb * roota
     Na = pa * pa + 4 * xa
-    sa = 2 / Na
+    sa = 2 * (Na / Na / Na)
     ga = 4 * sa
     gva1 = a1 * ga
     gva2 = a2 * ga
@@ -1359,7 +2491,7 @@ def _compose(m: Any, b: Components, a: Components) -> Result:
     v_rho2 = b3 * rhoa1 - b1 * rhoa3
     v_rho3 = b1 * rhoa2 - b2 * rhoa1
     Nb = pb * pb + 4 * xb
-    sb = 2 / Nb
+    sb = 2 * (Nb / Nb / Nb)
     gb = 4 * sb
     gv_rho1 = v_rho1 * gb
     gv_rho2 = v_rho2 * gb
@@ -1399,6 +2531,116 @@ def _compose(m: Any, b: Components, a: Components) -> Result:
     )
 
 
+def _compose_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, b: Rows, a: Rows
+) -> None:
+    b1, b2, b3, b1o, b2o, b3o = b
+    a1, a2, a3, a1o, a2o, a3o = a
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16 = scratch
+    mask1, = masks
+    n_minus_1, n0, n1, n2, n4 = numbers
+    v11b = mul(b1, b1, k1)
+    v22b = mul(b2, b2, k2)
+    v33b = mul(b3, b3, k3)
+    xb = add(add(v11b, v22b, k1), v33b, k1)
+    pb = sub(n1, xb, k2)
+    v11a = mul(a1, a1, k3)
+    v22a = mul(a2, a2, k4)
+    v33a = mul(a3, a3, k5)
+    xa = add(add(v11a, v22a, k3), v33a, k3)
+    pa = sub(n1, xa, k4)
+    qvb1 = mul(n2, b1, k5)
+    qva1 = mul(n2, a1, k6)
+    qvb2 = mul(n2, b2, k7)
+    qva2 = mul(n2, a2, k8)
+    qvb3 = mul(n2, b3, k9)
+    qva3 = mul(n2, a3, k10)
+    z0 = sub(
+        mul(pb, pa, k11), add(add(mul(qvb1, qva1, k12), mul(qvb2, qva2, k13), k12), mul(qvb3, qva3, k13), k12), k11
+    )
+    negative = m.less(z0, n0, mask1)
+    cos = m.where(negative, neg(z0, k12), z0, k12)
+    rootb = add(n1, xb, k11)
+    Nb = add(mul(pb, pb, k13), mul(n4, xb, k1), k1)
+    sb = mul(n2, div(div(Nb, Nb, k13), Nb, k1), k1)
+    roota = add(n1, xa, k13)
+    size = mul(rootb, roota, k11)
+    gain = div(m.where(negative, n_minus_1, n1, k13), add(size, cos, k11), k11)
+    Na = add(mul(pa, pa, k12), mul(n4, xa, k3), k3)
+    sa = mul(n2, div(div(Na, Na, k12), Na, k3), k3)
+    z1 = add(
+        add(mul(qva1, pb, k12), mul(qvb1, pa, k13), k12), sub(mul(qvb2, qva3, k13), mul(qvb3, qva2, k14), k13), k12
+    )
+    v1 = mul(z1, gain, o1)
+    z2 = add(
+        add(mul(qva2, pb, k12), mul(qvb2, pa, k13), k12), sub(mul(qvb3, qva1, k13), mul(qvb1, qva3, k14), k13), k12
+    )
+    z3 = add(add(mul(qva3, pb, k10), mul(qvb3, pa, k9), k9), sub(mul(qvb1, qva2, k5), mul(qvb2, qva1, k6), k5), k5)
+    v2 = mul(z2, gain, o2)
+    v3 = mul(z3, gain, o3)
+    fa = mul(mul(n2, pa, k4), sa, k4)
+    ga = mul(n4, sa, k3)
+    fb = mul(mul(n2, pb, k2), sb, k2)
+    gb = mul(n4, sb, k1)
+    gva1 = mul(a1, ga, k5)
+    gva2 = mul(a2, ga, k6)
+    ya = add(add(mul(a1, a1o, k7), mul(a2, a2o, k8), k7), mul(a3, a3o, k8), k7)
+    hya = mul(ga, ya, k7)
+    gva3 = mul(a3, ga, k3)
+    rhoa3 = add(add(mul(a3o, fa, k8), sub(mul(gva1, a2o, k9), mul(gva2, a1o, k10), k9), k8), mul(a3, hya, k9), k8)
+    rhoa2 = add(add(mul(a2o, fa, k9), sub(mul(gva3, a1o, k10), mul(gva1, a3o, k5), k5), k5), mul(a2, hya, k9), k5)
+    rhoa1 = add(add(mul(a1o, fa, k4), sub(mul(gva2, a3o, k6), mul(gva3, a2o, k3), k3), k3), mul(a1, hya, k4), k3)
+    v_rho1 = sub(mul(b2, rhoa3, k4), mul(b3, rhoa2, k6), k4)
+    v_rho3 = sub(mul(b1, rhoa2, k6), mul(b2, rhoa1, k7), k6)
+    gv_rho3 = mul(v_rho3, gb, k7)
+    v_rho2 = sub(mul(b3, rhoa1, k9), mul(b1, rhoa3, k10), k9)
+    gv_rho2 = mul(v_rho2, gb, k10)
+    gvb2 = mul(b2, gb, k11)
+    gvb3 = mul(b3, gb, k12)
+    yb = add(add(mul(b1, b1o, k13), mul(b2, b2o, k14), k13), mul(b3, b3o, k14), k13)
+    hyb = mul(gb, yb, k13)
+    rho1 = add(
+        add(rhoa1, add(mul(v_rho1, fb, k14), sub(mul(b2, gv_rho3, k15), mul(b3, gv_rho2, k16), k15), k14), k3),
+        add(add(mul(b1o, fb, k14), sub(mul(gvb2, b3o, k15), mul(gvb3, b2o, k16), k15), k14), mul(b1, hyb, k15), k14), k3
+    )
+    gv_rho1 = mul(v_rho1, gb, k4)
+    gvb1 = mul(b1, gb, k1)
+    rho2 = add(
+        add(rhoa2, add(mul(v_rho2, fb, k9), sub(mul(b3, gv_rho1, k14), mul(b1, gv_rho3, k7), k7), k7), k5),
+        add(add(mul(b2o, fb, k7), sub(mul(gvb3, b1o, k9), mul(gvb1, b3o, k12), k9), k7), mul(b2, hyb, k9), k7), k5
+    )
+    rho3 = add(
+        add(rhoa3, add(mul(v_rho3, fb, k6), sub(mul(b1, gv_rho2, k7), mul(b2, gv_rho1, k4), k4), k4), k4),
+        add(add(mul(b3o, fb, k2), sub(mul(gvb1, b2o, k1), mul(gvb2, b1o, k6), k1), k1), mul(b3, hyb, k2), k1), k1
+    )
+    hvr = div(add(add(mul(v1, rho1, k2), mul(v2, rho2, k4), k2), mul(v3, rho3, k4), k2), n2, k2)
+    v11 = mul(v1, v1, k4)
+    v22 = mul(v2, v2, k6)
+    v33 = mul(v3, v3, k7)
+    x = add(add(v11, v22, k4), v33, k4)
+    p = sub(n1, x, k4)
+    fi = div(p, n4, k4)
+    hv2 = div(v2, n2, k6)
+    hv3 = div(v3, n2, k7)
+    add(sub(mul(rho1, fi, k8), sub(mul(hv2, rho3, k9), mul(hv3, rho2, k10), k9), k8), mul(v1, hvr, k9), o4)
+    hv1 = div(v1, n2, k8)
+    add(sub(mul(rho2, fi, k9), sub(mul(hv3, rho1, k7), mul(hv1, rho3, k10), k7), k7), mul(v2, hvr, k9), o5)
+    add(sub(mul(rho3, fi, k1), sub(mul(hv1, rho2, k4), mul(hv2, rho1, k3), k3), k1), mul(v3, hvr, k2), o6)
+
+
+_COMPOSE = Kernel(
+    _compose,
+    _compose_blocks,
+    (("v2", (6,)), ("v1", (6,)),),
+    (6,),
+    registers=16,
+    masks=1,
+    numbers=(-1, 0, 1, 2, 4),
+    real=True,
+)
+
+
 def compose(v2: ArrayLike, v1: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Principal v of ``R(v2) R(v1)``: v1 acts first, CP23 (41), (58).
 
@@ -1422,4 +2664,4 @@ def compose(v2: ArrayLike, v1: ArrayLike, *, axis: int = -1, out: Array | None =
     TypeError
         If an argument is complex.
     """
-    return call(_compose, (6,), axis, out, real=True, v2=(v2, (6,)), v1=(v1, (6,)))
+    return call(_COMPOSE, axis, out, v2, v1)

@@ -52,31 +52,33 @@
 #   [n = 5] dcay dcay^-1 = I for the tangent_inv formula
 #
 # Operations:
-#   quaternion: 48: 15 +, 29 *, 2 /, 1 neg, 1 sqrt
-#   tensor: 102: 40 +, 61 *, 1 /
-#   pose: 75: 31 +, 43 *, 1 /
-#   transform_point: 88: 35 +, 52 *, 1 /
-#   transform_line: 127: 50 +, 76 *, 1 /
-#   tangent: 116: 47 +, 66 *, 3 /
+#   quaternion: 49: 15 +, 29 *, 3 /, 1 neg, 1 sqrt
+#   tensor: 104: 40 +, 62 *, 2 /
+#   pose: 77: 31 +, 44 *, 2 /
+#   transform_point: 90: 35 +, 53 *, 2 /
+#   transform_line: 129: 50 +, 77 *, 2 /
+#   tangent: 118: 47 +, 67 *, 4 /
 #   tangent_inv: 104: 42 +, 52 *, 9 /, 1 neg
-#   twist: 148: 58 +, 87 *, 3 /
+#   twist: 150: 58 +, 88 *, 4 /
 #   rate: 136: 53 +, 73 *, 9 /, 1 neg
-#   body_twist: 148: 58 +, 87 *, 3 /
+#   body_twist: 150: 58 +, 88 *, 4 /
 #   body_rate: 136: 53 +, 73 *, 9 /, 1 neg
-#   from_quaternion: 96: 30 +, 49 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 4 where
-#   from_tensor: 157: 50 +, 56 *, 10 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 19 where
-#   from_pose: 121: 35 +, 38 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 19 where
+#   from_quaternion: 97: 30 +, 49 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   from_tensor: 153: 50 +, 55 *, 10 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
+#   from_pose: 117: 35 +, 37 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
-#   to_screw: 76: 16 +, 28 *, 7 /, 2 neg, 2 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 12 where
-#   turn: 58: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 8 where
-#   shadow: 80: 20 +, 33 *, 7 /, 1 neg, 2 sqrt, 3 lt, 2 eq, 1 and, 1 or, 10 where
-#   compose: 249: 88 +, 142 *, 9 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 4 where
+#   to_screw: 76: 16 +, 28 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
+#   turn: 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
+#   shadow: 80: 20 +, 33 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 11 where
+#   principal: 55: 13 +, 23 *, 7 /, 1 sqrt, 2 lt, 9 where
+#   compose: 254: 88 +, 144 *, 11 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 """Cayley map of order 5: Rodrigues dual vectors ``v = tan(α/10) u`` of rigid displacements.
 
 α is the dual angle (rotation angle, translation along the axis) and u the unit dual vector of the screw axis. Arrays
 hold the real part first: v and twists (..., 6), dual quaternions (..., 8) scalar first in each half, dual tensors
 (..., 2, 3, 3). All functions broadcast over leading axes, keep float32, float64 and longdouble (and complex types where
 no branch is selected), and take ``axis=0`` for components first. NaN in gives NaN out, element by element.
+Forward maps are NaN where (1 + x)^5 overflows: beyond Re|v| = 7e+30 in float64, 7e+03 in float32.
 """
 
 from __future__ import annotations
@@ -86,7 +88,8 @@ from typing import Any
 
 from numpy.typing import ArrayLike
 
-from ._runtime import Array, Components, Result, call, call_branch, nearest, shifted
+from ._kernel import Array, Components, Kernel, Result, Rows, add, atan2, copy, div, mul, neg, sqrt, sub, tan
+from ._runtime import call, call_branch, shifted
 
 __all__ = [
     "body_rate",
@@ -124,16 +127,16 @@ TURNS = (
     ("-0.8090169943749474241022934171828190588602", "0.5877852522924731291687059546390727685977"),
 )
 
-# |v| halfway between branches, tan((2 j + 1) pi/10)
-LIMITS: tuple[str, ...] = (
-    "0.3249196962329063261558714122151344649549",
-    "1.376381920471173538207209581910887679526",
+# the |v|² halfway between branches, tan((2 j - 1) pi/10)², then cosine and sine of the way back from beyond it
+RETURNS: tuple[str, ...] = (
+    "0.1055728090000841214363305325074895058238", "0.8090169943749474241022934171828190588602", "-0.5877852522924731291687059546390727685977",
+    "1.894427190999915878563669467492510494176", "0.3090169943749474241022934171828190588602", "-0.9510565162951535721164393333793821434057",
 )
 
 # --- forward maps -----------------------------------------------------------------------------------------------
 
 
-# operations 48: 15 +, 29 *, 2 /, 1 neg, 1 sqrt
+# operations 49: 15 +, 29 *, 3 /, 1 neg, 1 sqrt
 def _quaternion(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -145,7 +148,7 @@ def _quaternion(m: Any, v: Components) -> Result:
     qq = q * q
     N = p * p + x * qq
     root = m.sqrt(N)
-    sr = 1 / root
+    sr = root / root / root
     sc = p * sr
     w = q * sr
     k = 1 + x
@@ -155,6 +158,50 @@ def _quaternion(m: Any, v: Components) -> Result:
     dq = 2 * x - 10
     wo = 2 * (y * (dq * sr)) + sco
     return (sc, v1 * w, v2 * w, v3 * w, sco, v1o * w + v1 * wo, v2o * w + v2 * wo, v3o * w + v3 * wo)
+
+
+def _quaternion_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    o1, o2, o3, o4, o5, o6, o7, o8 = out
+    k1, k2, k3, k4, k5, k6 = scratch
+    n1, n2, n5, n10 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    q = add(mul(sub(x, n10, k2), x, k2), n5, k2)
+    qq = mul(q, q, k3)
+    p = add(mul(sub(mul(n5, x, k4), n10, k4), x, k4), n1, k4)
+    N = add(mul(p, p, k5), mul(x, qq, k3), k3)
+    root = sqrt(N, k3)
+    sr = div(div(root, root, k5), root, k3)
+    mul(p, sr, o1)
+    w = mul(q, sr, k2)
+    mul(v1, w, o2)
+    mul(v2, w, o3)
+    mul(v3, w, o4)
+    k = add(n1, x, k4)
+    e = div(n5, k, k4)
+    dq = sub(mul(n2, x, k1), n10, k1)
+    y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k6), k5), mul(v3, v3o, k6), k5)
+    sco = neg(mul(w, mul(e, y, k4), k4), o5)
+    wo = add(mul(n2, mul(y, mul(dq, sr, k1), k1), k1), sco, k1)
+    add(mul(v1o, w, k3), mul(v1, wo, k4), o6)
+    add(mul(v2o, w, k3), mul(v2, wo, k4), o7)
+    add(mul(v3o, w, k2), mul(v3, wo, k1), o8)
+
+
+_QUATERNION = Kernel(
+    _quaternion,
+    _quaternion_blocks,
+    (("v", (6,)),),
+    (8,),
+    registers=6,
+    masks=0,
+    numbers=(1, 2, 5, 10),
+)
 
 
 def quaternion(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
@@ -179,10 +226,10 @@ def quaternion(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Arr
         Real part (scalar first), then dual part. Defined for every v. The scalar part is >= 0 for Re α <= π; on shadows
         the sign is that of the closed form.
     """
-    return call(_quaternion, (8,), axis, out, v=(v, (6,)))
+    return call(_QUATERNION, axis, out, v)
 
 
-# operations 102: 40 +, 61 *, 1 /
+# operations 104: 40 +, 62 *, 2 /
 def _tensor(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -196,7 +243,7 @@ def _tensor(m: Any, v: Components) -> Result:
     q = (x - 10) * x + 5
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     f = p * q * s
     fv1 = v1 * f
     fv2 = v2 * f
@@ -246,6 +293,74 @@ def _tensor(m: Any, v: Components) -> Result:
     )
 
 
+def _tensor_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
+    n1, n2, n5, n10, n80, n96 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    x12 = add(v11, v22, k3)
+    v33 = mul(v3, v3, k4)
+    x23 = add(v22, v33, k2)
+    x13 = add(v11, v33, k1)
+    x = add(x12, v33, k4)
+    q = add(mul(sub(x, n10, k5), x, k5), n5, k5)
+    qq = mul(q, q, k6)
+    p = add(mul(sub(mul(n5, x, k7), n10, k7), x, k7), n1, k7)
+    N = add(mul(p, p, k8), mul(x, qq, k9), k8)
+    s = mul(n2, div(div(N, N, k9), N, k8), k8)
+    f = mul(mul(p, q, k5), s, k5)
+    g = mul(qq, s, k6)
+    Q11 = sub(n1, mul(g, x23, k2), o1)
+    Q22 = sub(n1, mul(g, x13, k1), o5)
+    Q33 = sub(n1, mul(g, x12, k1), o9)
+    c = add(mul(sub(mul(n80, x, k1), n96, k1), x, k1), n80, k1)
+    h = mul(c, s, k1)
+    gv1 = mul(v1, g, k2)
+    gvv1 = mul(gv1, v2, k3)
+    fv3 = mul(v3, f, k4)
+    Q12 = sub(gvv1, fv3, o2)
+    Q21 = add(gvv1, fv3, o4)
+    gvv2 = mul(gv1, v3, k3)
+    fv2 = mul(v2, f, k4)
+    Q13 = add(gvv2, fv2, o3)
+    Q31 = sub(gvv2, fv2, o7)
+    gv2 = mul(v2, g, k3)
+    gv3 = mul(v3, g, k4)
+    gvv3 = mul(gv2, v3, k6)
+    fv1 = mul(v1, f, k7)
+    Q23 = sub(gvv3, fv1, o6)
+    Q32 = add(gvv3, fv1, o8)
+    y = add(add(mul(v1, v1o, k6), mul(v2, v2o, k7), k6), mul(v3, v3o, k7), k6)
+    hy = mul(h, y, k1)
+    rho2 = add(add(mul(v2o, f, k6), sub(mul(gv3, v1o, k7), mul(gv1, v3o, k8), k7), k6), mul(v2, hy, k7), k6)
+    rho3 = add(add(mul(v3o, f, k7), sub(mul(gv1, v2o, k2), mul(gv2, v1o, k8), k2), k2), mul(v3, hy, k7), k2)
+    rho1 = add(add(mul(v1o, f, k5), sub(mul(gv2, v3o, k3), mul(gv3, v2o, k4), k3), k3), mul(v1, hy, k1), k1)
+    sub(mul(Q31, rho2, k3), mul(Q21, rho3, k4), o10)
+    sub(mul(Q32, rho2, k3), mul(Q22, rho3, k4), o11)
+    sub(mul(Q33, rho2, k3), mul(Q23, rho3, k4), o12)
+    sub(mul(Q11, rho3, k3), mul(Q31, rho1, k4), o13)
+    sub(mul(Q12, rho3, k3), mul(Q32, rho1, k4), o14)
+    sub(mul(Q13, rho3, k2), mul(Q33, rho1, k3), o15)
+    sub(mul(Q21, rho1, k2), mul(Q11, rho2, k3), o16)
+    sub(mul(Q22, rho1, k2), mul(Q12, rho2, k3), o17)
+    sub(mul(Q23, rho1, k1), mul(Q13, rho2, k2), o18)
+
+
+_TENSOR = Kernel(
+    _tensor,
+    _tensor_blocks,
+    (("v", (6,)),),
+    (2, 3, 3),
+    registers=9,
+    masks=0,
+    numbers=(1, 2, 5, 10, 80, 96),
+)
+
+
 def tensor(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Orthogonal dual tensor of a displacement, CP23 (57), (123).
 
@@ -267,10 +382,10 @@ def tensor(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     ndarray, shape (..., 2, 3, 3)
         R = (I + ε skew(ρ)) Q: the rotation Q from body to space axes, then skew(ρ) Q. Defined for every v.
     """
-    return call(_tensor, (2, 3, 3), axis, out, v=(v, (6,)))
+    return call(_TENSOR, axis, out, v)
 
 
-# operations 75: 31 +, 43 *, 1 /
+# operations 77: 31 +, 44 *, 2 /
 def _pose(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -284,7 +399,7 @@ def _pose(m: Any, v: Components) -> Result:
     q = (x - 10) * x + 5
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     f = p * q * s
     fv1 = v1 * f
     fv2 = v2 * f
@@ -320,6 +435,69 @@ def _pose(m: Any, v: Components) -> Result:
     )
 
 
+def _pose_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
+    n0, n1, n2, n5, n10, n80, n96 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    x12 = add(v11, v22, k3)
+    v33 = mul(v3, v3, k4)
+    x23 = add(v22, v33, k2)
+    x13 = add(v11, v33, k1)
+    x = add(x12, v33, k4)
+    q = add(mul(sub(x, n10, k5), x, k5), n5, k5)
+    qq = mul(q, q, k6)
+    p = add(mul(sub(mul(n5, x, k7), n10, k7), x, k7), n1, k7)
+    N = add(mul(p, p, k8), mul(x, qq, k9), k8)
+    s = mul(n2, div(div(N, N, k9), N, k8), k8)
+    f = mul(mul(p, q, k5), s, k5)
+    g = mul(qq, s, k6)
+    sub(n1, mul(g, x23, k2), o1)
+    sub(n1, mul(g, x13, k1), o6)
+    sub(n1, mul(g, x12, k1), o11)
+    c = add(mul(sub(mul(n80, x, k1), n96, k1), x, k1), n80, k1)
+    h = mul(c, s, k1)
+    gv1 = mul(v1, g, k2)
+    gvv1 = mul(gv1, v2, k3)
+    fv3 = mul(v3, f, k4)
+    sub(gvv1, fv3, o2)
+    add(gvv1, fv3, o5)
+    gvv2 = mul(gv1, v3, k3)
+    fv2 = mul(v2, f, k4)
+    add(gvv2, fv2, o3)
+    sub(gvv2, fv2, o9)
+    gv2 = mul(v2, g, k3)
+    gv3 = mul(v3, g, k4)
+    y = add(add(mul(v1, v1o, k6), mul(v2, v2o, k7), k6), mul(v3, v3o, k7), k6)
+    hy = mul(h, y, k1)
+    add(add(mul(v1o, f, k6), sub(mul(gv2, v3o, k7), mul(gv3, v2o, k8), k7), k6), mul(v1, hy, k7), o4)
+    add(add(mul(v2o, f, k6), sub(mul(gv3, v1o, k4), mul(gv1, v3o, k7), k4), k4), mul(v2, hy, k6), o8)
+    add(add(mul(v3o, f, k4), sub(mul(gv1, v2o, k2), mul(gv2, v1o, k6), k2), k2), mul(v3, hy, k1), o12)
+    gvv3 = mul(gv2, v3, k1)
+    fv1 = mul(v1, f, k2)
+    sub(gvv3, fv1, o7)
+    add(gvv3, fv1, o10)
+    copy(n0, o13)
+    copy(n0, o14)
+    copy(n0, o15)
+    copy(n1, o16)
+
+
+_POSE = Kernel(
+    _pose,
+    _pose_blocks,
+    (("v", (6,)),),
+    (4, 4),
+    registers=9,
+    masks=0,
+    numbers=(0, 1, 2, 5, 10, 80, 96),
+)
+
+
 def pose(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Homogeneous matrix of a displacement, CP23 (16) of (57), (123).
 
@@ -340,10 +518,10 @@ def pose(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     ndarray, shape (..., 4, 4)
         [[Q, ρ], [0, 1]], from body to space. Defined for every v.
     """
-    return call(_pose, (4, 4), axis, out, v=(v, (6,)))
+    return call(_POSE, axis, out, v)
 
 
-# operations 88: 35 +, 52 *, 1 /
+# operations 90: 35 +, 53 *, 2 /
 def _transform_point(m: Any, v: Components, r: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     r1, r2, r3 = r
@@ -358,7 +536,7 @@ def _transform_point(m: Any, v: Components, r: Components) -> Result:
     qq = q * q
     p = (5 * x - 10) * x + 1
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     g = qq * s
     gv_r1 = v_r1 * g
     gv_r2 = v_r2 * g
@@ -376,6 +554,63 @@ def _transform_point(m: Any, v: Components, r: Components) -> Result:
         r2 + (v_r2 * f + (v3 * gv_r1 - v1 * gv_r3)) + (v2o * f + (gv3 * v1o - gv1 * v3o) + v2 * hy),
         r3 + (v_r3 * f + (v1 * gv_r2 - v2 * gv_r1)) + (v3o * f + (gv1 * v2o - gv2 * v1o) + v3 * hy),
     )
+
+
+def _transform_point_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, r: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    r1, r2, r3 = r
+    o1, o2, o3 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14 = scratch
+    n1, n2, n5, n10, n80, n96 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    q = add(mul(sub(x, n10, k2), x, k2), n5, k2)
+    qq = mul(q, q, k3)
+    p = add(mul(sub(mul(n5, x, k4), n10, k4), x, k4), n1, k4)
+    N = add(mul(p, p, k5), mul(x, qq, k6), k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
+    f = mul(mul(p, q, k2), s, k2)
+    g = mul(qq, s, k3)
+    c = add(mul(sub(mul(n80, x, k4), n96, k4), x, k1), n80, k1)
+    h = mul(c, s, k1)
+    v_r3 = sub(mul(v1, r2, k4), mul(v2, r1, k5), k4)
+    gv_r3 = mul(v_r3, g, k5)
+    v_r2 = sub(mul(v3, r1, k6), mul(v1, r3, k7), k6)
+    gv_r2 = mul(v_r2, g, k7)
+    gv2 = mul(v2, g, k8)
+    gv3 = mul(v3, g, k9)
+    y = add(add(mul(v1, v1o, k10), mul(v2, v2o, k11), k10), mul(v3, v3o, k11), k10)
+    hy = mul(h, y, k1)
+    v_r1 = sub(mul(v2, r3, k10), mul(v3, r2, k11), k10)
+    add(
+        add(r1, add(mul(v_r1, f, k11), sub(mul(v2, gv_r3, k12), mul(v3, gv_r2, k13), k12), k11), k11), add(add(mul(v1o,
+        f, k12), sub(mul(gv2, v3o, k13), mul(gv3, v2o, k14), k13), k12), mul(v1, hy, k13), k12), o1
+    )
+    gv_r1 = mul(v_r1, g, k10)
+    gv1 = mul(v1, g, k3)
+    add(
+        add(r2, add(mul(v_r2, f, k6), sub(mul(v3, gv_r1, k11), mul(v1, gv_r3, k5), k5), k5), k5), add(add(mul(v2o, f,
+        k6), sub(mul(gv3, v1o, k9), mul(gv1, v3o, k11), k9), k6), mul(v2, hy, k9), k6), o2
+    )
+    add(
+        add(r3, add(mul(v_r3, f, k4), sub(mul(v1, gv_r2, k5), mul(v2, gv_r1, k6), k5), k4), k4), add(add(mul(v3o, f,
+        k2), sub(mul(gv1, v2o, k3), mul(gv2, v1o, k5), k3), k2), mul(v3, hy, k1), k1), o3
+    )
+
+
+_TRANSFORM_POINT = Kernel(
+    _transform_point,
+    _transform_point_blocks,
+    (("v", (6,)), ("r", (3,)),),
+    (3,),
+    registers=14,
+    masks=0,
+    numbers=(1, 2, 5, 10, 80, 96),
+)
 
 
 def transform_point(v: ArrayLike, r: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
@@ -397,10 +632,10 @@ def transform_point(v: ArrayLike, r: ArrayLike, *, axis: int = -1, out: Array | 
     ndarray, shape (..., 3)
         Defined for every v.
     """
-    return call(_transform_point, (3,), axis, out, v=(v, (6,)), r=(r, (3,)))
+    return call(_TRANSFORM_POINT, axis, out, v, r)
 
 
-# operations 127: 50 +, 76 *, 1 /
+# operations 129: 50 +, 77 *, 2 /
 def _transform_line(m: Any, v: Components, line: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     l1, l2, l3, m1, m2, m3 = line
@@ -415,7 +650,7 @@ def _transform_line(m: Any, v: Components, line: Components) -> Result:
     qq = q * q
     p = (5 * x - 10) * x + 1
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     g = qq * s
     gv_l1 = v_l1 * g
     gv_l2 = v_l2 * g
@@ -450,6 +685,75 @@ def _transform_line(m: Any, v: Components, line: Components) -> Result:
     )
 
 
+def _transform_line_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, line: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    l1, l2, l3, m1, m2, m3 = line
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13 = scratch
+    n1, n2, n5, n10, n80, n96 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    q = add(mul(sub(x, n10, k2), x, k2), n5, k2)
+    qq = mul(q, q, k3)
+    p = add(mul(sub(mul(n5, x, k4), n10, k4), x, k4), n1, k4)
+    N = add(mul(p, p, k5), mul(x, qq, k6), k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
+    f = mul(mul(p, q, k2), s, k2)
+    g = mul(qq, s, k3)
+    c = add(mul(sub(mul(n80, x, k4), n96, k4), x, k1), n80, k1)
+    h = mul(c, s, k1)
+    v_l3 = sub(mul(v1, l2, k4), mul(v2, l1, k5), k4)
+    gv_l3 = mul(v_l3, g, k5)
+    v_l2 = sub(mul(v3, l1, k6), mul(v1, l3, k7), k6)
+    gv_l2 = mul(v_l2, g, k7)
+    v_l1 = sub(mul(v2, l3, k8), mul(v3, l2, k9), k8)
+    Ql1 = add(l1, add(mul(v_l1, f, k9), sub(mul(v2, gv_l3, k10), mul(v3, gv_l2, k11), k10), k9), o1)
+    gv_l1 = mul(v_l1, g, k8)
+    Ql2 = add(l2, add(mul(v_l2, f, k6), sub(mul(v3, gv_l1, k9), mul(v1, gv_l3, k5), k5), k5), o2)
+    Ql3 = add(l3, add(mul(v_l3, f, k4), sub(mul(v1, gv_l2, k5), mul(v2, gv_l1, k6), k5), k4), o3)
+    gv3 = mul(v3, g, k4)
+    gv1 = mul(v1, g, k5)
+    y = add(add(mul(v1, v1o, k6), mul(v2, v2o, k7), k6), mul(v3, v3o, k7), k6)
+    hy = mul(h, y, k1)
+    rho2 = add(add(mul(v2o, f, k6), sub(mul(gv3, v1o, k7), mul(gv1, v3o, k8), k7), k6), mul(v2, hy, k7), k6)
+    gv2 = mul(v2, g, k7)
+    rho3 = add(add(mul(v3o, f, k8), sub(mul(gv1, v2o, k5), mul(gv2, v1o, k9), k5), k5), mul(v3, hy, k8), k5)
+    rho1 = add(add(mul(v1o, f, k8), sub(mul(gv2, v3o, k7), mul(gv3, v2o, k4), k4), k4), mul(v1, hy, k1), k1)
+    v_m3 = sub(mul(v1, m2, k4), mul(v2, m1, k7), k4)
+    gv_m3 = mul(v_m3, g, k7)
+    v_m2 = sub(mul(v3, m1, k8), mul(v1, m3, k9), k8)
+    gv_m2 = mul(v_m2, g, k9)
+    v_m1 = sub(mul(v2, m3, k10), mul(v3, m2, k11), k10)
+    add(
+        add(m1, add(mul(v_m1, f, k11), sub(mul(v2, gv_m3, k12), mul(v3, gv_m2, k13), k12), k11), k11), sub(mul(rho2,
+        Ql3, k12), mul(rho3, Ql2, k13), k12), o4
+    )
+    gv_m1 = mul(v_m1, g, k3)
+    add(
+        add(m2, add(mul(v_m2, f, k8), sub(mul(v3, gv_m1, k10), mul(v1, gv_m3, k7), k7), k7), k7), sub(mul(rho3, Ql1,
+        k5), mul(rho1, Ql3, k8), k5), o5
+    )
+    add(
+        add(m3, add(mul(v_m3, f, k2), sub(mul(v1, gv_m2, k4), mul(v2, gv_m1, k3), k3), k2), k2), sub(mul(rho1, Ql2, k1),
+        mul(rho2, Ql1, k3), k1), o6
+    )
+
+
+_TRANSFORM_LINE = Kernel(
+    _transform_line,
+    _transform_line_blocks,
+    (("v", (6,)), ("line", (6,)),),
+    (6,),
+    registers=13,
+    masks=0,
+    numbers=(1, 2, 5, 10, 80, 96),
+)
+
+
 def transform_line(v: ArrayLike, line: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Line (or any motor) moved by a displacement, ``R l``, CP23 (66).
 
@@ -469,7 +773,7 @@ def transform_line(v: ArrayLike, line: ArrayLike, *, axis: int = -1, out: Array 
     ndarray, shape (..., 6)
         Direction, then moment. Defined for every v.
     """
-    return call(_transform_line, (6,), axis, out, v=(v, (6,)), line=(line, (6,)))
+    return call(_TRANSFORM_LINE, axis, out, v, line)
 
 
 # --- kinematics -------------------------------------------------------------------------------------------------
@@ -486,7 +790,7 @@ def singular_angles() -> tuple[float, ...]:
     return (2 * pi, 4 * pi, 5 * pi,)
 
 
-# operations 116: 47 +, 66 *, 3 /
+# operations 118: 47 +, 67 *, 4 /
 def _tangent(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     y = v1 * v1o + v2 * v2o + v3 * v3o
@@ -500,7 +804,7 @@ def _tangent(m: Any, v: Components) -> Result:
     q = (x - 10) * x + 5
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     h = c * s
     k = 1 + x
     e = 5 / k
@@ -555,6 +859,88 @@ def _tangent(m: Any, v: Components) -> Result:
     )
 
 
+def _tangent_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13 = scratch
+    n1, n2, n5, n10, n80, n96, n160 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    q = add(mul(sub(x, n10, k2), x, k2), n5, k2)
+    qq = mul(q, q, k3)
+    p = add(mul(sub(mul(n5, x, k4), n10, k4), x, k4), n1, k4)
+    N = add(mul(p, p, k5), mul(x, qq, k6), k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
+    f = mul(mul(p, q, k4), s, k4)
+    g = mul(qq, s, k3)
+    c = add(mul(sub(mul(n80, x, k6), n96, k6), x, k6), n80, k6)
+    h = mul(c, s, k6)
+    cv1 = mul(v1, h, k7)
+    add(f, mul(cv1, v1, k8), o1)
+    d12 = mul(cv1, v2, k8)
+    gv3 = mul(v3, g, k9)
+    sub(d12, gv3, o2)
+    add(d12, gv3, o4)
+    d13 = mul(cv1, v3, k8)
+    gv2 = mul(v2, g, k9)
+    add(d13, gv2, o3)
+    sub(d13, gv2, o7)
+    cv2 = mul(v2, h, k8)
+    add(f, mul(cv2, v2, k9), o5)
+    d23 = mul(cv2, v3, k9)
+    gv1 = mul(v1, g, k10)
+    sub(d23, gv1, o6)
+    add(d23, gv1, o8)
+    cv3 = mul(v3, h, k9)
+    add(f, mul(cv3, v3, k10), o9)
+    k = add(n1, x, k4)
+    e = div(n5, k, k4)
+    eg = mul(e, g, k10)
+    df = sub(div(h, n2, k11), eg, k11)
+    y = add(add(mul(v1, v1o, k12), mul(v2, v2o, k13), k12), mul(v3, v3o, k13), k12)
+    xo = mul(n2, y, k12)
+    fo = mul(df, xo, k11)
+    dc = sub(mul(n160, x, k13), n96, k13)
+    dh = sub(mul(dc, s, k13), mul(e, h, k4), k4)
+    ho = mul(dh, xo, k4)
+    dq = sub(mul(n2, x, k1), n10, k1)
+    dg = sub(mul(n2, mul(mul(q, dq, k1), s, k1), k1), eg, k1)
+    go = mul(dg, xo, k1)
+    cvo1 = add(mul(v1o, h, k2), mul(v1, ho, k5), k2)
+    add(fo, add(mul(cv1, v1o, k5), mul(cvo1, v1, k10), k5), o10)
+    d12o = add(mul(cv1, v2o, k5), mul(cvo1, v2, k10), k5)
+    d13o = add(mul(cv1, v3o, k7), mul(cvo1, v3, k2), k2)
+    gvo3 = add(mul(v3o, g, k7), mul(v3, go, k10), k7)
+    sub(d12o, gvo3, o11)
+    add(d12o, gvo3, o13)
+    gvo2 = add(mul(v2o, g, k5), mul(v2, go, k7), k5)
+    gvo1 = add(mul(v1o, g, k3), mul(v1, go, k1), k1)
+    add(d13o, gvo2, o12)
+    sub(d13o, gvo2, o16)
+    cvo2 = add(mul(v2o, h, k2), mul(v2, ho, k3), k2)
+    cvo3 = add(mul(v3o, h, k3), mul(v3, ho, k4), k3)
+    add(fo, add(mul(cv3, v3o, k4), mul(cvo3, v3, k3), k3), o18)
+    add(fo, add(mul(cv2, v2o, k3), mul(cvo2, v2, k4), k3), o14)
+    d23o = add(mul(cv2, v3o, k3), mul(cvo2, v3, k2), k2)
+    sub(d23o, gvo1, o15)
+    add(d23o, gvo1, o17)
+
+
+_TANGENT = Kernel(
+    _tangent,
+    _tangent_blocks,
+    (("v", (6,)),),
+    (2, 3, 3),
+    registers=13,
+    masks=0,
+    numbers=(1, 2, 5, 10, 80, 96, 160),
+)
+
+
 def tangent(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Tangent operator of the map, CP23 (88), (124): ``twist = dcay v_dot``.
 
@@ -578,7 +964,7 @@ def tangent(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         Dual tensor, real part first; maps v̇ (1/s) to the twist in the space frame, its transpose to that in the body
         frame. Defined for every v; it loses rank at Re alpha = 2*pi, 4*pi; v is infinite at Re alpha = 5*pi.
     """
-    return call(_tangent, (2, 3, 3), axis, out, v=(v, (6,)))
+    return call(_TANGENT, axis, out, v)
 
 
 dcay = tangent
@@ -647,6 +1033,82 @@ def _tangent_inv(m: Any, v: Components) -> Result:
     )
 
 
+def _tangent_inv_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
+    n_minus_2, n1, n2, n5, n10, n34, n45, n80, n96 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    p = add(mul(sub(mul(n5, x, k2), n10, k2), x, k2), n1, k2)
+    q = add(mul(sub(x, n10, k3), x, k3), n5, k3)
+    iq = div(n1, mul(n2, q, k3), k3)
+    fi = mul(p, iq, k2)
+    d = add(mul(sub(x, n34, k4), x, k4), n45, k4)
+    hi = div(mul(d, iq, k5), n5, k5)
+    cv1 = mul(v1, hi, k6)
+    add(fi, mul(cv1, v1, k7), o1)
+    d12 = mul(cv1, v2, k7)
+    s3 = div(v3, n_minus_2, k8)
+    sub(d12, s3, o2)
+    add(d12, s3, o4)
+    d13 = mul(cv1, v3, k7)
+    s2 = div(v2, n_minus_2, k8)
+    add(d13, s2, o3)
+    sub(d13, s2, o7)
+    cv2 = mul(v2, hi, k7)
+    add(fi, mul(cv2, v2, k8), o5)
+    d23 = mul(cv2, v3, k8)
+    s1 = div(v1, n_minus_2, k9)
+    sub(d23, s1, o6)
+    add(d23, s1, o8)
+    cv3 = mul(v3, hi, k8)
+    add(fi, mul(cv3, v3, k9), o9)
+    x_by_2 = mul(n2, x, k2)
+    c = add(mul(sub(mul(n80, x, k9), n96, k9), x, k1), n80, k1)
+    dfi = neg(mul(c, mul(iq, iq, k9), k1), k1)
+    dd = sub(x_by_2, n34, k9)
+    dq = sub(x_by_2, n10, k2)
+    dhi = div(mul(sub(dd, mul(n2, mul(mul(d, dq, k2), iq, k2), k2), k2), iq, k2), n5, k2)
+    y = add(add(mul(v1, v1o, k3), mul(v2, v2o, k4), k3), mul(v3, v3o, k4), k3)
+    xo = mul(n2, y, k3)
+    hio = mul(dhi, xo, k2)
+    fio = mul(dfi, xo, k1)
+    cvo1 = add(mul(v1o, hi, k3), mul(v1, hio, k4), k3)
+    add(fio, add(mul(cv1, v1o, k4), mul(cvo1, v1, k9), k4), o10)
+    d12o = add(mul(cv1, v2o, k4), mul(cvo1, v2, k9), k4)
+    d13o = add(mul(cv1, v3o, k6), mul(cvo1, v3, k3), k3)
+    so3 = div(v3o, n_minus_2, k6)
+    sub(d12o, so3, o11)
+    add(d12o, so3, o13)
+    so2 = div(v2o, n_minus_2, k4)
+    add(d13o, so2, o12)
+    sub(d13o, so2, o16)
+    cvo2 = add(mul(v2o, hi, k3), mul(v2, hio, k4), k3)
+    cvo3 = add(mul(v3o, hi, k4), mul(v3, hio, k2), k2)
+    add(fio, add(mul(cv3, v3o, k4), mul(cvo3, v3, k2), k2), o18)
+    add(fio, add(mul(cv2, v2o, k2), mul(cvo2, v2, k4), k2), o14)
+    d23o = add(mul(cv2, v3o, k1), mul(cvo2, v3, k2), k1)
+    so1 = div(v1o, n_minus_2, k2)
+    sub(d23o, so1, o15)
+    add(d23o, so1, o17)
+
+
+_TANGENT_INV = Kernel(
+    _tangent_inv,
+    _tangent_inv_blocks,
+    (("v", (6,)),),
+    (2, 3, 3),
+    registers=9,
+    masks=0,
+    numbers=(-2, 1, 2, 5, 10, 34, 45, 80, 96),
+)
+
+
 def tangent_inv(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Inverse tangent operator of the map, CP23 (89), (125): ``v_dot = dcay_inv twist``.
 
@@ -670,13 +1132,13 @@ def tangent_inv(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Ar
         Dual tensor, real part first; maps the twist in the space frame to v̇, its transpose that in the body frame.
         Defined for every dual vector v with Re q_5 != 0; pole at Re alpha = 2*pi, 4*pi; v is infinite at Re alpha = 5*pi.
     """
-    return call(_tangent_inv, (2, 3, 3), axis, out, v=(v, (6,)))
+    return call(_TANGENT_INV, axis, out, v)
 
 
 dcay_inv = tangent_inv
 
 
-# operations 148: 58 +, 87 *, 3 /
+# operations 150: 58 +, 88 *, 4 /
 def _twist(m: Any, v: Components, v_dot: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
@@ -691,7 +1153,7 @@ def _twist(m: Any, v: Components, v_dot: Components) -> Result:
     q = (x - 10) * x + 5
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     h = c * s
     k = 1 + x
     e = 5 / k
@@ -725,6 +1187,80 @@ def _twist(m: Any, v: Components, v_dot: Components) -> Result:
     )
 
 
+def _twist_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16 = scratch
+    n1, n2, n5, n10, n80, n96, n160 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    q = add(mul(sub(x, n10, k2), x, k2), n5, k2)
+    qq = mul(q, q, k3)
+    p = add(mul(sub(mul(n5, x, k4), n10, k4), x, k4), n1, k4)
+    N = add(mul(p, p, k5), mul(x, qq, k6), k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
+    f = mul(mul(p, q, k4), s, k4)
+    g = mul(qq, s, k3)
+    gv2 = mul(v2, g, k6)
+    gv3 = mul(v3, g, k7)
+    c = add(mul(sub(mul(n80, x, k8), n96, k8), x, k8), n80, k8)
+    h = mul(c, s, k8)
+    vw = add(add(mul(v1, w1, k9), mul(v2, w2, k10), k9), mul(v3, w3, k10), k9)
+    cvw = mul(h, vw, k10)
+    add(add(mul(w1, f, k11), sub(mul(gv2, w3, k12), mul(gv3, w2, k13), k12), k11), mul(v1, cvw, k12), o1)
+    gv1 = mul(v1, g, k11)
+    add(add(mul(w2, f, k12), sub(mul(gv3, w1, k13), mul(gv1, w3, k14), k13), k12), mul(v2, cvw, k13), o2)
+    add(add(mul(w3, f, k12), sub(mul(gv1, w2, k13), mul(gv2, w1, k14), k13), k12), mul(v3, cvw, k13), o3)
+    k = add(n1, x, k12)
+    e = div(n5, k, k12)
+    eg = mul(e, g, k13)
+    df = sub(div(h, n2, k14), eg, k14)
+    y = add(add(mul(v1, v1o, k15), mul(v2, v2o, k16), k15), mul(v3, v3o, k16), k15)
+    xo = mul(n2, y, k15)
+    fo = mul(df, xo, k14)
+    dq = sub(mul(n2, x, k16), n10, k16)
+    dg = sub(mul(n2, mul(mul(q, dq, k2), s, k2), k2), eg, k2)
+    go = mul(dg, xo, k2)
+    dc = sub(mul(n160, x, k1), n96, k1)
+    dh = sub(mul(dc, s, k1), mul(e, h, k5), k1)
+    ho = mul(dh, xo, k1)
+    cvwo = add(
+        mul(h, add(add(add(mul(v1o, w1, k5), mul(v2o, w2, k12), k5), mul(v3o, w3, k12), k5), add(add(mul(v1, w1o, k12),
+        mul(v2, w2o, k13), k12), mul(v3, w3o, k13), k12), k5), k5), mul(ho, vw, k1), k1
+    )
+    gvo2 = add(mul(v2o, g, k5), mul(v2, go, k8), k5)
+    gvo3 = add(mul(v3o, g, k8), mul(v3, go, k9), k8)
+    gvo1 = add(mul(v1o, g, k3), mul(v1, go, k2), k2)
+    add(
+        add(add(add(mul(w1o, f, k3), mul(w1, fo, k9), k3), sub(mul(gv2, w3o, k9), mul(gv3, w2o, k12), k9), k3),
+        sub(mul(gvo2, w3, k9), mul(gvo3, w2, k12), k9), k3), add(mul(v1o, cvw, k9), mul(v1, cvwo, k12), k9), o4
+    )
+    add(
+        add(add(add(mul(w2o, f, k3), mul(w2, fo, k9), k3), sub(mul(gv3, w1o, k7), mul(gv1, w3o, k9), k7), k3),
+        sub(mul(gvo3, w1, k7), mul(gvo1, w3, k8), k7), k3), add(mul(v2o, cvw, k7), mul(v2, cvwo, k8), k7), o5
+    )
+    add(
+        add(add(add(mul(w3o, f, k3), mul(w3, fo, k4), k3), sub(mul(gv1, w2o, k4), mul(gv2, w1o, k6), k4), k3),
+        sub(mul(gvo1, w2, k2), mul(gvo2, w1, k4), k2), k2), add(mul(v3o, cvw, k3), mul(v3, cvwo, k1), k1), o6
+    )
+
+
+_TWIST = Kernel(
+    _twist,
+    _twist_blocks,
+    (("v", (6,)), ("v_dot", (6,)),),
+    (6,),
+    registers=16,
+    masks=0,
+    numbers=(1, 2, 5, 10, 80, 96, 160),
+)
+
+
 def twist(v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Twist in the space frame from the rate of v, CP23 (86): ``ω = dcay v̇``.
 
@@ -744,7 +1280,7 @@ def twist(v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | None =
     ndarray, shape (..., 6)
         [ω, v]: angular velocity (rad/s), then the velocity of the body point at the space origin. Defined for every v.
     """
-    return call(_twist, (6,), axis, out, v=(v, (6,)), v_dot=(v_dot, (6,)))
+    return call(_TWIST, axis, out, v, v_dot)
 
 
 # operations 136: 53 +, 73 *, 9 /, 1 neg
@@ -790,6 +1326,74 @@ def _rate(m: Any, v: Components, omega: Components) -> Result:
     )
 
 
+def _rate_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13 = scratch
+    n_minus_2, n1, n2, n5, n10, n34, n45, n80, n96 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    p = add(mul(sub(mul(n5, x, k2), n10, k2), x, k2), n1, k2)
+    q = add(mul(sub(x, n10, k3), x, k3), n5, k3)
+    iq = div(n1, mul(n2, q, k3), k3)
+    fi = mul(p, iq, k2)
+    d = add(mul(sub(x, n34, k4), x, k4), n45, k4)
+    hi = div(mul(d, iq, k5), n5, k5)
+    vw = add(add(mul(v1, w1, k6), mul(v2, w2, k7), k6), mul(v3, w3, k7), k6)
+    cvw = mul(hi, vw, k7)
+    s2 = div(v2, n_minus_2, k8)
+    s3 = div(v3, n_minus_2, k9)
+    add(add(mul(w1, fi, k10), sub(mul(s2, w3, k11), mul(s3, w2, k12), k11), k10), mul(v1, cvw, k11), o1)
+    s1 = div(v1, n_minus_2, k10)
+    add(add(mul(w2, fi, k11), sub(mul(s3, w1, k12), mul(s1, w3, k13), k12), k11), mul(v2, cvw, k12), o2)
+    add(add(mul(w3, fi, k11), sub(mul(s1, w2, k12), mul(s2, w1, k13), k12), k11), mul(v3, cvw, k12), o3)
+    x_by_2 = mul(n2, x, k11)
+    c = add(mul(sub(mul(n80, x, k12), n96, k12), x, k1), n80, k1)
+    dfi = neg(mul(c, mul(iq, iq, k12), k1), k1)
+    dd = sub(x_by_2, n34, k12)
+    dq = sub(x_by_2, n10, k11)
+    dhi = div(mul(sub(dd, mul(n2, mul(mul(d, dq, k4), iq, k4), k4), k4), iq, k3), n5, k3)
+    y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k11), k4), mul(v3, v3o, k11), k4)
+    xo = mul(n2, y, k4)
+    hio = mul(dhi, xo, k3)
+    cvwo = add(
+        mul(hi, add(add(add(mul(v1o, w1, k11), mul(v2o, w2, k12), k11), mul(v3o, w3, k12), k11), add(add(mul(v1, w1o,
+        k12), mul(v2, w2o, k13), k12), mul(v3, w3o, k13), k12), k11), k5), mul(hio, vw, k3), k3
+    )
+    fio = mul(dfi, xo, k1)
+    so2 = div(v2o, n_minus_2, k4)
+    so3 = div(v3o, n_minus_2, k5)
+    add(
+        add(add(add(mul(w1o, fi, k6), mul(w1, fio, k11), k6), sub(mul(s2, w3o, k11), mul(s3, w2o, k12), k11), k6),
+        sub(mul(so2, w3, k11), mul(so3, w2, k12), k11), k6), add(mul(v1o, cvw, k11), mul(v1, cvwo, k12), k11), o4
+    )
+    so1 = div(v1o, n_minus_2, k6)
+    add(
+        add(add(add(mul(w2o, fi, k11), mul(w2, fio, k12), k11), sub(mul(s3, w1o, k9), mul(s1, w3o, k12), k9), k9),
+        sub(mul(so3, w1, k5), mul(so1, w3, k11), k5), k5), add(mul(v2o, cvw, k9), mul(v2, cvwo, k11), k9), o5
+    )
+    add(
+        add(add(add(mul(w3o, fi, k2), mul(w3, fio, k1), k1), sub(mul(s1, w2o, k2), mul(s2, w1o, k5), k2), k1),
+        sub(mul(so1, w2, k2), mul(so2, w1, k4), k2), k1), add(mul(v3o, cvw, k2), mul(v3, cvwo, k3), k2), o6
+    )
+
+
+_RATE = Kernel(
+    _rate,
+    _rate_blocks,
+    (("v", (6,)), ("omega", (6,)),),
+    (6,),
+    registers=13,
+    masks=0,
+    numbers=(-2, 1, 2, 5, 10, 34, 45, 80, 96),
+)
+
+
 def rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Rate of v from the twist in the space frame, CP23 (87), (90): ``v̇ = dcay⁻¹ ω``.
 
@@ -809,10 +1413,10 @@ def rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | None = 
     ndarray, shape (..., 6)
         Time derivative of v (1/s); inf or NaN where ``tangent_inv`` has a pole.
     """
-    return call(_rate, (6,), axis, out, v=(v, (6,)), omega=(omega, (6,)))
+    return call(_RATE, axis, out, v, omega)
 
 
-# operations 148: 58 +, 87 *, 3 /
+# operations 150: 58 +, 88 *, 4 /
 def _body_twist(m: Any, v: Components, v_dot: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
@@ -827,7 +1431,7 @@ def _body_twist(m: Any, v: Components, v_dot: Components) -> Result:
     q = (x - 10) * x + 5
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     h = c * s
     k = 1 + x
     e = 5 / k
@@ -861,6 +1465,80 @@ def _body_twist(m: Any, v: Components, v_dot: Components) -> Result:
     )
 
 
+def _body_twist_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16 = scratch
+    n1, n2, n5, n10, n80, n96, n160 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    q = add(mul(sub(x, n10, k2), x, k2), n5, k2)
+    qq = mul(q, q, k3)
+    p = add(mul(sub(mul(n5, x, k4), n10, k4), x, k4), n1, k4)
+    N = add(mul(p, p, k5), mul(x, qq, k6), k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
+    f = mul(mul(p, q, k4), s, k4)
+    g = mul(qq, s, k3)
+    gv3 = mul(v3, g, k6)
+    gv2 = mul(v2, g, k7)
+    c = add(mul(sub(mul(n80, x, k8), n96, k8), x, k8), n80, k8)
+    h = mul(c, s, k8)
+    vw = add(add(mul(v1, w1, k9), mul(v2, w2, k10), k9), mul(v3, w3, k10), k9)
+    cvw = mul(h, vw, k10)
+    add(add(mul(w1, f, k11), sub(mul(w2, gv3, k12), mul(w3, gv2, k13), k12), k11), mul(v1, cvw, k12), o1)
+    gv1 = mul(v1, g, k11)
+    add(add(mul(w2, f, k12), sub(mul(w3, gv1, k13), mul(w1, gv3, k14), k13), k12), mul(v2, cvw, k13), o2)
+    add(add(mul(w3, f, k12), sub(mul(w1, gv2, k13), mul(w2, gv1, k14), k13), k12), mul(v3, cvw, k13), o3)
+    k = add(n1, x, k12)
+    e = div(n5, k, k12)
+    eg = mul(e, g, k13)
+    df = sub(div(h, n2, k14), eg, k14)
+    y = add(add(mul(v1, v1o, k15), mul(v2, v2o, k16), k15), mul(v3, v3o, k16), k15)
+    xo = mul(n2, y, k15)
+    fo = mul(df, xo, k14)
+    dq = sub(mul(n2, x, k16), n10, k16)
+    dg = sub(mul(n2, mul(mul(q, dq, k2), s, k2), k2), eg, k2)
+    go = mul(dg, xo, k2)
+    dc = sub(mul(n160, x, k1), n96, k1)
+    dh = sub(mul(dc, s, k1), mul(e, h, k5), k1)
+    ho = mul(dh, xo, k1)
+    cvwo = add(
+        mul(h, add(add(add(mul(v1o, w1, k5), mul(v2o, w2, k12), k5), mul(v3o, w3, k12), k5), add(add(mul(v1, w1o, k12),
+        mul(v2, w2o, k13), k12), mul(v3, w3o, k13), k12), k5), k5), mul(ho, vw, k1), k1
+    )
+    gvo3 = add(mul(v3o, g, k5), mul(v3, go, k8), k5)
+    gvo2 = add(mul(v2o, g, k8), mul(v2, go, k9), k8)
+    gvo1 = add(mul(v1o, g, k3), mul(v1, go, k2), k2)
+    add(
+        add(add(add(mul(w1o, f, k3), mul(w1, fo, k9), k3), sub(mul(w2o, gv3, k9), mul(w3o, gv2, k12), k9), k3),
+        sub(mul(w2, gvo3, k9), mul(w3, gvo2, k12), k9), k3), add(mul(v1o, cvw, k9), mul(v1, cvwo, k12), k9), o4
+    )
+    add(
+        add(add(add(mul(w2o, f, k3), mul(w2, fo, k9), k3), sub(mul(w3o, gv1, k9), mul(w1o, gv3, k6), k6), k3),
+        sub(mul(w3, gvo1, k6), mul(w1, gvo3, k5), k5), k3), add(mul(v2o, cvw, k5), mul(v2, cvwo, k6), k5), o5
+    )
+    add(
+        add(add(add(mul(w3o, f, k3), mul(w3, fo, k4), k3), sub(mul(w1o, gv2, k4), mul(w2o, gv1, k5), k4), k3),
+        sub(mul(w1, gvo2, k4), mul(w2, gvo1, k2), k2), k2), add(mul(v3o, cvw, k3), mul(v3, cvwo, k1), k1), o6
+    )
+
+
+_BODY_TWIST = Kernel(
+    _body_twist,
+    _body_twist_blocks,
+    (("v", (6,)), ("v_dot", (6,)),),
+    (6,),
+    registers=16,
+    masks=0,
+    numbers=(1, 2, 5, 10, 80, 96, 160),
+)
+
+
 def body_twist(v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Twist in the body frame from the rate of v, CP23 (86): ``ω_B = dcayᵀ v̇ = Rᵀ ω``.
 
@@ -880,7 +1558,7 @@ def body_twist(v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | N
     ndarray, shape (..., 6)
         [ω, v] in the body frame: angular velocity (rad/s), then the velocity of the body's origin. Defined for every v.
     """
-    return call(_body_twist, (6,), axis, out, v=(v, (6,)), v_dot=(v_dot, (6,)))
+    return call(_BODY_TWIST, axis, out, v, v_dot)
 
 
 # operations 136: 53 +, 73 *, 9 /, 1 neg
@@ -926,6 +1604,74 @@ def _body_rate(m: Any, v: Components, omega: Components) -> Result:
     )
 
 
+def _body_rate_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13 = scratch
+    n_minus_2, n1, n2, n5, n10, n34, n45, n80, n96 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    p = add(mul(sub(mul(n5, x, k2), n10, k2), x, k2), n1, k2)
+    q = add(mul(sub(x, n10, k3), x, k3), n5, k3)
+    iq = div(n1, mul(n2, q, k3), k3)
+    fi = mul(p, iq, k2)
+    d = add(mul(sub(x, n34, k4), x, k4), n45, k4)
+    hi = div(mul(d, iq, k5), n5, k5)
+    vw = add(add(mul(v1, w1, k6), mul(v2, w2, k7), k6), mul(v3, w3, k7), k6)
+    cvw = mul(hi, vw, k7)
+    s3 = div(v3, n_minus_2, k8)
+    s2 = div(v2, n_minus_2, k9)
+    add(add(mul(w1, fi, k10), sub(mul(w2, s3, k11), mul(w3, s2, k12), k11), k10), mul(v1, cvw, k11), o1)
+    s1 = div(v1, n_minus_2, k10)
+    add(add(mul(w2, fi, k11), sub(mul(w3, s1, k12), mul(w1, s3, k13), k12), k11), mul(v2, cvw, k12), o2)
+    add(add(mul(w3, fi, k11), sub(mul(w1, s2, k12), mul(w2, s1, k13), k12), k11), mul(v3, cvw, k12), o3)
+    x_by_2 = mul(n2, x, k11)
+    c = add(mul(sub(mul(n80, x, k12), n96, k12), x, k1), n80, k1)
+    dfi = neg(mul(c, mul(iq, iq, k12), k1), k1)
+    dd = sub(x_by_2, n34, k12)
+    dq = sub(x_by_2, n10, k11)
+    dhi = div(mul(sub(dd, mul(n2, mul(mul(d, dq, k4), iq, k4), k4), k4), iq, k3), n5, k3)
+    y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k11), k4), mul(v3, v3o, k11), k4)
+    xo = mul(n2, y, k4)
+    hio = mul(dhi, xo, k3)
+    cvwo = add(
+        mul(hi, add(add(add(mul(v1o, w1, k11), mul(v2o, w2, k12), k11), mul(v3o, w3, k12), k11), add(add(mul(v1, w1o,
+        k12), mul(v2, w2o, k13), k12), mul(v3, w3o, k13), k12), k11), k5), mul(hio, vw, k3), k3
+    )
+    fio = mul(dfi, xo, k1)
+    so3 = div(v3o, n_minus_2, k4)
+    so2 = div(v2o, n_minus_2, k5)
+    add(
+        add(add(add(mul(w1o, fi, k6), mul(w1, fio, k11), k6), sub(mul(w2o, s3, k11), mul(w3o, s2, k12), k11), k6),
+        sub(mul(w2, so3, k11), mul(w3, so2, k12), k11), k6), add(mul(v1o, cvw, k11), mul(v1, cvwo, k12), k11), o4
+    )
+    so1 = div(v1o, n_minus_2, k6)
+    add(
+        add(add(add(mul(w2o, fi, k11), mul(w2, fio, k12), k11), sub(mul(w3o, s1, k12), mul(w1o, s3, k8), k8), k8),
+        sub(mul(w3, so1, k11), mul(w1, so3, k4), k4), k4), add(mul(v2o, cvw, k8), mul(v2, cvwo, k11), k8), o5
+    )
+    add(
+        add(add(add(mul(w3o, fi, k2), mul(w3, fio, k1), k1), sub(mul(w1o, s2, k2), mul(w2o, s1, k4), k2), k1),
+        sub(mul(w1, so2, k2), mul(w2, so1, k4), k2), k1), add(mul(v3o, cvw, k2), mul(v3, cvwo, k3), k2), o6
+    )
+
+
+_BODY_RATE = Kernel(
+    _body_rate,
+    _body_rate_blocks,
+    (("v", (6,)), ("omega", (6,)),),
+    (6,),
+    registers=13,
+    masks=0,
+    numbers=(-2, 1, 2, 5, 10, 34, 45, 80, 96),
+)
+
+
 def body_rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Rate of v from the twist in the body frame, CP23 (87), (91): ``v̇ = dcay⁻ᵀ ω_B``.
 
@@ -945,13 +1691,13 @@ def body_rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | No
     ndarray, shape (..., 6)
         Time derivative of v (1/s); inf or NaN where ``tangent_inv`` has a pole.
     """
-    return call(_body_rate, (6,), axis, out, v=(v, (6,)), omega=(omega, (6,)))
+    return call(_BODY_RATE, axis, out, v, omega)
 
 
 # --- inverse maps, shadows, composition -------------------------------------------------------------------------
 
 
-# operations 58: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 8 where
+# operations 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
 def _turn(m: Any, v: Components, cs: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = cs
@@ -960,8 +1706,8 @@ def _turn(m: Any, v: Components, cs: Components) -> Result:
     v33 = v3 * v3
     x = v11 + v22 + v33
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -975,7 +1721,53 @@ def _turn(m: Any, v: Components, cs: Components) -> Result:
     return (u1 * rk, u2 * rk, u3 * rk, uo1 * rk + u1 * rko, uo2 * rk + u2 * rko, uo3 * rk + u3 * rko)
 
 
-# operations 80: 20 +, 33 *, 7 /, 1 neg, 2 sqrt, 3 lt, 2 eq, 1 and, 1 or, 10 where
+def _turn_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, cs: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    cos, sin = cs
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
+    mask1, = masks
+    n0, n1 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    still = m.equal(x, n0, mask1)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
+    r = m.where(still, x, length, k1)
+    iden = div(n1, sub(cos, mul(r, sin, k3), k3), k3)
+    rk = mul(add(mul(r, cos, k1), sin, k1), iden, k1)
+    u1 = div(m.where(still, v1o, v1, k4), length, k4)
+    mul(u1, rk, o1)
+    u2 = div(m.where(still, v2o, v2, k5), length, k5)
+    mul(u2, rk, o2)
+    u3 = div(m.where(still, v3o, v3, k6), length, k6)
+    mul(u3, rk, o3)
+    ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
+    rko = mul(ro, mul(iden, iden, k3), k3)
+    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k7), k7), k9), length, k7)
+    add(mul(uo1, rk, k7), mul(u1, rko, k4), o4)
+    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k4), k4), k7), length, k4)
+    add(mul(uo2, rk, k4), mul(u2, rko, k5), o5)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k2)
+    add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
+
+
+_TURN = Kernel(
+    _turn,
+    _turn_blocks,
+    (("v", (6,)),),
+    (6,),
+    registers=9,
+    masks=1,
+    numbers=(0, 1),
+    real=True,
+)
+
+
+# operations 80: 20 +, 33 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 11 where
 def _shadow(m: Any, v: Components, cs: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = cs
@@ -990,10 +1782,9 @@ def _shadow(m: Any, v: Components, cs: Components) -> Result:
     qp = m.where(pneg, mq, q)
     y = v1 * v1o + v2 * v2o + v3 * v3o
     sign = m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
-    sn = sign * sin
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1001,10 +1792,68 @@ def _shadow(m: Any, v: Components, cs: Components) -> Result:
     uo1 = m.where(still, 0, v1o - u1 * ro) / length
     uo2 = m.where(still, 0, v2o - u2 * ro) / length
     uo3 = m.where(still, 0, v3o - u3 * ro) / length
+    sn = sign * sin
     iden = 1 / (cos - r * sn)
     rk = (r * cos + sn) * iden
     rko = ro * (iden * iden)
     return (u1 * rk, u2 * rk, u3 * rk, uo1 * rk + u1 * rko, uo2 * rk + u2 * rko, uo3 * rk + u3 * rko)
+
+
+def _shadow_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, cs: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    cos, sin = cs
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
+    mask1, mask2, mask3 = masks
+    n_minus_1, n0, n1, n5, n10 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    p = add(mul(sub(mul(n5, x, k2), n10, k2), x, k2), n1, k2)
+    pneg = m.less(p, n0, mask1)
+    q = add(mul(sub(x, n10, k2), x, k2), n5, k2)
+    mq = neg(q, k3)
+    qp = m.where(pneg, mq, q, k3)
+    y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k5), k4), mul(v3, v3o, k5), k4)
+    sign = m.where(
+        m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1), n_minus_1,
+        n1, k2
+    )
+    sn = mul(sign, sin, k2)
+    still = m.equal(x, n0, mask1)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k3), mul(v2o, v2o, k4), k3), mul(v3o, v3o, k4), k3), x, k3), k3)
+    r = m.where(still, x, length, k1)
+    iden = div(n1, sub(cos, mul(r, sn, k4), k4), k4)
+    rk = mul(add(mul(r, cos, k1), sn, k1), iden, k1)
+    u1 = div(m.where(still, v1o, v1, k2), length, k2)
+    mul(u1, rk, o1)
+    u2 = div(m.where(still, v2o, v2, k5), length, k5)
+    mul(u2, rk, o2)
+    u3 = div(m.where(still, v3o, v3, k6), length, k6)
+    mul(u3, rk, o3)
+    ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
+    rko = mul(ro, mul(iden, iden, k4), k4)
+    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k7), k7), k9), length, k7)
+    add(mul(uo1, rk, k7), mul(u1, rko, k2), o4)
+    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k2), k2), k7), length, k2)
+    add(mul(uo2, rk, k2), mul(u2, rko, k5), o5)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k2), k2), k5), length, k2)
+    add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
+
+
+_SHADOW = Kernel(
+    _shadow,
+    _shadow_blocks,
+    (("v", (6,)),),
+    (6,),
+    registers=9,
+    masks=3,
+    numbers=(-1, 0, 1, 5, 10),
+    real=True,
+)
 
 
 def shadow(v: ArrayLike, branch: int = 1, *, axis: int = -1, out: Array | None = None) -> Array:
@@ -1034,7 +1883,90 @@ def shadow(v: ArrayLike, branch: int = 1, *, axis: int = -1, out: Array | None =
     TypeError
         If v is complex or branch is no integer.
     """
-    return shifted(_shadow, TURNS, branch, v, axis, out)
+    return shifted(_SHADOW, TURNS, branch, v, axis, out)
+
+
+# operations 55: 13 +, 23 *, 7 /, 1 sqrt, 2 lt, 9 where
+def _principal(m: Any, v: Components, table: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    limit1, cos1, sin1, limit2, cos2, sin2 = table
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    beyond1 = limit1 < x
+    beyond2 = limit2 < x
+    cosine2 = m.where(beyond2, cos2, cos1)
+    sine2 = m.where(beyond2, sin2, sin1)
+    k = 1 + x
+    r = m.sqrt(m.where(beyond1, x, k))
+    u1 = v1 / r
+    u2 = v2 / r
+    u3 = v3 / r
+    ro = u1 * v1o + u2 * v2o + u3 * v3o
+    uo1 = (v1o - u1 * ro) / r
+    uo2 = (v2o - u2 * ro) / r
+    uo3 = (v3o - u3 * ro) / r
+    iden = 1 / (cosine2 - r * sine2)
+    rk = (r * cosine2 + sine2) * iden
+    rko = ro * (iden * iden)
+    return (
+        m.where(beyond1, u1 * rk, v1),
+        m.where(beyond1, u2 * rk, v2),
+        m.where(beyond1, u3 * rk, v3),
+        m.where(beyond1, uo1 * rk + u1 * rko, v1o),
+        m.where(beyond1, uo2 * rk + u2 * rko, v2o),
+        m.where(beyond1, uo3 * rk + u3 * rko, v3o),
+    )
+
+
+def _principal_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, table: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    limit1, cos1, sin1, limit2, cos2, sin2 = table
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
+    mask1, mask2 = masks
+    n1, = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    beyond1 = m.less(limit1, x, mask1)
+    k = add(n1, x, k2)
+    r = sqrt(m.where(beyond1, x, k, k3), k2)
+    beyond2 = m.less(limit2, x, mask2)
+    cosine2 = m.where(beyond2, cos2, cos1, k1)
+    sine2 = m.where(beyond2, sin2, sin1, k3)
+    iden = div(n1, sub(cosine2, mul(r, sine2, k4), k4), k4)
+    rk = mul(add(mul(r, cosine2, k1), sine2, k1), iden, k1)
+    u1 = div(v1, r, k3)
+    m.where(beyond1, mul(u1, rk, k5), v1, o1)
+    u2 = div(v2, r, k5)
+    m.where(beyond1, mul(u2, rk, k6), v2, o2)
+    u3 = div(v3, r, k6)
+    m.where(beyond1, mul(u3, rk, k7), v3, o3)
+    ro = add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7)
+    rko = mul(ro, mul(iden, iden, k4), k4)
+    uo1 = div(sub(v1o, mul(u1, ro, k8), k8), r, k8)
+    m.where(beyond1, add(mul(uo1, rk, k8), mul(u1, rko, k3), k3), v1o, o4)
+    uo2 = div(sub(v2o, mul(u2, ro, k3), k3), r, k3)
+    m.where(beyond1, add(mul(uo2, rk, k3), mul(u2, rko, k5), k3), v2o, o5)
+    uo3 = div(sub(v3o, mul(u3, ro, k3), k3), r, k2)
+    m.where(beyond1, add(mul(uo3, rk, k1), mul(u3, rko, k2), k1), v3o, o6)
+
+
+_PRINCIPAL = Kernel(
+    _principal,
+    _principal_blocks,
+    (("v", (6,)),),
+    (6,),
+    registers=8,
+    masks=2,
+    numbers=(1,),
+    real=True,
+)
 
 
 def principal(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
@@ -1059,10 +1991,10 @@ def principal(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Arra
     TypeError
         If v is complex.
     """
-    return nearest(_turn, TURNS, LIMITS, v, axis, out)
+    return call(_PRINCIPAL, axis, out, v, table=RETURNS)
 
 
-# operations 96: 30 +, 49 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 4 where
+# operations 97: 30 +, 49 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 def _from_quaternion(m: Any, e: Components) -> Result:
     e0, e1, e2, e3, e0o, e1o, e2o, e3o = e
     rho1 = 2 * (e1o * e0 - e1 * e0o + (e2 * e3o - e3 * e2o))
@@ -1070,8 +2002,9 @@ def _from_quaternion(m: Any, e: Components) -> Result:
     rho3 = 2 * (e3o * e0 - e3 * e0o + (e1 * e2o - e2 * e1o))
     negative = e0 < 0
     cos = m.where(negative, -e0, e0)
-    sin = m.sqrt(e1 * e1 + e2 * e2 + e3 * e3)
-    still = sin == 0
+    ss = e1 * e1 + e2 * e2 + e3 * e3
+    still = ss == 0
+    sin = m.sqrt(m.where(still, cos, ss))
     gain = m.where(negative, -1, 1) * (m.where(still, 1, m.tan(m.atan2(sin, cos) / 5)) / m.where(still, 5 * cos, sin))
     v1 = e1 * gain
     v2 = e2 * gain
@@ -1100,6 +2033,66 @@ def _from_quaternion(m: Any, e: Components) -> Result:
     )
 
 
+def _from_quaternion_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, e: Rows
+) -> None:
+    e0, e1, e2, e3, e0o, e1o, e2o, e3o = e
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10 = scratch
+    mask1, mask2 = masks
+    n_minus_1, n0, n1, n2, n5, n10, n34, n45 = numbers
+    ss = add(add(mul(e1, e1, k1), mul(e2, e2, k2), k1), mul(e3, e3, k2), k1)
+    still = m.equal(ss, n0, mask1)
+    negative = m.less(e0, n0, mask2)
+    cos = m.where(negative, neg(e0, k2), e0, k2)
+    sin = sqrt(m.where(still, cos, ss, k3), k1)
+    gain = mul(
+        m.where(negative, n_minus_1, n1, k3), div(m.where(still, n1, tan(div(atan2(sin, cos, k4), n5, k4), k4), k5),
+        m.where(still, mul(n5, cos, k2), sin, k2), k1), k1
+    )
+    v1 = mul(e1, gain, o1)
+    v2 = mul(e2, gain, o2)
+    v3 = mul(e3, gain, o3)
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    p = add(mul(sub(mul(n5, x, k2), n10, k2), x, k2), n1, k2)
+    q = add(mul(sub(x, n10, k3), x, k3), n5, k3)
+    iq = div(n1, mul(n2, q, k3), k3)
+    fi = mul(p, iq, k2)
+    d = add(mul(sub(x, n34, k4), x, k1), n45, k1)
+    hi = div(mul(d, iq, k1), n5, k1)
+    rho1 = mul(
+        n2, add(sub(mul(e1o, e0, k3), mul(e1, e0o, k4), k3), sub(mul(e2, e3o, k4), mul(e3, e2o, k5), k4), k3), k3
+    )
+    rho2 = mul(
+        n2, add(sub(mul(e2o, e0, k4), mul(e2, e0o, k5), k4), sub(mul(e3, e1o, k5), mul(e1, e3o, k6), k5), k4), k4
+    )
+    rho3 = mul(
+        n2, add(sub(mul(e3o, e0, k5), mul(e3, e0o, k6), k5), sub(mul(e1, e2o, k6), mul(e2, e1o, k7), k6), k5), k5
+    )
+    hvr = mul(hi, add(add(mul(v1, rho1, k6), mul(v2, rho2, k7), k6), mul(v3, rho3, k7), k6), k1)
+    hv2 = div(v2, n2, k6)
+    hv3 = div(v3, n2, k7)
+    add(sub(mul(rho1, fi, k8), sub(mul(hv2, rho3, k9), mul(hv3, rho2, k10), k9), k8), mul(v1, hvr, k9), o4)
+    hv1 = div(v1, n2, k8)
+    add(sub(mul(rho2, fi, k9), sub(mul(hv3, rho1, k7), mul(hv1, rho3, k10), k7), k7), mul(v2, hvr, k9), o5)
+    add(sub(mul(rho3, fi, k2), sub(mul(hv1, rho2, k4), mul(hv2, rho1, k3), k3), k2), mul(v3, hvr, k1), o6)
+
+
+_FROM_QUATERNION = Kernel(
+    _from_quaternion,
+    _from_quaternion_blocks,
+    (("q", (8,)),),
+    (6,),
+    registers=10,
+    masks=2,
+    numbers=(-1, 0, 1, 2, 5, 10, 34, 45),
+    real=True,
+)
+
+
 def from_quaternion(q: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Rodrigues dual vector of a unit dual quaternion, CP23 (47), (49).
 
@@ -1126,10 +2119,10 @@ def from_quaternion(q: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array
     TypeError
         If q is complex or branch is no integer.
     """
-    return call_branch(_from_quaternion, _turn, TURNS, branch, axis, out, q=(q, (8,)))
+    return call_branch(_FROM_QUATERNION, _TURN, TURNS, branch, axis, out, q)
 
 
-# operations 157: 50 +, 56 *, 10 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 19 where
+# operations 153: 50 +, 55 *, 10 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 def _from_tensor(m: Any, R: Components) -> Result:
     Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33, D11, D12, D13, D21, D22, D23, D31, D32, D33 = R
     rho1 = (D31 * Q21 + D32 * Q22 + D33 * Q23 - (D21 * Q31 + D22 * Q32 + D23 * Q33)) / 2
@@ -1171,11 +2164,10 @@ def _from_tensor(m: Any, R: Components) -> Result:
     e1 = sign * z31
     e2 = sign * z32
     e3 = sign * z33
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
-    sin = m.sqrt(e1 * e1 + e2 * e2 + e3 * e3)
-    still = sin == 0
-    gain = m.where(negative, -1, 1) * (m.where(still, 1, m.tan(m.atan2(sin, cos) / 5)) / m.where(still, 5 * cos, sin))
+    ss = e1 * e1 + e2 * e2 + e3 * e3
+    still = ss == 0
+    sin = m.sqrt(m.where(still, e0, ss))
+    gain = m.where(still, 1, m.tan(m.atan2(sin, e0) / 5)) / m.where(still, 5 * e0, sin)
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
@@ -1201,6 +2193,106 @@ def _from_tensor(m: Any, R: Components) -> Result:
         rho2 * fi - (hv3 * rho1 - hv1 * rho3) + v2 * hvr,
         rho3 * fi - (hv1 * rho2 - hv2 * rho1) + v3 * hvr,
     )
+
+
+def _from_tensor_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, R: Rows
+) -> None:
+    Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33, D11, D12, D13, D21, D22, D23, D31, D32, D33 = R
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10 = scratch
+    mask1, mask2, mask3, mask4, mask5, mask6, mask7 = masks
+    n_minus_1, n0, n1, n2, n5, n10, n34, n45 = numbers
+    up = add(n1, Q11, k1)
+    total = add(Q22, Q33, k2)
+    t0 = add(up, total, k3)
+    t1 = sub(up, total, k1)
+    larger1 = m.less(t0, t1, mask1)
+    best1 = m.where(larger1, t1, t0, k2)
+    down = sub(n1, Q11, k4)
+    difference = sub(Q22, Q33, k5)
+    t2 = add(down, difference, k6)
+    t3 = sub(down, difference, k4)
+    larger2 = m.less(best1, t2, mask2)
+    best2 = m.where(larger2, t2, best1, k5)
+    larger3 = m.less(best2, t3, mask3)
+    a1 = sub(Q32, Q23, k2)
+    z10 = m.where(larger1, a1, t0, k5)
+    z11 = m.where(larger1, t1, a1, k1)
+    a2 = sub(Q13, Q31, k2)
+    z20 = m.where(larger2, a2, z10, k3)
+    a3 = sub(Q21, Q12, k5)
+    z30 = m.where(larger3, a3, z20, k7)
+    s12 = add(Q12, Q21, k3)
+    z21 = m.where(larger2, s12, z11, k8)
+    z12 = m.where(larger1, s12, a2, k1)
+    z22 = m.where(larger2, t2, z12, k2)
+    s13 = add(Q13, Q31, k1)
+    z13 = m.where(larger1, s13, a3, k3)
+    z31 = m.where(larger3, s13, z21, k1)
+    s23 = add(Q23, Q32, k5)
+    z23 = m.where(larger2, s23, z13, k6)
+    z32 = m.where(larger3, s23, z22, k3)
+    z33 = m.where(larger3, t3, z23, k2)
+    sign = m.where(
+        m.either(m.less(z30, n0, mask1), m.both(m.equal(z30, n0, mask2), m.either(m.less(z31, n0, mask3),
+        m.both(m.equal(z31, n0, mask4), m.either(m.less(z32, n0, mask5), m.both(m.equal(z32, n0, mask6), m.less(z33, n0,
+        mask7), mask6), mask5), mask4), mask3), mask2), mask1), n_minus_1, n1, k4
+    )
+    e1 = mul(sign, z31, k1)
+    e2 = mul(sign, z32, k3)
+    e3 = mul(sign, z33, k2)
+    e0 = mul(sign, z30, k4)
+    ss = add(add(mul(e1, e1, k5), mul(e2, e2, k6), k5), mul(e3, e3, k6), k5)
+    still = m.equal(ss, n0, mask1)
+    sin = sqrt(m.where(still, e0, ss, k6), k5)
+    gain = div(
+        m.where(still, n1, tan(div(atan2(sin, e0, k6), n5, k6), k6), k7), m.where(still, mul(n5, e0, k4), sin, k4), k4
+    )
+    v1 = mul(e1, gain, o1)
+    v2 = mul(e2, gain, o2)
+    v3 = mul(e3, gain, o3)
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    p = add(mul(sub(mul(n5, x, k2), n10, k2), x, k2), n1, k2)
+    q = add(mul(sub(x, n10, k3), x, k3), n5, k3)
+    iq = div(n1, mul(n2, q, k3), k3)
+    fi = mul(p, iq, k2)
+    d = add(mul(sub(x, n34, k4), x, k1), n45, k1)
+    hi = div(mul(d, iq, k1), n5, k1)
+    rho1 = div(
+        sub(add(add(mul(D31, Q21, k3), mul(D32, Q22, k4), k3), mul(D33, Q23, k4), k3), add(add(mul(D21, Q31, k4),
+        mul(D22, Q32, k5), k4), mul(D23, Q33, k5), k4), k3), n2, k3
+    )
+    rho2 = div(
+        sub(add(add(mul(D11, Q31, k4), mul(D12, Q32, k5), k4), mul(D13, Q33, k5), k4), add(add(mul(D31, Q11, k5),
+        mul(D32, Q12, k6), k5), mul(D33, Q13, k6), k5), k4), n2, k4
+    )
+    rho3 = div(
+        sub(add(add(mul(D21, Q11, k5), mul(D22, Q12, k6), k5), mul(D23, Q13, k6), k5), add(add(mul(D11, Q21, k6),
+        mul(D12, Q22, k7), k6), mul(D13, Q23, k7), k6), k5), n2, k5
+    )
+    hvr = mul(hi, add(add(mul(v1, rho1, k6), mul(v2, rho2, k7), k6), mul(v3, rho3, k7), k6), k1)
+    hv2 = div(v2, n2, k6)
+    hv3 = div(v3, n2, k7)
+    add(sub(mul(rho1, fi, k8), sub(mul(hv2, rho3, k9), mul(hv3, rho2, k10), k9), k8), mul(v1, hvr, k9), o4)
+    hv1 = div(v1, n2, k8)
+    add(sub(mul(rho2, fi, k9), sub(mul(hv3, rho1, k7), mul(hv1, rho3, k10), k7), k7), mul(v2, hvr, k9), o5)
+    add(sub(mul(rho3, fi, k2), sub(mul(hv1, rho2, k4), mul(hv2, rho1, k3), k3), k2), mul(v3, hvr, k1), o6)
+
+
+_FROM_TENSOR = Kernel(
+    _from_tensor,
+    _from_tensor_blocks,
+    (("R", (2, 3, 3)),),
+    (6,),
+    registers=10,
+    masks=7,
+    numbers=(-1, 0, 1, 2, 5, 10, 34, 45),
+    real=True,
+)
 
 
 def from_tensor(R: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None) -> Array:
@@ -1229,10 +2321,10 @@ def from_tensor(R: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | N
     TypeError
         If R is complex or branch is no integer.
     """
-    return call_branch(_from_tensor, _turn, TURNS, branch, axis, out, R=(R, (2, 3, 3)))
+    return call_branch(_FROM_TENSOR, _TURN, TURNS, branch, axis, out, R)
 
 
-# operations 121: 35 +, 38 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 19 where
+# operations 117: 35 +, 37 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 def _from_pose(m: Any, T: Components) -> Result:
     Q11, Q12, Q13, T14, Q21, Q22, Q23, T24, Q31, Q32, Q33, T34, _, _, _, _ = T
     a1 = Q32 - Q23
@@ -1271,11 +2363,10 @@ def _from_pose(m: Any, T: Components) -> Result:
     e1 = sign * z31
     e2 = sign * z32
     e3 = sign * z33
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
-    sin = m.sqrt(e1 * e1 + e2 * e2 + e3 * e3)
-    still = sin == 0
-    gain = m.where(negative, -1, 1) * (m.where(still, 1, m.tan(m.atan2(sin, cos) / 5)) / m.where(still, 5 * cos, sin))
+    ss = e1 * e1 + e2 * e2 + e3 * e3
+    still = ss == 0
+    sin = m.sqrt(m.where(still, e0, ss))
+    gain = m.where(still, 1, m.tan(m.atan2(sin, e0) / 5)) / m.where(still, 5 * e0, sin)
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
@@ -1301,6 +2392,94 @@ def _from_pose(m: Any, T: Components) -> Result:
         T24 * fi - (hv3 * T14 - hv1 * T34) + v2 * hvr,
         T34 * fi - (hv1 * T24 - hv2 * T14) + v3 * hvr,
     )
+
+
+def _from_pose_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, T: Rows
+) -> None:
+    Q11, Q12, Q13, T14, Q21, Q22, Q23, T24, Q31, Q32, Q33, T34, _, _, _, _ = T
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
+    mask1, mask2, mask3, mask4, mask5, mask6, mask7 = masks
+    n_minus_1, n0, n1, n2, n5, n10, n34, n45 = numbers
+    up = add(n1, Q11, k1)
+    total = add(Q22, Q33, k2)
+    t0 = add(up, total, k3)
+    t1 = sub(up, total, k1)
+    larger1 = m.less(t0, t1, mask1)
+    best1 = m.where(larger1, t1, t0, k2)
+    down = sub(n1, Q11, k4)
+    difference = sub(Q22, Q33, k5)
+    t2 = add(down, difference, k6)
+    t3 = sub(down, difference, k4)
+    larger2 = m.less(best1, t2, mask2)
+    best2 = m.where(larger2, t2, best1, k5)
+    larger3 = m.less(best2, t3, mask3)
+    a1 = sub(Q32, Q23, k2)
+    z10 = m.where(larger1, a1, t0, k5)
+    z11 = m.where(larger1, t1, a1, k1)
+    a2 = sub(Q13, Q31, k2)
+    z20 = m.where(larger2, a2, z10, k3)
+    a3 = sub(Q21, Q12, k5)
+    z30 = m.where(larger3, a3, z20, k7)
+    s12 = add(Q12, Q21, k3)
+    z21 = m.where(larger2, s12, z11, k8)
+    z12 = m.where(larger1, s12, a2, k1)
+    z22 = m.where(larger2, t2, z12, k2)
+    s13 = add(Q13, Q31, k1)
+    z13 = m.where(larger1, s13, a3, k3)
+    z31 = m.where(larger3, s13, z21, k1)
+    s23 = add(Q23, Q32, k5)
+    z23 = m.where(larger2, s23, z13, k6)
+    z32 = m.where(larger3, s23, z22, k3)
+    z33 = m.where(larger3, t3, z23, k2)
+    sign = m.where(
+        m.either(m.less(z30, n0, mask1), m.both(m.equal(z30, n0, mask2), m.either(m.less(z31, n0, mask3),
+        m.both(m.equal(z31, n0, mask4), m.either(m.less(z32, n0, mask5), m.both(m.equal(z32, n0, mask6), m.less(z33, n0,
+        mask7), mask6), mask5), mask4), mask3), mask2), mask1), n_minus_1, n1, k4
+    )
+    e1 = mul(sign, z31, k1)
+    e2 = mul(sign, z32, k3)
+    e3 = mul(sign, z33, k2)
+    e0 = mul(sign, z30, k4)
+    ss = add(add(mul(e1, e1, k5), mul(e2, e2, k6), k5), mul(e3, e3, k6), k5)
+    still = m.equal(ss, n0, mask1)
+    sin = sqrt(m.where(still, e0, ss, k6), k5)
+    gain = div(
+        m.where(still, n1, tan(div(atan2(sin, e0, k6), n5, k6), k6), k7), m.where(still, mul(n5, e0, k4), sin, k4), k4
+    )
+    v1 = mul(e1, gain, o1)
+    v2 = mul(e2, gain, o2)
+    v3 = mul(e3, gain, o3)
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    p = add(mul(sub(mul(n5, x, k2), n10, k2), x, k2), n1, k2)
+    q = add(mul(sub(x, n10, k3), x, k3), n5, k3)
+    iq = div(n1, mul(n2, q, k3), k3)
+    fi = mul(p, iq, k2)
+    d = add(mul(sub(x, n34, k4), x, k1), n45, k1)
+    hi = div(mul(d, iq, k1), n5, k1)
+    hvr = mul(hi, add(add(mul(v1, T14, k3), mul(v2, T24, k4), k3), mul(v3, T34, k4), k3), k1)
+    hv2 = div(v2, n2, k3)
+    hv3 = div(v3, n2, k4)
+    add(sub(mul(T14, fi, k5), sub(mul(hv2, T34, k6), mul(hv3, T24, k7), k6), k5), mul(v1, hvr, k6), o4)
+    hv1 = div(v1, n2, k5)
+    add(sub(mul(T24, fi, k6), sub(mul(hv3, T14, k4), mul(hv1, T34, k7), k4), k4), mul(v2, hvr, k6), o5)
+    add(sub(mul(T34, fi, k2), sub(mul(hv1, T24, k4), mul(hv2, T14, k3), k3), k2), mul(v3, hvr, k1), o6)
+
+
+_FROM_POSE = Kernel(
+    _from_pose,
+    _from_pose_blocks,
+    (("T", (4, 4)),),
+    (6,),
+    registers=8,
+    masks=7,
+    numbers=(-1, 0, 1, 2, 5, 10, 34, 45),
+    real=True,
+)
 
 
 def from_pose(T: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None) -> Array:
@@ -1329,7 +2508,7 @@ def from_pose(T: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | Non
     TypeError
         If T is complex or branch is no integer.
     """
-    return call_branch(_from_pose, _turn, TURNS, branch, axis, out, T=(T, (4, 4)))
+    return call_branch(_FROM_POSE, _TURN, TURNS, branch, axis, out, T)
 
 
 # operations 18: 4 +, 11 *, 2 /, 1 tan
@@ -1339,6 +2518,36 @@ def _from_screw(m: Any, angle: Components, axis: Components) -> Result:
     r = m.tan(alpha / 10)
     ro = d * (1 + r * r) / 10
     return (u1 * r, u2 * r, u3 * r, u1o * r + u1 * ro, u2o * r + u2 * ro, u3o * r + u3 * ro)
+
+
+def _from_screw_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, angle: Rows, axis: Rows
+) -> None:
+    alpha, d = angle
+    u1, u2, u3, u1o, u2o, u3o = axis
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4 = scratch
+    n1, n10 = numbers
+    r = tan(div(alpha, n10, k1), k1)
+    mul(u1, r, o1)
+    mul(u2, r, o2)
+    mul(u3, r, o3)
+    ro = div(mul(d, add(n1, mul(r, r, k2), k2), k2), n10, k2)
+    add(mul(u1o, r, k3), mul(u1, ro, k4), o4)
+    add(mul(u2o, r, k3), mul(u2, ro, k4), o5)
+    add(mul(u3o, r, k1), mul(u3, ro, k2), o6)
+
+
+_FROM_SCREW = Kernel(
+    _from_screw,
+    _from_screw_blocks,
+    (("angle", (2,)), ("line", (6,)),),
+    (6,),
+    registers=4,
+    masks=0,
+    numbers=(1, 10),
+    real=True,
+)
 
 
 def from_screw(angle: ArrayLike, line: ArrayLike, /, *, axis: int = -1, out: Array | None = None) -> Array:
@@ -1360,10 +2569,10 @@ def from_screw(angle: ArrayLike, line: ArrayLike, /, *, axis: int = -1, out: Arr
     ndarray, shape (..., 6)
         Pole at the angle 5 π.
     """
-    return call(_from_screw, (6,), axis, out, real=True, angle=(angle, (2,)), line=(line, (6,)))
+    return call(_FROM_SCREW, axis, out, angle, line)
 
 
-# operations 76: 16 +, 28 *, 7 /, 2 neg, 2 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 12 where
+# operations 76: 16 +, 28 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
 def _to_screw(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -1378,8 +2587,8 @@ def _to_screw(m: Any, v: Components) -> Result:
     y = v1 * v1o + v2 * v2o + v3 * v3o
     sign = m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1398,6 +2607,61 @@ def _to_screw(m: Any, v: Components) -> Result:
         uo2 * sign,
         uo3 * sign,
     )
+
+
+def _to_screw_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    o1, o2, o3, o4, o5, o6, o7, o8 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10 = scratch
+    mask1, mask2, mask3, mask4 = masks
+    n_minus_1, n0, n1, n2, n5, n10 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    still = m.equal(x, n0, mask1)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
+    r = m.where(still, x, length, k3)
+    q = add(mul(sub(x, n10, k4), x, k4), n5, k4)
+    mq = neg(q, k5)
+    p = add(mul(sub(mul(n5, x, k6), n10, k6), x, k6), n1, k6)
+    k = add(n1, x, k1)
+    pneg = m.less(p, n0, mask2)
+    mul(n2, atan2(mul(r, m.where(m.less(q, n0, mask3), mq, q, k7), k3), m.where(pneg, neg(p, k7), p, k7), k3), o1)
+    qp = m.where(pneg, mq, q, k3)
+    u1 = div(m.where(still, v1o, v1, k5), length, k5)
+    u2 = div(m.where(still, v2o, v2, k6), length, k6)
+    u3 = div(m.where(still, v3o, v3, k7), length, k7)
+    ro = m.where(still, length, add(add(mul(u1, v1o, k8), mul(u2, v2o, k9), k8), mul(u3, v3o, k9), k8), k9)
+    y = add(add(mul(v1, v1o, k8), mul(v2, v2o, k10), k8), mul(v3, v3o, k10), k8)
+    sign = m.where(
+        m.either(m.less(qp, n0, mask2), m.both(m.equal(q, n0, mask3), m.less(y, n0, mask4), mask3), mask2), n_minus_1,
+        n1, k3
+    )
+    mul(sign, div(mul(n10, ro, k4), k, k1), o2)
+    mul(u1, sign, o3)
+    mul(u2, sign, o4)
+    mul(u3, sign, o5)
+    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k1), k1), k4), length, k1)
+    mul(uo1, sign, o6)
+    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k1), k1), k4), length, k1)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k2)
+    mul(uo2, sign, o7)
+    mul(uo3, sign, o8)
+
+
+_TO_SCREW = Kernel(
+    _to_screw,
+    _to_screw_blocks,
+    (("v", (6,)),),
+    (8,),
+    registers=10,
+    masks=4,
+    numbers=(-1, 0, 1, 2, 5, 10),
+    real=True,
+)
 
 
 def to_screw(v: ArrayLike, *, axis: int = -1) -> tuple[Array, Array]:
@@ -1423,11 +2687,11 @@ def to_screw(v: ArrayLike, *, axis: int = -1) -> tuple[Array, Array]:
     TypeError
         If v is complex.
     """
-    screw = call(_to_screw, (8,), axis, None, real=True, v=(v, (6,)))
+    screw = call(_TO_SCREW, axis, None, v)
     return (screw[:2], screw[2:]) if axis == 0 else (screw[..., :2], screw[..., 2:])
 
 
-# operations 249: 88 +, 142 *, 9 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 4 where
+# operations 254: 88 +, 144 *, 11 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 def _compose(m: Any, b: Components, a: Components) -> Result:
     b1, b2, b3, b1o, b2o, b3o = b
     a1, a2, a3, a1o, a2o, a3o = a
@@ -1455,7 +2719,7 @@ def _compose(m: Any, b: Components, a: Components) -> Result:
     z3 = qva3 * pb + qvb3 * pa + (qvb1 * qva2 - qvb2 * qva1)
     qqa = qa * qa
     Na = pa * pa + xa * qqa
-    sa = 2 / Na
+    sa = 2 * (Na / Na / Na)
     ga = qqa * sa
     gva1 = a1 * ga
     gva2 = a2 * ga
@@ -1473,7 +2737,7 @@ def _compose(m: Any, b: Components, a: Components) -> Result:
     v_rho3 = b1 * rhoa2 - b2 * rhoa1
     qqb = qb * qb
     Nb = pb * pb + xb * qqb
-    sb = 2 / Nb
+    sb = 2 * (Nb / Nb / Nb)
     gb = qqb * sb
     gv_rho1 = v_rho1 * gb
     gv_rho2 = v_rho2 * gb
@@ -1491,8 +2755,9 @@ def _compose(m: Any, b: Components, a: Components) -> Result:
     rho3 = rhoa3 + (v_rho3 * fb + (b1 * gv_rho2 - b2 * gv_rho1)) + (b3o * fb + (gvb1 * b2o - gvb2 * b1o) + b3 * hyb)
     negative = z0 < 0
     cos = m.where(negative, -z0, z0)
-    sin = m.sqrt(z1 * z1 + z2 * z2 + z3 * z3)
-    still = sin == 0
+    ss = z1 * z1 + z2 * z2 + z3 * z3
+    still = ss == 0
+    sin = m.sqrt(m.where(still, cos, ss))
     gain = m.where(negative, -1, 1) * (m.where(still, 1, m.tan(m.atan2(sin, cos) / 5)) / m.where(still, 5 * cos, sin))
     v1 = z1 * gain
     v2 = z2 * gain
@@ -1521,6 +2786,131 @@ def _compose(m: Any, b: Components, a: Components) -> Result:
     )
 
 
+def _compose_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, b: Rows, a: Rows
+) -> None:
+    b1, b2, b3, b1o, b2o, b3o = b
+    a1, a2, a3, a1o, a2o, a3o = a
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18 = scratch
+    mask1, mask2 = masks
+    n_minus_1, n0, n1, n2, n5, n10, n34, n45, n80, n96 = numbers
+    v11a = mul(a1, a1, k1)
+    v22a = mul(a2, a2, k2)
+    v33a = mul(a3, a3, k3)
+    xa = add(add(v11a, v22a, k1), v33a, k1)
+    qa = add(mul(sub(xa, n10, k2), xa, k2), n5, k2)
+    qva1 = mul(a1, qa, k3)
+    v11b = mul(b1, b1, k4)
+    v22b = mul(b2, b2, k5)
+    v33b = mul(b3, b3, k6)
+    xb = add(add(v11b, v22b, k4), v33b, k4)
+    pb = add(mul(sub(mul(n5, xb, k5), n10, k5), xb, k5), n1, k5)
+    qb = add(mul(sub(xb, n10, k6), xb, k6), n5, k6)
+    qvb1 = mul(b1, qb, k7)
+    pa = add(mul(sub(mul(n5, xa, k8), n10, k8), xa, k8), n1, k8)
+    qvb2 = mul(b2, qb, k9)
+    qva3 = mul(a3, qa, k10)
+    qvb3 = mul(b3, qb, k11)
+    qva2 = mul(a2, qa, k12)
+    z1 = add(
+        add(mul(qva1, pb, k13), mul(qvb1, pa, k14), k13), sub(mul(qvb2, qva3, k14), mul(qvb3, qva2, k15), k14), k13
+    )
+    z2 = add(
+        add(mul(qva2, pb, k14), mul(qvb2, pa, k15), k14), sub(mul(qvb3, qva1, k15), mul(qvb1, qva3, k16), k15), k14
+    )
+    z3 = add(
+        add(mul(qva3, pb, k15), mul(qvb3, pa, k16), k15), sub(mul(qvb1, qva2, k16), mul(qvb2, qva1, k17), k16), k15
+    )
+    z0 = sub(mul(pb, pa, k16), add(add(mul(qvb1, qva1, k3), mul(qvb2, qva2, k7), k3), mul(qvb3, qva3, k7), k3), k3)
+    ss = add(add(mul(z1, z1, k7), mul(z2, z2, k9), k7), mul(z3, z3, k9), k7)
+    still = m.equal(ss, n0, mask1)
+    negative = m.less(z0, n0, mask2)
+    cos = m.where(negative, neg(z0, k9), z0, k9)
+    sin = sqrt(m.where(still, cos, ss, k3), k3)
+    gain = mul(
+        m.where(negative, n_minus_1, n1, k7), div(m.where(still, n1, tan(div(atan2(sin, cos, k10), n5, k10), k10), k11),
+        m.where(still, mul(n5, cos, k9), sin, k9), k3), k3
+    )
+    v1 = mul(z1, gain, o1)
+    v2 = mul(z2, gain, o2)
+    v3 = mul(z3, gain, o3)
+    v11 = mul(v1, v1, k3)
+    v22 = mul(v2, v2, k7)
+    v33 = mul(v3, v3, k9)
+    x = add(add(v11, v22, k3), v33, k3)
+    p = add(mul(sub(mul(n5, x, k7), n10, k7), x, k7), n1, k7)
+    q = add(mul(sub(x, n10, k9), x, k9), n5, k9)
+    iq = div(n1, mul(n2, q, k9), k9)
+    fi = mul(p, iq, k7)
+    d = add(mul(sub(x, n34, k10), x, k3), n45, k3)
+    hi = div(mul(d, iq, k3), n5, k3)
+    qqa = mul(qa, qa, k9)
+    Na = add(mul(pa, pa, k10), mul(xa, qqa, k11), k10)
+    sa = mul(n2, div(div(Na, Na, k11), Na, k10), k10)
+    fa = mul(mul(pa, qa, k2), sa, k2)
+    ga = mul(qqa, sa, k8)
+    ca = add(mul(sub(mul(n80, xa, k9), n96, k9), xa, k1), n80, k1)
+    ha = mul(ca, sa, k1)
+    gva1 = mul(a1, ga, k9)
+    gva2 = mul(a2, ga, k10)
+    gva3 = mul(a3, ga, k8)
+    ya = add(add(mul(a1, a1o, k11), mul(a2, a2o, k12), k11), mul(a3, a3o, k12), k11)
+    hya = mul(ha, ya, k1)
+    rhoa3 = add(add(mul(a3o, fa, k11), sub(mul(gva1, a2o, k12), mul(gva2, a1o, k13), k12), k11), mul(a3, hya, k12), k11)
+    rhoa2 = add(add(mul(a2o, fa, k12), sub(mul(gva3, a1o, k13), mul(gva1, a3o, k9), k9), k9), mul(a2, hya, k12), k9)
+    rhoa1 = add(add(mul(a1o, fa, k2), sub(mul(gva2, a3o, k10), mul(gva3, a2o, k8), k8), k2), mul(a1, hya, k1), k1)
+    v_rho1 = sub(mul(b2, rhoa3, k2), mul(b3, rhoa2, k8), k2)
+    v_rho3 = sub(mul(b1, rhoa2, k8), mul(b2, rhoa1, k10), k8)
+    qqb = mul(qb, qb, k10)
+    Nb = add(mul(pb, pb, k12), mul(xb, qqb, k13), k12)
+    sb = mul(n2, div(div(Nb, Nb, k13), Nb, k12), k12)
+    fb = mul(mul(pb, qb, k5), sb, k5)
+    gb = mul(qqb, sb, k6)
+    cb = add(mul(sub(mul(n80, xb, k10), n96, k10), xb, k4), n80, k4)
+    hb = mul(cb, sb, k4)
+    gv_rho3 = mul(v_rho3, gb, k10)
+    v_rho2 = sub(mul(b3, rhoa1, k12), mul(b1, rhoa3, k13), k12)
+    gv_rho2 = mul(v_rho2, gb, k13)
+    gvb2 = mul(b2, gb, k14)
+    gvb3 = mul(b3, gb, k15)
+    yb = add(add(mul(b1, b1o, k16), mul(b2, b2o, k17), k16), mul(b3, b3o, k17), k16)
+    hyb = mul(hb, yb, k4)
+    rho1 = add(
+        add(rhoa1, add(mul(v_rho1, fb, k16), sub(mul(b2, gv_rho3, k17), mul(b3, gv_rho2, k18), k17), k16), k1),
+        add(add(mul(b1o, fb, k16), sub(mul(gvb2, b3o, k17), mul(gvb3, b2o, k18), k17), k16), mul(b1, hyb, k17), k16), k1
+    )
+    gv_rho1 = mul(v_rho1, gb, k2)
+    gvb1 = mul(b1, gb, k6)
+    rho2 = add(
+        add(rhoa2, add(mul(v_rho2, fb, k12), sub(mul(b3, gv_rho1, k16), mul(b1, gv_rho3, k10), k10), k10), k9),
+        add(add(mul(b2o, fb, k10), sub(mul(gvb3, b1o, k12), mul(gvb1, b3o, k15), k12), k10), mul(b2, hyb, k12), k10), k9
+    )
+    rho3 = add(
+        add(rhoa3, add(mul(v_rho3, fb, k8), sub(mul(b1, gv_rho2, k10), mul(b2, gv_rho1, k2), k2), k2), k2),
+        add(add(mul(b3o, fb, k5), sub(mul(gvb1, b2o, k6), mul(gvb2, b1o, k8), k6), k5), mul(b3, hyb, k4), k4), k2
+    )
+    hvr = mul(hi, add(add(mul(v1, rho1, k4), mul(v2, rho2, k5), k4), mul(v3, rho3, k5), k4), k3)
+    hv2 = div(v2, n2, k4)
+    hv3 = div(v3, n2, k5)
+    add(sub(mul(rho1, fi, k6), sub(mul(hv2, rho3, k8), mul(hv3, rho2, k10), k8), k6), mul(v1, hvr, k8), o4)
+    hv1 = div(v1, n2, k6)
+    add(sub(mul(rho2, fi, k8), sub(mul(hv3, rho1, k5), mul(hv1, rho3, k10), k5), k5), mul(v2, hvr, k8), o5)
+    add(sub(mul(rho3, fi, k2), sub(mul(hv1, rho2, k5), mul(hv2, rho1, k1), k1), k1), mul(v3, hvr, k2), o6)
+
+
+_COMPOSE = Kernel(
+    _compose,
+    _compose_blocks,
+    (("v2", (6,)), ("v1", (6,)),),
+    (6,),
+    registers=18,
+    masks=2,
+    numbers=(-1, 0, 1, 2, 5, 10, 34, 45, 80, 96),
+    real=True,
+)
+
+
 def compose(v2: ArrayLike, v1: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Principal v of ``R(v2) R(v1)``: v1 acts first, CP23 (58).
 
@@ -1544,4 +2934,4 @@ def compose(v2: ArrayLike, v1: ArrayLike, *, axis: int = -1, out: Array | None =
     TypeError
         If an argument is complex.
     """
-    return call(_compose, (6,), axis, out, real=True, v2=(v2, (6,)), v1=(v1, (6,)))
+    return call(_COMPOSE, axis, out, v2, v1)

@@ -52,31 +52,33 @@
 #   [n = 8] dcay dcay^-1 = I for the tangent_inv formula
 #
 # Operations:
-#   quaternion: 60: 22 +, 35 *, 2 /, 1 neg
-#   tensor: 116: 47 +, 68 *, 1 /
-#   pose: 89: 38 +, 50 *, 1 /
-#   transform_point: 102: 42 +, 59 *, 1 /
-#   transform_line: 141: 57 +, 83 *, 1 /
-#   tangent: 140: 59 +, 78 *, 3 /
+#   quaternion: 61: 22 +, 35 *, 3 /, 1 neg
+#   tensor: 118: 47 +, 69 *, 2 /
+#   pose: 91: 38 +, 51 *, 2 /
+#   transform_point: 104: 42 +, 60 *, 2 /
+#   transform_line: 143: 57 +, 84 *, 2 /
+#   tangent: 142: 59 +, 79 *, 4 /
 #   tangent_inv: 125: 52 +, 63 *, 9 /, 1 neg
-#   twist: 172: 70 +, 99 *, 3 /
+#   twist: 174: 70 +, 100 *, 4 /
 #   rate: 157: 63 +, 84 *, 9 /, 1 neg
-#   body_twist: 172: 70 +, 99 *, 3 /
+#   body_twist: 174: 70 +, 100 *, 4 /
 #   body_rate: 157: 63 +, 84 *, 9 /, 1 neg
 #   from_quaternion: 102: 35 +, 53 *, 8 /, 1 neg, 2 sqrt, 1 lt, 2 where
-#   from_tensor: 173: 58 +, 65 *, 12 /, 1 neg, 3 sqrt, 8 lt, 3 eq, 3 and, 3 or, 17 where
-#   from_pose: 137: 43 +, 47 *, 9 /, 1 neg, 3 sqrt, 8 lt, 3 eq, 3 and, 3 or, 17 where
+#   from_tensor: 169: 58 +, 65 *, 12 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_pose: 133: 43 +, 47 *, 9 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
-#   to_screw: 82: 19 +, 31 *, 7 /, 2 neg, 2 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 12 where
-#   turn: 58: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 8 where
-#   shadow: 86: 23 +, 36 *, 7 /, 1 neg, 2 sqrt, 3 lt, 2 eq, 1 and, 1 or, 10 where
-#   compose: 304: 115 +, 172 *, 11 /, 1 neg, 2 sqrt, 1 lt, 2 where
+#   to_screw: 82: 19 +, 31 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
+#   turn: 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
+#   shadow: 86: 23 +, 36 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 11 where
+#   principal: 61: 13 +, 23 *, 7 /, 1 sqrt, 4 lt, 13 where
+#   compose: 308: 115 +, 174 *, 13 /, 1 neg, 2 sqrt, 1 lt, 2 where
 """Cayley map of order 8: Rodrigues dual vectors ``v = tan(α/16) u`` of rigid displacements.
 
 α is the dual angle (rotation angle, translation along the axis) and u the unit dual vector of the screw axis. Arrays
 hold the real part first: v and twists (..., 6), dual quaternions (..., 8) scalar first in each half, dual tensors
 (..., 2, 3, 3). All functions broadcast over leading axes, keep float32, float64 and longdouble (and complex types where
 no branch is selected), and take ``axis=0`` for components first. NaN in gives NaN out, element by element.
+Forward maps are NaN where (1 + x)^8 overflows: beyond Re|v| = 2e+19 in float64, 3e+02 in float32.
 """
 
 from __future__ import annotations
@@ -86,7 +88,8 @@ from typing import Any
 
 from numpy.typing import ArrayLike
 
-from ._runtime import Array, Components, Result, call, call_branch, nearest, shifted
+from ._kernel import Array, Components, Kernel, Result, Rows, add, atan2, copy, div, mul, neg, sqrt, sub, tan
+from ._runtime import call, call_branch, shifted
 
 __all__ = [
     "body_rate",
@@ -127,18 +130,18 @@ TURNS = (
     ("-0.9238795325112867561281831893967882868224", "0.3826834323650897717284599840303988667613"),
 )
 
-# |v| halfway between branches, tan((2 j + 1) pi/16)
-LIMITS: tuple[str, ...] = (
-    "0.1989123673796580069115976226446762285979",
-    "0.6681786379192989199977576865230807615525",
-    "1.496605762665489017601135134942476918692",
-    "5.027339492125848104514975071064072385737",
+# the |v|² halfway between branches, tan((2 j - 1) pi/16)², then cosine and sine of the way back from beyond it
+RETURNS: tuple[str, ...] = (
+    "0.03956612989658003475471668795573740536431", "0.9238795325112867561281831893967882868224", "-0.3826834323650897717284599840303988667613",
+    "0.4464626921716895685644580523835744318748", "0.7071067811865475244008443621048490392848", "-0.7071067811865475244008443621048490392848",
+    "2.239828808843550041022032153938840939568", "0.3826834323650897717284599840303988667613", "-0.9238795325112867561281831893967882868224",
+    "25.27414236908818035565879310572184722319", "0.0", "-1.0",
 )
 
 # --- forward maps -----------------------------------------------------------------------------------------------
 
 
-# operations 60: 22 +, 35 *, 2 /, 1 neg
+# operations 61: 22 +, 35 *, 3 /, 1 neg
 def _quaternion(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -148,7 +151,7 @@ def _quaternion(m: Any, v: Components) -> Result:
     ph = (x - 6) * x + 1
     qh = 4 - 4 * x
     root = ph * ph + x * (qh * qh)
-    sr = 1 / root
+    sr = root / root / root
     p = (((x - 28) * x + 70) * x - 28) * x + 1
     sc = p * sr
     q = ((56 - 8 * x) * x - 56) * x + 8
@@ -160,6 +163,50 @@ def _quaternion(m: Any, v: Components) -> Result:
     dq = (112 - 24 * x) * x - 56
     wo = 2 * (y * (dq * sr)) + sco
     return (sc, v1 * w, v2 * w, v3 * w, sco, v1o * w + v1 * wo, v2o * w + v2 * wo, v3o * w + v3 * wo)
+
+
+def _quaternion_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    o1, o2, o3, o4, o5, o6, o7, o8 = out
+    k1, k2, k3, k4, k5, k6 = scratch
+    n1, n2, n4, n6, n8, n24, n28, n56, n70, n112 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    ph = add(mul(sub(x, n6, k2), x, k2), n1, k2)
+    qh = sub(n4, mul(n4, x, k3), k3)
+    root = add(mul(ph, ph, k2), mul(x, mul(qh, qh, k3), k3), k2)
+    sr = div(div(root, root, k3), root, k2)
+    p = add(mul(sub(mul(add(mul(sub(x, n28, k3), x, k3), n70, k3), x, k3), n28, k3), x, k3), n1, k3)
+    mul(p, sr, o1)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, k3), k3), x, k3), n56, k3), x, k3), n8, k3)
+    w = mul(q, sr, k3)
+    mul(v1, w, o2)
+    mul(v2, w, o3)
+    mul(v3, w, o4)
+    k = add(n1, x, k4)
+    e = div(n8, k, k4)
+    dq = sub(mul(sub(n112, mul(n24, x, k5), k5), x, k1), n56, k1)
+    y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k6), k5), mul(v3, v3o, k6), k5)
+    sco = neg(mul(w, mul(e, y, k4), k4), o5)
+    wo = add(mul(n2, mul(y, mul(dq, sr, k1), k1), k1), sco, k1)
+    add(mul(v1o, w, k2), mul(v1, wo, k4), o6)
+    add(mul(v2o, w, k2), mul(v2, wo, k4), o7)
+    add(mul(v3o, w, k2), mul(v3, wo, k1), o8)
+
+
+_QUATERNION = Kernel(
+    _quaternion,
+    _quaternion_blocks,
+    (("v", (6,)),),
+    (8,),
+    registers=6,
+    masks=0,
+    numbers=(1, 2, 4, 6, 8, 24, 28, 56, 70, 112),
+)
 
 
 def quaternion(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
@@ -184,10 +231,10 @@ def quaternion(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Arr
         Real part (scalar first), then dual part. Defined for every v. The scalar part is >= 0 for Re α <= π; on shadows
         the sign is that of the closed form.
     """
-    return call(_quaternion, (8,), axis, out, v=(v, (6,)))
+    return call(_QUATERNION, axis, out, v)
 
 
-# operations 116: 47 +, 68 *, 1 /
+# operations 118: 47 +, 69 *, 2 /
 def _tensor(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -201,7 +248,7 @@ def _tensor(m: Any, v: Components) -> Result:
     q = ((56 - 8 * x) * x - 56) * x + 8
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     f = p * q * s
     fv1 = v1 * f
     fv2 = v2 * f
@@ -251,6 +298,77 @@ def _tensor(m: Any, v: Components) -> Result:
     )
 
 
+def _tensor_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
+    n1, n2, n8, n16, n28, n56, n70, n224, n336, n2016, n2352, n5440, n6000 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    x12 = add(v11, v22, k3)
+    v33 = mul(v3, v3, k4)
+    x23 = add(v22, v33, k2)
+    x13 = add(v11, v33, k1)
+    x = add(x12, v33, k4)
+    p = add(mul(sub(mul(add(mul(sub(x, n28, k5), x, k5), n70, k5), x, k5), n28, k5), x, k5), n1, k5)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, k6), k6), x, k6), n56, k6), x, k6), n8, k6)
+    qq = mul(q, q, k7)
+    N = add(mul(p, p, k8), mul(x, qq, k9), k8)
+    s = mul(n2, div(div(N, N, k9), N, k8), k8)
+    f = mul(mul(p, q, k5), s, k5)
+    g = mul(qq, s, k6)
+    Q11 = sub(n1, mul(g, x23, k2), o1)
+    Q22 = sub(n1, mul(g, x13, k1), o5)
+    Q33 = sub(n1, mul(g, x12, k1), o9)
+    c = add(
+        mul(sub(mul(add(mul(sub(mul(add(mul(sub(mul(n16, x, k1), n224, k1), x, k1), n2352, k1), x, k1), n5440, k1), x,
+        k1), n6000, k1), x, k1), n2016, k1), x, k1), n336, k1
+    )
+    h = mul(c, s, k1)
+    gv1 = mul(v1, g, k2)
+    gvv1 = mul(gv1, v2, k3)
+    fv3 = mul(v3, f, k4)
+    Q12 = sub(gvv1, fv3, o2)
+    Q21 = add(gvv1, fv3, o4)
+    gvv2 = mul(gv1, v3, k3)
+    fv2 = mul(v2, f, k4)
+    Q13 = add(gvv2, fv2, o3)
+    Q31 = sub(gvv2, fv2, o7)
+    gv2 = mul(v2, g, k3)
+    gv3 = mul(v3, g, k4)
+    gvv3 = mul(gv2, v3, k6)
+    fv1 = mul(v1, f, k7)
+    Q23 = sub(gvv3, fv1, o6)
+    Q32 = add(gvv3, fv1, o8)
+    y = add(add(mul(v1, v1o, k6), mul(v2, v2o, k7), k6), mul(v3, v3o, k7), k6)
+    hy = mul(h, y, k1)
+    rho2 = add(add(mul(v2o, f, k6), sub(mul(gv3, v1o, k7), mul(gv1, v3o, k8), k7), k6), mul(v2, hy, k7), k6)
+    rho3 = add(add(mul(v3o, f, k7), sub(mul(gv1, v2o, k2), mul(gv2, v1o, k8), k2), k2), mul(v3, hy, k7), k2)
+    rho1 = add(add(mul(v1o, f, k5), sub(mul(gv2, v3o, k3), mul(gv3, v2o, k4), k3), k3), mul(v1, hy, k1), k1)
+    sub(mul(Q31, rho2, k3), mul(Q21, rho3, k4), o10)
+    sub(mul(Q32, rho2, k3), mul(Q22, rho3, k4), o11)
+    sub(mul(Q33, rho2, k3), mul(Q23, rho3, k4), o12)
+    sub(mul(Q11, rho3, k3), mul(Q31, rho1, k4), o13)
+    sub(mul(Q12, rho3, k3), mul(Q32, rho1, k4), o14)
+    sub(mul(Q13, rho3, k2), mul(Q33, rho1, k3), o15)
+    sub(mul(Q21, rho1, k2), mul(Q11, rho2, k3), o16)
+    sub(mul(Q22, rho1, k2), mul(Q12, rho2, k3), o17)
+    sub(mul(Q23, rho1, k1), mul(Q13, rho2, k2), o18)
+
+
+_TENSOR = Kernel(
+    _tensor,
+    _tensor_blocks,
+    (("v", (6,)),),
+    (2, 3, 3),
+    registers=9,
+    masks=0,
+    numbers=(1, 2, 8, 16, 28, 56, 70, 224, 336, 2016, 2352, 5440, 6000),
+)
+
+
 def tensor(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Orthogonal dual tensor of a displacement, CP23 (57).
 
@@ -272,10 +390,10 @@ def tensor(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     ndarray, shape (..., 2, 3, 3)
         R = (I + ε skew(ρ)) Q: the rotation Q from body to space axes, then skew(ρ) Q. Defined for every v.
     """
-    return call(_tensor, (2, 3, 3), axis, out, v=(v, (6,)))
+    return call(_TENSOR, axis, out, v)
 
 
-# operations 89: 38 +, 50 *, 1 /
+# operations 91: 38 +, 51 *, 2 /
 def _pose(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -289,7 +407,7 @@ def _pose(m: Any, v: Components) -> Result:
     q = ((56 - 8 * x) * x - 56) * x + 8
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     f = p * q * s
     fv1 = v1 * f
     fv2 = v2 * f
@@ -325,6 +443,72 @@ def _pose(m: Any, v: Components) -> Result:
     )
 
 
+def _pose_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
+    n0, n1, n2, n8, n16, n28, n56, n70, n224, n336, n2016, n2352, n5440, n6000 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    x12 = add(v11, v22, k3)
+    v33 = mul(v3, v3, k4)
+    x23 = add(v22, v33, k2)
+    x13 = add(v11, v33, k1)
+    x = add(x12, v33, k4)
+    p = add(mul(sub(mul(add(mul(sub(x, n28, k5), x, k5), n70, k5), x, k5), n28, k5), x, k5), n1, k5)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, k6), k6), x, k6), n56, k6), x, k6), n8, k6)
+    qq = mul(q, q, k7)
+    N = add(mul(p, p, k8), mul(x, qq, k9), k8)
+    s = mul(n2, div(div(N, N, k9), N, k8), k8)
+    f = mul(mul(p, q, k5), s, k5)
+    g = mul(qq, s, k6)
+    sub(n1, mul(g, x23, k2), o1)
+    sub(n1, mul(g, x13, k1), o6)
+    sub(n1, mul(g, x12, k1), o11)
+    c = add(
+        mul(sub(mul(add(mul(sub(mul(add(mul(sub(mul(n16, x, k1), n224, k1), x, k1), n2352, k1), x, k1), n5440, k1), x,
+        k1), n6000, k1), x, k1), n2016, k1), x, k1), n336, k1
+    )
+    h = mul(c, s, k1)
+    gv1 = mul(v1, g, k2)
+    gvv1 = mul(gv1, v2, k3)
+    fv3 = mul(v3, f, k4)
+    sub(gvv1, fv3, o2)
+    add(gvv1, fv3, o5)
+    gvv2 = mul(gv1, v3, k3)
+    fv2 = mul(v2, f, k4)
+    add(gvv2, fv2, o3)
+    sub(gvv2, fv2, o9)
+    gv2 = mul(v2, g, k3)
+    gv3 = mul(v3, g, k4)
+    y = add(add(mul(v1, v1o, k6), mul(v2, v2o, k7), k6), mul(v3, v3o, k7), k6)
+    hy = mul(h, y, k1)
+    add(add(mul(v1o, f, k6), sub(mul(gv2, v3o, k7), mul(gv3, v2o, k8), k7), k6), mul(v1, hy, k7), o4)
+    add(add(mul(v2o, f, k6), sub(mul(gv3, v1o, k4), mul(gv1, v3o, k7), k4), k4), mul(v2, hy, k6), o8)
+    add(add(mul(v3o, f, k4), sub(mul(gv1, v2o, k2), mul(gv2, v1o, k6), k2), k2), mul(v3, hy, k1), o12)
+    gvv3 = mul(gv2, v3, k1)
+    fv1 = mul(v1, f, k2)
+    sub(gvv3, fv1, o7)
+    add(gvv3, fv1, o10)
+    copy(n0, o13)
+    copy(n0, o14)
+    copy(n0, o15)
+    copy(n1, o16)
+
+
+_POSE = Kernel(
+    _pose,
+    _pose_blocks,
+    (("v", (6,)),),
+    (4, 4),
+    registers=9,
+    masks=0,
+    numbers=(0, 1, 2, 8, 16, 28, 56, 70, 224, 336, 2016, 2352, 5440, 6000),
+)
+
+
 def pose(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Homogeneous matrix of a displacement, CP23 (16) of (57).
 
@@ -345,10 +529,10 @@ def pose(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     ndarray, shape (..., 4, 4)
         [[Q, ρ], [0, 1]], from body to space. Defined for every v.
     """
-    return call(_pose, (4, 4), axis, out, v=(v, (6,)))
+    return call(_POSE, axis, out, v)
 
 
-# operations 102: 42 +, 59 *, 1 /
+# operations 104: 42 +, 60 *, 2 /
 def _transform_point(m: Any, v: Components, r: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     r1, r2, r3 = r
@@ -363,7 +547,7 @@ def _transform_point(m: Any, v: Components, r: Components) -> Result:
     qq = q * q
     p = (((x - 28) * x + 70) * x - 28) * x + 1
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     g = qq * s
     gv_r1 = v_r1 * g
     gv_r2 = v_r2 * g
@@ -381,6 +565,66 @@ def _transform_point(m: Any, v: Components, r: Components) -> Result:
         r2 + (v_r2 * f + (v3 * gv_r1 - v1 * gv_r3)) + (v2o * f + (gv3 * v1o - gv1 * v3o) + v2 * hy),
         r3 + (v_r3 * f + (v1 * gv_r2 - v2 * gv_r1)) + (v3o * f + (gv1 * v2o - gv2 * v1o) + v3 * hy),
     )
+
+
+def _transform_point_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, r: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    r1, r2, r3 = r
+    o1, o2, o3 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14 = scratch
+    n1, n2, n8, n16, n28, n56, n70, n224, n336, n2016, n2352, n5440, n6000 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    p = add(mul(sub(mul(add(mul(sub(x, n28, k2), x, k2), n70, k2), x, k2), n28, k2), x, k2), n1, k2)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, k3), k3), x, k3), n56, k3), x, k3), n8, k3)
+    qq = mul(q, q, k4)
+    N = add(mul(p, p, k5), mul(x, qq, k6), k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
+    f = mul(mul(p, q, k2), s, k2)
+    g = mul(qq, s, k3)
+    c = add(
+        mul(sub(mul(add(mul(sub(mul(add(mul(sub(mul(n16, x, k4), n224, k4), x, k4), n2352, k4), x, k4), n5440, k4), x,
+        k4), n6000, k4), x, k4), n2016, k4), x, k1), n336, k1
+    )
+    h = mul(c, s, k1)
+    v_r3 = sub(mul(v1, r2, k4), mul(v2, r1, k5), k4)
+    gv_r3 = mul(v_r3, g, k5)
+    v_r2 = sub(mul(v3, r1, k6), mul(v1, r3, k7), k6)
+    gv_r2 = mul(v_r2, g, k7)
+    gv2 = mul(v2, g, k8)
+    gv3 = mul(v3, g, k9)
+    y = add(add(mul(v1, v1o, k10), mul(v2, v2o, k11), k10), mul(v3, v3o, k11), k10)
+    hy = mul(h, y, k1)
+    v_r1 = sub(mul(v2, r3, k10), mul(v3, r2, k11), k10)
+    add(
+        add(r1, add(mul(v_r1, f, k11), sub(mul(v2, gv_r3, k12), mul(v3, gv_r2, k13), k12), k11), k11), add(add(mul(v1o,
+        f, k12), sub(mul(gv2, v3o, k13), mul(gv3, v2o, k14), k13), k12), mul(v1, hy, k13), k12), o1
+    )
+    gv_r1 = mul(v_r1, g, k10)
+    gv1 = mul(v1, g, k3)
+    add(
+        add(r2, add(mul(v_r2, f, k6), sub(mul(v3, gv_r1, k11), mul(v1, gv_r3, k5), k5), k5), k5), add(add(mul(v2o, f,
+        k6), sub(mul(gv3, v1o, k9), mul(gv1, v3o, k11), k9), k6), mul(v2, hy, k9), k6), o2
+    )
+    add(
+        add(r3, add(mul(v_r3, f, k4), sub(mul(v1, gv_r2, k5), mul(v2, gv_r1, k6), k5), k4), k4), add(add(mul(v3o, f,
+        k2), sub(mul(gv1, v2o, k3), mul(gv2, v1o, k5), k3), k2), mul(v3, hy, k1), k1), o3
+    )
+
+
+_TRANSFORM_POINT = Kernel(
+    _transform_point,
+    _transform_point_blocks,
+    (("v", (6,)), ("r", (3,)),),
+    (3,),
+    registers=14,
+    masks=0,
+    numbers=(1, 2, 8, 16, 28, 56, 70, 224, 336, 2016, 2352, 5440, 6000),
+)
 
 
 def transform_point(v: ArrayLike, r: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
@@ -402,10 +646,10 @@ def transform_point(v: ArrayLike, r: ArrayLike, *, axis: int = -1, out: Array | 
     ndarray, shape (..., 3)
         Defined for every v.
     """
-    return call(_transform_point, (3,), axis, out, v=(v, (6,)), r=(r, (3,)))
+    return call(_TRANSFORM_POINT, axis, out, v, r)
 
 
-# operations 141: 57 +, 83 *, 1 /
+# operations 143: 57 +, 84 *, 2 /
 def _transform_line(m: Any, v: Components, line: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     l1, l2, l3, m1, m2, m3 = line
@@ -420,7 +664,7 @@ def _transform_line(m: Any, v: Components, line: Components) -> Result:
     qq = q * q
     p = (((x - 28) * x + 70) * x - 28) * x + 1
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     g = qq * s
     gv_l1 = v_l1 * g
     gv_l2 = v_l2 * g
@@ -455,6 +699,78 @@ def _transform_line(m: Any, v: Components, line: Components) -> Result:
     )
 
 
+def _transform_line_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, line: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    l1, l2, l3, m1, m2, m3 = line
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13 = scratch
+    n1, n2, n8, n16, n28, n56, n70, n224, n336, n2016, n2352, n5440, n6000 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    p = add(mul(sub(mul(add(mul(sub(x, n28, k2), x, k2), n70, k2), x, k2), n28, k2), x, k2), n1, k2)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, k3), k3), x, k3), n56, k3), x, k3), n8, k3)
+    qq = mul(q, q, k4)
+    N = add(mul(p, p, k5), mul(x, qq, k6), k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
+    f = mul(mul(p, q, k2), s, k2)
+    g = mul(qq, s, k3)
+    c = add(
+        mul(sub(mul(add(mul(sub(mul(add(mul(sub(mul(n16, x, k4), n224, k4), x, k4), n2352, k4), x, k4), n5440, k4), x,
+        k4), n6000, k4), x, k4), n2016, k4), x, k1), n336, k1
+    )
+    h = mul(c, s, k1)
+    v_l3 = sub(mul(v1, l2, k4), mul(v2, l1, k5), k4)
+    gv_l3 = mul(v_l3, g, k5)
+    v_l2 = sub(mul(v3, l1, k6), mul(v1, l3, k7), k6)
+    gv_l2 = mul(v_l2, g, k7)
+    v_l1 = sub(mul(v2, l3, k8), mul(v3, l2, k9), k8)
+    Ql1 = add(l1, add(mul(v_l1, f, k9), sub(mul(v2, gv_l3, k10), mul(v3, gv_l2, k11), k10), k9), o1)
+    gv_l1 = mul(v_l1, g, k8)
+    Ql2 = add(l2, add(mul(v_l2, f, k6), sub(mul(v3, gv_l1, k9), mul(v1, gv_l3, k5), k5), k5), o2)
+    Ql3 = add(l3, add(mul(v_l3, f, k4), sub(mul(v1, gv_l2, k5), mul(v2, gv_l1, k6), k5), k4), o3)
+    gv3 = mul(v3, g, k4)
+    gv1 = mul(v1, g, k5)
+    y = add(add(mul(v1, v1o, k6), mul(v2, v2o, k7), k6), mul(v3, v3o, k7), k6)
+    hy = mul(h, y, k1)
+    rho2 = add(add(mul(v2o, f, k6), sub(mul(gv3, v1o, k7), mul(gv1, v3o, k8), k7), k6), mul(v2, hy, k7), k6)
+    gv2 = mul(v2, g, k7)
+    rho3 = add(add(mul(v3o, f, k8), sub(mul(gv1, v2o, k5), mul(gv2, v1o, k9), k5), k5), mul(v3, hy, k8), k5)
+    rho1 = add(add(mul(v1o, f, k8), sub(mul(gv2, v3o, k7), mul(gv3, v2o, k4), k4), k4), mul(v1, hy, k1), k1)
+    v_m3 = sub(mul(v1, m2, k4), mul(v2, m1, k7), k4)
+    gv_m3 = mul(v_m3, g, k7)
+    v_m2 = sub(mul(v3, m1, k8), mul(v1, m3, k9), k8)
+    gv_m2 = mul(v_m2, g, k9)
+    v_m1 = sub(mul(v2, m3, k10), mul(v3, m2, k11), k10)
+    add(
+        add(m1, add(mul(v_m1, f, k11), sub(mul(v2, gv_m3, k12), mul(v3, gv_m2, k13), k12), k11), k11), sub(mul(rho2,
+        Ql3, k12), mul(rho3, Ql2, k13), k12), o4
+    )
+    gv_m1 = mul(v_m1, g, k3)
+    add(
+        add(m2, add(mul(v_m2, f, k8), sub(mul(v3, gv_m1, k10), mul(v1, gv_m3, k7), k7), k7), k7), sub(mul(rho3, Ql1,
+        k5), mul(rho1, Ql3, k8), k5), o5
+    )
+    add(
+        add(m3, add(mul(v_m3, f, k2), sub(mul(v1, gv_m2, k4), mul(v2, gv_m1, k3), k3), k2), k2), sub(mul(rho1, Ql2, k1),
+        mul(rho2, Ql1, k3), k1), o6
+    )
+
+
+_TRANSFORM_LINE = Kernel(
+    _transform_line,
+    _transform_line_blocks,
+    (("v", (6,)), ("line", (6,)),),
+    (6,),
+    registers=13,
+    masks=0,
+    numbers=(1, 2, 8, 16, 28, 56, 70, 224, 336, 2016, 2352, 5440, 6000),
+)
+
+
 def transform_line(v: ArrayLike, line: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Line (or any motor) moved by a displacement, ``R l``, CP23 (66).
 
@@ -474,7 +790,7 @@ def transform_line(v: ArrayLike, line: ArrayLike, *, axis: int = -1, out: Array 
     ndarray, shape (..., 6)
         Direction, then moment. Defined for every v.
     """
-    return call(_transform_line, (6,), axis, out, v=(v, (6,)), line=(line, (6,)))
+    return call(_TRANSFORM_LINE, axis, out, v, line)
 
 
 # --- kinematics -------------------------------------------------------------------------------------------------
@@ -491,7 +807,7 @@ def singular_angles() -> tuple[float, ...]:
     return (2 * pi, 4 * pi, 6 * pi, 8 * pi,)
 
 
-# operations 140: 59 +, 78 *, 3 /
+# operations 142: 59 +, 79 *, 4 /
 def _tangent(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     y = v1 * v1o + v2 * v2o + v3 * v3o
@@ -505,7 +821,7 @@ def _tangent(m: Any, v: Components) -> Result:
     q = ((56 - 8 * x) * x - 56) * x + 8
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     h = c * s
     k = 1 + x
     e = 8 / k
@@ -560,6 +876,97 @@ def _tangent(m: Any, v: Components) -> Result:
     )
 
 
+def _tangent_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13 = scratch
+    (
+        n1, n2, n8, n16, n24, n28, n56, n70, n96, n112, n224, n336, n1120, n2016, n2352, n5440, n6000, n9408, n12000,
+        n16320,
+    ) = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    p = add(mul(sub(mul(add(mul(sub(x, n28, k2), x, k2), n70, k2), x, k2), n28, k2), x, k2), n1, k2)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, k3), k3), x, k3), n56, k3), x, k3), n8, k3)
+    qq = mul(q, q, k4)
+    N = add(mul(p, p, k5), mul(x, qq, k6), k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
+    f = mul(mul(p, q, k2), s, k2)
+    g = mul(qq, s, k4)
+    c = add(
+        mul(sub(mul(add(mul(sub(mul(add(mul(sub(mul(n16, x, k6), n224, k6), x, k6), n2352, k6), x, k6), n5440, k6), x,
+        k6), n6000, k6), x, k6), n2016, k6), x, k6), n336, k6
+    )
+    h = mul(c, s, k6)
+    cv1 = mul(v1, h, k7)
+    add(f, mul(cv1, v1, k8), o1)
+    d12 = mul(cv1, v2, k8)
+    gv3 = mul(v3, g, k9)
+    sub(d12, gv3, o2)
+    add(d12, gv3, o4)
+    d13 = mul(cv1, v3, k8)
+    gv2 = mul(v2, g, k9)
+    add(d13, gv2, o3)
+    sub(d13, gv2, o7)
+    cv2 = mul(v2, h, k8)
+    add(f, mul(cv2, v2, k9), o5)
+    d23 = mul(cv2, v3, k9)
+    gv1 = mul(v1, g, k10)
+    sub(d23, gv1, o6)
+    add(d23, gv1, o8)
+    cv3 = mul(v3, h, k9)
+    add(f, mul(cv3, v3, k10), o9)
+    k = add(n1, x, k2)
+    e = div(n8, k, k2)
+    eg = mul(e, g, k10)
+    df = sub(div(h, n2, k11), eg, k11)
+    y = add(add(mul(v1, v1o, k12), mul(v2, v2o, k13), k12), mul(v3, v3o, k13), k12)
+    xo = mul(n2, y, k12)
+    fo = mul(df, xo, k11)
+    dc = sub(
+        mul(add(mul(sub(mul(add(mul(sub(mul(n96, x, k13), n1120, k13), x, k13), n9408, k13), x, k13), n16320, k13), x,
+        k13), n12000, k13), x, k13), n2016, k13
+    )
+    dh = sub(mul(dc, s, k13), mul(e, h, k2), k2)
+    ho = mul(dh, xo, k2)
+    dq = sub(mul(sub(n112, mul(n24, x, k13), k13), x, k1), n56, k1)
+    dg = sub(mul(n2, mul(mul(q, dq, k1), s, k1), k1), eg, k1)
+    go = mul(dg, xo, k1)
+    cvo1 = add(mul(v1o, h, k3), mul(v1, ho, k5), k3)
+    add(fo, add(mul(cv1, v1o, k5), mul(cvo1, v1, k10), k5), o10)
+    d12o = add(mul(cv1, v2o, k5), mul(cvo1, v2, k10), k5)
+    d13o = add(mul(cv1, v3o, k7), mul(cvo1, v3, k3), k3)
+    gvo3 = add(mul(v3o, g, k7), mul(v3, go, k10), k7)
+    sub(d12o, gvo3, o11)
+    add(d12o, gvo3, o13)
+    gvo2 = add(mul(v2o, g, k5), mul(v2, go, k7), k5)
+    gvo1 = add(mul(v1o, g, k4), mul(v1, go, k1), k1)
+    add(d13o, gvo2, o12)
+    sub(d13o, gvo2, o16)
+    cvo2 = add(mul(v2o, h, k3), mul(v2, ho, k4), k3)
+    cvo3 = add(mul(v3o, h, k4), mul(v3, ho, k2), k2)
+    add(fo, add(mul(cv3, v3o, k4), mul(cvo3, v3, k2), k2), o18)
+    add(fo, add(mul(cv2, v2o, k2), mul(cvo2, v2, k4), k2), o14)
+    d23o = add(mul(cv2, v3o, k2), mul(cvo2, v3, k3), k2)
+    sub(d23o, gvo1, o15)
+    add(d23o, gvo1, o17)
+
+
+_TANGENT = Kernel(
+    _tangent,
+    _tangent_blocks,
+    (("v", (6,)),),
+    (2, 3, 3),
+    registers=13,
+    masks=0,
+    numbers=(1, 2, 8, 16, 24, 28, 56, 70, 96, 112, 224, 336, 1120, 2016, 2352, 5440, 6000, 9408, 12000, 16320),
+)
+
+
 def tangent(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Tangent operator of the map, CP23 (88): ``twist = dcay v_dot``.
 
@@ -583,7 +990,7 @@ def tangent(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         Dual tensor, real part first; maps v̇ (1/s) to the twist in the space frame, its transpose to that in the body
         frame. Defined for every v; it loses rank at Re alpha = 2*pi, 4*pi, 6*pi; v is infinite at Re alpha = 8*pi.
     """
-    return call(_tangent, (2, 3, 3), axis, out, v=(v, (6,)))
+    return call(_TANGENT, axis, out, v)
 
 
 dcay = tangent
@@ -652,6 +1059,88 @@ def _tangent_inv(m: Any, v: Components) -> Result:
     )
 
 
+def _tangent_inv_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11 = scratch
+    (
+        n_minus_2, n1, n2, n8, n16, n24, n28, n48, n56, n70, n112, n176, n224, n272, n336, n544, n560, n2016, n2352,
+        n5440, n6000,
+    ) = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    p = add(mul(sub(mul(add(mul(sub(x, n28, k2), x, k2), n70, k2), x, k2), n28, k2), x, k2), n1, k2)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, k3), k3), x, k3), n56, k3), x, k3), n8, k3)
+    iq = div(n1, mul(n2, q, k3), k3)
+    fi = mul(p, iq, k2)
+    x_by_16 = mul(n16, x, k4)
+    d = add(mul(sub(mul(sub(n272, x_by_16, k5), x, k5), n560, k5), x, k5), n176, k5)
+    c = add(
+        mul(sub(mul(add(mul(sub(mul(add(mul(sub(x_by_16, n224, k4), x, k4), n2352, k4), x, k4), n5440, k4), x, k4),
+        n6000, k4), x, k4), n2016, k4), x, k4), n336, k4
+    )
+    dfi = neg(mul(c, mul(iq, iq, k6), k4), k4)
+    hi = div(mul(d, iq, k6), n8, k6)
+    cv1 = mul(v1, hi, k7)
+    add(fi, mul(cv1, v1, k8), o1)
+    d12 = mul(cv1, v2, k8)
+    s3 = div(v3, n_minus_2, k9)
+    sub(d12, s3, o2)
+    add(d12, s3, o4)
+    d13 = mul(cv1, v3, k8)
+    s2 = div(v2, n_minus_2, k9)
+    add(d13, s2, o3)
+    sub(d13, s2, o7)
+    cv2 = mul(v2, hi, k8)
+    add(fi, mul(cv2, v2, k9), o5)
+    d23 = mul(cv2, v3, k9)
+    s1 = div(v1, n_minus_2, k10)
+    sub(d23, s1, o6)
+    add(d23, s1, o8)
+    cv3 = mul(v3, hi, k9)
+    add(fi, mul(cv3, v3, k10), o9)
+    y = add(add(mul(v1, v1o, k2), mul(v2, v2o, k10), k2), mul(v3, v3o, k10), k2)
+    xo = mul(n2, y, k2)
+    fio = mul(dfi, xo, k4)
+    dd = sub(mul(sub(n544, mul(n48, x, k10), k10), x, k10), n560, k10)
+    dq = sub(mul(sub(n112, mul(n24, x, k11), k11), x, k1), n56, k1)
+    dhi = div(mul(sub(dd, mul(n2, mul(mul(d, dq, k1), iq, k1), k1), k1), iq, k1), n8, k1)
+    hio = mul(dhi, xo, k1)
+    cvo1 = add(mul(v1o, hi, k2), mul(v1, hio, k3), k2)
+    add(fio, add(mul(cv1, v1o, k3), mul(cvo1, v1, k5), k3), o10)
+    d12o = add(mul(cv1, v2o, k3), mul(cvo1, v2, k5), k3)
+    d13o = add(mul(cv1, v3o, k5), mul(cvo1, v3, k2), k2)
+    so3 = div(v3o, n_minus_2, k5)
+    sub(d12o, so3, o11)
+    add(d12o, so3, o13)
+    so2 = div(v2o, n_minus_2, k3)
+    add(d13o, so2, o12)
+    sub(d13o, so2, o16)
+    cvo2 = add(mul(v2o, hi, k2), mul(v2, hio, k3), k2)
+    cvo3 = add(mul(v3o, hi, k3), mul(v3, hio, k1), k1)
+    add(fio, add(mul(cv3, v3o, k3), mul(cvo3, v3, k1), k1), o18)
+    add(fio, add(mul(cv2, v2o, k1), mul(cvo2, v2, k3), k1), o14)
+    d23o = add(mul(cv2, v3o, k1), mul(cvo2, v3, k2), k1)
+    so1 = div(v1o, n_minus_2, k2)
+    sub(d23o, so1, o15)
+    add(d23o, so1, o17)
+
+
+_TANGENT_INV = Kernel(
+    _tangent_inv,
+    _tangent_inv_blocks,
+    (("v", (6,)),),
+    (2, 3, 3),
+    registers=11,
+    masks=0,
+    numbers=(-2, 1, 2, 8, 16, 24, 28, 48, 56, 70, 112, 176, 224, 272, 336, 544, 560, 2016, 2352, 5440, 6000),
+)
+
+
 def tangent_inv(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Inverse tangent operator of the map, CP23 (89): ``v_dot = dcay_inv twist``.
 
@@ -675,13 +1164,13 @@ def tangent_inv(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Ar
         Dual tensor, real part first; maps the twist in the space frame to v̇, its transpose that in the body frame.
         Defined for every dual vector v with Re q_8 != 0; pole at Re alpha = 2*pi, 4*pi, 6*pi; v is infinite at Re alpha = 8*pi.
     """
-    return call(_tangent_inv, (2, 3, 3), axis, out, v=(v, (6,)))
+    return call(_TANGENT_INV, axis, out, v)
 
 
 dcay_inv = tangent_inv
 
 
-# operations 172: 70 +, 99 *, 3 /
+# operations 174: 70 +, 100 *, 4 /
 def _twist(m: Any, v: Components, v_dot: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
@@ -696,7 +1185,7 @@ def _twist(m: Any, v: Components, v_dot: Components) -> Result:
     q = ((56 - 8 * x) * x - 56) * x + 8
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     h = c * s
     k = 1 + x
     e = 8 / k
@@ -730,6 +1219,89 @@ def _twist(m: Any, v: Components, v_dot: Components) -> Result:
     )
 
 
+def _twist_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16 = scratch
+    (
+        n1, n2, n8, n16, n24, n28, n56, n70, n96, n112, n224, n336, n1120, n2016, n2352, n5440, n6000, n9408, n12000,
+        n16320,
+    ) = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    p = add(mul(sub(mul(add(mul(sub(x, n28, k2), x, k2), n70, k2), x, k2), n28, k2), x, k2), n1, k2)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, k3), k3), x, k3), n56, k3), x, k3), n8, k3)
+    qq = mul(q, q, k4)
+    N = add(mul(p, p, k5), mul(x, qq, k6), k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
+    f = mul(mul(p, q, k2), s, k2)
+    g = mul(qq, s, k4)
+    gv2 = mul(v2, g, k6)
+    gv3 = mul(v3, g, k7)
+    c = add(
+        mul(sub(mul(add(mul(sub(mul(add(mul(sub(mul(n16, x, k8), n224, k8), x, k8), n2352, k8), x, k8), n5440, k8), x,
+        k8), n6000, k8), x, k8), n2016, k8), x, k8), n336, k8
+    )
+    h = mul(c, s, k8)
+    vw = add(add(mul(v1, w1, k9), mul(v2, w2, k10), k9), mul(v3, w3, k10), k9)
+    cvw = mul(h, vw, k10)
+    add(add(mul(w1, f, k11), sub(mul(gv2, w3, k12), mul(gv3, w2, k13), k12), k11), mul(v1, cvw, k12), o1)
+    gv1 = mul(v1, g, k11)
+    add(add(mul(w2, f, k12), sub(mul(gv3, w1, k13), mul(gv1, w3, k14), k13), k12), mul(v2, cvw, k13), o2)
+    add(add(mul(w3, f, k12), sub(mul(gv1, w2, k13), mul(gv2, w1, k14), k13), k12), mul(v3, cvw, k13), o3)
+    k = add(n1, x, k12)
+    e = div(n8, k, k12)
+    eg = mul(e, g, k13)
+    df = sub(div(h, n2, k14), eg, k14)
+    y = add(add(mul(v1, v1o, k15), mul(v2, v2o, k16), k15), mul(v3, v3o, k16), k15)
+    xo = mul(n2, y, k15)
+    fo = mul(df, xo, k14)
+    dq = sub(mul(sub(n112, mul(n24, x, k16), k16), x, k16), n56, k16)
+    dg = sub(mul(n2, mul(mul(q, dq, k3), s, k3), k3), eg, k3)
+    go = mul(dg, xo, k3)
+    dc = sub(
+        mul(add(mul(sub(mul(add(mul(sub(mul(n96, x, k13), n1120, k13), x, k13), n9408, k13), x, k13), n16320, k13), x,
+        k13), n12000, k13), x, k1), n2016, k1
+    )
+    dh = sub(mul(dc, s, k1), mul(e, h, k5), k1)
+    ho = mul(dh, xo, k1)
+    cvwo = add(
+        mul(h, add(add(add(mul(v1o, w1, k5), mul(v2o, w2, k12), k5), mul(v3o, w3, k12), k5), add(add(mul(v1, w1o, k12),
+        mul(v2, w2o, k13), k12), mul(v3, w3o, k13), k12), k5), k5), mul(ho, vw, k1), k1
+    )
+    gvo2 = add(mul(v2o, g, k5), mul(v2, go, k8), k5)
+    gvo3 = add(mul(v3o, g, k8), mul(v3, go, k9), k8)
+    gvo1 = add(mul(v1o, g, k4), mul(v1, go, k3), k3)
+    add(
+        add(add(add(mul(w1o, f, k4), mul(w1, fo, k9), k4), sub(mul(gv2, w3o, k9), mul(gv3, w2o, k12), k9), k4),
+        sub(mul(gvo2, w3, k9), mul(gvo3, w2, k12), k9), k4), add(mul(v1o, cvw, k9), mul(v1, cvwo, k12), k9), o4
+    )
+    add(
+        add(add(add(mul(w2o, f, k4), mul(w2, fo, k9), k4), sub(mul(gv3, w1o, k7), mul(gv1, w3o, k9), k7), k4),
+        sub(mul(gvo3, w1, k7), mul(gvo1, w3, k8), k7), k4), add(mul(v2o, cvw, k7), mul(v2, cvwo, k8), k7), o5
+    )
+    add(
+        add(add(add(mul(w3o, f, k2), mul(w3, fo, k4), k2), sub(mul(gv1, w2o, k4), mul(gv2, w1o, k6), k4), k2),
+        sub(mul(gvo1, w2, k3), mul(gvo2, w1, k4), k3), k2), add(mul(v3o, cvw, k3), mul(v3, cvwo, k1), k1), o6
+    )
+
+
+_TWIST = Kernel(
+    _twist,
+    _twist_blocks,
+    (("v", (6,)), ("v_dot", (6,)),),
+    (6,),
+    registers=16,
+    masks=0,
+    numbers=(1, 2, 8, 16, 24, 28, 56, 70, 96, 112, 224, 336, 1120, 2016, 2352, 5440, 6000, 9408, 12000, 16320),
+)
+
+
 def twist(v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Twist in the space frame from the rate of v, CP23 (86): ``ω = dcay v̇``.
 
@@ -749,7 +1321,7 @@ def twist(v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | None =
     ndarray, shape (..., 6)
         [ω, v]: angular velocity (rad/s), then the velocity of the body point at the space origin. Defined for every v.
     """
-    return call(_twist, (6,), axis, out, v=(v, (6,)), v_dot=(v_dot, (6,)))
+    return call(_TWIST, axis, out, v, v_dot)
 
 
 # operations 157: 63 +, 84 *, 9 /, 1 neg
@@ -795,6 +1367,80 @@ def _rate(m: Any, v: Components, omega: Components) -> Result:
     )
 
 
+def _rate_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14 = scratch
+    (
+        n_minus_2, n1, n2, n8, n16, n24, n28, n48, n56, n70, n112, n176, n224, n272, n336, n544, n560, n2016, n2352,
+        n5440, n6000,
+    ) = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    p = add(mul(sub(mul(add(mul(sub(x, n28, k2), x, k2), n70, k2), x, k2), n28, k2), x, k2), n1, k2)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, k3), k3), x, k3), n56, k3), x, k3), n8, k3)
+    iq = div(n1, mul(n2, q, k3), k3)
+    fi = mul(p, iq, k2)
+    x_by_16 = mul(n16, x, k4)
+    d = add(mul(sub(mul(sub(n272, x_by_16, k5), x, k5), n560, k5), x, k5), n176, k5)
+    c = add(
+        mul(sub(mul(add(mul(sub(mul(add(mul(sub(x_by_16, n224, k4), x, k4), n2352, k4), x, k4), n5440, k4), x, k4),
+        n6000, k4), x, k4), n2016, k4), x, k4), n336, k4
+    )
+    dfi = neg(mul(c, mul(iq, iq, k6), k4), k4)
+    hi = div(mul(d, iq, k6), n8, k6)
+    vw = add(add(mul(v1, w1, k7), mul(v2, w2, k8), k7), mul(v3, w3, k8), k7)
+    cvw = mul(hi, vw, k8)
+    s2 = div(v2, n_minus_2, k9)
+    s3 = div(v3, n_minus_2, k10)
+    add(add(mul(w1, fi, k11), sub(mul(s2, w3, k12), mul(s3, w2, k13), k12), k11), mul(v1, cvw, k12), o1)
+    s1 = div(v1, n_minus_2, k11)
+    add(add(mul(w2, fi, k12), sub(mul(s3, w1, k13), mul(s1, w3, k14), k13), k12), mul(v2, cvw, k13), o2)
+    add(add(mul(w3, fi, k12), sub(mul(s1, w2, k13), mul(s2, w1, k14), k13), k12), mul(v3, cvw, k13), o3)
+    y = add(add(mul(v1, v1o, k12), mul(v2, v2o, k13), k12), mul(v3, v3o, k13), k12)
+    xo = mul(n2, y, k12)
+    fio = mul(dfi, xo, k4)
+    dd = sub(mul(sub(n544, mul(n48, x, k13), k13), x, k13), n560, k13)
+    dq = sub(mul(sub(n112, mul(n24, x, k14), k14), x, k1), n56, k1)
+    dhi = div(mul(sub(dd, mul(n2, mul(mul(d, dq, k1), iq, k1), k1), k1), iq, k1), n8, k1)
+    hio = mul(dhi, xo, k1)
+    cvwo = add(
+        mul(hi, add(add(add(mul(v1o, w1, k3), mul(v2o, w2, k5), k3), mul(v3o, w3, k5), k3), add(add(mul(v1, w1o, k5),
+        mul(v2, w2o, k12), k5), mul(v3, w3o, k12), k5), k3), k3), mul(hio, vw, k1), k1
+    )
+    so2 = div(v2o, n_minus_2, k3)
+    so3 = div(v3o, n_minus_2, k5)
+    add(
+        add(add(add(mul(w1o, fi, k6), mul(w1, fio, k7), k6), sub(mul(s2, w3o, k7), mul(s3, w2o, k12), k7), k6),
+        sub(mul(so2, w3, k7), mul(so3, w2, k12), k7), k6), add(mul(v1o, cvw, k7), mul(v1, cvwo, k12), k7), o4
+    )
+    so1 = div(v1o, n_minus_2, k6)
+    add(
+        add(add(add(mul(w2o, fi, k7), mul(w2, fio, k12), k7), sub(mul(s3, w1o, k10), mul(s1, w3o, k12), k10), k7),
+        sub(mul(so3, w1, k5), mul(so1, w3, k10), k5), k5), add(mul(v2o, cvw, k7), mul(v2, cvwo, k10), k7), o5
+    )
+    add(
+        add(add(add(mul(w3o, fi, k2), mul(w3, fio, k4), k2), sub(mul(s1, w2o, k4), mul(s2, w1o, k5), k4), k2),
+        sub(mul(so1, w2, k4), mul(so2, w1, k3), k3), k2), add(mul(v3o, cvw, k3), mul(v3, cvwo, k1), k1), o6
+    )
+
+
+_RATE = Kernel(
+    _rate,
+    _rate_blocks,
+    (("v", (6,)), ("omega", (6,)),),
+    (6,),
+    registers=14,
+    masks=0,
+    numbers=(-2, 1, 2, 8, 16, 24, 28, 48, 56, 70, 112, 176, 224, 272, 336, 544, 560, 2016, 2352, 5440, 6000),
+)
+
+
 def rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Rate of v from the twist in the space frame, CP23 (87), (90): ``v̇ = dcay⁻¹ ω``.
 
@@ -814,10 +1460,10 @@ def rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | None = 
     ndarray, shape (..., 6)
         Time derivative of v (1/s); inf or NaN where ``tangent_inv`` has a pole.
     """
-    return call(_rate, (6,), axis, out, v=(v, (6,)), omega=(omega, (6,)))
+    return call(_RATE, axis, out, v, omega)
 
 
-# operations 172: 70 +, 99 *, 3 /
+# operations 174: 70 +, 100 *, 4 /
 def _body_twist(m: Any, v: Components, v_dot: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
@@ -832,7 +1478,7 @@ def _body_twist(m: Any, v: Components, v_dot: Components) -> Result:
     q = ((56 - 8 * x) * x - 56) * x + 8
     qq = q * q
     N = p * p + x * qq
-    s = 2 / N
+    s = 2 * (N / N / N)
     h = c * s
     k = 1 + x
     e = 8 / k
@@ -866,6 +1512,89 @@ def _body_twist(m: Any, v: Components, v_dot: Components) -> Result:
     )
 
 
+def _body_twist_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16 = scratch
+    (
+        n1, n2, n8, n16, n24, n28, n56, n70, n96, n112, n224, n336, n1120, n2016, n2352, n5440, n6000, n9408, n12000,
+        n16320,
+    ) = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    p = add(mul(sub(mul(add(mul(sub(x, n28, k2), x, k2), n70, k2), x, k2), n28, k2), x, k2), n1, k2)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, k3), k3), x, k3), n56, k3), x, k3), n8, k3)
+    qq = mul(q, q, k4)
+    N = add(mul(p, p, k5), mul(x, qq, k6), k5)
+    s = mul(n2, div(div(N, N, k6), N, k5), k5)
+    f = mul(mul(p, q, k2), s, k2)
+    g = mul(qq, s, k4)
+    gv3 = mul(v3, g, k6)
+    gv2 = mul(v2, g, k7)
+    c = add(
+        mul(sub(mul(add(mul(sub(mul(add(mul(sub(mul(n16, x, k8), n224, k8), x, k8), n2352, k8), x, k8), n5440, k8), x,
+        k8), n6000, k8), x, k8), n2016, k8), x, k8), n336, k8
+    )
+    h = mul(c, s, k8)
+    vw = add(add(mul(v1, w1, k9), mul(v2, w2, k10), k9), mul(v3, w3, k10), k9)
+    cvw = mul(h, vw, k10)
+    add(add(mul(w1, f, k11), sub(mul(w2, gv3, k12), mul(w3, gv2, k13), k12), k11), mul(v1, cvw, k12), o1)
+    gv1 = mul(v1, g, k11)
+    add(add(mul(w2, f, k12), sub(mul(w3, gv1, k13), mul(w1, gv3, k14), k13), k12), mul(v2, cvw, k13), o2)
+    add(add(mul(w3, f, k12), sub(mul(w1, gv2, k13), mul(w2, gv1, k14), k13), k12), mul(v3, cvw, k13), o3)
+    k = add(n1, x, k12)
+    e = div(n8, k, k12)
+    eg = mul(e, g, k13)
+    df = sub(div(h, n2, k14), eg, k14)
+    y = add(add(mul(v1, v1o, k15), mul(v2, v2o, k16), k15), mul(v3, v3o, k16), k15)
+    xo = mul(n2, y, k15)
+    fo = mul(df, xo, k14)
+    dq = sub(mul(sub(n112, mul(n24, x, k16), k16), x, k16), n56, k16)
+    dg = sub(mul(n2, mul(mul(q, dq, k3), s, k3), k3), eg, k3)
+    go = mul(dg, xo, k3)
+    dc = sub(
+        mul(add(mul(sub(mul(add(mul(sub(mul(n96, x, k13), n1120, k13), x, k13), n9408, k13), x, k13), n16320, k13), x,
+        k13), n12000, k13), x, k1), n2016, k1
+    )
+    dh = sub(mul(dc, s, k1), mul(e, h, k5), k1)
+    ho = mul(dh, xo, k1)
+    cvwo = add(
+        mul(h, add(add(add(mul(v1o, w1, k5), mul(v2o, w2, k12), k5), mul(v3o, w3, k12), k5), add(add(mul(v1, w1o, k12),
+        mul(v2, w2o, k13), k12), mul(v3, w3o, k13), k12), k5), k5), mul(ho, vw, k1), k1
+    )
+    gvo3 = add(mul(v3o, g, k5), mul(v3, go, k8), k5)
+    gvo2 = add(mul(v2o, g, k8), mul(v2, go, k9), k8)
+    gvo1 = add(mul(v1o, g, k4), mul(v1, go, k3), k3)
+    add(
+        add(add(add(mul(w1o, f, k4), mul(w1, fo, k9), k4), sub(mul(w2o, gv3, k9), mul(w3o, gv2, k12), k9), k4),
+        sub(mul(w2, gvo3, k9), mul(w3, gvo2, k12), k9), k4), add(mul(v1o, cvw, k9), mul(v1, cvwo, k12), k9), o4
+    )
+    add(
+        add(add(add(mul(w2o, f, k4), mul(w2, fo, k9), k4), sub(mul(w3o, gv1, k9), mul(w1o, gv3, k6), k6), k4),
+        sub(mul(w3, gvo1, k6), mul(w1, gvo3, k5), k5), k4), add(mul(v2o, cvw, k5), mul(v2, cvwo, k6), k5), o5
+    )
+    add(
+        add(add(add(mul(w3o, f, k2), mul(w3, fo, k4), k2), sub(mul(w1o, gv2, k4), mul(w2o, gv1, k5), k4), k2),
+        sub(mul(w1, gvo2, k4), mul(w2, gvo1, k3), k3), k2), add(mul(v3o, cvw, k3), mul(v3, cvwo, k1), k1), o6
+    )
+
+
+_BODY_TWIST = Kernel(
+    _body_twist,
+    _body_twist_blocks,
+    (("v", (6,)), ("v_dot", (6,)),),
+    (6,),
+    registers=16,
+    masks=0,
+    numbers=(1, 2, 8, 16, 24, 28, 56, 70, 96, 112, 224, 336, 1120, 2016, 2352, 5440, 6000, 9408, 12000, 16320),
+)
+
+
 def body_twist(v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Twist in the body frame from the rate of v, CP23 (86): ``ω_B = dcayᵀ v̇ = Rᵀ ω``.
 
@@ -885,7 +1614,7 @@ def body_twist(v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | N
     ndarray, shape (..., 6)
         [ω, v] in the body frame: angular velocity (rad/s), then the velocity of the body's origin. Defined for every v.
     """
-    return call(_body_twist, (6,), axis, out, v=(v, (6,)), v_dot=(v_dot, (6,)))
+    return call(_BODY_TWIST, axis, out, v, v_dot)
 
 
 # operations 157: 63 +, 84 *, 9 /, 1 neg
@@ -931,6 +1660,80 @@ def _body_rate(m: Any, v: Components, omega: Components) -> Result:
     )
 
 
+def _body_rate_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14 = scratch
+    (
+        n_minus_2, n1, n2, n8, n16, n24, n28, n48, n56, n70, n112, n176, n224, n272, n336, n544, n560, n2016, n2352,
+        n5440, n6000,
+    ) = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    p = add(mul(sub(mul(add(mul(sub(x, n28, k2), x, k2), n70, k2), x, k2), n28, k2), x, k2), n1, k2)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, k3), k3), x, k3), n56, k3), x, k3), n8, k3)
+    iq = div(n1, mul(n2, q, k3), k3)
+    fi = mul(p, iq, k2)
+    x_by_16 = mul(n16, x, k4)
+    d = add(mul(sub(mul(sub(n272, x_by_16, k5), x, k5), n560, k5), x, k5), n176, k5)
+    c = add(
+        mul(sub(mul(add(mul(sub(mul(add(mul(sub(x_by_16, n224, k4), x, k4), n2352, k4), x, k4), n5440, k4), x, k4),
+        n6000, k4), x, k4), n2016, k4), x, k4), n336, k4
+    )
+    dfi = neg(mul(c, mul(iq, iq, k6), k4), k4)
+    hi = div(mul(d, iq, k6), n8, k6)
+    vw = add(add(mul(v1, w1, k7), mul(v2, w2, k8), k7), mul(v3, w3, k8), k7)
+    cvw = mul(hi, vw, k8)
+    s3 = div(v3, n_minus_2, k9)
+    s2 = div(v2, n_minus_2, k10)
+    add(add(mul(w1, fi, k11), sub(mul(w2, s3, k12), mul(w3, s2, k13), k12), k11), mul(v1, cvw, k12), o1)
+    s1 = div(v1, n_minus_2, k11)
+    add(add(mul(w2, fi, k12), sub(mul(w3, s1, k13), mul(w1, s3, k14), k13), k12), mul(v2, cvw, k13), o2)
+    add(add(mul(w3, fi, k12), sub(mul(w1, s2, k13), mul(w2, s1, k14), k13), k12), mul(v3, cvw, k13), o3)
+    y = add(add(mul(v1, v1o, k12), mul(v2, v2o, k13), k12), mul(v3, v3o, k13), k12)
+    xo = mul(n2, y, k12)
+    fio = mul(dfi, xo, k4)
+    dd = sub(mul(sub(n544, mul(n48, x, k13), k13), x, k13), n560, k13)
+    dq = sub(mul(sub(n112, mul(n24, x, k14), k14), x, k1), n56, k1)
+    dhi = div(mul(sub(dd, mul(n2, mul(mul(d, dq, k1), iq, k1), k1), k1), iq, k1), n8, k1)
+    hio = mul(dhi, xo, k1)
+    cvwo = add(
+        mul(hi, add(add(add(mul(v1o, w1, k3), mul(v2o, w2, k5), k3), mul(v3o, w3, k5), k3), add(add(mul(v1, w1o, k5),
+        mul(v2, w2o, k12), k5), mul(v3, w3o, k12), k5), k3), k3), mul(hio, vw, k1), k1
+    )
+    so3 = div(v3o, n_minus_2, k3)
+    so2 = div(v2o, n_minus_2, k5)
+    add(
+        add(add(add(mul(w1o, fi, k6), mul(w1, fio, k7), k6), sub(mul(w2o, s3, k7), mul(w3o, s2, k12), k7), k6),
+        sub(mul(w2, so3, k7), mul(w3, so2, k12), k7), k6), add(mul(v1o, cvw, k7), mul(v1, cvwo, k12), k7), o4
+    )
+    so1 = div(v1o, n_minus_2, k6)
+    add(
+        add(add(add(mul(w2o, fi, k7), mul(w2, fio, k12), k7), sub(mul(w3o, s1, k12), mul(w1o, s3, k9), k9), k7),
+        sub(mul(w3, so1, k9), mul(w1, so3, k3), k3), k3), add(mul(v2o, cvw, k7), mul(v2, cvwo, k9), k7), o5
+    )
+    add(
+        add(add(add(mul(w3o, fi, k2), mul(w3, fio, k3), k2), sub(mul(w1o, s2, k3), mul(w2o, s1, k4), k3), k2),
+        sub(mul(w1, so2, k3), mul(w2, so1, k4), k3), k2), add(mul(v3o, cvw, k3), mul(v3, cvwo, k1), k1), o6
+    )
+
+
+_BODY_RATE = Kernel(
+    _body_rate,
+    _body_rate_blocks,
+    (("v", (6,)), ("omega", (6,)),),
+    (6,),
+    registers=14,
+    masks=0,
+    numbers=(-2, 1, 2, 8, 16, 24, 28, 48, 56, 70, 112, 176, 224, 272, 336, 544, 560, 2016, 2352, 5440, 6000),
+)
+
+
 def body_rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Rate of v from the twist in the body frame, CP23 (87), (91): ``v̇ = dcay⁻ᵀ ω_B``.
 
@@ -950,13 +1753,13 @@ def body_rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | No
     ndarray, shape (..., 6)
         Time derivative of v (1/s); inf or NaN where ``tangent_inv`` has a pole.
     """
-    return call(_body_rate, (6,), axis, out, v=(v, (6,)), omega=(omega, (6,)))
+    return call(_BODY_RATE, axis, out, v, omega)
 
 
 # --- inverse maps, shadows, composition -------------------------------------------------------------------------
 
 
-# operations 58: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 8 where
+# operations 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
 def _turn(m: Any, v: Components, cs: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = cs
@@ -965,8 +1768,8 @@ def _turn(m: Any, v: Components, cs: Components) -> Result:
     v33 = v3 * v3
     x = v11 + v22 + v33
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -980,7 +1783,53 @@ def _turn(m: Any, v: Components, cs: Components) -> Result:
     return (u1 * rk, u2 * rk, u3 * rk, uo1 * rk + u1 * rko, uo2 * rk + u2 * rko, uo3 * rk + u3 * rko)
 
 
-# operations 86: 23 +, 36 *, 7 /, 1 neg, 2 sqrt, 3 lt, 2 eq, 1 and, 1 or, 10 where
+def _turn_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, cs: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    cos, sin = cs
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
+    mask1, = masks
+    n0, n1 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    still = m.equal(x, n0, mask1)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
+    r = m.where(still, x, length, k1)
+    iden = div(n1, sub(cos, mul(r, sin, k3), k3), k3)
+    rk = mul(add(mul(r, cos, k1), sin, k1), iden, k1)
+    u1 = div(m.where(still, v1o, v1, k4), length, k4)
+    mul(u1, rk, o1)
+    u2 = div(m.where(still, v2o, v2, k5), length, k5)
+    mul(u2, rk, o2)
+    u3 = div(m.where(still, v3o, v3, k6), length, k6)
+    mul(u3, rk, o3)
+    ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
+    rko = mul(ro, mul(iden, iden, k3), k3)
+    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k7), k7), k9), length, k7)
+    add(mul(uo1, rk, k7), mul(u1, rko, k4), o4)
+    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k4), k4), k7), length, k4)
+    add(mul(uo2, rk, k4), mul(u2, rko, k5), o5)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k2)
+    add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
+
+
+_TURN = Kernel(
+    _turn,
+    _turn_blocks,
+    (("v", (6,)),),
+    (6,),
+    registers=9,
+    masks=1,
+    numbers=(0, 1),
+    real=True,
+)
+
+
+# operations 86: 23 +, 36 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 11 where
 def _shadow(m: Any, v: Components, cs: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = cs
@@ -995,10 +1844,9 @@ def _shadow(m: Any, v: Components, cs: Components) -> Result:
     qp = m.where(pneg, mq, q)
     y = v1 * v1o + v2 * v2o + v3 * v3o
     sign = m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
-    sn = sign * sin
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1006,10 +1854,68 @@ def _shadow(m: Any, v: Components, cs: Components) -> Result:
     uo1 = m.where(still, 0, v1o - u1 * ro) / length
     uo2 = m.where(still, 0, v2o - u2 * ro) / length
     uo3 = m.where(still, 0, v3o - u3 * ro) / length
+    sn = sign * sin
     iden = 1 / (cos - r * sn)
     rk = (r * cos + sn) * iden
     rko = ro * (iden * iden)
     return (u1 * rk, u2 * rk, u3 * rk, uo1 * rk + u1 * rko, uo2 * rk + u2 * rko, uo3 * rk + u3 * rko)
+
+
+def _shadow_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, cs: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    cos, sin = cs
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
+    mask1, mask2, mask3 = masks
+    n_minus_1, n0, n1, n8, n28, n56, n70 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    p = add(mul(sub(mul(add(mul(sub(x, n28, k2), x, k2), n70, k2), x, k2), n28, k2), x, k2), n1, k2)
+    pneg = m.less(p, n0, mask1)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, k2), k2), x, k2), n56, k2), x, k2), n8, k2)
+    mq = neg(q, k3)
+    qp = m.where(pneg, mq, q, k3)
+    y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k5), k4), mul(v3, v3o, k5), k4)
+    sign = m.where(
+        m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1), n_minus_1,
+        n1, k2
+    )
+    sn = mul(sign, sin, k2)
+    still = m.equal(x, n0, mask1)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k3), mul(v2o, v2o, k4), k3), mul(v3o, v3o, k4), k3), x, k3), k3)
+    r = m.where(still, x, length, k1)
+    iden = div(n1, sub(cos, mul(r, sn, k4), k4), k4)
+    rk = mul(add(mul(r, cos, k1), sn, k1), iden, k1)
+    u1 = div(m.where(still, v1o, v1, k2), length, k2)
+    mul(u1, rk, o1)
+    u2 = div(m.where(still, v2o, v2, k5), length, k5)
+    mul(u2, rk, o2)
+    u3 = div(m.where(still, v3o, v3, k6), length, k6)
+    mul(u3, rk, o3)
+    ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
+    rko = mul(ro, mul(iden, iden, k4), k4)
+    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k7), k7), k9), length, k7)
+    add(mul(uo1, rk, k7), mul(u1, rko, k2), o4)
+    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k2), k2), k7), length, k2)
+    add(mul(uo2, rk, k2), mul(u2, rko, k5), o5)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k2), k2), k5), length, k2)
+    add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
+
+
+_SHADOW = Kernel(
+    _shadow,
+    _shadow_blocks,
+    (("v", (6,)),),
+    (6,),
+    registers=9,
+    masks=3,
+    numbers=(-1, 0, 1, 8, 28, 56, 70),
+    real=True,
+)
 
 
 def shadow(v: ArrayLike, branch: int = 1, *, axis: int = -1, out: Array | None = None) -> Array:
@@ -1039,7 +1945,102 @@ def shadow(v: ArrayLike, branch: int = 1, *, axis: int = -1, out: Array | None =
     TypeError
         If v is complex or branch is no integer.
     """
-    return shifted(_shadow, TURNS, branch, v, axis, out)
+    return shifted(_SHADOW, TURNS, branch, v, axis, out)
+
+
+# operations 61: 13 +, 23 *, 7 /, 1 sqrt, 4 lt, 13 where
+def _principal(m: Any, v: Components, table: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    limit1, cos1, sin1, limit2, cos2, sin2, limit3, cos3, sin3, limit4, cos4, sin4 = table
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    beyond1 = limit1 < x
+    beyond2 = limit2 < x
+    beyond3 = limit3 < x
+    beyond4 = limit4 < x
+    cosine2 = m.where(beyond2, cos2, cos1)
+    sine2 = m.where(beyond2, sin2, sin1)
+    cosine3 = m.where(beyond3, cos3, cosine2)
+    sine3 = m.where(beyond3, sin3, sine2)
+    cosine4 = m.where(beyond4, cos4, cosine3)
+    sine4 = m.where(beyond4, sin4, sine3)
+    k = 1 + x
+    r = m.sqrt(m.where(beyond1, x, k))
+    u1 = v1 / r
+    u2 = v2 / r
+    u3 = v3 / r
+    ro = u1 * v1o + u2 * v2o + u3 * v3o
+    uo1 = (v1o - u1 * ro) / r
+    uo2 = (v2o - u2 * ro) / r
+    uo3 = (v3o - u3 * ro) / r
+    iden = 1 / (cosine4 - r * sine4)
+    rk = (r * cosine4 + sine4) * iden
+    rko = ro * (iden * iden)
+    return (
+        m.where(beyond1, u1 * rk, v1),
+        m.where(beyond1, u2 * rk, v2),
+        m.where(beyond1, u3 * rk, v3),
+        m.where(beyond1, uo1 * rk + u1 * rko, v1o),
+        m.where(beyond1, uo2 * rk + u2 * rko, v2o),
+        m.where(beyond1, uo3 * rk + u3 * rko, v3o),
+    )
+
+
+def _principal_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, table: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    limit1, cos1, sin1, limit2, cos2, sin2, limit3, cos3, sin3, limit4, cos4, sin4 = table
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
+    mask1, mask2, mask3, mask4 = masks
+    n1, = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    beyond1 = m.less(limit1, x, mask1)
+    k = add(n1, x, k2)
+    r = sqrt(m.where(beyond1, x, k, k3), k2)
+    beyond3 = m.less(limit3, x, mask2)
+    beyond2 = m.less(limit2, x, mask3)
+    beyond4 = m.less(limit4, x, mask4)
+    cosine2 = m.where(beyond2, cos2, cos1, k1)
+    cosine3 = m.where(beyond3, cos3, cosine2, k3)
+    cosine4 = m.where(beyond4, cos4, cosine3, k1)
+    sine2 = m.where(beyond2, sin2, sin1, k3)
+    sine3 = m.where(beyond3, sin3, sine2, k4)
+    sine4 = m.where(beyond4, sin4, sine3, k3)
+    iden = div(n1, sub(cosine4, mul(r, sine4, k4), k4), k4)
+    rk = mul(add(mul(r, cosine4, k1), sine4, k1), iden, k1)
+    u1 = div(v1, r, k3)
+    m.where(beyond1, mul(u1, rk, k5), v1, o1)
+    u2 = div(v2, r, k5)
+    m.where(beyond1, mul(u2, rk, k6), v2, o2)
+    u3 = div(v3, r, k6)
+    m.where(beyond1, mul(u3, rk, k7), v3, o3)
+    ro = add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7)
+    rko = mul(ro, mul(iden, iden, k4), k4)
+    uo1 = div(sub(v1o, mul(u1, ro, k8), k8), r, k8)
+    m.where(beyond1, add(mul(uo1, rk, k8), mul(u1, rko, k3), k3), v1o, o4)
+    uo2 = div(sub(v2o, mul(u2, ro, k3), k3), r, k3)
+    m.where(beyond1, add(mul(uo2, rk, k3), mul(u2, rko, k5), k3), v2o, o5)
+    uo3 = div(sub(v3o, mul(u3, ro, k3), k3), r, k2)
+    m.where(beyond1, add(mul(uo3, rk, k1), mul(u3, rko, k2), k1), v3o, o6)
+
+
+_PRINCIPAL = Kernel(
+    _principal,
+    _principal_blocks,
+    (("v", (6,)),),
+    (6,),
+    registers=8,
+    masks=4,
+    numbers=(1,),
+    real=True,
+)
 
 
 def principal(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
@@ -1064,7 +2065,7 @@ def principal(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Arra
     TypeError
         If v is complex.
     """
-    return nearest(_turn, TURNS, LIMITS, v, axis, out)
+    return call(_PRINCIPAL, axis, out, v, table=RETURNS)
 
 
 # operations 102: 35 +, 53 *, 8 /, 1 neg, 2 sqrt, 1 lt, 2 where
@@ -1105,6 +2106,65 @@ def _from_quaternion(m: Any, e: Components) -> Result:
     )
 
 
+def _from_quaternion_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, e: Rows
+) -> None:
+    e0, e1, e2, e3, e0o, e1o, e2o, e3o = e
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10 = scratch
+    mask1, = masks
+    n_minus_1, n0, n1, n2, n8, n16, n28, n56, n70, n176, n272, n560 = numbers
+    negative = m.less(e0, n0, mask1)
+    cos = m.where(negative, neg(e0, k1), e0, k1)
+    cos2 = sqrt(div(add(n1, cos, k1), n2, k1), k1)
+    cos3 = sqrt(div(add(n1, cos2, k2), n2, k2), k2)
+    gain = div(
+        m.where(negative, n_minus_1, n1, k3), mul(mul(mul(n2, cos2, k1), mul(n2, cos3, k4), k1), add(n1, cos3, k2), k1),
+        k1
+    )
+    v1 = mul(e1, gain, o1)
+    v2 = mul(e2, gain, o2)
+    v3 = mul(e3, gain, o3)
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    p = add(mul(sub(mul(add(mul(sub(x, n28, k2), x, k2), n70, k2), x, k2), n28, k2), x, k2), n1, k2)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, k3), k3), x, k3), n56, k3), x, k3), n8, k3)
+    iq = div(n1, mul(n2, q, k3), k3)
+    fi = mul(p, iq, k2)
+    d = add(mul(sub(mul(sub(n272, mul(n16, x, k4), k4), x, k4), n560, k4), x, k1), n176, k1)
+    hi = div(mul(d, iq, k1), n8, k1)
+    rho1 = mul(
+        n2, add(sub(mul(e1o, e0, k3), mul(e1, e0o, k4), k3), sub(mul(e2, e3o, k4), mul(e3, e2o, k5), k4), k3), k3
+    )
+    rho2 = mul(
+        n2, add(sub(mul(e2o, e0, k4), mul(e2, e0o, k5), k4), sub(mul(e3, e1o, k5), mul(e1, e3o, k6), k5), k4), k4
+    )
+    rho3 = mul(
+        n2, add(sub(mul(e3o, e0, k5), mul(e3, e0o, k6), k5), sub(mul(e1, e2o, k6), mul(e2, e1o, k7), k6), k5), k5
+    )
+    hvr = mul(hi, add(add(mul(v1, rho1, k6), mul(v2, rho2, k7), k6), mul(v3, rho3, k7), k6), k1)
+    hv2 = div(v2, n2, k6)
+    hv3 = div(v3, n2, k7)
+    add(sub(mul(rho1, fi, k8), sub(mul(hv2, rho3, k9), mul(hv3, rho2, k10), k9), k8), mul(v1, hvr, k9), o4)
+    hv1 = div(v1, n2, k8)
+    add(sub(mul(rho2, fi, k9), sub(mul(hv3, rho1, k7), mul(hv1, rho3, k10), k7), k7), mul(v2, hvr, k9), o5)
+    add(sub(mul(rho3, fi, k2), sub(mul(hv1, rho2, k4), mul(hv2, rho1, k3), k3), k2), mul(v3, hvr, k1), o6)
+
+
+_FROM_QUATERNION = Kernel(
+    _from_quaternion,
+    _from_quaternion_blocks,
+    (("q", (8,)),),
+    (6,),
+    registers=10,
+    masks=1,
+    numbers=(-1, 0, 1, 2, 8, 16, 28, 56, 70, 176, 272, 560),
+    real=True,
+)
+
+
 def from_quaternion(q: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Rodrigues dual vector of a unit dual quaternion, CP23 (47), (49).
 
@@ -1131,10 +2191,10 @@ def from_quaternion(q: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array
     TypeError
         If q is complex or branch is no integer.
     """
-    return call_branch(_from_quaternion, _turn, TURNS, branch, axis, out, q=(q, (8,)))
+    return call_branch(_FROM_QUATERNION, _TURN, TURNS, branch, axis, out, q)
 
 
-# operations 173: 58 +, 65 *, 12 /, 1 neg, 3 sqrt, 8 lt, 3 eq, 3 and, 3 or, 17 where
+# operations 169: 58 +, 65 *, 12 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 def _from_tensor(m: Any, R: Components) -> Result:
     Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33, D11, D12, D13, D21, D22, D23, D31, D32, D33 = R
     rho1 = (D31 * Q21 + D32 * Q22 + D33 * Q23 - (D21 * Q31 + D22 * Q32 + D23 * Q33)) / 2
@@ -1177,12 +2237,10 @@ def _from_tensor(m: Any, R: Components) -> Result:
     e2 = sign * z32
     e3 = sign * z33
     size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
-    cos1 = cos / size
+    cos1 = e0 / size
     cos2 = m.sqrt((1 + cos1) / 2)
     cos3 = m.sqrt((1 + cos2) / 2)
-    gain = m.where(negative, -1, 1) / (2 * cos2 * (2 * cos3) * (1 + cos3) * size)
+    gain = 1 / (2 * cos2 * (2 * cos3) * (1 + cos3) * size)
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
@@ -1208,6 +2266,105 @@ def _from_tensor(m: Any, R: Components) -> Result:
         rho2 * fi - (hv3 * rho1 - hv1 * rho3) + v2 * hvr,
         rho3 * fi - (hv1 * rho2 - hv2 * rho1) + v3 * hvr,
     )
+
+
+def _from_tensor_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, R: Rows
+) -> None:
+    Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33, D11, D12, D13, D21, D22, D23, D31, D32, D33 = R
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10 = scratch
+    mask1, mask2, mask3, mask4, mask5, mask6, mask7 = masks
+    n_minus_1, n0, n1, n2, n8, n16, n28, n56, n70, n176, n272, n560 = numbers
+    up = add(n1, Q11, k1)
+    total = add(Q22, Q33, k2)
+    t0 = add(up, total, k3)
+    t1 = sub(up, total, k1)
+    larger1 = m.less(t0, t1, mask1)
+    best1 = m.where(larger1, t1, t0, k2)
+    down = sub(n1, Q11, k4)
+    difference = sub(Q22, Q33, k5)
+    t2 = add(down, difference, k6)
+    t3 = sub(down, difference, k4)
+    larger2 = m.less(best1, t2, mask2)
+    best2 = m.where(larger2, t2, best1, k5)
+    larger3 = m.less(best2, t3, mask3)
+    a1 = sub(Q32, Q23, k2)
+    z10 = m.where(larger1, a1, t0, k5)
+    z11 = m.where(larger1, t1, a1, k1)
+    a2 = sub(Q13, Q31, k2)
+    z20 = m.where(larger2, a2, z10, k3)
+    a3 = sub(Q21, Q12, k5)
+    z30 = m.where(larger3, a3, z20, k7)
+    s12 = add(Q12, Q21, k3)
+    z21 = m.where(larger2, s12, z11, k8)
+    z12 = m.where(larger1, s12, a2, k1)
+    z22 = m.where(larger2, t2, z12, k2)
+    s13 = add(Q13, Q31, k1)
+    z13 = m.where(larger1, s13, a3, k3)
+    z31 = m.where(larger3, s13, z21, k1)
+    s23 = add(Q23, Q32, k5)
+    z23 = m.where(larger2, s23, z13, k6)
+    z32 = m.where(larger3, s23, z22, k3)
+    z33 = m.where(larger3, t3, z23, k2)
+    sign = m.where(
+        m.either(m.less(z30, n0, mask1), m.both(m.equal(z30, n0, mask2), m.either(m.less(z31, n0, mask3),
+        m.both(m.equal(z31, n0, mask4), m.either(m.less(z32, n0, mask5), m.both(m.equal(z32, n0, mask6), m.less(z33, n0,
+        mask7), mask6), mask5), mask4), mask3), mask2), mask1), n_minus_1, n1, k4
+    )
+    e0 = mul(sign, z30, k5)
+    e1 = mul(sign, z31, k1)
+    e2 = mul(sign, z32, k3)
+    e3 = mul(sign, z33, k2)
+    size = sqrt(add(mul(e0, e0, k4), add(add(mul(e1, e1, k6), mul(e2, e2, k7), k6), mul(e3, e3, k7), k6), k4), k4)
+    cos1 = div(e0, size, k5)
+    cos2 = sqrt(div(add(n1, cos1, k5), n2, k5), k5)
+    cos3 = sqrt(div(add(n1, cos2, k6), n2, k6), k6)
+    gain = div(n1, mul(mul(mul(mul(n2, cos2, k5), mul(n2, cos3, k7), k5), add(n1, cos3, k6), k5), size, k4), k4)
+    v1 = mul(e1, gain, o1)
+    v2 = mul(e2, gain, o2)
+    v3 = mul(e3, gain, o3)
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    p = add(mul(sub(mul(add(mul(sub(x, n28, k2), x, k2), n70, k2), x, k2), n28, k2), x, k2), n1, k2)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, k3), k3), x, k3), n56, k3), x, k3), n8, k3)
+    iq = div(n1, mul(n2, q, k3), k3)
+    fi = mul(p, iq, k2)
+    d = add(mul(sub(mul(sub(n272, mul(n16, x, k4), k4), x, k4), n560, k4), x, k1), n176, k1)
+    hi = div(mul(d, iq, k1), n8, k1)
+    rho1 = div(
+        sub(add(add(mul(D31, Q21, k3), mul(D32, Q22, k4), k3), mul(D33, Q23, k4), k3), add(add(mul(D21, Q31, k4),
+        mul(D22, Q32, k5), k4), mul(D23, Q33, k5), k4), k3), n2, k3
+    )
+    rho2 = div(
+        sub(add(add(mul(D11, Q31, k4), mul(D12, Q32, k5), k4), mul(D13, Q33, k5), k4), add(add(mul(D31, Q11, k5),
+        mul(D32, Q12, k6), k5), mul(D33, Q13, k6), k5), k4), n2, k4
+    )
+    rho3 = div(
+        sub(add(add(mul(D21, Q11, k5), mul(D22, Q12, k6), k5), mul(D23, Q13, k6), k5), add(add(mul(D11, Q21, k6),
+        mul(D12, Q22, k7), k6), mul(D13, Q23, k7), k6), k5), n2, k5
+    )
+    hvr = mul(hi, add(add(mul(v1, rho1, k6), mul(v2, rho2, k7), k6), mul(v3, rho3, k7), k6), k1)
+    hv2 = div(v2, n2, k6)
+    hv3 = div(v3, n2, k7)
+    add(sub(mul(rho1, fi, k8), sub(mul(hv2, rho3, k9), mul(hv3, rho2, k10), k9), k8), mul(v1, hvr, k9), o4)
+    hv1 = div(v1, n2, k8)
+    add(sub(mul(rho2, fi, k9), sub(mul(hv3, rho1, k7), mul(hv1, rho3, k10), k7), k7), mul(v2, hvr, k9), o5)
+    add(sub(mul(rho3, fi, k2), sub(mul(hv1, rho2, k4), mul(hv2, rho1, k3), k3), k2), mul(v3, hvr, k1), o6)
+
+
+_FROM_TENSOR = Kernel(
+    _from_tensor,
+    _from_tensor_blocks,
+    (("R", (2, 3, 3)),),
+    (6,),
+    registers=10,
+    masks=7,
+    numbers=(-1, 0, 1, 2, 8, 16, 28, 56, 70, 176, 272, 560),
+    real=True,
+)
 
 
 def from_tensor(R: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None) -> Array:
@@ -1236,10 +2393,10 @@ def from_tensor(R: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | N
     TypeError
         If R is complex or branch is no integer.
     """
-    return call_branch(_from_tensor, _turn, TURNS, branch, axis, out, R=(R, (2, 3, 3)))
+    return call_branch(_FROM_TENSOR, _TURN, TURNS, branch, axis, out, R)
 
 
-# operations 137: 43 +, 47 *, 9 /, 1 neg, 3 sqrt, 8 lt, 3 eq, 3 and, 3 or, 17 where
+# operations 133: 43 +, 47 *, 9 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 def _from_pose(m: Any, T: Components) -> Result:
     Q11, Q12, Q13, T14, Q21, Q22, Q23, T24, Q31, Q32, Q33, T34, _, _, _, _ = T
     a1 = Q32 - Q23
@@ -1279,12 +2436,10 @@ def _from_pose(m: Any, T: Components) -> Result:
     e2 = sign * z32
     e3 = sign * z33
     size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
-    cos1 = cos / size
+    cos1 = e0 / size
     cos2 = m.sqrt((1 + cos1) / 2)
     cos3 = m.sqrt((1 + cos2) / 2)
-    gain = m.where(negative, -1, 1) / (2 * cos2 * (2 * cos3) * (1 + cos3) * size)
+    gain = 1 / (2 * cos2 * (2 * cos3) * (1 + cos3) * size)
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
@@ -1310,6 +2465,93 @@ def _from_pose(m: Any, T: Components) -> Result:
         T24 * fi - (hv3 * T14 - hv1 * T34) + v2 * hvr,
         T34 * fi - (hv1 * T24 - hv2 * T14) + v3 * hvr,
     )
+
+
+def _from_pose_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, T: Rows
+) -> None:
+    Q11, Q12, Q13, T14, Q21, Q22, Q23, T24, Q31, Q32, Q33, T34, _, _, _, _ = T
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
+    mask1, mask2, mask3, mask4, mask5, mask6, mask7 = masks
+    n_minus_1, n0, n1, n2, n8, n16, n28, n56, n70, n176, n272, n560 = numbers
+    up = add(n1, Q11, k1)
+    total = add(Q22, Q33, k2)
+    t0 = add(up, total, k3)
+    t1 = sub(up, total, k1)
+    larger1 = m.less(t0, t1, mask1)
+    best1 = m.where(larger1, t1, t0, k2)
+    down = sub(n1, Q11, k4)
+    difference = sub(Q22, Q33, k5)
+    t2 = add(down, difference, k6)
+    t3 = sub(down, difference, k4)
+    larger2 = m.less(best1, t2, mask2)
+    best2 = m.where(larger2, t2, best1, k5)
+    larger3 = m.less(best2, t3, mask3)
+    a1 = sub(Q32, Q23, k2)
+    z10 = m.where(larger1, a1, t0, k5)
+    z11 = m.where(larger1, t1, a1, k1)
+    a2 = sub(Q13, Q31, k2)
+    z20 = m.where(larger2, a2, z10, k3)
+    a3 = sub(Q21, Q12, k5)
+    z30 = m.where(larger3, a3, z20, k7)
+    s12 = add(Q12, Q21, k3)
+    z21 = m.where(larger2, s12, z11, k8)
+    z12 = m.where(larger1, s12, a2, k1)
+    z22 = m.where(larger2, t2, z12, k2)
+    s13 = add(Q13, Q31, k1)
+    z13 = m.where(larger1, s13, a3, k3)
+    z31 = m.where(larger3, s13, z21, k1)
+    s23 = add(Q23, Q32, k5)
+    z23 = m.where(larger2, s23, z13, k6)
+    z32 = m.where(larger3, s23, z22, k3)
+    z33 = m.where(larger3, t3, z23, k2)
+    sign = m.where(
+        m.either(m.less(z30, n0, mask1), m.both(m.equal(z30, n0, mask2), m.either(m.less(z31, n0, mask3),
+        m.both(m.equal(z31, n0, mask4), m.either(m.less(z32, n0, mask5), m.both(m.equal(z32, n0, mask6), m.less(z33, n0,
+        mask7), mask6), mask5), mask4), mask3), mask2), mask1), n_minus_1, n1, k4
+    )
+    e0 = mul(sign, z30, k5)
+    e1 = mul(sign, z31, k1)
+    e2 = mul(sign, z32, k3)
+    e3 = mul(sign, z33, k2)
+    size = sqrt(add(mul(e0, e0, k4), add(add(mul(e1, e1, k6), mul(e2, e2, k7), k6), mul(e3, e3, k7), k6), k4), k4)
+    cos1 = div(e0, size, k5)
+    cos2 = sqrt(div(add(n1, cos1, k5), n2, k5), k5)
+    cos3 = sqrt(div(add(n1, cos2, k6), n2, k6), k6)
+    gain = div(n1, mul(mul(mul(mul(n2, cos2, k5), mul(n2, cos3, k7), k5), add(n1, cos3, k6), k5), size, k4), k4)
+    v1 = mul(e1, gain, o1)
+    v2 = mul(e2, gain, o2)
+    v3 = mul(e3, gain, o3)
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    p = add(mul(sub(mul(add(mul(sub(x, n28, k2), x, k2), n70, k2), x, k2), n28, k2), x, k2), n1, k2)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, k3), k3), x, k3), n56, k3), x, k3), n8, k3)
+    iq = div(n1, mul(n2, q, k3), k3)
+    fi = mul(p, iq, k2)
+    d = add(mul(sub(mul(sub(n272, mul(n16, x, k4), k4), x, k4), n560, k4), x, k1), n176, k1)
+    hi = div(mul(d, iq, k1), n8, k1)
+    hvr = mul(hi, add(add(mul(v1, T14, k3), mul(v2, T24, k4), k3), mul(v3, T34, k4), k3), k1)
+    hv2 = div(v2, n2, k3)
+    hv3 = div(v3, n2, k4)
+    add(sub(mul(T14, fi, k5), sub(mul(hv2, T34, k6), mul(hv3, T24, k7), k6), k5), mul(v1, hvr, k6), o4)
+    hv1 = div(v1, n2, k5)
+    add(sub(mul(T24, fi, k6), sub(mul(hv3, T14, k4), mul(hv1, T34, k7), k4), k4), mul(v2, hvr, k6), o5)
+    add(sub(mul(T34, fi, k2), sub(mul(hv1, T24, k4), mul(hv2, T14, k3), k3), k2), mul(v3, hvr, k1), o6)
+
+
+_FROM_POSE = Kernel(
+    _from_pose,
+    _from_pose_blocks,
+    (("T", (4, 4)),),
+    (6,),
+    registers=8,
+    masks=7,
+    numbers=(-1, 0, 1, 2, 8, 16, 28, 56, 70, 176, 272, 560),
+    real=True,
+)
 
 
 def from_pose(T: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None) -> Array:
@@ -1338,7 +2580,7 @@ def from_pose(T: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | Non
     TypeError
         If T is complex or branch is no integer.
     """
-    return call_branch(_from_pose, _turn, TURNS, branch, axis, out, T=(T, (4, 4)))
+    return call_branch(_FROM_POSE, _TURN, TURNS, branch, axis, out, T)
 
 
 # operations 18: 4 +, 11 *, 2 /, 1 tan
@@ -1348,6 +2590,36 @@ def _from_screw(m: Any, angle: Components, axis: Components) -> Result:
     r = m.tan(alpha / 16)
     ro = d * (1 + r * r) / 16
     return (u1 * r, u2 * r, u3 * r, u1o * r + u1 * ro, u2o * r + u2 * ro, u3o * r + u3 * ro)
+
+
+def _from_screw_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, angle: Rows, axis: Rows
+) -> None:
+    alpha, d = angle
+    u1, u2, u3, u1o, u2o, u3o = axis
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4 = scratch
+    n1, n16 = numbers
+    r = tan(div(alpha, n16, k1), k1)
+    mul(u1, r, o1)
+    mul(u2, r, o2)
+    mul(u3, r, o3)
+    ro = div(mul(d, add(n1, mul(r, r, k2), k2), k2), n16, k2)
+    add(mul(u1o, r, k3), mul(u1, ro, k4), o4)
+    add(mul(u2o, r, k3), mul(u2, ro, k4), o5)
+    add(mul(u3o, r, k1), mul(u3, ro, k2), o6)
+
+
+_FROM_SCREW = Kernel(
+    _from_screw,
+    _from_screw_blocks,
+    (("angle", (2,)), ("line", (6,)),),
+    (6,),
+    registers=4,
+    masks=0,
+    numbers=(1, 16),
+    real=True,
+)
 
 
 def from_screw(angle: ArrayLike, line: ArrayLike, /, *, axis: int = -1, out: Array | None = None) -> Array:
@@ -1369,10 +2641,10 @@ def from_screw(angle: ArrayLike, line: ArrayLike, /, *, axis: int = -1, out: Arr
     ndarray, shape (..., 6)
         Pole at the angle 8 π.
     """
-    return call(_from_screw, (6,), axis, out, real=True, angle=(angle, (2,)), line=(line, (6,)))
+    return call(_FROM_SCREW, axis, out, angle, line)
 
 
-# operations 82: 19 +, 31 *, 7 /, 2 neg, 2 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 12 where
+# operations 82: 19 +, 31 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
 def _to_screw(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -1387,8 +2659,8 @@ def _to_screw(m: Any, v: Components) -> Result:
     y = v1 * v1o + v2 * v2o + v3 * v3o
     sign = m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1407,6 +2679,61 @@ def _to_screw(m: Any, v: Components) -> Result:
         uo2 * sign,
         uo3 * sign,
     )
+
+
+def _to_screw_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    o1, o2, o3, o4, o5, o6, o7, o8 = out
+    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
+    mask1, mask2, mask3, mask4 = masks
+    n_minus_1, n0, n1, n2, n8, n16, n28, n56, n70 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    p = add(mul(sub(mul(add(mul(sub(x, n28, k2), x, k2), n70, k2), x, k2), n28, k2), x, k2), n1, k2)
+    pneg = m.less(p, n0, mask1)
+    still = m.equal(x, n0, mask2)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k3), mul(v2o, v2o, k4), k3), mul(v3o, v3o, k4), k3), x, k3), k3)
+    r = m.where(still, x, length, k4)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, k5), k5), x, k5), n56, k5), x, k5), n8, k5)
+    k = add(n1, x, k1)
+    mq = neg(q, k6)
+    mul(n2, atan2(mul(r, m.where(m.less(q, n0, mask3), mq, q, k7), k4), m.where(pneg, neg(p, k7), p, k7), k2), o1)
+    qp = m.where(pneg, mq, q, k2)
+    y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k6), k4), mul(v3, v3o, k6), k4)
+    sign = m.where(
+        m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask3), m.less(y, n0, mask4), mask3), mask1), n_minus_1,
+        n1, k2
+    )
+    u1 = div(m.where(still, v1o, v1, k4), length, k4)
+    mul(u1, sign, o3)
+    u2 = div(m.where(still, v2o, v2, k5), length, k5)
+    mul(u2, sign, o4)
+    u3 = div(m.where(still, v3o, v3, k6), length, k6)
+    mul(u3, sign, o5)
+    ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
+    mul(sign, div(mul(n16, ro, k7), k, k1), o2)
+    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k1), k1), k4), length, k1)
+    mul(uo1, sign, o6)
+    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k1), k1), k4), length, k1)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k3)
+    mul(uo2, sign, o7)
+    mul(uo3, sign, o8)
+
+
+_TO_SCREW = Kernel(
+    _to_screw,
+    _to_screw_blocks,
+    (("v", (6,)),),
+    (8,),
+    registers=8,
+    masks=4,
+    numbers=(-1, 0, 1, 2, 8, 16, 28, 56, 70),
+    real=True,
+)
 
 
 def to_screw(v: ArrayLike, *, axis: int = -1) -> tuple[Array, Array]:
@@ -1432,11 +2759,11 @@ def to_screw(v: ArrayLike, *, axis: int = -1) -> tuple[Array, Array]:
     TypeError
         If v is complex.
     """
-    screw = call(_to_screw, (8,), axis, None, real=True, v=(v, (6,)))
+    screw = call(_TO_SCREW, axis, None, v)
     return (screw[:2], screw[2:]) if axis == 0 else (screw[..., :2], screw[..., 2:])
 
 
-# operations 304: 115 +, 172 *, 11 /, 1 neg, 2 sqrt, 1 lt, 2 where
+# operations 308: 115 +, 174 *, 13 /, 1 neg, 2 sqrt, 1 lt, 2 where
 def _compose(m: Any, b: Components, a: Components) -> Result:
     b1, b2, b3, b1o, b2o, b3o = b
     a1, a2, a3, a1o, a2o, a3o = a
@@ -1471,7 +2798,7 @@ def _compose(m: Any, b: Components, a: Components) -> Result:
     size = rootb * roota
     qqa = qa * qa
     Na = pa * pa + xa * qqa
-    sa = 2 / Na
+    sa = 2 * (Na / Na / Na)
     ga = qqa * sa
     gva1 = a1 * ga
     gva2 = a2 * ga
@@ -1489,7 +2816,7 @@ def _compose(m: Any, b: Components, a: Components) -> Result:
     v_rho3 = b1 * rhoa2 - b2 * rhoa1
     qqb = qb * qb
     Nb = pb * pb + xb * qqb
-    sb = 2 / Nb
+    sb = 2 * (Nb / Nb / Nb)
     gb = qqb * sb
     gv_rho1 = v_rho1 * gb
     gv_rho2 = v_rho2 * gb
@@ -1538,6 +2865,146 @@ def _compose(m: Any, b: Components, a: Components) -> Result:
     )
 
 
+def _compose_blocks(
+    m: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, b: Rows, a: Rows
+) -> None:
+    b1, b2, b3, b1o, b2o, b3o = b
+    a1, a2, a3, a1o, a2o, a3o = a
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18 = scratch
+    mask1, = masks
+    (
+        n_minus_1, n0, n1, n2, n4, n6, n8, n16, n28, n56, n70, n176, n224, n272, n336, n560, n2016, n2352, n5440, n6000,
+    ) = numbers
+    v11b = mul(b1, b1, k1)
+    v22b = mul(b2, b2, k2)
+    v33b = mul(b3, b3, k3)
+    xb = add(add(v11b, v22b, k1), v33b, k1)
+    pb = add(mul(sub(mul(add(mul(sub(xb, n28, k2), xb, k2), n70, k2), xb, k2), n28, k2), xb, k2), n1, k2)
+    v11a = mul(a1, a1, k3)
+    v22a = mul(a2, a2, k4)
+    v33a = mul(a3, a3, k5)
+    xa = add(add(v11a, v22a, k3), v33a, k3)
+    pa = add(mul(sub(mul(add(mul(sub(xa, n28, k4), xa, k4), n70, k4), xa, k4), n28, k4), xa, k4), n1, k4)
+    qb = add(mul(sub(mul(sub(n56, mul(n8, xb, k5), k5), xb, k5), n56, k5), xb, k5), n8, k5)
+    qvb1 = mul(b1, qb, k6)
+    qa = add(mul(sub(mul(sub(n56, mul(n8, xa, k7), k7), xa, k7), n56, k7), xa, k7), n8, k7)
+    qva1 = mul(a1, qa, k8)
+    qvb2 = mul(b2, qb, k9)
+    qva2 = mul(a2, qa, k10)
+    qvb3 = mul(b3, qb, k11)
+    qva3 = mul(a3, qa, k12)
+    z0 = sub(
+        mul(pb, pa, k13), add(add(mul(qvb1, qva1, k14), mul(qvb2, qva2, k15), k14), mul(qvb3, qva3, k15), k14), k13
+    )
+    negative = m.less(z0, n0, mask1)
+    cos = m.where(negative, neg(z0, k14), z0, k14)
+    phb = add(mul(sub(xb, n6, k13), xb, k13), n1, k13)
+    qhb = sub(n4, mul(n4, xb, k15), k15)
+    rootb = add(mul(phb, phb, k13), mul(xb, mul(qhb, qhb, k15), k15), k13)
+    pha = add(mul(sub(xa, n6, k15), xa, k15), n1, k15)
+    qha = sub(n4, mul(n4, xa, k16), k16)
+    roota = add(mul(pha, pha, k15), mul(xa, mul(qha, qha, k16), k16), k15)
+    size = mul(rootb, roota, k13)
+    cos1 = div(cos, size, k14)
+    cos2 = sqrt(div(add(n1, cos1, k14), n2, k14), k14)
+    cos3 = sqrt(div(add(n1, cos2, k15), n2, k15), k15)
+    gain = div(
+        m.where(negative, n_minus_1, n1, k16), mul(mul(mul(mul(n2, cos2, k14), mul(n2, cos3, k17), k14), add(n1, cos3,
+        k15), k14), size, k13), k13
+    )
+    z1 = add(
+        add(mul(qva1, pb, k14), mul(qvb1, pa, k15), k14), sub(mul(qvb2, qva3, k15), mul(qvb3, qva2, k16), k15), k14
+    )
+    v1 = mul(z1, gain, o1)
+    z2 = add(
+        add(mul(qva2, pb, k14), mul(qvb2, pa, k15), k14), sub(mul(qvb3, qva1, k15), mul(qvb1, qva3, k16), k15), k14
+    )
+    z3 = add(add(mul(qva3, pb, k12), mul(qvb3, pa, k11), k11), sub(mul(qvb1, qva2, k6), mul(qvb2, qva1, k8), k6), k6)
+    v2 = mul(z2, gain, o2)
+    v3 = mul(z3, gain, o3)
+    v11 = mul(v1, v1, k6)
+    v22 = mul(v2, v2, k8)
+    v33 = mul(v3, v3, k9)
+    x = add(add(v11, v22, k6), v33, k6)
+    p = add(mul(sub(mul(add(mul(sub(x, n28, k8), x, k8), n70, k8), x, k8), n28, k8), x, k8), n1, k8)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, k9), k9), x, k9), n56, k9), x, k9), n8, k9)
+    iq = div(n1, mul(n2, q, k9), k9)
+    fi = mul(p, iq, k8)
+    d = add(mul(sub(mul(sub(n272, mul(n16, x, k10), k10), x, k10), n560, k10), x, k6), n176, k6)
+    hi = div(mul(d, iq, k6), n8, k6)
+    qqa = mul(qa, qa, k9)
+    Na = add(mul(pa, pa, k10), mul(xa, qqa, k11), k10)
+    sa = mul(n2, div(div(Na, Na, k11), Na, k10), k10)
+    fa = mul(mul(pa, qa, k4), sa, k4)
+    ga = mul(qqa, sa, k7)
+    ca = add(
+        mul(sub(mul(add(mul(sub(mul(add(mul(sub(mul(n16, xa, k9), n224, k9), xa, k9), n2352, k9), xa, k9), n5440, k9),
+        xa, k9), n6000, k9), xa, k9), n2016, k9), xa, k3), n336, k3
+    )
+    ha = mul(ca, sa, k3)
+    gva1 = mul(a1, ga, k9)
+    gva2 = mul(a2, ga, k10)
+    gva3 = mul(a3, ga, k7)
+    ya = add(add(mul(a1, a1o, k11), mul(a2, a2o, k12), k11), mul(a3, a3o, k12), k11)
+    hya = mul(ha, ya, k3)
+    rhoa3 = add(add(mul(a3o, fa, k11), sub(mul(gva1, a2o, k12), mul(gva2, a1o, k13), k12), k11), mul(a3, hya, k12), k11)
+    rhoa2 = add(add(mul(a2o, fa, k12), sub(mul(gva3, a1o, k13), mul(gva1, a3o, k9), k9), k9), mul(a2, hya, k12), k9)
+    rhoa1 = add(add(mul(a1o, fa, k4), sub(mul(gva2, a3o, k10), mul(gva3, a2o, k7), k7), k4), mul(a1, hya, k3), k3)
+    v_rho1 = sub(mul(b2, rhoa3, k4), mul(b3, rhoa2, k7), k4)
+    v_rho3 = sub(mul(b1, rhoa2, k7), mul(b2, rhoa1, k10), k7)
+    qqb = mul(qb, qb, k10)
+    Nb = add(mul(pb, pb, k12), mul(xb, qqb, k13), k12)
+    sb = mul(n2, div(div(Nb, Nb, k13), Nb, k12), k12)
+    fb = mul(mul(pb, qb, k2), sb, k2)
+    gb = mul(qqb, sb, k5)
+    cb = add(
+        mul(sub(mul(add(mul(sub(mul(add(mul(sub(mul(n16, xb, k10), n224, k10), xb, k10), n2352, k10), xb, k10), n5440,
+        k10), xb, k10), n6000, k10), xb, k10), n2016, k10), xb, k1), n336, k1
+    )
+    hb = mul(cb, sb, k1)
+    gv_rho3 = mul(v_rho3, gb, k10)
+    v_rho2 = sub(mul(b3, rhoa1, k12), mul(b1, rhoa3, k13), k12)
+    gv_rho2 = mul(v_rho2, gb, k13)
+    gvb2 = mul(b2, gb, k14)
+    gvb3 = mul(b3, gb, k15)
+    yb = add(add(mul(b1, b1o, k16), mul(b2, b2o, k17), k16), mul(b3, b3o, k17), k16)
+    hyb = mul(hb, yb, k1)
+    rho1 = add(
+        add(rhoa1, add(mul(v_rho1, fb, k16), sub(mul(b2, gv_rho3, k17), mul(b3, gv_rho2, k18), k17), k16), k3),
+        add(add(mul(b1o, fb, k16), sub(mul(gvb2, b3o, k17), mul(gvb3, b2o, k18), k17), k16), mul(b1, hyb, k17), k16), k3
+    )
+    gv_rho1 = mul(v_rho1, gb, k4)
+    gvb1 = mul(b1, gb, k5)
+    rho2 = add(
+        add(rhoa2, add(mul(v_rho2, fb, k12), sub(mul(b3, gv_rho1, k16), mul(b1, gv_rho3, k10), k10), k10), k9),
+        add(add(mul(b2o, fb, k10), sub(mul(gvb3, b1o, k12), mul(gvb1, b3o, k15), k12), k10), mul(b2, hyb, k12), k10), k9
+    )
+    rho3 = add(
+        add(rhoa3, add(mul(v_rho3, fb, k7), sub(mul(b1, gv_rho2, k10), mul(b2, gv_rho1, k4), k4), k4), k4),
+        add(add(mul(b3o, fb, k2), sub(mul(gvb1, b2o, k5), mul(gvb2, b1o, k7), k5), k2), mul(b3, hyb, k1), k1), k1
+    )
+    hvr = mul(hi, add(add(mul(v1, rho1, k2), mul(v2, rho2, k4), k2), mul(v3, rho3, k4), k2), k2)
+    hv2 = div(v2, n2, k4)
+    hv3 = div(v3, n2, k5)
+    add(sub(mul(rho1, fi, k6), sub(mul(hv2, rho3, k7), mul(hv3, rho2, k10), k7), k6), mul(v1, hvr, k7), o4)
+    hv1 = div(v1, n2, k6)
+    add(sub(mul(rho2, fi, k7), sub(mul(hv3, rho1, k5), mul(hv1, rho3, k10), k5), k5), mul(v2, hvr, k7), o5)
+    add(sub(mul(rho3, fi, k1), sub(mul(hv1, rho2, k5), mul(hv2, rho1, k3), k3), k1), mul(v3, hvr, k2), o6)
+
+
+_COMPOSE = Kernel(
+    _compose,
+    _compose_blocks,
+    (("v2", (6,)), ("v1", (6,)),),
+    (6,),
+    registers=18,
+    masks=1,
+    numbers=(-1, 0, 1, 2, 4, 6, 8, 16, 28, 56, 70, 176, 224, 272, 336, 560, 2016, 2352, 5440, 6000),
+    real=True,
+)
+
+
 def compose(v2: ArrayLike, v1: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
     r"""Principal v of ``R(v2) R(v1)``: v1 acts first, CP23 (58).
 
@@ -1561,4 +3028,4 @@ def compose(v2: ArrayLike, v1: ArrayLike, *, axis: int = -1, out: Array | None =
     TypeError
         If an argument is complex.
     """
-    return call(_compose, (6,), axis, out, real=True, v2=(v2, (6,)), v1=(v1, (6,)))
+    return call(_COMPOSE, axis, out, v2, v1)

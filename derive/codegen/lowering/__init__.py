@@ -39,6 +39,7 @@ RECIPES: Mapping[str, Callable[[int], Program]] = {
         inverse.to_screw,
         inverse.turn,
         inverse.shadow,
+        inverse.principal,
         inverse.compose,
     )
 }

@@ -150,9 +150,14 @@ class CayleyChart:
         p, q = self._half
         return self.name("root", p * p + self.x * (q * q))
 
+    @staticmethod
+    def _reciprocal(norm: Number) -> Number:
+        """(N/N)/N: NaN where N has overflowed, and 1/N would be a finite, wrong result."""
+        return norm / norm / norm
+
     @cached_property
     def _twice_inverse_norm(self) -> Number:
-        return self.name("s", 2 / self.norm)
+        return self.name("s", 2 * self._reciprocal(self.norm))
 
     @cached_property
     def f(self) -> Number:
@@ -192,7 +197,7 @@ class CayleyChart:
     @cached_property
     def quaternion(self) -> tuple[Number, Number, Number, Number]:
         """Scalar part, factor of v in the vector part, and the dual parts of both."""
-        s = self.name("sr", 1 / self.root)
+        s = self.name("sr", self._reciprocal(self.root))
         scalar = self.name("sc", self.p * s)
         factor = self.name("w", self.q * s)
         scalar_du = self.name("sco", -(factor * (self._growth * self.y)))

@@ -17,7 +17,6 @@ from .exact import Expectation
 
 DIGITS = 50
 SEED = 2011
-CASES = 3
 
 
 class Decimal:
@@ -49,10 +48,10 @@ class Decimal:
         return Decimal(self.value * self._value(other))
 
     def __truediv__(self, other: object) -> Decimal:
-        return Decimal(self.value / self._value(other))
+        return Decimal(_quotient(self.value, self._value(other)))
 
     def __rtruediv__(self, other: object) -> Decimal:
-        return Decimal(self._value(other) / self.value)
+        return Decimal(_quotient(self._value(other), self.value))
 
     __radd__, __rmul__ = __add__, __mul__
 
@@ -80,24 +79,37 @@ class Decimal:
         return Decimal(mpmath.atan2(self.value, self._value(other)))
 
 
+def _quotient(a: Any, b: Any) -> Any:
+    """The IEEE quotient: a selection computes both sides, and the one not taken may divide by zero."""
+    if b:
+        return a / b
+    return a * mpmath.inf if a else mpmath.nan
+
+
 def expectations(cayley: Cayley) -> Iterator[tuple[Expectation, ...]]:
     """Inverse maps, screws, shadows (at most eight branches) and composition, a batch of seeded screws each."""
     draw = random.Random(SEED)
-    cases = (_expectations(cayley.order, _screw(draw), _screw(draw)) for _ in range(CASES))
-    return zip(*cases, strict=True)
+    screws = list(_screws(draw))
+    others = [*screws[1:], screws[0]]
+    n = cayley.order
+    yield from zip(*(_principal(n, *pair) for pair in zip(screws, others, strict=True)), strict=True)
+    for branch in range(min(n, 8)):
+        # the vector of a translation has its pole at half a turn
+        finite = [screw for screw in screws if screw.angle.re or 2 * branch != n]
+        yield from zip(*(_branch(n, screw, branch) for screw in finite), strict=True)
 
 
-def _expectations(n: int, screw: Screw, other: Screw) -> Iterator[Expectation]:
+def _principal(n: int, screw: Screw, other: Screw) -> Iterator[Expectation]:
     principal = vector_from_screw(n, screw)
     dual_angle = (screw.angle.re, screw.angle.du)
     axis = (*screw.axis.re, *screw.axis.du)
     yield Expectation("from_screw", (dual_angle, axis), _flat(principal))
+    q = quaternion_from_screw(screw)
+    yield Expectation("from_quaternion", (tuple(-c for c in (*q.re, *q.du)),), _flat(principal))
     yield Expectation("to_screw", (_flat(principal),), (*dual_angle, *axis))
-    product = quaternion_from_screw(other) * quaternion_from_screw(screw)
+    product = quaternion_from_screw(other) * q
     vectors = (_flat(vector_from_screw(n, other)), _flat(principal))
     yield Expectation("compose", vectors, _flat(vector_from_quaternion(n, product)))
-    for branch in range(min(n, 8)):
-        yield from _branch(n, screw, branch)
 
 
 def _branch(n: int, screw: Screw, branch: int) -> Iterator[Expectation]:
@@ -115,16 +127,18 @@ def _branch(n: int, screw: Screw, branch: int) -> Iterator[Expectation]:
     yield Expectation("principal", (v,), principal)
 
 
-def _screw(draw: random.Random) -> Screw:
-    """A screw of angle in (0, pi), away from both ends."""
+def _screws(draw: random.Random) -> Iterator[Screw]:
+    """Screws that take every side of every selection: each component of the quaternion largest, and a translation."""
 
     def number(low: float, high: float) -> Any:
         return mpmath.mpf(draw.uniform(low, high))
 
-    u = Vector(*(number(-1, 1) for _ in range(3)))
-    u = u / u.magnitude()
-    point = Vector(*(number(-2, 2) for _ in range(3)))
-    return Screw(Dual(number(0.2, 2.9), number(-2, 2)), Vector.dual(u, point.cross(u)))
+    for largest, angle in enumerate((2.6, 2.7, 2.8, 0.5)):
+        u = Vector(*(number(1, 2) if i == largest else number(-1, 1) for i in range(3)))
+        u = u / u.magnitude()
+        point = Vector(*(number(-2, 2) for _ in range(3)))
+        yield Screw(Dual(mpmath.mpf(angle), number(-2, 2)), Vector.dual(u, point.cross(u)))
+    yield Screw(Dual(mpmath.mpf(0), number(1, 2)), Vector.dual(u, 0 * u))
 
 
 def _flat(v: Vector) -> tuple[Any, ...]:

@@ -6,7 +6,7 @@ import importlib
 import importlib.util
 import itertools
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from types import ModuleType
@@ -77,26 +77,37 @@ def _decimal(case: Expectation) -> Expectation:
 
 
 def _check(module: ModuleType, batch: tuple[Expectation, ...], agree: Any) -> int:
-    """Call one function on a batch, components last and components first; return the number of calls."""
+    """Call one function on a batch in both layouts, and on its poses alone; return the number of calls.
+
+    Objects in a batch run the in-place form of the kernel, those of a single pose its plain form.
+    """
     name, *branch = batch[0].function.split()
     function = getattr(module, name)
     code = function.__code__
     parameters = code.co_varnames[: code.co_argcount]
     columns = zip(*(case.arguments for case in batch), strict=True)
     arguments = [_array(rows, parameter) for rows, parameter in zip(columns, parameters, strict=False)]
+    k = tuple(map(int, branch))
+    place = f"{_name(module)}.{batch[0].function}"
     for axis in (-1, 0):
-        where = f"{_name(module)}.{batch[0].function}(axis={axis})"
-        arrays = [_components_first(array) if axis == 0 else array for array in arguments]
-        try:
-            found = function(*arrays, *map(int, branch), axis=axis)
-        except (ArithmeticError, TypeError, ValueError) as error:
-            raise ValidationFailed(f"{where}, no component: {error}") from error
-        parts = found if isinstance(found, tuple) else (found,)
+        where = f"{place}(axis={axis})"
+        parts = _call(function, [_components_first(a) if axis == 0 else a for a in arguments], k, axis, where)
         rows = [_batch_first(part) if axis == 0 else part for part in parts]
         results = np.concatenate([row.reshape(len(batch), -1) for row in rows], axis=-1)
         for row, case in zip(results, batch, strict=True):
             _compare(row, case, agree, where)
-    return 2
+    for pose, case in zip(zip(*arguments, strict=True), batch, strict=True):
+        parts = _call(function, pose, k, -1, place)
+        _compare(np.concatenate([part.ravel() for part in parts]), case, agree, place)
+    return 2 + len(batch)
+
+
+def _call(function: Any, arrays: Sequence[Objects], branch: tuple[int, ...], axis: int, where: str) -> tuple[Any, ...]:
+    try:
+        found = function(*arrays, *branch, axis=axis)
+    except (ArithmeticError, TypeError, ValueError) as error:
+        raise ValidationFailed(f"{where}, no component: {error}") from error
+    return found if isinstance(found, tuple) else (found,)
 
 
 def _compare(row: Any, case: Expectation, agree: Any, where: str) -> None:

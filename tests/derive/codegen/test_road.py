@@ -56,6 +56,13 @@ def flipped(text: str, function: str, pattern: str, replacement: str) -> str:
         (3, "to_screw", r"2 \* m\.atan2", "m.atan2"),
         (3, "from_screw", r"/ 6", "/ 3"),
         (4, "from_quaternion", r"\(1 \+ ", "(1 - "),
+        (3, "pose_blocks", r"v22 = mul\(v2, v2, k\d+\)", "v22 = mul(v2, v2, k1)"),
+        (3, "tangent_blocks", r"o13\)", "o14)"),
+        (3, "rate_blocks", r"sub\(", "add("),
+        (3, "from_pose_blocks", r"m\.where\(larger3, s23", "m.where(larger3, s13"),
+        (3, "from_quaternion_blocks", r"still = m\.equal", "still = m.less"),
+        (3, "principal_blocks", r"m\.where\(beyond1", "m.where(still"),
+        (3, "shadow_blocks", r"m\.both", "m.either"),
     ],
 )
 def test_a_wrong_sign_or_factor_in_a_printed_kernel_fails_validation(
@@ -71,9 +78,11 @@ def test_a_wrong_sign_or_factor_in_a_printed_kernel_fails_validation(
 
 def test_untouched_kernels_pass_and_every_call_is_compared_in_both_layouts(package, tmp_path: Path):
     files.write(tmp_path, package.texts)
-    # 11 exact expectations (12 with the round trip of n = 4); on a batch of screws 3, and 5 per branch
-    assert validate(tmp_path, Cayley(3)) == 2 * (11 + 3 + 5 * 3)
-    assert validate(tmp_path, Cayley(4)) == 2 * (12 + 3 + 5 * 4)
+    # 11 exact expectations (12 with the round trip of n = 4); on a batch of 5 screws 4, and 5 per branch; each in both
+    # layouts, and each pose alone
+    assert validate(tmp_path, Cayley(3)) == (2 + 1) * 11 + (2 + 5) * (4 + 5 * 3)
+    # but a translation is infinite on branch 2 of 4
+    assert validate(tmp_path, Cayley(4)) == (2 + 1) * 12 + (2 + 5) * (4 + 5 * 4) - 5
 
 
 def test_a_failed_proof_writes_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
@@ -87,7 +96,7 @@ def test_a_failed_proof_writes_nothing(tmp_path: Path, monkeypatch: pytest.Monke
 def test_a_failed_validation_writes_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     original = compiler.module_text
     monkeypatch.setattr(
-        compiler, "module_text", lambda proved, target: flipped(original(proved, target), "pose", r"2 / N", "1 / N")
+        compiler, "module_text", lambda proved, target: flipped(original(proved, target), "pose", r"N / N / N", "1 / N / N")
     )
     with pytest.raises(ValidationFailed, match="pose"):
         derive.generate([2], output=tmp_path / "kernels")

@@ -1,0 +1,210 @@
+"""Speed of the kernels against peers: every case interleaved in one process, medians, ratios, gates.
+
+Run ``python -m benchmarks.kernels`` from the checkout; ``-o FILE`` also writes the tables as Markdown. Absolute times
+belong to the machine; ratios carry over to within some 15 %. Nothing fails: a gate that is missed is named.
+"""
+
+from __future__ import annotations
+
+import argparse
+import importlib
+import statistics
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from time import perf_counter
+from typing import Any
+
+import numpy as np
+
+from benchmarks.peers import (
+    INSTALL,
+    Call,
+    Poses,
+    compiled,
+    copy_floor,
+    lambdified,
+    load,
+    pytransform3d_call,
+    scipy_call,
+)  # fmt: skip
+
+ORDERS = (2, 3)
+SIZES = (1, 100, 10_000, 1_000_000)
+ROUNDS = 9
+SECONDS = 0.02
+"""Of one case in one round, at least."""
+
+SCIPY_GATES = {"pose": 5, "quaternion": 20, "from_pose": 7, "from_quaternion": 30, "compose": 15}
+"""Times faster than SciPy at 10^4 poses; for ``from_pose`` and later ones at n = 2."""
+
+ROWS = {"pose": 1, "quaternion": 1, "tangent": 1, "rate": 2}
+"""Functions measured on rows, with their number of arguments."""
+
+
+@dataclass(frozen=True, slots=True)
+class Gate:
+    """A ratio, peer's time to ours, that has to reach a bound (or, for a slower-by bound, to stay above 1/bound)."""
+
+    what: str
+    ratio: float
+    least: float
+
+    @property
+    def met(self) -> bool:
+        return self.ratio >= self.least
+
+    def row(self) -> tuple[str, ...]:
+        return self.what, _times(self.ratio), _times(self.least), "met" if self.met else "SHORT"
+
+
+def _times(ratio: float) -> str:
+    return f"{ratio:.1f} x" if ratio >= 1 else f"1/{1 / ratio:.1f} x"
+
+
+def medians(calls: Sequence[Call]) -> list[float]:
+    """Median seconds of each call, one round of all after another."""
+    counts = []
+    for call in calls:
+        call()
+        start = perf_counter()
+        call()
+        counts.append(max(1, int(SECONDS / (perf_counter() - start))))
+    rounds: list[list[float]] = [[] for _ in calls]
+    for _ in range(ROUNDS):
+        for call, count, times in zip(calls, counts, rounds, strict=True):
+            start = perf_counter()
+            for _ in range(count):
+                call()
+            times.append((perf_counter() - start) / count)
+    return [statistics.median(times) for times in rounds]
+
+
+def measured(calls: dict[str, Call | None]) -> dict[str, float]:
+    """Medians by name, of the calls there are."""
+    present = {name: call for name, call in calls.items() if call is not None}
+    return dict(zip(present, medians(list(present.values())), strict=True))
+
+
+def fresh(module: Any, function: str, poses: Poses) -> Call:
+    """Our function on poses of components last, into a new array."""
+    arguments = {
+        "from_pose": (poses.T,), "from_quaternion": (poses.q,), "compose": (poses.w, poses.v),
+    }.get(function, (poses.v,))  # fmt: skip
+    call = getattr(module, function)
+    return lambda: call(*arguments)
+
+
+def against_libraries(module: Any, size: int) -> Iterator[tuple[tuple[str, ...], list[Gate]]]:
+    """One line of the table for each function, and the gates it decides."""
+    poses = Poses.draw(module, size)
+    for function, least in SCIPY_GATES.items():
+        times = measured({
+            "ours": fresh(module, function, poses),
+            "scipy": scipy_call(function, poses),
+            "pytransform3d": pytransform3d_call(function, poses),
+        })  # fmt: skip
+        gates = []
+        where = f"{function}, n = {module.ORDER}, N = {size}"
+        exact = function in ("pose", "quaternion") or module.ORDER == 2
+        if "scipy" in times and exact and size in (1, 10_000):
+            bound = 10 if size == 1 else least
+            gates.append(Gate(f"{where}: SciPy RigidTransform", times["scipy"] / times["ours"], bound))
+        if "pytransform3d" in times and size == 10_000:
+            gates.append(Gate(f"{where}: pytransform3d", times["pytransform3d"] / times["ours"], 3))
+        peers = [_against(times, peer, size) for peer in ("scipy", "pytransform3d")]
+        yield (str(module.ORDER), function, str(size), _per_pose(times["ours"], size), *peers), gates
+
+
+def on_rows(module: Any, size: int) -> Iterator[tuple[tuple[str, ...], list[Gate]]]:
+    """Rows, into a given array: against lambdify, the C form and the copy floor."""
+    poses = Poses.draw(module, size)
+    for function, count in ROWS.items():
+        call = getattr(module, function)
+        rows = (poses.v_rows, poses.w_rows)[:count]
+        out = call(*rows, axis=0)
+        symbolic = lambdified(module.ORDER, function)
+        given = [row for array in rows for row in array]
+        times = measured({
+            "ours": partial(call, *rows, axis=0, out=out),
+            "lambdify": partial(symbolic, *given),
+            "C": compiled(module.ORDER, function, rows, out),
+            "copy": copy_floor(rows, out),
+        })  # fmt: skip
+        where = f"{function}, rows, n = {module.ORDER}, N = {size}"
+        gates = []
+        if size >= 10_000:
+            least = 1.3 if size < 1_000_000 else 2.5
+            gates.append(Gate(f"{where}: lambdify(cse=True)", times["lambdify"] / times["ours"], least))
+        if "C" in times and size == 1_000_000:
+            gates.append(Gate(f"{where}: C form", times["C"] / times["ours"], 1 / 8))
+        peers = [_against(times, peer, size) for peer in ("lambdify", "C", "copy")]
+        yield (str(module.ORDER), function, str(size), _per_pose(times["ours"], size), *peers), gates
+
+
+def _per_pose(seconds: float, size: int) -> str:
+    return f"{seconds / size * 1e9:.1f}"
+
+
+def _against(times: dict[str, float], peer: str, size: int) -> str:
+    """A peer's time and how many times ours it is."""
+    if peer not in times:
+        return "–"
+    return f"{_per_pose(times[peer], size)} ({_times(times[peer] / times['ours'])})"
+
+
+def markdown(title: str, head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    lines = [f"## {title}", "", "| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    return "\n".join([*lines, *("| " + " | ".join(row) + " |" for row in rows), ""])
+
+
+def report(orders: Sequence[int], sizes: Sequence[int]) -> tuple[str, list[Gate]]:
+    """All tables as Markdown, and all gates."""
+    modules = [importlib.import_module(f"dualcay.cayley{order}") for order in orders]
+    gates: list[Gate] = []
+    tables = []
+    head = ("n", "function", "N", "ours, ns per pose")
+    for title, part, peers, smallest in (
+        ("Components last, a new result", against_libraries, ("SciPy RigidTransform", "pytransform3d"), 1),
+        ("Rows, a given result", on_rows, ("lambdify(cse=True)", "C form", "copy floor"), 100),
+    ):
+        rows = []
+        for module in modules:
+            for size in (size for size in sizes if size >= smallest):
+                for row, decided in part(module, size):
+                    rows.append(row)
+                    gates += decided
+        tables.append(markdown(title, (*head, *peers), rows))
+    judged = markdown("Gates", ("ours against", "times faster", "gate", ""), [gate.row() for gate in gates])
+    return "\n".join([judged, *tables]), gates
+
+
+def missing() -> list[str]:
+    """Peers that could not be measured."""
+    names = [what for name, what in INSTALL.items() if load(name) is None]
+    scipy = load("scipy.spatial.transform")
+    if scipy is not None and not hasattr(scipy, "RigidTransform"):
+        names.append(INSTALL["scipy.spatial.transform"])
+    return names + ([] if load("benchmarks.native") else ["the C form"])
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("-o", "--output", type=Path, help="also write the tables there, as Markdown")
+    parser.add_argument("-N", type=int, nargs="+", default=SIZES, help="batch sizes")
+    arguments = parser.parse_args()
+    text, gates = report(ORDERS, arguments.N)
+    absent = [f"Not measured, because it is missing: {name}." for name in missing()]
+    missed = [gate for gate in gates if not gate.met]
+    short = [f"Falls short: {gate.what}, {_times(gate.ratio)} of {_times(gate.least)}." for gate in missed]
+    closing = "\n".join([*absent, *(short or ["Every gate is met."])])
+    print(f"{text}\n{closing}")
+    if arguments.output:
+        how = f"Written by `make bench`, NumPy {np.__version__}: medians of {ROUNDS} interleaved rounds."
+        arguments.output.parent.mkdir(exist_ok=True)
+        arguments.output.write_text(f"# Speed\n\n{how}\n\n{text}\n{closing}\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,136 @@
+"""What the kernels are measured against; each peer is optional, and named where it is missing."""
+
+from __future__ import annotations
+
+import importlib
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import sympy
+
+from derive.maps import Cayley
+
+Call = Callable[[], object]
+
+INSTALL = {"scipy.spatial.transform": "scipy >= 1.16", "pytransform3d.trajectories": "pytransform3d"}
+"""What provides the module of a peer."""
+
+
+@dataclass(frozen=True, slots=True)
+class Poses:
+    """The same N poses in every layout the peers want; ``_rows`` have components first."""
+
+    v: Any
+    w: Any
+    exponential: Any
+    other: Any
+    T: Any
+    q: Any
+    v_rows: Any
+    w_rows: Any
+
+    @classmethod
+    def draw(cls, module: Any, size: int) -> Poses:
+        """Poses of angle up to 3 rad, exponential coordinates likewise; one pose stands alone, without a batch."""
+        rng = np.random.default_rng(2011)
+        batch = () if size == 1 else (size,)
+
+        def twist() -> Any:
+            direction = rng.standard_normal((*batch, 3))
+            direction /= np.linalg.norm(direction, axis=-1, keepdims=True)
+            return np.concatenate([direction * rng.uniform(0, 3, (*batch, 1)), rng.uniform(-1, 1, (*batch, 3))], -1)
+
+        exponential, other, w = twist(), twist(), twist()
+        v = exponential.copy()
+        angle = np.linalg.norm(v[..., :3], axis=-1, keepdims=True)
+        v[..., :3] *= np.tan(angle / (2 * module.ORDER)) / angle
+        T, q = module.pose(v), module.quaternion(v)
+        rows = [np.ascontiguousarray(a.T) for a in (v, w)]
+        return cls(v, w, exponential, other, T, q, *rows)
+
+
+def load(name: str) -> Any:
+    """A peer's module, or None."""
+    try:
+        return importlib.import_module(name)
+    except ImportError:
+        return None
+
+
+def scipy_call(function: str, poses: Poses) -> Call | None:
+    """What SciPy's ``RigidTransform`` does for a function of ours."""
+    transform = load("scipy.spatial.transform")
+    rigid = getattr(transform, "RigidTransform", None)
+    if rigid is None:
+        return None
+    e, other, T, q = poses.exponential, poses.other, poses.T, poses.q
+    calls: dict[str, Call] = {
+        "pose": lambda: rigid.from_exp_coords(e).as_matrix(),
+        "quaternion": lambda: rigid.from_exp_coords(e).as_dual_quat(scalar_first=True),
+        "from_pose": lambda: rigid.from_matrix(T).as_exp_coords(),
+        "from_quaternion": lambda: rigid.from_dual_quat(q, scalar_first=True).as_exp_coords(),
+        "compose": lambda: (rigid.from_exp_coords(other) * rigid.from_exp_coords(e)).as_exp_coords(),
+    }
+    return calls[function]
+
+
+def pytransform3d_call(function: str, poses: Poses) -> Call | None:
+    """What pytransform3d does for ``pose``."""
+    trajectories = load("pytransform3d.trajectories")
+    if trajectories is None or function != "pose":
+        return None
+    exponential = np.atleast_2d(poses.exponential)
+    return lambda: trajectories.transforms_from_exponential_coordinates(exponential)
+
+
+def lambdified(order: int, function: str) -> Callable[..., Any]:
+    """SymPy's ``lambdify(cse=True)`` of a function's components, on six (or twelve) rows."""
+    cayley = Cayley(order)
+    v, w = sympy.symbols("v1:7"), sympy.symbols("w1:7")
+    components = {
+        "pose": lambda: _pose(cayley, v),
+        "quaternion": lambda: _parts(cayley.quaternion.matrix(v)),
+        "tangent": lambda: _parts(cayley.tangent.matrix(v)),
+        "rate": lambda: _applied(cayley.tangent_inv.matrix(v), w),
+    }
+    arguments = (*v, *w) if function == "rate" else v
+    compute: Callable[..., Any] = sympy.lambdify(arguments, list(components[function]()), "numpy", cse=True)
+    return compute
+
+
+def _parts(parts: tuple[sympy.Matrix, sympy.Matrix]) -> Iterator[sympy.Expr]:
+    for part in parts:
+        yield from part
+
+
+def _pose(cayley: Cayley, v: tuple[sympy.Symbol, ...]) -> Iterator[sympy.Expr]:
+    yield from cayley.tensor.matrix(v)[0]
+    yield from cayley.tangent.matrix(v)[0] * sympy.Matrix(v[3:])
+
+
+def _applied(parts: tuple[sympy.Matrix, sympy.Matrix], w: tuple[sympy.Symbol, ...]) -> Iterator[sympy.Expr]:
+    real, dual = sympy.Matrix(w[:3]), sympy.Matrix(w[3:])
+    yield from parts[0] * real
+    yield from parts[0] * dual + parts[1] * real
+
+
+def compiled(order: int, function: str, rows: tuple[Any, ...], out: Any) -> Call | None:
+    """The same program in C on the same rows; None where no C form has been built."""
+    native = load("benchmarks.native")
+    call: Call | None = native and native.call(order, function, rows, out)
+    return call
+
+
+def copy_floor(rows: tuple[Any, ...], out: Any) -> Call:
+    """Every row of the result written once, every row of the arguments read."""
+    targets = out.reshape(-1, out.shape[-1])
+    sources = np.concatenate(rows)
+    pairs = [(target, sources[i % len(sources)]) for i, target in enumerate(targets)]
+
+    def copy() -> None:
+        for target, source in pairs:
+            np.copyto(target, source)
+
+    return copy
