@@ -9,82 +9,25 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from types import ModuleType
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
 from tests.support import errors, sampling
 from tests.support.nilpotent import Nil, hamilton, inverse, matmul
-from tests.support.oracle import oracle_of, pack
+from tests.support.oracle import pack
+from tests.support.trial import Measured, Result, rounded
 
 
-class Result(NamedTuple):
-    """One computed value, what it may be (two values only where a tie leaves the side open), and what is allowed."""
-
-    got: np.ndarray
-    exact: list[Any]
-    scales: list[Nil]
-    gates: tuple[float, float]
-    note: str
-
-
-def rounded(exact: Any, dtype: Any) -> np.ndarray:
-    """Mpmath numbers to the nearest of a float type."""
-    flat = [np.longdouble(float(c)) + np.longdouble(float(c - float(c))) for c in exact.flat]
-    return np.array(flat, dtype=np.longdouble).reshape(exact.shape).astype(dtype)
-
-
-class Trial:
-    """One kernel module in one regime."""
-
-    def __init__(self, module: ModuleType, order: int, regime: str, dtype: Any = np.float64) -> None:
-        self.module, self.order, self.regime, self.dtype = module, order, regime, dtype
-        self.oracle = oracle_of(order)
-        self.v = sampling.poses(order, regime, dtype)
-        self.inside = regime in sampling.PRINCIPAL
-        self.tie = regime == "at pi"
-
-    def gates(self, inside: float, outside: float) -> tuple[float, float]:
-        gate = inside if self.inside else outside
-        return gate, gate
-
-    def branches(self) -> list[int]:
-        """Some branches, those left out where the angle α + 2kπ is the end nπ of the chart."""
-        n = self.order
-        chosen = sorted({0, 1 % n, n // 2, n - 1})
-        if self.regime == "identity":
-            return [0]
-        if self.regime == "pure translation":
-            return [k for k in chosen if 2 * k != n]
-        return [k for k in chosen if not (self.tie and abs(2 * k - n) == 1)]
-
-    def check(self, name: str) -> None:
-        for result in getattr(self, name)():
-            assert result.got.dtype == self.dtype, f"{name}: {result.got.dtype} for {self.dtype}"
-            found = self.fractions(result)
-            assert max(found) <= 1, (
-                f"{name}, n = {self.order}, {self.regime}: (real, dual) error {self.in_eps(result)} eps, allowed "
-                f"{result.gates} for {result.note}\ngot   {result.got!r}\nexact {result.exact[0].astype(float)!r}"
-            )
-
-    def in_eps(self, result: Result) -> list[tuple[float, float]]:
-        return [errors.errors(result.got, e, s, self.oracle) for e, s in zip(result.exact, result.scales, strict=True)]
-
-    def fractions(self, result: Result) -> tuple[float, float]:
-        """Error over gate, of the nearer of the values allowed."""
-        found = [(re / result.gates[0], du / result.gates[1]) for re, du in self.in_eps(result)]
-        return min(found, key=max)
-
-    def worst(self, name: str) -> float:
-        return max((max(self.fractions(result)) for result in getattr(self, name)()), default=0.0)
+class Trial(Measured):
+    """One kernel module in one regime, function by function."""
 
     # ---- forward maps ------------------------------------------------------------------------------------------
 
     def _forward(self, name: str, scale: str, gates: tuple[float, float]) -> Iterator[Result]:
         for v, got in zip(self.v, getattr(self.module, name)(self.v), strict=True):
             exact = getattr(self.oracle, name)(v)
-            yield Result(got, [exact], [getattr(errors.scales(self.order, v), scale)], gates, f"v = {v!r}")
+            yield Result(got, [exact], [getattr(errors.scales(self.order, v), scale)], gates, (v,))
 
     def quaternion(self) -> Iterator[Result]:
         gates = self.gates(errors.QUATERNION, errors.shadow_gate(self.order))
@@ -102,7 +45,7 @@ class Trial:
         for v, got in zip(self.v, self.module.pose(self.v), strict=True):
             local = errors.scales(self.order, v)
             assert got[3].tolist() == [0, 0, 0, 1]
-            yield Result(got, [self.oracle.pose(v)], [Nil(local.tensor.re, local.position)], gates, f"v = {v!r}")
+            yield Result(got, [self.oracle.pose(v)], [Nil(local.tensor.re, local.position)], gates, (v,))
 
     def tangent(self) -> Iterator[Result]:
         gates = self.gates(errors.TANGENT, errors.tangent_shadow_gate(self.order))
@@ -113,10 +56,10 @@ class Trial:
         return self._forward("tangent_inv", scale, self.gates(errors.RATE, errors.GENERAL))
 
     def _applied(self, name: str, scale: str, gates: tuple[float, float]) -> Iterator[Result]:
-        argument = sampling.dual_vectors(f"{name} {self.regime}", self.dtype)
+        argument = self.second(sampling.dual_vectors, name)
         for v, w, got in zip(self.v, argument, getattr(self.module, name)(self.v, argument), strict=True):
             allowed = getattr(errors.scales(self.order, v), scale) * errors.size(w)
-            yield Result(got, [getattr(self.oracle, name)(v, w)], [allowed], gates, f"v = {v!r}, argument = {w!r}")
+            yield Result(got, [getattr(self.oracle, name)(v, w)], [allowed], gates, (v, w))
 
     def twist(self) -> Iterator[Result]:
         outside = errors.tangent_shadow_gate(self.order)
@@ -138,14 +81,14 @@ class Trial:
         return self._applied("transform_line", "tensor", self.gates(errors.GENERAL, errors.GENERAL))
 
     def transform_point(self) -> Iterator[Result]:
-        points = sampling.points(f"transform_point {self.regime}", self.dtype)
+        points = self.second(sampling.points, "transform_point")
         for v, r, got in zip(self.v, points, self.module.transform_point(self.v, points), strict=True):
             local = errors.scales(self.order, v)
             # One real vector: as the dual part of an otherwise exact result.
             exact = np.concatenate([0 * self.oracle.transform_point(v, r), self.oracle.transform_point(v, r)])
             allowed = Nil(1.0, local.tensor.re * errors.norm(r) + local.position)
             full = np.concatenate([np.zeros(3, got.dtype), got])
-            yield Result(full, [exact], [allowed], (errors.GENERAL,) * 2, f"v = {v!r}, r = {r!r}")
+            yield Result(full, [exact], [allowed], (errors.GENERAL,) * 2, (v, r))
 
     # ---- inverse maps ------------------------------------------------------------------------------------------
 
@@ -159,7 +102,7 @@ class Trial:
                     result = self.oracle.on_branch(half, axis, branch)
                     exact.append(pack(result))
                     scales.append(self.inverse_scale(result, half, axis, branch, *entries(v)))
-                yield Result(got, exact, scales, (gate, gate), f"branch {branch} of v = {v!r}, input {x!r}")
+                yield Result(got, exact, scales, (gate, gate), (v,), f"branch {branch}, input {x!r}")
 
     def sides(self, v: Any) -> list[tuple[Any, Any]]:
         """Half the principal angle and the axis; both signs of q̂ where the angle is π to within rounding."""
@@ -220,7 +163,7 @@ class Trial:
                 backs = [inverse(self.oracle.operator_by_spin(r)) for r in results]
                 lost = Nil(local.tensor.re, local.position)
                 scales = [s + errors.through(back, lost) for s, back in zip(scales, backs, strict=True)]
-            yield Result(got, [pack(r) for r in results], scales, (gate, gate), f"v = {v!r}")
+            yield Result(got, [pack(r) for r in results], scales, (gate, gate), (v,))
 
     # ---- screws, shadows, composition --------------------------------------------------------------------------
 
@@ -229,11 +172,11 @@ class Trial:
             return
         pairs = [self.oracle.to_screw(v) for v in self.v]
         angle, axis = (rounded(np.stack(column), self.dtype) for column in zip(*pairs, strict=True))
-        for a, u, got in zip(angle, axis, self.module.from_screw(angle, axis), strict=True):
+        for v, a, u, got in zip(self.v, angle, axis, self.module.from_screw(angle, axis), strict=True):
             exact = self.oracle.from_screw(a, u)
             (alpha,), direction = self.oracle.unpack(a), self.oracle.unpack(u)
             scale = errors.angle_scale(self.order, alpha, direction) + errors.size(exact)
-            yield Result(got, [exact], [scale], (errors.GENERAL,) * 2, f"angle = {a!r}, axis = {u!r}")
+            yield Result(got, [exact], [scale], (errors.GENERAL,) * 2, (v,), f"angle = {a!r}, axis = {u!r}")
 
     def to_screw(self) -> Iterator[Result]:
         if self.regime == "identity":
@@ -247,8 +190,8 @@ class Trial:
             n, length, size = self.order, errors.norm(v[:3]), errors.norm(v[3:])
             turned = Nil(2 * n * math.atan(length), 2 * n / (1 + length**2) * size)
             direction = Nil(1.0, 2 * size / length if length else 0.0)
-            yield Result(angle, [pack((a,)) for a, _ in sides], [turned] * len(sides), gates, f"angle of v = {v!r}")
-            yield Result(axis, [pack(b) for _, b in sides], [direction] * len(sides), gates, f"axis of v = {v!r}")
+            yield Result(angle, [pack((a,)) for a, _ in sides], [turned] * len(sides), gates, (v,), "angle")
+            yield Result(axis, [pack(b) for _, b in sides], [direction] * len(sides), gates, (v,), "axis")
 
     def shadow_scale(self, v: Any, result: Any) -> Nil:
         """The exact Jacobian of a shadow is T(v_k)⁻¹ T(v)."""
@@ -264,7 +207,7 @@ class Trial:
                     scales = [self.translation_shadow_scale(branch, errors.norm(v[3:]))]
                 else:
                     scales = [self.shadow_scale(v, e) for e in exact]
-                yield Result(got, exact, scales, (gate, gate), f"branch {branch} of v = {v!r}")
+                yield Result(got, exact, scales, (gate, gate), (v,), f"branch {branch}")
 
     def principal(self) -> Iterator[Result]:
         gate = errors.shadow_gate(self.order)
@@ -273,16 +216,15 @@ class Trial:
             if self.tie:
                 alpha, axis = self.oracle.reduced(self.oracle.unpack(v))
                 exact.append(pack(self.oracle.on_branch(alpha / 2, axis, -1)))
-            yield Result(got, exact, [self.shadow_scale(v, e) for e in exact], (gate, gate), f"v = {v!r}")
+            yield Result(got, exact, [self.shadow_scale(v, e) for e in exact], (gate, gate), (v,))
 
     def compose(self) -> Iterator[Result]:
         """With poses of the same regime and with poses from anywhere, v1 first."""
-        others = (np.roll(self.v, 1, axis=0), sampling.poses(self.order, "uniform", self.dtype)[::-1])
-        for v1 in others:
+        for v1 in self.partners():
             for a, b, got in zip(self.v, v1, self.module.compose(self.v, v1), strict=True):
                 exact = self.oracle.compose(a, b)
                 scale = self.compose_scale(a, b, exact)
-                yield Result(got, [exact], [scale], (errors.GENERAL,) * 2, f"v2 = {a!r}, v1 = {b!r}")
+                yield Result(got, [exact], [scale], (errors.GENERAL,) * 2, (a, b))
 
     def compose_scale(self, v2: Any, v1: Any, result: Any) -> Nil:
         """The exact Jacobians are T(v)⁻¹ T(v2) and T(v)⁻¹ R(v2) T(v1)."""

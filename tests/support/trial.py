@@ -1,0 +1,102 @@
+"""One kernel module in one regime: its samples, and how results are measured against what is allowed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from types import ModuleType
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from tests.support import errors, sampling
+from tests.support.nilpotent import Nil
+from tests.support.oracle import DIGITS, oracle_of
+
+
+class Result(NamedTuple):
+    """One computed value, what it may be (two values only where a tie leaves the side open), and what is allowed."""
+
+    got: np.ndarray
+    exact: list[Any]
+    scales: list[Nil]
+    gates: tuple[float, float]
+    given: tuple[np.ndarray, ...]  # v, and the second argument where there is one
+    note: str = ""
+
+
+def rounded(exact: Any, dtype: Any) -> np.ndarray:
+    """Mpmath numbers to the nearest of a float type."""
+    flat = [np.longdouble(float(c)) + np.longdouble(float(c - float(c))) for c in exact.flat]
+    return np.array(flat, dtype=np.longdouble).reshape(exact.shape).astype(dtype)
+
+
+class Measured:
+    """Samples of one regime, drawn by `seed` or `given`: vectors, and second arguments of the functions of two.
+
+    The functions themselves are methods of the subclass, which yield a `Result` for every sample.
+    """
+
+    def __init__(
+        self,
+        module: ModuleType,
+        order: int,
+        regime: str,
+        dtype: Any = np.float64,
+        *,
+        digits: int = DIGITS,
+        count: int = sampling.COUNT,
+        seed: int = 0,
+        given: tuple[np.ndarray, ...] | None = None,
+    ) -> None:
+        self.module, self.order, self.regime, self.dtype = module, order, regime, dtype
+        self.oracle = oracle_of(order, digits)
+        self.drawn = {"dtype": dtype, "count": count, "seed": seed}
+        self.given = given
+        self.v = sampling.poses(order, regime, **self.drawn) if given is None else given[0]
+        self.inside = regime in sampling.PRINCIPAL
+        self.tie = regime == "at pi"
+
+    def second(self, draw: Callable[..., np.ndarray], name: str) -> np.ndarray:
+        """Second arguments of a function, one for each vector."""
+        return draw(f"{name} {self.regime}", **self.drawn) if self.given is None else self.given[1]
+
+    def partners(self) -> list[np.ndarray]:
+        """What to compose with: poses of the same regime, and poses from anywhere."""
+        if self.given is not None:
+            return [self.given[1]]
+        return [np.roll(self.v, 1, axis=0), sampling.poses(self.order, "uniform", **self.drawn)[::-1]]
+
+    def gates(self, inside: float, outside: float) -> tuple[float, float]:
+        gate = inside if self.inside else outside
+        return gate, gate
+
+    def branches(self) -> list[int]:
+        """Some branches, those left out where the angle α + 2kπ is the end nπ of the chart."""
+        n = self.order
+        chosen = sorted({0, 1 % n, n // 2, n - 1})
+        if self.regime == "identity":
+            return [0]
+        if self.regime == "pure translation":
+            return [k for k in chosen if 2 * k != n]
+        return [k for k in chosen if not (self.tie and abs(2 * k - n) == 1)]
+
+    def check(self, name: str) -> None:
+        for result in getattr(self, name)():
+            assert result.got.dtype == self.dtype, f"{name}: {result.got.dtype} for {self.dtype}"
+            found = self.fractions(result)
+            assert max(found) <= 1, (
+                f"{name}, n = {self.order}, {self.regime}: (real, dual) error {self.in_eps(result)} eps, allowed "
+                f"{result.gates} for {result.given!r} {result.note}\n"
+                f"got   {result.got!r}\nexact {result.exact[0].astype(float)!r}"
+            )
+
+    def in_eps(self, result: Result) -> list[tuple[float, float]]:
+        return [errors.errors(result.got, e, s, self.oracle) for e, s in zip(result.exact, result.scales, strict=True)]
+
+    def fractions(self, result: Result) -> tuple[float, float]:
+        """Error over gate, of the nearer of the values allowed."""
+        found = [(re / result.gates[0], du / result.gates[1]) for re, du in self.in_eps(result)]
+        return min(found, key=max)
+
+    def worst(self, name: str) -> float:
+        return max((max(self.fractions(result)) for result in getattr(self, name)()), default=0.0)
