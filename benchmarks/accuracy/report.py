@@ -110,6 +110,12 @@ def gate_text(row: dict[int, Worst]) -> str:
     return f"{gates[0]:g}" if len(gates) == 1 else f"{gates[0]:g} … {gates[-1]:g}"
 
 
+def cell(worst: Worst | None) -> str:
+    if worst is None:
+        return ""
+    return f"**{worst}**" if worst.fraction > 1 else str(worst)
+
+
 def markdown(head: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:
     return ["| " + " | ".join(cells) + " |" for cells in (head, ["---"] * len(head), *rows)] + [""]
 
@@ -130,8 +136,7 @@ def gate_tables(measurements: Sequence[Measurement]) -> Iterator[str]:
             for name in row_names():
                 row = rows.get((dtype, name, inside), {})
                 if row:
-                    cells = ("" if (w := row.get(n)) is None else f"**{w}**" if w.fraction > 1 else str(w) for n in ORDERS)
-                    body.append([name, gate_text(row), *cells])
+                    body.append([name, gate_text(row), *(cell(row.get(n)) for n in ORDERS)])
             yield from markdown(["function", "gate", *(f"n = {n}" for n in ORDERS)], body)
 
 
@@ -144,8 +149,8 @@ def out_of_range(measurements: Iterable[Measurement]) -> Iterator[str]:
     yield "## Range"
     yield ""
     yield (
-        "The kernels compute p² + x q² = (1 + |v|²)ⁿ in the type they are given. Where that overflows, results are wrong "
-        "(the identity, or NaN), so those samples are left out above. Largest |v|, and samples left out:"
+        "The kernels compute p² + x q² = (1 + |v|²)ⁿ in the type they are given. Where that overflows, results are "
+        "wrong (the identity, or NaN), so those samples are left out above. Largest |v|, and samples left out:"
     )
     yield ""
     body = []
@@ -168,12 +173,13 @@ def page(measurements: Sequence[Measurement], figures: Sequence[tuple[str, str]]
         "",
         "Written by `make accuracy`: change that, not this page.",
         "",
-        f"Every kernel function against {DIGITS}-digit arithmetic that shares no formula with it: {COUNT} seeded samples per "
-        "order, type and regime, and every input that was ever the worst (`benchmarks/worst_cases.json`).",
+        f"Every kernel function against {DIGITS}-digit arithmetic that shares no formula with it: {COUNT} seeded "
+        "samples per order, type and regime, and every input that was ever the worst "
+        "(`benchmarks/worst_cases.json`).",
         "",
-        "Errors are normwise in eps of the type, the larger of the real part's, ‖Δ‖ / ‖Re‖, and the dual part's, ‖Δ‖ / (sum "
-        "of the norms of the terms it is made of); for inverse maps, shadows and rates outside the principal range these "
-        "norms include the condition number from the exact Jacobian. `round_trip` is v → pose → v.",
+        "Errors are normwise in eps of the type, the larger of the real part's, ‖Δ‖ / ‖Re‖, and the dual part's, ‖Δ‖ / "
+        "(sum of the norms of the terms it is made of); for inverse maps, shadows and rates outside the principal "
+        "range these norms include the condition number from the exact Jacobian. `round_trip` is v → pose → v.",
         "",
         "Gates on shadows: max(16, 2n); tangent operators and twists there max(40, 10n).",
         "",

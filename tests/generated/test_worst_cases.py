@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-from itertools import groupby
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 from tests.support import cases, kernels
-from tests.support.accuracy import FUNCTIONS
 
 KEPT, _ = cases.read()
 ORDERS = sorted({case.order for case in KEPT})

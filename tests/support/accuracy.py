@@ -115,7 +115,7 @@ class Trial(Measured):
     def inverse_scale(self, result: Any, half: Any, axis: Any, branch: int, directions: Any, entries: Any) -> Nil:
         if self.regime == "pure translation" and branch:
             return self.translation_shadow_scale(branch, float(half.du) / self.order)
-        scale = errors.branch_scale(self.oracle, result, directions, entries)
+        scale = errors.branch_scale(self.oracle.operator_by_spin(result), result, directions, entries)
         if branch:
             angle = 2 * half + 2 * branch * self.oracle.field.pi
             scale = scale + errors.angle_scale(self.order, angle, axis)
@@ -156,11 +156,12 @@ class Trial(Measured):
         inputs = self.module.pose(self.v)
         for v, got in zip(self.v, self.module.from_pose(inputs), strict=True):
             results = [self.oracle.on_branch(half, axis, 0) for half, axis in self.sides(v)]
-            scales = [errors.branch_scale(self.oracle, r, *self.tensor_entries(v)) for r in results]
+            operators, entries = [self.oracle.operator_by_spin(r) for r in results], self.tensor_entries(v)
+            scales = [errors.branch_scale(t, r, *entries) for t, r in zip(operators, results, strict=True)]
             if not self.inside:
                 # The pose of a shadow is right in norm, not entry by entry: near 2π its small entries are differences.
                 gate, local = errors.shadow_gate(self.order), errors.scales(self.order, v)
-                backs = [inverse(self.oracle.operator_by_spin(r)) for r in results]
+                backs = [inverse(t) for t in operators]
                 lost = Nil(local.tensor.re, local.position)
                 scales = [s + errors.through(back, lost) for s, back in zip(scales, backs, strict=True)]
             yield Result(got, [pack(r) for r in results], scales, (gate, gate), (v,))
