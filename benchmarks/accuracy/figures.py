@@ -116,7 +116,8 @@ def picture(found: curves.Curves, what: Picture, path: Path) -> None:
     handles = {label: line for axes in grid.flat for line, label in zip(*axes.get_legend_handles_labels(), strict=True)}
     order = [label for label in STYLES if label in handles]
     names = [f"dualcay, {label}" if label.startswith("n =") else label for label in order]
-    figure.legend([handles[label] for label in order], names, loc="outside right center", frameon=False, handlelength=3.2)
+    lines = [handles[label] for label in order]
+    figure.legend(lines, names, loc="outside right center", frameon=False, handlelength=3.2)
     figure.suptitle(what.title, fontsize=12)
     # No version of the library in the file: the same data give the same bytes.
     figure.savefig(path, dpi=120, metadata={"Software": None})

@@ -48,6 +48,18 @@ MEANING = {
     "shadow": "branches past the principal one, angle at least 0.2 from multiples of π",
 }
 
+# What the gates are called, the rows they hold for, and whether inside the principal range.
+GATES = (
+    ("rotation Q", ("pose: Q", "tensor: Q"), True),
+    ("displacement ρ", ("pose: ρ",), True),
+    ("dual quaternion", ("quaternion",), True),
+    ("tangent operator", ("tangent",), True),
+    ("its inverse, rates", ("tangent_inv", "rate", "body_rate"), True),
+    ("round trip v → pose → v, n ≥ 2", ("round_trip",), True),
+    ("Q, ρ, dual quaternion on shadows", ("pose: Q", "pose: ρ", "tensor: Q", "quaternion"), False),
+    ("tangent operator on shadows", ("tangent",), False),
+)
+
 
 @dataclass(frozen=True)
 class Worst:
@@ -65,6 +77,8 @@ class Worst:
         return self.error / self.gate
 
     def __str__(self) -> str:
+        if self.error < 0.005:
+            return "0"
         error = "∞" if math.isinf(self.error) else f"{self.error:.2g}" if self.error < 9.95 else f"{self.error:.0f}"
         return f"{error} {SHORT[self.regime]}"
 
@@ -105,8 +119,8 @@ def short_of_gate(measurements: Iterable[Measurement]) -> list[str]:
     ]
 
 
-def gate_text(row: dict[int, Worst]) -> str:
-    gates = sorted({worst.gate for worst in row.values()})
+def gate_text(row: Iterable[Worst]) -> str:
+    gates = sorted({worst.gate for worst in row})
     return f"{gates[0]:g}" if len(gates) == 1 else f"{gates[0]:g} … {gates[-1]:g}"
 
 
@@ -136,8 +150,29 @@ def gate_tables(measurements: Sequence[Measurement]) -> Iterator[str]:
             for name in row_names():
                 row = rows.get((dtype, name, inside), {})
                 if row:
-                    body.append([name, gate_text(row), *(cell(row.get(n)) for n in ORDERS)])
+                    body.append([name, gate_text(row.values()), *(cell(row.get(n)) for n in ORDERS)])
             yield from markdown(["function", "gate", *(f"n = {n}" for n in ORDERS)], body)
+
+
+def summary(measurements: Iterable[Measurement]) -> Iterator[str]:
+    """Gate by gate, all types and orders together: the error nearest to its gate."""
+    rows = table(measurements)
+    body = []
+    for title, names, inside in GATES:
+        own = [
+            worst
+            for (_, name, side), row in rows.items()
+            if name in names and side == inside
+            for worst in row.values()
+            if name != "round_trip" or worst.order > 1
+        ]
+        largest = max(own, key=lambda w: (w.error, w.dtype, w.order))
+        nearest = max(own, key=lambda w: (w.fraction, w.dtype, w.order))
+        cells = [f"{w.error:.2g}, {w.row}, n = {w.order}, {w.dtype}, {w.regime}" for w in (largest, nearest)]
+        cells[1] += f"; gate {nearest.gate:g}"
+        verdict = "met" if nearest.fraction <= 1 else "**falls short**"
+        body.append([title, gate_text(own), *cells, verdict])
+    yield from markdown(["what", "gate", "largest error (eps)", "nearest to its gate", ""], body)
 
 
 def out_of_range(measurements: Iterable[Measurement]) -> Iterator[str]:
@@ -187,6 +222,7 @@ def page(measurements: Sequence[Measurement], figures: Sequence[tuple[str, str]]
         "",
         *(f"- {line}" for line in missed),
         *([""] if missed else []),
+        *summary(measurements),
         "Regimes, as abbreviated in the tables: "
         + "; ".join(f"**{SHORT[r]}** {MEANING[r]}" for r in (*PRINCIPAL, *OUTSIDE))
         + ".",
