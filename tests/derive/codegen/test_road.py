@@ -96,7 +96,9 @@ def test_a_failed_proof_writes_nothing(tmp_path: Path, monkeypatch: pytest.Monke
 def test_a_failed_validation_writes_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     original = compiler.module_text
     monkeypatch.setattr(
-        compiler, "module_text", lambda proved, target: flipped(original(proved, target), "pose", r"N / N / N", "1 / N / N")
+        compiler,
+        "module_text",
+        lambda proved, target: flipped(original(proved, target), "pose", r"N / N / N", "1 / N / N"),
     )
     with pytest.raises(ValidationFailed, match="pose"):
         derive.generate([2], output=tmp_path / "kernels")
