@@ -5,13 +5,17 @@ RUN    := $(VENV)/bin/python
 READY  := $(VENV)/.ready
 
 .DEFAULT_GOAL := generate
-.PHONY: generate check verify show test lint types bench clean help
+.PHONY: generate check verify show test lint types bench accuracy clean help
 
 generate: $(READY)  ## derive, prove and write the committed kernels (the default)
 	$(RUN) -m derive generate
 
 check: $(READY)  ## fail if a generated file is stale, missing or foreign
 	$(RUN) -m derive generate --check
+	$(RUN) -m derive verify --format markdown -o docs/errata.md --check
+
+verify: $(READY)  ## decide every equation of the papers and write docs/errata.md
+	$(RUN) -m derive verify --format markdown -o docs/errata.md
 
 show: $(READY)  ## print the formulas of an order: make show N=3
 	$(RUN) -m derive show -n $(or $(N),1-3)
@@ -29,6 +33,9 @@ bench: $(READY)  ## proof times by order, then kernels against their peers (docs
 	$(RUN) benchmarks/proofs.py
 	$(RUN) -m benchmarks.kernels -o docs/benchmarks.md
 
+accuracy: $(VENV)/.bench  ## worst errors and figures in docs: make accuracy SEARCH=60 looks for worse inputs
+	$(RUN) -m benchmarks.accuracy --search $(or $(SEARCH),0)
+
 clean:  ## remove the environment and caches
 	rm -rf $(VENV) build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
@@ -41,4 +48,9 @@ $(READY): pyproject.toml constraints.txt
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Python >= 3.11 is needed: make PYTHON=python3.11")'
 	$(PYTHON) -m venv $(VENV)
 	$(RUN) -m pip install --quiet --constraint constraints.txt --editable '.[derive,flint,test]'
+	touch $@
+
+# What benchmarks need besides; jaxlie and pinocchio, which are large, with BENCH=bench,peers.
+$(VENV)/.bench: $(READY)
+	$(RUN) -m pip install --quiet --constraint constraints.txt --editable '.[$(or $(BENCH),bench)]'
 	touch $@

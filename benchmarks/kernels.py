@@ -23,6 +23,7 @@ from benchmarks.peers import (
     INSTALL,
     Call,
     Poses,
+    c_form,
     compiled,
     copy_floor,
     lambdified,
@@ -194,7 +195,7 @@ def missing() -> list[str]:
     scipy = load("scipy.spatial.transform")
     if scipy is not None and not hasattr(scipy, "RigidTransform"):
         names.append(INSTALL["scipy.spatial.transform"])
-    return names + ([] if load("benchmarks.native") else ["the C form"])
+    return names + ([] if c_form(ORDERS[0]) else ["a C compiler"])
 
 
 def main() -> None:

@@ -29,10 +29,11 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from .codegen import generate
     from .maps import Cayley, x
+    from .papers import verify
 
-__all__ = ["Cayley", "generate", "x"]
+__all__ = ["Cayley", "generate", "verify", "x"]
 
-_HOMES = {"Cayley": "derive.maps", "x": "derive.maps", "generate": "derive.codegen"}
+_HOMES = {"Cayley": "derive.maps", "x": "derive.maps", "generate": "derive.codegen", "verify": "derive.papers"}
 
 
 def __getattr__(name: str) -> Any:

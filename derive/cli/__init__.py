@@ -2,6 +2,7 @@
 
 ======== =============================================================
 commands generate, show, list (and their exit codes)
+verify   decide the papers' equations and report
 options  order lists such as ``1-5,8``, and other parsed options
 display  tables, progress and errors on stderr
 ======== =============================================================

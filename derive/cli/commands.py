@@ -17,6 +17,7 @@ from ..maps import Cayley
 from ..maps.formula import LATEX_ORDER
 from ..proof import ProofFailed
 from . import display, options
+from .verify import verify
 
 FORMULAS = ("p", "q", "quaternion", "tensor", "tangent", "tangent_inv")
 ALL = ",".join(FORMULAS)
@@ -41,8 +42,8 @@ def generate(
 ) -> None:
     """Prove formulas and write their kernels, or check the ones on disk."""
     options.require_cap(orders, max_n)
-    if output is None and not catalogue.is_checkout():
-        raise click.UsageError("outside a checkout of the project, name a folder with -o")
+    if output is None and (target != catalogue.TARGET or not catalogue.is_checkout()):
+        raise click.UsageError(f"name a folder with -o: only {catalogue.TARGET} kernels have a place, in a checkout")
     folder = output or catalogue.COMMITTED
     chosen = orders or catalogue.ORDERS
     with display.progress(STEPS_PER_ORDER * len(chosen)) as step:
@@ -52,8 +53,10 @@ def generate(
             package = generate_kernels(chosen, target, folder, force=force, progress=step)
     if not check:
         display.console().print(display.written(package, folder))
+        display.not_executed(package)
     elif found:
-        option = "" if output is None else f" -o {output}"
+        option = "" if target == catalogue.TARGET else f" --target {target}"
+        option += "" if output is None else f" -o {output}"
         display.differences(found, f"python -m derive generate{option}")
         raise click.exceptions.Exit(1)
 
@@ -82,6 +85,9 @@ def list_catalogue() -> None:
     click.echo(f"orders    any n >= 1; committed: {', '.join(map(str, catalogue.ORDERS))}")
     click.echo(f"formulas  {', '.join(FORMULAS)}")
     click.echo(f"functions {', '.join(PUBLIC)}")
+
+
+cli.add_command(verify)
 
 
 def run() -> int:

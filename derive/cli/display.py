@@ -45,8 +45,17 @@ def written(package: Package, folder: Path) -> Table:
         proofs = module.proved.proofs
         general = sum(proof.scope == "all n" for proof in proofs)
         lines = module.text.count("\n")
-        table.add_row(module.name, str(general), str(len(proofs) - general), str(module.validated), str(lines))
+        validated = "-" if module.validated is None else str(module.validated)
+        table.add_row(module.name, str(general), str(len(proofs) - general), validated, str(lines))
     return table
+
+
+def not_executed(package: Package) -> None:
+    """Say which modules nothing could execute: they are printed from proved formulas, but were not compared."""
+    names = [module.name for module in package.modules if module.validated is None]
+    if names:
+        found = f"no C compiler found (set CC), so not executed: {', '.join(names)}"
+        console(stderr=True).print(found, markup=False)
 
 
 def differences(found: list[Difference], command: str) -> None:

@@ -1,17 +1,21 @@
 """From proved formulas to files of kernels.
 
-=========== ==============================================================================
-compiler    the road: prove, lower, print, write, validate, publish
-catalogue   which orders are committed, and the commands that make them
-targets     the table of languages: a printer, a template folder and a row each
-lowering    recipes from formulas to straight-line programs
-program     the tracer and the program
-infix       programs as plain Python
-module      the text of a module, through the templates
-templates   the template environment
-files       write all or none, compare
-validation  the file on disk computes its formula
-=========== ==============================================================================
+============ ==============================================================================
+compiler     the road: prove, lower, print, write, validate, publish
+catalogue    which orders are committed, and the commands that make them
+targets      the table of languages: a printer, a template folder and a row each
+lowering     recipes from formulas to straight-line programs
+program      the tracer and the program
+expression   the steps of a program as expressions, in a dialect
+infix        programs as plain Python
+c99          programs as C
+signatures   arguments and results of the kernel functions as flat arrays
+differential tables of seeded cases for the tests of compiled targets
+module       the text of a module, through the templates
+templates    the template environment
+files        write all or none, compare
+validation   the file on disk computes its formula
+============ ==============================================================================
 """
 
 from .compiler import Module, Package, build, check, generate

@@ -8,6 +8,9 @@ from pathlib import Path
 ORDERS = (1, 2, 3, 4, 5, 8)
 """Orders whose modules are committed."""
 
+TARGET = "numpy"
+"""Target of the committed modules."""
+
 MAX_ORDER = 64
 """Largest order generated without being asked twice: proof times beyond it are not measured."""
 

@@ -10,7 +10,7 @@ from pathlib import Path
 from ..maps import Cayley
 from ..proof import Proved, prove
 from . import catalogue, files
-from .module import module_text, shared_text
+from .module import companion_texts, module_text, shared_text
 from .targets import TARGETS, Target
 
 Progress = Callable[[str], None]
@@ -18,12 +18,16 @@ Progress = Callable[[str], None]
 
 @dataclass(frozen=True, slots=True)
 class Module:
-    """A kernel module on its way: proved, printed, and how many calls of it were compared with its formula."""
+    """A kernel module on its way: proved, printed, and how many calls of it were compared with its formula.
+
+    ``validated`` is None where nothing could execute it; ``companions`` are further files by name.
+    """
 
     name: str
     proved: Proved
     text: str
-    validated: int
+    companions: dict[str, str]
+    validated: int | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,11 +47,13 @@ def build(orders: Iterable[int], target: Target, progress: Progress | None = Non
         Nothing is returned unless every module passes both.
     """
     report = progress or (lambda line: None)
-    shared = {name: shared_text(name, target) for name in target.shared}
+    texts = {name: shared_text(name, target) for name in target.shared}
     with tempfile.TemporaryDirectory() as staging:
-        files.write(Path(staging), shared)
+        files.write(Path(staging), texts)
         modules = tuple(_modules(sorted(set(orders)), target, Path(staging), report))
-    return Package(shared | {module.name: module.text for module in modules}, modules)
+    for module in modules:
+        texts |= module.companions | {module.name: module.text}
+    return Package(texts, modules)
 
 
 def _modules(orders: Sequence[int], target: Target, staging: Path, report: Progress) -> Iterator[Module]:
@@ -57,9 +63,10 @@ def _modules(orders: Sequence[int], target: Target, staging: Path, report: Progr
         proved = prove(cayley)
         report(f"n = {order}: emitting")
         text = module_text(proved, target)
-        files.write(staging, {name: text})
+        companions = companion_texts(cayley, target)
+        files.write(staging, companions | {name: text})
         report(f"n = {order}: validating")
-        yield Module(name, proved, text, target.validate(staging, cayley))
+        yield Module(name, proved, text, companions, target.validate(staging, cayley))
 
 
 def generate(
@@ -77,7 +84,7 @@ def generate(
     orders : iterable of int
         Orders n >= 1; the committed ones by default.
     target : str
-        ``"numpy"``.
+        ``"numpy"`` or ``"c"``.
     output : path
         Folder of the package, made if missing; ``generated/dualcay`` of a checkout by default.
     force : bool

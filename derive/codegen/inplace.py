@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from itertools import chain
 
 from . import infix
+from .expression import WIDTH, fill
 from .program import Operand, Program, Step
 from .registers import Placement, place
 
@@ -107,15 +108,15 @@ class _Calls:
 
 def _wrap(statement: str, indent: str) -> Iterator[str]:
     """Lines of a statement; a long call breaks inside its brackets, a long list of names goes into brackets."""
-    if len(indent + statement) <= infix.WIDTH:
+    if len(indent + statement) <= WIDTH:
         yield indent + statement
     elif statement.endswith(")"):
         head, _, inner = statement[:-1].partition("(")
         yield f"{indent}{head}("
-        yield from infix.fill(inner, indent + "    ")
+        yield from fill(inner, indent + "    ")
         yield f"{indent})"
     else:
         names, argument = statement.split(" = ")
         yield f"{indent}("
-        yield from infix.fill(f"{names},", indent + "    ")
+        yield from fill(f"{names},", indent + "    ")
         yield f"{indent}) = {argument}"

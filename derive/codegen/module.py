@@ -11,11 +11,12 @@ import mpmath
 import numpy as np
 import sympy
 
-from ..maps import Formula
+from ..maps import Cayley, Formula
 from ..proof import Proved
-from . import catalogue, templates
+from . import catalogue, differential, templates
 from .lowering import lower
 from .program import Program
+from .signatures import SIGNATURES
 from .targets import Target
 
 DIGITS = 40
@@ -60,7 +61,9 @@ def module_text(proved: Proved, target: Target) -> str:
         singular={f.name: f.singular for f in maps},
         singular_angles=[_multiple_of_pi(angle) for angle in cayley.singular_angles],
         inverse_domain=_inverse_domain(n),
+        signatures=SIGNATURES,
         largest={name: f"{float(np.finfo(name).max) ** (0.5 / n):.1g}" for name in ("float32", "float64")},
+        **target.words,
     )
 
 
@@ -68,7 +71,21 @@ def shared_text(name: str, target: Target) -> str:
     """Render a file every package of a target holds, e.g. ``_runtime.py``."""
     template = f"{target.name}/{name}.j2"
     lines = [f"python -m derive generate --target {target.name}", _notice(template)]
-    return templates.render(template, header=_comment(lines, target.comment))
+    mark = "#" if name.endswith((".txt", ".cmake")) else target.comment
+    return templates.render(template, header=_comment(lines, mark))
+
+
+def companion_texts(cayley: Cayley, target: Target) -> dict[str, str]:
+    """Render the files that accompany a module, by name."""
+    texts = {}
+    for companion in target.companions:
+        template = f"{target.name}/{companion}.j2"
+        stem, _, extension = companion.rpartition(".")
+        lines = [catalogue.command(target.name, cayley.order), _notice(template)]
+        data = {"header": _comment(lines, target.comment), "n": cayley.order, "gate": differential.GATE}
+        functions = list(differential.tables(cayley))
+        texts[f"{stem}{cayley.order}.{extension}"] = templates.render(template, functions=functions, **data)
+    return texts
 
 
 def _header(proved: Proved, programs: Mapping[str, Program], target: Target) -> str:
@@ -121,12 +138,12 @@ def _decimal(function: Any, k: int, n: int) -> str:
 
 
 def _return(steps: int, n: int) -> tuple[str, str, str]:
-    """The |v| beyond which theta goes back by so many steps of pi/n, and cosine and sine of the way."""
-    return _decimal(_tanpi, 2 * steps - 1, 2 * n), _decimal(mpmath.cospi, steps, n), _decimal(mpmath.sinpi, -steps, n)
+    """The |v|² beyond which theta goes back by so many steps of pi/n, and cosine and sine of the way."""
+    return _decimal(_tanpi2, 2 * steps - 1, 2 * n), _decimal(mpmath.cospi, steps, n), _decimal(mpmath.sinpi, -steps, n)
 
 
-def _tanpi(x: Any) -> Any:
-    return mpmath.sinpi(x) / mpmath.cospi(x)
+def _tanpi2(x: Any) -> Any:
+    return (mpmath.sinpi(x) / mpmath.cospi(x)) ** 2
 
 
 def _display(latex: str) -> str:

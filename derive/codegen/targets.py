@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from ..maps import Cayley
-from . import inplace
+from . import c99, infix, inplace, jit
+from .files import RefusedError
 from .program import Program
-from .validation import validate
+from .validation import compiled, validate
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,7 +31,13 @@ class Target:
     printer : callable
         What the template shows of a program.
     validate : callable
-        Executes the module of an order in a folder and returns how many calls equal the formula.
+        Executes the module of an order in a folder and returns how many calls equal the formula; None where nothing
+        can execute it.
+    companions : tuple of str
+        Further files of every module; ``test_cayley.c`` is ``test_cayley3.c`` of order 3, from the template of its
+        name.
+    words : mapping
+        Words in which the functions of this target differ from those of another with the same templates.
     """
 
     name: str
@@ -38,7 +45,9 @@ class Target:
     shared: tuple[str, ...]
     comment: str
     printer: Callable[[Program], Any]
-    validate: Callable[[Path, Cayley], int]
+    validate: Callable[[Path, Cayley], int | None]
+    companions: tuple[str, ...] = ()
+    words: Mapping[str, str] = field(default_factory=dict)
 
     def module_name(self, order: int) -> str:
         """File name of the module of an order."""
@@ -50,6 +59,32 @@ class Target:
         return f"{self.name}/cayley.{self.extension}.j2"
 
 
+def _words(value: str, array_like: str, array: str, options: str, passed: str, passed_alone: str) -> dict[str, str]:
+    """Annotation and names of arrays; keyword parameters of a function, and what it passes on of them.
+
+    ``passed_alone`` is what a function passes that returns several arrays.
+    """
+    return {
+        "value": value,
+        "array_like": array_like,
+        "array": array,
+        "options": f"*, axis: int = -1{options}",
+        "passed": f"axis{passed}",
+        "passed_alone": f"axis{passed_alone}",
+    }
+
+
+def _validate_compiled(folder: Path, cayley: Cayley) -> int:
+    """Run the source of a package which wants its compiler even so."""
+    try:
+        return validate(folder, cayley)
+    except ImportError as error:
+        raise RefusedError(f"cannot validate what was printed: {error}") from error
+
+
+_OUT = ", out: Array | None = None"
+_NUMPY = ("ArrayLike", "array_like", "ndarray")
+
 TARGETS: Mapping[str, Target] = {
     target.name: target
     for target in (
@@ -60,6 +95,34 @@ TARGETS: Mapping[str, Target] = {
             comment="#",
             printer=inplace.two_forms,
             validate=validate,
+            words=_words(*_NUMPY, _OUT, ", out", ", None"),
+        ),
+        Target(
+            name="array-api",
+            extension="py",
+            shared=("__init__.py", "_runtime.py", "_tools.py", "py.typed"),
+            comment="#",
+            printer=infix.body,
+            validate=validate,
+            words=_words("Array", "array", "array", "", "", ""),
+        ),
+        Target(
+            name="numba",
+            extension="py",
+            shared=("__init__.py", "_compiled.py", "_runtime.py", "_tools.py", "py.typed"),
+            comment="#",
+            printer=jit.parts,
+            validate=_validate_compiled,
+            words=_words(*_NUMPY, f"{_OUT}, parallel: bool = False", ", out, parallel", ", None, False"),
+        ),
+        Target(
+            name="c",
+            extension="h",
+            shared=("dualcay.h", "differential.h", "CMakeLists.txt"),
+            comment="//",
+            printer=c99.function,
+            validate=compiled.validate,
+            companions=("test_cayley.c",),
         ),
     )
 }

@@ -30,7 +30,8 @@ def tensor_exponential(a: Vector, library: Any = functions) -> Tensor:
         return nilpotent
     angle = library.sqrt(square)
     R: Tensor = Tensor.identity() + skew * (library.sin(angle) / angle)
-    return R + skew @ skew * ((1 - library.cos(angle)) / square)
+    R += skew @ skew * ((1 - library.cos(angle)) / square)
+    return R
 
 
 def quaternion_exponential(a: Vector, library: Any = functions) -> Quaternion:

@@ -9,7 +9,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from ..algebra import Coefficient, Dual, Quaternion, Tensor, Vector
+from ..algebra import Coefficient, Dual, Quaternion, Tensor, Vector, dual_part, real_part
+from .decide import is_zero
 
 
 def tensor_by_sandwich(q: Quaternion) -> Tensor:
@@ -37,9 +38,31 @@ def tangent(tensor: Callable[[Vector], Tensor], v: Vector) -> Tensor:
     return Tensor.from_entries(entry for column in columns for entry in column).transpose
 
 
-def _moving(c: Coefficient, rate: int) -> Dual:
+def axis_rates(tensor: Callable[[Coefficient, Vector], Tensor], alpha: Coefficient, u: Vector) -> Tensor:
+    """Return the operator that takes the space twist of ``tensor(α, u)`` to u̇, from three independent motions.
+
+    Raises
+    ------
+    ZeroDivisionError
+        Where the twist does not determine u̇.
+    """
+    across = (u.cross(Vector(*row)) for row in Tensor.identity().rows)
+    first = next(w for w in across if not is_zero(real_part(w.dot(w))))
+    motions = ((1, u * 0), (0, first), (0, u.cross(first)))
+    twists, rates = [], []
+    for alpha_dot, u_dot in motions:
+        R = tensor(_moving(alpha, alpha_dot), Vector(*(_moving(c, rate) for c, rate in zip(u, u_dot, strict=True))))
+        twists.append(twist(R.map(_value), R.map(_slope)))
+        rates.append(u_dot)
+    of_twists, of_rates = (Tensor.from_entries(c for row in rows for c in row).transpose for rows in (twists, rates))
+    return of_rates @ of_twists.inverse()
+
+
+def _moving(c: Coefficient, rate: Coefficient) -> Dual:
     """The coefficient with a time derivative, below its dual unit if it has one."""
-    return Dual(Dual(c.re, rate), Dual(c.du, 0)) if isinstance(c, Dual) else Dual(c, rate)
+    if not isinstance(c, Dual):
+        return Dual(c, rate)
+    return Dual(Dual(c.re, real_part(rate)), Dual(c.du, dual_part(rate)))
 
 
 def _value(c: Any) -> Any:

@@ -9,6 +9,7 @@ every_order          all of these, proved once per process
 at_order             the formulas of one order are the theorems' instances
 exact, element       the exact ring of vector components modulo v·v = x
 polynomial_backend   its polynomials, by python-flint or SymPy
+ratio                rational functions as numbers, with roots of squares and sines of given angles
 components           the componentwise road at one order, from the definition
 proved               `Proved` and the way to it
 ==================== ==============================================================================

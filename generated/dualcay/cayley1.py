@@ -67,9 +67,9 @@
 #   from_tensor: 119: 40 +, 37 *, 11 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 83: 25 +, 19 *, 8 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
-#   to_screw: 43: 10 +, 14 *, 7 /, 2 sqrt, 1 atan2, 1 eq, 8 where
-#   turn: 58: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 8 where
-#   shadow: 58: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 8 where
+#   to_screw: 43: 10 +, 14 *, 7 /, 1 sqrt, 1 atan2, 1 eq, 9 where
+#   turn: 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
+#   shadow: 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
 #   principal: 0
 #   compose: 139: 56 +, 71 *, 12 /
 """Cayley map of order 1: Rodrigues dual vectors ``v = tan(α/2) u`` of rigid displacements.
@@ -123,7 +123,7 @@ TURNS = (
     ("1.0", "0.0"),
 )
 
-# the |v| halfway between branches, tan((2 j - 1) pi/2), then cosine and sine of the way back from beyond it
+# the |v|² halfway between branches, tan((2 j - 1) pi/2)², then cosine and sine of the way back from beyond it
 RETURNS: tuple[str, ...] = (
 )
 
@@ -1318,7 +1318,7 @@ def body_rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | No
 # --- inverse maps, shadows, composition -------------------------------------------------------------------------
 
 
-# operations 58: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 8 where
+# operations 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
 def _turn(m: Any, v: Components, cs: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = cs
@@ -1327,8 +1327,8 @@ def _turn(m: Any, v: Components, cs: Components) -> Result:
     v33 = v3 * v3
     x = v11 + v22 + v33
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1356,23 +1356,23 @@ def _turn_blocks(
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
     still = m.equal(x, n0, mask1)
-    r = sqrt(x, k1)
-    length = m.where(still, sqrt(add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), k2), r, k2)
-    u1 = div(m.where(still, v1o, v1, k3), length, k3)
-    iden = div(n1, sub(cos, mul(r, sin, k4), k4), k4)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
+    r = m.where(still, x, length, k1)
+    iden = div(n1, sub(cos, mul(r, sin, k3), k3), k3)
     rk = mul(add(mul(r, cos, k1), sin, k1), iden, k1)
+    u1 = div(m.where(still, v1o, v1, k4), length, k4)
     mul(u1, rk, o1)
     u2 = div(m.where(still, v2o, v2, k5), length, k5)
     mul(u2, rk, o2)
     u3 = div(m.where(still, v3o, v3, k6), length, k6)
     mul(u3, rk, o3)
     ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
-    rko = mul(ro, mul(iden, iden, k4), k4)
+    rko = mul(ro, mul(iden, iden, k3), k3)
     uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k7), k7), k9), length, k7)
-    add(mul(uo1, rk, k7), mul(u1, rko, k3), o4)
-    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k3), k3), k7), length, k3)
-    add(mul(uo2, rk, k3), mul(u2, rko, k5), o5)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k3), k3), k5), length, k2)
+    add(mul(uo1, rk, k7), mul(u1, rko, k4), o4)
+    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k4), k4), k7), length, k4)
+    add(mul(uo2, rk, k4), mul(u2, rko, k5), o5)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k2)
     add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
 
 
@@ -1388,7 +1388,7 @@ _TURN = Kernel(
 )
 
 
-# operations 58: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 8 where
+# operations 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
 def _shadow(m: Any, v: Components, cs: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = cs
@@ -1397,8 +1397,8 @@ def _shadow(m: Any, v: Components, cs: Components) -> Result:
     v33 = v3 * v3
     x = v11 + v22 + v33
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1426,23 +1426,23 @@ def _shadow_blocks(
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
     still = m.equal(x, n0, mask1)
-    r = sqrt(x, k1)
-    length = m.where(still, sqrt(add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), k2), r, k2)
-    u1 = div(m.where(still, v1o, v1, k3), length, k3)
-    iden = div(n1, sub(cos, mul(r, sin, k4), k4), k4)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
+    r = m.where(still, x, length, k1)
+    iden = div(n1, sub(cos, mul(r, sin, k3), k3), k3)
     rk = mul(add(mul(r, cos, k1), sin, k1), iden, k1)
+    u1 = div(m.where(still, v1o, v1, k4), length, k4)
     mul(u1, rk, o1)
     u2 = div(m.where(still, v2o, v2, k5), length, k5)
     mul(u2, rk, o2)
     u3 = div(m.where(still, v3o, v3, k6), length, k6)
     mul(u3, rk, o3)
     ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
-    rko = mul(ro, mul(iden, iden, k4), k4)
+    rko = mul(ro, mul(iden, iden, k3), k3)
     uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k7), k7), k9), length, k7)
-    add(mul(uo1, rk, k7), mul(u1, rko, k3), o4)
-    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k3), k3), k7), length, k3)
-    add(mul(uo2, rk, k3), mul(u2, rko, k5), o5)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k3), k3), k5), length, k2)
+    add(mul(uo1, rk, k7), mul(u1, rko, k4), o4)
+    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k4), k4), k7), length, k4)
+    add(mul(uo2, rk, k4), mul(u2, rko, k5), o5)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k2)
     add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
 
 
@@ -2032,7 +2032,7 @@ def from_screw(angle: ArrayLike, line: ArrayLike, /, *, axis: int = -1, out: Arr
     return call(_FROM_SCREW, axis, out, angle, line)
 
 
-# operations 43: 10 +, 14 *, 7 /, 2 sqrt, 1 atan2, 1 eq, 8 where
+# operations 43: 10 +, 14 *, 7 /, 1 sqrt, 1 atan2, 1 eq, 9 where
 def _to_screw(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -2040,8 +2040,8 @@ def _to_screw(m: Any, v: Components) -> Result:
     v33 = v3 * v3
     x = v11 + v22 + v33
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -2065,19 +2065,19 @@ def _to_screw_blocks(
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
-    r = sqrt(x, k2)
-    mul(n2, atan2(r, n1, k3), o1)
     still = m.equal(x, n0, mask1)
-    length = m.where(still, sqrt(add(add(mul(v1o, v1o, k3), mul(v2o, v2o, k4), k3), mul(v3o, v3o, k4), k3), k3), r, k3)
-    u1 = div(m.where(still, v1o, v1, k2), length, o3)
-    u2 = div(m.where(still, v2o, v2, k2), length, o4)
-    u3 = div(m.where(still, v3o, v3, k2), length, o5)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
+    u1 = div(m.where(still, v1o, v1, k3), length, o3)
+    u2 = div(m.where(still, v2o, v2, k3), length, o4)
+    u3 = div(m.where(still, v3o, v3, k3), length, o5)
+    r = m.where(still, x, length, k3)
+    mul(n2, atan2(r, n1, k3), o1)
     k = add(n1, x, k1)
-    ro = m.where(still, length, add(add(mul(u1, v1o, k2), mul(u2, v2o, k4), k2), mul(u3, v3o, k4), k2), k4)
-    div(mul(n2, ro, k2), k, o2)
-    div(m.where(still, n0, sub(v1o, mul(u1, ro, k1), k1), k2), length, o6)
-    div(m.where(still, n0, sub(v2o, mul(u2, ro, k1), k1), k2), length, o7)
-    div(m.where(still, n0, sub(v3o, mul(u3, ro, k1), k1), k2), length, o8)
+    ro = m.where(still, length, add(add(mul(u1, v1o, k3), mul(u2, v2o, k4), k3), mul(u3, v3o, k4), k3), k4)
+    div(mul(n2, ro, k3), k, o2)
+    div(m.where(still, n0, sub(v1o, mul(u1, ro, k1), k1), k3), length, o6)
+    div(m.where(still, n0, sub(v2o, mul(u2, ro, k1), k1), k3), length, o7)
+    div(m.where(still, n0, sub(v3o, mul(u3, ro, k1), k1), k3), length, o8)
 
 
 _TO_SCREW = Kernel(

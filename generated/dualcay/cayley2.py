@@ -67,10 +67,10 @@
 #   from_tensor: 135: 47 +, 47 *, 9 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 99: 32 +, 29 *, 6 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
-#   to_screw: 58: 11 +, 22 *, 7 /, 1 neg, 2 sqrt, 1 atan2, 2 lt, 1 eq, 11 where
-#   turn: 58: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 8 where
-#   shadow: 64: 15 +, 27 *, 7 /, 2 sqrt, 2 lt, 1 eq, 10 where
-#   principal: 65: 14 +, 26 *, 7 /, 2 sqrt, 1 lt, 1 eq, 14 where
+#   to_screw: 58: 11 +, 22 *, 7 /, 1 neg, 1 sqrt, 1 atan2, 2 lt, 1 eq, 12 where
+#   turn: 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
+#   shadow: 64: 15 +, 27 *, 7 /, 1 sqrt, 2 lt, 1 eq, 11 where
+#   principal: 52: 13 +, 23 *, 7 /, 1 sqrt, 1 lt, 7 where
 #   compose: 206: 74 +, 118 *, 10 /, 1 neg, 1 lt, 2 where
 """Cayley map of order 2: Rodrigues dual vectors ``v = tan(α/4) u`` of rigid displacements.
 
@@ -124,7 +124,7 @@ TURNS = (
     ("0.0", "1.0"),
 )
 
-# the |v| halfway between branches, tan((2 j - 1) pi/4), then cosine and sine of the way back from beyond it
+# the |v|² halfway between branches, tan((2 j - 1) pi/4)², then cosine and sine of the way back from beyond it
 RETURNS: tuple[str, ...] = (
     "1.0", "0.0", "-1.0",
 )
@@ -1523,7 +1523,7 @@ def body_rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | No
 # --- inverse maps, shadows, composition -------------------------------------------------------------------------
 
 
-# operations 58: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 8 where
+# operations 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
 def _turn(m: Any, v: Components, cs: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = cs
@@ -1532,8 +1532,8 @@ def _turn(m: Any, v: Components, cs: Components) -> Result:
     v33 = v3 * v3
     x = v11 + v22 + v33
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1561,23 +1561,23 @@ def _turn_blocks(
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
     still = m.equal(x, n0, mask1)
-    r = sqrt(x, k1)
-    length = m.where(still, sqrt(add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), k2), r, k2)
-    u1 = div(m.where(still, v1o, v1, k3), length, k3)
-    iden = div(n1, sub(cos, mul(r, sin, k4), k4), k4)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
+    r = m.where(still, x, length, k1)
+    iden = div(n1, sub(cos, mul(r, sin, k3), k3), k3)
     rk = mul(add(mul(r, cos, k1), sin, k1), iden, k1)
+    u1 = div(m.where(still, v1o, v1, k4), length, k4)
     mul(u1, rk, o1)
     u2 = div(m.where(still, v2o, v2, k5), length, k5)
     mul(u2, rk, o2)
     u3 = div(m.where(still, v3o, v3, k6), length, k6)
     mul(u3, rk, o3)
     ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
-    rko = mul(ro, mul(iden, iden, k4), k4)
+    rko = mul(ro, mul(iden, iden, k3), k3)
     uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k7), k7), k9), length, k7)
-    add(mul(uo1, rk, k7), mul(u1, rko, k3), o4)
-    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k3), k3), k7), length, k3)
-    add(mul(uo2, rk, k3), mul(u2, rko, k5), o5)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k3), k3), k5), length, k2)
+    add(mul(uo1, rk, k7), mul(u1, rko, k4), o4)
+    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k4), k4), k7), length, k4)
+    add(mul(uo2, rk, k4), mul(u2, rko, k5), o5)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k2)
     add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
 
 
@@ -1593,7 +1593,7 @@ _TURN = Kernel(
 )
 
 
-# operations 64: 15 +, 27 *, 7 /, 2 sqrt, 2 lt, 1 eq, 10 where
+# operations 64: 15 +, 27 *, 7 /, 1 sqrt, 2 lt, 1 eq, 11 where
 def _shadow(m: Any, v: Components, cs: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = cs
@@ -1605,10 +1605,9 @@ def _shadow(m: Any, v: Components, cs: Components) -> Result:
     pneg = p < 0
     qp = m.where(pneg, -2, 2)
     sign = m.where(qp < 0, -1, 1)
-    sn = sign * sin
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1616,6 +1615,7 @@ def _shadow(m: Any, v: Components, cs: Components) -> Result:
     uo1 = m.where(still, 0, v1o - u1 * ro) / length
     uo2 = m.where(still, 0, v2o - u2 * ro) / length
     uo3 = m.where(still, 0, v3o - u3 * ro) / length
+    sn = sign * sin
     iden = 1 / (cos - r * sn)
     rk = (r * cos + sn) * iden
     rko = ro * (iden * iden)
@@ -1629,36 +1629,36 @@ def _shadow_blocks(
     cos, sin = cs
     o1, o2, o3, o4, o5, o6 = out
     k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
-    mask1, = masks
+    mask1, mask2 = masks
     n_minus_2, n_minus_1, n0, n1, n2 = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
-    r = sqrt(x, k2)
-    p = sub(n1, x, k3)
-    pneg = m.less(p, n0, mask1)
-    qp = m.where(pneg, n_minus_2, n2, k3)
-    sign = m.where(m.less(qp, n0, mask1), n_minus_1, n1, k3)
-    sn = mul(sign, sin, k3)
     still = m.equal(x, n0, mask1)
-    iden = div(n1, sub(cos, mul(r, sn, k1), k1), k1)
-    rk = mul(add(mul(r, cos, k4), sn, k3), iden, k3)
-    length = m.where(still, sqrt(add(add(mul(v1o, v1o, k4), mul(v2o, v2o, k5), k4), mul(v3o, v3o, k5), k4), k4), r, k4)
-    u1 = div(m.where(still, v1o, v1, k2), length, k2)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
+    r = m.where(still, x, length, k3)
+    p = sub(n1, x, k1)
+    pneg = m.less(p, n0, mask2)
+    qp = m.where(pneg, n_minus_2, n2, k1)
+    sign = m.where(m.less(qp, n0, mask2), n_minus_1, n1, k1)
+    sn = mul(sign, sin, k1)
+    iden = div(n1, sub(cos, mul(r, sn, k4), k4), k4)
+    rk = mul(add(mul(r, cos, k3), sn, k1), iden, k1)
+    u1 = div(m.where(still, v1o, v1, k3), length, k3)
     mul(u1, rk, o1)
     u2 = div(m.where(still, v2o, v2, k5), length, k5)
     mul(u2, rk, o2)
     u3 = div(m.where(still, v3o, v3, k6), length, k6)
     mul(u3, rk, o3)
     ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
-    rko = mul(ro, mul(iden, iden, k1), k1)
+    rko = mul(ro, mul(iden, iden, k4), k4)
     uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k7), k7), k9), length, k7)
-    add(mul(uo1, rk, k7), mul(u1, rko, k2), o4)
-    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k2), k2), k7), length, k2)
-    add(mul(uo2, rk, k2), mul(u2, rko, k5), o5)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k2), k2), k5), length, k2)
-    add(mul(uo3, rk, k2), mul(u3, rko, k1), o6)
+    add(mul(uo1, rk, k7), mul(u1, rko, k3), o4)
+    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k3), k3), k7), length, k3)
+    add(mul(uo2, rk, k3), mul(u2, rko, k5), o5)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k3), k3), k5), length, k2)
+    add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
 
 
 _SHADOW = Kernel(
@@ -1667,7 +1667,7 @@ _SHADOW = Kernel(
     (("v", (6,)),),
     (6,),
     registers=9,
-    masks=1,
+    masks=2,
     numbers=(-2, -1, 0, 1, 2),
     real=True,
 )
@@ -1703,7 +1703,7 @@ def shadow(v: ArrayLike, branch: int = 1, *, axis: int = -1, out: Array | None =
     return shifted(_SHADOW, TURNS, branch, v, axis, out)
 
 
-# operations 65: 14 +, 26 *, 7 /, 2 sqrt, 1 lt, 1 eq, 14 where
+# operations 52: 13 +, 23 *, 7 /, 1 sqrt, 1 lt, 7 where
 def _principal(m: Any, v: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     limit1, cos1, sin1 = table
@@ -1711,17 +1711,16 @@ def _principal(m: Any, v: Components, table: Components) -> Result:
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
-    r = m.sqrt(x)
-    beyond1 = limit1 < r
-    still = x == 0
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
-    u1 = m.where(still, v1o, v1) / length
-    u2 = m.where(still, v2o, v2) / length
-    u3 = m.where(still, v3o, v3) / length
-    ro = m.where(still, length, u1 * v1o + u2 * v2o + u3 * v3o)
-    uo1 = m.where(still, 0, v1o - u1 * ro) / length
-    uo2 = m.where(still, 0, v2o - u2 * ro) / length
-    uo3 = m.where(still, 0, v3o - u3 * ro) / length
+    beyond1 = limit1 < x
+    k = 1 + x
+    r = m.sqrt(m.where(beyond1, x, k))
+    u1 = v1 / r
+    u2 = v2 / r
+    u3 = v3 / r
+    ro = u1 * v1o + u2 * v2o + u3 * v3o
+    uo1 = (v1o - u1 * ro) / r
+    uo2 = (v2o - u2 * ro) / r
+    uo3 = (v3o - u3 * ro) / r
     iden = 1 / (cos1 - r * sin1)
     rk = (r * cos1 + sin1) * iden
     rko = ro * (iden * iden)
@@ -1741,32 +1740,31 @@ def _principal_blocks(
     v1, v2, v3, v1o, v2o, v3o = v
     limit1, cos1, sin1 = table
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
-    mask1, mask2 = masks
-    n0, n1 = numbers
+    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
+    mask1, = masks
+    n1, = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
-    still = m.equal(x, n0, mask1)
-    r = sqrt(x, k1)
-    length = m.where(still, sqrt(add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), k2), r, k2)
-    u1 = div(m.where(still, v1o, v1, k3), length, k3)
-    iden = div(n1, sub(cos1, mul(r, sin1, k4), k4), k4)
-    rk = mul(add(mul(r, cos1, k5), sin1, k5), iden, k5)
-    beyond1 = m.less(limit1, r, mask2)
-    m.where(beyond1, mul(u1, rk, k1), v1, o1)
-    u2 = div(m.where(still, v2o, v2, k1), length, k1)
+    beyond1 = m.less(limit1, x, mask1)
+    k = add(n1, x, k2)
+    r = sqrt(m.where(beyond1, x, k, k1), k1)
+    iden = div(n1, sub(cos1, mul(r, sin1, k2), k2), k2)
+    rk = mul(add(mul(r, cos1, k3), sin1, k3), iden, k3)
+    u1 = div(v1, r, k4)
+    m.where(beyond1, mul(u1, rk, k5), v1, o1)
+    u2 = div(v2, r, k5)
     m.where(beyond1, mul(u2, rk, k6), v2, o2)
-    u3 = div(m.where(still, v3o, v3, k6), length, k6)
+    u3 = div(v3, r, k6)
     m.where(beyond1, mul(u3, rk, k7), v3, o3)
-    ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
-    rko = mul(ro, mul(iden, iden, k4), k4)
-    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k7), k7), k9), length, k7)
-    m.where(beyond1, add(mul(uo1, rk, k7), mul(u1, rko, k3), k3), v1o, o4)
-    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k3), k3), k7), length, k3)
-    m.where(beyond1, add(mul(uo2, rk, k3), mul(u2, rko, k1), k1), v2o, o5)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k1), k1), k3), length, k1)
+    ro = add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7)
+    rko = mul(ro, mul(iden, iden, k2), k2)
+    uo1 = div(sub(v1o, mul(u1, ro, k8), k8), r, k8)
+    m.where(beyond1, add(mul(uo1, rk, k8), mul(u1, rko, k4), k4), v1o, o4)
+    uo2 = div(sub(v2o, mul(u2, ro, k4), k4), r, k4)
+    m.where(beyond1, add(mul(uo2, rk, k4), mul(u2, rko, k5), k4), v2o, o5)
+    uo3 = div(sub(v3o, mul(u3, ro, k4), k4), r, k1)
     m.where(beyond1, add(mul(uo3, rk, k1), mul(u3, rko, k2), k1), v3o, o6)
 
 
@@ -1775,9 +1773,9 @@ _PRINCIPAL = Kernel(
     _principal_blocks,
     (("v", (6,)),),
     (6,),
-    registers=9,
-    masks=2,
-    numbers=(0, 1),
+    registers=8,
+    masks=1,
+    numbers=(1,),
     real=True,
 )
 
@@ -2340,7 +2338,7 @@ def from_screw(angle: ArrayLike, line: ArrayLike, /, *, axis: int = -1, out: Arr
     return call(_FROM_SCREW, axis, out, angle, line)
 
 
-# operations 58: 11 +, 22 *, 7 /, 1 neg, 2 sqrt, 1 atan2, 2 lt, 1 eq, 11 where
+# operations 58: 11 +, 22 *, 7 /, 1 neg, 1 sqrt, 1 atan2, 2 lt, 1 eq, 12 where
 def _to_screw(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -2352,8 +2350,8 @@ def _to_screw(m: Any, v: Components) -> Result:
     qp = m.where(pneg, -2, 2)
     sign = m.where(qp < 0, -1, 1)
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -2380,22 +2378,22 @@ def _to_screw_blocks(
     v1, v2, v3, v1o, v2o, v3o = v
     o1, o2, o3, o4, o5, o6, o7, o8 = out
     k1, k2, k3, k4, k5, k6, k7, k8 = scratch
-    mask1, = masks
+    mask1, mask2 = masks
     n_minus_2, n_minus_1, n0, n1, n2, n4 = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
-    r = sqrt(x, k2)
-    p = sub(n1, x, k3)
-    pneg = m.less(p, n0, mask1)
-    mul(n2, atan2(mul(n2, r, k4), m.where(pneg, neg(p, k5), p, k5), k3), o1)
-    qp = m.where(pneg, n_minus_2, n2, k3)
-    sign = m.where(m.less(qp, n0, mask1), n_minus_1, n1, k3)
     still = m.equal(x, n0, mask1)
-    length = m.where(still, sqrt(add(add(mul(v1o, v1o, k4), mul(v2o, v2o, k5), k4), mul(v3o, v3o, k5), k4), k4), r, k4)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
+    r = m.where(still, x, length, k3)
+    p = sub(n1, x, k4)
     k = add(n1, x, k1)
-    u1 = div(m.where(still, v1o, v1, k2), length, k2)
+    pneg = m.less(p, n0, mask2)
+    mul(n2, atan2(mul(n2, r, k3), m.where(pneg, neg(p, k5), p, k5), k3), o1)
+    qp = m.where(pneg, n_minus_2, n2, k3)
+    sign = m.where(m.less(qp, n0, mask2), n_minus_1, n1, k3)
+    u1 = div(m.where(still, v1o, v1, k4), length, k4)
     mul(u1, sign, o3)
     u2 = div(m.where(still, v2o, v2, k5), length, k5)
     mul(u2, sign, o4)
@@ -2403,10 +2401,10 @@ def _to_screw_blocks(
     mul(u3, sign, o5)
     ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
     mul(sign, div(mul(n4, ro, k7), k, k1), o2)
-    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k1), k1), k2), length, k1)
+    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k1), k1), k4), length, k1)
     mul(uo1, sign, o6)
-    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k1), k1), k2), length, k1)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k2), k2), k5), length, k2)
+    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k1), k1), k4), length, k1)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k2)
     mul(uo2, sign, o7)
     mul(uo3, sign, o8)
 
@@ -2417,7 +2415,7 @@ _TO_SCREW = Kernel(
     (("v", (6,)),),
     (8,),
     registers=8,
-    masks=1,
+    masks=2,
     numbers=(-2, -1, 0, 1, 2, 4),
     real=True,
 )

@@ -63,15 +63,15 @@
 #   rate: 123: 46 +, 66 *, 9 /, 2 neg
 #   body_twist: 137: 51 +, 80 *, 4 /, 2 neg
 #   body_rate: 123: 46 +, 66 *, 9 /, 2 neg
-#   from_quaternion: 90: 27 +, 46 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 4 where
-#   from_tensor: 146: 47 +, 52 *, 10 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 17 where
-#   from_pose: 110: 32 +, 34 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 17 where
+#   from_quaternion: 91: 27 +, 46 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   from_tensor: 147: 47 +, 52 *, 10 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
+#   from_pose: 111: 32 +, 34 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
-#   to_screw: 72: 14 +, 26 *, 7 /, 2 neg, 2 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 12 where
-#   turn: 58: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 8 where
-#   shadow: 76: 18 +, 31 *, 7 /, 1 neg, 2 sqrt, 3 lt, 2 eq, 1 and, 1 or, 10 where
-#   principal: 65: 14 +, 26 *, 7 /, 2 sqrt, 1 lt, 1 eq, 14 where
-#   compose: 231: 77 +, 133 *, 11 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 4 where
+#   to_screw: 72: 14 +, 26 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
+#   turn: 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
+#   shadow: 76: 18 +, 31 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 11 where
+#   principal: 52: 13 +, 23 *, 7 /, 1 sqrt, 1 lt, 7 where
+#   compose: 232: 77 +, 133 *, 11 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 """Cayley map of order 3: Rodrigues dual vectors ``v = tan(α/6) u`` of rigid displacements.
 
 α is the dual angle (rotation angle, translation along the axis) and u the unit dual vector of the screw axis. Arrays
@@ -125,9 +125,9 @@ TURNS = (
     ("-0.5", "0.8660254037844386467637231707529361834714"),
 )
 
-# the |v| halfway between branches, tan((2 j - 1) pi/6), then cosine and sine of the way back from beyond it
+# the |v|² halfway between branches, tan((2 j - 1) pi/6)², then cosine and sine of the way back from beyond it
 RETURNS: tuple[str, ...] = (
-    "0.5773502691896257645091487805019574556476", "0.5", "-0.8660254037844386467637231707529361834714",
+    "0.3333333333333333333333333333333333333333", "0.5", "-0.8660254037844386467637231707529361834714",
 )
 
 # --- forward maps -----------------------------------------------------------------------------------------------
@@ -1642,7 +1642,7 @@ def body_rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | No
 # --- inverse maps, shadows, composition -------------------------------------------------------------------------
 
 
-# operations 58: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 8 where
+# operations 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
 def _turn(m: Any, v: Components, cs: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = cs
@@ -1651,8 +1651,8 @@ def _turn(m: Any, v: Components, cs: Components) -> Result:
     v33 = v3 * v3
     x = v11 + v22 + v33
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1680,23 +1680,23 @@ def _turn_blocks(
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
     still = m.equal(x, n0, mask1)
-    r = sqrt(x, k1)
-    length = m.where(still, sqrt(add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), k2), r, k2)
-    u1 = div(m.where(still, v1o, v1, k3), length, k3)
-    iden = div(n1, sub(cos, mul(r, sin, k4), k4), k4)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
+    r = m.where(still, x, length, k1)
+    iden = div(n1, sub(cos, mul(r, sin, k3), k3), k3)
     rk = mul(add(mul(r, cos, k1), sin, k1), iden, k1)
+    u1 = div(m.where(still, v1o, v1, k4), length, k4)
     mul(u1, rk, o1)
     u2 = div(m.where(still, v2o, v2, k5), length, k5)
     mul(u2, rk, o2)
     u3 = div(m.where(still, v3o, v3, k6), length, k6)
     mul(u3, rk, o3)
     ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
-    rko = mul(ro, mul(iden, iden, k4), k4)
+    rko = mul(ro, mul(iden, iden, k3), k3)
     uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k7), k7), k9), length, k7)
-    add(mul(uo1, rk, k7), mul(u1, rko, k3), o4)
-    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k3), k3), k7), length, k3)
-    add(mul(uo2, rk, k3), mul(u2, rko, k5), o5)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k3), k3), k5), length, k2)
+    add(mul(uo1, rk, k7), mul(u1, rko, k4), o4)
+    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k4), k4), k7), length, k4)
+    add(mul(uo2, rk, k4), mul(u2, rko, k5), o5)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k2)
     add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
 
 
@@ -1712,7 +1712,7 @@ _TURN = Kernel(
 )
 
 
-# operations 76: 18 +, 31 *, 7 /, 1 neg, 2 sqrt, 3 lt, 2 eq, 1 and, 1 or, 10 where
+# operations 76: 18 +, 31 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 11 where
 def _shadow(m: Any, v: Components, cs: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = cs
@@ -1727,10 +1727,9 @@ def _shadow(m: Any, v: Components, cs: Components) -> Result:
     qp = m.where(pneg, mq, q)
     y = v1 * v1o + v2 * v2o + v3 * v3o
     sign = m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
-    sn = sign * sin
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1738,6 +1737,7 @@ def _shadow(m: Any, v: Components, cs: Components) -> Result:
     uo1 = m.where(still, 0, v1o - u1 * ro) / length
     uo2 = m.where(still, 0, v2o - u2 * ro) / length
     uo3 = m.where(still, 0, v3o - u3 * ro) / length
+    sn = sign * sin
     iden = 1 / (cos - r * sn)
     rk = (r * cos + sn) * iden
     rko = ro * (iden * iden)
@@ -1751,28 +1751,28 @@ def _shadow_blocks(
     cos, sin = cs
     o1, o2, o3, o4, o5, o6 = out
     k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
-    mask1, mask2, mask3 = masks
+    mask1, mask2, mask3, mask4 = masks
     n_minus_1, n0, n1, n3 = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
-    p = sub(n1, mul(n3, x, k2), k2)
-    pneg = m.less(p, n0, mask1)
-    q = sub(n3, x, k2)
-    mq = neg(q, k3)
-    qp = m.where(pneg, mq, q, k3)
-    y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k5), k4), mul(v3, v3o, k5), k4)
-    sign = m.where(
-        m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1), n_minus_1,
-        n1, k2
-    )
-    sn = mul(sign, sin, k2)
-    r = sqrt(x, k3)
     still = m.equal(x, n0, mask1)
-    iden = div(n1, sub(cos, mul(r, sn, k1), k1), k1)
-    rk = mul(add(mul(r, cos, k4), sn, k2), iden, k2)
-    length = m.where(still, sqrt(add(add(mul(v1o, v1o, k4), mul(v2o, v2o, k5), k4), mul(v3o, v3o, k5), k4), k4), r, k4)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
+    r = m.where(still, x, length, k3)
+    p = sub(n1, mul(n3, x, k4), k4)
+    pneg = m.less(p, n0, mask2)
+    q = sub(n3, x, k1)
+    mq = neg(q, k4)
+    qp = m.where(pneg, mq, q, k4)
+    y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k6), k5), mul(v3, v3o, k6), k5)
+    sign = m.where(
+        m.either(m.less(qp, n0, mask2), m.both(m.equal(q, n0, mask3), m.less(y, n0, mask4), mask3), mask2), n_minus_1,
+        n1, k1
+    )
+    sn = mul(sign, sin, k1)
+    iden = div(n1, sub(cos, mul(r, sn, k4), k4), k4)
+    rk = mul(add(mul(r, cos, k3), sn, k1), iden, k1)
     u1 = div(m.where(still, v1o, v1, k3), length, k3)
     mul(u1, rk, o1)
     u2 = div(m.where(still, v2o, v2, k5), length, k5)
@@ -1780,13 +1780,13 @@ def _shadow_blocks(
     u3 = div(m.where(still, v3o, v3, k6), length, k6)
     mul(u3, rk, o3)
     ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
-    rko = mul(ro, mul(iden, iden, k1), k1)
+    rko = mul(ro, mul(iden, iden, k4), k4)
     uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k7), k7), k9), length, k7)
     add(mul(uo1, rk, k7), mul(u1, rko, k3), o4)
     uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k3), k3), k7), length, k3)
     add(mul(uo2, rk, k3), mul(u2, rko, k5), o5)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k3), k3), k5), length, k3)
-    add(mul(uo3, rk, k2), mul(u3, rko, k1), o6)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k3), k3), k5), length, k2)
+    add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
 
 
 _SHADOW = Kernel(
@@ -1795,7 +1795,7 @@ _SHADOW = Kernel(
     (("v", (6,)),),
     (6,),
     registers=9,
-    masks=3,
+    masks=4,
     numbers=(-1, 0, 1, 3),
     real=True,
 )
@@ -1831,7 +1831,7 @@ def shadow(v: ArrayLike, branch: int = 1, *, axis: int = -1, out: Array | None =
     return shifted(_SHADOW, TURNS, branch, v, axis, out)
 
 
-# operations 65: 14 +, 26 *, 7 /, 2 sqrt, 1 lt, 1 eq, 14 where
+# operations 52: 13 +, 23 *, 7 /, 1 sqrt, 1 lt, 7 where
 def _principal(m: Any, v: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     limit1, cos1, sin1 = table
@@ -1839,17 +1839,16 @@ def _principal(m: Any, v: Components, table: Components) -> Result:
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
-    r = m.sqrt(x)
-    beyond1 = limit1 < r
-    still = x == 0
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
-    u1 = m.where(still, v1o, v1) / length
-    u2 = m.where(still, v2o, v2) / length
-    u3 = m.where(still, v3o, v3) / length
-    ro = m.where(still, length, u1 * v1o + u2 * v2o + u3 * v3o)
-    uo1 = m.where(still, 0, v1o - u1 * ro) / length
-    uo2 = m.where(still, 0, v2o - u2 * ro) / length
-    uo3 = m.where(still, 0, v3o - u3 * ro) / length
+    beyond1 = limit1 < x
+    k = 1 + x
+    r = m.sqrt(m.where(beyond1, x, k))
+    u1 = v1 / r
+    u2 = v2 / r
+    u3 = v3 / r
+    ro = u1 * v1o + u2 * v2o + u3 * v3o
+    uo1 = (v1o - u1 * ro) / r
+    uo2 = (v2o - u2 * ro) / r
+    uo3 = (v3o - u3 * ro) / r
     iden = 1 / (cos1 - r * sin1)
     rk = (r * cos1 + sin1) * iden
     rko = ro * (iden * iden)
@@ -1869,32 +1868,31 @@ def _principal_blocks(
     v1, v2, v3, v1o, v2o, v3o = v
     limit1, cos1, sin1 = table
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
-    mask1, mask2 = masks
-    n0, n1 = numbers
+    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
+    mask1, = masks
+    n1, = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
-    still = m.equal(x, n0, mask1)
-    r = sqrt(x, k1)
-    length = m.where(still, sqrt(add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), k2), r, k2)
-    u1 = div(m.where(still, v1o, v1, k3), length, k3)
-    iden = div(n1, sub(cos1, mul(r, sin1, k4), k4), k4)
-    rk = mul(add(mul(r, cos1, k5), sin1, k5), iden, k5)
-    beyond1 = m.less(limit1, r, mask2)
-    m.where(beyond1, mul(u1, rk, k1), v1, o1)
-    u2 = div(m.where(still, v2o, v2, k1), length, k1)
+    beyond1 = m.less(limit1, x, mask1)
+    k = add(n1, x, k2)
+    r = sqrt(m.where(beyond1, x, k, k1), k1)
+    iden = div(n1, sub(cos1, mul(r, sin1, k2), k2), k2)
+    rk = mul(add(mul(r, cos1, k3), sin1, k3), iden, k3)
+    u1 = div(v1, r, k4)
+    m.where(beyond1, mul(u1, rk, k5), v1, o1)
+    u2 = div(v2, r, k5)
     m.where(beyond1, mul(u2, rk, k6), v2, o2)
-    u3 = div(m.where(still, v3o, v3, k6), length, k6)
+    u3 = div(v3, r, k6)
     m.where(beyond1, mul(u3, rk, k7), v3, o3)
-    ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
-    rko = mul(ro, mul(iden, iden, k4), k4)
-    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k7), k7), k9), length, k7)
-    m.where(beyond1, add(mul(uo1, rk, k7), mul(u1, rko, k3), k3), v1o, o4)
-    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k3), k3), k7), length, k3)
-    m.where(beyond1, add(mul(uo2, rk, k3), mul(u2, rko, k1), k1), v2o, o5)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k1), k1), k3), length, k1)
+    ro = add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7)
+    rko = mul(ro, mul(iden, iden, k2), k2)
+    uo1 = div(sub(v1o, mul(u1, ro, k8), k8), r, k8)
+    m.where(beyond1, add(mul(uo1, rk, k8), mul(u1, rko, k4), k4), v1o, o4)
+    uo2 = div(sub(v2o, mul(u2, ro, k4), k4), r, k4)
+    m.where(beyond1, add(mul(uo2, rk, k4), mul(u2, rko, k5), k4), v2o, o5)
+    uo3 = div(sub(v3o, mul(u3, ro, k4), k4), r, k1)
     m.where(beyond1, add(mul(uo3, rk, k1), mul(u3, rko, k2), k1), v3o, o6)
 
 
@@ -1903,9 +1901,9 @@ _PRINCIPAL = Kernel(
     _principal_blocks,
     (("v", (6,)),),
     (6,),
-    registers=9,
-    masks=2,
-    numbers=(0, 1),
+    registers=8,
+    masks=1,
+    numbers=(1,),
     real=True,
 )
 
@@ -1935,7 +1933,7 @@ def principal(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Arra
     return call(_PRINCIPAL, axis, out, v, table=RETURNS)
 
 
-# operations 90: 27 +, 46 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 4 where
+# operations 91: 27 +, 46 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 def _from_quaternion(m: Any, e: Components) -> Result:
     e0, e1, e2, e3, e0o, e1o, e2o, e3o = e
     rho1 = 2 * (e1o * e0 - e1 * e0o + (e2 * e3o - e3 * e2o))
@@ -1943,8 +1941,9 @@ def _from_quaternion(m: Any, e: Components) -> Result:
     rho3 = 2 * (e3o * e0 - e3 * e0o + (e1 * e2o - e2 * e1o))
     negative = e0 < 0
     cos = m.where(negative, -e0, e0)
-    sin = m.sqrt(e1 * e1 + e2 * e2 + e3 * e3)
-    still = sin == 0
+    ss = e1 * e1 + e2 * e2 + e3 * e3
+    still = ss == 0
+    sin = m.sqrt(m.where(still, cos, ss))
     gain = m.where(negative, -1, 1) * (m.where(still, 1, m.tan(m.atan2(sin, cos) / 3)) / m.where(still, 3 * cos, sin))
     v1 = e1 * gain
     v2 = e2 * gain
@@ -1981,10 +1980,11 @@ def _from_quaternion_blocks(
     k1, k2, k3, k4, k5, k6, k7, k8, k9, k10 = scratch
     mask1, mask2 = masks
     n_minus_1, n0, n1, n2, n3, n11 = numbers
-    negative = m.less(e0, n0, mask1)
-    sin = sqrt(add(add(mul(e1, e1, k1), mul(e2, e2, k2), k1), mul(e3, e3, k2), k1), k1)
-    still = m.equal(sin, n0, mask2)
+    ss = add(add(mul(e1, e1, k1), mul(e2, e2, k2), k1), mul(e3, e3, k2), k1)
+    still = m.equal(ss, n0, mask1)
+    negative = m.less(e0, n0, mask2)
     cos = m.where(negative, neg(e0, k2), e0, k2)
+    sin = sqrt(m.where(still, cos, ss, k3), k1)
     gain = mul(
         m.where(negative, n_minus_1, n1, k3), div(m.where(still, n1, tan(div(atan2(sin, cos, k4), n3, k4), k4), k5),
         m.where(still, mul(n3, cos, k2), sin, k2), k1), k1
@@ -2061,7 +2061,7 @@ def from_quaternion(q: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array
     return call_branch(_FROM_QUATERNION, _TURN, TURNS, branch, axis, out, q)
 
 
-# operations 146: 47 +, 52 *, 10 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 17 where
+# operations 147: 47 +, 52 *, 10 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 def _from_tensor(m: Any, R: Components) -> Result:
     Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33, D11, D12, D13, D21, D22, D23, D31, D32, D33 = R
     rho1 = (D31 * Q21 + D32 * Q22 + D33 * Q23 - (D21 * Q31 + D22 * Q32 + D23 * Q33)) / 2
@@ -2103,8 +2103,9 @@ def _from_tensor(m: Any, R: Components) -> Result:
     e1 = sign * z31
     e2 = sign * z32
     e3 = sign * z33
-    sin = m.sqrt(e1 * e1 + e2 * e2 + e3 * e3)
-    still = sin == 0
+    ss = e1 * e1 + e2 * e2 + e3 * e3
+    still = ss == 0
+    sin = m.sqrt(m.where(still, e0, ss))
     gain = m.where(still, 1, m.tan(m.atan2(sin, e0) / 3)) / m.where(still, 3 * e0, sin)
     v1 = e1 * gain
     v2 = e2 * gain
@@ -2181,8 +2182,9 @@ def _from_tensor_blocks(
     e2 = mul(sign, z32, k3)
     e3 = mul(sign, z33, k2)
     e0 = mul(sign, z30, k4)
-    sin = sqrt(add(add(mul(e1, e1, k5), mul(e2, e2, k6), k5), mul(e3, e3, k6), k5), k5)
-    still = m.equal(sin, n0, mask1)
+    ss = add(add(mul(e1, e1, k5), mul(e2, e2, k6), k5), mul(e3, e3, k6), k5)
+    still = m.equal(ss, n0, mask1)
+    sin = sqrt(m.where(still, e0, ss, k6), k5)
     gain = div(
         m.where(still, n1, tan(div(atan2(sin, e0, k6), n3, k6), k6), k7), m.where(still, mul(n3, e0, k4), sin, k4), k4
     )
@@ -2261,7 +2263,7 @@ def from_tensor(R: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | N
     return call_branch(_FROM_TENSOR, _TURN, TURNS, branch, axis, out, R)
 
 
-# operations 110: 32 +, 34 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 17 where
+# operations 111: 32 +, 34 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 def _from_pose(m: Any, T: Components) -> Result:
     Q11, Q12, Q13, T14, Q21, Q22, Q23, T24, Q31, Q32, Q33, T34, _, _, _, _ = T
     a1 = Q32 - Q23
@@ -2300,8 +2302,9 @@ def _from_pose(m: Any, T: Components) -> Result:
     e1 = sign * z31
     e2 = sign * z32
     e3 = sign * z33
-    sin = m.sqrt(e1 * e1 + e2 * e2 + e3 * e3)
-    still = sin == 0
+    ss = e1 * e1 + e2 * e2 + e3 * e3
+    still = ss == 0
+    sin = m.sqrt(m.where(still, e0, ss))
     gain = m.where(still, 1, m.tan(m.atan2(sin, e0) / 3)) / m.where(still, 3 * e0, sin)
     v1 = e1 * gain
     v2 = e2 * gain
@@ -2378,8 +2381,9 @@ def _from_pose_blocks(
     e2 = mul(sign, z32, k3)
     e3 = mul(sign, z33, k2)
     e0 = mul(sign, z30, k4)
-    sin = sqrt(add(add(mul(e1, e1, k5), mul(e2, e2, k6), k5), mul(e3, e3, k6), k5), k5)
-    still = m.equal(sin, n0, mask1)
+    ss = add(add(mul(e1, e1, k5), mul(e2, e2, k6), k5), mul(e3, e3, k6), k5)
+    still = m.equal(ss, n0, mask1)
+    sin = sqrt(m.where(still, e0, ss, k6), k5)
     gain = div(
         m.where(still, n1, tan(div(atan2(sin, e0, k6), n3, k6), k6), k7), m.where(still, mul(n3, e0, k4), sin, k4), k4
     )
@@ -2507,7 +2511,7 @@ def from_screw(angle: ArrayLike, line: ArrayLike, /, *, axis: int = -1, out: Arr
     return call(_FROM_SCREW, axis, out, angle, line)
 
 
-# operations 72: 14 +, 26 *, 7 /, 2 neg, 2 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 12 where
+# operations 72: 14 +, 26 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
 def _to_screw(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -2522,8 +2526,8 @@ def _to_screw(m: Any, v: Components) -> Result:
     y = v1 * v1o + v2 * v2o + v3 * v3o
     sign = m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -2556,17 +2560,17 @@ def _to_screw_blocks(
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
-    r = sqrt(x, k2)
-    q = sub(n3, x, k3)
-    mq = neg(q, k4)
-    p = sub(n1, mul(n3, x, k5), k5)
-    pneg = m.less(p, n0, mask1)
-    mul(n2, atan2(mul(r, m.where(m.less(q, n0, mask2), mq, q, k6), k6), m.where(pneg, neg(p, k7), p, k7), k5), o1)
-    qp = m.where(pneg, mq, q, k4)
     still = m.equal(x, n0, mask1)
-    length = m.where(still, sqrt(add(add(mul(v1o, v1o, k5), mul(v2o, v2o, k6), k5), mul(v3o, v3o, k6), k5), k5), r, k5)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
+    r = m.where(still, x, length, k3)
+    q = sub(n3, x, k4)
+    mq = neg(q, k5)
+    p = sub(n1, mul(n3, x, k6), k6)
     k = add(n1, x, k1)
-    u1 = div(m.where(still, v1o, v1, k2), length, k2)
+    pneg = m.less(p, n0, mask2)
+    mul(n2, atan2(mul(r, m.where(m.less(q, n0, mask3), mq, q, k7), k3), m.where(pneg, neg(p, k7), p, k7), k3), o1)
+    qp = m.where(pneg, mq, q, k3)
+    u1 = div(m.where(still, v1o, v1, k5), length, k5)
     u2 = div(m.where(still, v2o, v2, k6), length, k6)
     u3 = div(m.where(still, v3o, v3, k7), length, k7)
     ro = m.where(still, length, add(add(mul(u1, v1o, k8), mul(u2, v2o, k9), k8), mul(u3, v3o, k9), k8), k9)
@@ -2579,10 +2583,10 @@ def _to_screw_blocks(
     mul(u1, sign, o3)
     mul(u2, sign, o4)
     mul(u3, sign, o5)
-    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k1), k1), k2), length, k1)
+    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k1), k1), k4), length, k1)
     mul(uo1, sign, o6)
-    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k1), k1), k2), length, k1)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k2), k2), k4), length, k2)
+    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k1), k1), k4), length, k1)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k2)
     mul(uo2, sign, o7)
     mul(uo3, sign, o8)
 
@@ -2626,7 +2630,7 @@ def to_screw(v: ArrayLike, *, axis: int = -1) -> tuple[Array, Array]:
     return (screw[:2], screw[2:]) if axis == 0 else (screw[..., :2], screw[..., 2:])
 
 
-# operations 231: 77 +, 133 *, 11 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 4 where
+# operations 232: 77 +, 133 *, 11 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 def _compose(m: Any, b: Components, a: Components) -> Result:
     b1, b2, b3, b1o, b2o, b3o = b
     a1, a2, a3, a1o, a2o, a3o = a
@@ -2688,8 +2692,9 @@ def _compose(m: Any, b: Components, a: Components) -> Result:
     rho3 = rhoa3 + (v_rho3 * fb + (b1 * gv_rho2 - b2 * gv_rho1)) + (b3o * fb + (gvb1 * b2o - gvb2 * b1o) + b3 * hyb)
     negative = z0 < 0
     cos = m.where(negative, -z0, z0)
-    sin = m.sqrt(z1 * z1 + z2 * z2 + z3 * z3)
-    still = sin == 0
+    ss = z1 * z1 + z2 * z2 + z3 * z3
+    still = ss == 0
+    sin = m.sqrt(m.where(still, cos, ss))
     gain = m.where(negative, -1, 1) * (m.where(still, 1, m.tan(m.atan2(sin, cos) / 3)) / m.where(still, 3 * cos, sin))
     v1 = z1 * gain
     v2 = z2 * gain
@@ -2755,13 +2760,14 @@ def _compose_blocks(
         add(mul(qva3, pb, k15), mul(qvb3, pa, k16), k15), sub(mul(qvb1, qva2, k16), mul(qvb2, qva1, k17), k16), k15
     )
     z0 = sub(mul(pb, pa, k16), add(add(mul(qvb1, qva1, k3), mul(qvb2, qva2, k7), k3), mul(qvb3, qva3, k7), k3), k3)
-    sin = sqrt(add(add(mul(z1, z1, k7), mul(z2, z2, k9), k7), mul(z3, z3, k9), k7), k7)
-    still = m.equal(sin, n0, mask1)
+    ss = add(add(mul(z1, z1, k7), mul(z2, z2, k9), k7), mul(z3, z3, k9), k7)
+    still = m.equal(ss, n0, mask1)
     negative = m.less(z0, n0, mask2)
     cos = m.where(negative, neg(z0, k9), z0, k9)
+    sin = sqrt(m.where(still, cos, ss, k3), k3)
     gain = mul(
-        m.where(negative, n_minus_1, n1, k3), div(m.where(still, n1, tan(div(atan2(sin, cos, k10), n3, k10), k10), k11),
-        m.where(still, mul(n3, cos, k9), sin, k9), k7), k3
+        m.where(negative, n_minus_1, n1, k7), div(m.where(still, n1, tan(div(atan2(sin, cos, k10), n3, k10), k10), k11),
+        m.where(still, mul(n3, cos, k9), sin, k9), k3), k3
     )
     v1 = mul(z1, gain, o1)
     v2 = mul(z2, gain, o2)

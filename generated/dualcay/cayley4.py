@@ -67,10 +67,10 @@
 #   from_tensor: 152: 51 +, 57 *, 11 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 116: 36 +, 39 *, 8 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
-#   to_screw: 74: 15 +, 27 *, 7 /, 2 neg, 2 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 12 where
-#   turn: 58: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 8 where
-#   shadow: 78: 19 +, 32 *, 7 /, 1 neg, 2 sqrt, 3 lt, 2 eq, 1 and, 1 or, 10 where
-#   principal: 68: 14 +, 26 *, 7 /, 2 sqrt, 2 lt, 1 eq, 16 where
+#   to_screw: 74: 15 +, 27 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
+#   turn: 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
+#   shadow: 78: 19 +, 32 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 11 where
+#   principal: 55: 13 +, 23 *, 7 /, 1 sqrt, 2 lt, 9 where
 #   compose: 247: 88 +, 142 *, 12 /, 1 neg, 1 sqrt, 1 lt, 2 where
 """Cayley map of order 4: Rodrigues dual vectors ``v = tan(α/8) u`` of rigid displacements.
 
@@ -126,10 +126,10 @@ TURNS = (
     ("-0.7071067811865475244008443621048490392848", "0.7071067811865475244008443621048490392848"),
 )
 
-# the |v| halfway between branches, tan((2 j - 1) pi/8), then cosine and sine of the way back from beyond it
+# the |v|² halfway between branches, tan((2 j - 1) pi/8)², then cosine and sine of the way back from beyond it
 RETURNS: tuple[str, ...] = (
-    "0.4142135623730950488016887242096980785697", "0.7071067811865475244008443621048490392848", "-0.7071067811865475244008443621048490392848",
-    "2.41421356237309504880168872420969807857", "0.0", "-1.0",
+    "0.1715728752538099023966225515806038428607", "0.7071067811865475244008443621048490392848", "-0.7071067811865475244008443621048490392848",
+    "5.828427124746190097603377448419396157139", "0.0", "-1.0",
 )
 
 # --- forward maps -----------------------------------------------------------------------------------------------
@@ -1676,7 +1676,7 @@ def body_rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | No
 # --- inverse maps, shadows, composition -------------------------------------------------------------------------
 
 
-# operations 58: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 8 where
+# operations 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
 def _turn(m: Any, v: Components, cs: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = cs
@@ -1685,8 +1685,8 @@ def _turn(m: Any, v: Components, cs: Components) -> Result:
     v33 = v3 * v3
     x = v11 + v22 + v33
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1714,23 +1714,23 @@ def _turn_blocks(
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
     still = m.equal(x, n0, mask1)
-    r = sqrt(x, k1)
-    length = m.where(still, sqrt(add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), k2), r, k2)
-    u1 = div(m.where(still, v1o, v1, k3), length, k3)
-    iden = div(n1, sub(cos, mul(r, sin, k4), k4), k4)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
+    r = m.where(still, x, length, k1)
+    iden = div(n1, sub(cos, mul(r, sin, k3), k3), k3)
     rk = mul(add(mul(r, cos, k1), sin, k1), iden, k1)
+    u1 = div(m.where(still, v1o, v1, k4), length, k4)
     mul(u1, rk, o1)
     u2 = div(m.where(still, v2o, v2, k5), length, k5)
     mul(u2, rk, o2)
     u3 = div(m.where(still, v3o, v3, k6), length, k6)
     mul(u3, rk, o3)
     ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
-    rko = mul(ro, mul(iden, iden, k4), k4)
+    rko = mul(ro, mul(iden, iden, k3), k3)
     uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k7), k7), k9), length, k7)
-    add(mul(uo1, rk, k7), mul(u1, rko, k3), o4)
-    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k3), k3), k7), length, k3)
-    add(mul(uo2, rk, k3), mul(u2, rko, k5), o5)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k3), k3), k5), length, k2)
+    add(mul(uo1, rk, k7), mul(u1, rko, k4), o4)
+    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k4), k4), k7), length, k4)
+    add(mul(uo2, rk, k4), mul(u2, rko, k5), o5)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k2)
     add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
 
 
@@ -1746,7 +1746,7 @@ _TURN = Kernel(
 )
 
 
-# operations 78: 19 +, 32 *, 7 /, 1 neg, 2 sqrt, 3 lt, 2 eq, 1 and, 1 or, 10 where
+# operations 78: 19 +, 32 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 11 where
 def _shadow(m: Any, v: Components, cs: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = cs
@@ -1761,10 +1761,9 @@ def _shadow(m: Any, v: Components, cs: Components) -> Result:
     qp = m.where(pneg, mq, q)
     y = v1 * v1o + v2 * v2o + v3 * v3o
     sign = m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
-    sn = sign * sin
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1772,6 +1771,7 @@ def _shadow(m: Any, v: Components, cs: Components) -> Result:
     uo1 = m.where(still, 0, v1o - u1 * ro) / length
     uo2 = m.where(still, 0, v2o - u2 * ro) / length
     uo3 = m.where(still, 0, v3o - u3 * ro) / length
+    sn = sign * sin
     iden = 1 / (cos - r * sn)
     rk = (r * cos + sn) * iden
     rko = ro * (iden * iden)
@@ -1785,28 +1785,28 @@ def _shadow_blocks(
     cos, sin = cs
     o1, o2, o3, o4, o5, o6 = out
     k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
-    mask1, mask2, mask3 = masks
+    mask1, mask2, mask3, mask4 = masks
     n_minus_1, n0, n1, n4, n6 = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
-    p = add(mul(sub(x, n6, k2), x, k2), n1, k2)
-    pneg = m.less(p, n0, mask1)
-    q = sub(n4, mul(n4, x, k2), k2)
-    mq = neg(q, k3)
-    qp = m.where(pneg, mq, q, k3)
-    y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k5), k4), mul(v3, v3o, k5), k4)
-    sign = m.where(
-        m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1), n_minus_1,
-        n1, k2
-    )
-    sn = mul(sign, sin, k2)
-    r = sqrt(x, k3)
     still = m.equal(x, n0, mask1)
-    iden = div(n1, sub(cos, mul(r, sn, k1), k1), k1)
-    rk = mul(add(mul(r, cos, k4), sn, k2), iden, k2)
-    length = m.where(still, sqrt(add(add(mul(v1o, v1o, k4), mul(v2o, v2o, k5), k4), mul(v3o, v3o, k5), k4), k4), r, k4)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
+    r = m.where(still, x, length, k3)
+    p = add(mul(sub(x, n6, k4), x, k4), n1, k4)
+    pneg = m.less(p, n0, mask2)
+    q = sub(n4, mul(n4, x, k1), k1)
+    mq = neg(q, k4)
+    qp = m.where(pneg, mq, q, k4)
+    y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k6), k5), mul(v3, v3o, k6), k5)
+    sign = m.where(
+        m.either(m.less(qp, n0, mask2), m.both(m.equal(q, n0, mask3), m.less(y, n0, mask4), mask3), mask2), n_minus_1,
+        n1, k1
+    )
+    sn = mul(sign, sin, k1)
+    iden = div(n1, sub(cos, mul(r, sn, k4), k4), k4)
+    rk = mul(add(mul(r, cos, k3), sn, k1), iden, k1)
     u1 = div(m.where(still, v1o, v1, k3), length, k3)
     mul(u1, rk, o1)
     u2 = div(m.where(still, v2o, v2, k5), length, k5)
@@ -1814,13 +1814,13 @@ def _shadow_blocks(
     u3 = div(m.where(still, v3o, v3, k6), length, k6)
     mul(u3, rk, o3)
     ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
-    rko = mul(ro, mul(iden, iden, k1), k1)
+    rko = mul(ro, mul(iden, iden, k4), k4)
     uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k7), k7), k9), length, k7)
     add(mul(uo1, rk, k7), mul(u1, rko, k3), o4)
     uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k3), k3), k7), length, k3)
     add(mul(uo2, rk, k3), mul(u2, rko, k5), o5)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k3), k3), k5), length, k3)
-    add(mul(uo3, rk, k2), mul(u3, rko, k1), o6)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k3), k3), k5), length, k2)
+    add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
 
 
 _SHADOW = Kernel(
@@ -1829,7 +1829,7 @@ _SHADOW = Kernel(
     (("v", (6,)),),
     (6,),
     registers=9,
-    masks=3,
+    masks=4,
     numbers=(-1, 0, 1, 4, 6),
     real=True,
 )
@@ -1865,7 +1865,7 @@ def shadow(v: ArrayLike, branch: int = 1, *, axis: int = -1, out: Array | None =
     return shifted(_SHADOW, TURNS, branch, v, axis, out)
 
 
-# operations 68: 14 +, 26 *, 7 /, 2 sqrt, 2 lt, 1 eq, 16 where
+# operations 55: 13 +, 23 *, 7 /, 1 sqrt, 2 lt, 9 where
 def _principal(m: Any, v: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     limit1, cos1, sin1, limit2, cos2, sin2 = table
@@ -1873,20 +1873,19 @@ def _principal(m: Any, v: Components, table: Components) -> Result:
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
-    r = m.sqrt(x)
-    beyond1 = limit1 < r
-    beyond2 = limit2 < r
+    beyond1 = limit1 < x
+    beyond2 = limit2 < x
     cosine2 = m.where(beyond2, cos2, cos1)
     sine2 = m.where(beyond2, sin2, sin1)
-    still = x == 0
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
-    u1 = m.where(still, v1o, v1) / length
-    u2 = m.where(still, v2o, v2) / length
-    u3 = m.where(still, v3o, v3) / length
-    ro = m.where(still, length, u1 * v1o + u2 * v2o + u3 * v3o)
-    uo1 = m.where(still, 0, v1o - u1 * ro) / length
-    uo2 = m.where(still, 0, v2o - u2 * ro) / length
-    uo3 = m.where(still, 0, v3o - u3 * ro) / length
+    k = 1 + x
+    r = m.sqrt(m.where(beyond1, x, k))
+    u1 = v1 / r
+    u2 = v2 / r
+    u3 = v3 / r
+    ro = u1 * v1o + u2 * v2o + u3 * v3o
+    uo1 = (v1o - u1 * ro) / r
+    uo2 = (v2o - u2 * ro) / r
+    uo3 = (v3o - u3 * ro) / r
     iden = 1 / (cosine2 - r * sine2)
     rk = (r * cosine2 + sine2) * iden
     rko = ro * (iden * iden)
@@ -1906,35 +1905,34 @@ def _principal_blocks(
     v1, v2, v3, v1o, v2o, v3o = v
     limit1, cos1, sin1, limit2, cos2, sin2 = table
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
     mask1, mask2 = masks
-    n0, n1 = numbers
+    n1, = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
-    r = sqrt(x, k2)
-    still = m.equal(x, n0, mask1)
-    beyond2 = m.less(limit2, r, mask2)
+    beyond1 = m.less(limit1, x, mask1)
+    k = add(n1, x, k2)
+    r = sqrt(m.where(beyond1, x, k, k3), k2)
+    beyond2 = m.less(limit2, x, mask2)
     cosine2 = m.where(beyond2, cos2, cos1, k1)
     sine2 = m.where(beyond2, sin2, sin1, k3)
     iden = div(n1, sub(cosine2, mul(r, sine2, k4), k4), k4)
     rk = mul(add(mul(r, cosine2, k1), sine2, k1), iden, k1)
-    length = m.where(still, sqrt(add(add(mul(v1o, v1o, k3), mul(v2o, v2o, k5), k3), mul(v3o, v3o, k5), k3), k3), r, k3)
-    beyond1 = m.less(limit1, r, mask2)
-    u1 = div(m.where(still, v1o, v1, k2), length, k2)
+    u1 = div(v1, r, k3)
     m.where(beyond1, mul(u1, rk, k5), v1, o1)
-    u2 = div(m.where(still, v2o, v2, k5), length, k5)
+    u2 = div(v2, r, k5)
     m.where(beyond1, mul(u2, rk, k6), v2, o2)
-    u3 = div(m.where(still, v3o, v3, k6), length, k6)
+    u3 = div(v3, r, k6)
     m.where(beyond1, mul(u3, rk, k7), v3, o3)
-    ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
+    ro = add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7)
     rko = mul(ro, mul(iden, iden, k4), k4)
-    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k7), k7), k9), length, k7)
-    m.where(beyond1, add(mul(uo1, rk, k7), mul(u1, rko, k2), k2), v1o, o4)
-    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k2), k2), k7), length, k2)
-    m.where(beyond1, add(mul(uo2, rk, k2), mul(u2, rko, k5), k2), v2o, o5)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k2), k2), k5), length, k2)
+    uo1 = div(sub(v1o, mul(u1, ro, k8), k8), r, k8)
+    m.where(beyond1, add(mul(uo1, rk, k8), mul(u1, rko, k3), k3), v1o, o4)
+    uo2 = div(sub(v2o, mul(u2, ro, k3), k3), r, k3)
+    m.where(beyond1, add(mul(uo2, rk, k3), mul(u2, rko, k5), k3), v2o, o5)
+    uo3 = div(sub(v3o, mul(u3, ro, k3), k3), r, k2)
     m.where(beyond1, add(mul(uo3, rk, k1), mul(u3, rko, k2), k1), v3o, o6)
 
 
@@ -1943,9 +1941,9 @@ _PRINCIPAL = Kernel(
     _principal_blocks,
     (("v", (6,)),),
     (6,),
-    registers=9,
+    registers=8,
     masks=2,
-    numbers=(0, 1),
+    numbers=(1,),
     real=True,
 )
 
@@ -2542,7 +2540,7 @@ def from_screw(angle: ArrayLike, line: ArrayLike, /, *, axis: int = -1, out: Arr
     return call(_FROM_SCREW, axis, out, angle, line)
 
 
-# operations 74: 15 +, 27 *, 7 /, 2 neg, 2 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 12 where
+# operations 74: 15 +, 27 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
 def _to_screw(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -2557,8 +2555,8 @@ def _to_screw(m: Any, v: Components) -> Result:
     y = v1 * v1o + v2 * v2o + v3 * v3o
     sign = m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -2591,33 +2589,33 @@ def _to_screw_blocks(
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
-    p = add(mul(sub(x, n6, k2), x, k2), n1, k2)
-    pneg = m.less(p, n0, mask1)
-    r = sqrt(x, k3)
-    q = sub(n4, mul(n4, x, k4), k4)
-    mq = neg(q, k5)
-    mul(n2, atan2(mul(r, m.where(m.less(q, n0, mask2), mq, q, k6), k6), m.where(pneg, neg(p, k7), p, k7), k2), o1)
-    qp = m.where(pneg, mq, q, k2)
     still = m.equal(x, n0, mask1)
-    length = m.where(still, sqrt(add(add(mul(v1o, v1o, k5), mul(v2o, v2o, k6), k5), mul(v3o, v3o, k6), k5), k5), r, k5)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
+    r = m.where(still, x, length, k3)
+    p = add(mul(sub(x, n6, k4), x, k4), n1, k4)
+    pneg = m.less(p, n0, mask2)
+    q = sub(n4, mul(n4, x, k5), k5)
     k = add(n1, x, k1)
-    u1 = div(m.where(still, v1o, v1, k3), length, k3)
+    mq = neg(q, k6)
+    mul(n2, atan2(mul(r, m.where(m.less(q, n0, mask3), mq, q, k7), k3), m.where(pneg, neg(p, k7), p, k7), k3), o1)
+    qp = m.where(pneg, mq, q, k3)
+    u1 = div(m.where(still, v1o, v1, k4), length, k4)
     u2 = div(m.where(still, v2o, v2, k6), length, k6)
     u3 = div(m.where(still, v3o, v3, k7), length, k7)
     ro = m.where(still, length, add(add(mul(u1, v1o, k8), mul(u2, v2o, k9), k8), mul(u3, v3o, k9), k8), k9)
     y = add(add(mul(v1, v1o, k8), mul(v2, v2o, k10), k8), mul(v3, v3o, k10), k8)
     sign = m.where(
         m.either(m.less(qp, n0, mask2), m.both(m.equal(q, n0, mask3), m.less(y, n0, mask4), mask3), mask2), n_minus_1,
-        n1, k2
+        n1, k3
     )
-    mul(sign, div(mul(n8, ro, k4), k, k1), o2)
+    mul(sign, div(mul(n8, ro, k5), k, k1), o2)
     mul(u1, sign, o3)
     mul(u2, sign, o4)
     mul(u3, sign, o5)
-    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k1), k1), k3), length, k1)
+    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k1), k1), k4), length, k1)
     mul(uo1, sign, o6)
-    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k1), k1), k3), length, k1)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k3), k3), k4), length, k3)
+    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k1), k1), k4), length, k1)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k2)
     mul(uo2, sign, o7)
     mul(uo3, sign, o8)
 

@@ -63,15 +63,15 @@
 #   rate: 136: 53 +, 73 *, 9 /, 1 neg
 #   body_twist: 150: 58 +, 88 *, 4 /
 #   body_rate: 136: 53 +, 73 *, 9 /, 1 neg
-#   from_quaternion: 96: 30 +, 49 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 4 where
-#   from_tensor: 152: 50 +, 55 *, 10 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 17 where
-#   from_pose: 116: 35 +, 37 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 17 where
+#   from_quaternion: 97: 30 +, 49 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   from_tensor: 153: 50 +, 55 *, 10 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
+#   from_pose: 117: 35 +, 37 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
-#   to_screw: 76: 16 +, 28 *, 7 /, 2 neg, 2 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 12 where
-#   turn: 58: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 8 where
-#   shadow: 80: 20 +, 33 *, 7 /, 1 neg, 2 sqrt, 3 lt, 2 eq, 1 and, 1 or, 10 where
-#   principal: 68: 14 +, 26 *, 7 /, 2 sqrt, 2 lt, 1 eq, 16 where
-#   compose: 253: 88 +, 144 *, 11 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 4 where
+#   to_screw: 76: 16 +, 28 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
+#   turn: 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
+#   shadow: 80: 20 +, 33 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 11 where
+#   principal: 55: 13 +, 23 *, 7 /, 1 sqrt, 2 lt, 9 where
+#   compose: 254: 88 +, 144 *, 11 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 """Cayley map of order 5: Rodrigues dual vectors ``v = tan(α/10) u`` of rigid displacements.
 
 α is the dual angle (rotation angle, translation along the axis) and u the unit dual vector of the screw axis. Arrays
@@ -127,10 +127,10 @@ TURNS = (
     ("-0.8090169943749474241022934171828190588602", "0.5877852522924731291687059546390727685977"),
 )
 
-# the |v| halfway between branches, tan((2 j - 1) pi/10), then cosine and sine of the way back from beyond it
+# the |v|² halfway between branches, tan((2 j - 1) pi/10)², then cosine and sine of the way back from beyond it
 RETURNS: tuple[str, ...] = (
-    "0.3249196962329063261558714122151344649549", "0.8090169943749474241022934171828190588602", "-0.5877852522924731291687059546390727685977",
-    "1.376381920471173538207209581910887679526", "0.3090169943749474241022934171828190588602", "-0.9510565162951535721164393333793821434057",
+    "0.1055728090000841214363305325074895058238", "0.8090169943749474241022934171828190588602", "-0.5877852522924731291687059546390727685977",
+    "1.894427190999915878563669467492510494176", "0.3090169943749474241022934171828190588602", "-0.9510565162951535721164393333793821434057",
 )
 
 # --- forward maps -----------------------------------------------------------------------------------------------
@@ -1697,7 +1697,7 @@ def body_rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | No
 # --- inverse maps, shadows, composition -------------------------------------------------------------------------
 
 
-# operations 58: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 8 where
+# operations 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
 def _turn(m: Any, v: Components, cs: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = cs
@@ -1706,8 +1706,8 @@ def _turn(m: Any, v: Components, cs: Components) -> Result:
     v33 = v3 * v3
     x = v11 + v22 + v33
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1735,23 +1735,23 @@ def _turn_blocks(
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
     still = m.equal(x, n0, mask1)
-    r = sqrt(x, k1)
-    length = m.where(still, sqrt(add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), k2), r, k2)
-    u1 = div(m.where(still, v1o, v1, k3), length, k3)
-    iden = div(n1, sub(cos, mul(r, sin, k4), k4), k4)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
+    r = m.where(still, x, length, k1)
+    iden = div(n1, sub(cos, mul(r, sin, k3), k3), k3)
     rk = mul(add(mul(r, cos, k1), sin, k1), iden, k1)
+    u1 = div(m.where(still, v1o, v1, k4), length, k4)
     mul(u1, rk, o1)
     u2 = div(m.where(still, v2o, v2, k5), length, k5)
     mul(u2, rk, o2)
     u3 = div(m.where(still, v3o, v3, k6), length, k6)
     mul(u3, rk, o3)
     ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
-    rko = mul(ro, mul(iden, iden, k4), k4)
+    rko = mul(ro, mul(iden, iden, k3), k3)
     uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k7), k7), k9), length, k7)
-    add(mul(uo1, rk, k7), mul(u1, rko, k3), o4)
-    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k3), k3), k7), length, k3)
-    add(mul(uo2, rk, k3), mul(u2, rko, k5), o5)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k3), k3), k5), length, k2)
+    add(mul(uo1, rk, k7), mul(u1, rko, k4), o4)
+    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k4), k4), k7), length, k4)
+    add(mul(uo2, rk, k4), mul(u2, rko, k5), o5)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k2)
     add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
 
 
@@ -1767,7 +1767,7 @@ _TURN = Kernel(
 )
 
 
-# operations 80: 20 +, 33 *, 7 /, 1 neg, 2 sqrt, 3 lt, 2 eq, 1 and, 1 or, 10 where
+# operations 80: 20 +, 33 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 11 where
 def _shadow(m: Any, v: Components, cs: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = cs
@@ -1782,10 +1782,9 @@ def _shadow(m: Any, v: Components, cs: Components) -> Result:
     qp = m.where(pneg, mq, q)
     y = v1 * v1o + v2 * v2o + v3 * v3o
     sign = m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
-    sn = sign * sin
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1793,6 +1792,7 @@ def _shadow(m: Any, v: Components, cs: Components) -> Result:
     uo1 = m.where(still, 0, v1o - u1 * ro) / length
     uo2 = m.where(still, 0, v2o - u2 * ro) / length
     uo3 = m.where(still, 0, v3o - u3 * ro) / length
+    sn = sign * sin
     iden = 1 / (cos - r * sn)
     rk = (r * cos + sn) * iden
     rko = ro * (iden * iden)
@@ -1823,25 +1823,25 @@ def _shadow_blocks(
         n1, k2
     )
     sn = mul(sign, sin, k2)
-    r = sqrt(x, k3)
     still = m.equal(x, n0, mask1)
-    iden = div(n1, sub(cos, mul(r, sn, k1), k1), k1)
-    rk = mul(add(mul(r, cos, k4), sn, k2), iden, k2)
-    length = m.where(still, sqrt(add(add(mul(v1o, v1o, k4), mul(v2o, v2o, k5), k4), mul(v3o, v3o, k5), k4), k4), r, k4)
-    u1 = div(m.where(still, v1o, v1, k3), length, k3)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k3), mul(v2o, v2o, k4), k3), mul(v3o, v3o, k4), k3), x, k3), k3)
+    r = m.where(still, x, length, k1)
+    iden = div(n1, sub(cos, mul(r, sn, k4), k4), k4)
+    rk = mul(add(mul(r, cos, k1), sn, k1), iden, k1)
+    u1 = div(m.where(still, v1o, v1, k2), length, k2)
     mul(u1, rk, o1)
     u2 = div(m.where(still, v2o, v2, k5), length, k5)
     mul(u2, rk, o2)
     u3 = div(m.where(still, v3o, v3, k6), length, k6)
     mul(u3, rk, o3)
     ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
-    rko = mul(ro, mul(iden, iden, k1), k1)
+    rko = mul(ro, mul(iden, iden, k4), k4)
     uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k7), k7), k9), length, k7)
-    add(mul(uo1, rk, k7), mul(u1, rko, k3), o4)
-    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k3), k3), k7), length, k3)
-    add(mul(uo2, rk, k3), mul(u2, rko, k5), o5)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k3), k3), k5), length, k3)
-    add(mul(uo3, rk, k2), mul(u3, rko, k1), o6)
+    add(mul(uo1, rk, k7), mul(u1, rko, k2), o4)
+    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k2), k2), k7), length, k2)
+    add(mul(uo2, rk, k2), mul(u2, rko, k5), o5)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k2), k2), k5), length, k2)
+    add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
 
 
 _SHADOW = Kernel(
@@ -1886,7 +1886,7 @@ def shadow(v: ArrayLike, branch: int = 1, *, axis: int = -1, out: Array | None =
     return shifted(_SHADOW, TURNS, branch, v, axis, out)
 
 
-# operations 68: 14 +, 26 *, 7 /, 2 sqrt, 2 lt, 1 eq, 16 where
+# operations 55: 13 +, 23 *, 7 /, 1 sqrt, 2 lt, 9 where
 def _principal(m: Any, v: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     limit1, cos1, sin1, limit2, cos2, sin2 = table
@@ -1894,20 +1894,19 @@ def _principal(m: Any, v: Components, table: Components) -> Result:
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
-    r = m.sqrt(x)
-    beyond1 = limit1 < r
-    beyond2 = limit2 < r
+    beyond1 = limit1 < x
+    beyond2 = limit2 < x
     cosine2 = m.where(beyond2, cos2, cos1)
     sine2 = m.where(beyond2, sin2, sin1)
-    still = x == 0
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
-    u1 = m.where(still, v1o, v1) / length
-    u2 = m.where(still, v2o, v2) / length
-    u3 = m.where(still, v3o, v3) / length
-    ro = m.where(still, length, u1 * v1o + u2 * v2o + u3 * v3o)
-    uo1 = m.where(still, 0, v1o - u1 * ro) / length
-    uo2 = m.where(still, 0, v2o - u2 * ro) / length
-    uo3 = m.where(still, 0, v3o - u3 * ro) / length
+    k = 1 + x
+    r = m.sqrt(m.where(beyond1, x, k))
+    u1 = v1 / r
+    u2 = v2 / r
+    u3 = v3 / r
+    ro = u1 * v1o + u2 * v2o + u3 * v3o
+    uo1 = (v1o - u1 * ro) / r
+    uo2 = (v2o - u2 * ro) / r
+    uo3 = (v3o - u3 * ro) / r
     iden = 1 / (cosine2 - r * sine2)
     rk = (r * cosine2 + sine2) * iden
     rko = ro * (iden * iden)
@@ -1927,35 +1926,34 @@ def _principal_blocks(
     v1, v2, v3, v1o, v2o, v3o = v
     limit1, cos1, sin1, limit2, cos2, sin2 = table
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
     mask1, mask2 = masks
-    n0, n1 = numbers
+    n1, = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
-    r = sqrt(x, k2)
-    still = m.equal(x, n0, mask1)
-    beyond2 = m.less(limit2, r, mask2)
+    beyond1 = m.less(limit1, x, mask1)
+    k = add(n1, x, k2)
+    r = sqrt(m.where(beyond1, x, k, k3), k2)
+    beyond2 = m.less(limit2, x, mask2)
     cosine2 = m.where(beyond2, cos2, cos1, k1)
     sine2 = m.where(beyond2, sin2, sin1, k3)
     iden = div(n1, sub(cosine2, mul(r, sine2, k4), k4), k4)
     rk = mul(add(mul(r, cosine2, k1), sine2, k1), iden, k1)
-    length = m.where(still, sqrt(add(add(mul(v1o, v1o, k3), mul(v2o, v2o, k5), k3), mul(v3o, v3o, k5), k3), k3), r, k3)
-    beyond1 = m.less(limit1, r, mask2)
-    u1 = div(m.where(still, v1o, v1, k2), length, k2)
+    u1 = div(v1, r, k3)
     m.where(beyond1, mul(u1, rk, k5), v1, o1)
-    u2 = div(m.where(still, v2o, v2, k5), length, k5)
+    u2 = div(v2, r, k5)
     m.where(beyond1, mul(u2, rk, k6), v2, o2)
-    u3 = div(m.where(still, v3o, v3, k6), length, k6)
+    u3 = div(v3, r, k6)
     m.where(beyond1, mul(u3, rk, k7), v3, o3)
-    ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
+    ro = add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7)
     rko = mul(ro, mul(iden, iden, k4), k4)
-    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k7), k7), k9), length, k7)
-    m.where(beyond1, add(mul(uo1, rk, k7), mul(u1, rko, k2), k2), v1o, o4)
-    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k2), k2), k7), length, k2)
-    m.where(beyond1, add(mul(uo2, rk, k2), mul(u2, rko, k5), k2), v2o, o5)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k2), k2), k5), length, k2)
+    uo1 = div(sub(v1o, mul(u1, ro, k8), k8), r, k8)
+    m.where(beyond1, add(mul(uo1, rk, k8), mul(u1, rko, k3), k3), v1o, o4)
+    uo2 = div(sub(v2o, mul(u2, ro, k3), k3), r, k3)
+    m.where(beyond1, add(mul(uo2, rk, k3), mul(u2, rko, k5), k3), v2o, o5)
+    uo3 = div(sub(v3o, mul(u3, ro, k3), k3), r, k2)
     m.where(beyond1, add(mul(uo3, rk, k1), mul(u3, rko, k2), k1), v3o, o6)
 
 
@@ -1964,9 +1962,9 @@ _PRINCIPAL = Kernel(
     _principal_blocks,
     (("v", (6,)),),
     (6,),
-    registers=9,
+    registers=8,
     masks=2,
-    numbers=(0, 1),
+    numbers=(1,),
     real=True,
 )
 
@@ -1996,7 +1994,7 @@ def principal(v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Arra
     return call(_PRINCIPAL, axis, out, v, table=RETURNS)
 
 
-# operations 96: 30 +, 49 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 4 where
+# operations 97: 30 +, 49 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 def _from_quaternion(m: Any, e: Components) -> Result:
     e0, e1, e2, e3, e0o, e1o, e2o, e3o = e
     rho1 = 2 * (e1o * e0 - e1 * e0o + (e2 * e3o - e3 * e2o))
@@ -2004,8 +2002,9 @@ def _from_quaternion(m: Any, e: Components) -> Result:
     rho3 = 2 * (e3o * e0 - e3 * e0o + (e1 * e2o - e2 * e1o))
     negative = e0 < 0
     cos = m.where(negative, -e0, e0)
-    sin = m.sqrt(e1 * e1 + e2 * e2 + e3 * e3)
-    still = sin == 0
+    ss = e1 * e1 + e2 * e2 + e3 * e3
+    still = ss == 0
+    sin = m.sqrt(m.where(still, cos, ss))
     gain = m.where(negative, -1, 1) * (m.where(still, 1, m.tan(m.atan2(sin, cos) / 5)) / m.where(still, 5 * cos, sin))
     v1 = e1 * gain
     v2 = e2 * gain
@@ -2042,10 +2041,11 @@ def _from_quaternion_blocks(
     k1, k2, k3, k4, k5, k6, k7, k8, k9, k10 = scratch
     mask1, mask2 = masks
     n_minus_1, n0, n1, n2, n5, n10, n34, n45 = numbers
-    negative = m.less(e0, n0, mask1)
-    sin = sqrt(add(add(mul(e1, e1, k1), mul(e2, e2, k2), k1), mul(e3, e3, k2), k1), k1)
-    still = m.equal(sin, n0, mask2)
+    ss = add(add(mul(e1, e1, k1), mul(e2, e2, k2), k1), mul(e3, e3, k2), k1)
+    still = m.equal(ss, n0, mask1)
+    negative = m.less(e0, n0, mask2)
     cos = m.where(negative, neg(e0, k2), e0, k2)
+    sin = sqrt(m.where(still, cos, ss, k3), k1)
     gain = mul(
         m.where(negative, n_minus_1, n1, k3), div(m.where(still, n1, tan(div(atan2(sin, cos, k4), n5, k4), k4), k5),
         m.where(still, mul(n5, cos, k2), sin, k2), k1), k1
@@ -2122,7 +2122,7 @@ def from_quaternion(q: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array
     return call_branch(_FROM_QUATERNION, _TURN, TURNS, branch, axis, out, q)
 
 
-# operations 152: 50 +, 55 *, 10 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 17 where
+# operations 153: 50 +, 55 *, 10 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 def _from_tensor(m: Any, R: Components) -> Result:
     Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33, D11, D12, D13, D21, D22, D23, D31, D32, D33 = R
     rho1 = (D31 * Q21 + D32 * Q22 + D33 * Q23 - (D21 * Q31 + D22 * Q32 + D23 * Q33)) / 2
@@ -2164,8 +2164,9 @@ def _from_tensor(m: Any, R: Components) -> Result:
     e1 = sign * z31
     e2 = sign * z32
     e3 = sign * z33
-    sin = m.sqrt(e1 * e1 + e2 * e2 + e3 * e3)
-    still = sin == 0
+    ss = e1 * e1 + e2 * e2 + e3 * e3
+    still = ss == 0
+    sin = m.sqrt(m.where(still, e0, ss))
     gain = m.where(still, 1, m.tan(m.atan2(sin, e0) / 5)) / m.where(still, 5 * e0, sin)
     v1 = e1 * gain
     v2 = e2 * gain
@@ -2242,8 +2243,9 @@ def _from_tensor_blocks(
     e2 = mul(sign, z32, k3)
     e3 = mul(sign, z33, k2)
     e0 = mul(sign, z30, k4)
-    sin = sqrt(add(add(mul(e1, e1, k5), mul(e2, e2, k6), k5), mul(e3, e3, k6), k5), k5)
-    still = m.equal(sin, n0, mask1)
+    ss = add(add(mul(e1, e1, k5), mul(e2, e2, k6), k5), mul(e3, e3, k6), k5)
+    still = m.equal(ss, n0, mask1)
+    sin = sqrt(m.where(still, e0, ss, k6), k5)
     gain = div(
         m.where(still, n1, tan(div(atan2(sin, e0, k6), n5, k6), k6), k7), m.where(still, mul(n5, e0, k4), sin, k4), k4
     )
@@ -2322,7 +2324,7 @@ def from_tensor(R: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | N
     return call_branch(_FROM_TENSOR, _TURN, TURNS, branch, axis, out, R)
 
 
-# operations 116: 35 +, 37 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 17 where
+# operations 117: 35 +, 37 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 def _from_pose(m: Any, T: Components) -> Result:
     Q11, Q12, Q13, T14, Q21, Q22, Q23, T24, Q31, Q32, Q33, T34, _, _, _, _ = T
     a1 = Q32 - Q23
@@ -2361,8 +2363,9 @@ def _from_pose(m: Any, T: Components) -> Result:
     e1 = sign * z31
     e2 = sign * z32
     e3 = sign * z33
-    sin = m.sqrt(e1 * e1 + e2 * e2 + e3 * e3)
-    still = sin == 0
+    ss = e1 * e1 + e2 * e2 + e3 * e3
+    still = ss == 0
+    sin = m.sqrt(m.where(still, e0, ss))
     gain = m.where(still, 1, m.tan(m.atan2(sin, e0) / 5)) / m.where(still, 5 * e0, sin)
     v1 = e1 * gain
     v2 = e2 * gain
@@ -2439,8 +2442,9 @@ def _from_pose_blocks(
     e2 = mul(sign, z32, k3)
     e3 = mul(sign, z33, k2)
     e0 = mul(sign, z30, k4)
-    sin = sqrt(add(add(mul(e1, e1, k5), mul(e2, e2, k6), k5), mul(e3, e3, k6), k5), k5)
-    still = m.equal(sin, n0, mask1)
+    ss = add(add(mul(e1, e1, k5), mul(e2, e2, k6), k5), mul(e3, e3, k6), k5)
+    still = m.equal(ss, n0, mask1)
+    sin = sqrt(m.where(still, e0, ss, k6), k5)
     gain = div(
         m.where(still, n1, tan(div(atan2(sin, e0, k6), n5, k6), k6), k7), m.where(still, mul(n5, e0, k4), sin, k4), k4
     )
@@ -2568,7 +2572,7 @@ def from_screw(angle: ArrayLike, line: ArrayLike, /, *, axis: int = -1, out: Arr
     return call(_FROM_SCREW, axis, out, angle, line)
 
 
-# operations 76: 16 +, 28 *, 7 /, 2 neg, 2 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 12 where
+# operations 76: 16 +, 28 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
 def _to_screw(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -2583,8 +2587,8 @@ def _to_screw(m: Any, v: Components) -> Result:
     y = v1 * v1o + v2 * v2o + v3 * v3o
     sign = m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -2617,16 +2621,16 @@ def _to_screw_blocks(
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
-    q = add(mul(sub(x, n10, k2), x, k2), n5, k2)
-    mq = neg(q, k3)
-    p = add(mul(sub(mul(n5, x, k4), n10, k4), x, k4), n1, k4)
-    pneg = m.less(p, n0, mask1)
-    r = sqrt(x, k5)
-    mul(n2, atan2(mul(r, m.where(m.less(q, n0, mask2), mq, q, k6), k6), m.where(pneg, neg(p, k7), p, k7), k4), o1)
-    qp = m.where(pneg, mq, q, k3)
     still = m.equal(x, n0, mask1)
-    length = m.where(still, sqrt(add(add(mul(v1o, v1o, k4), mul(v2o, v2o, k6), k4), mul(v3o, v3o, k6), k4), k4), r, k4)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
+    r = m.where(still, x, length, k3)
+    q = add(mul(sub(x, n10, k4), x, k4), n5, k4)
+    mq = neg(q, k5)
+    p = add(mul(sub(mul(n5, x, k6), n10, k6), x, k6), n1, k6)
     k = add(n1, x, k1)
+    pneg = m.less(p, n0, mask2)
+    mul(n2, atan2(mul(r, m.where(m.less(q, n0, mask3), mq, q, k7), k3), m.where(pneg, neg(p, k7), p, k7), k3), o1)
+    qp = m.where(pneg, mq, q, k3)
     u1 = div(m.where(still, v1o, v1, k5), length, k5)
     u2 = div(m.where(still, v2o, v2, k6), length, k6)
     u3 = div(m.where(still, v3o, v3, k7), length, k7)
@@ -2634,16 +2638,16 @@ def _to_screw_blocks(
     y = add(add(mul(v1, v1o, k8), mul(v2, v2o, k10), k8), mul(v3, v3o, k10), k8)
     sign = m.where(
         m.either(m.less(qp, n0, mask2), m.both(m.equal(q, n0, mask3), m.less(y, n0, mask4), mask3), mask2), n_minus_1,
-        n1, k2
+        n1, k3
     )
-    mul(sign, div(mul(n10, ro, k3), k, k1), o2)
+    mul(sign, div(mul(n10, ro, k4), k, k1), o2)
     mul(u1, sign, o3)
     mul(u2, sign, o4)
     mul(u3, sign, o5)
-    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k1), k1), k3), length, k1)
+    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k1), k1), k4), length, k1)
     mul(uo1, sign, o6)
-    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k1), k1), k3), length, k1)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k3), k3), k5), length, k3)
+    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k1), k1), k4), length, k1)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k2)
     mul(uo2, sign, o7)
     mul(uo3, sign, o8)
 
@@ -2687,7 +2691,7 @@ def to_screw(v: ArrayLike, *, axis: int = -1) -> tuple[Array, Array]:
     return (screw[:2], screw[2:]) if axis == 0 else (screw[..., :2], screw[..., 2:])
 
 
-# operations 253: 88 +, 144 *, 11 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 4 where
+# operations 254: 88 +, 144 *, 11 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 def _compose(m: Any, b: Components, a: Components) -> Result:
     b1, b2, b3, b1o, b2o, b3o = b
     a1, a2, a3, a1o, a2o, a3o = a
@@ -2751,8 +2755,9 @@ def _compose(m: Any, b: Components, a: Components) -> Result:
     rho3 = rhoa3 + (v_rho3 * fb + (b1 * gv_rho2 - b2 * gv_rho1)) + (b3o * fb + (gvb1 * b2o - gvb2 * b1o) + b3 * hyb)
     negative = z0 < 0
     cos = m.where(negative, -z0, z0)
-    sin = m.sqrt(z1 * z1 + z2 * z2 + z3 * z3)
-    still = sin == 0
+    ss = z1 * z1 + z2 * z2 + z3 * z3
+    still = ss == 0
+    sin = m.sqrt(m.where(still, cos, ss))
     gain = m.where(negative, -1, 1) * (m.where(still, 1, m.tan(m.atan2(sin, cos) / 5)) / m.where(still, 5 * cos, sin))
     v1 = z1 * gain
     v2 = z2 * gain
@@ -2818,13 +2823,14 @@ def _compose_blocks(
         add(mul(qva3, pb, k15), mul(qvb3, pa, k16), k15), sub(mul(qvb1, qva2, k16), mul(qvb2, qva1, k17), k16), k15
     )
     z0 = sub(mul(pb, pa, k16), add(add(mul(qvb1, qva1, k3), mul(qvb2, qva2, k7), k3), mul(qvb3, qva3, k7), k3), k3)
-    sin = sqrt(add(add(mul(z1, z1, k7), mul(z2, z2, k9), k7), mul(z3, z3, k9), k7), k7)
-    still = m.equal(sin, n0, mask1)
+    ss = add(add(mul(z1, z1, k7), mul(z2, z2, k9), k7), mul(z3, z3, k9), k7)
+    still = m.equal(ss, n0, mask1)
     negative = m.less(z0, n0, mask2)
     cos = m.where(negative, neg(z0, k9), z0, k9)
+    sin = sqrt(m.where(still, cos, ss, k3), k3)
     gain = mul(
-        m.where(negative, n_minus_1, n1, k3), div(m.where(still, n1, tan(div(atan2(sin, cos, k10), n5, k10), k10), k11),
-        m.where(still, mul(n5, cos, k9), sin, k9), k7), k3
+        m.where(negative, n_minus_1, n1, k7), div(m.where(still, n1, tan(div(atan2(sin, cos, k10), n5, k10), k10), k11),
+        m.where(still, mul(n5, cos, k9), sin, k9), k3), k3
     )
     v1 = mul(z1, gain, o1)
     v2 = mul(z2, gain, o2)

@@ -67,10 +67,10 @@
 #   from_tensor: 169: 58 +, 65 *, 12 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 133: 43 +, 47 *, 9 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
-#   to_screw: 82: 19 +, 31 *, 7 /, 2 neg, 2 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 12 where
-#   turn: 58: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 8 where
-#   shadow: 86: 23 +, 36 *, 7 /, 1 neg, 2 sqrt, 3 lt, 2 eq, 1 and, 1 or, 10 where
-#   principal: 74: 14 +, 26 *, 7 /, 2 sqrt, 4 lt, 1 eq, 20 where
+#   to_screw: 82: 19 +, 31 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
+#   turn: 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
+#   shadow: 86: 23 +, 36 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 11 where
+#   principal: 61: 13 +, 23 *, 7 /, 1 sqrt, 4 lt, 13 where
 #   compose: 308: 115 +, 174 *, 13 /, 1 neg, 2 sqrt, 1 lt, 2 where
 """Cayley map of order 8: Rodrigues dual vectors ``v = tan(α/16) u`` of rigid displacements.
 
@@ -130,12 +130,12 @@ TURNS = (
     ("-0.9238795325112867561281831893967882868224", "0.3826834323650897717284599840303988667613"),
 )
 
-# the |v| halfway between branches, tan((2 j - 1) pi/16), then cosine and sine of the way back from beyond it
+# the |v|² halfway between branches, tan((2 j - 1) pi/16)², then cosine and sine of the way back from beyond it
 RETURNS: tuple[str, ...] = (
-    "0.1989123673796580069115976226446762285979", "0.9238795325112867561281831893967882868224", "-0.3826834323650897717284599840303988667613",
-    "0.6681786379192989199977576865230807615525", "0.7071067811865475244008443621048490392848", "-0.7071067811865475244008443621048490392848",
-    "1.496605762665489017601135134942476918692", "0.3826834323650897717284599840303988667613", "-0.9238795325112867561281831893967882868224",
-    "5.027339492125848104514975071064072385737", "0.0", "-1.0",
+    "0.03956612989658003475471668795573740536431", "0.9238795325112867561281831893967882868224", "-0.3826834323650897717284599840303988667613",
+    "0.4464626921716895685644580523835744318748", "0.7071067811865475244008443621048490392848", "-0.7071067811865475244008443621048490392848",
+    "2.239828808843550041022032153938840939568", "0.3826834323650897717284599840303988667613", "-0.9238795325112867561281831893967882868224",
+    "25.27414236908818035565879310572184722319", "0.0", "-1.0",
 )
 
 # --- forward maps -----------------------------------------------------------------------------------------------
@@ -1759,7 +1759,7 @@ def body_rate(v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | No
 # --- inverse maps, shadows, composition -------------------------------------------------------------------------
 
 
-# operations 58: 14 +, 26 *, 7 /, 2 sqrt, 1 eq, 8 where
+# operations 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
 def _turn(m: Any, v: Components, cs: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = cs
@@ -1768,8 +1768,8 @@ def _turn(m: Any, v: Components, cs: Components) -> Result:
     v33 = v3 * v3
     x = v11 + v22 + v33
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1797,23 +1797,23 @@ def _turn_blocks(
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
     still = m.equal(x, n0, mask1)
-    r = sqrt(x, k1)
-    length = m.where(still, sqrt(add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), k2), r, k2)
-    u1 = div(m.where(still, v1o, v1, k3), length, k3)
-    iden = div(n1, sub(cos, mul(r, sin, k4), k4), k4)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
+    r = m.where(still, x, length, k1)
+    iden = div(n1, sub(cos, mul(r, sin, k3), k3), k3)
     rk = mul(add(mul(r, cos, k1), sin, k1), iden, k1)
+    u1 = div(m.where(still, v1o, v1, k4), length, k4)
     mul(u1, rk, o1)
     u2 = div(m.where(still, v2o, v2, k5), length, k5)
     mul(u2, rk, o2)
     u3 = div(m.where(still, v3o, v3, k6), length, k6)
     mul(u3, rk, o3)
     ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
-    rko = mul(ro, mul(iden, iden, k4), k4)
+    rko = mul(ro, mul(iden, iden, k3), k3)
     uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k7), k7), k9), length, k7)
-    add(mul(uo1, rk, k7), mul(u1, rko, k3), o4)
-    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k3), k3), k7), length, k3)
-    add(mul(uo2, rk, k3), mul(u2, rko, k5), o5)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k3), k3), k5), length, k2)
+    add(mul(uo1, rk, k7), mul(u1, rko, k4), o4)
+    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k4), k4), k7), length, k4)
+    add(mul(uo2, rk, k4), mul(u2, rko, k5), o5)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k2)
     add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
 
 
@@ -1829,7 +1829,7 @@ _TURN = Kernel(
 )
 
 
-# operations 86: 23 +, 36 *, 7 /, 1 neg, 2 sqrt, 3 lt, 2 eq, 1 and, 1 or, 10 where
+# operations 86: 23 +, 36 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 11 where
 def _shadow(m: Any, v: Components, cs: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = cs
@@ -1844,10 +1844,9 @@ def _shadow(m: Any, v: Components, cs: Components) -> Result:
     qp = m.where(pneg, mq, q)
     y = v1 * v1o + v2 * v2o + v3 * v3o
     sign = m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
-    sn = sign * sin
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -1855,6 +1854,7 @@ def _shadow(m: Any, v: Components, cs: Components) -> Result:
     uo1 = m.where(still, 0, v1o - u1 * ro) / length
     uo2 = m.where(still, 0, v2o - u2 * ro) / length
     uo3 = m.where(still, 0, v3o - u3 * ro) / length
+    sn = sign * sin
     iden = 1 / (cos - r * sn)
     rk = (r * cos + sn) * iden
     rko = ro * (iden * iden)
@@ -1885,25 +1885,25 @@ def _shadow_blocks(
         n1, k2
     )
     sn = mul(sign, sin, k2)
-    r = sqrt(x, k3)
     still = m.equal(x, n0, mask1)
-    iden = div(n1, sub(cos, mul(r, sn, k1), k1), k1)
-    rk = mul(add(mul(r, cos, k4), sn, k2), iden, k2)
-    length = m.where(still, sqrt(add(add(mul(v1o, v1o, k4), mul(v2o, v2o, k5), k4), mul(v3o, v3o, k5), k4), k4), r, k4)
-    u1 = div(m.where(still, v1o, v1, k3), length, k3)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k3), mul(v2o, v2o, k4), k3), mul(v3o, v3o, k4), k3), x, k3), k3)
+    r = m.where(still, x, length, k1)
+    iden = div(n1, sub(cos, mul(r, sn, k4), k4), k4)
+    rk = mul(add(mul(r, cos, k1), sn, k1), iden, k1)
+    u1 = div(m.where(still, v1o, v1, k2), length, k2)
     mul(u1, rk, o1)
     u2 = div(m.where(still, v2o, v2, k5), length, k5)
     mul(u2, rk, o2)
     u3 = div(m.where(still, v3o, v3, k6), length, k6)
     mul(u3, rk, o3)
     ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
-    rko = mul(ro, mul(iden, iden, k1), k1)
+    rko = mul(ro, mul(iden, iden, k4), k4)
     uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k7), k7), k9), length, k7)
-    add(mul(uo1, rk, k7), mul(u1, rko, k3), o4)
-    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k3), k3), k7), length, k3)
-    add(mul(uo2, rk, k3), mul(u2, rko, k5), o5)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k3), k3), k5), length, k3)
-    add(mul(uo3, rk, k2), mul(u3, rko, k1), o6)
+    add(mul(uo1, rk, k7), mul(u1, rko, k2), o4)
+    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k2), k2), k7), length, k2)
+    add(mul(uo2, rk, k2), mul(u2, rko, k5), o5)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k2), k2), k5), length, k2)
+    add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
 
 
 _SHADOW = Kernel(
@@ -1948,7 +1948,7 @@ def shadow(v: ArrayLike, branch: int = 1, *, axis: int = -1, out: Array | None =
     return shifted(_SHADOW, TURNS, branch, v, axis, out)
 
 
-# operations 74: 14 +, 26 *, 7 /, 2 sqrt, 4 lt, 1 eq, 20 where
+# operations 61: 13 +, 23 *, 7 /, 1 sqrt, 4 lt, 13 where
 def _principal(m: Any, v: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     limit1, cos1, sin1, limit2, cos2, sin2, limit3, cos3, sin3, limit4, cos4, sin4 = table
@@ -1956,26 +1956,25 @@ def _principal(m: Any, v: Components, table: Components) -> Result:
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
-    r = m.sqrt(x)
-    beyond1 = limit1 < r
-    beyond2 = limit2 < r
-    beyond3 = limit3 < r
-    beyond4 = limit4 < r
+    beyond1 = limit1 < x
+    beyond2 = limit2 < x
+    beyond3 = limit3 < x
+    beyond4 = limit4 < x
     cosine2 = m.where(beyond2, cos2, cos1)
     sine2 = m.where(beyond2, sin2, sin1)
     cosine3 = m.where(beyond3, cos3, cosine2)
     sine3 = m.where(beyond3, sin3, sine2)
     cosine4 = m.where(beyond4, cos4, cosine3)
     sine4 = m.where(beyond4, sin4, sine3)
-    still = x == 0
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
-    u1 = m.where(still, v1o, v1) / length
-    u2 = m.where(still, v2o, v2) / length
-    u3 = m.where(still, v3o, v3) / length
-    ro = m.where(still, length, u1 * v1o + u2 * v2o + u3 * v3o)
-    uo1 = m.where(still, 0, v1o - u1 * ro) / length
-    uo2 = m.where(still, 0, v2o - u2 * ro) / length
-    uo3 = m.where(still, 0, v3o - u3 * ro) / length
+    k = 1 + x
+    r = m.sqrt(m.where(beyond1, x, k))
+    u1 = v1 / r
+    u2 = v2 / r
+    u3 = v3 / r
+    ro = u1 * v1o + u2 * v2o + u3 * v3o
+    uo1 = (v1o - u1 * ro) / r
+    uo2 = (v2o - u2 * ro) / r
+    uo3 = (v3o - u3 * ro) / r
     iden = 1 / (cosine4 - r * sine4)
     rk = (r * cosine4 + sine4) * iden
     rko = ro * (iden * iden)
@@ -1995,41 +1994,40 @@ def _principal_blocks(
     v1, v2, v3, v1o, v2o, v3o = v
     limit1, cos1, sin1, limit2, cos2, sin2, limit3, cos3, sin3, limit4, cos4, sin4 = table
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
-    mask1, mask2, mask3 = masks
-    n0, n1 = numbers
+    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
+    mask1, mask2, mask3, mask4 = masks
+    n1, = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
-    r = sqrt(x, k2)
-    still = m.equal(x, n0, mask1)
-    beyond3 = m.less(limit3, r, mask2)
-    beyond2 = m.less(limit2, r, mask3)
+    beyond1 = m.less(limit1, x, mask1)
+    k = add(n1, x, k2)
+    r = sqrt(m.where(beyond1, x, k, k3), k2)
+    beyond3 = m.less(limit3, x, mask2)
+    beyond2 = m.less(limit2, x, mask3)
+    beyond4 = m.less(limit4, x, mask4)
     cosine2 = m.where(beyond2, cos2, cos1, k1)
     cosine3 = m.where(beyond3, cos3, cosine2, k3)
-    sine2 = m.where(beyond2, sin2, sin1, k1)
-    sine3 = m.where(beyond3, sin3, sine2, k4)
-    beyond4 = m.less(limit4, r, mask2)
     cosine4 = m.where(beyond4, cos4, cosine3, k1)
+    sine2 = m.where(beyond2, sin2, sin1, k3)
+    sine3 = m.where(beyond3, sin3, sine2, k4)
     sine4 = m.where(beyond4, sin4, sine3, k3)
     iden = div(n1, sub(cosine4, mul(r, sine4, k4), k4), k4)
     rk = mul(add(mul(r, cosine4, k1), sine4, k1), iden, k1)
-    length = m.where(still, sqrt(add(add(mul(v1o, v1o, k3), mul(v2o, v2o, k5), k3), mul(v3o, v3o, k5), k3), k3), r, k3)
-    beyond1 = m.less(limit1, r, mask2)
-    u1 = div(m.where(still, v1o, v1, k2), length, k2)
+    u1 = div(v1, r, k3)
     m.where(beyond1, mul(u1, rk, k5), v1, o1)
-    u2 = div(m.where(still, v2o, v2, k5), length, k5)
+    u2 = div(v2, r, k5)
     m.where(beyond1, mul(u2, rk, k6), v2, o2)
-    u3 = div(m.where(still, v3o, v3, k6), length, k6)
+    u3 = div(v3, r, k6)
     m.where(beyond1, mul(u3, rk, k7), v3, o3)
-    ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
+    ro = add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7)
     rko = mul(ro, mul(iden, iden, k4), k4)
-    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k7), k7), k9), length, k7)
-    m.where(beyond1, add(mul(uo1, rk, k7), mul(u1, rko, k2), k2), v1o, o4)
-    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k2), k2), k7), length, k2)
-    m.where(beyond1, add(mul(uo2, rk, k2), mul(u2, rko, k5), k2), v2o, o5)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k2), k2), k5), length, k2)
+    uo1 = div(sub(v1o, mul(u1, ro, k8), k8), r, k8)
+    m.where(beyond1, add(mul(uo1, rk, k8), mul(u1, rko, k3), k3), v1o, o4)
+    uo2 = div(sub(v2o, mul(u2, ro, k3), k3), r, k3)
+    m.where(beyond1, add(mul(uo2, rk, k3), mul(u2, rko, k5), k3), v2o, o5)
+    uo3 = div(sub(v3o, mul(u3, ro, k3), k3), r, k2)
     m.where(beyond1, add(mul(uo3, rk, k1), mul(u3, rko, k2), k1), v3o, o6)
 
 
@@ -2038,9 +2036,9 @@ _PRINCIPAL = Kernel(
     _principal_blocks,
     (("v", (6,)),),
     (6,),
-    registers=9,
-    masks=3,
-    numbers=(0, 1),
+    registers=8,
+    masks=4,
+    numbers=(1,),
     real=True,
 )
 
@@ -2646,7 +2644,7 @@ def from_screw(angle: ArrayLike, line: ArrayLike, /, *, axis: int = -1, out: Arr
     return call(_FROM_SCREW, axis, out, angle, line)
 
 
-# operations 82: 19 +, 31 *, 7 /, 2 neg, 2 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 12 where
+# operations 82: 19 +, 31 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
 def _to_screw(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -2661,8 +2659,8 @@ def _to_screw(m: Any, v: Components) -> Result:
     y = v1 * v1o + v2 * v2o + v3 * v3o
     sign = m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     still = x == 0
-    r = m.sqrt(x)
-    length = m.where(still, m.sqrt(v1o * v1o + v2o * v2o + v3o * v3o), r)
+    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
+    r = m.where(still, x, length)
     u1 = m.where(still, v1o, v1) / length
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
@@ -2689,7 +2687,7 @@ def _to_screw_blocks(
     v1, v2, v3, v1o, v2o, v3o = v
     o1, o2, o3, o4, o5, o6, o7, o8 = out
     k1, k2, k3, k4, k5, k6, k7, k8 = scratch
-    mask1, mask2, mask3 = masks
+    mask1, mask2, mask3, mask4 = masks
     n_minus_1, n0, n1, n2, n8, n16, n28, n56, n70 = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
@@ -2697,19 +2695,19 @@ def _to_screw_blocks(
     x = add(add(v11, v22, k1), v33, k1)
     p = add(mul(sub(mul(add(mul(sub(x, n28, k2), x, k2), n70, k2), x, k2), n28, k2), x, k2), n1, k2)
     pneg = m.less(p, n0, mask1)
-    q = add(mul(sub(mul(sub(n56, mul(n8, x, k3), k3), x, k3), n56, k3), x, k3), n8, k3)
-    mq = neg(q, k4)
-    r = sqrt(x, k5)
-    mul(n2, atan2(mul(r, m.where(m.less(q, n0, mask2), mq, q, k6), k6), m.where(pneg, neg(p, k7), p, k7), k2), o1)
+    still = m.equal(x, n0, mask2)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k3), mul(v2o, v2o, k4), k3), mul(v3o, v3o, k4), k3), x, k3), k3)
+    r = m.where(still, x, length, k4)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, k5), k5), x, k5), n56, k5), x, k5), n8, k5)
+    k = add(n1, x, k1)
+    mq = neg(q, k6)
+    mul(n2, atan2(mul(r, m.where(m.less(q, n0, mask3), mq, q, k7), k4), m.where(pneg, neg(p, k7), p, k7), k2), o1)
     qp = m.where(pneg, mq, q, k2)
     y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k6), k4), mul(v3, v3o, k6), k4)
     sign = m.where(
-        m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1), n_minus_1,
+        m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask3), m.less(y, n0, mask4), mask3), mask1), n_minus_1,
         n1, k2
     )
-    still = m.equal(x, n0, mask1)
-    length = m.where(still, sqrt(add(add(mul(v1o, v1o, k3), mul(v2o, v2o, k4), k3), mul(v3o, v3o, k4), k3), k3), r, k3)
-    k = add(n1, x, k1)
     u1 = div(m.where(still, v1o, v1, k4), length, k4)
     mul(u1, sign, o3)
     u2 = div(m.where(still, v2o, v2, k5), length, k5)
@@ -2732,7 +2730,7 @@ _TO_SCREW = Kernel(
     (("v", (6,)),),
     (8,),
     registers=8,
-    masks=3,
+    masks=4,
     numbers=(-1, 0, 1, 2, 8, 16, 28, 56, 70),
     real=True,
 )

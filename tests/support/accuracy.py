@@ -16,17 +16,79 @@ import numpy as np
 from tests.support import errors, sampling
 from tests.support.nilpotent import Nil, hamilton, inverse, matmul
 from tests.support.oracle import pack
-from tests.support.trial import ForwardTrial, Result
+from tests.support.trial import Measured, Result, rounded
 
 
-def rounded(exact: Any, dtype: Any) -> np.ndarray:
-    """Mpmath numbers to the nearest of a float type."""
-    flat = [np.longdouble(float(c)) + np.longdouble(float(c - float(c))) for c in exact.flat]
-    return np.array(flat, dtype=np.longdouble).reshape(exact.shape).astype(dtype)
+class Trial(Measured):
+    """One kernel module in one regime, function by function."""
 
+    # ---- forward maps ------------------------------------------------------------------------------------------
 
-class Trial(ForwardTrial):
-    """One kernel module in one regime: all of its functions."""
+    def _forward(self, name: str, scale: str, gates: tuple[float, float]) -> Iterator[Result]:
+        for v, got in zip(self.v, getattr(self.module, name)(self.v), strict=True):
+            exact = getattr(self.oracle, name)(v)
+            yield Result(got, [exact], [getattr(errors.scales(self.order, v), scale)], gates, (v,))
+
+    def quaternion(self) -> Iterator[Result]:
+        gates = self.gates(errors.QUATERNION, errors.shadow_gate(self.order))
+        return self._forward("quaternion", "quaternion", gates)
+
+    def tensor(self) -> Iterator[Result]:
+        # The dual part is skew(ρ) Q: both errors, in a chain.
+        outside = errors.shadow_gate(self.order)
+        gates = (errors.ROTATION, errors.GENERAL) if self.inside else (outside, max(errors.GENERAL, outside))
+        return self._forward("tensor", "tensor", gates)
+
+    def pose(self) -> Iterator[Result]:
+        outside = errors.shadow_gate(self.order)
+        gates = (errors.ROTATION, errors.POSITION) if self.inside else (outside, outside)
+        for v, got in zip(self.v, self.module.pose(self.v), strict=True):
+            local = errors.scales(self.order, v)
+            assert got[3].tolist() == [0, 0, 0, 1]
+            yield Result(got, [self.oracle.pose(v)], [Nil(local.tensor.re, local.position)], gates, (v,))
+
+    def tangent(self) -> Iterator[Result]:
+        gates = self.gates(errors.TANGENT, errors.tangent_shadow_gate(self.order))
+        return self._forward("tangent", "tangent", gates)
+
+    def tangent_inv(self) -> Iterator[Result]:
+        scale = "tangent_inv" if self.inside else "near_pole"
+        return self._forward("tangent_inv", scale, self.gates(errors.RATE, errors.GENERAL))
+
+    def _applied(self, name: str, scale: str, gates: tuple[float, float]) -> Iterator[Result]:
+        argument = self.second(sampling.dual_vectors, name)
+        for v, w, got in zip(self.v, argument, getattr(self.module, name)(self.v, argument), strict=True):
+            allowed = getattr(errors.scales(self.order, v), scale) * errors.size(w)
+            yield Result(got, [getattr(self.oracle, name)(v, w)], [allowed], gates, (v, w))
+
+    def twist(self) -> Iterator[Result]:
+        outside = errors.tangent_shadow_gate(self.order)
+        return self._applied("twist", "tangent", self.gates(errors.GENERAL, outside))
+
+    def body_twist(self) -> Iterator[Result]:
+        outside = errors.tangent_shadow_gate(self.order)
+        return self._applied("body_twist", "tangent", self.gates(errors.GENERAL, outside))
+
+    def rate(self) -> Iterator[Result]:
+        scale = "tangent_inv" if self.inside else "near_pole"
+        return self._applied("rate", scale, self.gates(errors.RATE, errors.GENERAL))
+
+    def body_rate(self) -> Iterator[Result]:
+        scale = "tangent_inv" if self.inside else "near_pole"
+        return self._applied("body_rate", scale, self.gates(errors.RATE, errors.GENERAL))
+
+    def transform_line(self) -> Iterator[Result]:
+        return self._applied("transform_line", "tensor", self.gates(errors.GENERAL, errors.GENERAL))
+
+    def transform_point(self) -> Iterator[Result]:
+        points = self.second(sampling.points, "transform_point")
+        for v, r, got in zip(self.v, points, self.module.transform_point(self.v, points), strict=True):
+            local = errors.scales(self.order, v)
+            # One real vector: as the dual part of an otherwise exact result.
+            exact = np.concatenate([0 * self.oracle.transform_point(v, r), self.oracle.transform_point(v, r)])
+            allowed = Nil(1.0, local.tensor.re * errors.norm(r) + local.position)
+            full = np.concatenate([np.zeros(3, got.dtype), got])
+            yield Result(full, [exact], [allowed], (errors.GENERAL,) * 2, (v, r))
 
     # ---- inverse maps ------------------------------------------------------------------------------------------
 
@@ -40,7 +102,7 @@ class Trial(ForwardTrial):
                     result = self.oracle.on_branch(half, axis, branch)
                     exact.append(pack(result))
                     scales.append(self.inverse_scale(result, half, axis, branch, *entries(v)))
-                yield Result(got, exact, scales, (gate, gate), f"branch {branch} of v = {v!r}, input {x!r}")
+                yield Result(got, exact, scales, (gate, gate), (v,), f"branch {branch}, input {x!r}")
 
     def sides(self, v: Any) -> list[tuple[Any, Any]]:
         """Half the principal angle and the axis; both signs of q̂ where the angle is π to within rounding."""
@@ -53,7 +115,7 @@ class Trial(ForwardTrial):
     def inverse_scale(self, result: Any, half: Any, axis: Any, branch: int, directions: Any, entries: Any) -> Nil:
         if self.regime == "pure translation" and branch:
             return self.translation_shadow_scale(branch, float(half.du) / self.order)
-        scale = errors.branch_scale(self.oracle, result, directions, entries)
+        scale = errors.branch_scale(self.oracle.operator_by_spin(result), result, directions, entries)
         if branch:
             angle = 2 * half + 2 * branch * self.oracle.field.pi
             scale = scale + errors.angle_scale(self.order, angle, axis)
@@ -94,14 +156,15 @@ class Trial(ForwardTrial):
         inputs = self.module.pose(self.v)
         for v, got in zip(self.v, self.module.from_pose(inputs), strict=True):
             results = [self.oracle.on_branch(half, axis, 0) for half, axis in self.sides(v)]
-            scales = [errors.branch_scale(self.oracle, r, *self.tensor_entries(v)) for r in results]
+            operators, entries = [self.oracle.operator_by_spin(r) for r in results], self.tensor_entries(v)
+            scales = [errors.branch_scale(t, r, *entries) for t, r in zip(operators, results, strict=True)]
             if not self.inside:
                 # The pose of a shadow is right in norm, not entry by entry: near 2π its small entries are differences.
                 gate, local = errors.shadow_gate(self.order), errors.scales(self.order, v)
-                backs = [inverse(self.oracle.operator_by_spin(r)) for r in results]
+                backs = [inverse(t) for t in operators]
                 lost = Nil(local.tensor.re, local.position)
                 scales = [s + errors.through(back, lost) for s, back in zip(scales, backs, strict=True)]
-            yield Result(got, [pack(r) for r in results], scales, (gate, gate), f"v = {v!r}")
+            yield Result(got, [pack(r) for r in results], scales, (gate, gate), (v,))
 
     # ---- screws, shadows, composition --------------------------------------------------------------------------
 
@@ -110,11 +173,11 @@ class Trial(ForwardTrial):
             return
         pairs = [self.oracle.to_screw(v) for v in self.v]
         angle, axis = (rounded(np.stack(column), self.dtype) for column in zip(*pairs, strict=True))
-        for a, u, got in zip(angle, axis, self.module.from_screw(angle, axis), strict=True):
+        for v, a, u, got in zip(self.v, angle, axis, self.module.from_screw(angle, axis), strict=True):
             exact = self.oracle.from_screw(a, u)
             (alpha,), direction = self.oracle.unpack(a), self.oracle.unpack(u)
             scale = errors.angle_scale(self.order, alpha, direction) + errors.size(exact)
-            yield Result(got, [exact], [scale], (errors.GENERAL,) * 2, f"angle = {a!r}, axis = {u!r}")
+            yield Result(got, [exact], [scale], (errors.GENERAL,) * 2, (v,), f"angle = {a!r}, axis = {u!r}")
 
     def to_screw(self) -> Iterator[Result]:
         if self.regime == "identity":
@@ -128,8 +191,8 @@ class Trial(ForwardTrial):
             n, length, size = self.order, errors.norm(v[:3]), errors.norm(v[3:])
             turned = Nil(2 * n * math.atan(length), 2 * n / (1 + length**2) * size)
             direction = Nil(1.0, 2 * size / length if length else 0.0)
-            yield Result(angle, [pack((a,)) for a, _ in sides], [turned] * len(sides), gates, f"angle of v = {v!r}")
-            yield Result(axis, [pack(b) for _, b in sides], [direction] * len(sides), gates, f"axis of v = {v!r}")
+            yield Result(angle, [pack((a,)) for a, _ in sides], [turned] * len(sides), gates, (v,), "angle")
+            yield Result(axis, [pack(b) for _, b in sides], [direction] * len(sides), gates, (v,), "axis")
 
     def shadow_scale(self, v: Any, result: Any) -> Nil:
         """The exact Jacobian of a shadow is T(v_k)⁻¹ T(v)."""
@@ -145,7 +208,7 @@ class Trial(ForwardTrial):
                     scales = [self.translation_shadow_scale(branch, errors.norm(v[3:]))]
                 else:
                     scales = [self.shadow_scale(v, e) for e in exact]
-                yield Result(got, exact, scales, (gate, gate), f"branch {branch} of v = {v!r}")
+                yield Result(got, exact, scales, (gate, gate), (v,), f"branch {branch}")
 
     def principal(self) -> Iterator[Result]:
         gate = errors.shadow_gate(self.order)
@@ -154,16 +217,15 @@ class Trial(ForwardTrial):
             if self.tie:
                 alpha, axis = self.oracle.reduced(self.oracle.unpack(v))
                 exact.append(pack(self.oracle.on_branch(alpha / 2, axis, -1)))
-            yield Result(got, exact, [self.shadow_scale(v, e) for e in exact], (gate, gate), f"v = {v!r}")
+            yield Result(got, exact, [self.shadow_scale(v, e) for e in exact], (gate, gate), (v,))
 
     def compose(self) -> Iterator[Result]:
         """With poses of the same regime and with poses from anywhere, v1 first."""
-        others = (np.roll(self.v, 1, axis=0), sampling.poses(self.order, "uniform", self.dtype, len(self.v))[::-1])
-        for v1 in others:
+        for v1 in self.partners():
             for a, b, got in zip(self.v, v1, self.module.compose(self.v, v1), strict=True):
                 exact = self.oracle.compose(a, b)
                 scale = self.compose_scale(a, b, exact)
-                yield Result(got, [exact], [scale], (errors.GENERAL,) * 2, f"v2 = {a!r}, v1 = {b!r}")
+                yield Result(got, [exact], [scale], (errors.GENERAL,) * 2, (a, b))
 
     def compose_scale(self, v2: Any, v1: Any, result: Any) -> Nil:
         """The exact Jacobians are T(v)⁻¹ T(v2) and T(v)⁻¹ R(v2) T(v1)."""

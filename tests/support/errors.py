@@ -152,13 +152,15 @@ def through(jacobian: Any, argument: Nil) -> Nil:
     return majorant(jacobian) * argument
 
 
-def branch_scale(oracle: Oracle, result: Any, directions: Any, entries: Any) -> Nil:
+def branch_scale(operator: Any, result: Any, directions: Any, entries: Any) -> Nil:
     """Scale of an inverse map: v̇ = T(v)⁻¹ ω, ω the twist per unit of each input entry, times that entry.
+
+    `operator` is T at the `result` v.
 
     `directions` is (2, 3, m), the dual twists of the m entries, `entries` (2, m) their real and dual values. Entry by
     entry, not in norm: a small rotation is known from small entries to full relative precision, and must be found so.
     """
-    re, du = np.array(pack(inverse(oracle.operator_by_spin(result))), dtype=float)
+    re, du = np.array(pack(inverse(operator)), dtype=float)
     turn, shift = re @ directions[0], du @ directions[0] + re @ directions[1]
     turn, shift = np.linalg.norm(turn, axis=0), np.linalg.norm(shift, axis=0)
     own = size(pack(result))

@@ -3,11 +3,37 @@
 from __future__ import annotations
 
 import importlib
+import importlib.util
+import sys
+from collections.abc import Iterable
+from pathlib import Path
 from types import ModuleType
+
+from derive.codegen import generate
 
 ORDERS = (1, 2, 3, 4, 5, 8)
 
 
-def load(order: int) -> ModuleType:
-    """The committed kernel module of an order."""
-    return importlib.import_module(f"dualcay.cayley{order}")
+def load(order: int, folder: Path | None = None) -> ModuleType:
+    """The committed kernel module of an order; that of another order from a folder that `write` filled."""
+    name = f"dualcay.cayley{order}"
+    if order in ORDERS:
+        return importlib.import_module(name)
+    if name not in sys.modules:
+        if folder is None:
+            raise ModuleNotFoundError(f"{name} is not committed")
+        # As a member of the committed package, whose runtime all orders share.
+        spec = importlib.util.spec_from_file_location(name, folder / f"cayley{order}.py")
+        assert spec is not None
+        assert spec.loader is not None
+        module = importlib.util.module_from_spec(spec)
+        sys.modules[name] = module
+        spec.loader.exec_module(module)
+    return sys.modules[name]
+
+
+def write(orders: Iterable[int], folder: Path) -> None:
+    """Derive, prove and write the kernels of those orders that are not committed."""
+    missing = sorted(set(orders) - set(ORDERS))
+    if missing:
+        generate(missing, "numpy", folder)

@@ -33,6 +33,7 @@ from tests.support.nilpotent import (
 )
 
 E = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
+DIGITS = 50
 
 
 def pack(value: Any) -> np.ndarray:
@@ -45,15 +46,15 @@ def pack(value: Any) -> np.ndarray:
 
 
 @functools.cache
-def oracle_of(order: int) -> Oracle:
-    """The 50-digit oracle of an order, one for all tests: it remembers tangent operators."""
-    return Oracle(order)
+def oracle_of(order: int, digits: int = DIGITS) -> Oracle:
+    """The oracle of an order, one for all tests: it remembers tangent operators."""
+    return Oracle(order, digits)
 
 
 class Oracle:
     """Order n over a field of numbers (50-digit mpmath unless another is given)."""
 
-    def __init__(self, order: int, dps: int = 50, field: Field | None = None) -> None:
+    def __init__(self, order: int, dps: int = DIGITS, field: Field | None = None) -> None:
         self.order = order
         self.field = mp_field(dps) if field is None else field
         # An angle closer than this to a multiple of π counts as equal: far below any input's rounding.

@@ -69,9 +69,16 @@ def has_regime(order: int, regime: str) -> bool:
     return order > 1 or regime in PRINCIPAL
 
 
-def generator(*key: object) -> np.random.Generator:
-    """A generator that depends on the key alone, in every process and on every machine."""
-    return np.random.default_rng(zlib.crc32(repr(key).encode()))
+def generator(*key: object, seed: int = 0) -> np.random.Generator:
+    """A generator that depends on the key and the seed alone, in every process and on every machine."""
+    return np.random.default_rng(zlib.crc32(repr((*key, seed) if seed else key).encode()))
+
+
+def _filled(values: np.ndarray, rng: np.random.Generator, dtype: type) -> np.ndarray:
+    """Doubles as another type, with digits of their own below a double's where that type has them."""
+    if np.finfo(dtype).eps >= np.finfo(float).eps:
+        return values.astype(dtype)
+    return values.astype(dtype) * (1 + np.finfo(float).eps * rng.uniform(-0.5, 0.5, values.shape).astype(dtype))
 
 
 def unit_vectors(rng: np.random.Generator, shape: tuple[int, ...]) -> np.ndarray:
@@ -86,9 +93,9 @@ def _leading_in_turn(vectors: np.ndarray) -> np.ndarray:
     return vectors
 
 
-def poses(order: int, regime: str, dtype: type = np.float64, count: int = COUNT) -> np.ndarray:
+def poses(order: int, regime: str, dtype: type = np.float64, count: int = COUNT, seed: int = 0) -> np.ndarray:
     """Rodrigues dual vectors, shape (count, 6)."""
-    rng = generator(order, regime, np.dtype(dtype).name)
+    rng = generator(order, regime, np.dtype(dtype).name, seed=seed)
     angle = ANGLES[regime](rng, order, count)
     if np.dtype(dtype) == np.float32:
         # In single precision the distance to π must not round away.
@@ -102,16 +109,24 @@ def poses(order: int, regime: str, dtype: type = np.float64, count: int = COUNT)
     dual = size * (along * axis + tangent * np.cross(moment, axis) + rng.normal(size=(count, 3)) / order)
     if regime in ("pure rotation", "identity"):
         dual = np.zeros((count, 3))
-    return np.concatenate([tangent * axis, dual], axis=-1).astype(dtype)
+    return _filled(np.concatenate([tangent * axis, dual], axis=-1), rng, dtype)
 
 
-def dual_vectors(key: str, dtype: type = np.float64, count: int = COUNT) -> np.ndarray:
+def in_range(order: int, v: np.ndarray) -> bool:
+    """Whether (1 + v·v)^n, with the factors that stand beside it, is a number of v's type."""
+    exponent = order * np.log2(1 + float(v[:3] @ v[:3])) + np.log2(4 * order)
+    return bool(exponent < np.finfo(v.dtype).maxexp)
+
+
+def dual_vectors(key: str, dtype: type = np.float64, count: int = COUNT, seed: int = 0) -> np.ndarray:
     """Twists, rates, lines: six normal numbers a row."""
-    return generator(key, np.dtype(dtype).name).normal(size=(count, 6)).astype(dtype)
+    rng = generator(key, np.dtype(dtype).name, seed=seed)
+    return _filled(rng.normal(size=(count, 6)), rng, dtype)
 
 
-def points(key: str, dtype: type = np.float64, count: int = COUNT) -> np.ndarray:
-    return generator(key, np.dtype(dtype).name).normal(size=(count, 3)).astype(dtype)
+def points(key: str, dtype: type = np.float64, count: int = COUNT, seed: int = 0) -> np.ndarray:
+    rng = generator(key, np.dtype(dtype).name, seed=seed)
+    return _filled(rng.normal(size=(count, 3)), rng, dtype)
 
 
 def screws(order: int, dtype: type = np.float64, count: int = COUNT) -> tuple[np.ndarray, np.ndarray]:

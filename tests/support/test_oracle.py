@@ -7,6 +7,7 @@ import pytest
 from scipy.spatial.transform import RigidTransform
 
 from tests.support import sampling
+from tests.support.exponential import exponential, skew
 from tests.support.kernels import ORDERS
 from tests.support.nilpotent import Nil, conjugate, hamilton, matmul, power, transpose
 from tests.support.oracle import Oracle, pack
@@ -17,19 +18,6 @@ ORDER = pytest.mark.parametrize("order", ORDERS)
 
 def largest(a) -> float:
     return max(float(abs(c)) for c in np.asarray(a, dtype=object).flat)
-
-
-def skew(a):
-    return ((0, -a[2], a[1]), (a[2], 0, -a[0]), (-a[1], a[0], 0))
-
-
-def exponential(matrix, zero):
-    """The matrix series, summed until its terms vanish."""
-    total = term = tuple(tuple(Nil(zero + (i == j), zero) for j in range(3)) for i in range(3))
-    for k in range(1, 120):
-        term = tuple(tuple(c / k for c in row) for row in matmul(term, matrix))
-        total = tuple(tuple(a + b for a, b in zip(*rows, strict=True)) for rows in zip(total, term, strict=True))
-    return total
 
 
 def samples(order: int, count: int = 2) -> list[np.ndarray]:
@@ -43,8 +31,7 @@ def test_tensor_is_the_exponential_of_the_dual_angle_about_the_dual_axis(order: 
     for v in samples(order, 1):
         alpha, axis = oracle.reduced(oracle.unpack(v))
         if axis is not None:
-            turned = tuple(tuple(alpha * c for c in row) for row in skew(axis))
-            series = pack(exponential(turned, alpha.re * 0))
+            series = pack(exponential(tuple(alpha * c for c in axis))[0])
             assert largest(series - oracle.tensor(v)) < DIGITS * (1 + largest(v)) * (1 + largest(pack(axis)))
 
 

@@ -1,11 +1,8 @@
-"""How one kernel function in one regime is compared with the oracle, and the maps from v themselves.
-
-`Trial` in `accuracy` adds the inverse maps; tests use that.
-"""
+"""One kernel module in one regime: its samples, and how results are measured against what is allowed."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable
 from types import ModuleType
 from typing import Any, NamedTuple
 
@@ -13,7 +10,7 @@ import numpy as np
 
 from tests.support import errors, sampling
 from tests.support.nilpotent import Nil
-from tests.support.oracle import oracle_of
+from tests.support.oracle import DIGITS, oracle_of
 
 
 class Result(NamedTuple):
@@ -23,20 +20,51 @@ class Result(NamedTuple):
     exact: list[Any]
     scales: list[Nil]
     gates: tuple[float, float]
-    note: str
+    given: tuple[np.ndarray, ...]  # v, and the second argument where there is one
+    note: str = ""
 
 
-class ForwardTrial:
-    """One kernel module in one regime: the maps from v, and how a result is judged."""
+def rounded(exact: Any, dtype: Any) -> np.ndarray:
+    """Mpmath numbers to the nearest of a float type."""
+    flat = [np.longdouble(float(c)) + np.longdouble(float(c - float(c))) for c in exact.flat]
+    return np.array(flat, dtype=np.longdouble).reshape(exact.shape).astype(dtype)
+
+
+class Measured:
+    """Samples of one regime, drawn by `seed` or `given`: vectors, and second arguments of the functions of two.
+
+    The functions themselves are methods of the subclass, which yield a `Result` for every sample.
+    """
 
     def __init__(
-        self, module: ModuleType, order: int, regime: str, dtype: Any = np.float64, count: int = sampling.COUNT
+        self,
+        module: ModuleType,
+        order: int,
+        regime: str,
+        dtype: Any = np.float64,
+        *,
+        digits: int = DIGITS,
+        count: int = sampling.COUNT,
+        seed: int = 0,
+        given: tuple[np.ndarray, ...] | None = None,
     ) -> None:
         self.module, self.order, self.regime, self.dtype = module, order, regime, dtype
-        self.oracle = oracle_of(order)
-        self.v = sampling.poses(order, regime, dtype, count)
+        self.oracle = oracle_of(order, digits)
+        self.drawn = {"dtype": dtype, "count": count, "seed": seed}
+        self.given = given
+        self.v = sampling.poses(order, regime, **self.drawn) if given is None else given[0]
         self.inside = regime in sampling.PRINCIPAL
         self.tie = regime == "at pi"
+
+    def second(self, draw: Callable[..., np.ndarray], name: str) -> np.ndarray:
+        """Second arguments of a function, one for each vector."""
+        return draw(f"{name} {self.regime}", **self.drawn) if self.given is None else self.given[1]
+
+    def partners(self) -> list[np.ndarray]:
+        """What to compose with: poses of the same regime, and poses from anywhere."""
+        if self.given is not None:
+            return [self.given[1]]
+        return [np.roll(self.v, 1, axis=0), sampling.poses(self.order, "uniform", **self.drawn)[::-1]]
 
     def gates(self, inside: float, outside: float) -> tuple[float, float]:
         gate = inside if self.inside else outside
@@ -58,7 +86,8 @@ class ForwardTrial:
             found = self.fractions(result)
             assert max(found) <= 1, (
                 f"{name}, n = {self.order}, {self.regime}: (real, dual) error {self.in_eps(result)} eps, allowed "
-                f"{result.gates} for {result.note}\ngot   {result.got!r}\nexact {result.exact[0].astype(float)!r}"
+                f"{result.gates} for {result.given!r} {result.note}\n"
+                f"got   {result.got!r}\nexact {result.exact[0].astype(float)!r}"
             )
 
     def in_eps(self, result: Result) -> list[tuple[float, float]]:
@@ -71,71 +100,3 @@ class ForwardTrial:
 
     def worst(self, name: str) -> float:
         return max((max(self.fractions(result)) for result in getattr(self, name)()), default=0.0)
-
-    # ---- forward maps ------------------------------------------------------------------------------------------
-
-    def _forward(self, name: str, scale: str, gates: tuple[float, float]) -> Iterator[Result]:
-        for v, got in zip(self.v, getattr(self.module, name)(self.v), strict=True):
-            exact = getattr(self.oracle, name)(v)
-            yield Result(got, [exact], [getattr(errors.scales(self.order, v), scale)], gates, f"v = {v!r}")
-
-    def quaternion(self) -> Iterator[Result]:
-        gates = self.gates(errors.QUATERNION, errors.shadow_gate(self.order))
-        return self._forward("quaternion", "quaternion", gates)
-
-    def tensor(self) -> Iterator[Result]:
-        # The dual part is skew(ρ) Q: both errors, in a chain.
-        outside = errors.shadow_gate(self.order)
-        gates = (errors.ROTATION, errors.GENERAL) if self.inside else (outside, max(errors.GENERAL, outside))
-        return self._forward("tensor", "tensor", gates)
-
-    def pose(self) -> Iterator[Result]:
-        outside = errors.shadow_gate(self.order)
-        gates = (errors.ROTATION, errors.POSITION) if self.inside else (outside, outside)
-        for v, got in zip(self.v, self.module.pose(self.v), strict=True):
-            local = errors.scales(self.order, v)
-            assert got[3].tolist() == [0, 0, 0, 1]
-            yield Result(got, [self.oracle.pose(v)], [Nil(local.tensor.re, local.position)], gates, f"v = {v!r}")
-
-    def tangent(self) -> Iterator[Result]:
-        gates = self.gates(errors.TANGENT, errors.tangent_shadow_gate(self.order))
-        return self._forward("tangent", "tangent", gates)
-
-    def tangent_inv(self) -> Iterator[Result]:
-        scale = "tangent_inv" if self.inside else "near_pole"
-        return self._forward("tangent_inv", scale, self.gates(errors.RATE, errors.GENERAL))
-
-    def _applied(self, name: str, scale: str, gates: tuple[float, float]) -> Iterator[Result]:
-        argument = sampling.dual_vectors(f"{name} {self.regime}", self.dtype, len(self.v))
-        for v, w, got in zip(self.v, argument, getattr(self.module, name)(self.v, argument), strict=True):
-            allowed = getattr(errors.scales(self.order, v), scale) * errors.size(w)
-            yield Result(got, [getattr(self.oracle, name)(v, w)], [allowed], gates, f"v = {v!r}, argument = {w!r}")
-
-    def twist(self) -> Iterator[Result]:
-        outside = errors.tangent_shadow_gate(self.order)
-        return self._applied("twist", "tangent", self.gates(errors.GENERAL, outside))
-
-    def body_twist(self) -> Iterator[Result]:
-        outside = errors.tangent_shadow_gate(self.order)
-        return self._applied("body_twist", "tangent", self.gates(errors.GENERAL, outside))
-
-    def rate(self) -> Iterator[Result]:
-        scale = "tangent_inv" if self.inside else "near_pole"
-        return self._applied("rate", scale, self.gates(errors.RATE, errors.GENERAL))
-
-    def body_rate(self) -> Iterator[Result]:
-        scale = "tangent_inv" if self.inside else "near_pole"
-        return self._applied("body_rate", scale, self.gates(errors.RATE, errors.GENERAL))
-
-    def transform_line(self) -> Iterator[Result]:
-        return self._applied("transform_line", "tensor", self.gates(errors.GENERAL, errors.GENERAL))
-
-    def transform_point(self) -> Iterator[Result]:
-        points = sampling.points(f"transform_point {self.regime}", self.dtype, len(self.v))
-        for v, r, got in zip(self.v, points, self.module.transform_point(self.v, points), strict=True):
-            local = errors.scales(self.order, v)
-            # One real vector: as the dual part of an otherwise exact result.
-            exact = np.concatenate([0 * self.oracle.transform_point(v, r), self.oracle.transform_point(v, r)])
-            allowed = Nil(1.0, local.tensor.re * errors.norm(r) + local.position)
-            full = np.concatenate([np.zeros(3, got.dtype), got])
-            yield Result(full, [exact], [allowed], (errors.GENERAL,) * 2, f"v = {v!r}, r = {r!r}")

@@ -12,6 +12,9 @@ from .chart import CayleyChart
 from .forward import named, rotate, translation
 from .inputs import dual_vector
 
+Axis = tuple[Number, Vector, Number, Vector]
+"""Magnitude and direction of a dual vector, and the dual parts of both."""
+
 
 def from_quaternion(order: int) -> Program:
     trace = Trace()
@@ -131,8 +134,10 @@ def _gain(trace: Trace, order: int, e: Quaternion, size: Number, positive: bool)
     sign = trace.where(negative, -1, 1)
     if _has_ladder(order):
         return sign / _ladder(trace, order, cosine, size)
-    sine = trace.name("sin", trace.sqrt(e.vector.dot(e.vector)))
-    still = trace.name("still", trace.equal(sine, 0))
+    square = trace.name("ss", e.vector.dot(e.vector))
+    still = trace.name("still", trace.equal(square, 0))
+    # the root is not taken of 0: its slope there is infinite, and 0 times that is no gradient
+    sine = trace.name("sin", trace.sqrt(trace.where(still, cosine, square)))
     tangent = trace.tan(trace.atan2(sine, cosine) / order)
     return sign * (trace.where(still, 1, tangent) / trace.where(still, order * cosine, sine))
 
@@ -160,7 +165,7 @@ def turn(order: int) -> Program:
     trace = Trace()
     chart = CayleyChart(trace, order, dual_vector(trace, "v", "v"))
     cosine, sine = trace.inputs("cs", ("cos", "sin"))
-    return trace.program("turn", _turned(chart, cosine, sine))
+    return trace.program("turn", _turned(chart, _axis(chart), cosine, sine))
 
 
 def shadow(order: int) -> Program:
@@ -169,13 +174,13 @@ def shadow(order: int) -> Program:
     chart = CayleyChart(trace, order, dual_vector(trace, "v", "v"))
     cosine, sine = trace.inputs("cs", ("cos", "sin"))
     sign = trace.name("sign", _axis_sign(chart))
-    return trace.program("shadow", _turned(chart, cosine, sign * sine))
+    return trace.program("shadow", _turned(chart, _axis(chart), cosine, sign * sine))
 
 
 def principal(order: int) -> Program:
     """Go back by as many steps of pi/n as bring theta to within pi/2n of zero; where it is there already, v stands.
 
-    The table holds, for each step, the |v| beyond which it is taken, then cosine and sine of the way back.
+    The table holds, for each step, the |v|² beyond which it is taken, then cosine and sine of the way back.
     """
     trace = Trace()
     v = dual_vector(trace, "v", "v")
@@ -183,13 +188,12 @@ def principal(order: int) -> Program:
         return trace.program("principal", v)
     chart = CayleyChart(trace, order, v)
     table = trace.inputs("table", [f"{name}{j}" for j in range(1, order // 2 + 1) for name in ("limit", "cos", "sin")])
-    size = chart.name("r", trace.sqrt(chart.x))
-    beyond = [trace.name(f"beyond{j}", trace.less(limit, size)) for j, limit in enumerate(table[::3], 1)]
+    beyond = [trace.name(f"beyond{j}", trace.less(limit, chart.x)) for j, limit in enumerate(table[::3], 1)]
     cosine, sine = table[1:3]
     for j, (further, *values) in enumerate(zip(beyond[1:], table[4::3], table[5::3], strict=True), 2):
         cosine = trace.name(f"cosine{j}", trace.where(further, values[0], cosine))
         sine = trace.name(f"sine{j}", trace.where(further, values[1], sine))
-    turned = zip(_turned(chart, cosine, sine), v, strict=True)
+    turned = zip(_turned(chart, _axis_where(chart, beyond[0]), cosine, sine), v, strict=True)
     return trace.program("principal", [trace.where(beyond[0], back, stays) for back, stays in turned])
 
 
@@ -202,13 +206,14 @@ def _axis_sign(chart: CayleyChart) -> Number:
     return trace.where(trace.either(trace.less(flipped, 0), backwards), -1, 1)
 
 
-def _axis(chart: CayleyChart) -> tuple[Number, Vector, Number, Vector]:
+def _axis(chart: CayleyChart) -> Axis:
     """|v| and v/|v| as dual quantities; at Re v = 0 the axis is that of v°, through the origin."""
     trace = chart.trace
-    still = chart.name("still", trace.equal(chart.x, 0))
-    size = chart.name("r", trace.sqrt(chart.x))
-    length = chart.name("length", trace.where(still, trace.sqrt(chart.du.dot(chart.du)), size))
     v, vo = chart.re, chart.du
+    still = chart.name("still", trace.equal(chart.x, 0))
+    # one root, never of 0 but at the identity: so the gradient is finite wherever the axis is defined
+    length = chart.name("length", trace.sqrt(trace.where(still, vo.dot(vo), chart.x)))
+    size = chart.name("r", trace.where(still, chart.x, length))  # 0 of the type of x
     u = named(trace, "u", Vector(*(trace.where(still, b, a) / length for a, b in zip(v, vo, strict=True))))
     size_du = chart.name("ro", trace.where(still, length, u.dot(vo)))
     across = vo - size_du * u
@@ -216,10 +221,20 @@ def _axis(chart: CayleyChart) -> tuple[Number, Vector, Number, Vector]:
     return size, u, size_du, moment
 
 
-def _turned(chart: CayleyChart, cosine: Number, sine: Number) -> tuple[Number, ...]:
+def _axis_where(chart: CayleyChart, selected: Number) -> Axis:
+    """The same where it is needed, Re v ≠ 0; elsewhere numbers which are not used and spoil no gradient."""
+    trace = chart.trace
+    size = chart.name("r", trace.sqrt(trace.where(selected, chart.x, chart.k)))
+    u = named(trace, "u", chart.re / size)
+    size_du = chart.name("ro", u.dot(chart.du))
+    moment = named(trace, "uo", (chart.du - size_du * u) / size)
+    return size, u, size_du, moment
+
+
+def _turned(chart: CayleyChart, axis: Axis, cosine: Number, sine: Number) -> tuple[Number, ...]:
     """r -> (r cos + sin)/(cos - r sin) along u; its derivative is 1/(cos - r sin)²."""
     sine = chart.name("sn", sine)
-    size, u, size_du, moment = _axis(chart)
+    size, u, size_du, moment = axis
     inverse = chart.name("iden", 1 / (cosine - size * sine))
     length = chart.name("rk", (size * cosine + sine) * inverse)
     length_du = chart.name("rko", size_du * (inverse * inverse))

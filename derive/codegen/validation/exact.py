@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -26,13 +26,16 @@ class Expectation:
     result: tuple[Any, ...]
 
 
-def expectations(cayley: Cayley) -> Iterator[Expectation]:
-    """Every rational function of the module of an order, on six symbols (and six more for a rate, twist or line)."""
-    yield from _quaternion(cayley)
-    yield from _tensors(cayley)
+def expectations(cayley: Cayley, ring: Callable[..., Any] = Ring) -> Iterator[Expectation]:
+    """Every rational function of the module of an order, on six symbols (and six more for a rate, twist or line).
+
+    ``ring`` makes what stands for the symbols: the exact ring, or numbers in their place.
+    """
+    yield from _quaternion(cayley, ring)
+    yield from _tensors(cayley, ring)
 
 
-def _symbols(ring: Ring, letter: str) -> tuple[Any, ...]:
+def _symbols(ring: Any, letter: str) -> tuple[Any, ...]:
     return tuple(ring.symbol(f"{letter}{i}") for i in range(1, 7))
 
 
@@ -40,21 +43,21 @@ def _dual(components: Sequence[Any]) -> Vector:
     return Vector.dual(components[:3], components[3:])
 
 
-def _lifted(ring: Ring, expression: sympy.Expr, square: Dual) -> Dual:
+def _lifted(ring: Any, expression: sympy.Expr, square: Dual) -> Dual:
     """f(x) + eps x° f'(x) of a rational expression."""
     value, slope = (ring.lift(e, {x: square.re}) for e in (expression, expression.diff(x)))
     return Dual(value, square.du * slope)
 
 
-def _isotropic(ring: Ring, formula: Formula, v: Vector) -> Isotropic:
+def _isotropic(ring: Any, formula: Formula, v: Vector) -> Isotropic:
     square = v.dot(v)
     a, b, c = (_lifted(ring, coefficient, square) for coefficient in formula.coefficients)
     return Isotropic(a, b, c, square)
 
 
-def _quaternion(cayley: Cayley) -> Iterator[Expectation]:
+def _quaternion(cayley: Cayley, make: Callable[..., Any]) -> Iterator[Expectation]:
     """(p + q v)/sⁿ with s² = 1 + x, in the ring that has s; and back, where no trigonometry is needed."""
-    ring = Ring(extra=("v4", "v5", "v6"), root=True)
+    ring = make(extra=("v4", "v5", "v6"), root=True)
     components = _symbols(ring, "v")
     v = _dual(components)
     square = v.dot(v)
@@ -69,8 +72,8 @@ def _quaternion(cayley: Cayley) -> Iterator[Expectation]:
         yield Expectation("from_quaternion", (flat,), components)
 
 
-def _tensors(cayley: Cayley) -> Iterator[Expectation]:
-    ring = Ring(extra=("v4", "v5", "v6", *(f"w{i}" for i in range(1, 7))))
+def _tensors(cayley: Cayley, make: Callable[..., Any]) -> Iterator[Expectation]:
+    ring = make(extra=("v4", "v5", "v6", *(f"w{i}" for i in range(1, 7))))
     components, others = _symbols(ring, "v"), _symbols(ring, "w")
     v, w = _dual(components), _dual(others)
     R, T, T_inv = (_isotropic(ring, f, v) for f in (cayley.tensor, cayley.tangent, cayley.tangent_inv))

@@ -95,11 +95,11 @@ def test_a_failed_proof_writes_nothing(tmp_path: Path, monkeypatch: pytest.Monke
 
 def test_a_failed_validation_writes_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     original = compiler.module_text
-    monkeypatch.setattr(
-        compiler,
-        "module_text",
-        lambda proved, target: flipped(original(proved, target), "pose", r"N / N / N", "1 / N / N"),
-    )
+
+    def wrong(*arguments):
+        return flipped(original(*arguments), "pose", r"N / N / N", "1 / N / N")
+
+    monkeypatch.setattr(compiler, "module_text", wrong)
     with pytest.raises(ValidationFailed, match="pose"):
         derive.generate([2], output=tmp_path / "kernels")
     assert not (tmp_path / "kernels").exists()

@@ -1,0 +1,71 @@
+"""Measure, keep the worst inputs, and write docs/accuracy.md with its figures: ``python -m benchmarks.accuracy``."""
+
+from __future__ import annotations
+
+import tempfile
+import time
+from pathlib import Path
+
+import click
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+
+from benchmarks.accuracy import figures, measure, report
+from tests.support import cases, kernels
+
+DOCS = Path(__file__).parents[2] / "docs"
+
+
+def progress(console: Console) -> Progress:
+    """A bar on a terminal, nothing elsewhere."""
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
+    return Progress(*columns, console=console, disable=not console.is_terminal)
+
+
+def search(folder: Path, seconds: float, bar: Progress) -> None:
+    """Random inputs until the time is over; those worse than any kept are kept."""
+    kept, seed = cases.read()
+    deadline = time.monotonic() + seconds
+    while time.monotonic() < deadline:
+        seed += 1
+        tasks = measure.sample_tasks(folder, seed)
+        row = bar.add_task(f"searching, seed {seed}", total=len(tasks))
+        found = list(measure.run(tasks, lambda row=row: bar.advance(row), deadline))
+        kept = cases.added(kept, measure.cases_of(found))
+        cases.write(kept, seed)
+
+
+def measurements(folder: Path, bar: Progress) -> list[measure.Measurement]:
+    """Seeded samples and kept cases; the worst samples are kept."""
+    kept, searched = cases.read()
+    tasks = measure.sample_tasks(folder) + measure.replay_tasks(folder, kept)
+    row = bar.add_task("kernels", total=len(tasks))
+    found = list(measure.run(tasks, lambda: bar.advance(row)))
+    cases.write(cases.added(kept, measure.cases_of(found)), searched)
+    return found
+
+
+@click.command(context_settings={"help_option_names": ["-h", "--help"]})
+@click.option("--search", "seconds", type=float, default=0.0, help="First look for worse inputs, so many seconds.")
+@click.option("--figures-only", is_flag=True, help="Draw the figures and leave the tables.")
+def main(seconds: float, figures_only: bool) -> None:
+    """Write docs/accuracy.md, its figures and benchmarks/worst_cases.json."""
+    console = Console()
+    with tempfile.TemporaryDirectory() as name, progress(console) as bar:
+        folder = Path(name)
+        kernels.write(measure.ORDERS, folder)
+        DOCS.mkdir(exist_ok=True)
+        drawn = figures.draw(DOCS, bar, console)
+        if figures_only:
+            return
+        if seconds:
+            search(folder, seconds, bar)
+        found = measurements(folder, bar)
+    missed = report.short_of_gate(found)
+    (DOCS / "accuracy.md").write_text(report.page(found, drawn, missed), encoding="utf-8")
+    for line in missed or ["all gates are met"]:
+        console.print(line, highlight=False)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,155 @@
+"""Error against angle, ours and other libraries' in doubles: what the figures show.
+
+At every angle the same screws ξ (rotation α u, translation of size one) for all. Forward maps and Jacobians start
+from each map's own vector rounded to doubles, ours from v = tan(α/2n) u, and are compared with the exact map of that
+rounded vector. Inverse maps all start from the same matrix, exp ξ rounded to doubles.
+"""
+
+from __future__ import annotations
+
+import functools
+import multiprocessing
+import warnings
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import numpy as np
+
+from benchmarks.accuracy import peers
+from benchmarks.accuracy.measure import DIGITS, PROCESSES
+from tests.support import errors, kernels, sampling
+from tests.support.exponential import ExponentialScales, exponential, rodrigues
+from tests.support.nilpotent import Nil, inverse, matmul, transpose, vect
+from tests.support.oracle import oracle_of, pack
+from tests.support.trial import rounded
+
+ORDERS = (1, 2, 3, 8)
+SAMPLES = 6
+SMALL = 10.0 ** np.linspace(-16, 0, 65)
+WHOLE = np.linspace(0, 2 * np.pi, 65)[1:-1]
+TO_PI = 10.0 ** np.linspace(-12, 0, 49)
+ANGLES = {"small": SMALL, "whole": WHOLE, "to pi": np.pi - TO_PI}
+
+# (part of the figure, library) to error in eps
+Point = dict[tuple[str, str], float]
+
+
+@functools.cache
+def libraries() -> list[peers.Peer]:
+    return peers.installed()
+
+
+def screws(panel: str, index: int) -> np.ndarray:
+    """Exponential coordinates (SAMPLES, 6)."""
+    rng = sampling.generator("curve", panel, index)
+    axis, shift = (sampling.unit_vectors(rng, (SAMPLES,)) for _ in range(2))
+    return np.concatenate([ANGLES[panel][index] * axis, shift], axis=-1)
+
+
+def homogeneous(tensor: Any) -> np.ndarray:
+    """[Q ρ; 0 1] of a dual tensor (I + ε skew ρ) Q."""
+    q, q_dual = pack(tensor)
+    rho = vect(matmul(q_dual, transpose(q)))
+    zero = q[0][0] * 0
+    rows = [(*row, shift) for row, shift in zip(q, rho, strict=True)]
+    return np.array([*rows, (zero, zero, zero, zero + 1)], dtype=object)
+
+
+def blocks(jacobian: np.ndarray) -> np.ndarray:
+    """Dual tensor (2, 3, 3) of a 6x6 Jacobian [[A, 0], [B, A]]."""
+    return np.stack([jacobian[:3, :3], jacobian[3:, :3]])
+
+
+class Errors:
+    """The largest error of every curve at one angle."""
+
+    def __init__(self) -> None:
+        self.point: Point = {}
+        self.oracle = oracle_of(1, DIGITS)
+
+    def add(self, parts: tuple[str, ...], name: str, got: Any, exact: Any, scale: Nil) -> None:
+        """One part for both errors, or one each."""
+        found = errors.errors(got, exact, scale, self.oracle)
+        for part, error in zip(parts, found if len(parts) == 2 else [max(found)], strict=True):
+            self.point[part, name] = max(error, self.point.get((part, name), 0.0))
+
+
+def forward(xi: np.ndarray, result: Errors) -> None:
+    """v or ξ to pose, T and T⁻¹."""
+    unpack = result.oracle.unpack
+    exact = [exponential(unpack(row)) for row in xi]
+    allowed = [ExponentialScales(row) for row in xi]
+    for peer in libraries():
+        for (tensor, _), scale, got in zip(exact, allowed, peer.exp(xi), strict=True):
+            size = Nil(scale.tensor.re, scale.position)
+            result.add(("Q", "ρ"), peer.name, got, homogeneous(tensor), size)
+        if peer.jacobian is not None:
+            for (_, operator), scale, got in zip(exact, allowed, peer.jacobian(xi), strict=True):
+                result.add(("T",), peer.name, blocks(got), pack(operator), scale.tangent)
+        principal = np.linalg.norm(xi[0, :3]) < np.pi - 1e-6
+        if peer.jacobian_inv is not None and (principal or not peer.through_log):
+            for (_, operator), scale, got in zip(exact, allowed, peer.jacobian_inv(xi), strict=True):
+                result.add(("T⁻¹",), peer.name, blocks(got), pack(inverse(operator)), scale.near_pole)
+    for n in ORDERS:
+        kernel, oracle = kernels.load(n), oracle_of(n, DIGITS)
+        v = rounded(np.stack([pack(rodrigues(n, unpack(row), oracle.field)) for row in xi]), np.float64)
+        results = (kernel.pose(v), kernel.tangent(v), kernel.tangent_inv(v))
+        for row, pose, tangent, tangent_inv in zip(v, *results, strict=True):
+            scale = errors.scales(n, row)
+            operator = oracle.operator_by_spin(unpack(row))
+            result.add(("Q", "ρ"), f"n = {n}", pose, oracle.pose(row), Nil(scale.tensor.re, scale.position))
+            result.add(("T",), f"n = {n}", tangent, pack(operator), scale.tangent)
+            result.add(("T⁻¹",), f"n = {n}", tangent_inv, pack(inverse(operator)), scale.near_pole)
+
+
+def inverse_maps(xi: np.ndarray, result: Errors) -> None:
+    """The pose to v or ξ."""
+    dual = [result.oracle.unpack(row) for row in xi]
+    pairs = [exponential(row) for row in dual]
+    poses = np.stack([rounded(homogeneous(tensor), np.float64) for tensor, _ in pairs])
+    given = [(errors.entry_twists(r), np.array(pack(r), dtype=float).reshape(2, 9)) for r, _ in pairs]
+    scales = [errors.branch_scale(t, row, *g) for (_, t), row, g in zip(pairs, dual, given, strict=True)]
+    for peer in libraries():
+        for row, scale, got in zip(dual, scales, peer.log(poses), strict=True):
+            result.add(("log", "log°"), peer.name, got, pack(row), scale)
+    for n in ORDERS:
+        oracle = oracle_of(n, DIGITS)
+        for row, entries, got in zip(dual, given, kernels.load(n).from_pose(poses), strict=True):
+            v = rodrigues(n, row, oracle.field)
+            scale = errors.branch_scale(oracle.operator_by_spin(v), v, *entries)
+            result.add(("log", "log°"), f"n = {n}", got, pack(v), scale)
+
+
+def point(task: tuple[str, int]) -> tuple[str, int, Point]:
+    """Run in a worker process."""
+    panel, index = task
+    result, xi = Errors(), screws(panel, index)
+    with warnings.catch_warnings():
+        # What a library warns of shows in its error.
+        warnings.simplefilter("ignore")
+        if panel != "to pi":
+            forward(xi, result)
+        if panel != "whole":
+            inverse_maps(xi, result)
+    return panel, index, result.point
+
+
+Curves = dict[tuple[str, str, str], np.ndarray]
+"""(panel, part, name) to errors at ANGLES[panel]."""
+
+
+def curves(report: Callable[[int, int], None]) -> Curves:
+    """All of them; `report(done, total)` after every angle."""
+    tasks = [(panel, i) for panel, angles in ANGLES.items() for i in range(len(angles))]
+    found: Curves = {}
+    for done, (panel, index, errors_there) in enumerate(_points(tasks), 1):
+        for (part, name), error in errors_there.items():
+            row = found.setdefault((panel, part, name), np.full(len(ANGLES[panel]), np.nan))
+            row[index] = error
+        report(done, len(tasks))
+    return found
+
+
+def _points(tasks: list[tuple[str, int]]) -> Iterator[tuple[str, int, Point]]:
+    with multiprocessing.get_context("spawn").Pool(PROCESSES) as pool:
+        yield from pool.imap_unordered(point, tasks, chunksize=4)

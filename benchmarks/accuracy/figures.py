@@ -1,0 +1,139 @@
+"""docs/accuracy_*.png: error against angle, ours beside other libraries'."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import matplotlib
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from rich.console import Console
+from rich.progress import Progress
+
+from benchmarks.accuracy import curves, peers
+
+FLOOR = 1e-2  # errors below are drawn there: they are zero for this purpose
+
+# Colours of Okabe and Ito, told apart without colour by line and marker; ours solid, others dashed.
+STYLES = {
+    "n = 1": ("#56B4E9", "o"),
+    "n = 2": ("#0072B2", "s"),
+    "n = 3": ("#009E73", "^"),
+    "n = 8": ("#000000", "D"),
+    "SciPy": ("#E69F00", "v"),
+    "pytransform3d": ("#D55E00", "P"),
+    "jaxlie": ("#CC79A7", "X"),
+    "pinocchio": ("#7F7F7F", "d"),
+}
+
+X_AXES = {
+    "small": ("rotation angle α", "log"),
+    "whole": ("rotation angle α", "linear"),
+    "to pi": ("distance to half a turn, π − α", "log"),
+}
+
+
+@dataclass(frozen=True)
+class Picture:
+    """One file: a row for each part, a column for each panel."""
+
+    file: str
+    title: str
+    parts: dict[str, str]
+    panels: tuple[str, str]
+    caption: str
+
+
+PICTURES = (
+    Picture(
+        "accuracy_exponential.png",
+        "From vector to pose: Cayley maps and exponential maps of other libraries",
+        {"Q": "rotation Q", "ρ": "displacement ρ"},
+        ("small", "whole"),
+        "Forward maps. Ours v → pose, the others' exponential map at the same screws with translations of size one; "
+        "each against its own exact map of its own rounded argument.",
+    ),
+    Picture(
+        "accuracy_logarithm.png",
+        "From pose to vector: inverse Cayley maps and logarithms of other libraries",
+        {"log": "rotational part", "log°": "translational part"},
+        ("small", "to pi"),
+        "Inverse maps. All from the same matrix of doubles; errors over what rounding its entries does to the exact "
+        "result.",
+    ),
+    Picture(
+        "accuracy_tangent.png",
+        "Tangent operators, and Jacobians of exponential maps of other libraries",
+        {"T": "T", "T⁻¹": "T⁻¹"},
+        ("small", "whole"),
+        "Tangent operators. Ours dcay and its inverse, the others' left Jacobian of the exponential map and its "
+        "inverse, the larger error of both parts. SciPy has neither, jaxlie the inverse only; the inverses of jaxlie "
+        "and pinocchio are those of their logarithms, up to π.",
+    ),
+)
+
+
+def panel(axes: Axes, found: curves.Curves, name: str, part: str) -> None:
+    """All curves of one part over one range of angles."""
+    angles = curves.TO_PI if name == "to pi" else curves.ANGLES[name]
+    for i, (label, (colour, marker)) in enumerate(STYLES.items()):
+        row = found.get((name, part, label))
+        if row is not None:
+            ours = label.startswith("n =")
+            axes.plot(
+                angles,
+                np.where(np.isnan(row), np.nan, np.clip(row, FLOOR, 1e17)),
+                color=colour,
+                linestyle="-" if ours else (0, (4, 1.5)),
+                linewidth=1.4,
+                marker=marker,
+                markersize=4.5,
+                markevery=(i, 8),
+                label=label,
+                zorder=3 if ours else 2,
+            )
+    label, scale = X_AXES[name]
+    axes.set_xscale(scale)
+    axes.set_yscale("log")
+    axes.set_xlabel(label)
+    axes.grid(True, which="major", color="0.88", linewidth=0.6)
+    axes.axhline(1, color="0.4", linewidth=0.8, zorder=1)
+    if name == "whole":
+        axes.set_xlim(0, 2 * np.pi)
+        axes.set_xticks(np.arange(5) * np.pi / 2, ["0", "π/2", "π", "3π/2", "2π"])
+
+
+def picture(found: curves.Curves, what: Picture, path: Path) -> None:
+    figure = Figure(figsize=(10.5, 7.2), layout="constrained")
+    grid = figure.subplots(2, 2, sharey=True)
+    for row, (part, label) in zip(grid, what.parts.items(), strict=True):
+        for axes, name in zip(row, what.panels, strict=True):
+            panel(axes, found, name, part)
+        row[0].set_ylabel(f"error of {label} (eps)")
+    handles = {label: line for axes in grid.flat for line, label in zip(*axes.get_legend_handles_labels(), strict=True)}
+    order = [label for label in STYLES if label in handles]
+    names = [f"dualcay, {label}" if label.startswith("n =") else label for label in order]
+    lines = [handles[label] for label in order]
+    figure.legend(lines, names, loc="outside right center", frameon=False, handlelength=3.2)
+    figure.suptitle(what.title, fontsize=12)
+    # No version of the library in the file: the same data give the same bytes.
+    figure.savefig(path, dpi=120, metadata={"Software": None})
+
+
+def draw(folder: Path, bar: Progress, console: Console) -> Sequence[tuple[str, str]]:
+    """Compute and draw all figures; (file name, caption) of each."""
+    matplotlib.use("Agg")
+    versions = peers.versions()
+    for name, version in versions.items():
+        if version is None:
+            console.print(f"{name} is not installed and left out of the figures (extras bench, peers)", highlight=False)
+    row = bar.add_task("angles", total=sum(map(len, curves.ANGLES.values())))
+    found = curves.curves(lambda done, total: bar.update(row, completed=done, total=total))
+    for what in PICTURES:
+        picture(found, what, folder / what.file)
+    used = ", ".join(f"{name} {version}" for name, version in versions.items() if version)
+    note = f"Errors below {FLOOR:g} eps are drawn there. Compared: {used}."
+    return [(what.file, f"{what.caption} {note}") for what in PICTURES]

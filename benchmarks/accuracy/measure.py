@@ -1,0 +1,133 @@
+"""Errors of kernel functions: by function, order, regime and type, on seeded samples, kept cases and by search."""
+
+from __future__ import annotations
+
+import multiprocessing
+import time
+import warnings
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from tests.support import cases, kernels, sampling
+from tests.support.accuracy import FUNCTIONS, Trial
+from tests.support.cases import DTYPES, Case
+
+ORDERS = (1, 2, 3, 4, 5, 6, 7, 8, 16, 32, 64)
+DIGITS = 60
+COUNT = 8  # samples of a regime
+PROCESSES = 2
+
+
+@dataclass(frozen=True)
+class Task:
+    """One call of a worker: all functions in one regime, or some kept cases of one order."""
+
+    folder: Path
+    order: int
+    regime: str = ""
+    dtype: str = ""
+    seed: int = 0
+    kept: tuple[Case, ...] = ()
+
+
+@dataclass(frozen=True)
+class Measurement:
+    """The worst of one function in one regime: errors in eps of (real, dual) parts, their gates, and the input."""
+
+    function: str
+    order: int
+    dtype: str
+    regime: str
+    errors: tuple[float, float]
+    gates: tuple[float, float]
+    case: Case | None  # None where no sample was in range
+    left_out: int  # samples whose (1 + v·v)^n overflows
+
+    @property
+    def inside(self) -> bool:
+        return self.regime in sampling.PRINCIPAL
+
+
+def measured(trial: Trial, function: str) -> Measurement | None:
+    """The largest errors of a function in a trial, each part on its own; None if it has no samples there."""
+    worst, errors, gates, given, left_out = -1.0, [0.0, 0.0], None, None, 0
+    for result in getattr(trial, function)():
+        gates = result.gates
+        vectors = result.given if function == "compose" else result.given[:1]
+        if not all(sampling.in_range(trial.order, v) for v in vectors):
+            left_out += 1
+            continue
+        # NaN and a lost type are errors without bound.
+        kept = result.got.dtype == trial.dtype
+        nearest = min(trial.in_eps(result), key=lambda pair: max(pair[0] / gates[0], pair[1] / gates[1]))
+        found = [error if kept else float("inf") for error in nearest]
+        errors = [max(pair) for pair in zip(errors, found, strict=True)]
+        fraction = max(error / gate for error, gate in zip(found, gates, strict=True))
+        if fraction > worst:
+            worst, given = fraction, result.given
+    if gates is None:
+        return None
+    case = None if given is None else Case.of(trial, function, given, worst)
+    dtype = cases.name_of(trial.dtype)
+    return Measurement(function, trial.order, dtype, trial.regime, (errors[0], errors[1]), gates, case, left_out)
+
+
+def work(task: Task) -> list[Measurement]:
+    """Run in a worker process."""
+    module = kernels.load(task.order, task.folder)
+    with warnings.catch_warnings():
+        # Overflow shows in the error itself.
+        warnings.simplefilter("ignore", RuntimeWarning)
+        if task.kept:
+            found = [measured(case.trial(module, DIGITS), case.function) for case in task.kept]
+        else:
+            options: dict[str, Any] = {"digits": DIGITS, "count": COUNT, "seed": task.seed}
+            trial = Trial(module, task.order, task.regime, DTYPES[task.dtype], **options)
+            found = [measured(trial, function) for function in FUNCTIONS]
+    return [measurement for measurement in found if measurement is not None]
+
+
+def types() -> list[str]:
+    """Long double only where it is longer than double."""
+    longer = np.finfo(np.longdouble).eps < np.finfo(np.float64).eps
+    return [name for name in DTYPES if longer or name != "longdouble"]
+
+
+def sample_tasks(folder: Path, seed: int = 0) -> list[Task]:
+    """Slow ones first, so that the processes end together."""
+    return [
+        Task(folder, order, regime, dtype, seed)
+        for order in reversed(ORDERS)
+        for regime in sampling.REGIMES
+        if sampling.has_regime(order, regime)
+        for dtype in types()
+    ]
+
+
+def replay_tasks(folder: Path, kept: Iterable[Case], size: int = 20) -> list[Task]:
+    tasks = []
+    for order in ORDERS:
+        own = [case for case in kept if case.order == order and case.dtype in types()]
+        tasks += [Task(folder, order, kept=tuple(own[i : i + size])) for i in range(0, len(own), size)]
+    return tasks
+
+
+def run(tasks: list[Task], advance: Callable[[], None], deadline: float | None = None) -> Iterator[Measurement]:
+    """Measure in parallel; past the deadline (of `time.monotonic`) whatever is not done is left out."""
+    # Fresh processes: forked ones would inherit the threads of the libraries compared.
+    context = multiprocessing.get_context("spawn")
+    with context.Pool(PROCESSES) as pool:
+        for found in pool.imap(work, tasks):
+            yield from found
+            advance()
+            if deadline is not None and time.monotonic() > deadline:
+                pool.terminate()
+                return
+
+
+def cases_of(measurements: Iterable[Measurement]) -> Iterator[Case]:
+    return (measurement.case for measurement in measurements if measurement.case is not None)

@@ -1,0 +1,120 @@
+"""Other libraries' exponential maps of rigid displacements, in double precision: each optional.
+
+All take and give batches in one convention: screws (N, 6) with the rotation first, homogeneous matrices (N, 4, 4),
+left (space) Jacobians (N, 6, 6) in the order of the screws.
+"""
+
+from __future__ import annotations
+
+import importlib.metadata
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+Map = Callable[[np.ndarray], np.ndarray]
+
+
+@dataclass(frozen=True)
+class Peer:
+    """Its maps; None for one it does not have. `through_log`: its inverse Jacobian is that of log, so ends at π."""
+
+    name: str
+    exp: Map
+    log: Map
+    jacobian: Map | None = None
+    jacobian_inv: Map | None = None
+    through_log: bool = False
+
+
+# Translation first to rotation first, or back.
+SWAP = np.array([3, 4, 5, 0, 1, 2])
+
+
+def scipy() -> Peer:
+    from scipy.spatial.transform import RigidTransform
+
+    return Peer(
+        "SciPy",
+        lambda screws: RigidTransform.from_exp_coords(screws).as_matrix(),
+        lambda poses: RigidTransform.from_matrix(poses).as_exp_coords(),
+    )
+
+
+def pytransform3d() -> Peer:
+    from pytransform3d import trajectories, transformations
+
+    def each(function: Any) -> Map:
+        return lambda screws: np.stack([function(screw) for screw in screws])
+
+    return Peer(
+        "pytransform3d",
+        trajectories.transforms_from_exponential_coordinates,
+        trajectories.exponential_coordinates_from_transforms,
+        each(transformations.left_jacobian_SE3),
+        each(transformations.left_jacobian_SE3_inv),
+    )
+
+
+def jaxlie() -> Peer:
+    import jax
+
+    jax.config.update("jax_enable_x64", True)
+    from jaxlie import SE3
+
+    def exp(screws: np.ndarray) -> np.ndarray:
+        return np.asarray(SE3.exp(screws[:, SWAP]).as_matrix())
+
+    def log(poses: np.ndarray) -> np.ndarray:
+        return np.asarray(SE3.from_matrix(poses).log())[:, SWAP]
+
+    # The Jacobian of log on the right, in the body frame, of exp(−ξ): the left one of ξ.
+    right = jax.jit(jax.vmap(lambda screw: SE3.exp(screw).jlog()))
+
+    def jacobian_inv(screws: np.ndarray) -> np.ndarray:
+        return np.asarray(right(-screws[:, SWAP]))[:, SWAP][:, :, SWAP]
+
+    return Peer("jaxlie", exp, log, None, jacobian_inv, through_log=True)
+
+
+def pinocchio() -> Peer:
+    import pinocchio as pin
+
+    def exp(screws: np.ndarray) -> np.ndarray:
+        return np.stack([pin.exp6(screw[SWAP]).homogeneous for screw in screws])
+
+    def log(poses: np.ndarray) -> np.ndarray:
+        return np.stack([pin.log6(pose).vector[SWAP] for pose in poses])
+
+    def jacobian(screws: np.ndarray) -> np.ndarray:
+        return np.stack([pin.Jexp6(-screw[SWAP])[SWAP][:, SWAP] for screw in screws])
+
+    def jacobian_inv(screws: np.ndarray) -> np.ndarray:
+        return np.stack([pin.Jlog6(pin.exp6(-screw[SWAP]))[SWAP][:, SWAP] for screw in screws])
+
+    return Peer("pinocchio", exp, log, jacobian, jacobian_inv, through_log=True)
+
+
+MAKERS: dict[str, tuple[str, Callable[[], Peer]]] = {
+    "SciPy": ("scipy", scipy),
+    "pytransform3d": ("pytransform3d", pytransform3d),
+    "jaxlie": ("jaxlie", jaxlie),
+    "pinocchio": ("pin", pinocchio),
+}
+"""Name, distribution, and what makes the peer."""
+
+
+def versions() -> dict[str, str | None]:
+    """Version of each library, None where it is missing."""
+    found: dict[str, str | None] = {}
+    for name, (distribution, _) in MAKERS.items():
+        try:
+            found[name] = importlib.metadata.version(distribution)
+        except importlib.metadata.PackageNotFoundError:
+            found[name] = None
+    return found
+
+
+def installed() -> list[Peer]:
+    return [MAKERS[name][1]() for name, version in versions().items() if version]

@@ -1,0 +1,239 @@
+"""docs/accuracy.md: the worst error of every function, order and type, with its regime, against its gate."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from benchmarks.accuracy.measure import COUNT, DIGITS, ORDERS, Measurement, types
+from tests.support.accuracy import FUNCTIONS
+from tests.support.cases import DTYPES
+from tests.support.sampling import OUTSIDE, PRINCIPAL
+
+# Parts of results that have names, and gates, of their own; other functions show the larger of the two.
+PARTS = {"pose": ("pose: Q", "pose: ρ"), "tensor": ("tensor: Q", "tensor: ρ× Q")}
+SHORT = {
+    "uniform": "u",
+    "angle 1e-12": "a12",
+    "angle 1e-7": "a7",
+    "middle band": "m",
+    "below pi": "bπ",
+    "coordinate axes": "ax",
+    "translation 1e6": "t6",
+    "pure rotation": "r",
+    "pure translation": "t",
+    "identity": "i",
+    "above pi": "aπ",
+    "at pi": "π",
+    "near 2 pi": "2π",
+    "shadow": "s",
+}
+MEANING = {
+    "uniform": "angle 0.05 … 3",
+    "angle 1e-12": "angle about 1e-12",
+    "angle 1e-7": "angle about 1e-7",
+    "middle band": "angle 1e-5 … 1e-2",
+    "below pi": "angle π − 1e-7 … π − 1e-2",
+    "coordinate axes": "the same, about a coordinate axis",
+    "translation 1e6": "translation of 1e6",
+    "pure rotation": "dual part zero",
+    "pure translation": "angle zero",
+    "identity": "v = 0",
+    "above pi": "angle π + 1e-7 … π + 1e-2",
+    "at pi": "angle π",
+    "near 2 pi": "1e-5 … 1e-1 to either side of 2π",
+    "shadow": "branches past the principal one, angle at least 0.2 from multiples of π",
+}
+
+# What the gates are called, the rows they hold for, and whether inside the principal range.
+GATES = (
+    ("rotation Q", ("pose: Q", "tensor: Q"), True),
+    ("displacement ρ", ("pose: ρ",), True),
+    ("dual quaternion", ("quaternion",), True),
+    ("tangent operator", ("tangent",), True),
+    ("its inverse, rates", ("tangent_inv", "rate", "body_rate"), True),
+    ("round trip v → pose → v, n ≥ 2", ("round_trip",), True),
+    ("Q, ρ, dual quaternion on shadows", ("pose: Q", "pose: ρ", "tensor: Q", "quaternion"), False),
+    ("tangent operator on shadows", ("tangent",), False),
+)
+
+
+@dataclass(frozen=True)
+class Worst:
+    """The largest error of one row and order."""
+
+    row: str
+    order: int
+    dtype: str
+    regime: str
+    error: float
+    gate: float
+
+    @property
+    def fraction(self) -> float:
+        return self.error / self.gate
+
+    def __str__(self) -> str:
+        if self.error < 0.005:
+            return "0"
+        error = "∞" if math.isinf(self.error) else f"{self.error:.2g}" if self.error < 9.95 else f"{self.error:.0f}"
+        return f"{error} {SHORT[self.regime]}"
+
+
+def split(measurement: Measurement) -> Iterator[Worst]:
+    """The rows a measurement counts in."""
+    m = measurement
+    if m.case is None:
+        return
+    if m.function in PARTS:
+        for row, error, gate in zip(PARTS[m.function], m.errors, m.gates, strict=True):
+            yield Worst(row, m.order, m.dtype, m.regime, error, gate)
+    else:
+        assert m.gates[0] == m.gates[1]
+        yield Worst(m.function, m.order, m.dtype, m.regime, max(m.errors), m.gates[0])
+
+
+def table(measurements: Iterable[Measurement]) -> dict[tuple[str, str, bool], dict[int, Worst]]:
+    """The worst by (type, row, inside the principal range) and order."""
+    found: dict[tuple[str, str, bool], dict[int, Worst]] = {}
+    for measurement in measurements:
+        for worst in split(measurement):
+            row = found.setdefault((worst.dtype, worst.row, measurement.inside), {})
+            old = row.get(worst.order)
+            # Equal errors by name, so that the order in which workers finish does not show.
+            if old is None or (worst.fraction, worst.regime) > (old.fraction, old.regime):
+                row[worst.order] = worst
+    return found
+
+
+def short_of_gate(measurements: Iterable[Measurement]) -> list[str]:
+    """A line for every gate that is missed."""
+    rows = table(measurements)
+    missed = [worst for row in rows.values() for worst in row.values() if worst.fraction > 1]
+    missed.sort(key=lambda w: (w.row, w.dtype, w.order))
+    return [
+        f"{w.row}, n = {w.order}, {w.dtype}, {w.regime}: {w.error:.3g} eps, gate {w.gate:g} FALLS SHORT" for w in missed
+    ]
+
+
+def gate_text(row: Iterable[Worst]) -> str:
+    gates = sorted({worst.gate for worst in row})
+    return f"{gates[0]:g}" if len(gates) == 1 else f"{gates[0]:g} … {gates[-1]:g}"
+
+
+def cell(worst: Worst | None) -> str:
+    if worst is None:
+        return ""
+    return f"**{worst}**" if worst.fraction > 1 else str(worst)
+
+
+def markdown(head: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:
+    return ["| " + " | ".join(cells) + " |" for cells in (head, ["---"] * len(head), *rows)] + [""]
+
+
+def row_names() -> list[str]:
+    return [row for function in FUNCTIONS for row in PARTS.get(function, (function,))]
+
+
+def gate_tables(measurements: Sequence[Measurement]) -> Iterator[str]:
+    """One table per type and range."""
+    rows = table(measurements)
+    for dtype in types():
+        eps = np.finfo(DTYPES[dtype]).eps
+        for inside, title in ((True, "principal range, angle below π"), (False, "at π and beyond")):
+            yield f"### {dtype} (eps = {float(eps):.3g}), {title}"
+            yield ""
+            body = []
+            for name in row_names():
+                row = rows.get((dtype, name, inside), {})
+                if row:
+                    body.append([name, gate_text(row.values()), *(cell(row.get(n)) for n in ORDERS)])
+            yield from markdown(["function", "gate", *(f"n = {n}" for n in ORDERS)], body)
+
+
+def summary(measurements: Iterable[Measurement]) -> Iterator[str]:
+    """Gate by gate, all types and orders together: the error nearest to its gate."""
+    rows = table(measurements)
+    body = []
+    for title, names, inside in GATES:
+        own = [
+            worst
+            for (_, name, side), row in rows.items()
+            if name in names and side == inside
+            for worst in row.values()
+            if name != "round_trip" or worst.order > 1
+        ]
+        largest = max(own, key=lambda w: (w.error, w.dtype, w.order))
+        nearest = max(own, key=lambda w: (w.fraction, w.dtype, w.order))
+        cells = [f"{w.error:.2g}, {w.row}, n = {w.order}, {w.dtype}, {w.regime}" for w in (largest, nearest)]
+        cells[1] += f"; gate {nearest.gate:g}"
+        verdict = "met" if nearest.fraction <= 1 else "**falls short**"
+        body.append([title, gate_text(own), *cells, verdict])
+    yield from markdown(["what", "gate", "largest error (eps)", "nearest to its gate", ""], body)
+
+
+def out_of_range(measurements: Iterable[Measurement]) -> Iterator[str]:
+    """Samples left out because p_n and q_n overflow."""
+    counts: dict[tuple[str, int], int] = {}
+    for m in measurements:
+        if m.function == "pose" and m.left_out:
+            counts[m.dtype, m.order] = counts.get((m.dtype, m.order), 0) + m.left_out
+    yield "## Range"
+    yield ""
+    yield (
+        "The kernels compute p² + x q² = (1 + |v|²)ⁿ in the type they are given. Where that overflows, results are "
+        "wrong (the identity, or NaN), so those samples are left out above. Largest |v|, and samples left out:"
+    )
+    yield ""
+    body = []
+    for dtype in types():
+        limits = []
+        for n in ORDERS:
+            exponent = (np.finfo(DTYPES[dtype]).maxexp - math.log2(4 * n)) / n
+            size = exponent / 2 * math.log10(2)
+            limit = f"{math.sqrt(2**exponent - 1):.3g}" if size < 4 else f"1e{math.floor(size)}"
+            left = counts.get((dtype, n), 0)
+            limits.append(limit + (f" ({left} left out)" if left else ""))
+        body.append([dtype, *limits])
+    yield from markdown(["type", *(f"n = {n}" for n in ORDERS)], body)
+
+
+def page(measurements: Sequence[Measurement], figures: Sequence[tuple[str, str]], missed: Sequence[str]) -> str:
+    """The whole page; `figures` are (file name, caption)."""
+    lines = [
+        "# Accuracy",
+        "",
+        "Written by `make accuracy`: change that, not this page.",
+        "",
+        f"Every kernel function against {DIGITS}-digit arithmetic that shares no formula with it: {COUNT} seeded "
+        "samples per order, type and regime, and every input that was ever the worst "
+        "(`benchmarks/worst_cases.json`).",
+        "",
+        "Errors are normwise in eps of the type, the larger of the real part's, ‖Δ‖ / ‖Re‖, and the dual part's, ‖Δ‖ / "
+        "(sum of the norms of the terms it is made of); for inverse maps, shadows and rates outside the principal "
+        "range these norms include the condition number from the exact Jacobian. `round_trip` is v → pose → v.",
+        "",
+        "Gates on shadows: max(16, 2n); tangent operators and twists there max(40, 10n).",
+        "",
+        "**" + ("All gates are met." if not missed else f"{len(missed)} gates are missed:") + "**",
+        "",
+        *(f"- {line}" for line in missed),
+        *([""] if missed else []),
+        *summary(measurements),
+        "Regimes, as abbreviated in the tables: "
+        + "; ".join(f"**{SHORT[r]}** {MEANING[r]}" for r in (*PRINCIPAL, *OUTSIDE))
+        + ".",
+        "",
+        "## Worst errors in eps, with their regime",
+        "",
+        *gate_tables(measurements),
+        *out_of_range(measurements),
+        "## Beside other libraries",
+        "",
+    ]
+    for name, caption in figures:
+        lines += [caption, "", f"![{caption.split('.')[0]}]({name})", ""]
+    return "\n".join(lines)

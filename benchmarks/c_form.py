@@ -1,0 +1,127 @@
+"""The C form of the kernels as a shared library: what NumPy and numba forms are compared with.
+
+``load(3)`` generates, compiles and loads the kernels of order 3; ``python benchmarks/c_form.py`` prints their times.
+"""
+
+from __future__ import annotations
+
+import argparse
+import ctypes
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+sys.path.insert(0, str(Path(__file__).parent.parent))
+
+from derive.codegen import generate
+from derive.codegen.signatures import SIGNATURES, Signature
+from derive.codegen.validation.compiled import compiler
+
+FLAGS = ("-std=c99", "-O3", "-march=native", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math")
+TYPES = {"double": np.float64, "float": np.float32}
+
+Array = NDArray[Any]
+
+
+class CForm:
+    """Kernels of one order, compiled. ``call("pose", v, out=pose)`` runs one on C-contiguous arrays.
+
+    Components come first, in arrays (components, N), or last, in (N, components), with ``layout="aos"``.
+    """
+
+    def __init__(self, library: Path, real: str) -> None:
+        self._library = ctypes.CDLL(str(library))
+        self._dtype = np.dtype(TYPES[real])
+
+    def call(
+        self, name: str, *arguments: Array, out: Array | tuple[Array, ...], branch: int = 0, layout: str = "rows"
+    ) -> None:
+        """Run a kernel; of a function with two results, ``out`` is a tuple."""
+        arrays = (*arguments, *(out if isinstance(out, tuple) else (out,)))
+        axis = 0 if layout == "rows" else -1
+        sizes = [array.size for array in (*SIGNATURES[name].arguments, *SIGNATURES[name].results)]
+        if [array.shape[axis] for array in arrays] != sizes:
+            raise ValueError(f"{name} takes {sizes} components on axis {axis}, got {[a.shape for a in arrays]}")
+        if not all(array.dtype == self._dtype and array.flags.c_contiguous for array in arrays):
+            raise ValueError(f"expected C-contiguous arrays of {self._dtype}")
+        count = arrays[0].size // sizes[0]
+        pointers = (ctypes.c_void_p(array.ctypes.data) for array in arrays)
+        getattr(self._library, f"{name}_{layout}")(ctypes.c_size_t(count), ctypes.c_int(branch), *pointers)
+
+
+def load(order: int, real: str = "double") -> CForm | None:
+    """Generate and compile the kernels of an order; None where no C compiler is found."""
+    command = compiler()
+    if command is None:
+        return None
+    with tempfile.TemporaryDirectory(prefix="dualcay-c-form-") as build:
+        folder = Path(build)
+        generate([order], "c", folder)
+        source, library = folder / "library.c", folder / "library.so"
+        source.write_text("\n".join(_source(order)) + "\n", encoding="utf-8")
+        flags = [*FLAGS, f"-DDUALCAY_REAL={real}", "-shared", "-fPIC"]
+        subprocess.run([*command, *flags, str(source), "-o", str(library), "-lm"], check=True)
+        return CForm(library, real)  # a loaded library outlives its file
+
+
+def _source(order: int) -> Iterator[str]:
+    yield f'#include "cayley{order}.h"'
+    for name, signature in SIGNATURES.items():
+        yield from _exports(f"dualcay_cayley{order}_{name}", name, signature)
+
+
+def _exports(function: str, name: str, signature: Signature) -> Iterator[str]:
+    """Both layouts of a function, with one pointer per array; the branch is always an argument."""
+    given, made = signature.arguments, signature.results
+    pointers = [f"const dualcay_real *{a.name}" for a in given] + [f"dualcay_real *{a.name}" for a in made]
+    parameters = ", ".join(["size_t n", "int branch", *pointers])
+    chosen, ignored = (["branch"], "") if signature.branch else ([], "(void)branch; ")
+    rows = ", ".join([*(f"{a.name}, n" for a in given), *chosen, *(f"{a.name}, n" for a in made)])
+    first, second = ([f"{a.name} + {a.size} * j" for a in arrays] for arrays in (given, made))
+    values = ", ".join([*first, *chosen, *second])
+    yield f"void {name}_rows({parameters}) {{ {ignored}{function}_rows(n, {rows}); }}"
+    yield f"void {name}_aos({parameters}) {{ {ignored}for (size_t j = 0; j < n; ++j) {function}({values}); }}"
+
+
+def _best(form: CForm, name: str, count: int, layout: str, repeats: int = 15) -> float:
+    """Nanoseconds per value, the best of some runs."""
+    signature, random = SIGNATURES[name], np.random.default_rng(1)
+
+    def shape(size: int) -> tuple[int, int]:
+        return (size, count) if layout == "rows" else (count, size)
+
+    arguments = [random.uniform(-0.3, 0.3, shape(array.size)) for array in signature.arguments]
+    out = tuple(np.empty(shape(array.size)) for array in signature.results)
+    times = []
+    for _ in range(repeats):
+        start = time.perf_counter()
+        form.call(name, *arguments, out=out, branch=1, layout=layout)
+        times.append(time.perf_counter() - start)
+    return min(times) / count * 1e9
+
+
+def main() -> int:
+    """Print times of an order."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("-n", "--order", type=int, default=3)
+    order = parser.parse_args().order
+    form = load(order)
+    if form is None:
+        print("no C compiler found (set CC)", file=sys.stderr)
+        return 3
+    print(f"ns per value, order {order}        rows 10^4  rows 10^6   aos 10^4   aos 10^6")
+    for name in SIGNATURES:
+        times = [_best(form, name, count, layout) for layout in ("rows", "aos") for count in (10**4, 10**6)]
+        print(f"{name:24s}" + "".join(f"{value:11.2f}" for value in times))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,64 @@
+"""Tables of a differential test: for every kernel function, seeded arguments and exact results as printed numbers."""
+
+from __future__ import annotations
+
+import itertools
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from ..maps import Cayley
+from .signatures import SIGNATURES, Array
+from .validation.cases import Case, cases
+
+GATE = 8
+"""Largest error, in units of the machine epsilon and of the scale of the result."""
+
+Rows = tuple[tuple[str, ...], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """An array of a function: its values case by case, and for a result the scales of its parts."""
+
+    array: Array
+    values: Rows
+    scales: Rows = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Differential:
+    """A function and its cases; ``branches`` is empty where none is chosen."""
+
+    name: str
+    count: int
+    arguments: tuple[Table, ...]
+    branches: tuple[int, ...]
+    results: tuple[Table, ...]
+
+
+def tables(cayley: Cayley) -> Iterator[Differential]:
+    """One table per function, in the order of the signatures."""
+    for name, group in itertools.groupby(cases(cayley), lambda case: case.function):
+        found = list(group)
+        signature = SIGNATURES[name]
+        arguments = tuple(
+            Table(array, tuple(_hexadecimal(case.arguments[i]) for case in found))
+            for i, array in enumerate(signature.arguments)
+        )
+        branches = tuple(case.branch for case in found if case.branch is not None)
+        yield Differential(name, len(found), arguments, branches, tuple(_results(signature.results, found)))
+
+
+def _results(arrays: Sequence[Array], found: Sequence[Case]) -> Iterator[Table]:
+    start = scale = 0
+    for array in arrays:
+        end, last = start + array.size, scale + len(array.parts)
+        values = tuple(_hexadecimal(case.result[start:end]) for case in found)
+        yield Table(array, values, tuple(_hexadecimal(case.scales[scale:last]) for case in found))
+        start, scale = end, last
+
+
+def _hexadecimal(values: Sequence[float]) -> tuple[str, ...]:
+    """Exact numbers in C, without trailing zeros."""
+    return tuple(re.sub(r"\.?0*p", "p", value.hex()) for value in values)

@@ -1,0 +1,156 @@
+"""Print the steps of a program as expressions, in any language with infix operators: a dialect each.
+
+A dialect says how operators are written and how strongly they bind. Brackets follow from that: an operand keeps them
+where the language would read, round or warn otherwise.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+from .program import Operand, Program, Step
+
+WIDTH = 120
+ATOM = 9
+NEGATION = 6
+_BREAKS = {"+", "-", "*", "/", "&", "|", "<", "==", "?", ":"}
+
+Text = tuple[str, int]
+"""Source text and the binding strength of its outermost operator."""
+
+
+@dataclass(frozen=True, slots=True)
+class Operator:
+    """An infix operator: its strength, and the strength its operands need to stand without brackets."""
+
+    symbol: str
+    strength: int
+    left: int
+    right: int
+
+
+def left_associative(symbol: str, strength: int) -> Operator:
+    """Brackets stay on a right operand of equal strength: a * (b * c) rounds differently from a * b * c."""
+    return Operator(symbol, strength, strength, strength + 1)
+
+
+ARITHMETIC: dict[str, Operator] = {
+    "add": left_associative("+", 4),
+    "sub": left_associative("-", 4),
+    "mul": left_associative("*", 5),
+    "div": left_associative("/", 5),
+}
+"""The same in every language here."""
+
+
+@dataclass(frozen=True, slots=True)
+class Dialect:
+    """How a language writes expressions.
+
+    Parameters
+    ----------
+    operators : mapping
+        Infix operators, by operation.
+    calls : mapping
+        Functions, by operation; an operation is one or the other.
+    select : callable
+        Selection: condition and two values, as texts.
+    largest : int
+        Largest magnitude of a constant.
+    literal : callable
+        How a constant is written.
+    """
+
+    operators: Mapping[str, Operator]
+    calls: Mapping[str, str]
+    select: Callable[[Text, Text, Text], Text]
+    largest: float = float("inf")
+    literal: Callable[[int], str] = str
+
+    def expression(self, step: Step, inlined: Mapping[str, Text]) -> Text:
+        """The right-hand side of a step; operands which are inlined are written out."""
+        args = [self.operand(arg, inlined) for arg in step.args]
+        if step.op in self.calls:
+            return f"{self.calls[step.op]}({', '.join(text for text, _ in args)})", ATOM
+        if step.op == "where":
+            condition, first, second = args
+            return self.select(condition, first, second)
+        if step.op == "neg":
+            return f"-{bracket(args[0], NEGATION)}", NEGATION
+        operator = self.operators[step.op]
+        left, right = bracket(args[0], operator.left), bracket(args[1], operator.right)
+        return f"{left} {operator.symbol} {right}", operator.strength
+
+    def operand(self, operand: Operand, inlined: Mapping[str, Text]) -> Text:
+        """A name, what it stands for, or an integer."""
+        if isinstance(operand, str):
+            return inlined.get(operand, (operand, ATOM))
+        if isinstance(operand, Fraction) and operand.denominator != 1:
+            raise ValueError(f"constant {operand} is not an integer: divide instead, so that exact types stay exact")
+        if not -self.largest <= operand <= self.largest:
+            raise ValueError(f"constant {operand} is beyond {self.largest:.0f}: some number type would round it")
+        text = self.literal(int(operand))
+        return text, NEGATION if text.startswith("-") else ATOM
+
+    def statements(self, program: Program) -> tuple[list[tuple[Step, str]], list[str]]:
+        """Named steps with their right-hand sides, and the expressions of the outputs."""
+        inlined: dict[str, Text] = {}
+        assignments = []
+        for step in program.steps:
+            text = self.expression(step, inlined)
+            if step.inline:
+                inlined[step.name] = text
+            else:
+                assignments.append((step, text[0]))
+        return assignments, [self.operand(output, inlined)[0] for output in program.outputs]
+
+
+def bracket(text: Text, strength: int) -> str:
+    """The text, in brackets if it binds more weakly than needed."""
+    return text[0] if text[1] >= strength else f"({text[0]})"
+
+
+def used_names(program: Program) -> set[Operand]:
+    """Names which some step or output reads."""
+    return {arg for step in program.steps for arg in step.args} | set(program.outputs)
+
+
+def renamed(program: Program, names: Mapping[str, str]) -> Program:
+    """The program with some of its names replaced."""
+
+    def new(operand: Operand) -> Operand:
+        return names.get(operand, operand) if isinstance(operand, str) else operand
+
+    return replace(
+        program,
+        inputs=tuple((argument, tuple(names.get(c, c) for c in parts)) for argument, parts in program.inputs),
+        steps=tuple(replace(s, name=names.get(s.name, s.name), args=tuple(map(new, s.args))) for s in program.steps),
+        outputs=tuple(map(new, program.outputs)),
+    )
+
+
+def fill(text: str, indent: str) -> Iterator[str]:
+    """Lines of a long expression, broken before operators."""
+    words = text.split(" ")
+    line = words[0]
+    for operator, operand in _pairs(words[1:]):
+        chunk = f"{operator} {operand}" if operand else operator
+        if len(indent) + len(line) + 1 + len(chunk) > WIDTH:
+            yield indent + line
+            line = chunk
+        else:
+            line += " " + chunk
+    yield indent + line
+
+
+def _pairs(words: list[str]) -> Iterator[tuple[str, str]]:
+    """Keep an operator with its right operand: lines break before operators."""
+    operator = ""
+    for word in words:
+        if not operator and word in _BREAKS:
+            operator = word
+            continue
+        yield (operator, word) if operator else (word, "")
+        operator = ""

@@ -1,0 +1,132 @@
+"""Seeded cases in floating-point numbers, for languages whose kernels take no exact elements.
+
+Arguments are numbers that a float holds (inverse maps: what rounds to one), results are computed from the formula to 50
+digits. Every part of a result (real, dual) comes with the scale its error is measured by: its norm, or, where larger,
+how far it moves when arguments move by their own size, the terms added up. Of the forward maps only dual arguments are
+moved: their dual part is linear in them, so this is the sum of the norms of its terms. Of the inverse maps all are:
+this is their condition.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+import mpmath
+import sympy
+
+from ...maps import Cayley
+from ..signatures import SIGNATURES
+from . import exact
+from .digits import DIGITS
+from .maps_at import MAPS, Flat, seeded_arguments
+
+SEED = 88
+POINTS = 5
+STEP = mpmath.mpf(2) ** -80
+GRID = 2**18
+DUAL_SYMBOLS = ("v4", "v5", "v6", "w4", "w5", "w6")
+
+
+@dataclass(frozen=True, slots=True)
+class Case:
+    """A call: its arguments and branch, the result, and the scale of the error of each part of the result."""
+
+    function: str
+    branch: int | None
+    arguments: tuple[tuple[float, ...], ...]
+    result: tuple[float, ...]
+    scales: tuple[float, ...]
+
+
+def cases(cayley: Cayley) -> list[Case]:
+    """Cases of every function of the module of an order, in the order of their signatures."""
+    draw = random.Random(SEED)
+    with mpmath.workdps(DIGITS):
+        found = [case for _ in range(POINTS) for case in _rational(cayley, draw)]
+        found += [_inverse(cayley.order, *given) for given in seeded_arguments(cayley.order, draw, nearby)]
+    names = list(SIGNATURES)
+    return sorted(found, key=lambda case: names.index(case.function))
+
+
+def nearby(value: Any) -> Any:
+    """A number nearby that a float holds."""
+    return mpmath.mpf(int(mpmath.nint(value * GRID))) / GRID
+
+
+class Point:
+    """Numbers in place of the symbols of the exact ring, with what expectations ask of a ring."""
+
+    def __init__(self, values: Mapping[str, Any]) -> None:
+        self.values = values
+
+    def symbol(self, name: str) -> Any:
+        return self.values[name]
+
+    def lift(self, expression: sympy.Expr, values: Mapping[sympy.Symbol, Any]) -> Any:
+        """A rational expression evaluated exactly, then rounded to the working precision."""
+        numbers = {symbol: sympy.Rational(_fraction(value)) for symbol, value in values.items()}
+        value = expression.xreplace(numbers)
+        return mpmath.mpf(int(value.p)) / int(value.q)
+
+    def square_root(self) -> Any:
+        """sqrt(1 + x)."""
+        return mpmath.sqrt(1 + sum(self.values[f"v{i}"] ** 2 for i in (1, 2, 3)))
+
+
+def _fraction(value: Any) -> Fraction:
+    sign, mantissa, exponent, _ = mpmath.mpf(value)._mpf_
+    magnitude = Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+    return -magnitude if sign else magnitude
+
+
+def _rational(cayley: Cayley, draw: random.Random) -> Iterator[Case]:
+    """Every rational function at one point, Re|v| below the first pole of the inverse operator."""
+    size = 1.5 / cayley.order
+    values = {f"v{i}": nearby(draw.uniform(-size, size)) for i in range(1, 7)}
+    values |= {f"w{i}": nearby(draw.uniform(-2, 2)) for i in range(1, 7)}
+
+    def results(at: Mapping[str, Any]) -> list[exact.Expectation]:
+        found = exact.expectations(cayley, lambda **symbols: Point(at))
+        return [case for case in found if case.function not in MAPS]
+
+    moved = [results(values | {name: values[name] * (1 + STEP)}) for name in DUAL_SYMBOLS]
+    for index, case in enumerate(results(values)):
+        yield _case(case.function, None, case.arguments, case.result, [step[index].result for step in moved])
+
+
+def _inverse(n: int, function: str, branch: int | None, arguments: Sequence[Flat]) -> Case:
+    evaluate = MAPS[function]
+    moved = []
+    for i, argument in enumerate(arguments):
+        for j, component in enumerate(argument):
+            stepped = (*argument[:j], component * (1 + STEP), *argument[j + 1 :])
+            moved.append(evaluate(n, branch or 0, *arguments[:i], stepped, *arguments[i + 1 :]))
+    return _case(function, branch, arguments, evaluate(n, branch or 0, *arguments), moved)
+
+
+def _case(
+    function: str, branch: int | None, arguments: Sequence[Flat], result: Flat, moved: Sequence[Flat]
+) -> Case:
+    steps = [[(b - a) / STEP for a, b in zip(result, other, strict=True)] for other in moved]
+    scales = []
+    start = 0
+    for size in (size for array in SIGNATURES[function].results for size in array.parts):
+        part = slice(start, start + size)
+        condition = sum(_norm(step[part]) for step in steps)
+        scales.append(float(max(_norm(result[part]), condition)))
+        start += size
+    return Case(function, branch, tuple(map(_doubles, arguments)), _doubles(result), tuple(scales))
+
+
+def _norm(values: Sequence[Any]) -> Any:
+    return mpmath.sqrt(sum(value * value for value in values))
+
+
+def _doubles(values: Sequence[Any]) -> tuple[float, ...]:
+    return tuple(float(value) for value in values)
+
+

@@ -1,0 +1,62 @@
+"""Compile the differential test that lies beside a C header, run it, and count the calls that agree."""
+
+from __future__ import annotations
+
+import os
+import re
+import shlex
+import shutil
+import subprocess
+import tempfile
+from pathlib import Path
+
+from ...maps import Cayley
+from .run import ValidationFailed
+
+TYPES = ("double", "float")
+COMPILERS = ("cc", "gcc", "clang")
+SECONDS = 300
+FLAGS = ("-std=c99", "-O1")
+
+
+def compiler() -> list[str] | None:
+    """The command of a C compiler: what CC says, else the first that is found; None without any."""
+    named = shlex.split(os.environ.get("CC", ""))
+    for command in ([named] if named else [[name] for name in COMPILERS]):
+        if shutil.which(command[0]):
+            return command
+    return None
+
+
+def validate(folder: Path, cayley: Cayley) -> int | None:
+    """Run the differential test of the module of an order, in both real types.
+
+    Returns
+    -------
+    int or None
+        How many calls agree with the formula; None where no C compiler is found.
+
+    Raises
+    ------
+    ValidationFailed
+        If the test does not compile, or a result is off.
+    """
+    command = compiler()
+    if command is None:
+        return None
+    source = folder / f"test_cayley{cayley.order}.c"
+    with tempfile.TemporaryDirectory() as build:
+        return sum(_run(command, source, real, Path(build) / real) for real in TYPES)
+
+
+def _run(command: list[str], source: Path, real: str, program: Path) -> int:
+    flags = [*FLAGS, f"-DDUALCAY_REAL={real}", str(source), "-o", str(program), "-lm"]
+    made = subprocess.run([*command, *flags], capture_output=True, text=True, timeout=SECONDS, check=False)
+    if made.returncode:
+        raise ValidationFailed(f"{source.name} does not compile ({real}):\n{made.stderr.strip()}")
+    ran = subprocess.run([str(program)], capture_output=True, text=True, timeout=SECONDS, check=False)
+    found = re.search(r": (\d+) calls agree", ran.stdout)
+    if ran.returncode or not found:
+        lines = [line for line in ran.stdout.splitlines() if "FAILED" in line]
+        raise ValidationFailed(f"{source.name} ({real}), exit {ran.returncode}:\n" + "\n".join(lines))
+    return int(found.group(1))

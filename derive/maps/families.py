@@ -1,0 +1,245 @@
+r"""Parameterizations ``v = φ(α) u`` of displacements: φ, the factor a(v) of their Cayley map, and the tangent operator.
+
+With ``q̂ = cos α/2 + u sin α/2`` and φ odd and smooth,
+
+.. math::
+    \hat q = \pm\frac{(a + v)^n}{(a^2 + v \cdot v)^{n/2}}, \qquad a = \varphi(\alpha) \cot\frac{\alpha}{2n}
+        \qquad \text{CP23 (60), (61)}
+
+.. math::
+    T &= \frac{\sin\alpha}{\varphi}\,I + \frac{1 - \cos\alpha}{\varphi^2}\,\tilde v
+        + \frac{1/\varphi' - \sin\alpha/\varphi}{\varphi^2}\,v \otimes v \\
+    T^{-1} &= \frac{\varphi}{2} \cot\frac{\alpha}{2}\,I - \frac12\,\tilde v
+        + \frac{\varphi' - (\varphi/2) \cot(\alpha/2)}{\varphi^2}\,v \otimes v
+
+where ``ω = T v̇`` is the space twist. Both are smooth functions of ``x = v · v`` at α = 0 (`Family.series`);
+``det T = 2 (1 − cos α)/(φ′ φ²)``, so that T loses rank at Re α = 2πk, k ≠ 0, and is not defined where φ′ = 0.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, TypeAlias
+
+import sympy
+from sympy.polys.ring_series import rs_cos, rs_mul, rs_series_inversion, rs_sin, rs_trunc
+
+from ..algebra import Coefficient, Tensor, Vector, functions, real_part
+from .decide import is_zero
+from .polynomials import require_order, x
+
+alpha = sympy.Symbol("alpha")
+"""The dual angle α: rotation angle + ε translation along the screw axis."""
+
+Triple: TypeAlias = tuple[sympy.Expr, sympy.Expr, sympy.Expr]
+
+
+@dataclass(frozen=True)
+class Family:
+    """A parameterization ``v = φ(α) u``.
+
+    Parameters
+    ----------
+    name : str
+    order : int
+        The order n of the Cayley map that a(v) belongs to.
+    phi : Expr
+        φ as a function of `alpha`: odd, smooth near 0, φ′(0) rational and not 0.
+    scale : Expr
+        a(v) as a function of ``x = v · v``.
+    domain : str
+        The angles Re α at which φ is defined, increasing, and a(v) belongs to this α.
+    """
+
+    name: str
+    order: int
+    phi: sympy.Expr
+    scale: sympy.Expr
+    domain: str
+
+    @cached_property
+    def slope(self) -> sympy.Expr:
+        """φ′."""
+        return self.phi.diff(alpha)
+
+    @property
+    def tangent(self) -> Triple:
+        """The coefficients of I, ṽ and v⊗v in T, functions of α ≠ 0."""
+        along = sympy.sin(alpha) / self.phi
+        return along, (1 - sympy.cos(alpha)) / self.phi**2, (1 / self.slope - along) / self.phi**2
+
+    @property
+    def tangent_inv(self) -> Triple:
+        """The coefficients of I, ṽ and v⊗v in T⁻¹, functions of Re α ≠ 2πk."""
+        along = self.phi / 2 * sympy.cot(alpha / 2)
+        return along, -sympy.Rational(1, 2), (self.slope - along) / self.phi**2
+
+    @property
+    def determinant(self) -> sympy.Expr:
+        """``det T``."""
+        return 2 * (1 - sympy.cos(alpha)) / (self.slope * self.phi**2)
+
+    def taylor(self, terms: int) -> tuple[sympy.Rational, ...]:
+        """The coefficients c₁, c₃, c₅, … of φ."""
+        cut = sympy.series(self.phi, alpha, 0, 2 * terms + 1).removeO()
+        return tuple(cut.coeff(alpha, 2 * k + 1) for k in range(terms))
+
+    def series(self, terms: int = 3) -> tuple[tuple[tuple[sympy.Rational, ...], ...], ...]:
+        """The coefficients of T and of T⁻¹ as power series in α² around 0.
+
+        Returns
+        -------
+        tuple
+            ``(tangent, tangent_inv)``, each three tuples of `terms` rational numbers.
+        """
+        ring, t = sympy.ring("t", sympy.QQ)
+        cut = 2 * terms + 4
+        phi = sum((c * t ** (2 * k + 1) for k, c in enumerate(self.taylor(terms + 2))), ring.zero)
+        slope, sine, cosine = phi.diff(t), rs_sin(t, t, cut), rs_cos(t, t, cut)
+
+        def quotient(above: Any, below: Any, power: int) -> Any:
+            """above/below, both divisible by the power of t."""
+            of_below = rs_series_inversion(below.quo(t**power), t, cut)
+            return rs_mul(above.quo(t**power), of_below, t, cut)
+
+        along = quotient(sine, phi, 1)
+        across = quotient(phi * cosine + phi, 2 * sine, 1)  # cot(α/2) = (1 + cos α)/sin α
+        square = rs_trunc(phi**2, t, cut)
+        forward = along, quotient(1 - cosine, square, 2), quotient(quotient(ring.one, slope, 0) - along, square, 2)
+        backward = across, -ring.one / 2, quotient(slope - across, square, 2)
+
+        def even(a: Any) -> tuple[sympy.Rational, ...]:
+            return tuple(sympy.Rational(a.coeff(t ** (2 * k) if k else 1)) for k in range(terms))
+
+        return tuple(map(even, forward)), tuple(map(even, backward))
+
+    def at(self, angle: Coefficient, library: Any = functions) -> Coefficient:
+        """Return φ of a number; `library` has its ``sin``, ``cos`` and ``sqrt``.
+
+        Raises
+        ------
+        ZeroDivisionError
+            At a pole of φ.
+        """
+        return evaluate(self.phi, alpha, angle, library)
+
+    def scale_at(self, square: Coefficient, library: Any = functions) -> Coefficient:
+        """Return a(v) from ``v · v``."""
+        return evaluate(self.scale, x, square, library)
+
+    def vector(self, angle: Coefficient, axis: Vector, library: Any = functions) -> Vector:
+        """Return ``v = φ(α) u`` of a screw."""
+        v: Vector = axis * self.at(angle, library)
+        return v
+
+    def operator(self, angle: Coefficient, axis: Vector, library: Any = functions, inverse: bool = False) -> Tensor:
+        """Return T (or T⁻¹) at the v of a screw; where Re α = 0 from the first terms of its series.
+
+        Raises
+        ------
+        ZeroDivisionError
+            For T where Re φ = 0 or Re φ′ = 0, for T⁻¹ at Re α = 2πk, k ≠ 0.
+        """
+        v = self.vector(angle, axis, library)
+        if is_zero(real_part(angle)):  # then α² = 0
+            a, b, c = (coefficient[0] for coefficient in self.series(1)[inverse])
+        else:
+            triple = self.tangent_inv if inverse else self.tangent
+            a, b, c = (evaluate(coefficient, alpha, angle, library) for coefficient in triple)
+        T: Tensor = Tensor.identity() * a + Tensor.skew(v) * b + Tensor.dyad(v, v) * c
+        return T
+
+
+def rodrigues(n: int) -> Family:
+    """Higher-order Rodrigues vector, ``tan(α/2n) u``, CP23 (49) at k = 0."""
+    phi = sympy.tan(alpha / (2 * require_order(n)))
+    return Family(f"Rodrigues of order {n}", n, phi, sympy.Integer(1), f"|Re alpha| < {n} pi")
+
+
+def normal_rodrigues(n: int) -> Family:
+    """Normal higher-order Rodrigues vector, ``2n tan(α/2n) u``: φ′(0) = 1."""
+    phi = 2 * require_order(n) * sympy.tan(alpha / (2 * n))
+    return Family(f"normal Rodrigues of order {n}", n, phi, sympy.Integer(2 * n), f"|Re alpha| < {n} pi")
+
+
+def sine(n: int) -> Family:
+    """Sine family, ``sin(α/2n) u``: orthographic at n = 1, Lambert at n = 2."""
+    phi = sympy.sin(alpha / (2 * require_order(n)))
+    return Family(f"sine of order {n}", n, phi, sympy.sqrt(1 - x), f"|Re alpha| < {n} pi")
+
+
+def orthographic() -> Family:
+    """Orthographic projection, ``sin(α/2) u``."""
+    return sine(1)
+
+
+def lambert() -> Family:
+    """Lambert's equal-area projection, ``sin(α/4) u``."""
+    return sine(2)
+
+
+def breusing() -> Family:
+    """Breusing's projection, the geometric mean ``√(tan(α/4) sin(α/4)) u`` for α ≥ 0, written as its odd function."""
+    phi = sympy.sin(alpha / 4) / sympy.sqrt(sympy.cos(alpha / 4))
+    scale = sympy.sqrt((sympy.sqrt(4 + x**2) - x) / 2)
+    return Family("Breusing", 2, phi, scale, "|Re alpha| < 2 pi")
+
+
+def euler() -> Family:
+    """Euler vector, ``α u``: T is dexp, CP23 (82), (84)."""
+    root = sympy.sqrt(x)
+    return Family("Euler", 1, alpha, root * sympy.cot(root / 2), "every alpha; T loses rank at |Re alpha| = 2 pi k")
+
+
+def evaluate(expression: sympy.Expr, symbol: sympy.Symbol, value: Coefficient, library: Any = functions) -> Coefficient:
+    """Return an elementary expression in one symbol at a number of any type.
+
+    Parameters
+    ----------
+    library
+        Provides ``sin``, ``cos``, ``sqrt`` of the numbers; quotients of these give tan and cot.
+    """
+
+    def at(e: sympy.Expr) -> Coefficient:
+        if e == symbol:
+            return value
+        if e.is_Integer:
+            return int(e)
+        if e.is_Add:
+            return sum(at(a) for a in e.args)
+        if e.is_Mul:
+            numerator, denominator = sympy.fraction(e)
+            above = [at(a) for a in sympy.Mul.make_args(numerator)]
+            return over(product(above), at(denominator)) if denominator != 1 else product(above)
+        if e.is_Rational:
+            return over(value * 0 + int(e.p), int(e.q))
+        if e.is_Pow:
+            return power(e)
+        sine, cosine = (f(at(e.args[0])) for f in (library.sin, library.cos))
+        quotient = {sympy.tan: (sine, cosine), sympy.cot: (cosine, sine), sympy.sin: (sine, 1), sympy.cos: (cosine, 1)}
+        above, below = quotient[e.func]
+        return above if isinstance(below, int) else over(above, below)
+
+    def power(e: sympy.Expr) -> Coefficient:
+        base, exponent = e.as_base_exp()
+        root = at(base) if exponent.q == 1 else library.sqrt(at(base))
+        raised = root ** abs(int(exponent.p))
+        return raised if exponent > 0 else over(1 + 0 * raised, raised)
+
+    return at(expression)
+
+
+def product(factors: list[Coefficient]) -> Coefficient:
+    """Return the product of at least one number."""
+    result = factors[0]
+    for factor in factors[1:]:
+        result = result * factor
+    return result
+
+
+def over(a: Coefficient, b: Coefficient) -> Coefficient:
+    """Return a/b; a zero below is a `ZeroDivisionError` for every number type."""
+    if is_zero(real_part(b)):
+        raise ZeroDivisionError(f"division of {a!r} by {b!r}")
+    return a / b

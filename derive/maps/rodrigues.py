@@ -1,0 +1,78 @@
+r"""The dual Rodrigues vector and the dual Cayley formula, K10 (Karakılıç 2010, "The dual Rodrigues parameters").
+
+An orthogonal dual tensor A with dual angle ``f + ε f*`` about the unit dual vector ŝ (its screw axis) has
+
+.. math:: B = (A - I)(A + I)^{-1} = \widetilde{b}, \qquad A = (I + B)(I - B)^{-1}, \qquad
+        b = \tan\tfrac{f + ε f^*}{2}\,ŝ
+
+The same b is the v of order n = 1. Space frame; components in the order of the basis.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ..algebra import Coefficient, Dual, Tensor, Vector, functions
+
+
+def cayley_matrix(A: Tensor) -> Tensor:
+    """Return ``B = (A − I)(A + I)⁻¹``, K10 section 2: skew-symmetric where A is orthogonal.
+
+    Raises
+    ------
+    ZeroDivisionError
+        Where ``A + I`` is exactly singular: at a half turn, and for every reflection.
+    """
+    unit = Tensor.identity()
+    B: Tensor = (A - unit) @ (A + unit).inverse()
+    return B
+
+
+def cayley_formula(b: Vector) -> Tensor:
+    """Return ``A = (I + B)(I − B)⁻¹`` with ``B = skew(b)``, K10's Cayley formula; ``det(I − B) = 1 + b·b``."""
+    unit, B = Tensor.identity(), Tensor.skew(b)
+    A: Tensor = (unit + B) @ (unit - B).inverse()
+    return A
+
+
+def rodrigues_vector(A: Tensor) -> Vector:
+    """Return b with ``A x − x = b × (A x + x)`` for all x, from the invariants: ``b = 2 vect A / (1 + tr A)``.
+
+    No inverse is taken, so that it can stand against `cayley_matrix`. Singular at half turns.
+    """
+    b: Vector = A.vect() * 2 / (1 + A.trace())
+    return b
+
+
+def direction(b: Vector, library: Any = functions) -> Vector:
+    """Return ``ŝ = b/|b|`` of a dual vector, K10 (7): the unit dual Rodrigues vector.
+
+    Parameters
+    ----------
+    b : Vector
+        Dual vector with real part other than zero.
+    library
+        Provides ``sqrt`` of its coefficients.
+    """
+    s: Vector = b / library.sqrt(b.dot(b))
+    return s
+
+
+def dual_parameters(angle: Dual, axis: Vector, library: Any = functions) -> Vector:
+    r"""Return the dual Rodrigues parameters b₁*, b₂*, b₃*, K10 (20)-(22).
+
+    .. math:: b^* = s^* \tan\tfrac f2 + s\,\tfrac{f^*}2 \left(1 + \tan^2\tfrac f2\right)
+
+    Parameters
+    ----------
+    angle : Dual
+        ``f + ε f*``: rotation angle, translation along the axis. Singular at odd multiples of π.
+    axis : Vector
+        Unit dual vector ``s + ε s*`` (direction, moment).
+    library
+        Provides ``sin`` and ``cos`` of the angle's parts.
+    """
+    half: Coefficient = angle.re / 2
+    tangent = library.sin(half) / library.cos(half)
+    parameters: Vector = axis.du * tangent + axis.re * (angle.du / 2 * (1 + tangent * tangent))
+    return parameters

@@ -1,0 +1,87 @@
+"""Every equation of two papers, decided: `verify` computes the status of each.
+
+=============  ================================================================================
+terms          printed formulas as trees: typeset, compared with the text, executed, mutated
+notation       the table of marks: LaTeX, surviving text, meaning
+claims         marks of claims in words
+values         what sums, products and equality mean on numbers, vectors, quaternions, tensors
+fields         the numbers: 60 digits, and exact rational functions
+every_order    the exact field for symbolic n
+kinds          what a letter may stand for, special values included
+generic        letters at generic values of an exact field
+evaluation     executing a term
+equation       an entry and its result
+decide         from an entry to its status
+mutation       mutants of a statement, and how they fare
+witnesses      30-digit values at seeded points, kept beside each paper's package
+paper          a paper, its sections and the inventory of its text
+report         the results as text, JSON, Markdown, HTML and LaTeX
+=============  ================================================================================
+
+``condurache_popa_2023`` and ``karakilic_2010`` hold the entries, a module per section.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+
+from . import condurache_popa_2023, karakilic_2010
+from .decide import ORDERS, decide
+from .equation import Equation, Reading, Result, Status, UndecidedError, Verdict, equation
+from .paper import Paper
+
+PAPERS: tuple[Paper, ...] = (condurache_popa_2023.PAPER, karakilic_2010.PAPER)
+
+
+def verify(
+    paper: str | None = None,
+    equations: Iterable[str] | None = None,
+    orders: Sequence[int] | None = None,
+    progress: Callable[[int, int], None] | None = None,
+) -> list[Result]:
+    """Decide the equations of the papers.
+
+    Parameters
+    ----------
+    paper : str, optional
+        Slug of one paper; both by default.
+    equations : iterable of str, optional
+        Numbers or slugs; all by default.
+    orders : sequence of int, optional
+        The orders n at which statements about n are executed, 1 … 5 by default.
+    progress : callable, optional
+        Called with (done, total) after each.
+
+    Raises
+    ------
+    ValueError
+        For a paper or an equation that does not exist.
+    """
+    papers = [p for p in PAPERS if paper in (None, p.slug)]
+    if not papers:
+        raise ValueError(f"no paper {paper!r}: expected {' or '.join(p.slug for p in PAPERS)}")
+    wanted = None if equations is None else [str(number) for number in equations]
+    chosen = [(p, e) for p in papers for e in p.entries() if wanted is None or e.number in wanted]
+    missing = sorted(set(wanted or ()) - {e.number for _, e in chosen})
+    if missing:
+        raise ValueError(f"no equation {', '.join(missing)}")
+    results = []
+    for done, (source, entry) in enumerate(chosen, 1):
+        results.append(decide(source.slug, entry, source.lost, tuple(orders or ORDERS)))
+        if progress is not None:
+            progress(done, len(chosen))
+    return results
+
+
+__all__ = [
+    "PAPERS",
+    "Equation",
+    "Paper",
+    "Reading",
+    "Result",
+    "Status",
+    "UndecidedError",
+    "Verdict",
+    "equation",
+    "verify",
+]

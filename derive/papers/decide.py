@@ -1,0 +1,237 @@
+"""Deciding an entry: refute at points, prove at generic values, compare both sides of a condition."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from math import lcm
+
+import mpmath
+
+from derive.proof.ratio import NotExactError
+
+from .equation import Equation, Reading, Result, Status, UndecidedError, Verdict, faithful
+from .evaluation import Env
+from .every_order import EveryOrder
+from .fields import DIGITS, Decimal60
+from .generic import Generic, GenericOrder, takes_apart
+from .kinds import KINDS, Draw
+from .terms import Apply, Letter, Number, Term, walk
+
+ORDERS = (1, 2, 3, 4, 5)
+RATES = ("rate", "ddt")
+DELICATE = (
+    "nonzero", "negated", "implies", "iff", "reaches", "branches", "defined", "unequal", "cases2", "cases3", "cases4",
+)  # fmt: skip
+"""Marks that can change their value where letters take special ones."""
+GENERIC_POINTS = 2
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What a statement was at one point: true, false, or without a value."""
+
+    point: str
+    inside: bool
+    truth: bool | None
+
+    @property
+    def place(self) -> str:
+        """The point, in words."""
+        return f"{self.point}: {'no value' if self.truth is None else str(self.truth).lower()}"
+
+
+def decide(paper: str, entry: Equation, lost: str, orders: Sequence[int] = ORDERS) -> Result:
+    """Compute the status of an entry.
+
+    Parameters
+    ----------
+    paper : str
+        Slug of its paper.
+    lost : str
+        Marks that the paper's extraction lost, see `derive.papers.equation.faithful`.
+    orders : sequence of int
+        The orders n at which statements about n are executed.
+
+    Raises
+    ------
+    UndecidedError
+        If what the entry says of itself does not fit what is computed.
+    """
+    for reading in entry.readings:
+        if entry.extract and not faithful(reading.statement, entry.extract, lost):
+            raise UndecidedError(f"({entry.number}): a reading does not have the marks of line {entry.line}")
+    if entry.because is not None:
+        _support(entry, entry.because)
+    orders = tuple(n for n in orders if entry.orders is None or n in entry.orders) or (entry.orders or orders)
+    verdicts = tuple(judge(entry, reading, orders) for reading in entry.readings)
+    truths = {verdict.true for verdict in verdicts}
+    if len(truths) > 1:
+        return Result(paper, entry, Status.AMBIGUOUS, "; ".join(v.method for v in verdicts), verdicts)
+    if truths == {True}:
+        status = Status.HOLDS if entry.condition is None else Status.HOLDS_IF
+        return Result(paper, entry, status, verdicts[0].method, verdicts)
+    if entry.corrected is None:
+        raise UndecidedError(f"({entry.number}) is false and has no correction: {verdicts[0].method}")
+    correction = judge(entry, Reading(entry.corrected), orders)
+    if not correction.true:
+        raise UndecidedError(f"({entry.number}): the correction is false: {correction.method}")
+    method = f"{verdicts[0].method}; correction {correction.method}"
+    return Result(paper, entry, Status.ERRATUM, method, verdicts)
+
+
+def _support(entry: Equation, identity: Term) -> None:
+    """Require that the supporting identity is proved; where it has no value it says nothing."""
+    moving = entry.moving or contains(identity, RATES)
+    entry = replace(entry, condition=None, claimed=None, also=None, moving=moving)
+    refuted = next((o for o in explore(entry, identity, ORDERS) if o.truth is False), None)
+    if refuted is not None or prove(entry, identity, ORDERS) is None:
+        reason = "not exact" if refuted is None else f"false at {refuted.place}"
+        raise UndecidedError(f"({entry.number}): the supporting identity is not proved: {reason}")
+
+
+def judge(entry: Equation, reading: Reading, orders: Sequence[int]) -> Verdict:
+    """Execute one reading: at the points first, which refute, then exactly."""
+    verdict = partial(Verdict, reading.statement, reading.note)
+    outcomes = list(explore(entry, reading.statement, orders))
+    inside = [outcome for outcome in outcomes if outcome.inside]
+    failed = next((outcome for outcome in inside if outcome.truth is not True), None)
+    if failed is not None:
+        return verdict(False, f"refuted at {failed.place}")
+    outside = [outcome for outcome in outcomes if not outcome.inside]
+    if not inside or (entry.condition is not None and not outside):
+        raise UndecidedError(f"({entry.number}): no point on {'both sides' if inside else 'the inside'} of its domain")
+    for outcome in outside:
+        if outcome.truth is True:
+            raise UndecidedError(f"({entry.number}): true outside its condition, at {outcome.place}")
+    return verdict(True, _method(entry, reading.statement, prove(entry, reading.statement, orders), len(inside)))
+
+
+def _method(entry: Equation, statement: Term, exact: str | None, points: int) -> str:
+    """How a true statement is known. What is more than an identity can still fail where letters are special."""
+    evidence = f"60-digit evaluation at {points} seeded points"
+    supported = ", with a supporting identity proved exactly" if entry.because not in (None, statement) else ""
+    if exact is None:
+        return f"evidence: {evidence}{supported}"
+    if any(entry.free(node) for node in walk(statement) if isinstance(node, Apply) and node.head in DELICATE):
+        return f"{exact} where letters are generic, {evidence}{supported}"
+    return f"{exact}{supported}"
+
+
+def explore(entry: Equation, statement: Term, orders: Sequence[int]) -> Iterator[Outcome]:
+    """The statement at all points of the entry's claimed domain."""
+    with mpmath.workdps(DIGITS):
+        for label, env in points(entry, statement, orders):
+            if entry.claimed is not None and not _truth(env, entry.claimed):
+                continue
+            inside = entry.condition is None or bool(_truth(env, entry.condition))
+            yield Outcome(label, inside, _truth(env, statement))
+
+
+def points(entry: Equation, statement: Term, orders: Sequence[int]) -> Iterator[tuple[str, Env]]:
+    """Seeded environments: all letters generic, then each special value of each letter, then the entry's own."""
+    free = entry.free(statement)
+    order = next((letter for letter in free if letter.kind == "order"), None)
+    others = [letter for letter in free if letter.kind not in ("order", "branch")]
+    branches = [letter for letter in free if letter.kind == "branch"]
+    for n in orders if order is not None else (0,):
+        prefix = f"n = {n}, " if order is not None else ""
+        for branch in range((entry.branches or n) if branches else 1):
+            fixed = {**({order: n} if order is not None else {}), **dict.fromkeys(branches, branch)}
+            draw = Draw(f"{entry.number} {n} {branch}", entry.moving)
+            for label, values in _variations(draw, others, entry):
+                yield f"{prefix}{label}", Env(
+                    Decimal60(), {**fixed, **values}, entry.definitions, moving=entry.moving
+                )
+
+
+def _variations(draw: Draw, free: Sequence[Letter], entry: Equation) -> Iterator[tuple[str, dict[Letter, object]]]:
+    def generic() -> dict[Letter, object]:
+        return {letter: KINDS[letter.kind].generic(draw) for letter in free}
+
+    for i in range(GENERIC_POINTS):
+        yield f"generic point {i + 1}", generic()
+    for letter in free:
+        for label, make in KINDS[letter.kind].special.items():
+            yield f"{letter.name}: {label}", {**generic(), letter: make(draw)}
+    for label, point in (entry.also(draw) if entry.also else {}).items():
+        yield label, {**generic(), **point}
+
+
+def contains(statement: Term, heads: Sequence[str]) -> bool:
+    """Whether one of these marks occurs."""
+    return any(isinstance(node, Apply) and node.head in heads for node in walk(statement))
+
+
+def _truth(env: Env, statement: Term) -> bool | None:
+    try:
+        return bool(env.value(statement))
+    except ArithmeticError:  # a pole, a zero divisor, a root of a negative number
+        return None
+
+
+def prove(entry: Equation, statement: Term, orders: Sequence[int]) -> str | None:
+    """Decide a statement exactly; return how, or None where no exact field has all its operations.
+
+    Raises
+    ------
+    UndecidedError
+        If it is true at all points and false exactly: then one of the two is wrong.
+    """
+    free = entry.free(statement)
+    order = next((letter for letter in free if letter.kind == "order"), None)
+    branch = next((letter for letter in free if letter.kind == "branch"), None)
+    lengths = {letter for node in walk(statement) if isinstance(node, Apply) and node.head == "norm"
+               for letter in entry.free(node)}  # the first vector's magnitude is no root
+    signs = [letter for letter in free if letter.kind == "sign"]
+    generic = sorted((a for a in free if a not in (order, branch, *signs)), key=lambda a: a not in lengths)
+    if order is not None and branch is None:
+        try:
+            if _checked(entry, statement, GenericOrder(generic, order, entry.moving)):
+                return EveryOrder.name
+        except NotExactError:
+            pass
+    dual, checked = takes_apart(statement, *entry.definitions), False
+    try:
+        for n in orders if order is not None else (0,):
+            for k in range((entry.branches or n) if branch is not None else 1):
+                for sign in (1, -1) if signs else (1,):
+                    steps = 4 * n or _steps(statement)
+                    values = Generic(generic, dual, entry.moving, steps, framed=not entry.components)
+                    values.fix(order, n)
+                    values.fix_branch(branch, k)
+                    values.values.update(dict.fromkeys(signs, sign))
+                    checked |= _checked(entry, statement, values)
+    except NotExactError:
+        return None
+    if not checked:
+        return None
+    return "exact" if order is None else f"exact, n = {', '.join(map(str, orders))}"
+
+
+def _steps(statement: Term) -> int:
+    """The integer M such that only multiples of angle/M occur."""
+    nodes = [node for node in walk(statement) if isinstance(node, Apply) and node.head == "over"]
+    divisors = [node.arguments[1] for node in nodes]
+    return 2 * lcm(2, *(d.value for d in divisors if isinstance(d, Number)))
+
+
+def _checked(entry: Equation, statement: Term, values: Generic) -> bool:
+    """Whether the statement was checked: generic values outside its domain say nothing about it."""
+    if not _within(entry, values):
+        return False
+    if not values.env(entry.definitions).value(statement):
+        raise UndecidedError(f"({entry.number}): true at all points but false exactly")
+    return True
+
+
+def _within(entry: Equation, values: Generic) -> bool:
+    """Whether generic values (of one order and branch) lie in the claimed domain and fulfil the condition."""
+    domain = [part for part in (entry.claimed, entry.condition) if part is not None]
+    try:
+        return all(values.env(entry.definitions).value(part) for part in domain)
+    except NotExactError:
+        return True
+    except ArithmeticError:
+        return False

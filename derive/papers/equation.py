@@ -1,0 +1,262 @@
+"""One equation or claim of a paper, and how it is decided.
+
+An `Equation` is an entry: what is printed, and what the letters stand for. Nothing in it says whether it is true.
+`decide` executes it and returns a `Result`:
+
+* every reading is evaluated at seeded 60-digit points, the special values of every letter among them. One failure
+  refutes it; a reading that survives is then proved at generic values of an exact field, for symbolic n where there is
+  an n. Where that is not possible the method says that the points are evidence, not proof;
+* ``holds``: every reading is true at all points. ``holds-if``: true exactly where the entry's condition is, which is
+  tested on both sides. ``ambiguous``: readings differ. ``erratum``: no reading is true; then the correction must be;
+* every reading must be faithful: its marks, less the kinds that the extraction lost, are the extracted text.
+
+An entry that fits none of these raises `UndecidedError`: there is no other way to a status than to compute it.
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from enum import StrEnum
+from typing import Any
+
+from .evaluation import Definition
+from .kinds import Draw
+from .terms import Letter, Term, latex, letters, text
+
+Points = Callable[[Draw], Mapping[str, Mapping[Letter, Any]]]
+
+
+class UndecidedError(Exception):
+    """An entry cannot be given a status: it lacks a condition, a correction, or a faithful reading."""
+
+
+class Status(StrEnum):
+    """What can be said of a printed equation."""
+
+    HOLDS = "holds"
+    HOLDS_IF = "holds-if"
+    ERRATUM = "erratum"
+    AMBIGUOUS = "ambiguous"
+
+
+@dataclass(frozen=True)
+class Reading:
+    """One way to read a display.
+
+    Attributes
+    ----------
+    statement : Term
+        The formula.
+    note : str
+        How it differs from the other readings ("the bracket closes before I").
+    """
+
+    statement: Term
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class Equation:
+    """An entry of the report. Use `equation` to make one.
+
+    Attributes
+    ----------
+    number : str
+        The paper's number, or a slug.
+    title : str
+    line : int
+        Line of the extraction where it stands.
+    extract : str
+        Its marks there, empty for a claim in words.
+    readings : tuple of Reading
+        All faithful readings.
+    where : tuple of Definition
+        What the defined letters stand for; all others are free and vary over their kind.
+    claimed : Term, optional
+        The domain that the paper states; points outside it are not tested.
+    condition : Term, optional
+        The domain that was found.
+    corrected : Term, optional
+        What an erratum should say.
+    because : Term, optional
+        An identity that proves what the points alone only show: that a missed element is missed.
+    also : callable, optional
+        Further points: from a `kinds.Draw` to values of free letters, by name.
+    moving : bool
+        Whether the letters are functions of time.
+    orders : tuple of int, optional
+        The only orders it is about.
+    branches : int, optional
+        How many values a branch letter takes, where that is not n.
+    components : bool
+        Whether single components occur, so that no frame may be chosen along the vectors.
+    fixed_by : str
+        The legible place that decides between readings, where one does.
+    remark : str
+        One sentence for the report.
+    source : str
+        Where the entry stands, ``path:line``.
+    """
+
+    number: str
+    title: str
+    line: int
+    extract: str
+    readings: tuple[Reading, ...]
+    where: tuple[Definition, ...] = ()
+    claimed: Term | None = None
+    condition: Term | None = None
+    corrected: Term | None = None
+    because: Term | None = None
+    also: Points | None = field(default=None, compare=False)
+    moving: bool = False
+    orders: tuple[int, ...] | None = None
+    branches: int | None = None
+    components: bool = False
+    fixed_by: str = ""
+    remark: str = ""
+    source: str = ""
+
+    @property
+    def definitions(self) -> dict[Letter, Definition]:
+        """The definitions by letter."""
+        return {definition.letter: definition for definition in self.where}
+
+    def free(self, statement: Term) -> tuple[Letter, ...]:
+        """The letters that vary in a statement: its own and those its definitions rest on."""
+        parts = (statement, *(part for part in (self.claimed, self.condition) if part is not None))
+        queue, found = [letter for part in parts for letter in letters(part)], dict[Letter, None]()
+        while queue:
+            letter = queue.pop(0)
+            if letter in self.definitions:
+                queue += [a for a in self.definitions[letter].arguments if a not in found]
+            elif letter.kind not in ("constant", "words", "index"):
+                found[letter] = None
+        return tuple(found)
+
+    def reading(self, statement: Term) -> Equation:
+        """The same entry with this one reading: a correction or a mutant put in place of what is printed."""
+        return replace(self, readings=(Reading(statement),), extract="")
+
+
+def equation(number: str, title: str, line: int, printed: Term | tuple[Reading, ...], **rest: Any) -> Equation:
+    """An entry; `printed` is the statement, or its readings. The place of the call is kept as its source."""
+    readings = printed if isinstance(printed, tuple) else (Reading(printed),)
+    caller = sys._getframe(1)
+    while caller.f_code.co_name != "<module>" and caller.f_back is not None:
+        caller = caller.f_back  # past functions that make several entries, to the line of this one
+    source = f"{caller.f_globals['__name__'].replace('.', '/')}.py:{caller.f_lineno}"
+    rest["where"] = tuple(rest.get("where", ()))
+    return Equation(number, title, line, rest.pop("extract", ""), readings, source=source, **rest)
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What came out for one reading.
+
+    Attributes
+    ----------
+    statement, note
+        The reading.
+    true : bool
+        Whether it is true wherever it should be.
+    method : str
+        How that is known.
+    """
+
+    statement: Term
+    note: str
+    true: bool
+    method: str
+
+    @property
+    def latex(self) -> str:
+        """The reading, typeset."""
+        return latex(self.statement)
+
+
+@dataclass(frozen=True)
+class Result:
+    """An equation with its computed status.
+
+    Attributes
+    ----------
+    paper : str
+        Slug of the paper.
+    equation : Equation
+        The entry.
+    status : Status
+    method : str
+    verdicts : tuple of Verdict
+        One for each reading.
+    """
+
+    paper: str
+    equation: Equation
+    status: Status
+    method: str
+    verdicts: tuple[Verdict, ...]
+
+    @property
+    def printed(self) -> str:
+        """LaTeX of the (first) reading."""
+        return self.verdicts[0].latex
+
+    @property
+    def corrected(self) -> str | None:
+        """LaTeX of the correction of an erratum."""
+        entry = self.equation
+        return latex(entry.corrected) if self.status is Status.ERRATUM and entry.corrected is not None else None
+
+    @property
+    def condition(self) -> str | None:
+        """LaTeX of the condition under which it holds."""
+        entry = self.equation
+        return latex(entry.condition) if self.status is Status.HOLDS_IF and entry.condition is not None else None
+
+    def as_json(self) -> dict[str, Any]:
+        """The result as plain data, for ``--format json``."""
+        record: dict[str, Any] = {
+            "paper": self.paper,
+            "equation": self.equation.number,
+            "title": self.equation.title,
+            "status": str(self.status),
+            "printed": self.printed,
+            "corrected": self.corrected,
+            "condition": self.condition,
+            "method": self.method,
+            "line": self.equation.line,
+            "source": self.equation.source,
+            "remark": self.equation.remark,
+        }
+        if self.status is Status.AMBIGUOUS:
+            record["readings"] = [
+                {"printed": v.latex, "verdict": "true" if v.true else "false", "note": v.note} for v in self.verdicts
+            ]
+        return record
+
+    def _repr_latex_(self) -> str:
+        body = rf"\text{{({self.equation.number}) {self.status}:}}\quad {self.printed}"
+        if self.corrected is not None:
+            body += rf"\quad\longrightarrow\quad {self.corrected}"
+        return f"$\\displaystyle {body}$"
+
+
+def faithful(reading: Term, extract: str, lost: str) -> bool:
+    """Whether a reading has exactly the surviving marks of the extract, in order.
+
+    Parameters
+    ----------
+    lost : str
+        The characters the extraction of this paper lost or scattered; spaces are always ignored. A tilde and the
+        index of its letter come in either order.
+    """
+    drop = str.maketrans("", "", lost + " ")
+
+    def marks(line: str) -> str:
+        return re.sub(r"~(\d+)", r"\1~", line.translate(drop))
+
+    return marks(text(reading)) == marks(extract)

@@ -1,0 +1,132 @@
+r"""Executing a formula for every order n at once.
+
+n is a symbol. With :math:`X = \tan\theta` and :math:`\psi = n\theta`, the powers of :math:`1 + iX = \sec\theta\,
+e^{i\theta}` are
+
+.. math:: (1 + iX)^{an+b} = r^{2a} \sec^b\theta \; e^{i(a\psi + b\theta)}, \qquad r = (1 + X^2)^{n/4}
+
+and n, :math:`\theta`, :math:`\psi` (with the tangents of :math:`\theta/2` and :math:`\psi/4`) and r are algebraically
+independent, so that an identity in them is an identity for every n. Derivatives in time follow by the chain rule.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from itertools import product
+from typing import Any
+
+from derive.algebra import Dual, Quaternion, Structure
+from derive.proof.ratio import NotExactError, Ratio
+
+from .fields import Exact, one_over
+
+
+class EveryOrder(Exact):
+    """Rational functions that include the powers with exponent ``a n + b`` of 1 + X², 1 + v and their multiples.
+
+    X is the magnitude of the one vector v = X u, and α = 2nθ the one angle. The multiples are by a symbol, the scale,
+    and by 2n: their powers are further independent symbols.
+    """
+
+    name = "exact, all n"
+
+    def __init__(self, names: Sequence[str] = ()) -> None:
+        super().__init__([*names, "n", "r", "scale", "s", "t"], {"theta": 1, "psi": 2})
+        self.n, self.r, self.scale = self.symbol("n"), self.symbol("r"), self.symbol("scale")
+        self.bases = ((self.scale, self.symbol("s")), (2 * self.n, self.symbol("t")))  # s = scale^(n/4), t = (2n)^(n/4)
+        self.theta, self.psi = self.symbol("theta"), self.symbol("psi")
+        self.X = super()._sin(self.theta) / super()._cos(self.theta)
+
+    def pair(self, n: Any, x: Any) -> tuple[Any, Any]:
+        """``p_n`` and ``q_n`` at x, from ``(1 + iX)ⁿ = p_n + i X q_n``."""
+        if isinstance(n, int):
+            return super().pair(n, x)
+        X = self.sqrt(x)
+        cosine, sine = self.turn(n, X)
+        size = self.power(1 + x, n / 2)
+        return size * cosine, size * sine / X
+
+    def power(self, base: Any, exponent: Any) -> Any:
+        if not isinstance(exponent, Ratio):
+            return super().power(base, exponent)
+        if isinstance(base, Quaternion):
+            return self._quaternion(base, exponent)
+        if isinstance(base, Structure):
+            raise NotExactError("powers with exponent n of vectors and tensors")
+        if isinstance(base, Dual):
+            return base.apply(lambda a: self.power(a, exponent), lambda a: exponent * self.power(a, exponent) / a)
+        a, b = self._linear(exponent)
+        for number, power in self.bases:
+            for i, j in product(range(3), range(-2, 3)):
+                if base == number**i * self.secant**j:
+                    of_number = power ** self._integer(4 * a * i) * number ** self._integer(b * i)
+                    return of_number * self.r ** self._integer(2 * j * a) * self.secant ** self._integer(j * b)
+        raise NotExactError("powers with exponent n of numbers other than 1 + v²")
+
+    @property
+    def secant(self) -> Ratio:
+        """The root of 1 + X²."""
+        secant: Ratio = 1 / super()._cos(self.theta)
+        return secant
+
+    def _quaternion(self, base: Quaternion, exponent: Ratio) -> Quaternion:
+        """Powers of c + v = c (1 + X u), and the n-th root of a unit quaternion cos ψ + u sin ψ."""
+        if not self._is_linear(exponent):  # c/n
+            turn = self._integer((exponent * self.n).combination((self.functions.constant(1),))[0]) * self.theta
+            cosine, sine = self._cos(self.psi), self._sin(self.psi)
+            if base.scalar != cosine or base.norm2() != 1:
+                raise NotExactError("roots of quaternions other than cos α/2 + u sin α/2")
+            return Quaternion(self._cos(turn), base.vector / sine * self._sin(turn))
+        c = base.scalar
+        if c != 1:
+            v = base.vector * one_over(c)
+            multiple: Quaternion = self.power(Quaternion(1, v), exponent) * self.power(c, exponent)
+            return multiple
+        X = self.magnitude(base.vector)
+        cosine, sine = self.turn(exponent, X)
+        size = self.power(base.norm2(), exponent / 2)
+        return Quaternion(size * cosine, size * sine / X * base.vector)
+
+    def turn(self, exponent: Ratio, X: Any) -> tuple[Any, Any]:
+        """Cosine and sine of ``exponent · arctan X``."""
+        if isinstance(X, Dual):
+            slope = X.du / (1 + X.re * X.re)
+            cosine, sine = self.turn(exponent, X.re)
+            return Dual(cosine, -exponent * sine * slope), Dual(sine, exponent * cosine * slope)
+        a, b = self._linear(exponent)
+        if X != self.X:
+            raise NotExactError("more than one vector")
+        return self._cos(a * self.psi + b * self.theta), self._sin(a * self.psi + b * self.theta)
+
+    def _cos(self, a: Any) -> Any:
+        (c, s), (d, t) = self._parts(a)
+        return c * d - s * t
+
+    def _sin(self, a: Any) -> Any:
+        (c, s), (d, t) = self._parts(a)
+        return s * d + c * t
+
+    def _parts(self, angle: Any) -> list[tuple[Any, Any]]:
+        """(cos, sin) of the two parts of an angle ``a ψ + b θ``, where ψ may be written nθ."""
+        a, also, b = self._ratio(angle).combination((self.psi, self.theta * self.n, self.theta))
+        parts = ((a + also) * self.psi, b * self.theta)
+        return [(super(EveryOrder, self)._cos(part), super(EveryOrder, self)._sin(part)) for part in parts]
+
+    def _is_linear(self, exponent: Ratio) -> bool:
+        try:
+            self._linear(exponent)
+        except NotExactError:
+            return False
+        return True
+
+    def _linear(self, exponent: Ratio) -> tuple[Fraction, Fraction]:
+        """(a, b) of an exponent ``a n + b``."""
+        a, b = exponent.combination((self.n, self.functions.constant(1)))
+        return a, b
+
+    @staticmethod
+    def _integer(a: Fraction) -> int:
+        if a.denominator != 1:
+            raise NotExactError(f"the exponent {a}")
+        return int(a)

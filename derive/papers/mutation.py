@@ -1,0 +1,117 @@
+"""Mutants of a statement: one mark changed. A statement that is checked at all must not survive them.
+
+The mutants come from the tree that is printed and executed: a sign flipped, a term dropped, a coefficient or exponent
+raised by one, arguments swapped, a function replaced by its sibling. `try_mutants` executes them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+
+from .decide import ORDERS, explore
+from .equation import Equation, Result, Status
+from .terms import Apply, Number, Term, text
+
+SIBLINGS = {"plus": "minus", "minus": "plus", "sin": "cos", "cos": "sin", "tan": "cot", "cot": "tan"}
+SWAPPED = ("over", "cross", "dyad", "power", "minus")
+DROPPED = ("plus", "minus", "times")  # to either argument
+BARE = ("negative", "transpose", "conjugate", "root")  # to the argument alone
+_INERT = ("remark",)  # only the first argument says anything
+
+
+@dataclass(frozen=True)
+class Survivor:
+    """A mutant that is as true as what it was made from."""
+
+    number: str
+    change: str
+    statement: str
+
+
+@dataclass
+class Score:
+    """How the mutants of some entries fared; those that combine things which have no such operation do not count."""
+
+    killed: int = 0
+    meaningless: int = 0
+    survivors: list[Survivor] = field(default_factory=list)
+
+    @property
+    def share(self) -> float:
+        """The share of the mutants that were killed."""
+        tried = self.killed + len(self.survivors)
+        return self.killed / tried if tried else 1.0
+
+    def __add__(self, other: Score) -> Score:
+        survivors = [*self.survivors, *other.survivors]
+        return Score(self.killed + other.killed, self.meaningless + other.meaningless, survivors)
+
+
+def true_statements(result: Result) -> tuple[Term, ...]:
+    """What was found true: the printed form, the correction of an erratum, the true readings of an ambiguous one."""
+    if result.status is Status.ERRATUM:
+        return () if result.equation.corrected is None else (result.equation.corrected,)
+    return tuple(verdict.statement for verdict in result.verdicts if verdict.true)
+
+
+def try_mutants(result: Result, every: int = 1, orders: Sequence[int] = ORDERS) -> Score:
+    """Execute the mutants of what was found true.
+
+    Parameters
+    ----------
+    every : int
+        Take each mutant, or only every second, third …
+    """
+    score = Score()
+    for statement in true_statements(result):
+        for i, (change, mutant) in enumerate(mutants(statement)):
+            if i % every == len(result.equation.number) % every:
+                _try(result.equation, change, mutant, orders, score)
+    return score
+
+
+def _try(entry: Equation, change: str, mutant: Term, orders: Sequence[int], score: Score) -> None:
+    try:
+        alive = all(outcome.truth is True for outcome in explore(entry, mutant, orders) if outcome.inside)
+    except (TypeError, AttributeError, ValueError, KeyError, IndexError):  # a vector where a number belongs
+        score.meaningless += 1
+        return
+    if alive:
+        score.survivors.append(Survivor(entry.number, change, text(mutant)))
+    else:
+        score.killed += 1
+
+
+def mutants(statement: Term) -> Iterator[tuple[str, Term]]:
+    """All mutants with a description, each once."""
+    seen = {statement}
+    for what, mutant in _mutants(statement):
+        if mutant not in seen:
+            seen.add(mutant)
+            yield what, mutant
+
+
+def _mutants(node: Term) -> Iterator[tuple[str, Term]]:
+    if isinstance(node, Number):
+        yield f"{node.value} raised by 1", Number(node.value + 1)
+    if not isinstance(node, Apply):
+        return
+    yield from _changed(node)
+    arguments = node.arguments
+    for i, argument in enumerate(arguments[:1] if node.head in _INERT else arguments):
+        for what, mutant in _mutants(argument):
+            yield what, Apply(node.head, *arguments[:i], mutant, *arguments[i + 1 :])
+
+
+def _changed(node: Apply) -> Iterator[tuple[str, Term]]:
+    arguments = node.arguments
+    if node.head in SIBLINGS:
+        yield f"{node.head} made {SIBLINGS[node.head]}", Apply(SIBLINGS[node.head], *arguments)
+    if node.head in SWAPPED:
+        yield f"arguments of {node.head} swapped", Apply(node.head, *reversed(arguments))
+    if node.head in DROPPED:
+        yield f"second part of {node.head} dropped", arguments[0]
+        yield f"first part of {node.head} dropped", -arguments[1] if node.head == "minus" else arguments[1]
+    if node.head in BARE:
+        yield f"{node.head} dropped", arguments[0]

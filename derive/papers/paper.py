@@ -1,0 +1,41 @@
+"""A paper: its entries by section, and an inventory of its text."""
+
+from __future__ import annotations
+
+import importlib
+from dataclasses import dataclass
+
+from .equation import Equation
+
+
+@dataclass(frozen=True)
+class Paper:
+    """A paper whose equations are entries.
+
+    Attributes
+    ----------
+    slug, short, citation : str
+    lost : str
+        Marks that the extraction of its text lost.
+    package : str
+        Where the section modules are.
+    sections : tuple of str
+        The modules, in the paper's order; each has ``ENTRIES``.
+    """
+
+    slug: str
+    short: str
+    citation: str
+    lost: str
+    package: str
+    sections: tuple[str, ...]
+
+    def entries(self) -> tuple[Equation, ...]:
+        """All entries in the paper's order."""
+        modules = (importlib.import_module(f"{self.package}.{section}") for section in self.sections)
+        return tuple(entry for module in modules for entry in module.ENTRIES)
+
+    def inventory(self) -> dict[int, tuple[str, ...] | str]:
+        """By line of the text: the entries that decide what it says, or why it claims nothing."""
+        lines: dict[int, tuple[str, ...] | str] = importlib.import_module(f"{self.package}.inventory").LINES
+        return lines

@@ -1,0 +1,31 @@
+"""The errata report in five formats.
+
+======== ======================================================================
+content  what a report says: papers, counts, rows; nothing about formats
+plain    LaTeX formulas as lines of Unicode
+text     tables for a terminal
+pages    json, markdown, html and latex
+======== ======================================================================
+
+Layouts are the templates in ``templates/report``; whoever renders passes the function that fills them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from .content import Report
+from .pages import as_html, as_json, as_latex, as_markdown
+from .text import as_text
+
+Layout = Callable[..., str]
+
+FORMATS: dict[str, Callable[[Report, Layout], str]] = {
+    "text": as_text,
+    "json": as_json,
+    "markdown": as_markdown,
+    "html": as_html,
+    "latex": as_latex,
+}
+
+__all__ = ["FORMATS", "Layout", "Report"]

@@ -1,0 +1,133 @@
+"""The report as json, markdown, html and latex: the content goes into the templates, formula by formula."""
+
+from __future__ import annotations
+
+import json
+import re
+import unicodedata
+from collections.abc import Callable
+from typing import Any
+
+from latex2mathml.converter import convert
+
+from derive.proof import Proof
+
+from ..equation import Result, Status
+from .content import MEANING, Report, label
+
+SCHEMA = 1
+Layout = Callable[..., str]
+
+
+def as_json(report: Report, layout: Layout) -> str:
+    """The results as data; every field is documented at `Result.as_json` and `derive.proof.Proof`."""
+    data = {
+        "schema": SCHEMA,
+        "equations": [result.as_json() for result in report.results],
+        "proofs": [_proof(proof) for proof in report.proofs],
+    }
+    return json.dumps(data, indent=2, ensure_ascii=False) + "\n"
+
+
+def as_markdown(report: Report, layout: Layout) -> str:
+    """A page for a repository: formulas in fenced ``math`` blocks."""
+    return layout("report/errata.md.j2", **_data(report))
+
+
+def as_html(report: Report, layout: Layout) -> str:
+    """One self-contained page: formulas in MathML, a filter that needs no network."""
+    return layout("report/errata.html.j2", mathml=mathml, **_data(report))
+
+
+def as_latex(report: Report, layout: Layout) -> str:
+    """A sheet of the errata, to be compiled with pdflatex."""
+    return layout("report/errata.tex.j2", escape=escape, **_data(report))
+
+
+def _data(report: Report) -> dict[str, Any]:
+    return {
+        "report": report,
+        "label": label,
+        "statuses": MEANING,
+        "ERRATUM": Status.ERRATUM,
+        "AMBIGUOUS": Status.AMBIGUOUS,
+        "HOLDS_IF": Status.HOLDS_IF,
+        "HOLDS": Status.HOLDS,
+        "notes": notes,
+    }
+
+
+def notes(result: Result) -> tuple[str, ...]:
+    """What is to be said beside the formula."""
+    entry = result.equation
+    fixed = f"Reading fixed by {entry.fixed_by}." if entry.fixed_by else ""
+    return tuple(note for note in (entry.remark, fixed) if note)
+
+
+def _proof(proof: Proof) -> dict[str, Any]:
+    return {
+        "statement": proof.statement,
+        "scope": proof.scope,
+        "status": proof.status,
+        "method": proof.method,
+        "seconds": round(proof.seconds, 6),
+    }
+
+
+# ---- formulas and text in other hands -------------------------------------------------------------------------
+
+_TEXT = re.compile(r"\\text\{([^{}$]*(?:\$[^$]*\$[^{}$]*)+)\}")
+
+
+def mathml(latex: str) -> str:
+    """The formula as MathML, displayed."""
+    return str(convert(_TEXT.sub(_apart, latex), display="block"))
+
+
+def _apart(found: re.Match[str]) -> str:
+    r"""Formulas inside ``\text`` beside it."""
+    pieces = found.group(1).split("$")
+    return "".join(piece if i % 2 else rf"\text{{{piece}}}" for i, piece in enumerate(pieces) if piece)
+
+
+_SPECIAL = {
+    **{c: rf"\{c}" for c in "#$%&_{}"}, "\\": r"\textbackslash{}", "~": r"\textasciitilde{}",
+    "^": r"\textasciicircum{}",
+    "−": r"$-$", "…": r"\dots{}", "‖": r"$\|$", "⊗": r"$\otimes$", "·": r"$\cdot$", "×": r"$\times$", "±": r"$\pm$",
+    "≠": r"$\neq$", "≤": r"$\leq$", "≥": r"$\geq$", "∈": r"$\in$", "→": r"$\to$", "⁻": "$^-$", "°": "$^\\circ$",
+    "√": r"$\surd$", "⇒": r"$\Rightarrow$", "˙": r"$\dot{}$", "∞": r"$\infty$", "ᵀ": "$^T$", "½": r"$\frac12$",
+    "′": "$'$", "Φ": r"$\Phi$",
+    "İ": r"\.I",
+    "⟨": r"$\langle$", "⟩": r"$\rangle$", "↦": r"$\mapsto$",
+    "⇔": r"$\Leftrightarrow$", "∂": r"$\partial$", "∘": r"$\circ$", "Δ": r"$\Delta$", "Σ": r"$\sum$",
+    **{c: f"$_{i}$" for i, c in enumerate("₀₁₂₃₄₅₆₇₈₉")}, "ₙ": "$_n$", "ₖ": "$_k$",
+    **{c: f"$^{i}$" for i, c in enumerate("⁰¹²³⁴⁵⁶⁷⁸⁹")}, "ⁿ": "$^n$",
+    **dict(zip("αβθΘφψωρστλεπ", (rf"$\{name}$" for name in (
+        "alpha", "beta", "theta", "Theta", "varphi", "psi", "omega", "rho", "sigma", "tau", "lambda", "varepsilon",
+        "pi")), strict=True)),
+}  # fmt: skip
+LAST_LETTER = "\u017f"  # what the T1 fonts of LaTeX have
+_ACCENTED = re.compile("(\\w)([\u0302\u0303\u0307])")
+_ACCENT = {"\u0302": "hat", "\u0303": "tilde", "\u0307": "dot"}
+
+
+def escape(text: str) -> str:
+    """Plain text for pdflatex."""
+    pieces = _ACCENTED.split(_decomposed(text))
+    whole = []
+    for plain, letter, accent in zip(pieces[::3], [*pieces[1::3], ""], [*pieces[2::3], ""], strict=True):
+        whole.append("".join(map(_escaped, plain)))
+        whole.append(rf"$\{_ACCENT[accent]}{{{_escaped(letter).strip('$')}}}$" if accent else "")
+    return "".join(whole)
+
+
+def _escaped(character: str) -> str:
+    if character in _SPECIAL:
+        return _SPECIAL[character]
+    return character if character <= LAST_LETTER else f"[{unicodedata.name(character, 'unknown').lower()}]"
+
+
+def _decomposed(text: str) -> str:
+    """Letters with a hat, a tilde or a dot, in two characters."""
+    pairs = ((character, unicodedata.normalize("NFD", character)) for character in text)
+    return "".join(two if two[1:] in _ACCENT and one not in _SPECIAL else one for one, two in pairs)

@@ -1,0 +1,84 @@
+r"""LaTeX formulas as one line of Unicode: ``\frac{f^{*}}{2}`` becomes ``f*/2``.
+
+Only the LaTeX that the notations of this package make is understood; an unknown command stands for its own name.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Iterator
+
+_TOKENS = re.compile(r"\\[A-Za-z]+|\\.|[{}^_&]|\s+|.")
+_SUPERSCRIPTS = str.maketrans("0123456789+-()nTk*", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁽⁾ⁿᵀᵏ*")
+_SUBSCRIPTS = str.maketrans("0123456789+-()nkij", "₀₁₂₃₄₅₆₇₈₉₊₋₍₎ₙₖᵢⱼ")
+_ACCENTS = {"\\hat": "\u0302", "\\tilde": "\u0303", "\\dot": "\u0307", "\\vec": "\u20d7", "\\overline": "\u0305",
+            "\\ddot": "\u0308", "\\underline": ""}  # fmt: skip
+_SIGNS = {
+    "\\varepsilon": "ε", "\\pi": "π", "\\alpha": "α", "\\theta": "θ", "\\Theta": "Θ", "\\omega": "ω", "\\rho": "ρ",
+    "\\sigma": "σ", "\\tau": "τ", "\\psi": "ψ", "\\phi": "φ", "\\varphi": "φ", "\\beta": "β", "\\lambda": "λ",
+    "\\otimes": "⊗", "\\cdot": "·", "\\times": "×", "\\pm": "±", "\\mp": "∓", "\\neq": "≠", "\\geq": "≥", "\\leq": "≤",
+    "\\in": "∈", "\\Rightarrow": "⇒", "\\Leftrightarrow": "⇔", "\\neg": "not ", "\\mapsto": "↦", "\\to": "→",
+    "\\sum": "Σ", "\\infty": "∞", "\\langle": "⟨", "\\rangle": "⟩", "\\lfloor": "⌊", "\\rfloor": "⌋", "\\angle": "∠",
+    "\\forall": "∀", "\\exists": "∃", "\\circ": "∘", "\\|": "‖", "\\{": "{", "\\}": "}", "\\#": "#", "\\mathbb": "",
+    "\\left": "", "\\right": "", "\\mathbf": "", "\\mathrm": "", "\\operatorname": "", "\\text": "", "\\,": " ",
+    "\\;": " ", "\\quad": "  ", "\\\\": "; ", "\\dots": "…", "\\ldots": "…", "\\cdots": "…", "\\ ": " ",
+    "$": "",
+}  # fmt: skip
+_WHOLE = re.compile(r"[^\s+\-−·×/=]+")
+
+
+def plain(latex: str) -> str:
+    """The formula in one line."""
+    line = _sequence(iter(_TOKENS.findall(latex)))
+    return unicodedata.normalize("NFC", re.sub(r"\s+", " ", line).strip())
+
+
+def _sequence(tokens: Iterator[str]) -> str:
+    parts: list[str] = []
+    for token in tokens:
+        if token == "}":
+            break
+        parts.append(_part(token, tokens))
+    return "".join(parts)
+
+
+def _part(token: str, tokens: Iterator[str]) -> str:
+    if token == "{":
+        return _sequence(tokens)
+    if token in ("^", "_"):
+        return _script(_argument(tokens), token)
+    if token == "\\frac":
+        above, below = _argument(tokens), _argument(tokens)
+        return f"{_grouped(above)}/{_grouped(below)}"
+    if token == "\\binom":
+        return f"C({_argument(tokens)}, {_argument(tokens)})"
+    if token == "\\sqrt":
+        return f"√{_grouped(_argument(tokens))}"
+    if token in _ACCENTS:
+        letter = _argument(tokens)
+        return letter[:1] + _ACCENTS[token] + letter[1:]
+    if token in ("\\begin", "\\end"):
+        _argument(tokens)
+        return "[" if token == "\\begin" else "]"
+    if token == "&":
+        return " "
+    return _SIGNS.get(token, f"{token[1:]} " if token.startswith("\\") else token)
+
+
+def _argument(tokens: Iterator[str]) -> str:
+    token = next((token for token in tokens if not token.isspace()), "")
+    return _part(token, tokens) if token else ""
+
+
+def _script(value: str, mark: str) -> str:
+    table = _SUPERSCRIPTS if mark == "^" else _SUBSCRIPTS
+    if all(ord(character) in table for character in value):
+        return value.translate(table)
+    return f"{mark}{value}" if len(value) == 1 else f"{mark}({value})"
+
+
+def _grouped(value: str) -> str:
+    value = value.strip()
+    bracketed = value.startswith("(") and value.endswith(")") and ")" not in value[1:-1]
+    return value if _WHOLE.fullmatch(value) or bracketed else f"({value})"

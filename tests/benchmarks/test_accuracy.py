@@ -1,0 +1,95 @@
+"""The accuracy suite's own parts: kept inputs are the same numbers, the file only grows, missed gates are named."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from benchmarks.accuracy import curves, measure, report
+from tests.support import cases, errors, sampling
+from tests.support.accuracy import FUNCTIONS, Trial
+from tests.support.cases import DTYPES, Case
+from tests.support.kernels import load
+
+
+@pytest.mark.parametrize("dtype", DTYPES.values(), ids=DTYPES)
+def test_arguments_are_kept_to_the_last_bit(dtype: type, tmp_path: Path) -> None:
+    for regime in sampling.REGIMES:
+        trial = Trial(load(3), 3, regime, dtype)
+        case = Case.of(trial, "pose", (trial.v[0],), 0.5)
+        cases.write([case], 7, tmp_path / "cases.json")
+        kept, searched = cases.read(tmp_path / "cases.json")
+        assert (kept, searched) == ([case], 7)
+        again = kept[0].trial(load(3)).v
+        assert again.dtype == dtype
+        assert again.tolist() == trial.v[:1].tolist()
+    assert np.signbit(cases.decode(cases.encode(dtype(-0.0)), dtype))
+
+
+def test_a_case_gives_the_error_it_was_kept_for() -> None:
+    trial = Trial(load(3), 3, "below pi")
+    for function in ("twist", "transform_point", "compose"):
+        found = measure.measured(trial, function)
+        assert found is not None
+        assert found.case is not None
+        again = measure.measured(found.case.trial(load(3)), function)
+        assert again is not None
+        assert again.errors[1] > 0
+        assert max(again.errors) == pytest.approx(max(found.errors), rel=0.5)
+
+
+def case(fraction: float, regime: str = "uniform", argument: str = "0x1p+0") -> Case:
+    return Case("pose", 2, "float64", regime, ((argument,),), fraction)
+
+
+def test_only_clearly_worse_cases_are_added_and_none_is_dropped() -> None:
+    kept = [case(0.5)]
+    assert cases.added(kept, [case(0.52, argument="0x1p+1")]) == kept
+    worse = case(0.6, argument="0x1p+1")
+    assert cases.added(kept, [case(0.58, argument="0x1p+2"), worse]) == [*kept, worse]
+    assert cases.added(kept, [case(0.9)]) == kept  # the same input measured in another batch
+    outside = case(0.1, regime="shadow")
+    assert cases.added(kept, [outside]) == [*kept, outside]
+    assert cases.added([], [case(1e-40)]) == []
+
+
+def measurements(scale: float) -> list[measure.Measurement]:
+    """Of every function in two regimes, the errors this part of the gates."""
+    return [
+        measure.Measurement(name, 2, "float64", regime, (scale * gate, 0.0), (gate, gate), case(scale, regime), 3)
+        for name in FUNCTIONS
+        for regime, gate in (("uniform", errors.QUATERNION), ("shadow", 16))
+    ]
+
+
+def test_missed_gates_are_named() -> None:
+    assert report.short_of_gate(measurements(0.9)) == []
+    found = report.short_of_gate(measurements(1.1))
+    assert "quaternion, n = 2, float64, uniform: 4.4 eps, gate 4 FALLS SHORT" in found
+    page = report.page(measurements(1.1), [("a.png", "A caption. More.")], found)
+    assert all(f"- {line}" in page for line in found)
+    assert "**4.4 u**" in page
+    assert "(6 left out)" in page
+    assert "![A caption](a.png)" in page
+    assert "**All gates are met.**" in report.page(measurements(0.9), [], [])
+
+
+@pytest.mark.parametrize(("panel", "index"), [("small", 40), ("whole", 31), ("to pi", 20)])
+def test_our_curves_stay_within_their_gates(panel: str, index: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(curves, "libraries", list)
+    _, _, point = curves.point((panel, index))
+    assert {name for _, name in point} == {f"n = {n}" for n in curves.ORDERS}
+    assert max(point.values()) < errors.GENERAL
+    assert max(point.values()) > 0.01
+
+
+def test_a_map_that_does_not_turn_is_wrong_by_the_angle(monkeypatch: pytest.MonkeyPatch) -> None:
+    still = curves.peers.Peer("still", lambda screws: np.stack([np.eye(4)] * len(screws)), np.copy)
+    monkeypatch.setattr(curves, "libraries", lambda: [still])
+    monkeypatch.setattr(curves, "ORDERS", ())
+    result = curves.Errors()
+    curves.forward(curves.screws("whole", 0), result)
+    eps = np.finfo(float).eps
+    assert result.point["Q", "still"] * eps == pytest.approx(np.sqrt(2) * curves.WHOLE[0] / np.sqrt(3), rel=0.1)

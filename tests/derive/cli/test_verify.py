@@ -1,0 +1,105 @@
+"""``dualcay verify`` as a person runs it."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import derive
+from derive.papers import UndecidedError
+
+ROOT = Path(__file__).parents[3]
+K10 = ("verify", "--paper", "karakilic-2010")
+
+
+def dualcay(*arguments: str, cwd: Path = ROOT) -> subprocess.CompletedProcess[str]:
+    env = {**os.environ, "PYTHONPATH": str(ROOT), "NO_COLOR": "1"}
+    command = [sys.executable, "-m", "derive", *arguments]
+    done = subprocess.run(command, cwd=cwd, env=env, capture_output=True, text=True, check=False)
+    assert "Traceback" not in done.stderr
+    return done
+
+
+def test_text_on_stdout_and_silence_on_stderr() -> None:
+    done = dualcay(*K10, "--eq", "14,22")
+    assert done.returncode == 0
+    assert done.stderr == ""
+    assert "K10, erratum: false as printed" in done.stdout
+    assert "(22)" in done.stdout
+
+
+def test_strict_fails_for_an_erratum_only() -> None:
+    assert dualcay(*K10, "--eq", "14", "--strict").returncode == 1
+    assert dualcay(*K10, "--eq", "22", "--strict").returncode == 0
+
+
+def test_json_with_the_proofs_of_the_orders_asked_for() -> None:
+    done = dualcay(*K10, "--eq", "7", "-n", "2", "--format", "json")
+    data = json.loads(done.stdout)
+    assert [e["equation"] for e in data["equations"]] == ["7"]
+    assert {p["scope"] for p in data["proofs"]} == {"all n", "n = 2"}
+    assert {p["status"] for p in data["proofs"]} == {"proved"}
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code", "message"),
+    [
+        ((*K10, "--eq", "99"), 2, "no equation '99'; there are 1, 2, 3"),
+        ((*K10, "--eq", "99"), 2, "zero-components"),
+        (("verify", "--paper", "euler-1776"), 2, "'karakilic-2010'"),
+        (("verify", "--format", "pdf"), 2, "'markdown'"),
+        (("verify", "-n", "0"), 2, "an order is an integer n >= 1"),
+        (("verify", "-n", "65"), 2, "above the cap 64"),
+        (("verify", "--check"), 2, "--check needs the file that -o names"),
+        ((*K10, "--eq", "22", "-o", "/proc/nothing/errata.md"), 3, "cannot write"),
+    ],
+)
+def test_exit_codes_and_messages(arguments: tuple[str, ...], code: int, message: str) -> None:
+    done = dualcay(*arguments)
+    assert done.returncode == code
+    assert message in " ".join(done.stderr.split())
+    assert done.stdout == ""
+
+
+def test_file_is_written_checked_and_reported_stale(tmp_path: Path) -> None:
+    page = tmp_path / "out" / "errata.md"
+    write = (*K10, "--eq", "22", "--format", "markdown", "-o", str(page))
+    assert dualcay(*write, "--check").returncode == 1
+    assert not page.exists()
+    assert dualcay(*write).returncode == 0
+    assert dualcay(*write, "--check").returncode == 0
+    page.write_text(page.read_text(encoding="utf-8").replace("(22)", "(23)"), encoding="utf-8")
+    stale = dualcay(*write, "--check")
+    assert stale.returncode == 1
+    assert "+#### (22)" in stale.stdout
+    assert f"accept with:  python -m derive verify --format markdown -o {page}" in stale.stderr
+    assert [p.name for p in page.parent.iterdir()] == ["errata.md"]
+
+
+def test_two_runs_write_the_same_page(tmp_path: Path) -> None:
+    for name in ("a.md", "b.md"):
+        dualcay(*K10, "--format", "markdown", "-o", str(tmp_path / name))
+    assert (tmp_path / "a.md").read_bytes() == (tmp_path / "b.md").read_bytes()
+
+
+def test_an_entry_that_cannot_be_decided_is_exit_1(monkeypatch, capsys) -> None:
+    from derive.cli import commands, verify
+
+    def undecided(*_: object) -> None:
+        raise UndecidedError("(22): no point on both sides of its domain")
+
+    monkeypatch.setattr(verify, "decide", undecided)
+    monkeypatch.setattr(sys, "argv", ["dualcay", *K10, "--eq", "22"])
+    assert commands.run() == 1
+    assert "no point on both sides" in capsys.readouterr().err
+
+
+def test_python_interface() -> None:
+    (result,) = derive.verify("karakilic-2010", ["14"])
+    assert result.status == "erratum"
+    assert "longrightarrow" in result._repr_latex_()

@@ -1,0 +1,77 @@
+"""CP23, sections 2 to 6 and 9: statuses as regression, and what single entries say."""
+
+from __future__ import annotations
+
+import importlib
+
+import pytest
+
+from derive.papers import Result, Status, verify
+from derive.papers.condurache_popa_2023 import PAPER
+
+SECTIONS = (
+    "dual_numbers", "dual_vectors", "dual_tensors", "rigid_motion", "quaternions", "cayley_tensors",
+    "cayley_quaternions", "orders", "higher_orders", "components",
+)  # fmt: skip
+ERRATA = {
+    *("cayley-onto", "cayley-domain", "rodrigues-domain", "cayley-quaternion-onto", "38-domain", "cayley-half-onto"),
+    *("44-domain", "105", "111", "112", "118", "119", "124", "125", "129", "130", "131", "six-equations"),
+    "nature-of-95-to-98",
+}
+AMBIGUOUS = {"skew-matrix", "quaternion-norm", "30", "norm-of-1-plus-v"}
+HOLDS_IF = {
+    *("magnitude", "tangent", "6", "line-free", "18-axis", "general-screw", "31", "32", "cayley-quaternion-inverse"),
+    *("39", "40", "41", "44", "45", "92", "99", "106", "113", "120", "126", "127", "128"),
+}
+EVIDENCE = {"arc-tangent", "quaternion-norm", "25", "42", "43"}
+
+
+@pytest.fixture(scope="module")
+def results() -> dict[str, Result]:
+    modules = (importlib.import_module(f"{PAPER.package}.{section}") for section in SECTIONS)
+    numbers = [entry.number for module in modules for entry in module.ENTRIES]
+    return {result.equation.number: result for result in verify(PAPER.slug, numbers)}
+
+
+def test_statuses(results) -> None:
+    found = {status: {n for n, r in results.items() if r.status is status} for status in Status}
+    assert found[Status.ERRATUM] == ERRATA
+    assert found[Status.AMBIGUOUS] == AMBIGUOUS
+    assert found[Status.HOLDS_IF] == HOLDS_IF
+
+
+def test_the_numbers_of_these_sections_are_complete(results) -> None:
+    numbers = {int(number) for number in results if number.isdecimal()}
+    assert numbers == {*range(1, 46), *range(92, 132)}
+
+
+def test_all_but_a_few_are_decided_exactly(results) -> None:
+    assert {number for number, result in results.items() if "evidence" in result.method} == EVIDENCE
+
+
+def test_evidence_has_a_proved_identity_beside_it(results) -> None:
+    for number in EVIDENCE - {"quaternion-norm"}:
+        assert "supporting identity proved exactly" in results[number].method
+
+
+@pytest.mark.parametrize("number", ["cayley-onto", "cayley-quaternion-onto", "cayley-half-onto"])
+def test_missed_elements_are_proved_to_be_missed(results, number: str) -> None:
+    result = results[number]
+    assert "refuted at" in result.method
+    assert "supporting identity proved exactly" in result.method
+
+
+@pytest.mark.parametrize(
+    ("number", "fragment"),
+    [("105", r"\frac{1 - \left|\underline{\mathbf{v}}\right|^{2}}{4}"), ("111", r"16\, \underline{\mathbf{v}}"),
+     ("125", "45 - 34"), ("129", r"\frac{1}{2}\, d")],
+)  # fmt: skip
+def test_corrections(results, number: str, fragment: str) -> None:
+    result = results[number]
+    assert fragment in result.corrected
+    assert fragment not in result.printed
+
+
+def test_second_inverse_reading_closes_the_bracket_before_the_identity(results) -> None:
+    first, second = results["30"].verdicts
+    assert (first.true, second.true) == (False, True)

@@ -1,0 +1,60 @@
+"""The inventories: every line that displays or claims something names entries, every entry is named at its line."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import pytest
+
+from derive.papers import PAPERS, Paper
+
+NUMBERED = {"condurache-popa-2023": 131, "karakilic-2010": 22}
+LAST_LINE = {"condurache-popa-2023": 469, "karakilic-2010": 269}
+WITHOUT_NUMBERS = {"7"}
+"""Numbered equations that stand in the text without a formula that an extract could be taken from."""
+
+
+@pytest.fixture(params=PAPERS, ids=lambda paper: paper.short)
+def paper(request) -> Paper:
+    return request.param
+
+
+def test_every_numbered_equation_has_an_entry(paper) -> None:
+    numbers = [entry.number for entry in paper.entries()]
+    assert {str(n) for n in range(1, NUMBERED[paper.slug] + 1)} <= set(numbers)
+    assert len(numbers) == len(set(numbers))
+
+
+def test_every_line_names_entries_or_a_reason(paper) -> None:
+    numbers = {entry.number for entry in paper.entries()}
+    for line, content in paper.inventory().items():
+        if isinstance(content, str):
+            assert content, f"line {line} has neither an entry nor a reason"
+        else:
+            assert content, f"line {line} names no entry"
+            assert set(content) <= numbers, f"line {line} names {set(content) - numbers}"
+
+
+def test_every_entry_is_named_at_its_line(paper) -> None:
+    inventory = paper.inventory()
+    for entry in paper.entries():
+        assert entry.number in inventory[entry.line], f"({entry.number}) is not named at line {entry.line}"
+
+
+def test_the_text_is_covered_to_its_end(paper) -> None:
+    lines = sorted(paper.inventory())
+    assert max(line for line in lines if isinstance(paper.inventory()[line], tuple)) >= LAST_LINE[paper.slug]
+    gaps = [(a, b) for a, b in pairwise(lines) if b - a > 4 and 28 < b <= LAST_LINE[paper.slug]]
+    assert gaps == []
+
+
+def test_numbered_equations_are_held_against_the_extracted_text(paper) -> None:
+    without = {entry.number for entry in paper.entries() if entry.number.isdecimal() and not entry.extract}
+    assert without <= WITHOUT_NUMBERS
+
+
+def test_entries_are_found_where_they_say(paper) -> None:
+    for entry in paper.entries():
+        path, line = entry.source.split(":")
+        assert path.startswith(f"derive/papers/{paper.package.rsplit('.', 1)[1]}/")
+        assert int(line) > 0

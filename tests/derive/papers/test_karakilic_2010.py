@@ -1,0 +1,82 @@
+"""K10 entry by entry: statuses as regression, the inventory of its text, entries that take components apart."""
+
+from __future__ import annotations
+
+import pytest
+
+from derive.papers import Result, Status, verify
+from derive.papers.karakilic_2010 import PAPER, alphabet, inventory
+from derive.papers.terms import Apply, Letter, walk
+
+ERRATA = {"14", "zero-components", "quadratic-expansion"}
+HOLDS = {
+    *("dual-number", "addition", "multiplication", "zero-divisors", "ring", "no-field", "sine", "cosine"),
+    *("exponential", "dual-vector", "module", "dimension", "degenerate", "unit", "unit-vector", "study"),
+    *("study-product", "length", "orthogonal-diagonals", "not-singular", "transposed", "orthogonal", "matrix"),
+    *("vector", "product", "rhombus", "vertex-angle", "denominators"),
+}
+
+
+@pytest.fixture(scope="module")
+def results() -> dict[str, Result]:
+    return {result.equation.number: result for result in verify(PAPER.slug)}
+
+
+def test_every_numbered_equation_has_an_entry(results) -> None:
+    assert {str(number) for number in range(1, 23)} <= set(results)
+    assert len(results) == len(PAPER.entries())
+
+
+def test_statuses(results) -> None:
+    found = {status: {n for n, r in results.items() if r.status is status} for status in Status}
+    assert found[Status.ERRATUM] == ERRATA
+    assert found[Status.AMBIGUOUS] == set()
+    assert found[Status.HOLDS] == HOLDS
+
+
+def test_all_but_three_are_decided_exactly(results) -> None:
+    evidence = {number for number, result in results.items() if result.method.startswith("evidence")}
+    assert evidence <= {"exponential", "positions", "every-orthogonal"}
+
+
+@pytest.mark.parametrize("number", ["20", "21", "22", "conclusion-20", "conclusion-21", "conclusion-22"])
+def test_dual_parameters_hold_below_a_half_turn(results, number: str) -> None:
+    assert results[number].condition == r"0 < \operatorname{Tan} \frac{f}{2}"
+
+
+def test_domain_of_14_ends_at_a_half_turn(results) -> None:
+    result = results["14"]
+    assert result.printed.endswith(r"0 < f < 2\, \pi")
+    assert result.corrected is not None
+    assert result.corrected.endswith(r"1 - s_1^{2} \neq 0, \quad 0 < f < \pi")
+
+
+def test_inventory_names_every_entry_and_no_other() -> None:
+    named = {slug for line in inventory.LINES.values() if isinstance(line, tuple) for slug in line}
+    assert named == {entry.number for entry in PAPER.entries()}
+
+
+def test_inventory_has_every_entry_at_its_line() -> None:
+    for entry in PAPER.entries():
+        assert entry.number in inventory.LINES[entry.line], entry.number
+
+
+def test_no_frame_is_chosen_where_components_are_taken() -> None:
+    marks = {"K10 entry", "K10 component", "K10 matrix", "K10 sum over i and j", "K10 everywhere"}
+    for entry in PAPER.entries():
+        heads = {node.head for r in entry.readings for node in walk(r.statement) if isinstance(node, Apply)}
+        letters = {f"{x}{i}{star}" for x in "bs" for i in (1, 2, 3) for star in ("", "*")}
+        defined = {d.letter.name for d in entry.where if d.arguments}
+        takes_apart = heads & marks or any(_names(reading.statement) & letters & defined for reading in entry.readings)
+        free_tensor = any(letter.kind == "tensor" for r in entry.readings for letter in entry.free(r.statement))
+        if takes_apart and not free_tensor and entry.number != "dimension":
+            assert entry.components, entry.number
+
+
+def _names(statement) -> set[str]:
+    return {node.name for node in walk(statement) if isinstance(node, Letter)}
+
+
+def test_marks_of_the_extraction() -> None:
+    assert alphabet.marks(r"\left\| \hat{b} \right\| = \frac{\hat{X}' - \hat{x}'}{2}") == "b̂={X̂'-x̂'}{2}"
+    assert alphabet.marks(r"\stackrel{\mathbf{r}}{b} \cdot \mathbf{r}^{*}") == "b·r^{*}"

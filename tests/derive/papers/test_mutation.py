@@ -1,0 +1,92 @@
+"""Every mutant of what was found true must stop being true, or say why it is as true as before."""
+
+from __future__ import annotations
+
+import multiprocessing
+from concurrent.futures import ProcessPoolExecutor
+
+import pytest
+
+from derive.papers import PAPERS, Status
+from derive.papers.decide import decide
+from derive.papers.mutation import Score, true_statements, try_mutants
+
+ENOUGH = 0.95
+PROCESSES = 2
+CHUNKS = 24
+
+SIGN = "a difference changes sign under a square, a norm, a product that is zero, or in an inequality"
+POINTS = "another point of the same line, or another vector with the same image"
+ALSO = "the changed statement is true as well"
+EMPTY = "the premise is never fulfilled, or no point lies where the change shows"
+ZERO = "both sides are zero, or the part dropped is"
+ONE = "the part dropped is a factor 1"
+
+REASONS = {
+    "CP23": {
+        "1": ALSO, "3": ALSO, "commutative-ring": ONE, "components": ZERO, "6": POINTS, "polar-unique": ALSO,
+        "line": POINTS, "line-free": POINTS, "orthogonal-group": ALSO, "18-moment": ZERO, "quaternion-module": ZERO,
+        "non-commutative": ALSO, "quaternion-submodules": ZERO, "22-expanded": ZERO, "exponential-unit": ALSO,
+        "not-injective": ALSO, "cayley-well-defined": ALSO, "28": ALSO, "rodrigues-domain": ALSO,
+        "cayley-quaternion-well-defined": ALSO, "36": ALSO, "norm-of-1-plus-v": ALSO, "38-domain": ALSO, "41": SIGN,
+        "44-domain": ALSO, "theorem-11-onto": ALSO, "theorem-12-branches": SIGN,
+        "shadow-avoids-singularity": EMPTY, "52": ZERO, "64": ZERO, "71": ZERO, "determinant": ALSO, "99": POINTS,
+        "120": POINTS, "111": SIGN, "118": SIGN,
+    },
+    "K10": {
+        "dual-number": ALSO, "zero-divisors": ZERO, "ring": ONE, "no-field": ALSO, "extension": ZERO, "module": ONE,
+        "degenerate": ZERO, "orthogonal-diagonals": SIGN, "quadratic-form": ZERO, "not-singular": ALSO, "rhombus": SIGN,
+        "diagonals": SIGN, "ratio": SIGN, "half-angle": SIGN, "1": SIGN, "14": SIGN, "denominators": SIGN,
+    },
+}  # fmt: skip
+"""Why mutants of these entries survive."""
+
+
+def _scores(chunk: int) -> dict[tuple[str, str], Score]:
+    entries = [(paper, entry) for paper in PAPERS for entry in paper.entries()]
+    return {
+        (paper.short, entry.number): try_mutants(decide(paper.slug, entry, paper.lost))
+        for paper, entry in entries[chunk::CHUNKS]
+    }
+
+
+@pytest.fixture(scope="module")
+def scores() -> dict[tuple[str, str], Score]:
+    context = multiprocessing.get_context("spawn")
+    with ProcessPoolExecutor(PROCESSES, mp_context=context) as pool:
+        return {key: score for part in pool.map(_scores, range(CHUNKS)) for key, score in part.items()}
+
+
+def test_mutants_are_killed(scores, record_testsuite_property, capsys) -> None:
+    total = sum(scores.values(), start=Score())
+    report = f"{total.killed} of {total.killed + len(total.survivors)} mutants killed ({total.share:.1%})"
+    record_testsuite_property("mutation score", report)
+    with capsys.disabled():
+        print(f"\n{report}; {total.meaningless} more combine what cannot be combined")
+        for (paper, number), score in scores.items():
+            if score.survivors:
+                reason = REASONS[paper].get(number, "no reason is known")
+                print(f"  {paper} ({number}): {len(score.survivors)} survive: {reason}")
+    assert total.killed > 5000
+    assert total.share >= ENOUGH
+
+
+def test_survivors_have_a_reason(scores) -> None:
+    alive = {key for key, score in scores.items() if score.survivors}
+    known = {(paper, number) for paper, reasons in REASONS.items() for number in reasons}
+    assert alive == known
+
+
+def test_every_entry_has_something_true(scores) -> None:
+    assert set(scores) == {(paper.short, entry.number) for paper in PAPERS for entry in paper.entries()}
+
+
+@pytest.mark.parametrize("paper", PAPERS, ids=lambda paper: paper.short)
+def test_corrections_hold_in_place_of_what_is_printed(paper) -> None:
+    for entry in paper.entries():
+        if entry.corrected is not None:
+            result = decide(paper.slug, entry, paper.lost)
+            assert result.status is Status.ERRATUM
+            assert true_statements(result) == (entry.corrected,)
+            status = decide(paper.slug, entry.reading(entry.corrected), paper.lost).status
+            assert status is (Status.HOLDS if entry.condition is None else Status.HOLDS_IF), entry.number

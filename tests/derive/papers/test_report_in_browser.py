@@ -1,0 +1,94 @@
+"""The HTML report in a real browser: formulas are laid out, the filter filters."""
+
+from __future__ import annotations
+
+import html
+import json
+import os
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from derive.codegen.templates import render
+from derive.papers import PAPERS, Status, verify
+from derive.papers.report import FORMATS, Report
+
+NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
+FLAGS = (
+    *("--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-sync"),
+    *("--disable-background-networking", "--disable-component-update", "--virtual-time-budget=3000"),
+)
+PROBE = """<script>
+addEventListener("load", () => {
+  const click = new URLSearchParams(location.search).get("click");
+  if (click) document.querySelector(`nav a[href="#${click}"]`).click();
+  setTimeout(() => {
+    const shown = [...document.querySelectorAll("article")].filter(row => row.offsetHeight > 0);
+    const within = what => shown.flatMap(row => [...row.querySelectorAll(what)]);
+    const box = node => node.getBoundingClientRect();
+    document.body.dataset.probe = JSON.stringify({
+      shown: shown.map(row => row.dataset.status),
+      current: document.querySelector("nav [aria-current=true]").textContent,
+      formulas: within("math").length,
+      flat: within("math").filter(node => box(node).width < 5 || box(node).height < 5).length,
+      fractions: within("mfrac").length,
+      stacked: within("mfrac").filter(f => box(f.children[0]).bottom <= box(f.children[1]).top + 2).length,
+      overflow: document.documentElement.scrollWidth - innerWidth,
+    });
+  }, 300);
+});
+</script>"""
+
+
+@pytest.fixture(scope="module")
+def browser() -> str:
+    found = os.environ.get("CHROMIUM") or next(filter(None, map(shutil.which, NAMES)), None)
+    if found is None:
+        pytest.fail("no browser: install one (apt-get install chromium) or name it in the variable CHROMIUM")
+    return found
+
+
+@pytest.fixture(scope="module")
+def report() -> Report:
+    return Report.of(PAPERS, verify("karakilic-2010"), [])
+
+
+@pytest.fixture
+def look(browser: str, report: Report, tmp_path: Path):
+    page = FORMATS["html"](report, render)
+    (tmp_path / "errata.html").write_text(page.replace("</body>", f"{PROBE}</body>"), encoding="utf-8")
+
+    def visit(address: str) -> dict[str, object]:
+        url = f"file://{tmp_path}/errata.html{address}"
+        command = [browser, *FLAGS, f"--user-data-dir={tmp_path}/profile", "--dump-dom", url]
+        done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
+        found = re.search(r'data-probe="([^"]*)"', done.stdout)
+        assert found, f"no page came back: {done.stderr[-2000:]}"
+        return dict(json.loads(html.unescape(found.group(1))))
+
+    return visit
+
+
+def test_everything_shows_and_formulas_are_laid_out(look, report) -> None:
+    seen = look("")
+    assert len(seen["shown"]) == len(report.results)
+    assert seen["current"] == "all"
+    assert seen["formulas"] >= len(report.results)
+    assert seen["flat"] == 0
+    assert seen["fractions"] == seen["stacked"] > 30
+    assert seen["overflow"] <= 0
+
+
+@pytest.mark.parametrize("status", [Status.ERRATUM, Status.HOLDS])
+@pytest.mark.parametrize("address", ["#{}", "?click={}"])
+def test_filter_by_address_and_by_click(look, report, status: Status, address: str) -> None:
+    seen = look(address.format(status))
+    assert seen["shown"] == [str(r.status) for r in report.results if r.status is status]
+    assert seen["current"] == str(status)
+
+
+def test_the_address_of_an_entry_shows_everything(look, report) -> None:
+    assert len(look("#karakilic-2010-14")["shown"]) == len(report.results)

@@ -1,0 +1,26 @@
+"""Every input that once was the worst of its function, again."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.support import cases, kernels
+
+KEPT, _ = cases.read()
+ORDERS = sorted({case.order for case in KEPT})
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("kernels")
+
+
+@pytest.mark.parametrize("order", ORDERS, ids=lambda n: f"n={n}")
+def test_no_case_is_worse_than_its_gate(order: int, folder: Path) -> None:
+    kernels.write([order], folder)
+    module = kernels.load(order, folder)
+    for case in KEPT:
+        if case.order == order:
+            case.trial(module).check(case.function)

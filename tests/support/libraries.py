@@ -1,0 +1,68 @@
+"""Kernels of the array-api target behind the interface of the NumPy ones: arrays go in and come out as NumPy's."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+
+Convert = Callable[[np.ndarray], Any]
+
+
+def _strict() -> Convert:
+    import array_api_strict
+
+    return array_api_strict.asarray
+
+
+def _jax() -> Convert:
+    import jax
+
+    jax.config.update("jax_enable_x64", True)
+    return jax.numpy.asarray
+
+
+def _dask() -> Convert:
+    import dask.array
+
+    return lambda array: dask.array.from_array(array, chunks=2)
+
+
+def _torch() -> Convert:
+    import torch
+
+    return lambda array: torch.asarray(np.ascontiguousarray(array))
+
+
+LIBRARIES: dict[str, Callable[[], Convert]] = {
+    "numpy": lambda: np.asarray,
+    "array-api-strict": _strict,
+    "jax": _jax,
+    "jax.jit": _jax,
+    "dask": _dask,
+    "torch": _torch,
+}
+
+
+class Through:
+    """A kernel module whose functions take and return NumPy arrays, and work in another library."""
+
+    def __init__(self, module: ModuleType, library: str) -> None:
+        self.module, self.library, self.convert = module, library, LIBRARIES[library]()
+
+    def __getattr__(self, name: str) -> Callable[..., Any]:
+        function = getattr(self.module, name)
+
+        def call(*values: Any, **options: Any) -> Any:
+            bound = functools.partial(function, **options)
+            if self.library == "jax.jit":
+                import jax
+
+                bound = jax.jit(bound, static_argnums=[i for i, v in enumerate(values) if isinstance(v, int)])
+            found = bound(*(self.convert(v) if isinstance(v, np.ndarray) else v for v in values))
+            return tuple(map(np.asarray, found)) if isinstance(found, tuple) else np.asarray(found)
+
+        return call

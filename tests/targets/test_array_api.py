@@ -1,0 +1,155 @@
+"""The array-api target in every library: against the oracle, the NumPy kernels, and the promises of its interface."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import dualcay
+from tests.support import sampling
+from tests.support.accuracy import FUNCTIONS, Trial
+from tests.support.kernels import load
+from tests.support.libraries import Through
+from tests.support.signatures import SIGNATURES, assert_nearly_equal, components_first, components_last, inputs
+
+LIBRARIES = ["numpy", "array-api-strict", "jax", "jax.jit", "dask", pytest.param("torch", marks=pytest.mark.torch)]
+LIBRARY = pytest.mark.parametrize("library", LIBRARIES)
+# IEEE results at singular points come with a warning of the library's own, where NumPy computes.
+pytestmark = pytest.mark.filterwarnings("ignore:(invalid value|divide by zero):RuntimeWarning")
+
+REGIMES = ("uniform", "angle 1e-7", "below pi", "translation 1e6", "pure translation", "shadow")
+# jit compiles for every case; of the others each regime tells as much as of the library the text was validated in
+SOME = ("uniform", "pure translation")
+
+
+@LIBRARY
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_gates_of_the_oracle_hold_in_every_library(array_api, library, name):
+    module = Through(array_api(3), library)
+    for regime in REGIMES if library in ("jax", "torch") else SOME:
+        Trial(module, 3, regime).check(name)
+
+
+@LIBRARY
+@pytest.mark.parametrize("order", [1, 2, 4, 8])
+def test_other_orders_agree_with_the_numpy_kernels(array_api, library, order):
+    if library == "jax.jit":
+        order = 2
+    module, kernel = Through(array_api(order), library), load(order)
+    for name in SIGNATURES:
+        values = inputs(kernel, name, order, (5,))
+        assert_nearly_equal(getattr(module, name)(*values), getattr(kernel, name)(*values), eps=40)
+
+
+@LIBRARY
+@pytest.mark.parametrize("dtype", [np.float32, np.float64, np.complex64, np.complex128])
+def test_types_are_kept(array_api, library, dtype):
+    order = 3
+    module, kernel = Through(array_api(order), library), load(order)
+    for name, signature in SIGNATURES.items():
+        values = inputs(kernel, name, order, (4,), dtype)
+        if np.dtype(dtype).kind == "c" and not signature.complex:
+            with pytest.raises(TypeError, match="must be real"):
+                getattr(module, name)(*values)
+        else:
+            assert getattr(module, name)(*values).dtype == dtype
+
+
+@LIBRARY
+def test_integers_become_floating_point_numbers(array_api, library):
+    got = Through(array_api(2), library).pose(np.array([[0, 1, 0, 2, 0, 0]]))
+    assert got.dtype.kind == "f"
+    np.testing.assert_allclose(got, load(2).pose([[0.0, 1, 0, 2, 0, 0]]), rtol=1e-6, atol=1e-6)
+
+
+@LIBRARY
+def test_components_first_and_broadcasting(array_api, library):
+    module = Through(array_api(3), library)
+    for name, (kinds, result, _) in SIGNATURES.items():
+        values = inputs(load(3), name, 3, (2, 3))
+        last = getattr(module, name)(*values)
+        first = [components_first(a, a.ndim - 2) for a in values]
+        assert last.shape == (2, 3, *result)
+        assert_nearly_equal(components_last(getattr(module, name)(*first, axis=0), len(result)), last)
+        if len(kinds) == 2:
+            np.testing.assert_array_equal(getattr(module, name)(values[0], values[1][0, 0])[0, 0], last[0, 0])
+        one = getattr(module, name)(*(a[1, 2] for a in values))
+        assert_nearly_equal(one, last[1, 2])
+
+
+@LIBRARY
+def test_empty_batches(array_api, library):
+    if library == "dask":
+        library = "numpy"  # a dask array of no chunks is not one
+    assert Through(array_api(3), library).pose(np.empty((0, 6))).shape == (0, 4, 4)
+
+
+@LIBRARY
+def test_wrong_arguments_are_named(array_api, library):
+    module = Through(array_api(3), library)
+    with pytest.raises(ValueError, match=r"v must have shape \(\.\.\., 6\), got \(6, 5\)"):
+        module.pose(np.zeros((6, 5)))
+    with pytest.raises(ValueError, match="axis must be -1"):
+        module.pose(np.zeros((6, 5)), axis=1)
+    with pytest.raises(ValueError, match=r"broadcast together, got \(2,\) of v and \(3,\) of r"):
+        module.transform_point(np.zeros((2, 6)), np.zeros((3, 3)))
+    with pytest.raises(TypeError, match="branch must be an integer"):
+        module.shadow(np.zeros((2, 6)), 0.5)
+    with pytest.raises(TypeError, match=r"v must be an array of NumPy, JAX, PyTorch or the like, got list"):
+        array_api(3).pose([0.0] * 6)
+
+
+@LIBRARY
+def test_nan_stays_in_its_element_and_the_identity_has_no_other_branch(array_api, library):
+    module = Through(array_api(3), library)
+    v = sampling.poses(3, "uniform")
+    v[1, 0] = np.nan
+    for name in ("quaternion", "pose", "tangent", "tangent_inv", "principal", "shadow"):
+        finite = np.isfinite(getattr(module, name)(v)).reshape(4, -1).all(axis=-1)
+        assert finite.tolist() == [True, False, True, True]
+    assert np.isnan(module.shadow(np.zeros((1, 6)), 1)).all()
+    assert (module.principal(np.zeros((1, 6))) == 0).all()
+
+
+def test_dask_arrays_stay_lazy_and_keep_their_blocks(array_api):
+    import dask.array
+
+    v = sampling.poses(3, "uniform")
+    lazy = dask.array.from_array(v, chunks=(2, 6))
+    pose = array_api(3).from_pose(array_api(3).pose(lazy))
+    assert isinstance(pose, dask.array.Array)
+    assert pose.dtype == v.dtype
+    assert pose.chunks == ((2, 2), (6,))
+    assert_nearly_equal(pose.compute(), load(3).from_pose(load(3).pose(v)), eps=40)
+
+
+def test_matrix6(array_api):
+    package = sys.modules[array_api(3).__package__]
+    D = load(3).tangent(sampling.poses(3, "uniform"))
+    np.testing.assert_array_equal(package.matrix6(D), dualcay.matrix6(D))
+
+
+def test_the_package_imports_no_array_library(array_api):
+    module = array_api(3)
+    folder = Path(module.__file__).parent
+    code = (
+        f"import sys; sys.path.insert(0, {str(folder.parent)!r}); import {folder.name}.cayley3; "
+        "print(sorted({'numpy', 'jax', 'torch', 'dask', 'sympy'} & set(sys.modules)))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[]"
+    for path in folder.glob("*.py"):
+        text = path.read_text(encoding="utf-8")
+        assert "import numpy" not in text
+        assert "eval(" not in text
+
+
+def test_cupy(array_api):
+    cupy = pytest.importorskip("cupy", reason="CuPy needs a GPU")
+    v = sampling.poses(3, "uniform")
+    got = array_api(3).from_pose(array_api(3).pose(cupy.asarray(v)))
+    assert_nearly_equal(cupy.asnumpy(got), load(3).from_pose(load(3).pose(v)), eps=40)

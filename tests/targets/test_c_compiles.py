@@ -1,0 +1,139 @@
+"""The generated C: warning-free in every dialect it promises, correct at any optimisation, a CMake package."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from derive.codegen import generate
+
+ROOT = Path(__file__).parents[2]
+ORDERS = (1, 2, 3, 8, 16)
+STRICT = ("-Wall", "-Wextra", "-Wshadow", "-Wconversion", "-Wstrict-aliasing", "-Werror", "-pedantic")
+VECTOR = ("-O3", "-march=native", "-fno-math-errno", "-fno-trapping-math")
+REALS = ("float", "double")
+INCLUDE_ALL = "".join(f'#include "cayley{n}.h"\n' for n in ORDERS)
+
+
+@pytest.fixture(scope="module")
+def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with the package of some orders."""
+    folder = tmp_path_factory.mktemp("c")
+    generate(ORDERS, "c", folder)
+    return folder
+
+
+def tool(name: str) -> str:
+    found = shutil.which(name)
+    assert found, f"these tests need {name}"
+    return found
+
+
+def run(*command: object, cwd: Path | None = None) -> str:
+    done = subprocess.run([str(part) for part in command], capture_output=True, text=True, cwd=cwd, check=False)
+    assert done.returncode == 0, f"{command}\n{done.stdout}\n{done.stderr}"
+    return done.stdout + done.stderr
+
+
+def written(folder: Path, name: str, text: str) -> Path:
+    path = folder / name
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+@pytest.mark.parametrize("real", REALS)
+@pytest.mark.parametrize("standard", ["c99", "c17", "c++11", "c++20"])
+def test_headers_compile_without_a_warning(package, tmp_path, standard, real):
+    name = "g++" if "++" in standard else "gcc"
+    source = written(tmp_path, "all.c" if name == "gcc" else "all.cpp", INCLUDE_ALL)
+    flags = (f"-std={standard}", *STRICT, "-O2", f"-DDUALCAY_REAL={real}", f"-I{package}")
+    run(tool(name), *flags, "-c", source, "-o", tmp_path / "all.o")
+
+
+def test_another_real_type_is_refused(package, tmp_path):
+    source = written(tmp_path, "all.c", INCLUDE_ALL)
+    done = subprocess.run(
+        [tool("gcc"), "-DDUALCAY_REAL=int", f"-I{package}", "-c", str(source), "-o", str(tmp_path / "all.o")],
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert done.returncode
+    assert "DUALCAY_REAL must be float or double" in done.stderr
+
+
+def test_rational_maps_build_without_any_library(package, tmp_path):
+    calls = "void f(const double *v, double *T) { dualcay_cayley3_pose(v, T); dualcay_cayley8_quaternion(v, T); }\n"
+    source = written(tmp_path, "free.c", INCLUDE_ALL + calls)
+    flags = ("-std=c99", "-ffreestanding", "-nostdinc", "-O2", *STRICT, "-DDUALCAY_FREESTANDING")
+    stddef = Path(run(tool("gcc"), "-print-file-name=include").strip())
+    run(tool("gcc"), *flags, f"-isystem{stddef}", f"-I{package}", "-c", source, "-o", tmp_path / "free.o")
+    undefined = run(tool("nm"), "--undefined-only", tmp_path / "free.o")
+    assert not re.search(r"\b(sqrt|tan|atan2|malloc)f?\b", undefined)
+
+
+def test_device_qualifiers_stand_before_every_function(package, tmp_path):
+    """What a CUDA compiler reads, with its keywords spelt as macros: host and device, and no loop pragma."""
+    source = written(tmp_path, "device.cpp", INCLUDE_ALL)
+    keywords = ("-D__CUDACC__", "-D__host__=HOST", "-D__device__=DEVICE", "-D__forceinline__=inline")
+    text = run(tool("g++"), "-E", "-P", *keywords, f"-I{package}", source)
+    functions = re.findall(r"^(.*) (?:void|int) (dualcay_\w+)\(", text, re.MULTILINE)
+    assert len(functions) > 40 * len(ORDERS)
+    assert {qualifiers for qualifiers, _ in functions} == {"static inline HOST DEVICE"}
+    assert "GCC ivdep" not in text
+
+
+@pytest.mark.parametrize("real", REALS)
+@pytest.mark.parametrize("order", ORDERS)
+@pytest.mark.parametrize("flags", [VECTOR, (*VECTOR, "-ffp-contract=fast")], ids=("vector", "fused"))
+def test_results_agree_with_exact_ones(package, tmp_path, order, real, flags):
+    program = tmp_path / "test"
+    strict = ("-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic")
+    source = package / f"test_cayley{order}.c"
+    run(tool("gcc"), *strict, *flags, f"-DDUALCAY_REAL={real}", source, "-o", program, "-lm")
+    assert f"cayley{order}, {real}: " in run(program)
+
+
+@pytest.mark.parametrize("real", REALS)
+def test_results_agree_with_exact_ones_in_cpp(package, tmp_path, real):
+    program = tmp_path / "test"
+    flags = ("-std=c++17", "-Wall", "-Wextra", "-Werror", "-pedantic", "-O2", f"-DDUALCAY_REAL={real}")
+    run(tool("g++"), *flags, "-x", "c++", package / "test_cayley3.c", "-o", program)
+    assert "calls agree" in run(program)
+
+
+def test_loops_over_rows_become_vector_code(package, tmp_path):
+    names = ("quaternion", "tensor", "pose", "transform_point", "transform_line", "tangent", "tangent_inv", "rate")
+    header = (package / "cayley3.h").read_text(encoding="utf-8").splitlines()
+    uses = "".join(f"void *use_{name} = (void *)dualcay_cayley3_{name}_rows;\n" for name in names)
+    source = written(tmp_path, "rows.c", f'#include "cayley3.h"\n{uses}')
+    flags = ("-std=c99", "-O3", "-mavx2", "-fno-math-errno", "-fno-trapping-math", "-fopt-info-vec-optimized")
+    report = run(tool("gcc"), *flags, f"-I{package}", "-c", source, "-o", tmp_path / "rows.o")
+    lines = {int(line) for line in re.findall(r"cayley3\.h:(\d+):\d+: optimized: loop vectorized", report)}
+    for name in names:
+        start = next(i for i, line in enumerate(header, 1) if f"void dualcay_cayley3_{name}_rows(" in line)
+        assert lines & set(range(start, start + 8)), name
+
+
+def test_the_package_installs_and_the_example_finds_it(package, tmp_path):
+    cmake, prefix = tool("cmake"), tmp_path / "prefix"
+    run(cmake, "-S", package, "-B", tmp_path / "package")
+    run(cmake, "--build", tmp_path / "package")
+    run(tool("ctest"), "--test-dir", tmp_path / "package")
+    run(cmake, "--install", tmp_path / "package", "--prefix", prefix)
+    example = ROOT / "examples" / "c"
+    run(cmake, "-S", example, "-B", tmp_path / "example", f"-DCMAKE_PREFIX_PATH={prefix}", "-DPython3_EXECUTABLE=/none")
+    run(cmake, "--build", tmp_path / "example")
+    assert "largest difference" in run(tmp_path / "example" / "screw_motion")
+
+
+def test_the_example_generates_what_it_does_not_find(tmp_path):
+    cmake = tool("cmake")
+    options = (f"-DPython3_EXECUTABLE={sys.executable}", "-DDUALCAY_ORDERS=3")
+    alone = "-DCMAKE_DISABLE_FIND_PACKAGE_dualcay=ON"
+    run(cmake, "-S", ROOT / "examples" / "c", "-B", tmp_path, *options, alone)
+    run(cmake, "--build", tmp_path)
+    assert "largest difference" in run(tmp_path / "screw_motion")

@@ -1,0 +1,135 @@
+"""The C kernels against the NumPy ones: the same program gives the same numbers, singular points included."""
+
+from __future__ import annotations
+
+import importlib
+
+import numpy as np
+import pytest
+
+from benchmarks.c_form import TYPES, load
+from derive.codegen.signatures import SIGNATURES
+
+ORDERS = (1, 2, 3, 8)
+SHAPES = {"q": (8,), "tensor": (2, 3, 3), "tangent": (2, 3, 3), "pose": (4, 4), "r": (3,), "moved": None, "angle": (2,)}
+ROUNDED = ("from_quaternion", "from_tensor", "from_pose", "from_screw", "to_screw", "compose", "shadow", "principal")
+"""Functions that may call tan or atan2, which libraries round differently."""
+
+COUNT = 300
+
+
+@pytest.fixture(scope="module", params=[(n, real) for n in ORDERS for real in TYPES], ids=lambda p: f"{p[0]}-{p[1]}")
+def both(request):
+    """The C kernels and the NumPy kernels of an order, and the real type."""
+    order, real = request.param
+    form = load(order, real)
+    assert form is not None, "these tests need a C compiler: install gcc, or name one in CC"
+    return form, importlib.import_module(f"dualcay.cayley{order}"), np.dtype(TYPES[real])
+
+
+def special(rng, size):
+    """Columns of components: ordinary, zero, pure translations, tiny, huge, infinite, NaN."""
+    columns = rng.uniform(-1, 1, (size, COUNT))
+    columns[:, 0] = 0
+    columns[: size // 2, 1:4] = 0
+    columns[:, 4] *= 1e-30
+    columns[:, 5] *= 1e12
+    columns[:, 6] = np.inf
+    columns[0, 7] = np.nan
+    columns[size // 2 :, 8] = 0
+    columns[1:, 9] = 0
+    return columns
+
+
+def arguments(name, module, dtype, rng):
+    """Arguments of a function, components first: for inverse maps those of proper poses."""
+    v = special(rng, 6)
+    if name in ("from_quaternion", "from_tensor", "from_pose"):
+        made = getattr(module, {"from_quaternion": "quaternion", "from_tensor": "tensor", "from_pose": "pose"}[name])
+        return [np.ascontiguousarray(made(v, axis=0).reshape(-1, COUNT), dtype)]
+    arrays = [special(rng, array.size) for array in SIGNATURES[name].arguments]
+    return [np.ascontiguousarray(array, dtype) for array in arrays]
+
+
+def by_numpy(module, name, arrays, branch):
+    """The NumPy kernel's result, components first and flat."""
+    shaped = [
+        array.reshape(*(SHAPES.get(given.name) or (given.size,)), COUNT)
+        for array, given in zip(arrays, SIGNATURES[name].arguments, strict=True)
+    ]
+    found = getattr(module, name)(*shaped, *branch, axis=0)
+    parts = found if isinstance(found, tuple) else (found,)
+    return [part.reshape(-1, COUNT) for part in parts]
+
+
+def by_c(form, name, arrays, branch, layout):
+    size = SIGNATURES[name].results
+    given = arrays if layout == "rows" else [np.ascontiguousarray(array.T) for array in arrays]
+    shapes = [(a.size, COUNT) if layout == "rows" else (COUNT, a.size) for a in size]
+    out = tuple(np.empty(shape, arrays[0].dtype) for shape in shapes)
+    form.call(name, *given, out=out, branch=branch, layout=layout)
+    return out if layout == "rows" else [part.T for part in out]
+
+
+@pytest.mark.parametrize("name", [name for name in SIGNATURES if name not in ROUNDED])
+def test_rational_maps_agree_to_the_last_bit(both, name):
+    form, module, dtype = both
+    arrays = arguments(name, module, dtype, np.random.default_rng(7))
+    for found, expected in zip(by_c(form, name, arrays, 0, "rows"), by_numpy(module, name, arrays, []), strict=True):
+        np.testing.assert_array_equal(found, expected)
+
+
+@pytest.mark.parametrize("layout", ["rows", "aos"])
+@pytest.mark.parametrize("name", SIGNATURES)
+def test_both_layouts_agree_but_for_rounding(both, name, layout):
+    form, module, dtype = both
+    arrays = arguments(name, module, dtype, np.random.default_rng(11))
+    n = module.ORDER
+    for branch in (0, 1, n - 1, -1, 5 * n + 1) if SIGNATURES[name].branch else (0,):
+        found = by_c(form, name, arrays, branch, layout)
+        chosen = [branch] if SIGNATURES[name].branch else []
+        for ours, theirs in zip(found, by_numpy(module, name, arrays, chosen), strict=True):
+            assert_close(ours, theirs)
+
+
+def assert_close(found, expected):
+    """Equal but for rounding, column by column; a small angle or a pole magnifies that."""
+    finite = np.isfinite(expected)
+    size = np.where(finite, np.abs(expected), 0).astype(np.float64)
+    room = 1000 * np.finfo(found.dtype).eps * size.max(axis=0) * (1 + size[:3].max(axis=0))
+    np.testing.assert_array_equal(found[~finite], expected[~finite])
+    off = np.abs(np.where(finite, found, 0) - np.where(finite, expected, 0))
+    assert (off <= room).all(), f"columns {np.flatnonzero((off > room).any(axis=0))}"
+
+
+@pytest.mark.parametrize("name", ["shadow", "principal", "compose", "twist", "rate", "transform_line"])
+def test_a_result_may_take_the_place_of_an_argument(both, name):
+    form, module, dtype = both
+    arrays = arguments(name, module, dtype, np.random.default_rng(3))
+    for layout in ("rows", "aos"):
+        (expected,) = by_c(form, name, arrays, 1, layout)
+        given = [np.ascontiguousarray(array if layout == "rows" else array.T) for array in arrays]
+        form.call(name, *given, out=given[0], branch=1, layout=layout)
+        np.testing.assert_array_equal(given[0] if layout == "rows" else given[0].T, expected)
+
+
+@pytest.mark.parametrize("shift", range(1, 6))
+def test_a_single_result_may_overlap_an_argument(both, shift):
+    form, _, dtype = both
+    values = np.random.default_rng(shift).uniform(-0.3, 0.3, 6).astype(dtype)
+    for name, size in (("pose", 16), ("quaternion", 8), ("shadow", 6), ("principal", 6), ("tangent", 18)):
+        expected = np.empty((1, size), dtype)
+        form.call(name, values[np.newaxis].copy(), out=expected, layout="aos")
+        shared = np.zeros(size + shift, dtype)
+        shared[:6] = values
+        form.call(name, shared[np.newaxis, :6], out=shared[np.newaxis, shift:], layout="aos")
+        np.testing.assert_array_equal(shared[shift:], expected[0])
+
+
+def test_shadows_and_principal_undo_each_other(both):
+    form, module, dtype = both
+    v = np.ascontiguousarray(np.random.default_rng(5).uniform(-0.1, 0.1, (6, COUNT)) / module.ORDER, dtype)
+    moved, back = np.empty_like(v), np.empty_like(v)
+    form.call("shadow", v, out=moved, branch=1)
+    form.call("principal", moved, out=back)
+    np.testing.assert_allclose(back, v, atol=200 * np.finfo(dtype).eps)

@@ -1,0 +1,135 @@
+"""The numba target: against the oracle and the NumPy kernels, in every layout, and the promises of its interface."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from fractions import Fraction
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from derive.codegen import jit
+from derive.codegen.lowering import lower
+from tests.support import sampling
+from tests.support.accuracy import FUNCTIONS, Trial
+from tests.support.kernels import load
+from tests.support.signatures import SIGNATURES, assert_nearly_equal, components_first, components_last, inputs
+
+ORDER = 3
+NAMES = [name for name in SIGNATURES if not name.startswith("dcay")]
+REGIMES = [r for r in sampling.REGIMES if r != "identity"]
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_gates_of_the_oracle_hold(compiled, name):
+    for regime in REGIMES:
+        Trial(compiled(ORDER), ORDER, regime).check(name)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_rows_are_the_same_program(compiled, name):
+    values = inputs(load(ORDER), name, ORDER, (3, 7))
+    rank = len(SIGNATURES[name].result)
+    last = getattr(compiled(ORDER), name)(*values)
+    first = getattr(compiled(ORDER), name)(*(components_first(a, a.ndim - 2) for a in values), axis=0)
+    assert_nearly_equal(components_last(first, rank), last, eps=40)
+    assert_nearly_equal(last, getattr(load(ORDER), name)(*values), eps=40)
+
+
+@pytest.mark.parametrize("order", [1, 2, 8])
+@pytest.mark.parametrize("name", ["quaternion", "pose", "rate", "from_pose", "principal"])
+def test_other_orders(compiled, order, name):
+    values = inputs(load(order), name, order, (5,))
+    assert_nearly_equal(getattr(compiled(order), name)(*values), getattr(load(order), name)(*values), eps=40)
+
+
+@pytest.mark.parametrize("name", ["pose", "tangent_inv", "from_quaternion"])
+def test_single_precision(compiled, name):
+    for regime in ("uniform", "middle band", "below pi"):
+        Trial(compiled(ORDER), ORDER, regime, np.float32).check(name)
+    values = [components_first(a, 1) for a in inputs(load(ORDER), name, ORDER, (9,), np.float32)]
+    got = getattr(compiled(ORDER), name)(*values, axis=0)
+    assert got.dtype == np.float32
+    assert_nearly_equal(got, getattr(load(ORDER), name)(*values, axis=0), eps=60)
+
+
+@pytest.mark.parametrize("name", ["pose", "compose"])
+def test_parallel_loops(compiled, name):
+    values = inputs(load(ORDER), name, ORDER, (200,))
+    rank = len(SIGNATURES[name].result)
+    expected = getattr(load(ORDER), name)(*values)
+    assert_nearly_equal(getattr(compiled(ORDER), name)(*values, parallel=True), expected, eps=40)
+    rows = [components_first(a, 1) for a in values]
+    first = getattr(compiled(ORDER), name)(*rows, axis=0, parallel=True)
+    assert_nearly_equal(components_last(first, rank), expected, eps=40)
+
+
+def test_out_is_written_and_may_overlap(compiled):
+    module, v = compiled(ORDER), sampling.poses(ORDER, "shadow")
+    expected = load(ORDER).principal(v)
+    out = np.empty_like(v)
+    assert module.principal(v, out=out) is out
+    assert_nearly_equal(out, expected)
+    assert module.principal(v, out=v) is v
+    assert_nearly_equal(v, expected)
+    wide = np.empty((4, 4, 8))[..., ::2]
+    pose = module.pose(v, out=wide)
+    assert pose is wide
+    assert_nearly_equal(np.ascontiguousarray(wide), load(ORDER).pose(v), eps=40)
+    with pytest.raises(ValueError, match=r"out must have shape \(4, 4, 4\)"):
+        module.pose(v, out=np.empty((4, 4)))
+
+
+def test_complex_vectors(compiled):
+    v = sampling.poses(ORDER, "uniform") + 0.01j
+    got = compiled(ORDER).quaternion(v)
+    assert got.dtype == np.complex128
+    np.testing.assert_allclose(got, load(ORDER).quaternion(v), atol=1e-14)
+    with pytest.raises(TypeError, match="v must be real"):
+        compiled(ORDER).principal(v)
+
+
+def test_fractions_run_the_same_source(compiled):
+    v = np.array([Fraction(k, 7) for k in range(1, 7)], dtype=object)
+    assert (compiled(ORDER).pose(v) == load(ORDER).pose(v)).all()
+    assert (compiled(ORDER).pose(v[:, None], axis=0)[..., 0] == load(ORDER).pose(v)).all()
+
+
+def test_wrong_arguments_are_named(compiled):
+    module = compiled(ORDER)
+    with pytest.raises(ValueError, match=r"v must have shape \(\.\.\., 6\), got \(6, 5\)"):
+        module.pose(np.zeros((6, 5)))
+    with pytest.raises(TypeError, match="v must be of a type Numba compiles"):
+        module.pose(np.zeros(6, np.longdouble))
+    with pytest.raises(ValueError, match="broadcast together"):
+        module.rate(np.zeros((2, 6)), np.zeros((3, 6)))
+    assert module.pose(np.zeros((0, 6))).shape == (0, 4, 4)
+
+
+def test_singular_points_are_ieee_results_without_a_warning(compiled):
+    assert np.isnan(compiled(ORDER).shadow(np.zeros(6))).all()
+    half_turn = np.array([1.0, 0, 0, 0, 0, 0, 0, 0]) * 0 + np.eye(8)[1]
+    assert not np.isfinite(compiled(1).from_quaternion(half_turn)).all()
+
+
+def test_no_core_has_more_outputs_than_are_vectorised():
+    for program in lower(ORDER).values():
+        for part in jit.parts(program):
+            assert part.rows.count("out[") <= jit.MOST_OUTPUTS
+        stored = "".join(part.row for part in jit.parts(program))
+        assert all(f"out[{i}]" in stored for i in range(len(program.outputs)))
+
+
+def test_without_numba_the_import_says_what_is_missing(package):
+    name = package("numba")
+    folder = Path(sys.modules[name].__file__).parent.parent if name in sys.modules else None
+    folder = folder or next(Path(p) for p in sys.path if (Path(p) / name).is_dir())
+    code = (
+        f"import sys; sys.path.insert(0, {str(folder)!r}); import importlib.util as u; find = u.find_spec\n"
+        "u.find_spec = lambda name, *a: None if name == 'numba' else find(name, *a)\n"
+        f"import {name}"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert f"ImportError: {name} is compiled by Numba, which is not installed: pip install numba" in done.stderr
