@@ -5,11 +5,13 @@ from __future__ import annotations
 import importlib
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import cache, partial
 from typing import Any
 
 import numpy as np
 import sympy
 
+from benchmarks.c_form import load as load_c
 from derive.maps import Cayley
 
 Call = Callable[[], object]
@@ -117,10 +119,18 @@ def _applied(parts: tuple[sympy.Matrix, sympy.Matrix], w: tuple[sympy.Symbol, ..
 
 
 def compiled(order: int, function: str, rows: tuple[Any, ...], out: Any) -> Call | None:
-    """The same program in C on the same rows; None where no C form has been built."""
-    native = load("benchmarks.native")
-    call: Call | None = native and native.call(order, function, rows, out)
-    return call
+    """The same program in C on the same rows; None where there is no C compiler."""
+    form = c_form(order)
+    if form is None:
+        return None
+    given = [array.reshape(-1, array.shape[-1]) for array in rows]
+    return partial(form.call, function, *given, out=out.reshape(-1, out.shape[-1]))
+
+
+@cache
+def c_form(order: int) -> Any:
+    """The kernels of an order, compiled once."""
+    return load_c(order)
 
 
 def copy_floor(rows: tuple[Any, ...], out: Any) -> Call:

@@ -52,7 +52,7 @@
 #   [n = 1] dcay dcay^-1 = I for the tangent_inv formula
 #
 # Operations:
-#   quaternion: 30: 8 +, 17 *, 3 /, 1 neg, 1 sqrt
+#   quaternion: 29: 8 +, 17 *, 3 /, 1 sqrt
 #   tensor: 71: 29 +, 40 *, 2 /
 #   pose: 44: 20 +, 22 *, 2 /
 #   transform_point: 57: 24 +, 31 *, 2 /
@@ -130,7 +130,7 @@ RETURNS: tuple[str, ...] = (
 # --- forward maps -----------------------------------------------------------------------------------------------
 
 
-# operations 30: 8 +, 17 *, 3 /, 1 neg, 1 sqrt
+# operations 29: 8 +, 17 *, 3 /, 1 sqrt
 def _quaternion(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -140,9 +140,9 @@ def _quaternion(m: Any, v: Components) -> Result:
     N = 1 + x
     root = m.sqrt(N)
     sr = root / root / root
-    e = 1 / N
+    minus_e = -1 / N
     y = v1 * v1o + v2 * v2o + v3 * v3o
-    sco = -(sr * (e * y))
+    sco = sr * (minus_e * y)
     return (sr, v1 * sr, v2 * sr, v3 * sr, sco, v1o * sr + v1 * sco, v2o * sr + v2 * sco, v3o * sr + v3 * sco)
 
 
@@ -152,7 +152,7 @@ def _quaternion_blocks(
     v1, v2, v3, v1o, v2o, v3o = v
     o1, o2, o3, o4, o5, o6, o7, o8 = out
     k1, k2, k3 = scratch
-    n1, = numbers
+    n_minus_1, n1 = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
@@ -163,9 +163,9 @@ def _quaternion_blocks(
     mul(v1, sr, o2)
     mul(v2, sr, o3)
     mul(v3, sr, o4)
-    e = div(n1, N, k1)
+    minus_e = div(n_minus_1, N, k1)
     y = add(add(mul(v1, v1o, k2), mul(v2, v2o, k3), k2), mul(v3, v3o, k3), k2)
-    sco = neg(mul(sr, mul(e, y, k1), k1), o5)
+    sco = mul(sr, mul(minus_e, y, k1), o5)
     add(mul(v1o, sr, k1), mul(v1, sco, k2), o6)
     add(mul(v2o, sr, k1), mul(v2, sco, k2), o7)
     add(mul(v3o, sr, k1), mul(v3, sco, k2), o8)
@@ -178,7 +178,7 @@ _QUATERNION = Kernel(
     (8,),
     registers=3,
     masks=0,
-    numbers=(1,),
+    numbers=(-1, 1),
 )
 
 

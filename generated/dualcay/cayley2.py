@@ -52,7 +52,7 @@
 #   [n = 2] dcay dcay^-1 = I for the tangent_inv formula
 #
 # Operations:
-#   quaternion: 32: 9 +, 19 *, 3 /, 1 neg
+#   quaternion: 31: 9 +, 19 *, 3 /
 #   tensor: 92: 35 +, 55 *, 2 /
 #   pose: 65: 26 +, 37 *, 2 /
 #   transform_point: 78: 30 +, 46 *, 2 /
@@ -132,7 +132,7 @@ RETURNS: tuple[str, ...] = (
 # --- forward maps -----------------------------------------------------------------------------------------------
 
 
-# operations 32: 9 +, 19 *, 3 /, 1 neg
+# operations 31: 9 +, 19 *, 3 /
 def _quaternion(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -144,9 +144,9 @@ def _quaternion(m: Any, v: Components) -> Result:
     p = 1 - x
     sc = p * sr
     w = 2 * sr
-    e = 2 / root
+    minus_e = -2 / root
     y = v1 * v1o + v2 * v2o + v3 * v3o
-    sco = -(w * (e * y))
+    sco = w * (minus_e * y)
     return (sc, v1 * w, v2 * w, v3 * w, sco, v1o * w + v1 * sco, v2o * w + v2 * sco, v3o * w + v3 * sco)
 
 
@@ -156,7 +156,7 @@ def _quaternion_blocks(
     v1, v2, v3, v1o, v2o, v3o = v
     o1, o2, o3, o4, o5, o6, o7, o8 = out
     k1, k2, k3, k4 = scratch
-    n1, n2 = numbers
+    n_minus_2, n1, n2 = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
@@ -169,9 +169,9 @@ def _quaternion_blocks(
     mul(v1, w, o2)
     mul(v2, w, o3)
     mul(v3, w, o4)
-    e = div(n2, root, k2)
+    minus_e = div(n_minus_2, root, k2)
     y = add(add(mul(v1, v1o, k3), mul(v2, v2o, k4), k3), mul(v3, v3o, k4), k3)
-    sco = neg(mul(w, mul(e, y, k2), k2), o5)
+    sco = mul(w, mul(minus_e, y, k2), o5)
     add(mul(v1o, w, k2), mul(v1, sco, k3), o6)
     add(mul(v2o, w, k2), mul(v2, sco, k3), o7)
     add(mul(v3o, w, k1), mul(v3, sco, k2), o8)
@@ -184,7 +184,7 @@ _QUATERNION = Kernel(
     (8,),
     registers=4,
     masks=0,
-    numbers=(1, 2),
+    numbers=(-2, 1, 2),
 )
 
 

@@ -52,7 +52,7 @@
 #   [n = 3] dcay dcay^-1 = I for the tangent_inv formula
 #
 # Operations:
-#   quaternion: 43: 12 +, 25 *, 3 /, 2 neg, 1 sqrt
+#   quaternion: 41: 12 +, 25 *, 3 /, 1 sqrt
 #   tensor: 96: 36 +, 58 *, 2 /
 #   pose: 69: 27 +, 40 *, 2 /
 #   transform_point: 82: 31 +, 49 *, 2 /
@@ -133,7 +133,7 @@ RETURNS: tuple[str, ...] = (
 # --- forward maps -----------------------------------------------------------------------------------------------
 
 
-# operations 43: 12 +, 25 *, 3 /, 2 neg, 1 sqrt
+# operations 41: 12 +, 25 *, 3 /, 1 sqrt
 def _quaternion(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -149,10 +149,10 @@ def _quaternion(m: Any, v: Components) -> Result:
     sc = p * sr
     w = q * sr
     k = 1 + x
-    e = 3 / k
+    minus_e = -3 / k
     y = v1 * v1o + v2 * v2o + v3 * v3o
-    sco = -(w * (e * y))
-    wo = 2 * (y * -sr) + sco
+    sco = w * (minus_e * y)
+    wo = sco - 2 * (y * sr)
     return (sc, v1 * w, v2 * w, v3 * w, sco, v1o * w + v1 * wo, v2o * w + v2 * wo, v3o * w + v3 * wo)
 
 
@@ -162,7 +162,7 @@ def _quaternion_blocks(
     v1, v2, v3, v1o, v2o, v3o = v
     o1, o2, o3, o4, o5, o6, o7, o8 = out
     k1, k2, k3, k4, k5 = scratch
-    n1, n2, n3 = numbers
+    n_minus_3, n1, n2, n3 = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
@@ -179,10 +179,10 @@ def _quaternion_blocks(
     mul(v2, w, o3)
     mul(v3, w, o4)
     k = add(n1, x, k1)
-    e = div(n3, k, k1)
+    minus_e = div(n_minus_3, k, k1)
     y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k5), k4), mul(v3, v3o, k5), k4)
-    sco = neg(mul(w, mul(e, y, k1), k1), o5)
-    wo = add(mul(n2, mul(y, neg(sr, k1), k1), k1), sco, k1)
+    sco = mul(w, mul(minus_e, y, k1), o5)
+    wo = sub(sco, mul(n2, mul(y, sr, k1), k1), k1)
     add(mul(v1o, w, k3), mul(v1, wo, k4), o6)
     add(mul(v2o, w, k3), mul(v2, wo, k4), o7)
     add(mul(v3o, w, k2), mul(v3, wo, k1), o8)
@@ -195,7 +195,7 @@ _QUATERNION = Kernel(
     (8,),
     registers=5,
     masks=0,
-    numbers=(1, 2, 3),
+    numbers=(-3, 1, 2, 3),
 )
 
 

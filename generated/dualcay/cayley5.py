@@ -52,7 +52,7 @@
 #   [n = 5] dcay dcay^-1 = I for the tangent_inv formula
 #
 # Operations:
-#   quaternion: 49: 15 +, 29 *, 3 /, 1 neg, 1 sqrt
+#   quaternion: 48: 15 +, 29 *, 3 /, 1 sqrt
 #   tensor: 104: 40 +, 62 *, 2 /
 #   pose: 77: 31 +, 44 *, 2 /
 #   transform_point: 90: 35 +, 53 *, 2 /
@@ -136,7 +136,7 @@ RETURNS: tuple[str, ...] = (
 # --- forward maps -----------------------------------------------------------------------------------------------
 
 
-# operations 49: 15 +, 29 *, 3 /, 1 neg, 1 sqrt
+# operations 48: 15 +, 29 *, 3 /, 1 sqrt
 def _quaternion(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -152,11 +152,11 @@ def _quaternion(m: Any, v: Components) -> Result:
     sc = p * sr
     w = q * sr
     k = 1 + x
-    e = 5 / k
+    minus_e = -5 / k
     y = v1 * v1o + v2 * v2o + v3 * v3o
-    sco = -(w * (e * y))
+    sco = w * (minus_e * y)
     dq = 2 * x - 10
-    wo = 2 * (y * (dq * sr)) + sco
+    wo = 2 * dq * (y * sr) + sco
     return (sc, v1 * w, v2 * w, v3 * w, sco, v1o * w + v1 * wo, v2o * w + v2 * wo, v3o * w + v3 * wo)
 
 
@@ -166,7 +166,7 @@ def _quaternion_blocks(
     v1, v2, v3, v1o, v2o, v3o = v
     o1, o2, o3, o4, o5, o6, o7, o8 = out
     k1, k2, k3, k4, k5, k6 = scratch
-    n1, n2, n5, n10 = numbers
+    n_minus_5, n1, n2, n5, n10 = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
@@ -183,11 +183,11 @@ def _quaternion_blocks(
     mul(v2, w, o3)
     mul(v3, w, o4)
     k = add(n1, x, k4)
-    e = div(n5, k, k4)
+    minus_e = div(n_minus_5, k, k4)
     dq = sub(mul(n2, x, k1), n10, k1)
     y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k6), k5), mul(v3, v3o, k6), k5)
-    sco = neg(mul(w, mul(e, y, k4), k4), o5)
-    wo = add(mul(n2, mul(y, mul(dq, sr, k1), k1), k1), sco, k1)
+    sco = mul(w, mul(minus_e, y, k4), o5)
+    wo = add(mul(mul(n2, dq, k1), mul(y, sr, k3), k1), sco, k1)
     add(mul(v1o, w, k3), mul(v1, wo, k4), o6)
     add(mul(v2o, w, k3), mul(v2, wo, k4), o7)
     add(mul(v3o, w, k2), mul(v3, wo, k1), o8)
@@ -200,7 +200,7 @@ _QUATERNION = Kernel(
     (8,),
     registers=6,
     masks=0,
-    numbers=(1, 2, 5, 10),
+    numbers=(-5, 1, 2, 5, 10),
 )
 
 

@@ -52,7 +52,7 @@
 #   [n = 8] dcay dcay^-1 = I for the tangent_inv formula
 #
 # Operations:
-#   quaternion: 61: 22 +, 35 *, 3 /, 1 neg
+#   quaternion: 60: 22 +, 35 *, 3 /
 #   tensor: 118: 47 +, 69 *, 2 /
 #   pose: 91: 38 +, 51 *, 2 /
 #   transform_point: 104: 42 +, 60 *, 2 /
@@ -141,7 +141,7 @@ RETURNS: tuple[str, ...] = (
 # --- forward maps -----------------------------------------------------------------------------------------------
 
 
-# operations 61: 22 +, 35 *, 3 /, 1 neg
+# operations 60: 22 +, 35 *, 3 /
 def _quaternion(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -157,11 +157,11 @@ def _quaternion(m: Any, v: Components) -> Result:
     q = ((56 - 8 * x) * x - 56) * x + 8
     w = q * sr
     k = 1 + x
-    e = 8 / k
+    minus_e = -8 / k
     y = v1 * v1o + v2 * v2o + v3 * v3o
-    sco = -(w * (e * y))
+    sco = w * (minus_e * y)
     dq = (112 - 24 * x) * x - 56
-    wo = 2 * (y * (dq * sr)) + sco
+    wo = 2 * dq * (y * sr) + sco
     return (sc, v1 * w, v2 * w, v3 * w, sco, v1o * w + v1 * wo, v2o * w + v2 * wo, v3o * w + v3 * wo)
 
 
@@ -171,7 +171,7 @@ def _quaternion_blocks(
     v1, v2, v3, v1o, v2o, v3o = v
     o1, o2, o3, o4, o5, o6, o7, o8 = out
     k1, k2, k3, k4, k5, k6 = scratch
-    n1, n2, n4, n6, n8, n24, n28, n56, n70, n112 = numbers
+    n_minus_8, n1, n2, n4, n6, n8, n24, n28, n56, n70, n112 = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
@@ -188,11 +188,11 @@ def _quaternion_blocks(
     mul(v2, w, o3)
     mul(v3, w, o4)
     k = add(n1, x, k4)
-    e = div(n8, k, k4)
+    minus_e = div(n_minus_8, k, k4)
     dq = sub(mul(sub(n112, mul(n24, x, k5), k5), x, k1), n56, k1)
     y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k6), k5), mul(v3, v3o, k6), k5)
-    sco = neg(mul(w, mul(e, y, k4), k4), o5)
-    wo = add(mul(n2, mul(y, mul(dq, sr, k1), k1), k1), sco, k1)
+    sco = mul(w, mul(minus_e, y, k4), o5)
+    wo = add(mul(mul(n2, dq, k1), mul(y, sr, k2), k1), sco, k1)
     add(mul(v1o, w, k2), mul(v1, wo, k4), o6)
     add(mul(v2o, w, k2), mul(v2, wo, k4), o7)
     add(mul(v3o, w, k2), mul(v3, wo, k1), o8)
@@ -205,7 +205,7 @@ _QUATERNION = Kernel(
     (8,),
     registers=6,
     masks=0,
-    numbers=(1, 2, 4, 6, 8, 24, 28, 56, 70, 112),
+    numbers=(-8, 1, 2, 4, 6, 8, 24, 28, 56, 70, 112),
 )
 
 

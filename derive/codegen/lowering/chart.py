@@ -200,8 +200,9 @@ class CayleyChart:
         s = self.name("sr", self._reciprocal(self.root))
         scalar = self.name("sc", self.p * s)
         factor = self.name("w", self.q * s)
-        scalar_du = self.name("sco", -(factor * (self._growth * self.y)))
-        factor_du = self.name("wo", 2 * (self.y * (self.dq * s)) + scalar_du)
+        decay = self.name("minus_e", -self.order / self.k)
+        scalar_du = self.name("sco", factor * (decay * self.y))
+        factor_du = self.name("wo", 2 * self.dq * (self.y * s) + scalar_du)
         return scalar, factor, scalar_du, factor_du
 
     # --- coefficients of the inverse operator f I - skew(v)/2 + h v⊗v -----------------------------------------

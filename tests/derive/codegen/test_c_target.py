@@ -79,7 +79,7 @@ def test_every_program_prints_with_the_arrays_of_its_signature(order):
     for name, program in lower(order).items():
         function = c99.function(program)
         components = sum(len(parts) for _, parts in program.inputs)
-        if name in SIGNATURES and name != "shadow":
+        if name in SIGNATURES and name not in ("shadow", "principal"):
             assert components == sum(array.size for array in SIGNATURES[name].arguments), name
             assert len(program.outputs) == sum(array.size for array in SIGNATURES[name].results), name
         assert function.math <= {"sqrt", "tan", "atan2"}
