@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import tempfile
 import time
+from functools import partial
 from pathlib import Path
 
 import click
@@ -30,7 +31,7 @@ def search(folder: Path, seconds: float, bar: Progress) -> None:
         seed += 1
         tasks = measure.sample_tasks(folder, seed)
         row = bar.add_task(f"searching, seed {seed}", total=len(tasks))
-        found = list(measure.run(tasks, lambda row=row: bar.advance(row), deadline))
+        found = list(measure.run(tasks, partial(bar.advance, row), deadline))
         kept = cases.added(kept, measure.cases_of(found))
         cases.write(kept, seed)
 
@@ -40,7 +41,7 @@ def measurements(folder: Path, bar: Progress) -> list[measure.Measurement]:
     kept, searched = cases.read()
     tasks = measure.sample_tasks(folder) + measure.replay_tasks(folder, kept)
     row = bar.add_task("kernels", total=len(tasks))
-    found = list(measure.run(tasks, lambda: bar.advance(row)))
+    found = list(measure.run(tasks, partial(bar.advance, row)))
     cases.write(cases.added(kept, measure.cases_of(found)), searched)
     return found
 

@@ -95,11 +95,11 @@ def forward(xi: np.ndarray, result: Errors) -> None:
         v = rounded(np.stack([pack(rodrigues(n, unpack(row), oracle.field)) for row in xi]), np.float64)
         results = (kernel.pose(v), kernel.tangent(v), kernel.tangent_inv(v))
         for row, pose, tangent, tangent_inv in zip(v, *results, strict=True):
-            scale = errors.scales(n, row)
+            own = errors.scales(n, row)
             operator = oracle.operator_by_spin(unpack(row))
-            result.add(("Q", "ρ"), f"n = {n}", pose, oracle.pose(row), Nil(scale.tensor.re, scale.position))
-            result.add(("T",), f"n = {n}", tangent, pack(operator), scale.tangent)
-            result.add(("T⁻¹",), f"n = {n}", tangent_inv, pack(inverse(operator)), scale.near_pole)
+            result.add(("Q", "ρ"), f"n = {n}", pose, oracle.pose(row), Nil(own.tensor.re, own.position))
+            result.add(("T",), f"n = {n}", tangent, pack(operator), own.tangent)
+            result.add(("T⁻¹",), f"n = {n}", tangent_inv, pack(inverse(operator)), own.near_pole)
 
 
 def inverse_maps(xi: np.ndarray, result: Errors) -> None:

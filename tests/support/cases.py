@@ -22,7 +22,7 @@ from tests.support.accuracy import Trial
 from tests.support.oracle import DIGITS
 
 FILE = Path(__file__).parents[2] / "benchmarks" / "worst_cases.json"
-DTYPES = {"float32": np.float32, "float64": np.float64, "longdouble": np.longdouble}
+DTYPES: dict[str, Any] = {"float32": np.float32, "float64": np.float64, "longdouble": np.longdouble}
 WORSE = 1.1  # a case is kept if it is this much worse than those kept before
 NOTHING = 1e-6  # and its error more than this part of what is allowed
 

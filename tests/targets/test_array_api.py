@@ -106,7 +106,7 @@ def test_wrong_arguments_are_named(array_api, library):
 @LIBRARY
 def test_nan_stays_in_its_element_and_the_identity_has_no_other_branch(array_api, library):
     module = Through(array_api(3), library)
-    v = sampling.poses(3, "uniform")
+    v = sampling.poses(3, "uniform", count=4)
     v[1, 0] = np.nan
     for name in ("quaternion", "pose", "tangent", "tangent_inv", "principal", "shadow"):
         finite = np.isfinite(getattr(module, name)(v)).reshape(4, -1).all(axis=-1)
@@ -118,7 +118,7 @@ def test_nan_stays_in_its_element_and_the_identity_has_no_other_branch(array_api
 def test_dask_arrays_stay_lazy_and_keep_their_blocks(array_api):
     import dask.array
 
-    v = sampling.poses(3, "uniform")
+    v = sampling.poses(3, "uniform", count=4)
     lazy = dask.array.from_array(v, chunks=(2, 6))
     pose = array_api(3).from_pose(array_api(3).pose(lazy))
     assert isinstance(pose, dask.array.Array)

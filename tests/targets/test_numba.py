@@ -67,7 +67,7 @@ def test_parallel_loops(compiled, name):
 
 
 def test_out_is_written_and_may_overlap(compiled):
-    module, v = compiled(ORDER), sampling.poses(ORDER, "shadow")
+    module, v = compiled(ORDER), sampling.poses(ORDER, "shadow", count=4)
     expected = load(ORDER).principal(v)
     out = np.empty_like(v)
     assert module.principal(v, out=out) is out
@@ -110,7 +110,7 @@ def test_wrong_arguments_are_named(compiled):
 
 def test_singular_points_are_ieee_results_without_a_warning(compiled):
     assert np.isnan(compiled(ORDER).shadow(np.zeros(6))).all()
-    half_turn = np.array([1.0, 0, 0, 0, 0, 0, 0, 0]) * 0 + np.eye(8)[1]
+    half_turn = np.eye(8)[1]
     assert not np.isfinite(compiled(1).from_quaternion(half_turn)).all()
 
 
