@@ -62,6 +62,7 @@ def flipped(text: str, function: str, pattern: str, replacement: str) -> str:
         (3, "from_pose_blocks", r"m\.where\(larger3, s23", "m.where(larger3, s13"),
         (3, "from_quaternion_blocks", r"still = m\.equal", "still = m.less"),
         (3, "principal_blocks", r"add\(mul\(r, cos1", "sub(mul(r, cos1"),
+        (3, "principal_blocks", r"m\.less\(limit1, x", "m.less(x, limit1"),
         (3, "shadow_blocks", r"m\.both", "m.either"),
     ],
 )
