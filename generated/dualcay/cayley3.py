@@ -1840,8 +1840,7 @@ def _principal(m: Any, v: Components, table: Components) -> Result:
     v33 = v3 * v3
     x = v11 + v22 + v33
     beyond1 = limit1 < x
-    k = 1 + x
-    r = m.sqrt(m.where(beyond1, x, k))
+    r = m.sqrt(m.where(beyond1, x, 1 + x))
     u1 = v1 / r
     u2 = v2 / r
     u3 = v3 / r
@@ -1876,8 +1875,7 @@ def _principal_blocks(
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
     beyond1 = m.less(limit1, x, mask1)
-    k = add(n1, x, k2)
-    r = sqrt(m.where(beyond1, x, k, k1), k1)
+    r = sqrt(m.where(beyond1, x, add(n1, x, k2), k1), k1)
     iden = div(n1, sub(cos1, mul(r, sin1, k2), k2), k2)
     rk = mul(add(mul(r, cos1, k3), sin1, k3), iden, k3)
     u1 = div(v1, r, k4)

@@ -1898,8 +1898,7 @@ def _principal(m: Any, v: Components, table: Components) -> Result:
     beyond2 = limit2 < x
     cosine2 = m.where(beyond2, cos2, cos1)
     sine2 = m.where(beyond2, sin2, sin1)
-    k = 1 + x
-    r = m.sqrt(m.where(beyond1, x, k))
+    r = m.sqrt(m.where(beyond1, x, 1 + x))
     u1 = v1 / r
     u2 = v2 / r
     u3 = v3 / r
@@ -1934,8 +1933,7 @@ def _principal_blocks(
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
     beyond1 = m.less(limit1, x, mask1)
-    k = add(n1, x, k2)
-    r = sqrt(m.where(beyond1, x, k, k3), k2)
+    r = sqrt(m.where(beyond1, x, add(n1, x, k2), k3), k2)
     beyond2 = m.less(limit2, x, mask2)
     cosine2 = m.where(beyond2, cos2, cos1, k1)
     sine2 = m.where(beyond2, sin2, sin1, k3)

@@ -1966,8 +1966,7 @@ def _principal(m: Any, v: Components, table: Components) -> Result:
     sine3 = m.where(beyond3, sin3, sine2)
     cosine4 = m.where(beyond4, cos4, cosine3)
     sine4 = m.where(beyond4, sin4, sine3)
-    k = 1 + x
-    r = m.sqrt(m.where(beyond1, x, k))
+    r = m.sqrt(m.where(beyond1, x, 1 + x))
     u1 = v1 / r
     u2 = v2 / r
     u3 = v3 / r
@@ -2002,8 +2001,7 @@ def _principal_blocks(
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
     beyond1 = m.less(limit1, x, mask1)
-    k = add(n1, x, k2)
-    r = sqrt(m.where(beyond1, x, k, k3), k2)
+    r = sqrt(m.where(beyond1, x, add(n1, x, k2), k3), k2)
     beyond3 = m.less(limit3, x, mask2)
     beyond2 = m.less(limit2, x, mask3)
     beyond4 = m.less(limit4, x, mask4)

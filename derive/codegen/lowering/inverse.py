@@ -224,7 +224,7 @@ def _axis(chart: CayleyChart) -> Axis:
 def _axis_where(chart: CayleyChart, selected: Number) -> Axis:
     """The same where it is needed, Re v ≠ 0; elsewhere numbers which are not used and spoil no gradient."""
     trace = chart.trace
-    size = chart.name("r", trace.sqrt(trace.where(selected, chart.x, chart.k)))
+    size = chart.name("r", trace.sqrt(trace.where(selected, chart.x, 1 + chart.x)))
     u = named(trace, "u", chart.re / size)
     size_du = chart.name("ro", u.dot(chart.du))
     moment = named(trace, "uo", (chart.du - size_du * u) / size)
