@@ -5,9 +5,13 @@ compiler     the road: prove, lower, print, write, validate, publish
 catalogue    which orders are committed, and the commands that make them
 targets      the table of languages: a printer, a template folder and a row each
 lowering     recipes from formulas to straight-line programs
-program      the tracer and the program
+program      straight-line programs
+trace        the tracer that records them
+registers    the order of steps and scratch registers by liveness
 expression   the steps of a program as expressions, in a dialect
 infix        programs as plain Python
+inplace      programs as NumPy calls with ``out``, beside the plain form
+jit          programs as compiled loops of few outputs
 c99          programs as C
 signatures   arguments and results of the kernel functions as flat arrays
 differential tables of seeded cases for the tests of compiled targets

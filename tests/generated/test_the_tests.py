@@ -35,19 +35,10 @@ OPPOSITE = {"add": "sub", "sub": "add", "neg": "positive"}
 """What the in-place form calls."""
 
 
-def offered(core: ast.FunctionDef, apart: set[int]) -> list[ast.expr]:
-    """Values of names which are read in choices only: a side not taken, such as the safe argument of a root."""
-    reads = [node for node in ast.walk(core) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)]
-    elsewhere = {node.id for node in reads if id(node) not in apart}
-    steps = [step for step in core.body if isinstance(step, ast.Assign)]
-    return [step.value for step in steps if isinstance(step.targets[0], ast.Name) and step.targets[0].id not in elsewhere]
-
-
 def signs(core: ast.FunctionDef) -> list[int]:
     """Places of + and − in the core, as indices into its walk; not those that only choose a side, in ``where``."""
     choices = [call for call in ast.walk(core) if isinstance(call, ast.Call) and ast.unparse(call.func) == "m.where"]
     apart = {id(node) for call in choices for node in ast.walk(call)}
-    apart |= {id(node) for value in offered(core, apart) for node in ast.walk(value)}
     return [
         i
         for i, node in enumerate(ast.walk(core))

@@ -16,7 +16,7 @@ from functools import cached_property
 
 from ...algebra import Vector
 from ...maps import polynomials
-from ..program import Number, Trace
+from ..trace import Number, Trace
 from .polynomial import HORNER_LIMIT, Jet, chain, horner
 
 

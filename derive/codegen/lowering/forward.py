@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from ...algebra import Vector
-from ..program import Number, Program, Trace
+from ..program import Program
+from ..trace import Number, Trace
 from .chart import CayleyChart
 from .inputs import dual_vector, flat, vector
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from ...algebra import Vector
-from ..program import Number, Trace
+from ..trace import Number, Trace
 
 
 def dual_vector(trace: Trace, argument: str, letter: str) -> tuple[Number, ...]:

@@ -7,7 +7,8 @@ quaternion: scalar part >= 0, and where it is 0 the given vector part stands.
 from __future__ import annotations
 
 from ...algebra import Quaternion, Vector
-from ..program import Number, Program, Trace
+from ..program import Program
+from ..trace import Number, Trace
 from .chart import CayleyChart
 from .forward import named, rotate, translation
 from .inputs import dual_vector

@@ -10,7 +10,8 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
 from ...algebra import Vector
-from ..program import Number, Program, Trace
+from ..program import Program
+from ..trace import Number, Trace
 from .chart import CayleyChart
 from .forward import Rows, named
 from .inputs import dual_vector, flat

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from ..program import Number, Trace
+from ..trace import Number, Trace
 
 HORNER_LIMIT = 8
 """Largest order evaluated by Horner's rule: above, cancellation between its large alternating coefficients shows."""

@@ -9,7 +9,7 @@ import pytest
 from derive.algebra import Vector
 from derive.codegen import infix
 from derive.codegen.lowering import RECIPES
-from derive.codegen.program import Trace, UnnamedValueError
+from derive.codegen.trace import Trace, UnnamedValueError
 
 
 def traced(count: int = 2):

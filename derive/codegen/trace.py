@@ -1,0 +1,306 @@
+"""The tracer: ordinary arithmetic on symbolic inputs, recorded as a straight-line program.
+
+A :class:`Trace` hands out symbolic inputs; each operation on them is recorded once (value numbering), constants are
+folded, and what no output needs is dropped. The result is a frozen :class:`~derive.codegen.program.Program`.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from ..algebra import Structure
+from .program import Constant, Operand, Program, Step
+
+Number = Any
+"""A traced :class:`Value` or an exact constant; generic code cannot tell them apart, and need not."""
+
+COMMUTATIVE = frozenset({"add", "mul", "eq", "and", "or"})
+
+
+class UnnamedValueError(ValueError):
+    """A value used more than once has no name, so the printed source could not speak the paper's letters."""
+
+
+class Value:
+    """A traced number: arithmetic with it is recorded in its trace."""
+
+    __slots__ = ("index", "trace")
+
+    def __init__(self, trace: Trace, index: int) -> None:
+        self.trace = trace
+        self.index = index
+
+    def __add__(self, other: Number) -> Number:
+        if isinstance(other, Structure):
+            return NotImplemented
+        return self.trace.add(self, other)
+
+    def __radd__(self, other: Number) -> Number:
+        return self.trace.add(other, self)
+
+    def __sub__(self, other: Number) -> Number:
+        if isinstance(other, Structure):
+            return NotImplemented
+        return self.trace.sub(self, other)
+
+    def __rsub__(self, other: Number) -> Number:
+        return self.trace.sub(other, self)
+
+    def __mul__(self, other: Number) -> Number:
+        if isinstance(other, Structure):
+            return NotImplemented
+        return self.trace.mul(self, other)
+
+    def __rmul__(self, other: Number) -> Number:
+        return self.trace.mul(other, self)
+
+    def __truediv__(self, other: Number) -> Number:
+        if isinstance(other, Structure):
+            return NotImplemented
+        return self.trace.div(self, other)
+
+    def __rtruediv__(self, other: Number) -> Number:
+        return self.trace.div(other, self)
+
+    def __neg__(self) -> Number:
+        return self.trace.neg(self)
+
+
+@dataclass(frozen=True, slots=True)
+class _Const:
+    value: Constant
+
+
+@dataclass(frozen=True, slots=True)
+class _Node:
+    op: str
+    args: tuple[int | _Const, ...]
+
+
+class Trace:
+    """Records the operations done on the values it hands out."""
+
+    def __init__(self) -> None:
+        self._nodes: list[_Node] = []
+        self._numbered: dict[_Node, int] = {}
+        self._names: dict[int, str] = {}
+        self._inputs: list[tuple[str, tuple[str, ...]]] = []
+
+    def inputs(self, argument: str, names: Sequence[str]) -> tuple[Value, ...]:
+        """Declare an argument of the program with one named component each."""
+        values = []
+        for name in names:
+            self._nodes.append(_Node("input", ()))
+            values.append(Value(self, len(self._nodes) - 1))
+            self._rename(values[-1], name)
+        self._inputs.append((argument, tuple(names)))
+        return tuple(values)
+
+    def name(self, name: str, value: Number) -> Number:
+        """Give a value its letter (constants, and values which already have a name, stay as they are)."""
+        if isinstance(value, Value) and value.index not in self._names:
+            self._rename(value, name)
+        return value
+
+    def _rename(self, value: Value, name: str) -> None:
+        if name in self._names.values():
+            raise ValueError(f"the name {name!r} is already taken in this program")
+        self._names[value.index] = name
+
+    # --- arithmetic, with constants folded --------------------------------------------------------------------
+
+    def add(self, a: Number, b: Number) -> Number:
+        if not isinstance(a, Value) and not isinstance(b, Value):
+            return _tidy(a + b)
+        if _is(a, 0):
+            return b
+        if _is(b, 0):
+            return a
+        if (negated := self._negated(b)) is not None:
+            return self.sub(a, negated)
+        if (negated := self._negated(a)) is not None:
+            return self.sub(b, negated)
+        for constant, value in ((a, b), (b, a)):
+            if isinstance(constant, Fraction):
+                numerator, denominator = constant.numerator, constant.denominator
+                return self.div(self.add(numerator, self.mul(denominator, value)), denominator)
+        return self.record("add", a, b)
+
+    def sub(self, a: Number, b: Number) -> Number:
+        if not isinstance(a, Value) and not isinstance(b, Value):
+            return _tidy(a - b)
+        if _is(a, 0):
+            return self.neg(b)
+        if _is(b, 0):
+            return a
+        if (negated := self._negated(b)) is not None:
+            return self.add(a, negated)
+        return self.record("sub", a, b)
+
+    def mul(self, a: Number, b: Number) -> Number:
+        if not isinstance(a, Value) and not isinstance(b, Value):
+            return _tidy(a * b)
+        for one, other in ((a, b), (b, a)):
+            if _is(one, 0):
+                return 0
+            if _is(one, 1):
+                return other
+            if _is(one, -1):
+                return self.neg(other)
+        return self.record("mul", a, b) if isinstance(a, Value) and isinstance(b, Value) else self._multiple(a, b)
+
+    def _multiple(self, a: Number, b: Number) -> Number:
+        """A constant times a value, the constant first; fractions divide, so that exact types stay exact."""
+        constant, value = (b, a) if isinstance(a, Value) else (a, b)
+        if constant.denominator != 1:
+            return self.div(self.mul(constant.numerator, value), constant.denominator)
+        return self.record("mul", constant, value)
+
+    def div(self, a: Number, b: Number) -> Number:
+        if _is(b, 0):
+            raise ZeroDivisionError("a traced program divides by the constant 0")
+        if not isinstance(a, Value) and not isinstance(b, Value):
+            return _tidy(Fraction(a) / Fraction(b))
+        if _is(b, 1) or _is(a, 0):
+            return a
+        return self.record("div", a, b)
+
+    def neg(self, a: Number) -> Number:
+        if not isinstance(a, Value):
+            return -a
+        negated = self._negated(a)
+        return self.record("neg", a) if negated is None else negated
+
+    def _negated(self, value: Number) -> Number:
+        """What a value is the negative of, when it was recorded as one."""
+        if not isinstance(value, Value):
+            return -value if value < 0 else None
+        node = self._nodes[value.index]
+        if value.index in self._names:
+            return None
+        if node.op == "neg":
+            return self._operand(node.args[0])
+        first = node.args[0] if node.op == "mul" else None
+        if isinstance(first, _Const) and first.value < 0:
+            return self.mul(-first.value, self._operand(node.args[1]))
+        return None
+
+    # --- elementary functions and selection -------------------------------------------------------------------
+
+    def sqrt(self, a: Number) -> Number:
+        return a if _is(a, 1) or _is(a, 0) else self.record("sqrt", a)
+
+    def tan(self, a: Number) -> Number:
+        return self.record("tan", a)
+
+    def atan2(self, a: Number, b: Number) -> Number:
+        return self.record("atan2", a, b)
+
+    def less(self, a: Number, b: Number) -> Number:
+        if not isinstance(a, Value) and not isinstance(b, Value):
+            return bool(a < b)
+        return self.record("lt", a, b)
+
+    def equal(self, a: Number, b: Number) -> Number:
+        if not isinstance(a, Value) and not isinstance(b, Value):
+            return bool(a == b)
+        return self.record("eq", a, b)
+
+    def both(self, a: Number, b: Number) -> Number:
+        if isinstance(a, bool):
+            return b if a else False
+        if isinstance(b, bool):
+            return a if b else False
+        return self.record("and", a, b)
+
+    def either(self, a: Number, b: Number) -> Number:
+        if isinstance(a, bool):
+            return True if a else b
+        if isinstance(b, bool):
+            return True if b else a
+        return self.record("or", a, b)
+
+    def where(self, condition: Number, a: Number, b: Number) -> Number:
+        if isinstance(condition, bool):
+            return a if condition else b
+        return self.record("where", condition, a, b)
+
+    # --- recording --------------------------------------------------------------------------------------------
+
+    def record(self, op: str, *operands: Number) -> Value:
+        """The value of ``op(*operands)``, recorded unless it already stands."""
+        args = tuple(v.index if isinstance(v, Value) else _Const(v) for v in operands)
+        key = _Node(op, tuple(sorted(args, key=_order)) if op in COMMUTATIVE else args)
+        if key not in self._numbered:
+            self._nodes.append(_Node(op, args))
+            self._numbered[key] = len(self._nodes) - 1
+        return Value(self, self._numbered[key])
+
+    def _operand(self, arg: int | _Const) -> Number:
+        return arg.value if isinstance(arg, _Const) else Value(self, arg)
+
+    def program(self, name: str, outputs: Iterable[Number]) -> Program:
+        """Freeze what the outputs need."""
+        results = tuple(outputs)
+        uses = self._uses(results)
+        for index, count in sorted(uses.items()):
+            if count > 1:
+                self._name_multiple(index)
+        unnamed = [i for i, n in uses.items() if n > 1 and i not in self._names]
+        if unnamed:
+            ops = ", ".join(self._describe(i) for i in unnamed)
+            raise UnnamedValueError(f"program {name!r} uses unnamed values more than once: {ops}")
+        labels = {i: self._names.get(i, f"t{i}") for i in uses}
+
+        def label(arg: int | _Const) -> Operand:
+            return arg.value if isinstance(arg, _Const) else labels[arg]
+
+        steps = []
+        for index in sorted(uses):
+            node = self._nodes[index]
+            if node.op != "input":
+                inline = index not in self._names
+                steps.append(Step(labels[index], node.op, tuple(label(arg) for arg in node.args), inline))
+        finals = tuple(labels[v.index] if isinstance(v, Value) else v for v in results)
+        return Program(name, tuple(self._inputs), tuple(steps), finals)
+
+    def _uses(self, results: Sequence[Number]) -> dict[int, int]:
+        """How often each value is read, counting outputs; values which are not read are absent."""
+        uses: Counter[int] = Counter(v.index for v in results if isinstance(v, Value))
+        for index in range(len(self._nodes) - 1, -1, -1):
+            if uses[index]:
+                uses.update(arg for arg in self._nodes[index].args if not isinstance(arg, _Const))
+        return {index: count for index, count in uses.items() if count}
+
+    def _name_multiple(self, index: int) -> None:
+        """Name a shared value after the one it is the negative or an integer multiple of."""
+        node, last = self._nodes[index], self._nodes[index].args[-1:]
+        base = self._names.get(last[0]) if last and not isinstance(last[0], _Const) else None
+        if base is None or index in self._names:
+            return
+        if node.op == "neg":
+            self._rename(Value(self, index), f"minus_{base}")
+        elif node.op == "mul" and isinstance(node.args[0], _Const):
+            self._rename(Value(self, index), f"{base}_by_{node.args[0].value}".replace("-", "minus_"))
+
+    def _describe(self, index: int) -> str:
+        node = self._nodes[index]
+        args = (str(a.value) if isinstance(a, _Const) else self._names.get(a, "…") for a in node.args)
+        return f"{node.op}({', '.join(args)})"
+
+
+def _is(value: Number, constant: int) -> bool:
+    return not isinstance(value, Value) and value == constant
+
+
+def _tidy(value: Constant) -> Constant:
+    """An int where the value is one: printed constants stay short."""
+    return int(value) if value == int(value) else value
+
+
+def _order(arg: int | _Const) -> tuple[int, Constant]:
+    return (0, arg.value) if isinstance(arg, _Const) else (1, arg)
