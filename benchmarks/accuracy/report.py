@@ -175,17 +175,31 @@ def summary(measurements: Iterable[Measurement]) -> Iterator[str]:
     yield from markdown(["what", "gate", "largest error (eps)", "nearest to its gate", ""], body)
 
 
-def out_of_range(measurements: Iterable[Measurement]) -> Iterator[str]:
-    """Samples left out because p_n and q_n overflow."""
+def left_out(measurements: Iterable[Measurement]) -> dict[tuple[str, int], int]:
+    """How many poses of a type and order were left out because p² + x q² overflows."""
     counts: dict[tuple[str, int], int] = {}
     for m in measurements:
         if m.function == "pose" and m.left_out:
             counts[m.dtype, m.order] = counts.get((m.dtype, m.order), 0) + m.left_out
+    return counts
+
+
+def verdict(measurements: Sequence[Measurement]) -> list[str]:
+    """A line for every gate missed, and for what no gate was applied to."""
+    lines = short_of_gate(measurements) or ["all gates are met by what is in range"]
+    for (dtype, order), count in sorted(left_out(measurements).items()):
+        lines.append(f"out of range, n = {order}, {dtype}: {count} poses on shadows overflow, results there are NaN")
+    return lines
+
+
+def out_of_range(measurements: Sequence[Measurement]) -> Iterator[str]:
+    """Where p² + x q² overflows, and the samples left out for it."""
+    counts = left_out(measurements)
     yield "## Range"
     yield ""
     yield (
         "The kernels compute p² + x q² = (1 + |v|²)ⁿ in the type they are given. Where that overflows, results are "
-        "wrong (the identity, or NaN), so those samples are left out above. Largest |v|, and samples left out:"
+        "NaN, so those samples are left out above. Largest |v| by the type's exponents, and samples left out:"
     )
     yield ""
     body = []
@@ -201,7 +215,7 @@ def out_of_range(measurements: Iterable[Measurement]) -> Iterator[str]:
     yield from markdown(["type", *(f"n = {n}" for n in ORDERS)], body)
 
 
-def page(measurements: Sequence[Measurement], figures: Sequence[tuple[str, str]], missed: Sequence[str]) -> str:
+def page(measurements: Sequence[Measurement], figures: Sequence[tuple[str, str]]) -> str:
     """The whole page; `figures` are (file name, caption)."""
     lines = [
         "# Accuracy",
@@ -218,10 +232,8 @@ def page(measurements: Sequence[Measurement], figures: Sequence[tuple[str, str]]
         "",
         "Gates on shadows: max(16, 2n); tangent operators and twists there max(40, 10n).",
         "",
-        "**" + ("All gates are met." if not missed else f"{len(missed)} gates are missed:") + "**",
+        *(f"- {line}" for line in verdict(measurements)),
         "",
-        *(f"- {line}" for line in missed),
-        *([""] if missed else []),
         *summary(measurements),
         "Regimes, as abbreviated in the tables: "
         + "; ".join(f"**{SHORT[r]}** {MEANING[r]}" for r in (*PRINCIPAL, *OUTSIDE))

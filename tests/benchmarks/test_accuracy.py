@@ -68,12 +68,13 @@ def test_missed_gates_are_named() -> None:
     assert report.short_of_gate(measurements(0.9)) == []
     found = report.short_of_gate(measurements(1.1))
     assert "quaternion, n = 2, float64, uniform: 4.4 eps, gate 4 FALLS SHORT" in found
-    page = report.page(measurements(1.1), [("a.png", "A caption. More.")], found)
+    page = report.page(measurements(1.1), [("a.png", "A caption. More.")])
     assert all(f"- {line}" in page for line in found)
     assert "**4.4 u**" in page
     assert "(6 left out)" in page
     assert "![A caption](a.png)" in page
-    assert "**All gates are met.**" in report.page(measurements(0.9), [], [])
+    assert "out of range, n = 2, float64: 6 poses" in page
+    assert "- all gates are met by what is in range" in report.page(measurements(0.9), [])
 
 
 @pytest.mark.parametrize(("panel", "index"), [("small", 40), ("whole", 31), ("to pi", 20)])
