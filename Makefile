@@ -29,7 +29,7 @@ lint: $(READY)  ## ruff
 types: $(READY)  ## mypy --strict
 	$(RUN) -m mypy
 
-bench: $(READY)  ## proof times by order, then kernels against their peers (docs/benchmarks.md)
+bench: $(VENV)/.bench  ## proof times by order, then kernels against their peers (docs/benchmarks.md)
 	$(RUN) benchmarks/proofs.py
 	$(RUN) -m benchmarks.kernels -o docs/benchmarks.md
 
