@@ -67,9 +67,9 @@
 #   from_tensor: 147: 47 +, 52 *, 10 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_pose: 111: 32 +, 34 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
-#   to_screw: 72: 14 +, 26 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
+#   to_screw: 76: 16 +, 28 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
 #   turn: 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
-#   shadow: 76: 18 +, 31 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 11 where
+#   shadow: 79: 20 +, 32 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 11 where
 #   principal: 52: 13 +, 23 *, 7 /, 1 sqrt, 1 lt, 7 where
 #   compose: 232: 77 +, 133 *, 11 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 """Cayley map of order 3: Rodrigues dual vectors ``v = tan(α/6) u`` of rigid displacements.
@@ -1712,7 +1712,7 @@ _TURN = Kernel(
 )
 
 
-# operations 76: 18 +, 31 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 11 where
+# operations 79: 20 +, 32 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 11 where
 def _shadow(m: Any, v: Components, cs: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = cs
@@ -1726,7 +1726,8 @@ def _shadow(m: Any, v: Components, cs: Components) -> Result:
     mq = -q
     qp = m.where(pneg, mq, q)
     y = v1 * v1o + v2 * v2o + v3 * v3o
-    sign = m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
+    one = p - p + 1
+    sign = one * m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     still = x == 0
     length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
     r = m.where(still, x, length)
@@ -1761,14 +1762,15 @@ def _shadow_blocks(
     length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
     r = m.where(still, x, length, k3)
     p = sub(n1, mul(n3, x, k4), k4)
-    pneg = m.less(p, n0, mask2)
     q = sub(n3, x, k1)
-    mq = neg(q, k4)
-    qp = m.where(pneg, mq, q, k4)
-    y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k6), k5), mul(v3, v3o, k6), k5)
-    sign = m.where(
-        m.either(m.less(qp, n0, mask2), m.both(m.equal(q, n0, mask3), m.less(y, n0, mask4), mask3), mask2), n_minus_1,
-        n1, k1
+    pneg = m.less(p, n0, mask2)
+    one = add(sub(p, p, k4), n1, k4)
+    mq = neg(q, k5)
+    qp = m.where(pneg, mq, q, k5)
+    y = add(add(mul(v1, v1o, k6), mul(v2, v2o, k7), k6), mul(v3, v3o, k7), k6)
+    sign = mul(
+        one, m.where(m.either(m.less(qp, n0, mask2), m.both(m.equal(q, n0, mask3), m.less(y, n0, mask4), mask3), mask2),
+        n_minus_1, n1, k1), k1
     )
     sn = mul(sign, sin, k1)
     iden = div(n1, sub(cos, mul(r, sn, k4), k4), k4)
@@ -2509,7 +2511,7 @@ def from_screw(angle: ArrayLike, line: ArrayLike, /, *, axis: int = -1, out: Arr
     return call(_FROM_SCREW, axis, out, angle, line)
 
 
-# operations 72: 14 +, 26 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
+# operations 76: 16 +, 28 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
 def _to_screw(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -2522,7 +2524,8 @@ def _to_screw(m: Any, v: Components) -> Result:
     mq = -q
     qp = m.where(pneg, mq, q)
     y = v1 * v1o + v2 * v2o + v3 * v3o
-    sign = m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
+    one = p - p + 1
+    sign = one * m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     still = x == 0
     length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
     r = m.where(still, x, length)
@@ -2535,7 +2538,7 @@ def _to_screw(m: Any, v: Components) -> Result:
     uo3 = m.where(still, 0, v3o - u3 * ro) / length
     k = 1 + x
     return (
-        2 * m.atan2(r * m.where(q < 0, mq, q), m.where(pneg, -p, p)),
+        2 * m.atan2(r * m.where(q < 0, mq, q), m.where(pneg, -p, p)) * one,
         sign * (6 * ro / k),
         u1 * sign,
         u2 * sign,
@@ -2551,7 +2554,7 @@ def _to_screw_blocks(
 ) -> None:
     v1, v2, v3, v1o, v2o, v3o = v
     o1, o2, o3, o4, o5, o6, o7, o8 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10 = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11 = scratch
     mask1, mask2, mask3, mask4 = masks
     n_minus_1, n0, n1, n2, n3, n6 = numbers
     v11 = mul(v1, v1, k1)
@@ -2561,23 +2564,27 @@ def _to_screw_blocks(
     still = m.equal(x, n0, mask1)
     length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
     r = m.where(still, x, length, k3)
-    q = sub(n3, x, k4)
-    mq = neg(q, k5)
-    p = sub(n1, mul(n3, x, k6), k6)
+    p = sub(n1, mul(n3, x, k4), k4)
+    one = add(sub(p, p, k5), n1, k5)
+    q = sub(n3, x, k6)
     k = add(n1, x, k1)
+    mq = neg(q, k7)
     pneg = m.less(p, n0, mask2)
-    mul(n2, atan2(mul(r, m.where(m.less(q, n0, mask3), mq, q, k7), k3), m.where(pneg, neg(p, k7), p, k7), k3), o1)
-    qp = m.where(pneg, mq, q, k3)
-    u1 = div(m.where(still, v1o, v1, k5), length, k5)
-    u2 = div(m.where(still, v2o, v2, k6), length, k6)
-    u3 = div(m.where(still, v3o, v3, k7), length, k7)
-    ro = m.where(still, length, add(add(mul(u1, v1o, k8), mul(u2, v2o, k9), k8), mul(u3, v3o, k9), k8), k9)
-    y = add(add(mul(v1, v1o, k8), mul(v2, v2o, k10), k8), mul(v3, v3o, k10), k8)
-    sign = m.where(
-        m.either(m.less(qp, n0, mask2), m.both(m.equal(q, n0, mask3), m.less(y, n0, mask4), mask3), mask2), n_minus_1,
-        n1, k3
+    mul(
+        mul(n2, atan2(mul(r, m.where(m.less(q, n0, mask3), mq, q, k8), k3), m.where(pneg, neg(p, k8), p, k8), k3), k3),
+        one, o1
     )
-    mul(sign, div(mul(n6, ro, k4), k, k1), o2)
+    qp = m.where(pneg, mq, q, k3)
+    u1 = div(m.where(still, v1o, v1, k4), length, k4)
+    u2 = div(m.where(still, v2o, v2, k7), length, k7)
+    u3 = div(m.where(still, v3o, v3, k8), length, k8)
+    ro = m.where(still, length, add(add(mul(u1, v1o, k9), mul(u2, v2o, k10), k9), mul(u3, v3o, k10), k9), k10)
+    y = add(add(mul(v1, v1o, k9), mul(v2, v2o, k11), k9), mul(v3, v3o, k11), k9)
+    sign = mul(
+        one, m.where(m.either(m.less(qp, n0, mask2), m.both(m.equal(q, n0, mask3), m.less(y, n0, mask4), mask3), mask2),
+        n_minus_1, n1, k3), k3
+    )
+    mul(sign, div(mul(n6, ro, k5), k, k1), o2)
     mul(u1, sign, o3)
     mul(u2, sign, o4)
     mul(u3, sign, o5)
@@ -2594,7 +2601,7 @@ _TO_SCREW = Kernel(
     _to_screw_blocks,
     (("v", (6,)),),
     (8,),
-    registers=10,
+    registers=11,
     masks=4,
     numbers=(-1, 0, 1, 2, 3, 6),
     real=True,

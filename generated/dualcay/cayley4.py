@@ -67,9 +67,9 @@
 #   from_tensor: 152: 51 +, 57 *, 11 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 116: 36 +, 39 *, 8 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
-#   to_screw: 74: 15 +, 27 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
+#   to_screw: 78: 17 +, 29 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
 #   turn: 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
-#   shadow: 78: 19 +, 32 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 11 where
+#   shadow: 81: 21 +, 33 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 11 where
 #   principal: 55: 13 +, 23 *, 7 /, 1 sqrt, 2 lt, 9 where
 #   compose: 247: 88 +, 142 *, 12 /, 1 neg, 1 sqrt, 1 lt, 2 where
 """Cayley map of order 4: Rodrigues dual vectors ``v = tan(α/8) u`` of rigid displacements.
@@ -1746,7 +1746,7 @@ _TURN = Kernel(
 )
 
 
-# operations 78: 19 +, 32 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 11 where
+# operations 81: 21 +, 33 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 11 where
 def _shadow(m: Any, v: Components, cs: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = cs
@@ -1760,7 +1760,8 @@ def _shadow(m: Any, v: Components, cs: Components) -> Result:
     mq = -q
     qp = m.where(pneg, mq, q)
     y = v1 * v1o + v2 * v2o + v3 * v3o
-    sign = m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
+    one = p - p + 1
+    sign = one * m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     still = x == 0
     length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
     r = m.where(still, x, length)
@@ -1785,29 +1786,30 @@ def _shadow_blocks(
     cos, sin = cs
     o1, o2, o3, o4, o5, o6 = out
     k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
-    mask1, mask2, mask3, mask4 = masks
+    mask1, mask2, mask3 = masks
     n_minus_1, n0, n1, n4, n6 = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
-    still = m.equal(x, n0, mask1)
-    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
-    r = m.where(still, x, length, k3)
-    p = add(mul(sub(x, n6, k4), x, k4), n1, k4)
-    pneg = m.less(p, n0, mask2)
-    q = sub(n4, mul(n4, x, k1), k1)
+    p = add(mul(sub(x, n6, k2), x, k2), n1, k2)
+    one = add(sub(p, p, k3), n1, k3)
+    pneg = m.less(p, n0, mask1)
+    q = sub(n4, mul(n4, x, k2), k2)
     mq = neg(q, k4)
     qp = m.where(pneg, mq, q, k4)
     y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k6), k5), mul(v3, v3o, k6), k5)
-    sign = m.where(
-        m.either(m.less(qp, n0, mask2), m.both(m.equal(q, n0, mask3), m.less(y, n0, mask4), mask3), mask2), n_minus_1,
-        n1, k1
+    sign = mul(
+        one, m.where(m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1),
+        n_minus_1, n1, k2), k2
     )
-    sn = mul(sign, sin, k1)
+    sn = mul(sign, sin, k2)
+    still = m.equal(x, n0, mask1)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k3), mul(v2o, v2o, k4), k3), mul(v3o, v3o, k4), k3), x, k3), k3)
+    r = m.where(still, x, length, k1)
     iden = div(n1, sub(cos, mul(r, sn, k4), k4), k4)
-    rk = mul(add(mul(r, cos, k3), sn, k1), iden, k1)
-    u1 = div(m.where(still, v1o, v1, k3), length, k3)
+    rk = mul(add(mul(r, cos, k1), sn, k1), iden, k1)
+    u1 = div(m.where(still, v1o, v1, k2), length, k2)
     mul(u1, rk, o1)
     u2 = div(m.where(still, v2o, v2, k5), length, k5)
     mul(u2, rk, o2)
@@ -1816,10 +1818,10 @@ def _shadow_blocks(
     ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
     rko = mul(ro, mul(iden, iden, k4), k4)
     uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k7), k7), k9), length, k7)
-    add(mul(uo1, rk, k7), mul(u1, rko, k3), o4)
-    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k3), k3), k7), length, k3)
-    add(mul(uo2, rk, k3), mul(u2, rko, k5), o5)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k3), k3), k5), length, k2)
+    add(mul(uo1, rk, k7), mul(u1, rko, k2), o4)
+    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k2), k2), k7), length, k2)
+    add(mul(uo2, rk, k2), mul(u2, rko, k5), o5)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k2), k2), k5), length, k2)
     add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
 
 
@@ -1829,7 +1831,7 @@ _SHADOW = Kernel(
     (("v", (6,)),),
     (6,),
     registers=9,
-    masks=4,
+    masks=3,
     numbers=(-1, 0, 1, 4, 6),
     real=True,
 )
@@ -2538,7 +2540,7 @@ def from_screw(angle: ArrayLike, line: ArrayLike, /, *, axis: int = -1, out: Arr
     return call(_FROM_SCREW, axis, out, angle, line)
 
 
-# operations 74: 15 +, 27 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
+# operations 78: 17 +, 29 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
 def _to_screw(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -2551,7 +2553,8 @@ def _to_screw(m: Any, v: Components) -> Result:
     mq = -q
     qp = m.where(pneg, mq, q)
     y = v1 * v1o + v2 * v2o + v3 * v3o
-    sign = m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
+    one = p - p + 1
+    sign = one * m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     still = x == 0
     length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
     r = m.where(still, x, length)
@@ -2564,7 +2567,7 @@ def _to_screw(m: Any, v: Components) -> Result:
     uo3 = m.where(still, 0, v3o - u3 * ro) / length
     k = 1 + x
     return (
-        2 * m.atan2(r * m.where(q < 0, mq, q), m.where(pneg, -p, p)),
+        2 * m.atan2(r * m.where(q < 0, mq, q), m.where(pneg, -p, p)) * one,
         sign * (8 * ro / k),
         u1 * sign,
         u2 * sign,
@@ -2580,7 +2583,7 @@ def _to_screw_blocks(
 ) -> None:
     v1, v2, v3, v1o, v2o, v3o = v
     o1, o2, o3, o4, o5, o6, o7, o8 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10 = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11 = scratch
     mask1, mask2, mask3, mask4 = masks
     n_minus_1, n0, n1, n2, n4, n6, n8 = numbers
     v11 = mul(v1, v1, k1)
@@ -2591,20 +2594,24 @@ def _to_screw_blocks(
     length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
     r = m.where(still, x, length, k3)
     p = add(mul(sub(x, n6, k4), x, k4), n1, k4)
+    one = add(sub(p, p, k5), n1, k5)
     pneg = m.less(p, n0, mask2)
-    q = sub(n4, mul(n4, x, k5), k5)
+    q = sub(n4, mul(n4, x, k6), k6)
     k = add(n1, x, k1)
-    mq = neg(q, k6)
-    mul(n2, atan2(mul(r, m.where(m.less(q, n0, mask3), mq, q, k7), k3), m.where(pneg, neg(p, k7), p, k7), k3), o1)
+    mq = neg(q, k7)
+    mul(
+        mul(n2, atan2(mul(r, m.where(m.less(q, n0, mask3), mq, q, k8), k3), m.where(pneg, neg(p, k8), p, k8), k3), k3),
+        one, o1
+    )
     qp = m.where(pneg, mq, q, k3)
     u1 = div(m.where(still, v1o, v1, k4), length, k4)
-    u2 = div(m.where(still, v2o, v2, k6), length, k6)
-    u3 = div(m.where(still, v3o, v3, k7), length, k7)
-    ro = m.where(still, length, add(add(mul(u1, v1o, k8), mul(u2, v2o, k9), k8), mul(u3, v3o, k9), k8), k9)
-    y = add(add(mul(v1, v1o, k8), mul(v2, v2o, k10), k8), mul(v3, v3o, k10), k8)
-    sign = m.where(
-        m.either(m.less(qp, n0, mask2), m.both(m.equal(q, n0, mask3), m.less(y, n0, mask4), mask3), mask2), n_minus_1,
-        n1, k3
+    u2 = div(m.where(still, v2o, v2, k7), length, k7)
+    u3 = div(m.where(still, v3o, v3, k8), length, k8)
+    ro = m.where(still, length, add(add(mul(u1, v1o, k9), mul(u2, v2o, k10), k9), mul(u3, v3o, k10), k9), k10)
+    y = add(add(mul(v1, v1o, k9), mul(v2, v2o, k11), k9), mul(v3, v3o, k11), k9)
+    sign = mul(
+        one, m.where(m.either(m.less(qp, n0, mask2), m.both(m.equal(q, n0, mask3), m.less(y, n0, mask4), mask3), mask2),
+        n_minus_1, n1, k3), k3
     )
     mul(sign, div(mul(n8, ro, k5), k, k1), o2)
     mul(u1, sign, o3)
@@ -2623,7 +2630,7 @@ _TO_SCREW = Kernel(
     _to_screw_blocks,
     (("v", (6,)),),
     (8,),
-    registers=10,
+    registers=11,
     masks=4,
     numbers=(-1, 0, 1, 2, 4, 6, 8),
     real=True,

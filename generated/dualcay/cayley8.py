@@ -67,9 +67,9 @@
 #   from_tensor: 169: 58 +, 65 *, 12 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 133: 43 +, 47 *, 9 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
-#   to_screw: 82: 19 +, 31 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
+#   to_screw: 86: 21 +, 33 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
 #   turn: 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
-#   shadow: 86: 23 +, 36 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 11 where
+#   shadow: 89: 25 +, 37 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 11 where
 #   principal: 61: 13 +, 23 *, 7 /, 1 sqrt, 4 lt, 13 where
 #   compose: 308: 115 +, 174 *, 13 /, 1 neg, 2 sqrt, 1 lt, 2 where
 """Cayley map of order 8: Rodrigues dual vectors ``v = tan(α/16) u`` of rigid displacements.
@@ -1829,7 +1829,7 @@ _TURN = Kernel(
 )
 
 
-# operations 86: 23 +, 36 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 11 where
+# operations 89: 25 +, 37 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 11 where
 def _shadow(m: Any, v: Components, cs: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = cs
@@ -1843,7 +1843,8 @@ def _shadow(m: Any, v: Components, cs: Components) -> Result:
     mq = -q
     qp = m.where(pneg, mq, q)
     y = v1 * v1o + v2 * v2o + v3 * v3o
-    sign = m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
+    one = p - p + 1
+    sign = one * m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     still = x == 0
     length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
     r = m.where(still, x, length)
@@ -1875,14 +1876,15 @@ def _shadow_blocks(
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
     p = add(mul(sub(mul(add(mul(sub(x, n28, k2), x, k2), n70, k2), x, k2), n28, k2), x, k2), n1, k2)
+    one = add(sub(p, p, k3), n1, k3)
     pneg = m.less(p, n0, mask1)
     q = add(mul(sub(mul(sub(n56, mul(n8, x, k2), k2), x, k2), n56, k2), x, k2), n8, k2)
-    mq = neg(q, k3)
-    qp = m.where(pneg, mq, q, k3)
-    y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k5), k4), mul(v3, v3o, k5), k4)
-    sign = m.where(
-        m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1), n_minus_1,
-        n1, k2
+    mq = neg(q, k4)
+    qp = m.where(pneg, mq, q, k4)
+    y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k6), k5), mul(v3, v3o, k6), k5)
+    sign = mul(
+        one, m.where(m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1),
+        n_minus_1, n1, k2), k2
     )
     sn = mul(sign, sin, k2)
     still = m.equal(x, n0, mask1)
@@ -2642,7 +2644,7 @@ def from_screw(angle: ArrayLike, line: ArrayLike, /, *, axis: int = -1, out: Arr
     return call(_FROM_SCREW, axis, out, angle, line)
 
 
-# operations 82: 19 +, 31 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
+# operations 86: 21 +, 33 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
 def _to_screw(m: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -2655,7 +2657,8 @@ def _to_screw(m: Any, v: Components) -> Result:
     mq = -q
     qp = m.where(pneg, mq, q)
     y = v1 * v1o + v2 * v2o + v3 * v3o
-    sign = m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
+    one = p - p + 1
+    sign = one * m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     still = x == 0
     length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
     r = m.where(still, x, length)
@@ -2668,7 +2671,7 @@ def _to_screw(m: Any, v: Components) -> Result:
     uo3 = m.where(still, 0, v3o - u3 * ro) / length
     k = 1 + x
     return (
-        2 * m.atan2(r * m.where(q < 0, mq, q), m.where(pneg, -p, p)),
+        2 * m.atan2(r * m.where(q < 0, mq, q), m.where(pneg, -p, p)) * one,
         sign * (16 * ro / k),
         u1 * sign,
         u2 * sign,
@@ -2692,21 +2695,25 @@ def _to_screw_blocks(
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
     p = add(mul(sub(mul(add(mul(sub(x, n28, k2), x, k2), n70, k2), x, k2), n28, k2), x, k2), n1, k2)
+    one = add(sub(p, p, k3), n1, k3)
     pneg = m.less(p, n0, mask1)
     still = m.equal(x, n0, mask2)
-    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k3), mul(v2o, v2o, k4), k3), mul(v3o, v3o, k4), k3), x, k3), k3)
-    r = m.where(still, x, length, k4)
-    q = add(mul(sub(mul(sub(n56, mul(n8, x, k5), k5), x, k5), n56, k5), x, k5), n8, k5)
+    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k4), mul(v2o, v2o, k5), k4), mul(v3o, v3o, k5), k4), x, k4), k4)
+    r = m.where(still, x, length, k5)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, k6), k6), x, k6), n56, k6), x, k6), n8, k6)
     k = add(n1, x, k1)
-    mq = neg(q, k6)
-    mul(n2, atan2(mul(r, m.where(m.less(q, n0, mask3), mq, q, k7), k4), m.where(pneg, neg(p, k7), p, k7), k2), o1)
-    qp = m.where(pneg, mq, q, k2)
-    y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k6), k4), mul(v3, v3o, k6), k4)
-    sign = m.where(
-        m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask3), m.less(y, n0, mask4), mask3), mask1), n_minus_1,
-        n1, k2
+    mq = neg(q, k7)
+    mul(
+        mul(n2, atan2(mul(r, m.where(m.less(q, n0, mask3), mq, q, k8), k5), m.where(pneg, neg(p, k8), p, k8), k2), k2),
+        one, o1
     )
-    u1 = div(m.where(still, v1o, v1, k4), length, k4)
+    qp = m.where(pneg, mq, q, k2)
+    y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k7), k5), mul(v3, v3o, k7), k5)
+    sign = mul(
+        one, m.where(m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask3), m.less(y, n0, mask4), mask3), mask1),
+        n_minus_1, n1, k2), k2
+    )
+    u1 = div(m.where(still, v1o, v1, k3), length, k3)
     mul(u1, sign, o3)
     u2 = div(m.where(still, v2o, v2, k5), length, k5)
     mul(u2, sign, o4)
@@ -2714,10 +2721,10 @@ def _to_screw_blocks(
     mul(u3, sign, o5)
     ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
     mul(sign, div(mul(n16, ro, k7), k, k1), o2)
-    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k1), k1), k4), length, k1)
+    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k1), k1), k3), length, k1)
     mul(uo1, sign, o6)
-    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k1), k1), k4), length, k1)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k3)
+    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k1), k1), k3), length, k1)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k3), k3), k5), length, k3)
     mul(uo2, sign, o7)
     mul(uo3, sign, o8)
 

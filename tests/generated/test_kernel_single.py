@@ -141,6 +141,14 @@ def test_the_caller_s_error_state_is_left_alone() -> None:
         assert set(np.geterr().values()) == {"raise"}
 
 
+@pytest.mark.parametrize(("order", "size"), [(3, 4e19), (5, 1e10), (8, 1e6)])
+def test_where_p_overflows_screws_and_shadows_are_nan_not_finite_and_wrong(order: int, size: float) -> None:
+    module = load(order)
+    v = np.array([size, 0, 0, 1, 0, 0], np.float32)
+    for results in (module.shadow(v, 1), module.shadow(np.tile(v, (40, 1)), 1), *module.to_screw(v)):
+        assert np.isnan(results).all()
+
+
 def test_single_precision_overflow_neither_raises_nor_warns(kernel: ModuleType, order: int) -> None:
     for v in (np.full(6, 1e30, np.float32), np.full((3, 6), 1e30, np.float32)):
         for name in ("quaternion", "tensor", "pose", "tangent", "tangent_inv", "principal"):

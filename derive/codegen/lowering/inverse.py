@@ -204,7 +204,12 @@ def _axis_sign(chart: CayleyChart) -> Number:
     negative = chart.name("pneg", trace.less(chart.p, 0))
     flipped = chart.name("qp", trace.where(negative, chart.name("mq", -chart.q), chart.q))
     backwards = trace.both(trace.equal(chart.q, 0), trace.less(chart.y, 0))
-    return trace.where(trace.either(trace.less(flipped, 0), backwards), -1, 1)
+    return _in_range(chart) * trace.where(trace.either(trace.less(flipped, 0), backwards), -1, 1)
+
+
+def _in_range(chart: CayleyChart) -> Number:
+    """1, or NaN where p has overflowed and its sign says nothing."""
+    return 1 if chart.order < 3 else chart.name("one", chart.p - chart.p + 1)
 
 
 def _axis(chart: CayleyChart) -> Axis:
@@ -250,7 +255,7 @@ def to_screw(order: int) -> Program:
     size, u, size_du, moment = _axis(chart)
     positive_p = trace.where(chart.name("pneg", trace.less(chart.p, 0)), -chart.p, chart.p)
     positive_q = trace.where(trace.less(chart.q, 0), chart.name("mq", -chart.q), chart.q)
-    angle = 2 * trace.atan2(size * positive_q, positive_p)
+    angle = 2 * trace.atan2(size * positive_q, positive_p) * _in_range(chart)
     distance = sign * (2 * order * size_du / chart.k)
     return trace.program("to_screw", (angle, distance, *(sign * u), *(sign * moment)))
 
