@@ -11,7 +11,7 @@ from __future__ import annotations
 from typing import Any
 
 from ..algebra import Quaternion, Tensor, Vector, functions, real_part
-from .decide import is_zero
+from .sign_tests import is_zero
 
 
 def tensor_exponential(a: Vector, library: Any = functions) -> Tensor:

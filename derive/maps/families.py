@@ -26,8 +26,8 @@ import sympy
 from sympy.polys.ring_series import rs_cos, rs_mul, rs_series_inversion, rs_sin, rs_trunc
 
 from ..algebra import Coefficient, Tensor, Vector, functions, real_part
-from .decide import is_zero
 from .polynomials import require_order, x
+from .sign_tests import is_zero
 
 alpha = sympy.Symbol("alpha")
 """The dual angle α: rotation angle + ε translation along the screw axis."""

@@ -11,9 +11,9 @@ from __future__ import annotations
 from ..algebra import Dual, Quaternion, Tensor, Vector, dual_part, real_part
 from ..algebra.functions import atan2, cos, namespace, sin, tan
 from .closed_forms import quaternion_from_vector
-from .decide import is_zero, orientation
 from .polynomials import pair_by_squaring, require_order
 from .pose import Screw, natural_invariants, pose_from_tensor
+from .sign_tests import is_zero, orientation
 
 
 def vector_from_quaternion(n: int, q: Quaternion, branch: int = 0) -> Vector:

@@ -1,77 +1,149 @@
-"""Motion from first principles: the rotation tensor by its action, the twist ``vect(Ṙ Rᵀ)``, differentials.
+r"""The kinematic equations of rigid motion, each as a function: rates from the twist, and the operators in them.
 
-No closed form of a tangent operator is used here: derivatives are taken in nilpotent arithmetic, through whatever
-map is given. Space frame where nothing else is said.
+``ω = vect(Ṙ Rᵀ)`` is the space twist, ``ω_B = Rᵀ ω`` the body twist (dual vectors: angular velocity + ε velocity of the
+body point at the origin). With ``q̂ = cos α/2 + u sin α/2``, ``a = α u`` and ``v = tan(α/2n) u``:
+
+.. math::
+    \dot R = \tilde\omega R = R\,\tilde\omega_B, \qquad
+    \dot{\hat q} = \tfrac12 \omega \hat q = \tfrac12 \hat q\,\omega_B, \qquad
+    \dot a = \mathrm{dexp}_a^{-1} \omega, \qquad \dot v = \mathrm{dcay}_n^{-1} \omega
+
+CP23 (70), (74), (75), (76), (83), (90). All functions take any number type; `library` has its ``sin``, ``cos``,
+``sqrt``.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
-from ..algebra import Coefficient, Dual, Quaternion, Tensor, Vector, dual_part, real_part
-from .decide import is_zero
+from ..algebra import Coefficient, Isotropic, Quaternion, Tensor, Vector, functions, real_part
+from . import closed_forms
+from .sign_tests import is_zero
 
 
-def tensor_by_sandwich(q: Quaternion) -> Tensor:
-    """Return the tensor of ``r -> q r q*``, column by column, for a unit (dual) quaternion."""
-    columns = (q.sandwich(Vector(*row)) for row in Tensor.identity().rows)
-    return Tensor.from_entries(entry for column in columns for entry in column).transpose
+def tensor_rate(R: Tensor, omega: Vector) -> Tensor:
+    """Return ``Ṙ = skew(ω) R`` from the space twist, CP23 (70): 18 real equations."""
+    return Tensor.skew(omega) @ R
 
 
-def twist(R: Tensor, R_dot: Tensor) -> Vector:
-    """Return the space twist ``vect(Ṙ Rᵀ)``, CP23 (68), (69)."""
-    return (R_dot @ R.transpose).vect()
+def tensor_rate_body(R: Tensor, omega_body: Vector) -> Tensor:
+    """Return ``Ṙ = R skew(ω_B)`` from the body twist, CP23 (74)."""
+    return R @ Tensor.skew(omega_body)
 
 
-def body_twist(R: Tensor, R_dot: Tensor) -> Vector:
-    """Return the body twist ``Rᵀ ω = vect(Rᵀ Ṙ)``."""
-    return (R.transpose @ R_dot).vect()
+def quaternion_rate(q: Quaternion, omega: Vector) -> Quaternion:
+    """Return ``½ ω q̂`` from the space twist, CP23 (75): eight real equations."""
+    return Quaternion(0, omega) * q / 2
 
 
-def tangent(tensor: Callable[[Vector], Tensor], v: Vector) -> Tensor:
-    """Return the operator that takes v̇ to the space twist of ``tensor(v)``, differentiated along each axis."""
-    columns = []
-    for axis in Tensor.identity().rows:
-        R = tensor(Vector(*(_moving(c, rate) for c, rate in zip(v, axis, strict=True))))
-        columns.append(twist(R.map(_value), R.map(_slope)))
-    return Tensor.from_entries(entry for column in columns for entry in column).transpose
+def quaternion_rate_body(q: Quaternion, omega_body: Vector) -> Quaternion:
+    """Return ``½ q̂ ω_B`` from the body twist, CP23 (76)."""
+    return q * Quaternion(0, omega_body) / 2
 
 
-def axis_rates(tensor: Callable[[Coefficient, Vector], Tensor], alpha: Coefficient, u: Vector) -> Tensor:
-    """Return the operator that takes the space twist of ``tensor(α, u)`` to u̇, from three independent motions.
+def axis_operator(alpha: Coefficient, u: Vector, library: Any = functions) -> Tensor:
+    r"""Return Θ with ``u̇ = Θ ω = Θᵀ ω_B``, CP23 (78).
+
+    .. math:: \Theta = -\tfrac12 \left[\tilde u + \cot\frac{\alpha}{2}\,\tilde u^2\right]
 
     Raises
     ------
     ZeroDivisionError
-        Where the twist does not determine u̇.
+        At Re α = 2πk, where the axis can turn at any rate.
     """
-    across = (u.cross(Vector(*row)) for row in Tensor.identity().rows)
-    first = next(w for w in across if not is_zero(real_part(w.dot(w))))
-    motions = ((1, u * 0), (0, first), (0, u.cross(first)))
-    twists, rates = [], []
-    for alpha_dot, u_dot in motions:
-        R = tensor(_moving(alpha, alpha_dot), Vector(*(_moving(c, rate) for c, rate in zip(u, u_dot, strict=True))))
-        twists.append(twist(R.map(_value), R.map(_slope)))
-        rates.append(u_dot)
-    of_twists, of_rates = (Tensor.from_entries(c for row in rows for c in row).transpose for rows in (twists, rates))
-    return of_rates @ of_twists.inverse()
+    skew, half = Tensor.skew(u), alpha / 2
+    sine = library.sin(half)
+    if is_zero(real_part(sine)):
+        raise ZeroDivisionError(f"no rate of the axis at the angle {alpha!r}")
+    operator: Tensor = (skew + skew @ skew * (library.cos(half) / sine)) / -2
+    return operator
 
 
-def _moving(c: Coefficient, rate: Coefficient) -> Dual:
-    """The coefficient with a time derivative, below its dual unit if it has one."""
-    if not isinstance(c, Dual):
-        return Dual(c, rate)
-    return Dual(Dual(c.re, real_part(rate)), Dual(c.du, dual_part(rate)))
+def screw_rates(
+    alpha: Coefficient, u: Vector, omega: Vector, library: Any = functions
+) -> tuple[Coefficient, Vector]:
+    """Return ``(α̇, u̇) = (ω·u, Θ ω)`` of the natural invariants from the space twist, CP23 (77), (78)."""
+    return omega.dot(u), axis_operator(alpha, u, library) @ omega
 
 
-def _value(c: Any) -> Any:
-    if not isinstance(c, Dual):
-        return c
-    return Dual(c.re.re, c.du.re) if isinstance(c.re, Dual) else c.re
+def twist_from_screw(
+    alpha: Coefficient, u: Vector, alpha_dot: Coefficient, u_dot: Vector, library: Any = functions
+) -> Vector:
+    """Return the space twist ``α̇ u + sin α u̇ + (1 − cos α) u × u̇``, CP23 (79); the body's has the minus, (80)."""
+    omega: Vector = u * alpha_dot + u_dot * library.sin(alpha) + u.cross(u_dot) * (1 - library.cos(alpha))
+    return omega
 
 
-def _slope(c: Any) -> Any:
-    if not isinstance(c, Dual):
-        return 0
-    return Dual(c.re.du, c.du.du) if isinstance(c.re, Dual) else c.du
+def dexp(a: Vector, library: Any = functions) -> Tensor:
+    r"""Return dexp_a with ``ω = dexp_a ȧ`` for ``R = exp(skew(a))``, CP23 (81), (82).
+
+    .. math::
+        \mathrm{dexp}_a = I + \frac{1 - \cos|a|}{|a|^2}\,\tilde a + \frac{|a| - \sin|a|}{|a|^3}\,\tilde a^2
+
+    Defined everywhere, ``I + skew(a)/2 + skew(a)²/6`` where Re a = 0; loses rank at Re|a| = 2πk, k ≥ 1.
+    """
+    skew, square = Tensor.skew(a), a.dot(a)
+    if is_zero(real_part(square)):
+        series: Tensor = Tensor.identity() + skew / 2 + skew @ skew / 6
+        return series
+    angle = library.sqrt(square)
+    operator: Tensor = Tensor.identity() + skew * ((1 - library.cos(angle)) / square)
+    operator += skew @ skew * ((1 - library.sin(angle) / angle) / square)
+    return operator
+
+
+def dexp_inv(a: Vector, library: Any = functions) -> Tensor:
+    r"""Return the inverse operator, ``ȧ = dexp_a⁻¹ ω``, CP23 (83), (84).
+
+    .. math::
+        \mathrm{dexp}_a^{-1} = I - \tfrac12\,\tilde a
+            + \left(1 - \frac{|a|}{2} \cot\frac{|a|}{2}\right) \frac{\tilde a^2}{|a|^2}
+
+    ``I − skew(a)/2 + skew(a)²/12`` where Re a = 0.
+
+    Raises
+    ------
+    ZeroDivisionError
+        At Re|a| = 2πk, k ≥ 1.
+    """
+    skew, square = Tensor.skew(a), a.dot(a)
+    if is_zero(real_part(square)):
+        series: Tensor = Tensor.identity() - skew / 2 + skew @ skew / 12
+        return series
+    half = library.sqrt(square) / 2
+    sine = library.sin(half)
+    if is_zero(real_part(sine)):
+        raise ZeroDivisionError(f"dexp is singular at the angle {2 * half!r}")
+    operator: Tensor = Tensor.identity() - skew / 2
+    operator += skew @ skew * ((1 - half * library.cos(half) / sine) / square)
+    return operator
+
+
+def euler_rate(a: Vector, omega: Vector, library: Any = functions) -> Vector:
+    """Return ``ȧ = dexp_a⁻¹ ω`` from the space twist, CP23 (83); six real equations, as the next."""
+    return dexp_inv(a, library) @ omega
+
+
+def euler_rate_body(a: Vector, omega_body: Vector, library: Any = functions) -> Vector:
+    """Return ``ȧ = dexp_a⁻ᵀ ω_B`` from the body twist, CP23 (85)."""
+    return dexp_inv(a, library).transpose @ omega_body
+
+
+def rodrigues_rate(n: int, v: Vector, omega: Vector) -> Vector:
+    """Return ``v̇ = dcay_n⁻¹ ω`` from the space twist, CP23 (87), (90).
+
+    Raises
+    ------
+    ZeroDivisionError
+        Where Re q_n = 0, ``Re|v| = tan(kπ/n)``.
+    """
+    return _inverse(n, v).tensor(v) @ omega
+
+
+def rodrigues_rate_body(n: int, v: Vector, omega_body: Vector) -> Vector:
+    """Return ``v̇ = dcay_n⁻ᵀ ω_B`` from the body twist, CP23 (87), (91)."""
+    return _inverse(n, v).tensor(v).transpose @ omega_body
+
+
+def _inverse(n: int, v: Vector) -> Isotropic:
+    return closed_forms.tangent_inv(n, v.dot(v))

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from ..algebra import Coefficient, Dual, Quaternion, Tensor, Vector
 from ..algebra.functions import atan2, cos, cot, sin
-from .decide import is_zero, orientation
+from .sign_tests import is_zero, orientation
 
 
 @dataclass(frozen=True, slots=True)

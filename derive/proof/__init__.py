@@ -4,7 +4,7 @@
 identity             `Proof`, and `decide`: every residue is zero
 differential_field   Q(n, x)(p, q) with a derivation, in which n stays a symbol
 induction            theorems on p_n, q_n for all n
-motion               theorems on tensor, quaternion and tangent operators for all n
+map_theorems         theorems on tensor, quaternion and tangent operators for all n
 every_order          all of these, proved once per process
 at_order             the formulas of one order are the theorems' instances
 exact, element       the exact ring of vector components modulo v·v = x

@@ -7,7 +7,7 @@ from functools import cache
 from .differential_field import Formulas
 from .identity import Proof
 from .induction import polynomial_theorems
-from .motion import motion_theorems
+from .map_theorems import motion_theorems
 
 
 @cache

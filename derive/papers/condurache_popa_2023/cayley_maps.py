@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 from derive.algebra import Quaternion, Tensor, Vector, dual_part, real_part
-from derive.maps import kinematics
+from derive.maps import first_principles
 from derive.maps.families import Family, normal_rodrigues, rodrigues, sine
 from derive.papers.every_order import EveryOrder
 from derive.proof.induction import polynomial_theorems
@@ -149,7 +149,7 @@ def modified_root(env: Env, n: Any, a: Any, v: Vector) -> Any:
 
 def modified_tensor(env: Env, n: Any, a: Any, v: Vector) -> Tensor:
     """The orthogonal dual tensor of (59), by the action of the quaternion."""
-    return kinematics.tensor_by_sandwich(modified(env, n, a, v))
+    return first_principles.tensor_by_sandwich(modified(env, n, a, v))
 
 
 def scaled_rodrigues(env: Env, n: Any, a: Any, alpha: Any, u: Vector) -> Vector:

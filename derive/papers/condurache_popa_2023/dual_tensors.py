@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from derive.algebra import Tensor, Vector
-from derive.maps import kinematics
+from derive.maps import first_principles
 
 from .. import values
 from ..claims import dual_of, real_of
@@ -60,7 +60,7 @@ rows = define(
 
 def _axes(env: Env, q: Any) -> Any:
     """A right-handed orthonormal basis of dual vectors: any one is a turned standard basis."""
-    turned = kinematics.tensor_by_sandwich(q)
+    turned = first_principles.tensor_by_sandwich(q)
     return lambda k: turned @ Vector(*(int(k == j) for j in (1, 2, 3)))
 
 

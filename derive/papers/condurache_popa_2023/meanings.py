@@ -9,7 +9,7 @@ from collections.abc import Callable
 from typing import Any
 
 from derive.algebra import Quaternion, Tensor, Vector
-from derive.maps import kinematics
+from derive.maps import first_principles
 
 from .. import values
 from ..evaluation import Env
@@ -36,12 +36,12 @@ def cayley(env: Env, n: Any, v: Vector) -> Quaternion:
 
 def rotation(env: Env, n: Any, v: Vector) -> Tensor:
     """The orthogonal dual tensor of v, by its action ``q r q*``."""
-    return kinematics.tensor_by_sandwich(cayley(env, n, v))
+    return first_principles.tensor_by_sandwich(cayley(env, n, v))
 
 
 def tangent(env: Env, n: Any, v: Vector) -> Tensor:
     """The operator ω = T v̇, with ω = vect(Ṙ Rᵀ) differentiated."""
-    return kinematics.tangent(lambda w: rotation(env, n, w), v)
+    return first_principles.tangent(lambda w: rotation(env, n, w), v)
 
 
 def tangent_inv(env: Env, n: Any, v: Vector) -> Tensor:

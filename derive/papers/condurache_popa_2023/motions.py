@@ -11,7 +11,7 @@ from typing import Any
 import mpmath
 
 from derive.algebra import Quaternion, Tensor, Vector, real_part
-from derive.maps import kinematics
+from derive.maps import first_principles
 from derive.maps.exponential import tensor_exponential
 from derive.maps.lines import foot as foot_of
 from derive.maps.lines import line_through
@@ -76,7 +76,7 @@ def tensor_of(env: Env, Q: Tensor, rho: Vector) -> Tensor:
 
 def screw_tensor(env: Env, alpha: Any, u: Vector) -> Tensor:
     """The orthogonal dual tensor of an angle and an axis, by the action of its quaternion."""
-    return kinematics.tensor_by_sandwich(screw_quaternion(env, alpha, u))
+    return first_principles.tensor_by_sandwich(screw_quaternion(env, alpha, u))
 
 
 def screw_function(env: Env) -> Callable[[Any, Vector], Tensor]:
@@ -158,7 +158,7 @@ def half_turn_across(draw: Draw, R: Letter, v: Letter) -> Mapping[Letter, Any]:
 
 def tensor_of_quaternion(env: Env) -> Callable[[Quaternion], Tensor]:
     """A unit quaternion to the tensor of its action."""
-    return kinematics.tensor_by_sandwich
+    return first_principles.tensor_by_sandwich
 
 
 def exponential(env: Env, a: Vector) -> Tensor:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from derive.algebra import Quaternion, Tensor, Vector
-from derive.maps import kinematics
+from derive.maps import first_principles
 from derive.maps.exponential import quaternion_exponential, tensor_exponential
 from derive.maps.pose import pose_from_tensor
 
@@ -32,7 +32,7 @@ def multiple(env: Env, factor: Any, axis: Vector) -> Vector:
 
 def displacement(env: Env, q: Quaternion) -> Vector:
     """The displacement of the pose whose line action is ``l -> q l q*``."""
-    return pose_from_tensor(kinematics.tensor_by_sandwich(q)).displacement
+    return pose_from_tensor(first_principles.tensor_by_sandwich(q)).displacement
 
 
 def screw(env: Env, alpha: Any, u: Vector) -> Quaternion:
@@ -47,7 +47,7 @@ def lift(env: Env, alpha: Any, u: Vector) -> values.Solution:
     def acts_so(q: Quaternion) -> bool:
         q = values.quaternion(q)
         unit_norm = values.equal(env.field, q.norm2(), 1)
-        return unit_norm and values.equal(env.field, kinematics.tensor_by_sandwich(q), R)
+        return unit_norm and values.equal(env.field, first_principles.tensor_by_sandwich(q), R)
 
     return values.Solution(acts_so)
 
@@ -81,7 +81,7 @@ def covering(env: Env) -> values.Map:
         q = screw_quaternion(env, *motions.invariants(env, R))
         return [q, -q]
 
-    return values.Map(kinematics.tensor_by_sandwich, preimages)
+    return values.Map(first_principles.tensor_by_sandwich, preimages)
 
 
 def opposite(draw: Draw, first: Letter, second: Letter) -> Mapping[Letter, Any]:

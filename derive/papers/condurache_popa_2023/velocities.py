@@ -9,7 +9,7 @@ from collections.abc import Callable
 from typing import Any
 
 from derive.algebra import Dual, Tensor, Vector, real_part
-from derive.maps import kinematics
+from derive.maps import first_principles
 from derive.maps.exponential import tensor_exponential
 from derive.maps.lines import line_through
 from derive.maps.pose import pose_from_tensor
@@ -36,12 +36,12 @@ def at_rest(env: Env, a: Any) -> Any:
 
 def twist(env: Env, R: Tensor) -> Vector:
     """``vect(Ṙ Rᵀ)``."""
-    return kinematics.twist(R, env.rate(R))
+    return first_principles.twist(R, env.rate(R))
 
 
 def body_twist(env: Env, R: Tensor) -> Vector:
     """``vect(Rᵀ Ṙ)``."""
-    return kinematics.body_twist(R, env.rate(R))
+    return first_principles.body_twist(R, env.rate(R))
 
 
 def spin(env: Env, R: Tensor) -> Tensor:
@@ -159,7 +159,7 @@ def not_orthogonal(R: Letter, omega: Letter) -> Callable[[Draw], dict[str, dict[
 
 def axis_operator(env: Env, alpha: Any, u: Vector) -> Tensor:
     """Θ, the operator that takes the twist to u̇."""
-    return kinematics.axis_rates(lambda a, w: screw_tensor(env, a, w), env.now(alpha), env.now(u))
+    return first_principles.axis_rates(lambda a, w: screw_tensor(env, a, w), env.now(alpha), env.now(u))
 
 
 def half_sine(env: Env, alpha: Any) -> Any:
@@ -187,7 +187,7 @@ def sinc_by_series(env: Env) -> Callable[[Any], Any]:
 
 def dexp(env: Env, a: Vector) -> Tensor:
     """The operator ω = dexp ȧ, with ω = vect(Ṙ Rᵀ) differentiated along ``R = exp(skew(a))``."""
-    return kinematics.tangent(lambda w: tensor_exponential(w, env.field), env.now(a))
+    return first_principles.tangent(lambda w: tensor_exponential(w, env.field), env.now(a))
 
 
 def dexp_inv(env: Env, a: Vector) -> Tensor:

@@ -11,7 +11,7 @@ from typing import Any
 import mpmath
 
 from derive.algebra import Dual, Quaternion, Tensor, Vector, dual_part, real_part
-from derive.maps import kinematics, lines, rodrigues
+from derive.maps import first_principles, lines, rodrigues
 
 from .. import values
 from ..evaluation import Env
@@ -74,7 +74,7 @@ def dual_component(index: int) -> Callable[..., Any]:
 def rotation(env: Env, angle: Any, axis: Vector) -> Tensor:
     """The orthogonal dual tensor of a dual angle about an axis, by the action ``q x q*``."""
     half = values.divide(angle, 2)
-    return kinematics.tensor_by_sandwich(Quaternion(env.field.cos(half), axis * env.field.sin(half)))
+    return first_principles.tensor_by_sandwich(Quaternion(env.field.cos(half), axis * env.field.sin(half)))
 
 
 def moved(env: Env, x: Vector, A: Tensor) -> Vector:

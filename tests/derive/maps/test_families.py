@@ -9,7 +9,7 @@ import pytest
 import sympy
 
 from derive.algebra import Dual, Quaternion, Tensor, Vector, functions
-from derive.maps import closed_forms, kinematics
+from derive.maps import closed_forms, first_principles
 from derive.maps.families import (
     Family,
     alpha,
@@ -22,7 +22,7 @@ from derive.maps.families import (
     rodrigues,
     sine,
 )
-from derive.maps.motion import dexp, dexp_inv
+from derive.maps.kinematics import dexp, dexp_inv
 from derive.maps.pose import Screw, tensor_from_screw
 
 FAMILIES = [
@@ -66,7 +66,7 @@ def test_operator_is_the_derivative_of_the_pose(family: Family, gap) -> None:
     at, rate = screw(), Vector.dual((1, -2, 3), (2, 0, -1))
     v, step = family.vector(at.angle, at.axis), mpmath.mpf(10) ** -12
     before, after = (invert(family, v + rate * (k * step)) for k in (-1, 1))
-    twist = kinematics.twist(invert(family, v), (after - before) / (2 * step))
+    twist = first_principles.twist(invert(family, v), (after - before) / (2 * step))
     assert gap(family.operator(at.angle, at.axis) @ rate, twist) < mpmath.mpf(10) ** -20
 
 

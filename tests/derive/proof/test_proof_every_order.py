@@ -10,7 +10,7 @@ from derive.maps import polynomials
 from derive.proof import differential_field, induction, theorems
 from derive.proof.differential_field import Formulas, p_slope, q_slope
 from derive.proof.identity import ALL_ORDERS
-from derive.proof.motion import motion_theorems
+from derive.proof.map_theorems import motion_theorems
 
 
 def test_everything_is_proved_for_all_orders() -> None:

@@ -1,0 +1,77 @@
+"""Motion from first principles: the rotation tensor by its action, the twist ``vect(Ṙ Rᵀ)``, differentials.
+
+No closed form of a tangent operator is used here: derivatives are taken in nilpotent arithmetic, through whatever
+map is given. Space frame where nothing else is said.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from ..algebra import Coefficient, Dual, Quaternion, Tensor, Vector, dual_part, real_part
+from .sign_tests import is_zero
+
+
+def tensor_by_sandwich(q: Quaternion) -> Tensor:
+    """Return the tensor of ``r -> q r q*``, column by column, for a unit (dual) quaternion."""
+    columns = (q.sandwich(Vector(*row)) for row in Tensor.identity().rows)
+    return Tensor.from_entries(entry for column in columns for entry in column).transpose
+
+
+def twist(R: Tensor, R_dot: Tensor) -> Vector:
+    """Return the space twist ``vect(Ṙ Rᵀ)``, CP23 (68), (69)."""
+    return (R_dot @ R.transpose).vect()
+
+
+def body_twist(R: Tensor, R_dot: Tensor) -> Vector:
+    """Return the body twist ``Rᵀ ω = vect(Rᵀ Ṙ)``."""
+    return (R.transpose @ R_dot).vect()
+
+
+def tangent(tensor: Callable[[Vector], Tensor], v: Vector) -> Tensor:
+    """Return the operator that takes v̇ to the space twist of ``tensor(v)``, differentiated along each axis."""
+    columns = []
+    for axis in Tensor.identity().rows:
+        R = tensor(Vector(*(_moving(c, rate) for c, rate in zip(v, axis, strict=True))))
+        columns.append(twist(R.map(_value), R.map(_slope)))
+    return Tensor.from_entries(entry for column in columns for entry in column).transpose
+
+
+def axis_rates(tensor: Callable[[Coefficient, Vector], Tensor], alpha: Coefficient, u: Vector) -> Tensor:
+    """Return the operator that takes the space twist of ``tensor(α, u)`` to u̇, from three independent motions.
+
+    Raises
+    ------
+    ZeroDivisionError
+        Where the twist does not determine u̇.
+    """
+    across = (u.cross(Vector(*row)) for row in Tensor.identity().rows)
+    first = next(w for w in across if not is_zero(real_part(w.dot(w))))
+    motions = ((1, u * 0), (0, first), (0, u.cross(first)))
+    twists, rates = [], []
+    for alpha_dot, u_dot in motions:
+        R = tensor(_moving(alpha, alpha_dot), Vector(*(_moving(c, rate) for c, rate in zip(u, u_dot, strict=True))))
+        twists.append(twist(R.map(_value), R.map(_slope)))
+        rates.append(u_dot)
+    of_twists, of_rates = (Tensor.from_entries(c for row in rows for c in row).transpose for rows in (twists, rates))
+    return of_rates @ of_twists.inverse()
+
+
+def _moving(c: Coefficient, rate: Coefficient) -> Dual:
+    """The coefficient with a time derivative, below its dual unit if it has one."""
+    if not isinstance(c, Dual):
+        return Dual(c, rate)
+    return Dual(Dual(c.re, real_part(rate)), Dual(c.du, dual_part(rate)))
+
+
+def _value(c: Any) -> Any:
+    if not isinstance(c, Dual):
+        return c
+    return Dual(c.re.re, c.du.re) if isinstance(c.re, Dual) else c.re
+
+
+def _slope(c: Any) -> Any:
+    if not isinstance(c, Dual):
+        return 0
+    return Dual(c.re.du, c.du.du) if isinstance(c.re, Dual) else c.du
