@@ -28,12 +28,13 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from .codegen import generate
-    from .maps import Cayley, x
+    from .front import Cayley
+    from .maps import x
     from .papers import verify
 
 __all__ = ["Cayley", "generate", "verify", "x"]
 
-_HOMES = {"Cayley": "derive.maps", "x": "derive.maps", "generate": "derive.codegen", "verify": "derive.papers"}
+_HOMES = {"Cayley": "derive.front", "x": "derive.maps", "generate": "derive.codegen", "verify": "derive.papers"}
 
 
 def __getattr__(name: str) -> Any:

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from .program import Operand, Program, Step
+from .program import Call, Operand, Program, Statement, Step
 
 WIDTH = 120
 ATOM = 9
@@ -94,16 +94,19 @@ class Dialect:
         text = self.literal(int(operand))
         return text, NEGATION if text.startswith("-") else ATOM
 
-    def statements(self, program: Program) -> tuple[list[tuple[Step, str]], list[str]]:
-        """Named steps with their right-hand sides, and the expressions of the outputs."""
+    def statements(self, program: Program) -> tuple[list[tuple[Statement, str]], list[str]]:
+        """Named steps with their right-hand sides, calls with their arguments, and the expressions of the outputs."""
         inlined: dict[str, Text] = {}
-        assignments = []
-        for step in program.steps:
-            text = self.expression(step, inlined)
-            if step.inline:
-                inlined[step.name] = text
+        assignments: list[tuple[Statement, str]] = []
+        for statement in program.statements:
+            if isinstance(statement, Call):
+                assignments.append((statement, ", ".join(self.operand(arg, inlined)[0] for arg in statement.args)))
+                continue
+            text = self.expression(statement, inlined)
+            if statement.inline:
+                inlined[statement.name] = text
             else:
-                assignments.append((step, text[0]))
+                assignments.append((statement, text[0]))
         return assignments, [self.operand(output, inlined)[0] for output in program.outputs]
 
 
@@ -112,21 +115,23 @@ def bracket(text: Text, strength: int) -> str:
     return text[0] if text[1] >= strength else f"({text[0]})"
 
 
-def used_names(program: Program) -> set[Operand]:
-    """Names which some step or output reads."""
-    return {arg for step in program.steps for arg in step.args} | set(program.outputs)
-
-
 def renamed(program: Program, names: Mapping[str, str]) -> Program:
     """The program with some of its names replaced."""
 
     def new(operand: Operand) -> Operand:
         return names.get(operand, operand) if isinstance(operand, str) else operand
 
+    def statement(old: Statement) -> Statement:
+        args = tuple(map(new, old.args))
+        if isinstance(old, Call):
+            truths = frozenset(names.get(name, name) for name in old.truths)
+            return replace(old, names=tuple(names.get(name, name) for name in old.names), args=args, truths=truths)
+        return replace(old, name=names.get(old.name, old.name), args=args)
+
     return replace(
         program,
         inputs=tuple((argument, tuple(names.get(c, c) for c in parts)) for argument, parts in program.inputs),
-        steps=tuple(replace(s, name=names.get(s.name, s.name), args=tuple(map(new, s.args))) for s in program.steps),
+        statements=tuple(map(statement, program.statements)),
         outputs=tuple(map(new, program.outputs)),
     )
 

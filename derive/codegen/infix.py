@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 
-from .expression import ARITHMETIC, ATOM, WIDTH, Dialect, Operator, Text, fill, left_associative, used_names
-from .program import Program
+from .expression import ARITHMETIC, ATOM, WIDTH, Dialect, Operator, Text, fill, left_associative
+from .program import Call, Program
 
 
 def python(prefix: str, literal: Callable[[int], str] = str) -> Dialect:
@@ -32,19 +32,33 @@ PLAIN = python("m.")
 """Functions of the number type in ``m``, constants as they are."""
 
 
-def body(program: Program, indent: str = "    ", dialect: Dialect = PLAIN) -> str:
-    """Source lines of the program: unpacked arguments, assignments, and the returned tuple."""
-    return "\n".join(line for statement in _statements(program, dialect) for line in _wrap(statement, indent))
+def body(program: Program, indent: str = "    ", dialect: Dialect = PLAIN, alone: bool = False) -> str:
+    """Source lines of the program: unpacked arguments, assignments, and the returned tuple.
+
+    A program that stands `alone` has its components for parameters: nothing is unpacked.
+    """
+    lines = _statements(program, dialect, not alone)
+    return "\n".join(line for statement in lines for line in _wrap(statement, indent))
 
 
-def _statements(program: Program, dialect: Dialect) -> Iterator[str | list[str]]:
+def unpacked(names: Sequence[str], argument: str) -> str:
+    """An assignment to each of some names."""
+    return f"{', '.join(names)}{',' * (len(names) == 1)} = {argument}"
+
+
+def _statements(program: Program, dialect: Dialect, unpack: bool) -> Iterator[str | list[str]]:
     """Assignments, then the list of outputs."""
-    used = used_names(program)
-    for argument, names in program.inputs:
-        yield f"{', '.join(name if name in used else '_' for name in names)}{',' * (len(names) == 1)} = {argument}"
+    used = program.operands
+    for argument, names in program.inputs if unpack else ():
+        if names:
+            yield unpacked([name if name in used else "_" for name in names], argument)
     assignments, outputs = dialect.statements(program)
-    for step, text in assignments:
-        yield f"{step.name} = {text}"
+    for statement, text in assignments:
+        if isinstance(statement, Call):
+            rest = f", *{statement.rest}" if statement.rest else ""
+            yield unpacked(statement.names, f"c.{statement.function}(m, {text}{rest})")
+        else:
+            yield f"{statement.name} = {text}"
     yield outputs
 
 
@@ -62,7 +76,7 @@ def _wrap(statement: str | list[str], indent: str) -> Iterator[str]:
 
 
 def _wrap_result(outputs: list[str], indent: str) -> Iterator[str]:
-    line = f"{indent}return ({', '.join(outputs)})"
+    line = f"{indent}return {', '.join(outputs)}{',' * (len(outputs) == 1)}"
     if len(line) <= WIDTH:
         yield line
         return

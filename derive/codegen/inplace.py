@@ -6,14 +6,14 @@ wrote.  Scratch registers are ``k1, k2, ...``, mask registers ``mask1, ...``, ou
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import chain
 
 from . import infix
 from .expression import WIDTH, fill
-from .program import Operand, Program, Step
-from .registers import Placement, place
+from .program import Call, Operand, Program, Step
+from .registers import Placement, place, results
 
 _FUNCTIONS = {
     "add": "add", "sub": "sub", "mul": "mul", "div": "div", "neg": "neg", "sqrt": "sqrt", "tan": "tan",
@@ -23,76 +23,111 @@ _FUNCTIONS = {
 
 @dataclass(frozen=True, slots=True)
 class TwoForms:
-    """What the template shows of a program: its infix form, its in-place form, and what that needs."""
+    """What the template shows of a program: its infix form, its in-place form, and what that needs.
+
+    ``lent`` are the functions it calls, with how many registers of numbers and of masks it lends them.
+    """
 
     plain: str
     blocks: str
     registers: int
     masks: int
     numbers: tuple[int, ...]
+    lent: tuple[tuple[str, int, int], ...]
 
 
 def two_forms(program: Program) -> TwoForms:
-    """Print both forms of a program."""
+    """Print both forms of a program of a geometry, which calls scalar programs of a chart ``c``."""
+    return _forms(program, infix.body(program), _arguments(program), ())
+
+
+def two_scalar_forms(program: Program) -> TwoForms:
+    """Print both forms of a scalar program: its parameters are components, its result is where it stands."""
     placement = place(program)
-    numbers = tuple(sorted({int(c) for c in _operands(program) if not isinstance(c, str)}))
-    blocks = body(program, placement, numbers)
-    return TwoForms(infix.body(program), blocks, placement.registers, placement.masks, numbers)
+    standing = [_Calls(program, placement).place(output) for output in program.outputs]
+    result = f"return {', '.join(standing)}{',' * (len(standing) == 1)}"
+    return _forms(program, infix.body(program, alone=True), (), (result,), placement)
 
 
-def body(program: Program, placement: Placement, numbers: tuple[int, ...], indent: str = "    ") -> str:
-    """Source lines of the in-place form: unpacked arguments, outputs and registers, then one line a statement."""
-    return "\n".join(line for text in _statements(program, placement, numbers) for line in _wrap(text, indent))
+def _forms(
+    program: Program, plain: str, before: Iterable[str], after: tuple[str, ...], placement: Placement | None = None
+) -> TwoForms:
+    placed = placement or place(program)
+    end = after or tuple(f"copy({_Calls(program, placed).place(source)}, o{i})" for source, i in placed.copies)
+    lines = (*before, *_registers(program, placed, lent=bool(after)), *_calls(program, placed), *end)
+    blocks = "\n".join(line for text in lines for line in _wrap(text, "    "))
+    lent = tuple((call.function, *_counts(placed, call)) for call in program.calls)
+    return TwoForms(plain, blocks, placed.registers, placed.masks, program.constants, lent)
 
 
-def _operands(program: Program) -> set[Operand]:
-    return {arg for step in program.steps for arg in step.args} | set(program.outputs)
+def _counts(placement: Placement, call: Call) -> tuple[int, int]:
+    kinds = [kind for kind, _ in placement.free[results(call)[0]]]
+    return kinds.count("k"), kinds.count("mask")
 
 
-def _statements(program: Program, placement: Placement, numbers: tuple[int, ...]) -> Iterator[str]:
-    used = _operands(program)
+def _arguments(program: Program) -> Iterator[str]:
+    used = program.operands
     for argument, names in program.inputs:
-        yield _unpacked([name if name in used else "_" for name in names], argument)
+        if names:
+            yield infix.unpacked([name if name in used else "_" for name in names], argument)
+
+
+def _registers(program: Program, placement: Placement, lent: bool) -> Iterator[str]:
+    """Names of outputs, registers and constants; what a call may need besides is spare."""
     fixed = {
         "out": [f"o{i}" for i in range(1, len(program.outputs) + 1)],
         "scratch": [f"k{i}" for i in range(1, placement.registers + 1)],
         "masks": [f"mask{i}" for i in range(1, placement.masks + 1)],
-        "numbers": [_number(value) for value in numbers],
+        "numbers": [_number(value) for value in program.constants],
     }
-    if taken := used.intersection(chain(*fixed.values())):
+    if taken := program.operands.intersection(chain(*fixed.values())):
         raise ValueError(f"program {program.name!r} uses names of registers: {', '.join(map(str, taken))}")
-    yield from (_unpacked(names, argument) for argument, names in fixed.items() if names)
-    printer = _Calls({step.name: step for step in program.steps}, placement)
-    read = {arg for step in program.steps for arg in step.args}
-    for step in placement.statements:
-        named = step.name in read and not step.inline
-        yield (f"{step.name} = " if named else "") + printer.call(step)
-    yield from (f"copy({printer.place(source)}, o{index})" for source, index in placement.copies)
+    more = {"scratch": "_" if lent else "*spare", "masks": "_" if lent else "*spare_masks"}
+    for argument, names in fixed.items():
+        rest = ["*_" if lent else more[argument]] if argument in more and (program.calls or (lent and names)) else []
+        if names or rest:
+            yield infix.unpacked([*names, *rest], argument)
 
 
-def _unpacked(names: list[str], argument: str) -> str:
-    return f"{', '.join(names)}{',' * (len(names) == 1)} = {argument}"
+def _calls(program: Program, placement: Placement) -> Iterator[str]:
+    printer = _Calls(program, placement)
+    read = {arg for statement in program.statements for arg in statement.args}
+    for statement in placement.statements:
+        if isinstance(statement, Call):
+            yield infix.unpacked(statement.names, printer.lend(statement))
+        else:
+            named = statement.name in read and not statement.inline
+            yield (f"{statement.name} = " if named else "") + printer.call(statement)
 
 
 def _number(value: int) -> str:
     return f"n{value}" if value >= 0 else f"n_minus_{-value}"
 
 
-@dataclass(frozen=True, slots=True)
 class _Calls:
     """Texts of the NumPy calls of a program; inline operands are calls inside the call that reads them."""
 
-    steps: Mapping[str, Step]
-    placement: Placement
+    def __init__(self, program: Program, placement: Placement) -> None:
+        self.steps = {step.name: step for step in program.steps}
+        self.places = placement.places
+        self.free = placement.free
 
     def call(self, step: Step) -> str:
-        kind, index = self.placement.places[step.name]
-        return f"{_FUNCTIONS[step.op]}({', '.join(map(self.operand, step.args))}, {kind}{index})"
+        return f"{_FUNCTIONS[step.op]}({', '.join(map(self.operand, step.args))}, {self.place(step.name)})"
+
+    def lend(self, call: Call) -> str:
+        """The call of a scalar program, which gets places for its results and the registers that are free."""
+        free = [f"{kind}{index}" for kind, index in self.free[results(call)[0]]]
+        scratch = [name for name in free if name.startswith("k")] + ["*spare"]
+        masks = [name for name in free if name.startswith("mask")] + ["*spare_masks"]
+        groups = [_tuple([self.place(name) for name in call.names]), _tuple(scratch), _tuple(masks)]
+        rest = [f"*{call.rest}"] if call.rest else []
+        return f"c.{call.function}({', '.join([*groups, *map(self.operand, call.args), *rest])})"
 
     def place(self, operand: Operand) -> str:
-        """Where an output stands that is written a second time."""
-        if isinstance(operand, str) and operand in self.steps:
-            kind, index = self.placement.places[operand]
+        """Where a value stands, for an output that is written a second time."""
+        if isinstance(operand, str) and operand in self.places:
+            kind, index = self.places[operand]
             return f"{kind}{index}"
         return self.operand(operand)
 
@@ -102,8 +137,11 @@ class _Calls:
         step = self.steps.get(operand)
         if step is None or not step.inline:
             return operand
-        kind, index = self.placement.places[operand]
-        return f"{kind}{index}" if kind == "o" else self.call(step)
+        return self.place(operand) if self.places[operand][0] == "o" else self.call(step)
+
+
+def _tuple(items: list[str]) -> str:
+    return f"({', '.join(items)}{',' * (len(items) == 1)})"
 
 
 def _wrap(statement: str, indent: str) -> Iterator[str]:

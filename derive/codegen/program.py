@@ -27,25 +27,65 @@ class Step:
 
 
 @dataclass(frozen=True, slots=True)
+class Call:
+    """Several values at once from a function that this program does not hold, ``f, g, h = pose(x)``.
+
+    ``rest`` names an argument of the program, of any length, whose components follow ``args``; ``truths`` are those of
+    the names that are truth values.
+    """
+
+    names: tuple[str, ...]
+    function: str
+    args: tuple[Operand, ...]
+    rest: str = ""
+    truths: frozenset[str] = frozenset()
+
+
+Statement = Step | Call
+
+
+@dataclass(frozen=True, slots=True)
 class Program:
-    """Named assignments in order, from named inputs (grouped by argument) to outputs in C order."""
+    """Assignments in order, from named inputs (grouped by argument) to outputs in C order."""
 
     name: str
     inputs: tuple[tuple[str, tuple[str, ...]], ...]
-    steps: tuple[Step, ...]
+    statements: tuple[Statement, ...]
     outputs: tuple[Operand, ...]
 
     @property
+    def steps(self) -> tuple[Step, ...]:
+        """The operations, without the calls."""
+        return tuple(statement for statement in self.statements if isinstance(statement, Step))
+
+    @property
+    def calls(self) -> tuple[Call, ...]:
+        """The calls of functions held elsewhere."""
+        return tuple(statement for statement in self.statements if isinstance(statement, Call))
+
+    @property
     def operations(self) -> Counter[str]:
-        """How often each operation occurs."""
+        """How often each operation occurs, calls not looked into."""
         return Counter(step.op for step in self.steps)
 
-    def summary(self) -> str:
-        """The operation count as printed in headers: ``67: 24 +, 31 *, 2 /``."""
-        symbols = {"add": "+", "sub": "+", "neg": "neg", "mul": "*", "div": "/"}
-        counts: Counter[str] = Counter()
-        for op, count in self.operations.items():
-            counts[symbols.get(op, op)] += count
-        order = ["+", "*", "/", "neg", *FUNCTIONS, *SELECTION]
-        parts = ", ".join(f"{counts[key]} {key}" for key in order if counts[key])
-        return f"{len(self.steps)}: {parts}" if parts else "0"
+    @property
+    def constants(self) -> tuple[int, ...]:
+        """The integers that are operands or results."""
+        return tuple(sorted({int(operand) for operand in self.operands if not isinstance(operand, str)}))
+
+    @property
+    def operands(self) -> set[Operand]:
+        """What some statement or output reads."""
+        read = {arg for statement in self.statements for arg in statement.args}
+        return read | set(self.outputs)
+
+
+def summary(operations: Counter[str]) -> str:
+    """An operation count as printed in headers: ``67: 24 +, 31 *, 2 /``."""
+    symbols = {"add": "+", "sub": "+", "neg": "neg", "mul": "*", "div": "/"}
+    counts: Counter[str] = Counter()
+    for op, count in operations.items():
+        counts[symbols.get(op, op)] += count
+    order = ["+", "*", "/", "neg", *FUNCTIONS, *SELECTION]
+    parts = ", ".join(f"{counts[key]} {key}" for key in order if counts[key])
+    return f"{operations.total()}: {parts}" if parts else "0"

@@ -1,7 +1,7 @@
 """Schedule a program and place every value: few registers, each used again as soon as its value is dead.
 
-A statement is a named step together with the inline steps below it, evaluated left to right; an output that has no
-name is a statement of its own.
+A statement is a call, or a named step together with the inline steps below it, evaluated left to right; an output that
+has no name is a statement of its own.
 """
 
 from __future__ import annotations
@@ -11,10 +11,12 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from .program import Operand, Program, Step
+from .program import Call, Operand, Program, Statement, Step
 
 MASK_OPS = frozenset({"lt", "eq", "and", "or"})
 """Operations whose value is a truth mask."""
+
+Place = tuple[str, int]
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,13 +24,15 @@ class Placement:
     """Statements in their order, the place of every value, and outputs which are copies of what stands elsewhere.
 
     Places are ``("k", i)`` number registers, ``("mask", i)`` mask registers and ``("o", i)`` outputs, from 1 on.
+    ``free`` are the registers that a call, known by its first result, finds unused.
     """
 
-    statements: tuple[Step, ...]
-    places: Mapping[str, tuple[str, int]]
+    statements: tuple[Statement, ...]
+    places: Mapping[str, Place]
     copies: tuple[tuple[Operand, int], ...]
     registers: int
     masks: int
+    free: Mapping[str, tuple[Place, ...]]
 
 
 def place(program: Program) -> Placement:
@@ -51,28 +55,34 @@ class _Bank:
         return self.size
 
 
+def results(statement: Statement) -> tuple[str, ...]:
+    """The names a statement gives values to."""
+    return (statement.name,) if isinstance(statement, Step) else tuple(n for n in statement.names if n != "_")
+
+
 class _Allocator:
     def __init__(self, program: Program) -> None:
         self.program = program
-        self.steps = {step.name: step for step in program.steps}
-        self.places: dict[str, tuple[str, int]] = {}
+        self.makers = {name: statement for statement in program.statements for name in results(statement)}
+        self.places: dict[str, Place] = {}
         self.banks = {"k": _Bank(), "mask": _Bank()}
         self.copies: list[tuple[Operand, int]] = []
+        self.free: dict[str, tuple[Place, ...]] = {}
         for index, output in enumerate(program.outputs, 1):
-            if output in self.steps and output not in self.places:
+            if output in self.makers and output not in self.places:
                 self.places[str(output)] = ("o", index)
             else:
                 self.copies.append((output, index))
 
     def run(self) -> Placement:
-        reads = Counter(arg for step in self.program.steps for arg in step.args if isinstance(arg, str))
+        reads = Counter(arg for s in self.program.statements for arg in s.args if isinstance(arg, str))
         for statement in self.schedule:
             self._evaluate(statement, reads)
         sizes = {kind: bank.size for kind, bank in self.banks.items()}
-        return Placement(self.schedule, self.places, tuple(self.copies), sizes["k"], sizes["mask"])
+        return Placement(self.schedule, self.places, tuple(self.copies), sizes["k"], sizes["mask"], self.free)
 
     @cached_property
-    def schedule(self) -> tuple[Step, ...]:
+    def schedule(self) -> tuple[Statement, ...]:
         """Statements in order: always the one that leaves the fewest values alive, the first in depth among equals."""
         waiting = list(self._depth_first())
         leaves = {name: Counter(self._leaves(name)) for name in waiting}
@@ -80,68 +90,94 @@ class _Allocator:
 
         def growth(name: str) -> int:
             freed = sum(reads[leaf] == count for leaf, count in leaves[name].items() if leaf not in self.places)
-            return (name not in self.places) - freed
+            return sum(result not in self.places for result in results(self.makers[name])) - freed
 
-        order: dict[str, Step] = {}
+        done: set[str] = set()
+        order: list[Statement] = []
         while waiting:
-            name = min((name for name in waiting if order.keys() >= leaves[name].keys()), key=growth)
+            name = min((name for name in waiting if done.issuperset(leaves[name])), key=growth)
             waiting.remove(name)
             reads.subtract(leaves[name])
-            order[name] = self.steps[name]
-        return tuple(order.values())
+            done.update(results(self.makers[name]))
+            order.append(self.makers[name])
+        return tuple(order)
 
     def _depth_first(self) -> Iterator[str]:
-        """Statements after what they read, from output to output; the operand that needs most registers first."""
+        """Statements, by their first result, after what they read; the operand that needs most registers first."""
         seen: set[str] = set()
 
         def visit(name: str) -> Iterator[str]:
-            if name not in seen:
-                seen.add(name)
-                for leaf in sorted(self._leaves(name), key=self._need, reverse=True):
+            first = results(self.makers[name])[0]
+            if first not in seen:
+                seen.add(first)
+                for leaf in sorted(self._leaves(first), key=self._need, reverse=True):
                     yield from visit(leaf)
-                yield name
+                yield first
 
         for output in self.program.outputs:
-            if output in self.steps:
+            if output in self.makers:
                 yield from visit(str(output))
 
     def _leaves(self, name: str) -> Iterator[str]:
-        """Statements that a statement reads, in the order of the text."""
-        for arg in self.steps[name].args:
-            if isinstance(arg, str) and arg in self.steps:
-                if self.steps[arg].inline and arg not in self.places:
+        """Values that a statement reads, in the order of the text."""
+        for arg in self.makers[name].args:
+            if isinstance(arg, str) and arg in self.makers:
+                if self._inline(arg) and arg not in self.places:
                     yield from self._leaves(arg)
                 else:
                     yield arg
+
+    def _inline(self, name: str) -> bool:
+        maker = self.makers[name]
+        return isinstance(maker, Step) and maker.inline
 
     def _need(self, name: str) -> int:
         """Registers a statement takes when nothing it reads stands yet (Sethi and Ullman's number, of a tree)."""
         if name not in self._needs:
             needs = sorted(map(self._need, self._leaves(name)), reverse=True)
-            self._needs[name] = max([1, *(held + need for held, need in enumerate(needs))])
+            least = len(results(self.makers[name]))
+            self._needs[name] = max([least, *(held + need for held, need in enumerate(needs))])
         return self._needs[name]
 
     @cached_property
     def _needs(self) -> dict[str, int]:
         return {}
 
-    def _evaluate(self, step: Step, reads: Counter[str]) -> None:
-        """Place the inline steps below a step, left to right, then its own value where an operand died if it can."""
-        for arg in step.args:
-            if isinstance(arg, str) and arg in self.steps and arg not in self.places:
-                self._evaluate(self.steps[arg], reads)
+    def _evaluate(self, statement: Statement, reads: Counter[str]) -> None:
+        """Place the inline steps below a statement, left to right, then what it makes itself."""
+        for arg in statement.args:
+            if isinstance(arg, str) and arg in self.makers and arg not in self.places:
+                self._evaluate(self.makers[arg], reads)
+        if isinstance(statement, Call):
+            self._place_call(statement, reads)
+        else:
+            self._place_step(statement, reads)
+
+    def _place_step(self, step: Step, reads: Counter[str]) -> None:
+        """A value takes the place of an operand that dies if it can."""
         # a selection writes over its second operand at most: its last one is read once more after the first write
         kept = step.args[2] if step.op == "where" else None
         self._release([arg for arg in step.args if arg != kept], reads)
-        if step.name not in self.places:
-            kind = "mask" if step.op in MASK_OPS else "k"
-            self.places[step.name] = (kind, self.banks[kind].take())
+        self._take(step.name, step.op in MASK_OPS)
         if kept is not None:
             self._release([kept], reads)
 
+    def _place_call(self, call: Call, reads: Counter[str]) -> None:
+        """Results stand apart from the arguments, which are read while they are written; what is free is lent."""
+        for name in results(call):
+            self._take(name, name in call.truths)
+        lent = [(kind, index) for kind, bank in self.banks.items() for index in sorted(bank.free)]
+        self.free[results(call)[0]] = tuple(lent)
+        self._release(list(call.args), reads)
+
+    def _take(self, name: str, truth: bool) -> None:
+        if name not in self.places:
+            kind = "mask" if truth else "k"
+            self.places[name] = (kind, self.banks[kind].take())
+
     def _release(self, args: list[Operand], reads: Counter[str]) -> None:
         for arg in args:
-            if isinstance(arg, str) and arg in self.steps:
+            if isinstance(arg, str) and arg in self.makers:
                 reads[arg] -= 1
                 kind, index = self.places[arg]
                 if not reads[arg] and kind != "o":

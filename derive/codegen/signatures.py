@@ -1,9 +1,20 @@
-"""Arguments and results of the kernel functions as flat arrays, for languages that pass pointers."""
+"""The table of kernel functions: a row each, from which exports, prototypes, recipes and validation derive.
+
+A new function is a row here, a recipe in ``lowering``, an expectation in ``cases`` and a docstring in the templates of
+the interface; without one of them nothing is generated.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+
+from .lowering import forward, inverse, kinematics
+from .lowering.point import Geometry
+from .program import Program
+
+Recipe = Callable[[Geometry], Program]
 
 
 @dataclass(frozen=True, slots=True)
@@ -11,7 +22,12 @@ class Array:
     """A named array of components; ``parts`` are the sizes of its real part, its dual part and so on, in order."""
 
     name: str
+    shape: tuple[int, ...]
     parts: tuple[int, ...]
+
+    def __post_init__(self) -> None:
+        if sum(self.parts) != math.prod(self.shape):
+            raise ValueError(f"the parts {self.parts} of {self.name} do not make its shape {self.shape}")
 
     @property
     def size(self) -> int:
@@ -23,45 +39,99 @@ class Array:
         """Which part each component belongs to."""
         return tuple(part for part, size in enumerate(self.parts) for _ in range(size))
 
+    def called(self, name: str) -> Array:
+        """The same under another name."""
+        return replace(self, name=name)
+
 
 @dataclass(frozen=True, slots=True)
-class Signature:
-    """A kernel function: arrays in, whether a branch is chosen, arrays out."""
+class Function:
+    """A function of a kernel module.
 
+    Parameters
+    ----------
+    name : str
+    arguments, results : tuple of Array
+    recipe : callable, optional
+        Traces its program; None for a function that shares the program of another, `kernel`.
+    exact : bool
+        Whether its expectation is exact, on elements of a ring, or at 50 digits.
+    constants : tuple of str
+        Components of the argument ``table`` of its program, where they are the same for all charts.
+    branch : bool
+        Whether a branch is chosen.
+    real : bool
+        Whether it selects branches or angles, and so takes no complex numbers.
+    public : bool
+        Whether users call it.
+    aliases : tuple of str
+        Further names in the modules of Cayley maps.
+    """
+
+    name: str
     arguments: tuple[Array, ...]
     results: tuple[Array, ...]
+    recipe: Recipe | None
+    exact: bool = True
+    constants: tuple[str, ...] = ()
     branch: bool = False
+    real: bool = False
+    public: bool = True
+    aliases: tuple[str, ...] = ()
+    shares: str = ""
+
+    @property
+    def kernel(self) -> str:
+        """The function whose program it runs."""
+        return self.shares or self.name
 
 
 def _dual(name: str) -> Array:
-    return Array(name, (3, 3))
+    return Array(name, (6,), (3, 3))
 
 
-V, OMEGA, V_DOT, LINE, SHADOW = map(_dual, ("v", "omega", "v_dot", "line", "v_k"))
-QUATERNION = Array("q", (4, 4))
-TENSOR, TANGENT = (Array(name, (9, 9)) for name in ("tensor", "tangent"))
-POSE = Array("pose", (3, 1, 3, 1, 3, 1, 4))
-ANGLE = Array("angle", (1, 1))
+def _tensor(name: str) -> Array:
+    return Array(name, (2, 3, 3), (9, 9))
 
-SIGNATURES: Mapping[str, Signature] = {
-    "quaternion": Signature((V,), (QUATERNION,)),
-    "tensor": Signature((V,), (TENSOR,)),
-    "pose": Signature((V,), (POSE,)),
-    "transform_point": Signature((V, Array("r", (3,))), (Array("moved", (3,)),)),
-    "transform_line": Signature((V, LINE), (_dual("moved"),)),
-    "tangent": Signature((V,), (TANGENT,)),
-    "tangent_inv": Signature((V,), (TANGENT,)),
-    "twist": Signature((V, V_DOT), (OMEGA,)),
-    "rate": Signature((V, OMEGA), (V_DOT,)),
-    "body_twist": Signature((V, V_DOT), (OMEGA,)),
-    "body_rate": Signature((V, OMEGA), (V_DOT,)),
-    "from_quaternion": Signature((QUATERNION,), (V,), branch=True),
-    "from_tensor": Signature((TENSOR,), (V,), branch=True),
-    "from_pose": Signature((POSE,), (V,), branch=True),
-    "from_screw": Signature((ANGLE, LINE), (V,)),
-    "to_screw": Signature((V,), (ANGLE, LINE)),
-    "shadow": Signature((V,), (SHADOW,), branch=True),
-    "principal": Signature((V,), (SHADOW,)),
-    "compose": Signature((_dual("v2"), _dual("v1")), (V,)),
-}
-"""Every function of a kernel module that takes arrays, in the order of the recipes they are made by."""
+
+V, OMEGA, V_DOT, LINE, SHADOW, MOVED = map(_dual, ("v", "omega", "v_dot", "line", "v_k", "moved"))
+QUATERNION = Array("q", (8,), (4, 4))
+POSE = Array("pose", (4, 4), (3, 1, 3, 1, 3, 1, 4))
+POINT = Array("r", (3,), (3,))
+ANGLE = Array("angle", (2,), (1, 1))
+
+SPACE, BODY = ("1",), ("-1",)
+"""Sides of T; twice the inverse is taken at −2 and 2, since T⁻¹ holds −skew(v)/2."""
+SPACE_INV, BODY_INV = ("-2",), ("2",)
+
+_ROWS = (
+    Function("quaternion", (V,), (QUATERNION,), forward.quaternion),
+    Function("tensor", (V,), (_tensor("tensor"),), forward.tensor),
+    Function("pose", (V,), (POSE,), forward.pose),
+    Function("transform_point", (V, POINT), (POINT.called("moved"),), forward.transform_point),
+    Function("transform_line", (V, LINE), (MOVED,), forward.transform_line),
+    Function("tangent", (V,), (_tensor("tangent"),), kinematics.tangent, aliases=("dcay",)),
+    Function("tangent_inv", (V,), (_tensor("tangent"),), kinematics.tangent_inv, aliases=("dcay_inv",)),
+    Function("twist", (V, V_DOT), (OMEGA,), kinematics.twist, constants=SPACE),
+    Function("rate", (V, OMEGA), (V_DOT,), kinematics.rate, constants=SPACE_INV),
+    Function("body_twist", (V, V_DOT), (OMEGA,), None, constants=BODY, shares="twist"),
+    Function("body_rate", (V, OMEGA), (V_DOT,), None, constants=BODY_INV, shares="rate"),
+    Function("from_quaternion", (QUATERNION,), (V,), inverse.from_quaternion, exact=False, branch=True, real=True),
+    Function("from_tensor", (_tensor("R"),), (V,), inverse.from_tensor, exact=False, branch=True, real=True),
+    Function("from_pose", (POSE.called("T"),), (V,), inverse.from_pose, exact=False, branch=True, real=True),
+    Function("from_screw", (ANGLE, LINE), (V,), inverse.from_screw, exact=False, real=True),
+    Function("to_screw", (V,), (ANGLE, LINE), inverse.to_screw, exact=False, real=True),
+    Function("turn", (V,), (SHADOW,), inverse.turn, exact=False, real=True, public=False),
+    Function("shadow", (V,), (SHADOW,), inverse.shadow, exact=False, branch=True, real=True),
+    Function("principal", (V,), (SHADOW,), inverse.principal, exact=False, real=True),
+    Function("compose", (V.called("v2"), V.called("v1")), (V,), inverse.compose, exact=False, real=True),
+)
+
+FUNCTIONS: Mapping[str, Function] = {row.name: row for row in _ROWS}
+"""Every function of a kernel module that takes arrays."""
+
+KERNELS: Mapping[str, Function] = {row.name: row for row in _ROWS if row.recipe}
+"""Those with a program of their own."""
+
+PUBLIC: Mapping[str, Function] = {row.name: row for row in _ROWS if row.public}
+"""Those that users call."""

@@ -1,73 +1,24 @@
 """The tracer: ordinary arithmetic on symbolic inputs, recorded as a straight-line program.
 
 A :class:`Trace` hands out symbolic inputs; each operation on them is recorded once (value numbering), constants are
-folded, and what no output needs is dropped. The result is a frozen :class:`~derive.codegen.program.Program`.
+folded, and what no output needs is dropped. It is the arithmetic (``algebra.arithmetic``) formulas are lowered with. The result is a frozen :class:`~derive.codegen.program.Program`.
 """
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import Any
 
-from ..algebra import Structure
-from .program import Constant, Operand, Program, Step
-
-Number = Any
-"""A traced :class:`Value` or an exact constant; generic code cannot tell them apart, and need not."""
+from .program import Call, Constant, Operand, Program, Statement, Step
+from .value import Number, Value
 
 COMMUTATIVE = frozenset({"add", "mul", "eq", "and", "or"})
 
 
 class UnnamedValueError(ValueError):
     """A value used more than once has no name, so the printed source could not speak the paper's letters."""
-
-
-class Value:
-    """A traced number: arithmetic with it is recorded in its trace."""
-
-    __slots__ = ("index", "trace")
-
-    def __init__(self, trace: Trace, index: int) -> None:
-        self.trace = trace
-        self.index = index
-
-    def __add__(self, other: Number) -> Number:
-        if isinstance(other, Structure):
-            return NotImplemented
-        return self.trace.add(self, other)
-
-    def __radd__(self, other: Number) -> Number:
-        return self.trace.add(other, self)
-
-    def __sub__(self, other: Number) -> Number:
-        if isinstance(other, Structure):
-            return NotImplemented
-        return self.trace.sub(self, other)
-
-    def __rsub__(self, other: Number) -> Number:
-        return self.trace.sub(other, self)
-
-    def __mul__(self, other: Number) -> Number:
-        if isinstance(other, Structure):
-            return NotImplemented
-        return self.trace.mul(self, other)
-
-    def __rmul__(self, other: Number) -> Number:
-        return self.trace.mul(other, self)
-
-    def __truediv__(self, other: Number) -> Number:
-        if isinstance(other, Structure):
-            return NotImplemented
-        return self.trace.div(self, other)
-
-    def __rtruediv__(self, other: Number) -> Number:
-        return self.trace.div(other, self)
-
-    def __neg__(self) -> Number:
-        return self.trace.neg(self)
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,6 +40,8 @@ class Trace:
         self._numbered: dict[_Node, int] = {}
         self._names: dict[int, str] = {}
         self._inputs: list[tuple[str, tuple[str, ...]]] = []
+        self._calls: dict[int, Call] = {}
+        self._results: dict[int, tuple[int, ...]] = {}
 
     def inputs(self, argument: str, names: Sequence[str]) -> tuple[Value, ...]:
         """Declare an argument of the program with one named component each."""
@@ -105,6 +58,12 @@ class Trace:
         if isinstance(value, Value) and value.index not in self._names:
             self._rename(value, name)
         return value
+
+    def free_name(self, name: str) -> str:
+        """The name, with trailing underscores where it is taken."""
+        while name in self._names.values():
+            name += "_"
+        return name
 
     def _rename(self, value: Value, name: str) -> None:
         if name in self._names.values():
@@ -231,6 +190,19 @@ class Trace:
 
     # --- recording --------------------------------------------------------------------------------------------
 
+    def call(
+        self, function: str, args: Sequence[Number], names: Sequence[str], truths: Iterable[str] = (), rest: str = ""
+    ) -> tuple[Value, ...]:
+        """The named results of a function which the program does not hold, of named values and inputs."""
+        call = self.record(f"call {function}", *args)
+        if call.index not in self._calls:
+            self._calls[call.index] = Call(tuple(names), function, (), rest, frozenset(truths))
+            results = [self.record("result", call, number) for number in range(len(names))]
+            self._results[call.index] = tuple(value.index for value in results)
+            for name, value in zip(names, results, strict=True):
+                self._rename(value, name)
+        return tuple(Value(self, index) for index in self._results[call.index])
+
     def record(self, op: str, *operands: Number) -> Value:
         """The value of ``op(*operands)``, recorded unless it already stands."""
         args = tuple(v.index if isinstance(v, Value) else _Const(v) for v in operands)
@@ -250,23 +222,34 @@ class Trace:
         for index, count in sorted(uses.items()):
             if count > 1:
                 self._name_multiple(index)
-        unnamed = [i for i, n in uses.items() if n > 1 and i not in self._names]
-        if unnamed:
-            ops = ", ".join(self._describe(i) for i in unnamed)
-            raise UnnamedValueError(f"program {name!r} uses unnamed values more than once: {ops}")
+        passed = {arg for index in uses if index in self._calls for arg in self._nodes[index].args}
+        self._require_names({i for i, n in uses.items() if n > 1 and i not in self._calls} | (passed & uses.keys()), name)
         labels = {i: self._names.get(i, f"t{i}") for i in uses}
 
         def label(arg: int | _Const) -> Operand:
             return arg.value if isinstance(arg, _Const) else labels[arg]
 
-        steps = []
-        for index in sorted(uses):
-            node = self._nodes[index]
-            if node.op != "input":
-                inline = index not in self._names
-                steps.append(Step(labels[index], node.op, tuple(label(arg) for arg in node.args), inline))
         finals = tuple(labels[v.index] if isinstance(v, Value) else v for v in results)
-        return Program(name, tuple(self._inputs), tuple(steps), finals)
+        statements = (self._statement(index, labels, label) for index in sorted(uses))
+        return Program(name, tuple(self._inputs), tuple(filter(None, statements)), finals)
+
+    def _require_names(self, indices: Iterable[int], program: str) -> None:
+        unnamed = [index for index in sorted(indices) if index not in self._names]
+        if unnamed:
+            values = ", ".join(map(self._describe, unnamed))
+            raise UnnamedValueError(f"program {program!r} uses unnamed values more than once or in a call: {values}")
+
+    def _statement(
+        self, index: int, labels: Mapping[int, str], label: Callable[[int | _Const], Operand]
+    ) -> Statement | None:
+        """The step or call of a value; None for inputs, and for results, which their call makes."""
+        node = self._nodes[index]
+        if index in self._calls:
+            names = tuple(labels.get(result, "_") for result in self._results[index])
+            return replace(self._calls[index], names=names, args=tuple(map(label, node.args)))
+        if node.op in ("input", "result"):
+            return None
+        return Step(labels[index], node.op, tuple(map(label, node.args)), index not in self._names)
 
     def _uses(self, results: Sequence[Number]) -> dict[int, int]:
         """How often each value is read, counting outputs; values which are not read are absent."""

@@ -1,4 +1,4 @@
-r"""`Cayley(n)`, the front door: everything the Cayley map of order n defines, as formulas in ``x = v · v``.
+r"""`Cayley(n)`: everything the Cayley map of order n defines, as formulas in ``x = v · v``, and the chart it is.
 
 This is the Cayley map of unit dual quaternions, ``q̂ = (1 + v)^(n/2) (1 − v)^(−n/2)`` (CP23 (46)), equally of 6x6
 adjoint matrices. The Cayley map of 4x4 homogeneous matrices has the same rotation and another translation.
@@ -8,18 +8,19 @@ Conventions: real part first; ``v = tan(α/2n) u``; quaternions scalar first; ``
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import sympy
 
-from . import closed_forms, polynomials
+from ..algebra import Coefficient, Quaternion
+from ..algebra.arithmetic import Arithmetic
+from . import closed_forms, polynomials, turns, way_back
+from .cayley_scalars import CayleyScalars
 from .formula import LATEX_ORDER, IsotropicMap, QuaternionMap
 from .polynomials import FIELD, rational, require_order, x
-
-if TYPE_CHECKING:
-    from ..proof.identity import Proof
 
 _PRINTED = {1: 95, 2: 102, 3: 109, 4: 116, 5: 122}
 """First of the four equations (q̂, R, dcay, dcay⁻¹) that CP23 prints for an order."""
@@ -154,17 +155,59 @@ class Cayley:
             ),
         )
 
-    def prove(self) -> list[Proof]:
-        """Prove the formulas of this order, for all n and by components at this n; return each `Proof`.
+    # --- as a chart (see `Chart`) -----------------------------------------------------------------------------
 
-        Raises
-        ------
-        derive.proof.proved.ProofFailed
-            If a statement does not hold.
-        """
-        from ..proof.proved import proofs
+    @property
+    def name(self) -> str:
+        return f"cayley{self.order}"
 
-        return list(proofs(self))
+    @property
+    def title(self) -> str:
+        return f"Cayley map of order {self.order}"
+
+    @property
+    def parameter(self) -> str:
+        return f"tan(α/{2 * self.order})"
+
+    @property
+    def branches(self) -> int:
+        return self.order
+
+    @property
+    def letters(self) -> tuple[tuple[str, sympy.Expr], ...]:
+        return ("p", self.p), ("q", self.q)
+
+    def scalars(self, x: Coefficient, m: Arithmetic) -> CayleyScalars:
+        return CayleyScalars(self.order, x, m)
+
+    def coefficient(self, angle: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+        r = m.name("r", m.tan(m.div(angle, 2 * self.order)))
+        return r, m.name("slope", m.div(1 + r * r, 2 * self.order))
+
+    def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
+        return m.name("gain", way_back.gain(self.order, q, size, m, positive))
+
+    def direction(self, x: Coefficient, y: Coefficient, m: Arithmetic) -> Coefficient:
+        return turns.direction(self.order, self.scalars(x, m), y, m)
+
+    def natural(
+        self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic
+    ) -> tuple[Coefficient, Coefficient, Coefficient]:
+        return turns.natural(self.order, self.scalars(x, m), y, r, m)
+
+    def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+        return turns.turned(r, turn, m)
+
+    def beyond(
+        self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic
+    ) -> tuple[Any, Sequence[Coefficient]]:
+        return turns.beyond(x, table, m)
+
+    def turn(self, branch: int) -> tuple[Any, Any]:
+        return turns.turn(self.order, branch)
+
+    def returns(self) -> tuple[tuple[Any, Any, Any], ...]:
+        return tuple(turns.returns(self.order))
 
     def latex(self) -> str:
         """Return the polynomials and the four maps as LaTeX, in the paper's letters."""

@@ -7,66 +7,67 @@ from collections.abc import Iterable, Iterator
 from ...algebra import Vector
 from ..program import Program
 from ..trace import Number, Trace
-from .chart import CayleyChart
 from .inputs import dual_vector, flat, vector
+from .point import Geometry, Point
 
 Rows = tuple[Vector, Vector, Vector]
 
 
-def rotate(chart: CayleyChart, r: Vector, letter: str) -> Vector:
+def rotate(point: Point, f: Number, g: Number, r: Vector, letter: str) -> Vector:
     """Q r = r + f v × r + v × (g v × r); the products are named after the letter of r."""
-    turned = named(chart.trace, f"v_{letter}", chart.re.cross(r))
-    twice = named(chart.trace, f"gv_{letter}", chart.g * turned)
-    moved: Vector = r + (chart.f * turned + chart.re.cross(twice))
+    turned = named(point.trace, f"v_{letter}", point.re.cross(r))
+    twice = named(point.trace, f"gv_{letter}", g * turned)
+    moved: Vector = r + (f * turned + point.re.cross(twice))
     return moved
 
 
-def translation(chart: CayleyChart) -> Vector:
-    """rho = Re(dcay) v°: the dual part of R is rho × Q."""
-    v, vo = chart.re, chart.du
-    gv = named(chart.trace, "gv" + chart.mark, chart.g * v)
-    along = chart.name("hy", chart.h * chart.y)
-    rho: Vector = chart.f * vo + gv.cross(vo) + along * v
+def translation(point: Point, f: Number, g: Number, h: Number) -> Vector:
+    """rho = Re(T) v°: the dual part of R is rho × Q."""
+    v, vo = point.re, point.du
+    gv = named(point.trace, "gv" + point.mark, g * v)
+    along = point.name("along", h * point.y)
+    rho: Vector = f * vo + gv.cross(vo) + along * v
     return rho
 
 
-def rotation_rows(chart: CayleyChart) -> Rows:
+def rotation_rows(point: Point, f: Number, g: Number) -> Rows:
     """Q = I + f skew(v) + g skew(v)², whose diagonal is 1 - g (x - v_i²)."""
-    first, second, third = chart.squares
-    name = chart.trace.name
+    first, second, third = point.squares
+    name = point.trace.name
     across = (name("x23", second + third), name("x13", first + third), name("x12", first + second))
-    _, v2, v3 = chart.re
-    f1, f2, f3 = named(chart.trace, "fv", chart.f * chart.re)
-    g1, g2, _ = named(chart.trace, "gv", chart.g * chart.re)
-    g12, g13, g23 = named(chart.trace, "gvv", Vector(g1 * v2, g1 * v3, g2 * v3))
+    _, v2, v3 = point.re
+    f1, f2, f3 = named(point.trace, "fv", f * point.re)
+    g1, g2, _ = named(point.trace, "gv", g * point.re)
+    g12, g13, g23 = named(point.trace, "gvv", Vector(g1 * v2, g1 * v3, g2 * v3))
     return (
-        Vector(1 - chart.g * across[0], g12 - f3, g13 + f2),
-        Vector(g12 + f3, 1 - chart.g * across[1], g23 - f1),
-        Vector(g13 - f2, g23 + f1, 1 - chart.g * across[2]),
+        Vector(1 - g * across[0], g12 - f3, g13 + f2),
+        Vector(g12 + f3, 1 - g * across[1], g23 - f1),
+        Vector(g13 - f2, g23 + f1, 1 - g * across[2]),
     )
 
 
-def named(trace: Trace, letter: str, value: Vector) -> Vector:
+def named(trace: Geometry, letter: str, value: Vector) -> Vector:
     """Name the three components of a vector."""
     return Vector(*(trace.name(f"{letter}{i}", component) for i, component in enumerate(value, 1)))
 
 
-def _named_rows(trace: Trace, letter: str, rows: Rows) -> Rows:
+def _named_rows(trace: Geometry, letter: str, rows: Rows) -> Rows:
     first, second, third = (named(trace, f"{letter}{i}", row) for i, row in enumerate(rows, 1))
     return first, second, third
 
 
-def quaternion(order: int) -> Program:
-    trace, chart = _start(order)
-    scalar, factor, scalar_du, factor_du = chart.quaternion
-    dual = factor * chart.du + factor_du * chart.re
-    return trace.program("quaternion", (scalar, *(factor * chart.re), scalar_du, *dual))
+def quaternion(trace: Geometry) -> Program:
+    point = start(trace)
+    s, w, sy, wy = point.scalars("quaternion")
+    turned = point.name("wo", wy * point.y)
+    return trace.program("quaternion", (s, *(w * point.re), sy * point.y, *(w * point.du + turned * point.re)))
 
 
-def tensor(order: int) -> Program:
-    trace, chart = _start(order)
-    rows = _named_rows(trace, "Q", rotation_rows(chart))
-    rho = named(trace, "rho", translation(chart))
+def tensor(trace: Geometry) -> Program:
+    point = start(trace)
+    f, g, h = point.scalars("pose")
+    rows = _named_rows(point.trace, "Q", rotation_rows(point, f, g))
+    rho = named(point.trace, "rho", translation(point, f, g, h))
     return trace.program("tensor", (*flat(rows), *flat(cross_rows(rho, rows))))
 
 
@@ -77,11 +78,11 @@ def cross_rows(rho: Vector, rows: Rows) -> Rows:
     return r2 * third - r3 * second, r3 * first - r1 * third, r1 * second - r2 * first
 
 
-def pose(order: int) -> Program:
-    trace, chart = _start(order)
+def pose(trace: Geometry) -> Program:
+    point = start(trace)
+    f, g, h = point.scalars("pose")
     last: Iterable[Number] = (0, 0, 0, 1)
-    rows = rotation_rows(chart)
-    rho = translation(chart)
+    rows, rho = rotation_rows(point, f, g), translation(point, f, g, h)
     return trace.program("pose", (*_beside(rows, rho), *last))
 
 
@@ -90,23 +91,24 @@ def _beside(rows: Rows, column: Vector) -> Iterator[Number]:
         yield from (*row, entry)
 
 
-def transform_point(order: int) -> Program:
-    trace, chart = _start(order)
+def transform_point(trace: Geometry) -> Program:
+    point = start(trace)
     r = vector(trace, "r", "r")
-    return trace.program("transform_point", rotate(chart, r, "r") + translation(chart))
+    f, g, h = point.scalars("pose")
+    return trace.program("transform_point", rotate(point, f, g, r, "r") + translation(point, f, g, h))
 
 
-def transform_line(order: int) -> Program:
+def transform_line(trace: Geometry) -> Program:
     """R l = Q l + eps (Q m + rho × Q l) for a line of direction l and moment m."""
-    trace, chart = _start(order)
-    names = ("l1", "l2", "l3", "m1", "m2", "m3")
-    parts = trace.inputs("line", names)
-    direction = named(trace, "Ql", rotate(chart, Vector(*parts[:3]), "l"))
-    moment = rotate(chart, Vector(*parts[3:]), "m")
-    rho = named(trace, "rho", translation(chart))
+    point = start(trace)
+    parts = trace.inputs("line", ("l1", "l2", "l3", "m1", "m2", "m3"))
+    f, g, h = point.scalars("pose")
+    direction = named(trace, "Ql", rotate(point, f, g, Vector(*parts[:3]), "l"))
+    moment = rotate(point, f, g, Vector(*parts[3:]), "m")
+    rho = named(trace, "rho", translation(point, f, g, h))
     return trace.program("transform_line", (*direction, *(moment + rho.cross(direction))))
 
 
-def _start(order: int) -> tuple[Trace, CayleyChart]:
-    trace = Trace()
-    return trace, CayleyChart(trace, order, dual_vector(trace, "v", "v"))
+def start(trace: Geometry) -> Point:
+    """The vector v that is the first argument."""
+    return Point(trace, dual_vector(trace, "v", "v"))

@@ -1,11 +1,12 @@
-"""Evaluate the polynomials of a map: Horner's rule for small orders, the pair chain by squaring above."""
+"""Evaluate p_n, q_n and their derivatives without losing digits: Horner's rule, or the pair chain by squaring."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import Any
 
-from ..trace import Number, Trace
+from ..algebra import Coefficient
+from ..algebra.arithmetic import Arithmetic
 
 HORNER_LIMIT = 8
 """Largest order evaluated by Horner's rule: above, cancellation between its large alternating coefficients shows."""
@@ -15,9 +16,9 @@ HORNER_LIMIT = 8
 class Jet:
     """Taylor coefficients in x: a value, its first derivative, and half its second derivative."""
 
-    value: Number
-    first: Number = 0
-    half_second: Number = 0
+    value: Coefficient
+    first: Coefficient = 0
+    half_second: Coefficient = 0
 
     def __add__(self, other: Jet) -> Jet:
         return Jet(self.value + other.value, self.first + other.first, self.half_second + other.half_second)
@@ -36,40 +37,39 @@ class Jet:
         bend = 2 * (self.value * self.half_second) + self.first * self.first
         return Jet(self.value * self.value, 2 * (self.value * self.first), bend)
 
-    def named(self, trace: Trace, letter: str, mark: str) -> Jet:
+    def named(self, m: Arithmetic, letter: str) -> Jet:
         """The same jet with its coefficients named p, p_x, p_xx."""
         return Jet(
-            trace.name(letter + mark, self.value),
-            trace.name(f"{letter}_x{mark}", self.first),
-            trace.name(f"{letter}_xx{mark}", self.half_second),
+            m.name(letter, self.value),
+            m.name(f"{letter}_x", self.first),
+            m.name(f"{letter}_xx", self.half_second),
         )
 
 
-def horner(polynomial: Any, x: Number) -> Number:
+def horner(polynomial: Any, x: Coefficient) -> Coefficient:
     """The value of an element of Z[x] at a number x by Horner's rule."""
-    value: Number = 0
+    value: Coefficient = 0
     for power in range(max(polynomial.degree(), 0), -1, -1):
         value = value * x + int(polynomial.get((power,), 0))
     return value
 
 
-def chain(trace: Trace, order: int, x: Number, mark: str = "") -> dict[int, tuple[Jet, Jet]]:
+def chain(order: int, x: Coefficient, m: Arithmetic) -> dict[int, tuple[Jet, Jet]]:
     """Jets of (p_k, q_k) for every k on the way from 1 to ``order`` by doubling and stepping.
 
-    ``p_2k = p² - x q²``, ``q_2k = 2 p q``; ``p_(k+1) = p - x q``, ``q_(k+1) = p + q``: no alternating sums.
-    Derivatives ride along; those which nothing reads are dropped with the rest of the dead code.
+    ``p_2k = p² − x q²``, ``q_2k = 2 p q``; ``p_(k+1) = p − x q``, ``q_(k+1) = p + q``: no alternating sums.
     """
     argument, two = Jet(x, 1), Jet(2)
     k, p, q = 1, Jet(1), Jet(1)
     pairs = {1: (p, q)}
     for bit in bin(order)[3:]:
-        pp, qq = p.square().named(trace, f"p{k}p{k}", mark), q.square().named(trace, f"q{k}q{k}", mark)
-        xqq = (argument * qq).named(trace, f"xq{k}q{k}", mark)
+        pp, qq = p.square().named(m, f"p{k}p{k}"), q.square().named(m, f"q{k}q{k}")
+        xqq = (argument * qq).named(m, f"xq{k}q{k}")
         k *= 2
         p, q = pp - xqq, two * (p * q)
-        pairs[k] = p, q = p.named(trace, f"p{k}", mark), q.named(trace, f"q{k}", mark)
+        pairs[k] = p, q = p.named(m, f"p{k}"), q.named(m, f"q{k}")
         if bit == "1":
             k += 1
             p, q = p - argument * q, p + q
-            pairs[k] = p, q = p.named(trace, f"p{k}", mark), q.named(trace, f"q{k}", mark)
+            pairs[k] = p, q = p.named(m, f"p{k}"), q.named(m, f"q{k}")
     return pairs

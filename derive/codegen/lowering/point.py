@@ -1,0 +1,87 @@
+"""What recipes of geometry are traced with: a trace that asks a chart for scalars, and vectors v in it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property
+from typing import Any
+
+from ...algebra import Vector
+from ...maps.chart import Chart
+from ..trace import Number, Trace
+from .scalars import SCALARS, table_names
+
+
+class Geometry(Trace):
+    """A trace of what all charts share: scalars are calls. With a `chart`, its formulas are traced in their place."""
+
+    def __init__(self, chart: Chart | None = None) -> None:
+        super().__init__()
+        self.chart = chart
+        self._returns: tuple[Number, ...] = ()
+
+    def ask(self, function: str, arguments: Sequence[Number], mark: str = "") -> tuple[Number, ...]:
+        """The results of a scalar program, under their own names and a mark."""
+        row = SCALARS[function]
+        given = tuple(arguments)
+        if self.chart is None:
+            names, truths = ([name + mark for name in group] for group in (row.results, row.truths))
+            return self.call(function, given, names, truths, "table" if "table" in row.arguments else "")
+        if "table" in row.arguments:
+            given += self._returns
+        scope: Any = _Scope(self, mark)
+        results = row.compute(self.chart, scope, given)
+        return tuple(scope.name(name, value) for name, value in zip(row.results, results, strict=True))
+
+    def declare_returns(self) -> None:
+        """The argument that holds the chart's table of returns, of a length which only the chart knows."""
+        names = () if self.chart is None else table_names(self.chart)
+        self._returns = self.inputs("table", names)
+
+
+class _Scope:
+    """The same trace, with a mark on every name and another where a name is taken."""
+
+    def __init__(self, trace: Trace, mark: str) -> None:
+        self._trace = trace
+        self._mark = mark
+
+    def name(self, name: str, value: Number) -> Number:
+        return self._trace.name(self._trace.free_name(name + self._mark), value)
+
+    def __getattr__(self, operation: str) -> Any:
+        return getattr(self._trace, operation)
+
+
+class Point:
+    """Traced components of v; ``mark`` tells two vectors of one program apart."""
+
+    def __init__(self, trace: Geometry, components: Sequence[Number], mark: str = "") -> None:
+        self.trace = trace
+        self.mark = mark
+        self.re = Vector(*components[:3])
+        self.du = Vector(*components[3:6])
+
+    def name(self, letter: str, value: Number) -> Number:
+        return self.trace.name(letter + self.mark, value)
+
+    @cached_property
+    def squares(self) -> tuple[Number, Number, Number]:
+        """v1², v2², v3²."""
+        names = ("v11", "v22", "v33")
+        first, second, third = (self.name(name, c * c) for name, c in zip(names, self.re, strict=True))
+        return first, second, third
+
+    @cached_property
+    def x(self) -> Number:
+        first, second, third = self.squares
+        return self.name("x", first + second + third)
+
+    @cached_property
+    def y(self) -> Number:
+        """v·v°, half the dual part of x."""
+        return self.name("y", self.re.dot(self.du))
+
+    def scalars(self, function: str) -> tuple[Number, ...]:
+        """The results of a scalar program at x."""
+        return self.trace.ask(function, (self.x,), self.mark)

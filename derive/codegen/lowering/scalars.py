@@ -1,0 +1,105 @@
+"""The scalar programs of a chart: what geometry asks of it, one row each, traced from the chart's own formulas."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from ...algebra import Quaternion, Vector
+from ...maps.chart import Chart
+from ..program import Program
+from ..trace import Number, Trace
+
+TABLE = ("limit", "cos", "sin")
+"""One row of the table of returns."""
+
+Compute = Callable[[Chart, Trace, Sequence[Number]], Sequence[Number]]
+
+
+@dataclass(frozen=True, slots=True)
+class Scalar:
+    """A function of few numbers: its parameters, its results (``truths`` among them are truth values), its formula."""
+
+    arguments: tuple[str, ...]
+    results: tuple[str, ...]
+    compute: Compute
+    truths: tuple[str, ...] = ()
+
+
+def _of_x(*results: str) -> Scalar:
+    """Scalars at x by their letters."""
+
+    def compute(chart: Chart, trace: Trace, arguments: Sequence[Number]) -> tuple[Number, ...]:
+        at = chart.scalars(arguments[0], trace)
+        return tuple(getattr(at, name) for name in results)
+
+    return Scalar(("x",), results, compute)
+
+
+def _ray(chart: Chart, trace: Trace, arguments: Sequence[Number]) -> tuple[Number, ...]:
+    at = chart.scalars(arguments[0], trace)
+    return *at.ray, at.f, at.g, at.h
+
+
+def _gain_unit(chart: Chart, trace: Trace, e: Sequence[Number]) -> tuple[Number, ...]:
+    return (chart.gain(_quaternion(e), 1, trace),)
+
+
+def _gain_positive(chart: Chart, trace: Trace, e: Sequence[Number]) -> tuple[Number, ...]:
+    q = _quaternion(e)
+    return (chart.gain(q, trace.name("size", trace.sqrt(q.norm2())), trace, positive=True),)
+
+
+def _gain_product(chart: Chart, trace: Trace, e: Sequence[Number]) -> tuple[Number, ...]:
+    return (chart.gain(_quaternion(e[:4]), trace.name("size", e[4] * e[5]), trace),)
+
+
+def _quaternion(e: Sequence[Number]) -> Quaternion:
+    return Quaternion(e[0], Vector(*e[1:4]))
+
+
+def _beyond(chart: Chart, trace: Trace, arguments: Sequence[Number]) -> tuple[Number, ...]:
+    selected, turn = chart.beyond(arguments[0], arguments[1:], trace)
+    return selected, *turn
+
+
+E = ("e0", "e1", "e2", "e3")
+
+SCALARS: Mapping[str, Scalar] = {
+    "quaternion": _of_x("s", "w", "sy", "wy"),
+    "pose": _of_x("f", "g", "h"),
+    "tangent": _of_x("f", "g", "h", "fy", "gy", "hy"),
+    "inverse": _of_x("fi", "hi"),
+    "tangent_inv": _of_x("fi", "hi", "fiy", "hiy"),
+    "ray": Scalar(("x",), ("a", "b", "size", "f", "g", "h"), _ray),
+    "gain_unit": Scalar(E, ("gain",), _gain_unit),
+    "gain_positive": Scalar(E, ("gain",), _gain_positive),
+    "gain_product": Scalar((*E, "size2", "size1"), ("gain",), _gain_product),
+    "direction": Scalar(("x", "y"), ("sign",), lambda chart, trace, xy: (chart.direction(*xy, trace),)),
+    "natural": Scalar(("x", "y", "r"), ("angle", "slope", "sign"), lambda chart, trace, xyr: chart.natural(*xyr, trace)),
+    "turned": Scalar(
+        ("r", "cos", "sin"), ("rk", "slope"), lambda chart, trace, at: chart.turned(at[0], at[1:], trace)
+    ),
+    "beyond": Scalar(("x", "table"), ("beyond", "cosine", "sine"), _beyond, truths=("beyond",)),
+    "coefficient": Scalar(("alpha",), ("r", "slope"), lambda chart, trace, angle: chart.coefficient(angle[0], trace)),
+}
+"""By name; arguments a, b and size of a ray are those of `Scalars.ray`, turns and tables those of `Chart`."""
+
+
+def table_names(chart: Chart) -> tuple[str, ...]:
+    """Components of the table of returns."""
+    return tuple(f"{column}{j}" for j in range(1, len(chart.returns()) + 1) for column in TABLE)
+
+
+def scalar_programs(chart: Chart) -> dict[str, Program]:
+    """The scalar programs of a chart, by name; without `beyond` where every v is principal."""
+    return {name: _program(name, chart) for name in SCALARS if chart.returns() or name != "beyond"}
+
+
+def _program(name: str, chart: Chart) -> Program:
+    row, trace = SCALARS[name], Trace()
+    arguments: list[Any] = []
+    for argument in row.arguments:
+        arguments += trace.inputs(argument, table_names(chart) if argument == "table" else [argument])
+    return trace.program(name, row.compute(chart, trace, arguments))

@@ -1,0 +1,20 @@
+"""The front door: the maps of `derive.maps` with their proofs."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from . import maps
+from .proof import Proof, proofs
+
+
+@dataclass(frozen=True)
+class Cayley(maps.Cayley):
+    __doc__ = maps.Cayley.__doc__
+
+    def prove(self) -> list[Proof]:
+        """Decide everything claimed of this map, for all n and by components at this n; return each `Proof`.
+
+        Whether all hold is ``all(proof.proved for proof in m.prove())``.
+        """
+        return list(proofs(self))

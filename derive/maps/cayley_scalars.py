@@ -1,0 +1,231 @@
+r"""The scalars of the Cayley map of order n at one ``x = v · v``, in closed form, with their slopes.
+
+.. math::
+    f = \frac{2 p q}{N} \quad g = \frac{2 q^2}{N} \quad h = \frac{2 c}{N} \quad
+    f_i = \frac{p}{2 q} \quad h_i = \frac{d}{2 n q} \qquad N = p^2 + x q^2 = (1 + x)^n
+
+in which c_n and d_n are the brackets of CP23 (88) and (89) divided by x. One source serves all uses: elements of Q(x)
+give the formulas, ``Fraction`` and mpmath numbers values, `Dual` numbers dual values, traced numbers programs.
+A slope, marked y, is ``2 d/dx``: the factor of ``v · v°`` in the dual part, since ``x° = 2 v · v°``.
+N is written ``p² + x q²``, whose rounding error does not grow with n, and ``(N/N)/N`` stands for 1/N: NaN where N has
+overflowed and 1/N would be finite and wrong. Only x is needed, never |v|: a pure translation is no special case.
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+from ..algebra import Coefficient
+from ..algebra.arithmetic import Arithmetic
+from . import polynomials
+from .evaluation import HORNER_LIMIT, Jet, chain, horner
+from .way_back import has_ladder
+
+
+class CayleyScalars:
+    """What the Cayley map of an order makes of x; every value is computed, and named, when it is asked for."""
+
+    def __init__(self, order: int, x: Coefficient, m: Arithmetic) -> None:
+        self.order = order
+        self.x = x
+        self.m = m
+
+    # --- polynomials ------------------------------------------------------------------------------------------
+
+    @property
+    def _expanded(self) -> bool:
+        """Small orders are evaluated by Horner's rule; above, it loses digits on shadows and the chain does not."""
+        return self.order <= HORNER_LIMIT
+
+    @cached_property
+    def _chain(self) -> dict[int, tuple[Jet, Jet]]:
+        return chain(self.order, self.x, self.m)
+
+    @cached_property
+    def _jets(self) -> tuple[Jet, Jet]:
+        return self._chain[self.order]
+
+    def _horner(self, name: str, polynomial: object) -> Coefficient:
+        return self.m.name(name, horner(polynomial, self.x))
+
+    @cached_property
+    def p(self) -> Coefficient:
+        """p_n, CP23 (51)."""
+        return self._horner("p", polynomials.ring_pair(self.order)[0]) if self._expanded else self._jets[0].value
+
+    @cached_property
+    def q(self) -> Coefficient:
+        """q_n, CP23 (52)."""
+        return self._horner("q", polynomials.ring_pair(self.order)[1]) if self._expanded else self._jets[1].value
+
+    @cached_property
+    def dp(self) -> Coefficient:
+        if self._expanded:
+            return self._horner("dp", polynomials.ring_pair(self.order)[0].diff(polynomials.RING_X))
+        return self._jets[0].first
+
+    @cached_property
+    def dq(self) -> Coefficient:
+        if self._expanded:
+            return self._horner("dq", polynomials.ring_pair(self.order)[1].diff(polynomials.RING_X))
+        return self._jets[1].first
+
+    @cached_property
+    def c(self) -> Coefficient:
+        """``[n (1+x)ⁿ⁻¹ − p q]/x = 2 (p q′ − q p′)``."""
+        if self._expanded:
+            return self._horner("c", polynomials.ring_brackets(self.order)[0])
+        return self.m.name("c", 2 * (self.p * self.dq - self.q * self.dp))
+
+    @cached_property
+    def dc(self) -> Coefficient:
+        if self._expanded:
+            return self._horner("dc", polynomials.ring_brackets(self.order)[0].diff(polynomials.RING_X))
+        p, q = self._jets
+        return self.m.name("dc", 4 * (self.p * q.half_second - self.q * p.half_second))
+
+    @cached_property
+    def d(self) -> Coefficient:
+        """``[(1+x) q − n p]/x = q − 2 q′ − 2 p′``."""
+        if self._expanded:
+            return self._horner("d", polynomials.ring_brackets(self.order)[1])
+        return self.m.name("d", self.q - 2 * (self.dq + self.dp))
+
+    @cached_property
+    def dd(self) -> Coefficient:
+        if self._expanded:
+            return self._horner("dd", polynomials.ring_brackets(self.order)[1].diff(polynomials.RING_X))
+        p, q = self._jets
+        return self.m.name("dd", self.dq - 4 * (q.half_second + p.half_second))
+
+    # --- norm -------------------------------------------------------------------------------------------------
+
+    @cached_property
+    def _qq(self) -> Coefficient:
+        return self.m.name("qq", self.q * self.q)
+
+    @cached_property
+    def norm(self) -> Coefficient:
+        """``N = p² + x q² = (1 + x)ⁿ``."""
+        return self.m.name("N", self.p * self.p + self.x * self._qq)
+
+    @cached_property
+    def root(self) -> Coefficient:
+        """``(1 + x)^(n/2)``, positive: for an even order the norm of half the order, no square root taken."""
+        if self.order % 2:
+            return self.m.name("root", self.m.sqrt(self.norm))
+        p, q = self._half
+        return self.m.name("root", p * p + self.x * (q * q))
+
+    @cached_property
+    def _half(self) -> tuple[Coefficient, Coefficient]:
+        """p and q of half the order."""
+        half = self.order // 2
+        if self._expanded:
+            p, q = polynomials.ring_pair(half)
+            return self._horner("ph", p), self._horner("qh", q)
+        first, second = self._chain[half]
+        return first.value, second.value
+
+    def _reciprocal(self, norm: Coefficient) -> Coefficient:
+        return self.m.div(norm, norm) / norm
+
+    @cached_property
+    def _twice_inverse_norm(self) -> Coefficient:
+        return self.m.name("r", 2 * self._reciprocal(self.norm))
+
+    @cached_property
+    def _growth(self) -> Coefficient:
+        """``2 N′/N = 2n/(1 + x)``."""
+        return self.m.name("e", 2 * self.order / (1 + self.x))
+
+    # --- q̂ = s + w v, CP23 (50), (55) -------------------------------------------------------------------------
+
+    @cached_property
+    def _inverse_root(self) -> Coefficient:
+        return self.m.name("r", self._reciprocal(self.root))
+
+    @cached_property
+    def s(self) -> Coefficient:
+        return self.m.name("s", self.p * self._inverse_root)
+
+    @cached_property
+    def w(self) -> Coefficient:
+        return self.m.name("w", self.q * self._inverse_root)
+
+    @cached_property
+    def sy(self) -> Coefficient:
+        """``2 s′ = −n w/(1 + x)``."""
+        return self.m.name("sy", self.w * self.m.name("minus_e", -self.order / (1 + self.x)))
+
+    @cached_property
+    def wy(self) -> Coefficient:
+        """``2 w′ = 2 q′/√N − n w/(1 + x)``."""
+        return self.m.name("wy", 2 * self.dq * self._inverse_root + self.sy)
+
+    @property
+    def ray(self) -> tuple[Coefficient, Coefficient, Coefficient]:
+        """(p, q, size) with ``p + q v`` the quaternion times its size, which only half angles ask for."""
+        return self.p, self.q, self.root if self.order > 1 and has_ladder(self.order) else 1
+
+    # --- R = I + f skew(v) + g skew(v)², T = f I + g skew(v) + h v⊗v, CP23 (57), (88) --------------------------
+
+    @cached_property
+    def f(self) -> Coefficient:
+        return self.m.name("f", self.p * self.q * self._twice_inverse_norm)
+
+    @cached_property
+    def g(self) -> Coefficient:
+        return self.m.name("g", self._qq * self._twice_inverse_norm)
+
+    @cached_property
+    def h(self) -> Coefficient:
+        return self.m.name("h", self.c * self._twice_inverse_norm)
+
+    @cached_property
+    def _growing_g(self) -> Coefficient:
+        return self.m.name("eg", self._growth * self.g)
+
+    @cached_property
+    def fy(self) -> Coefficient:
+        """``2 f′ = h − 2n g/(1 + x)``."""
+        return self.m.name("fy", self.h - self._growing_g)
+
+    @cached_property
+    def gy(self) -> Coefficient:
+        """``2 g′ = 8 q q′/N − 2n g/(1 + x)``."""
+        return self.m.name("gy", 4 * self.dq * (self.q * self._twice_inverse_norm) - self._growing_g)
+
+    @cached_property
+    def hy(self) -> Coefficient:
+        """``2 h′ = 4 c′/N − 2n h/(1 + x)``."""
+        return self.m.name("hy", 2 * self.dc * self._twice_inverse_norm - self._growth * self.h)
+
+    # --- T⁻¹ = fi I − ½ skew(v) + hi v⊗v, CP23 (89) ------------------------------------------------------------
+
+    @cached_property
+    def _half_inverse_q(self) -> Coefficient:
+        return self.m.name("iq", self.m.div(1, 2 * self.q))
+
+    @cached_property
+    def _bracket(self) -> Coefficient:
+        return self.m.name("diq", self.d * self._half_inverse_q)
+
+    @cached_property
+    def fi(self) -> Coefficient:
+        return self.m.name("fi", self.p * self._half_inverse_q)
+
+    @cached_property
+    def hi(self) -> Coefficient:
+        return self.m.name("hi", self.m.div(self._bracket, self.order))
+
+    @cached_property
+    def fiy(self) -> Coefficient:
+        """``2 fi′ = −c/(2 q²)``."""
+        return self.m.name("fiy", -2 * self.c * (self._half_inverse_q * self._half_inverse_q))
+
+    @cached_property
+    def hiy(self) -> Coefficient:
+        """``2 hi′ = (d′ − d q′/q)/(n q)``."""
+        change = 2 * self.dd - 4 * self.dq * self._bracket
+        return self.m.name("hiy", self.m.div(change * self._half_inverse_q, self.order))

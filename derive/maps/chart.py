@@ -1,0 +1,138 @@
+r"""A chart: one parameterization v = φ(α) u of displacements, as its scalars of ``x = v · v`` and its way back.
+
+Geometry is the same for all charts. With a handful of scalars, each regular at x = 0,
+
+.. math::
+    \hat q = s + w\,v \qquad R = I + f\,\tilde v + g\,\tilde v^2 \qquad T = f\,I + g\,\tilde v + h\,v \otimes v \qquad
+    T^{-1} = f_i\,I - \tfrac12\,\tilde v + h_i\,v \otimes v
+
+    f = 2 s w \quad g = 2 w^2 \quad f^2 + x g^2 = 2 g \quad f_i = \frac{f}{2g} \quad
+    h_i = \frac{1}{x} \left(\frac{1}{f + x h} - f_i\right) \qquad v = \mathrm{gain}(\hat q)\,\mathrm{vec}\,\hat q
+
+where ``ω = T v̇`` is the space twist. Dual parts need slopes: with ``x° = 2 y``, ``y = v · v°``, the dual part of f(x) is
+``fy y``, ``fy = 2 f′``. A slope is marked by y. (Second slopes will be marked yy.)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, Protocol
+
+import sympy
+
+from ..algebra import Coefficient, Quaternion
+from ..algebra.arithmetic import Arithmetic
+from .formula import IsotropicMap, QuaternionMap
+
+DEFINITIONS = {
+    "quaternion": r"\hat q = s + w\,v",
+    "tensor": r"R = I + f\,\tilde v + g\,\tilde v^2 \qquad f = 2 s w \quad g = 2 w^2",
+    "tangent": r"T = f\,I + g\,\tilde v + h\,v \otimes v",
+    "tangent_inv": r"T^{-1} = f_i\,I - \tfrac12\,\tilde v + h_i\,v \otimes v \qquad f_i = \frac{f}{2 g}",
+}
+"""What every chart's maps are, in its scalars."""
+
+
+class Scalars(Protocol):
+    """The scalars of a chart at one x; a trailing y marks a slope, ``2 d/dx``."""
+
+    @property
+    def s(self) -> Coefficient: ...
+    @property
+    def w(self) -> Coefficient: ...
+    @property
+    def sy(self) -> Coefficient: ...
+    @property
+    def wy(self) -> Coefficient: ...
+    @property
+    def f(self) -> Coefficient: ...
+    @property
+    def g(self) -> Coefficient: ...
+    @property
+    def h(self) -> Coefficient: ...
+    @property
+    def fy(self) -> Coefficient: ...
+    @property
+    def gy(self) -> Coefficient: ...
+    @property
+    def hy(self) -> Coefficient: ...
+    @property
+    def fi(self) -> Coefficient: ...
+    @property
+    def hi(self) -> Coefficient: ...
+    @property
+    def fiy(self) -> Coefficient: ...
+    @property
+    def hiy(self) -> Coefficient: ...
+
+    @property
+    def ray(self) -> tuple[Coefficient, Coefficient, Coefficient]:
+        """(a, b, size): ``a + b v`` is the quaternion times its positive size, wherever that is cheaper."""
+
+
+class Chart(Protocol):
+    """A parameterization of displacements that can be proved and lowered."""
+
+    @property
+    def name(self) -> str:
+        """An identifier, the name of its module."""
+
+    @property
+    def title(self) -> str:
+        """What it is, as a headline: ``Cayley map of order 3``."""
+
+    @property
+    def parameter(self) -> str:
+        """φ(α) as text: ``tan(α/6)``."""
+
+    @property
+    def branches(self) -> int:
+        """How many vectors v_k a pose has."""
+
+    @property
+    def singular_angles(self) -> tuple[sympy.Expr, ...]:
+        """Re α > 0 where v, T or its inverse is singular, the edge of the chart last."""
+
+    @property
+    def quaternion(self) -> QuaternionMap: ...
+    @property
+    def tensor(self) -> IsotropicMap: ...
+    @property
+    def tangent(self) -> IsotropicMap: ...
+    @property
+    def tangent_inv(self) -> IsotropicMap: ...
+
+    @property
+    def letters(self) -> Sequence[tuple[str, sympy.Expr]]:
+        """Functions of x the formulas are written in: p_n and q_n."""
+
+    def scalars(self, x: Coefficient, m: Arithmetic) -> Scalars:
+        """The scalars at x."""
+
+    def coefficient(self, angle: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+        """φ and φ′ at an angle: ``v = φ(α) u``."""
+
+    def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
+        """The factor in ``v = gain · vec q`` for a quaternion of norm `size`; `positive` says that its scalar is."""
+
+    def direction(self, x: Coefficient, y: Coefficient, m: Arithmetic) -> Coefficient:
+        """1 or −1: the axis of the principal angle is that times ``v/|v|``."""
+
+    def natural(
+        self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic
+    ) -> tuple[Coefficient, Coefficient, Coefficient]:
+        """The principal angle of ``v = r u``, r ≥ 0, ``dα/dr`` on v's own branch, and the `direction`."""
+
+    def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+        """The coefficient of the vector a `turn` on from ``v = r u``, and its derivative by r."""
+
+    def beyond(
+        self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic
+    ) -> tuple[Any, Sequence[Coefficient]]:
+        """Whether v lies beyond the principal branch, and the turn that brings it back, from the table `returns`."""
+
+    def turn(self, branch: int) -> tuple[Any, Any]:
+        """The two numbers of a turn by so many branches, in the working precision of mpmath."""
+
+    def returns(self) -> Sequence[tuple[Any, Any, Any]]:
+        """By turns back, the x beyond which one more is due and its two numbers; empty where every v is principal."""
