@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parent.parent
-ROOMS = ("algebra", "maps", "proof", "papers", "codegen", "cli")
+ROOMS = ("output", "algebra", "maps", "proof", "papers", "codegen", "cli")
 """Each room may import itself and those before it."""
 
 EVALUATORS = {"eval", "exec", "sympify", "parse_expr", "simplify"}

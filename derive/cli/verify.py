@@ -8,9 +8,9 @@ from pathlib import Path
 
 import click
 
-from ..codegen import catalogue, files
-from ..codegen.templates import render
+from ..codegen import catalogue
 from ..maps import Cayley
+from ..output import files
 from ..papers import PAPERS, Paper, Status, UndecidedError
 from ..papers import verify as decide
 from ..papers.report import FORMATS, Report
@@ -50,7 +50,7 @@ def verify(
         raise click.UsageError("--check needs the file that -o names")
     papers = [p for p in PAPERS if paper in (None, p.slug)]
     report = _report(papers, _chosen(papers, equations), orders, output)
-    text = FORMATS[form](report, render)
+    text = FORMATS[form](report)
     stale = _deliver(text, output, f"python -m derive verify --format {form} -o {output}" if check else "")
     wrong = any(result.status is Status.ERRATUM for result in report.results)
     if stale or report.failed or (strict and wrong):

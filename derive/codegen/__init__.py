@@ -15,15 +15,14 @@ jit          programs as compiled loops of few outputs
 c99          programs as C
 signatures   arguments and results of the kernel functions as flat arrays
 differential tables of seeded cases for the tests of compiled targets
+docstrings   what only Python modules say of a map
 module       the text of a module, through the templates
-templates    the template environment
-files        write all or none, compare
 validation   the file on disk computes its formula
 ============ ==============================================================================
 """
 
+from ..output import Difference, RefusedError
 from .compiler import Module, Package, build, check, generate
-from .files import Difference, RefusedError
 from .validation import ValidationFailed
 
 __all__ = ["Difference", "Module", "Package", "RefusedError", "ValidationFailed", "build", "check", "generate"]

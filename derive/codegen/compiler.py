@@ -8,8 +8,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from ..maps import Cayley
+from ..output import files
 from ..proof import Proved, prove
-from . import catalogue, files
+from . import catalogue
 from .module import companion_texts, module_text, shared_text
 from .targets import TARGETS, Target
 

@@ -8,26 +8,18 @@ from dataclasses import dataclass
 from typing import Any
 
 import mpmath
-import numpy as np
 import sympy
 
 from ..maps import Cayley, Formula
+from ..output import render
 from ..proof import Proved
-from . import catalogue, differential, templates
+from . import catalogue, differential
 from .lowering import lower
 from .program import Program
-from .signatures import SIGNATURES
 from .targets import Target
 
 DIGITS = 40
 """Decimal digits of printed constants: enough for longdouble, and for validation at 30 digits."""
-
-PUBLIC = (
-    "body_rate", "body_twist", "compose", "dcay", "dcay_inv", "from_pose", "from_quaternion", "from_screw",
-    "from_tensor", "pose", "principal", "quaternion", "rate", "shadow", "singular_angles", "tangent", "tangent_inv",
-    "tensor", "to_screw", "transform_line", "transform_point", "twist",
-)  # fmt: skip
-"""Functions of a kernel module."""
 
 _COMPOSITIONS = {1: "(45), (58)", 2: "(41), (58)"}
 
@@ -47,23 +39,19 @@ def module_text(proved: Proved, target: Target) -> str:
     n = cayley.order
     programs = lower(n)
     maps = (cayley.quaternion, cayley.tensor, cayley.tangent, cayley.tangent_inv)
-    return templates.render(
+    return render(
         target.template,
         header=_header(proved, programs, target),
         n=n,
-        public=PUBLIC,
         turns=[(_decimal(mpmath.cospi, k, n), _decimal(mpmath.sinpi, k, n)) for k in range(n)],
         returns=[_return(j, n) for j in range(1, n // 2 + 1)],
         programs={name: _printed(program, target) for name, program in programs.items()},
         equations={f.name: _numbers(f.equations) for f in maps} | {"compose": _COMPOSITIONS.get(n, "(58)")},
-        definitions={f.name: _display(f"{f.symbol} = {f.definition}") for f in maps},
         domain={f.name: f.domain for f in maps},
         singular={f.name: f.singular for f in maps},
         singular_angles=[_multiple_of_pi(angle) for angle in cayley.singular_angles],
         inverse_domain=_inverse_domain(n),
-        signatures=SIGNATURES,
-        largest={name: f"{float(np.finfo(name).max) ** (0.5 / n):.1g}" for name in ("float32", "float64")},
-        **target.words,
+        **target.words(cayley),
     )
 
 
@@ -72,7 +60,7 @@ def shared_text(name: str, target: Target) -> str:
     template = f"{target.name}/{name}.j2"
     lines = [f"python -m derive generate --target {target.name}", _notice(template)]
     mark = "#" if name.endswith((".txt", ".cmake")) else target.comment
-    return templates.render(template, header=_comment(lines, mark))
+    return render(template, header=_comment(lines, mark))
 
 
 def companion_texts(cayley: Cayley, target: Target) -> dict[str, str]:
@@ -84,7 +72,7 @@ def companion_texts(cayley: Cayley, target: Target) -> dict[str, str]:
         lines = [catalogue.command(target.name, cayley.order), _notice(template)]
         data = {"header": _comment(lines, target.comment), "n": cayley.order, "gate": differential.GATE}
         functions = list(differential.tables(cayley))
-        texts[f"{stem}{cayley.order}.{extension}"] = templates.render(template, functions=functions, **data)
+        texts[f"{stem}{cayley.order}.{extension}"] = render(template, functions=functions, **data)
     return texts
 
 
@@ -144,11 +132,6 @@ def _return(steps: int, n: int) -> tuple[str, str, str]:
 
 def _tanpi2(x: Any) -> Any:
     return (mpmath.sinpi(x) / mpmath.cospi(x)) ** 2
-
-
-def _display(latex: str) -> str:
-    """LaTeX broken into lines of a docstring."""
-    return "\n        ".join(textwrap.wrap(latex, 108, break_long_words=False, break_on_hyphens=False))
 
 
 def _multiple_of_pi(angle: sympy.Expr) -> str:

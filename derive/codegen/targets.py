@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from ..maps import Cayley
+from ..output import RefusedError
 from . import c99, infix, inplace, jit
-from .files import RefusedError
+from .docstrings import docstrings
 from .program import Program
+from .signatures import SIGNATURES
 from .validation import compiled, validate
 
 
@@ -36,8 +38,8 @@ class Target:
     companions : tuple of str
         Further files of every module; ``test_cayley.c`` is ``test_cayley3.c`` of order 3, from the template of its
         name.
-    words : mapping
-        Words in which the functions of this target differ from those of another with the same templates.
+    words : callable
+        What the templates of this target ask for besides what all targets show.
     """
 
     name: str
@@ -46,8 +48,8 @@ class Target:
     comment: str
     printer: Callable[[Program], Any]
     validate: Callable[[Path, Cayley], int | None]
+    words: Callable[[Cayley], Mapping[str, Any]]
     companions: tuple[str, ...] = ()
-    words: Mapping[str, str] = field(default_factory=dict)
 
     def module_name(self, order: int) -> str:
         """File name of the module of an order."""
@@ -59,12 +61,14 @@ class Target:
         return f"{self.name}/cayley.{self.extension}.j2"
 
 
-def _words(value: str, array_like: str, array: str, options: str, passed: str, passed_alone: str) -> dict[str, str]:
+def _python(
+    value: str, array_like: str, array: str, options: str, passed: str, passed_alone: str
+) -> Callable[[Cayley], Mapping[str, Any]]:
     """Annotation and names of arrays; keyword parameters of a function, and what it passes on of them.
 
     ``passed_alone`` is what a function passes that returns several arrays.
     """
-    return {
+    words = {
         "value": value,
         "array_like": array_like,
         "array": array,
@@ -72,6 +76,11 @@ def _words(value: str, array_like: str, array: str, options: str, passed: str, p
         "passed": f"axis{passed}",
         "passed_alone": f"axis{passed_alone}",
     }
+    return lambda cayley: words | docstrings(cayley)
+
+
+def _prototypes(cayley: Cayley) -> Mapping[str, Any]:
+    return {"signatures": SIGNATURES}
 
 
 def _validate_compiled(folder: Path, cayley: Cayley) -> int:
@@ -95,7 +104,7 @@ TARGETS: Mapping[str, Target] = {
             comment="#",
             printer=inplace.two_forms,
             validate=validate,
-            words=_words(*_NUMPY, _OUT, ", out", ", None"),
+            words=_python(*_NUMPY, _OUT, ", out", ", None"),
         ),
         Target(
             name="array-api",
@@ -104,7 +113,7 @@ TARGETS: Mapping[str, Target] = {
             comment="#",
             printer=infix.body,
             validate=validate,
-            words=_words("Array", "array", "array", "", "", ""),
+            words=_python("Array", "array", "array", "", "", ""),
         ),
         Target(
             name="numba",
@@ -113,7 +122,7 @@ TARGETS: Mapping[str, Target] = {
             comment="#",
             printer=jit.parts,
             validate=_validate_compiled,
-            words=_words(*_NUMPY, f"{_OUT}, parallel: bool = False", ", out, parallel", ", None, False"),
+            words=_python(*_NUMPY, f"{_OUT}, parallel: bool = False", ", out, parallel", ", None, False"),
         ),
         Target(
             name="c",
@@ -122,6 +131,7 @@ TARGETS: Mapping[str, Target] = {
             comment="//",
             printer=c99.function,
             validate=compiled.validate,
+            words=_prototypes,
             companions=("test_cayley.c",),
         ),
     )

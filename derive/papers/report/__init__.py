@@ -7,7 +7,7 @@ text     tables for a terminal
 pages    json, markdown, html and latex
 ======== ======================================================================
 
-Layouts are the templates in ``templates/report``; whoever renders passes the function that fills them.
+Layouts are the templates in ``templates/report``.
 """
 
 from __future__ import annotations
@@ -18,9 +18,7 @@ from .content import Report
 from .pages import as_html, as_json, as_latex, as_markdown
 from .text import as_text
 
-Layout = Callable[..., str]
-
-FORMATS: dict[str, Callable[[Report, Layout], str]] = {
+FORMATS: dict[str, Callable[[Report], str]] = {
     "text": as_text,
     "json": as_json,
     "markdown": as_markdown,
@@ -28,4 +26,4 @@ FORMATS: dict[str, Callable[[Report, Layout], str]] = {
     "latex": as_latex,
 }
 
-__all__ = ["FORMATS", "Layout", "Report"]
+__all__ = ["FORMATS", "Report"]

@@ -5,21 +5,20 @@ from __future__ import annotations
 import json
 import re
 import unicodedata
-from collections.abc import Callable
 from typing import Any
 
 from latex2mathml.converter import convert
 
+from derive.output import render
 from derive.proof import Proof
 
 from ..equation import Result, Status
 from .content import MEANING, Report, label
 
 SCHEMA = 1
-Layout = Callable[..., str]
 
 
-def as_json(report: Report, layout: Layout) -> str:
+def as_json(report: Report) -> str:
     """The results as data; every field is documented at `Result.as_json` and `derive.proof.Proof`."""
     data = {
         "schema": SCHEMA,
@@ -29,19 +28,19 @@ def as_json(report: Report, layout: Layout) -> str:
     return json.dumps(data, indent=2, ensure_ascii=False) + "\n"
 
 
-def as_markdown(report: Report, layout: Layout) -> str:
+def as_markdown(report: Report) -> str:
     """A page for a repository: formulas in fenced ``math`` blocks."""
-    return layout("report/errata.md.j2", **_data(report))
+    return render("report/errata.md.j2", **_data(report))
 
 
-def as_html(report: Report, layout: Layout) -> str:
+def as_html(report: Report) -> str:
     """One self-contained page: formulas in MathML, a filter that needs no network."""
-    return layout("report/errata.html.j2", mathml=mathml, **_data(report))
+    return render("report/errata.html.j2", mathml=mathml, **_data(report))
 
 
-def as_latex(report: Report, layout: Layout) -> str:
+def as_latex(report: Report) -> str:
     """A sheet of the errata, to be compiled with pdflatex."""
-    return layout("report/errata.tex.j2", escape=escape, **_data(report))
+    return render("report/errata.tex.j2", escape=escape, **_data(report))
 
 
 def _data(report: Report) -> dict[str, Any]:
@@ -52,7 +51,6 @@ def _data(report: Report) -> dict[str, Any]:
         "ERRATUM": Status.ERRATUM,
         "AMBIGUOUS": Status.AMBIGUOUS,
         "HOLDS_IF": Status.HOLDS_IF,
-        "HOLDS": Status.HOLDS,
         "notes": notes,
     }
 

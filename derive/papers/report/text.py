@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Callable
 
 from rich.console import Console
 from rich.table import Table
@@ -15,7 +14,7 @@ from .plain import plain
 WIDTH = 120
 
 
-def as_text(report: Report, layout: Callable[..., str]) -> str:
+def as_text(report: Report) -> str:
     """Plain text, `WIDTH` columns wide, the same on a terminal and in a file."""
     screen = Console(file=io.StringIO(), width=WIDTH, highlight=False, color_system=None, markup=False, emoji=False)
     screen.print(counts(report))

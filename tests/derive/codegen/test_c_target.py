@@ -8,7 +8,7 @@ import pytest
 from click.testing import CliRunner
 
 from derive.cli.commands import cli
-from derive.codegen import ValidationFailed, build, c99, check, files, generate
+from derive.codegen import ValidationFailed, build, c99, check, generate
 from derive.codegen.lowering import lower
 from derive.codegen.signatures import SIGNATURES
 from derive.codegen.targets import TARGETS
@@ -16,6 +16,7 @@ from derive.codegen.trace import Trace
 from derive.codegen.validation import compiled
 from derive.codegen.validation.cases import cases
 from derive.maps import Cayley
+from derive.output import files
 
 C = TARGETS["c"]
 

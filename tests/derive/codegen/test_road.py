@@ -12,10 +12,11 @@ from pathlib import Path
 import pytest
 
 import derive
-from derive.codegen import ValidationFailed, build, catalogue, check, compiler, files
+from derive.codegen import ValidationFailed, build, catalogue, check, compiler
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation import validate
 from derive.maps import Cayley
+from derive.output import files
 from derive.proof import ProofFailed
 
 ROOT = Path(__file__).parents[3]

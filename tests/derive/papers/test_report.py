@@ -12,7 +12,6 @@ from pathlib import Path
 import pytest
 from rich.cells import cell_len
 
-from derive.codegen.templates import render
 from derive.papers import PAPERS, Result, Status, verify
 from derive.papers.equation import Verdict
 from derive.papers.report import FORMATS, Report
@@ -47,7 +46,7 @@ def test_every_entry_can_be_rendered() -> None:
 
 
 def test_json_has_the_documented_fields(report) -> None:
-    data = json.loads(FORMATS["json"](report, render))
+    data = json.loads(FORMATS["json"](report))
     assert data["schema"] == 1
     fields = {"paper", "equation", "title", "status", "printed", "corrected", "condition", "method"}
     for equation in data["equations"]:
@@ -60,7 +59,7 @@ def test_json_has_the_documented_fields(report) -> None:
 
 
 def test_text_shows_counts_and_corrections_side_by_side(report) -> None:
-    text = FORMATS["text"](report, render)
+    text = FORMATS["text"](report)
     assert re.search(r"K10 +│ +2 │ +1 │ +3 │ +1 │ +7 │", text)
     assert "b₁* = (s₁* Tan f/2 + s₁ s₂ b₂* + s₁ s₃" in text
     assert "0 < f < π" in text
@@ -70,7 +69,7 @@ def test_text_shows_counts_and_corrections_side_by_side(report) -> None:
 
 @pytest.mark.parametrize("form", ["markdown", "html", "latex"])
 def test_pages_hold_every_entry_and_nothing_undefined(report, form: str) -> None:
-    page = FORMATS[form](report, render)
+    page = FORMATS[form](report)
     for result in report.results:
         if form != "latex" or result.status is not Status.HOLDS:
             assert result.equation.number in page
@@ -78,7 +77,7 @@ def test_pages_hold_every_entry_and_nothing_undefined(report, form: str) -> None
 
 
 def test_markdown_links_entries_to_their_sources(report) -> None:
-    page = FORMATS["markdown"](report, render)
+    page = FORMATS["markdown"](report)
     root = Path(__file__).parents[3]
     links = re.findall(r"\]\(\.\./(derive/papers/\S+\.py)#L(\d+)\)", page)
     assert len(links) == len(report.results)
@@ -94,7 +93,7 @@ def _in_order(report: Report) -> list[Result]:
 
 
 def test_html_needs_no_network(report) -> None:
-    page = FORMATS["html"](report, render)
+    page = FORMATS["html"](report)
     assert not re.search(r"(src|href)=\"(https?:)?//|<link|@import|url\(", page)
     assert not re.search(r"<article[^>]* hidden", page)  # everything shows without the script
 
@@ -103,12 +102,12 @@ def test_markup_in_titles_is_escaped() -> None:
     first = verify("karakilic-2010", ["unit"])[0]
     evil = replace(first, equation=replace(first.equation, title="<b>a & b_c</b>"))
     report = Report.of(PAPERS, [evil], [])
-    assert "&lt;b&gt;a &amp; b_c&lt;/b&gt;" in FORMATS["html"](report, render)
+    assert "&lt;b&gt;a &amp; b_c&lt;/b&gt;" in FORMATS["html"](report)
     assert escape("<b>a & b_c</b>") == r"<b>a \& b\_c</b>"
 
 
 def test_latex_sheet_compiles(report, tmp_path: Path) -> None:
-    sheet = FORMATS["latex"](report, render)
+    sheet = FORMATS["latex"](report)
     assert sheet.count("{") == sheet.count("}")
     compiler = shutil.which("pdflatex")
     if compiler is None:  # a TeX installation is large; the brackets above are checked anywhere

@@ -12,7 +12,6 @@ from pathlib import Path
 
 import pytest
 
-from derive.codegen.templates import render
 from derive.papers import PAPERS, Status, verify
 from derive.papers.report import FORMATS, Report
 
@@ -58,7 +57,7 @@ def report() -> Report:
 
 @pytest.fixture
 def look(browser: str, report: Report, tmp_path: Path):
-    page = FORMATS["html"](report, render)
+    page = FORMATS["html"](report)
     (tmp_path / "errata.html").write_text(page.replace("</body>", f"{PROBE}</body>"), encoding="utf-8")
 
     def visit(address: str) -> dict[str, object]:

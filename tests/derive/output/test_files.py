@@ -6,8 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from derive.codegen import files
-from derive.codegen.files import RefusedError
+from derive.output import RefusedError, files
 
 OURS = "# python -m derive generate -n 1 --target numpy\nx = 1\n"
 

@@ -1,0 +1,59 @@
+"""A template is given exactly what its holes ask for, those of included templates among them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+
+from derive.output import render, templates
+
+
+@pytest.fixture
+def write(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[[str, str], object]]:
+    """Write templates into a folder which replaces that of the project."""
+    monkeypatch.setattr(templates, "folder", lambda: tmp_path)
+    templates.environment.cache_clear()
+    templates.holes.cache_clear()
+    yield lambda name, text: (tmp_path / name).write_text(text, encoding="utf-8")
+    templates.environment.cache_clear()
+    templates.holes.cache_clear()
+
+
+def test_what_is_asked_for_is_rendered(write):
+    write("a", "{{ n }} of {% for x in range(n) %}{{ x }}{{ word }}{% endfor %}")
+    assert render("a", n=2, word=",") == "2 of 0,1,"
+
+
+def test_a_superfluous_and_a_missing_key_are_refused_by_name(write):
+    write("a", "{% if n %}{{ word }}{% endif %}")
+    with pytest.raises(TypeError, match=r"templates/a: holes left open: none; data without a hole: array, out$"):
+        render("a", n=1, word="w", out=0, array=0)
+    with pytest.raises(TypeError, match=r"templates/a: holes left open: word; data without a hole: none$"):
+        render("a", n=0)  # the branch that asks for the word is not taken
+
+
+def test_an_included_template_asks_too_except_for_what_its_reader_defines(write):
+    write("a", '{% macro f(x) %}<{{ x }}>{% endmacro %}{% include "b" %}')
+    write("b", '{{ f(n) }}{% include "c" %}')
+    write("c", "{{ word }}")
+    assert render("a", n=1, word="w") == "<1>w"
+    with pytest.raises(TypeError, match="left open: word;"):
+        render("a", n=1)
+    with pytest.raises(TypeError, match=r"without a hole: f$"):
+        render("a", n=1, word="w", f=print)
+
+
+def test_a_parent_is_asked_too(write):
+    write("parent", "{{ title }}{% block body %}{% endblock %}")
+    write("a", '{% extends "parent" %}{% block body %}{{ n }}{% endblock %}')
+    assert render("a", title="t", n=1) == "t1"
+    with pytest.raises(TypeError, match="left open: title;"):
+        render("a", n=1)
+
+
+def test_a_template_referred_to_by_a_computed_name_is_refused(write):
+    write("a", "{% include name %}")
+    with pytest.raises(TypeError, match="a refers to a template by a computed name"):
+        render("a", name="b")
