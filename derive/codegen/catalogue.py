@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+from ..maps.chart import Chart
+
 ORDERS = (1, 2, 3, 4, 5, 8)
 """Orders whose modules are committed."""
 
@@ -24,9 +26,9 @@ def is_checkout() -> bool:
     return (CHECKOUT / "templates").is_dir() and (CHECKOUT / "pyproject.toml").is_file()
 
 
-def command(target: str, order: int) -> str:
-    """The command that writes the module of an order, wherever it is put."""
-    return f"python -m derive generate -n {order} --target {target}"
+def command(target: str, chart: Chart) -> str:
+    """The command that writes the module of a chart, wherever it is put."""
+    return f"python -m derive generate {chart.selection} --target {target}"
 
 
 def order_of(line: str) -> int | None:

@@ -11,7 +11,7 @@ from ..maps import Cayley
 from ..output import files
 from ..proof import Proved, prove
 from . import catalogue
-from .module import companion_texts, module_text, shared_text
+from .module import companion_texts, module_name, module_text, shared_texts
 from .targets import TARGETS, Target
 
 Progress = Callable[[str], None]
@@ -48,7 +48,7 @@ def build(orders: Iterable[int], target: Target, progress: Progress | None = Non
         Nothing is returned unless every module passes both.
     """
     report = progress or (lambda line: None)
-    texts = {name: shared_text(name, target) for name in target.shared}
+    texts = dict(shared_texts(target))
     with tempfile.TemporaryDirectory() as staging:
         files.write(Path(staging), texts)
         modules = tuple(_modules(sorted(set(orders)), target, Path(staging), report))
@@ -60,14 +60,15 @@ def build(orders: Iterable[int], target: Target, progress: Progress | None = Non
 def _modules(orders: Sequence[int], target: Target, staging: Path, report: Progress) -> Iterator[Module]:
     for order in orders:
         report(f"n = {order}: proving")
-        cayley, name = Cayley(order), target.module_name(order)
-        proved = prove(cayley)
+        chart = Cayley(order)
+        name = module_name(chart, target)
+        proved = prove(chart)
         report(f"n = {order}: emitting")
         text = module_text(proved, target)
-        companions = companion_texts(cayley, target)
+        companions = companion_texts(chart, target)
         files.write(staging, companions | {name: text})
         report(f"n = {order}: validating")
-        yield Module(name, proved, text, companions, target.validate(staging, cayley))
+        yield Module(name, proved, text, companions, target.validate(staging, chart))
 
 
 def generate(
@@ -85,7 +86,7 @@ def generate(
     orders : iterable of int
         Orders n >= 1; the committed ones by default.
     target : str
-        ``"numpy"`` or ``"c"``.
+        ``"numpy"``, ``"array-api"``, ``"numba"`` or ``"c"``.
     output : path
         Folder of the package, made if missing; ``generated/dualcay`` of a checkout by default.
     force : bool

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from ..maps import Cayley
-from .signatures import SIGNATURES, Array
+from .signatures import FUNCTIONS, Array
 from .validation.cases import Case, cases
 
 GATE = 8
@@ -41,7 +41,7 @@ def tables(cayley: Cayley) -> Iterator[Differential]:
     """One table per function, in the order of the signatures."""
     for name, group in itertools.groupby(cases(cayley), lambda case: case.function):
         found = list(group)
-        signature = SIGNATURES[name]
+        signature = FUNCTIONS[name]
         arguments = tuple(
             Table(array, tuple(_hexadecimal(case.arguments[i]) for case in found))
             for i, array in enumerate(signature.arguments)

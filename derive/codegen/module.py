@@ -1,143 +1,54 @@
-"""The text of one kernel module: what a Cayley map says, in the words its template asks for."""
+"""The texts of a package of kernels: shared files, modules of charts, and what accompanies them."""
 
 from __future__ import annotations
 
-import textwrap
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
-from typing import Any
+from collections.abc import Mapping
 
-import mpmath
-import sympy
-
-from ..maps import Cayley, Formula
+from ..maps.chart import Chart
 from ..output import render
 from ..proof import Proved
-from . import catalogue, differential
-from .lowering import lower
-from .program import Program
-from .targets import Target
-
-DIGITS = 40
-"""Decimal digits of printed constants: enough for longdouble, and for validation at 30 digits."""
-
-_COMPOSITIONS = {1: "(45), (58)", 2: "(41), (58)"}
+from . import catalogue
+from .facts import Facts, comment, notice
+from .lowered import lower
+from .targets.target import Target
 
 
-@dataclass(frozen=True, slots=True)
-class PrintedProgram:
-    """A program as its template shows it."""
+def shared_texts(target: Target) -> Mapping[str, str]:
+    """Render the files every package of a target holds, ``_geometry.py`` and the like.
 
-    summary: str
-    arguments: tuple[str, ...]
-    body: Any
-
-
-def module_text(proved: Proved, target: Target) -> str:
-    """Render the module of proved formulas for a target."""
-    cayley = proved.formulas
-    n = cayley.order
-    programs = lower(n)
-    maps = (cayley.quaternion, cayley.tensor, cayley.tangent, cayley.tangent_inv)
-    return render(
-        target.template,
-        header=_header(proved, programs, target),
-        n=n,
-        turns=[(_decimal(mpmath.cospi, k, n), _decimal(mpmath.sinpi, k, n)) for k in range(n)],
-        returns=[_return(j, n) for j in range(1, n // 2 + 1)],
-        programs={name: _printed(program, target) for name, program in programs.items()},
-        equations={f.name: _numbers(f.equations) for f in maps} | {"compose": _COMPOSITIONS.get(n, "(58)")},
-        domain={f.name: f.domain for f in maps},
-        singular={f.name: f.singular for f in maps},
-        singular_angles=[_multiple_of_pi(angle) for angle in cayley.singular_angles],
-        inverse_domain=_inverse_domain(n),
-        **target.words(cayley),
-    )
-
-
-def shared_text(name: str, target: Target) -> str:
-    """Render a file every package of a target holds, e.g. ``_runtime.py``."""
-    template = f"{target.name}/{name}.j2"
-    lines = [f"python -m derive generate --target {target.name}", _notice(template)]
-    mark = "#" if name.endswith((".txt", ".cmake")) else target.comment
-    return render(template, header=_comment(lines, mark))
-
-
-def companion_texts(cayley: Cayley, target: Target) -> dict[str, str]:
-    """Render the files that accompany a module, by name."""
+    Raises
+    ------
+    ValueError
+        If they define other functions than the table.
+    """
     texts = {}
-    for companion in target.companions:
-        template = f"{target.name}/{companion}.j2"
-        stem, _, extension = companion.rpartition(".")
-        lines = [catalogue.command(target.name, cayley.order), _notice(template)]
-        data = {"header": _comment(lines, target.comment), "n": cayley.order, "gate": differential.GATE}
-        functions = list(differential.tables(cayley))
-        texts[f"{stem}{cayley.order}.{extension}"] = render(template, functions=functions, **data)
+    for name, data in target.shared().items():
+        template = f"{target.name}/{name}.j2"
+        lines = [f"python -m derive generate --target {target.name}", notice(template)]
+        mark = "#" if name.endswith((".txt", ".cmake")) else target.comment
+        texts[name] = render(template, header=comment(lines, mark), **data)
+    target.require_complete(texts)
     return texts
 
 
-def _header(proved: Proved, programs: Mapping[str, Program], target: Target) -> str:
-    cayley = proved.formulas
-    maps: tuple[Formula, ...] = (cayley.tensor, cayley.tangent, cayley.tangent_inv)
-    lines = [catalogue.command(target.name, cayley.order), _notice(target.template), "", "Formulas, x = v.v (CP23):"]
-    lines += [f"  p = {_plain(cayley.p)}", f"  q = {_plain(cayley.q)}", f"  q^ = (p + q v)/(1 + x)^({cayley.order}/2)"]
-    for item in maps:
-        terms = zip(("I", "skew(v)", "v(x)v"), item.coefficients, strict=True)
-        lines.append(f"  {item.name}, {_numbers(item.equations)}:")
-        lines += [f"    {basis}: {_plain(coefficient)}" for basis, coefficient in terms]
-    lines += ["", "Proved exactly:"]
-    lines += [f"  [{proof.scope}] {proof.statement}" for proof in proved.proofs]
-    lines += ["", "Operations:"]
-    lines += [f"  {name}: {program.summary()}" for name, program in programs.items()]
-    return _comment(lines, target.comment)
+def module_name(chart: Chart, target: Target) -> str:
+    """File name of the module of a chart."""
+    return f"{chart.name}.{target.extension}"
 
 
-def _notice(template: str) -> str:
-    return f"Generated by the command above from templates/{template}: change that, not this file."
+def module_text(proved: Proved, target: Target) -> str:
+    """Render the module of a proved chart."""
+    facts = Facts(proved, lower(proved))
+    template = f"{target.name}/chart.{target.extension}.j2"
+    lines = facts.header(catalogue.command(target.name, facts.chart), template)
+    return render(template, header=comment(lines, target.comment), **target.module(facts))
 
 
-def _comment(lines: Iterable[str], mark: str) -> str:
-    wrapped = [part for line in lines for part in _wrap(line)]
-    return "\n".join(f"{mark} {line}".rstrip() for line in wrapped)
-
-
-def _wrap(line: str) -> list[str]:
-    indent = " " * (len(line) - len(line.lstrip()) + 4)
-    return textwrap.wrap(line, 110, subsequent_indent=indent, drop_whitespace=True) or [""]
-
-
-def _plain(expression: sympy.Expr) -> str:
-    return str(sympy.sstr(expression, order="rev-lex")).replace("**", "^")
-
-
-def _numbers(equations: Iterable[int]) -> str:
-    return ", ".join(f"({number})" for number in equations)
-
-
-def _printed(program: Program, target: Target) -> PrintedProgram:
-    arguments = tuple(argument for argument, _ in program.inputs)
-    return PrintedProgram(f"operations {program.summary()}", arguments, target.printer(program))
-
-
-def _decimal(function: Any, k: int, n: int) -> str:
-    """A function of k pi/n as a decimal."""
-    with mpmath.workdps(DIGITS + 10):
-        return str(mpmath.nstr(function(mpmath.mpf(k) / n), DIGITS, min_fixed=-DIGITS))
-
-
-def _return(steps: int, n: int) -> tuple[str, str, str]:
-    """The |v|² beyond which theta goes back by so many steps of pi/n, and cosine and sine of the way."""
-    return _decimal(_tanpi2, 2 * steps - 1, 2 * n), _decimal(mpmath.cospi, steps, n), _decimal(mpmath.sinpi, -steps, n)
-
-
-def _tanpi2(x: Any) -> Any:
-    return (mpmath.sinpi(x) / mpmath.cospi(x)) ** 2
-
-
-def _multiple_of_pi(angle: sympy.Expr) -> str:
-    factor = angle / sympy.pi
-    return "pi" if factor == 1 else f"{factor} * pi"
-
-
-def _inverse_domain(order: int) -> str:
-    return "Infinite at the angle π." if order == 1 else "Defined for every pose."
+def companion_texts(chart: Chart, target: Target) -> dict[str, str]:
+    """Render the files that accompany a module, by name."""
+    texts = {}
+    for name, (companion, data) in target.companions(chart).items():
+        template = f"{target.name}/{companion}.j2"
+        header = comment([catalogue.command(target.name, chart), notice(template)], target.comment)
+        texts[name] = render(template, header=header, **data)
+    return texts

@@ -10,9 +10,10 @@ import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
+from ..maps.chart import Chart
 from .lowering import forward, inverse, kinematics
 from .lowering.point import Geometry
-from .program import Program
+from .programs.program import Program
 
 Recipe = Callable[[Geometry], Program]
 
@@ -81,6 +82,23 @@ class Function:
     shares: str = ""
 
     @property
+    def shape(self) -> tuple[int, ...]:
+        """Of what its program returns: several results stand side by side."""
+        return self.results[0].shape if len(self.results) == 1 else (sum(array.size for array in self.results),)
+
+    def traced(self, chart: Chart | None = None) -> Program:
+        """Its program for all charts, or for one.
+
+        Raises
+        ------
+        ValueError
+            If it has no recipe.
+        """
+        if self.recipe is None:
+            raise ValueError(f"{self.name} has no recipe: it shares the program of {self.shares!r}")
+        return self.recipe(Geometry(chart))
+
+    @property
     def kernel(self) -> str:
         """The function whose program it runs."""
         return self.shares or self.name
@@ -101,8 +119,8 @@ POINT = Array("r", (3,), (3,))
 ANGLE = Array("angle", (2,), (1, 1))
 
 SPACE, BODY = ("1",), ("-1",)
-"""Sides of T; twice the inverse is taken at −2 and 2, since T⁻¹ holds −skew(v)/2."""
-SPACE_INV, BODY_INV = ("-2",), ("2",)
+"""The side of T: itself, which gives the twist in space, or its transpose, in the body; of T⁻¹ also twice the side."""
+SPACE_INV, BODY_INV = ("1", "2"), ("-1", "-2")
 
 _ROWS = (
     Function("quaternion", (V,), (QUATERNION,), forward.quaternion),

@@ -22,6 +22,9 @@ from .cayley_scalars import CayleyScalars
 from .formula import LATEX_ORDER, IsotropicMap, QuaternionMap
 from .polynomials import FIELD, rational, require_order, x
 
+EQUATIONS = {"quaternion": (50, 55), "tensor": (57,), "tangent": (88,), "tangent_inv": (89,)}
+"""The general equation of each map."""
+
 _PRINTED = {1: 95, 2: 102, 3: 109, 4: 116, 5: 122}
 """First of the four equations (q̂, R, dcay, dcay⁻¹) that CP23 prints for an order."""
 
@@ -97,7 +100,7 @@ class Cayley:
             order=n,
             coefficients=(self.p / root, self.q / root),
             at=lambda at: closed_forms.quaternion(n, at),
-            equations=self._equations(0, 50, 55),
+            equations=self._equations("quaternion"),
             identities=("|q|^2 = 1",),
             domain="every dual vector v",
             singular=f"none; v is infinite at {self._chart_edge}",
@@ -111,7 +114,7 @@ class Cayley:
         p, q, norm = self._letters
         return self._isotropic(
             "tensor",
-            equations=self._equations(1, 57),
+            equations=self._equations("tensor"),
             identities=("R R^T = I", "det R = 1"),
             domain="every dual vector v",
             singular=f"none; v is infinite at {self._chart_edge}",
@@ -126,7 +129,7 @@ class Cayley:
         p, q, norm = self._letters
         return self._isotropic(
             "tangent",
-            equations=self._equations(2, 88),
+            equations=self._equations("tangent"),
             identities=("dcay v = 2n/(1+x) v", "dcay^T = R^T dcay", "det dcay = 8n q^2/(1+x)^(n+1)"),
             domain="every dual vector v",
             singular=f"loses rank at {self._rank_loss}; v is infinite at {self._chart_edge}",
@@ -144,7 +147,7 @@ class Cayley:
         p, q, _ = self._letters
         return self._isotropic(
             "tangent_inv",
-            equations=self._equations(3, 89),
+            equations=self._equations("tangent_inv"),
             identities=("dcay dcay^-1 = I",),
             domain="every dual vector v" if n < 3 else f"every dual vector v with Re q_{n} != 0",
             singular=f"pole at {self._rank_loss}; v is infinite at {self._chart_edge}",
@@ -160,6 +163,10 @@ class Cayley:
     @property
     def name(self) -> str:
         return f"cayley{self.order}"
+
+    @property
+    def selection(self) -> str:
+        return f"-n {self.order}"
 
     @property
     def title(self) -> str:
@@ -235,9 +242,9 @@ class Cayley:
         angles = self.singular_angles[:-1]
         return f"Re alpha = {', '.join(map(str, angles))}" if angles else "no finite v"
 
-    def _equations(self, offset: int, *general: int) -> tuple[int, ...]:
+    def _equations(self, name: str) -> tuple[int, ...]:
         printed = _PRINTED.get(self.order)
-        return general if printed is None else (*general, printed + offset)
+        return EQUATIONS[name] if printed is None else (*EQUATIONS[name], printed + list(EQUATIONS).index(name))
 
     def _isotropic(self, name: str, **texts: Any) -> IsotropicMap:
         closed_form = getattr(closed_forms, name)

@@ -2,7 +2,7 @@ r"""The scalars of the Cayley map of order n at one ``x = v · v``, in closed fo
 
 .. math::
     f = \frac{2 p q}{N} \quad g = \frac{2 q^2}{N} \quad h = \frac{2 c}{N} \quad
-    f_i = \frac{p}{2 q} \quad h_i = \frac{d}{2 n q} \qquad N = p^2 + x q^2 = (1 + x)^n
+    f_i = \frac{p}{q} \quad h_i = \frac{d}{n q} \qquad N = p^2 + x q^2 = (1 + x)^n
 
 in which c_n and d_n are the brackets of CP23 (88) and (89) divided by x. One source serves all uses: elements of Q(x)
 give the formulas, ``Fraction`` and mpmath numbers values, `Dual` numbers dual values, traced numbers programs.
@@ -201,19 +201,19 @@ class CayleyScalars:
         """``2 h′ = 4 c′/N − 2n h/(1 + x)``."""
         return self.m.name("hy", 2 * self.dc * self._twice_inverse_norm - self._growth * self.h)
 
-    # --- T⁻¹ = fi I − ½ skew(v) + hi v⊗v, CP23 (89) ------------------------------------------------------------
+    # --- T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, CP23 (89) ----------------------------------------------------------
 
     @cached_property
-    def _half_inverse_q(self) -> Coefficient:
-        return self.m.name("iq", self.m.div(1, 2 * self.q))
+    def _inverse_q(self) -> Coefficient:
+        return self.m.name("iq", self.m.div(1, self.q))
 
     @cached_property
     def _bracket(self) -> Coefficient:
-        return self.m.name("diq", self.d * self._half_inverse_q)
+        return self.m.name("diq", self.d * self._inverse_q)
 
     @cached_property
     def fi(self) -> Coefficient:
-        return self.m.name("fi", self.p * self._half_inverse_q)
+        return self.m.name("fi", self.p * self._inverse_q)
 
     @cached_property
     def hi(self) -> Coefficient:
@@ -221,11 +221,11 @@ class CayleyScalars:
 
     @cached_property
     def fiy(self) -> Coefficient:
-        """``2 fi′ = −c/(2 q²)``."""
-        return self.m.name("fiy", -2 * self.c * (self._half_inverse_q * self._half_inverse_q))
+        """``2 fi′ = −c/q²``."""
+        return self.m.name("fiy", -(self.c * (self._inverse_q * self._inverse_q)))
 
     @cached_property
     def hiy(self) -> Coefficient:
-        """``2 hi′ = (d′ − d q′/q)/(n q)``."""
-        change = 2 * self.dd - 4 * self.dq * self._bracket
-        return self.m.name("hiy", self.m.div(change * self._half_inverse_q, self.order))
+        """``2 hi′ = 2 (d′ − d q′/q)/(n q)``."""
+        change = 2 * self.dd - 2 * self.dq * self._bracket
+        return self.m.name("hiy", self.m.div(change * self._inverse_q, self.order))

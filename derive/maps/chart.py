@@ -4,12 +4,12 @@ Geometry is the same for all charts. With a handful of scalars, each regular at 
 
 .. math::
     \hat q = s + w\,v \qquad R = I + f\,\tilde v + g\,\tilde v^2 \qquad T = f\,I + g\,\tilde v + h\,v \otimes v \qquad
-    T^{-1} = f_i\,I - \tfrac12\,\tilde v + h_i\,v \otimes v
+    T^{-1} = \tfrac12 (f_i\,I - \tilde v + h_i\,v \otimes v)
 
-    f = 2 s w \quad g = 2 w^2 \quad f^2 + x g^2 = 2 g \quad f_i = \frac{f}{2g} \quad
-    h_i = \frac{1}{x} \left(\frac{1}{f + x h} - f_i\right) \qquad v = \mathrm{gain}(\hat q)\,\mathrm{vec}\,\hat q
+    f = 2 s w \quad g = 2 w^2 \quad f^2 + x g^2 = 2 g \quad f_i = \frac{f}{g} \quad
+    h_i = \frac{1}{x} \left(\frac{2}{f + x h} - f_i\right) \qquad v = \mathrm{gain}(\hat q)\,\mathrm{vec}\,\hat q
 
-where ``ω = T v̇`` is the space twist. Dual parts need slopes: with ``x° = 2 y``, ``y = v · v°``, the dual part of f(x) is
+where ``ω = T v̇`` is the space twist. Dual parts need slopes: with ``x° = 2 y``, ``y = v · v°``, that of f(x) is
 ``fy y``, ``fy = 2 f′``. A slope is marked by y. (Second slopes will be marked yy.)
 """
 
@@ -28,7 +28,7 @@ DEFINITIONS = {
     "quaternion": r"\hat q = s + w\,v",
     "tensor": r"R = I + f\,\tilde v + g\,\tilde v^2 \qquad f = 2 s w \quad g = 2 w^2",
     "tangent": r"T = f\,I + g\,\tilde v + h\,v \otimes v",
-    "tangent_inv": r"T^{-1} = f_i\,I - \tfrac12\,\tilde v + h_i\,v \otimes v \qquad f_i = \frac{f}{2 g}",
+    "tangent_inv": r"T^{-1} = \tfrac12 (f_i\,I - \tilde v + h_i\,v \otimes v) \qquad f_i = \frac{f}{g}",
 }
 """What every chart's maps are, in its scalars."""
 
@@ -76,6 +76,10 @@ class Chart(Protocol):
     @property
     def name(self) -> str:
         """An identifier, the name of its module."""
+
+    @property
+    def selection(self) -> str:
+        """The options that select it in the command: ``-n 3``."""
 
     @property
     def title(self) -> str:

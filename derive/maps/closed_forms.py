@@ -62,8 +62,8 @@ def tangent_inv(n: int, at: Coefficient) -> Isotropic:
     Defined where ``Re q_n ≠ 0``; the poles are Re α = 2πk, 1 ≤ k ≤ ⌊(n−1)/2⌋ (none for n = 1, 2).
     """
     at_x = scalars(n, at)
-    one = 1 + 0 * at  # at n = 1 everything is exact, and stays no number of the type of `at` without it
-    return Isotropic(one * at_x.fi, -one / 2, one * at_x.hi, at)
+    one = 1 + 0 * at  # at n = 1 everything is an int, and int / int would leave the number type of `at`
+    return Isotropic(one * at_x.fi / 2, -one / 2, one * at_x.hi / 2, at)
 
 
 def quaternion_from_vector(n: int, v: Vector) -> Quaternion:

@@ -13,12 +13,15 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
-from typing import Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ._selection import Selection, selection
+
+if TYPE_CHECKING:
+    from ._chart import Chart
 
 Array: TypeAlias = NDArray[Any]
 Components: TypeAlias = Sequence[Any]
@@ -47,7 +50,8 @@ class Kernel:
     """The two forms of one program, what its arguments are called, and the memory the second form needs.
 
     ``plain`` runs on any kind of number and returns the components of the result; ``blocks`` writes them, with
-    ``registers`` rows of scratch, ``masks`` rows of truth values, and ``numbers`` as constants.
+    ``registers`` rows of scratch, ``masks`` rows of truth values, and ``numbers`` as constants. Scalar programs it
+    calls are ``lent`` so many of its registers and masks; what they need beyond is spare.
     """
 
     plain: Callable[..., Result]
@@ -57,7 +61,8 @@ class Kernel:
     registers: int
     masks: int
     numbers: tuple[int, ...]
-    real: bool = False
+    lent: tuple[tuple[str, int, int], ...]
+    real: bool
 
 
 class Scratch:
@@ -81,12 +86,14 @@ class Scratch:
 SCRATCH = Scratch()
 
 
-def run(kernel: Kernel, arguments: Rows, table: Rows, result: Array, axis: int, dtype: np.dtype[Any]) -> None:
+def run(
+    kernel: Kernel, chart: Chart, arguments: Rows, table: Rows, result: Array, axis: int, dtype: np.dtype[Any]
+) -> None:
     """Compute in a type, from arguments of any batch shapes into a result which shares no memory with them."""
     batch = _batch_of(result, kernel.shape, axis)
     rows = [_rows(a, part, axis, batch) for a, (_, part) in zip(arguments, kernel.arguments, strict=True)]
     target = _rows(result, kernel.shape, axis, batch)
-    steps = _Steps(kernel, rows, table, target, dtype)
+    steps = _Steps(kernel, chart, rows, table, target, dtype)
     memory = None if dtype.hasobject else SCRATCH.take(steps.bytes(min(BLOCK, math.prod(batch))))
     try:
         for index in blocks(batch, BLOCK):
@@ -99,7 +106,9 @@ def run(kernel: Kernel, arguments: Rows, table: Rows, result: Array, axis: int, 
 class _Steps:
     """One block after another: gather, compute, scatter."""
 
-    def __init__(self, kernel: Kernel, rows: Rows, table: Rows, target: Array, dtype: np.dtype[Any]) -> None:
+    def __init__(
+        self, kernel: Kernel, chart: Chart, rows: Rows, table: Rows, target: Array, dtype: np.dtype[Any]
+    ) -> None:
         self.kernel = kernel
         self.parts = [part for _, part in kernel.arguments]
         self.rows = rows
@@ -107,11 +116,13 @@ class _Steps:
         self.target = target
         self.dtype = dtype
         self.selection: Selection = selection(dtype)
+        self.functions = chart.in_place(self.selection, dtype)
         self.constants = constants(kernel.numbers, dtype)
+        self.registers, self.masks = chart.scratch(kernel)
         self.gathered = [not _unit_stride(array, dtype, broadcast=True) for array in rows]
         self.scattered = not _unit_stride(target, dtype)
         sizes = [math.prod(part) for part, staged in zip(self.parts, self.gathered, strict=True) if staged]
-        self.count = sum(sizes) + self.scattered * math.prod(kernel.shape) + kernel.registers + kernel.masks
+        self.count = sum(sizes) + self.scattered * math.prod(kernel.shape) + self.registers + self.masks
 
     def bytes(self, cells: int) -> int:
         """Memory of a block, every row on a cache line of its own."""
@@ -135,10 +146,11 @@ class _Steps:
             outputs = list(staged)
         else:
             outputs = [target[i] for i in components(self.kernel.shape)]
-        registers, masks = _cut(scratch, self.kernel.registers)
+        registers, masks = _cut(scratch, self.registers)
         extra = (self.table,) if len(self.table) else ()
         truth = self.selection.masks(masks)
-        self.kernel.blocks(self.selection, outputs, list(registers), list(truth), self.constants, *arguments, *extra)
+        rows = (outputs, list(registers), list(truth), self.constants)
+        self.kernel.blocks(self.selection, self.functions, *rows, *arguments, *extra)
         if self.scattered:
             np.copyto(target, staged.reshape(target.shape), casting="same_kind")
 

@@ -13,14 +13,13 @@ import operator
 from collections.abc import Sequence
 from fractions import Fraction
 from functools import cache
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ._chart import Chart
 from ._kernel import Array, Kernel, Result, Shape, run
-
-Table: TypeAlias = tuple[tuple[str, ...], ...]
 
 FEW = 20
 """Largest batch that runs pose by pose: above it the calls of NumPy cost less than Python's arithmetic."""
@@ -51,12 +50,15 @@ class Objects:
     where = staticmethod(Floats.where)
 
 
-def call(kernel: Kernel, axis: int, out: Array | None, *values: ArrayLike, table: tuple[str, ...] = ()) -> Array:
-    """Run a kernel on its arguments; ``table`` holds decimal constants that are its last one."""
+def call(
+    chart: Chart, name: str, axis: int, out: Array | None, *values: ArrayLike, table: tuple[str, ...] = ()
+) -> Array:
+    """Run a kernel of a chart on its arguments; ``table`` holds decimal constants that are its last one."""
+    kernel = chart.kernels[name]
     arguments = kernel.arguments
     arrays = [as_array(name, value, part, axis, kernel.real) for (name, part), value in zip(arguments, values)]
     if out is None and all(a.dtype == FLOAT and a.ndim == len(part) for a, (_, part) in zip(arrays, arguments)):
-        alone = _alone(kernel, arrays, table)
+        alone = _alone(kernel, chart, arrays, table)
         if alone is not None:
             return alone
     dtype = arrays[0].dtype if len(arrays) == 1 else np.result_type(*arrays)
@@ -64,39 +66,46 @@ def call(kernel: Kernel, axis: int, out: Array | None, *values: ArrayLike, table
     full = kernel.shape + batch if axis == 0 else batch + kernel.shape
     if out is not None:
         _check(out, full, dtype)
-    found = _one_by_one(kernel, arrays, batch, axis, dtype, table)
+    found = _one_by_one(kernel, chart, arrays, batch, axis, dtype, table)
     if found is None:
         overlaps = out is not None and any(np.may_share_memory(out, array) for array in arrays)
         found = np.empty(full, dtype) if out is None or overlaps else out
-        _in_place(kernel, arrays, found, axis, dtype, table)
+        _in_place(kernel, chart, arrays, found, axis, dtype, table)
     if out is None or found is out:
         return found
     out[...] = found
     return out
 
 
-def _alone(kernel: Kernel, arrays: Sequence[Array], table: tuple[str, ...]) -> Array | None:
+def _alone(kernel: Kernel, chart: Chart, arrays: Sequence[Array], table: tuple[str, ...]) -> Array | None:
     """The result for one pose of floats, on the shortest way; None where Python raises and IEEE has a result."""
     try:
         extra = (constants(table, FLOAT),) if table else ()
-        return np.array(kernel.plain(Floats, *[a.ravel().tolist() for a in arrays], *extra), FLOAT).reshape(kernel.shape)
+        found = kernel.plain(Floats, chart.plain, *[a.ravel().tolist() for a in arrays], *extra)
+        return np.array(found, FLOAT).reshape(kernel.shape)
     except RAISED:
         return None
 
 
 def _one_by_one(
-    kernel: Kernel, arrays: Sequence[Array], batch: Shape, axis: int, dtype: np.dtype[Any], table: tuple[str, ...]
+    kernel: Kernel,
+    chart: Chart,
+    arrays: Sequence[Array],
+    batch: Shape,
+    axis: int,
+    dtype: np.dtype[Any],
+    table: tuple[str, ...],
 ) -> Array | None:
     """The result for a few poses of floats, or one of objects; None where the in-place form has to do it."""
     extra = (constants(table, dtype),) if table else ()
     if not batch and dtype.hasobject:
-        values = kernel.plain(Objects, *(array.ravel().tolist() for array in arrays), *extra)
+        values = kernel.plain(Objects, chart.plain, *(array.ravel().tolist() for array in arrays), *extra)
         return _packed(values, object).reshape(kernel.shape)
     if dtype != FLOAT or math.prod(batch) > FEW:
         return None
     try:
         poses = zip(*(_poses(a, part, batch, axis) for a, (_, part) in zip(arrays, kernel.arguments, strict=True)))
-        results = [kernel.plain(Floats, *pose, *extra) for pose in poses]
+        results = [kernel.plain(Floats, chart.plain, *pose, *extra) for pose in poses]
     except RAISED:
         return None
     last = np.array(results, dtype).reshape(batch + kernel.shape)
@@ -118,7 +127,13 @@ def _poses(array: Array, part: Shape, batch: Shape, axis: int) -> list[list[Any]
 
 
 def _in_place(
-    kernel: Kernel, arrays: Sequence[Array], result: Array, axis: int, dtype: np.dtype[Any], table: tuple[str, ...]
+    kernel: Kernel,
+    chart: Chart,
+    arrays: Sequence[Array],
+    result: Array,
+    axis: int,
+    dtype: np.dtype[Any],
+    table: tuple[str, ...],
 ) -> None:
     """Run the in-place form; a single pose is a batch of one."""
     extra = [np.array(value, dtype) for value in constants(table, dtype)]
@@ -126,7 +141,7 @@ def _in_place(
         one = (..., np.newaxis) if axis == 0 else (np.newaxis, ...)
         arrays, result = [array[one] for array in arrays], result[one]
     with np.errstate(all="ignore"):
-        run(kernel, arrays, extra, result, axis, dtype)
+        run(kernel, chart, arrays, extra, result, axis, dtype)
 
 
 def as_array(name: str, value: ArrayLike, part: Shape, axis: int, real: bool = False) -> Array:
@@ -180,10 +195,10 @@ def _check(out: Array, shape: Shape, dtype: np.dtype[Any]) -> None:
 # --- branches ---------------------------------------------------------------------------------------------------
 
 
-def branch_index(branch: int, order: int) -> int:
-    """Return a branch modulo the order; anything but an integer is a TypeError."""
+def branch_index(branch: int, branches: int) -> int:
+    """Return a branch modulo their number; anything but an integer is a TypeError."""
     try:
-        return operator.index(branch) % order
+        return operator.index(branch) % branches
     except TypeError:
         raise TypeError(f"branch must be an integer, got {branch!r}") from None
 
@@ -196,22 +211,27 @@ def constants(texts: tuple[str, ...], dtype: np.dtype[Any]) -> tuple[Any, ...]:
     return tuple(map(np.longdouble if dtype == np.longdouble else float, texts))
 
 
-def call_branch(
-    kernel: Kernel, turn: Kernel, turns: Table, branch: int, axis: int, out: Array | None, value: ArrayLike
-) -> Array:
+def call_branch(chart: Chart, name: str, branch: int, axis: int, out: Array | None, value: ArrayLike) -> Array:
     """Run an inverse map, then go from its principal result to a branch."""
-    index = branch_index(branch, len(turns))
+    index = branch_index(branch, chart.branches)
     if index == 0:
-        return call(kernel, axis, out, value)
-    return call(turn, axis, out, call(kernel, axis, None, value), table=turns[index])
+        return call(chart, name, axis, out, value)
+    return call(chart, "turn", axis, out, call(chart, name, axis, None, value), table=chart.turns[index])
 
 
-def shifted(kernel: Kernel, turns: Table, branch: int, v: ArrayLike, axis: int, out: Array | None) -> Array:
-    """Add branch · pi/n to theta; branch 0 is v itself."""
-    index = branch_index(branch, len(turns))
-    if index:
-        return call(kernel, axis, out, v, table=turns[index])
-    array = as_array("v", v, (6,), axis, kernel.real)
+def shifted(chart: Chart, branch: int, v: ArrayLike, axis: int, out: Array | None) -> Array:
+    """Go on by a number of branches; by none, v itself."""
+    index = branch_index(branch, chart.branches)
+    return call(chart, "shadow", axis, out, v, table=chart.turns[index]) if index else _same(v, axis, out)
+
+
+def returned(chart: Chart, v: ArrayLike, axis: int, out: Array | None) -> Array:
+    """Go back to the principal branch; where there is no other, v itself."""
+    return call(chart, "principal", axis, out, v, table=chart.returns) if chart.returns else _same(v, axis, out)
+
+
+def _same(v: ArrayLike, axis: int, out: Array | None) -> Array:
+    array = as_array("v", v, (6,), axis, real=True)
     if out is None:
         return array.copy()
     _check(out, array.shape, array.dtype)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from ...algebra import Vector
-from ..program import Program
-from ..trace import Number, Trace
+from ..programs.program import Program
+from ..programs.value import Number
 from .inputs import dual_vector, flat, vector
 from .point import Geometry, Point
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from ...algebra import Vector
-from ..trace import Number, Trace
+from ..programs.trace import Trace
+from ..programs.value import Number
 
 
 def dual_vector(trace: Trace, argument: str, letter: str) -> tuple[Number, ...]:

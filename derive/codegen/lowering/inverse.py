@@ -7,8 +7,8 @@ quaternion: scalar part >= 0, and where it is 0 the given vector part stands.
 from __future__ import annotations
 
 from ...algebra import Quaternion, Vector
-from ..program import Program
-from ..trace import Number
+from ..programs.program import Program
+from ..programs.value import Number
 from .forward import named, rotate, start, translation
 from .inputs import dual_vector
 from .point import Geometry, Point
@@ -18,7 +18,7 @@ Axis = tuple[Number, Vector, Number, Vector]
 
 
 def from_quaternion(trace: Geometry) -> Program:
-    parts = trace.inputs("q", [f"e{i}{mark}" for mark in ("", "o") for i in range(4)])
+    parts = trace.inputs("e", [f"e{i}{mark}" for mark in ("", "o") for i in range(4)])
     e, eo = Quaternion(parts[0], Vector(*parts[1:4])), Quaternion(parts[4], Vector(*parts[5:]))
     return _finish(trace, "from_quaternion", e, "gain_unit", named(trace, "rho", _translation(e, eo)))
 
@@ -84,9 +84,9 @@ def _positive(trace: Geometry, entries: tuple[Number, ...]) -> Quaternion:
 
 
 def compose(trace: Geometry) -> Program:
-    """Through the product of rays (a2 + b2 v2)(a1 + b1 v1), which are quaternions times a size; rho = rho2 + Q2 rho1."""
-    second = Point(trace, dual_vector(trace, "v2", "b"), "b")
-    first = Point(trace, dual_vector(trace, "v1", "a"), "a")
+    """Through the product of rays (a2 + b2 v2)(a1 + b1 v1), quaternions times a size; rho = rho2 + Q2 rho1."""
+    second = Point(trace, dual_vector(trace, "b", "b"), "b")
+    first = Point(trace, dual_vector(trace, "a", "a"), "a")
     ray2, size2, (f, g, h) = _ray(trace, second)
     ray1, size1, coefficients = _ray(trace, first)
     z = Quaternion.from_components(trace.name(f"z{i}", c) for i, c in enumerate(ray2 * ray1))
@@ -102,13 +102,12 @@ def _ray(trace: Geometry, point: Point) -> tuple[Quaternion, Number, tuple[Numbe
 
 
 def _finish(trace: Geometry, name: str, e: Quaternion, gain: str, rho: Vector, *sizes: Number) -> Program:
-    """v = gain · e and v° = Re(T)⁻¹ rho, by one of the chart's gains."""
+    """v = gain · e and v° = Re(T)⁻¹ rho, T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, by one of the chart's gains."""
     (factor,) = trace.ask(gain, (e.scalar, *e.vector, *sizes))
     re = named(trace, "v", factor * e.vector)
     fi, hi = Point(trace, (*re, 0, 0, 0)).scalars("inverse")
     along = trace.name("hvr", hi * re.dot(rho))
-    half = named(trace, "hv", re / 2)
-    return trace.program(name, (*re, *(fi * rho - half.cross(rho) + along * re)))
+    return trace.program(name, (*re, *((fi * rho - re.cross(rho) + along * re) / 2)))
 
 
 # --- shadows --------------------------------------------------------------------------------------------------

@@ -10,8 +10,8 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 from ...algebra import Vector
-from ..program import Program
-from ..trace import Number
+from ..programs.program import Program
+from ..programs.value import Number
 from .forward import Rows, named, start
 from .inputs import dual_vector, flat
 from .point import Geometry, Point
@@ -19,7 +19,7 @@ from .point import Geometry, Point
 
 @dataclass(frozen=True, slots=True)
 class Operator:
-    """``a I + skew(s) + c v⊗v`` at a chart point, real and dual parts (marked o)."""
+    """``a I + skew(s) + c v⊗v`` at a point, real and dual parts (marked o); of opposite hand ``a I − skew(s) + …``."""
 
     point: Point
     a: Number
@@ -28,6 +28,7 @@ class Operator:
     so: Vector
     c: Number
     co: Number
+    opposite: bool = False
 
     def entries(self) -> Iterator[Number]:
         """Real part, then dual part, in C order."""
@@ -38,17 +39,20 @@ class Operator:
         yield from flat(_assemble(point, "", self.a, self.s, lambda i, j: cv[i] * v[j]))
         yield from flat(_assemble(point, "o", self.ao, self.so, lambda i, j: cv[i] * vo[j] + dv[i] * v[j]))
 
-    def apply(self, w: Vector, wo: Vector) -> Iterator[Number]:
+    def _turn(self, s: Vector, w: Vector) -> Vector:
+        return w.cross(s) if self.opposite else s.cross(w)
+
+    def apply(self, w: Vector, wo: Vector) -> tuple[Vector, Vector]:
         """The image of a dual vector w + eps w°."""
         point = self.point
         v, vo, name = point.re, point.du, point.trace.name
         along = name("vw", v.dot(w))
         along_du = vo.dot(w) + v.dot(wo)
         scale = name("cvw", self.c * along)
-        yield from self.a * w + self.s.cross(w) + scale * v
         scale_du = name("cvwo", self.c * along_du + self.co * along)
-        direct = self.a * wo + self.ao * w + self.s.cross(wo) + self.so.cross(w)
-        yield from direct + (scale * vo + scale_du * v)
+        real = self.a * w + self._turn(self.s, w) + scale * v
+        direct = self.a * wo + self.ao * w + self._turn(self.s, wo) + self._turn(self.so, w)
+        return real, direct + (scale * vo + scale_du * v)
 
 
 def _assemble(point: Point, mark: str, a: Number, s: Vector, dyad: Callable[[int, int], Number]) -> Rows:
@@ -73,40 +77,46 @@ def tangent_operator(point: Point, side: Number = 1) -> Operator:
     return Operator(point, f, fo, s, so, h, ho)
 
 
-def inverse_operator(point: Point, side: Number = -2) -> Operator:
-    """T⁻¹ = fi I - skew(v)/2 + hi v⊗v, side -2; its transpose, side 2."""
-    fi, hi, fiy, hiy = point.scalars("tangent_inv")
-    fio, hio = point.name("fio", fiy * point.y), point.name("hio", hiy * point.y)
-    s, so = named(point.trace, "s", point.re / side), named(point.trace, "so", point.du / side)
-    return Operator(point, fi, fio, s, so, hi, hio)
-
-
 def tangent(trace: Geometry) -> Program:
-    return _entries(trace, "tangent", tangent_operator)
-
-
-def tangent_inv(trace: Geometry) -> Program:
-    return _entries(trace, "tangent_inv", inverse_operator)
+    return trace.program("tangent", tangent_operator(start(trace)).entries())
 
 
 def twist(trace: Geometry) -> Program:
-    return _applied(trace, "twist", tangent_operator, "v_dot")
+    """T v̇, or with the side -1 its transpose."""
+    point = start(trace)
+    w = _dual_argument(trace, "v_dot")
+    (side,) = trace.inputs("table", ("side",))
+    real, dual = tangent_operator(point, side).apply(*w)
+    return trace.program("twist", (*real, *dual))
+
+
+def tangent_inv(trace: Geometry) -> Program:
+    """T⁻¹ = fi/2 I - skew(v)/2 + hi/2 v⊗v."""
+    point = start(trace)
+    fi, hi, fiy, hiy = point.scalars("tangent_inv")
+    half = point.name("yh", point.y / 2)
+    s, so = named(trace, "s", point.re / -2), named(trace, "so", point.du / -2)
+    a, ao = point.name("fih", trace.div(fi, 2)), point.name("fio", fiy * half)
+    c, co = point.name("hih", trace.div(hi, 2)), point.name("hio", hiy * half)
+    return trace.program("tangent_inv", Operator(point, a, ao, s, so, c, co).entries())
 
 
 def rate(trace: Geometry) -> Program:
-    return _applied(trace, "rate", inverse_operator, "omega")
+    """T⁻¹ ω = (fi ω - v × ω + hi (v·ω) v)/2, or with the side -1 its transpose, which has + v × ω.
 
-
-def _entries(trace: Geometry, name: str, operator: Callable[[Point], Operator]) -> Program:
-    return trace.program(name, operator(start(trace)).entries())
-
-
-def _applied(trace: Geometry, name: str, operator: Callable[[Point, Number], Operator], argument: str) -> Program:
+    A side σ stands in (σ fi ω - v × ω + σ hi (v·ω) v)/2σ: so it multiplies scalars, and the divisor is twice the side.
+    """
     point = start(trace)
+    w = _dual_argument(trace, "omega")
+    side, twice = trace.inputs("table", ("side", "twice"))
+    fi, hi, fiy, hiy = point.scalars("tangent_inv")
+    y = point.name("ys", point.y * side)
+    a, ao = point.name("fis", fi * side), point.name("fio", fiy * y)
+    c, co = point.name("his", hi * side), point.name("hio", hiy * y)
+    real, dual = Operator(point, a, ao, point.re, point.du, c, co, opposite=True).apply(*w)
+    return trace.program("rate", (*(real / twice), *(dual / twice)))
+
+
+def _dual_argument(trace: Geometry, argument: str) -> tuple[Vector, Vector]:
     w = dual_vector(trace, argument, "w")
-    return trace.program(name, operator(point, _side(point)).apply(Vector(*w[:3]), Vector(*w[3:])))
-
-
-def _side(point: Point) -> Number:
-    (side,) = point.trace.inputs("table", ("side",))
-    return side
+    return Vector(*w[:3]), Vector(*w[3:])

@@ -8,7 +8,8 @@ from typing import Any
 
 from ...algebra import Vector
 from ...maps.chart import Chart
-from ..trace import Number, Trace
+from ..programs.trace import Trace
+from ..programs.value import Number
 from .scalars import SCALARS, table_names
 
 

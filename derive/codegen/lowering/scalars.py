@@ -8,8 +8,9 @@ from typing import Any
 
 from ...algebra import Quaternion, Vector
 from ...maps.chart import Chart
-from ..program import Program
-from ..trace import Number, Trace
+from ..programs.program import Program
+from ..programs.trace import Trace
+from ..programs.value import Number
 
 TABLE = ("limit", "cos", "sin")
 """One row of the table of returns."""
@@ -76,13 +77,11 @@ SCALARS: Mapping[str, Scalar] = {
     "gain_unit": Scalar(E, ("gain",), _gain_unit),
     "gain_positive": Scalar(E, ("gain",), _gain_positive),
     "gain_product": Scalar((*E, "size2", "size1"), ("gain",), _gain_product),
-    "direction": Scalar(("x", "y"), ("sign",), lambda chart, trace, xy: (chart.direction(*xy, trace),)),
-    "natural": Scalar(("x", "y", "r"), ("angle", "slope", "sign"), lambda chart, trace, xyr: chart.natural(*xyr, trace)),
-    "turned": Scalar(
-        ("r", "cos", "sin"), ("rk", "slope"), lambda chart, trace, at: chart.turned(at[0], at[1:], trace)
-    ),
+    "direction": Scalar(("x", "y"), ("sign",), lambda c, m, at: (c.direction(at[0], at[1], m),)),
+    "natural": Scalar(("x", "y", "r"), ("angle", "slope", "sign"), lambda c, m, at: c.natural(at[0], at[1], at[2], m)),
+    "turned": Scalar(("r", "cos", "sin"), ("rk", "slope"), lambda c, m, at: c.turned(at[0], at[1:], m)),
     "beyond": Scalar(("x", "table"), ("beyond", "cosine", "sine"), _beyond, truths=("beyond",)),
-    "coefficient": Scalar(("alpha",), ("r", "slope"), lambda chart, trace, angle: chart.coefficient(angle[0], trace)),
+    "coefficient": Scalar(("alpha",), ("r", "slope"), lambda c, m, at: c.coefficient(at[0], m)),
 }
 """By name; arguments a, b and size of a ray are those of `Scalars.ray`, turns and tables those of `Chart`."""
 

@@ -19,7 +19,7 @@ import mpmath
 import sympy
 
 from ...maps import Cayley
-from ..signatures import SIGNATURES
+from ..signatures import FUNCTIONS
 from . import exact
 from .digits import DIGITS
 from .maps_at import MAPS, Flat, seeded_arguments
@@ -48,7 +48,7 @@ def cases(cayley: Cayley) -> list[Case]:
     with mpmath.workdps(DIGITS):
         found = [case for _ in range(POINTS) for case in _rational(cayley, draw)]
         found += [_inverse(cayley.order, *given) for given in seeded_arguments(cayley.order, draw, nearby)]
-    names = list(SIGNATURES)
+    names = list(FUNCTIONS)
     return sorted(found, key=lambda case: names.index(case.function))
 
 
@@ -114,7 +114,7 @@ def _case(
     steps = [[(b - a) / STEP for a, b in zip(result, other, strict=True)] for other in moved]
     scales = []
     start = 0
-    for size in (size for array in SIGNATURES[function].results for size in array.parts):
+    for size in (size for array in FUNCTIONS[function].results for size in array.parts):
         part = slice(start, start + size)
         condition = sum(_norm(step[part]) for step in steps)
         scales.append(float(max(_norm(result[part]), condition)))

@@ -16,13 +16,9 @@ import mpmath
 import numpy as np
 
 from ...maps import Cayley
+from ..signatures import FUNCTIONS
 from . import digits, exact
 from .exact import Expectation
-
-SHAPES = {
-    "q": (8,), "R": (2, 3, 3), "T": (4, 4), "r": (3,), "angle": (2,),
-}  # fmt: skip
-"""Component shapes of arguments which are not dual vectors, by parameter name."""
 
 TOLERANCE = mpmath.mpf(10) ** -32
 """Of 50-digit results: 40-digit constants lose at most six digits to the conditioning of the seeded cases."""
@@ -36,8 +32,8 @@ class ValidationFailed(Exception):
     """An emitted kernel does not compute its formula."""
 
 
-def validate(folder: Path, cayley: Cayley) -> int:
-    """Check the module of an order in a folder; return how many function calls were compared.
+def validate(folder: Path, chart: Cayley) -> int:
+    """Check the module of a chart in a folder; return how many function calls were compared.
 
     Raises
     ------
@@ -45,9 +41,9 @@ def validate(folder: Path, cayley: Cayley) -> int:
         Naming the function, the layout and the first component that differs.
     """
     with _package(folder) as package, mpmath.workdps(digits.DIGITS):
-        module = importlib.import_module(f"{package}.cayley{cayley.order}")
-        exactly = sum(_check(module, (case,), _same) for case in exact.expectations(cayley))
-        closely = sum(_check(module, tuple(map(_decimal, batch)), _close) for batch in digits.expectations(cayley))
+        module = importlib.import_module(f"{package}.{chart.name}")
+        exactly = sum(_check(module, (case,), _same) for case in exact.expectations(chart))
+        closely = sum(_check(module, tuple(map(_decimal, batch)), _close) for batch in digits.expectations(chart))
     return exactly + closely
 
 
@@ -83,10 +79,8 @@ def _check(module: ModuleType, batch: tuple[Expectation, ...], agree: Any) -> in
     """
     name, *branch = batch[0].function.split()
     function = getattr(module, name)
-    code = function.__code__
-    parameters = code.co_varnames[: code.co_argcount]
     columns = zip(*(case.arguments for case in batch), strict=True)
-    arguments = [_array(rows, parameter) for rows, parameter in zip(columns, parameters, strict=False)]
+    arguments = [_array(rows, array.shape) for rows, array in zip(columns, FUNCTIONS[name].arguments, strict=True)]
     k = tuple(map(int, branch))
     place = f"{_name(module)}.{batch[0].function}"
     for axis in (-1, 0):
@@ -122,12 +116,12 @@ def _name(module: ModuleType) -> str:
     return module.__name__.rpartition(".")[2]
 
 
-def _array(rows: tuple[tuple[Any, ...], ...], parameter: str) -> Objects:
-    """The components of a batch as an object array, in the shape of the parameter."""
+def _array(rows: tuple[tuple[Any, ...], ...], shape: tuple[int, ...]) -> Objects:
+    """The components of a batch as an object array, in the shape of the argument."""
     array = np.empty((len(rows), len(rows[0])), object)
     for index, row in enumerate(rows):
         array[index] = row
-    return array.reshape(len(rows), *SHAPES.get(parameter, (len(rows[0]),)))
+    return array.reshape(len(rows), *shape)
 
 
 def _components_first(array: Objects) -> Objects:

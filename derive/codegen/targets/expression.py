@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from .program import Call, Operand, Program, Statement, Step
+from ..programs.program import Call, Operand, Program, Statement, Step
 
 WIDTH = 120
 ATOM = 9

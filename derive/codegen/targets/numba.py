@@ -10,9 +10,9 @@ import textwrap
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
+from ..programs.program import Operand, Program
 from . import infix
 from .expression import WIDTH
-from .program import Operand, Program
 
 MOST_OUTPUTS = 9
 """Stores in a loop which LLVM still vectorises."""

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 
+from ..programs.program import Call, Program
 from .expression import ARITHMETIC, ATOM, WIDTH, Dialect, Operator, Text, fill, left_associative
-from .program import Call, Program
 
 
 def python(prefix: str, literal: Callable[[int], str] = str) -> Dialect:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from ..algebra import Structure
+from ...algebra import Structure
 
 if TYPE_CHECKING:
     from .trace import Trace

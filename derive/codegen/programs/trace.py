@@ -1,7 +1,8 @@
 """The tracer: ordinary arithmetic on symbolic inputs, recorded as a straight-line program.
 
 A :class:`Trace` hands out symbolic inputs; each operation on them is recorded once (value numbering), constants are
-folded, and what no output needs is dropped. It is the arithmetic (``algebra.arithmetic``) formulas are lowered with. The result is a frozen :class:`~derive.codegen.program.Program`.
+folded, and what no output needs is dropped. It is the arithmetic (``algebra.arithmetic``) that formulas are lowered
+with. The result is a frozen :class:`~derive.codegen.programs.program.Program`.
 """
 
 from __future__ import annotations
@@ -222,8 +223,10 @@ class Trace:
         for index, count in sorted(uses.items()):
             if count > 1:
                 self._name_multiple(index)
-        passed = {arg for index in uses if index in self._calls for arg in self._nodes[index].args}
-        self._require_names({i for i, n in uses.items() if n > 1 and i not in self._calls} | (passed & uses.keys()), name)
+        calls = (self._nodes[index] for index in uses if index in self._calls)
+        passed = {arg for call in calls for arg in call.args if not isinstance(arg, _Const)}
+        shared: set[int] = {index for index, count in uses.items() if count > 1 and index not in self._calls}
+        self._require_names(shared | passed, name)
         labels = {i: self._names.get(i, f"t{i}") for i in uses}
 
         def label(arg: int | _Const) -> Operand:

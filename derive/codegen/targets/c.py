@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
+from ..programs.program import Program
+from ..signatures import SHADOW, SIGNATURES, Array
 from .expression import ARITHMETIC, WIDTH, Dialect, Operator, Text, bracket, fill, renamed, used_names
-from .program import Program
-from .signatures import SHADOW, SIGNATURES, Array
 
 REAL = "dualcay_real"
 _SELECTED = 1

@@ -1,0 +1,27 @@
+"""The targets: a module each, with its printer, what its templates are given, and how its text is executed.
+
+========== =====================================================================
+target     what a target is
+expression the steps of a program as expressions, in a dialect
+infix      programs as plain Python
+python     the interface that the Python targets share
+numpy      NumPy: plain Python, and calls with ``out``
+array_api  the arrays of any library
+numba      compiled loops of few outputs
+c          C99 headers
+========== =====================================================================
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from .numpy import Numpy
+from .target import Target
+
+_ROWS: tuple[Target, ...] = (Numpy(),)
+
+TARGETS: Mapping[str, Target] = {target.name: target for target in _ROWS}
+"""By name."""
+
+__all__ = ["TARGETS", "Target"]

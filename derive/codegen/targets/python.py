@@ -1,0 +1,123 @@
+"""What the targets in Python share: one documented interface, and the words in which they differ."""
+
+from __future__ import annotations
+
+import ast
+import textwrap
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from ...maps.cayley import EQUATIONS
+from ...maps.chart import DEFINITIONS
+from ..facts import Facts, comment, numbers, theorem_lines
+from ..programs.program import Program, summary
+from ..signatures import FUNCTIONS, KERNELS, PUBLIC
+from .expression import WIDTH
+from .target import Data, require_functions
+
+INTERFACE = "_interface.py"
+CLASS = "PoseKernels"
+
+
+@dataclass(frozen=True, slots=True)
+class Words:
+    """How a target speaks of arrays, and the keyword parameters of its functions.
+
+    ``passed`` is what a function passes on of them, ``passed_alone`` one that returns several arrays.
+    """
+
+    value: str
+    array_like: str
+    array: str
+    options: str
+    passed: str
+    passed_alone: str
+
+
+@dataclass(frozen=True, slots=True)
+class Printed:
+    """A program as its template shows it: parameters of its function, operations, and what the printer makes of it."""
+
+    name: str
+    summary: str
+    parameters: tuple[str, ...]
+    forms: Any
+
+
+def interface(words: Words) -> Data:
+    """What the template of the interface is given."""
+    equations = {name: numbers(equations) for name, equations in EQUATIONS.items()}
+    theorems = comment(theorem_lines(), "#")
+    return {"words": words, "definitions": DEFINITIONS, "equations": equations, "theorems": theorems}
+
+
+def described(facts: Facts) -> dict[str, Any]:
+    """What every Python module says of its chart."""
+    chart = facts.chart
+    exported = {alias: name for name, row in PUBLIC.items() for alias in (name, *row.aliases)}
+    return {
+        "title": chart.title,
+        "parameter": chart.parameter,
+        "branches": chart.branches,
+        "definitions": facts.definitions("    "),
+        "domain": facts.domain,
+        "singular": facts.singular,
+        "singular_angles": facts.singular_angles,
+        "turns": facts.turns,
+        "returns": facts.returns,
+        "exports": _quoted(exported.keys() | {"singular_angles"}),
+        "exported": dict(sorted({**exported, "singular_angles": "singular_angles"}.items())),
+    }
+
+
+def _quoted(names: Iterable[str]) -> str:
+    """Names as lines of a list."""
+    lines = textwrap.wrap(" ".join(f'"{name}",' for name in sorted(names)), WIDTH - 4)
+    return "\n".join(f"    {line}" for line in lines)
+
+
+def printed(program: Program, forms: Any, parameters: tuple[str, ...] = ()) -> Printed:
+    """A program of a geometry, whose parameters are its arguments, or another with the parameters given."""
+    arguments = tuple(argument for argument, _ in program.inputs)
+    return Printed(program.name, f"operations {summary(program.operations)}", parameters or arguments, forms)
+
+
+def components(program: Program) -> tuple[str, ...]:
+    """The parameters of a scalar program."""
+    return tuple(name for _, names in program.inputs for name in names)
+
+
+def rows() -> Mapping[str, Any]:
+    """The rows of the table that have a program, for the template of a geometry."""
+    return KERNELS
+
+
+def require_complete(texts: Mapping[str, str]) -> None:
+    """Compare the methods of the interface, and their parameters, with the table.
+
+    Raises
+    ------
+    ValueError
+        If a function is missing, is in no row, or takes other arguments than its row says.
+    """
+    methods = {method.name: method for method in _methods(texts[INTERFACE])}
+    methods.pop("singular_angles", None)
+    require_functions(INTERFACE, methods)
+    for name, method in methods.items():
+        given = [argument.arg for argument in (*method.args.posonlyargs, *method.args.args)][1:]
+        row = FUNCTIONS[name]
+        expected = [array.name for array in row.arguments] + ["branch"] * row.branch
+        if given != expected:
+            raise ValueError(f"{INTERFACE}: {name} takes {', '.join(given)}, and {', '.join(expected)} in the table")
+        if not ast.get_docstring(method):
+            raise ValueError(f"{INTERFACE}: {name} has no docstring")
+
+
+def _methods(text: str) -> Iterator[ast.FunctionDef]:
+    """Public methods of the class of kernels."""
+    for node in ast.parse(text).body:
+        if isinstance(node, ast.ClassDef) and node.name == CLASS:
+            for item in node.body:
+                if isinstance(item, ast.FunctionDef) and not item.name.startswith("_"):
+                    yield item

@@ -1,0 +1,62 @@
+"""What a target is: a language, its files, its texts, and how what was printed is executed again."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any, Protocol
+
+from ...maps.chart import Chart
+from ..facts import Facts
+from ..signatures import PUBLIC
+
+Data = Mapping[str, Any]
+"""What fills the holes of a template, by name, but for ``header``."""
+
+
+class Target(Protocol):
+    """A language kernels are printed in; `name` is its template folder too."""
+
+    @property
+    def name(self) -> str: ...
+
+    @property
+    def extension(self) -> str:
+        """Of a module's file, whose template is ``<name>/chart.<extension>.j2``."""
+
+    @property
+    def comment(self) -> str:
+        """What begins a comment line."""
+
+    @property
+    def unproved(self) -> str:
+        """What of its text is not executed when it is validated."""
+
+    def shared(self) -> Mapping[str, Data]:
+        """Files that every package of the target holds, each from the template of its name."""
+
+    def module(self, facts: Facts) -> Data:
+        """What the module of a chart says."""
+
+    def companions(self, chart: Chart) -> Mapping[str, tuple[str, Data]]:
+        """Further files of a chart: by name, the template and what it is given."""
+
+    def require_complete(self, texts: Mapping[str, str]) -> None:
+        """Compare the functions in the shared texts with the table; `ValueError` if they differ."""
+
+    def validate(self, folder: Path, chart: Chart) -> int | None:
+        """Execute a module in a folder; how many calls equal the formula, None where nothing can execute it."""
+
+
+def require_functions(where: str, found: Iterable[str]) -> None:
+    """Compare the functions that a text defines with the public ones of the table.
+
+    Raises
+    ------
+    ValueError
+        Naming what is missing and what is not in the table.
+    """
+    missing, extra = (sorted(names) for names in (PUBLIC.keys() - set(found), set(found) - PUBLIC.keys()))
+    if missing or extra:
+        named = (", ".join(names) or "none" for names in (missing, extra))
+        raise ValueError(f"{where}: functions of the table that are missing: {next(named)}; not in it: {next(named)}")
