@@ -6,13 +6,13 @@ import re
 
 import pytest
 from click.testing import CliRunner
+from derive.codegen.trace import Trace
 
 from derive.cli.commands import cli
 from derive.codegen import ValidationFailed, build, c99, check, generate
 from derive.codegen.lowering import lower
 from derive.codegen.signatures import SIGNATURES
 from derive.codegen.targets import TARGETS
-from derive.codegen.trace import Trace
 from derive.codegen.validation import compiled
 from derive.codegen.validation.cases import cases
 from derive.maps import Cayley
