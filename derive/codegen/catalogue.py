@@ -24,12 +24,14 @@ def is_checkout() -> bool:
     return (CHECKOUT / "templates").is_dir() and (CHECKOUT / "pyproject.toml").is_file()
 
 
-def command(target: str, order: int) -> str:
-    """The command that writes the module of an order, wherever it is put."""
-    return f"python -m derive generate -n {order} --target {target}"
+def command(target: str, *orders: int) -> str:
+    """The command that writes the modules of some orders, wherever they are put; without any, that of shared files."""
+    chosen = f" -n {','.join(map(str, orders))}" if orders else ""
+    cap = f" --max-n {max(orders)}" if max(orders, default=0) > MAX_ORDER else ""
+    return f"python -m derive generate{chosen} --target {target}{cap}"
 
 
 def order_of(line: str) -> int | None:
     """The order in the command of a module; None for the command of shared files."""
-    found = re.search(r" -n (\d+)\b", line)
+    found = re.search(r" -n (\d{1,9})\b", line)
     return int(found.group(1)) if found else None

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -58,9 +58,17 @@ def module_text(proved: Proved, target: Target) -> str:
 def shared_text(name: str, target: Target) -> str:
     """Render a file every package of a target holds, e.g. ``_runtime.py``."""
     template = f"{target.name}/{name}.j2"
-    lines = [f"python -m derive generate --target {target.name}", _notice(template)]
+    lines = [catalogue.command(target.name), _notice(template)]
     mark = "#" if name.endswith((".txt", ".cmake")) else target.comment
     return render(template, header=_comment(lines, mark))
+
+
+def notices(orders: Sequence[int], target: Target) -> dict[str, str]:
+    """Render what stands in the place of a package's entry while its other files are exchanged, by name."""
+    template = f"interrupted/{target.entry}.j2"
+    command = catalogue.command(target.name, *orders)
+    header = "\n".join(f"{target.comment} {line}" for line in (command, _notice(template)))
+    return {target.entry: render(template, header=header, command=command)}
 
 
 def companion_texts(cayley: Cayley, target: Target) -> dict[str, str]:

@@ -27,7 +27,8 @@ class Target:
     extension : str
         Of a module's file; its template is ``<name>/cayley.<extension>.j2``.
     shared : tuple of str
-        Files every package of the target holds, each from the template of its name.
+        Files every package of the target holds, each from the template of its name; first the one that whoever uses
+        the package loads first.
     comment : str
         What begins a comment line.
     printer : callable
@@ -54,6 +55,11 @@ class Target:
     def module_name(self, order: int) -> str:
         """File name of the module of an order."""
         return f"cayley{order}.{self.extension}"
+
+    @property
+    def entry(self) -> str:
+        """The file that whoever uses a package loads first."""
+        return self.shared[0]
 
     @property
     def template(self) -> str:
