@@ -48,7 +48,7 @@ def generate(
     chosen = orders or catalogue.ORDERS
     with display.progress(STEPS_PER_ORDER * len(chosen)) as step:
         if check:
-            found = check_folder(folder, chosen, target, step)
+            found = check_folder(folder, chosen, target, step, max_n)
         else:
             package = generate_kernels(chosen, target, folder, force=force, progress=step)
     if not check:

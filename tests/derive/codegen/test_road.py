@@ -13,6 +13,7 @@ import pytest
 
 import derive
 from derive.codegen import ValidationFailed, build, catalogue, check, compiler
+from derive.codegen.module import notices
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation import validate
 from derive.maps import Cayley
@@ -111,6 +112,16 @@ def test_a_failed_validation_writes_nothing(tmp_path: Path, monkeypatch: pytest.
     with pytest.raises(ValidationFailed, match="pose"):
         derive.generate([2], output=tmp_path / "kernels")
     assert not (tmp_path / "kernels").exists()
+
+
+@pytest.mark.parametrize("target", TARGETS.values(), ids=lambda target: target.name)
+def test_a_notice_is_ours_and_stands_where_every_module_looks_first(target):
+    orders = range(1, 400)
+    ((name, text),) = notices(orders, target).items()
+    assert name in target.shared
+    command = files.MARK.match(text).group(1)
+    assert command.endswith(f"399 --target {target.name} --max-n 399")
+    assert text.count(command) == 2
 
 
 def test_any_order_and_a_bare_folder_work_without_the_toolkit(tmp_path: Path):
