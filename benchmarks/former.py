@@ -30,14 +30,16 @@ from unittest import mock
 import numpy as np
 from numpy.typing import NDArray
 
-import dualcay
 from benchmarks.timing import Call, markdown, paired_ratio
 
 REVISION = "bece627ce0dc324bab7291254cb0704216a800e4"
 """The former release."""
 
 PACKAGE = "generated/dualcay"
-PRESENT = Path(dualcay.__file__).parent
+ROOT = Path(__file__).parents[1]
+PRESENT = ROOT / PACKAGE
+"""Of this checkout, whichever is installed."""
+
 COMMAND = "python -m benchmarks.former"
 
 ORDERS = (1, 2, 3, 8)
@@ -123,7 +125,7 @@ class Comparison:
 @contextmanager
 def former(revision: str = REVISION) -> Iterator[Path]:
     """The folder of the former kernels; Missing where there is no git, or no such revision in its history."""
-    command = ["git", "-C", str(Path(__file__).parents[1]), "archive", "--format=zip", revision, PACKAGE]
+    command = ["git", "-C", str(ROOT), "archive", "--format=zip", revision, PACKAGE]
     try:
         archive = subprocess.run(command, capture_output=True, check=True).stdout
     except (OSError, subprocess.CalledProcessError):
@@ -173,9 +175,8 @@ class Inputs:
         rng = np.random.default_rng([2011, seed])
         self.module = module
         self.layout = layout
-        self.vectors = [
-            dualcay.random_vector(layout.batch, max_angle=3.0, order=module.ORDER, rng=rng) for _ in range(2)
-        ]
+        draw = sys.modules[module.__name__.split(".")[0]].random_vector
+        self.vectors = [draw(layout.batch, max_angle=3.0, order=module.ORDER, rng=rng) for _ in range(2)]
 
     def calls(self, name: str, options: dict[str, int], *modules: ModuleType) -> tuple[Call, ...]:
         """The function of each module, ready to be called on the same arrays."""
