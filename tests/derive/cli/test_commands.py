@@ -15,6 +15,7 @@ import pytest
 import derive
 from derive.codegen import catalogue, check
 from derive.codegen.targets import TARGETS
+from derive.maps import Cayley
 
 ROOT = Path(__file__).parents[3]
 
@@ -36,7 +37,7 @@ def test_generate_writes_a_package_and_says_what_was_proved(tmp_path: Path):
     assert "theorems" in done.stdout
     assert done.stderr == ""
     names = sorted(p.name for p in (tmp_path / "k").iterdir())
-    assert names == sorted(["cayley2.py", *TARGETS["numpy"].shared])
+    assert names == sorted(["cayley2.py", *TARGETS["numpy"].shared()])
 
 
 def test_check_passes_and_names_a_stale_file_with_the_accepting_command(tmp_path: Path):
@@ -150,8 +151,8 @@ def test_check_regenerates_only_what_a_header_can_have_made(tmp_path: Path):
 
 def test_a_header_names_the_command_that_makes_it():
     assert catalogue.command("c") == "python -m derive generate --target c"
-    assert catalogue.command("numpy", 6) == "python -m derive generate -n 6 --target numpy"
-    assert catalogue.command("numpy", 6, 65) == "python -m derive generate -n 6,65 --target numpy --max-n 65"
+    assert catalogue.command("numpy", Cayley(6)) == "python -m derive generate -n 6 --target numpy"
+    assert catalogue.command("numpy", Cayley(6), Cayley(65)) == "python -m derive generate -n 6,65 --target numpy --max-n 65"
 
 
 def test_the_cap_can_be_raised(tmp_path: Path):
