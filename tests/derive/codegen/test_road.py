@@ -109,7 +109,7 @@ def test_a_failed_validation_writes_nothing(tmp_path: Path, monkeypatch: pytest.
         return flipped(original(*arguments), "_pose", r"N / N / N", "1 / N / N")
 
     monkeypatch.setattr(compiler, "module_text", wrong)
-    with pytest.raises(ValidationFailed, match="cayley2.tensor"):
+    with pytest.raises(ValidationFailed, match=r"cayley2\.tensor"):
         derive.generate([2], output=tmp_path / "kernels")
     assert not (tmp_path / "kernels").exists()
 
