@@ -9,14 +9,34 @@ from typing import Any
 
 import mpmath
 
-from ...algebra import Dual, Vector
+from ...algebra import Dual, Tensor, Vector
+from ...algebra.functions import atan
 from ...maps import Cayley
-from ...maps.inverse import vector_from_quaternion, vector_from_screw
-from ...maps.pose import Screw, pose_from_tensor, quaternion_from_screw, tensor_from_screw
+from ...maps.inverse import axis, vector_from_quaternion, vector_from_screw
+from ...maps.polynomials import pair_by_squaring
+from ...maps.pose import (
+    Pose,
+    Screw,
+    pose_from_tensor,
+    quaternion_from_screw,
+    tensor_from_pose,
+    tensor_from_screw,
+)
+from ...maps.sign_tests import orientation
 from .exact import Expectation
+from .maps_at import MAPS, MAX_BRANCHES, Flat
+from .screws import covering, half_turns, translation
 
 DIGITS = 50
 SEED = 2011
+
+SMALL = 1e-12
+"""Small components of a quaternion: a row of the rotation's matrix that belongs to one is good to 26 digits only."""
+
+NEAR_POLE = 1e-6
+
+TOLERANCE = mpmath.mpf(10) ** -32
+"""Of 50-digit results: 40-digit constants lose at most six digits to the conditioning of the seeded cases."""
 
 
 class Decimal:
@@ -87,58 +107,106 @@ def _quotient(a: Any, b: Any) -> Any:
 
 
 def expectations(cayley: Cayley) -> Iterator[tuple[Expectation, ...]]:
-    """Inverse maps, screws, shadows (at most eight branches) and composition, a batch of seeded screws each."""
+    """Inverse maps, screws, shadows (at most eight branches) and composition, a batch of seeded screws each.
+
+    The principal branch takes all screws and exact half turns, every other one two of them and a translation.
+    """
     draw = random.Random(SEED)
-    screws = list(_screws(draw))
-    others = [*screws[1:], screws[0]]
+    screws, still = list(covering(draw, SMALL)), translation(draw)
+    halves = list(half_turns(draw))
     n = cayley.order
-    yield from zip(*(_principal(n, *pair) for pair in zip(screws, others, strict=True)), strict=True)
-    for branch in range(min(n, 8)):
-        # the vector of a translation has its pole at half a turn
-        finite = [screw for screw in screws if screw.angle.re or 2 * branch != n]
-        yield from zip(*(_branch(n, screw, branch) for screw in finite), strict=True)
+    principal = [screw for screw in (*screws, still) if _finite(n, screw)]
+    others = [*principal[1:], principal[0]]
+    yield from zip(*(_principal(n, *pair) for pair in zip(principal, others, strict=True)), strict=True)
+    for branch in range(min(n, MAX_BRANCHES)):
+        some = [screws[branch % 8], screws[(branch + 3) % 8]] if branch else [*screws, still]
+        turning = [screw for screw in some if _finite(n, screw, branch)]
+        # a translation on another branch has q = 0 but for rounding: there nothing decides about its axis
+        moving = [still] if branch and _finite(n, still, branch) else []
+        yield from zip(*(_branch(n, screw, branch) for screw in (*turning, *moving)), strict=True)
+        yield from zip(*(_back(n, screw, branch) for screw in turning), strict=True)
+        exact = [screw for screw in (halves[branch % 4 :][:1] if branch else halves) if _finite(n, screw, branch)]
+        yield from zip(*(_half_turn(n, screw, branch) for screw in exact), strict=True)
+    yield from _undecided(n)
+
+
+def _finite(n: int, screw: Screw, branch: int = 0) -> bool:
+    """Whether v is no pole, nor so near one that its condition takes the digits which are compared."""
+    return bool(abs(mpmath.cos((screw.angle.re + 2 * branch * mpmath.pi) / (2 * n))) > NEAR_POLE)
 
 
 def _principal(n: int, screw: Screw, other: Screw) -> Iterator[Expectation]:
     principal = vector_from_screw(n, screw)
-    dual_angle = (screw.angle.re, screw.angle.du)
-    axis = (*screw.axis.re, *screw.axis.du)
-    yield Expectation("from_screw", (dual_angle, axis), _flat(principal))
+    yield Expectation("from_screw", ((screw.angle.re, screw.angle.du), _flat(screw.axis)), _flat(principal))
     q = quaternion_from_screw(screw)
     yield Expectation("from_quaternion", (tuple(-c for c in (*q.re, *q.du)),), _flat(principal))
-    yield Expectation("to_screw", (_flat(principal),), (*dual_angle, *axis))
     product = quaternion_from_screw(other) * q
     vectors = (_flat(vector_from_screw(n, other)), _flat(principal))
     yield Expectation("compose", vectors, _flat(vector_from_quaternion(n, product)))
 
 
+def _back(n: int, screw: Screw, branch: int) -> Iterator[Expectation]:
+    """From other branches, where the axis may be the opposite of v, to the screw and the principal v."""
+    v = _flat(vector_from_screw(n, screw, branch))
+    yield Expectation("to_screw", (v,), (screw.angle.re, screw.angle.du, *_flat(screw.axis)))
+    yield Expectation(f"shadow {n - branch}", (v,), _flat(vector_from_screw(n, screw)))
+
+
 def _branch(n: int, screw: Screw, branch: int) -> Iterator[Expectation]:
-    principal, v = _flat(vector_from_screw(n, screw)), _flat(vector_from_screw(n, screw, branch))
+    v = _flat(vector_from_screw(n, screw, branch))
     q = quaternion_from_screw(screw)
-    R = tensor_from_screw(screw)
-    pose = pose_from_tensor(R)
-    Q, rho = pose.rotation, tuple(pose.displacement)
-    rows = [entry for i in range(3) for entry in (Q[i, 0], Q[i, 1], Q[i, 2], rho[i])]
-    k = f" {branch}"
-    yield Expectation("from_quaternion" + k, ((*q.re, *q.du),), v)
-    yield Expectation("from_tensor" + k, ((*R.re, *R.du),), v)
-    yield Expectation("from_pose" + k, ((*rows, 0, 0, 0, 1),), v)
-    yield Expectation("shadow" + k, (principal,), v)
+    yield Expectation(f"from_quaternion {branch}", ((*q.re, *q.du),), v)
+    yield from _from_rotation(tensor_from_screw(screw), branch, v)
+    principal = _flat(vector_from_screw(n, screw))
+    yield Expectation(f"shadow {branch}", (principal,), v)
     yield Expectation("principal", (v,), principal)
 
 
-def _screws(draw: random.Random) -> Iterator[Screw]:
-    """Screws that take every side of every selection: each component of the quaternion largest, and a translation."""
+def _from_rotation(R: Tensor, branch: int, v: Flat) -> Iterator[Expectation]:
+    pose = pose_from_tensor(R)
+    Q, rho = pose.rotation, tuple(pose.displacement)
+    rows = [entry for i in range(3) for entry in (Q[i, 0], Q[i, 1], Q[i, 2], rho[i])]
+    yield Expectation(f"from_tensor {branch}", ((*R.re, *R.du),), v)
+    yield Expectation(f"from_pose {branch}", ((*rows, 0, 0, 0, 1),), v)
 
-    def number(low: float, high: float) -> Any:
-        return mpmath.mpf(draw.uniform(low, high))
 
-    for largest, angle in enumerate((2.6, 2.7, 2.8, 0.5)):
-        u = Vector(*(number(1, 2) if i == largest else number(-1, 1) for i in range(3)))
-        u = u / u.magnitude()
-        point = Vector(*(number(-2, 2) for _ in range(3)))
-        yield Screw(Dual(mpmath.mpf(angle), number(-2, 2)), Vector.dual(u, point.cross(u)))
-    yield Screw(Dual(mpmath.mpf(0), number(1, 2)), Vector.dual(u, 0 * u))
+def _half_turn(n: int, screw: Screw, branch: int) -> Iterator[Expectation]:
+    """At exactly half a turn u and -u are one rotation: the vector part stands, or its first component is positive.
+
+    The scalar part is exactly 0, the rotation exactly symmetric.
+    """
+    u, moment, d = screw.axis.re, screw.axis.du, screw.angle.du
+    opposite = Screw(Dual(screw.angle.re, -d), -screw.axis)
+    for sign, same in ((1, screw), (-1, opposite)):
+        q = tuple(sign * c for c in (0, *u, -d / 2, *moment))
+        yield Expectation(f"from_quaternion {branch}", (q,), _flat(vector_from_screw(n, same, branch)))
+    R = tensor_from_pose(Pose(Tensor.dyad(u, u) * 2 - Tensor.identity(), d * u + 2 * u.cross(moment)))
+    positive = screw if orientation(*u) > 0 else opposite
+    yield from _from_rotation(R, branch, _flat(vector_from_screw(n, positive, branch)))
+
+
+def _undecided(n: int) -> Iterator[tuple[Expectation, ...]]:
+    """Vectors with p = 0 or q = 0 exactly, half a turn or none: v itself or its dual part decides about the axis."""
+    for square, direction in ((1, (1, 0, 0)), (1, (0, -1, 0)), (3, (1, 1, 1)), (3, (-1, 1, -1))):
+        p, q = pair_by_squaring(n, square)
+        re = Vector(*map(mpmath.mpf, direction))
+        for along in (1, -1) if p * q == 0 else ():
+            v = Vector.dual(re, along * re + re.cross(Vector(1, 2, 3)))
+            u, r = axis(n, v)
+            angle = (mpmath.pi if p == 0 else 0, (2 * n * atan(r)).du)
+            yield (Expectation("to_screw", (_flat(v),), (*angle, *_flat(u))),)
+            yield (Expectation("principal", (_flat(v),), MAPS["principal"](n, 0, _flat(v))),)
+            for branch in range(1, min(n, MAX_BRANCHES)):
+                turn = branch * mpmath.pi / n
+                if abs(mpmath.cos(turn) - r.re * mpmath.sin(turn)) > NEAR_POLE:
+                    v_k = MAPS["shadow"](n, branch, _flat(v))
+                    yield (Expectation(f"shadow {branch}", (_flat(v),), v_k),)
+
+
+def close(got: Any, expected: Any) -> bool:
+    """Whether a result of 50-digit numbers is the expected one."""
+    value = got.value if isinstance(got, Decimal) else Decimal(got).value
+    return bool(abs(value - expected) <= TOLERANCE * (1 + abs(expected)))
 
 
 def _flat(v: Vector) -> tuple[Any, ...]:
