@@ -20,14 +20,16 @@ Progress = Callable[[str], None]
 class Module:
     """A kernel module on its way: proved, printed, and how many calls of it were compared with its formula.
 
-    ``validated`` is None where nothing could execute it; ``companions`` are further files by name.
+    ``companions`` are further files by name. ``tested`` counts the calls of compiled code that agree: 0 where the
+    target has no test of its own, None where nothing could compile it.
     """
 
     name: str
     proved: Proved
     text: str
     companions: dict[str, str]
-    validated: int | None
+    validated: int
+    tested: int | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +68,9 @@ def _modules(orders: Sequence[int], target: Target, staging: Path, report: Progr
         companions = companion_texts(cayley, target)
         files.write(staging, companions | {name: text})
         report(f"n = {order}: validating")
-        yield Module(name, proved, text, companions, target.validate(staging, cayley))
+        validated = target.validate(staging, cayley)
+        tested = target.test(staging, cayley) if target.test else 0
+        yield Module(name, proved, text, companions, validated, tested)
 
 
 def generate(

@@ -11,7 +11,7 @@ from ..maps import Cayley
 from . import c99, infix, inplace, jit
 from .files import RefusedError
 from .program import Program
-from .validation import compiled, validate
+from .validation import c_text, compiled, validate
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,11 +31,12 @@ class Target:
     printer : callable
         What the template shows of a program.
     validate : callable
-        Executes the module of an order in a folder and returns how many calls equal the formula; None where nothing
-        can execute it.
+        Executes the text of the module of an order in a folder and returns how many calls equal the formula.
     companions : tuple of str
         Further files of every module; ``test_cayley.c`` is ``test_cayley3.c`` of order 3, from the template of its
         name.
+    test : callable, optional
+        Compiles and runs the tests among them and returns how many calls agree; None where nothing can compile them.
     words : mapping
         Words in which the functions of this target differ from those of another with the same templates.
     """
@@ -45,8 +46,9 @@ class Target:
     shared: tuple[str, ...]
     comment: str
     printer: Callable[[Program], Any]
-    validate: Callable[[Path, Cayley], int | None]
+    validate: Callable[[Path, Cayley], int]
     companions: tuple[str, ...] = ()
+    test: Callable[[Path, Cayley], int | None] | None = None
     words: Mapping[str, str] = field(default_factory=dict)
 
     def module_name(self, order: int) -> str:
@@ -121,8 +123,9 @@ TARGETS: Mapping[str, Target] = {
             shared=("dualcay.h", "differential.h", "CMakeLists.txt"),
             comment="//",
             printer=c99.function,
-            validate=compiled.validate,
+            validate=c_text.validate,
             companions=("test_cayley.c",),
+            test=compiled.test,
         ),
     )
 }

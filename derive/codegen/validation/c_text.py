@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -32,11 +33,25 @@ ALIASES = {
 Agree = Callable[[Any, Any], bool]
 
 
+@dataclass(frozen=True, slots=True)
+class Batch:
+    """Cases of one function (and branch), on elements of an exact ring or on numbers of 50 digits."""
+
+    function: str
+    cases: tuple[Expectation, ...]
+    exact: bool
+
+    @property
+    def agree(self) -> Agree:
+        """What a result has to be to the expected one."""
+        return _same if self.exact else digits.close
+
+
 def validate(folder: Path, cayley: Cayley) -> int:
     """Interpret the header of an order; return how many calls equal the formula.
 
-    Both forms are called: the rational functions on symbols, the others on numbers of 50 digits. On such numbers results
-    are then laid over arguments, at every distance and row by row, and must not change by a bit.
+    Both forms are called: the rational functions on symbols, the others on numbers of 50 digits. On such numbers
+    results are then laid over arguments, at every distance and row by row, and must not change by a bit.
 
     Raises
     ------
@@ -46,14 +61,29 @@ def validate(folder: Path, cayley: Cayley) -> int:
     header = f"cayley{cayley.order}.h"
     try:
         unit = load(f'#include "{header}"\n', folder)
-        with mpmath.workdps(digits.DIGITS):
-            calls = _values(unit, cayley) + _layouts(unit, cayley)
-            _constants(unit, cayley)
-    except CError as error:
+        calls = check(unit, cayley, batches(cayley))
+        _constants(unit, cayley)
+    except (CError, ValidationFailed) as error:
         raise ValidationFailed(f"{header}: {error}") from error
     if unit.idle:
         raise ValidationFailed(f"{header}: nothing calls {', '.join(unit.idle)}, so nothing says what they compute")
     return calls
+
+
+def batches(cayley: Cayley) -> list[Batch]:
+    """What the functions of an order must return."""
+    with mpmath.workdps(digits.DIGITS):
+        exactly = [Batch(case.function, (case,), True) for case in exact.expectations(cayley)]
+        closely = [tuple(map(_decimal, batch)) for batch in digits.expectations(cayley)]
+    return exactly + [Batch(cases[0].function, cases, False) for cases in closely]
+
+
+def check(unit: Unit, cayley: Cayley, given: Sequence[Batch]) -> int:
+    """Compare all forms of the functions with what they must return; how many calls that takes."""
+    with mpmath.workdps(digits.DIGITS):
+        return sum(_values(_kernel(unit, cayley, batch.function), batch) for batch in given) + sum(
+            _layouts(_kernel(unit, cayley, function), cayley, rows) for function, rows in _samples(given)
+        )
 
 
 def _prefix(cayley: Cayley) -> str:
@@ -63,59 +93,50 @@ def _prefix(cayley: Cayley) -> str:
 def _kernel(unit: Unit, cayley: Cayley, function: str) -> Kernel:
     """The function an expectation names, with its branch."""
     name, *branch = function.split()
-    default = [0] if SIGNATURES[name].branch and not branch else []
+    default = ["0"] if SIGNATURES[name].branch and not branch else []
     return Kernel(unit, _prefix(cayley), name, tuple(map(int, branch or default)))
 
 
-def _values(unit: Unit, cayley: Cayley) -> int:
-    """Compare both forms of every function with what it must return."""
-    exactly = sum(_batch(unit, cayley, (case,), _same) for case in exact.expectations(cayley))
-    closely = (tuple(map(_decimal, batch)) for batch in digits.expectations(cayley))
-    return exactly + sum(_batch(unit, cayley, batch, digits.close) for batch in closely)
+def _values(kernel: Kernel, batch: Batch) -> int:
+    """Compare both forms of a function with what it must return."""
+    for case in batch.cases:
+        _compare(batch.function, kernel.plain(case.arguments), case.result, batch.agree)
+    for row, case in zip(kernel.rows([case.arguments for case in batch.cases]), batch.cases, strict=True):
+        _compare(f"{batch.function}, rows", row, case.result, batch.agree)
+    return len(batch.cases) + 1
 
 
-def _batch(unit: Unit, cayley: Cayley, batch: Sequence[Expectation], agree: Agree) -> int:
-    kernel = _kernel(unit, cayley, batch[0].function)
-    for case in batch:
-        _compare(case.function, kernel.plain(case.arguments), case.result, agree)
-    for row, case in zip(kernel.rows([case.arguments for case in batch]), batch, strict=True):
-        _compare(f"{case.function}, rows", row, case.result, agree)
-    return len(batch) + 1
-
-
-def _layouts(unit: Unit, cayley: Cayley) -> int:
+def _layouts(kernel: Kernel, cayley: Cayley, rows: Sequence[tuple[Flat, ...]]) -> int:
     """Lay results over arguments, and choose branches by other integers: not a bit of the plain result may change."""
-    calls = 0
-    for function, batch in _samples(cayley):
-        kernel = _kernel(unit, cayley, function)
-        expected = [kernel.plain(arguments) for arguments in batch]
-        room = sum(array.size for array in (*kernel.signature.arguments, *kernel.signature.results))
-        for start in range(room):
-            _compare(f"{function}, overlapping", kernel.shared(batch[0], start), expected[0], _same)
-        for over in (None, *range(len(batch[0]))):
-            for row, result in zip(kernel.rows(batch, over), expected, strict=True):
-                _compare(f"{function}, rows over argument {over}", row, result, _same)
-        for turns in (-1, 2) if kernel.branch else ():
-            other = Kernel(unit, kernel.prefix, kernel.name, (kernel.branch[0] + turns * cayley.order,))
-            _compare(f"{function}, branch {other.branch[0]}", other.plain(batch[0]), expected[0], _same)
-        calls += room + len(batch[0]) + 1 + 2 * len(kernel.branch)
-    return calls
+    expected = [kernel.plain(arguments) for arguments in rows]
+    room = sum(array.size for array in (*kernel.signature.arguments, *kernel.signature.results))
+    for start in range(room):
+        _compare(f"{kernel.name}, overlapping", kernel.shared(rows[0], start), expected[0], _same)
+    ways = (None, *range(len(rows[0])))
+    for over in ways:
+        for row, result in zip(kernel.rows(rows, over), expected, strict=True):
+            _compare(f"{kernel.name}, rows over argument {over}", row, result, _same)
+    turned = [branch + turns * cayley.order for branch in kernel.branch for turns in (-1, 2)]
+    for branch in turned:
+        other = replace(kernel, branch=(branch,))
+        for row, result in zip((other.plain(rows[0]), *other.rows(rows)), (expected[0], *expected), strict=True):
+            _compare(f"{kernel.name}, branch {branch}", row, result, _same)
+    return room + len(ways) + 2 * len(turned)
 
 
-def _samples(cayley: Cayley) -> Iterator[tuple[str, list[tuple[Flat, ...]]]]:
+def _samples(given: Sequence[Batch]) -> Iterator[tuple[str, list[tuple[Flat, ...]]]]:
     """Arguments of 50 digits for every function: the seeded ones of two branches, any for a rational function."""
     taken: Counter[str] = Counter()
-    for batch in digits.expectations(cayley):
-        function = batch[0].function
-        _, *branch = function.split()
-        taken[function] += 1
-        if taken[function] <= SAMPLES and branch in ([], ["0"], ["1"]):
-            yield function, [_decimal(case).arguments for case in (batch * ROWS)[:ROWS]]
+    for batch in given:
+        branch = batch.function.split()[1:]
+        taken[batch.function] += not batch.exact
+        if not batch.exact and taken[batch.function] <= SAMPLES and branch in ([], ["0"], ["1"]):
+            yield batch.function, [case.arguments for case in (batch.cases * ROWS)[:ROWS]]
     draw = random.Random(SEED)
-    for name, signature in SIGNATURES.items():
-        if name not in {function.split()[0] for function in taken}:
-            sizes = [array.size for array in signature.arguments]
-            yield name, [tuple(_drawn(draw, size) for size in sizes) for _ in range(ROWS)]
+    for batch in given:
+        if not taken[batch.function]:
+            sizes = [array.size for array in SIGNATURES[batch.function].arguments]
+            yield batch.function, [tuple(_drawn(draw, size) for size in sizes) for _ in range(ROWS)]
 
 
 def _drawn(draw: random.Random, size: int) -> Flat:
@@ -134,7 +155,8 @@ def _constants(unit: Unit, cayley: Cayley) -> None:
     angles = [UNSET] * len(ratios)
     if unit.call(f"{_prefix(cayley)}singular_angles", Pointer.to(angles)) != len(ratios):
         raise ValidationFailed(f"singular_angles does not return {len(ratios)}")
-    _compare("singular_angles", angles, [mpmath.pi * int(r.p) / int(r.q) for r in ratios], digits.close)
+    with mpmath.workdps(digits.DIGITS):
+        _compare("singular_angles", angles, [mpmath.pi * int(r.p) / int(r.q) for r in ratios], digits.close)
 
 
 def _decimal(case: Expectation) -> Expectation:

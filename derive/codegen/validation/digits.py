@@ -25,15 +25,19 @@ from ...maps.pose import (
 from ...maps.sign_tests import orientation
 from .exact import Expectation
 from .maps_at import MAPS, MAX_BRANCHES, Flat
-from .screws import covering, half_turns, translation
+from .screws import covering, finite, half_turns, steep, translation
 
 DIGITS = 50
 SEED = 2011
 
-SMALL = 1e-12
-"""Small components of a quaternion: a row of the rotation's matrix that belongs to one is good to 26 digits only."""
+SMALL = 1e-22
+"""Small components of a quaternion: a row of the rotation's matrix that belongs to one is good to 28 digits only."""
 
 NEAR_POLE = 1e-6
+"""Cosine of half the angle of v below which its condition takes digits that are compared."""
+
+NEAR_TIE = mpmath.mpf(10) ** -30
+"""Angle between a vector and the limit of its branch."""
 
 TOLERANCE = mpmath.mpf(10) ** -32
 """Of 50-digit results: 40-digit constants lose at most six digits to the conditioning of the seeded cases."""
@@ -115,24 +119,25 @@ def expectations(cayley: Cayley) -> Iterator[tuple[Expectation, ...]]:
     screws, still = list(covering(draw, SMALL)), translation(draw)
     halves = list(half_turns(draw))
     n = cayley.order
-    principal = [screw for screw in (*screws, still) if _finite(n, screw)]
+    principal = [screw for screw in (*screws, still, translation(draw)) if finite(n, screw, 0, NEAR_POLE)]
     others = [*principal[1:], principal[0]]
     yield from zip(*(_principal(n, *pair) for pair in zip(principal, others, strict=True)), strict=True)
     for branch in range(min(n, MAX_BRANCHES)):
         some = [screws[branch % 8], screws[(branch + 3) % 8]] if branch else [*screws, still]
-        turning = [screw for screw in some if _finite(n, screw, branch)]
+        turning = [screw for screw in some if finite(n, screw, branch, NEAR_POLE)]
         # a translation on another branch has q = 0 but for rounding: there nothing decides about its axis
-        moving = [still] if branch and _finite(n, still, branch) else []
+        moving = [still] if branch and finite(n, still, branch, NEAR_POLE) else []
         yield from zip(*(_branch(n, screw, branch) for screw in (*turning, *moving)), strict=True)
         yield from zip(*(_back(n, screw, branch) for screw in turning), strict=True)
-        exact = [screw for screw in (halves[branch % 4 :][:1] if branch else halves) if _finite(n, screw, branch)]
-        yield from zip(*(_half_turn(n, screw, branch) for screw in exact), strict=True)
+        exactly = [halves[branch % 4]] if branch else halves
+        half = [screw for screw in exactly if finite(n, screw, branch, NEAR_POLE)]
+        yield from zip(*(_half_turn(n, screw, branch) for screw in half), strict=True)
+    falling = [screw for screw in steep(draw, SMALL, 1 / 3) if finite(n, screw, 0, NEAR_POLE)]
+    turned = (_from_rotation(tensor_from_screw(screw), 0, _flat(vector_from_screw(n, screw))) for screw in falling)
+    yield from zip(*turned, strict=True)
     yield from _undecided(n)
-
-
-def _finite(n: int, screw: Screw, branch: int = 0) -> bool:
-    """Whether v is no pole, nor so near one that its condition takes the digits which are compared."""
-    return bool(abs(mpmath.cos((screw.angle.re + 2 * branch * mpmath.pi) / (2 * n))) > NEAR_POLE)
+    if n > 1:
+        yield tuple(_near_ties(n, screws[0]))
 
 
 def _principal(n: int, screw: Screw, other: Screw) -> Iterator[Expectation]:
@@ -183,6 +188,17 @@ def _half_turn(n: int, screw: Screw, branch: int) -> Iterator[Expectation]:
     R = tensor_from_pose(Pose(Tensor.dyad(u, u) * 2 - Tensor.identity(), d * u + 2 * u.cross(moment)))
     positive = screw if orientation(*u) > 0 else opposite
     yield from _from_rotation(R, branch, _flat(vector_from_screw(n, positive, branch)))
+
+
+def _near_ties(n: int, screw: Screw) -> Iterator[Expectation]:
+    """Vectors just before and behind the angles (2k − 1)π between branches, to the digits of the printed limits."""
+    for k in range(1, n // 2 + 1):
+        for behind, step in enumerate((-NEAR_TIE, NEAR_TIE)):
+            alpha = (2 * k - 1) * mpmath.pi + step
+            angles = (alpha, alpha - 2 * (k - 1 + behind) * mpmath.pi)
+            ends = (Screw(Dual(angle, screw.angle.du), screw.axis) for angle in angles)
+            v, principal = (_flat(vector_from_screw(n, end)) for end in ends)
+            yield Expectation("principal", (v,), principal)
 
 
 def _undecided(n: int) -> Iterator[tuple[Expectation, ...]]:

@@ -2,8 +2,8 @@
 
 The quaternion of a rotation matrix is read from one of four rows, that of its largest component. For each row there is
 a screw whose quaternion has this component largest, axes of both signs among them, angles below and beyond a quarter
-turn; and one where all other components are small, the more the lower their index. There every other row has lost its
-digits, and a wrong comparison takes one of them.
+turn; and one where all other components are small. There every other row has lost its digits, and a wrong comparison
+takes one of them.
 """
 
 from __future__ import annotations
@@ -43,11 +43,20 @@ def covering(source: random.Random, small: float) -> Iterator[Screw]:
     draw = Draw(source)
     for row in range(4):
         yield _screw(draw, mpmath.mpf(ANGLES[row]), _direction(draw, row))
+    yield from steep(source, small)
+
+
+def steep(source: random.Random, small: float, ratio: float = 3) -> Iterator[Screw]:
+    """One screw for each row, whose other components are small: from one to the next they grow by ``ratio``.
+
+    That of the first row, which hardly turns, does not move along its axis either: else its axis would be lost in it.
+    """
+    draw = Draw(source)
     for row in range(4):
-        small_ones = [mpmath.mpf(small) * 3**i for i in range(4)]
-        e = [*small_ones[:row], mpmath.mpf(SIGNS[row] if row else 1), *small_ones[row + 1 :]]
+        e = [mpmath.mpf(small) * mpmath.mpf(ratio) ** i for i in range(4)]
+        e[row] = mpmath.mpf(SIGNS[row] if row else 1)
         vector = Vector(*e[1:])
-        yield _screw(draw, 2 * mpmath.atan2(vector.magnitude(), e[0]), vector)
+        yield _screw(draw, 2 * mpmath.atan2(vector.magnitude(), e[0]), vector, pitch=2 if row else 0)
 
 
 def translation(source: random.Random) -> Screw:
@@ -65,6 +74,11 @@ def half_turns(source: random.Random) -> Iterator[Screw]:
         yield _screw(draw, +mpmath.pi, u)
 
 
+def finite(n: int, screw: Screw, branch: int, least: float) -> bool:
+    """Whether ``tan((α + 2kπ)/2n)`` is no pole, nor near one: its cosine is not below ``least``."""
+    return bool(abs(mpmath.cos((screw.angle.re + 2 * branch * mpmath.pi) / (2 * n))) > least)
+
+
 def _direction(draw: Draw, row: int) -> Vector:
     """A direction in which one component is largest, by so much that it makes its row the largest; any for row 0."""
     u = list(draw.vector(-0.5, 0.5))
@@ -73,7 +87,7 @@ def _direction(draw: Draw, row: int) -> Vector:
     return Vector(*u)
 
 
-def _screw(draw: Draw, angle: Any, direction: Vector) -> Screw:
+def _screw(draw: Draw, angle: Any, direction: Vector, pitch: float = 2) -> Screw:
     u = direction / direction.magnitude()
     point = draw.vector(-2, 2)
-    return Screw(Dual(angle, draw.number(-2, 2)), Vector.dual(u, point.cross(u)))
+    return Screw(Dual(angle, draw.number(-pitch, pitch)), Vector.dual(u, point.cross(u)))

@@ -95,7 +95,7 @@ def binary(node: c_ast.Node, symbol: str, left: Value, right: Value, scope: Scop
 
 def _moved(node: c_ast.Node, symbol: str, pointer: Value, steps: Value) -> Value:
     """A pointer plus or minus an integer."""
-    if not steps.type.is_integer:
+    if pointer.type.kind != "pointer" or not steps.type.is_integer:
         raise refuse(node, f"{pointer.type} {symbol} {steps.type} is not read here")
     at, by, size = pointer.run, steps.run, pointer.type.element.cells * (-1 if symbol == "-" else 1)
 

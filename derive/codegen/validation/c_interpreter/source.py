@@ -29,8 +29,9 @@ SYSTEM: Mapping[str, str] = {
 
 @dataclass(frozen=True, slots=True)
 class Source:
-    """The syntax tree of a header, and the preprocessor with its macros."""
+    """A preprocessed text, its syntax tree, and the preprocessor with its macros."""
 
+    text: str
     tree: c_ast.FileAST
     macros: _Preprocessor
 
@@ -42,11 +43,12 @@ class Source:
 class _Preprocessor(Preprocessor):  # type: ignore[misc]  # pcpp has no type hints
     """Includes come from one folder, or are those of the C library; every complaint is an error."""
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path | None) -> None:
         super().__init__()
-        self.folder = folder.resolve()
+        self.folder = folder and folder.resolve()
         self.line_directive = "#line"
-        self.add_path(str(self.folder))
+        if self.folder:
+            self.add_path(str(self.folder))
 
     def on_file_open(self, is_system_include: bool, includepath: str) -> io.StringIO:
         path = Path(includepath)
@@ -67,8 +69,8 @@ class _Preprocessor(Preprocessor):  # type: ignore[misc]  # pcpp has no type hin
         raise CError(f"{Path(directive.source).name}:{directive.lineno}: #{directive.value} {text}")
 
 
-def parse(text: str, folder: Path, defines: Mapping[str, str]) -> Source:
-    """Preprocess and parse a text; quoted includes are files of the folder.
+def parse(text: str, folder: Path | None, defines: Mapping[str, str]) -> Source:
+    """Preprocess and parse a text; quoted includes are files of the folder, if one is given.
 
     Raises
     ------
@@ -84,5 +86,6 @@ def parse(text: str, folder: Path, defines: Mapping[str, str]) -> Source:
     try:
         tree = CParser().parse(written.getvalue(), "unit.c")
     except ParseError as error:
-        raise CError(str(error)) from error
-    return Source(tree, preprocessor)
+        where, _, message = str(error).partition(":")
+        raise CError(f"{Path(where).name}:{message}") from error
+    return Source(written.getvalue(), tree, preprocessor)

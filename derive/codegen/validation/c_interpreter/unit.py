@@ -54,8 +54,8 @@ class Unit:
         return [condition for condition in self.scope.conditions if len(condition.taken) == 1]
 
 
-def load(text: str, folder: Path, defines: Mapping[str, str] | None = None) -> Unit:
-    """Read a text, whose quoted includes are files of the folder.
+def load(text: str, folder: Path | None = None, defines: Mapping[str, str] | None = None) -> Unit:
+    """Read a text, whose quoted includes are files of the folder, if one is given.
 
     Raises
     ------
@@ -65,8 +65,7 @@ def load(text: str, folder: Path, defines: Mapping[str, str] | None = None) -> U
     Examples
     --------
     >>> from fractions import Fraction
-    >>> from pathlib import Path
-    >>> unit = load("double half(double a) { return a / 2; }", Path())
+    >>> unit = load("double half(double a) { return a / 2; }")
     >>> unit.call("half", Fraction(3))
     Fraction(3, 2)
     """
