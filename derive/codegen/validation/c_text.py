@@ -61,8 +61,8 @@ def validate(folder: Path, cayley: Cayley) -> int:
     header = f"cayley{cayley.order}.h"
     try:
         unit = load(f'#include "{header}"\n', folder)
-        calls = check(unit, cayley, batches(cayley))
         _constants(unit, cayley)
+        calls = check(unit, cayley, batches(cayley))
     except (CError, ValidationFailed) as error:
         raise ValidationFailed(f"{header}: {error}") from error
     if unit.idle:
