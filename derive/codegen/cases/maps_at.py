@@ -6,17 +6,21 @@ import random
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
-import mpmath
-
 from ...algebra import Dual, Quaternion, Tensor, Vector
 from ...algebra.functions import atan
 from ...maps.closed_forms import quaternion_from_vector
 from ...maps.inverse import axis, principal, shadow, vector_from_quaternion, vector_from_screw, vector_from_tensor
 from ...maps.pose import Pose, Screw, pose_from_tensor, quaternion_from_screw, tensor_from_pose, tensor_from_screw
+from .screws import covering, finite
 
 Flat = tuple[Any, ...]
 
-SCREWS = 3
+SMALL = 2.0**-8
+"""Small components of a quaternion: a row of the rotation's matrix that belongs to one has lost two bytes."""
+
+NEAR_POLE = 0.1
+"""Cosine of half the angle of v below which a branch is left out: rounding of the principal v grows by its inverse."""
+
 MAX_BRANCHES = 8
 
 
@@ -79,8 +83,8 @@ def seeded_arguments(
     def short(values: Flat) -> Flat:
         return tuple(map(nearby, values))
 
-    for _ in range(SCREWS):
-        screw, other = _screw(draw), _screw(draw)
+    screws = list(covering(draw, SMALL))
+    for screw, other in zip(screws, [*screws[1:], screws[0]], strict=True):
         v, v2 = (short(_flat(vector_from_screw(n, s))) for s in (screw, other))
         yield "from_screw", None, (short((screw.angle.re, screw.angle.du)), short(_flat(screw.axis)))
         yield "to_screw", None, (v,)
@@ -88,11 +92,11 @@ def seeded_arguments(
         yield "compose", None, (v2, v)
         yield from _on_branch(n, screw, 0, v)
     for branch in range(1, min(n, MAX_BRANCHES)):
-        screw = _screw(draw)
+        screw = next(s for s in screws[branch % len(screws) :] + screws if finite(n, s, branch, NEAR_POLE))
         v, v_k = (short(_flat(vector_from_screw(n, screw, k))) for k in (0, branch))
         yield from _on_branch(n, screw, branch, v)
-        yield "principal", None, (v_k,)
-        yield "to_screw", None, (v_k,)
+        for name, k in (("principal", None), ("to_screw", None), ("shadow", n - branch)):
+            yield name, k, (v_k,)
 
 
 def _on_branch(n: int, screw: Screw, k: int, v: Flat) -> Iterator[tuple[str, int | None, tuple[Flat, ...]]]:
@@ -101,21 +105,10 @@ def _on_branch(n: int, screw: Screw, k: int, v: Flat) -> Iterator[tuple[str, int
     Q, rho = pose.rotation, tuple(pose.displacement)
     rows = (entry for i in range(3) for entry in (Q[i, 0], Q[i, 1], Q[i, 2], rho[i]))
     yield "from_quaternion", k, ((*q.re, *q.du),)
+    yield "from_quaternion", k, (tuple(-c for c in (*q.re, *q.du)),)
     yield "from_tensor", k, ((*R.re, *R.du),)
     yield "from_pose", k, ((*rows, 0, 0, 0, 1),)
     yield "shadow", k, (v,)
-
-
-def _screw(draw: random.Random) -> Screw:
-    """A screw away from both ends of the angle's range, lengths of order 1."""
-
-    def number(low: float, high: float) -> Any:
-        return mpmath.mpf(draw.uniform(low, high))
-
-    u = Vector(*(number(-1, 1) for _ in range(3)))
-    u = u / u.magnitude()
-    point = Vector(*(number(-1, 1) for _ in range(3)))
-    return Screw(Dual(number(0.3, 2.5), number(-1, 1)), Vector.dual(u, point.cross(u)))
 
 
 def _dual(components: Flat) -> Vector:
