@@ -12,12 +12,12 @@ import mpmath
 from derive.proof.ratio import NotExactError
 
 from .equation import Equation, Reading, Result, Status, UndecidedError, Verdict, faithful
-from .evaluation import Env
-from .every_order import EveryOrder
-from .fields import DIGITS, Decimal60
-from .generic import Generic, GenericOrder, takes_apart
-from .kinds import KINDS, Draw
-from .terms import Apply, Letter, Number, Term, walk
+from .language.evaluation import Env
+from .language.terms import Apply, Letter, Number, Term, walk
+from .numbers.every_order import EveryOrder
+from .numbers.fields import DIGITS, Decimal60
+from .numbers.generic import Generic, GenericOrder, takes_apart
+from .numbers.kinds import KINDS, Draw
 
 ORDERS = (1, 2, 3, 4, 5)
 RATES = ("rate", "ddt")

@@ -16,15 +16,14 @@ An entry that fits none of these raises `UndecidedError`: there is no other way 
 from __future__ import annotations
 
 import re
-import sys
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from typing import Any
 
-from .evaluation import Definition
-from .kinds import Draw
-from .terms import Letter, Term, latex, letters, text
+from .language.evaluation import Definition
+from .language.terms import Letter, Term, latex, letters, text
+from .numbers.kinds import Draw
 
 Points = Callable[[Draw], Mapping[str, Mapping[Letter, Any]]]
 
@@ -98,7 +97,7 @@ class Equation:
     remark : str
         One sentence for the report.
     source : str
-        Where the entry stands, ``path:line``.
+        The module that holds the entry, as a path; its paper knows it.
     """
 
     number: str
@@ -143,14 +142,10 @@ class Equation:
 
 
 def equation(number: str, title: str, line: int, printed: Term | tuple[Reading, ...], **rest: Any) -> Equation:
-    """An entry; `printed` is the statement, or its readings. The place of the call is kept as its source."""
+    """An entry; `printed` is the statement, or its readings."""
     readings = printed if isinstance(printed, tuple) else (Reading(printed),)
-    caller = sys._getframe(1)
-    while caller.f_code.co_name != "<module>" and caller.f_back is not None:
-        caller = caller.f_back  # past functions that make several entries, to the line of this one
-    source = f"{caller.f_globals['__name__'].replace('.', '/')}.py:{caller.f_lineno}"
     rest["where"] = tuple(rest.get("where", ()))
-    return Equation(number, title, line, rest.pop("extract", ""), readings, source=source, **rest)
+    return Equation(number, title, line, rest.pop("extract", ""), readings, **rest)
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 
 from .decide import ORDERS, explore
 from .equation import Equation, Result, Status
-from .terms import Apply, Number, Term, text
+from .language.terms import Apply, Number, Term, text
 
 SIBLINGS = {"plus": "minus", "minus": "plus", "sin": "cos", "cos": "sin", "tan": "cot", "cot": "tan"}
 SWAPPED = ("over", "cross", "dyad", "power", "minus")

@@ -16,13 +16,14 @@ import mpmath
 from derive.algebra import Dual, Structure
 from derive.maps.pose import Pose
 
-from . import PAPERS, Paper, values
+from . import PAPERS, Paper
 from .decide import ORDERS, decide, points
 from .equation import Equation
-from .evaluation import Env
-from .fields import DIGITS
+from .language import values
+from .language.evaluation import Env
+from .language.terms import Apply, Term
 from .mutation import true_statements
-from .terms import Apply, Term
+from .numbers.fields import DIGITS
 
 SHOWN = 30
 FILE = "witnesses.json"

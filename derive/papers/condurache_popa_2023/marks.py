@@ -7,11 +7,11 @@ from typing import Any
 from derive.algebra import Quaternion, Tensor, Vector
 from derive.proof.ratio import Ratio
 
-from .. import values
-from ..evaluation import Env
-from ..fields import Decimal60, UndefinedError, innermost
-from ..notation import define
-from ..terms import ATOM, LIST, PRODUCT, RELATION, SUM, Apply, Letter, Term, walk
+from ..language import values
+from ..language.evaluation import Env
+from ..language.notation import define
+from ..language.terms import ATOM, LIST, PRODUCT, RELATION, SUM, Apply, Letter, Term, walk
+from ..numbers.fields import Decimal60, UndefinedError, innermost
 
 FAR = (40, 80)
 """Two orders, beyond which the sequences at hand are constant if at all."""

@@ -1,6 +1,6 @@
 """What the paper's letters stand for, by their definitions: what its printed formulas are checked against.
 
-Every function has the arguments of `derive.papers.evaluation.Definition`: the environment, then values.
+Every function has the arguments of `derive.papers.language.evaluation.Definition`: the environment, then values.
 """
 
 from __future__ import annotations
@@ -13,11 +13,11 @@ import mpmath
 from derive.algebra import Dual, Quaternion, Tensor, Vector, dual_part, real_part
 from derive.maps import first_principles, lines, rodrigues
 
-from .. import values
-from ..evaluation import Env
-from ..fields import Decimal60
-from ..kinds import Draw
-from ..terms import Letter
+from ..language import values
+from ..language.evaluation import Env
+from ..language.terms import Letter
+from ..numbers.fields import Decimal60
+from ..numbers.kinds import Draw
 
 # ---- dual numbers and vectors ---------------------------------------------------------------------------------
 

@@ -8,9 +8,9 @@ import mpmath
 import pytest
 
 from derive.algebra import Dual, Quaternion, Tensor, Vector, ZeroDivisorError
-from derive.papers.every_order import EveryOrder
-from derive.papers.fields import DIGITS, Decimal60, Exact, UndefinedError, integer_power
-from derive.papers.kinds import KINDS, Draw
+from derive.papers.numbers.every_order import EveryOrder
+from derive.papers.numbers.fields import DIGITS, Decimal60, Exact, UndefinedError, integer_power
+from derive.papers.numbers.kinds import KINDS, Draw
 from derive.proof.ratio import NotExactError
 
 

@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 import dataclasses
-from pathlib import Path
 
 import pytest
 
 from derive.papers import Reading, Status, UndecidedError, equation
-from derive.papers.claims import defined, unequal
 from derive.papers.condurache_popa_2023.alphabet import LOST, alpha, u, v
 from derive.papers.decide import decide
 from derive.papers.equation import Equation, Result, faithful
-from derive.papers.mutation import mutants, try_mutants
-from derive.papers.notation import (
+from derive.papers.language.claims import defined, unequal
+from derive.papers.language.notation import (
     Re,
     both,
     cos,
@@ -31,13 +29,13 @@ from derive.papers.notation import (
     tan,
     zero,
 )  # fmt: skip
-from derive.papers.terms import Letter, latex, text
+from derive.papers.language.terms import Letter, latex, text
+from derive.papers.mutation import mutants, try_mutants
 
 a, b = Letter("a", "dual number"), Letter("b", "dual number")
 w = Letter("w", "dual vector")
 k = Letter("k", "index", "k", "k")
 square_of_sum = equal((a + b) ** 2, a**2 + 2 * (a * b) + b**2)
-AT_MODULE_LEVEL = equation("1", "title", 1, square_of_sum)
 
 
 def decided(statement, **rest) -> Result:
@@ -55,12 +53,6 @@ def test_a_status_cannot_be_given() -> None:
         equation("1", "title", 1, square_of_sum, status="holds")
     with pytest.raises(dataclasses.FrozenInstanceError):
         decided(square_of_sum).status = Status.ERRATUM
-
-
-def test_the_source_of_an_entry_is_the_place_of_its_call() -> None:
-    path, _, line = AT_MODULE_LEVEL.source.rpartition(":")
-    assert path.endswith("test_framework.py")
-    assert "AT_MODULE_LEVEL" in Path(__file__).read_text("utf-8").splitlines()[int(line) - 1]
 
 
 # ---- readings -----------------------------------------------------------------------------------------------------

@@ -6,7 +6,7 @@ import pytest
 
 from derive.papers import Result, Status, verify
 from derive.papers.karakilic_2010 import PAPER, alphabet, inventory
-from derive.papers.terms import Apply, Letter, walk
+from derive.papers.language.terms import Apply, Letter, walk
 
 ERRATA = {"14", "zero-components", "quadratic-expansion"}
 HOLDS = {

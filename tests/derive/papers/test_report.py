@@ -15,10 +15,11 @@ from rich.cells import cell_len
 from derive.codegen.templates import render
 from derive.papers import PAPERS, Result, Status, verify
 from derive.papers.equation import Verdict
+from derive.papers.language.terms import Letter
 from derive.papers.report import FORMATS, Report
+from derive.papers.report.content import label
 from derive.papers.report.pages import escape, mathml
 from derive.papers.report.plain import plain
-from derive.papers.terms import Letter
 from derive.proof import theorems
 
 SAMPLE = ("14", "20", "orthogonal", "zero-components", "half-angle", "5")
@@ -79,13 +80,11 @@ def test_pages_hold_every_entry_and_nothing_undefined(report, form: str) -> None
 
 def test_markdown_links_entries_to_their_sources(report) -> None:
     page = FORMATS["markdown"](report, render)
-    root = Path(__file__).parents[3]
-    links = re.findall(r"\]\(\.\./(derive/papers/\S+\.py)#L(\d+)\)", page)
+    links = re.findall(r"\[(\S+) in (derive/papers/\S+\.py)\]\(\.\./(\S+)\)", page)
     assert len(links) == len(report.results)
-    for (path, line), result in zip(links, _in_order(report), strict=True):
-        source = (root / path).read_text(encoding="utf-8").splitlines()
-        near = "\n".join(source[int(line) - 1 : int(line) + 3])
-        assert result.equation.number in near
+    for (name, shown, path), result in zip(links, _in_order(report), strict=True):
+        assert name == label(result)
+        assert shown == path == result.equation.source
 
 
 def _in_order(report: Report) -> list[Result]:
