@@ -23,7 +23,7 @@ from typing import Any
 
 from .language.evaluation import Definition
 from .language.terms import Letter, Term, latex, letters, text
-from .numbers.kinds import Draw
+from .numbers.draw import Draw
 
 Points = Callable[[Draw], Mapping[str, Mapping[Letter, Any]]]
 
@@ -83,7 +83,7 @@ class Equation:
     because : Term, optional
         An identity that proves what the points alone only show: that a missed element is missed.
     also : callable, optional
-        Further points: from a `kinds.Draw` to values of free letters, by name.
+        Further points: from a `numbers.draw.Draw` to values of free letters, by name.
     moving : bool
         Whether the letters are functions of time.
     orders : tuple of int, optional
@@ -127,14 +127,14 @@ class Equation:
     def free(self, statement: Term) -> tuple[Letter, ...]:
         """The letters that vary in a statement: its own and those its definitions rest on."""
         parts = (statement, *(part for part in (self.claimed, self.condition) if part is not None))
-        queue, found = [letter for part in parts for letter in letters(part)], dict[Letter, None]()
-        while queue:
-            letter = queue.pop(0)
+        seen = dict.fromkeys(letter for part in parts for letter in letters(part))
+        queue = list(seen)
+        for letter in queue:
             if letter in self.definitions:
-                queue += [a for a in self.definitions[letter].arguments if a not in found]
-            elif letter.kind not in ("constant", "words", "index"):
-                found[letter] = None
-        return tuple(found)
+                new = [argument for argument in self.definitions[letter].arguments if argument not in seen]
+                seen.update(dict.fromkeys(new))
+                queue += new
+        return tuple(letter for letter in queue if letter not in self.definitions and letter.kind.varies)
 
     def reading(self, statement: Term) -> Equation:
         """The same entry with this one reading: a correction or a mutant put in place of what is printed."""

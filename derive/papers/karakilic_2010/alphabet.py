@@ -46,6 +46,6 @@ def arrow(name: str, star: bool = False, seen_as: str | None = None) -> Letter:
                   seen_as or plain)  # fmt: skip
 
 
-e = Letter("epsilon", "constant", "e", "e")
-pi = Letter("pi", "constant", r"\pi", "p")
+e = Letter("epsilon", "dual unit", "e", "e")
+pi = Letter("pi", "π", r"\pi", "p")
 i, j, k = (Letter(name, "index", name, name) for name in "ijk")

@@ -10,32 +10,30 @@ from typing import Any
 from derive.algebra import Dual, Tensor, Vector, dual_part, real_part
 from derive.proof.ratio import NotExactError
 
+from ..language.changes import DROPPED, SWAPPED, made
 from ..language.evaluation import Env
-from ..language.notation import define
-from ..language.terms import ATOM, LIST, NOTATIONS, POWER, PRODUCT, RELATION, SUM, Term
+from ..language.notation import cos, define, norm, sin, tan
+from ..language.terms import ATOM, LIST, POWER, PRODUCT, RELATION, SUM, Mark, Term, Trait
 from ..language.values import MeaninglessError
-from ..numbers.fields import Decimal60
 from .alphabet import i, j
 
-_norm, _tangent = NOTATIONS["norm"].value, NOTATIONS["tan"].value
+
+def _function(name: str, value: Callable[[Env, Any], Any], sibling: str, exponent: int = 1) -> Mark:
+    """A function with a capital, or a power of it."""
+    shown, power = ("", "") if exponent == 1 else (f"^{exponent}", str(exponent))
+    return define(f"K10 {name}{power}", rf"\operatorname{{{{{name}}}}}{shown} {{0}}", f"{name}{power}{{0}}", PRODUCT,
+                  (POWER,), lambda env, a: env.power(value(env, a), exponent), traits=Trait.TRANSCENDENTAL,
+                  changes=(DROPPED, made(sibling)))  # fmt: skip
 
 
-def _power_of_tangent(exponent: int) -> Callable[[Env, Any], Any]:
-    return lambda env, a: env.power(_tangent(env, a), exponent)
-
-
-Sin = define("K10 Sin", r"\operatorname{{Sin}} {0}", "Sin{0}", PRODUCT, (POWER,), lambda env, a: env.field.sin(a))
-Cos = define("K10 Cos", r"\operatorname{{Cos}} {0}", "Cos{0}", PRODUCT, (POWER,), lambda env, a: env.field.cos(a))
-Tan = define("K10 Tan", r"\operatorname{{Tan}} {0}", "Tan{0}", PRODUCT, (POWER,), _tangent)
-Tan2, Tan3 = (
-    define(f"K10 Tan{k}", rf"\operatorname{{{{Tan}}}}^{k} {{0}}", f"Tan{k}{{0}}", PRODUCT, (POWER,),
-           _power_of_tangent(k))
-    for k in (2, 3)
-)  # fmt: skip
-natural = define("K10 natural", "e^{{{0}}}", "e{0}", POWER, (LIST,), lambda env, a: env.field.exp(a))
-length = define("K10 length", r"\left\|{0}\right\|", "|{0}|", ATOM, (LIST,), _norm)
+Sin, Cos = _function("Sin", sin.value, "K10 Cos"), _function("Cos", cos.value, "K10 Sin")
+Tan = _function("Tan", tan.value, "cot")
+Tan2, Tan3 = _function("Tan", tan.value, "K10 Tan3", 2), _function("Tan", tan.value, "K10 Tan2", 3)
+natural = define("K10 natural", "e^{{{0}}}", "e{0}", POWER, (LIST,), lambda env, a: env.field.exp(a),
+                 traits=Trait.TRANSCENDENTAL)  # fmt: skip
+length = define("K10 length", r"\left\|{0}\right\|", "|{0}|", ATOM, (LIST,), norm.value, traits=norm.traits)
 square_root = define("K10 power 1/2", r"\left({0}\right)^{{\frac{{1}}{{2}}}}", "({0})12", POWER, (LIST,),
-                     lambda env, a: env.field.sqrt(a))  # fmt: skip
+                     lambda env, a: env.field.sqrt(a), changes=(DROPPED,))  # fmt: skip
 group = define("K10 group", r"\left({0}\right)", "({0})", ATOM, (LIST,), lambda env, a: a)
 pair = define("K10 vectors side by side", r"{0}\, {1}", "{0}{1}", PRODUCT, (PRODUCT, PRODUCT),
               lambda env, a, b: a.dot(b))  # fmt: skip
@@ -43,9 +41,10 @@ inner = define("K10 row by column", r"{0}^{{T}}\, {1}", "{0}T{1}", PRODUCT, (ATO
 quadratic = define("K10 quadratic form", r"{0}^{{T}}\, {1}\, {0}", "{0}T{1}{0}", PRODUCT, (ATOM, ATOM),
                    lambda env, a, T: a.dot(T @ a))  # fmt: skip
 parts = define("K10 parts", r"\left({0}, {1}\right)", "({0},{1})", ATOM, (LIST,),
-               lambda env, a, b: Vector.dual(a, b) if isinstance(a, Vector) else Dual(a, b))  # fmt: skip
+               lambda env, a, b: Vector.dual(a, b) if isinstance(a, Vector) else Dual(a, b),
+               changes=(SWAPPED,))  # fmt: skip
 column = define("K10 column", r"\left({0}, {1}, {2}\right)", "({0},{1},{2})", ATOM, (LIST,),
-                lambda env, *a: Vector(*a))  # fmt: skip
+                lambda env, *a: Vector(*a), changes=(SWAPPED,))  # fmt: skip
 matrix = define(
     "matrix", r"\begin{{bmatrix}} {0} & {1} & {2} \\ {3} & {4} & {5} \\ {6} & {7} & {8} \end{{bmatrix}}",
     "{0}{1}{2}{3}{4}{5}{6}{7}{8}", ATOM, (LIST,), lambda env, *a: Tensor.from_entries(a),
@@ -68,7 +67,7 @@ coefficient = define("K10 coefficient", "{0}_{{{1}}}", "{0}{1}", ATOM, (ATOM,), 
 
 def _compare(env: Env, relation: Callable[[Any, Any], bool], *sides: Any) -> bool:
     """Dual numbers in the order of their real parts, then of their dual parts; generic symbols have no order."""
-    if not isinstance(env.field, Decimal60):
+    if not env.field.ordered:
         raise NotExactError("an inequality")
     return all(relation((real_part(a), dual_part(a)), (real_part(b), dual_part(b))) for a, b in pairwise(sides))
 
@@ -86,7 +85,8 @@ def _provided(env: Env, statement: Term, condition: Term) -> bool:
     return not needed or bool(env.value(statement))
 
 
-provided = define("K10 provided", r"{0}, \quad {1}", "{0},{1}", LIST, (LIST,), _provided, lazy=True)
+provided = define("K10 provided", r"{0}, \quad {1}", "{0},{1}", LIST, (LIST,), _provided, lazy=True,
+                  traits=Trait.JOINS)  # fmt: skip
 """A formula with the domain printed beside it."""
 
 
@@ -103,8 +103,11 @@ def _ordered_pairs(env: Env, body: Term, strict: bool) -> list[Any]:
 everywhere = define("K10 everywhere", r"{0} \quad (i, j = 1, 2, 3)", "{0}", LIST, (LIST,),
                     lambda env, body: all(_all_pairs(env, body)), lazy=True)  # fmt: skip
 sum_all = define("K10 sum over i and j", r"\sum_{{i, j}} {0}", "Σ{0}", PRODUCT, (PRODUCT,),
-                 lambda env, body: sum(_all_pairs(env, body)), lazy=True)  # fmt: skip
+                 lambda env, body: sum(_all_pairs(env, body)), lazy=True,
+                 changes=(made("K10 sum over i ≤ j"),))  # fmt: skip
 sum_upper = define("K10 sum over i ≤ j", r"\sum_{{i \leq j}} {0}", "Σ{0}", PRODUCT, (PRODUCT,),
-                   lambda env, body: sum(_ordered_pairs(env, body, False)), lazy=True)  # fmt: skip
+                   lambda env, body: sum(_ordered_pairs(env, body, False)), lazy=True,
+                   changes=(made("K10 sum over i < j"),))  # fmt: skip
 sum_above = define("K10 sum over i < j", r"\sum_{{i < j}} {0}", "Σ{0}", PRODUCT, (PRODUCT,),
-                   lambda env, body: sum(_ordered_pairs(env, body, True)), lazy=True)  # fmt: skip
+                   lambda env, body: sum(_ordered_pairs(env, body, True)), lazy=True,
+                   changes=(made("K10 sum over i and j"),))  # fmt: skip

@@ -16,8 +16,8 @@ from derive.maps import first_principles, lines, rodrigues
 from ..language import values
 from ..language.evaluation import Env
 from ..language.terms import Letter
+from ..numbers.draw import Draw
 from ..numbers.fields import Decimal60
-from ..numbers.kinds import Draw
 
 # ---- dual numbers and vectors ---------------------------------------------------------------------------------
 
@@ -41,16 +41,6 @@ def along(env: Env, size: Any, axis: Vector) -> Vector:
     """``size · axis``: every dual vector whose real part is not zero is one, with a rational norm."""
     whole: Vector = axis * size
     return whole
-
-
-def re(env: Env, a: Any) -> Any:
-    """Real part."""
-    return a.re if isinstance(a, Vector) else real_part(a)
-
-
-def du(env: Env, a: Any) -> Any:
-    """Dual part."""
-    return a.du if isinstance(a, Vector) else dual_part(a)
 
 
 def component(index: int, part: Callable[[Any], Any] = lambda a: a) -> Callable[..., Any]:

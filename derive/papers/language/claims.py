@@ -8,14 +8,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from derive.algebra import Quaternion, Tensor, Vector, real_part
+from derive.algebra import Quaternion, Tensor, Vector
 from derive.maps.pose import Pose
 
-from ..numbers.fields import Decimal60, innermost
+from ..numbers.fields import innermost
 from . import values
 from .evaluation import Env
 from .notation import define
-from .terms import ATOM, LIST, RELATION, SUM, Letter, Term
+from .terms import ATOM, LIST, RELATION, SUM, Letter, Term, Trait
 
 
 def proposition(name: str, latex: str) -> Letter:
@@ -31,12 +31,13 @@ def _defined(env: Env, statement: Term) -> bool:
     return True
 
 
-defined = define("defined", r"{0} \text{{ has a value}}", "{0}", RELATION, (SUM,), _defined, lazy=True)
+defined = define("defined", r"{0} \text{{ has a value}}", "{0}", RELATION, (SUM,), _defined, lazy=True,
+                 traits=Trait.DELICATE)  # fmt: skip
 
 
 def _unequal(env: Env, a: Term, multiple: Term, index: Term) -> bool:
     """Whether `a` differs from all multiples, index being every integer; generic symbols do."""
-    if not isinstance(env.field, Decimal60):
+    if not env.field.ordered:
         return True
     first, second = (innermost(env.bound(index, k).value(multiple)) for k in (0, 1))
     turns = (innermost(env.value(a)) - first) / (second - first)
@@ -44,7 +45,7 @@ def _unequal(env: Env, a: Term, multiple: Term, index: Term) -> bool:
 
 
 unequal = define("unequal", r"{0} \neq {1}", "{0}≠{1}", RELATION, (SUM, SUM, ATOM), _unequal,
-                 lazy=True)  # fmt: skip
+                 lazy=True, traits=Trait.DELICATE)  # fmt: skip
 """``unequal(Re(alpha), 2 * k * pi, k)``: for no integer k equal."""
 
 
@@ -112,5 +113,5 @@ def on_parts(f: Callable[[Any], Any]) -> Callable[..., Any]:
     return lambda env, a: f(a)
 
 
-real_of = on_parts(lambda a: a.re if hasattr(a, "re") else real_part(a))
-dual_of = on_parts(lambda a: a.du if hasattr(a, "du") else 0)
+real_of = on_parts(values.re)
+dual_of = on_parts(values.du)

@@ -7,10 +7,10 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from derive.algebra import Dual, Structure, Tensor
+from derive.algebra import Dual, Structure
 
 from ..numbers.fields import Field
-from .terms import NOTATIONS, Apply, Letter, Number, Term
+from .terms import Apply, Letter, Number, Term
 
 Function = Callable[..., Any]
 
@@ -60,10 +60,10 @@ class Env:
             return self._letter(statement)
         if not isinstance(statement, Apply):
             raise TypeError(f"not a formula: {statement!r}")
-        row = NOTATIONS[statement.head]
-        if row.lazy:
-            return row.value(self, *statement.arguments)
-        return row.value(self, *(self.value(argument) for argument in statement.arguments))
+        mark = statement.mark
+        if mark.lazy:
+            return mark.value(self, *statement.arguments)
+        return mark.value(self, *(self.value(argument) for argument in statement.arguments))
 
     def bound(self, index: Letter | Term, value: Any) -> Env:
         """The same with one more letter bound, as the index of a sum."""
@@ -102,13 +102,8 @@ class Env:
         if letter in self.definitions:
             definition = self.definitions[letter]
             return definition.function(self, *(self.value(a) for a in definition.arguments))
-        constants = {"I": Tensor.identity(), "epsilon": Dual(0, 1)}
-        if letter.name in constants:
-            return constants[letter.name]
-        if letter.kind == "words":
-            return None
-        if letter.name == "pi":
-            return self.field.pi
+        if letter.kind.value is not None:
+            return letter.kind.value(self.field)
         raise KeyError(f"letter {letter.name!r} has no value")
 
 

@@ -12,13 +12,14 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
-from derive.algebra import Dual, Quaternion, Structure, Tensor, Vector, dual_part, real_part
+from derive.algebra import Quaternion, Structure, Tensor, Vector
 from derive.maps.exponential import quaternion_exponential, tensor_exponential
 from derive.proof.ratio import NotExactError
 
 from ..numbers.fields import UndefinedError, innermost
 from . import values
-from .terms import ATOM, LIST, NOTATIONS, POWER, PRODUCT, RELATION, SUM, Apply, Letter, Notation, Number, Term
+from .changes import DROPPED, FIRST_DROPPED, MINUEND_DROPPED, SECOND_DROPPED, SWAPPED, made
+from .terms import ATOM, LIST, MARKS, POWER, PRODUCT, RELATION, SUM, Apply, Change, Letter, Mark, Number, Term, Trait
 
 if TYPE_CHECKING:
     from .evaluation import Env
@@ -32,21 +33,27 @@ def define(
     slots: tuple[int, ...],
     value: Callable[..., Any],
     lazy: bool = False,
-) -> Callable[..., Apply]:
-    """Add a row to the table and return the function that builds its terms."""
-    if name in NOTATIONS:
-        raise ValueError(f"notation {name!r} is defined twice")
-    NOTATIONS[name] = Notation(latex, text, level, slots, value, lazy)
-    return lambda *arguments: Apply(name, *arguments)
+    traits: Trait = Trait.NONE,
+    changes: tuple[Change, ...] = (),
+) -> Mark:
+    """Add a row to the table and return it: called, it builds terms."""
+    if name in MARKS:
+        raise ValueError(f"mark {name!r} is defined twice")
+    MARKS[name] = Mark(name, latex, text, level, slots, value, lazy, traits, changes)
+    return MARKS[name]
 
 
 # ---- numbers and structures: what Python's operators build ----------------------------------------------------
 
-define("plus", "{0} + {1}", "{0}+{1}", SUM, (SUM, PRODUCT), lambda env, a, b: values.add(a, b))
-define("minus", "{0} - {1}", "{0}-{1}", SUM, (SUM, PRODUCT), lambda env, a, b: values.add(a, values.negative(b)))
-define("negative", "-{0}", "-{0}", SUM, (PRODUCT,), lambda env, a: values.negative(a))
-define("times", r"{0}\, {1}", "{0} {1}", PRODUCT, (PRODUCT, PRODUCT), lambda env, a, b: values.multiply(a, b))
-define("over", r"\frac{{{0}}}{{{1}}}", "{0}/{1}", POWER, (LIST, LIST), lambda env, a, b: _quotient(env, a, b))
+define("plus", "{0} + {1}", "{0}+{1}", SUM, (SUM, PRODUCT), lambda env, a, b: values.add(a, b),
+       changes=(made("minus"), SECOND_DROPPED, FIRST_DROPPED))  # fmt: skip
+define("minus", "{0} - {1}", "{0}-{1}", SUM, (SUM, PRODUCT), lambda env, a, b: values.add(a, values.negative(b)),
+       changes=(made("plus"), SWAPPED, SECOND_DROPPED, MINUEND_DROPPED))  # fmt: skip
+define("negative", "-{0}", "-{0}", SUM, (PRODUCT,), lambda env, a: values.negative(a), changes=(DROPPED,))
+define("times", r"{0}\, {1}", "{0} {1}", PRODUCT, (PRODUCT, PRODUCT), lambda env, a, b: values.multiply(a, b),
+       changes=(SECOND_DROPPED, FIRST_DROPPED))  # fmt: skip
+over = define("over", r"\frac{{{0}}}{{{1}}}", "{0}/{1}", POWER, (LIST, LIST), lambda env, a, b: _quotient(env, a, b),
+              changes=(SWAPPED,))  # fmt: skip
 
 
 def _quotient(env: Env, a: Any, b: Any) -> Any:
@@ -58,19 +65,13 @@ def _quotient(env: Env, a: Any, b: Any) -> Any:
 
 def _power(env: Env, base: Term, exponent: Term) -> Any:
     e = env.value(exponent)
-    if isinstance(base, Apply) and base.head == "norm" and isinstance(e, int) and e % 2 == 0:
-        return env.power(_square(env.value(base.arguments[0])), e // 2)  # |v|² is v·v: no root
+    if isinstance(base, Apply) and Trait.LENGTH in base.mark.traits and isinstance(e, int) and e % 2 == 0:
+        return env.power(values.square(env.value(base.arguments[0])), e // 2)  # |v|² is v·v: no root
     value = env.value(base)
     return (lambda a: env.power(value(a), e)) if callable(value) else env.power(value, e)
 
 
-def _square(a: Any) -> Any:
-    if isinstance(a, Vector):
-        return a.dot(a)
-    return a.norm2() if isinstance(a, Quaternion) else a * a
-
-
-define("power", "{0}^{{{1}}}", "{0}^{1}", POWER, (ATOM, LIST), _power, lazy=True)
+define("power", "{0}^{{{1}}}", "{0}^{1}", POWER, (ATOM, LIST), _power, lazy=True, changes=(SWAPPED,))
 
 
 def _root(env: Env, a: Any) -> Any:
@@ -78,7 +79,7 @@ def _root(env: Env, a: Any) -> Any:
     return env.power(a, Fraction(1, 2)) if isinstance(a, Quaternion) else env.field.sqrt(a)
 
 
-root = define("root", r"\sqrt{{{0}}}", "√{0}", POWER, (LIST,), _root)
+root = define("root", r"\sqrt{{{0}}}", "√{0}", POWER, (LIST,), _root, changes=(DROPPED,))
 pm = define("pm", r"\pm {0}", "±{0}", SUM, (PRODUCT,), lambda env, a: values.Either(a, values.negative(a)))
 bracket = define("bracket", r"\left[{0}\right]", "({0})", ATOM, (LIST,), lambda env, a: a)
 
@@ -91,17 +92,21 @@ def _chain(env: Env, *sides: Any) -> bool:
 
 
 equal = define("equal", " = ", "=", RELATION, (SUM,), _chain)
-both = define("both", r" ;\quad ", ";", LIST, (LIST,), lambda env, *parts: all(parts))
+both = define("both", r" ;\quad ", ";", LIST, (LIST,), lambda env, *parts: all(parts), traits=Trait.JOINS)
 nonzero = define(
-    "nonzero", r"{0} \neq 0", "{0}≠0", RELATION, (SUM,), lambda env, a: not values.equal(env.field, env.now(a), 0)
-)
-negated = define("negated", r"\neg\left({0}\right)", "not {0}", RELATION, (LIST,), lambda env, a: not a)
+    "nonzero", r"{0} \neq 0", "{0}≠0", RELATION, (SUM,), lambda env, a: not values.equal(env.field, env.now(a), 0),
+    traits=Trait.DELICATE,
+)  # fmt: skip
+negated = define("negated", r"\neg\left({0}\right)", "not {0}", RELATION, (LIST,), lambda env, a: not a,
+                 traits=Trait.DELICATE)  # fmt: skip
 implies = define(
     "implies", r"{0} \Rightarrow {1}", "{0}⇒{1}", LIST, (LIST, LIST),
-    lambda env, a, b: not env.value(a) or env.value(b), lazy=True,
+    lambda env, a, b: not env.value(a) or env.value(b), lazy=True, traits=Trait.DELICATE | Trait.JOINS,
 )  # fmt: skip
-iff = define("iff", r"{0} \Leftrightarrow {1}", "{0}⇔{1}", LIST, (LIST, LIST), lambda env, a, b: a == b)
-remark = define("remark", r"{0},\quad {1}", "{0},{1}", LIST, (LIST, LIST), lambda env, statement, words: statement)
+iff = define("iff", r"{0} \Leftrightarrow {1}", "{0}⇔{1}", LIST, (LIST, LIST), lambda env, a, b: a == b,
+             traits=Trait.DELICATE | Trait.JOINS)  # fmt: skip
+remark = define("remark", r"{0},\quad {1}", "{0},{1}", LIST, (LIST, LIST), lambda env, statement, words: statement,
+                traits=Trait.JOINS)  # fmt: skip
 
 
 def words(latex: str, text: str) -> Letter:
@@ -119,17 +124,19 @@ def _cases(env: Env, *arms: Term) -> Any:
 def cases(*arms: tuple[Any, Term]) -> Apply:
     """A value by cases: ``cases((value, condition), ...)``."""
     name = f"cases{len(arms)}"
-    if name not in NOTATIONS:
+    if name not in MARKS:
         rows = range(0, 2 * len(arms), 2)
         inside = r"\\ ".join(f"{{{i}}}, & {{{i + 1}}}" for i in rows)
         latex = rf"\begin{{{{cases}}}} {inside} \end{{{{cases}}}}"
-        define(name, latex, ",".join(f"{{{i}}},{{{i + 1}}}" for i in rows), ATOM, (LIST,), _cases, lazy=True)
+        text = ",".join(f"{{{i}}},{{{i + 1}}}" for i in rows)
+        define(name, latex, text, ATOM, (LIST,), _cases, lazy=True, traits=Trait.DELICATE)
     return Apply(name, *(part for arm in arms for part in arm))
 
 
-infinity = Letter("infinity", "constant", r"\infty", "∞")
+infinity = Letter("infinity", "∞", r"\infty", "∞")
 factorial = define("factorial", "{0}!", "{0}!", ATOM, (ATOM,), lambda env, k: math.factorial(k))
-power_of_e = define("power of e", "e^{{{0}}}", "e{0}", POWER, (LIST,), lambda env, a: _exponential(env, a))
+power_of_e = define("power of e", "e^{{{0}}}", "e{0}", POWER, (LIST,), lambda env, a: _exponential(env, a),
+                    traits=Trait.TRANSCENDENTAL)  # fmt: skip
 
 
 def _sum(env: Env, index: Term, low: Term, high: Term, body: Term) -> Any:
@@ -172,31 +179,21 @@ binomial = define("binomial", r"\binom{{{0}}}{{{1}}}", "{0} {1}", ATOM, (LIST, L
 
 # ---- dual parts -----------------------------------------------------------------------------------------------
 
-epsilon = Letter("epsilon", "constant", r"\varepsilon", "ε")
-Re = define("Re", r"\operatorname{{Re}} {0}", "Re {0}", PRODUCT, (ATOM,), lambda env, a: _part(a, "re"))
-Du = define("Du", r"\operatorname{{Du}} {0}", "Du {0}", PRODUCT, (ATOM,), lambda env, a: _part(a, "du"))
-
-
-def _part(a: Any, which: str) -> Any:
-    if isinstance(a, Structure):
-        return getattr(a, which)
-    return real_part(a) if which == "re" else dual_part(a)
+epsilon = Letter("epsilon", "dual unit", r"\varepsilon", "ε")
+Re = define("Re", r"\operatorname{{Re}} {0}", "Re {0}", PRODUCT, (ATOM,), lambda env, a: values.re(a),
+            traits=Trait.APART, changes=(made("Du"),))  # fmt: skip
+Du = define("Du", r"\operatorname{{Du}} {0}", "Du {0}", PRODUCT, (ATOM,), lambda env, a: values.du(a),
+            traits=Trait.APART, changes=(made("Re"),))  # fmt: skip
 
 
 # ---- vectors, tensors, quaternions ----------------------------------------------------------------------------
 
 
-def _norm(env: Env, a: Any) -> Any:
-    if isinstance(a, Vector):
-        return env.field.magnitude(a)
-    if isinstance(a, Quaternion):
-        return env.field.sqrt(a.norm2())
-    return abs(a)
-
-
-norm = define("norm", r"\left|{0}\right|", "|{0}|", ATOM, (LIST,), _norm)
+norm = define("norm", r"\left|{0}\right|", "|{0}|", ATOM, (LIST,), lambda env, a: values.norm(env.field, a),
+              traits=Trait.LENGTH)  # fmt: skip
 dot = define("dot", r"{0} \cdot {1}", "{0}·{1}", PRODUCT, (PRODUCT, PRODUCT), lambda env, a, b: values.dot(a, b))
-cross = define("cross", r"{0} \times {1}", "{0}×{1}", PRODUCT, (ATOM, ATOM), lambda env, a, b: a.cross(b))
+cross = define("cross", r"{0} \times {1}", "{0}×{1}", PRODUCT, (ATOM, ATOM), lambda env, a, b: a.cross(b),
+               changes=(SWAPPED,))  # fmt: skip
 
 
 def _permutations(*vectors: Any) -> Iterator[tuple[int, tuple[Any, ...]]]:
@@ -211,23 +208,27 @@ triple = define(
     "triple", r"\left\langle {0}, {1}, {2} \right\rangle", "{0},{1},{2}", ATOM, (LIST,),
     lambda env, a, b, c: sum(sign * a_i * b_j * c_k for sign, (a_i, b_j, c_k) in _permutations(a, b, c)),
 )  # fmt: skip
-dyad = define("dyad", r"{0} \otimes {1}", "{0}⊗{1}", PRODUCT, (ATOM, ATOM), lambda env, a, b: Tensor.dyad(a, b))
+dyad = define("dyad", r"{0} \otimes {1}", "{0}⊗{1}", PRODUCT, (ATOM, ATOM), lambda env, a, b: Tensor.dyad(a, b),
+              changes=(SWAPPED,))  # fmt: skip
 couple = define(
     "couple", r"\left({0},\, {1}\right)", "({0},{1})", ATOM, (LIST, LIST),
     lambda env, a, b: values.add(values.quaternion(a), b),
 )  # fmt: skip
 skew = define("skew", r"\tilde{{{0}}}", "{0}~", ATOM, (ATOM,), lambda env, a: Tensor.skew(a))
-transpose = define("transpose", r"{0}^{{T}}", "{0}^T", POWER, (ATOM,), lambda env, a: a.transpose)
+transpose = define("transpose", r"{0}^{{T}}", "{0}^T", POWER, (ATOM,), lambda env, a: a.transpose,
+                   changes=(DROPPED,))  # fmt: skip
 det = define("det", r"\det {0}", "det {0}", PRODUCT, (ATOM,), lambda env, a: a.det())
 trace = define("trace", r"\operatorname{{trace}} {0}", "trace {0}", PRODUCT, (ATOM,), lambda env, a: a.trace())
 vect = define("vect", r"\operatorname{{vect}} {0}", "vect {0}", PRODUCT, (ATOM,), lambda env, a: a.vect())
-conjugate = define("conjugate", "{0}^{{*}}", "{0}*", POWER, (ATOM,), lambda env, a: values.quaternion(a).conjugate())
-rate = define("rate", r"\dot{{{0}}}", "{0}˙", ATOM, (ATOM,), lambda env, a: env.rate(a))
-ddt = define("ddt", r"\frac{{d}}{{dt}} {0}", "d/dt{0}", PRODUCT, (PRODUCT,), lambda env, a: env.rate(a))
+conjugate = define("conjugate", "{0}^{{*}}", "{0}*", POWER, (ATOM,), lambda env, a: values.quaternion(a).conjugate(),
+                   changes=(DROPPED,))  # fmt: skip
+rate = define("rate", r"\dot{{{0}}}", "{0}˙", ATOM, (ATOM,), lambda env, a: env.rate(a), traits=Trait.RATE)
+ddt = define("ddt", r"\frac{{d}}{{dt}} {0}", "d/dt{0}", PRODUCT, (PRODUCT,), lambda env, a: env.rate(a),
+             traits=Trait.RATE)  # fmt: skip
 
 half = Number(1) / 2
-identity = Letter("I", "constant", "I", "I")
-pi = Letter("pi", "constant", r"\pi", "π")
+identity = Letter("I", "identity", "I", "I")
+pi = Letter("pi", "π", r"\pi", "π")
 
 
 # ---- functions ------------------------------------------------------------------------------------------------
@@ -239,27 +240,25 @@ def _over(a: Any, b: Any) -> Any:
     return a / b
 
 
-_FUNCTIONS: dict[str, Callable[..., Any]] = {
-    "sin": lambda env, a: env.field.sin(a),
-    "cos": lambda env, a: env.field.cos(a),
-    "tan": lambda env, a: _over(env.field.sin(a), env.field.cos(a)),
-    "cot": lambda env, a: _over(env.field.cos(a), env.field.sin(a)),
-    "arctan": lambda env, a: env.field.atan(a),
-}
-
-sin, cos, tan, cot, arctan = (
-    define(name, rf"\{name} {{0}}", name + " {0}", PRODUCT, (POWER,), value) for name, value in _FUNCTIONS.items()
-)
+def _function(name: str, value: Callable[..., Any], *siblings: str) -> Mark:
+    return define(name, rf"\{name} {{0}}", name + " {0}", PRODUCT, (POWER,), value, traits=Trait.TRANSCENDENTAL,
+                  changes=(DROPPED, *map(made, siblings)))  # fmt: skip
 
 
-def _squared(name: str) -> Callable[..., Any]:
-    return lambda env, a: env.power(_FUNCTIONS[name](env, a), 2)
+sin = _function("sin", lambda env, a: env.field.sin(a), "cos")
+cos = _function("cos", lambda env, a: env.field.cos(a), "sin")
+tan = _function("tan", lambda env, a: _over(env.field.sin(a), env.field.cos(a)), "cot")
+cot = _function("cot", lambda env, a: _over(env.field.cos(a), env.field.sin(a)), "tan")
+arctan = _function("arctan", lambda env, a: env.field.atan(a))
 
 
-sin2, cos2, tan2 = (
-    define(f"{name}²", rf"\{name}^2 {{0}}", f"{name}^2 {{0}}", PRODUCT, (POWER,), _squared(name))
-    for name in ("sin", "cos", "tan")
-)
+def _squared(f: Mark, sibling: str) -> Mark:
+    return define(f"{f.name}²", rf"\{f.name}^2 {{0}}", f"{f.name}^2 {{0}}", PRODUCT, (POWER,),
+                  lambda env, a: env.power(f.value(env, a), 2), traits=f.traits,
+                  changes=(DROPPED, made(sibling)))  # fmt: skip
+
+
+sin2, cos2, tan2 = _squared(sin, "cos²"), _squared(cos, "sin²"), _squared(tan, "sin²")
 
 
 def _exponential(env: Env, a: Any) -> Any:
@@ -269,17 +268,17 @@ def _exponential(env: Env, a: Any) -> Any:
     return quaternion_exponential(a, env.field) if isinstance(a, Vector) else env.field.exp(a)
 
 
-exp = define("exp", r"\exp {0}", "exp {0}", PRODUCT, (ATOM,), _exponential)
+exp = define("exp", r"\exp {0}", "exp {0}", PRODUCT, (ATOM,), _exponential, traits=Trait.TRANSCENDENTAL)
 at = define("at", r"{0}\left({1}\right)", "{0} {1}", ATOM, (ATOM, LIST), lambda env, f, a: f(a))
 
 
 reaches = define(
     "reaches", r"{0} : \cdot \mapsto {1} \text{{ for some argument}}", "{0}{1}", RELATION, (SUM, SUM),
-    lambda env, f, target: f.reaches(env.field, target) > 0,
+    lambda env, f, target: f.reaches(env.field, target) > 0, traits=Trait.DELICATE,
 )  # fmt: skip
 branches = define(
     "branches", r"\#\, {0}^{{-1}}\left({1}\right) = {2}", "{0}{1}{2}", RELATION, (ATOM, LIST, SUM),
-    lambda env, f, target, n: f.reaches(env.field, target) == n,
+    lambda env, f, target, n: f.reaches(env.field, target) == n, traits=Trait.DELICATE,
 )  # fmt: skip
 """Claims about a letter that stands for a `values.Map`: "onto" is ``reaches(f, q)`` for every q."""
 
@@ -287,8 +286,3 @@ branches = define(
 def zero(a: Term | int) -> Apply:
     """The condition ``a = 0``."""
     return equal(a, Number(0))
-
-
-def dualise(re: Any, du: Any) -> Any:
-    """``re + ε du`` for numbers and structures."""
-    return re + du * Dual(0, 1)

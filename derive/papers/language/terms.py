@@ -7,27 +7,66 @@ Python's operators build it, so that an entry reads like the formula. From a ter
 * ``text(term)``, its marks in reading order, with which a reading is held against the extracted text,
 * its value, in :mod:`derive.papers.language.evaluation`.
 
-What a mark means is one row of the table in :mod:`derive.papers.language.notation`.
+What a mark means is one row of the table in :mod:`derive.papers.language.notation`, what a letter may stand for one of
+that in :mod:`derive.papers.numbers.kinds`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from enum import Flag, auto
 from typing import Any, Self
 
 from sympy import Basic, Integer
 from sympy.core.symbol import Str
 
+from ..numbers.kinds import KINDS, Kind
+
 ATOM, POWER, PRODUCT, SUM, RELATION, LIST = 5, 4, 3, 2, 1, 0  # how tightly a term holds together
 
 
+class Trait(Flag):
+    """What is to be known of a mark besides its meaning."""
+
+    NONE = 0
+    DELICATE = auto()
+    """It can change its value where letters take special ones."""
+    APART = auto()
+    """It takes the real or the dual part."""
+    RATE = auto()
+    """It is a derivative in time."""
+    TRANSCENDENTAL = auto()
+    """No power, root or quotient makes it."""
+    LENGTH = auto()
+    """It is the root of a square, so that its own square needs no root."""
+    JOINS = auto()
+    """It joins statements: what its parts state is stated."""
+
+
 @dataclass(frozen=True)
-class Notation:
-    """One row of the notation table.
+class Change:
+    """One way to spoil a term, for mutants.
 
     Attributes
     ----------
+    what : str
+        In words, with ``{}`` for the name of the mark.
+    made : callable
+        From the term to what it becomes.
+    """
+
+    what: str
+    made: Callable[[Apply], Term]
+
+
+@dataclass(frozen=True)
+class Mark:
+    """One row of the notation table; called with arguments it makes a term.
+
+    Attributes
+    ----------
+    name : str
     latex, text : str
         Templates with ``{0}``, ``{1}`` …; for a list of any length, the separator alone.
     level : int
@@ -36,17 +75,26 @@ class Notation:
         For each argument the level it needs to stand without brackets (the last counts for all further ones).
     value : callable
         ``value(env, *arguments)`` with the arguments' values; with the arguments as terms if `lazy`.
+    traits : Trait
+    changes : tuple of Change
+        What mutants make of its terms, besides changing their arguments.
     """
 
+    name: str
     latex: str
     text: str
     level: int
     slots: tuple[int, ...]
     value: Callable[..., Any]
     lazy: bool = False
+    traits: Trait = Trait.NONE
+    changes: tuple[Change, ...] = ()
+
+    def __call__(self, *arguments: Any) -> Apply:
+        return Apply(self.name, *arguments)
 
 
-NOTATIONS: dict[str, Notation] = {}
+MARKS: dict[str, Mark] = {}
 
 
 class Term(Basic):  # type: ignore[misc]  # SymPy is untyped
@@ -113,6 +161,8 @@ class Letter(Term):
     """
 
     def __new__(cls, name: str, kind: str, latex: str | None = None, text: str | None = None) -> Self:
+        if kind not in KINDS:
+            raise ValueError(f"no kind {kind!r}: expected {', '.join(KINDS)}")
         node: Self = super().__new__(cls, Str(name), Str(kind), Str(latex or name), Str(text or name))
         return node
 
@@ -121,23 +171,23 @@ class Letter(Term):
         return str(self.args[0])
 
     @property
-    def kind(self) -> str:
-        return str(self.args[1])
+    def kind(self) -> Kind:
+        return KINDS[str(self.args[1])]
 
 
 class Apply(Term):
     """A row of the notation table applied to arguments."""
 
-    def __new__(cls, notation: str | Str, *arguments: Any) -> Self:
-        name = str(notation)  # SymPy rebuilds a node from its own arguments
-        if name not in NOTATIONS:
-            raise ValueError(f"no notation {name!r}")
+    def __new__(cls, mark: str | Str, *arguments: Any) -> Self:
+        name = str(mark)  # SymPy rebuilds a node from its own arguments
+        if name not in MARKS:
+            raise ValueError(f"no mark {name!r}")
         node: Self = super().__new__(cls, Str(name), *(term(a) for a in arguments))
         return node
 
     @property
-    def head(self) -> str:
-        return str(self.args[0])
+    def mark(self) -> Mark:
+        return MARKS[str(self.args[0])]
 
     @property
     def arguments(self) -> tuple[Term, ...]:
@@ -166,6 +216,19 @@ def walk(statement: Term) -> Iterator[Term]:
             yield from walk(argument)
 
 
+def marked(trait: Trait, *statements: Term) -> tuple[Apply, ...]:
+    """The parts of statements whose mark has a trait."""
+    nodes = (node for statement in statements for node in walk(statement))
+    return tuple(node for node in nodes if isinstance(node, Apply) and trait in node.mark.traits)
+
+
+def takes_apart(*statements: Term) -> bool:
+    """Whether real and dual parts occur one by one: ε, Re, Du, a real letter, a claim in words."""
+    return bool(marked(Trait.APART, *statements)) or any(
+        letter.kind.apart for statement in statements for letter in letters(statement)
+    )
+
+
 def latex(statement: Term) -> str:
     """The statement as LaTeX, without delimiters."""
     return _typeset(statement, "latex", r"\left({}\right)")
@@ -183,7 +246,7 @@ def _typeset(node: Term, style: str, brackets: str) -> str:
         return str(node.args[2 if style == "latex" else 3])
     if not isinstance(node, Apply):
         raise TypeError(f"not a formula: {node!r}")
-    row = NOTATIONS[node.head]
+    row = node.mark
     parts = []
     for i, argument in enumerate(node.arguments):
         part = _typeset(argument, style, brackets)
@@ -197,5 +260,5 @@ def _typeset(node: Term, style: str, brackets: str) -> str:
 
 def _level(node: Term) -> int:
     if isinstance(node, Apply):
-        return NOTATIONS[node.head].level
+        return node.mark.level
     return ATOM

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from derive.algebra import Quaternion, Structure, Tensor, Vector
+from derive.algebra import Dual, Quaternion, Structure, Tensor, Vector, dual_part, real_part
 from derive.maps.pose import Pose
 
 from ..numbers.fields import Field
@@ -143,6 +143,35 @@ def scalar(a: Any) -> Any:
     if isinstance(a, Quaternion) and all(c == 0 for c in a.vector):
         return a.scalar
     return a
+
+
+def square(a: Any) -> Any:
+    """The square of a magnitude: of a vector its product with itself, of a quaternion that with its conjugate."""
+    if isinstance(a, Vector):
+        return a.dot(a)
+    return a.norm2() if isinstance(a, Quaternion) else a * a
+
+
+def norm(field: Field, a: Any) -> Any:
+    """The magnitude."""
+    if isinstance(a, Vector):
+        return field.magnitude(a)
+    return field.sqrt(a.norm2()) if isinstance(a, Quaternion) else abs(a)
+
+
+def re(a: Any) -> Any:
+    """The real part."""
+    return a.re if isinstance(a, Vector | Tensor | Quaternion) else real_part(a)
+
+
+def du(a: Any) -> Any:
+    """The dual part."""
+    return a.du if isinstance(a, Vector | Tensor | Quaternion) else dual_part(a)
+
+
+def dualise(re: Any, du: Any) -> Any:
+    """``re + ε du`` for numbers and structures."""
+    return re + du * Dual(0, 1)
 
 
 def equal(field: Field, a: Any, b: Any) -> bool:

@@ -7,6 +7,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
@@ -26,10 +27,19 @@ class UndefinedError(ArithmeticError):
     """The formula has no value at this point."""
 
 
-class Field:
-    """Numbers with elementary functions; subclasses say what those are on plain coefficients."""
+class Field(ABC):
+    """Numbers with elementary functions; subclasses say what those are on plain coefficients, if they have them.
+
+    Attributes
+    ----------
+    name : str
+        How a method names it.
+    ordered : bool
+        Whether every number has a sign; where not, a letter is taken on the side at hand.
+    """
 
     name: str
+    ordered: bool = False
 
     def sin(self, a: Any) -> Any:
         """Sine of a plain or dual number."""
@@ -106,9 +116,9 @@ class Field:
         """The polynomials ``p_n`` and ``q_n`` at x."""
         return pair(n, x)
 
+    @abstractmethod
     def same(self, a: Any, b: Any) -> bool:
         """Whether two plain numbers are equal."""
-        raise NotImplementedError
 
     def vanishes(self, a: Any) -> bool:
         """Whether a plain number is zero, or what rounding makes of it."""
@@ -117,6 +127,8 @@ class Field:
     def negligible(self, parts: Iterable[Any]) -> bool:
         """Whether the rest of a power series can be left off after a term with these parts."""
         raise NotExactError("an infinite sum")
+
+    # what a field does not have it refuses
 
     def _sin(self, a: Any) -> Any:
         raise NotExactError("sine")
@@ -149,6 +161,7 @@ class Decimal60(Field):
     """60-digit real numbers; to be used inside ``mpmath.workdps(DIGITS)``."""
 
     name = "60 digits"
+    ordered = True
 
     def same(self, a: Any, b: Any) -> bool:
         return bool(abs(a - b) <= TOLERANCE * (1 + abs(a) + abs(b)))

@@ -1,4 +1,4 @@
-"""What a letter may stand for: seeded values, the special ones included, and the generic value of the exact field.
+"""What a letter may stand for: the table of kinds that all letters come from.
 
 ``holds`` means at generic values and at every special value of every letter: real part zero, a half turn, the
 identity, a full turn. So a statement that fails or has no value there cannot pass as ``holds``.
@@ -6,144 +6,76 @@ identity, a full turn. So a statement that fails or has no value there cannot pa
 
 from __future__ import annotations
 
-import random
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from typing import Any
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from enum import Enum, auto
+from typing import TYPE_CHECKING, Any
 
 import mpmath
 
 from derive.algebra import Dual, Quaternion, Tensor, Vector
 
-Make = Callable[["Draw"], Any]
+from .draw import Draw, Smooth, exponential_series, polynomial, rotation
+from .fields import Field
+
+if TYPE_CHECKING:
+    from .generic import Generic
+
+Make = Callable[[Draw], Any]
 
 
-class Draw:
-    """Seeded 60-digit numbers.
+class Role(Enum):
+    """What letters of a kind are to the choice of exact coordinates."""
 
-    Parameters
-    ----------
-    seed : str
-        Every draw with the same seed is the same.
-    dual, moving : bool
-        Layout of the coefficients, as in `derive.papers.language.evaluation.Env`.
-    """
-
-    def __init__(self, seed: str, moving: bool = False) -> None:
-        self.random = random.Random(seed)
-        self.moving = moving
-
-    def real(self, low: float = 0.2, high: float = 0.9) -> Any:
-        """A positive number with at most 30 digits, never a special one."""
-        scale = 10**30
-        return mpmath.mpf(self.random.randint(int(low * scale), int(high * scale))) / scale
-
-    def signed(self) -> Any:
-        """A number of either sign, away from 0."""
-        return self.real() * self.random.choice((-1, 1))
-
-    def plain(self, value: Any, slope: Any = 0) -> Any:
-        """A coefficient below the dual unit: with a time derivative where things move."""
-        return Dual(mpmath.mpf(value), mpmath.mpf(slope)) if self.moving else mpmath.mpf(value)
-
-    def number(self, re: Any, du: Any | None = None) -> Any:
-        """A dual number; where things move its parts change at random rates."""
-        du = self.signed() if du is None else du
-        if self.moving:
-            return Dual(self.plain(re, self.signed()), self.plain(du, self.signed()))
-        return Dual(mpmath.mpf(re), mpmath.mpf(du))
-
-    def vector(self, re: tuple[Any, ...] | None = None, du: tuple[Any, ...] | None = None) -> Vector:
-        """A dual vector."""
-        a = re or tuple(self.signed() for _ in range(3))
-        b = du or tuple(self.signed() for _ in range(3))
-        return Vector(*(self.number(s, t) for s, t in zip(a, b, strict=True)))
-
-    def still(self, re: tuple[Any, ...], du: tuple[Any, ...]) -> Vector:
-        """A dual vector at rest."""
-        return Vector(*(Dual(self.plain(s), self.plain(t)) for s, t in zip(re, du, strict=True)))
-
-    def unit(self) -> Vector:
-        """A unit dual vector, by stereographic projection from two dual numbers."""
-        s, t = self.number(self.signed()), self.number(self.signed())
-        return sphere(s, t)
-
-    def quaternion(self, half_angle: Any) -> Quaternion:
-        """A unit dual quaternion with that half angle (real part) about a random screw axis."""
-        angle = Dual(mpmath.mpf(half_angle), self.signed())
-        s, c = angle.apply(mpmath.sin, mpmath.cos), angle.apply(mpmath.cos, lambda a: -mpmath.sin(a))
-        s, c = (a.apply(_chop, lambda _: 1) for a in (s, c))
-        s, c = Dual(s.re, _chop(s.du)), Dual(c.re, _chop(c.du))
-        return Quaternion(c, self.unit() * s)
+    ANGLE = auto()
+    """An angle: sine and cosine of its parts are exact; where there are branches, α + 2kπ is the generic angle."""
+    TURN = auto()
+    """A displacement, made of an angle and an axis."""
+    VECTOR = auto()
+    """A frame may be chosen along it; the magnitude of the first is the tangent of an angle."""
+    TENSOR = auto()
+    """Its entries are generic in any frame, so none is chosen."""
 
 
-def _chop(a: Any) -> Any:
-    return mpmath.mpf(0) if abs(a) < mpmath.mpf(10) ** -55 else a
-
-
-def sphere(s: Any, t: Any) -> Vector:
-    """The point ``(2s, 2t, 1 − s² − t²)/(1 + s² + t²)``: any unit vector but (0, 0, −1)."""
-    square = s * s + t * t
-    return Vector(2 * s / (1 + square), 2 * t / (1 + square), (1 - square) / (1 + square))
-
-
-def rotation(q: Quaternion) -> Tensor:
-    """``v -> q v q*``, column by column."""
-    columns = (q.sandwich(Vector(*row)) for row in Tensor.identity().rows)
-    return Tensor.from_entries(entry for column in columns for entry in column).transpose
-
-
-@dataclass(frozen=True)
-class Smooth:
-    """A differentiable function of plain and dual numbers, and its derivative on plain ones."""
-
-    value: Callable[[Any], Any]
-    derivative: Callable[[Any], Any]
-
-    def __call__(self, a: Any) -> Any:
-        return self.value(a)
-
-
-def polynomial(coefficients: Sequence[Any]) -> Smooth:
-    """The polynomial with these coefficients, by multiplication."""
-
-    def value(a: Any) -> Any:
-        total = 0
-        for c in reversed(coefficients):
-            total = total * a + c
-        return total
-
-    def derivative(a: Any) -> Any:
-        total = 0
-        for k in range(len(coefficients) - 1, 0, -1):
-            total = total * a + k * coefficients[k]
-        return total
-
-    return Smooth(value, derivative)
-
-
-def exponential_series() -> Smooth:
-    """The exponential by its power series, 60 digits for arguments below 2."""
-    terms = [mpmath.mpf(1)]
-    for k in range(1, 70):
-        terms.append(terms[-1] / k)
-    return Smooth(polynomial(terms).value, mpmath.exp)
-
-
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Kind:
-    """A row of the table below.
+    """A row of the table.
 
     Attributes
     ----------
-    generic : callable
-        Draws a value as it is almost always.
+    name : str
+    draw : callable, optional
+        Draws a 60-digit value as it is almost always; letters of a kind without must be defined.
     special : dict of str to callable
         Values at which formulas tend to fail, by name.
+    size : int
+        How many independent numbers it is.
+    exact : callable, optional
+        ``exact(generic, name)``, the value of a letter at generic values of an exact field.
+    role : Role, optional
+    value : callable, optional
+        The value over a field, of a constant.
+    apart : bool
+        Whether it is a part of something dual, or takes that apart: then exact coefficients have to be dual too.
+    varies : bool
+        Whether a letter that nothing defines is free.
     """
 
-    generic: Make
-    special: dict[str, Make]
+    name: str
+    draw: Make | None = None
+    special: Mapping[str, Make] = field(default_factory=dict)
+    size: int = 0
+    exact: Callable[[Generic, str], Any] | None = None
+    role: Role | None = None
+    value: Callable[[Field], Any] | None = None
+    apart: bool = False
+    varies: bool = True
+
+    def generic(self, draw: Draw) -> Any:
+        """A 60-digit value as it is almost always."""
+        if self.draw is None:
+            raise ValueError(f"a letter that is a {self.name} has no value of its own: define it")
+        return self.draw(draw)
 
 
 def _angle(turns: float, du: Any | None = None) -> Make:
@@ -162,9 +94,22 @@ def _translation_quaternion(sign: int) -> Make:
 
 _ZERO = (0, 0, 0)
 
-KINDS: dict[str, Kind] = {
-    "real": Kind(lambda d: d.signed(), {"0": lambda d: mpmath.mpf(0), "negative": lambda d: -d.real()}),
-    "real angle": Kind(
+ORDER = Kind("order")
+"""n: the orders asked for, or all at once."""
+BRANCH = Kind("branch")
+"""k = 0, 1 … n − 1."""
+SIGN = Kind("sign", lambda d: 1, {"−": lambda d: -1})
+"""±, for both sides of an equation at once."""
+
+_REAL = (
+    Kind(
+        "real",
+        lambda d: d.signed(),
+        {"0": lambda d: mpmath.mpf(0), "negative": lambda d: -d.real()},
+        size=1, exact=lambda g, name: g.real(g.number(name)), apart=True,
+    ),
+    Kind(
+        "real angle",
         lambda d: d.real(0.3, 1.2),
         {
             "0": lambda d: mpmath.mpf(0),
@@ -174,20 +119,40 @@ KINDS: dict[str, Kind] = {
             "2π": lambda d: 2 * mpmath.mpf(mpmath.pi),
             "negative": lambda d: -d.real(),
         },
+        size=1, exact=lambda g, name: g.real(g.angle(name)), role=Role.ANGLE, apart=True,
     ),
-    "sign": Kind(lambda d: 1, {"−": lambda d: -1}),
-    "smooth function": Kind(
+    Kind(
+        "smooth function",
         lambda d: polynomial([d.signed() for _ in range(5)]),
         {
             "exponential": lambda d: exponential_series(),
             "reciprocal": lambda d: Smooth(lambda a: 1 / a, lambda a: -1 / (a * a)),
         },
+        size=4, exact=lambda g, name: polynomial([g.real(g.number(name, i)) for i in range(4)]),
     ),
-    "real vector": Kind(
+    Kind(
+        "real vector",
         lambda d: Vector(d.signed(), d.signed(), d.signed()),
         {"0": lambda d: Vector(mpmath.mpf(0), mpmath.mpf(0), mpmath.mpf(0))},
+        size=3, exact=lambda g, name: g.vector(name).map(g.real), role=Role.VECTOR, apart=True,
     ),
-    "dual number": Kind(
+    Kind(
+        "rotation",
+        lambda d: rotation(d.quaternion(d.real(0.3, 1.3))).re,
+        {
+            "identity": lambda d: Tensor.identity(),
+            "half turn": lambda d: _turned(0.5)(d).re,
+            "beyond a half turn": lambda d: rotation(d.quaternion(d.real(1.7, 3.0))).re,
+        },
+        size=3, exact=lambda g, name: rotation(g.turn(name)).map(g.real), role=Role.TURN,
+    ),
+    Kind("real tensor", apart=True),
+    Kind("real quaternion", apart=True),
+)  # fmt: skip
+
+_NUMBERS = (
+    Kind(
+        "dual number",
         lambda d: d.number(d.signed()),
         {
             "real part 0": lambda d: d.number(0),
@@ -195,22 +160,22 @@ KINDS: dict[str, Kind] = {
             "negative": lambda d: d.number(-d.real()),
             "real": lambda d: d.number(d.real(), 0),
         },
+        size=1, exact=lambda g, name: g.number(name),
     ),
-    "argument": Kind(
+    Kind(
+        "argument",
         lambda d: d.number(d.signed()),
         {"real part 0": lambda d: d.number(0), "negative": lambda d: d.number(-d.real())},
+        size=1, exact=lambda g, name: g.argument(name),
     ),
-    "scale": Kind(lambda d: d.number(d.real(0.5, 2.0)), {"negative": lambda d: d.number(-d.real(0.5, 2.0))}),
-    "dual vector": Kind(
-        lambda d: d.vector(),
-        {
-            "real part 0": lambda d: d.vector(re=_ZERO),
-            "0": lambda d: d.vector(_ZERO, _ZERO),
-            "real": lambda d: d.vector(du=(0, 0, 0)),
-        },
+    Kind(
+        "scale",
+        lambda d: d.number(d.real(0.5, 2.0)),
+        {"negative": lambda d: d.number(-d.real(0.5, 2.0))},
+        size=1, exact=lambda g, name: g.scale(name),
     ),
-    "unit vector": Kind(lambda d: d.unit(), {}),
-    "angle": Kind(
+    Kind(
+        "angle",
         lambda d: d.number(d.real(0.3, 2.8)),
         {
             "0": _angle(0, 0),
@@ -222,12 +187,30 @@ KINDS: dict[str, Kind] = {
             "beyond a half turn": lambda d: d.number(d.real(3.3, 6.1)),
             "negative": lambda d: d.number(-d.real(0.3, 2.8)),
         },
+        size=1, exact=lambda g, name: g.angle(name), role=Role.ANGLE,
     ),
-    "quaternion": Kind(
+)  # fmt: skip
+
+_STRUCTURES = (
+    Kind(
+        "dual vector",
+        lambda d: d.vector(),
+        {
+            "real part 0": lambda d: d.vector(re=_ZERO),
+            "0": lambda d: d.vector(_ZERO, _ZERO),
+            "real": lambda d: d.vector(du=(0, 0, 0)),
+        },
+        size=3, exact=lambda g, name: g.vector(name), role=Role.VECTOR,
+    ),
+    Kind("unit vector", lambda d: d.unit(), size=2, exact=lambda g, name: g.unit(name)),
+    Kind(
+        "quaternion",
         lambda d: Quaternion(d.number(d.signed()), d.vector()),
         {"real part 0": lambda d: Quaternion(d.number(0), d.still(_ZERO, (d.real(), d.real(), d.real())))},
+        size=4, exact=lambda g, name: Quaternion(g.number(name, 3), g.vector(name)), role=Role.VECTOR,
     ),
-    "unit quaternion": Kind(
+    Kind(
+        "unit quaternion",
         lambda d: d.quaternion(d.real(0.3, 1.3)),
         {
             "1": _translation_quaternion(1),
@@ -235,12 +218,16 @@ KINDS: dict[str, Kind] = {
             "half turn": lambda d: d.quaternion(mpmath.mpf(mpmath.pi) / 2),
             "beyond a half turn": lambda d: d.quaternion(d.real(1.7, 3.0)),
         },
+        size=3, exact=lambda g, name: g.turn(name), role=Role.TURN,
     ),
-    "tensor": Kind(
+    Kind(
+        "tensor",
         lambda d: Tensor.from_entries(d.number(d.signed()) for _ in range(9)),
         {"singular": lambda d: Tensor.dyad(d.vector(), d.vector())},
+        size=9, exact=lambda g, name: Tensor.from_entries(g.number(name, i) for i in range(9)), role=Role.TENSOR,
     ),
-    "orthogonal tensor": Kind(
+    Kind(
+        "orthogonal tensor",
         lambda d: rotation(d.quaternion(d.real(0.3, 1.3))),
         {
             "translation": lambda d: rotation(_translation_quaternion(1)(d)),
@@ -248,13 +235,30 @@ KINDS: dict[str, Kind] = {
             "half turn": _turned(0.5),
             "beyond a half turn": lambda d: rotation(d.quaternion(d.real(1.7, 3.0))),
         },
+        size=3, exact=lambda g, name: rotation(g.turn(name)), role=Role.TURN,
     ),
-    "rotation": Kind(
-        lambda d: rotation(d.quaternion(d.real(0.3, 1.3))).re,
-        {
-            "identity": lambda d: Tensor.identity(),
-            "half turn": lambda d: _turned(0.5)(d).re,
-            "beyond a half turn": lambda d: rotation(d.quaternion(d.real(1.7, 3.0))).re,
-        },
-    ),
+    Kind("line", apart=True),
+    Kind("pose"),
+)  # fmt: skip
+
+_DEFINED = (
+    Kind("number"),
+    Kind("function"),
+    Kind("map"),
+    Kind("proposition", apart=True),
+)
+"""What only a definition can say; of a number it is not said whether it is dual."""
+
+_CONSTANT = (
+    Kind("dual unit", value=lambda field: Dual(0, 1), apart=True, varies=False),
+    Kind("identity", value=lambda field: Tensor.identity(), varies=False),
+    Kind("π", value=lambda field: field.pi, varies=False),
+    Kind("∞", varies=False),
+    Kind("words", value=lambda field: None, varies=False),
+    Kind("index", varies=False),
+)
+"""What never varies; an index is bound by the mark that it is the index of."""
+
+KINDS: dict[str, Kind] = {
+    kind.name: kind for kind in (ORDER, BRANCH, SIGN, *_REAL, *_NUMBERS, *_STRUCTURES, *_DEFINED, *_CONSTANT)
 }

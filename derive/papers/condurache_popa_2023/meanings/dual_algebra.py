@@ -10,7 +10,7 @@ from derive.maps import first_principles
 
 from ...language import values
 from ...language.evaluation import Env
-from ...language.notation import dualise
+from ...language.values import dualise
 
 Frame = Callable[[int], Vector]
 """The vectors of a basis by their number, 1 to 3."""

@@ -13,9 +13,9 @@ from derive.maps.pose import pose_from_tensor
 
 from ...language import claims, values
 from ...language.evaluation import Env
-from ...language.notation import dualise
 from ...language.terms import Letter
-from ...numbers.kinds import Draw
+from ...language.values import dualise
+from ...numbers.draw import Draw
 from . import dual_algebra, motions, orders, quaternion_maps
 
 

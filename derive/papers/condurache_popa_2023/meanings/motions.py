@@ -19,10 +19,10 @@ from derive.maps.pose import Pose, pose_from_tensor
 
 from ...language import values
 from ...language.evaluation import Env
-from ...language.notation import dualise
 from ...language.terms import Letter
-from ...numbers.kinds import Draw
-from ...numbers.kinds import rotation as sandwich
+from ...language.values import dualise
+from ...numbers.draw import Draw
+from ...numbers.draw import rotation as sandwich
 from .orders import screw_quaternion
 
 AXES = tuple(Vector(*row) for row in Tensor.identity().rows)

@@ -12,9 +12,9 @@ from derive.maps.pose import pose_from_tensor
 
 from ...language import values
 from ...language.evaluation import Env
-from ...language.notation import dualise
 from ...language.terms import Letter
-from ...numbers.kinds import Draw
+from ...language.values import dualise
+from ...numbers.draw import Draw
 from . import motions
 from .orders import screw_quaternion
 

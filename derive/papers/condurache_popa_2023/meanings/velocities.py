@@ -17,8 +17,8 @@ from derive.maps.pose import pose_from_tensor
 from ...language import values
 from ...language.evaluation import Env
 from ...language.terms import Letter
+from ...numbers.draw import Draw
 from ...numbers.fields import innermost
-from ...numbers.kinds import Draw
 from . import orders
 from .motions import AXES, screw_tensor
 

@@ -38,7 +38,7 @@ u_a = Letter("u_a", "unit vector", r"\underline{\mathbf{u}}_a", "ua")
 size = Letter("|a|", "dual number", r"\left|\underline{\mathbf{a}}\right|", "a")
 r = Letter("r", "real vector", r"\mathbf{r}", "r")
 u = unit_letter("u")
-basis = tuple(Letter(f"e{i}", "constant", rf"\mathbf{{e}}_{i}", f"e{i}") for i in (1, 2, 3))
+basis = tuple(Letter(f"e{i}", "dual vector", rf"\mathbf{{e}}_{i}", f"e{i}") for i in (1, 2, 3))
 
 
 PARTS = (let(a_, dual_algebra.vector_from_parts, a, a0),)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...equation import equation
+from ...language.changes import SWAPPED
 from ...language.claims import dual_of, homogeneous, orthogonal, pose, proposition, real_of
 from ...language.evaluation import let
 from ...language.notation import (
@@ -35,8 +36,7 @@ from ...language.notation import (
     words,
     zero,
 )  # fmt: skip
-from ...language.terms import ATOM, LIST, PRODUCT, Letter
-from ...numbers.fields import Decimal60
+from ...language.terms import ATOM, LIST, PRODUCT, Letter, Trait
 from ..alphabet import alpha, tensor, u
 from ..meanings import motions
 
@@ -53,13 +53,13 @@ rho = Letter("rho", "real vector", r"\boldsymbol{\rho}", "ρ")
 shifts = tuple(Letter(f"rho{i}", "real vector", rf"\boldsymbol{{\rho}}_{i}", f"ρ{i}") for i in (1, 2))
 phi, phi_inv = Letter("phi", "function", r"\phi", "ϕ"), Letter("phi⁻¹", "function", r"\phi^{-1}", "ϕ1")
 screw_map = Letter("screw", "map", r"(\underline{\alpha}, \underline{\mathbf{u}}) \mapsto \underline{\mathbf{R}}", "")
-angle = Letter("alpha real", "real angle of α", r"\alpha", "α")
-shift = Letter("d", "real part of α", "d", "d")
-axis = Letter("u real", "real vector of u", r"\mathbf{u}", "u")
-moment = Letter("u0", "real vector of u", r"\mathbf{u}^0", "u0")
-turn_only = Letter("alpha", "real angle", r"\alpha", "α")
+angle = Letter("alpha real", "real angle", r"\alpha", "α")
+shift = Letter("d of α", "real", "d", "d")
+axis = Letter("u real", "real vector", r"\mathbf{u}", "u")
+moment = Letter("u0", "real vector", r"\mathbf{u}^0", "u0")
+turn_only = Letter("alpha only", "real angle", r"\alpha", "α")
 shift_only = Letter("d", "real", "d", "d")
-point = Letter("r", "real vector of u", r"\mathbf{r}", "r")
+point = Letter("r", "real vector", r"\mathbf{r}", "r")
 lam = Letter("lambda", "real", r"\lambda", "λ")
 v = Letter("v real", "real vector", r"\mathbf{v}", "v")
 sign = Letter("sign", "sign", r"\pm", "±")
@@ -67,11 +67,11 @@ principal = proposition("principal angle", r"$-\pi < \alpha \leq \pi$")
 of_two = define("of two", r"{0}\left({1}, {2}\right)", "{0} {1},{2}", ATOM, (ATOM, LIST, LIST),
                 lambda env, f, a, b: f(a, b))  # fmt: skip
 atan2 = define("atan2", r"\operatorname{{atan2}}\left({0};\, {1}\right)", "atan2 {0};{1}", PRODUCT, (LIST, LIST),
-               lambda env, y, x: env.field.atan2(y, x))  # fmt: skip
+               lambda env, y, x: env.field.atan2(y, x), traits=Trait.TRANSCENDENTAL, changes=(SWAPPED,))  # fmt: skip
 when = define("when", r"\text{{when }} {0}", "when {0}", LIST, (LIST,), lambda env, a: a)
 when_between = define(
     "when between", r"\text{{when }} {0} \in \left({1}, {2}\right)", "when {0} {1},{2}", LIST, (LIST,),
-    lambda env, a, low, high: not isinstance(env.field, Decimal60)
+    lambda env, a, low, high: not env.field.ordered
     or (low < a < high and not env.field.same(a, low) and not env.field.same(a, high)),
 )  # fmt: skip
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...equation import Reading, equation
+from ...language.changes import SWAPPED
 from ...language.claims import defined, dual_of, orthogonal, proposition, real_of, unequal
 from ...language.evaluation import let
 from ...language.notation import (
@@ -49,7 +50,7 @@ R = tensor("R", "orthogonal tensor")
 A = Letter("A", "tensor", r"\tilde{\underline{\boldsymbol{\alpha}}}", "α~")
 a = Letter("euler", "dual vector", r"\underline{\boldsymbol{\alpha}}", "α")
 a1, a2 = (Letter(f"alpha{i}", "dual vector", rf"\underline{{\boldsymbol{{\alpha}}}}_{i}", f"α{i}") for i in (1, 2))
-a_re, a_du = (Letter(f"euler{i}", "real vector of α", rf"\boldsymbol{{\alpha}}{i}", f"α{i}") for i in ("", "^0"))
+a_re, a_du = (Letter(f"euler real{i}", "real vector", rf"\boldsymbol{{\alpha}}{i}", f"α{i}") for i in ("", "^0"))
 b = vector("b")
 k = Letter("k", "index", "k", "k")
 turns = Letter("k", "branch", "k", "k")
@@ -62,17 +63,17 @@ slope = Letter("slope", "tensor",
 start = Letter("start", "tensor", r"\exp(0\, \tilde{\underline{\mathbf{u}}})", "start")
 angle = Letter("angle of v", "dual number", r"\underline{\alpha}", "α")
 axis = Letter("axis of v", "dual vector", r"\underline{\mathbf{u}}", "u")
-turn_only = Letter("alpha", "real angle", r"\alpha", "α")
+turn_only = Letter("alpha only", "real angle", r"\alpha", "α")
 shift_only = Letter("d", "real", "d", "d")
 Q = Letter("Q", "real tensor", r"\mathbf{Q}", "Q")
-rho = Letter("rho", "real vector of R", r"\boldsymbol{\rho}", "ρ")
-v_re, v_du = (Letter(f"v{i}", "real vector of v", rf"\mathbf{{v}}{i}", f"v{i}") for i in ("", "^0"))
+rho = Letter("rho", "real vector", r"\boldsymbol{\rho}", "ρ")
+v_re, v_du = (Letter(f"v real{i}", "real vector", rf"\mathbf{{v}}{i}", f"v{i}") for i in ("", "^0"))
 rotates = proposition("pure rotation", "pure rotation")
 translates = proposition("pure translation", "pure translation")
 general = proposition("general displacement", "general rigid body displacement")
 below = proposition("below a half turn", r"$\left|\boldsymbol{\alpha}\right| < \pi$")
 commutator = define("commutator", r"\left[{0}, {1}\right]", "{0},{1}", ATOM, (LIST, LIST),
-                    lambda env, s, t: s @ t - t @ s)  # fmt: skip
+                    lambda env, s, t: s @ t - t @ s, changes=(SWAPPED,))  # fmt: skip
 
 EULER = (let(a, quaternion_maps.multiple, alpha, u),)
 EXP = (let(exp_map, low_orders.exponential_map),)

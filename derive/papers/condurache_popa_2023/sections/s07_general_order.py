@@ -5,7 +5,7 @@ from __future__ import annotations
 from ...language.evaluation import let
 from ...language.notation import Re, cos, dyad, identity, nonzero, norm, skew
 from ...language.terms import Letter, Term
-from ...numbers.kinds import Draw
+from ...numbers.draw import Draw
 from ..alphabet import alpha, n, tensor, u, v, vector
 from ..meanings import cayley_maps, orders
 from ..meanings.motions import screw_tensor

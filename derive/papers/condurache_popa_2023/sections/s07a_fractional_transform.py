@@ -35,7 +35,7 @@ from ...language.notation import (
     zero,
 )  # fmt: skip
 from ...language.terms import Letter, Number
-from ...numbers.kinds import Draw
+from ...numbers.draw import Draw
 from ..alphabet import alpha, n, u, v, vector
 from ..marks import no_less, positive, preimage_count, tends
 from ..meanings import cayley_maps, orders
@@ -54,7 +54,7 @@ v_0, v_k = vector("v_0", text="v0"), vector("v_k", text="vk")
 r_0, r_k = (Letter(f"r_{i}", "number", rf"\underline{{v}}_{i}", f"v{i}") for i in "0k")
 r_far = Letter("r_k at infinity", "number", r"\underline{v}_k", "vk")
 index = Letter("j", "index", "k", "k")
-exponent, power = Letter("exponent", "branch", "k", "k"), Letter("quarter of k", "integer", "p", "p")
+exponent, power = Letter("exponent", "branch", "k", "k"), Letter("quarter of k", "number", "p", "p")
 p_next = Letter("p_{n+1}", "function", "p_{n+1}", "pn+1")
 q_next = Letter("q_{n+1}", "function", "q_{n+1}", "qn+1")
 p_1, q_1 = Letter("p_1", "function", "p_1", "p1"), Letter("q_1", "function", "q_1", "q1")

@@ -36,7 +36,7 @@ caym_v = Letter("caym_{n/2}(v)", "quaternion", r"\mathrm{caym}_{\frac{n}{2}} \un
 caym_map = Letter("caym with a = 1 + v·v", "function", r"\mathrm{caym}_{\frac{n}{2}}", "caymn2")
 v_of_q = Letter("v(q)", "function", r"\underline{\mathbf{v}}", "v")
 phi_inv = Letter("φ⁻¹", "function", r"\varphi^{-1}", "φ1")
-axis = Letter("axis", "vector", r"\underline{\mathbf{u}}", "u")
+axis = Letter("axis", "unit vector", r"\underline{\mathbf{u}}", "u")
 W, xw = skew(w), norm(w) ** 2
 
 FACTOR = (let(a, cayley_maps.constant, a_value), let(v, cayley_maps.product, a_value, w))

@@ -13,10 +13,10 @@ from .s07_general_order import R, finite, q_hat
 from .s09a_orders_1_to_3 import o1
 
 b_ = Letter("b", "dual vector", r"\underline{\mathbf{b}}", "b")
-angle = Letter("alpha real", "real angle of α", r"\alpha", "α")
-shift = Letter("d", "real part of α", "d", "d")
-b_re, b_du = (Letter(f"b real{i}", "real vector of b", rf"\mathbf{{b}}{i}", f"b{i}") for i in ("", "^0"))
-u_re, u_du = (Letter(f"u real{i}", "real vector of u", rf"\mathbf{{u}}{i}", f"u{i}") for i in ("", "^0"))
+angle = Letter("alpha real", "real angle", r"\alpha", "α")
+shift = Letter("d of α", "real", "d", "d")
+b_re, b_du = (Letter(f"b real{i}", "real vector", rf"\mathbf{{b}}{i}", f"b{i}") for i in ("", "^0"))
+u_re, u_du = (Letter(f"u real{i}", "real vector", rf"\mathbf{{u}}{i}", f"u{i}") for i in ("", "^0"))
 
 PARTS = (
     let(b_, low_orders.rodrigues_by_quotient, alpha, u), let(angle, real_of, alpha), let(shift, dual_of, alpha),
@@ -27,8 +27,8 @@ PARTS = (
 
 def _components(i: int) -> tuple[Equation, Equation]:
     """(126) to (128) and (129) to (131): one component of the real and of the dual part."""
-    b_i, b0_i = (Letter(f"b{i}{o}", "real part of b", f"b_{i}{o}", f"b{i}{o}") for o in ("", "^0"))
-    u_i, u0_i = (Letter(f"u{i}{o}", "real part of u", f"u_{i}{o}", f"u{i}{o}") for o in ("", "^0"))
+    b_i, b0_i = (Letter(f"b{i}{o}", "real", f"b_{i}{o}", f"b{i}{o}") for o in ("", "^0"))
+    u_i, u0_i = (Letter(f"u{i}{o}", "real", f"u_{i}{o}", f"u{i}{o}") for o in ("", "^0"))
     whole = ((b_i, b_re), (b0_i, b_du), (u_i, u_re), (u0_i, u_du))
     where = (*PARTS, *(let(letter, low_orders.component(i - 1), vector) for letter, vector in whole))
     square = 1 + tan(angle / 2) ** 2

@@ -48,7 +48,7 @@ series = tuple(real("a", index) for index in range(DEGREE + 1))
 x, x_, x_0, x_hat = real("x"), real("x", star=True), real("x", 0), hat("x", "dual number")
 f, f_prime = (Letter(name, "function", name, name) for name in ("f", "f'"))
 a_k = Letter("a of k", "function", "a", "a")
-top = Letter("top", "constant", r"\infty", "∞")
+top = Letter("top", "number", r"\infty", "∞")
 angle, angle_hat = real("x", kind="real angle"), hat("x", "angle")
 
 

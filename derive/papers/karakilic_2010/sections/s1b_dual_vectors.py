@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...equation import equation
+from ...language.claims import dual_of, real_of
 from ...language.evaluation import let
 from ...language.notation import both, cos, cross, dot, equal, iff, nonzero, zero
 from ...language.terms import Letter, Number
@@ -18,11 +19,11 @@ a_hat, b_hat = (hat(name, "dual number") for name in "ab")
 six = tuple(real("v", index, star) for star in (False, True) for index in (1, 2, 3))
 v1, v2, v3, v1_, v2_, v3_ = six
 size, axis = Letter("size", "dual number"), Letter("axis", "unit vector")
-POLAR = (let(v_hat, meanings.along, size, axis), let(v, meanings.re, v_hat), let(v_, meanings.du, v_hat))
+POLAR = (let(v_hat, meanings.along, size, axis), let(v, real_of, v_hat), let(v_, dual_of, v_hat))
 unit_hat = hat("v", "unit vector")
-UNIT = (let(v, meanings.re, unit_hat), let(v_, meanings.du, unit_hat))
+UNIT = (let(v, real_of, unit_hat), let(v_, dual_of, unit_hat))
 vr, vr_ = arrow("v", seen_as="r"), arrow("v", star=True, seen_as="r*")
-SEEN = (let(vr, meanings.re, v_hat), let(vr_, meanings.du, v_hat))
+SEEN = (let(vr, real_of, v_hat), let(vr_, dual_of, v_hat))
 
 VECTORS = (
     equation("dual-vector", "dual vectors", 43, equal(v_hat, v + e * v_), extract=marks(
@@ -72,7 +73,7 @@ f, f_, f_hat = real("f", kind="real angle"), real("f", star=True), hat("f", "ang
 normal = Letter("normal", "unit vector")
 distance = Letter("distance", "real", r"d\left(l_a, l_b\right)")
 angle = Letter("angle", "real", r"\angle\left(l_a, l_b\right)")
-ONE = Letter("one", "constant")
+ONE = Letter("one", "number")
 LINES = (
     let(ONE, lambda env: 1), let(f_hat, meanings.dual_number, f, f_), let(normal, meanings.axis_of, frame),
     let(l_a, meanings.across, ONE, frame), let(l_b, meanings.turned, l_a, f_hat, normal),
@@ -82,7 +83,7 @@ LINES = (
 STUDY = (
     equation("study", "points of the dual unit sphere are oriented lines", 23,
              both(equal(length(direction), 1), equal(cross(foot, direction), moment)),
-             where=(let(direction, meanings.re, l_a), let(moment, meanings.du, l_a), let(foot, meanings.foot, l_a)),
+             where=(let(direction, real_of, l_a), let(moment, dual_of, l_a), let(foot, meanings.foot, l_a)),
              remark="The line through p with direction a. Every line is two points, one for each orientation."),
     equation("study-product", "scalar product of lines at the dual angle", 23, equal(dot(l_a, l_b), cos(f_hat)),
              where=LINES),

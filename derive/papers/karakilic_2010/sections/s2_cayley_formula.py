@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...equation import Reading, equation
+from ...language.claims import dual_of, real_of
 from ...language.evaluation import let
 from ...language.notation import (
     Re,
@@ -20,7 +21,8 @@ from ...language.notation import (
     zero,
 )
 from ...language.terms import Letter
-from ...numbers import kinds
+from ...numbers.draw import Draw
+from ...numbers.kinds import KINDS
 from .. import meanings
 from ..alphabet import e, hat, i, j, marks, real
 from ..marks import (
@@ -49,9 +51,9 @@ INVARIANT = (let(B, meanings.skew_rodrigues, A), let(B_bare, meanings.skew_rodri
 no_half_turn = nonzero(Re(det(A + I)))
 
 
-def reflections(draw: kinds.Draw) -> dict[str, dict[Letter, object]]:
+def reflections(draw: Draw) -> dict[str, dict[Letter, object]]:
     """Orthogonal with determinant −1."""
-    return {"reflection": {A: -kinds.KINDS["orthogonal tensor"].generic(draw)}}
+    return {"reflection": {A: -KINDS["orthogonal tensor"].generic(draw)}}
 
 
 MOTION = (
@@ -113,7 +115,7 @@ FORMULA = (
 )  # fmt: skip
 
 ANY_B = (let(B, meanings.explicit_skew, b), let(A, meanings.cayley_formula, b))
-cay = Letter("cay", "constant", r"\mathrm{cay}")
+cay = Letter("cay", "map", r"\mathrm{cay}")
 ORTHOGONAL = (
     equation("transposed", "transpose of Â", 89,
              equal(transpose(A), transpose(I + B) * transpose(group((I - B) ** (-1))),
@@ -133,7 +135,7 @@ b1, b2, b3 = (component(b, index) for index in (1, 2, 3))
 b_re, b_du = Letter("b re", "real vector", "b", "b"), Letter("b du", "real vector", "b^{*}", "b*")
 numbers = {star: tuple(real("b", index, star) for index in (1, 2, 3)) for star in (False, True)}
 PARTS = (
-    let(b_re, meanings.re, b), let(b_du, meanings.du, b),
+    let(b_re, real_of, b), let(b_du, dual_of, b),
     *(let(letter, meanings.real_component(n), b) for n, letter in enumerate(numbers[False], 1)),
     *(let(letter, meanings.dual_component(n), b) for n, letter in enumerate(numbers[True], 1)),
 )  # fmt: skip

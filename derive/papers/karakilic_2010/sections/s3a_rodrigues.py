@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...equation import equation
+from ...language.claims import dual_of, real_of
 from ...language.evaluation import let
 from ...language.notation import Re, both, cos, cross, det, dot, equal, identity, nonzero, zero
 from ...language.terms import Letter, Number, Term
@@ -78,8 +79,8 @@ turn = Letter("turn", "unit vector")
 ANY = (let(b_hat, meanings.along, size, turn),)
 SCREW = (let(f_hat, meanings.dual_number, f, f_), let(b_hat, meanings.screw_rodrigues, f_hat, turn))
 PARTS = (
-    let(b, meanings.re, b_hat), let(b_, meanings.du, b_hat), let(b_lost, meanings.du, b_hat),
-    let(s_hat, meanings.direction, b_hat), let(s, meanings.re, s_hat), let(s_, meanings.du, s_hat),
+    let(b, real_of, b_hat), let(b_, dual_of, b_hat), let(b_lost, dual_of, b_hat),
+    let(s_hat, meanings.direction, b_hat), let(s, real_of, s_hat), let(s_, dual_of, s_hat),
 )  # fmt: skip
 slope: Term = f_ / 2 * group(1 + Tan2(f / 2))
 forward = ordered(Number(0), Tan(f / 2))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import partial
 
 from ...equation import Equation, equation
+from ...language.claims import dual_of, real_of
 from ...language.evaluation import let
 from ...language.notation import both, det, dyad, equal, identity, iff, negated, nonzero, zero
 from ...language.terms import Letter, Number, Term
@@ -22,8 +23,8 @@ s1_, s2_, s3_ = ss_ = tuple(real("s", index, star=True) for index in (1, 2, 3))
 size, turn = Letter("size", "dual number"), Letter("turn", "unit vector")
 
 PARTS = (
-    let(s_hat, meanings.direction, b_hat), let(b, meanings.re, b_hat), let(b_star, meanings.du, b_hat),
-    let(s, meanings.re, s_hat), let(s_star, meanings.du, s_hat),
+    let(s_hat, meanings.direction, b_hat), let(b, real_of, b_hat), let(b_star, dual_of, b_hat),
+    let(s, real_of, s_hat), let(s_star, dual_of, s_hat),
     *(let(letter, meanings.real_component(n), b_hat) for n, letter in enumerate(bs, 1)),
     *(let(letter, meanings.dual_component(n), b_hat) for n, letter in enumerate(bs_, 1)),
     *(let(letter, meanings.real_component(n), s_hat) for n, letter in enumerate(ss, 1)),

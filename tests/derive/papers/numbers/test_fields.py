@@ -8,9 +8,9 @@ import mpmath
 import pytest
 
 from derive.algebra import Dual, Quaternion, Tensor, Vector, ZeroDivisorError
+from derive.papers.numbers.draw import Draw
 from derive.papers.numbers.every_order import EveryOrder
-from derive.papers.numbers.fields import DIGITS, Decimal60, Exact, UndefinedError, integer_power
-from derive.papers.numbers.kinds import KINDS, Draw
+from derive.papers.numbers.fields import DIGITS, Decimal60, Exact, Field, UndefinedError, integer_power
 from derive.proof.ratio import NotExactError
 
 
@@ -89,6 +89,11 @@ def test_decimal_refuses_what_has_no_value() -> None:
         field.atan2(mpmath.mpf(0), mpmath.mpf(0))
 
 
+def test_a_field_says_when_two_numbers_are_equal() -> None:
+    with pytest.raises(TypeError, match="abstract"):
+        Field()
+
+
 def test_roots_of_quaternions_are_principal() -> None:
     with mpmath.workdps(DIGITS):
         field = Decimal60()
@@ -96,21 +101,6 @@ def test_roots_of_quaternions_are_principal() -> None:
         half = field.power(q, Fraction(1, 2))
         assert all(field.same(a.re, b.re) and field.same(a.du, b.du) for a, b in zip(half * half, q, strict=True))
         assert half.scalar.re > 0
-
-
-def test_draws_with_one_seed_are_equal() -> None:
-    for kind in KINDS.values():
-        if kind is not KINDS["smooth function"]:
-            assert kind.generic(Draw("s")) == kind.generic(Draw("s"))
-
-
-def test_unit_draws_are_unit() -> None:
-    with mpmath.workdps(DIGITS):
-        field = Decimal60()
-        for make in (KINDS["unit quaternion"].generic, *KINDS["unit quaternion"].special.values()):
-            norm = make(Draw("unit")).norm2()
-            assert field.same(norm.re, 1)
-            assert field.same(norm.du, 0)
 
 
 def test_vectors_beside_numbers_make_quaternions() -> None:
