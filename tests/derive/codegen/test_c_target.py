@@ -8,6 +8,7 @@ import subprocess
 import pytest
 from click.testing import CliRunner
 from derive.codegen.trace import Trace
+from derive.codegen.validation.cases import cases
 
 from derive.cli.commands import cli
 from derive.codegen import ValidationFailed, build, c99, check, generate
@@ -16,7 +17,6 @@ from derive.codegen.module import notices
 from derive.codegen.signatures import SIGNATURES
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation import compiled
-from derive.codegen.validation.cases import cases
 from derive.maps import Cayley
 from derive.output import files
 

@@ -7,6 +7,7 @@ from functools import cache
 
 import mpmath
 import pytest
+from derive.codegen.validation.digits import DIGITS
 from support.c_mutants import Excerpts, sample
 
 from derive.codegen import ValidationFailed, build, files
@@ -14,7 +15,6 @@ from derive.codegen.signatures import SIGNATURES
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation import c_text
 from derive.codegen.validation.c_interpreter import CError, load
-from derive.codegen.validation.digits import DIGITS
 from derive.maps import Cayley
 
 C = TARGETS["c"]
