@@ -134,7 +134,10 @@ def test_a_function_is_a_row_a_recipe_and_a_docstring_too(tmp_path: Path, monkey
 
 
 def test_a_function_without_a_docstring_is_not_generated():
-    arguments = {r.name: ", ".join(["self", *(a.name for a in r.arguments), *["branch"] * r.branch]) for r in PUBLIC.values()}
+    arguments = {
+        name: ", ".join(["self", *(a.name for a in row.arguments), *["branch"] * row.branch])
+        for name, row in PUBLIC.items()
+    }
     bare = "".join(f"    def {name}({given}): ...\n" for name, given in arguments.items())
     with pytest.raises(ValueError, match="has no docstring"):
         python.require_complete({python.INTERFACE: f"class {python.CLASS}:\n{bare}"})
