@@ -93,6 +93,9 @@ class Decimal:
 
     __hash__ = None  # type: ignore[assignment]
 
+    def __repr__(self) -> str:
+        return str(mpmath.nstr(self.value, DIGITS))
+
     def sqrt(self) -> Decimal:
         return Decimal(mpmath.sqrt(self.value))
 
@@ -211,7 +214,9 @@ def _undecided(n: int) -> Iterator[tuple[Expectation, ...]]:
             u, r = axis(n, v)
             angle = (mpmath.pi if p == 0 else 0, (2 * n * atan(r)).du)
             yield (Expectation("to_screw", (_flat(v),), (*angle, *_flat(u))),)
-            yield (Expectation("principal", (_flat(v),), MAPS["principal"](n, 0, _flat(v))),)
+            # at odd multiples of half a turn beyond the first either side is a principal v
+            if q == 0 or abs(2 * n * atan(r).re) < mpmath.pi + NEAR_TIE:
+                yield (Expectation("principal", (_flat(v),), MAPS["principal"](n, 0, _flat(v))),)
             for branch in range(1, min(n, MAX_BRANCHES)):
                 turn = branch * mpmath.pi / n
                 if abs(mpmath.cos(turn) - r.re * mpmath.sin(turn)) > NEAR_POLE:

@@ -9,12 +9,13 @@ import subprocess
 import sys
 from pathlib import Path
 
+import mpmath
 import pytest
 
 import derive
 from derive.codegen import ValidationFailed, build, catalogue, check, compiler, files
 from derive.codegen.targets import TARGETS
-from derive.codegen.validation import validate
+from derive.codegen.validation import digits, validate
 from derive.maps import Cayley
 from derive.proof import ProofFailed
 
@@ -79,11 +80,13 @@ def test_a_wrong_sign_or_factor_in_a_printed_kernel_fails_validation(
 
 def test_untouched_kernels_pass_and_every_call_is_compared_in_both_layouts(package, tmp_path: Path):
     files.write(tmp_path, package.texts)
-    # 11 exact expectations (12 with the round trip of n = 4); on a batch of 5 screws 4, and 5 per branch; each in both
-    # layouts, and each pose alone
-    assert validate(tmp_path, Cayley(3)) == (2 + 1) * 11 + (2 + 5) * (4 + 5 * 3)
-    # but a translation is infinite on branch 2 of 4
-    assert validate(tmp_path, Cayley(4)) == (2 + 1) * 12 + (2 + 5) * (4 + 5 * 4) - 5
+    for order, rational in ((3, 11), (4, 12)):  # with the exact round trip of n = 4
+        with mpmath.workdps(digits.DIGITS):
+            batches = list(digits.expectations(Cayley(order)))
+        functions = {batch[0].function for batch in batches}
+        assert functions >= {f"from_{name} {k}" for name in ("quaternion", "tensor", "pose") for k in range(order)}
+        # each batch in both layouts, and each of its cases alone
+        assert validate(tmp_path, Cayley(order)) == (2 + 1) * rational + sum(2 + len(batch) for batch in batches)
 
 
 def test_a_failed_proof_writes_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
