@@ -1,0 +1,169 @@
+"""Replay of a package of kernels on floats: what exact validation does not execute.
+
+Exact numbers take neither the path of single floats nor scratch memory, blocks and ``out``; here public functions are
+called on floats of several types, in all these ways, and every result array is compared with the formula's results,
+within what rounding may do (see ``rounding``). Kernels of any Python target are replayed, in the arrays of any library.
+"""
+
+from __future__ import annotations
+
+import importlib
+import warnings
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import mpmath
+import numpy as np
+
+from ...maps import Cayley
+from ..cases import far, samples
+from ..lowered import lower_chart
+from . import ways
+from .calls import NUMPY, Call, Caller, Library, alone, several
+from .known import Analysis, Known, require_sharp
+from .run import loaded
+
+FEW = 20
+BLOCK = 7
+"""Of a replay, so that small batches have several blocks, and one of other length."""
+
+BEYOND = 8
+"""How far beyond the overflow of (1 + x)ⁿ the vectors are which must not give wrong results."""
+
+
+@dataclass(frozen=True, slots=True)
+class Machinery:
+    """What the run-time parts of a target do around its kernels.
+
+    Parameters
+    ----------
+    out : bool
+        Whether functions take ``out``.
+    few, block : str
+        Where the numbers stand, ``module.NAME``, of the largest batch that runs pose by pose, and of the largest block.
+    """
+
+    out: bool = True
+    few: str = ""
+    block: str = ""
+
+
+def replay(
+    folder: Path,
+    chart: Cayley,
+    machinery: Machinery,
+    libraries: Sequence[Library] = (NUMPY,),
+    *,
+    all_ways: bool = True,
+) -> int:
+    """Call the functions of the module of a chart on floats; return how many calls agree with its formulas.
+
+    Parameters
+    ----------
+    folder : Path
+        The package.
+    chart : Cayley
+    machinery : Machinery
+    libraries : sequence of Library
+        Whose arrays are given.
+    all_ways : bool
+        Whether to try all that is the same for every chart: once for a package is enough. Else one function is tried.
+
+    Raises
+    ------
+    ValidationFailed
+        Naming the function, how it was called, and the first component that is off.
+    """
+    dtypes = list(dict.fromkeys(dtype for library in libraries for dtype in library.dtypes))
+    analysis = Analysis(chart, lower_chart(chart), dtypes)
+    found = [analysis.known(group) for group in samples(chart)]
+    for known in found:
+        require_sharp(known)
+    with loaded(folder) as package, warnings.catch_warnings(), np.errstate(all="warn"):
+        warnings.simplefilter("error", RuntimeWarning)
+        module = importlib.import_module(f"{package}.{chart.name}")
+        count = 0
+        for library in libraries:
+            caller = Caller(module, library)
+            _every_function(caller, found, chart, machinery, package)
+            _overflow(caller, chart, analysis)
+            _ways(caller, found, chart, machinery, package, all_ways)
+            count += caller.count
+    return count
+
+
+def _every_function(
+    caller: Caller, found: Sequence[Known], chart: Cayley, machinery: Machinery, package: str
+) -> None:
+    """Single poses, few, many in one block and in several; components last and first; under every name."""
+    few = _number(package, machinery.few, FEW)
+    for known in found:
+        for dtype in caller.library.dtypes:
+            plain = dtype == np.float64
+            for combination in range(len(known.results) if plain else 1):
+                caller.check(Call(known, alone(known, combination), dtype))
+            for axis in (-1, 0):
+                caller.check(Call(known, several(known, min(few, len(known.results))), dtype, axis))
+                many = Call(known, several(known, few + BLOCK), dtype, axis)
+                caller.check(many)
+                with _small_blocks(package, machinery.block):
+                    caller.check(many, how="in blocks")
+        first = Call(known, several(known, 1), caller.library.dtypes[0])
+        for name in known.row.aliases:
+            caller.check(replace(first, name=name))
+        for turns in (-1, 2) if known.branch else ():
+            caller.check(replace(first, branch=(known.branch[0] + turns * chart.branches,)))
+
+
+def _overflow(caller: Caller, chart: Cayley, analysis: Analysis) -> None:
+    """Where numbers overflow, results are right or NaN."""
+    for dtype in caller.library.dtypes:
+        size = BEYOND * mpmath.mpf(2) ** (mpmath.mpf(int(np.finfo(dtype).maxexp)) / (2 * chart.branches))
+        for known in map(analysis.known, far(chart, size)):
+            for picks in (alone(known, 0), several(known, FEW + BLOCK)):
+                call = Call(known, picks, dtype)
+                caller.compare(call, caller.run(call), overflow=True)
+
+
+def _ways(
+    caller: Caller, found: Sequence[Known], chart: Cayley, machinery: Machinery, package: str, all_ways: bool
+) -> None:
+    """What the run-time parts do, on a function of each kind; or on one, which the chart decides."""
+    few = _number(package, machinery.few, FEW)
+    kinds = ways.kinds(found)
+    chosen = kinds if all_ways else [kinds[chart.order % len(kinds)]]
+    with _small_blocks(package, machinery.block):
+        for known in chosen:
+            for dtype in caller.library.dtypes:
+                ways.broadcasting(caller, known, dtype, few)
+                ways.spoilt(caller, known, dtype, few)
+                ways.layouts(caller, known, dtype, few)
+                if machinery.out and len(known.row.results) == 1:
+                    ways.out(caller, known, dtype, few)
+            ways.interrupted(caller, known, caller.library.dtypes[0], few)
+
+
+def _number(package: str, place: str, default: int) -> int:
+    if not place:
+        return default
+    name, _, attribute = place.rpartition(".")
+    return int(getattr(importlib.import_module(f"{package}.{name}"), attribute))
+
+
+@contextmanager
+def _small_blocks(package: str, place: str) -> Iterator[None]:
+    """Blocks of few poses while this lasts, where there are blocks."""
+    if not place:
+        yield
+        return
+    name, _, attribute = place.rpartition(".")
+    module: Any = importlib.import_module(f"{package}.{name}")
+    size = getattr(module, attribute)
+    setattr(module, attribute, BLOCK)
+    try:
+        yield
+    finally:
+        setattr(module, attribute, size)
