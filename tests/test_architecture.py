@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+pytestmark = pytest.mark.smoke
+
 ROOT = Path(__file__).parent.parent
 ROOMS = ("algebra", "maps", "proof", "papers", "codegen", "cli")
 """Each room may import itself and those before it."""

@@ -11,6 +11,8 @@ from derive.codegen import infix
 from derive.codegen.lowering import RECIPES
 from derive.codegen.trace import Trace, UnnamedValueError
 
+pytestmark = pytest.mark.smoke
+
 
 def traced(count: int = 2):
     trace = Trace()
