@@ -9,13 +9,13 @@ from itertools import pairwise
 from typing import Any
 
 from derive.algebra import Dual, Tensor, Vector, dual_part, real_part
+from derive.algebra.mixed import MeaninglessError
 from derive.proof.ratio import NotExactError
 
 from ..evaluation import Env
 from ..fields import Decimal60
 from ..notation import define
 from ..terms import ATOM, LIST, NOTATIONS, POWER, PRODUCT, RELATION, SUM, Letter, Term
-from ..values import MeaninglessError
 
 HAT = "\N{COMBINING CIRCUMFLEX ACCENT}"
 LOST = "()[]{}_^|/,;.Σ"
