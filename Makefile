@@ -5,7 +5,7 @@ RUN    := $(VENV)/bin/python
 READY  := $(VENV)/.ready
 
 .DEFAULT_GOAL := generate
-.PHONY: generate check verify show test lint types bench accuracy clean help
+.PHONY: generate check proofs verify show test lint types bench accuracy clean help
 
 generate: $(READY)  ## derive, prove and write the committed kernels (the default)
 	$(RUN) -m derive generate
@@ -14,13 +14,16 @@ check: $(READY)  ## fail if a generated file is stale, missing or foreign
 	$(RUN) -m derive generate --check
 	$(RUN) -m derive verify --format markdown -o docs/errata.md --check
 
+proofs: $(READY)  ## prove all theorems, and see every control fail
+	$(RUN) -m derive.proof
+
 verify: $(READY)  ## decide every equation of the papers and write docs/errata.md
 	$(RUN) -m derive verify --format markdown -o docs/errata.md
 
 show: $(READY)  ## print the formulas of an order: make show N=3
 	$(RUN) -m derive show -n $(or $(N),1-3)
 
-test: lint types check  ## lint, types, stale check and all tests
+test: lint types check proofs  ## lint, types, stale check, proofs with their controls and all tests
 	$(RUN) -m pytest -n 2
 
 lint: $(READY)  ## ruff
