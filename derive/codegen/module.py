@@ -98,7 +98,7 @@ def _header(proved: Proved, programs: Mapping[str, Program], target: Target) -> 
         lines.append(f"  {item.name}, {_numbers(item.equations)}:")
         lines += [f"    {basis}: {_plain(coefficient)}" for basis, coefficient in terms]
     lines += ["", "Proved exactly:"]
-    lines += [f"  [{proof.scope}] {proof.statement}" for proof in proved.proofs]
+    lines += [f"  [{proof.scope}] {proof.name}: {proof.statement}" for proof in proved.proofs]
     lines += ["", "Operations:"]
     lines += [f"  {name}: {program.summary()}" for name, program in programs.items()]
     return _comment(lines, target.comment)

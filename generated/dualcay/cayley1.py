@@ -19,37 +19,78 @@
 #     v(x)v: 1/2
 #
 # Proved exactly:
-#   [all n] (1 + iX)^n = p_n + i X q_n, x = X^2
-#   [all n] (1 + v)^n = p_n + q_n v for a dual vector v as quaternion
-#   [all n] p_n^2 + x q_n^2 = (1+x)^n
-#   [all n] p_(m+n) = p_m p_n - x q_m q_n, q_(m+n) = p_m q_n + q_m p_n; p_2n = p_n^2 - x q_n^2, q_2n = 2 p_n q_n
-#   [all n] p_n = sum (-1)^j C(n, 2j) x^j, q_n = sum (-1)^j C(n, 2j+1) x^j
-#   [all n] p_n' = n (p_n - q_n)/(2 (1+x)), q_n' = [n (p_n + x q_n)/(1+x) - q_n]/(2x)
-#   [all n] n (1+x)^(n-1) - p_n q_n = x c_n, c_n = 2 (p_n q_n' - q_n p_n'); (1+x) q_n - n p_n = x d_n, d_n = q_n
-#       - 2 q_n' - 2 p_n'; so x divides both brackets
-#   [all n] c_n = sum_(j>=1) [n C(n-1, j) - (-1)^j C(2n, 2j+1)/2] x^(j-1), d_n = sum_(j>=1) (-1)^j [C(n, 2j+1) -
-#       C(n, 2j-1) - n C(n, 2j)] x^(j-1)
-#   [all n] at x = 0: p_n = 1, q_n = n, p_n' = -n(n-1)/2, q_n' = -C(n, 3), c_n = 2n(n^2-1)/3, d_n = n(n^2+2)/3
-#   [all n] R R^T = I, det R = 1
-#   [all n] q = (p_n + q_n v)/(1+x)^(n/2) has norm 1, and q r q* = R r
-#   [all n] R = exp(alpha skew(u)) and q = cos(alpha/2) + u sin(alpha/2) for v = tan(alpha/2n) u
-#   [all n] omega = vect(R' R^T) = dcay v'
-#   [all n] q' = omega q/2 with omega = dcay v'
-#   [all n] dcay^T = R^T dcay, so omega_B = dcay^T v'
-#   [all n] dcay dcay^-1 = I
-#   [all n] dcay v = dcay^T v = 2n/(1+x) v
-#   [all n] det dcay = 8n q_n^2/(1+x)^(n+1)
-#   [n = 1] the coefficients of p, q, c, d are those of the theorem
-#   [n = 1] the coefficients of quaternion, squared are those of the theorem
-#   [n = 1] the coefficients of tensor R are those of the theorem
-#   [n = 1] the coefficients of tangent dcay are those of the theorem
-#   [n = 1] the coefficients of tangent_inv dcay^-1 are those of the theorem
-#   [n = 1] q^2 (1-v)^n = (1+v)^n
-#   [n = 1] q is the quaternion formula, up to sign
-#   [n = 1] q r q* = R r for the tensor formula
-#   [n = 1] R R^T = I
-#   [n = 1] vect(R' R^T) = dcay v' for the tangent formula
-#   [n = 1] dcay dcay^-1 = I for the tangent_inv formula
+#   [all n] powers of 1 + iX: (1 + X*i)^n = p_n + X*i*q_n
+#   [all n] powers of 1 + v: (v + 1)^n = q_n*v + p_n
+#   [all n] norm: (1 + x)^n = q_n^2*x + p_n^2
+#   [all n] addition: p_{m+n} = -q_m*q_n*x + p_m*p_n; q_{m+n} = p_n*q_m + p_m*q_n
+#   [all n] doubling: p_{2n} = -q_n^2*x + p_n^2; q_{2n} = 2*p_n*q_n
+#   [all n] slopes: d/dx p_n = n*(-q_n + p_n)/(2 + 2*x); d/dx q_n = (-q_n + n*(q_n*x + p_n)/(1 + x))/(2*x)
+#   [all n] values at x = 0: [p_n](x -> 0) = 1; [q_n](x -> 0) = n; [d/dx p_n](x -> 0) = -n*(-1 + n)/2; [d/dx
+#       q_n](x -> 0) = -n*(-2 + n)*(-1 + n)/6
+#   [all n] brackets at x = 0: -2*[q_n](x -> 0)*[d/dx p_n](x -> 0) + 2*[p_n](x -> 0)*[d/dx q_n](x -> 0) =
+#       2*n*(-1 + n^2)/3; -2*[d/dx q_n](x -> 0) - 2*[d/dx p_n](x -> 0) + [q_n](x -> 0) = n*(2 + n^2)/3
+#   [all n] brackets: -p_n*q_n + n*(1 + x)^(-1 + n) = c_n*x; q_n*(1 + x) - n*p_n = d_n*x
+#   [all n] binomial sums: p_n = sum over j >= 0 of (-1)^j*x^j*C(n, 2*j); q_n = sum over j >= 0 of
+#       (-1)^j*x^j*C(n, 1 + 2*j)
+#   [all n] binomial theorem: (1 + x)^n = sum over j >= 0 of x^j*C(n, j)
+#   [all n] binomial sums of the brackets: c_n = sum over j >= 1 of x^(-1 + j)*(n*C(-1 + n, j) - (-1)^j*C(2*n, 1
+#       + 2*j)/2); d_n = sum over j >= 1 of (-1)^j*x^(-1 + j)*(C(n, 1 + 2*j) - C(n, -1 + 2*j) - n*C(n, 2*j))
+#   [all n] multiples of an angle: p_n = cos(n*theta)/cos(theta)^n; q_n =
+#       sin(n*theta)*cos(theta)/(sin(theta)*cos(theta)^n)
+#   [all n] tensor: R = I + 2*q_n^2*skew(v)^2/(1 + x)^n + 2*p_n*q_n*skew(v)/(1 + x)^n
+#   [all n] orthogonality: R*R^T = I; det(R) = 1
+#   [all n] quaternion: qhat = (v + 1)^n/(1 + x)^(n/2); qhat*conj(qhat) = 1; qhat*point*conj(qhat) = R*point
+#   [all n] tangent: dcay_n = (-2*p_n*q_n + 2*n*(1 + x)^(-1 + n))*v(x)v/(x*(1 + x)^n) + 2*q_n^2*skew(v)/(1 +
+#       x)^n + 2*p_n*q_n*I/(1 + x)^n
+#   [all n] tangent_inv: dcay_n^-1 = (q_n*(1 + x) - n*p_n)*v(x)v/(2*n*q_n*x) - skew(v)/2 + p_n*I/(2*q_n)
+#   [all n] inverse: dcay_n*dcay_n^-1 = I; dcay_n^-1*dcay_n = I
+#   [all n] axis: dcay_n*v = 2*n*v/(1 + x); dcay_n^T*v = 2*n*v/(1 + x)
+#   [all n] determinant: det(dcay_n) = 8*n*q_n^2/(1 + x)^(1 + n)
+#   [all n] twist: omega = dcay_n*v'; R' = skew(omega)*R
+#   [all n] body twist: dcay_n^T = R^T*dcay_n; omega_B = dcay_n^T*v'; R' = R*skew(omega_B)
+#   [all n] quaternion rate: qhat' = omega*qhat/2; qhat' = qhat*omega_B/2
+#   [all n] rates of v: v' = dcay_n^-1*omega; v' = (dcay_n^-1)^T*omega_B
+#   [all n] double angle: cos(alpha) = 1 - 2*sin(alpha/2)^2; sin(alpha) = 2*sin(alpha/2)*cos(alpha/2)
+#   [all n] exponential: exp(alpha*skew(u)) = I + sin(alpha)*skew(u) + (1 - cos(alpha))*skew(u)^2
+#   [all n] exponential of a quaternion: exp(alpha*u/2) = cos(alpha/2) + sin(alpha/2)*u
+#   [all n] screw: qhat = cos(alpha/2) + sin(alpha/2)*u; R = I + sin(alpha)*skew(u) + (1 - cos(alpha))*skew(u)^2
+#   [all n] pose: R(V) = (I + epsilon*skew(rho))*Q
+#   [all n] line: (I + epsilon*skew(rho))*R*(along + epsilon*point x along) = R*along + epsilon*(rho + R*point)
+#       x (R*along)
+#   [all n] Moebius step: p_k = (-q_n*r*sin(beta*n) + p_n*cos(beta*n))/(cos(beta) - r*sin(beta))^n; q_k =
+#       (q_n*r*cos(beta*n) + p_n*sin(beta*n))/(r_k*(cos(beta) - r*sin(beta))^n)
+#   [all n] shadow, even branch: R(v_k) = R
+#   [all n] shadow, odd branch: R(v_k) = R
+#   [all n] composition: Delta(vector + scalar) = 2*skew(vector)^2 + I + 2*scalar*skew(vector); Delta((vector_2
+#       + scalar_2)*(vector_1 + scalar_1)) = Delta(vector_2 + scalar_2)*Delta(vector_1 + scalar_1)
+#   [n = 1] Cayley(1).p, Cayley(1).q, Cayley(1).c, Cayley(1).d: Cayley(1).p = [p_n](n -> 1); Cayley(1).q =
+#       [q_n](n -> 1); Cayley(1).c = [c_n](n -> 1); Cayley(1).d = [d_n](n -> 1)
+#   [n = 1] Cayley(1).quaternion: Cayley(1).quaternion = [qhat](n -> 1)
+#   [n = 1] Cayley(1).tensor: Cayley(1).tensor = [R](n -> 1)
+#   [n = 1] Cayley(1).tangent: Cayley(1).tangent = [dcay_n](n -> 1)
+#   [n = 1] Cayley(1).tangent_inv: Cayley(1).tangent_inv = [dcay_n^-1](n -> 1)
+#   [n = 1] polynomials.p_binomial(1), polynomials.q_binomial(1), polynomials.c_binomial(1),
+#       polynomials.d_binomial(1): polynomials.p_binomial(1) = [p_n](n -> 1); polynomials.q_binomial(1) =
+#       [q_n](n -> 1); polynomials.c_binomial(1) = [c_n](n -> 1); polynomials.d_binomial(1) = [d_n](n -> 1)
+#   [n = 1] polynomials.multiply(1).p, polynomials.multiply(1).q, polynomials.pair_by_squaring(1).p,
+#       polynomials.pair_by_squaring(1).q, polynomials.brackets(1).c, polynomials.brackets(1).d:
+#       polynomials.multiply(1).p = [p_n](n -> 1); polynomials.multiply(1).q = [q_n](n -> 1);
+#       polynomials.pair_by_squaring(1).p = [p_n](n -> 1); polynomials.pair_by_squaring(1).q = [q_n](n -> 1);
+#       polynomials.brackets(1).c = [c_n](n -> 1); polynomials.brackets(1).d = [d_n](n -> 1)
+#   [n = 1] closed_forms.quaternion(1, x): closed_forms.quaternion(1, x) = [qhat](n -> 1)
+#   [n = 1] closed_forms.tensor(1, x): closed_forms.tensor(1, x) = [R](n -> 1)
+#   [n = 1] closed_forms.tangent(1, x): closed_forms.tangent(1, x) = [dcay_n](n -> 1)
+#   [n = 1] closed_forms.tangent_inv(1, x): closed_forms.tangent_inv(1, x) = [dcay_n^-1](n -> 1)
+#   [n = 1] polynomials.singular_angles(1), polynomials.poles(1): sin(polynomials.singular_angles(1)/2) = 0;
+#       polynomials.poles(1) = tan(polynomials.singular_angles(1)/2)
+#   [n = 1] composition at n = 1: b = (b_2 x b_1 + b_2 + b_1)/(1 - b_1.b_2); (b_2 + 1)*(b_1 + 1) = (1 -
+#       b_1.b_2)*(b + 1)
+#   [n = 1] definition at n: qhat^2*(-v + 1)^n = (v + 1)^n
+#   [n = 1] quaternion at n: qhat*(point + 1)*qhat = z*(point + 1)*z/|z|^2
+#   [n = 1] tensor at n: qhat*point*conj(qhat) = R*point
+#   [n = 1] orthogonality at n: R*R^T = I
+#   [n = 1] twist at n: vect(R'*R^T) = dcay_n*v'
+#   [n = 1] inverse at n: dcay_n*dcay_n^-1 = I
 #
 # Operations:
 #   quaternion: 29: 8 +, 17 *, 3 /, 1 sqrt

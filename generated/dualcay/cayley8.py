@@ -19,37 +19,76 @@
 #     v(x)v: (11 - 35*x + 17*x^2 - x^3)/(8 - 56*x + 56*x^2 - 8*x^3)
 #
 # Proved exactly:
-#   [all n] (1 + iX)^n = p_n + i X q_n, x = X^2
-#   [all n] (1 + v)^n = p_n + q_n v for a dual vector v as quaternion
-#   [all n] p_n^2 + x q_n^2 = (1+x)^n
-#   [all n] p_(m+n) = p_m p_n - x q_m q_n, q_(m+n) = p_m q_n + q_m p_n; p_2n = p_n^2 - x q_n^2, q_2n = 2 p_n q_n
-#   [all n] p_n = sum (-1)^j C(n, 2j) x^j, q_n = sum (-1)^j C(n, 2j+1) x^j
-#   [all n] p_n' = n (p_n - q_n)/(2 (1+x)), q_n' = [n (p_n + x q_n)/(1+x) - q_n]/(2x)
-#   [all n] n (1+x)^(n-1) - p_n q_n = x c_n, c_n = 2 (p_n q_n' - q_n p_n'); (1+x) q_n - n p_n = x d_n, d_n = q_n
-#       - 2 q_n' - 2 p_n'; so x divides both brackets
-#   [all n] c_n = sum_(j>=1) [n C(n-1, j) - (-1)^j C(2n, 2j+1)/2] x^(j-1), d_n = sum_(j>=1) (-1)^j [C(n, 2j+1) -
-#       C(n, 2j-1) - n C(n, 2j)] x^(j-1)
-#   [all n] at x = 0: p_n = 1, q_n = n, p_n' = -n(n-1)/2, q_n' = -C(n, 3), c_n = 2n(n^2-1)/3, d_n = n(n^2+2)/3
-#   [all n] R R^T = I, det R = 1
-#   [all n] q = (p_n + q_n v)/(1+x)^(n/2) has norm 1, and q r q* = R r
-#   [all n] R = exp(alpha skew(u)) and q = cos(alpha/2) + u sin(alpha/2) for v = tan(alpha/2n) u
-#   [all n] omega = vect(R' R^T) = dcay v'
-#   [all n] q' = omega q/2 with omega = dcay v'
-#   [all n] dcay^T = R^T dcay, so omega_B = dcay^T v'
-#   [all n] dcay dcay^-1 = I
-#   [all n] dcay v = dcay^T v = 2n/(1+x) v
-#   [all n] det dcay = 8n q_n^2/(1+x)^(n+1)
-#   [n = 8] the coefficients of p, q, c, d are those of the theorem
-#   [n = 8] the coefficients of quaternion, squared are those of the theorem
-#   [n = 8] the coefficients of tensor R are those of the theorem
-#   [n = 8] the coefficients of tangent dcay are those of the theorem
-#   [n = 8] the coefficients of tangent_inv dcay^-1 are those of the theorem
-#   [n = 8] q^2 (1-v)^n = (1+v)^n
-#   [n = 8] q is the quaternion formula, up to sign
-#   [n = 8] q r q* = R r for the tensor formula
-#   [n = 8] R R^T = I
-#   [n = 8] vect(R' R^T) = dcay v' for the tangent formula
-#   [n = 8] dcay dcay^-1 = I for the tangent_inv formula
+#   [all n] powers of 1 + iX: (1 + X*i)^n = p_n + X*i*q_n
+#   [all n] powers of 1 + v: (v + 1)^n = q_n*v + p_n
+#   [all n] norm: (1 + x)^n = q_n^2*x + p_n^2
+#   [all n] addition: p_{m+n} = -q_m*q_n*x + p_m*p_n; q_{m+n} = p_n*q_m + p_m*q_n
+#   [all n] doubling: p_{2n} = -q_n^2*x + p_n^2; q_{2n} = 2*p_n*q_n
+#   [all n] slopes: d/dx p_n = n*(-q_n + p_n)/(2 + 2*x); d/dx q_n = (-q_n + n*(q_n*x + p_n)/(1 + x))/(2*x)
+#   [all n] values at x = 0: [p_n](x -> 0) = 1; [q_n](x -> 0) = n; [d/dx p_n](x -> 0) = -n*(-1 + n)/2; [d/dx
+#       q_n](x -> 0) = -n*(-2 + n)*(-1 + n)/6
+#   [all n] brackets at x = 0: -2*[q_n](x -> 0)*[d/dx p_n](x -> 0) + 2*[p_n](x -> 0)*[d/dx q_n](x -> 0) =
+#       2*n*(-1 + n^2)/3; -2*[d/dx q_n](x -> 0) - 2*[d/dx p_n](x -> 0) + [q_n](x -> 0) = n*(2 + n^2)/3
+#   [all n] brackets: -p_n*q_n + n*(1 + x)^(-1 + n) = c_n*x; q_n*(1 + x) - n*p_n = d_n*x
+#   [all n] binomial sums: p_n = sum over j >= 0 of (-1)^j*x^j*C(n, 2*j); q_n = sum over j >= 0 of
+#       (-1)^j*x^j*C(n, 1 + 2*j)
+#   [all n] binomial theorem: (1 + x)^n = sum over j >= 0 of x^j*C(n, j)
+#   [all n] binomial sums of the brackets: c_n = sum over j >= 1 of x^(-1 + j)*(n*C(-1 + n, j) - (-1)^j*C(2*n, 1
+#       + 2*j)/2); d_n = sum over j >= 1 of (-1)^j*x^(-1 + j)*(C(n, 1 + 2*j) - C(n, -1 + 2*j) - n*C(n, 2*j))
+#   [all n] multiples of an angle: p_n = cos(n*theta)/cos(theta)^n; q_n =
+#       sin(n*theta)*cos(theta)/(sin(theta)*cos(theta)^n)
+#   [all n] tensor: R = I + 2*q_n^2*skew(v)^2/(1 + x)^n + 2*p_n*q_n*skew(v)/(1 + x)^n
+#   [all n] orthogonality: R*R^T = I; det(R) = 1
+#   [all n] quaternion: qhat = (v + 1)^n/(1 + x)^(n/2); qhat*conj(qhat) = 1; qhat*point*conj(qhat) = R*point
+#   [all n] tangent: dcay_n = (-2*p_n*q_n + 2*n*(1 + x)^(-1 + n))*v(x)v/(x*(1 + x)^n) + 2*q_n^2*skew(v)/(1 +
+#       x)^n + 2*p_n*q_n*I/(1 + x)^n
+#   [all n] tangent_inv: dcay_n^-1 = (q_n*(1 + x) - n*p_n)*v(x)v/(2*n*q_n*x) - skew(v)/2 + p_n*I/(2*q_n)
+#   [all n] inverse: dcay_n*dcay_n^-1 = I; dcay_n^-1*dcay_n = I
+#   [all n] axis: dcay_n*v = 2*n*v/(1 + x); dcay_n^T*v = 2*n*v/(1 + x)
+#   [all n] determinant: det(dcay_n) = 8*n*q_n^2/(1 + x)^(1 + n)
+#   [all n] twist: omega = dcay_n*v'; R' = skew(omega)*R
+#   [all n] body twist: dcay_n^T = R^T*dcay_n; omega_B = dcay_n^T*v'; R' = R*skew(omega_B)
+#   [all n] quaternion rate: qhat' = omega*qhat/2; qhat' = qhat*omega_B/2
+#   [all n] rates of v: v' = dcay_n^-1*omega; v' = (dcay_n^-1)^T*omega_B
+#   [all n] double angle: cos(alpha) = 1 - 2*sin(alpha/2)^2; sin(alpha) = 2*sin(alpha/2)*cos(alpha/2)
+#   [all n] exponential: exp(alpha*skew(u)) = I + sin(alpha)*skew(u) + (1 - cos(alpha))*skew(u)^2
+#   [all n] exponential of a quaternion: exp(alpha*u/2) = cos(alpha/2) + sin(alpha/2)*u
+#   [all n] screw: qhat = cos(alpha/2) + sin(alpha/2)*u; R = I + sin(alpha)*skew(u) + (1 - cos(alpha))*skew(u)^2
+#   [all n] pose: R(V) = (I + epsilon*skew(rho))*Q
+#   [all n] line: (I + epsilon*skew(rho))*R*(along + epsilon*point x along) = R*along + epsilon*(rho + R*point)
+#       x (R*along)
+#   [all n] Moebius step: p_k = (-q_n*r*sin(beta*n) + p_n*cos(beta*n))/(cos(beta) - r*sin(beta))^n; q_k =
+#       (q_n*r*cos(beta*n) + p_n*sin(beta*n))/(r_k*(cos(beta) - r*sin(beta))^n)
+#   [all n] shadow, even branch: R(v_k) = R
+#   [all n] shadow, odd branch: R(v_k) = R
+#   [all n] composition: Delta(vector + scalar) = 2*skew(vector)^2 + I + 2*scalar*skew(vector); Delta((vector_2
+#       + scalar_2)*(vector_1 + scalar_1)) = Delta(vector_2 + scalar_2)*Delta(vector_1 + scalar_1)
+#   [n = 8] Cayley(8).p, Cayley(8).q, Cayley(8).c, Cayley(8).d: Cayley(8).p = [p_n](n -> 8); Cayley(8).q =
+#       [q_n](n -> 8); Cayley(8).c = [c_n](n -> 8); Cayley(8).d = [d_n](n -> 8)
+#   [n = 8] Cayley(8).quaternion: Cayley(8).quaternion = [qhat](n -> 8)
+#   [n = 8] Cayley(8).tensor: Cayley(8).tensor = [R](n -> 8)
+#   [n = 8] Cayley(8).tangent: Cayley(8).tangent = [dcay_n](n -> 8)
+#   [n = 8] Cayley(8).tangent_inv: Cayley(8).tangent_inv = [dcay_n^-1](n -> 8)
+#   [n = 8] polynomials.p_binomial(8), polynomials.q_binomial(8), polynomials.c_binomial(8),
+#       polynomials.d_binomial(8): polynomials.p_binomial(8) = [p_n](n -> 8); polynomials.q_binomial(8) =
+#       [q_n](n -> 8); polynomials.c_binomial(8) = [c_n](n -> 8); polynomials.d_binomial(8) = [d_n](n -> 8)
+#   [n = 8] polynomials.multiply(8).p, polynomials.multiply(8).q, polynomials.pair_by_squaring(8).p,
+#       polynomials.pair_by_squaring(8).q, polynomials.brackets(8).c, polynomials.brackets(8).d:
+#       polynomials.multiply(8).p = [p_n](n -> 8); polynomials.multiply(8).q = [q_n](n -> 8);
+#       polynomials.pair_by_squaring(8).p = [p_n](n -> 8); polynomials.pair_by_squaring(8).q = [q_n](n -> 8);
+#       polynomials.brackets(8).c = [c_n](n -> 8); polynomials.brackets(8).d = [d_n](n -> 8)
+#   [n = 8] closed_forms.quaternion(8, x): closed_forms.quaternion(8, x) = [qhat](n -> 8)
+#   [n = 8] closed_forms.tensor(8, x): closed_forms.tensor(8, x) = [R](n -> 8)
+#   [n = 8] closed_forms.tangent(8, x): closed_forms.tangent(8, x) = [dcay_n](n -> 8)
+#   [n = 8] closed_forms.tangent_inv(8, x): closed_forms.tangent_inv(8, x) = [dcay_n^-1](n -> 8)
+#   [n = 8] polynomials.singular_angles(8), polynomials.poles(8): sin(polynomials.singular_angles(8)/2) = 0;
+#       polynomials.poles(8) = tan(polynomials.singular_angles(8)/16)
+#   [n = 8] definition at n: qhat^2*(-v + 1)^n = (v + 1)^n
+#   [n = 8] quaternion at n: qhat*(point + 1)*qhat = z*(point + 1)*z/|z|^2
+#   [n = 8] tensor at n: qhat*point*conj(qhat) = R*point
+#   [n = 8] orthogonality at n: R*R^T = I
+#   [n = 8] twist at n: vect(R'*R^T) = dcay_n*v'
+#   [n = 8] inverse at n: dcay_n*dcay_n^-1 = I
 #
 # Operations:
 #   quaternion: 60: 22 +, 35 *, 3 /
