@@ -40,8 +40,10 @@ x_dual, p_dual, q_dual, scalar, scalar_1, scalar_2, r_k = sympy.symbols(
 )
 
 TYPESET = {
-    x: "x", q_hat: r"\hat q", dcay: r"\mathrm{dcay}_n", dcay_inv: r"\mathrm{dcay}_n^{-1}",
-    omega_body: r"\omega_B",
+    x: "x", q_hat: r"\hat q", dcay: r"\mathrm{dcay}_n", dcay_inv: r"\mathrm{dcay}_n^{-1}", omega_body: r"\omega_B",
+    point: r"\mathbf r", along: r"\mathbf a", vector: r"\mathbf q", first: r"\mathbf q_1", second: r"\mathbf q_2",
+    scalar: "q_0", scalar_1: "q_{0,1}", scalar_2: "q_{0,2}", R_k: "R(v_k)", R_dual: "R(V)", v_dual: r"v^\circ",
+    x_dual: "x(V)", p_dual: "p_n(V)", q_dual: "q_n(V)", epsilon: r"\varepsilon",
 }  # fmt: skip
 """Letters that SymPy would not typeset by their name."""
 
@@ -77,11 +79,11 @@ def _mark(name: str, text: str, typeset: str, base: type[Mark] = Mark) -> Any:
     return type(name, (base,), {"text": text, "typeset": typeset, "__module__": __name__})
 
 
-transpose = _mark("transpose", "{0}^T", "{0}^T")
-conjugate = _mark("conjugate", "conj({0})", "{0}^*")
-skew = _mark("skew", "skew({0})", r"\tilde {0}")
+transpose = _mark("transpose", "{0}^T", "{{{0}}}^T")
+conjugate = _mark("conjugate", "conj({0})", "{{{0}}}^*")
+skew = _mark("skew", "skew({0})", r"\tilde{{{0}}}")
 vect = _mark("vect", "vect({0})", r"\mathrm{{vect}}({0})")
-rate = _mark("rate", "{0}'", r"\dot {0}")
+rate = _mark("rate", "{0}'", r"\dot{{{0}}}")
 cross = _mark("cross", "{0} x {1}", r"{0} \times {1}")
 dyad = _mark("dyad", "{0}(x){1}", r"{0} \otimes {1}")
 sandwich = _mark("sandwich", "Delta({0})", r"\Delta({0})")
