@@ -10,7 +10,7 @@ PYTEST := $(RUN) -m pytest -n auto --maxprocesses 4 --dist worksteal
 PIP    := $(RUN) -m pip --disable-pip-version-check install --quiet --quiet --constraint constraints.txt
 
 .DEFAULT_GOAL := generate
-.PHONY: generate check verify show test quick lint types bench accuracy clean help
+.PHONY: generate check proofs verify show test quick lint types bench accuracy clean help
 
 generate: $(READY)  ## derive, prove and write the committed kernels (the default)
 	$(RUN) -m derive generate
@@ -19,14 +19,17 @@ check: $(READY)  ## fail if a generated file is stale, missing or foreign
 	$(RUN) -m derive generate --check
 	$(RUN) -m derive verify --format markdown -o docs/errata.md --check
 
+proofs: $(READY)  ## prove all theorems, and see every control fail
+	$(RUN) -m derive.proof
+
 verify: $(READY)  ## decide every equation of the papers and write docs/errata.md
 	$(RUN) -m derive verify --format markdown -o docs/errata.md
 
 show: $(READY)  ## print the formulas of an order: make show N=3
 	$(RUN) -m derive show -n $(or $(N),1-3)
 
-test: $(TESTED)  ## lint, types, stale check and all tests
-	$(MAKE) --no-print-directory --jobs=2 lint types check
+test: $(TESTED)  ## lint, types, stale check, proofs with their controls and all tests
+	$(MAKE) --no-print-directory --jobs=2 lint types check proofs
 	$(PYTEST)
 
 quick: lint types  ## lint, types and a smoke of every room, in less than a minute
