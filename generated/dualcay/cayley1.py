@@ -21,17 +21,34 @@
 #     v(x)v: 1/2
 #
 # Proved exactly, besides the theorems in the header of the interface:
-#   [n = 1] the coefficients of p, q, c, d are those of the theorem
-#   [n = 1] the coefficients of quaternion, squared are those of the theorem
-#   [n = 1] the coefficients of tensor R are those of the theorem
-#   [n = 1] the coefficients of tangent dcay are those of the theorem
-#   [n = 1] the coefficients of tangent_inv dcay^-1 are those of the theorem
-#   [n = 1] q^2 (1-v)^n = (1+v)^n
-#   [n = 1] q is the quaternion formula, up to sign
-#   [n = 1] q r q* = R r for the tensor formula
-#   [n = 1] R R^T = I
-#   [n = 1] vect(R' R^T) = dcay v' for the tangent formula
-#   [n = 1] dcay dcay^-1 = I for the tangent_inv formula
+#   [n = 1] Cayley(1).p, Cayley(1).q, Cayley(1).c, Cayley(1).d: Cayley(1).p = [p_n](n -> 1); Cayley(1).q =
+#       [q_n](n -> 1); Cayley(1).c = [c_n](n -> 1); Cayley(1).d = [d_n](n -> 1)
+#   [n = 1] Cayley(1).quaternion: Cayley(1).quaternion = [qhat](n -> 1)
+#   [n = 1] Cayley(1).tensor: Cayley(1).tensor = [R](n -> 1)
+#   [n = 1] Cayley(1).tangent: Cayley(1).tangent = [dcay_n](n -> 1)
+#   [n = 1] Cayley(1).tangent_inv: Cayley(1).tangent_inv = [dcay_n^-1](n -> 1)
+#   [n = 1] polynomials.p_binomial(1), polynomials.q_binomial(1), polynomials.c_binomial(1),
+#       polynomials.d_binomial(1): polynomials.p_binomial(1) = [p_n](n -> 1); polynomials.q_binomial(1) =
+#       [q_n](n -> 1); polynomials.c_binomial(1) = [c_n](n -> 1); polynomials.d_binomial(1) = [d_n](n -> 1)
+#   [n = 1] polynomials.multiply(1).p, polynomials.multiply(1).q, polynomials.pair_by_squaring(1).p,
+#       polynomials.pair_by_squaring(1).q, polynomials.brackets(1).c, polynomials.brackets(1).d:
+#       polynomials.multiply(1).p = [p_n](n -> 1); polynomials.multiply(1).q = [q_n](n -> 1);
+#       polynomials.pair_by_squaring(1).p = [p_n](n -> 1); polynomials.pair_by_squaring(1).q = [q_n](n -> 1);
+#       polynomials.brackets(1).c = [c_n](n -> 1); polynomials.brackets(1).d = [d_n](n -> 1)
+#   [n = 1] closed_forms.quaternion(1, x): closed_forms.quaternion(1, x) = [qhat](n -> 1)
+#   [n = 1] closed_forms.tensor(1, x): closed_forms.tensor(1, x) = [R](n -> 1)
+#   [n = 1] closed_forms.tangent(1, x): closed_forms.tangent(1, x) = [dcay_n](n -> 1)
+#   [n = 1] closed_forms.tangent_inv(1, x): closed_forms.tangent_inv(1, x) = [dcay_n^-1](n -> 1)
+#   [n = 1] polynomials.singular_angles(1), polynomials.poles(1): sin(polynomials.singular_angles(1)/2) = 0;
+#       polynomials.poles(1) = tan(polynomials.singular_angles(1)/2)
+#   [n = 1] composition at n = 1: b = (b_2 x b_1 + b_2 + b_1)/(1 - b_1.b_2); (b_2 + 1)*(b_1 + 1) = (1 -
+#       b_1.b_2)*(b + 1)
+#   [n = 1] definition at n: qhat^2*(-v + 1)^n = (v + 1)^n
+#   [n = 1] quaternion at n: qhat*(point + 1)*qhat = z*(point + 1)*z/|z|^2
+#   [n = 1] tensor at n: qhat*point*conj(qhat) = R*point
+#   [n = 1] orthogonality at n: R*R^T = I
+#   [n = 1] twist at n: vect(R'*R^T) = dcay_n*v'
+#   [n = 1] inverse at n: dcay_n*dcay_n^-1 = I
 #
 # Operations:
 #   quaternion: 29: 8 +, 17 *, 3 /, 1 sqrt

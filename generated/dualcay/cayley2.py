@@ -21,17 +21,35 @@
 #     v(x)v: 1/2
 #
 # Proved exactly, besides the theorems in the header of the interface:
-#   [n = 2] the coefficients of p, q, c, d are those of the theorem
-#   [n = 2] the coefficients of quaternion, squared are those of the theorem
-#   [n = 2] the coefficients of tensor R are those of the theorem
-#   [n = 2] the coefficients of tangent dcay are those of the theorem
-#   [n = 2] the coefficients of tangent_inv dcay^-1 are those of the theorem
-#   [n = 2] q^2 (1-v)^n = (1+v)^n
-#   [n = 2] q is the quaternion formula, up to sign
-#   [n = 2] q r q* = R r for the tensor formula
-#   [n = 2] R R^T = I
-#   [n = 2] vect(R' R^T) = dcay v' for the tangent formula
-#   [n = 2] dcay dcay^-1 = I for the tangent_inv formula
+#   [n = 2] Cayley(2).p, Cayley(2).q, Cayley(2).c, Cayley(2).d: Cayley(2).p = [p_n](n -> 2); Cayley(2).q =
+#       [q_n](n -> 2); Cayley(2).c = [c_n](n -> 2); Cayley(2).d = [d_n](n -> 2)
+#   [n = 2] Cayley(2).quaternion: Cayley(2).quaternion = [qhat](n -> 2)
+#   [n = 2] Cayley(2).tensor: Cayley(2).tensor = [R](n -> 2)
+#   [n = 2] Cayley(2).tangent: Cayley(2).tangent = [dcay_n](n -> 2)
+#   [n = 2] Cayley(2).tangent_inv: Cayley(2).tangent_inv = [dcay_n^-1](n -> 2)
+#   [n = 2] polynomials.p_binomial(2), polynomials.q_binomial(2), polynomials.c_binomial(2),
+#       polynomials.d_binomial(2): polynomials.p_binomial(2) = [p_n](n -> 2); polynomials.q_binomial(2) =
+#       [q_n](n -> 2); polynomials.c_binomial(2) = [c_n](n -> 2); polynomials.d_binomial(2) = [d_n](n -> 2)
+#   [n = 2] polynomials.multiply(2).p, polynomials.multiply(2).q, polynomials.pair_by_squaring(2).p,
+#       polynomials.pair_by_squaring(2).q, polynomials.brackets(2).c, polynomials.brackets(2).d:
+#       polynomials.multiply(2).p = [p_n](n -> 2); polynomials.multiply(2).q = [q_n](n -> 2);
+#       polynomials.pair_by_squaring(2).p = [p_n](n -> 2); polynomials.pair_by_squaring(2).q = [q_n](n -> 2);
+#       polynomials.brackets(2).c = [c_n](n -> 2); polynomials.brackets(2).d = [d_n](n -> 2)
+#   [n = 2] closed_forms.quaternion(2, x): closed_forms.quaternion(2, x) = [qhat](n -> 2)
+#   [n = 2] closed_forms.tensor(2, x): closed_forms.tensor(2, x) = [R](n -> 2)
+#   [n = 2] closed_forms.tangent(2, x): closed_forms.tangent(2, x) = [dcay_n](n -> 2)
+#   [n = 2] closed_forms.tangent_inv(2, x): closed_forms.tangent_inv(2, x) = [dcay_n^-1](n -> 2)
+#   [n = 2] polynomials.singular_angles(2), polynomials.poles(2): sin(polynomials.singular_angles(2)/2) = 0;
+#       polynomials.poles(2) = tan(polynomials.singular_angles(2)/4)
+#   [n = 2] composition at n = 2: sigma = (2*sigma_2 x sigma_1 + (1 - sigma_2.sigma_2)*sigma_1 + (1 -
+#       sigma_1.sigma_1)*sigma_2)/((sigma_2 x sigma_1).(sigma_2 x sigma_1) + (1 - sigma_2.sigma_1)^2); (1 +
+#       sigma.sigma)*(sigma_2 + 1)^2*(sigma_1 + 1)^2 = (1 + sigma_1.sigma_1)*(1 + sigma_2.sigma_2)*(sigma + 1)^2
+#   [n = 2] definition at n: qhat^2*(-v + 1)^n = (v + 1)^n
+#   [n = 2] quaternion at n: qhat*(point + 1)*qhat = z*(point + 1)*z/|z|^2
+#   [n = 2] tensor at n: qhat*point*conj(qhat) = R*point
+#   [n = 2] orthogonality at n: R*R^T = I
+#   [n = 2] twist at n: vect(R'*R^T) = dcay_n*v'
+#   [n = 2] inverse at n: dcay_n*dcay_n^-1 = I
 #
 # Operations:
 #   quaternion: 31: 9 +, 19 *, 3 /
