@@ -111,7 +111,7 @@ class Caller:
     ) -> None:
         """Compare the results of a call with what is known: types, shapes, and values within their bounds.
 
-        Where ``spoilt`` says so, an element has to be NaN; with ``overflow`` any may be, but none wrong. A ``dtype`` other
+        Where ``spoilt`` says so, an element has to be NaN; with ``overflow`` any may be NaN or infinite, none wrong. A ``dtype`` other
         than the call's is that of an ``out``, into which results are rounded.
         """
         held = dtype or call.dtype
@@ -125,7 +125,7 @@ class Caller:
                     bound = bound + np.finfo(held).eps * abs(wanted)
                 right = abs(rows - wanted) <= bound
                 if overflow:
-                    right |= np.isnan(rows)
+                    right |= ~np.isfinite(rows)
                 if spoilt is not None:
                     nothing = np.isnan(rows) | call.known.constant[part]
                     right = np.where(spoilt[..., np.newaxis], nothing, right)

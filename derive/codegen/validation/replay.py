@@ -10,7 +10,7 @@ from __future__ import annotations
 import importlib
 import warnings
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -27,6 +27,8 @@ from .known import Analysis, Known, require_sharp
 from .run import loaded
 
 FEW = 20
+"""Size of small batches, where a target has none of its own."""
+
 BLOCK = 7
 """Of a replay, so that small batches have several blocks, and one of other length."""
 
@@ -85,32 +87,26 @@ def replay(
     with loaded(folder) as package, warnings.catch_warnings(), np.errstate(all="warn"):
         warnings.simplefilter("error", RuntimeWarning)
         module = importlib.import_module(f"{package}.{chart.name}")
-        count = 0
-        for library in libraries:
-            caller = Caller(module, library)
-            _every_function(caller, found, chart, machinery, package)
-            _overflow(caller, chart, analysis)
-            _ways(caller, found, chart, machinery, package, all_ways)
-            count += caller.count
-    return count
+        few = _number(package, machinery.few) if machinery.few else FEW
+        callers = [Caller(module, library) for library in libraries]
+        with _small_blocks(package, machinery.block) if machinery.block else nullcontext():
+            for caller in callers:
+                _every_function(caller, found, chart, few)
+                _overflow(caller, chart, analysis, few)
+                _ways(caller, found, chart, machinery, few, all_ways)
+    return sum(caller.count for caller in callers)
 
 
-def _every_function(
-    caller: Caller, found: Sequence[Known], chart: Cayley, machinery: Machinery, package: str
-) -> None:
-    """Single poses, few, many in one block and in several; components last and first; under every name."""
-    few = _number(package, machinery.few, FEW)
+def _every_function(caller: Caller, found: Sequence[Known], chart: Cayley, few: int) -> None:
+    """Single poses, few, and many in several blocks; components last and first; under every name and branch."""
     for known in found:
         for dtype in caller.library.dtypes:
             plain = dtype == np.float64
             for combination in range(len(known.results) if plain else 1):
                 caller.check(Call(known, alone(known, combination), dtype))
             for axis in (-1, 0):
-                caller.check(Call(known, several(known, min(few, len(known.results))), dtype, axis))
-                many = Call(known, several(known, few + BLOCK), dtype, axis)
-                caller.check(many)
-                with _small_blocks(package, machinery.block):
-                    caller.check(many, how="in blocks")
+                for count in (min(few, len(known.results)), few + BLOCK):
+                    caller.check(Call(known, several(known, count), dtype, axis))
         first = Call(known, several(known, 1), caller.library.dtypes[0])
         for name in known.row.aliases:
             caller.check(replace(first, name=name))
@@ -118,49 +114,46 @@ def _every_function(
             caller.check(replace(first, branch=(known.branch[0] + turns * chart.branches,)))
 
 
-def _overflow(caller: Caller, chart: Cayley, analysis: Analysis) -> None:
-    """Where numbers overflow, results are right or NaN."""
-    for dtype in caller.library.dtypes:
+def _overflow(caller: Caller, chart: Cayley, analysis: Analysis, few: int) -> None:
+    """Where numbers overflow, results are right or not finite; in types whose overflow is not that of the bounds too."""
+    for dtype in set(caller.library.dtypes) - {np.dtype(np.longdouble)}:
         size = BEYOND * mpmath.mpf(2) ** (mpmath.mpf(int(np.finfo(dtype).maxexp)) / (2 * chart.branches))
         for known in map(analysis.known, far(chart, size)):
-            for picks in (alone(known, 0), several(known, FEW + BLOCK)):
+            for picks in (alone(known, 0), several(known, few + BLOCK)):
                 call = Call(known, picks, dtype)
                 caller.compare(call, caller.run(call), overflow=True)
 
 
 def _ways(
-    caller: Caller, found: Sequence[Known], chart: Cayley, machinery: Machinery, package: str, all_ways: bool
+    caller: Caller, found: Sequence[Known], chart: Cayley, machinery: Machinery, few: int, all_ways: bool
 ) -> None:
-    """What the run-time parts do, on a function of each kind; or on one, which the chart decides."""
-    few = _number(package, machinery.few, FEW)
-    kinds = ways.kinds(found)
-    chosen = kinds if all_ways else [kinds[chart.order % len(kinds)]]
-    with _small_blocks(package, machinery.block):
-        for known in chosen:
-            for dtype in caller.library.dtypes:
-                ways.broadcasting(caller, known, dtype, few)
-                ways.spoilt(caller, known, dtype, few)
-                ways.layouts(caller, known, dtype, few)
-                if machinery.out and len(known.row.results) == 1:
-                    ways.out(caller, known, dtype, few)
-            ways.interrupted(caller, known, caller.library.dtypes[0], few)
+    """What the run-time parts do, on a function of each kind; or on one, which the chart decides, in one type."""
+    kinds, dtypes = ways.kinds(found), caller.library.dtypes
+    sample = chart.order % len(kinds)
+    for known in kinds if all_ways else [kinds[sample]]:
+        for dtype in dtypes if all_ways else [dtypes[sample % len(dtypes)]]:
+            ways.broadcasting(caller, known, dtype, few)
+            ways.spoilt(caller, known, dtype, few)
+            ways.layouts(caller, known, dtype, few)
+            if machinery.out and len(known.row.results) == 1:
+                ways.out(caller, known, dtype, few)
+    if all_ways:
+        ways.interrupted(caller, kinds[sample], dtypes[0], few)
 
 
-def _number(package: str, place: str, default: int) -> int:
-    if not place:
-        return default
+def _place(package: str, place: str) -> tuple[Any, str]:
     name, _, attribute = place.rpartition(".")
-    return int(getattr(importlib.import_module(f"{package}.{name}"), attribute))
+    return importlib.import_module(f"{package}.{name}"), attribute
+
+
+def _number(package: str, place: str) -> int:
+    return int(getattr(*_place(package, place)))
 
 
 @contextmanager
 def _small_blocks(package: str, place: str) -> Iterator[None]:
-    """Blocks of few poses while this lasts, where there are blocks."""
-    if not place:
-        yield
-        return
-    name, _, attribute = place.rpartition(".")
-    module: Any = importlib.import_module(f"{package}.{name}")
+    """Blocks of few poses while this lasts."""
+    module, attribute = _place(package, place)
     size = getattr(module, attribute)
     setattr(module, attribute, BLOCK)
     try:

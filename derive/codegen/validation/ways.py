@@ -20,6 +20,9 @@ from .rounding import Array
 OFFSETS = ((0, 0), (0, 5), (3, 0))
 """Where an argument and a result begin in the memory they share."""
 
+BEFORE = np.nan
+"""What stands where results are to be written."""
+
 
 def kinds(found: Sequence[Known]) -> list[Known]:
     """One function of every kind, by what the run-time parts see of it; on another branch where one is chosen."""
@@ -85,9 +88,9 @@ def out(caller: Caller, known: Known, dtype: np.dtype[Any], few: int) -> None:
     for count, axis in itertools.product((3, few + 1), (-1, 0)):
         call = Call(known, several(known, count), dtype, axis)
         shape = call.result_shape(array.shape)
-        _into(caller, call, call.arguments(), np.empty(shape, dtype), "out")
-        _into(caller, call, call.arguments(), _strided(np.empty(shape, dtype)), "out with gaps")
-        _into(caller, call, call.arguments(), np.empty(shape, other), f"out of {other}")
+        _into(caller, call, call.arguments(), np.full(shape, BEFORE, dtype), "out")
+        _into(caller, call, call.arguments(), _strided(np.full(shape, BEFORE, dtype)), "out with gaps")
+        _into(caller, call, call.arguments(), np.full(shape, BEFORE, other), f"out of {other}")
         for position, (start, behind) in itertools.product(range(len(known.shape)), OFFSETS):
             given = call.arguments()
             given[position], place = _together(given[position], shape, start, behind)
@@ -95,7 +98,6 @@ def out(caller: Caller, known: Known, dtype: np.dtype[Any], few: int) -> None:
 
 
 def _into(caller: Caller, call: Call, given: Sequence[Array], place: Array, how: str) -> None:
-    place[...] = np.pi  # what stood there before has no say
     (found,) = caller.run(call, given, how, out=place)
     if found is not place:
         raise caller.failure(call, how, "the array returned is another")
@@ -105,7 +107,7 @@ def _into(caller: Caller, call: Call, given: Sequence[Array], place: Array, how:
 def _together(array: Array, shape: tuple[int, ...], start: int, behind: int) -> tuple[Array, Array]:
     """The array, and another of some shape, in one memory."""
     size = int(np.prod(shape))
-    memory = np.zeros(max(start + array.size, behind + size), array.dtype)
+    memory = np.full(max(start + array.size, behind + size), BEFORE, array.dtype)
     moved = memory[start : start + array.size].reshape(array.shape)
     moved[...] = array
     return moved, memory[behind : behind + size].reshape(shape)
