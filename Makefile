@@ -5,7 +5,7 @@ RUN    := $(VENV)/bin/python
 READY  := $(VENV)/.ready
 
 .DEFAULT_GOAL := generate
-.PHONY: generate check verify show test lint types bench accuracy clean help
+.PHONY: generate check verify show test lint types mutants bench accuracy clean help
 
 generate: $(READY)  ## derive, prove and write the committed kernels (the default)
 	$(RUN) -m derive generate
@@ -29,6 +29,9 @@ lint: $(READY)  ## ruff
 types: $(READY)  ## mypy --strict
 	$(RUN) -m mypy
 
+mutants: $(READY)  ## what the checks would notice (docs/assurance.md): make mutants ROOM=proof,maps SAMPLE=200 FLOOR=95
+	$(RUN) -m tests.mutants $(ROOM:%=--room %) $(SAMPLE:%=--sample %) $(FLOOR:%=--floor %)
+
 bench: $(VENV)/.bench  ## proof times by order, then kernels against their peers (docs/benchmarks.md)
 	$(RUN) benchmarks/proofs.py
 	$(RUN) -m benchmarks.kernels -o docs/benchmarks.md
@@ -37,7 +40,7 @@ accuracy: $(VENV)/.bench  ## worst errors and figures in docs: make accuracy SEA
 	$(RUN) -m benchmarks.accuracy --search $(or $(SEARCH),0)
 
 clean:  ## remove the environment and caches
-	rm -rf $(VENV) build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis
+	rm -rf $(VENV) .mutants build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 help:  ## list these targets
