@@ -129,7 +129,7 @@ def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x
     N = add(mul(p, p, o2), mul(n4, x, k1), o2)
     r = mul(n2, div(div(N, N, k1), N, o2), o2)
     mul(mul(n2, p, o1), r, o1)
-    g = mul(n4, r, o2)
+    mul(n4, r, o2)
     copy(o2, o3)
     return o1, o2, o3
 
@@ -159,7 +159,7 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     e = div(n4, add(n1, x, o5), o5)
     eg = mul(e, g, o5)
     sub(g, eg, o4)
-    gy = neg(eg, o5)
+    neg(eg, o5)
     copy(o2, o3)
     copy(o5, o6)
     return o1, o2, o3, o4, o5, o6
@@ -173,7 +173,7 @@ def _inverse(m: Any, x: Any) -> Result:
 
 
 def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2 = out
+    o1, _ = out
     n1, n2 = numbers
     p = sub(n1, x, o1)
     div(p, n2, o1)
@@ -192,14 +192,14 @@ def _ray(m: Any, x: Any) -> Result:
 
 
 def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4, o5, o6 = out
+    o1, _, o3, o4, o5, o6 = out
     n1, n2, n4 = numbers
     p = sub(n1, x, o1)
     add(n1, x, o3)
     N = add(mul(p, p, o5), mul(n4, x, o4), o5)
     r = mul(n2, div(div(N, N, o4), N, o5), o5)
     mul(mul(n2, p, o4), r, o4)
-    g = mul(n4, r, o5)
+    mul(n4, r, o5)
     copy(o5, o6)
     return o1, n2, o3, o4, o5, o6
 
@@ -292,8 +292,8 @@ def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
 def _beyond_blocks(
     m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, limit1: Any, cos1: Any, sin1: Any
 ) -> Result:
-    o1, o2, o3 = out
-    mask1, *_ = masks
+    o1, _, _ = out
+    _, *_ = masks
     m.less(limit1, x, o1)
     return o1, cos1, sin1
 

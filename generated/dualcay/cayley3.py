@@ -276,7 +276,7 @@ def _ray(m: Any, x: Any) -> Result:
 
 
 def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4, o5, o6 = out
+    o1, o2, _, o4, o5, o6 = out
     n1, n2, n3, n16 = numbers
     p = sub(n1, mul(n3, x, o1), o1)
     q = sub(n3, x, o2)
@@ -465,8 +465,8 @@ def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
 def _beyond_blocks(
     m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, limit1: Any, cos1: Any, sin1: Any
 ) -> Result:
-    o1, o2, o3 = out
-    mask1, *_ = masks
+    o1, _, _ = out
+    _, *_ = masks
     m.less(limit1, x, o1)
     return o1, cos1, sin1
 

@@ -478,7 +478,7 @@ def _beyond_blocks(
     m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, limit1: Any, cos1: Any, sin1: Any, limit2: Any, cos2: Any, sin2: Any
 ) -> Result:
     o1, o2, o3 = out
-    mask1, mask2, *_ = masks
+    _, mask2, *_ = masks
     m.less(limit1, x, o1)
     beyond2 = m.less(limit2, x, mask2)
     m.where(beyond2, cos2, cos1, o2)

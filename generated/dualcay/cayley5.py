@@ -297,7 +297,7 @@ def _ray(m: Any, x: Any) -> Result:
 
 
 def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4, o5, o6 = out
+    o1, o2, _, o4, o5, o6 = out
     k1, *_ = scratch
     n1, n2, n5, n10, n80, n96 = numbers
     p = add(mul(sub(mul(n5, x, o1), n10, o1), x, o1), n1, o1)
@@ -492,7 +492,7 @@ def _beyond_blocks(
     m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, limit1: Any, cos1: Any, sin1: Any, limit2: Any, cos2: Any, sin2: Any
 ) -> Result:
     o1, o2, o3 = out
-    mask1, mask2, *_ = masks
+    _, mask2, *_ = masks
     m.less(limit1, x, o1)
     beyond2 = m.less(limit2, x, mask2)
     m.where(beyond2, cos2, cos1, o2)

@@ -526,7 +526,7 @@ def _beyond_blocks(
 ) -> Result:
     o1, o2, o3 = out
     k1, *_ = scratch
-    mask1, mask2, mask3, *_ = masks
+    _, mask2, mask3, *_ = masks
     m.less(limit1, x, o1)
     beyond3 = m.less(limit3, x, mask2)
     beyond2 = m.less(limit2, x, mask3)

@@ -9,7 +9,7 @@ since a call returns where it wrote. Scratch registers are ``k1, k2, ...``, mask
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Set
 from dataclasses import dataclass
 from itertools import chain
 from pathlib import Path
@@ -71,7 +71,8 @@ def two_forms(program: Program) -> TwoForms:
 def _forms(
     program: Program, placement: Placement, plain: str, before: Iterable[str], after: Iterable[str], lent: bool
 ) -> TwoForms:
-    lines = (*before, *_registers(program, placement, lent), *_calls(program, placement), *after)
+    body = (*_calls(program, placement), *after)
+    lines = (*before, *_registers(program, placement, lent, set(re.findall(r"\w+", " ".join(body)))), *body)
     blocks = "\n".join(line for text in lines for line in _wrap(text, "    "))
     loans = tuple((call.function, *_counts(placement, call)) for call in program.calls)
     return TwoForms(plain, blocks, placement.registers, placement.masks, program.constants, loans)
@@ -89,7 +90,7 @@ def _arguments(program: Program) -> Iterator[str]:
             yield infix.unpacked([name if name in used else "_" for name in names], argument)
 
 
-def _registers(program: Program, placement: Placement, lent: bool) -> Iterator[str]:
+def _registers(program: Program, placement: Placement, lent: bool, used: Set[str]) -> Iterator[str]:
     """Names of outputs, registers and constants. What is lent may be more; what is not used here is spare for calls."""
     fixed = {
         "out": [f"o{i}" for i in range(1, len(program.outputs) + 1)],
@@ -104,13 +105,15 @@ def _registers(program: Program, placement: Placement, lent: bool) -> Iterator[s
             fixed[argument].append(rest)
         elif lent and fixed[argument]:
             fixed[argument].append("*_")
-    yield from (infix.unpacked(names, argument) for argument, names in fixed.items() if names)
+    for argument, names in fixed.items():
+        shown = [name if name in used or name.startswith("*") else "_" for name in names]
+        if any(name != "_" for name in shown) and shown != ["*_"]:
+            yield infix.unpacked(shown, argument)
 
 
 def _calls(program: Program, placement: Placement) -> Iterator[str]:
     printer = _Calls(program, placement)
     read = {arg for statement in program.statements for arg in statement.args}
-    read |= {source for source, _ in placement.copies}
     for statement in placement.statements:
         if isinstance(statement, Call):
             names = [name if name in read else "_" for name in statement.names]
