@@ -191,6 +191,7 @@ WORDS = python.Words(
     value="ArrayLike",
     array_like="array_like",
     array="ndarray",
+    kept="float32, float64 and longdouble",
     options="*, axis: int = -1, out: Array | None = None",
     passed="axis, out",
     passed_alone="axis, None",
@@ -226,7 +227,7 @@ class Numpy:
         ]
         own = [python.printed(program, two_forms(program)) for program in facts.lowered.own.values()]
         data = {"calls": _called((*scalars, *own)), "scalars": scalars, "own": own, "rows": python.rows()}
-        return python.described(facts) | data | {"largest": facts.largest}
+        return python.described(facts) | data
 
     def companions(self, chart: Chart) -> Mapping[str, tuple[str, Data]]:
         return {}

@@ -22,7 +22,7 @@ CLASS = "PoseKernels"
 
 @dataclass(frozen=True, slots=True)
 class Words:
-    """How a target speaks of arrays, and the keyword parameters of its functions.
+    """How a target speaks of arrays, what it keeps of them, and the keyword parameters of its functions.
 
     ``passed`` is what a function passes on of them, ``passed_alone`` one that returns several arrays.
     """
@@ -30,6 +30,7 @@ class Words:
     value: str
     array_like: str
     array: str
+    kept: str
     options: str
     passed: str
     passed_alone: str
@@ -64,6 +65,7 @@ def described(facts: Facts) -> dict[str, Any]:
         "domain": facts.domain,
         "singular": facts.singular,
         "singular_angles": facts.singular_angles,
+        "largest": facts.largest,
         "turns": facts.turns,
         "returns": facts.returns,
         "exports": _quoted(exported.keys() | {"singular_angles"}),
