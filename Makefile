@@ -29,9 +29,9 @@ lint: $(READY)  ## ruff
 types: $(READY)  ## mypy --strict
 	$(RUN) -m mypy
 
-bench: $(VENV)/.bench  ## proof times by order, then kernels against their peers (docs/benchmarks.md)
+bench: $(VENV)/.bench  ## proof times by order, then kernels against peers and their former release (docs/benchmarks.md)
 	$(RUN) benchmarks/proofs.py
-	$(RUN) -m benchmarks.kernels -o docs/benchmarks.md
+	$(RUN) -m benchmarks -o docs/benchmarks.md
 
 accuracy: $(VENV)/.bench  ## worst errors and figures in docs: make accuracy SEARCH=60 looks for worse inputs
 	$(RUN) -m benchmarks.accuracy --search $(or $(SEARCH),0)

@@ -1,27 +1,19 @@
 """Speed of the kernels against peers: every case interleaved in one process, medians, ratios, gates.
 
-Run ``python -m benchmarks.kernels`` from the checkout; ``-o FILE`` also writes the tables as Markdown. Times are of the
-processor, so that other processes count little, and belong to the machine; ratios carry over to within some 15 %.
-Nothing fails: a gate that is missed is named.
+Run ``python -m benchmarks.kernels`` from the checkout. Nothing fails: a gate that is missed is named.
 """
 
 from __future__ import annotations
 
 import argparse
 import importlib
-import statistics
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
-from pathlib import Path
-from time import process_time
 from typing import Any
-
-import numpy as np
 
 from benchmarks.peers import (
     INSTALL,
-    Call,
     Poses,
     c_form,
     compiled,
@@ -31,12 +23,10 @@ from benchmarks.peers import (
     pytransform3d_call,
     scipy_call,
 )  # fmt: skip
+from benchmarks.timing import Call, markdown, medians
 
 ORDERS = (2, 3)
 SIZES = (1, 100, 10_000, 1_000_000)
-ROUNDS = 9
-SECONDS = 0.02
-"""Of one case in one round, at least."""
 
 SCIPY_GATES = {"pose": 5, "quaternion": 20, "from_pose": 7, "from_quaternion": 30, "compose": 15}
 """Times faster than SciPy at 10^4 poses; for ``from_pose`` and later ones at n = 2."""
@@ -63,31 +53,6 @@ class Gate:
 
 def _times(ratio: float) -> str:
     return f"{ratio:.3g} x" if ratio >= 1 else f"1/{1 / ratio:.3g} x"
-
-
-def medians(calls: Sequence[Call]) -> list[float]:
-    """Median seconds of each call, one round of all after another."""
-    counts = [_count(call) for call in calls]
-    rounds: list[list[float]] = [[] for _ in calls]
-    for _ in range(ROUNDS):
-        for call, count, times in zip(calls, counts, rounds, strict=True):
-            start = process_time()
-            for _ in range(count):
-                call()
-            times.append((process_time() - start) / count)
-    return [statistics.median(times) for times in rounds]
-
-
-def _count(call: Call) -> int:
-    """How often a call is repeated in a round."""
-    count, spent = 1, 0.0
-    while spent < SECONDS / 4:
-        count *= 2
-        start = process_time()
-        for _ in range(count):
-            call()
-        spent = process_time() - start
-    return max(1, int(count * SECONDS / spent))
 
 
 def measured(calls: dict[str, Call | None]) -> dict[str, float]:
@@ -163,11 +128,6 @@ def _against(times: dict[str, float], peer: str, size: int) -> str:
     return f"{_per_pose(times[peer], size)} ({_times(times[peer] / times['ours'])})"
 
 
-def markdown(title: str, head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    lines = [f"## {title}", "", "| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
-    return "\n".join([*lines, *("| " + " | ".join(row) + " |" for row in rows), ""])
-
-
 def report(orders: Sequence[int], sizes: Sequence[int]) -> tuple[str, list[Gate]]:
     """All tables as Markdown, and all gates."""
     modules = [importlib.import_module(f"dualcay.cayley{order}") for order in orders]
@@ -198,21 +158,19 @@ def missing() -> list[str]:
     return names + ([] if c_form(ORDERS[0]) else ["a C compiler"])
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("-o", "--output", type=Path, help="also write the tables there, as Markdown")
-    parser.add_argument("-N", type=int, nargs="+", default=SIZES, help="batch sizes")
-    arguments = parser.parse_args()
-    text, gates = report(ORDERS, arguments.N)
+def section(sizes: Sequence[int] = SIZES) -> str:
+    """All tables, and what falls short or could not be measured."""
+    text, gates = report(ORDERS, sizes)
     absent = [f"Not measured, because it is missing: {name}." for name in missing()]
     missed = [gate for gate in gates if not gate.met]
     short = [f"Falls short: {gate.what}, {_times(gate.ratio)} of {_times(gate.least)}." for gate in missed]
-    closing = "\n".join([*absent, *(short or ["Every gate is met."])])
-    print(f"{text}\n{closing}")
-    if arguments.output:
-        how = f"Written by `make bench`, NumPy {np.__version__}: medians of {ROUNDS} interleaved rounds."
-        arguments.output.parent.mkdir(exist_ok=True)
-        arguments.output.write_text(f"# Speed\n\n{how}\n\n{text}\n{closing}\n", encoding="utf-8")
+    return "\n".join([text, *absent, *(short or ["Every gate is met."]), ""])
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("-N", type=int, nargs="+", default=SIZES, help="batch sizes")
+    print(section(parser.parse_args().N))
 
 
 if __name__ == "__main__":

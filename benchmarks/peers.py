@@ -12,9 +12,8 @@ import numpy as np
 import sympy
 
 from benchmarks.c_form import load as load_c
+from benchmarks.timing import Call
 from derive.maps import Cayley
-
-Call = Callable[[], object]
 
 INSTALL = {"scipy.spatial.transform": "scipy >= 1.16", "pytransform3d.trajectories": "pytransform3d"}
 """What provides the module of a peer."""

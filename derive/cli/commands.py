@@ -48,7 +48,7 @@ def generate(
     chosen = orders or catalogue.ORDERS
     with display.progress(STEPS_PER_ORDER * len(chosen)) as step:
         if check:
-            found = check_folder(folder, chosen, target, step)
+            found = check_folder(folder, chosen, target, step, max_n)
         else:
             package = generate_kernels(chosen, target, folder, force=force, progress=step)
     if not check:
@@ -79,7 +79,7 @@ def show(orders: tuple[int, ...], what: tuple[str, ...], form: str, max_n: int) 
 @cli.command("list")
 def list_catalogue() -> None:
     """List targets, committed orders and what a module holds."""
-    from ..codegen.docstrings import PUBLIC
+    from ..codegen.signatures import PUBLIC
 
     click.echo(f"targets   {', '.join(TARGETS)}")
     click.echo(f"orders    any n >= 1; committed: {', '.join(map(str, catalogue.ORDERS))}")

@@ -62,7 +62,8 @@ def differences(found: list[Difference], command: str) -> None:
     """Print each difference as a diff, and the command that accepts them."""
     out = console()
     for difference in found:
-        out.print(f"{difference.kind}: {difference.path}", markup=False)
+        reason = f" ({difference.reason})" if difference.reason else ""
+        out.print(f"{difference.kind}: {difference.path}{reason}", markup=False)
         if difference.diff:
             out.print(difference.diff, markup=False, end="")
     console(stderr=True).print(f"{len(found)} file(s) differ; accept with:  {command}", markup=False)

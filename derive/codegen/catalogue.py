@@ -26,12 +26,18 @@ def is_checkout() -> bool:
     return (CHECKOUT / "templates").is_dir() and (CHECKOUT / "pyproject.toml").is_file()
 
 
-def command(target: str, chart: Chart) -> str:
-    """The command that writes the module of a chart, wherever it is put."""
-    return f"python -m derive generate {chart.selection} --target {target}"
+def command(target: str, *charts: Chart) -> str:
+    """The command that writes the modules of some charts, wherever they are put; without any, that of shared files."""
+    chosen: dict[str, list[str]] = {}
+    for option, value in (chart.selection for chart in charts):
+        chosen.setdefault(option, []).append(value)
+    options = "".join(f" {option} {','.join(values)}" for option, values in chosen.items())
+    largest = max((chart.order for chart in charts), default=0)
+    cap = f" --max-n {largest}" if largest > MAX_ORDER else ""
+    return f"python -m derive generate{options} --target {target}{cap}"
 
 
 def order_of(line: str) -> int | None:
     """The order in the command of a module; None for the command of shared files."""
-    found = re.search(r" -n (\d+)\b", line)
+    found = re.search(r" -n (\d{1,9})\b", line)
     return int(found.group(1)) if found else None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from ..maps.chart import Chart
 from ..output import render
@@ -24,7 +24,7 @@ def shared_texts(target: Target) -> Mapping[str, str]:
     texts = {}
     for name, data in target.shared().items():
         template = f"{target.name}/{name}.j2"
-        lines = [f"python -m derive generate --target {target.name}", notice(template)]
+        lines = [catalogue.command(target.name), notice(template)]
         mark = "#" if name.endswith((".txt", ".cmake")) else target.comment
         texts[name] = render(template, header=comment(lines, mark), **data)
     target.require_complete(texts)
@@ -42,6 +42,14 @@ def module_text(proved: Proved, target: Target) -> str:
     template = f"{target.name}/chart.{target.extension}.j2"
     lines = facts.header(catalogue.command(target.name, facts.chart), template)
     return render(template, header=comment(lines, target.comment), **target.module(facts))
+
+
+def notices(charts: Sequence[Chart], target: Target) -> dict[str, str]:
+    """Render what stands in the place of a package's entry while its other files are exchanged, by name."""
+    template = f"interrupted/{target.entry}.j2"
+    command = catalogue.command(target.name, *charts)
+    header = "\n".join(f"{target.comment} {line}" for line in (command, notice(template)))
+    return {target.entry: render(template, header=header, command=command)}
 
 
 def companion_texts(chart: Chart, target: Target) -> dict[str, str]:

@@ -165,8 +165,8 @@ class Cayley:
         return f"cayley{self.order}"
 
     @property
-    def selection(self) -> str:
-        return f"-n {self.order}"
+    def selection(self) -> tuple[str, str]:
+        return "-n", str(self.order)
 
     @property
     def title(self) -> str:

@@ -78,8 +78,12 @@ class Chart(Protocol):
         """An identifier, the name of its module."""
 
     @property
-    def selection(self) -> str:
-        """The options that select it in the command: ``-n 3``."""
+    def selection(self) -> tuple[str, str]:
+        """The option that selects it in the command and its value: ``-n``, ``3``."""
+
+    @property
+    def order(self) -> int:
+        """The order n in its name, 1 where there is none."""
 
     @property
     def title(self) -> str:

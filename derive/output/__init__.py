@@ -3,12 +3,13 @@
 ========= ==================================================
 templates the template environment; every hole, nothing more
 files     write all or none, compare
+exchange  a folder's files for new ones, whenever the process is killed
 ========= ==================================================
 
 This room knows nothing of the mathematics, and imports no other.
 """
 
-from .files import Difference, RefusedError
+from .files import Difference, RefusedError, compare, write
 from .templates import render
 
-__all__ = ["Difference", "RefusedError", "render"]
+__all__ = ["Difference", "RefusedError", "compare", "render", "write"]

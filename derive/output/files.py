@@ -5,86 +5,143 @@ from __future__ import annotations
 import difflib
 import os
 import re
-import tempfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from pathlib import Path
+from pathlib import Path, PurePosixPath
+
+from .exchange import LEFTOVERS, READY, exchange, finish, locked
 
 MARK = re.compile(r"\S{1,2} (python -m derive generate\b.*)")
 """The first line of every generated file: a comment with the command that makes it."""
 
 
+LONGEST = 10_000
+"""Characters of a first line that are read."""
+
+
 class RefusedError(Exception):
-    """A file in the way does not bear the generated header, or a folder cannot be written."""
+    """Something in the way is not ours to replace, or a folder cannot be written."""
 
 
 @dataclass(frozen=True, slots=True)
 class Difference:
-    """A file that is not what the generator would write; ``kind`` is stale, missing or foreign."""
+    """A file that is not what the generator would write.
+
+    ``kind`` is stale, missing, foreign, or unfinished: left by a run that was killed.
+    """
 
     path: Path
     kind: str
     diff: str = ""
+    reason: str = ""
 
 
 def header_command(path: Path) -> str | None:
     """The command in the first line of a generated file; None for any other file."""
     try:
+        if not path.is_file():  # to open a pipe would wait for its writer
+            return None
         with path.open(encoding="utf-8") as file:
-            found = MARK.match(file.readline())
+            return _command(file.readline(LONGEST))
     except (OSError, UnicodeDecodeError):
         return None
+
+
+def _command(text: str) -> str | None:
+    found = MARK.match(text)
     return found.group(1) if found else None
 
 
-def write(folder: Path, texts: Mapping[str, str], force: bool = False) -> list[Path]:
-    """Write files into a folder, each whole and all or none; returns those whose text changed.
+def _target(command: str | None) -> str | None:
+    found = re.search(r" --target (\S+)", command or "")
+    return found.group(1) if found else None
+
+
+# ---- writing --------------------------------------------------------------------------------------------------
+
+
+def write(
+    folder: Path, texts: Mapping[str, str], force: bool = False, notices: Mapping[str, str] | None = None
+) -> list[Path]:
+    """Write files into a folder; returns those whose text changed.
+
+    Other files there stay. A run that finds another one writing there waits for it, and finishes what a killed one
+    left. A folder that is a symbolic link stays one: what it names is written.
+
+    Parameters
+    ----------
+    folder : Path
+        Made if missing.
+    texts : mapping
+        By name, ``"/"`` between folders.
+    force : bool
+        Overwrite files which do not bear the generated header.
+    notices : mapping, optional
+        Texts that stand in the places of some of the files while the others are exchanged: what a user of the folder
+        meets if this process is killed then. Without, several files are all or none only if it is not.
 
     Raises
     ------
     RefusedError
-        If a file in the way is not a generated one (unless forced), or the folder cannot be written.
+        If a file in the way is not a generated one (unless forced), a folder is in the way, the folder holds kernels
+        of another target, or it cannot be written.
     """
-    targets = {folder / name: text for name, text in texts.items()}
-    foreign = [path for path in targets if path.exists() and header_command(path) is None]
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with locked(folder):
+            finish(folder)
+            _refuse_what_is_not_ours(folder, texts, force)
+            _refuse_other_targets(folder, texts)
+            changed = [name for name, text in texts.items() if _read(folder / name) != text]
+            if changed:
+                names = dict.fromkeys((*changed, *(notices or ())))
+                exchange(folder, {name: texts[name] for name in names}, notices or {})
+    except OSError as error:
+        left = "; half-written until the command runs again" if os.path.exists(folder / READY) else ""
+        raise RefusedError(f"cannot write {error.filename or folder}: {error.strerror or error}{left}") from error
+    return [folder / name for name in changed]
+
+
+def _refuse_what_is_not_ours(folder: Path, texts: Iterable[str], force: bool) -> None:
+    paths = [folder / name for name in texts]
+    parents = {folder / parent for name in texts for parent in PurePosixPath(name).parents}
+    blocked = [path for path in paths if path.is_dir() and not path.is_symlink()]
+    blocked += sorted(path for path in parents if os.path.lexists(path) and not path.is_dir())
+    if blocked:
+        raise RefusedError(f"a file and a folder of one name, remove it first: {', '.join(map(str, blocked))}")
+    foreign = [path for path in paths if os.path.lexists(path) and header_command(path) is None]
     if foreign and not force:
         names = ", ".join(map(str, foreign))
         raise RefusedError(f"not a generated file, so not overwritten: {names} (--force overwrites)")
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        changed = [path for path, text in targets.items() if _read(path) != text]
-        _replace_all({path: targets[path] for path in changed})
-    except OSError as error:
-        raise RefusedError(f"cannot write {error.filename or folder}: {error.strerror}") from error
-    return changed
 
 
-def _replace_all(texts: Mapping[Path, str]) -> None:
-    """Write every text beside its place first; only when all are on disk does the first one move."""
-    staged: dict[Path, Path] = {}
-    try:
-        for path, text in texts.items():
-            handle, name = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
-            staged[path] = Path(name)
-            with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
-                file.write(text)
-            os.chmod(name, 0o644)
-        for path, temporary in staged.items():
-            os.replace(temporary, path)
-    finally:
-        for temporary in staged.values():
-            temporary.unlink(missing_ok=True)
+def _refuse_other_targets(folder: Path, texts: Mapping[str, str]) -> None:
+    """One folder holds the kernels of one target: files of two would be taken for each other's."""
+    given = {target for text in texts.values() if (target := _target(_command(text)))}
+    for path in sorted(folder.iterdir()) if given else ():
+        found = _target(header_command(path))
+        if found and found not in given:
+            raise RefusedError(
+                f"{folder} holds kernels of the target {found} ({path.name}), and a folder holds those of one: "
+                f"write those of {', '.join(sorted(given))} into another (-o), or remove the others first"
+            )
 
 
 def _read(path: Path) -> str | None:
     try:
         return path.read_bytes().decode("utf-8")
-    except (FileNotFoundError, UnicodeDecodeError):
+    except (FileNotFoundError, NotADirectoryError, IsADirectoryError, UnicodeDecodeError):
         return None
 
 
-def compare(folder: Path, texts: Mapping[str, str]) -> Iterator[Difference]:
-    """What in the folder differs from the texts; Python files without the generated header are foreign."""
+# ---- comparing ------------------------------------------------------------------------------------------------
+
+
+def compare(folder: Path, texts: Mapping[str, str], unmade: Mapping[str, str] | None = None) -> Iterator[Difference]:
+    """What in the folder differs from the texts: whatever is not among them is foreign, but for caches of Python.
+
+    ``unmade`` gives, by name, the reasons why texts are not among them.
+    """
     for name, text in texts.items():
         path = folder / name
         found = _read(path)
@@ -94,7 +151,22 @@ def compare(folder: Path, texts: Mapping[str, str]) -> Iterator[Difference]:
             old, new = found.splitlines(keepends=True), text.splitlines(keepends=True)
             lines = difflib.unified_diff(old, new, f"{path} (on disk)", f"{path} (generated)")
             yield Difference(path, "stale", "".join(lines))
-    if folder.is_dir():
-        for path in sorted(folder.iterdir()):
-            if path.name not in texts and path.is_file() and header_command(path) is None:
-                yield Difference(path, "foreign")
+    known = {folder / name for name in texts}
+    reasons = {folder / name: reason for name, reason in (unmade or {}).items()}
+    for parent in sorted({path.parent for path in known} | {folder}):
+        if parent.is_dir():
+            yield from _extra(parent, known | {path.parent for path in known}, reasons)
+
+
+def _extra(folder: Path, known: set[Path], reasons: Mapping[Path, str]) -> Iterator[Difference]:
+    for path in sorted(folder.iterdir()):
+        if path.name in LEFTOVERS:
+            yield Difference(path, "unfinished", reason="a run is writing here, or was killed: the next one finishes")
+        elif path not in known and not (path.name == "__pycache__" and path.is_dir()):
+            yield Difference(path, "foreign", reason=reasons.get(path) or _claim(path))
+
+
+def _claim(path: Path) -> str:
+    """What is wrong with the header of a file that was not made."""
+    command = header_command(path)
+    return f"not made by what its first line says: {command}" if command else ""

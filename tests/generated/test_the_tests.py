@@ -10,11 +10,12 @@ import sys
 import types
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
-from dualcay import _runtime
+from dualcay import _geometry, _runtime
 from tests.generated import test_kernel_groups as groups
 from tests.generated import test_kernel_roundtrips as roundtrips
 from tests.generated import test_kernel_signs as rules
@@ -24,9 +25,16 @@ from tests.support.kernels import load
 
 ORDER = 3
 SOURCE = Path(load(ORDER).__file__ or "")
-TREE = ast.parse(SOURCE.read_text(encoding="utf-8"))
-CODE = compile(TREE, "copy of " + SOURCE.name, "exec")
-CORES = {node.name: node for node in TREE.body if isinstance(node, ast.FunctionDef) and node.name.startswith("_")}
+CODE = compile(SOURCE.read_text(encoding="utf-8"), "copy of " + SOURCE.name, "exec")
+
+
+def cores(path: Path) -> dict[str, ast.FunctionDef]:
+    """Programs in both forms, by name: geometry's, or the scalars of a chart."""
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    return {node.name: node for node in tree.body if isinstance(node, ast.FunctionDef)}
+
+
+CORES = cores(Path(_geometry.__file__)) | cores(SOURCE)
 # Regimes in which a core's every operation counts: where sides are chosen, inputs from both sides.
 REGIMES = ("uniform", "shadow", "pure translation", "below pi", "coordinate axes")
 
@@ -65,7 +73,7 @@ def flipped(core: ast.FunctionDef, place: int) -> ast.FunctionDef:
 
 
 def module_copy(replacement: ast.FunctionDef | None = None) -> types.ModuleType:
-    """A fresh copy of the kernel module, with one core replaced."""
+    """A fresh copy of the kernel module, with one core replaced: of the geometry it uses, or of its scalars."""
     module = types.ModuleType("dualcay.copy")
     module.__package__ = "dualcay"
     sys.modules[module.__name__] = module  # annotations are looked up there
@@ -73,12 +81,21 @@ def module_copy(replacement: ast.FunctionDef | None = None) -> types.ModuleType:
     if replacement is not None:
         tree = ast.Module(body=[replacement], type_ignores=[])
         changed: dict[str, object] = {"positive": np.positive}
-        exec(compile(ast.fix_missing_locations(tree), "a flipped core", "exec"), module.__dict__ | changed, changed)
-        form = "blocks" if replacement.name.endswith("_blocks") else "plain"
-        name = replacement.name.removesuffix("_blocks").upper()
-        kernel = dataclasses.replace(getattr(module, name), **{form: changed[replacement.name]})
-        setattr(module, name, kernel)
+        space = vars(_geometry) | module.__dict__ | changed
+        exec(compile(ast.fix_missing_locations(tree), "a flipped core", "exec"), space, changed)
+        replace_core(module.CHART, replacement.name, changed[replacement.name])
     return module
+
+
+def replace_core(chart: Any, core: str, function: object) -> None:
+    form = {"blocks" if core.endswith("_blocks") else "plain": function}
+    name = core.removesuffix("_blocks")
+    if name.startswith("_"):
+        scalar = name.removeprefix("_")
+        chart.functions = chart.functions | {scalar: dataclasses.replace(chart.functions[scalar], **form)}
+        vars(chart.plain)[scalar] = chart.functions[scalar].plain
+    else:
+        chart.kernels = chart.kernels | {name: dataclasses.replace(chart.kernels[name], **form)}
 
 
 @pytest.fixture
@@ -115,19 +132,20 @@ def caught_at_full_turns(module: types.ModuleType) -> bool:
         )
 
 
-SEEN_THROUGH = {"_turn": "from_quaternion"}  # the step from branch to branch
-FORWARD = (
-    "_quaternion",
-    "_tensor",
-    "_pose",
-    "_tangent",
-    "_tangent_inv",
-    "_twist",
-    "_rate",
-    "_body_twist",
-    "_body_rate",
-)
-INVERSE = ("_from_quaternion", "_from_tensor", "_from_pose", "_compose", "_shadow")
+FORWARD = ("quaternion", "tensor", "pose", "tangent", "tangent_inv", "twist", "rate")
+INVERSE = ("from_quaternion", "from_tensor", "from_pose", "compose", "shadow")
+SEEN_THROUGH = {"turn": "from_quaternion"}  # the step from branch to branch
+
+
+def seen_through(core: str) -> Iterator[str]:
+    """The functions of users that a core serves."""
+    name = core.removesuffix("_blocks")
+    if not name.startswith("_"):
+        yield SEEN_THROUGH.get(name, name)
+        return
+    for kernel, program in _geometry.KERNELS.items():
+        if name.removeprefix("_") in {function for function, _, _ in program.lent}:
+            yield SEEN_THROUGH.get(kernel, kernel)
 
 
 def laws() -> Iterator[tuple[Callable[..., None], tuple[object, ...]]]:
@@ -159,15 +177,18 @@ def test_an_unchanged_copy_passes() -> None:
 @pytest.mark.parametrize("only_form", sorted(CORES), indirect=True)
 def test_every_flipped_sign_is_seen_by_the_oracle(only_form: str) -> None:
     name = only_form
-    function = SEEN_THROUGH.get(name.removesuffix("_blocks"), name.removesuffix("_blocks").removeprefix("_"))
-    places = signs(CORES[name])
-    assert places
     unseen = []
-    for place in places:
+    for place in signs(CORES[name]):
         module = module_copy(flipped(CORES[name], place))
-        if not (caught_by_the_oracle(module, function) or caught_at_full_turns(module)):
+        caught = any(caught_by_the_oracle(module, function) for function in seen_through(name))
+        if not (caught or caught_at_full_turns(module)):
             unseen.append(place)
     assert not unseen, [ast.unparse(list(ast.walk(CORES[name]))[p]) for p in unseen]
+
+
+def test_most_cores_have_signs() -> None:
+    assert len(CORES) > 60
+    assert {name.removeprefix("_") for name, core in CORES.items() if not signs(core)} <= {"beyond", "beyond_blocks"}
 
 
 @pytest.mark.parametrize(
@@ -180,3 +201,9 @@ def test_flipped_signs_are_seen_by_the_laws(only_form: str) -> None:
         assert caught_by_the_laws(module_copy(flipped(CORES[name], place))), ast.unparse(
             list(ast.walk(CORES[name]))[place]
         )
+
+
+@pytest.mark.parametrize("only_form", ["pose", "pose_blocks", "_pose", "_tangent_blocks"], indirect=True)
+def test_a_core_replaced_by_itself_passes(only_form: str) -> None:
+    module = module_copy(CORES[only_form])
+    assert not any(caught_by_the_oracle(module, function) for function in seen_through(only_form))

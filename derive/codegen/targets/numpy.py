@@ -203,6 +203,7 @@ class Numpy:
 
     name = "numpy"
     extension = "py"
+    entry = "__init__.py"
     comment = "#"
     unproved = "rounding errors, which are measured; NumPy itself"
 

@@ -25,6 +25,10 @@ class Target(Protocol):
         """Of a module's file, whose template is ``<name>/chart.<extension>.j2``."""
 
     @property
+    def entry(self) -> str:
+        """The shared file that is read before any other."""
+
+    @property
     def comment(self) -> str:
         """What begins a comment line."""
 

@@ -4,13 +4,18 @@ from __future__ import annotations
 
 import json
 import os
+import shlex
+import signal
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 
+import derive
+from derive.codegen import catalogue, check
 from derive.codegen.targets import TARGETS
+from derive.maps import Cayley
 
 ROOT = Path(__file__).parents[3]
 
@@ -32,7 +37,7 @@ def test_generate_writes_a_package_and_says_what_was_proved(tmp_path: Path):
     assert "theorems" in done.stdout
     assert done.stderr == ""
     names = sorted(p.name for p in (tmp_path / "k").iterdir())
-    assert names == sorted(["cayley2.py", *TARGETS["numpy"].shared])
+    assert names == sorted(["cayley2.py", *TARGETS["numpy"].shared()])
 
 
 def test_check_passes_and_names_a_stale_file_with_the_accepting_command(tmp_path: Path):
@@ -79,6 +84,76 @@ def test_a_foreign_file_is_not_overwritten_unless_forced(tmp_path: Path):
     assert "not a generated file, so not overwritten" in done.stderr
     assert [p.name for p in tmp_path.iterdir()] == ["cayley2.py"]
     assert dualcay("generate", "-n", "2", "-o", str(tmp_path), "--force").returncode == 0
+
+
+KILLED = """
+import itertools, os, signal, sys
+renames = itertools.count(1)
+def hook(event, arguments):
+    if event == "os.rename" and str(arguments[0]).startswith(sys.argv[-1]) and next(renames) == 4:
+        os.kill(os.getpid(), signal.SIGKILL)
+sys.addaudithook(hook)
+from derive.__main__ import main
+sys.exit(main())
+"""
+"""Dies when all is ready, the notice and one other file are in place, and the next is about to be."""
+
+
+def test_a_package_half_written_says_at_import_how_to_finish_it(tmp_path: Path):
+    folder = tmp_path / "the kernels"
+    assert dualcay("generate", "-n", "1", "-o", str(folder), code=KILLED).returncode == -signal.SIGKILL
+    load = [sys.executable, "-c", "import sys, importlib; importlib.import_module('the kernels.cayley1')"]
+    done = subprocess.run(load, cwd=tmp_path, capture_output=True, text=True, check=False)
+    command = f"python -m derive generate -n 1 --target numpy -o '{folder}'"
+    assert done.stderr.endswith(f"ImportError: the kernels is half-written: finish it with  {command}\n")
+    checked = dualcay("generate", "-n", "1", "-o", str(folder), "--check")
+    assert checked.returncode == 1
+    assert f"unfinished: {folder}/.dualcay-ready (a run is writing here, or was killed" in checked.stdout
+    assert f"stale: {folder}/__init__.py" in checked.stdout
+    assert dualcay(*shlex.split(command)[3:]).returncode == 0
+    assert dualcay("generate", "-n", "1", "-o", str(folder), "--check").returncode == 0
+    subprocess.run(load, cwd=tmp_path, check=True)
+
+
+def test_a_second_target_in_a_folder_is_refused(tmp_path: Path):
+    derive.generate([1], output=tmp_path)
+    done = dualcay("generate", "-n", "1", "--target", "array-api", "-o", str(tmp_path))
+    assert done.returncode == 3
+    assert "holds kernels of the target numpy (__init__.py), and a folder holds those of one" in done.stderr
+    assert check(tmp_path, [1]) == []
+
+
+def test_check_regenerates_only_what_a_header_can_have_made(tmp_path: Path):
+    folder = tmp_path / "k"
+    derive.generate([1], output=folder)
+    head = "# python -m derive generate -n {} --target {}\n"
+    forged = {
+        "cayley3.py": head.format(2, "numpy"),  # another order
+        "cayley5.py": head.format(5, "array-api"),  # another target
+        "cayley7.py": head.format(7, "numpy --phi x"),  # another command
+        "cayley77.py": head.format("7" * 5000, "numpy"),
+        "helper.py": head.format(8, "numpy"),
+    }
+    for name, text in forged.items():
+        (folder / name).write_text(text)
+    (folder / "cayley99.py").write_text(head.format(99, "numpy --max-n 99"))
+    (folder / "rotation").mkdir()
+    done = dualcay("generate", "-n", "1", "-o", str(folder), "--check")
+    assert done.returncode == 1
+    claim = "not made by what its first line says"
+    for name, text in forged.items():
+        assert f"foreign: {folder / name} ({claim}: {text.strip()[2:]})\n" in done.stdout
+    reason = "order 99 is above the cap 64, so not compared; raise it with --max-n"
+    assert f"foreign: {folder}/cayley99.py ({reason})\n" in done.stdout
+    assert f"foreign: {folder}/rotation\n" in done.stdout
+    assert f"{len(forged) + 2} file(s) differ" in done.stderr
+
+
+def test_a_header_names_the_command_that_makes_it():
+    assert catalogue.command("c") == "python -m derive generate --target c"
+    assert catalogue.command("numpy", Cayley(6)) == "python -m derive generate -n 6 --target numpy"
+    both = catalogue.command("numpy", Cayley(6), Cayley(65))
+    assert both == "python -m derive generate -n 6,65 --target numpy --max-n 65"
 
 
 def test_the_cap_can_be_raised(tmp_path: Path):

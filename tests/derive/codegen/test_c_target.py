@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import re
+import subprocess
 
 import pytest
 from click.testing import CliRunner
+from derive.codegen.trace import Trace
 
 from derive.cli.commands import cli
 from derive.codegen import ValidationFailed, build, c99, check, generate
 from derive.codegen.lowering import lower
+from derive.codegen.module import notices
 from derive.codegen.signatures import SIGNATURES
 from derive.codegen.targets import TARGETS
-from derive.codegen.trace import Trace
 from derive.codegen.validation import compiled
 from derive.codegen.validation.cases import cases
 from derive.maps import Cayley
@@ -125,6 +127,15 @@ def test_a_folder_is_checked_as_a_whole(tmp_path, package):
     assert {(found.path.name, found.kind) for found in check(tmp_path, [3], "c")} == {
         ("test_cayley4.c", "stale"), ("differential.h", "missing"),
     }  # fmt: skip
+
+
+def test_half_written_headers_do_not_compile_and_say_how_to_finish_them(staged):
+    (staged / "dualcay.h").write_text(notices([3, 4], C)["dualcay.h"])
+    test = str(staged / "test_cayley3.c")
+    done = subprocess.run([*compiled.compiler(), "-fsyntax-only", test], capture_output=True, text=True, check=False)
+    assert done.returncode
+    assert "half-written kernels: finish them with  python -m derive generate -n 3,4 --target c " in done.stderr
+    assert [(d.path.name, d.kind) for d in check(staged, [3], "c")] == [("dualcay.h", "stale")]
 
 
 # --- validation ---------------------------------------------------------------------------------------------------

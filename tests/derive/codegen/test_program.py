@@ -7,9 +7,11 @@ from fractions import Fraction
 import pytest
 
 from derive.algebra import Vector
-from derive.codegen import infix
-from derive.codegen.lowering import RECIPES
-from derive.codegen.trace import Trace, UnnamedValueError
+from derive.codegen.lowered import geometry, lower_chart
+from derive.codegen.programs.trace import Trace, UnnamedValueError
+from derive.codegen.signatures import KERNELS
+from derive.codegen.targets import infix
+from derive.maps import Cayley
 
 
 def traced(count: int = 2):
@@ -68,7 +70,7 @@ def test_division_by_the_constant_zero_is_an_error():
 def test_a_shared_value_needs_a_name_and_a_name_is_given_once():
     trace, a, b = traced()
     shared = a * b
-    with pytest.raises(UnnamedValueError, match="'f' uses unnamed values more than once: mul"):
+    with pytest.raises(UnnamedValueError, match="'f' uses unnamed values more than once or in a call: mul"):
         trace.program("f", (shared + a, shared - b))
     trace.name("ab", shared)
     with pytest.raises(ValueError, match="'ab' is already taken"):
@@ -97,7 +99,32 @@ def test_printing_keeps_the_order_of_evaluation():
         (-(a + b) * a, "-(v1 + v2) * v1"),
         (trace.where(trace.both(trace.less(a, b), trace.equal(a, 0)), a, b), "m.where((v1 < v2) & (v1 == 0), v1, v2)"),
     ]:
-        assert infix.body(trace.program("f", (value,))).splitlines()[-1] == f"    return ({text})"
+        assert infix.body(trace.program("f", (value,))).splitlines()[-1] == f"    return {text},"
+
+
+def test_a_call_gives_named_results_once_and_its_arguments_need_names():
+    trace, a, b = traced()
+    first, second = trace.call("scalars", (a, b), ("f", "g"))
+    again, _ = trace.call("scalars", (a, b), ("f", "g"))
+    assert again.index == first.index
+    program = trace.program("f", (first * a, second))
+    (call,) = program.calls
+    assert (call.names, call.function, call.args) == (("f", "g"), "scalars", ("v1", "v2"))
+    assert "    f, g = c.scalars(m, v1, v2)" in infix.body(program).splitlines()
+    trace, a, b = traced()
+    (result,) = trace.call("scalars", (a * b,), ("f",))
+    with pytest.raises(UnnamedValueError, match="in a call: mul"):
+        trace.program("f", (result,))
+
+
+@pytest.mark.parametrize("order", [1, 2, 3, 5, 8, 11])
+def test_geometry_with_its_calls_looked_into_is_what_the_chart_traces_itself(order):
+    """Scalars are counted rightly: sharing geometry costs what knowing the chart would save, no more."""
+    lowered = lower_chart(Cayley(order))
+    for name, row in KERNELS.items():
+        if name in lowered.operations and name not in lowered.own:
+            alone = row.traced(Cayley(order)).operations.total()
+            assert alone <= lowered.operations[name].total() <= alone / 0.98, name
 
 
 def test_long_statements_are_wrapped_and_mean_the_same():
@@ -115,8 +142,8 @@ def test_long_statements_are_wrapped_and_mean_the_same():
 
 @pytest.mark.parametrize("order", [1, 2, 3, 4, 6, 7, 8, 9, 16, 33])
 def test_every_recipe_speaks_in_named_values(order):
-    for name, recipe in RECIPES.items():
-        program = recipe(order)
+    lowered = lower_chart(Cayley(order))
+    for name, program in (*lowered.scalars.items(), *lowered.own.items(), *geometry().items()):
         assert program.name == name
         assert not [step.name for step in program.steps if not step.inline and step.name.startswith("t_")]
 
@@ -127,4 +154,4 @@ def test_forward_maps_have_no_trigonometry_and_small_powers_of_two_none_at_all()
     for order in (1, 2, 3, 4, 5, 8):
         names = forward + (inverse if order in (1, 2, 4, 8) else ())
         for name in names:
-            assert not {"tan", "atan2"} & set(RECIPES[name](order).operations), (order, name)
+            assert not {"tan", "atan2"} & set(lower_chart(Cayley(order)).operations[name]), (order, name)

@@ -13,6 +13,7 @@ import pytest
 
 import derive
 from derive.codegen import ValidationFailed, build, catalogue, check, compiler
+from derive.codegen.module import notices
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation import validate
 from derive.maps import Cayley
@@ -28,51 +29,57 @@ def package():
     return build([3, 4], NUMPY)
 
 
+GEOMETRY = "_geometry.py"
+
+
 def flipped(text: str, function: str, pattern: str, replacement: str) -> str:
-    """The module with one place inside a core changed."""
-    head, rest = text.split(f"def _{function}(", 1)
+    """The file with one place inside a program changed."""
+    head, rest = text.split(f"def {function}(", 1)
     changed, count = re.subn(pattern, replacement, rest, count=1)
     assert count == 1
-    return f"{head}def _{function}({changed}"
+    return f"{head}def {function}({changed}"
 
 
 @pytest.mark.parametrize(
-    ("order", "function", "pattern", "replacement"),
+    ("file", "function", "pattern", "replacement"),
     [
-        (3, "quaternion", r"p = 1 - 3 \* x", "p = 1 + 3 * x"),
-        (3, "tensor", r"gvv1 - fv3", "gvv1 + fv3"),
-        (3, "pose", r"h = 16 \* s", "h = 8 * s"),
-        (3, "transform_line", r"q = 3 - x", "q = 3 + x"),
-        (3, "tangent", r"xo = 2 \* y", "xo = y"),
-        (3, "tangent_inv", r"d = 11 - x", "d = 11 + x"),
-        (3, "twist", r"w1o \* f", "w2o * f"),
-        (3, "rate", r"v1 / -2", "v1 / 2"),
-        (3, "body_twist", r"w2 \* gv3 - w3 \* gv2", "w3 * gv2 - w2 * gv3"),
-        (3, "from_pose", r"Q32 - Q23", "Q23 - Q32"),
-        (3, "from_tensor", r"/ 2\b", "/ 3"),
-        (3, "from_quaternion", r"/ 3\b", "/ 4"),
-        (3, "compose", r"z0 = pb \* pa - ", "z0 = pb * pa + "),
-        (3, "shadow", r"r \* cos \+ sn", "r * cos - sn"),
-        (3, "turn", r"iden \* iden", "iden"),
-        (3, "to_screw", r"2 \* m\.atan2", "m.atan2"),
-        (3, "from_screw", r"/ 6", "/ 3"),
-        (4, "from_quaternion", r"\(1 \+ ", "(1 - "),
-        (3, "pose_blocks", r"v22 = mul\(v2, v2, k\d+\)", "v22 = mul(v2, v2, k1)"),
-        (3, "tangent_blocks", r"o13\)", "o14)"),
-        (3, "rate_blocks", r"sub\(", "add("),
-        (3, "from_pose_blocks", r"m\.where\(larger3, s23", "m.where(larger3, s13"),
-        (3, "from_quaternion_blocks", r"still = m\.equal", "still = m.less"),
-        (3, "principal_blocks", r"add\(mul\(r, cos1", "sub(mul(r, cos1"),
-        (3, "principal_blocks", r"m\.less\(limit1, x", "m.less(x, limit1"),
-        (3, "shadow_blocks", r"m\.both", "m.either"),
+        ("cayley3.py", "_quaternion", r"p = 1 - 3 \* x", "p = 1 + 3 * x"),
+        ("cayley3.py", "_quaternion", r"minus_e = -3", "minus_e = -2"),
+        ("cayley3.py", "_pose", r"h = 16 \* r", "h = 8 * r"),
+        ("cayley3.py", "_pose_blocks", r"o1\)", "k1)"),
+        ("cayley3.py", "_tangent", r"fy = h - eg", "fy = h + eg"),
+        ("cayley3.py", "_tangent_blocks", r"return o1, o2", "return o2, o1"),
+        ("cayley3.py", "_inverse", r"d = 11 - x", "d = 11 + x"),
+        ("cayley3.py", "_tangent_inv", r"q = 3 - x", "q = 3 + x"),
+        ("cayley4.py", "_ray", r"return p, q, root", "return p, q, 1"),
+        ("cayley3.py", "_gain_unit", r"/ 3\b", "/ 4"),
+        ("cayley4.py", "_gain_positive", r"\(1 \+ ", "(1 - "),
+        ("cayley3.py", "_gain_product_blocks", r"m\.equal", "m.less"),
+        ("cayley3.py", "_turned", r"iden \* iden", "iden"),
+        ("cayley3.py", "_turned_blocks", r"add\(mul\(r, cos", "sub(mul(r, cos"),
+        ("cayley3.py", "_beyond_blocks", r"m\.less\(limit1, x", "m.less(x, limit1"),
+        ("cayley3.py", "_direction_blocks", r"m\.both", "m.either"),
+        ("cayley3.py", "_natural", r"2 \* m\.atan2", "m.atan2"),
+        ("cayley3.py", "_coefficient", r"/ 6", "/ 3"),
+        (GEOMETRY, "tensor", r"gvv1 - fv3", "gvv1 + fv3"),
+        (GEOMETRY, "twist", r"w1o \* f", "w2o * f"),
+        (GEOMETRY, "twist", r"gs = g \* side", "gs = g"),
+        (GEOMETRY, "rate", r"/ twice", "/ 2"),
+        (GEOMETRY, "from_pose", r"Q32 - Q23", "Q23 - Q32"),
+        (GEOMETRY, "from_tensor", r"/ 2\b", "/ 3"),
+        (GEOMETRY, "compose", r"z0 = ab \* aa - ", "z0 = ab * aa + "),
+        (GEOMETRY, "pose_blocks", r"v22 = mul\(v2, v2, k\d+\)", "v22 = mul(v2, v2, k1)"),
+        (GEOMETRY, "tangent_blocks", r"o13\)", "o14)"),
+        (GEOMETRY, "rate_blocks", r"sub\(", "add("),
+        (GEOMETRY, "from_pose_blocks", r"m\.where\(larger3, s23", "m.where(larger3, s13"),
     ],
 )
 def test_a_wrong_sign_or_factor_in_a_printed_kernel_fails_validation(
-    package, tmp_path: Path, order, function, pattern, replacement
+    package, tmp_path: Path, file, function, pattern, replacement
 ):
-    name = NUMPY.module_name(order)
+    order = int(file.removeprefix("cayley").removesuffix(".py")) if file != GEOMETRY else 3
     texts = dict(package.texts)
-    texts[name] = flipped(texts[name], function, pattern, replacement)
+    texts[file] = flipped(texts[file], function, pattern, replacement)
     files.write(tmp_path, texts)
     with pytest.raises(ValidationFailed, match=rf"cayley{order}\.\w+.*component"):
         validate(tmp_path, Cayley(order))
@@ -99,12 +106,22 @@ def test_a_failed_validation_writes_nothing(tmp_path: Path, monkeypatch: pytest.
     original = compiler.module_text
 
     def wrong(*arguments):
-        return flipped(original(*arguments), "pose", r"N / N / N", "1 / N / N")
+        return flipped(original(*arguments), "_pose", r"N / N / N", "1 / N / N")
 
     monkeypatch.setattr(compiler, "module_text", wrong)
-    with pytest.raises(ValidationFailed, match="pose"):
+    with pytest.raises(ValidationFailed, match=r"cayley2\.tensor"):
         derive.generate([2], output=tmp_path / "kernels")
     assert not (tmp_path / "kernels").exists()
+
+
+@pytest.mark.parametrize("target", TARGETS.values(), ids=lambda target: target.name)
+def test_a_notice_is_ours_and_stands_where_every_module_looks_first(target):
+    charts = [Cayley(n) for n in range(1, 400)]
+    ((name, text),) = notices(charts, target).items()
+    assert name in target.shared()
+    command = files.MARK.match(text).group(1)
+    assert command.endswith(f"399 --target {target.name} --max-n 399")
+    assert text.count(command) == 2
 
 
 def test_any_order_and_a_bare_folder_work_without_the_toolkit(tmp_path: Path):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
@@ -27,15 +28,18 @@ def test_a_file_without_our_header_is_refused_and_nothing_else_is_written(tmp_pa
     assert (tmp_path / "b.py").read_text() == OURS
 
 
-def test_a_failure_half_way_leaves_the_old_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+def test_a_full_disk_leaves_the_old_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     files.write(tmp_path, {"a.py": OURS, "b.py": OURS})
     texts = {"a.py": OURS + "new\n", "b.py": OURS + "new\n"}
+    write_text = Path.write_text
 
-    def full(descriptor: int, *args: object, **kwargs: object):
-        raise OSError(28, "No space left on device", str(tmp_path))
+    def full(path: Path, text: str, **options: str):
+        if path.name == "b.py":
+            raise OSError(28, "No space left on device", str(path))
+        return write_text(path, text, **options)
 
-    monkeypatch.setattr(files.os, "fdopen", full)
-    with pytest.raises(RefusedError, match="No space left"):
+    monkeypatch.setattr(Path, "write_text", full)
+    with pytest.raises(RefusedError, match=r"No space left on device$"):
         files.write(tmp_path, texts)
     assert {p.name: p.read_text() for p in tmp_path.iterdir()} == {"a.py": OURS, "b.py": OURS}
 
@@ -46,12 +50,90 @@ def test_a_folder_that_is_a_file_is_refused(tmp_path: Path):
         files.write(tmp_path / "file", {"a.py": OURS})
 
 
+@pytest.mark.parametrize("force", [False, True])
+def test_a_folder_in_a_files_place_and_a_file_in_a_folders_place_are_refused(tmp_path: Path, force: bool):
+    (tmp_path / "b.py").mkdir()
+    (tmp_path / "sub").write_text(OURS)
+    for name in ("b.py", "sub/c.py"):
+        with pytest.raises(RefusedError, match="a file and a folder of one name"):
+            files.write(tmp_path, {"a.py": OURS, name: OURS}, force)
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["b.py", "sub"]
+
+
+def test_a_link_to_nowhere_is_not_a_generated_file(tmp_path: Path):
+    (tmp_path / "a.py").symlink_to("nowhere")
+    with pytest.raises(RefusedError, match="not a generated file"):
+        files.write(tmp_path, {"a.py": OURS})
+    files.write(tmp_path, {"a.py": OURS}, force=True)
+    assert not (tmp_path / "a.py").is_symlink()
+
+
+def test_a_pipe_is_not_waited_for(tmp_path: Path):
+    os.mkfifo(tmp_path / "a.py")
+    with pytest.raises(RefusedError, match="not a generated file"):
+        files.write(tmp_path, {"a.py": OURS})
+
+
+def test_a_folder_that_is_a_link_stays_one(tmp_path: Path):
+    (tmp_path / "real").mkdir()
+    (tmp_path / "link").symlink_to("real")
+    files.write(tmp_path / "link", {"a.py": OURS, "b.py": OURS})
+    assert (tmp_path / "link").is_symlink()
+    assert sorted(p.name for p in (tmp_path / "real").iterdir()) == ["a.py", "b.py"]
+    assert list(files.compare(tmp_path / "link", {"a.py": OURS, "b.py": OURS})) == []
+    (tmp_path / "dangling").symlink_to("nowhere")
+    with pytest.raises(RefusedError, match="cannot write"):
+        files.write(tmp_path / "dangling", {"a.py": OURS})
+    assert not (tmp_path / "nowhere").exists()
+
+
+def test_a_folder_holds_one_target(tmp_path: Path):
+    files.write(tmp_path, {"a.py": OURS})
+    (tmp_path / "mine.py").write_text("mine = True\n")
+    other = {"a.h": "// python -m derive generate -n 1 --target c\n"}
+    for force in (False, True):
+        with pytest.raises(RefusedError, match=r"holds kernels of the target numpy \(a\.py\).*those of c into another"):
+            files.write(tmp_path, other, force)
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["a.py", "mine.py"]
+    (tmp_path / "a.py").unlink()
+    files.write(tmp_path, other)
+    files.write(tmp_path, {"report.md": "# no kernel, so of no target\n"})
+
+
 def test_comparison_finds_stale_missing_and_foreign(tmp_path: Path):
     files.write(tmp_path, {"a.py": OURS, "same.py": OURS})
     (tmp_path / "notes.txt").write_text("not ours")
     found = list(files.compare(tmp_path, {"a.py": OURS + "y = 2\n", "b.py": OURS, "same.py": OURS}))
     assert [(d.path.name, d.kind) for d in found] == [("a.py", "stale"), ("b.py", "missing"), ("notes.txt", "foreign")]
     assert "+y = 2" in found[0].diff
+
+
+def test_comparison_finds_forged_headers_further_folders_and_what_a_killed_run_left(tmp_path: Path):
+    texts = {"a.py": OURS, "sub/b.py": OURS}
+    files.write(tmp_path, texts)
+    (tmp_path / "__pycache__").mkdir()
+    (tmp_path / "sub" / "__pycache__").mkdir()
+    assert list(files.compare(tmp_path, texts)) == []
+    (tmp_path / "forged.py").write_text(OURS)
+    (tmp_path / "capped.py").write_text(OURS)
+    (tmp_path / "further").mkdir()
+    (tmp_path / "sub" / "c.py").write_text("")
+    (tmp_path / "a.so").symlink_to("nowhere")
+    (tmp_path / ".dualcay-staged").mkdir()
+    found = list(files.compare(tmp_path, texts, {"capped.py": "too large"}))
+    assert [(d.path.relative_to(tmp_path).as_posix(), d.kind, d.reason.split(":")[0]) for d in found] == [
+        (".dualcay-staged", "unfinished", "a run is writing here, or was killed"),
+        ("a.so", "foreign", ""),
+        ("capped.py", "foreign", "too large"),
+        ("forged.py", "foreign", "not made by what its first line says"),
+        ("further", "foreign", ""),
+        ("sub/c.py", "foreign", ""),
+    ]
+
+
+def test_a_folder_in_a_files_place_is_missing(tmp_path: Path):
+    (tmp_path / "a.py").mkdir()
+    assert [d.kind for d in files.compare(tmp_path, {"a.py": OURS})] == ["missing"]
 
 
 def test_a_header_is_a_comment_with_the_command(tmp_path: Path):

@@ -1,0 +1,29 @@
+"""The page of speeds: ``python -m benchmarks -o docs/benchmarks.md``."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+import numpy as np
+
+from benchmarks import former, kernels
+from benchmarks.timing import ROUNDS
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description="Measure the kernels against peers and against the former release.")
+    parser.add_argument("-o", "--output", type=Path, help="also write the tables there, as Markdown")
+    output = parser.parse_args().output
+    how = f"Written by `make bench`, NumPy {np.__version__}: medians of {ROUNDS} interleaved rounds."
+    parts = ["# Speed", how]
+    for section in (kernels.section, former.section):
+        parts.append(section().rstrip())
+        print(parts[-1], end="\n\n", flush=True)
+    if output:
+        output.parent.mkdir(exist_ok=True)
+        output.write_text("\n\n".join(parts) + "\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,77 @@
+"""How everything is timed here: calls in turn, in one process and on one core, by the clock of the processor.
+
+Times are of the processor, so that other processes count little, and belong to the machine; ratios carry over to within
+some 15 %, those of two forms of the same program (`paired_ratio`) to a few hundredths.
+"""
+
+from __future__ import annotations
+
+import os
+import statistics
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from time import process_time
+
+Call = Callable[[], object]
+
+ROUNDS = 9
+SECONDS = 0.02
+"""Of one call in one round, at least."""
+
+
+def medians(calls: Sequence[Call]) -> list[float]:
+    """Median seconds of each call."""
+    return [statistics.median(times) for times in rounds(calls)]
+
+
+def paired_ratio(former: Call, present: Call, count: int = ROUNDS, seconds: float = SECONDS) -> float:
+    """Median over the rounds of the present call's time to the former's beside it: drift cancels."""
+    before, after = rounds((former, present), count, seconds)
+    return statistics.median(now / past for past, now in zip(before, after, strict=True))
+
+
+def rounds(calls: Sequence[Call], count: int = ROUNDS, seconds: float = SECONDS) -> list[list[float]]:
+    """Seconds of each call in every round, one round of all calls after another, forth and back in turn."""
+    with one_core():
+        lines = [(call, _repeats(call, seconds), list[float]()) for call in calls]
+        for i in range(count):
+            for call, repeats, times in reversed(lines) if i % 2 else lines:
+                times.append(_seconds(call, repeats))
+    return [times for _, _, times in lines]
+
+
+@contextmanager
+def one_core() -> Iterator[None]:
+    """Keep the process on one core, where the system has a way to: moving costs its caches."""
+    if not hasattr(os, "sched_setaffinity"):
+        yield
+        return
+    cores = os.sched_getaffinity(0)
+    os.sched_setaffinity(0, {max(cores)})
+    try:
+        yield
+    finally:
+        os.sched_setaffinity(0, cores)
+
+
+def _repeats(call: Call, seconds: float) -> int:
+    """How often a call is repeated in a round."""
+    repeats, spent = 1, 0.0
+    while spent < seconds / 4:
+        spent = _seconds(call, repeats) * repeats
+        reached, repeats = repeats, 2 * repeats
+    return max(1, int(reached * seconds / spent))
+
+
+def _seconds(call: Call, repeats: int) -> float:
+    """Of one call."""
+    start = process_time()
+    for _ in range(repeats):
+        call()
+    return (process_time() - start) / repeats
+
+
+def markdown(title: str, head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """A section that is a table."""
+    lines = [f"## {title}", "", "| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    return "\n".join([*lines, *("| " + " | ".join(row) + " |" for row in rows), ""])

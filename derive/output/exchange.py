@@ -1,0 +1,77 @@
+"""Exchange files of a folder so that a process killed at any moment leaves the old ones, the new ones, or a notice.
+
+All new files are staged first. One rename declares them ready; from then on they are what the folder shall hold, and
+move to their places one by one. Whoever finds them there later moves the rest. In between a notice stands where a
+user of the folder looks first. This is about processes that end, not about machines that lose power.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import sys
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+
+STAGED, READY, LOCK = ".dualcay-staged", ".dualcay-ready", ".dualcay-lock"
+LEFTOVERS = frozenset({STAGED, READY, LOCK})
+"""What a killed process can leave in a folder, until the next one has written there."""
+
+
+@contextmanager
+def locked(folder: Path) -> Iterator[None]:
+    """Wait until no other process holds the folder, then hold it; the system releases what a dead process held.
+
+    Windows has no such lock: there processes at once are not kept apart.
+    """
+    if sys.platform == "win32":
+        yield
+        return
+    import fcntl
+
+    path = folder / LOCK
+    while True:
+        handle = os.open(path, os.O_RDWR | os.O_CREAT, 0o644)
+        fcntl.flock(handle, fcntl.LOCK_EX)
+        if os.fstat(handle).st_nlink:
+            break
+        os.close(handle)  # the one before took its file away: wait for the file that is there now
+    try:
+        yield
+    finally:
+        path.unlink(missing_ok=True)
+        os.close(handle)
+
+
+def exchange(folder: Path, texts: Mapping[str, str], notices: Mapping[str, str]) -> None:
+    """Give files of a locked folder new texts; ``notices`` stand in their files' places until all others are there."""
+    body = {name: text for name, text in texts.items() if name not in notices}
+    last = {name: texts[name] for name in notices}
+    staged = folder / STAGED
+    try:
+        for step, files in enumerate((notices, body, last)):
+            for name, text in files.items():
+                path = staged / str(step) / name
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.write_text(text, encoding="utf-8", newline="\n")
+        staged.rename(folder / READY)
+    except BaseException:
+        shutil.rmtree(staged, ignore_errors=True)
+        raise
+    finish(folder)
+
+
+def finish(folder: Path) -> None:
+    """Move what is ready to its place in a locked folder, and drop what never became ready."""
+    if (folder / STAGED).exists():
+        shutil.rmtree(folder / STAGED)
+    ready = folder / READY
+    if not ready.exists():
+        return
+    for step in sorted(ready.iterdir()):
+        for path in sorted(path for path in step.rglob("*") if path.is_file()):
+            place = folder / path.relative_to(step)
+            place.parent.mkdir(parents=True, exist_ok=True)
+            os.replace(path, place)
+    shutil.rmtree(ready)
