@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from pathlib import Path
 
-from ...maps.chart import Chart
 from ..facts import Facts
 from ..lowered import geometry
-from ..validation import validate
 from . import infix, python
 from .target import Data
 
@@ -23,12 +20,10 @@ WORDS = python.Words(
 )
 
 
-class ArrayApi:
+class ArrayApi(python.PythonTarget):
     """The target that imports no array library and takes the arrays of each."""
 
     name = "array-api"
-    extension = "py"
-    comment = "#"
     unproved = "what array libraries do with arrays other than NumPy's arrays of objects; rounding errors"
 
     def shared(self) -> Mapping[str, Data]:
@@ -50,12 +45,3 @@ class ArrayApi:
         ]
         own = [python.printed(program, infix.body(program)) for program in facts.lowered.own.values()]
         return python.described(facts) | {"scalars": scalars, "own": own, "rows": python.rows()}
-
-    def companions(self, chart: Chart) -> Mapping[str, tuple[str, Data]]:
-        return {}
-
-    def require_complete(self, texts: Mapping[str, str]) -> None:
-        python.require_complete(texts)
-
-    def validate(self, folder: Path, chart: Chart) -> int:
-        return validate(folder, chart)

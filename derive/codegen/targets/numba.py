@@ -19,7 +19,6 @@ from ..lowered import geometry
 from ..programs.program import Call, Operand, Program, Statement, summary
 from ..programs.registers import results
 from ..signatures import KERNELS
-from ..validation import validate
 from . import infix, python
 from .expression import WIDTH
 from .target import Data
@@ -51,7 +50,7 @@ def parts(program: Program, prefix: str = "") -> tuple[Part, ...]:
 
 
 def _groups(sizes: Sequence[int]) -> list[tuple[int, ...]]:
-    """Outputs by loops; those of parts of equal size stay together: of a pose the rows of Q, then the entries of rho."""
+    """Outputs by loops; those of parts of equal size stay together: of a pose the rows of Q, then those of rho."""
     order = sorted(range(len(sizes)), key=lambda index: sizes.index(sizes[index]))
     return [tuple(order[first : first + MOST_OUTPUTS]) for first in range(0, len(order), MOST_OUTPUTS)]
 
@@ -146,12 +145,10 @@ WORDS = python.Words(
 )
 
 
-class Numba:
+class Numba(python.PythonTarget):
     """The target that Numba compiles, on NumPy arrays."""
 
     name = "numba"
-    extension = "py"
-    comment = "#"
     unproved = "what Numba and LLVM make of the source, with typed constants and selections; rounding errors"
 
     def shared(self) -> Mapping[str, Data]:
@@ -175,15 +172,9 @@ class Numba:
         data = {"scalars": scalars, "own": own, "rows": python.rows(), "calls": sorted(calls)}
         return python.described(facts) | data
 
-    def companions(self, chart: Chart) -> Mapping[str, tuple[str, Data]]:
-        return {}
-
-    def require_complete(self, texts: Mapping[str, str]) -> None:
-        python.require_complete(texts)
-
     def validate(self, folder: Path, chart: Chart) -> int:
         """Run the source of a package which wants its compiler even so."""
         try:
-            return validate(folder, chart)
+            return super().validate(folder, chart)
         except ImportError as error:
             raise RefusedError(f"cannot validate what was printed: {error}") from error

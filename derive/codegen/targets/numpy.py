@@ -12,14 +12,11 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import chain
-from pathlib import Path
 
-from ...maps.chart import Chart
 from ..facts import Facts
 from ..lowered import geometry
 from ..programs.program import Call, Operand, Program, Step
 from ..programs.registers import Placement, place, results
-from ..validation import validate
 from . import infix, python
 from .expression import WIDTH, fill
 from .target import Data
@@ -198,13 +195,10 @@ WORDS = python.Words(
 )
 
 
-class Numpy:
+class Numpy(python.PythonTarget):
     """The target of the committed kernels."""
 
     name = "numpy"
-    extension = "py"
-    entry = "__init__.py"
-    comment = "#"
     unproved = "rounding errors, which are measured; NumPy itself"
 
     def shared(self) -> Mapping[str, Data]:
@@ -229,12 +223,3 @@ class Numpy:
         own = [python.printed(program, two_forms(program)) for program in facts.lowered.own.values()]
         data = {"calls": _called((*scalars, *own)), "scalars": scalars, "own": own, "rows": python.rows()}
         return python.described(facts) | data
-
-    def companions(self, chart: Chart) -> Mapping[str, tuple[str, Data]]:
-        return {}
-
-    def require_complete(self, texts: Mapping[str, str]) -> None:
-        python.require_complete(texts)
-
-    def validate(self, folder: Path, chart: Chart) -> int:
-        return validate(folder, chart)

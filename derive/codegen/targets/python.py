@@ -6,13 +6,15 @@ import ast
 import textwrap
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 from ...maps.cayley import EQUATIONS
-from ...maps.chart import DEFINITIONS
+from ...maps.chart import DEFINITIONS, Chart
 from ..facts import Facts, comment, numbers, theorem_lines
 from ..programs.program import Program, summary
 from ..signatures import FUNCTIONS, KERNELS, PUBLIC
+from ..validation import validate
 from .expression import WIDTH
 from .target import Data, require_functions
 
@@ -44,6 +46,23 @@ class Printed:
     summary: str
     parameters: tuple[str, ...]
     forms: Any
+
+
+class PythonTarget:
+    """What the rows of these targets share."""
+
+    extension = "py"
+    entry = "__init__.py"
+    comment = "#"
+
+    def companions(self, chart: Chart) -> Mapping[str, tuple[str, Data]]:
+        return {}
+
+    def require_complete(self, texts: Mapping[str, str]) -> None:
+        require_complete(texts)
+
+    def validate(self, folder: Path, chart: Chart) -> int:
+        return validate(folder, chart)
 
 
 def interface(words: Words) -> Data:
