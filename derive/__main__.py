@@ -5,7 +5,7 @@ from __future__ import annotations
 import importlib.util
 import sys
 
-NEEDED = ("click", "jinja2", "latex2mathml", "rich", "sympy")
+NEEDED = ("click", "jinja2", "latex2mathml", "pcpp", "pycparser", "rich", "sympy")
 
 
 def main() -> int:

@@ -53,7 +53,7 @@ def generate(
             package = generate_kernels(chosen, target, folder, force=force, progress=step)
     if not check:
         display.console().print(display.written(package, folder))
-        display.not_executed(package)
+        display.not_compiled(package)
     elif found:
         option = "" if target == catalogue.TARGET else f" --target {target}"
         option += "" if output is None else f" -o {output}"

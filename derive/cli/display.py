@@ -39,22 +39,22 @@ def written(package: Package, folder: Path) -> Table:
     """What was proved and written, a row per module."""
     table = Table(title=f"kernels in {folder}", title_justify="left")
     table.add_column("module")
-    for heading in ("theorems", "proofs at n", "calls validated", "lines"):
+    for heading in ("theorems", "proofs at n", "calls validated", "calls compiled", "lines"):
         table.add_column(heading, justify="right")
     for module in package.modules:
         proofs = module.proved.proofs
         general = sum(proof.scope == "all n" for proof in proofs)
         lines = module.text.count("\n")
-        validated = "-" if module.validated is None else str(module.validated)
-        table.add_row(module.name, str(general), str(len(proofs) - general), validated, str(lines))
+        counts = (general, len(proofs) - general, module.validated, module.tested or "-", lines)
+        table.add_row(module.name, *map(str, counts))
     return table
 
 
-def not_executed(package: Package) -> None:
-    """Say which modules nothing could execute: they are printed from proved formulas, but were not compared."""
-    names = [module.name for module in package.modules if module.validated is None]
+def not_compiled(package: Package) -> None:
+    """Say which modules no compiler has seen: as text they compute their formulas, but their tests did not run."""
+    names = [module.name for module in package.modules if module.tested is None]
     if names:
-        found = f"no C compiler found (set CC), so not executed: {', '.join(names)}"
+        found = f"no C compiler found (set CC), so validated as text only: {', '.join(names)}"
         console(stderr=True).print(found, markup=False)
 
 

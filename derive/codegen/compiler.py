@@ -22,14 +22,16 @@ Progress = Callable[[str], None]
 class Module:
     """A kernel module on its way: proved, printed, and how many calls of it were compared with its formula.
 
-    ``validated`` is None where nothing could execute it; ``companions`` are further files by name.
+    ``companions`` are further files by name. ``tested`` counts the calls of compiled code that agree: 0 where the
+    target has no test of its own, None where nothing could compile it.
     """
 
     name: str
     proved: Proved
     text: str
     companions: dict[str, str]
-    validated: int | None
+    validated: int
+    tested: int | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,7 +72,7 @@ def _module(chart: Chart, target: Target, staging: Path, report: Progress) -> Mo
     text, companions = module_text(proved, target), companion_texts(chart, target)
     files.write(staging, companions | {name: text})
     report(f"{chart.name}: validating")
-    return Module(name, proved, text, companions, target.validate(staging, chart))
+    return Module(name, proved, text, companions, target.validate(staging, chart), target.test(staging, chart))
 
 
 def generate(

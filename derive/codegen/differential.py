@@ -8,8 +8,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from ..maps import Cayley
+from .cases import Case, cases
 from .signatures import FUNCTIONS, Array
-from .validation.cases import Case, cases
 
 GATE = 8
 """Largest error, in units of the machine epsilon and of the scale of the result."""

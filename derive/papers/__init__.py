@@ -1,25 +1,21 @@
 """Every equation of two papers, decided: `verify` computes the status of each.
 
-=============  ================================================================================
-terms          printed formulas as trees: typeset, compared with the text, executed, mutated
-notation       the table of marks: LaTeX, surviving text, meaning
-claims         marks of claims in words
-values         what sums, products and equality mean on numbers, vectors, quaternions, tensors
-fields         the numbers: 60 digits, and exact rational functions
-every_order    the exact field for symbolic n
-kinds          what a letter may stand for, special values included
-generic        letters at generic values of an exact field
-evaluation     executing a term
-equation       an entry and its result
-decide         from an entry to its status
-mutation       mutants of a statement, and how they fare
-witnesses      30-digit values at seeded points, kept beside each paper's package
-paper          a paper, its sections and the inventory of its text
-report         the results as text, JSON, Markdown, HTML and LaTeX
-=============  ================================================================================
+=====================  ========================================================================
+numbers                the numbers that formulas are executed on, and the values letters take
+language               how a formula is written down: terms, marks, meaning, execution
+equation               an entry and its result
+paper                  a paper, its sections and the inventory of its text
+condurache_popa_2023   the entries of CP23, a module for each section
+karakilic_2010         those of K10
+decide                 from an entry to its status
+mutation               mutants of a statement, and how they fare
+witnesses              30-digit values at seeded points, kept beside each paper's package
+report                 the results as text, JSON, Markdown, HTML and LaTeX
+=====================  ========================================================================
 
-``condurache_popa_2023`` and ``karakilic_2010`` hold the entries, a module per section.
+A module imports only from those above it (`witnesses`, a command of its own, from this one too).
 """
+
 
 from __future__ import annotations
 

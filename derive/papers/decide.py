@@ -12,19 +12,16 @@ import mpmath
 from derive.proof.ratio import NotExactError
 
 from .equation import Equation, Reading, Result, Status, UndecidedError, Verdict, faithful
-from .evaluation import Env
-from .every_order import EveryOrder
-from .fields import DIGITS, Decimal60
-from .generic import Generic, GenericOrder, takes_apart
-from .kinds import KINDS, Draw
-from .terms import Apply, Letter, Number, Term, walk
+from .language.evaluation import Env
+from .language.notation import over
+from .language.terms import Apply, Letter, Number, Term, Trait, marked, takes_apart, walk
+from .numbers.draw import Draw
+from .numbers.every_order import EveryOrder
+from .numbers.fields import DIGITS, Decimal60
+from .numbers.generic import Generic, GenericOrder
+from .numbers.kinds import BRANCH, ORDER, SIGN
 
 ORDERS = (1, 2, 3, 4, 5)
-RATES = ("rate", "ddt")
-DELICATE = (
-    "nonzero", "negated", "implies", "iff", "reaches", "branches", "defined", "unequal", "cases2", "cases3", "cases4",
-)  # fmt: skip
-"""Marks that can change their value where letters take special ones."""
 GENERIC_POINTS = 2
 
 
@@ -83,7 +80,7 @@ def decide(paper: str, entry: Equation, lost: str, orders: Sequence[int] = ORDER
 
 def _support(entry: Equation, identity: Term) -> None:
     """Require that the supporting identity is proved; where it has no value it says nothing."""
-    moving = entry.moving or contains(identity, RATES)
+    moving = entry.moving or bool(marked(Trait.RATE, identity))
     entry = replace(entry, condition=None, claimed=None, also=None, moving=moving)
     refuted = next((o for o in explore(entry, identity, ORDERS) if o.truth is False), None)
     if refuted is not None or prove(entry, identity, ORDERS) is None:
@@ -114,7 +111,7 @@ def _method(entry: Equation, statement: Term, exact: str | None, points: int) ->
     supported = ", with a supporting identity proved exactly" if entry.because not in (None, statement) else ""
     if exact is None:
         return f"evidence: {evidence}{supported}"
-    if any(entry.free(node) for node in walk(statement) if isinstance(node, Apply) and node.head in DELICATE):
+    if any(entry.free(part) for part in marked(Trait.DELICATE, statement)):
         return f"{exact} where letters are generic, {evidence}{supported}"
     return f"{exact}{supported}"
 
@@ -132,9 +129,9 @@ def explore(entry: Equation, statement: Term, orders: Sequence[int]) -> Iterator
 def points(entry: Equation, statement: Term, orders: Sequence[int]) -> Iterator[tuple[str, Env]]:
     """Seeded environments: all letters generic, then each special value of each letter, then the entry's own."""
     free = entry.free(statement)
-    order = next((letter for letter in free if letter.kind == "order"), None)
-    others = [letter for letter in free if letter.kind not in ("order", "branch")]
-    branches = [letter for letter in free if letter.kind == "branch"]
+    order = next((letter for letter in free if letter.kind is ORDER), None)
+    others = [letter for letter in free if letter.kind not in (ORDER, BRANCH)]
+    branches = [letter for letter in free if letter.kind is BRANCH]
     for n in orders if order is not None else (0,):
         prefix = f"n = {n}, " if order is not None else ""
         for branch in range((entry.branches or n) if branches else 1):
@@ -148,20 +145,15 @@ def points(entry: Equation, statement: Term, orders: Sequence[int]) -> Iterator[
 
 def _variations(draw: Draw, free: Sequence[Letter], entry: Equation) -> Iterator[tuple[str, dict[Letter, object]]]:
     def generic() -> dict[Letter, object]:
-        return {letter: KINDS[letter.kind].generic(draw) for letter in free}
+        return {letter: letter.kind.generic(draw) for letter in free}
 
     for i in range(GENERIC_POINTS):
         yield f"generic point {i + 1}", generic()
     for letter in free:
-        for label, make in KINDS[letter.kind].special.items():
+        for label, make in letter.kind.special.items():
             yield f"{letter.name}: {label}", {**generic(), letter: make(draw)}
     for label, point in (entry.also(draw) if entry.also else {}).items():
         yield label, {**generic(), **point}
-
-
-def contains(statement: Term, heads: Sequence[str]) -> bool:
-    """Whether one of these marks occurs."""
-    return any(isinstance(node, Apply) and node.head in heads for node in walk(statement))
 
 
 def _truth(env: Env, statement: Term) -> bool | None:
@@ -180,11 +172,11 @@ def prove(entry: Equation, statement: Term, orders: Sequence[int]) -> str | None
         If it is true at all points and false exactly: then one of the two is wrong.
     """
     free = entry.free(statement)
-    order = next((letter for letter in free if letter.kind == "order"), None)
-    branch = next((letter for letter in free if letter.kind == "branch"), None)
-    lengths = {letter for node in walk(statement) if isinstance(node, Apply) and node.head == "norm"
-               for letter in entry.free(node)}  # the first vector's magnitude is no root
-    signs = [letter for letter in free if letter.kind == "sign"]
+    order = next((letter for letter in free if letter.kind is ORDER), None)
+    branch = next((letter for letter in free if letter.kind is BRANCH), None)
+    # the first vector's magnitude is no root
+    lengths = {letter for part in marked(Trait.LENGTH, statement) for letter in entry.free(part)}
+    signs = [letter for letter in free if letter.kind is SIGN]
     generic = sorted((a for a in free if a not in (order, branch, *signs)), key=lambda a: a not in lengths)
     if order is not None and branch is None:
         try:
@@ -212,8 +204,7 @@ def prove(entry: Equation, statement: Term, orders: Sequence[int]) -> str | None
 
 def _steps(statement: Term) -> int:
     """The integer M such that only multiples of angle/M occur."""
-    nodes = [node for node in walk(statement) if isinstance(node, Apply) and node.head == "over"]
-    divisors = [node.arguments[1] for node in nodes]
+    divisors = [node.arguments[1] for node in walk(statement) if isinstance(node, Apply) and node.mark is over]
     return 2 * lcm(2, *(d.value for d in divisors if isinstance(d, Number)))
 
 
@@ -221,16 +212,20 @@ def _checked(entry: Equation, statement: Term, values: Generic) -> bool:
     """Whether the statement was checked: generic values outside its domain say nothing about it."""
     if not _within(entry, values):
         return False
-    if not values.env(entry.definitions).value(statement):
+    if not _env(entry, values).value(statement):
         raise UndecidedError(f"({entry.number}): true at all points but false exactly")
     return True
+
+
+def _env(entry: Equation, values: Generic) -> Env:
+    return Env(values.field, dict(values.values), entry.definitions, values.dual, values.moving)
 
 
 def _within(entry: Equation, values: Generic) -> bool:
     """Whether generic values (of one order and branch) lie in the claimed domain and fulfil the condition."""
     domain = [part for part in (entry.claimed, entry.condition) if part is not None]
     try:
-        return all(values.env(entry.definitions).value(part) for part in domain)
+        return all(_env(entry, values).value(part) for part in domain)
     except NotExactError:
         return True
     except ArithmeticError:

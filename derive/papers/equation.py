@@ -16,15 +16,14 @@ An entry that fits none of these raises `UndecidedError`: there is no other way 
 from __future__ import annotations
 
 import re
-import sys
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from typing import Any
 
-from .evaluation import Definition
-from .kinds import Draw
-from .terms import Letter, Term, latex, letters, text
+from .language.evaluation import Definition
+from .language.terms import Letter, Term, latex, letters, text
+from .numbers.draw import Draw
 
 Points = Callable[[Draw], Mapping[str, Mapping[Letter, Any]]]
 
@@ -84,7 +83,7 @@ class Equation:
     because : Term, optional
         An identity that proves what the points alone only show: that a missed element is missed.
     also : callable, optional
-        Further points: from a `kinds.Draw` to values of free letters, by name.
+        Further points: from a `numbers.draw.Draw` to values of free letters, by name.
     moving : bool
         Whether the letters are functions of time.
     orders : tuple of int, optional
@@ -98,7 +97,7 @@ class Equation:
     remark : str
         One sentence for the report.
     source : str
-        Where the entry stands, ``path:line``.
+        The module that holds the entry, as a path; its paper knows it.
     """
 
     number: str
@@ -128,14 +127,14 @@ class Equation:
     def free(self, statement: Term) -> tuple[Letter, ...]:
         """The letters that vary in a statement: its own and those its definitions rest on."""
         parts = (statement, *(part for part in (self.claimed, self.condition) if part is not None))
-        queue, found = [letter for part in parts for letter in letters(part)], dict[Letter, None]()
-        while queue:
-            letter = queue.pop(0)
+        seen = dict.fromkeys(letter for part in parts for letter in letters(part))
+        queue = list(seen)
+        for letter in queue:
             if letter in self.definitions:
-                queue += [a for a in self.definitions[letter].arguments if a not in found]
-            elif letter.kind not in ("constant", "words", "index"):
-                found[letter] = None
-        return tuple(found)
+                new = [argument for argument in self.definitions[letter].arguments if argument not in seen]
+                seen.update(dict.fromkeys(new))
+                queue += new
+        return tuple(letter for letter in queue if letter not in self.definitions and letter.kind.varies)
 
     def reading(self, statement: Term) -> Equation:
         """The same entry with this one reading: a correction or a mutant put in place of what is printed."""
@@ -143,14 +142,10 @@ class Equation:
 
 
 def equation(number: str, title: str, line: int, printed: Term | tuple[Reading, ...], **rest: Any) -> Equation:
-    """An entry; `printed` is the statement, or its readings. The place of the call is kept as its source."""
+    """An entry; `printed` is the statement, or its readings."""
     readings = printed if isinstance(printed, tuple) else (Reading(printed),)
-    caller = sys._getframe(1)
-    while caller.f_code.co_name != "<module>" and caller.f_back is not None:
-        caller = caller.f_back  # past functions that make several entries, to the line of this one
-    source = f"{caller.f_globals['__name__'].replace('.', '/')}.py:{caller.f_lineno}"
     rest["where"] = tuple(rest.get("where", ()))
-    return Equation(number, title, line, rest.pop("extract", ""), readings, source=source, **rest)
+    return Equation(number, title, line, rest.pop("extract", ""), readings, **rest)
 
 
 @dataclass(frozen=True)

@@ -1,7 +1,7 @@
 """Mutants of a statement: one mark changed. A statement that is checked at all must not survive them.
 
-The mutants come from the tree that is printed and executed: a sign flipped, a term dropped, a coefficient or exponent
-raised by one, arguments swapped, a function replaced by its sibling. `try_mutants` executes them.
+The mutants come from the tree that is printed and executed: integers are raised by one, and every mark says how its
+terms can be changed (`language.changes`). `try_mutants` executes them.
 """
 
 from __future__ import annotations
@@ -11,13 +11,7 @@ from dataclasses import dataclass, field
 
 from .decide import ORDERS, explore
 from .equation import Equation, Result, Status
-from .terms import Apply, Number, Term, text
-
-SIBLINGS = {"plus": "minus", "minus": "plus", "sin": "cos", "cos": "sin", "tan": "cot", "cot": "tan"}
-SWAPPED = ("over", "cross", "dyad", "power", "minus")
-DROPPED = ("plus", "minus", "times")  # to either argument
-BARE = ("negative", "transpose", "conjugate", "root")  # to the argument alone
-_INERT = ("remark",)  # only the first argument says anything
+from .language.terms import Apply, Number, Term, text
 
 
 @dataclass(frozen=True)
@@ -97,21 +91,9 @@ def _mutants(node: Term) -> Iterator[tuple[str, Term]]:
         yield f"{node.value} raised by 1", Number(node.value + 1)
     if not isinstance(node, Apply):
         return
-    yield from _changed(node)
+    for change in node.mark.changes:
+        yield change.what.format(node.mark.name), change.made(node)
     arguments = node.arguments
-    for i, argument in enumerate(arguments[:1] if node.head in _INERT else arguments):
+    for i, argument in enumerate(arguments):
         for what, mutant in _mutants(argument):
-            yield what, Apply(node.head, *arguments[:i], mutant, *arguments[i + 1 :])
-
-
-def _changed(node: Apply) -> Iterator[tuple[str, Term]]:
-    arguments = node.arguments
-    if node.head in SIBLINGS:
-        yield f"{node.head} made {SIBLINGS[node.head]}", Apply(SIBLINGS[node.head], *arguments)
-    if node.head in SWAPPED:
-        yield f"arguments of {node.head} swapped", Apply(node.head, *reversed(arguments))
-    if node.head in DROPPED:
-        yield f"second part of {node.head} dropped", arguments[0]
-        yield f"first part of {node.head} dropped", -arguments[1] if node.head == "minus" else arguments[1]
-    if node.head in BARE:
-        yield f"{node.head} dropped", arguments[0]
+            yield what, node.mark(*arguments[:i], mutant, *arguments[i + 1 :])

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import importlib
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from types import ModuleType
 
 from .equation import Equation
 
@@ -18,9 +19,9 @@ class Paper:
     lost : str
         Marks that the extraction of its text lost.
     package : str
-        Where the section modules are.
+        Its package, with an ``inventory`` and the modules of ``sections``.
     sections : tuple of str
-        The modules, in the paper's order; each has ``ENTRIES``.
+        Those modules, in the paper's order; each has ``ENTRIES``.
     """
 
     slug: str
@@ -31,11 +32,15 @@ class Paper:
     sections: tuple[str, ...]
 
     def entries(self) -> tuple[Equation, ...]:
-        """All entries in the paper's order."""
-        modules = (importlib.import_module(f"{self.package}.{section}") for section in self.sections)
-        return tuple(entry for module in modules for entry in module.ENTRIES)
+        """All entries in the paper's order, each with the module that holds it."""
+        modules = [importlib.import_module(f"{self.package}.sections.{section}") for section in self.sections]
+        return tuple(replace(entry, source=_path(module)) for module in modules for entry in module.ENTRIES)
 
     def inventory(self) -> dict[int, tuple[str, ...] | str]:
         """By line of the text: the entries that decide what it says, or why it claims nothing."""
         lines: dict[int, tuple[str, ...] | str] = importlib.import_module(f"{self.package}.inventory").LINES
         return lines
+
+
+def _path(module: ModuleType) -> str:
+    return f"{module.__name__.replace('.', '/')}.py"

@@ -16,17 +16,18 @@ import mpmath
 from derive.algebra import Dual, Structure
 from derive.maps.pose import Pose
 
-from . import PAPERS, Paper, values
+from . import PAPERS, Paper
 from .decide import ORDERS, decide, points
 from .equation import Equation
-from .evaluation import Env
-from .fields import DIGITS
+from .language import values
+from .language.evaluation import Env
+from .language.notation import equal
+from .language.terms import Apply, Term, Trait
 from .mutation import true_statements
-from .terms import Apply, Term
+from .numbers.fields import DIGITS
 
 SHOWN = 30
 FILE = "witnesses.json"
-_THROUGH = ("both", "remark", "implies", "iff")  # what is stated inside these is stated
 
 
 def witness(paper: Paper, entry: Equation, orders: Sequence[int] = ORDERS) -> dict[str, Any]:
@@ -78,10 +79,10 @@ def _sides(env: Env, statement: Term) -> Iterator[Any]:
     """The values of both sides of each equation in a statement."""
     if not isinstance(statement, Apply):
         return
-    if statement.head in _THROUGH:
+    if Trait.JOINS in statement.mark.traits:
         for part in statement.arguments:
             yield from _sides(env, part)
-    elif statement.head == "equal":
+    elif statement.mark is equal:
         for side in statement.arguments:
             yield env.value(side)
 

@@ -128,6 +128,10 @@ class Element:
         difference._numerator("a compared element")
         return bool(difference) and difference._sign_near_zero() < 0
 
+    def __gt__(self, other: object) -> bool:
+        partner = self._partner(other)
+        return NotImplemented if partner is None else partner < self
+
     def __bool__(self) -> bool:
         return bool(self.terms)
 

@@ -64,6 +64,9 @@ class PythonTarget:
     def validate(self, folder: Path, chart: Chart) -> int:
         return validate(folder, chart)
 
+    def test(self, folder: Path, chart: Chart) -> int:
+        return 0
+
 
 def interface(words: Words) -> Data:
     """What the template of the interface is given."""

@@ -48,8 +48,11 @@ class Target(Protocol):
     def require_complete(self, texts: Mapping[str, str]) -> None:
         """Compare the functions in the shared texts with the table; `ValueError` if they differ."""
 
-    def validate(self, folder: Path, chart: Chart) -> int | None:
-        """Execute a module in a folder; how many calls equal the formula, None where nothing can execute it."""
+    def validate(self, folder: Path, chart: Chart) -> int:
+        """Execute the text of a module in a folder; how many calls equal the formula."""
+
+    def test(self, folder: Path, chart: Chart) -> int | None:
+        """Compile and run the tests among its companions: how many calls agree, None where nothing compiles them."""
 
 
 def require_functions(where: str, found: Iterable[str]) -> None:

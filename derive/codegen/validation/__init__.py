@@ -1,13 +1,14 @@
-"""Translation validation: the emitted file is executed on exact elements, and its results equal the formula's.
+"""Translation validation: what was printed is executed as text on disk, and its results equal the formula's.
 
-======== ========================================================================================
-exact    what every rational function must return on symbols (ring elements), from the formula
-digits   what the maps with sqrt, tan and atan2 must return at seeded screws, to 50 digits
-run      load the package from disk and call its public functions, in both layouts
-cases    seeded numbers and their exact results, for languages whose kernels take no exact elements
-maps_at  inverse maps, screws, shadows and composition at given numbers
-compiled compile the differential test beside a C header, and run it
-======== ========================================================================================
+============= ========================================================================================
+run           load a package from disk and call its public functions, in both layouts
+c_text        interpret a C header, in all the ways its functions may be called
+c_calls       C functions called on flat components
+c_interpreter a preprocessor, parser and interpreter of C on numbers of any type
+compiled      compile the differential test beside a C header, and run it
+============= ========================================================================================
+
+What results must be is said by ``codegen.cases``.
 """
 
 from .run import ValidationFailed, validate

@@ -28,7 +28,7 @@ def compiler() -> list[str] | None:
     return None
 
 
-def validate(folder: Path, cayley: Cayley) -> int | None:
+def test(folder: Path, cayley: Cayley) -> int | None:
     """Run the differential test of the module of an order, in both real types.
 
     Returns

@@ -16,12 +16,10 @@ import mpmath
 import numpy as np
 
 from ...maps import Cayley
+from ..cases import Batch, batches
+from ..cases.digits import DIGITS
+from ..cases.exact import Expectation
 from ..signatures import FUNCTIONS
-from . import digits, exact
-from .exact import Expectation
-
-TOLERANCE = mpmath.mpf(10) ** -32
-"""Of 50-digit results: 40-digit constants lose at most six digits to the conditioning of the seeded cases."""
 
 Objects: TypeAlias = "np.ndarray[Any, np.dtype[Any]]"
 
@@ -40,11 +38,9 @@ def validate(folder: Path, chart: Cayley) -> int:
     ValidationFailed
         Naming the function, the layout and the first component that differs.
     """
-    with _package(folder) as package, mpmath.workdps(digits.DIGITS):
+    with _package(folder) as package, mpmath.workdps(DIGITS):
         module = importlib.import_module(f"{package}.{chart.name}")
-        exactly = sum(_check(module, (case,), _same) for case in exact.expectations(chart))
-        closely = sum(_check(module, tuple(map(_decimal, batch)), _close) for batch in digits.expectations(chart))
-    return exactly + closely
+        return sum(_check(module, batch) for batch in batches(chart))
 
 
 @contextmanager
@@ -67,33 +63,28 @@ def _package(folder: Path) -> Iterator[str]:
             del sys.modules[loaded]
 
 
-def _decimal(case: Expectation) -> Expectation:
-    arguments = tuple(tuple(digits.Decimal(c) for c in argument) for argument in case.arguments)
-    return Expectation(case.function, arguments, case.result)
-
-
-def _check(module: ModuleType, batch: tuple[Expectation, ...], agree: Any) -> int:
+def _check(module: ModuleType, batch: Batch) -> int:
     """Call one function on a batch in both layouts, and on its poses alone; return the number of calls.
 
     Objects in a batch run the in-place form of the kernel, those of a single pose its plain form.
     """
-    name, *branch = batch[0].function.split()
-    function = getattr(module, name)
-    columns = zip(*(case.arguments for case in batch), strict=True)
-    arguments = [_array(rows, array.shape) for rows, array in zip(columns, FUNCTIONS[name].arguments, strict=True)]
-    k = tuple(map(int, branch))
-    place = f"{_name(module)}.{batch[0].function}"
+    function = getattr(module, batch.function)
+    columns = zip(*(case.arguments for case in batch.cases), strict=True)
+    kinds = FUNCTIONS[batch.function].arguments
+    arguments = [_array(rows, array.shape) for rows, array in zip(columns, kinds, strict=True)]
+    place = f"{_name(module)}.{batch.function}"
     for axis in (-1, 0):
         where = f"{place}(axis={axis})"
-        parts = _call(function, [_components_first(a) if axis == 0 else a for a in arguments], k, axis, where)
+        given = [_components_first(a) if axis == 0 else a for a in arguments]
+        parts = _call(function, given, batch.branch, axis, where)
         rows = [_batch_first(part) if axis == 0 else part for part in parts]
-        results = np.concatenate([row.reshape(len(batch), -1) for row in rows], axis=-1)
-        for row, case in zip(results, batch, strict=True):
-            _compare(row, case, agree, where)
-    for pose, case in zip(zip(*arguments, strict=True), batch, strict=True):
-        parts = _call(function, pose, k, -1, place)
-        _compare(np.concatenate([part.ravel() for part in parts]), case, agree, place)
-    return 2 + len(batch)
+        results = np.concatenate([row.reshape(len(batch.cases), -1) for row in rows], axis=-1)
+        for row, case in zip(results, batch.cases, strict=True):
+            _compare(row, case, batch.agree, where)
+    for pose, case in zip(zip(*arguments, strict=True), batch.cases, strict=True):
+        parts = _call(function, pose, batch.branch, -1, place)
+        _compare(np.concatenate([part.ravel() for part in parts]), case, batch.agree, place)
+    return 2 + len(batch.cases)
 
 
 def _call(function: Any, arrays: Sequence[Objects], branch: tuple[int, ...], axis: int, where: str) -> tuple[Any, ...]:
@@ -130,12 +121,3 @@ def _components_first(array: Objects) -> Objects:
 
 def _batch_first(array: Objects) -> Objects:
     return np.moveaxis(array, -1, 0)
-
-
-def _same(got: Any, expected: Any) -> bool:
-    return bool(got == expected)
-
-
-def _close(got: Any, expected: Any) -> bool:
-    value = got.value if isinstance(got, digits.Decimal) else mpmath.mpf(got)
-    return bool(abs(value - expected) <= TOLERANCE * (1 + abs(expected)))

@@ -1,6 +1,12 @@
 """Condurache and Popa, Symmetry 15(11) 2011 (2023): every equation and claim, section by section.
 
-Its text is a lossy extraction: `alphabet.LOST` lists the marks that are gone.
+=========  ==================================================================================
+alphabet   the letters that the paper uses throughout, and the marks its extraction lost
+marks      marks of its own
+meanings   what the letters stand for: what the printed formulas are checked against
+sections   the entries, in printed order; a section uses letters of those before it
+inventory  by line of the text: the entries that decide it, or why it claims nothing
+=========  ==================================================================================
 """
 
 from __future__ import annotations
@@ -16,8 +22,9 @@ PAPER = Paper(
     lost=LOST,
     package=__name__,
     sections=(
-        "dual_numbers", "dual_vectors", "dual_tensors", "rigid_motion", "quaternions", "cayley_tensors",
-        "cayley_quaternions", "higher_order", "order_lists", "parameterizations", "families", "kinematics",
-        "tangent_operators", "orders", "higher_orders", "components", "conclusions",
+        "s02_1_dual_numbers", "s02_2_dual_vectors", "s02_3_dual_tensors", "s03_rigid_motion", "s04_dual_quaternions",
+        "s05_cayley_tensors", "s06_cayley_quaternions", "s07a_fractional_transform", "s07b_order_lists",
+        "s07c_parameterizations", "s07d_families", "s08a_kinematics", "s08b_tangent_operators", "s09a_orders_1_to_3",
+        "s09b_orders_4_and_5", "s09c_components", "s10_conclusions",
     ),
 )  # fmt: skip

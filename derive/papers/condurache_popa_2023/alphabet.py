@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..terms import Letter
+from ..language.terms import Letter
 
 PAPER = "condurache-popa-2023"
 

@@ -7,21 +7,19 @@ from typing import Any
 from derive.algebra import Quaternion, Tensor, Vector
 from derive.proof.ratio import Ratio
 
-from .. import values
-from ..evaluation import Env
-from ..fields import Decimal60, UndefinedError, innermost
-from ..notation import define
-from ..terms import ATOM, LIST, PRODUCT, RELATION, SUM, Apply, Letter, Term, walk
+from ..language import values
+from ..language.evaluation import Env
+from ..language.notation import define
+from ..language.terms import ATOM, LIST, PRODUCT, RELATION, SUM, Letter, Term, Trait, marked
+from ..numbers.fields import UndefinedError, innermost
 
 FAR = (40, 80)
 """Two orders, beyond which the sequences at hand are constant if at all."""
 
-TRANSCENDENTAL = ("sin", "cos", "tan", "cot", "arctan", "exp", "sin²", "cos²", "tan²", "power of e")
-
 
 def _positive(env: Env, a: Any) -> bool:
     """Generic symbols are taken on the positive side."""
-    return not isinstance(env.field, Decimal60) or bool(innermost(a) > 0)
+    return not env.field.ordered or bool(innermost(a) > 0)
 
 
 positive = define("positive", "{0} > 0", "{0}>0", RELATION, (SUM,), _positive)
@@ -65,5 +63,4 @@ equations_in = define("real equations", r"\#_{{\mathbb{{R}}}}\, {0}", "#{0}", PR
 
 def is_algebraic(*statements: Term) -> bool:
     """Whether no transcendental function occurs in any of the statements."""
-    nodes = (node for statement in statements for node in walk(statement))
-    return not any(isinstance(node, Apply) and node.head in TRANSCENDENTAL for node in nodes)
+    return not marked(Trait.TRANSCENDENTAL, *statements)

@@ -1,6 +1,14 @@
 """Karakılıç, The dual Rodrigues parameters (2010): every equation and claim, section by section.
 
 The LaTeX of its text is legible but for arrows over letters and a few stars: `alphabet.marks` says what is compared.
+
+=========  ==================================================================================
+alphabet   the letters of the paper, and what its extraction keeps of a formula
+marks      marks of its own
+meanings   what the letters stand for: what the printed formulas are checked against
+sections   the entries, in printed order; a section uses letters of those before it
+inventory  by line of the text: the entries that decide it, or why it claims nothing
+=========  ==================================================================================
 """
 
 from __future__ import annotations
@@ -15,5 +23,8 @@ PAPER = Paper(
     "2(2), 23-32, 2010",
     lost=LOST,
     package=__name__,
-    sections=("dual_numbers", "dual_vectors", "cayley_formula", "rodrigues", "components", "steps", "conclusion"),
-)
+    sections=(
+        "s1a_dual_numbers", "s1b_dual_vectors", "s2_cayley_formula", "s3a_rodrigues", "s3b_components", "s3c_steps",
+        "s4_conclusion",
+    ),
+)  # fmt: skip

@@ -1,6 +1,6 @@
 """What the paper's letters stand for, by their definitions: what its printed formulas are checked against.
 
-Every function has the arguments of `derive.papers.evaluation.Definition`: the environment, then values.
+Every function has the arguments of `derive.papers.language.evaluation.Definition`: the environment, then values.
 """
 
 from __future__ import annotations
@@ -13,11 +13,11 @@ import mpmath
 from derive.algebra import Dual, Quaternion, Tensor, Vector, dual_part, real_part
 from derive.maps import first_principles, lines, rodrigues
 
-from .. import values
-from ..evaluation import Env
-from ..fields import Decimal60
-from ..kinds import Draw
-from ..terms import Letter
+from ..language import values
+from ..language.evaluation import Env
+from ..language.terms import Letter
+from ..numbers.draw import Draw
+from ..numbers.fields import Decimal60
 
 # ---- dual numbers and vectors ---------------------------------------------------------------------------------
 
@@ -41,16 +41,6 @@ def along(env: Env, size: Any, axis: Vector) -> Vector:
     """``size · axis``: every dual vector whose real part is not zero is one, with a rational norm."""
     whole: Vector = axis * size
     return whole
-
-
-def re(env: Env, a: Any) -> Any:
-    """Real part."""
-    return a.re if isinstance(a, Vector) else real_part(a)
-
-
-def du(env: Env, a: Any) -> Any:
-    """Dual part."""
-    return a.du if isinstance(a, Vector) else dual_part(a)
 
 
 def component(index: int, part: Callable[[Any], Any] = lambda a: a) -> Callable[..., Any]:

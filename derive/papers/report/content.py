@@ -70,9 +70,8 @@ class Report:
         return tuple(proof for proof in self.proofs if not proof.proved)
 
     def link(self, result: Result) -> str:
-        """Where the entry of a result stands, as a link."""
-        path, _, line = result.equation.source.rpartition(":")
-        return f"{self.root}/{path}#L{line}" if self.root else ""
+        """The module that holds the entry of a result, as a link; it names no line of code, which moves."""
+        return f"{self.root}/{result.equation.source}" if self.root else ""
 
 
 def label(result: Result) -> str:

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import importlib
 from itertools import pairwise
+from pathlib import Path
 
 import pytest
 
 from derive.papers import PAPERS, Paper
 
+ROOT = Path(__file__).parents[3]
 NUMBERED = {"condurache-popa-2023": 131, "karakilic-2010": 22}
 LAST_LINE = {"condurache-popa-2023": 469, "karakilic-2010": 269}
 WITHOUT_NUMBERS = {"7"}
@@ -55,6 +58,7 @@ def test_numbered_equations_are_held_against_the_extracted_text(paper) -> None:
 
 def test_entries_are_found_where_they_say(paper) -> None:
     for entry in paper.entries():
-        path, line = entry.source.split(":")
-        assert path.startswith(f"derive/papers/{paper.package.rsplit('.', 1)[1]}/")
-        assert int(line) > 0
+        holder = importlib.import_module(entry.source.removesuffix(".py").replace("/", "."))
+        assert entry.source.startswith(f"{paper.package.replace('.', '/')}/sections/")
+        assert entry.number in {held.number for held in holder.ENTRIES}
+        assert (ROOT / entry.source).is_file()

@@ -6,7 +6,8 @@ import pytest
 
 from derive.papers import Result, Status, verify
 from derive.papers.karakilic_2010 import PAPER, alphabet, inventory
-from derive.papers.terms import Apply, Letter, walk
+from derive.papers.language.terms import Apply, Letter, walk
+from derive.papers.numbers.kinds import KINDS
 
 ERRATA = {"14", "zero-components", "quadratic-expansion"}
 HOLDS = {
@@ -64,11 +65,11 @@ def test_inventory_has_every_entry_at_its_line() -> None:
 def test_no_frame_is_chosen_where_components_are_taken() -> None:
     marks = {"K10 entry", "K10 component", "K10 matrix", "K10 sum over i and j", "K10 everywhere"}
     for entry in PAPER.entries():
-        heads = {node.head for r in entry.readings for node in walk(r.statement) if isinstance(node, Apply)}
+        heads = {node.mark.name for r in entry.readings for node in walk(r.statement) if isinstance(node, Apply)}
         letters = {f"{x}{i}{star}" for x in "bs" for i in (1, 2, 3) for star in ("", "*")}
         defined = {d.letter.name for d in entry.where if d.arguments}
         takes_apart = heads & marks or any(_names(reading.statement) & letters & defined for reading in entry.readings)
-        free_tensor = any(letter.kind == "tensor" for r in entry.readings for letter in entry.free(r.statement))
+        free_tensor = any(letter.kind is KINDS["tensor"] for r in entry.readings for letter in entry.free(r.statement))
         if takes_apart and not free_tensor and entry.number != "dimension":
             assert entry.components, entry.number
 

@@ -31,7 +31,7 @@ REASONS = {
         "cayley-quaternion-well-defined": ALSO, "36": ALSO, "norm-of-1-plus-v": ALSO, "38-domain": ALSO, "41": SIGN,
         "44-domain": ALSO, "theorem-11-onto": ALSO, "theorem-12-branches": SIGN,
         "shadow-avoids-singularity": EMPTY, "52": ZERO, "64": ZERO, "71": ZERO, "determinant": ALSO, "99": POINTS,
-        "120": POINTS, "111": SIGN, "118": SIGN,
+        "120": POINTS, "111": SIGN, "118": SIGN, "cayley-onto": ALSO, "cayley-quaternion-onto": ALSO,
     },
     "K10": {
         "dual-number": ALSO, "zero-divisors": ZERO, "ring": ONE, "no-field": ALSO, "extension": ZERO, "module": ONE,

@@ -1,0 +1,16 @@
+"""What kernel functions must return: cases from the formulas alone, for whoever executes a kernel.
+
+======== ========================================================================================
+exact    rational functions on symbols (elements of an exact ring)
+digits   maps with sqrt, tan and atan2 at seeded screws, to 50 digits
+batches  both, for the validation of a text; complete, or an error
+seeded   numbers that a float holds and their results, for languages whose kernels take no others
+maps_at  inverse maps, screws, shadows and composition at given numbers
+screws   seeded screws on which every side of every selection is taken
+======== ========================================================================================
+"""
+
+from .batches import Batch, batches
+from .seeded import Case, cases
+
+__all__ = ["Batch", "Case", "batches", "cases"]

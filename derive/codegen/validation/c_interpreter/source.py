@@ -1,0 +1,91 @@
+"""A header and what it includes, preprocessed and parsed."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from pcpp import Preprocessor
+from pycparser import CParser, c_ast
+from pycparser.c_parser import ParseError
+
+from .errors import CError
+from .scope import LIBRARY
+
+
+def _prototype(name: str, arity: int) -> str:
+    return f"double {name}({', '.join(['double'] * arity)});\n"
+
+
+SYSTEM: Mapping[str, str] = {
+    "stddef.h": "typedef unsigned long size_t;\n",
+    "math.h": "".join(_prototype(name, arity) for name, (arity, _) in LIBRARY.items()),
+}
+"""What the headers of the C library declare here."""
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """A preprocessed text, its syntax tree, and the preprocessor with its macros."""
+
+    text: str
+    tree: c_ast.FileAST
+    macros: _Preprocessor
+
+    def expand(self, text: str) -> str:
+        """The text with the macros of the header expanded."""
+        return "".join(token.value for token in self.macros.expand_macros(self.macros.tokenize(text)))
+
+
+class _Preprocessor(Preprocessor):  # type: ignore[misc]  # pcpp has no type hints
+    """Includes come from one folder, or are those of the C library; every complaint is an error."""
+
+    def __init__(self, folder: Path | None) -> None:
+        super().__init__()
+        self.folder = folder and folder.resolve()
+        self.line_directive = "#line"
+        if self.folder:
+            self.add_path(str(self.folder))
+
+    def on_file_open(self, is_system_include: bool, includepath: str) -> io.StringIO:
+        path = Path(includepath)
+        if is_system_include and path.name in SYSTEM:
+            return io.StringIO(SYSTEM[path.name])
+        if is_system_include or path.parent != self.folder:
+            raise OSError(f"{path} is outside of {self.folder}")
+        return io.StringIO(path.read_text(encoding="utf-8"))
+
+    def on_error(self, file: str, line: int, msg: str) -> None:
+        raise CError(f"{Path(file).name}:{line}: {msg}")
+
+    def on_include_not_found(self, is_malformed: bool, is_system_include: bool, curdir: str, includepath: str) -> None:
+        raise CError(f"{includepath} is neither in the folder nor one of {', '.join(SYSTEM)}")
+
+    def on_directive_unknown(self, directive: Any, toks: Any, ifpassthru: bool, precedingtoks: Any) -> None:
+        text = "".join(token.value for token in toks)
+        raise CError(f"{Path(directive.source).name}:{directive.lineno}: #{directive.value} {text}")
+
+
+def parse(text: str, folder: Path | None, defines: Mapping[str, str]) -> Source:
+    """Preprocess and parse a text; quoted includes are files of the folder, if one is given.
+
+    Raises
+    ------
+    CError
+        For an include that is not there, ``#error``, or what is not C.
+    """
+    preprocessor = _Preprocessor(folder)
+    for name, value in defines.items():
+        preprocessor.define(f"{name} {value}")
+    written = io.StringIO()
+    preprocessor.parse(text, "unit.c")
+    preprocessor.write(written)
+    try:
+        tree = CParser().parse(written.getvalue(), "unit.c")
+    except ParseError as error:
+        where, _, message = str(error).partition(":")
+        raise CError(f"{Path(where).name}:{message}") from error
+    return Source(written.getvalue(), tree, preprocessor)

@@ -1,0 +1,139 @@
+"""Execute a C header as text: every function on exact elements and at 50 digits, in all the ways it may be called."""
+
+from __future__ import annotations
+
+import random
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import mpmath
+import sympy
+
+from ...maps import Cayley
+from ..cases import Batch, batches, digits
+from ..cases.batches import Agree, same
+from ..cases.digits import Decimal
+from ..signatures import FUNCTIONS
+from .c_calls import Flat, Kernel
+from .c_interpreter import UNSET, CError, Pointer, Unit, load
+from .run import ValidationFailed
+
+SEED = 1863
+ROWS = 3
+SAMPLES = 2
+"""Batches of each function, at most, on which results overlap arguments."""
+
+ALIASES = {
+    "dcay": "tangent", "dcay_rows": "tangent_rows", "dcay_inv": "tangent_inv", "dcay_inv_rows": "tangent_inv_rows",
+}  # fmt: skip
+
+def validate(folder: Path, cayley: Cayley) -> int:
+    """Interpret the header of an order; return how many calls equal the formula.
+
+    Both forms are called: the rational functions on symbols, the others on numbers of 50 digits. On such numbers
+    results are then laid over arguments, at every distance and row by row, and must not change by a bit.
+
+    Raises
+    ------
+    ValidationFailed
+        Naming the function, or the line that is no C, divides integers, leaves an array, reads what was not written.
+    """
+    header = f"cayley{cayley.order}.h"
+    try:
+        unit = load(f'#include "{header}"\n', folder)
+        _constants(unit, cayley)
+        calls = check(unit, cayley, batches(cayley))
+    except (CError, ValidationFailed) as error:
+        raise ValidationFailed(f"{header}: {error}") from error
+    if unit.idle:
+        raise ValidationFailed(f"{header}: nothing calls {', '.join(unit.idle)}, so nothing says what they compute")
+    return calls
+
+
+def check(unit: Unit, cayley: Cayley, given: Sequence[Batch]) -> int:
+    """Compare all forms of the functions with what they must return; how many calls that takes."""
+    with mpmath.workdps(digits.DIGITS):
+        return sum(_values(_kernel(unit, cayley, batch), batch) for batch in given) + sum(
+            _layouts(_kernel(unit, cayley, batch), cayley, rows) for batch, rows in _samples(given)
+        )
+
+
+def _prefix(cayley: Cayley) -> str:
+    return f"dualcay_cayley{cayley.order}_"
+
+
+def _kernel(unit: Unit, cayley: Cayley, batch: Batch) -> Kernel:
+    """The function of a batch, with its branch; branch 0 where none is given."""
+    default = (0,) if FUNCTIONS[batch.function].branch else ()
+    return Kernel(unit, _prefix(cayley), batch.function, batch.branch or default)
+
+
+def _values(kernel: Kernel, batch: Batch) -> int:
+    """Compare both forms of a function with what it must return."""
+    for case in batch.cases:
+        _compare(batch.function, kernel.plain(case.arguments), case.result, batch.agree)
+    for row, case in zip(kernel.rows([case.arguments for case in batch.cases]), batch.cases, strict=True):
+        _compare(f"{batch.function}, rows", row, case.result, batch.agree)
+    return len(batch.cases) + 1
+
+
+def _layouts(kernel: Kernel, cayley: Cayley, rows: Sequence[tuple[Flat, ...]]) -> int:
+    """Lay results over arguments, and choose branches by other integers: not a bit of the plain result may change."""
+    expected = [kernel.plain(arguments) for arguments in rows]
+    room = sum(array.size for array in (*kernel.signature.arguments, *kernel.signature.results))
+    for start in range(room):
+        _compare(f"{kernel.name}, overlapping", kernel.shared(rows[0], start), expected[0], same)
+    ways = (None, *range(len(rows[0])))
+    for over in ways:
+        for row, result in zip(kernel.rows(rows, over), expected, strict=True):
+            _compare(f"{kernel.name}, rows over argument {over}", row, result, same)
+    turned = [branch + turns * cayley.order for branch in kernel.branch for turns in (-1, 2)]
+    for branch in turned:
+        other = replace(kernel, branch=(branch,))
+        for row, result in zip((other.plain(rows[0]), *other.rows(rows)), (expected[0], *expected), strict=True):
+            _compare(f"{kernel.name}, branch {branch}", row, result, same)
+    return room + len(ways) + 2 * len(turned)
+
+
+def _samples(given: Sequence[Batch]) -> Iterator[tuple[Batch, list[tuple[Flat, ...]]]]:
+    """Arguments of 50 digits for every function: the seeded ones of two branches, any for a rational function."""
+    taken: Counter[tuple[Any, ...]] = Counter()
+    for batch in given:
+        key = batch.function, batch.branch
+        taken[key] += not batch.exact
+        if not batch.exact and taken[key] <= SAMPLES and batch.branch in ((), (0,), (1,)):
+            yield batch, [case.arguments for case in (batch.cases * ROWS)[:ROWS]]
+    draw = random.Random(SEED)
+    for batch in given:
+        if not taken[batch.function, batch.branch]:
+            sizes = [array.size for array in FUNCTIONS[batch.function].arguments]
+            yield batch, [tuple(_drawn(draw, size) for size in sizes) for _ in range(ROWS)]
+
+
+def _drawn(draw: random.Random, size: int) -> Flat:
+    return tuple(Decimal(mpmath.mpf(draw.uniform(-0.5, 0.5))) for _ in range(size))
+
+
+def _constants(unit: Unit, cayley: Cayley) -> None:
+    """What the macros of the header stand for, and the singular angles."""
+    ratios = [angle / sympy.pi for angle in cayley.singular_angles]
+    macro = _prefix(cayley).upper()
+    expected = {f"{macro}ORDER": str(cayley.order), f"{macro}SINGULAR_ANGLES": str(len(ratios))}
+    expected |= {_prefix(cayley) + alias: _prefix(cayley) + name for alias, name in ALIASES.items()}
+    for name, text in expected.items():
+        if unit.source.expand(name) != text:
+            raise ValidationFailed(f"{name} is {unit.source.expand(name)}, not {text}")
+    angles = [UNSET] * len(ratios)
+    if unit.call(f"{_prefix(cayley)}singular_angles", Pointer.to(angles)) != len(ratios):
+        raise ValidationFailed(f"singular_angles does not return {len(ratios)}")
+    with mpmath.workdps(digits.DIGITS):
+        _compare("singular_angles", angles, [mpmath.pi * int(r.p) / int(r.q) for r in ratios], digits.close)
+
+
+def _compare(where: str, found: Sequence[Any], expected: Sequence[Any], agree: Agree) -> None:
+    for index, (got, wanted) in enumerate(zip(found, expected, strict=True)):
+        if not agree(got, wanted):
+            raise ValidationFailed(f"{where}, component {index}: {got} is not {wanted}")

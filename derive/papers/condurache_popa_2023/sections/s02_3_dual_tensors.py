@@ -1,0 +1,123 @@
+"""Section 2.3, dual tensors: lines 72-86."""
+
+from __future__ import annotations
+
+from derive.algebra import Tensor
+
+from ...equation import Reading, equation
+from ...language.claims import dual_of, real_of
+from ...language.evaluation import let
+from ...language.notation import (
+    Re,
+    both,
+    bracket,
+    cross,
+    define,
+    det,
+    dot,
+    dyad,
+    epsilon,
+    equal,
+    half,
+    nonzero,
+    skew,
+    summation,
+    trace,
+    transpose,
+    triple,
+    vect,
+)  # fmt: skip
+from ...language.terms import ATOM, LIST, POWER, Letter
+from ..alphabet import quaternion, tensor, v, vector
+from ..meanings import dual_algebra
+from .s02_2_dual_vectors import BASIS, basis, lam, mu
+
+T_, A_ = tensor("T"), tensor("A")
+T, T0 = (
+    Letter(f"{name} real", "real tensor", rf"\mathbf{{{latex}}}", name) for name, latex in (("T", "T"), ("T0", "T^0"))
+)
+a_, b_, c_, d_ = (vector(name) for name in "abcd")
+v1, v2, v3 = (vector(f"v{i}", f"v}}_{{{i}", f"v{i}") for i in (1, 2, 3))
+lam1, lam2 = (Letter(f"lambda{i}", "dual number", rf"\underline{{\lambda}}_{i}", f"λ{i}") for i in (1, 2))
+turn = quaternion("B")
+e1, e2, e3 = basis
+columns = {name: Letter(f"components of {name}", "function", rf"\underline{{{name}}}", name) for name in "ab"}
+frame = Letter("frame", "function", r"\underline{\mathbf{e}}", "e")
+i = Letter("i", "index", "i", "i")
+column_row = define(
+    "column times row", "{0}\\, {1}^{{T}}", "{0} {1}^T", POWER, (ATOM, ATOM),
+    lambda env, a, b: Tensor.from_entries(a(j) * b(k) for j in (1, 2, 3) for k in (1, 2, 3)),
+)  # fmt: skip
+component = define("component", "{0}_{{{1}}}", "{0} {1}", ATOM, (ATOM, LIST), lambda env, f, k: f(k))
+rows = define(
+    "rows", r"\begin{{pmatrix}} {0} & {1} & {2} \\ {3} & {4} & {5} \\ {6} & {7} & {8} \end{{pmatrix}}",
+    "({0},{1},{2},{3},{4},{5},{6},{7},{8})", ATOM, (LIST,), lambda env, *entries: Tensor.from_entries(entries),
+)  # fmt: skip
+
+
+FRAME = (
+    let(frame, dual_algebra.frame, turn), let(columns["a"], dual_algebra.components, a_, frame),
+    let(columns["b"], dual_algebra.components, b_, frame),
+)  # fmt: skip
+axial_of_A = Letter("a of A", "dual vector", r"\underline{\mathbf{a}}", "a")
+SKEW = (let(A_, dual_algebra.skew_part, T_), let(axial_of_A, dual_algebra.axial, A_))
+regular = nonzero(Re(triple(v1, v2, v3)))
+a1, a2, a3 = (component(columns["a"], k) for k in (1, 2, 3))
+dyad_matrix = Letter("matrix of a⊗b", "tensor", r"\left[\underline{a} \otimes \underline{b}\right]", "ab")
+a_tilde = Letter("matrix of a~", "tensor", r"\tilde{\underline{a}}", "a~")
+
+ENTRIES = (
+    equation("7", "dual tensors are linear", 73,
+             equal(T_ * (lam1 * v1 + lam2 * v2), lam1 * (T_ * v1) + lam2 * (T_ * v2)),
+             extract="T _ λ _ 1 v _ 1 + λ _ 2 v _ 2 = λ _ 1 T _ v _ 1 + λ _ 2 T _ v _ 2"),
+    equation("tensor-module", "dual tensors are a free module", 74,
+             equal(T_, bracket(dot(e1, T_ * e1)) * dyad(e1, e1) + bracket(dot(e1, T_ * e2)) * dyad(e1, e2)
+                   + bracket(dot(e1, T_ * e3)) * dyad(e1, e3) + bracket(dot(e2, T_ * e1)) * dyad(e2, e1)
+                   + bracket(dot(e2, T_ * e2)) * dyad(e2, e2)
+                   + bracket(dot(e2, T_ * e3)) * dyad(e2, e3) + bracket(dot(e3, T_ * e1)) * dyad(e3, e1)
+                   + bracket(dot(e3, T_ * e2)) * dyad(e3, e2)
+                   + bracket(dot(e3, T_ * e3)) * dyad(e3, e3)), where=BASIS),
+    equation("tensor-parts", "real and dual part of a tensor", 74, equal(T_, T + epsilon * T0),
+             extract="T _ = T + ε T 0", where=(let(T, real_of, T_), let(T0, dual_of, T_))),
+    equation("8", "transposed dual tensor", 75, equal(dot(v1, T_ * v2), dot(v2, transpose(T_) * v1)),
+             extract="v _ 1 · T _ v _ 2 = v _ 2 · T _ T v _ 1"),
+    equation("9", "determinant", 77, equal(triple(T_ * v1, T_ * v2, T_ * v3), det(T_) * triple(v1, v2, v3)),
+             extract="T _ v _ 1 , T _ v _ 2 , T _ v _ 3 = d e t T _ v _ 1 , v _ 2 , v _ 3", claimed=regular),
+    equation("10", "skew-symmetric tensor of a vector", 79, equal(skew(a_) * b_, cross(a_, b_)),
+             extract="a ~ _ b _ = a _ × b _"),
+    equation("skew-symmetric", "what skew-symmetric means", 80, equal(A_, -transpose(A_)), extract="A _ = A _ T",
+             where=SKEW, fixed_by="the word skew-symmetric in the same sentence"),
+    equation("axial-vector", "the vector of a skew-symmetric tensor", 80, equal(A_ * b_, cross(axial_of_A, b_)),
+             extract="A _   b _ = a _ × b _", where=SKEW),
+    equation("axial-vector-is-vect", "that vector is vect A", 80, equal(axial_of_A, vect(A_)),
+             extract="a _ = v e c t A _", where=SKEW),
+    equation("axial-vector-unique", "that vector is unique", 80, equal(vect(skew(c_)), c_),
+             remark="Any vector c with A b = c × b for all b is vect A."),
+    equation("skew-module", "skew-symmetric tensors are isomorphic with vectors", 80,
+             both(equal(skew(lam * a_ + mu * b_), lam * skew(a_) + mu * skew(b_)), equal(vect(skew(a_)), a_),
+                  equal(skew(vect(A_)), A_)), where=SKEW),
+    equation("vect", "vect of a tensor", 81, equal(vect(T_), vect(half * (T_ - transpose(T_)))),
+             extract="v e c t T _ = v e c t 1 2 T _ T _ T"),
+    equation("11", "trace", 82,
+             equal(trace(T_), (triple(T_ * v1, v2, v3) + triple(v1, T_ * v2, v3) + triple(v1, v2, T_ * v3))
+                   / triple(v1, v2, v3)),
+             extract="t r a c e T _ = T _ v _ 1 , v _ 2 , v _ 3 + v _ 1 , T _ v _ 2 , v _ 3 + v _ 1 , v _ 2 , "
+                     "T _ v _ 3 v _ 1 , v _ 2 , v _ 3", claimed=regular),
+    equation("12", "dyadic product", 85, equal(bracket(dyad(a_, b_)) * v, bracket(dot(v, b_)) * a_),
+             extract="a _ b _ v _ = v _ · b _ a _"),
+    equation("dyad-product", "product of two dyads", 86,
+             equal(bracket(dyad(a_, b_)) * bracket(dyad(c_, d_)), bracket(dot(b_, c_)) * dyad(a_, d_)),
+             extract="a _ b _ c _ d _ = b _ · c _ a _ d _"),
+    equation("components", "components in an orthonormal basis", 86,
+             equal(a_, summation(i, 1, 3, component(columns["a"], i) * component(frame, i))),
+             extract="a _ = i = 1 3 a _ i e _ i", where=FRAME),
+    equation("dyad-matrix", "matrix of a dyad", 86, equal(dyad_matrix, column_row(columns["a"], columns["b"])),
+             extract="a _ b _ = a _ b _ T",
+             where=(*FRAME, let(dyad_matrix, dual_algebra.matrix_of_dyad, a_, b_, frame))),
+    equation("skew-matrix", "matrix of a skew-symmetric tensor", 86,
+             (Reading(equal(a_tilde, rows(0, -a3, a2, a3, 0, -a1, -a2, a1, 0)), "minus at the entries 12, 23, 31"),
+              Reading(equal(a_tilde, rows(0, a3, -a2, -a3, 0, a1, a2, -a1, 0)), "minus at the entries 13, 21, 32")),
+             extract="a ~ _ = 0 _ a _ 3 a _ 2 a _ 3 0 _ a _ 1 a _ 2 a _ 1 0 _",
+             where=(*FRAME, let(a_tilde, dual_algebra.matrix_of_cross, a_, frame)),
+             remark="Both are skew-symmetric; which entries carry the lost minus signs, the text does not show."),
+)  # fmt: skip

@@ -1,0 +1,159 @@
+"""Section 3, rigid motion through orthogonal dual tensors: lines 91-116."""
+
+from __future__ import annotations
+
+from ...equation import equation
+from ...language.changes import SWAPPED
+from ...language.claims import dual_of, homogeneous, orthogonal, pose, proposition, real_of
+from ...language.evaluation import let
+from ...language.notation import (
+    Du,
+    Re,
+    both,
+    cases,
+    cos,
+    cot,
+    cross,
+    define,
+    det,
+    dot,
+    epsilon,
+    equal,
+    exp,
+    half,
+    identity,
+    implies,
+    nonzero,
+    norm,
+    reaches,
+    remark,
+    root,
+    sin,
+    skew,
+    trace,
+    transpose,
+    vect,
+    words,
+    zero,
+)  # fmt: skip
+from ...language.terms import ATOM, LIST, PRODUCT, Letter, Trait
+from ..alphabet import alpha, tensor, u
+from ..meanings import motions
+
+I = identity
+R = tensor("R", "orthogonal tensor")
+R1, R2 = (Letter(f"R{i}", "orthogonal tensor", rf"\underline{{\mathbf{{R}}}}_{i}", f"R{i}") for i in (1, 2))
+R_of = Letter("R(α, u)", "function", r"\underline{\mathbf{R}}", "R")
+g, g1, g2 = (Letter(name, "pose", latex, name) for name, latex in (("g", "g"), ("g1", "g_1"), ("g2", "g_2")))
+Q, Q1, Q2 = (Letter(f"Q{i}", "real tensor", rf"\mathbf{{Q}}{i and f'_{i}'}", f"Q{i}") for i in ("", "1", "2"))
+any_turn = Letter("Q any", "rotation", r"\mathbf{Q}", "Q")
+any_shift = Letter("rho any", "real vector", r"\boldsymbol{\rho}", "ρ")
+turns = tuple(Letter(f"Q{i}", "rotation", rf"\mathbf{{Q}}_{i}", f"Q{i}") for i in (1, 2))
+rho = Letter("rho", "real vector", r"\boldsymbol{\rho}", "ρ")
+shifts = tuple(Letter(f"rho{i}", "real vector", rf"\boldsymbol{{\rho}}_{i}", f"ρ{i}") for i in (1, 2))
+phi, phi_inv = Letter("phi", "function", r"\phi", "ϕ"), Letter("phi⁻¹", "function", r"\phi^{-1}", "ϕ1")
+screw_map = Letter("screw", "map", r"(\underline{\alpha}, \underline{\mathbf{u}}) \mapsto \underline{\mathbf{R}}", "")
+angle = Letter("alpha real", "real angle", r"\alpha", "α")
+shift = Letter("d of α", "real", "d", "d")
+axis = Letter("u real", "real vector", r"\mathbf{u}", "u")
+moment = Letter("u0", "real vector", r"\mathbf{u}^0", "u0")
+turn_only = Letter("alpha only", "real angle", r"\alpha", "α")
+shift_only = Letter("d", "real", "d", "d")
+point = Letter("r", "real vector", r"\mathbf{r}", "r")
+lam = Letter("lambda", "real", r"\lambda", "λ")
+v = Letter("v real", "real vector", r"\mathbf{v}", "v")
+sign = Letter("sign", "sign", r"\pm", "±")
+principal = proposition("principal angle", r"$-\pi < \alpha \leq \pi$")
+of_two = define("of two", r"{0}\left({1}, {2}\right)", "{0} {1},{2}", ATOM, (ATOM, LIST, LIST),
+                lambda env, f, a, b: f(a, b))  # fmt: skip
+atan2 = define("atan2", r"\operatorname{{atan2}}\left({0};\, {1}\right)", "atan2 {0};{1}", PRODUCT, (LIST, LIST),
+               lambda env, y, x: env.field.atan2(y, x), traits=Trait.TRANSCENDENTAL, changes=(SWAPPED,))  # fmt: skip
+when = define("when", r"\text{{when }} {0}", "when {0}", LIST, (LIST,), lambda env, a: a)
+when_between = define(
+    "when between", r"\text{{when }} {0} \in \left({1}, {2}\right)", "when {0} {1},{2}", LIST, (LIST,),
+    lambda env, a, low, high: not env.field.ordered
+    or (low < a < high and not env.field.same(a, low) and not env.field.same(a, high)),
+)  # fmt: skip
+
+INVARIANTS = (let(Q, motions.rotation_of, R), let(rho, motions.displacement_of, R))
+GIVEN = tuple(let(letter, homogeneous, Q_i, rho_i) for letter, Q_i, rho_i in zip((g1, g2), turns, shifts, strict=True))
+PHI = (let(phi, motions.line_map), let(phi_inv, motions.inverse_line_map))
+SCREW = (
+    let(R, motions.screw_tensor, alpha, u), *INVARIANTS, let(angle, real_of, alpha), let(shift, dual_of, alpha),
+    let(axis, real_of, u), let(moment, dual_of, u), let(point, motions.foot, u), let(R_of, motions.screw_function),
+)  # fmt: skip
+versine = 1 - cos(angle)
+size = root((1 + trace(Q)) * (3 - trace(Q)))
+
+FIRST = (
+    equation("13", "orthogonal dual tensors", 91, both(equal(R * transpose(R), I), equal(det(R), 1)),
+             extract="R R _ T = I _ , d e t R _ = 1"),
+    equation("orthogonal-group", "orthogonal dual tensors are a group", 97,
+             both(orthogonal(I), orthogonal(R1 * R2), orthogonal(transpose(R1)), equal(R1 * transpose(R1), I))),
+    equation("14", "structure of an orthogonal dual tensor", 95, equal(R, (I + epsilon * skew(rho)) * Q),
+             extract="R _ = I + ε ρ ~ Q", where=INVARIANTS),
+    equation("structure-parts", "the structural invariants are a rotation and a real vector", 96,
+             both(equal(Q * transpose(Q), I), equal(det(Q), 1), equal(Du(rho), 0)), where=INVARIANTS),
+    equation("structure-unique", "the decomposition is unique", 94, equal(phi_inv(phi(g1)), g1), where=(*PHI, *GIVEN),
+             remark="Any rotation and displacement are got back from the tensor that they make."),
+    equation("15", "the isomorphism", 100, equal(phi(g), (I + epsilon * skew(any_shift)) * any_turn),
+             extract="ϕ g = I + ε ρ ~ Q", where=(*PHI, let(g, homogeneous, any_turn, any_shift)),
+             remark="φ(g) is the tensor that moves lines as g moves points."),
+    equation("isomorphism", "φ keeps products", 99, equal(phi(g1 * g2), phi(g1) * phi(g2)), where=(*PHI, *GIVEN)),
+    equation("isomorphism-onto", "φ is one to one and onto", 99,
+             both(equal(phi(phi_inv(R)), R), equal(phi_inv(phi(g1)), g1)), where=(*PHI, *GIVEN)),
+    equation("16", "the inverse isomorphism", 103, equal(phi_inv(R), pose(Q, rho)), extract="ϕ 1 R _ = Q ρ 0 1",
+             where=(let(phi_inv, motions.poses_of), *INVARIANTS)),
+    equation("structural-invariants", "the structural invariants", 104,
+             both(equal(Q, Re(R)), equal(rho, vect(dot(Du(R), transpose(Q))))),
+             extract="Q = R e R _ ,   ρ = v e c t D u R _ · Q T",
+             where=(let(Q, motions.same, any_turn), let(rho, motions.same, any_shift),
+                    let(R, motions.tensor_of, any_turn, any_shift))),
+)  # fmt: skip
+
+NATURAL = (
+    equation("17", "screw form of an orthogonal dual tensor", 108,
+             equal(of_two(R_of, alpha, u), I + sin(alpha) * skew(u) + (1 - cos(alpha)) * skew(u) ** 2,
+                   exp(alpha * skew(u))),
+             extract="R _ α _ , u _ = I + s i n α _ u ~ _ + 1 c o s α _ u ~ _ 2 = e x p α _   u _ ~", where=SCREW),
+    equation("representation", "every orthogonal dual tensor has an angle and an axis", 107, reaches(screw_map, R),
+             where=(let(screw_map, motions.screw_map),)),
+    equation("18", "the rotation angle", 110, equal(angle, atan2(sign * half * size, (trace(Q) - 1) / 2)),
+             extract="α = a t a n 2 ± 1 2 1 + t r a c e Q 3 t r a c e Q ; t r a c e Q 1 2",
+             where=(*INVARIANTS, let(angle, motions.angles_of, R, sign)),
+             remark="The sign goes with that of the axis; for axis, translation and moment see the next three."),
+    equation("18-axis", "the direction of the axis", 110,
+             equal(axis, sign * cases(
+                 (vect(1 / size * (Q - transpose(Q))), when_between(trace(Q), -1, 3)),
+                 (remark((Q * v + v) / norm(Q * v + v), words(r"\mathbf{v} \in V_3", "vV3")),
+                  when(remark(equal(trace(Q), -1), words(r"\text{Q is symmetric}", "Qissymmetric")))),
+                 (rho / norm(rho), when(remark(equal(trace(Q), 3), words("Q = I", "Q=I")))))),
+             extract="u = ± vect 1 1 + t r a c e Q 3 t r a c e Q Q Q T ,   when   trace Q 1 , 3 Q v + v Q v + v ,   "
+                     "v V 3 ,  when   trace Q = 1   ( Q   is   symmetric ) ρ ρ ,   when   trace Q = 3 Q = I",
+             where=(*INVARIANTS, let(axis, motions.axes_of, R, sign)),
+             condition=both(implies(zero(trace(Q) + 1), nonzero(Q * v + v)), implies(zero(trace(Q) - 3), nonzero(rho))),
+             also=lambda draw: {"half turn, v across the axis": motions.half_turn_across(draw, R, v)},
+             remark="v may be any vector that is not across the axis; R = I has no axis of its own."),
+    equation("18-translation", "the translation along the axis", 110, equal(shift, dot(rho, axis)),
+             extract="d = ρ · u", where=SCREW),
+    equation("18-moment", "the moment of the axis", 110,
+             equal(moment, cases((half * cross(rho, axis) + half * cot(angle / 2) * cross(axis, cross(rho, axis)),
+                                  nonzero(angle)), (half * cross(rho, axis), zero(angle)))),
+             extract="u 0 = 1 2 ρ × u + 1 2 cot α 2 u × ρ × u ,   α 0 1 2 ρ × u ,   α = 0",
+             where=(*SCREW[:-3], let(moment, motions.moments_of, alpha, u),
+                    let(principal, motions.is_principal, alpha)),
+             claimed=principal),
+    equation("natural-rotation", "a real dual angle is a rotation", 111, equal(Q * point + rho, point),
+             where=(let(R, motions.screw_tensor, turn_only, u), *SCREW[1:]),
+             remark="Points of the axis stay where they are."),
+    equation("natural-translation", "a dual angle ε d is a translation", 111, equal(Q, I),
+             where=(let(alpha, motions.nilpotent, shift_only), *SCREW)),
+    equation("mozzi-chasles", "the axis is the Mozzi-Chasles axis", 111,
+             equal(Q * (point + lam * axis) + rho, point + lam * axis + shift * axis), where=SCREW),
+    equation("19", "structural invariants from natural ones", 114,
+             both(equal(Q, I + sin(angle) * skew(axis) + versine * skew(axis) ** 2),
+                  equal(rho, shift * axis + sin(angle) * moment + versine * cross(axis, moment))),
+             extract="Q = I + s i n α u ~ + 1 c o s α u ~ 2 ρ = d u + s i n α u 0 + 1 c o s α u × u 0", where=SCREW),
+)  # fmt: skip
+
+ENTRIES = (*FIRST, *NATURAL)

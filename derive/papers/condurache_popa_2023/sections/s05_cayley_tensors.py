@@ -1,0 +1,183 @@
+"""Section 5, exponential and first-order Cayley transform of orthogonal dual tensors: lines 149-181."""
+
+from __future__ import annotations
+
+from ...equation import Reading, equation
+from ...language.changes import SWAPPED
+from ...language.claims import defined, dual_of, orthogonal, proposition, real_of, unequal
+from ...language.evaluation import let
+from ...language.notation import (
+    Du,
+    Re,
+    arctan,
+    both,
+    bracket,
+    cos,
+    define,
+    det,
+    dot,
+    epsilon,
+    equal,
+    exp,
+    factorial,
+    identity,
+    iff,
+    implies,
+    infinity,
+    nonzero,
+    norm,
+    pi,
+    power_of_e,
+    reaches,
+    remark,
+    sin,
+    skew,
+    summation,
+    tan,
+    tan2,
+    trace,
+    transpose,
+    words,
+    zero,
+)  # fmt: skip
+from ...language.terms import ATOM, LIST, Letter
+from ..alphabet import alpha, tensor, u, v, vector
+from ..meanings import low_orders, motions, quaternion_maps
+
+I, V = identity, skew(v)
+x = norm(v) ** 2
+R = tensor("R", "orthogonal tensor")
+A = Letter("A", "tensor", r"\tilde{\underline{\boldsymbol{\alpha}}}", "α~")
+a = Letter("euler", "dual vector", r"\underline{\boldsymbol{\alpha}}", "α")
+a1, a2 = (Letter(f"alpha{i}", "dual vector", rf"\underline{{\boldsymbol{{\alpha}}}}_{i}", f"α{i}") for i in (1, 2))
+a_re, a_du = (Letter(f"euler real{i}", "real vector", rf"\boldsymbol{{\alpha}}{i}", f"α{i}") for i in ("", "^0"))
+b = vector("b")
+k = Letter("k", "index", "k", "k")
+turns = Letter("k", "branch", "k", "k")
+cay = Letter("cay", "function", r"\mathrm{cay}", "cay")
+cay_map = Letter("cay map", "map", r"\mathrm{cay}", "cay")
+exp_map = Letter("exp map", "map", r"\exp", "exp")
+recovered = Letter("recovered", "dual vector", r"\log \underline{\mathbf{R}}", "log R")
+slope = Letter("slope", "tensor",
+               r"\tfrac{d}{d\alpha} \exp(\underline{\alpha}\, \tilde{\underline{\mathbf{u}}})", "slope")  # fmt: skip
+start = Letter("start", "tensor", r"\exp(0\, \tilde{\underline{\mathbf{u}}})", "start")
+angle = Letter("angle of v", "dual number", r"\underline{\alpha}", "α")
+axis = Letter("axis of v", "dual vector", r"\underline{\mathbf{u}}", "u")
+turn_only = Letter("alpha only", "real angle", r"\alpha", "α")
+shift_only = Letter("d", "real", "d", "d")
+Q = Letter("Q", "real tensor", r"\mathbf{Q}", "Q")
+rho = Letter("rho", "real vector", r"\boldsymbol{\rho}", "ρ")
+v_re, v_du = (Letter(f"v real{i}", "real vector", rf"\mathbf{{v}}{i}", f"v{i}") for i in ("", "^0"))
+rotates = proposition("pure rotation", "pure rotation")
+translates = proposition("pure translation", "pure translation")
+general = proposition("general displacement", "general rigid body displacement")
+below = proposition("below a half turn", r"$\left|\boldsymbol{\alpha}\right| < \pi$")
+commutator = define("commutator", r"\left[{0}, {1}\right]", "{0},{1}", ATOM, (LIST, LIST),
+                    lambda env, s, t: s @ t - t @ s, changes=(SWAPPED,))  # fmt: skip
+
+EULER = (let(a, quaternion_maps.multiple, alpha, u),)
+EXP = (let(exp_map, low_orders.exponential_map),)
+CAY = (let(cay, low_orders.cayley_of_tensors), let(cay_map, low_orders.cayley_map))
+KINDS = low_orders.kinds(rotates, translates, general)
+EULER_KINDS = (let(R, motions.exponential, a), *(let(p, f, R) for p, f in KINDS))
+OF_V = (let(R, low_orders.first_order, v), *(let(p, f, R) for p, f in KINDS), let(Q, motions.rotation_of, R),
+        let(rho, motions.displacement_of, R), let(v_re, real_of, v), let(v_du, dual_of, v))  # fmt: skip
+AXIS = (let(angle, low_orders.twice_arctan, v), let(axis, low_orders.direction, v))
+
+
+ALGEBRA = (
+    equation("lie-algebra", "the Lie algebra: skew-symmetric tensors", 149, equal(skew(a), -transpose(skew(a))),
+             extract="α ~ _ = α ~ _ T", fixed_by="the words skew-symmetric before it"),
+    equation("lie-bracket", "bracket of the Lie algebra", 149,
+             equal(commutator(skew(a1), skew(a2)), skew(skew(a1) * a2)), extract="α ~ _ 1 , α ~ _ 2 = α ~ _ 1 α _ 2 ~"),
+    equation("25", "exponential of a skew-symmetric tensor", 152,
+             equal(exp(skew(a)), power_of_e(skew(a)), summation(k, 0, infinity, skew(a) ** k / factorial(k))),
+             extract="e x p α ~ _ = e α ~ _ = k = 0 α ~ _ k k !",
+             where=(*EULER, let(slope, low_orders.exponential_slope, alpha, u),
+                    let(start, low_orders.exponential_start, u)),
+             because=both(equal(slope, skew(u) * exp(alpha * skew(u))), equal(start, I)),
+             remark="exp is the closed form; it solves the differential equation of the series, from the same start."),
+    equation("tensor-exponential-well-defined", "its values are orthogonal", 153, orthogonal(exp(skew(a))),
+             where=EULER),
+    equation("tensor-exponential-onto", "every orthogonal dual tensor is one", 153, reaches(exp_map, R), where=EXP),
+    equation("26", "logarithm of an orthogonal dual tensor", 155, equal(exp(skew(a)), R),
+             extract="e x p ( α _ ~ ) = R _", branches=3,
+             where=(let(a, low_orders.turned, alpha, u, turns), let(R, motions.screw_tensor, alpha, u)),
+             remark="One value for each number k of additional turns."),
+    equation("euler-vector", "Euler dual vector", 157, equal(a, a_re + epsilon * a_du), extract="α _ = α + ε α 0",
+             where=(*EULER, let(a_re, real_of, a), let(a_du, dual_of, a))),
+    equation("euler-vector-logarithm", "it is a logarithm", 157, equal(exp(skew(a)), R),
+             where=(*EULER, let(R, motions.screw_tensor, alpha, u))),
+    equation("general-screw", "(i) general screw displacement", 157, general,
+             where=(*EULER, *EULER_KINDS), claimed=both(nonzero(Re(a)), nonzero(Du(a)), nonzero(dot(Re(a), Du(a)))),
+             condition=nonzero(Re(sin(norm(a) / 2))),
+             remark="At Re |α| = 2kπ, k ≠ 0, the rotation is the identity and the displacement a pure translation."),
+    equation("pure-translation", "(ii) pure translation", 157, translates,
+             where=(let(alpha, motions.nilpotent, shift_only), *EULER, *EULER_KINDS),
+             claimed=both(zero(Re(a)), nonzero(Du(a)))),
+    equation("pure-rotation", "(iii) pure rotation", 157, rotates,
+             where=(let(alpha, motions.same, turn_only), *EULER, *EULER_KINDS),
+             claimed=both(nonzero(Re(a)), zero(dot(Re(a), Du(a))))),
+    equation("euler-vector-unique", "below a half turn it is unique", 157, equal(a, recovered),
+             where=(*EULER, let(R, motions.exponential, a), let(recovered, low_orders.logarithm, R),
+                    let(below, low_orders.is_below_half_turn, alpha)), claimed=below),
+)  # fmt: skip
+
+CAYLEY = (
+    equation("27", "Cayley transform of skew-symmetric tensors", 161, equal(cay(V), (I + V) * (I - V) ** (-1)),
+             extract="c a y v ~ _ = I + v ~ _ I v ~ _ 1", where=CAY, remark="cay is the rotation of (1 + v)/|1 + v|."),
+    equation("cayley-well-defined", "its values are orthogonal", 162,
+             both(nonzero(Re(det(I - V))), orthogonal(cay(V))), where=CAY, because=equal(det(I - V), 1 + x)),
+    equation("cayley-onto", "the Cayley transform is onto", 162, reaches(cay_map, R), where=CAY,
+             corrected=implies(nonzero(Re(1 + trace(R))), reaches(cay_map, R)),
+             because=equal(1 + trace(cay(V)), 4 / (1 + x)),
+             remark="Half turns are missed: there 1 + trace R has the real part 0, but never on a Cayley transform."),
+    equation("cayley-domain", "where the argument is taken from", 164, orthogonal(V), extract="",
+             corrected=equal(transpose(V), -V), remark="Printed as SO(3) for so(3)."),
+    equation("28", "determinant of the Cayley transform", 165,
+             equal(det(cay(V)), det((I + V) * (I - V) ** (-1)), (1 + x) / (1 + x), 1),
+             extract="d e t c a y v ~ _ = d e t I + v ~ _ I v ~ _ 1 = 1 + v _ 2 1 + v _ 2 = 1", where=CAY),
+    equation("29", "orthogonality of the Cayley transform", 167,
+             equal(cay(V) * transpose(cay(V)), (I + V) * (I - V) ** (-1) * (I - V) * (I + V) ** (-1), I),
+             extract="c a y v ~ _ c a y v ~ _ T = I + v ~ _ I v ~ _ 1 I v ~ _ I + v ~ _ 1 = I", where=CAY),
+    equation("30", "inverse of I − ṽ", 170,
+             (Reading(equal((I - V) ** (-1), 1 / (1 + x) * (V**2 + V + I)), "I inside the bracket"),
+              Reading(equal((I - V) ** (-1), 1 / (1 + x) * (V**2 + V) + I), "the bracket closes before I")),
+             extract="I v ~ _ 1 = 1 1 + v _ 2 v ~ _ 2 + v ~ _ + I"),
+    equation("31", "Cayley transform by powers of ṽ", 172,
+             equal(cay(V), I + 2 * norm(v) / (1 + x) * (V / norm(v)) + bracket(1 - (1 - x) / (1 + x)) * (V**2 / x)),
+             extract="c a y v ~ _ = I + 2 v _ 1 + v _ 2 v ~ _ v _ + ( 1 1 v _ 2 1 + v _ 2 ) v ~ _ 2 v _ 2", where=CAY,
+             condition=nonzero(Re(v))),
+    equation("32", "sine and cosine by the tangent of half the angle", 174,
+             both(equal(sin(alpha), 2 * tan(alpha / 2) / (1 + tan2(alpha / 2))),
+                  equal(cos(alpha), (1 - tan2(alpha / 2)) / (1 + tan2(alpha / 2)))),
+             extract="s i n α _ = 2 t a n α _ 2 1 + t a n 2 α _ 2 ; c o s α _ = 1 t a n 2 α _ 2 1 + t a n 2 α _ 2",
+             condition=nonzero(Re(cos(alpha / 2)))),
+    equation("33", "Cayley transform in screw form", 176,
+             equal(cay(V), I + sin(angle) * skew(axis) + (1 - cos(angle)) * skew(axis) ** 2),
+             extract="c a y v ~ _ = I + s i n α _ u ~ _ + 1 c o s α _ u ~ _ 2", where=(*CAY, *AXIS)),
+    equation("33-angle", "its angle", 177, equal(angle, 2 * arctan(norm(v))), extract="α _ = 2 a r c t a n v _",
+             where=(*CAY, let(angle, low_orders.angle_of_cayley, v))),
+)  # fmt: skip
+
+projector = Q + transpose(Q) + (1 - trace(Q)) * I
+COROLLARY = (
+    equation("corollary-1-rotation", "when the Cayley transform is a pure rotation", 180,
+             iff(rotates, zero(Du(norm(v)))), where=OF_V, also=low_orders.real_magnitude(v),
+             because=equal(projector * rho, 8 * dot(v_re, v_du) / (1 + norm(v_re) ** 2) ** 2 * v_re),
+             remark="The supporting identity: 2 (1 − cos α) d u, d the translation along the axis."),
+    equation("corollary-1-translation", "when it is a pure translation", 180,
+             implies(zero(Re(norm(v))), translates), where=OF_V, also=low_orders.unit_magnitude(v)),
+    equation("corollary-1-general", "in all other cases it is neither", 180,
+             implies(both(nonzero(Re(norm(v))), nonzero(Du(norm(v)))), general), where=OF_V),
+    equation("rodrigues-vector", "Rodrigues dual vector", 181, equal(cay(skew(b)), R),
+             extract="c a y b ~ _ = R _",
+             where=(*CAY, let(b, low_orders.rodrigues, alpha, u), let(R, motions.screw_tensor, alpha, u)),
+             claimed=unequal(Re(alpha), k * pi, k)),
+    equation("rodrigues-domain", "where the Rodrigues dual vector exists", 181,
+             iff(remark(unequal(Re(alpha), k * pi, k), words(r"k \in \mathbb{Z}", "kZ")), defined(tan(alpha / 2) * u)),
+             corrected=iff(unequal(Re(alpha), (2 * k + 1) * pi, k), defined(tan(alpha / 2) * u)),
+             remark="Only odd multiples of π are excluded; at even ones b is there, with real part 0."),
+)  # fmt: skip
+
+ENTRIES = (*ALGEBRA, *CAYLEY, *COROLLARY)

@@ -1,0 +1,155 @@
+"""Section 7, five families of parameterizations with their quaternions, tensors and limits: lines 317-340."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from derive.maps.families import breusing, lambert, orthographic
+
+from ...equation import Reading, equation
+from ...language.evaluation import Definition, let
+from ...language.notation import Re, both, cos, cot, equal, exp, norm, pm, root, sin, skew, tan
+from ...language.terms import Letter
+from ..alphabet import alpha, n, u, v, vector
+from ..marks import limit, positive
+from ..meanings import cayley_maps, orders
+from ..meanings.quaternion_maps import multiple
+from .s07_general_order import (
+    SCREW,
+    SCREW_OF_V,
+    I,
+    R,
+    R_of,
+    V,
+    a,
+    a_value,
+    finite,
+    p,
+    q,
+    q_hat,
+    q_of,
+    w,
+    x,
+)  # fmt: skip
+from .s07c_parameterizations import W, xw
+
+alpha_vector = vector("α", r"\alpha")
+screw = Letter("screw quaternion", "quaternion", r"\underline{\hat{\mathbf{q}}}", "q^")
+P, Q = Letter("P_n", "function", "P_n", "Pn"), Letter("Q_n", "function", "Q_n", "Qn")
+c, x_breusing = Letter("c", "scale", "c", "c"), Letter("x", "number", "x", "x")
+one, two = (let(Letter(f"order {i}", "number", str(i), str(i)), orders.at_order(i, lambda env, i: i)) for i in (1, 2))
+
+
+def family(meaning: Callable[..., Any], order: Definition | None) -> tuple[Definition, ...]:
+    """v of a family, and every factor a(v) that makes its Cayley map the displacement of α and u."""
+    of_order = order.letter if order else n
+    arguments = (alpha, u) if order else (n, alpha, u)
+    return (*((order,) if order else ()), let(v, meaning, *arguments),
+            let(screw, orders.screw_quaternion, alpha, u),
+            let(a, cayley_maps.function_of(cayley_maps.scales), of_order, screw, v), *SCREW_OF_V)  # fmt: skip
+
+
+NORMAL = (*SCREW, *family(cayley_maps.normal_vector, None), let(w, cayley_maps.rodrigues_vector, n, alpha, u),
+          let(alpha_vector, multiple, alpha, u))  # fmt: skip
+pw, qw, qw2, power = p(norm(w)), q(norm(w)), (q**2)(norm(w)), (1 + xw) ** n
+R_by_w = I + 2 * pw * qw / power * V + 2 * qw2 / power * V**2
+R_corrected = I + 2 * pw * qw / power * W + 2 * qw2 / power * W**2
+reachable = finite(alpha / (2 * n))
+
+FIRST = (
+    equation("normal-vector", "normal higher-order Rodrigues vector and its factor", 318,
+             both(equal(v, 2 * n * tan(alpha / (2 * n)) * u), equal(a(v), 2 * n)),
+             extract="v _ = 2 n t a n α _ 2 n u _ , a v _ = 2 n", where=NORMAL, condition=reachable),
+    equation("normal-quaternion", "its unit dual quaternion", 319,
+             equal(pm(q_hat), 1 / root(power) * (pw + qw * v)),
+             extract="± q _ ^ = 1 1 + w _ 2 n p n w _ + q n w _ v _", where=NORMAL, claimed=reachable,
+             corrected=equal(pm(q_hat), 1 / root(power) * (pw + qw * w))),
+    equation("normal-w", "its vector w", 319, equal(w, v / (2 * n)), extract="w _ = v _ 2 n", where=NORMAL,
+             claimed=reachable),
+    equation("normal-tensor", "its orthogonal dual tensor", 320, equal(R, R_by_w),
+             extract="R _ = I _ + 2 p n w _ q n w _ 1 + w _ 2 n v ~ _ + 2 q n 2 w _ 1 + w _ 2 n v ~ _ 2", where=NORMAL,
+             claimed=reachable, corrected=equal(R, R_corrected)),
+    equation("limit-quaternion", "limit of the quaternion", 322,
+             equal(limit(n, (2 * n + v)**n / root((4 * n**2 + x)**n)), exp(alpha_vector / 2)),
+             extract="lim n 2 n + v _ n 4 n 2 + v _ 2 n = e x p α _ 2", where=NORMAL,
+             remark="v = 2n tan(α/2n) u changes with n, and the sequence is constant where n > |Re α|/π."),
+    equation("limit-tensor", "limit of the tensor", 323, equal(limit(n, R_by_w), exp(skew(alpha_vector))),
+             extract="lim n I _ + 2 p n w _ q n w _ 1 + w _ 2 n v ~ _ + 2 q n 2 w _ 1 + w _ 2 n v ~ _ 2 = e x p α ~ _",
+             where=NORMAL, corrected=equal(limit(n, R_corrected), exp(skew(alpha_vector))),
+             remark="As printed the terms grow with n."),
+)  # fmt: skip
+
+forward_2, forward_4, forward_n = (positive(Re(cos(alpha / m))) for m in (2, 4, 2 * n))
+ORTHOGRAPHIC = family(cayley_maps.member(orthographic()), one)
+LAMBERT = family(cayley_maps.member(lambert()), two)
+SECOND = (
+    equation("orthographic-vector", "orthographic projection and its factor", 325,
+             both(equal(v, sin(alpha / 2) * u), equal(a(v), root(1 - x))),
+             extract="v _ = s i n α _ 2 u _ , a v _ = 1 v _ 2", where=ORTHOGRAPHIC, condition=forward_2),
+    equation("orthographic-quaternion", "its unit dual quaternion", 326, equal(pm(q_of(v)), root(1 - x) + v),
+             extract="± q _ ^ v _ = 1 v _ 2 + v _", where=ORTHOGRAPHIC, condition=forward_2,
+             remark="v is the vector part alone; beyond a half turn the scalar part has the other sign."),
+    equation("orthographic-tensor", "its orthogonal dual tensor", 327,
+             equal(R_of(v), I + 2 * root(1 - x) * V + 2 * V**2),
+             extract="R _ v _ = I _ + 2 1 v _ 2 v ~ _ + 2 v ~ _ 2", where=ORTHOGRAPHIC, condition=forward_2),
+    equation("lambert-vector", "Lambert parameters and their factor", 329,
+             both(equal(v, sin(alpha / 4) * u), equal(a(v), root(1 - x))),
+             extract="v _ = s i n α _ 4 u _ , a v _ = 1 v _ 2", where=LAMBERT, condition=forward_4),
+    equation("lambert-quaternion", "their unit dual quaternion", 330,
+             equal(pm(q_of(v)), 1 - 2 * x + 2 * root(1 - x) * v),
+             extract="± q _ ^ v _ = 1 2 v _ 2 + 2 1 v _ 2 v _", where=LAMBERT, condition=forward_4),
+    equation("lambert-tensor", "their orthogonal dual tensor", 331,
+             equal(R_of(v), I + 4 * root(1 - x) * (1 - x) * V + 8 * (1 - x) * V**2),
+             extract="R _ v _ = I _ + 4 1 v _ 2 1 v _ 2 v ~ _ + 8 1 v _ 2 v ~ _ 2", where=LAMBERT, condition=forward_4,
+             corrected=equal(R_of(v), I + 4 * root(1 - x) * (1 - 2 * x) * V + 8 * (1 - x) * V**2)),
+)  # fmt: skip
+
+BREUSING = (*family(cayley_maps.member(breusing()), two), let(x_breusing, cayley_maps.square_of_breusing, c))
+ANY_FACTOR = (two, let(a, cayley_maps.constant, a_value),
+              let(q_of, cayley_maps.function_of(cayley_maps.modified), two.letter, a_value, v),
+              let(R_of, cayley_maps.function_of(cayley_maps.modified_tensor), two.letter, a_value, v))  # fmt: skip
+factor = equal(a(v), root((root(4 + norm(v) ** 4) - x) / 2))
+FOURTH = (
+    equation("breusing-vector", "Breusing parameters and their factor", 333,
+             (Reading(both(equal(v, root(tan(alpha / 4) * cot(alpha / 4)) * u), factor), "root of the product"),
+              Reading(both(equal(v, tan(alpha / 4) * cot(alpha / 4) * u), factor), "product without a root")),
+             extract="v _ = t a n α _ 4 c o t α _ 4 u _ , a v _ = 4 + v _ 4 v _ 2 2", where=BREUSING,
+             condition=forward_4,
+             corrected=both(equal(v, sin(alpha / 4) / root(cos(alpha / 4)) * u), factor),
+             because=equal(4 + x_breusing**2, (x_breusing + 2 * c)**2),
+             remark="For 0 < Re α < 2π it is √(tan(α/4) sin(α/4)) u, the geometric mean; tan · cot = 1. With "
+             "c = cos(α/4) and |v|² = (1 − c²)/c, the inner root of a² = c is exact; that identity supports it."),
+    equation("breusing-quaternion", "their unit dual quaternion", 334,
+             equal(pm(q_of(v)), ((a**2)(v) - x) / (a(v)**2 + x) + 2 * a(v) / (a(v)**2 + x) * v),
+             extract="± q _ ^ v _ = a 2 v _ v _ 2 a v _ 2 + v _ 2 + 2 a v _ a v _ 2 + v _ 2 v _", where=ANY_FACTOR,
+             remark="For every a(v)."),
+    equation("breusing-tensor", "their orthogonal dual tensor", 335,
+             equal(R_of(v), I + 4 * a(v) * ((a**2)(v) - x) / (a(v)**2 + x)**2 * V
+                   + 8 * (a**2)(v) / (a(v)**2 + x)**2 * V**2),
+             extract="R _ v _ = I _ + 4 a v _ a 2 v _ v _ 2 a v _ 2 + v _ 2 2 v ~ _ + 8 a 2 v _ a v _ 2 "
+             "+ v _ 2 2 v ~ _ 2",
+             where=ANY_FACTOR, remark="For every a(v)."),
+)  # fmt: skip
+
+SINES = (
+    *family(cayley_maps.sine_vector, None), let(P, cayley_maps.power_scalar, n), let(Q, cayley_maps.power_vector, n),
+)  # fmt: skip
+FIFTH = (
+    equation("sine-vector", "sine family and its factor", 337,
+             both(equal(v, sin(alpha / (2 * n)) * u), equal(a(v), root(1 - x))),
+             extract="v _ = s i n α _ 2 n u _ ; a v _ = 1 v _ 2", where=SINES, condition=forward_n,
+             also=lambda draw: {"beyond 5π": {alpha: draw.number(16)}}),
+    equation("sine-quaternion", "its unit dual quaternion", 338,
+             equal(pm(q_of(v)), (root(1 - x) + v)**n, P(norm(v)) + Q(norm(v)) * v),
+             extract="± q _ ^ v _ = 1 v _ 2 + v _ n = P n v _ + Q n v _ v _", where=SINES, condition=forward_n),
+    equation("sine-tensor", "its orthogonal dual tensor", 339,
+             equal(R_of(v), I + 2 * P(norm(v)) * Q(norm(v)) * V + 2 * (Q**2)(norm(v)) * V**2),
+             extract="R _ v _ = I _ + 2 P n v _ Q n v _ v ~ _ + 2 Q n 2 v _ v ~ _ 2", where=SINES, condition=forward_n),
+    equation("sine-P", "P_n by p_n", 340, equal(P(norm(v)), root((1 - x)**n) * p(norm(v) / root(1 - x))),
+             extract="P n v _ = 1 v _ 2 n p n v _ 1 v _ 2", where=SINES, condition=finite(alpha / (2 * n))),
+    equation("sine-Q", "Q_n by q_n", 340, equal(Q(norm(v)), root((1 - x)**(n - 1)) * q(norm(v) / root(1 - x))),
+             extract="Q n v _ = 1 v _ 2 n 1 q n v _ 1 v _ 2", where=SINES, condition=finite(alpha / (2 * n))),
+)  # fmt: skip
+
+ENTRIES = (*FIRST, *SECOND, *FOURTH, *FIFTH)

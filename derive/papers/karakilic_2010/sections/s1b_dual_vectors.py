@@ -1,0 +1,97 @@
+"""Section 1, dual vectors, their norm, and lines: lines 21-23 and 43-49."""
+
+from __future__ import annotations
+
+from ...equation import equation
+from ...language.claims import dual_of, real_of
+from ...language.evaluation import let
+from ...language.notation import both, cos, cross, dot, equal, iff, nonzero, zero
+from ...language.terms import Letter, Number
+from .. import meanings
+from ..alphabet import arrow, e, hat, marks, pi, real
+from ..marks import at_least, column, group, length, parts, square_root
+
+# ---- vectors --------------------------------------------------------------------------------------------------
+
+v_hat, w_hat, u_hat = (hat(name, "dual vector") for name in "vwu")
+v, v_, v_lost = arrow("v"), arrow("v", star=True), arrow("v", star=True, seen_as="v")
+a_hat, b_hat = (hat(name, "dual number") for name in "ab")
+six = tuple(real("v", index, star) for star in (False, True) for index in (1, 2, 3))
+v1, v2, v3, v1_, v2_, v3_ = six
+size, axis = Letter("size", "dual number"), Letter("axis", "unit vector")
+POLAR = (let(v_hat, meanings.along, size, axis), let(v, real_of, v_hat), let(v_, dual_of, v_hat))
+unit_hat = hat("v", "unit vector")
+UNIT = (let(v, real_of, unit_hat), let(v_, dual_of, unit_hat))
+vr, vr_ = arrow("v", seen_as="r"), arrow("v", star=True, seen_as="r*")
+SEEN = (let(vr, real_of, v_hat), let(vr_, dual_of, v_hat))
+
+VECTORS = (
+    equation("dual-vector", "dual vectors", 43, equal(v_hat, v + e * v_), extract=marks(
+             r"\hat{v} = \stackrel{\mathbf{r}}{v} + \stackrel{\mathbf{r}}{e}v^*"), where=POLAR),
+    equation("module", "dual vectors are a module over the dual numbers", 43,
+             both(equal(a_hat * (v_hat + w_hat), a_hat * v_hat + a_hat * w_hat),
+                  equal((a_hat + b_hat) * v_hat, a_hat * v_hat + b_hat * v_hat),
+                  equal(group(a_hat * b_hat) * v_hat, a_hat * group(b_hat * v_hat)), equal(1 * v_hat, v_hat),
+                  equal(v_hat + w_hat, w_hat + v_hat),
+                  equal(group(v_hat + w_hat) + u_hat, v_hat + group(w_hat + u_hat)))),
+    equation("dimension", "real dimension 6", 45,
+             both(equal(v_hat, column(v1, v2, v3) + e * column(v1_, v2_, v3_)),
+                  iff(zero(v_hat), both(*(zero(c) for c in six)))),
+             where=(let(v_hat, meanings.dual_vector, *six),),
+             also=lambda draw: {"v̂ = 0": dict.fromkeys(six, draw.real() * 0)},
+             remark="Six real coordinates; only all of them zero give the zero vector."),
+    equation("degenerate", "the scalar product is degenerate", 45, equal(dot(group(e * v_hat), group(e * w_hat)), 0),
+             remark="As a real form: what is left of two vectors without real parts is 0."),
+    equation("norm", "norm of a dual vector", 47,
+             equal(length(v_hat), square_root(dot(v_hat, v_hat)), square_root(dot(vr, vr) + (2 * e * dot(v, vr_))),
+                   length(v) * square_root(group(1 + e * (dot(vr, vr_) / length(v)**2))**2),
+                   length(v) + e * (dot(vr, vr_) / length(v)), parts(length(v), dot(vr, vr_) / length(v))),
+             extract=marks(
+                 r"\left\| \hat{v} \right\| &= \left(\hat{v} \cdot \hat{v} \right)^{\frac{1}{2}} = \left(\mathbf{r} "
+                 r"\cdot "
+                 r"\mathbf{r} + 2\mathbf{e}\mathbf{v} \cdot \mathbf{r}^* \right)^{\frac{1}{2}} \\ &= \left\| "
+                 r"\mathbf{v} "
+                 r"\right\| \left[\left(1 + \mathbf{e} \frac{\mathbf{r} \cdot \mathbf{r}^*}{\left\| \mathbf{v} \right\|"
+                 r"^2} \right)^2 \right]^{\frac{1}{2}} \\ &= \left\| \mathbf{v} \right\| + \mathbf{e} \frac{\mathbf{r} "
+                 r"\cdot \mathbf{r}^*}{\left\| \mathbf{v} \right\|} = \left(\left\| \mathbf{v} \right\|, "
+                 r"\frac{\mathbf{r}"
+                 r" \cdot \mathbf{r}^*}{\left\| \mathbf{v} \right\|} \right)"),
+             where=(*POLAR, *SEEN), condition=nonzero(v),
+             remark="The extraction shows an arrow over v as r. Where v = 0 the norm is e ‖v*‖."),
+    equation("unit", "the norm 1", 49, equal(1, parts(Number(1), Number(0))), extract=marks("1 = (1,0)")),
+    equation("unit-vector", "dual unit vectors", 49, both(equal(length(v), 1), zero(dot(v, v_))),
+             extract=marks(r"\|v\| = 1 v \cdot v^* = 0"), where=UNIT),
+)  # fmt: skip
+
+# ---- lines ----------------------------------------------------------------------------------------------------
+
+l_a, l_b = hat("a", "unit vector"), hat("b", "unit vector")
+direction, moment = arrow("a"), arrow("a", star=True)
+foot = arrow("p")
+frame = Letter("Q", "orthogonal tensor")
+f, f_, f_hat = real("f", kind="real angle"), real("f", star=True), hat("f", "angle")
+normal = Letter("normal", "unit vector")
+distance = Letter("distance", "real", r"d\left(l_a, l_b\right)")
+angle = Letter("angle", "real", r"\angle\left(l_a, l_b\right)")
+ONE = Letter("one", "number")
+LINES = (
+    let(ONE, lambda env: 1), let(f_hat, meanings.dual_number, f, f_), let(normal, meanings.axis_of, frame),
+    let(l_a, meanings.across, ONE, frame), let(l_b, meanings.turned, l_a, f_hat, normal),
+    let(distance, meanings.distance, l_a, l_b), let(angle, meanings.angle_between, l_a, l_b),
+)  # fmt: skip
+
+STUDY = (
+    equation("study", "points of the dual unit sphere are oriented lines", 23,
+             both(equal(length(direction), 1), equal(cross(foot, direction), moment)),
+             where=(let(direction, real_of, l_a), let(moment, dual_of, l_a), let(foot, meanings.foot, l_a)),
+             remark="The line through p with direction a. Every line is two points, one for each orientation."),
+    equation("study-product", "scalar product of lines at the dual angle", 23, equal(dot(l_a, l_b), cos(f_hat)),
+             where=LINES),
+    equation("study-angle", "f is the angle of the lines", 23, equal(f, angle), where=LINES,
+             condition=at_least(pi, f, 0),
+             remark="The angle of two directions is at most π."),
+    equation("study-distance", "f* is the distance of the lines", 23, equal(f_, distance), where=LINES,
+             condition=at_least(f_, 0), remark="A distance has no sign: it is |f*|."),
+)  # fmt: skip
+
+ENTRIES = (*VECTORS, *STUDY)

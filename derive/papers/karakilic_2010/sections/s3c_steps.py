@@ -1,0 +1,50 @@
+"""Section 3, the substitutions that lead to (19)-(22): lines 230-245.
+
+Nothing but the equations named is used: the unknown is solved from them, and all other letters are free.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ...equation import Equation, equation
+from ...language.evaluation import Definition, Env, let
+from ...language.notation import cos, equal, nonzero
+from ...language.terms import Letter, Term, letters
+from .. import meanings
+from .s3b_components import b1_, b2_, b3_, equations, f, general, ss, ss_
+
+unit = Letter("s^", "unit vector", r"\hat{s}")
+COMPONENTS = (
+    *(let(letter, meanings.real_component(n), unit) for n, letter in enumerate(ss, 1)),
+    *(let(letter, meanings.dual_component(n), unit) for n, letter in enumerate(ss_, 1)),
+)  # fmt: skip
+
+
+def solved(unknown: Letter, left: Term, right: Term) -> Definition:
+    """The unknown of an equation in which it occurs to the first power."""
+
+    def solution(env: Env, *_: Any) -> Any:
+        at_0, at_1 = (env.bound(unknown, value).value(left - right) for value in (0, 1))
+        return -at_0 / (at_1 - at_0)
+
+    return let(unknown, solution, *(letter for letter in letters(left - right) if letter != unknown))
+
+
+def step(number: str, line: int, given: Definition, conclusion: str) -> Equation:
+    """The claim that a numbered equation follows for the unknown."""
+    left, right = equations[conclusion]
+    return equation(f"step-{conclusion}", f"{number} give ({conclusion})", line, equal(left, right), claimed=general,
+                    where=(*COMPONENTS, given), condition=nonzero(cos(f / 2)), components=True)  # fmt: skip
+
+
+(_, on_14), (_, on_15), (_, on_18), (sum_19, on_19), (_, on_20), (_, on_21) = (
+    equations[number] for number in ("14", "15", "18", "19", "20", "21")
+)
+
+ENTRIES = (
+    step("(14) and (18)", 230, solved(b2_, on_14, on_18), "19"),
+    step("(18) and (15)", 235, solved(b2_, b2_, on_15.xreplace({b1_: on_18})), "20"),
+    step("(20) and (19)", 240, solved(b3_, sum_19.xreplace({b2_: on_20}), on_19), "21"),
+    step("(20), (21) and (15)", 245, solved(b1_, on_20, on_15.xreplace({b3_: on_21})), "22"),
+)

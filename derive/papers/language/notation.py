@@ -1,0 +1,288 @@
+"""The table of notations: how each mark is typeset, what an extraction shows of it, and what it means.
+
+Functions below the table build terms, so that an entry reads ``equal(R, I + 2 * q * skew(q))``. A paper with a mark of
+its own adds a row with `define`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
+
+from derive.algebra import Quaternion, Structure, Tensor, Vector
+from derive.maps.exponential import quaternion_exponential, tensor_exponential
+from derive.proof.ratio import NotExactError
+
+from ..numbers.fields import UndefinedError, innermost
+from . import values
+from .changes import DROPPED, FIRST_DROPPED, MINUEND_DROPPED, SECOND_DROPPED, SWAPPED, made
+from .terms import ATOM, LIST, MARKS, POWER, PRODUCT, RELATION, SUM, Apply, Change, Letter, Mark, Number, Term, Trait
+
+if TYPE_CHECKING:
+    from .evaluation import Env
+
+
+def define(
+    name: str,
+    latex: str,
+    text: str,
+    level: int,
+    slots: tuple[int, ...],
+    value: Callable[..., Any],
+    lazy: bool = False,
+    traits: Trait = Trait.NONE,
+    changes: tuple[Change, ...] = (),
+) -> Mark:
+    """Add a row to the table and return it: called, it builds terms."""
+    if name in MARKS:
+        raise ValueError(f"mark {name!r} is defined twice")
+    MARKS[name] = Mark(name, latex, text, level, slots, value, lazy, traits, changes)
+    return MARKS[name]
+
+
+# ---- numbers and structures: what Python's operators build ----------------------------------------------------
+
+define("plus", "{0} + {1}", "{0}+{1}", SUM, (SUM, PRODUCT), lambda env, a, b: values.add(a, b),
+       changes=(made("minus"), SECOND_DROPPED, FIRST_DROPPED))  # fmt: skip
+define("minus", "{0} - {1}", "{0}-{1}", SUM, (SUM, PRODUCT), lambda env, a, b: values.add(a, values.negative(b)),
+       changes=(made("plus"), SWAPPED, SECOND_DROPPED, MINUEND_DROPPED))  # fmt: skip
+define("negative", "-{0}", "-{0}", SUM, (PRODUCT,), lambda env, a: values.negative(a), changes=(DROPPED,))
+define("times", r"{0}\, {1}", "{0} {1}", PRODUCT, (PRODUCT, PRODUCT), lambda env, a, b: values.multiply(a, b),
+       changes=(SECOND_DROPPED, FIRST_DROPPED))  # fmt: skip
+over = define("over", r"\frac{{{0}}}{{{1}}}", "{0}/{1}", POWER, (LIST, LIST), lambda env, a, b: _quotient(env, a, b),
+              changes=(SWAPPED,))  # fmt: skip
+
+
+def _quotient(env: Env, a: Any, b: Any) -> Any:
+    size = b.norm2() if isinstance(b, Quaternion) else b
+    if not isinstance(size, Structure | values.Either) and env.field.vanishes(innermost(size)):
+        raise UndefinedError("division by zero")
+    return values.divide(a, b)
+
+
+def _power(env: Env, base: Term, exponent: Term) -> Any:
+    e = env.value(exponent)
+    if isinstance(base, Apply) and Trait.LENGTH in base.mark.traits and isinstance(e, int) and e % 2 == 0:
+        return env.power(values.square(env.value(base.arguments[0])), e // 2)  # |v|² is v·v: no root
+    value = env.value(base)
+    return (lambda a: env.power(value(a), e)) if callable(value) else env.power(value, e)
+
+
+define("power", "{0}^{{{1}}}", "{0}^{1}", POWER, (ATOM, LIST), _power, lazy=True, changes=(SWAPPED,))
+
+
+def _root(env: Env, a: Any) -> Any:
+    a = values.scalar(a)
+    return env.power(a, Fraction(1, 2)) if isinstance(a, Quaternion) else env.field.sqrt(a)
+
+
+root = define("root", r"\sqrt{{{0}}}", "√{0}", POWER, (LIST,), _root, changes=(DROPPED,))
+pm = define("pm", r"\pm {0}", "±{0}", SUM, (PRODUCT,), lambda env, a: values.Either(a, values.negative(a)))
+bracket = define("bracket", r"\left[{0}\right]", "({0})", ATOM, (LIST,), lambda env, a: a)
+
+
+# ---- relations and lists --------------------------------------------------------------------------------------
+
+
+def _chain(env: Env, *sides: Any) -> bool:
+    return all(values.equal(env.field, env.now(a), env.now(b)) for a, b in pairwise(sides))
+
+
+equal = define("equal", " = ", "=", RELATION, (SUM,), _chain)
+both = define("both", r" ;\quad ", ";", LIST, (LIST,), lambda env, *parts: all(parts), traits=Trait.JOINS)
+nonzero = define(
+    "nonzero", r"{0} \neq 0", "{0}≠0", RELATION, (SUM,), lambda env, a: not values.equal(env.field, env.now(a), 0),
+    traits=Trait.DELICATE,
+)  # fmt: skip
+negated = define("negated", r"\neg\left({0}\right)", "not {0}", RELATION, (LIST,), lambda env, a: not a,
+                 traits=Trait.DELICATE)  # fmt: skip
+implies = define(
+    "implies", r"{0} \Rightarrow {1}", "{0}⇒{1}", LIST, (LIST, LIST),
+    lambda env, a, b: not env.value(a) or env.value(b), lazy=True, traits=Trait.DELICATE | Trait.JOINS,
+)  # fmt: skip
+iff = define("iff", r"{0} \Leftrightarrow {1}", "{0}⇔{1}", LIST, (LIST, LIST), lambda env, a, b: a == b,
+             traits=Trait.DELICATE | Trait.JOINS)  # fmt: skip
+remark = define("remark", r"{0},\quad {1}", "{0},{1}", LIST, (LIST, LIST), lambda env, statement, words: statement,
+                traits=Trait.JOINS)  # fmt: skip
+
+
+def words(latex: str, text: str) -> Letter:
+    """Marks that say where the letters live and carry no value: the second argument of `remark`."""
+    return Letter(f"words:{text}", "words", latex, text)
+
+
+def _cases(env: Env, *arms: Term) -> Any:
+    for value, condition in zip(arms[::2], arms[1::2], strict=True):
+        if env.value(condition):
+            return env.value(value)
+    raise UndefinedError("no case applies")
+
+
+def cases(*arms: tuple[Any, Term]) -> Apply:
+    """A value by cases: ``cases((value, condition), ...)``."""
+    name = f"cases{len(arms)}"
+    if name not in MARKS:
+        rows = range(0, 2 * len(arms), 2)
+        inside = r"\\ ".join(f"{{{i}}}, & {{{i + 1}}}" for i in rows)
+        latex = rf"\begin{{{{cases}}}} {inside} \end{{{{cases}}}}"
+        text = ",".join(f"{{{i}}},{{{i + 1}}}" for i in rows)
+        define(name, latex, text, ATOM, (LIST,), _cases, lazy=True, traits=Trait.DELICATE)
+    return Apply(name, *(part for arm in arms for part in arm))
+
+
+infinity = Letter("infinity", "∞", r"\infty", "∞")
+factorial = define("factorial", "{0}!", "{0}!", ATOM, (ATOM,), lambda env, k: math.factorial(k))
+power_of_e = define("power of e", "e^{{{0}}}", "e{0}", POWER, (LIST,), lambda env, a: _exponential(env, a),
+                    traits=Trait.TRANSCENDENTAL)  # fmt: skip
+
+
+def _sum(env: Env, index: Term, low: Term, high: Term, body: Term) -> Any:
+    total: Any = 0
+    if high != infinity and not isinstance(env.value(high), int):
+        raise NotExactError("a sum of n terms")
+    for k in range(env.value(low), 400) if high == infinity else range(env.value(low), env.value(high) + 1):
+        part = env.bound(index, k).value(body)
+        total = part if k == env.value(low) else values.add(total, part)
+        if high == infinity and k > 2 and env.field.negligible(values.coefficients(part)):
+            break
+    return total
+
+
+summation = define(
+    "sum", r"\sum_{{{0}={1}}}^{{{2}}} {3}", "{0}={1}{2}{3}", PRODUCT, (LIST, LIST, LIST, PRODUCT), _sum, lazy=True
+)
+
+
+def _floor(a: Any, b: int) -> int:
+    if not isinstance(a, int):
+        raise NotExactError("the floor of n over a number")
+    return a // b
+
+
+floor_over = define(
+    "floor", r"\left\lfloor {0}/{1} \right\rfloor", "{0}/{1}", ATOM, (ATOM, ATOM), lambda env, a, b: _floor(a, b)
+)
+
+
+def _binomial(env: Env, n: int, k: int) -> int:
+    result = 1
+    for i in range(k):
+        result = result * (n - i) // (i + 1)
+    return result
+
+
+binomial = define("binomial", r"\binom{{{0}}}{{{1}}}", "{0} {1}", ATOM, (LIST, LIST), _binomial)
+
+
+# ---- dual parts -----------------------------------------------------------------------------------------------
+
+epsilon = Letter("epsilon", "dual unit", r"\varepsilon", "ε")
+Re = define("Re", r"\operatorname{{Re}} {0}", "Re {0}", PRODUCT, (ATOM,), lambda env, a: values.re(a),
+            traits=Trait.APART, changes=(made("Du"),))  # fmt: skip
+Du = define("Du", r"\operatorname{{Du}} {0}", "Du {0}", PRODUCT, (ATOM,), lambda env, a: values.du(a),
+            traits=Trait.APART, changes=(made("Re"),))  # fmt: skip
+
+
+# ---- vectors, tensors, quaternions ----------------------------------------------------------------------------
+
+
+norm = define("norm", r"\left|{0}\right|", "|{0}|", ATOM, (LIST,), lambda env, a: values.norm(env.field, a),
+              traits=Trait.LENGTH)  # fmt: skip
+dot = define("dot", r"{0} \cdot {1}", "{0}·{1}", PRODUCT, (PRODUCT, PRODUCT), lambda env, a, b: values.dot(a, b))
+cross = define("cross", r"{0} \times {1}", "{0}×{1}", PRODUCT, (ATOM, ATOM), lambda env, a, b: a.cross(b),
+               changes=(SWAPPED,))  # fmt: skip
+
+
+def _permutations(*vectors: Any) -> Iterator[tuple[int, tuple[Any, ...]]]:
+    """The products of a determinant, with their signs."""
+    for i in range(3):
+        for sign, step in ((1, 1), (-1, 2)):
+            indices = (i, (i + step) % 3, (i + 2 * step) % 3)
+            yield sign, tuple(tuple(v)[k] for v, k in zip(vectors, indices, strict=True))
+
+
+triple = define(
+    "triple", r"\left\langle {0}, {1}, {2} \right\rangle", "{0},{1},{2}", ATOM, (LIST,),
+    lambda env, a, b, c: sum(sign * a_i * b_j * c_k for sign, (a_i, b_j, c_k) in _permutations(a, b, c)),
+)  # fmt: skip
+dyad = define("dyad", r"{0} \otimes {1}", "{0}⊗{1}", PRODUCT, (ATOM, ATOM), lambda env, a, b: Tensor.dyad(a, b),
+              changes=(SWAPPED,))  # fmt: skip
+couple = define(
+    "couple", r"\left({0},\, {1}\right)", "({0},{1})", ATOM, (LIST, LIST),
+    lambda env, a, b: values.add(values.quaternion(a), b),
+)  # fmt: skip
+skew = define("skew", r"\tilde{{{0}}}", "{0}~", ATOM, (ATOM,), lambda env, a: Tensor.skew(a))
+transpose = define("transpose", r"{0}^{{T}}", "{0}^T", POWER, (ATOM,), lambda env, a: a.transpose,
+                   changes=(DROPPED,))  # fmt: skip
+det = define("det", r"\det {0}", "det {0}", PRODUCT, (ATOM,), lambda env, a: a.det())
+trace = define("trace", r"\operatorname{{trace}} {0}", "trace {0}", PRODUCT, (ATOM,), lambda env, a: a.trace())
+vect = define("vect", r"\operatorname{{vect}} {0}", "vect {0}", PRODUCT, (ATOM,), lambda env, a: a.vect())
+conjugate = define("conjugate", "{0}^{{*}}", "{0}*", POWER, (ATOM,), lambda env, a: values.quaternion(a).conjugate(),
+                   changes=(DROPPED,))  # fmt: skip
+rate = define("rate", r"\dot{{{0}}}", "{0}˙", ATOM, (ATOM,), lambda env, a: env.rate(a), traits=Trait.RATE)
+ddt = define("ddt", r"\frac{{d}}{{dt}} {0}", "d/dt{0}", PRODUCT, (PRODUCT,), lambda env, a: env.rate(a),
+             traits=Trait.RATE)  # fmt: skip
+
+half = Number(1) / 2
+identity = Letter("I", "identity", "I", "I")
+pi = Letter("pi", "π", r"\pi", "π")
+
+
+# ---- functions ------------------------------------------------------------------------------------------------
+
+
+def _over(a: Any, b: Any) -> Any:
+    if innermost(b) == 0:
+        raise UndefinedError("a pole")
+    return a / b
+
+
+def _function(name: str, value: Callable[..., Any], *siblings: str) -> Mark:
+    return define(name, rf"\{name} {{0}}", name + " {0}", PRODUCT, (POWER,), value, traits=Trait.TRANSCENDENTAL,
+                  changes=(DROPPED, *map(made, siblings)))  # fmt: skip
+
+
+sin = _function("sin", lambda env, a: env.field.sin(a), "cos")
+cos = _function("cos", lambda env, a: env.field.cos(a), "sin")
+tan = _function("tan", lambda env, a: _over(env.field.sin(a), env.field.cos(a)), "cot")
+cot = _function("cot", lambda env, a: _over(env.field.cos(a), env.field.sin(a)), "tan")
+arctan = _function("arctan", lambda env, a: env.field.atan(a))
+
+
+def _squared(f: Mark, sibling: str) -> Mark:
+    return define(f"{f.name}²", rf"\{f.name}^2 {{0}}", f"{f.name}^2 {{0}}", PRODUCT, (POWER,),
+                  lambda env, a: env.power(f.value(env, a), 2), traits=f.traits,
+                  changes=(DROPPED, made(sibling)))  # fmt: skip
+
+
+sin2, cos2, tan2 = _squared(sin, "cos²"), _squared(cos, "sin²"), _squared(tan, "sin²")
+
+
+def _exponential(env: Env, a: Any) -> Any:
+    """Of numbers, and of skew tensors, vectors and pure quaternions through angle and axis."""
+    if isinstance(a, Tensor):
+        return tensor_exponential(a.vect(), env.field)
+    return quaternion_exponential(a, env.field) if isinstance(a, Vector) else env.field.exp(a)
+
+
+exp = define("exp", r"\exp {0}", "exp {0}", PRODUCT, (ATOM,), _exponential, traits=Trait.TRANSCENDENTAL)
+at = define("at", r"{0}\left({1}\right)", "{0} {1}", ATOM, (ATOM, LIST), lambda env, f, a: f(a))
+
+
+reaches = define(
+    "reaches", r"{0} : \cdot \mapsto {1} \text{{ for some argument}}", "{0}{1}", RELATION, (SUM, SUM),
+    lambda env, f, target: f.reaches(env.field, target) > 0, traits=Trait.DELICATE,
+)  # fmt: skip
+branches = define(
+    "branches", r"\#\, {0}^{{-1}}\left({1}\right) = {2}", "{0}{1}{2}", RELATION, (ATOM, LIST, SUM),
+    lambda env, f, target, n: f.reaches(env.field, target) == n, traits=Trait.DELICATE,
+)  # fmt: skip
+"""Claims about a letter that stands for a `values.Map`: "onto" is ``reaches(f, q)`` for every q."""
+
+
+def zero(a: Term | int) -> Apply:
+    """The condition ``a = 0``."""
+    return equal(a, Number(0))

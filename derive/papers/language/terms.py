@@ -1,0 +1,264 @@
+"""Printed formulas as trees: what is printed, executed and mutated is one object.
+
+A `Term` is a SymPy node that keeps the order of the page: nothing is sorted, combined or evaluated when it is built.
+Python's operators build it, so that an entry reads like the formula. From a term come
+
+* ``latex(term)``, how the formula is typeset,
+* ``text(term)``, its marks in reading order, with which a reading is held against the extracted text,
+* its value, in :mod:`derive.papers.language.evaluation`.
+
+What a mark means is one row of the table in :mod:`derive.papers.language.notation`, what a letter may stand for one of
+that in :mod:`derive.papers.numbers.kinds`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from enum import Flag, auto
+from typing import Any, Self
+
+from sympy import Basic, Integer
+from sympy.core.symbol import Str
+
+from ..numbers.kinds import KINDS, Kind
+
+ATOM, POWER, PRODUCT, SUM, RELATION, LIST = 5, 4, 3, 2, 1, 0  # how tightly a term holds together
+
+
+class Trait(Flag):
+    """What is to be known of a mark besides its meaning."""
+
+    NONE = 0
+    DELICATE = auto()
+    """It can change its value where letters take special ones."""
+    APART = auto()
+    """It takes the real or the dual part."""
+    RATE = auto()
+    """It is a derivative in time."""
+    TRANSCENDENTAL = auto()
+    """No power, root or quotient makes it."""
+    LENGTH = auto()
+    """It is the root of a square, so that its own square needs no root."""
+    JOINS = auto()
+    """It joins statements: what its parts state is stated."""
+
+
+@dataclass(frozen=True)
+class Change:
+    """One way to spoil a term, for mutants.
+
+    Attributes
+    ----------
+    what : str
+        In words, with ``{}`` for the name of the mark.
+    made : callable
+        From the term to what it becomes.
+    """
+
+    what: str
+    made: Callable[[Apply], Term]
+
+
+@dataclass(frozen=True)
+class Mark:
+    """One row of the notation table; called with arguments it makes a term.
+
+    Attributes
+    ----------
+    name : str
+    latex, text : str
+        Templates with ``{0}``, ``{1}`` …; for a list of any length, the separator alone.
+    level : int
+        How tightly the result holds together.
+    slots : tuple of int
+        For each argument the level it needs to stand without brackets (the last counts for all further ones).
+    value : callable
+        ``value(env, *arguments)`` with the arguments' values; with the arguments as terms if `lazy`.
+    traits : Trait
+    changes : tuple of Change
+        What mutants make of its terms, besides changing their arguments.
+    """
+
+    name: str
+    latex: str
+    text: str
+    level: int
+    slots: tuple[int, ...]
+    value: Callable[..., Any]
+    lazy: bool = False
+    traits: Trait = Trait.NONE
+    changes: tuple[Change, ...] = ()
+
+    def __call__(self, *arguments: Any) -> Apply:
+        return Apply(self.name, *arguments)
+
+
+MARKS: dict[str, Mark] = {}
+
+
+class Term(Basic):  # type: ignore[misc]  # SymPy is untyped
+    """A formula or part of one. Operators build larger ones; integers are taken in."""
+
+    def __add__(self, other: Any) -> Term:
+        return Apply("plus", self, other)
+
+    def __radd__(self, other: Any) -> Term:
+        return Apply("plus", other, self)
+
+    def __sub__(self, other: Any) -> Term:
+        return Apply("minus", self, other)
+
+    def __rsub__(self, other: Any) -> Term:
+        return Apply("minus", other, self)
+
+    def __neg__(self) -> Term:
+        return Apply("negative", self)
+
+    def __mul__(self, other: Any) -> Term:
+        return Apply("times", self, other)
+
+    def __rmul__(self, other: Any) -> Term:
+        return Apply("times", other, self)
+
+    def __truediv__(self, other: Any) -> Term:
+        return Apply("over", self, other)
+
+    def __rtruediv__(self, other: Any) -> Term:
+        return Apply("over", other, self)
+
+    def __pow__(self, other: Any) -> Term:
+        return Apply("power", self, other)
+
+    def __call__(self, argument: Any) -> Term:
+        return Apply("at", self, argument)
+
+
+class Number(Term):
+    """An integer of the page."""
+
+    def __new__(cls, value: int) -> Self:
+        node: Self = super().__new__(cls, Integer(value))
+        return node
+
+    @property
+    def value(self) -> int:
+        """The integer."""
+        return int(self.args[0])
+
+
+class Letter(Term):
+    """A symbol of the page.
+
+    Parameters
+    ----------
+    name : str
+        Unique within a statement.
+    kind : str
+        What it stands for: a row of the table in :mod:`derive.papers.numbers.kinds`.
+    latex, text : str
+        How it is typeset, and its marks as an extraction gives them.
+    """
+
+    def __new__(cls, name: str, kind: str, latex: str | None = None, text: str | None = None) -> Self:
+        if kind not in KINDS:
+            raise ValueError(f"no kind {kind!r}: expected {', '.join(KINDS)}")
+        node: Self = super().__new__(cls, Str(name), Str(kind), Str(latex or name), Str(text or name))
+        return node
+
+    @property
+    def name(self) -> str:
+        return str(self.args[0])
+
+    @property
+    def kind(self) -> Kind:
+        return KINDS[str(self.args[1])]
+
+
+class Apply(Term):
+    """A row of the notation table applied to arguments."""
+
+    def __new__(cls, mark: str | Str, *arguments: Any) -> Self:
+        name = str(mark)  # SymPy rebuilds a node from its own arguments
+        if name not in MARKS:
+            raise ValueError(f"no mark {name!r}")
+        node: Self = super().__new__(cls, Str(name), *(term(a) for a in arguments))
+        return node
+
+    @property
+    def mark(self) -> Mark:
+        return MARKS[str(self.args[0])]
+
+    @property
+    def arguments(self) -> tuple[Term, ...]:
+        return tuple(a for a in self.args[1:] if isinstance(a, Term))
+
+
+def term(value: Any) -> Term:
+    """The term itself, or an integer as one."""
+    if isinstance(value, Term):
+        return value
+    if isinstance(value, int):
+        return Number(value)
+    raise TypeError(f"a formula is made of terms and integers, not {type(value).__name__}")
+
+
+def letters(statement: Term) -> tuple[Letter, ...]:
+    """The letters of a statement, in the order of the page, each once."""
+    return tuple(dict.fromkeys(node for node in walk(statement) if isinstance(node, Letter)))
+
+
+def walk(statement: Term) -> Iterator[Term]:
+    """The statement and all its parts, in the order of the page."""
+    yield statement
+    if isinstance(statement, Apply):
+        for argument in statement.arguments:
+            yield from walk(argument)
+
+
+def marked(trait: Trait, *statements: Term) -> tuple[Apply, ...]:
+    """The parts of statements whose mark has a trait."""
+    nodes = (node for statement in statements for node in walk(statement))
+    return tuple(node for node in nodes if isinstance(node, Apply) and trait in node.mark.traits)
+
+
+def takes_apart(*statements: Term) -> bool:
+    """Whether real and dual parts occur one by one: ε, Re, Du, a real letter, a claim in words."""
+    return bool(marked(Trait.APART, *statements)) or any(
+        letter.kind.apart for statement in statements for letter in letters(statement)
+    )
+
+
+def latex(statement: Term) -> str:
+    """The statement as LaTeX, without delimiters."""
+    return _typeset(statement, "latex", r"\left({}\right)")
+
+
+def text(statement: Term) -> str:
+    """The statement as plain marks in reading order, brackets and operators included."""
+    return _typeset(statement, "text", "({})")
+
+
+def _typeset(node: Term, style: str, brackets: str) -> str:
+    if isinstance(node, Number):
+        return str(node.value)
+    if isinstance(node, Letter):
+        return str(node.args[2 if style == "latex" else 3])
+    if not isinstance(node, Apply):
+        raise TypeError(f"not a formula: {node!r}")
+    row = node.mark
+    parts = []
+    for i, argument in enumerate(node.arguments):
+        part = _typeset(argument, style, brackets)
+        needed = row.slots[min(i, len(row.slots) - 1)]
+        parts.append(brackets.format(part) if _level(argument) < needed else part)
+    template: str = getattr(row, style)
+    if style == "latex" and template.startswith("{0}^") and "^" in parts[0]:
+        parts[0] = f"{{{parts[0]}}}"  # one superscript on another
+    return template.format(*parts) if "{0}" in template else template.join(parts)
+
+
+def _level(node: Term) -> int:
+    if isinstance(node, Apply):
+        return node.mark.level
+    return ATOM

@@ -1,0 +1,221 @@
+"""What the marks of a formula mean on values: sums and products of numbers, vectors, quaternions and tensors.
+
+A sum of a number and a vector is a quaternion, and two vectors side by side are multiplied as quaternions, as both
+papers write them. A tensor beside a vector or tensor acts on it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from derive.algebra import Dual, Quaternion, Structure, Tensor, Vector, dual_part, real_part
+from derive.maps.pose import Pose
+
+from ..numbers.fields import Field
+
+
+class MeaninglessError(TypeError):
+    """The formula combines things that have no such operation."""
+
+
+@dataclass(frozen=True)
+class Either:
+    """One of two values: what ± leaves open."""
+
+    first: Any
+    second: Any
+
+    def map(self, f: Callable[[Any], Any]) -> Either:
+        """Apply `f` to both."""
+        return Either(f(self.first), f(self.second))
+
+
+@dataclass(frozen=True)
+class Solution:
+    """Whatever passes a test: a letter that the paper defines as a preimage equals everything that is one."""
+
+    test: Callable[[Any], bool]
+
+    def __neg__(self) -> Solution:
+        return Solution(lambda value: self.test(negative(value)))
+
+
+class MissedError(ArithmeticError):
+    """The element is no value of the map."""
+
+
+@dataclass(frozen=True)
+class Map:
+    """A map with the set of its preimages, for claims such as "onto" and "n branches".
+
+    Attributes
+    ----------
+    image : callable
+        The value at a point.
+    preimages : callable
+        All points with a given value, as a list; empty, or a `MissedError`, where there is none.
+    """
+
+    image: Callable[[Any], Any]
+    preimages: Callable[[Any], list[Any]]
+
+    def reaches(self, field: Field, target: Any) -> int:
+        """How many different points have that value, or either sign of it."""
+        if isinstance(target, Either):
+            return self.reaches(field, target.first) or self.reaches(field, target.second)
+        try:
+            candidates = self.preimages(target)
+        except MissedError:
+            return 0
+        found: list[Any] = []
+        for v in candidates:
+            if equal(field, self.image(v), target) and not any(equal(field, v, w) for w in found):
+                found.append(v)
+        return len(found)
+
+
+def add(a: Any, b: Any) -> Any:
+    """Sum; numbers and vectors mix to quaternions."""
+    if isinstance(a, Either):
+        return a.map(lambda value: add(value, b))
+    if isinstance(b, Either):
+        return b.map(lambda value: add(a, value))
+    if type(a) is type(b) or not (isinstance(a, Structure) or isinstance(b, Structure)):
+        return a + b
+    return quaternion(a) + quaternion(b)
+
+
+def negative(a: Any) -> Any:
+    """The opposite."""
+    return a.map(negative) if isinstance(a, Either) else -a
+
+
+def multiply(a: Any, b: Any) -> Any:
+    """Product of things side by side."""
+    if isinstance(a, Either):
+        return a.map(lambda value: multiply(value, b))
+    if isinstance(b, Either):
+        return b.map(lambda value: multiply(a, value))
+    if isinstance(a, Pose) and isinstance(b, Pose):
+        return a @ b
+    if not (isinstance(a, Structure) and isinstance(b, Structure)):
+        return a * b
+    if isinstance(a, Tensor) and isinstance(b, Tensor | Vector):
+        return a @ b
+    return quaternion(a) * quaternion(b)
+
+
+def divide(a: Any, b: Any) -> Any:
+    """Quotient; a quaternion under a fraction bar is read as its inverse on the right."""
+    if isinstance(a, Either):
+        return a.map(lambda value: divide(value, b))
+    if isinstance(b, Either):
+        return b.map(lambda value: divide(a, value))
+    if isinstance(b, int):
+        b = Fraction(b)
+    if not isinstance(b, Structure):
+        quotient = a / b
+        return int(quotient) if isinstance(quotient, Fraction) and quotient.denominator == 1 else quotient
+    return multiply(a, quaternion(b).inverse())
+
+
+def quaternion(a: Any) -> Quaternion:
+    """A number, vector or quaternion as a quaternion."""
+    if isinstance(a, Quaternion):
+        return a
+    if isinstance(a, Vector):
+        return Quaternion(0, a)
+    if isinstance(a, Structure):
+        raise MeaninglessError(f"a {type(a).__name__.lower()} is no quaternion")
+    return Quaternion(a, Vector(0, 0, 0))
+
+
+def dot(a: Any, b: Any) -> Any:
+    """What a dot stands for: the scalar product of vectors, the product of anything else."""
+    return a.dot(b) if isinstance(a, Vector) and isinstance(b, Vector) else multiply(a, b)
+
+
+def scalar(a: Any) -> Any:
+    """A quaternion whose vector part is zero, as the number it is."""
+    if isinstance(a, Quaternion) and all(c == 0 for c in a.vector):
+        return a.scalar
+    return a
+
+
+def square(a: Any) -> Any:
+    """The square of a magnitude: of a vector its product with itself, of a quaternion that with its conjugate."""
+    if isinstance(a, Vector):
+        return a.dot(a)
+    return a.norm2() if isinstance(a, Quaternion) else a * a
+
+
+def norm(field: Field, a: Any) -> Any:
+    """The magnitude."""
+    if isinstance(a, Vector):
+        return field.magnitude(a)
+    return field.sqrt(a.norm2()) if isinstance(a, Quaternion) else abs(a)
+
+
+def re(a: Any) -> Any:
+    """The real part."""
+    return a.re if isinstance(a, Vector | Tensor | Quaternion) else real_part(a)
+
+
+def du(a: Any) -> Any:
+    """The dual part."""
+    return a.du if isinstance(a, Vector | Tensor | Quaternion) else dual_part(a)
+
+
+def dualise(re: Any, du: Any) -> Any:
+    """``re + ε du`` for numbers and structures."""
+    return re + du * Dual(0, 1)
+
+
+def equal(field: Field, a: Any, b: Any) -> bool:
+    """Whether two values are equal, component by component; ± may be either sign."""
+    if isinstance(a, Solution) and isinstance(b, Either):
+        return a.test(b.first) or a.test(b.second)
+    if isinstance(a, Solution):
+        return a.test(b)
+    if isinstance(b, Solution):
+        return equal(field, b, a)
+    if isinstance(a, Either):
+        return equal(field, a.first, b) or equal(field, a.second, b)
+    if isinstance(b, Either):
+        return equal(field, a, b.first) or equal(field, a, b.second)
+    if isinstance(a, bool) and isinstance(b, bool):
+        return a == b
+    if type(a) is not type(b) and (isinstance(a, Structure) or isinstance(b, Structure)):
+        a, b = quaternion(a), quaternion(b)
+    return all(field.same(s, t) for s, t in _pairs(a, b))
+
+
+def coefficients(a: Any) -> Iterator[Any]:
+    """The plain numbers a value consists of, real parts before dual parts."""
+    if isinstance(a, Either):
+        yield from coefficients(a.first)
+    elif isinstance(a, Structure):
+        for component in a:  # type: ignore[attr-defined]
+            yield from coefficients(component)
+    elif hasattr(a, "re") and hasattr(a, "du"):
+        yield from coefficients(a.re)
+        yield from coefficients(a.du)
+    else:
+        yield a
+
+
+def _pairs(a: Any, b: Any) -> Iterator[tuple[Any, Any]]:
+    if isinstance(a, Pose) and isinstance(b, Pose):
+        yield from _pairs(a.rotation, b.rotation)
+        yield from _pairs(a.displacement, b.displacement)
+    elif isinstance(a, Structure):
+        for s, t in zip(a, b, strict=True):  # type: ignore[call-overload]
+            yield from _pairs(s, t)
+    elif hasattr(a, "du") or hasattr(b, "du"):
+        for part in ("re", "du"):
+            yield from _pairs(*(getattr(c, part) if hasattr(c, "du") else (c if part == "re" else 0) for c in (a, b)))
+    else:
+        yield a, b

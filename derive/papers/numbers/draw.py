@@ -1,0 +1,124 @@
+"""Seeded numbers, vectors and quaternions of 60 digits, and what they are made by."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import mpmath
+
+from derive.algebra import Dual, Quaternion, Tensor, Vector
+
+
+class Draw:
+    """Seeded 60-digit numbers.
+
+    Parameters
+    ----------
+    seed : str
+        Every draw with the same seed is the same.
+    dual, moving : bool
+        Layout of the coefficients, as in `derive.papers.language.evaluation.Env`.
+    """
+
+    def __init__(self, seed: str, moving: bool = False) -> None:
+        self.random = random.Random(seed)
+        self.moving = moving
+
+    def real(self, low: float = 0.2, high: float = 0.9) -> Any:
+        """A positive number with at most 30 digits, never a special one."""
+        scale = 10**30
+        return mpmath.mpf(self.random.randint(int(low * scale), int(high * scale))) / scale
+
+    def signed(self) -> Any:
+        """A number of either sign, away from 0."""
+        return self.real() * self.random.choice((-1, 1))
+
+    def plain(self, value: Any, slope: Any = 0) -> Any:
+        """A coefficient below the dual unit: with a time derivative where things move."""
+        return Dual(mpmath.mpf(value), mpmath.mpf(slope)) if self.moving else mpmath.mpf(value)
+
+    def number(self, re: Any, du: Any | None = None) -> Any:
+        """A dual number; where things move its parts change at random rates."""
+        du = self.signed() if du is None else du
+        if self.moving:
+            return Dual(self.plain(re, self.signed()), self.plain(du, self.signed()))
+        return Dual(mpmath.mpf(re), mpmath.mpf(du))
+
+    def vector(self, re: tuple[Any, ...] | None = None, du: tuple[Any, ...] | None = None) -> Vector:
+        """A dual vector."""
+        a = re or tuple(self.signed() for _ in range(3))
+        b = du or tuple(self.signed() for _ in range(3))
+        return Vector(*(self.number(s, t) for s, t in zip(a, b, strict=True)))
+
+    def still(self, re: tuple[Any, ...], du: tuple[Any, ...]) -> Vector:
+        """A dual vector at rest."""
+        return Vector(*(Dual(self.plain(s), self.plain(t)) for s, t in zip(re, du, strict=True)))
+
+    def unit(self) -> Vector:
+        """A unit dual vector, by stereographic projection from two dual numbers."""
+        s, t = self.number(self.signed()), self.number(self.signed())
+        return sphere(s, t)
+
+    def quaternion(self, half_angle: Any) -> Quaternion:
+        """A unit dual quaternion with that half angle (real part) about a random screw axis."""
+        angle = Dual(mpmath.mpf(half_angle), self.signed())
+        s, c = angle.apply(mpmath.sin, mpmath.cos), angle.apply(mpmath.cos, lambda a: -mpmath.sin(a))
+        s, c = (a.apply(_chop, lambda _: 1) for a in (s, c))
+        s, c = Dual(s.re, _chop(s.du)), Dual(c.re, _chop(c.du))
+        return Quaternion(c, self.unit() * s)
+
+
+def _chop(a: Any) -> Any:
+    return mpmath.mpf(0) if abs(a) < mpmath.mpf(10) ** -55 else a
+
+
+def sphere(s: Any, t: Any) -> Vector:
+    """The point ``(2s, 2t, 1 − s² − t²)/(1 + s² + t²)``: any unit vector but (0, 0, −1)."""
+    square = s * s + t * t
+    return Vector(2 * s / (1 + square), 2 * t / (1 + square), (1 - square) / (1 + square))
+
+
+def rotation(q: Quaternion) -> Tensor:
+    """``v -> q v q*``, column by column."""
+    columns = (q.sandwich(Vector(*row)) for row in Tensor.identity().rows)
+    return Tensor.from_entries(entry for column in columns for entry in column).transpose
+
+
+@dataclass(frozen=True)
+class Smooth:
+    """A differentiable function of plain and dual numbers, and its derivative on plain ones."""
+
+    value: Callable[[Any], Any]
+    derivative: Callable[[Any], Any]
+
+    def __call__(self, a: Any) -> Any:
+        return self.value(a)
+
+
+def polynomial(coefficients: Sequence[Any]) -> Smooth:
+    """The polynomial with these coefficients, by multiplication."""
+
+    def value(a: Any) -> Any:
+        total = 0
+        for c in reversed(coefficients):
+            total = total * a + c
+        return total
+
+    def derivative(a: Any) -> Any:
+        total = 0
+        for k in range(len(coefficients) - 1, 0, -1):
+            total = total * a + k * coefficients[k]
+        return total
+
+    return Smooth(value, derivative)
+
+
+def exponential_series() -> Smooth:
+    """The exponential by its power series, 60 digits for arguments below 2."""
+    terms = [mpmath.mpf(1)]
+    for k in range(1, 70):
+        terms.append(terms[-1] / k)
+    return Smooth(polynomial(terms).value, mpmath.exp)

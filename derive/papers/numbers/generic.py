@@ -1,0 +1,194 @@
+"""Letters at generic values of an exact field, so that one evaluation decides a statement for all values.
+
+Coordinates are chosen along the vectors at hand: the first vector lies on the first axis, the second in the plane of
+the first two. Every operation of the papers is independent of the frame, so nothing is lost. The magnitude X is then no
+root, and as the tangent of an angle of the field it leaves ``sqrt(1 + X²)`` rational too. Statements that take dual
+numbers apart (ε, Re, Du, real letters) get dual coefficients, and the frame is chosen along the real parts; for all
+others an identity of rational functions over Q carries over to dual numbers as it is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any, Protocol
+
+from derive.algebra import Dual, Quaternion, Vector
+from derive.proof.ratio import NotExactError
+
+from .draw import sphere
+from .every_order import EveryOrder
+from .fields import Exact
+from .kinds import Kind, Role
+
+STEPS = 4  # sine and cosine of α/4 and its multiples are exact
+
+
+class Variable(Protocol):
+    """What is given a value: a letter."""
+
+    @property
+    def name(self) -> str:
+        """Unique among those of a statement."""
+
+    @property
+    def kind(self) -> Kind:
+        """What it stands for."""
+
+
+class Generic:
+    """Generic values of some letters.
+
+    Parameters
+    ----------
+    free : iterable of Variable
+    dual, moving : bool
+        Layout of the coefficients, as in `derive.papers.language.evaluation.Env`.
+    steps : int
+        Sine and cosine of multiples of ``angle/steps`` are exact.
+    framed : bool
+        Whether a frame may be chosen along the vectors.
+    """
+
+    def __init__(
+        self, free: Iterable[Variable], dual: bool, moving: bool, steps: int = STEPS, framed: bool = True
+    ) -> None:
+        self.dual, self.moving = dual, moving
+        self.letters = tuple(free)
+        self.framed = framed and not any(letter.kind.role is Role.TENSOR for letter in self.letters)
+        self.first = next((letter.name for letter in self.letters if letter.kind.role is Role.VECTOR), None)
+        self.field = self._field(steps)
+        self._vectors = 0  # how many vectors the frame is already fixed by
+        self.values: dict[Any, Any] = {letter: self._value(letter) for letter in self.letters}
+
+    def fix(self, letter: Variable | None, value: Any) -> None:
+        """Give one more letter a value."""
+        if letter is not None:
+            self.values[letter] = value
+
+    def fix_branch(self, branch: Variable | None, k: int) -> None:
+        """Let α + 2kπ be the generic angle, so that α is that less k turns."""
+        self.fix(branch, k)
+        if branch is not None:
+            turned = {letter: value - 2 * k * self.field.pi for letter, value in self.values.items()
+                      if letter.kind.role is Role.ANGLE}
+            self.values.update(turned)
+
+    # ---- what the table of kinds makes values of: arguments are the names of letters ------------------------------
+
+    def number(self, name: str, i: int = 0, at: Any = None) -> Any:
+        """The i-th number of a letter, dual and with a time derivative as the layout says; `at` fixes its value."""
+
+        def plain(part: str) -> Any:
+            value = at if at is not None and not part else self.field.symbol(f"{name}{i}{part}")
+            return Dual(value, self.field.symbol(f"{name}{i}{part}˙")) if self.moving else value
+
+        return Dual(plain(""), plain("°")) if self.dual else plain("")
+
+    def real(self, number: Any) -> Any:
+        """A number that is not dual."""
+        if self.moving:
+            raise NotExactError("real letters in motion")
+        return number.re if self.dual else number
+
+    def angle(self, name: str) -> Any:
+        """An angle of the field."""
+        return self.number(name, at=self._angle(name))
+
+    def scale(self, name: str) -> Any:
+        """A number whose powers with exponent n are needed."""
+        return self.number(name)
+
+    def argument(self, name: str) -> Any:
+        """The argument X of p_n and q_n."""
+        return self.number(name)
+
+    def vector(self, name: str) -> Vector:
+        """A vector, along the frame as far as that is still free."""
+        if not self.framed:
+            return self._free_vector(name)
+        self._vectors += 1
+        zero = self.field.functions.constant(0)
+        at = [self._first() if self._vectors == 1 and name == self.first else None, None, None]
+        at = [*at[: self._vectors], zero, zero][:3]
+        return Vector(*(self.number(name, i, value) for i, value in enumerate(at)))
+
+    def unit(self, name: str) -> Vector:
+        """A unit vector, likewise."""
+        zero = self.field.functions.constant(0)
+        if self.framed:
+            self._vectors += 1
+        if self.framed and self._vectors == 1:
+            u = sphere(self.number(name, 0, zero), self.number(name, 1, zero))
+            return Vector(u.c3, u.c1, u.c2)
+        if self.framed and self._vectors == 2:
+            return sphere(self.number(name, 0), self.number(name, 1, zero))
+        return sphere(self.number(name, 0), self.number(name, 1))
+
+    def turn(self, name: str) -> Quaternion:
+        """A unit quaternion by half angle and axis, or, where the field has no such angle, as a square."""
+        if self.moving:
+            raise NotExactError("a moving displacement: give it by a definition")
+        if name in self.field.functions.angles:
+            half = self.number(name, 2, at=self.field.symbol(name))
+            return Quaternion(self.field.cos(half), self.unit(name) * self.field.sin(half))
+        whole = Quaternion(1, self._free_vector(name))
+        square: Quaternion = whole * whole / whole.norm2()
+        return square
+
+    # ---- inside ---------------------------------------------------------------------------------------------------
+
+    def _value(self, letter: Variable) -> Any:
+        if letter.kind.exact is None:
+            raise NotExactError(f"no generic {letter.kind.name}")
+        return letter.kind.exact(self, letter.name)
+
+    def _field(self, steps: int) -> Exact:
+        angles = {letter.name: steps for letter in self.letters if letter.kind.role in (Role.ANGLE, Role.TURN)}
+        if self.first is not None:
+            angles[f"arctan {self.first}"] = 1
+        return Exact(self._names(), angles)
+
+    def _names(self) -> list[str]:
+        parts = [f"{part}{slope}" for part in (("", "°") if self.dual else ("",)) for slope in self._slopes]
+        stems = [f"{letter.name}{i}" for letter in self.letters for i in range(letter.kind.size)]
+        return [f"{stem}{part}" for stem in stems for part in parts]
+
+    @property
+    def _slopes(self) -> tuple[str, ...]:
+        return ("", "˙") if self.moving else ("",)
+
+    def _free_vector(self, name: str) -> Vector:
+        return Vector(*(self.number(name, i) for i in range(3)))
+
+    def _angle(self, name: str) -> Any:
+        return self.field.symbol(name)
+
+    def _first(self) -> Any:
+        """The magnitude of the first vector: the tangent of an angle."""
+        angle = self.field.symbol(f"arctan {self.first}")
+        return angle.sin() / angle.cos()
+
+
+class GenericOrder(Generic):
+    """Generic values for a symbolic order n: of one vector or one angle, and whatever else has no power with n."""
+
+    field: EveryOrder
+
+    def __init__(self, free: Iterable[Variable], order: Variable, moving: bool) -> None:
+        super().__init__(free, False, moving)
+        self.fix(order, self.field.n)
+
+    def scale(self, name: str) -> Any:
+        return self.number(name, at=self.field.scale)
+
+    def argument(self, name: str) -> Any:
+        return self.number(name, at=self.field.X)
+
+    def _field(self, steps: int) -> Exact:
+        return EveryOrder(self._names())
+
+    def _angle(self, name: str) -> Any:
+        return 2 * self.field.n * self.field.theta
+
+    def _first(self) -> Any:
+        return self.field.X

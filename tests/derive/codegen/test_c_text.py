@@ -1,0 +1,224 @@
+"""C headers executed as text: what validation by interpretation catches, and why each of its cases is there."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+
+import mpmath
+import pytest
+from derive.codegen.validation.digits import DIGITS
+from support.c_mutants import Excerpts, sample
+
+from derive.codegen import ValidationFailed, build, files
+from derive.codegen.signatures import SIGNATURES
+from derive.codegen.targets import TARGETS
+from derive.codegen.validation import c_text
+from derive.codegen.validation.c_interpreter import CError, load
+from derive.maps import Cayley
+
+C = TARGETS["c"]
+ORDERS = (3, 4)
+PREFIX = "dualcay_cayley3_"
+ROOTS = {name: (PREFIX + name, f"{PREFIX}{name}_rows") for name in SIGNATURES}
+
+EQUIVALENT = {
+    r"\(z32 < 0\) & \(z33 < 0\)": "where e0 = e1 = e2 = 0 the last row has been taken, and its e3 is positive",
+    r"still \? \d+ \* (cos|e0)": "it is multiplied by a vector that is 0 there",
+    r"/ sign;": "sign is 1 or -1",
+    r"pose_at\[1[23] \* pose_by\] = 0;": "the same number is stored in both places",
+}
+"""Changes that change no result, by their line, and why."""
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    found = tmp_path_factory.mktemp("c")
+    files.write(found, build(ORDERS, C).texts)
+    return found
+
+
+@pytest.fixture(scope="module")
+def excerpts(folder):
+    """The functions of order 3, preprocessed, to be changed one by one."""
+    return Excerpts(load('#include "cayley3.h"\n', folder).source.text)
+
+
+@cache
+def batches(order):
+    return c_text.batches(Cayley(order))
+
+
+def survives(text, kernels, keep=lambda function, arguments: True):
+    """Whether a text passes the cases of some functions that are kept."""
+    chosen = []
+    for batch in batches(3):
+        with mpmath.workdps(DIGITS):
+            cases = tuple(case for case in batch.cases if batch.exact or keep(case.function, numbers(case)))
+        if cases and batch.function.split()[0] in kernels:
+            chosen.append(c_text.Batch(batch.function, cases, batch.exact))
+    assert chosen
+    try:
+        return c_text.check(load(text), Cayley(3), chosen) > 0
+    except (CError, ValidationFailed):
+        return False
+
+
+def numbers(case):
+    return [[component.value for component in argument] for argument in case.arguments]
+
+
+# --- the text is right --------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("order", ORDERS)
+def test_every_condition_of_the_text_takes_both_values(folder, order):
+    unit = load(f'#include "cayley{order}.h"\n', folder)
+    assert c_text.check(unit, Cayley(order), batches(order)) > 800
+    assert [str(condition) for condition in unit.one_sided] == []
+    assert all(condition.taken for condition in unit.scope.conditions)
+    assert unit.idle == [f"dualcay_cayley{order}_singular_angles"]
+
+
+# --- the text is wrong --------------------------------------------------------------------------------------------
+
+
+def test_changed_text_fails(excerpts):
+    """Signs, coefficients, components, indices, strides, orders of results: at least 60 changes, all caught."""
+    needed = {name: set().union(*map(excerpts.needed, roots)) for name, roots in ROOTS.items()}
+    kernels = {f: [name for name in SIGNATURES if f in needed[name]][:3] for f in excerpts.functions}
+    every = [
+        mutant
+        for function, names in kernels.items()
+        for mutant in excerpts.mutants(function, [root for name in names for root in ROOTS[name]])
+        if names
+    ]
+    chosen = sample(every, 4, seed=43)
+    left = [m for m in chosen if survives(m.text, kernels[m.function])]
+    assert [m for m in left if not any(re.search(line, m.line) for line in EQUIVALENT)] == []
+    assert len(chosen) - len(left) >= 60
+    assert len({m.kind for m in chosen}) > 15
+
+
+@pytest.mark.parametrize(
+    ("pattern", "replacement", "message"),
+    [
+        (r"#define DUALCAY_CAYLEY3_ORDER 3", "#define DUALCAY_CAYLEY3_ORDER 4", "ORDER is 4, not 3"),
+        (r"(_dcay_inv dualcay_cayley3_tangent)_inv", r"\1", "dcay_inv is dualcay_cayley3_tangent, not"),
+        (r"angles\[0\] = 2 \* pi", "angles[0] = 3 * pi", "singular_angles, component 0"),
+        (r"return DUALCAY_CAYLEY3_SINGULAR_ANGLES", "return 3", "singular_angles does not return 2"),
+        (r"3\.14159265358979323846", "3.14159265358979323847", "singular_angles, component 0"),
+        (r"const dualcay_real h = 16 \* s;", "const dualcay_real h = 33 / 2 * s;", r"cayley3\.h:\d+: an integer div"),
+        (r"const dualcay_real h = 16 \* s;", "const float h = 16 * s;", "the type float is not read here"),
+        (r"(?=\n#endif\n*\Z)", "\nDUALCAY_CORE int dualcay_cayley3_new(void) { return 1; }\n", "nothing calls .*_new"),
+        (r"void dualcay_cayley3_pose\(", "void dualcay_cayley3_posed(", "there is no function dualcay_cayley3_pose"),
+        (r'#include "dualcay.h"', '#include "dualkay.h"', r"dualkay\.h is neither in the folder"),
+    ],
+)
+def test_what_is_wrong_is_named(folder, tmp_path, pattern, replacement, message):
+    for name in ("cayley3.h", "dualcay.h"):
+        (tmp_path / name).write_text((folder / name).read_text())
+    text, count = re.subn(pattern, replacement, (folder / "cayley3.h").read_text(), count=1)
+    assert count == 1
+    (tmp_path / "cayley3.h").write_text(text)
+    with pytest.raises(ValidationFailed, match=f"cayley3.h: .*{message}"):
+        c_text.validate(tmp_path, Cayley(3))
+
+
+# --- every case is needed -----------------------------------------------------------------------------------------
+
+
+def row(function, arguments):
+    """The row a rotation's quaternion is taken from; that row's product with the scalar part; four squares."""
+    if not function.startswith("from_pose"):
+        return None
+    q11, q12, q13, _, q21, q22, q23, _, q31, q32, q33, *_ = arguments[0]
+    squares = [1 + q11 + q22 + q33, 1 + q11 - q22 - q33, 1 - q11 + q22 - q33, 1 - q11 - q22 + q33]
+    return squares.index(max(squares)), [0, q32 - q23, q13 - q31, q21 - q12], squares
+
+
+def not_row(k):
+    return lambda function, arguments: (found := row(function, arguments)) is None or found[0] != k
+
+
+def not_backwards(function, arguments):
+    found = row(function, arguments)
+    return found is None or found[0] == 0 or found[1][found[0]] >= 0
+
+
+def not_half_turn(function, arguments):
+    found = row(function, arguments)
+    return found is None or any(found[1])
+
+
+def not_steep(growing):
+    def keep(function, arguments):
+        found = row(function, arguments)
+        t0, _, t2, _ = found[2] if found else (0,) * 4
+        return not (found and found[0] == 1 and t0 < 1e-30 and (t0 < t2) == growing)
+
+    return keep
+
+
+def not_negative(function, arguments):
+    return not function.startswith("from_quaternion") or arguments[0][0] > 0
+
+
+def not_from_quaternion_at_half_turn(function, arguments):
+    return not function.startswith("from_quaternion") or arguments[0][0] != 0
+
+
+def not_on_branch(function, arguments):
+    return function != "to_screw" or 3 * sum(c * c for c in arguments[0][:3]) < 1
+
+
+def not_undecided(function, arguments):
+    return sum(c * c for c in arguments[0][:3]) != 3
+
+
+def not_near_a_tie(function, arguments):
+    x = sum(c * c for c in arguments[0][:3])
+    return function != "principal" or abs(3 * x - 1) > mpmath.mpf(10) ** -25
+
+
+def not_two_translations(function, arguments):
+    return function != "compose" or any(c for argument in arguments for c in argument[:3])
+
+
+def not_a_translation(function, arguments):
+    return any(arguments[0][:3])
+
+
+@pytest.mark.parametrize(
+    ("kernel", "old", "new", "without"),
+    [
+        ("from_pose", "z11 = larger1 ? t1 : a1", "z11 = larger1 ? t1 : a2", not_row(0)),
+        ("from_pose", "z12 = larger1 ? s12 : a2", "z12 = larger1 ? s13 : a2", not_row(1)),
+        ("from_pose", "z23 = larger2 ? s23 : z13", "z23 = larger2 ? s13 : z13", not_row(2)),
+        ("from_pose", "z31 = larger3 ? s13 : z21", "z31 = larger3 ? s23 : z21", not_row(3)),
+        ("from_pose", "(z30 < 0) | ", "(z30 > 4) | ", not_backwards),
+        ("from_pose", "(z31 < 0) | ((z31 == 0)", "(z31 > 0) | ((z31 == 0)", not_half_turn),
+        ("from_pose", "best1 = larger1 ? t1 : t0", "best1 = t0", not_steep(growing=True)),
+        ("from_pose", "larger1 = t0 < t1", "larger1 = t0 < t2", not_steep(growing=False)),
+        ("from_quaternion", "(negative ? -1 :", "(negative ? 1 :", not_negative),
+        ("from_quaternion", "negative = e0 < 0", "negative = e0 <= 0", not_from_quaternion_at_half_turn),
+        ("to_screw", "(y < 0)) ? -1", "(y < 0)) ? 1", not_on_branch),
+        ("to_screw", "pneg ? -p : p", "p", not_on_branch),
+        ("to_screw", "(q == 0) & (y < 0)", "(q == 0) & (y > 0)", not_undecided),
+        ("shadow", "(q == 0) & (y < 0)", "(q == 0) & (y > 0)", not_undecided),
+        ("shadow", "ro = still ? length", "ro = still ? -length", not_a_translation),
+        ("principal", "0.3333333333333333333333333333", "0.3333333333333333333333333334", not_near_a_tie),
+        ("compose", "still = ss == 0", "still = ss < 0", not_two_translations),
+    ],
+)
+def test_each_kind_of_case_is_needed(excerpts, kernel, old, new, without):
+    """A change is caught, and no longer when the cases of one kind are left out: no other kind would see it."""
+    text = excerpts.replaced(f"{PREFIX}{kernel}_core", ROOTS[kernel], old, new)
+    assert not survives(text, [kernel])
+    assert survives(text, [kernel], keep=without)
+
+
+def test_the_changes_of_those_cases_are_real(excerpts):
+    """What is not changed passes with and without them."""
+    assert survives(excerpts.text(ROOTS["from_pose"], {}), ["from_pose"])
+    assert survives(excerpts.text(ROOTS["from_pose"], {}), ["from_pose"], keep=not_row(0))

@@ -1,0 +1,85 @@
+"""The table of marks: what mutants make of its terms, and what is to be known of a mark."""
+
+from __future__ import annotations
+
+import pytest
+
+from derive.papers import PAPERS
+from derive.papers.condurache_popa_2023.marks import is_algebraic
+from derive.papers.karakilic_2010.marks import Cos, Sin, Tan, Tan2, length
+from derive.papers.language.notation import Re, cos, epsilon, equal, exp, implies, nonzero, norm, sin, tan2
+from derive.papers.language.terms import MARKS, Apply, Letter, Trait, letters, marked, takes_apart, text, walk
+from derive.papers.mutation import mutants
+from derive.papers.numbers.kinds import KINDS
+
+a, b, r = Letter("a", "dual number"), Letter("b", "dual number"), Letter("r", "real")
+
+
+def statements(entry):
+    return [*(reading.statement for reading in entry.readings), *filter(None, (entry.corrected, entry.because))]
+
+
+@pytest.fixture(scope="module")
+def terms() -> list[Apply]:
+    entries = [entry for paper in PAPERS for entry in paper.entries()]
+    nodes = (node for entry in entries for statement in statements(entry) for node in walk(statement))
+    return [node for node in nodes if isinstance(node, Apply)]
+
+
+def test_every_change_of_every_term_is_another_term(terms) -> None:
+    assert len(terms) > 4000
+    for term in terms:
+        for change in term.mark.changes:
+            symmetric = len(set(term.arguments)) < len(term.arguments)
+            assert symmetric or change.made(term) != term, change.what.format(term.mark.name)
+
+
+def test_a_function_of_a_paper_has_the_mutants_of_the_common_one() -> None:
+    assert {text(mutant) for _, mutant in mutants(Sin(a))} == {"Cosa", "a"}
+    assert {text(mutant) for _, mutant in mutants(Cos(a))} == {"Sina", "a"}
+    assert {text(mutant) for _, mutant in mutants(Tan(a))} == {"cot a", "a"}
+    assert {text(mutant) for _, mutant in mutants(Tan2(a))} == {"Tan3a", "a"}
+    assert {text(mutant) for _, mutant in mutants(sin(a))} == {"cos a", "a"}
+
+
+def test_every_mark_without_changes_is_known() -> None:
+    functions = [mark for mark in MARKS.values() if Trait.TRANSCENDENTAL in mark.traits]
+    assert len(functions) > 15
+    assert {mark.name for mark in functions if not mark.changes} == {"exp", "power of e", "K10 natural"}
+
+
+def test_what_takes_numbers_apart() -> None:
+    assert takes_apart(equal(Re(a), b))
+    assert takes_apart(equal(a, b + epsilon * b))
+    assert takes_apart(equal(a, r))
+    assert not takes_apart(equal(norm(a), sin(b)))
+
+
+def test_delicate_marks_are_found_with_their_letters() -> None:
+    (found,) = marked(Trait.DELICATE, equal(a, b) + nonzero(b))
+    assert letters(found) == (b,)
+    assert len(marked(Trait.DELICATE, implies(nonzero(a), equal(a, b)))) == 2
+
+
+def test_transcendental_marks_of_either_paper() -> None:
+    assert is_algebraic(equal(norm(a), length(b) ** 2))
+    for term in (sin(a), cos(a), tan2(a), exp(a), Tan(a)):
+        assert not is_algebraic(equal(term, b))
+
+
+def test_what_is_not_in_a_table_is_refused() -> None:
+    with pytest.raises(ValueError, match="no mark 'sine'"):
+        Apply("sine", a)
+    with pytest.raises(ValueError, match="no kind 'scalar': expected order, branch"):
+        Letter("a", "scalar")
+
+
+def test_every_kind_is_in_use_and_names_are_unique_in_an_entry() -> None:
+    used = set()
+    for entry in (entry for paper in PAPERS for entry in paper.entries()):
+        parts = [*statements(entry), *filter(None, (entry.claimed, entry.condition))]
+        found = {letter for part in parts for letter in letters(part)}
+        found |= {letter for d in entry.where for letter in (d.letter, *d.arguments)}
+        assert len({letter.name for letter in found}) == len(found), entry.number
+        used |= {letter.kind for letter in found}
+    assert used == set(KINDS.values())

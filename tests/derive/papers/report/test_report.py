@@ -1,0 +1,124 @@
+"""The report in every format."""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+import subprocess
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from rich.cells import cell_len
+
+from derive.papers import PAPERS, Result, Status, verify
+from derive.papers.equation import Verdict
+from derive.papers.language.terms import Letter
+from derive.papers.report import FORMATS, Report
+from derive.papers.report.content import label
+from derive.papers.report.pages import escape, mathml
+from derive.papers.report.plain import plain
+from derive.proof import theorems
+
+SAMPLE = ("14", "20", "orthogonal", "zero-components", "half-angle", "5")
+
+
+@pytest.fixture(scope="module")
+def report() -> Report:
+    results = verify("karakilic-2010", SAMPLE)
+    first = results[0]
+    readings = (Verdict(Letter("a", "real"), "one", True, ""), Verdict(Letter("b", "real"), "other", False, ""))
+    unclear = Result(first.paper, first.equation, Status.AMBIGUOUS, "readings differ", readings)
+    return Report.of(PAPERS, [*results, unclear], theorems()[:2], "..")
+
+
+def test_every_entry_can_be_rendered() -> None:
+    for paper in PAPERS:
+        for entry in paper.entries():
+            statements = [reading.statement for reading in entry.readings]
+            for term in (*statements, entry.corrected, entry.condition):
+                if term is not None:
+                    latex = Verdict(term, "", True, "").latex
+                    assert "\\" not in mathml(latex), entry.number
+                    assert not re.search(r"[\\{}$]", plain(latex)), entry.number
+            for text in (entry.title, entry.remark, entry.fixed_by):
+                assert not re.search(r"[^\x00-\u017f]|\[[a-z ]+\]", escape(text)), (entry.number, text)
+
+
+def test_json_has_the_documented_fields(report) -> None:
+    data = json.loads(FORMATS["json"](report))
+    assert data["schema"] == 1
+    fields = {"paper", "equation", "title", "status", "printed", "corrected", "condition", "method"}
+    for equation in data["equations"]:
+        assert fields <= set(equation)
+        assert (equation["corrected"] is not None) == (equation["status"] == "erratum")
+        assert (equation["condition"] is not None) == (equation["status"] == "holds-if")
+        assert ("readings" in equation) == (equation["status"] == "ambiguous")
+    assert all(set(p) == {"statement", "scope", "status", "method", "seconds"} for p in data["proofs"])
+    assert len(data["proofs"]) == 2
+
+
+def test_text_shows_counts_and_corrections_side_by_side(report) -> None:
+    text = FORMATS["text"](report)
+    assert re.search(r"K10 +│ +2 │ +1 │ +3 │ +1 │ +7 │", text)
+    assert "b₁* = (s₁* Tan f/2 + s₁ s₂ b₂* + s₁ s₃" in text
+    assert "0 < f < π" in text
+    assert "\\" not in text
+    assert max(map(cell_len, text.splitlines())) <= 120
+
+
+@pytest.mark.parametrize("form", ["markdown", "html", "latex"])
+def test_pages_hold_every_entry_and_nothing_undefined(report, form: str) -> None:
+    page = FORMATS[form](report)
+    for result in report.results:
+        if form != "latex" or result.status is not Status.HOLDS:
+            assert result.equation.number in page
+    assert "None" not in page
+
+
+def test_markdown_links_entries_to_their_sources(report) -> None:
+    page = FORMATS["markdown"](report)
+    links = re.findall(r"\[(\S+) in (derive/papers/\S+\.py)\]\(\.\./(\S+)\)", page)
+    assert len(links) == len(report.results)
+    for (name, shown, path), result in zip(links, _in_order(report), strict=True):
+        assert name == label(result)
+        assert shown == path == result.equation.source
+
+
+def _in_order(report: Report) -> list[Result]:
+    chapter = report.chapters[0]
+    return [r for status in ("erratum", "ambiguous", "holds-if", "holds") for r in chapter.of(Status(status))]
+
+
+def test_html_needs_no_network(report) -> None:
+    page = FORMATS["html"](report)
+    assert not re.search(r"(src|href)=\"(https?:)?//|<link|@import|url\(", page)
+    assert not re.search(r"<article[^>]* hidden", page)  # everything shows without the script
+
+
+def test_markup_in_titles_is_escaped() -> None:
+    first = verify("karakilic-2010", ["unit"])[0]
+    evil = replace(first, equation=replace(first.equation, title="<b>a & b_c</b>"))
+    report = Report.of(PAPERS, [evil], [])
+    assert "&lt;b&gt;a &amp; b_c&lt;/b&gt;" in FORMATS["html"](report)
+    assert escape("<b>a & b_c</b>") == r"<b>a \& b\_c</b>"
+
+
+def test_latex_sheet_compiles(report, tmp_path: Path) -> None:
+    sheet = FORMATS["latex"](report)
+    assert sheet.count("{") == sheet.count("}")
+    compiler = shutil.which("pdflatex")
+    if compiler is None:  # a TeX installation is large; the brackets above are checked anywhere
+        return
+    (tmp_path / "errata.tex").write_text(sheet, encoding="utf-8")
+    command = [compiler, "-interaction=nonstopmode", "-halt-on-error", "errata.tex"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout[-2000:]
+    assert "Missing character" not in (tmp_path / "errata.log").read_text(encoding="utf-8", errors="replace")
+
+
+def test_plain_formulas() -> None:
+    assert plain(r"\frac{a + b}{2}\, \hat{x}_{12}^{2}") == "(a + b)/2 x̂₁₂²"
+    assert plain(r"\sqrt{1 - \left|\underline{\mathbf{v}}\right|^{2}} \neq 0") == "√(1 - |v|²) ≠ 0"
+    assert plain(r"{\hat{q}^0}^{*} \otimes \operatorname{Tan}^2 \alpha") == "q̂⁰* ⊗ Tan² α"

@@ -1,0 +1,197 @@
+"""How a status comes about: it is computed, and an entry that does not fit what is computed is refused."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import pytest
+
+from derive.papers import Reading, Status, UndecidedError, equation
+from derive.papers.condurache_popa_2023.alphabet import LOST, alpha, u, v
+from derive.papers.decide import decide
+from derive.papers.equation import Equation, Result, faithful
+from derive.papers.language.claims import defined, unequal
+from derive.papers.language.notation import (
+    Re,
+    both,
+    cos,
+    cross,
+    dot,
+    equal,
+    iff,
+    nonzero,
+    norm,
+    pi,
+    pm,
+    root,
+    sin,
+    skew,
+    tan,
+    zero,
+)  # fmt: skip
+from derive.papers.language.terms import Letter, latex, text
+from derive.papers.mutation import mutants, try_mutants
+
+a, b = Letter("a", "dual number"), Letter("b", "dual number")
+w = Letter("w", "dual vector")
+k = Letter("k", "index", "k", "k")
+square_of_sum = equal((a + b) ** 2, a**2 + 2 * (a * b) + b**2)
+
+
+def decided(statement, **rest) -> Result:
+    return decide("paper", equation("1", "title", 1, statement, **rest), LOST)
+
+
+def test_an_identity_holds_exactly() -> None:
+    result = decided(square_of_sum)
+    assert (result.status, result.method) == (Status.HOLDS, "exact")
+
+
+def test_a_status_cannot_be_given() -> None:
+    assert "status" not in {field.name for field in dataclasses.fields(Equation)}
+    with pytest.raises(TypeError):
+        equation("1", "title", 1, square_of_sum, status="holds")
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        decided(square_of_sum).status = Status.ERRATUM
+
+
+# ---- readings -----------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("statement", "extract"),
+    [(equal(a, 1 / (1 + b)), "a = 1 1 + b"), (equal(skew(v) ** 2, dot(w, v)), "v ~ _ 2 = w · v"),
+     (equal(a, pm(root(b - 1))), "a _ = ± b 1"), (equal(cross(v, w), v), "v × w = v")],
+)  # fmt: skip
+def test_faithful_readings(statement, extract: str) -> None:
+    assert faithful(statement, extract, LOST)
+
+
+@pytest.mark.parametrize(
+    ("statement", "extract"),
+    [(equal(a, 1 / (1 - b)), "a = 1 1 + b"), (equal(a, 1 / (2 + b)), "a = 1 1 + b"), (equal(a, b), "b = a"),
+     (equal(a, 1 / (1 + b**2)), "a = 1 1 + b"), (equal(cross(v, w), v), "v w = v"), (equal(a, b), "a = ± b")],
+)  # fmt: skip
+def test_unfaithful_readings(statement, extract: str) -> None:
+    assert not faithful(statement, extract, LOST)
+
+
+def test_an_unfaithful_reading_is_refused() -> None:
+    with pytest.raises(UndecidedError, match="does not have the marks of line 1"):
+        decided(square_of_sum, extract="a + b 2 = a 2 + a b + b 2")
+
+
+def test_readings_that_differ_are_ambiguous() -> None:
+    readings = (Reading(equal((a - b) * b, a * b - b**2), "bracket"), Reading(equal(a - b * b, a * b - b**2), "none"))
+    result = decided(readings, extract="a b b = a b b 2")
+    assert result.status is Status.AMBIGUOUS
+    assert [verdict.true for verdict in result.verdicts] == [True, False]
+    assert [r["verdict"] for r in result.as_json()["readings"]] == ["true", "false"]
+
+
+def test_two_false_readings_are_an_erratum() -> None:
+    readings = (Reading(equal((a + b) ** 2, a**2 + b**2)), Reading(equal((a + b) ** 2, a**2 + b)))
+    assert decided(readings, corrected=square_of_sum).status is Status.ERRATUM
+
+
+# ---- errata -------------------------------------------------------------------------------------------------------
+
+
+def test_an_erratum_has_a_correction_that_is_proved() -> None:
+    result = decided(equal((a + b) ** 2, a**2 + b**2), corrected=square_of_sum)
+    assert result.status is Status.ERRATUM
+    assert result.corrected == latex(square_of_sum)
+    assert result.method == "refuted at generic point 1: false; correction exact"
+
+
+def test_a_false_equation_without_correction_is_refused() -> None:
+    with pytest.raises(UndecidedError, match="false and has no correction"):
+        decided(equal((a + b) ** 2, a**2 + b**2))
+
+
+def test_a_false_correction_is_refused() -> None:
+    with pytest.raises(UndecidedError, match="the correction is false"):
+        decided(equal((a + b) ** 2, a**2 + b**2), corrected=equal((a + b) ** 2, a**2 - b**2))
+
+
+def test_the_correction_in_place_of_the_printed_form_holds() -> None:
+    entry = equation("1", "title", 1, equal((a + b) ** 2, a**2 + b**2), corrected=square_of_sum)
+    assert decide("paper", entry.reading(square_of_sum), LOST).status is Status.HOLDS
+
+
+# ---- conditions ---------------------------------------------------------------------------------------------------
+
+quotient = equal(a / b * b, a)
+
+
+def test_a_special_value_keeps_a_formula_from_holding() -> None:
+    with pytest.raises(UndecidedError, match="false and has no correction: refuted at b: real part 0: no value"):
+        decided(quotient)
+
+
+def test_a_condition_is_tested_on_both_sides() -> None:
+    result = decided(quotient, condition=nonzero(Re(b)))
+    assert result.status is Status.HOLDS_IF
+    assert result.condition == latex(nonzero(Re(b)))
+
+
+def test_a_condition_that_is_too_strict_is_refused() -> None:
+    with pytest.raises(UndecidedError, match="true outside its condition"):
+        decided(quotient, condition=both(nonzero(Re(b)), nonzero(Re(a))))
+
+
+def test_a_condition_that_nothing_violates_is_refused() -> None:
+    with pytest.raises(UndecidedError, match="both sides"):
+        decided(square_of_sum, condition=equal(a, a))
+
+
+def test_points_outside_the_claimed_domain_do_not_count() -> None:
+    assert decided(quotient, claimed=nonzero(Re(b))).status is Status.HOLDS
+
+
+def test_a_domain_that_is_too_strict_is_an_erratum() -> None:
+    printed = iff(unequal(Re(alpha), k * pi, k), defined(tan(alpha / 2) * u))
+    right = iff(unequal(Re(alpha), (2 * k + 1) * pi, k), defined(tan(alpha / 2) * u))
+    assert decided(printed, corrected=right).status is Status.ERRATUM
+
+
+# ---- methods ------------------------------------------------------------------------------------------------------
+
+
+def test_more_than_an_identity_is_exact_where_letters_are_generic() -> None:
+    method = decided(iff(zero(a * b), zero(b * a))).method
+    assert method.startswith("exact where letters are generic, 60-digit evaluation at ")
+
+
+def test_what_leaves_the_exact_fields_is_evidence() -> None:
+    statement = equal(root(1 + norm(v)) * root(1 + norm(v)), 1 + norm(v))
+    assert decided(statement, claimed=nonzero(Re(v))).method.startswith("evidence: 60-digit evaluation at ")
+
+
+def test_a_supporting_identity_must_be_proved() -> None:
+    with pytest.raises(UndecidedError, match="supporting identity is not proved: false at"):
+        decided(square_of_sum, because=equal(a, b))
+
+
+def test_trigonometry_is_exact() -> None:
+    assert decided(equal(sin(alpha) ** 2 + cos(alpha) ** 2, 1)).method == "exact"
+
+
+# ---- mutants ------------------------------------------------------------------------------------------------------
+
+
+def test_mutants_change_one_mark() -> None:
+    found = {text(mutant) for _, mutant in mutants(equal(a, b + 2))}
+    assert found == {"a=b-2", "a=b", "a=2", "a=b+3"}
+
+
+def test_every_mutant_of_a_simple_identity_is_killed() -> None:
+    score = try_mutants(decided(square_of_sum))
+    assert score.survivors == []
+    assert score.killed > 10
+
+
+def test_a_survivor_is_reported() -> None:
+    score = try_mutants(decided(equal((a - b) ** 2, (b - a) ** 2)))
+    assert {survivor.change for survivor in score.survivors} == {"arguments of minus swapped"}
+    assert 0 < score.share < 1

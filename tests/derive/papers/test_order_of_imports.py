@@ -1,0 +1,71 @@
+"""Inside derive/papers, too, imports run one way: numbers, language, entries, and then what decides them."""
+
+from __future__ import annotations
+
+import pytest
+
+from derive.papers import PAPERS
+from tests.support.imports import ROOT, imported, sources
+
+BASE = ("derive", "papers")
+PACKAGES = tuple(paper.package.rpartition(".")[2] for paper in PAPERS)
+ROOMS = ("numbers", "language", "equation", "paper", *PACKAGES, "decide", "mutation", "report", "", "witnesses")
+"""Each room or module may import itself and those before it; the empty name is the package itself."""
+
+IN_A_PAPER = ("alphabet", "marks", "meanings", "sections", "inventory")
+"""Likewise inside the package of a paper; the package itself knows only its alphabet."""
+
+
+def found() -> list[tuple[tuple[str, ...], tuple[str, ...]]]:
+    """Importer and imported module, by the parts of their names below derive.papers."""
+    pairs = ((name, module) for name, file in sources(*BASE) for module in imported(file))
+    return [(name, module[2:]) for name, module in pairs if module[:2] == BASE]
+
+
+def room(name: tuple[str, ...]) -> str:
+    return name[0] if name else ""
+
+
+def allowed(importer: tuple[str, ...], name: tuple[str, ...]) -> bool:
+    if room(importer) in PACKAGES and room(name) in PACKAGES:
+        return room(importer) == room(name) and allowed_in_a_paper(importer[1:], name[1:])
+    return ROOMS.index(room(name)) <= ROOMS.index(room(importer))
+
+
+def allowed_in_a_paper(importer: tuple[str, ...], name: tuple[str, ...]) -> bool:
+    if not importer:
+        return name == ("alphabet",)
+    if not name:
+        return False
+    if importer[0] == name[0] == "sections":
+        return name < importer  # named so that they sort as they are printed
+    return IN_A_PAPER.index(name[0]) <= IN_A_PAPER.index(importer[0])
+
+
+def test_imports_run_one_way() -> None:
+    assert len(found()) > 300
+    assert [pair for pair in found() if not allowed(*pair)] == []
+
+
+def test_every_room_is_in_the_table() -> None:
+    assert {room(name) for name, _ in sources(*BASE)} == set(ROOMS)
+
+
+@pytest.mark.parametrize("paper", PAPERS, ids=lambda paper: paper.short)
+def test_sections_are_named_in_printed_order(paper) -> None:
+    assert list(paper.sections) == sorted(paper.sections)
+    held = ROOT.joinpath(*paper.package.split("."), "sections")
+    assert {path.stem for path in held.glob("s*.py")} - set(paper.sections) <= {"s07_general_order"}
+
+
+@pytest.mark.parametrize(
+    ("importer", "name"),
+    [(("numbers", "generic"), ("language", "terms")), (("language", "terms"), ("equation",)),
+     ((PACKAGES[0], "alphabet"), (PACKAGES[1], "alphabet")),
+     ((PACKAGES[0], "meanings", "orders"), (PACKAGES[0], "sections")),
+     ((PACKAGES[0], "sections", "s03_rigid_motion"), (PACKAGES[0], "sections", "s04_dual_quaternions")),
+     (("equation",), ("decide",)), (("decide",), ())],
+)  # fmt: skip
+def test_the_other_way_is_refused(importer, name) -> None:
+    assert not allowed(importer, name)
+    assert allowed(name, importer) or room(importer) in PACKAGES

@@ -1,0 +1,109 @@
+"""Single changes of C text, of the kinds a printer or a template could make by mistake.
+
+They are made in preprocessed text, function by function; a mutant comes as an excerpt with the functions needed to call
+the kernel it is in, which is read in milliseconds.
+"""
+
+from __future__ import annotations
+
+import random
+import re
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import dataclass
+
+KINDS: Mapping[str, tuple[str, str | None]] = {
+    "sign": (r" \+ (?=[\w(])", " - "),
+    "sign back": (r" - (?=[\w(])", " + "),
+    "negation": (r"= -(?=\w)", "= "),
+    "coefficient": (r"(?<![\w.\[])([2-9]|[1-9]\d+)(?= \*| -|\)|;)(?! \* \w+_by\])", None),
+    "division": (r" / ", " * "),
+    "product": (r"(?<=\w) \* (?=\w+[ ;)])", " / "),
+    "component": (r"(?<=[a-z])([12])(?=[ ;),o])", None),
+    "part": (r"(?<=\d)o\b", ""),
+    "index": (r"_at\[(\d+) \* ", None),
+    "first index": (r"_at\[0\]", "_at[1]"),
+    "stride": (r"\* \w+_by\]", "* 1]"),
+    "row": (r"(?<=\w) \+ j\b", ""),
+    "row stride": (r", (\w+)_stride(?=[,)])", r", \1_stride + 1"),
+    "output order": (r"(_at\[[^\]]+\] = )([^;]+)(;\s+\w+_at\[[^\]]+\] = )([^;]+);", r"\1\4\3\2;"),
+    "early store": (r"(\n    const \w+ \w+ = \w+_at\[[^;]+;)([\s\S]*)(\n    \w+_at\[0\] = [^;]+;)(?=\n.*_at)", None),
+    "comparison": (r" < ", " > "),
+    "equality": (r" == ", " < "),
+    "logic": (r" & ", " | "),
+    "choice": (r"\? ([^:;?]+?) : ([^:;]+?)(?=[;)])", r"? \2 : \1"),
+    "call": (r"\bsqrt\(", "("),
+    "digit": (r"\b0\.\d{20}(\d)", None),
+}  # fmt: skip
+"""Pattern and replacement, by kind; without a replacement the number found grows by one."""
+
+_DEFINITION = re.compile(r"^static inline [\w ]*?\b(\w+)\([^{;]*\)\s*\{[\s\S]*?^\}$", re.MULTILINE)
+
+
+@dataclass(frozen=True, slots=True)
+class Mutant:
+    """An excerpt that differs in one place, which is in ``function``."""
+
+    kind: str
+    function: str
+    line: str
+    text: str
+
+
+class Excerpts:
+    """The functions of a preprocessed text, and what they need of each other."""
+
+    def __init__(self, preprocessed: str) -> None:
+        text = re.sub(r"^#.*$", "", preprocessed, flags=re.MULTILINE)
+        self.functions = {found.group(1): found.group() for found in _DEFINITION.finditer(text)}
+        self.rest = _DEFINITION.sub("", text)
+
+    def needed(self, name: str) -> set[str]:
+        """A function and those it calls, directly or not."""
+        found, new = set(), {name}
+        while new:
+            found |= new
+            words = {word for function in new for word in re.findall(r"\w+", self.functions[function])}
+            new = (words & self.functions.keys()) - found
+        return found
+
+    def text(self, roots: Collection[str], changed: Mapping[str, str]) -> str:
+        """The text of some functions and what they need, some of it changed."""
+        needed = set().union(*map(self.needed, roots))
+        return "\n".join([self.rest, *(changed.get(n, f) for n, f in self.functions.items() if n in needed)])
+
+    def replaced(self, name: str, roots: Collection[str], old: str, new: str) -> str:
+        """The excerpt with one place of a function changed, which must be there once."""
+        original = self.functions[name]
+        assert original.count(old) == 1, (name, old, original.count(old))
+        return self.text(roots, {name: original.replace(old, new)})
+
+    def mutants(self, name: str, roots: Collection[str]) -> Iterator[Mutant]:
+        """Every mutant of a function, in the excerpt for the functions through which it is called."""
+        original = self.functions[name]
+        body = original.index("{")
+        for kind, (pattern, replacement) in KINDS.items():
+            for found in re.compile(pattern).finditer(original, body):
+                new = found.expand(replacement) if replacement is not None else _next(found)
+                changed = original[: found.start()] + new + original[found.end() :]
+                line = changed[changed.rfind("\n", 0, found.start()) + 1 :].partition("\n")[0]
+                yield Mutant(kind, name, line.strip(), self.text(roots, {name: changed}))
+
+
+def _next(found: re.Match[str]) -> str:
+    number = found.group(1)
+    if not number.isdigit():
+        load, between, store = found.groups()  # a result is stored before the last component is loaded
+        return between + store + load
+    start = found.start(1) - found.start()
+    return found.group()[:start] + str((int(number) + 1) % 10 if len(number) == 1 else int(number) + 1) + (
+        found.group()[start + len(number) :]
+    )
+
+
+def sample(mutants: Collection[Mutant], each: int, seed: int) -> list[Mutant]:
+    """Some mutants of each kind."""
+    draw = random.Random(seed)
+    by_kind: dict[str, list[Mutant]] = {}
+    for mutant in mutants:
+        by_kind.setdefault(mutant.kind, []).append(mutant)
+    return [mutant for found in by_kind.values() for mutant in draw.sample(found, min(each, len(found)))]
