@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import re
 import shutil
 import subprocess
 import sys
@@ -12,7 +13,7 @@ from types import ModuleType
 
 import numpy as np
 import pytest
-from numba import njit
+from numba import float64, njit
 
 from derive.codegen.lowered import geometry, lower_chart
 from derive.codegen.targets import numba
@@ -126,6 +127,16 @@ def test_no_core_has_more_outputs_than_are_vectorised(programs):
             assert part.rows.count("out[") <= numba.MOST_OUTPUTS
         stored = "".join(part.row for part in numba.parts(program))
         assert all(stored.count(f"out[{i}]") == 1 for i in range(len(program.outputs)))
+
+
+@pytest.mark.parametrize("name", ["quaternion", "tensor", "pose", "tangent_inv", "twist", "rate", "shadow", "principal"])
+def test_loops_without_trigonometry_are_vectorised(compiled, name):
+    module = compiled(ORDER)
+    getattr(module, name)(*(components_first(a, 1) for a in inputs(load(ORDER), name, ORDER, (9,))), axis=0)
+    for loop in module.CHART.kernels[name].loops:
+        doubles = [text for sign, text in loop.inspect_llvm().items() if sign[0].dtype == float64]
+        assert doubles
+        assert all(re.search(r"= fmul .*<\d+ x double>", text) for text in doubles)
 
 
 @pytest.fixture

@@ -27,7 +27,7 @@ MOST_OUTPUTS = 9
 """Stores in a loop which LLVM still vectorises."""
 
 TABLE = "table"
-"""The argument of constants, the same for every pose: an array, of a length that for some only the chart knows."""
+"""The argument of constants, the same for every pose, of a length that for some functions only the chart knows."""
 
 DIALECT = infix.python(prefix="", literal=lambda value: f"_m{-value}" if value < 0 else f"_{value}")
 
