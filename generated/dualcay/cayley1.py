@@ -59,7 +59,7 @@
 #   tangent: 36: 8 +, 18 *, 3 /, 7 neg
 #   tangent_inv: 57: 21 +, 21 *, 15 /
 #   twist: 80: 29 +, 47 *, 3 /, 1 neg
-#   rate: 84: 34 +, 44 *, 6 /
+#   rate: 84: 34 +, 50 *
 #   from_quaternion: 54: 20 +, 30 *, 4 /
 #   from_tensor: 115: 40 +, 37 *, 7 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 79: 25 +, 19 *, 4 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -741,21 +741,21 @@ def _own_twist_blocks(
     )
 
 
-# operations 84: 34 +, 44 *, 6 /
+# operations 84: 34 +, 50 *
 def _own_rate(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = omega
-    side, twice = table
+    side, half = table
     vw = v1 * w1 + v2 * w2 + v3 * w3
     cvw = side * vw
     cvwo = side * (v1o * w1 + v2o * w2 + v3o * w3 + (v1 * w1o + v2 * w2o + v3 * w3o))
     return (
-        (w1 * side + (w2 * v3 - w3 * v2) + v1 * cvw) / twice,
-        (w2 * side + (w3 * v1 - w1 * v3) + v2 * cvw) / twice,
-        (w3 * side + (w1 * v2 - w2 * v1) + v3 * cvw) / twice,
-        (w1o * side + (w2o * v3 - w3o * v2) + (w2 * v3o - w3 * v2o) + (v1o * cvw + v1 * cvwo)) / twice,
-        (w2o * side + (w3o * v1 - w1o * v3) + (w3 * v1o - w1 * v3o) + (v2o * cvw + v2 * cvwo)) / twice,
-        (w3o * side + (w1o * v2 - w2o * v1) + (w1 * v2o - w2 * v1o) + (v3o * cvw + v3 * cvwo)) / twice,
+        (w1 * side + (w2 * v3 - w3 * v2) + v1 * cvw) * half,
+        (w2 * side + (w3 * v1 - w1 * v3) + v2 * cvw) * half,
+        (w3 * side + (w1 * v2 - w2 * v1) + v3 * cvw) * half,
+        (w1o * side + (w2o * v3 - w3o * v2) + (w2 * v3o - w3 * v2o) + (v1o * cvw + v1 * cvwo)) * half,
+        (w2o * side + (w3o * v1 - w1o * v3) + (w3 * v1o - w1 * v3o) + (v2o * cvw + v2 * cvwo)) * half,
+        (w3o * side + (w1o * v2 - w2o * v1) + (w1 * v2o - w2 * v1o) + (v3o * cvw + v3 * cvwo)) * half,
     )
 
 
@@ -764,29 +764,29 @@ def _own_rate_blocks(
 ) -> None:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = omega
-    side, twice = table
+    side, half = table
     o1, o2, o3, o4, o5, o6 = out
     k1, k2, k3, k4, k5 = scratch
     vw = add(add(mul(v1, w1, k1), mul(v2, w2, k2), k1), mul(v3, w3, k2), k1)
     cvw = mul(side, vw, k1)
-    div(add(add(mul(w1, side, k2), sub(mul(w2, v3, k3), mul(w3, v2, k4), k3), k2), mul(v1, cvw, k3), k2), twice, o1)
-    div(add(add(mul(w2, side, k2), sub(mul(w3, v1, k3), mul(w1, v3, k4), k3), k2), mul(v2, cvw, k3), k2), twice, o2)
-    div(add(add(mul(w3, side, k2), sub(mul(w1, v2, k3), mul(w2, v1, k4), k3), k2), mul(v3, cvw, k3), k2), twice, o3)
+    mul(add(add(mul(w1, side, k2), sub(mul(w2, v3, k3), mul(w3, v2, k4), k3), k2), mul(v1, cvw, k3), k2), half, o1)
+    mul(add(add(mul(w2, side, k2), sub(mul(w3, v1, k3), mul(w1, v3, k4), k3), k2), mul(v2, cvw, k3), k2), half, o2)
+    mul(add(add(mul(w3, side, k2), sub(mul(w1, v2, k3), mul(w2, v1, k4), k3), k2), mul(v3, cvw, k3), k2), half, o3)
     cvwo = mul(
         side, add(add(add(mul(v1o, w1, k2), mul(v2o, w2, k3), k2), mul(v3o, w3, k3), k2), add(add(mul(v1, w1o, k3),
         mul(v2, w2o, k4), k3), mul(v3, w3o, k4), k3), k2), k2
     )
-    div(
+    mul(
         add(add(add(mul(w1o, side, k3), sub(mul(w2o, v3, k4), mul(w3o, v2, k5), k4), k3), sub(mul(w2, v3o, k4), mul(w3,
-        v2o, k5), k4), k3), add(mul(v1o, cvw, k4), mul(v1, cvwo, k5), k4), k3), twice, o4
+        v2o, k5), k4), k3), add(mul(v1o, cvw, k4), mul(v1, cvwo, k5), k4), k3), half, o4
     )
-    div(
+    mul(
         add(add(add(mul(w2o, side, k3), sub(mul(w3o, v1, k4), mul(w1o, v3, k5), k4), k3), sub(mul(w3, v1o, k4), mul(w1,
-        v3o, k5), k4), k3), add(mul(v2o, cvw, k4), mul(v2, cvwo, k5), k4), k3), twice, o5
+        v3o, k5), k4), k3), add(mul(v2o, cvw, k4), mul(v2, cvwo, k5), k4), k3), half, o5
     )
-    div(
+    mul(
         add(add(add(mul(w3o, side, k3), sub(mul(w1o, v2, k4), mul(w2o, v1, k5), k4), k3), sub(mul(w1, v2o, k4), mul(w2,
-        v1o, k5), k4), k3), add(mul(v3o, cvw, k1), mul(v3, cvwo, k2), k1), k1), twice, o6
+        v1o, k5), k4), k3), add(mul(v3o, cvw, k1), mul(v3, cvwo, k2), k1), k1), half, o6
     )
 
 

@@ -60,7 +60,7 @@
 #   tangent: 81: 35 +, 42 *, 3 /, 1 neg
 #   tangent_inv: 69: 29 +, 24 *, 15 /, 1 neg
 #   twist: 128: 49 +, 75 *, 3 /, 1 neg
-#   rate: 105: 42 +, 55 *, 7 /, 1 neg
+#   rate: 105: 42 +, 61 *, 1 /, 1 neg
 #   from_quaternion: 70: 24 +, 37 *, 5 /, 1 neg, 1 lt, 2 where
 #   from_tensor: 135: 47 +, 48 *, 8 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 99: 32 +, 30 *, 5 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -579,11 +579,11 @@ def _own_tangent_inv_blocks(
     add(fio, add(mul(cv3, v3o, k3), mul(cvo3, v3, k2), k2), o18)
 
 
-# operations 105: 42 +, 55 *, 7 /, 1 neg
+# operations 105: 42 +, 61 *, 1 /, 1 neg
 def _own_rate(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = omega
-    side, twice = table
+    side, half = table
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
@@ -598,12 +598,12 @@ def _own_rate(m: Any, c: Any, v: Components, omega: Components, table: Component
     cvw = side * vw
     cvwo = side * (v1o * w1 + v2o * w2 + v3o * w3 + (v1 * w1o + v2 * w2o + v3 * w3o))
     return (
-        (w1 * fis + (w2 * v3 - w3 * v2) + v1 * cvw) / twice,
-        (w2 * fis + (w3 * v1 - w1 * v3) + v2 * cvw) / twice,
-        (w3 * fis + (w1 * v2 - w2 * v1) + v3 * cvw) / twice,
-        (w1o * fis + w1 * fio + (w2o * v3 - w3o * v2) + (w2 * v3o - w3 * v2o) + (v1o * cvw + v1 * cvwo)) / twice,
-        (w2o * fis + w2 * fio + (w3o * v1 - w1o * v3) + (w3 * v1o - w1 * v3o) + (v2o * cvw + v2 * cvwo)) / twice,
-        (w3o * fis + w3 * fio + (w1o * v2 - w2o * v1) + (w1 * v2o - w2 * v1o) + (v3o * cvw + v3 * cvwo)) / twice,
+        (w1 * fis + (w2 * v3 - w3 * v2) + v1 * cvw) * half,
+        (w2 * fis + (w3 * v1 - w1 * v3) + v2 * cvw) * half,
+        (w3 * fis + (w1 * v2 - w2 * v1) + v3 * cvw) * half,
+        (w1o * fis + w1 * fio + (w2o * v3 - w3o * v2) + (w2 * v3o - w3 * v2o) + (v1o * cvw + v1 * cvwo)) * half,
+        (w2o * fis + w2 * fio + (w3o * v1 - w1o * v3) + (w3 * v1o - w1 * v3o) + (v2o * cvw + v2 * cvwo)) * half,
+        (w3o * fis + w3 * fio + (w1o * v2 - w2o * v1) + (w1 * v2o - w2 * v1o) + (v3o * cvw + v3 * cvwo)) * half,
     )
 
 
@@ -612,7 +612,7 @@ def _own_rate_blocks(
 ) -> None:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = omega
-    side, twice = table
+    side, half = table
     o1, o2, o3, o4, o5, o6 = out
     k1, k2, k3, k4, k5, k6, k7 = scratch
     n1, n2 = numbers
@@ -625,9 +625,9 @@ def _own_rate_blocks(
     fis = mul(fi, side, k1)
     vw = add(add(mul(v1, w1, k2), mul(v2, w2, k3), k2), mul(v3, w3, k3), k2)
     cvw = mul(side, vw, k2)
-    div(add(add(mul(w1, fis, k3), sub(mul(w2, v3, k4), mul(w3, v2, k5), k4), k3), mul(v1, cvw, k4), k3), twice, o1)
-    div(add(add(mul(w2, fis, k3), sub(mul(w3, v1, k4), mul(w1, v3, k5), k4), k3), mul(v2, cvw, k4), k3), twice, o2)
-    div(add(add(mul(w3, fis, k3), sub(mul(w1, v2, k4), mul(w2, v1, k5), k4), k3), mul(v3, cvw, k4), k3), twice, o3)
+    mul(add(add(mul(w1, fis, k3), sub(mul(w2, v3, k4), mul(w3, v2, k5), k4), k3), mul(v1, cvw, k4), k3), half, o1)
+    mul(add(add(mul(w2, fis, k3), sub(mul(w3, v1, k4), mul(w1, v3, k5), k4), k3), mul(v2, cvw, k4), k3), half, o2)
+    mul(add(add(mul(w3, fis, k3), sub(mul(w1, v2, k4), mul(w2, v1, k5), k4), k3), mul(v3, cvw, k4), k3), half, o3)
     y = add(add(mul(v1, v1o, k3), mul(v2, v2o, k4), k3), mul(v3, v3o, k4), k3)
     ys = mul(y, side, k3)
     fio = neg(ys, k3)
@@ -635,17 +635,17 @@ def _own_rate_blocks(
         side, add(add(add(mul(v1o, w1, k4), mul(v2o, w2, k5), k4), mul(v3o, w3, k5), k4), add(add(mul(v1, w1o, k5),
         mul(v2, w2o, k6), k5), mul(v3, w3o, k6), k5), k4), k4
     )
-    div(
+    mul(
         add(add(add(add(mul(w1o, fis, k5), mul(w1, fio, k6), k5), sub(mul(w2o, v3, k6), mul(w3o, v2, k7), k6), k5),
-        sub(mul(w2, v3o, k6), mul(w3, v2o, k7), k6), k5), add(mul(v1o, cvw, k6), mul(v1, cvwo, k7), k6), k5), twice, o4
+        sub(mul(w2, v3o, k6), mul(w3, v2o, k7), k6), k5), add(mul(v1o, cvw, k6), mul(v1, cvwo, k7), k6), k5), half, o4
     )
-    div(
+    mul(
         add(add(add(add(mul(w2o, fis, k5), mul(w2, fio, k6), k5), sub(mul(w3o, v1, k6), mul(w1o, v3, k7), k6), k5),
-        sub(mul(w3, v1o, k6), mul(w1, v3o, k7), k6), k5), add(mul(v2o, cvw, k6), mul(v2, cvwo, k7), k6), k5), twice, o5
+        sub(mul(w3, v1o, k6), mul(w1, v3o, k7), k6), k5), add(mul(v2o, cvw, k6), mul(v2, cvwo, k7), k6), k5), half, o5
     )
-    div(
+    mul(
         add(add(add(add(mul(w3o, fis, k1), mul(w3, fio, k3), k1), sub(mul(w1o, v2, k3), mul(w2o, v1, k5), k3), k1),
-        sub(mul(w1, v2o, k3), mul(w2, v1o, k5), k3), k1), add(mul(v3o, cvw, k2), mul(v3, cvwo, k3), k2), k1), twice, o6
+        sub(mul(w1, v2o, k3), mul(w2, v1o, k5), k3), k1), add(mul(v3o, cvw, k2), mul(v3, cvwo, k3), k2), k1), half, o6
     )
 
 

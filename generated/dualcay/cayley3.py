@@ -57,7 +57,7 @@
 #   tangent: 102: 40 +, 58 *, 3 /, 1 neg
 #   tangent_inv: 90: 35 +, 42 *, 12 /, 1 neg
 #   twist: 136: 51 +, 81 *, 3 /, 1 neg
-#   rate: 122: 46 +, 66 *, 9 /, 1 neg
+#   rate: 122: 46 +, 72 *, 3 /, 1 neg
 #   from_quaternion: 90: 27 +, 45 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   from_tensor: 146: 47 +, 51 *, 10 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_pose: 110: 32 +, 33 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where

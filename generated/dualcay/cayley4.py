@@ -57,7 +57,7 @@
 #   tangent: 112: 45 +, 64 *, 3 /
 #   tangent_inv: 96: 38 +, 45 *, 12 /, 1 neg
 #   twist: 146: 56 +, 87 *, 3 /
-#   rate: 128: 49 +, 69 *, 9 /, 1 neg
+#   rate: 128: 49 +, 75 *, 3 /, 1 neg
 #   from_quaternion: 84: 28 +, 44 *, 7 /, 1 neg, 1 sqrt, 1 lt, 2 where
 #   from_tensor: 151: 51 +, 56 *, 11 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 115: 36 +, 38 *, 8 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where

@@ -57,7 +57,7 @@
 #   tangent: 117: 47 +, 67 *, 3 /
 #   tangent_inv: 105: 42 +, 50 *, 12 /, 1 neg
 #   twist: 151: 58 +, 90 *, 3 /
-#   rate: 137: 53 +, 74 *, 9 /, 1 neg
+#   rate: 137: 53 +, 80 *, 3 /, 1 neg
 #   from_quaternion: 96: 30 +, 48 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   from_tensor: 152: 50 +, 54 *, 10 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_pose: 116: 35 +, 36 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where

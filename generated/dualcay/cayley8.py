@@ -57,7 +57,7 @@
 #   tangent: 141: 59 +, 79 *, 3 /
 #   tangent_inv: 126: 52 +, 61 *, 12 /, 1 neg
 #   twist: 175: 70 +, 102 *, 3 /
-#   rate: 158: 63 +, 85 *, 9 /, 1 neg
+#   rate: 158: 63 +, 91 *, 3 /, 1 neg
 #   from_quaternion: 101: 35 +, 52 *, 8 /, 1 neg, 2 sqrt, 1 lt, 2 where
 #   from_tensor: 168: 58 +, 64 *, 12 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 132: 43 +, 46 *, 9 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where

@@ -12,14 +12,11 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Set
 from dataclasses import dataclass
 from itertools import chain
-from pathlib import Path
 
-from ...maps.chart import Chart
 from ..facts import Facts
 from ..lowered import geometry
 from ..programs.program import Call, Operand, Program, Step
 from ..programs.registers import Placement, place, place_returned, results
-from ..validation import validate
 from . import infix, python
 from .expression import WIDTH, fill
 from .target import Data
@@ -194,19 +191,17 @@ WORDS = python.Words(
     value="ArrayLike",
     array_like="array_like",
     array="ndarray",
+    kept="float32, float64 and longdouble",
     options="*, axis: int = -1, out: Array | None = None",
     passed="axis, out",
     passed_alone="axis, None",
 )
 
 
-class Numpy:
+class Numpy(python.PythonTarget):
     """The target of the committed kernels."""
 
     name = "numpy"
-    extension = "py"
-    entry = "__init__.py"
-    comment = "#"
     unproved = "rounding errors, which are measured; NumPy itself"
 
     def shared(self) -> Mapping[str, Data]:
@@ -230,16 +225,4 @@ class Numpy:
         ]
         own = [python.printed(program, two_forms(program)) for program in facts.lowered.own.values()]
         data = {"calls": _called((*scalars, *own)), "scalars": scalars, "own": own, "rows": python.rows()}
-        return python.described(facts) | data | {"largest": facts.largest}
-
-    def companions(self, chart: Chart) -> Mapping[str, tuple[str, Data]]:
-        return {}
-
-    def require_complete(self, texts: Mapping[str, str]) -> None:
-        python.require_complete(texts)
-
-    def validate(self, folder: Path, chart: Chart) -> int:
-        return validate(folder, chart)
-
-    def test(self, folder: Path, chart: Chart) -> int:
-        return 0
+        return python.described(facts) | data
