@@ -16,10 +16,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from .c import C
 from .numpy import Numpy
 from .target import Target
 
-_ROWS: tuple[Target, ...] = (Numpy(),)
+_ROWS: tuple[Target, ...] = (Numpy(), C())
 
 TARGETS: Mapping[str, Target] = {target.name: target for target in _ROWS}
 """By name."""
