@@ -38,15 +38,15 @@ def quaternion_blocks(
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
-    y = add(add(mul(v1, v1o, k2), mul(v2, v2o, k3), k2), mul(v3, v3o, k3), k2)
-    _, w, sy, wy = c.quaternion((o1, k3, k4, k5), (*spare,), (*spare_masks,), x)
-    mul(sy, y, o5)
-    wo = mul(wy, y, k1)
+    _, w, sy, wy = c.quaternion((o1, k2, k3, k4), (*spare,), (*spare_masks,), x)
     mul(v1, w, o2)
     mul(v2, w, o3)
     mul(v3, w, o4)
-    add(mul(v1o, w, k2), mul(v1, wo, k4), o6)
-    add(mul(v2o, w, k2), mul(v2, wo, k4), o7)
+    y = add(add(mul(v1, v1o, k1), mul(v2, v2o, k5), k1), mul(v3, v3o, k5), k1)
+    mul(sy, y, o5)
+    wo = mul(wy, y, k1)
+    add(mul(v1o, w, k3), mul(v1, wo, k4), o6)
+    add(mul(v2o, w, k3), mul(v2, wo, k4), o7)
     add(mul(v3o, w, k2), mul(v3, wo, k1), o8)
 
 
@@ -121,38 +121,38 @@ def tensor_blocks(
     x23 = add(v22, v33, k2)
     x13 = add(v11, v33, k1)
     x = add(x12, v33, k4)
-    y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k6), k5), mul(v3, v3o, k6), k5)
-    f, g, h = c.pose((k6, k7, k8), (*spare,), (*spare_masks,), x)
+    f, g, h = c.pose((k5, k6, k7), (*spare,), (*spare_masks,), x)
     Q11 = sub(n1, mul(g, x23, k2), o1)
     Q22 = sub(n1, mul(g, x13, k1), o5)
     Q33 = sub(n1, mul(g, x12, k1), o9)
-    along = mul(h, y, k1)
-    gv1 = mul(v1, g, k2)
-    gvv1 = mul(gv1, v2, k3)
-    fv3 = mul(v3, f, k4)
+    gv1 = mul(v1, g, k1)
+    gvv1 = mul(gv1, v2, k2)
+    fv3 = mul(v3, f, k3)
     Q12 = sub(gvv1, fv3, o2)
     Q21 = add(gvv1, fv3, o4)
-    gvv2 = mul(gv1, v3, k3)
-    fv2 = mul(v2, f, k4)
+    gvv2 = mul(gv1, v3, k2)
+    fv2 = mul(v2, f, k3)
     Q13 = add(gvv2, fv2, o3)
     Q31 = sub(gvv2, fv2, o7)
-    gv2 = mul(v2, g, k3)
-    gv3 = mul(v3, g, k4)
-    gvv3 = mul(gv2, v3, k5)
-    fv1 = mul(v1, f, k7)
+    gv2 = mul(v2, g, k2)
+    gv3 = mul(v3, g, k3)
+    gvv3 = mul(gv2, v3, k4)
+    fv1 = mul(v1, f, k6)
     Q23 = sub(gvv3, fv1, o6)
     Q32 = add(gvv3, fv1, o8)
-    rho2 = add(add(mul(v2o, f, k5), sub(mul(gv3, v1o, k7), mul(gv1, v3o, k8), k7), k5), mul(v2, along, k7), k5)
-    rho3 = add(add(mul(v3o, f, k7), sub(mul(gv1, v2o, k2), mul(gv2, v1o, k8), k2), k2), mul(v3, along, k7), k2)
-    rho1 = add(add(mul(v1o, f, k6), sub(mul(gv2, v3o, k3), mul(gv3, v2o, k4), k3), k3), mul(v1, along, k1), k1)
+    y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k6), k4), mul(v3, v3o, k6), k4)
+    along = mul(h, y, k4)
+    rho2 = add(add(mul(v2o, f, k6), sub(mul(gv3, v1o, k7), mul(gv1, v3o, k8), k7), k6), mul(v2, along, k7), k6)
+    rho3 = add(add(mul(v3o, f, k7), sub(mul(gv1, v2o, k1), mul(gv2, v1o, k8), k1), k1), mul(v3, along, k7), k1)
+    rho1 = add(add(mul(v1o, f, k5), sub(mul(gv2, v3o, k2), mul(gv3, v2o, k3), k2), k2), mul(v1, along, k3), k2)
     sub(mul(Q31, rho2, k3), mul(Q21, rho3, k4), o10)
     sub(mul(Q32, rho2, k3), mul(Q22, rho3, k4), o11)
     sub(mul(Q33, rho2, k3), mul(Q23, rho3, k4), o12)
     sub(mul(Q11, rho3, k3), mul(Q31, rho1, k4), o13)
     sub(mul(Q12, rho3, k3), mul(Q32, rho1, k4), o14)
-    sub(mul(Q13, rho3, k2), mul(Q33, rho1, k3), o15)
-    sub(mul(Q21, rho1, k2), mul(Q11, rho2, k3), o16)
-    sub(mul(Q22, rho1, k2), mul(Q12, rho2, k3), o17)
+    sub(mul(Q13, rho3, k1), mul(Q33, rho1, k3), o15)
+    sub(mul(Q21, rho1, k1), mul(Q11, rho2, k3), o16)
+    sub(mul(Q22, rho1, k1), mul(Q12, rho2, k3), o17)
     sub(mul(Q23, rho1, k1), mul(Q13, rho2, k2), o18)
 
 
@@ -213,26 +213,26 @@ def pose_blocks(
     x23 = add(v22, v33, k2)
     x13 = add(v11, v33, k1)
     x = add(x12, v33, k4)
-    y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k6), k5), mul(v3, v3o, k6), k5)
-    f, g, h = c.pose((k6, k7, k8), (*spare,), (*spare_masks,), x)
+    f, g, h = c.pose((k5, k6, k7), (*spare,), (*spare_masks,), x)
     sub(n1, mul(g, x23, k2), o1)
-    along = mul(h, y, k2)
     sub(n1, mul(g, x13, k1), o6)
     sub(n1, mul(g, x12, k1), o11)
     gv1 = mul(v1, g, k1)
-    gvv1 = mul(gv1, v2, k3)
-    fv3 = mul(v3, f, k4)
+    gvv1 = mul(gv1, v2, k2)
+    fv3 = mul(v3, f, k3)
     sub(gvv1, fv3, o2)
     add(gvv1, fv3, o5)
-    gvv2 = mul(gv1, v3, k3)
-    fv2 = mul(v2, f, k4)
+    gvv2 = mul(gv1, v3, k2)
+    fv2 = mul(v2, f, k3)
     add(gvv2, fv2, o3)
     sub(gvv2, fv2, o9)
-    gv2 = mul(v2, g, k3)
-    gv3 = mul(v3, g, k4)
-    add(add(mul(v1o, f, k5), sub(mul(gv2, v3o, k7), mul(gv3, v2o, k8), k7), k5), mul(v1, along, k7), o4)
-    add(add(mul(v2o, f, k5), sub(mul(gv3, v1o, k4), mul(gv1, v3o, k7), k4), k4), mul(v2, along, k5), o8)
-    add(add(mul(v3o, f, k4), sub(mul(gv1, v2o, k1), mul(gv2, v1o, k5), k1), k1), mul(v3, along, k2), o12)
+    gv2 = mul(v2, g, k2)
+    gv3 = mul(v3, g, k3)
+    y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k6), k4), mul(v3, v3o, k6), k4)
+    along = mul(h, y, k4)
+    add(add(mul(v1o, f, k6), sub(mul(gv2, v3o, k7), mul(gv3, v2o, k8), k7), k6), mul(v1, along, k7), o4)
+    add(add(mul(v2o, f, k6), sub(mul(gv3, v1o, k3), mul(gv1, v3o, k7), k3), k3), mul(v2, along, k6), o8)
+    add(add(mul(v3o, f, k3), sub(mul(gv1, v2o, k1), mul(gv2, v1o, k6), k1), k1), mul(v3, along, k3), o12)
     gvv3 = mul(gv2, v3, k1)
     fv1 = mul(v1, f, k2)
     sub(gvv3, fv1, o7)
@@ -282,29 +282,29 @@ def transform_point_blocks(
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
-    v_r3 = sub(mul(v1, r2, k2), mul(v2, r1, k3), k2)
-    v_r2 = sub(mul(v3, r1, k3), mul(v1, r3, k4), k3)
-    y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k5), k4), mul(v3, v3o, k5), k4)
-    v_r1 = sub(mul(v2, r3, k5), mul(v3, r2, k6), k5)
-    f, g, h = c.pose((k6, k7, k8), (*spare,), (*spare_masks,), x)
-    along = mul(h, y, k1)
-    gv_r3 = mul(v_r3, g, k4)
-    gv_r2 = mul(v_r2, g, k8)
-    gv2 = mul(v2, g, k9)
-    gv3 = mul(v3, g, k10)
+    f, g, h = c.pose((k2, k3, k4), (*spare,), (*spare_masks,), x)
+    v_r3 = sub(mul(v1, r2, k1), mul(v2, r1, k5), k1)
+    gv_r3 = mul(v_r3, g, k5)
+    v_r2 = sub(mul(v3, r1, k6), mul(v1, r3, k7), k6)
+    gv_r2 = mul(v_r2, g, k7)
+    gv2 = mul(v2, g, k8)
+    gv3 = mul(v3, g, k9)
+    y = add(add(mul(v1, v1o, k10), mul(v2, v2o, k11), k10), mul(v3, v3o, k11), k10)
+    along = mul(h, y, k4)
+    v_r1 = sub(mul(v2, r3, k10), mul(v3, r2, k11), k10)
     add(
         add(r1, add(mul(v_r1, f, k11), sub(mul(v2, gv_r3, k12), mul(v3, gv_r2, k13), k12), k11), k11), add(add(mul(v1o,
         f, k12), sub(mul(gv2, v3o, k13), mul(gv3, v2o, k14), k13), k12), mul(v1, along, k13), k12), o1
     )
-    gv_r1 = mul(v_r1, g, k5)
-    gv1 = mul(v1, g, k7)
+    gv_r1 = mul(v_r1, g, k10)
+    gv1 = mul(v1, g, k3)
     add(
-        add(r2, add(mul(v_r2, f, k3), sub(mul(v3, gv_r1, k11), mul(v1, gv_r3, k4), k4), k3), k3), add(add(mul(v2o, f,
-        k4), sub(mul(gv3, v1o, k10), mul(gv1, v3o, k11), k10), k4), mul(v2, along, k10), k4), o2
+        add(r2, add(mul(v_r2, f, k6), sub(mul(v3, gv_r1, k11), mul(v1, gv_r3, k5), k5), k5), k5), add(add(mul(v2o, f,
+        k6), sub(mul(gv3, v1o, k9), mul(gv1, v3o, k11), k9), k6), mul(v2, along, k9), k6), o2
     )
     add(
-        add(r3, add(mul(v_r3, f, k2), sub(mul(v1, gv_r2, k3), mul(v2, gv_r1, k4), k3), k2), k2), add(add(mul(v3o, f,
-        k3), sub(mul(gv1, v2o, k4), mul(gv2, v1o, k5), k4), k3), mul(v3, along, k1), k1), o3
+        add(r3, add(mul(v_r3, f, k1), sub(mul(v1, gv_r2, k5), mul(v2, gv_r1, k6), k5), k1), k1), add(add(mul(v3o, f,
+        k2), sub(mul(gv1, v2o, k3), mul(gv2, v1o, k5), k3), k2), mul(v3, along, k3), k2), o3
     )
 
 
@@ -356,46 +356,46 @@ def transform_line_blocks(
     v1, v2, v3, v1o, v2o, v3o = v
     l1, l2, l3, m1, m2, m3 = line
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, *spare = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, *spare = scratch
     *spare_masks, = masks
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
-    v_l3 = sub(mul(v1, l2, k2), mul(v2, l1, k3), k2)
-    v_l2 = sub(mul(v3, l1, k3), mul(v1, l3, k4), k3)
-    v_l1 = sub(mul(v2, l3, k4), mul(v3, l2, k5), k4)
-    y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k6), k5), mul(v3, v3o, k6), k5)
-    v_m3 = sub(mul(v1, m2, k6), mul(v2, m1, k7), k6)
-    v_m2 = sub(mul(v3, m1, k7), mul(v1, m3, k8), k7)
-    v_m1 = sub(mul(v2, m3, k8), mul(v3, m2, k9), k8)
-    f, g, h = c.pose((k9, k10, k11), (*spare,), (*spare_masks,), x)
-    along = mul(h, y, k1)
+    f, g, h = c.pose((k2, k3, k4), (*spare,), (*spare_masks,), x)
+    v_l3 = sub(mul(v1, l2, k1), mul(v2, l1, k5), k1)
     gv_l3 = mul(v_l3, g, k5)
-    gv_l2 = mul(v_l2, g, k11)
-    Ql1 = add(l1, add(mul(v_l1, f, k12), sub(mul(v2, gv_l3, k13), mul(v3, gv_l2, k14), k13), k12), o1)
-    gv_l1 = mul(v_l1, g, k4)
-    Ql2 = add(l2, add(mul(v_l2, f, k3), sub(mul(v3, gv_l1, k12), mul(v1, gv_l3, k5), k5), k3), o2)
-    Ql3 = add(l3, add(mul(v_l3, f, k2), sub(mul(v1, gv_l2, k3), mul(v2, gv_l1, k4), k3), k2), o3)
-    gv3 = mul(v3, g, k2)
-    gv1 = mul(v1, g, k3)
-    rho2 = add(add(mul(v2o, f, k4), sub(mul(gv3, v1o, k5), mul(gv1, v3o, k11), k5), k4), mul(v2, along, k5), k4)
-    gv2 = mul(v2, g, k5)
-    rho3 = add(add(mul(v3o, f, k11), sub(mul(gv1, v2o, k3), mul(gv2, v1o, k12), k3), k3), mul(v3, along, k11), k3)
-    rho1 = add(add(mul(v1o, f, k11), sub(mul(gv2, v3o, k5), mul(gv3, v2o, k2), k2), k2), mul(v1, along, k1), k1)
-    gv_m3 = mul(v_m3, g, k2)
-    gv_m2 = mul(v_m2, g, k5)
+    v_l2 = sub(mul(v3, l1, k6), mul(v1, l3, k7), k6)
+    gv_l2 = mul(v_l2, g, k7)
+    v_l1 = sub(mul(v2, l3, k8), mul(v3, l2, k9), k8)
+    Ql1 = add(l1, add(mul(v_l1, f, k9), sub(mul(v2, gv_l3, k10), mul(v3, gv_l2, k11), k10), k9), o1)
+    gv_l1 = mul(v_l1, g, k8)
+    Ql2 = add(l2, add(mul(v_l2, f, k6), sub(mul(v3, gv_l1, k9), mul(v1, gv_l3, k5), k5), k5), o2)
+    Ql3 = add(l3, add(mul(v_l3, f, k1), sub(mul(v1, gv_l2, k5), mul(v2, gv_l1, k6), k5), k1), o3)
+    gv3 = mul(v3, g, k1)
+    gv1 = mul(v1, g, k5)
+    y = add(add(mul(v1, v1o, k6), mul(v2, v2o, k7), k6), mul(v3, v3o, k7), k6)
+    along = mul(h, y, k4)
+    rho2 = add(add(mul(v2o, f, k6), sub(mul(gv3, v1o, k7), mul(gv1, v3o, k8), k7), k6), mul(v2, along, k7), k6)
+    gv2 = mul(v2, g, k7)
+    rho3 = add(add(mul(v3o, f, k8), sub(mul(gv1, v2o, k5), mul(gv2, v1o, k9), k5), k5), mul(v3, along, k8), k5)
+    rho1 = add(add(mul(v1o, f, k8), sub(mul(gv2, v3o, k7), mul(gv3, v2o, k1), k1), k1), mul(v1, along, k4), k1)
+    v_m3 = sub(mul(v1, m2, k4), mul(v2, m1, k7), k4)
+    gv_m3 = mul(v_m3, g, k7)
+    v_m2 = sub(mul(v3, m1, k8), mul(v1, m3, k9), k8)
+    gv_m2 = mul(v_m2, g, k9)
+    v_m1 = sub(mul(v2, m3, k10), mul(v3, m2, k11), k10)
     add(
         add(m1, add(mul(v_m1, f, k11), sub(mul(v2, gv_m3, k12), mul(v3, gv_m2, k13), k12), k11), k11), sub(mul(rho2,
         Ql3, k12), mul(rho3, Ql2, k13), k12), o4
     )
-    gv_m1 = mul(v_m1, g, k8)
+    gv_m1 = mul(v_m1, g, k3)
     add(
-        add(m2, add(mul(v_m2, f, k7), sub(mul(v3, gv_m1, k10), mul(v1, gv_m3, k2), k2), k2), k2), sub(mul(rho3, Ql1,
-        k3), mul(rho1, Ql3, k7), k3), o5
+        add(m2, add(mul(v_m2, f, k8), sub(mul(v3, gv_m1, k10), mul(v1, gv_m3, k7), k7), k7), k7), sub(mul(rho3, Ql1,
+        k5), mul(rho1, Ql3, k8), k5), o5
     )
     add(
-        add(m3, add(mul(v_m3, f, k2), sub(mul(v1, gv_m2, k3), mul(v2, gv_m1, k5), k3), k2), k2), sub(mul(rho1, Ql2, k1),
+        add(m3, add(mul(v_m3, f, k2), sub(mul(v1, gv_m2, k4), mul(v2, gv_m1, k3), k3), k2), k2), sub(mul(rho1, Ql2, k1),
         mul(rho2, Ql1, k3), k1), o6
     )
 
@@ -457,53 +457,53 @@ def tangent_blocks(
 ) -> None:
     v1, v2, v3, v1o, v2o, v3o = v
     o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, *spare = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, *spare = scratch
     *spare_masks, = masks
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
-    y = add(add(mul(v1, v1o, k2), mul(v2, v2o, k3), k2), mul(v3, v3o, k3), k2)
-    f, g, h, fy, gy, hy = c.tangent((k3, k4, k5, k6, k7, k8), (*spare,), (*spare_masks,), x)
-    ho = mul(hy, y, k1)
-    fo = mul(fy, y, k6)
-    go = mul(gy, y, k2)
-    cv1 = mul(v1, h, k7)
-    add(f, mul(cv1, v1, k8), o1)
-    d12 = mul(cv1, v2, k8)
-    gv3 = mul(v3, g, k9)
-    sub(d12, gv3, o2)
-    add(d12, gv3, o4)
-    d13 = mul(cv1, v3, k8)
-    gv2 = mul(v2, g, k9)
-    add(d13, gv2, o3)
-    sub(d13, gv2, o7)
+    f, g, h, fy, gy, hy = c.tangent((k2, k3, k4, k5, k6, k7), (*spare,), (*spare_masks,), x)
+    y = add(add(mul(v1, v1o, k1), mul(v2, v2o, k8), k1), mul(v3, v3o, k8), k1)
+    ho = mul(hy, y, k7)
+    fo = mul(fy, y, k5)
+    go = mul(gy, y, k1)
+    cvo3 = add(mul(v3o, h, k6), mul(v3, ho, k8), k6)
+    cv3 = mul(v3, h, k8)
+    add(fo, add(mul(cv3, v3o, k9), mul(cvo3, v3, k6), k6), o18)
+    add(f, mul(cv3, v3, k6), o9)
+    cvo2 = add(mul(v2o, h, k6), mul(v2, ho, k8), k6)
+    cvo1 = add(mul(v1o, h, k8), mul(v1, ho, k7), k7)
     cv2 = mul(v2, h, k8)
-    add(f, mul(cv2, v2, k9), o5)
-    d23 = mul(cv2, v3, k9)
-    gv1 = mul(v1, g, k10)
-    sub(d23, gv1, o6)
-    add(d23, gv1, o8)
-    cv3 = mul(v3, h, k9)
-    add(f, mul(cv3, v3, k10), o9)
-    cvo1 = add(mul(v1o, h, k3), mul(v1, ho, k10), k3)
-    add(fo, add(mul(cv1, v1o, k10), mul(cvo1, v1, k11), k10), o10)
-    d12o = add(mul(cv1, v2o, k10), mul(cvo1, v2, k11), k10)
-    d13o = add(mul(cv1, v3o, k7), mul(cvo1, v3, k3), k3)
-    gvo3 = add(mul(v3o, g, k7), mul(v3, go, k11), k7)
-    sub(d12o, gvo3, o11)
-    add(d12o, gvo3, o13)
-    gvo2 = add(mul(v2o, g, k7), mul(v2, go, k10), k7)
-    gvo1 = add(mul(v1o, g, k4), mul(v1, go, k2), k2)
-    add(d13o, gvo2, o12)
-    sub(d13o, gvo2, o16)
-    cvo2 = add(mul(v2o, h, k3), mul(v2, ho, k4), k3)
-    cvo3 = add(mul(v3o, h, k4), mul(v3, ho, k1), k1)
-    add(fo, add(mul(cv3, v3o, k4), mul(cvo3, v3, k1), k1), o18)
-    add(fo, add(mul(cv2, v2o, k1), mul(cvo2, v2, k4), k1), o14)
-    d23o = add(mul(cv2, v3o, k1), mul(cvo2, v3, k3), k1)
-    sub(d23o, gvo1, o15)
+    cv1 = mul(v1, h, k4)
+    add(fo, add(mul(cv2, v2o, k9), mul(cvo2, v2, k10), k9), o14)
+    add(fo, add(mul(cv1, v1o, k9), mul(cvo1, v1, k10), k9), o10)
+    d23o = add(mul(cv2, v3o, k5), mul(cvo2, v3, k6), k5)
+    add(f, mul(cv2, v2, k6), o5)
+    add(f, mul(cv1, v1, k6), o1)
+    d23 = mul(cv2, v3, k2)
+    gvo1 = add(mul(v1o, g, k6), mul(v1, go, k8), k6)
     add(d23o, gvo1, o17)
+    sub(d23o, gvo1, o15)
+    d13o = add(mul(cv1, v3o, k5), mul(cvo1, v3, k6), k5)
+    d12o = add(mul(cv1, v2o, k6), mul(cvo1, v2, k7), k6)
+    gvo2 = add(mul(v2o, g, k7), mul(v2, go, k8), k7)
+    sub(d13o, gvo2, o16)
+    add(d13o, gvo2, o12)
+    gvo3 = add(mul(v3o, g, k5), mul(v3, go, k1), k1)
+    add(d12o, gvo3, o13)
+    sub(d12o, gvo3, o11)
+    gv1 = mul(v1, g, k1)
+    add(d23, gv1, o8)
+    sub(d23, gv1, o6)
+    d13 = mul(cv1, v3, k1)
+    d12 = mul(cv1, v2, k2)
+    gv2 = mul(v2, g, k4)
+    sub(d13, gv2, o7)
+    add(d13, gv2, o3)
+    gv3 = mul(v3, g, k1)
+    add(d12, gv3, o4)
+    sub(d12, gv3, o2)
 
 
 # operations 75: 31 +, 35 *, 9 /
@@ -565,56 +565,56 @@ def tangent_inv_blocks(
 ) -> None:
     v1, v2, v3, v1o, v2o, v3o = v
     o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, *spare = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8, *spare = scratch
     *spare_masks, = masks
     n_minus_2, n2 = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
-    s3 = div(v3, n_minus_2, k2)
-    s2 = div(v2, n_minus_2, k3)
-    s1 = div(v1, n_minus_2, k4)
-    y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k6), k5), mul(v3, v3o, k6), k5)
-    yh = div(y, n2, k5)
-    so3 = div(v3o, n_minus_2, k6)
-    so2 = div(v2o, n_minus_2, k7)
-    so1 = div(v1o, n_minus_2, k8)
-    fi, hi, fiy, hiy = c.tangent_inv((k9, k10, k11, k12), (*spare,), (*spare_masks,), x)
-    fih = div(fi, n2, k1)
-    hih = div(hi, n2, k9)
-    hio = mul(hiy, yh, k10)
-    fio = mul(fiy, yh, k5)
-    cv1 = mul(v1, hih, k11)
-    add(fih, mul(cv1, v1, k12), o1)
-    d12 = mul(cv1, v2, k12)
-    sub(d12, s3, o2)
-    add(d12, s3, o4)
-    d13 = mul(cv1, v3, k2)
-    add(d13, s2, o3)
-    sub(d13, s2, o7)
-    cv2 = mul(v2, hih, k2)
-    add(fih, mul(cv2, v2, k3), o5)
-    d23 = mul(cv2, v3, k3)
-    sub(d23, s1, o6)
-    add(d23, s1, o8)
-    cv3 = mul(v3, hih, k3)
-    add(fih, mul(cv3, v3, k4), o9)
-    cvo1 = add(mul(v1o, hih, k1), mul(v1, hio, k4), k1)
-    add(fio, add(mul(cv1, v1o, k4), mul(cvo1, v1, k12), k4), o10)
-    d12o = add(mul(cv1, v2o, k4), mul(cvo1, v2, k12), k4)
-    d13o = add(mul(cv1, v3o, k11), mul(cvo1, v3, k1), k1)
-    sub(d12o, so3, o11)
-    add(d12o, so3, o13)
-    add(d13o, so2, o12)
-    sub(d13o, so2, o16)
-    cvo2 = add(mul(v2o, hih, k1), mul(v2, hio, k4), k1)
+    fi, hi, fiy, hiy = c.tangent_inv((k2, k3, k4, k5), (*spare,), (*spare_masks,), x)
+    hih = div(hi, n2, k1)
+    fih = div(fi, n2, k2)
+    y = add(add(mul(v1, v1o, k3), mul(v2, v2o, k6), k3), mul(v3, v3o, k6), k3)
+    yh = div(y, n2, k3)
+    hio = mul(hiy, yh, k5)
+    fio = mul(fiy, yh, k3)
     cvo3 = add(mul(v3o, hih, k4), mul(v3, hio, k6), k4)
-    add(fio, add(mul(cv3, v3o, k3), mul(cvo3, v3, k4), k3), o18)
-    add(fio, add(mul(cv2, v2o, k3), mul(cvo2, v2, k4), k3), o14)
-    d23o = add(mul(cv2, v3o, k2), mul(cvo2, v3, k1), k1)
-    sub(d23o, so1, o15)
+    cv3 = mul(v3, hih, k6)
+    add(fio, add(mul(cv3, v3o, k7), mul(cvo3, v3, k4), k4), o18)
+    add(fih, mul(cv3, v3, k4), o9)
+    cvo2 = add(mul(v2o, hih, k4), mul(v2, hio, k6), k4)
+    cvo1 = add(mul(v1o, hih, k6), mul(v1, hio, k5), k5)
+    cv2 = mul(v2, hih, k6)
+    cv1 = mul(v1, hih, k1)
+    add(fio, add(mul(cv2, v2o, k7), mul(cvo2, v2, k8), k7), o14)
+    add(fio, add(mul(cv1, v1o, k7), mul(cvo1, v1, k8), k7), o10)
+    d23o = add(mul(cv2, v3o, k3), mul(cvo2, v3, k4), k3)
+    add(fih, mul(cv2, v2, k4), o5)
+    add(fih, mul(cv1, v1, k4), o1)
+    d23 = mul(cv2, v3, k2)
+    so1 = div(v1o, n_minus_2, k4)
     add(d23o, so1, o17)
+    sub(d23o, so1, o15)
+    d13o = add(mul(cv1, v3o, k3), mul(cvo1, v3, k4), k3)
+    d12o = add(mul(cv1, v2o, k4), mul(cvo1, v2, k5), k4)
+    so2 = div(v2o, n_minus_2, k5)
+    sub(d13o, so2, o16)
+    add(d13o, so2, o12)
+    so3 = div(v3o, n_minus_2, k3)
+    add(d12o, so3, o13)
+    sub(d12o, so3, o11)
+    s1 = div(v1, n_minus_2, k3)
+    add(d23, s1, o8)
+    sub(d23, s1, o6)
+    d13 = mul(cv1, v3, k2)
+    d12 = mul(cv1, v2, k1)
+    s2 = div(v2, n_minus_2, k3)
+    sub(d13, s2, o7)
+    add(d13, s2, o3)
+    s3 = div(v3, n_minus_2, k2)
+    add(d12, s3, o4)
+    sub(d12, s3, o2)
 
 
 # operations 113: 45 +, 68 *
@@ -1429,87 +1429,85 @@ def compose_blocks(
     b1, b2, b3, b1o, b2o, b3o = b
     a1, a2, a3, a1o, a2o, a3o = a
     o1, o2, o3, o4, o5, o6 = out
-    (
-        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
-        *spare,
-    ) = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, *spare = scratch
     *spare_masks, = masks
     n2, = numbers
     v11b = mul(b1, b1, k1)
     v22b = mul(b2, b2, k2)
     v33b = mul(b3, b3, k3)
     xb = add(add(v11b, v22b, k1), v33b, k1)
-    v11a = mul(a1, a1, k2)
-    v22a = mul(a2, a2, k3)
-    v33a = mul(a3, a3, k4)
-    xa = add(add(v11a, v22a, k2), v33a, k2)
-    ya = add(add(mul(a1, a1o, k3), mul(a2, a2o, k4), k3), mul(a3, a3o, k4), k3)
-    yb = add(add(mul(b1, b1o, k4), mul(b2, b2o, k5), k4), mul(b3, b3o, k5), k4)
-    ab, bb, sizeb, fb, gb, hb = c.ray((k5, k6, k7, k8, k9, k10), (*spare,), (*spare_masks,), xb)
-    alongb = mul(hb, yb, k1)
-    bvb1 = mul(b1, bb, k4)
-    bvb2 = mul(b2, bb, k10)
-    bvb3 = mul(b3, bb, k6)
-    gvb2 = mul(b2, gb, k11)
-    gvb3 = mul(b3, gb, k12)
-    gvb1 = mul(b1, gb, k13)
-    aa, ba, sizea, fa, ga, ha = c.ray((k14, k15, k16, k17, k18, k19), (*spare,), (*spare_masks,), xa)
-    alonga = mul(ha, ya, k2)
-    bva1 = mul(a1, ba, k3)
-    bva2 = mul(a2, ba, k19)
-    bva3 = mul(a3, ba, k15)
+    ab, bb, sizeb, fb, gb, hb = c.ray((k2, k3, k4, k5, k6, k7), (*spare,), (*spare_masks,), xb)
+    v11a = mul(a1, a1, k1)
+    v22a = mul(a2, a2, k8)
+    v33a = mul(a3, a3, k9)
+    xa = add(add(v11a, v22a, k1), v33a, k1)
+    aa, ba, sizea, fa, ga, ha = c.ray((k8, k9, k10, k11, k12, k13), (*spare,), (*spare_masks,), xa)
+    bvb1 = mul(b1, bb, k1)
+    bva1 = mul(a1, ba, k14)
+    bvb2 = mul(b2, bb, k15)
+    bvb3 = mul(b3, bb, k3)
+    bva2 = mul(a2, ba, k16)
+    bva3 = mul(a3, ba, k9)
     z0 = sub(
-        mul(ab, aa, k20), add(add(mul(bvb1, bva1, k21), mul(bvb2, bva2, k22), k21), mul(bvb3, bva3, k22), k21), k20
+        mul(ab, aa, k17), add(add(mul(bvb1, bva1, k18), mul(bvb2, bva2, k19), k18), mul(bvb3, bva3, k19), k18), k17
     )
     z1 = add(
-        add(mul(bva1, ab, k21), mul(bvb1, aa, k22), k21), sub(mul(bvb2, bva3, k22), mul(bvb3, bva2, k23), k22), k21
+        add(mul(bva1, ab, k18), mul(bvb1, aa, k19), k18), sub(mul(bvb2, bva3, k19), mul(bvb3, bva2, k20), k19), k18
     )
     z2 = add(
-        add(mul(bva2, ab, k22), mul(bvb2, aa, k23), k22), sub(mul(bvb3, bva1, k23), mul(bvb1, bva3, k24), k23), k22
+        add(mul(bva2, ab, k19), mul(bvb2, aa, k20), k19), sub(mul(bvb3, bva1, k20), mul(bvb1, bva3, k21), k20), k19
     )
-    z3 = add(add(mul(bva3, ab, k5), mul(bvb3, aa, k6), k5), sub(mul(bvb1, bva2, k4), mul(bvb2, bva1, k3), k3), k3)
+    z3 = add(add(mul(bva3, ab, k2), mul(bvb3, aa, k3), k2), sub(mul(bvb1, bva2, k1), mul(bvb2, bva1, k3), k1), k1)
     gain, = c.gain_product(
-        (k4,), (k5, k6, k10, k14, k15, k19, k23, k24, *spare), (*spare_masks,), z0, z1, z2, z3, sizeb, sizea
+        (k2,), (k3, k8, k9, k14, k15, k16, k20, k21, *spare), (*spare_masks,), z0, z1, z2, z3, sizeb, sizea
     )
     v1 = mul(z1, gain, o1)
     v2 = mul(z2, gain, o2)
     v3 = mul(z3, gain, o3)
-    v11 = mul(v1, v1, k3)
-    v22 = mul(v2, v2, k4)
-    v33 = mul(v3, v3, k5)
-    x = add(add(v11, v22, k3), v33, k3)
-    fi, hi = c.inverse((k4, k5), (k6, k7, k10, k14, k15, k16, k19, k20, k21, k22, k23, k24, *spare), (*spare_masks,), x)
-    gva1 = mul(a1, ga, k3)
-    gva2 = mul(a2, ga, k6)
-    gva3 = mul(a3, ga, k7)
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    fi, hi = c.inverse((k2, k3), (k4, k8, k9, k10, k14, k15, k16, k17, k18, k19, k20, k21, *spare), (*spare_masks,), x)
+    gva1 = mul(a1, ga, k1)
+    gva2 = mul(a2, ga, k4)
+    gva3 = mul(a3, ga, k8)
+    ya = add(add(mul(a1, a1o, k9), mul(a2, a2o, k10), k9), mul(a3, a3o, k10), k9)
+    alonga = mul(ha, ya, k9)
     rhoa3 = add(
-        add(mul(a3o, fa, k10), sub(mul(gva1, a2o, k14), mul(gva2, a1o, k15), k14), k10), mul(a3, alonga, k14), k10
+        add(mul(a3o, fa, k10), sub(mul(gva1, a2o, k12), mul(gva2, a1o, k13), k12), k10), mul(a3, alonga, k12), k10
     )
-    rhoa2 = add(add(mul(a2o, fa, k14), sub(mul(gva3, a1o, k15), mul(gva1, a3o, k3), k3), k3), mul(a2, alonga, k14), k3)
-    rhoa1 = add(add(mul(a1o, fa, k14), sub(mul(gva2, a3o, k6), mul(gva3, a2o, k7), k6), k6), mul(a1, alonga, k2), k2)
-    v_rho1 = sub(mul(b2, rhoa3, k6), mul(b3, rhoa2, k7), k6)
-    v_rho3 = sub(mul(b1, rhoa2, k7), mul(b2, rhoa1, k14), k7)
-    gv_rho3 = mul(v_rho3, gb, k14)
-    v_rho2 = sub(mul(b3, rhoa1, k15), mul(b1, rhoa3, k16), k15)
-    gv_rho2 = mul(v_rho2, gb, k16)
+    rhoa2 = add(add(mul(a2o, fa, k12), sub(mul(gva3, a1o, k13), mul(gva1, a3o, k1), k1), k1), mul(a2, alonga, k12), k1)
+    rhoa1 = add(add(mul(a1o, fa, k11), sub(mul(gva2, a3o, k4), mul(gva3, a2o, k8), k4), k4), mul(a1, alonga, k8), k4)
+    v_rho1 = sub(mul(b2, rhoa3, k8), mul(b3, rhoa2, k9), k8)
+    v_rho3 = sub(mul(b1, rhoa2, k9), mul(b2, rhoa1, k11), k9)
+    gv_rho3 = mul(v_rho3, gb, k11)
+    v_rho2 = sub(mul(b3, rhoa1, k12), mul(b1, rhoa3, k13), k12)
+    gv_rho2 = mul(v_rho2, gb, k13)
+    gvb2 = mul(b2, gb, k14)
+    gvb3 = mul(b3, gb, k15)
+    yb = add(add(mul(b1, b1o, k16), mul(b2, b2o, k17), k16), mul(b3, b3o, k17), k16)
+    alongb = mul(hb, yb, k7)
     rho1 = add(
-        add(rhoa1, add(mul(v_rho1, fb, k17), sub(mul(b2, gv_rho3, k18), mul(b3, gv_rho2, k19), k18), k17), k2),
-        add(add(mul(b1o, fb, k17), sub(mul(gvb2, b3o, k18), mul(gvb3, b2o, k19), k18), k17), mul(b1, alongb, k18), k17),
-        k2
+        add(rhoa1, add(mul(v_rho1, fb, k16), sub(mul(b2, gv_rho3, k17), mul(b3, gv_rho2, k18), k17), k16), k4),
+        add(add(mul(b1o, fb, k16), sub(mul(gvb2, b3o, k17), mul(gvb3, b2o, k18), k17), k16), mul(b1, alongb, k17), k16),
+        k4
     )
-    gv_rho1 = mul(v_rho1, gb, k6)
+    gv_rho1 = mul(v_rho1, gb, k8)
+    gvb1 = mul(b1, gb, k6)
     rho2 = add(
-        add(rhoa2, add(mul(v_rho2, fb, k9), sub(mul(b3, gv_rho1, k15), mul(b1, gv_rho3, k14), k14), k9), k3),
-        add(add(mul(b2o, fb, k9), sub(mul(gvb3, b1o, k12), mul(gvb1, b3o, k14), k12), k9), mul(b2, alongb, k12), k9), k3
+        add(rhoa2, add(mul(v_rho2, fb, k12), sub(mul(b3, gv_rho1, k16), mul(b1, gv_rho3, k11), k11), k11), k1),
+        add(add(mul(b2o, fb, k11), sub(mul(gvb3, b1o, k12), mul(gvb1, b3o, k15), k12), k11), mul(b2, alongb, k12), k11),
+        k1
     )
     rho3 = add(
-        add(rhoa3, add(mul(v_rho3, fb, k7), sub(mul(b1, gv_rho2, k9), mul(b2, gv_rho1, k6), k6), k6), k6),
-        add(add(mul(b3o, fb, k7), sub(mul(gvb1, b2o, k8), mul(gvb2, b1o, k9), k8), k7), mul(b3, alongb, k1), k1), k1
+        add(rhoa3, add(mul(v_rho3, fb, k9), sub(mul(b1, gv_rho2, k11), mul(b2, gv_rho1, k8), k8), k8), k8),
+        add(add(mul(b3o, fb, k5), sub(mul(gvb1, b2o, k6), mul(gvb2, b1o, k9), k6), k5), mul(b3, alongb, k6), k5), k5
     )
-    hvr = mul(hi, add(add(mul(v1, rho1, k6), mul(v2, rho2, k7), k6), mul(v3, rho3, k7), k6), k5)
+    hvr = mul(hi, add(add(mul(v1, rho1, k6), mul(v2, rho2, k7), k6), mul(v3, rho3, k7), k6), k3)
     div(add(sub(mul(rho1, fi, k6), sub(mul(v2, rho3, k7), mul(v3, rho2, k8), k7), k6), mul(v1, hvr, k7), k6), n2, o4)
     div(add(sub(mul(rho2, fi, k6), sub(mul(v3, rho1, k7), mul(v1, rho3, k8), k7), k6), mul(v2, hvr, k7), k6), n2, o5)
-    div(add(sub(mul(rho3, fi, k1), sub(mul(v1, rho2, k3), mul(v2, rho1, k2), k2), k1), mul(v3, hvr, k2), k1), n2, o6)
+    div(add(sub(mul(rho3, fi, k2), sub(mul(v1, rho2, k1), mul(v2, rho1, k4), k1), k1), mul(v3, hvr, k2), k1), n2, o6)
 
 
 KERNELS: Mapping[str, Kernel] = {
@@ -1562,7 +1560,7 @@ KERNELS: Mapping[str, Kernel] = {
         transform_line_blocks,
         (("v", (6,)), ("line", (6,)),),
         (6,),
-        registers=14,
+        registers=13,
         masks=0,
         numbers=(),
         lent=(('pose', 0, 0),),
@@ -1573,7 +1571,7 @@ KERNELS: Mapping[str, Kernel] = {
         tangent_blocks,
         (("v", (6,)),),
         (2, 3, 3),
-        registers=11,
+        registers=10,
         masks=0,
         numbers=(),
         lent=(('tangent', 0, 0),),
@@ -1584,7 +1582,7 @@ KERNELS: Mapping[str, Kernel] = {
         tangent_inv_blocks,
         (("v", (6,)),),
         (2, 3, 3),
-        registers=12,
+        registers=8,
         masks=0,
         numbers=(-2, 2),
         lent=(('tangent_inv', 0, 0),),
@@ -1705,7 +1703,7 @@ KERNELS: Mapping[str, Kernel] = {
         compose_blocks,
         (("v2", (6,)), ("v1", (6,)),),
         (6,),
-        registers=24,
+        registers=21,
         masks=0,
         numbers=(2,),
         lent=(('ray', 0, 0), ('ray', 0, 0), ('gain_product', 8, 0), ('inverse', 12, 0)),

@@ -102,10 +102,9 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
 
 def _turned_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, r: Any, cos: Any, sin: Any) -> Result:
     o1, o2 = out
-    k1, k2, *_ = scratch
     n1, = numbers
-    iden = div(n1, sub(cos, mul(r, sin, k1), k1), k1)
-    mul(add(mul(r, cos, k2), sin, k2), iden, o1)
+    iden = div(n1, sub(cos, mul(r, sin, o2), o2), o2)
+    mul(add(mul(r, cos, o1), sin, o1), iden, o1)
     mul(iden, iden, o2)
     return o1, o2
 
@@ -119,10 +118,9 @@ def _coefficient(m: Any, alpha: Any) -> Result:
 
 def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
     o1, o2 = out
-    k1, *_ = scratch
     n1, n2 = numbers
-    r = tan(div(alpha, n2, k1), o1)
-    div(add(n1, mul(r, r, k1), k1), n2, o2)
+    r = tan(div(alpha, n2, o1), o1)
+    div(add(n1, mul(r, r, o2), o2), n2, o2)
     return o1, o2
 
 
@@ -312,35 +310,35 @@ def _own_pose_blocks(
 ) -> None:
     v1, v2, v3, v1o, v2o, v3o = v
     o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16 = out
-    k1, k2, k3, k4, k5, k6, k7 = scratch
+    k1, k2, k3, k4, k5, k6 = scratch
     n0, n1, n2 = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     x12 = add(v11, v22, k3)
     v33 = mul(v3, v3, k4)
-    x23 = add(v22, v33, k2)
     x13 = add(v11, v33, k1)
+    x23 = add(v22, v33, k2)
     x = add(x12, v33, k4)
     N = add(n1, x, k4)
     r = mul(n2, div(div(N, N, k5), N, k4), k4)
-    sub(n1, mul(r, x23, k2), o1)
+    sub(n1, mul(r, x12, k3), o11)
     sub(n1, mul(r, x13, k1), o6)
-    sub(n1, mul(r, x12, k1), o11)
+    sub(n1, mul(r, x23, k1), o1)
     fv1 = mul(v1, r, k1)
-    gvv1 = mul(fv1, v2, k2)
-    fv3 = mul(v3, r, k3)
-    sub(gvv1, fv3, o2)
-    add(gvv1, fv3, o5)
-    add(mul(v2o, r, k2), sub(mul(fv3, v1o, k5), mul(fv1, v3o, k6), k5), o8)
-    gvv2 = mul(fv1, v3, k2)
-    fv2 = mul(v2, r, k5)
-    add(mul(v1o, r, k6), sub(mul(fv2, v3o, k7), mul(fv3, v2o, k3), k3), o4)
-    add(mul(v3o, r, k3), sub(mul(fv1, v2o, k4), mul(fv2, v1o, k6), k4), o12)
-    add(gvv2, fv2, o3)
-    sub(gvv2, fv2, o9)
-    gvv3 = mul(fv2, v3, k2)
-    sub(gvv3, fv1, o7)
+    fv2 = mul(v2, r, k2)
+    add(mul(v3o, r, k3), sub(mul(fv1, v2o, k5), mul(fv2, v1o, k6), k5), o12)
+    gvv3 = mul(fv2, v3, k3)
     add(gvv3, fv1, o10)
+    sub(gvv3, fv1, o7)
+    gvv2 = mul(fv1, v3, k3)
+    sub(gvv2, fv2, o9)
+    add(gvv2, fv2, o3)
+    fv3 = mul(v3, r, k3)
+    add(mul(v1o, r, k5), sub(mul(fv2, v3o, k2), mul(fv3, v2o, k6), k2), o4)
+    add(mul(v2o, r, k2), sub(mul(fv3, v1o, k4), mul(fv1, v3o, k5), k4), o8)
+    gvv1 = mul(fv1, v2, k1)
+    add(gvv1, fv3, o5)
+    sub(gvv1, fv3, o2)
     copy(n0, o13)
     copy(n0, o14)
     copy(n0, o15)
@@ -607,44 +605,44 @@ def _own_tangent_inv_blocks(
 ) -> None:
     v1, v2, v3, v1o, v2o, v3o = v
     o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
-    k1, k2, k3, k4, k5, k6 = scratch
+    k1, k2, k3, k4, k5 = scratch
     n_minus_2, n1, n2 = numbers
-    cv1 = div(v1, n2, k1)
-    div(add(n1, mul(n2, mul(cv1, v1, k2), k2), k2), n2, o1)
-    d12 = mul(cv1, v2, k2)
-    s3 = div(v3, n_minus_2, k3)
-    sub(d12, s3, o2)
-    add(d12, s3, o4)
-    d13 = mul(cv1, v3, k2)
-    s2 = div(v2, n_minus_2, k3)
-    add(d13, s2, o3)
-    sub(d13, s2, o7)
-    cv2 = div(v2, n2, k2)
-    div(add(n1, mul(n2, mul(cv2, v2, k3), k3), k3), n2, o5)
-    d23 = mul(cv2, v3, k3)
-    s1 = div(v1, n_minus_2, k4)
-    sub(d23, s1, o6)
-    add(d23, s1, o8)
-    cv3 = div(v3, n2, k3)
-    div(add(n1, mul(n2, mul(cv3, v3, k4), k4), k4), n2, o9)
-    cvo1 = div(v1o, n2, k4)
-    add(mul(cv1, v1o, k5), mul(cvo1, v1, k6), o10)
-    d12o = add(mul(cv1, v2o, k5), mul(cvo1, v2, k6), k5)
-    d13o = add(mul(cv1, v3o, k1), mul(cvo1, v3, k4), k1)
-    so3 = div(v3o, n_minus_2, k4)
-    sub(d12o, so3, o11)
-    add(d12o, so3, o13)
-    so2 = div(v2o, n_minus_2, k4)
-    add(d13o, so2, o12)
-    sub(d13o, so2, o16)
-    cvo2 = div(v2o, n2, k1)
-    add(mul(cv2, v2o, k4), mul(cvo2, v2, k5), o14)
-    d23o = add(mul(cv2, v3o, k2), mul(cvo2, v3, k1), k1)
-    so1 = div(v1o, n_minus_2, k2)
-    sub(d23o, so1, o15)
+    cv3 = div(v3, n2, k1)
+    div(add(n1, mul(n2, mul(cv3, v3, k2), k2), k2), n2, o9)
+    cvo3 = div(v3o, n2, k2)
+    add(mul(cv3, v3o, k1), mul(cvo3, v3, k2), o18)
+    cv2 = div(v2, n2, k1)
+    div(add(n1, mul(n2, mul(cv2, v2, k2), k2), k2), n2, o5)
+    cvo2 = div(v2o, n2, k2)
+    add(mul(cv2, v2o, k3), mul(cvo2, v2, k4), o14)
+    d23o = add(mul(cv2, v3o, k3), mul(cvo2, v3, k2), k2)
+    d23 = mul(cv2, v3, k1)
+    so1 = div(v1o, n_minus_2, k3)
     add(d23o, so1, o17)
-    cvo3 = div(v3o, n2, k1)
-    add(mul(cv3, v3o, k2), mul(cvo3, v3, k1), o18)
+    sub(d23o, so1, o15)
+    cv1 = div(v1, n2, k2)
+    div(add(n1, mul(n2, mul(cv1, v1, k3), k3), k3), n2, o1)
+    cvo1 = div(v1o, n2, k3)
+    add(mul(cv1, v1o, k4), mul(cvo1, v1, k5), o10)
+    d13o = add(mul(cv1, v3o, k4), mul(cvo1, v3, k5), k4)
+    d12o = add(mul(cv1, v2o, k5), mul(cvo1, v2, k3), k3)
+    so2 = div(v2o, n_minus_2, k5)
+    sub(d13o, so2, o16)
+    add(d13o, so2, o12)
+    so3 = div(v3o, n_minus_2, k4)
+    add(d12o, so3, o13)
+    sub(d12o, so3, o11)
+    s1 = div(v1, n_minus_2, k3)
+    add(d23, s1, o8)
+    sub(d23, s1, o6)
+    d13 = mul(cv1, v3, k1)
+    d12 = mul(cv1, v2, k2)
+    s2 = div(v2, n_minus_2, k3)
+    sub(d13, s2, o7)
+    add(d13, s2, o3)
+    s3 = div(v3, n_minus_2, k1)
+    add(d12, s3, o4)
+    sub(d12, s3, o2)
 
 
 # operations 80: 29 +, 47 *, 3 /, 1 neg
@@ -1296,8 +1294,8 @@ CHART = Chart(
     returns=(
     ),
     functions={
-        "turned": Function(_turned, _turned_blocks, 2, 0, (1,)),
-        "coefficient": Function(_coefficient, _coefficient_blocks, 1, 0, (1, 2)),
+        "turned": Function(_turned, _turned_blocks, 0, 0, (1,)),
+        "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 2)),
     },
     own={
         "quaternion": Kernel(
@@ -1327,7 +1325,7 @@ CHART = Chart(
         _own_pose_blocks,
         (("v", (6,)),),
         (4, 4),
-        registers=7,
+        registers=6,
         masks=0,
         numbers=(0, 1, 2),
         lent=(),
@@ -1371,7 +1369,7 @@ CHART = Chart(
         _own_tangent_inv_blocks,
         (("v", (6,)),),
         (2, 3, 3),
-        registers=6,
+        registers=5,
         masks=0,
         numbers=(-2, 1, 2),
         lent=(),

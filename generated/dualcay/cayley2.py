@@ -105,12 +105,12 @@ def _pose(m: Any, x: Any) -> Result:
 
 def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3 = out
-    k1, k2, k3, *_ = scratch
+    k1, *_ = scratch
     n1, n2, n4 = numbers
-    p = sub(n1, x, k1)
-    N = add(mul(p, p, k2), mul(n4, x, k3), k2)
-    r = mul(n2, div(div(N, N, k3), N, k2), k2)
-    mul(mul(n2, p, k1), r, o1)
+    p = sub(n1, x, o1)
+    N = add(mul(p, p, o2), mul(n4, x, k1), o2)
+    r = mul(n2, div(div(N, N, k1), N, o2), o2)
+    mul(mul(n2, p, o1), r, o1)
     g = mul(n4, r, o2)
     copy(o2, o3)
     return o1, o2, o3
@@ -132,15 +132,14 @@ def _tangent(m: Any, x: Any) -> Result:
 
 def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, *_ = scratch
     n1, n2, n4 = numbers
-    p = sub(n1, x, k1)
-    N = add(mul(p, p, k2), mul(n4, x, k3), k2)
-    r = mul(n2, div(div(N, N, k3), N, k2), k2)
-    mul(mul(n2, p, k1), r, o1)
+    p = sub(n1, x, o1)
+    N = add(mul(p, p, o2), mul(n4, x, o5), o2)
+    r = mul(n2, div(div(N, N, o5), N, o2), o2)
+    mul(mul(n2, p, o1), r, o1)
     g = mul(n4, r, o2)
-    e = div(n4, add(n1, x, k1), k1)
-    eg = mul(e, g, k1)
+    e = div(n4, add(n1, x, o5), o5)
+    eg = mul(e, g, o5)
     sub(g, eg, o4)
     gy = neg(eg, o5)
     copy(o2, o3)
@@ -157,9 +156,8 @@ def _inverse(m: Any, x: Any) -> Result:
 
 def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2 = out
-    k1, *_ = scratch
     n1, n2 = numbers
-    p = sub(n1, x, k1)
+    p = sub(n1, x, o1)
     div(p, n2, o1)
     return o1, n1
 
@@ -177,13 +175,12 @@ def _ray(m: Any, x: Any) -> Result:
 
 def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, *_ = scratch
     n1, n2, n4 = numbers
     p = sub(n1, x, o1)
     add(n1, x, o3)
-    N = add(mul(p, p, k1), mul(n4, x, k2), k1)
-    r = mul(n2, div(div(N, N, k2), N, k1), k1)
-    mul(mul(n2, p, k2), r, o4)
+    N = add(mul(p, p, o5), mul(n4, x, o4), o5)
+    r = mul(n2, div(div(N, N, o4), N, o5), o5)
+    mul(mul(n2, p, o4), r, o4)
     g = mul(n4, r, o5)
     copy(o5, o6)
     return o1, n2, o3, o4, o5, o6
@@ -201,12 +198,12 @@ def _gain_unit_blocks(
     m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
 ) -> Result:
     o1, = out
-    k1, k2, *_ = scratch
+    k1, *_ = scratch
     mask1, *_ = masks
     n_minus_1, n0, n1 = numbers
     negative = m.less(e0, n0, mask1)
-    cos = m.where(negative, neg(e0, k1), e0, k1)
-    div(m.where(negative, n_minus_1, n1, k2), add(n1, cos, k1), o1)
+    cos = m.where(negative, neg(e0, o1), e0, o1)
+    div(m.where(negative, n_minus_1, n1, k1), add(n1, cos, o1), o1)
     return o1,
 
 
@@ -221,10 +218,10 @@ def _gain_positive_blocks(
     m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
 ) -> Result:
     o1, = out
-    k1, k2, k3, *_ = scratch
+    k1, k2, *_ = scratch
     n1, = numbers
-    size = sqrt(add(mul(e0, e0, k1), add(add(mul(e1, e1, k2), mul(e2, e2, k3), k2), mul(e3, e3, k3), k2), k1), k1)
-    div(n1, add(size, e0, k1), o1)
+    size = sqrt(add(mul(e0, e0, o1), add(add(mul(e1, e1, k1), mul(e2, e2, k2), k1), mul(e3, e3, k2), k1), o1), o1)
+    div(n1, add(size, e0, o1), o1)
     return o1,
 
 
@@ -241,13 +238,13 @@ def _gain_product_blocks(
     m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any
 ) -> Result:
     o1, = out
-    k1, k2, k3, *_ = scratch
+    k1, k2, *_ = scratch
     mask1, *_ = masks
     n_minus_1, n0, n1 = numbers
     negative = m.less(e0, n0, mask1)
-    size = mul(size2, size1, k1)
-    cos = m.where(negative, neg(e0, k2), e0, k2)
-    div(m.where(negative, n_minus_1, n1, k3), add(size, cos, k1), o1)
+    size = mul(size2, size1, o1)
+    cos = m.where(negative, neg(e0, k1), e0, k1)
+    div(m.where(negative, n_minus_1, n1, k2), add(size, cos, o1), o1)
     return o1,
 
 
@@ -261,10 +258,9 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
 
 def _turned_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, r: Any, cos: Any, sin: Any) -> Result:
     o1, o2 = out
-    k1, k2, *_ = scratch
     n1, = numbers
-    iden = div(n1, sub(cos, mul(r, sin, k1), k1), k1)
-    mul(add(mul(r, cos, k2), sin, k2), iden, o1)
+    iden = div(n1, sub(cos, mul(r, sin, o2), o2), o2)
+    mul(add(mul(r, cos, o1), sin, o1), iden, o1)
     mul(iden, iden, o2)
     return o1, o2
 
@@ -279,6 +275,7 @@ def _beyond_blocks(
     m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, limit1: Any, cos1: Any, sin1: Any
 ) -> Result:
     o1, o2, o3 = out
+    mask1, *_ = masks
     m.less(limit1, x, o1)
     return o1, cos1, sin1
 
@@ -292,10 +289,9 @@ def _coefficient(m: Any, alpha: Any) -> Result:
 
 def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
     o1, o2 = out
-    k1, *_ = scratch
     n1, n4 = numbers
-    r = tan(div(alpha, n4, k1), o1)
-    div(add(n1, mul(r, r, k1), k1), n4, o2)
+    r = tan(div(alpha, n4, o1), o1)
+    div(add(n1, mul(r, r, o2), o2), n4, o2)
     return o1, o2
 
 
@@ -784,16 +780,16 @@ CHART = Chart(
         "-1.0",
     ),
     functions={
-        "pose": Function(_pose, _pose_blocks, 3, 0, (1, 2, 4)),
-        "tangent": Function(_tangent, _tangent_blocks, 3, 0, (1, 2, 4)),
-        "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 2)),
-        "ray": Function(_ray, _ray_blocks, 2, 0, (1, 2, 4)),
-        "gain_unit": Function(_gain_unit, _gain_unit_blocks, 2, 1, (-1, 0, 1)),
-        "gain_positive": Function(_gain_positive, _gain_positive_blocks, 3, 0, (1,)),
-        "gain_product": Function(_gain_product, _gain_product_blocks, 3, 1, (-1, 0, 1)),
-        "turned": Function(_turned, _turned_blocks, 2, 0, (1,)),
-        "beyond": Function(_beyond, _beyond_blocks, 0, 0, ()),
-        "coefficient": Function(_coefficient, _coefficient_blocks, 1, 0, (1, 4)),
+        "pose": Function(_pose, _pose_blocks, 1, 0, (1, 2, 4)),
+        "tangent": Function(_tangent, _tangent_blocks, 0, 0, (1, 2, 4)),
+        "inverse": Function(_inverse, _inverse_blocks, 0, 0, (1, 2)),
+        "ray": Function(_ray, _ray_blocks, 0, 0, (1, 2, 4)),
+        "gain_unit": Function(_gain_unit, _gain_unit_blocks, 1, 1, (-1, 0, 1)),
+        "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 0, (1,)),
+        "gain_product": Function(_gain_product, _gain_product_blocks, 2, 1, (-1, 0, 1)),
+        "turned": Function(_turned, _turned_blocks, 0, 0, (1,)),
+        "beyond": Function(_beyond, _beyond_blocks, 0, 1, ()),
+        "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 4)),
     },
     own={
         "quaternion": Kernel(

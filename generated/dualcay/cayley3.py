@@ -111,19 +111,18 @@ def _quaternion(m: Any, x: Any) -> Result:
 
 def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3, o4 = out
-    k1, k2, k3, k4, *_ = scratch
     n_minus_3, n1, n2, n3 = numbers
-    q = sub(n3, x, k1)
-    qq = mul(q, q, k2)
-    p = sub(n1, mul(n3, x, k3), k3)
-    N = add(mul(p, p, k4), mul(x, qq, k2), k2)
-    root = sqrt(N, k2)
-    r = div(div(root, root, k4), root, k2)
+    q = sub(n3, x, o2)
+    qq = mul(q, q, o4)
+    p = sub(n1, mul(n3, x, o1), o1)
+    N = add(mul(p, p, o3), mul(x, qq, o4), o4)
+    root = sqrt(N, o4)
+    r = div(div(root, root, o3), root, o4)
     mul(p, r, o1)
     w = mul(q, r, o2)
-    minus_e = div(n_minus_3, add(n1, x, k1), k1)
+    minus_e = div(n_minus_3, add(n1, x, o3), o3)
     sy = mul(w, minus_e, o3)
-    sub(sy, mul(n2, r, k1), o4)
+    sub(sy, mul(n2, r, o4), o4)
     return o1, o2, o3, o4
 
 
@@ -142,14 +141,14 @@ def _pose(m: Any, x: Any) -> Result:
 
 def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3 = out
-    k1, k2, k3, k4, k5, *_ = scratch
+    k1, k2, *_ = scratch
     n1, n2, n3, n16 = numbers
-    q = sub(n3, x, k1)
-    qq = mul(q, q, k2)
-    p = sub(n1, mul(n3, x, k3), k3)
-    N = add(mul(p, p, k4), mul(x, qq, k5), k4)
-    r = mul(n2, div(div(N, N, k5), N, k4), k4)
-    mul(mul(p, q, k1), r, o1)
+    q = sub(n3, x, o1)
+    qq = mul(q, q, o2)
+    p = sub(n1, mul(n3, x, o3), o3)
+    N = add(mul(p, p, k1), mul(x, qq, k2), k1)
+    r = mul(n2, div(div(N, N, k2), N, k1), k1)
+    mul(mul(p, q, o1), r, o1)
     mul(qq, r, o2)
     mul(n16, r, o3)
     return o1, o2, o3
@@ -175,21 +174,21 @@ def _tangent(m: Any, x: Any) -> Result:
 
 def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, *_ = scratch
+    k1, *_ = scratch
     n_minus_4, n1, n2, n3, n6, n16 = numbers
-    q = sub(n3, x, k1)
-    qq = mul(q, q, k2)
-    p = sub(n1, mul(n3, x, k3), k3)
-    N = add(mul(p, p, k4), mul(x, qq, k5), k4)
-    r = mul(n2, div(div(N, N, k5), N, k4), k4)
-    mul(mul(p, q, k3), r, o1)
+    q = sub(n3, x, o5)
+    qq = mul(q, q, o2)
+    p = sub(n1, mul(n3, x, o1), o1)
+    N = add(mul(p, p, o4), mul(x, qq, o3), o4)
+    r = mul(n2, div(div(N, N, o3), N, o4), o4)
+    mul(mul(p, q, o1), r, o1)
     g = mul(qq, r, o2)
     h = mul(n16, r, o3)
-    e = div(n6, add(n1, x, k2), k2)
-    neg(mul(e, h, k3), o6)
-    eg = mul(e, g, k2)
-    sub(mul(n_minus_4, mul(q, r, k1), k1), eg, o5)
+    e = div(n6, add(n1, x, o6), o6)
+    eg = mul(e, g, k1)
+    sub(mul(n_minus_4, mul(q, r, o5), o5), eg, o5)
     sub(h, eg, o4)
+    neg(mul(e, h, o6), o6)
     return o1, o2, o3, o4, o5, o6
 
 
@@ -207,14 +206,14 @@ def _inverse(m: Any, x: Any) -> Result:
 
 def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2 = out
-    k1, k2, *_ = scratch
+    k1, *_ = scratch
     n1, n3, n11 = numbers
-    p = sub(n1, mul(n3, x, k1), k1)
-    q = sub(n3, x, k2)
-    iq = div(n1, q, k2)
+    p = sub(n1, mul(n3, x, o1), o1)
+    q = sub(n3, x, o2)
+    iq = div(n1, q, o2)
     mul(p, iq, o1)
     d = sub(n11, x, k1)
-    diq = mul(d, iq, k1)
+    diq = mul(d, iq, o2)
     div(diq, n3, o2)
     return o1, o2
 
@@ -235,17 +234,16 @@ def _tangent_inv(m: Any, x: Any) -> Result:
 
 def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3, o4 = out
-    k1, k2, k3, *_ = scratch
     n1, n2, n3, n11, n16 = numbers
-    p = sub(n1, mul(n3, x, k1), k1)
-    q = sub(n3, x, k2)
-    iq = div(n1, q, k2)
+    p = sub(n1, mul(n3, x, o1), o1)
+    q = sub(n3, x, o3)
+    iq = div(n1, q, o3)
     mul(p, iq, o1)
-    neg(mul(n16, mul(iq, iq, k1), k1), o3)
-    d = sub(n11, x, k1)
-    diq = mul(d, iq, k1)
-    div(mul(sub(mul(n2, diq, k3), n2, k3), iq, k2), n3, o4)
+    d = sub(n11, x, o4)
+    diq = mul(d, iq, o4)
     div(diq, n3, o2)
+    div(mul(sub(mul(n2, diq, o4), n2, o4), iq, o4), n3, o4)
+    neg(mul(n16, mul(iq, iq, o3), o3), o3)
     return o1, o2, o3, o4
 
 
@@ -264,15 +262,14 @@ def _ray(m: Any, x: Any) -> Result:
 
 def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, *_ = scratch
     n1, n2, n3, n16 = numbers
-    p = sub(n1, mul(n3, x, k1), o1)
+    p = sub(n1, mul(n3, x, o1), o1)
     q = sub(n3, x, o2)
-    qq = mul(q, q, k1)
-    N = add(mul(p, p, k2), mul(x, qq, k3), k2)
-    r = mul(n2, div(div(N, N, k3), N, k2), k2)
+    qq = mul(q, q, o5)
+    N = add(mul(p, p, o6), mul(x, qq, o4), o6)
+    r = mul(n2, div(div(N, N, o4), N, o6), o6)
+    mul(mul(p, q, o4), r, o4)
     mul(qq, r, o5)
-    mul(mul(p, q, k1), r, o4)
     mul(n16, r, o6)
     return o1, o2, n1, o4, o5, o6
 
@@ -292,17 +289,17 @@ def _gain_unit_blocks(
     m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
 ) -> Result:
     o1, = out
-    k1, k2, k3, k4, k5, *_ = scratch
+    k1, k2, k3, k4, *_ = scratch
     mask1, mask2, *_ = masks
     n_minus_1, n0, n1, n3 = numbers
-    ss = add(add(mul(e1, e1, k1), mul(e2, e2, k2), k1), mul(e3, e3, k2), k1)
+    ss = add(add(mul(e1, e1, o1), mul(e2, e2, k1), o1), mul(e3, e3, k1), o1)
     still = m.equal(ss, n0, mask1)
     negative = m.less(e0, n0, mask2)
-    cos = m.where(negative, neg(e0, k2), e0, k2)
-    sin = sqrt(m.where(still, cos, ss, k3), k1)
+    cos = m.where(negative, neg(e0, k1), e0, k1)
+    sin = sqrt(m.where(still, cos, ss, k2), o1)
     mul(
-        m.where(negative, n_minus_1, n1, k3), div(m.where(still, n1, tan(div(atan2(sin, cos, k4), n3, k4), k4), k5),
-        m.where(still, mul(n3, cos, k2), sin, k2), k1), o1
+        m.where(negative, n_minus_1, n1, k2), div(m.where(still, n1, tan(div(atan2(sin, cos, k3), n3, k3), k3), k4),
+        m.where(still, mul(n3, cos, k1), sin, k1), o1), o1
     )
     return o1,
 
@@ -320,13 +317,13 @@ def _gain_positive_blocks(
     m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
 ) -> Result:
     o1, = out
-    k1, k2, k3, *_ = scratch
+    k1, k2, *_ = scratch
     mask1, *_ = masks
     n0, n1, n3 = numbers
-    ss = add(add(mul(e1, e1, k1), mul(e2, e2, k2), k1), mul(e3, e3, k2), k1)
+    ss = add(add(mul(e1, e1, o1), mul(e2, e2, k1), o1), mul(e3, e3, k1), o1)
     still = m.equal(ss, n0, mask1)
-    sin = sqrt(m.where(still, e0, ss, k2), k1)
-    div(m.where(still, n1, tan(div(atan2(sin, e0, k2), n3, k2), k2), k3), m.where(still, mul(n3, e0, k2), sin, k2), o1)
+    sin = sqrt(m.where(still, e0, ss, k1), o1)
+    div(m.where(still, n1, tan(div(atan2(sin, e0, k1), n3, k1), k1), k2), m.where(still, mul(n3, e0, k1), sin, k1), o1)
     return o1,
 
 
@@ -345,17 +342,17 @@ def _gain_product_blocks(
     m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any
 ) -> Result:
     o1, = out
-    k1, k2, k3, k4, k5, *_ = scratch
+    k1, k2, k3, k4, *_ = scratch
     mask1, mask2, *_ = masks
     n_minus_1, n0, n1, n3 = numbers
-    ss = add(add(mul(e1, e1, k1), mul(e2, e2, k2), k1), mul(e3, e3, k2), k1)
+    ss = add(add(mul(e1, e1, o1), mul(e2, e2, k1), o1), mul(e3, e3, k1), o1)
     still = m.equal(ss, n0, mask1)
     negative = m.less(e0, n0, mask2)
-    cos = m.where(negative, neg(e0, k2), e0, k2)
-    sin = sqrt(m.where(still, cos, ss, k3), k1)
+    cos = m.where(negative, neg(e0, k1), e0, k1)
+    sin = sqrt(m.where(still, cos, ss, k2), o1)
     mul(
-        m.where(negative, n_minus_1, n1, k3), div(m.where(still, n1, tan(div(atan2(sin, cos, k4), n3, k4), k4), k5),
-        m.where(still, mul(n3, cos, k2), sin, k2), k1), o1
+        m.where(negative, n_minus_1, n1, k2), div(m.where(still, n1, tan(div(atan2(sin, cos, k3), n3, k3), k3), k4),
+        m.where(still, mul(n3, cos, k1), sin, k1), o1), o1
     )
     return o1,
 
@@ -374,18 +371,18 @@ def _direction(m: Any, x: Any, y: Any) -> Result:
 
 def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any) -> Result:
     o1, = out
-    k1, k2, k3, *_ = scratch
+    k1, k2, *_ = scratch
     mask1, mask2, mask3, *_ = masks
     n_minus_1, n0, n1, n3 = numbers
-    p = sub(n1, mul(n3, x, k1), k1)
+    p = sub(n1, mul(n3, x, o1), o1)
     pneg = m.less(p, n0, mask1)
-    one = add(sub(p, p, k1), n1, k1)
-    q = sub(n3, x, k2)
-    mq = neg(q, k3)
-    qp = m.where(pneg, mq, q, k3)
+    one = add(sub(p, p, o1), n1, o1)
+    q = sub(n3, x, k1)
+    mq = neg(q, k2)
+    qp = m.where(pneg, mq, q, k2)
     mul(
         one, m.where(m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1),
-        n_minus_1, n1, k2), o1
+        n_minus_1, n1, k1), o1
     )
     return o1,
 
@@ -406,24 +403,24 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
 
 def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
     o1, o2, o3 = out
-    k1, k2, k3, k4, k5, k6, *_ = scratch
+    k1, k2, k3, *_ = scratch
     mask1, mask2, mask3, *_ = masks
     n_minus_1, n0, n1, n2, n3, n6 = numbers
-    div(n6, add(n1, x, k1), o2)
-    p = sub(n1, mul(n3, x, k1), k1)
-    one = add(sub(p, p, k2), n1, k2)
-    q = sub(n3, x, k3)
-    mq = neg(q, k4)
+    p = sub(n1, mul(n3, x, o1), o1)
+    one = add(sub(p, p, o3), n1, o3)
+    q = sub(n3, x, o2)
+    mq = neg(q, k1)
     pneg = m.less(p, n0, mask1)
     mul(
-        mul(n2, atan2(mul(r, m.where(m.less(q, n0, mask2), mq, q, k5), k5), m.where(pneg, neg(p, k6), p, k6), k1), k1),
+        mul(n2, atan2(mul(r, m.where(m.less(q, n0, mask2), mq, q, k2), k2), m.where(pneg, neg(p, k3), p, k3), o1), o1),
         one, o1
     )
     qp = m.where(pneg, mq, q, k1)
     mul(
         one, m.where(m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1),
-        n_minus_1, n1, k1), o3
+        n_minus_1, n1, o2), o3
     )
+    div(n6, add(n1, x, o2), o2)
     return o1, o2, o3
 
 
@@ -437,10 +434,9 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
 
 def _turned_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, r: Any, cos: Any, sin: Any) -> Result:
     o1, o2 = out
-    k1, k2, *_ = scratch
     n1, = numbers
-    iden = div(n1, sub(cos, mul(r, sin, k1), k1), k1)
-    mul(add(mul(r, cos, k2), sin, k2), iden, o1)
+    iden = div(n1, sub(cos, mul(r, sin, o2), o2), o2)
+    mul(add(mul(r, cos, o1), sin, o1), iden, o1)
     mul(iden, iden, o2)
     return o1, o2
 
@@ -455,6 +451,7 @@ def _beyond_blocks(
     m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, limit1: Any, cos1: Any, sin1: Any
 ) -> Result:
     o1, o2, o3 = out
+    mask1, *_ = masks
     m.less(limit1, x, o1)
     return o1, cos1, sin1
 
@@ -468,10 +465,9 @@ def _coefficient(m: Any, alpha: Any) -> Result:
 
 def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
     o1, o2 = out
-    k1, *_ = scratch
     n1, n6 = numbers
-    r = tan(div(alpha, n6, k1), o1)
-    div(add(n1, mul(r, r, k1), k1), n6, o2)
+    r = tan(div(alpha, n6, o1), o1)
+    div(add(n1, mul(r, r, o2), o2), n6, o2)
     return o1, o2
 
 
@@ -492,20 +488,20 @@ CHART = Chart(
         "-0.8660254037844386467637231707529361834714",
     ),
     functions={
-        "quaternion": Function(_quaternion, _quaternion_blocks, 4, 0, (-3, 1, 2, 3)),
-        "pose": Function(_pose, _pose_blocks, 5, 0, (1, 2, 3, 16)),
-        "tangent": Function(_tangent, _tangent_blocks, 5, 0, (-4, 1, 2, 3, 6, 16)),
-        "inverse": Function(_inverse, _inverse_blocks, 2, 0, (1, 3, 11)),
-        "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 3, 0, (1, 2, 3, 11, 16)),
-        "ray": Function(_ray, _ray_blocks, 3, 0, (1, 2, 3, 16)),
-        "gain_unit": Function(_gain_unit, _gain_unit_blocks, 5, 2, (-1, 0, 1, 3)),
-        "gain_positive": Function(_gain_positive, _gain_positive_blocks, 3, 1, (0, 1, 3)),
-        "gain_product": Function(_gain_product, _gain_product_blocks, 5, 2, (-1, 0, 1, 3)),
-        "direction": Function(_direction, _direction_blocks, 3, 3, (-1, 0, 1, 3)),
-        "natural": Function(_natural, _natural_blocks, 6, 3, (-1, 0, 1, 2, 3, 6)),
-        "turned": Function(_turned, _turned_blocks, 2, 0, (1,)),
-        "beyond": Function(_beyond, _beyond_blocks, 0, 0, ()),
-        "coefficient": Function(_coefficient, _coefficient_blocks, 1, 0, (1, 6)),
+        "quaternion": Function(_quaternion, _quaternion_blocks, 0, 0, (-3, 1, 2, 3)),
+        "pose": Function(_pose, _pose_blocks, 2, 0, (1, 2, 3, 16)),
+        "tangent": Function(_tangent, _tangent_blocks, 1, 0, (-4, 1, 2, 3, 6, 16)),
+        "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 3, 11)),
+        "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 0, 0, (1, 2, 3, 11, 16)),
+        "ray": Function(_ray, _ray_blocks, 0, 0, (1, 2, 3, 16)),
+        "gain_unit": Function(_gain_unit, _gain_unit_blocks, 4, 2, (-1, 0, 1, 3)),
+        "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 1, (0, 1, 3)),
+        "gain_product": Function(_gain_product, _gain_product_blocks, 4, 2, (-1, 0, 1, 3)),
+        "direction": Function(_direction, _direction_blocks, 2, 3, (-1, 0, 1, 3)),
+        "natural": Function(_natural, _natural_blocks, 3, 3, (-1, 0, 1, 2, 3, 6)),
+        "turned": Function(_turned, _turned_blocks, 0, 0, (1,)),
+        "beyond": Function(_beyond, _beyond_blocks, 0, 1, ()),
+        "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 6)),
     },
     own={},
 )

@@ -111,19 +111,18 @@ def _quaternion(m: Any, x: Any) -> Result:
 
 def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3, o4 = out
-    k1, k2, k3, *_ = scratch
     n_minus_4, n1, n4, n6, n8 = numbers
-    ph = sub(n1, x, k1)
-    x_by_4 = mul(n4, x, k2)
-    root = add(mul(ph, ph, k1), x_by_4, k1)
-    r = div(div(root, root, k3), root, k1)
-    q = sub(n4, x_by_4, k2)
+    ph = sub(n1, x, o4)
+    x_by_4 = mul(n4, x, o2)
+    root = add(mul(ph, ph, o4), x_by_4, o4)
+    r = div(div(root, root, o1), root, o4)
+    q = sub(n4, x_by_4, o2)
     w = mul(q, r, o2)
-    p = add(mul(sub(x, n6, k2), x, k2), n1, k2)
+    p = add(mul(sub(x, n6, o1), x, o1), n1, o1)
     mul(p, r, o1)
-    minus_e = div(n_minus_4, add(n1, x, k2), k2)
+    minus_e = div(n_minus_4, add(n1, x, o3), o3)
     sy = mul(w, minus_e, o3)
-    sub(sy, mul(n8, r, k1), o4)
+    sub(sy, mul(n8, r, o4), o4)
     return o1, o2, o3, o4
 
 
@@ -143,16 +142,16 @@ def _pose(m: Any, x: Any) -> Result:
 
 def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3 = out
-    k1, k2, k3, k4, k5, *_ = scratch
+    k1, k2, *_ = scratch
     n1, n2, n4, n6, n8, n16, n40 = numbers
-    q = sub(n4, mul(n4, x, k1), k1)
-    qq = mul(q, q, k2)
-    p = add(mul(sub(x, n6, k3), x, k3), n1, k3)
-    N = add(mul(p, p, k4), mul(x, qq, k5), k4)
-    r = mul(n2, div(div(N, N, k5), N, k4), k4)
-    mul(mul(p, q, k1), r, o1)
+    q = sub(n4, mul(n4, x, o1), o1)
+    qq = mul(q, q, o2)
+    p = add(mul(sub(x, n6, o3), x, o3), n1, o3)
+    N = add(mul(p, p, k1), mul(x, qq, k2), k1)
+    r = mul(n2, div(div(N, N, k2), N, k1), k1)
+    mul(mul(p, q, o1), r, o1)
     mul(qq, r, o2)
-    c = add(mul(sub(mul(n8, x, k1), n16, k1), x, k1), n40, k1)
+    c = add(mul(sub(mul(n8, x, o3), n16, o3), x, o3), n40, o3)
     mul(c, r, o3)
     return o1, o2, o3
 
@@ -179,23 +178,23 @@ def _tangent(m: Any, x: Any) -> Result:
 
 def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, *_ = scratch
+    k1, k2, *_ = scratch
     n_minus_16, n1, n2, n4, n6, n8, n16, n40 = numbers
-    q = sub(n4, mul(n4, x, k1), k1)
-    qq = mul(q, q, k2)
-    p = add(mul(sub(x, n6, k3), x, k3), n1, k3)
-    N = add(mul(p, p, k4), mul(x, qq, k5), k4)
-    r = mul(n2, div(div(N, N, k5), N, k4), k4)
-    mul(mul(p, q, k3), r, o1)
+    q = sub(n4, mul(n4, x, o5), o5)
+    qq = mul(q, q, o2)
+    p = add(mul(sub(x, n6, o1), x, o1), n1, o1)
+    N = add(mul(p, p, o6), mul(x, qq, o3), o6)
+    r = mul(n2, div(div(N, N, o3), N, o6), o6)
+    mul(mul(p, q, o1), r, o1)
     g = mul(qq, r, o2)
-    c = add(mul(sub(mul(n8, x, k2), n16, k2), x, k2), n40, k2)
+    c = add(mul(sub(mul(n8, x, o3), n16, o3), x, o3), n40, o3)
     h = mul(c, r, o3)
-    e = div(n8, add(n1, x, k2), k2)
-    eg = mul(e, g, k3)
-    sub(mul(n_minus_16, mul(q, r, k1), k1), eg, o5)
+    e = div(n8, add(n1, x, k1), k1)
+    eg = mul(e, g, o4)
+    sub(mul(n_minus_16, mul(q, r, o5), o5), eg, o5)
     sub(h, eg, o4)
-    dc = sub(mul(n16, x, k1), n16, k1)
-    sub(mul(mul(n2, dc, k1), r, k1), mul(e, h, k2), o6)
+    dc = sub(mul(n16, x, k2), n16, k2)
+    sub(mul(mul(n2, dc, k2), r, o6), mul(e, h, k1), o6)
     return o1, o2, o3, o4, o5, o6
 
 
@@ -213,14 +212,14 @@ def _inverse(m: Any, x: Any) -> Result:
 
 def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2 = out
-    k1, k2, *_ = scratch
+    k1, *_ = scratch
     n1, n4, n6, n8, n24 = numbers
-    p = add(mul(sub(x, n6, k1), x, k1), n1, k1)
-    q = sub(n4, mul(n4, x, k2), k2)
-    iq = div(n1, q, k2)
+    p = add(mul(sub(x, n6, o1), x, o1), n1, o1)
+    q = sub(n4, mul(n4, x, o2), o2)
+    iq = div(n1, q, o2)
     mul(p, iq, o1)
     d = sub(n24, mul(n8, x, k1), k1)
-    diq = mul(d, iq, k1)
+    diq = mul(d, iq, o2)
     div(diq, n4, o2)
     return o1, o2
 
@@ -243,19 +242,19 @@ def _tangent_inv(m: Any, x: Any) -> Result:
 
 def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3, o4 = out
-    k1, k2, k3, *_ = scratch
+    k1, *_ = scratch
     n1, n4, n6, n8, n16, n24, n40 = numbers
-    p = add(mul(sub(x, n6, k1), x, k1), n1, k1)
-    q = sub(n4, mul(n4, x, k2), k2)
-    iq = div(n1, q, k2)
+    p = add(mul(sub(x, n6, o1), x, o1), n1, o1)
+    q = sub(n4, mul(n4, x, o4), o4)
+    iq = div(n1, q, o4)
     mul(p, iq, o1)
-    x_by_8 = mul(n8, x, k1)
-    d = sub(n24, x_by_8, k3)
-    diq = mul(d, iq, k3)
+    x_by_8 = mul(n8, x, o3)
+    d = sub(n24, x_by_8, o2)
+    diq = mul(d, iq, o2)
+    c = add(mul(sub(x_by_8, n16, o3), x, o3), n40, o3)
+    neg(mul(c, mul(iq, iq, k1), o3), o3)
+    div(mul(sub(mul(n8, diq, k1), n16, k1), iq, o4), n4, o4)
     div(diq, n4, o2)
-    div(mul(sub(mul(n8, diq, k3), n16, k3), iq, k3), n4, o4)
-    c = add(mul(sub(x_by_8, n16, k1), x, k1), n40, k1)
-    neg(mul(c, mul(iq, iq, k2), k1), o3)
     return o1, o2, o3, o4
 
 
@@ -278,18 +277,18 @@ def _ray(m: Any, x: Any) -> Result:
 
 def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, *_ = scratch
+    k1, *_ = scratch
     n1, n2, n4, n6, n8, n16, n40 = numbers
-    p = add(mul(sub(x, n6, k1), x, k1), n1, o1)
-    x_by_4 = mul(n4, x, k1)
+    p = add(mul(sub(x, n6, o1), x, o1), n1, o1)
+    x_by_4 = mul(n4, x, o3)
     q = sub(n4, x_by_4, o2)
-    ph = sub(n1, x, k2)
-    add(mul(ph, ph, k2), x_by_4, o3)
-    qq = mul(q, q, k1)
-    N = add(mul(p, p, k2), mul(x, qq, k3), k2)
-    r = mul(n2, div(div(N, N, k3), N, k2), k2)
+    ph = sub(n1, x, o5)
+    add(mul(ph, ph, o5), x_by_4, o3)
+    qq = mul(q, q, o5)
+    N = add(mul(p, p, o6), mul(x, qq, o4), o6)
+    r = mul(n2, div(div(N, N, o4), N, o6), o6)
+    mul(mul(p, q, o4), r, o4)
     mul(qq, r, o5)
-    mul(mul(p, q, k1), r, o4)
     c = add(mul(sub(mul(n8, x, k1), n16, k1), x, k1), n40, k1)
     mul(c, r, o6)
     return o1, o2, o3, o4, o5, o6
@@ -308,13 +307,13 @@ def _gain_unit_blocks(
     m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
 ) -> Result:
     o1, = out
-    k1, k2, k3, *_ = scratch
+    k1, k2, *_ = scratch
     mask1, *_ = masks
     n_minus_1, n0, n1, n2 = numbers
     negative = m.less(e0, n0, mask1)
-    cos = m.where(negative, neg(e0, k1), e0, k1)
-    cos2 = sqrt(div(add(n1, cos, k1), n2, k1), k1)
-    div(m.where(negative, n_minus_1, n1, k2), mul(mul(n2, cos2, k3), add(n1, cos2, k1), k1), o1)
+    cos = m.where(negative, neg(e0, o1), e0, o1)
+    cos2 = sqrt(div(add(n1, cos, o1), n2, o1), o1)
+    div(m.where(negative, n_minus_1, n1, k1), mul(mul(n2, cos2, k2), add(n1, cos2, o1), o1), o1)
     return o1,
 
 
@@ -331,12 +330,12 @@ def _gain_positive_blocks(
     m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
 ) -> Result:
     o1, = out
-    k1, k2, k3, *_ = scratch
+    k1, k2, *_ = scratch
     n1, n2 = numbers
-    size = sqrt(add(mul(e0, e0, k1), add(add(mul(e1, e1, k2), mul(e2, e2, k3), k2), mul(e3, e3, k3), k2), k1), k1)
-    cos1 = div(e0, size, k2)
-    cos2 = sqrt(div(add(n1, cos1, k2), n2, k2), k2)
-    div(n1, mul(mul(mul(n2, cos2, k3), add(n1, cos2, k2), k2), size, k1), o1)
+    size = sqrt(add(mul(e0, e0, o1), add(add(mul(e1, e1, k1), mul(e2, e2, k2), k1), mul(e3, e3, k2), k1), o1), o1)
+    cos1 = div(e0, size, k1)
+    cos2 = sqrt(div(add(n1, cos1, k1), n2, k1), k1)
+    div(n1, mul(mul(mul(n2, cos2, k2), add(n1, cos2, k1), k1), size, o1), o1)
     return o1,
 
 
@@ -355,15 +354,15 @@ def _gain_product_blocks(
     m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any
 ) -> Result:
     o1, = out
-    k1, k2, k3, k4, *_ = scratch
+    k1, k2, k3, *_ = scratch
     mask1, *_ = masks
     n_minus_1, n0, n1, n2 = numbers
     negative = m.less(e0, n0, mask1)
-    cos = m.where(negative, neg(e0, k1), e0, k1)
-    size = mul(size2, size1, k2)
-    cos1 = div(cos, size, k1)
-    cos2 = sqrt(div(add(n1, cos1, k1), n2, k1), k1)
-    div(m.where(negative, n_minus_1, n1, k3), mul(mul(mul(n2, cos2, k4), add(n1, cos2, k1), k1), size, k1), o1)
+    cos = m.where(negative, neg(e0, o1), e0, o1)
+    size = mul(size2, size1, k1)
+    cos1 = div(cos, size, o1)
+    cos2 = sqrt(div(add(n1, cos1, o1), n2, o1), o1)
+    div(m.where(negative, n_minus_1, n1, k2), mul(mul(mul(n2, cos2, k3), add(n1, cos2, o1), o1), size, o1), o1)
     return o1,
 
 
@@ -381,18 +380,18 @@ def _direction(m: Any, x: Any, y: Any) -> Result:
 
 def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any) -> Result:
     o1, = out
-    k1, k2, k3, *_ = scratch
+    k1, k2, *_ = scratch
     mask1, mask2, mask3, *_ = masks
     n_minus_1, n0, n1, n4, n6 = numbers
-    p = add(mul(sub(x, n6, k1), x, k1), n1, k1)
+    p = add(mul(sub(x, n6, o1), x, o1), n1, o1)
     pneg = m.less(p, n0, mask1)
-    one = add(sub(p, p, k1), n1, k1)
-    q = sub(n4, mul(n4, x, k2), k2)
-    mq = neg(q, k3)
-    qp = m.where(pneg, mq, q, k3)
+    one = add(sub(p, p, o1), n1, o1)
+    q = sub(n4, mul(n4, x, k1), k1)
+    mq = neg(q, k2)
+    qp = m.where(pneg, mq, q, k2)
     mul(
         one, m.where(m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1),
-        n_minus_1, n1, k2), o1
+        n_minus_1, n1, k1), o1
     )
     return o1,
 
@@ -413,24 +412,24 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
 
 def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
     o1, o2, o3 = out
-    k1, k2, k3, k4, k5, k6, *_ = scratch
+    k1, k2, k3, *_ = scratch
     mask1, mask2, mask3, *_ = masks
     n_minus_1, n0, n1, n2, n4, n6, n8 = numbers
-    div(n8, add(n1, x, k1), o2)
-    p = add(mul(sub(x, n6, k1), x, k1), n1, k1)
-    one = add(sub(p, p, k2), n1, k2)
-    q = sub(n4, mul(n4, x, k3), k3)
-    mq = neg(q, k4)
+    p = add(mul(sub(x, n6, o1), x, o1), n1, o1)
+    one = add(sub(p, p, o3), n1, o3)
+    q = sub(n4, mul(n4, x, o2), o2)
+    mq = neg(q, k1)
     pneg = m.less(p, n0, mask1)
     mul(
-        mul(n2, atan2(mul(r, m.where(m.less(q, n0, mask2), mq, q, k5), k5), m.where(pneg, neg(p, k6), p, k6), k1), k1),
+        mul(n2, atan2(mul(r, m.where(m.less(q, n0, mask2), mq, q, k2), k2), m.where(pneg, neg(p, k3), p, k3), o1), o1),
         one, o1
     )
     qp = m.where(pneg, mq, q, k1)
     mul(
         one, m.where(m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1),
-        n_minus_1, n1, k1), o3
+        n_minus_1, n1, o2), o3
     )
+    div(n8, add(n1, x, o2), o2)
     return o1, o2, o3
 
 
@@ -444,10 +443,9 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
 
 def _turned_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, r: Any, cos: Any, sin: Any) -> Result:
     o1, o2 = out
-    k1, k2, *_ = scratch
     n1, = numbers
-    iden = div(n1, sub(cos, mul(r, sin, k1), k1), k1)
-    mul(add(mul(r, cos, k2), sin, k2), iden, o1)
+    iden = div(n1, sub(cos, mul(r, sin, o2), o2), o2)
+    mul(add(mul(r, cos, o1), sin, o1), iden, o1)
     mul(iden, iden, o2)
     return o1, o2
 
@@ -465,9 +463,9 @@ def _beyond_blocks(
     m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, limit1: Any, cos1: Any, sin1: Any, limit2: Any, cos2: Any, sin2: Any
 ) -> Result:
     o1, o2, o3 = out
-    mask1, *_ = masks
+    mask1, mask2, *_ = masks
     m.less(limit1, x, o1)
-    beyond2 = m.less(limit2, x, mask1)
+    beyond2 = m.less(limit2, x, mask2)
     m.where(beyond2, cos2, cos1, o2)
     m.where(beyond2, sin2, sin1, o3)
     return o1, o2, o3
@@ -482,10 +480,9 @@ def _coefficient(m: Any, alpha: Any) -> Result:
 
 def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
     o1, o2 = out
-    k1, *_ = scratch
     n1, n8 = numbers
-    r = tan(div(alpha, n8, k1), o1)
-    div(add(n1, mul(r, r, k1), k1), n8, o2)
+    r = tan(div(alpha, n8, o1), o1)
+    div(add(n1, mul(r, r, o2), o2), n8, o2)
     return o1, o2
 
 
@@ -510,20 +507,20 @@ CHART = Chart(
         "-1.0",
     ),
     functions={
-        "quaternion": Function(_quaternion, _quaternion_blocks, 3, 0, (-4, 1, 4, 6, 8)),
-        "pose": Function(_pose, _pose_blocks, 5, 0, (1, 2, 4, 6, 8, 16, 40)),
-        "tangent": Function(_tangent, _tangent_blocks, 5, 0, (-16, 1, 2, 4, 6, 8, 16, 40)),
-        "inverse": Function(_inverse, _inverse_blocks, 2, 0, (1, 4, 6, 8, 24)),
-        "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 3, 0, (1, 4, 6, 8, 16, 24, 40)),
-        "ray": Function(_ray, _ray_blocks, 3, 0, (1, 2, 4, 6, 8, 16, 40)),
-        "gain_unit": Function(_gain_unit, _gain_unit_blocks, 3, 1, (-1, 0, 1, 2)),
-        "gain_positive": Function(_gain_positive, _gain_positive_blocks, 3, 0, (1, 2)),
-        "gain_product": Function(_gain_product, _gain_product_blocks, 4, 1, (-1, 0, 1, 2)),
-        "direction": Function(_direction, _direction_blocks, 3, 3, (-1, 0, 1, 4, 6)),
-        "natural": Function(_natural, _natural_blocks, 6, 3, (-1, 0, 1, 2, 4, 6, 8)),
-        "turned": Function(_turned, _turned_blocks, 2, 0, (1,)),
-        "beyond": Function(_beyond, _beyond_blocks, 0, 1, ()),
-        "coefficient": Function(_coefficient, _coefficient_blocks, 1, 0, (1, 8)),
+        "quaternion": Function(_quaternion, _quaternion_blocks, 0, 0, (-4, 1, 4, 6, 8)),
+        "pose": Function(_pose, _pose_blocks, 2, 0, (1, 2, 4, 6, 8, 16, 40)),
+        "tangent": Function(_tangent, _tangent_blocks, 2, 0, (-16, 1, 2, 4, 6, 8, 16, 40)),
+        "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 4, 6, 8, 24)),
+        "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 1, 0, (1, 4, 6, 8, 16, 24, 40)),
+        "ray": Function(_ray, _ray_blocks, 1, 0, (1, 2, 4, 6, 8, 16, 40)),
+        "gain_unit": Function(_gain_unit, _gain_unit_blocks, 2, 1, (-1, 0, 1, 2)),
+        "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 0, (1, 2)),
+        "gain_product": Function(_gain_product, _gain_product_blocks, 3, 1, (-1, 0, 1, 2)),
+        "direction": Function(_direction, _direction_blocks, 2, 3, (-1, 0, 1, 4, 6)),
+        "natural": Function(_natural, _natural_blocks, 3, 3, (-1, 0, 1, 2, 4, 6, 8)),
+        "turned": Function(_turned, _turned_blocks, 0, 0, (1,)),
+        "beyond": Function(_beyond, _beyond_blocks, 0, 2, ()),
+        "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 8)),
     },
     own={},
 )

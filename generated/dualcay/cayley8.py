@@ -112,20 +112,20 @@ def _quaternion(m: Any, x: Any) -> Result:
 
 def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3, o4 = out
-    k1, k2, *_ = scratch
+    k1, *_ = scratch
     n_minus_8, n1, n2, n4, n6, n8, n24, n28, n56, n70, n112 = numbers
-    ph = add(mul(sub(x, n6, k1), x, k1), n1, k1)
-    qh = sub(n4, mul(n4, x, k2), k2)
-    root = add(mul(ph, ph, k1), mul(x, mul(qh, qh, k2), k2), k1)
-    r = div(div(root, root, k2), root, k1)
-    p = add(mul(sub(mul(add(mul(sub(x, n28, k2), x, k2), n70, k2), x, k2), n28, k2), x, k2), n1, k2)
+    ph = add(mul(sub(x, n6, o4), x, o4), n1, o4)
+    qh = sub(n4, mul(n4, x, o1), o1)
+    root = add(mul(ph, ph, o4), mul(x, mul(qh, qh, o1), o1), o4)
+    r = div(div(root, root, o1), root, o4)
+    p = add(mul(sub(mul(add(mul(sub(x, n28, o1), x, o1), n70, o1), x, o1), n28, o1), x, o1), n1, o1)
     mul(p, r, o1)
-    q = add(mul(sub(mul(sub(n56, mul(n8, x, k2), k2), x, k2), n56, k2), x, k2), n8, k2)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, o2), o2), x, o2), n56, o2), x, o2), n8, o2)
     w = mul(q, r, o2)
-    minus_e = div(n_minus_8, add(n1, x, k2), k2)
+    minus_e = div(n_minus_8, add(n1, x, o3), o3)
     sy = mul(w, minus_e, o3)
-    dq = sub(mul(sub(n112, mul(n24, x, k2), k2), x, k2), n56, k2)
-    add(mul(mul(n2, dq, k2), r, k1), sy, o4)
+    dq = sub(mul(sub(n112, mul(n24, x, k1), k1), x, k1), n56, k1)
+    add(mul(mul(n2, dq, k1), r, o4), sy, o4)
     return o1, o2, o3, o4
 
 
@@ -145,18 +145,18 @@ def _pose(m: Any, x: Any) -> Result:
 
 def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3 = out
-    k1, k2, k3, k4, k5, *_ = scratch
+    k1, k2, *_ = scratch
     n1, n2, n8, n16, n28, n56, n70, n224, n336, n2016, n2352, n5440, n6000 = numbers
-    q = add(mul(sub(mul(sub(n56, mul(n8, x, k1), k1), x, k1), n56, k1), x, k1), n8, k1)
-    qq = mul(q, q, k2)
-    p = add(mul(sub(mul(add(mul(sub(x, n28, k3), x, k3), n70, k3), x, k3), n28, k3), x, k3), n1, k3)
-    N = add(mul(p, p, k4), mul(x, qq, k5), k4)
-    r = mul(n2, div(div(N, N, k5), N, k4), k4)
-    mul(mul(p, q, k1), r, o1)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, o1), o1), x, o1), n56, o1), x, o1), n8, o1)
+    qq = mul(q, q, o2)
+    p = add(mul(sub(mul(add(mul(sub(x, n28, o3), x, o3), n70, o3), x, o3), n28, o3), x, o3), n1, o3)
+    N = add(mul(p, p, k1), mul(x, qq, k2), k1)
+    r = mul(n2, div(div(N, N, k2), N, k1), k1)
+    mul(mul(p, q, o1), r, o1)
     mul(qq, r, o2)
     c = add(
-        mul(sub(mul(add(mul(sub(mul(add(mul(sub(mul(n16, x, k1), n224, k1), x, k1), n2352, k1), x, k1), n5440, k1), x,
-        k1), n6000, k1), x, k1), n2016, k1), x, k1), n336, k1
+        mul(sub(mul(add(mul(sub(mul(add(mul(sub(mul(n16, x, o3), n224, o3), x, o3), n2352, o3), x, o3), n5440, o3), x,
+        o3), n6000, o3), x, o3), n2016, o3), x, o3), n336, o3
     )
     mul(c, r, o3)
     return o1, o2, o3
@@ -185,33 +185,33 @@ def _tangent(m: Any, x: Any) -> Result:
 
 def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, *_ = scratch
+    k1, k2, k3, *_ = scratch
     (
         n1, n2, n4, n8, n16, n24, n28, n56, n70, n96, n112, n224, n336, n1120, n2016, n2352, n5440, n6000, n9408,
         n12000, n16320,
     ) = numbers
-    q = add(mul(sub(mul(sub(n56, mul(n8, x, k1), k1), x, k1), n56, k1), x, k1), n8, k1)
-    qq = mul(q, q, k2)
-    p = add(mul(sub(mul(add(mul(sub(x, n28, k3), x, k3), n70, k3), x, k3), n28, k3), x, k3), n1, k3)
-    N = add(mul(p, p, k4), mul(x, qq, k5), k4)
-    r = mul(n2, div(div(N, N, k5), N, k4), k4)
-    mul(mul(p, q, k3), r, o1)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, o5), o5), x, o5), n56, o5), x, o5), n8, o5)
+    qq = mul(q, q, o2)
+    p = add(mul(sub(mul(add(mul(sub(x, n28, o1), x, o1), n70, o1), x, o1), n28, o1), x, o1), n1, o1)
+    N = add(mul(p, p, o6), mul(x, qq, o3), o6)
+    r = mul(n2, div(div(N, N, o3), N, o6), o6)
+    mul(mul(p, q, o1), r, o1)
     g = mul(qq, r, o2)
     c = add(
-        mul(sub(mul(add(mul(sub(mul(add(mul(sub(mul(n16, x, k2), n224, k2), x, k2), n2352, k2), x, k2), n5440, k2), x,
-        k2), n6000, k2), x, k2), n2016, k2), x, k2), n336, k2
+        mul(sub(mul(add(mul(sub(mul(add(mul(sub(mul(n16, x, o3), n224, o3), x, o3), n2352, o3), x, o3), n5440, o3), x,
+        o3), n6000, o3), x, o3), n2016, o3), x, o3), n336, o3
     )
     h = mul(c, r, o3)
-    e = div(n16, add(n1, x, k2), k2)
-    eg = mul(e, g, k3)
+    e = div(n16, add(n1, x, k1), k1)
+    eg = mul(e, g, k2)
     sub(h, eg, o4)
-    dq = sub(mul(sub(n112, mul(n24, x, k5), k5), x, k5), n56, k5)
-    sub(mul(mul(n4, dq, k5), mul(q, r, k1), k1), eg, o5)
+    dq = sub(mul(sub(n112, mul(n24, x, k3), k3), x, k3), n56, k3)
+    sub(mul(mul(n4, dq, k3), mul(q, r, o5), o5), eg, o5)
     dc = sub(
-        mul(add(mul(sub(mul(add(mul(sub(mul(n96, x, k1), n1120, k1), x, k1), n9408, k1), x, k1), n16320, k1), x, k1),
-        n12000, k1), x, k1), n2016, k1
+        mul(add(mul(sub(mul(add(mul(sub(mul(n96, x, k2), n1120, k2), x, k2), n9408, k2), x, k2), n16320, k2), x, k2),
+        n12000, k2), x, k2), n2016, k2
     )
-    sub(mul(mul(n2, dc, k1), r, k1), mul(e, h, k2), o6)
+    sub(mul(mul(n2, dc, k2), r, o6), mul(e, h, k1), o6)
     return o1, o2, o3, o4, o5, o6
 
 
@@ -229,14 +229,14 @@ def _inverse(m: Any, x: Any) -> Result:
 
 def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2 = out
-    k1, k2, *_ = scratch
+    k1, *_ = scratch
     n1, n8, n16, n28, n56, n70, n176, n272, n560 = numbers
-    p = add(mul(sub(mul(add(mul(sub(x, n28, k1), x, k1), n70, k1), x, k1), n28, k1), x, k1), n1, k1)
-    q = add(mul(sub(mul(sub(n56, mul(n8, x, k2), k2), x, k2), n56, k2), x, k2), n8, k2)
-    iq = div(n1, q, k2)
+    p = add(mul(sub(mul(add(mul(sub(x, n28, o1), x, o1), n70, o1), x, o1), n28, o1), x, o1), n1, o1)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, o2), o2), x, o2), n56, o2), x, o2), n8, o2)
+    iq = div(n1, q, o2)
     mul(p, iq, o1)
     d = add(mul(sub(mul(sub(n272, mul(n16, x, k1), k1), x, k1), n560, k1), x, k1), n176, k1)
-    diq = mul(d, iq, k1)
+    diq = mul(d, iq, o2)
     div(diq, n8, o2)
     return o1, o2
 
@@ -261,26 +261,26 @@ def _tangent_inv(m: Any, x: Any) -> Result:
 
 def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3, o4 = out
-    k1, k2, k3, k4, *_ = scratch
+    k1, *_ = scratch
     (
         n1, n2, n8, n16, n24, n28, n48, n56, n70, n112, n176, n224, n272, n336, n544, n560, n2016, n2352, n5440, n6000,
     ) = numbers
-    p = add(mul(sub(mul(add(mul(sub(x, n28, k1), x, k1), n70, k1), x, k1), n28, k1), x, k1), n1, k1)
-    q = add(mul(sub(mul(sub(n56, mul(n8, x, k2), k2), x, k2), n56, k2), x, k2), n8, k2)
-    iq = div(n1, q, k2)
-    mul(p, iq, o1)
-    x_by_16 = mul(n16, x, k1)
-    d = add(mul(sub(mul(sub(n272, x_by_16, k3), x, k3), n560, k3), x, k3), n176, k3)
-    diq = mul(d, iq, k3)
-    div(diq, n8, o2)
+    x_by_16 = mul(n16, x, o3)
+    d = add(mul(sub(mul(sub(n272, x_by_16, o2), x, o2), n560, o2), x, o2), n176, o2)
     c = add(
-        mul(sub(mul(add(mul(sub(mul(add(mul(sub(x_by_16, n224, k1), x, k1), n2352, k1), x, k1), n5440, k1), x, k1),
-        n6000, k1), x, k1), n2016, k1), x, k1), n336, k1
+        mul(sub(mul(add(mul(sub(mul(add(mul(sub(x_by_16, n224, o3), x, o3), n2352, o3), x, o3), n5440, o3), x, o3),
+        n6000, o3), x, o3), n2016, o3), x, o3), n336, o3
     )
-    neg(mul(c, mul(iq, iq, k4), k1), o3)
-    dd = sub(mul(sub(n544, mul(n48, x, k1), k1), x, k1), n560, k1)
-    dq = sub(mul(sub(n112, mul(n24, x, k4), k4), x, k4), n56, k4)
-    div(mul(sub(mul(n2, dd, k1), mul(mul(n2, dq, k4), diq, k3), k1), iq, k1), n8, o4)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, o1), o1), x, o1), n56, o1), x, o1), n8, o1)
+    iq = div(n1, q, o1)
+    diq = mul(d, iq, o2)
+    neg(mul(c, mul(iq, iq, o4), o3), o3)
+    dd = sub(mul(sub(n544, mul(n48, x, o4), o4), x, o4), n560, o4)
+    dq = sub(mul(sub(n112, mul(n24, x, k1), k1), x, k1), n56, k1)
+    div(mul(sub(mul(n2, dd, o4), mul(mul(n2, dq, k1), diq, k1), o4), iq, o4), n8, o4)
+    div(diq, n8, o2)
+    p = add(mul(sub(mul(add(mul(sub(x, n28, k1), x, k1), n70, k1), x, k1), n28, k1), x, k1), n1, k1)
+    mul(p, iq, o1)
     return o1, o2, o3, o4
 
 
@@ -303,18 +303,18 @@ def _ray(m: Any, x: Any) -> Result:
 
 def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, *_ = scratch
+    k1, *_ = scratch
     n1, n2, n4, n6, n8, n16, n28, n56, n70, n224, n336, n2016, n2352, n5440, n6000 = numbers
-    p = add(mul(sub(mul(add(mul(sub(x, n28, k1), x, k1), n70, k1), x, k1), n28, k1), x, k1), n1, o1)
-    q = add(mul(sub(mul(sub(n56, mul(n8, x, k1), k1), x, k1), n56, k1), x, k1), n8, o2)
-    ph = add(mul(sub(x, n6, k1), x, k1), n1, k1)
-    qh = sub(n4, mul(n4, x, k2), k2)
-    add(mul(ph, ph, k1), mul(x, mul(qh, qh, k2), k2), o3)
-    qq = mul(q, q, k1)
-    N = add(mul(p, p, k2), mul(x, qq, k3), k2)
-    r = mul(n2, div(div(N, N, k3), N, k2), k2)
+    p = add(mul(sub(mul(add(mul(sub(x, n28, o1), x, o1), n70, o1), x, o1), n28, o1), x, o1), n1, o1)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, o2), o2), x, o2), n56, o2), x, o2), n8, o2)
+    ph = add(mul(sub(x, n6, o3), x, o3), n1, o3)
+    qh = sub(n4, mul(n4, x, o5), o5)
+    add(mul(ph, ph, o3), mul(x, mul(qh, qh, o5), o5), o3)
+    qq = mul(q, q, o5)
+    N = add(mul(p, p, o6), mul(x, qq, o4), o6)
+    r = mul(n2, div(div(N, N, o4), N, o6), o6)
+    mul(mul(p, q, o4), r, o4)
     mul(qq, r, o5)
-    mul(mul(p, q, k1), r, o4)
     c = add(
         mul(sub(mul(add(mul(sub(mul(add(mul(sub(mul(n16, x, k1), n224, k1), x, k1), n2352, k1), x, k1), n5440, k1), x,
         k1), n6000, k1), x, k1), n2016, k1), x, k1), n336, k1
@@ -337,15 +337,15 @@ def _gain_unit_blocks(
     m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
 ) -> Result:
     o1, = out
-    k1, k2, k3, k4, *_ = scratch
+    k1, k2, k3, *_ = scratch
     mask1, *_ = masks
     n_minus_1, n0, n1, n2 = numbers
     negative = m.less(e0, n0, mask1)
-    cos = m.where(negative, neg(e0, k1), e0, k1)
-    cos2 = sqrt(div(add(n1, cos, k1), n2, k1), k1)
-    cos3 = sqrt(div(add(n1, cos2, k2), n2, k2), k2)
+    cos = m.where(negative, neg(e0, o1), e0, o1)
+    cos2 = sqrt(div(add(n1, cos, o1), n2, o1), o1)
+    cos3 = sqrt(div(add(n1, cos2, k1), n2, k1), k1)
     div(
-        m.where(negative, n_minus_1, n1, k3), mul(mul(mul(n2, cos2, k1), mul(n2, cos3, k4), k1), add(n1, cos3, k2), k1),
+        m.where(negative, n_minus_1, n1, k2), mul(mul(mul(n2, cos2, o1), mul(n2, cos3, k3), o1), add(n1, cos3, k1), o1),
         o1
     )
     return o1,
@@ -365,13 +365,13 @@ def _gain_positive_blocks(
     m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
 ) -> Result:
     o1, = out
-    k1, k2, k3, k4, *_ = scratch
+    k1, k2, k3, *_ = scratch
     n1, n2 = numbers
-    size = sqrt(add(mul(e0, e0, k1), add(add(mul(e1, e1, k2), mul(e2, e2, k3), k2), mul(e3, e3, k3), k2), k1), k1)
-    cos1 = div(e0, size, k2)
-    cos2 = sqrt(div(add(n1, cos1, k2), n2, k2), k2)
-    cos3 = sqrt(div(add(n1, cos2, k3), n2, k3), k3)
-    div(n1, mul(mul(mul(mul(n2, cos2, k2), mul(n2, cos3, k4), k2), add(n1, cos3, k3), k2), size, k1), o1)
+    size = sqrt(add(mul(e0, e0, o1), add(add(mul(e1, e1, k1), mul(e2, e2, k2), k1), mul(e3, e3, k2), k1), o1), o1)
+    cos1 = div(e0, size, k1)
+    cos2 = sqrt(div(add(n1, cos1, k1), n2, k1), k1)
+    cos3 = sqrt(div(add(n1, cos2, k2), n2, k2), k2)
+    div(n1, mul(mul(mul(mul(n2, cos2, k1), mul(n2, cos3, k3), k1), add(n1, cos3, k2), k1), size, o1), o1)
     return o1,
 
 
@@ -391,18 +391,18 @@ def _gain_product_blocks(
     m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any
 ) -> Result:
     o1, = out
-    k1, k2, k3, k4, k5, *_ = scratch
+    k1, k2, k3, k4, *_ = scratch
     mask1, *_ = masks
     n_minus_1, n0, n1, n2 = numbers
     negative = m.less(e0, n0, mask1)
-    cos = m.where(negative, neg(e0, k1), e0, k1)
-    size = mul(size2, size1, k2)
-    cos1 = div(cos, size, k1)
-    cos2 = sqrt(div(add(n1, cos1, k1), n2, k1), k1)
-    cos3 = sqrt(div(add(n1, cos2, k3), n2, k3), k3)
+    cos = m.where(negative, neg(e0, o1), e0, o1)
+    size = mul(size2, size1, k1)
+    cos1 = div(cos, size, o1)
+    cos2 = sqrt(div(add(n1, cos1, o1), n2, o1), o1)
+    cos3 = sqrt(div(add(n1, cos2, k2), n2, k2), k2)
     div(
-        m.where(negative, n_minus_1, n1, k4), mul(mul(mul(mul(n2, cos2, k1), mul(n2, cos3, k5), k1), add(n1, cos3, k3),
-        k1), size, k1), o1
+        m.where(negative, n_minus_1, n1, k3), mul(mul(mul(mul(n2, cos2, o1), mul(n2, cos3, k4), o1), add(n1, cos3, k2),
+        o1), size, o1), o1
     )
     return o1,
 
@@ -421,18 +421,18 @@ def _direction(m: Any, x: Any, y: Any) -> Result:
 
 def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any) -> Result:
     o1, = out
-    k1, k2, k3, *_ = scratch
+    k1, k2, *_ = scratch
     mask1, mask2, mask3, *_ = masks
     n_minus_1, n0, n1, n8, n28, n56, n70 = numbers
-    p = add(mul(sub(mul(add(mul(sub(x, n28, k1), x, k1), n70, k1), x, k1), n28, k1), x, k1), n1, k1)
+    p = add(mul(sub(mul(add(mul(sub(x, n28, o1), x, o1), n70, o1), x, o1), n28, o1), x, o1), n1, o1)
     pneg = m.less(p, n0, mask1)
-    one = add(sub(p, p, k1), n1, k1)
-    q = add(mul(sub(mul(sub(n56, mul(n8, x, k2), k2), x, k2), n56, k2), x, k2), n8, k2)
-    mq = neg(q, k3)
-    qp = m.where(pneg, mq, q, k3)
+    one = add(sub(p, p, o1), n1, o1)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, k1), k1), x, k1), n56, k1), x, k1), n8, k1)
+    mq = neg(q, k2)
+    qp = m.where(pneg, mq, q, k2)
     mul(
         one, m.where(m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1),
-        n_minus_1, n1, k2), o1
+        n_minus_1, n1, k1), o1
     )
     return o1,
 
@@ -453,24 +453,24 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
 
 def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
     o1, o2, o3 = out
-    k1, k2, k3, k4, k5, k6, *_ = scratch
+    k1, k2, k3, *_ = scratch
     mask1, mask2, mask3, *_ = masks
     n_minus_1, n0, n1, n2, n8, n16, n28, n56, n70 = numbers
-    div(n16, add(n1, x, k1), o2)
-    p = add(mul(sub(mul(add(mul(sub(x, n28, k1), x, k1), n70, k1), x, k1), n28, k1), x, k1), n1, k1)
-    one = add(sub(p, p, k2), n1, k2)
-    q = add(mul(sub(mul(sub(n56, mul(n8, x, k3), k3), x, k3), n56, k3), x, k3), n8, k3)
-    mq = neg(q, k4)
+    p = add(mul(sub(mul(add(mul(sub(x, n28, o1), x, o1), n70, o1), x, o1), n28, o1), x, o1), n1, o1)
+    one = add(sub(p, p, o3), n1, o3)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, o2), o2), x, o2), n56, o2), x, o2), n8, o2)
+    mq = neg(q, k1)
     pneg = m.less(p, n0, mask1)
     mul(
-        mul(n2, atan2(mul(r, m.where(m.less(q, n0, mask2), mq, q, k5), k5), m.where(pneg, neg(p, k6), p, k6), k1), k1),
+        mul(n2, atan2(mul(r, m.where(m.less(q, n0, mask2), mq, q, k2), k2), m.where(pneg, neg(p, k3), p, k3), o1), o1),
         one, o1
     )
     qp = m.where(pneg, mq, q, k1)
     mul(
         one, m.where(m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1),
-        n_minus_1, n1, k1), o3
+        n_minus_1, n1, o2), o3
     )
+    div(n16, add(n1, x, o2), o2)
     return o1, o2, o3
 
 
@@ -484,10 +484,9 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
 
 def _turned_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, r: Any, cos: Any, sin: Any) -> Result:
     o1, o2 = out
-    k1, k2, *_ = scratch
     n1, = numbers
-    iden = div(n1, sub(cos, mul(r, sin, k1), k1), k1)
-    mul(add(mul(r, cos, k2), sin, k2), iden, o1)
+    iden = div(n1, sub(cos, mul(r, sin, o2), o2), o2)
+    mul(add(mul(r, cos, o1), sin, o1), iden, o1)
     mul(iden, iden, o2)
     return o1, o2
 
@@ -511,16 +510,16 @@ def _beyond_blocks(
     m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, limit1: Any, cos1: Any, sin1: Any, limit2: Any, cos2: Any, sin2: Any, limit3: Any, cos3: Any, sin3: Any, limit4: Any, cos4: Any, sin4: Any
 ) -> Result:
     o1, o2, o3 = out
-    k1, k2, k3, *_ = scratch
-    mask1, mask2, *_ = masks
+    k1, *_ = scratch
+    mask1, mask2, mask3, *_ = masks
     m.less(limit1, x, o1)
-    beyond3 = m.less(limit3, x, mask1)
-    beyond2 = m.less(limit2, x, mask2)
-    cosine2 = m.where(beyond2, cos2, cos1, k1)
-    cosine3 = m.where(beyond3, cos3, cosine2, k2)
-    sine2 = m.where(beyond2, sin2, sin1, k1)
-    sine3 = m.where(beyond3, sin3, sine2, k3)
-    beyond4 = m.less(limit4, x, mask1)
+    beyond3 = m.less(limit3, x, mask2)
+    beyond2 = m.less(limit2, x, mask3)
+    cosine2 = m.where(beyond2, cos2, cos1, o2)
+    cosine3 = m.where(beyond3, cos3, cosine2, o3)
+    sine2 = m.where(beyond2, sin2, sin1, o2)
+    sine3 = m.where(beyond3, sin3, sine2, k1)
+    beyond4 = m.less(limit4, x, mask2)
     m.where(beyond4, cos4, cosine3, o2)
     m.where(beyond4, sin4, sine3, o3)
     return o1, o2, o3
@@ -535,10 +534,9 @@ def _coefficient(m: Any, alpha: Any) -> Result:
 
 def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
     o1, o2 = out
-    k1, *_ = scratch
     n1, n16 = numbers
-    r = tan(div(alpha, n16, k1), o1)
-    div(add(n1, mul(r, r, k1), k1), n16, o2)
+    r = tan(div(alpha, n16, o1), o1)
+    div(add(n1, mul(r, r, o2), o2), n16, o2)
     return o1, o2
 
 
@@ -573,20 +571,20 @@ CHART = Chart(
         "-1.0",
     ),
     functions={
-        "quaternion": Function(_quaternion, _quaternion_blocks, 2, 0, (-8, 1, 2, 4, 6, 8, 24, 28, 56, 70, 112)),
-        "pose": Function(_pose, _pose_blocks, 5, 0, (1, 2, 8, 16, 28, 56, 70, 224, 336, 2016, 2352, 5440, 6000)),
-        "tangent": Function(_tangent, _tangent_blocks, 5, 0, (1, 2, 4, 8, 16, 24, 28, 56, 70, 96, 112, 224, 336, 1120, 2016, 2352, 5440, 6000, 9408, 12000, 16320)),
-        "inverse": Function(_inverse, _inverse_blocks, 2, 0, (1, 8, 16, 28, 56, 70, 176, 272, 560)),
-        "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 4, 0, (1, 2, 8, 16, 24, 28, 48, 56, 70, 112, 176, 224, 272, 336, 544, 560, 2016, 2352, 5440, 6000)),
-        "ray": Function(_ray, _ray_blocks, 3, 0, (1, 2, 4, 6, 8, 16, 28, 56, 70, 224, 336, 2016, 2352, 5440, 6000)),
-        "gain_unit": Function(_gain_unit, _gain_unit_blocks, 4, 1, (-1, 0, 1, 2)),
-        "gain_positive": Function(_gain_positive, _gain_positive_blocks, 4, 0, (1, 2)),
-        "gain_product": Function(_gain_product, _gain_product_blocks, 5, 1, (-1, 0, 1, 2)),
-        "direction": Function(_direction, _direction_blocks, 3, 3, (-1, 0, 1, 8, 28, 56, 70)),
-        "natural": Function(_natural, _natural_blocks, 6, 3, (-1, 0, 1, 2, 8, 16, 28, 56, 70)),
-        "turned": Function(_turned, _turned_blocks, 2, 0, (1,)),
-        "beyond": Function(_beyond, _beyond_blocks, 3, 2, ()),
-        "coefficient": Function(_coefficient, _coefficient_blocks, 1, 0, (1, 16)),
+        "quaternion": Function(_quaternion, _quaternion_blocks, 1, 0, (-8, 1, 2, 4, 6, 8, 24, 28, 56, 70, 112)),
+        "pose": Function(_pose, _pose_blocks, 2, 0, (1, 2, 8, 16, 28, 56, 70, 224, 336, 2016, 2352, 5440, 6000)),
+        "tangent": Function(_tangent, _tangent_blocks, 3, 0, (1, 2, 4, 8, 16, 24, 28, 56, 70, 96, 112, 224, 336, 1120, 2016, 2352, 5440, 6000, 9408, 12000, 16320)),
+        "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 8, 16, 28, 56, 70, 176, 272, 560)),
+        "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 1, 0, (1, 2, 8, 16, 24, 28, 48, 56, 70, 112, 176, 224, 272, 336, 544, 560, 2016, 2352, 5440, 6000)),
+        "ray": Function(_ray, _ray_blocks, 1, 0, (1, 2, 4, 6, 8, 16, 28, 56, 70, 224, 336, 2016, 2352, 5440, 6000)),
+        "gain_unit": Function(_gain_unit, _gain_unit_blocks, 3, 1, (-1, 0, 1, 2)),
+        "gain_positive": Function(_gain_positive, _gain_positive_blocks, 3, 0, (1, 2)),
+        "gain_product": Function(_gain_product, _gain_product_blocks, 4, 1, (-1, 0, 1, 2)),
+        "direction": Function(_direction, _direction_blocks, 2, 3, (-1, 0, 1, 8, 28, 56, 70)),
+        "natural": Function(_natural, _natural_blocks, 3, 3, (-1, 0, 1, 2, 8, 16, 28, 56, 70)),
+        "turned": Function(_turned, _turned_blocks, 0, 0, (1,)),
+        "beyond": Function(_beyond, _beyond_blocks, 1, 3, ()),
+        "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 16)),
     },
     own={},
 )

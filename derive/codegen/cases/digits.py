@@ -93,6 +93,9 @@ class Decimal:
 
     __hash__ = None  # type: ignore[assignment]
 
+    def __repr__(self) -> str:
+        return str(mpmath.nstr(self.value, DIGITS))
+
     def sqrt(self) -> Decimal:
         return Decimal(mpmath.sqrt(self.value))
 
@@ -111,33 +114,35 @@ def _quotient(a: Any, b: Any) -> Any:
 
 
 def expectations(cayley: Cayley) -> Iterator[tuple[Expectation, ...]]:
-    """Inverse maps, screws, shadows (at most eight branches) and composition, a batch of seeded screws each.
+    """Inverse maps, screws, shadows (at most eight branches) and composition: a batch for each function and branch."""
+    batches: dict[str, list[Expectation]] = {}
+    for case in _cases(cayley.order, random.Random(SEED)):
+        batches.setdefault(case.function, []).append(case)
+    yield from map(tuple, batches.values())
 
-    The principal branch takes all screws and exact half turns, every other one two of them and a translation.
-    """
-    draw = random.Random(SEED)
-    screws, still = list(covering(draw, SMALL)), translation(draw)
-    halves = list(half_turns(draw))
-    n = cayley.order
-    principal = [screw for screw in (*screws, still, translation(draw)) if finite(n, screw, 0, NEAR_POLE)]
-    others = [*principal[1:], principal[0]]
-    yield from zip(*(_principal(n, *pair) for pair in zip(principal, others, strict=True)), strict=True)
+
+def _cases(n: int, draw: random.Random) -> Iterator[Expectation]:
+    """The principal branch takes all screws and exact half turns, every other one some of them."""
+    screws, halves = list(covering(draw, SMALL)), list(half_turns(draw))
+    still, other_still = translation(draw), translation(draw)
+    given = [screw for screw in (*screws, still, other_still) if finite(n, screw, 0, NEAR_POLE)]
+    for screw, other in zip(given, [*given[1:], given[0]], strict=True):
+        yield from _principal(n, screw, other)
     for branch in range(min(n, MAX_BRANCHES)):
-        some = [screws[branch % 8], screws[(branch + 3) % 8]] if branch else [*screws, still]
-        turning = [screw for screw in some if finite(n, screw, branch, NEAR_POLE)]
+        some = [screws[3 * branch % 8]] if branch else [*screws, still]
         # a translation on another branch has q = 0 but for rounding: there nothing decides about its axis
-        moving = [still] if branch and finite(n, still, branch, NEAR_POLE) else []
-        yield from zip(*(_branch(n, screw, branch) for screw in (*turning, *moving)), strict=True)
-        yield from zip(*(_back(n, screw, branch) for screw in turning), strict=True)
-        exactly = [halves[branch % 4]] if branch else halves
-        half = [screw for screw in exactly if finite(n, screw, branch, NEAR_POLE)]
-        yield from zip(*(_half_turn(n, screw, branch) for screw in half), strict=True)
-    falling = [screw for screw in steep(draw, SMALL, 1 / 3) if finite(n, screw, 0, NEAR_POLE)]
-    turned = (_from_rotation(tensor_from_screw(screw), 0, _flat(vector_from_screw(n, screw))) for screw in falling)
-    yield from zip(*turned, strict=True)
+        for screw in (*some, still) if branch else some:
+            if finite(n, screw, branch, NEAR_POLE):
+                yield from _branch(n, screw, branch)
+                yield from _back(n, screw, branch) if screw in some else ()
+        for screw in [halves[branch % 4]] if branch else halves:
+            if finite(n, screw, branch, NEAR_POLE):
+                yield from _half_turn(n, screw, branch)
+    for screw in steep(draw, SMALL, 1 / 3):
+        if finite(n, screw, 0, NEAR_POLE):
+            yield from _from_rotation(tensor_from_screw(screw), 0, _flat(vector_from_screw(n, screw)))
     yield from _undecided(n)
-    if n > 1:
-        yield tuple(_near_ties(n, screws[0]))
+    yield from _near_ties(n, screws[0])
 
 
 def _principal(n: int, screw: Screw, other: Screw) -> Iterator[Expectation]:
@@ -201,7 +206,7 @@ def _near_ties(n: int, screw: Screw) -> Iterator[Expectation]:
             yield Expectation("principal", (v,), principal)
 
 
-def _undecided(n: int) -> Iterator[tuple[Expectation, ...]]:
+def _undecided(n: int) -> Iterator[Expectation]:
     """Vectors with p = 0 or q = 0 exactly, half a turn or none: v itself or its dual part decides about the axis."""
     for square, direction in ((1, (1, 0, 0)), (1, (0, -1, 0)), (3, (1, 1, 1)), (3, (-1, 1, -1))):
         p, q = pair_by_squaring(n, square)
@@ -210,13 +215,14 @@ def _undecided(n: int) -> Iterator[tuple[Expectation, ...]]:
             v = Vector.dual(re, along * re + re.cross(Vector(1, 2, 3)))
             u, r = axis(n, v)
             angle = (mpmath.pi if p == 0 else 0, (2 * n * atan(r)).du)
-            yield (Expectation("to_screw", (_flat(v),), (*angle, *_flat(u))),)
-            yield (Expectation("principal", (_flat(v),), MAPS["principal"](n, 0, _flat(v))),)
+            yield Expectation("to_screw", (_flat(v),), (*angle, *_flat(u)))
+            # at odd multiples of half a turn beyond the first either side is a principal v
+            if q == 0 or abs(2 * n * atan(r).re) < mpmath.pi + NEAR_TIE:
+                yield Expectation("principal", (_flat(v),), MAPS["principal"](n, 0, _flat(v)))
             for branch in range(1, min(n, MAX_BRANCHES)):
                 turn = branch * mpmath.pi / n
                 if abs(mpmath.cos(turn) - r.re * mpmath.sin(turn)) > NEAR_POLE:
-                    v_k = MAPS["shadow"](n, branch, _flat(v))
-                    yield (Expectation(f"shadow {branch}", (_flat(v),), v_k),)
+                    yield Expectation(f"shadow {branch}", (_flat(v),), MAPS["shadow"](n, branch, _flat(v)))
 
 
 def close(got: Any, expected: Any) -> bool:

@@ -6,9 +6,11 @@ has no name is a statement of its own.
 
 from __future__ import annotations
 
+import itertools
+import math
 from collections import Counter
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from .program import Call, Operand, Program, Statement, Step
@@ -37,7 +39,37 @@ class Placement:
 
 def place(program: Program) -> Placement:
     """Schedule a program and allocate its registers."""
-    return _Allocator(program).run()
+    return _best(program, _outputs(program))
+
+
+def place_returned(program: Program) -> Placement:
+    """The same for a program that may use the places of its results as registers before it writes them."""
+    found = _best(program, {})
+    steps = {output for output in program.outputs if output in found.places}
+    ends = {found.places[str(output)]: ("o", program.outputs.index(output) + 1) for output in steps}
+    others = {index for kind, index in found.places.values() if kind == "k" and ("k", index) not in ends}
+    moved = {("k", index): ("k", new) for new, index in enumerate(sorted(others), 1)} | ends
+    places = {name: moved.get(place, place) for name, place in found.places.items()}
+    return replace(found, places=places, registers=len(others), copies=_copied(program, places))
+
+
+def _best(program: Program, fixed: Mapping[str, Place]) -> Placement:
+    """The way that needs fewest registers: outputs asked for in either order, calls made early or late."""
+    ways = itertools.product((program.outputs, program.outputs[::-1]), (True, False))
+    return min((_Allocator(program, fixed, *way).run() for way in ways), key=lambda found: found.registers)
+
+
+def _outputs(program: Program) -> dict[str, Place]:
+    """The places of what a program computes for its results, each at its first."""
+    made = {name for statement in program.statements for name in results(statement)}
+    indices = {str(o): index for index, o in reversed(list(enumerate(program.outputs, 1))) if o in made}
+    return {name: ("o", index) for name, index in indices.items()}
+
+
+def _copied(program: Program, places: Mapping[str, Place]) -> tuple[tuple[Operand, int], ...]:
+    """Outputs that stand elsewhere than in their own place."""
+    numbered = enumerate(program.outputs, 1)
+    return tuple((output, index) for index, output in numbered if places.get(str(output)) != ("o", index))
 
 
 @dataclass(slots=True)
@@ -61,25 +93,23 @@ def results(statement: Statement) -> tuple[str, ...]:
 
 
 class _Allocator:
-    def __init__(self, program: Program) -> None:
+    def __init__(self, program: Program, fixed: Mapping[str, Place], asked: Sequence[Operand], eager: bool) -> None:
         self.program = program
+        self.asked = asked
+        self.eager = eager
         self.makers = {name: statement for statement in program.statements for name in results(statement)}
-        self.places: dict[str, Place] = {}
+        self.places: dict[str, Place] = dict(fixed)
         self.banks = {"k": _Bank(), "mask": _Bank()}
-        self.copies: list[tuple[Operand, int]] = []
         self.free: dict[str, tuple[Place, ...]] = {}
-        for index, output in enumerate(program.outputs, 1):
-            if output in self.makers and output not in self.places:
-                self.places[str(output)] = ("o", index)
-            else:
-                self.copies.append((output, index))
 
     def run(self) -> Placement:
-        reads = Counter(arg for s in self.program.statements for arg in s.args if isinstance(arg, str))
+        read = Counter(arg for s in self.program.statements for arg in s.args if isinstance(arg, str))
+        reads = read + Counter(output for output in self.program.outputs if isinstance(output, str))
         for statement in self.schedule:
             self._evaluate(statement, reads)
         sizes = {kind: bank.size for kind, bank in self.banks.items()}
-        return Placement(self.schedule, self.places, tuple(self.copies), sizes["k"], sizes["mask"], self.free)
+        copies = _copied(self.program, self.places)
+        return Placement(self.schedule, self.places, copies, sizes["k"], sizes["mask"], self.free)
 
     @cached_property
     def schedule(self) -> tuple[Statement, ...]:
@@ -88,7 +118,9 @@ class _Allocator:
         leaves = {name: Counter(self._leaves(name)) for name in waiting}
         reads = sum(leaves.values(), Counter[str]())
 
-        def growth(name: str) -> int:
+        def growth(name: str) -> float:
+            if self.eager and isinstance(self.makers[name], Call):
+                return -math.inf
             freed = sum(reads[leaf] == count for leaf, count in leaves[name].items() if leaf not in self.places)
             return sum(result not in self.places for result in results(self.makers[name])) - freed
 
@@ -114,7 +146,7 @@ class _Allocator:
                     yield from visit(leaf)
                 yield first
 
-        for output in self.program.outputs:
+        for output in self.asked:
             if output in self.makers:
                 yield from visit(str(output))
 

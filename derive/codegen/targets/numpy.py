@@ -18,7 +18,7 @@ from ...maps.chart import Chart
 from ..facts import Facts
 from ..lowered import geometry
 from ..programs.program import Call, Operand, Program, Step
-from ..programs.registers import Placement, place, results
+from ..programs.registers import Placement, place, place_returned, results
 from ..validation import validate
 from . import infix, python
 from .expression import WIDTH, fill
@@ -51,7 +51,7 @@ def two_scalar_forms(program: Program) -> TwoForms:
     A result that stands in an argument, or twice, is copied: the caller will use these places again. Constants may
     stand where they are.
     """
-    placement = place(program)
+    placement = place_returned(program)
     printer = _Calls(program, placement)
     tables = {name for argument, names in program.inputs if argument == "table" for name in names}
     copied = {index for source, index in placement.copies if isinstance(source, str) and source not in tables}
@@ -157,7 +157,7 @@ class _Calls:
         step = self.steps.get(operand)
         if step is None or not step.inline:
             return operand
-        return self.place(operand) if self.places[operand][0] == "o" else self.call(step)
+        return self.call(step)
 
 
 def _tuple(items: list[str]) -> str:

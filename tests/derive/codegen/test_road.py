@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import hashlib
 import os
 import re
@@ -12,9 +13,11 @@ from pathlib import Path
 import pytest
 
 import derive
-from derive.codegen import ValidationFailed, build, catalogue, check, compiler
+from derive.codegen import ValidationFailed, build, catalogue, check, compiler, signatures
+from derive.codegen.cases import batches, digits, exact
 from derive.codegen.module import notices
-from derive.codegen.targets import TARGETS
+from derive.codegen.signatures import PUBLIC
+from derive.codegen.targets import TARGETS, python
 from derive.codegen.validation import validate
 from derive.maps import Cayley
 from derive.output import files
@@ -87,11 +90,57 @@ def test_a_wrong_sign_or_factor_in_a_printed_kernel_fails_validation(
 
 def test_untouched_kernels_pass_and_every_call_is_compared_in_both_layouts(package, tmp_path: Path):
     files.write(tmp_path, package.texts)
-    # 11 exact expectations (12 with the round trip of n = 4); on a batch of 5 screws 4, and 5 per branch; each in both
-    # layouts, and each pose alone
-    assert validate(tmp_path, Cayley(3)) == (2 + 1) * 11 + (2 + 5) * (4 + 5 * 3)
-    # but a translation is infinite on branch 2 of 4
-    assert validate(tmp_path, Cayley(4)) == (2 + 1) * 12 + (2 + 5) * (4 + 5 * 4) - 5
+    for chart in (Cayley(3), Cayley(4)):
+        # each batch in both layouts, and each pose alone
+        assert validate(tmp_path, chart) == sum(2 + len(batch.cases) for batch in batches(chart))
+
+
+@pytest.mark.parametrize("name", PUBLIC)
+def test_a_function_without_an_expectation_is_not_generated(name: str, monkeypatch: pytest.MonkeyPatch):
+    for source in (exact, digits):
+
+        def without(chart, original=source.expectations):
+            return (found for found in original(chart) if _function_of(found) != name)
+
+        monkeypatch.setattr(source, "expectations", without)
+    with pytest.raises(ValueError, match=rf"without an expectation cannot be generated: {name}$"):
+        batches(Cayley(3))
+
+
+def _function_of(found: exact.Expectation | tuple[exact.Expectation, ...]) -> str:
+    return (found if isinstance(found, exact.Expectation) else found[0]).function.split()[0]
+
+
+def test_a_function_is_a_row_a_recipe_and_a_docstring_too(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    """Whichever is forgotten, nothing is written."""
+    row = dataclasses.replace(PUBLIC["pose"], name="stance")
+    for add, remove, message in (
+        ({"stance": row}, (), "functions of the table that are missing: stance; not in it: none"),
+        ({}, ("pose",), "functions of the table that are missing: none; not in it: pose"),
+    ):
+        with monkeypatch.context() as patch:
+            for name, value in add.items():
+                patch.setitem(signatures.PUBLIC, name, value)
+            for name in remove:
+                patch.delitem(signatures.PUBLIC, name)
+            with pytest.raises(ValueError, match=message):
+                derive.generate([3], output=tmp_path / "k")
+    with pytest.raises(ValueError, match="stance has no recipe"):
+        dataclasses.replace(row, recipe=None).traced()
+    monkeypatch.setitem(signatures.FUNCTIONS, "twist", dataclasses.replace(PUBLIC["twist"], branch=True))
+    with pytest.raises(ValueError, match="twist takes v, v_dot, and v, v_dot, branch in the table"):
+        derive.generate([3], output=tmp_path / "k")
+    assert not (tmp_path / "k").exists()
+
+
+def test_a_function_without_a_docstring_is_not_generated():
+    arguments = {
+        name: ", ".join(["self", *(a.name for a in row.arguments), *["branch"] * row.branch])
+        for name, row in PUBLIC.items()
+    }
+    bare = "".join(f"    def {name}({given}): ...\n" for name, given in arguments.items())
+    with pytest.raises(ValueError, match="has no docstring"):
+        python.require_complete({python.INTERFACE: f"class {python.CLASS}:\n{bare}"})
 
 
 def test_a_failed_proof_writes_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):

@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-import ast
-from collections.abc import Iterator
-from pathlib import Path
-
 import pytest
 
 from derive.papers import PAPERS
+from tests.support.imports import ROOT, imported, sources
 
-ROOT = Path(__file__).parents[3]
 BASE = ("derive", "papers")
 PACKAGES = tuple(paper.package.rpartition(".")[2] for paper in PAPERS)
 ROOMS = ("numbers", "language", "equation", "paper", *PACKAGES, "decide", "mutation", "report", "", "witnesses")
@@ -20,27 +16,10 @@ IN_A_PAPER = ("alphabet", "marks", "meanings", "sections", "inventory")
 """Likewise inside the package of a paper; the package itself knows only its alphabet."""
 
 
-def imported(path: Path) -> Iterator[tuple[str, ...]]:
-    """The modules of derive.papers that a file imports anywhere, each by the parts of its name below it."""
-    package = path.relative_to(ROOT).parts[:-1]
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-        if isinstance(node, ast.ImportFrom):
-            base = package[: len(package) - node.level + 1] if node.level else ()
-            module = (*base, *(node.module or "").split(".")) if node.module else base
-            for alias in node.names:
-                is_module = (ROOT.joinpath(*module) / f"{alias.name}.py").exists() or ROOT.joinpath(
-                    *module, alias.name
-                ).is_dir()
-                full = (*module, alias.name) if is_module else module
-                if full[:2] == BASE:
-                    yield full[2:]
-
-
-def sources() -> list[tuple[tuple[str, ...], Path]]:
-    """All files by the parts of their names."""
-    files = sorted(ROOT.joinpath(*BASE).rglob("*.py"))
-    parts = (file.relative_to(ROOT.joinpath(*BASE)).with_suffix("").parts for file in files)
-    return [(tuple(part for part in name if part != "__init__"), file) for name, file in zip(parts, files, strict=True)]
+def found() -> list[tuple[tuple[str, ...], tuple[str, ...]]]:
+    """Importer and imported module, by the parts of their names below derive.papers."""
+    pairs = ((name, module) for name, file in sources(*BASE) for module in imported(file))
+    return [(name, module[2:]) for name, module in pairs if module[:2] == BASE]
 
 
 def room(name: tuple[str, ...]) -> str:
@@ -64,13 +43,12 @@ def allowed_in_a_paper(importer: tuple[str, ...], name: tuple[str, ...]) -> bool
 
 
 def test_imports_run_one_way() -> None:
-    found = [(importer, name) for importer, file in sources() for name in imported(file)]
-    assert len(found) > 300
-    assert [pair for pair in found if not allowed(*pair)] == []
+    assert len(found()) > 300
+    assert [pair for pair in found() if not allowed(*pair)] == []
 
 
 def test_every_room_is_in_the_table() -> None:
-    assert {room(name) for name, _ in sources()} == set(ROOMS)
+    assert {room(name) for name, _ in sources(*BASE)} == set(ROOMS)
 
 
 @pytest.mark.parametrize("paper", PAPERS, ids=lambda paper: paper.short)

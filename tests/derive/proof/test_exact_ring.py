@@ -239,3 +239,15 @@ def test_long_products_of_both_backends_agree() -> None:
         a, b = (generator - 3) ** 40, (2 * generator + 5) ** 40
         products.append(library.coefficients(library.product(a, b)))
     assert products[0] == products[1]
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_functions_of_the_square_are_ordered_near_zero(backend):
+    exact = ring(backend)
+    square = exact.square("v")
+    assert 0 < square < 1
+    assert square > 0
+    assert square * 7 < 1
+    assert not square > square
+    with pytest.raises(ValueError, match="must depend on the squares"):
+        _ = exact.symbol("v1") > 0

@@ -78,14 +78,8 @@ def test_pages_hold_every_entry_and_nothing_undefined(report, form: str) -> None
 
 
 def test_markdown_links_entries_to_their_sources(report) -> None:
-<<<<<<< HEAD:tests/derive/papers/test_report.py
     page = FORMATS["markdown"](report)
-    root = Path(__file__).parents[3]
-    links = re.findall(r"\]\(\.\./(derive/papers/\S+\.py)#L(\d+)\)", page)
-=======
-    page = FORMATS["markdown"](report, render)
     links = re.findall(r"\[(\S+) in (derive/papers/\S+\.py)\]\(\.\./(\S+)\)", page)
->>>>>>> papers:tests/derive/papers/report/test_report.py
     assert len(links) == len(report.results)
     for (name, shown, path), result in zip(links, _in_order(report), strict=True):
         assert name == label(result)

@@ -1,0 +1,35 @@
+"""Which modules of this project a file imports, read from its text: anywhere in it, inside functions too."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from pathlib import Path
+
+ROOT = Path(__file__).parents[2]
+
+
+def imported(path: Path) -> Iterator[tuple[str, ...]]:
+    """Every module a file imports, by the parts of its absolute name; of an import from a package, the module named."""
+    package = path.relative_to(ROOT).parts[:-1]
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            yield from (tuple(alias.name.split(".")) for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            base = package[: len(package) - node.level + 1] if node.level else ()
+            module = (*base, *node.module.split(".")) if node.module else base
+            for alias in node.names:
+                yield (*module, alias.name) if _is_module((*module, alias.name)) else module
+
+
+def _is_module(name: tuple[str, ...]) -> bool:
+    place = ROOT.joinpath(*name)
+    return place.with_suffix(".py").is_file() or place.is_dir()
+
+
+def sources(*package: str) -> Iterator[tuple[tuple[str, ...], Path]]:
+    """The files of a package, each with the parts of its name below the package."""
+    base = ROOT.joinpath(*package)
+    for file in sorted(base.rglob("*.py")):
+        parts = file.relative_to(base).with_suffix("").parts
+        yield tuple(part for part in parts if part != "__init__"), file
