@@ -107,14 +107,14 @@ def test_results_agree_with_exact_ones_in_cpp(package, tmp_path, real):
 
 def test_loops_over_rows_become_vector_code(package, tmp_path):
     names = ("quaternion", "tensor", "pose", "transform_point", "transform_line", "tangent", "tangent_inv", "rate")
-    header = (package / "cayley3.h").read_text(encoding="utf-8").splitlines()
+    header = (package / "geometry.h").read_text(encoding="utf-8").splitlines()
     uses = "".join(f"void *use_{name} = (void *)dualcay_cayley3_{name}_rows;\n" for name in names)
     source = written(tmp_path, "rows.c", f'#include "cayley3.h"\n{uses}')
     flags = ("-std=c99", "-O3", "-mavx2", "-fno-math-errno", "-fno-trapping-math", "-fopt-info-vec-optimized")
     report = run(tool("gcc"), *flags, f"-I{package}", "-c", source, "-o", tmp_path / "rows.o")
-    lines = {int(line) for line in re.findall(r"cayley3\.h:(\d+):\d+: optimized: loop vectorized", report)}
+    lines = {int(line) for line in re.findall(r"geometry\.h:(\d+):\d+: optimized: loop vectorized", report)}
     for name in names:
-        start = next(i for i, line in enumerate(header, 1) if f"void dualcay_cayley3_{name}_rows(" in line)
+        start = next(i for i, line in enumerate(header, 1) if f"void DUALCAY_NAME({name}_rows)(" in line)
         assert lines & set(range(start, start + 8)), name
 
 

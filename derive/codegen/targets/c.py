@@ -127,8 +127,6 @@ class C:
         scalars = [*lowered.scalars.values(), *([] if chart.returns() else [NEVER_BEYOND])]
         return {
             "name": chart.name,
-            "title": chart.title,
-            "parameter": facts.parameter,
             "branches": chart.branches,
             "domain": facts.domain,
             "singular": facts.singular,
