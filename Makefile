@@ -2,10 +2,15 @@
 PYTHON ?= python3
 VENV   := .venv
 RUN    := $(VENV)/bin/python
+# What deriving and generating need is installed, and what tests, lint and types need besides.
 READY  := $(VENV)/.ready
+TESTED := $(VENV)/.test
+# Each worker begins with a stretch of its own, so that few fixtures are made twice, and helps out when it is done.
+PYTEST := $(RUN) -m pytest -n auto --maxprocesses 4 --dist worksteal
+PIP    := $(RUN) -m pip --disable-pip-version-check install --quiet --quiet --constraint constraints.txt
 
 .DEFAULT_GOAL := generate
-.PHONY: generate check verify show test lint types bench accuracy clean help
+.PHONY: generate check verify show test quick lint types bench accuracy clean help
 
 generate: $(READY)  ## derive, prove and write the committed kernels (the default)
 	$(RUN) -m derive generate
@@ -20,13 +25,17 @@ verify: $(READY)  ## decide every equation of the papers and write docs/errata.m
 show: $(READY)  ## print the formulas of an order: make show N=3
 	$(RUN) -m derive show -n $(or $(N),1-3)
 
-test: lint types check  ## lint, types, stale check and all tests
-	$(RUN) -m pytest -n 2
+test: $(TESTED)  ## lint, types, stale check and all tests
+	$(MAKE) --no-print-directory --jobs=2 lint types check
+	$(PYTEST)
 
-lint: $(READY)  ## ruff
+quick: lint types  ## lint, types and a smoke of every room, in less than a minute
+	$(PYTEST) -m smoke
+
+lint: $(TESTED)  ## ruff
 	$(RUN) -m ruff check .
 
-types: $(READY)  ## mypy --strict
+types: $(TESTED)  ## mypy --strict
 	$(RUN) -m mypy
 
 bench: $(VENV)/.bench  ## proof times by order, then kernels against peers and their former release (docs/benchmarks.md)
@@ -47,10 +56,14 @@ help:  ## list these targets
 $(READY): pyproject.toml constraints.txt
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Python >= 3.11 is needed: make PYTHON=python3.11")'
 	$(PYTHON) -m venv $(VENV)
-	$(RUN) -m pip install --quiet --constraint constraints.txt --editable '.[derive,flint,test]'
+	$(PIP) --editable '.[derive,flint]'
+	touch $@
+
+$(TESTED): $(READY)
+	$(PIP) --editable '.[test]'
 	touch $@
 
 # What benchmarks need besides; jaxlie and pinocchio, which are large, with BENCH=bench,peers.
-$(VENV)/.bench: $(READY)
-	$(RUN) -m pip install --quiet --constraint constraints.txt --editable '.[$(or $(BENCH),bench)]'
+$(VENV)/.bench: $(TESTED)
+	$(PIP) --editable '.[$(or $(BENCH),bench)]'
 	touch $@

@@ -64,11 +64,16 @@ def load(order: int, real: str = "double") -> CForm | None:
     with tempfile.TemporaryDirectory(prefix="dualcay-c-form-") as build:
         folder = Path(build)
         generate([order], "c", folder)
-        source, library = folder / "library.c", folder / "library.so"
-        source.write_text("\n".join(_source(order)) + "\n", encoding="utf-8")
-        flags = [*FLAGS, f"-DDUALCAY_REAL={real}", "-shared", "-fPIC"]
-        subprocess.run([*command, *flags, str(source), "-o", str(library), "-lm"], check=True)
-        return CForm(library, real)  # a loaded library outlives its file
+        return CForm(compiled(command, folder, order, real, folder), real)  # a loaded library outlives its file
+
+
+def compiled(command: list[str], headers: Path, order: int, real: str, folder: Path) -> Path:
+    """The shared library of the kernels of an order, made in a folder from the header in another."""
+    source, library = folder / "library.c", folder / "library.so"
+    source.write_text("\n".join(_source(order)) + "\n", encoding="utf-8")
+    flags = [*FLAGS, f"-DDUALCAY_REAL={real}", f"-I{headers}", "-shared", "-fPIC"]
+    subprocess.run([*command, *flags, str(source), "-o", str(library), "-lm"], check=True)
+    return library
 
 
 def _source(order: int) -> Iterator[str]:

@@ -11,14 +11,14 @@ from pathlib import Path
 
 import pytest
 
-from derive.codegen import generate
 from derive.codegen.lowered import lower_chart
 from derive.codegen.signatures import PUBLIC
 from derive.codegen.targets.c import levels
 from derive.maps import Cayley
+from tests.support import packages
 
 ROOT = Path(__file__).parents[2]
-ORDERS = (1, 2, 3, 8, 16)
+ORDERS = packages.ORDERS["c"]
 STRICT = ("-Wall", "-Wextra", "-Wshadow", "-Wconversion", "-Wstrict-aliasing", "-Werror", "-pedantic")
 VECTOR = ("-O3", "-march=native", "-fno-math-errno", "-fno-trapping-math")
 REALS = ("float", "double")
@@ -26,11 +26,9 @@ INCLUDE_ALL = "".join(f'#include "cayley{n}.h"\n' for n in ORDERS)
 
 
 @pytest.fixture(scope="module")
-def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder with the package of some orders."""
-    folder = tmp_path_factory.mktemp("c")
-    generate(ORDERS, "c", folder)
-    return folder
+def package(folder) -> Path:
+    """The folder of the C package."""
+    return folder("c")
 
 
 def tool(name: str) -> str:

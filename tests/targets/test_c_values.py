@@ -7,8 +7,9 @@ import importlib
 import numpy as np
 import pytest
 
-from benchmarks.c_form import TYPES, load
+from benchmarks.c_form import TYPES, CForm, compiled
 from derive.codegen.signatures import PUBLIC
+from derive.codegen.validation.compiled import compiler
 
 ORDERS = (1, 2, 3, 8)
 ROUNDED = ("from_quaternion", "from_tensor", "from_pose", "from_screw", "to_screw", "compose", "shadow", "principal")
@@ -18,12 +19,13 @@ COUNT = 300
 
 
 @pytest.fixture(scope="module", params=[(n, real) for n in ORDERS for real in TYPES], ids=lambda p: f"{p[0]}-{p[1]}")
-def both(request):
+def both(request, folder, shared):
     """The C kernels and the NumPy kernels of an order, and the real type."""
     order, real = request.param
-    form = load(order, real)
-    assert form is not None, "these tests need a C compiler: install gcc, or name one in CC"
-    return form, importlib.import_module(f"dualcay.cayley{order}"), np.dtype(TYPES[real])
+    command = compiler()
+    assert command is not None, "these tests need a C compiler: install gcc, or name one in CC"
+    built = shared(f"c-{order}-{real}", lambda place: compiled(command, folder("c"), order, real, place))
+    return CForm(built / "library.so", real), importlib.import_module(f"dualcay.cayley{order}"), np.dtype(TYPES[real])
 
 
 def special(rng, size):

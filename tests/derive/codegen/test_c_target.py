@@ -133,7 +133,13 @@ def test_the_package_holds_headers_their_tests_and_a_cmake_project(package):
         assert text.isascii(), name
 
 
-def test_the_same_text_comes_out_twice(package):
+@pytest.fixture
+def without_compiler(monkeypatch):
+    """Texts are the same, and come sooner."""
+    monkeypatch.setenv("CC", "no-such-compiler")
+
+
+def test_the_same_text_comes_out_twice(package, without_compiler):
     assert build([4, 3], C).texts == package.texts
 
 
@@ -160,7 +166,7 @@ def test_a_function_the_table_does_not_have_or_misses_is_an_error(package, old, 
         C.require_complete({"geometry.h": package.texts["geometry.h"].replace(old, new, 1)})
 
 
-def test_a_folder_is_checked_as_a_whole(tmp_path, package):
+def test_a_folder_is_checked_as_a_whole(tmp_path, package, without_compiler):
     generate([3, 4], "c", tmp_path)
     assert check(tmp_path, [3], "c") == []
     (tmp_path / "test_cayley4.c").write_text(package.texts["test_cayley4.c"].replace("0x1", "0x2", 1))
@@ -266,8 +272,7 @@ def test_every_function_and_branch_has_cases():
         assert branches == ({0, 1, 2} if signature.branch else {None})
 
 
-def test_without_a_compiler_nothing_is_claimed_of_compiled_code(monkeypatch, tmp_path):
-    monkeypatch.setenv("CC", "no-such-compiler")
+def test_without_a_compiler_nothing_is_claimed_of_compiled_code(without_compiler, tmp_path):
     result = CliRunner().invoke(cli, ["generate", "-n", "2", "--target", "c", "-o", str(tmp_path)])
     assert result.exit_code == 0
     assert re.search(r"cayley2\.h\W+\d+\W+\d+\W+\d{3}\W+-\s", result.stdout)

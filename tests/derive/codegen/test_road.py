@@ -200,6 +200,7 @@ def test_the_same_bytes_under_every_hash_seed(package, seed):
     assert done.stdout.strip() == here
 
 
+@pytest.mark.smoke
 def test_the_committed_kernels_are_current():
     assert check(catalogue.COMMITTED) == []
 
