@@ -115,10 +115,11 @@ def _drawn(draw: random.Random, size: int) -> Flat:
 def _constants(unit: Unit, chart: Cayley) -> None:
     """What the macros of the header stand for, and the singular angles."""
     ratios = [angle / sympy.pi for angle in chart.singular_angles]
-    macro = _prefix(chart).upper()
+    prefix = _prefix(chart)
+    macro = prefix.upper()
     expected = {f"{macro}ORDER": str(chart.branches), f"{macro}SINGULAR_ANGLES": str(len(ratios))}
     aliases = [(alias, name) for name, row in PUBLIC.items() for alias in row.aliases]
-    expected |= {f"{_prefix(chart)}{a}{form}": f"{_prefix(chart)}{b}{form}" for a, b in aliases for form in ("", "_rows")}
+    expected |= {f"{prefix}{a}{form}": f"{prefix}{b}{form}" for a, b in aliases for form in ("", "_rows")}
     for name, text in expected.items():
         if unit.source.expand(name) != text:
             raise ValidationFailed(f"{name} is {unit.source.expand(name)}, not {text}")
