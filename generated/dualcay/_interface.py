@@ -59,9 +59,9 @@ from ._chart import Chart
 from ._kernel import Array
 from ._runtime import call, call_branch, returned, shifted
 
-# the side of T: itself, which gives the twist in space, and its transpose, in the body; for T⁻¹ also twice the side
+# the side of T: itself, which gives the twist in space, and its transpose, in the body; for T⁻¹ also half the side
 SPACE, BODY = ("1",), ("-1",)
-SPACE_INV, BODY_INV = ("1", "2"), ("-1", "-2")
+SPACE_INV, BODY_INV = ("1", "0.5"), ("-1", "-0.5")
 
 
 class PoseKernels:
@@ -69,9 +69,10 @@ class PoseKernels:
 
     α is the dual angle (rotation angle, translation along the axis) and u the unit dual vector of the screw axis.
     Arrays hold the real part first: v and twists (..., 6), dual quaternions (..., 8) scalar first in each half, dual
-    tensors (..., 2, 3, 3). All methods broadcast over leading axes, keep float32, float64 and longdouble (and complex
-    types where no branch is selected), and take ``axis=0`` for components first. NaN in gives NaN out, element by
-    element.
+    tensors (..., 2, 3, 3). All methods broadcast over leading axes and take ``axis=0`` for components first; NaN in
+    gives NaN out, element by element.
+
+    They keep float32, float64 and longdouble (complex types where no branch is selected).
     """
 
     def __init__(self, chart: Chart) -> None:
