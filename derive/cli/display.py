@@ -39,13 +39,13 @@ def written(package: Package, folder: Path) -> Table:
     """What was proved and written, a row per module."""
     table = Table(title=f"kernels in {folder}", title_justify="left")
     table.add_column("module")
-    for heading in ("theorems", "proofs at n", "calls validated", "calls compiled", "lines"):
+    for heading in ("theorems", "proofs at n", "calls validated", "replayed", "compiled", "lines"):
         table.add_column(heading, justify="right")
     for module in package.modules:
         proofs = module.proved.proofs
         general = sum(proof.scope == "all n" for proof in proofs)
         lines = module.text.count("\n")
-        counts = (general, len(proofs) - general, module.validated, module.tested or "-", lines)
+        counts = (general, len(proofs) - general, module.validated, module.replayed or "-", module.tested or "-", lines)
         table.add_row(module.name, *map(str, counts))
     return table
 

@@ -22,8 +22,8 @@ Progress = Callable[[str], None]
 class Module:
     """A kernel module on its way: proved, printed, and how many calls of it were compared with its formula.
 
-    ``companions`` are further files by name. ``tested`` counts the calls of compiled code that agree: 0 where the
-    target has no test of its own, None where nothing could compile it.
+    ``companions`` are further files by name. ``replayed`` counts the calls on floats that agree, ``tested`` those of
+    compiled code: 0 where the target has none of its own, None where nothing could compile it.
     """
 
     name: str
@@ -31,6 +31,7 @@ class Module:
     text: str
     companions: dict[str, str]
     validated: int
+    replayed: int
     tested: int | None
 
 
@@ -59,20 +60,22 @@ def build_charts(charts: Sequence[Chart], target: Target, progress: Progress | N
     texts = dict(shared_texts(target))
     with tempfile.TemporaryDirectory() as staging:
         files.write(Path(staging), texts)
-        modules = tuple(_module(chart, target, Path(staging), report) for chart in charts)
+        modules = tuple(_module(chart, target, Path(staging), report, not i) for i, chart in enumerate(charts))
     for module in modules:
         texts |= module.companions | {module.name: module.text}
     return Package(texts, modules)
 
 
-def _module(chart: Chart, target: Target, staging: Path, report: Progress) -> Module:
+def _module(chart: Chart, target: Target, staging: Path, report: Progress, first: bool) -> Module:
+    """One module; what is the same in all of them is replayed in the first."""
     report(f"{chart.name}: proving")
     name, proved = module_name(chart, target), prove(chart)
     report(f"{chart.name}: emitting")
     text, companions = module_text(proved, target), companion_texts(chart, target)
     files.write(staging, companions | {name: text})
     report(f"{chart.name}: validating")
-    return Module(name, proved, text, companions, target.validate(staging, chart), target.test(staging, chart))
+    validated, replayed = target.validate(staging, chart), target.replay(staging, chart, first)
+    return Module(name, proved, text, companions, validated, replayed, target.test(staging, chart))
 
 
 def generate(

@@ -541,7 +541,7 @@ class PoseKernels:
             If v is complex.
         """
         screw = call(self._chart, "to_screw", axis, None, v)
-        return (screw[:2], screw[2:]) if axis == 0 else (screw[..., :2], screw[..., 2:])
+        return (screw[:2, ...], screw[2:, ...]) if axis == 0 else (screw[..., :2], screw[..., 2:])
 
     def compose(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Principal v of ``R(v2) R(v1)``: v1 acts first, CP23 (58).

@@ -17,7 +17,7 @@ import mpmath
 from ...maps import Cayley
 from ..signatures import FUNCTIONS
 from . import digits, exact
-from .maps_at import MAPS, Flat, seeded_arguments
+from .maps_at import MAPS, MAX_BRANCHES, Flat, seeded_arguments
 from .screws import half_turns
 from .seeded import Point, nearby
 
@@ -95,14 +95,14 @@ def _inverse(chart: Cayley, draw: random.Random) -> Iterator[Samples]:
         given.setdefault((name, () if branch is None else (branch,)), []).append(arguments)
     tied: dict[tuple[str, tuple[int, ...]], list[exact.Expectation]] = {}
     for case in _ties(chart, draw):
-        name, *branch = case.function.split()
-        tied.setdefault((name, tuple(map(int, branch))), []).append(case)
-    for (name, at), calls in given.items():
+        function, *at = case.function.split()
+        tied.setdefault((function, tuple(map(int, at))), []).append(case)
+    for (name, where), calls in given.items():
         columns = tuple(zip(*calls, strict=True))
         if len(columns) > 1:
-            yield _at(chart, name, at, tuple(column[:SIDE] for column in columns))
+            yield _at(chart, name, where, tuple(column[:SIDE] for column in columns))
         else:
-            yield _joined(_at(chart, name, at, columns), tied.get((name, at), ()))
+            yield _joined(_at(chart, name, where, columns), tied.get((name, where), ()))
 
 
 def _at(chart: Cayley, name: str, branch: tuple[int, ...], arguments: tuple[tuple[Flat, ...], ...]) -> Samples:
@@ -124,4 +124,4 @@ def _ties(chart: Cayley, draw: random.Random) -> Iterator[exact.Expectation]:
 
 
 def _branches(chart: Cayley) -> range:
-    return range(min(chart.order, digits.MAX_BRANCHES))
+    return range(min(chart.order, MAX_BRANCHES))

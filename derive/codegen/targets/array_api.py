@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import importlib
+from collections.abc import Mapping, Sequence
+from importlib.util import find_spec
+
+import numpy as np
 
 from ..facts import Facts
 from ..lowered import geometry
+from ..validation import Library, Machinery
 from . import infix, python
 from .target import Data
 
@@ -19,11 +24,15 @@ WORDS = python.Words(
     passed_alone="axis",
 )
 
+STRICT = "array_api_strict"
+STANDARD = (np.dtype(np.float64), np.dtype(np.float32))
+
 
 class ArrayApi(python.PythonTarget):
     """The target that imports no array library and takes the arrays of each."""
 
     name = "array-api"
+    machinery = Machinery(out=False, silent=False)
     unproved = "what array libraries do with arrays other than NumPy's arrays of objects; rounding errors"
 
     def shared(self) -> Mapping[str, Data]:
@@ -45,3 +54,10 @@ class ArrayApi(python.PythonTarget):
         ]
         own = [python.printed(program, infix.body(program)) for program in facts.lowered.own.values()]
         return python.described(facts) | {"scalars": scalars, "own": own, "rows": python.rows()}
+
+    def libraries(self) -> Sequence[Library]:
+        """NumPy, and the strict reference of the standard where it is installed, in the standard's types."""
+        found = [Library("numpy", np.asarray, STANDARD)]
+        if find_spec(STRICT) is not None:
+            found.append(Library(STRICT, importlib.import_module(STRICT).asarray, STANDARD))
+        return found

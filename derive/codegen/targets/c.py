@@ -152,5 +152,9 @@ class C:
     def validate(self, folder: Path, chart: Chart) -> int:
         return c_text.validate(folder, chart)
 
+    def replay(self, folder: Path, chart: Chart, all_ways: bool) -> int:
+        """Floats are left to the compiled test."""
+        return 0
+
     def test(self, folder: Path, chart: Chart) -> int | None:
         return compiled.test(folder, chart)

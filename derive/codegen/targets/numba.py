@@ -19,6 +19,7 @@ from ..lowered import geometry
 from ..programs.program import Call, Operand, Program, Statement, summary
 from ..programs.registers import results
 from ..signatures import KERNELS
+from ..validation import Library
 from . import infix, python
 from .expression import WIDTH
 from .target import Data
@@ -178,3 +179,7 @@ class Numba(python.PythonTarget):
             return super().validate(folder, chart)
         except ImportError as error:
             raise RefusedError(f"cannot validate what was printed: {error}") from error
+
+    def libraries(self) -> Sequence[Library]:
+        """None while a package is made: to compile every loop takes a minute for a chart."""
+        return ()

@@ -17,6 +17,7 @@ from ..facts import Facts
 from ..lowered import geometry
 from ..programs.program import Call, Operand, Program, Step
 from ..programs.registers import Placement, place, place_returned, results
+from ..validation import Machinery
 from . import infix, python
 from .expression import WIDTH, fill
 from .target import Data
@@ -202,6 +203,7 @@ class Numpy(python.PythonTarget):
     """The target of the committed kernels."""
 
     name = "numpy"
+    machinery = Machinery(few="_runtime.FEW", block="_kernel.BLOCK")
     unproved = "rounding errors, which are measured; NumPy itself"
 
     def shared(self) -> Mapping[str, Data]:

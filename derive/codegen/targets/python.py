@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 import textwrap
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -14,7 +14,7 @@ from ...maps.chart import DEFINITIONS, Chart
 from ..facts import Facts, comment, numbers, theorem_lines
 from ..programs.program import Program, summary
 from ..signatures import FUNCTIONS, KERNELS, PUBLIC
-from ..validation import validate
+from ..validation import NUMPY, Library, Machinery, replay, validate
 from .expression import WIDTH
 from .target import Data, require_functions
 
@@ -54,6 +54,7 @@ class PythonTarget:
     extension = "py"
     entry = "__init__.py"
     comment = "#"
+    machinery = Machinery()
 
     def companions(self, chart: Chart) -> Mapping[str, tuple[str, Data]]:
         return {}
@@ -63,6 +64,13 @@ class PythonTarget:
 
     def validate(self, folder: Path, chart: Chart) -> int:
         return validate(folder, chart)
+
+    def replay(self, folder: Path, chart: Chart, all_ways: bool) -> int:
+        return replay(folder, chart, self.machinery, self.libraries(), all_ways=all_ways)
+
+    def libraries(self) -> Sequence[Library]:
+        """Whose arrays the functions are given in a replay."""
+        return (NUMPY,)
 
     def test(self, folder: Path, chart: Chart) -> int:
         return 0

@@ -51,6 +51,12 @@ class Target(Protocol):
     def validate(self, folder: Path, chart: Chart) -> int:
         """Execute the text of a module in a folder; how many calls equal the formula."""
 
+    def replay(self, folder: Path, chart: Chart, all_ways: bool) -> int:
+        """Call the functions of a module on floats; how many calls agree with the formula, 0 where nothing is called.
+
+        ``all_ways`` asks for those too that do not depend on the chart.
+        """
+
     def test(self, folder: Path, chart: Chart) -> int | None:
         """Compile and run the tests among its companions: how many calls agree, None where nothing compiles them."""
 

@@ -6,11 +6,18 @@ c_text        interpret a C header, in all the ways its functions may be called
 c_calls       C functions called on flat components
 c_interpreter a preprocessor, parser and interpreter of C on numbers of any type
 compiled      compile the differential test beside a C header, and run it
+replay        call a package on floats, in all the ways its functions may be called
+ways          those that are the same for every function: broadcasting, ``out``, layouts, calls at the same time
+calls         a call whose results are known, and how they compare
+known         results to many digits, and how far rounding may move them
+rounding      running error analysis of programs
 ============= ========================================================================================
 
 What results must be is said by ``codegen.cases``.
 """
 
+from .calls import NUMPY, Library
+from .replay import Machinery, replay
 from .run import ValidationFailed, validate
 
-__all__ = ["ValidationFailed", "validate"]
+__all__ = ["NUMPY", "Library", "Machinery", "ValidationFailed", "replay", "validate"]

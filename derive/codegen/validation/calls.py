@@ -111,8 +111,8 @@ class Caller:
     ) -> None:
         """Compare the results of a call with what is known: types, shapes, and values within their bounds.
 
-        Where ``spoilt`` says so, an element has to be NaN; with ``overflow`` any may be NaN or infinite, none wrong. A ``dtype`` other
-        than the call's is that of an ``out``, into which results are rounded.
+        Where ``spoilt`` says so, an element has to be NaN; with ``overflow`` any may be NaN or infinite, none wrong. A
+        ``dtype`` other than the call's is that of an ``out``, into which results are rounded.
         """
         held = dtype or call.dtype
         for (array, part), got in zip(parts(call.row), results, strict=True):

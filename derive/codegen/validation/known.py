@@ -24,8 +24,8 @@ TABLE = "table"
 class Known:
     """A function and branch: rows of each argument, and at every combination of them the result and its bounds.
 
-    ``results`` has a row per combination, in C order; ``bounds`` one of these for each of ``dtypes``. ``constant`` tells
-    which components are the same numbers for all arguments.
+    ``results`` has a row per combination, in C order; ``bounds`` one of these for each of ``dtypes``. Components that
+    are the same numbers for all arguments are ``constant``.
     """
 
     row: Function

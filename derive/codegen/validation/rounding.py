@@ -119,12 +119,12 @@ class Rounding:
     def operation(self, name: str) -> Callable[..., Any]:
         """What an operation of a program does to balls."""
         logic: Mapping[str, Callable[..., Any]] = {"and": np.logical_and, "or": np.logical_or}
-        return logic[name] if name in logic else getattr(self, name)  # type: ignore[no-any-return]
+        return logic.get(name) or getattr(self, name)
 
     def run(
         self, program: Program, scalars: Mapping[str, Program], given: Sequence[Ball], table: Sequence[Ball] = ()
     ) -> list[Any]:
-        """The results of a program on balls; ``table`` follows the arguments given, by name or as what calls pass on."""
+        """The results of a program on balls; ``table`` follows what is given, by name or as what calls pass on."""
         names = [name for _, group in program.inputs for name in group]
         known: dict[Operand, Any] = dict(zip(names, [*given, *table]))
 
