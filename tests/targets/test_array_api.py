@@ -6,10 +6,14 @@ import subprocess
 import sys
 from pathlib import Path
 
+import jax
 import numpy as np
 import pytest
 
 import dualcay
+from derive.codegen.targets.array_api import ArrayApi
+from derive.codegen.validation import Library, replay
+from derive.maps import Cayley
 from tests.support import sampling
 from tests.support.accuracy import FUNCTIONS, Trial
 from tests.support.kernels import load
@@ -32,6 +36,12 @@ def test_gates_of_the_oracle_hold_in_every_library(array_api, library, name):
     module = Through(array_api(3), library)
     for regime in REGIMES if library in ("jax", "torch") else SOME:
         Trial(module, 3, regime).check(name)
+
+
+def test_the_replay_runs_in_jax(folder):
+    """In single precision, its own; every shape of an array is compiled, so one function takes all ways."""
+    singles = Library("jax", jax.numpy.asarray, (np.dtype(np.float32),))
+    assert replay(folder("array-api"), Cayley(1), ArrayApi.machinery, [singles], all_ways=False) > 200
 
 
 @LIBRARY

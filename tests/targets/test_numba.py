@@ -17,6 +17,7 @@ from numba import float64, njit
 
 from derive.codegen.lowered import geometry, lower_chart
 from derive.codegen.targets import numba
+from derive.codegen.validation import NUMPY, Library, Machinery, replay
 from derive.maps import Cayley
 from tests.support import sampling
 from tests.support.accuracy import FUNCTIONS, Trial
@@ -32,6 +33,11 @@ REGIMES = [r for r in sampling.REGIMES if r != "identity"]
 def test_gates_of_the_oracle_hold(compiled, name):
     for regime in REGIMES:
         Trial(compiled(ORDER), ORDER, regime).check(name)
+
+
+def test_the_replay_runs_on_compiled_loops(folder):
+    doubles_and_singles = Library("numpy", np.asarray, NUMPY.dtypes[:2])
+    assert replay(folder("numba"), Cayley(ORDER), Machinery(), [doubles_and_singles], all_ways=False) > 500
 
 
 @pytest.mark.parametrize("name", NAMES)

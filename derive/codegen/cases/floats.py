@@ -60,7 +60,7 @@ def far(chart: Cayley, size: Any) -> list[Samples]:
 def _vectors(chart: Cayley, draw: random.Random) -> Iterator[Flat]:
     """Re|v| below the first pole of the inverse operator, beyond it, and no rotation at all."""
     yield _drawn(draw, 1.5 / chart.order, 6)
-    yield _drawn(draw, 2, 6)
+    yield _drawn(draw, 3 / chart.order, 6)
     yield (mpmath.mpf(0),) * 3 + _drawn(draw, 2, 3)
 
 
@@ -97,6 +97,8 @@ def _inverse(chart: Cayley, draw: random.Random) -> Iterator[Samples]:
     for case in _ties(chart, draw):
         function, *at = case.function.split()
         tied.setdefault((function, tuple(map(int, at))), []).append(case)
+    if unknown := tied.keys() - given.keys():
+        raise ValueError(f"ties of functions without seeded arguments: {sorted(unknown)}")
     for (name, where), calls in given.items():
         columns = tuple(zip(*calls, strict=True))
         if len(columns) > 1:

@@ -102,7 +102,7 @@ def _picked(ball: Ball, pick: Array) -> Ball:
 
 
 def require_sharp(known: Known) -> None:
-    """Every bound has to leave half of the digits of its result standing, or a comparison would say nothing.
+    """At some combination the bounds have to leave half of a result's digits standing, or comparison would say nothing.
 
     Raises
     ------
@@ -112,7 +112,7 @@ def require_sharp(known: Known) -> None:
     half = np.sqrt([np.finfo(dtype).eps for dtype in known.dtypes])[:, np.newaxis, np.newaxis]
     for array, part in parts(known.row):
         size = np.max(abs(known.results[:, part]), axis=-1, keepdims=True)
-        if not np.all(known.bounds[..., part] <= half * size):
+        if not np.all(np.any(known.bounds[..., part] <= half * size, axis=1)):
             raise ValueError(f"{known.row.name}: rounding may change half of the digits of {array.name}")
 
 

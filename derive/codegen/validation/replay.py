@@ -33,10 +33,10 @@ BLOCK = 7
 """Of a replay, so that small batches have several blocks, and one of other length."""
 
 BEYOND = 8
-"""How far beyond the overflow of (1 + x)ⁿ the vectors are which must not give wrong results."""
+"""How far beyond an overflow the vectors are which must not give wrong results."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Machinery:
     """What the run-time parts of a target do around its kernels.
 
@@ -110,7 +110,7 @@ def _every_function(caller: Caller, found: Sequence[Known], chart: Cayley, few: 
             for combination in range(len(known.results) if plain else 1):
                 caller.check(Call(known, alone(known, combination), dtype))
             for axis in (-1, 0):
-                for count in (min(few, len(known.results)), few + BLOCK):
+                for count in (few // 2, few + BLOCK):
                     caller.check(Call(known, several(known, count), dtype, axis))
         first = Call(known, several(known, 1), caller.library.dtypes[0])
         for name in known.row.aliases:
@@ -120,9 +120,13 @@ def _every_function(caller: Caller, found: Sequence[Known], chart: Cayley, few: 
 
 
 def _overflow(caller: Caller, chart: Cayley, analysis: Analysis, few: int) -> None:
-    """Where numbers overflow, results are right or not finite; the widest type is left out, bounds overflow with it."""
-    for dtype in (dtype for dtype in caller.library.dtypes if dtype != np.longdouble):
-        size = BEYOND * mpmath.mpf(2) ** (mpmath.mpf(int(np.finfo(dtype).maxexp)) / (2 * chart.branches))
+    """Where (1 + x)ⁿ overflows, in another type where x does, results are right or not finite.
+
+    The widest type is left out: bounds overflow with it.
+    """
+    dtypes = (dtype for dtype in caller.library.dtypes if dtype != np.longdouble)
+    for dtype, power in zip(dtypes, (chart.branches, 1), strict=False):
+        size = BEYOND * mpmath.mpf(2) ** (mpmath.mpf(int(np.finfo(dtype).maxexp)) / (2 * power))
         for known in map(analysis.known, far(chart, size)):
             for picks in (alone(known, 0), several(known, few + BLOCK)):
                 call = Call(known, picks, dtype)

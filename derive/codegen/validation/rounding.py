@@ -98,10 +98,11 @@ class Rounding:
         return self._rounded(value, error, FUNCTION_UNITS)
 
     def atan2(self, a: Ball, b: Ball) -> Ball:
-        """The angle at which a disc of errors is seen; any, where it holds the origin or lies across the cut."""
-        distance, size = np.hypot(a.value, b.value), np.hypot(a.error, b.error)
-        clear = (size < distance) & ((b.value >= 0) | (abs(a.value) > a.error) | (a.error == 0))
-        error = np.where(clear, np.arcsin(np.minimum(size / distance, 1)), np.inf)
+        """The angle between two vectors, by their cross and dot products; any, where one may be across the cut."""
+        y, x = abs(a.value), abs(b.value)
+        across, along = x * a.error + y * b.error, x * x + y * y - y * a.error - x * b.error
+        clear = (along > 0) & ((b.value >= 0) | (y > a.error) | (a.error == 0))
+        error = np.where(clear, np.arctan2(across, along), np.inf)
         return self._rounded(np.arctan2(a.value, b.value), error, FUNCTION_UNITS)
 
     @staticmethod

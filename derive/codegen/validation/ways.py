@@ -91,6 +91,7 @@ def out(caller: Caller, known: Known, dtype: np.dtype[Any], few: int) -> None:
         _into(caller, call, call.arguments(), np.full(shape, BEFORE, dtype), "out")
         _into(caller, call, call.arguments(), _strided(np.full(shape, BEFORE, dtype)), "out with gaps")
         _into(caller, call, call.arguments(), np.full(shape, BEFORE, other), f"out of {other}")
+        _into(caller, call, call.arguments(), _strided(np.full(shape, BEFORE, other)), f"out of {other} with gaps")
         for position, (start, behind) in itertools.product(range(len(known.shape)), OFFSETS):
             given = call.arguments()
             given[position], place = _together(given[position], shape, start, behind)
