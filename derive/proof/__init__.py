@@ -11,6 +11,7 @@ exact, element       the exact ring of vector components modulo v·v = x
 polynomial_backend   its polynomials, by python-flint or SymPy
 ratio                rational functions as numbers, with roots of squares and sines of given angles
 components           the componentwise road at one order, from the definition
+scalars              the scalars of any algebraic chart are its formulas, and those of its φ
 proved               `Proved` and the way to it
 ==================== ==============================================================================
 """
@@ -22,5 +23,6 @@ from .every_order import theorems
 from .exact import Ring
 from .identity import Proof, decide
 from .proved import ProofFailed, Proved, proofs, prove
+from .scalars import root_of
 
-__all__ = ["Element", "Proof", "ProofFailed", "Proved", "Ring", "decide", "proofs", "prove", "theorems"]
+__all__ = ["Element", "Proof", "ProofFailed", "Proved", "Ring", "decide", "proofs", "prove", "root_of", "theorems"]

@@ -227,7 +227,8 @@ class Numpy:
         ]
         own = [python.printed(program, two_forms(program)) for program in facts.lowered.own.values()]
         data = {"calls": _called((*scalars, *own)), "scalars": scalars, "own": own, "rows": python.rows()}
-        return python.described(facts) | data | {"largest": facts.largest}
+        limits = {"overflow": facts.overflow, "largest": facts.largest}
+        return python.described(facts) | data | limits | {"order": facts.chart.order}
 
     def companions(self, chart: Chart) -> Mapping[str, tuple[str, Data]]:
         return {}

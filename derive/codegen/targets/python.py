@@ -55,7 +55,8 @@ def interface(words: Words) -> Data:
 def described(facts: Facts) -> dict[str, Any]:
     """What every Python module says of its chart."""
     chart = facts.chart
-    exported = {alias: name for name, row in PUBLIC.items() for alias in (name, *row.aliases)}
+    aliases = {alias: name for name, row in PUBLIC.items() for alias in row.aliases if chart.cayley}
+    exported = aliases | {name: name for name in PUBLIC}
     return {
         "title": chart.title,
         "parameter": chart.parameter,

@@ -11,7 +11,7 @@ from typing import Any
 import mpmath
 import sympy
 
-from ...maps import Cayley
+from ...maps.chart import Chart
 from ..cases import Batch, batches, digits
 from ..cases.batches import Agree, same
 from ..cases.digits import Decimal
@@ -25,8 +25,8 @@ ALIASES = {
     "dcay": "tangent", "dcay_rows": "tangent_rows", "dcay_inv": "tangent_inv", "dcay_inv_rows": "tangent_inv_rows",
 }  # fmt: skip
 
-def validate(folder: Path, cayley: Cayley) -> int:
-    """Interpret the header of an order; return how many calls equal the formula.
+def validate(folder: Path, chart: Chart) -> int:
+    """Interpret the header of a chart; return how many calls equal the formula.
 
     Both forms are called: the rational functions on symbols, the others on numbers of 50 digits. On such numbers
     results are then laid over arguments, at every distance and row by row, and must not change by a bit.
@@ -36,11 +36,11 @@ def validate(folder: Path, cayley: Cayley) -> int:
     ValidationFailed
         Naming the function, or the line that is no C, divides integers, leaves an array, reads what was not written.
     """
-    header = f"cayley{cayley.order}.h"
+    header = f"{chart.name}.h"
     try:
         unit = load(f'#include "{header}"\n', folder)
-        _constants(unit, cayley)
-        calls = check(unit, cayley, batches(cayley))
+        _constants(unit, chart)
+        calls = check(unit, chart, batches(chart))
     except (CError, ValidationFailed) as error:
         raise ValidationFailed(f"{header}: {error}") from error
     if unit.idle:
@@ -48,22 +48,22 @@ def validate(folder: Path, cayley: Cayley) -> int:
     return calls
 
 
-def check(unit: Unit, cayley: Cayley, given: Sequence[Batch]) -> int:
+def check(unit: Unit, chart: Chart, given: Sequence[Batch]) -> int:
     """Compare all forms of the functions with what they must return; how many calls that takes."""
     with mpmath.workdps(digits.DIGITS):
-        return sum(_values(_kernel(unit, cayley, batch), batch) for batch in given) + sum(
-            _layouts(_kernel(unit, cayley, batch), cayley, rows) for batch, rows in _samples(given)
+        return sum(_values(_kernel(unit, chart, batch), batch) for batch in given) + sum(
+            _layouts(_kernel(unit, chart, batch), chart, rows) for batch, rows in _samples(given)
         )
 
 
-def _prefix(cayley: Cayley) -> str:
-    return f"dualcay_cayley{cayley.order}_"
+def _prefix(chart: Chart) -> str:
+    return f"dualcay_{chart.name}_"
 
 
-def _kernel(unit: Unit, cayley: Cayley, batch: Batch) -> Kernel:
+def _kernel(unit: Unit, chart: Chart, batch: Batch) -> Kernel:
     """The function of a batch, with its branch; branch 0 where none is given."""
     default = (0,) if FUNCTIONS[batch.function].branch else ()
-    return Kernel(unit, _prefix(cayley), batch.function, batch.branch or default)
+    return Kernel(unit, _prefix(chart), batch.function, batch.branch or default)
 
 
 def _values(kernel: Kernel, batch: Batch) -> int:
@@ -75,7 +75,7 @@ def _values(kernel: Kernel, batch: Batch) -> int:
     return len(batch.cases) + 1
 
 
-def _layouts(kernel: Kernel, cayley: Cayley, rows: Sequence[tuple[Flat, ...]]) -> int:
+def _layouts(kernel: Kernel, chart: Chart, rows: Sequence[tuple[Flat, ...]]) -> int:
     """Lay results over arguments, and choose branches by other integers: not a bit of the plain result may change."""
     expected = [kernel.plain(arguments) for arguments in rows]
     room = sum(array.size for array in (*kernel.signature.arguments, *kernel.signature.results))
@@ -85,7 +85,7 @@ def _layouts(kernel: Kernel, cayley: Cayley, rows: Sequence[tuple[Flat, ...]]) -
     for over in ways:
         for row, result in zip(kernel.rows(rows, over), expected, strict=True):
             _compare(f"{kernel.name}, rows over argument {over}", row, result, same)
-    turned = [branch + turns * cayley.order for branch in kernel.branch for turns in (-1, 2)]
+    turned = [branch + turns * chart.branches for branch in kernel.branch for turns in (-1, 2)]
     for branch in turned:
         other = replace(kernel, branch=(branch,))
         for row, result in zip((other.plain(rows[0]), *other.rows(rows)), (expected[0], *expected), strict=True):
@@ -115,17 +115,17 @@ def _drawn(draw: random.Random, size: int) -> Flat:
     return tuple(Decimal(mpmath.mpf(draw.uniform(-0.5, 0.5))) for _ in range(size))
 
 
-def _constants(unit: Unit, cayley: Cayley) -> None:
+def _constants(unit: Unit, chart: Chart) -> None:
     """What the macros of the header stand for, and the singular angles."""
-    ratios = [angle / sympy.pi for angle in cayley.singular_angles]
-    macro = _prefix(cayley).upper()
-    expected = {f"{macro}ORDER": str(cayley.order), f"{macro}SINGULAR_ANGLES": str(len(ratios))}
-    expected |= {_prefix(cayley) + alias: _prefix(cayley) + name for alias, name in ALIASES.items()}
+    ratios = [angle / sympy.pi for angle in chart.singular_angles]
+    macro = _prefix(chart).upper()
+    expected = {f"{macro}ORDER": str(chart.order), f"{macro}SINGULAR_ANGLES": str(len(ratios))}
+    expected |= {_prefix(chart) + alias: _prefix(chart) + name for alias, name in ALIASES.items()}
     for name, text in expected.items():
         if unit.source.expand(name) != text:
             raise ValidationFailed(f"{name} is {unit.source.expand(name)}, not {text}")
     angles = [UNSET] * len(ratios)
-    if unit.call(f"{_prefix(cayley)}singular_angles", Pointer.to(angles)) != len(ratios):
+    if unit.call(f"{_prefix(chart)}singular_angles", Pointer.to(angles)) != len(ratios):
         raise ValidationFailed(f"singular_angles does not return {len(ratios)}")
     with mpmath.workdps(digits.DIGITS):
         _compare("singular_angles", angles, [mpmath.pi * int(r.p) / int(r.q) for r in ratios], digits.close)

@@ -10,7 +10,7 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-from ...maps import Cayley
+from ...maps.chart import Chart
 from .run import ValidationFailed
 
 TYPES = ("double", "float")
@@ -28,7 +28,7 @@ def compiler() -> list[str] | None:
     return None
 
 
-def test(folder: Path, cayley: Cayley) -> int | None:
+def test(folder: Path, chart: Chart) -> int | None:
     """Run the differential test of the module of an order, in both real types.
 
     Returns
@@ -44,7 +44,7 @@ def test(folder: Path, cayley: Cayley) -> int | None:
     command = compiler()
     if command is None:
         return None
-    source = folder / f"test_cayley{cayley.order}.c"
+    source = folder / f"test_{chart.name}.c"
     with tempfile.TemporaryDirectory() as build:
         return sum(_run(command, source, real, Path(build) / real) for real in TYPES)
 
