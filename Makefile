@@ -2,10 +2,15 @@
 PYTHON ?= python3
 VENV   := .venv
 RUN    := $(VENV)/bin/python
+# What deriving and generating need is installed, and what tests, lint and types need besides.
 READY  := $(VENV)/.ready
+TESTED := $(VENV)/.test
+# Each worker begins with a stretch of its own, so that few fixtures are made twice, and helps out when it is done.
+PYTEST := $(RUN) -m pytest -n auto --maxprocesses 4 --dist worksteal
+PIP    := $(RUN) -m pip --disable-pip-version-check install --quiet --quiet --constraint constraints.txt
 
 .DEFAULT_GOAL := generate
-.PHONY: generate check verify show test lint types bench accuracy clean help
+.PHONY: generate check proofs verify show test quick lint types mutants bench accuracy clean help
 
 generate: $(READY)  ## derive, prove and write the committed kernels (the default)
 	$(RUN) -m derive generate
@@ -14,20 +19,30 @@ check: $(READY)  ## fail if a generated file is stale, missing or foreign
 	$(RUN) -m derive generate --check
 	$(RUN) -m derive verify --format markdown -o docs/errata.md --check
 
+proofs: $(READY)  ## prove all theorems, and see every control fail
+	$(RUN) -m derive.proof
+
 verify: $(READY)  ## decide every equation of the papers and write docs/errata.md
 	$(RUN) -m derive verify --format markdown -o docs/errata.md
 
 show: $(READY)  ## print the formulas of an order: make show N=3
 	$(RUN) -m derive show -n $(or $(N),1-3)
 
-test: lint types check  ## lint, types, stale check and all tests
-	$(RUN) -m pytest -n 2
+test: $(TESTED)  ## lint, types, stale check, proofs with their controls and all tests
+	$(MAKE) --no-print-directory --jobs=2 lint types check proofs
+	$(PYTEST)
 
-lint: $(READY)  ## ruff
+quick: lint types  ## lint, types and a smoke of every room, in less than a minute
+	$(PYTEST) -m smoke
+
+lint: $(TESTED)  ## ruff
 	$(RUN) -m ruff check .
 
-types: $(READY)  ## mypy --strict
+types: $(TESTED)  ## mypy --strict
 	$(RUN) -m mypy
+
+mutants: $(TESTED)  ## what the checks would notice (docs/assurance.md): make mutants ROOM=proof,maps SAMPLE=200 FLOOR=95
+	$(RUN) -m tests.mutants $(ROOM:%=--room %) $(SAMPLE:%=--sample %) $(FLOOR:%=--floor %)
 
 bench: $(VENV)/.bench  ## proof times by order, then kernels against peers and their former release (docs/benchmarks.md)
 	$(RUN) benchmarks/proofs.py
@@ -37,7 +52,7 @@ accuracy: $(VENV)/.bench  ## worst errors and figures in docs: make accuracy SEA
 	$(RUN) -m benchmarks.accuracy --search $(or $(SEARCH),0)
 
 clean:  ## remove the environment and caches
-	rm -rf $(VENV) build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis
+	rm -rf $(VENV) .mutants build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 help:  ## list these targets
@@ -47,10 +62,14 @@ help:  ## list these targets
 $(READY): pyproject.toml constraints.txt
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Python >= 3.11 is needed: make PYTHON=python3.11")'
 	$(PYTHON) -m venv $(VENV)
-	$(RUN) -m pip install --quiet --constraint constraints.txt --editable '.[derive,flint,test]'
+	$(PIP) --editable '.[derive,flint]'
+	touch $@
+
+$(TESTED): $(READY)
+	$(PIP) --editable '.[test]'
 	touch $@
 
 # What benchmarks need besides; jaxlie and pinocchio, which are large, with BENCH=bench,peers.
-$(VENV)/.bench: $(READY)
-	$(RUN) -m pip install --quiet --constraint constraints.txt --editable '.[$(or $(BENCH),bench)]'
+$(VENV)/.bench: $(TESTED)
+	$(PIP) --editable '.[$(or $(BENCH),bench)]'
 	touch $@

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 sys.path.insert(0, str(Path(__file__).parent.parent))
 
 from derive.codegen import generate
-from derive.codegen.signatures import SIGNATURES, Signature
+from derive.codegen.signatures import PUBLIC, Function
 from derive.codegen.validation.compiled import compiler
 
 FLAGS = ("-std=c99", "-O3", "-march=native", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math")
@@ -46,7 +46,7 @@ class CForm:
         """Run a kernel; of a function with two results, ``out`` is a tuple."""
         arrays = (*arguments, *(out if isinstance(out, tuple) else (out,)))
         axis = 0 if layout == "rows" else -1
-        sizes = [array.size for array in (*SIGNATURES[name].arguments, *SIGNATURES[name].results)]
+        sizes = [array.size for array in (*PUBLIC[name].arguments, *PUBLIC[name].results)]
         if [array.shape[axis] for array in arrays] != sizes:
             raise ValueError(f"{name} takes {sizes} components on axis {axis}, got {[a.shape for a in arrays]}")
         if not all(array.dtype == self._dtype and array.flags.c_contiguous for array in arrays):
@@ -64,20 +64,25 @@ def load(order: int, real: str = "double") -> CForm | None:
     with tempfile.TemporaryDirectory(prefix="dualcay-c-form-") as build:
         folder = Path(build)
         generate([order], "c", folder)
-        source, library = folder / "library.c", folder / "library.so"
-        source.write_text("\n".join(_source(order)) + "\n", encoding="utf-8")
-        flags = [*FLAGS, f"-DDUALCAY_REAL={real}", "-shared", "-fPIC"]
-        subprocess.run([*command, *flags, str(source), "-o", str(library), "-lm"], check=True)
-        return CForm(library, real)  # a loaded library outlives its file
+        return CForm(compiled(command, folder, order, real, folder), real)  # a loaded library outlives its file
+
+
+def compiled(command: list[str], headers: Path, order: int, real: str, folder: Path) -> Path:
+    """The shared library of the kernels of an order, made in a folder from the header in another."""
+    source, library = folder / "library.c", folder / "library.so"
+    source.write_text("\n".join(_source(order)) + "\n", encoding="utf-8")
+    flags = [*FLAGS, f"-DDUALCAY_REAL={real}", f"-I{headers}", "-shared", "-fPIC"]
+    subprocess.run([*command, *flags, str(source), "-o", str(library), "-lm"], check=True)
+    return library
 
 
 def _source(order: int) -> Iterator[str]:
     yield f'#include "cayley{order}.h"'
-    for name, signature in SIGNATURES.items():
+    for name, signature in PUBLIC.items():
         yield from _exports(f"dualcay_cayley{order}_{name}", name, signature)
 
 
-def _exports(function: str, name: str, signature: Signature) -> Iterator[str]:
+def _exports(function: str, name: str, signature: Function) -> Iterator[str]:
     """Both layouts of a function, with one pointer per array; the branch is always an argument."""
     given, made = signature.arguments, signature.results
     pointers = [f"const dualcay_real *{a.name}" for a in given] + [f"dualcay_real *{a.name}" for a in made]
@@ -92,7 +97,7 @@ def _exports(function: str, name: str, signature: Signature) -> Iterator[str]:
 
 def _best(form: CForm, name: str, count: int, layout: str, repeats: int = 15) -> float:
     """Nanoseconds per value, the best of some runs."""
-    signature, random = SIGNATURES[name], np.random.default_rng(1)
+    signature, random = PUBLIC[name], np.random.default_rng(1)
 
     def shape(size: int) -> tuple[int, int]:
         return (size, count) if layout == "rows" else (count, size)
@@ -117,7 +122,7 @@ def main() -> int:
         print("no C compiler found (set CC)", file=sys.stderr)
         return 3
     print(f"ns per value, order {order}        rows 10^4  rows 10^6   aos 10^4   aos 10^6")
-    for name in SIGNATURES:
+    for name in PUBLIC:
         times = [_best(form, name, count, layout) for layout in ("rows", "aos") for count in (10**4, 10**6)]
         print(f"{name:24s}" + "".join(f"{value:11.2f}" for value in times))
     return 0

@@ -1,21 +1,54 @@
-"""Tests of PyTorch are deselected, and said to be, where it is not installed."""
+"""What needs something that may be missing is deselected, and said to be; expensive folders are made once for all."""
 
 from __future__ import annotations
 
 import importlib.util
+import os
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
 
 import pytest
+from filelock import FileLock
 
-TORCH = importlib.util.find_spec("torch") is not None
+from tests.support import browsers
+
+MISSING = {
+    marker: reason
+    for marker, found, reason in [
+        ("torch", importlib.util.find_spec("torch"), "PyTorch is not installed (extra 'torch')"),
+        ("browser", browsers.find(), browsers.MISSING),
+    ]
+    if not found
+}
+"""Markers whose tests cannot run here, and why."""
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    left_out = [] if TORCH else [item for item in items if item.get_closest_marker("torch")]
+    left_out = [item for item in items if any(item.get_closest_marker(marker) for marker in MISSING)]
     if left_out:
         config.hook.pytest_deselected(items=left_out)
         items[:] = [item for item in items if item not in left_out]
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
-    if not TORCH:
-        terminalreporter.write_line("deselected: tests marked torch, for PyTorch is not installed (extra 'torch')")
+    for marker, reason in MISSING.items():
+        terminalreporter.write_line(f"deselected: tests marked {marker}, for {reason}")
+
+
+@pytest.fixture(scope="session")
+def shared(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str, Callable[[Path], object]], Path]:
+    """A folder of some name, filled by the first of the processes running tests that asks for it; the others wait."""
+    own = tmp_path_factory.getbasetemp()
+    root = own.parent if "PYTEST_XDIST_WORKER" in os.environ else own
+
+    def folder(name: str, fill: Callable[[Path], object]) -> Path:
+        path = root / name
+        with FileLock(root / f"{name}.lock"):
+            if not path.exists():
+                unfinished = Path(tempfile.mkdtemp(dir=root))
+                fill(unfinished)
+                unfinished.rename(path)
+        return path
+
+    return folder

@@ -5,7 +5,11 @@ from __future__ import annotations
 import ast
 import sys
 
+import pytest
+
 from tests.support.imports import ROOT, imported, sources
+
+pytestmark = pytest.mark.smoke
 
 ROOMS = ("output", "algebra", "maps", "proof", "papers", "codegen", "front", "cli")
 """Each room of derive may import itself and those before it."""

@@ -1,24 +1,21 @@
 """From proved formulas to files of kernels.
 
 ============ ==============================================================================
-compiler     the road: prove, lower, print, write, validate, publish
-catalogue    which orders are committed, and the commands that make them
-targets      the table of languages: a printer, a template folder and a row each
-lowering     recipes from formulas to straight-line programs
-program      straight-line programs
-trace        the tracer that records them
-registers    the order of steps and scratch registers by liveness
-expression   the steps of a program as expressions, in a dialect
-infix        programs as plain Python
-inplace      programs as NumPy calls with ``out``, beside the plain form
-jit          programs as compiled loops of few outputs
-c99          programs as C
-signatures   arguments and results of the kernel functions as flat arrays
+programs     straight-line programs: traced, scheduled, placed in registers
+lowering     recipes: the geometry that all charts share, and the scalars of a chart
+signatures   the table of kernel functions: a row each
+lowered      all programs of a proved chart
+cases        what functions must return, from the formulas alone
 differential tables of seeded cases for the tests of compiled targets
-docstrings   what only Python modules say of a map
-module       the text of a module, through the templates
 validation   the file on disk computes its formula
+facts        what a module says besides its programs
+targets      the languages: a printer and a template folder each
+catalogue    what is committed, and the commands that make it
+module       the texts of a package, through the templates
+compiler     the road: prove, lower, print, write, validate, publish
 ============ ==============================================================================
+
+A module imports only from those above it.
 """
 
 from ..output import Difference, RefusedError

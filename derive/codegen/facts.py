@@ -35,6 +35,11 @@ class Facts:
     def chart(self) -> Chart:
         return self.proved.formulas
 
+    @property
+    def parameter(self) -> str:
+        """φ(α) as comments of any language can hold it."""
+        return self.chart.parameter.replace("α", "alpha")
+
     @cached_property
     def turns(self) -> list[tuple[str, str]]:
         """The two numbers of the turn by every branch, as decimals."""
@@ -86,7 +91,7 @@ class Facts:
     def header(self, command: str, template: str) -> list[str]:
         """Lines of the header: command, formulas, what was proved, operation counts."""
         chart = self.chart
-        lines = [command, notice(template), "", f"{chart.title}, v = {chart.parameter} u; formulas, x = v.v (CP23):"]
+        lines = [command, notice(template), "", f"{chart.title}, v = {self.parameter} u; formulas, x = v.v (CP23):"]
         lines += [f"  {letter} = {_plain(value)}" for letter, value in chart.letters]
         for item in self.maps:
             lines.append(f"  {', '.join(filter(None, (item.name, numbers(item.equations))))}:")
@@ -102,7 +107,7 @@ class Facts:
 
 def statements(proofs: Iterable[Proof]) -> list[str]:
     """What was proved, a line each."""
-    return [f"  [{proof.scope}] {proof.statement}" for proof in proofs]
+    return [f"  [{proof.scope}] {proof.name}: {proof.statement}" for proof in proofs]
 
 
 def theorem_lines() -> list[str]:

@@ -1,7 +1,7 @@
 r"""The scalars a chart is lowered with are its formulas, and those of φ: decided exactly, for any algebraic chart.
 
-What a chart computes at x runs on the element x of the exact ring, Q(x) with the root s = sqrt(1 ± x) where formulas
-have one. With ``q̂ = s + w v`` and ``y = v · v̇``, ``ṡ = s_y y``, ``ẇ = w_y y``, the twist ``ω = 2 vec(q̂' q̂*)`` is
+What a chart computes at x runs on the element x of the exact ring, Q(x) with the root sqrt(1 ± x) where formulas have
+it. With ``q̂ = s + w v`` and ``y = v · v̇``, ``ṡ = s_y y``, ``ẇ = w_y y``, the twist ``ω = 2 vec(q̂' q̂*)`` is
 
 .. math:: \omega = 2 s w\,\dot v + 2 w^2\,v \times \dot v + 2 (s w_y - w s_y)\,(v \cdot \dot v)\,v
 
@@ -11,7 +11,7 @@ so that f, g and h of T = f I + g skew(v) + h v⊗v are these. Along v it is ``(
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
 from types import SimpleNamespace
 from typing import Any
@@ -20,20 +20,52 @@ import sympy
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
 from ..algebra.arithmetic import PLAIN
-from ..maps.chart import Chart, Scalars
+from ..maps.chart import Chart
 from ..maps.families import alpha, evaluate
 from ..maps.polynomials import x
 from .element import Element
 from .exact import Ring
 from .identity import Check, Claim, Proof, decide
+from .marks import Shifted, prime
 from .polynomial_backend import Polynomial
-from .ratio import NotExactError, Ratio, RationalFunctions
+from .ratio import Ratio, RationalFunctions
+from .statement import Equation
 
-TRIGONOMETRY = SimpleNamespace(sin=Ratio.sin, cos=Ratio.cos, sqrt=Ratio.sqrt)
 METHOD = "residues in Q(x), with the root of 1 ± x where formulas have it"
+BY_ANGLE = "residues in Q(tan(alpha/2M)), M such that phi is made of sines and cosines of multiples of alpha/M"
+TRIGONOMETRY = SimpleNamespace(sin=Ratio.sin, cos=Ratio.cos, sqrt=Ratio.sqrt)
+
+VALUES, SLOPES = ("s", "w", "f", "g", "h", "fi", "hi"), ("sy", "wy", "fy", "gy", "hy", "fiy", "hiy")
+s, w, f, g, h, fi, hi = sympy.symbols(VALUES)
+sy, wy, fy, gy, hy, fiy, hiy = sympy.symbols(SLOPES)
+a, b, slope = sympy.symbols("a b phi'")
+
+FORMULAS = {
+    "quaternion": (s, w),
+    "tensor": (1 - x * g, f, g),
+    "tangent": (f, g, h),
+    "tangent_inv": (fi / 2, -sympy.Rational(1, 2), hi / 2),
+}
+"""The coefficients of each map in the scalars."""
+
+RELATIONS = (
+    Equation(s**2 + x * w**2, sympy.Integer(1)),
+    Equation(f, 2 * s * w),
+    Equation(g, 2 * w**2),
+    Equation(h, 2 * (s * wy - w * sy)),
+    Equation(fi * g, f),
+    Equation((f + x * h) * (fi + x * hi), sympy.Integer(2)),
+    Equation(a * w, b * s),
+)
+"""q̂ has norm 1 and R is its tensor, vect(Ṙ Rᵀ) = T v̇, T T⁻¹ = I, and a + b v is a multiple of q̂."""
+
+DERIVATIVES = tuple(
+    Equation(of, 2 * prime(value)) for of, value in zip((sy, wy, fy, gy, hy, fiy, hiy), (s, w, f, g, h, fi, hi))
+)
+ANGLE = (Equation((f + x * h) * slope, sympy.Integer(1)), Equation(Shifted(s, x, sympy.Integer(0)), sympy.Integer(1)))
 
 
-def root_of(expressions: Iterable[Any]) -> int:
+def root_of(expressions: Iterable[sympy.Expr]) -> int:
     """The sign in the root sqrt(1 ± x) that expressions in x hold; 0 where they hold none.
 
     Raises
@@ -48,7 +80,8 @@ def root_of(expressions: Iterable[Any]) -> int:
     for sign in (1, -1):
         if radicands == {1 + sign * x}:
             return sign
-    raise ValueError(f"formulas may hold one root, of 1 + x or of 1 - x, not of {', '.join(map(str, radicands))}")
+    named = ", ".join(sorted(map(str, radicands)))
+    raise ValueError(f"formulas may hold the root of 1 + x or of 1 - x, not of {named}")
 
 
 class ScalarProofs:
@@ -63,98 +96,73 @@ class ScalarProofs:
 
     def __init__(self, chart: Chart, backend: str | None = None) -> None:
         self.chart = chart
-        maps = (chart.quaternion, chart.tensor, chart.tangent, chart.tangent_inv)
-        self.ring = Ring(root=root_of(a for formula in maps for a in formula.coefficients), backend=backend)
-        self.x = self.ring.square("v")
+        self.stated = {name: getattr(chart, name).coefficients for name in FORMULAS}
+        root = root_of(e for coefficients in self.stated.values() for e in coefficients)
+        self.ring = Ring(root=root, backend=backend)
 
     @cached_property
-    def at(self) -> Scalars:
-        """The scalars at the element x."""
-        return self.chart.scalars(self.x, PLAIN)
+    def values(self) -> Mapping[sympy.Expr, Element]:
+        """What the letters stand for: scalars as the chart computes them, and their derivatives."""
+        at_x = self.ring.square("v")
+        at = self.chart.scalars(at_x, PLAIN)
+        found = {name: self.ring.element(getattr(at, name)) for name in (*VALUES, *SLOPES)}
+        values = {sympy.Symbol(name): value for name, value in found.items()}
+        values |= {prime(sympy.Symbol(name)): found[name].derivative("x") for name in VALUES}
+        size_s, size_w, _ = map(self.ring.element, at.ray)
+        return values | {a: size_s, b: size_w, x: at_x}
 
     def proofs(self) -> Iterator[Proof]:
         """Decide the statements one after another."""
-        table = (
-            (
-                "the scalars that are lowered are those of the formulas",
-                r"\hat q = s + w\,v,\ R = I + f\,\tilde v + g\,\tilde v^2",
-                self.formulas,
-            ),
-            (
-                "s^2 + x w^2 = 1, f = 2 s w, g = 2 w^2, vect(R' R^T) = T v', T T^-1 = I of these scalars",
-                r"s^2 + x w^2 = 1,\ f = 2 s w,\ g = 2 w^2,\ \mathrm{vect}(\dot R R^T) = T \dot v,\ T T^{-1} = I",
-                self.relations,
-            ),
-            ("their slopes are 2 d/dx of them", r"f_y = 2 f'", self.slopes),
-            (
-                "q = cos(alpha/2) + u sin(alpha/2) for v = phi(alpha) u",
-                r"\hat q = \cos\tfrac\alpha2 + u \sin\tfrac\alpha2",
-                self.angle,
-            ),
+        formulas = tuple(
+            Equation(value, sympy.Symbol(f"{name}[{i}]"))
+            for name, values in FORMULAS.items()
+            for i, value in enumerate(values)
         )
-        scope = f"n = {self.chart.order}" if self.chart.cayley else self.chart.name
-        for statement, latex, checks in table:
-            yield decide(Claim(statement, latex, METHOD), checks, scope)
-
-    def formulas(self) -> Iterator[Check]:
-        """What the formulas say, less what is computed."""
-        at, half = self.at, self.ring.constant(1) / 2
-        computed = {
-            "quaternion": (at.s, at.w),
-            "tensor": (1 - self.x * at.g, at.f, at.g),
-            "tangent": (at.f, at.g, at.h),
-            "tangent_inv": (at.fi * half, -half, at.hi * half),
+        lifted = {
+            sympy.Symbol(f"{name}[{i}]"): self.ring.lift(e, {x: self.ring.square("v")})
+            for name, coefficients in self.stated.items()
+            for i, e in enumerate(coefficients)
         }
-        for name, values in computed.items():
-            stated = getattr(self.chart, name).coefficients
-            for i, (expression, value) in enumerate(zip(stated, values, strict=True)):
-                yield f"{name}[{i}]", self.ring.lift(expression, {x: self.x}) - value
+        yield self._decide("scalars as lowered", formulas, lambda: self._residues(formulas, lifted))
+        yield self._decide("scalars", RELATIONS, lambda: self._residues(RELATIONS))
+        yield self._decide("slopes", DERIVATIVES, lambda: self._residues(DERIVATIVES))
+        yield self._decide("q = cos(alpha/2) + u sin(alpha/2)", ANGLE, self._angle, BY_ANGLE)
 
-    def relations(self) -> Iterator[Check]:
-        """Each scalar by s and w and their slopes."""
-        at = self.at
-        a, b, _ = at.ray
-        yield "|q|^2", at.s * at.s + self.x * at.w * at.w - 1
-        yield "f", at.f - 2 * at.s * at.w
-        yield "g", at.g - 2 * at.w * at.w
-        yield "h", at.h - 2 * (at.s * at.wy - at.w * at.sy)
-        yield "fi", at.fi * at.g - at.f
-        yield "hi", (at.f + self.x * at.h) * (at.fi + self.x * at.hi) - 2
-        yield "ray", a * at.w - b * at.s
+    def _decide(self, name: str, claim: tuple[Equation, ...], checks: Any, method: str = METHOD) -> Proof:
+        scope = f"n = {self.chart.order}" if self.chart.cayley else self.chart.name
+        return decide(Claim(name, claim, method), checks, scope)
 
-    def slopes(self) -> Iterator[Check]:
-        """2 d/dx of each scalar, less its slope."""
-        for name in ("s", "w", "f", "g", "h", "fi", "hi"):
-            value = self.ring.element(getattr(self.at, name))
-            yield f"{name}y", 2 * value.derivative("x") - getattr(self.at, f"{name}y")
+    def _residues(
+        self, claim: Iterable[Equation], further: Mapping[sympy.Expr, Element] | None = None
+    ) -> Iterator[Check]:
+        """Left side minus right side, by the values of the letters."""
+        values = {**self.values, **(further or {})}
+        for equation in claim:
+            yield equation.text, self.ring.lift(equation.left, values) - self.ring.lift(equation.right, values)
 
-    def angle(self) -> Iterator[Check]:
-        """``(f + x h) φ′ − 1`` at ``x = φ²``, and q̂ at v = 0, positive as φ′ is."""
+    def _angle(self) -> Iterator[Check]:
+        """``(f + x h) φ′ − 1`` at ``x = φ²``, and s − 1 at x = 0."""
         angle = RationalFunctions((), {alpha.name: _steps(self.chart.phi)}).symbol(alpha.name)
-        phi, slope = (evaluate(f, alpha, angle, TRIGONOMETRY) for f in (self.chart.phi, self.chart.phi.diff(alpha)))
-        radicand = 1 + self.ring.root * phi * phi
-        try:
-            at = radicand.sqrt() if self.ring.root else phi * phi
-        except NotExactError:
-            yield "the root of 1 ± phi^2 is no function of the angle's sine and cosine", radicand
-        else:
-            yield "(f + x h) phi'", self._value(self.at.f + self.x * self.at.h, at) * slope - 1
-            yield "s at x = 0", self._value(self.ring.element(self.at.s), phi * 0 + abs(self.ring.root)) - 1
+        phi, rate = (evaluate(e, alpha, angle, TRIGONOMETRY) for e in (self.chart.phi, self.chart.phi.diff(alpha)))
+        along, start = (equation.text for equation in ANGLE)
+        yield along, self._at(self.values[f] + self.values[x] * self.values[h], phi * phi) * rate - 1
+        yield start, self._at(self.values[s], phi * 0) - 1
 
-    def _value(self, element: Element, at: Ratio) -> Ratio:
-        """A function of x where x, or the root of 1 ± x, is this; in lowest terms first."""
+    def _at(self, element: Element, square: Ratio) -> Ratio:
+        """A function of x at this x, in lowest terms first."""
         library = self.ring.polynomials
         above, below = element.terms.get(0, library.zero), element.denominator
         common = library.gcd(above, below)
+        generator = (1 + self.ring.root * square).sqrt() if self.ring.root else square
 
         def value(polynomial: Polynomial) -> Any:
-            return sum(c * at**power for (power,), c in library.coefficients(polynomial).items())
+            return sum(c * generator**power for (power,), c in library.coefficients(polynomial).items())
 
         quotient: Ratio = value(library.quotient(above, common)) / value(library.quotient(below, common))
         return quotient
 
 
 def _steps(phi: sympy.Expr) -> int:
-    """The least M such that φ holds sines and cosines of multiples of α/M only."""
+    """The least M such that φ is made of sines and cosines of multiples of α/M."""
     arguments = (function.args[0] for function in phi.atoms(TrigonometricFunction))
     return int(sympy.ilcm(1, *(argument.coeff(alpha).q for argument in arguments)))

@@ -64,6 +64,7 @@ def measurements(scale: float) -> list[measure.Measurement]:
     ]
 
 
+@pytest.mark.smoke
 def test_missed_gates_are_named() -> None:
     assert report.short_of_gate(measurements(0.9)) == []
     found = report.short_of_gate(measurements(1.1))

@@ -40,6 +40,7 @@ def assert_close(got: np.ndarray, expected: np.ndarray, scale: Nil, eps: float =
         assert errors.norm(a - b) <= eps * EPS * s, (got, expected)
 
 
+@pytest.mark.smoke
 @REGIME
 def test_composition_is_the_product_of_tensors_v1_first(kernel: ModuleType, order: int, regime: str) -> None:
     v2, v1 = samples(order, regime), samples(order, "uniform")[::-1]

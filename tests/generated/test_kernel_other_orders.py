@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import importlib
-import subprocess
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType
@@ -13,17 +11,19 @@ import pytest
 
 from tests.support import sampling
 from tests.support.accuracy import FUNCTIONS, Trial
+from tests.support.command import in_a_process
 
-ROOT = Path(__file__).resolve().parents[2]
 PACKAGE = "kernels_of_other_orders"
 
 
-@pytest.fixture(scope="module")
-def folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
-    parent = tmp_path_factory.mktemp("elsewhere")
-    command = [sys.executable, "-m", "derive", "generate", "-n", "7,11", "-o", str(parent / PACKAGE)]
-    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, timeout=300)
+def by_the_command(place: Path) -> None:
+    done = in_a_process("generate", "-n", "7,11", "-o", str(place))
     assert done.returncode == 0, done.stderr
+
+
+@pytest.fixture(scope="module")
+def folder(shared) -> Iterator[Path]:
+    parent = shared(PACKAGE, by_the_command).parent
     with pytest.MonkeyPatch.context() as patch:
         patch.syspath_prepend(str(parent))
         yield parent

@@ -11,6 +11,8 @@ from tests.support import sampling
 from tests.support.kernels import ORDERS, load
 from tests.support.oracle import oracle_of
 
+pytestmark = pytest.mark.smoke
+
 EPS = float(np.finfo(float).eps)
 AXES = [
     [1.0, 0, 0],

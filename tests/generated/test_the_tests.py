@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import ast
-import copy
 import dataclasses
 import math
+import pickle
 import sys
 import types
 from collections.abc import Callable, Iterator
@@ -61,7 +61,7 @@ def signs(core: ast.FunctionDef) -> list[int]:
 
 def flipped(core: ast.FunctionDef, place: int) -> ast.FunctionDef:
     """The core with one sign the other way."""
-    changed = copy.deepcopy(core)
+    changed: ast.FunctionDef = pickle.loads(pickle.dumps(core))  # a deep copy, faster
     node = list(ast.walk(changed))[place]
     if isinstance(node, ast.BinOp):
         node.op = ast.Sub() if isinstance(node.op, ast.Add) else ast.Add()

@@ -85,7 +85,8 @@ class Trial(Measured):
         for v, r, got in zip(self.v, points, self.module.transform_point(self.v, points), strict=True):
             local = errors.scales(self.order, v)
             # One real vector: as the dual part of an otherwise exact result.
-            exact = np.concatenate([0 * self.oracle.transform_point(v, r), self.oracle.transform_point(v, r)])
+            moved = self.oracle.transform_point(v, r)
+            exact = np.concatenate([0 * moved, moved])
             allowed = Nil(1.0, local.tensor.re * errors.norm(r) + local.position)
             full = np.concatenate([np.zeros(3, got.dtype), got])
             yield Result(full, [exact], [allowed], (errors.GENERAL,) * 2, (v, r))
@@ -95,13 +96,15 @@ class Trial(Measured):
     def _inverse(self, name: str, given: Any, entries: Any, gate: float) -> Iterator[Result]:
         """`given(v)`: the input as rounded numbers; `entries(v)`: (directions, entries) of `errors.branch_scale`."""
         inputs = np.stack([given(v) for v in self.v])
+        sides, entered = [self.sides(v) for v in self.v], [entries(v) for v in self.v]
         for branch in self.branches():
-            for v, x, got in zip(self.v, inputs, getattr(self.module, name)(inputs, branch), strict=True):
+            found = getattr(self.module, name)(inputs, branch)
+            for v, x, ways, entry, got in zip(self.v, inputs, sides, entered, found, strict=True):
                 exact, scales = [], []
-                for half, axis in self.sides(v):
+                for half, axis in ways:
                     result = self.oracle.on_branch(half, axis, branch)
                     exact.append(pack(result))
-                    scales.append(self.inverse_scale(result, half, axis, branch, *entries(v)))
+                    scales.append(self.inverse_scale(result, half, axis, branch, *entry))
                 yield Result(got, exact, scales, (gate, gate), (v,), f"branch {branch}, input {x!r}")
 
     def sides(self, v: Any) -> list[tuple[Any, Any]]:

@@ -47,6 +47,14 @@ LIBRARIES: dict[str, Callable[[], Convert]] = {
 }
 
 
+@functools.cache
+def _compiled(function: Callable[..., Any], static: tuple[int, ...]) -> Callable[..., Any]:
+    """The function through ``jax.jit``, which then compiles once for the same shapes and static arguments."""
+    import jax
+
+    return jax.jit(function, static_argnums=static, static_argnames="axis")
+
+
 class Through:
     """A kernel module whose functions take and return NumPy arrays, and work in another library."""
 
@@ -57,12 +65,10 @@ class Through:
         function = getattr(self.module, name)
 
         def call(*values: Any, **options: Any) -> Any:
-            bound = functools.partial(function, **options)
+            called = function
             if self.library == "jax.jit":
-                import jax
-
-                bound = jax.jit(bound, static_argnums=[i for i, v in enumerate(values) if isinstance(v, int)])
-            found = bound(*(self.convert(v) if isinstance(v, np.ndarray) else v for v in values))
+                called = _compiled(function, tuple(i for i, v in enumerate(values) if isinstance(v, int)))
+            found = called(*(self.convert(v) if isinstance(v, np.ndarray) else v for v in values), **options)
             return tuple(map(np.asarray, found)) if isinstance(found, tuple) else np.asarray(found)
 
         return call

@@ -45,9 +45,31 @@ def pack(value: Any) -> np.ndarray:
     return np.stack([p.reshape(entries.shape) for p in parts])
 
 
+def value_key(value: Any) -> Any:
+    """What tells a number, a dual number or an array or tuple of them from others."""
+    if isinstance(value, Nil):
+        return value_key(value.re), value_key(value.du)
+    if isinstance(value, np.ndarray):
+        return value.shape, tuple(value.flat)
+    return tuple(map(value_key, value)) if isinstance(value, tuple | list) else value
+
+
+def remembered(method: Any) -> Any:
+    """Keep an oracle's results, for many functions are tested at the same vectors."""
+
+    @functools.wraps(method)
+    def kept(self: Oracle, *arguments: Any) -> Any:
+        key = (method.__name__, *map(value_key, arguments))
+        if key not in self.results:
+            self.results[key] = method(self, *arguments)
+        return self.results[key]
+
+    return kept
+
+
 @functools.cache
 def oracle_of(order: int, digits: int = DIGITS) -> Oracle:
-    """The oracle of an order, one for all tests: it remembers tangent operators."""
+    """The oracle of an order, one for all tests: it remembers results."""
     return Oracle(order, digits)
 
 
@@ -59,7 +81,7 @@ class Oracle:
         self.field = mp_field(dps) if field is None else field
         # An angle closer than this to a multiple of π counts as equal: far below any input's rounding.
         self.tie = 10.0 ** (-dps / 2)
-        self._operators: dict[Any, Any] = {}
+        self.results: dict[Any, Any] = {}
 
     def unpack(self, array: Any) -> tuple[Nil, ...]:
         """Flat (2m,) array to m dual numbers."""
@@ -87,11 +109,13 @@ class Oracle:
         """(|v| cot θ + v)^n, not normalised."""
         return power((self.base(v), v[0], v[1], v[2]), self.order)
 
+    @remembered
     def unit(self, v: Any) -> tuple[Any, ...]:
         w = self.spin(v)
         norm = self.field.sqrt(hamilton(w, conjugate(w))[0])
         return tuple(c / norm for c in w)
 
+    @remembered
     def rotation(self, v: Any) -> tuple[Any, ...]:
         """Columns w e w⁻¹ for the basis vectors e."""
         w = self.spin(v)
@@ -107,14 +131,16 @@ class Oracle:
         r, r_dot = self.rotation_and_derivative(v, v_dot)
         return vect(matmul(r_dot, transpose(r)))
 
+    @remembered
     def operator(self, v: Any) -> tuple[Any, ...]:
         """The tangent operator: column j is the twist of v moving along e_j."""
 
         def column(e: Any) -> tuple[Any, ...]:
             return self.space_twist(v, [Nil(v[0].re * 0 + c, v[0].re * 0) for c in e])
 
-        return self._remembered("sandwich", v, column)
+        return transpose([column(e) for e in E])
 
+    @remembered
     def operator_by_spin(self, v: Any) -> tuple[Any, ...]:
         """The same through ω = 2 vec(ẇ w⁻¹): a third of the cost, checked against `operator`."""
 
@@ -124,14 +150,7 @@ class Oracle:
             norm2 = hamilton(w, conjugate(w))[0]
             return tuple(2 * c / norm2 for c in hamilton(w_dot, conjugate(w))[1:])
 
-        return self._remembered("spin", v, column)
-
-    def _remembered(self, road: str, v: Any, column: Any) -> Any:
-        """Columns for the basis vectors as a matrix; kept, for many functions are tested at the same vectors."""
-        key = (road, *((c.re, c.du) for c in v))
-        if key not in self._operators:
-            self._operators[key] = transpose([column(e) for e in E])
-        return self._operators[key]
+        return transpose([column(e) for e in E])
 
     # ---- inverse maps ---------------------------------------------------------------------------------------
 
@@ -181,6 +200,7 @@ class Oracle:
         dual = hamilton((0, *rho), real)
         return tuple(Nil(a, b / 2) for a, b in zip(real, dual, strict=True))
 
+    @remembered
     def reduced(self, v: Any) -> tuple[Any, Any]:
         """(α, u) of v's pose with 0 ≤ Re α ≤ π: the principal dual angle and its axis (None at the identity)."""
         half, axis = self.half_screw((self.base(v), *v))

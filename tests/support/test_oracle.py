@@ -25,6 +25,7 @@ def samples(order: int, count: int = 2) -> list[np.ndarray]:
     return [v for regime in regimes for v in sampling.poses(order, regime, count=count)]
 
 
+@pytest.mark.smoke
 @ORDER
 def test_tensor_is_the_exponential_of_the_dual_angle_about_the_dual_axis(order: int) -> None:
     oracle = Oracle(order)

@@ -1,36 +1,41 @@
-"""Packages of every other Python target, generated once for each process that runs tests."""
+"""Packages of every other target, each generated once."""
 
 from __future__ import annotations
 
+import functools
 import importlib
-import sys
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from types import ModuleType
 
 import pytest
 
 from derive.codegen import generate
-
-ORDERS = (1, 2, 3, 4, 8)
+from tests.support.packages import ORDERS
 
 
 @pytest.fixture(scope="session")
-def package(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[[str], str]]:
+def folder(shared: Callable[[str, Callable[[Path], object]], Path]) -> Callable[[str], Path]:
+    """The folder of the package of a target; its name is that of the package."""
+
+    def made(target: str) -> Path:
+        name = f"generated_{target.replace('-', '_')}"
+        return shared(name, lambda place: generate(ORDERS[target], target, place))
+
+    return made
+
+
+@pytest.fixture(scope="session")
+def package(folder: Callable[[str], Path]) -> Iterator[Callable[[str], str]]:
     """The import name of the package of a target."""
-    root = tmp_path_factory.mktemp("targets")
-    sys.path.insert(0, str(root))
-    made: set[str] = set()
+    with pytest.MonkeyPatch.context() as patch:
 
-    def name(target: str) -> str:
-        folder = f"generated_{target.replace('-', '_')}"
-        if folder not in made:
-            generate(ORDERS, target, root / folder)
-            importlib.invalidate_caches()
-            made.add(folder)
-        return folder
+        @functools.cache
+        def name(target: str) -> str:
+            patch.syspath_prepend(str(folder(target).parent))
+            return folder(target).name
 
-    yield name
-    sys.path.remove(str(root))
+        yield name
 
 
 @pytest.fixture(scope="session")

@@ -127,6 +127,7 @@ def test_dask_arrays_stay_lazy_and_keep_their_blocks(array_api):
     assert_nearly_equal(pose.compute(), load(3).from_pose(load(3).pose(v)), eps=40)
 
 
+@pytest.mark.smoke
 def test_matrix6(array_api):
     package = sys.modules[array_api(3).__package__]
     D = load(3).tangent(sampling.poses(3, "uniform"))

@@ -15,29 +15,36 @@ REGIMES = ("uniform", "angle 1e-7", "pure translation", "identity")
 EPS = 2.0**-52
 
 
-def jax_jacobian(function, *values):
-    """Forward and reverse mode, which must agree."""
+def jax_jacobians(function, *values):
+    """Forward and reverse mode, which must agree, compiled once for all rows of the values and run once."""
     LIBRARIES["jax"]()
     import jax
 
-    values = [jax.numpy.asarray(v) for v in values]
-    forward, reverse = jax.jit(lambda *at: (jax.jacfwd(function)(*at), jax.jacrev(function)(*at)))(*values)
-    forward = np.asarray(forward)
-    np.testing.assert_allclose(forward, np.asarray(reverse), atol=1e-12 * abs(forward).max())
+    quickly = {"xla_backend_optimization_level": 0}
+    both = jax.vmap(lambda *at: (jax.jacfwd(function)(*at), jax.jacrev(function)(*at)))
+    compiled = jax.jit(both, compiler_options=quickly)
+    forward, reverse = (np.asarray(found) for found in compiled(*map(jax.numpy.asarray, values)))
+    for one, other in zip(forward, reverse, strict=True):
+        np.testing.assert_allclose(one, other, atol=1e-12 * abs(one).max())
     return forward
 
 
-def torch_jacobian(function, *values):
+def torch_jacobians(function, *values):
     import torch
 
-    values = [torch.asarray(v) for v in values]
-    rest = values[1:]
-    return torch.autograd.functional.jacobian(lambda v: function(v, *rest), values[0]).numpy()
+    rows = zip(*map(torch.asarray, values), strict=True)
+    jacobian = torch.autograd.functional.jacobian
+    return np.stack([jacobian(lambda v, rest=rest: function(v, *rest), v).numpy() for v, *rest in rows])
 
 
-JACOBIAN = pytest.mark.parametrize(
-    "jacobian", [jax_jacobian, pytest.param(torch_jacobian, marks=pytest.mark.torch)], ids=["jax", "torch"]
+JACOBIANS = pytest.mark.parametrize(
+    "jacobians", [jax_jacobians, pytest.param(torch_jacobians, marks=pytest.mark.torch)], ids=["jax", "torch"]
 )
+
+
+def samples(order, *regimes):
+    """A vector of each regime."""
+    return np.stack([sampling.poses(order, regime)[0] for regime in regimes])
 
 
 def complex_step(function, v):
@@ -51,80 +58,72 @@ def assert_equal_derivatives(got, expected, eps=200):
     np.testing.assert_allclose(got, expected, rtol=0, atol=eps * EPS * max(1.0, abs(expected).max()))
 
 
-@JACOBIAN
+@JACOBIANS
 @ORDERS
 @pytest.mark.parametrize("name", ["quaternion", "tensor", "pose", "tangent", "tangent_inv"])
-def test_forward_maps(array_api, order, name, jacobian):
-    for regime in (*REGIMES, "shadow") if order > 2 else REGIMES:
-        v = sampling.poses(order, regime)[0]
-        expected = complex_step(getattr(load(order), name), v)
-        assert_equal_derivatives(jacobian(getattr(array_api(order), name), v), expected, 400 * order**2)
+def test_forward_maps(array_api, order, name, jacobians):
+    at = samples(order, *REGIMES, *(("shadow",) if order > 2 else ()))
+    for v, jacobian in zip(at, jacobians(getattr(array_api(order), name), at), strict=True):
+        assert_equal_derivatives(jacobian, complex_step(getattr(load(order), name), v), 400 * order**2)
 
 
-@JACOBIAN
+@JACOBIANS
 @ORDERS
-def test_the_tangent_operator_is_the_derivative_of_the_tensor(array_api, order, jacobian):
+def test_the_tangent_operator_is_the_derivative_of_the_tensor(array_api, order, jacobians):
     module = array_api(order)
-    v = sampling.poses(order, "uniform")[0]
+    at = samples(order, "uniform")
     kernel = load(order)
-    slopes = np.moveaxis(jacobian(module.tensor, v), -1, 0)
-    Q, K = kernel.tensor(v)
-    for slope, twist in zip(slopes, kernel.twist(v, np.eye(6)), strict=True):
+    slopes = np.moveaxis(jacobians(module.tensor, at)[0], -1, 0)
+    Q, K = kernel.tensor(at[0])
+    for slope, twist in zip(slopes, kernel.twist(at[0], np.eye(6)), strict=True):
         re, du = slope[0] @ Q.T, slope[1] @ Q.T + slope[0] @ K.T
         vects = [np.array([m[2, 1] - m[1, 2], m[0, 2] - m[2, 0], m[1, 0] - m[0, 1]]) / 2 for m in (re, du)]
         assert_equal_derivatives(np.concatenate(vects), twist, 400)
 
 
-@JACOBIAN
+@JACOBIANS
 @ORDERS
 @pytest.mark.parametrize("road", ["quaternion", "tensor", "pose"])
-def test_inverse_maps_undo_the_forward_maps_to_first_order(array_api, order, road, jacobian):
-    module = array_api(order)
+def test_inverse_maps_undo_the_forward_maps_to_first_order(array_api, order, road, jacobians):
+    module, at = array_api(order), samples(order, *REGIMES)
     forward, back = getattr(module, road), getattr(module, f"from_{road}")
-    for regime in REGIMES:
-        v = sampling.poses(order, regime)[0]
+    for v, jacobian in zip(at, jacobians(lambda v: back(forward(v)), at), strict=True):
         size = (1 + abs(v).max()) ** 2
-        assert_equal_derivatives(jacobian(lambda v: back(forward(v)), v), np.eye(6), 400 * order * size)
+        assert_equal_derivatives(jacobian, np.eye(6), 400 * order * size)
 
 
-@JACOBIAN
+@JACOBIANS
 @ORDERS
 @pytest.mark.parametrize("road", ["quaternion", "tensor", "pose"])
-def test_inverse_maps_have_finite_derivatives_in_every_entry(array_api, order, road, jacobian):
-    kernel = load(order)
-    for regime in REGIMES:
-        value = getattr(kernel, road)(sampling.poses(order, regime)[0])
-        assert np.isfinite(jacobian(getattr(array_api(order), f"from_{road}"), value)).all()
+def test_inverse_maps_have_finite_derivatives_in_every_entry(array_api, order, road, jacobians):
+    values = getattr(load(order), road)(samples(order, *REGIMES))
+    assert np.isfinite(jacobians(getattr(array_api(order), f"from_{road}"), values)).all()
 
 
-@JACOBIAN
+@JACOBIANS
 @ORDERS
-def test_composition_with_the_identity_and_principal_v(array_api, order, jacobian):
-    module = array_api(order)
-    for regime in REGIMES:
-        v = sampling.poses(order, regime)[0]
-        eps = 400 * order * (1 + abs(v).max()) ** 2
-        assert_equal_derivatives(jacobian(module.compose, v, np.zeros(6)), np.eye(6), eps)
-        assert_equal_derivatives(jacobian(module.principal, v), np.eye(6), eps)
+def test_composition_with_the_identity_and_principal_v(array_api, order, jacobians):
+    module, at = array_api(order), samples(order, *REGIMES)
+    composed, principal = jacobians(module.compose, at, 0 * at), jacobians(module.principal, at)
+    for v, *found in zip(at, composed, principal, strict=True):
+        for jacobian in found:
+            assert_equal_derivatives(jacobian, np.eye(6), 400 * order * (1 + abs(v).max()) ** 2)
 
 
-@JACOBIAN
+@JACOBIANS
 @ORDERS
-def test_shadows_and_screws(array_api, order, jacobian):
+def test_shadows_and_screws(array_api, order, jacobians):
     """The derivative of a shadow is T(v_k)⁻¹ T(v)."""
     module, kernel = array_api(order), load(order)
-    v = sampling.poses(order, "uniform")[0]
     if order > 1:
-        matrix, back = (dualcay.matrix6(D) for D in (kernel.tangent(v), kernel.tangent_inv(kernel.shadow(v))))
-        expected = back @ matrix
-        assert_equal_derivatives(jacobian(module.shadow, v), expected, 4000)
-        if order != 2:
-            rest = sampling.poses(order, "pure translation")[0]
-            assert np.isfinite(jacobian(module.shadow, rest)).all()
-    for regime in ("uniform", "pure translation", "pure rotation", "angle 1e-7"):
-        at = sampling.poses(order, regime)[0]
-        for part in (0, 1):
-            assert np.isfinite(jacobian(lambda v, part=part: module.to_screw(v)[part], at)).all()
+        at = samples(order, "uniform", *(("pure translation",) if order != 2 else ()))
+        found = jacobians(module.shadow, at)
+        matrix, back = (dualcay.matrix6(D) for D in (kernel.tangent(at[0]), kernel.tangent_inv(kernel.shadow(at[0]))))
+        assert_equal_derivatives(found[0], back @ matrix, 4000)
+        assert np.isfinite(found).all()
+    at = samples(order, "uniform", "pure translation", "pure rotation", "angle 1e-7")
+    for part in (0, 1):
+        assert np.isfinite(jacobians(lambda v, part=part: module.to_screw(v)[part], at)).all()
 
 
 def test_vmap_and_jit_agree_with_batches(array_api):

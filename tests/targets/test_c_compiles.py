@@ -6,14 +6,19 @@ import re
 import shutil
 import subprocess
 import sys
+from collections import Counter
 from pathlib import Path
 
 import pytest
 
-from derive.codegen import generate
+from derive.codegen.lowered import lower_chart
+from derive.codegen.signatures import PUBLIC
+from derive.codegen.targets.c import levels
+from derive.maps import Cayley
+from tests.support import packages
 
 ROOT = Path(__file__).parents[2]
-ORDERS = (1, 2, 3, 8, 16)
+ORDERS = packages.ORDERS["c"]
 STRICT = ("-Wall", "-Wextra", "-Wshadow", "-Wconversion", "-Wstrict-aliasing", "-Werror", "-pedantic")
 VECTOR = ("-O3", "-march=native", "-fno-math-errno", "-fno-trapping-math")
 REALS = ("float", "double")
@@ -21,11 +26,9 @@ INCLUDE_ALL = "".join(f'#include "cayley{n}.h"\n' for n in ORDERS)
 
 
 @pytest.fixture(scope="module")
-def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder with the package of some orders."""
-    folder = tmp_path_factory.mktemp("c")
-    generate(ORDERS, "c", folder)
-    return folder
+def package(folder) -> Path:
+    """The folder of the C package."""
+    return folder("c")
 
 
 def tool(name: str) -> str:
@@ -105,17 +108,19 @@ def test_results_agree_with_exact_ones_in_cpp(package, tmp_path, real):
     assert "calls agree" in run(program)
 
 
-def test_loops_over_rows_become_vector_code(package, tmp_path):
-    names = ("quaternion", "tensor", "pose", "transform_point", "transform_line", "tangent", "tangent_inv", "rate")
-    header = (package / "cayley3.h").read_text(encoding="utf-8").splitlines()
-    uses = "".join(f"void *use_{name} = (void *)dualcay_cayley3_{name}_rows;\n" for name in names)
-    source = written(tmp_path, "rows.c", f'#include "cayley3.h"\n{uses}')
+@pytest.mark.parametrize("order", [2, 3, 8])
+def test_loops_over_rows_become_vector_code(package, tmp_path, order):
+    """All that call neither tan nor atan2, those over turns of the inverse maps among them."""
+    header = (package / "geometry.h").read_text(encoding="utf-8").splitlines()
+    uses = "".join(f"void *use_{name} = (void *)dualcay_cayley{order}_{name}_rows;\n" for name in PUBLIC)
+    source = written(tmp_path, "rows.c", f'#include "cayley{order}.h"\n{uses}')
     flags = ("-std=c99", "-O3", "-mavx2", "-fno-math-errno", "-fno-trapping-math", "-fopt-info-vec-optimized")
     report = run(tool("gcc"), *flags, f"-I{package}", "-c", source, "-o", tmp_path / "rows.o")
-    lines = {int(line) for line in re.findall(r"cayley3\.h:(\d+):\d+: optimized: loop vectorized", report)}
-    for name in names:
-        start = next(i for i, line in enumerate(header, 1) if f"void dualcay_cayley3_{name}_rows(" in line)
-        assert lines & set(range(start, start + 8)), name
+    lines = {int(line) for line in re.findall(r"geometry\.h:(\d+):\d+: optimized: loop vectorized", report)}
+    cores = Counter(core for line in lines for core in re.findall(r"DUALCAY_NAME\((\w+)_core\)", header[line]))
+    needed = levels(lower_chart(Cayley(order)))
+    expected = Counter(row.kernel for row in PUBLIC.values() if needed[row.kernel] < 2)
+    assert expected + Counter(turn=3) <= cores
 
 
 def test_the_package_installs_and_the_example_finds_it(package, tmp_path):

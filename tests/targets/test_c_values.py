@@ -7,11 +7,11 @@ import importlib
 import numpy as np
 import pytest
 
-from benchmarks.c_form import TYPES, load
-from derive.codegen.signatures import SIGNATURES
+from benchmarks.c_form import TYPES, CForm, compiled
+from derive.codegen.signatures import PUBLIC
+from derive.codegen.validation.compiled import compiler
 
 ORDERS = (1, 2, 3, 8)
-SHAPES = {"q": (8,), "tensor": (2, 3, 3), "tangent": (2, 3, 3), "pose": (4, 4), "r": (3,), "moved": None, "angle": (2,)}
 ROUNDED = ("from_quaternion", "from_tensor", "from_pose", "from_screw", "to_screw", "compose", "shadow", "principal")
 """Functions that may call tan or atan2, which libraries round differently."""
 
@@ -19,12 +19,13 @@ COUNT = 300
 
 
 @pytest.fixture(scope="module", params=[(n, real) for n in ORDERS for real in TYPES], ids=lambda p: f"{p[0]}-{p[1]}")
-def both(request):
+def both(request, folder, shared):
     """The C kernels and the NumPy kernels of an order, and the real type."""
     order, real = request.param
-    form = load(order, real)
-    assert form is not None, "these tests need a C compiler: install gcc, or name one in CC"
-    return form, importlib.import_module(f"dualcay.cayley{order}"), np.dtype(TYPES[real])
+    command = compiler()
+    assert command is not None, "these tests need a C compiler: install gcc, or name one in CC"
+    built = shared(f"c-{order}-{real}", lambda place: compiled(command, folder("c"), order, real, place))
+    return CForm(built / "library.so", real), importlib.import_module(f"dualcay.cayley{order}"), np.dtype(TYPES[real])
 
 
 def special(rng, size):
@@ -47,15 +48,15 @@ def arguments(name, module, dtype, rng):
     if name in ("from_quaternion", "from_tensor", "from_pose"):
         made = getattr(module, {"from_quaternion": "quaternion", "from_tensor": "tensor", "from_pose": "pose"}[name])
         return [np.ascontiguousarray(made(v, axis=0).reshape(-1, COUNT), dtype)]
-    arrays = [special(rng, array.size) for array in SIGNATURES[name].arguments]
+    arrays = [special(rng, array.size) for array in PUBLIC[name].arguments]
     return [np.ascontiguousarray(array, dtype) for array in arrays]
 
 
 def by_numpy(module, name, arrays, branch):
     """The NumPy kernel's result, components first and flat."""
     shaped = [
-        array.reshape(*(SHAPES.get(given.name) or (given.size,)), COUNT)
-        for array, given in zip(arrays, SIGNATURES[name].arguments, strict=True)
+        array.reshape(*given.shape, COUNT)
+        for array, given in zip(arrays, PUBLIC[name].arguments, strict=True)
     ]
     found = getattr(module, name)(*shaped, *branch, axis=0)
     parts = found if isinstance(found, tuple) else (found,)
@@ -63,7 +64,7 @@ def by_numpy(module, name, arrays, branch):
 
 
 def by_c(form, name, arrays, branch, layout):
-    size = SIGNATURES[name].results
+    size = PUBLIC[name].results
     given = arrays if layout == "rows" else [np.ascontiguousarray(array.T) for array in arrays]
     shapes = [(a.size, COUNT) if layout == "rows" else (COUNT, a.size) for a in size]
     out = tuple(np.empty(shape, arrays[0].dtype) for shape in shapes)
@@ -71,7 +72,7 @@ def by_c(form, name, arrays, branch, layout):
     return out if layout == "rows" else [part.T for part in out]
 
 
-@pytest.mark.parametrize("name", [name for name in SIGNATURES if name not in ROUNDED])
+@pytest.mark.parametrize("name", [name for name in PUBLIC if name not in ROUNDED])
 def test_rational_maps_agree_to_the_last_bit(both, name):
     form, module, dtype = both
     arrays = arguments(name, module, dtype, np.random.default_rng(7))
@@ -80,14 +81,14 @@ def test_rational_maps_agree_to_the_last_bit(both, name):
 
 
 @pytest.mark.parametrize("layout", ["rows", "aos"])
-@pytest.mark.parametrize("name", SIGNATURES)
+@pytest.mark.parametrize("name", PUBLIC)
 def test_both_layouts_agree_but_for_rounding(both, name, layout):
     form, module, dtype = both
     arrays = arguments(name, module, dtype, np.random.default_rng(11))
     n = module.ORDER
-    for branch in (0, 1, n - 1, -1, 5 * n + 1) if SIGNATURES[name].branch else (0,):
+    for branch in (0, 1, n - 1, -1, 5 * n + 1) if PUBLIC[name].branch else (0,):
         found = by_c(form, name, arrays, branch, layout)
-        chosen = [branch] if SIGNATURES[name].branch else []
+        chosen = [branch] if PUBLIC[name].branch else []
         for ours, theirs in zip(found, by_numpy(module, name, arrays, chosen), strict=True):
             assert_close(ours, theirs)
 

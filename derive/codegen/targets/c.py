@@ -1,117 +1,157 @@
-"""Print a program as C: straight-line code on components that lie a stride apart, valid as C99 and as C++."""
+"""C: headers for C99 and C++, straight-line code that compilers make vector code of.
+
+``geometry.h`` holds what all charts share and is read once for each: a chart defines its scalars, says in macros what
+geometry cannot know, and includes it. Macros are the chart's name in every name (``DUALCAY_NAME``), its branches, what
+its functions call of ``math.h``, and the functions that are its own.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import itertools
+import re
+from collections.abc import Mapping
 from dataclasses import dataclass
+from pathlib import Path
 
+from ...maps.cayley import EQUATIONS
+from ...maps.chart import Chart
+from .. import differential
+from ..facts import Facts, comment, numbers, theorem_lines
+from ..lowered import Lowered, geometry
+from ..lowering.scalars import table_names
 from ..programs.program import Program
-from ..signatures import SHADOW, SIGNATURES, Array
-from .expression import ARITHMETIC, WIDTH, Dialect, Operator, Text, bracket, fill, renamed, used_names
+from ..signatures import PUBLIC, Array, Function, aliases
+from ..validation import c_text, compiled
+from . import c99
+from .target import Data, require_functions
 
-REAL = "dualcay_real"
-_SELECTED = 1
-_CONDITIONS = ("lt", "eq", "and", "or")
-_EXACT_IN_FLOAT = 2.0**24
+GEOMETRY = "geometry.h"
+LEVELS = {"sqrt": 1, "tan": 2, "atan2": 2}
+"""What an operation needs of ``math.h``: nothing is 0, what becomes vector code 1, what does not 2."""
 
-# every operand of & and | is bracketed, because compilers warn where they are mixed
-_LOGIC = {op: Operator(symbol, 3, 4, 4) for op, symbol in (("and", "&"), ("or", "|"))}
-_COMPARISON = {op: Operator(symbol, 2, 4, 4) for op, symbol in (("lt", "<"), ("eq", "=="))}
+NAMES = {"R": "tensor", "T": "pose"}
+"""Names of arrays here: capital letters are where other people's macros are."""
+
+NEVER_BEYOND = Program("beyond", (("x", ("x",)),), (), (0, 1, 0))
+"""Of a chart where every v is principal."""
 
 
 @dataclass(frozen=True, slots=True)
-class Function:
-    """What a C template shows of a program.
+class Form:
+    """A form of a public function: its parameters, and what it passes to the core."""
 
-    Parameters
-    ----------
-    inputs, outputs : tuple of str
-        Names of the arrays; component i of ``v`` is ``v_at[i * v_by]``.
-    text : str
-        Loads, assignments and stores. All loads come first, so that results may overlap arguments.
-    math : frozenset of str
-        Functions of ``math.h`` it calls.
-    """
-
-    inputs: tuple[str, ...]
-    outputs: tuple[str, ...]
-    text: str
-    math: frozenset[str]
+    parameters: str
+    passed: str
 
 
-def _ternary(condition: Text, first: Text, second: Text) -> Text:
-    test, a, b = (bracket(text, _SELECTED + 1) for text in (condition, first, second))
-    if all(text[0].lstrip("-").isdigit() for text in (first, second)):
-        # two integers would make an int, and a division by one an integer division
-        b = f"({REAL}){b}"
-    return f"{test} ? {a} : {b}", _SELECTED
+@dataclass(frozen=True, slots=True)
+class Interface:
+    """A public function: its name, that of its core, and its two forms."""
+
+    name: str
+    kernel: str
+    plain: Form
+    rows: Form
 
 
-C99 = Dialect(
-    operators=ARITHMETIC | _LOGIC | _COMPARISON,
-    calls={name: f"dualcay_{name}" for name in ("sqrt", "tan", "atan2")},
-    select=_ternary,
-    largest=_EXACT_IN_FLOAT,
-)
-"""C, where integer constants become the real type exactly by the usual arithmetic conversions."""
+def interface(row: Function) -> Interface:
+    """The forms of a row of the table."""
+    given, made = ([_named(array) for array in arrays] for arrays in (row.arguments, row.results))
+    branch = ["int branch"] if row.branch else []
+    table = row.constants or _components(geometry()[row.kernel], c99.TABLE)
+    plain = [f"const {c99.REAL} {a.name}[{a.size}]" for a in given], [f"{c99.REAL} {a.name}[{a.size}]" for a in made]
+    rows = (
+        [f"const {c99.REAL} *{a.name}, size_t {a.name}_stride" for a in given],
+        [f"{c99.REAL} *{a.name}, size_t {a.name}_stride" for a in made],
+    )
+    ones, strides = (
+        c99.filled([*(form.format(a.name) for a in given), *table, *(form.format(a.name) for a in made)])
+        for form in ("{0}, 1", "{0} + j, {0}_stride")
+    )
+    return Interface(
+        row.name,
+        row.kernel,
+        Form(", ".join([*plain[0], *branch, *plain[1]]), ones),
+        Form(c99.filled(["size_t n", *rows[0], *branch, *rows[1]]), strides),
+    )
 
 
-def function(program: Program) -> Function:
-    """The program as the body of a C function.
-
-    Raises
-    ------
-    ValueError
-        If a constant is not an integer that a float holds exactly.
-    """
-    program = _lower_case(program)
-    inputs = tuple(argument.lower() for argument, _ in program.inputs)
-    results = _results(program.name)
-    lines = (*_loads(program), *_assignments(program), *_stores(program, results))
-    math = frozenset(step.op for step in program.steps) & C99.calls.keys()
-    return Function(inputs, tuple(array.name for array in results), "\n".join(lines), math)
+def _named(array: Array) -> Array:
+    return array.called(NAMES.get(array.name, array.name))
 
 
-def _results(name: str) -> tuple[Array, ...]:
-    return SIGNATURES[name].results if name in SIGNATURES else (SHADOW,)
+def _components(program: Program, argument: str) -> tuple[str, ...]:
+    return next((names for found, names in program.inputs if found == argument), ())
 
 
-def _lower_case(program: Program) -> Program:
-    """Capital letters are where other people's macros are (N, I, R1); a trailing underscore keeps names apart."""
-    names = {name for _, parts in program.inputs for name in parts} | {step.name for step in program.steps}
-    new = {name: name.lower() for name in names if name != name.lower()}
-    return renamed(program, {name: f"{lower}_" if lower in names else lower for name, lower in new.items()})
+def level(program: Program) -> int:
+    """What a program needs of ``math.h``, calls not looked into."""
+    return max((LEVELS.get(op, 0) for op in program.operations), default=0)
 
 
-def _loads(program: Program) -> Iterator[str]:
-    used = used_names(program)
-    for argument, names in program.inputs:
-        for index, name in enumerate(names):
-            if name in used:
-                yield f"    const {REAL} {name} = {_component(argument.lower(), index)};"
+def levels(lowered: Lowered) -> dict[str, int]:
+    """What every kernel function of a chart needs of ``math.h``, with the scalars that it calls."""
+    found = {}
+    for name, shared in geometry().items():
+        program = lowered.own.get(name, shared)
+        called = [lowered.scalars[call.function] for call in program.calls if call.function in lowered.scalars]
+        found[name] = max(map(level, [program, *called]))
+    return found
 
 
-def _component(array: str, index: int) -> str:
-    offset = {0: "0", 1: f"{array}_by"}.get(index, f"{index} * {array}_by")
-    return f"{array}_at[{offset}]"
+class C:
+    """The target of headers."""
 
+    name = "c"
+    extension = "h"
+    entry = "dualcay.h"
+    comment = "//"
+    unproved = "rounding errors and what compilers make of it: both are tested, against exact results"
 
-def _assignments(program: Program) -> Iterator[str]:
-    for step, text in C99.statements(program)[0]:
-        kind = "int" if step.op in _CONDITIONS else REAL
-        yield from _wrap(f"const {kind} {step.name}", text)
+    def shared(self) -> Mapping[str, Data]:
+        return {
+            "dualcay.h": {},
+            GEOMETRY: {
+                "theorems": comment(theorem_lines(), self.comment),
+                "equations": {name: numbers(found) for name, found in EQUATIONS.items()},
+                "cores": {name: c99.core(program, {}) for name, program in geometry().items()},
+                "functions": {name: interface(row) for name, row in PUBLIC.items()},
+            },
+            "differential.h": {},
+            "CMakeLists.txt": {},
+        }
 
+    def module(self, facts: Facts) -> Data:
+        chart, lowered = facts.chart, facts.lowered
+        table = dict(zip(table_names(chart), itertools.chain(*facts.returns), strict=True))
+        scalars = [*lowered.scalars.values(), *([] if chart.returns() else [NEVER_BEYOND])]
+        return {
+            "name": chart.name,
+            "order": chart.order,
+            "branches": chart.branches,
+            "domain": facts.domain,
+            "singular": facts.singular,
+            "singular_angles": facts.singular_angles,
+            "aliases": aliases(chart),
+            "levels": levels(lowered),
+            "scalars": [(level(program), c99.scalar(program, table)) for program in scalars],
+            "own": [(level(program), c99.core(program, table)) for program in lowered.own.values()],
+            "turns": facts.turns,
+        }
 
-def _stores(program: Program, results: Sequence[Array]) -> Iterator[str]:
-    places = (_component(array.name, index) for array in results for index in range(array.size))
-    for place, text in zip(places, C99.statements(program)[1], strict=True):
-        yield from _wrap(place, text)
+    def companions(self, chart: Chart) -> Mapping[str, tuple[str, Data]]:
+        data = {"name": chart.name, "gate": differential.GATE, "functions": list(differential.tables(chart))}
+        return {f"test_{chart.name}.c": ("test_chart.c", data)}
 
+    def require_complete(self, texts: Mapping[str, str]) -> None:
+        """Both forms of every public function stand in the geometry, and no other."""
+        found = re.findall(r"^DUALCAY_FUNCTION void DUALCAY_NAME\((\w+)\)\(", texts[GEOMETRY], re.MULTILINE)
+        plain, rows = ([name for name in found if name.endswith("_rows") == is_rows] for is_rows in (False, True))
+        require_functions(GEOMETRY, plain)
+        require_functions(f"{GEOMETRY}, rows", [name.removesuffix("_rows") for name in rows])
 
-def _wrap(target: str, text: str) -> Iterator[str]:
-    line = f"    {target} = {text};"
-    if len(line) <= WIDTH:
-        yield line
-    else:
-        yield f"    {target} ="
-        yield from fill(f"{text};", " " * 8)
+    def validate(self, folder: Path, chart: Chart) -> int:
+        return c_text.validate(folder, chart)
+
+    def test(self, folder: Path, chart: Chart) -> int | None:
+        return compiled.test(folder, chart)

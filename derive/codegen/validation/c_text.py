@@ -15,15 +15,12 @@ from ...maps.chart import Chart
 from ..cases import Batch, batches, digits
 from ..cases.batches import Agree, same
 from ..cases.digits import Decimal
-from ..signatures import FUNCTIONS
+from ..signatures import FUNCTIONS, aliases
 from .c_calls import Flat, Kernel
 from .c_interpreter import UNSET, CError, Pointer, Unit, load
 from .run import ValidationFailed
 
 SEED = 1863
-ALIASES = {
-    "dcay": "tangent", "dcay_rows": "tangent_rows", "dcay_inv": "tangent_inv", "dcay_inv_rows": "tangent_inv_rows",
-}  # fmt: skip
 
 def validate(folder: Path, chart: Chart) -> int:
     """Interpret the header of a chart; return how many calls equal the formula.
@@ -118,9 +115,11 @@ def _drawn(draw: random.Random, size: int) -> Flat:
 def _constants(unit: Unit, chart: Chart) -> None:
     """What the macros of the header stand for, and the singular angles."""
     ratios = [angle / sympy.pi for angle in chart.singular_angles]
-    macro = _prefix(chart).upper()
+    prefix = _prefix(chart)
+    macro = prefix.upper()
     expected = {f"{macro}ORDER": str(chart.order), f"{macro}SINGULAR_ANGLES": str(len(ratios))}
-    expected |= {_prefix(chart) + alias: _prefix(chart) + name for alias, name in ALIASES.items()}
+    named = aliases(chart).items()
+    expected |= {f"{prefix}{a}{form}": f"{prefix}{b}{form}" for a, b in named for form in ("", "_rows")}
     for name, text in expected.items():
         if unit.source.expand(name) != text:
             raise ValidationFailed(f"{name} is {unit.source.expand(name)}, not {text}")

@@ -29,7 +29,7 @@ def compiler() -> list[str] | None:
 
 
 def test(folder: Path, chart: Chart) -> int | None:
-    """Run the differential test of the module of an order, in both real types.
+    """Run the differential test of the module of a chart, in both real types.
 
     Returns
     -------

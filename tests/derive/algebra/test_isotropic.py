@@ -11,6 +11,8 @@ from hypothesis import strategies as st
 
 from derive.algebra import Dual, Isotropic, Vector, ZeroDivisorError
 
+pytestmark = pytest.mark.smoke
+
 fractions = st.fractions(min_value=-5, max_value=5, max_denominator=4)
 duals = st.builds(Dual, fractions, fractions)
 vectors = st.builds(Vector, duals, duals, duals)

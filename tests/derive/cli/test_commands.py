@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 import shlex
 import signal
 import subprocess
@@ -16,20 +15,10 @@ import derive
 from derive.codegen import catalogue, check
 from derive.codegen.targets import TARGETS
 from derive.maps import Cayley
-
-ROOT = Path(__file__).parents[3]
-
-
-def dualcay(*arguments: str, cwd: Path = ROOT, code: str | None = None) -> subprocess.CompletedProcess[str]:
-    start = ["-m", "derive"] if code is None else ["-c", code]
-    env = {**os.environ, "PYTHONPATH": str(ROOT), "NO_COLOR": "1"}
-    done = subprocess.run(
-        [sys.executable, *start, *arguments], cwd=cwd, env=env, capture_output=True, text=True, check=False
-    )
-    assert "Traceback" not in done.stderr
-    return done
+from tests.support.command import dualcay, in_a_process
 
 
+@pytest.mark.smoke
 def test_generate_writes_a_package_and_says_what_was_proved(tmp_path: Path):
     done = dualcay("generate", "-n", "2", "-o", str(tmp_path / "k"))
     assert done.returncode == 0
@@ -101,7 +90,7 @@ sys.exit(main())
 
 def test_a_package_half_written_says_at_import_how_to_finish_it(tmp_path: Path):
     folder = tmp_path / "the kernels"
-    assert dualcay("generate", "-n", "1", "-o", str(folder), code=KILLED).returncode == -signal.SIGKILL
+    assert in_a_process("generate", "-n", "1", "-o", str(folder), code=KILLED).returncode == -signal.SIGKILL
     load = [sys.executable, "-c", "import sys, importlib; importlib.import_module('the kernels.cayley1')"]
     done = subprocess.run(load, cwd=tmp_path, capture_output=True, text=True, check=False)
     command = f"python -m derive generate -n 1 --target numpy -o '{folder}'"
@@ -188,6 +177,29 @@ def test_list_names_what_there_is():
         assert word in done.stdout
 
 
+# --- what only a process shows ------------------------------------------------------------------------------------
+
+
+def test_a_process_ends_with_the_code_and_keeps_its_streams_apart():
+    done = in_a_process("show", "-n", "2", "--what", "tensor", LC_ALL="C.UTF-8")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "v⊗v" in done.stdout
+    done = in_a_process("show")
+    assert (done.returncode, done.stdout) == (2, "")
+    assert "Missing option '-n'" in done.stderr
+
+
+def test_an_interrupted_process_says_so_without_a_traceback():
+    code = (
+        "import os, signal, sys\n"
+        "from derive.cli import commands\n"
+        "commands.Cayley = lambda order: os.kill(os.getpid(), signal.SIGINT)\n"
+        "sys.exit(commands.run())"
+    )
+    done = in_a_process("show", "-n", "2", code=code)
+    assert (done.returncode, done.stdout, done.stderr.strip()) == (3, "", "aborted")
+
+
 def test_without_its_libraries_the_command_says_what_to_install():
     code = (
         "import importlib.util, sys\n"
@@ -196,6 +208,6 @@ def test_without_its_libraries_the_command_says_what_to_install():
         "from derive.__main__ import main\n"
         "sys.exit(main())"
     )
-    done = dualcay("list", code=code)
+    done = in_a_process("list", code=code)
     assert done.returncode == 3
     assert done.stderr == 'dualcay: needs jinja2, sympy: install with  pip install "dualcay[derive]"\n'

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
-import subprocess
 import sys
 from pathlib import Path
 
@@ -12,19 +10,12 @@ import pytest
 
 import derive
 from derive.papers import UndecidedError
+from tests.support.command import dualcay, in_a_process
 
-ROOT = Path(__file__).parents[3]
 K10 = ("verify", "--paper", "karakilic-2010")
 
 
-def dualcay(*arguments: str, cwd: Path = ROOT) -> subprocess.CompletedProcess[str]:
-    env = {**os.environ, "PYTHONPATH": str(ROOT), "NO_COLOR": "1"}
-    command = [sys.executable, "-m", "derive", *arguments]
-    done = subprocess.run(command, cwd=cwd, env=env, capture_output=True, text=True, check=False)
-    assert "Traceback" not in done.stderr
-    return done
-
-
+@pytest.mark.smoke
 def test_text_on_stdout_and_silence_on_stderr() -> None:
     done = dualcay(*K10, "--eq", "14,22")
     assert done.returncode == 0
@@ -81,9 +72,9 @@ def test_file_is_written_checked_and_reported_stale(tmp_path: Path) -> None:
     assert [p.name for p in page.parent.iterdir()] == ["errata.md"]
 
 
-def test_two_runs_write_the_same_page(tmp_path: Path) -> None:
-    for name in ("a.md", "b.md"):
-        dualcay(*K10, "--format", "markdown", "-o", str(tmp_path / name))
+def test_two_processes_write_the_same_page(tmp_path: Path) -> None:
+    dualcay(*K10, "--format", "markdown", "-o", str(tmp_path / "a.md"))
+    in_a_process(*K10, "--format", "markdown", "-o", str(tmp_path / "b.md"), PYTHONHASHSEED="1")
     assert (tmp_path / "a.md").read_bytes() == (tmp_path / "b.md").read_bytes()
 
 

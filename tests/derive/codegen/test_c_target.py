@@ -7,15 +7,16 @@ import subprocess
 
 import pytest
 from click.testing import CliRunner
-from derive.codegen.trace import Trace
-from derive.codegen.validation.cases import cases
 
 from derive.cli.commands import cli
-from derive.codegen import ValidationFailed, build, c99, check, generate
-from derive.codegen.lowering import lower
+from derive.codegen import ValidationFailed, build, check, generate
+from derive.codegen.cases import cases
+from derive.codegen.lowered import geometry, lower_chart
+from derive.codegen.lowering.scalars import SCALARS
 from derive.codegen.module import notices
-from derive.codegen.signatures import SIGNATURES
-from derive.codegen.targets import TARGETS
+from derive.codegen.programs.trace import Trace
+from derive.codegen.signatures import KERNELS, PUBLIC
+from derive.codegen.targets import TARGETS, c, c99
 from derive.codegen.validation import compiled
 from derive.maps import Cayley
 from derive.output import files
@@ -36,11 +37,11 @@ def printed(record, names=("a", "b")):
     """The assignment and store of a program that records one value from two inputs."""
     trace = Trace()
     values = trace.inputs("v", names)
-    return c99.function(trace.program("pose", [record(trace, *values)] + [0] * 15)).text
+    return c99.core(trace.program("pose", [record(trace, *values)] + [0] * 15), {}).text
 
 
 def test_components_are_loaded_before_any_result_is_stored():
-    lines = c99.function(lower(3)["compose"]).text.splitlines()
+    lines = c99.core(geometry()["compose"], {}).text.splitlines()
     loads = [i for i, line in enumerate(lines) if re.search(r"= \w+_at\[", line)]
     stores = [i for i, line in enumerate(lines) if re.match(r"\s+\w+_at\[.*\] =", line)]
     assert len(loads) == 12
@@ -77,21 +78,45 @@ def test_constants_which_a_float_would_round_are_refused():
         printed(lambda t, a, b: (2**24 + 1) * a)
 
 
+def test_a_call_writes_its_results_into_places_of_their_own():
+    trace = Trace()
+    (a,) = trace.inputs("v", ["a"])
+    large, root, _ = trace.call("f", [a], ["large", "root", "rest"], ["large"])
+    text = c99.core(trace.program("pose", [trace.where(large, root, a)] + [0] * 15), {}).text
+    assert "    int large;\n    dualcay_real root, large_2;\n" in text
+    assert "    DUALCAY_NAME(f_scalars)(a, &large, &root, &large_2);\n" in text
+
+
+def test_parameters_that_are_not_read_are_cast_to_void():
+    trace = Trace()
+    trace.inputs("x", ["x"])
+    text = c99.scalar(trace.program("direction", trace.inputs("y", ["y"])), {}).text
+    assert text == "    (void)x;\n    *sign_at = y;"
+
+
 @pytest.mark.parametrize("order", [1, 2, 3, 8, 64])
-def test_every_program_prints_with_the_arrays_of_its_signature(order):
-    for name, program in lower(order).items():
-        function = c99.function(program)
-        components = sum(len(parts) for _, parts in program.inputs)
-        if name in SIGNATURES and name not in ("shadow", "principal"):
-            assert components == sum(array.size for array in SIGNATURES[name].arguments), name
-            assert len(program.outputs) == sum(array.size for array in SIGNATURES[name].results), name
-        assert function.math <= {"sqrt", "tan", "atan2"}
+def test_every_program_prints_with_the_numbers_of_its_row(order):
+    chart = Cayley(order)
+    lowered, table = lower_chart(chart), dict.fromkeys(c.table_names(chart), "0")
+    for name, program in (geometry() | lowered.own).items():
+        printed, row = c99.core(program, table).parameters, KERNELS[name]
+        assert printed.count("const dualcay_real *") == len(row.arguments), name
+        assert printed.count("dualcay_real *") == len(row.arguments) + len(row.results), name
+        assert len(program.outputs) == sum(array.size for array in row.results), name
+    for name, program in lowered.scalars.items():
+        printed, scalar = c99.scalar(program, table).parameters, SCALARS[name]
+        assert re.findall(r"\*(\w+)_at", printed) == list(scalar.results), name
+        assert re.findall(r"dualcay_real (\w+)", printed) == [a for a in scalar.arguments if a != "table"], name
 
 
-def test_rational_maps_need_no_mathematical_functions():
-    functions = {name: c99.function(program) for name, program in lower(4).items()}
+def test_what_a_function_needs_of_the_library_counts_its_scalars():
+    levels = c.levels(lower_chart(Cayley(4)))
     for name in ("quaternion", "tensor", "pose", "transform_point", "transform_line", "tangent", "rate", "twist"):
-        assert not functions[name].math, name
+        assert levels[name] == 0, name
+    assert levels["from_pose"] == levels["compose"] == 1
+    assert levels["from_screw"] == levels["to_screw"] == 2
+    odd = c.levels(lower_chart(Cayley(3)))
+    assert (odd["quaternion"], odd["pose"], odd["from_pose"], odd["turn"]) == (1, 0, 2, 1)
 
 
 # --- the package --------------------------------------------------------------------------------------------------
@@ -99,27 +124,49 @@ def test_rational_maps_need_no_mathematical_functions():
 
 def test_the_package_holds_headers_their_tests_and_a_cmake_project(package):
     assert set(package.texts) == {
-        "CMakeLists.txt", "dualcay.h", "differential.h", "cayley3.h", "cayley4.h", "test_cayley3.c", "test_cayley4.c",
+        "CMakeLists.txt", "dualcay.h", "geometry.h", "differential.h", "cayley3.h", "cayley4.h", "test_cayley3.c",
+        "test_cayley4.c",
     }  # fmt: skip
     for name, text in package.texts.items():
         assert files.MARK.match(text), name
         assert not re.search(r"\s\n", text.replace("\n\n", "\n").replace("\n\n", "\n")), name
+        assert text.isascii(), name
 
 
-def test_the_same_text_comes_out_twice(package):
+@pytest.fixture
+def without_compiler(monkeypatch):
+    """Texts are the same, and come sooner."""
+    monkeypatch.setenv("CC", "no-such-compiler")
+
+
+def test_the_same_text_comes_out_twice(package, without_compiler):
     assert build([4, 3], C).texts == package.texts
 
 
 def test_every_function_has_a_plain_form_and_one_for_rows(package):
-    text = package.texts["cayley3.h"]
-    for name in SIGNATURES:
-        assert f"DUALCAY_FUNCTION void dualcay_cayley3_{name}(" in text
-        assert f"DUALCAY_FUNCTION void dualcay_cayley3_{name}_rows(" in text
+    for name in PUBLIC:
+        assert f"DUALCAY_FUNCTION void DUALCAY_NAME({name})(" in package.texts["geometry.h"]
+        assert f"DUALCAY_FUNCTION void DUALCAY_NAME({name}_rows)(" in package.texts["geometry.h"]
     for alias in ("dcay", "dcay_rows", "dcay_inv", "dcay_inv_rows"):
-        assert f"#define dualcay_cayley3_{alias} " in text
+        assert f"#define dualcay_cayley3_{alias} " in package.texts["cayley3.h"]
 
 
-def test_a_folder_is_checked_as_a_whole(tmp_path, package):
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("void DUALCAY_NAME(rate)(", "void DUALCAY_NAME(rated)(", "geometry.h: .*missing: rate; not in it: rated"),
+        ("void DUALCAY_NAME(rate_rows)(", "void DUALCAY_NAME(rows)(", "geometry.h: .*missing: none; not in it: rows"),
+        ("void DUALCAY_NAME(shadow_rows)(", "int DUALCAY_NAME(shadow_rows)(", "rows: .*missing: shadow"),
+    ],
+)
+def test_a_function_the_table_does_not_have_or_misses_is_an_error(package, old, new, message):
+    C.require_complete(package.texts)
+    assert old in package.texts["geometry.h"]
+    with pytest.raises(ValueError, match=message):
+        C.require_complete({"geometry.h": package.texts["geometry.h"].replace(old, new, 1)})
+
+
+def test_a_folder_is_checked_as_a_whole(tmp_path, package, without_compiler):
     generate([3, 4], "c", tmp_path)
     assert check(tmp_path, [3], "c") == []
     (tmp_path / "test_cayley4.c").write_text(package.texts["test_cayley4.c"].replace("0x1", "0x2", 1))
@@ -129,12 +176,23 @@ def test_a_folder_is_checked_as_a_whole(tmp_path, package):
     }  # fmt: skip
 
 
-def test_half_written_headers_do_not_compile_and_say_how_to_finish_them(staged):
-    (staged / "dualcay.h").write_text(notices([3, 4], C)["dualcay.h"])
-    test = str(staged / "test_cayley3.c")
-    done = subprocess.run([*compiled.compiler(), "-fsyntax-only", test], capture_output=True, text=True, check=False)
+@pytest.mark.parametrize("first", ["cayley3.h", "geometry.h", "differential.h", "test_cayley3.c"])
+def test_half_written_headers_do_not_compile_and_say_how_to_finish_them(staged, first):
+    """Whatever is included first, and whichever other files are there."""
+    (staged / "dualcay.h").write_text(notices([Cayley(3), Cayley(4)], C)["dualcay.h"])
+    if first != "geometry.h":
+        (staged / "geometry.h").unlink()
+    source = staged / "user.c"
+    source.write_text(f'#include "{first}"\n')
+    command = [*compiled.compiler(), "-fsyntax-only", str(source)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode
-    assert "half-written kernels: finish them with  python -m derive generate -n 3,4 --target c " in done.stderr
+    errors = [line for line in done.stderr.splitlines() if "error:" in line]
+    assert "half-written kernels: finish them with  python -m derive generate -n 3,4 --target c " in errors[0]
+
+
+def test_a_half_written_package_is_stale(staged):
+    (staged / "dualcay.h").write_text(notices([Cayley(3), Cayley(4)], C)["dualcay.h"])
     assert [(d.path.name, d.kind) for d in check(staged, [3], "c")] == [("dualcay.h", "stale")]
 
 
@@ -148,41 +206,51 @@ def staged(tmp_path, package):
 
 
 @pytest.mark.parametrize(
-    ("order", "function", "pattern", "replacement"),
+    ("file", "function", "pattern", "replacement"),
     [
-        (3, "quaternion", r"3 \* x", "2 * x"),
-        (3, "tensor", r"gvv1 - fv3", "gvv1 + fv3"),
-        (3, "pose", r"h = 16 \* s", "h = 8 * s"),
-        (3, "transform_line", r"q = 3 - x", "q = 3 + x"),
-        (3, "tangent", r"xo = 2 \* y", "xo = y"),
-        (3, "tangent_inv", r"d = 11 - x", "d = 11 + x"),
-        (3, "twist", r"w1o \* f", "w2o * f"),
-        (3, "rate", r"v1 / -2", "v1 / 2"),
-        (3, "body_rate", r"v1 / -2", "v1 / 2"),
-        (3, "from_pose", r"q32 - q23", "q23 - q32"),
-        (3, "from_tensor", r"/ 2\b", "/ 3"),
-        (3, "from_quaternion", r"/ 3\b", "/ 4"),
-        (3, "compose", r"p = 1 - ", "p = 1 + "),
-        (3, "shadow", r"r \* cos \+ sn", "r * cos - sn"),
-        (3, "turn", r"iden \* iden", "iden"),
-        (3, "to_screw", r"2 \* dualcay_atan2", "dualcay_atan2"),
-        (3, "from_screw", r"/ 6", "/ 3"),
-        (3, "principal", r"k \+= ", "k -= "),
-        (4, "from_quaternion", r"\(1 \+ ", "(1 - "),
+        ("cayley3.h", "quaternion_scalars", r"3 \* x", "2 * x"),
+        ("cayley3.h", "pose_scalars", r"h = 16 \* r", "h = 8 * r"),
+        ("cayley3.h", "pose_scalars", r"q = 3 - x", "q = 3 + x"),
+        ("cayley3.h", "tangent_scalars", r"fy = h - eg", "fy = h + eg"),
+        ("cayley3.h", "tangent_scalars", r"\*gy_at = gy", "*gy_at = hy"),
+        ("cayley3.h", "tangent_inv_scalars", r"d = 11 - x", "d = 11 + x"),
+        ("cayley3.h", "gain_unit_scalars", r"/ 3\b", "/ 4"),
+        ("cayley3.h", "ray_scalars", r"p = 1 - ", "p = 1 + "),
+        ("cayley3.h", "turned_scalars", r"r \* cos \+ sin", "r * cos - sin"),
+        ("cayley3.h", "turned_scalars", r"iden \* iden", "iden"),
+        ("cayley3.h", "natural_scalars", r"2 \* dualcay_atan2", "dualcay_atan2"),
+        ("cayley3.h", "coefficient_scalars", r"/ 6", "/ 3"),
+        ("cayley3.h", "beyond_scalars", r"limit1 < x", "x < limit1"),
+        ("cayley3.h", "beyond_scalars", r"sin1 = DUALCAY_NUMBER\(-", "sin1 = DUALCAY_NUMBER("),
+        ("cayley3.h", "step", r"\{DUALCAY_NUMBER\(-0\.5", "{DUALCAY_NUMBER(0.5"),
+        ("cayley4.h", "gain_unit_scalars", r"\(1 \+ ", "(1 - "),
+        ("geometry.h", "tensor_core", r"gvv1 - fv3", "gvv1 + fv3"),
+        ("geometry.h", "twist_core", r"w1o \* f", "w2o * f"),
+        ("geometry.h", "twist_core", r"g \* side", "g"),
+        ("geometry.h", "body_twist", r"1, -1, omega", "1, 1, omega"),
+        ("geometry.h", "rate_core", r"/ twice", "/ 2"),
+        ("geometry.h", "body_rate_rows", r"-1, -2", "-1, 2"),
+        ("geometry.h", "from_pose_core", r"q32 - q23", "q23 - q32"),
+        ("geometry.h", "from_tensor_core", r"/ 2\b", "/ 3"),
+        ("geometry.h", "from_quaternion", r"cos, sin, v, 1", "sin, cos, v, 1"),
+        ("geometry.h", "compose_core", r"&ab, &bb", "&bb, &ab"),
+        ("geometry.h", "shadow_core", r"sign \* sin", "sin"),
     ],
 )
-def test_a_changed_kernel_fails_validation(staged, order, function, pattern, replacement):
-    header = staged / f"cayley{order}.h"
-    head, name, rest = header.read_text(encoding="utf-8").partition(f"_{function}_core(\n")
-    changed, count = re.subn(pattern, replacement, rest, count=1)
+def test_a_changed_kernel_fails_validation(staged, file, function, pattern, replacement):
+    header, order = staged / file, 4 if "4" in file else 3
+    name = rf"DUALCAY_NAME\({function}\)" if file == "geometry.h" else f"dualcay_cayley{order}_{function}"
+    text = header.read_text(encoding="utf-8")
+    start = re.search(rf"^DUALCAY_\w+ void {name}\(", text, re.MULTILINE).end()
+    changed, count = re.subn(pattern, replacement, text[start:], count=1)
     assert count == 1
-    header.write_text(head + name + changed, encoding="utf-8")
+    header.write_text(text[:start] + changed, encoding="utf-8")
     with pytest.raises(ValidationFailed, match=f"test_cayley{order}.c"):
         compiled.test(staged, Cayley(order))
 
 
 def test_a_result_that_is_nan_fails_validation(staged):
-    header = staged / "cayley3.h"
+    header = staged / "geometry.h"
     text = header.read_text(encoding="utf-8")
     header.write_text(text.replace("pose_at[0] = ", "pose_at[0] = (v1 - v1) / (v1 - v1) + ", 1), encoding="utf-8")
     with pytest.raises(ValidationFailed, match=r"pose .*FAILED"):
@@ -190,7 +258,7 @@ def test_a_result_that_is_nan_fails_validation(staged):
 
 
 def test_what_does_not_compile_fails_validation(staged):
-    header = staged / "cayley3.h"
+    header = staged / "geometry.h"
     header.write_text(header.read_text(encoding="utf-8").replace("const dualcay_real x = ", "x = ", 1))
     with pytest.raises(ValidationFailed, match="does not compile"):
         compiled.test(staged, Cayley(3))
@@ -198,14 +266,13 @@ def test_what_does_not_compile_fails_validation(staged):
 
 def test_every_function_and_branch_has_cases():
     found = cases(Cayley(3))
-    assert {case.function for case in found} == set(SIGNATURES)
-    for name, signature in SIGNATURES.items():
+    assert {case.function for case in found} == set(PUBLIC)
+    for name, signature in PUBLIC.items():
         branches = {case.branch for case in found if case.function == name}
         assert branches == ({0, 1, 2} if signature.branch else {None})
 
 
-def test_without_a_compiler_nothing_is_claimed_of_compiled_code(monkeypatch, tmp_path):
-    monkeypatch.setenv("CC", "no-such-compiler")
+def test_without_a_compiler_nothing_is_claimed_of_compiled_code(without_compiler, tmp_path):
     result = CliRunner().invoke(cli, ["generate", "-n", "2", "--target", "c", "-o", str(tmp_path)])
     assert result.exit_code == 0
     assert re.search(r"cayley2\.h\W+\d+\W+\d+\W+\d{3}\W+-\s", result.stdout)

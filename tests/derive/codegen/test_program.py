@@ -13,6 +13,8 @@ from derive.codegen.signatures import KERNELS
 from derive.codegen.targets import infix
 from derive.maps import Cayley
 
+pytestmark = pytest.mark.smoke
+
 
 def traced(count: int = 2):
     trace = Trace()

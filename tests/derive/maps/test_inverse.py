@@ -18,6 +18,8 @@ from derive.maps.inverse import (
 )
 from derive.maps.pose import Pose, natural_invariants, tensor_from_pose, tensor_from_screw
 
+pytestmark = pytest.mark.smoke
+
 ORDERS = [1, 2, 3, 4, 5, 8]
 S = sympy.Rational
 

@@ -14,6 +14,8 @@ from derive.proof.element import BITS, Element
 from derive.proof.exact import Ring
 from derive.proof.polynomial_backend import packed_product, polynomials
 
+pytestmark = pytest.mark.smoke
+
 BACKENDS = ("flint", "sympy")
 POINT = {"v1": Fraction(2, 3), "v2": Fraction(-1, 5), "v3": Fraction(7, 4), "d1": Fraction(3), "d2": Fraction(-5, 2)}
 SQUARE = sum((POINT[name] ** 2 for name in ("v1", "v2", "v3")), Fraction(0))

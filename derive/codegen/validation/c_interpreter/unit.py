@@ -10,7 +10,7 @@ from typing import Any
 from pycparser import c_ast
 
 from .errors import CError, refuse
-from .scope import Condition, Function, Scope
+from .scope import Condition, Scope
 from .source import Source, parse
 from .statements import declaration, declare_function, define
 
@@ -87,6 +87,3 @@ def _external(node: c_ast.Node, scope: Scope) -> None:
         declaration(node, scope)
     elif not isinstance(node, c_ast.Pragma):
         raise refuse(node, f"{type(node).__name__} is not read here")
-
-
-__all__ = ["Function", "Unit", "load"]

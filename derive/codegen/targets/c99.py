@@ -1,0 +1,191 @@
+"""Print programs as C functions: straight-line code, valid as C99 and as C++.
+
+A kernel function works on components that lie a stride apart; component i of ``v`` is ``v_at[i * v_by]``. What its
+program calls are functions of the chart, which take numbers and write their results where pointers say.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from ..lowering.scalars import SCALARS
+from ..programs.program import Call, Program, Step, summary
+from ..programs.registers import results
+from ..signatures import KERNELS
+from .expression import ARITHMETIC, WIDTH, Dialect, Operator, Text, bracket, fill, renamed
+
+REAL = "dualcay_real"
+TABLE = "table"
+_INDENT = "    "
+_SELECTED = 1
+_CONDITIONS = ("lt", "eq", "and", "or")
+_EXACT_IN_FLOAT = 2.0**24
+
+# every operand of & and | is bracketed, because compilers warn where they are mixed
+_LOGIC = {op: Operator(symbol, 3, 4, 4) for op, symbol in (("and", "&"), ("or", "|"))}
+_COMPARISON = {op: Operator(symbol, 2, 4, 4) for op, symbol in (("lt", "<"), ("eq", "=="))}
+
+
+@dataclass(frozen=True, slots=True)
+class Printed:
+    """What a template shows of a program.
+
+    Parameters
+    ----------
+    name, summary : str
+        Of the function, and its operations.
+    parameters : str
+        As they stand between the brackets of its definition.
+    text : str
+        Loads, statements and stores. All loads come first, so that results may overlap arguments.
+    """
+
+    name: str
+    summary: str
+    parameters: str
+    text: str
+
+
+def _ternary(condition: Text, first: Text, second: Text) -> Text:
+    test, a, b = (bracket(text, _SELECTED + 1) for text in (condition, first, second))
+    if all(text[0].lstrip("-").isdigit() for text in (first, second)):
+        # two integers would make an int, and a division by one an integer division
+        b = f"({REAL}){b}"
+    return f"{test} ? {a} : {b}", _SELECTED
+
+
+C99 = Dialect(
+    operators=ARITHMETIC | _LOGIC | _COMPARISON,
+    calls={name: f"dualcay_{name}" for name in ("sqrt", "tan", "atan2")},
+    select=_ternary,
+    largest=_EXACT_IN_FLOAT,
+)
+"""C, where integer constants become the real type exactly by the usual arithmetic conversions."""
+
+
+def core(program: Program, table: Mapping[str, str]) -> Printed:
+    """A kernel function: arrays, then the numbers of its table that are not those of a chart, then results.
+
+    Parameters
+    ----------
+    program : Program
+    table : mapping
+        Decimals of the components of a table that the chart knows.
+
+    Raises
+    ------
+    ValueError
+        If a constant is not an integer that a float holds exactly.
+    """
+    program = _lower_case(program)
+    arrays = [(argument, names) for argument, names in program.inputs if argument != TABLE]
+    made = KERNELS[program.name].results
+    numbers = [name for argument, names in program.inputs if argument == TABLE for name in names if name not in table]
+    given = [f"const {REAL} *{argument}_at, size_t {argument}_by" for argument, _ in arrays]
+    given += [f"{REAL} {name}" for name in numbers]
+    given += [f"{REAL} *{array.name}_at, size_t {array.name}_by" for array in made]
+    places = [_component(array.name, index) for array in made for index in range(array.size)]
+    read = [f"{argument}_{part}" for argument, _ in arrays for part in ("at", "by")]
+    loads = [load for argument, names in arrays for load in _loads(program, argument, names)]
+    return _printed(program, given, [*read, *numbers], [*loads, *_constants(program, table)], places)
+
+
+def scalar(program: Program, table: Mapping[str, str]) -> Printed:
+    """A function of the chart: numbers, then pointers to results.
+
+    Raises
+    ------
+    ValueError
+        If a constant is not an integer that a float holds exactly.
+    """
+    program, row = _lower_case(program), SCALARS[program.name]
+    numbers = [name for _, names in program.inputs for name in names if name not in table]
+    given = [f"{REAL} {name}" for name in numbers]
+    given += [f"{'int' if name in row.truths else REAL} *{name}_at" for name in row.results]
+    return _printed(program, given, numbers, _constants(program, table), [f"*{name}_at" for name in row.results])
+
+
+def _printed(
+    program: Program, given: Sequence[str], read: Sequence[str], loads: Iterable[str], places: Sequence[str]
+) -> Printed:
+    """Parameters that are not read are cast to void: compilers would warn."""
+    text = "\n".join([*loads, *_statements(program), *_stores(program, places)])
+    unused = [f"{_INDENT}(void){name};" for name in read if not re.search(rf"\b{name}\b", text)]
+    return Printed(program.name, f"operations {summary(program.operations)}", filled(given), "\n".join([*unused, text]))
+
+
+def _lower_case(program: Program) -> Program:
+    """Capital letters are where other people's macros are (N, I, R1); a trailing underscore keeps names apart."""
+    names = {name for _, parts in program.inputs for name in parts}
+    names |= {name for statement in program.statements for name in results(statement)}
+    new = {name: name.lower() for name in names if name != name.lower()}
+    lowered = renamed(program, {name: f"{lower}_" if lower in names else lower for name, lower in new.items()})
+    inputs = tuple((argument.lower(), parts) for argument, parts in lowered.inputs)
+    return Program(lowered.name, inputs, lowered.statements, lowered.outputs)
+
+
+def _loads(program: Program, array: str, names: Sequence[str]) -> Iterator[str]:
+    used = program.operands
+    for index, name in enumerate(names):
+        if name in used:
+            yield f"{_INDENT}const {REAL} {name} = {_component(array, index)};"
+
+
+def _constants(program: Program, table: Mapping[str, str]) -> Iterator[str]:
+    used = program.operands
+    for _, names in program.inputs:
+        for name in names:
+            if name in table and name in used:
+                yield f"{_INDENT}const {REAL} {name} = DUALCAY_NUMBER({table[name]});"
+
+
+def _component(array: str, index: int) -> str:
+    offset = {0: "0", 1: f"{array}_by"}.get(index, f"{index} * {array}_by")
+    return f"{array}_at[{offset}]"
+
+
+def _statements(program: Program) -> Iterator[str]:
+    for statement, text in C99.statements(program)[0]:
+        if isinstance(statement, Step):
+            kind = "int" if statement.op in _CONDITIONS else REAL
+            yield from _wrap(f"const {kind} {statement.name}", text)
+        else:
+            yield from _call(statement, text)
+
+
+def _call(call: Call, arguments: str) -> Iterator[str]:
+    """Places for the results, and the call; a result that is not read has a place too."""
+    first = results(call)[0]
+    names = [f"{first}_{i}" if name == "_" else name for i, name in enumerate(call.names)]
+    truths = [name for name in names if name in call.truths]
+    for kind, places in (("int", truths), (REAL, [name for name in names if name not in truths])):
+        if places:
+            yield f"{_INDENT}{kind} {', '.join(places)};"
+    passed = ", ".join([arguments, *(f"&{name}" for name in names)])
+    yield f"{_INDENT}DUALCAY_NAME({call.function}_scalars)({passed});"
+
+
+def _stores(program: Program, places: Sequence[str]) -> Iterator[str]:
+    for place, text in zip(places, C99.statements(program)[1], strict=True):
+        yield from _wrap(place, text)
+
+
+def _wrap(target: str, text: str) -> Iterator[str]:
+    line = f"{_INDENT}{target} = {text};"
+    if len(line) <= WIDTH:
+        yield line
+    else:
+        yield f"{_INDENT}{target} ="
+        yield from fill(f"{text};", 2 * _INDENT)
+
+
+def filled(items: Iterable[str]) -> str:
+    """A list, in indented lines that break after commas only."""
+    lines = [""]
+    for item in items:
+        if lines[-1] and len(f"{_INDENT}{lines[-1]} {item},") > WIDTH:
+            lines.append("")
+        lines[-1] += f"{' ' if lines[-1] else ''}{item},"
+    return f"\n{_INDENT}".join(lines)[:-1]

@@ -1,0 +1,14 @@
+"""The browser that the report is looked at in."""
+
+from __future__ import annotations
+
+import os
+import shutil
+
+NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
+MISSING = "no browser is installed (apt-get install chromium, or name one in the variable CHROMIUM)"
+
+
+def find() -> str | None:
+    """The one named in CHROMIUM, which must then be there, else the first that is found."""
+    return os.environ.get("CHROMIUM") or next(filter(None, map(shutil.which, NAMES)), None)
