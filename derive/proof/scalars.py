@@ -74,14 +74,14 @@ def root_of(expressions: Iterable[sympy.Expr]) -> int:
         If they hold another root, or both.
     """
     powers = {power for expression in expressions for power in expression.atoms(sympy.Pow)}
-    radicands = {power.base for power in powers if not power.exp.is_Integer}
-    if not radicands:
+    roots = {power for power in powers if not power.exp.is_Integer}
+    if not roots:
         return 0
     for sign in (1, -1):
-        if radicands == {1 + sign * x}:
+        if all(root.base == 1 + sign * x and (2 * root.exp).is_Integer for root in roots):
             return sign
-    named = ", ".join(sorted(map(str, radicands)))
-    raise ValueError(f"formulas may hold the root of 1 + x or of 1 - x, not of {named}")
+    named = ", ".join(sorted(map(str, roots)))
+    raise ValueError(f"formulas may hold the square root of 1 + x or that of 1 - x, not {named}")
 
 
 class ScalarProofs:
