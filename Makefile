@@ -10,7 +10,7 @@ PYTEST := $(RUN) -m pytest -n auto --maxprocesses 4 --dist worksteal
 PIP    := $(RUN) -m pip --disable-pip-version-check install --quiet --quiet --constraint constraints.txt
 
 .DEFAULT_GOAL := generate
-.PHONY: generate check verify show test quick lint types bench accuracy clean help
+.PHONY: generate check proofs verify show test quick lint types mutants bench accuracy clean help
 
 generate: $(READY)  ## derive, prove and write the committed kernels (the default)
 	$(RUN) -m derive generate
@@ -19,14 +19,17 @@ check: $(READY)  ## fail if a generated file is stale, missing or foreign
 	$(RUN) -m derive generate --check
 	$(RUN) -m derive verify --format markdown -o docs/errata.md --check
 
+proofs: $(READY)  ## prove all theorems, and see every control fail
+	$(RUN) -m derive.proof
+
 verify: $(READY)  ## decide every equation of the papers and write docs/errata.md
 	$(RUN) -m derive verify --format markdown -o docs/errata.md
 
 show: $(READY)  ## print the formulas of an order: make show N=3
 	$(RUN) -m derive show -n $(or $(N),1-3)
 
-test: $(TESTED)  ## lint, types, stale check and all tests
-	$(MAKE) --no-print-directory --jobs=2 lint types check
+test: $(TESTED)  ## lint, types, stale check, proofs with their controls and all tests
+	$(MAKE) --no-print-directory --jobs=2 lint types check proofs
 	$(PYTEST)
 
 quick: lint types  ## lint, types and a smoke of every room, in less than a minute
@@ -38,6 +41,9 @@ lint: $(TESTED)  ## ruff
 types: $(TESTED)  ## mypy --strict
 	$(RUN) -m mypy
 
+mutants: $(TESTED)  ## what the checks would notice (docs/assurance.md): make mutants ROOM=proof,maps SAMPLE=200 FLOOR=95
+	$(RUN) -m tests.mutants $(ROOM:%=--room %) $(SAMPLE:%=--sample %) $(FLOOR:%=--floor %)
+
 bench: $(VENV)/.bench  ## proof times by order, then kernels against peers and their former release (docs/benchmarks.md)
 	$(RUN) benchmarks/proofs.py
 	$(RUN) -m benchmarks -o docs/benchmarks.md
@@ -46,7 +52,7 @@ accuracy: $(VENV)/.bench  ## worst errors and figures in docs: make accuracy SEA
 	$(RUN) -m benchmarks.accuracy --search $(or $(SEARCH),0)
 
 clean:  ## remove the environment and caches
-	rm -rf $(VENV) build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis
+	rm -rf $(VENV) .mutants build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 help:  ## list these targets

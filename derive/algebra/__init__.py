@@ -10,6 +10,7 @@ vector     `Vector`: sum, multiple, dot, cross, magnitude
 tensor     `Tensor`: skew, dyad, vect, trace, det, transpose, product, inverse
 quaternion `Quaternion`: product, conjugate, norm, inverse, sandwich
 isotropic  `Isotropic`: ``a I + b skew(v) + c v⊗v`` as an algebra over functions of ``x = v · v``
+mixed      sums and products of different ones side by side, as the papers write them
 ========== ============================================================================
 """
 

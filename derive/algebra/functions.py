@@ -69,19 +69,18 @@ def atan2(y: Coefficient, x: Coefficient) -> Coefficient:
 
 
 def sqrt(value: Coefficient) -> Coefficient:
-    """Return the square root.
+    """Return the square root; a number with a method ``sqrt`` (of an exact ring) is asked itself.
 
     Raises
     ------
     ZeroDivisorError
         For a dual number with real part zero: the root is not differentiable there.
     """
-    library = namespace(value)
     if not isinstance(value, Dual):
-        return library.sqrt(value)
+        return value.sqrt() if hasattr(value, "sqrt") else namespace(value).sqrt(value)
     if value.re == 0:
         raise ZeroDivisorError(f"{value!r} has real part zero: a zero divisor has no square root")
-    root = library.sqrt(value.re)
+    root = sqrt(value.re)
     return Dual(root, value.du / (2 * root))
 
 

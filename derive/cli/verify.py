@@ -81,7 +81,7 @@ def _report(papers: Sequence[Paper], equations: list[str], orders: tuple[int, ..
             results = decide(slug, equations, orders or None, lambda done, _: step(f"equation {done} of {total}"))
         except UndecidedError as error:
             raise NotDecided(str(error)) from error
-        found = {(proof.statement, proof.scope): proof for proof in _proofs(orders, step)}
+        found = {(proof.name, proof.scope): proof for proof in _proofs(orders, step)}
     return Report.of(papers, results, found.values(), _root(output))
 
 

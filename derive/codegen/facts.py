@@ -102,7 +102,7 @@ class Facts:
 
 def statements(proofs: Iterable[Proof]) -> list[str]:
     """What was proved, a line each."""
-    return [f"  [{proof.scope}] {proof.statement}" for proof in proofs]
+    return [f"  [{proof.scope}] {proof.name}: {proof.statement}" for proof in proofs]
 
 
 def theorem_lines() -> list[str]:

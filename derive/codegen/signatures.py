@@ -119,8 +119,8 @@ POINT = Array("r", (3,), (3,))
 ANGLE = Array("angle", (2,), (1, 1))
 
 SPACE, BODY = ("1",), ("-1",)
-"""The side of T: itself, which gives the twist in space, or its transpose, in the body; of T⁻¹ also twice the side."""
-SPACE_INV, BODY_INV = ("1", "2"), ("-1", "-2")
+"""The side of T: itself, which gives the twist in space, or its transpose, in the body; of T⁻¹ also half the side."""
+SPACE_INV, BODY_INV = ("1", "0.5"), ("-1", "-0.5")
 
 _ROWS = (
     Function("quaternion", (V,), (QUATERNION,), forward.quaternion),

@@ -54,12 +54,22 @@ def require_order(n: Any) -> int:
     return order
 
 
+FIRST: Pair = (1, 1)
+"""(p_1, q_1)."""
+
+
+def following(pair: Pair, at: Coefficient) -> Pair:
+    """The recurrence CP23 (56): the pair of order n + 1 from that of order n."""
+    p, q = pair
+    return p - at * q, p + q
+
+
 def pair(n: int, at: Coefficient) -> Pair:
     """Return (p_n, q_n) at any number `at` by the recurrence CP23 (56), in n − 1 steps."""
-    p, q = 1, 1
+    result = FIRST
     for _ in range(require_order(n) - 1):
-        p, q = p - at * q, p + q
-    return p, q
+        result = following(result, at)
+    return result
 
 
 def multiply(first: Pair, second: Pair, at: Coefficient) -> Pair:
@@ -76,12 +86,11 @@ def double(half: Pair, at: Coefficient) -> Pair:
 
 def pair_by_squaring(n: int, at: Coefficient) -> Pair:
     """Return (p_n, q_n) at any number `at` by doubling and single steps, about ``2 log2 n`` of them."""
-    result: Pair = (1, 1)
+    result = FIRST
     for bit in f"{require_order(n):b}"[1:]:
         result = double(result, at)
         if bit == "1":
-            p, q = result
-            result = p - at * q, p + q
+            result = following(result, at)
     return result
 
 
@@ -98,7 +107,11 @@ def brackets(n: int, at: Coefficient) -> Pair:
 
     Unlike the alternating sums of `c_binomial` and `d_binomial`, this loses no digits on shadows at high order.
     """
-    p, q, dp, dq = pair_with_derivative(n, at)
+    return brackets_of(*pair_with_derivative(n, at))
+
+
+def brackets_of(p: Coefficient, q: Coefficient, dp: Coefficient, dq: Coefficient) -> Pair:
+    """Return (c_n, d_n) from p_n, q_n and their derivatives."""
     return 2 * (p * dq - q * dp), q - 2 * dq - 2 * dp
 
 

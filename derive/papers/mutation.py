@@ -61,20 +61,17 @@ def try_mutants(result: Result, every: int = 1, orders: Sequence[int] = ORDERS) 
     for statement in true_statements(result):
         for i, (change, mutant) in enumerate(mutants(statement)):
             if i % every == len(result.equation.number) % every:
-                _try(result.equation, change, mutant, orders, score)
+                score += try_mutant(result.equation, change, mutant, orders)
     return score
 
 
-def _try(entry: Equation, change: str, mutant: Term, orders: Sequence[int], score: Score) -> None:
+def try_mutant(entry: Equation, change: str, mutant: Term, orders: Sequence[int] = ORDERS) -> Score:
+    """Execute one mutant of a statement of an entry."""
     try:
         alive = all(outcome.truth is True for outcome in explore(entry, mutant, orders) if outcome.inside)
     except (TypeError, AttributeError, ValueError, KeyError, IndexError):  # a vector where a number belongs
-        score.meaningless += 1
-        return
-    if alive:
-        score.survivors.append(Survivor(entry.number, change, text(mutant)))
-    else:
-        score.killed += 1
+        return Score(meaningless=1)
+    return Score(survivors=[Survivor(entry.number, change, text(mutant))]) if alive else Score(killed=1)
 
 
 def mutants(statement: Term) -> Iterator[tuple[str, Term]]:

@@ -1,18 +1,32 @@
 """Proofs: identities decided exactly, for every order n at once and, on a second road, at each order asked for.
 
-==================== ==============================================================================
-identity             `Proof`, and `decide`: every residue is zero
-differential_field   Q(n, x)(p, q) with a derivation, in which n stays a symbol
-induction            theorems on p_n, q_n for all n
-map_theorems         theorems on tensor, quaternion and tangent operators for all n
-every_order          all of these, proved once per process
-at_order             the formulas of one order are the theorems' instances
-exact, element       the exact ring of vector components modulo v·v = x
-polynomial_backend   its polynomials, by python-flint or SymPy
-ratio                rational functions as numbers, with roots of squares and sines of given angles
-components           the componentwise road at one order, from the definition
-proved               `Proved` and the way to it
-==================== ==============================================================================
+====================== ==============================================================================
+marks                  the letters and marks of statements, SymPy expressions, and how they are printed
+statement              `Equation`, and `Premise`: what a theorem takes as given
+identity               `Proof`, and `decide`: every residue is zero, no multiplier is
+differential_ring      polynomials modulo relations, localized, with a derivation; n stays a symbol
+evaluation             what an expression is, once its letters have values
+setting                the values that premises give, in such a ring
+theorem                `Theorem`, decided as an identity or by a start and a law
+coefficients           series with binomial coefficients, decided for all n and j
+formulas               the coefficients of R, dcay and its inverse that the theorems speak of
+polynomial_theorems    theorems on p_n, q_n for all n
+map_theorems           theorems on tensor, quaternion and tangent operators for all n
+displacement_theorems  theorems on screws, poses, lines, shadows and composition
+every_order            all of these, proved once per process
+at_order               the formulas of one order are the theorems' instances
+computations           and so is what `derive.maps` computes in other ways
+exact, element         the exact ring of vector components modulo v·v = x
+polynomial_backend     its polynomials, by python-flint or SymPy
+ratio                  rational functions as numbers, with roots of squares and sines of given angles
+components             the componentwise road at one order, from the definition
+at_point               statements about one order, evaluated as printed
+proved                 `Proved` and the way to it
+controls               every theorem and every check with one thing wrong, which must fail
+coverage               which theorem, or which validation, covers each kernel function
+====================== ==============================================================================
+
+``python -m derive.proof`` proves everything and runs all controls.
 """
 
 from __future__ import annotations

@@ -3,15 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from functools import lru_cache
 from typing import Any, Protocol
 
 import sympy
 from sympy.polys.fields import field
 
-from .differential_field import Formulas
+from ..maps import polynomials
+from .formulas import Formulas
 from .identity import Check, Claim, Proof, decide
+from .marks import R, Shifted, c, d, dcay, dcay_inv, n, p, q, q_hat
+from .statement import Equation
 
 METHOD = "instance of the theorem for all n, residues in Q(x)"
+Checks = Callable[[], Iterator[Check]]
 
 
 class Coefficients(Protocol):
@@ -45,6 +50,12 @@ class CayleyFormulas(Protocol):
     def tangent_inv(self) -> Coefficients: ...
 
 
+LETTERS = {
+    "p": p, "q": q, "c": c, "d": d, "quaternion": q_hat, "tensor": R, "tangent": dcay, "tangent_inv": dcay_inv,
+}  # fmt: skip
+"""The letters of the theorems for what a Cayley map has, by name."""
+
+
 def instances(cayley: CayleyFormulas) -> tuple[Proof, ...]:
     """Prove that each formula of a Cayley map is that of the theorems at its order.
 
@@ -59,44 +70,59 @@ def instances(cayley: CayleyFormulas) -> tuple[Proof, ...]:
         Of scope "n = 7": the polynomials, the quaternion (its coefficients squared, free of the root), the orthogonal
         tensor, the tangent operator and its inverse.
     """
-    n = cayley.order
-    functions, at = field("x", sympy.ZZ)
-    p = q = functions.one
-    for _ in range(n - 1):
-        p, q = p - at * q, p + q
-    power = (1 + at) ** n
-    theorem = Formulas()
+    order, at = cayley.order, at_order(cayley.order)
 
-    def same(names: Sequence[str], stated: Sequence[Any], expected: Sequence[Any]) -> Iterator[Check]:
-        for name, expression, value in zip(names, stated, expected, strict=True):
-            yield name, functions.from_expr(expression) - value
-
-    def polynomials() -> Iterator[Check]:
-        brackets = ((n * power / (1 + at) - p * q) / at, ((1 + at) * q - n * p) / at)
-        yield from same(("p", "q", "c", "d"), (cayley.p, cayley.q, cayley.c, cayley.d), (p, q, *brackets))
+    def polynomial_checks() -> Iterator[Check]:
+        yield from at.same(("p", "q", "c", "d"), (cayley.p, cayley.q, cayley.c, cayley.d), at.polynomials)
 
     def quaternion() -> Iterator[Check]:
         s, t = cayley.quaternion.coefficients
-        expected = (p * p / power, p * q / power, q * q / power)
-        yield from same(("scalar^2", "scalar * vector", "vector^2"), (s * s, s * t, t * t), expected)
+        yield from at.same(("scalar^2", "scalar * vector", "vector^2"), (s * s, s * t, t * t), at.squares)
 
-    def isotropic(stated: Coefficients, formula: Callable[..., Sequence[Any]]) -> Callable[[], Iterator[Check]]:
-        return lambda: same(("of I", "of skew(v)", "of v⊗v"), stated.coefficients, formula(n, at, p, q))
+    def isotropic(name: str) -> Checks:
+        return lambda: at.same(BASIS, getattr(cayley, name).coefficients, at.tensors[name])
 
-    table = (
-        (Claim("p, q, c, d", "p_n, q_n, c_n, d_n", METHOD, (51, 52, 56)), polynomials),
-        (Claim("quaternion, squared", r"\hat q \otimes \hat q", METHOD, (50, 55)), quaternion),
-        (Claim("tensor R", "R", METHOD, (57,)), isotropic(cayley.tensor, theorem.tensor)),
-        (Claim("tangent dcay", r"\mathrm{dcay}", METHOD, (88,)), isotropic(cayley.tangent, theorem.tangent)),
-        (
-            Claim("tangent_inv dcay^-1", r"\mathrm{dcay}^{-1}", METHOD, (89,)),
-            isotropic(cayley.tangent_inv, theorem.tangent_inv),
-        ),
+    table: tuple[tuple[tuple[str, ...], Checks], ...] = (
+        (("p", "q", "c", "d"), polynomial_checks),
+        (("quaternion",), quaternion),
+        *(((name,), isotropic(name)) for name in ("tensor", "tangent", "tangent_inv")),
     )
-    return tuple(decide(_instance(claim), checks, f"n = {n}") for claim, checks in table)
+    owner = f"Cayley({order})"
+    return tuple(same_as_theorem(order, [(a, f"{owner}.{a}") for a in names], checks) for names, checks in table)
 
 
-def _instance(claim: Claim) -> Claim:
-    statement = f"the coefficients of {claim.statement} are those of the theorem"
-    latex = rf"{claim.latex}\text{{: coefficients as in the theorem}}"
-    return Claim(statement, latex, claim.method, claim.equations)
+class AtOrder:
+    """The theorems' formulas at one order, elements of Q(x)."""
+
+    def __init__(self, order: int) -> None:
+        self.functions, self.x = field("x", sympy.ZZ)
+        p_n, q_n = (self.functions.one * value for value in polynomials.pair(order, self.x))
+        power = (1 + self.x) ** order
+        brackets = ((order * power / (1 + self.x) - p_n * q_n) / self.x, ((1 + self.x) * q_n - order * p_n) / self.x)
+        self.polynomials = (p_n, q_n, *brackets)
+        self.squares = (p_n * p_n / power, p_n * q_n / power, q_n * q_n / power)
+        self.tensors = {
+            name: getattr(Formulas(), name)(order, self.x, p_n, q_n) for name in ("tensor", "tangent", "tangent_inv")
+        }
+
+    def same(self, names: Sequence[str], stated: Sequence[Any], expected: Sequence[Any]) -> Iterator[Check]:
+        for name, value, theorem in zip(names, stated, expected, strict=True):
+            found = self.functions.from_expr(value) if isinstance(value, sympy.Expr) else value
+            yield name, found - theorem
+
+
+@lru_cache(maxsize=2)
+def at_order(order: int) -> AtOrder:
+    """The theorems' formulas at an order, kept for what is asked of it next."""
+    return AtOrder(order)
+
+
+BASIS = ("of I", "of skew(v)", "of v⊗v")
+
+
+def same_as_theorem(order: int, stated: Sequence[tuple[str, str]], checks: Checks) -> Proof:
+    """Decide that what the code has under a name is what the theorems call by a letter."""
+    code = (sympy.Symbol(name, commutative=LETTERS[letter].is_commutative) for letter, name in stated)
+    right = (Shifted(LETTERS[letter], n, sympy.Integer(order)) for letter, _ in stated)
+    claim = tuple(map(Equation, code, right))
+    return decide(Claim(", ".join(name for _, name in stated), claim, METHOD), checks, f"n = {order}")

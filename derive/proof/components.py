@@ -4,19 +4,60 @@ r"""The second road: one order, by components, from the definition.
 R is the sandwich ``q̂ r q̂*`` entry by entry (24), and ω = vect(R' Rᵀ) (68) with every entry differentiated along v'.
 The formulas under test enter as functions of x, expanded at the dual number :math:`x = v \cdot v` by
 :math:`f(x) + \varepsilon x^\circ f'(x)`. All residues are polynomials, modulo v·v = x with x° = 2 v·v°; denominators
-and |z|², which have real part ≠ 0, are multiplied out. Nothing is taken from the proofs for every order.
+and |z|² are multiplied out, which is right where their real part is not zero, and that is checked. Nothing is taken
+from the proofs for every order. Each statement is also evaluated as it is printed, at a rational point.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import partial
+from itertools import chain
 from typing import Any
 
-from ..maps.polynomials import x
+import sympy
+
 from .at_order import CayleyFormulas
+from .at_point import AtPoint
 from .element import Element
 from .exact import Ring
-from .identity import Check, Claim, Proof, decide
+from .identity import Check, Claim, Multiplier, Proof, decide
+from .marks import (
+    I,
+    R,
+    below,
+    conjugate,
+    dcay,
+    dcay_inv,
+    n,
+    norm2,
+    point,
+    q_hat,
+    rate,
+    transpose,
+    v,
+    vect,
+    x,
+    z,
+)  # fmt: skip
+from .statement import Equation, Premise, definition
+
+NORM = norm2(z)
+UNIT = definition(q_hat, z / sympy.sqrt(NORM))
+POWER = definition(z, (1 + v) ** n)
+ROTATED = definition(R * point, q_hat * point * conjugate(q_hat))
+Statement = tuple[str, tuple[Equation, ...], tuple[Premise, ...]]
+"""Name, claim and premises."""
+
+STATEMENTS: tuple[Statement, ...] = (
+    ("definition at n", (Equation(q_hat**2 * (1 - v) ** n, (1 + v) ** n),), (POWER, UNIT)),
+    ("quaternion at n", (Equation(q_hat * (1 + point) * q_hat, z * (1 + point) * z / NORM),), (POWER,)),
+    ("tensor at n", (Equation(q_hat * point * conjugate(q_hat), R * point),), (POWER, UNIT)),
+    ("orthogonality at n", (Equation(R * transpose(R), I, (13, 72, 73)),), (ROTATED,)),
+    ("twist at n", (Equation(vect(rate(R) * transpose(R)), dcay * rate(v)),), (POWER, UNIT, ROTATED)),
+    ("inverse at n", (Equation(dcay * dcay_inv, I),), ()),
+)
+"""What is decided here."""
 
 METHOD = "componentwise from the definition, exact polynomials in v1 v2 v3 and their dual parts"
 CYCLIC = ((2, 1), (0, 2), (1, 0))  # vect(T) takes T_32 - T_23, T_13 - T_31, T_21 - T_12
@@ -56,7 +97,7 @@ def _sum(terms: Iterator[_Dual] | Sequence[_Dual]) -> _Dual:
     return first
 
 
-def _multiply(a: Sequence[_Dual], b: Sequence[_Dual]) -> _Row:
+def hamilton(a: Sequence[_Dual], b: Sequence[_Dual]) -> _Row:
     """Hamilton's product: i j = k and cyclic."""
     return [
         a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
@@ -88,18 +129,27 @@ class Components:
         self.zero, self.one = _Dual(zero, zero), _Dual(self.ring.constant(1), zero)
         self.v = [_Dual(self.ring.symbol(f"v{i}"), self.ring.symbol(f"d{i}")) for i in (1, 2, 3)]
         self.x = _sum([c * c for c in self.v])
-        self.z = self._power([self.one, *self.v])
+        self.z = self.defined()
         self.norm = _sum([c * c for c in self.z])  # |z|²
         units = [[self.one if i == k else self.zero for i in range(4)] for k in (1, 2, 3)]
-        images = [_multiply(_multiply(self.z, unit), _conjugate(self.z))[1:] for unit in units]
+        images = [self.sandwich(unit)[1:] for unit in units]
         self.rotation = [list(row) for row in zip(*images, strict=True)]  # |z|² R
 
-    def _power(self, base: _Row) -> _Row:
+    def defined(self) -> _Row:
+        """(1 + v)ⁿ."""
+        return self.power([self.one, *self.v])
+
+    def sandwich(self, r: _Row) -> _Row:
+        """z r z*."""
+        return hamilton(hamilton(self.z, r), _conjugate(self.z))
+
+    def power(self, base: _Row) -> _Row:
+        """The quaternion to the power n."""
         result = [self.one, self.zero, self.zero, self.zero]
         for bit in f"{self.cayley.order:b}":
-            result = _multiply(result, result)
+            result = hamilton(result, result)
             if bit == "1":
-                result = _multiply(result, base)
+                result = hamilton(result, base)
         return result
 
     def _at_dual(self, polynomial: Element) -> _Dual:
@@ -123,16 +173,19 @@ class Components:
             matrix[i][i] = matrix[i][i] + a
         return matrix, denominator
 
-    def definition(self) -> Iterator[Check]:
+    def definition(self) -> Iterator[Check | Multiplier]:
         """(z/|z|)² (1 - v)ⁿ = (1 + v)ⁿ."""
-        product = _multiply(self.z, self._power(_conjugate([self.one, *self.v])))
+        yield _multiplier(NORM, self.norm)
+        product = hamilton(self.z, self.power(_conjugate([self.one, *self.v])))
         for k, value in enumerate(product):
             yield from _checks(f"z (1-v)^n - |z|^2, component {k}", value - self.norm if k == 0 else value)
 
-    def quaternion(self) -> Iterator[Check]:
+    def quaternion(self) -> Iterator[Check | Multiplier]:
         """q̂ ⊗ q̂ = z ⊗ z / |z|²: the quaternion up to its sign."""
         s, t = self.cayley.quaternion.coefficients
         (ss, st, tt), denominator = self._expand((s * s, s * t, t * t))
+        yield _multiplier(NORM, self.norm)
+        yield _multiplier(below(q_hat), denominator)
         formula = [[ss] + [st * c for c in self.v]] + [[tt * a * b for b in self.v] for a in self.v]
         for i in range(4):
             for j in range(i, 4):
@@ -140,28 +193,33 @@ class Components:
                 residue = self.z[i] * self.z[j] * denominator - self.norm * stated
                 yield from _checks(f"q_{i} q_{j}", residue)
 
-    def tensor(self) -> Iterator[Check]:
+    def tensor(self) -> Iterator[Check | Multiplier]:
         """R from the sandwich equals a I + b skew(v) + c v⊗v."""
         formula, denominator = self._isotropic(self.cayley.tensor.coefficients)
+        yield _multiplier(NORM, self.norm)
+        yield _multiplier(below(R), denominator)
         for i in range(3):
             for j in range(3):
                 residue = self.rotation[i][j] * denominator - self.norm * formula[i][j]
                 yield from _checks(f"R_{i + 1}{j + 1}", residue)
 
-    def orthogonality(self) -> Iterator[Check]:
+    def orthogonality(self) -> Iterator[Check | Multiplier]:
         """R Rᵀ = I; six entries, since the product is symmetric."""
+        yield _multiplier(NORM, self.norm, 2)
         square = self.norm * self.norm
         for i in range(3):
             for j in range(i, 3):
                 product = _sum([self.rotation[i][k] * self.rotation[j][k] for k in range(3)])
                 yield from _checks(f"(R R^T)_{i + 1}{j + 1}", product - square if i == j else product)
 
-    def twist(self) -> Iterator[Check]:
+    def twist(self) -> Iterator[Check | Multiplier]:
         """vect(R' Rᵀ) = dcay v' in the three dual basis directions.
 
         With R = M/|z|², R' Rᵀ = M' Mᵀ/|z|⁴ + (scalar) R Rᵀ, and the second term is symmetric.
         """
         formula, denominator = self._isotropic(self.cayley.tangent.coefficients)
+        yield _multiplier(NORM, self.norm, 2)
+        yield _multiplier(below(dcay), denominator)
         square = self.norm * self.norm
         for direction in range(3):
             rate = [[entry.derivative(f"v{direction + 1}") for entry in row] for row in self.rotation]
@@ -174,49 +232,35 @@ class Components:
                 dual_rate = entry.derivative(f"d{direction + 1}")
                 yield from _checks(f"rate {i} along eps e{direction + 1}", dual_rate - _Dual(self.zero.re, along.re))
 
-    def inverse(self) -> Iterator[Check]:
+    def inverse(self) -> Iterator[Check | Multiplier]:
         """dcay dcay⁻¹ = I."""
-        tangent, below = self._isotropic(self.cayley.tangent.coefficients)
+        tangent, below_tangent = self._isotropic(self.cayley.tangent.coefficients)
         inverse, below_inverse = self._isotropic(self.cayley.tangent_inv.coefficients)
-        unit = below * below_inverse
+        yield _multiplier(below(dcay), below_tangent)
+        yield _multiplier(below(dcay_inv), below_inverse)
+        unit = below_tangent * below_inverse
         for i in range(3):
             for j in range(3):
                 product = _sum([tangent[i][k] * inverse[k][j] for k in range(3)])
                 yield from _checks(f"(dcay dcay^-1)_{i + 1}{j + 1}", product - unit if i == j else product)
 
-    def proofs(self) -> Iterator[Proof]:
-        """Decide the statements one after another."""
-        table = (
-            (Claim("q^2 (1-v)^n = (1+v)^n", r"\hat q^2 (1 - v)^n = (1 + v)^n", METHOD, (46,)), self.definition),
-            (Claim("q is the quaternion formula, up to sign", r"\hat q", METHOD, (50, 55)), self.quaternion),
-            (
-                Claim("q r q* = R r for the tensor formula", r"\hat q\, r\, \hat q^* = R r", METHOD, (24, 57)),
-                self.tensor,
-            ),
-            (Claim("R R^T = I", "R R^T = I", METHOD, (13,)), self.orthogonality),
-            (
-                Claim(
-                    "vect(R' R^T) = dcay v' for the tangent formula",
-                    r"\mathrm{vect}(\dot R R^T) = \mathrm{dcay}\, \dot v",
-                    METHOD,
-                    (68, 86, 88),
-                ),
-                self.twist,
-            ),
-            (
-                Claim(
-                    "dcay dcay^-1 = I for the tangent_inv formula",
-                    r"\mathrm{dcay}\, \mathrm{dcay}^{-1} = I",
-                    METHOD,
-                    (87, 89),
-                ),
-                self.inverse,
-            ),
-        )
-        for claim, checks in table:
-            yield decide(claim, checks, f"n = {self.cayley.order}")
+    def proofs(self, statements: Sequence[Statement] | None = None) -> Iterator[Proof]:
+        """Decide the statements one after another; a control gives other words for them."""
+        point = AtPoint(self.cayley.order)
+        checks = (self.definition, self.quaternion, self.tensor, self.orthogonality, self.twist, self.inverse)
+        for (name, claim, premises), decision in zip(statements or STATEMENTS, checks, strict=True):
+            printed = (check for equation in claim for check in point.checks(equation))
+            claimed = Claim(name, claim, METHOD, premises)
+            yield decide(claimed, partial(chain, printed, decision()), f"n = {self.cayley.order}")
 
 
 def _checks(label: str, value: _Dual) -> Iterator[Check]:
     yield f"{label}, real part", value.re
     yield f"{label}, dual part", value.du
+
+
+def _multiplier(term: sympy.Expr, value: _Dual, power: int = 1) -> Multiplier:
+    """A dual number that was multiplied by: no zero divisor, if its real part is not zero."""
+    return Multiplier(term, power, bool(value.re))
+
+

@@ -1,4 +1,4 @@
-"""An identity and its decision: every residue must be the zero of an exact ring or field."""
+"""The outcome of deciding a statement: every residue must be the zero of an exact ring, every multiplier must not."""
 
 from __future__ import annotations
 
@@ -7,8 +7,47 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
+import sympy
+
+from .marks import text
+from .statement import Equation, Premise
+
 ALL_ORDERS = "all n"
-Check = tuple[str, Any]  # what is checked, and left side minus right side
+NO_VALUE = "no value"
+Check = tuple[str, Any]
+"""What is checked, and left side minus right side."""
+
+
+@dataclass(frozen=True)
+class Multiplier:
+    """What both sides were multiplied by before they were compared.
+
+    Attributes
+    ----------
+    expression : Expr
+        A polynomial.
+    power : int
+        Its exponent.
+    nonzero : bool
+        Whether it is certified to be no zero divisor of the ring, at no order. Otherwise the comparison proves nothing.
+    """
+
+    expression: sympy.Expr
+    power: int
+    nonzero: bool
+
+    @property
+    def text(self) -> str:
+        """It as plain text."""
+        return text(self.expression)
+
+    @property
+    def vanishes(self) -> str:
+        """Where it is zero: there the equation follows by continuity, where both sides have a value."""
+        return f"{self.text} = 0"
+
+    def __str__(self) -> str:
+        return self.text if self.power == 1 else f"({self.text})^{self.power}"
 
 
 @dataclass(frozen=True)
@@ -18,7 +57,7 @@ class Residue:
     Attributes
     ----------
     label : str
-        What the difference belongs to: "base n = 1", "step n -> n + 1", "entry (1, 2)" ...
+        What the difference belongs to: "start", "step", "component (1, 2)" ...
     value : polynomial, field or ring element
         Left side minus right side. It is zero exactly when the checked equation holds.
     """
@@ -38,8 +77,12 @@ class Proof:
 
     Attributes
     ----------
-    statement, latex : str
-        The statement in plain text and in LaTeX.
+    name : str
+        What it is called where another rests on it.
+    claim : tuple of Equation
+        What is stated; `statement` and `latex` print it.
+    premises : tuple of Premise
+        Everything that was taken as given: definitions, and equations of other theorems.
     scope : str
         "all n", or the one order it was decided for, as in "n = 7".
     status : {"proved", "failed"}
@@ -47,20 +90,36 @@ class Proof:
         How it was decided.
     seconds : float
         Time the decision took.
-    equations : tuple of int
-        Numbers of the equations of CP23 that it proves.
+    multipliers : tuple of Multiplier
+        What was divided by on the way.
     residues : tuple of Residue
         Everything that was checked.
     """
 
-    statement: str
-    latex: str
+    name: str
+    claim: tuple[Equation, ...]
+    premises: tuple[Premise, ...] = field(repr=False)
     scope: str
     status: Literal["proved", "failed"]
     method: str
     seconds: float = field(compare=False)
-    equations: tuple[int, ...]
+    multipliers: tuple[Multiplier, ...] = field(compare=False, repr=False)
     residues: tuple[Residue, ...] = field(compare=False, repr=False)
+
+    @property
+    def statement(self) -> str:
+        """The claim in plain text."""
+        return "; ".join(equation.text for equation in self.claim)
+
+    @property
+    def latex(self) -> str:
+        """The claim in LaTeX."""
+        return r";\; ".join(equation.latex for equation in self.claim)
+
+    @property
+    def equations(self) -> tuple[int, ...]:
+        """Numbers of the equations of CP23 among the claim."""
+        return tuple(sorted({number for equation in self.claim for number in equation.numbers}))
 
     @property
     def proved(self) -> bool:
@@ -78,28 +137,46 @@ class Proof:
 
 @dataclass(frozen=True)
 class Claim:
-    """A statement before its decision: the words of a :class:`Proof` without the outcome."""
+    """A statement before its decision: a :class:`Proof` without the outcome."""
 
-    statement: str
-    latex: str
+    name: str
+    equations: tuple[Equation, ...]
     method: str
-    equations: tuple[int, ...] = ()
+    premises: tuple[Premise, ...] = ()
 
 
-def decide(claim: Claim, checks: Callable[[], Iterable[Check]], scope: str = ALL_ORDERS) -> Proof:
-    """Decide a statement: it is proved when there are residues and all of them are exactly zero.
+def decide(claim: Claim, checks: Callable[[], Iterable[Check | Multiplier]], scope: str = ALL_ORDERS) -> Proof:
+    """Decide a statement.
+
+    It is proved when there are residues, all of them are exactly zero, and all multipliers are certified. An
+    operation that has no result (a division by zero, a letter without a value) is a residue that is not zero.
 
     Parameters
     ----------
     claim : Claim
     checks : callable
-        Yields (label, left side minus right side), elements of an exact ring or field.
+        Yields (label, left side minus right side), elements of an exact ring or field, and what was multiplied by.
     scope : str
         "all n" or "n = 7".
     """
     start = time.perf_counter()
-    residues = tuple(Residue(label, value) for label, value in checks())
-    holds = bool(residues) and all(residue.vanishes for residue in residues)
+    residues: list[Residue] = []
+    multipliers: dict[sympy.Expr, Multiplier] = {}
+    try:
+        for check in checks():
+            if isinstance(check, Multiplier):
+                known = multipliers.get(check.expression, check)
+                multipliers[check.expression] = max(check, known, key=lambda m: m.power)
+            else:
+                residues.append(Residue(*check))
+    except ZeroDivisionError as error:
+        residues.append(Residue("quotient", error))
+    except ArithmeticError as error:
+        residues.append(Residue(NO_VALUE, f"{type(error).__name__}: {error}"))
+    certified = all(multiplier.nonzero for multiplier in multipliers.values())
+    holds = bool(residues) and certified and all(residue.vanishes for residue in residues)
     seconds = time.perf_counter() - start
-    status: Literal["proved", "failed"] = "proved" if holds else "failed"
-    return Proof(claim.statement, claim.latex, scope, status, claim.method, seconds, claim.equations, residues)
+    return Proof(
+        claim.name, claim.equations, claim.premises, scope, "proved" if holds else "failed", claim.method, seconds,
+        tuple(multipliers.values()), tuple(residues),
+    )  # fmt: skip

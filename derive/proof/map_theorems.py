@@ -1,183 +1,166 @@
-"""Theorems on rotation and motion for every order: tensor, quaternion, tangent operators.
+"""Theorems on rotation and motion for every n: tensor, quaternion, tangent operators.
 
-Everything is decided by components over the differential field Q(n, x)(p, q), for a generic vector v: a rate v' is any
-combination of the three basis directions, in which all statements are linear.
-Both sides of an equation carry the same factor, a non-zero element that clears the denominators.
+Vectors are generic: v, its rate, and whatever is rotated have components of their own.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+import sympy
 
-from ..algebra import Coefficient, Quaternion, Tensor, Vector
-from .differential_field import Formulas, Setting
-from .identity import Check, Claim, Proof, decide
+from .formulas import Formulas
+from .marks import (
+    I,
+    R,
+    conjugate,
+    dcay,
+    dcay_inv,
+    det,
+    dot,
+    dyad,
+    n,
+    omega,
+    omega_body,
+    p,
+    point,
+    prime,
+    q,
+    q_hat,
+    rate,
+    skew,
+    transpose,
+    v,
+    v_dot,
+    vect,
+    x,
+)  # fmt: skip
+from .polynomial_theorems import NORM, ORIGIN, SLOPES, VECTOR_POWERS
+from .setting import Letters
+from .statement import Equation, Premise, definition
+from .theorem import Identity, Theorem
 
-FIELD = "residues of all components in the differential field Q(n, x)(p, q)"
-BASIS = (Vector(1, 0, 0), Vector(0, 1, 0), Vector(0, 0, 1))
-Checks = Callable[[Formulas], Iterator[Check]]
-
-
-def _orthogonal(formulas: Formulas) -> Iterator[Check]:
-    at = Setting()
-    power = at.power
-    rotation = at.isotropic(formulas.tensor(*at.symbols), power)
-    yield from at.entries("R R^T - I", rotation @ rotation.transpose - Tensor.identity() * power**2)
-    yield "det R - 1", at.residue(rotation.det() - power**3)
-
-
-def _unit_quaternion(formulas: Formulas) -> Iterator[Check]:
-    at = Setting()
-    z = Quaternion(at.p, at.v * at.q)  # q̂ (1+x)^(n/2); the root drops out of every statement
-    product = z * z.conjugate()
-    yield "z z* - (1+x)^n, scalar part", at.residue(product.scalar - at.power)
-    yield from at.entries("z z*, vector part", product.vector)
-    rotation = at.isotropic(formulas.tensor(*at.symbols), at.power)
-    for j, basis in enumerate(BASIS):
-        yield from at.entries(f"z e{j + 1} z* - (1+x)^n R e{j + 1}", z.sandwich(basis) - rotation @ basis)
-
-
-def _exponential(formulas: Formulas) -> Iterator[Check]:
-    at = Setting(square="1")  # v = X u with a fixed unit vector u; X = tan(alpha/2n), dX/dalpha = (1+X^2)/2n
-    n, x, p, q = at.symbols
-    X, u = at.variable, at.v
-    rate = (1 + x) / (2 * n)
-    a, b, c = formulas.tensor(n, x, p, q)
-    coefficients = a, X * b, x * c
-    slopes = tuple(rate * at.slope(coefficient) for coefficient in coefficients)
-    factor = at.power**2
-    difference = at.isotropic(slopes, factor) - Tensor.skew(u) @ at.isotropic(coefficients, factor)
-    yield from at.entries("dR/dalpha - skew(u) R", difference)
-    start = formulas.tensor(n, at.zero, at.one, n)
-    yield "R = I at alpha = 0", at.residue(start[0] - 1)  # b and c come with the factors X and x = 0
-    # q̂ = cos(alpha/2) + u sin(alpha/2), with (1+x)^(n/2) divided out: its logarithmic derivative is n X/(1+x)
-    cosine, sine = p, X * q
-    growth = n * X / (1 + x)
-    yield "d cos(alpha/2)/dalpha", at.residue(rate * (at.slope(cosine) - growth * cosine) + sine / 2)
-    yield "d sin(alpha/2)/dalpha", at.residue(rate * (at.slope(sine) - growth * sine) - cosine / 2)
+SQUARE = definition(dot(v, v), x)
+ORIGIN_P, ORIGIN_Q = ORIGIN.premise(0), ORIGIN.premise(1)
+ROOT = (1 + x) ** (n / 2)
+QUATERNION = definition(q_hat, (p + q * v) / ROOT, (50, 55), wrong=(p + 2 * q * v) / ROOT)
+ROOT_SLOPE = definition(prime(ROOT), n * ROOT / (2 * (1 + x)))
+MOTION = (definition(rate(v), v_dot), definition(rate(x), 2 * dot(v, v_dot)), SQUARE, *SLOPES.given(), ORIGIN_P)
+SCALARS = (p, q, x, n)
+AT_V, MOVING = Letters(SCALARS, (v,), (x,)), Letters(SCALARS, (v, v_dot), (x,))
 
 
-def _twist(formulas: Formulas) -> Iterator[Check]:
-    at = Setting()
-    # the rate of the factor that makes R polynomial goes with R R^T, which is symmetric: it drops out of vect
-    rotation = at.isotropic(formulas.tensor(*at.symbols), at.power)
-    slopes = 2 * at.x * (1 + at.x)  # clears the denominators of p' and q'
-    tangent = at.isotropic(formulas.tangent(*at.symbols), slopes * at.power**2)
-    for j, (basis, rate) in enumerate(zip(BASIS, at.rates(rotation, slopes), strict=True)):
-        yield from at.entries(f"vect(R' R^T) - dcay e{j + 1}", (rate @ rotation.transpose).vect() - tangent @ basis)
+POWER = (1 + x) ** n
+F, G, BRACKET = 2 * p * q / POWER, 2 * q**2 / POWER, 2 * (n * (1 + x) ** (n - 1) - p * q)
+"""The coefficients as CP23 prints them."""
+BODY = definition(omega_body, transpose(R) * omega)
 
 
-def _quaternion_rate(formulas: Formulas) -> Iterator[Check]:
-    at = Setting()
-    z = Quaternion(at.p, at.v * at.q)
-    slopes = 2 * at.x * (1 + at.x)
-    tangent = at.isotropic(formulas.tangent(*at.symbols), slopes * at.power)
-    for j, (basis, rate) in enumerate(zip(BASIS, at.rates(z, slopes), strict=True)):
-        growth = at.n * at.components[j] / (1 + at.x)  # logarithmic derivative of (1+x)^(n/2)
-        twist = (rate - z * (growth * slopes)) * z.conjugate() * 2
-        yield f"2 q' q*, scalar part, v' = e{j + 1}", at.residue(twist.scalar)
-        yield from at.entries(f"2 q' q* - dcay e{j + 1}", twist.vector - tangent @ basis)
+def map_theorems(formulas: Formulas) -> tuple[Theorem, ...]:
+    """What is claimed, for every n, of the given formulas."""
+    tensor, tangent = formulas.defined(R, "tensor"), formulas.defined(dcay, "tangent")
+    inverse = formulas.defined(dcay_inv, "tangent_inv", numbers=(89,))
+    return (*_of_tensor(tensor), *_of_tangent(tangent, inverse), *_of_motion(tensor, tangent, inverse))
 
 
-def _body(formulas: Formulas) -> Iterator[Check]:
-    at = Setting()
-    rotation = at.isotropic(formulas.tensor(*at.symbols), at.power)
-    tangent = at.isotropic(formulas.tangent(*at.symbols), _tangent_factor(at))
-    difference = tangent.transpose * at.power - rotation.transpose @ tangent
-    yield from at.entries("dcay^T - R^T dcay", difference)
-
-
-def _inverse(formulas: Formulas) -> Iterator[Check]:
-    at = Setting()
-    factors = _tangent_factor(at), 2 * at.n * at.x * at.q
-    tangent = at.isotropic(formulas.tangent(*at.symbols), factors[0])
-    inverse = at.isotropic(formulas.tangent_inv(*at.symbols), factors[1])
-    unit = Tensor.identity() * (factors[0] * factors[1])
-    yield from at.entries("dcay dcay^-1 - I", tangent @ inverse - unit)
-    yield from at.entries("dcay^-1 dcay - I", inverse @ tangent - unit)
-
-
-def _axis(formulas: Formulas) -> Iterator[Check]:
-    at = Setting()
-    factor = _tangent_factor(at)
-    tangent = at.isotropic(formulas.tangent(*at.symbols), factor)
-    rate = at.v * (factor * 2 * at.n / (1 + at.x))
-    yield from at.entries("dcay v - 2n/(1+x) v", tangent @ at.v - rate)
-    yield from at.entries("dcay^T v - 2n/(1+x) v", tangent.transpose @ at.v - rate)
-
-
-def _determinant(formulas: Formulas) -> Iterator[Check]:
-    at = Setting()
-    factor = _tangent_factor(at)
-    tangent = at.isotropic(formulas.tangent(*at.symbols), factor)
-    expected = 8 * at.n * at.q**2 / (at.power * (1 + at.x))
-    yield "det dcay - 8n q^2/(1+x)^(n+1)", at.residue(tangent.det() - factor**3 * expected)
-
-
-def _tangent_factor(at: Setting) -> Coefficient:
-    """What clears the denominators of dcay."""
-    return at.x * (1 + at.x) * at.power
-
-
-MOTION: tuple[tuple[Claim, Checks], ...] = (
-    (Claim("R R^T = I, det R = 1", r"R R^T = I,\; \det R = 1", FIELD, (13, 57, 73)), _orthogonal),
-    (
-        Claim(
-            "q = (p_n + q_n v)/(1+x)^(n/2) has norm 1, and q r q* = R r",
-            r"\hat q \hat q^* = 1,\; \hat q\, r\, \hat q^* = R r",
-            FIELD,
-            (24, 50, 55, 57),
+def _of_tensor(tensor: Premise) -> tuple[Theorem, ...]:
+    return (
+        Theorem(
+            "tensor",
+            (Equation(R, I + F * skew(v) + G * skew(v) ** 2, (57,)),),
+            (tensor, SQUARE, *NORM.given(), ORIGIN_P),
+            Identity(AT_V),
         ),
-        _unit_quaternion,
-    ),
-    (
-        Claim(
-            "R = exp(alpha skew(u)) and q = cos(alpha/2) + u sin(alpha/2) for v = tan(alpha/2n) u",
-            r"R = e^{\alpha \tilde u},\; \hat q = \cos\tfrac\alpha2 + u \sin\tfrac\alpha2,"
-            r"\; v = u \tan\tfrac{\alpha}{2n}",
-            "linear differential equation in alpha and value at alpha = 0, residues in Q(n, X)(p, q)",
-            (17, 23, 25, 48, 49),
+        Theorem(
+            "orthogonality",
+            (Equation(R * transpose(R), I, (13, 72, 73)), Equation(det(R), sympy.Integer(1), (13, 73))),
+            (tensor, SQUARE, ORIGIN_P),
+            Identity(AT_V),
         ),
-        _exponential,
-    ),
-    (
-        Claim(
-            "omega = vect(R' R^T) = dcay v'",
-            r"\omega = \mathrm{vect}(\dot R R^T) = \mathrm{dcay}\, \dot v",
-            FIELD,
-            (68, 70, 86, 88),
+        Theorem(
+            "quaternion",
+            (
+                Equation(q_hat, (1 + v) ** n / ROOT, (53,)),
+                Equation(q_hat * conjugate(q_hat), sympy.Integer(1)),
+                Equation(q_hat * point * conjugate(q_hat), R * point),
+            ),
+            (QUATERNION, tensor, SQUARE, *NORM.given(), *VECTOR_POWERS.given(), ORIGIN_P),
+            Identity(Letters(SCALARS, (v, point), (x,))),
         ),
-        _twist,
-    ),
-    (
-        Claim("q' = omega q/2 with omega = dcay v'", r"\dot{\hat q} = \tfrac12 \omega \hat q", FIELD, (75, 86, 88)),
-        _quaternion_rate,
-    ),
-    (
-        Claim(
-            "dcay^T = R^T dcay, so omega_B = dcay^T v'",
-            r"\mathrm{dcay}^T = R^T \mathrm{dcay},\; \omega_B = \mathrm{dcay}^T \dot v",
-            FIELD,
-            (74, 86, 91),
+    )
+
+
+def _of_tangent(tangent: Premise, inverse: Premise) -> tuple[Theorem, ...]:
+    stretched = 2 * n / (1 + x) * v
+    bracket = ((1 + x) * q - n * p) / (2 * n * x * q)
+    return (
+        Theorem(
+            "tangent",
+            (Equation(dcay, F * I + G * skew(v) + BRACKET / (x * POWER) * dyad(v, v), (88,)),),
+            (tangent, *NORM.given(), ORIGIN_P),
+            Identity(AT_V),
         ),
-        _body,
-    ),
-    (Claim("dcay dcay^-1 = I", r"\mathrm{dcay}\, \mathrm{dcay}^{-1} = I", FIELD, (87, 88, 89, 90)), _inverse),
-    (
-        Claim("dcay v = dcay^T v = 2n/(1+x) v", r"\mathrm{dcay}\, v = \tfrac{2n}{1+x} v", FIELD, (77,)),
-        _axis,
-    ),
-    (
-        Claim("det dcay = 8n q_n^2/(1+x)^(n+1)", r"\det \mathrm{dcay} = \frac{8 n q_n^2}{(1+x)^{n+1}}", FIELD),
-        _determinant,
-    ),
-)
+        Theorem(
+            "tangent_inv",
+            (Equation(dcay_inv, p / (2 * q) * I - skew(v) / 2 + bracket * dyad(v, v), (89,)),),
+            (inverse, ORIGIN_Q),
+            Identity(AT_V),
+        ),
+        Theorem(
+            "inverse",
+            (Equation(dcay * dcay_inv, I), Equation(dcay_inv * dcay, I)),
+            (tangent, inverse, SQUARE, ORIGIN_P, ORIGIN_Q),
+            Identity(AT_V),
+        ),
+        Theorem(
+            "axis",
+            (Equation(dcay * v, stretched), Equation(transpose(dcay) * v, stretched)),
+            (tangent, SQUARE, ORIGIN_P),
+            Identity(AT_V),
+        ),
+        Theorem(
+            "determinant",
+            (Equation(det(dcay), 8 * n * q**2 / (1 + x) ** (n + 1)),),
+            (tangent, SQUARE, *NORM.given(), ORIGIN_P),
+            Identity(AT_V),
+        ),
+    )
 
 
-def motion_theorems(formulas: Formulas) -> tuple[Proof, ...]:
-    """Decide, for every n, what is claimed of the given formulas."""
-
-    def bound(checks: Checks) -> Callable[[], Iterator[Check]]:
-        return lambda: checks(formulas)
-
-    return tuple(decide(claim, bound(checks)) for claim, checks in MOTION)
+def _of_motion(tensor: Premise, tangent: Premise, inverse: Premise) -> tuple[Theorem, ...]:
+    twist = Theorem(
+        "twist",
+        (Equation(omega, dcay * rate(v), (86,)), Equation(rate(R), skew(omega) * R, (70,))),
+        (tensor, tangent, definition(omega, vect(rate(R) * transpose(R))), *MOTION),
+        Identity(MOVING),
+    )
+    spatial = twist.premise(0)
+    return (
+        twist,
+        Theorem(
+            "body twist",
+            (
+                Equation(transpose(dcay), transpose(R) * dcay),
+                Equation(omega_body, transpose(dcay) * rate(v), (86,)),
+                Equation(rate(R), R * skew(omega_body), (74,)),
+            ),
+            (tensor, tangent, spatial, BODY, *MOTION),
+            Identity(MOVING),
+        ),
+        Theorem(
+            "quaternion rate",
+            (
+                Equation(rate(q_hat), omega * q_hat / 2, (75,)),
+                Equation(rate(q_hat), q_hat * omega_body / 2, (76,)),
+            ),
+            (tensor, tangent, QUATERNION, spatial, BODY, *MOTION, ROOT_SLOPE),
+            Identity(MOVING),
+        ),
+        Theorem(
+            "rates of v",
+            (
+                Equation(rate(v), dcay_inv * omega, (87, 90)),
+                Equation(rate(v), transpose(dcay_inv) * omega_body, (87, 91)),
+            ),
+            (tensor, tangent, inverse, spatial, BODY, *MOTION[:3], ORIGIN_P, ORIGIN_Q),
+            Identity(MOVING),
+        ),
+    )

@@ -8,6 +8,8 @@ from dataclasses import InitVar, dataclass
 from ..maps import Cayley
 from .at_order import CayleyFormulas, instances
 from .components import Components
+from .computations import computations
+from .displacement_theorems import COMPOSITION_AT
 from .every_order import theorems
 from .identity import Proof
 
@@ -88,6 +90,9 @@ def _decided(cayley: CayleyFormulas, progress: Progress, backend: str | None) ->
     yield from theorems()
     progress(f"n = {cayley.order}: formulas as in the theorems")
     yield from instances(cayley)
+    yield from computations(cayley.order)
+    if cayley.order in COMPOSITION_AT:
+        yield COMPOSITION_AT[cayley.order].decide({})
     progress(f"n = {cayley.order}: componentwise from the definition")
     yield from Components(cayley, backend).proofs()
 

@@ -701,11 +701,11 @@ def twist_blocks(
     )
 
 
-# operations 107: 42 +, 59 *, 6 /
+# operations 107: 42 +, 65 *
 def rate(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = omega
-    side, twice = table
+    side, half = table
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
@@ -721,12 +721,12 @@ def rate(m: Any, c: Any, v: Components, omega: Components, table: Components) ->
     cvw = his * vw
     cvwo = his * (v1o * w1 + v2o * w2 + v3o * w3 + (v1 * w1o + v2 * w2o + v3 * w3o)) + hio * vw
     return (
-        (w1 * fis + (w2 * v3 - w3 * v2) + v1 * cvw) / twice,
-        (w2 * fis + (w3 * v1 - w1 * v3) + v2 * cvw) / twice,
-        (w3 * fis + (w1 * v2 - w2 * v1) + v3 * cvw) / twice,
-        (w1o * fis + w1 * fio + (w2o * v3 - w3o * v2) + (w2 * v3o - w3 * v2o) + (v1o * cvw + v1 * cvwo)) / twice,
-        (w2o * fis + w2 * fio + (w3o * v1 - w1o * v3) + (w3 * v1o - w1 * v3o) + (v2o * cvw + v2 * cvwo)) / twice,
-        (w3o * fis + w3 * fio + (w1o * v2 - w2o * v1) + (w1 * v2o - w2 * v1o) + (v3o * cvw + v3 * cvwo)) / twice,
+        (w1 * fis + (w2 * v3 - w3 * v2) + v1 * cvw) * half,
+        (w2 * fis + (w3 * v1 - w1 * v3) + v2 * cvw) * half,
+        (w3 * fis + (w1 * v2 - w2 * v1) + v3 * cvw) * half,
+        (w1o * fis + w1 * fio + (w2o * v3 - w3o * v2) + (w2 * v3o - w3 * v2o) + (v1o * cvw + v1 * cvwo)) * half,
+        (w2o * fis + w2 * fio + (w3o * v1 - w1o * v3) + (w3 * v1o - w1 * v3o) + (v2o * cvw + v2 * cvwo)) * half,
+        (w3o * fis + w3 * fio + (w1o * v2 - w2o * v1) + (w1 * v2o - w2 * v1o) + (v3o * cvw + v3 * cvwo)) * half,
     )
 
 
@@ -735,7 +735,7 @@ def rate_blocks(
 ) -> None:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = omega
-    side, twice = table
+    side, half = table
     o1, o2, o3, o4, o5, o6 = out
     k1, k2, k3, k4, k5, k6, k7, k8, *spare = scratch
     *spare_masks, = masks
@@ -756,20 +756,20 @@ def rate_blocks(
         mul(v2, w2o, k8), k7), mul(v3, w3o, k8), k7), k6), k6), mul(hio, vw, k5), k5
     )
     cvw = mul(his, vw, k2)
-    div(add(add(mul(w1, fis, k4), sub(mul(w2, v3, k6), mul(w3, v2, k7), k6), k4), mul(v1, cvw, k6), k4), twice, o1)
-    div(add(add(mul(w2, fis, k4), sub(mul(w3, v1, k6), mul(w1, v3, k7), k6), k4), mul(v2, cvw, k6), k4), twice, o2)
-    div(add(add(mul(w3, fis, k4), sub(mul(w1, v2, k6), mul(w2, v1, k7), k6), k4), mul(v3, cvw, k6), k4), twice, o3)
-    div(
+    mul(add(add(mul(w1, fis, k4), sub(mul(w2, v3, k6), mul(w3, v2, k7), k6), k4), mul(v1, cvw, k6), k4), half, o1)
+    mul(add(add(mul(w2, fis, k4), sub(mul(w3, v1, k6), mul(w1, v3, k7), k6), k4), mul(v2, cvw, k6), k4), half, o2)
+    mul(add(add(mul(w3, fis, k4), sub(mul(w1, v2, k6), mul(w2, v1, k7), k6), k4), mul(v3, cvw, k6), k4), half, o3)
+    mul(
         add(add(add(add(mul(w1o, fis, k4), mul(w1, fio, k6), k4), sub(mul(w2o, v3, k6), mul(w3o, v2, k7), k6), k4),
-        sub(mul(w2, v3o, k6), mul(w3, v2o, k7), k6), k4), add(mul(v1o, cvw, k6), mul(v1, cvwo, k7), k6), k4), twice, o4
+        sub(mul(w2, v3o, k6), mul(w3, v2o, k7), k6), k4), add(mul(v1o, cvw, k6), mul(v1, cvwo, k7), k6), k4), half, o4
     )
-    div(
+    mul(
         add(add(add(add(mul(w2o, fis, k4), mul(w2, fio, k6), k4), sub(mul(w3o, v1, k6), mul(w1o, v3, k7), k6), k4),
-        sub(mul(w3, v1o, k6), mul(w1, v3o, k7), k6), k4), add(mul(v2o, cvw, k6), mul(v2, cvwo, k7), k6), k4), twice, o5
+        sub(mul(w3, v1o, k6), mul(w1, v3o, k7), k6), k4), add(mul(v2o, cvw, k6), mul(v2, cvwo, k7), k6), k4), half, o5
     )
-    div(
+    mul(
         add(add(add(add(mul(w3o, fis, k1), mul(w3, fio, k3), k1), sub(mul(w1o, v2, k3), mul(w2o, v1, k4), k3), k1),
-        sub(mul(w1, v2o, k3), mul(w2, v1o, k4), k3), k1), add(mul(v3o, cvw, k2), mul(v3, cvwo, k3), k2), k1), twice, o6
+        sub(mul(w1, v2o, k3), mul(w2, v1o, k4), k3), k1), add(mul(v3o, cvw, k2), mul(v3, cvwo, k3), k2), k1), half, o6
     )
 
 

@@ -21,17 +21,34 @@
 #     v(x)v: 1/2
 #
 # Proved exactly, besides the theorems in the header of the interface:
-#   [n = 1] the coefficients of p, q, c, d are those of the theorem
-#   [n = 1] the coefficients of quaternion, squared are those of the theorem
-#   [n = 1] the coefficients of tensor R are those of the theorem
-#   [n = 1] the coefficients of tangent dcay are those of the theorem
-#   [n = 1] the coefficients of tangent_inv dcay^-1 are those of the theorem
-#   [n = 1] q^2 (1-v)^n = (1+v)^n
-#   [n = 1] q is the quaternion formula, up to sign
-#   [n = 1] q r q* = R r for the tensor formula
-#   [n = 1] R R^T = I
-#   [n = 1] vect(R' R^T) = dcay v' for the tangent formula
-#   [n = 1] dcay dcay^-1 = I for the tangent_inv formula
+#   [n = 1] Cayley(1).p, Cayley(1).q, Cayley(1).c, Cayley(1).d: Cayley(1).p = [p_n](n -> 1); Cayley(1).q =
+#       [q_n](n -> 1); Cayley(1).c = [c_n](n -> 1); Cayley(1).d = [d_n](n -> 1)
+#   [n = 1] Cayley(1).quaternion: Cayley(1).quaternion = [qhat](n -> 1)
+#   [n = 1] Cayley(1).tensor: Cayley(1).tensor = [R](n -> 1)
+#   [n = 1] Cayley(1).tangent: Cayley(1).tangent = [dcay_n](n -> 1)
+#   [n = 1] Cayley(1).tangent_inv: Cayley(1).tangent_inv = [dcay_n^-1](n -> 1)
+#   [n = 1] polynomials.p_binomial(1), polynomials.q_binomial(1), polynomials.c_binomial(1),
+#       polynomials.d_binomial(1): polynomials.p_binomial(1) = [p_n](n -> 1); polynomials.q_binomial(1) =
+#       [q_n](n -> 1); polynomials.c_binomial(1) = [c_n](n -> 1); polynomials.d_binomial(1) = [d_n](n -> 1)
+#   [n = 1] polynomials.multiply(1).p, polynomials.multiply(1).q, polynomials.pair_by_squaring(1).p,
+#       polynomials.pair_by_squaring(1).q, polynomials.brackets(1).c, polynomials.brackets(1).d:
+#       polynomials.multiply(1).p = [p_n](n -> 1); polynomials.multiply(1).q = [q_n](n -> 1);
+#       polynomials.pair_by_squaring(1).p = [p_n](n -> 1); polynomials.pair_by_squaring(1).q = [q_n](n -> 1);
+#       polynomials.brackets(1).c = [c_n](n -> 1); polynomials.brackets(1).d = [d_n](n -> 1)
+#   [n = 1] closed_forms.quaternion(1, x): closed_forms.quaternion(1, x) = [qhat](n -> 1)
+#   [n = 1] closed_forms.tensor(1, x): closed_forms.tensor(1, x) = [R](n -> 1)
+#   [n = 1] closed_forms.tangent(1, x): closed_forms.tangent(1, x) = [dcay_n](n -> 1)
+#   [n = 1] closed_forms.tangent_inv(1, x): closed_forms.tangent_inv(1, x) = [dcay_n^-1](n -> 1)
+#   [n = 1] polynomials.singular_angles(1), polynomials.poles(1): sin(polynomials.singular_angles(1)/2) = 0;
+#       polynomials.poles(1) = tan(polynomials.singular_angles(1)/2)
+#   [n = 1] composition at n = 1: b = (b_2 x b_1 + b_2 + b_1)/(1 - b_1.b_2); (b_2 + 1)*(b_1 + 1) = (1 -
+#       b_1.b_2)*(b + 1)
+#   [n = 1] definition at n: qhat^2*(-v + 1)^n = (v + 1)^n
+#   [n = 1] quaternion at n: qhat*(point + 1)*qhat = z*(point + 1)*z/|z|^2
+#   [n = 1] tensor at n: qhat*point*conj(qhat) = R*point
+#   [n = 1] orthogonality at n: R*R^T = I
+#   [n = 1] twist at n: vect(R'*R^T) = dcay_n*v'
+#   [n = 1] inverse at n: dcay_n*dcay_n^-1 = I
 #
 # Operations:
 #   quaternion: 29: 8 +, 17 *, 3 /, 1 sqrt
@@ -42,7 +59,7 @@
 #   tangent: 36: 8 +, 18 *, 3 /, 7 neg
 #   tangent_inv: 57: 21 +, 21 *, 15 /
 #   twist: 80: 29 +, 47 *, 3 /, 1 neg
-#   rate: 84: 34 +, 44 *, 6 /
+#   rate: 84: 34 +, 50 *
 #   from_quaternion: 54: 20 +, 30 *, 4 /
 #   from_tensor: 115: 40 +, 37 *, 7 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 79: 25 +, 19 *, 4 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -354,20 +371,20 @@ def _own_transform_point(m: Any, c: Any, v: Components, r: Components) -> Result
     v33 = v3 * v3
     x = v11 + v22 + v33
     N = 1 + x
-    r = 2 * (N / N / N)
+    r_ = 2 * (N / N / N)
     v_r1 = v2 * r3 - v3 * r2
     v_r2 = v3 * r1 - v1 * r3
     v_r3 = v1 * r2 - v2 * r1
-    gv_r1 = v_r1 * r
-    gv_r2 = v_r2 * r
-    gv_r3 = v_r3 * r
-    gv1 = v1 * r
-    gv2 = v2 * r
-    gv3 = v3 * r
+    gv_r1 = v_r1 * r_
+    gv_r2 = v_r2 * r_
+    gv_r3 = v_r3 * r_
+    gv1 = v1 * r_
+    gv2 = v2 * r_
+    gv3 = v3 * r_
     return (
-        r1 + (gv_r1 + (v2 * gv_r3 - v3 * gv_r2)) + (v1o * r + (gv2 * v3o - gv3 * v2o)),
-        r2 + (gv_r2 + (v3 * gv_r1 - v1 * gv_r3)) + (v2o * r + (gv3 * v1o - gv1 * v3o)),
-        r3 + (gv_r3 + (v1 * gv_r2 - v2 * gv_r1)) + (v3o * r + (gv1 * v2o - gv2 * v1o)),
+        r1 + (gv_r1 + (v2 * gv_r3 - v3 * gv_r2)) + (v1o * r_ + (gv2 * v3o - gv3 * v2o)),
+        r2 + (gv_r2 + (v3 * gv_r1 - v1 * gv_r3)) + (v2o * r_ + (gv3 * v1o - gv1 * v3o)),
+        r3 + (gv_r3 + (v1 * gv_r2 - v2 * gv_r1)) + (v3o * r_ + (gv1 * v2o - gv2 * v1o)),
     )
 
 
@@ -384,26 +401,26 @@ def _own_transform_point_blocks(
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
     N = add(n1, x, k1)
-    r = mul(n2, div(div(N, N, k2), N, k1), k1)
+    r_ = mul(n2, div(div(N, N, k2), N, k1), k1)
     v_r1 = sub(mul(v2, r3, k2), mul(v3, r2, k3), k2)
-    gv_r1 = mul(v_r1, r, k2)
+    gv_r1 = mul(v_r1, r_, k2)
     v_r3 = sub(mul(v1, r2, k3), mul(v2, r1, k4), k3)
-    gv_r3 = mul(v_r3, r, k3)
+    gv_r3 = mul(v_r3, r_, k3)
     v_r2 = sub(mul(v3, r1, k4), mul(v1, r3, k5), k4)
-    gv_r2 = mul(v_r2, r, k4)
-    gv2 = mul(v2, r, k5)
-    gv3 = mul(v3, r, k6)
+    gv_r2 = mul(v_r2, r_, k4)
+    gv2 = mul(v2, r_, k5)
+    gv3 = mul(v3, r_, k6)
     add(
-        add(r1, add(gv_r1, sub(mul(v2, gv_r3, k7), mul(v3, gv_r2, k8), k7), k7), k7), add(mul(v1o, r, k8), sub(mul(gv2,
+        add(r1, add(gv_r1, sub(mul(v2, gv_r3, k7), mul(v3, gv_r2, k8), k7), k7), k7), add(mul(v1o, r_, k8), sub(mul(gv2,
         v3o, k9), mul(gv3, v2o, k10), k9), k8), o1
     )
-    gv1 = mul(v1, r, k7)
+    gv1 = mul(v1, r_, k7)
     add(
-        add(r2, add(gv_r2, sub(mul(v3, gv_r1, k8), mul(v1, gv_r3, k9), k8), k8), k8), add(mul(v2o, r, k9), sub(mul(gv3,
+        add(r2, add(gv_r2, sub(mul(v3, gv_r1, k8), mul(v1, gv_r3, k9), k8), k8), k8), add(mul(v2o, r_, k9), sub(mul(gv3,
         v1o, k6), mul(gv1, v3o, k10), k6), k6), o2
     )
     add(
-        add(r3, add(gv_r3, sub(mul(v1, gv_r2, k4), mul(v2, gv_r1, k2), k2), k2), k2), add(mul(v3o, r, k1), sub(mul(gv1,
+        add(r3, add(gv_r3, sub(mul(v1, gv_r2, k4), mul(v2, gv_r1, k2), k2), k2), k2), add(mul(v3o, r_, k1), sub(mul(gv1,
         v2o, k3), mul(gv2, v1o, k4), k3), k1), o3
     )
 
@@ -724,21 +741,21 @@ def _own_twist_blocks(
     )
 
 
-# operations 84: 34 +, 44 *, 6 /
+# operations 84: 34 +, 50 *
 def _own_rate(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = omega
-    side, twice = table
+    side, half = table
     vw = v1 * w1 + v2 * w2 + v3 * w3
     cvw = side * vw
     cvwo = side * (v1o * w1 + v2o * w2 + v3o * w3 + (v1 * w1o + v2 * w2o + v3 * w3o))
     return (
-        (w1 * side + (w2 * v3 - w3 * v2) + v1 * cvw) / twice,
-        (w2 * side + (w3 * v1 - w1 * v3) + v2 * cvw) / twice,
-        (w3 * side + (w1 * v2 - w2 * v1) + v3 * cvw) / twice,
-        (w1o * side + (w2o * v3 - w3o * v2) + (w2 * v3o - w3 * v2o) + (v1o * cvw + v1 * cvwo)) / twice,
-        (w2o * side + (w3o * v1 - w1o * v3) + (w3 * v1o - w1 * v3o) + (v2o * cvw + v2 * cvwo)) / twice,
-        (w3o * side + (w1o * v2 - w2o * v1) + (w1 * v2o - w2 * v1o) + (v3o * cvw + v3 * cvwo)) / twice,
+        (w1 * side + (w2 * v3 - w3 * v2) + v1 * cvw) * half,
+        (w2 * side + (w3 * v1 - w1 * v3) + v2 * cvw) * half,
+        (w3 * side + (w1 * v2 - w2 * v1) + v3 * cvw) * half,
+        (w1o * side + (w2o * v3 - w3o * v2) + (w2 * v3o - w3 * v2o) + (v1o * cvw + v1 * cvwo)) * half,
+        (w2o * side + (w3o * v1 - w1o * v3) + (w3 * v1o - w1 * v3o) + (v2o * cvw + v2 * cvwo)) * half,
+        (w3o * side + (w1o * v2 - w2o * v1) + (w1 * v2o - w2 * v1o) + (v3o * cvw + v3 * cvwo)) * half,
     )
 
 
@@ -747,29 +764,29 @@ def _own_rate_blocks(
 ) -> None:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = omega
-    side, twice = table
+    side, half = table
     o1, o2, o3, o4, o5, o6 = out
     k1, k2, k3, k4, k5 = scratch
     vw = add(add(mul(v1, w1, k1), mul(v2, w2, k2), k1), mul(v3, w3, k2), k1)
     cvw = mul(side, vw, k1)
-    div(add(add(mul(w1, side, k2), sub(mul(w2, v3, k3), mul(w3, v2, k4), k3), k2), mul(v1, cvw, k3), k2), twice, o1)
-    div(add(add(mul(w2, side, k2), sub(mul(w3, v1, k3), mul(w1, v3, k4), k3), k2), mul(v2, cvw, k3), k2), twice, o2)
-    div(add(add(mul(w3, side, k2), sub(mul(w1, v2, k3), mul(w2, v1, k4), k3), k2), mul(v3, cvw, k3), k2), twice, o3)
+    mul(add(add(mul(w1, side, k2), sub(mul(w2, v3, k3), mul(w3, v2, k4), k3), k2), mul(v1, cvw, k3), k2), half, o1)
+    mul(add(add(mul(w2, side, k2), sub(mul(w3, v1, k3), mul(w1, v3, k4), k3), k2), mul(v2, cvw, k3), k2), half, o2)
+    mul(add(add(mul(w3, side, k2), sub(mul(w1, v2, k3), mul(w2, v1, k4), k3), k2), mul(v3, cvw, k3), k2), half, o3)
     cvwo = mul(
         side, add(add(add(mul(v1o, w1, k2), mul(v2o, w2, k3), k2), mul(v3o, w3, k3), k2), add(add(mul(v1, w1o, k3),
         mul(v2, w2o, k4), k3), mul(v3, w3o, k4), k3), k2), k2
     )
-    div(
+    mul(
         add(add(add(mul(w1o, side, k3), sub(mul(w2o, v3, k4), mul(w3o, v2, k5), k4), k3), sub(mul(w2, v3o, k4), mul(w3,
-        v2o, k5), k4), k3), add(mul(v1o, cvw, k4), mul(v1, cvwo, k5), k4), k3), twice, o4
+        v2o, k5), k4), k3), add(mul(v1o, cvw, k4), mul(v1, cvwo, k5), k4), k3), half, o4
     )
-    div(
+    mul(
         add(add(add(mul(w2o, side, k3), sub(mul(w3o, v1, k4), mul(w1o, v3, k5), k4), k3), sub(mul(w3, v1o, k4), mul(w1,
-        v3o, k5), k4), k3), add(mul(v2o, cvw, k4), mul(v2, cvwo, k5), k4), k3), twice, o5
+        v3o, k5), k4), k3), add(mul(v2o, cvw, k4), mul(v2, cvwo, k5), k4), k3), half, o5
     )
-    div(
+    mul(
         add(add(add(mul(w3o, side, k3), sub(mul(w1o, v2, k4), mul(w2o, v1, k5), k4), k3), sub(mul(w1, v2o, k4), mul(w2,
-        v1o, k5), k4), k3), add(mul(v3o, cvw, k1), mul(v3, cvwo, k2), k1), k1), twice, o6
+        v1o, k5), k4), k3), add(mul(v3o, cvw, k1), mul(v3, cvwo, k2), k1), k1), half, o6
     )
 
 

@@ -21,17 +21,35 @@
 #     v(x)v: 1/2
 #
 # Proved exactly, besides the theorems in the header of the interface:
-#   [n = 2] the coefficients of p, q, c, d are those of the theorem
-#   [n = 2] the coefficients of quaternion, squared are those of the theorem
-#   [n = 2] the coefficients of tensor R are those of the theorem
-#   [n = 2] the coefficients of tangent dcay are those of the theorem
-#   [n = 2] the coefficients of tangent_inv dcay^-1 are those of the theorem
-#   [n = 2] q^2 (1-v)^n = (1+v)^n
-#   [n = 2] q is the quaternion formula, up to sign
-#   [n = 2] q r q* = R r for the tensor formula
-#   [n = 2] R R^T = I
-#   [n = 2] vect(R' R^T) = dcay v' for the tangent formula
-#   [n = 2] dcay dcay^-1 = I for the tangent_inv formula
+#   [n = 2] Cayley(2).p, Cayley(2).q, Cayley(2).c, Cayley(2).d: Cayley(2).p = [p_n](n -> 2); Cayley(2).q =
+#       [q_n](n -> 2); Cayley(2).c = [c_n](n -> 2); Cayley(2).d = [d_n](n -> 2)
+#   [n = 2] Cayley(2).quaternion: Cayley(2).quaternion = [qhat](n -> 2)
+#   [n = 2] Cayley(2).tensor: Cayley(2).tensor = [R](n -> 2)
+#   [n = 2] Cayley(2).tangent: Cayley(2).tangent = [dcay_n](n -> 2)
+#   [n = 2] Cayley(2).tangent_inv: Cayley(2).tangent_inv = [dcay_n^-1](n -> 2)
+#   [n = 2] polynomials.p_binomial(2), polynomials.q_binomial(2), polynomials.c_binomial(2),
+#       polynomials.d_binomial(2): polynomials.p_binomial(2) = [p_n](n -> 2); polynomials.q_binomial(2) =
+#       [q_n](n -> 2); polynomials.c_binomial(2) = [c_n](n -> 2); polynomials.d_binomial(2) = [d_n](n -> 2)
+#   [n = 2] polynomials.multiply(2).p, polynomials.multiply(2).q, polynomials.pair_by_squaring(2).p,
+#       polynomials.pair_by_squaring(2).q, polynomials.brackets(2).c, polynomials.brackets(2).d:
+#       polynomials.multiply(2).p = [p_n](n -> 2); polynomials.multiply(2).q = [q_n](n -> 2);
+#       polynomials.pair_by_squaring(2).p = [p_n](n -> 2); polynomials.pair_by_squaring(2).q = [q_n](n -> 2);
+#       polynomials.brackets(2).c = [c_n](n -> 2); polynomials.brackets(2).d = [d_n](n -> 2)
+#   [n = 2] closed_forms.quaternion(2, x): closed_forms.quaternion(2, x) = [qhat](n -> 2)
+#   [n = 2] closed_forms.tensor(2, x): closed_forms.tensor(2, x) = [R](n -> 2)
+#   [n = 2] closed_forms.tangent(2, x): closed_forms.tangent(2, x) = [dcay_n](n -> 2)
+#   [n = 2] closed_forms.tangent_inv(2, x): closed_forms.tangent_inv(2, x) = [dcay_n^-1](n -> 2)
+#   [n = 2] polynomials.singular_angles(2), polynomials.poles(2): sin(polynomials.singular_angles(2)/2) = 0;
+#       polynomials.poles(2) = tan(polynomials.singular_angles(2)/4)
+#   [n = 2] composition at n = 2: sigma = (2*sigma_2 x sigma_1 + (1 - sigma_2.sigma_2)*sigma_1 + (1 -
+#       sigma_1.sigma_1)*sigma_2)/((sigma_2 x sigma_1).(sigma_2 x sigma_1) + (1 - sigma_2.sigma_1)^2); (1 +
+#       sigma.sigma)*(sigma_2 + 1)^2*(sigma_1 + 1)^2 = (1 + sigma_1.sigma_1)*(1 + sigma_2.sigma_2)*(sigma + 1)^2
+#   [n = 2] definition at n: qhat^2*(-v + 1)^n = (v + 1)^n
+#   [n = 2] quaternion at n: qhat*(point + 1)*qhat = z*(point + 1)*z/|z|^2
+#   [n = 2] tensor at n: qhat*point*conj(qhat) = R*point
+#   [n = 2] orthogonality at n: R*R^T = I
+#   [n = 2] twist at n: vect(R'*R^T) = dcay_n*v'
+#   [n = 2] inverse at n: dcay_n*dcay_n^-1 = I
 #
 # Operations:
 #   quaternion: 31: 9 +, 19 *, 3 /
@@ -42,7 +60,7 @@
 #   tangent: 81: 35 +, 42 *, 3 /, 1 neg
 #   tangent_inv: 69: 29 +, 24 *, 15 /, 1 neg
 #   twist: 128: 49 +, 75 *, 3 /, 1 neg
-#   rate: 105: 42 +, 55 *, 7 /, 1 neg
+#   rate: 105: 42 +, 61 *, 1 /, 1 neg
 #   from_quaternion: 70: 24 +, 37 *, 5 /, 1 neg, 1 lt, 2 where
 #   from_tensor: 135: 47 +, 48 *, 8 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 99: 32 +, 30 *, 5 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -111,7 +129,7 @@ def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x
     N = add(mul(p, p, o2), mul(n4, x, k1), o2)
     r = mul(n2, div(div(N, N, k1), N, o2), o2)
     mul(mul(n2, p, o1), r, o1)
-    g = mul(n4, r, o2)
+    mul(n4, r, o2)
     copy(o2, o3)
     return o1, o2, o3
 
@@ -141,7 +159,7 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     e = div(n4, add(n1, x, o5), o5)
     eg = mul(e, g, o5)
     sub(g, eg, o4)
-    gy = neg(eg, o5)
+    neg(eg, o5)
     copy(o2, o3)
     copy(o5, o6)
     return o1, o2, o3, o4, o5, o6
@@ -155,7 +173,7 @@ def _inverse(m: Any, x: Any) -> Result:
 
 
 def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2 = out
+    o1, _ = out
     n1, n2 = numbers
     p = sub(n1, x, o1)
     div(p, n2, o1)
@@ -174,14 +192,14 @@ def _ray(m: Any, x: Any) -> Result:
 
 
 def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4, o5, o6 = out
+    o1, _, o3, o4, o5, o6 = out
     n1, n2, n4 = numbers
     p = sub(n1, x, o1)
     add(n1, x, o3)
     N = add(mul(p, p, o5), mul(n4, x, o4), o5)
     r = mul(n2, div(div(N, N, o4), N, o5), o5)
     mul(mul(n2, p, o4), r, o4)
-    g = mul(n4, r, o5)
+    mul(n4, r, o5)
     copy(o5, o6)
     return o1, n2, o3, o4, o5, o6
 
@@ -274,8 +292,8 @@ def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
 def _beyond_blocks(
     m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, limit1: Any, cos1: Any, sin1: Any
 ) -> Result:
-    o1, o2, o3 = out
-    mask1, *_ = masks
+    o1, _, _ = out
+    _, *_ = masks
     m.less(limit1, x, o1)
     return o1, cos1, sin1
 
@@ -561,11 +579,11 @@ def _own_tangent_inv_blocks(
     add(fio, add(mul(cv3, v3o, k3), mul(cvo3, v3, k2), k2), o18)
 
 
-# operations 105: 42 +, 55 *, 7 /, 1 neg
+# operations 105: 42 +, 61 *, 1 /, 1 neg
 def _own_rate(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = omega
-    side, twice = table
+    side, half = table
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
@@ -580,12 +598,12 @@ def _own_rate(m: Any, c: Any, v: Components, omega: Components, table: Component
     cvw = side * vw
     cvwo = side * (v1o * w1 + v2o * w2 + v3o * w3 + (v1 * w1o + v2 * w2o + v3 * w3o))
     return (
-        (w1 * fis + (w2 * v3 - w3 * v2) + v1 * cvw) / twice,
-        (w2 * fis + (w3 * v1 - w1 * v3) + v2 * cvw) / twice,
-        (w3 * fis + (w1 * v2 - w2 * v1) + v3 * cvw) / twice,
-        (w1o * fis + w1 * fio + (w2o * v3 - w3o * v2) + (w2 * v3o - w3 * v2o) + (v1o * cvw + v1 * cvwo)) / twice,
-        (w2o * fis + w2 * fio + (w3o * v1 - w1o * v3) + (w3 * v1o - w1 * v3o) + (v2o * cvw + v2 * cvwo)) / twice,
-        (w3o * fis + w3 * fio + (w1o * v2 - w2o * v1) + (w1 * v2o - w2 * v1o) + (v3o * cvw + v3 * cvwo)) / twice,
+        (w1 * fis + (w2 * v3 - w3 * v2) + v1 * cvw) * half,
+        (w2 * fis + (w3 * v1 - w1 * v3) + v2 * cvw) * half,
+        (w3 * fis + (w1 * v2 - w2 * v1) + v3 * cvw) * half,
+        (w1o * fis + w1 * fio + (w2o * v3 - w3o * v2) + (w2 * v3o - w3 * v2o) + (v1o * cvw + v1 * cvwo)) * half,
+        (w2o * fis + w2 * fio + (w3o * v1 - w1o * v3) + (w3 * v1o - w1 * v3o) + (v2o * cvw + v2 * cvwo)) * half,
+        (w3o * fis + w3 * fio + (w1o * v2 - w2o * v1) + (w1 * v2o - w2 * v1o) + (v3o * cvw + v3 * cvwo)) * half,
     )
 
 
@@ -594,7 +612,7 @@ def _own_rate_blocks(
 ) -> None:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = omega
-    side, twice = table
+    side, half = table
     o1, o2, o3, o4, o5, o6 = out
     k1, k2, k3, k4, k5, k6, k7 = scratch
     n1, n2 = numbers
@@ -607,9 +625,9 @@ def _own_rate_blocks(
     fis = mul(fi, side, k1)
     vw = add(add(mul(v1, w1, k2), mul(v2, w2, k3), k2), mul(v3, w3, k3), k2)
     cvw = mul(side, vw, k2)
-    div(add(add(mul(w1, fis, k3), sub(mul(w2, v3, k4), mul(w3, v2, k5), k4), k3), mul(v1, cvw, k4), k3), twice, o1)
-    div(add(add(mul(w2, fis, k3), sub(mul(w3, v1, k4), mul(w1, v3, k5), k4), k3), mul(v2, cvw, k4), k3), twice, o2)
-    div(add(add(mul(w3, fis, k3), sub(mul(w1, v2, k4), mul(w2, v1, k5), k4), k3), mul(v3, cvw, k4), k3), twice, o3)
+    mul(add(add(mul(w1, fis, k3), sub(mul(w2, v3, k4), mul(w3, v2, k5), k4), k3), mul(v1, cvw, k4), k3), half, o1)
+    mul(add(add(mul(w2, fis, k3), sub(mul(w3, v1, k4), mul(w1, v3, k5), k4), k3), mul(v2, cvw, k4), k3), half, o2)
+    mul(add(add(mul(w3, fis, k3), sub(mul(w1, v2, k4), mul(w2, v1, k5), k4), k3), mul(v3, cvw, k4), k3), half, o3)
     y = add(add(mul(v1, v1o, k3), mul(v2, v2o, k4), k3), mul(v3, v3o, k4), k3)
     ys = mul(y, side, k3)
     fio = neg(ys, k3)
@@ -617,17 +635,17 @@ def _own_rate_blocks(
         side, add(add(add(mul(v1o, w1, k4), mul(v2o, w2, k5), k4), mul(v3o, w3, k5), k4), add(add(mul(v1, w1o, k5),
         mul(v2, w2o, k6), k5), mul(v3, w3o, k6), k5), k4), k4
     )
-    div(
+    mul(
         add(add(add(add(mul(w1o, fis, k5), mul(w1, fio, k6), k5), sub(mul(w2o, v3, k6), mul(w3o, v2, k7), k6), k5),
-        sub(mul(w2, v3o, k6), mul(w3, v2o, k7), k6), k5), add(mul(v1o, cvw, k6), mul(v1, cvwo, k7), k6), k5), twice, o4
+        sub(mul(w2, v3o, k6), mul(w3, v2o, k7), k6), k5), add(mul(v1o, cvw, k6), mul(v1, cvwo, k7), k6), k5), half, o4
     )
-    div(
+    mul(
         add(add(add(add(mul(w2o, fis, k5), mul(w2, fio, k6), k5), sub(mul(w3o, v1, k6), mul(w1o, v3, k7), k6), k5),
-        sub(mul(w3, v1o, k6), mul(w1, v3o, k7), k6), k5), add(mul(v2o, cvw, k6), mul(v2, cvwo, k7), k6), k5), twice, o5
+        sub(mul(w3, v1o, k6), mul(w1, v3o, k7), k6), k5), add(mul(v2o, cvw, k6), mul(v2, cvwo, k7), k6), k5), half, o5
     )
-    div(
+    mul(
         add(add(add(add(mul(w3o, fis, k1), mul(w3, fio, k3), k1), sub(mul(w1o, v2, k3), mul(w2o, v1, k5), k3), k1),
-        sub(mul(w1, v2o, k3), mul(w2, v1o, k5), k3), k1), add(mul(v3o, cvw, k2), mul(v3, cvwo, k3), k2), k1), twice, o6
+        sub(mul(w1, v2o, k3), mul(w2, v1o, k5), k3), k1), add(mul(v3o, cvw, k2), mul(v3, cvwo, k3), k2), k1), half, o6
     )
 
 

@@ -21,17 +21,32 @@
 #     v(x)v: (11 - x)/(18 - 6*x)
 #
 # Proved exactly, besides the theorems in the header of the interface:
-#   [n = 3] the coefficients of p, q, c, d are those of the theorem
-#   [n = 3] the coefficients of quaternion, squared are those of the theorem
-#   [n = 3] the coefficients of tensor R are those of the theorem
-#   [n = 3] the coefficients of tangent dcay are those of the theorem
-#   [n = 3] the coefficients of tangent_inv dcay^-1 are those of the theorem
-#   [n = 3] q^2 (1-v)^n = (1+v)^n
-#   [n = 3] q is the quaternion formula, up to sign
-#   [n = 3] q r q* = R r for the tensor formula
-#   [n = 3] R R^T = I
-#   [n = 3] vect(R' R^T) = dcay v' for the tangent formula
-#   [n = 3] dcay dcay^-1 = I for the tangent_inv formula
+#   [n = 3] Cayley(3).p, Cayley(3).q, Cayley(3).c, Cayley(3).d: Cayley(3).p = [p_n](n -> 3); Cayley(3).q =
+#       [q_n](n -> 3); Cayley(3).c = [c_n](n -> 3); Cayley(3).d = [d_n](n -> 3)
+#   [n = 3] Cayley(3).quaternion: Cayley(3).quaternion = [qhat](n -> 3)
+#   [n = 3] Cayley(3).tensor: Cayley(3).tensor = [R](n -> 3)
+#   [n = 3] Cayley(3).tangent: Cayley(3).tangent = [dcay_n](n -> 3)
+#   [n = 3] Cayley(3).tangent_inv: Cayley(3).tangent_inv = [dcay_n^-1](n -> 3)
+#   [n = 3] polynomials.p_binomial(3), polynomials.q_binomial(3), polynomials.c_binomial(3),
+#       polynomials.d_binomial(3): polynomials.p_binomial(3) = [p_n](n -> 3); polynomials.q_binomial(3) =
+#       [q_n](n -> 3); polynomials.c_binomial(3) = [c_n](n -> 3); polynomials.d_binomial(3) = [d_n](n -> 3)
+#   [n = 3] polynomials.multiply(3).p, polynomials.multiply(3).q, polynomials.pair_by_squaring(3).p,
+#       polynomials.pair_by_squaring(3).q, polynomials.brackets(3).c, polynomials.brackets(3).d:
+#       polynomials.multiply(3).p = [p_n](n -> 3); polynomials.multiply(3).q = [q_n](n -> 3);
+#       polynomials.pair_by_squaring(3).p = [p_n](n -> 3); polynomials.pair_by_squaring(3).q = [q_n](n -> 3);
+#       polynomials.brackets(3).c = [c_n](n -> 3); polynomials.brackets(3).d = [d_n](n -> 3)
+#   [n = 3] closed_forms.quaternion(3, x): closed_forms.quaternion(3, x) = [qhat](n -> 3)
+#   [n = 3] closed_forms.tensor(3, x): closed_forms.tensor(3, x) = [R](n -> 3)
+#   [n = 3] closed_forms.tangent(3, x): closed_forms.tangent(3, x) = [dcay_n](n -> 3)
+#   [n = 3] closed_forms.tangent_inv(3, x): closed_forms.tangent_inv(3, x) = [dcay_n^-1](n -> 3)
+#   [n = 3] polynomials.singular_angles(3), polynomials.poles(3): sin(polynomials.singular_angles(3)/2) = 0;
+#       polynomials.poles(3) = tan(polynomials.singular_angles(3)/6)
+#   [n = 3] definition at n: qhat^2*(-v + 1)^n = (v + 1)^n
+#   [n = 3] quaternion at n: qhat*(point + 1)*qhat = z*(point + 1)*z/|z|^2
+#   [n = 3] tensor at n: qhat*point*conj(qhat) = R*point
+#   [n = 3] orthogonality at n: R*R^T = I
+#   [n = 3] twist at n: vect(R'*R^T) = dcay_n*v'
+#   [n = 3] inverse at n: dcay_n*dcay_n^-1 = I
 #
 # Operations:
 #   quaternion: 41: 12 +, 25 *, 3 /, 1 sqrt
@@ -42,7 +57,7 @@
 #   tangent: 102: 40 +, 58 *, 3 /, 1 neg
 #   tangent_inv: 90: 35 +, 42 *, 12 /, 1 neg
 #   twist: 136: 51 +, 81 *, 3 /, 1 neg
-#   rate: 122: 46 +, 66 *, 9 /, 1 neg
+#   rate: 122: 46 +, 72 *, 3 /, 1 neg
 #   from_quaternion: 90: 27 +, 45 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   from_tensor: 146: 47 +, 51 *, 10 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_pose: 110: 32 +, 33 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
@@ -261,7 +276,7 @@ def _ray(m: Any, x: Any) -> Result:
 
 
 def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4, o5, o6 = out
+    o1, o2, _, o4, o5, o6 = out
     n1, n2, n3, n16 = numbers
     p = sub(n1, mul(n3, x, o1), o1)
     q = sub(n3, x, o2)
@@ -450,8 +465,8 @@ def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
 def _beyond_blocks(
     m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, limit1: Any, cos1: Any, sin1: Any
 ) -> Result:
-    o1, o2, o3 = out
-    mask1, *_ = masks
+    o1, _, _ = out
+    _, *_ = masks
     m.less(limit1, x, o1)
     return o1, cos1, sin1
 

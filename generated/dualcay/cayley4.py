@@ -21,17 +21,32 @@
 #     v(x)v: (3 - x)/(4 - 4*x)
 #
 # Proved exactly, besides the theorems in the header of the interface:
-#   [n = 4] the coefficients of p, q, c, d are those of the theorem
-#   [n = 4] the coefficients of quaternion, squared are those of the theorem
-#   [n = 4] the coefficients of tensor R are those of the theorem
-#   [n = 4] the coefficients of tangent dcay are those of the theorem
-#   [n = 4] the coefficients of tangent_inv dcay^-1 are those of the theorem
-#   [n = 4] q^2 (1-v)^n = (1+v)^n
-#   [n = 4] q is the quaternion formula, up to sign
-#   [n = 4] q r q* = R r for the tensor formula
-#   [n = 4] R R^T = I
-#   [n = 4] vect(R' R^T) = dcay v' for the tangent formula
-#   [n = 4] dcay dcay^-1 = I for the tangent_inv formula
+#   [n = 4] Cayley(4).p, Cayley(4).q, Cayley(4).c, Cayley(4).d: Cayley(4).p = [p_n](n -> 4); Cayley(4).q =
+#       [q_n](n -> 4); Cayley(4).c = [c_n](n -> 4); Cayley(4).d = [d_n](n -> 4)
+#   [n = 4] Cayley(4).quaternion: Cayley(4).quaternion = [qhat](n -> 4)
+#   [n = 4] Cayley(4).tensor: Cayley(4).tensor = [R](n -> 4)
+#   [n = 4] Cayley(4).tangent: Cayley(4).tangent = [dcay_n](n -> 4)
+#   [n = 4] Cayley(4).tangent_inv: Cayley(4).tangent_inv = [dcay_n^-1](n -> 4)
+#   [n = 4] polynomials.p_binomial(4), polynomials.q_binomial(4), polynomials.c_binomial(4),
+#       polynomials.d_binomial(4): polynomials.p_binomial(4) = [p_n](n -> 4); polynomials.q_binomial(4) =
+#       [q_n](n -> 4); polynomials.c_binomial(4) = [c_n](n -> 4); polynomials.d_binomial(4) = [d_n](n -> 4)
+#   [n = 4] polynomials.multiply(4).p, polynomials.multiply(4).q, polynomials.pair_by_squaring(4).p,
+#       polynomials.pair_by_squaring(4).q, polynomials.brackets(4).c, polynomials.brackets(4).d:
+#       polynomials.multiply(4).p = [p_n](n -> 4); polynomials.multiply(4).q = [q_n](n -> 4);
+#       polynomials.pair_by_squaring(4).p = [p_n](n -> 4); polynomials.pair_by_squaring(4).q = [q_n](n -> 4);
+#       polynomials.brackets(4).c = [c_n](n -> 4); polynomials.brackets(4).d = [d_n](n -> 4)
+#   [n = 4] closed_forms.quaternion(4, x): closed_forms.quaternion(4, x) = [qhat](n -> 4)
+#   [n = 4] closed_forms.tensor(4, x): closed_forms.tensor(4, x) = [R](n -> 4)
+#   [n = 4] closed_forms.tangent(4, x): closed_forms.tangent(4, x) = [dcay_n](n -> 4)
+#   [n = 4] closed_forms.tangent_inv(4, x): closed_forms.tangent_inv(4, x) = [dcay_n^-1](n -> 4)
+#   [n = 4] polynomials.singular_angles(4), polynomials.poles(4): sin(polynomials.singular_angles(4)/2) = 0;
+#       polynomials.poles(4) = tan(polynomials.singular_angles(4)/8)
+#   [n = 4] definition at n: qhat^2*(-v + 1)^n = (v + 1)^n
+#   [n = 4] quaternion at n: qhat*(point + 1)*qhat = z*(point + 1)*z/|z|^2
+#   [n = 4] tensor at n: qhat*point*conj(qhat) = R*point
+#   [n = 4] orthogonality at n: R*R^T = I
+#   [n = 4] twist at n: vect(R'*R^T) = dcay_n*v'
+#   [n = 4] inverse at n: dcay_n*dcay_n^-1 = I
 #
 # Operations:
 #   quaternion: 41: 14 +, 24 *, 3 /
@@ -42,7 +57,7 @@
 #   tangent: 112: 45 +, 64 *, 3 /
 #   tangent_inv: 96: 38 +, 45 *, 12 /, 1 neg
 #   twist: 146: 56 +, 87 *, 3 /
-#   rate: 128: 49 +, 69 *, 9 /, 1 neg
+#   rate: 128: 49 +, 75 *, 3 /, 1 neg
 #   from_quaternion: 84: 28 +, 44 *, 7 /, 1 neg, 1 sqrt, 1 lt, 2 where
 #   from_tensor: 151: 51 +, 56 *, 11 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 115: 36 +, 38 *, 8 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -463,7 +478,7 @@ def _beyond_blocks(
     m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, limit1: Any, cos1: Any, sin1: Any, limit2: Any, cos2: Any, sin2: Any
 ) -> Result:
     o1, o2, o3 = out
-    mask1, mask2, *_ = masks
+    _, mask2, *_ = masks
     m.less(limit1, x, o1)
     beyond2 = m.less(limit2, x, mask2)
     m.where(beyond2, cos2, cos1, o2)

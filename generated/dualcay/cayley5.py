@@ -21,17 +21,32 @@
 #     v(x)v: (45 - 34*x + x^2)/(50 - 100*x + 10*x^2)
 #
 # Proved exactly, besides the theorems in the header of the interface:
-#   [n = 5] the coefficients of p, q, c, d are those of the theorem
-#   [n = 5] the coefficients of quaternion, squared are those of the theorem
-#   [n = 5] the coefficients of tensor R are those of the theorem
-#   [n = 5] the coefficients of tangent dcay are those of the theorem
-#   [n = 5] the coefficients of tangent_inv dcay^-1 are those of the theorem
-#   [n = 5] q^2 (1-v)^n = (1+v)^n
-#   [n = 5] q is the quaternion formula, up to sign
-#   [n = 5] q r q* = R r for the tensor formula
-#   [n = 5] R R^T = I
-#   [n = 5] vect(R' R^T) = dcay v' for the tangent formula
-#   [n = 5] dcay dcay^-1 = I for the tangent_inv formula
+#   [n = 5] Cayley(5).p, Cayley(5).q, Cayley(5).c, Cayley(5).d: Cayley(5).p = [p_n](n -> 5); Cayley(5).q =
+#       [q_n](n -> 5); Cayley(5).c = [c_n](n -> 5); Cayley(5).d = [d_n](n -> 5)
+#   [n = 5] Cayley(5).quaternion: Cayley(5).quaternion = [qhat](n -> 5)
+#   [n = 5] Cayley(5).tensor: Cayley(5).tensor = [R](n -> 5)
+#   [n = 5] Cayley(5).tangent: Cayley(5).tangent = [dcay_n](n -> 5)
+#   [n = 5] Cayley(5).tangent_inv: Cayley(5).tangent_inv = [dcay_n^-1](n -> 5)
+#   [n = 5] polynomials.p_binomial(5), polynomials.q_binomial(5), polynomials.c_binomial(5),
+#       polynomials.d_binomial(5): polynomials.p_binomial(5) = [p_n](n -> 5); polynomials.q_binomial(5) =
+#       [q_n](n -> 5); polynomials.c_binomial(5) = [c_n](n -> 5); polynomials.d_binomial(5) = [d_n](n -> 5)
+#   [n = 5] polynomials.multiply(5).p, polynomials.multiply(5).q, polynomials.pair_by_squaring(5).p,
+#       polynomials.pair_by_squaring(5).q, polynomials.brackets(5).c, polynomials.brackets(5).d:
+#       polynomials.multiply(5).p = [p_n](n -> 5); polynomials.multiply(5).q = [q_n](n -> 5);
+#       polynomials.pair_by_squaring(5).p = [p_n](n -> 5); polynomials.pair_by_squaring(5).q = [q_n](n -> 5);
+#       polynomials.brackets(5).c = [c_n](n -> 5); polynomials.brackets(5).d = [d_n](n -> 5)
+#   [n = 5] closed_forms.quaternion(5, x): closed_forms.quaternion(5, x) = [qhat](n -> 5)
+#   [n = 5] closed_forms.tensor(5, x): closed_forms.tensor(5, x) = [R](n -> 5)
+#   [n = 5] closed_forms.tangent(5, x): closed_forms.tangent(5, x) = [dcay_n](n -> 5)
+#   [n = 5] closed_forms.tangent_inv(5, x): closed_forms.tangent_inv(5, x) = [dcay_n^-1](n -> 5)
+#   [n = 5] polynomials.singular_angles(5), polynomials.poles(5): sin(polynomials.singular_angles(5)/2) = 0;
+#       polynomials.poles(5) = tan(polynomials.singular_angles(5)/10)
+#   [n = 5] definition at n: qhat^2*(-v + 1)^n = (v + 1)^n
+#   [n = 5] quaternion at n: qhat*(point + 1)*qhat = z*(point + 1)*z/|z|^2
+#   [n = 5] tensor at n: qhat*point*conj(qhat) = R*point
+#   [n = 5] orthogonality at n: R*R^T = I
+#   [n = 5] twist at n: vect(R'*R^T) = dcay_n*v'
+#   [n = 5] inverse at n: dcay_n*dcay_n^-1 = I
 #
 # Operations:
 #   quaternion: 48: 15 +, 29 *, 3 /, 1 sqrt
@@ -42,7 +57,7 @@
 #   tangent: 117: 47 +, 67 *, 3 /
 #   tangent_inv: 105: 42 +, 50 *, 12 /, 1 neg
 #   twist: 151: 58 +, 90 *, 3 /
-#   rate: 137: 53 +, 74 *, 9 /, 1 neg
+#   rate: 137: 53 +, 80 *, 3 /, 1 neg
 #   from_quaternion: 96: 30 +, 48 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   from_tensor: 152: 50 +, 54 *, 10 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_pose: 116: 35 +, 36 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
@@ -282,7 +297,7 @@ def _ray(m: Any, x: Any) -> Result:
 
 
 def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4, o5, o6 = out
+    o1, o2, _, o4, o5, o6 = out
     k1, *_ = scratch
     n1, n2, n5, n10, n80, n96 = numbers
     p = add(mul(sub(mul(n5, x, o1), n10, o1), x, o1), n1, o1)
@@ -477,7 +492,7 @@ def _beyond_blocks(
     m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, limit1: Any, cos1: Any, sin1: Any, limit2: Any, cos2: Any, sin2: Any
 ) -> Result:
     o1, o2, o3 = out
-    mask1, mask2, *_ = masks
+    _, mask2, *_ = masks
     m.less(limit1, x, o1)
     beyond2 = m.less(limit2, x, mask2)
     m.where(beyond2, cos2, cos1, o2)

@@ -21,17 +21,32 @@
 #     v(x)v: (11 - 35*x + 17*x^2 - x^3)/(8 - 56*x + 56*x^2 - 8*x^3)
 #
 # Proved exactly, besides the theorems in the header of the interface:
-#   [n = 8] the coefficients of p, q, c, d are those of the theorem
-#   [n = 8] the coefficients of quaternion, squared are those of the theorem
-#   [n = 8] the coefficients of tensor R are those of the theorem
-#   [n = 8] the coefficients of tangent dcay are those of the theorem
-#   [n = 8] the coefficients of tangent_inv dcay^-1 are those of the theorem
-#   [n = 8] q^2 (1-v)^n = (1+v)^n
-#   [n = 8] q is the quaternion formula, up to sign
-#   [n = 8] q r q* = R r for the tensor formula
-#   [n = 8] R R^T = I
-#   [n = 8] vect(R' R^T) = dcay v' for the tangent formula
-#   [n = 8] dcay dcay^-1 = I for the tangent_inv formula
+#   [n = 8] Cayley(8).p, Cayley(8).q, Cayley(8).c, Cayley(8).d: Cayley(8).p = [p_n](n -> 8); Cayley(8).q =
+#       [q_n](n -> 8); Cayley(8).c = [c_n](n -> 8); Cayley(8).d = [d_n](n -> 8)
+#   [n = 8] Cayley(8).quaternion: Cayley(8).quaternion = [qhat](n -> 8)
+#   [n = 8] Cayley(8).tensor: Cayley(8).tensor = [R](n -> 8)
+#   [n = 8] Cayley(8).tangent: Cayley(8).tangent = [dcay_n](n -> 8)
+#   [n = 8] Cayley(8).tangent_inv: Cayley(8).tangent_inv = [dcay_n^-1](n -> 8)
+#   [n = 8] polynomials.p_binomial(8), polynomials.q_binomial(8), polynomials.c_binomial(8),
+#       polynomials.d_binomial(8): polynomials.p_binomial(8) = [p_n](n -> 8); polynomials.q_binomial(8) =
+#       [q_n](n -> 8); polynomials.c_binomial(8) = [c_n](n -> 8); polynomials.d_binomial(8) = [d_n](n -> 8)
+#   [n = 8] polynomials.multiply(8).p, polynomials.multiply(8).q, polynomials.pair_by_squaring(8).p,
+#       polynomials.pair_by_squaring(8).q, polynomials.brackets(8).c, polynomials.brackets(8).d:
+#       polynomials.multiply(8).p = [p_n](n -> 8); polynomials.multiply(8).q = [q_n](n -> 8);
+#       polynomials.pair_by_squaring(8).p = [p_n](n -> 8); polynomials.pair_by_squaring(8).q = [q_n](n -> 8);
+#       polynomials.brackets(8).c = [c_n](n -> 8); polynomials.brackets(8).d = [d_n](n -> 8)
+#   [n = 8] closed_forms.quaternion(8, x): closed_forms.quaternion(8, x) = [qhat](n -> 8)
+#   [n = 8] closed_forms.tensor(8, x): closed_forms.tensor(8, x) = [R](n -> 8)
+#   [n = 8] closed_forms.tangent(8, x): closed_forms.tangent(8, x) = [dcay_n](n -> 8)
+#   [n = 8] closed_forms.tangent_inv(8, x): closed_forms.tangent_inv(8, x) = [dcay_n^-1](n -> 8)
+#   [n = 8] polynomials.singular_angles(8), polynomials.poles(8): sin(polynomials.singular_angles(8)/2) = 0;
+#       polynomials.poles(8) = tan(polynomials.singular_angles(8)/16)
+#   [n = 8] definition at n: qhat^2*(-v + 1)^n = (v + 1)^n
+#   [n = 8] quaternion at n: qhat*(point + 1)*qhat = z*(point + 1)*z/|z|^2
+#   [n = 8] tensor at n: qhat*point*conj(qhat) = R*point
+#   [n = 8] orthogonality at n: R*R^T = I
+#   [n = 8] twist at n: vect(R'*R^T) = dcay_n*v'
+#   [n = 8] inverse at n: dcay_n*dcay_n^-1 = I
 #
 # Operations:
 #   quaternion: 60: 22 +, 35 *, 3 /
@@ -42,7 +57,7 @@
 #   tangent: 141: 59 +, 79 *, 3 /
 #   tangent_inv: 126: 52 +, 61 *, 12 /, 1 neg
 #   twist: 175: 70 +, 102 *, 3 /
-#   rate: 158: 63 +, 85 *, 9 /, 1 neg
+#   rate: 158: 63 +, 91 *, 3 /, 1 neg
 #   from_quaternion: 101: 35 +, 52 *, 8 /, 1 neg, 2 sqrt, 1 lt, 2 where
 #   from_tensor: 168: 58 +, 64 *, 12 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 132: 43 +, 46 *, 9 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -511,7 +526,7 @@ def _beyond_blocks(
 ) -> Result:
     o1, o2, o3 = out
     k1, *_ = scratch
-    mask1, mask2, mask3, *_ = masks
+    _, mask2, mask3, *_ = masks
     m.less(limit1, x, o1)
     beyond3 = m.less(limit3, x, mask2)
     beyond2 = m.less(limit2, x, mask3)

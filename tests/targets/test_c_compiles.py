@@ -125,7 +125,8 @@ def test_loops_over_rows_become_vector_code(package, tmp_path, order):
     source = written(tmp_path, "rows.c", f'#include "cayley{order}.h"\n{uses}')
     # of loops that come out the same, gcc would report one
     flags = ("-std=c99", "-O3", "-mavx2", "-fno-math-errno", "-fno-trapping-math", "-fno-ipa-icf")
-    report = run(tool("gcc"), *flags, "-fopt-info-vec-optimized", f"-I{package}", "-c", source, "-o", tmp_path / "rows.o")
+    command = (tool("gcc"), *flags, "-fopt-info-vec-optimized", f"-I{package}")
+    report = run(*command, "-c", source, "-o", tmp_path / "rows.o")
     lines = {int(line) for line in re.findall(r"geometry\.h:(\d+):\d+: optimized: loop vectorized", report)}
     cores = Counter(core for line in lines for core in re.findall(r"DUALCAY_NAME\((\w+)_core\)", header[line]))
     needed = levels(lower_chart(Cayley(order)))

@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+import importlib
+import re
+import shutil
 import subprocess
 import sys
 from fractions import Fraction
 from pathlib import Path
+from types import ModuleType
 
 import numpy as np
 import pytest
+from numba import float64, njit
 
-from derive.codegen import jit
-from derive.codegen.lowering import lower
+from derive.codegen.lowered import geometry, lower_chart
+from derive.codegen.targets import numba
+from derive.maps import Cayley
 from tests.support import sampling
 from tests.support.accuracy import FUNCTIONS, Trial
 from tests.support.kernels import load
@@ -114,12 +120,71 @@ def test_singular_points_are_ieee_results_without_a_warning(compiled):
     assert not np.isfinite(compiled(1).from_quaternion(half_turn)).all()
 
 
-def test_no_core_has_more_outputs_than_are_vectorised():
-    for program in lower(ORDER).values():
-        for part in jit.parts(program):
-            assert part.rows.count("out[") <= jit.MOST_OUTPUTS
-        stored = "".join(part.row for part in jit.parts(program))
-        assert all(f"out[{i}]" in stored for i in range(len(program.outputs)))
+@pytest.mark.parametrize("programs", [geometry(), lower_chart(Cayley(1)).own], ids=["shared", "own"])
+def test_no_core_has_more_outputs_than_are_vectorised(programs):
+    for program in programs.values():
+        for part in numba.parts(program):
+            assert part.rows.count("out[") <= numba.MOST_OUTPUTS
+        stored = "".join(part.row for part in numba.parts(program))
+        assert all(stored.count(f"out[{i}]") == 1 for i in range(len(program.outputs)))
+
+
+@pytest.mark.parametrize("name", ["quaternion", "tensor", "pose", "tangent", "twist", "rate", "shadow", "principal"])
+def test_loops_without_trigonometry_are_vectorised(compiled, name):
+    module = compiled(ORDER)
+    getattr(module, name)(*(components_first(a, 1) for a in inputs(load(ORDER), name, ORDER, (9,))), axis=0)
+    for loop in module.CHART.kernels[name].loops:
+        doubles = [text for sign, text in loop.inspect_llvm().items() if sign[0].dtype == float64]
+        assert doubles
+        assert all(re.search(r"= fmul .*<\d+ x double>", text) for text in doubles)
+
+
+@pytest.fixture
+def imported(package, tmp_path, monkeypatch):
+    """Import a module of a copy of the package anew, as another process does, after a change of its text."""
+    name = package("numba")
+    source = next(Path(p) / name for p in sys.path if (Path(p) / name).is_dir())
+    folder = shutil.copytree(source, tmp_path / "kept_on_disk", ignore=shutil.ignore_patterns("__pycache__"))
+    monkeypatch.syspath_prepend(tmp_path)
+
+    def again(order: int, old: str = "", new: str = "") -> ModuleType:
+        path = folder / f"cayley{order}.py"
+        text = path.read_text(encoding="utf-8")
+        assert old in text
+        path.write_text(text.replace(old, new), encoding="utf-8")
+        for loaded in [key for key in sys.modules if key.partition(".")[0] == folder.name]:
+            monkeypatch.delitem(sys.modules, loaded)
+        importlib.invalidate_caches()
+        return importlib.import_module(f"{folder.name}.cayley{order}")
+
+    return again
+
+
+def test_compiled_loops_are_kept_on_disk_for_each_chart_and_its_scalars(imported):
+    v = components_first(sampling.poses(ORDER, "uniform"), 1)
+
+    def hits(module: ModuleType) -> int:
+        (loop,) = module.CHART.kernels["quaternion"].loops
+        return sum(loop.stats.cache_hits.values())
+
+    for order, kept in ((3, 0), (3, 1), (4, 0)):
+        module = imported(order)
+        assert_nearly_equal(module.quaternion(v, axis=0), load(order).quaternion(v, axis=0), eps=40)
+        assert hits(module) == kept
+    negative = imported(3, "s = p * r", "s = -p * r")
+    assert_nearly_equal(negative.quaternion(v, axis=0)[0], -load(3).quaternion(v, axis=0)[0], eps=40)
+    assert hits(negative) == 0
+
+
+def test_cores_serve_loops_compiled_elsewhere(compiled):
+    (core,) = compiled(ORDER).CHART.kernels["quaternion"].kernel.cores
+
+    @njit
+    def scalar_parts(rows):
+        return [core((v[0], v[1], v[2], v[3], v[4], v[5]))[0] for v in rows]
+
+    v = sampling.poses(ORDER, "uniform")
+    assert_nearly_equal(np.array(scalar_parts(v)), load(ORDER).quaternion(v)[:, 0], eps=40)
 
 
 def test_without_numba_the_import_says_what_is_missing(package):

@@ -104,17 +104,17 @@ def tangent_inv(trace: Geometry) -> Program:
 def rate(trace: Geometry) -> Program:
     """T⁻¹ ω = (fi ω - v × ω + hi (v·ω) v)/2, or with the side -1 its transpose, which has + v × ω.
 
-    A side σ stands in (σ fi ω - v × ω + σ hi (v·ω) v)/2σ: so it multiplies scalars, and the divisor is twice the side.
+    A side σ stands in σ/2 (σ fi ω - v × ω + σ hi (v·ω) v): so it multiplies scalars, and half of it the whole.
     """
     point = start(trace)
     w = _dual_argument(trace, "omega")
-    side, twice = trace.inputs("table", ("side", "twice"))
+    side, half = trace.inputs("table", ("side", "half"))
     fi, hi, fiy, hiy = point.scalars("tangent_inv")
     y = point.name("ys", point.y * side)
     a, ao = point.name("fis", fi * side), point.name("fio", fiy * y)
     c, co = point.name("his", hi * side), point.name("hio", hiy * y)
     real, dual = Operator(point, a, ao, point.re, point.du, c, co, opposite=True).apply(*w)
-    return trace.program("rate", (*(real / twice), *(dual / twice)))
+    return trace.program("rate", (*(half * real), *(half * dual)))
 
 
 def _dual_argument(trace: Geometry, argument: str) -> tuple[Vector, Vector]:

@@ -61,8 +61,9 @@ class Trace:
         return value
 
     def free_name(self, name: str) -> str:
-        """The name, with trailing underscores where it is taken."""
-        while name in self._names.values():
+        """The name, with trailing underscores where a value or an argument has it."""
+        taken = {*self._names.values(), *(argument for argument, _ in self._inputs)}
+        while name in taken:
             name += "_"
         return name
 

@@ -17,11 +17,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from .array_api import ArrayApi
 from .c import C
+from .numba import Numba
 from .numpy import Numpy
 from .target import Target
 
-_ROWS: tuple[Target, ...] = (Numpy(), C())
+_ROWS: tuple[Target, ...] = (Numpy(), ArrayApi(), Numba(), C())
 
 TARGETS: Mapping[str, Target] = {target.name: target for target in _ROWS}
 """By name."""

@@ -7,6 +7,8 @@ from collections.abc import Callable, Iterator, Sequence
 from ..programs.program import Call, Program
 from .expression import ARITHMETIC, ATOM, WIDTH, Dialect, Operator, Text, fill, left_associative
 
+Ask = Callable[[Call, str], str]
+
 
 def python(prefix: str, literal: Callable[[int], str] = str) -> Dialect:
     """Return the dialect of Python with functions of a prefix and constants written in a way."""
@@ -32,12 +34,20 @@ PLAIN = python("m.")
 """Functions of the number type in ``m``, constants as they are."""
 
 
-def body(program: Program, indent: str = "    ", dialect: Dialect = PLAIN, alone: bool = False) -> str:
+def of_namespace(call: Call, arguments: str) -> str:
+    """A call of a scalar program that the namespace ``c`` holds."""
+    return f"c.{call.function}(m, {arguments}{f', *{call.rest}' if call.rest else ''})"
+
+
+def body(
+    program: Program, indent: str = "    ", dialect: Dialect = PLAIN, alone: bool = False, ask: Ask = of_namespace
+) -> str:
     """Source lines of the program: unpacked arguments, assignments, and the returned tuple.
 
-    A program that stands `alone` has its components for parameters: nothing is unpacked.
+    A program that stands `alone` has its components for parameters: nothing is unpacked. `ask` is the text of a call,
+    from that of its arguments.
     """
-    lines = _statements(program, dialect, not alone)
+    lines = _statements(program, dialect, not alone, ask)
     return "\n".join(line for statement in lines for line in _wrap(statement, indent))
 
 
@@ -46,7 +56,7 @@ def unpacked(names: Sequence[str], argument: str) -> str:
     return f"{', '.join(names)}{',' * (len(names) == 1)} = {argument}"
 
 
-def _statements(program: Program, dialect: Dialect, unpack: bool) -> Iterator[str | list[str]]:
+def _statements(program: Program, dialect: Dialect, unpack: bool, ask: Ask) -> Iterator[str | list[str]]:
     """Assignments, then the list of outputs."""
     used = program.operands
     for argument, names in program.inputs if unpack else ():
@@ -55,8 +65,7 @@ def _statements(program: Program, dialect: Dialect, unpack: bool) -> Iterator[st
     assignments, outputs = dialect.statements(program)
     for statement, text in assignments:
         if isinstance(statement, Call):
-            rest = f", *{statement.rest}" if statement.rest else ""
-            yield unpacked(statement.names, f"c.{statement.function}(m, {text}{rest})")
+            yield unpacked(statement.names, ask(statement, text))
         else:
             yield f"{statement.name} = {text}"
     yield outputs

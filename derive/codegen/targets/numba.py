@@ -1,4 +1,4 @@
-"""Print a program as compiled loops: cores on scalars, of few outputs each, and the loops which run them.
+"""Compiled loops: cores on scalars, of few outputs each, and the loops that run them.
 
 A loop with more than nine stores is no longer vectorised by LLVM, so a larger result is computed in parts. Constants
 are made of the type of the arguments: beside a bare integer Numba computes float32 in double precision.
@@ -6,22 +6,28 @@ are made of the type of the arguments: beside a bare integer Numba computes floa
 
 from __future__ import annotations
 
+import re
 import textwrap
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from pathlib import Path
 
-from ..programs.program import Operand, Program
-from . import infix
+from ...maps.chart import Chart
+from ...output import RefusedError
+from ..facts import Facts
+from ..lowered import geometry
+from ..programs.program import Call, Operand, Program, Statement, summary
+from ..programs.registers import results
+from ..signatures import KERNELS
+from . import infix, python
 from .expression import WIDTH
+from .target import Data
 
 MOST_OUTPUTS = 9
 """Stores in a loop which LLVM still vectorises."""
 
-_POSE_ROTATION = (0, 1, 2, 4, 5, 6, 8, 9, 10)
-_POSE_TRANSLATION = (3, 7, 11, 12, 13, 14, 15)
-
-_TABLES = frozenset({"cs", "table"})
-"""Arguments which are constants, the same for every pose."""
+TABLE = "table"
+"""The argument of constants, the same for every pose, of a length that for some functions only the chart knows."""
 
 DIALECT = infix.python(prefix="", literal=lambda value: f"_m{-value}" if value < 0 else f"_{value}")
 
@@ -32,36 +38,31 @@ class Part:
 
     name: str
     summary: str
-    arguments: tuple[str, ...]
     body: str
     row: str
     rows: str
 
 
-def parts(program: Program) -> tuple[Part, ...]:
-    """The cores of a program, each with the outputs it is for."""
-    groups = _groups(program)
-    return tuple(_part(program, f"{program.name}{i}", group) for i, group in enumerate(groups, 1))
+def parts(program: Program, prefix: str = "") -> tuple[Part, ...]:
+    """The cores of a program of a geometry, each with the outputs it is for; a prefix stands before their names."""
+    sizes = [size for array in KERNELS[program.name].results for size in array.parts for _ in range(size)]
+    return tuple(_part(program, f"{program.name}{i}", group, prefix) for i, group in enumerate(_groups(sizes), 1))
 
 
-def _groups(program: Program) -> list[tuple[int, ...]]:
-    if program.name == "pose":
-        return [_POSE_ROTATION, _POSE_TRANSLATION]
-    count = len(program.outputs)
-    return [tuple(range(first, min(first + MOST_OUTPUTS, count))) for first in range(0, count, MOST_OUTPUTS)]
+def _groups(sizes: Sequence[int]) -> list[tuple[int, ...]]:
+    """Outputs by loops; those of parts of equal size stay together: of a pose the rows of Q, then those of rho."""
+    order = sorted(range(len(sizes)), key=lambda index: sizes.index(sizes[index]))
+    return [tuple(order[first : first + MOST_OUTPUTS]) for first in range(0, len(order), MOST_OUTPUTS)]
 
 
-def _part(program: Program, name: str, group: Sequence[int]) -> Part:
+def _part(program: Program, name: str, group: Sequence[int], prefix: str) -> Part:
     selected = _select(program, group)
-    arguments = tuple(argument for argument, _ in program.inputs)
-    lines = [*_constants(selected, arguments[0]), infix.body(selected, dialect=DIALECT)]
     return Part(
         name=name,
-        summary=f"operations {selected.summary()}",
-        arguments=arguments,
-        body="\n".join(lines),
-        row=_call(name, program, group, "    ", ""),
-        rows=_call(name, program, group, "        ", ", i"),
+        summary=f"operations {summary(selected.operations)}",
+        body=body(selected),
+        row=_call(prefix + name, program, group, "    ", ""),
+        rows=_call(prefix + name, program, group, "        ", ", i"),
     )
 
 
@@ -69,28 +70,50 @@ def _select(program: Program, group: Sequence[int]) -> Program:
     """The program of some of the outputs only."""
     outputs = tuple(program.outputs[index] for index in group)
     needed: set[Operand] = set(outputs)
-    steps = []
-    for step in reversed(program.steps):
-        if step.name in needed:
-            needed.update(step.args)
-            steps.append(step)
-    return replace(program, steps=tuple(reversed(steps)), outputs=outputs)
+    statements: list[Statement] = []
+    for statement in reversed(program.statements):
+        if needed.intersection(results(statement)):
+            needed.update(statement.args)
+            statements.append(_needed(statement, needed) if isinstance(statement, Call) else statement)
+    return replace(program, statements=tuple(reversed(statements)), outputs=outputs)
 
 
-def _constants(program: Program, argument: str) -> Iterator[str]:
-    operands = {arg for step in program.steps for arg in step.args} | set(program.outputs)
-    for value in sorted(int(operand) for operand in operands if not isinstance(operand, str)):
+def _needed(call: Call, needed: set[Operand]) -> Call:
+    return replace(call, names=tuple(name if name in needed else "_" for name in call.names))
+
+
+def body(program: Program) -> str:
+    """Lines of a function whose arguments are tuples of components, numbers, or the table."""
+    lines = [*_constants(program), *_unpacked(program)]
+    return "\n".join([*lines, infix.body(program, dialect=DIALECT, alone=True, ask=_ask)])
+
+
+def _ask(call: Call, arguments: str) -> str:
+    return f"c_{call.function}({arguments}{f', {call.rest}' if call.rest else ''})"
+
+
+def _constants(program: Program) -> Iterator[str]:
+    argument = program.inputs[0][0]
+    for value in program.constants:
         yield f"    {DIALECT.literal(value)} = number({value}, {argument})"
 
 
-def _call(name: str, program: Program, group: Sequence[int], indent: str, suffix: str) -> str:
-    """``(out[0], out[1], …) = _name((v[0], …), …)``, over several lines."""
-    stored = ", ".join(f"out[{index}{suffix}]" for index in group)
-    lines = [f"{indent}(", *_wrapped(stored, indent), f"{indent}) = _{name}("]
+def _unpacked(program: Program) -> Iterator[str]:
+    used = program.operands
     for argument, names in program.inputs:
-        each = "" if argument in _TABLES else suffix
-        loaded = ", ".join(f"{argument}[{index}{each}]" for index in range(len(names)))
-        lines += _wrapped(f"({loaded}),", indent)
+        if argument == TABLE:
+            yield from (f"    {name} = {argument}[{i}]" for i, name in enumerate(names) if name in used)
+        elif names != (argument,):
+            yield "    " + infix.unpacked([name if name in used else "_" for name in names], argument)
+
+
+def _call(name: str, program: Program, group: Sequence[int], indent: str, suffix: str) -> str:
+    """``(out[0], out[1], …) = pose1((v[0], …), …)``, over several lines."""
+    stored = ", ".join(f"out[{index}{suffix}]" for index in group)
+    lines = [f"{indent}(", *_wrapped(stored, indent), f"{indent}) = {name}("]
+    for argument, names in program.inputs:
+        loaded = ", ".join(f"{argument}[{index}{suffix}]" for index in range(len(names)))
+        lines += _wrapped(f"{argument}," if argument == TABLE else f"({loaded}),", indent)
     return "\n".join([*lines, f"{indent})"])
 
 
@@ -99,3 +122,59 @@ def _wrapped(text: str, indent: str) -> list[str]:
     joined = text.replace(", i]", ",\0i]")
     lines = textwrap.wrap(joined, WIDTH - len(indent) - 4, break_long_words=False)
     return [f"{indent}    {line}".replace("\0", " ") for line in lines]
+
+
+def _called(texts: Iterable[str]) -> list[str]:
+    """The functions of ``_compiled`` in some texts."""
+    text = "".join(texts)
+    return sorted(name for name in ("atan2", "number", "sqrt", "tan", "where") if re.search(rf"\b{name}\(", text))
+
+
+def _cores(printed: Iterable[python.Printed]) -> list[str]:
+    return [part.body for program in printed for part in program.forms]
+
+
+WORDS = python.Words(
+    value="ArrayLike",
+    array_like="array_like",
+    array="ndarray",
+    kept="float32 and float64",
+    options="*, axis: int = -1, out: Array | None = None, parallel: bool = False",
+    passed="axis, out, parallel",
+    passed_alone="axis, None, False",
+)
+
+
+class Numba(python.PythonTarget):
+    """The target that Numba compiles, on NumPy arrays."""
+
+    name = "numba"
+    unproved = "what Numba and LLVM make of the source, with typed constants and selections; rounding errors"
+
+    def shared(self) -> Mapping[str, Data]:
+        programs = [python.printed(program, parts(program)) for program in geometry().values()]
+        calls = ["prange", *_called(_cores(programs))]
+        return {
+            "__init__.py": {},
+            "_chart.py": {},
+            "_compiled.py": {},
+            "_geometry.py": {"programs": programs, "rows": python.rows(), "calls": sorted(calls)},
+            "_interface.py": python.interface(WORDS),
+            "_runtime.py": {},
+            "_tools.py": {},
+            "py.typed": {},
+        }
+
+    def module(self, facts: Facts) -> Data:
+        scalars = [python.printed(program, body(program)) for program in facts.lowered.scalars.values()]
+        own = [python.printed(program, parts(program, "_own_")) for program in facts.lowered.own.values()]
+        calls = ["prange"] * bool(own) + _called([*(program.forms for program in scalars), *_cores(own)])
+        data = {"scalars": scalars, "own": own, "rows": python.rows(), "calls": sorted(calls)}
+        return python.described(facts) | data
+
+    def validate(self, folder: Path, chart: Chart) -> int:
+        """Run the source of a package which wants its compiler even so."""
+        try:
+            return super().validate(folder, chart)
+        except ImportError as error:
+            raise RefusedError(f"cannot validate what was printed: {error}") from error

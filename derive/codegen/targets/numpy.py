@@ -9,17 +9,14 @@ since a call returns where it wrote. Scratch registers are ``k1, k2, ...``, mask
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Set
 from dataclasses import dataclass
 from itertools import chain
-from pathlib import Path
 
-from ...maps.chart import Chart
 from ..facts import Facts
 from ..lowered import geometry
 from ..programs.program import Call, Operand, Program, Step
 from ..programs.registers import Placement, place, place_returned, results
-from ..validation import validate
 from . import infix, python
 from .expression import WIDTH, fill
 from .target import Data
@@ -71,7 +68,8 @@ def two_forms(program: Program) -> TwoForms:
 def _forms(
     program: Program, placement: Placement, plain: str, before: Iterable[str], after: Iterable[str], lent: bool
 ) -> TwoForms:
-    lines = (*before, *_registers(program, placement, lent), *_calls(program, placement), *after)
+    body = (*_calls(program, placement), *after)
+    lines = (*before, *_registers(program, placement, lent, set(re.findall(r"\w+", " ".join(body)))), *body)
     blocks = "\n".join(line for text in lines for line in _wrap(text, "    "))
     loans = tuple((call.function, *_counts(placement, call)) for call in program.calls)
     return TwoForms(plain, blocks, placement.registers, placement.masks, program.constants, loans)
@@ -89,7 +87,7 @@ def _arguments(program: Program) -> Iterator[str]:
             yield infix.unpacked([name if name in used else "_" for name in names], argument)
 
 
-def _registers(program: Program, placement: Placement, lent: bool) -> Iterator[str]:
+def _registers(program: Program, placement: Placement, lent: bool, used: Set[str]) -> Iterator[str]:
     """Names of outputs, registers and constants. What is lent may be more; what is not used here is spare for calls."""
     fixed = {
         "out": [f"o{i}" for i in range(1, len(program.outputs) + 1)],
@@ -104,13 +102,15 @@ def _registers(program: Program, placement: Placement, lent: bool) -> Iterator[s
             fixed[argument].append(rest)
         elif lent and fixed[argument]:
             fixed[argument].append("*_")
-    yield from (infix.unpacked(names, argument) for argument, names in fixed.items() if names)
+    for argument, names in fixed.items():
+        shown = [name if name in used or name.startswith("*") else "_" for name in names]
+        if any(name != "_" for name in shown) and shown != ["*_"]:
+            yield infix.unpacked(shown, argument)
 
 
 def _calls(program: Program, placement: Placement) -> Iterator[str]:
     printer = _Calls(program, placement)
     read = {arg for statement in program.statements for arg in statement.args}
-    read |= {source for source, _ in placement.copies}
     for statement in placement.statements:
         if isinstance(statement, Call):
             names = [name if name in read else "_" for name in statement.names]
@@ -191,19 +191,17 @@ WORDS = python.Words(
     value="ArrayLike",
     array_like="array_like",
     array="ndarray",
+    kept="float32, float64 and longdouble",
     options="*, axis: int = -1, out: Array | None = None",
     passed="axis, out",
     passed_alone="axis, None",
 )
 
 
-class Numpy:
+class Numpy(python.PythonTarget):
     """The target of the committed kernels."""
 
     name = "numpy"
-    extension = "py"
-    entry = "__init__.py"
-    comment = "#"
     unproved = "rounding errors, which are measured; NumPy itself"
 
     def shared(self) -> Mapping[str, Data]:
@@ -227,16 +225,4 @@ class Numpy:
         ]
         own = [python.printed(program, two_forms(program)) for program in facts.lowered.own.values()]
         data = {"calls": _called((*scalars, *own)), "scalars": scalars, "own": own, "rows": python.rows()}
-        return python.described(facts) | data | {"largest": facts.largest}
-
-    def companions(self, chart: Chart) -> Mapping[str, tuple[str, Data]]:
-        return {}
-
-    def require_complete(self, texts: Mapping[str, str]) -> None:
-        python.require_complete(texts)
-
-    def validate(self, folder: Path, chart: Chart) -> int:
-        return validate(folder, chart)
-
-    def test(self, folder: Path, chart: Chart) -> int:
-        return 0
+        return python.described(facts) | data

@@ -6,13 +6,15 @@ import ast
 import textwrap
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 from ...maps.cayley import EQUATIONS
-from ...maps.chart import DEFINITIONS
+from ...maps.chart import DEFINITIONS, Chart
 from ..facts import Facts, comment, numbers, theorem_lines
 from ..programs.program import Program, summary
 from ..signatures import FUNCTIONS, KERNELS, PUBLIC
+from ..validation import validate
 from .expression import WIDTH
 from .target import Data, require_functions
 
@@ -22,7 +24,7 @@ CLASS = "PoseKernels"
 
 @dataclass(frozen=True, slots=True)
 class Words:
-    """How a target speaks of arrays, and the keyword parameters of its functions.
+    """How a target speaks of arrays, what it keeps of them, and the keyword parameters of its functions.
 
     ``passed`` is what a function passes on of them, ``passed_alone`` one that returns several arrays.
     """
@@ -30,6 +32,7 @@ class Words:
     value: str
     array_like: str
     array: str
+    kept: str
     options: str
     passed: str
     passed_alone: str
@@ -43,6 +46,26 @@ class Printed:
     summary: str
     parameters: tuple[str, ...]
     forms: Any
+
+
+class PythonTarget:
+    """What the rows of these targets share."""
+
+    extension = "py"
+    entry = "__init__.py"
+    comment = "#"
+
+    def companions(self, chart: Chart) -> Mapping[str, tuple[str, Data]]:
+        return {}
+
+    def require_complete(self, texts: Mapping[str, str]) -> None:
+        require_complete(texts)
+
+    def validate(self, folder: Path, chart: Chart) -> int:
+        return validate(folder, chart)
+
+    def test(self, folder: Path, chart: Chart) -> int:
+        return 0
 
 
 def interface(words: Words) -> Data:
@@ -64,6 +87,7 @@ def described(facts: Facts) -> dict[str, Any]:
         "domain": facts.domain,
         "singular": facts.singular,
         "singular_angles": facts.singular_angles,
+        "largest": facts.largest,
         "turns": facts.turns,
         "returns": facts.returns,
         "exports": _quoted(exported.keys() | {"singular_angles"}),

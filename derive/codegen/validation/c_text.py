@@ -116,15 +116,15 @@ def _constants(unit: Unit, chart: Cayley) -> None:
     """What the macros of the header stand for, and the singular angles."""
     ratios = [angle / sympy.pi for angle in chart.singular_angles]
     prefix = _prefix(chart)
-    expected = {f"{prefix.upper()}ORDER": str(chart.branches), f"{prefix.upper()}SINGULAR_ANGLES": str(len(ratios))}
-    for name, row in PUBLIC.items():
-        for form in ("", "_rows"):
-            expected |= {f"{prefix}{alias}{form}": f"{prefix}{name}{form}" for alias in row.aliases}
+    macro = prefix.upper()
+    expected = {f"{macro}ORDER": str(chart.branches), f"{macro}SINGULAR_ANGLES": str(len(ratios))}
+    aliases = [(alias, name) for name, row in PUBLIC.items() for alias in row.aliases]
+    expected |= {f"{prefix}{a}{form}": f"{prefix}{b}{form}" for a, b in aliases for form in ("", "_rows")}
     for name, text in expected.items():
         if unit.source.expand(name) != text:
             raise ValidationFailed(f"{name} is {unit.source.expand(name)}, not {text}")
     angles = [UNSET] * len(ratios)
-    if unit.call(f"{prefix}singular_angles", Pointer.to(angles)) != len(ratios):
+    if unit.call(f"{_prefix(chart)}singular_angles", Pointer.to(angles)) != len(ratios):
         raise ValidationFailed(f"singular_angles does not return {len(ratios)}")
     with mpmath.workdps(digits.DIGITS):
         _compare("singular_angles", angles, [mpmath.pi * int(r.p) / int(r.q) for r in ratios], digits.close)

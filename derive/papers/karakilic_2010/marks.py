@@ -8,13 +8,13 @@ from itertools import pairwise
 from typing import Any
 
 from derive.algebra import Dual, Tensor, Vector, dual_part, real_part
+from derive.algebra.mixed import MeaninglessError
 from derive.proof.ratio import NotExactError
 
 from ..language.changes import DROPPED, SWAPPED, made
 from ..language.evaluation import Env
 from ..language.notation import cos, define, norm, sin, tan
 from ..language.terms import ATOM, LIST, POWER, PRODUCT, RELATION, SUM, Mark, Term, Trait
-from ..language.values import MeaninglessError
 from .alphabet import i, j
 
 

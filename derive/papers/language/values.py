@@ -11,14 +11,11 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from derive.algebra import Dual, Quaternion, Structure, Tensor, Vector, dual_part, real_part
+from derive.algebra import Dual, Quaternion, Structure, Tensor, Vector, dual_part, mixed, real_part
+from derive.algebra.mixed import quaternion as quaternion
 from derive.maps.pose import Pose
 
 from ..numbers.fields import Field
-
-
-class MeaninglessError(TypeError):
-    """The formula combines things that have no such operation."""
 
 
 @dataclass(frozen=True)
@@ -83,9 +80,7 @@ def add(a: Any, b: Any) -> Any:
         return a.map(lambda value: add(value, b))
     if isinstance(b, Either):
         return b.map(lambda value: add(a, value))
-    if type(a) is type(b) or not (isinstance(a, Structure) or isinstance(b, Structure)):
-        return a + b
-    return quaternion(a) + quaternion(b)
+    return mixed.add(a, b)
 
 
 def negative(a: Any) -> Any:
@@ -101,11 +96,7 @@ def multiply(a: Any, b: Any) -> Any:
         return b.map(lambda value: multiply(a, value))
     if isinstance(a, Pose) and isinstance(b, Pose):
         return a @ b
-    if not (isinstance(a, Structure) and isinstance(b, Structure)):
-        return a * b
-    if isinstance(a, Tensor) and isinstance(b, Tensor | Vector):
-        return a @ b
-    return quaternion(a) * quaternion(b)
+    return mixed.multiply(a, b)
 
 
 def divide(a: Any, b: Any) -> Any:
@@ -120,17 +111,6 @@ def divide(a: Any, b: Any) -> Any:
         quotient = a / b
         return int(quotient) if isinstance(quotient, Fraction) and quotient.denominator == 1 else quotient
     return multiply(a, quaternion(b).inverse())
-
-
-def quaternion(a: Any) -> Quaternion:
-    """A number, vector or quaternion as a quaternion."""
-    if isinstance(a, Quaternion):
-        return a
-    if isinstance(a, Vector):
-        return Quaternion(0, a)
-    if isinstance(a, Structure):
-        raise MeaninglessError(f"a {type(a).__name__.lower()} is no quaternion")
-    return Quaternion(a, Vector(0, 0, 0))
 
 
 def dot(a: Any, b: Any) -> Any:

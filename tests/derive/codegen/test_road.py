@@ -67,7 +67,7 @@ def flipped(text: str, function: str, pattern: str, replacement: str) -> str:
         (GEOMETRY, "tensor", r"gvv1 - fv3", "gvv1 + fv3"),
         (GEOMETRY, "twist", r"w1o \* f", "w2o * f"),
         (GEOMETRY, "twist", r"gs = g \* side", "gs = g"),
-        (GEOMETRY, "rate", r"/ twice", "/ 2"),
+        (GEOMETRY, "rate", r"\* half", "* side"),
         (GEOMETRY, "from_pose", r"Q32 - Q23", "Q23 - Q32"),
         (GEOMETRY, "from_tensor", r"/ 2\b", "/ 3"),
         (GEOMETRY, "compose", r"z0 = ab \* aa - ", "z0 = ab * aa + "),

@@ -9,6 +9,9 @@ import sympy
 from derive.maps import Cayley
 from derive.proof.at_order import instances
 from derive.proof.components import Components
+from derive.proof.computations import Computed, computations
+from derive.proof.controls import controls_at
+from derive.proof.identity import Multiplier
 
 
 @pytest.mark.parametrize("backend", ["flint", "sympy"])
@@ -16,18 +19,23 @@ from derive.proof.components import Components
 def test_both_roads_agree_with_the_formulas(n: int, backend: str) -> None:
     pytest.importorskip("flint" if backend == "flint" else "sympy")
     cayley = Cayley(n)
-    for proof in (*instances(cayley), *Components(cayley, backend).proofs()):
+    for proof in (*instances(cayley), *computations(n), *Components(cayley, backend).proofs()):
         assert proof.proved, str(proof)
         assert proof.scope == f"n = {n}"
 
 
 def test_high_order() -> None:
     cayley = Cayley(64)
-    assert all(proof.proved for proof in (*instances(cayley), *Components(cayley).proofs()))
+    assert all(proof.proved for proof in (*instances(cayley), *computations(64), *Components(cayley).proofs()))
 
 
 Mutations = Callable[[int], Iterator[tuple[str, str, Any]]]
 CHECKS = {"tensor": Components.tensor, "tangent": Components.twist, "tangent_inv": Components.inverse}
+
+
+def noticed(checks: Iterator[Any]) -> bool:
+    """Whether a residue is not zero."""
+    return any(check[1] != 0 for check in checks if not isinstance(check, Multiplier))
 
 
 @pytest.mark.parametrize("n", [1, 2, 5])
@@ -35,7 +43,7 @@ def test_every_single_coefficient_matters(n: int, mutations: Mutations) -> None:
     caught = 0
     for name, description, wrong in mutations(n):
         checks = CHECKS[name](Components(wrong))
-        assert any(value != 0 for _, value in checks), f"not noticed by components: {description}"
+        assert noticed(checks), f"not noticed by components: {description}"
         assert any(not proof.proved for proof in instances(wrong)), f"not noticed by the instance: {description}"
         caught += 1
     assert caught >= 8
@@ -47,10 +55,10 @@ def test_a_wrong_quaternion_is_noticed(n: int, stated: Callable[[int], Any]) -> 
     s, t = right.quaternion.coefficients
     for wrong in ((s, -t), (-s, t), (t, s), (2 * s, t), (s * sympy.Symbol("x"), t)):
         changed = right.with_map("quaternion", wrong)
-        assert any(value != 0 for _, value in Components(changed).quaternion())
+        assert noticed(Components(changed).quaternion())
         assert not all(proof.proved for proof in instances(changed))
     both = right.with_map("quaternion", (-s, -t))  # the same rotation and, by the statement, the same quaternion
-    assert all(value == 0 for _, value in Components(both).quaternion())
+    assert not noticed(Components(both).quaternion())
 
 
 def test_another_order_is_noticed(stated: Callable[[int], Any]) -> None:
@@ -58,3 +66,31 @@ def test_another_order_is_noticed(stated: Callable[[int], Any]) -> None:
     for name in ("quaternion", "tensor", "tangent", "tangent_inv"):
         mixed = stated(3).with_map(name, getattr(other, name).coefficients)
         assert not all(proof.proved for proof in Components(mixed).proofs()), name
+
+
+@pytest.mark.parametrize("n", [2, 3])
+def test_every_control_is_noticed(n: int) -> None:
+    found = [*controls_at(Cayley(n))]
+    assert len(found) > 40
+    assert [str(control) for control in found if not control.noticed] == []
+
+
+def test_multiplying_by_zero_proves_nothing() -> None:
+    class Nothing(Components):
+        def defined(self) -> Any:
+            return [self.zero] * 4
+
+    decided = [*Nothing(Cayley(3)).proofs()]
+    assert not any(proof.failures for proof in decided)  # all residues are 0
+    assert [proof.proved for proof in decided] == [False] * 5 + [True]
+
+
+def test_words_are_evaluated() -> None:
+    for proof in Components(Cayley(4)).proofs():
+        labels = [residue.label for residue in proof.residues if " at v = " in residue.label]
+        assert any(label.startswith(equation.text) for equation in proof.claim for label in labels)
+
+
+def test_every_computation_is_stated() -> None:
+    names = " ".join(proof.name for proof in computations(3))
+    assert all(f".{name}(" in names for name in Computed.__dataclass_fields__)

@@ -1,74 +1,151 @@
 from __future__ import annotations
 
-from collections.abc import Callable
-from fractions import Fraction
+from dataclasses import replace
 from typing import Any
 
 import pytest
+import sympy
 
 from derive.maps import polynomials
-from derive.proof import differential_field, induction, theorems
-from derive.proof.differential_field import Formulas, p_slope, q_slope
-from derive.proof.identity import ALL_ORDERS
-from derive.proof.map_theorems import motion_theorems
+from derive.proof import formulas, theorems
+from derive.proof.controls import controls
+from derive.proof.displacement_theorems import COMPOSITION_AT, DOUBLE_ANGLE, EXPONENTIAL
+from derive.proof.every_order import decided, stated
+from derive.proof.formulas import Formulas
+from derive.proof.identity import ALL_ORDERS, Proof
+from derive.proof.marks import I, alpha, dcay, det, n, p, q, skew, u, v, x
+from derive.proof.polynomial_theorems import BRACKET_SUMS, POWERS, SLOPES, SUMS
+from derive.proof.statement import Equation, definition
+from derive.proof.theorem import Theorem
+
+
+def known() -> dict[str, Proof]:
+    return {proof.name: proof for proof in theorems()}
+
+
+def theorem(name: str) -> Theorem:
+    return next(found for found in stated(Formulas()) if found.name == name)
 
 
 def test_everything_is_proved_for_all_orders() -> None:
     proofs = theorems()
-    assert len(proofs) == 18
+    assert len(proofs) >= 35
+    assert len({proof.name for proof in proofs}) == len(proofs)
     for proof in proofs:
         assert proof.proved, str(proof)
         assert proof.residues
         assert not proof.failures
         assert proof.scope == ALL_ORDERS
+        assert proof.statement
         assert proof.latex
         assert proof.method
+        assert proof.premises
         assert proof.seconds >= 0
     assert theorems() is proofs
 
 
-def test_induction_shows_base_and_step() -> None:
-    by_induction = [proof for proof in theorems() if proof.method.startswith("induction")]
-    assert len(by_induction) == 7
-    for proof in by_induction:
-        labels = " ".join(residue.label for residue in proof.residues)
-        assert "base" in labels
-        assert "step" in labels
+def test_compositions_of_low_orders() -> None:
+    for order, composition in COMPOSITION_AT.items():
+        proof = composition.decide({})
+        assert proof.proved
+        assert proof.scope == f"n = {order}"
 
 
 @pytest.mark.parametrize("name", ["tensor", "tangent", "tangent_inv"])
 @pytest.mark.parametrize("index", [0, 1, 2])
 @pytest.mark.parametrize("change", ["sign", "factor"])
 def test_a_wrong_coefficient_fails(name: str, index: int, change: str) -> None:
-    right: Callable[..., Any] = getattr(differential_field, name)
+    right = getattr(formulas, name)
 
     def wrong(n: Any, x: Any, p: Any, q: Any) -> tuple[Any, ...]:
         coefficients = list(right(n, x, p, q))
         coefficients[index] = -coefficients[index] if change == "sign" else coefficients[index] * n
         return tuple(coefficients)
 
-    failed = [proof for proof in motion_theorems(Formulas(**{name: wrong})) if not proof.proved]
+    altered: dict[str, Any] = {name: wrong}
+    failed = [proof for proof in decided(stated(Formulas(**altered))) if not proof.proved]
     assert failed
     assert all(proof.failures and not proof.failures[0].vanishes for proof in failed)
 
 
-def test_a_wrong_recurrence_fails(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(induction, "_next", lambda x, p, q: (p + x * q, p + q))
-    failed = {proof.statement for proof in induction.polynomial_theorems() if not proof.proved}
-    assert any(statement.startswith("(1 + iX)^n") for statement in failed)
-    assert any(statement.startswith("p_n^2 + x q_n^2") for statement in failed)
-    assert any(statement.startswith("p_n' =") for statement in failed)
+def test_words_are_what_is_decided() -> None:
+    right = theorem("determinant")
+    nine = Equation(det(dcay), 9 * n * q**2 / (1 + x) ** (n + 1))
+    assert right.decide(known()).statement == "det(dcay_n) = 8*n*q_n^2/(1 + x)^(1 + n)"
+    assert not right.with_claim(0, nine).decide(known()).proved
+    assert nine.text == "det(dcay_n) = 9*n*q_n^2/(1 + x)^(1 + n)"
 
 
-def test_a_wrong_slope_fails(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(induction, "p_slope", lambda n, x, p, q: n * (p - q) / (1 + x))
-    failed = {proof.statement.split(" ")[0] for proof in induction.polynomial_theorems() if not proof.proved}
-    assert {"p_n'", "n"} <= failed
+def test_a_wrong_recurrence_fails() -> None:
+    def with_recurrence(found: Theorem) -> Theorem:
+        wrong = tuple(
+            definition(e.left, p + x * q) if e.right == polynomials.following((p, q), x)[0] else premise
+            for premise in found.premises
+            for e in (premise.equation,)
+        )
+        return replace(found, premises=wrong)
+
+    for found in (POWERS, SUMS, SLOPES):
+        assert with_recurrence(found) != found
+        assert not with_recurrence(found).decide(known()).proved
 
 
-@pytest.mark.parametrize("n", range(1, 9))
-def test_slopes_are_those_of_the_polynomials(n: int) -> None:
-    at = Fraction(3, 7)
-    p, q, dp, dq = polynomials.pair_with_derivative(n, at)
-    assert dp == p_slope(n, at, p, q)
-    assert dq == q_slope(n, at, p, q)
+def test_an_altered_theorem_is_no_premise() -> None:
+    right = theorem("twist")
+    place = next(i for i, premise in enumerate(right.premises) if premise.theorem == "slopes")
+    altered = right.premises[place].altered()
+    failed = right.with_premise(place, altered).decide(known())
+    assert not failed.proved
+    assert any(residue.label == "premise by slopes" for residue in failed.failures)
+    assert not right.decide({}).proved
+
+
+@pytest.mark.parametrize("name", ["multiples of an angle", "twist", "inverse", "binomial sums", "screw", "pose"])
+def test_every_control_is_noticed(name: str) -> None:
+    found = [*controls([theorem(name)], known())]
+    assert len(found) > len(theorem(name).claim) + len(theorem(name).premises)
+    assert [str(control) for control in found if not control.noticed] == []
+
+
+def test_an_unused_premise_is_noticed() -> None:
+    padded = replace(theorem("axis"), premises=(*theorem("axis").premises, definition(u, v)))
+    unnoticed = [control for control in controls([padded], known()) if not control.noticed]
+    assert [control.alteration for control in unnoticed] == ["premise u = 2*v in place of u = v (definition)"]
+
+
+def test_multipliers_are_named_and_certified() -> None:
+    found = {multiplier.text: multiplier for multiplier in known()["inverse"].multipliers}
+    assert set(found) == {"x", "1 + x", "n", "q_n", "q_n^2*x + p_n^2"}
+    assert all(multiplier.nonzero for multiplier in found.values())
+    assert found["q_n"].vanishes == "q_n = 0"
+    zeroed = theorem("inverse").decide(known(), zeroed=1 + x)
+    assert not zeroed.failures  # everything is 0 = 0 ...
+    assert not zeroed.proved  # ... and that is noticed
+
+
+def test_initial_values_matter() -> None:
+    sine, cosine = 7 * sympy.sin(alpha), 7 * sympy.cos(alpha)
+    seven = Equation(EXPONENTIAL.claim[0].left, I + sine * skew(u) + (1 - cosine) * skew(u) ** 2)
+    assert not EXPONENTIAL.with_claim(0, seven).decide({}).proved
+    doubled = DOUBLE_ANGLE.with_claim(0, Equation(sympy.cos(alpha), 2 - 4 * sympy.sin(alpha / 2) ** 2))
+    doubled = doubled.with_claim(1, Equation(sympy.sin(alpha), 4 * sympy.sin(alpha / 2) * sympy.cos(alpha / 2)))
+    failed = doubled.decide({})  # solves the differential equation
+    assert [residue.label for residue in failed.failures] == ["start, cos(alpha)"]
+
+
+def test_indices_of_binomial_sums_matter() -> None:
+    right = BRACKET_SUMS.claim[1]
+    for shift in (1, -1, 2):
+        changed = right.right.function.replace(sympy.binomial, lambda a, b, by=shift: sympy.binomial(a, b + by))
+        wrong = Equation(right.left, sympy.Sum(changed, *right.right.limits))
+        assert not BRACKET_SUMS.with_claim(1, wrong).decide(known()).proved
+    late = Equation(right.left, sympy.Sum(right.right.function, (right.right.limits[0][0], 2, sympy.oo)))
+    assert not BRACKET_SUMS.with_claim(1, late).decide(known()).proved
+
+
+@pytest.mark.parametrize("order", range(1, 9))
+def test_slopes_are_those_of_the_polynomials(order: int) -> None:
+    at = sympy.Rational(3, 7)
+    values = polynomials.pair_with_derivative(order, at)
+    for equation, slope in zip(SLOPES.claim, values[2:], strict=True):
+        assert equation.right.subs({n: order, x: at, p: values[0], q: values[1]}) == slope

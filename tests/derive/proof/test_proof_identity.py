@@ -1,13 +1,18 @@
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import FrozenInstanceError
 from fractions import Fraction
+from typing import Any
 
 import pytest
+import sympy
 
-from derive.proof.identity import Claim, decide
+from derive.proof.identity import Claim, Multiplier, decide
+from derive.proof.marks import n, p, q, x
+from derive.proof.statement import Equation, Premise, definition
 
-CLAIM = Claim("two and two are four", "2 + 2 = 4", "arithmetic", (1, 2))
+CLAIM = Claim("sum", (Equation(p, q + x / 2, (2, 1)), Equation(q, n)), "arithmetic", (definition(x, 2),))
 
 
 def test_zero_residues_prove() -> None:
@@ -16,13 +21,14 @@ def test_zero_residues_prove() -> None:
     assert proof.status == "proved"
     assert proof.failures == ()
     assert (proof.statement, proof.latex, proof.scope, proof.method, proof.equations) == (
-        "two and two are four",
-        "2 + 2 = 4",
+        "p_n = x/2 + q_n; q_n = n",
+        r"p_{n} = \frac{x}{2} + q_{n};\; q_{n} = n",
         "n = 7",
         "arithmetic",
         (1, 2),
     )
-    assert str(proof) == "proved [n = 7] two and two are four (arithmetic)"
+    assert str(proof) == "proved [n = 7] p_n = x/2 + q_n; q_n = n (arithmetic)"
+    assert [str(premise) for premise in proof.premises] == ["x = 2 (definition)"]
 
 
 def test_a_residue_fails_and_is_kept() -> None:
@@ -34,6 +40,33 @@ def test_a_residue_fails_and_is_kept() -> None:
 
 def test_nothing_checked_is_nothing_proved() -> None:
     assert not decide(CLAIM, list).proved
+
+
+def test_a_multiplier_must_be_certified() -> None:
+    def checks(*certified: bool) -> Any:
+        return lambda: [("sum", 0), *(Multiplier(1 + x, power, is_so) for power, is_so in enumerate(certified, 1))]
+
+    proof = decide(CLAIM, checks(True, True))
+    assert proof.proved
+    assert [(str(multiplier), multiplier.vanishes) for multiplier in proof.multipliers] == [("(1 + x)^2", "1 + x = 0")]
+    assert not decide(CLAIM, checks(False)).proved
+
+
+def test_what_has_no_value_is_not_proved() -> None:
+    def checks() -> Iterator[Any]:
+        yield "sum", 0
+        yield "quotient", Fraction(1) / 0
+
+    assert not decide(CLAIM, checks).proved
+
+
+def test_altered_equations_say_something_else() -> None:
+    equation = Equation(p, 2 * q + 3, (4,))
+    assert str(equation.altered()) == "p_n = 6 + 4*q_n"
+    assert equation.altered().numbers == ()
+    assert sorted(map(str, equation.variants())) == ["p_n = 3 + 3*q_n", "p_n = 4 + 2*q_n", "p_n = 6 + 4*q_n"]
+    assert str(Equation(p, sympy.Integer(0)).altered()) == "p_n = 1"
+    assert str(Premise(equation, "sum", ((q, x),))) == "p_n = 3 + 2*q_n (theorem 'sum' at q_n -> x)"
 
 
 def test_proofs_are_immutable() -> None:

@@ -1,10 +1,12 @@
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
 import pytest
+from latex2mathml.converter import convert
 
 from derive.maps import Cayley, x
 from derive.proof import ProofFailed, Proved, proofs, prove, theorems
@@ -55,3 +57,10 @@ def test_wrong_polynomials_are_not_proved(stated: Callable[[int], Any]) -> None:
     for name in ("p", "q", "c", "d"):
         with pytest.raises(ProofFailed, match=f"{name}, residue"):
             prove(replace(right, **{name: getattr(right, name) + x}))
+
+
+def test_statements_are_typeset() -> None:
+    for proof in proofs(Cayley(2)):
+        assert "<math" in convert(proof.latex)
+        assert proof.latex.count("{") == proof.latex.count("}")
+        assert not re.search(r"(?<![\\a-z{])(point|along|vector|scalar)", proof.latex)

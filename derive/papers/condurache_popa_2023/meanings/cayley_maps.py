@@ -9,7 +9,7 @@ from derive.algebra import Quaternion, Tensor, Vector, dual_part, real_part
 from derive.maps import first_principles
 from derive.maps.families import Family, normal_rodrigues, rodrigues, sine
 from derive.papers.numbers.every_order import EveryOrder
-from derive.proof.induction import polynomial_theorems
+from derive.proof.every_order import theorems
 
 from ...language import values
 from ...language.evaluation import Env
@@ -35,8 +35,8 @@ def quarter(env: Env, k: int) -> int:
 
 def binomial_theorems(env: Env) -> bool:
     """Whether the binomial sums and the powers of 1 + v are proved for every order, by induction."""
-    wanted = [proof for proof in polynomial_theorems() if {51, 52} & set(proof.equations) or 53 in proof.equations]
-    return bool(wanted) and all(proof.proved for proof in wanted)
+    proved = {number for proof in theorems() if proof.proved for number in proof.equations}
+    return {51, 52, 53} <= proved
 
 
 # ---- the map and its preimages ----------------------------------------------------------------------------------

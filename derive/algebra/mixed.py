@@ -1,0 +1,45 @@
+"""Sums and products of numbers, vectors, quaternions and tensors side by side, as the papers write them.
+
+A sum of a number and a vector is a quaternion, and two vectors side by side are multiplied as quaternions. A tensor
+beside a vector or a tensor acts on it.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from .coefficients import Structure
+from .quaternion import Quaternion
+from .tensor import Tensor
+from .vector import Vector
+
+
+class MeaninglessError(TypeError):
+    """The formula combines things that have no such operation."""
+
+
+def quaternion(a: Any) -> Quaternion:
+    """A number, vector or quaternion as a quaternion."""
+    if isinstance(a, Quaternion):
+        return a
+    if isinstance(a, Vector):
+        return Quaternion(0, a)
+    if isinstance(a, Structure):
+        raise MeaninglessError(f"a {type(a).__name__.lower()} is no quaternion")
+    return Quaternion(a, Vector(0, 0, 0))
+
+
+def add(a: Any, b: Any) -> Any:
+    """Sum; numbers and vectors mix to quaternions."""
+    if type(a) is type(b) or not (isinstance(a, Structure) or isinstance(b, Structure)):
+        return a + b
+    return quaternion(a) + quaternion(b)
+
+
+def multiply(a: Any, b: Any) -> Any:
+    """Product of things side by side."""
+    if not (isinstance(a, Structure) and isinstance(b, Structure)):
+        return a * b
+    if isinstance(a, Tensor) and isinstance(b, Tensor | Vector):
+        return a @ b
+    return quaternion(a) * quaternion(b)

@@ -1,0 +1,66 @@
+"""Statements about one order, evaluated as they are printed at one rational point of a motion.
+
+No proof: it ties the words of a statement that is decided by components to what is decided.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+from typing import Any
+
+import sympy
+
+from ..algebra import Dual, Isotropic, Quaternion, Vector, dual_part, real_part
+from ..maps import polynomials
+from . import marks
+from .evaluation import Evaluation, mapped
+from .formulas import Formulas
+from .identity import Check
+from .statement import Equation
+
+PLACE, SPEED, OTHER = (2, -4, 10), (3, 5, -1), (1, -2, 3)
+ROOT = 11
+"""The root of 1 + 2² + 4² + 10²."""
+
+
+class AtPoint(Evaluation):
+    """Values of the letters at order n, where v = (2, −4, 10) moves; the dual unit is an instant of time.
+
+    Parameters
+    ----------
+    n : int
+        The order.
+    """
+
+    def __init__(self, n: int) -> None:
+        self.n = n
+        v = Vector(*(Dual(Fraction(place), Fraction(speed)) for place, speed in zip(PLACE, SPEED, strict=True)))
+        x = v.dot(v)
+        p, q = (Dual(Fraction(1)) * value for value in polynomials.pair_by_squaring(n, x))
+        self.root = Dual(Fraction(ROOT), x.du / (2 * ROOT))
+        factor = self.root**-n
+        formulas, rates = Formulas(), v.map(dual_part)
+        tensors = {marks.R: formulas.tensor, marks.dcay: formulas.tangent, marks.dcay_inv: formulas.tangent_inv}
+        values = {letter: Isotropic(*formula(n, x, p, q), x).tensor(v) for letter, formula in tensors.items()}
+        omega = values[marks.dcay].map(real_part) @ rates
+        quaternion = Quaternion(p * factor, v * (q * factor))
+        known = {marks.x: x, marks.p: p, marks.q: q, marks.v: v, marks.v_dot: rates, marks.omega: omega}
+        known[marks.z] = quaternion * self.root**n
+        known |= {marks.point: Vector(*map(Fraction, OTHER)), marks.q_hat: quaternion}
+        super().__init__(known | values)
+
+    def number(self, value: Fraction) -> Fraction:
+        return value
+
+    def differentiated(self, mark: Any, value: Any) -> Any:
+        return mapped(dual_part, value)
+
+    def power(self, base: sympy.Expr, exponent: sympy.Expr) -> Any:
+        return self.value(base) ** int(exponent) if base != 1 + marks.x else self.root ** int(2 * exponent)
+
+    def checks(self, equation: Equation) -> Iterator[Check]:
+        """Left minus right at the point, component by component."""
+        at_order = equation.replaced({marks.n: sympy.Integer(self.n)})
+        for place, (left, right) in enumerate(self.sides(at_order), 1):
+            yield f"{equation.text} at v = {PLACE}, component {place}", real_part(left) - real_part(right)

@@ -1,0 +1,280 @@
+r"""Power series in x whose coefficients are sums of binomials, compared coefficient by coefficient for all n and j.
+
+A series is a polynomial and tails :math:`\sum_{j \ge s} e(n, j)\,x^j`. Multiplying by x shifts the index, so that the
+recurrence of p_n and q_n runs on series as on numbers. Two series are equal if the difference of their general
+coefficients is zero, and each single coefficient at which not all tails have begun.
+
+A sum of binomials is decided with :math:`\binom{n}{k} = \frac{n!}{k!\,(n-k)!}` and 1/m! = 0 for m < 0. Terms whose
+factorials differ by integers only have a common factor
+
+.. math:: \frac{(n + a)!}{(k + b)!\,(n - k + c)!}
+
+with the least a and the greatest b, c that occur; what is left of each is a polynomial, at all integers n and k, at
+the borders of Pascal's triangle too. The sum of these polynomials must be zero in Q[n, j].
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import sympy
+from sympy.polys.rings import ring
+
+from .identity import Check, Multiplier
+from .marks import Shifted, j, n, text, x
+from .statement import Equation, Premise, definition
+
+POLYNOMIALS, N, J = ring([n, j], sympy.QQ)
+
+upper, lower = sympy.symbols("N K", integer=True)
+BINOMIAL = definition(
+    sympy.binomial(upper, lower),
+    sympy.factorial(upper) / (sympy.factorial(lower) * sympy.factorial(upper - lower)),
+    wrong=sympy.factorial(upper) / (sympy.factorial(lower) * sympy.factorial(upper - lower + 1)),
+)
+"""What a binomial coefficient is; 1/m! = 0 for m < 0."""
+
+
+class NotDecidedError(ArithmeticError):
+    """A coefficient that is no sum of binomials."""
+
+
+@dataclass(frozen=True)
+class Series:
+    """A power series in x.
+
+    Attributes
+    ----------
+    head : mapping of int to Expr
+        Coefficients of a polynomial, functions of n.
+    tails : tuple of (int, Expr)
+        The first index of a tail, and its general coefficient in n and j.
+    """
+
+    head: Mapping[int, sympy.Expr] = field(default_factory=dict)
+    tails: tuple[tuple[int, sympy.Expr], ...] = ()
+
+    def __add__(self, other: Series) -> Series:
+        total = defaultdict(lambda: sympy.Integer(0), self.head)
+        for power, coefficient in other.head.items():
+            total[power] += coefficient
+        return Series(dict(total), self.tails + other.tails)
+
+    def __mul__(self, other: Series) -> Series:
+        if self.tails and other.tails:
+            raise NotDecidedError("a product of two sums over j")
+        if self.tails:
+            return other * self
+        result = Series()
+        for power, c in self.head.items():
+            head = {i + power: c * e for i, e in other.head.items()}
+            tails = tuple((start + power, c * e.xreplace({j: j - power})) for start, e in other.tails)
+            result = result + Series(head, tails)
+        return result
+
+    def coefficient(self, power: int) -> sympy.Expr:
+        """The coefficient of ``x^power``."""
+        begun = (e.xreplace({j: sympy.Integer(power)}) for start, e in self.tails if start <= power)
+        return sum(begun, self.head.get(power, sympy.Integer(0)))
+
+
+@dataclass(frozen=True)
+class Coefficients:
+    """The claim says that what is on the left are the series on the right.
+
+    By induction where the premises have recurrences of the left sides; otherwise by the equations among the premises,
+    each of which determines the one unknown series in it.
+    """
+
+    start: Equation = field(default_factory=lambda: Equation(n, sympy.Integer(1)))
+    sides = ("right",)
+
+    @property
+    def title(self) -> str:
+        return "coefficient by coefficient as multiples of one quotient of factorials, residues in Q[n, j]"
+
+    def checks(
+        self, claim: Sequence[Equation], premises: Sequence[Premise], zeroed: sympy.Expr | None
+    ) -> Iterator[Check | Multiplier]:
+        given = [premise.equation for premise in premises]
+        rule = next(e.right for e in given if isinstance(e.left, sympy.binomial))
+        known = {e.left: _written_out(e.right, rule) for e in [*given, *claim] if e.right.has(sympy.Sum)}
+        reader = _Reader(known, [e for e in given if e.left in known and not e.right.has(sympy.Sum)])
+        first = self.start.right
+        for equation in given:
+            if isinstance(equation.left, sympy.binomial) or equation.left in known:
+                continue
+            left, right = equation.left, equation.right
+            at = equation.text
+            if isinstance(left, Shifted) and left.args[2] == first:
+                stated = known[left.args[0]].xreplace({n: first})
+                yield from _zero(f"start, {at}", reader.series(stated - right), first)
+            elif isinstance(left, Shifted):
+                onward = known[left.args[0]].xreplace({n: n + 1})
+                yield from _zero(f"step, {at}", reader.series(onward - right), first)
+            else:
+                yield from _zero(at, reader.series(left - right), first)
+
+
+@dataclass(frozen=True)
+class _Reader:
+    """Expressions as series, by the series that are known and the products that are."""
+
+    known: Mapping[sympy.Expr, sympy.Expr]
+    products: Iterable[Equation]
+
+    def series(self, e: sympy.Expr) -> Series:
+        if e in self.known:
+            return self.series(self.known[e])
+        if e == x:
+            return Series({1: sympy.Integer(1)})
+        if isinstance(e, sympy.Sum):
+            ((_, start, _),) = e.limits
+            exponent = _power_of_x(e.function)
+            offset = int(exponent - j)
+            general = (e.function / x**exponent).xreplace({j: j - offset})
+            return Series(tails=((int(start) + offset, general),))
+        if not e.has(x, *self.known):
+            return Series({0: e})
+        if e.is_Add:
+            return sum((self.series(term) for term in e.args), Series())
+        if e.is_Mul:
+            return self._product(e)
+        raise NotDecidedError(f"no series known for {text(e)}")
+
+    def _product(self, e: sympy.Expr) -> Series:
+        unknown = sympy.Mul(*(factor for factor in e.args if factor.is_Symbol and factor in self.known))
+        for equation in self.products:
+            number, product = equation.right.as_coeff_Mul()
+            if unknown == product:
+                e = e / product * equation.left / number
+        result = Series({0: sympy.Integer(1)})
+        for factor in sympy.Mul.make_args(e):
+            result = result * self.series(factor)
+        return result
+
+
+def _power_of_x(term: sympy.Expr) -> sympy.Expr:
+    """The exponent of x in a term of a sum."""
+    return next(factor.as_base_exp()[1] for factor in sympy.Mul.make_args(term) if factor.as_base_exp()[0] == x)
+
+
+# ---- deciding ---------------------------------------------------------------------------------------------------
+
+
+def _zero(label: str, series: Series, first: sympy.Expr) -> Iterator[Check]:
+    """Every coefficient of a series, from x^0 on."""
+    general = sum((e for _, e in series.tails), sympy.Integer(0))
+    begun = max([start for start, _ in series.tails], default=0)
+    if general.has(n) or not series.tails:
+        yield f"{label}, general coefficient", residue(general, int(first))
+        last = max([begun, *series.head])
+    else:  # n is a number, hence finitely many coefficients
+        last = max([begun, *series.head, *map(_last_index, general.atoms(sympy.factorial))]) + 1
+    for power in range(min([start for start, _ in series.tails], default=0), last + 1):
+        yield f"{label}, coefficient of x^{power}", residue(series.coefficient(power), int(first))
+
+
+def _last_index(term: sympy.factorial) -> int:
+    """The last j at which a factorial of a linear form that decreases with j is that of a number >= 0."""
+    slope = term.args[0].coeff(j)
+    return int(term.args[0].xreplace({j: sympy.Integer(0)}) // -slope) if slope < 0 else 0
+
+
+def residue(e: sympy.Expr, first: int) -> Any:
+    """A sum of multiples of binomials as a polynomial: zero exactly if it is zero at all j and all n >= first."""
+    groups: dict[Any, list[_Term]] = defaultdict(list)
+    for product in sympy.Add.make_args(sympy.expand(e)):
+        term = _term(product)
+        groups[term.kind].append(term)
+    sums = (_together(terms, first) for terms in groups.values())
+    return next((total for total in sums if total != 0), POLYNOMIALS.zero)
+
+
+_Factorial = tuple[Any, int]
+"""What is under a factorial: a homogeneous polynomial in n and j, and an integer."""
+
+
+@dataclass(frozen=True)
+class _Term:
+    """A polynomial in n and j, times ``(-1)^j`` or not, times factorials over factorials."""
+
+    number: Any
+    alternating: bool
+    above: tuple[_Factorial, ...]
+    below: tuple[_Factorial, ...]
+
+    @property
+    def kind(self) -> Any:
+        """Terms of one kind differ by polynomials only."""
+        return self.alternating, *(tuple(h for h, _ in part) for part in (self.above, self.below))
+
+
+def _term(product: sympy.Expr) -> _Term:
+    number, alternating = POLYNOMIALS.one, False
+    above: list[_Factorial] = []
+    below: list[_Factorial] = []
+    for factor in sympy.Mul.make_args(product):
+        base, exponent = factor.as_base_exp()
+        if base == -1:
+            number *= (-1) ** int(exponent.xreplace({j: sympy.Integer(0)}))
+            alternating ^= exponent.has(j)
+        elif isinstance(base, sympy.factorial):
+            (above if exponent > 0 else below).extend([_linear(base.args[0])] * abs(int(exponent)))
+        else:
+            number *= _polynomial(factor)
+    for form, c in list(below):  # (h + a)!/(h + c)! is a polynomial
+        pair = next((a for h, a in above if h == form and a >= c), None)
+        if pair is not None:
+            above.remove((form, pair))
+            below.remove((form, c))
+            number *= _between(form, c, pair)
+    return _Term(number, alternating, *(tuple(sorted(part, key=str)) for part in (above, below)))
+
+
+def _polynomial(factor: sympy.Expr) -> Any:
+    try:
+        return POLYNOMIALS.from_expr(factor)
+    except ValueError as error:
+        raise NotDecidedError(f"{text(factor)} is no polynomial in n and j") from error
+
+
+def _written_out(e: sympy.Expr, rule: sympy.Expr) -> sympy.Expr:
+    """The expression with its binomials replaced by the rule."""
+    binomials = e.atoms(sympy.binomial)
+    return e.xreplace({b: rule.xreplace({upper: b.args[0], lower: b.args[1]}) for b in binomials})
+
+
+def _linear(form: sympy.Expr) -> _Factorial:
+    """A linear form in n and j in two parts."""
+    constant = form.xreplace({n: sympy.Integer(0), j: sympy.Integer(0)})
+    return POLYNOMIALS.from_expr(form - constant), int(constant)
+
+
+def _between(form: Any, low: int, high: int) -> Any:
+    """``(h + high)!/(h + low)!``."""
+    product = POLYNOMIALS.one
+    for t in range(low + 1, high + 1):
+        product *= form + t
+    return product
+
+
+def _together(terms: Sequence[_Term], first: int) -> Any:
+    """The sum of terms of one kind, divided by their common factor."""
+    least = [min(a for _, a in column) for column in zip(*(t.above for t in terms), strict=True)]
+    greatest = [max(c for _, c in column) for column in zip(*(t.below for t in terms), strict=True)]
+    for (form, _), a in zip(terms[0].above, least, strict=True):
+        if form.evaluate([(N, first), (J, 0)]) + a < 0 or form.diff(J) != 0:
+            raise NotDecidedError(f"the factorial of {form} + {a} at n = {first}")
+    total = POLYNOMIALS.zero
+    for term in terms:
+        product = term.number
+        for (form, a), low in zip(term.above, least, strict=True):
+            product *= _between(form, low, a)
+        for (form, c), high in zip(term.below, greatest, strict=True):
+            product *= _between(form, c, high)
+        total += product
+    return total

@@ -1,0 +1,185 @@
+"""Controls: every theorem once more with one thing wrong, which must make that theorem fail.
+
+One for each equation of a claim and each of its integers, one for each premise, one for each multiplier; at one order,
+one for each formula, each definition and each multiplier of the componentwise road. A control that is proved all the
+same shows a check that cannot fail, a premise that is not used, or a theorem that says too little.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, fields, replace
+from typing import Any
+
+import sympy
+
+from ..algebra import Isotropic
+from .at_order import CayleyFormulas, instances
+from .components import STATEMENTS, Components, hamilton
+from .computations import Computed, computations
+from .identity import NO_VALUE, Proof
+from .theorem import Theorem
+
+
+@dataclass(frozen=True)
+class Control:
+    """A theorem with one thing wrong.
+
+    Attributes
+    ----------
+    theorem : str
+        Its name.
+    alteration : str
+        What is wrong.
+    proof : Proof
+        The outcome.
+    """
+
+    theorem: str
+    alteration: str
+    proof: Proof
+
+    @property
+    def noticed(self) -> bool:
+        """Whether the theorem failed, as it must, for a reason: not for an expression without a value."""
+        return not self.proof.proved and all(residue.label != NO_VALUE for residue in self.proof.residues)
+
+    def __str__(self) -> str:
+        return f"{self.theorem}: {self.alteration}"
+
+
+def controls(claimed: Iterable[Theorem], known: Mapping[str, Proof]) -> Iterator[Control]:
+    """All controls of theorems.
+
+    Parameters
+    ----------
+    claimed : iterable of Theorem
+    known : mapping of str to Proof
+        The proofs of these theorems, by name.
+    """
+    for theorem in claimed:
+        yield from _of_claim(theorem, known)
+        yield from _of_premises(theorem, known)
+        for multiplier in known[theorem.name].multipliers:
+            zeroed = theorem.decide(known, multiplier.expression)
+            yield Control(theorem.name, f"multiplier 0 in place of {multiplier.text}", zeroed)
+
+
+def _of_claim(theorem: Theorem, known: Mapping[str, Proof]) -> Iterator[Control]:
+    for place, equation in enumerate(theorem.claim):
+        for variant in equation.variants(theorem.method.sides):
+            proof = theorem.with_claim(place, variant).decide(known)
+            yield Control(theorem.name, f"claim {variant.text} in place of {equation.text}", proof)
+
+
+def _of_premises(theorem: Theorem, known: Mapping[str, Proof]) -> Iterator[Control]:
+    for place, premise in enumerate(theorem.premises):
+        altered = replace(premise.altered(), theorem="")
+        proof = theorem.with_premise(place, altered).decide(known)
+        yield Control(theorem.name, f"premise {altered.equation.text} in place of {premise}", proof)
+
+
+# ---- at one order -----------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class _Wrong:
+    """A Cayley map with one formula replaced."""
+
+    right: CayleyFormulas
+    name: str
+    value: Any
+
+    def __getattr__(self, name: str) -> Any:
+        return self.value if name == self.name else getattr(self.right, name)
+
+
+@dataclass(frozen=True)
+class _Coefficients:
+    coefficients: tuple[sympy.Expr, ...]
+
+
+class _Doubled(Components):
+    """z = (1 + 2v)ⁿ."""
+
+    def defined(self) -> Any:
+        return self.power([self.one, *(c + c for c in self.v)])
+
+
+class _Zero(Components):
+    """z = 0."""
+
+    def defined(self) -> Any:
+        return [self.zero] * 4
+
+
+class _Unconjugated(Components):
+    """z r z in place of z r z*."""
+
+    def sandwich(self, r: Any) -> Any:
+        return hamilton(hamilton(self.z, r), self.z)
+
+
+DEFINITION, QUATERNION, TENSOR, ORTHOGONALITY, TWIST, INVERSE = range(6)
+"""Places of the statements of the componentwise road."""
+
+_FORMULAS: Mapping[str, tuple[int, ...]] = {
+    "p": (), "q": (), "c": (), "d": (), "quaternion": (QUATERNION,), "tensor": (TENSOR,), "tangent": (TWIST, INVERSE),
+    "tangent_inv": (INVERSE,),
+}  # fmt: skip
+"""Which statements must fail when a formula is wrong; its instance must too."""
+
+_DEFINITIONS: Mapping[type[Components], tuple[int, ...]] = {
+    _Doubled: (DEFINITION, QUATERNION, TENSOR, TWIST),
+    _Unconjugated: (TENSOR, ORTHOGONALITY, TWIST),
+    _Zero: (DEFINITION, QUATERNION, TENSOR, ORTHOGONALITY, TWIST),
+}
+"""Which statements must fail when a definition is."""
+
+
+def controls_at(cayley: CayleyFormulas) -> Iterator[Control]:
+    """All controls of what is proved at the order of a Cayley map, formulas and definitions altered in turn."""
+    for name, places in _FORMULAS.items():
+        for alteration, wrong in _altered(cayley, name):
+            owned = f"Cayley({cayley.order}).{name}"
+            failing = next(proof for proof in instances(wrong) if owned in proof.name.split(", "))
+            yield Control(failing.name, alteration, failing)
+            decided = tuple(Components(wrong).proofs()) if places else ()
+            yield from (Control(decided[place].name, alteration, decided[place]) for place in places)
+    for field in fields(Computed):
+        functions = replace(Computed(), **{field.name: _off(field.default)})
+        failing = next(proof for proof in computations(cayley.order, functions) if f".{field.name}(" in proof.name)
+        yield Control(failing.name, f"{field.name} off by one", failing)
+    words = [(name, tuple(e.altered() for e in claim), premises) for name, claim, premises in STATEMENTS]
+    for proof in Components(cayley).proofs(words):
+        yield Control(proof.name, f"claim {proof.statement}", proof)
+    for altered, places in _DEFINITIONS.items():
+        decided = tuple(altered(cayley).proofs())
+        yield from (Control(decided[place].name, str(altered.__doc__), decided[place]) for place in places)
+
+
+def _altered(cayley: CayleyFormulas, name: str) -> Iterator[tuple[str, CayleyFormulas]]:
+    """The map with one of its coefficients increased by one, for each of them."""
+    value = getattr(cayley, name)
+    if isinstance(value, sympy.Expr):
+        yield f"{name} + 1", _Wrong(cayley, name, value + 1)
+        return
+    for place, coefficient in enumerate(value.coefficients):
+        changed = (*value.coefficients[:place], coefficient + 1, *value.coefficients[place + 1 :])
+        if name == "quaternion":  # squares of its coefficients are rational: so must be what is put for them
+            changed = tuple(c * (2 if k == place else 1) for k, c in enumerate(value.coefficients))
+        yield f"coefficient {place + 1} of {name}", _Wrong(cayley, name, _Coefficients(changed))
+
+
+def _off(function: Any) -> Callable[..., Any]:
+    """The function with the first number of its result increased by one."""
+
+    def wrong(*arguments: Any) -> Any:
+        result = function(*arguments)
+        if isinstance(result, Isotropic):
+            return replace(result, a=result.a + 1)
+        if isinstance(result, tuple):
+            return (result[0] + 1, *result[1:]) if result else (1,)
+        return result + 1
+
+    return wrong

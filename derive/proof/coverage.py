@@ -1,0 +1,70 @@
+"""Which theorems a kernel function rests on, and what is compared with them only: a table to be checked, not read.
+
+A kernel is executed against its formula as text on disk (:mod:`derive.codegen.validation`), *exactly* on symbols or at
+seeded screws to 50 *digits*. What is proved is the formula; where nothing is proved of it, the validation is all.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+Validation = Literal["exact", "50 digits", "text"]
+
+
+@dataclass(frozen=True)
+class Coverage:
+    """What covers one kernel function.
+
+    Attributes
+    ----------
+    validation : {"exact", "50 digits", "text"}
+        How the emitted function is compared with the formula; "text": it has no arguments and is read off.
+    theorems : tuple of str
+        Names of the theorems, for all n, that its formula rests on.
+    only_validated : str
+        What of the formula no theorem says; empty where all of it is proved.
+    """
+
+    validation: Validation
+    theorems: tuple[str, ...]
+    only_validated: str = ""
+
+    def lines(self) -> tuple[str, ...]:
+        """``theorem: …`` and ``validation: …``."""
+        unproved = f", alone: {self.only_validated}" if self.only_validated else ""
+        return (*(f"theorem: {name}" for name in self.theorems), f"validation: {self.validation}{unproved}")
+
+
+_TANGENT = ("tangent", "twist", "axis", "determinant")
+_INVERSE = ("tangent_inv", "inverse", "rates of v")
+_BRANCHES = "the choice of axis, of sign and of the branch among the angles of one screw; half turns and translations"
+
+COVERAGE: Mapping[str, Coverage] = {
+    "quaternion": Coverage("exact", ("quaternion", "screw")),
+    "tensor": Coverage("exact", ("tensor", "orthogonality", "screw", "exponential")),
+    "pose": Coverage("exact", ("pose", "orthogonality")),
+    "transform_point": Coverage("exact", ("pose", "line")),
+    "transform_line": Coverage("exact", ("pose", "line")),
+    "tangent": Coverage("exact", _TANGENT),
+    "dcay": Coverage("exact", _TANGENT),
+    "tangent_inv": Coverage("exact", _INVERSE),
+    "dcay_inv": Coverage("exact", _INVERSE),
+    "twist": Coverage("exact", ("twist", "quaternion rate")),
+    "body_twist": Coverage("exact", ("body twist", "quaternion rate")),
+    "rate": Coverage("exact", ("rates of v", "inverse")),
+    "body_rate": Coverage("exact", ("rates of v", "body twist")),
+    "from_quaternion": Coverage("50 digits", ("screw", "multiples of an angle"), _BRANCHES),
+    "from_tensor": Coverage("50 digits", ("screw", "multiples of an angle"), _BRANCHES),
+    "from_pose": Coverage("50 digits", ("screw", "multiples of an angle", "pose"), _BRANCHES),
+    "from_screw": Coverage("50 digits", ("screw",), "tan of a dual angle"),
+    "to_screw": Coverage("50 digits", ("screw", "pose"), _BRANCHES),
+    "shadow": Coverage(
+        "50 digits", ("Moebius step", "shadow, even branch", "shadow, odd branch"), "the axis and its sign"
+    ),
+    "principal": Coverage("50 digits", ("shadow, even branch", "shadow, odd branch"), _BRANCHES),
+    "compose": Coverage("50 digits", ("composition", "quaternion"), "the principal v of the product quaternion"),
+    "singular_angles": Coverage("text", ("determinant", "multiples of an angle")),
+}
+"""Every function of a kernel module."""

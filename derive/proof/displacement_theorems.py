@@ -1,0 +1,245 @@
+"""Theorems on displacements: screws, poses, points and lines, shadows, composition."""
+
+from __future__ import annotations
+
+import sympy
+
+from .formulas import Formulas
+from .map_theorems import ORIGIN_P, QUATERNION, ROOT, SQUARE
+from .marks import (
+    I,
+    Q,
+    R,
+    R_dual,
+    R_k,
+    Shifted,
+    V,
+    along,
+    alpha,
+    b,
+    b_1,
+    b_2,
+    beta,
+    cross,
+    dcay,
+    dot,
+    epsilon,
+    exponential,
+    first,
+    first_order,
+    n,
+    p,
+    p_dual,
+    p_k,
+    point,
+    prime,
+    q,
+    q_dual,
+    q_hat,
+    q_k,
+    r,
+    r_k,
+    rate,
+    real,
+    rho,
+    sandwich,
+    scalar,
+    scalar_1,
+    scalar_2,
+    second,
+    second_order,
+    sigma,
+    sigma_1,
+    sigma_2,
+    skew,
+    theta,
+    u,
+    v,
+    v_dual,
+    vector,
+    x,
+    x_dual,
+)  # fmt: skip
+from .polynomial_theorems import ANGLES, ONE, ORIGIN, SLOPES, pairs, turning
+from .setting import Letters
+from .statement import Equation, Premise, definition
+from .theorem import Determined, Identity, Theorem
+
+ZERO = Equation(alpha, sympy.Integer(0))
+UNIT = definition(dot(u, u), 1)
+
+
+def circular(angle: sympy.Expr) -> tuple[Premise, ...]:
+    """Cosine and sine of a multiple of α, as the solution of their differential equation."""
+    speed, cosine, sine = angle / alpha, sympy.cos(angle), sympy.sin(angle)
+    return (
+        definition(Shifted(cosine, alpha, 0), 1),
+        definition(Shifted(sine, alpha, 0), 0),
+        definition(rate(cosine), -speed * sine),
+        definition(rate(sine), speed * cosine),
+    )
+
+
+def pythagoras(angle: sympy.Expr) -> Premise:
+    """``sin² + cos² = 1``."""
+    return definition(sympy.sin(angle) ** 2 + sympy.cos(angle) ** 2, 1)
+
+
+FULL, HALF, PART = ((sympy.sin(angle), sympy.cos(angle)) for angle in (alpha, alpha / 2, alpha / (2 * n)))
+DOUBLE_ANGLE = Theorem(
+    "double angle",
+    (Equation(FULL[1], 1 - 2 * HALF[0] ** 2), Equation(FULL[0], 2 * HALF[0] * HALF[1])),
+    (*circular(alpha), *circular(alpha / 2)[1:], pythagoras(alpha / 2)),  # whatever cos(α/2) starts with
+    Determined(Letters(HALF), ZERO),
+)
+
+
+def solution(term: sympy.Expr, start: sympy.Expr, slope: sympy.Expr) -> tuple[Premise, ...]:
+    """A function of α by its initial value and its differential equation."""
+    return definition(Shifted(term, alpha, 0), start), definition(rate(term), slope * term)
+
+
+ROTATION = exponential(alpha * skew(u))
+EXPONENTIAL = Theorem(
+    "exponential",
+    (Equation(ROTATION, I + FULL[0] * skew(u) + (1 - FULL[1]) * skew(u) ** 2, (17,)),),
+    (*solution(ROTATION, I, skew(u)), *circular(alpha), UNIT),
+    Determined(Letters(FULL, (u,)), ZERO),
+)
+VERSOR = exponential(alpha / 2 * u)
+QUATERNION_EXPONENTIAL = Theorem(
+    "exponential of a quaternion",
+    (Equation(VERSOR, HALF[1] + u * HALF[0], (23,)),),
+    (*solution(VERSOR, sympy.Integer(1), u / 2), *circular(alpha / 2), UNIT),
+    Determined(Letters(HALF, (u,)), ZERO),
+)
+TURNED_ROOT = sympy.cos(beta) - r * sympy.sin(beta)
+MOEBIUS = definition(r_k, (r * sympy.cos(beta) + sympy.sin(beta)) / TURNED_ROOT)
+TURNED = Theorem(
+    "Moebius step",
+    (
+        Equation(p_k, (p * sympy.cos(n * beta) - r * q * sympy.sin(n * beta)) / TURNED_ROOT**n),
+        Equation(q_k, (p * sympy.sin(n * beta) + r * q * sympy.cos(n * beta)) / (r_k * TURNED_ROOT**n)),
+    ),
+    (*pairs(n, p, q, r**2), *pairs(n, p_k, q_k, r_k**2), *turning(beta), MOEBIUS),
+    Determined(Letters((p, q, sympy.cos(n * beta), sympy.sin(n * beta), sympy.sin(beta), sympy.cos(beta), r),
+                       free=(r, sympy.sin(beta), sympy.cos(beta))), ONE),
+)  # fmt: skip
+COMPOSITION = Theorem(
+    "composition",
+    (
+        Equation(sandwich(scalar + vector), I + 2 * scalar * skew(vector) + 2 * skew(vector) ** 2, (24,)),
+        Equation(
+            sandwich((scalar_2 + second) * (scalar_1 + first)), sandwich(scalar_2 + second) * sandwich(scalar_1 + first)
+        ),
+    ),
+    (definition(scalar**2 + dot(vector, vector), 1),),
+    Identity(Letters((scalar, scalar_1, scalar_2), (vector, first, second))),
+)
+FIRST_ORDER = Theorem(
+    "composition at n = 1",
+    (
+        Equation(b, (b_1 + b_2 + cross(b_2, b_1)) / (1 - dot(b_1, b_2)), (45,)),
+        Equation((1 + b_2) * (1 + b_1), (1 - dot(b_1, b_2)) * (1 + b)),
+    ),
+    (definition(b, first_order(b_2, b_1)),),
+    Identity(Letters((), (b_1, b_2), (b_1, b_2))),
+    "n = 1",
+)
+_DOT, _CROSS = dot(sigma_2, sigma_1), cross(sigma_2, sigma_1)
+_ABOVE = (1 - dot(sigma_2, sigma_2)) * sigma_1 + (1 - dot(sigma_1, sigma_1)) * sigma_2 + 2 * _CROSS
+SECOND_ORDER = Theorem(
+    "composition at n = 2",
+    (
+        Equation(sigma, _ABOVE / ((1 - _DOT) ** 2 + dot(_CROSS, _CROSS)), (41,)),
+        Equation(
+            (1 + dot(sigma, sigma)) * (1 + sigma_2) ** 2 * (1 + sigma_1) ** 2,
+            (1 + dot(sigma_2, sigma_2)) * (1 + dot(sigma_1, sigma_1)) * (1 + sigma) ** 2,
+        ),
+    ),
+    (definition(sigma, second_order(sigma_2, sigma_1)),),
+    Identity(Letters((), (sigma_1, sigma_2), (sigma_1, sigma_2))),
+    "n = 2",
+)
+COMPOSITION_AT = {1: FIRST_ORDER, 2: SECOND_ORDER}
+"""Closed forms of the composition, by order."""
+
+
+def displacement_theorems(formulas: Formulas) -> tuple[Theorem, ...]:
+    """What is claimed, for every n, of displacements by the given formulas."""
+    tensor = formulas.defined(R, "tensor")
+    along_axis = definition(v, PART[0] / PART[1] * u)
+    on_axis = ((theta, alpha / (2 * n)),)
+    screw = Theorem(
+        "screw",
+        (
+            Equation(q_hat, HALF[1] + u * HALF[0], (23, 37, 48)),
+            Equation(R, I + FULL[0] * skew(u) + (1 - FULL[1]) * skew(u) ** 2, (17,)),
+        ),
+        (
+            along_axis, definition(x, dot(v, v)), UNIT, definition(ROOT, 1 / PART[1] ** n), QUATERNION, tensor,
+            ANGLES.premise(0, *on_axis), ANGLES.premise(1, *on_axis), *DOUBLE_ANGLE.given(), pythagoras(alpha / 2),
+            definition(Shifted(PART[1], alpha, 0), 1, wrong=sympy.Integer(0)),
+        ),
+        Identity(Letters((*HALF, *PART), (u,), (HALF[0], PART[0]))),
+    )  # fmt: skip
+    return (
+        DOUBLE_ANGLE, EXPONENTIAL, QUATERNION_EXPONENTIAL, screw, _pose(formulas), _line(tensor), TURNED,
+        *(_shadow(formulas, sign) for sign in (1, -1)), COMPOSITION,
+    )  # fmt: skip
+
+
+def _pose(formulas: Formulas) -> Theorem:
+    """The dual part of R is the derivative along the dual part of v, a translation by dcay v°."""
+    follow = 2 * epsilon * dot(v, v_dual)
+    return Theorem(
+        "pose",
+        (Equation(R_dual, (I + epsilon * skew(rho)) * Q, (14,)),),
+        (
+            definition(V, v + epsilon * v_dual),
+            definition(x_dual, dot(V, V)),
+            definition(p_dual, p + follow * prime(p)),
+            definition(q_dual, q + follow * prime(q)),
+            formulas.defined(R_dual, "tensor", (n, x_dual, p_dual, q_dual), V),
+            definition(Q, real(R_dual)),
+            formulas.defined(dcay, "tangent"),
+            definition(rho, dcay * v_dual),
+            SQUARE,
+            *SLOPES.given(),
+            ORIGIN.premise(0),
+        ),
+        Identity(Letters((p, q, x, n), (v, v_dual), (x,))),
+    )
+
+
+def _line(tensor: Premise) -> Theorem:
+    """A line through a point moves to the line through the moved point."""
+    return Theorem(
+        "line",
+        (
+            Equation(
+                (I + epsilon * skew(rho)) * R * (along + epsilon * cross(point, along)),
+                R * along + epsilon * cross(R * point + rho, R * along),
+            ),
+        ),
+        (tensor, SQUARE, ORIGIN_P),
+        Identity(Letters((p, q, x, n), (v, point, along, rho), (x,))),
+    )
+
+
+def _shadow(formulas: Formulas, sign: int) -> Theorem:
+    """The step by an angle β with nβ = kπ keeps the tensor."""
+    cosine, sine = sympy.cos(beta), sympy.sin(beta)
+    return Theorem(
+        f"shadow, {'even' if sign == 1 else 'odd'} branch",
+        (Equation(R_k, R),),
+        (
+            formulas.defined(R, "tensor", (n, r**2, p, q), r * u),
+            formulas.defined(R_k, "tensor", (n, r_k**2, p_k, q_k), r_k * u),
+            *TURNED.given(),
+            definition(sympy.cos(n * beta), sign, wrong=sympy.Integer(0)),
+            definition(sympy.sin(n * beta), 0),
+            ORIGIN_P,
+        ),
+        Identity(Letters((p, q, sine, cosine, r, r_k), (u,), (r, r_k, sine, cosine))),
+    )

@@ -1,0 +1,127 @@
+"""What an expression of letters and marks is, once letters have values: sums, products, powers and marks of these."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterable, Mapping
+from fractions import Fraction
+from typing import Any, cast
+
+import sympy
+
+from ..algebra import Dual, Structure, Tensor, dual_part, mixed, real_part
+from ..maps.composition import compose_first_order, compose_second_order
+from ..maps.first_principles import tensor_by_sandwich
+from . import marks
+from .statement import Equation
+
+
+class NoValueError(ArithmeticError):
+    """An expression that nothing gives a value."""
+
+
+MEANING: Mapping[Any, Callable[..., Any]] = {
+    marks.transpose: lambda a: a.transpose,
+    marks.conjugate: lambda a: mixed.quaternion(a).conjugate(),
+    marks.skew: Tensor.skew,
+    marks.vect: lambda a: a.vect(),
+    marks.cross: lambda a, b: a.cross(b),
+    marks.dyad: Tensor.dyad,
+    marks.sandwich: lambda a: tensor_by_sandwich(mixed.quaternion(a)),
+    marks.first_order: compose_first_order,
+    marks.second_order: compose_second_order,
+    marks.real: lambda a: a.map(real_part),
+    marks.dual: lambda a: a.map(dual_part),
+    marks.det: lambda a: a.det(),
+    marks.dot: lambda a, b: a.dot(b),
+    marks.norm2: lambda a: mixed.quaternion(a).norm2(),
+}
+"""What a mark does to values of the algebra."""
+
+
+class Evaluation(ABC):
+    """Values of expressions.
+
+    Parameters
+    ----------
+    values : mapping of Expr to value
+        Letters (or terms) and their values; the identity and ε are known.
+
+    Attributes
+    ----------
+    definitions : dict of Expr to Expr
+        Letters and terms that stand for other expressions.
+    """
+
+    def __init__(self, values: Mapping[sympy.Expr, Any]) -> None:
+        self.values: dict[sympy.Expr, Any] = {**values, marks.I: Tensor.identity(), marks.epsilon: Dual(0, 1)}
+        self.definitions: dict[sympy.Expr, sympy.Expr] = {}
+
+    @abstractmethod
+    def number(self, value: Fraction) -> Any:
+        """A rational number."""
+
+    @abstractmethod
+    def differentiated(self, mark: Any, value: Any) -> Any:
+        """The derivative of a value that `rate` or `prime` stands for."""
+
+    @abstractmethod
+    def power(self, base: sympy.Expr, exponent: sympy.Expr) -> Any:
+        """A power whose exponent is no integer."""
+
+    def value(self, expression: sympy.Expr) -> Any:
+        """The value of an expression: a number, or a vector, quaternion or tensor of numbers."""
+        if expression not in self.values:
+            self.values[expression] = self._evaluated(expression)
+        return self.values[expression]
+
+    def sides(self, equation: Equation) -> list[tuple[Any, Any]]:
+        """Left and right, by components."""
+        left, right = self.value(equation.left), self.value(equation.right)
+        if type(left) is not type(right) and (isinstance(left, Structure) or isinstance(right, Structure)):
+            left, right = mixed.quaternion(left), mixed.quaternion(right)
+        return list(zip(flat(left), flat(right), strict=True))
+
+    def _evaluated(self, e: sympy.Expr) -> Any:
+        if e in self.definitions:
+            return self.value(self.definitions[e])
+        if e.is_Rational:
+            return self.number(Fraction(int(e.p), int(e.q)))
+        if e.is_Add:
+            return _folded(mixed.add, map(self.value, e.args))
+        if e.is_Mul:
+            numbers, others = e.args_cnc()
+            product = _folded(mixed.multiply, map(self.value, others)) if others else None
+            number = _folded(mixed.multiply, map(self.value, numbers)) if numbers else None
+            return product if number is None else number if product is None else product * number
+        if e.is_Pow:
+            return self._integer_power(self.value(e.base), int(e.exp)) if e.exp.is_Integer else self.power(*e.args)
+        if e.func in (marks.rate, marks.prime):
+            return self.differentiated(e.func, self.value(e.args[0]))
+        if e.func in MEANING:
+            return MEANING[e.func](*map(self.value, e.args))
+        raise NoValueError(f"nothing says what {marks.text(e)} is")
+
+    @staticmethod
+    def _integer_power(value: Any, exponent: int) -> Any:
+        if not isinstance(value, Structure):
+            return value**exponent
+        power = _folded(mixed.multiply, [value] * abs(exponent))
+        return power if exponent > 0 else power.inverse()
+
+
+def flat(value: Any) -> list[Any]:
+    """The numbers a value consists of."""
+    return [value] if not isinstance(value, Structure) else list(cast(Iterable[Any], value))
+
+
+def mapped(function: Callable[[Any], Any], value: Any) -> Any:
+    """The function of a number, or of every component."""
+    return cast(Any, value).map(function) if isinstance(value, Structure) else function(value)
+
+
+def _folded(operation: Callable[[Any, Any], Any], values: Iterable[Any]) -> Any:
+    first, *rest = values
+    for value in rest:
+        first = operation(first, value)
+    return first

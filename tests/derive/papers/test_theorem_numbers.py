@@ -1,0 +1,154 @@
+"""The numbers that theorems give their equations are those of the paper's entries that say the same."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cache
+from typing import Any
+
+import pytest
+import sympy
+from derive.papers.terms import Apply, Letter, Number, Term, walk
+
+from derive.papers import PAPERS
+from derive.papers.equation import Equation as Entry
+from derive.proof import marks
+from derive.proof.displacement_theorems import COMPOSITION_AT
+from derive.proof.every_order import stated
+from derive.proof.formulas import Formulas
+from derive.proof.statement import Equation
+
+LETTERS = {
+    "R": marks.R, "I": marks.I, "v": marks.v, "n": marks.n, "q": marks.q_hat, "p_n": marks.p, "q_n": marks.q,
+    "X": sympy.sqrt(marks.x), "alpha": marks.alpha, "u": marks.u, "omega": marks.omega, "omega_B": marks.omega_body,
+    "skew omega_B": marks.skew(marks.omega_body), "dcay_n": marks.dcay, "dcay_n⁻¹": marks.dcay_inv,
+    "dcay_n⁻ᵀ": marks.transpose(marks.dcay_inv), "epsilon": marks.epsilon, "rho": marks.rho, "Q": marks.Q,
+    "scalar": marks.scalar, "vector": marks.vector, "b": marks.b, "b1": marks.b_1, "b2": marks.b_2,
+    "sigma": marks.sigma, "sigma1": marks.sigma_1, "sigma2": marks.sigma_2, "j": marks.j, "infinity": sympy.oo,
+}  # fmt: skip
+"""The theorems' letters for the paper's."""
+
+FUNCTIONS = {
+    "skew": marks.skew, "transpose": marks.transpose, "rate": marks.rate, "det": marks.det, "vect": marks.vect,
+    "conjugate": marks.conjugate, "dyad": marks.dyad, "cross": marks.cross, "binomial": sympy.binomial,
+    "cos": sympy.cos, "sin": sympy.sin, "exp": marks.exponential, "factorial": sympy.factorial,
+}  # fmt: skip
+
+
+class OtherWordsError(Exception):
+    """The entry speaks of things that the theorems have no letters for."""
+
+
+def converted(term: Term) -> Any:
+    """A printed formula in the theorems' letters."""
+    if isinstance(term, Number):
+        return sympy.Integer(term.value)
+    if isinstance(term, Letter):
+        if term.name not in LETTERS:
+            raise OtherWordsError(term.name)
+        return LETTERS[term.name]
+    assert isinstance(term, Apply)
+    first = term.arguments[0]
+    if term.head == "at":  # p_n(|v|)
+        return sandwich(*term.arguments) if first == DELTA else converted(first)
+    if term.head == "of two" and isinstance(first, Letter) and first.name == "R(α, u)":
+        return marks.R
+    arguments = [converted(argument) for argument in term.arguments if not _is_bound(term, argument)]
+    return _applied(term.head, arguments)
+
+
+DELTA = next(
+    node
+    for entry in PAPERS[0].entries() if entry.number == "24"
+    for node in walk(entry.readings[0].statement) if isinstance(node, Letter) and node.name == "Delta"
+)  # fmt: skip
+
+
+def sandwich(_: Term, quaternion: Term) -> Any:
+    return marks.sandwich(converted(quaternion))
+
+
+def _is_bound(term: Apply, argument: Term) -> bool:
+    """The upper bound of a sum: its terms vanish beyond."""
+    return term.head == "sum" and argument is term.arguments[2]
+
+
+def _applied(head: str, a: list[Any]) -> Any:
+    if head in FUNCTIONS:
+        return FUNCTIONS[head](*a)
+    if head == "norm":
+        return sympy.sqrt(marks.x if a[0] == marks.v else marks.dot(a[0], a[0]))
+    if head == "root":
+        return a[0].base ** (a[0].exp / 2) if a[0].is_Pow else sympy.sqrt(a[0])
+    if head == "dot":
+        return a[0] * a[1] if a[0].is_commutative else marks.dot(*a)
+    if head == "sum":
+        return sympy.Sum(a[2], (a[0], a[1], sympy.oo))
+    simple = {
+        "plus": lambda: a[0] + a[1], "minus": lambda: a[0] - a[1], "negative": lambda: -a[0], "pm": lambda: a[0],
+        "times": lambda: a[0] * a[1], "over": lambda: a[0] / a[1], "power": lambda: a[0] ** a[1],
+    }  # fmt: skip
+    if head not in simple:
+        raise OtherWordsError(head)
+    return simple[head]()
+
+
+def chains(statement: Term) -> Iterator[list[Any]]:
+    """The members of every chain of equalities, those that can be converted."""
+    if isinstance(statement, Apply) and statement.head in ("both", "remark"):
+        for part in statement.arguments:
+            yield from chains(part)
+    elif isinstance(statement, Apply) and statement.head == "equal":
+        members = []
+        for member in statement.arguments:
+            try:
+                members.append(converted(member))
+            except (OtherWordsError, TypeError):
+                continue
+        yield members
+
+
+def decided_form(entry: Entry) -> Term:
+    return entry.corrected if entry.corrected is not None else entry.readings[0].statement
+
+
+CHAINS = {
+    int(entry.number): [set(map(sympy.expand, members)) for members in chains(decided_form(entry))]
+    for entry in PAPERS[0].entries() if entry.number.isdecimal()
+}  # fmt: skip
+RENAMED = {marks.R_dual: marks.R}
+"""The tensor at a dual vector is the paper's R."""
+
+
+def says(number: int, equation: Equation) -> bool:
+    """Whether the entry of that number says what the equation says."""
+    sides = {sympy.expand(side.xreplace(RENAMED)) for side in (equation.left, equation.right)}
+    return any(sides <= members for members in CHAINS[number])
+
+
+@cache
+def equations() -> list[Equation]:
+    """Every equation of a claim or a definition."""
+    found = [e for t in (*stated(Formulas()), *COMPOSITION_AT.values()) for e in (*t.claim, *_definitions(t))]
+    return list({(e.left, e.right): e for e in found}.values())
+
+
+def _definitions(theorem: Any) -> Iterator[Equation]:
+    return (premise.equation for premise in theorem.premises if not premise.theorem)
+
+
+@pytest.mark.parametrize("equation", equations(), ids=str)
+def test_numbers_are_those_of_the_entries_that_say_the_same(equation: Equation) -> None:
+    same = tuple(number for number in CHAINS if says(number, equation))
+    assert same == tuple(sorted(equation.numbers))
+
+
+def test_most_numbers_are_cited() -> None:
+    cited = {number for equation in equations() for number in equation.numbers}
+    assert len(cited) >= 25
+
+
+def test_a_wrong_number_is_noticed() -> None:
+    for equation in equations():
+        for number in equation.numbers:
+            assert not any(says(other, equation) for other in (number - 1, number + 1) if other not in equation.numbers)

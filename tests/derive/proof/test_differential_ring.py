@@ -1,0 +1,75 @@
+"""What divides must be certified: it must vanish identically at no order."""
+
+from __future__ import annotations
+
+import pytest
+import sympy
+
+from derive.proof.differential_ring import DifferentialRing, Quotient
+from derive.proof.marks import Shifted, dot, n, p, q, v, x
+from derive.proof.setting import Letters, Setting
+from derive.proof.statement import definition
+
+
+def ring(zeroed: sympy.Expr | None = None) -> DifferentialRing:
+    values = (definition(Shifted(p, x, 0), 1), definition(Shifted(q, x, 0), n))
+    return Setting(Letters((p, q, x, n), (v,), (x,)), (*values, definition(dot(v, v), x)), zeroed=zeroed).ring
+
+
+def over(divisor: sympy.Expr, at: DifferentialRing) -> Quotient:
+    value = at.constant(0)
+    for term in sympy.Add.make_args(divisor):
+        product = at.constant(1)
+        for factor in sympy.Mul.make_args(term):
+            base, exponent = factor.as_base_exp()
+            number = base.is_Rational
+            product = product * (at.constant(int(base)) if number else at.generator(base) ** int(exponent))
+        value = value + product
+    return at.constant(1) / value
+
+
+@pytest.mark.parametrize("divisor", [x, 1 + x, q, p, n, p**2 + x * q**2, n + 1, 2 * n * x * q])
+def test_certified(divisor: sympy.Expr) -> None:
+    at = ring()
+    assert all(multiplier.nonzero for multiplier in at.multiplier(over(divisor, at).powers))
+
+
+@pytest.mark.parametrize("divisor", [n - 3, p - q, q - n, x * (p - 1), n**2 - 5 * n + 6])
+def test_what_vanishes_at_some_order_is_not_certified(divisor: sympy.Expr) -> None:
+    at = ring()
+    assert not all(multiplier.nonzero for multiplier in at.multiplier(over(sympy.expand(divisor), at).powers))
+
+
+def test_a_zeroed_unit_is_not_certified() -> None:
+    at = ring(zeroed=1 + x)
+    assert [multiplier.nonzero for multiplier in at.multiplier(over(1 + x, at).powers)] == [False]
+
+
+def test_zero_divides_nothing() -> None:
+    at = ring()
+    squares = sum((at.generator(sympy.Symbol(f"v_{i}")) ** 2 for i in (1, 2, 3)), at.constant(0))
+    with pytest.raises(ZeroDivisionError):
+        at.constant(1) / (squares - at.generator(x))
+
+
+def test_quotients_are_numbers() -> None:
+    at = ring()
+    a, b = at.generator(x), at.generator(p)
+    assert (a + b) / (1 + a) * (1 + a) - b == a
+    assert 1 / (a / b) == b / a
+    assert a**-2 * a**2 == 1
+    assert a != b
+    assert 2 - a == -(a - 2)
+
+
+def test_derivation_is_a_derivation() -> None:
+    at = ring()
+    a, b = at.generator(x), at.generator(p)
+    rates = {a.numerator: at.constant(1), b.numerator: at.generator(q)}
+
+    def rate(value: Quotient) -> Quotient:
+        return value.derivative(rates)
+
+    f, g = b / (1 + a), a * b / (1 + a) ** 2
+    assert rate(f * g) == rate(f) * g + f * rate(g)
+    assert rate(f / (1 + a)) == rate(f) / (1 + a) - f / (1 + a) ** 2

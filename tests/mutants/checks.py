@@ -1,0 +1,183 @@
+"""The checks of a room: what they reach in the unchanged tree, and what they say of a change."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from . import road, suite
+from .child import isolated
+from .mutant import EQUIVALENT, KILLED, PROSE, SURVIVED, Fate
+from .python import Edit
+from .reach import Reach, Table
+from .tree import forget
+
+KERNELS = ("tests/generated",)
+FEW = 3
+"""Cases of each test of kernels."""
+
+LONG = 1.5
+"""Seconds of processor time: a longer test is left out of trials."""
+
+VALIDATING = "validating"
+COMMENT = {".py.j2": "# one more comment\n", ".h.j2": "// one more comment\n"}
+
+
+@dataclass(frozen=True)
+class Knowledge:
+    """Of the unchanged tree: seconds of the checks of every stage, what they reach, and what is emitted.
+
+    ``processor`` are the seconds of processor time of all checks, ``left_out`` the tests that cannot take part, by
+    reason, and ``printing`` the lines that only make texts.
+    """
+
+    processor: float
+    seconds: Mapping[str, Mapping[str, float]]
+    table: Table
+    printing: frozenset[tuple[str, int]]
+    left_out: Mapping[str, Sequence[str]]
+    prints: Mapping[str, tuple[str, str]]
+
+    def plan(self, edit: Edit | None) -> dict[str, list[str]]:
+        """The checks that reach an edit, by stage, in their order."""
+        reached = None if edit is None else self.table.checks(edit.path, edit.lines)
+        return {
+            stage: [name for name in seconds if reached is None or name in reached or stage == "kernels"]
+            for stage, seconds in self.seconds.items()
+        }
+
+    def prints_only(self, edit: Edit) -> bool:
+        """Whether an edit is in what makes texts, and in nothing that validates them."""
+        places = {(edit.path, line) for line in range(edit.lines[0], edit.lines[1] + 1)} & self.table.lines.keys()
+        return bool(places) and places <= self.printing
+
+
+@dataclass(frozen=True)
+class Checks:
+    """A first stage that is no test, then tests; inside a copy of the tree.
+
+    Attributes
+    ----------
+    watched : tuple of str
+        Folders whose lines are watched.
+    tests : tuple of str
+        Files and folders of tests.
+    first : str
+        Name of the first stage, of those in `road`; "" for none.
+    emits : bool
+        Whether what is watched decides what is emitted: survivors are compared by that, and the tests of kernels run
+        on it.
+    """
+
+    name: str
+    watched: tuple[str, ...]
+    tests: tuple[str, ...]
+    first: str = ""
+    emits: bool = False
+
+    def prepare(self, folder: Path) -> Knowledge:
+        """Run everything once on the unchanged tree, and watch."""
+        commented = isolated(lambda: self._commented(folder)) if self.emits else []
+        kernels = isolated(lambda: suite.run_all(KERNELS, few=FEW)) if self.emits else suite.Times()
+        reach = Reach(folder, [f"{source}/*" for source in self.watched])
+        started = sum(os.times()[:4])
+        with reach.open():
+            road.import_all()
+            first = {name: _timed(reach, name, check) for name, check in self._first_stage(reach).items()}
+            tests = suite.run_all(self.tests, reach)
+        processor = sum(os.times()[:4]) - started + sum(kernels.seconds.values())
+        left_out = {
+            "fails unchanged, or takes longer than a minute": [*tests.failed, *kernels.failed],
+            "fails for one more comment in what is emitted": sorted(set(commented) - set(tests.failed)),
+            f"longer than {LONG} s": [*tests.longer(LONG), *kernels.longer(LONG)],
+        }
+        out = {name for names in left_out.values() for name in names}
+        seconds = {self.first or "first": first, "tests": tests.without(out), "kernels": kernels.without(out)}
+        if not seconds["tests"]:
+            raise RuntimeError(f"no test of {', '.join(self.tests)} can be used: {left_out}")
+        table = reach.table([name for stage in seconds.values() for name in stage])
+        prints = road.prints() if self.emits else {}
+        return Knowledge(processor, seconds, table, _printing(reach, set(first)), left_out, prints)
+
+    def _first_stage(self, reach: Reach) -> dict[str, road.Check]:
+        def around(name: str, validate: Any) -> Any:
+            def watched(*arguments: Any) -> Any:
+                with reach.by(f"{VALIDATING} {name}"):
+                    return validate(*arguments)
+
+            return watched
+
+        return road.first_stage(self.first, around) if self.first else {}
+
+    def _commented(self, folder: Path) -> list[str]:
+        """Tests that fail for one more comment in every template: they would kill whatever changes a byte."""
+        before = {}
+        for path in sorted((folder / "templates").rglob("*.j2")):
+            if comment := COMMENT.get("".join(path.suffixes[-2:])):
+                before[path] = path.read_bytes()
+                path.write_bytes(before[path] + comment.encode())
+        try:
+            return suite.run_all(self.tests).failed
+        finally:
+            for path, content in before.items():
+                path.write_bytes(content)
+
+    def fate(self, edit: Edit | None, knowledge: Knowledge) -> Fate:
+        """What becomes of an edit (None: of the unchanged tree)."""
+        plan = knowledge.plan(edit)
+        if self.first and (by := _first_error(self.first, plan[self.first])):
+            return Fate(KILLED, self.first, by)
+        if by := suite.first_failure(plan["tests"]):
+            return Fate(KILLED, "tests", by)
+        return self._compared(edit, knowledge, plan["kernels"]) if self.emits else Fate(SURVIVED)
+
+    def _compared(self, edit: Edit | None, knowledge: Knowledge, kernels: Sequence[str]) -> Fate:
+        """By what is emitted: nothing changed, prose alone, or code that the tests of kernels look at."""
+        try:
+            found = road.difference(knowledge.prints)
+        except Exception as error:
+            return Fate(KILLED, "validation", f"another order: {type(error).__name__}")
+        if found == "text":
+            return Fate(PROSE, by="what is emitted differs in comments, docstrings and layout only")
+        if found == "" and edit and knowledge.prints_only(edit):
+            return Fate(EQUIVALENT, by="every emitted text is the same")
+        if edit is None or (found == "code" and road.write_kernels(Path("generated", "dualcay"))):
+            forget("dualcay")
+            if by := suite.first_failure(kernels):
+                return Fate(KILLED, "kernels", by)
+        return Fate(SURVIVED)
+
+
+def _timed(reach: Reach, name: str, check: road.Check) -> float:
+    started = suite.processor()
+    with reach.by(name, f"{VALIDATING} {name}"):
+        check()
+    return suite.processor() - started
+
+
+def _printing(reach: Reach, builds: set[str]) -> frozenset[tuple[str, int]]:
+    """Lines that run when texts are made, and neither when they are validated nor while modules are imported."""
+    return frozenset(
+        place
+        for place, names in reach.contexts().items()
+        if names & builds and "" not in names and not any(name.startswith(VALIDATING) for name in names)
+    )
+
+
+def _first_error(stage: str, names: Sequence[str]) -> str | None:
+    """The first of these checks that fails."""
+    if not names:
+        return None
+    try:
+        checks = road.first_stage(stage)
+    except Exception as error:
+        return f"import: {type(error).__name__}"
+    for name in names:
+        try:
+            checks[name]()
+        except Exception as error:
+            return f"{name}: {type(error).__name__}"
+    return None

@@ -1,0 +1,136 @@
+"""Jobs in forked processes: isolated, limited in processor time and wall clock, several at once."""
+
+from __future__ import annotations
+
+import os
+import pickle
+import resource
+import signal
+import tempfile
+import time
+import traceback
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import ExitStack, suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+POLL = 0.005
+MEMORY = 8 << 30
+WAITING = 20
+"""Wall clock allowed for each second of processor time: other processes may be running."""
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """What a job returned, or the text of its error; ``how`` is done, failed, timeout or crashed.
+
+    ``seconds`` are of processor time, those of its children included.
+    """
+
+    how: str
+    value: Any
+    seconds: float
+
+
+class Child:
+    """A job that runs in a process of its own, in silence.
+
+    Parameters
+    ----------
+    job : callable
+        Whose value can be pickled.
+    limit : float, optional
+        Seconds of processor time.
+    """
+
+    def __init__(self, job: Callable[[], Any], limit: float | None = None) -> None:
+        handle, self._answer = tempfile.mkstemp(prefix="mutant-")
+        os.close(handle)
+        self._deadline = time.monotonic() + WAITING * limit if limit else None
+        self._pid = os.fork()
+        if not self._pid:
+            self._run(job, limit)
+
+    def _run(self, job: Callable[[], Any], limit: float | None) -> None:
+        os.setpgid(0, 0)
+        nothing = os.open(os.devnull, os.O_RDWR)
+        for stream in (0, 1, 2):
+            os.dup2(nothing, stream)
+        if limit:
+            resource.setrlimit(resource.RLIMIT_CPU, (int(limit) + 1, int(limit) + 5))
+            resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+        try:
+            answer: tuple[str, Any] = ("done", job())
+        except BaseException:
+            answer = ("failed", traceback.format_exc())
+        with suppress(BaseException):
+            Path(self._answer).write_bytes(pickle.dumps(answer))
+        os._exit(0)
+
+    def outcome(self) -> Outcome | None:
+        """What became of it; None while it runs."""
+        late = self._deadline is not None and time.monotonic() > self._deadline
+        if late:
+            self.stop()
+        pid, status, usage = os.wait4(self._pid, 0 if late else os.WNOHANG)
+        if not pid:
+            return None
+        self._sweep()
+        answer = Path(self._answer)
+        written = answer.read_bytes()
+        answer.unlink()
+        seconds = usage.ru_utime + usage.ru_stime
+        if late or (os.WIFSIGNALED(status) and os.WTERMSIG(status) in (signal.SIGXCPU, signal.SIGKILL)):
+            return Outcome("timeout", None, seconds)
+        if os.WIFSIGNALED(status) or not written:
+            return Outcome("crashed", status, seconds)
+        how, value = pickle.loads(written)
+        return Outcome(how, value, seconds)
+
+    def stop(self) -> None:
+        """End it, and whatever it has started."""
+        with suppress(ProcessLookupError):
+            os.kill(self._pid, signal.SIGKILL)
+        self._sweep()
+
+    def _sweep(self) -> None:
+        with suppress(ProcessLookupError, PermissionError):
+            os.killpg(self._pid, signal.SIGKILL)
+
+
+def isolated(job: Callable[[], Any]) -> Any:
+    """The value of a job that ran in a process of its own."""
+    ((_, outcome),) = outcomes([lambda _: (ExitStack(), Child(job))], [None])
+    if outcome.how != "done":
+        raise RuntimeError(f"{outcome.how}: {outcome.value}")
+    return outcome.value
+
+
+Start = Callable[[Any], tuple[ExitStack, Child]]
+"""Given a slot: begins a job in it, and says what is to be closed when the job has ended."""
+
+
+def outcomes(jobs: Iterable[Start], slots: list[Any]) -> Iterator[tuple[int, Outcome]]:
+    """Run jobs, one in each slot at a time; yield number and outcome of each as it ends."""
+    waiting = enumerate(jobs)
+    running: dict[int, tuple[int, ExitStack, Child]] = {}
+    try:
+        while True:
+            for index in range(len(slots)):
+                if index not in running and (following := next(waiting, None)) is not None:
+                    number, start = following
+                    running[index] = (number, *start(slots[index]))
+            if not running:
+                return
+            ended = [(index, found) for index, job in running.items() if (found := job[2].outcome()) is not None]
+            for index, found in ended:
+                number, entered, _ = running.pop(index)
+                entered.close()
+                yield number, found
+            if not ended:
+                time.sleep(POLL)
+    finally:
+        for _, entered, child in running.values():
+            child.stop()
+            entered.close()

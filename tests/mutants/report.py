@@ -1,0 +1,157 @@
+"""The figures: a table by room, and the survivors."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+from . import road
+from .checks import FEW
+from .mutant import EQUIVALENT, KILLED, MEANINGLESS, PROSE, SURVIVED, TIMEOUT, Fate, Mutant
+from .run import Results
+
+STAGES = ("proof", "validation", "execution", "tests", "kernels", "crash")
+FIRST = ("proof", "validation", "execution")
+
+
+@dataclass(frozen=True, slots=True)
+class Score:
+    """Counts of a room."""
+
+    name: str
+    total: int
+    tried: int
+    killed: Mapping[str, int]
+    others: Mapping[str, int]
+
+    @property
+    def counted(self) -> int:
+        """Mutants that some check should kill."""
+        return self.tried - self.others[EQUIVALENT] - self.others[PROSE] - self.others[MEANINGLESS]
+
+    @property
+    def share(self) -> float:
+        """Per cent of those that were killed, at the time limit included."""
+        return self._percent(sum(self.killed.values()) + self.others[TIMEOUT])
+
+    @property
+    def first(self) -> float | None:
+        """Per cent killed by what is no test; None where a room has tests only."""
+        return self._percent(sum(self.killed[stage] for stage in FIRST)) if any(map(self.killed.get, FIRST)) else None
+
+    def _percent(self, count: int) -> float:
+        return 100 * count / self.counted if self.counted else 100.0
+
+
+def score(results: Results) -> Score:
+    """Count the fates of a room."""
+    fates = results.fates.values()
+    killed = Counter(fate.stage for fate in fates if fate.kind == KILLED)
+    others = Counter(fate.kind for fate in fates if fate.kind != KILLED)
+    return Score(results.room.name, results.drawn.total, len(results.fates), killed, others)
+
+
+HEAD = (
+    "room", "mutants", "tried", "proof", "validation", "execution", "tests", "kernels", "crash", "time limit",
+    "equivalent", "prose", "no meaning", "survive", "first stage", "killed",
+)  # fmt: skip
+
+
+def rows(scores: Iterable[Score]) -> list[tuple[str, ...]]:
+    """The table, a row for each room."""
+    return [
+        (
+            s.name,
+            *(str(n) for n in (s.total, s.tried, *(s.killed[stage] for stage in STAGES))),
+            *(str(s.others[kind]) for kind in (TIMEOUT, EQUIVALENT, PROSE, MEANINGLESS, SURVIVED)),
+            "–" if s.first is None else f"{s.first:.1f} %",
+            f"{s.share:.1f} %",
+        )
+        for s in scores
+    ]
+
+
+def plain(table: Sequence[Sequence[str]]) -> str:
+    """The table in columns."""
+    widths = [max(map(len, column)) for column in zip(HEAD, *table)]
+    return "\n".join("  ".join(cell.rjust(w) for cell, w in zip(row, widths)).rstrip() for row in (HEAD, *table))
+
+
+def survivors(results: Results) -> list[tuple[Mutant, Fate]]:
+    """Mutants that no check kills and no command shows to be equivalent, by their place."""
+    alive = [(results.drawn.sample[key], fate) for key, fate in results.fates.items() if fate.kind == SURVIVED]
+    return sorted(alive, key=lambda pair: (pair[0].place, pair[0].line, pair[0].operator, pair[0].change))
+
+
+def left_out(results: Results) -> list[str]:
+    """Tests that could not take part, with the reason."""
+    found = getattr(results.drawn.knowledge, "left_out", {})
+    return [f"{name} ({why})" for why, names in found.items() for name in names]
+
+
+PAGE = """# Assurance
+
+Written by `make mutants`: change that, not this page.
+
+How many wrong programs, proofs, maps, printers, templates and statements the checks would notice. A mutant is one
+small change. Of each room {count} are drawn (seed {seed}) among all that the listed operators make; each is tried in a
+process of its own on a copy of the tree. State: `{state}`.
+
+{table}
+
+- **proof**, **validation**, **execution**: killed by what is no test, that is by the proofs of n = {committed}; by
+  emission with validation (n = {committed} for NumPy, {others} for the other targets); by executing the statement.
+  **first stage** is their share.
+- **tests**: killed by tests of that room only, but for those listed as left out. **kernels**: killed by {few} cases of
+  each test of tests/generated, run on the NumPy kernels that the mutant emits. **crash**: the process died.
+- **time limit**: stopped after three times the processor time of all checks; counted as killed.
+- **equivalent**: shown to be so by the run. Programs: of the same value at random points of a prime field, functions
+  and comparisons uninterpreted. Emission: the changed lines make texts and nothing else, and every emitted text is the
+  same, all targets, n = {kinds}. Python that compiles to the same code is not drawn.
+- **prose**: what is emitted differs in comments, docstrings and layout only; `make check` notices.
+- **no meaning**: statements that combine what has no such operation.
+- **killed** is the share among all but equivalent, prose and meaningless ones.
+
+{rooms}
+"""
+
+
+def page(results: Sequence[Results], state: str, seed: int, count: int) -> str:
+    """The page of figures."""
+    table = rows(map(score, results))
+    lines = ["| " + " | ".join(cells) + " |" for cells in (HEAD, ("---",) * len(HEAD), *table)]
+    orders = {"committed": sorted(road.COMMITTED), "others": road.FEW, "kinds": road.KINDS}
+    listed = {name: ", ".join(map(str, values)) for name, values in orders.items()}
+    rooms = "\n\n".join(map(_section, results))
+    return PAGE.format(count=count, seed=seed, state=state, few=FEW, table="\n".join(lines), rooms=rooms, **listed)
+
+
+def _section(results: Results) -> str:
+    found = survivors(results)
+    lines = [f"## {results.room.name}", "", f"{results.room.what[0].upper()}{results.room.what[1:]}.", ""]
+    if missing := left_out(results):
+        lines += ["Left out:", "", *(f"- {name}" for name in missing), ""]
+    lines += _operators(results)
+    if not found:
+        return "\n".join([*lines, "No survivor."])
+    lines += [f"{len(found)} survive:", "", "| where | operator | change |", "| --- | --- | --- |"]
+    return "\n".join(lines + [f"| {m.where} | {m.operator} | {_code(m.change)} |" for m, _ in found])
+
+
+def _operators(results: Results) -> list[str]:
+    """Killed of tried, by operator."""
+    tried: Counter[str] = Counter()
+    alive: Counter[str] = Counter()
+    for key, fate in results.fates.items():
+        operator = results.drawn.sample[key].operator
+        tried[operator] += 1
+        alive[operator] += fate.kind == SURVIVED
+    parts = ", ".join(f"{name} {count - alive[name]}/{count}" for name, count in sorted(tried.items()))
+    return [f"Operators, noticed of tried: {parts}.", ""]
+
+
+def _code(text: str) -> str:
+    """Code in a cell of a table."""
+    shown = text.replace("|", "\\|")
+    return f"`` {shown} ``" if "`" in shown else f"`{shown}`"

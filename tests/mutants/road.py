@@ -1,0 +1,150 @@
+"""What the road from formula to file says of itself: proofs, and the validation of what is emitted.
+
+This module alone knows how the toolkit is called; it is imported inside a copy of the tree only.
+"""
+
+from __future__ import annotations
+
+import ast
+import dataclasses
+import hashlib
+import importlib
+import pkgutil
+import re
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path, PurePath
+from typing import Any
+
+Check = Callable[[], object]
+"""Raises where something is wrong."""
+
+Around = Callable[[str, Any], Any]
+
+COMMITTED = (3, 2, 4, 1, 5, 8)
+FEW = (3, 4)
+KINDS = (1, 2, 3, 4, 5, 7, 8)
+"""Orders whose texts are compared: odd and even ones, powers of two, the first ones."""
+
+
+def import_all() -> None:
+    """Import every module of the toolkit, so that nothing is imported inside of a check."""
+    derive = importlib.import_module("derive")
+    for module in pkgutil.walk_packages(derive.__path__, "derive."):
+        if not module.name.endswith("__main__"):
+            importlib.import_module(module.name)
+
+
+def proofs() -> dict[str, Check]:
+    """Proofs of the committed orders."""
+    derive, proof = importlib.import_module("derive"), importlib.import_module("derive.proof")
+    return {f"proof of n = {n}": lambda n=n: proof.prove(derive.Cayley(n)) for n in COMMITTED}  # type: ignore[misc]
+
+
+def validations(around: Around = lambda name, validate: validate) -> dict[str, Check]:
+    """Emission with validation: the committed orders for NumPy, some for every other target.
+
+    ``around`` is put between the road and the validation that ends it.
+    """
+
+    def check(name: str, n: int, target: Any) -> Check:
+        seen = dataclasses.replace(target, validate=around(name, target.validate))
+        return lambda: build(n, seen)
+
+    return {
+        f"{name}, n = {n}": check(f"{name}, n = {n}", n, target)
+        for name, target in targets().items()
+        for n in (COMMITTED if name == "numpy" else FEW)
+    }
+
+
+def first_stage(stage: str, around: Around = lambda name, validate: validate) -> dict[str, Check]:
+    """Checks of a stage that are no tests: "proof" or "validation"."""
+    return proofs() if stage == "proof" else validations(around)
+
+
+def statement_folders() -> tuple[str, ...]:
+    """The packages that hold the papers' statements."""
+    papers = importlib.import_module("derive.papers").PAPERS
+    return tuple("/".join(paper.package.split(".")[:3]) + "/" for paper in papers)
+
+
+def targets() -> Mapping[str, Any]:
+    """Every target, NumPy first and C last, which has to compile."""
+    found = importlib.import_module("derive.codegen.targets").TARGETS
+    return {name: found[name] for name in sorted(found, key=lambda name: (name == "c", name != "numpy"))}
+
+
+def build(n: int, target: Any) -> Any:
+    """Everything that is emitted for an order."""
+    return importlib.import_module("derive.codegen.compiler").build([n], target)
+
+
+def unvalidated(target: Any, **changes: Any) -> Any:
+    """A target whose text is not looked at."""
+    return dataclasses.replace(target, validate=lambda *_: 0, **changes)
+
+
+def texts() -> Iterator[tuple[str, Mapping[str, str]]]:
+    """What is emitted, by target and order; cheap ones first."""
+    for n in KINDS:
+        for name, target in targets().items():
+            yield f"{name}, n = {n}", build(n, unvalidated(target)).texts
+
+
+def prints() -> dict[str, tuple[str, str]]:
+    """Of everything emitted: a digest of its text, and one of its code."""
+    return {f"{where}: {file}": _digests(file, text) for where, found in texts() for file, text in found.items()}
+
+
+def difference(expected: Mapping[str, tuple[str, str]]) -> str:
+    """How what is emitted differs from what was expected: "code", "text", or "" for not at all."""
+    found = ""
+    seen = 0
+    for where, emitted in texts():
+        for file, text in emitted.items():
+            seen += 1
+            before, now = expected.get(f"{where}: {file}", ("", "")), _digests(file, text)
+            if before[1] != now[1]:
+                return "code"
+            if before[0] != now[0]:
+                found = "text"
+    return found if seen == len(expected) else "code"
+
+
+def _digests(file: str, text: str) -> tuple[str, str]:
+    return _digest(text), _digest(code(file, text))
+
+
+def _digest(text: str) -> str:
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+def code(file: str, text: str) -> str:
+    """A file without its comments, docstrings and blanks."""
+    suffix = PurePath(file).suffix
+    if suffix == ".py":
+        tree = ast.parse(text)
+        for node in ast.walk(tree):
+            body = getattr(node, "body", None)
+            if isinstance(body, list):
+                node.body = [s for s in body if not _is_text(s)] or [ast.Pass()]  # type: ignore[attr-defined]
+        return ast.dump(tree)
+    if suffix in (".h", ".c"):
+        return " ".join(re.sub(r"//.*|/\*[\s\S]*?\*/", "", text).split())
+    return text
+
+
+def _is_text(statement: ast.stmt) -> bool:
+    return isinstance(statement, ast.Expr) and isinstance(statement.value, ast.Constant)
+
+
+def write_kernels(folder: Path) -> bool:
+    """Put what is emitted for NumPy where the committed kernels are; whether any of their code has changed."""
+    target = unvalidated(targets()["numpy"])
+    emitted = {file: text for n in sorted(COMMITTED) for file, text in build(n, target).texts.items()}
+    changed = False
+    for file, text in emitted.items():
+        path = folder / file
+        changed |= code(file, path.read_text(encoding="utf-8")) != code(file, text)
+        path.write_text(text, encoding="utf-8")
+    return changed

@@ -1,0 +1,145 @@
+"""Rooms: where mutants are made, and which checks should kill them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Protocol
+
+from . import road
+from .checks import Checks
+from .mutant import Fate, Mutant
+from .programs import Programs
+from .python import Edit, python_mutants, same_code
+from .statements import Statements
+from .templates import template_mutants
+
+
+class Room(Protocol):
+    """Where mutants are made, and how one is tried, all of it inside a copy of the tree."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def what(self) -> str:
+        """What is mutated, and which checks should notice, for the report."""
+
+    @property
+    def checks(self) -> Checks | None:
+        """What has to look at the unchanged tree first."""
+
+    def edit(self, mutant: Mutant) -> Edit | None:
+        """What is changed on disk before the trial."""
+
+    def mutants(self, folder: Path) -> Iterator[Mutant]:
+        """All of them."""
+
+    def is_one(self, mutant: Mutant) -> bool:
+        """Whether a mutant is well formed and not the same code."""
+
+    def limit(self, knowledge: Any) -> float:
+        """Seconds of processor time a trial may take."""
+
+    def trial(self, mutant: Mutant | None, knowledge: Any) -> Fate:
+        """What becomes of a mutant (None: of the unchanged tree)."""
+
+
+@dataclass(frozen=True)
+class Files:
+    """Mutants of files.
+
+    Attributes
+    ----------
+    sources : tuple of str
+        Folders whose files are mutated.
+    apart : callable
+        Names folders inside them that are left alone.
+    """
+
+    name: str
+    what: str
+    sources: tuple[str, ...]
+    checks: Checks
+    apart: Callable[[], tuple[str, ...]] = tuple
+
+    def edit(self, mutant: Mutant) -> Edit | None:
+        return mutant.site  # type: ignore[no-any-return]
+
+    def mutants(self, folder: Path) -> Iterator[Mutant]:
+        apart = self.apart()
+        for source in self.sources:
+            for path in sorted((folder / source).rglob("*")):
+                name = str(path.relative_to(folder))
+                if not name.startswith(apart):
+                    if path.suffix == ".py":
+                        yield from python_mutants(name, path.read_text(encoding="utf-8"))
+                    elif path.suffix == ".j2":
+                        yield from template_mutants(name, path.read_text(encoding="utf-8"))
+
+    def is_one(self, mutant: Mutant) -> bool:
+        before = Path(mutant.site.path).read_bytes()
+        after = mutant.site.apply(before)
+        if not mutant.site.path.endswith(".py"):
+            return bool(before != after)
+        try:
+            return not same_code(before.decode(), after.decode())
+        except SyntaxError:
+            return False
+
+    def limit(self, knowledge: Any) -> float:
+        return 30 + 3 * float(knowledge.processor)
+
+    def trial(self, mutant: Mutant | None, knowledge: Any) -> Fate:
+        return self.checks.fate(mutant.site if mutant else None, knowledge)
+
+
+PROOF = Checks("proof", ("derive/proof",), ("tests/derive/proof",), first="proof")
+MAPS = Checks("maps", ("derive/maps",), ("tests/derive/maps",), first="proof")
+EMISSION = Checks(
+    "emission",
+    ("derive/codegen", "derive/output", "templates"),
+    ("tests/derive/codegen", "tests/derive/output", "tests/derive/papers/test_report.py"),
+    first="validation",
+    emits=True,
+)
+PAPERS = Checks("papers", ("derive/papers",), ("tests/derive/papers",))
+
+ROOMS: Mapping[str, Room] = {
+    room.name: room
+    for room in (
+        Programs(),
+        Files(
+            "proof",
+            "derive/proof: by the proofs of the committed orders, then by tests/derive/proof",
+            ("derive/proof",),
+            PROOF,
+        ),
+        Files(
+            "maps",
+            "derive/maps: by the proofs of the committed orders, then by tests/derive/maps",
+            ("derive/maps",),
+            MAPS,
+        ),
+        Files(
+            "codegen",
+            "derive/codegen, derive/output: by emission with validation, then by their tests and those of kernels",
+            ("derive/codegen", "derive/output"),
+            EMISSION,
+        ),
+        Files(
+            "templates",
+            "templates: by emission with validation, then by tests of codegen, of the report, and of kernels",
+            ("templates",),
+            EMISSION,
+        ),
+        Statements(),
+        Files(
+            "papers",
+            "derive/papers but for the statements: by tests/derive/papers",
+            ("derive/papers",),
+            PAPERS,
+            road.statement_folders,
+        ),
+    )
+}

@@ -1,0 +1,180 @@
+"""Draw the sample of a room, try each mutant in a process of its own, keep what became of it."""
+
+from __future__ import annotations
+
+import json
+import pickle
+import tempfile
+import time
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import ExitStack, contextmanager
+from dataclasses import asdict, dataclass
+from functools import partial
+from itertools import islice
+from pathlib import Path
+from typing import Any
+
+from .checks import Checks
+from .child import Child, Outcome, outcomes
+from .mutant import KILLED, SURVIVED, TIMEOUT, Fate, Mutant, keyed, sample
+from .rooms import Room
+from .tree import Copy, digest, enter
+
+Say = Callable[[str], None]
+CONTROL = "unchanged"
+
+
+@dataclass(frozen=True, slots=True)
+class Drawn:
+    """A room ready to be tried: how many mutants there are, the sample, and what trials need to know."""
+
+    room: Room
+    total: int
+    sample: Mapping[str, Mutant]
+    knowledge: Any
+
+
+@dataclass(frozen=True, slots=True)
+class Results:
+    """Fates of the sample of a room."""
+
+    drawn: Drawn
+    fates: Mapping[str, Fate]
+
+    @property
+    def room(self) -> Room:
+        return self.drawn.room
+
+
+class NotControlled(Exception):
+    """The unchanged tree does not survive its own checks, so that killing says nothing."""
+
+
+class Run:
+    """Rooms of one tree.
+
+    Parameters
+    ----------
+    root : Path
+        The working tree.
+    cache : Path
+        Where results are kept, in a folder named by the digest of the tree.
+    seed, count, jobs : int
+        Of the sample, its size in each room, and how many processes at once.
+    """
+
+    def __init__(self, root: Path, cache: Path, seed: int, count: int, jobs: int, say: Say) -> None:
+        self.root, self.seed, self.count, self.jobs, self.say = root, seed, count, jobs, say
+        self.state = digest(root)
+        self.kept = cache / self.state
+        self.kept.mkdir(parents=True, exist_ok=True)
+
+    @contextmanager
+    def copies(self) -> Iterator[list[Copy]]:
+        """A copy of the tree for every process."""
+        with tempfile.TemporaryDirectory(prefix="mutants-") as folder:
+            yield [Copy(self.root, Path(folder) / str(slot)) for slot in range(self.jobs)]
+
+    def rooms(self, rooms: list[Room]) -> Iterator[Results]:
+        """Prepare all rooms, then try them one after the other."""
+        with self.copies() as copies:
+            knowledge = self._prepared({checks.name: checks for room in rooms if (checks := room.checks)}, copies)
+            drawn = self._drawn(rooms, copies)
+            for room in rooms:
+                total, chosen = drawn[room.name]
+                known = knowledge[room.checks.name] if room.checks else None
+                yield self._tried(Drawn(room, total, chosen, known), copies)
+
+    # --- what trials need -----------------------------------------------------------------------------------------
+
+    def _prepared(self, checks: Mapping[str, Checks], copies: list[Copy]) -> dict[str, Any]:
+        jobs = {name: partial(prepare, checks[name]) for name in checks}
+        return self._kept("checks", jobs, copies)
+
+    def _drawn(self, rooms: list[Room], copies: list[Copy]) -> dict[str, Any]:
+        jobs = {room.name: partial(draw, room, self.seed, self.count) for room in rooms}
+        return self._kept(f"sample-{self.seed}-{self.count}", jobs, copies)
+
+    def _kept(self, kind: str, jobs: Mapping[str, Callable[[Path], Any]], copies: list[Copy]) -> dict[str, Any]:
+        """Values of jobs, each done once for a tree."""
+        paths = {name: self.kept / f"{kind}-{name}.pickle" for name in jobs}
+        found = {name: pickle.loads(path.read_bytes()) for name, path in paths.items() if path.exists()}
+        missing = [name for name in jobs if name not in found]
+
+        def start(name: str, copy: Copy) -> tuple[ExitStack, Child]:
+            return ExitStack(), Child(partial(jobs[name], copy.folder))
+
+        for number, outcome in outcomes([partial(start, name) for name in missing], copies):
+            name = missing[number]
+            if outcome.how != "done":
+                raise NotControlled(f"{name}: {outcome.how}\n{outcome.value}")
+            found[name] = outcome.value
+            paths[name].write_bytes(pickle.dumps(outcome.value))
+            self.say(f"{kind} of {name}: {outcome.seconds:.0f} s")
+        return found
+
+    # --- trials ---------------------------------------------------------------------------------------------------
+
+    def _tried(self, drawn: Drawn, copies: list[Copy]) -> Results:
+        path = self.kept / f"{drawn.room.name}.jsonl"
+        lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
+        kept = {entry["key"]: entry for entry in map(json.loads, lines)}
+        trials: dict[str, Mutant | None] = {CONTROL: None, **drawn.sample}
+        wanted = [key for key in trials if key not in kept]
+        shown = time.monotonic()
+        with path.open("a", encoding="utf-8") as file:
+            for number, outcome in outcomes([partial(self._start, drawn, trials[key]) for key in wanted], copies):
+                fate = _fate(outcome)
+                key = wanted[number]
+                if key == CONTROL and fate.kind != SURVIVED:
+                    raise NotControlled(f"{drawn.room.name}: the unchanged tree fails {fate.stage}: {fate.by}")
+                kept[key] = {"key": key, "seconds": outcome.seconds, **asdict(fate)}
+                file.write(json.dumps(kept[key]) + "\n")
+                file.flush()
+                if time.monotonic() - shown > 10:
+                    shown = time.monotonic()
+                    self.say(self._progress(drawn, kept))
+        self.say(self._progress(drawn, kept))
+        return Results(drawn, {k: Fate(kept[k]["kind"], kept[k]["stage"], kept[k]["by"]) for k in drawn.sample})
+
+    @staticmethod
+    def _progress(drawn: Drawn, kept: Mapping[str, Mapping[str, Any]]) -> str:
+        done = Counter(str(kept[key]["kind"]) for key in drawn.sample if key in kept)
+        counts = ", ".join(f"{count} {kind}" for kind, count in sorted(done.items()))
+        return f"{drawn.room.name}: {sum(done.values())} of {len(drawn.sample)}: {counts}"
+
+    @staticmethod
+    def _start(drawn: Drawn, mutant: Mutant | None, copy: Copy) -> tuple[ExitStack, Child]:
+        room, stack = drawn.room, ExitStack()
+        stack.enter_context(copy.changed(room.edit(mutant) if mutant else None))
+        limit = room.limit(drawn.knowledge)
+        return stack, Child(partial(attempt, room, mutant, drawn.knowledge, copy.folder), limit)
+
+
+def prepare(checks: Checks, folder: Path) -> Any:
+    """Look at the unchanged tree, inside a copy."""
+    enter(folder)
+    return checks.prepare(folder)
+
+
+def draw(room: Room, seed: int, count: int, folder: Path) -> tuple[int, dict[str, Mutant]]:
+    """How many mutants a room has, and a sample, inside a copy."""
+    enter(folder)
+    population = keyed(room.mutants(folder))
+    drawn = sample(population, seed, len(population)).items()
+    return len(population), dict(islice(((key, mutant) for key, mutant in drawn if room.is_one(mutant)), count))
+
+
+def attempt(room: Room, mutant: Mutant | None, knowledge: Any, folder: Path) -> Fate:
+    """Try a mutant, inside a copy."""
+    enter(folder)
+    return room.trial(mutant, knowledge)
+
+
+def _fate(outcome: Outcome) -> Fate:
+    if outcome.how == "done":
+        return outcome.value  # type: ignore[no-any-return]
+    if outcome.how == "timeout":
+        return Fate(TIMEOUT, "time limit")
+    return Fate(KILLED, "crash", str(outcome.value)[-200:])

@@ -1,0 +1,59 @@
+"""Mutants of the papers' statements, by the operators of ``derive.papers.mutation``."""
+
+from __future__ import annotations
+
+import importlib
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import islice
+from pathlib import Path
+from typing import Any
+
+from .mutant import KILLED, MEANINGLESS, SURVIVED, Fate, Mutant
+from .python import Edit
+
+
+@dataclass(frozen=True)
+class Statements:
+    """Every statement of the papers that was found true; one mark changed, it must not be."""
+
+    name: str = "statements"
+    what: str = "statements of the papers that were found true: by executing them"
+    checks: None = None
+
+    def edit(self, mutant: Mutant) -> Edit | None:
+        return None
+
+    def mutants(self, folder: Path) -> Iterator[Mutant]:
+        mutation = importlib.import_module("derive.papers.mutation")
+        for paper in importlib.import_module("derive.papers").PAPERS:
+            for entry in paper.entries():
+                for k, statement in enumerate(mutation.true_statements(_decided(paper, entry))):
+                    for index, (change, _) in enumerate(mutation.mutants(statement)):
+                        operator = change.partition(" made ")[0] if " made " in change else change
+                        place = f"{paper.short} ({entry.number})"
+                        yield Mutant(place, 0, operator, change, (paper.slug, entry.number, k, index))
+
+    def is_one(self, mutant: Mutant) -> bool:
+        return True
+
+    def limit(self, knowledge: Any) -> float:
+        return 120
+
+    def trial(self, mutant: Mutant | None, knowledge: Any) -> Fate:
+        if mutant is None:
+            return Fate(SURVIVED)
+        mutation = importlib.import_module("derive.papers.mutation")
+        slug, number, k, index = mutant.site
+        (paper,) = (paper for paper in importlib.import_module("derive.papers").PAPERS if paper.slug == slug)
+        (entry,) = (entry for entry in paper.entries() if entry.number == number)
+        statement = mutation.true_statements(_decided(paper, entry))[k]
+        change, changed = next(islice(mutation.mutants(statement), index, None))
+        score = mutation.try_mutant(entry, change, changed)
+        if score.survivors:
+            return Fate(SURVIVED, by=score.survivors[0].statement)
+        return Fate(MEANINGLESS) if score.meaningless else Fate(KILLED, "execution")
+
+
+def _decided(paper: Any, entry: Any) -> Any:
+    return importlib.import_module("derive.papers.decide").decide(paper.slug, entry, paper.lost)

@@ -1,0 +1,110 @@
+"""What a test kills is said to be killed, what none can kill to survive; a run goes on where it was stopped."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from contextlib import ExitStack
+from pathlib import Path
+
+import pytest
+
+from tests.mutants import report
+from tests.mutants.__main__ import main
+from tests.mutants.checks import Checks
+from tests.mutants.child import Child, isolated, outcomes
+from tests.mutants.mutant import KILLED, SURVIVED, Fate
+from tests.mutants.programs import FORMS, Programs
+from tests.mutants.rooms import Files
+from tests.mutants.run import NotControlled, Results, Run
+
+THING = "def double(a):\n    return 2 * a\n\n\ndef forgotten(a):\n    return a + 1\n"
+TEST = "from derive.toy.thing import double\n\n\ndef test_double():\n    assert double(3) == 6\n"
+ROOM = Files("toy", "toys: by their tests", ("derive/toy",), Checks("toy", ("derive/toy",), ("tests/derive/toy",)))
+
+
+@pytest.fixture
+def tree(tmp_path: Path) -> Path:
+    """A small project: one function with a test, one without."""
+    texts = {
+        "pyproject.toml": '[tool.pytest.ini_options]\npythonpath = ["."]\n',
+        "derive/__init__.py": "",
+        "derive/toy/__init__.py": "",
+        "derive/toy/thing.py": THING,
+        "tests/derive/toy/test_thing.py": TEST,
+    }
+    for name, text in texts.items():
+        path = tmp_path / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+    subprocess.run(["git", "init", "--quiet"], cwd=tmp_path, check=True)
+    return tmp_path
+
+
+def run(tree: Path, room: Files = ROOM) -> Results:
+    (results,) = Run(tree, tree / ".mutants", seed=1, count=100, jobs=2, say=lambda line: None).rooms([room])
+    return results
+
+
+def test_killed_ones_are_killed_and_survivors_survive(tree: Path) -> None:
+    results = run(tree)
+    fates = {mutant.where + " " + mutant.change: results.fates[key] for key, mutant in results.drawn.sample.items()}
+    assert fates["derive/toy/thing.py:2 2 → 3"] == Fate(KILLED, "tests", "tests/derive/toy/test_thing.py::test_double")
+    assert fates["derive/toy/thing.py:6 a + 1 → a - 1"] == Fate(SURVIVED)
+    assert {fate.kind for where, fate in fates.items() if ":2 " in where} == {KILLED}
+    assert {fate.kind for where, fate in fates.items() if ":6 " in where} == {SURVIVED}
+    assert (tree / "derive/toy/thing.py").read_text(encoding="utf-8") == THING
+    score = report.score(results)
+    assert (score.killed["tests"], score.others[SURVIVED]) == (6, 5)
+    assert score.share == pytest.approx(100 * 6 / 11)
+    page = report.page([results], "here", 1, 100)
+    assert "| derive/toy/thing.py:6 | arithmetic operation | `a + 1 → a - 1` |" in page
+    assert "5 survive" in page
+
+
+def test_a_run_goes_on_where_it_stopped_until_the_tree_changes(tree: Path) -> None:
+    first = run(tree)
+    (kept,) = (tree / ".mutants").rglob("toy.jsonl")
+    lines = kept.read_text(encoding="utf-8").splitlines()
+    kept.write_text("\n".join(lines[:4]) + "\n", encoding="utf-8")
+    assert run(tree).fates == first.fates
+    again = kept.read_text(encoding="utf-8").splitlines()
+    assert again[:4] == lines[:4]
+    assert len(again) == len(lines)
+    (tree / "tests/derive/toy/test_thing.py").write_text(TEST + "\n# changed\n", encoding="utf-8")
+    assert run(tree).fates == first.fates
+    assert len(list((tree / ".mutants").rglob("toy.jsonl"))) == 2
+
+
+def test_a_tree_that_fails_its_own_checks_is_refused(tree: Path) -> None:
+    (tree / "tests/derive/toy/test_thing.py").write_text(TEST.replace("6", "7"), encoding="utf-8")
+    with pytest.raises(NotControlled, match="test_double"):
+        run(tree)
+
+
+def test_jobs_have_limits() -> None:
+    def endless() -> None:
+        while True:
+            pass
+
+    jobs = [lambda _: (ExitStack(), Child(endless, limit=1)), lambda _: (ExitStack(), Child(lambda: os._exit(1)))]
+    assert {number: outcome.how for number, outcome in outcomes(jobs, [0, 1])} == {0: "timeout", 1: "crashed"}
+    with pytest.raises(RuntimeError, match="ZeroDivisionError"):
+        isolated(lambda: 1 / 0)
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_a_wrong_program_fails_validation_in_each_form(form: str) -> None:
+    def fate() -> Fate:
+        room = Programs()
+        wanted = (m for m in room.mutants(Path()) if m.site[1] == "pose" and m.site[3] == form)
+        return room.trial(next(m for m in wanted if m.operator == "operation"), None)
+
+    assert isolated(fate) == Fate(KILLED, "validation", "ValidationFailed")
+
+
+def test_bad_options_are_named(capsys: pytest.CaptureFixture[str]) -> None:
+    for arguments in (["--room", "attic"], ["--floor", "attic=9"]):
+        with pytest.raises(SystemExit, match="2"):
+            main(arguments)
+        assert "no room attic: expected programs, proof" in capsys.readouterr().err
