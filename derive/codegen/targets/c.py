@@ -106,7 +106,7 @@ class C:
     extension = "h"
     entry = "dualcay.h"
     comment = "//"
-    unproved = "rounding errors and what compilers make of it: both are tested, against exact results"
+    unproved = "rounding errors; the compiler, which is tested; code for other compilers or types behind #if"
 
     def shared(self) -> Mapping[str, Data]:
         return {
