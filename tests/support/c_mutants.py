@@ -28,7 +28,7 @@ KINDS: Mapping[str, tuple[str, str | None]] = {
     "output order": (r"(_at\[[^\]]+\] = )([^;]+)(;\s+\w+_at\[[^\]]+\] = )([^;]+);", r"\1\4\3\2;"),
     "result order": (r"&(\w+), &(\w+)", r"&\2, &\1"),
     "stored result": (r"(\*\w+_at = )([^;]+)(;\s+\*\w+_at = )([^;]+);", r"\1\4\3\2;"),
-    "side": (r", -1,", ", 1,"),
+    "side": (r", -(\d)", r", \1"),
     "early store": (r"(\n    const \w+ \w+ = \w+_at\[[^;]+;)([\s\S]*)(\n    \w+_at\[0\] = [^;]+;)(?=\n.*_at)", None),
     "comparison": (r" < ", " > "),
     "equality": (r" == ", " < "),
