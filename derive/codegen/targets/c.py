@@ -20,7 +20,7 @@ from ..facts import Facts, comment, numbers, theorem_lines
 from ..lowered import Lowered, geometry
 from ..lowering.scalars import table_names
 from ..programs.program import Program
-from ..signatures import PUBLIC, Array, Function
+from ..signatures import PUBLIC, Array, Function, aliases
 from ..validation import c_text, compiled
 from . import c99
 from .target import Data, require_functions
@@ -131,11 +131,12 @@ class C:
         scalars = [*lowered.scalars.values(), *([] if chart.returns() else [NEVER_BEYOND])]
         return {
             "name": chart.name,
+            "order": chart.order,
             "branches": chart.branches,
             "domain": facts.domain,
             "singular": facts.singular,
             "singular_angles": facts.singular_angles,
-            "aliases": {alias: name for name, row in PUBLIC.items() for alias in row.aliases},
+            "aliases": aliases(chart),
             "levels": levels(lowered),
             "scalars": [(level(program), c99.scalar(program, table)) for program in scalars],
             "own": [(level(program), c99.core(program, table)) for program in lowered.own.values()],

@@ -18,7 +18,7 @@ from typing import Any
 import mpmath
 import numpy as np
 
-from ...maps import Cayley
+from ...maps.chart import Chart
 from ..cases import far, samples
 from ..lowered import lower_chart
 from . import ways
@@ -55,7 +55,7 @@ class Machinery:
 
 def replay(
     folder: Path,
-    chart: Cayley,
+    chart: Chart,
     machinery: Machinery,
     libraries: Sequence[Library] = (NUMPY,),
     *,
@@ -67,7 +67,7 @@ def replay(
     ----------
     folder : Path
         The package.
-    chart : Cayley
+    chart : Chart
     machinery : Machinery
     libraries : sequence of Library
         Whose arrays are given.
@@ -97,7 +97,7 @@ def replay(
     return sum(caller.count for caller in callers)
 
 
-def _every_function(caller: Caller, found: Sequence[Known], chart: Cayley, few: int) -> None:
+def _every_function(caller: Caller, found: Sequence[Known], chart: Chart, few: int) -> None:
     """Single poses, few, and many in several blocks; components last and first; under every name and branch."""
     for known in found:
         for dtype in caller.library.dtypes:
@@ -114,7 +114,7 @@ def _every_function(caller: Caller, found: Sequence[Known], chart: Cayley, few: 
             caller.check(replace(first, branch=(known.branch[0] + turns * chart.branches,)))
 
 
-def _overflow(caller: Caller, chart: Cayley, analysis: Analysis, few: int) -> None:
+def _overflow(caller: Caller, chart: Chart, analysis: Analysis, few: int) -> None:
     """Where numbers overflow, results are right or not finite; in types whose overflow is not that of the bounds too."""
     for dtype in set(caller.library.dtypes) - {np.dtype(np.longdouble)}:
         size = BEYOND * mpmath.mpf(2) ** (mpmath.mpf(int(np.finfo(dtype).maxexp)) / (2 * chart.branches))
@@ -125,11 +125,11 @@ def _overflow(caller: Caller, chart: Cayley, analysis: Analysis, few: int) -> No
 
 
 def _ways(
-    caller: Caller, found: Sequence[Known], chart: Cayley, machinery: Machinery, few: int, all_ways: bool
+    caller: Caller, found: Sequence[Known], chart: Chart, machinery: Machinery, few: int, all_ways: bool
 ) -> None:
     """What the run-time parts do, on a function of each kind; or on one, which the chart decides, in one type."""
     kinds, dtypes = ways.kinds(found), caller.library.dtypes
-    sample = chart.order % len(kinds)
+    sample = chart.branches % len(kinds)
     for known in kinds if all_ways else [kinds[sample]]:
         for dtype in dtypes if all_ways else [dtypes[sample % len(dtypes)]]:
             ways.broadcasting(caller, known, dtype, few)
