@@ -96,8 +96,8 @@ def _inverse(chart: Chart, draw: random.Random) -> Iterator[Samples]:
         given.setdefault((name, () if branch is None else (branch,)), []).append(arguments)
     tied: dict[tuple[str, tuple[int, ...]], list[exact.Expectation]] = {}
     for case in _ties(chart, draw):
-        name, *branch = case.function.split()
-        tied.setdefault((name, tuple(map(int, branch))), []).append(case)
+        name, *index = case.function.split()
+        tied.setdefault((name, tuple(map(int, index))), []).append(case)
     for (name, at), calls in given.items():
         columns = tuple(zip(*calls, strict=True))
         if len(columns) > 1:
