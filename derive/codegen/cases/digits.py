@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -135,13 +135,11 @@ def _cases(n: int, draw: random.Random) -> Iterator[Expectation]:
             if finite(n, screw, branch, NEAR_POLE):
                 yield from _branch(n, screw, branch)
                 yield from _back(n, screw, branch) if screw in some else ()
-        for screw in [halves[branch % 4]] if branch else halves:
-            if finite(n, screw, branch, NEAR_POLE):
-                yield from _half_turn(n, screw, branch)
+        yield from at_half_turns(n, halves, branch)
     for screw in steep(draw, SMALL, 1 / 3):
         if finite(n, screw, 0, NEAR_POLE):
             yield from _from_rotation(tensor_from_screw(screw), 0, _flat(vector_from_screw(n, screw)))
-    yield from _undecided(n)
+    yield from undecided(n)
     yield from _near_ties(n, screws[0])
 
 
@@ -180,6 +178,13 @@ def _from_rotation(R: Tensor, branch: int, v: Flat) -> Iterator[Expectation]:
     yield Expectation(f"from_pose {branch}", ((*rows, 0, 0, 0, 1),), v)
 
 
+def at_half_turns(n: int, screws: Sequence[Screw], branch: int) -> Iterator[Expectation]:
+    """At all of these half turns on the principal branch, at one of them on others."""
+    for screw in [screws[branch % len(screws)]] if branch else screws:
+        if finite(n, screw, branch, NEAR_POLE):
+            yield from _half_turn(n, screw, branch)
+
+
 def _half_turn(n: int, screw: Screw, branch: int) -> Iterator[Expectation]:
     """At exactly half a turn u and -u are one rotation: the vector part stands, or its first component is positive.
 
@@ -206,7 +211,7 @@ def _near_ties(n: int, screw: Screw) -> Iterator[Expectation]:
             yield Expectation("principal", (v,), principal)
 
 
-def _undecided(n: int) -> Iterator[Expectation]:
+def undecided(n: int) -> Iterator[Expectation]:
     """Vectors with p = 0 or q = 0 exactly, half a turn or none: v itself or its dual part decides about the axis."""
     for square, direction in ((1, (1, 0, 0)), (1, (0, -1, 0)), (3, (1, 1, 1)), (3, (-1, 1, -1))):
         p, q = pair_by_squaring(n, square)

@@ -13,6 +13,7 @@ import random
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
 from typing import Any
 
 import mpmath
@@ -68,13 +69,17 @@ class Point:
 
     def lift(self, expression: sympy.Expr, values: Mapping[sympy.Symbol, Any]) -> Any:
         """A rational expression evaluated exactly, then rounded to the working precision."""
-        numbers = {symbol: sympy.Rational(_fraction(value)) for symbol, value in values.items()}
-        value = expression.xreplace(numbers)
+        value = _evaluated(expression, tuple((symbol, _fraction(value)) for symbol, value in values.items()))
         return mpmath.mpf(int(value.p)) / int(value.q)
 
     def square_root(self) -> Any:
         """sqrt(1 + x)."""
         return mpmath.sqrt(1 + sum(self.values[f"v{i}"] ** 2 for i in (1, 2, 3)))
+
+
+@lru_cache(maxsize=256)  # points differ in other components more often than in x
+def _evaluated(expression: sympy.Expr, values: tuple[tuple[sympy.Symbol, Fraction], ...]) -> sympy.Rational:
+    return expression.xreplace({symbol: sympy.Rational(value) for symbol, value in values})
 
 
 def _fraction(value: Any) -> Fraction:
