@@ -131,6 +131,7 @@ class C:
         scalars = [*lowered.scalars.values(), *([] if chart.returns() else [NEVER_BEYOND])]
         return {
             "name": chart.name,
+            "macro": f"DUALCAY_{chart.name.upper()}",
             "order": chart.order,
             "branches": chart.branches,
             "domain": facts.domain,
