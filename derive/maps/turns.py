@@ -36,8 +36,9 @@ def natural(
 
 
 def _in_range(n: int, at: CayleyScalars, m: Arithmetic) -> Coefficient:
-    """1, or NaN where p has overflowed and its sign says nothing."""
-    return 1 if n < 3 else m.name("one", at.p - at.p + 1)
+    """1, or NaN where p has overflowed and its sign says nothing, or x, and v/|v| is nothing."""
+    largest = at.x if n == 1 else at.p
+    return m.name("one", largest - largest + 1)
 
 
 def turned(r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> tuple[Coefficient, Coefficient]:

@@ -25,6 +25,8 @@ def gain(n: int, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool
     still = m.name("still", m.equal(square, 0))
     # the root is not taken of 0: its slope there is infinite, and 0 times that is no gradient
     sine = m.name("sin", m.sqrt(m.where(still, cosine, square)))
+    if not (positive or isinstance(size, int)):  # squares of a product may overflow: then NaN, not the 0 of 1/∞
+        sine = m.name("sinq", square / sine)
     tangent = m.tan(m.div(m.atan2(sine, cosine), n))
     return sign * (m.where(still, 1, tangent) / m.where(still, n * cosine, sine))
 

@@ -72,9 +72,9 @@
 #   from_tensor: 115: 40 +, 37 *, 7 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 79: 25 +, 19 *, 4 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
-#   to_screw: 43: 10 +, 14 *, 7 /, 1 sqrt, 1 atan2, 1 eq, 9 where
+#   to_screw: 53: 12 +, 22 *, 7 /, 1 sqrt, 1 atan2, 1 eq, 9 where
 #   turn: 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
-#   shadow: 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
+#   shadow: 61: 16 +, 27 *, 7 /, 1 sqrt, 1 eq, 9 where
 #   compose: 135: 56 +, 71 *, 8 /
 r"""Cayley map of order 1: Rodrigues dual vectors ``v = tan(α/2) u`` of rigid displacements.
 
@@ -1084,7 +1084,7 @@ def _own_from_pose_blocks(
     div(add(sub(T34, sub(mul(v1, T24, k2), mul(v2, T14, k3), k2), k2), mul(v3, hvr, k1), k1), n2, o6)
 
 
-# operations 43: 10 +, 14 *, 7 /, 1 sqrt, 1 atan2, 1 eq, 9 where
+# operations 53: 12 +, 22 *, 7 /, 1 sqrt, 1 atan2, 1 eq, 9 where
 def _own_to_screw(m: Any, c: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -1101,9 +1101,10 @@ def _own_to_screw(m: Any, c: Any, v: Components) -> Result:
     uo1 = m.where(still, 0, v1o - u1 * ro) / length
     uo2 = m.where(still, 0, v2o - u2 * ro) / length
     uo3 = m.where(still, 0, v3o - u3 * ro) / length
-    angle = 2 * m.atan2(r, 1)
+    one = x - x + 1
+    angle = 2 * m.atan2(r, 1) * one
     slope = 2 / (1 + x)
-    return angle, slope * ro, u1, u2, u3, uo1, uo2, uo3
+    return angle, one * (slope * ro), u1 * one, u2 * one, u3 * one, uo1 * one, uo2 * one, uo3 * one
 
 
 def _own_to_screw_blocks(
@@ -1111,7 +1112,7 @@ def _own_to_screw_blocks(
 ) -> None:
     v1, v2, v3, v1o, v2o, v3o = v
     o1, o2, o3, o4, o5, o6, o7, o8 = out
-    k1, k2, k3, k4 = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
     mask1, = masks
     n0, n1, n2 = numbers
     v11 = mul(v1, v1, k1)
@@ -1120,20 +1121,27 @@ def _own_to_screw_blocks(
     x = add(add(v11, v22, k1), v33, k1)
     still = m.equal(x, n0, mask1)
     length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
-    u1 = div(m.where(still, v1o, v1, k3), length, o3)
-    u2 = div(m.where(still, v2o, v2, k3), length, o4)
-    u3 = div(m.where(still, v3o, v3, k3), length, o5)
     r = m.where(still, x, length, k3)
-    mul(n2, atan2(r, n1, k3), o1)
+    one = add(sub(x, x, k4), n1, k4)
+    mul(mul(n2, atan2(r, n1, k3), k3), one, o1)
     slope = div(n2, add(n1, x, k1), k1)
-    ro = m.where(still, length, add(add(mul(u1, v1o, k3), mul(u2, v2o, k4), k3), mul(u3, v3o, k4), k3), k4)
-    mul(slope, ro, o2)
-    div(m.where(still, n0, sub(v1o, mul(u1, ro, k1), k1), k3), length, o6)
-    div(m.where(still, n0, sub(v2o, mul(u2, ro, k1), k1), k3), length, o7)
-    div(m.where(still, n0, sub(v3o, mul(u3, ro, k1), k1), k3), length, o8)
+    u1 = div(m.where(still, v1o, v1, k3), length, k3)
+    mul(u1, one, o3)
+    u2 = div(m.where(still, v2o, v2, k5), length, k5)
+    mul(u2, one, o4)
+    u3 = div(m.where(still, v3o, v3, k6), length, k6)
+    mul(u3, one, o5)
+    ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
+    mul(one, mul(slope, ro, k1), o2)
+    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k1), k1), k3), length, k1)
+    mul(uo1, one, o6)
+    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k1), k1), k3), length, k1)
+    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k3), k3), k5), length, k2)
+    mul(uo2, one, o7)
+    mul(uo3, one, o8)
 
 
-# operations 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
+# operations 61: 16 +, 27 *, 7 /, 1 sqrt, 1 eq, 9 where
 def _own_shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = table
@@ -1141,6 +1149,7 @@ def _own_shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
+    one = x - x + 1
     still = x == 0
     length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
     r = m.where(still, x, length)
@@ -1151,8 +1160,9 @@ def _own_shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
     uo1 = m.where(still, 0, v1o - u1 * ro) / length
     uo2 = m.where(still, 0, v2o - u2 * ro) / length
     uo3 = m.where(still, 0, v3o - u3 * ro) / length
-    iden = 1 / (cos - r * sin)
-    rk = (r * cos + sin) * iden
+    sn = one * sin
+    iden = 1 / (cos - r * sn)
+    rk = (r * cos + sn) * iden
     slope = iden * iden
     rko = ro * slope
     return u1 * rk, u2 * rk, u3 * rk, uo1 * rk + u1 * rko, uo2 * rk + u2 * rko, uo3 * rk + u3 * rko
@@ -1173,9 +1183,11 @@ def _own_shadow_blocks(
     x = add(add(v11, v22, k1), v33, k1)
     still = m.equal(x, n0, mask1)
     length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
-    r = m.where(still, x, length, k1)
-    iden = div(n1, sub(cos, mul(r, sin, k3), k3), k3)
-    rk = mul(add(mul(r, cos, k1), sin, k1), iden, k1)
+    r = m.where(still, x, length, k3)
+    one = add(sub(x, x, k1), n1, k1)
+    sn = mul(one, sin, k1)
+    iden = div(n1, sub(cos, mul(r, sn, k4), k4), k4)
+    rk = mul(add(mul(r, cos, k3), sn, k1), iden, k1)
     slope = mul(iden, iden, k3)
     u1 = div(m.where(still, v1o, v1, k4), length, k4)
     mul(u1, rk, o1)
@@ -1460,7 +1472,7 @@ CHART = Chart(
         _own_to_screw_blocks,
         (("v", (6,)),),
         (8,),
-        registers=4,
+        registers=8,
         masks=1,
         numbers=(0, 1, 2),
         lent=(),

@@ -73,9 +73,9 @@
 #   from_tensor: 135: 47 +, 48 *, 8 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 99: 32 +, 30 *, 5 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
-#   to_screw: 58: 11 +, 22 *, 7 /, 1 neg, 1 sqrt, 1 atan2, 2 lt, 1 eq, 12 where
+#   to_screw: 62: 13 +, 24 *, 7 /, 1 neg, 1 sqrt, 1 atan2, 2 lt, 1 eq, 12 where
 #   turn: 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
-#   shadow: 64: 15 +, 27 *, 7 /, 1 sqrt, 2 lt, 1 eq, 11 where
+#   shadow: 67: 17 +, 28 *, 7 /, 1 sqrt, 2 lt, 1 eq, 11 where
 #   principal: 52: 13 +, 23 *, 7 /, 1 sqrt, 1 lt, 7 where
 #   compose: 206: 74 +, 119 *, 9 /, 1 neg, 1 lt, 2 where
 r"""Cayley map of order 2: Rodrigues dual vectors ``v = tan(α/4) u`` of rigid displacements.
@@ -657,7 +657,7 @@ def _own_rate_blocks(
     )
 
 
-# operations 58: 11 +, 22 *, 7 /, 1 neg, 1 sqrt, 1 atan2, 2 lt, 1 eq, 12 where
+# operations 62: 13 +, 24 *, 7 /, 1 neg, 1 sqrt, 1 atan2, 2 lt, 1 eq, 12 where
 def _own_to_screw(m: Any, c: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -677,8 +677,9 @@ def _own_to_screw(m: Any, c: Any, v: Components) -> Result:
     p = 1 - x
     pneg = p < 0
     qp = m.where(pneg, -2, 2)
-    sign = m.where(qp < 0, -1, 1)
-    angle = 2 * m.atan2(2 * r, m.where(pneg, -p, p))
+    one = p - p + 1
+    sign = one * m.where(qp < 0, -1, 1)
+    angle = 2 * m.atan2(2 * r, m.where(pneg, -p, p)) * one
     slope = 4 / (1 + x)
     return angle, sign * (slope * ro), u1 * sign, u2 * sign, u3 * sign, uo1 * sign, uo2 * sign, uo3 * sign
 
@@ -700,10 +701,11 @@ def _own_to_screw_blocks(
     r = m.where(still, x, length, k3)
     p = sub(n1, x, k4)
     slope = div(n4, add(n1, x, k1), k1)
+    one = add(sub(p, p, k5), n1, k5)
     pneg = m.less(p, n0, mask2)
-    mul(n2, atan2(mul(n2, r, k3), m.where(pneg, neg(p, k5), p, k5), k3), o1)
+    mul(mul(n2, atan2(mul(n2, r, k3), m.where(pneg, neg(p, k6), p, k6), k3), k3), one, o1)
     qp = m.where(pneg, n_minus_2, n2, k3)
-    sign = m.where(m.less(qp, n0, mask2), n_minus_1, n1, k3)
+    sign = mul(one, m.where(m.less(qp, n0, mask2), n_minus_1, n1, k3), k3)
     u1 = div(m.where(still, v1o, v1, k4), length, k4)
     mul(u1, sign, o3)
     u2 = div(m.where(still, v2o, v2, k5), length, k5)
@@ -720,7 +722,7 @@ def _own_to_screw_blocks(
     mul(uo3, sign, o8)
 
 
-# operations 64: 15 +, 27 *, 7 /, 1 sqrt, 2 lt, 1 eq, 11 where
+# operations 67: 17 +, 28 *, 7 /, 1 sqrt, 2 lt, 1 eq, 11 where
 def _own_shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = table
@@ -731,7 +733,8 @@ def _own_shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
     p = 1 - x
     pneg = p < 0
     qp = m.where(pneg, -2, 2)
-    sign = m.where(qp < 0, -1, 1)
+    one = p - p + 1
+    sign = one * m.where(qp < 0, -1, 1)
     still = x == 0
     length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
     r = m.where(still, x, length)
@@ -767,9 +770,10 @@ def _own_shadow_blocks(
     length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
     r = m.where(still, x, length, k3)
     p = sub(n1, x, k1)
+    one = add(sub(p, p, k4), n1, k4)
     pneg = m.less(p, n0, mask2)
     qp = m.where(pneg, n_minus_2, n2, k1)
-    sign = m.where(m.less(qp, n0, mask2), n_minus_1, n1, k1)
+    sign = mul(one, m.where(m.less(qp, n0, mask2), n_minus_1, n1, k1), k1)
     sn = mul(sign, sin, k1)
     iden = div(n1, sub(cos, mul(r, sn, k4), k4), k4)
     rk = mul(add(mul(r, cos, k3), sn, k1), iden, k1)

@@ -74,7 +74,7 @@
 #   turn: 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
 #   shadow: 83: 22 +, 34 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 11 where
 #   principal: 55: 13 +, 23 *, 7 /, 1 sqrt, 2 lt, 9 where
-#   compose: 253: 88 +, 143 *, 11 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   compose: 254: 88 +, 143 *, 12 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 r"""Cayley map of order 5: Rodrigues dual vectors ``v = tan(α/10) u`` of rigid displacements.
 
 .. math::
@@ -373,14 +373,15 @@ def _gain_positive_blocks(
     return o1,
 
 
-# operations 20: 2 +, 5 *, 2 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+# operations 21: 2 +, 5 *, 3 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
     negative = e0 < 0
     cos = m.where(negative, -e0, e0)
     ss = e1 * e1 + e2 * e2 + e3 * e3
     still = ss == 0
     sin = m.sqrt(m.where(still, cos, ss))
-    gain = m.where(negative, -1, 1) * (m.where(still, 1, m.tan(m.atan2(sin, cos) / 5)) / m.where(still, 5 * cos, sin))
+    sinq = ss / sin
+    gain = m.where(negative, -1, 1) * (m.where(still, 1, m.tan(m.atan2(sinq, cos) / 5)) / m.where(still, 5 * cos, sinq))
     return gain,
 
 
@@ -395,10 +396,11 @@ def _gain_product_blocks(
     still = m.equal(ss, n0, mask1)
     negative = m.less(e0, n0, mask2)
     cos = m.where(negative, neg(e0, k1), e0, k1)
-    sin = sqrt(m.where(still, cos, ss, k2), o1)
+    sin = sqrt(m.where(still, cos, ss, k2), k2)
+    sinq = div(ss, sin, o1)
     mul(
-        m.where(negative, n_minus_1, n1, k2), div(m.where(still, n1, tan(div(atan2(sin, cos, k3), n5, k3), k3), k4),
-        m.where(still, mul(n5, cos, k1), sin, k1), o1), o1
+        m.where(negative, n_minus_1, n1, k2), div(m.where(still, n1, tan(div(atan2(sinq, cos, k3), n5, k3), k3), k4),
+        m.where(still, mul(n5, cos, k1), sinq, k1), o1), o1
     )
     return o1,
 

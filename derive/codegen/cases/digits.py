@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import random
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -24,7 +24,7 @@ from ...maps.sign_tests import orientation
 from .exact import Expectation
 from .maps_at import MAX_BRANCHES, Flat, flat
 from .screws import covering, half_turns, steep, translation
-from .vectors import TIE, Vectors
+from .vectors import Vectors, is_whole
 
 DIGITS = 50
 SEED = 2011
@@ -137,13 +137,11 @@ def _cases(chart: Vectors, draw: random.Random) -> Iterator[Expectation]:
             if chart.finite(screw, branch, NEAR_EDGE):
                 yield from _branch(chart, screw, branch)
                 yield from _back(chart, screw, branch) if screw in some else ()
-        for screw in [halves[branch % 4]] if branch else halves:
-            if chart.finite(screw, branch, NEAR_EDGE):
-                yield from _half_turn(chart, screw, branch)
+        yield from at_half_turns(chart, halves, branch)
     for screw in steep(draw, SMALL, 1 / 3):
         if chart.finite(screw, 0, NEAR_EDGE):
             yield from _from_rotation(tensor_from_screw(screw), 0, flat(chart.at(screw)))
-    yield from _undecided(chart)
+    yield from undecided(chart)
     yield from _near_ties(chart, screws[0])
 
 
@@ -182,6 +180,13 @@ def _from_rotation(R: Tensor, branch: int, v: Flat) -> Iterator[Expectation]:
     yield Expectation(f"from_pose {branch}", ((*rows, 0, 0, 0, 1),), v)
 
 
+def at_half_turns(chart: Vectors, screws: Sequence[Screw], branch: int) -> Iterator[Expectation]:
+    """At all of these half turns on the principal branch, at one of them on others."""
+    for screw in [screws[branch % len(screws)]] if branch else screws:
+        if chart.finite(screw, branch, NEAR_EDGE):
+            yield from _half_turn(chart, screw, branch)
+
+
 def _half_turn(chart: Vectors, screw: Screw, branch: int) -> Iterator[Expectation]:
     """At exactly half a turn u and -u are one rotation: the vector part stands, or its first component is positive.
 
@@ -207,7 +212,7 @@ def _near_ties(chart: Vectors, screw: Screw) -> Iterator[Expectation]:
             yield Expectation("principal", (v,), principal)
 
 
-def _undecided(chart: Vectors) -> Iterator[Expectation]:
+def undecided(chart: Vectors) -> Iterator[Expectation]:
     """Vectors with s = 0 or w = 0 exactly, half a turn or none: v itself or its dual part decides about the axis."""
     for scale, direction in itertools.product((mpmath.mpf(1), mpmath.mpf(1) / 2), LATTICE):
         re = scale * Vector(*direction)
@@ -226,13 +231,11 @@ def _undecided(chart: Vectors) -> Iterator[Expectation]:
 
 def _half_turns_of(chart: Vectors, re: Vector) -> int:
     """How many half turns the rotation of a vector takes, where that is a whole number; else 0."""
-    try:
-        halves = chart.angle(re.magnitude()) / mpmath.pi
-    except ArithmeticError:  # beyond the edge
+    if not chart.reaches(re.magnitude()):
         return 0
-    whole = mpmath.nint(halves)
+    halves = chart.angle(re.magnitude()) / mpmath.pi
     inside = halves * mpmath.pi < (1 - NEAR_EDGE) * chart.edge
-    return int(whole) if inside and abs(halves - whole) < TIE else 0
+    return int(mpmath.nint(halves)) if inside and is_whole(halves) else 0
 
 
 def close(got: Any, expected: Any) -> bool:

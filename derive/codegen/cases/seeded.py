@@ -13,6 +13,7 @@ import random
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
 from typing import Any
 
 import mpmath
@@ -28,8 +29,8 @@ from .vectors import Vectors
 SEED = 88
 POINTS = 5
 STEP = mpmath.mpf(2) ** -80
-WIDE, SHORT = 3, 0.9
-"""Largest component of v by φ′(0), and largest angle by that of the first pole: whichever is less."""
+WIDE = 3
+"""Largest component of v, by φ′(0)."""
 
 GRID = 2**18
 DUAL_SYMBOLS = ("v4", "v5", "v6", "w4", "w5", "w6")
@@ -73,8 +74,13 @@ class Point:
 
     def lift(self, expression: sympy.Expr, values: Mapping[sympy.Symbol, Any]) -> Any:
         """An algebraic expression at exact numbers, rounded to the working precision."""
-        numbers = {symbol: sympy.Rational(_fraction(value)) for symbol, value in values.items()}
-        return mpmath.mpf(expression.xreplace(numbers).evalf(DIGITS + 5))
+        exact = tuple((symbol, _fraction(value)) for symbol, value in values.items())
+        return mpmath.mpf(_evaluated(expression, exact, mpmath.mp.dps + 5))
+
+
+@lru_cache(maxsize=256)  # points differ in other components more often than in x
+def _evaluated(expression: sympy.Expr, values: tuple[tuple[sympy.Symbol, Fraction], ...], digits: int) -> sympy.Float:
+    return expression.xreplace({symbol: sympy.Rational(value) for symbol, value in values}).evalf(digits)
 
 
 def _fraction(value: Any) -> Fraction:
@@ -85,7 +91,7 @@ def _fraction(value: Any) -> Fraction:
 
 def _algebraic(chart: Vectors, draw: random.Random) -> Iterator[Case]:
     """Every algebraic function at one point, Re|v| well below the first pole of the inverse operator."""
-    size = float(min(WIDE * chart.slope(0), chart.size(SHORT * chart.first_pole) / mpmath.sqrt(3)))
+    size = chart.component(WIDE * chart.slope(0), chart.first_pole)
     values = {f"v{i}": nearby(draw.uniform(-size, size)) for i in range(1, 7)}
     values |= {f"w{i}": nearby(draw.uniform(-2, 2)) for i in range(1, 7)}
 

@@ -21,8 +21,8 @@ from ...maps.inverse import polar
 from ...maps.pose import Screw, natural_invariants, quaternion_from_screw
 from ...maps.sign_tests import is_zero, orientation
 
-TIE = mpmath.mpf(10) ** -40
-"""Distance from a multiple of π, in half turns, that is none: far above rounding, far below any distance in a case."""
+SHORT = 0.9
+"""Of an angle: what vectors drawn at random may reach of it."""
 
 
 @dataclass(frozen=True)
@@ -89,6 +89,18 @@ class Vectors:
             high = 2 * high
         return high
 
+    def reaches(self, size: Any) -> bool:
+        """Whether there is a vector of this length."""
+        try:
+            self.angle(size)
+        except ArithmeticError:
+            return False
+        return True
+
+    def component(self, most: Any, angle: Any) -> float:
+        """The largest component of vectors drawn at random: this, or less where they would come near an angle."""
+        return float(most if mpmath.isinf(angle) else min(most, self.size(SHORT * angle) / mpmath.sqrt(3)))
+
     # --- from natural invariants --------------------------------------------------------------------------------
 
     def at(self, screw: Screw, branch: int = 0) -> Vector:
@@ -129,7 +141,7 @@ class Vectors:
         length, u = polar(v)
         angle = self.angle(length)
         halves = angle.re / mpmath.pi
-        exact = abs(halves - mpmath.nint(halves)) < TIE
+        exact = is_whole(halves)
         turns = int(mpmath.nint((mpmath.nint(halves) if exact else halves) / 2))  # half to even: sin(α/2) > 0
         rest = (mpmath.nint(halves) - 2 * turns) * mpmath.pi if exact else angle.re - 2 * turns * mpmath.pi
         sign = orientation(rest, angle.du)
@@ -151,3 +163,8 @@ class Vectors:
         while halves * sympy.pi < self.chart.edge:
             yield halves
             halves += 2
+
+
+def is_whole(number: Any) -> bool:
+    """Whether a number is an integer but for rounding, which has four fifths of the digits to stay above."""
+    return bool(abs(number - mpmath.nint(number)) < mpmath.eps ** mpmath.mpf("0.8"))

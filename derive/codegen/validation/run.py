@@ -38,13 +38,13 @@ def validate(folder: Path, chart: Chart) -> int:
     ValidationFailed
         Naming the function, the layout and the first component that differs.
     """
-    with _package(folder) as package, mpmath.workdps(DIGITS):
+    with loaded(folder) as package, mpmath.workdps(DIGITS):
         module = importlib.import_module(f"{package}.{chart.name}")
         return sum(_check(module, batch) for batch in batches(chart))
 
 
 @contextmanager
-def _package(folder: Path) -> Iterator[str]:
+def loaded(folder: Path) -> Iterator[str]:
     """Import a folder as a package under a name of its own, so that no other copy answers for it."""
     name = f"_dualcay_validated_{next(_serial)}"
     init = folder / "__init__.py"

@@ -1,0 +1,163 @@
+"""Replay of a package of kernels on floats: what exact validation does not execute.
+
+Exact numbers take neither the path of single floats nor scratch memory, blocks and ``out``; here public functions are
+called on floats of several types, in all these ways, and every result array is compared with the formula's results,
+within what rounding may do (see ``rounding``). Kernels of any Python target are replayed, in the arrays of any library.
+"""
+
+from __future__ import annotations
+
+import importlib
+import warnings
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, nullcontext
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import mpmath
+import numpy as np
+
+from ...maps.chart import Chart
+from ..cases import far, samples
+from ..lowered import lower_chart
+from . import ways
+from .calls import NUMPY, Call, Caller, Library, alone, several
+from .known import Analysis, Known, require_sharp
+from .run import loaded
+
+FEW = 20
+"""Size of small batches, where a target has none of its own."""
+
+BLOCK = 7
+"""Of a replay, so that small batches have several blocks, and one of other length."""
+
+BEYOND = 8
+"""How far beyond an overflow the vectors are which must not give wrong results."""
+
+
+@dataclass(frozen=True, slots=True)
+class Machinery:
+    """What the run-time parts of a target do around its kernels.
+
+    Parameters
+    ----------
+    out : bool
+        Whether functions take ``out``.
+    few, block : str
+        Where the numbers stand, ``module.NAME``, of the largest batch that runs pose by pose, and of the largest block.
+    """
+
+    out: bool = True
+    few: str = ""
+    block: str = ""
+
+
+def replay(
+    folder: Path,
+    chart: Chart,
+    machinery: Machinery,
+    libraries: Sequence[Library] = (NUMPY,),
+    *,
+    all_ways: bool = True,
+) -> int:
+    """Call the functions of the module of a chart on floats; return how many calls agree with its formulas.
+
+    Parameters
+    ----------
+    folder : Path
+        The package.
+    chart : Chart
+    machinery : Machinery
+    libraries : sequence of Library
+        Whose arrays are given.
+    all_ways : bool
+        Whether to try all that is the same for every chart: once for a package is enough. Else one function is tried.
+
+    Raises
+    ------
+    ValidationFailed
+        Naming the function, how it was called, and the first component that is off.
+    """
+    dtypes = list(dict.fromkeys(dtype for library in libraries for dtype in library.dtypes))
+    analysis = Analysis(chart, lower_chart(chart), dtypes)
+    found = [analysis.known(group) for group in samples(chart)]
+    for known in found:
+        require_sharp(known)
+    with loaded(folder) as package, warnings.catch_warnings(), np.errstate(all="warn"):
+        warnings.simplefilter("error", RuntimeWarning)
+        module = importlib.import_module(f"{package}.{chart.name}")
+        few = _number(package, machinery.few) if machinery.few else FEW
+        callers = [Caller(module, library) for library in libraries]
+        with _small_blocks(package, machinery.block) if machinery.block else nullcontext():
+            for caller in callers:
+                _every_function(caller, found, chart, few)
+                _overflow(caller, chart, analysis, few)
+                _ways(caller, found, chart, machinery, few, all_ways)
+    return sum(caller.count for caller in callers)
+
+
+def _every_function(caller: Caller, found: Sequence[Known], chart: Chart, few: int) -> None:
+    """Single poses, few, and many in several blocks; components last and first; under every name and branch."""
+    for known in found:
+        for dtype in caller.library.dtypes:
+            plain = dtype == np.float64
+            for combination in range(len(known.results) if plain else 1):
+                caller.check(Call(known, alone(known, combination), dtype))
+            for axis in (-1, 0):
+                for count in (min(few, len(known.results)), few + BLOCK):
+                    caller.check(Call(known, several(known, count), dtype, axis))
+        first = Call(known, several(known, 1), caller.library.dtypes[0])
+        for name in known.row.aliases if chart.cayley else ():
+            caller.check(replace(first, name=name))
+        for turns in (-1, 2) if known.branch else ():
+            caller.check(replace(first, branch=(known.branch[0] + turns * chart.branches,)))
+
+
+def _overflow(caller: Caller, chart: Chart, analysis: Analysis, few: int) -> None:
+    """Where numbers overflow, results are right or not finite; in types whose overflow is not that of the bounds too."""
+    for dtype in set(caller.library.dtypes) - {np.dtype(np.longdouble)}:
+        _, limit = chart.overflow(float(np.finfo(dtype).max))
+        size = BEYOND * mpmath.mpf(limit)
+        for known in map(analysis.known, far(chart, size)):
+            for picks in (alone(known, 0), several(known, few + BLOCK)):
+                call = Call(known, picks, dtype)
+                caller.compare(call, caller.run(call), overflow=True)
+
+
+def _ways(
+    caller: Caller, found: Sequence[Known], chart: Chart, machinery: Machinery, few: int, all_ways: bool
+) -> None:
+    """What the run-time parts do, on a function of each kind; or on one, which the chart decides, in one type."""
+    kinds, dtypes = ways.kinds(found), caller.library.dtypes
+    sample = chart.branches % len(kinds)
+    for known in kinds if all_ways else [kinds[sample]]:
+        for dtype in dtypes if all_ways else [dtypes[sample % len(dtypes)]]:
+            ways.broadcasting(caller, known, dtype, few)
+            ways.spoilt(caller, known, dtype, few)
+            ways.layouts(caller, known, dtype, few)
+            if machinery.out and len(known.row.results) == 1:
+                ways.out(caller, known, dtype, few)
+    if all_ways:
+        ways.interrupted(caller, kinds[sample], dtypes[0], few)
+
+
+def _place(package: str, place: str) -> tuple[Any, str]:
+    name, _, attribute = place.rpartition(".")
+    return importlib.import_module(f"{package}.{name}"), attribute
+
+
+def _number(package: str, place: str) -> int:
+    return int(getattr(*_place(package, place)))
+
+
+@contextmanager
+def _small_blocks(package: str, place: str) -> Iterator[None]:
+    """Blocks of few poses while this lasts."""
+    module, attribute = _place(package, place)
+    size = getattr(module, attribute)
+    setattr(module, attribute, BLOCK)
+    try:
+        yield
+    finally:
+        setattr(module, attribute, size)

@@ -1,0 +1,150 @@
+"""Ways to call a kernel function that are the same for all of them: the work of the run-time parts of a package."""
+
+from __future__ import annotations
+
+import itertools
+import sys
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
+from pathlib import Path
+from types import FrameType
+from typing import Any
+
+import numpy as np
+
+from .calls import Call, Caller, several
+from .known import Known
+from .rounding import Array
+
+OFFSETS = ((0, 0), (0, 5), (3, 0))
+"""Where an argument and a result begin in the memory they share."""
+
+BEFORE = np.nan
+"""What stands where results are to be written."""
+
+
+def kinds(found: Sequence[Known]) -> list[Known]:
+    """One function of every kind, by what the run-time parts see of it; on another branch where one is chosen."""
+    kinds: dict[tuple[Any, ...], Known] = {}
+    for known in found:
+        row = known.row
+        kind = (len(row.arguments), len(row.results), bool(row.constants), row.branch, row.real)
+        if kind not in kinds or (any(known.branch) and not any(kinds[kind].branch)):
+            kinds[kind] = known
+    return list(kinds.values())
+
+
+def broadcasting(caller: Caller, known: Known, dtype: np.dtype[Any], few: int) -> None:
+    """Arguments whose batch axes are missing or of length 1, each beside each, up to a few poses and beyond."""
+    length = -(-(few + 1) // 3)
+    for width, axis in itertools.product((2, length), (-1, 0)):
+        shapes = ((), (width,), (1, width), (3, 1), (3, width))
+        for chosen in itertools.product(shapes, repeat=len(known.shape)):
+            picks = (_pick(shape, count) for shape, count in zip(chosen, known.shape, strict=True))
+            caller.check(Call(known, tuple(picks), dtype, axis))
+
+
+def _pick(shape: tuple[int, ...], count: int) -> Array:
+    return (np.arange(np.prod(shape, dtype=int)) % count).reshape(shape)
+
+
+def spoilt(caller: Caller, known: Known, dtype: np.dtype[Any], few: int) -> None:
+    """One pose of NaN in each argument: its result is NaN, and no other."""
+    for count, (position, kind) in itertools.product((3, few + 1), enumerate(known.row.arguments)):
+        call = Call(known, several(known, count), dtype)
+        given = call.arguments()
+        given[position][1] = np.nan
+        how = f"NaN in {kind.name}"
+        caller.compare(call, caller.run(call, given, how), how, spoilt=np.arange(count) == 1)
+
+
+def layouts(caller: Caller, known: Known, dtype: np.dtype[Any], few: int) -> None:
+    """Arguments that lie in memory in all ways, and may not be written."""
+    for count, axis in itertools.product((3, few + 1), (-1, 0)):
+        call = Call(known, several(known, count), dtype, axis)
+        for how, lay in (("Fortran order", np.asfortranarray), ("strided", _strided), ("backwards", _backwards)):
+            given = [lay(array) for array in call.arguments()]
+            for array in given:
+                array.flags.writeable = False
+            caller.check(call, given, how)
+
+
+def _strided(array: Array) -> Array:
+    wide = np.zeros((*array.shape[:-1], 2 * array.shape[-1]), array.dtype)
+    wide[..., ::2] = array
+    return wide[..., ::2]
+
+
+def _backwards(array: Array) -> Array:
+    turned = (slice(None, None, -1),) * array.ndim
+    return np.ascontiguousarray(array[turned])[turned]
+
+
+def out(caller: Caller, known: Known, dtype: np.dtype[Any], few: int) -> None:
+    """Results in arrays that are given: of other types and layouts, and over the memory of arguments."""
+    (array,) = known.row.results
+    other = np.dtype(np.float32 if dtype == np.float64 else np.float64)
+    for count, axis in itertools.product((3, few + 1), (-1, 0)):
+        call = Call(known, several(known, count), dtype, axis)
+        shape = call.result_shape(array.shape)
+        _into(caller, call, call.arguments(), np.full(shape, BEFORE, dtype), "out")
+        _into(caller, call, call.arguments(), _strided(np.full(shape, BEFORE, dtype)), "out with gaps")
+        _into(caller, call, call.arguments(), np.full(shape, BEFORE, other), f"out of {other}")
+        for position, (start, behind) in itertools.product(range(len(known.shape)), OFFSETS):
+            given = call.arguments()
+            given[position], place = _together(given[position], shape, start, behind)
+            _into(caller, call, given, place, f"out over argument {position + 1}")
+
+
+def _into(caller: Caller, call: Call, given: Sequence[Array], place: Array, how: str) -> None:
+    (found,) = caller.run(call, given, how, out=place)
+    if found is not place:
+        raise caller.failure(call, how, "the array returned is another")
+    caller.compare(call, (found,), how, dtype=place.dtype)
+
+
+def _together(array: Array, shape: tuple[int, ...], start: int, behind: int) -> tuple[Array, Array]:
+    """The array, and another of some shape, in one memory."""
+    size = int(np.prod(shape))
+    memory = np.full(max(start + array.size, behind + size), BEFORE, array.dtype)
+    moved = memory[start : start + array.size].reshape(array.shape)
+    moved[...] = array
+    return moved, memory[behind : behind + size].reshape(shape)
+
+
+def interrupted(caller: Caller, known: Known, dtype: np.dtype[Any], few: int) -> None:
+    """Before every line of a call, the same function is called on other poses, in this thread and in another one."""
+    count = few + 1
+    index = np.roll(np.arange(count), 1) % len(known.results)
+    other = tuple(map(np.asarray, np.unravel_index(index, known.shape)))
+    call, nested = Call(known, several(known, count), dtype), Call(known, other, dtype)
+    given, folder = call.arguments(), str(Path(str(caller.module.__file__)).parent)
+
+    with ThreadPoolExecutor(1) as elsewhere, _before_lines(folder) as tasks:
+        tasks += [lambda: caller.check(nested, how="inside another call")]
+        tasks += [lambda: elsewhere.submit(caller.check, nested, how="beside another call").result()]
+        found = caller.run(call, given, "interrupted")
+    caller.compare(call, found, "interrupted")
+
+
+@contextmanager
+def _before_lines(folder: str) -> Iterator[list[Callable[[], None]]]:
+    """Do tasks by turns before every line that is run of files in a folder, which Python does not trace meanwhile."""
+    tasks: list[Callable[[], None]] = []
+    turns = itertools.count()
+
+    def line(frame: FrameType, event: str, argument: Any) -> Any:
+        if event == "line":
+            tasks[next(turns) % len(tasks)]()
+        return line
+
+    def enter(frame: FrameType, event: str, argument: Any) -> Any:
+        return line if frame.f_code.co_filename.startswith(folder) else None
+
+    before = sys.gettrace()
+    sys.settrace(enter)
+    try:
+        yield tasks
+    finally:
+        sys.settrace(before)
