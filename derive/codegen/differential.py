@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from ..maps import Cayley
+from ..maps.chart import Chart
 from .cases import Case, cases
 from .signatures import FUNCTIONS, Array
 
@@ -37,9 +37,9 @@ class Differential:
     results: tuple[Table, ...]
 
 
-def tables(cayley: Cayley) -> Iterator[Differential]:
+def tables(chart: Chart) -> Iterator[Differential]:
     """One table per function, in the order of the signatures."""
-    for name, group in itertools.groupby(cases(cayley), lambda case: case.function):
+    for name, group in itertools.groupby(cases(chart), lambda case: case.function):
         found = list(group)
         signature = FUNCTIONS[name]
         arguments = tuple(

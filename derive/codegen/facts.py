@@ -78,10 +78,15 @@ class Facts:
         return {f.name: f.singular for f in self.maps}
 
     @property
+    def overflow(self) -> str:
+        """Why forward maps are NaN for large v."""
+        return self.chart.overflow(1)[0]
+
+    @property
     def largest(self) -> dict[str, str]:
-        """Up to which Re|v| nothing overflows, by type."""
-        powers = ((name, float(np.finfo(name).max)) for name in ("float32", "float64"))
-        return {name: f"{most ** (0.5 / self.chart.branches):.1g}" for name, most in powers}
+        """Up to which Re|v| they are not, by type."""
+        largest = ((name, float(np.finfo(name).max)) for name in ("float32", "float64"))
+        return {name: f"{self.chart.overflow(most)[1]:.1g}" for name, most in largest}
 
     def header(self, command: str, template: str) -> list[str]:
         """Lines of the header: command, formulas, what was proved, operation counts."""
@@ -89,7 +94,7 @@ class Facts:
         lines = [command, notice(template), "", f"{chart.title}, v = {self.parameter} u; formulas, x = v.v (CP23):"]
         lines += [f"  {letter} = {_plain(value)}" for letter, value in chart.letters]
         for item in self.maps:
-            lines.append(f"  {item.name}, {numbers(item.equations)}:")
+            lines.append(f"  {', '.join(filter(None, (item.name, numbers(item.equations))))}:")
             basis = (symbol.replace(r"\tilde{v}", "skew(v)").replace(r" \otimes ", "(x)") for symbol in item.basis)
             pairs = zip(basis, item.coefficients, strict=True)
             lines += [f"    {symbol or '1'}: {_plain(coefficient)}" for symbol, coefficient in pairs]

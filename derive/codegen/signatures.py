@@ -153,3 +153,8 @@ KERNELS: Mapping[str, Function] = {row.name: row for row in _ROWS if row.recipe}
 
 PUBLIC: Mapping[str, Function] = {row.name: row for row in _ROWS if row.public}
 """Those that users call."""
+
+
+def aliases(chart: Chart) -> dict[str, str]:
+    """Further names in the module of a chart, and the functions they are names of."""
+    return {alias: name for name, row in PUBLIC.items() for alias in row.aliases} if chart.cayley else {}

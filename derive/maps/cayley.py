@@ -19,6 +19,7 @@ from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import Arithmetic
 from . import closed_forms, polynomials, turns, way_back
 from .cayley_scalars import CayleyScalars
+from .families import alpha
 from .formula import LATEX_ORDER, IsotropicMap, QuaternionMap
 from .polynomials import FIELD, rational, require_order, x
 
@@ -177,8 +178,23 @@ class Cayley:
         return f"tan(α/{2 * self.order})"
 
     @property
+    def phi(self) -> sympy.Expr:
+        return sympy.tan(alpha / (2 * self.order))
+
+    @property
+    def edge(self) -> sympy.Expr:
+        return self.order * sympy.pi
+
+    @property
     def branches(self) -> int:
         return self.order
+
+    @property
+    def cayley(self) -> Cayley:
+        return self
+
+    def overflow(self, largest: float) -> tuple[str, float]:
+        return f"(1 + x)^{self.order} overflows", largest ** (0.5 / self.order)
 
     @property
     def letters(self) -> tuple[tuple[str, sympy.Expr], ...]:

@@ -16,13 +16,16 @@ where ``ω = T v̇`` is the space twist. Dual parts need slopes: with ``x° = 2 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 import sympy
 
 from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import Arithmetic
 from .formula import IsotropicMap, QuaternionMap
+
+if TYPE_CHECKING:
+    from .cayley import Cayley
 
 DEFINITIONS = {
     "quaternion": r"\hat q = s + w\,v",
@@ -94,12 +97,27 @@ class Chart(Protocol):
         """φ(α) as text: ``tan(α/6)``."""
 
     @property
+    def phi(self) -> sympy.Expr:
+        """φ in `families.alpha`: odd, increasing up to the edge."""
+
+    @property
+    def edge(self) -> sympy.Expr:
+        """Re α beyond which there is no v: a pole of φ or φ′ = 0; infinite where there is none."""
+
+    @property
     def branches(self) -> int:
-        """How many vectors v_k a pose has."""
+        """How many vectors v_k = φ(α + 2πk) u a pose has, k modulo their number."""
 
     @property
     def singular_angles(self) -> tuple[sympy.Expr, ...]:
         """Re α > 0 where v, T or its inverse is singular, the edge of the chart last."""
+
+    @property
+    def cayley(self) -> Cayley | None:
+        """The Cayley map it is, about which there are theorems for every order; None for any other chart."""
+
+    def overflow(self, largest: float) -> tuple[str, float]:
+        """Why forward maps are NaN for large v, and the Re|v| beyond which they are, in floats up to `largest`."""
 
     @property
     def quaternion(self) -> QuaternionMap: ...
@@ -132,7 +150,10 @@ class Chart(Protocol):
         """The principal angle of ``v = r u``, r ≥ 0, ``dα/dr`` on v's own branch, and the `direction`."""
 
     def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> tuple[Coefficient, Coefficient]:
-        """The coefficient of the vector a `turn` on from ``v = r u``, and its derivative by r."""
+        """The coefficient of the vector a `turn` on from ``v = r u``, and its derivative by r.
+
+        Where v is principal already nothing uses them, r is ``sqrt(1 + x)``, and they must be numbers nevertheless.
+        """
 
     def beyond(
         self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic

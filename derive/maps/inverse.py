@@ -44,7 +44,7 @@ def vector_from_quaternion(n: int, q: Quaternion, branch: int = 0) -> Vector:
         # q = ±(1 + ε ρ/2), of which the principal v is ε ρ/2n: no axis needed
         v: Vector = w / (n * q.scalar)
     else:
-        length, u = _polar(w)
+        length, u = polar(w)
         v = u * tan((atan2(length, q.scalar) + k * namespace(*w.re, *w.du).pi) / n)
     return v
 
@@ -80,7 +80,7 @@ def axis(n: int, v: Vector) -> tuple[Vector, Dual]:
     ValueError
         At v = 0, the identity, which has no axis.
     """
-    length, direction = _polar(v)
+    length, direction = polar(v)
     p, q = pair_by_squaring(n, v.dot(v))
     sign = orientation(real_part(p)) * orientation(real_part(q), dual_part(q))
     if is_zero(real_part(length)):
@@ -117,7 +117,7 @@ def principal(n: int, v: Vector) -> Vector:
     return vector_from_quaternion(n, quaternion_from_vector(n, v))
 
 
-def _polar(w: Vector) -> tuple[Dual, Vector]:
+def polar(w: Vector) -> tuple[Dual, Vector]:
     """Return magnitude and unit dual direction of a dual vector, CP23 Proposition 1 with moment 0 where Re w = 0."""
     length = w.magnitude()
     if not is_zero(w.re.dot(w.re)):

@@ -7,7 +7,7 @@ import sys
 from collections.abc import Iterator
 
 from ..maps import Cayley
-from .controls import Control, controls, controls_at
+from .controls import Control, controls, controls_at, controls_of
 from .displacement_theorems import COMPOSITION_AT
 from .every_order import decided, stated
 from .formulas import Formulas
@@ -25,7 +25,9 @@ def main() -> int:
     at_orders = (proof for n in ORDERS for proof in proofs(Cayley(n)))
     proved = tuple({(proof.scope, proof.name): proof for proof in (*general, *at_orders)}.values())
     known = {proof.name: proof for proof in general}
-    altered = [*controls(claimed, known), *(control for n in ORDERS for control in controls_at(Cayley(n)))]
+    altered = [*controls(claimed, known)]
+    for n in ORDERS:
+        altered += (*controls_at(Cayley(n)), *controls_of(Cayley(n)))
     print("\n".join(_report(proved, altered)))
     wrong = [proof for proof in proved if not proof.proved]
     missed = [control for control in altered if not control.noticed]

@@ -14,10 +14,14 @@ from typing import Any
 import sympy
 
 from ..algebra import Isotropic
+from ..algebra.arithmetic import Arithmetic
+from ..maps.chart import Chart
+from ..maps.families import alpha
 from .at_order import CayleyFormulas, instances
 from .components import STATEMENTS, Components, hamilton
 from .computations import Computed, computations
 from .identity import NO_VALUE, Proof
+from .scalars import SLOPES, VALUES, ScalarProofs
 from .theorem import Theorem
 
 
@@ -84,9 +88,9 @@ def _of_premises(theorem: Theorem, known: Mapping[str, Proof]) -> Iterator[Contr
 
 @dataclass(frozen=True)
 class _Wrong:
-    """A Cayley map with one formula replaced."""
+    """A Cayley map, or another chart, with one formula replaced."""
 
-    right: CayleyFormulas
+    right: Any
     name: str
     value: Any
 
@@ -136,6 +140,9 @@ _DEFINITIONS: Mapping[type[Components], tuple[int, ...]] = {
 }
 """Which statements must fail when a definition is."""
 
+LOWERED, RELATED, DERIVED = range(3)
+"""Places of the statements about the scalars of a chart; the one about φ is the last."""
+
 
 def controls_at(cayley: CayleyFormulas) -> Iterator[Control]:
     """All controls of what is proved at the order of a Cayley map, formulas and definitions altered in turn."""
@@ -156,6 +163,21 @@ def controls_at(cayley: CayleyFormulas) -> Iterator[Control]:
     for altered, places in _DEFINITIONS.items():
         decided = tuple(altered(cayley).proofs())
         yield from (Control(decided[place].name, str(altered.__doc__), decided[place]) for place in places)
+
+
+def controls_of(chart: Chart) -> Iterator[Control]:
+    """All controls of what is proved of any chart: each scalar with x added to it, and another φ."""
+    for name in (*VALUES, *SLOPES):
+
+        def scalars(x: Any, m: Arithmetic, name: str = name) -> Any:
+            at = chart.scalars(x, m)
+            return _Wrong(at, name, getattr(at, name) + x)
+
+        decided = tuple(ScalarProofs(_Wrong(chart, "scalars", scalars)).proofs())
+        for place in (LOWERED, RELATED) if name in VALUES else (DERIVED,):
+            yield Control(decided[place].name, f"{name} + x", decided[place])
+    *_, failing = ScalarProofs(_Wrong(chart, "phi", chart.phi.xreplace({alpha: 2 * alpha}))).proofs()
+    yield Control(failing.name, "phi of twice the angle", failing)
 
 
 def _altered(cayley: CayleyFormulas, name: str) -> Iterator[tuple[str, CayleyFormulas]]:

@@ -150,7 +150,7 @@ class Element:
         Raises
         ------
         ValueError
-            If the element is not the square of a rational function of the squares (or of s = sqrt(1 + x)).
+            If the element is not the square of a rational function of the squares (or of s = sqrt(1 ± x)).
         """
         ring, library = self.ring, self.ring.polynomials
         numerator = self._numerator("an element under a square root")
@@ -198,8 +198,8 @@ class Element:
         if slope:
             terms = {key: product(c, below) - product(self.terms[key], slope) for key, c in terms.items()}
             below = product(below, below)
-        if ring.root and index == 0:  # d/dx = d/ds / (2 s)
-            below = below * library.generators[0] * 2
+        if ring.root and index == 0:  # s² = 1 ± x, so d/dx = ± d/ds / (2 s)
+            below = below * library.generators[0] * (2 * ring.root)
         return Element(ring, {key: c for key, c in terms.items() if c}, below)
 
     def _numerator(self, what: str) -> Polynomial:
@@ -209,19 +209,19 @@ class Element:
         return self.terms.get(0, self.ring.polynomials.zero)
 
     def _sign_near_zero(self) -> int:
-        """Sign of a function of the squares at small positive squares (s slightly above 1)."""
+        """Sign of a function of the squares at small positive squares (s slightly above 1, or below)."""
         sign = 1
         for part in (self.terms[0], self.denominator):
             if self.ring.root:
                 first = self.ring.polynomials.generators[0]
-                part = _shifted(self.ring.polynomials, part, first)
+                part = _shifted(self.ring.polynomials, part, first * self.ring.root)
             coefficients = self.ring.polynomials.coefficients(part)
             sign *= 1 if coefficients[min(coefficients)] > 0 else -1
         return sign
 
 
 def _shifted(library: Polynomials, a: Polynomial, generator: Polynomial) -> Polynomial:
-    """The polynomial with its first generator s replaced by 1 + s."""
+    """The polynomial with its first generator s replaced by 1 + the given one."""
     result = library.zero
     for (power, *rest), c in library.coefficients(a).items():
         term = library.constant(c) * (generator + library.one) ** power

@@ -36,9 +36,9 @@ class Ring:
         of the squares only.
     extra : sequence of str
         Further independent symbols (dual parts, rates, points).
-    root : bool
-        Whether the square x of the first vector is expressed through s = sqrt(1 + x), so that odd powers of 1 + x have
-        a square root.
+    root : int
+        1 or −1: the square x of the first vector is expressed through s = sqrt(1 ± x), so that odd powers of 1 ± x have
+        a square root. 0: it is not.
     backend : {"flint", "sympy"}, optional
         Library for the polynomials; by default python-flint where it is installed.
     """
@@ -47,9 +47,11 @@ class Ring:
         self,
         vectors: Iterable[str] = ("v",),
         extra: Iterable[str] = (),
-        root: bool = False,
+        root: int = 0,
         backend: str | None = None,
     ) -> None:
+        if root not in (-1, 0, 1):
+            raise ValueError(f"the root of a ring is that of 1 + x (1), of 1 - x (-1), or none (0), given {root!r}")
         self.vectors = tuple(vectors)
         self.root = root
         squares = ["s" if root else "x"] + [f"{name}_square" for name in self.vectors[1:]]
@@ -59,7 +61,7 @@ class Ring:
             raise ValueError(f"a ring needs a vector and distinct names, given {(*self.names, *squares)}")
         self.square_names = ("x", *squares[1:])
         generators = self.polynomials.generators
-        first = generators[0] ** 2 - self.polynomials.one if root else generators[0]
+        first = (generators[0] ** 2 - self.polynomials.one) * root if root else generators[0]
         self.squares = (first, *generators[1:])  # v.v of each vector as a polynomial in the generators
 
     def constant(self, value: Rational | int) -> Element:
@@ -88,18 +90,18 @@ class Ring:
         return Element(self, {0: self.squares[self._index(name)]}, self.polynomials.one)
 
     def square_root(self) -> Element:
-        """The element s = sqrt(1 + x) of a ring made with ``root=True``."""
+        """The element s = sqrt(1 ± x) of a ring made with a root."""
         if not self.root:
-            raise ValueError("sqrt(1 + x) is an element of rings made with root=True only")
+            raise ValueError("sqrt(1 ± x) is an element of rings made with root=1 or root=-1 only")
         return Element(self, {0: self.polynomials.generators[0]}, self.polynomials.one)
 
     def lift(self, expression: Any, values: Mapping[Any, Operand]) -> Element:
-        """A rational SymPy expression as an element, its symbols replaced by the given values.
+        """A SymPy expression as an element, its symbols replaced by the given values.
 
         Parameters
         ----------
         expression : sympy.Expr or number
-            Sums, products and integer powers of symbols and rational numbers.
+            Sums, products and powers of symbols and rational numbers; half a power is that of `Element.sqrt`.
         values : mapping
             Element (or exact number) for each SymPy symbol.
         """
@@ -142,11 +144,12 @@ class Ring:
             return table[node]
         if node.is_Rational:
             return self.constant(Fraction(int(node.p), int(node.q)))
-        if node.is_Pow and node.exp.is_Integer:
-            power = self._lift(node.base, table) ** abs(int(node.exp))
+        if node.is_Pow and node.exp.is_Rational and node.exp.q <= 2:
+            base = self._lift(node.base, table)
+            power = (base if node.exp.q == 1 else base.sqrt()) ** abs(int(node.exp.p))
             return power if node.exp > 0 else 1 / power
         if not (node.is_Add or node.is_Mul):
-            raise ValueError(f"not a rational expression in the given symbols: {node}")
+            raise ValueError(f"not an algebraic expression in the given symbols: {node}")
         first, *rest = (self._lift(argument, table) for argument in node.args)
         for other in rest:
             first = first + other if node.is_Add else first * other

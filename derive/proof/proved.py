@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import InitVar, dataclass
 
-from ..maps import Cayley
+from ..maps.chart import Chart
 from .at_order import CayleyFormulas, instances
 from .components import Components
 from .computations import computations
 from .displacement_theorems import COMPOSITION_AT
 from .every_order import theorems
 from .identity import Proof
+from .scalars import ScalarProofs
 
 Progress = Callable[[str], None]
 _MADE_HERE = object()
@@ -38,13 +39,14 @@ class Proved:
 
     Attributes
     ----------
-    formulas : Cayley
+    formulas : Chart
         What was proved.
     proofs : tuple of Proof
-        Theorems for all n, their instances at this order, the componentwise road at this order.
+        Of a Cayley map theorems for all n, their instances at this order, the componentwise road at this order; of any
+        chart that what is lowered are its formulas and those of its φ.
     """
 
-    formulas: Cayley
+    formulas: Chart
     proofs: tuple[Proof, ...]
     token: InitVar[object] = None
 
@@ -53,23 +55,23 @@ class Proved:
             raise TypeError("only derive.proof.prove makes a Proved")
 
 
-def proofs(cayley: CayleyFormulas, progress: Progress | None = None, backend: str | None = None) -> tuple[Proof, ...]:
-    """Decide every statement about a Cayley map, failed ones included.
+def proofs(chart: Chart, progress: Progress | None = None, backend: str | None = None) -> tuple[Proof, ...]:
+    """Decide every statement about a chart, failed ones included.
 
     Parameters
     ----------
-    cayley : CayleyFormulas
+    chart : Chart
         Such as ``derive.Cayley(7)``.
     progress : callable, optional
         Called with a line of text before each stage.
     backend : {"flint", "sympy"}, optional
-        Polynomial library of the componentwise road; by default python-flint where it is installed.
+        Library of polynomials in x; by default python-flint where it is installed.
     """
-    return tuple(_decided(cayley, progress or (lambda line: None), backend))
+    return tuple(_decided(chart, progress or (lambda line: None), backend))
 
 
-def prove(cayley: Cayley, progress: Progress | None = None, backend: str | None = None) -> Proved:
-    """Prove a Cayley map on both roads.
+def prove(chart: Chart, progress: Progress | None = None, backend: str | None = None) -> Proved:
+    """Prove a chart, on both roads where it is a Cayley map.
 
     Parameters are those of :func:`proofs`.
 
@@ -78,14 +80,21 @@ def prove(cayley: Cayley, progress: Progress | None = None, backend: str | None 
     ProofFailed
         If any statement fails.
     """
-    decided = proofs(cayley, progress, backend)
+    decided = proofs(chart, progress, backend)
     failed = tuple(proof for proof in decided if not proof.proved)
     if failed:
         raise ProofFailed(failed)
-    return Proved(cayley, decided, _MADE_HERE)
+    return Proved(chart, decided, _MADE_HERE)
 
 
-def _decided(cayley: CayleyFormulas, progress: Progress, backend: str | None) -> Iterator[Proof]:
+def _decided(chart: Chart, progress: Progress, backend: str | None) -> Iterator[Proof]:
+    if chart.cayley:
+        yield from _cayley(chart.cayley, progress, backend)
+    progress(f"{chart.name}: what is lowered")
+    yield from ScalarProofs(chart, backend).proofs()
+
+
+def _cayley(cayley: CayleyFormulas, progress: Progress, backend: str | None) -> Iterator[Proof]:
     progress("theorems for all n")
     yield from theorems()
     progress(f"n = {cayley.order}: formulas as in the theorems")

@@ -47,6 +47,14 @@
 #   [n = 4] orthogonality at n: R*R^T = I
 #   [n = 4] twist at n: vect(R'*R^T) = dcay_n*v'
 #   [n = 4] inverse at n: dcay_n*dcay_n^-1 = I
+#   [n = 4] scalars as lowered: s = quaternion[0]; w = quaternion[1]; 1 - g*x = tensor[0]; f = tensor[1]; g =
+#       tensor[2]; f = tangent[0]; g = tangent[1]; h = tangent[2]; fi/2 = tangent_inv[0]; -1/2 = tangent_inv[1];
+#       hi/2 = tangent_inv[2]
+#   [n = 4] scalars: w^2*x + s^2 = 1; f = 2*s*w; g = 2*w^2; h = -2*sy*w + 2*s*wy; fi*g = f; (h*x + f)*(hi*x +
+#       fi) = 2; a*w = b*s
+#   [n = 4] slopes: sy = 2*d/dx s; wy = 2*d/dx w; fy = 2*d/dx f; gy = 2*d/dx g; hy = 2*d/dx h; fiy = 2*d/dx fi;
+#       hiy = 2*d/dx hi
+#   [n = 4] q = cos(alpha/2) + u sin(alpha/2): phi'*(h*x + f) = 1; [s](x -> 0) = 1
 #
 # Operations:
 #   quaternion: 41: 14 +, 24 *, 3 /
@@ -505,7 +513,7 @@ CHART = Chart(
     __name__,
     branches=4,
     singular_angles=(2 * pi, 4 * pi),
-    # the numbers of the turn by k branches: cosine and sine of k pi/4
+    # the two numbers of the turn by k branches
     turns=(
         ("1.0", "0.0"),
         ("0.7071067811865475244008443621048490392848", "0.7071067811865475244008443621048490392848"),

@@ -47,6 +47,14 @@
 #   [n = 5] orthogonality at n: R*R^T = I
 #   [n = 5] twist at n: vect(R'*R^T) = dcay_n*v'
 #   [n = 5] inverse at n: dcay_n*dcay_n^-1 = I
+#   [n = 5] scalars as lowered: s = quaternion[0]; w = quaternion[1]; 1 - g*x = tensor[0]; f = tensor[1]; g =
+#       tensor[2]; f = tangent[0]; g = tangent[1]; h = tangent[2]; fi/2 = tangent_inv[0]; -1/2 = tangent_inv[1];
+#       hi/2 = tangent_inv[2]
+#   [n = 5] scalars: w^2*x + s^2 = 1; f = 2*s*w; g = 2*w^2; h = -2*sy*w + 2*s*wy; fi*g = f; (h*x + f)*(hi*x +
+#       fi) = 2; a*w = b*s
+#   [n = 5] slopes: sy = 2*d/dx s; wy = 2*d/dx w; fy = 2*d/dx f; gy = 2*d/dx g; hy = 2*d/dx h; fiy = 2*d/dx fi;
+#       hiy = 2*d/dx hi
+#   [n = 5] q = cos(alpha/2) + u sin(alpha/2): phi'*(h*x + f) = 1; [s](x -> 0) = 1
 #
 # Operations:
 #   quaternion: 48: 15 +, 29 *, 3 /, 1 sqrt
@@ -521,7 +529,7 @@ CHART = Chart(
     __name__,
     branches=5,
     singular_angles=(2 * pi, 4 * pi, 5 * pi),
-    # the numbers of the turn by k branches: cosine and sine of k pi/5
+    # the two numbers of the turn by k branches
     turns=(
         ("1.0", "0.0"),
         ("0.8090169943749474241022934171828190588602", "0.5877852522924731291687059546390727685977"),

@@ -47,19 +47,25 @@ LIBRARIES: dict[str, Callable[[], Convert]] = {
 }
 
 
+QUICKLY = {"xla_backend_optimization_level": 0}
+"""Options for XLA where it matters that functions compile, not how well."""
+
+
 @functools.cache
-def _compiled(function: Callable[..., Any], static: tuple[int, ...]) -> Callable[..., Any]:
+def _compiled(function: Callable[..., Any], static: tuple[int, ...], optimized: bool) -> Callable[..., Any]:
     """The function through ``jax.jit``, which then compiles once for the same shapes and static arguments."""
     import jax
 
-    return jax.jit(function, static_argnums=static, static_argnames="axis")
+    options = None if optimized else QUICKLY
+    return jax.jit(function, static_argnums=static, static_argnames="axis", compiler_options=options)
 
 
 class Through:
     """A kernel module whose functions take and return NumPy arrays, and work in another library."""
 
-    def __init__(self, module: ModuleType, library: str) -> None:
+    def __init__(self, module: ModuleType, library: str, *, optimized: bool = False) -> None:
         self.module, self.library, self.convert = module, library, LIBRARIES[library]()
+        self.optimized = optimized
 
     def __getattr__(self, name: str) -> Callable[..., Any]:
         function = getattr(self.module, name)
@@ -67,7 +73,8 @@ class Through:
         def call(*values: Any, **options: Any) -> Any:
             called = function
             if self.library == "jax.jit":
-                called = _compiled(function, tuple(i for i, v in enumerate(values) if isinstance(v, int)))
+                static = tuple(i for i, v in enumerate(values) if isinstance(v, int))
+                called = _compiled(function, static, self.optimized)
             found = called(*(self.convert(v) if isinstance(v, np.ndarray) else v for v in values), **options)
             return tuple(map(np.asarray, found)) if isinstance(found, tuple) else np.asarray(found)
 

@@ -93,11 +93,21 @@ class Oracle:
         number = self.field.number
         return tuple(tuple(Nil(number(array[0][i][j]), number(array[1][i][j])) for j in range(3)) for i in range(3))
 
+    # ---- the chart: v = tan θ u, θ = α/2n --------------------------------------------------------------------
+
+    def base(self, v: Any) -> Any:
+        """|v| cot θ."""
+        return v[0] * 0 + 1
+
+    def size(self, theta: Any) -> Any:
+        """|v| of θ."""
+        return self.field.tan(theta)
+
     # ---- forward maps, on tuples of dual numbers -------------------------------------------------------------
 
     def spin(self, v: Any) -> tuple[Any, ...]:
-        """(1 + v)^n, not normalised."""
-        return power((v[0] * 0 + 1, v[0], v[1], v[2]), self.order)
+        """(|v| cot θ + v)^n, not normalised."""
+        return power((self.base(v), v[0], v[1], v[2]), self.order)
 
     @remembered
     def unit(self, v: Any) -> tuple[Any, ...]:
@@ -158,13 +168,13 @@ class Oracle:
         return Nil(zero, size / scalar.re), tuple(Nil(c / size, zero) for c in moment)
 
     def on_branch(self, half: Any, axis: Any, branch: int) -> tuple[Any, ...]:
-        """tan((α + 2kπ)/2n) u."""
+        """v of (α + 2kπ)/2n."""
         zero = half.re * 0
         if axis is None:
             value = zero if branch % self.order == 0 else self.field.number(float("nan"))
             return (Nil(value, value),) * 3
-        tangent = self.field.tan((half + branch * self.field.pi) / self.order)
-        return tuple(tangent * c for c in axis)
+        size = self.size((half + branch * self.field.pi) / self.order)
+        return tuple(size * c for c in axis)
 
     def vector_of(self, q: Any, branch: int = 0) -> tuple[Any, ...]:
         if q[0].re < 0:
@@ -193,8 +203,7 @@ class Oracle:
     @remembered
     def reduced(self, v: Any) -> tuple[Any, Any]:
         """(α, u) of v's pose with 0 ≤ Re α ≤ π: the principal dual angle and its axis (None at the identity)."""
-        one = v[0].re * 0 + 1
-        half, axis = self.half_screw((Nil(one, one * 0), *v))
+        half, axis = self.half_screw((self.base(v), *v))
         alpha = 2 * self.order * half
         if axis is None or all(c.re == 0 for c in v):
             return alpha, axis
@@ -262,8 +271,8 @@ class Oracle:
 
     def from_screw(self, angle: Any, axis: Any) -> np.ndarray:
         (alpha,) = self.unpack(angle)
-        tangent = self.field.tan(alpha / (2 * self.order))
-        return pack(tuple(tangent * c for c in self.unpack(axis)))
+        size = self.size(alpha / (2 * self.order))
+        return pack(tuple(size * c for c in self.unpack(axis)))
 
     def to_screw(self, v: Any) -> tuple[np.ndarray, np.ndarray]:
         alpha, axis = self.reduced(self.unpack(v))
@@ -279,10 +288,9 @@ class Oracle:
             return pack(self.on_branch(alpha, None, branch))
         # Branches count from where v itself stands: from the multiple of 2π nearest to its angle along the axis.
         coefficient = dot(dual, axis)
-        one = Nil(coefficient.re * 0 + 1, coefficient.re * 0)
-        own = self.field.atan2(coefficient, one) + branch * self.field.pi / self.order
-        tangent = self.field.tan(own)
-        return pack(tuple(tangent * c for c in axis))
+        own = self.field.atan2(coefficient, self.base(dual)) + branch * self.field.pi / self.order
+        size = self.size(own)
+        return pack(tuple(size * c for c in axis))
 
     def principal(self, v: Any) -> np.ndarray:
         alpha, axis = self.reduced(self.unpack(v))
@@ -297,3 +305,14 @@ class Oracle:
 
     def transform_line(self, v: Any, line: Any) -> np.ndarray:
         return pack(matvec(self.rotation(self.unpack(v)), self.unpack(line)))
+
+
+class SineOracle(Oracle):
+    """v = sin θ u, θ = α/2n brought into (−π/2, π/2]."""
+
+    def base(self, v: Any) -> Any:
+        return self.field.sqrt(1 - dot(v, v))
+
+    def size(self, theta: Any) -> Any:
+        sine = self.field.sin(theta)
+        return -sine if self.field.cos(theta).re < 0 else sine

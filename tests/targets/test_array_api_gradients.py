@@ -8,7 +8,7 @@ import pytest
 import dualcay
 from tests.support import sampling
 from tests.support.kernels import load
-from tests.support.libraries import LIBRARIES
+from tests.support.libraries import LIBRARIES, QUICKLY
 
 ORDERS = pytest.mark.parametrize("order", [1, 2, 3])
 REGIMES = ("uniform", "angle 1e-7", "pure translation", "identity")
@@ -20,9 +20,8 @@ def jax_jacobians(function, *values):
     LIBRARIES["jax"]()
     import jax
 
-    quickly = {"xla_backend_optimization_level": 0}
     both = jax.vmap(lambda *at: (jax.jacfwd(function)(*at), jax.jacrev(function)(*at)))
-    compiled = jax.jit(both, compiler_options=quickly)
+    compiled = jax.jit(both, compiler_options=QUICKLY)
     forward, reverse = (np.asarray(found) for found in compiled(*map(jax.numpy.asarray, values)))
     for one, other in zip(forward, reverse, strict=True):
         np.testing.assert_allclose(one, other, atol=1e-12 * abs(one).max())

@@ -6,7 +6,8 @@ digits   maps with sqrt, tan and atan2 at seeded screws, to 50 digits
 batches  both, for the validation of a text; complete, or an error
 seeded   numbers that a float holds and their results, for languages whose kernels take no others
 floats   results at all combinations of arguments, for calls on arrays of floats
-maps_at  inverse maps, screws, shadows and composition at given numbers
+vectors  φ(α + 2πk) u of a chart and the way back to α and u, from φ alone
+maps_at  by these, inverse maps, screws, shadows and composition at given numbers
 screws   seeded screws on which every side of every selection is taken
 ======== ========================================================================================
 """

@@ -8,7 +8,7 @@ from typing import Any
 
 import mpmath
 
-from ...maps import Cayley
+from ...maps.chart import Chart
 from ..signatures import PUBLIC
 from . import digits, exact
 from .exact import Expectation
@@ -31,7 +31,7 @@ class Batch:
         return same if self.exact else digits.close
 
 
-def batches(chart: Cayley) -> list[Batch]:
+def batches(chart: Chart) -> list[Batch]:
     """What every function of the module of a chart must return.
 
     Raises

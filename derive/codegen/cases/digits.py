@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import random
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
@@ -10,10 +11,7 @@ from typing import Any
 import mpmath
 
 from ...algebra import Dual, Tensor, Vector
-from ...algebra.functions import atan
-from ...maps import Cayley
-from ...maps.inverse import axis, vector_from_quaternion, vector_from_screw
-from ...maps.polynomials import pair_by_squaring
+from ...maps.chart import Chart
 from ...maps.pose import (
     Pose,
     Screw,
@@ -24,8 +22,9 @@ from ...maps.pose import (
 )
 from ...maps.sign_tests import orientation
 from .exact import Expectation
-from .maps_at import MAPS, MAX_BRANCHES, Flat
-from .screws import covering, finite, half_turns, steep, translation
+from .maps_at import MAX_BRANCHES, Flat, flat
+from .screws import covering, half_turns, steep, translation
+from .vectors import Vectors, is_whole
 
 DIGITS = 50
 SEED = 2011
@@ -33,11 +32,14 @@ SEED = 2011
 SMALL = 1e-22
 """Small components of a quaternion: a row of the rotation's matrix that belongs to one is good to 28 digits only."""
 
-NEAR_POLE = 1e-6
-"""Cosine of half the angle of v below which its condition takes digits that are compared."""
+NEAR_EDGE = 1e-6
+"""What `Vectors.finite` asks of a branch here: nearer to the edge, its condition takes digits that are compared."""
 
 NEAR_TIE = mpmath.mpf(10) ** -30
 """Angle between a vector and the limit of its branch."""
+
+LATTICE = ((1, 0, 0), (0, -1, 0), (1, 1, 1), (-1, 1, -1), (1, -1, 0))
+"""Directions which have, times a power of two, a v·v without rounding: at some of them a chart's scalars vanish."""
 
 TOLERANCE = mpmath.mpf(10) ** -32
 """Of 50-digit results: 40-digit constants lose at most six digits to the conditioning of the seeded cases."""
@@ -113,59 +115,59 @@ def _quotient(a: Any, b: Any) -> Any:
     return a * mpmath.inf if a else mpmath.nan
 
 
-def expectations(cayley: Cayley) -> Iterator[tuple[Expectation, ...]]:
+def expectations(chart: Chart) -> Iterator[tuple[Expectation, ...]]:
     """Inverse maps, screws, shadows (at most eight branches) and composition: a batch for each function and branch."""
     batches: dict[str, list[Expectation]] = {}
-    for case in _cases(cayley.order, random.Random(SEED)):
+    for case in _cases(Vectors(chart), random.Random(SEED)):
         batches.setdefault(case.function, []).append(case)
     yield from map(tuple, batches.values())
 
 
-def _cases(n: int, draw: random.Random) -> Iterator[Expectation]:
+def _cases(chart: Vectors, draw: random.Random) -> Iterator[Expectation]:
     """The principal branch takes all screws and exact half turns, every other one some of them."""
     screws, halves = list(covering(draw, SMALL)), list(half_turns(draw))
     still, other_still = translation(draw), translation(draw)
-    given = [screw for screw in (*screws, still, other_still) if finite(n, screw, 0, NEAR_POLE)]
+    given = [screw for screw in (*screws, still, other_still) if chart.finite(screw, 0, NEAR_EDGE)]
     for screw, other in zip(given, [*given[1:], given[0]], strict=True):
-        yield from _principal(n, screw, other)
-    for branch in range(min(n, MAX_BRANCHES)):
+        yield from _principal(chart, screw, other)
+    for branch in range(min(chart.chart.branches, MAX_BRANCHES)):
         some = [screws[3 * branch % 8]] if branch else [*screws, still]
-        # a translation on another branch has q = 0 but for rounding: there nothing decides about its axis
+        # a translation on another branch has w = 0 but for rounding: there nothing decides about its axis
         for screw in (*some, still) if branch else some:
-            if finite(n, screw, branch, NEAR_POLE):
-                yield from _branch(n, screw, branch)
-                yield from _back(n, screw, branch) if screw in some else ()
-        yield from at_half_turns(n, halves, branch)
+            if chart.finite(screw, branch, NEAR_EDGE):
+                yield from _branch(chart, screw, branch)
+                yield from _back(chart, screw, branch) if screw in some else ()
+        yield from at_half_turns(chart, halves, branch)
     for screw in steep(draw, SMALL, 1 / 3):
-        if finite(n, screw, 0, NEAR_POLE):
-            yield from _from_rotation(tensor_from_screw(screw), 0, _flat(vector_from_screw(n, screw)))
-    yield from undecided(n)
-    yield from _near_ties(n, screws[0])
+        if chart.finite(screw, 0, NEAR_EDGE):
+            yield from _from_rotation(tensor_from_screw(screw), 0, flat(chart.at(screw)))
+    yield from undecided(chart)
+    yield from _near_ties(chart, screws[0])
 
 
-def _principal(n: int, screw: Screw, other: Screw) -> Iterator[Expectation]:
-    principal = vector_from_screw(n, screw)
-    yield Expectation("from_screw", ((screw.angle.re, screw.angle.du), _flat(screw.axis)), _flat(principal))
+def _principal(chart: Vectors, screw: Screw, other: Screw) -> Iterator[Expectation]:
+    principal = chart.at(screw)
+    yield Expectation("from_screw", ((screw.angle.re, screw.angle.du), flat(screw.axis)), flat(principal))
     q = quaternion_from_screw(screw)
-    yield Expectation("from_quaternion", (tuple(-c for c in (*q.re, *q.du)),), _flat(principal))
+    yield Expectation("from_quaternion", (tuple(-c for c in (*q.re, *q.du)),), flat(principal))
     product = quaternion_from_screw(other) * q
-    vectors = (_flat(vector_from_screw(n, other)), _flat(principal))
-    yield Expectation("compose", vectors, _flat(vector_from_quaternion(n, product)))
+    vectors = (flat(chart.at(other)), flat(principal))
+    yield Expectation("compose", vectors, flat(chart.of_quaternion(product)))
 
 
-def _back(n: int, screw: Screw, branch: int) -> Iterator[Expectation]:
+def _back(chart: Vectors, screw: Screw, branch: int) -> Iterator[Expectation]:
     """From other branches, where the axis may be the opposite of v, to the screw and the principal v."""
-    v = _flat(vector_from_screw(n, screw, branch))
-    yield Expectation("to_screw", (v,), (screw.angle.re, screw.angle.du, *_flat(screw.axis)))
-    yield Expectation(f"shadow {n - branch}", (v,), _flat(vector_from_screw(n, screw)))
+    v = flat(chart.at(screw, branch))
+    yield Expectation("to_screw", (v,), (screw.angle.re, screw.angle.du, *flat(screw.axis)))
+    yield Expectation(f"shadow {chart.chart.branches - branch}", (v,), flat(chart.at(screw)))
 
 
-def _branch(n: int, screw: Screw, branch: int) -> Iterator[Expectation]:
-    v = _flat(vector_from_screw(n, screw, branch))
+def _branch(chart: Vectors, screw: Screw, branch: int) -> Iterator[Expectation]:
+    v = flat(chart.at(screw, branch))
     q = quaternion_from_screw(screw)
     yield Expectation(f"from_quaternion {branch}", ((*q.re, *q.du),), v)
     yield from _from_rotation(tensor_from_screw(screw), branch, v)
-    principal = _flat(vector_from_screw(n, screw))
+    principal = flat(chart.at(screw))
     yield Expectation(f"shadow {branch}", (principal,), v)
     yield Expectation("principal", (v,), principal)
 
@@ -178,14 +180,14 @@ def _from_rotation(R: Tensor, branch: int, v: Flat) -> Iterator[Expectation]:
     yield Expectation(f"from_pose {branch}", ((*rows, 0, 0, 0, 1),), v)
 
 
-def at_half_turns(n: int, screws: Sequence[Screw], branch: int) -> Iterator[Expectation]:
+def at_half_turns(chart: Vectors, screws: Sequence[Screw], branch: int) -> Iterator[Expectation]:
     """At all of these half turns on the principal branch, at one of them on others."""
     for screw in [screws[branch % len(screws)]] if branch else screws:
-        if finite(n, screw, branch, NEAR_POLE):
-            yield from _half_turn(n, screw, branch)
+        if chart.finite(screw, branch, NEAR_EDGE):
+            yield from _half_turn(chart, screw, branch)
 
 
-def _half_turn(n: int, screw: Screw, branch: int) -> Iterator[Expectation]:
+def _half_turn(chart: Vectors, screw: Screw, branch: int) -> Iterator[Expectation]:
     """At exactly half a turn u and -u are one rotation: the vector part stands, or its first component is positive.
 
     The scalar part is exactly 0, the rotation exactly symmetric.
@@ -194,47 +196,49 @@ def _half_turn(n: int, screw: Screw, branch: int) -> Iterator[Expectation]:
     opposite = Screw(Dual(screw.angle.re, -d), -screw.axis)
     for sign, same in ((1, screw), (-1, opposite)):
         q = tuple(sign * c for c in (0, *u, -d / 2, *moment))
-        yield Expectation(f"from_quaternion {branch}", (q,), _flat(vector_from_screw(n, same, branch)))
+        yield Expectation(f"from_quaternion {branch}", (q,), flat(chart.at(same, branch)))
     R = tensor_from_pose(Pose(Tensor.dyad(u, u) * 2 - Tensor.identity(), d * u + 2 * u.cross(moment)))
     positive = screw if orientation(*u) > 0 else opposite
-    yield from _from_rotation(R, branch, _flat(vector_from_screw(n, positive, branch)))
+    yield from _from_rotation(R, branch, flat(chart.at(positive, branch)))
 
 
-def _near_ties(n: int, screw: Screw) -> Iterator[Expectation]:
+def _near_ties(chart: Vectors, screw: Screw) -> Iterator[Expectation]:
     """Vectors just before and behind the angles (2k − 1)π between branches, to the digits of the printed limits."""
-    for k in range(1, n // 2 + 1):
-        for behind, step in enumerate((-NEAR_TIE, NEAR_TIE)):
-            alpha = (2 * k - 1) * mpmath.pi + step
-            angles = (alpha, alpha - 2 * (k - 1 + behind) * mpmath.pi)
-            ends = (Screw(Dual(angle, screw.angle.du), screw.axis) for angle in angles)
-            v, principal = (_flat(vector_from_screw(n, end)) for end in ends)
+    for halves in chart.odd_half_turns():
+        for behind, step in ((-1, -NEAR_TIE), (1, NEAR_TIE)):
+            alpha = halves * mpmath.pi + step
+            angles = (alpha, alpha - (halves + behind) * mpmath.pi)
+            v, principal = (flat(screw.axis * chart.size(Dual(angle, screw.angle.du))) for angle in angles)
             yield Expectation("principal", (v,), principal)
 
 
-def undecided(n: int) -> Iterator[Expectation]:
-    """Vectors with p = 0 or q = 0 exactly, half a turn or none: v itself or its dual part decides about the axis."""
-    for square, direction in ((1, (1, 0, 0)), (1, (0, -1, 0)), (3, (1, 1, 1)), (3, (-1, 1, -1))):
-        p, q = pair_by_squaring(n, square)
-        re = Vector(*map(mpmath.mpf, direction))
-        for along in (1, -1) if p * q == 0 else ():
+def undecided(chart: Vectors) -> Iterator[Expectation]:
+    """Vectors with s = 0 or w = 0 exactly, half a turn or none: v itself or its dual part decides about the axis."""
+    for scale, direction in itertools.product((mpmath.mpf(1), mpmath.mpf(1) / 2), LATTICE):
+        re = scale * Vector(*direction)
+        halves = _half_turns_of(chart, re)
+        for along in (1, -1) if halves else ():
             v = Vector.dual(re, along * re + re.cross(Vector(1, 2, 3)))
-            u, r = axis(n, v)
-            angle = (mpmath.pi if p == 0 else 0, (2 * n * atan(r)).du)
-            yield Expectation("to_screw", (_flat(v),), (*angle, *_flat(u)))
+            screw, own = chart.screw(v)
+            yield Expectation("to_screw", (flat(v),), (screw.angle.re, screw.angle.du, *flat(screw.axis)))
             # at odd multiples of half a turn beyond the first either side is a principal v
-            if q == 0 or abs(2 * n * atan(r).re) < mpmath.pi + NEAR_TIE:
-                yield Expectation("principal", (_flat(v),), MAPS["principal"](n, 0, _flat(v)))
-            for branch in range(1, min(n, MAX_BRANCHES)):
-                turn = branch * mpmath.pi / n
-                if abs(mpmath.cos(turn) - r.re * mpmath.sin(turn)) > NEAR_POLE:
-                    yield Expectation(f"shadow {branch}", (_flat(v),), MAPS["shadow"](n, branch, _flat(v)))
+            if halves % 2 == 0 or halves == 1:
+                yield Expectation("principal", (flat(v),), flat(chart.at(screw)))
+            for branch in range(1, min(chart.chart.branches, MAX_BRANCHES)):
+                if chart.finite(screw, own + branch, NEAR_EDGE):
+                    yield Expectation(f"shadow {branch}", (flat(v),), flat(chart.at(screw, own + branch)))
+
+
+def _half_turns_of(chart: Vectors, re: Vector) -> int:
+    """How many half turns the rotation of a vector takes, where that is a whole number; else 0."""
+    if not chart.reaches(re.magnitude()):
+        return 0
+    halves = chart.angle(re.magnitude()) / mpmath.pi
+    inside = halves * mpmath.pi < (1 - NEAR_EDGE) * chart.edge
+    return int(mpmath.nint(halves)) if inside and is_whole(halves) else 0
 
 
 def close(got: Any, expected: Any) -> bool:
     """Whether a result of 50-digit numbers is the expected one."""
     value = got.value if isinstance(got, Decimal) else Decimal(got).value
     return bool(abs(value - expected) <= TOLERANCE * (1 + abs(expected)))
-
-
-def _flat(v: Vector) -> tuple[Any, ...]:
-    return (*v.re, *v.du)

@@ -9,12 +9,15 @@ from typing import Any
 import sympy
 
 from ...algebra import Dual, Isotropic, Quaternion, Vector
-from ...maps import Cayley, Formula, x
+from ...maps import Formula, x
+from ...maps.chart import Chart
 from ...maps.pose import pose_from_tensor
-from ...proof import Ring
+from ...proof import Ring, root_of
+from ..lowering.scalars import scalar_programs
 
-ROUND_TRIPS = (1, 2, 4, 8)
-"""Orders whose inverse map takes half angles only, so that it is decided exactly (above, only the cost forbids it)."""
+ROOTS = 2
+"""Up to so many square roots in a row the way back, if it takes half angles only, is decided exactly (above, only the
+cost forbids it)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,13 +29,13 @@ class Expectation:
     result: tuple[Any, ...]
 
 
-def expectations(cayley: Cayley, ring: Callable[..., Any] = Ring) -> Iterator[Expectation]:
-    """Every rational function of the module of an order, on six symbols (and six more for a rate, twist or line).
+def expectations(chart: Chart, ring: Callable[..., Any] = Ring) -> Iterator[Expectation]:
+    """Every algebraic function of the module of a chart, on six symbols (and six more for a rate, twist or line).
 
     ``ring`` makes what stands for the symbols: the exact ring, or numbers in their place.
     """
-    yield from _quaternion(cayley, ring)
-    yield from _tensors(cayley, ring)
+    yield from _quaternion(chart, ring)
+    yield from _tensors(chart, ring)
 
 
 def _symbols(ring: Any, letter: str) -> tuple[Any, ...]:
@@ -44,7 +47,7 @@ def _dual(components: Sequence[Any]) -> Vector:
 
 
 def _lifted(ring: Any, expression: sympy.Expr, square: Dual) -> Dual:
-    """f(x) + eps x° f'(x) of a rational expression."""
+    """f(x) + eps x° f'(x) of an algebraic expression."""
     value, slope = (ring.lift(e, {x: square.re}) for e in (expression, expression.diff(x)))
     return Dual(value, square.du * slope)
 
@@ -55,28 +58,32 @@ def _isotropic(ring: Any, formula: Formula, v: Vector) -> Isotropic:
     return Isotropic(a, b, c, square)
 
 
-def _quaternion(cayley: Cayley, make: Callable[..., Any]) -> Iterator[Expectation]:
-    """(p + q v)/sⁿ with s² = 1 + x, in the ring that has s; and back, where no trigonometry is needed."""
-    ring = make(extra=("v4", "v5", "v6"), root=True)
+def _quaternion(chart: Chart, make: Callable[..., Any]) -> Iterator[Expectation]:
+    """s + w v; and back, where no trigonometry is needed."""
+    ring = make(extra=("v4", "v5", "v6"), root=root_of(chart.quaternion.coefficients))
     components = _symbols(ring, "v")
     v = _dual(components)
-    square = v.dot(v)
-    s = ring.square_root()
-    norm = Dual(s, square.du / (2 * s)) ** cayley.order
-    p, q = (_lifted(ring, e, square) for e in (cayley.p, cayley.q))
-    scalar, factor = p / norm, q / norm
-    quaternion = Quaternion(scalar, v * factor)
+    s, w = (_lifted(ring, coefficient, v.dot(v)) for coefficient in chart.quaternion.coefficients)
+    quaternion = Quaternion(s, v * w)
     flat = (*quaternion.re, *quaternion.du)
     yield Expectation("quaternion", (components,), flat)
-    if cayley.order in ROUND_TRIPS:
+    if _goes_back_by_roots(chart):
         yield Expectation("from_quaternion", (flat,), components)
 
 
-def _tensors(cayley: Cayley, make: Callable[..., Any]) -> Iterator[Expectation]:
-    ring = make(extra=("v4", "v5", "v6", *(f"w{i}" for i in range(1, 7))))
+def _goes_back_by_roots(chart: Chart) -> bool:
+    """Whether the way back takes a few square roots and no trigonometry."""
+    operations = scalar_programs(chart)["gain_unit"].operations
+    return not operations.keys() & {"tan", "atan2"} and operations["sqrt"] <= ROOTS
+
+
+def _tensors(chart: Chart, make: Callable[..., Any]) -> Iterator[Expectation]:
+    maps = (chart.tensor, chart.tangent, chart.tangent_inv)
+    root = root_of(coefficient for formula in maps for coefficient in formula.coefficients)
+    ring = make(extra=("v4", "v5", "v6", *(f"w{i}" for i in range(1, 7))), root=root)
     components, others = _symbols(ring, "v"), _symbols(ring, "w")
     v, w = _dual(components), _dual(others)
-    R, T, T_inv = (_isotropic(ring, f, v) for f in (cayley.tensor, cayley.tangent, cayley.tangent_inv))
+    R, T, T_inv = (_isotropic(ring, f, v) for f in maps)
     for name, operator in (("tensor", R), ("tangent", T), ("tangent_inv", T_inv)):
         tensor = operator.tensor(v)
         yield Expectation(name, (components,), (*tensor.re, *tensor.du))

@@ -14,12 +14,14 @@ from typing import Any
 
 import mpmath
 
-from ...maps import Cayley
+from ...algebra import Vector
+from ...maps.chart import Chart
 from ..signatures import FUNCTIONS
 from . import digits, exact
 from .maps_at import MAPS, MAX_BRANCHES, Flat, seeded_arguments
 from .screws import half_turns
-from .seeded import Point, nearby
+from .seeded import WIDE, Point, nearby
+from .vectors import Vectors
 
 SEED = 131
 SIDE = 3
@@ -36,31 +38,38 @@ class Samples:
     results: tuple[Flat, ...]
 
 
-def samples(chart: Cayley) -> list[Samples]:
+def samples(chart: Chart) -> list[Samples]:
     """Samples of every public function of the module of a chart, on all branches; exact ties among them."""
     draw = random.Random(SEED)
     with mpmath.workdps(digits.DIGITS):
-        vectors, others = list(_vectors(chart, draw)), [_drawn(draw, 2, 6) for _ in range(SIDE)]
-        return [*_rational(chart, vectors, others), *_inverse(chart, draw)]
+        at = Vectors(chart)
+        vectors, others = list(_vectors(at, draw)), [_drawn(draw, 2, 6) for _ in range(SIDE)]
+        return [*_algebraic(at, vectors, others), *_inverse(at, draw)]
 
 
-def far(chart: Cayley, size: Any) -> list[Samples]:
-    """The functions of a vector v, where Re|v| is that large; a second argument is as usual."""
+def far(chart: Chart, size: Any) -> list[Samples]:
+    """The functions of a vector v, where Re|v| is that large; a second argument is as usual.
+
+    None where the chart ends before.
+    """
     draw = random.Random(SEED)
     # the slope of a turn is a difference of terms that are Re|v|² as large
-    with mpmath.workdps(digits.DIGITS + 4 * int(mpmath.log10(size))):
+    with mpmath.workdps(digits.DIGITS + 2 * int(mpmath.log10(size))):
         v = (*(mpmath.mpf(size) * c for c in _drawn(draw, 1, 3)), *_drawn(draw, 1, 3))
-        near = _drawn(draw, 0.5 / chart.order, 6)
+        at = Vectors(chart)
+        if not at.reaches(Vector(*v[:3]).magnitude()):
+            return []
+        near = _drawn(draw, float(at.slope(0)), 6)
         given = {"to_screw": ((v,),), "principal": ((v,),), "compose": ((v,), (near,))}
-        inverse = [_at(chart, name, (), rows) for name, rows in given.items()]
-        inverse += [_at(chart, "shadow", (branch,), ((v,),)) for branch in _branches(chart)[1:2]]
-        return [*_rational(chart, [v], [_drawn(draw, 2, 6)]), *inverse]
+        inverse = [_at(at, name, (), rows) for name, rows in given.items()]
+        inverse += [_at(at, "shadow", (branch,), ((v,),)) for branch in _branches(at)[1:2]]
+        return [*_algebraic(at, [v], [_drawn(draw, 2, 6)]), *inverse]
 
 
-def _vectors(chart: Cayley, draw: random.Random) -> Iterator[Flat]:
+def _vectors(chart: Vectors, draw: random.Random) -> Iterator[Flat]:
     """Re|v| below the first pole of the inverse operator, beyond it, and no rotation at all."""
-    yield _drawn(draw, 1.5 / chart.order, 6)
-    yield _drawn(draw, 3 / chart.order, 6)
+    yield _drawn(draw, chart.component(WIDE * chart.slope(0), chart.first_pole), 6)
+    yield _drawn(draw, chart.component(2 * WIDE * chart.slope(0), chart.edge), 6)
     yield (mpmath.mpf(0),) * 3 + _drawn(draw, 2, 3)
 
 
@@ -68,12 +77,12 @@ def _drawn(draw: random.Random, size: float, count: int) -> Flat:
     return tuple(nearby(draw.uniform(-size, size)) for _ in range(count))
 
 
-def _rational(chart: Cayley, vectors: Sequence[Flat], others: Sequence[Flat]) -> Iterator[Samples]:
-    """Every rational function at all pairs; of a point only the first components of its row."""
+def _algebraic(chart: Vectors, vectors: Sequence[Flat], others: Sequence[Flat]) -> Iterator[Samples]:
+    """Every algebraic function at all pairs; of a point only the first components of its row."""
     rows: dict[str, list[Flat]] = {}
     for v, w in itertools.product(vectors, others):
         at = {f"{letter}{i}": c for letter, row in (("v", v), ("w", w)) for i, c in enumerate(row, 1)}
-        for case in exact.expectations(chart, _point(at)):
+        for case in exact.expectations(chart.chart, _point(at)):
             rows.setdefault(case.function, []).append(case.result)
     for name, results in rows.items():
         if name not in MAPS:
@@ -88,10 +97,10 @@ def _point(at: Mapping[str, Any]) -> Callable[..., Point]:
     return lambda **_: Point(at)
 
 
-def _inverse(chart: Cayley, draw: random.Random) -> Iterator[Samples]:
+def _inverse(chart: Vectors, draw: random.Random) -> Iterator[Samples]:
     """Inverse maps, screws, shadows and composition at seeded screws, and where sides are exactly tied."""
     given: dict[tuple[str, tuple[int, ...]], list[tuple[Flat, ...]]] = {}
-    for name, branch, arguments in seeded_arguments(chart.order, draw, nearby):
+    for name, branch, arguments in seeded_arguments(chart, draw, nearby):
         given.setdefault((name, () if branch is None else (branch,)), []).append(arguments)
     tied: dict[tuple[str, tuple[int, ...]], list[exact.Expectation]] = {}
     for case in _ties(chart, draw):
@@ -107,9 +116,9 @@ def _inverse(chart: Cayley, draw: random.Random) -> Iterator[Samples]:
             yield _joined(_at(chart, name, where, columns), tied.get((name, where), ()))
 
 
-def _at(chart: Cayley, name: str, branch: tuple[int, ...], arguments: tuple[tuple[Flat, ...], ...]) -> Samples:
+def _at(chart: Vectors, name: str, branch: tuple[int, ...], arguments: tuple[tuple[Flat, ...], ...]) -> Samples:
     index = branch[0] if branch else 0
-    results = (MAPS[name](chart.order, index, *row) for row in itertools.product(*arguments))
+    results = (MAPS[name](chart, index, *row) for row in itertools.product(*arguments))
     return Samples(name, branch, arguments, tuple(results))
 
 
@@ -118,12 +127,12 @@ def _joined(found: Samples, ties: Iterable[exact.Expectation]) -> Samples:
     return Samples(found.function, found.branch, (rows,), (*found.results, *(case.result for case in ties)))
 
 
-def _ties(chart: Cayley, draw: random.Random) -> Iterator[exact.Expectation]:
+def _ties(chart: Vectors, draw: random.Random) -> Iterator[exact.Expectation]:
     halves = list(half_turns(draw))
     for branch in _branches(chart):
-        yield from digits.at_half_turns(chart.order, halves, branch)
-    yield from digits.undecided(chart.order)
+        yield from digits.at_half_turns(chart, halves, branch)
+    yield from digits.undecided(chart)
 
 
-def _branches(chart: Cayley) -> range:
-    return range(min(chart.order, MAX_BRANCHES))
+def _branches(chart: Vectors) -> range:
+    return range(min(chart.chart.branches, MAX_BRANCHES))

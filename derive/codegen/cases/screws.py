@@ -74,11 +74,6 @@ def half_turns(source: random.Random) -> Iterator[Screw]:
         yield _screw(draw, +mpmath.pi, u)
 
 
-def finite(n: int, screw: Screw, branch: int, least: float) -> bool:
-    """Whether ``tan((α + 2kπ)/2n)`` is no pole, nor near one: its cosine is not below ``least``."""
-    return bool(abs(mpmath.cos((screw.angle.re + 2 * branch * mpmath.pi) / (2 * n))) > least)
-
-
 def _direction(draw: Draw, row: int) -> Vector:
     """A direction in which one component is largest, by so much that it makes its row the largest; any for row 0."""
     u = list(draw.vector(-0.5, 0.5))

@@ -19,15 +19,19 @@ from typing import Any
 import mpmath
 import sympy
 
-from ...maps import Cayley
+from ...maps.chart import Chart
 from ..signatures import FUNCTIONS
 from . import exact
 from .digits import DIGITS
 from .maps_at import MAPS, Flat, seeded_arguments
+from .vectors import Vectors
 
 SEED = 88
 POINTS = 5
 STEP = mpmath.mpf(2) ** -80
+WIDE = 3
+"""Largest component of v, by φ′(0)."""
+
 GRID = 2**18
 DUAL_SYMBOLS = ("v4", "v5", "v6", "w4", "w5", "w6")
 
@@ -43,12 +47,13 @@ class Case:
     scales: tuple[float, ...]
 
 
-def cases(cayley: Cayley) -> list[Case]:
-    """Cases of every function of the module of an order, in the order of their signatures."""
+def cases(chart: Chart) -> list[Case]:
+    """Cases of every function of the module of a chart, in the order of their signatures."""
     draw = random.Random(SEED)
     with mpmath.workdps(DIGITS):
-        found = [case for _ in range(POINTS) for case in _rational(cayley, draw)]
-        found += [_inverse(cayley.order, *given) for given in seeded_arguments(cayley.order, draw, nearby)]
+        vectors = Vectors(chart)
+        found = [case for _ in range(POINTS) for case in _algebraic(vectors, draw)]
+        found += [_inverse(vectors, *given) for given in seeded_arguments(vectors, draw, nearby)]
     names = list(FUNCTIONS)
     return sorted(found, key=lambda case: names.index(case.function))
 
@@ -68,18 +73,14 @@ class Point:
         return self.values[name]
 
     def lift(self, expression: sympy.Expr, values: Mapping[sympy.Symbol, Any]) -> Any:
-        """A rational expression evaluated exactly, then rounded to the working precision."""
-        value = _evaluated(expression, tuple((symbol, _fraction(value)) for symbol, value in values.items()))
-        return mpmath.mpf(int(value.p)) / int(value.q)
-
-    def square_root(self) -> Any:
-        """sqrt(1 + x)."""
-        return mpmath.sqrt(1 + sum(self.values[f"v{i}"] ** 2 for i in (1, 2, 3)))
+        """An algebraic expression at exact numbers, rounded to the working precision."""
+        exact = tuple((symbol, _fraction(value)) for symbol, value in values.items())
+        return mpmath.mpf(_evaluated(expression, exact, mpmath.mp.dps + 5))
 
 
 @lru_cache(maxsize=256)  # points differ in other components more often than in x
-def _evaluated(expression: sympy.Expr, values: tuple[tuple[sympy.Symbol, Fraction], ...]) -> sympy.Rational:
-    return expression.xreplace({symbol: sympy.Rational(value) for symbol, value in values})
+def _evaluated(expression: sympy.Expr, values: tuple[tuple[sympy.Symbol, Fraction], ...], digits: int) -> sympy.Float:
+    return expression.xreplace({symbol: sympy.Rational(value) for symbol, value in values}).evalf(digits)
 
 
 def _fraction(value: Any) -> Fraction:
@@ -88,14 +89,14 @@ def _fraction(value: Any) -> Fraction:
     return -magnitude if sign else magnitude
 
 
-def _rational(cayley: Cayley, draw: random.Random) -> Iterator[Case]:
-    """Every rational function at one point, Re|v| below the first pole of the inverse operator."""
-    size = 1.5 / cayley.order
+def _algebraic(chart: Vectors, draw: random.Random) -> Iterator[Case]:
+    """Every algebraic function at one point, Re|v| well below the first pole of the inverse operator."""
+    size = chart.component(WIDE * chart.slope(0), chart.first_pole)
     values = {f"v{i}": nearby(draw.uniform(-size, size)) for i in range(1, 7)}
     values |= {f"w{i}": nearby(draw.uniform(-2, 2)) for i in range(1, 7)}
 
     def results(at: Mapping[str, Any]) -> list[exact.Expectation]:
-        found = exact.expectations(cayley, lambda **symbols: Point(at))
+        found = exact.expectations(chart.chart, lambda **symbols: Point(at))
         return [case for case in found if case.function not in MAPS]
 
     moved = [results(values | {name: values[name] * (1 + STEP)}) for name in DUAL_SYMBOLS]
@@ -103,14 +104,14 @@ def _rational(cayley: Cayley, draw: random.Random) -> Iterator[Case]:
         yield _case(case.function, None, case.arguments, case.result, [step[index].result for step in moved])
 
 
-def _inverse(n: int, function: str, branch: int | None, arguments: Sequence[Flat]) -> Case:
+def _inverse(chart: Vectors, function: str, branch: int | None, arguments: Sequence[Flat]) -> Case:
     evaluate = MAPS[function]
     moved = []
     for i, argument in enumerate(arguments):
         for j, component in enumerate(argument):
             stepped = (*argument[:j], component * (1 + STEP), *argument[j + 1 :])
-            moved.append(evaluate(n, branch or 0, *arguments[:i], stepped, *arguments[i + 1 :]))
-    return _case(function, branch, arguments, evaluate(n, branch or 0, *arguments), moved)
+            moved.append(evaluate(chart, branch or 0, *arguments[:i], stepped, *arguments[i + 1 :]))
+    return _case(function, branch, arguments, evaluate(chart, branch or 0, *arguments), moved)
 
 
 def _case(

@@ -8,7 +8,8 @@ python     the interface that the Python targets share
 numpy      NumPy: plain Python, and calls with ``out``
 array_api  the arrays of any library
 numba      compiled loops of few outputs
-c          C99 headers
+c99        programs as C functions
+c          headers for C and C++
 ========== =====================================================================
 """
 

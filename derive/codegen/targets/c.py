@@ -20,7 +20,7 @@ from ..facts import Facts, comment, numbers, theorem_lines
 from ..lowered import Lowered, geometry
 from ..lowering.scalars import table_names
 from ..programs.program import Program
-from ..signatures import PUBLIC, Array, Function
+from ..signatures import PUBLIC, Array, Function, aliases
 from ..validation import c_text, compiled
 from . import c99
 from .target import Data, require_functions
@@ -58,7 +58,7 @@ def interface(row: Function) -> Interface:
     """The forms of a row of the table."""
     given, made = ([_named(array) for array in arrays] for arrays in (row.arguments, row.results))
     branch = ["int branch"] if row.branch else []
-    table = row.constants or _components(geometry()[row.kernel], c99.TABLE)
+    table = [*map(_number, row.constants)] or _components(geometry()[row.kernel], c99.TABLE)
     plain = [f"const {c99.REAL} {a.name}[{a.size}]" for a in given], [f"{c99.REAL} {a.name}[{a.size}]" for a in made]
     rows = (
         [f"const {c99.REAL} *{a.name}, size_t {a.name}_stride" for a in given],
@@ -78,6 +78,10 @@ def interface(row: Function) -> Interface:
 
 def _named(array: Array) -> Array:
     return array.called(NAMES.get(array.name, array.name))
+
+
+def _number(decimal: str) -> str:
+    return f"DUALCAY_NUMBER({decimal})" if "." in decimal else decimal
 
 
 def _components(program: Program, argument: str) -> tuple[str, ...]:
@@ -106,7 +110,7 @@ class C:
     extension = "h"
     entry = "dualcay.h"
     comment = "//"
-    unproved = "rounding errors and what compilers make of it: both are tested, against exact results"
+    unproved = "rounding errors; the compiler, which is tested; code for other compilers or types behind #if"
 
     def shared(self) -> Mapping[str, Data]:
         return {
@@ -127,11 +131,13 @@ class C:
         scalars = [*lowered.scalars.values(), *([] if chart.returns() else [NEVER_BEYOND])]
         return {
             "name": chart.name,
+            "macro": f"DUALCAY_{chart.name.upper()}",
+            "order": chart.order,
             "branches": chart.branches,
             "domain": facts.domain,
             "singular": facts.singular,
             "singular_angles": facts.singular_angles,
-            "aliases": {alias: name for name, row in PUBLIC.items() for alias in row.aliases},
+            "aliases": aliases(chart),
             "levels": levels(lowered),
             "scalars": [(level(program), c99.scalar(program, table)) for program in scalars],
             "own": [(level(program), c99.core(program, table)) for program in lowered.own.values()],

@@ -13,7 +13,7 @@ from ...maps.cayley import EQUATIONS
 from ...maps.chart import DEFINITIONS, Chart
 from ..facts import Facts, comment, numbers, theorem_lines
 from ..programs.program import Program, summary
-from ..signatures import FUNCTIONS, KERNELS, PUBLIC
+from ..signatures import FUNCTIONS, KERNELS, PUBLIC, aliases
 from ..validation import NUMPY, Library, Machinery, replay, validate
 from .expression import WIDTH
 from .target import Data, require_functions
@@ -86,7 +86,7 @@ def interface(words: Words) -> Data:
 def described(facts: Facts) -> dict[str, Any]:
     """What every Python module says of its chart."""
     chart = facts.chart
-    exported = {alias: name for name, row in PUBLIC.items() for alias in (name, *row.aliases)}
+    exported = aliases(chart) | {name: name for name in PUBLIC}
     return {
         "title": chart.title,
         "parameter": chart.parameter,
@@ -95,6 +95,8 @@ def described(facts: Facts) -> dict[str, Any]:
         "domain": facts.domain,
         "singular": facts.singular,
         "singular_angles": facts.singular_angles,
+        "order": chart.order,
+        "overflow": facts.overflow,
         "largest": facts.largest,
         "turns": facts.turns,
         "returns": facts.returns,

@@ -11,18 +11,18 @@ from typing import Any
 import mpmath
 import sympy
 
-from ...maps import Cayley
+from ...maps.chart import Chart
 from ..cases import Batch, batches, digits
 from ..cases.batches import Agree, same
 from ..cases.digits import Decimal
-from ..signatures import FUNCTIONS, PUBLIC
+from ..signatures import FUNCTIONS, aliases
 from .c_calls import Flat, Kernel
 from .c_interpreter import UNSET, CError, Pointer, Unit, load
 from .run import ValidationFailed
 
 SEED = 1863
 
-def validate(folder: Path, chart: Cayley) -> int:
+def validate(folder: Path, chart: Chart) -> int:
     """Interpret the header of a chart; return how many calls equal the formula.
 
     Both forms are called: the rational functions on symbols, the others on numbers of 50 digits. On such numbers
@@ -45,7 +45,7 @@ def validate(folder: Path, chart: Cayley) -> int:
     return calls
 
 
-def check(unit: Unit, chart: Cayley, given: Sequence[Batch]) -> int:
+def check(unit: Unit, chart: Chart, given: Sequence[Batch]) -> int:
     """Compare all forms of the functions with what they must return; how many calls that takes."""
     with mpmath.workdps(digits.DIGITS):
         return sum(_values(_kernel(unit, chart, batch), batch) for batch in given) + sum(
@@ -53,11 +53,11 @@ def check(unit: Unit, chart: Cayley, given: Sequence[Batch]) -> int:
         )
 
 
-def _prefix(chart: Cayley) -> str:
+def _prefix(chart: Chart) -> str:
     return f"dualcay_{chart.name}_"
 
 
-def _kernel(unit: Unit, chart: Cayley, batch: Batch) -> Kernel:
+def _kernel(unit: Unit, chart: Chart, batch: Batch) -> Kernel:
     """The function of a batch, with its branch; branch 0 where none is given."""
     default = (0,) if FUNCTIONS[batch.function].branch else ()
     return Kernel(unit, _prefix(chart), batch.function, batch.branch or default)
@@ -72,7 +72,7 @@ def _values(kernel: Kernel, batch: Batch) -> int:
     return len(batch.cases) + 1
 
 
-def _layouts(kernel: Kernel, chart: Cayley, rows: Sequence[tuple[Flat, ...]]) -> int:
+def _layouts(kernel: Kernel, chart: Chart, rows: Sequence[tuple[Flat, ...]]) -> int:
     """Lay results over arguments, and choose branches by other integers: not a bit of the plain result may change."""
     expected = [kernel.plain(arguments) for arguments in rows]
     room = sum(array.size for array in (*kernel.signature.arguments, *kernel.signature.results))
@@ -112,14 +112,14 @@ def _drawn(draw: random.Random, size: int) -> Flat:
     return tuple(Decimal(mpmath.mpf(draw.uniform(-0.5, 0.5))) for _ in range(size))
 
 
-def _constants(unit: Unit, chart: Cayley) -> None:
+def _constants(unit: Unit, chart: Chart) -> None:
     """What the macros of the header stand for, and the singular angles."""
     ratios = [angle / sympy.pi for angle in chart.singular_angles]
     prefix = _prefix(chart)
     macro = prefix.upper()
-    expected = {f"{macro}ORDER": str(chart.branches), f"{macro}SINGULAR_ANGLES": str(len(ratios))}
-    aliases = [(alias, name) for name, row in PUBLIC.items() for alias in row.aliases]
-    expected |= {f"{prefix}{a}{form}": f"{prefix}{b}{form}" for a, b in aliases for form in ("", "_rows")}
+    expected = {f"{macro}ORDER": str(chart.order), f"{macro}SINGULAR_ANGLES": str(len(ratios))}
+    named = aliases(chart).items()
+    expected |= {f"{prefix}{a}{form}": f"{prefix}{b}{form}" for a, b in named for form in ("", "_rows")}
     for name, text in expected.items():
         if unit.source.expand(name) != text:
             raise ValidationFailed(f"{name} is {unit.source.expand(name)}, not {text}")

@@ -9,7 +9,7 @@ from typing import Any
 import mpmath
 import numpy as np
 
-from ...maps import Cayley
+from ...maps.chart import Chart
 from .. import signatures
 from ..cases import Samples
 from ..cases.digits import DIGITS
@@ -50,7 +50,7 @@ class Known:
 class Analysis:
     """Rounding in the functions of a chart, for some types of numbers."""
 
-    def __init__(self, chart: Cayley, lowered: Lowered, dtypes: Sequence[np.dtype[Any]]) -> None:
+    def __init__(self, chart: Chart, lowered: Lowered, dtypes: Sequence[np.dtype[Any]]) -> None:
         self.chart = chart
         self.lowered = lowered
         self.programs = {**geometry(), **lowered.own}

@@ -8,6 +8,7 @@ within what rounding may do (see ``rounding``). Kernels of any Python target are
 from __future__ import annotations
 
 import importlib
+import math
 import warnings
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, nullcontext
@@ -18,7 +19,7 @@ from typing import Any
 import mpmath
 import numpy as np
 
-from ...maps import Cayley
+from ...maps.chart import Chart
 from ..cases import far, samples
 from ..lowered import lower_chart
 from . import ways
@@ -58,7 +59,7 @@ class Machinery:
 
 def replay(
     folder: Path,
-    chart: Cayley,
+    chart: Chart,
     machinery: Machinery,
     libraries: Sequence[Library] = (NUMPY,),
     *,
@@ -70,7 +71,7 @@ def replay(
     ----------
     folder : Path
         The package.
-    chart : Cayley
+    chart : Chart
     machinery : Machinery
     libraries : sequence of Library
         Whose arrays are given.
@@ -102,7 +103,7 @@ def replay(
     return sum(caller.count for caller in callers)
 
 
-def _every_function(caller: Caller, found: Sequence[Known], chart: Cayley, few: int) -> None:
+def _every_function(caller: Caller, found: Sequence[Known], chart: Chart, few: int) -> None:
     """Single poses, few, and many in several blocks; components last and first; under every name and branch."""
     for known in found:
         for dtype in caller.library.dtypes:
@@ -113,20 +114,21 @@ def _every_function(caller: Caller, found: Sequence[Known], chart: Cayley, few: 
                 for count in (few // 2, few + BLOCK):
                     caller.check(Call(known, several(known, count), dtype, axis))
         first = Call(known, several(known, 1), caller.library.dtypes[0])
-        for name in known.row.aliases:
+        for name in known.row.aliases if chart.cayley else ():
             caller.check(replace(first, name=name))
         for turns in (-1, 2) if known.branch else ():
             caller.check(replace(first, branch=(known.branch[0] + turns * chart.branches,)))
 
 
-def _overflow(caller: Caller, chart: Cayley, analysis: Analysis, few: int) -> None:
-    """Where (1 + x)ⁿ overflows, in another type where x does, results are right or not finite.
+def _overflow(caller: Caller, chart: Chart, analysis: Analysis, few: int) -> None:
+    """Where forward maps overflow, in another type where x does, results are right or not finite.
 
     The widest type is left out: bounds overflow with it.
     """
     dtypes = (dtype for dtype in caller.library.dtypes if dtype != np.longdouble)
-    for dtype, power in zip(dtypes, (chart.branches, 1), strict=False):
-        size = BEYOND * mpmath.mpf(2) ** (mpmath.mpf(int(np.finfo(dtype).maxexp)) / (2 * power))
+    for dtype, everywhere in zip(dtypes, (False, True), strict=False):
+        largest = float(np.finfo(dtype).max)
+        size = BEYOND * mpmath.mpf(math.sqrt(largest) if everywhere else chart.overflow(largest)[1])
         for known in map(analysis.known, far(chart, size)):
             for picks in (alone(known, 0), several(known, few + BLOCK)):
                 call = Call(known, picks, dtype)
@@ -134,11 +136,11 @@ def _overflow(caller: Caller, chart: Cayley, analysis: Analysis, few: int) -> No
 
 
 def _ways(
-    caller: Caller, found: Sequence[Known], chart: Cayley, machinery: Machinery, few: int, all_ways: bool
+    caller: Caller, found: Sequence[Known], chart: Chart, machinery: Machinery, few: int, all_ways: bool
 ) -> None:
     """What the run-time parts do, on a function of each kind; or on one, which the chart decides, in one type."""
     kinds, dtypes = ways.kinds(found), caller.library.dtypes
-    sample = chart.order % len(kinds)
+    sample = chart.branches % len(kinds)
     for known in kinds if all_ways else [kinds[sample]]:
         for dtype in dtypes if all_ways else [dtypes[sample % len(dtypes)]]:
             ways.broadcasting(caller, known, dtype, few)

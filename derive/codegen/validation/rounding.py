@@ -120,7 +120,7 @@ class Rounding:
     def operation(self, name: str) -> Callable[..., Any]:
         """What an operation of a program does to balls."""
         logic: Mapping[str, Callable[..., Any]] = {"and": np.logical_and, "or": np.logical_or}
-        return logic.get(name) or getattr(self, name)
+        return logic[name] if name in logic else getattr(self, name)
 
     def run(
         self, program: Program, scalars: Mapping[str, Program], given: Sequence[Ball], table: Sequence[Ball] = ()

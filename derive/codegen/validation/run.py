@@ -15,7 +15,7 @@ from typing import Any, TypeAlias
 import mpmath
 import numpy as np
 
-from ...maps import Cayley
+from ...maps.chart import Chart
 from ..cases import Batch, batches
 from ..cases.digits import DIGITS
 from ..cases.exact import Expectation
@@ -30,7 +30,7 @@ class ValidationFailed(Exception):
     """An emitted kernel does not compute its formula."""
 
 
-def validate(folder: Path, chart: Cayley) -> int:
+def validate(folder: Path, chart: Chart) -> int:
     """Check the module of a chart in a folder; return how many function calls were compared.
 
     Raises

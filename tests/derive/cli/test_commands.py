@@ -192,6 +192,7 @@ def test_a_process_ends_with_the_code_and_keeps_its_streams_apart():
 def test_an_interrupted_process_says_so_without_a_traceback():
     code = (
         "import os, signal, sys\n"
+        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"  # which jobs in the background are started without
         "from derive.cli import commands\n"
         "commands.Cayley = lambda order: os.kill(os.getpid(), signal.SIGINT)\n"
         "sys.exit(commands.run())"

@@ -85,6 +85,8 @@ def test_numbers_may_be_elements_of_a_ring():
         ("&a == &b ? a : b", "numbers are expected"),
         ("*a", "a pointer is expected"),
         ("a[0]", "is not read here"),
+        ("(void)a", "void"),
+        ("((void)a, b)", None),
         ("(a = 1, b)", None),
     ],
 )

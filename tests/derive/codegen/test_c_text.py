@@ -3,24 +3,26 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from functools import cache
 
 import mpmath
 import pytest
-from derive.codegen.validation.digits import DIGITS
-from support.c_mutants import Excerpts, sample
 
-from derive.codegen import ValidationFailed, build, files
-from derive.codegen.signatures import SIGNATURES
+from derive.codegen import ValidationFailed, build, cases
+from derive.codegen.cases.digits import DIGITS
+from derive.codegen.signatures import PUBLIC
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation import c_text
 from derive.codegen.validation.c_interpreter import CError, load
 from derive.maps import Cayley
+from derive.output import files
+from tests.support.c_mutants import Excerpts, sample
 
 C = TARGETS["c"]
 ORDERS = (3, 4)
 PREFIX = "dualcay_cayley3_"
-ROOTS = {name: (PREFIX + name, f"{PREFIX}{name}_rows") for name in SIGNATURES}
+ROOTS = {name: (PREFIX + name, f"{PREFIX}{name}_rows") for name in PUBLIC}
 
 EQUIVALENT = {
     r"\(z32 < 0\) & \(z33 < 0\)": "where e0 = e1 = e2 = 0 the last row has been taken, and its e3 is positive",
@@ -46,7 +48,7 @@ def excerpts(folder):
 
 @cache
 def batches(order):
-    return c_text.batches(Cayley(order))
+    return cases.batches(Cayley(order))
 
 
 def survives(text, kernels, keep=lambda function, arguments: True):
@@ -55,8 +57,8 @@ def survives(text, kernels, keep=lambda function, arguments: True):
     for batch in batches(3):
         with mpmath.workdps(DIGITS):
             cases = tuple(case for case in batch.cases if batch.exact or keep(case.function, numbers(case)))
-        if cases and batch.function.split()[0] in kernels:
-            chosen.append(c_text.Batch(batch.function, cases, batch.exact))
+        if cases and batch.function in kernels:
+            chosen.append(replace(batch, cases=cases))
     assert chosen
     try:
         return c_text.check(load(text), Cayley(3), chosen) > 0
@@ -86,7 +88,7 @@ def test_every_condition_of_the_text_takes_both_values(folder, order):
 def test_changed_text_fails(excerpts):
     """Signs, coefficients, components, indices, strides, orders of results: at least 60 changes, all caught."""
     needed = {name: set().union(*map(excerpts.needed, roots)) for name, roots in ROOTS.items()}
-    kernels = {f: [name for name in SIGNATURES if f in needed[name]][:3] for f in excerpts.functions}
+    kernels = {f: [name for name in PUBLIC if f in needed[name]][:3] for f in excerpts.functions}
     every = [
         mutant
         for function, names in kernels.items()
@@ -108,19 +110,17 @@ def test_changed_text_fails(excerpts):
         (r"angles\[0\] = 2 \* pi", "angles[0] = 3 * pi", "singular_angles, component 0"),
         (r"return DUALCAY_CAYLEY3_SINGULAR_ANGLES", "return 3", "singular_angles does not return 2"),
         (r"3\.14159265358979323846", "3.14159265358979323847", "singular_angles, component 0"),
-        (r"const dualcay_real h = 16 \* s;", "const dualcay_real h = 33 / 2 * s;", r"cayley3\.h:\d+: an integer div"),
-        (r"const dualcay_real h = 16 \* s;", "const float h = 16 * s;", "the type float is not read here"),
+        (r"const dualcay_real h = 16 \* r;", "const dualcay_real h = 33 / 2 * s;", r"cayley3\.h:\d+: an integer div"),
+        (r"const dualcay_real h = 16 \* r;", "const float h = 16 * r;", "the type float is not read here"),
         (r"(?=\n#endif\n*\Z)", "\nDUALCAY_CORE int dualcay_cayley3_new(void) { return 1; }\n", "nothing calls .*_new"),
-        (r"void dualcay_cayley3_pose\(", "void dualcay_cayley3_posed(", "there is no function dualcay_cayley3_pose"),
+        (r"void DUALCAY_NAME\(pose\)\(", "void DUALCAY_NAME(posed)(", "there is no function dualcay_cayley3_pose"),
         (r'#include "dualcay.h"', '#include "dualkay.h"', r"dualkay\.h is neither in the folder"),
     ],
 )
 def test_what_is_wrong_is_named(folder, tmp_path, pattern, replacement, message):
-    for name in ("cayley3.h", "dualcay.h"):
-        (tmp_path / name).write_text((folder / name).read_text())
-    text, count = re.subn(pattern, replacement, (folder / "cayley3.h").read_text(), count=1)
-    assert count == 1
-    (tmp_path / "cayley3.h").write_text(text)
+    texts = {name: (folder / name).read_text() for name in ("cayley3.h", "geometry.h", "dualcay.h")}
+    changed = next(name for name, text in texts.items() if re.search(pattern, text))
+    files.write(tmp_path, texts | {changed: re.sub(pattern, replacement, texts[changed], count=1)})
     with pytest.raises(ValidationFailed, match=f"cayley3.h: .*{message}"):
         c_text.validate(tmp_path, Cayley(3))
 
@@ -164,7 +164,7 @@ def not_negative(function, arguments):
     return not function.startswith("from_quaternion") or arguments[0][0] > 0
 
 
-def not_from_quaternion_at_half_turn(function, arguments):
+def not_at_half_turn(function, arguments):
     return not function.startswith("from_quaternion") or arguments[0][0] != 0
 
 
@@ -190,30 +190,30 @@ def not_a_translation(function, arguments):
 
 
 @pytest.mark.parametrize(
-    ("kernel", "old", "new", "without"),
+    ("kernel", "function", "old", "new", "without"),
     [
-        ("from_pose", "z11 = larger1 ? t1 : a1", "z11 = larger1 ? t1 : a2", not_row(0)),
-        ("from_pose", "z12 = larger1 ? s12 : a2", "z12 = larger1 ? s13 : a2", not_row(1)),
-        ("from_pose", "z23 = larger2 ? s23 : z13", "z23 = larger2 ? s13 : z13", not_row(2)),
-        ("from_pose", "z31 = larger3 ? s13 : z21", "z31 = larger3 ? s23 : z21", not_row(3)),
-        ("from_pose", "(z30 < 0) | ", "(z30 > 4) | ", not_backwards),
-        ("from_pose", "(z31 < 0) | ((z31 == 0)", "(z31 > 0) | ((z31 == 0)", not_half_turn),
-        ("from_pose", "best1 = larger1 ? t1 : t0", "best1 = t0", not_steep(growing=True)),
-        ("from_pose", "larger1 = t0 < t1", "larger1 = t0 < t2", not_steep(growing=False)),
-        ("from_quaternion", "(negative ? -1 :", "(negative ? 1 :", not_negative),
-        ("from_quaternion", "negative = e0 < 0", "negative = e0 <= 0", not_from_quaternion_at_half_turn),
-        ("to_screw", "(y < 0)) ? -1", "(y < 0)) ? 1", not_on_branch),
-        ("to_screw", "pneg ? -p : p", "p", not_on_branch),
-        ("to_screw", "(q == 0) & (y < 0)", "(q == 0) & (y > 0)", not_undecided),
-        ("shadow", "(q == 0) & (y < 0)", "(q == 0) & (y > 0)", not_undecided),
-        ("shadow", "ro = still ? length", "ro = still ? -length", not_a_translation),
-        ("principal", "0.3333333333333333333333333333", "0.3333333333333333333333333334", not_near_a_tie),
-        ("compose", "still = ss == 0", "still = ss < 0", not_two_translations),
+        ("from_pose", "from_pose_core", "z11 = larger1 ? t1 : a1", "z11 = larger1 ? t1 : a2", not_row(0)),
+        ("from_pose", "from_pose_core", "z12 = larger1 ? s12 : a2", "z12 = larger1 ? s13 : a2", not_row(1)),
+        ("from_pose", "from_pose_core", "z23 = larger2 ? s23 : z13", "z23 = larger2 ? s13 : z13", not_row(2)),
+        ("from_pose", "from_pose_core", "z31 = larger3 ? s13 : z21", "z31 = larger3 ? s23 : z21", not_row(3)),
+        ("from_pose", "from_pose_core", "(z30 < 0) | ", "(z30 > 4) | ", not_backwards),
+        ("from_pose", "from_pose_core", "(z31 < 0) | ((z31 == 0)", "(z31 > 0) | ((z31 == 0)", not_half_turn),
+        ("from_pose", "from_pose_core", "best1 = larger1 ? t1 : t0", "best1 = t0", not_steep(growing=True)),
+        ("from_pose", "from_pose_core", "larger1 = t0 < t1", "larger1 = t0 < t2", not_steep(growing=False)),
+        ("from_quaternion", "gain_unit_scalars", "(negative ? -1 :", "(negative ? 1 :", not_negative),
+        ("from_quaternion", "gain_unit_scalars", "negative = e0 < 0", "negative = e0 <= 0", not_at_half_turn),
+        ("to_screw", "natural_scalars", "(y < 0)) ? -1", "(y < 0)) ? 1", not_on_branch),
+        ("to_screw", "natural_scalars", "pneg ? -p : p", "p", not_on_branch),
+        ("to_screw", "natural_scalars", "(q == 0) & (y < 0)", "(q == 0) & (y > 0)", not_undecided),
+        ("shadow", "direction_scalars", "(q == 0) & (y < 0)", "(q == 0) & (y > 0)", not_undecided),
+        ("shadow", "shadow_core", "ro = still ? length", "ro = still ? -length", not_a_translation),
+        ("principal", "beyond_scalars", f"0.{28 * '3'}", f"0.{27 * '3'}4", not_near_a_tie),
+        ("compose", "gain_product_scalars", "still = ss == 0", "still = ss < 0", not_two_translations),
     ],
 )
-def test_each_kind_of_case_is_needed(excerpts, kernel, old, new, without):
+def test_each_kind_of_case_is_needed(excerpts, kernel, function, old, new, without):
     """A change is caught, and no longer when the cases of one kind are left out: no other kind would see it."""
-    text = excerpts.replaced(f"{PREFIX}{kernel}_core", ROOTS[kernel], old, new)
+    text = excerpts.replaced(PREFIX + function, ROOTS[kernel], old, new)
     assert not survives(text, [kernel])
     assert survives(text, [kernel], keep=without)
 

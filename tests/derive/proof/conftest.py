@@ -40,6 +40,14 @@ class StatedCayley:
         maps = {name: Stated(tuple(getattr(cayley, name).coefficients)) for name in names}
         return cls(n, cayley.p, cayley.q, cayley.c, cayley.d, **maps)
 
+    @property
+    def cayley(self) -> StatedCayley:
+        return self
+
+    def __getattr__(self, name: str) -> Any:
+        """What it is as a chart, by which nothing is changed."""
+        return getattr(Cayley(self.order), name)
+
     def with_map(self, name: str, coefficients: tuple[sympy.Expr, ...]) -> StatedCayley:
         changed: dict[str, Any] = {name: Stated(coefficients)}
         return replace(self, **changed)

@@ -10,7 +10,7 @@ from derive.maps import Cayley
 from derive.proof.at_order import instances
 from derive.proof.components import Components
 from derive.proof.computations import Computed, computations
-from derive.proof.controls import controls_at
+from derive.proof.controls import controls_at, controls_of
 from derive.proof.identity import Multiplier
 
 
@@ -70,7 +70,7 @@ def test_another_order_is_noticed(stated: Callable[[int], Any]) -> None:
 
 @pytest.mark.parametrize("n", [2, 3])
 def test_every_control_is_noticed(n: int) -> None:
-    found = [*controls_at(Cayley(n))]
+    found = [*controls_at(Cayley(n)), *controls_of(Cayley(n))]
     assert len(found) > 40
     assert [str(control) for control in found if not control.noticed] == []
 

@@ -24,6 +24,7 @@ def test_prove_gives_the_cayley_map_and_its_proofs() -> None:
         "theorems for all n",
         "n = 3: formulas as in the theorems",
         "n = 3: componentwise from the definition",
+        "cayley3: what is lowered",
     ]
 
 

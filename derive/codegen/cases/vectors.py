@@ -1,0 +1,179 @@
+"""The vectors of a chart at given numbers, from φ alone: natural invariants of a pose, and branches of its angle.
+
+No scalar of the chart is used, nor its way back: what they compute has to agree with this.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import mpmath
+import sympy
+
+from ...algebra import Dual, Quaternion, Tensor, Vector, real_part
+from ...algebra.functions import atan2
+from ...maps.chart import Chart
+from ...maps.families import alpha, evaluate
+from ...maps.inverse import polar
+from ...maps.pose import Screw, natural_invariants, quaternion_from_screw
+from ...maps.sign_tests import is_zero, orientation
+
+SHORT = 0.9
+"""Of an angle: what vectors drawn at random may reach of it."""
+
+
+@dataclass(frozen=True)
+class Vectors:
+    """v_k = φ(α + 2πk) u of a chart, in the working precision of mpmath."""
+
+    chart: Chart
+
+    @cached_property
+    def edge(self) -> Any:
+        """Re α beyond which there is no v."""
+        edge = self.chart.edge
+        return mpmath.inf if edge.is_infinite else mpmath.mpf(edge.evalf(mpmath.mp.dps + 5))
+
+    @cached_property
+    def first_pole(self) -> Any:
+        """The least Re α > 0 where v, T or its inverse is singular."""
+        return mpmath.mpf(self.chart.singular_angles[0].evalf(mpmath.mp.dps + 5))
+
+    @cached_property
+    def _slope(self) -> sympy.Expr:
+        return self.chart.phi.diff(alpha)
+
+    @cached_property
+    def _roots(self) -> dict[tuple[int, Any], Any]:
+        """Angles that have been found, by precision and length."""
+        return {}
+
+    def size(self, angle: Any) -> Any:
+        """φ of a real or dual angle."""
+        return evaluate(self.chart.phi, alpha, angle)
+
+    def slope(self, angle: Any) -> Any:
+        """φ′ of a real angle."""
+        return evaluate(self._slope, alpha, angle)
+
+    def angle(self, size: Any) -> Any:
+        """φ⁻¹ of a length, real or dual: α ≥ 0.
+
+        Raises
+        ------
+        ArithmeticError
+            If no angle before the edge has this length.
+        """
+        length = real_part(size)
+        at = mpmath.mp.prec, length
+        if at not in self._roots:  # far vectors take hundreds of steps
+            self._roots[at] = self._root(length)
+        root = self._roots[at]
+        return Dual(root, size.du / self.slope(root)) if isinstance(size, Dual) else root
+
+    def _root(self, size: Any) -> Any:
+        """Newton's method between bounds: where it leaves them, or the first guess is beyond, they are halved."""
+        low, high = mpmath.mpf(0), self._beyond(size)
+        guess = min(size / self.slope(low), high / 2)
+        for _ in range(4 * mpmath.mp.prec):
+            miss = self.size(guess) - size
+            low, high = (low, guess) if miss > 0 else (guess, high)
+            better = guess - miss / self.slope(guess)
+            if not low <= better <= high:
+                better = (low + high) / 2
+            guess, step = better, abs(better - guess)
+            if step <= 4 * mpmath.eps * better:
+                break
+        if abs(self.size(guess) - size) <= mpmath.sqrt(mpmath.eps) * size:
+            return guess
+        raise ArithmeticError(f"no angle below {self.chart.edge} has |v| = {mpmath.nstr(size)} in {self.chart.name}")
+
+    def _beyond(self, size: Any) -> Any:
+        """The edge; where there is none, an angle with a greater φ."""
+        high = 2 * mpmath.pi if mpmath.isinf(self.edge) else self.edge
+        while mpmath.isinf(self.edge) and self.size(high) <= size:
+            high = 2 * high
+        return high
+
+    def reaches(self, size: Any) -> bool:
+        """Whether there is a vector of this length."""
+        try:
+            self.angle(size)
+        except ArithmeticError:
+            return False
+        return True
+
+    def component(self, most: Any, angle: Any) -> float:
+        """The largest component of vectors drawn at random: this, or less where they would come near an angle."""
+        return float(most if mpmath.isinf(angle) else min(most, self.size(SHORT * angle) / mpmath.sqrt(3)))
+
+    # --- from natural invariants --------------------------------------------------------------------------------
+
+    def at(self, screw: Screw, branch: int = 0) -> Vector:
+        """``φ(α + 2πk) u``."""
+        v: Vector = screw.axis * self.size(self._turned(screw, branch))
+        return v
+
+    def finite(self, screw: Screw, branch: int, least: float) -> bool:
+        """Whether that is a vector and not near the edge: sin(π/2) of what is left of it is above ``least``."""
+        share = self._turned(screw, branch).re / self.edge
+        return bool(abs(share) < 1 and mpmath.cospi(share / 2) > least)
+
+    def _turned(self, screw: Screw, branch: int) -> Dual:
+        """α + 2πk, branches taken modulo their number so that it is nearest to 0."""
+        count = self.chart.branches
+        nearest = mpmath.nint((screw.angle.re / (2 * mpmath.pi) + branch) / count)
+        angle: Dual = screw.angle + 2 * mpmath.pi * (branch - count * int(nearest))
+        return angle
+
+    def of_quaternion(self, q: Quaternion, branch: int = 0) -> Vector:
+        """v of one branch; scalar part >= 0 is taken, and where it is 0, the given vector part stands."""
+        q = q * (1 if is_zero(real_part(q.scalar)) else orientation(real_part(q.scalar)))
+        length, u = polar(q.vector)
+        return self.at(Screw(2 * atan2(length, q.scalar), u), branch)
+
+    def of_tensor(self, R: Tensor, branch: int = 0) -> Vector:
+        """v of one branch of an orthogonal dual tensor."""
+        return self.at(natural_invariants(R), branch)
+
+    # --- back to them -------------------------------------------------------------------------------------------
+
+    def screw(self, v: Vector) -> tuple[Screw, int]:
+        """The screw of v's pose, 0 ≤ Re α ≤ π, and the branch that v is on.
+
+        At an odd multiple of π the vector part of v's own quaternion, ``sin(α/2) u``, points along the axis; at an even
+        one the translation does.
+        """
+        length, u = polar(v)
+        angle = self.angle(length)
+        halves = angle.re / mpmath.pi
+        exact = is_whole(halves)
+        turns = int(mpmath.nint((mpmath.nint(halves) if exact else halves) / 2))  # half to even: sin(α/2) > 0
+        rest = (mpmath.nint(halves) - 2 * turns) * mpmath.pi if exact else angle.re - 2 * turns * mpmath.pi
+        sign = orientation(rest, angle.du)
+        return Screw(Dual(rest, angle.du) * sign, u * sign), turns * sign
+
+    def quaternion(self, v: Vector) -> Quaternion:
+        """``cos(α/2) + sin(α/2) u``."""
+        length, u = polar(v)
+        return quaternion_from_screw(Screw(self.angle(length), u))
+
+    def shadow(self, v: Vector, branch: int) -> Vector:
+        """The vector of the same pose that lies so many branches on."""
+        screw, own = self.screw(v)
+        return self.at(screw, own + branch)
+
+    def odd_half_turns(self) -> Iterator[int]:
+        """1, 3, 5 …: the half turns below the edge, between branches."""
+        halves = 1
+        while halves * sympy.pi < self.chart.edge:
+            yield halves
+            halves += 2
+
+
+def is_whole(number: Any) -> bool:
+    """Whether a number is an integer but for rounding, which has four fifths of the digits to stay above."""
+    return bool(abs(number - mpmath.nint(number)) < mpmath.eps ** mpmath.mpf("0.8"))

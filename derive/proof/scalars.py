@@ -1,0 +1,168 @@
+r"""The scalars a chart is lowered with are its formulas, and those of φ: decided exactly, for any algebraic chart.
+
+What a chart computes at x runs on the element x of the exact ring, Q(x) with the root sqrt(1 ± x) where formulas have
+it. With ``q̂ = s + w v`` and ``y = v · v̇``, ``ṡ = s_y y``, ``ẇ = w_y y``, the twist ``ω = 2 vec(q̂' q̂*)`` is
+
+.. math:: \omega = 2 s w\,\dot v + 2 w^2\,v \times \dot v + 2 (s w_y - w s_y)\,(v \cdot \dot v)\,v
+
+so that f, g and h of T = f I + g skew(v) + h v⊗v are these. Along v it is ``(f + x h) v̇``, and α̇ = φ̇/φ′ there:
+``(f + x h) φ′ = 1`` at ``x = φ²`` and q̂ = 1 at v = 0 say that ``q̂ = cos(α/2) + u sin(α/2)`` for ``v = φ(α) u``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from functools import cached_property
+from types import SimpleNamespace
+from typing import Any
+
+import sympy
+from sympy.functions.elementary.trigonometric import TrigonometricFunction
+
+from ..algebra.arithmetic import PLAIN
+from ..maps.chart import Chart
+from ..maps.families import alpha, evaluate
+from ..maps.polynomials import x
+from .element import Element
+from .exact import Ring
+from .identity import Check, Claim, Proof, decide
+from .marks import Shifted, prime
+from .polynomial_backend import Polynomial
+from .ratio import Ratio, RationalFunctions
+from .statement import Equation
+
+METHOD = "residues in Q(x), with the root of 1 ± x where formulas have it"
+BY_ANGLE = "residues in Q(tan(alpha/2M)), M such that phi is made of sines and cosines of multiples of alpha/M"
+TRIGONOMETRY = SimpleNamespace(sin=Ratio.sin, cos=Ratio.cos, sqrt=Ratio.sqrt)
+
+VALUES, SLOPES = ("s", "w", "f", "g", "h", "fi", "hi"), ("sy", "wy", "fy", "gy", "hy", "fiy", "hiy")
+s, w, f, g, h, fi, hi = sympy.symbols(VALUES)
+sy, wy, fy, gy, hy, fiy, hiy = sympy.symbols(SLOPES)
+a, b, slope = sympy.symbols("a b phi'")
+
+FORMULAS = {
+    "quaternion": (s, w),
+    "tensor": (1 - x * g, f, g),
+    "tangent": (f, g, h),
+    "tangent_inv": (fi / 2, -sympy.Rational(1, 2), hi / 2),
+}
+"""The coefficients of each map in the scalars."""
+
+RELATIONS = (
+    Equation(s**2 + x * w**2, sympy.Integer(1)),
+    Equation(f, 2 * s * w),
+    Equation(g, 2 * w**2),
+    Equation(h, 2 * (s * wy - w * sy)),
+    Equation(fi * g, f),
+    Equation((f + x * h) * (fi + x * hi), sympy.Integer(2)),
+    Equation(a * w, b * s),
+)
+"""q̂ has norm 1 and R is its tensor, vect(Ṙ Rᵀ) = T v̇, T T⁻¹ = I, and a + b v is a multiple of q̂."""
+
+DERIVATIVES = tuple(
+    Equation(of, 2 * prime(value)) for of, value in zip((sy, wy, fy, gy, hy, fiy, hiy), (s, w, f, g, h, fi, hi))
+)
+ANGLE = (Equation((f + x * h) * slope, sympy.Integer(1)), Equation(Shifted(s, x, sympy.Integer(0)), sympy.Integer(1)))
+
+
+def root_of(expressions: Iterable[sympy.Expr]) -> int:
+    """The sign in the root sqrt(1 ± x) that expressions in x hold; 0 where they hold none.
+
+    Raises
+    ------
+    ValueError
+        If they hold another root, or both.
+    """
+    powers = {power for expression in expressions for power in expression.atoms(sympy.Pow)}
+    roots = {power for power in powers if not power.exp.is_Integer}
+    if not roots:
+        return 0
+    for sign in (1, -1):
+        if all(root.base == 1 + sign * x and (2 * root.exp).is_Integer for root in roots):
+            return sign
+    named = ", ".join(sorted(map(str, roots)))
+    raise ValueError(f"formulas may hold the square root of 1 + x or that of 1 - x, not {named}")
+
+
+class ScalarProofs:
+    """What is decided about the scalars of a chart.
+
+    Parameters
+    ----------
+    chart : Chart
+    backend : {"flint", "sympy"}, optional
+        Polynomial library of the exact ring.
+    """
+
+    def __init__(self, chart: Chart, backend: str | None = None) -> None:
+        self.chart = chart
+        self.stated = {name: getattr(chart, name).coefficients for name in FORMULAS}
+        root = root_of(e for coefficients in self.stated.values() for e in coefficients)
+        self.ring = Ring(root=root, backend=backend)
+
+    @cached_property
+    def values(self) -> Mapping[sympy.Expr, Element]:
+        """What the letters stand for: scalars as the chart computes them, and their derivatives."""
+        at_x = self.ring.square("v")
+        at = self.chart.scalars(at_x, PLAIN)
+        found = {name: self.ring.element(getattr(at, name)) for name in (*VALUES, *SLOPES)}
+        values = {sympy.Symbol(name): value for name, value in found.items()}
+        values |= {prime(sympy.Symbol(name)): found[name].derivative("x") for name in VALUES}
+        size_s, size_w, _ = map(self.ring.element, at.ray)
+        return values | {a: size_s, b: size_w, x: at_x}
+
+    def proofs(self) -> Iterator[Proof]:
+        """Decide the statements one after another."""
+        formulas = tuple(
+            Equation(value, sympy.Symbol(f"{name}[{i}]"))
+            for name, values in FORMULAS.items()
+            for i, value in enumerate(values)
+        )
+        lifted = {
+            sympy.Symbol(f"{name}[{i}]"): self.ring.lift(e, {x: self.ring.square("v")})
+            for name, coefficients in self.stated.items()
+            for i, e in enumerate(coefficients)
+        }
+        yield self._decide("scalars as lowered", formulas, lambda: self._residues(formulas, lifted))
+        yield self._decide("scalars", RELATIONS, lambda: self._residues(RELATIONS))
+        yield self._decide("slopes", DERIVATIVES, lambda: self._residues(DERIVATIVES))
+        yield self._decide("q = cos(alpha/2) + u sin(alpha/2)", ANGLE, self._angle, BY_ANGLE)
+
+    def _decide(self, name: str, claim: tuple[Equation, ...], checks: Any, method: str = METHOD) -> Proof:
+        scope = f"n = {self.chart.order}" if self.chart.cayley else self.chart.name
+        return decide(Claim(name, claim, method), checks, scope)
+
+    def _residues(
+        self, claim: Iterable[Equation], further: Mapping[sympy.Expr, Element] | None = None
+    ) -> Iterator[Check]:
+        """Left side minus right side, by the values of the letters."""
+        values = {**self.values, **(further or {})}
+        for equation in claim:
+            yield equation.text, self.ring.lift(equation.left, values) - self.ring.lift(equation.right, values)
+
+    def _angle(self) -> Iterator[Check]:
+        """``(f + x h) φ′ − 1`` at ``x = φ²``, and s − 1 at x = 0."""
+        angle = RationalFunctions((), {alpha.name: _steps(self.chart.phi)}).symbol(alpha.name)
+        phi, rate = (evaluate(e, alpha, angle, TRIGONOMETRY) for e in (self.chart.phi, self.chart.phi.diff(alpha)))
+        along, start = (equation.text for equation in ANGLE)
+        yield along, self._at(self.values[f] + self.values[x] * self.values[h], phi * phi) * rate - 1
+        yield start, self._at(self.values[s], phi * 0) - 1
+
+    def _at(self, element: Element, square: Ratio) -> Ratio:
+        """A function of x at this x, in lowest terms first."""
+        library = self.ring.polynomials
+        above, below = element.terms.get(0, library.zero), element.denominator
+        common = library.gcd(above, below)
+        generator = (1 + self.ring.root * square).sqrt() if self.ring.root else square
+
+        def value(polynomial: Polynomial) -> Any:
+            return sum(c * generator**power for (power,), c in library.coefficients(polynomial).items())
+
+        quotient: Ratio = value(library.quotient(above, common)) / value(library.quotient(below, common))
+        return quotient
+
+
+def _steps(phi: sympy.Expr) -> int:
+    """The least M such that φ is made of sines and cosines of multiples of α/M."""
+    arguments = (function.args[0] for function in phi.atoms(TrigonometricFunction))
+    return int(sympy.ilcm(1, *(argument.coeff(alpha).q for argument in arguments)))

@@ -1,0 +1,409 @@
+"""A chart that the toolkit does not know goes the whole road: v = sin(α/6) u, written here and nowhere else."""
+
+from __future__ import annotations
+
+import importlib
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+import sympy
+
+from derive.algebra import Coefficient, Quaternion
+from derive.algebra.arithmetic import Arithmetic
+from derive.codegen import ValidationFailed
+from derive.codegen.cases import batches
+from derive.codegen.cases.vectors import Vectors
+from derive.codegen.compiler import build_charts
+from derive.codegen.signatures import FUNCTIONS, PUBLIC
+from derive.codegen.targets import TARGETS
+from derive.maps import IsotropicMap, QuaternionMap, turns, x
+from derive.maps.families import alpha
+from derive.output import files
+from derive.proof import ProofFailed, prove
+from derive.proof.controls import controls_of
+from tests.support import errors, sampling
+from tests.support.oracle import SineOracle
+
+HALF = sympy.Rational(1, 2)
+COSINE = sympy.sqrt(1 - x)
+
+
+class SineScalars:
+    """The scalars at x = sin² θ, θ = α/6: q̂ = cos 3θ + u sin 3θ."""
+
+    def __init__(self, x: Coefficient, m: Arithmetic) -> None:
+        self.x, self.m = x, m
+
+    @cached_property
+    def cc(self) -> Coefficient:
+        return self.m.name("cc", 1 - self.x)
+
+    @cached_property
+    def c(self) -> Coefficient:
+        """cos θ."""
+        return self.m.name("c", self.m.sqrt(self.cc))
+
+    @cached_property
+    def p(self) -> Coefficient:
+        return self.m.name("p", 1 - 4 * self.x)
+
+    @cached_property
+    def s(self) -> Coefficient:
+        return self.m.name("s", self.p * self.c)
+
+    @cached_property
+    def w(self) -> Coefficient:
+        return self.m.name("w", 3 - 4 * self.x)
+
+    @cached_property
+    def ww(self) -> Coefficient:
+        return self.m.name("ww", self.w * self.w)
+
+    @cached_property
+    def sy(self) -> Coefficient:
+        return self.m.name("sy", -3 * (self.w / self.c))
+
+    wy = -8
+
+    @cached_property
+    def f(self) -> Coefficient:
+        return self.m.name("f", 2 * (self.s * self.w))
+
+    @cached_property
+    def g(self) -> Coefficient:
+        return self.m.name("g", 2 * self.ww)
+
+    @cached_property
+    def h(self) -> Coefficient:
+        return self.m.name("h", (38 + (32 * self.x - 64) * self.x) / self.c)
+
+    @cached_property
+    def fy(self) -> Coefficient:
+        return self.m.name("fy", 2 * (self.sy * self.w) - 16 * self.s)
+
+    @cached_property
+    def gy(self) -> Coefficient:
+        return self.m.name("gy", -32 * self.w)
+
+    @cached_property
+    def hy(self) -> Coefficient:
+        return self.m.name("hy", self.h / self.cc - 128 * self.c)
+
+    @cached_property
+    def fi(self) -> Coefficient:
+        return self.m.name("fi", self.s / self.w)
+
+    @cached_property
+    def hi(self) -> Coefficient:
+        return self.m.name("hi", self.m.div(8 * (self.c / self.w), 3))
+
+    @cached_property
+    def fiy(self) -> Coefficient:
+        return self.m.name("fiy", -(self.h / self.g))
+
+    @cached_property
+    def hiy(self) -> Coefficient:
+        return self.m.name("hiy", self.m.div(8 * (8 * self.c - self.w / self.c), 3 * self.ww))
+
+    @property
+    def ray(self) -> tuple[Coefficient, Coefficient, Coefficient]:
+        return self.s, self.w, 1
+
+
+@dataclass(frozen=True)
+class Sine:
+    """v = sin(α/6) u, a chart up to |Re α| = 3π."""
+
+    name = "sine6"
+    selection = ("--phi", "sin(alpha/6)")
+    order = 1
+    title = "Sine of a sixth of the angle"
+    parameter = "sin(α/6)"
+    phi = sympy.sin(alpha / 6)
+    edge = 3 * sympy.pi
+    branches = 3
+    singular_angles = (2 * sympy.pi, 3 * sympy.pi)
+    cayley = None
+    letters = ()
+    s, w = (1 - 4 * x) * COSINE, 3 - 4 * x
+    scalars = SineScalars
+
+    def overflow(self, largest: float) -> tuple[str, float]:
+        return "v is no sine", 1.0
+
+    def _formula(self, kind: Any, name: str, *coefficients: sympy.Expr) -> Any:
+        texts = {"domain": "every v with |Re v| < 1", "singular": "v ends at Re alpha = 3*pi", "symbol": name}
+        rest = {"equations": (), "identities": (), "definition": r"\text{of } \sin\tfrac\alpha6", "at": None}
+        return kind(name=name, order=1, coefficients=coefficients, **texts, **rest)
+
+    @cached_property
+    def quaternion(self) -> QuaternionMap:
+        return self._formula(QuaternionMap, "quaternion", self.s, self.w)
+
+    @cached_property
+    def tensor(self) -> IsotropicMap:
+        g = 2 * self.w**2
+        return self._formula(IsotropicMap, "tensor", sympy.expand(1 - x * g), 2 * self.s * self.w, g)
+
+    @cached_property
+    def tangent(self) -> IsotropicMap:
+        h = (38 - 64 * x + 32 * x**2) / COSINE
+        return self._formula(IsotropicMap, "tangent", 2 * self.s * self.w, 2 * self.w**2, h)
+
+    @cached_property
+    def tangent_inv(self) -> IsotropicMap:
+        along = 4 * COSINE / (3 * self.w)
+        return self._formula(IsotropicMap, "tangent_inv", self.s / (2 * self.w), -HALF, along)
+
+    # --- way back, branches -------------------------------------------------------------------------------------
+
+    def coefficient(self, angle: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+        sine, cosine = _of_twice(m.name("t", m.tan(m.div(angle, 12))), m)
+        return m.name("r", sine), m.name("slope", m.div(cosine, 6))
+
+    def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
+        negative = False if positive else m.name("negative", m.less(q.scalar, 0))
+        cosine = m.name("cos", m.where(negative, -q.scalar, q.scalar))
+        square = m.name("ss", q.vector.dot(q.vector))
+        still = m.name("still", m.equal(square, 0))
+        sine = m.name("sin", m.sqrt(m.where(still, cosine, square)))
+        r, _ = _of_twice(m.name("t", m.tan(m.div(m.atan2(sine, cosine), 6))), m)
+        gain = m.where(still, 1, r) / m.where(still, 3 * cosine, sine)
+        return m.name("gain", m.where(negative, -1, 1) * gain)
+
+    def direction(self, x: Coefficient, y: Coefficient, m: Arithmetic) -> Coefficient:
+        at = self.scalars(x, m)
+        turned = m.where(m.less(at.p, 0), m.name("mw", -at.w), at.w)
+        backwards = m.both(m.equal(at.w, 0), m.less(y, 0))
+        return m.name("sign", m.where(m.either(m.less(turned, 0), backwards), -1, 1))
+
+    def natural(
+        self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic
+    ) -> tuple[Coefficient, Coefficient, Coefficient]:
+        at = self.scalars(x, m)
+        s, w = (m.where(m.less(value, 0), -value, value) for value in (at.s, at.w))
+        return m.name("angle", 2 * m.atan2(r * w, s)), m.name("slope", 6 / at.c), self.direction(x, y, m)
+
+    def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+        (cosine, sine), rr = turn, m.name("rr", r * r)
+        c = m.name("c", m.sqrt(m.where(m.less(1, rr), rr, 1 - rr)))
+        further = m.name("further", c * cosine - r * sine)
+        sign = m.name("side", m.where(m.less(further, 0), -1, 1))
+        return m.name("rk", sign * (r * cosine + c * sine)), m.name("slope", sign * further / c)
+
+    def beyond(
+        self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic
+    ) -> tuple[Any, Sequence[Coefficient]]:
+        return turns.beyond(x, table, m)
+
+    def turn(self, branch: int) -> tuple[Any, Any]:
+        return turns.turn(3, branch)
+
+    def returns(self) -> tuple[tuple[Any, Any, Any], ...]:
+        return ((mpmath.mpf(1) / 4, *self.turn(-1)),)
+
+
+def _of_twice(t: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    """Sine and cosine of twice the angle whose tangent is t."""
+    tt = m.name("tt", t * t)
+    below = m.name("below", 1 + tt)
+    return 2 * t / below, (1 - tt) / below
+
+
+# --- proof ----------------------------------------------------------------------------------------------------------
+
+
+def test_its_scalars_are_proved():
+    proved = prove(Sine())
+    assert {proof.scope for proof in proved.proofs} == {"sine6"}
+    assert sum(len(proof.residues) for proof in proved.proofs) > 20
+
+
+def test_each_wrong_scalar_is_noticed():
+    found = list(controls_of(Sine()))
+    assert len(found) == 22
+    assert [str(control) for control in found if not control.noticed] == []
+
+
+@pytest.mark.parametrize("name", ["quaternion", "tensor", "tangent", "tangent_inv"])
+def test_a_wrong_formula_is_not_proved(name: str):
+    right = getattr(Sine(), name)
+    for i, coefficient in enumerate(right.coefficients):
+        changed = (*right.coefficients[:i], coefficient + x, *right.coefficients[i + 1 :])
+        chart = Sine()
+        chart.__dict__[name] = replace(right, coefficients=changed)
+        with pytest.raises(ProofFailed, match=rf"{name}\[{i}\]"):
+            prove(chart)
+
+
+@pytest.mark.parametrize("phi", [sympy.tan(alpha / 6), sympy.sin(alpha / 4), 2 * sympy.sin(alpha / 6)])
+def test_scalars_of_another_phi_are_not_proved(phi: sympy.Expr):
+    class Mistaken(Sine):
+        pass
+
+    Mistaken.phi = phi
+    with pytest.raises(ProofFailed, match="phi'"):
+        prove(Mistaken())
+
+
+# --- kernels --------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("target", TARGETS.values(), ids=lambda target: target.name)
+def test_it_is_printed_and_validated_in_every_target(target):
+    (module,) = build_charts([Sine()], target).modules
+    assert module.name == f"sine6.{target.extension}"
+    assert module.validated >= sum(len(batch.cases) for batch in batches(Sine()))
+
+
+@pytest.fixture(scope="module")
+def texts() -> dict[str, str]:
+    return build_charts([Sine()], TARGETS["numpy"]).texts
+
+
+@pytest.mark.parametrize(
+    ("function", "right", "wrong"),
+    [
+        ("_quaternion", "-3 * (w / c)", "-2 * (w / c)"),
+        ("_tangent", "128 * c", "64 * c"),
+        ("_tangent_inv_blocks", "sub(mul(n8, c", "add(mul(n8, c"),
+        ("_gain_unit", "/ 6", "/ 4"),
+        ("_gain_positive", "1 + tt", "1 - tt"),
+        ("_direction", "y < 0", "0 < y"),
+        ("_natural", "6 / c", "3 / c"),
+        ("_turned", "further < 0", "1 < 0"),
+        ("_turned_blocks", "n_minus_1, n1", "n1, n1"),
+        ("_beyond", "limit1 < x", "x < limit1"),
+        ("_coefficient", "1 - tt", "1 + tt"),
+    ],
+)
+def test_a_wrong_kernel_fails_validation(texts: dict[str, str], tmp_path: Path, function: str, right: str, wrong: str):
+    head, rest = texts["sine6.py"].split(f"def {function}(", 1)
+    assert right in rest
+    files.write(tmp_path, {**texts, "sine6.py": f"{head}def {function}({rest.replace(right, wrong, 1)}"})
+    with pytest.raises(ValidationFailed, match=r"sine6\.\w+.*component"):
+        TARGETS["numpy"].validate(tmp_path, Sine())
+
+
+@pytest.fixture(scope="module")
+def kernels(texts: dict[str, str], tmp_path_factory: pytest.TempPathFactory) -> ModuleType:
+    folder = tmp_path_factory.mktemp("another")
+    files.write(folder / "another_chart", texts)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.syspath_prepend(folder)
+        return importlib.import_module("another_chart.sine6")
+
+
+def vectors(low: float, high: float, count: int = 4) -> np.ndarray:
+    """Dual vectors of angles between two."""
+    rng = sampling.generator("another chart", low, high)
+    theta = rng.uniform(low, high, (count, 1)) / 6
+    axis = sampling.unit_vectors(rng, (count,))
+    return np.concatenate([np.sin(theta) * axis, rng.normal(size=(count, 3))], axis=-1)
+
+
+def arguments(kernels: ModuleType, name: str, v: np.ndarray) -> list[np.ndarray]:
+    """What a function is given: v, or what v is the vector of, and a second argument."""
+    first = FUNCTIONS[name].arguments[0].name
+    given = {"q": kernels.quaternion, "R": kernels.tensor, "T": kernels.pose}
+    if first == "angle":
+        return [np.array(part) for part in kernels.to_screw(v)]
+    others = [np.roll(sampling.dual_vectors(name, count=len(v))[:, : a.size], 1) for a in FUNCTIONS[name].arguments[1:]]
+    return [given.get(first, np.array)(v), *([v[::-1]] if name == "compose" else others)]
+
+
+def scale(function: Any, given: list[np.ndarray], exact: list[Any]) -> list[float]:
+    """Norms of the parts of a result, and how far they go when its arguments move by their own size."""
+    step = mpmath.mpf(2) ** -60
+    sizes = [errors.norm(part) for part in exact]
+    for i, argument in enumerate(given):
+        for index, component in np.ndenumerate(argument):
+            moved = argument.astype(object)
+            moved[index] = mpmath.mpf(component) * (1 + step)
+            other = parts(function(*given[:i], moved, *given[i + 1 :]))
+            sizes = [size + errors.norm((b - a) / step) for size, a, b in zip(sizes, exact, other, strict=True)]
+    return sizes
+
+
+def parts(result: Any) -> list[Any]:
+    """Real and dual part of a result; those of each where there are several; a moved point as it is."""
+    if isinstance(result, tuple):
+        return [part for array in result for part in errors.parts(array)]
+    return [result] if np.shape(result) == (3,) else list(errors.parts(result))
+
+
+@pytest.mark.parametrize("angles", [(1e-7, 1e-6), (0.05, 3.0), (3.4, 6.0), (6.5, 9.0)], ids=str)
+@pytest.mark.parametrize("name", PUBLIC)
+def test_floats_agree_with_first_principles(kernels: ModuleType, name: str, angles: tuple[float, float]):
+    """To 20 eps (errors.GENERAL: two maps in a chain) of norm and condition of the result."""
+    oracle = SineOracle(3)
+    given = arguments(kernels, name, vectors(*angles))
+    row = FUNCTIONS[name]
+    for branch in range(3) if row.branch else (None,):
+        chosen = () if branch is None else (branch,)
+
+        def function(*values: Any, chosen: Any = chosen) -> Any:
+            return getattr(oracle, name)(*values, *chosen)
+
+        found = getattr(kernels, name)(*given, *chosen)
+        for i in range(len(given[0])):
+            one = [argument[i] for argument in given]
+            got = parts(tuple(array[i] for array in found) if isinstance(found, tuple) else found[i])
+            exact = parts(function(*one))
+            for a, b, size in zip(got, exact, scale(function, one, exact), strict=True):
+                error = errors.norm(b - a.astype(object)) / np.finfo(float).eps
+                assert error <= errors.GENERAL * size, (name, branch, one, got, exact, error / size)
+
+
+def test_maps_and_operators_are_inverse_to_each_other(kernels: ModuleType):
+    """To 40 eps (errors.AGREE) times a condition below 100 at these angles: 1e-12."""
+    v, w = vectors(0.05, 3.0), sampling.dual_vectors("another chart", count=4)
+    close = {"rtol": 0, "atol": 1e-12}
+    np.testing.assert_allclose(kernels.from_quaternion(kernels.quaternion(v)), v, **close)
+    np.testing.assert_allclose(kernels.from_pose(kernels.pose(v)), v, **close)
+    np.testing.assert_allclose(kernels.from_tensor(kernels.tensor(v)), v, **close)
+    np.testing.assert_allclose(kernels.from_screw(*kernels.to_screw(v)), v, **close)
+    np.testing.assert_allclose(kernels.rate(v, kernels.twist(v, w)), w, **close)
+    np.testing.assert_allclose(kernels.body_rate(v, kernels.body_twist(v, w)), w, **close)
+    there = kernels.shadow(v, 1)
+    assert (np.linalg.norm(there[:, :3], axis=-1) > 0.5).all()
+    np.testing.assert_allclose(kernels.pose(there), kernels.pose(v), **close)
+    np.testing.assert_allclose(kernels.principal(there), v, **close)
+    np.testing.assert_allclose(kernels.shadow(there, -1), v, **close)
+
+
+# --- angles of a vector ---------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("phi", "edge", "angles"),
+    [
+        (sympy.sin(alpha / 6), 3 * sympy.pi, ("1e-30", "0.1", "9.4247")),
+        (sympy.tan(alpha / 2), sympy.pi, ("1e-30", "3.1", "3.14159265")),
+        (alpha, sympy.oo, ("1e-30", "1", "100")),
+    ],
+)
+def test_the_angle_of_a_vector_is_found(phi: sympy.Expr, edge: sympy.Expr, angles: tuple[str, ...]):
+    class Other(Sine):
+        pass
+
+    Other.phi, Other.edge = phi, edge
+    with mpmath.workdps(50):
+        chart = Vectors(Other())
+        for text in angles:
+            angle = mpmath.mpf(text)
+            found = chart.angle(chart.size(angle))
+            # an eps of |v| moves α by φ/(α φ′) eps, which for the sine near its edge is 3e3
+            assert abs(found / angle - 1) < 10 ** mpmath.mpf(-44)
+
+
+def test_no_angle_is_found_beyond_the_edge():
+    with mpmath.workdps(50), pytest.raises(ArithmeticError, match=r"no angle below 3\*pi has \|v\| = 1.5 in sine6"):
+        Vectors(Sine()).angle(mpmath.mpf("1.5"))

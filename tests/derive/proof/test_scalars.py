@@ -1,0 +1,34 @@
+"""The scalars a chart is lowered with: proved for every way they are computed, wrong ones noticed."""
+
+from __future__ import annotations
+
+import pytest
+import sympy
+
+from derive.maps import Cayley, x
+from derive.proof import root_of
+from derive.proof.controls import controls_of
+from derive.proof.scalars import ScalarProofs
+
+
+@pytest.mark.parametrize("backend", ["flint", "sympy"])
+@pytest.mark.parametrize("n", [1, 2, 3, 4, 9, 16])
+def test_scalars_of_cayley_maps_are_proved(n: int, backend: str) -> None:
+    pytest.importorskip("flint" if backend == "flint" else "sympy")
+    proofs = list(ScalarProofs(Cayley(n), backend).proofs())
+    assert [len(proof.residues) for proof in proofs] == [11, 7, 7, 2]
+    assert all(proof.proved for proof in proofs)
+    assert {proof.scope for proof in proofs} == {f"n = {n}"}
+
+
+def test_every_control_is_noticed_where_the_chain_computes() -> None:
+    assert [str(control) for control in controls_of(Cayley(11)) if not control.noticed] == []
+
+
+def test_the_root_of_formulas() -> None:
+    assert root_of([x / (1 + x) ** 2, sympy.Integer(3)]) == 0
+    assert root_of([x, x / (1 + x) ** sympy.Rational(3, 2)]) == 1
+    assert root_of([sympy.sqrt(1 - x), (1 - x) ** sympy.Rational(5, 2)]) == -1
+    for expressions in ([sympy.sqrt(2 + x)], [sympy.sqrt(1 + x), sympy.sqrt(1 - x)], [sympy.root(1 + x, 3) + x]):
+        with pytest.raises(ValueError, match="may hold the square root of"):
+            root_of(expressions)
