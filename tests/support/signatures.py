@@ -7,9 +7,17 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from derive.codegen.signatures import PUBLIC, Array
 from tests.support import sampling
 
-SHAPES: dict[str, tuple[int, ...]] = {"v": (6,), "w": (6,), "q": (8,), "R": (2, 3, 3), "T": (4, 4), "r": (3,)}
+RODRIGUES = ("v", "v1", "v2")
+
+
+def kind(array: Array) -> str:
+    """What an argument is drawn as: a vector v, any dual vector w, or what its name says."""
+    if array.name in RODRIGUES:
+        return "v"
+    return "w" if array.shape == (6,) else array.name
 
 
 class Signature(NamedTuple):
@@ -20,27 +28,14 @@ class Signature(NamedTuple):
     complex: bool = True
 
 
+SHAPES = {kind(array): array.shape for row in PUBLIC.values() for array in row.arguments}
+
 # Functions that return one array and take axis= and out=. from_screw is apart: its second argument is named axis.
-SIGNATURES: dict[str, Signature] = {
-    "quaternion": Signature("v", (8,)),
-    "tensor": Signature("v", (2, 3, 3)),
-    "pose": Signature("v", (4, 4)),
-    "tangent": Signature("v", (2, 3, 3)),
-    "tangent_inv": Signature("v", (2, 3, 3)),
-    "dcay": Signature("v", (2, 3, 3)),
-    "dcay_inv": Signature("v", (2, 3, 3)),
-    "twist": Signature("vw", (6,)),
-    "rate": Signature("vw", (6,)),
-    "body_twist": Signature("vw", (6,)),
-    "body_rate": Signature("vw", (6,)),
-    "from_quaternion": Signature("q", (6,), complex=False),
-    "from_tensor": Signature("R", (6,), complex=False),
-    "from_pose": Signature("T", (6,), complex=False),
-    "shadow": Signature("v", (6,), complex=False),
-    "principal": Signature("v", (6,), complex=False),
-    "compose": Signature("vv", (6,), complex=False),
-    "transform_point": Signature("vr", (3,)),
-    "transform_line": Signature("vw", (6,)),
+SIGNATURES = {
+    name: Signature("".join(map(kind, row.arguments)), row.shape, not row.real)
+    for row in PUBLIC.values()
+    for name in (row.name, *row.aliases)
+    if len(row.results) == 1 and row.name != "from_screw"
 }
 
 
