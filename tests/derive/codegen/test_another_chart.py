@@ -15,15 +15,16 @@ import numpy as np
 import pytest
 import sympy
 
-from derive.algebra import Coefficient, Quaternion
+from derive.algebra import Coefficient, Quaternion, Vector
 from derive.algebra.arithmetic import Arithmetic
 from derive.codegen import ValidationFailed
 from derive.codegen.cases import batches
+from derive.codegen.cases.maps_at import flat
 from derive.codegen.cases.vectors import Vectors
 from derive.codegen.compiler import build_charts
 from derive.codegen.signatures import FUNCTIONS, PUBLIC
 from derive.codegen.targets import TARGETS
-from derive.maps import IsotropicMap, QuaternionMap, turns, x
+from derive.maps import Cayley, IsotropicMap, QuaternionMap, turns, x
 from derive.maps.families import alpha
 from derive.output import files
 from derive.proof import ProofFailed, prove
@@ -407,3 +408,14 @@ def test_the_angle_of_a_vector_is_found(phi: sympy.Expr, edge: sympy.Expr, angle
 def test_no_angle_is_found_beyond_the_edge():
     with mpmath.workdps(50), pytest.raises(ArithmeticError, match=r"no angle below 3\*pi has \|v\| = 1.5 in sine6"):
         Vectors(Sine()).angle(mpmath.mpf("1.5"))
+
+
+def test_a_vector_far_out_is_no_tie():
+    """There 1 - α/π is some 1e-155: far from nothing in as many digits."""
+    with mpmath.workdps(670):
+        v = Vector.dual((mpmath.mpf(10) ** 155, 0, 0), (1, 2, 3))
+        chart = Vectors(Cayley(1))
+        screw, branch = chart.screw(v)
+        assert branch == 0
+        assert screw.angle.re < mpmath.pi
+        assert all(abs(a - b) < mpmath.mpf(10) ** -300 for a, b in zip(flat(chart.at(screw)), flat(v), strict=True))

@@ -8,6 +8,7 @@ from fractions import Fraction
 import pytest
 import sympy
 
+import derive
 from derive.algebra import Dual, Isotropic, Quaternion, Vector, dual_part, real_part
 from derive.maps import Cayley, Formula, closed_forms, x
 from derive.maps.polynomials import FIELD
@@ -201,7 +202,7 @@ def test_values_are_frozen_and_equal_by_content() -> None:
 
 
 def test_prove_lists_proofs_for_all_n_and_for_this_one() -> None:
-    proofs = Cayley(2).prove()
+    proofs = derive.Cayley(2).prove()
     assert isinstance(proofs, list)
     assert {"all n", "n = 2"} <= {proof.scope for proof in proofs}
     assert all(proof.status == "proved" for proof in proofs)

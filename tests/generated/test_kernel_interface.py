@@ -1,0 +1,80 @@
+"""What a module is to a person: functions that can be imported, read about, listed and sent to another process."""
+
+from __future__ import annotations
+
+import inspect
+import pickle
+import pydoc
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import dualcay
+from derive.codegen.signatures import PUBLIC
+from tests.support import sampling
+from tests.support.kernels import ORDERS, load
+
+NAMES = sorted({*(alias for row in PUBLIC.values() for alias in (row.name, *row.aliases)), "singular_angles"})
+
+
+@pytest.mark.parametrize("order", ORDERS)
+def test_a_module_exports_what_the_table_says(order: int) -> None:
+    kernel = load(order)
+    assert list(kernel.__all__) == NAMES
+    assert {name for name in NAMES if callable(getattr(kernel, name))} == set(NAMES)
+
+
+def test_functions_are_imported_by_name_and_are_those_of_the_module() -> None:
+    from dualcay.cayley3 import dcay, rate, tangent
+
+    assert rate == load(3).rate
+    assert dcay == tangent
+    assert rate != load(2).rate
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_function_has_its_documentation_and_signature(name: str) -> None:
+    function = getattr(load(3), name)
+    parameters = inspect.signature(function).parameters
+    assert "self" not in parameters
+    text = inspect.getdoc(function) or ""
+    assert "Returns\n-------" in text
+    for parameter in parameters:
+        assert parameter in text, f"{name} does not say what {parameter} is"
+
+
+def test_help_tells_of_the_module_and_of_each_function() -> None:
+    page = pydoc.render_doc(load(3), renderer=pydoc.plaintext)
+    assert "Cayley map of order 3" in page
+    assert all(f"{name} = " in page or f"{name}(" in page for name in NAMES)
+    assert "loses rank" in pydoc.render_doc(load(3).tangent, renderer=pydoc.plaintext)
+
+
+@pytest.mark.parametrize("order", ORDERS)
+def test_functions_are_pickled_by_their_module(order: int) -> None:
+    kernel = load(order)
+    v = sampling.poses(order, "uniform", count=3)
+    function = pickle.loads(pickle.dumps(kernel.pose))
+    assert function == kernel.pose
+    np.testing.assert_array_equal(function(v), kernel.pose(v))
+
+
+def test_a_pickled_function_runs_in_another_process() -> None:
+    code = "import pickle, sys; print(pickle.loads(bytes.fromhex(sys.argv[1]))([0.1, 0, 0, 1, 2, 3])[0, 3])"
+    sent = pickle.dumps(load(3).pose).hex()
+    root = Path(dualcay.__file__).parents[1]
+    done = subprocess.run([sys.executable, "-c", code, sent], cwd=root, capture_output=True, text=True, check=True)
+    assert float(done.stdout) == load(3).pose([0.1, 0, 0, 1, 2, 3])[0, 3]
+
+
+@pytest.mark.parametrize("count", [3, 100])
+@pytest.mark.parametrize("order", ORDERS)
+def test_body_forms_are_space_forms_at_the_opposite_vector_bit_for_bit(order: int, count: int) -> None:
+    """T(−v) is the transpose of T(v), and one program serves both."""
+    kernel = load(order)
+    v, w = sampling.poses(order, "uniform", count=count), sampling.dual_vectors("w", count=count)
+    np.testing.assert_array_equal(kernel.body_twist(v, w), kernel.twist(-v, w))
+    np.testing.assert_array_equal(kernel.body_rate(v, w), kernel.rate(-v, w))
