@@ -24,7 +24,6 @@ that a run that was stopped goes on, and the next one on the same tree shows its
 from __future__ import annotations
 
 import argparse
-import gc
 import importlib
 import subprocess
 import sys
@@ -57,7 +56,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
     for library in WARM:
         importlib.import_module(library)
-    gc.freeze()
     run = Run(ROOT, ROOT / ".mutants", options.seed, options.sample, options.jobs, say)
     results: list[Results] = []
     try:

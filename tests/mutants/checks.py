@@ -16,10 +16,10 @@ from .reach import Reach, Table
 from .tree import forget
 
 KERNELS = ("tests/generated",)
-FEW = 3
-"""Cases of each test of kernels."""
+FEW = 2
+"""Cases of each test, where kernels are emitted."""
 
-LONG = 1.5
+LONG, LONG_FIXTURE = 5.0, 30.0
 """Seconds of processor time: a longer test is left out of trials."""
 
 VALIDATING = "validating"
@@ -82,24 +82,25 @@ class Checks:
         """Run everything once on the unchanged tree, and watch."""
         commented = isolated(lambda: self._commented(folder)) if self.emits else []
         kernels = isolated(lambda: suite.run_all(KERNELS, few=FEW)) if self.emits else suite.Times()
+        prints = isolated(road.prints) if self.emits else {}
         reach = Reach(folder, [f"{source}/*" for source in self.watched])
         started = sum(os.times()[:4])
         with reach.open():
             road.import_all()
             first = {name: _timed(reach, name, check) for name, check in self._first_stage(reach).items()}
-            tests = suite.run_all(self.tests, reach)
+            tests = suite.run_all(self.tests, reach, few=FEW if self.emits else None)
         processor = sum(os.times()[:4]) - started + sum(kernels.seconds.values())
         left_out = {
-            "fails unchanged, or takes longer than a minute": [*tests.failed, *kernels.failed],
+            "fails unchanged": [*tests.failed, *kernels.failed],
             "fails for one more comment in what is emitted": sorted(set(commented) - set(tests.failed)),
-            f"longer than {LONG} s": [*tests.longer(LONG), *kernels.longer(LONG)],
+            "starts a Python of its own": sorted(reach.starters & tests.seconds.keys()),
+            "takes long": [*tests.longer(LONG, LONG_FIXTURE), *kernels.longer(LONG, LONG_FIXTURE)],
         }
         out = {name for names in left_out.values() for name in names}
         seconds = {self.first or "first": first, "tests": tests.without(out), "kernels": kernels.without(out)}
         if not seconds["tests"]:
             raise RuntimeError(f"no test of {', '.join(self.tests)} can be used: {left_out}")
         table = reach.table([name for stage in seconds.values() for name in stage])
-        prints = road.prints() if self.emits else {}
         return Knowledge(processor, seconds, table, _printing(reach, set(first)), left_out, prints)
 
     def _first_stage(self, reach: Reach) -> dict[str, road.Check]:
@@ -120,7 +121,7 @@ class Checks:
                 before[path] = path.read_bytes()
                 path.write_bytes(before[path] + comment.encode())
         try:
-            return suite.run_all(self.tests).failed
+            return suite.run_all(self.tests, few=FEW).failed
         finally:
             for path, content in before.items():
                 path.write_bytes(content)
@@ -132,7 +133,8 @@ class Checks:
             return Fate(KILLED, self.first, by)
         if by := suite.first_failure(plan["tests"]):
             return Fate(KILLED, "tests", by)
-        return self._compared(edit, knowledge, plan["kernels"]) if self.emits else Fate(SURVIVED)
+        emitted = self.emits and plan[self.first]
+        return self._compared(edit, knowledge, plan["kernels"]) if emitted else Fate(SURVIVED)
 
     def _compared(self, edit: Edit | None, knowledge: Knowledge, kernels: Sequence[str]) -> Fate:
         """By what is emitted: nothing changed, prose alone, or code that the tests of kernels look at."""
@@ -142,7 +144,7 @@ class Checks:
             return Fate(KILLED, "validation", f"another order: {type(error).__name__}")
         if found == "text":
             return Fate(PROSE, by="what is emitted differs in comments, docstrings and layout only")
-        if found == "" and edit and knowledge.prints_only(edit):
+        if not found and edit and knowledge.prints_only(edit):
             return Fate(EQUIVALENT, by="every emitted text is the same")
         if edit is None or (found == "code" and road.write_kernels(Path("generated", "dualcay"))):
             forget("dualcay")

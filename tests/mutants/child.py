@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import pickle
 import resource
@@ -54,6 +55,7 @@ class Child:
 
     def _run(self, job: Callable[[], Any], limit: float | None) -> None:
         os.setpgid(0, 0)
+        gc.freeze()  # what was imported before need not be searched for garbage
         nothing = os.open(os.devnull, os.O_RDWR)
         for stream in (0, 1, 2):
             os.dup2(nothing, stream)

@@ -21,7 +21,8 @@ class Reach:
     """Records while it is open; every check runs `by` its name.
 
     What runs outside of all checks (imports, tables made by them) is reached by every check. A cached function is
-    reached by all that call it, whoever was first. A check that starts a Python of its own reaches everything.
+    reached by all that call it, whoever was first. ``starters`` are checks that start a Python of their own: what that
+    reaches is not seen.
     """
 
     def __init__(self, root: Path, sources: Sequence[str]) -> None:
@@ -32,7 +33,7 @@ class Reach:
         self._names = [""]
         self._uses: dict[str, Names] = {}
         self._templates: dict[str, Names] = {}
-        self._everywhere: Names = set()
+        self.starters: Names = set()
 
     @contextmanager
     def open(self) -> Iterator[Reach]:
@@ -53,7 +54,7 @@ class Reach:
 
     def _started(self, event: str, arguments: tuple[Any, ...]) -> None:
         if event == "subprocess.Popen" and self._names[-1] and Path(str(arguments[0])).name.startswith("python"):
-            self._everywhere.add(self._names[-1])
+            self.starters.add(self._names[-1])
 
     def _watched_loading(self, get_template: Any) -> Any:
         def watched(environment: Any, name: Any, *arguments: Any, **options: Any) -> Any:
@@ -129,17 +130,16 @@ class Reach:
         def of(names: Names) -> Names:
             return set().union(*(users.get(name, set()) for name in names))
 
-        return Table({place: of(names) for place, names in self.contexts().items()}, of(self._everywhere))
+        return Table({place: of(names) for place, names in self.contexts().items()})
 
 
 class Table:
     """Checks by what they reach."""
 
-    def __init__(self, lines: dict[tuple[str, int], Names], everywhere: Names) -> None:
+    def __init__(self, lines: dict[tuple[str, int], Names]) -> None:
         self.lines = lines
-        self.everywhere = everywhere
 
     def checks(self, path: str, lines: tuple[int, int]) -> Names:
         """All checks that reach one of the lines."""
         reached = (self.lines.get((path, line), set()) for line in range(lines[0], lines[1] + 1))
-        return self.everywhere.union(*reached)
+        return set().union(*reached)

@@ -15,8 +15,8 @@ import pytest
 
 from .reach import Reach
 
-SLOW = 60
-"""Seconds on the clock after which a test is given up, and left out from then on."""
+PATIENCE = 600
+"""Seconds on the clock after which a test or a fixture is given up."""
 
 QUIET = (
     "-q", "--tb=no", "-p", "no:cacheprovider", "-p", "no:terminalreporter", "-p", "no:unraisableexception",
@@ -31,14 +31,15 @@ def processor() -> float:
 
 @dataclass(eq=False)
 class Times:
-    """Seconds of processor time of each test, less those of its fixtures, and what failed."""
+    """Seconds of processor time of each test, those of the longest of its fixtures apart, and what failed."""
 
     seconds: dict[str, float] = field(default_factory=dict)
+    fixtures: dict[str, float] = field(default_factory=dict)
     failed: list[str] = field(default_factory=list)
 
-    def longer(self, limit: float) -> list[str]:
-        """Tests that take longer."""
-        return sorted(name for name, seconds in self.seconds.items() if seconds > limit)
+    def longer(self, limit: float, fixture: float) -> list[str]:
+        """Tests that take longer than a limit, or have a fixture that takes longer than another."""
+        return sorted(name for name in self.seconds if self.seconds[name] > limit or self.fixtures[name] > fixture)
 
     def without(self, names: set[str]) -> dict[str, float]:
         """The other tests, quick ones first."""
@@ -49,6 +50,18 @@ class Times:
 class _Verdicts(Times):
     """Filled in by a run."""
 
+    def __init__(self) -> None:
+        super().__init__()
+        self._setups: dict[str, float] = {}
+
+    @pytest.hookimpl(wrapper=True, tryfirst=True)
+    def pytest_fixture_setup(self, fixturedef: Any) -> Iterator[None]:
+        started, name = processor(), fixturedef.argname
+        try:
+            return (yield)
+        finally:
+            self._setups[name] = max(self._setups.get(name, 0.0), processor() - started)
+
     @pytest.hookimpl(wrapper=True, tryfirst=True)
     def pytest_runtest_call(self, item: pytest.Item) -> Iterator[None]:
         started = processor()
@@ -56,6 +69,8 @@ class _Verdicts(Times):
             return (yield)
         finally:
             self.seconds[item.nodeid] = processor() - started
+            names = getattr(item, "fixturenames", ())
+            self.fixtures[item.nodeid] = max((self._setups.get(name, 0.0) for name in names), default=0.0)
 
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
         if report.failed and report.nodeid not in self.failed:
@@ -124,7 +139,7 @@ class _alarm:
 
     def __enter__(self) -> None:
         self.before = signal.signal(signal.SIGALRM, self._late)
-        signal.alarm(SLOW)
+        signal.alarm(PATIENCE)
 
     def __exit__(self, *_: object) -> None:
         signal.alarm(0)
@@ -132,7 +147,7 @@ class _alarm:
 
     @staticmethod
     def _late(number: int, frame: FrameType | None) -> None:
-        raise TimeoutError(f"longer than {SLOW} s")
+        raise TimeoutError(f"longer than {PATIENCE} s")
 
 
 def first_failure(names: Sequence[str]) -> str | None:
@@ -156,4 +171,4 @@ def run_all(folders: Sequence[str], reach: Reach | None = None, few: int | None 
         code = pytest.main([*QUIET, *present], plugins)
         if code not in (pytest.ExitCode.OK, pytest.ExitCode.TESTS_FAILED):
             raise RuntimeError(f"tests of {', '.join(present)} do not run: {code!r}, {verdicts.failed}")
-    return Times(verdicts.seconds, verdicts.failed)
+    return Times(verdicts.seconds, verdicts.fixtures, verdicts.failed)
