@@ -74,8 +74,10 @@ def _module(chart: Chart, target: Target, staging: Path, report: Progress, first
     text, companions = module_text(proved, target), companion_texts(chart, target)
     files.write(staging, companions | {name: text})
     report(f"{chart.name}: validating")
-    validated, replayed = target.validate(staging, chart), target.replay(staging, chart, first)
-    return Module(name, proved, text, companions, validated, replayed, target.test(staging, chart))
+    validated = target.validate(staging, chart)
+    report(f"{chart.name}: replaying")
+    replayed, tested = target.replay(staging, chart, first), target.test(staging, chart)
+    return Module(name, proved, text, companions, validated, replayed, tested)
 
 
 def generate(

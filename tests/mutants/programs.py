@@ -17,7 +17,7 @@ from .mutant import EQUIVALENT, KILLED, SURVIVED, Fate, Mutant
 from .python import Edit
 
 if TYPE_CHECKING:
-    from derive.codegen.programs.program import Operand, Program, Step
+    from derive.codegen.programs.program import Call, Operand, Program, Statement, Step
 
 TARGET = "numpy"
 FORMS = ("both forms", "plain form", "in-place form")
@@ -34,17 +34,38 @@ Changed = tuple[str, str, "Program"]
 
 def program_mutants(program: Program) -> Iterator[Changed]:
     """All mutants of a program: operation, operand, constant, order of outputs."""
-    for index, step in enumerate(program.steps):
-        for operator, changed in _changed(program, index, step):
-            words = f"{_words(step)} → {_words(changed)}"
-            yield operator, words, _with_steps(program, (*program.steps[:index], changed, *program.steps[index + 1 :]))
+    for index, statement in enumerate(program.statements):
+        changes = _changed if hasattr(statement, "op") else _called
+        for operator, changed in changes(program, index, statement):  # type: ignore[operator]
+            words = f"{_words(statement)} → {_words(changed)}"
+            statements = (*program.statements[:index], changed, *program.statements[index + 1 :])
+            yield operator, words, _with_statements(program, statements)
     for i in range(len(program.outputs)):
         for operator, words, outputs in _outputs(program.outputs, i):
-            yield operator, words, _with_steps(dataclasses.replace(program, outputs=outputs), program.steps)
+            changed_program = dataclasses.replace(program, outputs=outputs)
+            yield operator, words, _with_statements(changed_program, program.statements)
 
 
-def _words(step: Step) -> str:
-    return f"{step.name} = {step.op}({', '.join(map(str, step.args))})"
+def _words(statement: Statement) -> str:
+    arguments = ", ".join(map(str, statement.args))
+    if hasattr(statement, "op"):
+        return f"{statement.name} = {statement.op}({arguments})"
+    return f"{', '.join(statement.names)} = c.{statement.function}({arguments})"
+
+
+def _made(statement: Statement) -> Sequence[str]:
+    return (statement.name,) if hasattr(statement, "op") else statement.names
+
+
+def _called(program: Program, index: int, call: Call) -> Iterator[tuple[str, Call]]:
+    """Another argument, or two that are swapped."""
+    for i, operand in enumerate(call.args):
+        for operator, other in _others(program, index, operand):
+            yield operator, dataclasses.replace(call, args=(*call.args[:i], other, *call.args[i + 1 :]))
+    for i in range(len(call.names) - 1):
+        names = (*call.names[:i], call.names[i + 1], call.names[i], *call.names[i + 2 :])
+        if not call.truths & set(names[i : i + 2]):
+            yield "operands swapped", dataclasses.replace(call, names=names)
 
 
 def _changed(program: Program, index: int, step: Step) -> Iterator[tuple[str, Step]]:
@@ -69,10 +90,11 @@ def _others(program: Program, index: int, operand: Operand) -> Iterator[tuple[st
         others = dict.fromkeys((operand + 1, operand - 1, -operand))
         yield from (("constant", other) for other in others if other != operand)
         return
-    ops = {step.name: step.op for step in program.steps}
+    masks = {step.name for step in program.steps if step.op in MASKS}.union(*(call.truths for call in program.calls))
     names = [name for _, group in program.inputs for name in group]
-    names += [step.name for step in program.steps[:index] if not step.inline]
-    alike = [name for name in names if (ops.get(name) in MASKS) == (ops.get(operand) in MASKS)]
+    for statement in program.statements[:index]:
+        names += [] if getattr(statement, "inline", False) else _made(statement)
+    alike = [name for name in names if (name in masks) == (operand in masks)]
     here = alike.index(operand) if operand in alike else len(alike)
     for other in dict.fromkeys((*alike[here - 1 : here], *alike[here + 1 : here + 2])):
         yield "operand", other
@@ -86,15 +108,15 @@ def _outputs(outputs: Sequence[Operand], i: int) -> Iterator[tuple[str, str, tup
         yield "constant", f"output {i}: {outputs[i]} + 1", (*outputs[:i], outputs[i] + 1, *outputs[i + 1 :])  # type: ignore[operator]
 
 
-def _with_steps(program: Program, steps: Sequence[Step]) -> Program:
-    """The program with these steps, less those that no output needs."""
+def _with_statements(program: Program, statements: Sequence[Statement]) -> Program:
+    """The program with these statements, less those that no output needs."""
     needed = {output for output in program.outputs if isinstance(output, str)}
     kept = []
-    for step in reversed(steps):
-        if step.name in needed:
-            kept.append(step)
-            needed.update(arg for arg in step.args if isinstance(arg, str))
-    return dataclasses.replace(program, steps=tuple(reversed(kept)))
+    for statement in reversed(statements):
+        if needed.intersection(_made(statement)):
+            kept.append(statement)
+            needed.update(arg for arg in statement.args if isinstance(arg, str))
+    return dataclasses.replace(program, statements=tuple(reversed(kept)))
 
 
 def same_value(first: Program, second: Program) -> bool:
@@ -121,8 +143,13 @@ def evaluated(program: Program, point: Mapping[str, int]) -> list[int]:
         fraction = Fraction(operand)
         return fraction.numerator * pow(fraction.denominator, -1, PRIME) % PRIME
 
-    for step in program.steps:
-        values[step.name] = _operation(step.op, [value(arg) for arg in step.args])
+    for statement in program.statements:
+        args = [value(arg) for arg in statement.args]
+        if hasattr(statement, "op"):
+            values[statement.name] = _operation(statement.op, args)
+        else:
+            for i, name in enumerate(statement.names):
+                values[name] = _operation(f"{statement.function} {i}", args)
     return [value(output) for output in program.outputs]
 
 
@@ -146,34 +173,21 @@ def _operation(op: str, args: list[int]) -> int:
 
 @dataclass(frozen=True)
 class Programs:
-    """Every program of the committed orders; in both printed forms, or in one of them alone."""
+    """The programs of the geometry and of the committed charts; in both printed forms, or in one of them alone."""
 
     name: str = "programs"
-    what: str = "straight-line programs of the NumPy modules of the committed orders: by validation alone"
+    what: str = "straight-line programs of the geometry and of the committed charts: by validation alone"
     checks: None = None
 
     def edit(self, mutant: Mutant) -> Edit | None:
         return None
 
     def mutants(self, folder: Path) -> Iterator[Mutant]:
-        for n in sorted(road.COMMITTED):
-            for program in self._programs(n):
-                for index, (operator, change, _) in enumerate(program_mutants(program)):
-                    for form in FORMS:
-                        place = f"cayley{n}.{program.name}, {form}"
-                        yield Mutant(place, 0, operator, change, (n, program.name, index, form))
-
-    @staticmethod
-    def _programs(n: int) -> list[Program]:
-        found: list[Program] = []
-        target = road.targets()[TARGET]
-
-        def noted(program: Program) -> Any:
-            found.append(program)
-            return target.printer(program)
-
-        road.build(n, road.unvalidated(target, printer=noted))
-        return found
+        for n, printer, program in road.programs():
+            for index, (operator, change, _) in enumerate(program_mutants(program)):
+                for form in FORMS:
+                    place = f"{'geometry' if n is None else f'cayley{n}'}.{program.name}, {form}"
+                    yield Mutant(place, 0, operator, change, (n, printer, program.name, index, form))
 
     def is_one(self, mutant: Mutant) -> bool:
         return True
@@ -182,19 +196,18 @@ class Programs:
         return 60
 
     def trial(self, mutant: Mutant | None, knowledge: Any) -> Fate:
-        n, name, index, form = mutant.site if mutant else (3, "", 0, "")
-        target = road.targets()[TARGET]
+        n, printer, name, index, form = mutant.site if mutant else (3, "two_forms", "", 0, "")
         pair: list[Program] = []
 
-        def printer(program: Program) -> Any:
-            if program.name != name:
-                return target.printer(program)
+        def change(original: Any, program: Program) -> Any:
             changed = next(islice(program_mutants(program), index, None))[2]
             pair[:] = program, changed
-            return _printed(target, program, changed, form)
+            return _printed(original, program, changed, form)
 
         try:
-            road.build(n, dataclasses.replace(target, printer=printer))
+            with road.printed_otherwise(printer, n, name, change):
+                for order in road.GEOMETRY if n is None else (n,):
+                    road.build(order, road.targets()[TARGET])
         except Exception as error:
             return Fate(KILLED, "validation", type(error).__name__)
         if pair and same_value(*pair):
@@ -202,12 +215,12 @@ class Programs:
         return Fate(SURVIVED)
 
 
-def _printed(target: Any, program: Program, changed: Program, form: str) -> Any:
+def _printed(print_it: Any, program: Program, changed: Program, form: str) -> Any:
     """What the template gets: the change in both forms, or in one with the other as it was."""
-    after = target.printer(changed)
+    after = print_it(changed)
     if form == "both forms":
         return after
-    before = target.printer(program)
+    before = print_it(program)
     if form == "plain form":
         return dataclasses.replace(before, plain=after.plain)
     return dataclasses.replace(after, plain=before.plain)

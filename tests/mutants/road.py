@@ -6,12 +6,12 @@ This module alone knows how the toolkit is called; it is imported inside a copy 
 from __future__ import annotations
 
 import ast
-import dataclasses
 import hashlib
 import importlib
 import pkgutil
 import re
 from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path, PurePath
 from typing import Any
 
@@ -26,6 +26,9 @@ ORDERS = (*COMMITTED, 11, 16)
 
 FEW = (3, 4)
 """Orders of the other targets."""
+
+GEOMETRY = (3, 4, 2, 1)
+"""Orders with which what all charts share is tried."""
 
 
 def import_all() -> None:
@@ -49,7 +52,7 @@ def validations(around: Around = lambda name, validate: validate) -> dict[str, C
     """
 
     def check(name: str, n: int, target: Any) -> Check:
-        seen = dataclasses.replace(target, validate=around(name, target.validate))
+        seen = Otherwise(target, validate=around(name, target.validate))
         return lambda: build(n, seen)
 
     return {
@@ -81,9 +84,49 @@ def build(n: int, target: Any) -> Any:
     return importlib.import_module("derive.codegen.compiler").build([n], target)
 
 
-def unvalidated(target: Any, **changes: Any) -> Any:
+class Otherwise:
+    """A target with some of its members replaced."""
+
+    def __init__(self, target: Any, **members: Any) -> None:
+        self._target = target
+        self.__dict__.update(members)
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._target, name)
+
+
+def unvalidated(target: Any) -> Any:
     """A target whose text is not looked at."""
-    return dataclasses.replace(target, validate=lambda *_: 0, **changes)
+    nothing = {name: lambda *_: 0 for name in ("validate", "replay", "test")}
+    return Otherwise(target, **nothing)
+
+
+def programs() -> Iterator[tuple[int | None, str, Any]]:
+    """Every program of the NumPy target: its order (None: of the geometry), what prints it, and itself."""
+    lowered, derive = importlib.import_module("derive.codegen.lowered"), importlib.import_module("derive")
+    yield from ((None, "two_forms", program) for program in lowered.geometry().values())
+    for n in sorted(COMMITTED):
+        found = lowered.lower_chart(derive.Cayley(n))
+        yield from ((n, "two_scalar_forms", program) for program in found.scalars.values())
+        yield from ((n, "two_forms", program) for program in found.own.values())
+
+
+@contextmanager
+def printed_otherwise(printer: str, n: int | None, name: str, change: Callable[[Any, Any], Any]) -> Iterator[None]:
+    """While it lasts, one program of the NumPy target is printed by ``change``, given the printer and the program."""
+    module = importlib.import_module("derive.codegen.targets.numpy")
+    shared = set(map(id, importlib.import_module("derive.codegen.lowered").geometry().values()))
+    original = getattr(module, printer)
+
+    def instead(program: Any) -> Any:
+        meant = program.name == name and (id(program) in shared) == (n is None)
+        return change(original, program) if meant else original(program)
+
+    setattr(module, printer, instead)
+    try:
+        yield
+    finally:
+        setattr(module, printer, original)
 
 
 def texts() -> Iterator[tuple[str, Mapping[str, str]]]:

@@ -99,7 +99,7 @@ MAPS = Checks("maps", ("derive/maps",), ("tests/derive/maps",), first="proof")
 EMISSION = Checks(
     "emission",
     ("derive/codegen", "derive/output", "templates"),
-    ("tests/derive/codegen", "tests/derive/output", "tests/derive/papers/test_report.py"),
+    ("tests/derive/codegen", "tests/derive/output", "tests/derive/papers/report/test_report.py"),
     first="validation",
     emits=True,
 )

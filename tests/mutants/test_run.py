@@ -97,7 +97,7 @@ def test_jobs_have_limits() -> None:
 def test_a_wrong_program_fails_validation_in_each_form(form: str) -> None:
     def fate() -> Fate:
         room = Programs()
-        wanted = (m for m in room.mutants(Path()) if m.site[1] == "pose" and m.site[3] == form)
+        wanted = (m for m in room.mutants(Path()) if m.site[2] == "pose" and m.site[4] == form)
         return room.trial(next(m for m in wanted if m.operator == "operation"), None)
 
     assert isolated(fate) == Fate(KILLED, "validation", "ValidationFailed")
