@@ -48,7 +48,7 @@ def run(backend: str, orders: tuple[int, ...]) -> list[float]:
 def main() -> None:
     """Print the table, and which limit falls short."""
     backends = [name for name in ("flint", "sympy") if name == "sympy" or importlib.util.find_spec("flint")]
-    table = Table("n", "backend", "proving", "emitting", "validating", "replaying", "all but replaying (s)", "limit (s)")
+    table = Table("n", "backend", "proving", "emitting", "validating", "replaying", "all but that (s)", "limit")
     for orders, *limits in CASES:
         for backend in backends:
             seconds = run(backend, orders)

@@ -135,6 +135,8 @@ class Ratio:
         n = operator.index(exponent)  # type: ignore[arg-type]  # a TypeError for what is no integer
         if n < 0:
             return 1 / self ** (-n)
+        if n == 0:
+            return self.field.constant(1)  # also of zero, which not every library of polynomials says
         return Ratio(self.field, self.numerator**n, self.denominator**n)
 
     def __eq__(self, other: object) -> bool:

@@ -222,3 +222,19 @@ def test_bad_orders_and_targets_are_refused(tmp_path: Path):
     with pytest.raises(ValueError, match=r"target must be one of numpy.*got 'fortran'"):
         derive.generate([2], target="fortran", output=tmp_path / "k")
     assert not (tmp_path / "k").exists()
+
+
+def test_the_road_runs_without_python_flint_and_leads_to_the_same_bytes(package):
+    """In a process of its own, where the library cannot be imported."""
+    code = (
+        "import hashlib, sys\n"
+        "sys.modules['flint'] = None\n"
+        "from derive.codegen import build\n"
+        "from derive.codegen.targets import TARGETS\n"
+        "texts = build([3, 4], TARGETS['numpy']).texts\n"
+        "print(hashlib.sha256(repr(sorted(texts.items())).encode()).hexdigest())"
+    )
+    here = hashlib.sha256(repr(sorted(package.texts.items())).encode()).hexdigest()
+    env = {**os.environ, "PYTHONPATH": str(ROOT)}
+    done = subprocess.run([sys.executable, "-c", code], env=env, capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == here

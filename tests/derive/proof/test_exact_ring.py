@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from derive.proof.element import BITS, Element
 from derive.proof.exact import Ring
 from derive.proof.polynomial_backend import packed_product, polynomials
+from derive.proof.ratio import RationalFunctions
 
 pytestmark = pytest.mark.smoke
 
@@ -259,3 +260,9 @@ def test_functions_of_the_square_are_ordered_near_zero(backend):
     assert not square > square
     with pytest.raises(ValueError, match="must depend on the squares"):
         _ = exact.symbol("v1") > 0
+
+
+def test_every_number_to_the_power_0_is_1():
+    field = RationalFunctions(("x",))
+    assert field.constant(0) ** 0 == 1
+    assert field.symbol("x") ** 0 == 1
