@@ -8,10 +8,10 @@ from typing import Any
 
 import pytest
 import sympy
-from derive.papers.terms import Apply, Letter, Number, Term, walk
 
 from derive.papers import PAPERS
 from derive.papers.equation import Equation as Entry
+from derive.papers.language.terms import Apply, Letter, Number, Term, walk
 from derive.proof import marks
 from derive.proof.displacement_theorems import COMPOSITION_AT
 from derive.proof.every_order import stated
@@ -49,12 +49,12 @@ def converted(term: Term) -> Any:
         return LETTERS[term.name]
     assert isinstance(term, Apply)
     first = term.arguments[0]
-    if term.head == "at":  # p_n(|v|)
+    if term.mark.name == "at":  # p_n(|v|)
         return sandwich(*term.arguments) if first == DELTA else converted(first)
-    if term.head == "of two" and isinstance(first, Letter) and first.name == "R(α, u)":
+    if term.mark.name == "of two" and isinstance(first, Letter) and first.name == "R(α, u)":
         return marks.R
     arguments = [converted(argument) for argument in term.arguments if not _is_bound(term, argument)]
-    return _applied(term.head, arguments)
+    return _applied(term.mark.name, arguments)
 
 
 DELTA = next(
@@ -70,7 +70,7 @@ def sandwich(_: Term, quaternion: Term) -> Any:
 
 def _is_bound(term: Apply, argument: Term) -> bool:
     """The upper bound of a sum: its terms vanish beyond."""
-    return term.head == "sum" and argument is term.arguments[2]
+    return term.mark.name == "sum" and argument is term.arguments[2]
 
 
 def _applied(head: str, a: list[Any]) -> Any:
@@ -95,10 +95,10 @@ def _applied(head: str, a: list[Any]) -> Any:
 
 def chains(statement: Term) -> Iterator[list[Any]]:
     """The members of every chain of equalities, those that can be converted."""
-    if isinstance(statement, Apply) and statement.head in ("both", "remark"):
+    if isinstance(statement, Apply) and statement.mark.name in ("both", "remark"):
         for part in statement.arguments:
             yield from chains(part)
-    elif isinstance(statement, Apply) and statement.head == "equal":
+    elif isinstance(statement, Apply) and statement.mark.name == "equal":
         members = []
         for member in statement.arguments:
             try:
