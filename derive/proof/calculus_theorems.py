@@ -75,7 +75,7 @@ FORWARD, BACKWARD = (g, h, f_y, g_y, h_y), (h_i, f_iy, h_iy)
 
 def calculus_theorems(formulas: Formulas) -> tuple[Theorem, ...]:
     """What is claimed, for every n, of derivatives of the given formulas."""
-    operator = formulas.defined(dcay, "tangent"), formulas.defined(dcay_inv, "tangent_inv")
+    operator = formulas.defined(dcay, "tangent"), formulas.defined(dcay_inv, "tangent_inv", numbers=(89,))
     tensor = formulas.defined(R, "tensor")
     coefficients = dict(_coefficients(formulas))
     slopes = _slopes(coefficients)
