@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 from ..maps.chart import Chart
-from .lowering import forward, inverse, kinematics
+from .lowering import calculus, forward, inverse, kinematics
 from .lowering.point import Geometry
 from .programs.program import Program
 
@@ -112,7 +112,14 @@ def _tensor(name: str) -> Array:
     return Array(name, (2, 3, 3), (9, 9))
 
 
+def _jacobian(name: str) -> Array:
+    """A dual tensor as a real matrix: its real part beside zeros, then its dual part beside the real one."""
+    return Array(name, (6, 6), (6, 6, 6, 3, 3, 3, 3, 3, 3))
+
+
 V, OMEGA, V_DOT, LINE, SHADOW, MOVED = map(_dual, ("v", "omega", "v_dot", "line", "v_k", "moved"))
+OMEGA_DOT, V_DDOT, WRENCH, MOMENTUM = map(_dual, ("omega_dot", "v_ddot", "z", "tau"))
+JACOBIAN = _jacobian("jacobian")
 QUATERNION = Array("q", (8,), (4, 4))
 POSE = Array("pose", (4, 4), (3, 1, 3, 1, 3, 1, 4))
 POINT = Array("r", (3,), (3,))
@@ -121,6 +128,15 @@ ANGLE = Array("angle", (2,), (1, 1))
 SPACE, BODY = ("1",), ("-1",)
 """The side of T: itself, which gives the twist in space, or its transpose, in the body; of T⁻¹ also half the side."""
 SPACE_INV, BODY_INV = ("1", "0.5"), ("-1", "-0.5")
+
+
+def _both_frames(name: str, arguments: tuple[Array, ...], result: Array, recipe: Recipe) -> tuple[Function, Function]:
+    """A function of space and, by the other side of T, that of the body."""
+    return (
+        Function(name, arguments, (result,), recipe, constants=SPACE),
+        Function(f"body_{name}", arguments, (result,), None, constants=BODY, shares=name),
+    )
+
 
 _ROWS = (
     Function("quaternion", (V,), (QUATERNION,), forward.quaternion),
@@ -134,6 +150,15 @@ _ROWS = (
     Function("rate", (V, OMEGA), (V_DOT,), kinematics.rate, constants=SPACE_INV),
     Function("body_twist", (V, V_DOT), (OMEGA,), None, constants=BODY, shares="twist"),
     Function("body_rate", (V, OMEGA), (V_DOT,), None, constants=BODY_INV, shares="rate"),
+    *_both_frames("tangent_dot", (V, V_DOT), _tensor("tangent_dot"), calculus.tangent_dot),
+    *_both_frames("twist_dot", (V, V_DOT, V_DDOT), OMEGA_DOT, calculus.twist_dot),
+    *_both_frames("rate_dot", (V, OMEGA, OMEGA_DOT), V_DDOT, calculus.rate_dot),
+    *_both_frames("twist_jacobian", (V, V_DOT), JACOBIAN, calculus.twist_jacobian),
+    *_both_frames("rate_jacobian", (V, OMEGA), JACOBIAN, calculus.rate_jacobian),
+    Function("cotangent", (V, WRENCH), (MOMENTUM,), None, constants=BODY, shares="twist"),
+    Function("body_cotangent", (V, WRENCH), (MOMENTUM,), None, constants=SPACE, shares="twist"),
+    Function("cotangent_jacobian", (V, WRENCH), (JACOBIAN,), None, constants=BODY, shares="twist_jacobian"),
+    Function("body_cotangent_jacobian", (V, WRENCH), (JACOBIAN,), None, constants=SPACE, shares="twist_jacobian"),
     Function("from_quaternion", (QUATERNION,), (V,), inverse.from_quaternion, exact=False, branch=True, real=True),
     Function("from_tensor", (_tensor("R"),), (V,), inverse.from_tensor, exact=False, branch=True, real=True),
     Function("from_pose", (POSE.called("T"),), (V,), inverse.from_pose, exact=False, branch=True, real=True),

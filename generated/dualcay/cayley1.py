@@ -61,7 +61,7 @@
 #   [n = 1] q = cos(alpha/2) + u sin(alpha/2): phi'*(h*x + f) = 1; [s](x -> 0) = 1
 #
 # Operations:
-#   quaternion: 29: 8 +, 17 *, 3 /, 1 sqrt
+#   quaternion: 30: 8 +, 18 *, 3 /, 1 sqrt
 #   tensor: 71: 29 +, 40 *, 2 /
 #   pose: 44: 20 +, 22 *, 2 /
 #   transform_point: 57: 24 +, 31 *, 2 /
@@ -70,6 +70,11 @@
 #   tangent_inv: 57: 21 +, 21 *, 15 /
 #   twist: 80: 29 +, 47 *, 3 /, 1 neg
 #   rate: 84: 34 +, 50 *
+#   tangent_dot: 86: 26 +, 49 *, 4 /, 7 neg
+#   twist_dot: 116: 44 +, 67 *, 4 /, 1 neg
+#   rate_dot: 236: 104 +, 120 *, 12 /
+#   twist_jacobian: 149: 54 +, 89 *, 4 /, 2 neg
+#   rate_jacobian: 85: 34 +, 42 *, 9 /
 #   from_quaternion: 54: 20 +, 30 *, 4 /
 #   from_tensor: 115: 40 +, 37 *, 7 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 79: 25 +, 19 *, 4 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -108,15 +113,41 @@ from ._interface import PoseKernels
 from ._kernel import Components, Kernel, Result, Rows, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "body_rate", "body_twist", "compose", "dcay", "dcay_inv", "from_pose", "from_quaternion", "from_screw",
-    "from_tensor", "pose", "principal", "quaternion", "rate", "shadow", "singular_angles", "tangent", "tangent_inv",
-    "tensor", "to_screw", "transform_line", "transform_point", "twist",
+    "body_cotangent", "body_cotangent_jacobian", "body_rate", "body_rate_dot", "body_rate_jacobian", "body_tangent_dot",
+    "body_twist", "body_twist_dot", "body_twist_jacobian", "compose", "cotangent", "cotangent_jacobian", "dcay",
+    "dcay_inv", "from_pose", "from_quaternion", "from_screw", "from_tensor", "pose", "principal", "quaternion", "rate",
+    "rate_dot", "rate_jacobian", "shadow", "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor",
+    "to_screw", "transform_line", "transform_point", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 1
 
 
 # --- scalars of x = v·v, of angles and quaternions: plain, and in place -------------------------------------------
+
+
+# operations 6: 1 +, 1 *, 3 /, 1 sqrt
+def _quaternion(m: Any, x: Any) -> Result:
+    N = 1 + x
+    root = m.sqrt(N)
+    r = root / root / root
+    minus_e = -1 / N
+    sy = r * minus_e
+    return r, r, sy, sy
+
+
+def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, o3, o4 = out
+    k1, *_ = scratch
+    n_minus_1, n1 = numbers
+    N = add(n1, x, o3)
+    root = sqrt(N, o1)
+    r = div(div(root, root, k1), root, o1)
+    minus_e = div(n_minus_1, N, o3)
+    mul(r, minus_e, o3)
+    copy(o1, o2)
+    copy(o3, o4)
+    return o1, o2, o3, o4
 
 
 # operations 7: 2 +, 4 *, 1 /
@@ -152,49 +183,6 @@ def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
 
 
 # --- geometry that does with less here than for any chart ---------------------------------------------------------
-
-
-# operations 29: 8 +, 17 *, 3 /, 1 sqrt
-def _own_quaternion(m: Any, c: Any, v: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    N = 1 + x
-    root = m.sqrt(N)
-    r = root / root / root
-    minus_e = -1 / N
-    sy = r * minus_e
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    wo = sy * y
-    return r, v1 * r, v2 * r, v3 * r, wo, v1o * r + v1 * wo, v2o * r + v2 * wo, v3o * r + v3 * wo
-
-
-def _own_quaternion_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    o1, o2, o3, o4, o5, o6, o7, o8 = out
-    k1, k2, k3 = scratch
-    n_minus_1, n1 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    N = add(n1, x, k1)
-    root = sqrt(N, k2)
-    r = div(div(root, root, k3), root, o1)
-    mul(v1, r, o2)
-    mul(v2, r, o3)
-    mul(v3, r, o4)
-    minus_e = div(n_minus_1, N, k1)
-    sy = mul(r, minus_e, k1)
-    y = add(add(mul(v1, v1o, k2), mul(v2, v2o, k3), k2), mul(v3, v3o, k3), k2)
-    wo = mul(sy, y, o5)
-    add(mul(v1o, r, k1), mul(v1, wo, k2), o6)
-    add(mul(v2o, r, k1), mul(v2, wo, k2), o7)
-    add(mul(v3o, r, k1), mul(v3, wo, k2), o8)
 
 
 # operations 71: 29 +, 40 *, 2 /
@@ -800,6 +788,629 @@ def _own_rate_blocks(
     )
 
 
+# operations 86: 26 +, 49 *, 4 /, 7 neg
+def _own_tangent_dot(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    side, = table
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    N = 1 + x
+    r = 2 * (N / N / N)
+    e = 2 / N
+    eg = e * r
+    fy = -eg
+    egy = e * fy
+    ee = 2 * e / N
+    eeg = ee * r
+    fyy = eeg - egy
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    go = fy * y
+    fyo = fyy * y
+    vw = v1 * w1 + v2 * w2 + v3 * w3
+    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
+    gt = fy * vw
+    gto = fy * vwo + fyo * vw
+    gw1 = w1 * r
+    gw1o = w1 * go + w1o * r
+    gw2 = w2 * r
+    gw2o = w2 * go + w2o * r
+    gw3 = w3 * r
+    gw3o = w3 * go + w3o * r
+    s1 = (v1 * gt + gw1) * side
+    s1o = (v1 * gto + v1o * gt + gw1o) * side
+    s2 = (v2 * gt + gw2) * side
+    s2o = (v2 * gto + v2o * gt + gw2o) * side
+    s3 = (v3 * gt + gw3) * side
+    s3o = (v3 * gto + v3o * gt + gw3o) * side
+    return gt, -s3, s2, s3, gt, -s1, -s2, s1, gt, gto, -s3o, s2o, s3o, gto, -s1o, -s2o, s1o, gto
+
+
+def _own_tangent_dot_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows, table: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    side, = table
+    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
+    k1, k2, k3, k4, k5, k6, k7 = scratch
+    n1, n2 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    N = add(n1, x, k1)
+    r = mul(n2, div(div(N, N, k2), N, k2), k2)
+    e = div(n2, N, k3)
+    ee = div(mul(n2, e, k4), N, k1)
+    eeg = mul(ee, r, k1)
+    eg = mul(e, r, k4)
+    fy = neg(eg, k4)
+    egy = mul(e, fy, k3)
+    fyy = sub(eeg, egy, k1)
+    y = add(add(mul(v1, v1o, k3), mul(v2, v2o, k5), k3), mul(v3, v3o, k5), k3)
+    fyo = mul(fyy, y, k1)
+    go = mul(fy, y, k3)
+    vwo = add(
+        add(add(mul(v1, w1o, k5), mul(v1o, w1, k6), k5), add(mul(v2, w2o, k6), mul(v2o, w2, k7), k6), k5), add(mul(v3,
+        w3o, k6), mul(v3o, w3, k7), k6), k5
+    )
+    vw = add(add(mul(v1, w1, k6), mul(v2, w2, k7), k6), mul(v3, w3, k7), k6)
+    gto = add(mul(fy, vwo, k5), mul(fyo, vw, k1), o10)
+    gt = mul(fy, vw, o1)
+    gw1o = add(mul(w1, go, k1), mul(w1o, r, k4), k1)
+    s1o = mul(add(add(mul(v1, gto, k4), mul(v1o, gt, k5), k4), gw1o, k1), side, o17)
+    neg(s1o, o15)
+    gw2o = add(mul(w2, go, k1), mul(w2o, r, k4), k1)
+    s2o = mul(add(add(mul(v2, gto, k4), mul(v2o, gt, k5), k4), gw2o, k1), side, o12)
+    neg(s2o, o16)
+    gw3o = add(mul(w3, go, k1), mul(w3o, r, k3), k1)
+    s3o = mul(add(add(mul(v3, gto, k3), mul(v3o, gt, k4), k3), gw3o, k1), side, o13)
+    neg(s3o, o11)
+    gw1 = mul(w1, r, k1)
+    s1 = mul(add(mul(v1, gt, k3), gw1, k1), side, o8)
+    neg(s1, o6)
+    gw2 = mul(w2, r, k1)
+    s2 = mul(add(mul(v2, gt, k3), gw2, k1), side, o3)
+    neg(s2, o7)
+    gw3 = mul(w3, r, k1)
+    s3 = mul(add(mul(v3, gt, k2), gw3, k1), side, o4)
+    neg(s3, o2)
+    copy(o1, o5)
+    copy(o1, o9)
+    copy(o10, o14)
+    copy(o10, o18)
+
+
+# operations 116: 44 +, 67 *, 4 /, 1 neg
+def _own_twist_dot(m: Any, c: Any, v: Components, v_dot: Components, v_ddot: Components, table: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    z1, z2, z3, z1o, z2o, z3o = v_ddot
+    side, = table
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    N = 1 + x
+    r = 2 * (N / N / N)
+    e = 2 / N
+    eg = e * r
+    fy = -eg
+    egy = e * fy
+    ee = 2 * e / N
+    eeg = ee * r
+    fyy = eeg - egy
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    fo = fy * y
+    fyo = fyy * y
+    vw = v1 * w1 + v2 * w2 + v3 * w3
+    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
+    gt = fy * vw
+    gto = fy * vwo + fyo * vw
+    gz1 = z1 * r + w1 * gt
+    gz1o = z1 * fo + z1o * r + (w1 * gto + w1o * gt)
+    gz2 = z2 * r + w2 * gt
+    gz2o = z2 * fo + z2o * r + (w2 * gto + w2o * gt)
+    gz3 = z3 * r + w3 * gt
+    gz3o = z3 * fo + z3o * r + (w3 * gto + w3o * gt)
+    s1 = gz1 * side
+    s1o = gz1o * side
+    s2 = gz2 * side
+    s2o = gz2o * side
+    s3 = gz3 * side
+    s3o = gz3o * side
+    return (
+        gz1 + (v2 * s3 - v3 * s2),
+        gz2 + (v3 * s1 - v1 * s3),
+        gz3 + (v1 * s2 - v2 * s1),
+        gz1o + (v2 * s3o + v2o * s3 - (v3 * s2o + v3o * s2)),
+        gz2o + (v3 * s1o + v3o * s1 - (v1 * s3o + v1o * s3)),
+        gz3o + (v1 * s2o + v1o * s2 - (v2 * s1o + v2o * s1)),
+    )
+
+
+def _own_twist_dot_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows, v_ddot: Rows, table: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    z1, z2, z3, z1o, z2o, z3o = v_ddot
+    side, = table
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12 = scratch
+    n1, n2 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    N = add(n1, x, k1)
+    r = mul(n2, div(div(N, N, k2), N, k2), k2)
+    e = div(n2, N, k3)
+    ee = div(mul(n2, e, k4), N, k1)
+    eeg = mul(ee, r, k1)
+    eg = mul(e, r, k4)
+    fy = neg(eg, k4)
+    egy = mul(e, fy, k3)
+    fyy = sub(eeg, egy, k1)
+    vw = add(add(mul(v1, w1, k3), mul(v2, w2, k5), k3), mul(v3, w3, k5), k3)
+    gt = mul(fy, vw, k5)
+    gz1 = add(mul(z1, r, k6), mul(w1, gt, k7), k6)
+    gz3 = add(mul(z3, r, k7), mul(w3, gt, k8), k7)
+    s3 = mul(gz3, side, k8)
+    gz2 = add(mul(z2, r, k9), mul(w2, gt, k10), k9)
+    s2 = mul(gz2, side, k10)
+    add(gz1, sub(mul(v2, s3, k11), mul(v3, s2, k12), k11), o1)
+    s1 = mul(gz1, side, k6)
+    add(gz2, sub(mul(v3, s1, k11), mul(v1, s3, k12), k11), o2)
+    add(gz3, sub(mul(v1, s2, k9), mul(v2, s1, k11), k9), o3)
+    y = add(add(mul(v1, v1o, k7), mul(v2, v2o, k9), k7), mul(v3, v3o, k9), k7)
+    fyo = mul(fyy, y, k1)
+    fo = mul(fy, y, k7)
+    vwo = add(
+        add(add(mul(v1, w1o, k9), mul(v1o, w1, k11), k9), add(mul(v2, w2o, k11), mul(v2o, w2, k12), k11), k9),
+        add(mul(v3, w3o, k11), mul(v3o, w3, k12), k11), k9
+    )
+    gto = add(mul(fy, vwo, k4), mul(fyo, vw, k1), k1)
+    gz1o = add(add(mul(z1, fo, k3), mul(z1o, r, k4), k3), add(mul(w1, gto, k4), mul(w1o, gt, k9), k4), k3)
+    gz3o = add(add(mul(z3, fo, k4), mul(z3o, r, k9), k4), add(mul(w3, gto, k9), mul(w3o, gt, k11), k9), k4)
+    gz2o = add(add(mul(z2, fo, k7), mul(z2o, r, k2), k2), add(mul(w2, gto, k1), mul(w2o, gt, k5), k1), k1)
+    s3o = mul(gz3o, side, k2)
+    s2o = mul(gz2o, side, k5)
+    add(gz1o, sub(add(mul(v2, s3o, k7), mul(v2o, s3, k9), k7), add(mul(v3, s2o, k9), mul(v3o, s2, k11), k9), k7), o4)
+    s1o = mul(gz1o, side, k3)
+    add(gz2o, sub(add(mul(v3, s1o, k7), mul(v3o, s1, k9), k7), add(mul(v1, s3o, k2), mul(v1o, s3, k8), k2), k2), o5)
+    add(gz3o, sub(add(mul(v1, s2o, k1), mul(v1o, s2, k2), k1), add(mul(v2, s1o, k2), mul(v2o, s1, k3), k2), k1), o6)
+
+
+# operations 236: 104 +, 120 *, 12 /
+def _own_rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: Components, table: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    z1, z2, z3, z1o, z2o, z3o = omega_dot
+    side, = table
+    vw = v1 * w1 + v2 * w2 + v3 * w3
+    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
+    u1 = (w1 + (w2 * v3 - w3 * v2) * side + v1 * vw) / 2
+    u1o = (w1o + (w2 * v3o + w2o * v3 - (w3 * v2o + w3o * v2)) * side + (v1 * vwo + v1o * vw)) / 2
+    u2 = (w2 + (w3 * v1 - w1 * v3) * side + v2 * vw) / 2
+    u2o = (w2o + (w3 * v1o + w3o * v1 - (w1 * v3o + w1o * v3)) * side + (v2 * vwo + v2o * vw)) / 2
+    u3 = (w3 + (w1 * v2 - w2 * v1) * side + v3 * vw) / 2
+    u3o = (w3o + (w1 * v2o + w1o * v2 - (w2 * v1o + w2o * v1)) * side + (v3 * vwo + v3o * vw)) / 2
+    pull = v1 * z1 + v2 * z2 + v3 * z3 + (u1 * w1 + u2 * w2 + u3 * w3)
+    pullo = (
+        v1 * z1o + v1o * z1 + (v2 * z2o + v2o * z2) + (v3 * z3o + v3o * z3) + (u1 * w1o + u1o * w1 + (u2 * w2o + u2o
+        * w2) + (u3 * w3o + u3o * w3))
+    )
+    return (
+        (z1 + (z2 * v3 - z3 * v2 + (w2 * u3 - w3 * u2)) * side + v1 * pull + u1 * vw) / 2,
+        (z2 + (z3 * v1 - z1 * v3 + (w3 * u1 - w1 * u3)) * side + v2 * pull + u2 * vw) / 2,
+        (z3 + (z1 * v2 - z2 * v1 + (w1 * u2 - w2 * u1)) * side + v3 * pull + u3 * vw) / 2,
+        (z1o + (z2 * v3o + z2o * v3 - (z3 * v2o + z3o * v2) + (w2 * u3o + w2o * u3 - (w3 * u2o + w3o * u2))) * side
+        + (v1 * pullo + v1o * pull) + (u1 * vwo + u1o * vw)) / 2,
+        (z2o + (z3 * v1o + z3o * v1 - (z1 * v3o + z1o * v3) + (w3 * u1o + w3o * u1 - (w1 * u3o + w1o * u3))) * side
+        + (v2 * pullo + v2o * pull) + (u2 * vwo + u2o * vw)) / 2,
+        (z3o + (z1 * v2o + z1o * v2 - (z2 * v1o + z2o * v1) + (w1 * u2o + w1o * u2 - (w2 * u1o + w2o * u1))) * side
+        + (v3 * pullo + v3o * pull) + (u3 * vwo + u3o * vw)) / 2,
+    )
+
+
+def _own_rate_dot_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows, omega_dot: Rows, table: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    z1, z2, z3, z1o, z2o, z3o = omega_dot
+    side, = table
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14 = scratch
+    n2, = numbers
+    vw = add(add(mul(v1, w1, k1), mul(v2, w2, k2), k1), mul(v3, w3, k2), k1)
+    u1 = div(add(add(w1, mul(sub(mul(w2, v3, k2), mul(w3, v2, k3), k2), side, k2), k2), mul(v1, vw, k3), k2), n2, k2)
+    u2 = div(add(add(w2, mul(sub(mul(w3, v1, k3), mul(w1, v3, k4), k3), side, k3), k3), mul(v2, vw, k4), k3), n2, k3)
+    u3 = div(add(add(w3, mul(sub(mul(w1, v2, k4), mul(w2, v1, k5), k4), side, k4), k4), mul(v3, vw, k5), k4), n2, k4)
+    pull = add(
+        add(add(mul(v1, z1, k5), mul(v2, z2, k6), k5), mul(v3, z3, k6), k5), add(add(mul(u1, w1, k6), mul(u2, w2, k7),
+        k6), mul(u3, w3, k7), k6), k5
+    )
+    div(
+        add(add(add(z1, mul(add(sub(mul(z2, v3, k6), mul(z3, v2, k7), k6), sub(mul(w2, u3, k7), mul(w3, u2, k8), k7),
+        k6), side, k6), k6), mul(v1, pull, k7), k6), mul(u1, vw, k7), k6), n2, o1
+    )
+    div(
+        add(add(add(z2, mul(add(sub(mul(z3, v1, k6), mul(z1, v3, k7), k6), sub(mul(w3, u1, k7), mul(w1, u3, k8), k7),
+        k6), side, k6), k6), mul(v2, pull, k7), k6), mul(u2, vw, k7), k6), n2, o2
+    )
+    div(
+        add(add(add(z3, mul(add(sub(mul(z1, v2, k6), mul(z2, v1, k7), k6), sub(mul(w1, u2, k7), mul(w2, u1, k8), k7),
+        k6), side, k6), k6), mul(v3, pull, k7), k6), mul(u3, vw, k7), k6), n2, o3
+    )
+    vwo = add(
+        add(add(mul(v1, w1o, k6), mul(v1o, w1, k7), k6), add(mul(v2, w2o, k7), mul(v2o, w2, k8), k7), k6), add(mul(v3,
+        w3o, k7), mul(v3o, w3, k8), k7), k6
+    )
+    u1o = div(
+        add(add(w1o, mul(sub(add(mul(w2, v3o, k7), mul(w2o, v3, k8), k7), add(mul(w3, v2o, k8), mul(w3o, v2, k9), k8),
+        k7), side, k7), k7), add(mul(v1, vwo, k8), mul(v1o, vw, k9), k8), k7), n2, k7
+    )
+    u2o = div(
+        add(add(w2o, mul(sub(add(mul(w3, v1o, k8), mul(w3o, v1, k9), k8), add(mul(w1, v3o, k9), mul(w1o, v3, k10), k9),
+        k8), side, k8), k8), add(mul(v2, vwo, k9), mul(v2o, vw, k10), k9), k8), n2, k8
+    )
+    u3o = div(
+        add(add(w3o, mul(sub(add(mul(w1, v2o, k9), mul(w1o, v2, k10), k9), add(mul(w2, v1o, k10), mul(w2o, v1, k11),
+        k10), k9), side, k9), k9), add(mul(v3, vwo, k10), mul(v3o, vw, k11), k10), k9), n2, k9
+    )
+    pullo = add(
+        add(add(add(mul(v1, z1o, k10), mul(v1o, z1, k11), k10), add(mul(v2, z2o, k11), mul(v2o, z2, k12), k11), k10),
+        add(mul(v3, z3o, k11), mul(v3o, z3, k12), k11), k10), add(add(add(mul(u1, w1o, k11), mul(u1o, w1, k12), k11),
+        add(mul(u2, w2o, k12), mul(u2o, w2, k13), k12), k11), add(mul(u3, w3o, k12), mul(u3o, w3, k13), k12), k11), k10
+    )
+    div(
+        add(add(add(z1o, mul(add(sub(add(mul(z2, v3o, k11), mul(z2o, v3, k12), k11), add(mul(z3, v2o, k12), mul(z3o, v2,
+        k13), k12), k11), sub(add(mul(w2, u3o, k12), mul(w2o, u3, k13), k12), add(mul(w3, u2o, k13), mul(w3o, u2, k14),
+        k13), k12), k11), side, k11), k11), add(mul(v1, pullo, k12), mul(v1o, pull, k13), k12), k11), add(mul(u1, vwo,
+        k12), mul(u1o, vw, k13), k12), k11), n2, o4
+    )
+    div(
+        add(add(add(z2o, mul(add(sub(add(mul(z3, v1o, k11), mul(z3o, v1, k12), k11), add(mul(z1, v3o, k12), mul(z1o, v3,
+        k13), k12), k11), sub(add(mul(w3, u1o, k12), mul(w3o, u1, k13), k12), add(mul(w1, u3o, k13), mul(w1o, u3, k14),
+        k13), k12), k11), side, k11), k11), add(mul(v2, pullo, k12), mul(v2o, pull, k13), k12), k11), add(mul(u2, vwo,
+        k12), mul(u2o, vw, k13), k12), k11), n2, o5
+    )
+    div(
+        add(add(add(z3o, mul(add(sub(add(mul(z1, v2o, k11), mul(z1o, v2, k12), k11), add(mul(z2, v1o, k12), mul(z2o, v1,
+        k13), k12), k11), sub(add(mul(w1, u2o, k8), mul(w1o, u2, k3), k3), add(mul(w2, u1o, k7), mul(w2o, u1, k2), k2),
+        k2), k2), side, k2), k2), add(mul(v3, pullo, k3), mul(v3o, pull, k5), k3), k2), add(mul(u3, vwo, k3), mul(u3o,
+        vw, k1), k1), k1), n2, o6
+    )
+
+
+# operations 149: 54 +, 89 *, 4 /, 2 neg
+def _own_twist_jacobian(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    side, = table
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    N = 1 + x
+    r = 2 * (N / N / N)
+    e = 2 / N
+    eg = e * r
+    fy = -eg
+    egy = e * fy
+    ee = 2 * e / N
+    eeg = ee * r
+    fyy = eeg - egy
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    go = fy * y
+    fyo = fyy * y
+    t1 = v2 * w3 - v3 * w2
+    t1o = v2 * w3o + v2o * w3 - (v3 * w2o + v3o * w2)
+    t2 = v3 * w1 - v1 * w3
+    t2o = v3 * w1o + v3o * w1 - (v1 * w3o + v1o * w3)
+    t3 = v1 * w2 - v2 * w1
+    t3o = v1 * w2o + v1o * w2 - (v2 * w1o + v2o * w1)
+    gs = fy * side
+    gso = fyo * side
+    b1 = w1 * fy + t1 * gs
+    b1o = w1 * fyo + w1o * fy + (t1 * gso + t1o * gs)
+    b2 = w2 * fy + t2 * gs
+    b2o = w2 * fyo + w2o * fy + (t2 * gso + t2o * gs)
+    b3 = w3 * fy + t3 * gs
+    b3o = w3 * fyo + w3o * fy + (t3 * gso + t3o * gs)
+    minus_side = -side
+    sg = r * minus_side
+    sgo = go * minus_side
+    s1 = w1 * sg
+    s1o = w1 * sgo + w1o * sg
+    s2 = w2 * sg
+    s2o = w2 * sgo + w2o * sg
+    s3 = w3 * sg
+    s3o = w3 * sgo + w3o * sg
+    J11 = b1 * v1
+    J22 = b2 * v2
+    J33 = b3 * v3
+    J12 = b1 * v2 - s3
+    J13 = b1 * v3 + s2
+    J21 = b2 * v1 + s3
+    J23 = b2 * v3 - s1
+    J31 = b3 * v1 - s2
+    J32 = b3 * v2 + s1
+    return (
+        J11,
+        J12,
+        J13,
+        0,
+        0,
+        0,
+        J21,
+        J22,
+        J23,
+        0,
+        0,
+        0,
+        J31,
+        J32,
+        J33,
+        0,
+        0,
+        0,
+        b1 * v1o + b1o * v1,
+        b1 * v2o + b1o * v2 - s3o,
+        b1 * v3o + b1o * v3 + s2o,
+        J11,
+        J12,
+        J13,
+        b2 * v1o + b2o * v1 + s3o,
+        b2 * v2o + b2o * v2,
+        b2 * v3o + b2o * v3 - s1o,
+        J21,
+        J22,
+        J23,
+        b3 * v1o + b3o * v1 - s2o,
+        b3 * v2o + b3o * v2 + s1o,
+        b3 * v3o + b3o * v3,
+        J31,
+        J32,
+        J33,
+    )
+
+
+def _own_twist_jacobian_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows, table: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    side, = table
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36,
+    ) = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14 = scratch
+    n0, n1, n2 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    N = add(n1, x, k1)
+    r = mul(n2, div(div(N, N, k2), N, k2), k2)
+    e = div(n2, N, k3)
+    ee = div(mul(n2, e, k4), N, k1)
+    eeg = mul(ee, r, k1)
+    eg = mul(e, r, k4)
+    fy = neg(eg, k4)
+    egy = mul(e, fy, k3)
+    fyy = sub(eeg, egy, k1)
+    gs = mul(fy, side, k3)
+    t3 = sub(mul(v1, w2, k5), mul(v2, w1, k6), k5)
+    b3 = add(mul(w3, fy, k6), mul(t3, gs, k7), k6)
+    mul(b3, v3, o15)
+    minus_side = neg(side, k7)
+    sg = mul(r, minus_side, k2)
+    s1 = mul(w1, sg, k8)
+    add(mul(b3, v2, k9), s1, o14)
+    s2 = mul(w2, sg, k9)
+    sub(mul(b3, v1, k10), s2, o13)
+    y = add(add(mul(v1, v1o, k10), mul(v2, v2o, k11), k10), mul(v3, v3o, k11), k10)
+    fyo = mul(fyy, y, k1)
+    go = mul(fy, y, k10)
+    sgo = mul(go, minus_side, k7)
+    gso = mul(fyo, side, k10)
+    t3o = sub(add(mul(v1, w2o, k11), mul(v1o, w2, k12), k11), add(mul(v2, w1o, k12), mul(v2o, w1, k13), k12), k11)
+    b3o = add(add(mul(w3, fyo, k12), mul(w3o, fy, k13), k12), add(mul(t3, gso, k5), mul(t3o, gs, k11), k5), k5)
+    add(mul(b3, v3o, k11), mul(b3o, v3, k12), o33)
+    s1o = add(mul(w1, sgo, k11), mul(w1o, sg, k12), k11)
+    add(add(mul(b3, v2o, k12), mul(b3o, v2, k13), k12), s1o, o32)
+    s2o = add(mul(w2, sgo, k12), mul(w2o, sg, k13), k12)
+    sub(add(mul(b3, v1o, k6), mul(b3o, v1, k5), k5), s2o, o31)
+    s3o = add(mul(w3, sgo, k5), mul(w3o, sg, k6), k5)
+    s3 = mul(w3, sg, k2)
+    t2 = sub(mul(v3, w1, k6), mul(v1, w3, k7), k6)
+    b2 = add(mul(w2, fy, k7), mul(t2, gs, k13), k7)
+    sub(mul(b2, v3, k13), s1, o9)
+    mul(b2, v2, o8)
+    add(mul(b2, v1, k8), s3, o7)
+    t2o = sub(add(mul(v3, w1o, k8), mul(v3o, w1, k13), k8), add(mul(v1, w3o, k13), mul(v1o, w3, k14), k13), k8)
+    b2o = add(add(mul(w2, fyo, k13), mul(w2o, fy, k14), k13), add(mul(t2, gso, k6), mul(t2o, gs, k8), k6), k6)
+    sub(add(mul(b2, v3o, k8), mul(b2o, v3, k13), k8), s1o, o27)
+    add(mul(b2, v2o, k8), mul(b2o, v2, k11), o26)
+    add(add(mul(b2, v1o, k7), mul(b2o, v1, k6), k6), s3o, o25)
+    t1 = sub(mul(v2, w3, k6), mul(v3, w2, k7), k6)
+    b1 = add(mul(w1, fy, k7), mul(t1, gs, k8), k7)
+    add(mul(b1, v3, k8), s2, o3)
+    sub(mul(b1, v2, k8), s3, o2)
+    mul(b1, v1, o1)
+    t1o = sub(add(mul(v2, w3o, k2), mul(v2o, w3, k8), k2), add(mul(v3, w2o, k8), mul(v3o, w2, k9), k8), k2)
+    b1o = add(add(mul(w1, fyo, k1), mul(w1o, fy, k4), k1), add(mul(t1, gso, k4), mul(t1o, gs, k2), k2), k1)
+    add(add(mul(b1, v3o, k2), mul(b1o, v3, k3), k2), s2o, o21)
+    sub(add(mul(b1, v2o, k2), mul(b1o, v2, k3), k2), s3o, o20)
+    add(mul(b1, v1o, k2), mul(b1o, v1, k1), o19)
+    copy(n0, o4)
+    copy(n0, o5)
+    copy(n0, o6)
+    copy(n0, o10)
+    copy(n0, o11)
+    copy(n0, o12)
+    copy(n0, o16)
+    copy(n0, o17)
+    copy(n0, o18)
+    copy(o1, o22)
+    copy(o2, o23)
+    copy(o3, o24)
+    copy(o7, o28)
+    copy(o8, o29)
+    copy(o9, o30)
+    copy(o13, o34)
+    copy(o14, o35)
+    copy(o15, o36)
+
+
+# operations 85: 34 +, 42 *, 9 /
+def _own_rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    side, = table
+    hs = side / 2
+    vw = v1 * w1 + v2 * w2 + v3 * w3
+    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
+    hv1 = v1 / 2
+    hv1o = v1o / 2
+    hv2 = v2 / 2
+    hv2o = v2o / 2
+    hv3 = v3 / 2
+    hv3o = v3o / 2
+    s1 = w1 * hs
+    s1o = w1o * hs
+    s2 = w2 * hs
+    s2o = w2o * hs
+    s3 = w3 * hs
+    s3o = w3o * hs
+    ha = vw / 2
+    hao = vwo / 2
+    J11 = hv1 * w1 + ha
+    J12 = hv1 * w2 - s3
+    J13 = hv1 * w3 + s2
+    J21 = hv2 * w1 + s3
+    J22 = hv2 * w2 + ha
+    J23 = hv2 * w3 - s1
+    J31 = hv3 * w1 - s2
+    J32 = hv3 * w2 + s1
+    J33 = hv3 * w3 + ha
+    return (
+        J11,
+        J12,
+        J13,
+        0,
+        0,
+        0,
+        J21,
+        J22,
+        J23,
+        0,
+        0,
+        0,
+        J31,
+        J32,
+        J33,
+        0,
+        0,
+        0,
+        hv1 * w1o + hv1o * w1 + hao,
+        hv1 * w2o + hv1o * w2 - s3o,
+        hv1 * w3o + hv1o * w3 + s2o,
+        J11,
+        J12,
+        J13,
+        hv2 * w1o + hv2o * w1 + s3o,
+        hv2 * w2o + hv2o * w2 + hao,
+        hv2 * w3o + hv2o * w3 - s1o,
+        J21,
+        J22,
+        J23,
+        hv3 * w1o + hv3o * w1 - s2o,
+        hv3 * w2o + hv3o * w2 + s1o,
+        hv3 * w3o + hv3o * w3 + hao,
+        J31,
+        J32,
+        J33,
+    )
+
+
+def _own_rate_jacobian_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows, table: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    side, = table
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36,
+    ) = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
+    n0, n2 = numbers
+    hv1 = div(v1, n2, k1)
+    vw = add(add(mul(v1, w1, k2), mul(v2, w2, k3), k2), mul(v3, w3, k3), k2)
+    ha = div(vw, n2, k2)
+    add(mul(hv1, w1, k3), ha, o1)
+    hs = div(side, n2, k3)
+    s3 = mul(w3, hs, k4)
+    sub(mul(hv1, w2, k5), s3, o2)
+    s2 = mul(w2, hs, k5)
+    add(mul(hv1, w3, k6), s2, o3)
+    hv2 = div(v2, n2, k6)
+    add(mul(hv2, w1, k7), s3, o7)
+    add(mul(hv2, w2, k4), ha, o8)
+    s1 = mul(w1, hs, k4)
+    sub(mul(hv2, w3, k7), s1, o9)
+    hv3 = div(v3, n2, k7)
+    sub(mul(hv3, w1, k8), s2, o13)
+    add(mul(hv3, w2, k5), s1, o14)
+    add(mul(hv3, w3, k4), ha, o15)
+    hv1o = div(v1o, n2, k2)
+    vwo = add(
+        add(add(mul(v1, w1o, k4), mul(v1o, w1, k5), k4), add(mul(v2, w2o, k5), mul(v2o, w2, k8), k5), k4), add(mul(v3,
+        w3o, k5), mul(v3o, w3, k8), k5), k4
+    )
+    hao = div(vwo, n2, k4)
+    add(add(mul(hv1, w1o, k5), mul(hv1o, w1, k8), k5), hao, o19)
+    s3o = mul(w3o, hs, k5)
+    sub(add(mul(hv1, w2o, k8), mul(hv1o, w2, k9), k8), s3o, o20)
+    s2o = mul(w2o, hs, k8)
+    add(add(mul(hv1, w3o, k1), mul(hv1o, w3, k2), k1), s2o, o21)
+    s1o = mul(w1o, hs, k1)
+    hv2o = div(v2o, n2, k2)
+    add(add(mul(hv2, w1o, k3), mul(hv2o, w1, k9), k3), s3o, o25)
+    add(add(mul(hv2, w2o, k3), mul(hv2o, w2, k5), k3), hao, o26)
+    sub(add(mul(hv2, w3o, k3), mul(hv2o, w3, k2), k2), s1o, o27)
+    hv3o = div(v3o, n2, k2)
+    sub(add(mul(hv3, w1o, k3), mul(hv3o, w1, k5), k3), s2o, o31)
+    add(add(mul(hv3, w2o, k3), mul(hv3o, w2, k5), k3), s1o, o32)
+    add(add(mul(hv3, w3o, k1), mul(hv3o, w3, k2), k1), hao, o33)
+    copy(n0, o4)
+    copy(n0, o5)
+    copy(n0, o6)
+    copy(n0, o10)
+    copy(n0, o11)
+    copy(n0, o12)
+    copy(n0, o16)
+    copy(n0, o17)
+    copy(n0, o18)
+    copy(o1, o22)
+    copy(o2, o23)
+    copy(o3, o24)
+    copy(o7, o28)
+    copy(o8, o29)
+    copy(o9, o30)
+    copy(o13, o34)
+    copy(o14, o35)
+    copy(o15, o36)
+
+
 # operations 54: 20 +, 30 *, 4 /
 def _own_from_quaternion(m: Any, c: Any, e: Components) -> Result:
     e0, e1, e2, e3, e0o, e1o, e2o, e3o = e
@@ -1333,21 +1944,11 @@ CHART = Chart(
     returns=(
     ),
     functions={
+        "quaternion": Function(_quaternion, _quaternion_blocks, 1, 0, (-1, 1)),
         "turned": Function(_turned, _turned_blocks, 0, 0, (1,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 2)),
     },
     own={
-        "quaternion": Kernel(
-        _own_quaternion,
-        _own_quaternion_blocks,
-        (("v", (6,)),),
-        (8,),
-        registers=3,
-        masks=0,
-        numbers=(-1, 1),
-        lent=(),
-        real=False,
-    ),
         "tensor": Kernel(
         _own_tensor,
         _own_tensor_blocks,
@@ -1436,6 +2037,61 @@ CHART = Chart(
         lent=(),
         real=False,
     ),
+        "tangent_dot": Kernel(
+        _own_tangent_dot,
+        _own_tangent_dot_blocks,
+        (("v", (6,)), ("v_dot", (6,)),),
+        (2, 3, 3),
+        registers=7,
+        masks=0,
+        numbers=(1, 2),
+        lent=(),
+        real=False,
+    ),
+        "twist_dot": Kernel(
+        _own_twist_dot,
+        _own_twist_dot_blocks,
+        (("v", (6,)), ("v_dot", (6,)), ("v_ddot", (6,)),),
+        (6,),
+        registers=12,
+        masks=0,
+        numbers=(1, 2),
+        lent=(),
+        real=False,
+    ),
+        "rate_dot": Kernel(
+        _own_rate_dot,
+        _own_rate_dot_blocks,
+        (("v", (6,)), ("omega", (6,)), ("omega_dot", (6,)),),
+        (6,),
+        registers=14,
+        masks=0,
+        numbers=(2,),
+        lent=(),
+        real=False,
+    ),
+        "twist_jacobian": Kernel(
+        _own_twist_jacobian,
+        _own_twist_jacobian_blocks,
+        (("v", (6,)), ("v_dot", (6,)),),
+        (6, 6),
+        registers=14,
+        masks=0,
+        numbers=(0, 1, 2),
+        lent=(),
+        real=False,
+    ),
+        "rate_jacobian": Kernel(
+        _own_rate_jacobian,
+        _own_rate_jacobian_blocks,
+        (("v", (6,)), ("omega", (6,)),),
+        (6, 6),
+        registers=9,
+        masks=0,
+        numbers=(0, 2),
+        lent=(),
+        real=False,
+    ),
         "from_quaternion": Kernel(
         _own_from_quaternion,
         _own_from_quaternion_blocks,
@@ -1507,9 +2163,18 @@ CHART = Chart(
 
 KERNELS = PoseKernels(CHART)
 
+body_cotangent = KERNELS.body_cotangent
+body_cotangent_jacobian = KERNELS.body_cotangent_jacobian
 body_rate = KERNELS.body_rate
+body_rate_dot = KERNELS.body_rate_dot
+body_rate_jacobian = KERNELS.body_rate_jacobian
+body_tangent_dot = KERNELS.body_tangent_dot
 body_twist = KERNELS.body_twist
+body_twist_dot = KERNELS.body_twist_dot
+body_twist_jacobian = KERNELS.body_twist_jacobian
 compose = KERNELS.compose
+cotangent = KERNELS.cotangent
+cotangent_jacobian = KERNELS.cotangent_jacobian
 dcay = KERNELS.tangent
 dcay_inv = KERNELS.tangent_inv
 from_pose = KERNELS.from_pose
@@ -1520,12 +2185,17 @@ pose = KERNELS.pose
 principal = KERNELS.principal
 quaternion = KERNELS.quaternion
 rate = KERNELS.rate
+rate_dot = KERNELS.rate_dot
+rate_jacobian = KERNELS.rate_jacobian
 shadow = KERNELS.shadow
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent
+tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_screw = KERNELS.to_screw
 transform_line = KERNELS.transform_line
 transform_point = KERNELS.transform_point
 twist = KERNELS.twist
+twist_dot = KERNELS.twist_dot
+twist_jacobian = KERNELS.twist_jacobian

@@ -62,7 +62,7 @@
 #   [n = 2] q = cos(alpha/2) + u sin(alpha/2): phi'*(h*x + f) = 1; [s](x -> 0) = 1
 #
 # Operations:
-#   quaternion: 31: 9 +, 19 *, 3 /
+#   quaternion: 32: 9 +, 20 *, 3 /
 #   tensor: 92: 35 +, 55 *, 2 /
 #   pose: 65: 26 +, 37 *, 2 /
 #   transform_point: 78: 30 +, 46 *, 2 /
@@ -70,7 +70,12 @@
 #   tangent: 81: 35 +, 42 *, 3 /, 1 neg
 #   tangent_inv: 69: 29 +, 24 *, 15 /, 1 neg
 #   twist: 128: 49 +, 75 *, 3 /, 1 neg
-#   rate: 105: 42 +, 61 *, 1 /, 1 neg
+#   rate: 109: 43 +, 65 *, 1 /
+#   tangent_dot: 179: 74 +, 98 *, 6 /, 1 neg
+#   twist_dot: 227: 91 +, 131 *, 4 /, 1 neg
+#   rate_dot: 309: 131 +, 162 *, 13 /, 3 neg
+#   twist_jacobian: 276: 113 +, 157 *, 4 /, 2 neg
+#   rate_jacobian: 151: 61 +, 69 *, 15 /, 6 neg
 #   from_quaternion: 70: 24 +, 37 *, 5 /, 1 neg, 1 lt, 2 where
 #   from_tensor: 135: 47 +, 48 *, 8 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 99: 32 +, 30 *, 5 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -110,15 +115,43 @@ from ._interface import PoseKernels
 from ._kernel import Components, Kernel, Result, Rows, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "body_rate", "body_twist", "compose", "dcay", "dcay_inv", "from_pose", "from_quaternion", "from_screw",
-    "from_tensor", "pose", "principal", "quaternion", "rate", "shadow", "singular_angles", "tangent", "tangent_inv",
-    "tensor", "to_screw", "transform_line", "transform_point", "twist",
+    "body_cotangent", "body_cotangent_jacobian", "body_rate", "body_rate_dot", "body_rate_jacobian", "body_tangent_dot",
+    "body_twist", "body_twist_dot", "body_twist_jacobian", "compose", "cotangent", "cotangent_jacobian", "dcay",
+    "dcay_inv", "from_pose", "from_quaternion", "from_screw", "from_tensor", "pose", "principal", "quaternion", "rate",
+    "rate_dot", "rate_jacobian", "shadow", "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor",
+    "to_screw", "transform_line", "transform_point", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 2
 
 
 # --- scalars of x = v·v, of angles and quaternions: plain, and in place -------------------------------------------
+
+
+# operations 8: 2 +, 3 *, 3 /
+def _quaternion(m: Any, x: Any) -> Result:
+    p = 1 - x
+    root = 1 + x
+    r = root / root / root
+    s = p * r
+    w = 2 * r
+    minus_e = -2 / root
+    sy = w * minus_e
+    return s, w, sy, sy
+
+
+def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, o3, o4 = out
+    n_minus_2, n1, n2 = numbers
+    root = add(n1, x, o3)
+    r = div(div(root, root, o2), root, o2)
+    minus_e = div(n_minus_2, root, o3)
+    p = sub(n1, x, o1)
+    mul(p, r, o1)
+    w = mul(n2, r, o2)
+    mul(w, minus_e, o3)
+    copy(o3, o4)
+    return o1, o2, o3, o4
 
 
 # operations 10: 2 +, 6 *, 2 /
@@ -151,7 +184,8 @@ def _tangent(m: Any, x: Any) -> Result:
     r = 2 * (N / N / N)
     f = 2 * p * r
     g = 4 * r
-    e = 4 / (1 + x)
+    x1 = 1 + x
+    e = 4 / x1
     eg = e * g
     fy = g - eg
     gy = -eg
@@ -166,13 +200,59 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     r = mul(n2, div(div(N, N, o5), N, o2), o2)
     mul(mul(n2, p, o1), r, o1)
     g = mul(n4, r, o2)
-    e = div(n4, add(n1, x, o5), o5)
+    x1 = add(n1, x, o5)
+    e = div(n4, x1, o5)
     eg = mul(e, g, o5)
     sub(g, eg, o4)
     neg(eg, o5)
     copy(o2, o3)
     copy(o5, o6)
     return o1, o2, o3, o4, o5, o6
+
+
+# operations 22: 7 +, 10 *, 4 /, 1 neg
+def _tangent_dot(m: Any, x: Any) -> Result:
+    p = 1 - x
+    N = p * p + 4 * x
+    r = 2 * (N / N / N)
+    f = 2 * p * r
+    g = 4 * r
+    x1 = 1 + x
+    e = 4 / x1
+    eg = e * g
+    fy = g - eg
+    gy = -eg
+    egy = e * gy
+    ee = 2 * e / x1
+    eeg = ee * g
+    fyy = gy - egy + eeg
+    gyy = eeg - egy
+    return f, g, g, fy, gy, gy, fyy, gyy, gyy
+
+
+def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
+    k1, *_ = scratch
+    n1, n2, n4 = numbers
+    p = sub(n1, x, o1)
+    N = add(mul(p, p, o2), mul(n4, x, o8), o2)
+    r = mul(n2, div(div(N, N, o8), N, o2), o2)
+    mul(mul(n2, p, o1), r, o1)
+    g = mul(n4, r, o2)
+    x1 = add(n1, x, o8)
+    e = div(n4, x1, k1)
+    ee = div(mul(n2, e, o5), x1, o8)
+    eeg = mul(ee, g, o8)
+    eg = mul(e, g, o5)
+    sub(g, eg, o4)
+    gy = neg(eg, o5)
+    egy = mul(e, gy, k1)
+    add(sub(gy, egy, o7), eeg, o7)
+    sub(eeg, egy, o8)
+    copy(o2, o3)
+    copy(o5, o6)
+    copy(o8, o9)
+    return o1, o2, o3, o4, o5, o6, o7, o8, o9
 
 
 # operations 2: 1 +, 1 /
@@ -188,6 +268,21 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     p = sub(n1, x, o1)
     div(p, n2, o1)
     return o1, n1
+
+
+# operations 2: 1 +, 1 /
+def _tangent_inv(m: Any, x: Any) -> Result:
+    p = 1 - x
+    fi = p / 2
+    return fi, 1, -1, 0
+
+
+def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, _, _, _ = out
+    n_minus_1, n0, n1, n2 = numbers
+    p = sub(n1, x, o1)
+    div(p, n2, o1)
+    return o1, n1, n_minus_1, n0
 
 
 # operations 11: 3 +, 6 *, 2 /
@@ -326,53 +421,6 @@ def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
 # --- geometry that does with less here than for any chart ---------------------------------------------------------
 
 
-# operations 31: 9 +, 19 *, 3 /
-def _own_quaternion(m: Any, c: Any, v: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    p = 1 - x
-    root = 1 + x
-    r = root / root / root
-    s = p * r
-    w = 2 * r
-    minus_e = -2 / root
-    sy = w * minus_e
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    wo = sy * y
-    return s, v1 * w, v2 * w, v3 * w, wo, v1o * w + v1 * wo, v2o * w + v2 * wo, v3o * w + v3 * wo
-
-
-def _own_quaternion_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    o1, o2, o3, o4, o5, o6, o7, o8 = out
-    k1, k2, k3, k4 = scratch
-    n_minus_2, n1, n2 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    root = add(n1, x, k2)
-    p = sub(n1, x, k1)
-    r = div(div(root, root, k3), root, k3)
-    mul(p, r, o1)
-    w = mul(n2, r, k1)
-    mul(v1, w, o2)
-    mul(v2, w, o3)
-    mul(v3, w, o4)
-    minus_e = div(n_minus_2, root, k2)
-    sy = mul(w, minus_e, k2)
-    y = add(add(mul(v1, v1o, k3), mul(v2, v2o, k4), k3), mul(v3, v3o, k4), k3)
-    wo = mul(sy, y, o5)
-    add(mul(v1o, w, k2), mul(v1, wo, k3), o6)
-    add(mul(v2o, w, k2), mul(v2, wo, k3), o7)
-    add(mul(v3o, w, k1), mul(v3, wo, k2), o8)
-
-
 # operations 81: 35 +, 42 *, 3 /, 1 neg
 def _own_tangent(m: Any, c: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
@@ -385,7 +433,8 @@ def _own_tangent(m: Any, c: Any, v: Components) -> Result:
     r = 2 * (N / N / N)
     f = 2 * p * r
     g = 4 * r
-    e = 4 / (1 + x)
+    x1 = 1 + x
+    e = 4 / x1
     eg = e * g
     fy = g - eg
     gy = -eg
@@ -442,7 +491,8 @@ def _own_tangent_blocks(
     r = mul(n2, div(div(N, N, k4), N, k3), k3)
     f = mul(mul(n2, p, k2), r, k2)
     g = mul(n4, r, k3)
-    e = div(n4, add(n1, x, k1), k1)
+    x1 = add(n1, x, k1)
+    e = div(n4, x1, k1)
     eg = mul(e, g, k1)
     gv1 = mul(v1, g, k4)
     add(f, mul(gv1, v1, k5), o1)
@@ -589,11 +639,179 @@ def _own_tangent_inv_blocks(
     add(fio, add(mul(cv3, v3o, k3), mul(cvo3, v3, k2), k2), o18)
 
 
-# operations 105: 42 +, 61 *, 1 /, 1 neg
-def _own_rate(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
+# operations 179: 74 +, 98 *, 6 /, 1 neg
+def _own_tangent_dot(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    side, = table
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    p = 1 - x
+    N = p * p + 4 * x
+    r = 2 * (N / N / N)
+    g = 4 * r
+    x1 = 1 + x
+    e = 4 / x1
+    eg = e * g
+    fy = g - eg
+    gy = -eg
+    egy = e * gy
+    ee = 2 * e / x1
+    eeg = ee * g
+    fyy = gy - egy + eeg
+    gyy = eeg - egy
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    go = gy * y
+    fyo = fyy * y
+    gyo = gyy * y
+    vw = v1 * w1 + v2 * w2 + v3 * w3
+    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
+    gt = gy * vw
+    gto = gy * vwo + gyo * vw
+    gw1 = w1 * g
+    gw1o = w1 * go + w1o * g
+    gw2 = w2 * g
+    gw2o = w2 * go + w2o * g
+    gw3 = w3 * g
+    gw3o = w3 * go + w3o * g
+    s1 = (v1 * gt + gw1) * side
+    s1o = (v1 * gto + v1o * gt + gw1o) * side
+    s2 = (v2 * gt + gw2) * side
+    s2o = (v2 * gto + v2o * gt + gw2o) * side
+    s3 = (v3 * gt + gw3) * side
+    s3o = (v3 * gto + v3o * gt + gw3o) * side
+    ht = gt / 2
+    hto = gto / 2
+    b1 = v1 * ht + gw1
+    b1o = v1 * hto + v1o * ht + gw1o
+    b2 = v2 * ht + gw2
+    b2o = v2 * hto + v2o * ht + gw2o
+    b3 = v3 * ht + gw3
+    b3o = v3 * hto + v3o * ht + gw3o
+    ft = fy * vw
+    fto = fy * vwo + fyo * vw
+    d12 = v1 * b2 + b1 * v2
+    d12o = v1 * b2o + v1o * b2 + (b1 * v2o + b1o * v2)
+    d13 = v1 * b3 + b1 * v3
+    d13o = v1 * b3o + v1o * b3 + (b1 * v3o + b1o * v3)
+    d23 = v2 * b3 + b2 * v3
+    d23o = v2 * b3o + v2o * b3 + (b2 * v3o + b2o * v3)
+    return (
+        ft + 2 * (v1 * b1),
+        d12 - s3,
+        d13 + s2,
+        d12 + s3,
+        ft + 2 * (v2 * b2),
+        d23 - s1,
+        d13 - s2,
+        d23 + s1,
+        ft + 2 * (v3 * b3),
+        fto + 2 * (v1 * b1o + v1o * b1),
+        d12o - s3o,
+        d13o + s2o,
+        d12o + s3o,
+        fto + 2 * (v2 * b2o + v2o * b2),
+        d23o - s1o,
+        d13o - s2o,
+        d23o + s1o,
+        fto + 2 * (v3 * b3o + v3o * b3),
+    )
+
+
+def _own_tangent_dot_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows, table: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    side, = table
+    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16 = scratch
+    n1, n2, n4 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    p = sub(n1, x, k2)
+    N = add(mul(p, p, k2), mul(n4, x, k3), k2)
+    r = mul(n2, div(div(N, N, k3), N, k2), k2)
+    g = mul(n4, r, k2)
+    x1 = add(n1, x, k1)
+    e = div(n4, x1, k3)
+    ee = div(mul(n2, e, k4), x1, k1)
+    eeg = mul(ee, g, k1)
+    eg = mul(e, g, k4)
+    fy = sub(g, eg, k5)
+    gy = neg(eg, k4)
+    egy = mul(e, gy, k3)
+    vw = add(add(mul(v1, w1, k6), mul(v2, w2, k7), k6), mul(v3, w3, k7), k6)
+    ft = mul(fy, vw, k7)
+    gt = mul(gy, vw, k8)
+    ht = div(gt, n2, k9)
+    gw1 = mul(w1, g, k10)
+    b1 = add(mul(v1, ht, k11), gw1, k11)
+    add(ft, mul(n2, mul(v1, b1, k12), k12), o1)
+    s1 = mul(add(mul(v1, gt, k12), gw1, k10), side, k10)
+    gw2 = mul(w2, g, k12)
+    b2 = add(mul(v2, ht, k13), gw2, k13)
+    s2 = mul(add(mul(v2, gt, k14), gw2, k12), side, k12)
+    add(ft, mul(n2, mul(v2, b2, k14), k14), o5)
+    d12 = add(mul(v1, b2, k14), mul(b1, v2, k15), k14)
+    gw3 = mul(w3, g, k15)
+    s3 = mul(add(mul(v3, gt, k16), gw3, k16), side, k16)
+    sub(d12, s3, o2)
+    add(d12, s3, o4)
+    b3 = add(mul(v3, ht, k14), gw3, k14)
+    add(ft, mul(n2, mul(v3, b3, k15), k15), o9)
+    d13 = add(mul(v1, b3, k7), mul(b1, v3, k15), k7)
+    add(d13, s2, o3)
+    sub(d13, s2, o7)
+    d23 = add(mul(v2, b3, k7), mul(b2, v3, k12), k7)
+    sub(d23, s1, o6)
+    add(d23, s1, o8)
+    fyy = add(sub(gy, egy, k7), eeg, k7)
+    gyy = sub(eeg, egy, k1)
+    y = add(add(mul(v1, v1o, k3), mul(v2, v2o, k10), k3), mul(v3, v3o, k10), k3)
+    fyo = mul(fyy, y, k7)
+    gyo = mul(gyy, y, k1)
+    go = mul(gy, y, k3)
+    vwo = add(
+        add(add(mul(v1, w1o, k10), mul(v1o, w1, k12), k10), add(mul(v2, w2o, k12), mul(v2o, w2, k15), k12), k10),
+        add(mul(v3, w3o, k12), mul(v3o, w3, k15), k12), k10
+    )
+    fto = add(mul(fy, vwo, k5), mul(fyo, vw, k7), k5)
+    gto = add(mul(gy, vwo, k4), mul(gyo, vw, k1), k1)
+    hto = div(gto, n2, k4)
+    gw1o = add(mul(w1, go, k6), mul(w1o, g, k7), k6)
+    b1o = add(add(mul(v1, hto, k7), mul(v1o, ht, k10), k7), gw1o, k7)
+    add(fto, mul(n2, add(mul(v1, b1o, k10), mul(v1o, b1, k12), k10), k10), o10)
+    s1o = mul(add(add(mul(v1, gto, k10), mul(v1o, gt, k12), k10), gw1o, k6), side, k6)
+    gw2o = add(mul(w2, go, k10), mul(w2o, g, k12), k10)
+    gw3o = add(mul(w3, go, k3), mul(w3o, g, k2), k2)
+    b2o = add(add(mul(v2, hto, k3), mul(v2o, ht, k12), k3), gw2o, k3)
+    b3o = add(add(mul(v3, hto, k4), mul(v3o, ht, k9), k4), gw3o, k4)
+    s3o = mul(add(add(mul(v3, gto, k9), mul(v3o, gt, k12), k9), gw3o, k2), side, k2)
+    s2o = mul(add(add(mul(v2, gto, k1), mul(v2o, gt, k8), k1), gw2o, k1), side, k1)
+    add(fto, mul(n2, add(mul(v2, b2o, k8), mul(v2o, b2, k9), k8), k8), o14)
+    add(fto, mul(n2, add(mul(v3, b3o, k8), mul(v3o, b3, k9), k8), k8), o18)
+    d12o = add(add(mul(v1, b2o, k5), mul(v1o, b2, k8), k5), add(mul(b1, v2o, k8), mul(b1o, v2, k9), k8), k5)
+    d13o = add(add(mul(v1, b3o, k8), mul(v1o, b3, k9), k8), add(mul(b1, v3o, k9), mul(b1o, v3, k7), k7), k7)
+    d23o = add(add(mul(v2, b3o, k4), mul(v2o, b3, k8), k4), add(mul(b2, v3o, k8), mul(b2o, v3, k3), k3), k3)
+    sub(d12o, s3o, o11)
+    add(d12o, s3o, o13)
+    add(d13o, s2o, o12)
+    sub(d13o, s2o, o16)
+    sub(d23o, s1o, o15)
+    add(d23o, s1o, o17)
+
+
+# operations 309: 131 +, 162 *, 13 /, 3 neg
+def _own_rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = omega
-    side, half = table
+    z1, z2, z3, z1o, z2o, z3o = omega_dot
+    side, = table
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
@@ -601,30 +819,46 @@ def _own_rate(m: Any, c: Any, v: Components, omega: Components, table: Component
     p = 1 - x
     fi = p / 2
     y = v1 * v1o + v2 * v2o + v3 * v3o
-    ys = y * side
-    fis = fi * side
-    fio = -ys
+    fio = -y
     vw = v1 * w1 + v2 * w2 + v3 * w3
-    cvw = side * vw
-    cvwo = side * (v1o * w1 + v2o * w2 + v3o * w3 + (v1 * w1o + v2 * w2o + v3 * w3o))
+    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
+    u1 = (w1 * fi + (w2 * v3 - w3 * v2) * side + v1 * vw) / 2
+    u1o = (w1 * fio + w1o * fi + (w2 * v3o + w2o * v3 - (w3 * v2o + w3o * v2)) * side + (v1 * vwo + v1o * vw)) / 2
+    u2 = (w2 * fi + (w3 * v1 - w1 * v3) * side + v2 * vw) / 2
+    u2o = (w2 * fio + w2o * fi + (w3 * v1o + w3o * v1 - (w1 * v3o + w1o * v3)) * side + (v2 * vwo + v2o * vw)) / 2
+    u3 = (w3 * fi + (w1 * v2 - w2 * v1) * side + v3 * vw) / 2
+    u3o = (w3 * fio + w3o * fi + (w1 * v2o + w1o * v2 - (w2 * v1o + w2o * v1)) * side + (v3 * vwo + v3o * vw)) / 2
+    vu = v1 * u1 + v2 * u2 + v3 * u3
+    vuo = v1 * u1o + v1o * u1 + (v2 * u2o + v2o * u2) + (v3 * u3o + v3o * u3)
+    pull = v1 * z1 + v2 * z2 + v3 * z3 + (u1 * w1 + u2 * w2 + u3 * w3)
+    pullo = (
+        v1 * z1o + v1o * z1 + (v2 * z2o + v2o * z2) + (v3 * z3o + v3o * z3) + (u1 * w1o + u1o * w1 + (u2 * w2o + u2o
+        * w2) + (u3 * w3o + u3o * w3))
+    )
+    ft = -vu
+    fto = -vuo
     return (
-        (w1 * fis + (w2 * v3 - w3 * v2) + v1 * cvw) * half,
-        (w2 * fis + (w3 * v1 - w1 * v3) + v2 * cvw) * half,
-        (w3 * fis + (w1 * v2 - w2 * v1) + v3 * cvw) * half,
-        (w1o * fis + w1 * fio + (w2o * v3 - w3o * v2) + (w2 * v3o - w3 * v2o) + (v1o * cvw + v1 * cvwo)) * half,
-        (w2o * fis + w2 * fio + (w3o * v1 - w1o * v3) + (w3 * v1o - w1 * v3o) + (v2o * cvw + v2 * cvwo)) * half,
-        (w3o * fis + w3 * fio + (w1o * v2 - w2o * v1) + (w1 * v2o - w2 * v1o) + (v3o * cvw + v3 * cvwo)) * half,
+        (z1 * fi + w1 * ft + (z2 * v3 - z3 * v2 + (w2 * u3 - w3 * u2)) * side + v1 * pull + u1 * vw) / 2,
+        (z2 * fi + w2 * ft + (z3 * v1 - z1 * v3 + (w3 * u1 - w1 * u3)) * side + v2 * pull + u2 * vw) / 2,
+        (z3 * fi + w3 * ft + (z1 * v2 - z2 * v1 + (w1 * u2 - w2 * u1)) * side + v3 * pull + u3 * vw) / 2,
+        (z1 * fio + z1o * fi + (w1 * fto + w1o * ft) + (z2 * v3o + z2o * v3 - (z3 * v2o + z3o * v2) + (w2 * u3o + w2o
+        * u3 - (w3 * u2o + w3o * u2))) * side + (v1 * pullo + v1o * pull) + (u1 * vwo + u1o * vw)) / 2,
+        (z2 * fio + z2o * fi + (w2 * fto + w2o * ft) + (z3 * v1o + z3o * v1 - (z1 * v3o + z1o * v3) + (w3 * u1o + w3o
+        * u1 - (w1 * u3o + w1o * u3))) * side + (v2 * pullo + v2o * pull) + (u2 * vwo + u2o * vw)) / 2,
+        (z3 * fio + z3o * fi + (w3 * fto + w3o * ft) + (z1 * v2o + z1o * v2 - (z2 * v1o + z2o * v1) + (w1 * u2o + w1o
+        * u2 - (w2 * u1o + w2o * u1))) * side + (v3 * pullo + v3o * pull) + (u3 * vwo + u3o * vw)) / 2,
     )
 
 
-def _own_rate_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows, table: Rows
+def _own_rate_dot_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows, omega_dot: Rows, table: Rows
 ) -> None:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = omega
-    side, half = table
+    z1, z2, z3, z1o, z2o, z3o = omega_dot
+    side, = table
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7 = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19 = scratch
     n1, n2 = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
@@ -632,31 +866,251 @@ def _own_rate_blocks(
     x = add(add(v11, v22, k1), v33, k1)
     p = sub(n1, x, k1)
     fi = div(p, n2, k1)
-    fis = mul(fi, side, k1)
     vw = add(add(mul(v1, w1, k2), mul(v2, w2, k3), k2), mul(v3, w3, k3), k2)
-    cvw = mul(side, vw, k2)
-    mul(add(add(mul(w1, fis, k3), sub(mul(w2, v3, k4), mul(w3, v2, k5), k4), k3), mul(v1, cvw, k4), k3), half, o1)
-    mul(add(add(mul(w2, fis, k3), sub(mul(w3, v1, k4), mul(w1, v3, k5), k4), k3), mul(v2, cvw, k4), k3), half, o2)
-    mul(add(add(mul(w3, fis, k3), sub(mul(w1, v2, k4), mul(w2, v1, k5), k4), k3), mul(v3, cvw, k4), k3), half, o3)
-    y = add(add(mul(v1, v1o, k3), mul(v2, v2o, k4), k3), mul(v3, v3o, k4), k3)
-    ys = mul(y, side, k3)
-    fio = neg(ys, k3)
-    cvwo = mul(
-        side, add(add(add(mul(v1o, w1, k4), mul(v2o, w2, k5), k4), mul(v3o, w3, k5), k4), add(add(mul(v1, w1o, k5),
-        mul(v2, w2o, k6), k5), mul(v3, w3o, k6), k5), k4), k4
+    u1 = div(
+        add(add(mul(w1, fi, k3), mul(sub(mul(w2, v3, k4), mul(w3, v2, k5), k4), side, k4), k3), mul(v1, vw, k4), k3),
+        n2, k3
     )
-    mul(
-        add(add(add(add(mul(w1o, fis, k5), mul(w1, fio, k6), k5), sub(mul(w2o, v3, k6), mul(w3o, v2, k7), k6), k5),
-        sub(mul(w2, v3o, k6), mul(w3, v2o, k7), k6), k5), add(mul(v1o, cvw, k6), mul(v1, cvwo, k7), k6), k5), half, o4
+    u2 = div(
+        add(add(mul(w2, fi, k4), mul(sub(mul(w3, v1, k5), mul(w1, v3, k6), k5), side, k5), k4), mul(v2, vw, k5), k4),
+        n2, k4
     )
-    mul(
-        add(add(add(add(mul(w2o, fis, k5), mul(w2, fio, k6), k5), sub(mul(w3o, v1, k6), mul(w1o, v3, k7), k6), k5),
-        sub(mul(w3, v1o, k6), mul(w1, v3o, k7), k6), k5), add(mul(v2o, cvw, k6), mul(v2, cvwo, k7), k6), k5), half, o5
+    u3 = div(
+        add(add(mul(w3, fi, k5), mul(sub(mul(w1, v2, k6), mul(w2, v1, k7), k6), side, k6), k5), mul(v3, vw, k6), k5),
+        n2, k5
     )
-    mul(
-        add(add(add(add(mul(w3o, fis, k1), mul(w3, fio, k3), k1), sub(mul(w1o, v2, k3), mul(w2o, v1, k5), k3), k1),
-        sub(mul(w1, v2o, k3), mul(w2, v1o, k5), k3), k1), add(mul(v3o, cvw, k2), mul(v3, cvwo, k3), k2), k1), half, o6
+    vu = add(add(mul(v1, u1, k6), mul(v2, u2, k7), k6), mul(v3, u3, k7), k6)
+    ft = neg(vu, k6)
+    pull = add(
+        add(add(mul(v1, z1, k7), mul(v2, z2, k8), k7), mul(v3, z3, k8), k7), add(add(mul(u1, w1, k8), mul(u2, w2, k9),
+        k8), mul(u3, w3, k9), k8), k7
     )
+    div(
+        add(add(add(add(mul(z1, fi, k8), mul(w1, ft, k9), k8), mul(add(sub(mul(z2, v3, k9), mul(z3, v2, k10), k9),
+        sub(mul(w2, u3, k10), mul(w3, u2, k11), k10), k9), side, k9), k8), mul(v1, pull, k9), k8), mul(u1, vw, k9), k8),
+        n2, o1
+    )
+    div(
+        add(add(add(add(mul(z2, fi, k8), mul(w2, ft, k9), k8), mul(add(sub(mul(z3, v1, k9), mul(z1, v3, k10), k9),
+        sub(mul(w3, u1, k10), mul(w1, u3, k11), k10), k9), side, k9), k8), mul(v2, pull, k9), k8), mul(u2, vw, k9), k8),
+        n2, o2
+    )
+    div(
+        add(add(add(add(mul(z3, fi, k8), mul(w3, ft, k9), k8), mul(add(sub(mul(z1, v2, k9), mul(z2, v1, k10), k9),
+        sub(mul(w1, u2, k10), mul(w2, u1, k11), k10), k9), side, k9), k8), mul(v3, pull, k9), k8), mul(u3, vw, k9), k8),
+        n2, o3
+    )
+    y = add(add(mul(v1, v1o, k8), mul(v2, v2o, k9), k8), mul(v3, v3o, k9), k8)
+    fio = neg(y, k8)
+    vwo = add(
+        add(add(mul(v1, w1o, k9), mul(v1o, w1, k10), k9), add(mul(v2, w2o, k10), mul(v2o, w2, k11), k10), k9),
+        add(mul(v3, w3o, k10), mul(v3o, w3, k11), k10), k9
+    )
+    u1o = div(
+        add(add(add(mul(w1, fio, k10), mul(w1o, fi, k11), k10), mul(sub(add(mul(w2, v3o, k11), mul(w2o, v3, k12), k11),
+        add(mul(w3, v2o, k12), mul(w3o, v2, k13), k12), k11), side, k11), k10), add(mul(v1, vwo, k11), mul(v1o, vw,
+        k12), k11), k10), n2, k10
+    )
+    u2o = div(
+        add(add(add(mul(w2, fio, k11), mul(w2o, fi, k12), k11), mul(sub(add(mul(w3, v1o, k12), mul(w3o, v1, k13), k12),
+        add(mul(w1, v3o, k13), mul(w1o, v3, k14), k13), k12), side, k12), k11), add(mul(v2, vwo, k12), mul(v2o, vw,
+        k13), k12), k11), n2, k11
+    )
+    u3o = div(
+        add(add(add(mul(w3, fio, k12), mul(w3o, fi, k13), k12), mul(sub(add(mul(w1, v2o, k13), mul(w1o, v2, k14), k13),
+        add(mul(w2, v1o, k14), mul(w2o, v1, k15), k14), k13), side, k13), k12), add(mul(v3, vwo, k13), mul(v3o, vw,
+        k14), k13), k12), n2, k12
+    )
+    vuo = add(
+        add(add(mul(v1, u1o, k13), mul(v1o, u1, k14), k13), add(mul(v2, u2o, k14), mul(v2o, u2, k15), k14), k13),
+        add(mul(v3, u3o, k14), mul(v3o, u3, k15), k14), k13
+    )
+    fto = neg(vuo, k13)
+    pullo = add(
+        add(add(add(mul(v1, z1o, k14), mul(v1o, z1, k15), k14), add(mul(v2, z2o, k15), mul(v2o, z2, k16), k15), k14),
+        add(mul(v3, z3o, k15), mul(v3o, z3, k16), k15), k14), add(add(add(mul(u1, w1o, k15), mul(u1o, w1, k16), k15),
+        add(mul(u2, w2o, k16), mul(u2o, w2, k17), k16), k15), add(mul(u3, w3o, k16), mul(u3o, w3, k17), k16), k15), k14
+    )
+    div(
+        add(add(add(add(add(mul(z1, fio, k15), mul(z1o, fi, k16), k15), add(mul(w1, fto, k16), mul(w1o, ft, k17), k16),
+        k15), mul(add(sub(add(mul(z2, v3o, k16), mul(z2o, v3, k17), k16), add(mul(z3, v2o, k17), mul(z3o, v2, k18),
+        k17), k16), sub(add(mul(w2, u3o, k17), mul(w2o, u3, k18), k17), add(mul(w3, u2o, k18), mul(w3o, u2, k19), k18),
+        k17), k16), side, k16), k15), add(mul(v1, pullo, k16), mul(v1o, pull, k17), k16), k15), add(mul(u1, vwo, k16),
+        mul(u1o, vw, k17), k16), k15), n2, o4
+    )
+    div(
+        add(add(add(add(add(mul(z2, fio, k15), mul(z2o, fi, k16), k15), add(mul(w2, fto, k16), mul(w2o, ft, k17), k16),
+        k15), mul(add(sub(add(mul(z3, v1o, k16), mul(z3o, v1, k17), k16), add(mul(z1, v3o, k17), mul(z1o, v3, k18),
+        k17), k16), sub(add(mul(w3, u1o, k17), mul(w3o, u1, k18), k17), add(mul(w1, u3o, k18), mul(w1o, u3, k19), k18),
+        k17), k16), side, k16), k15), add(mul(v2, pullo, k16), mul(v2o, pull, k17), k16), k15), add(mul(u2, vwo, k16),
+        mul(u2o, vw, k17), k16), k15), n2, o5
+    )
+    div(
+        add(add(add(add(add(mul(z3, fio, k8), mul(z3o, fi, k1), k1), add(mul(w3, fto, k8), mul(w3o, ft, k6), k6), k1),
+        mul(add(sub(add(mul(z1, v2o, k6), mul(z1o, v2, k8), k6), add(mul(z2, v1o, k8), mul(z2o, v1, k13), k8), k6),
+        sub(add(mul(w1, u2o, k8), mul(w1o, u2, k4), k4), add(mul(w2, u1o, k8), mul(w2o, u1, k3), k3), k3), k3), side,
+        k3), k1), add(mul(v3, pullo, k3), mul(v3o, pull, k4), k3), k1), add(mul(u3, vwo, k3), mul(u3o, vw, k2), k2),
+        k1), n2, o6
+    )
+
+
+# operations 151: 61 +, 69 *, 15 /, 6 neg
+def _own_rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    side, = table
+    hs = side / 2
+    vw = v1 * w1 + v2 * w2 + v3 * w3
+    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
+    b1 = -w1 / 2
+    b1o = -w1o / 2
+    b2 = -w2 / 2
+    b2o = -w2o / 2
+    b3 = -w3 / 2
+    b3o = -w3o / 2
+    hv1 = v1 / 2
+    hv1o = v1o / 2
+    hv2 = v2 / 2
+    hv2o = v2o / 2
+    hv3 = v3 / 2
+    hv3o = v3o / 2
+    s1 = w1 * hs
+    s1o = w1o * hs
+    s2 = w2 * hs
+    s2o = w2o * hs
+    s3 = w3 * hs
+    s3o = w3o * hs
+    ha = vw / 2
+    hao = vwo / 2
+    J11 = b1 * v1 + hv1 * w1 + ha
+    J12 = b1 * v2 + hv1 * w2 - s3
+    J13 = b1 * v3 + hv1 * w3 + s2
+    J21 = b2 * v1 + hv2 * w1 + s3
+    J22 = b2 * v2 + hv2 * w2 + ha
+    J23 = b2 * v3 + hv2 * w3 - s1
+    J31 = b3 * v1 + hv3 * w1 - s2
+    J32 = b3 * v2 + hv3 * w2 + s1
+    J33 = b3 * v3 + hv3 * w3 + ha
+    return (
+        J11,
+        J12,
+        J13,
+        0,
+        0,
+        0,
+        J21,
+        J22,
+        J23,
+        0,
+        0,
+        0,
+        J31,
+        J32,
+        J33,
+        0,
+        0,
+        0,
+        b1 * v1o + b1o * v1 + (hv1 * w1o + hv1o * w1) + hao,
+        b1 * v2o + b1o * v2 + (hv1 * w2o + hv1o * w2) - s3o,
+        b1 * v3o + b1o * v3 + (hv1 * w3o + hv1o * w3) + s2o,
+        J11,
+        J12,
+        J13,
+        b2 * v1o + b2o * v1 + (hv2 * w1o + hv2o * w1) + s3o,
+        b2 * v2o + b2o * v2 + (hv2 * w2o + hv2o * w2) + hao,
+        b2 * v3o + b2o * v3 + (hv2 * w3o + hv2o * w3) - s1o,
+        J21,
+        J22,
+        J23,
+        b3 * v1o + b3o * v1 + (hv3 * w1o + hv3o * w1) - s2o,
+        b3 * v2o + b3o * v2 + (hv3 * w2o + hv3o * w2) + s1o,
+        b3 * v3o + b3o * v3 + (hv3 * w3o + hv3o * w3) + hao,
+        J31,
+        J32,
+        J33,
+    )
+
+
+def _own_rate_jacobian_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows, table: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    side, = table
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36,
+    ) = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14 = scratch
+    n0, n2 = numbers
+    b1 = div(neg(w1, k1), n2, k1)
+    hv1 = div(v1, n2, k2)
+    vw = add(add(mul(v1, w1, k3), mul(v2, w2, k4), k3), mul(v3, w3, k4), k3)
+    ha = div(vw, n2, k3)
+    add(add(mul(b1, v1, k4), mul(hv1, w1, k5), k4), ha, o1)
+    hs = div(side, n2, k4)
+    s3 = mul(w3, hs, k5)
+    sub(add(mul(b1, v2, k6), mul(hv1, w2, k7), k6), s3, o2)
+    s2 = mul(w2, hs, k6)
+    add(add(mul(b1, v3, k7), mul(hv1, w3, k8), k7), s2, o3)
+    b2 = div(neg(w2, k7), n2, k7)
+    hv2 = div(v2, n2, k8)
+    add(add(mul(b2, v1, k9), mul(hv2, w1, k10), k9), s3, o7)
+    add(add(mul(b2, v2, k5), mul(hv2, w2, k9), k5), ha, o8)
+    s1 = mul(w1, hs, k5)
+    sub(add(mul(b2, v3, k9), mul(hv2, w3, k10), k9), s1, o9)
+    b3 = div(neg(w3, k9), n2, k9)
+    hv3 = div(v3, n2, k10)
+    sub(add(mul(b3, v1, k11), mul(hv3, w1, k12), k11), s2, o13)
+    add(add(mul(b3, v2, k6), mul(hv3, w2, k11), k6), s1, o14)
+    add(add(mul(b3, v3, k5), mul(hv3, w3, k6), k5), ha, o15)
+    b1o = div(neg(w1o, k3), n2, k3)
+    hv1o = div(v1o, n2, k5)
+    vwo = add(
+        add(add(mul(v1, w1o, k6), mul(v1o, w1, k11), k6), add(mul(v2, w2o, k11), mul(v2o, w2, k12), k11), k6),
+        add(mul(v3, w3o, k11), mul(v3o, w3, k12), k11), k6
+    )
+    hao = div(vwo, n2, k6)
+    add(
+        add(add(mul(b1, v1o, k11), mul(b1o, v1, k12), k11), add(mul(hv1, w1o, k12), mul(hv1o, w1, k13), k12), k11), hao,
+        o19
+    )
+    s3o = mul(w3o, hs, k11)
+    sub(
+        add(add(mul(b1, v2o, k12), mul(b1o, v2, k13), k12), add(mul(hv1, w2o, k13), mul(hv1o, w2, k14), k13), k12), s3o,
+        o20
+    )
+    s2o = mul(w2o, hs, k12)
+    add(add(add(mul(b1, v3o, k1), mul(b1o, v3, k3), k1), add(mul(hv1, w3o, k2), mul(hv1o, w3, k3), k2), k1), s2o, o21)
+    s1o = mul(w1o, hs, k1)
+    b2o = div(neg(w2o, k2), n2, k2)
+    hv2o = div(v2o, n2, k3)
+    add(add(add(mul(b2, v1o, k4), mul(b2o, v1, k5), k4), add(mul(hv2, w1o, k5), mul(hv2o, w1, k13), k5), k4), s3o, o25)
+    add(add(add(mul(b2, v2o, k4), mul(b2o, v2, k5), k4), add(mul(hv2, w2o, k5), mul(hv2o, w2, k11), k5), k4), hao, o26)
+    sub(add(add(mul(b2, v3o, k4), mul(b2o, v3, k2), k2), add(mul(hv2, w3o, k4), mul(hv2o, w3, k3), k3), k2), s1o, o27)
+    b3o = div(neg(w3o, k2), n2, k2)
+    hv3o = div(v3o, n2, k3)
+    sub(add(add(mul(b3, v1o, k4), mul(b3o, v1, k5), k4), add(mul(hv3, w1o, k5), mul(hv3o, w1, k7), k5), k4), s2o, o31)
+    add(add(add(mul(b3, v2o, k4), mul(b3o, v2, k5), k4), add(mul(hv3, w2o, k5), mul(hv3o, w2, k7), k5), k4), s1o, o32)
+    add(add(add(mul(b3, v3o, k1), mul(b3o, v3, k2), k1), add(mul(hv3, w3o, k2), mul(hv3o, w3, k3), k2), k1), hao, o33)
+    copy(n0, o4)
+    copy(n0, o5)
+    copy(n0, o6)
+    copy(n0, o10)
+    copy(n0, o11)
+    copy(n0, o12)
+    copy(n0, o16)
+    copy(n0, o17)
+    copy(n0, o18)
+    copy(o1, o22)
+    copy(o2, o23)
+    copy(o3, o24)
+    copy(o7, o28)
+    copy(o8, o29)
+    copy(o9, o30)
+    copy(o13, o34)
+    copy(o14, o35)
+    copy(o15, o36)
 
 
 # operations 62: 13 +, 24 *, 7 /, 1 neg, 1 sqrt, 1 atan2, 2 lt, 1 eq, 12 where
@@ -812,9 +1266,12 @@ CHART = Chart(
         "-1.0",
     ),
     functions={
+        "quaternion": Function(_quaternion, _quaternion_blocks, 0, 0, (-2, 1, 2)),
         "pose": Function(_pose, _pose_blocks, 1, 0, (1, 2, 4)),
         "tangent": Function(_tangent, _tangent_blocks, 0, 0, (1, 2, 4)),
+        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 1, 0, (1, 2, 4)),
         "inverse": Function(_inverse, _inverse_blocks, 0, 0, (1, 2)),
+        "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 0, 0, (-1, 0, 1, 2)),
         "ray": Function(_ray, _ray_blocks, 0, 0, (1, 2, 4)),
         "gain_unit": Function(_gain_unit, _gain_unit_blocks, 1, 1, (-1, 0, 1)),
         "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 0, (1,)),
@@ -824,17 +1281,6 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 4)),
     },
     own={
-        "quaternion": Kernel(
-        _own_quaternion,
-        _own_quaternion_blocks,
-        (("v", (6,)),),
-        (8,),
-        registers=4,
-        masks=0,
-        numbers=(-2, 1, 2),
-        lent=(),
-        real=False,
-    ),
         "tangent": Kernel(
         _own_tangent,
         _own_tangent_blocks,
@@ -857,14 +1303,36 @@ CHART = Chart(
         lent=(),
         real=False,
     ),
-        "rate": Kernel(
-        _own_rate,
-        _own_rate_blocks,
-        (("v", (6,)), ("omega", (6,)),),
+        "tangent_dot": Kernel(
+        _own_tangent_dot,
+        _own_tangent_dot_blocks,
+        (("v", (6,)), ("v_dot", (6,)),),
+        (2, 3, 3),
+        registers=16,
+        masks=0,
+        numbers=(1, 2, 4),
+        lent=(),
+        real=False,
+    ),
+        "rate_dot": Kernel(
+        _own_rate_dot,
+        _own_rate_dot_blocks,
+        (("v", (6,)), ("omega", (6,)), ("omega_dot", (6,)),),
         (6,),
-        registers=7,
+        registers=19,
         masks=0,
         numbers=(1, 2),
+        lent=(),
+        real=False,
+    ),
+        "rate_jacobian": Kernel(
+        _own_rate_jacobian,
+        _own_rate_jacobian_blocks,
+        (("v", (6,)), ("omega", (6,)),),
+        (6, 6),
+        registers=14,
+        masks=0,
+        numbers=(0, 2),
         lent=(),
         real=False,
     ),
@@ -895,9 +1363,18 @@ CHART = Chart(
 
 KERNELS = PoseKernels(CHART)
 
+body_cotangent = KERNELS.body_cotangent
+body_cotangent_jacobian = KERNELS.body_cotangent_jacobian
 body_rate = KERNELS.body_rate
+body_rate_dot = KERNELS.body_rate_dot
+body_rate_jacobian = KERNELS.body_rate_jacobian
+body_tangent_dot = KERNELS.body_tangent_dot
 body_twist = KERNELS.body_twist
+body_twist_dot = KERNELS.body_twist_dot
+body_twist_jacobian = KERNELS.body_twist_jacobian
 compose = KERNELS.compose
+cotangent = KERNELS.cotangent
+cotangent_jacobian = KERNELS.cotangent_jacobian
 dcay = KERNELS.tangent
 dcay_inv = KERNELS.tangent_inv
 from_pose = KERNELS.from_pose
@@ -908,12 +1385,17 @@ pose = KERNELS.pose
 principal = KERNELS.principal
 quaternion = KERNELS.quaternion
 rate = KERNELS.rate
+rate_dot = KERNELS.rate_dot
+rate_jacobian = KERNELS.rate_jacobian
 shadow = KERNELS.shadow
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent
+tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_screw = KERNELS.to_screw
 transform_line = KERNELS.transform_line
 transform_point = KERNELS.transform_point
 twist = KERNELS.twist
+twist_dot = KERNELS.twist_dot
+twist_jacobian = KERNELS.twist_jacobian

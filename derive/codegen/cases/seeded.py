@@ -21,8 +21,8 @@ import sympy
 
 from ...maps.chart import Chart
 from ..signatures import FUNCTIONS
-from . import exact
 from .digits import DIGITS
+from .exact import ALGEBRAIC, Formulas
 from .maps_at import MAPS, Flat, seeded_arguments
 from .vectors import Vectors
 
@@ -33,7 +33,6 @@ WIDE = 3
 """Largest component of v, by φ′(0)."""
 
 GRID = 2**18
-DUAL_SYMBOLS = ("v4", "v5", "v6", "w4", "w5", "w6")
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +52,7 @@ def cases(chart: Chart) -> list[Case]:
     with mpmath.workdps(DIGITS):
         vectors = Vectors(chart)
         found = [case for _ in range(POINTS) for case in _algebraic(vectors, draw)]
-        found += [_inverse(vectors, *given) for given in seeded_arguments(vectors, draw, nearby)]
+        found += [_case(vectors, *given) for given in seeded_arguments(vectors, draw, nearby)]
     names = list(FUNCTIONS)
     return sorted(found, key=lambda case: names.index(case.function))
 
@@ -63,14 +62,8 @@ def nearby(value: Any) -> Any:
     return mpmath.mpf(int(mpmath.nint(value * GRID))) / GRID
 
 
-class Point:
-    """Numbers in place of the symbols of the exact ring, with what expectations ask of a ring."""
-
-    def __init__(self, values: Mapping[str, Any]) -> None:
-        self.values = values
-
-    def symbol(self, name: str) -> Any:
-        return self.values[name]
+class Numbers:
+    """Numbers in place of elements of the exact ring, with what formulas ask of a ring."""
 
     def lift(self, expression: sympy.Expr, values: Mapping[sympy.Symbol, Any]) -> Any:
         """An algebraic expression at exact numbers, rounded to the working precision."""
@@ -89,38 +82,34 @@ def _fraction(value: Any) -> Fraction:
     return -magnitude if sign else magnitude
 
 
+def value(chart: Vectors, function: str, branch: int | None, arguments: Sequence[Flat]) -> Flat:
+    """What a function returns at given numbers."""
+    if function in ALGEBRAIC:
+        return ALGEBRAIC[function](Formulas(chart.chart, Numbers()), *arguments)
+    return MAPS[function](chart, branch or 0, *arguments)
+
+
 def _algebraic(chart: Vectors, draw: random.Random) -> Iterator[Case]:
     """Every algebraic function at one point, Re|v| well below the first pole of the inverse operator."""
     size = chart.component(WIDE * chart.slope(0), chart.first_pole)
-    values = {f"v{i}": nearby(draw.uniform(-size, size)) for i in range(1, 7)}
-    values |= {f"w{i}": nearby(draw.uniform(-2, 2)) for i in range(1, 7)}
-
-    def results(at: Mapping[str, Any]) -> list[exact.Expectation]:
-        found = exact.expectations(chart.chart, lambda **symbols: Point(at))
-        return [case for case in found if case.function not in MAPS]
-
-    moved = [results(values | {name: values[name] * (1 + STEP)}) for name in DUAL_SYMBOLS]
-    for index, case in enumerate(results(values)):
-        yield _case(case.function, None, case.arguments, case.result, [step[index].result for step in moved])
+    rows = [tuple(nearby(draw.uniform(-most, most)) for _ in range(6)) for most in (size, 2, 2)]
+    for name in ALGEBRAIC:
+        yield _case(chart, name, None, [row[: array.size] for row, array in zip(rows, FUNCTIONS[name].arguments)])
 
 
-def _inverse(chart: Vectors, function: str, branch: int | None, arguments: Sequence[Flat]) -> Case:
-    evaluate = MAPS[function]
-    moved = []
-    for i, argument in enumerate(arguments):
+def _case(chart: Vectors, function: str, branch: int | None, arguments: Sequence[Flat]) -> Case:
+    """A call with its result and scales: of an algebraic function dual parts of dual arguments move, else all."""
+    row, result = FUNCTIONS[function], value(chart, function, branch, arguments)
+    steps = []
+    for i, (argument, array) in enumerate(zip(arguments, row.arguments, strict=True)):
         for j, component in enumerate(argument):
-            stepped = (*argument[:j], component * (1 + STEP), *argument[j + 1 :])
-            moved.append(evaluate(chart, branch or 0, *arguments[:i], stepped, *arguments[i + 1 :]))
-    return _case(function, branch, arguments, evaluate(chart, branch or 0, *arguments), moved)
-
-
-def _case(
-    function: str, branch: int | None, arguments: Sequence[Flat], result: Flat, moved: Sequence[Flat]
-) -> Case:
-    steps = [[(b - a) / STEP for a, b in zip(result, other, strict=True)] for other in moved]
+            if array.part_of[j] or not row.exact:
+                stepped = (*argument[:j], component * (1 + STEP), *argument[j + 1 :])
+                moved = value(chart, function, branch, [*arguments[:i], stepped, *arguments[i + 1 :]])
+                steps.append([(b - a) / STEP for a, b in zip(result, moved, strict=True)])
     scales = []
     start = 0
-    for size in (size for array in FUNCTIONS[function].results for size in array.parts):
+    for size in (size for array in row.results for size in array.parts):
         part = slice(start, start + size)
         condition = sum(_norm(step[part]) for step in steps)
         scales.append(float(max(_norm(result[part]), condition)))
