@@ -66,8 +66,10 @@ def norm(a: Any) -> float:
 
 
 def parts(array: Any) -> tuple[Any, Any]:
-    """Real and dual part of a packed dual vector, quaternion or tensor; Q and ρ of a homogeneous matrix."""
+    """Real and dual part of a packed dual vector, quaternion, tensor or Jacobian; Q and ρ of a homogeneous matrix."""
     array = np.asarray(array)
+    if array.shape == (6, 6):
+        return array[:3, :3], array[3:, :3]
     if array.shape == (4, 4):
         return array[:3, :3], array[:3, 3]
     if array.ndim == 3:

@@ -45,6 +45,17 @@ def pack(value: Any) -> np.ndarray:
     return np.stack([p.reshape(entries.shape) for p in parts])
 
 
+def along(v: Any, rate: Any) -> tuple[Nil, ...]:
+    """The vector with its rate beside it."""
+    return tuple(Nil(Nil(a.re, d.re), Nil(a.du, d.du)) for a, d in zip(v, rate, strict=True))
+
+
+def matrix6(tensor: np.ndarray) -> np.ndarray:
+    """The real matrix that acts on dual vectors as a dual tensor does."""
+    zero = tensor[0] * 0
+    return np.block([[tensor[0], zero], [tensor[1], tensor[0]]])
+
+
 def value_key(value: Any) -> Any:
     """What tells a number, a dual number or an array or tuple of them from others."""
     if isinstance(value, Nil):
@@ -124,8 +135,7 @@ class Oracle:
         return transpose([hamilton(hamilton(w, (0, *e)), back)[1:] for e in E])
 
     def rotation_and_derivative(self, v: Any, v_dot: Any) -> tuple[Any, Any]:
-        moving = tuple(Nil(Nil(a.re, d.re), Nil(a.du, d.du)) for a, d in zip(v, v_dot, strict=True))
-        return split(self.rotation(moving))
+        return split(self.rotation(along(v, v_dot)))
 
     def space_twist(self, v: Any, v_dot: Any) -> tuple[Any, ...]:
         r, r_dot = self.rotation_and_derivative(v, v_dot)
@@ -254,6 +264,61 @@ class Oracle:
     def body_rate(self, v: Any, omega: Any) -> np.ndarray:
         dual = self.unpack(v)
         return pack(matvec(inverse(self.operator(dual)), matvec(self.rotation(dual), self.unpack(omega))))
+
+    # ---- derivatives: T at a moving vector, columns of Jacobians one by one -----------------------------------
+
+    def frame_operator(self, v: Any, body: bool) -> Any:
+        """T, or what gives the twist in the body: Rᵀ T."""
+        operator = self.operator(v)
+        return matmul(transpose(self.rotation(v)), operator) if body else operator
+
+    def tangent_dot(self, v: Any, v_dot: Any, body: bool = False) -> np.ndarray:
+        _, change = split(self.frame_operator(along(self.unpack(v), self.unpack(v_dot)), body))
+        return pack(change)
+
+    def twist_dot(self, v: Any, v_dot: Any, v_ddot: Any, body: bool = False) -> np.ndarray:
+        rate, moving = self.unpack(v_dot), along(self.unpack(v), self.unpack(v_dot))
+        _, change = split(matvec(self.frame_operator(moving, body), along(rate, self.unpack(v_ddot))))
+        return pack(change)
+
+    def rate_dot(self, v: Any, omega: Any, omega_dot: Any, body: bool = False) -> np.ndarray:
+        here, twist = self.unpack(v), self.unpack(omega)
+        rate = matvec(inverse(self.frame_operator(here, body)), twist)
+        operator = inverse(self.frame_operator(along(here, rate), body))
+        return pack(split(matvec(operator, along(twist, self.unpack(omega_dot))))[1])
+
+    def applied_jacobian(self, v: Any, w: Any, operator: Any) -> np.ndarray:
+        """∂ (operator w)/∂v as a real matrix."""
+        here, given = self.unpack(v), self.unpack(w)
+        still = tuple(Nil(a.re * 0, a.re * 0) for a in given)
+
+        def column(e: Any) -> Any:
+            moving = along(here, [Nil(here[0].re * 0 + c, here[0].re * 0) for c in e])
+            return split(matvec(operator(moving), along(given, still)))[1]
+
+        return matrix6(pack(transpose([column(e) for e in E])))
+
+    def twist_jacobian(self, v: Any, v_dot: Any, body: bool = False) -> np.ndarray:
+        return self.applied_jacobian(v, v_dot, lambda at: self.frame_operator(at, body))
+
+    def rate_jacobian(self, v: Any, omega: Any, body: bool = False) -> np.ndarray:
+        return self.applied_jacobian(v, omega, lambda at: inverse(self.frame_operator(at, body)))
+
+    def cotangent(self, v: Any, z: Any, body: bool = False) -> np.ndarray:
+        return pack(matvec(transpose(self.frame_operator(self.unpack(v), body)), self.unpack(z)))
+
+    def cotangent_jacobian(self, v: Any, z: Any, body: bool = False) -> np.ndarray:
+        return self.applied_jacobian(v, z, lambda at: transpose(self.frame_operator(at, body)))
+
+    body_tangent_dot = functools.partialmethod(tangent_dot, body=True)
+    body_twist_dot = functools.partialmethod(twist_dot, body=True)
+    body_rate_dot = functools.partialmethod(rate_dot, body=True)
+    body_twist_jacobian = functools.partialmethod(twist_jacobian, body=True)
+    body_rate_jacobian = functools.partialmethod(rate_jacobian, body=True)
+    body_cotangent = functools.partialmethod(cotangent, body=True)
+    body_cotangent_jacobian = functools.partialmethod(cotangent_jacobian, body=True)
+
+    # ---- inverse maps, screws, shadows, composition -----------------------------------------------------------
 
     def from_quaternion(self, q: Any, branch: int = 0) -> np.ndarray:
         return pack(self.vector_of(self.unpack(q), branch))

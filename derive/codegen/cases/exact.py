@@ -47,9 +47,15 @@ class Formulas:
 
     def lifted(self, expression: sympy.Expr, at: Coefficient) -> Coefficient:
         """An algebraic expression at a number, dual of any level: ``f(a + ε b) = f(a) + ε b f′(a)``."""
-        if isinstance(at, Dual):
-            return Dual(self.lifted(expression, at.re), self.lifted(expression.diff(x), at.re) * at.du)
-        return self.ring.lift(expression, {x: at})
+        order, plain = 0, at
+        while isinstance(plain, Dual):
+            order, plain = order + 1, plain.re
+        derivatives = self.ring.derivatives(expression, x, plain, order)
+
+        def raised(k: int, at: Coefficient) -> Coefficient:
+            return Dual(raised(k, at.re), raised(k + 1, at.re) * at.du) if isinstance(at, Dual) else derivatives[k]
+
+        return raised(0, at)
 
     def _operator(self, formula: Formula, v: Vector) -> Isotropic:
         square = v.dot(v)

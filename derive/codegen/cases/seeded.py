@@ -10,7 +10,7 @@ this is their condition.
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
@@ -65,15 +65,23 @@ def nearby(value: Any) -> Any:
 class Numbers:
     """Numbers in place of elements of the exact ring, with what formulas ask of a ring."""
 
-    def lift(self, expression: sympy.Expr, values: Mapping[sympy.Symbol, Any]) -> Any:
-        """An algebraic expression at exact numbers, rounded to the working precision."""
-        exact = tuple((symbol, _fraction(value)) for symbol, value in values.items())
-        return mpmath.mpf(_evaluated(expression, exact, mpmath.mp.dps + 5))
+    def derivatives(self, expression: sympy.Expr, symbol: sympy.Symbol, value: Any, order: int) -> list[Any]:
+        """An algebraic expression at an exact number and its derivatives, rounded to the working precision."""
+        at, digits, found = _fraction(value), mpmath.mp.dps + 5, []
+        for _ in range(order + 1):
+            found.append(mpmath.mpf(_evaluated(expression, symbol, at, digits)))
+            expression = _derivative(expression, symbol)
+        return found
 
 
 @lru_cache(maxsize=256)  # points differ in other components more often than in x
-def _evaluated(expression: sympy.Expr, values: tuple[tuple[sympy.Symbol, Fraction], ...], digits: int) -> sympy.Float:
-    return expression.xreplace({symbol: sympy.Rational(value) for symbol, value in values}).evalf(digits)
+def _evaluated(expression: sympy.Expr, symbol: sympy.Symbol, value: Fraction, digits: int) -> sympy.Float:
+    return expression.xreplace({symbol: sympy.Rational(value)}).evalf(digits)
+
+
+@lru_cache(maxsize=256)
+def _derivative(expression: sympy.Expr, symbol: sympy.Symbol) -> sympy.Expr:
+    return expression.diff(symbol)
 
 
 def _fraction(value: Any) -> Fraction:

@@ -34,7 +34,7 @@ class Geometry(Trace):
         results = row.compute(self.chart, scope, given)
         return tuple(scope.name(name, value) for name, value in zip(row.results, results, strict=True))
 
-    def dual(self, name: str, value: Dual) -> Dual:
+    def dual(self, name: str, value: Number) -> Number:
         """A dual number with its parts named, that of the dual part ending in o."""
         return Dual(self.name(name, value.re), self.name(name + "o", value.du))
 
@@ -96,7 +96,7 @@ class Point:
         """The dual vector."""
         return Vector.dual(self.re, self.du)
 
-    def lifted(self, function: str, letters: Sequence[str]) -> tuple[Dual, ...]:
+    def lifted(self, function: str, letters: Sequence[str]) -> tuple[Number, ...]:
         """Some results of a scalar program at the dual x: the dual part of f is its slope fy times y."""
         found = dict(zip(SCALARS[function].results, self.scalars(function), strict=True))
         return tuple(Dual(found[name], self.name(name + "o", found[name + "y"] * self.y)) for name in letters)
