@@ -26,7 +26,7 @@ from .vectors import Vectors
 
 SEED = 131
 SIDE = 3
-"""Rows of each argument where there are several: so many squared are its combinations."""
+"""Rows of each of two arguments: so many squared are their combinations. A third one has one row."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,7 +45,7 @@ def samples(chart: Chart) -> list[Samples]:
     with mpmath.workdps(digits.DIGITS):
         at = Vectors(chart)
         vectors, others = list(_vectors(at, draw)), [_drawn(draw, 2, 6) for _ in range(SIDE)]
-        return [*_algebraic(at, vectors, others, others[::-1]), *_inverse(at, draw)]
+        return [*_algebraic(at, vectors, others, others[-1:]), *_inverse(at, draw)]
 
 
 def far(chart: Chart, size: Any) -> list[Samples]:

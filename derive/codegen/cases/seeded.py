@@ -65,18 +65,20 @@ def nearby(value: Any) -> Any:
 class Numbers:
     """Numbers in place of elements of the exact ring, with what formulas ask of a ring."""
 
-    def derivatives(self, expression: sympy.Expr, symbol: sympy.Symbol, value: Any, order: int) -> list[Any]:
+    def derivatives(self, expression: sympy.Expr, symbol: sympy.Symbol, value: Any, order: int) -> Sequence[Any]:
         """An algebraic expression at an exact number and its derivatives, rounded to the working precision."""
-        at, digits, found = _fraction(value), mpmath.mp.dps + 5, []
-        for _ in range(order + 1):
-            found.append(mpmath.mpf(_evaluated(expression, symbol, at, digits)))
-            expression = _derivative(expression, symbol)
-        return found
+        return _derivatives(expression, symbol, mpmath.mpf(value), order, mpmath.mp.dps)
 
 
-@lru_cache(maxsize=256)  # points differ in other components more often than in x
-def _evaluated(expression: sympy.Expr, symbol: sympy.Symbol, value: Fraction, digits: int) -> sympy.Float:
-    return expression.xreplace({symbol: sympy.Rational(value)}).evalf(digits)
+@lru_cache(maxsize=1024)  # points differ in other components more often than in x
+def _derivatives(
+    expression: sympy.Expr, symbol: sympy.Symbol, value: Any, order: int, digits: int
+) -> tuple[Any, ...]:
+    at, found = sympy.Rational(_fraction(value)), []
+    for _ in range(order + 1):
+        found.append(mpmath.mpf(expression.xreplace({symbol: at}).evalf(digits + 5)))
+        expression = _derivative(expression, symbol)
+    return tuple(found)
 
 
 @lru_cache(maxsize=256)
