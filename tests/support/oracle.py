@@ -56,6 +56,25 @@ def matrix6(tensor: np.ndarray) -> np.ndarray:
     return np.block([[tensor[0], zero], [tensor[1], tensor[0]]])
 
 
+def scaled(tensor: Any, factor: Any) -> Any:
+    return tuple(tuple(c * factor for c in row) for row in tensor)
+
+
+def added(a: Any, b: Any) -> Any:
+    """The sum of vectors, or of tensors."""
+    return tuple(added(p, q) if isinstance(p, tuple) else p + q for p, q in zip(a, b, strict=True))
+
+
+def directional(slopes: Any, direction: Any) -> Any:
+    """The derivative of a tensor along a direction, by those along the axes."""
+    return functools.reduce(added, (scaled(slope, c) for slope, c in zip(slopes, direction, strict=True)))
+
+
+def applied_jacobian(slopes: Any, w: Any) -> np.ndarray:
+    """The derivative of a tensor applied to w as a real matrix."""
+    return matrix6(pack(transpose([matvec(slope, w) for slope in slopes])))
+
+
 def value_key(value: Any) -> Any:
     """What tells a number, a dual number or an array or tuple of them from others."""
     if isinstance(value, Nil):
@@ -265,50 +284,51 @@ class Oracle:
         dual = self.unpack(v)
         return pack(matvec(inverse(self.operator(dual)), matvec(self.rotation(dual), self.unpack(omega))))
 
-    # ---- derivatives: T at a moving vector, columns of Jacobians one by one -----------------------------------
+    # ---- derivatives: T at a vector that moves along each axis -------------------------------------------------
 
     def frame_operator(self, v: Any, body: bool) -> Any:
         """T, or what gives the twist in the body: Rᵀ T."""
-        operator = self.operator(v)
+        operator = self.operator_by_spin(v)
         return matmul(transpose(self.rotation(v)), operator) if body else operator
 
+    @remembered
+    def gradient(self, v: Any, body: bool) -> tuple[Any, tuple[Any, ...]]:
+        """The operator of a frame, and its derivatives along the three axes."""
+        units = [[Nil(a.re * 0 + c, a.re * 0) for a, c in zip(v, e, strict=True)] for e in E]
+        values, slopes = zip(*(split(self.frame_operator(along(v, unit), body)) for unit in units), strict=True)
+        return values[0], slopes
+
+    @remembered
+    def gradient_inv(self, v: Any, body: bool) -> tuple[Any, tuple[Any, ...]]:
+        """The same of the inverse."""
+        operator, slopes = self.gradient(v, body)
+        back = inverse(operator)
+        return back, tuple(scaled(matmul(back, matmul(slope, back)), -1) for slope in slopes)
+
     def tangent_dot(self, v: Any, v_dot: Any, body: bool = False) -> np.ndarray:
-        _, change = split(self.frame_operator(along(self.unpack(v), self.unpack(v_dot)), body))
-        return pack(change)
+        return pack(directional(self.gradient(self.unpack(v), body)[1], self.unpack(v_dot)))
 
     def twist_dot(self, v: Any, v_dot: Any, v_ddot: Any, body: bool = False) -> np.ndarray:
-        rate, moving = self.unpack(v_dot), along(self.unpack(v), self.unpack(v_dot))
-        _, change = split(matvec(self.frame_operator(moving, body), along(rate, self.unpack(v_ddot))))
-        return pack(change)
+        (operator, slopes), rate = self.gradient(self.unpack(v), body), self.unpack(v_dot)
+        return pack(added(matvec(operator, self.unpack(v_ddot)), matvec(directional(slopes, rate), rate)))
 
     def rate_dot(self, v: Any, omega: Any, omega_dot: Any, body: bool = False) -> np.ndarray:
-        here, twist = self.unpack(v), self.unpack(omega)
-        rate = matvec(inverse(self.frame_operator(here, body)), twist)
-        operator = inverse(self.frame_operator(along(here, rate), body))
-        return pack(split(matvec(operator, along(twist, self.unpack(omega_dot))))[1])
-
-    def applied_jacobian(self, v: Any, w: Any, operator: Any) -> np.ndarray:
-        """∂ (operator w)/∂v as a real matrix."""
-        here, given = self.unpack(v), self.unpack(w)
-        still = tuple(Nil(a.re * 0, a.re * 0) for a in given)
-
-        def column(e: Any) -> Any:
-            moving = along(here, [Nil(here[0].re * 0 + c, here[0].re * 0) for c in e])
-            return split(matvec(operator(moving), along(given, still)))[1]
-
-        return matrix6(pack(transpose([column(e) for e in E])))
+        (back, slopes), twist = self.gradient_inv(self.unpack(v), body), self.unpack(omega)
+        change = directional(slopes, matvec(back, twist))
+        return pack(added(matvec(back, self.unpack(omega_dot)), matvec(change, twist)))
 
     def twist_jacobian(self, v: Any, v_dot: Any, body: bool = False) -> np.ndarray:
-        return self.applied_jacobian(v, v_dot, lambda at: self.frame_operator(at, body))
+        return applied_jacobian(self.gradient(self.unpack(v), body)[1], self.unpack(v_dot))
 
     def rate_jacobian(self, v: Any, omega: Any, body: bool = False) -> np.ndarray:
-        return self.applied_jacobian(v, omega, lambda at: inverse(self.frame_operator(at, body)))
+        return applied_jacobian(self.gradient_inv(self.unpack(v), body)[1], self.unpack(omega))
 
     def cotangent(self, v: Any, z: Any, body: bool = False) -> np.ndarray:
         return pack(matvec(transpose(self.frame_operator(self.unpack(v), body)), self.unpack(z)))
 
     def cotangent_jacobian(self, v: Any, z: Any, body: bool = False) -> np.ndarray:
-        return self.applied_jacobian(v, z, lambda at: transpose(self.frame_operator(at, body)))
+        slopes = self.gradient(self.unpack(v), body)[1]
+        return applied_jacobian([transpose(slope) for slope in slopes], self.unpack(z))
 
     body_tangent_dot = functools.partialmethod(tangent_dot, body=True)
     body_twist_dot = functools.partialmethod(twist_dot, body=True)
