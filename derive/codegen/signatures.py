@@ -20,25 +20,25 @@ Recipe = Callable[[Geometry], Program]
 
 @dataclass(frozen=True, slots=True)
 class Array:
-    """A named array of components; ``parts`` are the sizes of its real part, its dual part and so on, in order."""
+    """A named array of components; ``part_of`` says which part (real, dual and so on) each belongs to."""
 
     name: str
     shape: tuple[int, ...]
-    parts: tuple[int, ...]
+    part_of: tuple[int, ...]
 
     def __post_init__(self) -> None:
-        if sum(self.parts) != math.prod(self.shape):
-            raise ValueError(f"the parts {self.parts} of {self.name} do not make its shape {self.shape}")
+        if len(self.part_of) != math.prod(self.shape):
+            raise ValueError(f"the parts {self.part_of} of {self.name} do not make its shape {self.shape}")
 
     @property
     def size(self) -> int:
         """How many components."""
-        return sum(self.parts)
+        return len(self.part_of)
 
     @property
-    def part_of(self) -> tuple[int, ...]:
-        """Which part each component belongs to."""
-        return tuple(part for part, size in enumerate(self.parts) for _ in range(size))
+    def parts(self) -> tuple[int, ...]:
+        """The size of each part."""
+        return tuple(self.part_of.count(part) for part in range(max(self.part_of) + 1))
 
     def called(self, name: str) -> Array:
         """The same under another name."""
@@ -104,26 +104,31 @@ class Function:
         return self.shares or self.name
 
 
+def _array(name: str, shape: tuple[int, ...], *parts: int) -> Array:
+    """An array whose parts, of these sizes, follow each other."""
+    return Array(name, shape, tuple(part for part, size in enumerate(parts) for _ in range(size)))
+
+
 def _dual(name: str) -> Array:
-    return Array(name, (6,), (3, 3))
+    return _array(name, (6,), 3, 3)
 
 
 def _tensor(name: str) -> Array:
-    return Array(name, (2, 3, 3), (9, 9))
+    return _array(name, (2, 3, 3), 9, 9)
 
 
 def _jacobian(name: str) -> Array:
     """A dual tensor as a real matrix: its real part beside zeros, then its dual part beside the real one."""
-    return Array(name, (6, 6), (6, 6, 6, 3, 3, 3, 3, 3, 3))
+    return Array(name, (6, 6), (0,) * 18 + (1, 1, 1, 0, 0, 0) * 3)
 
 
 V, OMEGA, V_DOT, LINE, SHADOW, MOVED = map(_dual, ("v", "omega", "v_dot", "line", "v_k", "moved"))
 OMEGA_DOT, V_DDOT, WRENCH, MOMENTUM = map(_dual, ("omega_dot", "v_ddot", "z", "tau"))
 JACOBIAN = _jacobian("jacobian")
-QUATERNION = Array("q", (8,), (4, 4))
-POSE = Array("pose", (4, 4), (3, 1, 3, 1, 3, 1, 4))
-POINT = Array("r", (3,), (3,))
-ANGLE = Array("angle", (2,), (1, 1))
+QUATERNION = _array("q", (8,), 4, 4)
+POSE = _array("pose", (4, 4), 3, 1, 3, 1, 3, 1, 4)
+POINT = _array("r", (3,), 3)
+ANGLE = _array("angle", (2,), 1, 1)
 
 SPACE, BODY = ("1",), ("-1",)
 """The side of T: itself, which gives the twist in space, or its transpose, in the body; of T⁻¹ also half the side."""

@@ -10,7 +10,7 @@ this is their condition.
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
@@ -20,7 +20,7 @@ import mpmath
 import sympy
 
 from ...maps.chart import Chart
-from ..signatures import FUNCTIONS
+from ..signatures import FUNCTIONS, Function
 from .digits import DIGITS
 from .exact import ALGEBRAIC, Formulas
 from .maps_at import MAPS, Flat, seeded_arguments
@@ -116,15 +116,17 @@ def _case(chart: Vectors, function: str, branch: int | None, arguments: Sequence
             if array.part_of[j] or not row.exact:
                 stepped = (*argument[:j], component * (1 + STEP), *argument[j + 1 :])
                 moved = value(chart, function, branch, [*arguments[:i], stepped, *arguments[i + 1 :]])
-                steps.append([(b - a) / STEP for a, b in zip(result, moved, strict=True)])
-    scales = []
-    start = 0
-    for size in (size for array in row.results for size in array.parts):
-        part = slice(start, start + size)
-        condition = sum(_norm(step[part]) for step in steps)
-        scales.append(float(max(_norm(result[part]), condition)))
-        start += size
+                steps.append(tuple((b - a) / STEP for a, b in zip(result, moved, strict=True)))
+    scales = (float(max(_norm(at(result)), sum(_norm(at(step)) for step in steps))) for at in _parts(row))
     return Case(function, branch, tuple(map(_doubles, arguments)), _doubles(result), tuple(scales))
+
+
+def _parts(row: Function) -> Iterator[Callable[[Flat], Flat]]:
+    """What takes a part out of a result, part by part of its arrays."""
+    owners = [(place, part) for place, array in enumerate(row.results) for part in array.part_of]
+    for owner in dict.fromkeys(owners):
+        where = [index for index, other in enumerate(owners) if other == owner]
+        yield lambda values, where=where: tuple(values[index] for index in where)  # type: ignore[misc]
 
 
 def _norm(values: Sequence[Any]) -> Any:
