@@ -3,8 +3,9 @@
 Arguments are numbers that a float holds (inverse maps: what rounds to one), results are computed from the formula to 50
 digits. Every part of a result (real, dual) comes with the scale its error is measured by: its norm, or, where larger,
 how far it moves when arguments move by their own size, the terms added up. Of the forward maps only dual arguments are
-moved: their dual part is linear in them, so this is the sum of the norms of its terms. Of the inverse maps all are:
-this is their condition.
+moved: their dual part is linear in them, so this is the sum of the norms of its terms; and in turn all arguments but
+the first as a whole, so this is the sum over what each of them contributes. Of the inverse maps all are: this is their
+condition.
 """
 
 from __future__ import annotations
@@ -110,14 +111,18 @@ def _algebraic(chart: Vectors, draw: random.Random) -> Iterator[Case]:
 def _case(chart: Vectors, function: str, branch: int | None, arguments: Sequence[Flat]) -> Case:
     """A call with its result and scales: of an algebraic function dual parts of dual arguments move, else all."""
     row, result = FUNCTIONS[function], value(chart, function, branch, arguments)
-    steps = []
-    for i, (argument, array) in enumerate(zip(arguments, row.arguments, strict=True)):
-        for j, component in enumerate(argument):
-            if array.part_of[j] or not row.exact:
-                stepped = (*argument[:j], component * (1 + STEP), *argument[j + 1 :])
-                moved = value(chart, function, branch, [*arguments[:i], stepped, *arguments[i + 1 :]])
-                steps.append(tuple((b - a) / STEP for a, b in zip(result, moved, strict=True)))
-    scales = (float(max(_norm(at(result)), sum(_norm(at(step)) for step in steps))) for at in _parts(row))
+
+    def moved(place: int, components: Sequence[int]) -> Flat:
+        """How far the result goes when these components of an argument move by their own size."""
+        stepped = [c * (1 + STEP) if j in components else c for j, c in enumerate(arguments[place])]
+        there = value(chart, function, branch, [*arguments[:place], tuple(stepped), *arguments[place + 1 :]])
+        return tuple((b - a) / STEP for a, b in zip(result, there, strict=True))
+
+    places = [(i, j) for i, array in enumerate(row.arguments) for j in range(array.size)]
+    single = [moved(i, [j]) for i, j in places if row.arguments[i].part_of[j] or not row.exact]
+    whole = [moved(i, range(array.size)) for i, array in enumerate(row.arguments) if i and row.exact]
+    ways = ([result], single, whole)
+    scales = (float(max(sum(_norm(at(step)) for step in steps) for steps in ways)) for at in _parts(row))
     return Case(function, branch, tuple(map(_doubles, arguments)), _doubles(result), tuple(scales))
 
 
