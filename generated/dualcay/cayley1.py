@@ -76,8 +76,6 @@
 #   from_pose: 79: 25 +, 19 *, 4 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
 #   to_screw: 53: 12 +, 22 *, 7 /, 1 sqrt, 1 atan2, 1 eq, 9 where
-#   turn: 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
-#   shadow: 61: 16 +, 27 *, 7 /, 1 sqrt, 1 eq, 9 where
 #   compose: 135: 56 +, 71 *, 8 /
 r"""Cayley map of order 1: Rodrigues dual vectors ``v = tan(α/2) u`` of rigid displacements.
 
@@ -122,23 +120,6 @@ def __dir__() -> list[str]:
 
 
 # --- scalars of x = v·v, of angles and quaternions: plain, and in place -------------------------------------------
-
-
-# operations 7: 2 +, 4 *, 1 /
-def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
-    iden = 1 / (cos - r * sin)
-    rk = (r * cos + sin) * iden
-    slope = iden * iden
-    return rk, slope
-
-
-def _turned_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, r: Any, cos: Any, sin: Any) -> Result:
-    o1, o2 = out
-    n1, = numbers
-    iden = div(n1, sub(cos, mul(r, sin, o2), o2), o2)
-    mul(add(mul(r, cos, o1), sin, o1), iden, o1)
-    mul(iden, iden, o2)
-    return o1, o2
 
 
 # operations 5: 1 +, 1 *, 2 /, 1 tan
@@ -1148,70 +1129,6 @@ def _own_to_screw_blocks(
     mul(uo3, one, o8)
 
 
-# operations 61: 16 +, 27 *, 7 /, 1 sqrt, 1 eq, 9 where
-def _own_shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    cos, sin = table
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    one = x - x + 1
-    still = x == 0
-    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
-    r = m.where(still, x, length)
-    u1 = m.where(still, v1o, v1) / length
-    u2 = m.where(still, v2o, v2) / length
-    u3 = m.where(still, v3o, v3) / length
-    ro = m.where(still, length, u1 * v1o + u2 * v2o + u3 * v3o)
-    uo1 = m.where(still, 0, v1o - u1 * ro) / length
-    uo2 = m.where(still, 0, v2o - u2 * ro) / length
-    uo3 = m.where(still, 0, v3o - u3 * ro) / length
-    sn = one * sin
-    iden = 1 / (cos - r * sn)
-    rk = (r * cos + sn) * iden
-    slope = iden * iden
-    rko = ro * slope
-    return u1 * rk, u2 * rk, u3 * rk, uo1 * rk + u1 * rko, uo2 * rk + u2 * rko, uo3 * rk + u3 * rko
-
-
-def _own_shadow_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, table: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    cos, sin = table
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
-    mask1, = masks
-    n0, n1 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    still = m.equal(x, n0, mask1)
-    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
-    r = m.where(still, x, length, k3)
-    one = add(sub(x, x, k1), n1, k1)
-    sn = mul(one, sin, k1)
-    iden = div(n1, sub(cos, mul(r, sn, k4), k4), k4)
-    rk = mul(add(mul(r, cos, k3), sn, k1), iden, k1)
-    slope = mul(iden, iden, k3)
-    u1 = div(m.where(still, v1o, v1, k4), length, k4)
-    mul(u1, rk, o1)
-    u2 = div(m.where(still, v2o, v2, k5), length, k5)
-    mul(u2, rk, o2)
-    u3 = div(m.where(still, v3o, v3, k6), length, k6)
-    mul(u3, rk, o3)
-    ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
-    rko = mul(ro, slope, k3)
-    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k7), k7), k9), length, k7)
-    add(mul(uo1, rk, k7), mul(u1, rko, k4), o4)
-    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k4), k4), k7), length, k4)
-    add(mul(uo2, rk, k4), mul(u2, rko, k5), o5)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k2)
-    add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
-
-
 # operations 135: 56 +, 71 *, 8 /
 def _own_compose(m: Any, c: Any, b: Components, a: Components) -> Result:
     b1, b2, b3, b1o, b2o, b3o = b
@@ -1338,7 +1255,6 @@ CHART = Chart(
     returns=(
     ),
     functions={
-        "turned": Function(_turned, _turned_blocks, 0, 0, (1,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 2)),
     },
     own={
@@ -1482,17 +1398,6 @@ CHART = Chart(
         registers=8,
         masks=1,
         numbers=(0, 1, 2),
-        lent=(),
-        real=True,
-    ),
-        "shadow": Kernel(
-        _own_shadow,
-        _own_shadow_blocks,
-        (("v", (6,)),),
-        (6,),
-        registers=9,
-        masks=1,
-        numbers=(0, 1),
         lent=(),
         real=True,
     ),
