@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from . import maps
+from .output.listing import Listing
 from .proof import Proof, proofs
 
 
@@ -12,9 +13,9 @@ from .proof import Proof, proofs
 class Cayley(maps.Cayley):
     __doc__ = maps.Cayley.__doc__
 
-    def prove(self) -> list[Proof]:
+    def prove(self) -> Listing[Proof]:
         """Decide everything claimed of this map, for all n and by components at this n; return each `Proof`.
 
         Whether all hold is ``all(proof.proved for proof in m.prove())``.
         """
-        return list(proofs(self))
+        return Listing(proofs(self))
