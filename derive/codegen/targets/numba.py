@@ -156,14 +156,13 @@ class Numba(python.PythonTarget):
         programs = [python.printed(program, parts(program)) for program in geometry().values()]
         calls = ["prange", *_called(_cores(programs))]
         return {
-            "__init__.py": {},
+            **self.package(),
             "_chart.py": {},
             "_compiled.py": {},
             "_geometry.py": {"programs": programs, "rows": python.rows(), "calls": sorted(calls)},
             "_interface.py": python.interface(WORDS),
             "_runtime.py": {},
             "_tools.py": {},
-            "py.typed": {},
         }
 
     def module(self, facts: Facts) -> Data:
