@@ -1,4 +1,4 @@
-"""`make quick` looks into every room: each folder of tests has something marked smoke, each room of derive such a one."""
+"""`make quick` looks into every room: each folder of tests and of derive's rooms has something marked smoke."""
 
 from __future__ import annotations
 
