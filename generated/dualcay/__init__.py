@@ -13,9 +13,9 @@ import importlib
 import pkgutil
 from typing import Any
 
-from ._tools import matrix6, random_vector
+from ._tools import matrix6
 
-__all__ = ["matrix6", "random_vector"]
+__all__ = ["matrix6"]
 
 
 def _modules() -> list[str]:
