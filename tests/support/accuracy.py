@@ -56,7 +56,8 @@ class Trial(Measured):
         return self._forward("tangent_inv", scale, self.gates(errors.RATE, errors.GENERAL))
 
     def body_tangent(self) -> Iterator[Result]:
-        return self._forward("body_tangent", "tangent", self.gates(errors.TANGENT, errors.tangent_shadow_gate(self.order)))
+        gates = self.gates(errors.TANGENT, errors.tangent_shadow_gate(self.order))
+        return self._forward("body_tangent", "tangent", gates)
 
     def body_tangent_inv(self) -> Iterator[Result]:
         scale = "tangent_inv" if self.inside else "near_pole"

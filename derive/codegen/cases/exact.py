@@ -48,7 +48,7 @@ def _dual(components: Sequence[Any]) -> Vector:
 
 def _lifted(ring: Any, expression: sympy.Expr, square: Dual) -> Dual:
     """f(x) + eps x° f'(x) of an algebraic expression."""
-    value, slope = (ring.lift(e, {x: square.re}) for e in (expression, expression.diff(x)))
+    value, slope = ring.value_and_slope(expression, x, square.re)
     return Dual(value, square.du * slope)
 
 

@@ -72,15 +72,22 @@ class Point:
     def symbol(self, name: str) -> Any:
         return self.values[name]
 
-    def lift(self, expression: sympy.Expr, values: Mapping[sympy.Symbol, Any]) -> Any:
-        """An algebraic expression at exact numbers, rounded to the working precision."""
-        exact = tuple((symbol, _fraction(value)) for symbol, value in values.items())
-        return mpmath.mpf(_evaluated(expression, exact, mpmath.mp.dps + 5))
+    def value_and_slope(self, expression: sympy.Expr, symbol: sympy.Symbol, value: Any) -> tuple[Any, Any]:
+        """An algebraic expression and its derivative at an exact number, rounded to the working precision."""
+        at, digits = _fraction(value), mpmath.mp.dps + 5
+        both = (_evaluated(e, symbol, at, digits) for e in (expression, _derivative(expression, symbol)))
+        value, slope = map(mpmath.mpf, both)
+        return value, slope
 
 
 @lru_cache(maxsize=256)  # points differ in other components more often than in x
-def _evaluated(expression: sympy.Expr, values: tuple[tuple[sympy.Symbol, Fraction], ...], digits: int) -> sympy.Float:
-    return expression.xreplace({symbol: sympy.Rational(value) for symbol, value in values}).evalf(digits)
+def _evaluated(expression: sympy.Expr, symbol: sympy.Symbol, value: Fraction, digits: int) -> sympy.Float:
+    return expression.xreplace({symbol: sympy.Rational(value)}).evalf(digits)
+
+
+@lru_cache(maxsize=256)
+def _derivative(expression: sympy.Expr, symbol: sympy.Symbol) -> sympy.Expr:
+    return expression.diff(symbol)
 
 
 def _fraction(value: Any) -> Fraction:

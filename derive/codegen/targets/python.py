@@ -15,7 +15,7 @@ from ...maps.chart import DEFINITIONS, Chart
 from ..facts import Facts, comment, numbers, theorem_lines
 from ..programs.program import Program, summary
 from ..signatures import FUNCTIONS, KERNELS, PUBLIC, Function, aliases
-from ..validation import NUMPY, Library, Machinery, replay, validate
+from ..validation import NUMPY, Choose, Library, Machinery, everything, replay, validate
 from .expression import WIDTH
 from .target import Data, require_functions
 
@@ -69,17 +69,16 @@ class PythonTarget:
     entry = "__init__.py"
     comment = "#"
     machinery = Machinery()
+    words: Words
 
     def companions(self, chart: Chart) -> Mapping[str, tuple[str, Data]]:
         return {}
 
-    words: Words
-
     def require_complete(self, texts: Mapping[str, str]) -> None:
         require_complete(texts, self.words)
 
-    def validate(self, folder: Path, chart: Chart) -> int:
-        return validate(folder, chart)
+    def validate(self, folder: Path, chart: Chart, choose: Choose = everything) -> int:
+        return validate(folder, chart, choose)
 
     def replay(self, folder: Path, chart: Chart, all_ways: bool) -> int:
         return replay(folder, chart, self.machinery, self.libraries(), all_ways=all_ways)
@@ -149,7 +148,7 @@ def require_complete(texts: Mapping[str, str], words: Words) -> None:
     Raises
     ------
     ValueError
-        If a function is missing, is in no row, has no docstring, or takes other arguments or keywords than its row says.
+        If a function is missing, is in no row, has no docstring, or takes other parameters than its row says.
     """
     methods = {method.name: method for method in _methods(texts[INTERFACE])}
     require_functions(INTERFACE, [name for name in methods if name not in words.plain])

@@ -104,7 +104,7 @@ def replay(
 
 
 def _every_function(caller: Caller, found: Sequence[Known], chart: Chart, few: int) -> None:
-    """Single poses, few, and many in several blocks; components last and first; under every name, keyword and branch."""
+    """Single poses, few, many in several blocks; components last and first; under every name, keyword and branch."""
     for known in found:
         for dtype in caller.library.dtypes:
             plain = dtype == np.float64
@@ -137,9 +137,7 @@ def _overflow(caller: Caller, chart: Chart, analysis: Analysis, few: int) -> Non
                 caller.compare(call, caller.run(call), overflow=True)
 
 
-def _ways(
-    caller: Caller, found: Sequence[Known], chart: Chart, machinery: Machinery, few: int, all_ways: bool
-) -> None:
+def _ways(caller: Caller, found: Sequence[Known], chart: Chart, machinery: Machinery, few: int, all_ways: bool) -> None:
     """What the run-time parts do, on a function of each kind; or on one, which the chart decides, in one type."""
     kinds, dtypes = ways.kinds(found), caller.library.dtypes
     sample = chart.branches % len(kinds)

@@ -94,10 +94,10 @@ def keywords(caller: Caller, known: Known, dtype: np.dtype[Any], few: int) -> No
     for count, axis in itertools.product((few // 2, few + 1), (-1, 0)):
         call = Call(known, several(known, count), dtype, axis)
         if CHECK in known.row.keywords and known.row.branch:
-            caller.check(call, how="checked", **{CHECK: True})
+            caller.check(call, how="checked", check=True)
         if SCALAR_FIRST in known.row.keywords:
             given = _ordered(call.arguments(), known.row.arguments, SCALAR_LAST, axis)
-            found = caller.run(call, given, "scalar last", **{SCALAR_FIRST: False})
+            found = caller.run(call, given, "scalar last", scalar_first=False)
             back = [SCALAR_LAST.index(i) for i in range(len(SCALAR_LAST))]
             caller.compare(call, _ordered(found, known.row.results, back, axis), "scalar last")
 
