@@ -32,7 +32,10 @@ SEED = 2011
 SMALL = 1e-22
 """Small components of a quaternion: a row of the rotation's matrix that belongs to one is good to 28 digits only."""
 
-NEAR_EDGE = 1e-6
+SMALL_AT_EDGE = 1e-11
+"""Likewise where no v is left at half a turn: the scalar part may not be smaller, and a wrong row loses it twice."""
+
+NEAR_EDGE = 1e-12
 """What `Vectors.finite` asks of a branch here: nearer to the edge, its condition takes digits that are compared."""
 
 NEAR_TIE = mpmath.mpf(10) ** -30
@@ -125,7 +128,8 @@ def expectations(chart: Chart) -> Iterator[tuple[Expectation, ...]]:
 
 def _cases(chart: Vectors, draw: random.Random) -> Iterator[Expectation]:
     """The principal branch takes all screws and exact half turns, every other one some of them."""
-    screws, halves = list(covering(draw, SMALL)), list(half_turns(draw))
+    small = SMALL if chart.edge > mpmath.pi else SMALL_AT_EDGE
+    screws, halves = list(covering(draw, small)), list(half_turns(draw))
     still, other_still = translation(draw), translation(draw)
     given = [screw for screw in (*screws, still, other_still) if chart.finite(screw, 0, NEAR_EDGE)]
     for screw, other in zip(given, [*given[1:], given[0]], strict=True):
@@ -138,7 +142,7 @@ def _cases(chart: Vectors, draw: random.Random) -> Iterator[Expectation]:
                 yield from _branch(chart, screw, branch)
                 yield from _back(chart, screw, branch) if screw in some else ()
         yield from at_half_turns(chart, halves, branch)
-    for screw in steep(draw, SMALL, 1 / 3):
+    for screw in steep(draw, small, 1 / 3):
         if chart.finite(screw, 0, NEAR_EDGE):
             yield from _from_rotation(tensor_from_screw(screw), 0, flat(chart.at(screw)))
     yield from undecided(chart)
@@ -214,10 +218,11 @@ def _near_ties(chart: Vectors, screw: Screw) -> Iterator[Expectation]:
 
 def undecided(chart: Vectors) -> Iterator[Expectation]:
     """Vectors with s = 0 or w = 0 exactly, half a turn or none: v itself or its dual part decides about the axis."""
-    for scale, direction in itertools.product((mpmath.mpf(1), mpmath.mpf(1) / 2), LATTICE):
+    half = mpmath.mpf(1) / 2
+    for scale, direction in itertools.product((mpmath.mpf(1), half), LATTICE):
         re = scale * Vector(*direction)
         halves = _half_turns_of(chart, re)
-        for along in (1, -1) if halves else ():
+        for along in (half, -half) if halves else ():
             v = Vector.dual(re, along * re + re.cross(Vector(1, 2, 3)))
             screw, own = chart.screw(v)
             yield Expectation("to_screw", (flat(v),), (screw.angle.re, screw.angle.du, *flat(screw.axis)))

@@ -41,14 +41,13 @@ class ArrayApi(python.PythonTarget):
     def shared(self) -> Mapping[str, Data]:
         programs = [python.printed(program, infix.body(program)) for program in geometry().values()]
         return {
-            "__init__.py": {},
+            **self.package(),
             "_chart.py": {},
             "_checks.py": {"words": WORDS},
             "_geometry.py": {"programs": programs, "rows": python.rows()},
             "_interface.py": python.interface(WORDS),
             "_runtime.py": {},
             "_tools.py": {},
-            "py.typed": {},
         }
 
     def module(self, facts: Facts) -> Data:

@@ -159,7 +159,7 @@ class Numba(python.PythonTarget):
         programs = [python.printed(program, parts(program)) for program in geometry().values()]
         calls = ["prange", *_called(_cores(programs))]
         return {
-            "__init__.py": {},
+            **self.package(),
             "_chart.py": {},
             "_checks.py": {"words": WORDS},
             "_compiled.py": {},
@@ -167,7 +167,6 @@ class Numba(python.PythonTarget):
             "_interface.py": python.interface(WORDS),
             "_runtime.py": {},
             "_tools.py": {},
-            "py.typed": {},
         }
 
     def module(self, facts: Facts) -> Data:

@@ -212,7 +212,7 @@ class Numpy(python.PythonTarget):
     def shared(self) -> Mapping[str, Data]:
         programs = [python.printed(program, two_forms(program)) for program in geometry().values()]
         return {
-            "__init__.py": {},
+            **self.package(),
             "_chart.py": {},
             "_checks.py": {"words": WORDS},
             "_geometry.py": {"programs": programs, "rows": python.rows(), "calls": _called(programs)},
@@ -221,7 +221,6 @@ class Numpy(python.PythonTarget):
             "_runtime.py": {},
             "_selection.py": {},
             "_tools.py": {},
-            "py.typed": {},
         }
 
     def module(self, facts: Facts) -> Data:

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from ... import about
 from ...maps.cayley import EQUATIONS
 from ...maps.chart import DEFINITIONS, Chart
 from ..facts import Facts, comment, numbers, theorem_lines
@@ -69,7 +70,14 @@ class PythonTarget:
     entry = "__init__.py"
     comment = "#"
     machinery = Machinery()
+    name: str
     words: Words
+
+    def package(self) -> Mapping[str, Data]:
+        """The files by which a package is imported and run."""
+        option = "" if self.name == about.TARGET else f" --target {self.name}"
+        init = {"version": about.__version__, "target": self.name, "option": option}
+        return {self.entry: init, "__main__.py": {}, "py.typed": {}}
 
     def companions(self, chart: Chart) -> Mapping[str, tuple[str, Data]]:
         return {}

@@ -85,12 +85,20 @@ def replay(
     """
     if not libraries:
         return 0
+    with loaded(folder) as package:
+        return replay_package(package, chart, machinery, libraries, all_ways=all_ways)
+
+
+def replay_package(
+    package: str, chart: Chart, machinery: Machinery, libraries: Sequence[Library], *, all_ways: bool
+) -> int:
+    """The same for a package that can be imported."""
     dtypes = list(dict.fromkeys(dtype for library in libraries for dtype in library.dtypes))
     analysis = Analysis(chart, lower_chart(chart), dtypes)
     found = [analysis.known(group) for group in samples(chart)]
     for known in found:
         require_sharp(known)
-    with loaded(folder) as package, warnings.catch_warnings(), np.errstate(all="warn"):
+    with warnings.catch_warnings(), np.errstate(all="warn"):
         warnings.simplefilter("error" if machinery.silent else "ignore", RuntimeWarning)
         module = importlib.import_module(f"{package}.{chart.name}")
         few = _number(package, machinery.few) if machinery.few else FEW
