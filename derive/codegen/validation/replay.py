@@ -112,7 +112,7 @@ def replay_package(
 
 
 def _every_function(caller: Caller, found: Sequence[Known], chart: Chart, few: int) -> None:
-    """Single poses, few, and many in several blocks; components last and first; under every name and branch."""
+    """Single poses, few, many in several blocks; components last and first; under every name, keyword and branch."""
     for known in found:
         for dtype in caller.library.dtypes:
             plain = dtype == np.float64
@@ -121,6 +121,8 @@ def _every_function(caller: Caller, found: Sequence[Known], chart: Chart, few: i
             for axis in (-1, 0):
                 for count in (few // 2, few + BLOCK):
                     caller.check(Call(known, several(known, count), dtype, axis))
+            if known.row.keywords:
+                ways.keywords(caller, known, dtype, few)
         first = Call(known, several(known, 1), caller.library.dtypes[0])
         for name in known.row.aliases if chart.cayley else ():
             caller.check(replace(first, name=name))
