@@ -16,9 +16,9 @@ import pkgutil
 import re
 from typing import TYPE_CHECKING, Any
 
-from ._tools import matrix6, random_vector
+from ._tools import matrix6
 
-__all__ = ["backend", "matrix6", "random_vector"]
+__all__ = ["backend", "matrix6"]
 
 __version__ = "0.1.0"
 

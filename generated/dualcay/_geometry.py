@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from ._kernel import Components, Kernel, Result, Rows, add, copy, div, mul, sqrt, sub
+from ._kernel import Components, Kernel, Result, Rows, add, copy, div, mul, neg, sqrt, sub
 
 
 # operations 24: 7 +, 17 *
@@ -401,6 +401,25 @@ def transform_line_blocks(
     )
 
 
+# operations 6: 6 neg
+def inverse(m: Any, c: Any, v: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    return -v1, -v2, -v3, -v1o, -v2o, -v3o
+
+
+def inverse_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    o1, o2, o3, o4, o5, o6 = out
+    neg(v1, o1)
+    neg(v2, o2)
+    neg(v3, o3)
+    neg(v1o, o4)
+    neg(v2o, o5)
+    neg(v3o, o6)
+
+
 # operations 79: 34 +, 45 *
 def tangent(m: Any, c: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
@@ -616,6 +635,223 @@ def tangent_inv_blocks(
     s3 = div(v3, n_minus_2, k2)
     add(d12, s3, o4)
     sub(d12, s3, o2)
+
+
+# operations 79: 34 +, 45 *
+def body_tangent(m: Any, c: Any, v: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    f, g, h, fy, gy, hy = c.tangent(m, x)
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    fo = fy * y
+    go = gy * y
+    ho = hy * y
+    gv1 = v1 * g
+    gv2 = v2 * g
+    gv3 = v3 * g
+    gvo1 = v1o * g + v1 * go
+    gvo2 = v2o * g + v2 * go
+    gvo3 = v3o * g + v3 * go
+    cv1 = v1 * h
+    cv2 = v2 * h
+    cv3 = v3 * h
+    cvo1 = v1o * h + v1 * ho
+    cvo2 = v2o * h + v2 * ho
+    cvo3 = v3o * h + v3 * ho
+    d12 = cv1 * v2
+    d13 = cv1 * v3
+    d23 = cv2 * v3
+    d12o = cv1 * v2o + cvo1 * v2
+    d13o = cv1 * v3o + cvo1 * v3
+    d23o = cv2 * v3o + cvo2 * v3
+    return (
+        f + cv1 * v1,
+        d12 + gv3,
+        d13 - gv2,
+        d12 - gv3,
+        f + cv2 * v2,
+        d23 + gv1,
+        d13 + gv2,
+        d23 - gv1,
+        f + cv3 * v3,
+        fo + (cv1 * v1o + cvo1 * v1),
+        d12o + gvo3,
+        d13o - gvo2,
+        d12o - gvo3,
+        fo + (cv2 * v2o + cvo2 * v2),
+        d23o + gvo1,
+        d13o + gvo2,
+        d23o - gvo1,
+        fo + (cv3 * v3o + cvo3 * v3),
+    )
+
+
+def body_tangent_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, *spare = scratch
+    *spare_masks, = masks
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    f, g, h, fy, gy, hy = c.tangent((k2, k3, k4, k5, k6, k7), (*spare,), (*spare_masks,), x)
+    y = add(add(mul(v1, v1o, k1), mul(v2, v2o, k8), k1), mul(v3, v3o, k8), k1)
+    ho = mul(hy, y, k7)
+    fo = mul(fy, y, k5)
+    go = mul(gy, y, k1)
+    cvo3 = add(mul(v3o, h, k6), mul(v3, ho, k8), k6)
+    cv3 = mul(v3, h, k8)
+    add(fo, add(mul(cv3, v3o, k9), mul(cvo3, v3, k6), k6), o18)
+    add(f, mul(cv3, v3, k6), o9)
+    cvo2 = add(mul(v2o, h, k6), mul(v2, ho, k8), k6)
+    cvo1 = add(mul(v1o, h, k8), mul(v1, ho, k7), k7)
+    cv2 = mul(v2, h, k8)
+    cv1 = mul(v1, h, k4)
+    add(fo, add(mul(cv2, v2o, k9), mul(cvo2, v2, k10), k9), o14)
+    add(fo, add(mul(cv1, v1o, k9), mul(cvo1, v1, k10), k9), o10)
+    d23o = add(mul(cv2, v3o, k5), mul(cvo2, v3, k6), k5)
+    add(f, mul(cv2, v2, k6), o5)
+    add(f, mul(cv1, v1, k6), o1)
+    d23 = mul(cv2, v3, k2)
+    gvo1 = add(mul(v1o, g, k6), mul(v1, go, k8), k6)
+    sub(d23o, gvo1, o17)
+    add(d23o, gvo1, o15)
+    d13o = add(mul(cv1, v3o, k5), mul(cvo1, v3, k6), k5)
+    d12o = add(mul(cv1, v2o, k6), mul(cvo1, v2, k7), k6)
+    gvo2 = add(mul(v2o, g, k7), mul(v2, go, k8), k7)
+    add(d13o, gvo2, o16)
+    sub(d13o, gvo2, o12)
+    gvo3 = add(mul(v3o, g, k5), mul(v3, go, k1), k1)
+    sub(d12o, gvo3, o13)
+    add(d12o, gvo3, o11)
+    gv1 = mul(v1, g, k1)
+    sub(d23, gv1, o8)
+    add(d23, gv1, o6)
+    d13 = mul(cv1, v3, k1)
+    d12 = mul(cv1, v2, k2)
+    gv2 = mul(v2, g, k4)
+    add(d13, gv2, o7)
+    sub(d13, gv2, o3)
+    gv3 = mul(v3, g, k1)
+    sub(d12, gv3, o4)
+    add(d12, gv3, o2)
+
+
+# operations 75: 31 +, 35 *, 9 /
+def body_tangent_inv(m: Any, c: Any, v: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    fi, hi, fiy, hiy = c.tangent_inv(m, x)
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    yh = y / 2
+    s1 = v1 / -2
+    s2 = v2 / -2
+    s3 = v3 / -2
+    so1 = v1o / -2
+    so2 = v2o / -2
+    so3 = v3o / -2
+    fih = fi / 2
+    fio = fiy * yh
+    hih = hi / 2
+    hio = hiy * yh
+    cv1 = v1 * hih
+    cv2 = v2 * hih
+    cv3 = v3 * hih
+    cvo1 = v1o * hih + v1 * hio
+    cvo2 = v2o * hih + v2 * hio
+    cvo3 = v3o * hih + v3 * hio
+    d12 = cv1 * v2
+    d13 = cv1 * v3
+    d23 = cv2 * v3
+    d12o = cv1 * v2o + cvo1 * v2
+    d13o = cv1 * v3o + cvo1 * v3
+    d23o = cv2 * v3o + cvo2 * v3
+    return (
+        fih + cv1 * v1,
+        d12 + s3,
+        d13 - s2,
+        d12 - s3,
+        fih + cv2 * v2,
+        d23 + s1,
+        d13 + s2,
+        d23 - s1,
+        fih + cv3 * v3,
+        fio + (cv1 * v1o + cvo1 * v1),
+        d12o + so3,
+        d13o - so2,
+        d12o - so3,
+        fio + (cv2 * v2o + cvo2 * v2),
+        d23o + so1,
+        d13o + so2,
+        d23o - so1,
+        fio + (cv3 * v3o + cvo3 * v3),
+    )
+
+
+def body_tangent_inv_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, *spare = scratch
+    *spare_masks, = masks
+    n_minus_2, n2 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    fi, hi, fiy, hiy = c.tangent_inv((k2, k3, k4, k5), (*spare,), (*spare_masks,), x)
+    hih = div(hi, n2, k1)
+    fih = div(fi, n2, k2)
+    y = add(add(mul(v1, v1o, k3), mul(v2, v2o, k6), k3), mul(v3, v3o, k6), k3)
+    yh = div(y, n2, k3)
+    hio = mul(hiy, yh, k5)
+    fio = mul(fiy, yh, k3)
+    cvo3 = add(mul(v3o, hih, k4), mul(v3, hio, k6), k4)
+    cv3 = mul(v3, hih, k6)
+    add(fio, add(mul(cv3, v3o, k7), mul(cvo3, v3, k4), k4), o18)
+    add(fih, mul(cv3, v3, k4), o9)
+    cvo2 = add(mul(v2o, hih, k4), mul(v2, hio, k6), k4)
+    cvo1 = add(mul(v1o, hih, k6), mul(v1, hio, k5), k5)
+    cv2 = mul(v2, hih, k6)
+    cv1 = mul(v1, hih, k1)
+    add(fio, add(mul(cv2, v2o, k7), mul(cvo2, v2, k8), k7), o14)
+    add(fio, add(mul(cv1, v1o, k7), mul(cvo1, v1, k8), k7), o10)
+    d23o = add(mul(cv2, v3o, k3), mul(cvo2, v3, k4), k3)
+    add(fih, mul(cv2, v2, k4), o5)
+    add(fih, mul(cv1, v1, k4), o1)
+    d23 = mul(cv2, v3, k2)
+    so1 = div(v1o, n_minus_2, k4)
+    sub(d23o, so1, o17)
+    add(d23o, so1, o15)
+    d13o = add(mul(cv1, v3o, k3), mul(cvo1, v3, k4), k3)
+    d12o = add(mul(cv1, v2o, k4), mul(cvo1, v2, k5), k4)
+    so2 = div(v2o, n_minus_2, k5)
+    add(d13o, so2, o16)
+    sub(d13o, so2, o12)
+    so3 = div(v3o, n_minus_2, k3)
+    sub(d12o, so3, o13)
+    add(d12o, so3, o11)
+    s1 = div(v1, n_minus_2, k3)
+    sub(d23, s1, o8)
+    add(d23, s1, o6)
+    d13 = mul(cv1, v3, k2)
+    d12 = mul(cv1, v2, k1)
+    s2 = div(v2, n_minus_2, k3)
+    add(d13, s2, o7)
+    sub(d13, s2, o3)
+    s3 = div(v3, n_minus_2, k2)
+    sub(d12, s3, o4)
+    add(d12, s3, o2)
 
 
 # operations 113: 45 +, 68 *
@@ -1567,6 +1803,17 @@ KERNELS: Mapping[str, Kernel] = {
         lent=(('pose', 0, 0),),
         real=False,
     ),
+    "inverse": Kernel(
+        inverse,
+        inverse_blocks,
+        (("v", (6,)),),
+        (6,),
+        registers=0,
+        masks=0,
+        numbers=(),
+        lent=(),
+        real=False,
+    ),
     "tangent": Kernel(
         tangent,
         tangent_blocks,
@@ -1581,6 +1828,28 @@ KERNELS: Mapping[str, Kernel] = {
     "tangent_inv": Kernel(
         tangent_inv,
         tangent_inv_blocks,
+        (("v", (6,)),),
+        (2, 3, 3),
+        registers=8,
+        masks=0,
+        numbers=(-2, 2),
+        lent=(('tangent_inv', 0, 0),),
+        real=False,
+    ),
+    "body_tangent": Kernel(
+        body_tangent,
+        body_tangent_blocks,
+        (("v", (6,)),),
+        (2, 3, 3),
+        registers=10,
+        masks=0,
+        numbers=(),
+        lent=(('tangent', 0, 0),),
+        real=False,
+    ),
+    "body_tangent_inv": Kernel(
+        body_tangent_inv,
+        body_tangent_inv_blocks,
         (("v", (6,)),),
         (2, 3, 3),
         registers=8,

@@ -82,11 +82,14 @@ from __future__ import annotations
 import importlib
 from typing import Any
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from ._chart import Chart
+from ._checks import require
 from ._kernel import Array
-from ._runtime import call, call_branch, returned, shifted
+from ._runtime import call, call_branch, from_scalar_last, returned, shifted, to_scalar_last
+from ._tools import directions, with_zeros
 
 # the side of T: itself, which gives the twist in space, and its transpose, in the body; for T⁻¹ also half the side
 SPACE, BODY = ("1",), ("-1",)
@@ -113,9 +116,70 @@ class PoseKernels:
     def __reduce__(self) -> tuple[Any, ...]:
         return kernels_of, (self._chart.module,)
 
+    # --- poses that are given by no array ---------------------------------------------------------------------------
+
+    def identity(self) -> Array:
+        """Vector of no displacement.
+
+        Returns
+        -------
+        ndarray, shape (6,)
+            Zeros.
+        """
+        return np.zeros(6)
+
+    def random(
+        self,
+        shape: int | tuple[int, ...] = (),
+        *,
+        max_angle: float | None = None,
+        max_translation: float = 1.0,
+        rng: np.random.Generator | int | None = None,
+    ) -> Array:
+        """Draw vectors of random poses.
+
+        Parameters
+        ----------
+        shape : int or tuple of int
+            Batch shape.
+        max_angle : float, optional
+            Bound of the rotation angle (rad), uniform in [0, max_angle) about an axis of any direction; at most the last
+            of ``singular_angles``, beyond π on other branches. Without it rotations are uniform, and v is principal.
+        max_translation : float
+            Bound of the translation's length (length unit of the pose), uniform in [0, max_translation) in any direction.
+        rng : numpy.random.Generator or int, optional
+            Generator, or the seed of a new one.
+
+        Returns
+        -------
+        ndarray, shape (*shape, 6)
+            Real part, then dual part.
+
+        Raises
+        ------
+        ValueError
+            If an angle is not in [0, singular_angles()[-1]], or a length below 0.
+        """
+        largest = self._chart.singular_angles[-1]
+        if max_angle is not None and not 0 <= max_angle <= largest:
+            raise ValueError(f"max_angle must be in [0, {largest:.6g}], the angles of this chart, got {max_angle!r}")
+        if not max_translation >= 0:
+            raise ValueError(f"max_translation must be >= 0, got {max_translation!r}")
+        generator, batch = np.random.default_rng(rng), tuple(np.atleast_1d(shape))
+        if max_angle is None:
+            turned = self.from_quaternion(with_zeros(directions(generator, batch, 4)))
+        else:
+            angle = max_angle * generator.random((*batch, 1))
+            turned = self.from_screw(with_zeros(angle), with_zeros(directions(generator, batch, 3)))
+        rho = max_translation * generator.random((*batch, 1)) * directions(generator, batch, 3)
+        # the dual part of v is T⁻¹ ρ, at the real part
+        moved = self.rate(turned, with_zeros(rho))
+        return np.concatenate([turned[..., :3], moved[..., :3]], axis=-1)
+
+
     # --- forward maps -----------------------------------------------------------------------------------------------
 
-    def quaternion(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def quaternion(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None, scalar_first: bool = True) -> Array:
         r"""Unit dual quaternion of a displacement, CP23 (50), (55).
 
         .. math::
@@ -131,14 +195,18 @@ class PoseKernels:
             Where the component axes stand, in arguments and result: last, or first (the fastest).
         out : ndarray, optional
             Array for the result, shape (..., 8); it may overlap an argument.
+        scalar_first : bool
+            Whether the scalar stands first in each half of the quaternion, or last.
 
         Returns
         -------
         ndarray, shape (..., 8)
-            Real part (scalar first), then dual part. Defined for every v. The scalar part is >= 0 for Re α <= π; on shadows
-            the sign is that of the closed form.
+            Real part, then dual part. Defined for every v. The scalar part is >= 0 for Re α <= π; on shadows the sign is
+            that of the closed form.
         """
-        return call(self._chart, "quaternion", axis, out, v)
+        if scalar_first:
+            return call(self._chart, "quaternion", axis, out, v)
+        return to_scalar_last(call(self._chart, "quaternion", axis, None, v), axis, out)
 
     def tensor(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Orthogonal dual tensor of a displacement, CP23 (57).
@@ -231,6 +299,26 @@ class PoseKernels:
         """
         return call(self._chart, "transform_line", axis, out, v, line)
 
+    def inverse(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+        r"""Vector of the inverse displacement, ``R(−v) = R(v)ᵀ``.
+
+        Parameters
+        ----------
+        v : array_like, shape (..., 6)
+            Rodrigues dual vector φ(α) u of this module: real part (dimensionless), then dual part (length unit of the
+            pose).
+        axis : {-1, 0}
+            Where the component axes stand, in arguments and result: last, or first (the fastest).
+        out : ndarray, optional
+            Array for the result, shape (..., 6); it may overlap an argument.
+
+        Returns
+        -------
+        ndarray, shape (..., 6)
+            −v, on the branch opposite to that of v. Defined for every v.
+        """
+        return call(self._chart, "inverse", axis, out, v)
+
     # --- kinematics -------------------------------------------------------------------------------------------------
 
     def singular_angles(self) -> tuple[float, ...]:
@@ -264,8 +352,9 @@ class PoseKernels:
         Returns
         -------
         ndarray, shape (..., 2, 3, 3)
-            Dual tensor, real part first; maps v̇ (1/s) to the twist in the space frame, its transpose to that in the body
-            frame. Defined for every v; loses rank at the angles 2 k π of ``singular_angles``.
+            Dual tensor, real part first; maps v̇ (1/s) to the twist in the space frame. Defined for every v; loses rank at
+            the angles 2 k π of ``singular_angles``. On six-vectors it is ``matrix6`` of it that acts; for the body frame
+            see ``body_tangent``, which is not the transpose of that matrix.
         """
         return call(self._chart, "tangent", axis, out, v)
 
@@ -289,10 +378,58 @@ class PoseKernels:
         Returns
         -------
         ndarray, shape (..., 2, 3, 3)
-            Dual tensor, real part first; maps the twist in the space frame to v̇, its transpose that in the body frame.
-            Defined but at the poles, the angles 2 k π of ``singular_angles``.
+            Dual tensor, real part first; maps the twist in the space frame to v̇. Defined but at the poles, the angles
+            2 k π of ``singular_angles``. On six-vectors it is ``matrix6`` of it that acts; for the body frame see
+            ``body_tangent_inv``, which is not the transpose of that matrix.
         """
         return call(self._chart, "tangent_inv", axis, out, v)
+
+    def body_tangent(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+        r"""Tangent operator in the body frame, CP23 (86): ``ω_B = Tᵀ v̇ = Rᵀ ω``.
+
+        Transposed are real and dual part of ``tangent``, each by itself. The transpose of the real matrix
+        ``matrix6(tangent(v))`` is another operator, which takes wrenches back: blocks and components change places.
+
+        Parameters
+        ----------
+        v : array_like, shape (..., 6)
+            Rodrigues dual vector φ(α) u of this module: real part (dimensionless), then dual part (length unit of the
+            pose).
+        axis : {-1, 0}
+            Where the component axes stand, in arguments and result: last, or first (the fastest).
+        out : ndarray, optional
+            Array for the result, shape (..., 2, 3, 3); it may overlap an argument.
+
+        Returns
+        -------
+        ndarray, shape (..., 2, 3, 3)
+            Dual tensor, real part first; maps v̇ (1/s) to the twist in the body frame. Defined for every v; loses rank at
+            the angles 2 k π of ``singular_angles``.
+        """
+        return call(self._chart, "body_tangent", axis, out, v)
+
+    def body_tangent_inv(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+        r"""Inverse tangent operator in the body frame, CP23 (91): ``v̇ = T⁻ᵀ ω_B``.
+
+        Transposed are real and dual part of ``tangent_inv``, each by itself; see ``body_tangent``.
+
+        Parameters
+        ----------
+        v : array_like, shape (..., 6)
+            Rodrigues dual vector φ(α) u of this module: real part (dimensionless), then dual part (length unit of the
+            pose).
+        axis : {-1, 0}
+            Where the component axes stand, in arguments and result: last, or first (the fastest).
+        out : ndarray, optional
+            Array for the result, shape (..., 2, 3, 3); it may overlap an argument.
+
+        Returns
+        -------
+        ndarray, shape (..., 2, 3, 3)
+            Dual tensor, real part first; maps the twist in the body frame to v̇. Defined but at the poles, the angles
+            2 k π of ``singular_angles``.
+        """
+        return call(self._chart, "body_tangent_inv", axis, out, v)
 
     def twist(self, v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Twist in the space frame from the rate of v, CP23 (86): ``ω = T v̇``.
@@ -440,20 +577,27 @@ class PoseKernels:
         """
         return returned(self._chart, v, axis, out)
 
-    def from_quaternion(self, q: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None) -> Array:
+    def from_quaternion(
+        self, q: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None,
+        check: bool = False, scalar_first: bool = True,
+    ) -> Array:
         r"""Rodrigues dual vector of a unit dual quaternion, CP23 (47), (49).
 
         Parameters
         ----------
         q : array_like, shape (..., 8)
-            Unit dual quaternion, real part (scalar first), then dual part. Not checked: results are first order in the
-            violation. q and -q give the same v: the sign with real scalar >= 0 is taken, at 0 the vector part stands.
+            Unit dual quaternion, real part, then dual part. Unless it is checked, results are first order in the violation.
+            q and -q give the same v: the sign with real scalar >= 0 is taken, at 0 the vector part stands.
         branch : int
             k of ``φ(α + 2kπ) u``, modulo the number of branches; 0 is principal.
         axis : {-1, 0}
             Where the component axes stand, in arguments and result: last, or first (the fastest).
         out : ndarray, optional
             Array for the result, shape (..., 6); it may overlap an argument.
+        check : bool
+            Whether to raise an error for what is none; NaN is none either. Allowed is a violation of sqrt(eps) of the type.
+        scalar_first : bool
+            Whether the scalar stands first in each half of the quaternion, or last.
 
         Returns
         -------
@@ -465,23 +609,33 @@ class PoseKernels:
         ------
         TypeError
             If q is complex or branch is no integer.
+        ValueError
+            If it is checked, and an element is no unit dual quaternion.
         """
+        if not scalar_first:
+            q = from_scalar_last(q, axis)
+        if check:
+            require("from_quaternion", q, axis)
         return call_branch(self._chart, "from_quaternion", branch, axis, out, q)
 
-    def from_tensor(self, R: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None) -> Array:
+    def from_tensor(
+        self, R: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None, check: bool = False
+    ) -> Array:
         r"""Rodrigues dual vector of an orthogonal dual tensor.
 
         Parameters
         ----------
         R : array_like, shape (..., 2, 3, 3)
-            Orthogonal dual tensor, real part first. Not checked: results are first order in the violation. At the angle π
-            the axis with first non-zero component positive is taken.
+            Orthogonal dual tensor, real part first. Unless it is checked, results are first order in the violation. At the
+            angle π the axis with first non-zero component positive is taken.
         branch : int
             k of ``φ(α + 2kπ) u``, modulo the number of branches; 0 is principal.
         axis : {-1, 0}
             Where the component axes stand, in arguments and result: last, or first (the fastest).
         out : ndarray, optional
             Array for the result, shape (..., 6); it may overlap an argument.
+        check : bool
+            Whether to raise an error for what is none; NaN is none either. Allowed is a violation of sqrt(eps) of the type.
 
         Returns
         -------
@@ -493,23 +647,31 @@ class PoseKernels:
         ------
         TypeError
             If R is complex or branch is no integer.
+        ValueError
+            If it is checked, and an element is no orthogonal dual tensor of determinant 1.
         """
+        if check:
+            require("from_tensor", R, axis)
         return call_branch(self._chart, "from_tensor", branch, axis, out, R)
 
-    def from_pose(self, T: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None) -> Array:
+    def from_pose(
+        self, T: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None, check: bool = False
+    ) -> Array:
         r"""Rodrigues dual vector of a homogeneous matrix.
 
         Parameters
         ----------
         T : array_like, shape (..., 4, 4)
-            [[Q, ρ], [0, 1]]; the last row is not read. Not checked: results are first order in the violation. At the angle
-            π the axis with first non-zero component positive is taken.
+            [[Q, ρ], [0, 1]]. Unless it is checked, the last row is not read and results are first order in the violation.
+            At the angle π the axis with first non-zero component positive is taken.
         branch : int
             k of ``φ(α + 2kπ) u``, modulo the number of branches; 0 is principal.
         axis : {-1, 0}
             Where the component axes stand, in arguments and result: last, or first (the fastest).
         out : ndarray, optional
             Array for the result, shape (..., 6); it may overlap an argument.
+        check : bool
+            Whether to raise an error for what is none; NaN is none either. Allowed is a violation of sqrt(eps) of the type.
 
         Returns
         -------
@@ -521,28 +683,49 @@ class PoseKernels:
         ------
         TypeError
             If T is complex or branch is no integer.
+        ValueError
+            If it is checked, and an element is no homogeneous matrix of a rotation and a translation.
         """
+        if check:
+            require("from_pose", T, axis)
         return call_branch(self._chart, "from_pose", branch, axis, out, T)
 
-    def from_screw(self, angle: ArrayLike, line: ArrayLike, /, *, axis: int = -1, out: Array | None = None) -> Array:
+    def from_screw(
+        self, angle: ArrayLike, line: ArrayLike, /, *, axis: int = -1, out: Array | None = None, check: bool = False
+    ) -> Array:
         r"""Rodrigues dual vector ``φ(α) u`` of a dual angle and an axis.
+
+        A rotation is ``[α, 0]`` about its axis; a pure translation, a prismatic joint, is ``[0, d]`` along any axis of its
+        direction. An axis without a direction (a moment alone, a screw of infinite pitch) is none of these, and what is
+        returned for it belongs to another pose, as for a direction that is no unit vector: ``check`` finds both.
 
         Parameters
         ----------
         angle : array_like, shape (..., 2)
             Rotation angle (rad), then translation along the axis.
         line : array_like, shape (..., 6)
-            Unit dual vector of the axis: direction, then moment about the origin. Not checked.
+            Unit dual vector of the axis: direction (a unit vector), then moment about the origin (perpendicular to it).
         axis : {-1, 0}
             Where the component axes stand, in arguments and result: last, or first (the fastest).
         out : ndarray, optional
             Array for the result, shape (..., 6); it may overlap an argument.
+        check : bool
+            Whether to raise an error for what is none; NaN is none either. Allowed is a violation of sqrt(eps) of the type.
 
         Returns
         -------
         ndarray, shape (..., 6)
             Infinite at the edge of the chart.
+
+        Raises
+        ------
+        TypeError
+            If an argument is complex.
+        ValueError
+            If it is checked, and an element of line is no unit dual vector.
         """
+        if check:
+            require("from_screw", line, axis)
         return call(self._chart, "from_screw", axis, out, angle, line)
 
     def to_screw(self, v: ArrayLike, *, axis: int = -1) -> tuple[Array, Array]:

@@ -233,8 +233,29 @@ def returned(chart: Chart, v: ArrayLike, axis: int, out: Array | None) -> Array:
 
 def _same(v: ArrayLike, axis: int, out: Array | None) -> Array:
     array = as_array("v", v, (6,), axis, real=True)
+    return array.copy() if out is None else _filled(array, out)
+
+
+def _filled(array: Array, out: Array | None) -> Array:
+    """The array, or ``out`` with what it holds."""
     if out is None:
-        return array.copy()
+        return array
     _check(out, array.shape, array.dtype)
     out[...] = array
     return out
+
+
+# --- quaternions whose scalar stands last -------------------------------------------------------------------------
+
+SCALAR_LAST, SCALAR_FIRST = [1, 2, 3, 0, 5, 6, 7, 4], [3, 0, 1, 2, 7, 4, 5, 6]
+"""The components of a dual quaternion in the other order."""
+
+
+def from_scalar_last(q: ArrayLike, axis: int) -> Array:
+    """The dual quaternion with the scalar first in each half."""
+    return as_array("q", q, (8,), axis).take(SCALAR_FIRST, axis)
+
+
+def to_scalar_last(q: Array, axis: int, out: Array | None) -> Array:
+    """The dual quaternion with the scalar last in each half."""
+    return _filled(q.take(SCALAR_LAST, axis), out)

@@ -67,8 +67,11 @@
 #   pose: 44: 20 +, 22 *, 2 /
 #   transform_point: 57: 24 +, 31 *, 2 /
 #   transform_line: 93: 39 +, 52 *, 2 /
+#   inverse: 6: 6 neg
 #   tangent: 36: 8 +, 18 *, 3 /, 7 neg
 #   tangent_inv: 57: 21 +, 21 *, 15 /
+#   body_tangent: 36: 8 +, 18 *, 3 /, 7 neg
+#   body_tangent_inv: 57: 21 +, 21 *, 15 /
 #   twist: 80: 29 +, 47 *, 3 /, 1 neg
 #   rate: 84: 34 +, 50 *
 #   from_quaternion: 54: 20 +, 30 *, 4 /
@@ -107,9 +110,10 @@ from ._interface import PoseKernels
 from ._kernel import Components, Kernel, Result, Rows, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "body_rate", "body_twist", "compose", "dcay", "dcay_inv", "from_pose", "from_quaternion", "from_screw",
-    "from_tensor", "pose", "principal", "quaternion", "rate", "shadow", "singular_angles", "tangent", "tangent_inv",
-    "tensor", "to_screw", "transform_line", "transform_point", "twist",
+    "body_rate", "body_tangent", "body_tangent_inv", "body_twist", "compose", "dcay", "dcay_inv", "from_pose",
+    "from_quaternion", "from_screw", "from_tensor", "identity", "inverse", "pose", "principal", "quaternion", "random",
+    "rate", "shadow", "singular_angles", "tangent", "tangent_inv", "tensor", "to_screw", "transform_line",
+    "transform_point", "twist",
 ]  # fmt: skip
 
 ORDER = 1
@@ -656,6 +660,153 @@ def _own_tangent_inv_blocks(
     s3 = div(v3, n_minus_2, k1)
     add(d12, s3, o4)
     sub(d12, s3, o2)
+
+
+# operations 36: 8 +, 18 *, 3 /, 7 neg
+def _own_body_tangent(m: Any, c: Any, v: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    N = 1 + x
+    r = 2 * (N / N / N)
+    e = 2 / N
+    eg = e * r
+    fy = -eg
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    fo = fy * y
+    gv1 = v1 * r
+    gv2 = v2 * r
+    gv3 = v3 * r
+    gvo1 = v1o * r + v1 * fo
+    gvo2 = v2o * r + v2 * fo
+    gvo3 = v3o * r + v3 * fo
+    return r, gv3, -gv2, -gv3, r, gv1, gv2, -gv1, r, fo, gvo3, -gvo2, -gvo3, fo, gvo1, gvo2, -gvo1, fo
+
+
+def _own_body_tangent_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
+    k1, k2, k3 = scratch
+    n1, n2 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    N = add(n1, x, k1)
+    r = mul(n2, div(div(N, N, k2), N, k2), o1)
+    gv3 = mul(v3, r, o2)
+    gv2 = mul(v2, r, o7)
+    neg(gv2, o3)
+    neg(gv3, o4)
+    gv1 = mul(v1, r, o6)
+    neg(gv1, o8)
+    e = div(n2, N, k1)
+    eg = mul(e, r, k1)
+    fy = neg(eg, k1)
+    y = add(add(mul(v1, v1o, k2), mul(v2, v2o, k3), k2), mul(v3, v3o, k3), k2)
+    fo = mul(fy, y, o10)
+    gvo3 = add(mul(v3o, r, k1), mul(v3, fo, k2), o11)
+    gvo2 = add(mul(v2o, r, k1), mul(v2, fo, k2), o16)
+    neg(gvo2, o12)
+    neg(gvo3, o13)
+    gvo1 = add(mul(v1o, r, k1), mul(v1, fo, k2), o15)
+    neg(gvo1, o17)
+    copy(o1, o5)
+    copy(o1, o9)
+    copy(o10, o14)
+    copy(o10, o18)
+
+
+# operations 57: 21 +, 21 *, 15 /
+def _own_body_tangent_inv(m: Any, c: Any, v: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    s1 = v1 / -2
+    s2 = v2 / -2
+    s3 = v3 / -2
+    so1 = v1o / -2
+    so2 = v2o / -2
+    so3 = v3o / -2
+    cv1 = v1 / 2
+    cv2 = v2 / 2
+    cv3 = v3 / 2
+    cvo1 = v1o / 2
+    cvo2 = v2o / 2
+    cvo3 = v3o / 2
+    d12 = cv1 * v2
+    d13 = cv1 * v3
+    d23 = cv2 * v3
+    d12o = cv1 * v2o + cvo1 * v2
+    d13o = cv1 * v3o + cvo1 * v3
+    d23o = cv2 * v3o + cvo2 * v3
+    return (
+        (1 + 2 * (cv1 * v1)) / 2,
+        d12 + s3,
+        d13 - s2,
+        d12 - s3,
+        (1 + 2 * (cv2 * v2)) / 2,
+        d23 + s1,
+        d13 + s2,
+        d23 - s1,
+        (1 + 2 * (cv3 * v3)) / 2,
+        cv1 * v1o + cvo1 * v1,
+        d12o + so3,
+        d13o - so2,
+        d12o - so3,
+        cv2 * v2o + cvo2 * v2,
+        d23o + so1,
+        d13o + so2,
+        d23o - so1,
+        cv3 * v3o + cvo3 * v3,
+    )
+
+
+def _own_body_tangent_inv_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
+    k1, k2, k3, k4, k5 = scratch
+    n_minus_2, n1, n2 = numbers
+    cv3 = div(v3, n2, k1)
+    div(add(n1, mul(n2, mul(cv3, v3, k2), k2), k2), n2, o9)
+    cvo3 = div(v3o, n2, k2)
+    add(mul(cv3, v3o, k1), mul(cvo3, v3, k2), o18)
+    cv2 = div(v2, n2, k1)
+    div(add(n1, mul(n2, mul(cv2, v2, k2), k2), k2), n2, o5)
+    cvo2 = div(v2o, n2, k2)
+    add(mul(cv2, v2o, k3), mul(cvo2, v2, k4), o14)
+    d23o = add(mul(cv2, v3o, k3), mul(cvo2, v3, k2), k2)
+    d23 = mul(cv2, v3, k1)
+    so1 = div(v1o, n_minus_2, k3)
+    sub(d23o, so1, o17)
+    add(d23o, so1, o15)
+    cv1 = div(v1, n2, k2)
+    div(add(n1, mul(n2, mul(cv1, v1, k3), k3), k3), n2, o1)
+    cvo1 = div(v1o, n2, k3)
+    add(mul(cv1, v1o, k4), mul(cvo1, v1, k5), o10)
+    d13o = add(mul(cv1, v3o, k4), mul(cvo1, v3, k5), k4)
+    d12o = add(mul(cv1, v2o, k5), mul(cvo1, v2, k3), k3)
+    so2 = div(v2o, n_minus_2, k5)
+    add(d13o, so2, o16)
+    sub(d13o, so2, o12)
+    so3 = div(v3o, n_minus_2, k4)
+    sub(d12o, so3, o13)
+    add(d12o, so3, o11)
+    s1 = div(v1, n_minus_2, k3)
+    sub(d23, s1, o8)
+    add(d23, s1, o6)
+    d13 = mul(cv1, v3, k1)
+    d12 = mul(cv1, v2, k2)
+    s2 = div(v2, n_minus_2, k3)
+    add(d13, s2, o7)
+    sub(d13, s2, o3)
+    s3 = div(v3, n_minus_2, k1)
+    sub(d12, s3, o4)
+    add(d12, s3, o2)
 
 
 # operations 80: 29 +, 47 *, 3 /, 1 neg
@@ -1335,6 +1486,28 @@ CHART = Chart(
         lent=(),
         real=False,
     ),
+        "body_tangent": Kernel(
+        _own_body_tangent,
+        _own_body_tangent_blocks,
+        (("v", (6,)),),
+        (2, 3, 3),
+        registers=3,
+        masks=0,
+        numbers=(1, 2),
+        lent=(),
+        real=False,
+    ),
+        "body_tangent_inv": Kernel(
+        _own_body_tangent_inv,
+        _own_body_tangent_inv_blocks,
+        (("v", (6,)),),
+        (2, 3, 3),
+        registers=5,
+        masks=0,
+        numbers=(-2, 1, 2),
+        lent=(),
+        real=False,
+    ),
         "twist": Kernel(
         _own_twist,
         _own_twist_blocks,
@@ -1418,6 +1591,8 @@ CHART = Chart(
 KERNELS = PoseKernels(CHART)
 
 body_rate = KERNELS.body_rate
+body_tangent = KERNELS.body_tangent
+body_tangent_inv = KERNELS.body_tangent_inv
 body_twist = KERNELS.body_twist
 compose = KERNELS.compose
 dcay = KERNELS.tangent
@@ -1426,9 +1601,12 @@ from_pose = KERNELS.from_pose
 from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
 from_tensor = KERNELS.from_tensor
+identity = KERNELS.identity
+inverse = KERNELS.inverse
 pose = KERNELS.pose
 principal = KERNELS.principal
 quaternion = KERNELS.quaternion
+random = KERNELS.random
 rate = KERNELS.rate
 shadow = KERNELS.shadow
 singular_angles = KERNELS.singular_angles

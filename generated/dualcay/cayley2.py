@@ -68,8 +68,11 @@
 #   pose: 65: 26 +, 37 *, 2 /
 #   transform_point: 78: 30 +, 46 *, 2 /
 #   transform_line: 117: 45 +, 70 *, 2 /
+#   inverse: 6: 6 neg
 #   tangent: 81: 35 +, 42 *, 3 /, 1 neg
 #   tangent_inv: 69: 29 +, 24 *, 15 /, 1 neg
+#   body_tangent: 81: 35 +, 42 *, 3 /, 1 neg
+#   body_tangent_inv: 69: 29 +, 24 *, 15 /, 1 neg
 #   twist: 128: 49 +, 75 *, 3 /, 1 neg
 #   rate: 105: 42 +, 61 *, 1 /, 1 neg
 #   from_quaternion: 70: 24 +, 37 *, 5 /, 1 neg, 1 lt, 2 where
@@ -111,9 +114,10 @@ from ._interface import PoseKernels
 from ._kernel import Components, Kernel, Result, Rows, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "body_rate", "body_twist", "compose", "dcay", "dcay_inv", "from_pose", "from_quaternion", "from_screw",
-    "from_tensor", "pose", "principal", "quaternion", "rate", "shadow", "singular_angles", "tangent", "tangent_inv",
-    "tensor", "to_screw", "transform_line", "transform_point", "twist",
+    "body_rate", "body_tangent", "body_tangent_inv", "body_twist", "compose", "dcay", "dcay_inv", "from_pose",
+    "from_quaternion", "from_screw", "from_tensor", "identity", "inverse", "pose", "principal", "quaternion", "random",
+    "rate", "shadow", "singular_angles", "tangent", "tangent_inv", "tensor", "to_screw", "transform_line",
+    "transform_point", "twist",
 ]  # fmt: skip
 
 ORDER = 2
@@ -594,6 +598,222 @@ def _own_tangent_inv_blocks(
     add(fio, add(mul(cv3, v3o, k3), mul(cvo3, v3, k2), k2), o18)
 
 
+# operations 81: 35 +, 42 *, 3 /, 1 neg
+def _own_body_tangent(m: Any, c: Any, v: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    p = 1 - x
+    N = p * p + 4 * x
+    r = 2 * (N / N / N)
+    f = 2 * p * r
+    g = 4 * r
+    e = 4 / (1 + x)
+    eg = e * g
+    fy = g - eg
+    gy = -eg
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    fo = fy * y
+    go = gy * y
+    gv1 = v1 * g
+    gv2 = v2 * g
+    gv3 = v3 * g
+    gvo1 = v1o * g + v1 * go
+    gvo2 = v2o * g + v2 * go
+    gvo3 = v3o * g + v3 * go
+    d12 = gv1 * v2
+    d13 = gv1 * v3
+    d23 = gv2 * v3
+    d12o = gv1 * v2o + gvo1 * v2
+    d13o = gv1 * v3o + gvo1 * v3
+    d23o = gv2 * v3o + gvo2 * v3
+    return (
+        f + gv1 * v1,
+        d12 + gv3,
+        d13 - gv2,
+        d12 - gv3,
+        f + gv2 * v2,
+        d23 + gv1,
+        d13 + gv2,
+        d23 - gv1,
+        f + gv3 * v3,
+        fo + (gv1 * v1o + gvo1 * v1),
+        d12o + gvo3,
+        d13o - gvo2,
+        d12o - gvo3,
+        fo + (gv2 * v2o + gvo2 * v2),
+        d23o + gvo1,
+        d13o + gvo2,
+        d23o - gvo1,
+        fo + (gv3 * v3o + gvo3 * v3),
+    )
+
+
+def _own_body_tangent_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10 = scratch
+    n1, n2, n4 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    p = sub(n1, x, k2)
+    N = add(mul(p, p, k3), mul(n4, x, k4), k3)
+    r = mul(n2, div(div(N, N, k4), N, k3), k3)
+    f = mul(mul(n2, p, k2), r, k2)
+    g = mul(n4, r, k3)
+    e = div(n4, add(n1, x, k1), k1)
+    eg = mul(e, g, k1)
+    gv1 = mul(v1, g, k4)
+    add(f, mul(gv1, v1, k5), o1)
+    d12 = mul(gv1, v2, k5)
+    gv3 = mul(v3, g, k6)
+    add(d12, gv3, o2)
+    sub(d12, gv3, o4)
+    add(f, mul(gv3, v3, k5), o9)
+    d13 = mul(gv1, v3, k5)
+    gv2 = mul(v2, g, k7)
+    add(f, mul(gv2, v2, k8), o5)
+    sub(d13, gv2, o3)
+    add(d13, gv2, o7)
+    d23 = mul(gv2, v3, k2)
+    add(d23, gv1, o6)
+    sub(d23, gv1, o8)
+    fy = sub(g, eg, k2)
+    gy = neg(eg, k1)
+    y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k8), k5), mul(v3, v3o, k8), k5)
+    fo = mul(fy, y, k2)
+    go = mul(gy, y, k1)
+    gvo1 = add(mul(v1o, g, k5), mul(v1, go, k8), k5)
+    add(fo, add(mul(gv1, v1o, k8), mul(gvo1, v1, k9), k8), o10)
+    d12o = add(mul(gv1, v2o, k8), mul(gvo1, v2, k9), k8)
+    d13o = add(mul(gv1, v3o, k4), mul(gvo1, v3, k9), k4)
+    gvo3 = add(mul(v3o, g, k9), mul(v3, go, k10), k9)
+    gvo2 = add(mul(v2o, g, k3), mul(v2, go, k1), k1)
+    add(fo, add(mul(gv3, v3o, k3), mul(gvo3, v3, k6), k3), o18)
+    add(fo, add(mul(gv2, v2o, k3), mul(gvo2, v2, k6), k3), o14)
+    add(d12o, gvo3, o11)
+    sub(d12o, gvo3, o13)
+    sub(d13o, gvo2, o12)
+    add(d13o, gvo2, o16)
+    d23o = add(mul(gv2, v3o, k2), mul(gvo2, v3, k1), k1)
+    add(d23o, gvo1, o15)
+    sub(d23o, gvo1, o17)
+
+
+# operations 69: 29 +, 24 *, 15 /, 1 neg
+def _own_body_tangent_inv(m: Any, c: Any, v: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    p = 1 - x
+    fi = p / 2
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    yh = y / 2
+    s1 = v1 / -2
+    s2 = v2 / -2
+    s3 = v3 / -2
+    so1 = v1o / -2
+    so2 = v2o / -2
+    so3 = v3o / -2
+    fih = fi / 2
+    fio = -yh
+    cv1 = v1 / 2
+    cv2 = v2 / 2
+    cv3 = v3 / 2
+    cvo1 = v1o / 2
+    cvo2 = v2o / 2
+    cvo3 = v3o / 2
+    d12 = cv1 * v2
+    d13 = cv1 * v3
+    d23 = cv2 * v3
+    d12o = cv1 * v2o + cvo1 * v2
+    d13o = cv1 * v3o + cvo1 * v3
+    d23o = cv2 * v3o + cvo2 * v3
+    return (
+        fih + cv1 * v1,
+        d12 + s3,
+        d13 - s2,
+        d12 - s3,
+        fih + cv2 * v2,
+        d23 + s1,
+        d13 + s2,
+        d23 - s1,
+        fih + cv3 * v3,
+        fio + (cv1 * v1o + cvo1 * v1),
+        d12o + so3,
+        d13o - so2,
+        d12o - so3,
+        fio + (cv2 * v2o + cvo2 * v2),
+        d23o + so1,
+        d13o + so2,
+        d23o - so1,
+        fio + (cv3 * v3o + cvo3 * v3),
+    )
+
+
+def _own_body_tangent_inv_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
+    k1, k2, k3, k4, k5, k6, k7 = scratch
+    n_minus_2, n1, n2 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    p = sub(n1, x, k1)
+    fi = div(p, n2, k1)
+    fih = div(fi, n2, k1)
+    cv1 = div(v1, n2, k2)
+    add(fih, mul(cv1, v1, k3), o1)
+    d12 = mul(cv1, v2, k3)
+    s3 = div(v3, n_minus_2, k4)
+    add(d12, s3, o2)
+    sub(d12, s3, o4)
+    d13 = mul(cv1, v3, k3)
+    s2 = div(v2, n_minus_2, k4)
+    sub(d13, s2, o3)
+    add(d13, s2, o7)
+    cv2 = div(v2, n2, k3)
+    add(fih, mul(cv2, v2, k4), o5)
+    d23 = mul(cv2, v3, k4)
+    s1 = div(v1, n_minus_2, k5)
+    add(d23, s1, o6)
+    sub(d23, s1, o8)
+    cv3 = div(v3, n2, k4)
+    add(fih, mul(cv3, v3, k5), o9)
+    y = add(add(mul(v1, v1o, k1), mul(v2, v2o, k5), k1), mul(v3, v3o, k5), k1)
+    yh = div(y, n2, k1)
+    fio = neg(yh, k1)
+    cvo1 = div(v1o, n2, k5)
+    add(fio, add(mul(cv1, v1o, k6), mul(cvo1, v1, k7), k6), o10)
+    d12o = add(mul(cv1, v2o, k6), mul(cvo1, v2, k7), k6)
+    d13o = add(mul(cv1, v3o, k2), mul(cvo1, v3, k5), k2)
+    so3 = div(v3o, n_minus_2, k5)
+    add(d12o, so3, o11)
+    sub(d12o, so3, o13)
+    so2 = div(v2o, n_minus_2, k5)
+    sub(d13o, so2, o12)
+    add(d13o, so2, o16)
+    cvo2 = div(v2o, n2, k2)
+    add(fio, add(mul(cv2, v2o, k5), mul(cvo2, v2, k6), k5), o14)
+    d23o = add(mul(cv2, v3o, k3), mul(cvo2, v3, k2), k2)
+    so1 = div(v1o, n_minus_2, k3)
+    add(d23o, so1, o15)
+    sub(d23o, so1, o17)
+    cvo3 = div(v3o, n2, k2)
+    add(fio, add(mul(cv3, v3o, k3), mul(cvo3, v3, k2), k2), o18)
+
+
 # operations 105: 42 +, 61 *, 1 /, 1 neg
 def _own_rate(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
@@ -862,6 +1082,28 @@ CHART = Chart(
         lent=(),
         real=False,
     ),
+        "body_tangent": Kernel(
+        _own_body_tangent,
+        _own_body_tangent_blocks,
+        (("v", (6,)),),
+        (2, 3, 3),
+        registers=10,
+        masks=0,
+        numbers=(1, 2, 4),
+        lent=(),
+        real=False,
+    ),
+        "body_tangent_inv": Kernel(
+        _own_body_tangent_inv,
+        _own_body_tangent_inv_blocks,
+        (("v", (6,)),),
+        (2, 3, 3),
+        registers=7,
+        masks=0,
+        numbers=(-2, 1, 2),
+        lent=(),
+        real=False,
+    ),
         "rate": Kernel(
         _own_rate,
         _own_rate_blocks,
@@ -901,6 +1143,8 @@ CHART = Chart(
 KERNELS = PoseKernels(CHART)
 
 body_rate = KERNELS.body_rate
+body_tangent = KERNELS.body_tangent
+body_tangent_inv = KERNELS.body_tangent_inv
 body_twist = KERNELS.body_twist
 compose = KERNELS.compose
 dcay = KERNELS.tangent
@@ -909,9 +1153,12 @@ from_pose = KERNELS.from_pose
 from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
 from_tensor = KERNELS.from_tensor
+identity = KERNELS.identity
+inverse = KERNELS.inverse
 pose = KERNELS.pose
 principal = KERNELS.principal
 quaternion = KERNELS.quaternion
+random = KERNELS.random
 rate = KERNELS.rate
 shadow = KERNELS.shadow
 singular_angles = KERNELS.singular_angles

@@ -65,8 +65,11 @@
 #   pose: 69: 27 +, 40 *, 2 /
 #   transform_point: 82: 31 +, 49 *, 2 /
 #   transform_line: 121: 46 +, 73 *, 2 /
+#   inverse: 6: 6 neg
 #   tangent: 102: 40 +, 58 *, 3 /, 1 neg
 #   tangent_inv: 90: 35 +, 42 *, 12 /, 1 neg
+#   body_tangent: 102: 40 +, 58 *, 3 /, 1 neg
+#   body_tangent_inv: 90: 35 +, 42 *, 12 /, 1 neg
 #   twist: 136: 51 +, 81 *, 3 /, 1 neg
 #   rate: 122: 46 +, 72 *, 3 /, 1 neg
 #   from_quaternion: 90: 27 +, 45 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
@@ -108,9 +111,10 @@ from ._interface import PoseKernels
 from ._kernel import Result, Rows, add, atan2, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "body_rate", "body_twist", "compose", "dcay", "dcay_inv", "from_pose", "from_quaternion", "from_screw",
-    "from_tensor", "pose", "principal", "quaternion", "rate", "shadow", "singular_angles", "tangent", "tangent_inv",
-    "tensor", "to_screw", "transform_line", "transform_point", "twist",
+    "body_rate", "body_tangent", "body_tangent_inv", "body_twist", "compose", "dcay", "dcay_inv", "from_pose",
+    "from_quaternion", "from_screw", "from_tensor", "identity", "inverse", "pose", "principal", "quaternion", "random",
+    "rate", "shadow", "singular_angles", "tangent", "tangent_inv", "tensor", "to_screw", "transform_line",
+    "transform_point", "twist",
 ]  # fmt: skip
 
 ORDER = 3
@@ -542,6 +546,8 @@ CHART = Chart(
 KERNELS = PoseKernels(CHART)
 
 body_rate = KERNELS.body_rate
+body_tangent = KERNELS.body_tangent
+body_tangent_inv = KERNELS.body_tangent_inv
 body_twist = KERNELS.body_twist
 compose = KERNELS.compose
 dcay = KERNELS.tangent
@@ -550,9 +556,12 @@ from_pose = KERNELS.from_pose
 from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
 from_tensor = KERNELS.from_tensor
+identity = KERNELS.identity
+inverse = KERNELS.inverse
 pose = KERNELS.pose
 principal = KERNELS.principal
 quaternion = KERNELS.quaternion
+random = KERNELS.random
 rate = KERNELS.rate
 shadow = KERNELS.shadow
 singular_angles = KERNELS.singular_angles

@@ -65,8 +65,11 @@
 #   pose: 91: 38 +, 51 *, 2 /
 #   transform_point: 104: 42 +, 60 *, 2 /
 #   transform_line: 143: 57 +, 84 *, 2 /
+#   inverse: 6: 6 neg
 #   tangent: 141: 59 +, 79 *, 3 /
 #   tangent_inv: 126: 52 +, 61 *, 12 /, 1 neg
+#   body_tangent: 141: 59 +, 79 *, 3 /
+#   body_tangent_inv: 126: 52 +, 61 *, 12 /, 1 neg
 #   twist: 175: 70 +, 102 *, 3 /
 #   rate: 158: 63 +, 91 *, 3 /, 1 neg
 #   from_quaternion: 101: 35 +, 52 *, 8 /, 1 neg, 2 sqrt, 1 lt, 2 where
@@ -108,9 +111,10 @@ from ._interface import PoseKernels
 from ._kernel import Result, Rows, add, atan2, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "body_rate", "body_twist", "compose", "dcay", "dcay_inv", "from_pose", "from_quaternion", "from_screw",
-    "from_tensor", "pose", "principal", "quaternion", "rate", "shadow", "singular_angles", "tangent", "tangent_inv",
-    "tensor", "to_screw", "transform_line", "transform_point", "twist",
+    "body_rate", "body_tangent", "body_tangent_inv", "body_twist", "compose", "dcay", "dcay_inv", "from_pose",
+    "from_quaternion", "from_screw", "from_tensor", "identity", "inverse", "pose", "principal", "quaternion", "random",
+    "rate", "shadow", "singular_angles", "tangent", "tangent_inv", "tensor", "to_screw", "transform_line",
+    "transform_point", "twist",
 ]  # fmt: skip
 
 ORDER = 8
@@ -626,6 +630,8 @@ CHART = Chart(
 KERNELS = PoseKernels(CHART)
 
 body_rate = KERNELS.body_rate
+body_tangent = KERNELS.body_tangent
+body_tangent_inv = KERNELS.body_tangent_inv
 body_twist = KERNELS.body_twist
 compose = KERNELS.compose
 dcay = KERNELS.tangent
@@ -634,9 +640,12 @@ from_pose = KERNELS.from_pose
 from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
 from_tensor = KERNELS.from_tensor
+identity = KERNELS.identity
+inverse = KERNELS.inverse
 pose = KERNELS.pose
 principal = KERNELS.principal
 quaternion = KERNELS.quaternion
+random = KERNELS.random
 rate = KERNELS.rate
 shadow = KERNELS.shadow
 singular_angles = KERNELS.singular_angles

@@ -196,6 +196,8 @@ WORDS = python.Words(
     options="*, axis: int = -1, out: Array | None = None",
     passed="axis, out",
     passed_alone="axis, None",
+    placed="axis, out",
+    makes=True,
 )
 
 
@@ -203,6 +205,7 @@ class Numpy(python.PythonTarget):
     """The target of the committed kernels."""
 
     name = "numpy"
+    words = WORDS
     machinery = Machinery(few="_runtime.FEW", block="_kernel.BLOCK")
     unproved = "rounding errors, which are measured; NumPy itself"
 
@@ -211,6 +214,7 @@ class Numpy(python.PythonTarget):
         return {
             **self.package(),
             "_chart.py": {},
+            "_checks.py": {"words": WORDS},
             "_geometry.py": {"programs": programs, "rows": python.rows(), "calls": _called(programs)},
             "_interface.py": python.interface(WORDS),
             "_kernel.py": {},
@@ -226,4 +230,4 @@ class Numpy(python.PythonTarget):
         ]
         own = [python.printed(program, two_forms(program)) for program in facts.lowered.own.values()]
         data = {"calls": _called((*scalars, *own)), "scalars": scalars, "own": own, "rows": python.rows()}
-        return python.described(facts) | data
+        return python.described(facts, WORDS) | data
