@@ -13,7 +13,7 @@ from ...maps import Formula, x
 from ...maps.chart import Chart
 from ...maps.pose import pose_from_tensor
 from ...proof import Ring, root_of
-from ..lowering.scalars import scalar_programs
+from ..lowering.scalars import scalar_program
 
 ROOTS = 2
 """Up to so many square roots in a row the way back, if it takes half angles only, is decided exactly (above, only the
@@ -73,7 +73,7 @@ def _quaternion(chart: Chart, make: Callable[..., Any]) -> Iterator[Expectation]
 
 def _goes_back_by_roots(chart: Chart) -> bool:
     """Whether the way back takes a few square roots and no trigonometry."""
-    operations = scalar_programs(chart)["gain_unit"].operations
+    operations = scalar_program("gain_unit", chart).operations
     return not operations.keys() & {"tan", "atan2"} and operations["sqrt"] <= ROOTS
 
 
