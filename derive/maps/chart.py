@@ -120,6 +120,10 @@ class Chart(Protocol):
         """Why forward maps are NaN for large v, and the Re|v| beyond which they are, in floats up to `largest`."""
 
     @property
+    def remainder(self) -> float:
+        """What scalars as computed may be off by, beside their own size, with numbers of any precision: 0 of a formula."""
+
+    @property
     def quaternion(self) -> QuaternionMap: ...
     @property
     def tensor(self) -> IsotropicMap: ...

@@ -12,18 +12,16 @@ from __future__ import annotations
 import random
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
-from functools import lru_cache
 from typing import Any
 
 import mpmath
-import sympy
 
 from ...maps.chart import Chart
 from ..signatures import FUNCTIONS
 from . import exact
 from .digits import DIGITS
 from .maps_at import MAPS, Flat, seeded_arguments
+from .point import Point
 from .vectors import Vectors
 
 SEED = 88
@@ -63,32 +61,6 @@ def nearby(value: Any) -> Any:
     return mpmath.mpf(int(mpmath.nint(value * GRID))) / GRID
 
 
-class Point:
-    """Numbers in place of the symbols of the exact ring, with what expectations ask of a ring."""
-
-    def __init__(self, values: Mapping[str, Any]) -> None:
-        self.values = values
-
-    def symbol(self, name: str) -> Any:
-        return self.values[name]
-
-    def lift(self, expression: sympy.Expr, values: Mapping[sympy.Symbol, Any]) -> Any:
-        """An algebraic expression at exact numbers, rounded to the working precision."""
-        exact = tuple((symbol, _fraction(value)) for symbol, value in values.items())
-        return mpmath.mpf(_evaluated(expression, exact, mpmath.mp.dps + 5))
-
-
-@lru_cache(maxsize=256)  # points differ in other components more often than in x
-def _evaluated(expression: sympy.Expr, values: tuple[tuple[sympy.Symbol, Fraction], ...], digits: int) -> sympy.Float:
-    return expression.xreplace({symbol: sympy.Rational(value) for symbol, value in values}).evalf(digits)
-
-
-def _fraction(value: Any) -> Fraction:
-    sign, mantissa, exponent, _ = mpmath.mpf(value)._mpf_
-    magnitude = Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
-    return -magnitude if sign else magnitude
-
-
 def _algebraic(chart: Vectors, draw: random.Random) -> Iterator[Case]:
     """Every algebraic function at one point, Re|v| well below the first pole of the inverse operator."""
     size = chart.component(WIDE * chart.slope(0), chart.first_pole)
@@ -96,7 +68,7 @@ def _algebraic(chart: Vectors, draw: random.Random) -> Iterator[Case]:
     values |= {f"w{i}": nearby(draw.uniform(-2, 2)) for i in range(1, 7)}
 
     def results(at: Mapping[str, Any]) -> list[exact.Expectation]:
-        found = exact.expectations(chart.chart, lambda **symbols: Point(at))
+        found = exact.expectations(chart.chart, lambda **symbols: Point(at, chart))
         return [case for case in found if case.function not in MAPS]
 
     moved = [results(values | {name: values[name] * (1 + STEP)}) for name in DUAL_SYMBOLS]

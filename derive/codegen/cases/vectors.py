@@ -16,10 +16,13 @@ import sympy
 from ...algebra import Dual, Quaternion, Tensor, Vector, real_part
 from ...algebra.functions import atan2
 from ...maps.chart import Chart
-from ...maps.families import alpha, evaluate
+from ...maps.families import alpha, by_square, evaluate
 from ...maps.inverse import polar
 from ...maps.pose import Screw, natural_invariants, quaternion_from_screw
 from ...maps.sign_tests import is_zero, orientation
+
+CANCELLED = 250
+"""Digits that terms of a scalar or its slope may lose: α⁻⁷ at least."""
 
 SHORT = 0.9
 """Of an angle: what vectors drawn at random may reach of it."""
@@ -109,6 +112,14 @@ class Vectors:
     def component(self, most: Any, angle: Any) -> float:
         """The largest component of vectors drawn at random: this, or less where they would come near an angle."""
         return float(most if mpmath.isinf(angle) else min(most, self.size(SHORT * angle) / mpmath.sqrt(3)))
+
+    def lifted(self, expression: sympy.Expr, square: Dual) -> Dual:
+        """f(x) + ε x° f′(x) of an even function of α, whose terms may cancel near 0: it is computed with more digits."""
+        angle, digits = self.angle(mpmath.sqrt(square.re)), mpmath.mp.dps
+        with mpmath.workdps(digits + CANCELLED):
+            at = max(angle, mpmath.mpf(10) ** (-digits // 2 - 5))  # an even function: off by the square of that
+            value, slope = (evaluate(e, alpha, at) for e in (expression, by_square(expression, self.chart.phi)))
+        return Dual(+value, square.du * +slope)
 
     # --- from natural invariants --------------------------------------------------------------------------------
 
