@@ -62,7 +62,7 @@ help:  ## list these targets
 $(READY): pyproject.toml constraints.txt
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Python >= 3.11 is needed: make PYTHON=python3.11")'
 	$(PYTHON) -m venv $(VENV)
-	$(PIP) --editable '.[derive,flint]'
+	$(PIP) --editable '.[derive]'
 	touch $@
 
 $(TESTED): $(READY)

@@ -26,13 +26,15 @@ from __future__ import annotations
 import importlib
 from typing import TYPE_CHECKING, Any
 
+from .about import __version__
+
 if TYPE_CHECKING:
     from .codegen import generate
     from .front import Cayley
     from .maps import x
     from .papers import verify
 
-__all__ = ["Cayley", "generate", "verify", "x"]
+__all__ = ["Cayley", "__version__", "generate", "verify", "x"]
 
 _HOMES = {"Cayley": "derive.front", "x": "derive.maps", "generate": "derive.codegen", "verify": "derive.papers"}
 

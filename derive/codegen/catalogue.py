@@ -5,16 +5,10 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+from .. import about
 from ..maps.chart import Chart
 
-ORDERS = (1, 2, 3, 4, 5, 8)
-"""Orders whose modules are committed."""
-
-TARGET = "numpy"
-"""Target of the committed modules."""
-
-MAX_ORDER = 64
-"""Largest order generated without being asked twice: proof times beyond it are not measured."""
+ORDERS, TARGET, MAX_ORDER = about.ORDERS, about.TARGET, about.MAX_ORDER
 
 CHECKOUT = Path(__file__).parent.parent.parent
 COMMITTED = CHECKOUT / "generated" / "dualcay"

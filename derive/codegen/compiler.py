@@ -5,6 +5,7 @@ from __future__ import annotations
 import tempfile
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from ..maps import Cayley
@@ -12,8 +13,11 @@ from ..maps.chart import Chart
 from ..output import files
 from ..proof import Proved, prove
 from . import catalogue
+from .facts import Facts
+from .lowered import lower
 from .module import companion_texts, module_name, module_text, notices, shared_texts
 from .targets import TARGETS, Target
+from .validation import Seen
 
 Progress = Callable[[str], None]
 
@@ -60,21 +64,24 @@ def build_charts(charts: Sequence[Chart], target: Target, progress: Progress | N
     texts = dict(shared_texts(target))
     with tempfile.TemporaryDirectory() as staging:
         files.write(Path(staging), texts)
-        modules = tuple(_module(chart, target, Path(staging), report, not i) for i, chart in enumerate(charts))
+        seen = Seen()
+        modules = tuple(_module(chart, target, Path(staging), report, seen) for chart in charts)
     for module in modules:
         texts |= module.companions | {module.name: module.text}
     return Package(texts, modules)
 
 
-def _module(chart: Chart, target: Target, staging: Path, report: Progress, first: bool) -> Module:
-    """One module; what is the same in all of them is replayed in the first."""
+def _module(chart: Chart, target: Target, staging: Path, report: Progress, seen: Seen) -> Module:
+    """One module; what is the same in all of them is validated and replayed in the first that has it."""
+    first = not seen.programs
     report(f"{chart.name}: proving")
     name, proved = module_name(chart, target), prove(chart)
     report(f"{chart.name}: emitting")
-    text, companions = module_text(proved, target), companion_texts(chart, target)
+    facts = Facts(proved, lower(proved))
+    text, companions = module_text(facts, target), companion_texts(chart, target)
     files.write(staging, companions | {name: text})
     report(f"{chart.name}: validating")
-    validated = target.validate(staging, chart)
+    validated = target.validate(staging, chart, partial(seen.new, facts.lowered))
     report(f"{chart.name}: replaying")
     replayed, tested = target.replay(staging, chart, first), target.test(staging, chart)
     return Module(name, proved, text, companions, validated, replayed, tested)

@@ -6,10 +6,8 @@ from collections.abc import Mapping, Sequence
 
 from ..maps.chart import Chart
 from ..output import render
-from ..proof import Proved
 from . import catalogue
 from .facts import Facts, comment, notice
-from .lowered import lower
 from .targets.target import Target
 
 
@@ -36,9 +34,8 @@ def module_name(chart: Chart, target: Target) -> str:
     return f"{chart.name}.{target.extension}"
 
 
-def module_text(proved: Proved, target: Target) -> str:
+def module_text(facts: Facts, target: Target) -> str:
     """Render the module of a proved chart."""
-    facts = Facts(proved, lower(proved))
     template = f"{target.name}/chart.{target.extension}.j2"
     lines = facts.header(catalogue.command(target.name, facts.chart), template)
     return render(template, header=comment(lines, target.comment), **target.module(facts))

@@ -74,13 +74,44 @@ class BreusingScalars(DependentScalars):
         return self.m.name("share", 4 * (self.cc * self._over))
 
     @cached_property
+    def _declining(self) -> Coefficient:
+        """The slope of that."""
+        half = self.m.div(self._share, 2)
+        return self.m.name("decliney", self._decline * self._decline * (half - 1))
+
+    @cached_property
+    def _sharing(self) -> Coefficient:
+        return self.m.name("sharey", -2 * (self._share * self._over * self._decline))
+
+    def _bend(self, slope: Coefficient, value: Coefficient, growth: Coefficient, change: Coefficient) -> Coefficient:
+        """The slope of ``value · decline · growth/2``."""
+        of_decline = self._declining * growth + self._decline * change
+        return self.m.div(slope * self._decline * growth + value * of_decline, 2)
+
+    @cached_property
+    def _rate_growth(self) -> Coefficient:
+        return self.m.name("rhogrowth", self._share - 3)
+
+    @cached_property
     def ratey(self) -> Coefficient:
-        return self.m.name("rhoy", self.m.div(self.rate * self._decline * (self._share - 3), 2))
+        return self.m.name("rhoy", self.m.div(self.rate * self._decline * self._rate_growth, 2))
+
+    @cached_property
+    def rateyy(self) -> Coefficient:
+        return self.m.name("rhoyy", self._bend(self.ratey, self.rate, self._rate_growth, self._sharing))
+
+    @cached_property
+    def _h_growth(self) -> Coefficient:
+        return self.m.name("hgrowth", self._share - 5 - 8 * (self.cc / self._weight))
 
     @cached_property
     def hy(self) -> Coefficient:
-        growth = self._share - 5 - 8 * (self.cc / self._weight)
-        return self.m.name("hy", self.m.div(self.h * self._decline * growth, 2))
+        return self.m.name("hy", self.m.div(self.h * self._decline * self._h_growth, 2))
+
+    @cached_property
+    def hyy(self) -> Coefficient:
+        change = self._sharing + 48 * (self.cc * self._decline / (self._weight * self._weight))
+        return self.m.name("hyy", self._bend(self.hy, self.h, self._h_growth, change))
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,8 @@ r"""The scalars of the Cayley map of order n at one ``x = v · v``, in closed fo
 
 in which c_n and d_n are the brackets of CP23 (88) and (89) divided by x. One source serves all uses: elements of Q(x)
 give the formulas, ``Fraction`` and mpmath numbers values, `Dual` numbers dual values, traced numbers programs.
-A slope, marked y, is ``2 d/dx``: the factor of ``v · v°`` in the dual part, since ``x° = 2 v · v°``.
+A slope, marked y, is ``2 d/dx``: the factor of ``v · v°`` in the dual part, since ``x° = 2 v · v°``. Slopes of slopes
+are marked yy; with ``e = 2n/(1 + x)``, the slope of N over N, no division by x is left in any of them.
 N is written ``p² + x q²``, whose rounding error does not grow with n, and ``(N/N)/N`` stands for 1/N: NaN where N has
 overflowed and 1/N would be finite and wrong. Only x is needed, never |v|: a pure translation is no special case.
 """
@@ -14,6 +15,7 @@ overflowed and 1/N would be finite and wrong. Only x is needed, never |v|: a pur
 from __future__ import annotations
 
 from functools import cached_property
+from typing import Any
 
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
@@ -45,7 +47,9 @@ class CayleyScalars:
     def _jets(self) -> tuple[Jet, Jet]:
         return self._chain[self.order]
 
-    def _horner(self, name: str, polynomial: object) -> Coefficient:
+    def _horner(self, name: str, polynomial: Any, derivative: int = 0) -> Coefficient:
+        for _ in range(derivative):
+            polynomial = polynomial.diff(polynomials.RING_X)
         return self.m.name(name, horner(polynomial, self.x))
 
     @cached_property
@@ -61,14 +65,20 @@ class CayleyScalars:
     @cached_property
     def dp(self) -> Coefficient:
         if self._expanded:
-            return self._horner("dp", polynomials.ring_pair(self.order)[0].diff(polynomials.RING_X))
+            return self._horner("dp", polynomials.ring_pair(self.order)[0], 1)
         return self._jets[0].first
 
     @cached_property
     def dq(self) -> Coefficient:
         if self._expanded:
-            return self._horner("dq", polynomials.ring_pair(self.order)[1].diff(polynomials.RING_X))
+            return self._horner("dq", polynomials.ring_pair(self.order)[1], 1)
         return self._jets[1].first
+
+    @cached_property
+    def ddq(self) -> Coefficient:
+        if self._expanded:
+            return self._horner("ddq", polynomials.ring_pair(self.order)[1], 2)
+        return self.m.name("ddq", 2 * self._jets[1].half_second)
 
     @cached_property
     def c(self) -> Coefficient:
@@ -80,9 +90,17 @@ class CayleyScalars:
     @cached_property
     def dc(self) -> Coefficient:
         if self._expanded:
-            return self._horner("dc", polynomials.ring_brackets(self.order)[0].diff(polynomials.RING_X))
+            return self._horner("dc", polynomials.ring_brackets(self.order)[0], 1)
         p, q = self._jets
         return self.m.name("dc", 4 * (self.p * q.half_second - self.q * p.half_second))
+
+    @cached_property
+    def ddc(self) -> Coefficient:
+        if self._expanded:
+            return self._horner("ddc", polynomials.ring_brackets(self.order)[0], 2)
+        p, q = self._jets
+        cubic = 3 * (self.p * q.sixth_third - self.q * p.sixth_third)
+        return self.m.name("ddc", 4 * (cubic + p.first * q.half_second - q.first * p.half_second))
 
     @cached_property
     def d(self) -> Coefficient:
@@ -94,9 +112,16 @@ class CayleyScalars:
     @cached_property
     def dd(self) -> Coefficient:
         if self._expanded:
-            return self._horner("dd", polynomials.ring_brackets(self.order)[1].diff(polynomials.RING_X))
+            return self._horner("dd", polynomials.ring_brackets(self.order)[1], 1)
         p, q = self._jets
         return self.m.name("dd", self.dq - 4 * (q.half_second + p.half_second))
+
+    @cached_property
+    def ddd(self) -> Coefficient:
+        if self._expanded:
+            return self._horner("ddd", polynomials.ring_brackets(self.order)[1], 2)
+        p, q = self._jets
+        return self.m.name("ddd", self.ddq - 12 * (q.sixth_third + p.sixth_third))
 
     # --- norm -------------------------------------------------------------------------------------------------
 
@@ -187,6 +212,11 @@ class CayleyScalars:
         return self.m.name("eg", self._growth * self.g)
 
     @cached_property
+    def _falling(self) -> Coefficient:
+        """``−2 e′ = e²/n``."""
+        return self.m.name("ee", 2 * self._growth / (1 + self.x))
+
+    @cached_property
     def fy(self) -> Coefficient:
         """``2 f′ = h − 2n g/(1 + x)``."""
         return self.m.name("fy", self.h - self._growing_g)
@@ -194,12 +224,39 @@ class CayleyScalars:
     @cached_property
     def gy(self) -> Coefficient:
         """``2 g′ = 8 q q′/N − 2n g/(1 + x)``."""
-        return self.m.name("gy", 4 * self.dq * (self.q * self._twice_inverse_norm) - self._growing_g)
+        return self.m.name("gy", self._rising - self._growing_g)
+
+    @cached_property
+    def _rising(self) -> Coefficient:
+        """``8 q q′/N``."""
+        return self.m.name("qr", 4 * self.dq * (self.q * self._twice_inverse_norm))
 
     @cached_property
     def hy(self) -> Coefficient:
         """``2 h′ = 4 c′/N − 2n h/(1 + x)``."""
-        return self.m.name("hy", 2 * self.dc * self._twice_inverse_norm - self._growth * self.h)
+        return self.m.name("hy", self._bending - self._growth * self.h)
+
+    @cached_property
+    def _bending(self) -> Coefficient:
+        """``4 c′/N``."""
+        return self.m.name("cr", 2 * self.dc * self._twice_inverse_norm)
+
+    @cached_property
+    def fyy(self) -> Coefficient:
+        """``2 fy′ = hy − e gy + (e²/n) g``."""
+        return self.m.name("fyy", self.hy - self._growth * self.gy + self._falling * self.g)
+
+    @cached_property
+    def gyy(self) -> Coefficient:
+        """``2 gy′ = 16 (q q″ + q′²)/N − e (gy + 8 q q′/N) + (e²/n) g``."""
+        bend = 8 * ((self.q * self.ddq + self.dq * self.dq) * self._twice_inverse_norm)
+        return self.m.name("gyy", bend - self._growth * (self.gy + self._rising) + self._falling * self.g)
+
+    @cached_property
+    def hyy(self) -> Coefficient:
+        """``2 hy′ = 8 c″/N − e (hy + 4 c′/N) + (e²/n) h``."""
+        bend = 4 * (self.ddc * self._twice_inverse_norm)
+        return self.m.name("hyy", bend - self._growth * (self.hy + self._bending) + self._falling * self.h)
 
     # --- T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, CP23 (89) ----------------------------------------------------------
 
@@ -229,3 +286,15 @@ class CayleyScalars:
         """``2 hi′ = 2 (d′ − d q′/q)/(n q)``."""
         change = 2 * self.dd - 2 * self.dq * self._bracket
         return self.m.name("hiy", self.m.div(change * self._inverse_q, self.order))
+
+    @cached_property
+    def fiyy(self) -> Coefficient:
+        """``2 fiy′ = (4 c q′/q − 2 c′)/q²``."""
+        change = 4 * self.c * (self.dq * self._inverse_q) - 2 * self.dc
+        return self.m.name("fiyy", change * self._inverse_q * self._inverse_q)
+
+    @cached_property
+    def hiyy(self) -> Coefficient:
+        """``2 hiy′ = 4 (d″ − d q″/q)/(n q) − 4 (q′/q) hiy``."""
+        bend = self.m.div(4 * ((self.ddd - self.ddq * self._bracket) * self._inverse_q), self.order)
+        return self.m.name("hiyy", bend - 4 * (self.dq * self._inverse_q) * self.hiy)

@@ -7,7 +7,7 @@ r"""Scalars that follow from others, whatever the chart: from q̂, from h with i
     f_i = \frac{s}{w} \quad h_i = \frac{g - f_i h}{\rho} \qquad
     f_{iy} = -\frac{h}{g} \quad h_{iy} = \frac{g_y - f_{iy} h - f_i h_y - h_i \rho_y}{\rho}
 
-They follow from ``s² + x w² = 1``, from ``2 dα/dx = ρ/φ``, and from ``T T⁻¹ = I``. No difference of nearly equal terms
+and the derivatives of these. They follow from ``s² + x w² = 1``, from ``2 dα/dx = ρ/φ``, and from ``T T⁻¹ = I``. No difference of nearly equal terms
 is among them that matters: where two cancel, what they stand before is small.
 """
 
@@ -28,7 +28,7 @@ def divided(value: Coefficient, by: Fraction, m: Arithmetic) -> Coefficient:
 
 
 class DependentScalars(ABC):
-    """The scalars of a chart, of which a subclass gives s, w, h, its slope and ρ with its own."""
+    """The scalars of a chart, of which a subclass gives s, w, and h and ρ with their slopes."""
 
     def __init__(self, x: Coefficient, m: Arithmetic) -> None:
         self.x = x
@@ -54,6 +54,12 @@ class DependentScalars(ABC):
     @property
     @abstractmethod
     def ratey(self) -> Coefficient: ...
+    @property
+    @abstractmethod
+    def hyy(self) -> Coefficient: ...
+    @property
+    @abstractmethod
+    def rateyy(self) -> Coefficient: ...
 
     @cached_property
     def ww(self) -> Coefficient:
@@ -66,6 +72,11 @@ class DependentScalars(ABC):
     @cached_property
     def wy(self) -> Coefficient:
         return self.m.name("wy", self.m.div(self.s * self.h, 2) - self.w * self.ww)
+
+    @cached_property
+    def wyy(self) -> Coefficient:
+        bend = self.m.div(self.sy * self.h + self.s * self.hy, 2)
+        return self.m.name("wyy", bend - 3 * (self.ww * self.wy))
 
     @cached_property
     def f(self) -> Coefficient:
@@ -99,6 +110,24 @@ class DependentScalars(ABC):
     def hiy(self) -> Coefficient:
         change = self.gy - self.fiy * self.h - self.fi * self.hy - self.hi * self.ratey
         return self.m.name("hiy", change / self.rate)
+
+    @cached_property
+    def fyy(self) -> Coefficient:
+        return self.m.name("fyy", self.hy - self.ratey * self.g - self.rate * self.gy)
+
+    @cached_property
+    def gyy(self) -> Coefficient:
+        return self.m.name("gyy", self.fy * self.h + self.f * self.hy - 2 * (self.g * self.gy))
+
+    @cached_property
+    def fiyy(self) -> Coefficient:
+        return self.m.name("fiyy", -((self.hy + self.fiy * self.gy) / self.g))
+
+    @cached_property
+    def hiyy(self) -> Coefficient:
+        of_f = self.fiyy * self.h + 2 * (self.fiy * self.hy) + self.fi * self.hyy
+        change = self.gyy - of_f - 2 * (self.hiy * self.ratey) - self.hi * self.rateyy
+        return self.m.name("hiyy", change / self.rate)
 
     @property
     def ray(self) -> tuple[Coefficient, Coefficient, Coefficient]:

@@ -85,11 +85,12 @@ class Parameterized(ABC):
         infinite = self.phi.subs(alpha, self.edge).is_infinite
         end = "v is infinite" if infinite else "v ends, and with it the domain,"
         lost = {"tangent": "loses rank at", "tangent_inv": "pole at"}.get(name, "") if poles else ""
+        coefficients = tuple(c + sympy.Integer(0) for c in coefficients)  # constants of Python are numbers of SymPy
         return kind(
             name=name,
             order=self.order,
             coefficients=tuple(map(sympy.factor, coefficients)) if self.algebraic else coefficients,
-            at=lambda at: tuple(sympy.sympify(c).xreplace({x: at}) for c in coefficients),
+            at=lambda at: tuple(c.xreplace({x: at}) for c in coefficients),
             equations=(),
             identities=IDENTITIES[name],
             domain="every dual vector v" if infinite else f"|Re v| < {self.phi.subs(alpha, self.edge)}",

@@ -98,6 +98,18 @@ class SineScalars(DependentScalars):
         return self.m.name("hy", direct + self.over(self.h / self.cc, 2))
 
     @cached_property
+    def rateyy(self) -> Coefficient:
+        return self.m.name("rhoyy", self.over(3 * (self.ratey / self.cc), 2))
+
+    @cached_property
+    def hyy(self) -> Coefficient:
+        """``(4 H″ + 4 H′/c² + 3 H/c⁴)/(K⁷ c) = (4 H″ − 2 H′/c²)/(K⁷ c) + 3 h_y/(K² c²)``."""
+        slope = self.H.diff(RING_X)
+        first, second = horner(slope, self.y), horner(slope.diff(RING_X), self.y)
+        direct = self.over((4 * second - self.m.div(2 * first, self.cc)) / self.c, 7)
+        return self.m.name("hyy", direct + self.over(3 * self.hy / self.cc, 2))
+
+    @cached_property
     def _below(self) -> Coefficient:
         """``n K² w``."""
         return self.m.name("below", self.order * self.over(self.w, -2))
@@ -111,7 +123,22 @@ class SineScalars(DependentScalars):
         """By ``n K² (w h_i)_y = (2 B′ c − B/c)/K²``, or ``2 B′/K²``."""
         B, dB = horner(self.B, self.y), 2 * horner(self.B.diff(RING_X), self.y)
         change = self.over(self.c * dB - self.m.div(B, self.c) if self.odd else dB, 2)
-        return self.m.name("hiy", self.m.div(change - self.order * self.over(self.hi * self.wy, -2), self._below))
+        return self.m.name("hiy", self._quotient(change, self.hi * self.wy))
+
+    @cached_property
+    def hiyy(self) -> Coefficient:
+        """By ``n K² (w h_i)_yy = (4 B″ c − 4 B′/c − B/c³)/K⁴``, or ``4 B″/K⁴``."""
+        slope = self.B.diff(RING_X)
+        B, dB, ddB = (horner(polynomial, self.y) for polynomial in (self.B, slope, slope.diff(RING_X)))
+        change = 4 * ddB
+        if self.odd:
+            change = self.c * change - self.m.div(4 * dB + self.m.div(B, self.cc), self.c)
+        rest = 2 * (self.hiy * self.wy) + self.hi * self.wyy
+        return self.m.name("hiyy", self._quotient(self.over(change, 4), rest))
+
+    def _quotient(self, change: Coefficient, rest: Coefficient) -> Coefficient:
+        """``(change − n K² rest)/(n K² w)``."""
+        return self.m.div(change - self.order * self.over(rest, -2), self._below)
 
 
 @dataclass(frozen=True)

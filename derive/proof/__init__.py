@@ -27,6 +27,8 @@ formulas               the coefficients of R, dcay and its inverse that the theo
 polynomial_theorems    theorems on p_n, q_n for all n
 map_theorems           theorems on tensor, quaternion and tangent operators for all n
 displacement_theorems  theorems on screws, poses, lines, shadows and composition
+calculus_theorems      theorems on derivatives of the tangent operators
+transport_theorems     theorems on rates where branches change, and on twists of products
 every_order            all of these, proved once per process
 at_order               the formulas of one order are the theorems' instances
 computations           and so is what `derive.maps` computes in other ways

@@ -196,8 +196,10 @@ class Element:
         slope = rate(below, index)
         terms = {key: rate(c, index) for key, c in self.terms.items()}
         if slope:
-            terms = {key: product(c, below) - product(self.terms[key], slope) for key, c in terms.items()}
-            below = product(below, below)
+            # (P/D)' = (P' a - P b)/(D a) with D'/D = b/a in lowest terms
+            b, a = cofactors(library, below, slope)
+            terms = {key: product(c, a) - product(self.terms[key], b) for key, c in terms.items()}
+            below = product(below, a)
         if ring.root and index == 0:  # s² = 1 ± x, so d/dx = ± d/ds / (2 s)
             below = below * library.generators[0] * (2 * ring.root)
         return Element(ring, {key: c for key, c in terms.items() if c}, below)

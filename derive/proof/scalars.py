@@ -36,8 +36,10 @@ BY_ANGLE = "residues in Q(tan(alpha/2M)), M such that phi is made of sines and c
 TRIGONOMETRY = SimpleNamespace(sin=Ratio.sin, cos=Ratio.cos, sqrt=Ratio.sqrt)
 
 VALUES, SLOPES = ("s", "w", "f", "g", "h", "fi", "hi"), ("sy", "wy", "fy", "gy", "hy", "fiy", "hiy")
+BENDS = ("fyy", "gyy", "hyy", "fiyy", "hiyy")
 s, w, f, g, h, fi, hi = sympy.symbols(VALUES)
 sy, wy, fy, gy, hy, fiy, hiy = sympy.symbols(SLOPES)
+fyy, gyy, hyy, fiyy, hiyy = sympy.symbols(BENDS)
 a, b, slope = sympy.symbols("a b phi'")
 
 FORMULAS = {
@@ -61,6 +63,9 @@ RELATIONS = (
 
 DERIVATIVES = tuple(
     Equation(of, 2 * prime(value)) for of, value in zip((sy, wy, fy, gy, hy, fiy, hiy), (s, w, f, g, h, fi, hi))
+)
+SECOND_DERIVATIVES = tuple(
+    Equation(of, 2 * prime(slope)) for of, slope in zip((fyy, gyy, hyy, fiyy, hiyy), (fy, gy, hy, fiy, hiy))
 )
 ANGLE = (Equation((f + x * h) * slope, sympy.Integer(1)), Equation(Shifted(s, x, sympy.Integer(0)), sympy.Integer(1)))
 
@@ -119,9 +124,9 @@ class ScalarProofs:
         """What the letters stand for: scalars as the chart computes them, and their derivatives."""
         at_x = self.ring.square("v")
         at = self.chart.scalars(at_x, PLAIN)
-        found = {name: self.ring.element(getattr(at, name)) for name in (*VALUES, *SLOPES)}
+        found = {name: self.ring.element(getattr(at, name)) for name in (*VALUES, *SLOPES, *BENDS)}
         values = {sympy.Symbol(name): value for name, value in found.items()}
-        values |= {prime(sympy.Symbol(name)): found[name].derivative("x") for name in VALUES}
+        values |= {prime(sympy.Symbol(name)): found[name].derivative("x") for name in (*VALUES, *SLOPES)}
         size_s, size_w, _ = map(self.ring.element, at.ray)
         return values | {a: size_s, b: size_w, x: at_x}
 
@@ -140,6 +145,7 @@ class ScalarProofs:
         yield self._decide("scalars as lowered", formulas, lambda: self._residues(formulas, lifted))
         yield self._decide("scalars", RELATIONS, lambda: self._residues(RELATIONS))
         yield self._decide("slopes", DERIVATIVES, lambda: self._residues(DERIVATIVES))
+        yield self._decide("second slopes", SECOND_DERIVATIVES, lambda: self._residues(SECOND_DERIVATIVES))
         yield self._decide("q = cos(alpha/2) + u sin(alpha/2)", ANGLE, self._angle, BY_ANGLE)
 
     def _decide(self, name: str, claim: tuple[Equation, ...], checks: Any, method: str = METHOD) -> Proof:

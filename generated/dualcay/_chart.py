@@ -70,6 +70,7 @@ class Chart:
         self.kernels: Mapping[str, Kernel] = {**KERNELS, **own}
         self.plain = SimpleNamespace(**{name: function.plain for name, function in functions.items()})
         self._bound: dict[np.dtype[Any], SimpleNamespace] = {}
+        self._scratch: dict[Kernel, tuple[int, int]] = {}
 
     def in_place(self, selection: Selection, dtype: np.dtype[Any]) -> SimpleNamespace:
         """The in-place forms of the scalar programs, for a type."""
@@ -81,7 +82,9 @@ class Chart:
 
     def scratch(self, kernel: Kernel) -> tuple[int, int]:
         """Registers and masks of a kernel, with those its scalar programs need beyond what they are lent."""
-        asked = [(self.functions[name], registers, masks) for name, registers, masks in kernel.lent]
-        registers = max((function.registers - lent for function, lent, _ in asked), default=0)
-        masks = max((function.masks - lent for function, _, lent in asked), default=0)
-        return kernel.registers + max(registers, 0), kernel.masks + max(masks, 0)
+        if kernel not in self._scratch:
+            asked = [(self.functions[name], registers, masks) for name, registers, masks in kernel.lent]
+            registers = max((function.registers - lent for function, lent, _ in asked), default=0)
+            masks = max((function.masks - lent for function, _, lent in asked), default=0)
+            self._scratch[kernel] = kernel.registers + max(registers, 0), kernel.masks + max(masks, 0)
+        return self._scratch[kernel]

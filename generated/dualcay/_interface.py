@@ -46,6 +46,34 @@
 #   [all n] shadow, odd branch: R(v_k) = R
 #   [all n] composition: Delta(vector + scalar) = 2*skew(vector)^2 + I + 2*scalar*skew(vector); Delta((vector_2
 #       + scalar_2)*(vector_1 + scalar_1)) = Delta(vector_2 + scalar_2)*Delta(vector_1 + scalar_1)
+#   [all n] slopes of the tangent operators: f_y = h - 2*g*n/(1 + x); g_y = 8*q_n*d/dx q_n/(q_n^2*x + p_n^2) -
+#       2*g*n/(1 + x); h_y = 4*d/dx c_n/(q_n^2*x + p_n^2) - 2*h*n/(1 + x); f_iy = -c_n/q_n^2; h_iy = (2*d/dx d_n
+#       - 2*d_n*d/dx q_n/q_n)/(n*q_n)
+#   [all n] second slopes of the tangent operators: 2*d/dx f_y = h_y - 2*g_y*n/(1 + x) + 4*g*n/(1 + x)^2; 2*d/dx
+#       g_y = (16*(d/dx q_n)^2 + 16*q_n*d/dx (d/dx q_n))/(q_n^2*x + p_n^2) - 2*n*(8*q_n*d/dx q_n/(q_n^2*x +
+#       p_n^2) + g_y)/(1 + x) + 4*g*n/(1 + x)^2; 2*d/dx h_y = 8*d/dx (d/dx c_n)/(q_n^2*x + p_n^2) - 2*n*(4*d/dx
+#       c_n/(q_n^2*x + p_n^2) + h_y)/(1 + x) + 4*h*n/(1 + x)^2; 2*d/dx f_iy = (-2*d/dx c_n + 4*c_n*d/dx
+#       q_n/q_n)/q_n^2; 2*d/dx h_iy = (4*d/dx (d/dx d_n) - 4*d_n*d/dx (d/dx q_n)/q_n)/(n*q_n) - 4*h_iy*d/dx
+#       q_n/q_n
+#   [all n] rate of the tangent operator: dcay_n' = v.velocity*(h_y*v(x)v + g_y*skew(v) + f_y*I) +
+#       h*(velocity(x)v + v(x)velocity) + g*skew(velocity)
+#   [all n] rate of the inverse operator: (dcay_n^-1)' = (-skew(velocity) + v.velocity*(h_iy*v(x)v + f_iy*I) +
+#       h_i*(velocity(x)v + v(x)velocity))/2; dcay_n*(dcay_n^-1)' = -dcay_n'*dcay_n^-1
+#   [all n] Jacobian of the twist: dcay_n'*a = J(a)*velocity; (dcay_n')^T*a = J_B(a)*velocity
+#   [all n] Jacobian of the rate: (dcay_n^-1)'*a = K(a)*velocity; ((dcay_n^-1)')^T*a = K_B(a)*velocity
+#   [all n] structure equation: J(b)*a - J(a)*b = (dcay_n*a) x (dcay_n*b)
+#   [all n] structure equation in the body: J_B(b)*a - J_B(a)*b = -(dcay_n^T*a) x (dcay_n^T*b); J_B(b)*a =
+#       R^T*J(a)*b
+#   [all n] slope of a Moebius step: 1 + r_k^2 = (1 + r^2)/(cos(beta) - r*sin(beta))^2; r_k' = 1/(cos(beta) -
+#       r*sin(beta))^2
+#   [all n] transport, step by step: r_{j+k} = (sin(gamma + beta) + r*cos(gamma + beta))/(cos(gamma + beta) -
+#       r*sin(gamma + beta)); r_{j+k}*(-u(x)u + I)/r + u(x)u/(cos(gamma + beta) - r*sin(gamma + beta))^2 =
+#       (r_{j+k}*(-u(x)u + I)/r_k + u(x)u/(cos(gamma) - r_k*sin(gamma))^2)*(r_k*(-u(x)u + I)/r +
+#       u(x)u/(cos(beta) - r*sin(beta))^2)
+#   [all n] transport, even branch: dcay_n(v_k)*S_k = dcay_n
+#   [all n] transport, odd branch: dcay_n(v_k)*S_k = dcay_n
+#   [all n] twist of a product: ((vector_2 + scalar_2)*(vector_1 + scalar_1))' = (Delta(vector_2 +
+#       scalar_2)*omega_1 + omega_2)*(vector_2 + scalar_2)*(vector_1 + scalar_1)/2
 """The interface of all kernel modules: each exports the methods of one instance, that of its chart."""
 
 from __future__ import annotations

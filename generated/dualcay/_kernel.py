@@ -45,7 +45,7 @@ def copy(value: Array, out: Array) -> None:
     np.copyto(out, value)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Kernel:
     """The two forms of one program, what its arguments are called, and the memory the second form needs.
 

@@ -56,6 +56,8 @@
 #       fi) = 2; a*w = b*s
 #   [n = 1] slopes: sy = 2*d/dx s; wy = 2*d/dx w; fy = 2*d/dx f; gy = 2*d/dx g; hy = 2*d/dx h; fiy = 2*d/dx fi;
 #       hiy = 2*d/dx hi
+#   [n = 1] second slopes: fyy = 2*d/dx fy; gyy = 2*d/dx gy; hyy = 2*d/dx hy; fiyy = 2*d/dx fiy; hiyy = 2*d/dx
+#       hiy
 #   [n = 1] q = cos(alpha/2) + u sin(alpha/2): phi'*(h*x + f) = 1; [s](x -> 0) = 1
 #
 # Operations:

@@ -54,6 +54,8 @@
 #       fi) = 2; a*w = b*s
 #   [n = 3] slopes: sy = 2*d/dx s; wy = 2*d/dx w; fy = 2*d/dx f; gy = 2*d/dx g; hy = 2*d/dx h; fiy = 2*d/dx fi;
 #       hiy = 2*d/dx hi
+#   [n = 3] second slopes: fyy = 2*d/dx fy; gyy = 2*d/dx gy; hyy = 2*d/dx hy; fiyy = 2*d/dx fiy; hiyy = 2*d/dx
+#       hiy
 #   [n = 3] q = cos(alpha/2) + u sin(alpha/2): phi'*(h*x + f) = 1; [s](x -> 0) = 1
 #
 # Operations:
@@ -190,26 +192,27 @@ def _tangent(m: Any, x: Any) -> Result:
     e = 6 / (1 + x)
     eg = e * g
     fy = h - eg
-    gy = -4 * (q * r) - eg
+    qr = -4 * (q * r)
+    gy = qr - eg
     hy = -(e * h)
     return f, g, h, fy, gy, hy
 
 
 def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3, o4, o5, o6 = out
-    k1, *_ = scratch
     n_minus_4, n1, n2, n3, n6, n16 = numbers
     q = sub(n3, x, o5)
     qq = mul(q, q, o2)
     p = sub(n1, mul(n3, x, o1), o1)
-    N = add(mul(p, p, o4), mul(x, qq, o3), o4)
-    r = mul(n2, div(div(N, N, o3), N, o4), o4)
+    N = add(mul(p, p, o3), mul(x, qq, o6), o3)
+    r = mul(n2, div(div(N, N, o6), N, o3), o3)
     mul(mul(p, q, o1), r, o1)
     g = mul(qq, r, o2)
+    qr = mul(n_minus_4, mul(q, r, o5), o5)
     h = mul(n16, r, o3)
     e = div(n6, add(n1, x, o6), o6)
-    eg = mul(e, g, k1)
-    sub(mul(n_minus_4, mul(q, r, o5), o5), eg, o5)
+    eg = mul(e, g, o4)
+    sub(qr, eg, o5)
     sub(h, eg, o4)
     neg(mul(e, h, o6), o6)
     return o1, o2, o3, o4, o5, o6
@@ -515,7 +518,7 @@ CHART = Chart(
     functions={
         "quaternion": Function(_quaternion, _quaternion_blocks, 0, 0, (-3, 1, 2, 3)),
         "pose": Function(_pose, _pose_blocks, 2, 0, (1, 2, 3, 16)),
-        "tangent": Function(_tangent, _tangent_blocks, 1, 0, (-4, 1, 2, 3, 6, 16)),
+        "tangent": Function(_tangent, _tangent_blocks, 0, 0, (-4, 1, 2, 3, 6, 16)),
         "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 3, 11)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 0, 0, (1, 2, 3, 11, 16)),
         "ray": Function(_ray, _ray_blocks, 0, 0, (1, 2, 3, 16)),

@@ -54,6 +54,8 @@
 #       fi) = 2; a*w = b*s
 #   [n = 4] slopes: sy = 2*d/dx s; wy = 2*d/dx w; fy = 2*d/dx f; gy = 2*d/dx g; hy = 2*d/dx h; fiy = 2*d/dx fi;
 #       hiy = 2*d/dx hi
+#   [n = 4] second slopes: fyy = 2*d/dx fy; gyy = 2*d/dx gy; hyy = 2*d/dx hy; fiyy = 2*d/dx fiy; hiyy = 2*d/dx
+#       hiy
 #   [n = 4] q = cos(alpha/2) + u sin(alpha/2): phi'*(h*x + f) = 1; [s](x -> 0) = 1
 #
 # Operations:
@@ -193,31 +195,35 @@ def _tangent(m: Any, x: Any) -> Result:
     e = 8 / (1 + x)
     eg = e * g
     fy = h - eg
-    gy = -16 * (q * r) - eg
+    qr = -16 * (q * r)
+    gy = qr - eg
     dc = 16 * x - 16
-    hy = 2 * dc * r - e * h
+    cr = 2 * dc * r
+    hy = cr - e * h
     return f, g, h, fy, gy, hy
 
 
 def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, *_ = scratch
+    k1, *_ = scratch
     n_minus_16, n1, n2, n4, n6, n8, n16, n40 = numbers
     q = sub(n4, mul(n4, x, o5), o5)
     qq = mul(q, q, o2)
     p = add(mul(sub(x, n6, o1), x, o1), n1, o1)
-    N = add(mul(p, p, o6), mul(x, qq, o3), o6)
-    r = mul(n2, div(div(N, N, o3), N, o6), o6)
-    mul(mul(p, q, o1), r, o1)
+    N = add(mul(p, p, o3), mul(x, qq, o6), o3)
+    r = mul(n2, div(div(N, N, o6), N, o3), o3)
     g = mul(qq, r, o2)
-    c = add(mul(sub(mul(n8, x, o3), n16, o3), x, o3), n40, o3)
+    mul(mul(p, q, o1), r, o1)
+    qr = mul(n_minus_16, mul(q, r, o5), o5)
+    dc = sub(mul(n16, x, o6), n16, o6)
+    cr = mul(mul(n2, dc, o6), r, o6)
+    c = add(mul(sub(mul(n8, x, o4), n16, o4), x, o4), n40, o4)
     h = mul(c, r, o3)
-    e = div(n8, add(n1, x, k1), k1)
+    e = div(n8, add(n1, x, o4), o4)
+    sub(cr, mul(e, h, k1), o6)
     eg = mul(e, g, o4)
-    sub(mul(n_minus_16, mul(q, r, o5), o5), eg, o5)
+    sub(qr, eg, o5)
     sub(h, eg, o4)
-    dc = sub(mul(n16, x, k2), n16, k2)
-    sub(mul(mul(n2, dc, k2), r, o6), mul(e, h, k1), o6)
     return o1, o2, o3, o4, o5, o6
 
 
@@ -532,7 +538,7 @@ CHART = Chart(
     functions={
         "quaternion": Function(_quaternion, _quaternion_blocks, 0, 0, (-4, 1, 4, 6, 8)),
         "pose": Function(_pose, _pose_blocks, 2, 0, (1, 2, 4, 6, 8, 16, 40)),
-        "tangent": Function(_tangent, _tangent_blocks, 2, 0, (-16, 1, 2, 4, 6, 8, 16, 40)),
+        "tangent": Function(_tangent, _tangent_blocks, 1, 0, (-16, 1, 2, 4, 6, 8, 16, 40)),
         "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 4, 6, 8, 24)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 1, 0, (1, 4, 6, 8, 16, 24, 40)),
         "ray": Function(_ray, _ray_blocks, 1, 0, (1, 2, 4, 6, 8, 16, 40)),

@@ -54,6 +54,8 @@
 #       fi) = 2; a*w = b*s
 #   [n = 5] slopes: sy = 2*d/dx s; wy = 2*d/dx w; fy = 2*d/dx f; gy = 2*d/dx g; hy = 2*d/dx h; fiy = 2*d/dx fi;
 #       hiy = 2*d/dx hi
+#   [n = 5] second slopes: fyy = 2*d/dx fy; gyy = 2*d/dx gy; hyy = 2*d/dx hy; fiyy = 2*d/dx fiy; hiyy = 2*d/dx
+#       hiy
 #   [n = 5] q = cos(alpha/2) + u sin(alpha/2): phi'*(h*x + f) = 1; [s](x -> 0) = 1
 #
 # Operations:
@@ -197,9 +199,11 @@ def _tangent(m: Any, x: Any) -> Result:
     eg = e * g
     fy = h - eg
     dq = 2 * x - 10
-    gy = 4 * dq * (q * r) - eg
+    qr = 4 * dq * (q * r)
+    gy = qr - eg
     dc = 160 * x - 96
-    hy = 2 * dc * r - e * h
+    cr = 2 * dc * r
+    hy = cr - e * h
     return f, g, h, fy, gy, hy
 
 
@@ -220,9 +224,11 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     eg = mul(e, g, k2)
     sub(h, eg, o4)
     dq = sub(mul(n2, x, k3), n10, k3)
-    sub(mul(mul(n4, dq, k3), mul(q, r, o5), o5), eg, o5)
+    qr = mul(mul(n4, dq, k3), mul(q, r, o5), o5)
+    sub(qr, eg, o5)
     dc = sub(mul(n160, x, k2), n96, k2)
-    sub(mul(mul(n2, dc, k2), r, o6), mul(e, h, k1), o6)
+    cr = mul(mul(n2, dc, k2), r, o6)
+    sub(cr, mul(e, h, k1), o6)
     return o1, o2, o3, o4, o5, o6
 
 

@@ -54,6 +54,8 @@
 #       fi) = 2; a*w = b*s
 #   [n = 8] slopes: sy = 2*d/dx s; wy = 2*d/dx w; fy = 2*d/dx f; gy = 2*d/dx g; hy = 2*d/dx h; fiy = 2*d/dx fi;
 #       hiy = 2*d/dx hi
+#   [n = 8] second slopes: fyy = 2*d/dx fy; gyy = 2*d/dx gy; hyy = 2*d/dx hy; fiyy = 2*d/dx fiy; hiyy = 2*d/dx
+#       hiy
 #   [n = 8] q = cos(alpha/2) + u sin(alpha/2): phi'*(h*x + f) = 1; [s](x -> 0) = 1
 #
 # Operations:
@@ -200,9 +202,11 @@ def _tangent(m: Any, x: Any) -> Result:
     eg = e * g
     fy = h - eg
     dq = (112 - 24 * x) * x - 56
-    gy = 4 * dq * (q * r) - eg
+    qr = 4 * dq * (q * r)
+    gy = qr - eg
     dc = ((((96 * x - 1120) * x + 9408) * x - 16320) * x + 12000) * x - 2016
-    hy = 2 * dc * r - e * h
+    cr = 2 * dc * r
+    hy = cr - e * h
     return f, g, h, fy, gy, hy
 
 
@@ -229,12 +233,14 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     eg = mul(e, g, k2)
     sub(h, eg, o4)
     dq = sub(mul(sub(n112, mul(n24, x, k3), k3), x, k3), n56, k3)
-    sub(mul(mul(n4, dq, k3), mul(q, r, o5), o5), eg, o5)
+    qr = mul(mul(n4, dq, k3), mul(q, r, o5), o5)
+    sub(qr, eg, o5)
     dc = sub(
         mul(add(mul(sub(mul(add(mul(sub(mul(n96, x, k2), n1120, k2), x, k2), n9408, k2), x, k2), n16320, k2), x, k2),
         n12000, k2), x, k2), n2016, k2
     )
-    sub(mul(mul(n2, dc, k2), r, o6), mul(e, h, k1), o6)
+    cr = mul(mul(n2, dc, k2), r, o6)
+    sub(cr, mul(e, h, k1), o6)
     return o1, o2, o3, o4, o5, o6
 
 

@@ -14,7 +14,6 @@ import sympy
 from ...algebra import Dual, Isotropic, Quaternion, Vector
 from ...maps import Formula, x
 from ...maps.chart import Chart
-from ...maps.families import alpha
 from ...maps.pose import pose_from_tensor
 from ...proof import Ring, is_algebraic, root_of
 from ..lowering.scalars import scalar_programs
@@ -51,11 +50,8 @@ def _dual(components: Sequence[Any]) -> Vector:
 
 
 def _lifted(ring: Any, expression: sympy.Expr, square: Dual) -> Dual:
-    """f(x) + eps x° f'(x)."""
-    if alpha in expression.free_symbols:
-        found: Dual = ring.in_angle(expression, square)
-        return found
-    value, slope = (ring.lift(e, {x: square.re}) for e in (expression, expression.diff(x)))
+    """f(x) + eps x° f'(x) of a formula."""
+    value, slope = ring.value_and_slope(expression, x, square.re)
     return Dual(value, square.du * slope)
 
 

@@ -10,7 +10,7 @@ from typing import Any
 import mpmath
 import sympy
 
-from ...algebra import Dual
+from ...maps.families import alpha
 from .vectors import Vectors
 
 SYMBOLS = tuple(f"{letter}{i}" for letter in "vw" for i in range(1, 7))
@@ -27,19 +27,24 @@ class Point:
     def symbol(self, name: str) -> Any:
         return self.values[name]
 
-    def lift(self, expression: sympy.Expr, values: Mapping[sympy.Symbol, Any]) -> Any:
-        """An algebraic expression at exact numbers, rounded to the working precision."""
-        exact = tuple((symbol, _fraction(value)) for symbol, value in values.items())
-        return mpmath.mpf(_evaluated(expression, exact, mpmath.mp.dps + 5))
-
-    def in_angle(self, expression: sympy.Expr, square: Dual) -> Dual:
-        """A function of α and its slope by x at an exact number x."""
-        return self.chart.lifted(expression, square)
+    def value_and_slope(self, expression: sympy.Expr, symbol: sympy.Symbol, value: Any) -> tuple[Any, Any]:
+        """A formula and its derivative at an exact number, rounded to the working precision."""
+        if alpha in expression.free_symbols:
+            return self.chart.value_and_slope(expression, value)
+        at, digits = _fraction(value), mpmath.mp.dps + 5
+        both = (_evaluated(e, symbol, at, digits) for e in (expression, _derivative(expression, symbol)))
+        found, slope = map(mpmath.mpf, both)
+        return found, slope
 
 
 @lru_cache(maxsize=256)  # points differ in other components more often than in x
-def _evaluated(expression: sympy.Expr, values: tuple[tuple[sympy.Symbol, Fraction], ...], digits: int) -> sympy.Float:
-    return expression.xreplace({symbol: sympy.Rational(value) for symbol, value in values}).evalf(digits)
+def _evaluated(expression: sympy.Expr, symbol: sympy.Symbol, value: Fraction, digits: int) -> sympy.Float:
+    return expression.xreplace({symbol: sympy.Rational(value)}).evalf(digits)
+
+
+@lru_cache(maxsize=256)
+def _derivative(expression: sympy.Expr, symbol: sympy.Symbol) -> sympy.Expr:
+    return expression.diff(symbol)
 
 
 def _fraction(value: Any) -> Fraction:

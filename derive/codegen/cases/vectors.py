@@ -54,6 +54,16 @@ class Vectors:
         """Angles that have been found, by precision and length."""
         return {}
 
+    @cached_property
+    def _values(self) -> dict[tuple[int, sympy.Expr, Any], tuple[Any, ...]]:
+        """Values and slopes of functions of α that have been computed: points differ in other components more often."""
+        return {}
+
+    @cached_property
+    def _slopes(self) -> dict[sympy.Expr, sympy.Expr]:
+        """Derivatives by x that have been taken."""
+        return {}
+
     def size(self, angle: Any) -> Any:
         """φ of a real or dual angle."""
         return evaluate(self.chart.phi, alpha, angle)
@@ -113,13 +123,21 @@ class Vectors:
         """The largest component of vectors drawn at random: this, or less where they would come near an angle."""
         return float(most if mpmath.isinf(angle) else min(most, self.size(SHORT * angle) / mpmath.sqrt(3)))
 
-    def lifted(self, expression: sympy.Expr, square: Dual) -> Dual:
-        """f(x) + ε x° f′(x) of an even function of α, whose terms may cancel near 0: it is computed with more digits."""
-        angle, digits = self.angle(mpmath.sqrt(square.re)), mpmath.mp.dps
-        with mpmath.workdps(digits + CANCELLED):
-            at = max(angle, mpmath.mpf(10) ** (-digits // 2 - 5))  # an even function: off by the square of that
-            value, slope = (evaluate(e, alpha, at) for e in (expression, by_square(expression, self.chart.phi)))
-        return Dual(+value, square.du * +slope)
+    def value_and_slope(self, expression: sympy.Expr, square: Any) -> tuple[Any, Any]:
+        """An even function of α and its derivative by x; its terms may cancel near 0, so more digits are taken."""
+        key = mpmath.mp.prec, expression, square
+        if key not in self._values:
+            angle, digits = self.angle(mpmath.sqrt(square)), mpmath.mp.dps
+            with mpmath.workdps(digits + CANCELLED):
+                at = max(angle, mpmath.mpf(10) ** (-digits // 2 - 5))  # an even function: off by the square of that
+                self._values[key] = tuple(evaluate(e, alpha, at) for e in (expression, self._by_square(expression)))
+        value, slope = self._values[key]
+        return +value, +slope
+
+    def _by_square(self, expression: sympy.Expr) -> sympy.Expr:
+        if expression not in self._slopes:
+            self._slopes[expression] = by_square(expression, self.chart.phi)
+        return self._slopes[expression]
 
     # --- from natural invariants --------------------------------------------------------------------------------
 

@@ -21,7 +21,7 @@ from ..lowered import Lowered, geometry
 from ..lowering.scalars import table_names
 from ..programs.program import Program
 from ..signatures import PUBLIC, Array, Function, aliases
-from ..validation import c_text, compiled
+from ..validation import Choose, c_text, compiled, everything
 from . import c99
 from .target import Data, require_functions
 
@@ -155,7 +155,8 @@ class C:
         require_functions(GEOMETRY, plain)
         require_functions(f"{GEOMETRY}, rows", [name.removesuffix("_rows") for name in rows])
 
-    def validate(self, folder: Path, chart: Chart) -> int:
+    def validate(self, folder: Path, chart: Chart, choose: Choose = everything) -> int:
+        """All of it: a header is read anew for each chart, geometry included."""
         return c_text.validate(folder, chart)
 
     def replay(self, folder: Path, chart: Chart, all_ways: bool) -> int:

@@ -19,7 +19,7 @@ from ..lowered import geometry
 from ..programs.program import Call, Operand, Program, Statement, summary
 from ..programs.registers import results
 from ..signatures import KERNELS
-from ..validation import Library
+from ..validation import Choose, Library, everything
 from . import infix, python
 from .expression import WIDTH
 from .target import Data
@@ -173,10 +173,10 @@ class Numba(python.PythonTarget):
         data = {"scalars": scalars, "own": own, "rows": python.rows(), "calls": sorted(calls)}
         return python.described(facts) | data
 
-    def validate(self, folder: Path, chart: Chart) -> int:
+    def validate(self, folder: Path, chart: Chart, choose: Choose = everything) -> int:
         """Run the source of a package which wants its compiler even so."""
         try:
-            return super().validate(folder, chart)
+            return super().validate(folder, chart, choose)
         except ImportError as error:
             raise RefusedError(f"cannot validate what was printed: {error}") from error
 

@@ -14,7 +14,7 @@ from ...maps.chart import DEFINITIONS, Chart
 from ..facts import Facts, comment, numbers, theorem_lines
 from ..programs.program import Program, summary
 from ..signatures import FUNCTIONS, KERNELS, PUBLIC, aliases
-from ..validation import NUMPY, Library, Machinery, replay, validate
+from ..validation import NUMPY, Choose, Library, Machinery, everything, replay, validate
 from .expression import WIDTH
 from .target import Data, require_functions
 
@@ -62,8 +62,8 @@ class PythonTarget:
     def require_complete(self, texts: Mapping[str, str]) -> None:
         require_complete(texts)
 
-    def validate(self, folder: Path, chart: Chart) -> int:
-        return validate(folder, chart)
+    def validate(self, folder: Path, chart: Chart, choose: Choose = everything) -> int:
+        return validate(folder, chart, choose)
 
     def replay(self, folder: Path, chart: Chart, all_ways: bool) -> int:
         return replay(folder, chart, self.machinery, self.libraries(), all_ways=all_ways)

@@ -2,6 +2,7 @@
 
 ============= ========================================================================================
 run           load a package from disk and call its public functions, in both layouts
+sample        what of a chart has not been shown by another of the package
 c_text        interpret a C header, in all the ways its functions may be called
 c_calls       C functions called on flat components
 c_interpreter a preprocessor, parser and interpreter of C on numbers of any type
@@ -19,5 +20,16 @@ What results must be is said by ``codegen.cases``.
 from .calls import NUMPY, Library
 from .replay import Machinery, replay
 from .run import ValidationFailed, validate
+from .sample import Choose, Seen, everything
 
-__all__ = ["NUMPY", "Library", "Machinery", "ValidationFailed", "replay", "validate"]
+__all__ = [
+    "NUMPY",
+    "Choose",
+    "Library",
+    "Machinery",
+    "Seen",
+    "ValidationFailed",
+    "everything",
+    "replay",
+    "validate",
+]

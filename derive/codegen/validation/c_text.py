@@ -23,6 +23,7 @@ from .run import ValidationFailed
 
 SEED = 1863
 
+
 def validate(folder: Path, chart: Chart) -> int:
     """Interpret the header of a chart; return how many calls equal the formula.
 

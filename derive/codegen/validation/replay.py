@@ -135,9 +135,7 @@ def _overflow(caller: Caller, chart: Chart, analysis: Analysis, few: int) -> Non
                 caller.compare(call, caller.run(call), overflow=True)
 
 
-def _ways(
-    caller: Caller, found: Sequence[Known], chart: Chart, machinery: Machinery, few: int, all_ways: bool
-) -> None:
+def _ways(caller: Caller, found: Sequence[Known], chart: Chart, machinery: Machinery, few: int, all_ways: bool) -> None:
     """What the run-time parts do, on a function of each kind; or on one, which the chart decides, in one type."""
     kinds, dtypes = ways.kinds(found), caller.library.dtypes
     sample = chart.branches % len(kinds)

@@ -113,6 +113,27 @@ class SineScalars:
     def hiy(self) -> Coefficient:
         return self.m.name("hiy", self.m.div(8 * (8 * self.c - self.w / self.c), 3 * self.ww))
 
+    # --- second slopes --------------------------------------------------------------------------------------------
+
+    gyy = 256
+
+    @cached_property
+    def fyy(self) -> Coefficient:
+        return self.m.name("fyy", 2 * ((24 * self.w - 3 * (self.ww / self.cc)) / self.c) - 32 * self.sy)
+
+    @cached_property
+    def hyy(self) -> Coefficient:
+        return self.m.name("hyy", (self.hy + 2 * (self.h / self.cc)) / self.cc + 128 / self.c)
+
+    @cached_property
+    def fiyy(self) -> Coefficient:
+        return self.m.name("fiyy", (self.h * self.gy / self.g - self.hy) / self.g)
+
+    @cached_property
+    def hiyy(self) -> Coefficient:
+        bend = 16 * (8 * self.c - self.w / self.c) / self.ww - 1 / (self.c * self.cc)
+        return self.m.name("hiyy", self.m.div(8 * (bend / self.w), 3))
+
     @property
     def ray(self) -> tuple[Coefficient, Coefficient, Coefficient]:
         return self.s, self.w, 1
@@ -230,7 +251,7 @@ def test_its_scalars_are_proved():
 
 def test_each_wrong_scalar_is_noticed():
     found = list(controls_of(Sine()))
-    assert len(found) == 22
+    assert len(found) == 27
     assert [str(control) for control in found if not control.noticed] == []
 
 

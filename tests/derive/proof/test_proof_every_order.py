@@ -100,7 +100,14 @@ def test_an_altered_theorem_is_no_premise() -> None:
     assert not right.decide({}).proved
 
 
-@pytest.mark.parametrize("name", ["multiples of an angle", "twist", "inverse", "binomial sums", "screw", "pose"])
+CONTROLLED = [
+    "multiples of an angle", "twist", "inverse", "binomial sums", "screw", "pose",
+    "second slopes of the tangent operators", "Jacobian of the rate",
+    "structure equation", "structure equation in the body", "transport, odd branch",
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("name", CONTROLLED)
 def test_every_control_is_noticed(name: str) -> None:
     found = [*controls([theorem(name)], known())]
     assert len(found) > len(theorem(name).claim) + len(theorem(name).premises)
