@@ -3,8 +3,9 @@ r"""Breusing's chart, the geometric mean of tangent and sine: ``v = sin θ/√(c
 From ``x = (1 − c²)/c``, ``c = cos θ``:
 
 .. math::
-    c = \frac{2}{x + \sqrt{x^2 + 4}} \qquad s = 2 c^2 - 1 \quad w = 2 c^{3/2} \quad \rho = \frac{8 c^{3/2}}{1 + c^2} \quad
-    h = \frac{4 c^{5/2} (3 + 2 c^2)}{1 + c^2} \qquad \frac{dc}{dx} = -\frac{c^2}{1 + c^2}
+    c = \frac{2}{x + \sqrt{x^2 + 4}} \qquad s = 2 c^2 - 1 \quad w = 2 c^{3/2} \quad
+    \rho = \frac{8 c^{3/2}}{1 + c^2} \quad h = \frac{4 c^{5/2} (3 + 2 c^2)}{1 + c^2} \qquad
+    \frac{dc}{dx} = -\frac{c^2}{1 + c^2}
 """
 
 from __future__ import annotations
@@ -122,11 +123,14 @@ class Breusing(OfOrder):
     order: int = 2
     selection: tuple[str, str] = ("--family", "breusing")
     title: str = "Breusing's chart"
-    algebraic: bool = False
 
     @property
     def phi(self) -> sympy.Expr:
         return sympy.sin(alpha / 4) / sympy.sqrt(sympy.cos(alpha / 4))
+
+    @property
+    def algebraic(self) -> bool:
+        return False
 
     def overflow(self, largest: float) -> tuple[str, float]:
         return "x^2 overflows", float(largest**0.25)
@@ -134,7 +138,9 @@ class Breusing(OfOrder):
     def scalars(self, x: Coefficient, m: Arithmetic) -> BreusingScalars:
         return BreusingScalars(x, m)
 
-    def sized(self, sine: Coefficient, cosine: Coefficient, m: Arithmetic, mark: str = "") -> tuple[Coefficient, Coefficient]:
+    def sized(
+        self, sine: Coefficient, cosine: Coefficient, m: Arithmetic, mark: str = ""
+    ) -> tuple[Coefficient, Coefficient]:
         inverse = m.name(f"iroot{mark}", m.div(1, m.sqrt(cosine)))
         return sine * inverse, m.div((1 + cosine * cosine) / cosine * inverse, 2)
 

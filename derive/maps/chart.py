@@ -131,7 +131,7 @@ class Chart(Protocol):
 
     @property
     def remainder(self) -> float:
-        """What scalars as computed may be off by, beside their own size, with numbers of any precision: 0 of a formula."""
+        """What scalars as computed are off by at most, however many digits numbers have: 0 of a formula."""
 
     @property
     def quaternion(self) -> QuaternionMap: ...

@@ -16,15 +16,17 @@ from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import Arithmetic
 from . import polynomials, turns
 from .families import alpha
-from .parameterized import Parameterized
+from .own_axis import OwnAxis
 from .way_back import has_ladder
 
 
-class OfOrder(Parameterized):
+class OfOrder(OwnAxis):
     """A chart v = φ(α) u of order n, φ a function of θ = α/2n with its edge at θ = π/2."""
 
     @abstractmethod
-    def sized(self, sine: Coefficient, cosine: Coefficient, m: Arithmetic, mark: str = "") -> tuple[Coefficient, Coefficient]:
+    def sized(
+        self, sine: Coefficient, cosine: Coefficient, m: Arithmetic, mark: str = ""
+    ) -> tuple[Coefficient, Coefficient]:
         """φ and dφ/dθ from sine and cosine of θ; a mark tells several apart."""
 
     @abstractmethod

@@ -1,4 +1,4 @@
-"""What a chart other than Cayley's owes to its φ and its scalars alone: formulas, texts, angles, the axis of a vector."""
+"""What a chart other than Cayley's owes to its φ and its scalars alone: formulas, and texts about them."""
 
 from __future__ import annotations
 
@@ -11,7 +11,6 @@ import sympy
 from ..algebra import Coefficient
 from ..algebra.arithmetic import PLAIN, Arithmetic
 from .chart import DEFINITIONS, Scalars
-from .dependent import DependentScalars
 from .families import alpha, of_angle
 from .formula import Formula, IsotropicMap, QuaternionMap
 from .polynomials import x
@@ -32,9 +31,6 @@ class Parameterized(ABC):
 
     cayley: ClassVar[None] = None
     order: int
-    remainder: float = 0.0
-    algebraic: bool = True
-    """Whether its formulas hold no other root than one sqrt(1 + x/k), k an integer."""
     letters: ClassVar[tuple[tuple[str, sympy.Expr], ...]] = ()
 
     @property
@@ -48,6 +44,15 @@ class Parameterized(ABC):
     def singular_angles(self) -> tuple[sympy.Expr, ...]: ...
     @abstractmethod
     def scalars(self, x: Coefficient, m: Arithmetic) -> Scalars: ...
+
+    @property
+    def algebraic(self) -> bool:
+        """Whether its formulas hold no other root than one sqrt(1 + x/k), k an integer."""
+        return True
+
+    @property
+    def remainder(self) -> float:
+        return 0.0
 
     @property
     def parameter(self) -> str:
@@ -98,25 +103,3 @@ class Parameterized(ABC):
             symbol=SYMBOLS[name],
             definition=DEFINITIONS[name].split(" = ", 1)[1],
         )
-
-    # --- the axis of a vector ---------------------------------------------------------------------------------------
-
-    def direction(self, x: Coefficient, y: Coefficient, m: Arithmetic) -> Coefficient:
-        """The sign of sin α on v; where it is 0 at half a turn that of w, at a whole one that of the translation."""
-        return self._direction(self.scalars(x, m), y, m)
-
-    def _direction(self, at: DependentScalars, y: Coefficient, m: Arithmetic) -> Coefficient:
-        turned = m.name("turned", m.where(m.name("sneg", m.less(at.s, 0)), m.name("mw", -at.w), at.w))
-        backwards = m.both(m.equal(at.w, 0), m.less(y, 0))
-        one = m.name("one", at.s - at.s + 1)  # or NaN, where x has overflowed and v/|v| is nothing
-        return m.name("sign", one * m.where(m.either(m.less(turned, 0), backwards), -1, 1))
-
-    def natural(
-        self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic
-    ) -> tuple[Coefficient, Coefficient, Coefficient]:
-        at = self.scalars(x, m)
-        sign = self._direction(at, y, m)
-        s = m.where(m.name("sneg", m.less(at.s, 0)), -at.s, at.s)
-        w = m.where(m.less(at.w, 0), m.name("mw", -at.w), at.w)
-        return m.name("angle", 2 * m.atan2(r * w, s)), at.rate, sign
-

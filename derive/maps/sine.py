@@ -1,11 +1,12 @@
 r"""Sine charts, ``v = K sin(α/2n) u``: orthographic at n = 1, Lambert's equal-area projection at n = 2.
 
-With ``y = x/K² = sin² θ``, ``c = √(1 − y)`` and polynomials S, W, H of y: ``cos nθ`` is ``S`` or ``c S``, ``sin nθ/sin θ`` is
-``c W`` or ``W``, for even or odd n, and
+With ``y = x/K² = sin² θ``, ``c = √(1 − y)`` and polynomials S, W, H, B of y: for even n ``cos nθ = S`` and
+``sin nθ/sin θ = c W``, for odd n ``c S`` and ``W``. For either
 
 .. math::
     h = \frac{H}{K^3 c} \quad y H = 2 n - 2 (1 - y) S W \qquad \rho = \frac{2 n}{K c} \qquad
-    h_i = \frac{B}{n K^2 w} \quad \text{or} \quad \frac{c B}{n K^2 w} \quad y B = (1 - y) W - n S \quad \text{or} \quad W - n S
+    h_i = \frac{B}{n K^2 w} \quad y B = (1 - y) W - n S \quad \text{or} \quad
+    h_i = \frac{c B}{n K^2 w} \quad y B = W - n S
 """
 
 from __future__ import annotations
@@ -165,7 +166,9 @@ class Sine(OfOrder):
     def scalars(self, x: Coefficient, m: Arithmetic) -> SineScalars:
         return SineScalars(self.order, self.scale, x, m)
 
-    def sized(self, sine: Coefficient, cosine: Coefficient, m: Arithmetic, mark: str = "") -> tuple[Coefficient, Coefficient]:
+    def sized(
+        self, sine: Coefficient, cosine: Coefficient, m: Arithmetic, mark: str = ""
+    ) -> tuple[Coefficient, Coefficient]:
         return self._scaled(sine, m), self._scaled(cosine, m)
 
     def cosine(self, x: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:

@@ -57,4 +57,7 @@ from .identity import Proof, decide
 from .proved import ProofFailed, Proved, proofs, prove
 from .scalars import is_algebraic, root_of
 
-__all__ = ["Element", "Proof", "ProofFailed", "Proved", "Ring", "decide", "is_algebraic", "proofs", "prove", "root_of", "theorems"]
+__all__ = [
+    "Element", "Proof", "ProofFailed", "Proved", "Ring", "decide", "is_algebraic", "proofs", "prove", "root_of",
+    "theorems",
+]  # fmt: skip

@@ -1,4 +1,4 @@
-r"""Theorems on every parameterization v = φ(α) u: φ and its derivatives are letters of their own, as are sin and cos of α/2.
+r"""Theorems on every parameterization v = φ(α) u: φ and its derivatives are letters, as are sine and cosine of α/2.
 
 .. math::
     \hat q = \cos\tfrac\alpha2 + \frac{\sin\frac\alpha2}{\varphi}\,v \qquad
@@ -17,8 +17,25 @@ import sympy
 
 from .identity import Proof
 from .marks import (
-    I, R, conjugate, det, dot, dyad, omega, omega_body, point, prime, q_hat, rate, skew, structure, transpose, v, v_dot,
-    vect, x,
+    I,
+    R,
+    conjugate,
+    det,
+    dot,
+    dyad,
+    omega,
+    omega_body,
+    point,
+    prime,
+    q_hat,
+    rate,
+    skew,
+    structure,
+    transpose,
+    v,
+    v_dot,
+    vect,
+    x,
 )  # fmt: skip
 from .setting import Letters
 from .statement import Equation, Premise, definition
@@ -76,7 +93,9 @@ def _letters(*vectors: sympy.Symbol) -> Letters:
     return Letters(LETTERS, vectors, FREE)
 
 
-def _theorem(name: str, claim: tuple[Equation, ...], *premises: Premise, vectors: tuple[sympy.Symbol, ...] = (v,)) -> Theorem:
+def _theorem(
+    name: str, claim: tuple[Equation, ...], *premises: Premise, vectors: tuple[sympy.Symbol, ...] = (v,)
+) -> Theorem:
     used = (*premises, *SQUARES) if vectors else (*premises, SQUARES[0], SQUARES[2])
     return Theorem(name, claim, used, Identity(_letters(*vectors)), SCOPE)
 

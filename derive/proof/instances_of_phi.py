@@ -8,7 +8,8 @@ import sympy
 
 from ..maps.chart import Chart
 from ..maps.families import alpha
-from .any_phi import PHI, SCALARS, any_phi, cosine, phi, sine, x
+from ..maps.polynomials import x
+from .any_phi import PHI, SCALARS, any_phi, cosine, phi, sine
 from .identity import Check, Claim, Proof, decide
 from .marks import Shifted
 from .scalars import FORMULAS
@@ -52,7 +53,8 @@ def _letters(chart: Chart) -> Mapping[sympy.Expr, sympy.Expr]:
 
 def _at_origin(chart: Chart) -> Proof:
     """φ(0) = 0, φ′(0) ≠ 0 and φ odd: then every scalar is a function of x, analytic at 0."""
-    claim = (Equation(Shifted(phi, alpha, sympy.Integer(0)), sympy.Integer(0)), Equation(Shifted(phi, alpha, -alpha), -phi))
+    zero = sympy.Integer(0)
+    claim = (Equation(Shifted(phi, alpha, zero), zero), Equation(Shifted(phi, alpha, -alpha), -phi))
 
     def checks() -> Iterator[Check]:
         yield "phi at 0", chart.phi.subs(alpha, 0)
