@@ -174,7 +174,7 @@ class Sine(OfOrder):
     def cosine(self, x: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         """Beyond the end too some number, which nothing uses."""
         y = m.name("z", divided(x, self.scale**2, m))
-        return m.name("c", m.sqrt(m.where(m.less(1, y), y, 1 - y))), divided(1, self.scale, m)
+        return m.name("c", m.sqrt(m.where(m.less(y, 1), 1 - y, y))), divided(1, self.scale, m)
 
     def factor(self, cosine: Coefficient, m: Arithmetic) -> Coefficient:
         return self._scaled(1, m)

@@ -90,7 +90,7 @@ def test_complex_steps_give_tangents(name: str, kernels: ModuleType):
 def test_singular_angles_end_at_the_edge(name: str, kernels: ModuleType):
     found = kernels.singular_angles()
     edge = families.edge_of(name)
-    assert found == tuple(2 * math.pi * k for k in range(1, math.ceil(edge / 2 / math.pi))) + (edge,)
+    assert found == (*(2 * math.pi * k for k in range(1, math.ceil(edge / 2 / math.pi))), edge)
 
 
 def test_wiener_milenkovic_is_scaled2():

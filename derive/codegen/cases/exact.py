@@ -91,7 +91,14 @@ def _tensors(chart: Chart, make: Callable[..., Any]) -> Iterator[Expectation]:
     components, others = _symbols(ring, "v"), _symbols(ring, "w")
     v, w = _dual(components), _dual(others)
     R, T, T_inv = (_isotropic(ring, f, v) for f in maps)
-    for name, operator in (("tensor", R), ("tangent", T), ("tangent_inv", T_inv)):
+    tensors = {
+        "tensor": R,
+        "tangent": T,
+        "tangent_inv": T_inv,
+        "body_tangent": T.transpose,
+        "body_tangent_inv": T_inv.transpose,
+    }
+    for name, operator in tensors.items():
         tensor = operator.tensor(v)
         yield Expectation(name, (components,), (*tensor.re, *tensor.du))
     applied = {
@@ -109,3 +116,4 @@ def _tensors(chart: Chart, make: Callable[..., Any]) -> Iterator[Expectation]:
     rows = [entry for i in range(3) for entry in (Q[i, 0], Q[i, 1], Q[i, 2], rho[i])]
     yield Expectation("pose", (components,), (*rows, 0, 0, 0, 1))
     yield Expectation("transform_point", (components, others[:3]), tuple(pose.apply(w.re)))
+    yield Expectation("inverse", (components,), tuple(-c for c in components))

@@ -24,6 +24,9 @@ from ...maps.sign_tests import is_zero, orientation
 CANCELLED = 250
 """Digits that terms of a scalar or its slope may lose: α⁻⁷ at least."""
 
+FEW = 2**20
+"""Units of rounding before the edge: where φ′ is small, or great."""
+
 SHORT = 0.9
 """Of an angle: what vectors drawn at random may reach of it."""
 
@@ -39,6 +42,13 @@ class Vectors:
         """Re α beyond which there is no v."""
         edge = self.chart.edge
         return mpmath.inf if edge.is_infinite else mpmath.mpf(edge.evalf(mpmath.mp.dps + 5))
+
+    @cached_property
+    def is_folded(self) -> bool:
+        """Whether v ends at the edge, with φ′ = 0; else it is infinite there, or there is none."""
+        if mpmath.isinf(self.edge):
+            return False
+        return bool(abs(self.slope(self.edge * (1 - FEW * mpmath.eps))) < self.slope(0))
 
     @cached_property
     def first_pole(self) -> Any:

@@ -92,8 +92,13 @@ def table_names(chart: Chart) -> tuple[str, ...]:
 
 
 def scalar_programs(chart: Chart) -> dict[str, Program]:
-    """The scalar programs of a chart, by name; without `beyond` where every v is principal."""
-    return {name: _program(name, chart) for name in SCALARS if chart.returns() or name != "beyond"}
+    """The scalar programs of a chart, by name, without those that are `idle`."""
+    return {name: _program(name, chart) for name in SCALARS if name not in idle(chart)}
+
+
+def idle(chart: Chart) -> set[str]:
+    """Scalars nothing asks for: `beyond` where every v is principal, `turned` where a pose has one v."""
+    return {name for name, asked in (("beyond", chart.returns()), ("turned", chart.branches > 1)) if not asked}
 
 
 def _program(name: str, chart: Chart) -> Program:

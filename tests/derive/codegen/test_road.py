@@ -134,13 +134,25 @@ def test_a_function_is_a_row_a_recipe_and_a_docstring_too(tmp_path: Path, monkey
 
 
 def test_a_function_without_a_docstring_is_not_generated():
-    arguments = {
-        name: ", ".join(["self", *(a.name for a in row.arguments), *["branch"] * row.branch])
-        for name, row in PUBLIC.items()
-    }
-    bare = "".join(f"    def {name}({given}): ...\n" for name, given in arguments.items())
     with pytest.raises(ValueError, match="has no docstring"):
-        python.require_complete({python.INTERFACE: f"class {python.CLASS}:\n{bare}"})
+        python.require_complete({python.INTERFACE: bare_interface(keywords=True)}, NUMPY.words)
+
+
+def test_keywords_are_those_of_the_table():
+    with pytest.raises(ValueError, match="keywords of quaternion are axis, out, not axis, out, scalar_first"):
+        python.require_complete({python.INTERFACE: bare_interface(keywords=False)}, NUMPY.words)
+
+
+def bare_interface(keywords: bool) -> str:
+    """The functions of the table, with the keywords of its rows or only those of every function."""
+
+    def parameters(row: signatures.Function) -> str:
+        common = NUMPY.words.keywords if len(row.results) == 1 else ["axis"]
+        given = ["self", *(a.name for a in row.arguments), *["branch"] * row.branch]
+        return ", ".join([*given, "*", *common, *(row.keywords if keywords else ())])
+
+    bare = "".join(f"    def {name}({parameters(row)}): ...\n" for name, row in PUBLIC.items())
+    return f"class {python.CLASS}:\n{bare}"
 
 
 def test_a_failed_proof_writes_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
