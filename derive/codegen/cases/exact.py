@@ -16,7 +16,7 @@ from ...maps import Formula, x
 from ...maps.chart import Chart
 from ...maps.pose import pose_from_tensor
 from ...proof import Ring, is_algebraic, root_of
-from ..lowering.scalars import scalar_programs
+from ..lowering.scalars import scalar_program
 
 ROOTS = 2
 """Up to so many square roots in a row the way back, if it takes half angles only, is decided exactly (above, only the
@@ -80,7 +80,7 @@ def _root(chart: Chart, coefficients: Iterable[sympy.Expr]) -> int:
 
 def _goes_back_by_roots(chart: Chart) -> bool:
     """Whether the way back takes a few square roots and no trigonometry."""
-    operations = scalar_programs(chart)["gain_unit"].operations
+    operations = scalar_program("gain_unit", chart).operations
     return not operations.keys() & {"tan", "atan2"} and operations["sqrt"] <= ROOTS
 
 
