@@ -71,7 +71,7 @@ SCALARS: Mapping[str, Scalar] = {
     "quaternion": _of_x("s", "w", "sy", "wy"),
     "pose": _of_x("f", "g", "h"),
     "tangent": _of_x("f", "g", "h", "fy", "gy", "hy"),
-    "inverse": _of_x("fi", "hi"),
+    "inverse": _of_x("hi"),
     "tangent_inv": _of_x("fi", "hi", "fiy", "hiy"),
     "ray": Scalar(("x",), ("a", "b", "size", "f", "g", "h"), _ray),
     "gain_unit": Scalar(E, ("gain",), _gain_unit),
