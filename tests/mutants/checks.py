@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -30,12 +29,12 @@ COMMENT = {".py.j2": "# one more comment\n", ".h.j2": "// one more comment\n"}
 class Knowledge:
     """Of the unchanged tree: seconds of the checks of every stage, what they reach, and what is emitted.
 
-    ``processor`` are the seconds of processor time of all checks, ``left_out`` the tests that cannot take part, by
-    reason, and ``printing`` the lines that only make texts.
+    ``setups`` are seconds too, of all fixtures, ``left_out`` the tests that cannot take part, by reason, and
+    ``printing`` the lines that only make texts.
     """
 
-    processor: float
     seconds: Mapping[str, Mapping[str, float]]
+    setups: float
     table: Table
     printing: frozenset[tuple[str, int]]
     left_out: Mapping[str, Sequence[str]]
@@ -48,6 +47,11 @@ class Knowledge:
             stage: [name for name in seconds if reached is None or name in reached or stage == "kernels"]
             for stage, seconds in self.seconds.items()
         }
+
+    def processor(self, edit: Edit | None) -> float:
+        """Seconds of processor time that those take, watched."""
+        planned = ((stage, name) for stage, names in self.plan(edit).items() for name in names)
+        return self.setups + sum(self.seconds[stage][name] for stage, name in planned)
 
     def prints_only(self, edit: Edit) -> bool:
         """Whether an edit is in what makes texts, and in nothing that validates them."""
@@ -84,12 +88,10 @@ class Checks:
         kernels = isolated(lambda: suite.run_all(KERNELS, few=FEW)) if self.emits else suite.Times()
         prints = isolated(road.prints) if self.emits else {}
         reach = Reach(folder, [f"{source}/*" for source in self.watched])
-        started = sum(os.times()[:4])
         with reach.open():
             road.import_all()
             first = {name: _timed(reach, name, check) for name, check in self._first_stage(reach).items()}
             tests = suite.run_all(self.tests, reach, few=FEW if self.emits else None)
-        processor = sum(os.times()[:4]) - started + sum(kernels.seconds.values())
         left_out = {
             "fails unchanged": [*tests.failed, *kernels.failed],
             "fails for one more comment in what is emitted": sorted(set(commented) - set(tests.failed)),
@@ -101,7 +103,7 @@ class Checks:
         if not seconds["tests"]:
             raise RuntimeError(f"no test of {', '.join(self.tests)} can be used: {left_out}")
         table = reach.table([name for stage in seconds.values() for name in stage])
-        return Knowledge(processor, seconds, table, _printing(reach, set(first)), left_out, prints)
+        return Knowledge(seconds, tests.setups + kernels.setups, table, _printing(reach, set(first)), left_out, prints)
 
     def _first_stage(self, reach: Reach) -> dict[str, road.Check]:
         def around(name: str, validate: Any) -> Any:

@@ -192,7 +192,7 @@ class Programs:
     def is_one(self, mutant: Mutant) -> bool:
         return True
 
-    def limit(self, knowledge: Any) -> float:
+    def limit(self, mutant: Mutant | None, knowledge: Any) -> float:
         return 60
 
     def trial(self, mutant: Mutant | None, knowledge: Any) -> Fate:

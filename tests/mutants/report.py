@@ -106,7 +106,8 @@ process of its own on a copy of the tree. State: `{state}`.
 - **tests**: killed by tests of that room only, but for those listed as left out. Of emission {few} cases of
   each test are run. **kernels**: killed by {few} cases of each test of tests/generated, run on the NumPy kernels that
   the mutant emits. **crash**: the process died.
-- **time limit**: stopped after three times the processor time of all checks; counted as killed.
+- **time limit**: stopped after twice the processor time of the checks that reach the change, and 20 s; counted as
+  killed.
 - **equivalent**: shown to be so by the run. Programs: of the same value at random points of a prime field, functions
   and comparisons uninterpreted. Emission: the changed lines make texts and nothing else, and every emitted text is the
   same, all targets, n = {orders}. Python that compiles to the same code is not drawn.

@@ -38,7 +38,7 @@ class Room(Protocol):
     def is_one(self, mutant: Mutant) -> bool:
         """Whether a mutant is well formed and not the same code."""
 
-    def limit(self, knowledge: Any) -> float:
+    def limit(self, mutant: Mutant | None, knowledge: Any) -> float:
         """Seconds of processor time a trial may take."""
 
     def trial(self, mutant: Mutant | None, knowledge: Any) -> Fate:
@@ -87,8 +87,8 @@ class Files:
         except SyntaxError:
             return False
 
-    def limit(self, knowledge: Any) -> float:
-        return 30 + 3 * float(knowledge.processor)
+    def limit(self, mutant: Mutant | None, knowledge: Any) -> float:
+        return 20 + 2 * float(knowledge.processor(mutant.site if mutant else None))
 
     def trial(self, mutant: Mutant | None, knowledge: Any) -> Fate:
         return self.checks.fate(mutant.site if mutant else None, knowledge)

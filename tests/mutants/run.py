@@ -148,7 +148,7 @@ class Run:
     def _start(drawn: Drawn, mutant: Mutant | None, copy: Copy) -> tuple[ExitStack, Child]:
         room, stack = drawn.room, ExitStack()
         stack.enter_context(copy.changed(room.edit(mutant) if mutant else None))
-        limit = room.limit(drawn.knowledge)
+        limit = room.limit(mutant, drawn.knowledge)
         return stack, Child(partial(attempt, room, mutant, drawn.knowledge, copy.folder), limit)
 
 

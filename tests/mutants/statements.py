@@ -37,7 +37,7 @@ class Statements:
     def is_one(self, mutant: Mutant) -> bool:
         return True
 
-    def limit(self, knowledge: Any) -> float:
+    def limit(self, mutant: Mutant | None, knowledge: Any) -> float:
         return 120
 
     def trial(self, mutant: Mutant | None, knowledge: Any) -> Fate:

@@ -1,5 +1,6 @@
-"""Exact expectations: what each rational kernel function must return on ring elements, from the formula alone.
+"""What each algebraic kernel function must return, from the formula alone: on ring elements exactly, or at numbers.
 
+Formulas in x are lifted into the ring. Where they are functions of α, which no ring holds, there are numbers only.
 Derivatives are those of the formulas, in dual numbers of one more level: no slope of a chart's scalars enters.
 """
 
@@ -16,7 +17,7 @@ from ...maps import Formula, x
 from ...maps.chart import Chart
 from ...maps.pose import Pose, pose_from_tensor
 from ...proof import Ring, root_of
-from ..lowering.scalars import scalar_programs
+from ..lowering.scalars import scalar_program
 from ..signatures import FUNCTIONS, Function
 
 Flat = tuple[Any, ...]
@@ -181,6 +182,9 @@ BY_TENSORS: Mapping[str, Value] = {
     "transform_line": lambda at, v, line: _flat(at.tensor(dual(v)).apply(dual(v), dual(line))),
     "tangent": lambda at, v: _flat(at.tangent(dual(v)).tensor(dual(v))),
     "tangent_inv": lambda at, v: _flat(at.tangent_inv(dual(v)).tensor(dual(v))),
+    "body_tangent": lambda at, v: _flat(at.tangent(dual(v), -1).tensor(dual(v))),
+    "body_tangent_inv": lambda at, v: _flat(at.tangent_inv(dual(v), -1).tensor(dual(v))),
+    "inverse": lambda at, v: tuple(-c for c in v),
     "twist": _applied(Formulas.tangent),
     "rate": _applied(Formulas.tangent_inv),
     "body_twist": _applied(Formulas.tangent, -1),
@@ -226,5 +230,5 @@ def _on_symbols(chart: Chart, row: Function, *formulas: Formula) -> Expectation:
 
 def _goes_back_by_roots(chart: Chart) -> bool:
     """Whether the way back takes a few square roots and no trigonometry."""
-    operations = scalar_programs(chart)["gain_unit"].operations
+    operations = scalar_program("gain_unit", chart).operations
     return not operations.keys() & {"tan", "atan2"} and operations["sqrt"] <= ROOTS

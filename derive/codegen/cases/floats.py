@@ -20,8 +20,9 @@ from ..signatures import FUNCTIONS
 from . import digits, exact
 from .exact import ALGEBRAIC
 from .maps_at import MAX_BRANCHES, Flat, seeded_arguments
+from .point import value
 from .screws import half_turns
-from .seeded import WIDE, nearby, value
+from .seeded import WIDE, nearby
 from .vectors import Vectors
 
 SEED = 131

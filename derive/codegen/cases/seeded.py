@@ -13,18 +13,16 @@ from __future__ import annotations
 import random
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
-from functools import lru_cache
 from typing import Any
 
 import mpmath
-import sympy
 
 from ...maps.chart import Chart
 from ..signatures import FUNCTIONS, Function
 from .digits import DIGITS
-from .exact import ALGEBRAIC, Formulas
-from .maps_at import MAPS, Flat, seeded_arguments
+from .exact import ALGEBRAIC, Flat
+from .maps_at import seeded_arguments
+from .point import value
 from .vectors import Vectors
 
 SEED = 88
@@ -61,43 +59,6 @@ def cases(chart: Chart) -> list[Case]:
 def nearby(value: Any) -> Any:
     """A number nearby that a float holds."""
     return mpmath.mpf(int(mpmath.nint(value * GRID))) / GRID
-
-
-class Numbers:
-    """Numbers in place of elements of the exact ring, with what formulas ask of a ring."""
-
-    def derivatives(self, expression: sympy.Expr, symbol: sympy.Symbol, value: Any, order: int) -> Sequence[Any]:
-        """An algebraic expression at an exact number and its derivatives, rounded to the working precision."""
-        return _derivatives(expression, symbol, mpmath.mpf(value), order, mpmath.mp.dps)
-
-
-@lru_cache(maxsize=1024)  # points differ in other components more often than in x
-def _derivatives(
-    expression: sympy.Expr, symbol: sympy.Symbol, value: Any, order: int, digits: int
-) -> tuple[Any, ...]:
-    at, found = sympy.Rational(_fraction(value)), []
-    for _ in range(order + 1):
-        found.append(mpmath.mpf(expression.xreplace({symbol: at}).evalf(digits + 5)))
-        expression = _derivative(expression, symbol)
-    return tuple(found)
-
-
-@lru_cache(maxsize=256)
-def _derivative(expression: sympy.Expr, symbol: sympy.Symbol) -> sympy.Expr:
-    return expression.diff(symbol)
-
-
-def _fraction(value: Any) -> Fraction:
-    sign, mantissa, exponent, _ = mpmath.mpf(value)._mpf_
-    magnitude = Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
-    return -magnitude if sign else magnitude
-
-
-def value(chart: Vectors, function: str, branch: int | None, arguments: Sequence[Flat]) -> Flat:
-    """What a function returns at given numbers."""
-    if function in ALGEBRAIC:
-        return ALGEBRAIC[function](Formulas(chart.chart, Numbers()), *arguments)
-    return MAPS[function](chart, branch or 0, *arguments)
 
 
 def _algebraic(chart: Vectors, draw: random.Random) -> Iterator[Case]:

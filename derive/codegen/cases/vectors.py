@@ -5,7 +5,7 @@ No scalar of the chart is used, nor its way back: what they compute has to agree
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -16,10 +16,16 @@ import sympy
 from ...algebra import Dual, Quaternion, Tensor, Vector, real_part
 from ...algebra.functions import atan2
 from ...maps.chart import Chart
-from ...maps.families import alpha, evaluate
+from ...maps.families import alpha, by_square, evaluate
 from ...maps.inverse import polar
 from ...maps.pose import Screw, natural_invariants, quaternion_from_screw
 from ...maps.sign_tests import is_zero, orientation
+
+CANCELLED = 250
+"""Digits that terms of a scalar or its slope may lose: α⁻⁷ at least."""
+
+FEW = 2**20
+"""Units of rounding before the edge: where φ′ is small, or great."""
 
 SHORT = 0.9
 """Of an angle: what vectors drawn at random may reach of it."""
@@ -38,6 +44,13 @@ class Vectors:
         return mpmath.inf if edge.is_infinite else mpmath.mpf(edge.evalf(mpmath.mp.dps + 5))
 
     @cached_property
+    def is_folded(self) -> bool:
+        """Whether v ends at the edge, with φ′ = 0; else it is infinite there, or there is none."""
+        if mpmath.isinf(self.edge):
+            return False
+        return bool(abs(self.slope(self.edge * (1 - FEW * mpmath.eps))) < self.slope(0))
+
+    @cached_property
     def first_pole(self) -> Any:
         """The least Re α > 0 where v, T or its inverse is singular."""
         return mpmath.mpf(self.chart.singular_angles[0].evalf(mpmath.mp.dps + 5))
@@ -49,6 +62,16 @@ class Vectors:
     @cached_property
     def _roots(self) -> dict[tuple[int, Any], Any]:
         """Angles that have been found, by precision and length."""
+        return {}
+
+    @cached_property
+    def _values(self) -> dict[tuple[int, sympy.Expr, Any, int], tuple[Any, ...]]:
+        """Values and slopes of functions of α that have been computed: points differ in other components more often."""
+        return {}
+
+    @cached_property
+    def _slopes(self) -> dict[sympy.Expr, sympy.Expr]:
+        """Derivatives by x that have been taken."""
         return {}
 
     def size(self, angle: Any) -> Any:
@@ -109,6 +132,25 @@ class Vectors:
     def component(self, most: Any, angle: Any) -> float:
         """The largest component of vectors drawn at random: this, or less where they would come near an angle."""
         return float(most if mpmath.isinf(angle) else min(most, self.size(SHORT * angle) / mpmath.sqrt(3)))
+
+    def derivatives(self, expression: sympy.Expr, square: Any, order: int) -> Sequence[Any]:
+        """An even function of α and its derivatives by x; terms may cancel near 0, so more digits are taken."""
+        key = mpmath.mp.prec, expression, square, order
+        if key not in self._values:
+            angle, digits = self.angle(mpmath.sqrt(square)), mpmath.mp.dps
+            with mpmath.workdps(digits + CANCELLED * max(order, 1)):
+                at = max(angle, mpmath.mpf(10) ** (-digits // 2 - 5))  # an even function: off by the square of that
+                found = []
+                for _ in range(order + 1):
+                    found.append(evaluate(expression, alpha, at))
+                    expression = self._by_square(expression)
+                self._values[key] = tuple(found)
+        return tuple(+value for value in self._values[key])
+
+    def _by_square(self, expression: sympy.Expr) -> sympy.Expr:
+        if expression not in self._slopes:
+            self._slopes[expression] = by_square(expression, self.chart.phi)
+        return self._slopes[expression]
 
     # --- from natural invariants --------------------------------------------------------------------------------
 

@@ -18,7 +18,7 @@ What results must be is said by ``codegen.cases``.
 """
 
 from .calls import NUMPY, Library
-from .replay import Machinery, replay
+from .replay import Machinery, replay, replay_package
 from .run import ValidationFailed, validate
 from .sample import Choose, Seen, everything
 
@@ -31,5 +31,6 @@ __all__ = [
     "ValidationFailed",
     "everything",
     "replay",
+    "replay_package",
     "validate",
 ]
