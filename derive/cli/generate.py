@@ -23,7 +23,7 @@ def generate(
 ) -> None:
     """Do what the command says; its parameters are the options."""
     options.require_cap(orders, max_n)
-    if output is None and (target != catalogue.TARGET or not catalogue.is_checkout()):
+    if output is None and not catalogue.has_place(target):
         raise click.UsageError(f"name a folder with -o: only {catalogue.TARGET} kernels have a place, in a checkout")
     folder = output or catalogue.COMMITTED
     chosen = orders or catalogue.ORDERS

@@ -90,7 +90,7 @@ def _module(chart: Chart, target: Target, staging: Path, report: Progress, seen:
 def generate(
     orders: Iterable[int] = catalogue.ORDERS,
     target: str = "numpy",
-    output: str | Path = catalogue.COMMITTED,
+    output: str | Path | None = None,
     *,
     force: bool = False,
     progress: Progress | None = None,
@@ -103,8 +103,8 @@ def generate(
         Orders n >= 1; the committed ones by default.
     target : str
         ``"numpy"``, ``"array-api"``, ``"numba"`` or ``"c"``.
-    output : path
-        Folder of the package, made if missing; ``generated/dualcay`` of a checkout by default.
+    output : path, optional
+        Folder of the package, made if missing; ``generated/dualcay`` of a checkout by default, for no other target.
     force : bool
         Overwrite files which do not bear the generated header.
     progress : callable, optional
@@ -118,7 +118,8 @@ def generate(
     Raises
     ------
     ValueError, TypeError
-        For a target or an order that does not exist.
+        For a target or an order that does not exist; without a folder where none is the kernels' own, as where the
+        toolkit is installed.
     ProofFailed, ValidationFailed
         If a formula or a printed kernel fails; nothing is written.
     RefusedError
@@ -126,8 +127,10 @@ def generate(
         written; nothing is written.
     """
     chosen, asked = _target(target), sorted(set(orders))
+    if output is None and not catalogue.has_place(target):
+        raise ValueError(f"name an output folder: only {catalogue.TARGET} kernels have a place, in a checkout")
     package = build(asked, chosen, progress)
-    files.write(Path(output), package.texts, force, notices([Cayley(n) for n in asked], chosen))
+    files.write(Path(output or catalogue.COMMITTED), package.texts, force, notices([Cayley(n) for n in asked], chosen))
     return package
 
 

@@ -226,6 +226,17 @@ def test_check_regenerates_a_module_outside_the_catalogue_by_its_header(package,
     assert [(d.path.name, d.kind) for d in found] == [("cayley3.py", "missing"), ("cayley4.py", "stale")]
 
 
+def test_without_a_folder_nothing_is_written_but_in_a_checkout(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    """As the command refuses it: an installed toolkit must not write beside itself."""
+    with pytest.raises(ValueError, match="name an output folder: only numpy kernels have a place, in a checkout"):
+        derive.generate([2], target="c")
+    monkeypatch.setattr(catalogue, "CHECKOUT", tmp_path)
+    monkeypatch.setattr(catalogue, "COMMITTED", tmp_path / "dualcay")
+    with pytest.raises(ValueError, match="name an output folder"):
+        derive.generate([2])
+    assert not any(tmp_path.iterdir())
+
+
 def test_bad_orders_and_targets_are_refused(tmp_path: Path):
     with pytest.raises(ValueError, match="order n must be an integer >= 1, got 0"):
         derive.generate([0], output=tmp_path / "k")
