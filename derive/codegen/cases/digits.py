@@ -49,7 +49,7 @@ TOLERANCE = mpmath.mpf(10) ** -32
 
 
 class Decimal:
-    """A real number of 50 digits: + - * / with exact partners, comparison, ``sqrt``, ``tan``, ``arctan2``."""
+    """A real number of 50 digits: + - * / with exact partners, comparison, ``abs``, ``sqrt``, ``tan``, ``arctan2``."""
 
     __slots__ = ("value",)
 
@@ -100,6 +100,9 @@ class Decimal:
 
     def __repr__(self) -> str:
         return str(mpmath.nstr(self.value, DIGITS))
+
+    def __abs__(self) -> Decimal:
+        return Decimal(abs(self.value))
 
     def sqrt(self) -> Decimal:
         return Decimal(mpmath.sqrt(self.value))

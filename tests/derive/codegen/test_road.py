@@ -60,7 +60,7 @@ def flipped(text: str, function: str, pattern: str, replacement: str) -> str:
         ("cayley3.py", "_gain_product_blocks", r"m\.equal", "m.less"),
         ("cayley3.py", "_turned", r"iden \* iden", "iden"),
         ("cayley3.py", "_turned_blocks", r"add\(mul\(r, cos", "sub(mul(r, cos"),
-        ("cayley3.py", "_beyond_blocks", r"m\.less\(limit1, x", "m.less(x, limit1"),
+        ("cayley3.py", "_beyond_blocks", r"sub\(x, limit1", "sub(limit1, x"),
         ("cayley3.py", "_direction_blocks", r"m\.both", "m.either"),
         ("cayley3.py", "_natural", r"2 \* m\.atan2", "m.atan2"),
         ("cayley3.py", "_coefficient", r"/ 6", "/ 3"),
