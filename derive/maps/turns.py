@@ -15,7 +15,6 @@ from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
 from .cayley_scalars import CayleyScalars
 
-
 NOISE = 16
 """A term that is lost beside another when divided by this is below 8 eps of it: 0 but for rounding.
 
