@@ -31,13 +31,19 @@ from .about import __version__
 
 if TYPE_CHECKING:
     from .codegen import generate
-    from .front import Cayley
+    from .front import Cayley, family
     from .maps import x
     from .papers import verify
 
-__all__ = ["Cayley", "__version__", "generate", "verify", "x"]
+__all__ = ["Cayley", "__version__", "family", "generate", "verify", "x"]
 
-_HOMES = {"Cayley": "derive.front", "x": "derive.maps", "generate": "derive.codegen", "verify": "derive.papers"}
+_HOMES = {
+    "Cayley": "derive.front",
+    "family": "derive.front",
+    "x": "derive.maps",
+    "generate": "derive.codegen",
+    "verify": "derive.papers",
+}
 
 _OWN = {
     "__init__.py", "__main__.py", "about.py", "front.py",

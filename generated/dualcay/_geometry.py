@@ -1010,7 +1010,7 @@ def rate_blocks(
     )
 
 
-# operations 62: 22 +, 37 *, 3 /
+# operations 63: 22 +, 38 *, 3 /
 def from_quaternion(m: Any, c: Any, e: Components) -> Result:
     e0, e1, e2, e3, e0o, e1o, e2o, e3o = e
     rho1 = 2 * (e1o * e0 - e1 * e0o + (e2 * e3o - e3 * e2o))
@@ -1020,11 +1020,12 @@ def from_quaternion(m: Any, c: Any, e: Components) -> Result:
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
+    fi = gain * e0
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
-    fi, hi = c.inverse(m, x)
+    hi, = c.inverse(m, x)
     hvr = hi * (v1 * rho1 + v2 * rho2 + v3 * rho3)
     return (
         v1,
@@ -1048,13 +1049,14 @@ def from_quaternion_blocks(
     v1 = mul(e1, gain, o1)
     v2 = mul(e2, gain, o2)
     v3 = mul(e3, gain, o3)
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    fi, hi = c.inverse((k2, k3), (*spare,), (*spare_masks,), x)
+    fi = mul(gain, e0, k1)
+    v11 = mul(v1, v1, k2)
+    v22 = mul(v2, v2, k3)
+    v33 = mul(v3, v3, k4)
+    x = add(add(v11, v22, k2), v33, k2)
+    hi, = c.inverse((k3,), (k4, *spare), (*spare_masks,), x)
     rho1 = mul(
-        n2, add(sub(mul(e1o, e0, k1), mul(e1, e0o, k4), k1), sub(mul(e2, e3o, k4), mul(e3, e2o, k5), k4), k1), k1
+        n2, add(sub(mul(e1o, e0, k2), mul(e1, e0o, k4), k2), sub(mul(e2, e3o, k4), mul(e3, e2o, k5), k4), k2), k2
     )
     rho2 = mul(
         n2, add(sub(mul(e2o, e0, k4), mul(e2, e0o, k5), k4), sub(mul(e3, e1o, k5), mul(e1, e3o, k6), k5), k4), k4
@@ -1065,10 +1067,10 @@ def from_quaternion_blocks(
     hvr = mul(hi, add(add(mul(v1, rho1, k6), mul(v2, rho2, k7), k6), mul(v3, rho3, k7), k6), k3)
     div(add(sub(mul(rho1, fi, k6), sub(mul(v2, rho3, k7), mul(v3, rho2, k8), k7), k6), mul(v1, hvr, k7), k6), n2, o4)
     div(add(sub(mul(rho2, fi, k6), sub(mul(v3, rho1, k7), mul(v1, rho3, k8), k7), k6), mul(v2, hvr, k7), k6), n2, o5)
-    div(add(sub(mul(rho3, fi, k2), sub(mul(v1, rho2, k4), mul(v2, rho1, k1), k1), k1), mul(v3, hvr, k2), k1), n2, o6)
+    div(add(sub(mul(rho3, fi, k1), sub(mul(v1, rho2, k4), mul(v2, rho1, k2), k2), k1), mul(v3, hvr, k2), k1), n2, o6)
 
 
-# operations 123: 42 +, 44 *, 6 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
+# operations 124: 42 +, 45 *, 6 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 def from_tensor(m: Any, c: Any, R: Components) -> Result:
     Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33, D11, D12, D13, D21, D22, D23, D31, D32, D33 = R
     rho1 = (D31 * Q21 + D32 * Q22 + D33 * Q23 - (D21 * Q31 + D22 * Q32 + D23 * Q33)) / 2
@@ -1114,11 +1116,12 @@ def from_tensor(m: Any, c: Any, R: Components) -> Result:
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
+    fi = gain * e0
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
-    fi, hi = c.inverse(m, x)
+    hi, = c.inverse(m, x)
     hvr = hi * (v1 * rho1 + v2 * rho2 + v3 * rho3)
     return (
         v1,
@@ -1184,16 +1187,17 @@ def from_tensor_blocks(
     v1 = mul(e1, gain, o1)
     v2 = mul(e2, gain, o2)
     v3 = mul(e3, gain, o3)
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    fi, hi = c.inverse(
-        (k2, k3), (k4, k5, k6, k7, k8, *spare), (mask1, mask2, mask3, mask4, mask5, mask6, mask7, *spare_masks), x
+    fi = mul(gain, e0, k1)
+    v11 = mul(v1, v1, k2)
+    v22 = mul(v2, v2, k3)
+    v33 = mul(v3, v3, k4)
+    x = add(add(v11, v22, k2), v33, k2)
+    hi, = c.inverse(
+        (k3,), (k4, k5, k6, k7, k8, *spare), (mask1, mask2, mask3, mask4, mask5, mask6, mask7, *spare_masks), x
     )
     rho1 = div(
-        sub(add(add(mul(D31, Q21, k1), mul(D32, Q22, k4), k1), mul(D33, Q23, k4), k1), add(add(mul(D21, Q31, k4),
-        mul(D22, Q32, k5), k4), mul(D23, Q33, k5), k4), k1), n2, k1
+        sub(add(add(mul(D31, Q21, k2), mul(D32, Q22, k4), k2), mul(D33, Q23, k4), k2), add(add(mul(D21, Q31, k4),
+        mul(D22, Q32, k5), k4), mul(D23, Q33, k5), k4), k2), n2, k2
     )
     rho2 = div(
         sub(add(add(mul(D11, Q31, k4), mul(D12, Q32, k5), k4), mul(D13, Q33, k5), k4), add(add(mul(D31, Q11, k5),
@@ -1206,10 +1210,10 @@ def from_tensor_blocks(
     hvr = mul(hi, add(add(mul(v1, rho1, k6), mul(v2, rho2, k7), k6), mul(v3, rho3, k7), k6), k3)
     div(add(sub(mul(rho1, fi, k6), sub(mul(v2, rho3, k7), mul(v3, rho2, k8), k7), k6), mul(v1, hvr, k7), k6), n2, o4)
     div(add(sub(mul(rho2, fi, k6), sub(mul(v3, rho1, k7), mul(v1, rho3, k8), k7), k6), mul(v2, hvr, k7), k6), n2, o5)
-    div(add(sub(mul(rho3, fi, k2), sub(mul(v1, rho2, k4), mul(v2, rho1, k1), k1), k1), mul(v3, hvr, k2), k1), n2, o6)
+    div(add(sub(mul(rho3, fi, k1), sub(mul(v1, rho2, k4), mul(v2, rho1, k2), k2), k1), mul(v3, hvr, k2), k1), n2, o6)
 
 
-# operations 87: 27 +, 26 *, 3 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
+# operations 88: 27 +, 27 *, 3 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 def from_pose(m: Any, c: Any, T: Components) -> Result:
     Q11, Q12, Q13, T14, Q21, Q22, Q23, T24, Q31, Q32, Q33, T34, _, _, _, _ = T
     a1 = Q32 - Q23
@@ -1252,11 +1256,12 @@ def from_pose(m: Any, c: Any, T: Components) -> Result:
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
+    fi = gain * e0
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
-    fi, hi = c.inverse(m, x)
+    hi, = c.inverse(m, x)
     hvr = hi * (v1 * T14 + v2 * T24 + v3 * T34)
     return (
         v1,
@@ -1322,17 +1327,18 @@ def from_pose_blocks(
     v1 = mul(e1, gain, o1)
     v2 = mul(e2, gain, o2)
     v3 = mul(e3, gain, o3)
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    fi, hi = c.inverse(
-        (k2, k3), (k4, k5, k6, k7, k8, *spare), (mask1, mask2, mask3, mask4, mask5, mask6, mask7, *spare_masks), x
+    fi = mul(gain, e0, k1)
+    v11 = mul(v1, v1, k2)
+    v22 = mul(v2, v2, k3)
+    v33 = mul(v3, v3, k4)
+    x = add(add(v11, v22, k2), v33, k2)
+    hi, = c.inverse(
+        (k3,), (k4, k5, k6, k7, k8, *spare), (mask1, mask2, mask3, mask4, mask5, mask6, mask7, *spare_masks), x
     )
-    hvr = mul(hi, add(add(mul(v1, T14, k1), mul(v2, T24, k4), k1), mul(v3, T34, k4), k1), k1)
+    hvr = mul(hi, add(add(mul(v1, T14, k2), mul(v2, T24, k4), k2), mul(v3, T34, k4), k2), k2)
     div(add(sub(mul(T14, fi, k3), sub(mul(v2, T34, k4), mul(v3, T24, k5), k4), k3), mul(v1, hvr, k4), k3), n2, o4)
     div(add(sub(mul(T24, fi, k3), sub(mul(v3, T14, k4), mul(v1, T34, k5), k4), k3), mul(v2, hvr, k4), k3), n2, o5)
-    div(add(sub(mul(T34, fi, k2), sub(mul(v1, T24, k3), mul(v2, T14, k4), k3), k2), mul(v3, hvr, k1), k1), n2, o6)
+    div(add(sub(mul(T34, fi, k1), sub(mul(v1, T24, k3), mul(v2, T14, k4), k3), k1), mul(v3, hvr, k2), k1), n2, o6)
 
 
 # operations 13: 3 +, 10 *
@@ -1640,7 +1646,7 @@ def principal_blocks(
     m.where(beyond, add(mul(uo3, rk, k1), mul(u3, rko, k2), k1), v3o, o6)
 
 
-# operations 175: 66 +, 106 *, 3 /
+# operations 176: 66 +, 107 *, 3 /
 def compose(m: Any, c: Any, b: Components, a: Components) -> Result:
     b1, b2, b3, b1o, b2o, b3o = b
     a1, a2, a3, a1o, a2o, a3o = a
@@ -1690,11 +1696,12 @@ def compose(m: Any, c: Any, b: Components, a: Components) -> Result:
     v1 = z1 * gain
     v2 = z2 * gain
     v3 = z3 * gain
+    fi = gain * z0
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
-    fi, hi = c.inverse(m, x)
+    hi, = c.inverse(m, x)
     hvr = hi * (v1 * rho1 + v2 * rho2 + v3 * rho3)
     return (
         v1,
@@ -1747,12 +1754,13 @@ def compose_blocks(
     v1 = mul(z1, gain, o1)
     v2 = mul(z2, gain, o2)
     v3 = mul(z3, gain, o3)
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    fi, hi = c.inverse((k2, k3), (k4, k8, k9, k10, k14, k15, k16, k17, k18, k19, k20, k21, *spare), (*spare_masks,), x)
-    gva1 = mul(a1, ga, k1)
+    fi = mul(gain, z0, k1)
+    v11 = mul(v1, v1, k2)
+    v22 = mul(v2, v2, k3)
+    v33 = mul(v3, v3, k4)
+    x = add(add(v11, v22, k2), v33, k2)
+    hi, = c.inverse((k3,), (k4, k8, k9, k10, k14, k15, k16, k17, k18, k19, k20, k21, *spare), (*spare_masks,), x)
+    gva1 = mul(a1, ga, k2)
     gva2 = mul(a2, ga, k4)
     gva3 = mul(a3, ga, k8)
     ya = add(add(mul(a1, a1o, k9), mul(a2, a2o, k10), k9), mul(a3, a3o, k10), k9)
@@ -1760,7 +1768,7 @@ def compose_blocks(
     rhoa3 = add(
         add(mul(a3o, fa, k10), sub(mul(gva1, a2o, k12), mul(gva2, a1o, k13), k12), k10), mul(a3, alonga, k12), k10
     )
-    rhoa2 = add(add(mul(a2o, fa, k12), sub(mul(gva3, a1o, k13), mul(gva1, a3o, k1), k1), k1), mul(a2, alonga, k12), k1)
+    rhoa2 = add(add(mul(a2o, fa, k12), sub(mul(gva3, a1o, k13), mul(gva1, a3o, k2), k2), k2), mul(a2, alonga, k12), k2)
     rhoa1 = add(add(mul(a1o, fa, k11), sub(mul(gva2, a3o, k4), mul(gva3, a2o, k8), k4), k4), mul(a1, alonga, k8), k4)
     v_rho1 = sub(mul(b2, rhoa3, k8), mul(b3, rhoa2, k9), k8)
     v_rho3 = sub(mul(b1, rhoa2, k9), mul(b2, rhoa1, k11), k9)
@@ -1779,9 +1787,9 @@ def compose_blocks(
     gv_rho1 = mul(v_rho1, gb, k8)
     gvb1 = mul(b1, gb, k6)
     rho2 = add(
-        add(rhoa2, add(mul(v_rho2, fb, k12), sub(mul(b3, gv_rho1, k16), mul(b1, gv_rho3, k11), k11), k11), k1),
+        add(rhoa2, add(mul(v_rho2, fb, k12), sub(mul(b3, gv_rho1, k16), mul(b1, gv_rho3, k11), k11), k11), k2),
         add(add(mul(b2o, fb, k11), sub(mul(gvb3, b1o, k12), mul(gvb1, b3o, k15), k12), k11), mul(b2, alongb, k12), k11),
-        k1
+        k2
     )
     rho3 = add(
         add(rhoa3, add(mul(v_rho3, fb, k9), sub(mul(b1, gv_rho2, k11), mul(b2, gv_rho1, k8), k8), k8), k8),
@@ -1790,7 +1798,7 @@ def compose_blocks(
     hvr = mul(hi, add(add(mul(v1, rho1, k6), mul(v2, rho2, k7), k6), mul(v3, rho3, k7), k6), k3)
     div(add(sub(mul(rho1, fi, k6), sub(mul(v2, rho3, k7), mul(v3, rho2, k8), k7), k6), mul(v1, hvr, k7), k6), n2, o4)
     div(add(sub(mul(rho2, fi, k6), sub(mul(v3, rho1, k7), mul(v1, rho3, k8), k7), k6), mul(v2, hvr, k7), k6), n2, o5)
-    div(add(sub(mul(rho3, fi, k2), sub(mul(v1, rho2, k1), mul(v2, rho1, k4), k1), k1), mul(v3, hvr, k2), k1), n2, o6)
+    div(add(sub(mul(rho3, fi, k1), sub(mul(v1, rho2, k2), mul(v2, rho1, k4), k2), k1), mul(v3, hvr, k2), k1), n2, o6)
 
 
 KERNELS: Mapping[str, Kernel] = {
@@ -1934,7 +1942,7 @@ KERNELS: Mapping[str, Kernel] = {
         registers=8,
         masks=0,
         numbers=(2,),
-        lent=(('gain_unit', 0, 0), ('inverse', 0, 0)),
+        lent=(('gain_unit', 0, 0), ('inverse', 1, 0)),
         real=True,
     ),
     "from_tensor": Kernel(

@@ -74,12 +74,12 @@
 #   body_tangent_inv: 57: 21 +, 21 *, 15 /
 #   twist: 80: 29 +, 47 *, 3 /, 1 neg
 #   rate: 84: 34 +, 50 *
-#   from_quaternion: 54: 20 +, 30 *, 4 /
-#   from_tensor: 115: 40 +, 37 *, 7 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
-#   from_pose: 79: 25 +, 19 *, 4 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_quaternion: 58: 20 +, 34 *, 4 /
+#   from_tensor: 119: 40 +, 41 *, 7 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_pose: 83: 25 +, 23 *, 4 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
 #   to_screw: 66: 16 +, 26 *, 11 /, 6 abs, 1 sqrt, 1 atan2, 1 eq, 4 where
-#   compose: 135: 56 +, 71 *, 8 /
+#   compose: 139: 56 +, 75 *, 8 /
 r"""Cayley map of order 1: Rodrigues dual vectors ``v = tan(α/2) u`` of rigid displacements.
 
 .. math::
@@ -937,7 +937,7 @@ def _own_rate_blocks(
     )
 
 
-# operations 54: 20 +, 30 *, 4 /
+# operations 58: 20 +, 34 *, 4 /
 def _own_from_quaternion(m: Any, c: Any, e: Components) -> Result:
     e0, e1, e2, e3, e0o, e1o, e2o, e3o = e
     rho1 = 2 * (e1o * e0 - e1 * e0o + (e2 * e3o - e3 * e2o))
@@ -947,14 +947,15 @@ def _own_from_quaternion(m: Any, c: Any, e: Components) -> Result:
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
+    fi = gain * e0
     hvr = v1 * rho1 + v2 * rho2 + v3 * rho3
     return (
         v1,
         v2,
         v3,
-        (rho1 - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
-        (rho2 - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
-        (rho3 - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
+        (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
+        (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
+        (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
     )
 
 
@@ -963,28 +964,29 @@ def _own_from_quaternion_blocks(
 ) -> None:
     e0, e1, e2, e3, e0o, e1o, e2o, e3o = e
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6 = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
     n1, n2 = numbers
     gain = div(n1, e0, k1)
     v1 = mul(e1, gain, o1)
     v2 = mul(e2, gain, o2)
     v3 = mul(e3, gain, o3)
+    fi = mul(gain, e0, k1)
     rho1 = mul(
-        n2, add(sub(mul(e1o, e0, k1), mul(e1, e0o, k2), k1), sub(mul(e2, e3o, k2), mul(e3, e2o, k3), k2), k1), k1
+        n2, add(sub(mul(e1o, e0, k2), mul(e1, e0o, k3), k2), sub(mul(e2, e3o, k3), mul(e3, e2o, k4), k3), k2), k2
     )
     rho2 = mul(
-        n2, add(sub(mul(e2o, e0, k2), mul(e2, e0o, k3), k2), sub(mul(e3, e1o, k3), mul(e1, e3o, k4), k3), k2), k2
+        n2, add(sub(mul(e2o, e0, k3), mul(e2, e0o, k4), k3), sub(mul(e3, e1o, k4), mul(e1, e3o, k5), k4), k3), k3
     )
     rho3 = mul(
-        n2, add(sub(mul(e3o, e0, k3), mul(e3, e0o, k4), k3), sub(mul(e1, e2o, k4), mul(e2, e1o, k5), k4), k3), k3
+        n2, add(sub(mul(e3o, e0, k4), mul(e3, e0o, k5), k4), sub(mul(e1, e2o, k5), mul(e2, e1o, k6), k5), k4), k4
     )
-    hvr = add(add(mul(v1, rho1, k4), mul(v2, rho2, k5), k4), mul(v3, rho3, k5), k4)
-    div(add(sub(rho1, sub(mul(v2, rho3, k5), mul(v3, rho2, k6), k5), k5), mul(v1, hvr, k6), k5), n2, o4)
-    div(add(sub(rho2, sub(mul(v3, rho1, k5), mul(v1, rho3, k6), k5), k5), mul(v2, hvr, k6), k5), n2, o5)
-    div(add(sub(rho3, sub(mul(v1, rho2, k2), mul(v2, rho1, k1), k1), k1), mul(v3, hvr, k2), k1), n2, o6)
+    hvr = add(add(mul(v1, rho1, k5), mul(v2, rho2, k6), k5), mul(v3, rho3, k6), k5)
+    div(add(sub(mul(rho1, fi, k6), sub(mul(v2, rho3, k7), mul(v3, rho2, k8), k7), k6), mul(v1, hvr, k7), k6), n2, o4)
+    div(add(sub(mul(rho2, fi, k6), sub(mul(v3, rho1, k7), mul(v1, rho3, k8), k7), k6), mul(v2, hvr, k7), k6), n2, o5)
+    div(add(sub(mul(rho3, fi, k1), sub(mul(v1, rho2, k3), mul(v2, rho1, k2), k2), k1), mul(v3, hvr, k2), k1), n2, o6)
 
 
-# operations 115: 40 +, 37 *, 7 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
+# operations 119: 40 +, 41 *, 7 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 def _own_from_tensor(m: Any, c: Any, R: Components) -> Result:
     Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33, D11, D12, D13, D21, D22, D23, D31, D32, D33 = R
     rho1 = (D31 * Q21 + D32 * Q22 + D33 * Q23 - (D21 * Q31 + D22 * Q32 + D23 * Q33)) / 2
@@ -1030,14 +1032,15 @@ def _own_from_tensor(m: Any, c: Any, R: Components) -> Result:
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
+    fi = gain * e0
     hvr = v1 * rho1 + v2 * rho2 + v3 * rho3
     return (
         v1,
         v2,
         v3,
-        (rho1 - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
-        (rho2 - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
-        (rho3 - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
+        (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
+        (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
+        (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
     )
 
 
@@ -1087,31 +1090,32 @@ def _own_from_tensor_blocks(
     )
     e1 = mul(sign, z31, k1)
     e0 = mul(sign, z30, k5)
-    gain = div(n1, e0, k5)
+    e2 = mul(sign, z32, k3)
+    e3 = mul(sign, z33, k2)
+    gain = div(n1, e0, k4)
     v1 = mul(e1, gain, o1)
-    e2 = mul(sign, z32, k1)
     v2 = mul(e2, gain, o2)
-    e3 = mul(sign, z33, k1)
     v3 = mul(e3, gain, o3)
+    fi = mul(gain, e0, k1)
     rho1 = div(
-        sub(add(add(mul(D31, Q21, k1), mul(D32, Q22, k2), k1), mul(D33, Q23, k2), k1), add(add(mul(D21, Q31, k2),
-        mul(D22, Q32, k3), k2), mul(D23, Q33, k3), k2), k1), n2, k1
+        sub(add(add(mul(D31, Q21, k2), mul(D32, Q22, k3), k2), mul(D33, Q23, k3), k2), add(add(mul(D21, Q31, k3),
+        mul(D22, Q32, k4), k3), mul(D23, Q33, k4), k3), k2), n2, k2
     )
     rho2 = div(
-        sub(add(add(mul(D11, Q31, k2), mul(D12, Q32, k3), k2), mul(D13, Q33, k3), k2), add(add(mul(D31, Q11, k3),
-        mul(D32, Q12, k4), k3), mul(D33, Q13, k4), k3), k2), n2, k2
+        sub(add(add(mul(D11, Q31, k3), mul(D12, Q32, k4), k3), mul(D13, Q33, k4), k3), add(add(mul(D31, Q11, k4),
+        mul(D32, Q12, k5), k4), mul(D33, Q13, k5), k4), k3), n2, k3
     )
     rho3 = div(
-        sub(add(add(mul(D21, Q11, k3), mul(D22, Q12, k4), k3), mul(D23, Q13, k4), k3), add(add(mul(D11, Q21, k4),
-        mul(D12, Q22, k5), k4), mul(D13, Q23, k5), k4), k3), n2, k3
+        sub(add(add(mul(D21, Q11, k4), mul(D22, Q12, k5), k4), mul(D23, Q13, k5), k4), add(add(mul(D11, Q21, k5),
+        mul(D12, Q22, k6), k5), mul(D13, Q23, k6), k5), k4), n2, k4
     )
-    hvr = add(add(mul(v1, rho1, k4), mul(v2, rho2, k5), k4), mul(v3, rho3, k5), k4)
-    div(add(sub(rho1, sub(mul(v2, rho3, k5), mul(v3, rho2, k6), k5), k5), mul(v1, hvr, k6), k5), n2, o4)
-    div(add(sub(rho2, sub(mul(v3, rho1, k5), mul(v1, rho3, k6), k5), k5), mul(v2, hvr, k6), k5), n2, o5)
-    div(add(sub(rho3, sub(mul(v1, rho2, k2), mul(v2, rho1, k1), k1), k1), mul(v3, hvr, k2), k1), n2, o6)
+    hvr = add(add(mul(v1, rho1, k5), mul(v2, rho2, k6), k5), mul(v3, rho3, k6), k5)
+    div(add(sub(mul(rho1, fi, k6), sub(mul(v2, rho3, k7), mul(v3, rho2, k8), k7), k6), mul(v1, hvr, k7), k6), n2, o4)
+    div(add(sub(mul(rho2, fi, k6), sub(mul(v3, rho1, k7), mul(v1, rho3, k8), k7), k6), mul(v2, hvr, k7), k6), n2, o5)
+    div(add(sub(mul(rho3, fi, k1), sub(mul(v1, rho2, k3), mul(v2, rho1, k2), k2), k1), mul(v3, hvr, k2), k1), n2, o6)
 
 
-# operations 79: 25 +, 19 *, 4 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
+# operations 83: 25 +, 23 *, 4 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 def _own_from_pose(m: Any, c: Any, T: Components) -> Result:
     Q11, Q12, Q13, T14, Q21, Q22, Q23, T24, Q31, Q32, Q33, T34, _, _, _, _ = T
     a1 = Q32 - Q23
@@ -1154,14 +1158,15 @@ def _own_from_pose(m: Any, c: Any, T: Components) -> Result:
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
+    fi = gain * e0
     hvr = v1 * T14 + v2 * T24 + v3 * T34
     return (
         v1,
         v2,
         v3,
-        (T14 - (v2 * T34 - v3 * T24) + v1 * hvr) / 2,
-        (T24 - (v3 * T14 - v1 * T34) + v2 * hvr) / 2,
-        (T34 - (v1 * T24 - v2 * T14) + v3 * hvr) / 2,
+        (T14 * fi - (v2 * T34 - v3 * T24) + v1 * hvr) / 2,
+        (T24 * fi - (v3 * T14 - v1 * T34) + v2 * hvr) / 2,
+        (T34 * fi - (v1 * T24 - v2 * T14) + v3 * hvr) / 2,
     )
 
 
@@ -1211,16 +1216,17 @@ def _own_from_pose_blocks(
     )
     e1 = mul(sign, z31, k1)
     e0 = mul(sign, z30, k5)
-    gain = div(n1, e0, k5)
+    e2 = mul(sign, z32, k3)
+    e3 = mul(sign, z33, k2)
+    gain = div(n1, e0, k4)
     v1 = mul(e1, gain, o1)
-    e2 = mul(sign, z32, k1)
     v2 = mul(e2, gain, o2)
-    e3 = mul(sign, z33, k1)
     v3 = mul(e3, gain, o3)
-    hvr = add(add(mul(v1, T14, k1), mul(v2, T24, k2), k1), mul(v3, T34, k2), k1)
-    div(add(sub(T14, sub(mul(v2, T34, k2), mul(v3, T24, k3), k2), k2), mul(v1, hvr, k3), k2), n2, o4)
-    div(add(sub(T24, sub(mul(v3, T14, k2), mul(v1, T34, k3), k2), k2), mul(v2, hvr, k3), k2), n2, o5)
-    div(add(sub(T34, sub(mul(v1, T24, k2), mul(v2, T14, k3), k2), k2), mul(v3, hvr, k1), k1), n2, o6)
+    fi = mul(gain, e0, k1)
+    hvr = add(add(mul(v1, T14, k2), mul(v2, T24, k3), k2), mul(v3, T34, k3), k2)
+    div(add(sub(mul(T14, fi, k3), sub(mul(v2, T34, k4), mul(v3, T24, k5), k4), k3), mul(v1, hvr, k4), k3), n2, o4)
+    div(add(sub(mul(T24, fi, k3), sub(mul(v3, T14, k4), mul(v1, T34, k5), k4), k3), mul(v2, hvr, k4), k3), n2, o5)
+    div(add(sub(mul(T34, fi, k1), sub(mul(v1, T24, k3), mul(v2, T14, k4), k3), k1), mul(v3, hvr, k2), k1), n2, o6)
 
 
 # operations 66: 16 +, 26 *, 11 /, 6 abs, 1 sqrt, 1 atan2, 1 eq, 4 where
@@ -1298,7 +1304,7 @@ def _own_to_screw_blocks(
     mul(uo3, one, o8)
 
 
-# operations 135: 56 +, 71 *, 8 /
+# operations 139: 56 +, 75 *, 8 /
 def _own_compose(m: Any, c: Any, b: Components, a: Components) -> Result:
     b1, b2, b3, b1o, b2o, b3o = b
     a1, a2, a3, a1o, a2o, a3o = a
@@ -1340,14 +1346,15 @@ def _own_compose(m: Any, c: Any, b: Components, a: Components) -> Result:
     v1 = z1 * gain
     v2 = z2 * gain
     v3 = z3 * gain
+    fi = gain * z0
     hvr = v1 * rho1 + v2 * rho2 + v3 * rho3
     return (
         v1,
         v2,
         v3,
-        (rho1 - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
-        (rho2 - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
-        (rho3 - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
+        (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
+        (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
+        (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
     )
 
 
@@ -1359,14 +1366,6 @@ def _own_compose_blocks(
     o1, o2, o3, o4, o5, o6 = out
     k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12 = scratch
     n1, n2 = numbers
-    z1 = add(add(a1, b1, k1), sub(mul(b2, a3, k2), mul(b3, a2, k3), k2), k1)
-    z0 = sub(n1, add(add(mul(b1, a1, k2), mul(b2, a2, k3), k2), mul(b3, a3, k3), k2), k2)
-    gain = div(n1, z0, k2)
-    v1 = mul(z1, gain, o1)
-    z2 = add(add(a2, b2, k1), sub(mul(b3, a1, k3), mul(b1, a3, k4), k3), k1)
-    v2 = mul(z2, gain, o2)
-    z3 = add(add(a3, b3, k1), sub(mul(b1, a2, k3), mul(b2, a1, k4), k3), k1)
-    v3 = mul(z3, gain, o3)
     v11a = mul(a1, a1, k1)
     v22a = mul(a2, a2, k2)
     v33a = mul(a3, a3, k3)
@@ -1406,10 +1405,19 @@ def _own_compose_blocks(
         add(rhoa3, add(gv_rho3, sub(mul(b1, gv_rho2, k7), mul(b2, gv_rho1, k3), k3), k3), k3), add(mul(b3o, rb, k4),
         sub(mul(gvb1, b2o, k5), mul(gvb2, b1o, k6), k5), k4), k3
     )
-    hvr = add(add(mul(v1, rho1, k4), mul(v2, rho2, k5), k4), mul(v3, rho3, k5), k4)
-    div(add(sub(rho1, sub(mul(v2, rho3, k5), mul(v3, rho2, k6), k5), k5), mul(v1, hvr, k6), k5), n2, o4)
-    div(add(sub(rho2, sub(mul(v3, rho1, k5), mul(v1, rho3, k6), k5), k5), mul(v2, hvr, k6), k5), n2, o5)
-    div(add(sub(rho3, sub(mul(v1, rho2, k2), mul(v2, rho1, k1), k1), k1), mul(v3, hvr, k2), k1), n2, o6)
+    z1 = add(add(a1, b1, k4), sub(mul(b2, a3, k5), mul(b3, a2, k6), k5), k4)
+    z0 = sub(n1, add(add(mul(b1, a1, k5), mul(b2, a2, k6), k5), mul(b3, a3, k6), k5), k5)
+    gain = div(n1, z0, k6)
+    v1 = mul(z1, gain, o1)
+    fi = mul(gain, z0, k4)
+    z2 = add(add(a2, b2, k5), sub(mul(b3, a1, k7), mul(b1, a3, k8), k7), k5)
+    v2 = mul(z2, gain, o2)
+    z3 = add(add(a3, b3, k5), sub(mul(b1, a2, k7), mul(b2, a1, k8), k7), k5)
+    v3 = mul(z3, gain, o3)
+    hvr = add(add(mul(v1, rho1, k5), mul(v2, rho2, k6), k5), mul(v3, rho3, k6), k5)
+    div(add(sub(mul(rho3, fi, k6), sub(mul(v1, rho2, k7), mul(v2, rho1, k8), k7), k6), mul(v3, hvr, k7), k6), n2, o6)
+    div(add(sub(mul(rho2, fi, k6), sub(mul(v3, rho1, k7), mul(v1, rho3, k8), k7), k6), mul(v2, hvr, k7), k6), n2, o5)
+    div(add(sub(mul(rho1, fi, k1), sub(mul(v2, rho3, k3), mul(v3, rho2, k2), k2), k1), mul(v1, hvr, k2), k1), n2, o4)
 
 
 CHART = Chart(
@@ -1553,7 +1561,7 @@ CHART = Chart(
         _own_from_quaternion_blocks,
         (("q", (8,)),),
         (6,),
-        registers=6,
+        registers=8,
         masks=0,
         numbers=(1, 2),
         lent=(),

@@ -75,15 +75,15 @@
 #   body_tangent_inv: 69: 29 +, 24 *, 15 /, 1 neg
 #   twist: 128: 49 +, 75 *, 3 /, 1 neg
 #   rate: 105: 42 +, 61 *, 1 /, 1 neg
-#   from_quaternion: 70: 24 +, 37 *, 5 /, 1 neg, 1 lt, 2 where
-#   from_tensor: 135: 47 +, 48 *, 8 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
-#   from_pose: 99: 32 +, 30 *, 5 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_quaternion: 63: 21 +, 34 *, 4 /, 1 neg, 1 lt, 2 where
+#   from_tensor: 128: 44 +, 45 *, 7 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_pose: 92: 29 +, 27 *, 4 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
 #   to_screw: 77: 19 +, 28 *, 12 /, 7 abs, 1 sqrt, 1 atan2, 2 lt, 1 eq, 6 where
 #   turn: 66: 16 +, 27 *, 11 /, 6 abs, 1 sqrt, 1 eq, 4 where
 #   shadow: 85: 23 +, 33 *, 12 /, 6 abs, 2 sqrt, 2 lt, 1 eq, 6 where
 #   principal: 55: 15 +, 23 *, 8 /, 1 sqrt, 1 lt, 7 where
-#   compose: 206: 74 +, 119 *, 9 /, 1 neg, 1 lt, 2 where
+#   compose: 199: 71 +, 116 *, 8 /, 1 neg, 1 lt, 2 where
 r"""Cayley map of order 2: Rodrigues dual vectors ``v = tan(α/4) u`` of rigid displacements.
 
 .. math::
@@ -182,107 +182,6 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     copy(o2, o3)
     copy(o5, o6)
     return o1, o2, o3, o4, o5, o6
-
-
-# operations 2: 1 +, 1 /
-def _inverse(m: Any, x: Any) -> Result:
-    p = 1 - x
-    fi = p / 2
-    return fi, 1
-
-
-def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, _ = out
-    n1, n2 = numbers
-    p = sub(n1, x, o1)
-    div(p, n2, o1)
-    return o1, n1
-
-
-# operations 11: 3 +, 6 *, 2 /
-def _ray(m: Any, x: Any) -> Result:
-    p = 1 - x
-    root = 1 + x
-    N = p * p + 4 * x
-    r = 2 * (N / N / N)
-    f = 2 * p * r
-    g = 4 * r
-    return p, 2, root, f, g, g
-
-
-def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, _, o3, o4, o5, o6 = out
-    n1, n2, n4 = numbers
-    p = sub(n1, x, o1)
-    add(n1, x, o3)
-    N = add(mul(p, p, o5), mul(n4, x, o4), o5)
-    r = mul(n2, div(div(N, N, o4), N, o5), o5)
-    mul(mul(n2, p, o4), r, o4)
-    mul(n4, r, o5)
-    copy(o5, o6)
-    return o1, n2, o3, o4, o5, o6
-
-
-# operations 6: 1 +, 1 /, 1 neg, 1 lt, 2 where
-def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
-    gain = m.where(negative, -1, 1) / (1 + cos)
-    return gain,
-
-
-def _gain_unit_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
-) -> Result:
-    o1, = out
-    k1, *_ = scratch
-    mask1, *_ = masks
-    n_minus_1, n0, n1 = numbers
-    negative = m.less(e0, n0, mask1)
-    cos = m.where(negative, neg(e0, o1), e0, o1)
-    div(m.where(negative, n_minus_1, n1, k1), add(n1, cos, o1), o1)
-    return o1,
-
-
-# operations 10: 4 +, 4 *, 1 /, 1 sqrt
-def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
-    size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
-    gain = 1 / (size + e0)
-    return gain,
-
-
-def _gain_positive_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
-) -> Result:
-    o1, = out
-    k1, k2, *_ = scratch
-    n1, = numbers
-    size = sqrt(add(mul(e0, e0, o1), add(add(mul(e1, e1, k1), mul(e2, e2, k2), k1), mul(e3, e3, k2), k1), o1), o1)
-    div(n1, add(size, e0, o1), o1)
-    return o1,
-
-
-# operations 7: 1 +, 1 *, 1 /, 1 neg, 1 lt, 2 where
-def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
-    size = size2 * size1
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
-    gain = m.where(negative, -1, 1) / (size + cos)
-    return gain,
-
-
-def _gain_product_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any
-) -> Result:
-    o1, = out
-    k1, k2, *_ = scratch
-    mask1, *_ = masks
-    n_minus_1, n0, n1 = numbers
-    negative = m.less(e0, n0, mask1)
-    size = mul(size2, size1, o1)
-    cos = m.where(negative, neg(e0, k1), e0, k1)
-    div(m.where(negative, n_minus_1, n1, k2), add(size, cos, o1), o1)
-    return o1,
 
 
 # operations 7: 2 +, 4 *, 1 /
@@ -886,6 +785,307 @@ def _own_rate_blocks(
     )
 
 
+# operations 63: 21 +, 34 *, 4 /, 1 neg, 1 lt, 2 where
+def _own_from_quaternion(m: Any, c: Any, e: Components) -> Result:
+    e0, e1, e2, e3, e0o, e1o, e2o, e3o = e
+    rho1 = 2 * (e1o * e0 - e1 * e0o + (e2 * e3o - e3 * e2o))
+    rho2 = 2 * (e2o * e0 - e2 * e0o + (e3 * e1o - e1 * e3o))
+    rho3 = 2 * (e3o * e0 - e3 * e0o + (e1 * e2o - e2 * e1o))
+    negative = e0 < 0
+    cos = m.where(negative, -e0, e0)
+    gain = m.where(negative, -1, 1) / (1 + cos)
+    v1 = e1 * gain
+    v2 = e2 * gain
+    v3 = e3 * gain
+    fi = gain * e0
+    hvr = v1 * rho1 + v2 * rho2 + v3 * rho3
+    return (
+        v1,
+        v2,
+        v3,
+        (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
+        (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
+        (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
+    )
+
+
+def _own_from_quaternion_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, e: Rows
+) -> None:
+    e0, e1, e2, e3, e0o, e1o, e2o, e3o = e
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
+    mask1, = masks
+    n_minus_1, n0, n1, n2 = numbers
+    negative = m.less(e0, n0, mask1)
+    cos = m.where(negative, neg(e0, k1), e0, k1)
+    gain = div(m.where(negative, n_minus_1, n1, k2), add(n1, cos, k1), k1)
+    v1 = mul(e1, gain, o1)
+    v2 = mul(e2, gain, o2)
+    v3 = mul(e3, gain, o3)
+    fi = mul(gain, e0, k1)
+    rho1 = mul(
+        n2, add(sub(mul(e1o, e0, k2), mul(e1, e0o, k3), k2), sub(mul(e2, e3o, k3), mul(e3, e2o, k4), k3), k2), k2
+    )
+    rho2 = mul(
+        n2, add(sub(mul(e2o, e0, k3), mul(e2, e0o, k4), k3), sub(mul(e3, e1o, k4), mul(e1, e3o, k5), k4), k3), k3
+    )
+    rho3 = mul(
+        n2, add(sub(mul(e3o, e0, k4), mul(e3, e0o, k5), k4), sub(mul(e1, e2o, k5), mul(e2, e1o, k6), k5), k4), k4
+    )
+    hvr = add(add(mul(v1, rho1, k5), mul(v2, rho2, k6), k5), mul(v3, rho3, k6), k5)
+    div(add(sub(mul(rho1, fi, k6), sub(mul(v2, rho3, k7), mul(v3, rho2, k8), k7), k6), mul(v1, hvr, k7), k6), n2, o4)
+    div(add(sub(mul(rho2, fi, k6), sub(mul(v3, rho1, k7), mul(v1, rho3, k8), k7), k6), mul(v2, hvr, k7), k6), n2, o5)
+    div(add(sub(mul(rho3, fi, k1), sub(mul(v1, rho2, k3), mul(v2, rho1, k2), k2), k1), mul(v3, hvr, k2), k1), n2, o6)
+
+
+# operations 128: 44 +, 45 *, 7 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
+def _own_from_tensor(m: Any, c: Any, R: Components) -> Result:
+    Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33, D11, D12, D13, D21, D22, D23, D31, D32, D33 = R
+    rho1 = (D31 * Q21 + D32 * Q22 + D33 * Q23 - (D21 * Q31 + D22 * Q32 + D23 * Q33)) / 2
+    rho2 = (D11 * Q31 + D12 * Q32 + D13 * Q33 - (D31 * Q11 + D32 * Q12 + D33 * Q13)) / 2
+    rho3 = (D21 * Q11 + D22 * Q12 + D23 * Q13 - (D11 * Q21 + D12 * Q22 + D13 * Q23)) / 2
+    a1 = Q32 - Q23
+    a2 = Q13 - Q31
+    a3 = Q21 - Q12
+    s12 = Q12 + Q21
+    s13 = Q13 + Q31
+    s23 = Q23 + Q32
+    up = 1 + Q11
+    down = 1 - Q11
+    total = Q22 + Q33
+    difference = Q22 - Q33
+    t0 = up + total
+    t1 = up - total
+    t2 = down + difference
+    t3 = down - difference
+    larger1 = t0 < t1
+    best1 = m.where(larger1, t1, t0)
+    z10 = m.where(larger1, a1, t0)
+    z11 = m.where(larger1, t1, a1)
+    z12 = m.where(larger1, s12, a2)
+    z13 = m.where(larger1, s13, a3)
+    larger2 = best1 < t2
+    best2 = m.where(larger2, t2, best1)
+    z20 = m.where(larger2, a2, z10)
+    z21 = m.where(larger2, s12, z11)
+    z22 = m.where(larger2, t2, z12)
+    z23 = m.where(larger2, s23, z13)
+    larger3 = best2 < t3
+    z30 = m.where(larger3, a3, z20)
+    z31 = m.where(larger3, s13, z21)
+    z32 = m.where(larger3, s23, z22)
+    z33 = m.where(larger3, t3, z23)
+    sign = m.where((z30 < 0) | (z30 == 0) & ((z31 < 0) | (z31 == 0) & ((z32 < 0) | (z32 == 0) & (z33 < 0))), -1, 1)
+    e0 = sign * z30
+    e1 = sign * z31
+    e2 = sign * z32
+    e3 = sign * z33
+    size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
+    gain = 1 / (size + e0)
+    v1 = e1 * gain
+    v2 = e2 * gain
+    v3 = e3 * gain
+    fi = gain * e0
+    hvr = v1 * rho1 + v2 * rho2 + v3 * rho3
+    return (
+        v1,
+        v2,
+        v3,
+        (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
+        (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
+        (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
+    )
+
+
+def _own_from_tensor_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, R: Rows
+) -> None:
+    Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33, D11, D12, D13, D21, D22, D23, D31, D32, D33 = R
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
+    mask1, mask2, mask3, mask4, mask5, mask6, mask7 = masks
+    n_minus_1, n0, n1, n2 = numbers
+    up = add(n1, Q11, k1)
+    total = add(Q22, Q33, k2)
+    t0 = add(up, total, k3)
+    t1 = sub(up, total, k1)
+    larger1 = m.less(t0, t1, mask1)
+    best1 = m.where(larger1, t1, t0, k2)
+    down = sub(n1, Q11, k4)
+    difference = sub(Q22, Q33, k5)
+    t2 = add(down, difference, k6)
+    t3 = sub(down, difference, k4)
+    larger2 = m.less(best1, t2, mask2)
+    best2 = m.where(larger2, t2, best1, k5)
+    larger3 = m.less(best2, t3, mask3)
+    a1 = sub(Q32, Q23, k2)
+    z10 = m.where(larger1, a1, t0, k5)
+    z11 = m.where(larger1, t1, a1, k1)
+    a2 = sub(Q13, Q31, k2)
+    z20 = m.where(larger2, a2, z10, k3)
+    a3 = sub(Q21, Q12, k5)
+    z30 = m.where(larger3, a3, z20, k7)
+    s12 = add(Q12, Q21, k3)
+    z21 = m.where(larger2, s12, z11, k8)
+    z12 = m.where(larger1, s12, a2, k1)
+    z22 = m.where(larger2, t2, z12, k2)
+    s13 = add(Q13, Q31, k1)
+    z13 = m.where(larger1, s13, a3, k3)
+    z31 = m.where(larger3, s13, z21, k1)
+    s23 = add(Q23, Q32, k5)
+    z23 = m.where(larger2, s23, z13, k6)
+    z32 = m.where(larger3, s23, z22, k3)
+    z33 = m.where(larger3, t3, z23, k2)
+    sign = m.where(
+        m.either(m.less(z30, n0, mask1), m.both(m.equal(z30, n0, mask2), m.either(m.less(z31, n0, mask3),
+        m.both(m.equal(z31, n0, mask4), m.either(m.less(z32, n0, mask5), m.both(m.equal(z32, n0, mask6), m.less(z33, n0,
+        mask7), mask6), mask5), mask4), mask3), mask2), mask1), n_minus_1, n1, k4
+    )
+    e0 = mul(sign, z30, k5)
+    e1 = mul(sign, z31, k1)
+    e2 = mul(sign, z32, k3)
+    e3 = mul(sign, z33, k2)
+    size = sqrt(add(mul(e0, e0, k4), add(add(mul(e1, e1, k6), mul(e2, e2, k7), k6), mul(e3, e3, k7), k6), k4), k4)
+    gain = div(n1, add(size, e0, k4), k4)
+    v1 = mul(e1, gain, o1)
+    v2 = mul(e2, gain, o2)
+    v3 = mul(e3, gain, o3)
+    fi = mul(gain, e0, k1)
+    rho1 = div(
+        sub(add(add(mul(D31, Q21, k2), mul(D32, Q22, k3), k2), mul(D33, Q23, k3), k2), add(add(mul(D21, Q31, k3),
+        mul(D22, Q32, k4), k3), mul(D23, Q33, k4), k3), k2), n2, k2
+    )
+    rho2 = div(
+        sub(add(add(mul(D11, Q31, k3), mul(D12, Q32, k4), k3), mul(D13, Q33, k4), k3), add(add(mul(D31, Q11, k4),
+        mul(D32, Q12, k5), k4), mul(D33, Q13, k5), k4), k3), n2, k3
+    )
+    rho3 = div(
+        sub(add(add(mul(D21, Q11, k4), mul(D22, Q12, k5), k4), mul(D23, Q13, k5), k4), add(add(mul(D11, Q21, k5),
+        mul(D12, Q22, k6), k5), mul(D13, Q23, k6), k5), k4), n2, k4
+    )
+    hvr = add(add(mul(v1, rho1, k5), mul(v2, rho2, k6), k5), mul(v3, rho3, k6), k5)
+    div(add(sub(mul(rho1, fi, k6), sub(mul(v2, rho3, k7), mul(v3, rho2, k8), k7), k6), mul(v1, hvr, k7), k6), n2, o4)
+    div(add(sub(mul(rho2, fi, k6), sub(mul(v3, rho1, k7), mul(v1, rho3, k8), k7), k6), mul(v2, hvr, k7), k6), n2, o5)
+    div(add(sub(mul(rho3, fi, k1), sub(mul(v1, rho2, k3), mul(v2, rho1, k2), k2), k1), mul(v3, hvr, k2), k1), n2, o6)
+
+
+# operations 92: 29 +, 27 *, 4 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
+def _own_from_pose(m: Any, c: Any, T: Components) -> Result:
+    Q11, Q12, Q13, T14, Q21, Q22, Q23, T24, Q31, Q32, Q33, T34, _, _, _, _ = T
+    a1 = Q32 - Q23
+    a2 = Q13 - Q31
+    a3 = Q21 - Q12
+    s12 = Q12 + Q21
+    s13 = Q13 + Q31
+    s23 = Q23 + Q32
+    up = 1 + Q11
+    down = 1 - Q11
+    total = Q22 + Q33
+    difference = Q22 - Q33
+    t0 = up + total
+    t1 = up - total
+    t2 = down + difference
+    t3 = down - difference
+    larger1 = t0 < t1
+    best1 = m.where(larger1, t1, t0)
+    z10 = m.where(larger1, a1, t0)
+    z11 = m.where(larger1, t1, a1)
+    z12 = m.where(larger1, s12, a2)
+    z13 = m.where(larger1, s13, a3)
+    larger2 = best1 < t2
+    best2 = m.where(larger2, t2, best1)
+    z20 = m.where(larger2, a2, z10)
+    z21 = m.where(larger2, s12, z11)
+    z22 = m.where(larger2, t2, z12)
+    z23 = m.where(larger2, s23, z13)
+    larger3 = best2 < t3
+    z30 = m.where(larger3, a3, z20)
+    z31 = m.where(larger3, s13, z21)
+    z32 = m.where(larger3, s23, z22)
+    z33 = m.where(larger3, t3, z23)
+    sign = m.where((z30 < 0) | (z30 == 0) & ((z31 < 0) | (z31 == 0) & ((z32 < 0) | (z32 == 0) & (z33 < 0))), -1, 1)
+    e0 = sign * z30
+    e1 = sign * z31
+    e2 = sign * z32
+    e3 = sign * z33
+    size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
+    gain = 1 / (size + e0)
+    v1 = e1 * gain
+    v2 = e2 * gain
+    v3 = e3 * gain
+    fi = gain * e0
+    hvr = v1 * T14 + v2 * T24 + v3 * T34
+    return (
+        v1,
+        v2,
+        v3,
+        (T14 * fi - (v2 * T34 - v3 * T24) + v1 * hvr) / 2,
+        (T24 * fi - (v3 * T14 - v1 * T34) + v2 * hvr) / 2,
+        (T34 * fi - (v1 * T24 - v2 * T14) + v3 * hvr) / 2,
+    )
+
+
+def _own_from_pose_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, T: Rows
+) -> None:
+    Q11, Q12, Q13, T14, Q21, Q22, Q23, T24, Q31, Q32, Q33, T34, _, _, _, _ = T
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
+    mask1, mask2, mask3, mask4, mask5, mask6, mask7 = masks
+    n_minus_1, n0, n1, n2 = numbers
+    up = add(n1, Q11, k1)
+    total = add(Q22, Q33, k2)
+    t0 = add(up, total, k3)
+    t1 = sub(up, total, k1)
+    larger1 = m.less(t0, t1, mask1)
+    best1 = m.where(larger1, t1, t0, k2)
+    down = sub(n1, Q11, k4)
+    difference = sub(Q22, Q33, k5)
+    t2 = add(down, difference, k6)
+    t3 = sub(down, difference, k4)
+    larger2 = m.less(best1, t2, mask2)
+    best2 = m.where(larger2, t2, best1, k5)
+    larger3 = m.less(best2, t3, mask3)
+    a1 = sub(Q32, Q23, k2)
+    z10 = m.where(larger1, a1, t0, k5)
+    z11 = m.where(larger1, t1, a1, k1)
+    a2 = sub(Q13, Q31, k2)
+    z20 = m.where(larger2, a2, z10, k3)
+    a3 = sub(Q21, Q12, k5)
+    z30 = m.where(larger3, a3, z20, k7)
+    s12 = add(Q12, Q21, k3)
+    z21 = m.where(larger2, s12, z11, k8)
+    z12 = m.where(larger1, s12, a2, k1)
+    z22 = m.where(larger2, t2, z12, k2)
+    s13 = add(Q13, Q31, k1)
+    z13 = m.where(larger1, s13, a3, k3)
+    z31 = m.where(larger3, s13, z21, k1)
+    s23 = add(Q23, Q32, k5)
+    z23 = m.where(larger2, s23, z13, k6)
+    z32 = m.where(larger3, s23, z22, k3)
+    z33 = m.where(larger3, t3, z23, k2)
+    sign = m.where(
+        m.either(m.less(z30, n0, mask1), m.both(m.equal(z30, n0, mask2), m.either(m.less(z31, n0, mask3),
+        m.both(m.equal(z31, n0, mask4), m.either(m.less(z32, n0, mask5), m.both(m.equal(z32, n0, mask6), m.less(z33, n0,
+        mask7), mask6), mask5), mask4), mask3), mask2), mask1), n_minus_1, n1, k4
+    )
+    e0 = mul(sign, z30, k5)
+    e1 = mul(sign, z31, k1)
+    e2 = mul(sign, z32, k3)
+    e3 = mul(sign, z33, k2)
+    size = sqrt(add(mul(e0, e0, k4), add(add(mul(e1, e1, k6), mul(e2, e2, k7), k6), mul(e3, e3, k7), k6), k4), k4)
+    gain = div(n1, add(size, e0, k4), k4)
+    v1 = mul(e1, gain, o1)
+    v2 = mul(e2, gain, o2)
+    v3 = mul(e3, gain, o3)
+    fi = mul(gain, e0, k1)
+    hvr = add(add(mul(v1, T14, k2), mul(v2, T24, k3), k2), mul(v3, T34, k3), k2)
+    div(add(sub(mul(T14, fi, k3), sub(mul(v2, T34, k4), mul(v3, T24, k5), k4), k3), mul(v1, hvr, k4), k3), n2, o4)
+    div(add(sub(mul(T24, fi, k3), sub(mul(v3, T14, k4), mul(v1, T34, k5), k4), k3), mul(v2, hvr, k4), k3), n2, o5)
+    div(add(sub(mul(T34, fi, k1), sub(mul(v1, T24, k3), mul(v2, T14, k4), k3), k1), mul(v3, hvr, k2), k1), n2, o6)
+
+
 # operations 77: 19 +, 28 *, 12 /, 7 abs, 1 sqrt, 1 atan2, 2 lt, 1 eq, 6 where
 def _own_to_screw(m: Any, c: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
@@ -1065,6 +1265,172 @@ def _own_shadow_blocks(
     add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
 
 
+# operations 199: 71 +, 116 *, 8 /, 1 neg, 1 lt, 2 where
+def _own_compose(m: Any, c: Any, b: Components, a: Components) -> Result:
+    b1, b2, b3, b1o, b2o, b3o = b
+    a1, a2, a3, a1o, a2o, a3o = a
+    v11b = b1 * b1
+    v22b = b2 * b2
+    v33b = b3 * b3
+    xb = v11b + v22b + v33b
+    pb = 1 - xb
+    rootb = 1 + xb
+    Nb = pb * pb + 4 * xb
+    rb = 2 * (Nb / Nb / Nb)
+    fb = 2 * pb * rb
+    gb = 4 * rb
+    bvb1 = 2 * b1
+    bvb2 = 2 * b2
+    bvb3 = 2 * b3
+    v11a = a1 * a1
+    v22a = a2 * a2
+    v33a = a3 * a3
+    xa = v11a + v22a + v33a
+    pa = 1 - xa
+    roota = 1 + xa
+    Na = pa * pa + 4 * xa
+    ra = 2 * (Na / Na / Na)
+    fa = 2 * pa * ra
+    ga = 4 * ra
+    bva1 = 2 * a1
+    bva2 = 2 * a2
+    bva3 = 2 * a3
+    z0 = pb * pa - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
+    z1 = bva1 * pb + bvb1 * pa + (bvb2 * bva3 - bvb3 * bva2)
+    z2 = bva2 * pb + bvb2 * pa + (bvb3 * bva1 - bvb1 * bva3)
+    z3 = bva3 * pb + bvb3 * pa + (bvb1 * bva2 - bvb2 * bva1)
+    gva1 = a1 * ga
+    gva2 = a2 * ga
+    gva3 = a3 * ga
+    ya = a1 * a1o + a2 * a2o + a3 * a3o
+    alonga = ga * ya
+    rhoa1 = a1o * fa + (gva2 * a3o - gva3 * a2o) + a1 * alonga
+    rhoa2 = a2o * fa + (gva3 * a1o - gva1 * a3o) + a2 * alonga
+    rhoa3 = a3o * fa + (gva1 * a2o - gva2 * a1o) + a3 * alonga
+    v_rho1 = b2 * rhoa3 - b3 * rhoa2
+    v_rho2 = b3 * rhoa1 - b1 * rhoa3
+    v_rho3 = b1 * rhoa2 - b2 * rhoa1
+    gv_rho1 = v_rho1 * gb
+    gv_rho2 = v_rho2 * gb
+    gv_rho3 = v_rho3 * gb
+    gvb1 = b1 * gb
+    gvb2 = b2 * gb
+    gvb3 = b3 * gb
+    yb = b1 * b1o + b2 * b2o + b3 * b3o
+    alongb = gb * yb
+    rho1 = rhoa1 + (v_rho1 * fb + (b2 * gv_rho3 - b3 * gv_rho2)) + (b1o * fb + (gvb2 * b3o - gvb3 * b2o) + b1 * alongb)
+    rho2 = rhoa2 + (v_rho2 * fb + (b3 * gv_rho1 - b1 * gv_rho3)) + (b2o * fb + (gvb3 * b1o - gvb1 * b3o) + b2 * alongb)
+    rho3 = rhoa3 + (v_rho3 * fb + (b1 * gv_rho2 - b2 * gv_rho1)) + (b3o * fb + (gvb1 * b2o - gvb2 * b1o) + b3 * alongb)
+    size = rootb * roota
+    negative = z0 < 0
+    cos = m.where(negative, -z0, z0)
+    gain = m.where(negative, -1, 1) / (size + cos)
+    v1 = z1 * gain
+    v2 = z2 * gain
+    v3 = z3 * gain
+    fi = gain * z0
+    hvr = v1 * rho1 + v2 * rho2 + v3 * rho3
+    return (
+        v1,
+        v2,
+        v3,
+        (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
+        (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
+        (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
+    )
+
+
+def _own_compose_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, b: Rows, a: Rows
+) -> None:
+    b1, b2, b3, b1o, b2o, b3o = b
+    a1, a2, a3, a1o, a2o, a3o = a
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17 = scratch
+    mask1, = masks
+    n_minus_1, n0, n1, n2, n4 = numbers
+    v11b = mul(b1, b1, k1)
+    v22b = mul(b2, b2, k2)
+    v33b = mul(b3, b3, k3)
+    xb = add(add(v11b, v22b, k1), v33b, k1)
+    pb = sub(n1, xb, k2)
+    v11a = mul(a1, a1, k3)
+    v22a = mul(a2, a2, k4)
+    v33a = mul(a3, a3, k5)
+    xa = add(add(v11a, v22a, k3), v33a, k3)
+    pa = sub(n1, xa, k4)
+    bvb1 = mul(n2, b1, k5)
+    bva1 = mul(n2, a1, k6)
+    bvb2 = mul(n2, b2, k7)
+    bva2 = mul(n2, a2, k8)
+    bvb3 = mul(n2, b3, k9)
+    bva3 = mul(n2, a3, k10)
+    z0 = sub(
+        mul(pb, pa, k11), add(add(mul(bvb1, bva1, k12), mul(bvb2, bva2, k13), k12), mul(bvb3, bva3, k13), k12), k11
+    )
+    negative = m.less(z0, n0, mask1)
+    cos = m.where(negative, neg(z0, k12), z0, k12)
+    rootb = add(n1, xb, k13)
+    Nb = add(mul(pb, pb, k14), mul(n4, xb, k1), k1)
+    rb = mul(n2, div(div(Nb, Nb, k14), Nb, k1), k1)
+    roota = add(n1, xa, k14)
+    size = mul(rootb, roota, k13)
+    gain = div(m.where(negative, n_minus_1, n1, k14), add(size, cos, k12), k12)
+    Na = add(mul(pa, pa, k13), mul(n4, xa, k3), k3)
+    ra = mul(n2, div(div(Na, Na, k13), Na, k3), k3)
+    fi = mul(gain, z0, k11)
+    z1 = add(
+        add(mul(bva1, pb, k13), mul(bvb1, pa, k14), k13), sub(mul(bvb2, bva3, k14), mul(bvb3, bva2, k15), k14), k13
+    )
+    v1 = mul(z1, gain, o1)
+    z2 = add(
+        add(mul(bva2, pb, k13), mul(bvb2, pa, k14), k13), sub(mul(bvb3, bva1, k14), mul(bvb1, bva3, k15), k14), k13
+    )
+    z3 = add(add(mul(bva3, pb, k10), mul(bvb3, pa, k9), k9), sub(mul(bvb1, bva2, k5), mul(bvb2, bva1, k6), k5), k5)
+    v2 = mul(z2, gain, o2)
+    v3 = mul(z3, gain, o3)
+    fa = mul(mul(n2, pa, k4), ra, k4)
+    ga = mul(n4, ra, k3)
+    fb = mul(mul(n2, pb, k2), rb, k2)
+    gb = mul(n4, rb, k1)
+    gva1 = mul(a1, ga, k5)
+    gva2 = mul(a2, ga, k6)
+    ya = add(add(mul(a1, a1o, k7), mul(a2, a2o, k8), k7), mul(a3, a3o, k8), k7)
+    alonga = mul(ga, ya, k7)
+    gva3 = mul(a3, ga, k3)
+    rhoa3 = add(add(mul(a3o, fa, k8), sub(mul(gva1, a2o, k9), mul(gva2, a1o, k10), k9), k8), mul(a3, alonga, k9), k8)
+    rhoa2 = add(add(mul(a2o, fa, k9), sub(mul(gva3, a1o, k10), mul(gva1, a3o, k5), k5), k5), mul(a2, alonga, k9), k5)
+    rhoa1 = add(add(mul(a1o, fa, k4), sub(mul(gva2, a3o, k6), mul(gva3, a2o, k3), k3), k3), mul(a1, alonga, k4), k3)
+    v_rho1 = sub(mul(b2, rhoa3, k4), mul(b3, rhoa2, k6), k4)
+    v_rho3 = sub(mul(b1, rhoa2, k6), mul(b2, rhoa1, k7), k6)
+    gv_rho3 = mul(v_rho3, gb, k7)
+    v_rho2 = sub(mul(b3, rhoa1, k9), mul(b1, rhoa3, k10), k9)
+    gv_rho2 = mul(v_rho2, gb, k10)
+    gvb2 = mul(b2, gb, k12)
+    gvb3 = mul(b3, gb, k13)
+    yb = add(add(mul(b1, b1o, k14), mul(b2, b2o, k15), k14), mul(b3, b3o, k15), k14)
+    alongb = mul(gb, yb, k14)
+    rho1 = add(
+        add(rhoa1, add(mul(v_rho1, fb, k15), sub(mul(b2, gv_rho3, k16), mul(b3, gv_rho2, k17), k16), k15), k3),
+        add(add(mul(b1o, fb, k15), sub(mul(gvb2, b3o, k16), mul(gvb3, b2o, k17), k16), k15), mul(b1, alongb, k16), k15),
+        k3
+    )
+    gv_rho1 = mul(v_rho1, gb, k4)
+    gvb1 = mul(b1, gb, k1)
+    rho2 = add(
+        add(rhoa2, add(mul(v_rho2, fb, k9), sub(mul(b3, gv_rho1, k15), mul(b1, gv_rho3, k7), k7), k7), k5),
+        add(add(mul(b2o, fb, k7), sub(mul(gvb3, b1o, k9), mul(gvb1, b3o, k13), k9), k7), mul(b2, alongb, k9), k7), k5
+    )
+    rho3 = add(
+        add(rhoa3, add(mul(v_rho3, fb, k6), sub(mul(b1, gv_rho2, k7), mul(b2, gv_rho1, k4), k4), k4), k4),
+        add(add(mul(b3o, fb, k2), sub(mul(gvb1, b2o, k1), mul(gvb2, b1o, k6), k1), k1), mul(b3, alongb, k2), k1), k1
+    )
+    hvr = add(add(mul(v1, rho1, k2), mul(v2, rho2, k4), k2), mul(v3, rho3, k4), k2)
+    div(add(sub(mul(rho1, fi, k4), sub(mul(v2, rho3, k6), mul(v3, rho2, k7), k6), k4), mul(v1, hvr, k6), k4), n2, o4)
+    div(add(sub(mul(rho2, fi, k4), sub(mul(v3, rho1, k6), mul(v1, rho3, k7), k6), k4), mul(v2, hvr, k6), k4), n2, o5)
+    div(add(sub(mul(rho3, fi, k1), sub(mul(v1, rho2, k4), mul(v2, rho1, k3), k3), k1), mul(v3, hvr, k2), k1), n2, o6)
+
+
 CHART = Chart(
     __name__,
     branches=2,
@@ -1083,11 +1449,6 @@ CHART = Chart(
     functions={
         "pose": Function(_pose, _pose_blocks, 1, 0, (1, 2, 4)),
         "tangent": Function(_tangent, _tangent_blocks, 0, 0, (1, 2, 4)),
-        "inverse": Function(_inverse, _inverse_blocks, 0, 0, (1, 2)),
-        "ray": Function(_ray, _ray_blocks, 0, 0, (1, 2, 4)),
-        "gain_unit": Function(_gain_unit, _gain_unit_blocks, 1, 1, (-1, 0, 1)),
-        "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 0, (1,)),
-        "gain_product": Function(_gain_product, _gain_product_blocks, 2, 1, (-1, 0, 1)),
         "turned": Function(_turned, _turned_blocks, 0, 0, (1,)),
         "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 4)),
@@ -1159,6 +1520,39 @@ CHART = Chart(
         lent=(),
         real=False,
     ),
+        "from_quaternion": Kernel(
+        _own_from_quaternion,
+        _own_from_quaternion_blocks,
+        (("q", (8,)),),
+        (6,),
+        registers=8,
+        masks=1,
+        numbers=(-1, 0, 1, 2),
+        lent=(),
+        real=True,
+    ),
+        "from_tensor": Kernel(
+        _own_from_tensor,
+        _own_from_tensor_blocks,
+        (("R", (2, 3, 3)),),
+        (6,),
+        registers=8,
+        masks=7,
+        numbers=(-1, 0, 1, 2),
+        lent=(),
+        real=True,
+    ),
+        "from_pose": Kernel(
+        _own_from_pose,
+        _own_from_pose_blocks,
+        (("T", (4, 4)),),
+        (6,),
+        registers=8,
+        masks=7,
+        numbers=(-1, 0, 1, 2),
+        lent=(),
+        real=True,
+    ),
         "to_screw": Kernel(
         _own_to_screw,
         _own_to_screw_blocks,
@@ -1178,6 +1572,17 @@ CHART = Chart(
         registers=9,
         masks=1,
         numbers=(-2, -1, 0, 1, 2, 16),
+        lent=(),
+        real=True,
+    ),
+        "compose": Kernel(
+        _own_compose,
+        _own_compose_blocks,
+        (("v2", (6,)), ("v1", (6,)),),
+        (6,),
+        registers=17,
+        masks=1,
+        numbers=(-1, 0, 1, 2, 4),
         lent=(),
         real=True,
     ),

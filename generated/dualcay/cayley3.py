@@ -72,15 +72,15 @@
 #   body_tangent_inv: 90: 35 +, 42 *, 12 /, 1 neg
 #   twist: 136: 51 +, 81 *, 3 /, 1 neg
 #   rate: 122: 46 +, 72 *, 3 /, 1 neg
-#   from_quaternion: 90: 27 +, 45 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   from_tensor: 146: 47 +, 51 *, 10 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
-#   from_pose: 110: 32 +, 33 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
+#   from_quaternion: 88: 26 +, 44 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   from_tensor: 144: 46 +, 50 *, 10 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
+#   from_pose: 108: 31 +, 32 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
 #   to_screw: 92: 22 +, 32 *, 12 /, 1 neg, 8 abs, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 7 where
 #   turn: 66: 16 +, 27 *, 11 /, 6 abs, 1 sqrt, 1 eq, 4 where
 #   shadow: 100: 26 +, 37 *, 12 /, 1 neg, 7 abs, 2 sqrt, 4 lt, 2 eq, 1 and, 1 or, 7 where
 #   principal: 55: 15 +, 23 *, 8 /, 1 sqrt, 1 lt, 7 where
-#   compose: 232: 77 +, 132 *, 12 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   compose: 230: 76 +, 131 *, 12 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 r"""Cayley map of order 3: Rodrigues dual vectors ``v = tan(α/6) u`` of rigid displacements.
 
 .. math::
@@ -227,30 +227,26 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, o2, o3, o4, o5, o6
 
 
-# operations 8: 3 +, 3 *, 2 /
+# operations 5: 2 +, 1 *, 2 /
 def _inverse(m: Any, x: Any) -> Result:
-    p = 1 - 3 * x
+    d = 11 - x
     q = 3 - x
     iq = 1 / q
-    fi = p * iq
-    d = 11 - x
     diq = d * iq
     hi = diq / 3
-    return fi, hi
+    return hi,
 
 
 def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2 = out
+    o1, = out
     k1, *_ = scratch
     n1, n3, n11 = numbers
-    p = sub(n1, mul(n3, x, o1), o1)
-    q = sub(n3, x, o2)
-    iq = div(n1, q, o2)
-    mul(p, iq, o1)
-    d = sub(n11, x, k1)
-    diq = mul(d, iq, o2)
-    div(diq, n3, o2)
-    return o1, o2
+    d = sub(n11, x, o1)
+    q = sub(n3, x, k1)
+    iq = div(n1, q, k1)
+    diq = mul(d, iq, o1)
+    div(diq, n3, o1)
+    return o1,
 
 
 # operations 15: 4 +, 7 *, 3 /, 1 neg

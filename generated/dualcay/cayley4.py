@@ -72,15 +72,15 @@
 #   body_tangent_inv: 96: 38 +, 45 *, 12 /, 1 neg
 #   twist: 146: 56 +, 87 *, 3 /
 #   rate: 128: 49 +, 75 *, 3 /, 1 neg
-#   from_quaternion: 84: 28 +, 44 *, 7 /, 1 neg, 1 sqrt, 1 lt, 2 where
-#   from_tensor: 151: 51 +, 56 *, 11 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
-#   from_pose: 115: 36 +, 38 *, 8 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_quaternion: 81: 26 +, 43 *, 7 /, 1 neg, 1 sqrt, 1 lt, 2 where
+#   from_tensor: 148: 49 +, 55 *, 11 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_pose: 112: 34 +, 37 *, 8 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
 #   to_screw: 94: 23 +, 33 *, 12 /, 1 neg, 8 abs, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 7 where
 #   turn: 66: 16 +, 27 *, 11 /, 6 abs, 1 sqrt, 1 eq, 4 where
 #   shadow: 102: 27 +, 38 *, 12 /, 1 neg, 7 abs, 2 sqrt, 4 lt, 2 eq, 1 and, 1 or, 7 where
 #   principal: 58: 15 +, 23 *, 8 /, 1 sqrt, 2 lt, 9 where
-#   compose: 246: 88 +, 141 *, 12 /, 1 neg, 1 sqrt, 1 lt, 2 where
+#   compose: 243: 86 +, 140 *, 12 /, 1 neg, 1 sqrt, 1 lt, 2 where
 r"""Cayley map of order 4: Rodrigues dual vectors ``v = tan(α/8) u`` of rigid displacements.
 
 .. math::
@@ -236,30 +236,26 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, o2, o3, o4, o5, o6
 
 
-# operations 11: 4 +, 5 *, 2 /
+# operations 7: 2 +, 3 *, 2 /
 def _inverse(m: Any, x: Any) -> Result:
-    p = (x - 6) * x + 1
+    d = 24 - 8 * x
     q = 4 - 4 * x
     iq = 1 / q
-    fi = p * iq
-    d = 24 - 8 * x
     diq = d * iq
     hi = diq / 4
-    return fi, hi
+    return hi,
 
 
 def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2 = out
+    o1, = out
     k1, *_ = scratch
-    n1, n4, n6, n8, n24 = numbers
-    p = add(mul(sub(x, n6, o1), x, o1), n1, o1)
-    q = sub(n4, mul(n4, x, o2), o2)
-    iq = div(n1, q, o2)
-    mul(p, iq, o1)
-    d = sub(n24, mul(n8, x, k1), k1)
-    diq = mul(d, iq, o2)
-    div(diq, n4, o2)
-    return o1, o2
+    n1, n4, n8, n24 = numbers
+    d = sub(n24, mul(n8, x, o1), o1)
+    q = sub(n4, mul(n4, x, k1), k1)
+    iq = div(n1, q, k1)
+    diq = mul(d, iq, o1)
+    div(diq, n4, o1)
+    return o1,
 
 
 # operations 21: 7 +, 10 *, 3 /, 1 neg
@@ -556,7 +552,7 @@ CHART = Chart(
         "quaternion": Function(_quaternion, _quaternion_blocks, 0, 0, (-4, 1, 4, 6, 8)),
         "pose": Function(_pose, _pose_blocks, 2, 0, (1, 2, 4, 6, 8, 16, 40)),
         "tangent": Function(_tangent, _tangent_blocks, 1, 0, (-16, 1, 2, 4, 6, 8, 16, 40)),
-        "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 4, 6, 8, 24)),
+        "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 4, 8, 24)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 1, 0, (1, 4, 6, 8, 16, 24, 40)),
         "ray": Function(_ray, _ray_blocks, 1, 0, (1, 2, 4, 6, 8, 16, 40)),
         "gain_unit": Function(_gain_unit, _gain_unit_blocks, 2, 1, (-1, 0, 1, 2)),

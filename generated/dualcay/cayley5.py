@@ -72,15 +72,15 @@
 #   body_tangent_inv: 105: 42 +, 50 *, 12 /, 1 neg
 #   twist: 151: 58 +, 90 *, 3 /
 #   rate: 137: 53 +, 80 *, 3 /, 1 neg
-#   from_quaternion: 96: 30 +, 48 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   from_tensor: 152: 50 +, 54 *, 10 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
-#   from_pose: 116: 35 +, 36 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
+#   from_quaternion: 92: 28 +, 46 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   from_tensor: 148: 48 +, 52 *, 10 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
+#   from_pose: 112: 33 +, 34 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
 #   to_screw: 96: 24 +, 34 *, 12 /, 1 neg, 8 abs, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 7 where
 #   turn: 66: 16 +, 27 *, 11 /, 6 abs, 1 sqrt, 1 eq, 4 where
 #   shadow: 104: 28 +, 39 *, 12 /, 1 neg, 7 abs, 2 sqrt, 4 lt, 2 eq, 1 and, 1 or, 7 where
 #   principal: 58: 15 +, 23 *, 8 /, 1 sqrt, 2 lt, 9 where
-#   compose: 254: 88 +, 143 *, 12 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   compose: 250: 86 +, 141 *, 12 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 r"""Cayley map of order 5: Rodrigues dual vectors ``v = tan(α/10) u`` of rigid displacements.
 
 .. math::
@@ -241,30 +241,26 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, o2, o3, o4, o5, o6
 
 
-# operations 14: 6 +, 6 *, 2 /
+# operations 9: 4 +, 3 *, 2 /
 def _inverse(m: Any, x: Any) -> Result:
-    p = (5 * x - 10) * x + 1
+    d = (x - 34) * x + 45
     q = (x - 10) * x + 5
     iq = 1 / q
-    fi = p * iq
-    d = (x - 34) * x + 45
     diq = d * iq
     hi = diq / 5
-    return fi, hi
+    return hi,
 
 
 def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2 = out
+    o1, = out
     k1, *_ = scratch
     n1, n5, n10, n34, n45 = numbers
-    p = add(mul(sub(mul(n5, x, o1), n10, o1), x, o1), n1, o1)
-    q = add(mul(sub(x, n10, o2), x, o2), n5, o2)
-    iq = div(n1, q, o2)
-    mul(p, iq, o1)
-    d = add(mul(sub(x, n34, k1), x, k1), n45, k1)
-    diq = mul(d, iq, o2)
-    div(diq, n5, o2)
-    return o1, o2
+    d = add(mul(sub(x, n34, o1), x, o1), n45, o1)
+    q = add(mul(sub(x, n10, k1), x, k1), n5, k1)
+    iq = div(n1, q, k1)
+    diq = mul(d, iq, o1)
+    div(diq, n5, o1)
+    return o1,
 
 
 # operations 30: 11 +, 15 *, 3 /, 1 neg

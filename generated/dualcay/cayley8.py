@@ -72,15 +72,15 @@
 #   body_tangent_inv: 126: 52 +, 61 *, 12 /, 1 neg
 #   twist: 175: 70 +, 102 *, 3 /
 #   rate: 158: 63 +, 91 *, 3 /, 1 neg
-#   from_quaternion: 101: 35 +, 52 *, 8 /, 1 neg, 2 sqrt, 1 lt, 2 where
-#   from_tensor: 168: 58 +, 64 *, 12 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
-#   from_pose: 132: 43 +, 46 *, 9 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_quaternion: 94: 31 +, 49 *, 8 /, 1 neg, 2 sqrt, 1 lt, 2 where
+#   from_tensor: 161: 54 +, 61 *, 12 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_pose: 125: 39 +, 43 *, 9 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
 #   to_screw: 102: 27 +, 37 *, 12 /, 1 neg, 8 abs, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 7 where
 #   turn: 66: 16 +, 27 *, 11 /, 6 abs, 1 sqrt, 1 eq, 4 where
 #   shadow: 110: 31 +, 42 *, 12 /, 1 neg, 7 abs, 2 sqrt, 4 lt, 2 eq, 1 and, 1 or, 7 where
 #   principal: 64: 15 +, 23 *, 8 /, 1 sqrt, 4 lt, 13 where
-#   compose: 307: 115 +, 173 *, 13 /, 1 neg, 2 sqrt, 1 lt, 2 where
+#   compose: 300: 111 +, 170 *, 13 /, 1 neg, 2 sqrt, 1 lt, 2 where
 r"""Cayley map of order 8: Rodrigues dual vectors ``v = tan(α/16) u`` of rigid displacements.
 
 .. math::
@@ -253,30 +253,26 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, o2, o3, o4, o5, o6
 
 
-# operations 23: 10 +, 11 *, 2 /
+# operations 15: 6 +, 7 *, 2 /
 def _inverse(m: Any, x: Any) -> Result:
-    p = (((x - 28) * x + 70) * x - 28) * x + 1
+    d = ((272 - 16 * x) * x - 560) * x + 176
     q = ((56 - 8 * x) * x - 56) * x + 8
     iq = 1 / q
-    fi = p * iq
-    d = ((272 - 16 * x) * x - 560) * x + 176
     diq = d * iq
     hi = diq / 8
-    return fi, hi
+    return hi,
 
 
 def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2 = out
+    o1, = out
     k1, *_ = scratch
-    n1, n8, n16, n28, n56, n70, n176, n272, n560 = numbers
-    p = add(mul(sub(mul(add(mul(sub(x, n28, o1), x, o1), n70, o1), x, o1), n28, o1), x, o1), n1, o1)
-    q = add(mul(sub(mul(sub(n56, mul(n8, x, o2), o2), x, o2), n56, o2), x, o2), n8, o2)
-    iq = div(n1, q, o2)
-    mul(p, iq, o1)
-    d = add(mul(sub(mul(sub(n272, mul(n16, x, k1), k1), x, k1), n560, k1), x, k1), n176, k1)
-    diq = mul(d, iq, o2)
-    div(diq, n8, o2)
-    return o1, o2
+    n1, n8, n16, n56, n176, n272, n560 = numbers
+    d = add(mul(sub(mul(sub(n272, mul(n16, x, o1), o1), x, o1), n560, o1), x, o1), n176, o1)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, k1), k1), x, k1), n56, k1), x, k1), n8, k1)
+    iq = div(n1, q, k1)
+    diq = mul(d, iq, o1)
+    div(diq, n8, o1)
+    return o1,
 
 
 # operations 51: 21 +, 26 *, 3 /, 1 neg
@@ -620,7 +616,7 @@ CHART = Chart(
         "quaternion": Function(_quaternion, _quaternion_blocks, 1, 0, (-8, 1, 2, 4, 6, 8, 24, 28, 56, 70, 112)),
         "pose": Function(_pose, _pose_blocks, 2, 0, (1, 2, 8, 16, 28, 56, 70, 224, 336, 2016, 2352, 5440, 6000)),
         "tangent": Function(_tangent, _tangent_blocks, 3, 0, (1, 2, 4, 8, 16, 24, 28, 56, 70, 96, 112, 224, 336, 1120, 2016, 2352, 5440, 6000, 9408, 12000, 16320)),
-        "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 8, 16, 28, 56, 70, 176, 272, 560)),
+        "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 8, 16, 56, 176, 272, 560)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 1, 0, (1, 2, 8, 16, 24, 28, 48, 56, 70, 112, 176, 224, 272, 336, 544, 560, 2016, 2352, 5440, 6000)),
         "ray": Function(_ray, _ray_blocks, 1, 0, (1, 2, 4, 6, 8, 16, 28, 56, 70, 224, 336, 2016, 2352, 5440, 6000)),
         "gain_unit": Function(_gain_unit, _gain_unit_blocks, 3, 1, (-1, 0, 1, 2)),
