@@ -38,6 +38,9 @@ class Module:
     replayed: int
     tested: int | None
 
+    def __repr__(self) -> str:
+        return f"<Module {self.name}: {len(self.proved.proofs)} proofs, {self.validated} calls validated>"
+
 
 @dataclass(frozen=True, slots=True)
 class Package:
@@ -45,6 +48,9 @@ class Package:
 
     texts: dict[str, str]
     modules: tuple[Module, ...]
+
+    def __repr__(self) -> str:
+        return f"<Package of {', '.join(module.name for module in self.modules)}: {len(self.texts)} files>"
 
 
 def build(orders: Iterable[int], target: Target, progress: Progress | None = None) -> Package:
