@@ -10,7 +10,8 @@ import hashlib
 import importlib
 import pkgutil
 import re
-from collections.abc import Callable, Iterator, Mapping
+import sys
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path, PurePath
 from typing import Any
@@ -39,10 +40,30 @@ def import_all() -> None:
             importlib.import_module(module.name)
 
 
+def warm(modules: Sequence[str]) -> None:
+    """Import these and decide the theorems for every order, so that no trial has to."""
+    for name in modules:
+        importlib.import_module(name)
+    if "derive.proof" in sys.modules:
+        importlib.import_module("derive.proof").theorems()
+
+
 def proofs() -> dict[str, Check]:
     """Proofs of the committed orders."""
     derive, proof = importlib.import_module("derive"), importlib.import_module("derive.proof")
     return {f"proof of n = {n}": lambda n=n: proof.prove(derive.Cayley(n)) for n in COMMITTED}  # type: ignore[misc]
+
+
+def controls() -> list[str]:
+    """What the controls of all theorems are of; every one must fail, for a reason."""
+    command, identity = (importlib.import_module(f"derive.proof.{name}") for name in ("__main__", "identity"))
+    theorems = command.claims()
+    known = {proof.name: proof for proof in command.decided(theorems)}
+    found = [*command.controls(theorems, known), *command.controlled_at(command.SHOWN)]
+    for control in found:
+        if control.proof.proved or any(residue.label == identity.NO_VALUE for residue in control.proof.residues):
+            raise AssertionError(f"not noticed: {control}")
+    return sorted(f"{control.theorem} [{control.proof.scope}]" for control in found)
 
 
 def validations(around: Around = lambda name, validate: validate) -> dict[str, Check]:
