@@ -81,8 +81,8 @@ class Checks:
         Folders whose lines are watched.
     tests : tuple of str
         Files and folders of tests.
-    first : str
-        Name of the first stage, of those in `road`; "" for none.
+    first : tuple of str
+        Names of the stages that are no tests, of those in `road`.
     emits : bool
         Whether what is watched decides what is emitted: survivors are compared by that, and the tests of kernels run
         on it.
@@ -93,7 +93,7 @@ class Checks:
     name: str
     watched: tuple[str, ...]
     tests: tuple[str, ...]
-    first: str = ""
+    first: tuple[str, ...] = ()
     emits: bool = False
     controlled: bool = False
 
@@ -105,7 +105,7 @@ class Checks:
         reach = Reach(folder, [f"{source}/*" for source in self.watched])
         with reach.open():
             road.import_all()
-            first = {name: _timed(reach, name, check) for name, check in self._first_stage(reach).items()}
+            first = {stage: self._first_stage(stage, reach) for stage in self.first}
             with reach.by(CONTROLLING):
                 controls = road.controls() if self.controlled else ()
             tests = suite.run_all(self.tests, reach, few=FEW if self.emits else None)
@@ -116,14 +116,14 @@ class Checks:
             "takes long": [*tests.longer(LONG, LONG_FIXTURE), *kernels.longer(LONG, LONG_FIXTURE)],
         }
         out = {name for names in left_out.values() for name in names}
-        seconds = {self.first or "first": first, "tests": tests.without(out), "kernels": kernels.without(out)}
+        seconds = {**first, "tests": tests.without(out), "kernels": kernels.without(out)}
         if not seconds["tests"]:
             raise RuntimeError(f"no test of {', '.join(self.tests)} can be used: {left_out}")
         table = reach.table([name for stage in seconds.values() for name in stage])
-        setups, apart = tests.setups + kernels.setups, _apart(reach, set(first))
+        setups, apart = tests.setups + kernels.setups, _apart(reach, set().union(*first.values()))
         return Knowledge(seconds, setups, table, *apart, controls, left_out, prints)
 
-    def _first_stage(self, reach: Reach) -> dict[str, road.Check]:
+    def _first_stage(self, stage: str, reach: Reach) -> dict[str, float]:
         def around(name: str, validate: Any) -> Any:
             def watched(*arguments: Any) -> Any:
                 with reach.by(f"{VALIDATING} {name}"):
@@ -131,7 +131,8 @@ class Checks:
 
             return watched
 
-        return road.first_stage(self.first, around) if self.first else {}
+        checks = road.first_stage(stage, self.emits, around)
+        return {name: _timed(reach, name, check) for name, check in checks.items()}
 
     def _commented(self, folder: Path) -> list[str]:
         """Tests that fail for one more comment in every template: they would kill whatever changes a byte."""
@@ -149,28 +150,24 @@ class Checks:
     def fate(self, edit: Edit | None, knowledge: Knowledge) -> Fate:
         """What becomes of an edit (None: of the unchanged tree)."""
         plan = knowledge.plan(edit)
-        if self.first and (by := _first_error(self.first, plan[self.first])):
-            return Fate(KILLED, self.first, by)
+        for stage in self.first:
+            if by := _first_error(stage, plan[stage], self.emits):
+                return Fate(KILLED, stage, by)
+        try:
+            emitted = road.difference(knowledge.prints) if self.emits and plan["validation"] else None
+        except Exception as error:
+            return Fate(KILLED, "validation", f"another order: {type(error).__name__}")
+        if emitted == "text":
+            return Fate(PROSE, by="what is emitted differs in comments, docstrings and layout only")
         if by := suite.first_failure(plan["tests"]):
             return Fate(KILLED, "tests", by)
         if edit and knowledge.controls_only(edit) and _controls() == knowledge.controls:
             return Fate(EQUIVALENT, by="another control of the same theorem, which fails as well")
-        emitted = self.emits and plan[self.first]
-        return self._compared(edit, knowledge, plan["kernels"]) if emitted else Fate(SURVIVED)
-
-    def _compared(self, edit: Edit | None, knowledge: Knowledge, kernels: Sequence[str]) -> Fate:
-        """By what is emitted: nothing changed, prose alone, or code that the tests of kernels look at."""
-        try:
-            found = road.difference(knowledge.prints)
-        except Exception as error:
-            return Fate(KILLED, "validation", f"another order: {type(error).__name__}")
-        if found == "text":
-            return Fate(PROSE, by="what is emitted differs in comments, docstrings and layout only")
-        if not found and edit and knowledge.prints_only(edit):
+        if edit and emitted == "" and knowledge.prints_only(edit):
             return Fate(EQUIVALENT, by="every emitted text is the same")
-        if edit is None or (found == "code" and road.write_kernels(Path("generated", "dualcay"))):
+        if self.emits and (edit is None or (emitted == "code" and road.write_kernels(Path("generated", "dualcay")))):
             forget("dualcay")
-            if by := suite.first_failure(kernels):
+            if by := suite.first_failure(plan["kernels"]):
                 return Fate(KILLED, "kernels", by)
         return Fate(SURVIVED)
 
@@ -201,12 +198,12 @@ def _controls() -> Sequence[str]:
         return ()
 
 
-def _first_error(stage: str, names: Sequence[str]) -> str | None:
+def _first_error(stage: str, names: Sequence[str], everything: bool) -> str | None:
     """The first of these checks that fails."""
     if not names:
         return None
     try:
-        checks = road.first_stage(stage)
+        checks = road.first_stage(stage, everything)
     except Exception as error:
         return f"import: {type(error).__name__}"
     for name in names:

@@ -66,8 +66,8 @@ def controls() -> list[str]:
     return sorted(f"{control.theorem} [{control.proof.scope}]" for control in found)
 
 
-def validations(around: Around = lambda name, validate: validate) -> dict[str, Check]:
-    """Emission with validation.
+def validations(everything: bool, around: Around) -> dict[str, Check]:
+    """Emission with validation, for all targets and orders, or for NumPy and a few.
 
     ``around`` is put between the road and the validation that ends it.
     """
@@ -79,13 +79,16 @@ def validations(around: Around = lambda name, validate: validate) -> dict[str, C
     return {
         f"{name}, n = {n}": check(f"{name}, n = {n}", n, target)
         for name, target in targets().items()
-        for n in (ORDERS if name == "numpy" else FEW)
+        for n in ((ORDERS if everything else GEOMETRY) if name == "numpy" else FEW)
+        if everything or name == "numpy"
     }
 
 
-def first_stage(stage: str, around: Around = lambda name, validate: validate) -> dict[str, Check]:
-    """Checks of a stage that are no tests: "proof" or "validation"."""
-    return proofs() if stage == "proof" else validations(around)
+def first_stage(
+    stage: str, everything: bool = True, around: Around = lambda name, validate: validate
+) -> dict[str, Check]:
+    """Checks of a stage that are no tests: "proof" or "validation", of everything or of some NumPy kernels."""
+    return proofs() if stage == "proof" else validations(everything, around)
 
 
 def statement_folders() -> tuple[str, ...]:

@@ -100,13 +100,13 @@ class Files:
 
 
 NUMBERS = "tests/derive/papers/test_theorem_numbers.py"
-PROOF = Checks("proof", ("derive/proof",), ("tests/derive/proof", NUMBERS), first="proof", controlled=True)
-MAPS = Checks("maps", ("derive/maps",), ("tests/derive/maps",), first="proof")
+PROOF = Checks("proof", ("derive/proof",), ("tests/derive/proof", NUMBERS), first=("proof",), controlled=True)
+MAPS = Checks("maps", ("derive/maps",), ("tests/derive/maps",), first=("proof", "validation"))
 EMISSION = Checks(
     "emission",
     ("derive/codegen", "derive/output", "templates"),
     ("tests/derive/codegen", "tests/derive/output", "tests/derive/papers/report/test_report.py"),
-    first="validation",
+    first=("validation",),
     emits=True,
 )
 PAPERS = Checks("papers", ("derive/papers",), ("tests/derive/papers",))
@@ -124,7 +124,7 @@ ROOMS: Mapping[str, Room] = {
         ),
         Files(
             "maps",
-            "derive/maps: by the proofs of the committed orders, then by tests/derive/maps",
+            "derive/maps: by the proofs of the committed orders and NumPy kernels of some, then by tests/derive/maps",
             ("derive/maps",),
             MAPS,
             ("derive.algebra", "derive.output"),
