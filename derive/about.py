@@ -11,6 +11,12 @@ __version__ = "0.1.0"
 ORDERS = (1, 2, 3, 4, 5, 8)
 """Orders whose modules are committed."""
 
+FAMILIES = (
+    "orthographic", "lambert", "breusing", "sine3", "sine4", "scaled1", "scaled2", "scaled3", "scaled4", "scaled5",
+    "wiener_milenkovic",
+)  # fmt: skip
+"""Families whose modules are committed."""
+
 MAX_ORDER = 64
 """Largest order generated without being asked twice: proof times beyond it are not measured."""
 

@@ -49,6 +49,8 @@ def cli() -> None:
 @cli.command()
 @click.option("-n", "orders", callback=options.orders, metavar="ORDERS", help="Orders n of v = tan(α/2n) u, e.g. 7 or "
               "1-5,8; by default the committed ones.")  # fmt: skip
+@click.option("--family", "families", callback=options.listed, metavar="NAMES", help="Other parameterizations, e.g. "
+              "lambert,sine7.")  # fmt: skip
 @click.option("--target", type=click.Choice(about.TARGETS), default=about.TARGET, show_default=True,
               help="What the kernels run on; a folder holds those of one.")  # fmt: skip
 @click.option("-o", "output", type=options.Place(file_okay=False), help="Folder of the package; without, that of the "

@@ -19,19 +19,28 @@ HEADINGS = ("theorems", "proofs at n", "calls validated", "replayed", "compiled"
 
 
 def generate(
-    orders: tuple[int, ...], target: str, output: Path | None, check: bool, force: bool, max_n: int
+    orders: tuple[int, ...],
+    families: tuple[str, ...],
+    target: str,
+    output: Path | None,
+    check: bool,
+    force: bool,
+    max_n: int,
 ) -> None:
     """Do what the command says; its parameters are the options."""
     options.require_cap(orders, max_n)
+    try:
+        charts = catalogue.charts(orders, families) or catalogue.committed()
+    except ValueError as error:
+        raise click.BadParameter(str(error), param_hint="--family") from None
     if output is None and (target != catalogue.TARGET or not catalogue.is_checkout()):
         raise click.UsageError(f"name a folder with -o: only {catalogue.TARGET} kernels have a place, in a checkout")
     folder = output or catalogue.COMMITTED
-    chosen = orders or catalogue.ORDERS
-    with display.progress(STAGES * len(chosen)) as step:
+    with display.progress(STAGES * len(charts)) as step:
         if check:
-            found = check_folder(folder, chosen, target, step, max_n)
+            found = check_folder(folder, orders, target, step, max_n, families=families)
         else:
-            package = generate_kernels(chosen, target, folder, force=force, progress=step)
+            package = generate_kernels(orders, target, folder, families=families, force=force, progress=step)
     if not check:
         click.echo(written(package, folder).text(columns()), nl=False)
         display.not_compiled(package)

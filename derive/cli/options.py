@@ -49,6 +49,11 @@ def names(choices: tuple[str, ...]) -> Callable[[click.Context, click.Parameter,
     return parse
 
 
+def listed(context: click.Context, parameter: click.Parameter, value: str | None) -> tuple[str, ...]:
+    """Return names between commas, each once; none for no value."""
+    return tuple(dict.fromkeys(part.strip() for part in value.split(","))) if value is not None else ()
+
+
 class Place(click.Path):
     """A file or folder to write, which has a name: an empty one (of a variable that is not set) is no path."""
 

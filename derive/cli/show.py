@@ -32,6 +32,7 @@ def list_catalogue() -> None:
     for heading, names in (
         ("targets", ", ".join(about.TARGETS)),
         ("orders", f"any n >= 1; committed: {', '.join(map(str, about.ORDERS))}"),
+        ("families", f"also sineN and scaledN for any order N; committed: {', '.join(about.FAMILIES)}"),
         ("formulas", ", ".join(about.FORMULAS)),
         ("functions", ", ".join(PUBLIC)),
     ):

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-import re
+import itertools
+import shlex
+from collections.abc import Iterable
 from pathlib import Path
 
 from .. import about
+from ..maps import Cayley, family
 from ..maps.chart import Chart
 
-ORDERS, TARGET, MAX_ORDER = about.ORDERS, about.TARGET, about.MAX_ORDER
+ORDERS, FAMILIES, TARGET, MAX_ORDER = about.ORDERS, about.FAMILIES, about.TARGET, about.MAX_ORDER
 
 CHECKOUT = Path(__file__).parent.parent.parent
 COMMITTED = CHECKOUT / "generated" / "dualcay"
@@ -31,7 +34,29 @@ def command(target: str, *charts: Chart) -> str:
     return f"python -m derive generate{options} --target {target}{cap}"
 
 
-def order_of(line: str) -> int | None:
-    """The order in the command of a module; None for the command of shared files."""
-    found = re.search(r" -n (\d{1,9})\b", line)
-    return int(found.group(1)) if found else None
+def charts(orders: Iterable[int] = (), families: Iterable[str] = ()) -> list[Chart]:
+    """The charts of some orders, then those of some families, each once.
+
+    Raises
+    ------
+    ValueError, TypeError
+        For an order or a family that does not exist.
+    """
+    return [*(Cayley(n) for n in sorted(set(orders))), *map(family, dict.fromkeys(families))]
+
+
+def committed() -> list[Chart]:
+    """The charts whose modules are committed."""
+    return charts(ORDERS, FAMILIES)
+
+
+def chart_of(line: str) -> Chart | None:
+    """The chart in the command of a module; None for the command of shared files, and for any other."""
+    words = shlex.split(line)
+    chosen = dict(itertools.pairwise(words))
+    try:
+        if "--family" in chosen:
+            return family(chosen["--family"])
+        return Cayley(int(chosen["-n"])) if "-n" in chosen else None
+    except ValueError:
+        return None

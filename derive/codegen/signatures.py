@@ -67,6 +67,9 @@ class Function:
         Whether users call it.
     aliases : tuple of str
         Further names in the modules of Cayley maps.
+    keywords : tuple of str
+        Keyword parameters besides those of every function, in languages that have them: they choose what is done to
+        arguments and results, and change no program.
     """
 
     name: str
@@ -79,6 +82,7 @@ class Function:
     real: bool = False
     public: bool = True
     aliases: tuple[str, ...] = ()
+    keywords: tuple[str, ...] = ()
     shares: str = ""
 
     @property
@@ -112,7 +116,7 @@ def _tensor(name: str) -> Array:
     return Array(name, (2, 3, 3), (9, 9))
 
 
-V, OMEGA, V_DOT, LINE, SHADOW, MOVED = map(_dual, ("v", "omega", "v_dot", "line", "v_k", "moved"))
+V, OMEGA, V_DOT, LINE, SHADOW, MOVED, BACK = map(_dual, ("v", "omega", "v_dot", "line", "v_k", "moved", "v_back"))
 QUATERNION = Array("q", (8,), (4, 4))
 POSE = Array("pose", (4, 4), (3, 1, 3, 1, 3, 1, 4))
 POINT = Array("r", (3,), (3,))
@@ -122,22 +126,35 @@ SPACE, BODY = ("1",), ("-1",)
 """The side of T: itself, which gives the twist in space, or its transpose, in the body; of T⁻¹ also half the side."""
 SPACE_INV, BODY_INV = ("1", "0.5"), ("-1", "-0.5")
 
+CHECK, SCALAR_FIRST = "check", "scalar_first"
+"""Keywords: whether arguments are checked for what they have to be, and where in a quaternion the scalar stands."""
+
+
+def _way_back(name: str, given: Array, recipe: Recipe, *keywords: str) -> Function:
+    """From what represents a pose to its v on a branch."""
+    keywords = (CHECK, *keywords)
+    return Function(name, (given,), (V,), recipe, exact=False, branch=True, real=True, keywords=keywords)
+
+
 _ROWS = (
-    Function("quaternion", (V,), (QUATERNION,), forward.quaternion),
+    Function("quaternion", (V,), (QUATERNION,), forward.quaternion, keywords=(SCALAR_FIRST,)),
     Function("tensor", (V,), (_tensor("tensor"),), forward.tensor),
     Function("pose", (V,), (POSE,), forward.pose),
     Function("transform_point", (V, POINT), (POINT.called("moved"),), forward.transform_point),
     Function("transform_line", (V, LINE), (MOVED,), forward.transform_line),
+    Function("inverse", (V,), (BACK,), forward.inverse),
     Function("tangent", (V,), (_tensor("tangent"),), kinematics.tangent, aliases=("dcay",)),
     Function("tangent_inv", (V,), (_tensor("tangent"),), kinematics.tangent_inv, aliases=("dcay_inv",)),
+    Function("body_tangent", (V,), (_tensor("tangent"),), kinematics.body_tangent),
+    Function("body_tangent_inv", (V,), (_tensor("tangent"),), kinematics.body_tangent_inv),
     Function("twist", (V, V_DOT), (OMEGA,), kinematics.twist, constants=SPACE),
     Function("rate", (V, OMEGA), (V_DOT,), kinematics.rate, constants=SPACE_INV),
     Function("body_twist", (V, V_DOT), (OMEGA,), None, constants=BODY, shares="twist"),
     Function("body_rate", (V, OMEGA), (V_DOT,), None, constants=BODY_INV, shares="rate"),
-    Function("from_quaternion", (QUATERNION,), (V,), inverse.from_quaternion, exact=False, branch=True, real=True),
-    Function("from_tensor", (_tensor("R"),), (V,), inverse.from_tensor, exact=False, branch=True, real=True),
-    Function("from_pose", (POSE.called("T"),), (V,), inverse.from_pose, exact=False, branch=True, real=True),
-    Function("from_screw", (ANGLE, LINE), (V,), inverse.from_screw, exact=False, real=True),
+    _way_back("from_quaternion", QUATERNION, inverse.from_quaternion, SCALAR_FIRST),
+    _way_back("from_tensor", _tensor("R"), inverse.from_tensor),
+    _way_back("from_pose", POSE.called("T"), inverse.from_pose),
+    Function("from_screw", (ANGLE, LINE), (V,), inverse.from_screw, exact=False, real=True, keywords=(CHECK,)),
     Function("to_screw", (V,), (ANGLE, LINE), inverse.to_screw, exact=False, real=True),
     Function("turn", (V,), (SHADOW,), inverse.turn, exact=False, real=True, public=False),
     Function("shadow", (V,), (SHADOW,), inverse.shadow, exact=False, branch=True, real=True),

@@ -5,6 +5,7 @@ CP23 is Condurache and Popa, Symmetry 15(11) 2011 (2023), cited by equation numb
 
 from .cayley import Cayley
 from .formula import Formula, IsotropicMap, QuaternionMap
+from .named import family
 from .polynomials import x
 
-__all__ = ["Cayley", "Formula", "IsotropicMap", "QuaternionMap", "x"]
+__all__ = ["Cayley", "Formula", "IsotropicMap", "QuaternionMap", "family", "x"]

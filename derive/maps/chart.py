@@ -130,6 +130,10 @@ class Chart(Protocol):
         """Why forward maps are NaN for large v, and the Re|v| beyond which they are, in floats up to `largest`."""
 
     @property
+    def remainder(self) -> float:
+        """What scalars as computed are off by at most, however many digits numbers have: 0 of a formula."""
+
+    @property
     def quaternion(self) -> QuaternionMap: ...
     @property
     def tensor(self) -> IsotropicMap: ...

@@ -20,6 +20,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from types import SimpleNamespace
 from typing import Any, TypeAlias
 
 import sympy
@@ -190,6 +191,19 @@ def euler() -> Family:
     """Euler vector, ``α u``: T is dexp, CP23 (82), (84)."""
     root = sympy.sqrt(x)
     return Family("Euler", 1, alpha, root * sympy.cot(root / 2), "every alpha; T loses rank at |Re alpha| = 2 pi k")
+
+
+def of_angle(phi: sympy.Expr) -> SimpleNamespace:
+    """The scalars of a chart (`chart.Scalars`) as functions of α, and its x."""
+    sine, cosine, slope = sympy.sin(alpha / 2), sympy.cos(alpha / 2), phi.diff(alpha)
+    f, fi = 2 * sine * cosine / phi, phi * cosine / sine
+    g, h, hi = 2 * sine**2 / phi**2, (1 / slope - f) / phi**2, (2 * slope - fi) / phi**2
+    return SimpleNamespace(x=phi**2, s=cosine, w=sine / phi, f=f, g=g, h=h, fi=fi, hi=hi)
+
+
+def by_square(expression: sympy.Expr, phi: sympy.Expr) -> sympy.Expr:
+    """The derivative by x = φ² of a function of α."""
+    return expression.diff(alpha) / (2 * phi * phi.diff(alpha))
 
 
 def evaluate(expression: sympy.Expr, symbol: sympy.Symbol, value: Coefficient, library: Any = functions) -> Coefficient:

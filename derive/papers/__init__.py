@@ -21,6 +21,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 
+from ..output.listing import Listing
 from . import condurache_popa_2023, karakilic_2010
 from .decide import ORDERS, decide
 from .equation import Equation, Reading, Result, Status, UndecidedError, Verdict, equation
@@ -34,7 +35,7 @@ def verify(
     equations: Iterable[str] | None = None,
     orders: Sequence[int] | None = None,
     progress: Callable[[int, int], None] | None = None,
-) -> list[Result]:
+) -> Listing[Result]:
     """Decide the equations of the papers.
 
     Parameters
@@ -61,7 +62,7 @@ def verify(
     missing = sorted(set(wanted or ()) - {e.number for _, e in chosen})
     if missing:
         raise ValueError(f"no equation {', '.join(missing)}")
-    results = []
+    results: Listing[Result] = Listing()
     for done, (source, entry) in enumerate(chosen, 1):
         results.append(decide(source.slug, entry, source.lost, tuple(orders or ORDERS)))
         if progress is not None:

@@ -24,6 +24,8 @@ ratio                  rational functions as numbers, with roots of squares and 
 components             the componentwise road at one order, from the definition
 at_point               statements about one order, evaluated as printed
 scalars                the scalars of any algebraic chart are its formulas, and those of its φ
+any_phi                theorems on every parameterization v = φ(α) u
+instances_of_phi       the formulas of a chart in α are their instances
 proved                 `Proved` and the way to it
 controls               every theorem and every check with one thing wrong, which must fail
 coverage               which theorem, or which validation, covers each kernel function
@@ -40,6 +42,9 @@ from .every_order import theorems
 from .exact import Ring
 from .identity import Proof, decide
 from .proved import ProofFailed, Proved, proofs, prove
-from .scalars import root_of
+from .scalars import is_algebraic, root_of
 
-__all__ = ["Element", "Proof", "ProofFailed", "Proved", "Ring", "decide", "proofs", "prove", "root_of", "theorems"]
+__all__ = [
+    "Element", "Proof", "ProofFailed", "Proved", "Ring", "decide", "is_algebraic", "proofs", "prove", "root_of",
+    "theorems",
+]  # fmt: skip

@@ -11,6 +11,7 @@ from pathlib import Path
 
 from ..maps import Cayley
 from ..output import files
+from .any_phi import ANY_PHI
 from .controls import Control, controls, controls_at, controls_of
 from .displacement_theorems import COMPOSITION_AT
 from .every_order import decided, stated
@@ -49,7 +50,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def claims() -> tuple[Theorem, ...]:
     """What is proved once."""
-    return (*stated(Formulas()), *COMPOSITION_AT.values())
+    return (*stated(Formulas()), *COMPOSITION_AT.values(), *ANY_PHI)
 
 
 def at_order(n: int) -> tuple[Proof, ...]:

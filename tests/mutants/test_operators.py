@@ -14,6 +14,8 @@ from tests.mutants.programs import program_mutants, same_value
 from tests.mutants.python import OPERATORS, python_mutants, same_code
 from tests.mutants.templates import template_mutants
 
+pytestmark = pytest.mark.smoke
+
 
 def applied(source: str, operator: str) -> set[str]:
     """The sources that an operator makes of one."""

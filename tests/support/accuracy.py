@@ -55,6 +55,19 @@ class Trial(Measured):
         scale = "tangent_inv" if self.inside else "near_pole"
         return self._forward("tangent_inv", scale, self.gates(errors.RATE, errors.GENERAL))
 
+    def body_tangent(self) -> Iterator[Result]:
+        gates = self.gates(errors.TANGENT, errors.tangent_shadow_gate(self.order))
+        return self._forward("body_tangent", "tangent", gates)
+
+    def body_tangent_inv(self) -> Iterator[Result]:
+        scale = "tangent_inv" if self.inside else "near_pole"
+        return self._forward("body_tangent_inv", scale, self.gates(errors.RATE, errors.GENERAL))
+
+    def inverse(self) -> Iterator[Result]:
+        for v, got in zip(self.v, self.module.inverse(self.v), strict=True):
+            # a sign: nothing is rounded
+            yield Result(got, [self.oracle.inverse(v)], [errors.size(v)], (0.5, 0.5), (v,))
+
     def _applied(self, name: str, scale: str, gates: tuple[float, float]) -> Iterator[Result]:
         argument = self.second(sampling.dual_vectors, name)
         for v, w, got in zip(self.v, argument, getattr(self.module, name)(self.v, argument), strict=True):
@@ -246,6 +259,9 @@ FUNCTIONS = (
     "pose",
     "tangent",
     "tangent_inv",
+    "body_tangent",
+    "body_tangent_inv",
+    "inverse",
     "twist",
     "rate",
     "body_twist",

@@ -241,6 +241,26 @@ class Oracle:
     def tangent_inv(self, v: Any) -> np.ndarray:
         return pack(inverse(self.operator(self.unpack(v))))
 
+    def body_tangent(self, v: Any) -> np.ndarray:
+        """Column j is the body twist of v moving along e_j."""
+        dual = self.unpack(v)
+
+        def column(e: Any) -> tuple[Any, ...]:
+            r, r_dot = self.rotation_and_derivative(dual, [Nil(dual[0].re * 0 + c, dual[0].re * 0) for c in e])
+            return vect(matmul(transpose(r), r_dot))
+
+        return pack(transpose([column(e) for e in E]))
+
+    def body_tangent_inv(self, v: Any) -> np.ndarray:
+        dual = self.unpack(v)
+        return pack(matmul(inverse(self.operator(dual)), self.rotation(dual)))
+
+    def inverse(self, v: Any) -> np.ndarray:
+        """From the conjugate of the n-th root that v stands for."""
+        dual = self.unpack(v)
+        theta, axis = self.half_screw(conjugate((self.base(dual), *dual)))
+        return pack(dual if axis is None else tuple(self.size(theta) * c for c in axis))
+
     def twist(self, v: Any, v_dot: Any) -> np.ndarray:
         return pack(self.space_twist(self.unpack(v), self.unpack(v_dot)))
 

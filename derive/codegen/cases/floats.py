@@ -19,8 +19,9 @@ from ...maps.chart import Chart
 from ..signatures import FUNCTIONS
 from . import digits, exact
 from .maps_at import MAPS, MAX_BRANCHES, Flat, seeded_arguments
+from .point import Point
 from .screws import half_turns
-from .seeded import WIDE, Point, nearby
+from .seeded import WIDE, nearby
 from .vectors import Vectors
 
 SEED = 131
@@ -82,7 +83,7 @@ def _algebraic(chart: Vectors, vectors: Sequence[Flat], others: Sequence[Flat]) 
     rows: dict[str, list[Flat]] = {}
     for v, w in itertools.product(vectors, others):
         at = {f"{letter}{i}": c for letter, row in (("v", v), ("w", w)) for i, c in enumerate(row, 1)}
-        for case in exact.expectations(chart.chart, _point(at)):
+        for case in exact.expectations(chart.chart, _point(at, chart)):
             rows.setdefault(case.function, []).append(case.result)
     for name, results in rows.items():
         if name not in MAPS:
@@ -93,8 +94,8 @@ def _algebraic(chart: Vectors, vectors: Sequence[Flat], others: Sequence[Flat]) 
             yield Samples(name, (), tuple(given), tuple(results[::step]))
 
 
-def _point(at: Mapping[str, Any]) -> Callable[..., Point]:
-    return lambda **_: Point(at)
+def _point(at: Mapping[str, Any], chart: Vectors) -> Callable[..., Point]:
+    return lambda **_: Point(at, chart)
 
 
 def _inverse(chart: Vectors, draw: random.Random) -> Iterator[Samples]:

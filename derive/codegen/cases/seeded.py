@@ -12,18 +12,16 @@ from __future__ import annotations
 import random
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
-from functools import lru_cache
 from typing import Any
 
 import mpmath
-import sympy
 
 from ...maps.chart import Chart
 from ..signatures import FUNCTIONS
 from . import exact
 from .digits import DIGITS
 from .maps_at import MAPS, Flat, seeded_arguments
+from .point import Point
 from .vectors import Vectors
 
 SEED = 88
@@ -63,39 +61,6 @@ def nearby(value: Any) -> Any:
     return mpmath.mpf(int(mpmath.nint(value * GRID))) / GRID
 
 
-class Point:
-    """Numbers in place of the symbols of the exact ring, with what expectations ask of a ring."""
-
-    def __init__(self, values: Mapping[str, Any]) -> None:
-        self.values = values
-
-    def symbol(self, name: str) -> Any:
-        return self.values[name]
-
-    def value_and_slope(self, expression: sympy.Expr, symbol: sympy.Symbol, value: Any) -> tuple[Any, Any]:
-        """An algebraic expression and its derivative at an exact number, rounded to the working precision."""
-        at, digits = _fraction(value), mpmath.mp.dps + 5
-        both = (_evaluated(e, symbol, at, digits) for e in (expression, _derivative(expression, symbol)))
-        value, slope = map(mpmath.mpf, both)
-        return value, slope
-
-
-@lru_cache(maxsize=256)  # points differ in other components more often than in x
-def _evaluated(expression: sympy.Expr, symbol: sympy.Symbol, value: Fraction, digits: int) -> sympy.Float:
-    return expression.xreplace({symbol: sympy.Rational(value)}).evalf(digits)
-
-
-@lru_cache(maxsize=256)
-def _derivative(expression: sympy.Expr, symbol: sympy.Symbol) -> sympy.Expr:
-    return expression.diff(symbol)
-
-
-def _fraction(value: Any) -> Fraction:
-    sign, mantissa, exponent, _ = mpmath.mpf(value)._mpf_
-    magnitude = Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
-    return -magnitude if sign else magnitude
-
-
 def _algebraic(chart: Vectors, draw: random.Random) -> Iterator[Case]:
     """Every algebraic function at one point, Re|v| well below the first pole of the inverse operator."""
     size = chart.component(WIDE * chart.slope(0), chart.first_pole)
@@ -103,7 +68,7 @@ def _algebraic(chart: Vectors, draw: random.Random) -> Iterator[Case]:
     values |= {f"w{i}": nearby(draw.uniform(-2, 2)) for i in range(1, 7)}
 
     def results(at: Mapping[str, Any]) -> list[exact.Expectation]:
-        found = exact.expectations(chart.chart, lambda **symbols: Point(at))
+        found = exact.expectations(chart.chart, lambda **symbols: Point(at, chart))
         return [case for case in found if case.function not in MAPS]
 
     moved = [results(values | {name: values[name] * (1 + STEP)}) for name in DUAL_SYMBOLS]

@@ -16,10 +16,16 @@ import sympy
 from ...algebra import Dual, Quaternion, Tensor, Vector, real_part
 from ...algebra.functions import atan2
 from ...maps.chart import Chart
-from ...maps.families import alpha, evaluate
+from ...maps.families import alpha, by_square, evaluate
 from ...maps.inverse import polar
 from ...maps.pose import Screw, natural_invariants, quaternion_from_screw
 from ...maps.sign_tests import is_zero, orientation
+
+CANCELLED = 250
+"""Digits that terms of a scalar or its slope may lose: α⁻⁷ at least."""
+
+FEW = 2**20
+"""Units of rounding before the edge: where φ′ is small, or great."""
 
 SHORT = 0.9
 """Of an angle: what vectors drawn at random may reach of it."""
@@ -38,6 +44,13 @@ class Vectors:
         return mpmath.inf if edge.is_infinite else mpmath.mpf(edge.evalf(mpmath.mp.dps + 5))
 
     @cached_property
+    def is_folded(self) -> bool:
+        """Whether v ends at the edge, with φ′ = 0; else it is infinite there, or there is none."""
+        if mpmath.isinf(self.edge):
+            return False
+        return bool(abs(self.slope(self.edge * (1 - FEW * mpmath.eps))) < self.slope(0))
+
+    @cached_property
     def first_pole(self) -> Any:
         """The least Re α > 0 where v, T or its inverse is singular."""
         return mpmath.mpf(self.chart.singular_angles[0].evalf(mpmath.mp.dps + 5))
@@ -49,6 +62,16 @@ class Vectors:
     @cached_property
     def _roots(self) -> dict[tuple[int, Any], Any]:
         """Angles that have been found, by precision and length."""
+        return {}
+
+    @cached_property
+    def _values(self) -> dict[tuple[int, sympy.Expr, Any], tuple[Any, ...]]:
+        """Values and slopes of functions of α that have been computed: points differ in other components more often."""
+        return {}
+
+    @cached_property
+    def _slopes(self) -> dict[sympy.Expr, sympy.Expr]:
+        """Derivatives by x that have been taken."""
         return {}
 
     def size(self, angle: Any) -> Any:
@@ -109,6 +132,22 @@ class Vectors:
     def component(self, most: Any, angle: Any) -> float:
         """The largest component of vectors drawn at random: this, or less where they would come near an angle."""
         return float(most if mpmath.isinf(angle) else min(most, self.size(SHORT * angle) / mpmath.sqrt(3)))
+
+    def value_and_slope(self, expression: sympy.Expr, square: Any) -> tuple[Any, Any]:
+        """An even function of α and its derivative by x; its terms may cancel near 0, so more digits are taken."""
+        key = mpmath.mp.prec, expression, square
+        if key not in self._values:
+            angle, digits = self.angle(mpmath.sqrt(square)), mpmath.mp.dps
+            with mpmath.workdps(digits + CANCELLED):
+                at = max(angle, mpmath.mpf(10) ** (-digits // 2 - 5))  # an even function: off by the square of that
+                self._values[key] = tuple(evaluate(e, alpha, at) for e in (expression, self._by_square(expression)))
+        value, slope = self._values[key]
+        return +value, +slope
+
+    def _by_square(self, expression: sympy.Expr) -> sympy.Expr:
+        if expression not in self._slopes:
+            self._slopes[expression] = by_square(expression, self.chart.phi)
+        return self._slopes[expression]
 
     # --- from natural invariants --------------------------------------------------------------------------------
 

@@ -102,10 +102,14 @@ def _ray(trace: Geometry, point: Point) -> tuple[Quaternion, Number, tuple[Numbe
 
 
 def _finish(trace: Geometry, name: str, e: Quaternion, gain: str, rho: Vector, *sizes: Number) -> Program:
-    """v = gain · e and v° = Re(T)⁻¹ rho, T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, by one of the chart's gains."""
+    """v = gain · e and v° = Re(T)⁻¹ rho, T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, by one of the chart's gains.
+
+    ``fi = s/w`` is the gain times the scalar of e: from x it could not be computed as well where φ′ is small.
+    """
     (factor,) = trace.ask(gain, (e.scalar, *e.vector, *sizes))
     re = named(trace, "v", factor * e.vector)
-    fi, hi = Point(trace, (*re, 0, 0, 0)).scalars("inverse")
+    fi = trace.name("fi", factor * e.scalar)
+    (hi,) = Point(trace, (*re, 0, 0, 0)).scalars("inverse")
     along = trace.name("hvr", hi * re.dot(rho))
     return trace.program(name, (*re, *((fi * rho - re.cross(rho) + along * re) / 2)))
 

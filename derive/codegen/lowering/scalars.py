@@ -71,7 +71,7 @@ SCALARS: Mapping[str, Scalar] = {
     "quaternion": _of_x("s", "w", "sy", "wy"),
     "pose": _of_x("f", "g", "h"),
     "tangent": _of_x("f", "g", "h", "fy", "gy", "hy"),
-    "inverse": _of_x("fi", "hi"),
+    "inverse": _of_x("hi"),
     "tangent_inv": _of_x("fi", "hi", "fiy", "hiy"),
     "ray": Scalar(("x",), ("a", "b", "size", "f", "g", "h"), _ray),
     "gain_unit": Scalar(E, ("gain",), _gain_unit),
@@ -93,7 +93,7 @@ def table_names(chart: Chart) -> tuple[str, ...]:
 
 def scalar_programs(chart: Chart) -> dict[str, Program]:
     """The scalar programs of a chart, by name, without those that are `idle`."""
-    return {name: _program(name, chart) for name in SCALARS if name not in idle(chart)}
+    return {name: scalar_program(name, chart) for name in SCALARS if name not in idle(chart)}
 
 
 def idle(chart: Chart) -> set[str]:
@@ -101,7 +101,8 @@ def idle(chart: Chart) -> set[str]:
     return {name for name, asked in (("beyond", chart.returns()), ("turned", chart.branches > 1)) if not asked}
 
 
-def _program(name: str, chart: Chart) -> Program:
+def scalar_program(name: str, chart: Chart) -> Program:
+    """One of them, traced."""
     row, trace = SCALARS[name], Trace()
     arguments: list[Any] = []
     for argument in row.arguments:

@@ -11,6 +11,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from math import lcm
 
 from .program import Call, Constant, Operand, Program, Statement, Step
 from .value import Number, Value
@@ -100,6 +101,10 @@ class Trace:
             return a
         if (negated := self._negated(b)) is not None:
             return self.add(a, negated)
+        if isinstance(a, Fraction):
+            return self.div(self.sub(a.numerator, self.mul(a.denominator, b)), a.denominator)
+        if isinstance(b, Fraction):
+            return self.div(self.sub(self.mul(b.denominator, a), b.numerator), b.denominator)
         return self.record("sub", a, b)
 
     def mul(self, a: Number, b: Number) -> Number:
@@ -128,6 +133,10 @@ class Trace:
             return _tidy(Fraction(a) / Fraction(b))
         if _is(b, 1) or _is(a, 0):
             return a
+        if isinstance(b, Fraction):
+            return self.mul(1 / b, a)
+        if isinstance(a, Fraction):
+            return self.div(a.numerator, self.mul(a.denominator, b))
         return self.record("div", a, b)
 
     def neg(self, a: Number) -> Number:
@@ -188,6 +197,8 @@ class Trace:
     def where(self, condition: Number, a: Number, b: Number) -> Number:
         if isinstance(condition, bool):
             return a if condition else b
+        if (common := lcm(*(value.denominator for value in (a, b) if isinstance(value, Fraction)))) > 1:
+            return self.div(self.where(condition, self.mul(common, a), self.mul(common, b)), common)
         return self.record("where", condition, a, b)
 
     # --- recording --------------------------------------------------------------------------------------------

@@ -196,6 +196,8 @@ WORDS = python.Words(
     options="*, axis: int = -1, out: Array | None = None",
     passed="axis, out",
     passed_alone="axis, None",
+    placed="axis, out",
+    makes=True,
 )
 
 
@@ -203,21 +205,22 @@ class Numpy(python.PythonTarget):
     """The target of the committed kernels."""
 
     name = "numpy"
+    words = WORDS
     machinery = Machinery(few="_runtime.FEW", block="_kernel.BLOCK")
     unproved = "rounding errors, which are measured; NumPy itself"
 
     def shared(self) -> Mapping[str, Data]:
         programs = [python.printed(program, two_forms(program)) for program in geometry().values()]
         return {
-            "__init__.py": {},
+            **self.package(),
             "_chart.py": {},
+            "_checks.py": {"words": WORDS},
             "_geometry.py": {"programs": programs, "rows": python.rows(), "calls": _called(programs)},
             "_interface.py": python.interface(WORDS),
             "_kernel.py": {},
             "_runtime.py": {},
             "_selection.py": {},
             "_tools.py": {},
-            "py.typed": {},
         }
 
     def module(self, facts: Facts) -> Data:
@@ -227,4 +230,4 @@ class Numpy(python.PythonTarget):
         ]
         own = [python.printed(program, two_forms(program)) for program in facts.lowered.own.values()]
         data = {"calls": _called((*scalars, *own)), "scalars": scalars, "own": own, "rows": python.rows()}
-        return python.described(facts) | data
+        return python.described(facts, WORDS) | data

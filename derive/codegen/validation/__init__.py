@@ -20,7 +20,7 @@ What results must be is said by ``codegen.cases``.
 
 from .calls import NUMPY, Library
 from .errors import ValidationFailed
-from .replay import Machinery, replay
+from .replay import Machinery, replay, replay_package
 from .run import validate
 from .sample import Choose, Seen, everything
 
@@ -33,5 +33,6 @@ __all__ = [
     "ValidationFailed",
     "everything",
     "replay",
+    "replay_package",
     "validate",
 ]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -128,7 +129,8 @@ def _constants(unit: Unit, chart: Chart) -> None:
     if unit.call(f"{_prefix(chart)}singular_angles", Pointer.to(angles)) != len(ratios):
         raise ValidationFailed(f"singular_angles does not return {len(ratios)}")
     with mpmath.workdps(digits.DIGITS):
-        _compare("singular_angles", angles, [mpmath.pi * int(r.p) / int(r.q) for r in ratios], digits.close)
+        wanted = [mpmath.pi * int(r.p) / int(r.q) for r in ratios]
+        _compare("singular_angles", angles, wanted, partial(digits.close, tolerance=digits.tolerance(chart)))
 
 
 def _compare(where: str, found: Sequence[Any], expected: Sequence[Any], agree: Agree) -> None:

@@ -85,12 +85,20 @@ def replay(
     """
     if not libraries:
         return 0
+    with loaded(folder) as package:
+        return replay_package(package, chart, machinery, libraries, all_ways=all_ways)
+
+
+def replay_package(
+    package: str, chart: Chart, machinery: Machinery, libraries: Sequence[Library], *, all_ways: bool
+) -> int:
+    """The same for a package that can be imported."""
     dtypes = list(dict.fromkeys(dtype for library in libraries for dtype in library.dtypes))
     analysis = Analysis(chart, lower_chart(chart), dtypes)
     found = [analysis.known(group) for group in samples(chart)]
     for known in found:
         require_sharp(known)
-    with loaded(folder) as package, warnings.catch_warnings(), np.errstate(all="warn"):
+    with warnings.catch_warnings(), np.errstate(all="warn"):
         warnings.simplefilter("error" if machinery.silent else "ignore", RuntimeWarning)
         module = importlib.import_module(f"{package}.{chart.name}")
         few = _number(package, machinery.few) if machinery.few else FEW
@@ -104,7 +112,7 @@ def replay(
 
 
 def _every_function(caller: Caller, found: Sequence[Known], chart: Chart, few: int) -> None:
-    """Single poses, few, and many in several blocks; components last and first; under every name and branch."""
+    """Single poses, few, many in several blocks; components last and first; under every name, keyword and branch."""
     for known in found:
         for dtype in caller.library.dtypes:
             plain = dtype == np.float64
@@ -113,6 +121,8 @@ def _every_function(caller: Caller, found: Sequence[Known], chart: Chart, few: i
             for axis in (-1, 0):
                 for count in (few // 2, few + BLOCK):
                     caller.check(Call(known, several(known, count), dtype, axis))
+            if known.row.keywords:
+                ways.keywords(caller, known, dtype, few)
         first = Call(known, several(known, 1), caller.library.dtypes[0])
         for name in known.row.aliases if chart.cayley else ():
             caller.check(replace(first, name=name))

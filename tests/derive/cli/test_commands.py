@@ -57,7 +57,7 @@ def test_check_passes_and_names_a_stale_file_with_the_accepting_command(tmp_path
 @pytest.mark.parametrize("options", [(), ("--target", "array-api", "--max-n", "9", "--force")])
 def test_the_advice_repeats_every_option_that_was_given(tmp_path: Path, monkeypatch, options: tuple[str, ...]):
     given = ("generate", "-n", "6", *options, "-o", str(tmp_path / "the user's kernels"))
-    monkeypatch.setattr("derive.cli.generate.check_folder", lambda *_: [Difference(tmp_path / "f.py", "stale")])
+    monkeypatch.setattr("derive.cli.generate.check_folder", lambda *_, **__: [Difference(tmp_path / "f.py", "stale")])
     done = dualcay(*given, "--check")
     assert done.returncode == 1
     assert done.stderr == f"1 file(s) differ; accept with:  {shlex.join(('dualcay', *given))}\n"
@@ -245,7 +245,7 @@ def test_a_folder_whose_name_is_no_utf8_is_printed_as_it_is():
     code = (
         "import os, sys, derive.cli.generate as module\n"
         "from derive.codegen import Difference\n"
-        "module.check_folder = lambda folder, *_: [Difference(folder, 'missing')]\n"
+        "module.check_folder = lambda folder, *_, **__: [Difference(folder, 'missing')]\n"
         "from derive.__main__ import main\n"
         "sys.exit(main())"
     )

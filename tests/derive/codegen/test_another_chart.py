@@ -151,6 +151,7 @@ class Sine:
     phi = sympy.sin(alpha / 6)
     edge = 3 * sympy.pi
     branches = 3
+    remainder = 0.0
     singular_angles = (2 * sympy.pi, 3 * sympy.pi)
     cayley = None
     letters = ()

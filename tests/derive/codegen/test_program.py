@@ -154,6 +154,10 @@ def test_forward_maps_have_no_trigonometry_and_small_powers_of_two_none_at_all()
     forward = ("quaternion", "tensor", "pose", "tangent", "tangent_inv", "twist", "rate", "transform_point")
     inverse = ("from_quaternion", "from_tensor", "from_pose", "shadow", "turn", "compose")
     for order in (1, 2, 3, 4, 5, 8):
-        names = forward + (inverse if order in (1, 2, 4, 8) else ())
+        chart = Cayley(order)
+        # what nothing asks for where a pose has one v has no program
+        unasked = {"shadow", "turn"} if chart.branches == 1 else set()
+        names = {*forward, *(inverse if order in (1, 2, 4, 8) else ())} - unasked
+        operations = lower_chart(chart).operations
         for name in names:
-            assert not {"tan", "atan2"} & set(lower_chart(Cayley(order)).operations[name]), (order, name)
+            assert not {"tan", "atan2"} & set(operations[name]), (order, name)

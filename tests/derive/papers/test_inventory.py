@@ -10,6 +10,8 @@ import pytest
 
 from derive.papers import PAPERS, Paper
 
+pytestmark = pytest.mark.smoke
+
 ROOT = Path(__file__).parents[3]
 NUMBERED = {"condurache-popa-2023": 131, "karakilic-2010": 22}
 LAST_LINE = {"condurache-popa-2023": 469, "karakilic-2010": 269}
