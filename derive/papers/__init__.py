@@ -32,7 +32,7 @@ PAPERS: tuple[Paper, ...] = (condurache_popa_2023.PAPER, karakilic_2010.PAPER)
 
 def verify(
     paper: str | None = None,
-    equations: Iterable[str] | None = None,
+    equations: str | Iterable[str] | None = None,
     orders: Sequence[int] | None = None,
     progress: Callable[[int, int], None] | None = None,
 ) -> Listing[Result]:
@@ -42,8 +42,8 @@ def verify(
     ----------
     paper : str, optional
         Slug of one paper; both by default.
-    equations : iterable of str, optional
-        Numbers or slugs; all by default.
+    equations : str or iterable of str, optional
+        Numbers or slugs, also as one text with commas, ``"88,111"``; all by default.
     orders : sequence of int, optional
         The orders n at which statements about n are executed, 1 … 5 by default.
     progress : callable, optional
@@ -57,7 +57,8 @@ def verify(
     papers = [p for p in PAPERS if paper in (None, p.slug)]
     if not papers:
         raise ValueError(f"no paper {paper!r}: expected {' or '.join(p.slug for p in PAPERS)}")
-    wanted = None if equations is None else [str(number) for number in equations]
+    listed = [part.strip() for part in equations.split(",")] if isinstance(equations, str) else equations
+    wanted = None if listed is None else [str(number) for number in listed]
     chosen = [(p, e) for p in papers for e in p.entries() if wanted is None or e.number in wanted]
     missing = sorted(set(wanted or ()) - {e.number for _, e in chosen})
     if missing:

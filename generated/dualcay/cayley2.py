@@ -84,10 +84,10 @@
 #   from_tensor: 134: 46 +, 49 *, 7 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 98: 31 +, 31 *, 4 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
-#   to_screw: 67: 15 +, 27 *, 7 /, 1 neg, 1 sqrt, 1 atan2, 2 lt, 1 eq, 12 where
-#   turn: 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
-#   shadow: 72: 19 +, 31 *, 7 /, 1 sqrt, 2 lt, 1 eq, 11 where
-#   principal: 52: 13 +, 23 *, 7 /, 1 sqrt, 1 lt, 7 where
+#   to_screw: 82: 21 +, 31 *, 12 /, 7 abs, 1 sqrt, 1 atan2, 2 lt, 1 eq, 6 where
+#   turn: 66: 16 +, 27 *, 11 /, 6 abs, 1 sqrt, 1 eq, 4 where
+#   shadow: 90: 25 +, 36 *, 12 /, 6 abs, 2 sqrt, 2 lt, 1 eq, 6 where
+#   principal: 55: 15 +, 23 *, 8 /, 1 sqrt, 1 lt, 7 where
 #   compose: 205: 73 +, 120 *, 8 /, 1 neg, 1 lt, 2 where
 r"""Cayley map of order 2: Rodrigues dual vectors ``v = tan(α/4) u`` of rigid displacements.
 
@@ -116,7 +116,7 @@ from typing import Any
 
 from ._chart import Chart, Function
 from ._interface import PoseKernels
-from ._kernel import Components, Kernel, Result, Rows, add, atan2, copy, div, mul, neg, sqrt, sub, tan
+from ._kernel import Components, Kernel, Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
     "body_cotangent", "body_cotangent_jacobian", "body_rate", "body_rate_dot", "body_rate_jacobian", "body_tangent",
@@ -369,37 +369,42 @@ def _gain_product_blocks(
     return o1,
 
 
-# operations 8: 3 +, 1 *, 2 lt, 2 where
+# operations 13: 5 +, 2 *, 1 /, 1 sqrt, 2 lt, 2 where
 def _direction(m: Any, x: Any, y: Any) -> Result:
+    rd = m.sqrt(x)
+    rq = 2 * rd
     p = 1 - x
-    pneg = p < 0
-    qp = m.where(pneg, -2, 2)
-    one = p - p + 1
+    either = rq + p
+    one = either - either + 1
+    qp = m.where(rq + p / 16 < rq, -2, 2)
     sign = one * m.where(qp < 0, -1, 1)
     return sign,
 
 
 def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any) -> Result:
     o1, = out
-    k1, *_ = scratch
+    k1, k2, *_ = scratch
     mask1, *_ = masks
-    n_minus_2, n_minus_1, n0, n1, n2 = numbers
-    p = sub(n1, x, o1)
-    one = add(sub(p, p, k1), n1, k1)
-    pneg = m.less(p, n0, mask1)
-    qp = m.where(pneg, n_minus_2, n2, o1)
+    n_minus_2, n_minus_1, n0, n1, n2, n16 = numbers
+    rd = sqrt(x, o1)
+    rq = mul(n2, rd, o1)
+    p = sub(n1, x, k1)
+    either = add(rq, p, k2)
+    qp = m.where(m.less(add(rq, div(p, n16, k1), k1), rq, mask1), n_minus_2, n2, o1)
+    one = add(sub(either, either, k1), n1, k1)
     mul(one, m.where(m.less(qp, n0, mask1), n_minus_1, n1, o1), o1)
     return o1,
 
 
-# operations 16: 4 +, 4 *, 1 /, 1 neg, 1 atan2, 2 lt, 3 where
+# operations 18: 6 +, 4 *, 2 /, 1 abs, 1 atan2, 2 lt, 2 where
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
+    rq = 2 * r
     p = 1 - x
-    pneg = p < 0
-    qp = m.where(pneg, -2, 2)
-    one = p - p + 1
+    either = rq + p
+    one = either - either + 1
+    qp = m.where(rq + p / 16 < rq, -2, 2)
     sign = one * m.where(qp < 0, -1, 1)
-    angle = 2 * m.atan2(2 * r, m.where(pneg, -p, p)) * one
+    angle = 2 * m.atan2(rq * one, m.abs(p))
     slope = 4 / (1 + x)
     return angle, slope, sign
 
@@ -408,13 +413,14 @@ def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     o1, o2, o3 = out
     k1, *_ = scratch
     mask1, *_ = masks
-    n_minus_2, n_minus_1, n0, n1, n2, n4 = numbers
-    p = sub(n1, x, o1)
-    one = add(sub(p, p, o3), n1, o3)
-    pneg = m.less(p, n0, mask1)
-    mul(mul(n2, atan2(mul(n2, r, o2), m.where(pneg, neg(p, k1), p, k1), o1), o1), one, o1)
-    qp = m.where(pneg, n_minus_2, n2, o2)
-    mul(one, m.where(m.less(qp, n0, mask1), n_minus_1, n1, o2), o3)
+    n_minus_2, n_minus_1, n0, n1, n2, n4, n16 = numbers
+    rq = mul(n2, r, o1)
+    p = sub(n1, x, o3)
+    either = add(rq, p, o2)
+    one = add(sub(either, either, o2), n1, o2)
+    qp = m.where(m.less(add(rq, div(p, n16, k1), k1), rq, mask1), n_minus_2, n2, k1)
+    mul(n2, atan2(mul(rq, one, o1), absolute(p, o3), o1), o1)
+    mul(one, m.where(m.less(qp, n0, mask1), n_minus_1, n1, o3), o3)
     div(n4, add(n1, x, o2), o2)
     return o1, o2, o3
 
@@ -436,9 +442,9 @@ def _turned_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows,
     return o1, o2
 
 
-# operations 1: 1 lt
+# operations 4: 2 +, 1 /, 1 lt
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
-    beyond1 = limit1 < x
+    beyond1 = limit1 < limit1 + (x - limit1) / 16
     return beyond1, cos1, sin1
 
 
@@ -446,8 +452,10 @@ def _beyond_blocks(
     m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, limit1: Any, cos1: Any, sin1: Any
 ) -> Result:
     o1, _, _ = out
+    k1, *_ = scratch
     _, *_ = masks
-    m.less(limit1, x, o1)
+    n16, = numbers
+    m.less(limit1, add(limit1, div(sub(x, limit1, k1), n16, k1), k1), o1)
     return o1, cos1, sin1
 
 
@@ -1311,10 +1319,10 @@ CHART = Chart(
         "ray": Function(_ray, _ray_blocks, 0, 0, (1, 2, 4)),
         "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 0, (1,)),
         "gain_product": Function(_gain_product, _gain_product_blocks, 2, 1, (-1, 0, 1)),
-        "direction": Function(_direction, _direction_blocks, 1, 1, (-2, -1, 0, 1, 2)),
-        "natural": Function(_natural, _natural_blocks, 1, 1, (-2, -1, 0, 1, 2, 4)),
+        "direction": Function(_direction, _direction_blocks, 2, 1, (-2, -1, 0, 1, 2, 16)),
+        "natural": Function(_natural, _natural_blocks, 1, 1, (-2, -1, 0, 1, 2, 4, 16)),
         "turned": Function(_turned, _turned_blocks, 0, 0, (1,)),
-        "beyond": Function(_beyond, _beyond_blocks, 0, 1, ()),
+        "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 4)),
     },
     own={

@@ -53,7 +53,7 @@
 #   from_tensor: 116: 38 +, 39 *, 7 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 80: 23 +, 21 *, 4 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 22: 5 +, 12 *, 4 /, 1 tan
-#   to_screw: 65: 14 +, 25 *, 7 /, 1 neg, 2 sqrt, 1 atan2, 2 lt, 1 eq, 12 where
+#   to_screw: 78: 19 +, 29 *, 11 /, 7 abs, 2 sqrt, 1 atan2, 2 lt, 1 eq, 6 where
 #   compose: 163: 61 +, 93 *, 5 /, 2 sqrt, 1 lt, 1 where
 r"""Orthographic projection: Rodrigues dual vectors ``v = sin(α/2) u`` of rigid displacements.
 
@@ -80,7 +80,7 @@ from typing import Any
 
 from ._chart import Chart, Function
 from ._interface import PoseKernels
-from ._kernel import Components, Kernel, Result, Rows, add, atan2, copy, div, mul, neg, sqrt, sub, tan
+from ._kernel import Components, Kernel, Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
     "body_cotangent", "body_cotangent_jacobian", "body_rate", "body_rate_dot", "body_rate_jacobian", "body_tangent",
@@ -177,31 +177,29 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     return o1, n2, o3, o4, o5, o6, o7, o8, o9
 
 
-# operations 14: 3 +, 2 *, 1 /, 1 neg, 1 sqrt, 1 atan2, 2 lt, 3 where
+# operations 14: 4 +, 2 *, 1 /, 1 abs, 1 sqrt, 1 atan2, 2 lt, 2 where
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
-    sneg = c < 0
-    turned = m.where(sneg, -1, 1)
+    turned = m.where(16 + c < 16, -1, 1)
     one = c - c + 1
     sign = one * m.where(turned < 0, -1, 1)
-    angle = 2 * m.atan2(r, m.where(sneg, -c, c))
+    angle = 2 * m.atan2(r, m.abs(c))
     rho = 2 / c
     return angle, rho, sign
 
 
 def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
     o1, o2, o3 = out
-    mask1, mask2, *_ = masks
-    n_minus_1, n0, n1, n2 = numbers
-    cc = sub(n1, x, o2)
-    c = sqrt(cc, o2)
+    mask1, *_ = masks
+    n_minus_1, n0, n1, n2, n16 = numbers
+    cc = sub(n1, x, o1)
+    c = sqrt(cc, o1)
     one = add(sub(c, c, o3), n1, o3)
-    sneg = m.less(c, n0, mask1)
-    turned = m.where(sneg, n_minus_1, n1, o1)
-    mul(one, m.where(m.less(turned, n0, mask2), n_minus_1, n1, o1), o3)
-    mul(n2, atan2(r, m.where(sneg, neg(c, o1), c, o1), o1), o1)
+    turned = m.where(m.less(add(n16, c, o2), n16, mask1), n_minus_1, n1, o2)
+    mul(one, m.where(m.less(turned, n0, mask1), n_minus_1, n1, o2), o3)
     div(n2, c, o2)
+    mul(n2, atan2(r, absolute(c, o1), o1), o1)
     return o1, o2, o3
 
 
@@ -1186,7 +1184,7 @@ CHART = Chart(
         "pose": Function(_pose, _pose_blocks, 0, 0, (1, 2)),
         "tangent": Function(_tangent, _tangent_blocks, 0, 0, (1, 2, 4)),
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 1, 0, (1, 2, 3, 4)),
-        "natural": Function(_natural, _natural_blocks, 0, 2, (-1, 0, 1, 2)),
+        "natural": Function(_natural, _natural_blocks, 0, 1, (-1, 0, 1, 2, 16)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 1, 0, (1, 2, 4)),
     },
     own={

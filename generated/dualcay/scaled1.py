@@ -53,7 +53,7 @@
 #   from_tensor: 121: 40 +, 42 *, 8 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 85: 25 +, 24 *, 5 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 20: 4 +, 13 *, 2 /, 1 tan
-#   to_screw: 56: 12 +, 22 *, 10 /, 1 sqrt, 1 atan2, 1 eq, 9 where
+#   to_screw: 74: 18 +, 29 *, 14 /, 6 abs, 1 sqrt, 1 atan2, 1 eq, 4 where
 #   compose: 156: 56 +, 79 *, 21 /
 r"""Normal Rodrigues vector of order 1: Rodrigues dual vectors ``v = 2 tan(α/2) u`` of rigid displacements.
 
@@ -128,6 +128,28 @@ def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: R
     div(sy, n4, o3)
     div(sy, n8, o4)
     return o1, o2, o3, o4
+
+
+# operations 10: 3 +, 2 *, 4 /, 1 atan2
+def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
+    rq = r / 2
+    z = x / 4
+    one = z - z + 1
+    angle = 2 * m.atan2(rq * one, 1)
+    slope = 2 / (1 + z)
+    return angle, slope / 2, one
+
+
+def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
+    o1, o2, o3 = out
+    n1, n2, n4 = numbers
+    z = div(x, n4, o2)
+    one = add(sub(z, z, o3), n1, o3)
+    slope = div(n2, add(n1, z, o2), o2)
+    div(slope, n2, o2)
+    rq = div(r, n2, o1)
+    mul(n2, atan2(mul(rq, one, o1), n1, o1), o1)
+    return o1, o2, o3
 
 
 # operations 7: 1 +, 3 *, 2 /, 1 tan
@@ -1974,67 +1996,6 @@ def _own_from_pose_blocks(
     div(add(sub(mul(T34, fi, k1), sub(mul(v1, T24, k3), mul(v2, T14, k4), k3), k1), mul(v3, hvr, k2), k1), n2, o6)
 
 
-# operations 56: 12 +, 22 *, 10 /, 1 sqrt, 1 atan2, 1 eq, 9 where
-def _own_to_screw(m: Any, c: Any, v: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    still = x == 0
-    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
-    r = m.where(still, x, length)
-    u1 = m.where(still, v1o, v1) / length
-    u2 = m.where(still, v2o, v2) / length
-    u3 = m.where(still, v3o, v3) / length
-    ro = m.where(still, length, u1 * v1o + u2 * v2o + u3 * v3o)
-    uo1 = m.where(still, 0, v1o - u1 * ro) / length
-    uo2 = m.where(still, 0, v2o - u2 * ro) / length
-    uo3 = m.where(still, 0, v3o - u3 * ro) / length
-    z = x / 4
-    one = z - z + 1
-    angle = 2 * m.atan2(r / 2, 1) * one
-    slope = 2 / (1 + z)
-    slope_ = slope / 2
-    return angle, one * (slope_ * ro), u1 * one, u2 * one, u3 * one, uo1 * one, uo2 * one, uo3 * one
-
-
-def _own_to_screw_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    o1, o2, o3, o4, o5, o6, o7, o8 = out
-    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
-    mask1, = masks
-    n0, n1, n2, n4 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    still = m.equal(x, n0, mask1)
-    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
-    r = m.where(still, x, length, k3)
-    z = div(x, n4, k1)
-    one = add(sub(z, z, k4), n1, k4)
-    mul(mul(n2, atan2(div(r, n2, k3), n1, k3), k3), one, o1)
-    slope = div(n2, add(n1, z, k1), k1)
-    slope_ = div(slope, n2, k1)
-    u1 = div(m.where(still, v1o, v1, k3), length, k3)
-    mul(u1, one, o3)
-    u2 = div(m.where(still, v2o, v2, k5), length, k5)
-    mul(u2, one, o4)
-    u3 = div(m.where(still, v3o, v3, k6), length, k6)
-    mul(u3, one, o5)
-    ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
-    mul(one, mul(slope_, ro, k1), o2)
-    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k1), k1), k3), length, k1)
-    mul(uo1, one, o6)
-    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k1), k1), k3), length, k1)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k3), k3), k5), length, k2)
-    mul(uo2, one, o7)
-    mul(uo3, one, o8)
-
-
 # operations 156: 56 +, 79 *, 21 /
 def _own_compose(m: Any, c: Any, b: Components, a: Components) -> Result:
     b1, b2, b3, b1o, b2o, b3o = b
@@ -2188,6 +2149,7 @@ CHART = Chart(
     ),
     functions={
         "quaternion": Function(_quaternion, _quaternion_blocks, 0, 0, (-1, 1, 2, 4, 8)),
+        "natural": Function(_natural, _natural_blocks, 0, 0, (1, 2, 4)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 2)),
     },
     own={
@@ -2386,17 +2348,6 @@ CHART = Chart(
         registers=8,
         masks=7,
         numbers=(-1, 0, 1, 2),
-        lent=(),
-        real=True,
-    ),
-        "to_screw": Kernel(
-        _own_to_screw,
-        _own_to_screw_blocks,
-        (("v", (6,)),),
-        (8,),
-        registers=8,
-        masks=1,
-        numbers=(0, 1, 2, 4),
         lent=(),
         real=True,
     ),

@@ -53,10 +53,10 @@
 #   from_tensor: 130: 44 +, 46 *, 8 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 94: 29 +, 28 *, 5 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 20: 4 +, 13 *, 2 /, 1 tan
-#   to_screw: 70: 15 +, 27 *, 10 /, 1 neg, 1 sqrt, 1 atan2, 2 lt, 1 eq, 12 where
-#   turn: 60: 14 +, 27 *, 8 /, 1 sqrt, 1 eq, 9 where
-#   shadow: 75: 19 +, 32 *, 9 /, 1 sqrt, 2 lt, 1 eq, 11 where
-#   principal: 54: 13 +, 24 *, 8 /, 1 sqrt, 1 lt, 7 where
+#   to_screw: 85: 21 +, 31 *, 15 /, 7 abs, 1 sqrt, 1 atan2, 2 lt, 1 eq, 6 where
+#   turn: 68: 16 +, 28 *, 12 /, 6 abs, 1 sqrt, 1 eq, 4 where
+#   shadow: 93: 25 +, 37 *, 14 /, 6 abs, 2 sqrt, 2 lt, 1 eq, 6 where
+#   principal: 57: 15 +, 24 *, 9 /, 1 sqrt, 1 lt, 7 where
 #   compose: 209: 71 +, 111 *, 23 /, 1 neg, 1 lt, 2 where
 r"""Normal Rodrigues vector of order 2: Rodrigues dual vectors ``v = 4 tan(α/4) u`` of rigid displacements.
 
@@ -83,7 +83,7 @@ from typing import Any
 
 from ._chart import Chart, Function
 from ._interface import PoseKernels
-from ._kernel import Components, Kernel, Result, Rows, add, atan2, copy, div, mul, neg, sqrt, sub, tan
+from ._kernel import Components, Kernel, Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
     "body_cotangent", "body_cotangent_jacobian", "body_rate", "body_rate_dot", "body_rate_jacobian", "body_tangent",
@@ -272,40 +272,45 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     return o1, o2, o3, o4, o5, o6, o7, o8, o9
 
 
-# operations 9: 3 +, 1 *, 1 /, 2 lt, 2 where
+# operations 14: 5 +, 2 *, 2 /, 1 sqrt, 2 lt, 2 where
 def _direction(m: Any, x: Any, y: Any) -> Result:
     z = x / 16
+    rd = m.sqrt(z)
+    rq = 2 * rd
     p = 1 - z
-    pneg = p < 0
-    qp = m.where(pneg, -2, 2)
-    one = p - p + 1
+    either = rq + p
+    one = either - either + 1
+    qp = m.where(rq + p / 16 < rq, -2, 2)
     sign = one * m.where(qp < 0, -1, 1)
     return sign,
 
 
 def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any) -> Result:
     o1, = out
-    k1, *_ = scratch
+    k1, k2, *_ = scratch
     mask1, *_ = masks
     n_minus_2, n_minus_1, n0, n1, n2, n16 = numbers
     z = div(x, n16, o1)
+    rd = sqrt(z, k1)
+    rq = mul(n2, rd, k1)
     p = sub(n1, z, o1)
-    one = add(sub(p, p, k1), n1, k1)
-    pneg = m.less(p, n0, mask1)
-    qp = m.where(pneg, n_minus_2, n2, o1)
+    either = add(rq, p, k2)
+    qp = m.where(m.less(add(rq, div(p, n16, o1), o1), rq, mask1), n_minus_2, n2, o1)
+    one = add(sub(either, either, k1), n1, k1)
     mul(one, m.where(m.less(qp, n0, mask1), n_minus_1, n1, o1), o1)
     return o1,
 
 
-# operations 19: 4 +, 4 *, 4 /, 1 neg, 1 atan2, 2 lt, 3 where
+# operations 21: 6 +, 4 *, 5 /, 1 abs, 1 atan2, 2 lt, 2 where
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     z = x / 16
+    rq = 2 * (r / 4)
     p = 1 - z
-    pneg = p < 0
-    qp = m.where(pneg, -2, 2)
-    one = p - p + 1
+    either = rq + p
+    one = either - either + 1
+    qp = m.where(rq + p / 16 < rq, -2, 2)
     sign = one * m.where(qp < 0, -1, 1)
-    angle = 2 * m.atan2(2 * (r / 4), m.where(pneg, -p, p)) * one
+    angle = 2 * m.atan2(rq * one, m.abs(p))
     slope = 4 / (1 + z)
     return angle, slope / 4, sign
 
@@ -315,15 +320,16 @@ def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     k1, k2, *_ = scratch
     mask1, *_ = masks
     n_minus_2, n_minus_1, n0, n1, n2, n4, n16 = numbers
+    rq = mul(n2, div(r, n4, o1), o1)
     z = div(x, n16, o2)
-    p = sub(n1, z, o1)
+    p = sub(n1, z, o3)
     slope = div(n4, add(n1, z, o2), o2)
     div(slope, n4, o2)
-    one = add(sub(p, p, o3), n1, o3)
-    pneg = m.less(p, n0, mask1)
-    mul(mul(n2, atan2(mul(n2, div(r, n4, k1), k1), m.where(pneg, neg(p, k2), p, k2), o1), o1), one, o1)
-    qp = m.where(pneg, n_minus_2, n2, k1)
-    mul(one, m.where(m.less(qp, n0, mask1), n_minus_1, n1, k1), o3)
+    either = add(rq, p, k1)
+    one = add(sub(either, either, k1), n1, k1)
+    qp = m.where(m.less(add(rq, div(p, n16, k2), k2), rq, mask1), n_minus_2, n2, k2)
+    mul(n2, atan2(mul(rq, one, o1), absolute(p, o3), o1), o1)
+    mul(one, m.where(m.less(qp, n0, mask1), n_minus_1, n1, o3), o3)
     return o1, o2, o3
 
 
@@ -348,9 +354,9 @@ def _turned_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows,
     return o1, o2
 
 
-# operations 1: 1 lt
+# operations 4: 2 +, 1 /, 1 lt
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
-    beyond1 = limit1 < x
+    beyond1 = limit1 < limit1 + (x - limit1) / 16
     return beyond1, cos1, sin1
 
 
@@ -358,8 +364,10 @@ def _beyond_blocks(
     m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, limit1: Any, cos1: Any, sin1: Any
 ) -> Result:
     o1, _, _ = out
+    k1, *_ = scratch
     _, *_ = masks
-    m.less(limit1, x, o1)
+    n16, = numbers
+    m.less(limit1, add(limit1, div(sub(x, limit1, k1), n16, k1), k1), o1)
     return o1, cos1, sin1
 
 
@@ -1514,10 +1522,10 @@ CHART = Chart(
         "pose": Function(_pose, _pose_blocks, 0, 0, (1, 2, 4, 16, 64)),
         "tangent": Function(_tangent, _tangent_blocks, 0, 0, (1, 2, 4, 16, 64, 256, 1024)),
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 0, 0, (1, 2, 4, 16, 64, 256, 1024, 4096, 16384)),
-        "direction": Function(_direction, _direction_blocks, 1, 1, (-2, -1, 0, 1, 2, 16)),
+        "direction": Function(_direction, _direction_blocks, 2, 1, (-2, -1, 0, 1, 2, 16)),
         "natural": Function(_natural, _natural_blocks, 2, 1, (-2, -1, 0, 1, 2, 4, 16)),
         "turned": Function(_turned, _turned_blocks, 0, 0, (1, 4)),
-        "beyond": Function(_beyond, _beyond_blocks, 0, 1, ()),
+        "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 4)),
     },
     own={
