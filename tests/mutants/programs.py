@@ -178,6 +178,7 @@ class Programs:
     name: str = "programs"
     what: str = "straight-line programs of the geometry and of the committed charts: by validation alone"
     checks: None = None
+    unchanged: tuple[str, ...] = ("derive.codegen",)
 
     def edit(self, mutant: Mutant) -> Edit | None:
         return None
