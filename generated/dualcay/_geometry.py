@@ -1382,9 +1382,12 @@ def to_screw(m: Any, c: Any, v: Components) -> Result:
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
     ro = m.where(still, length, u1 * v1o + u2 * v2o + u3 * v3o)
-    uo1 = m.where(still, 0, v1o - u1 * ro) / length
-    uo2 = m.where(still, 0, v2o - u2 * ro) / length
-    uo3 = m.where(still, 0, v3o - u3 * ro) / length
+    ru1 = u1 * ro
+    ru2 = u2 * ro
+    ru3 = u3 * ro
+    uo1 = m.where(still, 0, v1o - ru1) / length
+    uo2 = m.where(still, 0, v2o - ru2) / length
+    uo3 = m.where(still, 0, v3o - ru3) / length
     y = v1 * v1o + v2 * v2o + v3 * v3o
     angle, slope, sign = c.natural(m, x, y, r)
     return angle, sign * (slope * ro), u1 * sign, u2 * sign, u3 * sign, uo1 * sign, uo2 * sign, uo3 * sign
@@ -1415,10 +1418,13 @@ def to_screw_blocks(
     mul(u3, sign, o5)
     ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
     mul(sign, mul(slope, ro, k5), o2)
-    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k1), k1), k5), length, k1)
+    ru1 = mul(u1, ro, k1)
+    uo1 = div(m.where(still, n0, sub(v1o, ru1, k1), k5), length, k1)
     mul(uo1, sign, o6)
-    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k1), k1), k3), length, k1)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k3), k3), k4), length, k2)
+    ru2 = mul(u2, ro, k1)
+    ru3 = mul(u3, ro, k3)
+    uo2 = div(m.where(still, n0, sub(v2o, ru2, k1), k4), length, k1)
+    uo3 = div(m.where(still, n0, sub(v3o, ru3, k3), k4), length, k2)
     mul(uo2, sign, o7)
     mul(uo3, sign, o8)
 
@@ -1438,9 +1444,12 @@ def turn(m: Any, c: Any, v: Components, table: Components) -> Result:
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
     ro = m.where(still, length, u1 * v1o + u2 * v2o + u3 * v3o)
-    uo1 = m.where(still, 0, v1o - u1 * ro) / length
-    uo2 = m.where(still, 0, v2o - u2 * ro) / length
-    uo3 = m.where(still, 0, v3o - u3 * ro) / length
+    ru1 = u1 * ro
+    ru2 = u2 * ro
+    ru3 = u3 * ro
+    uo1 = m.where(still, 0, v1o - ru1) / length
+    uo2 = m.where(still, 0, v2o - ru2) / length
+    uo3 = m.where(still, 0, v3o - ru3) / length
     rk, slope = c.turned(m, r, cos, sin)
     rko = ro * slope
     return u1 * rk, u2 * rk, u3 * rk, uo1 * rk + u1 * rko, uo2 * rk + u2 * rko, uo3 * rk + u3 * rko
@@ -1471,11 +1480,14 @@ def turn_blocks(
     mul(u3, rk, o3)
     ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
     rko = mul(ro, slope, k4)
-    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k7), k7), k9), length, k7)
+    ru1 = mul(u1, ro, k7)
+    uo1 = div(m.where(still, n0, sub(v1o, ru1, k7), k9), length, k7)
     add(mul(uo1, rk, k7), mul(u1, rko, k1), o4)
-    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k1), k1), k7), length, k1)
+    ru2 = mul(u2, ro, k1)
+    uo2 = div(m.where(still, n0, sub(v2o, ru2, k1), k7), length, k1)
     add(mul(uo2, rk, k1), mul(u2, rko, k5), o5)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k1), k1), k5), length, k1)
+    ru3 = mul(u3, ro, k1)
+    uo3 = div(m.where(still, n0, sub(v3o, ru3, k1), k5), length, k1)
     add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
 
 
@@ -1496,9 +1508,12 @@ def shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
     ro = m.where(still, length, u1 * v1o + u2 * v2o + u3 * v3o)
-    uo1 = m.where(still, 0, v1o - u1 * ro) / length
-    uo2 = m.where(still, 0, v2o - u2 * ro) / length
-    uo3 = m.where(still, 0, v3o - u3 * ro) / length
+    ru1 = u1 * ro
+    ru2 = u2 * ro
+    ru3 = u3 * ro
+    uo1 = m.where(still, 0, v1o - ru1) / length
+    uo2 = m.where(still, 0, v2o - ru2) / length
+    uo3 = m.where(still, 0, v3o - ru3) / length
     sn = sign * sin
     rk, slope = c.turned(m, r, cos, sn)
     rko = ro * slope
@@ -1533,11 +1548,14 @@ def shadow_blocks(
     mul(u3, rk, o3)
     ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
     rko = mul(ro, slope, k5)
-    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k7), k7), k9), length, k7)
+    ru1 = mul(u1, ro, k7)
+    uo1 = div(m.where(still, n0, sub(v1o, ru1, k7), k9), length, k7)
     add(mul(uo1, rk, k7), mul(u1, rko, k1), o4)
-    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k1), k1), k7), length, k1)
+    ru2 = mul(u2, ro, k1)
+    uo2 = div(m.where(still, n0, sub(v2o, ru2, k1), k7), length, k1)
     add(mul(uo2, rk, k1), mul(u2, rko, k3), o5)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k1), k1), k3), length, k1)
+    ru3 = mul(u3, ro, k1)
+    uo3 = div(m.where(still, n0, sub(v3o, ru3, k1), k3), length, k1)
     add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
 
 
@@ -1554,9 +1572,12 @@ def principal(m: Any, c: Any, v: Components, table: Components) -> Result:
     u2 = v2 / r
     u3 = v3 / r
     ro = u1 * v1o + u2 * v2o + u3 * v3o
-    uo1 = (v1o - u1 * ro) / r
-    uo2 = (v2o - u2 * ro) / r
-    uo3 = (v3o - u3 * ro) / r
+    ru1 = u1 * ro
+    ru2 = u2 * ro
+    ru3 = u3 * ro
+    uo1 = (v1o - ru1) / r
+    uo2 = (v2o - ru2) / r
+    uo3 = (v3o - ru3) / r
     rk, slope = c.turned(m, r, cosine, sine)
     rko = ro * slope
     return (
@@ -1592,11 +1613,14 @@ def principal_blocks(
     m.where(beyond, mul(u3, rk, k7), v3, o3)
     ro = add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7)
     rko = mul(ro, slope, k5)
-    uo1 = div(sub(v1o, mul(u1, ro, k8), k8), r, k8)
+    ru1 = mul(u1, ro, k8)
+    uo1 = div(sub(v1o, ru1, k8), r, k8)
     m.where(beyond, add(mul(uo1, rk, k8), mul(u1, rko, k2), k2), v1o, o4)
-    uo2 = div(sub(v2o, mul(u2, ro, k2), k2), r, k2)
+    ru2 = mul(u2, ro, k2)
+    uo2 = div(sub(v2o, ru2, k2), r, k2)
     m.where(beyond, add(mul(uo2, rk, k2), mul(u2, rko, k3), k2), v2o, o5)
-    uo3 = div(sub(v3o, mul(u3, ro, k2), k2), r, k1)
+    ru3 = mul(u3, ro, k2)
+    uo3 = div(sub(v3o, ru3, k2), r, k1)
     m.where(beyond, add(mul(uo3, rk, k1), mul(u3, rko, k2), k1), v3o, o6)
 
 

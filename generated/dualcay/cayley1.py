@@ -1243,9 +1243,12 @@ def _own_to_screw(m: Any, c: Any, v: Components) -> Result:
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
     ro = m.where(still, length, u1 * v1o + u2 * v2o + u3 * v3o)
-    uo1 = m.where(still, 0, v1o - u1 * ro) / length
-    uo2 = m.where(still, 0, v2o - u2 * ro) / length
-    uo3 = m.where(still, 0, v3o - u3 * ro) / length
+    ru1 = u1 * ro
+    ru2 = u2 * ro
+    ru3 = u3 * ro
+    uo1 = m.where(still, 0, v1o - ru1) / length
+    uo2 = m.where(still, 0, v2o - ru2) / length
+    uo3 = m.where(still, 0, v3o - ru3) / length
     one = x - x + 1
     angle = 2 * m.atan2(r, 1) * one
     slope = 2 / (1 + x)
@@ -1278,10 +1281,13 @@ def _own_to_screw_blocks(
     mul(u3, one, o5)
     ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
     mul(one, mul(slope, ro, k1), o2)
-    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k1), k1), k3), length, k1)
+    ru1 = mul(u1, ro, k1)
+    uo1 = div(m.where(still, n0, sub(v1o, ru1, k1), k3), length, k1)
     mul(uo1, one, o6)
-    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k1), k1), k3), length, k1)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k3), k3), k5), length, k2)
+    ru2 = mul(u2, ro, k1)
+    ru3 = mul(u3, ro, k3)
+    uo2 = div(m.where(still, n0, sub(v2o, ru2, k1), k5), length, k1)
+    uo3 = div(m.where(still, n0, sub(v3o, ru3, k3), k5), length, k2)
     mul(uo2, one, o7)
     mul(uo3, one, o8)
 

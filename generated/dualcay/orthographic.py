@@ -702,9 +702,12 @@ def _own_to_screw(m: Any, c: Any, v: Components) -> Result:
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
     ro = m.where(still, length, u1 * v1o + u2 * v2o + u3 * v3o)
-    uo1 = m.where(still, 0, v1o - u1 * ro) / length
-    uo2 = m.where(still, 0, v2o - u2 * ro) / length
-    uo3 = m.where(still, 0, v3o - u3 * ro) / length
+    ru1 = u1 * ro
+    ru2 = u2 * ro
+    ru3 = u3 * ro
+    uo1 = m.where(still, 0, v1o - ru1) / length
+    uo2 = m.where(still, 0, v2o - ru2) / length
+    uo3 = m.where(still, 0, v3o - ru3) / length
     cc = 1 - x
     c = m.sqrt(cc)
     sneg = c < 0
@@ -747,10 +750,13 @@ def _own_to_screw_blocks(
     mul(u1, sign, o3)
     mul(u2, sign, o4)
     mul(u3, sign, o5)
-    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k1), k1), k4), length, k1)
+    ru1 = mul(u1, ro, k1)
+    uo1 = div(m.where(still, n0, sub(v1o, ru1, k1), k4), length, k1)
     mul(uo1, sign, o6)
-    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k1), k1), k4), length, k1)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k2)
+    ru2 = mul(u2, ro, k1)
+    ru3 = mul(u3, ro, k4)
+    uo2 = div(m.where(still, n0, sub(v2o, ru2, k1), k5), length, k1)
+    uo3 = div(m.where(still, n0, sub(v3o, ru3, k4), k5), length, k2)
     mul(uo2, sign, o7)
     mul(uo3, sign, o8)
 

@@ -874,9 +874,12 @@ def _own_to_screw(m: Any, c: Any, v: Components) -> Result:
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
     ro = m.where(still, length, u1 * v1o + u2 * v2o + u3 * v3o)
-    uo1 = m.where(still, 0, v1o - u1 * ro) / length
-    uo2 = m.where(still, 0, v2o - u2 * ro) / length
-    uo3 = m.where(still, 0, v3o - u3 * ro) / length
+    ru1 = u1 * ro
+    ru2 = u2 * ro
+    ru3 = u3 * ro
+    uo1 = m.where(still, 0, v1o - ru1) / length
+    uo2 = m.where(still, 0, v2o - ru2) / length
+    uo3 = m.where(still, 0, v3o - ru3) / length
     z = x / 16
     p = 1 - z
     pneg = p < 0
@@ -921,10 +924,13 @@ def _own_to_screw_blocks(
     mul(u3, sign, o5)
     ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
     mul(sign, mul(slope_, ro, k1), o2)
-    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k1), k1), k4), length, k1)
+    ru1 = mul(u1, ro, k1)
+    uo1 = div(m.where(still, n0, sub(v1o, ru1, k1), k4), length, k1)
     mul(uo1, sign, o6)
-    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k1), k1), k4), length, k1)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k2)
+    ru2 = mul(u2, ro, k1)
+    ru3 = mul(u3, ro, k4)
+    uo2 = div(m.where(still, n0, sub(v2o, ru2, k1), k5), length, k1)
+    uo3 = div(m.where(still, n0, sub(v3o, ru3, k4), k5), length, k2)
     mul(uo2, sign, o7)
     mul(uo3, sign, o8)
 
@@ -950,9 +956,12 @@ def _own_shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
     u2 = m.where(still, v2o, v2) / length
     u3 = m.where(still, v3o, v3) / length
     ro = m.where(still, length, u1 * v1o + u2 * v2o + u3 * v3o)
-    uo1 = m.where(still, 0, v1o - u1 * ro) / length
-    uo2 = m.where(still, 0, v2o - u2 * ro) / length
-    uo3 = m.where(still, 0, v3o - u3 * ro) / length
+    ru1 = u1 * ro
+    ru2 = u2 * ro
+    ru3 = u3 * ro
+    uo1 = m.where(still, 0, v1o - ru1) / length
+    uo2 = m.where(still, 0, v2o - ru2) / length
+    uo3 = m.where(still, 0, v3o - ru3) / length
     sn = sign * sin
     rt = r / 4
     iden = 1 / (cos - rt * sn)
@@ -999,11 +1008,14 @@ def _own_shadow_blocks(
     mul(u3, rv, o3)
     ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
     rko = mul(ro, slope, k3)
-    uo1 = div(m.where(still, n0, sub(v1o, mul(u1, ro, k7), k7), k9), length, k7)
+    ru1 = mul(u1, ro, k7)
+    uo1 = div(m.where(still, n0, sub(v1o, ru1, k7), k9), length, k7)
     add(mul(uo1, rv, k7), mul(u1, rko, k4), o4)
-    uo2 = div(m.where(still, n0, sub(v2o, mul(u2, ro, k4), k4), k7), length, k4)
+    ru2 = mul(u2, ro, k4)
+    uo2 = div(m.where(still, n0, sub(v2o, ru2, k4), k7), length, k4)
     add(mul(uo2, rv, k4), mul(u2, rko, k5), o5)
-    uo3 = div(m.where(still, n0, sub(v3o, mul(u3, ro, k4), k4), k5), length, k2)
+    ru3 = mul(u3, ro, k4)
+    uo3 = div(m.where(still, n0, sub(v3o, ru3, k4), k5), length, k2)
     add(mul(uo3, rv, k1), mul(u3, rko, k2), o6)
 
 

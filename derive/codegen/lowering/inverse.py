@@ -155,7 +155,7 @@ def _axis(trace: Geometry, point: Point) -> Axis:
     size = point.name("r", trace.where(still, point.x, length))  # 0 of the type of x
     u = named(trace, "u", Vector(*(trace.where(still, b, a) / length for a, b in zip(v, vo, strict=True))))
     size_du = point.name("ro", trace.where(still, length, u.dot(vo)))
-    across = vo - size_du * u
+    across = vo - named(trace, "ru", size_du * u)
     moment = named(trace, "uo", Vector(*(trace.where(still, 0, c) / length for c in across)))
     return size, u, size_du, moment
 
@@ -165,7 +165,7 @@ def _axis_where(trace: Geometry, point: Point, selected: Number) -> Axis:
     size = point.name("r", trace.sqrt(trace.where(selected, point.x, 1 + point.x)))
     u = named(trace, "u", point.re / size)
     size_du = point.name("ro", u.dot(point.du))
-    moment = named(trace, "uo", (point.du - size_du * u) / size)
+    moment = named(trace, "uo", (point.du - named(trace, "ru", size_du * u)) / size)
     return size, u, size_du, moment
 
 
