@@ -6,6 +6,7 @@ from dataclasses import dataclass, fields
 from typing import Any
 
 from . import maps
+from .output.listing import Listing
 from .proof import Proof, proofs
 
 
@@ -50,9 +51,9 @@ def provable(chart: Any) -> Any:
 class Cayley(maps.Cayley):
     __doc__ = maps.Cayley.__doc__
 
-    def prove(self) -> list[Proof]:
+    def prove(self) -> Listing[Proof]:
         """Decide everything claimed of this map, for all n and by components at this n; return each `Proof`.
 
         Whether all hold is ``all(proof.proved for proof in m.prove())``.
         """
-        return list(proofs(self))
+        return Listing(proofs(self))

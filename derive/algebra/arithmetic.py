@@ -22,6 +22,7 @@ class Arithmetic(Protocol):
     def div(self, a: Coefficient, b: Coefficient, /) -> Coefficient:
         """Return a/b, exact where both are exact."""
 
+    def abs(self, a: Coefficient, /) -> Coefficient: ...
     def sqrt(self, a: Coefficient, /) -> Coefficient: ...
     def tan(self, a: Coefficient, /) -> Coefficient: ...
     def atan2(self, a: Coefficient, b: Coefficient, /) -> Coefficient: ...
@@ -36,6 +37,7 @@ class Arithmetic(Protocol):
 class Plain:
     """Numbers of any type as they are; names are forgotten."""
 
+    abs = staticmethod(abs)
     sqrt = staticmethod(functions.sqrt)
     tan = staticmethod(functions.tan)
     atan2 = staticmethod(functions.atan2)

@@ -33,7 +33,7 @@ def generate(
         charts = catalogue.charts(orders, families) or catalogue.committed()
     except ValueError as error:
         raise click.BadParameter(str(error), param_hint="--family") from None
-    if output is None and (target != catalogue.TARGET or not catalogue.is_checkout()):
+    if output is None and not catalogue.has_place(target):
         raise click.UsageError(f"name a folder with -o: only {catalogue.TARGET} kernels have a place, in a checkout")
     folder = output or catalogue.COMMITTED
     with display.progress(STAGES * len(charts)) as step:

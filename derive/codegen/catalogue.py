@@ -23,6 +23,11 @@ def is_checkout() -> bool:
     return (CHECKOUT / "templates").is_dir() and (CHECKOUT / "pyproject.toml").is_file()
 
 
+def has_place(target: str) -> bool:
+    """Whether kernels of a target have a place of their own: those committed in a checkout, and no other."""
+    return target == TARGET and is_checkout()
+
+
 def command(target: str, *charts: Chart) -> str:
     """The command that writes the modules of some charts, wherever they are put; without any, that of shared files."""
     chosen: dict[str, list[str]] = {}

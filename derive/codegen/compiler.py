@@ -38,6 +38,9 @@ class Module:
     replayed: int
     tested: int | None
 
+    def __repr__(self) -> str:
+        return f"<Module {self.name}: {len(self.proved.proofs)} proofs, {self.validated} calls validated>"
+
 
 @dataclass(frozen=True, slots=True)
 class Package:
@@ -45,6 +48,9 @@ class Package:
 
     texts: dict[str, str]
     modules: tuple[Module, ...]
+
+    def __repr__(self) -> str:
+        return f"<Package of {', '.join(module.name for module in self.modules)}: {len(self.texts)} files>"
 
 
 def build(orders: Iterable[int], target: Target, progress: Progress | None = None) -> Package:
@@ -90,7 +96,7 @@ def _module(chart: Chart, target: Target, staging: Path, report: Progress, seen:
 def generate(
     orders: Iterable[int] | None = None,
     target: str = "numpy",
-    output: str | Path = catalogue.COMMITTED,
+    output: str | Path | None = None,
     *,
     families: Iterable[str] = (),
     force: bool = False,
@@ -104,8 +110,8 @@ def generate(
         Orders n >= 1 of Cayley maps. Without orders and families, the committed charts.
     target : str
         ``"numpy"``, ``"array-api"``, ``"numba"`` or ``"c"``.
-    output : path
-        Folder of the package, made if missing; ``generated/dualcay`` of a checkout by default.
+    output : path, optional
+        Folder of the package, made if missing; ``generated/dualcay`` of a checkout by default, for no other target.
     families : iterable of str
         Names of parameterizations, such as ``"lambert"`` or ``"sine7"``.
     force : bool
@@ -121,7 +127,8 @@ def generate(
     Raises
     ------
     ValueError, TypeError
-        For a target, an order or a family that does not exist.
+        For a target, an order or a family that does not exist; without a folder where none is the kernels' own, as
+        where the toolkit is installed.
     ProofFailed, ValidationFailed
         If a formula or a printed kernel fails; nothing is written.
     RefusedError
@@ -135,15 +142,17 @@ def generate(
 def generate_charts(
     charts: Sequence[Chart],
     target: str = "numpy",
-    output: str | Path = catalogue.COMMITTED,
+    output: str | Path | None = None,
     *,
     force: bool = False,
     progress: Progress | None = None,
 ) -> Package:
     """The same for charts as they are."""
     chosen = _target(target)
+    if output is None and not catalogue.has_place(target):
+        raise ValueError(f"name an output folder: only {catalogue.TARGET} kernels have a place, in a checkout")
     package = build_charts(charts, chosen, progress)
-    files.write(Path(output), package.texts, force, notices(charts, chosen))
+    files.write(Path(output or catalogue.COMMITTED), package.texts, force, notices(charts, chosen))
     return package
 
 

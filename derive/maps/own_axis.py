@@ -8,6 +8,7 @@ from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
 from .dependent import DependentScalars
 from .parameterized import Parameterized
+from .turns import NOISE
 
 
 class OwnAxis(Parameterized):
@@ -21,7 +22,9 @@ class OwnAxis(Parameterized):
         return self._direction(self.scalars(x, m), y, m)
 
     def _direction(self, at: DependentScalars, y: Coefficient, m: Arithmetic) -> Coefficient:
-        turned = m.name("turned", m.where(m.name("sneg", m.less(at.s, 0)), m.name("mw", -at.w), at.w))
+        # at half a turn, where w > 0, s is 0 but for rounding beside 1: then the side that v is on stands
+        kept = m.name("kept", m.where(m.less(at.w, 0), 0, NOISE))
+        turned = m.name("turned", m.where(m.less(kept + at.s, kept), -at.w, at.w))
         backwards = m.both(m.equal(at.w, 0), m.less(y, 0))
         one = m.name("one", at.s - at.s + 1)  # or NaN, where x has overflowed and v/|v| is nothing
         return m.name("sign", one * m.where(m.either(m.less(turned, 0), backwards), -1, 1))
@@ -31,6 +34,4 @@ class OwnAxis(Parameterized):
     ) -> tuple[Coefficient, Coefficient, Coefficient]:
         at = self.scalars(x, m)
         sign = self._direction(at, y, m)
-        s = m.where(m.name("sneg", m.less(at.s, 0)), -at.s, at.s)
-        w = m.where(m.less(at.w, 0), m.name("mw", -at.w), at.w)
-        return m.name("angle", 2 * m.atan2(r * w, s)), at.rate, sign
+        return m.name("angle", 2 * m.atan2(r * m.abs(at.w), m.abs(at.s))), at.rate, sign

@@ -136,6 +136,9 @@ class Equation:
                 queue += new
         return tuple(letter for letter in queue if letter not in self.definitions and letter.kind.varies)
 
+    def __repr__(self) -> str:
+        return f"<Equation ({self.number}): {self.title}>"
+
     def reading(self, statement: Term) -> Equation:
         """The same entry with this one reading: a correction or a mutant put in place of what is printed."""
         return replace(self, readings=(Reading(statement),), extract="")
@@ -232,6 +235,21 @@ class Result:
                 {"printed": v.latex, "verdict": "true" if v.true else "false", "note": v.note} for v in self.verdicts
             ]
         return record
+
+    def cells(self) -> dict[str, str]:
+        """Its row in a table."""
+        corrected = "" if self.corrected is None else f"$\\displaystyle {self.corrected}$"
+        return {
+            "paper": self.paper,
+            "equation": self.equation.number,
+            "status": str(self.status),
+            "printed": f"$\\displaystyle {self.printed}$",
+            "corrected": corrected,
+            "method": self.method,
+        }
+
+    def __repr__(self) -> str:
+        return f"<Result {self.paper} ({self.equation.number}): {self.status}>"
 
     def _repr_latex_(self) -> str:
         body = rf"\text{{({self.equation.number}) {self.status}:}}\quad {self.printed}"

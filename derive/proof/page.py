@@ -74,4 +74,4 @@ def _lines(proof: Proof) -> Iterator[str]:
         yield f"- $`{equation.latex}`${f' — CP23 {numbers}' if numbers else ''}"
     yield from (f"- given `{premise}`" for premise in proof.premises)
     yield from (f"- multiplied by `{factor}`, zero where `{factor.vanishes}`" for factor in proof.multipliers)
-    yield f"- by {proof.method}"
+    yield f"- by {proof.method}; residues: {len(proof.residues)}"

@@ -56,6 +56,9 @@ class Proved:
         if token is not _MADE_HERE:
             raise TypeError("only derive.proof.prove makes a Proved")
 
+    def __repr__(self) -> str:
+        return f"<Proved {self.formulas.name}: {len(self.proofs)} proofs>"
+
 
 def proofs(chart: Chart, progress: Progress | None = None, backend: str | None = None) -> tuple[Proof, ...]:
     """Decide every statement about a chart, failed ones included.

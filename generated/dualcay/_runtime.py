@@ -34,6 +34,7 @@ RAISED = (ZeroDivisionError, OverflowError, ValueError)
 class Floats:
     """Functions on Python floats."""
 
+    abs = staticmethod(abs)
     sqrt = staticmethod(math.sqrt)
     tan = staticmethod(math.tan)
     atan2 = staticmethod(math.atan2)
@@ -46,6 +47,7 @@ class Floats:
 class Objects:
     """Functions on numbers of any other kind, which are asked for their own ``sqrt``, ``tan`` and ``arctan2``."""
 
+    abs = staticmethod(abs)
     sqrt = staticmethod(np.sqrt)
     tan = staticmethod(np.tan)
     atan2 = staticmethod(np.arctan2)

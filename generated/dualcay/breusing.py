@@ -64,10 +64,10 @@
 #   from_tensor: 169: 52 +, 66 *, 15 /, 5 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 133: 37 +, 48 *, 12 /, 5 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 30: 6 +, 15 *, 7 /, 1 sqrt, 1 tan
-#   to_screw: 87: 17 +, 34 *, 9 /, 2 neg, 3 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
-#   turn: 86: 18 +, 37 *, 15 /, 4 sqrt, 1 lt, 1 eq, 10 where
-#   shadow: 117: 25 +, 48 *, 17 /, 1 neg, 6 sqrt, 4 lt, 2 eq, 1 and, 1 or, 12 where
-#   principal: 80: 17 +, 34 *, 15 /, 4 sqrt, 2 lt, 8 where
+#   to_screw: 101: 22 +, 38 *, 13 /, 1 neg, 8 abs, 3 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 7 where
+#   turn: 94: 20 +, 38 *, 19 /, 6 abs, 4 sqrt, 1 lt, 1 eq, 5 where
+#   shadow: 133: 30 +, 52 *, 21 /, 1 neg, 6 abs, 6 sqrt, 5 lt, 2 eq, 1 and, 1 or, 8 where
+#   principal: 83: 19 +, 34 *, 16 /, 4 sqrt, 2 lt, 8 where
 #   compose: 267: 83 +, 154 *, 18 /, 1 neg, 8 sqrt, 1 lt, 2 where
 r"""Breusing's chart: Rodrigues dual vectors ``v = sin(α/4)/sqrt(cos(α/4)) u`` of rigid displacements.
 
@@ -94,7 +94,7 @@ from typing import Any
 
 from ._chart import Chart, Function
 from ._interface import PoseKernels
-from ._kernel import Result, Rows, add, atan2, div, mul, neg, sqrt, sub, tan
+from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
     "body_rate", "body_tangent", "body_tangent_inv", "body_twist", "compose", "from_pose", "from_quaternion",
@@ -445,16 +445,15 @@ def _gain_product_blocks(
     return o1,
 
 
-# operations 25: 5 +, 7 *, 2 /, 1 neg, 2 sqrt, 3 lt, 1 eq, 1 and, 1 or, 2 where
+# operations 28: 6 +, 7 *, 2 /, 1 neg, 2 sqrt, 4 lt, 1 eq, 1 and, 1 or, 3 where
 def _direction(m: Any, x: Any, y: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     c = 2 * (below / below / below)
+    w = 2 * (c * m.sqrt(c))
+    kept = m.where(w < 0, 0, 16)
     cc = c * c
     s = 2 * cc - 1
-    sneg = s < 0
-    w = 2 * (c * m.sqrt(c))
-    mw = -w
-    turned = m.where(sneg, mw, w)
+    turned = m.where(kept + s < kept, -w, w)
     one = s - s + 1
     sign = one * m.where((turned < 0) | (w == 0) & (y < 0), -1, 1)
     return sign,
@@ -462,38 +461,36 @@ def _direction(m: Any, x: Any, y: Any) -> Result:
 
 def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any) -> Result:
     o1, = out
-    k1, k2, *_ = scratch
+    k1, k2, k3, *_ = scratch
     mask1, mask2, mask3, *_ = masks
-    n_minus_1, n0, n1, n2, n4 = numbers
+    n_minus_1, n0, n1, n2, n4, n16 = numbers
     below = add(x, sqrt(add(mul(x, x, o1), n4, o1), o1), o1)
     c = mul(n2, div(div(below, below, k1), below, o1), o1)
-    cc = mul(c, c, k1)
-    s = sub(mul(n2, cc, k1), n1, k1)
-    w = mul(n2, mul(c, sqrt(c, k2), o1), o1)
-    sneg = m.less(s, n0, mask1)
-    one = add(sub(s, s, k1), n1, k1)
-    mw = neg(w, k2)
-    turned = m.where(sneg, mw, w, k2)
+    w = mul(n2, mul(c, sqrt(c, k1), k1), k1)
+    cc = mul(c, c, o1)
+    s = sub(mul(n2, cc, o1), n1, o1)
+    kept = m.where(m.less(w, n0, mask1), n0, n16, k2)
+    turned = m.where(m.less(add(kept, s, k3), kept, mask1), neg(w, k2), w, k2)
+    one = add(sub(s, s, o1), n1, o1)
     mul(
         one, m.where(m.either(m.less(turned, n0, mask1), m.both(m.equal(w, n0, mask2), m.less(y, n0, mask3), mask2),
-        mask1), n_minus_1, n1, o1), o1
+        mask1), n_minus_1, n1, k1), o1
     )
     return o1,
 
 
-# operations 36: 6 +, 11 *, 3 /, 2 neg, 2 sqrt, 1 atan2, 4 lt, 1 eq, 1 and, 1 or, 4 where
+# operations 37: 7 +, 11 *, 3 /, 1 neg, 2 abs, 2 sqrt, 1 atan2, 4 lt, 1 eq, 1 and, 1 or, 3 where
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     c = 2 * (below / below / below)
+    w = 2 * (c * m.sqrt(c))
+    kept = m.where(w < 0, 0, 16)
     cc = c * c
     s = 2 * cc - 1
-    sneg = s < 0
-    w = 2 * (c * m.sqrt(c))
-    mw = -w
-    turned = m.where(sneg, mw, w)
+    turned = m.where(kept + s < kept, -w, w)
     one = s - s + 1
     sign = one * m.where((turned < 0) | (w == 0) & (y < 0), -1, 1)
-    angle = 2 * m.atan2(r * m.where(w < 0, mw, w), m.where(sneg, -s, s))
+    angle = 2 * m.atan2(r * m.abs(w), m.abs(s))
     over = 1 / (1 + cc)
     rho = 4 * (w * over)
     return angle, rho, sign
@@ -501,25 +498,24 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
 
 def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
     o1, o2, o3 = out
-    k1, k2, k3, *_ = scratch
+    k1, k2, *_ = scratch
     mask1, mask2, mask3, *_ = masks
-    n_minus_1, n0, n1, n2, n4 = numbers
+    n_minus_1, n0, n1, n2, n4, n16 = numbers
     below = add(x, sqrt(add(mul(x, x, o2), n4, o2), o2), o2)
-    c = mul(n2, div(div(below, below, o3), below, o2), o2)
-    w = mul(n2, mul(c, sqrt(c, o3), o3), o3)
+    c = mul(n2, div(div(below, below, o1), below, o2), o2)
+    w = mul(n2, mul(c, sqrt(c, o1), o1), o1)
     cc = mul(c, c, o2)
-    mw = neg(w, k1)
-    s = sub(mul(n2, cc, k2), n1, k2)
+    kept = m.where(m.less(w, n0, mask1), n0, n16, o3)
+    s = sub(mul(n2, cc, k1), n1, k1)
+    turned = m.where(m.less(add(kept, s, k2), kept, mask1), neg(w, o3), w, o3)
     over = div(n1, add(n1, cc, o2), o2)
     mul(n4, mul(w, over, o2), o2)
-    sneg = m.less(s, n0, mask1)
-    mul(n2, atan2(mul(r, m.where(m.less(w, n0, mask2), mw, w, o1), o1), m.where(sneg, neg(s, k3), s, k3), o1), o1)
-    turned = m.where(sneg, mw, w, k1)
     one = add(sub(s, s, k2), n1, k2)
     mul(
         one, m.where(m.either(m.less(turned, n0, mask1), m.both(m.equal(w, n0, mask2), m.less(y, n0, mask3), mask2),
         mask1), n_minus_1, n1, o3), o3
     )
+    mul(n2, atan2(mul(r, absolute(w, o1), o1), absolute(s, k1), o1), o1)
     return o1, o2, o3
 
 
@@ -565,9 +561,9 @@ def _turned_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows,
     return o1, o2
 
 
-# operations 1: 1 lt
+# operations 4: 2 +, 1 /, 1 lt
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
-    beyond1 = limit1 < x
+    beyond1 = limit1 < limit1 + (x - limit1) / 16
     return beyond1, cos1, sin1
 
 
@@ -575,8 +571,10 @@ def _beyond_blocks(
     m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, limit1: Any, cos1: Any, sin1: Any
 ) -> Result:
     o1, _, _ = out
+    k1, *_ = scratch
     _, *_ = masks
-    m.less(limit1, x, o1)
+    n16, = numbers
+    m.less(limit1, add(limit1, div(sub(x, limit1, k1), n16, k1), k1), o1)
     return o1, cos1, sin1
 
 
@@ -633,10 +631,10 @@ CHART = Chart(
         "gain_unit": Function(_gain_unit, _gain_unit_blocks, 2, 1, (-1, 0, 1, 2)),
         "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 0, (1, 2)),
         "gain_product": Function(_gain_product, _gain_product_blocks, 3, 1, (-1, 0, 1, 2)),
-        "direction": Function(_direction, _direction_blocks, 2, 3, (-1, 0, 1, 2, 4)),
-        "natural": Function(_natural, _natural_blocks, 3, 3, (-1, 0, 1, 2, 4)),
+        "direction": Function(_direction, _direction_blocks, 3, 3, (-1, 0, 1, 2, 4, 16)),
+        "natural": Function(_natural, _natural_blocks, 2, 3, (-1, 0, 1, 2, 4, 16)),
         "turned": Function(_turned, _turned_blocks, 4, 1, (-1, 0, 1, 2, 4)),
-        "beyond": Function(_beyond, _beyond_blocks, 0, 1, ()),
+        "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 0, (1, 2, 4, 8)),
     },
     own={},

@@ -76,10 +76,10 @@
 #   from_tensor: 144: 46 +, 50 *, 10 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_pose: 108: 31 +, 32 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
-#   to_screw: 76: 16 +, 28 *, 7 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
-#   turn: 58: 14 +, 26 *, 7 /, 1 sqrt, 1 eq, 9 where
-#   shadow: 79: 20 +, 32 *, 7 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 11 where
-#   principal: 52: 13 +, 23 *, 7 /, 1 sqrt, 1 lt, 7 where
+#   to_screw: 92: 22 +, 32 *, 12 /, 1 neg, 8 abs, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 7 where
+#   turn: 66: 16 +, 27 *, 11 /, 6 abs, 1 sqrt, 1 eq, 4 where
+#   shadow: 100: 26 +, 37 *, 12 /, 1 neg, 7 abs, 2 sqrt, 4 lt, 2 eq, 1 and, 1 or, 7 where
+#   principal: 55: 15 +, 23 *, 8 /, 1 sqrt, 1 lt, 7 where
 #   compose: 230: 76 +, 131 *, 12 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 r"""Cayley map of order 3: Rodrigues dual vectors ``v = tan(α/6) u`` of rigid displacements.
 
@@ -108,7 +108,7 @@ from typing import Any
 
 from ._chart import Chart, Function
 from ._interface import PoseKernels
-from ._kernel import Result, Rows, add, atan2, div, mul, neg, sqrt, sub, tan
+from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
     "body_rate", "body_tangent", "body_tangent_inv", "body_twist", "compose", "dcay", "dcay_inv", "from_pose",
@@ -390,29 +390,35 @@ def _gain_product_blocks(
     return o1,
 
 
-# operations 15: 4 +, 2 *, 1 neg, 3 lt, 1 eq, 1 and, 1 or, 2 where
+# operations 23: 6 +, 3 *, 1 /, 1 neg, 1 abs, 1 sqrt, 4 lt, 1 eq, 1 and, 1 or, 3 where
 def _direction(m: Any, x: Any, y: Any) -> Result:
-    p = 1 - 3 * x
-    pneg = p < 0
+    rd = m.sqrt(x)
     q = 3 - x
-    mq = -q
-    qp = m.where(pneg, mq, q)
-    one = p - p + 1
+    rq = rd * m.abs(q)
+    p = 1 - 3 * x
+    either = rq + p
+    one = either - either + 1
+    qneg = q < 0
+    kept = m.where(qneg, 0, rq)
+    qp = m.where(kept + p / 16 < kept, -q, q)
     sign = one * m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     return sign,
 
 
 def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any) -> Result:
     o1, = out
-    k1, k2, *_ = scratch
+    k1, k2, k3, k4, *_ = scratch
     mask1, mask2, mask3, *_ = masks
-    n_minus_1, n0, n1, n3 = numbers
-    p = sub(n1, mul(n3, x, o1), o1)
-    pneg = m.less(p, n0, mask1)
-    one = add(sub(p, p, o1), n1, o1)
+    n_minus_1, n0, n1, n3, n16 = numbers
+    rd = sqrt(x, o1)
     q = sub(n3, x, k1)
-    mq = neg(q, k2)
-    qp = m.where(pneg, mq, q, k2)
+    rq = mul(rd, absolute(q, k2), o1)
+    qneg = m.less(q, n0, mask1)
+    kept = m.where(qneg, n0, rq, k2)
+    p = sub(n1, mul(n3, x, k3), k3)
+    qp = m.where(m.less(add(kept, div(p, n16, k4), k4), kept, mask1), neg(q, k2), q, k2)
+    either = add(rq, p, o1)
+    one = add(sub(either, either, o1), n1, o1)
     mul(
         one, m.where(m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1),
         n_minus_1, n1, k1), o1
@@ -420,39 +426,40 @@ def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Ro
     return o1,
 
 
-# operations 25: 5 +, 5 *, 1 /, 2 neg, 1 atan2, 4 lt, 1 eq, 1 and, 1 or, 4 where
+# operations 28: 7 +, 5 *, 2 /, 1 neg, 2 abs, 1 atan2, 4 lt, 1 eq, 1 and, 1 or, 3 where
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
-    p = 1 - 3 * x
-    pneg = p < 0
     q = 3 - x
-    mq = -q
-    qp = m.where(pneg, mq, q)
-    one = p - p + 1
+    rq = r * m.abs(q)
+    p = 1 - 3 * x
+    either = rq + p
+    one = either - either + 1
+    qneg = q < 0
+    kept = m.where(qneg, 0, rq)
+    qp = m.where(kept + p / 16 < kept, -q, q)
     sign = one * m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
-    angle = 2 * m.atan2(r * m.where(q < 0, mq, q), m.where(pneg, -p, p)) * one
+    angle = 2 * m.atan2(rq * one, m.abs(p))
     slope = 6 / (1 + x)
     return angle, slope, sign
 
 
 def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
     o1, o2, o3 = out
-    k1, k2, k3, *_ = scratch
+    k1, k2, *_ = scratch
     mask1, mask2, mask3, *_ = masks
-    n_minus_1, n0, n1, n2, n3, n6 = numbers
-    p = sub(n1, mul(n3, x, o1), o1)
-    one = add(sub(p, p, o3), n1, o3)
-    q = sub(n3, x, o2)
-    mq = neg(q, k1)
-    pneg = m.less(p, n0, mask1)
-    mul(
-        mul(n2, atan2(mul(r, m.where(m.less(q, n0, mask2), mq, q, k2), k2), m.where(pneg, neg(p, k3), p, k3), o1), o1),
-        one, o1
-    )
-    qp = m.where(pneg, mq, q, k1)
+    n_minus_1, n0, n1, n2, n3, n6, n16 = numbers
+    q = sub(n3, x, o3)
+    qneg = m.less(q, n0, mask1)
+    rq = mul(r, absolute(q, o1), o1)
+    kept = m.where(qneg, n0, rq, o2)
+    p = sub(n1, mul(n3, x, k1), k1)
+    qp = m.where(m.less(add(kept, div(p, n16, k2), k2), kept, mask1), neg(q, o2), q, o2)
+    either = add(rq, p, k2)
+    one = add(sub(either, either, k2), n1, k2)
     mul(
         one, m.where(m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1),
-        n_minus_1, n1, o2), o3
+        n_minus_1, n1, o3), o3
     )
+    mul(n2, atan2(mul(rq, one, o1), absolute(p, o2), o1), o1)
     div(n6, add(n1, x, o2), o2)
     return o1, o2, o3
 
@@ -474,9 +481,9 @@ def _turned_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows,
     return o1, o2
 
 
-# operations 1: 1 lt
+# operations 4: 2 +, 1 /, 1 lt
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
-    beyond1 = limit1 < x
+    beyond1 = limit1 < limit1 + (x - limit1) / 16
     return beyond1, cos1, sin1
 
 
@@ -484,8 +491,10 @@ def _beyond_blocks(
     m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, limit1: Any, cos1: Any, sin1: Any
 ) -> Result:
     o1, _, _ = out
+    k1, *_ = scratch
     _, *_ = masks
-    m.less(limit1, x, o1)
+    n16, = numbers
+    m.less(limit1, add(limit1, div(sub(x, limit1, k1), n16, k1), k1), o1)
     return o1, cos1, sin1
 
 
@@ -530,10 +539,10 @@ CHART = Chart(
         "gain_unit": Function(_gain_unit, _gain_unit_blocks, 4, 2, (-1, 0, 1, 3)),
         "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 1, (0, 1, 3)),
         "gain_product": Function(_gain_product, _gain_product_blocks, 4, 2, (-1, 0, 1, 3)),
-        "direction": Function(_direction, _direction_blocks, 2, 3, (-1, 0, 1, 3)),
-        "natural": Function(_natural, _natural_blocks, 3, 3, (-1, 0, 1, 2, 3, 6)),
+        "direction": Function(_direction, _direction_blocks, 4, 3, (-1, 0, 1, 3, 16)),
+        "natural": Function(_natural, _natural_blocks, 2, 3, (-1, 0, 1, 2, 3, 6, 16)),
         "turned": Function(_turned, _turned_blocks, 0, 0, (1,)),
-        "beyond": Function(_beyond, _beyond_blocks, 0, 1, ()),
+        "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 6)),
     },
     own={},

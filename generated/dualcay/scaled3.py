@@ -48,10 +48,10 @@
 #   from_tensor: 147: 46 +, 51 *, 12 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_pose: 111: 31 +, 33 *, 9 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_screw: 20: 4 +, 13 *, 2 /, 1 tan
-#   to_screw: 79: 16 +, 28 *, 10 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
-#   turn: 60: 14 +, 27 *, 8 /, 1 sqrt, 1 eq, 9 where
-#   shadow: 82: 20 +, 33 *, 9 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 11 where
-#   principal: 54: 13 +, 24 *, 8 /, 1 sqrt, 1 lt, 7 where
+#   to_screw: 95: 22 +, 32 *, 15 /, 1 neg, 8 abs, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 7 where
+#   turn: 68: 16 +, 28 *, 12 /, 6 abs, 1 sqrt, 1 eq, 4 where
+#   shadow: 103: 26 +, 38 *, 14 /, 1 neg, 7 abs, 2 sqrt, 4 lt, 2 eq, 1 and, 1 or, 7 where
+#   principal: 57: 15 +, 24 *, 9 /, 1 sqrt, 1 lt, 7 where
 #   compose: 243: 76 +, 132 *, 24 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 r"""Normal Rodrigues vector of order 3: Rodrigues dual vectors ``v = 6 tan(α/6) u`` of rigid displacements.
 
@@ -78,7 +78,7 @@ from typing import Any
 
 from ._chart import Chart, Function
 from ._interface import PoseKernels
-from ._kernel import Result, Rows, add, atan2, div, mul, neg, sqrt, sub, tan
+from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
     "body_rate", "body_tangent", "body_tangent_inv", "body_twist", "compose", "from_pose", "from_quaternion",
@@ -422,75 +422,82 @@ def _gain_product_blocks(
     return o1,
 
 
-# operations 16: 4 +, 2 *, 1 /, 1 neg, 3 lt, 1 eq, 1 and, 1 or, 2 where
+# operations 24: 6 +, 3 *, 2 /, 1 neg, 1 abs, 1 sqrt, 4 lt, 1 eq, 1 and, 1 or, 3 where
 def _direction(m: Any, x: Any, y: Any) -> Result:
     z = x / 36
-    p = 1 - 3 * z
-    pneg = p < 0
+    rd = m.sqrt(z)
     q = 3 - z
-    mq = -q
-    qp = m.where(pneg, mq, q)
-    one = p - p + 1
+    rq = rd * m.abs(q)
+    p = 1 - 3 * z
+    either = rq + p
+    one = either - either + 1
+    qneg = q < 0
+    kept = m.where(qneg, 0, rq)
+    qp = m.where(kept + p / 16 < kept, -q, q)
     sign = one * m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     return sign,
 
 
 def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any) -> Result:
     o1, = out
-    k1, k2, *_ = scratch
+    k1, k2, k3, k4, *_ = scratch
     mask1, mask2, mask3, *_ = masks
-    n_minus_1, n0, n1, n3, n36 = numbers
+    n_minus_1, n0, n1, n3, n16, n36 = numbers
     z = div(x, n36, o1)
-    p = sub(n1, mul(n3, z, k1), k1)
-    q = sub(n3, z, o1)
-    pneg = m.less(p, n0, mask1)
-    one = add(sub(p, p, k1), n1, k1)
-    mq = neg(q, k2)
-    qp = m.where(pneg, mq, q, k2)
+    rd = sqrt(z, k1)
+    q = sub(n3, z, k2)
+    rq = mul(rd, absolute(q, k3), k1)
+    p = sub(n1, mul(n3, z, o1), o1)
+    qneg = m.less(q, n0, mask1)
+    kept = m.where(qneg, n0, rq, k3)
+    qp = m.where(m.less(add(kept, div(p, n16, k4), k4), kept, mask1), neg(q, k3), q, k3)
+    either = add(rq, p, o1)
+    one = add(sub(either, either, o1), n1, o1)
     mul(
         one, m.where(m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1),
-        n_minus_1, n1, o1), o1
+        n_minus_1, n1, k1), o1
     )
     return o1,
 
 
-# operations 28: 5 +, 5 *, 4 /, 2 neg, 1 atan2, 4 lt, 1 eq, 1 and, 1 or, 4 where
+# operations 31: 7 +, 5 *, 5 /, 1 neg, 2 abs, 1 atan2, 4 lt, 1 eq, 1 and, 1 or, 3 where
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     z = x / 36
-    p = 1 - 3 * z
-    pneg = p < 0
     q = 3 - z
-    mq = -q
-    qp = m.where(pneg, mq, q)
-    one = p - p + 1
+    rq = r / 6 * m.abs(q)
+    p = 1 - 3 * z
+    either = rq + p
+    one = either - either + 1
+    qneg = q < 0
+    kept = m.where(qneg, 0, rq)
+    qp = m.where(kept + p / 16 < kept, -q, q)
     sign = one * m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
-    angle = 2 * m.atan2(r / 6 * m.where(q < 0, mq, q), m.where(pneg, -p, p)) * one
+    angle = 2 * m.atan2(rq * one, m.abs(p))
     slope = 6 / (1 + z)
     return angle, slope / 6, sign
 
 
 def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
     o1, o2, o3 = out
-    k1, k2, k3, k4, *_ = scratch
+    k1, k2, k3, *_ = scratch
     mask1, mask2, mask3, *_ = masks
-    n_minus_1, n0, n1, n2, n3, n6, n36 = numbers
+    n_minus_1, n0, n1, n2, n3, n6, n16, n36 = numbers
     z = div(x, n36, o2)
-    p = sub(n1, mul(n3, z, o1), o1)
-    one = add(sub(p, p, o3), n1, o3)
-    q = sub(n3, z, k1)
+    q = sub(n3, z, o3)
+    qneg = m.less(q, n0, mask1)
+    rq = mul(div(r, n6, o1), absolute(q, k1), o1)
+    kept = m.where(qneg, n0, rq, k1)
+    p = sub(n1, mul(n3, z, k2), k2)
+    qp = m.where(m.less(add(kept, div(p, n16, k3), k3), kept, mask1), neg(q, k1), q, k1)
     slope = div(n6, add(n1, z, o2), o2)
     div(slope, n6, o2)
-    mq = neg(q, k2)
-    pneg = m.less(p, n0, mask1)
-    mul(
-        mul(n2, atan2(mul(div(r, n6, k3), m.where(m.less(q, n0, mask2), mq, q, k4), k3), m.where(pneg, neg(p, k4), p,
-        k4), o1), o1), one, o1
-    )
-    qp = m.where(pneg, mq, q, k2)
+    either = add(rq, p, k3)
+    one = add(sub(either, either, k3), n1, k3)
     mul(
         one, m.where(m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1),
-        n_minus_1, n1, k1), o3
+        n_minus_1, n1, o3), o3
     )
+    mul(n2, atan2(mul(rq, one, o1), absolute(p, k1), o1), o1)
     return o1, o2, o3
 
 
@@ -515,9 +522,9 @@ def _turned_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows,
     return o1, o2
 
 
-# operations 1: 1 lt
+# operations 4: 2 +, 1 /, 1 lt
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
-    beyond1 = limit1 < x
+    beyond1 = limit1 < limit1 + (x - limit1) / 16
     return beyond1, cos1, sin1
 
 
@@ -525,8 +532,10 @@ def _beyond_blocks(
     m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, limit1: Any, cos1: Any, sin1: Any
 ) -> Result:
     o1, _, _ = out
+    k1, *_ = scratch
     _, *_ = masks
-    m.less(limit1, x, o1)
+    n16, = numbers
+    m.less(limit1, add(limit1, div(sub(x, limit1, k1), n16, k1), k1), o1)
     return o1, cos1, sin1
 
 
@@ -575,10 +584,10 @@ CHART = Chart(
         "gain_unit": Function(_gain_unit, _gain_unit_blocks, 4, 2, (-1, 0, 1, 3, 6)),
         "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 1, (0, 1, 3, 6)),
         "gain_product": Function(_gain_product, _gain_product_blocks, 4, 2, (-1, 0, 1, 3, 6)),
-        "direction": Function(_direction, _direction_blocks, 2, 3, (-1, 0, 1, 3, 36)),
-        "natural": Function(_natural, _natural_blocks, 4, 3, (-1, 0, 1, 2, 3, 6, 36)),
+        "direction": Function(_direction, _direction_blocks, 4, 3, (-1, 0, 1, 3, 16, 36)),
+        "natural": Function(_natural, _natural_blocks, 3, 3, (-1, 0, 1, 2, 3, 6, 16, 36)),
         "turned": Function(_turned, _turned_blocks, 0, 0, (1, 6)),
-        "beyond": Function(_beyond, _beyond_blocks, 0, 1, ()),
+        "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 6)),
     },
     own={},

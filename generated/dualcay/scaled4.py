@@ -48,10 +48,10 @@
 #   from_tensor: 151: 49 +, 56 *, 13 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 115: 34 +, 38 *, 10 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 20: 4 +, 13 *, 2 /, 1 tan
-#   to_screw: 81: 17 +, 29 *, 10 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
-#   turn: 60: 14 +, 27 *, 8 /, 1 sqrt, 1 eq, 9 where
-#   shadow: 84: 21 +, 34 *, 9 /, 1 neg, 1 sqrt, 3 lt, 2 eq, 1 and, 1 or, 11 where
-#   principal: 57: 13 +, 24 *, 8 /, 1 sqrt, 2 lt, 9 where
+#   to_screw: 97: 23 +, 33 *, 15 /, 1 neg, 8 abs, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 7 where
+#   turn: 68: 16 +, 28 *, 12 /, 6 abs, 1 sqrt, 1 eq, 4 where
+#   shadow: 105: 27 +, 39 *, 14 /, 1 neg, 7 abs, 2 sqrt, 4 lt, 2 eq, 1 and, 1 or, 7 where
+#   principal: 60: 15 +, 24 *, 9 /, 1 sqrt, 2 lt, 9 where
 #   compose: 256: 86 +, 141 *, 24 /, 1 neg, 1 sqrt, 1 lt, 2 where
 r"""Normal Rodrigues vector of order 4: Rodrigues dual vectors ``v = 8 tan(α/8) u`` of rigid displacements.
 
@@ -78,7 +78,7 @@ from typing import Any
 
 from ._chart import Chart, Function
 from ._interface import PoseKernels
-from ._kernel import Result, Rows, add, atan2, div, mul, neg, sqrt, sub, tan
+from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
     "body_rate", "body_tangent", "body_tangent_inv", "body_twist", "compose", "from_pose", "from_quaternion",
@@ -425,75 +425,82 @@ def _gain_product_blocks(
     return o1,
 
 
-# operations 18: 5 +, 3 *, 1 /, 1 neg, 3 lt, 1 eq, 1 and, 1 or, 2 where
+# operations 26: 7 +, 4 *, 2 /, 1 neg, 1 abs, 1 sqrt, 4 lt, 1 eq, 1 and, 1 or, 3 where
 def _direction(m: Any, x: Any, y: Any) -> Result:
     z = x / 64
-    p = (z - 6) * z + 1
-    pneg = p < 0
+    rd = m.sqrt(z)
     q = 4 - 4 * z
-    mq = -q
-    qp = m.where(pneg, mq, q)
-    one = p - p + 1
+    rq = rd * m.abs(q)
+    p = (z - 6) * z + 1
+    either = rq + p
+    one = either - either + 1
+    qneg = q < 0
+    kept = m.where(qneg, 0, rq)
+    qp = m.where(kept + p / 16 < kept, -q, q)
     sign = one * m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     return sign,
 
 
 def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any) -> Result:
     o1, = out
-    k1, k2, *_ = scratch
+    k1, k2, k3, k4, *_ = scratch
     mask1, mask2, mask3, *_ = masks
-    n_minus_1, n0, n1, n4, n6, n64 = numbers
+    n_minus_1, n0, n1, n4, n6, n16, n64 = numbers
     z = div(x, n64, o1)
-    p = add(mul(sub(z, n6, k1), z, k1), n1, k1)
-    q = sub(n4, mul(n4, z, o1), o1)
-    one = add(sub(p, p, k2), n1, k2)
-    pneg = m.less(p, n0, mask1)
-    mq = neg(q, k1)
-    qp = m.where(pneg, mq, q, k1)
+    rd = sqrt(z, k1)
+    q = sub(n4, mul(n4, z, k2), k2)
+    rq = mul(rd, absolute(q, k3), k1)
+    p = add(mul(sub(z, n6, k3), z, o1), n1, o1)
+    qneg = m.less(q, n0, mask1)
+    kept = m.where(qneg, n0, rq, k3)
+    qp = m.where(m.less(add(kept, div(p, n16, k4), k4), kept, mask1), neg(q, k3), q, k3)
+    either = add(rq, p, o1)
+    one = add(sub(either, either, o1), n1, o1)
     mul(
         one, m.where(m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1),
-        n_minus_1, n1, o1), o1
+        n_minus_1, n1, k1), o1
     )
     return o1,
 
 
-# operations 30: 6 +, 6 *, 4 /, 2 neg, 1 atan2, 4 lt, 1 eq, 1 and, 1 or, 4 where
+# operations 33: 8 +, 6 *, 5 /, 1 neg, 2 abs, 1 atan2, 4 lt, 1 eq, 1 and, 1 or, 3 where
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     z = x / 64
-    p = (z - 6) * z + 1
-    pneg = p < 0
     q = 4 - 4 * z
-    mq = -q
-    qp = m.where(pneg, mq, q)
-    one = p - p + 1
+    rq = r / 8 * m.abs(q)
+    p = (z - 6) * z + 1
+    either = rq + p
+    one = either - either + 1
+    qneg = q < 0
+    kept = m.where(qneg, 0, rq)
+    qp = m.where(kept + p / 16 < kept, -q, q)
     sign = one * m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
-    angle = 2 * m.atan2(r / 8 * m.where(q < 0, mq, q), m.where(pneg, -p, p)) * one
+    angle = 2 * m.atan2(rq * one, m.abs(p))
     slope = 8 / (1 + z)
     return angle, slope / 8, sign
 
 
 def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
     o1, o2, o3 = out
-    k1, k2, k3, k4, *_ = scratch
+    k1, k2, k3, *_ = scratch
     mask1, mask2, mask3, *_ = masks
-    n_minus_1, n0, n1, n2, n4, n6, n8, n64 = numbers
+    n_minus_1, n0, n1, n2, n4, n6, n8, n16, n64 = numbers
     z = div(x, n64, o2)
-    p = add(mul(sub(z, n6, o1), z, o1), n1, o1)
-    one = add(sub(p, p, o3), n1, o3)
-    pneg = m.less(p, n0, mask1)
-    q = sub(n4, mul(n4, z, k1), k1)
+    q = sub(n4, mul(n4, z, o3), o3)
+    qneg = m.less(q, n0, mask1)
+    rq = mul(div(r, n8, o1), absolute(q, k1), o1)
+    kept = m.where(qneg, n0, rq, k1)
+    p = add(mul(sub(z, n6, k2), z, k2), n1, k2)
+    qp = m.where(m.less(add(kept, div(p, n16, k3), k3), kept, mask1), neg(q, k1), q, k1)
     slope = div(n8, add(n1, z, o2), o2)
     div(slope, n8, o2)
-    mq = neg(q, k2)
-    mul(
-        mul(n2, atan2(mul(div(r, n8, k3), m.where(m.less(q, n0, mask2), mq, q, k4), k3), m.where(pneg, neg(p, k4), p,
-        k4), o1), o1), one, o1
-    )
-    qp = m.where(pneg, mq, q, k2)
+    either = add(rq, p, k3)
+    one = add(sub(either, either, k3), n1, k3)
     mul(
         one, m.where(m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1),
-        n_minus_1, n1, k1), o3
+        n_minus_1, n1, o3), o3
     )
+    mul(n2, atan2(mul(rq, one, o1), absolute(p, k1), o1), o1)
     return o1, o2, o3
 
 
@@ -518,9 +525,9 @@ def _turned_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows,
     return o1, o2
 
 
-# operations 4: 2 lt, 2 where
+# operations 7: 2 +, 1 /, 2 lt, 2 where
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any, limit2: Any, cos2: Any, sin2: Any) -> Result:
-    beyond1 = limit1 < x
+    beyond1 = limit1 < limit1 + (x - limit1) / 16
     beyond2 = limit2 < x
     cosine2 = m.where(beyond2, cos2, cos1)
     sine2 = m.where(beyond2, sin2, sin1)
@@ -532,7 +539,8 @@ def _beyond_blocks(
 ) -> Result:
     o1, o2, o3 = out
     _, mask2, *_ = masks
-    m.less(limit1, x, o1)
+    n16, = numbers
+    m.less(limit1, add(limit1, div(sub(x, limit1, o2), n16, o2), o2), o1)
     beyond2 = m.less(limit2, x, mask2)
     m.where(beyond2, cos2, cos1, o2)
     m.where(beyond2, sin2, sin1, o3)
@@ -588,10 +596,10 @@ CHART = Chart(
         "gain_unit": Function(_gain_unit, _gain_unit_blocks, 2, 1, (-1, 0, 1, 2, 8)),
         "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 0, (1, 2, 8)),
         "gain_product": Function(_gain_product, _gain_product_blocks, 3, 1, (-1, 0, 1, 2, 8)),
-        "direction": Function(_direction, _direction_blocks, 2, 3, (-1, 0, 1, 4, 6, 64)),
-        "natural": Function(_natural, _natural_blocks, 4, 3, (-1, 0, 1, 2, 4, 6, 8, 64)),
+        "direction": Function(_direction, _direction_blocks, 4, 3, (-1, 0, 1, 4, 6, 16, 64)),
+        "natural": Function(_natural, _natural_blocks, 3, 3, (-1, 0, 1, 2, 4, 6, 8, 16, 64)),
         "turned": Function(_turned, _turned_blocks, 0, 0, (1, 8)),
-        "beyond": Function(_beyond, _beyond_blocks, 0, 2, ()),
+        "beyond": Function(_beyond, _beyond_blocks, 0, 2, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 8)),
     },
     own={},

@@ -48,10 +48,10 @@
 #   from_tensor: 150: 47 +, 54 *, 10 /, 2 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_pose: 114: 32 +, 36 *, 7 /, 2 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_screw: 22: 5 +, 12 *, 4 /, 1 tan
-#   to_screw: 77: 16 +, 28 *, 7 /, 2 neg, 2 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
-#   turn: 67: 15 +, 29 *, 7 /, 2 sqrt, 2 lt, 1 eq, 11 where
-#   shadow: 91: 22 +, 36 *, 7 /, 1 neg, 3 sqrt, 5 lt, 2 eq, 1 and, 1 or, 13 where
-#   principal: 61: 14 +, 26 *, 7 /, 2 sqrt, 3 lt, 9 where
+#   to_screw: 91: 21 +, 32 *, 11 /, 1 neg, 8 abs, 2 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 7 where
+#   turn: 75: 17 +, 30 *, 11 /, 6 abs, 2 sqrt, 2 lt, 1 eq, 6 where
+#   shadow: 107: 27 +, 40 *, 11 /, 1 neg, 6 abs, 3 sqrt, 6 lt, 2 eq, 1 and, 1 or, 9 where
+#   principal: 64: 16 +, 26 *, 8 /, 2 sqrt, 3 lt, 9 where
 #   compose: 237: 81 +, 133 *, 9 /, 1 neg, 4 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 r"""Sine chart of order 3: Rodrigues dual vectors ``v = sin(α/6) u`` of rigid displacements.
 
@@ -78,7 +78,7 @@ from typing import Any
 
 from ._chart import Chart, Function
 from ._interface import PoseKernels
-from ._kernel import Result, Rows, add, atan2, div, mul, neg, sqrt, sub, tan
+from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
     "body_rate", "body_tangent", "body_tangent_inv", "body_twist", "compose", "from_pose", "from_quaternion",
@@ -388,16 +388,15 @@ def _gain_product_blocks(
     return o1,
 
 
-# operations 18: 5 +, 3 *, 1 neg, 1 sqrt, 3 lt, 1 eq, 1 and, 1 or, 2 where
+# operations 21: 6 +, 3 *, 1 neg, 1 sqrt, 4 lt, 1 eq, 1 and, 1 or, 3 where
 def _direction(m: Any, x: Any, y: Any) -> Result:
     x_by_4 = 4 * x
+    w = 3 - x_by_4
+    kept = m.where(w < 0, 0, 16)
     cc = 1 - x
     c = m.sqrt(cc)
     s = c * (1 - x_by_4)
-    sneg = s < 0
-    w = 3 - x_by_4
-    mw = -w
-    turned = m.where(sneg, mw, w)
+    turned = m.where(kept + s < kept, -w, w)
     one = s - s + 1
     sign = one * m.where((turned < 0) | (w == 0) & (y < 0), -1, 1)
     return sign,
@@ -405,62 +404,59 @@ def _direction(m: Any, x: Any, y: Any) -> Result:
 
 def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any) -> Result:
     o1, = out
-    k1, k2, *_ = scratch
+    k1, k2, k3, *_ = scratch
     mask1, mask2, mask3, *_ = masks
-    n_minus_1, n0, n1, n3, n4 = numbers
+    n_minus_1, n0, n1, n3, n4, n16 = numbers
     cc = sub(n1, x, o1)
     c = sqrt(cc, o1)
     x_by_4 = mul(n4, x, k1)
     s = mul(c, sub(n1, x_by_4, k2), o1)
     w = sub(n3, x_by_4, k1)
-    one = add(sub(s, s, k2), n1, k2)
-    sneg = m.less(s, n0, mask1)
-    mw = neg(w, o1)
-    turned = m.where(sneg, mw, w, o1)
+    kept = m.where(m.less(w, n0, mask1), n0, n16, k2)
+    turned = m.where(m.less(add(kept, s, k3), kept, mask1), neg(w, k2), w, k2)
+    one = add(sub(s, s, o1), n1, o1)
     mul(
         one, m.where(m.either(m.less(turned, n0, mask1), m.both(m.equal(w, n0, mask2), m.less(y, n0, mask3), mask2),
-        mask1), n_minus_1, n1, o1), o1
+        mask1), n_minus_1, n1, k1), o1
     )
     return o1,
 
 
-# operations 26: 5 +, 5 *, 1 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 1 eq, 1 and, 1 or, 4 where
+# operations 27: 6 +, 5 *, 1 /, 1 neg, 2 abs, 1 sqrt, 1 atan2, 4 lt, 1 eq, 1 and, 1 or, 3 where
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     x_by_4 = 4 * x
+    w = 3 - x_by_4
+    kept = m.where(w < 0, 0, 16)
     cc = 1 - x
     c = m.sqrt(cc)
     s = c * (1 - x_by_4)
-    sneg = s < 0
-    w = 3 - x_by_4
-    mw = -w
-    turned = m.where(sneg, mw, w)
+    turned = m.where(kept + s < kept, -w, w)
     one = s - s + 1
     sign = one * m.where((turned < 0) | (w == 0) & (y < 0), -1, 1)
-    angle = 2 * m.atan2(r * m.where(w < 0, mw, w), m.where(sneg, -s, s))
+    angle = 2 * m.atan2(r * m.abs(w), m.abs(s))
     rho = 6 / c
     return angle, rho, sign
 
 
 def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
     o1, o2, o3 = out
-    k1, k2, k3, *_ = scratch
+    k1, k2, *_ = scratch
     mask1, mask2, mask3, *_ = masks
-    n_minus_1, n0, n1, n2, n3, n4, n6 = numbers
+    n_minus_1, n0, n1, n2, n3, n4, n6, n16 = numbers
     cc = sub(n1, x, o2)
     c = sqrt(cc, o2)
-    x_by_4 = mul(n4, x, o3)
+    x_by_4 = mul(n4, x, o1)
     s = mul(c, sub(n1, x_by_4, k1), k1)
-    w = sub(n3, x_by_4, o3)
+    w = sub(n3, x_by_4, o1)
     div(n6, c, o2)
-    sneg = m.less(s, n0, mask1)
-    mw = neg(w, k2)
-    mul(n2, atan2(mul(r, m.where(m.less(w, n0, mask2), mw, w, o1), o1), m.where(sneg, neg(s, k3), s, k3), o1), o1)
-    turned = m.where(sneg, mw, w, k2)
-    one = add(sub(s, s, k1), n1, k1)
+    kept = m.where(m.less(w, n0, mask1), n0, n16, o3)
+    turned = m.where(m.less(add(kept, s, k2), kept, mask1), neg(w, o3), w, o3)
+    one = add(sub(s, s, k2), n1, k2)
     mul(
         one, m.where(m.either(m.less(turned, n0, mask1), m.both(m.equal(w, n0, mask2), m.less(y, n0, mask3), mask2),
         mask1), n_minus_1, n1, o3), o3
     )
+    mul(n2, atan2(mul(r, absolute(w, o1), o1), absolute(s, k1), o1), o1)
     return o1, o2, o3
 
 
@@ -491,9 +487,9 @@ def _turned_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows,
     return o1, o2
 
 
-# operations 1: 1 lt
+# operations 4: 2 +, 1 /, 1 lt
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
-    beyond1 = limit1 < x
+    beyond1 = limit1 < limit1 + (x - limit1) / 16
     return beyond1, cos1, sin1
 
 
@@ -501,8 +497,10 @@ def _beyond_blocks(
     m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, limit1: Any, cos1: Any, sin1: Any
 ) -> Result:
     o1, _, _ = out
+    k1, *_ = scratch
     _, *_ = masks
-    m.less(limit1, x, o1)
+    n16, = numbers
+    m.less(limit1, add(limit1, div(sub(x, limit1, k1), n16, k1), k1), o1)
     return o1, cos1, sin1
 
 
@@ -556,10 +554,10 @@ CHART = Chart(
         "gain_unit": Function(_gain_unit, _gain_unit_blocks, 4, 2, (-1, 0, 1, 2, 3, 6)),
         "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 1, (0, 1, 2, 3, 6)),
         "gain_product": Function(_gain_product, _gain_product_blocks, 4, 2, (-1, 0, 1, 2, 3, 6)),
-        "direction": Function(_direction, _direction_blocks, 2, 3, (-1, 0, 1, 3, 4)),
-        "natural": Function(_natural, _natural_blocks, 3, 3, (-1, 0, 1, 2, 3, 4, 6)),
+        "direction": Function(_direction, _direction_blocks, 3, 3, (-1, 0, 1, 3, 4, 16)),
+        "natural": Function(_natural, _natural_blocks, 2, 3, (-1, 0, 1, 2, 3, 4, 6, 16)),
         "turned": Function(_turned, _turned_blocks, 2, 1, (-1, 0, 1)),
-        "beyond": Function(_beyond, _beyond_blocks, 0, 1, ()),
+        "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 1, 0, (1, 2, 6, 12)),
     },
     own={},

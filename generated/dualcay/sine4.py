@@ -48,10 +48,10 @@
 #   from_tensor: 153: 50 +, 57 *, 11 /, 4 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 117: 35 +, 39 *, 8 /, 4 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 22: 5 +, 12 *, 4 /, 1 tan
-#   to_screw: 79: 17 +, 29 *, 7 /, 2 neg, 2 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 13 where
-#   turn: 67: 15 +, 29 *, 7 /, 2 sqrt, 2 lt, 1 eq, 11 where
-#   shadow: 93: 23 +, 37 *, 7 /, 1 neg, 3 sqrt, 5 lt, 2 eq, 1 and, 1 or, 13 where
-#   principal: 64: 14 +, 26 *, 7 /, 2 sqrt, 4 lt, 11 where
+#   to_screw: 93: 22 +, 33 *, 11 /, 1 neg, 8 abs, 2 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 7 where
+#   turn: 75: 17 +, 30 *, 11 /, 6 abs, 2 sqrt, 2 lt, 1 eq, 6 where
+#   shadow: 109: 28 +, 41 *, 11 /, 1 neg, 6 abs, 3 sqrt, 6 lt, 2 eq, 1 and, 1 or, 9 where
+#   principal: 67: 16 +, 26 *, 8 /, 2 sqrt, 4 lt, 11 where
 #   compose: 241: 85 +, 137 *, 10 /, 1 neg, 5 sqrt, 1 lt, 2 where
 r"""Sine chart of order 4: Rodrigues dual vectors ``v = sin(α/8) u`` of rigid displacements.
 
@@ -78,7 +78,7 @@ from typing import Any
 
 from ._chart import Chart, Function
 from ._interface import PoseKernels
-from ._kernel import Result, Rows, add, atan2, div, mul, neg, sqrt, sub, tan
+from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
     "body_rate", "body_tangent", "body_tangent_inv", "body_twist", "compose", "from_pose", "from_quaternion",
@@ -368,16 +368,15 @@ def _gain_product_blocks(
     return o1,
 
 
-# operations 20: 6 +, 4 *, 1 neg, 1 sqrt, 3 lt, 1 eq, 1 and, 1 or, 2 where
+# operations 23: 7 +, 4 *, 1 neg, 1 sqrt, 4 lt, 1 eq, 1 and, 1 or, 3 where
 def _direction(m: Any, x: Any, y: Any) -> Result:
     x_by_8 = 8 * x
-    s = (x_by_8 - 8) * x + 1
-    sneg = s < 0
     cc = 1 - x
     c = m.sqrt(cc)
     w = c * (4 - x_by_8)
-    mw = -w
-    turned = m.where(sneg, mw, w)
+    kept = m.where(w < 0, 0, 16)
+    s = (x_by_8 - 8) * x + 1
+    turned = m.where(kept + s < kept, -w, w)
     one = s - s + 1
     sign = one * m.where((turned < 0) | (w == 0) & (y < 0), -1, 1)
     return sign,
@@ -385,17 +384,16 @@ def _direction(m: Any, x: Any, y: Any) -> Result:
 
 def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any) -> Result:
     o1, = out
-    k1, k2, *_ = scratch
+    k1, k2, k3, *_ = scratch
     mask1, mask2, mask3, *_ = masks
-    n_minus_1, n0, n1, n4, n8 = numbers
+    n_minus_1, n0, n1, n4, n8, n16 = numbers
     cc = sub(n1, x, o1)
     c = sqrt(cc, o1)
     x_by_8 = mul(n8, x, k1)
     w = mul(c, sub(n4, x_by_8, k2), o1)
     s = add(mul(sub(x_by_8, n8, k1), x, k1), n1, k1)
-    mw = neg(w, k2)
-    sneg = m.less(s, n0, mask1)
-    turned = m.where(sneg, mw, w, k2)
+    kept = m.where(m.less(w, n0, mask1), n0, n16, k2)
+    turned = m.where(m.less(add(kept, s, k3), kept, mask1), neg(w, k2), w, k2)
     one = add(sub(s, s, k1), n1, k1)
     mul(
         one, m.where(m.either(m.less(turned, n0, mask1), m.both(m.equal(w, n0, mask2), m.less(y, n0, mask3), mask2),
@@ -404,43 +402,41 @@ def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Ro
     return o1,
 
 
-# operations 28: 6 +, 6 *, 1 /, 2 neg, 1 sqrt, 1 atan2, 4 lt, 1 eq, 1 and, 1 or, 4 where
+# operations 29: 7 +, 6 *, 1 /, 1 neg, 2 abs, 1 sqrt, 1 atan2, 4 lt, 1 eq, 1 and, 1 or, 3 where
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     x_by_8 = 8 * x
-    s = (x_by_8 - 8) * x + 1
-    sneg = s < 0
     cc = 1 - x
     c = m.sqrt(cc)
     w = c * (4 - x_by_8)
-    mw = -w
-    turned = m.where(sneg, mw, w)
+    kept = m.where(w < 0, 0, 16)
+    s = (x_by_8 - 8) * x + 1
+    turned = m.where(kept + s < kept, -w, w)
     one = s - s + 1
     sign = one * m.where((turned < 0) | (w == 0) & (y < 0), -1, 1)
-    angle = 2 * m.atan2(r * m.where(w < 0, mw, w), m.where(sneg, -s, s))
+    angle = 2 * m.atan2(r * m.abs(w), m.abs(s))
     rho = 8 / c
     return angle, rho, sign
 
 
 def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
     o1, o2, o3 = out
-    k1, k2, k3, *_ = scratch
+    k1, k2, *_ = scratch
     mask1, mask2, mask3, *_ = masks
-    n_minus_1, n0, n1, n2, n4, n8 = numbers
+    n_minus_1, n0, n1, n2, n4, n8, n16 = numbers
     cc = sub(n1, x, o2)
     c = sqrt(cc, o2)
-    x_by_8 = mul(n8, x, o3)
+    x_by_8 = mul(n8, x, o1)
     w = mul(c, sub(n4, x_by_8, k1), k1)
-    s = add(mul(sub(x_by_8, n8, o3), x, o3), n1, o3)
+    s = add(mul(sub(x_by_8, n8, o1), x, o1), n1, o1)
     div(n8, c, o2)
-    mw = neg(w, k2)
-    sneg = m.less(s, n0, mask1)
-    mul(n2, atan2(mul(r, m.where(m.less(w, n0, mask2), mw, w, o1), o1), m.where(sneg, neg(s, k3), s, k3), o1), o1)
-    turned = m.where(sneg, mw, w, k2)
-    one = add(sub(s, s, o3), n1, o3)
+    kept = m.where(m.less(w, n0, mask1), n0, n16, o3)
+    turned = m.where(m.less(add(kept, s, k2), kept, mask1), neg(w, o3), w, o3)
+    one = add(sub(s, s, k2), n1, k2)
     mul(
         one, m.where(m.either(m.less(turned, n0, mask1), m.both(m.equal(w, n0, mask2), m.less(y, n0, mask3), mask2),
-        mask1), n_minus_1, n1, k1), o3
+        mask1), n_minus_1, n1, o3), o3
     )
+    mul(n2, atan2(mul(r, absolute(w, k1), k1), absolute(s, o1), o1), o1)
     return o1, o2, o3
 
 
@@ -471,9 +467,9 @@ def _turned_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows,
     return o1, o2
 
 
-# operations 4: 2 lt, 2 where
+# operations 7: 2 +, 1 /, 2 lt, 2 where
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any, limit2: Any, cos2: Any, sin2: Any) -> Result:
-    beyond1 = limit1 < x
+    beyond1 = limit1 < limit1 + (x - limit1) / 16
     beyond2 = limit2 < x
     cosine2 = m.where(beyond2, cos2, cos1)
     sine2 = m.where(beyond2, sin2, sin1)
@@ -485,7 +481,8 @@ def _beyond_blocks(
 ) -> Result:
     o1, o2, o3 = out
     _, mask2, *_ = masks
-    m.less(limit1, x, o1)
+    n16, = numbers
+    m.less(limit1, add(limit1, div(sub(x, limit1, o2), n16, o2), o2), o1)
     beyond2 = m.less(limit2, x, mask2)
     m.where(beyond2, cos2, cos1, o2)
     m.where(beyond2, sin2, sin1, o3)
@@ -546,10 +543,10 @@ CHART = Chart(
         "gain_unit": Function(_gain_unit, _gain_unit_blocks, 2, 1, (-1, 0, 1, 2)),
         "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 0, (1, 2)),
         "gain_product": Function(_gain_product, _gain_product_blocks, 3, 1, (-1, 0, 1, 2)),
-        "direction": Function(_direction, _direction_blocks, 2, 3, (-1, 0, 1, 4, 8)),
-        "natural": Function(_natural, _natural_blocks, 3, 3, (-1, 0, 1, 2, 4, 8)),
+        "direction": Function(_direction, _direction_blocks, 3, 3, (-1, 0, 1, 4, 8, 16)),
+        "natural": Function(_natural, _natural_blocks, 2, 3, (-1, 0, 1, 2, 4, 8, 16)),
         "turned": Function(_turned, _turned_blocks, 2, 1, (-1, 0, 1)),
-        "beyond": Function(_beyond, _beyond_blocks, 0, 2, ()),
+        "beyond": Function(_beyond, _beyond_blocks, 0, 2, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 1, 0, (1, 2, 8, 16)),
     },
     own={},

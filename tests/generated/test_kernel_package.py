@@ -9,13 +9,13 @@ import sys
 from pathlib import Path
 
 import pytest
+from mypy import api
 
 import dualcay
 from derive import about
-from derive.codegen.signatures import PUBLIC
 from tests.support.kernels import ORDERS, load
 
-MODULES = [f"cayley{order}" for order in ORDERS]
+MODULES = sorted([*(f"cayley{order}" for order in ORDERS), *about.FAMILIES])
 
 
 def test_the_version_is_that_of_the_toolkit() -> None:
@@ -34,14 +34,19 @@ def test_a_module_lists_what_users_call(order: int) -> None:
 
 
 def test_backend_says_what_runs_each_function() -> None:
-    assert dualcay.backend() == dict.fromkeys(sorted({*PUBLIC, "singular_angles"}), "numpy")
+    functions = {getattr(load(3), name).__name__ for name in load(3).__all__}  # aliases once
+    assert dualcay.backend() == dict.fromkeys(sorted(functions), "numpy")
 
 
-def test_a_module_that_is_not_written_is_refused_with_the_command_that_writes_it() -> None:
-    with pytest.raises(ImportError, match=r"no cayley6 in 'dualcay'.*cayley8.*dualcay generate -n 6 -o FOLDER$"):
-        from dualcay import cayley6  # noqa: F401
-    for name in ("nonsense", "cayley06", "cayley0", "cayley"):
-        with pytest.raises(AttributeError, match=f"has no attribute '{name}'; kernel modules: cayley1, "):
+@pytest.mark.parametrize(("name", "option"), [("cayley6", "-n 6"), ("sine77", "--family sine77")])
+def test_a_module_that_is_not_written_is_refused_with_the_command_that_writes_it(name: str, option: str) -> None:
+    with pytest.raises(ImportError, match=rf"^no {name} in 'dualcay'.*cayley8.*dualcay generate {option} -o FOLDER$"):
+        exec(f"from dualcay import {name}")
+
+
+def test_a_name_that_is_no_module_is_refused_with_those_that_are() -> None:
+    for name in ("nonsense", "cayley06", "cayley0", "cayley", "sine", "sine0"):
+        with pytest.raises(AttributeError, match=f"has no attribute '{name}'; kernel modules: breusing, cayley1, "):
             getattr(dualcay, name)
     with pytest.raises(ImportError, match="cannot import name 'nonsense'"):
         from dualcay import nonsense  # noqa: F401
@@ -76,7 +81,7 @@ def test_names_and_arguments_are_known_to_type_checkers(tmp_path: Path, monkeypa
     roots = (Path(importlib.import_module(name).__file__ or "").parents[1] for name in ("dualcay", "derive"))
     monkeypatch.setenv("MYPYPATH", os.pathsep.join(map(str, roots)))
     options = ("--strict", "--config-file=", "--follow-imports=silent", "--no-site-packages", f"--cache-dir={tmp_path}")
-    said, _, _ = pytest.importorskip("mypy.api").run([*options, "-c", TYPED])
+    said, _, _ = api.run([*options, "-c", TYPED])
     assert [line.partition(": error: ")[2] for line in said.splitlines()[:-1]] == [
         'Module "dualcay" has no attribute "nonsense"  [attr-defined]',
         'Module "dualcay" has no attribute "cayley6"  [attr-defined]',

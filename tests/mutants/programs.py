@@ -23,7 +23,7 @@ TARGET = "numpy"
 FORMS = ("both forms", "plain form", "in-place form")
 OPPOSITE = {"add": "sub", "sub": "add", "mul": "div", "div": "mul", "and": "or", "or": "and", "lt": "eq", "eq": "lt"}
 ORDERED = {"sub": (0, 1), "div": (0, 1), "lt": (0, 1), "atan2": (0, 1), "where": (1, 2)}
-DROPPED = {"neg": (0,), "sqrt": (0,), "tan": (0,), "where": (1, 2)}
+DROPPED = {"neg": (0,), "abs": (0,), "sqrt": (0,), "tan": (0,), "where": (1, 2)}
 MASKS = ("lt", "eq", "and", "or")
 PRIME = (1 << 61) - 1
 POINTS = 3
@@ -178,6 +178,7 @@ class Programs:
     name: str = "programs"
     what: str = "straight-line programs of the geometry and of the committed charts: by validation alone"
     checks: None = None
+    unchanged: tuple[str, ...] = ("derive.codegen",)
 
     def edit(self, mutant: Mutant) -> Edit | None:
         return None

@@ -10,7 +10,8 @@ import hashlib
 import importlib
 import pkgutil
 import re
-from collections.abc import Callable, Iterator, Mapping
+import sys
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path, PurePath
 from typing import Any
@@ -39,14 +40,34 @@ def import_all() -> None:
             importlib.import_module(module.name)
 
 
+def warm(modules: Sequence[str]) -> None:
+    """Import these and decide the theorems for every order, so that no trial has to."""
+    for name in modules:
+        importlib.import_module(name)
+    if "derive.proof" in sys.modules:
+        importlib.import_module("derive.proof").theorems()
+
+
 def proofs() -> dict[str, Check]:
     """Proofs of the committed orders."""
     derive, proof = importlib.import_module("derive"), importlib.import_module("derive.proof")
     return {f"proof of n = {n}": lambda n=n: proof.prove(derive.Cayley(n)) for n in COMMITTED}  # type: ignore[misc]
 
 
-def validations(around: Around = lambda name, validate: validate) -> dict[str, Check]:
-    """Emission with validation.
+def controls() -> list[str]:
+    """What the controls of all theorems are of; every one must fail, for a reason."""
+    command, identity = (importlib.import_module(f"derive.proof.{name}") for name in ("__main__", "identity"))
+    theorems = command.claims()
+    known = {proof.name: proof for proof in command.decided(theorems)}
+    found = [*command.controls(theorems, known), *command.controlled_at(command.SHOWN)]
+    for control in found:
+        if control.proof.proved or any(residue.label == identity.NO_VALUE for residue in control.proof.residues):
+            raise AssertionError(f"not noticed: {control}")
+    return sorted(f"{control.theorem} [{control.proof.scope}]" for control in found)
+
+
+def validations(everything: bool, around: Around) -> dict[str, Check]:
+    """Emission with validation, for all targets and orders, or for NumPy and a few.
 
     ``around`` is put between the road and the validation that ends it.
     """
@@ -58,13 +79,16 @@ def validations(around: Around = lambda name, validate: validate) -> dict[str, C
     return {
         f"{name}, n = {n}": check(f"{name}, n = {n}", n, target)
         for name, target in targets().items()
-        for n in (ORDERS if name == "numpy" else FEW)
+        for n in ((ORDERS if everything else GEOMETRY) if name == "numpy" else FEW)
+        if everything or name == "numpy"
     }
 
 
-def first_stage(stage: str, around: Around = lambda name, validate: validate) -> dict[str, Check]:
-    """Checks of a stage that are no tests: "proof" or "validation"."""
-    return proofs() if stage == "proof" else validations(around)
+def first_stage(
+    stage: str, everything: bool = True, around: Around = lambda name, validate: validate
+) -> dict[str, Check]:
+    """Checks of a stage that are no tests: "proof" or "validation", of everything or of some NumPy kernels."""
+    return proofs() if stage == "proof" else validations(everything, around)
 
 
 def statement_folders() -> tuple[str, ...]:

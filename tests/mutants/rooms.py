@@ -26,6 +26,10 @@ class Room(Protocol):
         """What is mutated, and which checks should notice, for the report."""
 
     @property
+    def unchanged(self) -> tuple[str, ...]:
+        """Modules that, with all they import, no mutant changes."""
+
+    @property
     def checks(self) -> Checks | None:
         """What has to look at the unchanged tree first."""
 
@@ -61,6 +65,7 @@ class Files:
     what: str
     sources: tuple[str, ...]
     checks: Checks
+    unchanged: tuple[str, ...] = ()
     apart: Callable[[], tuple[str, ...]] = tuple
 
     def edit(self, mutant: Mutant) -> Edit | None:
@@ -94,13 +99,14 @@ class Files:
         return self.checks.fate(mutant.site if mutant else None, knowledge)
 
 
-PROOF = Checks("proof", ("derive/proof",), ("tests/derive/proof",), first="proof")
-MAPS = Checks("maps", ("derive/maps",), ("tests/derive/maps",), first="proof")
+NUMBERS = "tests/derive/papers/test_theorem_numbers.py"
+PROOF = Checks("proof", ("derive/proof",), ("tests/derive/proof", NUMBERS), first=("proof",), controlled=True)
+MAPS = Checks("maps", ("derive/maps",), ("tests/derive/maps",), first=("proof", "validation"))
 EMISSION = Checks(
     "emission",
     ("derive/codegen", "derive/output", "templates"),
     ("tests/derive/codegen", "tests/derive/output", "tests/derive/papers/report/test_report.py"),
-    first="validation",
+    first=("validation",),
     emits=True,
 )
 PAPERS = Checks("papers", ("derive/papers",), ("tests/derive/papers",))
@@ -111,27 +117,31 @@ ROOMS: Mapping[str, Room] = {
         Programs(),
         Files(
             "proof",
-            "derive/proof: by the proofs of the committed orders, then by tests/derive/proof",
+            "derive/proof: by the proofs of the committed orders, then by tests/derive/proof and of equation numbers",
             ("derive/proof",),
             PROOF,
+            ("derive.maps", "derive.output"),
         ),
         Files(
             "maps",
-            "derive/maps: by the proofs of the committed orders, then by tests/derive/maps",
+            "derive/maps: by the proofs of the committed orders and NumPy kernels of some, then by tests/derive/maps",
             ("derive/maps",),
             MAPS,
+            ("derive.algebra", "derive.output"),
         ),
         Files(
             "codegen",
             "derive/codegen, derive/output: by emission with validation, then by their tests and those of kernels",
             ("derive/codegen", "derive/output"),
             EMISSION,
+            ("derive.proof",),
         ),
         Files(
             "templates",
             "templates: by emission with validation, then by tests of codegen, of the report, and of kernels",
             ("templates",),
             EMISSION,
+            ("derive.codegen",),
         ),
         Statements(),
         Files(
@@ -139,6 +149,7 @@ ROOMS: Mapping[str, Room] = {
             "derive/papers but for the statements: by tests/derive/papers",
             ("derive/papers",),
             PAPERS,
+            ("derive.proof", "derive.output"),
             road.statement_folders,
         ),
     )

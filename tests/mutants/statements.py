@@ -20,6 +20,7 @@ class Statements:
     name: str = "statements"
     what: str = "statements of the papers that were found true: by executing them"
     checks: None = None
+    unchanged: tuple[str, ...] = ("derive.papers",)
 
     def edit(self, mutant: Mutant) -> Edit | None:
         return None

@@ -56,6 +56,7 @@ def test_nothing_is_changed_where_nothing_computes() -> None:
     source = (
         '"""A docstring with 1 + 1."""\nfrom a import b\n__all__ = ["c", "d"]\nNumber = int | float\n'
         'def f(a: int | None, b: tuple[int, ...]) -> "a + b":\n    """1 + 1"""\n    x: list[int]\n'
+        "y = zip(a, strict=True)\nz = run(timeout=30)\nw = gcd(a, b)\n"
     )
     assert not list(python_mutants("a.py", source))
 

@@ -57,7 +57,7 @@ SIZES = ("1e-25", "1e-9", "0.003", "0.3", "0.7", "0.97")
 
 
 class Decimal:
-    """A real number of 50 digits: + - * / with exact partners, comparison, ``sqrt``, ``tan``, ``arctan2``."""
+    """A real number of 50 digits: + - * / with exact partners, comparison, ``abs``, ``sqrt``, ``tan``, ``arctan2``."""
 
     __slots__ = ("value",)
 
@@ -108,6 +108,9 @@ class Decimal:
 
     def __repr__(self) -> str:
         return str(mpmath.nstr(self.value, DIGITS))
+
+    def __abs__(self) -> Decimal:
+        return Decimal(abs(self.value))
 
     def sqrt(self) -> Decimal:
         return Decimal(mpmath.sqrt(self.value))

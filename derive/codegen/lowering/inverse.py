@@ -147,17 +147,27 @@ def _turn(trace: Geometry) -> tuple[Number, ...]:
 
 
 def _axis(trace: Geometry, point: Point) -> Axis:
-    """|v| and v/|v| as dual quantities; at Re v = 0 the axis is that of v°, through the origin."""
+    """|v| and v/|v| as dual quantities; at Re v = 0 the axis is that of v°, through the origin.
+
+    Vectors are scaled by their sums before they are squared: no length underflows or overflows but where it must.
+    """
     v, vo = point.re, point.du
-    still = point.name("still", trace.equal(point.x, 0))
+    total = point.name("total", _sum(trace, v))
+    still = point.name("still", trace.equal(total, 0))
+    along = named(trace, "a", Vector(*(trace.where(still, b, a) for a, b in zip(v, vo, strict=True))))
+    scale = point.name("scale", _sum(trace, along))
+    scaled = named(trace, "s", along / scale)
     # one root, never of 0 but at the identity: so the gradient is finite wherever the axis is defined
-    length = point.name("length", trace.sqrt(trace.where(still, vo.dot(vo), point.x)))
-    size = point.name("r", trace.where(still, point.x, length))  # 0 of the type of x
-    u = named(trace, "u", Vector(*(trace.where(still, b, a) / length for a, b in zip(v, vo, strict=True))))
-    size_du = point.name("ro", trace.where(still, length, u.dot(vo)))
-    across = vo - named(trace, "ru", size_du * u)
-    moment = named(trace, "uo", Vector(*(trace.where(still, 0, c) / length for c in across)))
-    return size, u, size_du, moment
+    root = point.name("root", trace.sqrt(scaled.dot(scaled)))
+    u = named(trace, "u", scaled / root)
+    size_du = point.name("ro", u.dot(vo))
+    inverse = point.name("ir", trace.where(still, 0, 1) / root)
+    return point.name("r", total * root), u, size_du, named(trace, "uo", (vo - named(trace, "ru", size_du * u)) / scale * inverse)
+
+
+def _sum(trace: Geometry, v: Vector) -> Number:
+    first, second, third = map(trace.abs, v)
+    return first + second + third
 
 
 def _axis_where(trace: Geometry, point: Point, selected: Number) -> Axis:

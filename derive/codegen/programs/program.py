@@ -12,7 +12,7 @@ Operand = str | int | Fraction
 
 
 ARITHMETIC = ("add", "sub", "mul", "div", "neg")
-FUNCTIONS = ("sqrt", "tan", "atan2")
+FUNCTIONS = ("abs", "sqrt", "tan", "atan2")
 SELECTION = ("lt", "eq", "and", "or", "where")
 
 

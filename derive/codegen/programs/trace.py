@@ -161,6 +161,9 @@ class Trace:
 
     # --- elementary functions and selection -------------------------------------------------------------------
 
+    def abs(self, a: Number) -> Number:
+        return self.record("abs", a) if isinstance(a, Value) else abs(a)
+
     def sqrt(self, a: Number) -> Number:
         return a if _is(a, 1) or _is(a, 0) else self.record("sqrt", a)
 

@@ -26,7 +26,7 @@ from . import c99
 from .target import Data, require_functions
 
 GEOMETRY = "geometry.h"
-LEVELS = {"sqrt": 1, "tan": 2, "atan2": 2}
+LEVELS = {"abs": 1, "sqrt": 1, "tan": 2, "atan2": 2}
 """What an operation needs of ``math.h``: nothing is 0, what becomes vector code 1, what does not 2."""
 
 NAMES = {"R": "tensor", "T": "pose"}

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from ..lowering.scalars import SCALARS
-from ..programs.program import Call, Program, Step, summary
+from ..programs.program import FUNCTIONS, Call, Program, Step, summary
 from ..programs.registers import results
 from ..signatures import KERNELS
 from .expression import ARITHMETIC, WIDTH, Dialect, Operator, Text, bracket, fill, renamed
@@ -58,7 +58,7 @@ def _ternary(condition: Text, first: Text, second: Text) -> Text:
 
 C99 = Dialect(
     operators=ARITHMETIC | _LOGIC | _COMPARISON,
-    calls={name: f"dualcay_{name}" for name in ("sqrt", "tan", "atan2")},
+    calls={name: f"dualcay_{name}" for name in FUNCTIONS},
     select=_ternary,
     largest=_EXACT_IN_FLOAT,
 )

@@ -23,8 +23,9 @@ from .expression import WIDTH, fill
 from .target import Data
 
 _FUNCTIONS = {
-    "add": "add", "sub": "sub", "mul": "mul", "div": "div", "neg": "neg", "sqrt": "sqrt", "tan": "tan",
-    "atan2": "atan2", "lt": "m.less", "eq": "m.equal", "and": "m.both", "or": "m.either", "where": "m.where",
+    "add": "add", "sub": "sub", "mul": "mul", "div": "div", "neg": "neg", "abs": "absolute", "sqrt": "sqrt",
+    "tan": "tan", "atan2": "atan2", "lt": "m.less", "eq": "m.equal", "and": "m.both", "or": "m.either",
+    "where": "m.where",
 }  # fmt: skip
 
 

@@ -13,6 +13,7 @@ from typing import Any
 from ... import about
 from ...maps.cayley import EQUATIONS
 from ...maps.chart import DEFINITIONS, Chart
+from ...maps.named import NUMBERED, SINGLE
 from ..facts import Facts, comment, numbers, theorem_lines
 from ..programs.program import Program, summary
 from ..signatures import FUNCTIONS, KERNELS, PUBLIC, Function, aliases
@@ -76,7 +77,8 @@ class PythonTarget:
     def package(self) -> Mapping[str, Data]:
         """The files by which a package is imported and run."""
         option = "" if self.name == about.TARGET else f" --target {self.name}"
-        init = {"version": about.__version__, "target": self.name, "option": option}
+        families = "|".join([*SINGLE, *(rf"{stem}[1-9]\d*" for stem in NUMBERED)])
+        init = {"version": about.__version__, "target": self.name, "option": option, "families": families}
         return {self.entry: init, "__main__.py": {}, "py.typed": {}}
 
     def companions(self, chart: Chart) -> Mapping[str, tuple[str, Data]]:

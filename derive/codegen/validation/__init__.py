@@ -2,6 +2,7 @@
 
 ============= ========================================================================================
 run           load a package from disk and call its public functions, in both layouts
+refusals      wrong calls, which a package must refuse as documented
 sample        what of a chart has not been shown by another of the package
 c_text        interpret a C header, in all the ways its functions may be called
 c_calls       C functions called on flat components
@@ -18,8 +19,9 @@ What results must be is said by ``codegen.cases``.
 """
 
 from .calls import NUMPY, Library
+from .errors import ValidationFailed
 from .replay import Machinery, replay, replay_package
-from .run import ValidationFailed, validate
+from .run import validate
 from .sample import Choose, Seen, everything
 
 __all__ = [

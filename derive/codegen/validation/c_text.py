@@ -19,7 +19,7 @@ from ..cases.digits import Decimal
 from ..signatures import FUNCTIONS, aliases
 from .c_calls import Flat, Kernel
 from .c_interpreter import UNSET, CError, Pointer, Unit, load
-from .run import ValidationFailed
+from .errors import ValidationFailed
 
 SEED = 1863
 

@@ -84,6 +84,10 @@ class Rounding:
     def neg(a: Ball) -> Ball:
         return Ball(-a.value, a.error)
 
+    @staticmethod
+    def abs(a: Ball) -> Ball:
+        return Ball(np.abs(a.value), a.error)
+
     def sqrt(self, a: Ball) -> Ball:
         value = np.sqrt(a.value)
         least = np.sqrt(np.maximum(a.value - a.error, 0))

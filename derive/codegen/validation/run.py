@@ -20,15 +20,13 @@ from ..cases import Batch, batches
 from ..cases.digits import DIGITS
 from ..cases.exact import Expectation
 from ..signatures import FUNCTIONS
+from .errors import ValidationFailed
+from .refusals import refuse
 from .sample import Choose, everything
 
 Objects: TypeAlias = "np.ndarray[Any, np.dtype[Any]]"
 
 _serial = itertools.count()
-
-
-class ValidationFailed(Exception):
-    """An emitted kernel does not compute its formula."""
 
 
 def validate(folder: Path, chart: Chart, choose: Choose = everything) -> int:
@@ -44,7 +42,8 @@ def validate(folder: Path, chart: Chart, choose: Choose = everything) -> int:
     with loaded(folder) as package, mpmath.workdps(DIGITS):
         module = importlib.import_module(f"{package}.{chart.name}")
         chosen = choose(batches(chart))
-        return sum(_check(module, batch, (-1, 0) if whole else (-1,)) for batch, whole in chosen)
+        compared = sum(_check(module, batch, (-1, 0) if whole else (-1,)) for batch, whole in chosen)
+        return compared + refuse(module)
 
 
 @contextmanager

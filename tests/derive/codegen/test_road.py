@@ -60,7 +60,7 @@ def flipped(text: str, function: str, pattern: str, replacement: str) -> str:
         ("cayley3.py", "_gain_product_blocks", r"m\.equal", "m.less"),
         ("cayley3.py", "_turned", r"iden \* iden", "iden"),
         ("cayley3.py", "_turned_blocks", r"add\(mul\(r, cos", "sub(mul(r, cos"),
-        ("cayley3.py", "_beyond_blocks", r"m\.less\(limit1, x", "m.less(x, limit1"),
+        ("cayley3.py", "_beyond_blocks", r"sub\(x, limit1", "sub(limit1, x"),
         ("cayley3.py", "_direction_blocks", r"m\.both", "m.either"),
         ("cayley3.py", "_natural", r"2 \* m\.atan2", "m.atan2"),
         ("cayley3.py", "_coefficient", r"/ 6", "/ 3"),
@@ -209,6 +209,17 @@ def test_check_regenerates_a_module_outside_the_catalogue_by_its_header(package,
     (tmp_path / "cayley3.py").unlink()
     found = check(tmp_path, orders=[3])
     assert [(d.path.name, d.kind) for d in found] == [("cayley3.py", "missing"), ("cayley4.py", "stale")]
+
+
+def test_without_a_folder_nothing_is_written_but_in_a_checkout(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    """As the command refuses it: an installed toolkit must not write beside itself."""
+    with pytest.raises(ValueError, match="name an output folder: only numpy kernels have a place, in a checkout"):
+        derive.generate([2], target="c")
+    monkeypatch.setattr(catalogue, "CHECKOUT", tmp_path)
+    monkeypatch.setattr(catalogue, "COMMITTED", tmp_path / "dualcay")
+    with pytest.raises(ValueError, match="name an output folder"):
+        derive.generate([2])
+    assert not any(tmp_path.iterdir())
 
 
 def test_bad_orders_and_targets_are_refused(tmp_path: Path):

@@ -1,7 +1,9 @@
-"""The first lines of generated files: the command, the licence, and in one of them the version."""
+"""What generated packages say of themselves: the command, the licence, the version, what they run on."""
 
 from __future__ import annotations
 
+import subprocess
+import sys
 import tomllib
 from collections.abc import Iterator
 from pathlib import Path
@@ -13,6 +15,7 @@ from derive.codegen.facts import LICENCE
 from derive.codegen.module import companion_texts, notices, shared_texts
 from derive.codegen.targets import TARGETS
 from derive.maps import Cayley
+from derive.output import write
 
 ROOT = Path(__file__).parents[3]
 CHART = Cayley(1)
@@ -63,3 +66,20 @@ def test_a_release_changes_one_file(target: str, monkeypatch: pytest.MonkeyPatch
     monkeypatch.setattr(about, "__version__", "99.1.2")
     after = shared_texts(TARGETS[target])
     assert [name for name, text in before.items() if after[name] != text] == [TARGETS[target].entry]
+
+
+# --- what packages say of themselves ------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("target", ["numpy", "array-api", "numba"])
+def test_a_package_says_what_it_runs_on_and_how_a_module_is_added(tmp_path: Path, target: str) -> None:
+    write(tmp_path / "kernels", shared_texts(TARGETS[target]))
+
+    def run(*command: str) -> subprocess.CompletedProcess[str]:
+        return subprocess.run([sys.executable, *command], cwd=tmp_path, capture_output=True, text=True)
+
+    said = run("-m", "kernels").stdout.splitlines()
+    assert said[0] == f"kernels {about.__version__}"
+    assert said[-1].startswith(f"backend  {target}: ")
+    option = "" if target == "numpy" else f" --target {target}"
+    assert run("-c", "from kernels import cayley6").stderr.endswith(f"dualcay generate -n 6{option} -o FOLDER\n")
