@@ -2,7 +2,8 @@ r"""Sine and cosine of an angle divided by its powers, without loss of digits at
 
 .. math::
     c_k(\xi) = \sum_{j \ge 0} \frac{(-\xi)^j}{(2j + k)!} \qquad
-    c_0 = \cos\alpha \quad c_1 = \frac{\sin\alpha}{\alpha} \quad c_2 = \frac{1 - \cos\alpha}{\alpha^2} \quad c_3 = \frac{\alpha - \sin\alpha}{\alpha^3} \qquad \xi = \alpha^2
+    c_0 = \cos\alpha \quad c_1 = \frac{\sin\alpha}{\alpha} \quad c_2 = \frac{1 - \cos\alpha}{\alpha^2} \quad
+    c_3 = \frac{\alpha - \sin\alpha}{\alpha^3} \qquad \xi = \alpha^2
 
 (Stumpff functions.) They are analytic in ξ, ``c_k = 1/k! − ξ c_(k+2)`` and ``2 c_k′ = k c_(k+2) − c_(k+1)``. Below
 `LIMIT` those of the half angle come from a series that is cut off, and the others by sums of positive terms:

@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from ._kernel import Components, Kernel, Result, Rows, add, copy, div, mul, neg, sqrt, sub
+from ._kernel import Components, Kernel, Result, Rows, absolute, add, copy, div, mul, neg, sqrt, sub
 
 
 # operations 24: 7 +, 17 *
@@ -1368,26 +1368,35 @@ def from_screw_blocks(
     add(mul(u3o, r, k1), mul(u3, ro, k2), o6)
 
 
-# operations 51: 11 +, 23 *, 6 /, 1 sqrt, 1 eq, 9 where
+# operations 64: 15 +, 27 *, 10 /, 6 abs, 1 sqrt, 1 eq, 4 where
 def to_screw(m: Any, c: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
+    total = m.abs(v1) + m.abs(v2) + m.abs(v3)
+    still = total == 0
+    a1 = m.where(still, v1o, v1)
+    a2 = m.where(still, v2o, v2)
+    a3 = m.where(still, v3o, v3)
+    scale = m.abs(a1) + m.abs(a2) + m.abs(a3)
+    s1 = a1 / scale
+    s2 = a2 / scale
+    s3 = a3 / scale
+    root = m.sqrt(s1 * s1 + s2 * s2 + s3 * s3)
+    u1 = s1 / root
+    u2 = s2 / root
+    u3 = s3 / root
+    ro = u1 * v1o + u2 * v2o + u3 * v3o
+    ir = m.where(still, 0, 1) / root
+    r = total * root
+    ru1 = u1 * ro
+    ru2 = u2 * ro
+    ru3 = u3 * ro
+    uo1 = (v1o - ru1) / scale * ir
+    uo2 = (v2o - ru2) / scale * ir
+    uo3 = (v3o - ru3) / scale * ir
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
-    still = x == 0
-    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
-    r = m.where(still, x, length)
-    u1 = m.where(still, v1o, v1) / length
-    u2 = m.where(still, v2o, v2) / length
-    u3 = m.where(still, v3o, v3) / length
-    ro = m.where(still, length, u1 * v1o + u2 * v2o + u3 * v3o)
-    ru1 = u1 * ro
-    ru2 = u2 * ro
-    ru3 = u3 * ro
-    uo1 = m.where(still, 0, v1o - ru1) / length
-    uo2 = m.where(still, 0, v2o - ru2) / length
-    uo3 = m.where(still, 0, v3o - ru3) / length
     y = v1 * v1o + v2 * v2o + v3 * v3o
     angle, slope, sign = c.natural(m, x, y, r)
     return angle, sign * (slope * ro), u1 * sign, u2 * sign, u3 * sign, uo1 * sign, uo2 * sign, uo3 * sign
@@ -1398,58 +1407,72 @@ def to_screw_blocks(
 ) -> None:
     v1, v2, v3, v1o, v2o, v3o = v
     o1, o2, o3, o4, o5, o6, o7, o8 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, *spare = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, *spare = scratch
     mask1, *spare_masks = masks
-    n0, = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    still = m.equal(x, n0, mask1)
-    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
-    r = m.where(still, x, length, k3)
-    y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k5), k4), mul(v3, v3o, k5), k4)
-    _, slope, sign = c.natural((o1, k5, k6), (*spare,), (*spare_masks,), x, y, r)
-    u1 = div(m.where(still, v1o, v1, k1), length, k1)
+    n0, n1 = numbers
+    total = add(add(absolute(v1, k1), absolute(v2, k2), k1), absolute(v3, k2), k1)
+    still = m.equal(total, n0, mask1)
+    a1 = m.where(still, v1o, v1, k2)
+    a2 = m.where(still, v2o, v2, k3)
+    a3 = m.where(still, v3o, v3, k4)
+    scale = add(add(absolute(a1, k5), absolute(a2, k6), k5), absolute(a3, k6), k5)
+    s1 = div(a1, scale, k2)
+    s2 = div(a2, scale, k3)
+    s3 = div(a3, scale, k4)
+    root = sqrt(add(add(mul(s1, s1, k6), mul(s2, s2, k7), k6), mul(s3, s3, k7), k6), k6)
+    r = mul(total, root, k1)
+    u1 = div(s1, root, k2)
+    u2 = div(s2, root, k3)
+    u3 = div(s3, root, k4)
+    ir = div(m.where(still, n0, n1, k7), root, k6)
+    v11 = mul(v1, v1, k7)
+    v22 = mul(v2, v2, k8)
+    v33 = mul(v3, v3, k9)
+    x = add(add(v11, v22, k7), v33, k7)
+    y = add(add(mul(v1, v1o, k8), mul(v2, v2o, k9), k8), mul(v3, v3o, k9), k8)
+    _, slope, sign = c.natural((o1, k9, k10), (*spare,), (mask1, *spare_masks), x, y, r)
     mul(u1, sign, o3)
-    u2 = div(m.where(still, v2o, v2, k3), length, k3)
     mul(u2, sign, o4)
-    u3 = div(m.where(still, v3o, v3, k4), length, k4)
     mul(u3, sign, o5)
-    ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
-    mul(sign, mul(slope, ro, k5), o2)
-    ru1 = mul(u1, ro, k1)
-    uo1 = div(m.where(still, n0, sub(v1o, ru1, k1), k5), length, k1)
+    ro = add(add(mul(u1, v1o, k1), mul(u2, v2o, k7), k1), mul(u3, v3o, k7), k1)
+    mul(sign, mul(slope, ro, k7), o2)
+    ru1 = mul(u1, ro, k2)
+    uo1 = mul(div(sub(v1o, ru1, k2), scale, k2), ir, k2)
     mul(uo1, sign, o6)
-    ru2 = mul(u2, ro, k1)
-    ru3 = mul(u3, ro, k3)
-    uo2 = div(m.where(still, n0, sub(v2o, ru2, k1), k4), length, k1)
-    uo3 = div(m.where(still, n0, sub(v3o, ru3, k3), k4), length, k2)
+    ru2 = mul(u2, ro, k2)
+    ru3 = mul(u3, ro, k1)
+    uo2 = mul(div(sub(v2o, ru2, k2), scale, k2), ir, k2)
+    uo3 = mul(div(sub(v3o, ru3, k1), scale, k1), ir, k1)
     mul(uo2, sign, o7)
     mul(uo3, sign, o8)
 
 
-# operations 51: 12 +, 22 *, 6 /, 1 sqrt, 1 eq, 9 where
+# operations 59: 14 +, 23 *, 10 /, 6 abs, 1 sqrt, 1 eq, 4 where
 def turn(m: Any, c: Any, v: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = table
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    still = x == 0
-    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
-    r = m.where(still, x, length)
-    u1 = m.where(still, v1o, v1) / length
-    u2 = m.where(still, v2o, v2) / length
-    u3 = m.where(still, v3o, v3) / length
-    ro = m.where(still, length, u1 * v1o + u2 * v2o + u3 * v3o)
+    total = m.abs(v1) + m.abs(v2) + m.abs(v3)
+    still = total == 0
+    a1 = m.where(still, v1o, v1)
+    a2 = m.where(still, v2o, v2)
+    a3 = m.where(still, v3o, v3)
+    scale = m.abs(a1) + m.abs(a2) + m.abs(a3)
+    s1 = a1 / scale
+    s2 = a2 / scale
+    s3 = a3 / scale
+    root = m.sqrt(s1 * s1 + s2 * s2 + s3 * s3)
+    u1 = s1 / root
+    u2 = s2 / root
+    u3 = s3 / root
+    ro = u1 * v1o + u2 * v2o + u3 * v3o
+    ir = m.where(still, 0, 1) / root
+    r = total * root
     ru1 = u1 * ro
     ru2 = u2 * ro
     ru3 = u3 * ro
-    uo1 = m.where(still, 0, v1o - ru1) / length
-    uo2 = m.where(still, 0, v2o - ru2) / length
-    uo3 = m.where(still, 0, v3o - ru3) / length
+    uo1 = (v1o - ru1) / scale * ir
+    uo2 = (v2o - ru2) / scale * ir
+    uo3 = (v3o - ru3) / scale * ir
     rk, slope = c.turned(m, r, cos, sin)
     rko = ro * slope
     return u1 * rk, u2 * rk, u3 * rk, uo1 * rk + u1 * rko, uo2 * rk + u2 * rko, uo3 * rk + u3 * rko
@@ -1463,35 +1486,40 @@ def turn_blocks(
     o1, o2, o3, o4, o5, o6 = out
     k1, k2, k3, k4, k5, k6, k7, k8, k9, *spare = scratch
     mask1, *spare_masks = masks
-    n0, = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    still = m.equal(x, n0, mask1)
-    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
-    r = m.where(still, x, length, k1)
-    rk, slope = c.turned((k3, k4), (*spare,), (*spare_masks,), r, cos, sin)
-    u1 = div(m.where(still, v1o, v1, k1), length, k1)
+    n0, n1 = numbers
+    total = add(add(absolute(v1, k1), absolute(v2, k2), k1), absolute(v3, k2), k1)
+    still = m.equal(total, n0, mask1)
+    a1 = m.where(still, v1o, v1, k2)
+    a2 = m.where(still, v2o, v2, k3)
+    a3 = m.where(still, v3o, v3, k4)
+    scale = add(add(absolute(a1, k5), absolute(a2, k6), k5), absolute(a3, k6), k5)
+    s1 = div(a1, scale, k2)
+    s2 = div(a2, scale, k3)
+    s3 = div(a3, scale, k4)
+    root = sqrt(add(add(mul(s1, s1, k6), mul(s2, s2, k7), k6), mul(s3, s3, k7), k6), k6)
+    u1 = div(s1, root, k2)
+    r = mul(total, root, k1)
+    rk, slope = c.turned((k7, k8), (*spare,), (*spare_masks,), r, cos, sin)
     mul(u1, rk, o1)
-    u2 = div(m.where(still, v2o, v2, k5), length, k5)
+    u2 = div(s2, root, k1)
     mul(u2, rk, o2)
-    u3 = div(m.where(still, v3o, v3, k6), length, k6)
+    u3 = div(s3, root, k3)
+    ir = div(m.where(still, n0, n1, k4), root, k4)
     mul(u3, rk, o3)
-    ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
-    rko = mul(ro, slope, k4)
-    ru1 = mul(u1, ro, k7)
-    uo1 = div(m.where(still, n0, sub(v1o, ru1, k7), k9), length, k7)
-    add(mul(uo1, rk, k7), mul(u1, rko, k1), o4)
-    ru2 = mul(u2, ro, k1)
-    uo2 = div(m.where(still, n0, sub(v2o, ru2, k1), k7), length, k1)
-    add(mul(uo2, rk, k1), mul(u2, rko, k5), o5)
+    ro = add(add(mul(u1, v1o, k6), mul(u2, v2o, k9), k6), mul(u3, v3o, k9), k6)
+    rko = mul(ro, slope, k8)
+    ru1 = mul(u1, ro, k9)
+    uo1 = mul(div(sub(v1o, ru1, k9), scale, k9), ir, k9)
+    add(mul(uo1, rk, k9), mul(u1, rko, k2), o4)
+    ru2 = mul(u2, ro, k2)
+    uo2 = mul(div(sub(v2o, ru2, k2), scale, k2), ir, k2)
+    add(mul(uo2, rk, k2), mul(u2, rko, k1), o5)
     ru3 = mul(u3, ro, k1)
-    uo3 = div(m.where(still, n0, sub(v3o, ru3, k1), k5), length, k1)
+    uo3 = mul(div(sub(v3o, ru3, k1), scale, k1), ir, k1)
     add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
 
 
-# operations 57: 14 +, 26 *, 6 /, 1 sqrt, 1 eq, 9 where
+# operations 70: 18 +, 30 *, 10 /, 6 abs, 1 sqrt, 1 eq, 4 where
 def shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = table
@@ -1501,19 +1529,28 @@ def shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
     x = v11 + v22 + v33
     y = v1 * v1o + v2 * v2o + v3 * v3o
     sign, = c.direction(m, x, y)
-    still = x == 0
-    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
-    r = m.where(still, x, length)
-    u1 = m.where(still, v1o, v1) / length
-    u2 = m.where(still, v2o, v2) / length
-    u3 = m.where(still, v3o, v3) / length
-    ro = m.where(still, length, u1 * v1o + u2 * v2o + u3 * v3o)
+    total = m.abs(v1) + m.abs(v2) + m.abs(v3)
+    still = total == 0
+    a1 = m.where(still, v1o, v1)
+    a2 = m.where(still, v2o, v2)
+    a3 = m.where(still, v3o, v3)
+    scale = m.abs(a1) + m.abs(a2) + m.abs(a3)
+    s1 = a1 / scale
+    s2 = a2 / scale
+    s3 = a3 / scale
+    root = m.sqrt(s1 * s1 + s2 * s2 + s3 * s3)
+    u1 = s1 / root
+    u2 = s2 / root
+    u3 = s3 / root
+    ro = u1 * v1o + u2 * v2o + u3 * v3o
+    ir = m.where(still, 0, 1) / root
+    r = total * root
     ru1 = u1 * ro
     ru2 = u2 * ro
     ru3 = u3 * ro
-    uo1 = m.where(still, 0, v1o - ru1) / length
-    uo2 = m.where(still, 0, v2o - ru2) / length
-    uo3 = m.where(still, 0, v3o - ru3) / length
+    uo1 = (v1o - ru1) / scale * ir
+    uo2 = (v2o - ru2) / scale * ir
+    uo3 = (v3o - ru3) / scale * ir
     sn = sign * sin
     rk, slope = c.turned(m, r, cos, sn)
     rko = ro * slope
@@ -1528,34 +1565,43 @@ def shadow_blocks(
     o1, o2, o3, o4, o5, o6 = out
     k1, k2, k3, k4, k5, k6, k7, k8, k9, *spare = scratch
     mask1, *spare_masks = masks
-    n0, = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    still = m.equal(x, n0, mask1)
-    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
-    r = m.where(still, x, length, k3)
-    y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k5), k4), mul(v3, v3o, k5), k4)
-    sign, = c.direction((k5,), (*spare,), (*spare_masks,), x, y)
-    sn = mul(sign, sin, k1)
-    rk, slope = c.turned((k4, k5), (*spare,), (*spare_masks,), r, cos, sn)
-    u1 = div(m.where(still, v1o, v1, k1), length, k1)
+    n0, n1 = numbers
+    total = add(add(absolute(v1, k1), absolute(v2, k2), k1), absolute(v3, k2), k1)
+    still = m.equal(total, n0, mask1)
+    a1 = m.where(still, v1o, v1, k2)
+    a2 = m.where(still, v2o, v2, k3)
+    a3 = m.where(still, v3o, v3, k4)
+    scale = add(add(absolute(a1, k5), absolute(a2, k6), k5), absolute(a3, k6), k5)
+    s1 = div(a1, scale, k2)
+    s2 = div(a2, scale, k3)
+    s3 = div(a3, scale, k4)
+    root = sqrt(add(add(mul(s1, s1, k6), mul(s2, s2, k7), k6), mul(s3, s3, k7), k6), k6)
+    u1 = div(s1, root, k2)
+    r = mul(total, root, k1)
+    u2 = div(s2, root, k3)
+    u3 = div(s3, root, k4)
+    ir = div(m.where(still, n0, n1, k7), root, k6)
+    v11 = mul(v1, v1, k7)
+    v22 = mul(v2, v2, k8)
+    v33 = mul(v3, v3, k9)
+    x = add(add(v11, v22, k7), v33, k7)
+    y = add(add(mul(v1, v1o, k8), mul(v2, v2o, k9), k8), mul(v3, v3o, k9), k8)
+    sign, = c.direction((k9,), (*spare,), (mask1, *spare_masks), x, y)
+    sn = mul(sign, sin, k7)
+    rk, slope = c.turned((k8, k9), (*spare,), (mask1, *spare_masks), r, cos, sn)
     mul(u1, rk, o1)
-    u2 = div(m.where(still, v2o, v2, k3), length, k3)
     mul(u2, rk, o2)
-    u3 = div(m.where(still, v3o, v3, k6), length, k6)
     mul(u3, rk, o3)
-    ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
-    rko = mul(ro, slope, k5)
-    ru1 = mul(u1, ro, k7)
-    uo1 = div(m.where(still, n0, sub(v1o, ru1, k7), k9), length, k7)
-    add(mul(uo1, rk, k7), mul(u1, rko, k1), o4)
-    ru2 = mul(u2, ro, k1)
-    uo2 = div(m.where(still, n0, sub(v2o, ru2, k1), k7), length, k1)
-    add(mul(uo2, rk, k1), mul(u2, rko, k3), o5)
+    ro = add(add(mul(u1, v1o, k1), mul(u2, v2o, k7), k1), mul(u3, v3o, k7), k1)
+    rko = mul(ro, slope, k7)
+    ru1 = mul(u1, ro, k9)
+    uo1 = mul(div(sub(v1o, ru1, k9), scale, k9), ir, k9)
+    add(mul(uo1, rk, k9), mul(u1, rko, k2), o4)
+    ru2 = mul(u2, ro, k2)
+    uo2 = mul(div(sub(v2o, ru2, k2), scale, k2), ir, k2)
+    add(mul(uo2, rk, k2), mul(u2, rko, k3), o5)
     ru3 = mul(u3, ro, k1)
-    uo3 = div(m.where(still, n0, sub(v3o, ru3, k1), k3), length, k1)
+    uo3 = mul(div(sub(v3o, ru3, k1), scale, k1), ir, k1)
     add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
 
 
@@ -1961,10 +2007,10 @@ KERNELS: Mapping[str, Kernel] = {
         to_screw_blocks,
         (("v", (6,)),),
         (8,),
-        registers=8,
+        registers=10,
         masks=1,
-        numbers=(0,),
-        lent=(('natural', 0, 0),),
+        numbers=(0, 1),
+        lent=(('natural', 0, 1),),
         real=True,
     ),
     "turn": Kernel(
@@ -1974,7 +2020,7 @@ KERNELS: Mapping[str, Kernel] = {
         (6,),
         registers=9,
         masks=1,
-        numbers=(0,),
+        numbers=(0, 1),
         lent=(('turned', 0, 0),),
         real=True,
     ),
@@ -1985,8 +2031,8 @@ KERNELS: Mapping[str, Kernel] = {
         (6,),
         registers=9,
         masks=1,
-        numbers=(0,),
-        lent=(('direction', 0, 0), ('turned', 0, 0)),
+        numbers=(0, 1),
+        lent=(('direction', 0, 1), ('turned', 0, 1)),
         real=True,
     ),
     "principal": Kernel(

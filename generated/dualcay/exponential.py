@@ -62,9 +62,9 @@
 #   from_tensor: 205: 64 +, 71 *, 24 /, 3 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 23 where
 #   from_pose: 169: 49 +, 53 *, 21 /, 3 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 23 where
 #   from_screw: 12: 3 +, 9 *
-#   to_screw: 123: 29 +, 42 *, 19 /, 2 neg, 3 sqrt, 1 tan, 1 atan2, 5 lt, 2 eq, 1 and, 1 or, 17 where
-#   turn: 48: 13 +, 18 *, 6 /, 1 sqrt, 1 eq, 9 where
-#   shadow: 119: 33 +, 39 *, 19 /, 1 neg, 3 sqrt, 1 tan, 4 lt, 2 eq, 1 and, 1 or, 15 where
+#   to_screw: 137: 34 +, 46 *, 23 /, 1 neg, 8 abs, 3 sqrt, 1 tan, 1 atan2, 5 lt, 2 eq, 1 and, 1 or, 11 where
+#   turn: 56: 15 +, 19 *, 10 /, 6 abs, 1 sqrt, 1 eq, 4 where
+#   shadow: 135: 38 +, 43 *, 23 /, 1 neg, 6 abs, 3 sqrt, 1 tan, 5 lt, 2 eq, 1 and, 1 or, 11 where
 #   principal: 104: 29 +, 35 *, 19 /, 4 sqrt, 1 tan, 1 atan2, 3 lt, 12 where
 #   compose: 392: 126 +, 176 *, 53 /, 1 neg, 7 sqrt, 3 tan, 1 atan2, 4 lt, 1 eq, 20 where
 r"""Exponential map: Rodrigues dual vectors ``v = α u`` of rigid displacements.
@@ -92,7 +92,7 @@ from typing import Any
 
 from ._chart import Chart, Function
 from ._interface import PoseKernels
-from ._kernel import Components, Kernel, Result, Rows, add, atan2, div, mul, neg, sqrt, sub, tan
+from ._kernel import Components, Kernel, Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
     "body_rate", "body_tangent", "body_tangent_inv", "body_twist", "compose", "from_pose", "from_quaternion",
@@ -605,7 +605,7 @@ def _gain_product_blocks(
     return o1,
 
 
-# operations 72: 18 +, 19 *, 13 /, 2 neg, 2 sqrt, 1 tan, 1 atan2, 5 lt, 1 eq, 1 and, 1 or, 8 where
+# operations 73: 19 +, 19 *, 13 /, 1 neg, 2 abs, 2 sqrt, 1 tan, 1 atan2, 5 lt, 1 eq, 1 and, 1 or, 7 where
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     near = x < 6
     z = m.where(near, x, x - x) / 4
@@ -616,21 +616,20 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     C5 = (1 - 120 * (z * C7)) / 120
     C3 = (1 - 6 * (z * C5)) / 6
     C1 = 1 - z * C3
-    CC1 = C1 * C1
-    C0 = m.sqrt(1 - z * CC1)
     xx = m.where(near, 6 + x, x)
     alpha = m.sqrt(xx)
     t = m.tan(alpha / 4)
     tt = t * t
     below = 1 + tt
-    s = m.where(near, C0, (1 - tt) / below)
-    sneg = s < 0
     w = m.where(near, C1 / 2, 2 * t / below / alpha)
-    mw = -w
-    turned = m.where(sneg, mw, w)
+    kept = m.where(w < 0, 0, 16)
+    CC1 = C1 * C1
+    C0 = m.sqrt(1 - z * CC1)
+    s = m.where(near, C0, (1 - tt) / below)
+    turned = m.where(kept + s < kept, -w, w)
     one = s - s + 1
     sign = one * m.where((turned < 0) | (w == 0) & (y < 0), -1, 1)
-    angle = 2 * m.atan2(r * m.where(w < 0, mw, w), m.where(sneg, -s, s))
+    angle = 2 * m.atan2(r * m.abs(w), m.abs(s))
     return angle, 1, sign
 
 
@@ -638,7 +637,7 @@ def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     o1, _, o3 = out
     k1, k2, k3, k4, *_ = scratch
     mask1, mask2, mask3, *_ = masks
-    n_minus_1, n0, n1, n2, n4, n6, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    n_minus_1, n0, n1, n2, n4, n6, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
     near = m.less(x, n6, mask1)
     z = div(m.where(near, x, sub(x, x, o3), k1), n4, o3)
     C7 = div(
@@ -649,19 +648,18 @@ def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     C5 = div(sub(n1, mul(n120, mul(z, C7, k1), k1), k1), n120, k1)
     C3 = div(sub(n1, mul(n6, mul(z, C5, k1), k1), k1), n6, k1)
     C1 = sub(n1, mul(z, C3, k1), k1)
-    CC1 = mul(C1, C1, k2)
+    CC1 = mul(C1, C1, o1)
     C0 = sqrt(sub(n1, mul(z, CC1, o3), o3), o3)
-    xx = m.where(near, add(n6, x, k2), x, k2)
-    alpha = sqrt(xx, k2)
-    t = tan(div(alpha, n4, o1), o1)
+    xx = m.where(near, add(n6, x, o1), x, o1)
+    alpha = sqrt(xx, o1)
+    t = tan(div(alpha, n4, k2), k2)
     tt = mul(t, t, k3)
     below = add(n1, tt, k4)
-    w = m.where(near, div(C1, n2, k1), div(div(mul(n2, t, o1), below, o1), alpha, k2), k1)
-    s = m.where(near, C0, div(sub(n1, tt, k2), below, k2), o3)
-    sneg = m.less(s, n0, mask1)
-    mw = neg(w, k2)
-    mul(n2, atan2(mul(r, m.where(m.less(w, n0, mask2), mw, w, o1), o1), m.where(sneg, neg(s, k3), s, k3), o1), o1)
-    turned = m.where(sneg, mw, w, k2)
+    w = m.where(near, div(C1, n2, k1), div(div(mul(n2, t, k2), below, k2), alpha, o1), k1)
+    s = m.where(near, C0, div(sub(n1, tt, o1), below, o1), o3)
+    mul(n2, atan2(mul(r, absolute(w, o1), o1), absolute(s, k2), o1), o1)
+    kept = m.where(m.less(w, n0, mask1), n0, n16, k2)
+    turned = m.where(m.less(add(kept, s, k3), kept, mask1), neg(w, k2), w, k2)
     one = add(sub(s, s, o3), n1, o3)
     mul(
         one, m.where(m.either(m.less(turned, n0, mask1), m.both(m.equal(w, n0, mask2), m.less(y, n0, mask3), mask2),
@@ -695,27 +693,32 @@ def _own_from_screw_blocks(
     add(mul(u3o, alpha, k1), mul(u3, d, k2), o6)
 
 
-# operations 48: 13 +, 18 *, 6 /, 1 sqrt, 1 eq, 9 where
+# operations 56: 15 +, 19 *, 10 /, 6 abs, 1 sqrt, 1 eq, 4 where
 def _own_turn(m: Any, c: Any, v: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     _, sin = table
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    still = x == 0
-    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
-    r = m.where(still, x, length)
-    u1 = m.where(still, v1o, v1) / length
-    u2 = m.where(still, v2o, v2) / length
-    u3 = m.where(still, v3o, v3) / length
-    ro = m.where(still, length, u1 * v1o + u2 * v2o + u3 * v3o)
+    total = m.abs(v1) + m.abs(v2) + m.abs(v3)
+    still = total == 0
+    a1 = m.where(still, v1o, v1)
+    a2 = m.where(still, v2o, v2)
+    a3 = m.where(still, v3o, v3)
+    scale = m.abs(a1) + m.abs(a2) + m.abs(a3)
+    s1 = a1 / scale
+    s2 = a2 / scale
+    s3 = a3 / scale
+    root = m.sqrt(s1 * s1 + s2 * s2 + s3 * s3)
+    u1 = s1 / root
+    u2 = s2 / root
+    u3 = s3 / root
+    ro = u1 * v1o + u2 * v2o + u3 * v3o
+    ir = m.where(still, 0, 1) / root
+    r = total * root
     ru1 = u1 * ro
     ru2 = u2 * ro
     ru3 = u3 * ro
-    uo1 = m.where(still, 0, v1o - ru1) / length
-    uo2 = m.where(still, 0, v2o - ru2) / length
-    uo3 = m.where(still, 0, v3o - ru3) / length
+    uo1 = (v1o - ru1) / scale * ir
+    uo2 = (v2o - ru2) / scale * ir
+    uo3 = (v3o - ru3) / scale * ir
     alphak = r + sin
     return u1 * alphak, u2 * alphak, u3 * alphak, uo1 * alphak + ru1, uo2 * alphak + ru2, uo3 * alphak + ru3
 
@@ -726,36 +729,41 @@ def _own_turn_blocks(
     v1, v2, v3, v1o, v2o, v3o = v
     _, sin = table
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7 = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
     mask1, = masks
-    n0, = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    still = m.equal(x, n0, mask1)
-    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
-    r = m.where(still, x, length, k1)
+    n0, n1 = numbers
+    total = add(add(absolute(v1, k1), absolute(v2, k2), k1), absolute(v3, k2), k1)
+    still = m.equal(total, n0, mask1)
+    a1 = m.where(still, v1o, v1, k2)
+    a2 = m.where(still, v2o, v2, k3)
+    a3 = m.where(still, v3o, v3, k4)
+    scale = add(add(absolute(a1, k5), absolute(a2, k6), k5), absolute(a3, k6), k5)
+    s1 = div(a1, scale, k2)
+    s2 = div(a2, scale, k3)
+    s3 = div(a3, scale, k4)
+    root = sqrt(add(add(mul(s1, s1, k6), mul(s2, s2, k7), k6), mul(s3, s3, k7), k6), k6)
+    u1 = div(s1, root, k2)
+    r = mul(total, root, k1)
     alphak = add(r, sin, k1)
-    u1 = div(m.where(still, v1o, v1, k3), length, k3)
     mul(u1, alphak, o1)
-    u2 = div(m.where(still, v2o, v2, k4), length, k4)
+    u2 = div(s2, root, k3)
     mul(u2, alphak, o2)
-    u3 = div(m.where(still, v3o, v3, k5), length, k5)
+    u3 = div(s3, root, k4)
+    ir = div(m.where(still, n0, n1, k7), root, k6)
     mul(u3, alphak, o3)
-    ro = m.where(still, length, add(add(mul(u1, v1o, k6), mul(u2, v2o, k7), k6), mul(u3, v3o, k7), k6), k7)
-    ru1 = mul(u1, ro, k3)
-    ru2 = mul(u2, ro, k4)
-    ru3 = mul(u3, ro, k5)
-    uo1 = div(m.where(still, n0, sub(v1o, ru1, k6), k7), length, k6)
-    add(mul(uo1, alphak, k6), ru1, o4)
-    uo2 = div(m.where(still, n0, sub(v2o, ru2, k3), k6), length, k3)
-    add(mul(uo2, alphak, k3), ru2, o5)
-    uo3 = div(m.where(still, n0, sub(v3o, ru3, k3), k4), length, k2)
+    ro = add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7)
+    ru1 = mul(u1, ro, k2)
+    ru2 = mul(u2, ro, k3)
+    ru3 = mul(u3, ro, k4)
+    uo1 = mul(div(sub(v1o, ru1, k7), scale, k7), ir, k7)
+    add(mul(uo1, alphak, k7), ru1, o4)
+    uo2 = mul(div(sub(v2o, ru2, k2), scale, k2), ir, k2)
+    add(mul(uo2, alphak, k2), ru2, o5)
+    uo3 = mul(div(sub(v3o, ru3, k2), scale, k2), ir, k2)
     add(mul(uo3, alphak, k1), ru3, o6)
 
 
-# operations 119: 33 +, 39 *, 19 /, 1 neg, 3 sqrt, 1 tan, 4 lt, 2 eq, 1 and, 1 or, 15 where
+# operations 135: 38 +, 43 *, 23 /, 1 neg, 6 abs, 3 sqrt, 1 tan, 5 lt, 2 eq, 1 and, 1 or, 11 where
 def _own_shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     _, sin = table
@@ -773,33 +781,41 @@ def _own_shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
     C5 = (1 - 120 * (z * C7)) / 120
     C3 = (1 - 6 * (z * C5)) / 6
     C1 = 1 - z * C3
-    CC1 = C1 * C1
-    C0 = m.sqrt(1 - z * CC1)
     xx = m.where(near, 6 + x, x)
     alpha = m.sqrt(xx)
     t = m.tan(alpha / 4)
     tt = t * t
     below = 1 + tt
-    s = m.where(near, C0, (1 - tt) / below)
-    sneg = s < 0
     w = m.where(near, C1 / 2, 2 * t / below / alpha)
-    mw = -w
-    turned = m.where(sneg, mw, w)
+    kept = m.where(w < 0, 0, 16)
+    CC1 = C1 * C1
+    C0 = m.sqrt(1 - z * CC1)
+    s = m.where(near, C0, (1 - tt) / below)
+    turned = m.where(kept + s < kept, -w, w)
     one = s - s + 1
     sign = one * m.where((turned < 0) | (w == 0) & (y < 0), -1, 1)
-    still = x == 0
-    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
-    r = m.where(still, x, length)
-    u1 = m.where(still, v1o, v1) / length
-    u2 = m.where(still, v2o, v2) / length
-    u3 = m.where(still, v3o, v3) / length
-    ro = m.where(still, length, u1 * v1o + u2 * v2o + u3 * v3o)
+    total = m.abs(v1) + m.abs(v2) + m.abs(v3)
+    still = total == 0
+    a1 = m.where(still, v1o, v1)
+    a2 = m.where(still, v2o, v2)
+    a3 = m.where(still, v3o, v3)
+    scale = m.abs(a1) + m.abs(a2) + m.abs(a3)
+    s1 = a1 / scale
+    s2 = a2 / scale
+    s3 = a3 / scale
+    root = m.sqrt(s1 * s1 + s2 * s2 + s3 * s3)
+    u1 = s1 / root
+    u2 = s2 / root
+    u3 = s3 / root
+    ro = u1 * v1o + u2 * v2o + u3 * v3o
+    ir = m.where(still, 0, 1) / root
+    r = total * root
     ru1 = u1 * ro
     ru2 = u2 * ro
     ru3 = u3 * ro
-    uo1 = m.where(still, 0, v1o - ru1) / length
-    uo2 = m.where(still, 0, v2o - ru2) / length
-    uo3 = m.where(still, 0, v3o - ru3) / length
+    uo1 = (v1o - ru1) / scale * ir
+    uo2 = (v2o - ru2) / scale * ir
+    uo3 = (v3o - ru3) / scale * ir
     sn = sign * sin
     alphak = r + sn
     return u1 * alphak, u2 * alphak, u3 * alphak, uo1 * alphak + ru1, uo2 * alphak + ru2, uo3 * alphak + ru3
@@ -811,15 +827,17 @@ def _own_shadow_blocks(
     v1, v2, v3, v1o, v2o, v3o = v
     _, sin = table
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7 = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
     mask1, mask2, mask3 = masks
-    n_minus_1, n0, n1, n2, n4, n6, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    n_minus_1, n0, n1, n2, n4, n6, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
     near = m.less(x, n6, mask1)
     z = div(m.where(near, x, sub(x, x, k2), k3), n4, k2)
+    xx = m.where(near, add(n6, x, k3), x, k3)
+    alpha = sqrt(xx, k1)
     C7 = div(
         div(sub(n72, mul(z, div(sub(n3603600, mul(z, sub(n32760, mul(z, sub(n210, mul(z, div(sub(n93024, mul(z,
         sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, k3), k3), k3), n212520, k3), k3), k3), k3), k3), n93024,
@@ -830,42 +848,48 @@ def _own_shadow_blocks(
     C1 = sub(n1, mul(z, C3, k3), k3)
     CC1 = mul(C1, C1, k4)
     C0 = sqrt(sub(n1, mul(z, CC1, k2), k2), k2)
-    xx = m.where(near, add(n6, x, k4), x, k4)
-    alpha = sqrt(xx, k4)
-    t = tan(div(alpha, n4, k5), k5)
-    tt = mul(t, t, k6)
-    below = add(n1, tt, k7)
-    w = m.where(near, div(C1, n2, k3), div(div(mul(n2, t, k5), below, k5), alpha, k4), k3)
-    s = m.where(near, C0, div(sub(n1, tt, k4), below, k4), k2)
-    one = add(sub(s, s, k4), n1, k4)
-    sneg = m.less(s, n0, mask1)
-    mw = neg(w, k2)
-    turned = m.where(sneg, mw, w, k2)
-    y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k6), k5), mul(v3, v3o, k6), k5)
+    t = tan(div(alpha, n4, k4), k4)
+    tt = mul(t, t, k5)
+    below = add(n1, tt, k6)
+    w = m.where(near, div(C1, n2, k3), div(div(mul(n2, t, k4), below, k4), alpha, k1), k3)
+    s = m.where(near, C0, div(sub(n1, tt, k1), below, k1), k2)
+    kept = m.where(m.less(w, n0, mask1), n0, n16, k1)
+    turned = m.where(m.less(add(kept, s, k4), kept, mask1), neg(w, k1), w, k1)
+    one = add(sub(s, s, k2), n1, k2)
+    y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k5), k4), mul(v3, v3o, k5), k4)
     sign = mul(
         one, m.where(m.either(m.less(turned, n0, mask1), m.both(m.equal(w, n0, mask2), m.less(y, n0, mask3), mask2),
-        mask1), n_minus_1, n1, k2), k2
+        mask1), n_minus_1, n1, k1), k1
     )
-    sn = mul(sign, sin, k2)
-    still = m.equal(x, n0, mask1)
-    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k3), mul(v2o, v2o, k4), k3), mul(v3o, v3o, k4), k3), x, k3), k3)
-    r = m.where(still, x, length, k1)
+    sn = mul(sign, sin, k1)
+    total = add(add(absolute(v1, k2), absolute(v2, k3), k2), absolute(v3, k3), k2)
+    still = m.equal(total, n0, mask1)
+    a1 = m.where(still, v1o, v1, k3)
+    a2 = m.where(still, v2o, v2, k4)
+    a3 = m.where(still, v3o, v3, k5)
+    scale = add(add(absolute(a1, k6), absolute(a2, k7), k6), absolute(a3, k7), k6)
+    s1 = div(a1, scale, k3)
+    s2 = div(a2, scale, k4)
+    s3 = div(a3, scale, k5)
+    root = sqrt(add(add(mul(s1, s1, k7), mul(s2, s2, k8), k7), mul(s3, s3, k8), k7), k7)
+    r = mul(total, root, k2)
     alphak = add(r, sn, k1)
-    u1 = div(m.where(still, v1o, v1, k2), length, k2)
+    u1 = div(s1, root, k2)
     mul(u1, alphak, o1)
-    u2 = div(m.where(still, v2o, v2, k4), length, k4)
+    u2 = div(s2, root, k3)
     mul(u2, alphak, o2)
-    u3 = div(m.where(still, v3o, v3, k5), length, k5)
+    u3 = div(s3, root, k4)
+    ir = div(m.where(still, n0, n1, k5), root, k5)
     mul(u3, alphak, o3)
-    ro = m.where(still, length, add(add(mul(u1, v1o, k6), mul(u2, v2o, k7), k6), mul(u3, v3o, k7), k6), k7)
+    ro = add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7)
     ru1 = mul(u1, ro, k2)
-    ru2 = mul(u2, ro, k4)
-    ru3 = mul(u3, ro, k5)
-    uo1 = div(m.where(still, n0, sub(v1o, ru1, k6), k7), length, k6)
-    add(mul(uo1, alphak, k6), ru1, o4)
-    uo2 = div(m.where(still, n0, sub(v2o, ru2, k2), k6), length, k2)
+    ru2 = mul(u2, ro, k3)
+    ru3 = mul(u3, ro, k4)
+    uo1 = mul(div(sub(v1o, ru1, k7), scale, k7), ir, k7)
+    add(mul(uo1, alphak, k7), ru1, o4)
+    uo2 = mul(div(sub(v2o, ru2, k2), scale, k2), ir, k2)
     add(mul(uo2, alphak, k2), ru2, o5)
-    uo3 = div(m.where(still, n0, sub(v3o, ru3, k2), k4), length, k2)
+    uo3 = mul(div(sub(v3o, ru3, k2), scale, k2), ir, k2)
     add(mul(uo3, alphak, k1), ru3, o6)
 
 
@@ -1003,7 +1027,7 @@ CHART = Chart(
         "gain_unit": Function(_gain_unit, _gain_unit_blocks, 4, 2, (-1, 0, 1, 2)),
         "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 1, (0, 2)),
         "gain_product": Function(_gain_product, _gain_product_blocks, 4, 2, (-1, 0, 1, 2)),
-        "natural": Function(_natural, _natural_blocks, 4, 3, (-1, 0, 1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
+        "natural": Function(_natural, _natural_blocks, 4, 3, (-1, 0, 1, 2, 4, 6, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
     },
     own={
         "from_screw": Kernel(
@@ -1022,9 +1046,9 @@ CHART = Chart(
         _own_turn_blocks,
         (("v", (6,)),),
         (6,),
-        registers=7,
+        registers=8,
         masks=1,
-        numbers=(0,),
+        numbers=(0, 1),
         lent=(),
         real=True,
     ),
@@ -1033,9 +1057,9 @@ CHART = Chart(
         _own_shadow_blocks,
         (("v", (6,)),),
         (6,),
-        registers=7,
+        registers=8,
         masks=3,
-        numbers=(-1, 0, 1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        numbers=(-1, 0, 1, 2, 4, 6, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
         lent=(),
         real=True,
     ),

@@ -48,7 +48,7 @@
 #   from_tensor: 121: 40 +, 42 *, 8 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 85: 25 +, 24 *, 5 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 20: 4 +, 13 *, 2 /, 1 tan
-#   to_screw: 56: 12 +, 22 *, 10 /, 1 sqrt, 1 atan2, 1 eq, 9 where
+#   to_screw: 69: 16 +, 26 *, 14 /, 6 abs, 1 sqrt, 1 atan2, 1 eq, 4 where
 #   compose: 156: 56 +, 79 *, 21 /
 r"""Normal Rodrigues vector of order 1: Rodrigues dual vectors ``v = 2 tan(α/2) u`` of rigid displacements.
 
@@ -75,7 +75,7 @@ from typing import Any
 
 from ._chart import Chart, Function
 from ._interface import PoseKernels
-from ._kernel import Components, Kernel, Result, Rows, add, atan2, copy, div, mul, neg, sqrt, sub, tan
+from ._kernel import Components, Kernel, Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
     "body_rate", "body_tangent", "body_tangent_inv", "body_twist", "compose", "from_pose", "from_quaternion",
@@ -1263,29 +1263,39 @@ def _own_from_pose_blocks(
     div(add(sub(mul(T34, fi, k1), sub(mul(v1, T24, k3), mul(v2, T14, k4), k3), k1), mul(v3, hvr, k2), k1), n2, o6)
 
 
-# operations 56: 12 +, 22 *, 10 /, 1 sqrt, 1 atan2, 1 eq, 9 where
+# operations 69: 16 +, 26 *, 14 /, 6 abs, 1 sqrt, 1 atan2, 1 eq, 4 where
 def _own_to_screw(m: Any, c: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
+    total = m.abs(v1) + m.abs(v2) + m.abs(v3)
+    still = total == 0
+    a1 = m.where(still, v1o, v1)
+    a2 = m.where(still, v2o, v2)
+    a3 = m.where(still, v3o, v3)
+    scale = m.abs(a1) + m.abs(a2) + m.abs(a3)
+    s1 = a1 / scale
+    s2 = a2 / scale
+    s3 = a3 / scale
+    root = m.sqrt(s1 * s1 + s2 * s2 + s3 * s3)
+    u1 = s1 / root
+    u2 = s2 / root
+    u3 = s3 / root
+    ro = u1 * v1o + u2 * v2o + u3 * v3o
+    ir = m.where(still, 0, 1) / root
+    r = total * root
+    ru1 = u1 * ro
+    ru2 = u2 * ro
+    ru3 = u3 * ro
+    uo1 = (v1o - ru1) / scale * ir
+    uo2 = (v2o - ru2) / scale * ir
+    uo3 = (v3o - ru3) / scale * ir
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
-    still = x == 0
-    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
-    r = m.where(still, x, length)
-    u1 = m.where(still, v1o, v1) / length
-    u2 = m.where(still, v2o, v2) / length
-    u3 = m.where(still, v3o, v3) / length
-    ro = m.where(still, length, u1 * v1o + u2 * v2o + u3 * v3o)
-    ru1 = u1 * ro
-    ru2 = u2 * ro
-    ru3 = u3 * ro
-    uo1 = m.where(still, 0, v1o - ru1) / length
-    uo2 = m.where(still, 0, v2o - ru2) / length
-    uo3 = m.where(still, 0, v3o - ru3) / length
+    rq = r / 2
     z = x / 4
     one = z - z + 1
-    angle = 2 * m.atan2(r / 2, 1) * one
+    angle = 2 * m.atan2(rq * one, 1)
     slope = 2 / (1 + z)
     slope_ = slope / 2
     return angle, one * (slope_ * ro), u1 * one, u2 * one, u3 * one, uo1 * one, uo2 * one, uo3 * one
@@ -1296,36 +1306,46 @@ def _own_to_screw_blocks(
 ) -> None:
     v1, v2, v3, v1o, v2o, v3o = v
     o1, o2, o3, o4, o5, o6, o7, o8 = out
-    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
     mask1, = masks
     n0, n1, n2, n4 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    still = m.equal(x, n0, mask1)
-    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
-    r = m.where(still, x, length, k3)
-    z = div(x, n4, k1)
-    one = add(sub(z, z, k4), n1, k4)
-    mul(mul(n2, atan2(div(r, n2, k3), n1, k3), k3), one, o1)
+    total = add(add(absolute(v1, k1), absolute(v2, k2), k1), absolute(v3, k2), k1)
+    still = m.equal(total, n0, mask1)
+    a1 = m.where(still, v1o, v1, k2)
+    a2 = m.where(still, v2o, v2, k3)
+    a3 = m.where(still, v3o, v3, k4)
+    scale = add(add(absolute(a1, k5), absolute(a2, k6), k5), absolute(a3, k6), k5)
+    s1 = div(a1, scale, k2)
+    s2 = div(a2, scale, k3)
+    s3 = div(a3, scale, k4)
+    root = sqrt(add(add(mul(s1, s1, k6), mul(s2, s2, k7), k6), mul(s3, s3, k7), k6), k6)
+    r = mul(total, root, k1)
+    rq = div(r, n2, k1)
+    u1 = div(s1, root, k2)
+    u2 = div(s2, root, k3)
+    u3 = div(s3, root, k4)
+    ir = div(m.where(still, n0, n1, k7), root, k6)
+    v11 = mul(v1, v1, k7)
+    v22 = mul(v2, v2, k8)
+    v33 = mul(v3, v3, k9)
+    x = add(add(v11, v22, k7), v33, k7)
+    z = div(x, n4, k7)
+    one = add(sub(z, z, k8), n1, k8)
+    mul(n2, atan2(mul(rq, one, k1), n1, k1), o1)
     slope = div(n2, add(n1, z, k1), k1)
     slope_ = div(slope, n2, k1)
-    u1 = div(m.where(still, v1o, v1, k3), length, k3)
     mul(u1, one, o3)
-    u2 = div(m.where(still, v2o, v2, k5), length, k5)
     mul(u2, one, o4)
-    u3 = div(m.where(still, v3o, v3, k6), length, k6)
     mul(u3, one, o5)
-    ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
+    ro = add(add(mul(u1, v1o, k7), mul(u2, v2o, k9), k7), mul(u3, v3o, k9), k7)
     mul(one, mul(slope_, ro, k1), o2)
     ru1 = mul(u1, ro, k1)
-    uo1 = div(m.where(still, n0, sub(v1o, ru1, k1), k3), length, k1)
+    uo1 = mul(div(sub(v1o, ru1, k1), scale, k1), ir, k1)
     mul(uo1, one, o6)
     ru2 = mul(u2, ro, k1)
-    ru3 = mul(u3, ro, k3)
-    uo2 = div(m.where(still, n0, sub(v2o, ru2, k1), k5), length, k1)
-    uo3 = div(m.where(still, n0, sub(v3o, ru3, k3), k5), length, k2)
+    ru3 = mul(u3, ro, k2)
+    uo2 = mul(div(sub(v2o, ru2, k1), scale, k1), ir, k1)
+    uo3 = mul(div(sub(v3o, ru3, k2), scale, k2), ir, k2)
     mul(uo2, one, o7)
     mul(uo3, one, o8)
 
@@ -1634,7 +1654,7 @@ CHART = Chart(
         _own_to_screw_blocks,
         (("v", (6,)),),
         (8,),
-        registers=8,
+        registers=9,
         masks=1,
         numbers=(0, 1, 2, 4),
         lent=(),

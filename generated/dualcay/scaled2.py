@@ -48,10 +48,10 @@
 #   from_tensor: 130: 44 +, 46 *, 8 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 94: 29 +, 28 *, 5 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 20: 4 +, 13 *, 2 /, 1 tan
-#   to_screw: 65: 13 +, 24 *, 10 /, 1 neg, 1 sqrt, 1 atan2, 2 lt, 1 eq, 12 where
-#   turn: 60: 14 +, 27 *, 8 /, 1 sqrt, 1 eq, 9 where
-#   shadow: 70: 17 +, 29 *, 9 /, 1 sqrt, 2 lt, 1 eq, 11 where
-#   principal: 54: 13 +, 24 *, 8 /, 1 sqrt, 1 lt, 7 where
+#   to_screw: 80: 19 +, 28 *, 15 /, 7 abs, 1 sqrt, 1 atan2, 2 lt, 1 eq, 6 where
+#   turn: 68: 16 +, 28 *, 12 /, 6 abs, 1 sqrt, 1 eq, 4 where
+#   shadow: 88: 23 +, 34 *, 14 /, 6 abs, 2 sqrt, 2 lt, 1 eq, 6 where
+#   principal: 57: 15 +, 24 *, 9 /, 1 sqrt, 1 lt, 7 where
 #   compose: 209: 71 +, 111 *, 23 /, 1 neg, 1 lt, 2 where
 r"""Normal Rodrigues vector of order 2: Rodrigues dual vectors ``v = 4 tan(α/4) u`` of rigid displacements.
 
@@ -78,7 +78,7 @@ from typing import Any
 
 from ._chart import Chart, Function
 from ._interface import PoseKernels
-from ._kernel import Components, Kernel, Result, Rows, add, atan2, div, mul, neg, sqrt, sub, tan
+from ._kernel import Components, Kernel, Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
     "body_rate", "body_tangent", "body_tangent_inv", "body_twist", "compose", "from_pose", "from_quaternion",
@@ -222,9 +222,9 @@ def _turned_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows,
     return o1, o2
 
 
-# operations 1: 1 lt
+# operations 4: 2 +, 1 /, 1 lt
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
-    beyond1 = limit1 < x
+    beyond1 = limit1 < limit1 + (x - limit1) / 16
     return beyond1, cos1, sin1
 
 
@@ -232,8 +232,10 @@ def _beyond_blocks(
     m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, limit1: Any, cos1: Any, sin1: Any
 ) -> Result:
     o1, _, _ = out
+    k1, *_ = scratch
     _, *_ = masks
-    m.less(limit1, x, o1)
+    n16, = numbers
+    m.less(limit1, add(limit1, div(sub(x, limit1, k1), n16, k1), k1), o1)
     return o1, cos1, sin1
 
 
@@ -860,33 +862,43 @@ def _own_from_pose_blocks(
     div(add(sub(mul(T34, fi, k1), sub(mul(v1, T24, k3), mul(v2, T14, k4), k3), k1), mul(v3, hvr, k2), k1), n2, o6)
 
 
-# operations 65: 13 +, 24 *, 10 /, 1 neg, 1 sqrt, 1 atan2, 2 lt, 1 eq, 12 where
+# operations 80: 19 +, 28 *, 15 /, 7 abs, 1 sqrt, 1 atan2, 2 lt, 1 eq, 6 where
 def _own_to_screw(m: Any, c: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
+    total = m.abs(v1) + m.abs(v2) + m.abs(v3)
+    still = total == 0
+    a1 = m.where(still, v1o, v1)
+    a2 = m.where(still, v2o, v2)
+    a3 = m.where(still, v3o, v3)
+    scale = m.abs(a1) + m.abs(a2) + m.abs(a3)
+    s1 = a1 / scale
+    s2 = a2 / scale
+    s3 = a3 / scale
+    root = m.sqrt(s1 * s1 + s2 * s2 + s3 * s3)
+    u1 = s1 / root
+    u2 = s2 / root
+    u3 = s3 / root
+    ro = u1 * v1o + u2 * v2o + u3 * v3o
+    ir = m.where(still, 0, 1) / root
+    r = total * root
+    ru1 = u1 * ro
+    ru2 = u2 * ro
+    ru3 = u3 * ro
+    uo1 = (v1o - ru1) / scale * ir
+    uo2 = (v2o - ru2) / scale * ir
+    uo3 = (v3o - ru3) / scale * ir
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
-    still = x == 0
-    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
-    r = m.where(still, x, length)
-    u1 = m.where(still, v1o, v1) / length
-    u2 = m.where(still, v2o, v2) / length
-    u3 = m.where(still, v3o, v3) / length
-    ro = m.where(still, length, u1 * v1o + u2 * v2o + u3 * v3o)
-    ru1 = u1 * ro
-    ru2 = u2 * ro
-    ru3 = u3 * ro
-    uo1 = m.where(still, 0, v1o - ru1) / length
-    uo2 = m.where(still, 0, v2o - ru2) / length
-    uo3 = m.where(still, 0, v3o - ru3) / length
     z = x / 16
+    rq = 2 * (r / 4)
     p = 1 - z
-    pneg = p < 0
-    qp = m.where(pneg, -2, 2)
-    one = p - p + 1
+    either = rq + p
+    one = either - either + 1
+    qp = m.where(rq + p / 16 < rq, -2, 2)
     sign = one * m.where(qp < 0, -1, 1)
-    angle = 2 * m.atan2(2 * (r / 4), m.where(pneg, -p, p)) * one
+    angle = 2 * m.atan2(rq * one, m.abs(p))
     slope = 4 / (1 + z)
     slope_ = slope / 4
     return angle, sign * (slope_ * ro), u1 * sign, u2 * sign, u3 * sign, uo1 * sign, uo2 * sign, uo3 * sign
@@ -897,45 +909,55 @@ def _own_to_screw_blocks(
 ) -> None:
     v1, v2, v3, v1o, v2o, v3o = v
     o1, o2, o3, o4, o5, o6, o7, o8 = out
-    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
-    mask1, mask2 = masks
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11 = scratch
+    mask1, = masks
     n_minus_2, n_minus_1, n0, n1, n2, n4, n16 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    still = m.equal(x, n0, mask1)
-    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
-    r = m.where(still, x, length, k3)
-    z = div(x, n16, k1)
-    p = sub(n1, z, k4)
-    slope = div(n4, add(n1, z, k1), k1)
-    slope_ = div(slope, n4, k1)
-    one = add(sub(p, p, k5), n1, k5)
-    pneg = m.less(p, n0, mask2)
-    mul(mul(n2, atan2(mul(n2, div(r, n4, k3), k3), m.where(pneg, neg(p, k6), p, k6), k3), k3), one, o1)
-    qp = m.where(pneg, n_minus_2, n2, k3)
-    sign = mul(one, m.where(m.less(qp, n0, mask2), n_minus_1, n1, k3), k3)
-    u1 = div(m.where(still, v1o, v1, k4), length, k4)
+    total = add(add(absolute(v1, k1), absolute(v2, k2), k1), absolute(v3, k2), k1)
+    still = m.equal(total, n0, mask1)
+    a1 = m.where(still, v1o, v1, k2)
+    a2 = m.where(still, v2o, v2, k3)
+    a3 = m.where(still, v3o, v3, k4)
+    scale = add(add(absolute(a1, k5), absolute(a2, k6), k5), absolute(a3, k6), k5)
+    s1 = div(a1, scale, k2)
+    s2 = div(a2, scale, k3)
+    s3 = div(a3, scale, k4)
+    root = sqrt(add(add(mul(s1, s1, k6), mul(s2, s2, k7), k6), mul(s3, s3, k7), k6), k6)
+    r = mul(total, root, k1)
+    rq = mul(n2, div(r, n4, k1), k1)
+    u1 = div(s1, root, k2)
+    u2 = div(s2, root, k3)
+    u3 = div(s3, root, k4)
+    ir = div(m.where(still, n0, n1, k7), root, k6)
+    v11 = mul(v1, v1, k7)
+    v22 = mul(v2, v2, k8)
+    v33 = mul(v3, v3, k9)
+    x = add(add(v11, v22, k7), v33, k7)
+    z = div(x, n16, k7)
+    p = sub(n1, z, k8)
+    slope = div(n4, add(n1, z, k7), k7)
+    slope_ = div(slope, n4, k7)
+    either = add(rq, p, k9)
+    one = add(sub(either, either, k9), n1, k9)
+    mul(n2, atan2(mul(rq, one, k10), absolute(p, k11), k10), o1)
+    qp = m.where(m.less(add(rq, div(p, n16, k8), k8), rq, mask1), n_minus_2, n2, k1)
+    sign = mul(one, m.where(m.less(qp, n0, mask1), n_minus_1, n1, k1), k1)
     mul(u1, sign, o3)
-    u2 = div(m.where(still, v2o, v2, k5), length, k5)
     mul(u2, sign, o4)
-    u3 = div(m.where(still, v3o, v3, k6), length, k6)
     mul(u3, sign, o5)
-    ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
-    mul(sign, mul(slope_, ro, k1), o2)
-    ru1 = mul(u1, ro, k1)
-    uo1 = div(m.where(still, n0, sub(v1o, ru1, k1), k4), length, k1)
+    ro = add(add(mul(u1, v1o, k8), mul(u2, v2o, k9), k8), mul(u3, v3o, k9), k8)
+    mul(sign, mul(slope_, ro, k7), o2)
+    ru1 = mul(u1, ro, k2)
+    uo1 = mul(div(sub(v1o, ru1, k2), scale, k2), ir, k2)
     mul(uo1, sign, o6)
-    ru2 = mul(u2, ro, k1)
-    ru3 = mul(u3, ro, k4)
-    uo2 = div(m.where(still, n0, sub(v2o, ru2, k1), k5), length, k1)
-    uo3 = div(m.where(still, n0, sub(v3o, ru3, k4), k5), length, k2)
+    ru2 = mul(u2, ro, k2)
+    ru3 = mul(u3, ro, k3)
+    uo2 = mul(div(sub(v2o, ru2, k2), scale, k2), ir, k2)
+    uo3 = mul(div(sub(v3o, ru3, k3), scale, k3), ir, k3)
     mul(uo2, sign, o7)
     mul(uo3, sign, o8)
 
 
-# operations 70: 17 +, 29 *, 9 /, 1 sqrt, 2 lt, 1 eq, 11 where
+# operations 88: 23 +, 34 *, 14 /, 6 abs, 2 sqrt, 2 lt, 1 eq, 6 where
 def _own_shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = table
@@ -944,24 +966,35 @@ def _own_shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
     v33 = v3 * v3
     x = v11 + v22 + v33
     z = x / 16
+    rd = m.sqrt(z)
+    rq = 2 * rd
     p = 1 - z
-    pneg = p < 0
-    qp = m.where(pneg, -2, 2)
-    one = p - p + 1
+    either = rq + p
+    one = either - either + 1
+    qp = m.where(rq + p / 16 < rq, -2, 2)
     sign = one * m.where(qp < 0, -1, 1)
-    still = x == 0
-    length = m.sqrt(m.where(still, v1o * v1o + v2o * v2o + v3o * v3o, x))
-    r = m.where(still, x, length)
-    u1 = m.where(still, v1o, v1) / length
-    u2 = m.where(still, v2o, v2) / length
-    u3 = m.where(still, v3o, v3) / length
-    ro = m.where(still, length, u1 * v1o + u2 * v2o + u3 * v3o)
+    total = m.abs(v1) + m.abs(v2) + m.abs(v3)
+    still = total == 0
+    a1 = m.where(still, v1o, v1)
+    a2 = m.where(still, v2o, v2)
+    a3 = m.where(still, v3o, v3)
+    scale = m.abs(a1) + m.abs(a2) + m.abs(a3)
+    s1 = a1 / scale
+    s2 = a2 / scale
+    s3 = a3 / scale
+    root = m.sqrt(s1 * s1 + s2 * s2 + s3 * s3)
+    u1 = s1 / root
+    u2 = s2 / root
+    u3 = s3 / root
+    ro = u1 * v1o + u2 * v2o + u3 * v3o
+    ir = m.where(still, 0, 1) / root
+    r = total * root
     ru1 = u1 * ro
     ru2 = u2 * ro
     ru3 = u3 * ro
-    uo1 = m.where(still, 0, v1o - ru1) / length
-    uo2 = m.where(still, 0, v2o - ru2) / length
-    uo3 = m.where(still, 0, v3o - ru3) / length
+    uo1 = (v1o - ru1) / scale * ir
+    uo2 = (v2o - ru2) / scale * ir
+    uo3 = (v3o - ru3) / scale * ir
     sn = sign * sin
     rt = r / 4
     iden = 1 / (cos - rt * sn)
@@ -979,43 +1012,54 @@ def _own_shadow_blocks(
     cos, sin = table
     o1, o2, o3, o4, o5, o6 = out
     k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
-    mask1, mask2 = masks
+    mask1, = masks
     n_minus_2, n_minus_1, n0, n1, n2, n4, n16 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    still = m.equal(x, n0, mask1)
-    length = sqrt(m.where(still, add(add(mul(v1o, v1o, k2), mul(v2o, v2o, k3), k2), mul(v3o, v3o, k3), k2), x, k2), k2)
-    r = m.where(still, x, length, k3)
-    rt = div(r, n4, k3)
-    z = div(x, n16, k1)
-    p = sub(n1, z, k1)
-    one = add(sub(p, p, k4), n1, k4)
-    pneg = m.less(p, n0, mask2)
-    qp = m.where(pneg, n_minus_2, n2, k1)
-    sign = mul(one, m.where(m.less(qp, n0, mask2), n_minus_1, n1, k1), k1)
-    sn = mul(sign, sin, k1)
-    iden = div(n1, sub(cos, mul(rt, sn, k4), k4), k4)
-    rk = mul(add(mul(rt, cos, k3), sn, k1), iden, k1)
+    total = add(add(absolute(v1, k1), absolute(v2, k2), k1), absolute(v3, k2), k1)
+    still = m.equal(total, n0, mask1)
+    a1 = m.where(still, v1o, v1, k2)
+    a2 = m.where(still, v2o, v2, k3)
+    a3 = m.where(still, v3o, v3, k4)
+    scale = add(add(absolute(a1, k5), absolute(a2, k6), k5), absolute(a3, k6), k5)
+    s1 = div(a1, scale, k2)
+    s2 = div(a2, scale, k3)
+    s3 = div(a3, scale, k4)
+    root = sqrt(add(add(mul(s1, s1, k6), mul(s2, s2, k7), k6), mul(s3, s3, k7), k6), k6)
+    r = mul(total, root, k1)
+    rt = div(r, n4, k1)
+    u1 = div(s1, root, k2)
+    u2 = div(s2, root, k3)
+    u3 = div(s3, root, k4)
+    ir = div(m.where(still, n0, n1, k7), root, k6)
+    v11 = mul(v1, v1, k7)
+    v22 = mul(v2, v2, k8)
+    v33 = mul(v3, v3, k9)
+    x = add(add(v11, v22, k7), v33, k7)
+    z = div(x, n16, k7)
+    rd = sqrt(z, k8)
+    rq = mul(n2, rd, k8)
+    p = sub(n1, z, k7)
+    either = add(rq, p, k9)
+    qp = m.where(m.less(add(rq, div(p, n16, k7), k7), rq, mask1), n_minus_2, n2, k7)
+    one = add(sub(either, either, k8), n1, k8)
+    sign = mul(one, m.where(m.less(qp, n0, mask1), n_minus_1, n1, k7), k7)
+    sn = mul(sign, sin, k7)
+    iden = div(n1, sub(cos, mul(rt, sn, k8), k8), k8)
+    rk = mul(add(mul(rt, cos, k1), sn, k1), iden, k1)
     rv = mul(n4, rk, k1)
-    slope = mul(iden, iden, k3)
-    u1 = div(m.where(still, v1o, v1, k4), length, k4)
     mul(u1, rv, o1)
-    u2 = div(m.where(still, v2o, v2, k5), length, k5)
     mul(u2, rv, o2)
-    u3 = div(m.where(still, v3o, v3, k6), length, k6)
     mul(u3, rv, o3)
-    ro = m.where(still, length, add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k8)
-    rko = mul(ro, slope, k3)
-    ru1 = mul(u1, ro, k7)
-    uo1 = div(m.where(still, n0, sub(v1o, ru1, k7), k9), length, k7)
-    add(mul(uo1, rv, k7), mul(u1, rko, k4), o4)
-    ru2 = mul(u2, ro, k4)
-    uo2 = div(m.where(still, n0, sub(v2o, ru2, k4), k7), length, k4)
-    add(mul(uo2, rv, k4), mul(u2, rko, k5), o5)
-    ru3 = mul(u3, ro, k4)
-    uo3 = div(m.where(still, n0, sub(v3o, ru3, k4), k5), length, k2)
+    slope = mul(iden, iden, k7)
+    ro = add(add(mul(u1, v1o, k8), mul(u2, v2o, k9), k8), mul(u3, v3o, k9), k8)
+    rko = mul(ro, slope, k7)
+    ru1 = mul(u1, ro, k9)
+    uo1 = mul(div(sub(v1o, ru1, k9), scale, k9), ir, k9)
+    add(mul(uo1, rv, k9), mul(u1, rko, k2), o4)
+    ru2 = mul(u2, ro, k2)
+    uo2 = mul(div(sub(v2o, ru2, k2), scale, k2), ir, k2)
+    add(mul(uo2, rv, k2), mul(u2, rko, k3), o5)
+    ru3 = mul(u3, ro, k2)
+    uo3 = mul(div(sub(v3o, ru3, k2), scale, k2), ir, k2)
     add(mul(uo3, rv, k1), mul(u3, rko, k2), o6)
 
 
@@ -1228,7 +1272,7 @@ CHART = Chart(
         "pose": Function(_pose, _pose_blocks, 0, 0, (1, 2, 4, 16, 64)),
         "tangent": Function(_tangent, _tangent_blocks, 0, 0, (1, 2, 4, 16, 64, 256, 1024)),
         "turned": Function(_turned, _turned_blocks, 0, 0, (1, 4)),
-        "beyond": Function(_beyond, _beyond_blocks, 0, 1, ()),
+        "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 4)),
     },
     own={
@@ -1303,8 +1347,8 @@ CHART = Chart(
         _own_to_screw_blocks,
         (("v", (6,)),),
         (8,),
-        registers=8,
-        masks=2,
+        registers=11,
+        masks=1,
         numbers=(-2, -1, 0, 1, 2, 4, 16),
         lent=(),
         real=True,
@@ -1315,7 +1359,7 @@ CHART = Chart(
         (("v", (6,)),),
         (6,),
         registers=9,
-        masks=2,
+        masks=1,
         numbers=(-2, -1, 0, 1, 2, 4, 16),
         lent=(),
         real=True,

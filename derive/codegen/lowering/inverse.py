@@ -162,7 +162,8 @@ def _axis(trace: Geometry, point: Point) -> Axis:
     u = named(trace, "u", scaled / root)
     size_du = point.name("ro", u.dot(vo))
     inverse = point.name("ir", trace.where(still, 0, 1) / root)
-    return point.name("r", total * root), u, size_du, named(trace, "uo", (vo - named(trace, "ru", size_du * u)) / scale * inverse)
+    across = vo - named(trace, "ru", size_du * u)
+    return point.name("r", total * root), u, size_du, named(trace, "uo", across / scale * inverse)
 
 
 def _sum(trace: Geometry, v: Vector) -> Number:
