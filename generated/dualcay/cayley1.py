@@ -1247,10 +1247,10 @@ def _own_to_screw(m: Any, c: Any, v: Components) -> Result:
     u3 = s3 / root
     ro = u1 * v1o + u2 * v2o + u3 * v3o
     ir = m.where(still, 0, 1) / root
-    r = total * root
     ru1 = u1 * ro
     ru2 = u2 * ro
     ru3 = u3 * ro
+    r = total * root
     uo1 = (v1o - ru1) / scale * ir
     uo2 = (v2o - ru2) / scale * ir
     uo3 = (v3o - ru3) / scale * ir
