@@ -15,6 +15,7 @@ import sympy
 
 from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import Arithmetic
+from . import turns
 from .families import alpha
 from .own_axis import OwnAxis
 
@@ -83,12 +84,12 @@ class ByAngle(OwnAxis):
         self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic
     ) -> tuple[Any, Sequence[Coefficient]]:
         """Beyond half a turn; back by whole turns to the angle that sine and cosine of its half say."""
-        limit, one, _ = table
+        selected, (one, _) = turns.beyond(x, table, m)
         at, r = self.scalars(x, m), m.name("rx", m.sqrt(x))
         s, sine = at.s, m.name("sine", at.w * r)
         sign = m.name("side", m.where(m.less(s, 0), -1, 1))
         reduced = 2 * m.atan2(sign * sine, sign * s)
-        return m.name("beyond1", m.less(limit, x)), (one, m.name("back", reduced - self.angle(r, m)))
+        return selected, (one, m.name("back", reduced - self.angle(r, m)))
 
     def turn(self, branch: int) -> tuple[Any, Any]:
         return mpmath.mpf(1), 2 * branch * mpmath.pi
