@@ -65,7 +65,7 @@
 #   to_screw: 137: 34 +, 46 *, 23 /, 1 neg, 8 abs, 3 sqrt, 1 tan, 1 atan2, 5 lt, 2 eq, 1 and, 1 or, 11 where
 #   turn: 56: 15 +, 19 *, 10 /, 6 abs, 1 sqrt, 1 eq, 4 where
 #   shadow: 135: 38 +, 43 *, 23 /, 1 neg, 6 abs, 3 sqrt, 1 tan, 5 lt, 2 eq, 1 and, 1 or, 11 where
-#   principal: 104: 29 +, 35 *, 19 /, 4 sqrt, 1 tan, 1 atan2, 3 lt, 12 where
+#   principal: 107: 31 +, 35 *, 20 /, 4 sqrt, 1 tan, 1 atan2, 3 lt, 12 where
 #   compose: 392: 126 +, 176 *, 53 /, 1 neg, 7 sqrt, 3 tan, 1 atan2, 4 lt, 1 eq, 20 where
 r"""Exponential map: Rodrigues dual vectors ``v = α u`` of rigid displacements.
 
@@ -893,7 +893,7 @@ def _own_shadow_blocks(
     add(mul(uo3, alphak, k1), ru3, o6)
 
 
-# operations 104: 29 +, 35 *, 19 /, 4 sqrt, 1 tan, 1 atan2, 3 lt, 12 where
+# operations 107: 31 +, 35 *, 20 /, 4 sqrt, 1 tan, 1 atan2, 3 lt, 12 where
 def _own_principal(m: Any, c: Any, v: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     limit1, _, _ = table
@@ -901,6 +901,7 @@ def _own_principal(m: Any, c: Any, v: Components, table: Components) -> Result:
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
+    beyond1 = limit1 < limit1 + (x - limit1) / 16
     rx = m.sqrt(x)
     near = x < 6
     z = m.where(near, x, x - x) / 4
@@ -922,7 +923,6 @@ def _own_principal(m: Any, c: Any, v: Components, table: Components) -> Result:
     w = m.where(near, C1 / 2, 2 * t / below / alpha)
     sine = w * rx
     side = m.where(s < 0, -1, 1)
-    beyond1 = limit1 < x
     back = 2 * m.atan2(side * sine, side * s) - rx
     r = m.sqrt(m.where(beyond1, x, 1 + x))
     u1 = v1 / r
@@ -954,7 +954,7 @@ def _own_principal_blocks(
     o1, o2, o3, o4, o5, o6 = out
     k1, k2, k3, k4, k5, k6, k7 = scratch
     mask1, = masks
-    n_minus_1, n0, n1, n2, n4, n6, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    n_minus_1, n0, n1, n2, n4, n6, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
@@ -982,7 +982,7 @@ def _own_principal_blocks(
     rx = sqrt(x, k5)
     sine = mul(w, rx, k3)
     back = sub(mul(n2, atan2(mul(side, sine, k3), mul(side, s, k2), k2), k2), rx, k2)
-    beyond1 = m.less(limit1, x, mask1)
+    beyond1 = m.less(limit1, add(limit1, div(sub(x, limit1, k3), n16, k3), k3), mask1)
     r = sqrt(m.where(beyond1, x, add(n1, x, k3), k1), k1)
     alphak = add(r, back, k2)
     u1 = div(v1, r, k3)
@@ -1070,7 +1070,7 @@ CHART = Chart(
         (6,),
         registers=7,
         masks=1,
-        numbers=(-1, 0, 1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        numbers=(-1, 0, 1, 2, 4, 6, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
         lent=(),
         real=True,
     ),
