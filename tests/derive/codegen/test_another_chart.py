@@ -379,9 +379,12 @@ def parts(result: Any) -> list[Any]:
 def test_floats_agree_with_first_principles(kernels: ModuleType, name: str, angles: tuple[float, float]):
     """To 20 eps (two maps in a chain) of norm and condition of the result, derivatives to 30."""
     oracle = SineOracle(3)
-    given = arguments(kernels, name, vectors(*angles))
     row = FUNCTIONS[name]
-    gate = errors.THREE if KERNELS[row.kernel].recipe in DERIVATIVES else errors.GENERAL
+    derived = KERNELS[row.kernel].recipe in DERIVATIVES
+    gate = errors.THREE if derived else errors.GENERAL
+    low, high = angles
+    # towards the edge, 3π, the terms f_i and h_i of T⁻¹ cancel along the axis, where φ′ goes to 0
+    given = arguments(kernels, name, vectors(low, min(high, 8.0) if derived else high))
     for branch in range(3) if row.branch else (None,):
         chosen = () if branch is None else (branch,)
 
