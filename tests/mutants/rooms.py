@@ -102,10 +102,11 @@ class Files:
 NUMBERS = "tests/derive/papers/test_theorem_numbers.py"
 PROOF = Checks("proof", ("derive/proof",), ("tests/derive/proof", NUMBERS), first=("proof",), controlled=True)
 MAPS = Checks("maps", ("derive/maps",), ("tests/derive/maps",), first=("proof", "validation"))
+TARGETS = ("tests/targets/test_array_api.py", "tests/targets/test_numba.py")
 EMISSION = Checks(
     "emission",
     ("derive/codegen", "derive/output", "templates"),
-    ("tests/derive/codegen", "tests/derive/output", "tests/derive/papers/report/test_report.py"),
+    ("tests/derive/codegen", "tests/derive/output", "tests/derive/papers/report/test_report.py", *TARGETS),
     first=("validation",),
     emits=True,
 )
