@@ -102,7 +102,8 @@ process of its own on a copy of the tree. State: `{state}`.
 
 - **proof**, **validation**, **execution**: killed by what is no test, that is by the proofs of n = {committed}; by
   emission with validation (n = {orders} for NumPy, {others} for the other targets; for maps NumPy alone,
-  n = {some}); by executing the statement. **first stage** is their share.
+  n = {some}); by executing the statement, or all of them, of which docs/errata.md must say the same. **first stage**
+  is their share.
 - **tests**: killed by tests of that room only, but for those listed as left out. Of emission {few} cases of
   each test are run. **kernels**: killed by {few} cases of each test of tests/generated, run on the NumPy kernels that
   the mutant emits. **crash**: the process died.

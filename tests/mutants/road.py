@@ -21,6 +21,8 @@ Check = Callable[[], object]
 
 Around = Callable[[str, Any], Any]
 
+ERRATA = "docs/errata.md"
+
 COMMITTED = (3, 2, 4, 1, 5, 8)
 GEOMETRY = (3, 4, 2, 1)
 """Orders with which what all charts share is tried."""
@@ -87,8 +89,28 @@ def validations(everything: bool, around: Around) -> dict[str, Check]:
 def first_stage(
     stage: str, everything: bool = True, around: Around = lambda name, validate: validate
 ) -> dict[str, Check]:
-    """Checks of a stage that are no tests: "proof" or "validation", of everything or of some NumPy kernels."""
+    """Checks of a stage that are no tests: "proof", "execution", "validation" of everything or of some NumPy kernels."""
+    if stage == "execution":
+        return executions()
     return proofs() if stage == "proof" else validations(everything, around)
+
+
+def executions() -> dict[str, Check]:
+    """Every entry of the papers decided again: the page of errata must say the same of it."""
+    papers, decide, report = (importlib.import_module(f"derive.papers{name}") for name in ("", ".decide", ".report"))
+    page = Path(ERRATA).read_text(encoding="utf-8")
+
+    def check(paper: Any, entry: Any) -> None:
+        result = decide.decide(paper.slug, entry, paper.lost)
+        text = report.FORMATS["markdown"](report.Report.of([paper], [result], (), ".."))
+        if text[text.index("\n#### ") :].strip() not in page:
+            raise AssertionError(f"{paper.short} {entry.number} is decided otherwise")
+
+    return {
+        f"{paper.short} {entry.number}": lambda paper=paper, entry=entry: check(paper, entry)  # type: ignore[misc]
+        for paper in papers.PAPERS
+        for entry in paper.entries()
+    }
 
 
 def statement_folders() -> tuple[str, ...]:
