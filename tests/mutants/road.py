@@ -89,7 +89,7 @@ def validations(everything: bool, around: Around) -> dict[str, Check]:
 def first_stage(
     stage: str, everything: bool = True, around: Around = lambda name, validate: validate
 ) -> dict[str, Check]:
-    """Checks of a stage that are no tests: "proof", "execution", "validation" of everything or of some NumPy kernels."""
+    """Checks of a stage that are no tests: "proof", "execution", "validation" of everything or some NumPy kernels."""
     if stage == "execution":
         return executions()
     return proofs() if stage == "proof" else validations(everything, around)

@@ -125,7 +125,7 @@ ROOMS: Mapping[str, Room] = {
         ),
         Files(
             "maps",
-            "derive/maps: by proofs of the committed orders and NumPy kernels of some, then by tests/derive/maps and of "
+            "derive/maps: by proofs of committed orders and NumPy kernels of some, then by tests/derive/maps and of "
             "equation numbers",
             ("derive/maps",),
             MAPS,
