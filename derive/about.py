@@ -12,8 +12,8 @@ ORDERS = (1, 2, 3, 4, 5, 8)
 """Orders whose modules are committed."""
 
 FAMILIES = (
-    "orthographic", "lambert", "breusing", "sine3", "sine4", "scaled1", "scaled2", "scaled3", "scaled4", "scaled5",
-    "wiener_milenkovic",
+    "exponential", "orthographic", "lambert", "breusing", "sine3", "sine4", "scaled1", "scaled2", "scaled3", "scaled4",
+    "scaled5", "wiener_milenkovic",
 )  # fmt: skip
 """Families whose modules are committed."""
 

@@ -13,9 +13,9 @@ from .proof import Proof, proofs
 class Provable:
     """A chart that can be asked for its proofs."""
 
-    def prove(self: Any) -> list[Proof]:
+    def prove(self: Any) -> Listing[Proof]:
         """Decide everything claimed of this chart; return each `Proof`."""
-        return list(proofs(self))
+        return Listing(proofs(self))
 
 
 def family(name: str) -> Any:

@@ -44,9 +44,9 @@ class Facts:
 
     @cached_property
     def turns(self) -> list[tuple[str, str]]:
-        """The two numbers of the turn by every branch, as decimals."""
+        """The two numbers of the turn by every branch, as decimals; of one where there is no end of them."""
         with mpmath.workdps(DIGITS + 10):
-            first, second = zip(*map(self.chart.turn, range(self.chart.branches)), strict=True)
+            first, second = zip(*map(self.chart.turn, range(self.chart.branches) or [1]), strict=True)
             return list(zip(map(_decimal, first), map(_decimal, second), strict=True))
 
     @cached_property

@@ -116,7 +116,7 @@ class Chart(Protocol):
 
     @property
     def branches(self) -> int:
-        """How many vectors v_k = φ(α + 2πk) u a pose has, k modulo their number."""
+        """How many vectors v_k = φ(α + 2πk) u a pose has, k modulo their number; 0 where k is any integer."""
 
     @property
     def singular_angles(self) -> tuple[sympy.Expr, ...]:

@@ -11,12 +11,13 @@ from typing import TypeAlias
 import sympy
 
 from .breusing import Breusing
+from .exponential_chart import Exponential
 from .families import alpha
 from .polynomials import require_order
 from .scaled import Scaled
 from .sine import Sine
 
-Named: TypeAlias = Sine | Scaled | Breusing
+Named: TypeAlias = Sine | Scaled | Breusing | Exponential
 
 LONGEST = 9
 """Digits of the order in a name."""
@@ -33,6 +34,7 @@ def scaled(n: int) -> Scaled:
 
 
 SINGLE: Mapping[str, Callable[[], Named]] = {
+    "exponential": Exponential,
     "orthographic": lambda: replace(sine(1), title="Orthographic projection"),
     "lambert": lambda: replace(sine(2), title="Lambert's equal-area projection"),
     "breusing": Breusing,

@@ -86,9 +86,11 @@ class Parameterized(ABC):
         return self._formula(IsotropicMap, "tangent_inv", at.fi / 2, -sympy.Rational(1, 2), at.hi / 2)
 
     def _formula(self, kind: type[Map], name: str, *coefficients: sympy.Expr) -> Map:
-        *poles, last = (f"Re alpha = {angle}" for angle in self.singular_angles)
-        infinite = self.phi.subs(alpha, self.edge).is_infinite
+        poles = [f"Re alpha = {angle}" for angle in self.singular_angles if angle != self.edge]
+        size = self.phi.subs(alpha, self.edge)
+        infinite = size.is_infinite
         end = "v is infinite" if infinite else "v ends, and with it the domain,"
+        end = "there is no edge" if self.edge.is_infinite else f"{end} at Re alpha = {self.edge}"
         lost = {"tangent": "loses rank at", "tangent_inv": "pole at"}.get(name, "") if poles else ""
         coefficients = tuple(c + sympy.Integer(0) for c in coefficients)  # constants of Python are numbers of SymPy
         return kind(
@@ -98,8 +100,8 @@ class Parameterized(ABC):
             at=lambda at: tuple(c.xreplace({x: at}) for c in coefficients),
             equations=(),
             identities=IDENTITIES[name],
-            domain="every dual vector v" if infinite else f"|Re v| < {self.phi.subs(alpha, self.edge)}",
-            singular="; ".join(filter(None, (f"{lost} {', '.join(poles)}" if lost else "", f"{end} at {last}"))),
+            domain="every dual vector v" if infinite else f"|Re v| < {size}",
+            singular="; ".join(filter(None, (f"{lost} {', '.join(poles)}" if lost else "", end))),
             symbol=SYMBOLS[name],
             definition=DEFINITIONS[name].split(" = ", 1)[1],
         )

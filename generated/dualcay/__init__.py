@@ -47,7 +47,7 @@ if not TYPE_CHECKING:  # which finds the modules in the folder, and no other nam
             return importlib.import_module(f".{name}", __name__)
         there = f"kernel modules: {', '.join(_modules())}"
         order = re.fullmatch(r"cayley([1-9]\d*)", name)
-        if order or re.fullmatch(r"orthographic|lambert|breusing|wiener_milenkovic|reduced_euler_rodrigues|sine[1-9]\d*|scaled[1-9]\d*", name):
+        if order or re.fullmatch(r"exponential|orthographic|lambert|breusing|wiener_milenkovic|reduced_euler_rodrigues|sine[1-9]\d*|scaled[1-9]\d*", name):
             chosen = f"-n {order[1]}" if order else f"--family {name}"
             command = f"dualcay generate {chosen} -o FOLDER"
             raise ImportError(f"no {name} in {__name__!r} ({there}): write it with  {command}", name=f"{__name__}.{name}")

@@ -1386,10 +1386,13 @@ def to_screw(m: Any, c: Any, v: Components) -> Result:
     u3 = s3 / root
     ro = u1 * v1o + u2 * v2o + u3 * v3o
     ir = m.where(still, 0, 1) / root
+    ru1 = u1 * ro
+    ru2 = u2 * ro
+    ru3 = u3 * ro
     r = total * root
-    uo1 = (v1o - u1 * ro) / scale * ir
-    uo2 = (v2o - u2 * ro) / scale * ir
-    uo3 = (v3o - u3 * ro) / scale * ir
+    uo1 = (v1o - ru1) / scale * ir
+    uo2 = (v2o - ru2) / scale * ir
+    uo3 = (v3o - ru3) / scale * ir
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
@@ -1433,10 +1436,13 @@ def to_screw_blocks(
     mul(u3, sign, o5)
     ro = add(add(mul(u1, v1o, k1), mul(u2, v2o, k7), k1), mul(u3, v3o, k7), k1)
     mul(sign, mul(slope, ro, k7), o2)
-    uo1 = mul(div(sub(v1o, mul(u1, ro, k2), k2), scale, k2), ir, k2)
+    ru1 = mul(u1, ro, k2)
+    uo1 = mul(div(sub(v1o, ru1, k2), scale, k2), ir, k2)
     mul(uo1, sign, o6)
-    uo2 = mul(div(sub(v2o, mul(u2, ro, k2), k2), scale, k2), ir, k2)
-    uo3 = mul(div(sub(v3o, mul(u3, ro, k1), k1), scale, k1), ir, k1)
+    ru2 = mul(u2, ro, k2)
+    ru3 = mul(u3, ro, k1)
+    uo2 = mul(div(sub(v2o, ru2, k2), scale, k2), ir, k2)
+    uo3 = mul(div(sub(v3o, ru3, k1), scale, k1), ir, k1)
     mul(uo2, sign, o7)
     mul(uo3, sign, o8)
 
@@ -1460,10 +1466,13 @@ def turn(m: Any, c: Any, v: Components, table: Components) -> Result:
     u3 = s3 / root
     ro = u1 * v1o + u2 * v2o + u3 * v3o
     ir = m.where(still, 0, 1) / root
+    ru1 = u1 * ro
+    ru2 = u2 * ro
+    ru3 = u3 * ro
     r = total * root
-    uo1 = (v1o - u1 * ro) / scale * ir
-    uo2 = (v2o - u2 * ro) / scale * ir
-    uo3 = (v3o - u3 * ro) / scale * ir
+    uo1 = (v1o - ru1) / scale * ir
+    uo2 = (v2o - ru2) / scale * ir
+    uo3 = (v3o - ru3) / scale * ir
     rk, slope = c.turned(m, r, cos, sin)
     rko = ro * slope
     return u1 * rk, u2 * rk, u3 * rk, uo1 * rk + u1 * rko, uo2 * rk + u2 * rko, uo3 * rk + u3 * rko
@@ -1499,11 +1508,14 @@ def turn_blocks(
     mul(u3, rk, o3)
     ro = add(add(mul(u1, v1o, k6), mul(u2, v2o, k9), k6), mul(u3, v3o, k9), k6)
     rko = mul(ro, slope, k8)
-    uo1 = mul(div(sub(v1o, mul(u1, ro, k9), k9), scale, k9), ir, k9)
+    ru1 = mul(u1, ro, k9)
+    uo1 = mul(div(sub(v1o, ru1, k9), scale, k9), ir, k9)
     add(mul(uo1, rk, k9), mul(u1, rko, k2), o4)
-    uo2 = mul(div(sub(v2o, mul(u2, ro, k2), k2), scale, k2), ir, k2)
+    ru2 = mul(u2, ro, k2)
+    uo2 = mul(div(sub(v2o, ru2, k2), scale, k2), ir, k2)
     add(mul(uo2, rk, k2), mul(u2, rko, k1), o5)
-    uo3 = mul(div(sub(v3o, mul(u3, ro, k1), k1), scale, k1), ir, k1)
+    ru3 = mul(u3, ro, k1)
+    uo3 = mul(div(sub(v3o, ru3, k1), scale, k1), ir, k1)
     add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
 
 
@@ -1532,10 +1544,13 @@ def shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
     u3 = s3 / root
     ro = u1 * v1o + u2 * v2o + u3 * v3o
     ir = m.where(still, 0, 1) / root
+    ru1 = u1 * ro
+    ru2 = u2 * ro
+    ru3 = u3 * ro
     r = total * root
-    uo1 = (v1o - u1 * ro) / scale * ir
-    uo2 = (v2o - u2 * ro) / scale * ir
-    uo3 = (v3o - u3 * ro) / scale * ir
+    uo1 = (v1o - ru1) / scale * ir
+    uo2 = (v2o - ru2) / scale * ir
+    uo3 = (v3o - ru3) / scale * ir
     sn = sign * sin
     rk, slope = c.turned(m, r, cos, sn)
     rko = ro * slope
@@ -1579,11 +1594,14 @@ def shadow_blocks(
     mul(u3, rk, o3)
     ro = add(add(mul(u1, v1o, k1), mul(u2, v2o, k7), k1), mul(u3, v3o, k7), k1)
     rko = mul(ro, slope, k7)
-    uo1 = mul(div(sub(v1o, mul(u1, ro, k9), k9), scale, k9), ir, k9)
+    ru1 = mul(u1, ro, k9)
+    uo1 = mul(div(sub(v1o, ru1, k9), scale, k9), ir, k9)
     add(mul(uo1, rk, k9), mul(u1, rko, k2), o4)
-    uo2 = mul(div(sub(v2o, mul(u2, ro, k2), k2), scale, k2), ir, k2)
+    ru2 = mul(u2, ro, k2)
+    uo2 = mul(div(sub(v2o, ru2, k2), scale, k2), ir, k2)
     add(mul(uo2, rk, k2), mul(u2, rko, k3), o5)
-    uo3 = mul(div(sub(v3o, mul(u3, ro, k1), k1), scale, k1), ir, k1)
+    ru3 = mul(u3, ro, k1)
+    uo3 = mul(div(sub(v3o, ru3, k1), scale, k1), ir, k1)
     add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
 
 
@@ -1600,9 +1618,12 @@ def principal(m: Any, c: Any, v: Components, table: Components) -> Result:
     u2 = v2 / r
     u3 = v3 / r
     ro = u1 * v1o + u2 * v2o + u3 * v3o
-    uo1 = (v1o - u1 * ro) / r
-    uo2 = (v2o - u2 * ro) / r
-    uo3 = (v3o - u3 * ro) / r
+    ru1 = u1 * ro
+    ru2 = u2 * ro
+    ru3 = u3 * ro
+    uo1 = (v1o - ru1) / r
+    uo2 = (v2o - ru2) / r
+    uo3 = (v3o - ru3) / r
     rk, slope = c.turned(m, r, cosine, sine)
     rko = ro * slope
     return (
@@ -1638,11 +1659,14 @@ def principal_blocks(
     m.where(beyond, mul(u3, rk, k7), v3, o3)
     ro = add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7)
     rko = mul(ro, slope, k5)
-    uo1 = div(sub(v1o, mul(u1, ro, k8), k8), r, k8)
+    ru1 = mul(u1, ro, k8)
+    uo1 = div(sub(v1o, ru1, k8), r, k8)
     m.where(beyond, add(mul(uo1, rk, k8), mul(u1, rko, k2), k2), v1o, o4)
-    uo2 = div(sub(v2o, mul(u2, ro, k2), k2), r, k2)
+    ru2 = mul(u2, ro, k2)
+    uo2 = div(sub(v2o, ru2, k2), r, k2)
     m.where(beyond, add(mul(uo2, rk, k2), mul(u2, rko, k3), k2), v2o, o5)
-    uo3 = div(sub(v3o, mul(u3, ro, k2), k2), r, k1)
+    ru3 = mul(u3, ro, k2)
+    uo3 = div(sub(v3o, ru3, k2), r, k1)
     m.where(beyond, add(mul(uo3, rk, k1), mul(u3, rko, k2), k1), v3o, o6)
 
 

@@ -527,6 +527,10 @@ class PoseKernels:
         α and u are the principal angle and its axis, u = sign(p q) v/|v|; where that sign is undecided the vector part of
         the quaternion and then the translation decide. A pure translation takes the translation as axis.
 
+        A pose that is off by eps knows the axis of a small rotation to eps/α only, so vectors of branches other than the
+        principal one lose digits near the identity; and where a branch ends at half a turn (the principal one of n = 1,
+        the middle one of odd n) v loses them as it runs to infinity. No algorithm can do better: docs/conditioning.md.
+
         Parameters
         ----------
         v : array_like, shape (..., 6)
@@ -583,6 +587,10 @@ class PoseKernels:
     ) -> Array:
         r"""Rodrigues dual vector of a unit dual quaternion, CP23 (47), (49).
 
+        A pose that is off by eps knows the axis of a small rotation to eps/α only, so vectors of branches other than the
+        principal one lose digits near the identity; and where a branch ends at half a turn (the principal one of n = 1,
+        the middle one of odd n) v loses them as it runs to infinity. No algorithm can do better: docs/conditioning.md.
+
         Parameters
         ----------
         q : array_like, shape (..., 8)
@@ -623,6 +631,10 @@ class PoseKernels:
     ) -> Array:
         r"""Rodrigues dual vector of an orthogonal dual tensor.
 
+        A pose that is off by eps knows the axis of a small rotation to eps/α only, so vectors of branches other than the
+        principal one lose digits near the identity; and where a branch ends at half a turn (the principal one of n = 1,
+        the middle one of odd n) v loses them as it runs to infinity. No algorithm can do better: docs/conditioning.md.
+
         Parameters
         ----------
         R : array_like, shape (..., 2, 3, 3)
@@ -658,6 +670,10 @@ class PoseKernels:
         self, T: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None, check: bool = False
     ) -> Array:
         r"""Rodrigues dual vector of a homogeneous matrix.
+
+        A pose that is off by eps knows the axis of a small rotation to eps/α only, so vectors of branches other than the
+        principal one lose digits near the identity; and where a branch ends at half a turn (the principal one of n = 1,
+        the middle one of odd n) v loses them as it runs to infinity. No algorithm can do better: docs/conditioning.md.
 
         Parameters
         ----------

@@ -12,6 +12,7 @@ from __future__ import annotations
 import math
 import operator
 from collections.abc import Sequence
+from decimal import Context, Decimal
 from fractions import Fraction
 from functools import cache
 from typing import Any
@@ -198,12 +199,24 @@ def _check(out: Array, shape: Shape, dtype: np.dtype[Any]) -> None:
 # --- branches ---------------------------------------------------------------------------------------------------
 
 
-def branch_index(branch: int, branches: int) -> int:
-    """Return a branch modulo their number; anything but an integer is a TypeError."""
+DECIMALS = Context(prec=50)
+
+
+def turn_of(chart: Chart, branch: int) -> tuple[str, ...]:
+    """Return the two numbers of the turn by so many branches, as decimals; none where that is no turn.
+
+    Branches are taken modulo their number; where there are infinitely many, an angle grows with them. Anything but an
+    integer is a TypeError.
+    """
     try:
-        return operator.index(branch) % branches
+        index = operator.index(branch)
     except TypeError:
         raise TypeError(f"branch must be an integer, got {branch!r}") from None
+    if chart.branches:
+        index %= chart.branches
+        return chart.turns[index] if index else ()
+    one, angle = chart.turns[0]
+    return (one, str(DECIMALS.multiply(index, Decimal(angle)))) if index else ()
 
 
 @cache
@@ -216,16 +229,16 @@ def constants(texts: tuple[str, ...], dtype: np.dtype[Any]) -> tuple[Any, ...]:
 
 def call_branch(chart: Chart, name: str, branch: int, axis: int, out: Array | None, value: ArrayLike) -> Array:
     """Run an inverse map, then go from its principal result to a branch."""
-    index = branch_index(branch, chart.branches)
-    if index == 0:
+    turn = turn_of(chart, branch)
+    if not turn:
         return call(chart, name, axis, out, value)
-    return call(chart, "turn", axis, out, call(chart, name, axis, None, value), table=chart.turns[index])
+    return call(chart, "turn", axis, out, call(chart, name, axis, None, value), table=turn)
 
 
 def shifted(chart: Chart, branch: int, v: ArrayLike, axis: int, out: Array | None) -> Array:
     """Go on by a number of branches; by none, v itself."""
-    index = branch_index(branch, chart.branches)
-    return call(chart, "shadow", axis, out, v, table=chart.turns[index]) if index else _same(v, axis, out)
+    turn = turn_of(chart, branch)
+    return call(chart, "shadow", axis, out, v, table=turn) if turn else _same(v, axis, out)
 
 
 def returned(chart: Chart, v: ArrayLike, axis: int, out: Array | None) -> Array:

@@ -1104,10 +1104,13 @@ def _own_to_screw(m: Any, c: Any, v: Components) -> Result:
     u3 = s3 / root
     ro = u1 * v1o + u2 * v2o + u3 * v3o
     ir = m.where(still, 0, 1) / root
+    ru1 = u1 * ro
+    ru2 = u2 * ro
+    ru3 = u3 * ro
     r = total * root
-    uo1 = (v1o - u1 * ro) / scale * ir
-    uo2 = (v2o - u2 * ro) / scale * ir
-    uo3 = (v3o - u3 * ro) / scale * ir
+    uo1 = (v1o - ru1) / scale * ir
+    uo2 = (v2o - ru2) / scale * ir
+    uo3 = (v3o - ru3) / scale * ir
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
@@ -1163,10 +1166,13 @@ def _own_to_screw_blocks(
     mul(u3, sign, o5)
     ro = add(add(mul(u1, v1o, k8), mul(u2, v2o, k9), k8), mul(u3, v3o, k9), k8)
     mul(sign, mul(slope, ro, k7), o2)
-    uo1 = mul(div(sub(v1o, mul(u1, ro, k2), k2), scale, k2), ir, k2)
+    ru1 = mul(u1, ro, k2)
+    uo1 = mul(div(sub(v1o, ru1, k2), scale, k2), ir, k2)
     mul(uo1, sign, o6)
-    uo2 = mul(div(sub(v2o, mul(u2, ro, k2), k2), scale, k2), ir, k2)
-    uo3 = mul(div(sub(v3o, mul(u3, ro, k3), k3), scale, k3), ir, k3)
+    ru2 = mul(u2, ro, k2)
+    ru3 = mul(u3, ro, k3)
+    uo2 = mul(div(sub(v2o, ru2, k2), scale, k2), ir, k2)
+    uo3 = mul(div(sub(v3o, ru3, k3), scale, k3), ir, k3)
     mul(uo2, sign, o7)
     mul(uo3, sign, o8)
 
@@ -1201,10 +1207,13 @@ def _own_shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
     u3 = s3 / root
     ro = u1 * v1o + u2 * v2o + u3 * v3o
     ir = m.where(still, 0, 1) / root
+    ru1 = u1 * ro
+    ru2 = u2 * ro
+    ru3 = u3 * ro
     r = total * root
-    uo1 = (v1o - u1 * ro) / scale * ir
-    uo2 = (v2o - u2 * ro) / scale * ir
-    uo3 = (v3o - u3 * ro) / scale * ir
+    uo1 = (v1o - ru1) / scale * ir
+    uo2 = (v2o - ru2) / scale * ir
+    uo3 = (v3o - ru3) / scale * ir
     sn = sign * sin
     iden = 1 / (cos - r * sn)
     rk = (r * cos + sn) * iden
@@ -1257,11 +1266,14 @@ def _own_shadow_blocks(
     slope = mul(iden, iden, k7)
     ro = add(add(mul(u1, v1o, k8), mul(u2, v2o, k9), k8), mul(u3, v3o, k9), k8)
     rko = mul(ro, slope, k7)
-    uo1 = mul(div(sub(v1o, mul(u1, ro, k9), k9), scale, k9), ir, k9)
+    ru1 = mul(u1, ro, k9)
+    uo1 = mul(div(sub(v1o, ru1, k9), scale, k9), ir, k9)
     add(mul(uo1, rk, k9), mul(u1, rko, k2), o4)
-    uo2 = mul(div(sub(v2o, mul(u2, ro, k2), k2), scale, k2), ir, k2)
+    ru2 = mul(u2, ro, k2)
+    uo2 = mul(div(sub(v2o, ru2, k2), scale, k2), ir, k2)
     add(mul(uo2, rk, k2), mul(u2, rko, k3), o5)
-    uo3 = mul(div(sub(v3o, mul(u3, ro, k2), k2), scale, k2), ir, k2)
+    ru3 = mul(u3, ro, k2)
+    uo3 = mul(div(sub(v3o, ru3, k2), scale, k2), ir, k2)
     add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
 
 

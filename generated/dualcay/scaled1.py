@@ -1281,10 +1281,13 @@ def _own_to_screw(m: Any, c: Any, v: Components) -> Result:
     u3 = s3 / root
     ro = u1 * v1o + u2 * v2o + u3 * v3o
     ir = m.where(still, 0, 1) / root
+    ru1 = u1 * ro
+    ru2 = u2 * ro
+    ru3 = u3 * ro
     r = total * root
-    uo1 = (v1o - u1 * ro) / scale * ir
-    uo2 = (v2o - u2 * ro) / scale * ir
-    uo3 = (v3o - u3 * ro) / scale * ir
+    uo1 = (v1o - ru1) / scale * ir
+    uo2 = (v2o - ru2) / scale * ir
+    uo3 = (v3o - ru3) / scale * ir
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
@@ -1336,10 +1339,13 @@ def _own_to_screw_blocks(
     mul(u3, one, o5)
     ro = add(add(mul(u1, v1o, k7), mul(u2, v2o, k9), k7), mul(u3, v3o, k9), k7)
     mul(one, mul(slope_, ro, k1), o2)
-    uo1 = mul(div(sub(v1o, mul(u1, ro, k1), k1), scale, k1), ir, k1)
+    ru1 = mul(u1, ro, k1)
+    uo1 = mul(div(sub(v1o, ru1, k1), scale, k1), ir, k1)
     mul(uo1, one, o6)
-    uo2 = mul(div(sub(v2o, mul(u2, ro, k1), k1), scale, k1), ir, k1)
-    uo3 = mul(div(sub(v3o, mul(u3, ro, k2), k2), scale, k2), ir, k2)
+    ru2 = mul(u2, ro, k1)
+    ru3 = mul(u3, ro, k2)
+    uo2 = mul(div(sub(v2o, ru2, k1), scale, k1), ir, k1)
+    uo3 = mul(div(sub(v3o, ru3, k2), scale, k2), ir, k2)
     mul(uo2, one, o7)
     mul(uo3, one, o8)
 

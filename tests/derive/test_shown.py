@@ -45,7 +45,10 @@ def test_a_proof_is_a_formula_in_a_notebook() -> None:
     assert norm._repr_latex_() == rf"$\displaystyle \text{{proved [all n]:}}\quad {norm.latex}$"
 
 
-@pytest.mark.parametrize("found", [derive.Cayley(1).prove, lambda: derive.verify("karakilic-2010", ["14", "22"])])
+FOUND = (derive.Cayley(1).prove, derive.family("lambert").prove, lambda: derive.verify("karakilic-2010", ["14", "22"]))
+
+
+@pytest.mark.parametrize("found", FOUND)
 def test_a_list_is_a_table_in_a_notebook(found) -> None:
     items = found()
     table = items._repr_html_()

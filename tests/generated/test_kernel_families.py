@@ -88,8 +88,9 @@ def test_complex_steps_give_tangents(name: str, kernels: ModuleType):
 
 
 def test_singular_angles_end_at_the_edge(name: str, kernels: ModuleType):
+    """For the exponential, which has none, at twice round."""
     found = kernels.singular_angles()
-    edge = families.edge_of(name)
+    edge = 4 * math.pi if name == "exponential" else families.edge_of(name)
     assert found == (*(2 * math.pi * k for k in range(1, math.ceil(edge / 2 / math.pi))), edge)
 
 
@@ -98,3 +99,42 @@ def test_wiener_milenkovic_is_scaled2():
 
     v = families.vectors(families.oracle_of("scaled2"), 0.01, 3.0)
     np.testing.assert_array_equal(wiener_milenkovic.pose(v), scaled2.pose(v))
+
+
+def test_the_exponential_has_a_vector_for_every_turn():
+    """α + 2πk, to 8 eps of the larger angle; at the identity there is no axis to turn about."""
+    from dualcay import exponential
+
+    v = np.array([0.3, -0.6, 0.2, 1.0, 0.5, -2.0])
+    u = v[:3] / np.linalg.norm(v[:3])
+    for k in (-3, -1, 1, 2, 50):
+        there = exponential.shadow(v, k)
+        np.testing.assert_allclose(there[:3], v[:3] + 2 * math.pi * k * u, rtol=8 * np.finfo(float).eps)
+        close = {"rtol": 0, "atol": 8 * np.finfo(float).eps * (1 + 7 * abs(k)) ** 2}  # v° goes with the square of |v|
+        np.testing.assert_allclose(exponential.principal(there), v, **close)
+        np.testing.assert_allclose(exponential.pose(there), exponential.pose(v), **close)
+    assert np.isnan(exponential.shadow(np.zeros(6), 1)).all()
+    assert (exponential.shadow(np.zeros(6), 0) == 0).all()
+    with pytest.raises(TypeError, match="branch must be an integer"):
+        exponential.shadow(v, 0.5)
+
+
+@pytest.mark.parametrize("turns", [2.3, 10.6, 1e5])
+def test_the_exponential_goes_round_many_times(turns: float):
+    """The rotation against SciPy's, to 8 eps of the angle."""
+    from scipy.spatial.transform import Rotation
+
+    from dualcay import exponential
+
+    v = 2 * math.pi * turns * np.array([2, 3, 6, 0, 0, 0]) / 7
+    expected = Rotation.from_rotvec(v[:3]).as_matrix()
+    np.testing.assert_allclose(exponential.pose(v)[:3, :3], expected, rtol=0, atol=8 * np.finfo(float).eps * 7 * turns)
+
+
+def test_both_sides_of_the_hand_over_agree():
+    """Within what is cut off and 8 eps: the scalars change by no more from one float to the next one."""
+    from dualcay import exponential
+
+    limit = math.sqrt(6.0)
+    before, behind = (exponential.tangent(np.array([a, 0, 0, 0.3, 0.4, 0.5])) for a in (limit - 1e-15, limit + 1e-15))
+    np.testing.assert_allclose(before, behind, rtol=0, atol=8 * np.finfo(float).eps)

@@ -44,7 +44,27 @@ class BreusingOracle(Oracle):
         return sign * sine / self.field.sqrt(sign * cosine)
 
 
+class ExponentialOracle(Oracle):
+    """v = 2θ u, θ = α/2."""
+
+    def base(self, v: Any) -> Any:
+        x = dot(v, v)
+        if _real(x) == 0:
+            return 2 - x / 6  # the square of x is 0
+        length = self.field.sqrt(x)
+        return length / self.field.tan(length / 2)
+
+    def size(self, theta: Any) -> Any:
+        return 2 * theta
+
+
+def _real(number: Any) -> Any:
+    """What is left of a number without its nilpotent parts."""
+    return _real(number.re) if hasattr(number, "re") and hasattr(number, "du") else number
+
+
 ORACLES = {
+    "exponential": (ExponentialOracle, 1),
     "orthographic": (SineOracle, 1), "lambert": (SineOracle, 2), "sine3": (SineOracle, 3), "sine4": (SineOracle, 4),
     "breusing": (BreusingOracle, 2), "wiener_milenkovic": (ScaledOracle, 2),
     **{f"scaled{n}": (ScaledOracle, n) for n in range(1, 6)},
@@ -127,8 +147,8 @@ def worst(kernels: ModuleType, oracle: Oracle, name: str, v: np.ndarray, branch:
 
 
 def edge_of(name: str) -> float:
-    """The angle at which a family ends."""
-    return oracle_of(name).order * np.pi
+    """The angle at which a family ends; for the exponential once round, beyond which its oracle counts no turns."""
+    return 2 * np.pi if name == "exponential" else oracle_of(name).order * np.pi
 
 
 def slope_of(name: str) -> float:

@@ -23,7 +23,7 @@ from ...maps.pose import (
 from ...maps.sign_tests import orientation
 from . import exact
 from .exact import Expectation
-from .maps_at import MAPS, MAX_BRANCHES, Flat, flat
+from .maps_at import MAPS, Flat, flat
 from .point import SYMBOLS, Point
 from .screws import covering, half_turns, steep, translation
 from .vectors import Vectors, is_whole
@@ -150,7 +150,7 @@ def _cases(chart: Vectors, draw: random.Random) -> Iterator[Expectation]:
     given = [screw for screw in (*screws, still, other_still) if chart.finite(screw, 0, near_edge(chart))]
     for screw, other in zip(given, [*given[1:], given[0]], strict=True):
         yield from _principal(chart, screw, other)
-    for branch in range(min(chart.chart.branches, MAX_BRANCHES)):
+    for branch in chart.tried:
         some = [screws[3 * branch % 8]] if branch else [*screws, still]
         # a translation on another branch has w = 0 but for rounding: there nothing decides about its axis
         for screw in (*some, still) if branch else some:
@@ -179,7 +179,7 @@ def _back(chart: Vectors, screw: Screw, branch: int) -> Iterator[Expectation]:
     """From other branches, where the axis may be the opposite of v, to the screw and the principal v."""
     v = flat(chart.at(screw, branch))
     yield Expectation("to_screw", (v,), (screw.angle.re, screw.angle.du, *flat(screw.axis)))
-    yield Expectation(f"shadow {chart.chart.branches - branch}", (v,), flat(chart.at(screw)))
+    yield Expectation(f"shadow {chart.back(branch)}", (v,), flat(chart.at(screw)))
 
 
 def _branch(chart: Vectors, screw: Screw, branch: int) -> Iterator[Expectation]:
@@ -245,7 +245,7 @@ def undecided(chart: Vectors) -> Iterator[Expectation]:
             # at odd multiples of half a turn beyond the first either side is a principal v
             if halves % 2 == 0 or halves == 1:
                 yield Expectation("principal", (flat(v),), flat(chart.at(screw)))
-            for branch in range(1, min(chart.chart.branches, MAX_BRANCHES)):
+            for branch in chart.tried[1:]:
                 if chart.finite(screw, own + branch, near_edge(chart)):
                     yield Expectation(f"shadow {branch}", (flat(v),), flat(chart.at(screw, own + branch)))
 

@@ -18,7 +18,7 @@ from ...algebra import Vector
 from ...maps.chart import Chart
 from ..signatures import FUNCTIONS
 from . import digits, exact
-from .maps_at import MAPS, MAX_BRANCHES, Flat, seeded_arguments
+from .maps_at import MAPS, Flat, seeded_arguments
 from .point import Point
 from .screws import half_turns
 from .seeded import WIDE, nearby
@@ -63,7 +63,7 @@ def far(chart: Chart, size: Any) -> list[Samples]:
         near = _drawn(draw, float(at.slope(0)), 6)
         given = {"to_screw": ((v,),), "principal": ((v,),), "compose": ((v,), (near,))}
         inverse = [_at(at, name, (), rows) for name, rows in given.items()]
-        inverse += [_at(at, "shadow", (branch,), ((v,),)) for branch in _branches(at)[1:2]]
+        inverse += [_at(at, "shadow", (branch,), ((v,),)) for branch in at.tried[1:2]]
         return [*_algebraic(at, [v], [_drawn(draw, 2, 6)]), *inverse]
 
 
@@ -130,10 +130,6 @@ def _joined(found: Samples, ties: Iterable[exact.Expectation]) -> Samples:
 
 def _ties(chart: Vectors, draw: random.Random) -> Iterator[exact.Expectation]:
     halves = list(half_turns(draw))
-    for branch in _branches(chart):
+    for branch in chart.tried:
         yield from digits.at_half_turns(chart, halves, branch)
     yield from digits.undecided(chart)
-
-
-def _branches(chart: Vectors) -> range:
-    return range(min(chart.chart.branches, MAX_BRANCHES))

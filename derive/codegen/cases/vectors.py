@@ -24,6 +24,10 @@ from ...maps.sign_tests import is_zero, orientation
 CANCELLED = 250
 """Digits that terms of a scalar or its slope may lose: α⁻⁷ at least."""
 
+MAX_BRANCHES = 8
+ENDLESS = (0, 1, -1, 2)
+"""Branches that are tried, at most, and where there is no end of them."""
+
 FEW = 2**20
 """Units of rounding before the edge: where φ′ is small, or great."""
 
@@ -162,11 +166,20 @@ class Vectors:
         return bool(abs(share) < 1 and mpmath.cospi(share / 2) > least)
 
     def _turned(self, screw: Screw, branch: int) -> Dual:
-        """α + 2πk, branches taken modulo their number so that it is nearest to 0."""
+        """α + 2πk, branches taken modulo their number, where there is one, so that it is nearest to 0."""
         count = self.chart.branches
-        nearest = mpmath.nint((screw.angle.re / (2 * mpmath.pi) + branch) / count)
+        nearest = mpmath.nint((screw.angle.re / (2 * mpmath.pi) + branch) / count) if count else 0
         angle: Dual = screw.angle + 2 * mpmath.pi * (branch - count * int(nearest))
         return angle
+
+    @property
+    def tried(self) -> tuple[int, ...]:
+        """Branches that cases are about, the principal one first."""
+        return tuple(range(min(self.chart.branches, MAX_BRANCHES))) or ENDLESS
+
+    def back(self, branch: int) -> int:
+        """The number of branches that leads back from a branch."""
+        return self.chart.branches - branch if self.chart.branches else -branch
 
     def of_quaternion(self, q: Quaternion, branch: int = 0) -> Vector:
         """v of one branch; scalar part >= 0 is taken, and where it is 0, the given vector part stands."""
@@ -206,11 +219,10 @@ class Vectors:
         return self.at(screw, own + branch)
 
     def odd_half_turns(self) -> Iterator[int]:
-        """1, 3, 5 …: the half turns below the edge, between branches."""
-        halves = 1
-        while halves * sympy.pi < self.chart.edge:
-            yield halves
-            halves += 2
+        """1, 3, 5 …: the half turns below the edge, between branches that are tried."""
+        for halves in range(1, 2 * MAX_BRANCHES, 2):
+            if halves * sympy.pi < self.chart.edge:
+                yield halves
 
 
 def is_whole(number: Any) -> bool:

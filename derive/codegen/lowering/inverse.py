@@ -162,7 +162,8 @@ def _axis(trace: Geometry, point: Point) -> Axis:
     u = named(trace, "u", scaled / root)
     size_du = point.name("ro", u.dot(vo))
     inverse = point.name("ir", trace.where(still, 0, 1) / root)
-    return point.name("r", total * root), u, size_du, named(trace, "uo", (vo - size_du * u) / scale * inverse)
+    across = vo - named(trace, "ru", size_du * u)
+    return point.name("r", total * root), u, size_du, named(trace, "uo", across / scale * inverse)
 
 
 def _sum(trace: Geometry, v: Vector) -> Number:
@@ -175,7 +176,7 @@ def _axis_where(trace: Geometry, point: Point, selected: Number) -> Axis:
     size = point.name("r", trace.sqrt(trace.where(selected, point.x, 1 + point.x)))
     u = named(trace, "u", point.re / size)
     size_du = point.name("ro", u.dot(point.du))
-    moment = named(trace, "uo", (point.du - size_du * u) / size)
+    moment = named(trace, "uo", (point.du - named(trace, "ru", size_du * u)) / size)
     return size, u, size_du, moment
 
 

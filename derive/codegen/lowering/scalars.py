@@ -98,7 +98,7 @@ def scalar_programs(chart: Chart) -> dict[str, Program]:
 
 def idle(chart: Chart) -> set[str]:
     """Scalars nothing asks for: `beyond` where every v is principal, `turned` where a pose has one v."""
-    return {name for name, asked in (("beyond", chart.returns()), ("turned", chart.branches > 1)) if not asked}
+    return {name for name, asked in (("beyond", chart.returns()), ("turned", chart.branches != 1)) if not asked}
 
 
 def scalar_program(name: str, chart: Chart) -> Program:

@@ -63,7 +63,7 @@ def test_every_program_of_the_geometry_runs_and_every_result_of_a_scalar_is_read
         ("cayley4.py", "fy = ", "fy = -"),
         ("cayley4.py", "hiy = ", "hiy = 2 * "),
         ("cayley4.py", "return o1, o2, o3\n", "return o2, o1, o3\n"),
-        ("cayley4.py", "m.less(limit1, x", "m.less(x, limit1"),
+        ("cayley4.py", "m.less(limit2, x", "m.less(x, limit2"),
         ("cayley4.py", "0.7071", "0.7072"),
         ("cayley1.py", "1 + x", "1 - x"),
         ("_geometry.py", "Q32 - Q23", "Q23 - Q32"),
