@@ -78,7 +78,7 @@ class ByAngle(OwnAxis):
         angle = m.name("alpha", self.angle(r, m))
         _, before = self.sized(angle, m)
         after, slope = self.sized(m.name("alphak", angle + further), m, "k")
-        return m.name("rk", after), m.name("slope", slope / before)
+        return m.name("rk", after), m.name("slope", m.div(slope, before))
 
     def beyond(
         self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic
