@@ -85,6 +85,12 @@
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
 #   to_screw: 71: 18 +, 29 *, 11 /, 6 abs, 1 sqrt, 1 atan2, 1 eq, 4 where
 #   compose: 139: 56 +, 75 *, 8 /
+#   between: 145: 56 +, 75 *, 8 /, 6 neg
+#   compose_jacobians: 735: 296 +, 373 *, 46 /, 20 neg
+#   between_jacobians: 759: 296 +, 373 *, 46 /, 44 neg
+#   adjoint: 71: 29 +, 40 *, 2 /
+#   transform_point_jacobians: 134: 58 +, 63 *, 3 /, 10 neg
+#   transform_line_jacobians: 236: 91 +, 129 *, 3 /, 13 neg
 r"""Cayley map of order 1: Rodrigues dual vectors ``v = tan(α/2) u`` of rigid displacements.
 
 .. math::
@@ -115,12 +121,13 @@ from ._interface import PoseKernels
 from ._kernel import Components, Kernel, Result, Rows, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "body_cotangent", "body_cotangent_jacobian", "body_rate", "body_rate_dot", "body_rate_jacobian", "body_tangent",
-    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
-    "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_pose", "from_quaternion", "from_screw", "from_tensor",
-    "identity", "inverse", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow",
-    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
-    "transform_point", "twist", "twist_dot", "twist_jacobian",
+    "adjoint", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_rate",
+    "body_rate_dot", "body_rate_jacobian", "body_tangent", "body_tangent_dot", "body_tangent_inv", "body_twist",
+    "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians", "cotangent", "cotangent_jacobian", "dcay",
+    "dcay_inv", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity", "inverse", "pose", "principal",
+    "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow", "singular_angles", "tangent", "tangent_dot",
+    "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
+    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 1
@@ -1755,6 +1762,1978 @@ def _own_compose_blocks(
     div(add(sub(mul(rho1, fi, k1), sub(mul(v2, rho3, k3), mul(v3, rho2, k2), k2), k1), mul(v1, hvr, k2), k1), n2, o4)
 
 
+# operations 145: 56 +, 75 *, 8 /, 6 neg
+def _own_between(m: Any, c: Any, a: Components, b: Components) -> Result:
+    a1, a2, a3, a1o, a2o, a3o = a
+    b1, b2, b3, b1o, b2o, b3o = b
+    minus_b1 = -b1
+    minus_b2 = -b2
+    minus_b3 = -b3
+    minus_b4 = -b1o
+    minus_b5 = -b2o
+    minus_b6 = -b3o
+    v11b = minus_b1 * minus_b1
+    v22b = minus_b2 * minus_b2
+    v33b = minus_b3 * minus_b3
+    xb = v11b + v22b + v33b
+    Nb = 1 + xb
+    rb = 2 * (Nb / Nb / Nb)
+    v11a = a1 * a1
+    v22a = a2 * a2
+    v33a = a3 * a3
+    xa = v11a + v22a + v33a
+    Na = 1 + xa
+    ra = 2 * (Na / Na / Na)
+    z0 = 1 - (minus_b1 * a1 + minus_b2 * a2 + minus_b3 * a3)
+    z1 = a1 + minus_b1 + (minus_b2 * a3 - minus_b3 * a2)
+    z2 = a2 + minus_b2 + (minus_b3 * a1 - minus_b1 * a3)
+    z3 = a3 + minus_b3 + (minus_b1 * a2 - minus_b2 * a1)
+    gva1 = a1 * ra
+    gva2 = a2 * ra
+    gva3 = a3 * ra
+    rhoa1 = a1o * ra + (gva2 * a3o - gva3 * a2o)
+    rhoa2 = a2o * ra + (gva3 * a1o - gva1 * a3o)
+    rhoa3 = a3o * ra + (gva1 * a2o - gva2 * a1o)
+    v_rho1 = minus_b2 * rhoa3 - minus_b3 * rhoa2
+    v_rho2 = minus_b3 * rhoa1 - minus_b1 * rhoa3
+    v_rho3 = minus_b1 * rhoa2 - minus_b2 * rhoa1
+    gv_rho1 = v_rho1 * rb
+    gv_rho2 = v_rho2 * rb
+    gv_rho3 = v_rho3 * rb
+    gvb1 = minus_b1 * rb
+    gvb2 = minus_b2 * rb
+    gvb3 = minus_b3 * rb
+    rho1 = (
+        rhoa1 + (gv_rho1 + (minus_b2 * gv_rho3 - minus_b3 * gv_rho2)) + (minus_b4 * rb + (gvb2 * minus_b6 - gvb3
+        * minus_b5))
+    )
+    rho2 = (
+        rhoa2 + (gv_rho2 + (minus_b3 * gv_rho1 - minus_b1 * gv_rho3)) + (minus_b5 * rb + (gvb3 * minus_b4 - gvb1
+        * minus_b6))
+    )
+    rho3 = (
+        rhoa3 + (gv_rho3 + (minus_b1 * gv_rho2 - minus_b2 * gv_rho1)) + (minus_b6 * rb + (gvb1 * minus_b5 - gvb2
+        * minus_b4))
+    )
+    gain = 1 / z0
+    v1 = z1 * gain
+    v2 = z2 * gain
+    v3 = z3 * gain
+    fi = gain * z0
+    hvr = v1 * rho1 + v2 * rho2 + v3 * rho3
+    return (
+        v1,
+        v2,
+        v3,
+        (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
+        (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
+        (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
+    )
+
+
+def _own_between_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, a: Rows, b: Rows
+) -> None:
+    a1, a2, a3, a1o, a2o, a3o = a
+    b1, b2, b3, b1o, b2o, b3o = b
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18 = scratch
+    n1, n2 = numbers
+    v11a = mul(a1, a1, k1)
+    v22a = mul(a2, a2, k2)
+    v33a = mul(a3, a3, k3)
+    xa = add(add(v11a, v22a, k1), v33a, k1)
+    Na = add(n1, xa, k1)
+    ra = mul(n2, div(div(Na, Na, k2), Na, k1), k1)
+    gva1 = mul(a1, ra, k2)
+    gva2 = mul(a2, ra, k3)
+    rhoa3 = add(mul(a3o, ra, k4), sub(mul(gva1, a2o, k5), mul(gva2, a1o, k6), k5), k4)
+    gva3 = mul(a3, ra, k5)
+    rhoa2 = add(mul(a2o, ra, k6), sub(mul(gva3, a1o, k7), mul(gva1, a3o, k2), k2), k2)
+    rhoa1 = add(mul(a1o, ra, k1), sub(mul(gva2, a3o, k3), mul(gva3, a2o, k5), k3), k1)
+    minus_b2 = neg(b2, k3)
+    minus_b3 = neg(b3, k5)
+    v_rho1 = sub(mul(minus_b2, rhoa3, k6), mul(minus_b3, rhoa2, k7), k6)
+    minus_b1 = neg(b1, k7)
+    v11b = mul(minus_b1, minus_b1, k8)
+    v22b = mul(minus_b2, minus_b2, k9)
+    v33b = mul(minus_b3, minus_b3, k10)
+    xb = add(add(v11b, v22b, k8), v33b, k8)
+    Nb = add(n1, xb, k8)
+    rb = mul(n2, div(div(Nb, Nb, k9), Nb, k8), k8)
+    gv_rho1 = mul(v_rho1, rb, k6)
+    v_rho3 = sub(mul(minus_b1, rhoa2, k9), mul(minus_b2, rhoa1, k10), k9)
+    gv_rho3 = mul(v_rho3, rb, k9)
+    v_rho2 = sub(mul(minus_b3, rhoa1, k10), mul(minus_b1, rhoa3, k11), k10)
+    gv_rho2 = mul(v_rho2, rb, k10)
+    gvb2 = mul(minus_b2, rb, k11)
+    gvb3 = mul(minus_b3, rb, k12)
+    minus_b4 = neg(b1o, k13)
+    minus_b6 = neg(b3o, k14)
+    minus_b5 = neg(b2o, k15)
+    rho1 = add(
+        add(rhoa1, add(gv_rho1, sub(mul(minus_b2, gv_rho3, k16), mul(minus_b3, gv_rho2, k17), k16), k16), k1),
+        add(mul(minus_b4, rb, k16), sub(mul(gvb2, minus_b6, k17), mul(gvb3, minus_b5, k18), k17), k16), k1
+    )
+    gvb1 = mul(minus_b1, rb, k16)
+    rho2 = add(
+        add(rhoa2, add(gv_rho2, sub(mul(minus_b3, gv_rho1, k17), mul(minus_b1, gv_rho3, k18), k17), k17), k2),
+        add(mul(minus_b5, rb, k17), sub(mul(gvb3, minus_b4, k12), mul(gvb1, minus_b6, k18), k12), k12), k2
+    )
+    rho3 = add(
+        add(rhoa3, add(gv_rho3, sub(mul(minus_b1, gv_rho2, k10), mul(minus_b2, gv_rho1, k6), k6), k6), k4),
+        add(mul(minus_b6, rb, k6), sub(mul(gvb1, minus_b5, k8), mul(gvb2, minus_b4, k9), k8), k6), k4
+    )
+    z1 = add(add(a1, minus_b1, k6), sub(mul(minus_b2, a3, k8), mul(minus_b3, a2, k9), k8), k6)
+    z0 = sub(n1, add(add(mul(minus_b1, a1, k8), mul(minus_b2, a2, k9), k8), mul(minus_b3, a3, k9), k8), k8)
+    gain = div(n1, z0, k9)
+    v1 = mul(z1, gain, o1)
+    fi = mul(gain, z0, k6)
+    z2 = add(add(a2, minus_b2, k8), sub(mul(minus_b3, a1, k10), mul(minus_b1, a3, k11), k10), k8)
+    z3 = add(add(a3, minus_b3, k5), sub(mul(minus_b1, a2, k7), mul(minus_b2, a1, k3), k3), k3)
+    v2 = mul(z2, gain, o2)
+    v3 = mul(z3, gain, o3)
+    hvr = add(add(mul(v1, rho1, k3), mul(v2, rho2, k5), k3), mul(v3, rho3, k5), k3)
+    div(add(sub(mul(rho3, fi, k5), sub(mul(v1, rho2, k7), mul(v2, rho1, k8), k7), k5), mul(v3, hvr, k7), k5), n2, o6)
+    div(add(sub(mul(rho2, fi, k5), sub(mul(v3, rho1, k7), mul(v1, rho3, k8), k7), k5), mul(v2, hvr, k7), k5), n2, o5)
+    div(add(sub(mul(rho1, fi, k1), sub(mul(v2, rho3, k4), mul(v3, rho2, k2), k2), k1), mul(v1, hvr, k2), k1), n2, o4)
+
+
+# operations 735: 296 +, 373 *, 46 /, 20 neg
+def _own_compose_jacobians(m: Any, c: Any, b: Components, a: Components) -> Result:
+    b1, b2, b3, b1o, b2o, b3o = b
+    a1, a2, a3, a1o, a2o, a3o = a
+    v11b = b1 * b1
+    v22b = b2 * b2
+    v33b = b3 * b3
+    x12b = v11b + v22b
+    xb = x12b + v33b
+    Nb = 1 + xb
+    rb = 2 * (Nb / Nb / Nb)
+    v11a = a1 * a1
+    v22a = a2 * a2
+    v33a = a3 * a3
+    xa = v11a + v22a + v33a
+    Na = 1 + xa
+    ra = 2 * (Na / Na / Na)
+    z0 = 1 - (b1 * a1 + b2 * a2 + b3 * a3)
+    z1 = a1 + b1 + (b2 * a3 - b3 * a2)
+    z2 = a2 + b2 + (b3 * a1 - b1 * a3)
+    z3 = a3 + b3 + (b1 * a2 - b2 * a1)
+    gva1 = a1 * ra
+    gva2 = a2 * ra
+    gva3 = a3 * ra
+    ya = a1 * a1o + a2 * a2o + a3 * a3o
+    a1o_ra = a1o * ra
+    a2o_ra = a2o * ra
+    a3o_ra = a3o * ra
+    rhoa1 = a1o_ra + (gva2 * a3o - gva3 * a2o)
+    rhoa2 = a2o_ra + (gva3 * a1o - gva1 * a3o)
+    rhoa3 = a3o_ra + (gva1 * a2o - gva2 * a1o)
+    v_rho1 = b2 * rhoa3 - b3 * rhoa2
+    v_rho2 = b3 * rhoa1 - b1 * rhoa3
+    v_rho3 = b1 * rhoa2 - b2 * rhoa1
+    gv_rho1 = v_rho1 * rb
+    gv_rho2 = v_rho2 * rb
+    gv_rho3 = v_rho3 * rb
+    gvb1 = b1 * rb
+    gvb2 = b2 * rb
+    gvb3 = b3 * rb
+    yb = b1 * b1o + b2 * b2o + b3 * b3o
+    b1o_rb = b1o * rb
+    b2o_rb = b2o * rb
+    b3o_rb = b3o * rb
+    rhob1 = b1o_rb + (gvb2 * b3o - gvb3 * b2o)
+    rhob2 = b2o_rb + (gvb3 * b1o - gvb1 * b3o)
+    rhob3 = b3o_rb + (gvb1 * b2o - gvb2 * b1o)
+    rho1 = rhoa1 + (gv_rho1 + (b2 * gv_rho3 - b3 * gv_rho2)) + rhob1
+    rho2 = rhoa2 + (gv_rho2 + (b3 * gv_rho1 - b1 * gv_rho3)) + rhob2
+    rho3 = rhoa3 + (gv_rho3 + (b1 * gv_rho2 - b2 * gv_rho1)) + rhob3
+    gain = 1 / z0
+    v1 = z1 * gain
+    v2 = z2 * gain
+    v3 = z3 * gain
+    fi = gain * z0
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    hvr = v1 * rho1 + v2 * rho2 + v3 * rho3
+    w4 = (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2
+    w5 = (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2
+    w6 = (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2
+    v1_w4 = v1 * w4
+    v2_w5 = v2 * w5
+    v3_w6 = v3 * w6
+    sw1 = -v1
+    sw2 = -v2
+    sw3 = -v3
+    sow1 = -w4
+    sow2 = -w5
+    sow3 = -w6
+    d12w = v1 * v2
+    d13w = v1 * v3
+    d23w = v2 * v3
+    I11 = 1 + v11
+    I12 = d12w - sw3
+    I13 = d13w + sw2
+    I21 = d12w + sw3
+    I22 = 1 + v22
+    I23 = d23w - sw1
+    I31 = d13w - sw2
+    I32 = d23w + sw1
+    I33 = 1 + v33
+    d12ow = v1 * w5 + w4 * v2
+    d13ow = v1 * w6 + w4 * v3
+    d23ow = v2 * w6 + w5 * v3
+    I11o = v1_w4 + v1_w4
+    I12o = d12ow - sow3
+    I13o = d13ow + sow2
+    I21o = d12ow + sow3
+    I22o = v2_w5 + v2_w5
+    I23o = d23ow - sow1
+    I31o = d13ow - sow2
+    I32o = d23ow + sow1
+    I33o = v3_w6 + v3_w6
+    eS = 2 / Nb
+    egS = eS * rb
+    fyS = -egS
+    foS = fyS * yb
+    gvoS1 = b1o_rb + b1 * foS
+    gvoS2 = b2o_rb + b2 * foS
+    gvoS3 = b3o_rb + b3 * foS
+    S12 = -gvb3
+    S23 = -gvb1
+    S31 = -gvb2
+    S12o = -gvoS3
+    S23o = -gvoS1
+    S31o = -gvoS2
+    eF = 2 / Na
+    egF = eF * ra
+    fyF = -egF
+    foF = fyF * ya
+    gvoF1 = a1o_ra + a1 * foF
+    gvoF2 = a2o_ra + a2 * foF
+    gvoF3 = a3o_ra + a3 * foF
+    F12 = -gva3
+    F23 = -gva1
+    F31 = -gva2
+    F12o = -gvoF3
+    F23o = -gvoF1
+    F31o = -gvoF2
+    x23b = v22b + v33b
+    x13b = v11b + v33b
+    gvvb1 = gvb1 * b2
+    gvvb2 = gvb1 * b3
+    gvvb3 = gvb2 * b3
+    Qb11 = 1 - rb * x23b
+    Qb12 = gvvb1 - gvb3
+    Qb13 = gvvb2 + gvb2
+    Qb21 = gvvb1 + gvb3
+    Qb22 = 1 - rb * x13b
+    Qb23 = gvvb3 - gvb1
+    Qb31 = gvvb2 - gvb2
+    Qb32 = gvvb3 + gvb1
+    Qb33 = 1 - rb * x12b
+    R11o = Qb31 * rhob2 - Qb21 * rhob3
+    R12o = Qb32 * rhob2 - Qb22 * rhob3
+    R13o = Qb33 * rhob2 - Qb23 * rhob3
+    R21o = Qb11 * rhob3 - Qb31 * rhob1
+    R22o = Qb12 * rhob3 - Qb32 * rhob1
+    R23o = Qb13 * rhob3 - Qb33 * rhob1
+    R31o = Qb21 * rhob1 - Qb11 * rhob2
+    R32o = Qb22 * rhob1 - Qb12 * rhob2
+    R33o = Qb23 * rhob1 - Qb13 * rhob2
+    B11 = (I11 * rb + I12 * gvb3 + I13 * S31) / 2
+    B12 = (I11 * S12 + I12 * rb + I13 * gvb1) / 2
+    B13 = (I11 * gvb2 + I12 * S23 + I13 * rb) / 2
+    B21 = (I21 * rb + I22 * gvb3 + I23 * S31) / 2
+    B22 = (I21 * S12 + I22 * rb + I23 * gvb1) / 2
+    B23 = (I21 * gvb2 + I22 * S23 + I23 * rb) / 2
+    B31 = (I31 * rb + I32 * gvb3 + I33 * S31) / 2
+    B32 = (I31 * S12 + I32 * rb + I33 * gvb1) / 2
+    B33 = (I31 * gvb2 + I32 * S23 + I33 * rb) / 2
+    RT11 = Qb11 * ra + Qb12 * gva3 + Qb13 * F31
+    RT11o = Qb11 * foF + R11o * ra + (Qb12 * gvoF3 + R12o * gva3) + (Qb13 * F31o + R13o * F31)
+    RT12 = Qb11 * F12 + Qb12 * ra + Qb13 * gva1
+    RT12o = Qb11 * F12o + R11o * F12 + (Qb12 * foF + R12o * ra) + (Qb13 * gvoF1 + R13o * gva1)
+    RT13 = Qb11 * gva2 + Qb12 * F23 + Qb13 * ra
+    RT13o = Qb11 * gvoF2 + R11o * gva2 + (Qb12 * F23o + R12o * F23) + (Qb13 * foF + R13o * ra)
+    RT21 = Qb21 * ra + Qb22 * gva3 + Qb23 * F31
+    RT21o = Qb21 * foF + R21o * ra + (Qb22 * gvoF3 + R22o * gva3) + (Qb23 * F31o + R23o * F31)
+    RT22 = Qb21 * F12 + Qb22 * ra + Qb23 * gva1
+    RT22o = Qb21 * F12o + R21o * F12 + (Qb22 * foF + R22o * ra) + (Qb23 * gvoF1 + R23o * gva1)
+    RT23 = Qb21 * gva2 + Qb22 * F23 + Qb23 * ra
+    RT23o = Qb21 * gvoF2 + R21o * gva2 + (Qb22 * F23o + R22o * F23) + (Qb23 * foF + R23o * ra)
+    RT31 = Qb31 * ra + Qb32 * gva3 + Qb33 * F31
+    RT31o = Qb31 * foF + R31o * ra + (Qb32 * gvoF3 + R32o * gva3) + (Qb33 * F31o + R33o * F31)
+    RT32 = Qb31 * F12 + Qb32 * ra + Qb33 * gva1
+    RT32o = Qb31 * F12o + R31o * F12 + (Qb32 * foF + R32o * ra) + (Qb33 * gvoF1 + R33o * gva1)
+    RT33 = Qb31 * gva2 + Qb32 * F23 + Qb33 * ra
+    RT33o = Qb31 * gvoF2 + R31o * gva2 + (Qb32 * F23o + R32o * F23) + (Qb33 * foF + R33o * ra)
+    A11 = (I11 * RT11 + I12 * RT21 + I13 * RT31) / 2
+    A12 = (I11 * RT12 + I12 * RT22 + I13 * RT32) / 2
+    A13 = (I11 * RT13 + I12 * RT23 + I13 * RT33) / 2
+    A21 = (I21 * RT11 + I22 * RT21 + I23 * RT31) / 2
+    A22 = (I21 * RT12 + I22 * RT22 + I23 * RT32) / 2
+    A23 = (I21 * RT13 + I22 * RT23 + I23 * RT33) / 2
+    A31 = (I31 * RT11 + I32 * RT21 + I33 * RT31) / 2
+    A32 = (I31 * RT12 + I32 * RT22 + I33 * RT32) / 2
+    A33 = (I31 * RT13 + I32 * RT23 + I33 * RT33) / 2
+    return (
+        B11,
+        B12,
+        B13,
+        0,
+        0,
+        0,
+        B21,
+        B22,
+        B23,
+        0,
+        0,
+        0,
+        B31,
+        B32,
+        B33,
+        0,
+        0,
+        0,
+        (I11 * foS + I11o * rb + (I12 * gvoS3 + I12o * gvb3) + (I13 * S31o + I13o * S31)) / 2,
+        (I11 * S12o + I11o * S12 + (I12 * foS + I12o * rb) + (I13 * gvoS1 + I13o * gvb1)) / 2,
+        (I11 * gvoS2 + I11o * gvb2 + (I12 * S23o + I12o * S23) + (I13 * foS + I13o * rb)) / 2,
+        B11,
+        B12,
+        B13,
+        (I21 * foS + I21o * rb + (I22 * gvoS3 + I22o * gvb3) + (I23 * S31o + I23o * S31)) / 2,
+        (I21 * S12o + I21o * S12 + (I22 * foS + I22o * rb) + (I23 * gvoS1 + I23o * gvb1)) / 2,
+        (I21 * gvoS2 + I21o * gvb2 + (I22 * S23o + I22o * S23) + (I23 * foS + I23o * rb)) / 2,
+        B21,
+        B22,
+        B23,
+        (I31 * foS + I31o * rb + (I32 * gvoS3 + I32o * gvb3) + (I33 * S31o + I33o * S31)) / 2,
+        (I31 * S12o + I31o * S12 + (I32 * foS + I32o * rb) + (I33 * gvoS1 + I33o * gvb1)) / 2,
+        (I31 * gvoS2 + I31o * gvb2 + (I32 * S23o + I32o * S23) + (I33 * foS + I33o * rb)) / 2,
+        B31,
+        B32,
+        B33,
+        A11,
+        A12,
+        A13,
+        0,
+        0,
+        0,
+        A21,
+        A22,
+        A23,
+        0,
+        0,
+        0,
+        A31,
+        A32,
+        A33,
+        0,
+        0,
+        0,
+        (I11 * RT11o + I11o * RT11 + (I12 * RT21o + I12o * RT21) + (I13 * RT31o + I13o * RT31)) / 2,
+        (I11 * RT12o + I11o * RT12 + (I12 * RT22o + I12o * RT22) + (I13 * RT32o + I13o * RT32)) / 2,
+        (I11 * RT13o + I11o * RT13 + (I12 * RT23o + I12o * RT23) + (I13 * RT33o + I13o * RT33)) / 2,
+        A11,
+        A12,
+        A13,
+        (I21 * RT11o + I21o * RT11 + (I22 * RT21o + I22o * RT21) + (I23 * RT31o + I23o * RT31)) / 2,
+        (I21 * RT12o + I21o * RT12 + (I22 * RT22o + I22o * RT22) + (I23 * RT32o + I23o * RT32)) / 2,
+        (I21 * RT13o + I21o * RT13 + (I22 * RT23o + I22o * RT23) + (I23 * RT33o + I23o * RT33)) / 2,
+        A21,
+        A22,
+        A23,
+        (I31 * RT11o + I31o * RT11 + (I32 * RT21o + I32o * RT21) + (I33 * RT31o + I33o * RT31)) / 2,
+        (I31 * RT12o + I31o * RT12 + (I32 * RT22o + I32o * RT22) + (I33 * RT32o + I33o * RT32)) / 2,
+        (I31 * RT13o + I31o * RT13 + (I32 * RT23o + I32o * RT23) + (I33 * RT33o + I33o * RT33)) / 2,
+        A31,
+        A32,
+        A33,
+    )
+
+
+def _own_compose_jacobians_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, b: Rows, a: Rows
+) -> None:
+    b1, b2, b3, b1o, b2o, b3o = b
+    a1, a2, a3, a1o, a2o, a3o = a
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36, o37, o38, o39, o40, o41, o42, o43, o44, o45, o46,
+        o47, o48, o49, o50, o51, o52, o53, o54, o55, o56, o57, o58, o59, o60, o61, o62, o63, o64, o65, o66, o67, o68,
+        o69, o70, o71, o72,
+    ) = out
+    (
+        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
+        k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, k35, k36, k37, k38, k39, k40, k41, k42, k43, k44, k45, k46,
+        k47, k48, k49, k50, k51, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61,
+    ) = scratch
+    n0, n1, n2 = numbers
+    v11b = mul(b1, b1, k1)
+    v22b = mul(b2, b2, k2)
+    x12b = add(v11b, v22b, k3)
+    v33b = mul(b3, b3, k4)
+    x23b = add(v22b, v33b, k2)
+    x13b = add(v11b, v33b, k1)
+    xb = add(x12b, v33b, k4)
+    Nb = add(n1, xb, k4)
+    rb = mul(n2, div(div(Nb, Nb, k5), Nb, k5), k5)
+    eS = div(n2, Nb, k4)
+    egS = mul(eS, rb, k4)
+    fyS = neg(egS, k4)
+    Qb11 = sub(n1, mul(rb, x23b, k2), k2)
+    Qb22 = sub(n1, mul(rb, x13b, k1), k1)
+    Qb33 = sub(n1, mul(rb, x12b, k3), k3)
+    gvb3 = mul(b3, rb, k6)
+    gvb2 = mul(b2, rb, k7)
+    S31 = neg(gvb2, k8)
+    z1 = add(add(a1, b1, k9), sub(mul(b2, a3, k10), mul(b3, a2, k11), k10), k9)
+    z0 = sub(n1, add(add(mul(b1, a1, k10), mul(b2, a2, k11), k10), mul(b3, a3, k11), k10), k10)
+    gain = div(n1, z0, k11)
+    v1 = mul(z1, gain, k9)
+    fi = mul(gain, z0, k10)
+    v11 = mul(v1, v1, k12)
+    I11 = add(n1, v11, k12)
+    z2 = add(add(a2, b2, k13), sub(mul(b3, a1, k14), mul(b1, a3, k15), k14), k13)
+    v2 = mul(z2, gain, k13)
+    d12w = mul(v1, v2, k14)
+    z3 = add(add(a3, b3, k15), sub(mul(b1, a2, k16), mul(b2, a1, k17), k16), k15)
+    v3 = mul(z3, gain, k11)
+    sw3 = neg(v3, k15)
+    I12 = sub(d12w, sw3, k16)
+    I21 = add(d12w, sw3, k14)
+    d13w = mul(v1, v3, k15)
+    sw2 = neg(v2, k17)
+    I13 = add(d13w, sw2, k18)
+    I31 = sub(d13w, sw2, k15)
+    div(add(add(mul(I11, rb, k17), mul(I12, gvb3, k19), k17), mul(I13, S31, k19), k17), n2, o1)
+    S12 = neg(gvb3, k17)
+    gvb1 = mul(b1, rb, k19)
+    div(add(add(mul(I11, S12, k20), mul(I12, rb, k21), k20), mul(I13, gvb1, k21), k20), n2, o2)
+    S23 = neg(gvb1, k20)
+    div(add(add(mul(I11, gvb2, k21), mul(I12, S23, k22), k21), mul(I13, rb, k22), k21), n2, o3)
+    v22 = mul(v2, v2, k21)
+    I22 = add(n1, v22, k21)
+    d23w = mul(v2, v3, k22)
+    sw1 = neg(v1, k23)
+    I23 = sub(d23w, sw1, k24)
+    I32 = add(d23w, sw1, k22)
+    div(add(add(mul(I21, rb, k23), mul(I22, gvb3, k25), k23), mul(I23, S31, k25), k23), n2, o7)
+    div(add(add(mul(I21, S12, k23), mul(I22, rb, k25), k23), mul(I23, gvb1, k25), k23), n2, o8)
+    div(add(add(mul(I21, gvb2, k23), mul(I22, S23, k25), k23), mul(I23, rb, k25), k23), n2, o9)
+    v33 = mul(v3, v3, k23)
+    I33 = add(n1, v33, k23)
+    div(add(add(mul(I31, rb, k25), mul(I32, gvb3, k26), k25), mul(I33, S31, k26), k25), n2, o13)
+    div(add(add(mul(I31, S12, k25), mul(I32, rb, k26), k25), mul(I33, gvb1, k26), k25), n2, o14)
+    div(add(add(mul(I31, gvb2, k25), mul(I32, S23, k26), k25), mul(I33, rb, k26), k25), n2, o15)
+    v11a = mul(a1, a1, k25)
+    v22a = mul(a2, a2, k26)
+    v33a = mul(a3, a3, k27)
+    xa = add(add(v11a, v22a, k25), v33a, k25)
+    Na = add(n1, xa, k25)
+    ra = mul(n2, div(div(Na, Na, k26), Na, k26), k26)
+    eF = div(n2, Na, k25)
+    egF = mul(eF, ra, k25)
+    fyF = neg(egF, k25)
+    a3o_ra = mul(a3o, ra, k27)
+    gva1 = mul(a1, ra, k28)
+    gva2 = mul(a2, ra, k29)
+    rhoa3 = add(a3o_ra, sub(mul(gva1, a2o, k30), mul(gva2, a1o, k31), k30), k30)
+    a2o_ra = mul(a2o, ra, k31)
+    gva3 = mul(a3, ra, k32)
+    rhoa2 = add(a2o_ra, sub(mul(gva3, a1o, k33), mul(gva1, a3o, k34), k33), k33)
+    v_rho1 = sub(mul(b2, rhoa3, k34), mul(b3, rhoa2, k35), k34)
+    gv_rho1 = mul(v_rho1, rb, k34)
+    a1o_ra = mul(a1o, ra, k35)
+    rhoa1 = add(a1o_ra, sub(mul(gva2, a3o, k36), mul(gva3, a2o, k37), k36), k36)
+    v_rho3 = sub(mul(b1, rhoa2, k37), mul(b2, rhoa1, k38), k37)
+    gv_rho3 = mul(v_rho3, rb, k37)
+    v_rho2 = sub(mul(b3, rhoa1, k38), mul(b1, rhoa3, k39), k38)
+    gv_rho2 = mul(v_rho2, rb, k38)
+    b1o_rb = mul(b1o, rb, k39)
+    rhob1 = add(b1o_rb, sub(mul(gvb2, b3o, k40), mul(gvb3, b2o, k41), k40), k40)
+    rho1 = add(add(rhoa1, add(gv_rho1, sub(mul(b2, gv_rho3, k41), mul(b3, gv_rho2, k42), k41), k41), k36), rhob1, k36)
+    b2o_rb = mul(b2o, rb, k41)
+    rhob2 = add(b2o_rb, sub(mul(gvb3, b1o, k42), mul(gvb1, b3o, k43), k42), k42)
+    rho2 = add(add(rhoa2, add(gv_rho2, sub(mul(b3, gv_rho1, k43), mul(b1, gv_rho3, k44), k43), k43), k33), rhob2, k33)
+    b3o_rb = mul(b3o, rb, k43)
+    rhob3 = add(b3o_rb, sub(mul(gvb1, b2o, k44), mul(gvb2, b1o, k45), k44), k44)
+    rho3 = add(add(rhoa3, add(gv_rho3, sub(mul(b1, gv_rho2, k38), mul(b2, gv_rho1, k34), k34), k34), k30), rhob3, k30)
+    hvr = add(add(mul(v1, rho1, k34), mul(v2, rho2, k37), k34), mul(v3, rho3, k37), k34)
+    w4 = div(
+        add(sub(mul(rho1, fi, k37), sub(mul(v2, rho3, k38), mul(v3, rho2, k45), k38), k37), mul(v1, hvr, k38), k37), n2,
+        k37
+    )
+    v1_w4 = mul(v1, w4, k38)
+    I11o = add(v1_w4, v1_w4, k38)
+    w5 = div(
+        add(sub(mul(rho2, fi, k45), sub(mul(v3, rho1, k46), mul(v1, rho3, k47), k46), k45), mul(v2, hvr, k46), k45), n2,
+        k45
+    )
+    w6 = div(
+        add(sub(mul(rho3, fi, k10), sub(mul(v1, rho2, k30), mul(v2, rho1, k33), k30), k10), mul(v3, hvr, k30), k10), n2,
+        k10
+    )
+    d12ow = add(mul(v1, w5, k30), mul(w4, v2, k33), k30)
+    d13ow = add(mul(v1, w6, k9), mul(w4, v3, k33), k9)
+    sow1 = neg(w4, k33)
+    sow3 = neg(w6, k34)
+    I12o = sub(d12ow, sow3, k36)
+    I21o = add(d12ow, sow3, k30)
+    sow2 = neg(w5, k34)
+    I13o = add(d13ow, sow2, k37)
+    I31o = sub(d13ow, sow2, k9)
+    yb = add(add(mul(b1, b1o, k34), mul(b2, b2o, k46), k34), mul(b3, b3o, k46), k34)
+    foS = mul(fyS, yb, k4)
+    gvoS3 = add(b3o_rb, mul(b3, foS, k34), k34)
+    gvoS2 = add(b2o_rb, mul(b2, foS, k43), k41)
+    gvoS1 = add(b1o_rb, mul(b1, foS, k43), k39)
+    S31o = neg(gvoS2, k43)
+    div(
+        add(add(add(mul(I11, foS, k46), mul(I11o, rb, k47), k46), add(mul(I12, gvoS3, k47), mul(I12o, gvb3, k48), k47),
+        k46), add(mul(I13, S31o, k47), mul(I13o, S31, k48), k47), k46), n2, o19
+    )
+    S12o = neg(gvoS3, k46)
+    div(
+        add(add(add(mul(I11, S12o, k47), mul(I11o, S12, k48), k47), add(mul(I12, foS, k48), mul(I12o, rb, k49), k48),
+        k47), add(mul(I13, gvoS1, k48), mul(I13o, gvb1, k49), k48), k47), n2, o20
+    )
+    S23o = neg(gvoS1, k47)
+    div(
+        add(add(add(mul(I11, gvoS2, k48), mul(I11o, gvb2, k49), k48), add(mul(I12, S23o, k49), mul(I12o, S23, k50),
+        k49), k48), add(mul(I13, foS, k49), mul(I13o, rb, k50), k49), k48), n2, o21
+    )
+    v2_w5 = mul(v2, w5, k48)
+    d23ow = add(mul(v2, w6, k13), mul(w5, v3, k45), k13)
+    v3_w6 = mul(v3, w6, k10)
+    I22o = add(v2_w5, v2_w5, k11)
+    I33o = add(v3_w6, v3_w6, k10)
+    I23o = sub(d23ow, sow1, k45)
+    I32o = add(d23ow, sow1, k13)
+    div(
+        add(add(add(mul(I21, foS, k33), mul(I21o, rb, k48), k33), add(mul(I22, gvoS3, k48), mul(I22o, gvb3, k49), k48),
+        k33), add(mul(I23, S31o, k48), mul(I23o, S31, k49), k48), k33), n2, o25
+    )
+    div(
+        add(add(add(mul(I31, foS, k33), mul(I31o, rb, k48), k33), add(mul(I32, gvoS3, k34), mul(I32o, gvb3, k48), k34),
+        k33), add(mul(I33, S31o, k34), mul(I33o, S31, k8), k8), k8), n2, o31
+    )
+    div(
+        add(add(add(mul(I21, S12o, k8), mul(I21o, S12, k33), k8), add(mul(I22, foS, k33), mul(I22o, rb, k34), k33), k8),
+        add(mul(I23, gvoS1, k33), mul(I23o, gvb1, k34), k33), k8), n2, o26
+    )
+    div(
+        add(add(add(mul(I31, S12o, k8), mul(I31o, S12, k17), k8), add(mul(I32, foS, k17), mul(I32o, rb, k33), k17), k8),
+        add(mul(I33, gvoS1, k17), mul(I33o, gvb1, k33), k17), k8), n2, o32
+    )
+    div(
+        add(add(add(mul(I21, gvoS2, k8), mul(I21o, gvb2, k17), k8), add(mul(I22, S23o, k17), mul(I22o, S23, k33), k17),
+        k8), add(mul(I23, foS, k17), mul(I23o, rb, k33), k17), k8), n2, o27
+    )
+    div(
+        add(add(add(mul(I31, gvoS2, k8), mul(I31o, gvb2, k17), k8), add(mul(I32, S23o, k17), mul(I32o, S23, k20), k17),
+        k8), add(mul(I33, foS, k4), mul(I33o, rb, k5), k4), k4), n2, o33
+    )
+    gvvb1 = mul(gvb1, b2, k4)
+    Qb12 = sub(gvvb1, gvb3, k5)
+    Qb21 = add(gvvb1, gvb3, k4)
+    gvvb2 = mul(gvb1, b3, k6)
+    Qb13 = add(gvvb2, gvb2, k8)
+    Qb31 = sub(gvvb2, gvb2, k6)
+    gvvb3 = mul(gvb2, b3, k7)
+    F31 = neg(gva2, k17)
+    RT11 = add(add(mul(Qb11, ra, k20), mul(Qb12, gva3, k33), k20), mul(Qb13, F31, k33), k20)
+    Qb23 = sub(gvvb3, gvb1, k33)
+    Qb32 = add(gvvb3, gvb1, k7)
+    RT21 = add(add(mul(Qb21, ra, k19), mul(Qb22, gva3, k34), k19), mul(Qb23, F31, k34), k19)
+    RT31 = add(add(mul(Qb31, ra, k34), mul(Qb32, gva3, k39), k34), mul(Qb33, F31, k39), k34)
+    div(add(add(mul(I11, RT11, k39), mul(I12, RT21, k41), k39), mul(I13, RT31, k41), k39), n2, o37)
+    div(add(add(mul(I21, RT11, k39), mul(I22, RT21, k41), k39), mul(I23, RT31, k41), k39), n2, o43)
+    div(add(add(mul(I31, RT11, k39), mul(I32, RT21, k41), k39), mul(I33, RT31, k41), k39), n2, o49)
+    F12 = neg(gva3, k39)
+    RT12 = add(add(mul(Qb11, F12, k41), mul(Qb12, ra, k43), k41), mul(Qb13, gva1, k43), k41)
+    RT22 = add(add(mul(Qb21, F12, k43), mul(Qb22, ra, k46), k43), mul(Qb23, gva1, k46), k43)
+    RT32 = add(add(mul(Qb31, F12, k46), mul(Qb32, ra, k47), k46), mul(Qb33, gva1, k47), k46)
+    div(add(add(mul(I11, RT12, k47), mul(I12, RT22, k48), k47), mul(I13, RT32, k48), k47), n2, o38)
+    div(add(add(mul(I21, RT12, k47), mul(I22, RT22, k48), k47), mul(I23, RT32, k48), k47), n2, o44)
+    div(add(add(mul(I31, RT12, k47), mul(I32, RT22, k48), k47), mul(I33, RT32, k48), k47), n2, o50)
+    F23 = neg(gva1, k47)
+    RT13 = add(add(mul(Qb11, gva2, k48), mul(Qb12, F23, k49), k48), mul(Qb13, ra, k49), k48)
+    RT23 = add(add(mul(Qb21, gva2, k49), mul(Qb22, F23, k50), k49), mul(Qb23, ra, k50), k49)
+    RT33 = add(add(mul(Qb31, gva2, k50), mul(Qb32, F23, k51), k50), mul(Qb33, ra, k51), k50)
+    div(add(add(mul(I11, RT13, k51), mul(I12, RT23, k52), k51), mul(I13, RT33, k52), k51), n2, o39)
+    div(add(add(mul(I21, RT13, k51), mul(I22, RT23, k52), k51), mul(I23, RT33, k52), k51), n2, o45)
+    div(add(add(mul(I31, RT13, k51), mul(I32, RT23, k52), k51), mul(I33, RT33, k52), k51), n2, o51)
+    R11o = sub(mul(Qb31, rhob2, k51), mul(Qb21, rhob3, k52), k51)
+    R12o = sub(mul(Qb32, rhob2, k52), mul(Qb22, rhob3, k53), k52)
+    R13o = sub(mul(Qb33, rhob2, k53), mul(Qb23, rhob3, k54), k53)
+    ya = add(add(mul(a1, a1o, k54), mul(a2, a2o, k55), k54), mul(a3, a3o, k55), k54)
+    foF = mul(fyF, ya, k25)
+    gvoF3 = add(a3o_ra, mul(a3, foF, k54), k27)
+    gvoF2 = add(a2o_ra, mul(a2, foF, k54), k31)
+    gvoF1 = add(a1o_ra, mul(a1, foF, k54), k35)
+    F31o = neg(gvoF2, k54)
+    RT11o = add(
+        add(add(mul(Qb11, foF, k55), mul(R11o, ra, k56), k55), add(mul(Qb12, gvoF3, k56), mul(R12o, gva3, k57), k56),
+        k55), add(mul(Qb13, F31o, k56), mul(R13o, F31, k57), k56), k55
+    )
+    R22o = sub(mul(Qb12, rhob3, k56), mul(Qb32, rhob1, k57), k56)
+    R21o = sub(mul(Qb11, rhob3, k57), mul(Qb31, rhob1, k58), k57)
+    R23o = sub(mul(Qb13, rhob3, k44), mul(Qb33, rhob1, k58), k44)
+    RT21o = add(
+        add(add(mul(Qb21, foF, k58), mul(R21o, ra, k59), k58), add(mul(Qb22, gvoF3, k59), mul(R22o, gva3, k60), k59),
+        k58), add(mul(Qb23, F31o, k59), mul(R23o, F31, k60), k59), k58
+    )
+    R33o = sub(mul(Qb23, rhob1, k59), mul(Qb13, rhob2, k60), k59)
+    R31o = sub(mul(Qb21, rhob1, k60), mul(Qb11, rhob2, k61), k60)
+    R32o = sub(mul(Qb22, rhob1, k40), mul(Qb12, rhob2, k42), k40)
+    RT31o = add(
+        add(add(mul(Qb31, foF, k42), mul(R31o, ra, k61), k42), add(mul(Qb32, gvoF3, k61), mul(R32o, gva3, k32), k32),
+        k32), add(mul(Qb33, F31o, k42), mul(R33o, F31, k17), k17), k17
+    )
+    div(
+        add(add(add(mul(I11, RT11o, k32), mul(I11o, RT11, k42), k32), add(mul(I12, RT21o, k42), mul(I12o, RT21, k54),
+        k42), k32), add(mul(I13, RT31o, k42), mul(I13o, RT31, k54), k42), k32), n2, o55
+    )
+    F12o = neg(gvoF3, k27)
+    div(
+        add(add(add(mul(I21, RT11o, k32), mul(I21o, RT11, k42), k32), add(mul(I22, RT21o, k42), mul(I22o, RT21, k54),
+        k42), k32), add(mul(I23, RT31o, k42), mul(I23o, RT31, k54), k42), k32), n2, o61
+    )
+    div(
+        add(add(add(mul(I31, RT11o, k32), mul(I31o, RT11, k20), k20), add(mul(I32, RT21o, k32), mul(I32o, RT21, k19),
+        k19), k19), add(mul(I33, RT31o, k17), mul(I33o, RT31, k20), k17), k17), n2, o67
+    )
+    RT12o = add(
+        add(add(mul(Qb11, F12o, k17), mul(R11o, F12, k19), k17), add(mul(Qb12, foF, k19), mul(R12o, ra, k20), k19),
+        k17), add(mul(Qb13, gvoF1, k19), mul(R13o, gva1, k20), k19), k17
+    )
+    RT22o = add(
+        add(add(mul(Qb21, F12o, k19), mul(R21o, F12, k20), k19), add(mul(Qb22, foF, k20), mul(R22o, ra, k32), k20),
+        k19), add(mul(Qb23, gvoF1, k20), mul(R23o, gva1, k32), k20), k19
+    )
+    RT32o = add(
+        add(add(mul(Qb31, F12o, k20), mul(R31o, F12, k27), k20), add(mul(Qb32, foF, k27), mul(R32o, ra, k32), k27),
+        k20), add(mul(Qb33, gvoF1, k27), mul(R33o, gva1, k28), k27), k20
+    )
+    div(
+        add(add(add(mul(I11, RT12o, k27), mul(I11o, RT12, k28), k27), add(mul(I12, RT22o, k28), mul(I12o, RT22, k32),
+        k28), k27), add(mul(I13, RT32o, k28), mul(I13o, RT32, k32), k28), k27), n2, o56
+    )
+    F23o = neg(gvoF1, k27)
+    RT13o = add(
+        add(add(mul(Qb11, gvoF2, k2), mul(R11o, gva2, k28), k2), add(mul(Qb12, F23o, k5), mul(R12o, F23, k28), k5), k2),
+        add(mul(Qb13, foF, k5), mul(R13o, ra, k8), k5), k2
+    )
+    RT23o = add(
+        add(add(mul(Qb21, gvoF2, k4), mul(R21o, gva2, k5), k4), add(mul(Qb22, F23o, k1), mul(R22o, F23, k5), k1), k1),
+        add(mul(Qb23, foF, k4), mul(R23o, ra, k5), k4), k1
+    )
+    RT33o = add(
+        add(add(mul(Qb31, gvoF2, k4), mul(R31o, gva2, k5), k4), add(mul(Qb32, F23o, k5), mul(R32o, F23, k6), k5), k4),
+        add(mul(Qb33, foF, k3), mul(R33o, ra, k5), k3), k3
+    )
+    div(
+        add(add(add(mul(I11, RT13o, k4), mul(I11o, RT13, k5), k4), add(mul(I12, RT23o, k5), mul(I12o, RT23, k6), k5),
+        k4), add(mul(I13, RT33o, k5), mul(I13o, RT33, k6), k5), k4), n2, o57
+    )
+    div(
+        add(add(add(mul(I21, RT12o, k4), mul(I21o, RT12, k5), k4), add(mul(I22, RT22o, k5), mul(I22o, RT22, k6), k5),
+        k4), add(mul(I23, RT32o, k5), mul(I23o, RT32, k6), k5), k4), n2, o62
+    )
+    div(
+        add(add(add(mul(I21, RT13o, k4), mul(I21o, RT13, k5), k4), add(mul(I22, RT23o, k5), mul(I22o, RT23, k6), k5),
+        k4), add(mul(I23, RT33o, k5), mul(I23o, RT33, k6), k5), k4), n2, o63
+    )
+    div(
+        add(add(add(mul(I31, RT12o, k4), mul(I31o, RT12, k5), k4), add(mul(I32, RT22o, k5), mul(I32o, RT22, k6), k5),
+        k4), add(mul(I33, RT32o, k5), mul(I33o, RT32, k6), k5), k4), n2, o68
+    )
+    div(
+        add(add(add(mul(I31, RT13o, k2), mul(I31o, RT13, k4), k2), add(mul(I32, RT23o, k1), mul(I32o, RT23, k4), k1),
+        k1), add(mul(I33, RT33o, k2), mul(I33o, RT33, k3), k2), k1), n2, o69
+    )
+    copy(n0, o4)
+    copy(n0, o5)
+    copy(n0, o6)
+    copy(n0, o10)
+    copy(n0, o11)
+    copy(n0, o12)
+    copy(n0, o16)
+    copy(n0, o17)
+    copy(n0, o18)
+    copy(o1, o22)
+    copy(o2, o23)
+    copy(o3, o24)
+    copy(o7, o28)
+    copy(o8, o29)
+    copy(o9, o30)
+    copy(o13, o34)
+    copy(o14, o35)
+    copy(o15, o36)
+    copy(n0, o40)
+    copy(n0, o41)
+    copy(n0, o42)
+    copy(n0, o46)
+    copy(n0, o47)
+    copy(n0, o48)
+    copy(n0, o52)
+    copy(n0, o53)
+    copy(n0, o54)
+    copy(o37, o58)
+    copy(o38, o59)
+    copy(o39, o60)
+    copy(o43, o64)
+    copy(o44, o65)
+    copy(o45, o66)
+    copy(o49, o70)
+    copy(o50, o71)
+    copy(o51, o72)
+
+
+# operations 759: 296 +, 373 *, 46 /, 44 neg
+def _own_between_jacobians(m: Any, c: Any, a: Components, b: Components) -> Result:
+    a1, a2, a3, a1o, a2o, a3o = a
+    b1, b2, b3, b1o, b2o, b3o = b
+    minus_b1 = -b1
+    minus_b2 = -b2
+    minus_b3 = -b3
+    minus_b4 = -b1o
+    minus_b5 = -b2o
+    minus_b6 = -b3o
+    v11b = minus_b1 * minus_b1
+    v22b = minus_b2 * minus_b2
+    v33b = minus_b3 * minus_b3
+    x12b = v11b + v22b
+    xb = x12b + v33b
+    Nb = 1 + xb
+    rb = 2 * (Nb / Nb / Nb)
+    v11a = a1 * a1
+    v22a = a2 * a2
+    v33a = a3 * a3
+    xa = v11a + v22a + v33a
+    Na = 1 + xa
+    ra = 2 * (Na / Na / Na)
+    z0 = 1 - (minus_b1 * a1 + minus_b2 * a2 + minus_b3 * a3)
+    z1 = a1 + minus_b1 + (minus_b2 * a3 - minus_b3 * a2)
+    z2 = a2 + minus_b2 + (minus_b3 * a1 - minus_b1 * a3)
+    z3 = a3 + minus_b3 + (minus_b1 * a2 - minus_b2 * a1)
+    gva1 = a1 * ra
+    gva2 = a2 * ra
+    gva3 = a3 * ra
+    ya = a1 * a1o + a2 * a2o + a3 * a3o
+    a1o_ra = a1o * ra
+    a2o_ra = a2o * ra
+    a3o_ra = a3o * ra
+    rhoa1 = a1o_ra + (gva2 * a3o - gva3 * a2o)
+    rhoa2 = a2o_ra + (gva3 * a1o - gva1 * a3o)
+    rhoa3 = a3o_ra + (gva1 * a2o - gva2 * a1o)
+    v_rho1 = minus_b2 * rhoa3 - minus_b3 * rhoa2
+    v_rho2 = minus_b3 * rhoa1 - minus_b1 * rhoa3
+    v_rho3 = minus_b1 * rhoa2 - minus_b2 * rhoa1
+    gv_rho1 = v_rho1 * rb
+    gv_rho2 = v_rho2 * rb
+    gv_rho3 = v_rho3 * rb
+    gvb1 = minus_b1 * rb
+    gvb2 = minus_b2 * rb
+    gvb3 = minus_b3 * rb
+    yb = minus_b1 * minus_b4 + minus_b2 * minus_b5 + minus_b3 * minus_b6
+    minus_b4_rb = minus_b4 * rb
+    minus_b5_rb = minus_b5 * rb
+    minus_b6_rb = minus_b6 * rb
+    rhob1 = minus_b4_rb + (gvb2 * minus_b6 - gvb3 * minus_b5)
+    rhob2 = minus_b5_rb + (gvb3 * minus_b4 - gvb1 * minus_b6)
+    rhob3 = minus_b6_rb + (gvb1 * minus_b5 - gvb2 * minus_b4)
+    rho1 = rhoa1 + (gv_rho1 + (minus_b2 * gv_rho3 - minus_b3 * gv_rho2)) + rhob1
+    rho2 = rhoa2 + (gv_rho2 + (minus_b3 * gv_rho1 - minus_b1 * gv_rho3)) + rhob2
+    rho3 = rhoa3 + (gv_rho3 + (minus_b1 * gv_rho2 - minus_b2 * gv_rho1)) + rhob3
+    gain = 1 / z0
+    v1 = z1 * gain
+    v2 = z2 * gain
+    v3 = z3 * gain
+    fi = gain * z0
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    hvr = v1 * rho1 + v2 * rho2 + v3 * rho3
+    w4 = (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2
+    w5 = (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2
+    w6 = (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2
+    v1_w4 = v1 * w4
+    v2_w5 = v2 * w5
+    v3_w6 = v3 * w6
+    sw1 = -v1
+    sw2 = -v2
+    sw3 = -v3
+    sow1 = -w4
+    sow2 = -w5
+    sow3 = -w6
+    d12w = v1 * v2
+    d13w = v1 * v3
+    d23w = v2 * v3
+    I11 = 1 + v11
+    I12 = d12w - sw3
+    I13 = d13w + sw2
+    I21 = d12w + sw3
+    I22 = 1 + v22
+    I23 = d23w - sw1
+    I31 = d13w - sw2
+    I32 = d23w + sw1
+    I33 = 1 + v33
+    d12ow = v1 * w5 + w4 * v2
+    d13ow = v1 * w6 + w4 * v3
+    d23ow = v2 * w6 + w5 * v3
+    I11o = v1_w4 + v1_w4
+    I12o = d12ow - sow3
+    I13o = d13ow + sow2
+    I21o = d12ow + sow3
+    I22o = v2_w5 + v2_w5
+    I23o = d23ow - sow1
+    I31o = d13ow - sow2
+    I32o = d23ow + sow1
+    I33o = v3_w6 + v3_w6
+    eS = 2 / Nb
+    egS = eS * rb
+    fyS = -egS
+    foS = fyS * yb
+    gvoS1 = minus_b4_rb + minus_b1 * foS
+    gvoS2 = minus_b5_rb + minus_b2 * foS
+    gvoS3 = minus_b6_rb + minus_b3 * foS
+    S12 = -gvb3
+    S23 = -gvb1
+    S31 = -gvb2
+    S12o = -gvoS3
+    S23o = -gvoS1
+    S31o = -gvoS2
+    eF = 2 / Na
+    egF = eF * ra
+    fyF = -egF
+    foF = fyF * ya
+    gvoF1 = a1o_ra + a1 * foF
+    gvoF2 = a2o_ra + a2 * foF
+    gvoF3 = a3o_ra + a3 * foF
+    F12 = -gva3
+    F23 = -gva1
+    F31 = -gva2
+    F12o = -gvoF3
+    F23o = -gvoF1
+    F31o = -gvoF2
+    x23b = v22b + v33b
+    x13b = v11b + v33b
+    gvvb1 = gvb1 * minus_b2
+    gvvb2 = gvb1 * minus_b3
+    gvvb3 = gvb2 * minus_b3
+    Qb11 = 1 - rb * x23b
+    Qb12 = gvvb1 - gvb3
+    Qb13 = gvvb2 + gvb2
+    Qb21 = gvvb1 + gvb3
+    Qb22 = 1 - rb * x13b
+    Qb23 = gvvb3 - gvb1
+    Qb31 = gvvb2 - gvb2
+    Qb32 = gvvb3 + gvb1
+    Qb33 = 1 - rb * x12b
+    R11o = Qb31 * rhob2 - Qb21 * rhob3
+    R12o = Qb32 * rhob2 - Qb22 * rhob3
+    R13o = Qb33 * rhob2 - Qb23 * rhob3
+    R21o = Qb11 * rhob3 - Qb31 * rhob1
+    R22o = Qb12 * rhob3 - Qb32 * rhob1
+    R23o = Qb13 * rhob3 - Qb33 * rhob1
+    R31o = Qb21 * rhob1 - Qb11 * rhob2
+    R32o = Qb22 * rhob1 - Qb12 * rhob2
+    R33o = Qb23 * rhob1 - Qb13 * rhob2
+    RT11 = Qb11 * ra + Qb12 * gva3 + Qb13 * F31
+    RT11o = Qb11 * foF + R11o * ra + (Qb12 * gvoF3 + R12o * gva3) + (Qb13 * F31o + R13o * F31)
+    RT12 = Qb11 * F12 + Qb12 * ra + Qb13 * gva1
+    RT12o = Qb11 * F12o + R11o * F12 + (Qb12 * foF + R12o * ra) + (Qb13 * gvoF1 + R13o * gva1)
+    RT13 = Qb11 * gva2 + Qb12 * F23 + Qb13 * ra
+    RT13o = Qb11 * gvoF2 + R11o * gva2 + (Qb12 * F23o + R12o * F23) + (Qb13 * foF + R13o * ra)
+    RT21 = Qb21 * ra + Qb22 * gva3 + Qb23 * F31
+    RT21o = Qb21 * foF + R21o * ra + (Qb22 * gvoF3 + R22o * gva3) + (Qb23 * F31o + R23o * F31)
+    RT22 = Qb21 * F12 + Qb22 * ra + Qb23 * gva1
+    RT22o = Qb21 * F12o + R21o * F12 + (Qb22 * foF + R22o * ra) + (Qb23 * gvoF1 + R23o * gva1)
+    RT23 = Qb21 * gva2 + Qb22 * F23 + Qb23 * ra
+    RT23o = Qb21 * gvoF2 + R21o * gva2 + (Qb22 * F23o + R22o * F23) + (Qb23 * foF + R23o * ra)
+    RT31 = Qb31 * ra + Qb32 * gva3 + Qb33 * F31
+    RT31o = Qb31 * foF + R31o * ra + (Qb32 * gvoF3 + R32o * gva3) + (Qb33 * F31o + R33o * F31)
+    RT32 = Qb31 * F12 + Qb32 * ra + Qb33 * gva1
+    RT32o = Qb31 * F12o + R31o * F12 + (Qb32 * foF + R32o * ra) + (Qb33 * gvoF1 + R33o * gva1)
+    RT33 = Qb31 * gva2 + Qb32 * F23 + Qb33 * ra
+    RT33o = Qb31 * gvoF2 + R31o * gva2 + (Qb32 * F23o + R32o * F23) + (Qb33 * foF + R33o * ra)
+    A11 = (I11 * RT11 + I12 * RT21 + I13 * RT31) / 2
+    A12 = (I11 * RT12 + I12 * RT22 + I13 * RT32) / 2
+    A13 = (I11 * RT13 + I12 * RT23 + I13 * RT33) / 2
+    A21 = (I21 * RT11 + I22 * RT21 + I23 * RT31) / 2
+    A22 = (I21 * RT12 + I22 * RT22 + I23 * RT32) / 2
+    A23 = (I21 * RT13 + I22 * RT23 + I23 * RT33) / 2
+    A31 = (I31 * RT11 + I32 * RT21 + I33 * RT31) / 2
+    A32 = (I31 * RT12 + I32 * RT22 + I33 * RT32) / 2
+    A33 = (I31 * RT13 + I32 * RT23 + I33 * RT33) / 2
+    B11 = -((I11 * rb + I12 * gvb3 + I13 * S31) / 2)
+    B12 = -((I11 * S12 + I12 * rb + I13 * gvb1) / 2)
+    B13 = -((I11 * gvb2 + I12 * S23 + I13 * rb) / 2)
+    B21 = -((I21 * rb + I22 * gvb3 + I23 * S31) / 2)
+    B22 = -((I21 * S12 + I22 * rb + I23 * gvb1) / 2)
+    B23 = -((I21 * gvb2 + I22 * S23 + I23 * rb) / 2)
+    B31 = -((I31 * rb + I32 * gvb3 + I33 * S31) / 2)
+    B32 = -((I31 * S12 + I32 * rb + I33 * gvb1) / 2)
+    B33 = -((I31 * gvb2 + I32 * S23 + I33 * rb) / 2)
+    return (
+        A11,
+        A12,
+        A13,
+        0,
+        0,
+        0,
+        A21,
+        A22,
+        A23,
+        0,
+        0,
+        0,
+        A31,
+        A32,
+        A33,
+        0,
+        0,
+        0,
+        (I11 * RT11o + I11o * RT11 + (I12 * RT21o + I12o * RT21) + (I13 * RT31o + I13o * RT31)) / 2,
+        (I11 * RT12o + I11o * RT12 + (I12 * RT22o + I12o * RT22) + (I13 * RT32o + I13o * RT32)) / 2,
+        (I11 * RT13o + I11o * RT13 + (I12 * RT23o + I12o * RT23) + (I13 * RT33o + I13o * RT33)) / 2,
+        A11,
+        A12,
+        A13,
+        (I21 * RT11o + I21o * RT11 + (I22 * RT21o + I22o * RT21) + (I23 * RT31o + I23o * RT31)) / 2,
+        (I21 * RT12o + I21o * RT12 + (I22 * RT22o + I22o * RT22) + (I23 * RT32o + I23o * RT32)) / 2,
+        (I21 * RT13o + I21o * RT13 + (I22 * RT23o + I22o * RT23) + (I23 * RT33o + I23o * RT33)) / 2,
+        A21,
+        A22,
+        A23,
+        (I31 * RT11o + I31o * RT11 + (I32 * RT21o + I32o * RT21) + (I33 * RT31o + I33o * RT31)) / 2,
+        (I31 * RT12o + I31o * RT12 + (I32 * RT22o + I32o * RT22) + (I33 * RT32o + I33o * RT32)) / 2,
+        (I31 * RT13o + I31o * RT13 + (I32 * RT23o + I32o * RT23) + (I33 * RT33o + I33o * RT33)) / 2,
+        A31,
+        A32,
+        A33,
+        B11,
+        B12,
+        B13,
+        0,
+        0,
+        0,
+        B21,
+        B22,
+        B23,
+        0,
+        0,
+        0,
+        B31,
+        B32,
+        B33,
+        0,
+        0,
+        0,
+        -((I11 * foS + I11o * rb + (I12 * gvoS3 + I12o * gvb3) + (I13 * S31o + I13o * S31)) / 2),
+        -((I11 * S12o + I11o * S12 + (I12 * foS + I12o * rb) + (I13 * gvoS1 + I13o * gvb1)) / 2),
+        -((I11 * gvoS2 + I11o * gvb2 + (I12 * S23o + I12o * S23) + (I13 * foS + I13o * rb)) / 2),
+        B11,
+        B12,
+        B13,
+        -((I21 * foS + I21o * rb + (I22 * gvoS3 + I22o * gvb3) + (I23 * S31o + I23o * S31)) / 2),
+        -((I21 * S12o + I21o * S12 + (I22 * foS + I22o * rb) + (I23 * gvoS1 + I23o * gvb1)) / 2),
+        -((I21 * gvoS2 + I21o * gvb2 + (I22 * S23o + I22o * S23) + (I23 * foS + I23o * rb)) / 2),
+        B21,
+        B22,
+        B23,
+        -((I31 * foS + I31o * rb + (I32 * gvoS3 + I32o * gvb3) + (I33 * S31o + I33o * S31)) / 2),
+        -((I31 * S12o + I31o * S12 + (I32 * foS + I32o * rb) + (I33 * gvoS1 + I33o * gvb1)) / 2),
+        -((I31 * gvoS2 + I31o * gvb2 + (I32 * S23o + I32o * S23) + (I33 * foS + I33o * rb)) / 2),
+        B31,
+        B32,
+        B33,
+    )
+
+
+def _own_between_jacobians_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, a: Rows, b: Rows
+) -> None:
+    a1, a2, a3, a1o, a2o, a3o = a
+    b1, b2, b3, b1o, b2o, b3o = b
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36, o37, o38, o39, o40, o41, o42, o43, o44, o45, o46,
+        o47, o48, o49, o50, o51, o52, o53, o54, o55, o56, o57, o58, o59, o60, o61, o62, o63, o64, o65, o66, o67, o68,
+        o69, o70, o71, o72,
+    ) = out
+    (
+        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
+        k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, k35, k36, k37, k38, k39, k40, k41, k42, k43, k44, k45, k46,
+        k47, k48, k49, k50, k51, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61,
+    ) = scratch
+    n0, n1, n2 = numbers
+    minus_b1 = neg(b1, k1)
+    minus_b2 = neg(b2, k2)
+    minus_b3 = neg(b3, k3)
+    z1 = add(add(a1, minus_b1, k4), sub(mul(minus_b2, a3, k5), mul(minus_b3, a2, k6), k5), k4)
+    z0 = sub(n1, add(add(mul(minus_b1, a1, k5), mul(minus_b2, a2, k6), k5), mul(minus_b3, a3, k6), k5), k5)
+    gain = div(n1, z0, k6)
+    v1 = mul(z1, gain, k4)
+    fi = mul(gain, z0, k5)
+    z3 = add(add(a3, minus_b3, k7), sub(mul(minus_b1, a2, k8), mul(minus_b2, a1, k9), k8), k7)
+    v3 = mul(z3, gain, k7)
+    d13w = mul(v1, v3, k8)
+    z2 = add(add(a2, minus_b2, k9), sub(mul(minus_b3, a1, k10), mul(minus_b1, a3, k11), k10), k9)
+    v2 = mul(z2, gain, k6)
+    sw2 = neg(v2, k9)
+    I31 = sub(d13w, sw2, k10)
+    I13 = add(d13w, sw2, k8)
+    v11b = mul(minus_b1, minus_b1, k9)
+    v22b = mul(minus_b2, minus_b2, k11)
+    x12b = add(v11b, v22b, k12)
+    v33b = mul(minus_b3, minus_b3, k13)
+    x23b = add(v22b, v33b, k11)
+    x13b = add(v11b, v33b, k9)
+    xb = add(x12b, v33b, k13)
+    Nb = add(n1, xb, k13)
+    rb = mul(n2, div(div(Nb, Nb, k14), Nb, k14), k14)
+    eS = div(n2, Nb, k13)
+    egS = mul(eS, rb, k13)
+    fyS = neg(egS, k13)
+    Qb11 = sub(n1, mul(rb, x23b, k11), k11)
+    Qb22 = sub(n1, mul(rb, x13b, k9), k9)
+    Qb33 = sub(n1, mul(rb, x12b, k12), k12)
+    gvb2 = mul(minus_b2, rb, k15)
+    d23w = mul(v2, v3, k16)
+    sw1 = neg(v1, k17)
+    I32 = add(d23w, sw1, k18)
+    I23 = sub(d23w, sw1, k16)
+    gvb1 = mul(minus_b1, rb, k17)
+    S23 = neg(gvb1, k19)
+    v33 = mul(v3, v3, k20)
+    I33 = add(n1, v33, k20)
+    neg(div(add(add(mul(I31, gvb2, k21), mul(I32, S23, k22), k21), mul(I33, rb, k22), k21), n2, k21), o51)
+    gvb3 = mul(minus_b3, rb, k21)
+    S12 = neg(gvb3, k22)
+    neg(div(add(add(mul(I31, S12, k23), mul(I32, rb, k24), k23), mul(I33, gvb1, k24), k23), n2, k23), o50)
+    S31 = neg(gvb2, k23)
+    neg(div(add(add(mul(I31, rb, k24), mul(I32, gvb3, k25), k24), mul(I33, S31, k25), k24), n2, k24), o49)
+    v11a = mul(a1, a1, k24)
+    v22a = mul(a2, a2, k25)
+    v33a = mul(a3, a3, k26)
+    xa = add(add(v11a, v22a, k24), v33a, k24)
+    Na = add(n1, xa, k24)
+    ra = mul(n2, div(div(Na, Na, k25), Na, k25), k25)
+    eF = div(n2, Na, k24)
+    egF = mul(eF, ra, k24)
+    fyF = neg(egF, k24)
+    a3o_ra = mul(a3o, ra, k26)
+    gva1 = mul(a1, ra, k27)
+    gva2 = mul(a2, ra, k28)
+    rhoa3 = add(a3o_ra, sub(mul(gva1, a2o, k29), mul(gva2, a1o, k30), k29), k29)
+    a2o_ra = mul(a2o, ra, k30)
+    gva3 = mul(a3, ra, k31)
+    rhoa2 = add(a2o_ra, sub(mul(gva3, a1o, k32), mul(gva1, a3o, k33), k32), k32)
+    v_rho1 = sub(mul(minus_b2, rhoa3, k33), mul(minus_b3, rhoa2, k34), k33)
+    gv_rho1 = mul(v_rho1, rb, k33)
+    a1o_ra = mul(a1o, ra, k34)
+    rhoa1 = add(a1o_ra, sub(mul(gva2, a3o, k35), mul(gva3, a2o, k36), k35), k35)
+    v_rho3 = sub(mul(minus_b1, rhoa2, k36), mul(minus_b2, rhoa1, k37), k36)
+    gv_rho3 = mul(v_rho3, rb, k36)
+    v_rho2 = sub(mul(minus_b3, rhoa1, k37), mul(minus_b1, rhoa3, k38), k37)
+    gv_rho2 = mul(v_rho2, rb, k37)
+    minus_b4 = neg(b1o, k38)
+    minus_b4_rb = mul(minus_b4, rb, k39)
+    minus_b6 = neg(b3o, k40)
+    minus_b5 = neg(b2o, k41)
+    rhob1 = add(minus_b4_rb, sub(mul(gvb2, minus_b6, k42), mul(gvb3, minus_b5, k43), k42), k42)
+    rho1 = add(
+        add(rhoa1, add(gv_rho1, sub(mul(minus_b2, gv_rho3, k43), mul(minus_b3, gv_rho2, k44), k43), k43), k35), rhob1,
+        k35
+    )
+    minus_b5_rb = mul(minus_b5, rb, k43)
+    rhob2 = add(minus_b5_rb, sub(mul(gvb3, minus_b4, k44), mul(gvb1, minus_b6, k45), k44), k44)
+    rho2 = add(
+        add(rhoa2, add(gv_rho2, sub(mul(minus_b3, gv_rho1, k45), mul(minus_b1, gv_rho3, k46), k45), k45), k32), rhob2,
+        k32
+    )
+    minus_b6_rb = mul(minus_b6, rb, k45)
+    yb = add(add(mul(minus_b1, minus_b4, k46), mul(minus_b2, minus_b5, k47), k46), mul(minus_b3, minus_b6, k40), k40)
+    rhob3 = add(minus_b6_rb, sub(mul(gvb1, minus_b5, k41), mul(gvb2, minus_b4, k38), k38), k38)
+    rho3 = add(
+        add(rhoa3, add(gv_rho3, sub(mul(minus_b1, gv_rho2, k37), mul(minus_b2, gv_rho1, k33), k33), k33), k29), rhob3,
+        k29
+    )
+    foS = mul(fyS, yb, k13)
+    gvoS1 = add(minus_b4_rb, mul(minus_b1, foS, k1), k1)
+    gvoS2 = add(minus_b5_rb, mul(minus_b2, foS, k33), k33)
+    gvoS3 = add(minus_b6_rb, mul(minus_b3, foS, k36), k36)
+    gvvb1 = mul(gvb1, minus_b2, k2)
+    hvr = add(add(mul(v1, rho1, k37), mul(v2, rho2, k39), k37), mul(v3, rho3, k39), k37)
+    w6 = div(
+        add(sub(mul(rho3, fi, k39), sub(mul(v1, rho2, k40), mul(v2, rho1, k41), k40), k39), mul(v3, hvr, k40), k39), n2,
+        k39
+    )
+    w4 = div(
+        add(sub(mul(rho1, fi, k40), sub(mul(v2, rho3, k41), mul(v3, rho2, k43), k41), k40), mul(v1, hvr, k41), k40), n2,
+        k40
+    )
+    w5 = div(
+        add(sub(mul(rho2, fi, k5), sub(mul(v3, rho1, k32), mul(v1, rho3, k29), k29), k5), mul(v2, hvr, k29), k5), n2, k5
+    )
+    d13ow = add(mul(v1, w6, k29), mul(w4, v3, k32), k29)
+    sow2 = neg(w5, k32)
+    I31o = sub(d13ow, sow2, k35)
+    I13o = add(d13ow, sow2, k29)
+    d23ow = add(mul(v2, w6, k32), mul(w5, v3, k37), k32)
+    sow1 = neg(w4, k37)
+    I32o = add(d23ow, sow1, k41)
+    I23o = sub(d23ow, sow1, k32)
+    v3_w6 = mul(v3, w6, k37)
+    I33o = add(v3_w6, v3_w6, k37)
+    sw3 = neg(v3, k7)
+    sow3 = neg(w6, k39)
+    S23o = neg(gvoS1, k43)
+    neg(
+        div(add(add(add(mul(I31, gvoS2, k45), mul(I31o, gvb2, k46), k45), add(mul(I32, S23o, k46), mul(I32o, S23, k47),
+        k46), k45), add(mul(I33, foS, k46), mul(I33o, rb, k47), k46), k45), n2, k45), o69
+    )
+    S12o = neg(gvoS3, k45)
+    neg(
+        div(add(add(add(mul(I31, S12o, k46), mul(I31o, S12, k47), k46), add(mul(I32, foS, k47), mul(I32o, rb, k48),
+        k47), k46), add(mul(I33, gvoS1, k47), mul(I33o, gvb1, k48), k47), k46), n2, k46), o68
+    )
+    S31o = neg(gvoS2, k46)
+    neg(
+        div(add(add(add(mul(I31, foS, k47), mul(I31o, rb, k48), k47), add(mul(I32, gvoS3, k48), mul(I32o, gvb3, k49),
+        k48), k47), add(mul(I33, S31o, k48), mul(I33o, S31, k49), k48), k47), n2, k47), o67
+    )
+    d12w = mul(v1, v2, k47)
+    I21 = add(d12w, sw3, k48)
+    I12 = sub(d12w, sw3, k7)
+    v22 = mul(v2, v2, k47)
+    I22 = add(n1, v22, k47)
+    neg(div(add(add(mul(I21, gvb2, k49), mul(I22, S23, k50), k49), mul(I23, rb, k50), k49), n2, k49), o45)
+    neg(div(add(add(mul(I21, S12, k49), mul(I22, rb, k50), k49), mul(I23, gvb1, k50), k49), n2, k49), o44)
+    neg(div(add(add(mul(I21, rb, k49), mul(I22, gvb3, k50), k49), mul(I23, S31, k50), k49), n2, k49), o43)
+    d12ow = add(mul(v1, w5, k49), mul(w4, v2, k50), k49)
+    v2_w5 = mul(v2, w5, k5)
+    I22o = add(v2_w5, v2_w5, k5)
+    v1_w4 = mul(v1, w4, k6)
+    v11 = mul(v1, v1, k4)
+    I11 = add(n1, v11, k4)
+    neg(div(add(add(mul(I11, gvb2, k40), mul(I12, S23, k50), k40), mul(I13, rb, k50), k40), n2, k40), o39)
+    neg(div(add(add(mul(I11, S12, k40), mul(I12, rb, k50), k40), mul(I13, gvb1, k50), k40), n2, k40), o38)
+    neg(div(add(add(mul(I11, rb, k40), mul(I12, gvb3, k50), k40), mul(I13, S31, k50), k40), n2, k40), o37)
+    I11o = add(v1_w4, v1_w4, k6)
+    I21o = add(d12ow, sow3, k40)
+    I12o = sub(d12ow, sow3, k39)
+    neg(
+        div(add(add(add(mul(I21, gvoS2, k49), mul(I21o, gvb2, k50), k49), add(mul(I22, S23o, k50), mul(I22o, S23, k51),
+        k50), k49), add(mul(I23, foS, k50), mul(I23o, rb, k51), k50), k49), n2, k49), o63
+    )
+    neg(
+        div(add(add(add(mul(I11, gvoS2, k33), mul(I11o, gvb2, k49), k33), add(mul(I12, S23o, k43), mul(I12o, S23, k19),
+        k19), k19), add(mul(I13, foS, k33), mul(I13o, rb, k43), k33), k19), n2, k19), o57
+    )
+    neg(
+        div(add(add(add(mul(I21, S12o, k19), mul(I21o, S12, k33), k19), add(mul(I22, foS, k33), mul(I22o, rb, k43),
+        k33), k19), add(mul(I23, gvoS1, k33), mul(I23o, gvb1, k43), k33), k19), n2, k19), o62
+    )
+    neg(
+        div(add(add(add(mul(I11, S12o, k19), mul(I11o, S12, k22), k19), add(mul(I12, foS, k22), mul(I12o, rb, k33),
+        k22), k19), add(mul(I13, gvoS1, k1), mul(I13o, gvb1, k22), k1), k1), n2, k1), o56
+    )
+    neg(
+        div(add(add(add(mul(I21, foS, k1), mul(I21o, rb, k19), k1), add(mul(I22, gvoS3, k19), mul(I22o, gvb3, k22),
+        k19), k1), add(mul(I23, S31o, k19), mul(I23o, S31, k22), k19), k1), n2, k1), o61
+    )
+    neg(
+        div(add(add(add(mul(I11, foS, k1), mul(I11o, rb, k13), k1), add(mul(I12, gvoS3, k13), mul(I12o, gvb3, k14),
+        k13), k1), add(mul(I13, S31o, k13), mul(I13o, S31, k14), k13), k1), n2, k1), o55
+    )
+    Qb12 = sub(gvvb1, gvb3, k1)
+    Qb21 = add(gvvb1, gvb3, k2)
+    gvvb2 = mul(gvb1, minus_b3, k13)
+    gvvb3 = mul(gvb2, minus_b3, k3)
+    Qb13 = add(gvvb2, gvb2, k14)
+    Qb31 = sub(gvvb2, gvb2, k13)
+    F23 = neg(gva1, k15)
+    RT13 = add(add(mul(Qb11, gva2, k19), mul(Qb12, F23, k21), k19), mul(Qb13, ra, k21), k19)
+    Qb23 = sub(gvvb3, gvb1, k21)
+    Qb32 = add(gvvb3, gvb1, k3)
+    RT23 = add(add(mul(Qb21, gva2, k17), mul(Qb22, F23, k22), k17), mul(Qb23, ra, k22), k17)
+    RT33 = add(add(mul(Qb31, gva2, k22), mul(Qb32, F23, k23), k22), mul(Qb33, ra, k23), k22)
+    div(add(add(mul(I31, RT13, k23), mul(I32, RT23, k33), k23), mul(I33, RT33, k33), k23), n2, o15)
+    div(add(add(mul(I21, RT13, k23), mul(I22, RT23, k33), k23), mul(I23, RT33, k33), k23), n2, o9)
+    div(add(add(mul(I11, RT13, k23), mul(I12, RT23, k33), k23), mul(I13, RT33, k33), k23), n2, o3)
+    F12 = neg(gva3, k23)
+    RT12 = add(add(mul(Qb11, F12, k33), mul(Qb12, ra, k36), k33), mul(Qb13, gva1, k36), k33)
+    RT22 = add(add(mul(Qb21, F12, k36), mul(Qb22, ra, k43), k36), mul(Qb23, gva1, k43), k36)
+    RT32 = add(add(mul(Qb31, F12, k43), mul(Qb32, ra, k45), k43), mul(Qb33, gva1, k45), k43)
+    div(add(add(mul(I31, RT12, k45), mul(I32, RT22, k46), k45), mul(I33, RT32, k46), k45), n2, o14)
+    div(add(add(mul(I21, RT12, k45), mul(I22, RT22, k46), k45), mul(I23, RT32, k46), k45), n2, o8)
+    div(add(add(mul(I11, RT12, k45), mul(I12, RT22, k46), k45), mul(I13, RT32, k46), k45), n2, o2)
+    F31 = neg(gva2, k45)
+    RT11 = add(add(mul(Qb11, ra, k46), mul(Qb12, gva3, k49), k46), mul(Qb13, F31, k49), k46)
+    RT21 = add(add(mul(Qb21, ra, k49), mul(Qb22, gva3, k50), k49), mul(Qb23, F31, k50), k49)
+    RT31 = add(add(mul(Qb31, ra, k50), mul(Qb32, gva3, k51), k50), mul(Qb33, F31, k51), k50)
+    div(add(add(mul(I31, RT11, k51), mul(I32, RT21, k52), k51), mul(I33, RT31, k52), k51), n2, o13)
+    div(add(add(mul(I21, RT11, k51), mul(I22, RT21, k52), k51), mul(I23, RT31, k52), k51), n2, o7)
+    div(add(add(mul(I11, RT11, k51), mul(I12, RT21, k52), k51), mul(I13, RT31, k52), k51), n2, o1)
+    R11o = sub(mul(Qb31, rhob2, k51), mul(Qb21, rhob3, k52), k51)
+    R12o = sub(mul(Qb32, rhob2, k52), mul(Qb22, rhob3, k53), k52)
+    R13o = sub(mul(Qb33, rhob2, k53), mul(Qb23, rhob3, k54), k53)
+    ya = add(add(mul(a1, a1o, k54), mul(a2, a2o, k55), k54), mul(a3, a3o, k55), k54)
+    foF = mul(fyF, ya, k24)
+    gvoF2 = add(a2o_ra, mul(a2, foF, k54), k30)
+    gvoF1 = add(a1o_ra, mul(a1, foF, k54), k34)
+    gvoF3 = add(a3o_ra, mul(a3, foF, k54), k26)
+    F23o = neg(gvoF1, k54)
+    RT13o = add(
+        add(add(mul(Qb11, gvoF2, k55), mul(R11o, gva2, k56), k55), add(mul(Qb12, F23o, k56), mul(R12o, F23, k57), k56),
+        k55), add(mul(Qb13, foF, k56), mul(R13o, ra, k57), k56), k55
+    )
+    R22o = sub(mul(Qb12, rhob3, k56), mul(Qb32, rhob1, k57), k56)
+    R21o = sub(mul(Qb11, rhob3, k57), mul(Qb31, rhob1, k58), k57)
+    R23o = sub(mul(Qb13, rhob3, k38), mul(Qb33, rhob1, k58), k38)
+    RT23o = add(
+        add(add(mul(Qb21, gvoF2, k58), mul(R21o, gva2, k59), k58), add(mul(Qb22, F23o, k59), mul(R22o, F23, k60), k59),
+        k58), add(mul(Qb23, foF, k59), mul(R23o, ra, k60), k59), k58
+    )
+    R33o = sub(mul(Qb23, rhob1, k59), mul(Qb13, rhob2, k60), k59)
+    R31o = sub(mul(Qb21, rhob1, k60), mul(Qb11, rhob2, k61), k60)
+    R32o = sub(mul(Qb22, rhob1, k42), mul(Qb12, rhob2, k44), k42)
+    RT33o = add(
+        add(add(mul(Qb31, gvoF2, k44), mul(R31o, gva2, k28), k28), add(mul(Qb32, F23o, k44), mul(R32o, F23, k15), k15),
+        k15), add(mul(Qb33, foF, k28), mul(R33o, ra, k44), k28), k15
+    )
+    div(
+        add(add(add(mul(I31, RT13o, k28), mul(I31o, RT13, k44), k28), add(mul(I32, RT23o, k44), mul(I32o, RT23, k54),
+        k44), k28), add(mul(I33, RT33o, k44), mul(I33o, RT33, k54), k44), k28), n2, o33
+    )
+    F31o = neg(gvoF2, k28)
+    div(
+        add(add(add(mul(I21, RT13o, k30), mul(I21o, RT13, k44), k30), add(mul(I22, RT23o, k44), mul(I22o, RT23, k54),
+        k44), k30), add(mul(I23, RT33o, k44), mul(I23o, RT33, k54), k44), k30), n2, o27
+    )
+    div(
+        add(add(add(mul(I11, RT13o, k30), mul(I11o, RT13, k19), k19), add(mul(I12, RT23o, k30), mul(I12o, RT23, k17),
+        k17), k17), add(mul(I13, RT33o, k15), mul(I13o, RT33, k19), k15), k15), n2, o21
+    )
+    F12o = neg(gvoF3, k15)
+    RT12o = add(
+        add(add(mul(Qb11, F12o, k17), mul(R11o, F12, k19), k17), add(mul(Qb12, foF, k19), mul(R12o, ra, k22), k19),
+        k17), add(mul(Qb13, gvoF1, k19), mul(R13o, gva1, k22), k19), k17
+    )
+    RT11o = add(
+        add(add(mul(Qb11, foF, k11), mul(R11o, ra, k19), k11), add(mul(Qb12, gvoF3, k1), mul(R12o, gva3, k19), k1), k1),
+        add(mul(Qb13, F31o, k11), mul(R13o, F31, k14), k11), k1
+    )
+    RT22o = add(
+        add(add(mul(Qb21, F12o, k11), mul(R21o, F12, k14), k11), add(mul(Qb22, foF, k14), mul(R22o, ra, k19), k14),
+        k11), add(mul(Qb23, gvoF1, k14), mul(R23o, gva1, k19), k14), k11
+    )
+    RT21o = add(
+        add(add(mul(Qb21, foF, k2), mul(R21o, ra, k14), k2), add(mul(Qb22, gvoF3, k9), mul(R22o, gva3, k14), k9), k2),
+        add(mul(Qb23, F31o, k9), mul(R23o, F31, k14), k9), k2
+    )
+    RT32o = add(
+        add(add(mul(Qb31, F12o, k9), mul(R31o, F12, k14), k9), add(mul(Qb32, foF, k14), mul(R32o, ra, k15), k14), k9),
+        add(mul(Qb33, gvoF1, k14), mul(R33o, gva1, k15), k14), k9
+    )
+    RT31o = add(
+        add(add(mul(Qb31, foF, k13), mul(R31o, ra, k14), k13), add(mul(Qb32, gvoF3, k3), mul(R32o, gva3, k14), k3), k3),
+        add(mul(Qb33, F31o, k12), mul(R33o, F31, k13), k12), k3
+    )
+    div(
+        add(add(add(mul(I31, RT12o, k12), mul(I31o, RT12, k13), k12), add(mul(I32, RT22o, k13), mul(I32o, RT22, k14),
+        k13), k12), add(mul(I33, RT32o, k13), mul(I33o, RT32, k14), k13), k12), n2, o32
+    )
+    div(
+        add(add(add(mul(I31, RT11o, k10), mul(I31o, RT11, k12), k10), add(mul(I32, RT21o, k12), mul(I32o, RT21, k13),
+        k12), k10), add(mul(I33, RT31o, k12), mul(I33o, RT31, k13), k12), k10), n2, o31
+    )
+    div(
+        add(add(add(mul(I21, RT12o, k10), mul(I21o, RT12, k12), k10), add(mul(I22, RT22o, k12), mul(I22o, RT22, k13),
+        k12), k10), add(mul(I23, RT32o, k12), mul(I23o, RT32, k13), k12), k10), n2, o26
+    )
+    div(
+        add(add(add(mul(I21, RT11o, k10), mul(I21o, RT11, k12), k10), add(mul(I22, RT21o, k12), mul(I22o, RT21, k5),
+        k5), k5), add(mul(I23, RT31o, k10), mul(I23o, RT31, k12), k10), k5), n2, o25
+    )
+    div(
+        add(add(add(mul(I11, RT12o, k5), mul(I11o, RT12, k10), k5), add(mul(I12, RT22o, k10), mul(I12o, RT22, k11),
+        k10), k5), add(mul(I13, RT32o, k9), mul(I13o, RT32, k10), k9), k5), n2, o20
+    )
+    div(
+        add(add(add(mul(I11, RT11o, k1), mul(I11o, RT11, k4), k1), add(mul(I12, RT21o, k2), mul(I12o, RT21, k4), k2),
+        k1), add(mul(I13, RT31o, k2), mul(I13o, RT31, k3), k2), k1), n2, o19
+    )
+    copy(n0, o4)
+    copy(n0, o5)
+    copy(n0, o6)
+    copy(n0, o10)
+    copy(n0, o11)
+    copy(n0, o12)
+    copy(n0, o16)
+    copy(n0, o17)
+    copy(n0, o18)
+    copy(o1, o22)
+    copy(o2, o23)
+    copy(o3, o24)
+    copy(o7, o28)
+    copy(o8, o29)
+    copy(o9, o30)
+    copy(o13, o34)
+    copy(o14, o35)
+    copy(o15, o36)
+    copy(n0, o40)
+    copy(n0, o41)
+    copy(n0, o42)
+    copy(n0, o46)
+    copy(n0, o47)
+    copy(n0, o48)
+    copy(n0, o52)
+    copy(n0, o53)
+    copy(n0, o54)
+    copy(o37, o58)
+    copy(o38, o59)
+    copy(o39, o60)
+    copy(o43, o64)
+    copy(o44, o65)
+    copy(o45, o66)
+    copy(o49, o70)
+    copy(o50, o71)
+    copy(o51, o72)
+
+
+# operations 71: 29 +, 40 *, 2 /
+def _own_adjoint(m: Any, c: Any, v: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x12 = v11 + v22
+    x = x12 + v33
+    N = 1 + x
+    r = 2 * (N / N / N)
+    x23 = v22 + v33
+    x13 = v11 + v33
+    fv1 = v1 * r
+    fv2 = v2 * r
+    fv3 = v3 * r
+    gvv1 = fv1 * v2
+    gvv2 = fv1 * v3
+    gvv3 = fv2 * v3
+    Q11 = 1 - r * x23
+    Q12 = gvv1 - fv3
+    Q13 = gvv2 + fv2
+    Q21 = gvv1 + fv3
+    Q22 = 1 - r * x13
+    Q23 = gvv3 - fv1
+    Q31 = gvv2 - fv2
+    Q32 = gvv3 + fv1
+    Q33 = 1 - r * x12
+    rho1 = v1o * r + (fv2 * v3o - fv3 * v2o)
+    rho2 = v2o * r + (fv3 * v1o - fv1 * v3o)
+    rho3 = v3o * r + (fv1 * v2o - fv2 * v1o)
+    return (
+        Q11,
+        Q12,
+        Q13,
+        0,
+        0,
+        0,
+        Q21,
+        Q22,
+        Q23,
+        0,
+        0,
+        0,
+        Q31,
+        Q32,
+        Q33,
+        0,
+        0,
+        0,
+        Q31 * rho2 - Q21 * rho3,
+        Q32 * rho2 - Q22 * rho3,
+        Q33 * rho2 - Q23 * rho3,
+        Q11,
+        Q12,
+        Q13,
+        Q11 * rho3 - Q31 * rho1,
+        Q12 * rho3 - Q32 * rho1,
+        Q13 * rho3 - Q33 * rho1,
+        Q21,
+        Q22,
+        Q23,
+        Q21 * rho1 - Q11 * rho2,
+        Q22 * rho1 - Q12 * rho2,
+        Q23 * rho1 - Q13 * rho2,
+        Q31,
+        Q32,
+        Q33,
+    )
+
+
+def _own_adjoint_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36,
+    ) = out
+    k1, k2, k3, k4, k5, k6, k7 = scratch
+    n0, n1, n2 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    x12 = add(v11, v22, k3)
+    v33 = mul(v3, v3, k4)
+    x23 = add(v22, v33, k2)
+    x13 = add(v11, v33, k1)
+    x = add(x12, v33, k4)
+    N = add(n1, x, k4)
+    r = mul(n2, div(div(N, N, k5), N, k4), k4)
+    Q11 = sub(n1, mul(r, x23, k2), o1)
+    Q22 = sub(n1, mul(r, x13, k1), o8)
+    Q33 = sub(n1, mul(r, x12, k1), o15)
+    fv1 = mul(v1, r, k1)
+    gvv1 = mul(fv1, v2, k2)
+    fv3 = mul(v3, r, k3)
+    Q12 = sub(gvv1, fv3, o2)
+    Q21 = add(gvv1, fv3, o7)
+    gvv2 = mul(fv1, v3, k2)
+    fv2 = mul(v2, r, k5)
+    Q13 = add(gvv2, fv2, o3)
+    Q31 = sub(gvv2, fv2, o13)
+    gvv3 = mul(fv2, v3, k2)
+    Q23 = sub(gvv3, fv1, o9)
+    Q32 = add(gvv3, fv1, o14)
+    rho2 = add(mul(v2o, r, k2), sub(mul(fv3, v1o, k6), mul(fv1, v3o, k7), k6), k2)
+    rho3 = add(mul(v3o, r, k6), sub(mul(fv1, v2o, k1), mul(fv2, v1o, k7), k1), k1)
+    rho1 = add(mul(v1o, r, k4), sub(mul(fv2, v3o, k5), mul(fv3, v2o, k3), k3), k3)
+    sub(mul(Q31, rho2, k4), mul(Q21, rho3, k5), o19)
+    sub(mul(Q32, rho2, k4), mul(Q22, rho3, k5), o20)
+    sub(mul(Q33, rho2, k4), mul(Q23, rho3, k5), o21)
+    sub(mul(Q11, rho3, k4), mul(Q31, rho1, k5), o25)
+    sub(mul(Q12, rho3, k4), mul(Q32, rho1, k5), o26)
+    sub(mul(Q13, rho3, k1), mul(Q33, rho1, k4), o27)
+    sub(mul(Q21, rho1, k1), mul(Q11, rho2, k4), o31)
+    sub(mul(Q22, rho1, k1), mul(Q12, rho2, k4), o32)
+    sub(mul(Q23, rho1, k1), mul(Q13, rho2, k2), o33)
+    copy(n0, o4)
+    copy(n0, o5)
+    copy(n0, o6)
+    copy(n0, o10)
+    copy(n0, o11)
+    copy(n0, o12)
+    copy(n0, o16)
+    copy(n0, o17)
+    copy(n0, o18)
+    copy(o1, o22)
+    copy(o2, o23)
+    copy(o3, o24)
+    copy(o7, o28)
+    copy(o8, o29)
+    copy(o9, o30)
+    copy(o13, o34)
+    copy(o14, o35)
+    copy(o15, o36)
+
+
+# operations 134: 58 +, 63 *, 3 /, 10 neg
+def _own_transform_point_jacobians(m: Any, c: Any, v: Components, r: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    r1, r2, r3 = r
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x12 = v11 + v22
+    x = x12 + v33
+    N = 1 + x
+    r_ = 2 * (N / N / N)
+    e = 2 / N
+    eg = e * r_
+    fy = -eg
+    gv1 = v1 * r_
+    gv2 = v2 * r_
+    gv3 = v3 * r_
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    v1o_r_ = v1o * r_
+    v2o_r_ = v2o * r_
+    v3o_r_ = v3o * r_
+    v_r1 = v2 * r3 - v3 * r2
+    v_r2 = v3 * r1 - v1 * r3
+    v_r3 = v1 * r2 - v2 * r1
+    gv_r1 = v_r1 * r_
+    gv_r2 = v_r2 * r_
+    gv_r3 = v_r3 * r_
+    moved1 = r1 + (gv_r1 + (v2 * gv_r3 - v3 * gv_r2)) + (v1o_r_ + (gv2 * v3o - gv3 * v2o))
+    moved2 = r2 + (gv_r2 + (v3 * gv_r1 - v1 * gv_r3)) + (v2o_r_ + (gv3 * v1o - gv1 * v3o))
+    moved3 = r3 + (gv_r3 + (v1 * gv_r2 - v2 * gv_r1)) + (v3o_r_ + (gv1 * v2o - gv2 * v1o))
+    fo = fy * y
+    gvo1 = v1o_r_ + v1 * fo
+    gvo2 = v2o_r_ + v2 * fo
+    gvo3 = v3o_r_ + v3 * fo
+    T12 = -gv3
+    T23 = -gv1
+    T31 = -gv2
+    T12o = -gvo3
+    T23o = -gvo1
+    T31o = -gvo2
+    minus_moved3 = -moved3
+    minus_moved1 = -moved1
+    minus_moved2 = -moved2
+    x23 = v22 + v33
+    x13 = v11 + v33
+    gvv1 = gv1 * v2
+    gvv2 = gv1 * v3
+    gvv3 = gv2 * v3
+    return (
+        fo - (minus_moved3 * gv3 + moved2 * T31),
+        T12o - (minus_moved3 * r_ + moved2 * gv1),
+        gvo2 - (minus_moved3 * T23 + moved2 * r_),
+        r_,
+        T12,
+        gv2,
+        gvo3 - (moved3 * r_ + minus_moved1 * T31),
+        fo - (moved3 * T12 + minus_moved1 * gv1),
+        T23o - (moved3 * gv2 + minus_moved1 * r_),
+        gv3,
+        r_,
+        T23,
+        T31o - (minus_moved2 * r_ + moved1 * gv3),
+        gvo1 - (minus_moved2 * T12 + moved1 * r_),
+        fo - (minus_moved2 * gv2 + moved1 * T23),
+        T31,
+        gv1,
+        r_,
+        1 - r_ * x23,
+        gvv1 - gv3,
+        gvv2 + gv2,
+        gvv1 + gv3,
+        1 - r_ * x13,
+        gvv3 - gv1,
+        gvv2 - gv2,
+        gvv3 + gv1,
+        1 - r_ * x12,
+    )
+
+
+def _own_transform_point_jacobians_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, r: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    r1, r2, r3 = r
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27,
+    ) = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11 = scratch
+    n1, n2 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    x12 = add(v11, v22, k3)
+    v33 = mul(v3, v3, k4)
+    x23 = add(v22, v33, k2)
+    x13 = add(v11, v33, k1)
+    x = add(x12, v33, k4)
+    N = add(n1, x, k4)
+    r_ = mul(n2, div(div(N, N, k5), N, k5), o4)
+    sub(n1, mul(r_, x23, k2), o19)
+    sub(n1, mul(r_, x13, k1), o23)
+    sub(n1, mul(r_, x12, k1), o27)
+    gv1 = mul(v1, r_, o17)
+    gv2 = mul(v2, r_, o6)
+    gv3 = mul(v3, r_, o10)
+    e = div(n2, N, k1)
+    eg = mul(e, r_, k1)
+    fy = neg(eg, k1)
+    T31 = neg(gv2, o16)
+    T23 = neg(gv1, o12)
+    T12 = neg(gv3, o5)
+    v_r3 = sub(mul(v1, r2, k2), mul(v2, r1, k3), k2)
+    gv_r3 = mul(v_r3, r_, k2)
+    v_r2 = sub(mul(v3, r1, k3), mul(v1, r3, k4), k3)
+    gv_r2 = mul(v_r2, r_, k3)
+    v_r1 = sub(mul(v2, r3, k4), mul(v3, r2, k5), k4)
+    gv_r1 = mul(v_r1, r_, k4)
+    v3o_r_ = mul(v3o, r_, k5)
+    moved3 = add(
+        add(r3, add(gv_r3, sub(mul(v1, gv_r2, k6), mul(v2, gv_r1, k7), k6), k6), k6), add(v3o_r_, sub(mul(gv1, v2o, k7),
+        mul(gv2, v1o, k8), k7), k7), k6
+    )
+    minus_moved3 = neg(moved3, k7)
+    v2o_r_ = mul(v2o, r_, k8)
+    moved2 = add(
+        add(r2, add(gv_r2, sub(mul(v3, gv_r1, k9), mul(v1, gv_r3, k10), k9), k9), k9), add(v2o_r_, sub(mul(gv3, v1o,
+        k10), mul(gv1, v3o, k11), k10), k10), k9
+    )
+    y = add(add(mul(v1, v1o, k10), mul(v2, v2o, k11), k10), mul(v3, v3o, k11), k10)
+    fo = mul(fy, y, k1)
+    sub(fo, add(mul(minus_moved3, gv3, k10), mul(moved2, T31, k11), k10), o1)
+    gvo3 = add(v3o_r_, mul(v3, fo, k10), k5)
+    gvo2 = add(v2o_r_, mul(v2, fo, k10), k8)
+    sub(gvo2, add(mul(minus_moved3, T23, k10), mul(moved2, r_, k11), k10), o3)
+    T31o = neg(gvo2, k8)
+    T12o = neg(gvo3, k10)
+    sub(T12o, add(mul(minus_moved3, r_, k7), mul(moved2, gv1, k11), k7), o2)
+    minus_moved2 = neg(moved2, k7)
+    v1o_r_ = mul(v1o, r_, k9)
+    moved1 = add(
+        add(r1, add(gv_r1, sub(mul(v2, gv_r3, k2), mul(v3, gv_r2, k3), k2), k2), k2), add(v1o_r_, sub(mul(gv2, v3o, k3),
+        mul(gv3, v2o, k4), k3), k3), k2
+    )
+    sub(T31o, add(mul(minus_moved2, r_, k3), mul(moved1, gv3, k4), k3), o13)
+    gvo1 = add(v1o_r_, mul(v1, fo, k3), k3)
+    sub(gvo1, add(mul(minus_moved2, T12, k4), mul(moved1, r_, k8), k4), o14)
+    sub(fo, add(mul(minus_moved2, gv2, k4), mul(moved1, T23, k7), k4), o15)
+    minus_moved1 = neg(moved1, k2)
+    sub(gvo3, add(mul(moved3, r_, k4), mul(minus_moved1, T31, k7), k4), o7)
+    sub(fo, add(mul(moved3, T12, k4), mul(minus_moved1, gv1, k5), k4), o8)
+    T23o = neg(gvo1, k1)
+    sub(T23o, add(mul(moved3, gv2, k3), mul(minus_moved1, r_, k2), k2), o9)
+    gvv1 = mul(gv1, v2, k1)
+    sub(gvv1, gv3, o20)
+    add(gvv1, gv3, o22)
+    gvv2 = mul(gv1, v3, k1)
+    add(gvv2, gv2, o21)
+    sub(gvv2, gv2, o25)
+    gvv3 = mul(gv2, v3, k1)
+    sub(gvv3, gv1, o24)
+    add(gvv3, gv1, o26)
+    copy(o4, o11)
+    copy(o4, o18)
+
+
+# operations 236: 91 +, 129 *, 3 /, 13 neg
+def _own_transform_line_jacobians(m: Any, c: Any, v: Components, line: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    l1, l2, l3, m1, m2, m3 = line
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x12 = v11 + v22
+    x = x12 + v33
+    N = 1 + x
+    r = 2 * (N / N / N)
+    e = 2 / N
+    eg = e * r
+    fy = -eg
+    x23 = v22 + v33
+    x13 = v11 + v33
+    fv1 = v1 * r
+    fv2 = v2 * r
+    fv3 = v3 * r
+    gvv1 = fv1 * v2
+    gvv2 = fv1 * v3
+    gvv3 = fv2 * v3
+    Q11 = 1 - r * x23
+    Q12 = gvv1 - fv3
+    Q13 = gvv2 + fv2
+    Q21 = gvv1 + fv3
+    Q22 = 1 - r * x13
+    Q23 = gvv3 - fv1
+    Q31 = gvv2 - fv2
+    Q32 = gvv3 + fv1
+    Q33 = 1 - r * x12
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    v1o_r = v1o * r
+    v2o_r = v2o * r
+    v3o_r = v3o * r
+    rho1 = v1o_r + (fv2 * v3o - fv3 * v2o)
+    rho2 = v2o_r + (fv3 * v1o - fv1 * v3o)
+    rho3 = v3o_r + (fv1 * v2o - fv2 * v1o)
+    R11o = Q31 * rho2 - Q21 * rho3
+    R12o = Q32 * rho2 - Q22 * rho3
+    R13o = Q33 * rho2 - Q23 * rho3
+    R21o = Q11 * rho3 - Q31 * rho1
+    R22o = Q12 * rho3 - Q32 * rho1
+    R23o = Q13 * rho3 - Q33 * rho1
+    R31o = Q21 * rho1 - Q11 * rho2
+    R32o = Q22 * rho1 - Q12 * rho2
+    R33o = Q23 * rho1 - Q13 * rho2
+    moved1 = Q11 * l1 + Q12 * l2 + Q13 * l3
+    moved1o = Q11 * m1 + R11o * l1 + (Q12 * m2 + R12o * l2) + (Q13 * m3 + R13o * l3)
+    moved2 = Q21 * l1 + Q22 * l2 + Q23 * l3
+    moved2o = Q21 * m1 + R21o * l1 + (Q22 * m2 + R22o * l2) + (Q23 * m3 + R23o * l3)
+    moved3 = Q31 * l1 + Q32 * l2 + Q33 * l3
+    moved3o = Q31 * m1 + R31o * l1 + (Q32 * m2 + R32o * l2) + (Q33 * m3 + R33o * l3)
+    minus_moved1 = -moved1
+    minus_moved1o = -moved1o
+    minus_moved2 = -moved2
+    minus_moved2o = -moved2o
+    minus_moved3 = -moved3
+    minus_moved3o = -moved3o
+    fo = fy * y
+    gvo1 = v1o_r + v1 * fo
+    gvo2 = v2o_r + v2 * fo
+    gvo3 = v3o_r + v3 * fo
+    T12 = -fv3
+    T23 = -fv1
+    T31 = -fv2
+    T12o = -gvo3
+    T23o = -gvo1
+    T31o = -gvo2
+    V11 = moved3 * fv3 + minus_moved2 * T31
+    V12 = moved3 * r + minus_moved2 * fv1
+    V13 = moved3 * T23 + minus_moved2 * r
+    V21 = minus_moved3 * r + moved1 * T31
+    V22 = minus_moved3 * T12 + moved1 * fv1
+    V23 = minus_moved3 * fv2 + moved1 * r
+    V31 = moved2 * r + minus_moved1 * fv3
+    V32 = moved2 * T12 + minus_moved1 * r
+    V33 = moved2 * fv2 + minus_moved1 * T23
+    return (
+        V11,
+        V12,
+        V13,
+        0,
+        0,
+        0,
+        V21,
+        V22,
+        V23,
+        0,
+        0,
+        0,
+        V31,
+        V32,
+        V33,
+        0,
+        0,
+        0,
+        moved3 * gvo3 + moved3o * fv3 + (minus_moved2 * T31o + minus_moved2o * T31),
+        moved3 * fo + moved3o * r + (minus_moved2 * gvo1 + minus_moved2o * fv1),
+        moved3 * T23o + moved3o * T23 + (minus_moved2 * fo + minus_moved2o * r),
+        V11,
+        V12,
+        V13,
+        minus_moved3 * fo + minus_moved3o * r + (moved1 * T31o + moved1o * T31),
+        minus_moved3 * T12o + minus_moved3o * T12 + (moved1 * gvo1 + moved1o * fv1),
+        minus_moved3 * gvo2 + minus_moved3o * fv2 + (moved1 * fo + moved1o * r),
+        V21,
+        V22,
+        V23,
+        moved2 * fo + moved2o * r + (minus_moved1 * gvo3 + minus_moved1o * fv3),
+        moved2 * T12o + moved2o * T12 + (minus_moved1 * fo + minus_moved1o * r),
+        moved2 * gvo2 + moved2o * fv2 + (minus_moved1 * T23o + minus_moved1o * T23),
+        V31,
+        V32,
+        V33,
+        Q11,
+        Q12,
+        Q13,
+        0,
+        0,
+        0,
+        Q21,
+        Q22,
+        Q23,
+        0,
+        0,
+        0,
+        Q31,
+        Q32,
+        Q33,
+        0,
+        0,
+        0,
+        R11o,
+        R12o,
+        R13o,
+        Q11,
+        Q12,
+        Q13,
+        R21o,
+        R22o,
+        R23o,
+        Q21,
+        Q22,
+        Q23,
+        R31o,
+        R32o,
+        R33o,
+        Q31,
+        Q32,
+        Q33,
+    )
+
+
+def _own_transform_line_jacobians_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, line: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    l1, l2, l3, m1, m2, m3 = line
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36, o37, o38, o39, o40, o41, o42, o43, o44, o45, o46,
+        o47, o48, o49, o50, o51, o52, o53, o54, o55, o56, o57, o58, o59, o60, o61, o62, o63, o64, o65, o66, o67, o68,
+        o69, o70, o71, o72,
+    ) = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22 = scratch
+    n0, n1, n2 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    x12 = add(v11, v22, k3)
+    v33 = mul(v3, v3, k4)
+    x13 = add(v11, v33, k1)
+    x23 = add(v22, v33, k2)
+    x = add(x12, v33, k4)
+    N = add(n1, x, k4)
+    r = mul(n2, div(div(N, N, k5), N, k5), k5)
+    Q33 = sub(n1, mul(r, x12, k3), o51)
+    Q22 = sub(n1, mul(r, x13, k1), o44)
+    Q11 = sub(n1, mul(r, x23, k1), o37)
+    e = div(n2, N, k1)
+    eg = mul(e, r, k1)
+    fy = neg(eg, k1)
+    fv2 = mul(v2, r, k2)
+    gvv3 = mul(fv2, v3, k3)
+    fv1 = mul(v1, r, k4)
+    Q32 = add(gvv3, fv1, o50)
+    Q23 = sub(gvv3, fv1, o45)
+    gvv2 = mul(fv1, v3, k3)
+    Q31 = sub(gvv2, fv2, o49)
+    Q13 = add(gvv2, fv2, o39)
+    v1o_r = mul(v1o, r, k3)
+    fv3 = mul(v3, r, k6)
+    rho1 = add(v1o_r, sub(mul(fv2, v3o, k7), mul(fv3, v2o, k8), k7), k7)
+    v2o_r = mul(v2o, r, k8)
+    rho2 = add(v2o_r, sub(mul(fv3, v1o, k9), mul(fv1, v3o, k10), k9), k9)
+    R33o = sub(mul(Q23, rho1, k10), mul(Q13, rho2, k11), o69)
+    gvv1 = mul(fv1, v2, k10)
+    Q12 = sub(gvv1, fv3, o38)
+    Q21 = add(gvv1, fv3, o43)
+    R32o = sub(mul(Q22, rho1, k10), mul(Q12, rho2, k11), o68)
+    R31o = sub(mul(Q21, rho1, k10), mul(Q11, rho2, k11), o67)
+    v3o_r = mul(v3o, r, k10)
+    rho3 = add(v3o_r, sub(mul(fv1, v2o, k11), mul(fv2, v1o, k12), k11), k11)
+    R23o = sub(mul(Q13, rho3, k12), mul(Q33, rho1, k13), o63)
+    R22o = sub(mul(Q12, rho3, k12), mul(Q32, rho1, k13), o62)
+    R21o = sub(mul(Q11, rho3, k12), mul(Q31, rho1, k7), o61)
+    R13o = sub(mul(Q33, rho2, k7), mul(Q23, rho3, k12), o57)
+    R12o = sub(mul(Q32, rho2, k7), mul(Q22, rho3, k12), o56)
+    R11o = sub(mul(Q31, rho2, k7), mul(Q21, rho3, k9), o55)
+    moved2 = add(add(mul(Q21, l1, k7), mul(Q22, l2, k9), k7), mul(Q23, l3, k9), k7)
+    moved1 = add(add(mul(Q11, l1, k9), mul(Q12, l2, k11), k9), mul(Q13, l3, k11), k9)
+    minus_moved1 = neg(moved1, k11)
+    add(mul(moved2, r, k12), mul(minus_moved1, fv3, k13), o13)
+    T23 = neg(fv1, k12)
+    add(mul(moved2, fv2, k13), mul(minus_moved1, T23, k14), o15)
+    T12 = neg(fv3, k13)
+    add(mul(moved2, T12, k14), mul(minus_moved1, r, k15), o14)
+    moved2o = add(
+        add(add(mul(Q21, m1, k14), mul(R21o, l1, k15), k14), add(mul(Q22, m2, k15), mul(R22o, l2, k16), k15), k14),
+        add(mul(Q23, m3, k15), mul(R23o, l3, k16), k15), k14
+    )
+    moved1o = add(
+        add(add(mul(Q11, m1, k15), mul(R11o, l1, k16), k15), add(mul(Q12, m2, k16), mul(R12o, l2, k17), k16), k15),
+        add(mul(Q13, m3, k16), mul(R13o, l3, k17), k16), k15
+    )
+    minus_moved1o = neg(moved1o, k16)
+    y = add(add(mul(v1, v1o, k17), mul(v2, v2o, k18), k17), mul(v3, v3o, k18), k17)
+    fo = mul(fy, y, k1)
+    gvo2 = add(v2o_r, mul(v2, fo, k17), k8)
+    gvo1 = add(v1o_r, mul(v1, fo, k17), k3)
+    gvo3 = add(v3o_r, mul(v3, fo, k17), k10)
+    add(
+        add(mul(moved2, fo, k17), mul(moved2o, r, k18), k17), add(mul(minus_moved1, gvo3, k18), mul(minus_moved1o, fv3,
+        k19), k18), o31
+    )
+    T23o = neg(gvo1, k17)
+    add(
+        add(mul(moved2, gvo2, k18), mul(moved2o, fv2, k19), k18), add(mul(minus_moved1, T23o, k19), mul(minus_moved1o,
+        T23, k20), k19), o33
+    )
+    T12o = neg(gvo3, k18)
+    add(
+        add(mul(moved2, T12o, k19), mul(moved2o, T12, k20), k19), add(mul(minus_moved1, fo, k11), mul(minus_moved1o, r,
+        k16), k11), o32
+    )
+    minus_moved2 = neg(moved2, k7)
+    minus_moved2o = neg(moved2o, k11)
+    moved3 = add(add(mul(Q31, l1, k14), mul(Q32, l2, k16), k14), mul(Q33, l3, k16), k14)
+    add(mul(moved3, T23, k16), mul(minus_moved2, r, k19), o3)
+    add(mul(moved3, r, k16), mul(minus_moved2, fv1, k19), o2)
+    minus_moved3 = neg(moved3, k16)
+    add(mul(minus_moved3, fv2, k19), mul(moved1, r, k20), o9)
+    add(mul(minus_moved3, T12, k19), mul(moved1, fv1, k20), o8)
+    T31 = neg(fv2, k19)
+    add(mul(minus_moved3, r, k20), mul(moved1, T31, k21), o7)
+    add(mul(moved3, fv3, k20), mul(minus_moved2, T31, k21), o1)
+    moved3o = add(
+        add(add(mul(Q31, m1, k20), mul(R31o, l1, k21), k20), add(mul(Q32, m2, k21), mul(R32o, l2, k22), k21), k20),
+        add(mul(Q33, m3, k21), mul(R33o, l3, k22), k21), k20
+    )
+    add(
+        add(mul(moved3, T23o, k17), mul(moved3o, T23, k12), k12), add(mul(minus_moved2, fo, k17), mul(minus_moved2o, r,
+        k21), k17), o21
+    )
+    add(
+        add(mul(moved3, fo, k12), mul(moved3o, r, k17), k12), add(mul(minus_moved2, gvo1, k17), mul(minus_moved2o, fv1,
+        k21), k17), o20
+    )
+    minus_moved3o = neg(moved3o, k12)
+    add(
+        add(mul(minus_moved3, T12o, k17), mul(minus_moved3o, T12, k13), k13), add(mul(moved1, gvo1, k3), mul(moved1o,
+        fv1, k4), k3), o26
+    )
+    add(
+        add(mul(minus_moved3, gvo2, k3), mul(minus_moved3o, fv2, k2), k2), add(mul(moved1, fo, k3), mul(moved1o, r, k4),
+        k3), o27
+    )
+    T31o = neg(gvo2, k2)
+    add(
+        add(mul(minus_moved3, fo, k1), mul(minus_moved3o, r, k3), k1), add(mul(moved1, T31o, k3), mul(moved1o, T31, k4),
+        k3), o25
+    )
+    add(
+        add(mul(moved3, gvo3, k1), mul(moved3o, fv3, k3), k1), add(mul(minus_moved2, T31o, k2), mul(minus_moved2o, T31,
+        k3), k2), o19
+    )
+    copy(n0, o4)
+    copy(n0, o5)
+    copy(n0, o6)
+    copy(n0, o10)
+    copy(n0, o11)
+    copy(n0, o12)
+    copy(n0, o16)
+    copy(n0, o17)
+    copy(n0, o18)
+    copy(o1, o22)
+    copy(o2, o23)
+    copy(o3, o24)
+    copy(o7, o28)
+    copy(o8, o29)
+    copy(o9, o30)
+    copy(o13, o34)
+    copy(o14, o35)
+    copy(o15, o36)
+    copy(n0, o40)
+    copy(n0, o41)
+    copy(n0, o42)
+    copy(n0, o46)
+    copy(n0, o47)
+    copy(n0, o48)
+    copy(n0, o52)
+    copy(n0, o53)
+    copy(n0, o54)
+    copy(o37, o58)
+    copy(o38, o59)
+    copy(o39, o60)
+    copy(o43, o64)
+    copy(o44, o65)
+    copy(o45, o66)
+    copy(o49, o70)
+    copy(o50, o71)
+    copy(o51, o72)
+
+
 CHART = Chart(
     __name__,
     branches=1,
@@ -1961,11 +3940,80 @@ CHART = Chart(
         lent=(),
         real=True,
     ),
+        "between": Kernel(
+        _own_between,
+        _own_between_blocks,
+        (("v2", (6,)), ("v1", (6,)),),
+        (6,),
+        registers=18,
+        masks=0,
+        numbers=(1, 2),
+        lent=(),
+        real=True,
+    ),
+        "compose_jacobians": Kernel(
+        _own_compose_jacobians,
+        _own_compose_jacobians_blocks,
+        (("v2", (6,)), ("v1", (6,)),),
+        (72,),
+        registers=61,
+        masks=0,
+        numbers=(0, 1, 2),
+        lent=(),
+        real=True,
+    ),
+        "between_jacobians": Kernel(
+        _own_between_jacobians,
+        _own_between_jacobians_blocks,
+        (("v2", (6,)), ("v1", (6,)),),
+        (72,),
+        registers=61,
+        masks=0,
+        numbers=(0, 1, 2),
+        lent=(),
+        real=True,
+    ),
+        "adjoint": Kernel(
+        _own_adjoint,
+        _own_adjoint_blocks,
+        (("v", (6,)),),
+        (6, 6),
+        registers=7,
+        masks=0,
+        numbers=(0, 1, 2),
+        lent=(),
+        real=False,
+    ),
+        "transform_point_jacobians": Kernel(
+        _own_transform_point_jacobians,
+        _own_transform_point_jacobians_blocks,
+        (("v", (6,)), ("r", (3,)),),
+        (27,),
+        registers=11,
+        masks=0,
+        numbers=(1, 2),
+        lent=(),
+        real=False,
+    ),
+        "transform_line_jacobians": Kernel(
+        _own_transform_line_jacobians,
+        _own_transform_line_jacobians_blocks,
+        (("v", (6,)), ("line", (6,)),),
+        (72,),
+        registers=22,
+        masks=0,
+        numbers=(0, 1, 2),
+        lent=(),
+        real=False,
+    ),
     },
 )
 
 KERNELS = PoseKernels(CHART)
 
+adjoint = KERNELS.adjoint
+between = KERNELS.between
+between_jacobians = KERNELS.between_jacobians
 body_cotangent = KERNELS.body_cotangent
 body_cotangent_jacobian = KERNELS.body_cotangent_jacobian
 body_rate = KERNELS.body_rate
@@ -1978,6 +4026,7 @@ body_twist = KERNELS.body_twist
 body_twist_dot = KERNELS.body_twist_dot
 body_twist_jacobian = KERNELS.body_twist_jacobian
 compose = KERNELS.compose
+compose_jacobians = KERNELS.compose_jacobians
 cotangent = KERNELS.cotangent
 cotangent_jacobian = KERNELS.cotangent_jacobian
 dcay = KERNELS.tangent
@@ -2003,7 +4052,9 @@ tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_screw = KERNELS.to_screw
 transform_line = KERNELS.transform_line
+transform_line_jacobians = KERNELS.transform_line_jacobians
 transform_point = KERNELS.transform_point
+transform_point_jacobians = KERNELS.transform_point_jacobians
 twist = KERNELS.twist
 twist_dot = KERNELS.twist_dot
 twist_jacobian = KERNELS.twist_jacobian

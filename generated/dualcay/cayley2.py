@@ -89,6 +89,12 @@
 #   shadow: 90: 25 +, 36 *, 12 /, 6 abs, 2 sqrt, 2 lt, 1 eq, 6 where
 #   principal: 55: 15 +, 23 *, 8 /, 1 sqrt, 1 lt, 7 where
 #   compose: 205: 73 +, 120 *, 8 /, 1 neg, 1 lt, 2 where
+#   between: 211: 73 +, 120 *, 8 /, 7 neg, 1 lt, 2 where
+#   compose_jacobians: 871: 365 +, 446 *, 47 /, 10 neg, 1 lt, 2 where
+#   between_jacobians: 895: 365 +, 446 *, 47 /, 34 neg, 1 lt, 2 where
+#   adjoint: 92: 35 +, 55 *, 2 /
+#   transform_point_jacobians: 189: 88 +, 94 *, 3 /, 4 neg
+#   transform_line_jacobians: 307: 124 +, 173 *, 3 /, 7 neg
 r"""Cayley map of order 2: Rodrigues dual vectors ``v = tan(α/4) u`` of rigid displacements.
 
 .. math::
@@ -119,12 +125,13 @@ from ._interface import PoseKernels
 from ._kernel import Components, Kernel, Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "body_cotangent", "body_cotangent_jacobian", "body_rate", "body_rate_dot", "body_rate_jacobian", "body_tangent",
-    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
-    "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_pose", "from_quaternion", "from_screw", "from_tensor",
-    "identity", "inverse", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow",
-    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
-    "transform_point", "twist", "twist_dot", "twist_jacobian",
+    "adjoint", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_rate",
+    "body_rate_dot", "body_rate_jacobian", "body_tangent", "body_tangent_dot", "body_tangent_inv", "body_twist",
+    "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians", "cotangent", "cotangent_jacobian", "dcay",
+    "dcay_inv", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity", "inverse", "pose", "principal",
+    "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow", "singular_angles", "tangent", "tangent_dot",
+    "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
+    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 2
@@ -1293,6 +1300,1720 @@ def _own_from_quaternion_blocks(
     div(add(sub(mul(rho3, fi, k1), sub(mul(v1, rho2, k3), mul(v2, rho1, k2), k2), k1), mul(v3, hvr, k2), k1), n2, o6)
 
 
+# operations 871: 365 +, 446 *, 47 /, 10 neg, 1 lt, 2 where
+def _own_compose_jacobians(m: Any, c: Any, b: Components, a: Components) -> Result:
+    b1, b2, b3, b1o, b2o, b3o = b
+    a1, a2, a3, a1o, a2o, a3o = a
+    v11b = b1 * b1
+    v22b = b2 * b2
+    v33b = b3 * b3
+    x12b = v11b + v22b
+    xb = x12b + v33b
+    pb = 1 - xb
+    rootb = 1 + xb
+    Nb = pb * pb + 4 * xb
+    rb = 2 * (Nb / Nb / Nb)
+    fb = 2 * pb * rb
+    gb = 4 * rb
+    bvb1 = 2 * b1
+    bvb2 = 2 * b2
+    bvb3 = 2 * b3
+    v11a = a1 * a1
+    v22a = a2 * a2
+    v33a = a3 * a3
+    xa = v11a + v22a + v33a
+    pa = 1 - xa
+    roota = 1 + xa
+    Na = pa * pa + 4 * xa
+    ra = 2 * (Na / Na / Na)
+    fa = 2 * pa * ra
+    ga = 4 * ra
+    bva1 = 2 * a1
+    bva2 = 2 * a2
+    bva3 = 2 * a3
+    z0 = pb * pa - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
+    z1 = bva1 * pb + bvb1 * pa + (bvb2 * bva3 - bvb3 * bva2)
+    z2 = bva2 * pb + bvb2 * pa + (bvb3 * bva1 - bvb1 * bva3)
+    z3 = bva3 * pb + bvb3 * pa + (bvb1 * bva2 - bvb2 * bva1)
+    gva1 = a1 * ga
+    gva2 = a2 * ga
+    gva3 = a3 * ga
+    ya = a1 * a1o + a2 * a2o + a3 * a3o
+    alonga = ga * ya
+    gva2_a3o = gva2 * a3o
+    gva1_a3o = gva1 * a3o
+    gva1_a2o = gva1 * a2o
+    rhoa1 = a1o * fa + (gva2_a3o - gva3 * a2o) + a1 * alonga
+    rhoa2 = a2o * fa + (gva3 * a1o - gva1_a3o) + a2 * alonga
+    rhoa3 = a3o * fa + (gva1_a2o - gva2 * a1o) + a3 * alonga
+    v_rho1 = b2 * rhoa3 - b3 * rhoa2
+    v_rho2 = b3 * rhoa1 - b1 * rhoa3
+    v_rho3 = b1 * rhoa2 - b2 * rhoa1
+    gv_rho1 = v_rho1 * gb
+    gv_rho2 = v_rho2 * gb
+    gv_rho3 = v_rho3 * gb
+    gvb1 = b1 * gb
+    gvb2 = b2 * gb
+    gvb3 = b3 * gb
+    yb = b1 * b1o + b2 * b2o + b3 * b3o
+    alongb = gb * yb
+    gvb2_b3o = gvb2 * b3o
+    gvb1_b3o = gvb1 * b3o
+    gvb1_b2o = gvb1 * b2o
+    rhob1 = b1o * fb + (gvb2_b3o - gvb3 * b2o) + b1 * alongb
+    rhob2 = b2o * fb + (gvb3 * b1o - gvb1_b3o) + b2 * alongb
+    rhob3 = b3o * fb + (gvb1_b2o - gvb2 * b1o) + b3 * alongb
+    rho1 = rhoa1 + (v_rho1 * fb + (b2 * gv_rho3 - b3 * gv_rho2)) + rhob1
+    rho2 = rhoa2 + (v_rho2 * fb + (b3 * gv_rho1 - b1 * gv_rho3)) + rhob2
+    rho3 = rhoa3 + (v_rho3 * fb + (b1 * gv_rho2 - b2 * gv_rho1)) + rhob3
+    size = rootb * roota
+    negative = z0 < 0
+    cos = m.where(negative, -z0, z0)
+    gain = m.where(negative, -1, 1) / (size + cos)
+    v1 = z1 * gain
+    v2 = z2 * gain
+    v3 = z3 * gain
+    fi = gain * z0
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    hvr = v1 * rho1 + v2 * rho2 + v3 * rho3
+    w4 = (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2
+    w5 = (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2
+    w6 = (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2
+    pw = 1 - x
+    fiw = pw / 2
+    v1_w4 = v1 * w4
+    v2_w5 = v2 * w5
+    v3_w6 = v3 * w6
+    yw = v1_w4 + v2_w5 + v3_w6
+    fiow = -yw
+    sw1 = -v1
+    sw2 = -v2
+    sw3 = -v3
+    sow1 = -w4
+    sow2 = -w5
+    sow3 = -w6
+    d12w = v1 * v2
+    d13w = v1 * v3
+    d23w = v2 * v3
+    I11 = fiw + v11
+    I12 = d12w - sw3
+    I13 = d13w + sw2
+    I21 = d12w + sw3
+    I22 = fiw + v22
+    I23 = d23w - sw1
+    I31 = d13w - sw2
+    I32 = d23w + sw1
+    I33 = fiw + v33
+    d12ow = v1 * w5 + w4 * v2
+    d13ow = v1 * w6 + w4 * v3
+    d23ow = v2 * w6 + w5 * v3
+    I11o = fiow + (v1_w4 + v1_w4)
+    I12o = d12ow - sow3
+    I13o = d13ow + sow2
+    I21o = d12ow + sow3
+    I22o = fiow + (v2_w5 + v2_w5)
+    I23o = d23ow - sow1
+    I31o = d13ow - sow2
+    I32o = d23ow + sow1
+    I33o = fiow + (v3_w6 + v3_w6)
+    eS = 4 / rootb
+    egS = eS * gb
+    fyS = gb - egS
+    gyS = -egS
+    foS = fyS * yb
+    goS = gyS * yb
+    gvoS1 = b1o * gb + b1 * goS
+    gvoS2 = b2o * gb + b2 * goS
+    gvoS3 = b3o * gb + b3 * goS
+    d12S = gvb1 * b2
+    d13S = gvb1 * b3
+    d23S = gvb2 * b3
+    S11 = fb + gvb1 * b1
+    S12 = d12S - gvb3
+    S13 = d13S + gvb2
+    S21 = d12S + gvb3
+    S22 = fb + gvb2 * b2
+    S23 = d23S - gvb1
+    S31 = d13S - gvb2
+    S32 = d23S + gvb1
+    S33 = fb + gvb3 * b3
+    d12oS = gvb1_b2o + gvoS1 * b2
+    d13oS = gvb1_b3o + gvoS1 * b3
+    d23oS = gvb2_b3o + gvoS2 * b3
+    S11o = foS + (gvb1 * b1o + gvoS1 * b1)
+    S12o = d12oS - gvoS3
+    S13o = d13oS + gvoS2
+    S21o = d12oS + gvoS3
+    S22o = foS + (gvb2 * b2o + gvoS2 * b2)
+    S23o = d23oS - gvoS1
+    S31o = d13oS - gvoS2
+    S32o = d23oS + gvoS1
+    S33o = foS + (gvb3 * b3o + gvoS3 * b3)
+    eF = 4 / roota
+    egF = eF * ga
+    fyF = ga - egF
+    gyF = -egF
+    foF = fyF * ya
+    goF = gyF * ya
+    gvoF1 = a1o * ga + a1 * goF
+    gvoF2 = a2o * ga + a2 * goF
+    gvoF3 = a3o * ga + a3 * goF
+    d12F = gva1 * a2
+    d13F = gva1 * a3
+    d23F = gva2 * a3
+    F11 = fa + gva1 * a1
+    F12 = d12F - gva3
+    F13 = d13F + gva2
+    F21 = d12F + gva3
+    F22 = fa + gva2 * a2
+    F23 = d23F - gva1
+    F31 = d13F - gva2
+    F32 = d23F + gva1
+    F33 = fa + gva3 * a3
+    d12oF = gva1_a2o + gvoF1 * a2
+    d13oF = gva1_a3o + gvoF1 * a3
+    d23oF = gva2_a3o + gvoF2 * a3
+    F11o = foF + (gva1 * a1o + gvoF1 * a1)
+    F12o = d12oF - gvoF3
+    F13o = d13oF + gvoF2
+    F21o = d12oF + gvoF3
+    F22o = foF + (gva2 * a2o + gvoF2 * a2)
+    F23o = d23oF - gvoF1
+    F31o = d13oF - gvoF2
+    F32o = d23oF + gvoF1
+    F33o = foF + (gva3 * a3o + gvoF3 * a3)
+    x23b = v22b + v33b
+    x13b = v11b + v33b
+    fvb1 = b1 * fb
+    fvb2 = b2 * fb
+    fvb3 = b3 * fb
+    Qb11 = 1 - gb * x23b
+    Qb12 = d12S - fvb3
+    Qb13 = d13S + fvb2
+    Qb21 = d12S + fvb3
+    Qb22 = 1 - gb * x13b
+    Qb23 = d23S - fvb1
+    Qb31 = d13S - fvb2
+    Qb32 = d23S + fvb1
+    Qb33 = 1 - gb * x12b
+    R11o = Qb31 * rhob2 - Qb21 * rhob3
+    R12o = Qb32 * rhob2 - Qb22 * rhob3
+    R13o = Qb33 * rhob2 - Qb23 * rhob3
+    R21o = Qb11 * rhob3 - Qb31 * rhob1
+    R22o = Qb12 * rhob3 - Qb32 * rhob1
+    R23o = Qb13 * rhob3 - Qb33 * rhob1
+    R31o = Qb21 * rhob1 - Qb11 * rhob2
+    R32o = Qb22 * rhob1 - Qb12 * rhob2
+    R33o = Qb23 * rhob1 - Qb13 * rhob2
+    B11 = (I11 * S11 + I12 * S21 + I13 * S31) / 2
+    B12 = (I11 * S12 + I12 * S22 + I13 * S32) / 2
+    B13 = (I11 * S13 + I12 * S23 + I13 * S33) / 2
+    B21 = (I21 * S11 + I22 * S21 + I23 * S31) / 2
+    B22 = (I21 * S12 + I22 * S22 + I23 * S32) / 2
+    B23 = (I21 * S13 + I22 * S23 + I23 * S33) / 2
+    B31 = (I31 * S11 + I32 * S21 + I33 * S31) / 2
+    B32 = (I31 * S12 + I32 * S22 + I33 * S32) / 2
+    B33 = (I31 * S13 + I32 * S23 + I33 * S33) / 2
+    RT11 = Qb11 * F11 + Qb12 * F21 + Qb13 * F31
+    RT11o = Qb11 * F11o + R11o * F11 + (Qb12 * F21o + R12o * F21) + (Qb13 * F31o + R13o * F31)
+    RT12 = Qb11 * F12 + Qb12 * F22 + Qb13 * F32
+    RT12o = Qb11 * F12o + R11o * F12 + (Qb12 * F22o + R12o * F22) + (Qb13 * F32o + R13o * F32)
+    RT13 = Qb11 * F13 + Qb12 * F23 + Qb13 * F33
+    RT13o = Qb11 * F13o + R11o * F13 + (Qb12 * F23o + R12o * F23) + (Qb13 * F33o + R13o * F33)
+    RT21 = Qb21 * F11 + Qb22 * F21 + Qb23 * F31
+    RT21o = Qb21 * F11o + R21o * F11 + (Qb22 * F21o + R22o * F21) + (Qb23 * F31o + R23o * F31)
+    RT22 = Qb21 * F12 + Qb22 * F22 + Qb23 * F32
+    RT22o = Qb21 * F12o + R21o * F12 + (Qb22 * F22o + R22o * F22) + (Qb23 * F32o + R23o * F32)
+    RT23 = Qb21 * F13 + Qb22 * F23 + Qb23 * F33
+    RT23o = Qb21 * F13o + R21o * F13 + (Qb22 * F23o + R22o * F23) + (Qb23 * F33o + R23o * F33)
+    RT31 = Qb31 * F11 + Qb32 * F21 + Qb33 * F31
+    RT31o = Qb31 * F11o + R31o * F11 + (Qb32 * F21o + R32o * F21) + (Qb33 * F31o + R33o * F31)
+    RT32 = Qb31 * F12 + Qb32 * F22 + Qb33 * F32
+    RT32o = Qb31 * F12o + R31o * F12 + (Qb32 * F22o + R32o * F22) + (Qb33 * F32o + R33o * F32)
+    RT33 = Qb31 * F13 + Qb32 * F23 + Qb33 * F33
+    RT33o = Qb31 * F13o + R31o * F13 + (Qb32 * F23o + R32o * F23) + (Qb33 * F33o + R33o * F33)
+    A11 = (I11 * RT11 + I12 * RT21 + I13 * RT31) / 2
+    A12 = (I11 * RT12 + I12 * RT22 + I13 * RT32) / 2
+    A13 = (I11 * RT13 + I12 * RT23 + I13 * RT33) / 2
+    A21 = (I21 * RT11 + I22 * RT21 + I23 * RT31) / 2
+    A22 = (I21 * RT12 + I22 * RT22 + I23 * RT32) / 2
+    A23 = (I21 * RT13 + I22 * RT23 + I23 * RT33) / 2
+    A31 = (I31 * RT11 + I32 * RT21 + I33 * RT31) / 2
+    A32 = (I31 * RT12 + I32 * RT22 + I33 * RT32) / 2
+    A33 = (I31 * RT13 + I32 * RT23 + I33 * RT33) / 2
+    return (
+        B11,
+        B12,
+        B13,
+        0,
+        0,
+        0,
+        B21,
+        B22,
+        B23,
+        0,
+        0,
+        0,
+        B31,
+        B32,
+        B33,
+        0,
+        0,
+        0,
+        (I11 * S11o + I11o * S11 + (I12 * S21o + I12o * S21) + (I13 * S31o + I13o * S31)) / 2,
+        (I11 * S12o + I11o * S12 + (I12 * S22o + I12o * S22) + (I13 * S32o + I13o * S32)) / 2,
+        (I11 * S13o + I11o * S13 + (I12 * S23o + I12o * S23) + (I13 * S33o + I13o * S33)) / 2,
+        B11,
+        B12,
+        B13,
+        (I21 * S11o + I21o * S11 + (I22 * S21o + I22o * S21) + (I23 * S31o + I23o * S31)) / 2,
+        (I21 * S12o + I21o * S12 + (I22 * S22o + I22o * S22) + (I23 * S32o + I23o * S32)) / 2,
+        (I21 * S13o + I21o * S13 + (I22 * S23o + I22o * S23) + (I23 * S33o + I23o * S33)) / 2,
+        B21,
+        B22,
+        B23,
+        (I31 * S11o + I31o * S11 + (I32 * S21o + I32o * S21) + (I33 * S31o + I33o * S31)) / 2,
+        (I31 * S12o + I31o * S12 + (I32 * S22o + I32o * S22) + (I33 * S32o + I33o * S32)) / 2,
+        (I31 * S13o + I31o * S13 + (I32 * S23o + I32o * S23) + (I33 * S33o + I33o * S33)) / 2,
+        B31,
+        B32,
+        B33,
+        A11,
+        A12,
+        A13,
+        0,
+        0,
+        0,
+        A21,
+        A22,
+        A23,
+        0,
+        0,
+        0,
+        A31,
+        A32,
+        A33,
+        0,
+        0,
+        0,
+        (I11 * RT11o + I11o * RT11 + (I12 * RT21o + I12o * RT21) + (I13 * RT31o + I13o * RT31)) / 2,
+        (I11 * RT12o + I11o * RT12 + (I12 * RT22o + I12o * RT22) + (I13 * RT32o + I13o * RT32)) / 2,
+        (I11 * RT13o + I11o * RT13 + (I12 * RT23o + I12o * RT23) + (I13 * RT33o + I13o * RT33)) / 2,
+        A11,
+        A12,
+        A13,
+        (I21 * RT11o + I21o * RT11 + (I22 * RT21o + I22o * RT21) + (I23 * RT31o + I23o * RT31)) / 2,
+        (I21 * RT12o + I21o * RT12 + (I22 * RT22o + I22o * RT22) + (I23 * RT32o + I23o * RT32)) / 2,
+        (I21 * RT13o + I21o * RT13 + (I22 * RT23o + I22o * RT23) + (I23 * RT33o + I23o * RT33)) / 2,
+        A21,
+        A22,
+        A23,
+        (I31 * RT11o + I31o * RT11 + (I32 * RT21o + I32o * RT21) + (I33 * RT31o + I33o * RT31)) / 2,
+        (I31 * RT12o + I31o * RT12 + (I32 * RT22o + I32o * RT22) + (I33 * RT32o + I33o * RT32)) / 2,
+        (I31 * RT13o + I31o * RT13 + (I32 * RT23o + I32o * RT23) + (I33 * RT33o + I33o * RT33)) / 2,
+        A31,
+        A32,
+        A33,
+    )
+
+
+def _own_compose_jacobians_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, b: Rows, a: Rows
+) -> None:
+    b1, b2, b3, b1o, b2o, b3o = b
+    a1, a2, a3, a1o, a2o, a3o = a
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36, o37, o38, o39, o40, o41, o42, o43, o44, o45, o46,
+        o47, o48, o49, o50, o51, o52, o53, o54, o55, o56, o57, o58, o59, o60, o61, o62, o63, o64, o65, o66, o67, o68,
+        o69, o70, o71, o72,
+    ) = out
+    (
+        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
+        k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, k35, k36, k37, k38, k39, k40, k41, k42, k43, k44, k45, k46,
+        k47, k48, k49, k50, k51, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61, k62, k63, k64, k65, k66, k67,
+    ) = scratch
+    mask1, = masks
+    n_minus_1, n0, n1, n2, n4 = numbers
+    v11a = mul(a1, a1, k1)
+    v22a = mul(a2, a2, k2)
+    v33a = mul(a3, a3, k3)
+    xa = add(add(v11a, v22a, k1), v33a, k1)
+    pa = sub(n1, xa, k2)
+    v11b = mul(b1, b1, k3)
+    v22b = mul(b2, b2, k4)
+    x12b = add(v11b, v22b, k5)
+    v33b = mul(b3, b3, k6)
+    x23b = add(v22b, v33b, k4)
+    x13b = add(v11b, v33b, k3)
+    xb = add(x12b, v33b, k6)
+    pb = sub(n1, xb, k7)
+    bvb1 = mul(n2, b1, k8)
+    bva1 = mul(n2, a1, k9)
+    bvb2 = mul(n2, b2, k10)
+    bva2 = mul(n2, a2, k11)
+    bvb3 = mul(n2, b3, k12)
+    bva3 = mul(n2, a3, k13)
+    z0 = sub(
+        mul(pb, pa, k14), add(add(mul(bvb1, bva1, k15), mul(bvb2, bva2, k16), k15), mul(bvb3, bva3, k16), k15), k14
+    )
+    negative = m.less(z0, n0, mask1)
+    cos = m.where(negative, neg(z0, k15), z0, k15)
+    roota = add(n1, xa, k16)
+    Na = add(mul(pa, pa, k17), mul(n4, xa, k1), k1)
+    ra = mul(n2, div(div(Na, Na, k17), Na, k1), k1)
+    rootb = add(n1, xb, k17)
+    Nb = add(mul(pb, pb, k18), mul(n4, xb, k6), k6)
+    rb = mul(n2, div(div(Nb, Nb, k18), Nb, k6), k6)
+    size = mul(rootb, roota, k18)
+    gain = div(m.where(negative, n_minus_1, n1, k19), add(size, cos, k15), k15)
+    fi = mul(gain, z0, k14)
+    eS = div(n4, rootb, k17)
+    eF = div(n4, roota, k16)
+    z1 = add(
+        add(mul(bva1, pb, k18), mul(bvb1, pa, k19), k18), sub(mul(bvb2, bva3, k19), mul(bvb3, bva2, k20), k19), k18
+    )
+    v1 = mul(z1, gain, k18)
+    v11 = mul(v1, v1, k19)
+    z2 = add(
+        add(mul(bva2, pb, k20), mul(bvb2, pa, k21), k20), sub(mul(bvb3, bva1, k21), mul(bvb1, bva3, k22), k21), k20
+    )
+    z3 = add(add(mul(bva3, pb, k13), mul(bvb3, pa, k12), k12), sub(mul(bvb1, bva2, k8), mul(bvb2, bva1, k9), k8), k8)
+    v2 = mul(z2, gain, k9)
+    v3 = mul(z3, gain, k8)
+    fb = mul(mul(n2, pb, k7), rb, k7)
+    gb = mul(n4, rb, k6)
+    fa = mul(mul(n2, pa, k2), ra, k2)
+    ga = mul(n4, ra, k1)
+    egS = mul(eS, gb, k10)
+    Qb11 = sub(n1, mul(gb, x23b, k4), k4)
+    Qb22 = sub(n1, mul(gb, x13b, k3), k3)
+    Qb33 = sub(n1, mul(gb, x12b, k5), k5)
+    egF = mul(eF, ga, k11)
+    v22 = mul(v2, v2, k12)
+    v33 = mul(v3, v3, k13)
+    x = add(add(v11, v22, k15), v33, k15)
+    pw = sub(n1, x, k15)
+    fiw = div(pw, n2, k15)
+    I11 = add(fiw, v11, k16)
+    I22 = add(fiw, v22, k12)
+    I33 = add(fiw, v33, k13)
+    d12w = mul(v1, v2, k15)
+    sw3 = neg(v3, k17)
+    I12 = sub(d12w, sw3, k19)
+    I21 = add(d12w, sw3, k15)
+    d13w = mul(v1, v3, k17)
+    sw2 = neg(v2, k20)
+    I13 = add(d13w, sw2, k21)
+    I31 = sub(d13w, sw2, k17)
+    gvb1 = mul(b1, gb, k20)
+    S11 = add(fb, mul(gvb1, b1, k22), k22)
+    d12S = mul(gvb1, b2, k23)
+    gvb3 = mul(b3, gb, k24)
+    S21 = add(d12S, gvb3, k25)
+    d13S = mul(gvb1, b3, k26)
+    gvb2 = mul(b2, gb, k27)
+    S31 = sub(d13S, gvb2, k28)
+    div(add(add(mul(I11, S11, k29), mul(I12, S21, k30), k29), mul(I13, S31, k30), k29), n2, o1)
+    S12 = sub(d12S, gvb3, k29)
+    S22 = add(fb, mul(gvb2, b2, k30), k30)
+    d23S = mul(gvb2, b3, k31)
+    S32 = add(d23S, gvb1, k32)
+    div(add(add(mul(I11, S12, k33), mul(I12, S22, k34), k33), mul(I13, S32, k34), k33), n2, o2)
+    S13 = add(d13S, gvb2, k33)
+    S23 = sub(d23S, gvb1, k34)
+    S33 = add(fb, mul(gvb3, b3, k35), k35)
+    div(add(add(mul(I11, S13, k36), mul(I12, S23, k37), k36), mul(I13, S33, k37), k36), n2, o3)
+    d23w = mul(v2, v3, k36)
+    sw1 = neg(v1, k37)
+    I23 = sub(d23w, sw1, k38)
+    I32 = add(d23w, sw1, k36)
+    div(add(add(mul(I21, S11, k37), mul(I22, S21, k39), k37), mul(I23, S31, k39), k37), n2, o7)
+    div(add(add(mul(I21, S12, k37), mul(I22, S22, k39), k37), mul(I23, S32, k39), k37), n2, o8)
+    div(add(add(mul(I21, S13, k37), mul(I22, S23, k39), k37), mul(I23, S33, k39), k37), n2, o9)
+    div(add(add(mul(I31, S11, k37), mul(I32, S21, k39), k37), mul(I33, S31, k39), k37), n2, o13)
+    div(add(add(mul(I31, S12, k37), mul(I32, S22, k39), k37), mul(I33, S32, k39), k37), n2, o14)
+    div(add(add(mul(I31, S13, k37), mul(I32, S23, k39), k37), mul(I33, S33, k39), k37), n2, o15)
+    gva1 = mul(a1, ga, k37)
+    gva1_a2o = mul(gva1, a2o, k39)
+    gva2 = mul(a2, ga, k40)
+    ya = add(add(mul(a1, a1o, k41), mul(a2, a2o, k42), k41), mul(a3, a3o, k42), k41)
+    alonga = mul(ga, ya, k42)
+    rhoa3 = add(add(mul(a3o, fa, k43), sub(gva1_a2o, mul(gva2, a1o, k44), k44), k43), mul(a3, alonga, k44), k43)
+    gva3 = mul(a3, ga, k44)
+    gva1_a3o = mul(gva1, a3o, k45)
+    rhoa2 = add(add(mul(a2o, fa, k46), sub(mul(gva3, a1o, k47), gva1_a3o, k47), k46), mul(a2, alonga, k47), k46)
+    v_rho1 = sub(mul(b2, rhoa3, k47), mul(b3, rhoa2, k48), k47)
+    gva2_a3o = mul(gva2, a3o, k48)
+    rhoa1 = add(add(mul(a1o, fa, k49), sub(gva2_a3o, mul(gva3, a2o, k50), k50), k49), mul(a1, alonga, k42), k42)
+    v_rho3 = sub(mul(b1, rhoa2, k49), mul(b2, rhoa1, k50), k49)
+    gv_rho3 = mul(v_rho3, gb, k50)
+    v_rho2 = sub(mul(b3, rhoa1, k51), mul(b1, rhoa3, k52), k51)
+    gv_rho2 = mul(v_rho2, gb, k52)
+    gvb2_b3o = mul(gvb2, b3o, k53)
+    yb = add(add(mul(b1, b1o, k54), mul(b2, b2o, k55), k54), mul(b3, b3o, k55), k54)
+    alongb = mul(gb, yb, k55)
+    rhob1 = add(add(mul(b1o, fb, k56), sub(gvb2_b3o, mul(gvb3, b2o, k57), k57), k56), mul(b1, alongb, k57), k56)
+    rho1 = add(
+        add(rhoa1, add(mul(v_rho1, fb, k57), sub(mul(b2, gv_rho3, k58), mul(b3, gv_rho2, k59), k58), k57), k42), rhob1,
+        k42
+    )
+    gv_rho1 = mul(v_rho1, gb, k47)
+    gvb1_b3o = mul(gvb1, b3o, k57)
+    rhob2 = add(add(mul(b2o, fb, k58), sub(mul(gvb3, b1o, k59), gvb1_b3o, k59), k58), mul(b2, alongb, k59), k58)
+    rho2 = add(
+        add(rhoa2, add(mul(v_rho2, fb, k51), sub(mul(b3, gv_rho1, k59), mul(b1, gv_rho3, k50), k50), k50), k46), rhob2,
+        k46
+    )
+    gvb1_b2o = mul(gvb1, b2o, k50)
+    rhob3 = add(add(mul(b3o, fb, k51), sub(gvb1_b2o, mul(gvb2, b1o, k59), k59), k51), mul(b3, alongb, k55), k51)
+    rho3 = add(
+        add(rhoa3, add(mul(v_rho3, fb, k49), sub(mul(b1, gv_rho2, k52), mul(b2, gv_rho1, k47), k47), k47), k43), rhob3,
+        k43
+    )
+    hvr = add(add(mul(v1, rho1, k47), mul(v2, rho2, k49), k47), mul(v3, rho3, k49), k47)
+    w4 = div(
+        add(sub(mul(rho1, fi, k49), sub(mul(v2, rho3, k52), mul(v3, rho2, k55), k52), k49), mul(v1, hvr, k52), k49), n2,
+        k49
+    )
+    v1_w4 = mul(v1, w4, k52)
+    w5 = div(
+        add(sub(mul(rho2, fi, k55), sub(mul(v3, rho1, k59), mul(v1, rho3, k60), k59), k55), mul(v2, hvr, k59), k55), n2,
+        k55
+    )
+    w6 = div(
+        add(sub(mul(rho3, fi, k14), sub(mul(v1, rho2, k43), mul(v2, rho1, k42), k42), k14), mul(v3, hvr, k42), k14), n2,
+        k14
+    )
+    v2_w5 = mul(v2, w5, k42)
+    v3_w6 = mul(v3, w6, k43)
+    yw = add(add(v1_w4, v2_w5, k46), v3_w6, k46)
+    fiow = neg(yw, k46)
+    I11o = add(fiow, add(v1_w4, v1_w4, k47), k47)
+    I22o = add(fiow, add(v2_w5, v2_w5, k42), k42)
+    I33o = add(fiow, add(v3_w6, v3_w6, k43), k43)
+    d12ow = add(mul(v1, w5, k46), mul(w4, v2, k52), k46)
+    d13ow = add(mul(v1, w6, k18), mul(w4, v3, k52), k18)
+    d23ow = add(mul(v2, w6, k9), mul(w5, v3, k8), k8)
+    sow3 = neg(w6, k9)
+    sow2 = neg(w5, k14)
+    sow1 = neg(w4, k49)
+    I12o = sub(d12ow, sow3, k52)
+    I21o = add(d12ow, sow3, k9)
+    I13o = add(d13ow, sow2, k46)
+    I31o = sub(d13ow, sow2, k14)
+    fyS = sub(gb, egS, k18)
+    foS = mul(fyS, yb, k18)
+    gyS = neg(egS, k10)
+    goS = mul(gyS, yb, k10)
+    gvoS1 = add(mul(b1o, gb, k54), mul(b1, goS, k55), k54)
+    S11o = add(foS, add(mul(gvb1, b1o, k20), mul(gvoS1, b1, k55), k20), k20)
+    d12oS = add(gvb1_b2o, mul(gvoS1, b2, k55), k50)
+    d13oS = add(gvb1_b3o, mul(gvoS1, b3, k55), k55)
+    gvoS3 = add(mul(b3o, gb, k57), mul(b3, goS, k59), k57)
+    gvoS2 = add(mul(b2o, gb, k6), mul(b2, goS, k10), k6)
+    S22o = add(foS, add(mul(gvb2, b2o, k10), mul(gvoS2, b2, k27), k10), k10)
+    S33o = add(foS, add(mul(gvb3, b3o, k24), mul(gvoS3, b3, k27), k24), k18)
+    d23oS = add(gvb2_b3o, mul(gvoS2, b3, k24), k24)
+    S21o = add(d12oS, gvoS3, k27)
+    S12o = sub(d12oS, gvoS3, k50)
+    S31o = sub(d13oS, gvoS2, k53)
+    S13o = add(d13oS, gvoS2, k6)
+    div(
+        add(add(add(mul(I11, S11o, k55), mul(I11o, S11, k57), k55), add(mul(I12, S21o, k57), mul(I12o, S21, k59), k57),
+        k55), add(mul(I13, S31o, k57), mul(I13o, S31, k59), k57), k55), n2, o19
+    )
+    S32o = add(d23oS, gvoS1, k55)
+    S23o = sub(d23oS, gvoS1, k24)
+    div(
+        add(add(add(mul(I11, S12o, k54), mul(I11o, S12, k57), k54), add(mul(I12, S22o, k57), mul(I12o, S22, k59), k57),
+        k54), add(mul(I13, S32o, k57), mul(I13o, S32, k59), k57), k54), n2, o20
+    )
+    div(
+        add(add(add(mul(I11, S13o, k54), mul(I11o, S13, k57), k54), add(mul(I12, S23o, k57), mul(I12o, S23, k59), k57),
+        k54), add(mul(I13, S33o, k57), mul(I13o, S33, k59), k57), k54), n2, o21
+    )
+    I23o = sub(d23ow, sow1, k54)
+    I32o = add(d23ow, sow1, k8)
+    div(
+        add(add(add(mul(I21, S11o, k49), mul(I21o, S11, k57), k49), add(mul(I22, S21o, k57), mul(I22o, S21, k59), k57),
+        k49), add(mul(I23, S31o, k57), mul(I23o, S31, k59), k57), k49), n2, o25
+    )
+    div(
+        add(add(add(mul(I31, S11o, k20), mul(I31o, S11, k22), k20), add(mul(I32, S21o, k22), mul(I32o, S21, k25), k22),
+        k20), add(mul(I33, S31o, k22), mul(I33o, S31, k25), k22), k20), n2, o31
+    )
+    div(
+        add(add(add(mul(I21, S12o, k20), mul(I21o, S12, k22), k20), add(mul(I22, S22o, k22), mul(I22o, S22, k25), k22),
+        k20), add(mul(I23, S32o, k22), mul(I23o, S32, k25), k22), k20), n2, o26
+    )
+    div(
+        add(add(add(mul(I31, S12o, k20), mul(I31o, S12, k22), k20), add(mul(I32, S22o, k10), mul(I32o, S22, k22), k10),
+        k10), add(mul(I33, S32o, k20), mul(I33o, S32, k22), k20), k10), n2, o32
+    )
+    div(
+        add(add(add(mul(I21, S13o, k10), mul(I21o, S13, k20), k10), add(mul(I22, S23o, k20), mul(I22o, S23, k22), k20),
+        k10), add(mul(I23, S33o, k20), mul(I23o, S33, k22), k20), k10), n2, o27
+    )
+    div(
+        add(add(add(mul(I31, S13o, k6), mul(I31o, S13, k10), k6), add(mul(I32, S23o, k10), mul(I32o, S23, k20), k10),
+        k6), add(mul(I33, S33o, k10), mul(I33o, S33, k18), k10), k6), n2, o33
+    )
+    F11 = add(fa, mul(gva1, a1, k6), k6)
+    d12F = mul(gva1, a2, k10)
+    F21 = add(d12F, gva3, k18)
+    F12 = sub(d12F, gva3, k10)
+    d13F = mul(gva1, a3, k20)
+    F31 = sub(d13F, gva2, k22)
+    F13 = add(d13F, gva2, k20)
+    fvb3 = mul(b3, fb, k24)
+    Qb12 = sub(d12S, fvb3, k25)
+    Qb21 = add(d12S, fvb3, k23)
+    fvb2 = mul(b2, fb, k24)
+    fvb1 = mul(b1, fb, k7)
+    Qb13 = add(d13S, fvb2, k27)
+    Qb31 = sub(d13S, fvb2, k24)
+    RT11 = add(add(mul(Qb11, F11, k26), mul(Qb12, F21, k28), k26), mul(Qb13, F31, k28), k26)
+    Qb23 = sub(d23S, fvb1, k28)
+    Qb32 = add(d23S, fvb1, k7)
+    RT21 = add(add(mul(Qb21, F11, k29), mul(Qb22, F21, k30), k29), mul(Qb23, F31, k30), k29)
+    RT31 = add(add(mul(Qb31, F11, k30), mul(Qb32, F21, k31), k30), mul(Qb33, F31, k31), k30)
+    div(add(add(mul(I11, RT11, k31), mul(I12, RT21, k32), k31), mul(I13, RT31, k32), k31), n2, o37)
+    div(add(add(mul(I21, RT11, k31), mul(I22, RT21, k32), k31), mul(I23, RT31, k32), k31), n2, o43)
+    div(add(add(mul(I31, RT11, k31), mul(I32, RT21, k32), k31), mul(I33, RT31, k32), k31), n2, o49)
+    F22 = add(fa, mul(gva2, a2, k31), k31)
+    F33 = add(fa, mul(gva3, a3, k32), k2)
+    d23F = mul(gva2, a3, k32)
+    F32 = add(d23F, gva1, k33)
+    F23 = sub(d23F, gva1, k32)
+    RT12 = add(add(mul(Qb11, F12, k34), mul(Qb12, F22, k35), k34), mul(Qb13, F32, k35), k34)
+    RT22 = add(add(mul(Qb21, F12, k35), mul(Qb22, F22, k49), k35), mul(Qb23, F32, k49), k35)
+    RT32 = add(add(mul(Qb31, F12, k49), mul(Qb32, F22, k50), k49), mul(Qb33, F32, k50), k49)
+    div(add(add(mul(I11, RT12, k50), mul(I12, RT22, k53), k50), mul(I13, RT32, k53), k50), n2, o38)
+    div(add(add(mul(I21, RT12, k50), mul(I22, RT22, k53), k50), mul(I23, RT32, k53), k50), n2, o44)
+    div(add(add(mul(I31, RT12, k50), mul(I32, RT22, k53), k50), mul(I33, RT32, k53), k50), n2, o50)
+    RT13 = add(add(mul(Qb11, F13, k50), mul(Qb12, F23, k53), k50), mul(Qb13, F33, k53), k50)
+    RT23 = add(add(mul(Qb21, F13, k53), mul(Qb22, F23, k55), k53), mul(Qb23, F33, k55), k53)
+    RT33 = add(add(mul(Qb31, F13, k55), mul(Qb32, F23, k57), k55), mul(Qb33, F33, k57), k55)
+    div(add(add(mul(I11, RT13, k57), mul(I12, RT23, k59), k57), mul(I13, RT33, k59), k57), n2, o39)
+    div(add(add(mul(I21, RT13, k57), mul(I22, RT23, k59), k57), mul(I23, RT33, k59), k57), n2, o45)
+    div(add(add(mul(I31, RT13, k57), mul(I32, RT23, k59), k57), mul(I33, RT33, k59), k57), n2, o51)
+    R11o = sub(mul(Qb31, rhob2, k57), mul(Qb21, rhob3, k59), k57)
+    R12o = sub(mul(Qb32, rhob2, k59), mul(Qb22, rhob3, k60), k59)
+    R13o = sub(mul(Qb33, rhob2, k60), mul(Qb23, rhob3, k61), k60)
+    fyF = sub(ga, egF, k61)
+    foF = mul(fyF, ya, k61)
+    gyF = neg(egF, k11)
+    goF = mul(gyF, ya, k11)
+    gvoF1 = add(mul(a1o, ga, k41), mul(a1, goF, k62), k41)
+    F11o = add(foF, add(mul(gva1, a1o, k37), mul(gvoF1, a1, k62), k37), k37)
+    d12oF = add(gva1_a2o, mul(gvoF1, a2, k62), k39)
+    d13oF = add(gva1_a3o, mul(gvoF1, a3, k62), k45)
+    gvoF3 = add(mul(a3o, ga, k62), mul(a3, goF, k63), k62)
+    gvoF2 = add(mul(a2o, ga, k1), mul(a2, goF, k11), k1)
+    F22o = add(foF, add(mul(gva2, a2o, k11), mul(gvoF2, a2, k40), k11), k11)
+    F33o = add(foF, add(mul(gva3, a3o, k40), mul(gvoF3, a3, k44), k40), k40)
+    d23oF = add(gva2_a3o, mul(gvoF2, a3, k44), k44)
+    F21o = add(d12oF, gvoF3, k48)
+    F12o = sub(d12oF, gvoF3, k39)
+    F31o = sub(d13oF, gvoF2, k61)
+    F13o = add(d13oF, gvoF2, k1)
+    RT11o = add(
+        add(add(mul(Qb11, F11o, k45), mul(R11o, F11, k62), k45), add(mul(Qb12, F21o, k62), mul(R12o, F21, k63), k62),
+        k45), add(mul(Qb13, F31o, k62), mul(R13o, F31, k63), k62), k45
+    )
+    R21o = sub(mul(Qb11, rhob3, k62), mul(Qb31, rhob1, k63), k62)
+    R22o = sub(mul(Qb12, rhob3, k63), mul(Qb32, rhob1, k64), k63)
+    R23o = sub(mul(Qb13, rhob3, k51), mul(Qb33, rhob1, k64), k51)
+    RT21o = add(
+        add(add(mul(Qb21, F11o, k64), mul(R21o, F11, k65), k64), add(mul(Qb22, F21o, k65), mul(R22o, F21, k66), k65),
+        k64), add(mul(Qb23, F31o, k65), mul(R23o, F31, k66), k65), k64
+    )
+    R31o = sub(mul(Qb21, rhob1, k65), mul(Qb11, rhob2, k66), k65)
+    R32o = sub(mul(Qb22, rhob1, k66), mul(Qb12, rhob2, k67), k66)
+    R33o = sub(mul(Qb23, rhob1, k56), mul(Qb13, rhob2, k58), k56)
+    RT31o = add(
+        add(add(mul(Qb31, F11o, k37), mul(R31o, F11, k6), k6), add(mul(Qb32, F21o, k37), mul(R32o, F21, k18), k18), k6),
+        add(mul(Qb33, F31o, k18), mul(R33o, F31, k22), k18), k6
+    )
+    div(
+        add(add(add(mul(I11, RT11o, k18), mul(I11o, RT11, k22), k18), add(mul(I12, RT21o, k22), mul(I12o, RT21, k37),
+        k22), k18), add(mul(I13, RT31o, k22), mul(I13o, RT31, k37), k22), k18), n2, o55
+    )
+    div(
+        add(add(add(mul(I21, RT11o, k18), mul(I21o, RT11, k22), k18), add(mul(I22, RT21o, k22), mul(I22o, RT21, k37),
+        k22), k18), add(mul(I23, RT31o, k22), mul(I23o, RT31, k37), k22), k18), n2, o61
+    )
+    div(
+        add(add(add(mul(I31, RT11o, k18), mul(I31o, RT11, k22), k18), add(mul(I32, RT21o, k22), mul(I32o, RT21, k26),
+        k22), k18), add(mul(I33, RT31o, k6), mul(I33o, RT31, k22), k6), k6), n2, o67
+    )
+    F32o = add(d23oF, gvoF1, k6)
+    F23o = sub(d23oF, gvoF1, k18)
+    RT12o = add(
+        add(add(mul(Qb11, F12o, k22), mul(R11o, F12, k26), k22), add(mul(Qb12, F22o, k26), mul(R12o, F22, k29), k26),
+        k22), add(mul(Qb13, F32o, k26), mul(R13o, F32, k29), k26), k22
+    )
+    RT13o = add(
+        add(add(mul(Qb11, F13o, k4), mul(R11o, F13, k26), k4), add(mul(Qb12, F23o, k25), mul(R12o, F23, k26), k25), k4),
+        add(mul(Qb13, F33o, k25), mul(R13o, F33, k26), k25), k4
+    )
+    RT22o = add(
+        add(add(mul(Qb21, F12o, k25), mul(R21o, F12, k26), k25), add(mul(Qb22, F22o, k26), mul(R22o, F22, k27), k26),
+        k25), add(mul(Qb23, F32o, k26), mul(R23o, F32, k27), k26), k25
+    )
+    RT32o = add(
+        add(add(mul(Qb31, F12o, k26), mul(R31o, F12, k10), k10), add(mul(Qb32, F22o, k11), mul(R32o, F22, k26), k11),
+        k10), add(mul(Qb33, F32o, k6), mul(R33o, F32, k11), k6), k6
+    )
+    RT23o = add(
+        add(add(mul(Qb21, F13o, k10), mul(R21o, F13, k11), k10), add(mul(Qb22, F23o, k3), mul(R22o, F23, k11), k3), k3),
+        add(mul(Qb23, F33o, k10), mul(R23o, F33, k11), k10), k3
+    )
+    RT33o = add(
+        add(add(mul(Qb31, F13o, k1), mul(R31o, F13, k10), k1), add(mul(Qb32, F23o, k7), mul(R32o, F23, k10), k7), k1),
+        add(mul(Qb33, F33o, k5), mul(R33o, F33, k2), k2), k1
+    )
+    div(
+        add(add(add(mul(I11, RT12o, k2), mul(I11o, RT12, k5), k2), add(mul(I12, RT22o, k5), mul(I12o, RT22, k7), k5),
+        k2), add(mul(I13, RT32o, k5), mul(I13o, RT32, k7), k5), k2), n2, o56
+    )
+    div(
+        add(add(add(mul(I11, RT13o, k2), mul(I11o, RT13, k5), k2), add(mul(I12, RT23o, k5), mul(I12o, RT23, k7), k5),
+        k2), add(mul(I13, RT33o, k5), mul(I13o, RT33, k7), k5), k2), n2, o57
+    )
+    div(
+        add(add(add(mul(I21, RT12o, k2), mul(I21o, RT12, k5), k2), add(mul(I22, RT22o, k5), mul(I22o, RT22, k7), k5),
+        k2), add(mul(I23, RT32o, k5), mul(I23o, RT32, k7), k5), k2), n2, o62
+    )
+    div(
+        add(add(add(mul(I21, RT13o, k2), mul(I21o, RT13, k5), k2), add(mul(I22, RT23o, k5), mul(I22o, RT23, k7), k5),
+        k2), add(mul(I23, RT33o, k5), mul(I23o, RT33, k7), k5), k2), n2, o63
+    )
+    div(
+        add(add(add(mul(I31, RT12o, k2), mul(I31o, RT12, k5), k2), add(mul(I32, RT22o, k5), mul(I32o, RT22, k7), k5),
+        k2), add(mul(I33, RT32o, k5), mul(I33o, RT32, k6), k5), k2), n2, o68
+    )
+    div(
+        add(add(add(mul(I31, RT13o, k2), mul(I31o, RT13, k4), k2), add(mul(I32, RT23o, k3), mul(I32o, RT23, k4), k3),
+        k2), add(mul(I33, RT33o, k1), mul(I33o, RT33, k3), k1), k1), n2, o69
+    )
+    copy(n0, o4)
+    copy(n0, o5)
+    copy(n0, o6)
+    copy(n0, o10)
+    copy(n0, o11)
+    copy(n0, o12)
+    copy(n0, o16)
+    copy(n0, o17)
+    copy(n0, o18)
+    copy(o1, o22)
+    copy(o2, o23)
+    copy(o3, o24)
+    copy(o7, o28)
+    copy(o8, o29)
+    copy(o9, o30)
+    copy(o13, o34)
+    copy(o14, o35)
+    copy(o15, o36)
+    copy(n0, o40)
+    copy(n0, o41)
+    copy(n0, o42)
+    copy(n0, o46)
+    copy(n0, o47)
+    copy(n0, o48)
+    copy(n0, o52)
+    copy(n0, o53)
+    copy(n0, o54)
+    copy(o37, o58)
+    copy(o38, o59)
+    copy(o39, o60)
+    copy(o43, o64)
+    copy(o44, o65)
+    copy(o45, o66)
+    copy(o49, o70)
+    copy(o50, o71)
+    copy(o51, o72)
+
+
+# operations 895: 365 +, 446 *, 47 /, 34 neg, 1 lt, 2 where
+def _own_between_jacobians(m: Any, c: Any, a: Components, b: Components) -> Result:
+    a1, a2, a3, a1o, a2o, a3o = a
+    b1, b2, b3, b1o, b2o, b3o = b
+    minus_b1 = -b1
+    minus_b2 = -b2
+    minus_b3 = -b3
+    minus_b4 = -b1o
+    minus_b5 = -b2o
+    minus_b6 = -b3o
+    v11b = minus_b1 * minus_b1
+    v22b = minus_b2 * minus_b2
+    v33b = minus_b3 * minus_b3
+    x12b = v11b + v22b
+    xb = x12b + v33b
+    pb = 1 - xb
+    rootb = 1 + xb
+    Nb = pb * pb + 4 * xb
+    rb = 2 * (Nb / Nb / Nb)
+    fb = 2 * pb * rb
+    gb = 4 * rb
+    bvb1 = 2 * minus_b1
+    bvb2 = 2 * minus_b2
+    bvb3 = 2 * minus_b3
+    v11a = a1 * a1
+    v22a = a2 * a2
+    v33a = a3 * a3
+    xa = v11a + v22a + v33a
+    pa = 1 - xa
+    roota = 1 + xa
+    Na = pa * pa + 4 * xa
+    ra = 2 * (Na / Na / Na)
+    fa = 2 * pa * ra
+    ga = 4 * ra
+    bva1 = 2 * a1
+    bva2 = 2 * a2
+    bva3 = 2 * a3
+    z0 = pb * pa - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
+    z1 = bva1 * pb + bvb1 * pa + (bvb2 * bva3 - bvb3 * bva2)
+    z2 = bva2 * pb + bvb2 * pa + (bvb3 * bva1 - bvb1 * bva3)
+    z3 = bva3 * pb + bvb3 * pa + (bvb1 * bva2 - bvb2 * bva1)
+    gva1 = a1 * ga
+    gva2 = a2 * ga
+    gva3 = a3 * ga
+    ya = a1 * a1o + a2 * a2o + a3 * a3o
+    alonga = ga * ya
+    gva2_a3o = gva2 * a3o
+    gva1_a3o = gva1 * a3o
+    gva1_a2o = gva1 * a2o
+    rhoa1 = a1o * fa + (gva2_a3o - gva3 * a2o) + a1 * alonga
+    rhoa2 = a2o * fa + (gva3 * a1o - gva1_a3o) + a2 * alonga
+    rhoa3 = a3o * fa + (gva1_a2o - gva2 * a1o) + a3 * alonga
+    v_rho1 = minus_b2 * rhoa3 - minus_b3 * rhoa2
+    v_rho2 = minus_b3 * rhoa1 - minus_b1 * rhoa3
+    v_rho3 = minus_b1 * rhoa2 - minus_b2 * rhoa1
+    gv_rho1 = v_rho1 * gb
+    gv_rho2 = v_rho2 * gb
+    gv_rho3 = v_rho3 * gb
+    gvb1 = minus_b1 * gb
+    gvb2 = minus_b2 * gb
+    gvb3 = minus_b3 * gb
+    yb = minus_b1 * minus_b4 + minus_b2 * minus_b5 + minus_b3 * minus_b6
+    alongb = gb * yb
+    gvb2_minus_b6 = gvb2 * minus_b6
+    gvb1_minus_b6 = gvb1 * minus_b6
+    gvb1_minus_b5 = gvb1 * minus_b5
+    rhob1 = minus_b4 * fb + (gvb2_minus_b6 - gvb3 * minus_b5) + minus_b1 * alongb
+    rhob2 = minus_b5 * fb + (gvb3 * minus_b4 - gvb1_minus_b6) + minus_b2 * alongb
+    rhob3 = minus_b6 * fb + (gvb1_minus_b5 - gvb2 * minus_b4) + minus_b3 * alongb
+    rho1 = rhoa1 + (v_rho1 * fb + (minus_b2 * gv_rho3 - minus_b3 * gv_rho2)) + rhob1
+    rho2 = rhoa2 + (v_rho2 * fb + (minus_b3 * gv_rho1 - minus_b1 * gv_rho3)) + rhob2
+    rho3 = rhoa3 + (v_rho3 * fb + (minus_b1 * gv_rho2 - minus_b2 * gv_rho1)) + rhob3
+    size = rootb * roota
+    negative = z0 < 0
+    cos = m.where(negative, -z0, z0)
+    gain = m.where(negative, -1, 1) / (size + cos)
+    v1 = z1 * gain
+    v2 = z2 * gain
+    v3 = z3 * gain
+    fi = gain * z0
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    hvr = v1 * rho1 + v2 * rho2 + v3 * rho3
+    w4 = (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2
+    w5 = (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2
+    w6 = (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2
+    pw = 1 - x
+    fiw = pw / 2
+    v1_w4 = v1 * w4
+    v2_w5 = v2 * w5
+    v3_w6 = v3 * w6
+    yw = v1_w4 + v2_w5 + v3_w6
+    fiow = -yw
+    sw1 = -v1
+    sw2 = -v2
+    sw3 = -v3
+    sow1 = -w4
+    sow2 = -w5
+    sow3 = -w6
+    d12w = v1 * v2
+    d13w = v1 * v3
+    d23w = v2 * v3
+    I11 = fiw + v11
+    I12 = d12w - sw3
+    I13 = d13w + sw2
+    I21 = d12w + sw3
+    I22 = fiw + v22
+    I23 = d23w - sw1
+    I31 = d13w - sw2
+    I32 = d23w + sw1
+    I33 = fiw + v33
+    d12ow = v1 * w5 + w4 * v2
+    d13ow = v1 * w6 + w4 * v3
+    d23ow = v2 * w6 + w5 * v3
+    I11o = fiow + (v1_w4 + v1_w4)
+    I12o = d12ow - sow3
+    I13o = d13ow + sow2
+    I21o = d12ow + sow3
+    I22o = fiow + (v2_w5 + v2_w5)
+    I23o = d23ow - sow1
+    I31o = d13ow - sow2
+    I32o = d23ow + sow1
+    I33o = fiow + (v3_w6 + v3_w6)
+    eS = 4 / rootb
+    egS = eS * gb
+    fyS = gb - egS
+    gyS = -egS
+    foS = fyS * yb
+    goS = gyS * yb
+    gvoS1 = minus_b4 * gb + minus_b1 * goS
+    gvoS2 = minus_b5 * gb + minus_b2 * goS
+    gvoS3 = minus_b6 * gb + minus_b3 * goS
+    d12S = gvb1 * minus_b2
+    d13S = gvb1 * minus_b3
+    d23S = gvb2 * minus_b3
+    S11 = fb + gvb1 * minus_b1
+    S12 = d12S - gvb3
+    S13 = d13S + gvb2
+    S21 = d12S + gvb3
+    S22 = fb + gvb2 * minus_b2
+    S23 = d23S - gvb1
+    S31 = d13S - gvb2
+    S32 = d23S + gvb1
+    S33 = fb + gvb3 * minus_b3
+    d12oS = gvb1_minus_b5 + gvoS1 * minus_b2
+    d13oS = gvb1_minus_b6 + gvoS1 * minus_b3
+    d23oS = gvb2_minus_b6 + gvoS2 * minus_b3
+    S11o = foS + (gvb1 * minus_b4 + gvoS1 * minus_b1)
+    S12o = d12oS - gvoS3
+    S13o = d13oS + gvoS2
+    S21o = d12oS + gvoS3
+    S22o = foS + (gvb2 * minus_b5 + gvoS2 * minus_b2)
+    S23o = d23oS - gvoS1
+    S31o = d13oS - gvoS2
+    S32o = d23oS + gvoS1
+    S33o = foS + (gvb3 * minus_b6 + gvoS3 * minus_b3)
+    eF = 4 / roota
+    egF = eF * ga
+    fyF = ga - egF
+    gyF = -egF
+    foF = fyF * ya
+    goF = gyF * ya
+    gvoF1 = a1o * ga + a1 * goF
+    gvoF2 = a2o * ga + a2 * goF
+    gvoF3 = a3o * ga + a3 * goF
+    d12F = gva1 * a2
+    d13F = gva1 * a3
+    d23F = gva2 * a3
+    F11 = fa + gva1 * a1
+    F12 = d12F - gva3
+    F13 = d13F + gva2
+    F21 = d12F + gva3
+    F22 = fa + gva2 * a2
+    F23 = d23F - gva1
+    F31 = d13F - gva2
+    F32 = d23F + gva1
+    F33 = fa + gva3 * a3
+    d12oF = gva1_a2o + gvoF1 * a2
+    d13oF = gva1_a3o + gvoF1 * a3
+    d23oF = gva2_a3o + gvoF2 * a3
+    F11o = foF + (gva1 * a1o + gvoF1 * a1)
+    F12o = d12oF - gvoF3
+    F13o = d13oF + gvoF2
+    F21o = d12oF + gvoF3
+    F22o = foF + (gva2 * a2o + gvoF2 * a2)
+    F23o = d23oF - gvoF1
+    F31o = d13oF - gvoF2
+    F32o = d23oF + gvoF1
+    F33o = foF + (gva3 * a3o + gvoF3 * a3)
+    x23b = v22b + v33b
+    x13b = v11b + v33b
+    fvb1 = minus_b1 * fb
+    fvb2 = minus_b2 * fb
+    fvb3 = minus_b3 * fb
+    Qb11 = 1 - gb * x23b
+    Qb12 = d12S - fvb3
+    Qb13 = d13S + fvb2
+    Qb21 = d12S + fvb3
+    Qb22 = 1 - gb * x13b
+    Qb23 = d23S - fvb1
+    Qb31 = d13S - fvb2
+    Qb32 = d23S + fvb1
+    Qb33 = 1 - gb * x12b
+    R11o = Qb31 * rhob2 - Qb21 * rhob3
+    R12o = Qb32 * rhob2 - Qb22 * rhob3
+    R13o = Qb33 * rhob2 - Qb23 * rhob3
+    R21o = Qb11 * rhob3 - Qb31 * rhob1
+    R22o = Qb12 * rhob3 - Qb32 * rhob1
+    R23o = Qb13 * rhob3 - Qb33 * rhob1
+    R31o = Qb21 * rhob1 - Qb11 * rhob2
+    R32o = Qb22 * rhob1 - Qb12 * rhob2
+    R33o = Qb23 * rhob1 - Qb13 * rhob2
+    RT11 = Qb11 * F11 + Qb12 * F21 + Qb13 * F31
+    RT11o = Qb11 * F11o + R11o * F11 + (Qb12 * F21o + R12o * F21) + (Qb13 * F31o + R13o * F31)
+    RT12 = Qb11 * F12 + Qb12 * F22 + Qb13 * F32
+    RT12o = Qb11 * F12o + R11o * F12 + (Qb12 * F22o + R12o * F22) + (Qb13 * F32o + R13o * F32)
+    RT13 = Qb11 * F13 + Qb12 * F23 + Qb13 * F33
+    RT13o = Qb11 * F13o + R11o * F13 + (Qb12 * F23o + R12o * F23) + (Qb13 * F33o + R13o * F33)
+    RT21 = Qb21 * F11 + Qb22 * F21 + Qb23 * F31
+    RT21o = Qb21 * F11o + R21o * F11 + (Qb22 * F21o + R22o * F21) + (Qb23 * F31o + R23o * F31)
+    RT22 = Qb21 * F12 + Qb22 * F22 + Qb23 * F32
+    RT22o = Qb21 * F12o + R21o * F12 + (Qb22 * F22o + R22o * F22) + (Qb23 * F32o + R23o * F32)
+    RT23 = Qb21 * F13 + Qb22 * F23 + Qb23 * F33
+    RT23o = Qb21 * F13o + R21o * F13 + (Qb22 * F23o + R22o * F23) + (Qb23 * F33o + R23o * F33)
+    RT31 = Qb31 * F11 + Qb32 * F21 + Qb33 * F31
+    RT31o = Qb31 * F11o + R31o * F11 + (Qb32 * F21o + R32o * F21) + (Qb33 * F31o + R33o * F31)
+    RT32 = Qb31 * F12 + Qb32 * F22 + Qb33 * F32
+    RT32o = Qb31 * F12o + R31o * F12 + (Qb32 * F22o + R32o * F22) + (Qb33 * F32o + R33o * F32)
+    RT33 = Qb31 * F13 + Qb32 * F23 + Qb33 * F33
+    RT33o = Qb31 * F13o + R31o * F13 + (Qb32 * F23o + R32o * F23) + (Qb33 * F33o + R33o * F33)
+    A11 = (I11 * RT11 + I12 * RT21 + I13 * RT31) / 2
+    A12 = (I11 * RT12 + I12 * RT22 + I13 * RT32) / 2
+    A13 = (I11 * RT13 + I12 * RT23 + I13 * RT33) / 2
+    A21 = (I21 * RT11 + I22 * RT21 + I23 * RT31) / 2
+    A22 = (I21 * RT12 + I22 * RT22 + I23 * RT32) / 2
+    A23 = (I21 * RT13 + I22 * RT23 + I23 * RT33) / 2
+    A31 = (I31 * RT11 + I32 * RT21 + I33 * RT31) / 2
+    A32 = (I31 * RT12 + I32 * RT22 + I33 * RT32) / 2
+    A33 = (I31 * RT13 + I32 * RT23 + I33 * RT33) / 2
+    B11 = -((I11 * S11 + I12 * S21 + I13 * S31) / 2)
+    B12 = -((I11 * S12 + I12 * S22 + I13 * S32) / 2)
+    B13 = -((I11 * S13 + I12 * S23 + I13 * S33) / 2)
+    B21 = -((I21 * S11 + I22 * S21 + I23 * S31) / 2)
+    B22 = -((I21 * S12 + I22 * S22 + I23 * S32) / 2)
+    B23 = -((I21 * S13 + I22 * S23 + I23 * S33) / 2)
+    B31 = -((I31 * S11 + I32 * S21 + I33 * S31) / 2)
+    B32 = -((I31 * S12 + I32 * S22 + I33 * S32) / 2)
+    B33 = -((I31 * S13 + I32 * S23 + I33 * S33) / 2)
+    return (
+        A11,
+        A12,
+        A13,
+        0,
+        0,
+        0,
+        A21,
+        A22,
+        A23,
+        0,
+        0,
+        0,
+        A31,
+        A32,
+        A33,
+        0,
+        0,
+        0,
+        (I11 * RT11o + I11o * RT11 + (I12 * RT21o + I12o * RT21) + (I13 * RT31o + I13o * RT31)) / 2,
+        (I11 * RT12o + I11o * RT12 + (I12 * RT22o + I12o * RT22) + (I13 * RT32o + I13o * RT32)) / 2,
+        (I11 * RT13o + I11o * RT13 + (I12 * RT23o + I12o * RT23) + (I13 * RT33o + I13o * RT33)) / 2,
+        A11,
+        A12,
+        A13,
+        (I21 * RT11o + I21o * RT11 + (I22 * RT21o + I22o * RT21) + (I23 * RT31o + I23o * RT31)) / 2,
+        (I21 * RT12o + I21o * RT12 + (I22 * RT22o + I22o * RT22) + (I23 * RT32o + I23o * RT32)) / 2,
+        (I21 * RT13o + I21o * RT13 + (I22 * RT23o + I22o * RT23) + (I23 * RT33o + I23o * RT33)) / 2,
+        A21,
+        A22,
+        A23,
+        (I31 * RT11o + I31o * RT11 + (I32 * RT21o + I32o * RT21) + (I33 * RT31o + I33o * RT31)) / 2,
+        (I31 * RT12o + I31o * RT12 + (I32 * RT22o + I32o * RT22) + (I33 * RT32o + I33o * RT32)) / 2,
+        (I31 * RT13o + I31o * RT13 + (I32 * RT23o + I32o * RT23) + (I33 * RT33o + I33o * RT33)) / 2,
+        A31,
+        A32,
+        A33,
+        B11,
+        B12,
+        B13,
+        0,
+        0,
+        0,
+        B21,
+        B22,
+        B23,
+        0,
+        0,
+        0,
+        B31,
+        B32,
+        B33,
+        0,
+        0,
+        0,
+        -((I11 * S11o + I11o * S11 + (I12 * S21o + I12o * S21) + (I13 * S31o + I13o * S31)) / 2),
+        -((I11 * S12o + I11o * S12 + (I12 * S22o + I12o * S22) + (I13 * S32o + I13o * S32)) / 2),
+        -((I11 * S13o + I11o * S13 + (I12 * S23o + I12o * S23) + (I13 * S33o + I13o * S33)) / 2),
+        B11,
+        B12,
+        B13,
+        -((I21 * S11o + I21o * S11 + (I22 * S21o + I22o * S21) + (I23 * S31o + I23o * S31)) / 2),
+        -((I21 * S12o + I21o * S12 + (I22 * S22o + I22o * S22) + (I23 * S32o + I23o * S32)) / 2),
+        -((I21 * S13o + I21o * S13 + (I22 * S23o + I22o * S23) + (I23 * S33o + I23o * S33)) / 2),
+        B21,
+        B22,
+        B23,
+        -((I31 * S11o + I31o * S11 + (I32 * S21o + I32o * S21) + (I33 * S31o + I33o * S31)) / 2),
+        -((I31 * S12o + I31o * S12 + (I32 * S22o + I32o * S22) + (I33 * S32o + I33o * S32)) / 2),
+        -((I31 * S13o + I31o * S13 + (I32 * S23o + I32o * S23) + (I33 * S33o + I33o * S33)) / 2),
+        B31,
+        B32,
+        B33,
+    )
+
+
+def _own_between_jacobians_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, a: Rows, b: Rows
+) -> None:
+    a1, a2, a3, a1o, a2o, a3o = a
+    b1, b2, b3, b1o, b2o, b3o = b
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36, o37, o38, o39, o40, o41, o42, o43, o44, o45, o46,
+        o47, o48, o49, o50, o51, o52, o53, o54, o55, o56, o57, o58, o59, o60, o61, o62, o63, o64, o65, o66, o67, o68,
+        o69, o70, o71, o72,
+    ) = out
+    (
+        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
+        k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, k35, k36, k37, k38, k39, k40, k41, k42, k43, k44, k45, k46,
+        k47, k48, k49, k50, k51, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61, k62, k63, k64, k65, k66, k67,
+    ) = scratch
+    mask1, = masks
+    n_minus_1, n0, n1, n2, n4 = numbers
+    minus_b1 = neg(b1, k1)
+    v11b = mul(minus_b1, minus_b1, k2)
+    minus_b2 = neg(b2, k3)
+    v22b = mul(minus_b2, minus_b2, k4)
+    x12b = add(v11b, v22b, k5)
+    minus_b3 = neg(b3, k6)
+    v33b = mul(minus_b3, minus_b3, k7)
+    x23b = add(v22b, v33b, k4)
+    x13b = add(v11b, v33b, k2)
+    xb = add(x12b, v33b, k7)
+    pb = sub(n1, xb, k8)
+    v11a = mul(a1, a1, k9)
+    v22a = mul(a2, a2, k10)
+    v33a = mul(a3, a3, k11)
+    xa = add(add(v11a, v22a, k9), v33a, k9)
+    pa = sub(n1, xa, k10)
+    bvb1 = mul(n2, minus_b1, k11)
+    bva1 = mul(n2, a1, k12)
+    bvb2 = mul(n2, minus_b2, k13)
+    bva2 = mul(n2, a2, k14)
+    bvb3 = mul(n2, minus_b3, k15)
+    bva3 = mul(n2, a3, k16)
+    z0 = sub(
+        mul(pb, pa, k17), add(add(mul(bvb1, bva1, k18), mul(bvb2, bva2, k19), k18), mul(bvb3, bva3, k19), k18), k17
+    )
+    negative = m.less(z0, n0, mask1)
+    cos = m.where(negative, neg(z0, k18), z0, k18)
+    rootb = add(n1, xb, k19)
+    Nb = add(mul(pb, pb, k20), mul(n4, xb, k7), k7)
+    rb = mul(n2, div(div(Nb, Nb, k20), Nb, k7), k7)
+    roota = add(n1, xa, k20)
+    Na = add(mul(pa, pa, k21), mul(n4, xa, k9), k9)
+    ra = mul(n2, div(div(Na, Na, k21), Na, k9), k9)
+    size = mul(rootb, roota, k21)
+    gain = div(m.where(negative, n_minus_1, n1, k22), add(size, cos, k18), k18)
+    fi = mul(gain, z0, k17)
+    eS = div(n4, rootb, k19)
+    eF = div(n4, roota, k20)
+    z1 = add(
+        add(mul(bva1, pb, k21), mul(bvb1, pa, k22), k21), sub(mul(bvb2, bva3, k22), mul(bvb3, bva2, k23), k22), k21
+    )
+    v1 = mul(z1, gain, k21)
+    v11 = mul(v1, v1, k22)
+    z2 = add(
+        add(mul(bva2, pb, k23), mul(bvb2, pa, k24), k23), sub(mul(bvb3, bva1, k24), mul(bvb1, bva3, k25), k24), k23
+    )
+    z3 = add(
+        add(mul(bva3, pb, k16), mul(bvb3, pa, k15), k15), sub(mul(bvb1, bva2, k11), mul(bvb2, bva1, k12), k11), k11
+    )
+    v2 = mul(z2, gain, k12)
+    v3 = mul(z3, gain, k11)
+    fb = mul(mul(n2, pb, k8), rb, k8)
+    gb = mul(n4, rb, k7)
+    fa = mul(mul(n2, pa, k10), ra, k10)
+    ga = mul(n4, ra, k9)
+    egS = mul(eS, gb, k13)
+    Qb11 = sub(n1, mul(gb, x23b, k4), k4)
+    Qb22 = sub(n1, mul(gb, x13b, k2), k2)
+    Qb33 = sub(n1, mul(gb, x12b, k5), k5)
+    egF = mul(eF, ga, k14)
+    v22 = mul(v2, v2, k15)
+    v33 = mul(v3, v3, k16)
+    x = add(add(v11, v22, k18), v33, k18)
+    pw = sub(n1, x, k18)
+    fiw = div(pw, n2, k18)
+    I33 = add(fiw, v33, k16)
+    I22 = add(fiw, v22, k15)
+    I11 = add(fiw, v11, k18)
+    d13w = mul(v1, v3, k19)
+    sw2 = neg(v2, k20)
+    I31 = sub(d13w, sw2, k22)
+    I13 = add(d13w, sw2, k19)
+    d23w = mul(v2, v3, k20)
+    sw1 = neg(v1, k23)
+    I32 = add(d23w, sw1, k24)
+    I23 = sub(d23w, sw1, k20)
+    gvb1 = mul(minus_b1, gb, k23)
+    d13S = mul(gvb1, minus_b3, k25)
+    gvb2 = mul(minus_b2, gb, k26)
+    S13 = add(d13S, gvb2, k27)
+    d23S = mul(gvb2, minus_b3, k28)
+    S23 = sub(d23S, gvb1, k29)
+    gvb3 = mul(minus_b3, gb, k30)
+    S33 = add(fb, mul(gvb3, minus_b3, k31), k31)
+    neg(div(add(add(mul(I31, S13, k32), mul(I32, S23, k33), k32), mul(I33, S33, k33), k32), n2, k32), o51)
+    d12S = mul(gvb1, minus_b2, k32)
+    S12 = sub(d12S, gvb3, k33)
+    S22 = add(fb, mul(gvb2, minus_b2, k34), k34)
+    S32 = add(d23S, gvb1, k35)
+    neg(div(add(add(mul(I31, S12, k36), mul(I32, S22, k37), k36), mul(I33, S32, k37), k36), n2, k36), o50)
+    S11 = add(fb, mul(gvb1, minus_b1, k36), k36)
+    S21 = add(d12S, gvb3, k37)
+    S31 = sub(d13S, gvb2, k38)
+    neg(div(add(add(mul(I31, S11, k39), mul(I32, S21, k40), k39), mul(I33, S31, k40), k39), n2, k39), o49)
+    gva1 = mul(a1, ga, k39)
+    gva1_a2o = mul(gva1, a2o, k40)
+    gva2 = mul(a2, ga, k41)
+    ya = add(add(mul(a1, a1o, k42), mul(a2, a2o, k43), k42), mul(a3, a3o, k43), k42)
+    alonga = mul(ga, ya, k43)
+    rhoa3 = add(add(mul(a3o, fa, k44), sub(gva1_a2o, mul(gva2, a1o, k45), k45), k44), mul(a3, alonga, k45), k44)
+    gva3 = mul(a3, ga, k45)
+    gva1_a3o = mul(gva1, a3o, k46)
+    rhoa2 = add(add(mul(a2o, fa, k47), sub(mul(gva3, a1o, k48), gva1_a3o, k48), k47), mul(a2, alonga, k48), k47)
+    v_rho1 = sub(mul(minus_b2, rhoa3, k48), mul(minus_b3, rhoa2, k49), k48)
+    gva2_a3o = mul(gva2, a3o, k49)
+    rhoa1 = add(add(mul(a1o, fa, k50), sub(gva2_a3o, mul(gva3, a2o, k51), k51), k50), mul(a1, alonga, k43), k43)
+    v_rho3 = sub(mul(minus_b1, rhoa2, k50), mul(minus_b2, rhoa1, k51), k50)
+    gv_rho3 = mul(v_rho3, gb, k51)
+    v_rho2 = sub(mul(minus_b3, rhoa1, k52), mul(minus_b1, rhoa3, k53), k52)
+    gv_rho2 = mul(v_rho2, gb, k53)
+    minus_b6 = neg(b3o, k54)
+    gvb2_minus_b6 = mul(gvb2, minus_b6, k55)
+    minus_b4 = neg(b1o, k56)
+    minus_b5 = neg(b2o, k57)
+    yb = add(add(mul(minus_b1, minus_b4, k58), mul(minus_b2, minus_b5, k59), k58), mul(minus_b3, minus_b6, k59), k58)
+    alongb = mul(gb, yb, k59)
+    rhob1 = add(
+        add(mul(minus_b4, fb, k60), sub(gvb2_minus_b6, mul(gvb3, minus_b5, k61), k61), k60), mul(minus_b1, alongb, k61),
+        k60
+    )
+    rho1 = add(
+        add(rhoa1, add(mul(v_rho1, fb, k61), sub(mul(minus_b2, gv_rho3, k62), mul(minus_b3, gv_rho2, k63), k62), k61),
+        k43), rhob1, k43
+    )
+    gv_rho1 = mul(v_rho1, gb, k48)
+    gvb1_minus_b6 = mul(gvb1, minus_b6, k61)
+    rhob2 = add(
+        add(mul(minus_b5, fb, k62), sub(mul(gvb3, minus_b4, k63), gvb1_minus_b6, k63), k62), mul(minus_b2, alongb, k63),
+        k62
+    )
+    rho2 = add(
+        add(rhoa2, add(mul(v_rho2, fb, k52), sub(mul(minus_b3, gv_rho1, k63), mul(minus_b1, gv_rho3, k51), k51), k51),
+        k47), rhob2, k47
+    )
+    gvb1_minus_b5 = mul(gvb1, minus_b5, k51)
+    rhob3 = add(
+        add(mul(minus_b6, fb, k52), sub(gvb1_minus_b5, mul(gvb2, minus_b4, k63), k63), k52), mul(minus_b3, alongb, k59),
+        k52
+    )
+    rho3 = add(
+        add(rhoa3, add(mul(v_rho3, fb, k50), sub(mul(minus_b1, gv_rho2, k53), mul(minus_b2, gv_rho1, k48), k48), k48),
+        k44), rhob3, k44
+    )
+    hvr = add(add(mul(v1, rho1, k48), mul(v2, rho2, k50), k48), mul(v3, rho3, k50), k48)
+    w4 = div(
+        add(sub(mul(rho1, fi, k50), sub(mul(v2, rho3, k53), mul(v3, rho2, k59), k53), k50), mul(v1, hvr, k53), k50), n2,
+        k50
+    )
+    v1_w4 = mul(v1, w4, k53)
+    w5 = div(
+        add(sub(mul(rho2, fi, k59), sub(mul(v3, rho1, k63), mul(v1, rho3, k64), k63), k59), mul(v2, hvr, k63), k59), n2,
+        k59
+    )
+    w6 = div(
+        add(sub(mul(rho3, fi, k17), sub(mul(v1, rho2, k44), mul(v2, rho1, k43), k43), k17), mul(v3, hvr, k43), k17), n2,
+        k17
+    )
+    v2_w5 = mul(v2, w5, k43)
+    v3_w6 = mul(v3, w6, k44)
+    yw = add(add(v1_w4, v2_w5, k47), v3_w6, k47)
+    fiow = neg(yw, k47)
+    I33o = add(fiow, add(v3_w6, v3_w6, k44), k44)
+    I22o = add(fiow, add(v2_w5, v2_w5, k43), k43)
+    I11o = add(fiow, add(v1_w4, v1_w4, k48), k47)
+    d13ow = add(mul(v1, w6, k48), mul(w4, v3, k53), k48)
+    sow2 = neg(w5, k53)
+    I31o = sub(d13ow, sow2, k63)
+    I13o = add(d13ow, sow2, k48)
+    d23ow = add(mul(v2, w6, k53), mul(w5, v3, k64), k53)
+    sw3 = neg(v3, k11)
+    d12ow = add(mul(v1, w5, k59), mul(w4, v2, k64), k59)
+    d12w = mul(v1, v2, k12)
+    sow1 = neg(w4, k21)
+    sow3 = neg(w6, k17)
+    I32o = add(d23ow, sow1, k50)
+    I23o = sub(d23ow, sow1, k21)
+    gyS = neg(egS, k53)
+    goS = mul(gyS, yb, k53)
+    fyS = sub(gb, egS, k13)
+    foS = mul(fyS, yb, k13)
+    gvoS1 = add(mul(minus_b4, gb, k58), mul(minus_b1, goS, k64), k58)
+    S11o = add(foS, add(mul(gvb1, minus_b4, k23), mul(gvoS1, minus_b1, k56), k23), k23)
+    d13oS = add(gvb1_minus_b6, mul(gvoS1, minus_b3, k56), k56)
+    d12oS = add(gvb1_minus_b5, mul(gvoS1, minus_b2, k61), k51)
+    fvb1 = mul(minus_b1, fb, k1)
+    gvoS2 = add(mul(minus_b5, gb, k61), mul(minus_b2, goS, k64), k61)
+    gvoS3 = add(mul(minus_b6, gb, k7), mul(minus_b3, goS, k53), k7)
+    S33o = add(foS, add(mul(gvb3, minus_b6, k30), mul(gvoS3, minus_b3, k53), k30), k30)
+    S22o = add(foS, add(mul(gvb2, minus_b5, k26), mul(gvoS2, minus_b2, k53), k26), k13)
+    d23oS = add(gvb2_minus_b6, mul(gvoS2, minus_b3, k26), k26)
+    fvb3 = mul(minus_b3, fb, k6)
+    fvb2 = mul(minus_b2, fb, k3)
+    S13o = add(d13oS, gvoS2, k8)
+    S31o = sub(d13oS, gvoS2, k53)
+    S23o = sub(d23oS, gvoS1, k54)
+    S32o = add(d23oS, gvoS1, k26)
+    neg(
+        div(add(add(add(mul(I31, S13o, k55), mul(I31o, S13, k56), k55), add(mul(I32, S23o, k56), mul(I32o, S23, k57),
+        k56), k55), add(mul(I33, S33o, k56), mul(I33o, S33, k57), k56), k55), n2, k55), o69
+    )
+    S12o = sub(d12oS, gvoS3, k55)
+    S21o = add(d12oS, gvoS3, k7)
+    neg(
+        div(add(add(add(mul(I31, S12o, k51), mul(I31o, S12, k56), k51), add(mul(I32, S22o, k56), mul(I32o, S22, k57),
+        k56), k51), add(mul(I33, S32o, k56), mul(I33o, S32, k57), k56), k51), n2, k51), o68
+    )
+    neg(
+        div(add(add(add(mul(I31, S11o, k51), mul(I31o, S11, k56), k51), add(mul(I32, S21o, k56), mul(I32o, S21, k57),
+        k56), k51), add(mul(I33, S31o, k56), mul(I33o, S31, k57), k56), k51), n2, k51), o67
+    )
+    I21 = add(d12w, sw3, k51)
+    I12 = sub(d12w, sw3, k11)
+    neg(div(add(add(mul(I21, S13, k12), mul(I22, S23, k56), k12), mul(I23, S33, k56), k12), n2, k12), o45)
+    neg(div(add(add(mul(I21, S12, k12), mul(I22, S22, k56), k12), mul(I23, S32, k56), k12), n2, k12), o44)
+    neg(div(add(add(mul(I21, S11, k12), mul(I22, S21, k56), k12), mul(I23, S31, k56), k12), n2, k12), o43)
+    neg(div(add(add(mul(I11, S13, k12), mul(I12, S23, k56), k12), mul(I13, S33, k56), k12), n2, k12), o39)
+    neg(div(add(add(mul(I11, S12, k12), mul(I12, S22, k56), k12), mul(I13, S32, k56), k12), n2, k12), o38)
+    neg(div(add(add(mul(I11, S11, k12), mul(I12, S21, k56), k12), mul(I13, S31, k56), k12), n2, k12), o37)
+    I21o = add(d12ow, sow3, k12)
+    I12o = sub(d12ow, sow3, k17)
+    neg(
+        div(add(add(add(mul(I21, S13o, k56), mul(I21o, S13, k57), k56), add(mul(I22, S23o, k57), mul(I22o, S23, k58),
+        k57), k56), add(mul(I23, S33o, k57), mul(I23o, S33, k58), k57), k56), n2, k56), o63
+    )
+    neg(
+        div(add(add(add(mul(I11, S13o, k8), mul(I11o, S13, k27), k8), add(mul(I12, S23o, k27), mul(I12o, S23, k29),
+        k27), k8), add(mul(I13, S33o, k27), mul(I13o, S33, k29), k27), k8), n2, k8), o57
+    )
+    neg(
+        div(add(add(add(mul(I21, S12o, k8), mul(I21o, S12, k27), k8), add(mul(I22, S22o, k27), mul(I22o, S22, k29),
+        k27), k8), add(mul(I23, S32o, k27), mul(I23o, S32, k29), k27), k8), n2, k8), o62
+    )
+    neg(
+        div(add(add(add(mul(I11, S12o, k8), mul(I11o, S12, k27), k8), add(mul(I12, S22o, k13), mul(I12o, S22, k27),
+        k13), k8), add(mul(I13, S32o, k13), mul(I13o, S32, k26), k13), k8), n2, k8), o56
+    )
+    neg(
+        div(add(add(add(mul(I21, S11o, k8), mul(I21o, S11, k13), k8), add(mul(I22, S21o, k13), mul(I22o, S21, k26),
+        k13), k8), add(mul(I23, S31o, k13), mul(I23o, S31, k26), k13), k8), n2, k8), o61
+    )
+    neg(
+        div(add(add(add(mul(I11, S11o, k8), mul(I11o, S11, k13), k8), add(mul(I12, S21o, k7), mul(I12o, S21, k13), k7),
+        k7), add(mul(I13, S31o, k8), mul(I13o, S31, k13), k8), k7), n2, k7), o55
+    )
+    d13F = mul(gva1, a3, k7)
+    F13 = add(d13F, gva2, k8)
+    F31 = sub(d13F, gva2, k7)
+    Qb12 = sub(d12S, fvb3, k13)
+    Qb21 = add(d12S, fvb3, k6)
+    d23F = mul(gva2, a3, k23)
+    F23 = sub(d23F, gva1, k26)
+    F32 = add(d23F, gva1, k23)
+    Qb13 = add(d13S, fvb2, k27)
+    Qb31 = sub(d13S, fvb2, k3)
+    F33 = add(fa, mul(gva3, a3, k25), k25)
+    RT13 = add(add(mul(Qb11, F13, k29), mul(Qb12, F23, k30), k29), mul(Qb13, F33, k30), k29)
+    Qb23 = sub(d23S, fvb1, k30)
+    Qb32 = add(d23S, fvb1, k1)
+    RT23 = add(add(mul(Qb21, F13, k28), mul(Qb22, F23, k31), k28), mul(Qb23, F33, k31), k28)
+    RT33 = add(add(mul(Qb31, F13, k31), mul(Qb32, F23, k32), k31), mul(Qb33, F33, k32), k31)
+    div(add(add(mul(I31, RT13, k32), mul(I32, RT23, k33), k32), mul(I33, RT33, k33), k32), n2, o15)
+    div(add(add(mul(I21, RT13, k32), mul(I22, RT23, k33), k32), mul(I23, RT33, k33), k32), n2, o9)
+    div(add(add(mul(I11, RT13, k32), mul(I12, RT23, k33), k32), mul(I13, RT33, k33), k32), n2, o3)
+    d12F = mul(gva1, a2, k32)
+    F12 = sub(d12F, gva3, k33)
+    F21 = add(d12F, gva3, k32)
+    F22 = add(fa, mul(gva2, a2, k34), k34)
+    F11 = add(fa, mul(gva1, a1, k35), k10)
+    RT12 = add(add(mul(Qb11, F12, k35), mul(Qb12, F22, k36), k35), mul(Qb13, F32, k36), k35)
+    RT22 = add(add(mul(Qb21, F12, k36), mul(Qb22, F22, k37), k36), mul(Qb23, F32, k37), k36)
+    RT32 = add(add(mul(Qb31, F12, k37), mul(Qb32, F22, k38), k37), mul(Qb33, F32, k38), k37)
+    div(add(add(mul(I31, RT12, k38), mul(I32, RT22, k53), k38), mul(I33, RT32, k53), k38), n2, o14)
+    div(add(add(mul(I21, RT12, k38), mul(I22, RT22, k53), k38), mul(I23, RT32, k53), k38), n2, o8)
+    div(add(add(mul(I11, RT12, k38), mul(I12, RT22, k53), k38), mul(I13, RT32, k53), k38), n2, o2)
+    RT11 = add(add(mul(Qb11, F11, k38), mul(Qb12, F21, k53), k38), mul(Qb13, F31, k53), k38)
+    RT21 = add(add(mul(Qb21, F11, k53), mul(Qb22, F21, k54), k53), mul(Qb23, F31, k54), k53)
+    RT31 = add(add(mul(Qb31, F11, k54), mul(Qb32, F21, k55), k54), mul(Qb33, F31, k55), k54)
+    div(add(add(mul(I31, RT11, k55), mul(I32, RT21, k56), k55), mul(I33, RT31, k56), k55), n2, o13)
+    div(add(add(mul(I21, RT11, k55), mul(I22, RT21, k56), k55), mul(I23, RT31, k56), k55), n2, o7)
+    div(add(add(mul(I11, RT11, k55), mul(I12, RT21, k56), k55), mul(I13, RT31, k56), k55), n2, o1)
+    R11o = sub(mul(Qb31, rhob2, k55), mul(Qb21, rhob3, k56), k55)
+    R12o = sub(mul(Qb32, rhob2, k56), mul(Qb22, rhob3, k57), k56)
+    R13o = sub(mul(Qb33, rhob2, k57), mul(Qb23, rhob3, k58), k57)
+    gyF = neg(egF, k58)
+    goF = mul(gyF, ya, k58)
+    fyF = sub(ga, egF, k14)
+    foF = mul(fyF, ya, k14)
+    gvoF1 = add(mul(a1o, ga, k42), mul(a1, goF, k59), k42)
+    d13oF = add(gva1_a3o, mul(gvoF1, a3, k59), k46)
+    d12oF = add(gva1_a2o, mul(gvoF1, a2, k59), k40)
+    F11o = add(foF, add(mul(gva1, a1o, k39), mul(gvoF1, a1, k59), k39), k39)
+    gvoF2 = add(mul(a2o, ga, k59), mul(a2, goF, k61), k59)
+    gvoF3 = add(mul(a3o, ga, k9), mul(a3, goF, k58), k9)
+    d23oF = add(gva2_a3o, mul(gvoF2, a3, k58), k49)
+    F33o = add(foF, add(mul(gva3, a3o, k45), mul(gvoF3, a3, k58), k45), k45)
+    F22o = add(foF, add(mul(gva2, a2o, k41), mul(gvoF2, a2, k58), k41), k14)
+    F13o = add(d13oF, gvoF2, k41)
+    F31o = sub(d13oF, gvoF2, k46)
+    F23o = sub(d23oF, gvoF1, k58)
+    F32o = add(d23oF, gvoF1, k42)
+    RT13o = add(
+        add(add(mul(Qb11, F13o, k49), mul(R11o, F13, k59), k49), add(mul(Qb12, F23o, k59), mul(R12o, F23, k61), k59),
+        k49), add(mul(Qb13, F33o, k59), mul(R13o, F33, k61), k59), k49
+    )
+    R21o = sub(mul(Qb11, rhob3, k59), mul(Qb31, rhob1, k61), k59)
+    R22o = sub(mul(Qb12, rhob3, k61), mul(Qb32, rhob1, k64), k61)
+    R23o = sub(mul(Qb13, rhob3, k52), mul(Qb33, rhob1, k64), k52)
+    RT23o = add(
+        add(add(mul(Qb21, F13o, k64), mul(R21o, F13, k65), k64), add(mul(Qb22, F23o, k65), mul(R22o, F23, k66), k65),
+        k64), add(mul(Qb23, F33o, k65), mul(R23o, F33, k66), k65), k64
+    )
+    R31o = sub(mul(Qb21, rhob1, k65), mul(Qb11, rhob2, k66), k65)
+    R32o = sub(mul(Qb22, rhob1, k66), mul(Qb12, rhob2, k67), k66)
+    R33o = sub(mul(Qb23, rhob1, k60), mul(Qb13, rhob2, k62), k60)
+    RT33o = add(
+        add(add(mul(Qb31, F13o, k41), mul(R31o, F13, k8), k8), add(mul(Qb32, F23o, k41), mul(R32o, F23, k26), k26), k8),
+        add(mul(Qb33, F33o, k26), mul(R33o, F33, k25), k25), k8
+    )
+    div(
+        add(add(add(mul(I31, RT13o, k25), mul(I31o, RT13, k26), k25), add(mul(I32, RT23o, k26), mul(I32o, RT23, k41),
+        k26), k25), add(mul(I33, RT33o, k26), mul(I33o, RT33, k41), k26), k25), n2, o33
+    )
+    div(
+        add(add(add(mul(I21, RT13o, k25), mul(I21o, RT13, k26), k25), add(mul(I22, RT23o, k26), mul(I22o, RT23, k41),
+        k26), k25), add(mul(I23, RT33o, k26), mul(I23o, RT33, k41), k26), k25), n2, o27
+    )
+    div(
+        add(add(add(mul(I11, RT13o, k25), mul(I11o, RT13, k26), k25), add(mul(I12, RT23o, k26), mul(I12o, RT23, k28),
+        k26), k25), add(mul(I13, RT33o, k8), mul(I13o, RT33, k26), k8), k8), n2, o21
+    )
+    F12o = sub(d12oF, gvoF3, k8)
+    F21o = add(d12oF, gvoF3, k9)
+    RT12o = add(
+        add(add(mul(Qb11, F12o, k25), mul(R11o, F12, k26), k25), add(mul(Qb12, F22o, k26), mul(R12o, F22, k28), k26),
+        k25), add(mul(Qb13, F32o, k26), mul(R13o, F32, k28), k26), k25
+    )
+    RT11o = add(
+        add(add(mul(Qb11, F11o, k4), mul(R11o, F11, k26), k4), add(mul(Qb12, F21o, k13), mul(R12o, F21, k26), k13), k4),
+        add(mul(Qb13, F31o, k13), mul(R13o, F31, k26), k13), k4
+    )
+    RT22o = add(
+        add(add(mul(Qb21, F12o, k13), mul(R21o, F12, k26), k13), add(mul(Qb22, F22o, k26), mul(R22o, F22, k27), k26),
+        k13), add(mul(Qb23, F32o, k26), mul(R23o, F32, k27), k26), k13
+    )
+    RT32o = add(
+        add(add(mul(Qb31, F12o, k8), mul(R31o, F12, k26), k8), add(mul(Qb32, F22o, k14), mul(R32o, F22, k26), k14), k8),
+        add(mul(Qb33, F32o, k14), mul(R33o, F32, k23), k14), k8
+    )
+    RT21o = add(
+        add(add(mul(Qb21, F11o, k6), mul(R21o, F11, k14), k6), add(mul(Qb22, F21o, k2), mul(R22o, F21, k14), k2), k2),
+        add(mul(Qb23, F31o, k6), mul(R23o, F31, k14), k6), k2
+    )
+    RT31o = add(
+        add(add(mul(Qb31, F11o, k3), mul(R31o, F11, k6), k3), add(mul(Qb32, F21o, k1), mul(R32o, F21, k6), k1), k1),
+        add(mul(Qb33, F31o, k3), mul(R33o, F31, k5), k3), k1
+    )
+    div(
+        add(add(add(mul(I31, RT12o, k3), mul(I31o, RT12, k5), k3), add(mul(I32, RT22o, k5), mul(I32o, RT22, k6), k5),
+        k3), add(mul(I33, RT32o, k5), mul(I33o, RT32, k6), k5), k3), n2, o32
+    )
+    div(
+        add(add(add(mul(I31, RT11o, k3), mul(I31o, RT11, k5), k3), add(mul(I32, RT21o, k5), mul(I32o, RT21, k6), k5),
+        k3), add(mul(I33, RT31o, k5), mul(I33o, RT31, k6), k5), k3), n2, o31
+    )
+    div(
+        add(add(add(mul(I21, RT12o, k3), mul(I21o, RT12, k5), k3), add(mul(I22, RT22o, k5), mul(I22o, RT22, k6), k5),
+        k3), add(mul(I23, RT32o, k5), mul(I23o, RT32, k6), k5), k3), n2, o26
+    )
+    div(
+        add(add(add(mul(I21, RT11o, k3), mul(I21o, RT11, k5), k3), add(mul(I22, RT21o, k5), mul(I22o, RT21, k6), k5),
+        k3), add(mul(I23, RT31o, k5), mul(I23o, RT31, k6), k5), k3), n2, o25
+    )
+    div(
+        add(add(add(mul(I11, RT12o, k3), mul(I11o, RT12, k5), k3), add(mul(I12, RT22o, k5), mul(I12o, RT22, k6), k5),
+        k3), add(mul(I13, RT32o, k5), mul(I13o, RT32, k6), k5), k3), n2, o20
+    )
+    div(
+        add(add(add(mul(I11, RT11o, k3), mul(I11o, RT11, k4), k3), add(mul(I12, RT21o, k2), mul(I12o, RT21, k4), k2),
+        k2), add(mul(I13, RT31o, k1), mul(I13o, RT31, k3), k1), k1), n2, o19
+    )
+    copy(n0, o4)
+    copy(n0, o5)
+    copy(n0, o6)
+    copy(n0, o10)
+    copy(n0, o11)
+    copy(n0, o12)
+    copy(n0, o16)
+    copy(n0, o17)
+    copy(n0, o18)
+    copy(o1, o22)
+    copy(o2, o23)
+    copy(o3, o24)
+    copy(o7, o28)
+    copy(o8, o29)
+    copy(o9, o30)
+    copy(o13, o34)
+    copy(o14, o35)
+    copy(o15, o36)
+    copy(n0, o40)
+    copy(n0, o41)
+    copy(n0, o42)
+    copy(n0, o46)
+    copy(n0, o47)
+    copy(n0, o48)
+    copy(n0, o52)
+    copy(n0, o53)
+    copy(n0, o54)
+    copy(o37, o58)
+    copy(o38, o59)
+    copy(o39, o60)
+    copy(o43, o64)
+    copy(o44, o65)
+    copy(o45, o66)
+    copy(o49, o70)
+    copy(o50, o71)
+    copy(o51, o72)
+
+
+# operations 189: 88 +, 94 *, 3 /, 4 neg
+def _own_transform_point_jacobians(m: Any, c: Any, v: Components, r: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    r1, r2, r3 = r
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x12 = v11 + v22
+    x = x12 + v33
+    p = 1 - x
+    N = p * p + 4 * x
+    r_ = 2 * (N / N / N)
+    f = 2 * p * r_
+    g = 4 * r_
+    x1 = 1 + x
+    e = 4 / x1
+    eg = e * g
+    fy = g - eg
+    gy = -eg
+    gv1 = v1 * g
+    gv2 = v2 * g
+    gv3 = v3 * g
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    along = g * y
+    gv2_v3o = gv2 * v3o
+    gv1_v3o = gv1 * v3o
+    gv1_v2o = gv1 * v2o
+    v_r1 = v2 * r3 - v3 * r2
+    v_r2 = v3 * r1 - v1 * r3
+    v_r3 = v1 * r2 - v2 * r1
+    gv_r1 = v_r1 * g
+    gv_r2 = v_r2 * g
+    gv_r3 = v_r3 * g
+    moved1 = r1 + (v_r1 * f + (v2 * gv_r3 - v3 * gv_r2)) + (v1o * f + (gv2_v3o - gv3 * v2o) + v1 * along)
+    moved2 = r2 + (v_r2 * f + (v3 * gv_r1 - v1 * gv_r3)) + (v2o * f + (gv3 * v1o - gv1_v3o) + v2 * along)
+    moved3 = r3 + (v_r3 * f + (v1 * gv_r2 - v2 * gv_r1)) + (v3o * f + (gv1_v2o - gv2 * v1o) + v3 * along)
+    fo = fy * y
+    go = gy * y
+    gvo1 = v1o * g + v1 * go
+    gvo2 = v2o * g + v2 * go
+    gvo3 = v3o * g + v3 * go
+    d12 = gv1 * v2
+    d13 = gv1 * v3
+    d23 = gv2 * v3
+    T11 = f + gv1 * v1
+    T12 = d12 - gv3
+    T13 = d13 + gv2
+    T21 = d12 + gv3
+    T22 = f + gv2 * v2
+    T23 = d23 - gv1
+    T31 = d13 - gv2
+    T32 = d23 + gv1
+    T33 = f + gv3 * v3
+    d12o = gv1_v2o + gvo1 * v2
+    d13o = gv1_v3o + gvo1 * v3
+    d23o = gv2_v3o + gvo2 * v3
+    T11o = fo + (gv1 * v1o + gvo1 * v1)
+    T12o = d12o - gvo3
+    T13o = d13o + gvo2
+    T21o = d12o + gvo3
+    T22o = fo + (gv2 * v2o + gvo2 * v2)
+    T23o = d23o - gvo1
+    T31o = d13o - gvo2
+    T32o = d23o + gvo1
+    T33o = fo + (gv3 * v3o + gvo3 * v3)
+    minus_moved3 = -moved3
+    minus_moved1 = -moved1
+    minus_moved2 = -moved2
+    x23 = v22 + v33
+    x13 = v11 + v33
+    fv1 = v1 * f
+    fv2 = v2 * f
+    fv3 = v3 * f
+    return (
+        T11o - (minus_moved3 * T21 + moved2 * T31),
+        T12o - (minus_moved3 * T22 + moved2 * T32),
+        T13o - (minus_moved3 * T23 + moved2 * T33),
+        T11,
+        T12,
+        T13,
+        T21o - (moved3 * T11 + minus_moved1 * T31),
+        T22o - (moved3 * T12 + minus_moved1 * T32),
+        T23o - (moved3 * T13 + minus_moved1 * T33),
+        T21,
+        T22,
+        T23,
+        T31o - (minus_moved2 * T11 + moved1 * T21),
+        T32o - (minus_moved2 * T12 + moved1 * T22),
+        T33o - (minus_moved2 * T13 + moved1 * T23),
+        T31,
+        T32,
+        T33,
+        1 - g * x23,
+        d12 - fv3,
+        d13 + fv2,
+        d12 + fv3,
+        1 - g * x13,
+        d23 - fv1,
+        d13 - fv2,
+        d23 + fv1,
+        1 - g * x12,
+    )
+
+
+def _own_transform_point_jacobians_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, r: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    r1, r2, r3 = r
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27,
+    ) = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19 = scratch
+    n1, n2, n4 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    x12 = add(v11, v22, k3)
+    v33 = mul(v3, v3, k4)
+    x13 = add(v11, v33, k1)
+    x23 = add(v22, v33, k2)
+    x = add(x12, v33, k4)
+    p = sub(n1, x, k5)
+    N = add(mul(p, p, k6), mul(n4, x, k7), k6)
+    r_ = mul(n2, div(div(N, N, k7), N, k6), k6)
+    f = mul(mul(n2, p, k5), r_, k5)
+    g = mul(n4, r_, k6)
+    sub(n1, mul(g, x12, k3), o27)
+    sub(n1, mul(g, x13, k1), o23)
+    sub(n1, mul(g, x23, k1), o19)
+    x1 = add(n1, x, k1)
+    e = div(n4, x1, k1)
+    eg = mul(e, g, k1)
+    gv2 = mul(v2, g, k2)
+    T22 = add(f, mul(gv2, v2, k3), o11)
+    d23 = mul(gv2, v3, k3)
+    fv1 = mul(v1, f, k4)
+    add(d23, fv1, o26)
+    sub(d23, fv1, o24)
+    gv1 = mul(v1, g, k4)
+    T32 = add(d23, gv1, o17)
+    T23 = sub(d23, gv1, o12)
+    T11 = add(f, mul(gv1, v1, k3), o4)
+    d13 = mul(gv1, v3, k3)
+    T31 = sub(d13, gv2, o16)
+    T13 = add(d13, gv2, o6)
+    fv2 = mul(v2, f, k7)
+    sub(d13, fv2, o25)
+    add(d13, fv2, o21)
+    d12 = mul(gv1, v2, k3)
+    fv3 = mul(v3, f, k7)
+    add(d12, fv3, o22)
+    sub(d12, fv3, o20)
+    gv3 = mul(v3, g, k7)
+    T33 = add(f, mul(gv3, v3, k8), o18)
+    T12 = sub(d12, gv3, o5)
+    T21 = add(d12, gv3, o10)
+    v_r1 = sub(mul(v2, r3, k3), mul(v3, r2, k8), k3)
+    gv_r1 = mul(v_r1, g, k8)
+    v_r3 = sub(mul(v1, r2, k9), mul(v2, r1, k10), k9)
+    gv_r3 = mul(v_r3, g, k10)
+    gv1_v3o = mul(gv1, v3o, k11)
+    y = add(add(mul(v1, v1o, k12), mul(v2, v2o, k13), k12), mul(v3, v3o, k13), k12)
+    along = mul(g, y, k13)
+    v_r2 = sub(mul(v3, r1, k14), mul(v1, r3, k15), k14)
+    moved2 = add(
+        add(r2, add(mul(v_r2, f, k15), sub(mul(v3, gv_r1, k16), mul(v1, gv_r3, k17), k16), k15), k15), add(add(mul(v2o,
+        f, k16), sub(mul(gv3, v1o, k17), gv1_v3o, k17), k16), mul(v2, along, k17), k16), k15
+    )
+    gv_r2 = mul(v_r2, g, k14)
+    minus_moved2 = neg(moved2, k16)
+    gv2_v3o = mul(gv2, v3o, k17)
+    moved1 = add(
+        add(r1, add(mul(v_r1, f, k3), sub(mul(v2, gv_r3, k10), mul(v3, gv_r2, k18), k10), k3), k3), add(add(mul(v1o, f,
+        k10), sub(gv2_v3o, mul(gv3, v2o, k18), k18), k10), mul(v1, along, k18), k10), k3
+    )
+    fy = sub(g, eg, k10)
+    fo = mul(fy, y, k10)
+    gy = neg(eg, k1)
+    go = mul(gy, y, k1)
+    gvo3 = add(mul(v3o, g, k12), mul(v3, go, k18), k12)
+    T33o = add(fo, add(mul(gv3, v3o, k7), mul(gvo3, v3, k18), k7), k7)
+    sub(T33o, add(mul(minus_moved2, T13, k18), mul(moved1, T23, k19), k18), o15)
+    gvo2 = add(mul(v2o, g, k7), mul(v2, go, k18), k7)
+    gvo1 = add(mul(v1o, g, k6), mul(v1, go, k1), k1)
+    d23o = add(gv2_v3o, mul(gvo2, v3, k6), k6)
+    d13o = add(gv1_v3o, mul(gvo1, v3, k17), k11)
+    T32o = add(d23o, gvo1, k17)
+    sub(T32o, add(mul(minus_moved2, T12, k18), mul(moved1, T22, k19), k18), o14)
+    T23o = sub(d23o, gvo1, k6)
+    T31o = sub(d13o, gvo2, k17)
+    sub(T31o, add(mul(minus_moved2, T11, k16), mul(moved1, T21, k18), k16), o13)
+    minus_moved1 = neg(moved1, k3)
+    T13o = add(d13o, gvo2, k11)
+    T22o = add(fo, add(mul(gv2, v2o, k16), mul(gvo2, v2, k7), k7), k7)
+    T11o = add(fo, add(mul(gv1, v1o, k16), mul(gvo1, v1, k17), k16), k10)
+    gv1_v2o = mul(gv1, v2o, k4)
+    moved3 = add(
+        add(r3, add(mul(v_r3, f, k9), sub(mul(v1, gv_r2, k14), mul(v2, gv_r1, k8), k8), k8), k8), add(add(mul(v3o, f,
+        k5), sub(gv1_v2o, mul(gv2, v1o, k2), k2), k2), mul(v3, along, k5), k2), k2
+    )
+    sub(T23o, add(mul(moved3, T13, k5), mul(minus_moved1, T33, k8), k5), o9)
+    sub(T22o, add(mul(moved3, T12, k5), mul(minus_moved1, T32, k6), k5), o8)
+    d12o = add(gv1_v2o, mul(gvo1, v2, k1), k1)
+    T21o = add(d12o, gvo3, k4)
+    sub(T21o, add(mul(moved3, T11, k5), mul(minus_moved1, T31, k3), k3), o7)
+    T12o = sub(d12o, gvo3, k1)
+    minus_moved3 = neg(moved3, k2)
+    sub(T13o, add(mul(minus_moved3, T23, k3), mul(moved2, T33, k4), k3), o3)
+    sub(T12o, add(mul(minus_moved3, T22, k3), mul(moved2, T32, k4), k3), o2)
+    sub(T11o, add(mul(minus_moved3, T21, k1), mul(moved2, T31, k2), k1), o1)
+
+
 CHART = Chart(
     __name__,
     branches=2,
@@ -1403,11 +3124,47 @@ CHART = Chart(
         lent=(),
         real=True,
     ),
+        "compose_jacobians": Kernel(
+        _own_compose_jacobians,
+        _own_compose_jacobians_blocks,
+        (("v2", (6,)), ("v1", (6,)),),
+        (72,),
+        registers=67,
+        masks=1,
+        numbers=(-1, 0, 1, 2, 4),
+        lent=(),
+        real=True,
+    ),
+        "between_jacobians": Kernel(
+        _own_between_jacobians,
+        _own_between_jacobians_blocks,
+        (("v2", (6,)), ("v1", (6,)),),
+        (72,),
+        registers=67,
+        masks=1,
+        numbers=(-1, 0, 1, 2, 4),
+        lent=(),
+        real=True,
+    ),
+        "transform_point_jacobians": Kernel(
+        _own_transform_point_jacobians,
+        _own_transform_point_jacobians_blocks,
+        (("v", (6,)), ("r", (3,)),),
+        (27,),
+        registers=19,
+        masks=0,
+        numbers=(1, 2, 4),
+        lent=(),
+        real=False,
+    ),
     },
 )
 
 KERNELS = PoseKernels(CHART)
 
+adjoint = KERNELS.adjoint
+between = KERNELS.between
+between_jacobians = KERNELS.between_jacobians
 body_cotangent = KERNELS.body_cotangent
 body_cotangent_jacobian = KERNELS.body_cotangent_jacobian
 body_rate = KERNELS.body_rate
@@ -1420,6 +3177,7 @@ body_twist = KERNELS.body_twist
 body_twist_dot = KERNELS.body_twist_dot
 body_twist_jacobian = KERNELS.body_twist_jacobian
 compose = KERNELS.compose
+compose_jacobians = KERNELS.compose_jacobians
 cotangent = KERNELS.cotangent
 cotangent_jacobian = KERNELS.cotangent_jacobian
 dcay = KERNELS.tangent
@@ -1445,7 +3203,9 @@ tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_screw = KERNELS.to_screw
 transform_line = KERNELS.transform_line
+transform_line_jacobians = KERNELS.transform_line_jacobians
 transform_point = KERNELS.transform_point
+transform_point_jacobians = KERNELS.transform_point_jacobians
 twist = KERNELS.twist
 twist_dot = KERNELS.twist_dot
 twist_jacobian = KERNELS.twist_jacobian

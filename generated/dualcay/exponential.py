@@ -72,6 +72,12 @@
 #   shadow: 139: 38 +, 47 *, 23 /, 1 neg, 6 abs, 3 sqrt, 1 tan, 5 lt, 2 eq, 1 and, 1 or, 11 where
 #   principal: 111: 31 +, 39 *, 20 /, 4 sqrt, 1 tan, 1 atan2, 3 lt, 12 where
 #   compose: 392: 126 +, 176 *, 53 /, 1 neg, 7 sqrt, 3 tan, 1 atan2, 4 lt, 1 eq, 20 where
+#   between: 398: 126 +, 176 *, 53 /, 7 neg, 7 sqrt, 3 tan, 1 atan2, 4 lt, 1 eq, 20 where
+#   compose_jacobians: 1186: 452 +, 585 *, 102 /, 8 neg, 7 sqrt, 3 tan, 1 atan2, 4 lt, 1 eq, 23 where
+#   between_jacobians: 1210: 452 +, 585 *, 102 /, 32 neg, 7 sqrt, 3 tan, 1 atan2, 4 lt, 1 eq, 23 where
+#   adjoint: 147: 52 +, 70 *, 16 /, 2 sqrt, 1 tan, 1 lt, 5 where
+#   transform_point_jacobians: 283: 115 +, 135 *, 20 /, 3 neg, 2 sqrt, 1 tan, 1 lt, 6 where
+#   transform_line_jacobians: 382: 148 +, 198 *, 20 /, 6 neg, 2 sqrt, 1 tan, 1 lt, 6 where
 r"""Exponential map: Rodrigues dual vectors ``v = α u`` of rigid displacements.
 
 .. math::
@@ -97,15 +103,16 @@ from typing import Any
 
 from ._chart import Chart, Function
 from ._interface import PoseKernels
-from ._kernel import Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
+from ._kernel import Components, Kernel, Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "body_cotangent", "body_cotangent_jacobian", "body_rate", "body_rate_dot", "body_rate_jacobian", "body_tangent",
-    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
-    "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity",
-    "inverse", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow",
-    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
-    "transform_point", "twist", "twist_dot", "twist_jacobian",
+    "adjoint", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_rate",
+    "body_rate_dot", "body_rate_jacobian", "body_tangent", "body_tangent_dot", "body_tangent_inv", "body_twist",
+    "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians", "cotangent", "cotangent_jacobian",
+    "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity", "inverse", "pose", "principal",
+    "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow", "singular_angles", "tangent", "tangent_dot",
+    "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
+    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 1
@@ -1018,6 +1025,1915 @@ def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     return o1, n1
 
 
+# --- geometry that does with less here than for any chart ---------------------------------------------------------
+
+
+# operations 1186: 452 +, 585 *, 102 /, 8 neg, 7 sqrt, 3 tan, 1 atan2, 4 lt, 1 eq, 23 where
+def _own_compose_jacobians(m: Any, c: Any, b: Components, a: Components) -> Result:
+    b1, b2, b3, b1o, b2o, b3o = b
+    a1, a2, a3, a1o, a2o, a3o = a
+    v11b = b1 * b1
+    v22b = b2 * b2
+    v33b = b3 * b3
+    x12b = v11b + v22b
+    xb = x12b + v33b
+    nearb = xb < 6
+    zb = m.where(nearb, xb, xb - xb) / 4
+    C7b = (
+        (72 - zb * ((3603600 - zb * (32760 - zb * (210 - zb * ((93024 - zb * (342 - zb * ((212520 - zb * (506 - zb))
+        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
+    )
+    C5b = (1 - 120 * (zb * C7b)) / 120
+    C3b = (1 - 6 * (zb * C5b)) / 6
+    C1b = 1 - zb * C3b
+    CC1b = C1b * C1b
+    C0b = m.sqrt(1 - zb * CC1b)
+    xxb = m.where(nearb, 6 + xb, xb)
+    alphab = m.sqrt(xxb)
+    tb = m.tan(alphab / 4)
+    ttb = tb * tb
+    belowb = 1 + ttb
+    sb = m.where(nearb, C0b, (1 - ttb) / belowb)
+    wb = m.where(nearb, C1b / 2, 2 * tb / belowb / alphab)
+    fb = 2 * (sb * wb)
+    wwb = wb * wb
+    gb = 2 * wwb
+    C01b = 1 + C0b
+    C2b = CC1b / C01b
+    hb = m.where(nearb, (C3b + C1b * C2b) / 4, (1 - fb) / xxb)
+    bvb1 = b1 * wb
+    bvb2 = b2 * wb
+    bvb3 = b3 * wb
+    v11a = a1 * a1
+    v22a = a2 * a2
+    v33a = a3 * a3
+    xa = v11a + v22a + v33a
+    neara = xa < 6
+    za = m.where(neara, xa, xa - xa) / 4
+    C7a = (
+        (72 - za * ((3603600 - za * (32760 - za * (210 - za * ((93024 - za * (342 - za * ((212520 - za * (506 - za))
+        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
+    )
+    C5a = (1 - 120 * (za * C7a)) / 120
+    C3a = (1 - 6 * (za * C5a)) / 6
+    C1a = 1 - za * C3a
+    CC1a = C1a * C1a
+    C0a = m.sqrt(1 - za * CC1a)
+    xxa = m.where(neara, 6 + xa, xa)
+    alphaa = m.sqrt(xxa)
+    ta = m.tan(alphaa / 4)
+    tta = ta * ta
+    belowa = 1 + tta
+    sa = m.where(neara, C0a, (1 - tta) / belowa)
+    wa = m.where(neara, C1a / 2, 2 * ta / belowa / alphaa)
+    fa = 2 * (sa * wa)
+    wwa = wa * wa
+    ga = 2 * wwa
+    C01a = 1 + C0a
+    C2a = CC1a / C01a
+    ha = m.where(neara, (C3a + C1a * C2a) / 4, (1 - fa) / xxa)
+    bva1 = a1 * wa
+    bva2 = a2 * wa
+    bva3 = a3 * wa
+    z0 = sb * sa - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
+    z1 = bva1 * sb + bvb1 * sa + (bvb2 * bva3 - bvb3 * bva2)
+    z2 = bva2 * sb + bvb2 * sa + (bvb3 * bva1 - bvb1 * bva3)
+    z3 = bva3 * sb + bvb3 * sa + (bvb1 * bva2 - bvb2 * bva1)
+    gva1 = a1 * ga
+    gva2 = a2 * ga
+    gva3 = a3 * ga
+    ya = a1 * a1o + a2 * a2o + a3 * a3o
+    alonga = ha * ya
+    rhoa1 = a1o * fa + (gva2 * a3o - gva3 * a2o) + a1 * alonga
+    rhoa2 = a2o * fa + (gva3 * a1o - gva1 * a3o) + a2 * alonga
+    rhoa3 = a3o * fa + (gva1 * a2o - gva2 * a1o) + a3 * alonga
+    v_rho1 = b2 * rhoa3 - b3 * rhoa2
+    v_rho2 = b3 * rhoa1 - b1 * rhoa3
+    v_rho3 = b1 * rhoa2 - b2 * rhoa1
+    gv_rho1 = v_rho1 * gb
+    gv_rho2 = v_rho2 * gb
+    gv_rho3 = v_rho3 * gb
+    gvb1 = b1 * gb
+    gvb2 = b2 * gb
+    gvb3 = b3 * gb
+    yb = b1 * b1o + b2 * b2o + b3 * b3o
+    alongb = hb * yb
+    rhob1 = b1o * fb + (gvb2 * b3o - gvb3 * b2o) + b1 * alongb
+    rhob2 = b2o * fb + (gvb3 * b1o - gvb1 * b3o) + b2 * alongb
+    rhob3 = b3o * fb + (gvb1 * b2o - gvb2 * b1o) + b3 * alongb
+    rho1 = rhoa1 + (v_rho1 * fb + (b2 * gv_rho3 - b3 * gv_rho2)) + rhob1
+    rho2 = rhoa2 + (v_rho2 * fb + (b3 * gv_rho1 - b1 * gv_rho3)) + rhob2
+    rho3 = rhoa3 + (v_rho3 * fb + (b1 * gv_rho2 - b2 * gv_rho1)) + rhob3
+    negative = z0 < 0
+    cos = m.where(negative, -z0, z0)
+    ss = z1 * z1 + z2 * z2 + z3 * z3
+    still = ss == 0
+    sin = m.sqrt(m.where(still, cos, ss))
+    angle = 2 * m.atan2(sin, cos)
+    gain = m.where(negative, -1, 1) * (m.where(still, 2, angle) / m.where(still, cos, sin))
+    v1 = z1 * gain
+    v2 = z2 * gain
+    v3 = z3 * gain
+    fi = gain * z0
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    near = x < 6
+    z = m.where(near, x, x - x) / 4
+    C7 = (
+        (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
+        / 93024)))) / 3603600)) / 72 / 5040
+    )
+    C5 = (1 - 120 * (z * C7)) / 120
+    C3 = (1 - 6 * (z * C5)) / 6
+    C1 = 1 - z * C3
+    xx = m.where(near, 6 + x, x)
+    alpha = m.sqrt(xx)
+    t = m.tan(alpha / 4)
+    tt = t * t
+    below = 1 + tt
+    w = m.where(near, C1 / 2, 2 * t / below / alpha)
+    ww = w * w
+    g = 2 * ww
+    CC1 = C1 * C1
+    C0 = m.sqrt(1 - z * CC1)
+    s = m.where(near, C0, (1 - tt) / below)
+    fi_ = s / w
+    C01 = 1 + C0
+    C2 = CC1 / C01
+    f = 2 * (s * w)
+    h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
+    hi = g - fi_ * h
+    hvr = hi * (v1 * rho1 + v2 * rho2 + v3 * rho3)
+    w4 = (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2
+    w5 = (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2
+    w6 = (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2
+    fiyw = -(h / g)
+    gyw = f * h - g * g
+    CC3w = C3 * C3
+    C4w = (4 * C3 - C2 - 2 * (z * CC3w)) / (2 * C01)
+    c5w = (C5 + C4w + C2 * C3) / 16
+    c4w = C3 * (1 + C1) / 8
+    hyw = m.where(near, 3 * c5w - c4w, (g - 3 * h) / xx)
+    hiyw = gyw - fiyw * h - fi_ * hyw
+    yw = v1 * w4 + v2 * w5 + v3 * w6
+    fiow = fiyw * yw
+    hiow = hiyw * yw
+    sw1 = -v1
+    sw2 = -v2
+    sw3 = -v3
+    sow1 = -w4
+    sow2 = -w5
+    sow3 = -w6
+    cvw1 = v1 * hi
+    cvw2 = v2 * hi
+    cvw3 = v3 * hi
+    cvow1 = w4 * hi + v1 * hiow
+    cvow2 = w5 * hi + v2 * hiow
+    cvow3 = w6 * hi + v3 * hiow
+    d12w = cvw1 * v2
+    d13w = cvw1 * v3
+    d23w = cvw2 * v3
+    I11 = fi_ + cvw1 * v1
+    I12 = d12w - sw3
+    I13 = d13w + sw2
+    I21 = d12w + sw3
+    I22 = fi_ + cvw2 * v2
+    I23 = d23w - sw1
+    I31 = d13w - sw2
+    I32 = d23w + sw1
+    I33 = fi_ + cvw3 * v3
+    d12ow = cvw1 * w5 + cvow1 * v2
+    d13ow = cvw1 * w6 + cvow1 * v3
+    d23ow = cvw2 * w6 + cvow2 * v3
+    I11o = fiow + (cvw1 * w4 + cvow1 * v1)
+    I12o = d12ow - sow3
+    I13o = d13ow + sow2
+    I21o = d12ow + sow3
+    I22o = fiow + (cvw2 * w5 + cvow2 * v2)
+    I23o = d23ow - sow1
+    I31o = d13ow - sow2
+    I32o = d23ow + sow1
+    I33o = fiow + (cvw3 * w6 + cvow3 * v3)
+    fyS = hb - gb
+    gyS = fb * hb - gb * gb
+    CC3S = C3b * C3b
+    C4S = (4 * C3b - C2b - 2 * (zb * CC3S)) / (2 * C01b)
+    c5S = (C5b + C4S + C2b * C3b) / 16
+    c4S = C3b * (1 + C1b) / 8
+    hyS = m.where(nearb, 3 * c5S - c4S, (gb - 3 * hb) / xxb)
+    foS = fyS * yb
+    goS = gyS * yb
+    hoS = hyS * yb
+    gvoS1 = b1o * gb + b1 * goS
+    gvoS2 = b2o * gb + b2 * goS
+    gvoS3 = b3o * gb + b3 * goS
+    cvS1 = b1 * hb
+    cvS2 = b2 * hb
+    cvS3 = b3 * hb
+    cvoS1 = b1o * hb + b1 * hoS
+    cvoS2 = b2o * hb + b2 * hoS
+    cvoS3 = b3o * hb + b3 * hoS
+    d12S = cvS1 * b2
+    d13S = cvS1 * b3
+    d23S = cvS2 * b3
+    S11 = fb + cvS1 * b1
+    S12 = d12S - gvb3
+    S13 = d13S + gvb2
+    S21 = d12S + gvb3
+    S22 = fb + cvS2 * b2
+    S23 = d23S - gvb1
+    S31 = d13S - gvb2
+    S32 = d23S + gvb1
+    S33 = fb + cvS3 * b3
+    d12oS = cvS1 * b2o + cvoS1 * b2
+    d13oS = cvS1 * b3o + cvoS1 * b3
+    d23oS = cvS2 * b3o + cvoS2 * b3
+    S11o = foS + (cvS1 * b1o + cvoS1 * b1)
+    S12o = d12oS - gvoS3
+    S13o = d13oS + gvoS2
+    S21o = d12oS + gvoS3
+    S22o = foS + (cvS2 * b2o + cvoS2 * b2)
+    S23o = d23oS - gvoS1
+    S31o = d13oS - gvoS2
+    S32o = d23oS + gvoS1
+    S33o = foS + (cvS3 * b3o + cvoS3 * b3)
+    fyF = ha - ga
+    gyF = fa * ha - ga * ga
+    CC3F = C3a * C3a
+    C4F = (4 * C3a - C2a - 2 * (za * CC3F)) / (2 * C01a)
+    c5F = (C5a + C4F + C2a * C3a) / 16
+    c4F = C3a * (1 + C1a) / 8
+    hyF = m.where(neara, 3 * c5F - c4F, (ga - 3 * ha) / xxa)
+    foF = fyF * ya
+    goF = gyF * ya
+    hoF = hyF * ya
+    gvoF1 = a1o * ga + a1 * goF
+    gvoF2 = a2o * ga + a2 * goF
+    gvoF3 = a3o * ga + a3 * goF
+    cvF1 = a1 * ha
+    cvF2 = a2 * ha
+    cvF3 = a3 * ha
+    cvoF1 = a1o * ha + a1 * hoF
+    cvoF2 = a2o * ha + a2 * hoF
+    cvoF3 = a3o * ha + a3 * hoF
+    d12F = cvF1 * a2
+    d13F = cvF1 * a3
+    d23F = cvF2 * a3
+    F11 = fa + cvF1 * a1
+    F12 = d12F - gva3
+    F13 = d13F + gva2
+    F21 = d12F + gva3
+    F22 = fa + cvF2 * a2
+    F23 = d23F - gva1
+    F31 = d13F - gva2
+    F32 = d23F + gva1
+    F33 = fa + cvF3 * a3
+    d12oF = cvF1 * a2o + cvoF1 * a2
+    d13oF = cvF1 * a3o + cvoF1 * a3
+    d23oF = cvF2 * a3o + cvoF2 * a3
+    F11o = foF + (cvF1 * a1o + cvoF1 * a1)
+    F12o = d12oF - gvoF3
+    F13o = d13oF + gvoF2
+    F21o = d12oF + gvoF3
+    F22o = foF + (cvF2 * a2o + cvoF2 * a2)
+    F23o = d23oF - gvoF1
+    F31o = d13oF - gvoF2
+    F32o = d23oF + gvoF1
+    F33o = foF + (cvF3 * a3o + cvoF3 * a3)
+    x23b = v22b + v33b
+    x13b = v11b + v33b
+    fvb1 = b1 * fb
+    fvb2 = b2 * fb
+    fvb3 = b3 * fb
+    gvvb1 = gvb1 * b2
+    gvvb2 = gvb1 * b3
+    gvvb3 = gvb2 * b3
+    Qb11 = 1 - gb * x23b
+    Qb12 = gvvb1 - fvb3
+    Qb13 = gvvb2 + fvb2
+    Qb21 = gvvb1 + fvb3
+    Qb22 = 1 - gb * x13b
+    Qb23 = gvvb3 - fvb1
+    Qb31 = gvvb2 - fvb2
+    Qb32 = gvvb3 + fvb1
+    Qb33 = 1 - gb * x12b
+    R11o = Qb31 * rhob2 - Qb21 * rhob3
+    R12o = Qb32 * rhob2 - Qb22 * rhob3
+    R13o = Qb33 * rhob2 - Qb23 * rhob3
+    R21o = Qb11 * rhob3 - Qb31 * rhob1
+    R22o = Qb12 * rhob3 - Qb32 * rhob1
+    R23o = Qb13 * rhob3 - Qb33 * rhob1
+    R31o = Qb21 * rhob1 - Qb11 * rhob2
+    R32o = Qb22 * rhob1 - Qb12 * rhob2
+    R33o = Qb23 * rhob1 - Qb13 * rhob2
+    B11 = (I11 * S11 + I12 * S21 + I13 * S31) / 2
+    B12 = (I11 * S12 + I12 * S22 + I13 * S32) / 2
+    B13 = (I11 * S13 + I12 * S23 + I13 * S33) / 2
+    B21 = (I21 * S11 + I22 * S21 + I23 * S31) / 2
+    B22 = (I21 * S12 + I22 * S22 + I23 * S32) / 2
+    B23 = (I21 * S13 + I22 * S23 + I23 * S33) / 2
+    B31 = (I31 * S11 + I32 * S21 + I33 * S31) / 2
+    B32 = (I31 * S12 + I32 * S22 + I33 * S32) / 2
+    B33 = (I31 * S13 + I32 * S23 + I33 * S33) / 2
+    RT11 = Qb11 * F11 + Qb12 * F21 + Qb13 * F31
+    RT11o = Qb11 * F11o + R11o * F11 + (Qb12 * F21o + R12o * F21) + (Qb13 * F31o + R13o * F31)
+    RT12 = Qb11 * F12 + Qb12 * F22 + Qb13 * F32
+    RT12o = Qb11 * F12o + R11o * F12 + (Qb12 * F22o + R12o * F22) + (Qb13 * F32o + R13o * F32)
+    RT13 = Qb11 * F13 + Qb12 * F23 + Qb13 * F33
+    RT13o = Qb11 * F13o + R11o * F13 + (Qb12 * F23o + R12o * F23) + (Qb13 * F33o + R13o * F33)
+    RT21 = Qb21 * F11 + Qb22 * F21 + Qb23 * F31
+    RT21o = Qb21 * F11o + R21o * F11 + (Qb22 * F21o + R22o * F21) + (Qb23 * F31o + R23o * F31)
+    RT22 = Qb21 * F12 + Qb22 * F22 + Qb23 * F32
+    RT22o = Qb21 * F12o + R21o * F12 + (Qb22 * F22o + R22o * F22) + (Qb23 * F32o + R23o * F32)
+    RT23 = Qb21 * F13 + Qb22 * F23 + Qb23 * F33
+    RT23o = Qb21 * F13o + R21o * F13 + (Qb22 * F23o + R22o * F23) + (Qb23 * F33o + R23o * F33)
+    RT31 = Qb31 * F11 + Qb32 * F21 + Qb33 * F31
+    RT31o = Qb31 * F11o + R31o * F11 + (Qb32 * F21o + R32o * F21) + (Qb33 * F31o + R33o * F31)
+    RT32 = Qb31 * F12 + Qb32 * F22 + Qb33 * F32
+    RT32o = Qb31 * F12o + R31o * F12 + (Qb32 * F22o + R32o * F22) + (Qb33 * F32o + R33o * F32)
+    RT33 = Qb31 * F13 + Qb32 * F23 + Qb33 * F33
+    RT33o = Qb31 * F13o + R31o * F13 + (Qb32 * F23o + R32o * F23) + (Qb33 * F33o + R33o * F33)
+    A11 = (I11 * RT11 + I12 * RT21 + I13 * RT31) / 2
+    A12 = (I11 * RT12 + I12 * RT22 + I13 * RT32) / 2
+    A13 = (I11 * RT13 + I12 * RT23 + I13 * RT33) / 2
+    A21 = (I21 * RT11 + I22 * RT21 + I23 * RT31) / 2
+    A22 = (I21 * RT12 + I22 * RT22 + I23 * RT32) / 2
+    A23 = (I21 * RT13 + I22 * RT23 + I23 * RT33) / 2
+    A31 = (I31 * RT11 + I32 * RT21 + I33 * RT31) / 2
+    A32 = (I31 * RT12 + I32 * RT22 + I33 * RT32) / 2
+    A33 = (I31 * RT13 + I32 * RT23 + I33 * RT33) / 2
+    return (
+        B11,
+        B12,
+        B13,
+        0,
+        0,
+        0,
+        B21,
+        B22,
+        B23,
+        0,
+        0,
+        0,
+        B31,
+        B32,
+        B33,
+        0,
+        0,
+        0,
+        (I11 * S11o + I11o * S11 + (I12 * S21o + I12o * S21) + (I13 * S31o + I13o * S31)) / 2,
+        (I11 * S12o + I11o * S12 + (I12 * S22o + I12o * S22) + (I13 * S32o + I13o * S32)) / 2,
+        (I11 * S13o + I11o * S13 + (I12 * S23o + I12o * S23) + (I13 * S33o + I13o * S33)) / 2,
+        B11,
+        B12,
+        B13,
+        (I21 * S11o + I21o * S11 + (I22 * S21o + I22o * S21) + (I23 * S31o + I23o * S31)) / 2,
+        (I21 * S12o + I21o * S12 + (I22 * S22o + I22o * S22) + (I23 * S32o + I23o * S32)) / 2,
+        (I21 * S13o + I21o * S13 + (I22 * S23o + I22o * S23) + (I23 * S33o + I23o * S33)) / 2,
+        B21,
+        B22,
+        B23,
+        (I31 * S11o + I31o * S11 + (I32 * S21o + I32o * S21) + (I33 * S31o + I33o * S31)) / 2,
+        (I31 * S12o + I31o * S12 + (I32 * S22o + I32o * S22) + (I33 * S32o + I33o * S32)) / 2,
+        (I31 * S13o + I31o * S13 + (I32 * S23o + I32o * S23) + (I33 * S33o + I33o * S33)) / 2,
+        B31,
+        B32,
+        B33,
+        A11,
+        A12,
+        A13,
+        0,
+        0,
+        0,
+        A21,
+        A22,
+        A23,
+        0,
+        0,
+        0,
+        A31,
+        A32,
+        A33,
+        0,
+        0,
+        0,
+        (I11 * RT11o + I11o * RT11 + (I12 * RT21o + I12o * RT21) + (I13 * RT31o + I13o * RT31)) / 2,
+        (I11 * RT12o + I11o * RT12 + (I12 * RT22o + I12o * RT22) + (I13 * RT32o + I13o * RT32)) / 2,
+        (I11 * RT13o + I11o * RT13 + (I12 * RT23o + I12o * RT23) + (I13 * RT33o + I13o * RT33)) / 2,
+        A11,
+        A12,
+        A13,
+        (I21 * RT11o + I21o * RT11 + (I22 * RT21o + I22o * RT21) + (I23 * RT31o + I23o * RT31)) / 2,
+        (I21 * RT12o + I21o * RT12 + (I22 * RT22o + I22o * RT22) + (I23 * RT32o + I23o * RT32)) / 2,
+        (I21 * RT13o + I21o * RT13 + (I22 * RT23o + I22o * RT23) + (I23 * RT33o + I23o * RT33)) / 2,
+        A21,
+        A22,
+        A23,
+        (I31 * RT11o + I31o * RT11 + (I32 * RT21o + I32o * RT21) + (I33 * RT31o + I33o * RT31)) / 2,
+        (I31 * RT12o + I31o * RT12 + (I32 * RT22o + I32o * RT22) + (I33 * RT32o + I33o * RT32)) / 2,
+        (I31 * RT13o + I31o * RT13 + (I32 * RT23o + I32o * RT23) + (I33 * RT33o + I33o * RT33)) / 2,
+        A31,
+        A32,
+        A33,
+    )
+
+
+def _own_compose_jacobians_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, b: Rows, a: Rows
+) -> None:
+    b1, b2, b3, b1o, b2o, b3o = b
+    a1, a2, a3, a1o, a2o, a3o = a
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36, o37, o38, o39, o40, o41, o42, o43, o44, o45, o46,
+        o47, o48, o49, o50, o51, o52, o53, o54, o55, o56, o57, o58, o59, o60, o61, o62, o63, o64, o65, o66, o67, o68,
+        o69, o70, o71, o72,
+    ) = out
+    (
+        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
+        k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, k35, k36, k37, k38, k39, k40, k41, k42, k43, k44, k45, k46,
+        k47, k48, k49, k50, k51, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61, k62, k63, k64, k65, k66, k67, k68,
+        k69, k70, k71, k72, k73, k74, k75,
+    ) = scratch
+    mask1, mask2, mask3, mask4 = masks
+    (
+        n_minus_1, n0, n1, n2, n3, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520,
+        n3603600,
+    ) = numbers
+    v11a = mul(a1, a1, k1)
+    v22a = mul(a2, a2, k2)
+    v33a = mul(a3, a3, k3)
+    xa = add(add(v11a, v22a, k1), v33a, k1)
+    neara = m.less(xa, n6, mask1)
+    za = div(m.where(neara, xa, sub(xa, xa, k2), k3), n4, k2)
+    xxa = m.where(neara, add(n6, xa, k3), xa, k3)
+    C7a = div(
+        div(sub(n72, mul(za, div(sub(n3603600, mul(za, sub(n32760, mul(za, sub(n210, mul(za, div(sub(n93024, mul(za,
+        sub(n342, mul(za, div(sub(n212520, mul(za, sub(n506, za, k1), k1), k1), n212520, k1), k1), k1), k1), k1),
+        n93024, k1), k1), k1), k1), k1), k1), k1), n3603600, k1), k1), k1), n72, k1), n5040, k1
+    )
+    C5a = div(sub(n1, mul(n120, mul(za, C7a, k1), k1), k1), n120, k1)
+    C3a = div(sub(n1, mul(n6, mul(za, C5a, k4), k4), k4), n6, k4)
+    C1a = sub(n1, mul(za, C3a, k5), k5)
+    CC1a = mul(C1a, C1a, k6)
+    C0a = sqrt(sub(n1, mul(za, CC1a, k7), k7), k7)
+    alphaa = sqrt(xxa, k8)
+    ta = tan(div(alphaa, n4, k9), k9)
+    tta = mul(ta, ta, k10)
+    belowa = add(n1, tta, k11)
+    wa = m.where(neara, div(C1a, n2, k12), div(div(mul(n2, ta, k9), belowa, k9), alphaa, k8), k9)
+    sa = m.where(neara, C0a, div(sub(n1, tta, k8), belowa, k8), k10)
+    C01a = add(n1, C0a, k7)
+    C2a = div(CC1a, C01a, k6)
+    bva1 = mul(a1, wa, k8)
+    v11b = mul(b1, b1, k11)
+    v22b = mul(b2, b2, k12)
+    x12b = add(v11b, v22b, k13)
+    v33b = mul(b3, b3, k14)
+    x23b = add(v22b, v33b, k12)
+    x13b = add(v11b, v33b, k11)
+    xb = add(x12b, v33b, k14)
+    nearb = m.less(xb, n6, mask2)
+    zb = div(m.where(nearb, xb, sub(xb, xb, k15), k16), n4, k15)
+    xxb = m.where(nearb, add(n6, xb, k16), xb, k16)
+    C7b = div(
+        div(sub(n72, mul(zb, div(sub(n3603600, mul(zb, sub(n32760, mul(zb, sub(n210, mul(zb, div(sub(n93024, mul(zb,
+        sub(n342, mul(zb, div(sub(n212520, mul(zb, sub(n506, zb, k14), k14), k14), n212520, k14), k14), k14), k14),
+        k14), n93024, k14), k14), k14), k14), k14), k14), k14), n3603600, k14), k14), k14), n72, k14), n5040, k14
+    )
+    C5b = div(sub(n1, mul(n120, mul(zb, C7b, k14), k14), k14), n120, k14)
+    C3b = div(sub(n1, mul(n6, mul(zb, C5b, k17), k17), k17), n6, k17)
+    C1b = sub(n1, mul(zb, C3b, k18), k18)
+    CC1b = mul(C1b, C1b, k19)
+    C0b = sqrt(sub(n1, mul(zb, CC1b, k20), k20), k20)
+    alphab = sqrt(xxb, k21)
+    tb = tan(div(alphab, n4, k22), k22)
+    ttb = mul(tb, tb, k23)
+    belowb = add(n1, ttb, k24)
+    wb = m.where(nearb, div(C1b, n2, k25), div(div(mul(n2, tb, k22), belowb, k22), alphab, k21), k22)
+    sb = m.where(nearb, C0b, div(sub(n1, ttb, k21), belowb, k21), k23)
+    C01b = add(n1, C0b, k20)
+    C2b = div(CC1b, C01b, k19)
+    bva3 = mul(a3, wa, k21)
+    bva2 = mul(a2, wa, k24)
+    bvb1 = mul(b1, wb, k25)
+    bvb2 = mul(b2, wb, k26)
+    bvb3 = mul(b3, wb, k27)
+    z1 = add(
+        add(mul(bva1, sb, k28), mul(bvb1, sa, k29), k28), sub(mul(bvb2, bva3, k29), mul(bvb3, bva2, k30), k29), k28
+    )
+    z2 = add(
+        add(mul(bva2, sb, k29), mul(bvb2, sa, k30), k29), sub(mul(bvb3, bva1, k30), mul(bvb1, bva3, k31), k30), k29
+    )
+    z3 = add(
+        add(mul(bva3, sb, k30), mul(bvb3, sa, k31), k30), sub(mul(bvb1, bva2, k31), mul(bvb2, bva1, k32), k31), k30
+    )
+    z0 = sub(mul(sb, sa, k31), add(add(mul(bvb1, bva1, k8), mul(bvb2, bva2, k24), k8), mul(bvb3, bva3, k21), k8), k8)
+    fb = mul(n2, mul(sb, wb, k21), k21)
+    wwb = mul(wb, wb, k22)
+    gb = mul(n2, wwb, k22)
+    fa = mul(n2, mul(sa, wa, k10), k10)
+    wwa = mul(wa, wa, k9)
+    ga = mul(n2, wwa, k9)
+    Qb11 = sub(n1, mul(gb, x23b, k12), k12)
+    Qb22 = sub(n1, mul(gb, x13b, k11), k11)
+    Qb33 = sub(n1, mul(gb, x12b, k13), k13)
+    ss = add(add(mul(z1, z1, k23), mul(z2, z2, k24), k23), mul(z3, z3, k24), k23)
+    still = m.equal(ss, n0, mask3)
+    negative = m.less(z0, n0, mask4)
+    cos = m.where(negative, neg(z0, k24), z0, k24)
+    sin = sqrt(m.where(still, cos, ss, k25), k23)
+    angle = mul(n2, atan2(sin, cos, k25), k25)
+    gain = mul(
+        m.where(negative, n_minus_1, n1, k26), div(m.where(still, n2, angle, k27), m.where(still, cos, sin, k24), k23),
+        k23
+    )
+    v1 = mul(z1, gain, k24)
+    v2 = mul(z2, gain, k25)
+    v3 = mul(z3, gain, k26)
+    fi = mul(gain, z0, k8)
+    v11 = mul(v1, v1, k23)
+    v22 = mul(v2, v2, k27)
+    v33 = mul(v3, v3, k28)
+    x = add(add(v11, v22, k23), v33, k23)
+    near = m.less(x, n6, mask3)
+    z = div(m.where(near, x, sub(x, x, k27), k28), n4, k27)
+    xx = m.where(near, add(n6, x, k28), x, k28)
+    C7 = div(
+        div(sub(n72, mul(z, div(sub(n3603600, mul(z, sub(n32760, mul(z, sub(n210, mul(z, div(sub(n93024, mul(z,
+        sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, k23), k23), k23), n212520, k23), k23), k23), k23), k23),
+        n93024, k23), k23), k23), k23), k23), k23), k23), n3603600, k23), k23), k23), n72, k23), n5040, k23
+    )
+    C5 = div(sub(n1, mul(n120, mul(z, C7, k23), k23), k23), n120, k23)
+    C3 = div(sub(n1, mul(n6, mul(z, C5, k29), k29), k29), n6, k29)
+    C1 = sub(n1, mul(z, C3, k30), k30)
+    CC1 = mul(C1, C1, k31)
+    C0 = sqrt(sub(n1, mul(z, CC1, k32), k32), k32)
+    C01 = add(n1, C0, k33)
+    C2 = div(CC1, C01, k31)
+    alpha = sqrt(xx, k34)
+    t = tan(div(alpha, n4, k35), k35)
+    tt = mul(t, t, k36)
+    below = add(n1, tt, k37)
+    s = m.where(near, C0, div(sub(n1, tt, k36), below, k36), k32)
+    w = m.where(near, div(C1, n2, k36), div(div(mul(n2, t, k35), below, k35), alpha, k34), k35)
+    f = mul(n2, mul(s, w, k34), k34)
+    fi_ = div(s, w, k32)
+    ww = mul(w, w, k35)
+    g = mul(n2, ww, k35)
+    h = m.where(near, div(add(C3, mul(C1, C2, k36), k36), n4, k36), div(sub(n1, f, k37), xx, k37), k36)
+    gyw = sub(mul(f, h, k34), mul(g, g, k37), k34)
+    c4w = div(mul(C3, add(n1, C1, k30), k30), n8, k30)
+    hi = sub(g, mul(fi_, h, k37), k37)
+    cvw1 = mul(v1, hi, k38)
+    I11 = add(fi_, mul(cvw1, v1, k39), k39)
+    d12w = mul(cvw1, v2, k40)
+    sw3 = neg(v3, k41)
+    I12 = sub(d12w, sw3, k42)
+    I21 = add(d12w, sw3, k40)
+    d13w = mul(cvw1, v3, k41)
+    sw2 = neg(v2, k43)
+    I13 = add(d13w, sw2, k44)
+    I31 = sub(d13w, sw2, k41)
+    hb = m.where(nearb, div(add(C3b, mul(C1b, C2b, k43), k43), n4, k43), div(sub(n1, fb, k45), xxb, k45), k43)
+    c4S = div(mul(C3b, add(n1, C1b, k18), k18), n8, k18)
+    cvS1 = mul(b1, hb, k45)
+    S11 = add(fb, mul(cvS1, b1, k46), k46)
+    d12S = mul(cvS1, b2, k47)
+    gvb3 = mul(b3, gb, k48)
+    S21 = add(d12S, gvb3, k49)
+    S12 = sub(d12S, gvb3, k47)
+    d13S = mul(cvS1, b3, k50)
+    gvb2 = mul(b2, gb, k51)
+    S31 = sub(d13S, gvb2, k52)
+    div(add(add(mul(I11, S11, k53), mul(I12, S21, k54), k53), mul(I13, S31, k54), k53), n2, o1)
+    S13 = add(d13S, gvb2, k50)
+    cvS2 = mul(b2, hb, k53)
+    S22 = add(fb, mul(cvS2, b2, k54), k54)
+    d23S = mul(cvS2, b3, k55)
+    gvb1 = mul(b1, gb, k56)
+    S32 = add(d23S, gvb1, k57)
+    div(add(add(mul(I11, S12, k58), mul(I12, S22, k59), k58), mul(I13, S32, k59), k58), n2, o2)
+    S23 = sub(d23S, gvb1, k55)
+    cvS3 = mul(b3, hb, k58)
+    S33 = add(fb, mul(cvS3, b3, k59), k59)
+    div(add(add(mul(I11, S13, k60), mul(I12, S23, k61), k60), mul(I13, S33, k61), k60), n2, o3)
+    cvw2 = mul(v2, hi, k60)
+    I22 = add(fi_, mul(cvw2, v2, k61), k61)
+    d23w = mul(cvw2, v3, k62)
+    sw1 = neg(v1, k63)
+    I23 = sub(d23w, sw1, k64)
+    I32 = add(d23w, sw1, k62)
+    div(add(add(mul(I21, S11, k63), mul(I22, S21, k65), k63), mul(I23, S31, k65), k63), n2, o7)
+    div(add(add(mul(I21, S12, k63), mul(I22, S22, k65), k63), mul(I23, S32, k65), k63), n2, o8)
+    div(add(add(mul(I21, S13, k63), mul(I22, S23, k65), k63), mul(I23, S33, k65), k63), n2, o9)
+    cvw3 = mul(v3, hi, k63)
+    I33 = add(fi_, mul(cvw3, v3, k65), k65)
+    div(add(add(mul(I31, S11, k66), mul(I32, S21, k67), k66), mul(I33, S31, k67), k66), n2, o13)
+    div(add(add(mul(I31, S12, k66), mul(I32, S22, k67), k66), mul(I33, S32, k67), k66), n2, o14)
+    div(add(add(mul(I31, S13, k66), mul(I32, S23, k67), k66), mul(I33, S33, k67), k66), n2, o15)
+    CC3w = mul(C3, C3, k66)
+    C4w = div(sub(sub(mul(n4, C3, k67), C2, k67), mul(n2, mul(z, CC3w, k27), k27), k27), mul(n2, C01, k33), k27)
+    c5w = div(add(add(C5, C4w, k23), mul(C2, C3, k27), k23), n16, k23)
+    hyw = m.where(near, sub(mul(n3, c5w, k23), c4w, k23), div(sub(g, mul(n3, h, k27), k27), xx, k27), k23)
+    fiyw = neg(div(h, g, k27), k27)
+    hiyw = sub(sub(gyw, mul(fiyw, h, k28), k28), mul(fi_, hyw, k23), k23)
+    ha = m.where(neara, div(add(C3a, mul(C1a, C2a, k28), k28), n4, k28), div(sub(n1, fa, k29), xxa, k29), k28)
+    c4F = div(mul(C3a, add(n1, C1a, k5), k5), n8, k5)
+    ya = add(add(mul(a1, a1o, k29), mul(a2, a2o, k30), k29), mul(a3, a3o, k30), k29)
+    alonga = mul(ha, ya, k30)
+    gva1 = mul(a1, ga, k31)
+    gva2 = mul(a2, ga, k32)
+    rhoa3 = add(
+        add(mul(a3o, fa, k33), sub(mul(gva1, a2o, k34), mul(gva2, a1o, k35), k34), k33), mul(a3, alonga, k34), k33
+    )
+    gva3 = mul(a3, ga, k34)
+    rhoa2 = add(
+        add(mul(a2o, fa, k35), sub(mul(gva3, a1o, k36), mul(gva1, a3o, k66), k36), k35), mul(a2, alonga, k36), k35
+    )
+    rhoa1 = add(
+        add(mul(a1o, fa, k36), sub(mul(gva2, a3o, k66), mul(gva3, a2o, k67), k66), k36), mul(a1, alonga, k30), k30
+    )
+    v_rho1 = sub(mul(b2, rhoa3, k36), mul(b3, rhoa2, k66), k36)
+    v_rho3 = sub(mul(b1, rhoa2, k66), mul(b2, rhoa1, k67), k66)
+    gv_rho3 = mul(v_rho3, gb, k67)
+    v_rho2 = sub(mul(b3, rhoa1, k68), mul(b1, rhoa3, k69), k68)
+    gv_rho2 = mul(v_rho2, gb, k69)
+    yb = add(add(mul(b1, b1o, k70), mul(b2, b2o, k71), k70), mul(b3, b3o, k71), k70)
+    alongb = mul(hb, yb, k71)
+    rhob1 = add(
+        add(mul(b1o, fb, k72), sub(mul(gvb2, b3o, k73), mul(gvb3, b2o, k74), k73), k72), mul(b1, alongb, k73), k72
+    )
+    rho1 = add(
+        add(rhoa1, add(mul(v_rho1, fb, k73), sub(mul(b2, gv_rho3, k74), mul(b3, gv_rho2, k75), k74), k73), k30), rhob1,
+        k30
+    )
+    gv_rho1 = mul(v_rho1, gb, k36)
+    rhob2 = add(
+        add(mul(b2o, fb, k73), sub(mul(gvb3, b1o, k48), mul(gvb1, b3o, k74), k48), k48), mul(b2, alongb, k73), k48
+    )
+    rho2 = add(
+        add(rhoa2, add(mul(v_rho2, fb, k68), sub(mul(b3, gv_rho1, k73), mul(b1, gv_rho3, k67), k67), k67), k35), rhob2,
+        k35
+    )
+    rhob3 = add(
+        add(mul(b3o, fb, k67), sub(mul(gvb1, b2o, k68), mul(gvb2, b1o, k73), k68), k67), mul(b3, alongb, k68), k67
+    )
+    rho3 = add(
+        add(rhoa3, add(mul(v_rho3, fb, k66), sub(mul(b1, gv_rho2, k68), mul(b2, gv_rho1, k36), k36), k36), k33), rhob3,
+        k33
+    )
+    gvvb3 = mul(gvb2, b3, k36)
+    hvr = mul(hi, add(add(mul(v1, rho1, k51), mul(v2, rho2, k66), k51), mul(v3, rho3, k66), k51), k51)
+    w4 = div(
+        add(sub(mul(rho1, fi, k66), sub(mul(v2, rho3, k68), mul(v3, rho2, k69), k68), k66), mul(v1, hvr, k68), k66), n2,
+        k66
+    )
+    w5 = div(
+        add(sub(mul(rho2, fi, k68), sub(mul(v3, rho1, k69), mul(v1, rho3, k71), k69), k68), mul(v2, hvr, k69), k68), n2,
+        k68
+    )
+    w6 = div(
+        add(sub(mul(rho3, fi, k8), sub(mul(v1, rho2, k33), mul(v2, rho1, k30), k30), k8), mul(v3, hvr, k30), k8), n2, k8
+    )
+    yw = add(add(mul(v1, w4, k30), mul(v2, w5, k33), k30), mul(v3, w6, k33), k30)
+    hiow = mul(hiyw, yw, k23)
+    fiow = mul(fiyw, yw, k27)
+    cvow1 = add(mul(w4, hi, k30), mul(v1, hiow, k33), k30)
+    I11o = add(fiow, add(mul(cvw1, w4, k33), mul(cvow1, v1, k24), k24), k24)
+    sow1 = neg(w4, k33)
+    d12ow = add(mul(cvw1, w5, k35), mul(cvow1, v2, k51), k35)
+    d13ow = add(mul(cvw1, w6, k38), mul(cvow1, v3, k30), k30)
+    sow3 = neg(w6, k38)
+    I12o = sub(d12ow, sow3, k51)
+    I21o = add(d12ow, sow3, k35)
+    sow2 = neg(w5, k38)
+    I13o = add(d13ow, sow2, k66)
+    I31o = sub(d13ow, sow2, k30)
+    CC3S = mul(C3b, C3b, k38)
+    C4S = div(sub(sub(mul(n4, C3b, k69), C2b, k69), mul(n2, mul(zb, CC3S, k15), k15), k15), mul(n2, C01b, k20), k15)
+    c5S = div(add(add(C5b, C4S, k14), mul(C2b, C3b, k15), k14), n16, k14)
+    hyS = m.where(nearb, sub(mul(n3, c5S, k14), c4S, k14), div(sub(gb, mul(n3, hb, k15), k15), xxb, k15), k14)
+    hoS = mul(hyS, yb, k14)
+    cvoS1 = add(mul(b1o, hb, k15), mul(b1, hoS, k16), k15)
+    fyS = sub(hb, gb, k16)
+    foS = mul(fyS, yb, k16)
+    S11o = add(foS, add(mul(cvS1, b1o, k17), mul(cvoS1, b1, k18), k17), k17)
+    d12oS = add(mul(cvS1, b2o, k18), mul(cvoS1, b2, k19), k18)
+    d13oS = add(mul(cvS1, b3o, k19), mul(cvoS1, b3, k15), k15)
+    gyS = sub(mul(fb, hb, k19), mul(gb, gb, k20), k19)
+    goS = mul(gyS, yb, k19)
+    gvoS3 = add(mul(b3o, gb, k20), mul(b3, goS, k38), k20)
+    S21o = add(d12oS, gvoS3, k38)
+    S12o = sub(d12oS, gvoS3, k18)
+    gvoS2 = add(mul(b2o, gb, k20), mul(b2, goS, k45), k20)
+    gvoS1 = add(mul(b1o, gb, k22), mul(b1, goS, k19), k19)
+    S31o = sub(d13oS, gvoS2, k22)
+    S13o = add(d13oS, gvoS2, k15)
+    div(
+        add(add(add(mul(I11, S11o, k20), mul(I11o, S11, k45), k20), add(mul(I12, S21o, k45), mul(I12o, S21, k69), k45),
+        k20), add(mul(I13, S31o, k45), mul(I13o, S31, k69), k45), k20), n2, o19
+    )
+    cvoS2 = add(mul(b2o, hb, k20), mul(b2, hoS, k45), k20)
+    cvoS3 = add(mul(b3o, hb, k43), mul(b3, hoS, k14), k14)
+    S33o = add(foS, add(mul(cvS3, b3o, k43), mul(cvoS3, b3, k14), k14), k14)
+    S22o = add(foS, add(mul(cvS2, b2o, k43), mul(cvoS2, b2, k45), k43), k16)
+    d23oS = add(mul(cvS2, b3o, k43), mul(cvoS2, b3, k20), k20)
+    S32o = add(d23oS, gvoS1, k43)
+    S23o = sub(d23oS, gvoS1, k19)
+    div(
+        add(add(add(mul(I11, S12o, k20), mul(I11o, S12, k45), k20), add(mul(I12, S22o, k45), mul(I12o, S22, k53), k45),
+        k20), add(mul(I13, S32o, k45), mul(I13o, S32, k53), k45), k20), n2, o20
+    )
+    div(
+        add(add(add(mul(I11, S13o, k20), mul(I11o, S13, k45), k20), add(mul(I12, S23o, k45), mul(I12o, S23, k53), k45),
+        k20), add(mul(I13, S33o, k45), mul(I13o, S33, k53), k45), k20), n2, o21
+    )
+    cvow2 = add(mul(w5, hi, k20), mul(v2, hiow, k45), k20)
+    I22o = add(fiow, add(mul(cvw2, w5, k45), mul(cvow2, v2, k25), k25), k25)
+    d23ow = add(mul(cvw2, w6, k45), mul(cvow2, v3, k20), k20)
+    cvow3 = add(mul(w6, hi, k37), mul(v3, hiow, k23), k23)
+    I33o = add(fiow, add(mul(cvw3, w6, k8), mul(cvow3, v3, k23), k8), k8)
+    I23o = sub(d23ow, sow1, k23)
+    I32o = add(d23ow, sow1, k20)
+    div(
+        add(add(add(mul(I21, S11o, k26), mul(I21o, S11, k27), k26), add(mul(I22, S21o, k27), mul(I22o, S21, k33), k27),
+        k26), add(mul(I23, S31o, k27), mul(I23o, S31, k33), k27), k26), n2, o25
+    )
+    div(
+        add(add(add(mul(I31, S11o, k17), mul(I31o, S11, k26), k17), add(mul(I32, S21o, k26), mul(I32o, S21, k27), k26),
+        k17), add(mul(I33, S31o, k22), mul(I33o, S31, k26), k22), k17), n2, o31
+    )
+    div(
+        add(add(add(mul(I21, S12o, k17), mul(I21o, S12, k22), k17), add(mul(I22, S22o, k22), mul(I22o, S22, k26), k22),
+        k17), add(mul(I23, S32o, k22), mul(I23o, S32, k26), k22), k17), n2, o26
+    )
+    div(
+        add(add(add(mul(I31, S12o, k17), mul(I31o, S12, k18), k17), add(mul(I32, S22o, k16), mul(I32o, S22, k18), k16),
+        k16), add(mul(I33, S32o, k17), mul(I33o, S32, k18), k17), k16), n2, o32
+    )
+    div(
+        add(add(add(mul(I21, S13o, k16), mul(I21o, S13, k17), k16), add(mul(I22, S23o, k17), mul(I22o, S23, k18), k17),
+        k16), add(mul(I23, S33o, k17), mul(I23o, S33, k18), k17), k16), n2, o27
+    )
+    div(
+        add(add(add(mul(I31, S13o, k15), mul(I31o, S13, k16), k15), add(mul(I32, S23o, k16), mul(I32o, S23, k17), k16),
+        k15), add(mul(I33, S33o, k14), mul(I33o, S33, k16), k14), k14), n2, o33
+    )
+    cvF1 = mul(a1, ha, k14)
+    F11 = add(fa, mul(cvF1, a1, k15), k15)
+    d12F = mul(cvF1, a2, k16)
+    F21 = add(d12F, gva3, k17)
+    F12 = sub(d12F, gva3, k16)
+    d13F = mul(cvF1, a3, k18)
+    F31 = sub(d13F, gva2, k19)
+    F13 = add(d13F, gva2, k18)
+    gvvb1 = mul(gvb1, b2, k22)
+    gvvb2 = mul(gvb1, b3, k26)
+    fvb3 = mul(b3, fb, k27)
+    Qb12 = sub(gvvb1, fvb3, k32)
+    Qb21 = add(gvvb1, fvb3, k22)
+    fvb2 = mul(b2, fb, k27)
+    fvb1 = mul(b1, fb, k21)
+    Qb13 = add(gvvb2, fvb2, k33)
+    Qb31 = sub(gvvb2, fvb2, k26)
+    RT11 = add(add(mul(Qb11, F11, k27), mul(Qb12, F21, k34), k27), mul(Qb13, F31, k34), k27)
+    Qb23 = sub(gvvb3, fvb1, k34)
+    Qb32 = add(gvvb3, fvb1, k21)
+    RT21 = add(add(mul(Qb21, F11, k36), mul(Qb22, F21, k37), k36), mul(Qb23, F31, k37), k36)
+    RT31 = add(add(mul(Qb31, F11, k37), mul(Qb32, F21, k38), k37), mul(Qb33, F31, k38), k37)
+    div(add(add(mul(I11, RT11, k38), mul(I12, RT21, k43), k38), mul(I13, RT31, k43), k38), n2, o37)
+    div(add(add(mul(I21, RT11, k38), mul(I22, RT21, k43), k38), mul(I23, RT31, k43), k38), n2, o43)
+    div(add(add(mul(I31, RT11, k38), mul(I32, RT21, k43), k38), mul(I33, RT31, k43), k38), n2, o49)
+    cvF2 = mul(a2, ha, k38)
+    F22 = add(fa, mul(cvF2, a2, k43), k43)
+    d23F = mul(cvF2, a3, k45)
+    F32 = add(d23F, gva1, k46)
+    F23 = sub(d23F, gva1, k31)
+    RT12 = add(add(mul(Qb11, F12, k45), mul(Qb12, F22, k47), k45), mul(Qb13, F32, k47), k45)
+    RT22 = add(add(mul(Qb21, F12, k47), mul(Qb22, F22, k49), k47), mul(Qb23, F32, k49), k47)
+    RT32 = add(add(mul(Qb31, F12, k49), mul(Qb32, F22, k50), k49), mul(Qb33, F32, k50), k49)
+    div(add(add(mul(I11, RT12, k50), mul(I12, RT22, k52), k50), mul(I13, RT32, k52), k50), n2, o38)
+    div(add(add(mul(I21, RT12, k50), mul(I22, RT22, k52), k50), mul(I23, RT32, k52), k50), n2, o44)
+    div(add(add(mul(I31, RT12, k50), mul(I32, RT22, k52), k50), mul(I33, RT32, k52), k50), n2, o50)
+    cvF3 = mul(a3, ha, k50)
+    F33 = add(fa, mul(cvF3, a3, k52), k52)
+    gyF = sub(mul(fa, ha, k10), mul(ga, ga, k53), k10)
+    goF = mul(gyF, ya, k10)
+    RT13 = add(add(mul(Qb11, F13, k53), mul(Qb12, F23, k54), k53), mul(Qb13, F33, k54), k53)
+    RT23 = add(add(mul(Qb21, F13, k54), mul(Qb22, F23, k55), k54), mul(Qb23, F33, k55), k54)
+    RT33 = add(add(mul(Qb31, F13, k55), mul(Qb32, F23, k56), k55), mul(Qb33, F33, k56), k55)
+    div(add(add(mul(I11, RT13, k56), mul(I12, RT23, k57), k56), mul(I13, RT33, k57), k56), n2, o39)
+    div(add(add(mul(I21, RT13, k56), mul(I22, RT23, k57), k56), mul(I23, RT33, k57), k56), n2, o45)
+    div(add(add(mul(I31, RT13, k56), mul(I32, RT23, k57), k56), mul(I33, RT33, k57), k56), n2, o51)
+    CC3F = mul(C3a, C3a, k56)
+    C4F = div(sub(sub(mul(n4, C3a, k57), C2a, k57), mul(n2, mul(za, CC3F, k2), k2), k2), mul(n2, C01a, k7), k2)
+    c5F = div(add(add(C5a, C4F, k1), mul(C2a, C3a, k2), k1), n16, k1)
+    hyF = m.where(neara, sub(mul(n3, c5F, k1), c4F, k1), div(sub(ga, mul(n3, ha, k2), k2), xxa, k2), k1)
+    hoF = mul(hyF, ya, k1)
+    cvoF1 = add(mul(a1o, ha, k2), mul(a1, hoF, k3), k2)
+    fyF = sub(ha, ga, k3)
+    foF = mul(fyF, ya, k3)
+    F11o = add(foF, add(mul(cvF1, a1o, k4), mul(cvoF1, a1, k5), k4), k4)
+    d12oF = add(mul(cvF1, a2o, k5), mul(cvoF1, a2, k6), k5)
+    d13oF = add(mul(cvF1, a3o, k6), mul(cvoF1, a3, k2), k2)
+    gvoF3 = add(mul(a3o, ga, k6), mul(a3, goF, k7), k6)
+    F21o = add(d12oF, gvoF3, k7)
+    F12o = sub(d12oF, gvoF3, k5)
+    gvoF2 = add(mul(a2o, ga, k6), mul(a2, goF, k14), k6)
+    gvoF1 = add(mul(a1o, ga, k9), mul(a1, goF, k10), k9)
+    F31o = sub(d13oF, gvoF2, k10)
+    F13o = add(d13oF, gvoF2, k2)
+    R11o = sub(mul(Qb31, rhob2, k6), mul(Qb21, rhob3, k14), k6)
+    R12o = sub(mul(Qb32, rhob2, k14), mul(Qb22, rhob3, k29), k14)
+    R13o = sub(mul(Qb33, rhob2, k29), mul(Qb23, rhob3, k56), k29)
+    RT11o = add(
+        add(add(mul(Qb11, F11o, k56), mul(R11o, F11, k57), k56), add(mul(Qb12, F21o, k57), mul(R12o, F21, k58), k57),
+        k56), add(mul(Qb13, F31o, k57), mul(R13o, F31, k58), k57), k56
+    )
+    R21o = sub(mul(Qb11, rhob3, k57), mul(Qb31, rhob1, k58), k57)
+    R22o = sub(mul(Qb12, rhob3, k58), mul(Qb32, rhob1, k59), k58)
+    R23o = sub(mul(Qb13, rhob3, k59), mul(Qb33, rhob1, k60), k59)
+    RT21o = add(
+        add(add(mul(Qb21, F11o, k60), mul(R21o, F11, k63), k60), add(mul(Qb22, F21o, k63), mul(R22o, F21, k67), k63),
+        k60), add(mul(Qb23, F31o, k63), mul(R23o, F31, k67), k63), k60
+    )
+    R31o = sub(mul(Qb21, rhob1, k63), mul(Qb11, rhob2, k67), k63)
+    R32o = sub(mul(Qb22, rhob1, k67), mul(Qb12, rhob2, k68), k67)
+    R33o = sub(mul(Qb23, rhob1, k68), mul(Qb13, rhob2, k48), k48)
+    RT31o = add(
+        add(add(mul(Qb31, F11o, k4), mul(R31o, F11, k15), k4), add(mul(Qb32, F21o, k7), mul(R32o, F21, k15), k7), k4),
+        add(mul(Qb33, F31o, k7), mul(R33o, F31, k10), k7), k4
+    )
+    div(
+        add(add(add(mul(I11, RT11o, k7), mul(I11o, RT11, k10), k7), add(mul(I12, RT21o, k10), mul(I12o, RT21, k15),
+        k10), k7), add(mul(I13, RT31o, k10), mul(I13o, RT31, k15), k10), k7), n2, o55
+    )
+    div(
+        add(add(add(mul(I21, RT11o, k7), mul(I21o, RT11, k10), k7), add(mul(I22, RT21o, k10), mul(I22o, RT21, k15),
+        k10), k7), add(mul(I23, RT31o, k10), mul(I23o, RT31, k15), k10), k7), n2, o61
+    )
+    div(
+        add(add(add(mul(I31, RT11o, k7), mul(I31o, RT11, k10), k7), add(mul(I32, RT21o, k10), mul(I32o, RT21, k15),
+        k10), k7), add(mul(I33, RT31o, k4), mul(I33o, RT31, k10), k4), k4), n2, o67
+    )
+    cvoF2 = add(mul(a2o, ha, k4), mul(a2, hoF, k7), k4)
+    cvoF3 = add(mul(a3o, ha, k7), mul(a3, hoF, k1), k1)
+    F33o = add(foF, add(mul(cvF3, a3o, k7), mul(cvoF3, a3, k1), k1), k1)
+    F22o = add(foF, add(mul(cvF2, a2o, k7), mul(cvoF2, a2, k10), k7), k3)
+    d23oF = add(mul(cvF2, a3o, k7), mul(cvoF2, a3, k4), k4)
+    F32o = add(d23oF, gvoF1, k7)
+    F23o = sub(d23oF, gvoF1, k4)
+    RT12o = add(
+        add(add(mul(Qb11, F12o, k9), mul(R11o, F12, k10), k9), add(mul(Qb12, F22o, k10), mul(R12o, F22, k15), k10), k9),
+        add(mul(Qb13, F32o, k10), mul(R13o, F32, k15), k10), k9
+    )
+    RT13o = add(
+        add(add(mul(Qb11, F13o, k10), mul(R11o, F13, k6), k6), add(mul(Qb12, F23o, k10), mul(R12o, F23, k12), k10), k6),
+        add(mul(Qb13, F33o, k10), mul(R13o, F33, k12), k10), k6
+    )
+    RT22o = add(
+        add(add(mul(Qb21, F12o, k10), mul(R21o, F12, k12), k10), add(mul(Qb22, F22o, k12), mul(R22o, F22, k14), k12),
+        k10), add(mul(Qb23, F32o, k12), mul(R23o, F32, k14), k12), k10
+    )
+    RT32o = add(
+        add(add(mul(Qb31, F12o, k5), mul(R31o, F12, k12), k5), add(mul(Qb32, F22o, k3), mul(R32o, F22, k12), k3), k3),
+        add(mul(Qb33, F32o, k5), mul(R33o, F32, k7), k5), k3
+    )
+    RT23o = add(
+        add(add(mul(Qb21, F13o, k5), mul(R21o, F13, k7), k5), add(mul(Qb22, F23o, k7), mul(R22o, F23, k11), k7), k5),
+        add(mul(Qb23, F33o, k7), mul(R23o, F33, k11), k7), k5
+    )
+    RT33o = add(
+        add(add(mul(Qb31, F13o, k2), mul(R31o, F13, k7), k2), add(mul(Qb32, F23o, k4), mul(R32o, F23, k7), k4), k2),
+        add(mul(Qb33, F33o, k1), mul(R33o, F33, k4), k1), k1
+    )
+    div(
+        add(add(add(mul(I11, RT12o, k2), mul(I11o, RT12, k4), k2), add(mul(I12, RT22o, k4), mul(I12o, RT22, k7), k4),
+        k2), add(mul(I13, RT32o, k4), mul(I13o, RT32, k7), k4), k2), n2, o56
+    )
+    div(
+        add(add(add(mul(I11, RT13o, k2), mul(I11o, RT13, k4), k2), add(mul(I12, RT23o, k4), mul(I12o, RT23, k7), k4),
+        k2), add(mul(I13, RT33o, k4), mul(I13o, RT33, k7), k4), k2), n2, o57
+    )
+    div(
+        add(add(add(mul(I21, RT12o, k2), mul(I21o, RT12, k4), k2), add(mul(I22, RT22o, k4), mul(I22o, RT22, k7), k4),
+        k2), add(mul(I23, RT32o, k4), mul(I23o, RT32, k7), k4), k2), n2, o62
+    )
+    div(
+        add(add(add(mul(I21, RT13o, k2), mul(I21o, RT13, k4), k2), add(mul(I22, RT23o, k4), mul(I22o, RT23, k7), k4),
+        k2), add(mul(I23, RT33o, k4), mul(I23o, RT33, k7), k4), k2), n2, o63
+    )
+    div(
+        add(add(add(mul(I31, RT12o, k2), mul(I31o, RT12, k4), k2), add(mul(I32, RT22o, k4), mul(I32o, RT22, k7), k4),
+        k2), add(mul(I33, RT32o, k3), mul(I33o, RT32, k4), k3), k2), n2, o68
+    )
+    div(
+        add(add(add(mul(I31, RT13o, k2), mul(I31o, RT13, k3), k2), add(mul(I32, RT23o, k3), mul(I32o, RT23, k4), k3),
+        k2), add(mul(I33, RT33o, k1), mul(I33o, RT33, k3), k1), k1), n2, o69
+    )
+    copy(n0, o4)
+    copy(n0, o5)
+    copy(n0, o6)
+    copy(n0, o10)
+    copy(n0, o11)
+    copy(n0, o12)
+    copy(n0, o16)
+    copy(n0, o17)
+    copy(n0, o18)
+    copy(o1, o22)
+    copy(o2, o23)
+    copy(o3, o24)
+    copy(o7, o28)
+    copy(o8, o29)
+    copy(o9, o30)
+    copy(o13, o34)
+    copy(o14, o35)
+    copy(o15, o36)
+    copy(n0, o40)
+    copy(n0, o41)
+    copy(n0, o42)
+    copy(n0, o46)
+    copy(n0, o47)
+    copy(n0, o48)
+    copy(n0, o52)
+    copy(n0, o53)
+    copy(n0, o54)
+    copy(o37, o58)
+    copy(o38, o59)
+    copy(o39, o60)
+    copy(o43, o64)
+    copy(o44, o65)
+    copy(o45, o66)
+    copy(o49, o70)
+    copy(o50, o71)
+    copy(o51, o72)
+
+
+# operations 1210: 452 +, 585 *, 102 /, 32 neg, 7 sqrt, 3 tan, 1 atan2, 4 lt, 1 eq, 23 where
+def _own_between_jacobians(m: Any, c: Any, a: Components, b: Components) -> Result:
+    a1, a2, a3, a1o, a2o, a3o = a
+    b1, b2, b3, b1o, b2o, b3o = b
+    minus_b1 = -b1
+    minus_b2 = -b2
+    minus_b3 = -b3
+    minus_b4 = -b1o
+    minus_b5 = -b2o
+    minus_b6 = -b3o
+    v11b = minus_b1 * minus_b1
+    v22b = minus_b2 * minus_b2
+    v33b = minus_b3 * minus_b3
+    x12b = v11b + v22b
+    xb = x12b + v33b
+    nearb = xb < 6
+    zb = m.where(nearb, xb, xb - xb) / 4
+    C7b = (
+        (72 - zb * ((3603600 - zb * (32760 - zb * (210 - zb * ((93024 - zb * (342 - zb * ((212520 - zb * (506 - zb))
+        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
+    )
+    C5b = (1 - 120 * (zb * C7b)) / 120
+    C3b = (1 - 6 * (zb * C5b)) / 6
+    C1b = 1 - zb * C3b
+    CC1b = C1b * C1b
+    C0b = m.sqrt(1 - zb * CC1b)
+    xxb = m.where(nearb, 6 + xb, xb)
+    alphab = m.sqrt(xxb)
+    tb = m.tan(alphab / 4)
+    ttb = tb * tb
+    belowb = 1 + ttb
+    sb = m.where(nearb, C0b, (1 - ttb) / belowb)
+    wb = m.where(nearb, C1b / 2, 2 * tb / belowb / alphab)
+    fb = 2 * (sb * wb)
+    wwb = wb * wb
+    gb = 2 * wwb
+    C01b = 1 + C0b
+    C2b = CC1b / C01b
+    hb = m.where(nearb, (C3b + C1b * C2b) / 4, (1 - fb) / xxb)
+    bvb1 = minus_b1 * wb
+    bvb2 = minus_b2 * wb
+    bvb3 = minus_b3 * wb
+    v11a = a1 * a1
+    v22a = a2 * a2
+    v33a = a3 * a3
+    xa = v11a + v22a + v33a
+    neara = xa < 6
+    za = m.where(neara, xa, xa - xa) / 4
+    C7a = (
+        (72 - za * ((3603600 - za * (32760 - za * (210 - za * ((93024 - za * (342 - za * ((212520 - za * (506 - za))
+        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
+    )
+    C5a = (1 - 120 * (za * C7a)) / 120
+    C3a = (1 - 6 * (za * C5a)) / 6
+    C1a = 1 - za * C3a
+    CC1a = C1a * C1a
+    C0a = m.sqrt(1 - za * CC1a)
+    xxa = m.where(neara, 6 + xa, xa)
+    alphaa = m.sqrt(xxa)
+    ta = m.tan(alphaa / 4)
+    tta = ta * ta
+    belowa = 1 + tta
+    sa = m.where(neara, C0a, (1 - tta) / belowa)
+    wa = m.where(neara, C1a / 2, 2 * ta / belowa / alphaa)
+    fa = 2 * (sa * wa)
+    wwa = wa * wa
+    ga = 2 * wwa
+    C01a = 1 + C0a
+    C2a = CC1a / C01a
+    ha = m.where(neara, (C3a + C1a * C2a) / 4, (1 - fa) / xxa)
+    bva1 = a1 * wa
+    bva2 = a2 * wa
+    bva3 = a3 * wa
+    z0 = sb * sa - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
+    z1 = bva1 * sb + bvb1 * sa + (bvb2 * bva3 - bvb3 * bva2)
+    z2 = bva2 * sb + bvb2 * sa + (bvb3 * bva1 - bvb1 * bva3)
+    z3 = bva3 * sb + bvb3 * sa + (bvb1 * bva2 - bvb2 * bva1)
+    gva1 = a1 * ga
+    gva2 = a2 * ga
+    gva3 = a3 * ga
+    ya = a1 * a1o + a2 * a2o + a3 * a3o
+    alonga = ha * ya
+    rhoa1 = a1o * fa + (gva2 * a3o - gva3 * a2o) + a1 * alonga
+    rhoa2 = a2o * fa + (gva3 * a1o - gva1 * a3o) + a2 * alonga
+    rhoa3 = a3o * fa + (gva1 * a2o - gva2 * a1o) + a3 * alonga
+    v_rho1 = minus_b2 * rhoa3 - minus_b3 * rhoa2
+    v_rho2 = minus_b3 * rhoa1 - minus_b1 * rhoa3
+    v_rho3 = minus_b1 * rhoa2 - minus_b2 * rhoa1
+    gv_rho1 = v_rho1 * gb
+    gv_rho2 = v_rho2 * gb
+    gv_rho3 = v_rho3 * gb
+    gvb1 = minus_b1 * gb
+    gvb2 = minus_b2 * gb
+    gvb3 = minus_b3 * gb
+    yb = minus_b1 * minus_b4 + minus_b2 * minus_b5 + minus_b3 * minus_b6
+    alongb = hb * yb
+    rhob1 = minus_b4 * fb + (gvb2 * minus_b6 - gvb3 * minus_b5) + minus_b1 * alongb
+    rhob2 = minus_b5 * fb + (gvb3 * minus_b4 - gvb1 * minus_b6) + minus_b2 * alongb
+    rhob3 = minus_b6 * fb + (gvb1 * minus_b5 - gvb2 * minus_b4) + minus_b3 * alongb
+    rho1 = rhoa1 + (v_rho1 * fb + (minus_b2 * gv_rho3 - minus_b3 * gv_rho2)) + rhob1
+    rho2 = rhoa2 + (v_rho2 * fb + (minus_b3 * gv_rho1 - minus_b1 * gv_rho3)) + rhob2
+    rho3 = rhoa3 + (v_rho3 * fb + (minus_b1 * gv_rho2 - minus_b2 * gv_rho1)) + rhob3
+    negative = z0 < 0
+    cos = m.where(negative, -z0, z0)
+    ss = z1 * z1 + z2 * z2 + z3 * z3
+    still = ss == 0
+    sin = m.sqrt(m.where(still, cos, ss))
+    angle = 2 * m.atan2(sin, cos)
+    gain = m.where(negative, -1, 1) * (m.where(still, 2, angle) / m.where(still, cos, sin))
+    v1 = z1 * gain
+    v2 = z2 * gain
+    v3 = z3 * gain
+    fi = gain * z0
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    near = x < 6
+    z = m.where(near, x, x - x) / 4
+    C7 = (
+        (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
+        / 93024)))) / 3603600)) / 72 / 5040
+    )
+    C5 = (1 - 120 * (z * C7)) / 120
+    C3 = (1 - 6 * (z * C5)) / 6
+    C1 = 1 - z * C3
+    xx = m.where(near, 6 + x, x)
+    alpha = m.sqrt(xx)
+    t = m.tan(alpha / 4)
+    tt = t * t
+    below = 1 + tt
+    w = m.where(near, C1 / 2, 2 * t / below / alpha)
+    ww = w * w
+    g = 2 * ww
+    CC1 = C1 * C1
+    C0 = m.sqrt(1 - z * CC1)
+    s = m.where(near, C0, (1 - tt) / below)
+    fi_ = s / w
+    C01 = 1 + C0
+    C2 = CC1 / C01
+    f = 2 * (s * w)
+    h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
+    hi = g - fi_ * h
+    hvr = hi * (v1 * rho1 + v2 * rho2 + v3 * rho3)
+    w4 = (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2
+    w5 = (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2
+    w6 = (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2
+    fiyw = -(h / g)
+    gyw = f * h - g * g
+    CC3w = C3 * C3
+    C4w = (4 * C3 - C2 - 2 * (z * CC3w)) / (2 * C01)
+    c5w = (C5 + C4w + C2 * C3) / 16
+    c4w = C3 * (1 + C1) / 8
+    hyw = m.where(near, 3 * c5w - c4w, (g - 3 * h) / xx)
+    hiyw = gyw - fiyw * h - fi_ * hyw
+    yw = v1 * w4 + v2 * w5 + v3 * w6
+    fiow = fiyw * yw
+    hiow = hiyw * yw
+    sw1 = -v1
+    sw2 = -v2
+    sw3 = -v3
+    sow1 = -w4
+    sow2 = -w5
+    sow3 = -w6
+    cvw1 = v1 * hi
+    cvw2 = v2 * hi
+    cvw3 = v3 * hi
+    cvow1 = w4 * hi + v1 * hiow
+    cvow2 = w5 * hi + v2 * hiow
+    cvow3 = w6 * hi + v3 * hiow
+    d12w = cvw1 * v2
+    d13w = cvw1 * v3
+    d23w = cvw2 * v3
+    I11 = fi_ + cvw1 * v1
+    I12 = d12w - sw3
+    I13 = d13w + sw2
+    I21 = d12w + sw3
+    I22 = fi_ + cvw2 * v2
+    I23 = d23w - sw1
+    I31 = d13w - sw2
+    I32 = d23w + sw1
+    I33 = fi_ + cvw3 * v3
+    d12ow = cvw1 * w5 + cvow1 * v2
+    d13ow = cvw1 * w6 + cvow1 * v3
+    d23ow = cvw2 * w6 + cvow2 * v3
+    I11o = fiow + (cvw1 * w4 + cvow1 * v1)
+    I12o = d12ow - sow3
+    I13o = d13ow + sow2
+    I21o = d12ow + sow3
+    I22o = fiow + (cvw2 * w5 + cvow2 * v2)
+    I23o = d23ow - sow1
+    I31o = d13ow - sow2
+    I32o = d23ow + sow1
+    I33o = fiow + (cvw3 * w6 + cvow3 * v3)
+    fyS = hb - gb
+    gyS = fb * hb - gb * gb
+    CC3S = C3b * C3b
+    C4S = (4 * C3b - C2b - 2 * (zb * CC3S)) / (2 * C01b)
+    c5S = (C5b + C4S + C2b * C3b) / 16
+    c4S = C3b * (1 + C1b) / 8
+    hyS = m.where(nearb, 3 * c5S - c4S, (gb - 3 * hb) / xxb)
+    foS = fyS * yb
+    goS = gyS * yb
+    hoS = hyS * yb
+    gvoS1 = minus_b4 * gb + minus_b1 * goS
+    gvoS2 = minus_b5 * gb + minus_b2 * goS
+    gvoS3 = minus_b6 * gb + minus_b3 * goS
+    cvS1 = minus_b1 * hb
+    cvS2 = minus_b2 * hb
+    cvS3 = minus_b3 * hb
+    cvoS1 = minus_b4 * hb + minus_b1 * hoS
+    cvoS2 = minus_b5 * hb + minus_b2 * hoS
+    cvoS3 = minus_b6 * hb + minus_b3 * hoS
+    d12S = cvS1 * minus_b2
+    d13S = cvS1 * minus_b3
+    d23S = cvS2 * minus_b3
+    S11 = fb + cvS1 * minus_b1
+    S12 = d12S - gvb3
+    S13 = d13S + gvb2
+    S21 = d12S + gvb3
+    S22 = fb + cvS2 * minus_b2
+    S23 = d23S - gvb1
+    S31 = d13S - gvb2
+    S32 = d23S + gvb1
+    S33 = fb + cvS3 * minus_b3
+    d12oS = cvS1 * minus_b5 + cvoS1 * minus_b2
+    d13oS = cvS1 * minus_b6 + cvoS1 * minus_b3
+    d23oS = cvS2 * minus_b6 + cvoS2 * minus_b3
+    S11o = foS + (cvS1 * minus_b4 + cvoS1 * minus_b1)
+    S12o = d12oS - gvoS3
+    S13o = d13oS + gvoS2
+    S21o = d12oS + gvoS3
+    S22o = foS + (cvS2 * minus_b5 + cvoS2 * minus_b2)
+    S23o = d23oS - gvoS1
+    S31o = d13oS - gvoS2
+    S32o = d23oS + gvoS1
+    S33o = foS + (cvS3 * minus_b6 + cvoS3 * minus_b3)
+    fyF = ha - ga
+    gyF = fa * ha - ga * ga
+    CC3F = C3a * C3a
+    C4F = (4 * C3a - C2a - 2 * (za * CC3F)) / (2 * C01a)
+    c5F = (C5a + C4F + C2a * C3a) / 16
+    c4F = C3a * (1 + C1a) / 8
+    hyF = m.where(neara, 3 * c5F - c4F, (ga - 3 * ha) / xxa)
+    foF = fyF * ya
+    goF = gyF * ya
+    hoF = hyF * ya
+    gvoF1 = a1o * ga + a1 * goF
+    gvoF2 = a2o * ga + a2 * goF
+    gvoF3 = a3o * ga + a3 * goF
+    cvF1 = a1 * ha
+    cvF2 = a2 * ha
+    cvF3 = a3 * ha
+    cvoF1 = a1o * ha + a1 * hoF
+    cvoF2 = a2o * ha + a2 * hoF
+    cvoF3 = a3o * ha + a3 * hoF
+    d12F = cvF1 * a2
+    d13F = cvF1 * a3
+    d23F = cvF2 * a3
+    F11 = fa + cvF1 * a1
+    F12 = d12F - gva3
+    F13 = d13F + gva2
+    F21 = d12F + gva3
+    F22 = fa + cvF2 * a2
+    F23 = d23F - gva1
+    F31 = d13F - gva2
+    F32 = d23F + gva1
+    F33 = fa + cvF3 * a3
+    d12oF = cvF1 * a2o + cvoF1 * a2
+    d13oF = cvF1 * a3o + cvoF1 * a3
+    d23oF = cvF2 * a3o + cvoF2 * a3
+    F11o = foF + (cvF1 * a1o + cvoF1 * a1)
+    F12o = d12oF - gvoF3
+    F13o = d13oF + gvoF2
+    F21o = d12oF + gvoF3
+    F22o = foF + (cvF2 * a2o + cvoF2 * a2)
+    F23o = d23oF - gvoF1
+    F31o = d13oF - gvoF2
+    F32o = d23oF + gvoF1
+    F33o = foF + (cvF3 * a3o + cvoF3 * a3)
+    x23b = v22b + v33b
+    x13b = v11b + v33b
+    fvb1 = minus_b1 * fb
+    fvb2 = minus_b2 * fb
+    fvb3 = minus_b3 * fb
+    gvvb1 = gvb1 * minus_b2
+    gvvb2 = gvb1 * minus_b3
+    gvvb3 = gvb2 * minus_b3
+    Qb11 = 1 - gb * x23b
+    Qb12 = gvvb1 - fvb3
+    Qb13 = gvvb2 + fvb2
+    Qb21 = gvvb1 + fvb3
+    Qb22 = 1 - gb * x13b
+    Qb23 = gvvb3 - fvb1
+    Qb31 = gvvb2 - fvb2
+    Qb32 = gvvb3 + fvb1
+    Qb33 = 1 - gb * x12b
+    R11o = Qb31 * rhob2 - Qb21 * rhob3
+    R12o = Qb32 * rhob2 - Qb22 * rhob3
+    R13o = Qb33 * rhob2 - Qb23 * rhob3
+    R21o = Qb11 * rhob3 - Qb31 * rhob1
+    R22o = Qb12 * rhob3 - Qb32 * rhob1
+    R23o = Qb13 * rhob3 - Qb33 * rhob1
+    R31o = Qb21 * rhob1 - Qb11 * rhob2
+    R32o = Qb22 * rhob1 - Qb12 * rhob2
+    R33o = Qb23 * rhob1 - Qb13 * rhob2
+    RT11 = Qb11 * F11 + Qb12 * F21 + Qb13 * F31
+    RT11o = Qb11 * F11o + R11o * F11 + (Qb12 * F21o + R12o * F21) + (Qb13 * F31o + R13o * F31)
+    RT12 = Qb11 * F12 + Qb12 * F22 + Qb13 * F32
+    RT12o = Qb11 * F12o + R11o * F12 + (Qb12 * F22o + R12o * F22) + (Qb13 * F32o + R13o * F32)
+    RT13 = Qb11 * F13 + Qb12 * F23 + Qb13 * F33
+    RT13o = Qb11 * F13o + R11o * F13 + (Qb12 * F23o + R12o * F23) + (Qb13 * F33o + R13o * F33)
+    RT21 = Qb21 * F11 + Qb22 * F21 + Qb23 * F31
+    RT21o = Qb21 * F11o + R21o * F11 + (Qb22 * F21o + R22o * F21) + (Qb23 * F31o + R23o * F31)
+    RT22 = Qb21 * F12 + Qb22 * F22 + Qb23 * F32
+    RT22o = Qb21 * F12o + R21o * F12 + (Qb22 * F22o + R22o * F22) + (Qb23 * F32o + R23o * F32)
+    RT23 = Qb21 * F13 + Qb22 * F23 + Qb23 * F33
+    RT23o = Qb21 * F13o + R21o * F13 + (Qb22 * F23o + R22o * F23) + (Qb23 * F33o + R23o * F33)
+    RT31 = Qb31 * F11 + Qb32 * F21 + Qb33 * F31
+    RT31o = Qb31 * F11o + R31o * F11 + (Qb32 * F21o + R32o * F21) + (Qb33 * F31o + R33o * F31)
+    RT32 = Qb31 * F12 + Qb32 * F22 + Qb33 * F32
+    RT32o = Qb31 * F12o + R31o * F12 + (Qb32 * F22o + R32o * F22) + (Qb33 * F32o + R33o * F32)
+    RT33 = Qb31 * F13 + Qb32 * F23 + Qb33 * F33
+    RT33o = Qb31 * F13o + R31o * F13 + (Qb32 * F23o + R32o * F23) + (Qb33 * F33o + R33o * F33)
+    A11 = (I11 * RT11 + I12 * RT21 + I13 * RT31) / 2
+    A12 = (I11 * RT12 + I12 * RT22 + I13 * RT32) / 2
+    A13 = (I11 * RT13 + I12 * RT23 + I13 * RT33) / 2
+    A21 = (I21 * RT11 + I22 * RT21 + I23 * RT31) / 2
+    A22 = (I21 * RT12 + I22 * RT22 + I23 * RT32) / 2
+    A23 = (I21 * RT13 + I22 * RT23 + I23 * RT33) / 2
+    A31 = (I31 * RT11 + I32 * RT21 + I33 * RT31) / 2
+    A32 = (I31 * RT12 + I32 * RT22 + I33 * RT32) / 2
+    A33 = (I31 * RT13 + I32 * RT23 + I33 * RT33) / 2
+    B11 = -((I11 * S11 + I12 * S21 + I13 * S31) / 2)
+    B12 = -((I11 * S12 + I12 * S22 + I13 * S32) / 2)
+    B13 = -((I11 * S13 + I12 * S23 + I13 * S33) / 2)
+    B21 = -((I21 * S11 + I22 * S21 + I23 * S31) / 2)
+    B22 = -((I21 * S12 + I22 * S22 + I23 * S32) / 2)
+    B23 = -((I21 * S13 + I22 * S23 + I23 * S33) / 2)
+    B31 = -((I31 * S11 + I32 * S21 + I33 * S31) / 2)
+    B32 = -((I31 * S12 + I32 * S22 + I33 * S32) / 2)
+    B33 = -((I31 * S13 + I32 * S23 + I33 * S33) / 2)
+    return (
+        A11,
+        A12,
+        A13,
+        0,
+        0,
+        0,
+        A21,
+        A22,
+        A23,
+        0,
+        0,
+        0,
+        A31,
+        A32,
+        A33,
+        0,
+        0,
+        0,
+        (I11 * RT11o + I11o * RT11 + (I12 * RT21o + I12o * RT21) + (I13 * RT31o + I13o * RT31)) / 2,
+        (I11 * RT12o + I11o * RT12 + (I12 * RT22o + I12o * RT22) + (I13 * RT32o + I13o * RT32)) / 2,
+        (I11 * RT13o + I11o * RT13 + (I12 * RT23o + I12o * RT23) + (I13 * RT33o + I13o * RT33)) / 2,
+        A11,
+        A12,
+        A13,
+        (I21 * RT11o + I21o * RT11 + (I22 * RT21o + I22o * RT21) + (I23 * RT31o + I23o * RT31)) / 2,
+        (I21 * RT12o + I21o * RT12 + (I22 * RT22o + I22o * RT22) + (I23 * RT32o + I23o * RT32)) / 2,
+        (I21 * RT13o + I21o * RT13 + (I22 * RT23o + I22o * RT23) + (I23 * RT33o + I23o * RT33)) / 2,
+        A21,
+        A22,
+        A23,
+        (I31 * RT11o + I31o * RT11 + (I32 * RT21o + I32o * RT21) + (I33 * RT31o + I33o * RT31)) / 2,
+        (I31 * RT12o + I31o * RT12 + (I32 * RT22o + I32o * RT22) + (I33 * RT32o + I33o * RT32)) / 2,
+        (I31 * RT13o + I31o * RT13 + (I32 * RT23o + I32o * RT23) + (I33 * RT33o + I33o * RT33)) / 2,
+        A31,
+        A32,
+        A33,
+        B11,
+        B12,
+        B13,
+        0,
+        0,
+        0,
+        B21,
+        B22,
+        B23,
+        0,
+        0,
+        0,
+        B31,
+        B32,
+        B33,
+        0,
+        0,
+        0,
+        -((I11 * S11o + I11o * S11 + (I12 * S21o + I12o * S21) + (I13 * S31o + I13o * S31)) / 2),
+        -((I11 * S12o + I11o * S12 + (I12 * S22o + I12o * S22) + (I13 * S32o + I13o * S32)) / 2),
+        -((I11 * S13o + I11o * S13 + (I12 * S23o + I12o * S23) + (I13 * S33o + I13o * S33)) / 2),
+        B11,
+        B12,
+        B13,
+        -((I21 * S11o + I21o * S11 + (I22 * S21o + I22o * S21) + (I23 * S31o + I23o * S31)) / 2),
+        -((I21 * S12o + I21o * S12 + (I22 * S22o + I22o * S22) + (I23 * S32o + I23o * S32)) / 2),
+        -((I21 * S13o + I21o * S13 + (I22 * S23o + I22o * S23) + (I23 * S33o + I23o * S33)) / 2),
+        B21,
+        B22,
+        B23,
+        -((I31 * S11o + I31o * S11 + (I32 * S21o + I32o * S21) + (I33 * S31o + I33o * S31)) / 2),
+        -((I31 * S12o + I31o * S12 + (I32 * S22o + I32o * S22) + (I33 * S32o + I33o * S32)) / 2),
+        -((I31 * S13o + I31o * S13 + (I32 * S23o + I32o * S23) + (I33 * S33o + I33o * S33)) / 2),
+        B31,
+        B32,
+        B33,
+    )
+
+
+def _own_between_jacobians_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, a: Rows, b: Rows
+) -> None:
+    a1, a2, a3, a1o, a2o, a3o = a
+    b1, b2, b3, b1o, b2o, b3o = b
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36, o37, o38, o39, o40, o41, o42, o43, o44, o45, o46,
+        o47, o48, o49, o50, o51, o52, o53, o54, o55, o56, o57, o58, o59, o60, o61, o62, o63, o64, o65, o66, o67, o68,
+        o69, o70, o71, o72,
+    ) = out
+    (
+        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
+        k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, k35, k36, k37, k38, k39, k40, k41, k42, k43, k44, k45, k46,
+        k47, k48, k49, k50, k51, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61, k62, k63, k64, k65, k66, k67, k68,
+        k69, k70, k71, k72, k73, k74, k75, k76, k77, k78,
+    ) = scratch
+    mask1, mask2, mask3, mask4 = masks
+    (
+        n_minus_1, n0, n1, n2, n3, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520,
+        n3603600,
+    ) = numbers
+    minus_b1 = neg(b1, k1)
+    v11b = mul(minus_b1, minus_b1, k2)
+    minus_b2 = neg(b2, k3)
+    v22b = mul(minus_b2, minus_b2, k4)
+    x12b = add(v11b, v22b, k5)
+    minus_b3 = neg(b3, k6)
+    v33b = mul(minus_b3, minus_b3, k7)
+    x23b = add(v22b, v33b, k4)
+    x13b = add(v11b, v33b, k2)
+    xb = add(x12b, v33b, k7)
+    nearb = m.less(xb, n6, mask1)
+    zb = div(m.where(nearb, xb, sub(xb, xb, k8), k9), n4, k8)
+    xxb = m.where(nearb, add(n6, xb, k9), xb, k9)
+    C7b = div(
+        div(sub(n72, mul(zb, div(sub(n3603600, mul(zb, sub(n32760, mul(zb, sub(n210, mul(zb, div(sub(n93024, mul(zb,
+        sub(n342, mul(zb, div(sub(n212520, mul(zb, sub(n506, zb, k7), k7), k7), n212520, k7), k7), k7), k7), k7),
+        n93024, k7), k7), k7), k7), k7), k7), k7), n3603600, k7), k7), k7), n72, k7), n5040, k7
+    )
+    C5b = div(sub(n1, mul(n120, mul(zb, C7b, k7), k7), k7), n120, k7)
+    C3b = div(sub(n1, mul(n6, mul(zb, C5b, k10), k10), k10), n6, k10)
+    C1b = sub(n1, mul(zb, C3b, k11), k11)
+    CC1b = mul(C1b, C1b, k12)
+    C0b = sqrt(sub(n1, mul(zb, CC1b, k13), k13), k13)
+    alphab = sqrt(xxb, k14)
+    tb = tan(div(alphab, n4, k15), k15)
+    ttb = mul(tb, tb, k16)
+    belowb = add(n1, ttb, k17)
+    wb = m.where(nearb, div(C1b, n2, k18), div(div(mul(n2, tb, k15), belowb, k15), alphab, k14), k15)
+    sb = m.where(nearb, C0b, div(sub(n1, ttb, k14), belowb, k14), k16)
+    C01b = add(n1, C0b, k13)
+    C2b = div(CC1b, C01b, k12)
+    v11a = mul(a1, a1, k14)
+    v22a = mul(a2, a2, k17)
+    v33a = mul(a3, a3, k18)
+    xa = add(add(v11a, v22a, k14), v33a, k14)
+    neara = m.less(xa, n6, mask2)
+    za = div(m.where(neara, xa, sub(xa, xa, k17), k18), n4, k17)
+    xxa = m.where(neara, add(n6, xa, k18), xa, k18)
+    C7a = div(
+        div(sub(n72, mul(za, div(sub(n3603600, mul(za, sub(n32760, mul(za, sub(n210, mul(za, div(sub(n93024, mul(za,
+        sub(n342, mul(za, div(sub(n212520, mul(za, sub(n506, za, k14), k14), k14), n212520, k14), k14), k14), k14),
+        k14), n93024, k14), k14), k14), k14), k14), k14), k14), n3603600, k14), k14), k14), n72, k14), n5040, k14
+    )
+    C5a = div(sub(n1, mul(n120, mul(za, C7a, k14), k14), k14), n120, k14)
+    C3a = div(sub(n1, mul(n6, mul(za, C5a, k19), k19), k19), n6, k19)
+    C1a = sub(n1, mul(za, C3a, k20), k20)
+    CC1a = mul(C1a, C1a, k21)
+    C0a = sqrt(sub(n1, mul(za, CC1a, k22), k22), k22)
+    alphaa = sqrt(xxa, k23)
+    ta = tan(div(alphaa, n4, k24), k24)
+    tta = mul(ta, ta, k25)
+    belowa = add(n1, tta, k26)
+    wa = m.where(neara, div(C1a, n2, k27), div(div(mul(n2, ta, k24), belowa, k24), alphaa, k23), k24)
+    sa = m.where(neara, C0a, div(sub(n1, tta, k23), belowa, k23), k25)
+    C01a = add(n1, C0a, k22)
+    C2a = div(CC1a, C01a, k21)
+    bva1 = mul(a1, wa, k23)
+    bvb1 = mul(minus_b1, wb, k26)
+    bvb2 = mul(minus_b2, wb, k27)
+    bva3 = mul(a3, wa, k28)
+    bvb3 = mul(minus_b3, wb, k29)
+    bva2 = mul(a2, wa, k30)
+    z1 = add(
+        add(mul(bva1, sb, k31), mul(bvb1, sa, k32), k31), sub(mul(bvb2, bva3, k32), mul(bvb3, bva2, k33), k32), k31
+    )
+    z2 = add(
+        add(mul(bva2, sb, k32), mul(bvb2, sa, k33), k32), sub(mul(bvb3, bva1, k33), mul(bvb1, bva3, k34), k33), k32
+    )
+    z3 = add(
+        add(mul(bva3, sb, k33), mul(bvb3, sa, k34), k33), sub(mul(bvb1, bva2, k34), mul(bvb2, bva1, k35), k34), k33
+    )
+    z0 = sub(
+        mul(sb, sa, k34), add(add(mul(bvb1, bva1, k23), mul(bvb2, bva2, k26), k23), mul(bvb3, bva3, k26), k23), k23
+    )
+    fb = mul(n2, mul(sb, wb, k16), k16)
+    wwb = mul(wb, wb, k15)
+    gb = mul(n2, wwb, k15)
+    fa = mul(n2, mul(sa, wa, k25), k25)
+    wwa = mul(wa, wa, k24)
+    ga = mul(n2, wwa, k24)
+    Qb11 = sub(n1, mul(gb, x23b, k4), k4)
+    Qb22 = sub(n1, mul(gb, x13b, k2), k2)
+    Qb33 = sub(n1, mul(gb, x12b, k5), k5)
+    ss = add(add(mul(z1, z1, k26), mul(z2, z2, k27), k26), mul(z3, z3, k27), k26)
+    still = m.equal(ss, n0, mask3)
+    negative = m.less(z0, n0, mask4)
+    cos = m.where(negative, neg(z0, k27), z0, k27)
+    sin = sqrt(m.where(still, cos, ss, k28), k26)
+    angle = mul(n2, atan2(sin, cos, k28), k28)
+    gain = mul(
+        m.where(negative, n_minus_1, n1, k29), div(m.where(still, n2, angle, k30), m.where(still, cos, sin, k27), k26),
+        k26
+    )
+    v1 = mul(z1, gain, k27)
+    v2 = mul(z2, gain, k28)
+    v3 = mul(z3, gain, k29)
+    fi = mul(gain, z0, k23)
+    v11 = mul(v1, v1, k26)
+    v22 = mul(v2, v2, k30)
+    v33 = mul(v3, v3, k31)
+    x = add(add(v11, v22, k26), v33, k26)
+    near = m.less(x, n6, mask3)
+    z = div(m.where(near, x, sub(x, x, k30), k31), n4, k30)
+    xx = m.where(near, add(n6, x, k31), x, k31)
+    C7 = div(
+        div(sub(n72, mul(z, div(sub(n3603600, mul(z, sub(n32760, mul(z, sub(n210, mul(z, div(sub(n93024, mul(z,
+        sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, k26), k26), k26), n212520, k26), k26), k26), k26), k26),
+        n93024, k26), k26), k26), k26), k26), k26), k26), n3603600, k26), k26), k26), n72, k26), n5040, k26
+    )
+    C5 = div(sub(n1, mul(n120, mul(z, C7, k26), k26), k26), n120, k26)
+    C3 = div(sub(n1, mul(n6, mul(z, C5, k32), k32), k32), n6, k32)
+    C1 = sub(n1, mul(z, C3, k33), k33)
+    CC1 = mul(C1, C1, k34)
+    C0 = sqrt(sub(n1, mul(z, CC1, k35), k35), k35)
+    C01 = add(n1, C0, k36)
+    C2 = div(CC1, C01, k34)
+    alpha = sqrt(xx, k37)
+    t = tan(div(alpha, n4, k38), k38)
+    tt = mul(t, t, k39)
+    below = add(n1, tt, k40)
+    s = m.where(near, C0, div(sub(n1, tt, k39), below, k39), k35)
+    w = m.where(near, div(C1, n2, k39), div(div(mul(n2, t, k38), below, k38), alpha, k37), k38)
+    f = mul(n2, mul(s, w, k37), k37)
+    fi_ = div(s, w, k35)
+    ww = mul(w, w, k38)
+    g = mul(n2, ww, k38)
+    h = m.where(near, div(add(C3, mul(C1, C2, k39), k39), n4, k39), div(sub(n1, f, k40), xx, k40), k39)
+    gyw = sub(mul(f, h, k37), mul(g, g, k40), k37)
+    c4w = div(mul(C3, add(n1, C1, k33), k33), n8, k33)
+    hi = sub(g, mul(fi_, h, k40), k40)
+    cvw1 = mul(v1, hi, k41)
+    d13w = mul(cvw1, v3, k42)
+    sw2 = neg(v2, k43)
+    I31 = sub(d13w, sw2, k44)
+    I13 = add(d13w, sw2, k42)
+    cvw2 = mul(v2, hi, k43)
+    d23w = mul(cvw2, v3, k45)
+    sw1 = neg(v1, k46)
+    I32 = add(d23w, sw1, k47)
+    I23 = sub(d23w, sw1, k45)
+    cvw3 = mul(v3, hi, k46)
+    I33 = add(fi_, mul(cvw3, v3, k48), k48)
+    hb = m.where(nearb, div(add(C3b, mul(C1b, C2b, k49), k49), n4, k49), div(sub(n1, fb, k50), xxb, k50), k49)
+    c4S = div(mul(C3b, add(n1, C1b, k11), k11), n8, k11)
+    cvS1 = mul(minus_b1, hb, k50)
+    d13S = mul(cvS1, minus_b3, k51)
+    gvb2 = mul(minus_b2, gb, k52)
+    S13 = add(d13S, gvb2, k53)
+    S31 = sub(d13S, gvb2, k51)
+    cvS2 = mul(minus_b2, hb, k54)
+    d23S = mul(cvS2, minus_b3, k55)
+    gvb1 = mul(minus_b1, gb, k56)
+    S23 = sub(d23S, gvb1, k57)
+    S32 = add(d23S, gvb1, k55)
+    cvS3 = mul(minus_b3, hb, k58)
+    S33 = add(fb, mul(cvS3, minus_b3, k59), k59)
+    neg(div(add(add(mul(I31, S13, k60), mul(I32, S23, k61), k60), mul(I33, S33, k61), k60), n2, k60), o51)
+    d12S = mul(cvS1, minus_b2, k60)
+    gvb3 = mul(minus_b3, gb, k61)
+    S12 = sub(d12S, gvb3, k62)
+    S21 = add(d12S, gvb3, k60)
+    S22 = add(fb, mul(cvS2, minus_b2, k63), k63)
+    neg(div(add(add(mul(I31, S12, k64), mul(I32, S22, k65), k64), mul(I33, S32, k65), k64), n2, k64), o50)
+    S11 = add(fb, mul(cvS1, minus_b1, k64), k64)
+    neg(div(add(add(mul(I31, S11, k65), mul(I32, S21, k66), k65), mul(I33, S31, k66), k65), n2, k65), o49)
+    CC3w = mul(C3, C3, k65)
+    C4w = div(sub(sub(mul(n4, C3, k66), C2, k66), mul(n2, mul(z, CC3w, k30), k30), k30), mul(n2, C01, k36), k30)
+    c5w = div(add(add(C5, C4w, k26), mul(C2, C3, k30), k26), n16, k26)
+    hyw = m.where(near, sub(mul(n3, c5w, k26), c4w, k26), div(sub(g, mul(n3, h, k30), k30), xx, k30), k26)
+    fiyw = neg(div(h, g, k30), k30)
+    hiyw = sub(sub(gyw, mul(fiyw, h, k31), k31), mul(fi_, hyw, k26), k26)
+    ha = m.where(neara, div(add(C3a, mul(C1a, C2a, k31), k31), n4, k31), div(sub(n1, fa, k32), xxa, k32), k31)
+    c4F = div(mul(C3a, add(n1, C1a, k20), k20), n8, k20)
+    ya = add(add(mul(a1, a1o, k32), mul(a2, a2o, k33), k32), mul(a3, a3o, k33), k32)
+    alonga = mul(ha, ya, k33)
+    gva1 = mul(a1, ga, k34)
+    gva2 = mul(a2, ga, k36)
+    rhoa3 = add(
+        add(mul(a3o, fa, k37), sub(mul(gva1, a2o, k38), mul(gva2, a1o, k39), k38), k37), mul(a3, alonga, k38), k37
+    )
+    gva3 = mul(a3, ga, k38)
+    rhoa2 = add(
+        add(mul(a2o, fa, k39), sub(mul(gva3, a1o, k65), mul(gva1, a3o, k66), k65), k39), mul(a2, alonga, k65), k39
+    )
+    rhoa1 = add(
+        add(mul(a1o, fa, k65), sub(mul(gva2, a3o, k66), mul(gva3, a2o, k67), k66), k65), mul(a1, alonga, k33), k33
+    )
+    v_rho1 = sub(mul(minus_b2, rhoa3, k65), mul(minus_b3, rhoa2, k66), k65)
+    v_rho3 = sub(mul(minus_b1, rhoa2, k66), mul(minus_b2, rhoa1, k67), k66)
+    gv_rho3 = mul(v_rho3, gb, k67)
+    v_rho2 = sub(mul(minus_b3, rhoa1, k68), mul(minus_b1, rhoa3, k69), k68)
+    gv_rho2 = mul(v_rho2, gb, k69)
+    minus_b4 = neg(b1o, k70)
+    minus_b5 = neg(b2o, k71)
+    minus_b6 = neg(b3o, k72)
+    yb = add(add(mul(minus_b1, minus_b4, k73), mul(minus_b2, minus_b5, k74), k73), mul(minus_b3, minus_b6, k74), k73)
+    alongb = mul(hb, yb, k74)
+    rhob1 = add(
+        add(mul(minus_b4, fb, k75), sub(mul(gvb2, minus_b6, k76), mul(gvb3, minus_b5, k77), k76), k75), mul(minus_b1,
+        alongb, k76), k75
+    )
+    rho1 = add(
+        add(rhoa1, add(mul(v_rho1, fb, k76), sub(mul(minus_b2, gv_rho3, k77), mul(minus_b3, gv_rho2, k78), k77), k76),
+        k33), rhob1, k33
+    )
+    gv_rho1 = mul(v_rho1, gb, k65)
+    rhob2 = add(
+        add(mul(minus_b5, fb, k76), sub(mul(gvb3, minus_b4, k61), mul(gvb1, minus_b6, k77), k61), k61), mul(minus_b2,
+        alongb, k76), k61
+    )
+    rho2 = add(
+        add(rhoa2, add(mul(v_rho2, fb, k68), sub(mul(minus_b3, gv_rho1, k76), mul(minus_b1, gv_rho3, k67), k67), k67),
+        k39), rhob2, k39
+    )
+    rhob3 = add(
+        add(mul(minus_b6, fb, k67), sub(mul(gvb1, minus_b5, k68), mul(gvb2, minus_b4, k76), k68), k67), mul(minus_b3,
+        alongb, k68), k67
+    )
+    rho3 = add(
+        add(rhoa3, add(mul(v_rho3, fb, k66), sub(mul(minus_b1, gv_rho2, k68), mul(minus_b2, gv_rho1, k65), k65), k65),
+        k37), rhob3, k37
+    )
+    gvvb3 = mul(gvb2, minus_b3, k52)
+    hvr = mul(hi, add(add(mul(v1, rho1, k65), mul(v2, rho2, k66), k65), mul(v3, rho3, k66), k65), k65)
+    w4 = div(
+        add(sub(mul(rho1, fi, k66), sub(mul(v2, rho3, k68), mul(v3, rho2, k69), k68), k66), mul(v1, hvr, k68), k66), n2,
+        k66
+    )
+    w5 = div(
+        add(sub(mul(rho2, fi, k68), sub(mul(v3, rho1, k69), mul(v1, rho3, k74), k69), k68), mul(v2, hvr, k69), k68), n2,
+        k68
+    )
+    w6 = div(
+        add(sub(mul(rho3, fi, k23), sub(mul(v1, rho2, k37), mul(v2, rho1, k33), k33), k23), mul(v3, hvr, k33), k23), n2,
+        k23
+    )
+    yw = add(add(mul(v1, w4, k33), mul(v2, w5, k37), k33), mul(v3, w6, k37), k33)
+    hiow = mul(hiyw, yw, k26)
+    fiow = mul(fiyw, yw, k30)
+    cvow1 = add(mul(w4, hi, k33), mul(v1, hiow, k37), k33)
+    d13ow = add(mul(cvw1, w6, k37), mul(cvow1, v3, k39), k37)
+    sow2 = neg(w5, k39)
+    I31o = sub(d13ow, sow2, k65)
+    I13o = add(d13ow, sow2, k37)
+    cvow2 = add(mul(w5, hi, k39), mul(v2, hiow, k69), k39)
+    cvow3 = add(mul(w6, hi, k40), mul(v3, hiow, k26), k26)
+    I33o = add(fiow, add(mul(cvw3, w6, k40), mul(cvow3, v3, k26), k26), k26)
+    d23ow = add(mul(cvw2, w6, k40), mul(cvow2, v3, k46), k40)
+    sw3 = neg(v3, k29)
+    sow3 = neg(w6, k23)
+    I22o = add(fiow, add(mul(cvw2, w5, k46), mul(cvow2, v2, k39), k39), k39)
+    I22 = add(fi_, mul(cvw2, v2, k43), k43)
+    d12ow = add(mul(cvw1, w5, k46), mul(cvow1, v2, k68), k46)
+    I11o = add(fiow, add(mul(cvw1, w4, k68), mul(cvow1, v1, k33), k33), k30)
+    I11 = add(fi_, mul(cvw1, v1, k27), k27)
+    d12w = mul(cvw1, v2, k28)
+    sow1 = neg(w4, k33)
+    I32o = add(d23ow, sow1, k35)
+    I23o = sub(d23ow, sow1, k33)
+    CC3S = mul(C3b, C3b, k40)
+    C4S = div(sub(sub(mul(n4, C3b, k41), C2b, k41), mul(n2, mul(zb, CC3S, k8), k8), k8), mul(n2, C01b, k13), k8)
+    c5S = div(add(add(C5b, C4S, k7), mul(C2b, C3b, k8), k7), n16, k7)
+    hyS = m.where(nearb, sub(mul(n3, c5S, k7), c4S, k7), div(sub(gb, mul(n3, hb, k8), k8), xxb, k8), k7)
+    hoS = mul(hyS, yb, k7)
+    cvoS1 = add(mul(minus_b4, hb, k8), mul(minus_b1, hoS, k9), k8)
+    d13oS = add(mul(cvS1, minus_b6, k9), mul(cvoS1, minus_b3, k10), k9)
+    gyS = sub(mul(fb, hb, k10), mul(gb, gb, k11), k10)
+    goS = mul(gyS, yb, k10)
+    gvoS2 = add(mul(minus_b5, gb, k11), mul(minus_b2, goS, k12), k11)
+    S13o = add(d13oS, gvoS2, k12)
+    S31o = sub(d13oS, gvoS2, k9)
+    cvoS2 = add(mul(minus_b5, hb, k11), mul(minus_b2, hoS, k13), k11)
+    cvoS3 = add(mul(minus_b6, hb, k13), mul(minus_b3, hoS, k7), k7)
+    fyS = sub(hb, gb, k13)
+    foS = mul(fyS, yb, k13)
+    S33o = add(foS, add(mul(cvS3, minus_b6, k40), mul(cvoS3, minus_b3, k7), k7), k7)
+    d23oS = add(mul(cvS2, minus_b6, k40), mul(cvoS2, minus_b3, k41), k40)
+    S22o = add(foS, add(mul(cvS2, minus_b5, k41), mul(cvoS2, minus_b2, k11), k11), k11)
+    d12oS = add(mul(cvS1, minus_b5, k41), mul(cvoS1, minus_b2, k49), k41)
+    S11o = add(foS, add(mul(cvS1, minus_b4, k49), mul(cvoS1, minus_b1, k8), k8), k8)
+    gvoS1 = add(mul(minus_b4, gb, k13), mul(minus_b1, goS, k49), k13)
+    gvoS3 = add(mul(minus_b6, gb, k15), mul(minus_b3, goS, k10), k10)
+    fvb1 = mul(minus_b1, fb, k1)
+    S23o = sub(d23oS, gvoS1, k15)
+    S32o = add(d23oS, gvoS1, k13)
+    neg(
+        div(add(add(add(mul(I31, S13o, k40), mul(I31o, S13, k49), k40), add(mul(I32, S23o, k49), mul(I32o, S23, k50),
+        k49), k40), add(mul(I33, S33o, k49), mul(I33o, S33, k50), k49), k40), n2, k40), o69
+    )
+    S12o = sub(d12oS, gvoS3, k40)
+    S21o = add(d12oS, gvoS3, k10)
+    neg(
+        div(add(add(add(mul(I31, S12o, k41), mul(I31o, S12, k49), k41), add(mul(I32, S22o, k49), mul(I32o, S22, k50),
+        k49), k41), add(mul(I33, S32o, k49), mul(I33o, S32, k50), k49), k41), n2, k41), o68
+    )
+    neg(
+        div(add(add(add(mul(I31, S11o, k41), mul(I31o, S11, k49), k41), add(mul(I32, S21o, k49), mul(I32o, S21, k50),
+        k49), k41), add(mul(I33, S31o, k49), mul(I33o, S31, k50), k49), k41), n2, k41), o67
+    )
+    I21 = add(d12w, sw3, k41)
+    I12 = sub(d12w, sw3, k28)
+    neg(div(add(add(mul(I21, S13, k29), mul(I22, S23, k49), k29), mul(I23, S33, k49), k29), n2, k29), o45)
+    neg(div(add(add(mul(I21, S12, k29), mul(I22, S22, k49), k29), mul(I23, S32, k49), k29), n2, k29), o44)
+    neg(div(add(add(mul(I21, S11, k29), mul(I22, S21, k49), k29), mul(I23, S31, k49), k29), n2, k29), o43)
+    neg(div(add(add(mul(I11, S13, k29), mul(I12, S23, k49), k29), mul(I13, S33, k49), k29), n2, k29), o39)
+    neg(div(add(add(mul(I11, S12, k29), mul(I12, S22, k49), k29), mul(I13, S32, k49), k29), n2, k29), o38)
+    neg(div(add(add(mul(I11, S11, k29), mul(I12, S21, k49), k29), mul(I13, S31, k49), k29), n2, k29), o37)
+    I21o = add(d12ow, sow3, k29)
+    I12o = sub(d12ow, sow3, k23)
+    neg(
+        div(add(add(add(mul(I21, S13o, k46), mul(I21o, S13, k49), k46), add(mul(I22, S23o, k49), mul(I22o, S23, k50),
+        k49), k46), add(mul(I23, S33o, k49), mul(I23o, S33, k50), k49), k46), n2, k46), o63
+    )
+    neg(
+        div(add(add(add(mul(I11, S13o, k12), mul(I11o, S13, k46), k12), add(mul(I12, S23o, k15), mul(I12o, S23, k46),
+        k15), k12), add(mul(I13, S33o, k7), mul(I13o, S33, k15), k7), k7), n2, k7), o57
+    )
+    neg(
+        div(add(add(add(mul(I21, S12o, k7), mul(I21o, S12, k12), k7), add(mul(I22, S22o, k12), mul(I22o, S22, k15),
+        k12), k7), add(mul(I23, S32o, k12), mul(I23o, S32, k15), k12), k7), n2, k7), o62
+    )
+    neg(
+        div(add(add(add(mul(I11, S12o, k7), mul(I11o, S12, k12), k7), add(mul(I12, S22o, k11), mul(I12o, S22, k12),
+        k11), k7), add(mul(I13, S32o, k11), mul(I13o, S32, k12), k11), k7), n2, k7), o56
+    )
+    neg(
+        div(add(add(add(mul(I21, S11o, k7), mul(I21o, S11, k11), k7), add(mul(I22, S21o, k11), mul(I22o, S21, k12),
+        k11), k7), add(mul(I23, S31o, k11), mul(I23o, S31, k12), k11), k7), n2, k7), o61
+    )
+    neg(
+        div(add(add(add(mul(I11, S11o, k7), mul(I11o, S11, k8), k7), add(mul(I12, S21o, k8), mul(I12o, S21, k10), k8),
+        k7), add(mul(I13, S31o, k8), mul(I13o, S31, k9), k8), k7), n2, k7), o55
+    )
+    cvF1 = mul(a1, ha, k7)
+    d13F = mul(cvF1, a3, k8)
+    F13 = add(d13F, gva2, k9)
+    F31 = sub(d13F, gva2, k8)
+    cvF2 = mul(a2, ha, k10)
+    d23F = mul(cvF2, a3, k11)
+    F23 = sub(d23F, gva1, k12)
+    F32 = add(d23F, gva1, k11)
+    cvF3 = mul(a3, ha, k13)
+    F33 = add(fa, mul(cvF3, a3, k15), k15)
+    gvvb1 = mul(gvb1, minus_b2, k34)
+    gvvb2 = mul(gvb1, minus_b3, k36)
+    fvb3 = mul(minus_b3, fb, k6)
+    fvb2 = mul(minus_b2, fb, k3)
+    Qb12 = sub(gvvb1, fvb3, k16)
+    Qb21 = add(gvvb1, fvb3, k6)
+    Qb13 = add(gvvb2, fvb2, k34)
+    Qb31 = sub(gvvb2, fvb2, k3)
+    RT13 = add(add(mul(Qb11, F13, k36), mul(Qb12, F23, k40), k36), mul(Qb13, F33, k40), k36)
+    Qb23 = sub(gvvb3, fvb1, k40)
+    Qb32 = add(gvvb3, fvb1, k1)
+    RT23 = add(add(mul(Qb21, F13, k46), mul(Qb22, F23, k49), k46), mul(Qb23, F33, k49), k46)
+    RT33 = add(add(mul(Qb31, F13, k49), mul(Qb32, F23, k50), k49), mul(Qb33, F33, k50), k49)
+    div(add(add(mul(I31, RT13, k50), mul(I32, RT23, k51), k50), mul(I33, RT33, k51), k50), n2, o15)
+    div(add(add(mul(I21, RT13, k50), mul(I22, RT23, k51), k50), mul(I23, RT33, k51), k50), n2, o9)
+    div(add(add(mul(I11, RT13, k50), mul(I12, RT23, k51), k50), mul(I13, RT33, k51), k50), n2, o3)
+    d12F = mul(cvF1, a2, k50)
+    F12 = sub(d12F, gva3, k51)
+    F21 = add(d12F, gva3, k38)
+    F22 = add(fa, mul(cvF2, a2, k50), k50)
+    RT12 = add(add(mul(Qb11, F12, k52), mul(Qb12, F22, k53), k52), mul(Qb13, F32, k53), k52)
+    RT22 = add(add(mul(Qb21, F12, k53), mul(Qb22, F22, k54), k53), mul(Qb23, F32, k54), k53)
+    RT32 = add(add(mul(Qb31, F12, k54), mul(Qb32, F22, k55), k54), mul(Qb33, F32, k55), k54)
+    div(add(add(mul(I31, RT12, k55), mul(I32, RT22, k56), k55), mul(I33, RT32, k56), k55), n2, o14)
+    div(add(add(mul(I21, RT12, k55), mul(I22, RT22, k56), k55), mul(I23, RT32, k56), k55), n2, o8)
+    div(add(add(mul(I11, RT12, k55), mul(I12, RT22, k56), k55), mul(I13, RT32, k56), k55), n2, o2)
+    F11 = add(fa, mul(cvF1, a1, k55), k55)
+    gyF = sub(mul(fa, ha, k25), mul(ga, ga, k56), k25)
+    goF = mul(gyF, ya, k25)
+    RT11 = add(add(mul(Qb11, F11, k56), mul(Qb12, F21, k57), k56), mul(Qb13, F31, k57), k56)
+    RT21 = add(add(mul(Qb21, F11, k57), mul(Qb22, F21, k58), k57), mul(Qb23, F31, k58), k57)
+    RT31 = add(add(mul(Qb31, F11, k58), mul(Qb32, F21, k59), k58), mul(Qb33, F31, k59), k58)
+    div(add(add(mul(I31, RT11, k59), mul(I32, RT21, k60), k59), mul(I33, RT31, k60), k59), n2, o13)
+    div(add(add(mul(I21, RT11, k59), mul(I22, RT21, k60), k59), mul(I23, RT31, k60), k59), n2, o7)
+    div(add(add(mul(I11, RT11, k59), mul(I12, RT21, k60), k59), mul(I13, RT31, k60), k59), n2, o1)
+    CC3F = mul(C3a, C3a, k59)
+    C4F = div(sub(sub(mul(n4, C3a, k60), C2a, k60), mul(n2, mul(za, CC3F, k17), k17), k17), mul(n2, C01a, k22), k17)
+    c5F = div(add(add(C5a, C4F, k14), mul(C2a, C3a, k17), k14), n16, k14)
+    hyF = m.where(neara, sub(mul(n3, c5F, k14), c4F, k14), div(sub(ga, mul(n3, ha, k17), k17), xxa, k17), k14)
+    hoF = mul(hyF, ya, k14)
+    cvoF1 = add(mul(a1o, ha, k17), mul(a1, hoF, k18), k17)
+    d13oF = add(mul(cvF1, a3o, k18), mul(cvoF1, a3, k19), k18)
+    gvoF2 = add(mul(a2o, ga, k19), mul(a2, goF, k20), k19)
+    F13o = add(d13oF, gvoF2, k20)
+    F31o = sub(d13oF, gvoF2, k18)
+    R11o = sub(mul(Qb31, rhob2, k19), mul(Qb21, rhob3, k21), k19)
+    cvoF2 = add(mul(a2o, ha, k21), mul(a2, hoF, k22), k21)
+    cvoF3 = add(mul(a3o, ha, k22), mul(a3, hoF, k14), k14)
+    fyF = sub(ha, ga, k22)
+    foF = mul(fyF, ya, k22)
+    F33o = add(foF, add(mul(cvF3, a3o, k13), mul(cvoF3, a3, k14), k13), k13)
+    d23oF = add(mul(cvF2, a3o, k14), mul(cvoF2, a3, k31), k14)
+    F22o = add(foF, add(mul(cvF2, a2o, k10), mul(cvoF2, a2, k21), k10), k10)
+    F11o = add(foF, add(mul(cvF1, a1o, k21), mul(cvoF1, a1, k31), k21), k21)
+    d12oF = add(mul(cvF1, a2o, k7), mul(cvoF1, a2, k17), k7)
+    gvoF1 = add(mul(a1o, ga, k17), mul(a1, goF, k22), k17)
+    gvoF3 = add(mul(a3o, ga, k22), mul(a3, goF, k24), k22)
+    F23o = sub(d23oF, gvoF1, k24)
+    F32o = add(d23oF, gvoF1, k14)
+    R12o = sub(mul(Qb32, rhob2, k17), mul(Qb22, rhob3, k25), k17)
+    R13o = sub(mul(Qb33, rhob2, k25), mul(Qb23, rhob3, k31), k25)
+    RT13o = add(
+        add(add(mul(Qb11, F13o, k31), mul(R11o, F13, k32), k31), add(mul(Qb12, F23o, k32), mul(R12o, F23, k59), k32),
+        k31), add(mul(Qb13, F33o, k32), mul(R13o, F33, k59), k32), k31
+    )
+    R21o = sub(mul(Qb11, rhob3, k32), mul(Qb31, rhob1, k59), k32)
+    R22o = sub(mul(Qb12, rhob3, k59), mul(Qb32, rhob1, k60), k59)
+    R23o = sub(mul(Qb13, rhob3, k60), mul(Qb33, rhob1, k62), k60)
+    RT23o = add(
+        add(add(mul(Qb21, F13o, k62), mul(R21o, F13, k63), k62), add(mul(Qb22, F23o, k63), mul(R22o, F23, k64), k63),
+        k62), add(mul(Qb23, F33o, k63), mul(R23o, F33, k64), k63), k62
+    )
+    R31o = sub(mul(Qb21, rhob1, k63), mul(Qb11, rhob2, k64), k63)
+    R32o = sub(mul(Qb22, rhob1, k64), mul(Qb12, rhob2, k66), k64)
+    R33o = sub(mul(Qb23, rhob1, k66), mul(Qb13, rhob2, k61), k61)
+    RT33o = add(
+        add(add(mul(Qb31, F13o, k20), mul(R31o, F13, k9), k9), add(mul(Qb32, F23o, k20), mul(R32o, F23, k12), k12), k9),
+        add(mul(Qb33, F33o, k12), mul(R33o, F33, k13), k12), k9
+    )
+    div(
+        add(add(add(mul(I31, RT13o, k12), mul(I31o, RT13, k13), k12), add(mul(I32, RT23o, k13), mul(I32o, RT23, k15),
+        k13), k12), add(mul(I33, RT33o, k13), mul(I33o, RT33, k15), k13), k12), n2, o33
+    )
+    div(
+        add(add(add(mul(I21, RT13o, k12), mul(I21o, RT13, k13), k12), add(mul(I22, RT23o, k13), mul(I22o, RT23, k15),
+        k13), k12), add(mul(I23, RT33o, k13), mul(I23o, RT33, k15), k13), k12), n2, o27
+    )
+    div(
+        add(add(add(mul(I11, RT13o, k12), mul(I11o, RT13, k13), k12), add(mul(I12, RT23o, k13), mul(I12o, RT23, k15),
+        k13), k12), add(mul(I13, RT33o, k9), mul(I13o, RT33, k13), k9), k9), n2, o21
+    )
+    F12o = sub(d12oF, gvoF3, k9)
+    F21o = add(d12oF, gvoF3, k7)
+    RT12o = add(
+        add(add(mul(Qb11, F12o, k12), mul(R11o, F12, k13), k12), add(mul(Qb12, F22o, k13), mul(R12o, F22, k15), k13),
+        k12), add(mul(Qb13, F32o, k13), mul(R13o, F32, k15), k13), k12
+    )
+    RT11o = add(
+        add(add(mul(Qb11, F11o, k4), mul(R11o, F11, k13), k4), add(mul(Qb12, F21o, k13), mul(R12o, F21, k15), k13), k4),
+        add(mul(Qb13, F31o, k13), mul(R13o, F31, k15), k13), k4
+    )
+    RT22o = add(
+        add(add(mul(Qb21, F12o, k13), mul(R21o, F12, k15), k13), add(mul(Qb22, F22o, k15), mul(R22o, F22, k16), k15),
+        k13), add(mul(Qb23, F32o, k15), mul(R23o, F32, k16), k15), k13
+    )
+    RT32o = add(
+        add(add(mul(Qb31, F12o, k9), mul(R31o, F12, k15), k9), add(mul(Qb32, F22o, k10), mul(R32o, F22, k15), k10), k9),
+        add(mul(Qb33, F32o, k10), mul(R33o, F32, k11), k10), k9
+    )
+    RT21o = add(
+        add(add(mul(Qb21, F11o, k6), mul(R21o, F11, k10), k6), add(mul(Qb22, F21o, k2), mul(R22o, F21, k10), k2), k2),
+        add(mul(Qb23, F31o, k6), mul(R23o, F31, k10), k6), k2
+    )
+    RT31o = add(
+        add(add(mul(Qb31, F11o, k3), mul(R31o, F11, k6), k3), add(mul(Qb32, F21o, k1), mul(R32o, F21, k6), k1), k1),
+        add(mul(Qb33, F31o, k3), mul(R33o, F31, k5), k3), k1
+    )
+    div(
+        add(add(add(mul(I31, RT12o, k3), mul(I31o, RT12, k5), k3), add(mul(I32, RT22o, k5), mul(I32o, RT22, k6), k5),
+        k3), add(mul(I33, RT32o, k5), mul(I33o, RT32, k6), k5), k3), n2, o32
+    )
+    div(
+        add(add(add(mul(I31, RT11o, k3), mul(I31o, RT11, k5), k3), add(mul(I32, RT21o, k5), mul(I32o, RT21, k6), k5),
+        k3), add(mul(I33, RT31o, k5), mul(I33o, RT31, k6), k5), k3), n2, o31
+    )
+    div(
+        add(add(add(mul(I21, RT12o, k3), mul(I21o, RT12, k5), k3), add(mul(I22, RT22o, k5), mul(I22o, RT22, k6), k5),
+        k3), add(mul(I23, RT32o, k5), mul(I23o, RT32, k6), k5), k3), n2, o26
+    )
+    div(
+        add(add(add(mul(I21, RT11o, k3), mul(I21o, RT11, k5), k3), add(mul(I22, RT21o, k5), mul(I22o, RT21, k6), k5),
+        k3), add(mul(I23, RT31o, k5), mul(I23o, RT31, k6), k5), k3), n2, o25
+    )
+    div(
+        add(add(add(mul(I11, RT12o, k3), mul(I11o, RT12, k5), k3), add(mul(I12, RT22o, k5), mul(I12o, RT22, k6), k5),
+        k3), add(mul(I13, RT32o, k5), mul(I13o, RT32, k6), k5), k3), n2, o20
+    )
+    div(
+        add(add(add(mul(I11, RT11o, k3), mul(I11o, RT11, k4), k3), add(mul(I12, RT21o, k2), mul(I12o, RT21, k4), k2),
+        k2), add(mul(I13, RT31o, k1), mul(I13o, RT31, k3), k1), k1), n2, o19
+    )
+    copy(n0, o4)
+    copy(n0, o5)
+    copy(n0, o6)
+    copy(n0, o10)
+    copy(n0, o11)
+    copy(n0, o12)
+    copy(n0, o16)
+    copy(n0, o17)
+    copy(n0, o18)
+    copy(o1, o22)
+    copy(o2, o23)
+    copy(o3, o24)
+    copy(o7, o28)
+    copy(o8, o29)
+    copy(o9, o30)
+    copy(o13, o34)
+    copy(o14, o35)
+    copy(o15, o36)
+    copy(n0, o40)
+    copy(n0, o41)
+    copy(n0, o42)
+    copy(n0, o46)
+    copy(n0, o47)
+    copy(n0, o48)
+    copy(n0, o52)
+    copy(n0, o53)
+    copy(n0, o54)
+    copy(o37, o58)
+    copy(o38, o59)
+    copy(o39, o60)
+    copy(o43, o64)
+    copy(o44, o65)
+    copy(o45, o66)
+    copy(o49, o70)
+    copy(o50, o71)
+    copy(o51, o72)
+
+
 CHART = Chart(
     __name__,
     branches=0,
@@ -1050,11 +2966,37 @@ CHART = Chart(
         "beyond": Function(_beyond, _beyond_blocks, 5, 2, (-1, 0, 1, 2, 4, 6, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1,)),
     },
-    own={},
+    own={
+        "compose_jacobians": Kernel(
+        _own_compose_jacobians,
+        _own_compose_jacobians_blocks,
+        (("v2", (6,)), ("v1", (6,)),),
+        (72,),
+        registers=75,
+        masks=4,
+        numbers=(-1, 0, 1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        lent=(),
+        real=True,
+    ),
+        "between_jacobians": Kernel(
+        _own_between_jacobians,
+        _own_between_jacobians_blocks,
+        (("v2", (6,)), ("v1", (6,)),),
+        (72,),
+        registers=78,
+        masks=4,
+        numbers=(-1, 0, 1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        lent=(),
+        real=True,
+    ),
+    },
 )
 
 KERNELS = PoseKernels(CHART)
 
+adjoint = KERNELS.adjoint
+between = KERNELS.between
+between_jacobians = KERNELS.between_jacobians
 body_cotangent = KERNELS.body_cotangent
 body_cotangent_jacobian = KERNELS.body_cotangent_jacobian
 body_rate = KERNELS.body_rate
@@ -1067,6 +3009,7 @@ body_twist = KERNELS.body_twist
 body_twist_dot = KERNELS.body_twist_dot
 body_twist_jacobian = KERNELS.body_twist_jacobian
 compose = KERNELS.compose
+compose_jacobians = KERNELS.compose_jacobians
 cotangent = KERNELS.cotangent
 cotangent_jacobian = KERNELS.cotangent_jacobian
 from_pose = KERNELS.from_pose
@@ -1090,7 +3033,9 @@ tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_screw = KERNELS.to_screw
 transform_line = KERNELS.transform_line
+transform_line_jacobians = KERNELS.transform_line_jacobians
 transform_point = KERNELS.transform_point
+transform_point_jacobians = KERNELS.transform_point_jacobians
 twist = KERNELS.twist
 twist_dot = KERNELS.twist_dot
 twist_jacobian = KERNELS.twist_jacobian
