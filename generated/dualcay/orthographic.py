@@ -32,7 +32,7 @@
 #   [orthographic] q = cos(alpha/2) + u sin(alpha/2): phi'*(h*x + f) = 1; [s](x -> 0) = 1
 #
 # Operations:
-#   quaternion: 26: 9 +, 12 *, 3 /, 1 neg, 1 sqrt
+#   quaternion: 32: 9 +, 18 *, 3 /, 1 neg, 1 sqrt
 #   tensor: 86: 34 +, 50 *, 1 /, 1 sqrt
 #   pose: 59: 25 +, 32 *, 1 /, 1 sqrt
 #   transform_point: 72: 29 +, 41 *, 1 /, 1 sqrt
@@ -49,9 +49,9 @@
 #   rate_dot: 219: 84 +, 116 *, 16 /, 2 neg, 1 sqrt
 #   twist_jacobian: 275: 113 +, 157 *, 3 /, 1 neg, 1 sqrt
 #   rate_jacobian: 97: 31 +, 52 *, 11 /, 2 neg, 1 sqrt
-#   from_quaternion: 48: 15 +, 28 *, 3 /, 1 lt, 1 where
-#   from_tensor: 116: 38 +, 39 *, 7 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
-#   from_pose: 80: 23 +, 21 *, 4 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_quaternion: 65: 22 +, 38 *, 3 /, 1 lt, 1 where
+#   from_tensor: 133: 45 +, 49 *, 7 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_pose: 97: 30 +, 31 *, 4 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 22: 5 +, 12 *, 4 /, 1 tan
 #   to_screw: 78: 19 +, 29 *, 11 /, 7 abs, 2 sqrt, 1 atan2, 2 lt, 1 eq, 6 where
 #   compose: 163: 61 +, 93 *, 5 /, 2 sqrt, 1 lt, 1 where
@@ -106,6 +106,27 @@ def __dir__() -> list[str]:
 
 
 # --- scalars of x = v·v, of angles and quaternions: plain, and in place -------------------------------------------
+
+
+# operations 8: 2 +, 1 *, 3 /, 1 neg, 1 sqrt
+def _quaternion(m: Any, x: Any) -> Result:
+    cc = 1 - x
+    c = m.sqrt(cc)
+    rho = 2 / c
+    sy = -(rho / 2)
+    wy = c * rho / 2 - 1
+    return c, 1, sy, wy
+
+
+def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, _, o3, o4 = out
+    n1, n2 = numbers
+    cc = sub(n1, x, o1)
+    c = sqrt(cc, o1)
+    rho = div(n2, c, o3)
+    sub(div(mul(c, rho, o4), n2, o4), n1, o4)
+    neg(div(rho, n2, o3), o3)
+    return o1, n1, o3, o4
 
 
 # operations 4: 1 +, 1 *, 1 /, 1 sqrt
@@ -184,6 +205,52 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     return o1, n2, o3, o4, o5, o6, o7, o8, o9
 
 
+# operations 0
+def _inverse(m: Any, x: Any) -> Result:
+    return 0,
+
+
+def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    n0, = numbers
+    return n0,
+
+
+# operations 2: 1 lt, 1 where
+def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
+    negative = e0 < 0
+    gain = m.where(negative, -1, 1)
+    return gain,
+
+
+def _gain_unit_blocks(
+    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
+) -> Result:
+    o1, = out
+    mask1, *_ = masks
+    n_minus_1, n0, n1 = numbers
+    negative = m.less(e0, n0, mask1)
+    m.where(negative, n_minus_1, n1, o1)
+    return o1,
+
+
+# operations 9: 3 +, 4 *, 1 /, 1 sqrt
+def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
+    size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
+    gain = 1 / size
+    return gain,
+
+
+def _gain_positive_blocks(
+    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
+) -> Result:
+    o1, = out
+    k1, k2, *_ = scratch
+    n1, = numbers
+    size = sqrt(add(mul(e0, e0, o1), add(add(mul(e1, e1, k1), mul(e2, e2, k2), k1), mul(e3, e3, k2), k1), o1), o1)
+    div(n1, size, o1)
+    return o1,
+
+
 # operations 14: 4 +, 2 *, 1 /, 1 abs, 1 sqrt, 1 atan2, 2 lt, 2 where
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     cc = 1 - x
@@ -235,50 +302,6 @@ def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
 
 
 # --- geometry that does with less here than for any chart ---------------------------------------------------------
-
-
-# operations 26: 9 +, 12 *, 3 /, 1 neg, 1 sqrt
-def _own_quaternion(m: Any, c: Any, v: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    cc = 1 - x
-    c = m.sqrt(cc)
-    rho = 2 / c
-    sy = -(rho / 2)
-    wy = c * rho / 2 - 1
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    wo = wy * y
-    return c, v1, v2, v3, sy * y, v1o + v1 * wo, v2o + v2 * wo, v3o + v3 * wo
-
-
-def _own_quaternion_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    o1, o2, o3, o4, o5, o6, o7, o8 = out
-    k1, k2, k3, k4 = scratch
-    n1, n2 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    cc = sub(n1, x, k1)
-    c = sqrt(cc, o1)
-    rho = div(n2, c, k1)
-    sy = neg(div(rho, n2, k2), k2)
-    wy = sub(div(mul(c, rho, k1), n2, k1), n1, k1)
-    y = add(add(mul(v1, v1o, k3), mul(v2, v2o, k4), k3), mul(v3, v3o, k4), k3)
-    mul(sy, y, o5)
-    wo = mul(wy, y, k1)
-    add(v1o, mul(v1, wo, k2), o6)
-    add(v2o, mul(v2, wo, k2), o7)
-    add(v3o, mul(v3, wo, k1), o8)
-    copy(v1, o2)
-    copy(v2, o3)
-    copy(v3, o4)
 
 
 # operations 30: 5 +, 7 *, 10 /, 7 neg, 1 sqrt
@@ -747,299 +770,6 @@ def _own_rate_jacobian_blocks(
     copy(o13, o34)
     copy(o14, o35)
     copy(o15, o36)
-
-
-# operations 48: 15 +, 28 *, 3 /, 1 lt, 1 where
-def _own_from_quaternion(m: Any, c: Any, e: Components) -> Result:
-    e0, e1, e2, e3, e0o, e1o, e2o, e3o = e
-    rho1 = 2 * (e1o * e0 - e1 * e0o + (e2 * e3o - e3 * e2o))
-    rho2 = 2 * (e2o * e0 - e2 * e0o + (e3 * e1o - e1 * e3o))
-    rho3 = 2 * (e3o * e0 - e3 * e0o + (e1 * e2o - e2 * e1o))
-    negative = e0 < 0
-    gain = m.where(negative, -1, 1)
-    v1 = e1 * gain
-    v2 = e2 * gain
-    v3 = e3 * gain
-    fi = gain * e0
-    return (
-        v1,
-        v2,
-        v3,
-        (rho1 * fi - (v2 * rho3 - v3 * rho2)) / 2,
-        (rho2 * fi - (v3 * rho1 - v1 * rho3)) / 2,
-        (rho3 * fi - (v1 * rho2 - v2 * rho1)) / 2,
-    )
-
-
-def _own_from_quaternion_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, e: Rows
-) -> None:
-    e0, e1, e2, e3, e0o, e1o, e2o, e3o = e
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7 = scratch
-    mask1, = masks
-    n_minus_1, n0, n1, n2 = numbers
-    negative = m.less(e0, n0, mask1)
-    gain = m.where(negative, n_minus_1, n1, k1)
-    v1 = mul(e1, gain, o1)
-    v2 = mul(e2, gain, o2)
-    v3 = mul(e3, gain, o3)
-    fi = mul(gain, e0, k1)
-    rho1 = mul(
-        n2, add(sub(mul(e1o, e0, k2), mul(e1, e0o, k3), k2), sub(mul(e2, e3o, k3), mul(e3, e2o, k4), k3), k2), k2
-    )
-    rho3 = mul(
-        n2, add(sub(mul(e3o, e0, k3), mul(e3, e0o, k4), k3), sub(mul(e1, e2o, k4), mul(e2, e1o, k5), k4), k3), k3
-    )
-    rho2 = mul(
-        n2, add(sub(mul(e2o, e0, k4), mul(e2, e0o, k5), k4), sub(mul(e3, e1o, k5), mul(e1, e3o, k6), k5), k4), k4
-    )
-    div(sub(mul(rho1, fi, k5), sub(mul(v2, rho3, k6), mul(v3, rho2, k7), k6), k5), n2, o4)
-    div(sub(mul(rho2, fi, k5), sub(mul(v3, rho1, k6), mul(v1, rho3, k7), k6), k5), n2, o5)
-    div(sub(mul(rho3, fi, k1), sub(mul(v1, rho2, k3), mul(v2, rho1, k2), k2), k1), n2, o6)
-
-
-# operations 116: 38 +, 39 *, 7 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
-def _own_from_tensor(m: Any, c: Any, R: Components) -> Result:
-    Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33, D11, D12, D13, D21, D22, D23, D31, D32, D33 = R
-    rho1 = (D31 * Q21 + D32 * Q22 + D33 * Q23 - (D21 * Q31 + D22 * Q32 + D23 * Q33)) / 2
-    rho2 = (D11 * Q31 + D12 * Q32 + D13 * Q33 - (D31 * Q11 + D32 * Q12 + D33 * Q13)) / 2
-    rho3 = (D21 * Q11 + D22 * Q12 + D23 * Q13 - (D11 * Q21 + D12 * Q22 + D13 * Q23)) / 2
-    a1 = Q32 - Q23
-    a2 = Q13 - Q31
-    a3 = Q21 - Q12
-    s12 = Q12 + Q21
-    s13 = Q13 + Q31
-    s23 = Q23 + Q32
-    up = 1 + Q11
-    down = 1 - Q11
-    total = Q22 + Q33
-    difference = Q22 - Q33
-    t0 = up + total
-    t1 = up - total
-    t2 = down + difference
-    t3 = down - difference
-    larger1 = t0 < t1
-    best1 = m.where(larger1, t1, t0)
-    z10 = m.where(larger1, a1, t0)
-    z11 = m.where(larger1, t1, a1)
-    z12 = m.where(larger1, s12, a2)
-    z13 = m.where(larger1, s13, a3)
-    larger2 = best1 < t2
-    best2 = m.where(larger2, t2, best1)
-    z20 = m.where(larger2, a2, z10)
-    z21 = m.where(larger2, s12, z11)
-    z22 = m.where(larger2, t2, z12)
-    z23 = m.where(larger2, s23, z13)
-    larger3 = best2 < t3
-    z30 = m.where(larger3, a3, z20)
-    z31 = m.where(larger3, s13, z21)
-    z32 = m.where(larger3, s23, z22)
-    z33 = m.where(larger3, t3, z23)
-    sign = m.where((z30 < 0) | (z30 == 0) & ((z31 < 0) | (z31 == 0) & ((z32 < 0) | (z32 == 0) & (z33 < 0))), -1, 1)
-    e0 = sign * z30
-    e1 = sign * z31
-    e2 = sign * z32
-    e3 = sign * z33
-    size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
-    gain = 1 / size
-    v1 = e1 * gain
-    v2 = e2 * gain
-    v3 = e3 * gain
-    fi = gain * e0
-    return (
-        v1,
-        v2,
-        v3,
-        (rho1 * fi - (v2 * rho3 - v3 * rho2)) / 2,
-        (rho2 * fi - (v3 * rho1 - v1 * rho3)) / 2,
-        (rho3 * fi - (v1 * rho2 - v2 * rho1)) / 2,
-    )
-
-
-def _own_from_tensor_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, R: Rows
-) -> None:
-    Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33, D11, D12, D13, D21, D22, D23, D31, D32, D33 = R
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
-    mask1, mask2, mask3, mask4, mask5, mask6, mask7 = masks
-    n_minus_1, n0, n1, n2 = numbers
-    up = add(n1, Q11, k1)
-    total = add(Q22, Q33, k2)
-    t0 = add(up, total, k3)
-    t1 = sub(up, total, k1)
-    larger1 = m.less(t0, t1, mask1)
-    best1 = m.where(larger1, t1, t0, k2)
-    down = sub(n1, Q11, k4)
-    difference = sub(Q22, Q33, k5)
-    t2 = add(down, difference, k6)
-    t3 = sub(down, difference, k4)
-    larger2 = m.less(best1, t2, mask2)
-    best2 = m.where(larger2, t2, best1, k5)
-    larger3 = m.less(best2, t3, mask3)
-    a1 = sub(Q32, Q23, k2)
-    z10 = m.where(larger1, a1, t0, k5)
-    z11 = m.where(larger1, t1, a1, k1)
-    a2 = sub(Q13, Q31, k2)
-    z20 = m.where(larger2, a2, z10, k3)
-    a3 = sub(Q21, Q12, k5)
-    z30 = m.where(larger3, a3, z20, k7)
-    s12 = add(Q12, Q21, k3)
-    z21 = m.where(larger2, s12, z11, k8)
-    z12 = m.where(larger1, s12, a2, k1)
-    z22 = m.where(larger2, t2, z12, k2)
-    s13 = add(Q13, Q31, k1)
-    z13 = m.where(larger1, s13, a3, k3)
-    z31 = m.where(larger3, s13, z21, k1)
-    s23 = add(Q23, Q32, k5)
-    z23 = m.where(larger2, s23, z13, k6)
-    z32 = m.where(larger3, s23, z22, k3)
-    z33 = m.where(larger3, t3, z23, k2)
-    sign = m.where(
-        m.either(m.less(z30, n0, mask1), m.both(m.equal(z30, n0, mask2), m.either(m.less(z31, n0, mask3),
-        m.both(m.equal(z31, n0, mask4), m.either(m.less(z32, n0, mask5), m.both(m.equal(z32, n0, mask6), m.less(z33, n0,
-        mask7), mask6), mask5), mask4), mask3), mask2), mask1), n_minus_1, n1, k4
-    )
-    e0 = mul(sign, z30, k5)
-    e1 = mul(sign, z31, k1)
-    e2 = mul(sign, z32, k3)
-    e3 = mul(sign, z33, k2)
-    size = sqrt(add(mul(e0, e0, k4), add(add(mul(e1, e1, k6), mul(e2, e2, k7), k6), mul(e3, e3, k7), k6), k4), k4)
-    gain = div(n1, size, k4)
-    v1 = mul(e1, gain, o1)
-    v2 = mul(e2, gain, o2)
-    v3 = mul(e3, gain, o3)
-    fi = mul(gain, e0, k1)
-    rho1 = div(
-        sub(add(add(mul(D31, Q21, k2), mul(D32, Q22, k3), k2), mul(D33, Q23, k3), k2), add(add(mul(D21, Q31, k3),
-        mul(D22, Q32, k4), k3), mul(D23, Q33, k4), k3), k2), n2, k2
-    )
-    rho3 = div(
-        sub(add(add(mul(D21, Q11, k3), mul(D22, Q12, k4), k3), mul(D23, Q13, k4), k3), add(add(mul(D11, Q21, k4),
-        mul(D12, Q22, k5), k4), mul(D13, Q23, k5), k4), k3), n2, k3
-    )
-    rho2 = div(
-        sub(add(add(mul(D11, Q31, k4), mul(D12, Q32, k5), k4), mul(D13, Q33, k5), k4), add(add(mul(D31, Q11, k5),
-        mul(D32, Q12, k6), k5), mul(D33, Q13, k6), k5), k4), n2, k4
-    )
-    div(sub(mul(rho1, fi, k5), sub(mul(v2, rho3, k6), mul(v3, rho2, k7), k6), k5), n2, o4)
-    div(sub(mul(rho2, fi, k5), sub(mul(v3, rho1, k6), mul(v1, rho3, k7), k6), k5), n2, o5)
-    div(sub(mul(rho3, fi, k1), sub(mul(v1, rho2, k3), mul(v2, rho1, k2), k2), k1), n2, o6)
-
-
-# operations 80: 23 +, 21 *, 4 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
-def _own_from_pose(m: Any, c: Any, T: Components) -> Result:
-    Q11, Q12, Q13, T14, Q21, Q22, Q23, T24, Q31, Q32, Q33, T34, _, _, _, _ = T
-    a1 = Q32 - Q23
-    a2 = Q13 - Q31
-    a3 = Q21 - Q12
-    s12 = Q12 + Q21
-    s13 = Q13 + Q31
-    s23 = Q23 + Q32
-    up = 1 + Q11
-    down = 1 - Q11
-    total = Q22 + Q33
-    difference = Q22 - Q33
-    t0 = up + total
-    t1 = up - total
-    t2 = down + difference
-    t3 = down - difference
-    larger1 = t0 < t1
-    best1 = m.where(larger1, t1, t0)
-    z10 = m.where(larger1, a1, t0)
-    z11 = m.where(larger1, t1, a1)
-    z12 = m.where(larger1, s12, a2)
-    z13 = m.where(larger1, s13, a3)
-    larger2 = best1 < t2
-    best2 = m.where(larger2, t2, best1)
-    z20 = m.where(larger2, a2, z10)
-    z21 = m.where(larger2, s12, z11)
-    z22 = m.where(larger2, t2, z12)
-    z23 = m.where(larger2, s23, z13)
-    larger3 = best2 < t3
-    z30 = m.where(larger3, a3, z20)
-    z31 = m.where(larger3, s13, z21)
-    z32 = m.where(larger3, s23, z22)
-    z33 = m.where(larger3, t3, z23)
-    sign = m.where((z30 < 0) | (z30 == 0) & ((z31 < 0) | (z31 == 0) & ((z32 < 0) | (z32 == 0) & (z33 < 0))), -1, 1)
-    e0 = sign * z30
-    e1 = sign * z31
-    e2 = sign * z32
-    e3 = sign * z33
-    size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
-    gain = 1 / size
-    v1 = e1 * gain
-    v2 = e2 * gain
-    v3 = e3 * gain
-    fi = gain * e0
-    return (
-        v1,
-        v2,
-        v3,
-        (T14 * fi - (v2 * T34 - v3 * T24)) / 2,
-        (T24 * fi - (v3 * T14 - v1 * T34)) / 2,
-        (T34 * fi - (v1 * T24 - v2 * T14)) / 2,
-    )
-
-
-def _own_from_pose_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, T: Rows
-) -> None:
-    Q11, Q12, Q13, T14, Q21, Q22, Q23, T24, Q31, Q32, Q33, T34, _, _, _, _ = T
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
-    mask1, mask2, mask3, mask4, mask5, mask6, mask7 = masks
-    n_minus_1, n0, n1, n2 = numbers
-    up = add(n1, Q11, k1)
-    total = add(Q22, Q33, k2)
-    t0 = add(up, total, k3)
-    t1 = sub(up, total, k1)
-    larger1 = m.less(t0, t1, mask1)
-    best1 = m.where(larger1, t1, t0, k2)
-    down = sub(n1, Q11, k4)
-    difference = sub(Q22, Q33, k5)
-    t2 = add(down, difference, k6)
-    t3 = sub(down, difference, k4)
-    larger2 = m.less(best1, t2, mask2)
-    best2 = m.where(larger2, t2, best1, k5)
-    larger3 = m.less(best2, t3, mask3)
-    a1 = sub(Q32, Q23, k2)
-    z10 = m.where(larger1, a1, t0, k5)
-    z11 = m.where(larger1, t1, a1, k1)
-    a2 = sub(Q13, Q31, k2)
-    z20 = m.where(larger2, a2, z10, k3)
-    a3 = sub(Q21, Q12, k5)
-    z30 = m.where(larger3, a3, z20, k7)
-    s12 = add(Q12, Q21, k3)
-    z21 = m.where(larger2, s12, z11, k8)
-    z12 = m.where(larger1, s12, a2, k1)
-    z22 = m.where(larger2, t2, z12, k2)
-    s13 = add(Q13, Q31, k1)
-    z13 = m.where(larger1, s13, a3, k3)
-    z31 = m.where(larger3, s13, z21, k1)
-    s23 = add(Q23, Q32, k5)
-    z23 = m.where(larger2, s23, z13, k6)
-    z32 = m.where(larger3, s23, z22, k3)
-    z33 = m.where(larger3, t3, z23, k2)
-    sign = m.where(
-        m.either(m.less(z30, n0, mask1), m.both(m.equal(z30, n0, mask2), m.either(m.less(z31, n0, mask3),
-        m.both(m.equal(z31, n0, mask4), m.either(m.less(z32, n0, mask5), m.both(m.equal(z32, n0, mask6), m.less(z33, n0,
-        mask7), mask6), mask5), mask4), mask3), mask2), mask1), n_minus_1, n1, k4
-    )
-    e0 = mul(sign, z30, k5)
-    e1 = mul(sign, z31, k1)
-    e2 = mul(sign, z32, k3)
-    e3 = mul(sign, z33, k2)
-    size = sqrt(add(mul(e0, e0, k4), add(add(mul(e1, e1, k6), mul(e2, e2, k7), k6), mul(e3, e3, k7), k6), k4), k4)
-    gain = div(n1, size, k4)
-    v1 = mul(e1, gain, o1)
-    v2 = mul(e2, gain, o2)
-    v3 = mul(e3, gain, o3)
-    fi = mul(gain, e0, k1)
-    div(sub(mul(T14, fi, k2), sub(mul(v2, T34, k3), mul(v3, T24, k4), k3), k2), n2, o4)
-    div(sub(mul(T24, fi, k2), sub(mul(v3, T14, k3), mul(v1, T34, k4), k3), k2), n2, o5)
-    div(sub(mul(T34, fi, k1), sub(mul(v1, T24, k2), mul(v2, T14, k3), k2), k1), n2, o6)
 
 
 # operations 163: 61 +, 93 *, 5 /, 2 sqrt, 1 lt, 1 where
@@ -2762,24 +2492,17 @@ CHART = Chart(
     returns=(
     ),
     functions={
+        "quaternion": Function(_quaternion, _quaternion_blocks, 0, 0, (1, 2)),
         "pose": Function(_pose, _pose_blocks, 0, 0, (1, 2)),
         "tangent": Function(_tangent, _tangent_blocks, 0, 0, (1, 2, 4)),
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 1, 0, (1, 2, 3, 4)),
+        "inverse": Function(_inverse, _inverse_blocks, 0, 0, (0,)),
+        "gain_unit": Function(_gain_unit, _gain_unit_blocks, 0, 1, (-1, 0, 1)),
+        "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 0, (1,)),
         "natural": Function(_natural, _natural_blocks, 0, 1, (-1, 0, 1, 2, 16)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 1, 0, (1, 2, 4)),
     },
     own={
-        "quaternion": Kernel(
-        _own_quaternion,
-        _own_quaternion_blocks,
-        (("v", (6,)),),
-        (8,),
-        registers=4,
-        masks=0,
-        numbers=(1, 2),
-        lent=(),
-        real=False,
-    ),
         "tangent_inv": Kernel(
         _own_tangent_inv,
         _own_tangent_inv_blocks,
@@ -2834,39 +2557,6 @@ CHART = Chart(
         numbers=(0, 1, 2, 4),
         lent=(),
         real=False,
-    ),
-        "from_quaternion": Kernel(
-        _own_from_quaternion,
-        _own_from_quaternion_blocks,
-        (("q", (8,)),),
-        (6,),
-        registers=7,
-        masks=1,
-        numbers=(-1, 0, 1, 2),
-        lent=(),
-        real=True,
-    ),
-        "from_tensor": Kernel(
-        _own_from_tensor,
-        _own_from_tensor_blocks,
-        (("R", (2, 3, 3)),),
-        (6,),
-        registers=8,
-        masks=7,
-        numbers=(-1, 0, 1, 2),
-        lent=(),
-        real=True,
-    ),
-        "from_pose": Kernel(
-        _own_from_pose,
-        _own_from_pose_blocks,
-        (("T", (4, 4)),),
-        (6,),
-        registers=8,
-        masks=7,
-        numbers=(-1, 0, 1, 2),
-        lent=(),
-        real=True,
     ),
         "compose": Kernel(
         _own_compose,

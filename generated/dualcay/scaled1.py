@@ -33,19 +33,19 @@
 #
 # Operations:
 #   quaternion: 34: 8 +, 18 *, 7 /, 1 sqrt
-#   tensor: 77: 29 +, 43 *, 5 /
-#   pose: 50: 20 +, 25 *, 5 /
-#   transform_point: 63: 24 +, 34 *, 5 /
-#   transform_line: 102: 39 +, 58 *, 5 /
+#   tensor: 89: 34 +, 50 *, 5 /
+#   pose: 62: 25 +, 32 *, 5 /
+#   transform_point: 75: 29 +, 41 *, 5 /
+#   transform_line: 114: 44 +, 65 *, 5 /
 #   inverse: 6: 6 neg
 #   tangent: 42: 8 +, 19 *, 8 /, 7 neg
 #   tangent_inv: 51: 21 +, 18 *, 12 /
 #   body_tangent: 42: 8 +, 19 *, 8 /, 7 neg
 #   body_tangent_inv: 51: 21 +, 18 *, 12 /
-#   twist: 86: 29 +, 48 *, 8 /, 1 neg
+#   twist: 125: 46 +, 70 *, 8 /, 1 neg
 #   rate: 86: 34 +, 51 *, 1 /
 #   tangent_dot: 97: 27 +, 53 *, 10 /, 7 neg
-#   twist_dot: 159: 57 +, 90 *, 11 /, 1 neg
+#   twist_dot: 224: 86 +, 126 *, 11 /, 1 neg
 #   rate_dot: 252: 104 +, 132 *, 16 /
 #   twist_jacobian: 156: 54 +, 90 *, 10 /, 2 neg
 #   rate_jacobian: 85: 34 +, 42 *, 9 /
@@ -58,9 +58,9 @@
 #   between: 162: 56 +, 79 *, 21 /, 6 neg
 #   compose_jacobians: 776: 296 +, 391 *, 69 /, 20 neg
 #   between_jacobians: 800: 296 +, 391 *, 69 /, 44 neg
-#   adjoint: 77: 29 +, 43 *, 5 /
-#   transform_point_jacobians: 149: 58 +, 73 *, 8 /, 10 neg
-#   transform_line_jacobians: 248: 91 +, 136 *, 8 /, 13 neg
+#   adjoint: 89: 34 +, 50 *, 5 /
+#   transform_point_jacobians: 205: 88 +, 105 *, 8 /, 4 neg
+#   transform_line_jacobians: 304: 121 +, 168 *, 8 /, 7 neg
 r"""Normal Rodrigues vector of order 1: Rodrigues dual vectors ``v = 2 tan(α/2) u`` of rigid displacements.
 
 .. math::
@@ -137,6 +137,101 @@ def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: R
     return o1, o2, o3, o4
 
 
+# operations 7: 1 +, 1 *, 5 /
+def _pose(m: Any, x: Any) -> Result:
+    z = x / 4
+    N = 1 + z
+    r = 2 * (N / N / N)
+    f_v = r / 2
+    g_v = r / 4
+    return f_v, g_v, 0
+
+
+def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, _ = out
+    n0, n1, n2, n4 = numbers
+    z = div(x, n4, o2)
+    N = add(n1, z, o2)
+    r = mul(n2, div(div(N, N, o1), N, o2), o2)
+    div(r, n2, o1)
+    div(r, n4, o2)
+    return o1, o2, n0
+
+
+# operations 12: 1 +, 2 *, 8 /, 1 neg
+def _tangent(m: Any, x: Any) -> Result:
+    z = x / 4
+    N = 1 + z
+    r = 2 * (N / N / N)
+    f_v = r / 2
+    g_v = r / 4
+    e = 2 / N
+    eg = e * r
+    fy = -eg
+    fy_v = fy / 8
+    gy_v = fy / 16
+    return f_v, g_v, 0, fy_v, gy_v, 0
+
+
+def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, _, o4, o5, _ = out
+    n0, n1, n2, n4, n8, n16 = numbers
+    z = div(x, n4, o5)
+    N = add(n1, z, o5)
+    r = mul(n2, div(div(N, N, o2), N, o2), o2)
+    e = div(n2, N, o5)
+    eg = mul(e, r, o5)
+    fy = neg(eg, o5)
+    div(r, n2, o1)
+    div(r, n4, o2)
+    div(fy, n8, o4)
+    div(fy, n16, o5)
+    return o1, o2, n0, o4, o5, n0
+
+
+# operations 19: 2 +, 5 *, 11 /, 1 neg
+def _tangent_dot(m: Any, x: Any) -> Result:
+    z = x / 4
+    N = 1 + z
+    r = 2 * (N / N / N)
+    f_v = r / 2
+    g_v = r / 4
+    e = 2 / N
+    eg = e * r
+    fy = -eg
+    fy_v = fy / 8
+    gy_v = fy / 16
+    egy = e * fy
+    ee = 2 * e / N
+    eeg = ee * r
+    fyy = eeg - egy
+    fyy_v = fyy / 32
+    gyy_v = fyy / 64
+    return f_v, g_v, 0, fy_v, gy_v, 0, fyy_v, gyy_v, 0
+
+
+def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, _, o4, o5, _, o7, o8, _ = out
+    n0, n1, n2, n4, n8, n16, n32, n64 = numbers
+    z = div(x, n4, o8)
+    N = add(n1, z, o8)
+    r = mul(n2, div(div(N, N, o5), N, o5), o5)
+    div(r, n2, o1)
+    div(r, n4, o2)
+    e = div(n2, N, o4)
+    ee = div(mul(n2, e, o7), N, o8)
+    eeg = mul(ee, r, o8)
+    eg = mul(e, r, o5)
+    fy = neg(eg, o5)
+    egy = mul(e, fy, o4)
+    fyy = sub(eeg, egy, o8)
+    div(fy, n8, o4)
+    div(fy, n16, o5)
+    div(fyy, n32, o7)
+    div(fyy, n64, o8)
+    return o1, o2, n0, o4, o5, n0, o7, o8, n0
+
+
 # operations 10: 3 +, 2 *, 4 /, 1 atan2
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     rq = r / 2
@@ -179,370 +274,6 @@ def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
 
 
 # --- geometry that does with less here than for any chart ---------------------------------------------------------
-
-
-# operations 77: 29 +, 43 *, 5 /
-def _own_tensor(m: Any, c: Any, v: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x12 = v11 + v22
-    x = x12 + v33
-    z = x / 4
-    N = 1 + z
-    r = 2 * (N / N / N)
-    f_v = r / 2
-    g_v = r / 4
-    x23 = v22 + v33
-    x13 = v11 + v33
-    fv1 = v1 * f_v
-    fv2 = v2 * f_v
-    fv3 = v3 * f_v
-    gv1 = v1 * g_v
-    gv2 = v2 * g_v
-    gv3 = v3 * g_v
-    gvv1 = gv1 * v2
-    gvv2 = gv1 * v3
-    gvv3 = gv2 * v3
-    Q11 = 1 - g_v * x23
-    Q12 = gvv1 - fv3
-    Q13 = gvv2 + fv2
-    Q21 = gvv1 + fv3
-    Q22 = 1 - g_v * x13
-    Q23 = gvv3 - fv1
-    Q31 = gvv2 - fv2
-    Q32 = gvv3 + fv1
-    Q33 = 1 - g_v * x12
-    rho1 = v1o * f_v + (gv2 * v3o - gv3 * v2o)
-    rho2 = v2o * f_v + (gv3 * v1o - gv1 * v3o)
-    rho3 = v3o * f_v + (gv1 * v2o - gv2 * v1o)
-    return (
-        Q11,
-        Q12,
-        Q13,
-        Q21,
-        Q22,
-        Q23,
-        Q31,
-        Q32,
-        Q33,
-        Q31 * rho2 - Q21 * rho3,
-        Q32 * rho2 - Q22 * rho3,
-        Q33 * rho2 - Q23 * rho3,
-        Q11 * rho3 - Q31 * rho1,
-        Q12 * rho3 - Q32 * rho1,
-        Q13 * rho3 - Q33 * rho1,
-        Q21 * rho1 - Q11 * rho2,
-        Q22 * rho1 - Q12 * rho2,
-        Q23 * rho1 - Q13 * rho2,
-    )
-
-
-def _own_tensor_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
-    k1, k2, k3, k4, k5, k6, k7 = scratch
-    n1, n2, n4 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    x12 = add(v11, v22, k3)
-    v33 = mul(v3, v3, k4)
-    x23 = add(v22, v33, k2)
-    x13 = add(v11, v33, k1)
-    x = add(x12, v33, k4)
-    z = div(x, n4, k4)
-    N = add(n1, z, k4)
-    r = mul(n2, div(div(N, N, k5), N, k4), k4)
-    g_v = div(r, n4, k5)
-    Q11 = sub(n1, mul(g_v, x23, k2), o1)
-    Q22 = sub(n1, mul(g_v, x13, k1), o5)
-    Q33 = sub(n1, mul(g_v, x12, k1), o9)
-    f_v = div(r, n2, k1)
-    gv1 = mul(v1, g_v, k2)
-    gvv1 = mul(gv1, v2, k3)
-    fv3 = mul(v3, f_v, k4)
-    Q12 = sub(gvv1, fv3, o2)
-    Q21 = add(gvv1, fv3, o4)
-    gvv2 = mul(gv1, v3, k3)
-    fv2 = mul(v2, f_v, k4)
-    Q13 = add(gvv2, fv2, o3)
-    Q31 = sub(gvv2, fv2, o7)
-    gv2 = mul(v2, g_v, k3)
-    gv3 = mul(v3, g_v, k4)
-    gvv3 = mul(gv2, v3, k5)
-    fv1 = mul(v1, f_v, k6)
-    Q23 = sub(gvv3, fv1, o6)
-    Q32 = add(gvv3, fv1, o8)
-    rho2 = add(mul(v2o, f_v, k5), sub(mul(gv3, v1o, k6), mul(gv1, v3o, k7), k6), k5)
-    rho3 = add(mul(v3o, f_v, k6), sub(mul(gv1, v2o, k2), mul(gv2, v1o, k7), k2), k2)
-    rho1 = add(mul(v1o, f_v, k1), sub(mul(gv2, v3o, k3), mul(gv3, v2o, k4), k3), k1)
-    sub(mul(Q31, rho2, k3), mul(Q21, rho3, k4), o10)
-    sub(mul(Q32, rho2, k3), mul(Q22, rho3, k4), o11)
-    sub(mul(Q33, rho2, k3), mul(Q23, rho3, k4), o12)
-    sub(mul(Q11, rho3, k3), mul(Q31, rho1, k4), o13)
-    sub(mul(Q12, rho3, k3), mul(Q32, rho1, k4), o14)
-    sub(mul(Q13, rho3, k2), mul(Q33, rho1, k3), o15)
-    sub(mul(Q21, rho1, k2), mul(Q11, rho2, k3), o16)
-    sub(mul(Q22, rho1, k2), mul(Q12, rho2, k3), o17)
-    sub(mul(Q23, rho1, k1), mul(Q13, rho2, k2), o18)
-
-
-# operations 50: 20 +, 25 *, 5 /
-def _own_pose(m: Any, c: Any, v: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x12 = v11 + v22
-    x = x12 + v33
-    z = x / 4
-    N = 1 + z
-    r = 2 * (N / N / N)
-    f_v = r / 2
-    g_v = r / 4
-    x23 = v22 + v33
-    x13 = v11 + v33
-    fv1 = v1 * f_v
-    fv2 = v2 * f_v
-    fv3 = v3 * f_v
-    gv1 = v1 * g_v
-    gv2 = v2 * g_v
-    gv3 = v3 * g_v
-    gvv1 = gv1 * v2
-    gvv2 = gv1 * v3
-    gvv3 = gv2 * v3
-    return (
-        1 - g_v * x23,
-        gvv1 - fv3,
-        gvv2 + fv2,
-        v1o * f_v + (gv2 * v3o - gv3 * v2o),
-        gvv1 + fv3,
-        1 - g_v * x13,
-        gvv3 - fv1,
-        v2o * f_v + (gv3 * v1o - gv1 * v3o),
-        gvv2 - fv2,
-        gvv3 + fv1,
-        1 - g_v * x12,
-        v3o * f_v + (gv1 * v2o - gv2 * v1o),
-        0,
-        0,
-        0,
-        1,
-    )
-
-
-def _own_pose_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16 = out
-    k1, k2, k3, k4, k5, k6, k7 = scratch
-    n0, n1, n2, n4 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    x12 = add(v11, v22, k3)
-    v33 = mul(v3, v3, k4)
-    x23 = add(v22, v33, k2)
-    x13 = add(v11, v33, k1)
-    x = add(x12, v33, k4)
-    z = div(x, n4, k4)
-    N = add(n1, z, k4)
-    r = mul(n2, div(div(N, N, k5), N, k4), k4)
-    g_v = div(r, n4, k5)
-    sub(n1, mul(g_v, x23, k2), o1)
-    sub(n1, mul(g_v, x13, k1), o6)
-    sub(n1, mul(g_v, x12, k1), o11)
-    f_v = div(r, n2, k1)
-    gv1 = mul(v1, g_v, k2)
-    gvv1 = mul(gv1, v2, k3)
-    fv3 = mul(v3, f_v, k4)
-    sub(gvv1, fv3, o2)
-    add(gvv1, fv3, o5)
-    gvv2 = mul(gv1, v3, k3)
-    fv2 = mul(v2, f_v, k4)
-    add(gvv2, fv2, o3)
-    sub(gvv2, fv2, o9)
-    gv2 = mul(v2, g_v, k3)
-    gv3 = mul(v3, g_v, k4)
-    add(mul(v1o, f_v, k5), sub(mul(gv2, v3o, k6), mul(gv3, v2o, k7), k6), o4)
-    add(mul(v2o, f_v, k5), sub(mul(gv3, v1o, k4), mul(gv1, v3o, k6), k4), o8)
-    add(mul(v3o, f_v, k4), sub(mul(gv1, v2o, k2), mul(gv2, v1o, k5), k2), o12)
-    gvv3 = mul(gv2, v3, k2)
-    fv1 = mul(v1, f_v, k1)
-    sub(gvv3, fv1, o7)
-    add(gvv3, fv1, o10)
-    copy(n0, o13)
-    copy(n0, o14)
-    copy(n0, o15)
-    copy(n1, o16)
-
-
-# operations 63: 24 +, 34 *, 5 /
-def _own_transform_point(m: Any, c: Any, v: Components, r: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    r1, r2, r3 = r
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    z = x / 4
-    N = 1 + z
-    r_ = 2 * (N / N / N)
-    f_v = r_ / 2
-    g_v = r_ / 4
-    v_r1 = v2 * r3 - v3 * r2
-    v_r2 = v3 * r1 - v1 * r3
-    v_r3 = v1 * r2 - v2 * r1
-    gv_r1 = v_r1 * g_v
-    gv_r2 = v_r2 * g_v
-    gv_r3 = v_r3 * g_v
-    gv1 = v1 * g_v
-    gv2 = v2 * g_v
-    gv3 = v3 * g_v
-    return (
-        r1 + (v_r1 * f_v + (v2 * gv_r3 - v3 * gv_r2)) + (v1o * f_v + (gv2 * v3o - gv3 * v2o)),
-        r2 + (v_r2 * f_v + (v3 * gv_r1 - v1 * gv_r3)) + (v2o * f_v + (gv3 * v1o - gv1 * v3o)),
-        r3 + (v_r3 * f_v + (v1 * gv_r2 - v2 * gv_r1)) + (v3o * f_v + (gv1 * v2o - gv2 * v1o)),
-    )
-
-
-def _own_transform_point_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, r: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    r1, r2, r3 = r
-    o1, o2, o3 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13 = scratch
-    n1, n2, n4 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    z = div(x, n4, k1)
-    N = add(n1, z, k1)
-    r_ = mul(n2, div(div(N, N, k2), N, k1), k1)
-    f_v = div(r_, n2, k2)
-    g_v = div(r_, n4, k1)
-    v_r3 = sub(mul(v1, r2, k3), mul(v2, r1, k4), k3)
-    gv_r3 = mul(v_r3, g_v, k4)
-    v_r2 = sub(mul(v3, r1, k5), mul(v1, r3, k6), k5)
-    gv_r2 = mul(v_r2, g_v, k6)
-    gv2 = mul(v2, g_v, k7)
-    gv3 = mul(v3, g_v, k8)
-    v_r1 = sub(mul(v2, r3, k9), mul(v3, r2, k10), k9)
-    add(
-        add(r1, add(mul(v_r1, f_v, k10), sub(mul(v2, gv_r3, k11), mul(v3, gv_r2, k12), k11), k10), k10), add(mul(v1o,
-        f_v, k11), sub(mul(gv2, v3o, k12), mul(gv3, v2o, k13), k12), k11), o1
-    )
-    gv_r1 = mul(v_r1, g_v, k9)
-    gv1 = mul(v1, g_v, k1)
-    add(
-        add(r2, add(mul(v_r2, f_v, k5), sub(mul(v3, gv_r1, k10), mul(v1, gv_r3, k4), k4), k4), k4), add(mul(v2o, f_v,
-        k5), sub(mul(gv3, v1o, k8), mul(gv1, v3o, k10), k8), k5), o2
-    )
-    add(
-        add(r3, add(mul(v_r3, f_v, k3), sub(mul(v1, gv_r2, k4), mul(v2, gv_r1, k5), k4), k3), k3), add(mul(v3o, f_v,
-        k2), sub(mul(gv1, v2o, k1), mul(gv2, v1o, k4), k1), k1), o3
-    )
-
-
-# operations 102: 39 +, 58 *, 5 /
-def _own_transform_line(m: Any, c: Any, v: Components, line: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    l1, l2, l3, m1, m2, m3 = line
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    z = x / 4
-    N = 1 + z
-    r = 2 * (N / N / N)
-    f_v = r / 2
-    g_v = r / 4
-    v_l1 = v2 * l3 - v3 * l2
-    v_l2 = v3 * l1 - v1 * l3
-    v_l3 = v1 * l2 - v2 * l1
-    gv_l1 = v_l1 * g_v
-    gv_l2 = v_l2 * g_v
-    gv_l3 = v_l3 * g_v
-    Ql1 = l1 + (v_l1 * f_v + (v2 * gv_l3 - v3 * gv_l2))
-    Ql2 = l2 + (v_l2 * f_v + (v3 * gv_l1 - v1 * gv_l3))
-    Ql3 = l3 + (v_l3 * f_v + (v1 * gv_l2 - v2 * gv_l1))
-    v_m1 = v2 * m3 - v3 * m2
-    v_m2 = v3 * m1 - v1 * m3
-    v_m3 = v1 * m2 - v2 * m1
-    gv_m1 = v_m1 * g_v
-    gv_m2 = v_m2 * g_v
-    gv_m3 = v_m3 * g_v
-    gv1 = v1 * g_v
-    gv2 = v2 * g_v
-    gv3 = v3 * g_v
-    rho1 = v1o * f_v + (gv2 * v3o - gv3 * v2o)
-    rho2 = v2o * f_v + (gv3 * v1o - gv1 * v3o)
-    rho3 = v3o * f_v + (gv1 * v2o - gv2 * v1o)
-    return (
-        Ql1,
-        Ql2,
-        Ql3,
-        m1 + (v_m1 * f_v + (v2 * gv_m3 - v3 * gv_m2)) + (rho2 * Ql3 - rho3 * Ql2),
-        m2 + (v_m2 * f_v + (v3 * gv_m1 - v1 * gv_m3)) + (rho3 * Ql1 - rho1 * Ql3),
-        m3 + (v_m3 * f_v + (v1 * gv_m2 - v2 * gv_m1)) + (rho1 * Ql2 - rho2 * Ql1),
-    )
-
-
-def _own_transform_line_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, line: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    l1, l2, l3, m1, m2, m3 = line
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13 = scratch
-    n1, n2, n4 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    z = div(x, n4, k1)
-    N = add(n1, z, k1)
-    r = mul(n2, div(div(N, N, k2), N, k1), k1)
-    f_v = div(r, n2, k2)
-    g_v = div(r, n4, k1)
-    v_l3 = sub(mul(v1, l2, k3), mul(v2, l1, k4), k3)
-    gv_l3 = mul(v_l3, g_v, k4)
-    v_l2 = sub(mul(v3, l1, k5), mul(v1, l3, k6), k5)
-    gv_l2 = mul(v_l2, g_v, k6)
-    v_l1 = sub(mul(v2, l3, k7), mul(v3, l2, k8), k7)
-    Ql1 = add(l1, add(mul(v_l1, f_v, k8), sub(mul(v2, gv_l3, k9), mul(v3, gv_l2, k10), k9), k8), o1)
-    gv_l1 = mul(v_l1, g_v, k7)
-    Ql2 = add(l2, add(mul(v_l2, f_v, k5), sub(mul(v3, gv_l1, k8), mul(v1, gv_l3, k4), k4), k4), o2)
-    Ql3 = add(l3, add(mul(v_l3, f_v, k3), sub(mul(v1, gv_l2, k4), mul(v2, gv_l1, k5), k4), k3), o3)
-    gv3 = mul(v3, g_v, k3)
-    gv1 = mul(v1, g_v, k4)
-    rho2 = add(mul(v2o, f_v, k5), sub(mul(gv3, v1o, k6), mul(gv1, v3o, k7), k6), k5)
-    gv2 = mul(v2, g_v, k6)
-    rho3 = add(mul(v3o, f_v, k7), sub(mul(gv1, v2o, k4), mul(gv2, v1o, k8), k4), k4)
-    rho1 = add(mul(v1o, f_v, k7), sub(mul(gv2, v3o, k6), mul(gv3, v2o, k3), k3), k3)
-    v_m3 = sub(mul(v1, m2, k6), mul(v2, m1, k7), k6)
-    gv_m3 = mul(v_m3, g_v, k7)
-    v_m2 = sub(mul(v3, m1, k8), mul(v1, m3, k9), k8)
-    gv_m2 = mul(v_m2, g_v, k9)
-    v_m1 = sub(mul(v2, m3, k10), mul(v3, m2, k11), k10)
-    add(
-        add(m1, add(mul(v_m1, f_v, k11), sub(mul(v2, gv_m3, k12), mul(v3, gv_m2, k13), k12), k11), k11), sub(mul(rho2,
-        Ql3, k12), mul(rho3, Ql2, k13), k12), o4
-    )
-    gv_m1 = mul(v_m1, g_v, k1)
-    add(
-        add(m2, add(mul(v_m2, f_v, k8), sub(mul(v3, gv_m1, k10), mul(v1, gv_m3, k7), k7), k7), k7), sub(mul(rho3, Ql1,
-        k4), mul(rho1, Ql3, k8), k4), o5
-    )
-    add(
-        add(m3, add(mul(v_m3, f_v, k2), sub(mul(v1, gv_m2, k4), mul(v2, gv_m1, k1), k1), k1), k1), sub(mul(rho1, Ql2,
-        k2), mul(rho2, Ql1, k3), k2), o6
-    )
 
 
 # operations 42: 8 +, 19 *, 8 /, 7 neg
@@ -863,97 +594,6 @@ def _own_body_tangent_inv_blocks(
     add(d12, s3, o2)
 
 
-# operations 86: 29 +, 48 *, 8 /, 1 neg
-def _own_twist(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = v_dot
-    side, = table
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    z = x / 4
-    N = 1 + z
-    r = 2 * (N / N / N)
-    f_v = r / 2
-    g_v = r / 4
-    e = 2 / N
-    eg = e * r
-    fy = -eg
-    fy_v = fy / 8
-    gy_v = fy / 16
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    fo = fy_v * y
-    go = gy_v * y
-    gs = g_v * side
-    gso = go * side
-    gv1 = v1 * gs
-    gv2 = v2 * gs
-    gv3 = v3 * gs
-    gvo1 = v1o * gs + v1 * gso
-    gvo2 = v2o * gs + v2 * gso
-    gvo3 = v3o * gs + v3 * gso
-    return (
-        w1 * f_v + (gv2 * w3 - gv3 * w2),
-        w2 * f_v + (gv3 * w1 - gv1 * w3),
-        w3 * f_v + (gv1 * w2 - gv2 * w1),
-        w1o * f_v + w1 * fo + (gv2 * w3o - gv3 * w2o) + (gvo2 * w3 - gvo3 * w2),
-        w2o * f_v + w2 * fo + (gv3 * w1o - gv1 * w3o) + (gvo3 * w1 - gvo1 * w3),
-        w3o * f_v + w3 * fo + (gv1 * w2o - gv2 * w1o) + (gvo1 * w2 - gvo2 * w1),
-    )
-
-
-def _own_twist_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows, table: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = v_dot
-    side, = table
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11 = scratch
-    n1, n2, n4, n8, n16 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    z = div(x, n4, k1)
-    N = add(n1, z, k1)
-    r = mul(n2, div(div(N, N, k2), N, k2), k2)
-    e = div(n2, N, k1)
-    eg = mul(e, r, k1)
-    fy = neg(eg, k1)
-    f_v = div(r, n2, k3)
-    g_v = div(r, n4, k2)
-    gs = mul(g_v, side, k2)
-    gv2 = mul(v2, gs, k4)
-    gv3 = mul(v3, gs, k5)
-    add(mul(w1, f_v, k6), sub(mul(gv2, w3, k7), mul(gv3, w2, k8), k7), o1)
-    gv1 = mul(v1, gs, k6)
-    add(mul(w2, f_v, k7), sub(mul(gv3, w1, k8), mul(gv1, w3, k9), k8), o2)
-    add(mul(w3, f_v, k7), sub(mul(gv1, w2, k8), mul(gv2, w1, k9), k8), o3)
-    gy_v = div(fy, n16, k7)
-    fy_v = div(fy, n8, k1)
-    y = add(add(mul(v1, v1o, k8), mul(v2, v2o, k9), k8), mul(v3, v3o, k9), k8)
-    go = mul(gy_v, y, k7)
-    fo = mul(fy_v, y, k1)
-    gso = mul(go, side, k7)
-    gvo2 = add(mul(v2o, gs, k8), mul(v2, gso, k9), k8)
-    gvo3 = add(mul(v3o, gs, k9), mul(v3, gso, k10), k9)
-    gvo1 = add(mul(v1o, gs, k2), mul(v1, gso, k7), k2)
-    add(
-        add(add(mul(w1o, f_v, k7), mul(w1, fo, k10), k7), sub(mul(gv2, w3o, k10), mul(gv3, w2o, k11), k10), k7),
-        sub(mul(gvo2, w3, k10), mul(gvo3, w2, k11), k10), o4
-    )
-    add(
-        add(add(mul(w2o, f_v, k7), mul(w2, fo, k10), k7), sub(mul(gv3, w1o, k5), mul(gv1, w3o, k10), k5), k5),
-        sub(mul(gvo3, w1, k7), mul(gvo1, w3, k9), k7), o5
-    )
-    add(
-        add(add(mul(w3o, f_v, k3), mul(w3, fo, k1), k1), sub(mul(gv1, w2o, k3), mul(gv2, w1o, k4), k3), k1),
-        sub(mul(gvo1, w2, k2), mul(gvo2, w1, k3), k2), o6
-    )
-
-
 # operations 86: 34 +, 51 *, 1 /
 def _own_rate(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
@@ -1120,138 +760,6 @@ def _own_tangent_dot_blocks(
     copy(o1, o9)
     copy(o10, o14)
     copy(o10, o18)
-
-
-# operations 159: 57 +, 90 *, 11 /, 1 neg
-def _own_twist_dot(m: Any, c: Any, v: Components, v_dot: Components, v_ddot: Components, table: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = v_dot
-    z1, z2, z3, z1o, z2o, z3o = v_ddot
-    side, = table
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    z = x / 4
-    N = 1 + z
-    r = 2 * (N / N / N)
-    f_v = r / 2
-    g_v = r / 4
-    e = 2 / N
-    eg = e * r
-    fy = -eg
-    fy_v = fy / 8
-    gy_v = fy / 16
-    egy = e * fy
-    ee = 2 * e / N
-    eeg = ee * r
-    fyy = eeg - egy
-    fyy_v = fyy / 32
-    gyy_v = fyy / 64
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    fo = fy_v * y
-    go = gy_v * y
-    fyo = fyy_v * y
-    gyo = gyy_v * y
-    vw = v1 * w1 + v2 * w2 + v3 * w3
-    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
-    gt = gy_v * vw
-    gto = gy_v * vwo + gyo * vw
-    gz1 = z1 * g_v + w1 * gt
-    gz1o = z1 * go + z1o * g_v + (w1 * gto + w1o * gt)
-    gz2 = z2 * g_v + w2 * gt
-    gz2o = z2 * go + z2o * g_v + (w2 * gto + w2o * gt)
-    gz3 = z3 * g_v + w3 * gt
-    gz3o = z3 * go + z3o * g_v + (w3 * gto + w3o * gt)
-    fh = fy_v * vw
-    fho = fy_v * vwo + fyo * vw
-    s1 = gz1 * side
-    s1o = gz1o * side
-    s2 = gz2 * side
-    s2o = gz2o * side
-    s3 = gz3 * side
-    s3o = gz3o * side
-    return (
-        z1 * f_v + w1 * fh + (v2 * s3 - v3 * s2),
-        z2 * f_v + w2 * fh + (v3 * s1 - v1 * s3),
-        z3 * f_v + w3 * fh + (v1 * s2 - v2 * s1),
-        z1 * fo + z1o * f_v + (w1 * fho + w1o * fh) + (v2 * s3o + v2o * s3 - (v3 * s2o + v3o * s2)),
-        z2 * fo + z2o * f_v + (w2 * fho + w2o * fh) + (v3 * s1o + v3o * s1 - (v1 * s3o + v1o * s3)),
-        z3 * fo + z3o * f_v + (w3 * fho + w3o * fh) + (v1 * s2o + v1o * s2 - (v2 * s1o + v2o * s1)),
-    )
-
-
-def _own_twist_dot_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows, v_ddot: Rows, table: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = v_dot
-    z1, z2, z3, z1o, z2o, z3o = v_ddot
-    side, = table
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14 = scratch
-    n1, n2, n4, n8, n16, n32, n64 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    z = div(x, n4, k1)
-    N = add(n1, z, k1)
-    r = mul(n2, div(div(N, N, k2), N, k2), k2)
-    e = div(n2, N, k3)
-    ee = div(mul(n2, e, k4), N, k1)
-    eeg = mul(ee, r, k1)
-    eg = mul(e, r, k4)
-    fy = neg(eg, k4)
-    egy = mul(e, fy, k3)
-    fyy = sub(eeg, egy, k1)
-    gyy_v = div(fyy, n64, k3)
-    fyy_v = div(fyy, n32, k1)
-    y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k6), k5), mul(v3, v3o, k6), k5)
-    gyo = mul(gyy_v, y, k3)
-    fyo = mul(fyy_v, y, k1)
-    gy_v = div(fy, n16, k6)
-    fy_v = div(fy, n8, k4)
-    vwo = add(
-        add(add(mul(v1, w1o, k7), mul(v1o, w1, k8), k7), add(mul(v2, w2o, k8), mul(v2o, w2, k9), k8), k7), add(mul(v3,
-        w3o, k8), mul(v3o, w3, k9), k8), k7
-    )
-    vw = add(add(mul(v1, w1, k8), mul(v2, w2, k9), k8), mul(v3, w3, k9), k8)
-    gto = add(mul(gy_v, vwo, k9), mul(gyo, vw, k3), k3)
-    fho = add(mul(fy_v, vwo, k7), mul(fyo, vw, k1), k1)
-    go = mul(gy_v, y, k7)
-    gt = mul(gy_v, vw, k6)
-    fo = mul(fy_v, y, k5)
-    fh = mul(fy_v, vw, k4)
-    g_v = div(r, n4, k8)
-    f_v = div(r, n2, k2)
-    gz2o = add(add(mul(z2, go, k9), mul(z2o, g_v, k10), k9), add(mul(w2, gto, k10), mul(w2o, gt, k11), k10), k9)
-    s2o = mul(gz2o, side, k9)
-    gz1o = add(add(mul(z1, go, k10), mul(z1o, g_v, k11), k10), add(mul(w1, gto, k11), mul(w1o, gt, k12), k11), k10)
-    gz3o = add(add(mul(z3, go, k7), mul(z3o, g_v, k11), k7), add(mul(w3, gto, k3), mul(w3o, gt, k11), k3), k3)
-    s1o = mul(gz1o, side, k7)
-    s3o = mul(gz3o, side, k3)
-    gz2 = add(mul(z2, g_v, k10), mul(w2, gt, k11), k10)
-    s2 = mul(gz2, side, k10)
-    gz1 = add(mul(z1, g_v, k11), mul(w1, gt, k12), k11)
-    gz3 = add(mul(z3, g_v, k8), mul(w3, gt, k6), k6)
-    s1 = mul(gz1, side, k8)
-    add(
-        add(add(mul(z3, fo, k11), mul(z3o, f_v, k12), k11), add(mul(w3, fho, k12), mul(w3o, fh, k13), k12), k11),
-        sub(add(mul(v1, s2o, k12), mul(v1o, s2, k13), k12), add(mul(v2, s1o, k13), mul(v2o, s1, k14), k13), k12), o6
-    )
-    s3 = mul(gz3, side, k6)
-    add(
-        add(add(mul(z2, fo, k11), mul(z2o, f_v, k12), k11), add(mul(w2, fho, k12), mul(w2o, fh, k13), k12), k11),
-        sub(add(mul(v3, s1o, k7), mul(v3o, s1, k12), k7), add(mul(v1, s3o, k12), mul(v1o, s3, k13), k12), k7), o5
-    )
-    add(
-        add(add(mul(z1, fo, k5), mul(z1o, f_v, k7), k5), add(mul(w1, fho, k1), mul(w1o, fh, k7), k1), k1),
-        sub(add(mul(v2, s3o, k3), mul(v2o, s3, k5), k3), add(mul(v3, s2o, k5), mul(v3o, s2, k7), k5), k3), o4
-    )
-    add(add(mul(z3, f_v, k1), mul(w3, fh, k3), k1), sub(mul(v1, s2, k3), mul(v2, s1, k5), k3), o3)
-    add(add(mul(z2, f_v, k1), mul(w2, fh, k3), k1), sub(mul(v3, s1, k3), mul(v1, s3, k5), k3), o2)
-    add(add(mul(z1, f_v, k1), mul(w1, fh, k2), k1), sub(mul(v2, s3, k2), mul(v3, s2, k3), k2), o1)
 
 
 # operations 252: 104 +, 132 *, 16 /
@@ -3583,667 +3091,6 @@ def _own_between_jacobians_blocks(
     copy(o51, o72)
 
 
-# operations 77: 29 +, 43 *, 5 /
-def _own_adjoint(m: Any, c: Any, v: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x12 = v11 + v22
-    x = x12 + v33
-    z = x / 4
-    N = 1 + z
-    r = 2 * (N / N / N)
-    f_v = r / 2
-    g_v = r / 4
-    x23 = v22 + v33
-    x13 = v11 + v33
-    fv1 = v1 * f_v
-    fv2 = v2 * f_v
-    fv3 = v3 * f_v
-    gv1 = v1 * g_v
-    gv2 = v2 * g_v
-    gv3 = v3 * g_v
-    gvv1 = gv1 * v2
-    gvv2 = gv1 * v3
-    gvv3 = gv2 * v3
-    Q11 = 1 - g_v * x23
-    Q12 = gvv1 - fv3
-    Q13 = gvv2 + fv2
-    Q21 = gvv1 + fv3
-    Q22 = 1 - g_v * x13
-    Q23 = gvv3 - fv1
-    Q31 = gvv2 - fv2
-    Q32 = gvv3 + fv1
-    Q33 = 1 - g_v * x12
-    rho1 = v1o * f_v + (gv2 * v3o - gv3 * v2o)
-    rho2 = v2o * f_v + (gv3 * v1o - gv1 * v3o)
-    rho3 = v3o * f_v + (gv1 * v2o - gv2 * v1o)
-    return (
-        Q11,
-        Q12,
-        Q13,
-        0,
-        0,
-        0,
-        Q21,
-        Q22,
-        Q23,
-        0,
-        0,
-        0,
-        Q31,
-        Q32,
-        Q33,
-        0,
-        0,
-        0,
-        Q31 * rho2 - Q21 * rho3,
-        Q32 * rho2 - Q22 * rho3,
-        Q33 * rho2 - Q23 * rho3,
-        Q11,
-        Q12,
-        Q13,
-        Q11 * rho3 - Q31 * rho1,
-        Q12 * rho3 - Q32 * rho1,
-        Q13 * rho3 - Q33 * rho1,
-        Q21,
-        Q22,
-        Q23,
-        Q21 * rho1 - Q11 * rho2,
-        Q22 * rho1 - Q12 * rho2,
-        Q23 * rho1 - Q13 * rho2,
-        Q31,
-        Q32,
-        Q33,
-    )
-
-
-def _own_adjoint_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    (
-        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
-        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36,
-    ) = out
-    k1, k2, k3, k4, k5, k6, k7 = scratch
-    n0, n1, n2, n4 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    x12 = add(v11, v22, k3)
-    v33 = mul(v3, v3, k4)
-    x23 = add(v22, v33, k2)
-    x13 = add(v11, v33, k1)
-    x = add(x12, v33, k4)
-    z = div(x, n4, k4)
-    N = add(n1, z, k4)
-    r = mul(n2, div(div(N, N, k5), N, k4), k4)
-    g_v = div(r, n4, k5)
-    Q11 = sub(n1, mul(g_v, x23, k2), o1)
-    Q22 = sub(n1, mul(g_v, x13, k1), o8)
-    Q33 = sub(n1, mul(g_v, x12, k1), o15)
-    f_v = div(r, n2, k1)
-    gv1 = mul(v1, g_v, k2)
-    gvv1 = mul(gv1, v2, k3)
-    fv3 = mul(v3, f_v, k4)
-    Q12 = sub(gvv1, fv3, o2)
-    Q21 = add(gvv1, fv3, o7)
-    gvv2 = mul(gv1, v3, k3)
-    fv2 = mul(v2, f_v, k4)
-    Q13 = add(gvv2, fv2, o3)
-    Q31 = sub(gvv2, fv2, o13)
-    gv2 = mul(v2, g_v, k3)
-    gv3 = mul(v3, g_v, k4)
-    gvv3 = mul(gv2, v3, k5)
-    fv1 = mul(v1, f_v, k6)
-    Q23 = sub(gvv3, fv1, o9)
-    Q32 = add(gvv3, fv1, o14)
-    rho2 = add(mul(v2o, f_v, k5), sub(mul(gv3, v1o, k6), mul(gv1, v3o, k7), k6), k5)
-    rho3 = add(mul(v3o, f_v, k6), sub(mul(gv1, v2o, k2), mul(gv2, v1o, k7), k2), k2)
-    rho1 = add(mul(v1o, f_v, k1), sub(mul(gv2, v3o, k3), mul(gv3, v2o, k4), k3), k1)
-    sub(mul(Q31, rho2, k3), mul(Q21, rho3, k4), o19)
-    sub(mul(Q32, rho2, k3), mul(Q22, rho3, k4), o20)
-    sub(mul(Q33, rho2, k3), mul(Q23, rho3, k4), o21)
-    sub(mul(Q11, rho3, k3), mul(Q31, rho1, k4), o25)
-    sub(mul(Q12, rho3, k3), mul(Q32, rho1, k4), o26)
-    sub(mul(Q13, rho3, k2), mul(Q33, rho1, k3), o27)
-    sub(mul(Q21, rho1, k2), mul(Q11, rho2, k3), o31)
-    sub(mul(Q22, rho1, k2), mul(Q12, rho2, k3), o32)
-    sub(mul(Q23, rho1, k1), mul(Q13, rho2, k2), o33)
-    copy(n0, o4)
-    copy(n0, o5)
-    copy(n0, o6)
-    copy(n0, o10)
-    copy(n0, o11)
-    copy(n0, o12)
-    copy(n0, o16)
-    copy(n0, o17)
-    copy(n0, o18)
-    copy(o1, o22)
-    copy(o2, o23)
-    copy(o3, o24)
-    copy(o7, o28)
-    copy(o8, o29)
-    copy(o9, o30)
-    copy(o13, o34)
-    copy(o14, o35)
-    copy(o15, o36)
-
-
-# operations 149: 58 +, 73 *, 8 /, 10 neg
-def _own_transform_point_jacobians(m: Any, c: Any, v: Components, r: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    r1, r2, r3 = r
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x12 = v11 + v22
-    x = x12 + v33
-    z = x / 4
-    N = 1 + z
-    r_ = 2 * (N / N / N)
-    f_v = r_ / 2
-    g_v = r_ / 4
-    e = 2 / N
-    eg = e * r_
-    fy = -eg
-    fy_v = fy / 8
-    gy_v = fy / 16
-    gv1 = v1 * g_v
-    gv2 = v2 * g_v
-    gv3 = v3 * g_v
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    v_r1 = v2 * r3 - v3 * r2
-    v_r2 = v3 * r1 - v1 * r3
-    v_r3 = v1 * r2 - v2 * r1
-    gv_r1 = v_r1 * g_v
-    gv_r2 = v_r2 * g_v
-    gv_r3 = v_r3 * g_v
-    moved1 = r1 + (v_r1 * f_v + (v2 * gv_r3 - v3 * gv_r2)) + (v1o * f_v + (gv2 * v3o - gv3 * v2o))
-    moved2 = r2 + (v_r2 * f_v + (v3 * gv_r1 - v1 * gv_r3)) + (v2o * f_v + (gv3 * v1o - gv1 * v3o))
-    moved3 = r3 + (v_r3 * f_v + (v1 * gv_r2 - v2 * gv_r1)) + (v3o * f_v + (gv1 * v2o - gv2 * v1o))
-    fo = fy_v * y
-    go = gy_v * y
-    gvo1 = v1o * g_v + v1 * go
-    gvo2 = v2o * g_v + v2 * go
-    gvo3 = v3o * g_v + v3 * go
-    T12 = -gv3
-    T23 = -gv1
-    T31 = -gv2
-    T12o = -gvo3
-    T23o = -gvo1
-    T31o = -gvo2
-    minus_moved3 = -moved3
-    minus_moved1 = -moved1
-    minus_moved2 = -moved2
-    x23 = v22 + v33
-    x13 = v11 + v33
-    fv1 = v1 * f_v
-    fv2 = v2 * f_v
-    fv3 = v3 * f_v
-    gvv1 = gv1 * v2
-    gvv2 = gv1 * v3
-    gvv3 = gv2 * v3
-    return (
-        fo - (minus_moved3 * gv3 + moved2 * T31),
-        T12o - (minus_moved3 * f_v + moved2 * gv1),
-        gvo2 - (minus_moved3 * T23 + moved2 * f_v),
-        f_v,
-        T12,
-        gv2,
-        gvo3 - (moved3 * f_v + minus_moved1 * T31),
-        fo - (moved3 * T12 + minus_moved1 * gv1),
-        T23o - (moved3 * gv2 + minus_moved1 * f_v),
-        gv3,
-        f_v,
-        T23,
-        T31o - (minus_moved2 * f_v + moved1 * gv3),
-        gvo1 - (minus_moved2 * T12 + moved1 * f_v),
-        fo - (minus_moved2 * gv2 + moved1 * T23),
-        T31,
-        gv1,
-        f_v,
-        1 - g_v * x23,
-        gvv1 - fv3,
-        gvv2 + fv2,
-        gvv1 + fv3,
-        1 - g_v * x13,
-        gvv3 - fv1,
-        gvv2 - fv2,
-        gvv3 + fv1,
-        1 - g_v * x12,
-    )
-
-
-def _own_transform_point_jacobians_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, r: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    r1, r2, r3 = r
-    (
-        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
-        o25, o26, o27,
-    ) = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11 = scratch
-    n1, n2, n4, n8, n16 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    x12 = add(v11, v22, k3)
-    v33 = mul(v3, v3, k4)
-    x23 = add(v22, v33, k2)
-    x13 = add(v11, v33, k1)
-    x = add(x12, v33, k4)
-    z = div(x, n4, k4)
-    N = add(n1, z, k4)
-    r_ = mul(n2, div(div(N, N, k5), N, k5), k5)
-    f_v = div(r_, n2, o4)
-    e = div(n2, N, k4)
-    eg = mul(e, r_, k4)
-    g_v = div(r_, n4, k5)
-    sub(n1, mul(g_v, x23, k2), o19)
-    sub(n1, mul(g_v, x13, k1), o23)
-    sub(n1, mul(g_v, x12, k1), o27)
-    gv1 = mul(v1, g_v, o17)
-    gv2 = mul(v2, g_v, o6)
-    gv3 = mul(v3, g_v, o10)
-    fy = neg(eg, k1)
-    T31 = neg(gv2, o16)
-    T23 = neg(gv1, o12)
-    T12 = neg(gv3, o5)
-    v_r2 = sub(mul(v3, r1, k2), mul(v1, r3, k3), k2)
-    gv_r2 = mul(v_r2, g_v, k3)
-    v_r1 = sub(mul(v2, r3, k4), mul(v3, r2, k6), k4)
-    gv_r1 = mul(v_r1, g_v, k6)
-    v_r3 = sub(mul(v1, r2, k7), mul(v2, r1, k8), k7)
-    moved3 = add(
-        add(r3, add(mul(v_r3, f_v, k8), sub(mul(v1, gv_r2, k9), mul(v2, gv_r1, k10), k9), k8), k8), add(mul(v3o, f_v,
-        k9), sub(mul(gv1, v2o, k10), mul(gv2, v1o, k11), k10), k9), k8
-    )
-    gv_r3 = mul(v_r3, g_v, k7)
-    moved2 = add(
-        add(r2, add(mul(v_r2, f_v, k2), sub(mul(v3, gv_r1, k6), mul(v1, gv_r3, k9), k6), k2), k2), add(mul(v2o, f_v,
-        k6), sub(mul(gv3, v1o, k9), mul(gv1, v3o, k10), k9), k6), k2
-    )
-    moved1 = add(
-        add(r1, add(mul(v_r1, f_v, k4), sub(mul(v2, gv_r3, k6), mul(v3, gv_r2, k3), k3), k3), k3), add(mul(v1o, f_v,
-        k4), sub(mul(gv2, v3o, k6), mul(gv3, v2o, k7), k6), k4), k3
-    )
-    minus_moved3 = neg(moved3, k4)
-    fy_v = div(fy, n8, k6)
-    gy_v = div(fy, n16, k1)
-    y = add(add(mul(v1, v1o, k7), mul(v2, v2o, k9), k7), mul(v3, v3o, k9), k7)
-    fo = mul(fy_v, y, k6)
-    go = mul(gy_v, y, k1)
-    sub(fo, add(mul(minus_moved3, gv3, k7), mul(moved2, T31, k9), k7), o1)
-    gvo3 = add(mul(v3o, g_v, k7), mul(v3, go, k9), k7)
-    T12o = neg(gvo3, k9)
-    sub(T12o, add(mul(minus_moved3, f_v, k10), mul(moved2, gv1, k11), k10), o2)
-    gvo2 = add(mul(v2o, g_v, k9), mul(v2, go, k10), k9)
-    sub(gvo2, add(mul(minus_moved3, T23, k4), mul(moved2, f_v, k10), k4), o3)
-    gvo1 = add(mul(v1o, g_v, k4), mul(v1, go, k1), k1)
-    minus_moved2 = neg(moved2, k2)
-    T31o = neg(gvo2, k4)
-    sub(T31o, add(mul(minus_moved2, f_v, k5), mul(moved1, gv3, k9), k5), o13)
-    sub(gvo1, add(mul(minus_moved2, T12, k4), mul(moved1, f_v, k5), k4), o14)
-    sub(fo, add(mul(minus_moved2, gv2, k2), mul(moved1, T23, k4), k2), o15)
-    minus_moved1 = neg(moved1, k2)
-    sub(gvo3, add(mul(moved3, f_v, k3), mul(minus_moved1, T31, k4), k3), o7)
-    sub(fo, add(mul(moved3, T12, k3), mul(minus_moved1, gv1, k4), k3), o8)
-    T23o = neg(gvo1, k1)
-    sub(T23o, add(mul(moved3, gv2, k3), mul(minus_moved1, f_v, k2), k2), o9)
-    gvv1 = mul(gv1, v2, k1)
-    fv3 = mul(v3, f_v, k2)
-    sub(gvv1, fv3, o20)
-    add(gvv1, fv3, o22)
-    gvv2 = mul(gv1, v3, k1)
-    fv2 = mul(v2, f_v, k2)
-    add(gvv2, fv2, o21)
-    sub(gvv2, fv2, o25)
-    gvv3 = mul(gv2, v3, k1)
-    fv1 = mul(v1, f_v, k2)
-    sub(gvv3, fv1, o24)
-    add(gvv3, fv1, o26)
-    copy(o4, o11)
-    copy(o4, o18)
-
-
-# operations 248: 91 +, 136 *, 8 /, 13 neg
-def _own_transform_line_jacobians(m: Any, c: Any, v: Components, line: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    l1, l2, l3, m1, m2, m3 = line
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x12 = v11 + v22
-    x = x12 + v33
-    z = x / 4
-    N = 1 + z
-    r = 2 * (N / N / N)
-    f_v = r / 2
-    g_v = r / 4
-    e = 2 / N
-    eg = e * r
-    fy = -eg
-    fy_v = fy / 8
-    gy_v = fy / 16
-    x23 = v22 + v33
-    x13 = v11 + v33
-    fv1 = v1 * f_v
-    fv2 = v2 * f_v
-    fv3 = v3 * f_v
-    gv1 = v1 * g_v
-    gv2 = v2 * g_v
-    gv3 = v3 * g_v
-    gvv1 = gv1 * v2
-    gvv2 = gv1 * v3
-    gvv3 = gv2 * v3
-    Q11 = 1 - g_v * x23
-    Q12 = gvv1 - fv3
-    Q13 = gvv2 + fv2
-    Q21 = gvv1 + fv3
-    Q22 = 1 - g_v * x13
-    Q23 = gvv3 - fv1
-    Q31 = gvv2 - fv2
-    Q32 = gvv3 + fv1
-    Q33 = 1 - g_v * x12
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    rho1 = v1o * f_v + (gv2 * v3o - gv3 * v2o)
-    rho2 = v2o * f_v + (gv3 * v1o - gv1 * v3o)
-    rho3 = v3o * f_v + (gv1 * v2o - gv2 * v1o)
-    R11o = Q31 * rho2 - Q21 * rho3
-    R12o = Q32 * rho2 - Q22 * rho3
-    R13o = Q33 * rho2 - Q23 * rho3
-    R21o = Q11 * rho3 - Q31 * rho1
-    R22o = Q12 * rho3 - Q32 * rho1
-    R23o = Q13 * rho3 - Q33 * rho1
-    R31o = Q21 * rho1 - Q11 * rho2
-    R32o = Q22 * rho1 - Q12 * rho2
-    R33o = Q23 * rho1 - Q13 * rho2
-    moved1 = Q11 * l1 + Q12 * l2 + Q13 * l3
-    moved1o = Q11 * m1 + R11o * l1 + (Q12 * m2 + R12o * l2) + (Q13 * m3 + R13o * l3)
-    moved2 = Q21 * l1 + Q22 * l2 + Q23 * l3
-    moved2o = Q21 * m1 + R21o * l1 + (Q22 * m2 + R22o * l2) + (Q23 * m3 + R23o * l3)
-    moved3 = Q31 * l1 + Q32 * l2 + Q33 * l3
-    moved3o = Q31 * m1 + R31o * l1 + (Q32 * m2 + R32o * l2) + (Q33 * m3 + R33o * l3)
-    minus_moved1 = -moved1
-    minus_moved1o = -moved1o
-    minus_moved2 = -moved2
-    minus_moved2o = -moved2o
-    minus_moved3 = -moved3
-    minus_moved3o = -moved3o
-    fo = fy_v * y
-    go = gy_v * y
-    gvo1 = v1o * g_v + v1 * go
-    gvo2 = v2o * g_v + v2 * go
-    gvo3 = v3o * g_v + v3 * go
-    T12 = -gv3
-    T23 = -gv1
-    T31 = -gv2
-    T12o = -gvo3
-    T23o = -gvo1
-    T31o = -gvo2
-    V11 = moved3 * gv3 + minus_moved2 * T31
-    V12 = moved3 * f_v + minus_moved2 * gv1
-    V13 = moved3 * T23 + minus_moved2 * f_v
-    V21 = minus_moved3 * f_v + moved1 * T31
-    V22 = minus_moved3 * T12 + moved1 * gv1
-    V23 = minus_moved3 * gv2 + moved1 * f_v
-    V31 = moved2 * f_v + minus_moved1 * gv3
-    V32 = moved2 * T12 + minus_moved1 * f_v
-    V33 = moved2 * gv2 + minus_moved1 * T23
-    return (
-        V11,
-        V12,
-        V13,
-        0,
-        0,
-        0,
-        V21,
-        V22,
-        V23,
-        0,
-        0,
-        0,
-        V31,
-        V32,
-        V33,
-        0,
-        0,
-        0,
-        moved3 * gvo3 + moved3o * gv3 + (minus_moved2 * T31o + minus_moved2o * T31),
-        moved3 * fo + moved3o * f_v + (minus_moved2 * gvo1 + minus_moved2o * gv1),
-        moved3 * T23o + moved3o * T23 + (minus_moved2 * fo + minus_moved2o * f_v),
-        V11,
-        V12,
-        V13,
-        minus_moved3 * fo + minus_moved3o * f_v + (moved1 * T31o + moved1o * T31),
-        minus_moved3 * T12o + minus_moved3o * T12 + (moved1 * gvo1 + moved1o * gv1),
-        minus_moved3 * gvo2 + minus_moved3o * gv2 + (moved1 * fo + moved1o * f_v),
-        V21,
-        V22,
-        V23,
-        moved2 * fo + moved2o * f_v + (minus_moved1 * gvo3 + minus_moved1o * gv3),
-        moved2 * T12o + moved2o * T12 + (minus_moved1 * fo + minus_moved1o * f_v),
-        moved2 * gvo2 + moved2o * gv2 + (minus_moved1 * T23o + minus_moved1o * T23),
-        V31,
-        V32,
-        V33,
-        Q11,
-        Q12,
-        Q13,
-        0,
-        0,
-        0,
-        Q21,
-        Q22,
-        Q23,
-        0,
-        0,
-        0,
-        Q31,
-        Q32,
-        Q33,
-        0,
-        0,
-        0,
-        R11o,
-        R12o,
-        R13o,
-        Q11,
-        Q12,
-        Q13,
-        R21o,
-        R22o,
-        R23o,
-        Q21,
-        Q22,
-        Q23,
-        R31o,
-        R32o,
-        R33o,
-        Q31,
-        Q32,
-        Q33,
-    )
-
-
-def _own_transform_line_jacobians_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, line: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    l1, l2, l3, m1, m2, m3 = line
-    (
-        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
-        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36, o37, o38, o39, o40, o41, o42, o43, o44, o45, o46,
-        o47, o48, o49, o50, o51, o52, o53, o54, o55, o56, o57, o58, o59, o60, o61, o62, o63, o64, o65, o66, o67, o68,
-        o69, o70, o71, o72,
-    ) = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22 = scratch
-    n0, n1, n2, n4, n8, n16 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    x12 = add(v11, v22, k3)
-    v33 = mul(v3, v3, k4)
-    x13 = add(v11, v33, k1)
-    x23 = add(v22, v33, k2)
-    x = add(x12, v33, k4)
-    z = div(x, n4, k4)
-    N = add(n1, z, k4)
-    r = mul(n2, div(div(N, N, k5), N, k5), k5)
-    e = div(n2, N, k4)
-    eg = mul(e, r, k4)
-    fy = neg(eg, k4)
-    g_v = div(r, n4, k6)
-    Q33 = sub(n1, mul(g_v, x12, k3), o51)
-    Q22 = sub(n1, mul(g_v, x13, k1), o44)
-    Q11 = sub(n1, mul(g_v, x23, k1), o37)
-    f_v = div(r, n2, k1)
-    gv2 = mul(v2, g_v, k2)
-    gvv3 = mul(gv2, v3, k3)
-    fv1 = mul(v1, f_v, k5)
-    Q32 = add(gvv3, fv1, o50)
-    Q23 = sub(gvv3, fv1, o45)
-    gv1 = mul(v1, g_v, k3)
-    gvv2 = mul(gv1, v3, k5)
-    fv2 = mul(v2, f_v, k7)
-    Q31 = sub(gvv2, fv2, o49)
-    Q13 = add(gvv2, fv2, o39)
-    gv3 = mul(v3, g_v, k5)
-    rho1 = add(mul(v1o, f_v, k7), sub(mul(gv2, v3o, k8), mul(gv3, v2o, k9), k8), k7)
-    rho2 = add(mul(v2o, f_v, k8), sub(mul(gv3, v1o, k9), mul(gv1, v3o, k10), k9), k8)
-    R33o = sub(mul(Q23, rho1, k9), mul(Q13, rho2, k10), o69)
-    gvv1 = mul(gv1, v2, k9)
-    fv3 = mul(v3, f_v, k10)
-    Q12 = sub(gvv1, fv3, o38)
-    Q21 = add(gvv1, fv3, o43)
-    R32o = sub(mul(Q22, rho1, k9), mul(Q12, rho2, k10), o68)
-    R31o = sub(mul(Q21, rho1, k9), mul(Q11, rho2, k10), o67)
-    rho3 = add(mul(v3o, f_v, k9), sub(mul(gv1, v2o, k10), mul(gv2, v1o, k11), k10), k9)
-    R23o = sub(mul(Q13, rho3, k10), mul(Q33, rho1, k11), o63)
-    R22o = sub(mul(Q12, rho3, k10), mul(Q32, rho1, k11), o62)
-    R21o = sub(mul(Q11, rho3, k10), mul(Q31, rho1, k7), o61)
-    R13o = sub(mul(Q33, rho2, k7), mul(Q23, rho3, k10), o57)
-    R12o = sub(mul(Q32, rho2, k7), mul(Q22, rho3, k10), o56)
-    R11o = sub(mul(Q31, rho2, k7), mul(Q21, rho3, k8), o55)
-    moved2 = add(add(mul(Q21, l1, k7), mul(Q22, l2, k8), k7), mul(Q23, l3, k8), k7)
-    moved1 = add(add(mul(Q11, l1, k8), mul(Q12, l2, k9), k8), mul(Q13, l3, k9), k8)
-    minus_moved1 = neg(moved1, k9)
-    add(mul(moved2, f_v, k10), mul(minus_moved1, gv3, k11), o13)
-    T23 = neg(gv1, k10)
-    add(mul(moved2, gv2, k11), mul(minus_moved1, T23, k12), o15)
-    T12 = neg(gv3, k11)
-    add(mul(moved2, T12, k12), mul(minus_moved1, f_v, k13), o14)
-    moved2o = add(
-        add(add(mul(Q21, m1, k12), mul(R21o, l1, k13), k12), add(mul(Q22, m2, k13), mul(R22o, l2, k14), k13), k12),
-        add(mul(Q23, m3, k13), mul(R23o, l3, k14), k13), k12
-    )
-    moved1o = add(
-        add(add(mul(Q11, m1, k13), mul(R11o, l1, k14), k13), add(mul(Q12, m2, k14), mul(R12o, l2, k15), k14), k13),
-        add(mul(Q13, m3, k14), mul(R13o, l3, k15), k14), k13
-    )
-    minus_moved1o = neg(moved1o, k14)
-    gy_v = div(fy, n16, k15)
-    fy_v = div(fy, n8, k4)
-    y = add(add(mul(v1, v1o, k16), mul(v2, v2o, k17), k16), mul(v3, v3o, k17), k16)
-    go = mul(gy_v, y, k15)
-    fo = mul(fy_v, y, k4)
-    gvo2 = add(mul(v2o, g_v, k16), mul(v2, go, k17), k16)
-    gvo1 = add(mul(v1o, g_v, k17), mul(v1, go, k18), k17)
-    gvo3 = add(mul(v3o, g_v, k6), mul(v3, go, k15), k6)
-    add(
-        add(mul(moved2, fo, k15), mul(moved2o, f_v, k18), k15), add(mul(minus_moved1, gvo3, k18), mul(minus_moved1o,
-        gv3, k19), k18), o31
-    )
-    T23o = neg(gvo1, k15)
-    add(
-        add(mul(moved2, gvo2, k18), mul(moved2o, gv2, k19), k18), add(mul(minus_moved1, T23o, k19), mul(minus_moved1o,
-        T23, k20), k19), o33
-    )
-    T12o = neg(gvo3, k18)
-    add(
-        add(mul(moved2, T12o, k19), mul(moved2o, T12, k20), k19), add(mul(minus_moved1, fo, k9), mul(minus_moved1o, f_v,
-        k14), k9), o32
-    )
-    minus_moved2 = neg(moved2, k7)
-    minus_moved2o = neg(moved2o, k9)
-    moved3 = add(add(mul(Q31, l1, k12), mul(Q32, l2, k14), k12), mul(Q33, l3, k14), k12)
-    add(mul(moved3, T23, k14), mul(minus_moved2, f_v, k19), o3)
-    add(mul(moved3, f_v, k14), mul(minus_moved2, gv1, k19), o2)
-    minus_moved3 = neg(moved3, k14)
-    add(mul(minus_moved3, gv2, k19), mul(moved1, f_v, k20), o9)
-    add(mul(minus_moved3, T12, k19), mul(moved1, gv1, k20), o8)
-    T31 = neg(gv2, k19)
-    add(mul(minus_moved3, f_v, k20), mul(moved1, T31, k21), o7)
-    add(mul(moved3, gv3, k20), mul(minus_moved2, T31, k21), o1)
-    moved3o = add(
-        add(add(mul(Q31, m1, k20), mul(R31o, l1, k21), k20), add(mul(Q32, m2, k21), mul(R32o, l2, k22), k21), k20),
-        add(mul(Q33, m3, k21), mul(R33o, l3, k22), k21), k20
-    )
-    add(
-        add(mul(moved3, T23o, k15), mul(moved3o, T23, k10), k10), add(mul(minus_moved2, fo, k15), mul(minus_moved2o,
-        f_v, k21), k15), o21
-    )
-    add(
-        add(mul(moved3, fo, k10), mul(moved3o, f_v, k15), k10), add(mul(minus_moved2, gvo1, k15), mul(minus_moved2o,
-        gv1, k21), k15), o20
-    )
-    minus_moved3o = neg(moved3o, k10)
-    add(
-        add(mul(minus_moved3, T12o, k15), mul(minus_moved3o, T12, k11), k11), add(mul(moved1, gvo1, k15), mul(moved1o,
-        gv1, k3), k3), o26
-    )
-    add(
-        add(mul(minus_moved3, gvo2, k3), mul(minus_moved3o, gv2, k2), k2), add(mul(moved1, fo, k3), mul(moved1o, f_v,
-        k11), k3), o27
-    )
-    T31o = neg(gvo2, k2)
-    add(
-        add(mul(minus_moved3, fo, k3), mul(minus_moved3o, f_v, k1), k1), add(mul(moved1, T31o, k3), mul(moved1o, T31,
-        k4), k3), o25
-    )
-    add(
-        add(mul(moved3, gvo3, k1), mul(moved3o, gv3, k3), k1), add(mul(minus_moved2, T31o, k2), mul(minus_moved2o, T31,
-        k3), k2), o19
-    )
-    copy(n0, o4)
-    copy(n0, o5)
-    copy(n0, o6)
-    copy(n0, o10)
-    copy(n0, o11)
-    copy(n0, o12)
-    copy(n0, o16)
-    copy(n0, o17)
-    copy(n0, o18)
-    copy(o1, o22)
-    copy(o2, o23)
-    copy(o3, o24)
-    copy(o7, o28)
-    copy(o8, o29)
-    copy(o9, o30)
-    copy(o13, o34)
-    copy(o14, o35)
-    copy(o15, o36)
-    copy(n0, o40)
-    copy(n0, o41)
-    copy(n0, o42)
-    copy(n0, o46)
-    copy(n0, o47)
-    copy(n0, o48)
-    copy(n0, o52)
-    copy(n0, o53)
-    copy(n0, o54)
-    copy(o37, o58)
-    copy(o38, o59)
-    copy(o39, o60)
-    copy(o43, o64)
-    copy(o44, o65)
-    copy(o45, o66)
-    copy(o49, o70)
-    copy(o50, o71)
-    copy(o51, o72)
-
-
 CHART = Chart(
     __name__,
     branches=1,
@@ -4257,54 +3104,13 @@ CHART = Chart(
     ),
     functions={
         "quaternion": Function(_quaternion, _quaternion_blocks, 0, 0, (-1, 1, 2, 4, 8)),
+        "pose": Function(_pose, _pose_blocks, 0, 0, (0, 1, 2, 4)),
+        "tangent": Function(_tangent, _tangent_blocks, 0, 0, (0, 1, 2, 4, 8, 16)),
+        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 0, 0, (0, 1, 2, 4, 8, 16, 32, 64)),
         "natural": Function(_natural, _natural_blocks, 0, 0, (1, 2, 4)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 2)),
     },
     own={
-        "tensor": Kernel(
-        _own_tensor,
-        _own_tensor_blocks,
-        (("v", (6,)),),
-        (2, 3, 3),
-        registers=7,
-        masks=0,
-        numbers=(1, 2, 4),
-        lent=(),
-        real=False,
-    ),
-        "pose": Kernel(
-        _own_pose,
-        _own_pose_blocks,
-        (("v", (6,)),),
-        (4, 4),
-        registers=7,
-        masks=0,
-        numbers=(0, 1, 2, 4),
-        lent=(),
-        real=False,
-    ),
-        "transform_point": Kernel(
-        _own_transform_point,
-        _own_transform_point_blocks,
-        (("v", (6,)), ("r", (3,)),),
-        (3,),
-        registers=13,
-        masks=0,
-        numbers=(1, 2, 4),
-        lent=(),
-        real=False,
-    ),
-        "transform_line": Kernel(
-        _own_transform_line,
-        _own_transform_line_blocks,
-        (("v", (6,)), ("line", (6,)),),
-        (6,),
-        registers=13,
-        masks=0,
-        numbers=(1, 2, 4),
-        lent=(),
-        real=False,
-    ),
         "tangent": Kernel(
         _own_tangent,
         _own_tangent_blocks,
@@ -4349,17 +3155,6 @@ CHART = Chart(
         lent=(),
         real=False,
     ),
-        "twist": Kernel(
-        _own_twist,
-        _own_twist_blocks,
-        (("v", (6,)), ("v_dot", (6,)),),
-        (6,),
-        registers=11,
-        masks=0,
-        numbers=(1, 2, 4, 8, 16),
-        lent=(),
-        real=False,
-    ),
         "rate": Kernel(
         _own_rate,
         _own_rate_blocks,
@@ -4377,17 +3172,6 @@ CHART = Chart(
         (("v", (6,)), ("v_dot", (6,)),),
         (2, 3, 3),
         registers=9,
-        masks=0,
-        numbers=(1, 2, 4, 8, 16, 32, 64),
-        lent=(),
-        real=False,
-    ),
-        "twist_dot": Kernel(
-        _own_twist_dot,
-        _own_twist_dot_blocks,
-        (("v", (6,)), ("v_dot", (6,)), ("v_ddot", (6,)),),
-        (6,),
-        registers=14,
         masks=0,
         numbers=(1, 2, 4, 8, 16, 32, 64),
         lent=(),
@@ -4502,39 +3286,6 @@ CHART = Chart(
         numbers=(0, 1, 2, 4, 8, 16),
         lent=(),
         real=True,
-    ),
-        "adjoint": Kernel(
-        _own_adjoint,
-        _own_adjoint_blocks,
-        (("v", (6,)),),
-        (6, 6),
-        registers=7,
-        masks=0,
-        numbers=(0, 1, 2, 4),
-        lent=(),
-        real=False,
-    ),
-        "transform_point_jacobians": Kernel(
-        _own_transform_point_jacobians,
-        _own_transform_point_jacobians_blocks,
-        (("v", (6,)), ("r", (3,)),),
-        (27,),
-        registers=11,
-        masks=0,
-        numbers=(1, 2, 4, 8, 16),
-        lent=(),
-        real=False,
-    ),
-        "transform_line_jacobians": Kernel(
-        _own_transform_line_jacobians,
-        _own_transform_line_jacobians_blocks,
-        (("v", (6,)), ("line", (6,)),),
-        (72,),
-        registers=22,
-        masks=0,
-        numbers=(0, 1, 2, 4, 8, 16),
-        lent=(),
-        real=False,
     ),
     },
 )
