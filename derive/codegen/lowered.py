@@ -60,7 +60,7 @@ def lower_chart(chart: Chart) -> Lowered:
         program = KERNELS[name].traced(chart)
         operations = sum((scalars[call.function].operations for call in shared.calls), shared.operations)
         needed = any(_is_fractional(scalars[function]) for function in functions) or _divides_constants(shared, scalars)
-        if needed or _is_worth(program.operations.total(), operations.total()):
+        if needed or is_worth(program.operations.total(), operations.total()):
             own[name], operations = program, program.operations
         else:
             called |= functions
@@ -87,7 +87,8 @@ def _divides_constants(program: Program, scalars: Mapping[str, Program], given: 
     return False
 
 
-def _is_worth(own: int, shared: int) -> bool:
+def is_worth(own: int, shared: int) -> bool:
+    """Whether a program of so many operations is worth its lines, where geometry's takes so many."""
     return own < WORTH * shared and shared - own > own / LINES
 
 
