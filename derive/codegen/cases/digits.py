@@ -113,7 +113,7 @@ class Decimal:
         return Decimal(abs(self.value))
 
     def sqrt(self) -> Decimal:
-        return Decimal(mpmath.sqrt(self.value))
+        return Decimal(mpmath.sqrt(self.value) if self.value >= 0 else mpmath.nan)
 
     def tan(self) -> Decimal:
         return Decimal(mpmath.tan(self.value))
