@@ -51,6 +51,7 @@ bench: $(VENV)/.bench  ## proof times by order, then kernels against peers and t
 
 accuracy: $(VENV)/.bench  ## worst errors and figures in docs: make accuracy SEARCH=60 looks for worse inputs
 	$(RUN) -m benchmarks.accuracy --search $(or $(SEARCH),0)
+	$(RUN) -m benchmarks.conditioning
 
 clean:  ## remove the environment and caches
 	rm -rf $(VENV) .mutants build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis

@@ -76,7 +76,7 @@ class ByAngle(OwnAxis):
         angle = m.name("own", self.own_angle(at, r))
         _, before = self.sized(angle, m)
         after, slope = self.sized(m.name("alphak", angle + further), m, "k")
-        return m.name("rk", after), m.name("slope", slope / before)
+        return m.name("rk", after), m.name("slope", m.div(slope, before))
 
     def beyond(
         self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic

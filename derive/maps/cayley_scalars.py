@@ -15,113 +15,15 @@ overflowed and 1/N would be finite and wrong. Only x is needed, never |v|: a pur
 from __future__ import annotations
 
 from functools import cached_property
-from typing import Any
 
 from ..algebra import Coefficient
-from ..algebra.arithmetic import Arithmetic
 from . import polynomials
-from .evaluation import HORNER_LIMIT, Jet, chain, horner
+from .cayley_polynomials import CayleyPolynomials
 from .way_back import has_ladder
 
 
-class CayleyScalars:
+class CayleyScalars(CayleyPolynomials):
     """What the Cayley map of an order makes of x; every value is computed, and named, when it is asked for."""
-
-    def __init__(self, order: int, x: Coefficient, m: Arithmetic) -> None:
-        self.order = order
-        self.x = x
-        self.m = m
-
-    # --- polynomials ------------------------------------------------------------------------------------------
-
-    @property
-    def _expanded(self) -> bool:
-        """Small orders are evaluated by Horner's rule; above, it loses digits on shadows and the chain does not."""
-        return self.order <= HORNER_LIMIT
-
-    @cached_property
-    def _chain(self) -> dict[int, tuple[Jet, Jet]]:
-        return chain(self.order, self.x, self.m)
-
-    @cached_property
-    def _jets(self) -> tuple[Jet, Jet]:
-        return self._chain[self.order]
-
-    def _horner(self, name: str, polynomial: Any, derivative: int = 0) -> Coefficient:
-        for _ in range(derivative):
-            polynomial = polynomial.diff(polynomials.RING_X)
-        return self.m.name(name, horner(polynomial, self.x))
-
-    @cached_property
-    def p(self) -> Coefficient:
-        """p_n, CP23 (51)."""
-        return self._horner("p", polynomials.ring_pair(self.order)[0]) if self._expanded else self._jets[0].value
-
-    @cached_property
-    def q(self) -> Coefficient:
-        """q_n, CP23 (52)."""
-        return self._horner("q", polynomials.ring_pair(self.order)[1]) if self._expanded else self._jets[1].value
-
-    @cached_property
-    def dp(self) -> Coefficient:
-        if self._expanded:
-            return self._horner("dp", polynomials.ring_pair(self.order)[0], 1)
-        return self._jets[0].first
-
-    @cached_property
-    def dq(self) -> Coefficient:
-        if self._expanded:
-            return self._horner("dq", polynomials.ring_pair(self.order)[1], 1)
-        return self._jets[1].first
-
-    @cached_property
-    def ddq(self) -> Coefficient:
-        if self._expanded:
-            return self._horner("ddq", polynomials.ring_pair(self.order)[1], 2)
-        return self.m.name("ddq", 2 * self._jets[1].half_second)
-
-    @cached_property
-    def c(self) -> Coefficient:
-        """``[n (1+x)ⁿ⁻¹ − p q]/x = 2 (p q′ − q p′)``."""
-        if self._expanded:
-            return self._horner("c", polynomials.ring_brackets(self.order)[0])
-        return self.m.name("c", 2 * (self.p * self.dq - self.q * self.dp))
-
-    @cached_property
-    def dc(self) -> Coefficient:
-        if self._expanded:
-            return self._horner("dc", polynomials.ring_brackets(self.order)[0], 1)
-        p, q = self._jets
-        return self.m.name("dc", 4 * (self.p * q.half_second - self.q * p.half_second))
-
-    @cached_property
-    def ddc(self) -> Coefficient:
-        if self._expanded:
-            return self._horner("ddc", polynomials.ring_brackets(self.order)[0], 2)
-        p, q = self._jets
-        cubic = 3 * (self.p * q.sixth_third - self.q * p.sixth_third)
-        return self.m.name("ddc", 4 * (cubic + p.first * q.half_second - q.first * p.half_second))
-
-    @cached_property
-    def d(self) -> Coefficient:
-        """``[(1+x) q − n p]/x = q − 2 q′ − 2 p′``."""
-        if self._expanded:
-            return self._horner("d", polynomials.ring_brackets(self.order)[1])
-        return self.m.name("d", self.q - 2 * (self.dq + self.dp))
-
-    @cached_property
-    def dd(self) -> Coefficient:
-        if self._expanded:
-            return self._horner("dd", polynomials.ring_brackets(self.order)[1], 1)
-        p, q = self._jets
-        return self.m.name("dd", self.dq - 4 * (q.half_second + p.half_second))
-
-    @cached_property
-    def ddd(self) -> Coefficient:
-        if self._expanded:
-            return self._horner("ddd", polynomials.ring_brackets(self.order)[1], 2)
-        p, q = self._jets
-        return self.m.name("ddd", self.ddq - 12 * (q.sixth_third + p.sixth_third))
 
     # --- norm -------------------------------------------------------------------------------------------------
 
@@ -162,7 +64,11 @@ class CayleyScalars:
     @cached_property
     def _growth(self) -> Coefficient:
         """``2 N′/N = 2n/(1 + x)``."""
-        return self.m.name("e", 2 * self.order / (1 + self.x))
+        return self.m.name("e", 2 * self.order / self._beyond_one)
+
+    @cached_property
+    def _beyond_one(self) -> Coefficient:
+        return self.m.name("x1", 1 + self.x)
 
     # --- q̂ = s + w v, CP23 (50), (55) -------------------------------------------------------------------------
 
@@ -214,7 +120,7 @@ class CayleyScalars:
     @cached_property
     def _falling(self) -> Coefficient:
         """``−2 e′ = e²/n``."""
-        return self.m.name("ee", 2 * self._growth / (1 + self.x))
+        return self.m.name("ee", 2 * self._growth / self._beyond_one)
 
     @cached_property
     def fy(self) -> Coefficient:
@@ -244,13 +150,21 @@ class CayleyScalars:
     @cached_property
     def fyy(self) -> Coefficient:
         """``2 fy′ = hy − e gy + (e²/n) g``."""
-        return self.m.name("fyy", self.hy - self._growth * self.gy + self._falling * self.g)
+        return self.m.name("fyy", self.hy - self._growing_gy + self._falling_g)
+
+    @cached_property
+    def _growing_gy(self) -> Coefficient:
+        return self.m.name("egy", self._growth * self.gy)
+
+    @cached_property
+    def _falling_g(self) -> Coefficient:
+        return self.m.name("eeg", self._falling * self.g)
 
     @cached_property
     def gyy(self) -> Coefficient:
         """``2 gy′ = 16 (q q″ + q′²)/N − e (gy + 8 q q′/N) + (e²/n) g``."""
         bend = 8 * ((self.q * self.ddq + self.dq * self.dq) * self._twice_inverse_norm)
-        return self.m.name("gyy", bend - self._growth * (self.gy + self._rising) + self._falling * self.g)
+        return self.m.name("gyy", bend - (self._growing_gy + self._growth * self._rising) + self._falling_g)
 
     @cached_property
     def hyy(self) -> Coefficient:
@@ -267,6 +181,11 @@ class CayleyScalars:
     @cached_property
     def _bracket(self) -> Coefficient:
         return self.m.name("diq", self.d * self._inverse_q)
+
+    @cached_property
+    def _log_slope(self) -> Coefficient:
+        """``q′/q``."""
+        return self.m.name("dqiq", self.dq * self._inverse_q)
 
     @cached_property
     def fi(self) -> Coefficient:
@@ -290,11 +209,11 @@ class CayleyScalars:
     @cached_property
     def fiyy(self) -> Coefficient:
         """``2 fiy′ = (4 c q′/q − 2 c′)/q²``."""
-        change = 4 * self.c * (self.dq * self._inverse_q) - 2 * self.dc
+        change = 4 * self.c * self._log_slope - 2 * self.dc
         return self.m.name("fiyy", change * self._inverse_q * self._inverse_q)
 
     @cached_property
     def hiyy(self) -> Coefficient:
         """``2 hiy′ = 4 (d″ − d q″/q)/(n q) − 4 (q′/q) hiy``."""
         bend = self.m.div(4 * ((self.ddd - self.ddq * self._bracket) * self._inverse_q), self.order)
-        return self.m.name("hiyy", bend - 4 * (self.dq * self._inverse_q) * self.hiy)
+        return self.m.name("hiyy", bend - 4 * self._log_slope * self.hiy)

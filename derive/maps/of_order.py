@@ -93,7 +93,7 @@ class OfOrder(OwnAxis):
         side = m.name("side", m.where(m.less(further, 0), -1, 1))
         _, before = self.sized(s, c, m)
         after, slope = self.sized(m.name("sk", side * (s * cosine + c * sine)), m.name("ck", side * further), m, "k")
-        return m.name("rk", after), m.name("slope", slope / before)
+        return m.name("rk", after), m.name("slope", m.div(slope, before))
 
     def beyond(
         self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic

@@ -69,6 +69,9 @@ class SineScalars(DependentScalars):
         """cos θ."""
         return self.m.name("c", self.m.sqrt(self.cc))
 
+    def _at(self, name: str, polynomial: Any) -> Coefficient:
+        return self.m.name(name, horner(polynomial, self.y))
+
     def _with_root(self, value: Coefficient, odd: bool) -> Coefficient:
         return self.c * value if odd else value
 
@@ -95,7 +98,7 @@ class SineScalars(DependentScalars):
     @cached_property
     def hy(self) -> Coefficient:
         """``(2 H′ + H/c²)/(K⁵ c)``."""
-        direct = self.over(2 * horner(self.H.diff(RING_X), self.y) / self.c, 5)
+        direct = self.over(2 * self._at("dH", self.H.diff(RING_X)) / self.c, 5)
         return self.m.name("hy", direct + self.over(self.h / self.cc, 2))
 
     @cached_property
@@ -106,7 +109,7 @@ class SineScalars(DependentScalars):
     def hyy(self) -> Coefficient:
         """``(4 H″ + 4 H′/c² + 3 H/c⁴)/(K⁷ c) = (4 H″ − 2 H′/c²)/(K⁷ c) + 3 h_y/(K² c²)``."""
         slope = self.H.diff(RING_X)
-        first, second = horner(slope, self.y), horner(slope.diff(RING_X), self.y)
+        first, second = self._at("dH", slope), self._at("ddH", slope.diff(RING_X))
         direct = self.over((4 * second - self.m.div(2 * first, self.cc)) / self.c, 7)
         return self.m.name("hyy", direct + self.over(3 * self.hy / self.cc, 2))
 
@@ -117,12 +120,12 @@ class SineScalars(DependentScalars):
 
     @cached_property
     def hi(self) -> Coefficient:
-        return self.m.name("hi", self.m.div(self._with_root(horner(self.B, self.y), self.odd), self._below))
+        return self.m.name("hi", self.m.div(self._with_root(self._at("B", self.B), self.odd), self._below))
 
     @cached_property
     def hiy(self) -> Coefficient:
         """By ``n K² (w h_i)_y = (2 B′ c − B/c)/K²``, or ``2 B′/K²``."""
-        B, dB = horner(self.B, self.y), 2 * horner(self.B.diff(RING_X), self.y)
+        B, dB = self._at("B", self.B), 2 * self._at("dB", self.B.diff(RING_X))
         change = self.over(self.c * dB - self.m.div(B, self.c) if self.odd else dB, 2)
         return self.m.name("hiy", self._quotient(change, self.hi * self.wy))
 
@@ -130,7 +133,7 @@ class SineScalars(DependentScalars):
     def hiyy(self) -> Coefficient:
         """By ``n K² (w h_i)_yy = (4 B″ c − 4 B′/c − B/c³)/K⁴``, or ``4 B″/K⁴``."""
         slope = self.B.diff(RING_X)
-        B, dB, ddB = (horner(polynomial, self.y) for polynomial in (self.B, slope, slope.diff(RING_X)))
+        B, dB, ddB = self._at("B", self.B), self._at("dB", slope), self._at("ddB", slope.diff(RING_X))
         change = 4 * ddB
         if self.odd:
             change = self.c * change - self.m.div(4 * dB + self.m.div(B, self.cc), self.c)

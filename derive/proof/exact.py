@@ -111,12 +111,14 @@ class Ring:
             raise TypeError(f"expected a SymPy expression or an exact number, not {type(expression).__name__}")
         return self._lift(expression, {symbol: self.element(value) for symbol, value in values.items()})
 
-    def value_and_slope(self, expression: Any, symbol: Any, square: Element) -> tuple[Element, Element]:
-        """An expression in one symbol as an element where this is the first square, and its derivative by it."""
+    def derivatives(self, expression: Any, symbol: Any, square: Element, order: int) -> list[Element]:
+        """An expression in one symbol as an element where this is the first square, and its derivatives by it."""
         if square != self.square(self.vectors[0]):
             raise ValueError(f"derivatives are by the square of {self.vectors[0]}, not by {square!r}")
-        value = self.lift(expression, {symbol: square})
-        return value, value.derivative(self.square_names[0])
+        found = [self.lift(expression, {symbol: square})]
+        while len(found) <= order:
+            found.append(found[-1].derivative(self.square_names[0]))
+        return found
 
     def element(self, value: Operand) -> Element:
         """The value itself if it is of this ring, else the constant; floats are refused."""

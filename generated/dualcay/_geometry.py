@@ -1010,6 +1010,896 @@ def rate_blocks(
     )
 
 
+# operations 177: 71 +, 104 *, 2 /
+def tangent_dot(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    side, = table
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    _, g, h, fy, gy, hy, fyy, gyy, hyy = c.tangent_dot(m, x)
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    go = gy * y
+    ho = hy * y
+    fyo = fyy * y
+    gyo = gyy * y
+    hyo = hyy * y
+    vw = v1 * w1 + v2 * w2 + v3 * w3
+    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
+    gt = gy * vw
+    gto = gy * vwo + gyo * vw
+    gw1 = w1 * g
+    gw1o = w1 * go + w1o * g
+    gw2 = w2 * g
+    gw2o = w2 * go + w2o * g
+    gw3 = w3 * g
+    gw3o = w3 * go + w3o * g
+    s1 = (v1 * gt + gw1) * side
+    s1o = (v1 * gto + v1o * gt + gw1o) * side
+    s2 = (v2 * gt + gw2) * side
+    s2o = (v2 * gto + v2o * gt + gw2o) * side
+    s3 = (v3 * gt + gw3) * side
+    s3o = (v3 * gto + v3o * gt + gw3o) * side
+    ht = hy * vw / 2
+    hto = (hy * vwo + hyo * vw) / 2
+    hw1 = w1 * h
+    hw1o = w1 * ho + w1o * h
+    hw2 = w2 * h
+    hw2o = w2 * ho + w2o * h
+    hw3 = w3 * h
+    hw3o = w3 * ho + w3o * h
+    b1 = v1 * ht + hw1
+    b1o = v1 * hto + v1o * ht + hw1o
+    b2 = v2 * ht + hw2
+    b2o = v2 * hto + v2o * ht + hw2o
+    b3 = v3 * ht + hw3
+    b3o = v3 * hto + v3o * ht + hw3o
+    ft = fy * vw
+    fto = fy * vwo + fyo * vw
+    d12 = v1 * b2 + b1 * v2
+    d12o = v1 * b2o + v1o * b2 + (b1 * v2o + b1o * v2)
+    d13 = v1 * b3 + b1 * v3
+    d13o = v1 * b3o + v1o * b3 + (b1 * v3o + b1o * v3)
+    d23 = v2 * b3 + b2 * v3
+    d23o = v2 * b3o + v2o * b3 + (b2 * v3o + b2o * v3)
+    return (
+        ft + 2 * (v1 * b1),
+        d12 - s3,
+        d13 + s2,
+        d12 + s3,
+        ft + 2 * (v2 * b2),
+        d23 - s1,
+        d13 - s2,
+        d23 + s1,
+        ft + 2 * (v3 * b3),
+        fto + 2 * (v1 * b1o + v1o * b1),
+        d12o - s3o,
+        d13o + s2o,
+        d12o + s3o,
+        fto + 2 * (v2 * b2o + v2o * b2),
+        d23o - s1o,
+        d13o - s2o,
+        d23o + s1o,
+        fto + 2 * (v3 * b3o + v3o * b3),
+    )
+
+
+def tangent_dot_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows, table: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    side, = table
+    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, *spare = scratch
+    *spare_masks, = masks
+    n2, = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    vw = add(add(mul(v1, w1, k2), mul(v2, w2, k3), k2), mul(v3, w3, k3), k2)
+    y = add(add(mul(v1, v1o, k3), mul(v2, v2o, k4), k3), mul(v3, v3o, k4), k3)
+    vwo = add(
+        add(add(mul(v1, w1o, k4), mul(v1o, w1, k5), k4), add(mul(v2, w2o, k5), mul(v2o, w2, k6), k5), k4), add(mul(v3,
+        w3o, k5), mul(v3o, w3, k6), k5), k4
+    )
+    _, g, h, fy, gy, hy, fyy, gyy, hyy = c.tangent_dot(
+        (k5, k6, k7, k8, k9, k10, k11, k12, k13), (*spare,), (*spare_masks,), x
+    )
+    hyo = mul(hyy, y, k1)
+    hto = div(add(mul(hy, vwo, k5), mul(hyo, vw, k1), k1), n2, k1)
+    fyo = mul(fyy, y, k5)
+    fto = add(mul(fy, vwo, k11), mul(fyo, vw, k5), k5)
+    ft = mul(fy, vw, k8)
+    gyo = mul(gyy, y, k11)
+    gto = add(mul(gy, vwo, k4), mul(gyo, vw, k11), k4)
+    ht = div(mul(hy, vw, k11), n2, k11)
+    gt = mul(gy, vw, k2)
+    ho = mul(hy, y, k10)
+    go = mul(gy, y, k3)
+    hw1 = mul(w1, h, k9)
+    b1 = add(mul(v1, ht, k12), hw1, k9)
+    add(ft, mul(n2, mul(v1, b1, k12), k12), o1)
+    hw2 = mul(w2, h, k12)
+    b2 = add(mul(v2, ht, k13), hw2, k12)
+    add(ft, mul(n2, mul(v2, b2, k13), k13), o5)
+    d12 = add(mul(v1, b2, k13), mul(b1, v2, k14), k13)
+    gw3 = mul(w3, g, k14)
+    s3 = mul(add(mul(v3, gt, k15), gw3, k14), side, k14)
+    sub(d12, s3, o2)
+    add(d12, s3, o4)
+    hw3 = mul(w3, h, k13)
+    b3 = add(mul(v3, ht, k14), hw3, k13)
+    add(ft, mul(n2, mul(v3, b3, k14), k14), o9)
+    d13 = add(mul(v1, b3, k8), mul(b1, v3, k14), k8)
+    gw2 = mul(w2, g, k14)
+    s2 = mul(add(mul(v2, gt, k15), gw2, k14), side, k14)
+    add(d13, s2, o3)
+    sub(d13, s2, o7)
+    d23 = add(mul(v2, b3, k8), mul(b2, v3, k14), k8)
+    gw1 = mul(w1, g, k14)
+    s1 = mul(add(mul(v1, gt, k15), gw1, k14), side, k14)
+    sub(d23, s1, o6)
+    add(d23, s1, o8)
+    hw1o = add(mul(w1, ho, k8), mul(w1o, h, k14), k8)
+    b1o = add(add(mul(v1, hto, k14), mul(v1o, ht, k15), k14), hw1o, k8)
+    add(fto, mul(n2, add(mul(v1, b1o, k14), mul(v1o, b1, k15), k14), k14), o10)
+    hw2o = add(mul(w2, ho, k14), mul(w2o, h, k15), k14)
+    hw3o = add(mul(w3, ho, k10), mul(w3o, h, k7), k7)
+    b2o = add(add(mul(v2, hto, k10), mul(v2o, ht, k15), k10), hw2o, k10)
+    b3o = add(add(mul(v3, hto, k1), mul(v3o, ht, k11), k1), hw3o, k1)
+    add(fto, mul(n2, add(mul(v2, b2o, k7), mul(v2o, b2, k11), k7), k7), o14)
+    add(fto, mul(n2, add(mul(v3, b3o, k7), mul(v3o, b3, k11), k7), k7), o18)
+    d12o = add(add(mul(v1, b2o, k5), mul(v1o, b2, k7), k5), add(mul(b1, v2o, k7), mul(b1o, v2, k11), k7), k5)
+    d13o = add(add(mul(v1, b3o, k7), mul(v1o, b3, k11), k7), add(mul(b1, v3o, k9), mul(b1o, v3, k8), k8), k7)
+    d23o = add(add(mul(v2, b3o, k1), mul(v2o, b3, k8), k1), add(mul(b2, v3o, k8), mul(b2o, v3, k9), k8), k1)
+    gw3o = add(mul(w3, go, k8), mul(w3o, g, k9), k8)
+    s3o = mul(add(add(mul(v3, gto, k9), mul(v3o, gt, k10), k9), gw3o, k8), side, k8)
+    sub(d12o, s3o, o11)
+    add(d12o, s3o, o13)
+    gw2o = add(mul(w2, go, k5), mul(w2o, g, k8), k5)
+    gw1o = add(mul(w1, go, k3), mul(w1o, g, k6), k3)
+    s2o = mul(add(add(mul(v2, gto, k6), mul(v2o, gt, k8), k6), gw2o, k5), side, k5)
+    s1o = mul(add(add(mul(v1, gto, k4), mul(v1o, gt, k2), k2), gw1o, k2), side, k2)
+    add(d13o, s2o, o12)
+    sub(d13o, s2o, o16)
+    sub(d23o, s1o, o15)
+    add(d23o, s1o, o17)
+
+
+# operations 205: 84 +, 121 *
+def twist_dot(m: Any, c: Any, v: Components, v_dot: Components, v_ddot: Components, table: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    z1, z2, z3, z1o, z2o, z3o = v_ddot
+    side, = table
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    f, g, h, fy, gy, hy, fyy, gyy, hyy = c.tangent_dot(m, x)
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    fo = fy * y
+    go = gy * y
+    ho = hy * y
+    fyo = fyy * y
+    gyo = gyy * y
+    hyo = hyy * y
+    vw = v1 * w1 + v2 * w2 + v3 * w3
+    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
+    gt = gy * vw
+    gto = gy * vwo + gyo * vw
+    gz1 = z1 * g + w1 * gt
+    gz1o = z1 * go + z1o * g + (w1 * gto + w1o * gt)
+    gz2 = z2 * g + w2 * gt
+    gz2o = z2 * go + z2o * g + (w2 * gto + w2o * gt)
+    gz3 = z3 * g + w3 * gt
+    gz3o = z3 * go + z3o * g + (w3 * gto + w3o * gt)
+    pull = v1 * z1 + v2 * z2 + v3 * z3 + (w1 * w1 + w2 * w2 + w3 * w3)
+    pullo = v1 * z1o + v1o * z1 + (v2 * z2o + v2o * z2) + (v3 * z3o + v3o * z3) + 2 * (w1 * w1o + w2 * w2o + w3 * w3o)
+    ht = hy * vw
+    hto = hy * vwo + hyo * vw
+    cvv = h * pull + ht * vw
+    cvvo = h * pullo + ho * pull + (ht * vwo + hto * vw)
+    fyh = fy + h
+    fyho = fyo + ho
+    fh = fyh * vw
+    fho = fyh * vwo + fyho * vw
+    s1 = gz1 * side
+    s1o = gz1o * side
+    s2 = gz2 * side
+    s2o = gz2o * side
+    s3 = gz3 * side
+    s3o = gz3o * side
+    return (
+        z1 * f + w1 * fh + (v2 * s3 - v3 * s2) + v1 * cvv,
+        z2 * f + w2 * fh + (v3 * s1 - v1 * s3) + v2 * cvv,
+        z3 * f + w3 * fh + (v1 * s2 - v2 * s1) + v3 * cvv,
+        z1 * fo + z1o * f + (w1 * fho + w1o * fh) + (v2 * s3o + v2o * s3 - (v3 * s2o + v3o * s2)) + (v1 * cvvo + v1o
+        * cvv),
+        z2 * fo + z2o * f + (w2 * fho + w2o * fh) + (v3 * s1o + v3o * s1 - (v1 * s3o + v1o * s3)) + (v2 * cvvo + v2o
+        * cvv),
+        z3 * fo + z3o * f + (w3 * fho + w3o * fh) + (v1 * s2o + v1o * s2 - (v2 * s1o + v2o * s1)) + (v3 * cvvo + v3o
+        * cvv),
+    )
+
+
+def twist_dot_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows, v_ddot: Rows, table: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    z1, z2, z3, z1o, z2o, z3o = v_ddot
+    side, = table
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, *spare = scratch
+    *spare_masks, = masks
+    n2, = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    vw = add(add(mul(v1, w1, k2), mul(v2, w2, k3), k2), mul(v3, w3, k3), k2)
+    pull = add(
+        add(add(mul(v1, z1, k3), mul(v2, z2, k4), k3), mul(v3, z3, k4), k3), add(add(mul(w1, w1, k4), mul(w2, w2, k5),
+        k4), mul(w3, w3, k5), k4), k3
+    )
+    y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k5), k4), mul(v3, v3o, k5), k4)
+    vwo = add(
+        add(add(mul(v1, w1o, k5), mul(v1o, w1, k6), k5), add(mul(v2, w2o, k6), mul(v2o, w2, k7), k6), k5), add(mul(v3,
+        w3o, k6), mul(v3o, w3, k7), k6), k5
+    )
+    pullo = add(
+        add(add(add(mul(v1, z1o, k6), mul(v1o, z1, k7), k6), add(mul(v2, z2o, k7), mul(v2o, z2, k8), k7), k6),
+        add(mul(v3, z3o, k7), mul(v3o, z3, k8), k7), k6), mul(n2, add(add(mul(w1, w1o, k7), mul(w2, w2o, k8), k7),
+        mul(w3, w3o, k8), k7), k7), k6
+    )
+    f, g, h, fy, gy, hy, fyy, gyy, hyy = c.tangent_dot(
+        (k7, k8, k9, k10, k11, k12, k13, k14, k15), (*spare,), (*spare_masks,), x
+    )
+    gyo = mul(gyy, y, k1)
+    gto = add(mul(gy, vwo, k14), mul(gyo, vw, k1), k1)
+    hyo = mul(hyy, y, k14)
+    hto = add(mul(hy, vwo, k15), mul(hyo, vw, k14), k14)
+    fyo = mul(fyy, y, k13)
+    fyh = add(fy, h, k15)
+    fo = mul(fy, y, k10)
+    fh = mul(fyh, vw, k16)
+    gt = mul(gy, vw, k17)
+    go = mul(gy, y, k11)
+    ho = mul(hy, y, k4)
+    ht = mul(hy, vw, k12)
+    cvvo = add(add(mul(h, pullo, k6), mul(ho, pull, k18), k6), add(mul(ht, vwo, k18), mul(hto, vw, k14), k14), k6)
+    cvv = add(mul(h, pull, k3), mul(ht, vw, k9), k3)
+    fyho = add(fyo, ho, k4)
+    fho = add(mul(fyh, vwo, k5), mul(fyho, vw, k2), k2)
+    gz3 = add(mul(z3, g, k4), mul(w3, gt, k5), k4)
+    s3 = mul(gz3, side, k4)
+    gz2 = add(mul(z2, g, k5), mul(w2, gt, k9), k5)
+    s2 = mul(gz2, side, k5)
+    add(
+        add(add(mul(z1, f, k9), mul(w1, fh, k12), k9), sub(mul(v2, s3, k12), mul(v3, s2, k13), k12), k9), mul(v1, cvv,
+        k12), o1
+    )
+    gz1 = add(mul(z1, g, k9), mul(w1, gt, k12), k9)
+    s1 = mul(gz1, side, k9)
+    add(
+        add(add(mul(z2, f, k12), mul(w2, fh, k13), k12), sub(mul(v3, s1, k13), mul(v1, s3, k14), k13), k12), mul(v2,
+        cvv, k13), o2
+    )
+    add(
+        add(add(mul(z3, f, k12), mul(w3, fh, k13), k12), sub(mul(v1, s2, k13), mul(v2, s1, k14), k13), k12), mul(v3,
+        cvv, k13), o3
+    )
+    gz3o = add(add(mul(z3, go, k12), mul(z3o, g, k13), k12), add(mul(w3, gto, k13), mul(w3o, gt, k14), k13), k12)
+    s3o = mul(gz3o, side, k12)
+    gz2o = add(add(mul(z2, go, k13), mul(z2o, g, k14), k13), add(mul(w2, gto, k14), mul(w2o, gt, k15), k14), k13)
+    gz1o = add(add(mul(z1, go, k11), mul(z1o, g, k8), k8), add(mul(w1, gto, k1), mul(w1o, gt, k11), k1), k1)
+    s2o = mul(gz2o, side, k8)
+    add(
+        add(add(add(mul(z1, fo, k11), mul(z1o, f, k13), k11), add(mul(w1, fho, k13), mul(w1o, fh, k14), k13), k11),
+        sub(add(mul(v2, s3o, k13), mul(v2o, s3, k14), k13), add(mul(v3, s2o, k14), mul(v3o, s2, k15), k14), k13), k11),
+        add(mul(v1, cvvo, k13), mul(v1o, cvv, k14), k13), o4
+    )
+    s1o = mul(gz1o, side, k1)
+    add(
+        add(add(add(mul(z2, fo, k11), mul(z2o, f, k13), k11), add(mul(w2, fho, k13), mul(w2o, fh, k14), k13), k11),
+        sub(add(mul(v3, s1o, k13), mul(v3o, s1, k14), k13), add(mul(v1, s3o, k12), mul(v1o, s3, k4), k4), k4), k4),
+        add(mul(v2, cvvo, k11), mul(v2o, cvv, k12), k11), o5
+    )
+    add(
+        add(add(add(mul(z3, fo, k4), mul(z3o, f, k7), k4), add(mul(w3, fho, k2), mul(w3o, fh, k7), k2), k2),
+        sub(add(mul(v1, s2o, k4), mul(v1o, s2, k5), k4), add(mul(v2, s1o, k1), mul(v2o, s1, k5), k1), k1), k1),
+        add(mul(v3, cvvo, k2), mul(v3o, cvv, k3), k2), o6
+    )
+
+
+# operations 330: 137 +, 181 *, 12 /
+def rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: Components, table: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    z1, z2, z3, z1o, z2o, z3o = omega_dot
+    side, = table
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    fi, hi, fiy, hiy, fiyy, hiyy = c.tangent_inv_dot(m, x)
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    fio = fiy * y
+    hio = hiy * y
+    fiyo = fiyy * y
+    hiyo = hiyy * y
+    vw = v1 * w1 + v2 * w2 + v3 * w3
+    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
+    hvw = hi * vw
+    hvwo = hi * vwo + hio * vw
+    u1 = (w1 * fi + (w2 * v3 - w3 * v2) * side + v1 * hvw) / 2
+    u1o = (w1 * fio + w1o * fi + (w2 * v3o + w2o * v3 - (w3 * v2o + w3o * v2)) * side + (v1 * hvwo + v1o * hvw)) / 2
+    u2 = (w2 * fi + (w3 * v1 - w1 * v3) * side + v2 * hvw) / 2
+    u2o = (w2 * fio + w2o * fi + (w3 * v1o + w3o * v1 - (w1 * v3o + w1o * v3)) * side + (v2 * hvwo + v2o * hvw)) / 2
+    u3 = (w3 * fi + (w1 * v2 - w2 * v1) * side + v3 * hvw) / 2
+    u3o = (w3 * fio + w3o * fi + (w1 * v2o + w1o * v2 - (w2 * v1o + w2o * v1)) * side + (v3 * hvwo + v3o * hvw)) / 2
+    vu = v1 * u1 + v2 * u2 + v3 * u3
+    vuo = v1 * u1o + v1o * u1 + (v2 * u2o + v2o * u2) + (v3 * u3o + v3o * u3)
+    pull = v1 * z1 + v2 * z2 + v3 * z3 + (u1 * w1 + u2 * w2 + u3 * w3)
+    pullo = (
+        v1 * z1o + v1o * z1 + (v2 * z2o + v2o * z2) + (v3 * z3o + v3o * z3) + (u1 * w1o + u1o * w1 + (u2 * w2o + u2o
+        * w2) + (u3 * w3o + u3o * w3))
+    )
+    ft = fiy * vu
+    fto = fiy * vuo + fiyo * vu
+    ht = hiy * vu
+    hto = hiy * vuo + hiyo * vu
+    cvv = hi * pull + ht * vw
+    cvvo = hi * pullo + hio * pull + (ht * vwo + hto * vw)
+    return (
+        (z1 * fi + w1 * ft + (z2 * v3 - z3 * v2 + (w2 * u3 - w3 * u2)) * side + v1 * cvv + u1 * hvw) / 2,
+        (z2 * fi + w2 * ft + (z3 * v1 - z1 * v3 + (w3 * u1 - w1 * u3)) * side + v2 * cvv + u2 * hvw) / 2,
+        (z3 * fi + w3 * ft + (z1 * v2 - z2 * v1 + (w1 * u2 - w2 * u1)) * side + v3 * cvv + u3 * hvw) / 2,
+        (z1 * fio + z1o * fi + (w1 * fto + w1o * ft) + (z2 * v3o + z2o * v3 - (z3 * v2o + z3o * v2) + (w2 * u3o + w2o
+        * u3 - (w3 * u2o + w3o * u2))) * side + (v1 * cvvo + v1o * cvv) + (u1 * hvwo + u1o * hvw)) / 2,
+        (z2 * fio + z2o * fi + (w2 * fto + w2o * ft) + (z3 * v1o + z3o * v1 - (z1 * v3o + z1o * v3) + (w3 * u1o + w3o
+        * u1 - (w1 * u3o + w1o * u3))) * side + (v2 * cvvo + v2o * cvv) + (u2 * hvwo + u2o * hvw)) / 2,
+        (z3 * fio + z3o * fi + (w3 * fto + w3o * ft) + (z1 * v2o + z1o * v2 - (z2 * v1o + z2o * v1) + (w1 * u2o + w1o
+        * u2 - (w2 * u1o + w2o * u1))) * side + (v3 * cvvo + v3o * cvv) + (u3 * hvwo + u3o * hvw)) / 2,
+    )
+
+
+def rate_dot_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows, omega_dot: Rows, table: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    z1, z2, z3, z1o, z2o, z3o = omega_dot
+    side, = table
+    o1, o2, o3, o4, o5, o6 = out
+    (
+        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, *spare,
+    ) = scratch
+    *spare_masks, = masks
+    n2, = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    fi, hi, fiy, hiy, fiyy, hiyy = c.tangent_inv_dot((k2, k3, k4, k5, k6, k7), (*spare,), (*spare_masks,), x)
+    y = add(add(mul(v1, v1o, k1), mul(v2, v2o, k8), k1), mul(v3, v3o, k8), k1)
+    hiyo = mul(hiyy, y, k7)
+    fiyo = mul(fiyy, y, k6)
+    hio = mul(hiy, y, k8)
+    fio = mul(fiy, y, k1)
+    vwo = add(
+        add(add(mul(v1, w1o, k9), mul(v1o, w1, k10), k9), add(mul(v2, w2o, k10), mul(v2o, w2, k11), k10), k9),
+        add(mul(v3, w3o, k10), mul(v3o, w3, k11), k10), k9
+    )
+    vw = add(add(mul(v1, w1, k10), mul(v2, w2, k11), k10), mul(v3, w3, k11), k10)
+    hvwo = add(mul(hi, vwo, k11), mul(hio, vw, k12), k11)
+    hvw = mul(hi, vw, k12)
+    u1o = div(
+        add(add(add(mul(w1, fio, k13), mul(w1o, fi, k14), k13), mul(sub(add(mul(w2, v3o, k14), mul(w2o, v3, k15), k14),
+        add(mul(w3, v2o, k15), mul(w3o, v2, k16), k15), k14), side, k14), k13), add(mul(v1, hvwo, k14), mul(v1o, hvw,
+        k15), k14), k13), n2, k13
+    )
+    u2o = div(
+        add(add(add(mul(w2, fio, k14), mul(w2o, fi, k15), k14), mul(sub(add(mul(w3, v1o, k15), mul(w3o, v1, k16), k15),
+        add(mul(w1, v3o, k16), mul(w1o, v3, k17), k16), k15), side, k15), k14), add(mul(v2, hvwo, k15), mul(v2o, hvw,
+        k16), k15), k14), n2, k14
+    )
+    u3o = div(
+        add(add(add(mul(w3, fio, k15), mul(w3o, fi, k16), k15), mul(sub(add(mul(w1, v2o, k16), mul(w1o, v2, k17), k16),
+        add(mul(w2, v1o, k17), mul(w2o, v1, k18), k17), k16), side, k16), k15), add(mul(v3, hvwo, k16), mul(v3o, hvw,
+        k17), k16), k15), n2, k15
+    )
+    u1 = div(
+        add(add(mul(w1, fi, k16), mul(sub(mul(w2, v3, k17), mul(w3, v2, k18), k17), side, k17), k16), mul(v1, hvw, k17),
+        k16), n2, k16
+    )
+    u2 = div(
+        add(add(mul(w2, fi, k17), mul(sub(mul(w3, v1, k18), mul(w1, v3, k19), k18), side, k18), k17), mul(v2, hvw, k18),
+        k17), n2, k17
+    )
+    u3 = div(
+        add(add(mul(w3, fi, k18), mul(sub(mul(w1, v2, k19), mul(w2, v1, k20), k19), side, k19), k18), mul(v3, hvw, k19),
+        k18), n2, k18
+    )
+    pullo = add(
+        add(add(add(mul(v1, z1o, k19), mul(v1o, z1, k20), k19), add(mul(v2, z2o, k20), mul(v2o, z2, k21), k20), k19),
+        add(mul(v3, z3o, k20), mul(v3o, z3, k21), k20), k19), add(add(add(mul(u1, w1o, k20), mul(u1o, w1, k21), k20),
+        add(mul(u2, w2o, k21), mul(u2o, w2, k22), k21), k20), add(mul(u3, w3o, k21), mul(u3o, w3, k22), k21), k20), k19
+    )
+    vuo = add(
+        add(add(mul(v1, u1o, k20), mul(v1o, u1, k21), k20), add(mul(v2, u2o, k21), mul(v2o, u2, k22), k21), k20),
+        add(mul(v3, u3o, k21), mul(v3o, u3, k22), k21), k20
+    )
+    vu = add(add(mul(v1, u1, k21), mul(v2, u2, k22), k21), mul(v3, u3, k22), k21)
+    hto = add(mul(hiy, vuo, k22), mul(hiyo, vu, k7), k7)
+    fto = add(mul(fiy, vuo, k20), mul(fiyo, vu, k6), k6)
+    ht = mul(hiy, vu, k5)
+    ft = mul(fiy, vu, k4)
+    pull = add(
+        add(add(mul(v1, z1, k20), mul(v2, z2, k21), k20), mul(v3, z3, k21), k20), add(add(mul(u1, w1, k21), mul(u2, w2,
+        k22), k21), mul(u3, w3, k22), k21), k20
+    )
+    cvvo = add(add(mul(hi, pullo, k19), mul(hio, pull, k8), k8), add(mul(ht, vwo, k9), mul(hto, vw, k7), k7), k7)
+    cvv = add(mul(hi, pull, k3), mul(ht, vw, k5), k3)
+    div(
+        add(add(add(add(add(mul(z3, fio, k5), mul(z3o, fi, k8), k5), add(mul(w3, fto, k8), mul(w3o, ft, k9), k8), k5),
+        mul(add(sub(add(mul(z1, v2o, k8), mul(z1o, v2, k9), k8), add(mul(z2, v1o, k9), mul(z2o, v1, k10), k9), k8),
+        sub(add(mul(w1, u2o, k9), mul(w1o, u2, k10), k9), add(mul(w2, u1o, k10), mul(w2o, u1, k19), k10), k9), k8),
+        side, k8), k5), add(mul(v3, cvvo, k8), mul(v3o, cvv, k9), k8), k5), add(mul(u3, hvwo, k8), mul(u3o, hvw, k9),
+        k8), k5), n2, o6
+    )
+    div(
+        add(add(add(add(add(mul(z2, fio, k5), mul(z2o, fi, k8), k5), add(mul(w2, fto, k8), mul(w2o, ft, k9), k8), k5),
+        mul(add(sub(add(mul(z3, v1o, k8), mul(z3o, v1, k9), k8), add(mul(z1, v3o, k9), mul(z1o, v3, k10), k9), k8),
+        sub(add(mul(w3, u1o, k9), mul(w3o, u1, k10), k9), add(mul(w1, u3o, k10), mul(w1o, u3, k19), k10), k9), k8),
+        side, k8), k5), add(mul(v2, cvvo, k8), mul(v2o, cvv, k9), k8), k5), add(mul(u2, hvwo, k8), mul(u2o, hvw, k9),
+        k8), k5), n2, o5
+    )
+    div(
+        add(add(add(add(add(mul(z1, fio, k1), mul(z1o, fi, k5), k1), add(mul(w1, fto, k5), mul(w1o, ft, k6), k5), k1),
+        mul(add(sub(add(mul(z2, v3o, k5), mul(z2o, v3, k6), k5), add(mul(z3, v2o, k6), mul(z3o, v2, k8), k6), k5),
+        sub(add(mul(w2, u3o, k6), mul(w2o, u3, k8), k6), add(mul(w3, u2o, k8), mul(w3o, u2, k9), k8), k6), k5), side,
+        k5), k1), add(mul(v1, cvvo, k5), mul(v1o, cvv, k6), k5), k1), add(mul(u1, hvwo, k5), mul(u1o, hvw, k6), k5),
+        k1), n2, o4
+    )
+    div(
+        add(add(add(add(mul(z3, fi, k1), mul(w3, ft, k5), k1), mul(add(sub(mul(z1, v2, k5), mul(z2, v1, k6), k5),
+        sub(mul(w1, u2, k6), mul(w2, u1, k7), k6), k5), side, k5), k1), mul(v3, cvv, k5), k1), mul(u3, hvw, k5), k1),
+        n2, o3
+    )
+    div(
+        add(add(add(add(mul(z2, fi, k1), mul(w2, ft, k5), k1), mul(add(sub(mul(z3, v1, k5), mul(z1, v3, k6), k5),
+        sub(mul(w3, u1, k6), mul(w1, u3, k7), k6), k5), side, k5), k1), mul(v2, cvv, k5), k1), mul(u2, hvw, k5), k1),
+        n2, o2
+    )
+    div(
+        add(add(add(add(mul(z1, fi, k1), mul(w1, ft, k2), k1), mul(add(sub(mul(z2, v3, k2), mul(z3, v2, k4), k2),
+        sub(mul(w2, u3, k4), mul(w3, u2, k5), k4), k2), side, k2), k1), mul(v1, cvv, k2), k1), mul(u1, hvw, k2), k1),
+        n2, o1
+    )
+
+
+# operations 254: 106 +, 147 *, 1 neg
+def twist_jacobian(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    side, = table
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    _, g, h, fy, gy, hy, fyy, gyy, hyy = c.tangent_dot(m, x)
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    go = gy * y
+    ho = hy * y
+    fyo = fyy * y
+    gyo = gyy * y
+    hyo = hyy * y
+    vw = v1 * w1 + v2 * w2 + v3 * w3
+    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
+    t1 = v2 * w3 - v3 * w2
+    t1o = v2 * w3o + v2o * w3 - (v3 * w2o + v3o * w2)
+    t2 = v3 * w1 - v1 * w3
+    t2o = v3 * w1o + v3o * w1 - (v1 * w3o + v1o * w3)
+    t3 = v1 * w2 - v2 * w1
+    t3o = v1 * w2o + v1o * w2 - (v2 * w1o + v2o * w1)
+    gs = gy * side
+    gso = gyo * side
+    ht = hy * vw
+    hto = hy * vwo + hyo * vw
+    b1 = w1 * fy + t1 * gs + v1 * ht
+    b1o = w1 * fyo + w1o * fy + (t1 * gso + t1o * gs) + (v1 * hto + v1o * ht)
+    b2 = w2 * fy + t2 * gs + v2 * ht
+    b2o = w2 * fyo + w2o * fy + (t2 * gso + t2o * gs) + (v2 * hto + v2o * ht)
+    b3 = w3 * fy + t3 * gs + v3 * ht
+    b3o = w3 * fyo + w3o * fy + (t3 * gso + t3o * gs) + (v3 * hto + v3o * ht)
+    minus_side = -side
+    sg = g * minus_side
+    sgo = go * minus_side
+    hv1 = v1 * h
+    hv1o = v1 * ho + v1o * h
+    hv2 = v2 * h
+    hv2o = v2 * ho + v2o * h
+    hv3 = v3 * h
+    hv3o = v3 * ho + v3o * h
+    s1 = w1 * sg
+    s1o = w1 * sgo + w1o * sg
+    s2 = w2 * sg
+    s2o = w2 * sgo + w2o * sg
+    s3 = w3 * sg
+    s3o = w3 * sgo + w3o * sg
+    ha = h * vw
+    hao = h * vwo + ho * vw
+    J11 = b1 * v1 + hv1 * w1 + ha
+    J12 = b1 * v2 + hv1 * w2 - s3
+    J13 = b1 * v3 + hv1 * w3 + s2
+    J21 = b2 * v1 + hv2 * w1 + s3
+    J22 = b2 * v2 + hv2 * w2 + ha
+    J23 = b2 * v3 + hv2 * w3 - s1
+    J31 = b3 * v1 + hv3 * w1 - s2
+    J32 = b3 * v2 + hv3 * w2 + s1
+    J33 = b3 * v3 + hv3 * w3 + ha
+    return (
+        J11,
+        J12,
+        J13,
+        0,
+        0,
+        0,
+        J21,
+        J22,
+        J23,
+        0,
+        0,
+        0,
+        J31,
+        J32,
+        J33,
+        0,
+        0,
+        0,
+        b1 * v1o + b1o * v1 + (hv1 * w1o + hv1o * w1) + hao,
+        b1 * v2o + b1o * v2 + (hv1 * w2o + hv1o * w2) - s3o,
+        b1 * v3o + b1o * v3 + (hv1 * w3o + hv1o * w3) + s2o,
+        J11,
+        J12,
+        J13,
+        b2 * v1o + b2o * v1 + (hv2 * w1o + hv2o * w1) + s3o,
+        b2 * v2o + b2o * v2 + (hv2 * w2o + hv2o * w2) + hao,
+        b2 * v3o + b2o * v3 + (hv2 * w3o + hv2o * w3) - s1o,
+        J21,
+        J22,
+        J23,
+        b3 * v1o + b3o * v1 + (hv3 * w1o + hv3o * w1) - s2o,
+        b3 * v2o + b3o * v2 + (hv3 * w2o + hv3o * w2) + s1o,
+        b3 * v3o + b3o * v3 + (hv3 * w3o + hv3o * w3) + hao,
+        J31,
+        J32,
+        J33,
+    )
+
+
+def twist_jacobian_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows, table: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    side, = table
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36,
+    ) = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, *spare = scratch
+    *spare_masks, = masks
+    n0, = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    vw = add(add(mul(v1, w1, k2), mul(v2, w2, k3), k2), mul(v3, w3, k3), k2)
+    t1 = sub(mul(v2, w3, k3), mul(v3, w2, k4), k3)
+    minus_side = neg(side, k4)
+    t2 = sub(mul(v3, w1, k5), mul(v1, w3, k6), k5)
+    t3 = sub(mul(v1, w2, k6), mul(v2, w1, k7), k6)
+    y = add(add(mul(v1, v1o, k7), mul(v2, v2o, k8), k7), mul(v3, v3o, k8), k7)
+    vwo = add(
+        add(add(mul(v1, w1o, k8), mul(v1o, w1, k9), k8), add(mul(v2, w2o, k9), mul(v2o, w2, k10), k9), k8), add(mul(v3,
+        w3o, k9), mul(v3o, w3, k10), k9), k8
+    )
+    t1o = sub(add(mul(v2, w3o, k9), mul(v2o, w3, k10), k9), add(mul(v3, w2o, k10), mul(v3o, w2, k11), k10), k9)
+    t2o = sub(add(mul(v3, w1o, k10), mul(v3o, w1, k11), k10), add(mul(v1, w3o, k11), mul(v1o, w3, k12), k11), k10)
+    t3o = sub(add(mul(v1, w2o, k11), mul(v1o, w2, k12), k11), add(mul(v2, w1o, k12), mul(v2o, w1, k13), k12), k11)
+    _, g, h, fy, gy, hy, fyy, gyy, hyy = c.tangent_dot(
+        (k12, k13, k14, k15, k16, k17, k18, k19, k20), (*spare,), (*spare_masks,), x
+    )
+    sg = mul(g, minus_side, k1)
+    hyo = mul(hyy, y, k12)
+    hto = add(mul(hy, vwo, k13), mul(hyo, vw, k12), k12)
+    fyo = mul(fyy, y, k13)
+    gyo = mul(gyy, y, k18)
+    gso = mul(gyo, side, k18)
+    gs = mul(gy, side, k19)
+    go = mul(gy, y, k16)
+    sgo = mul(go, minus_side, k4)
+    ho = mul(hy, y, k7)
+    ht = mul(hy, vw, k16)
+    b1o = add(
+        add(add(mul(w1, fyo, k17), mul(w1o, fy, k20), k17), add(mul(t1, gso, k20), mul(t1o, gs, k9), k9), k9),
+        add(mul(v1, hto, k17), mul(v1o, ht, k20), k17), k9
+    )
+    b1 = add(add(mul(w1, fy, k17), mul(t1, gs, k3), k3), mul(v1, ht, k17), k3)
+    hao = add(mul(h, vwo, k8), mul(ho, vw, k17), k8)
+    ha = mul(h, vw, k2)
+    b2o = add(
+        add(add(mul(w2, fyo, k17), mul(w2o, fy, k20), k17), add(mul(t2, gso, k20), mul(t2o, gs, k10), k10), k10),
+        add(mul(v2, hto, k17), mul(v2o, ht, k20), k17), k10
+    )
+    b3o = add(
+        add(add(mul(w3, fyo, k13), mul(w3o, fy, k17), k13), add(mul(t3, gso, k17), mul(t3o, gs, k11), k11), k11),
+        add(mul(v3, hto, k12), mul(v3o, ht, k13), k12), k11
+    )
+    b2 = add(add(mul(w2, fy, k12), mul(t2, gs, k5), k5), mul(v2, ht, k12), k5)
+    b3 = add(add(mul(w3, fy, k12), mul(t3, gs, k6), k6), mul(v3, ht, k12), k6)
+    hv1 = mul(v1, h, k12)
+    add(add(mul(b1, v1, k13), mul(hv1, w1, k15), k13), ha, o1)
+    s3 = mul(w3, sg, k13)
+    sub(add(mul(b1, v2, k15), mul(hv1, w2, k16), k15), s3, o2)
+    s2 = mul(w2, sg, k15)
+    add(add(mul(b1, v3, k16), mul(hv1, w3, k17), k16), s2, o3)
+    hv2 = mul(v2, h, k16)
+    add(add(mul(b2, v1, k17), mul(hv2, w1, k18), k17), s3, o7)
+    add(add(mul(b2, v2, k13), mul(hv2, w2, k17), k13), ha, o8)
+    s1 = mul(w1, sg, k13)
+    sub(add(mul(b2, v3, k17), mul(hv2, w3, k18), k17), s1, o9)
+    hv3 = mul(v3, h, k17)
+    sub(add(mul(b3, v1, k18), mul(hv3, w1, k19), k18), s2, o13)
+    add(add(mul(b3, v2, k15), mul(hv3, w2, k18), k15), s1, o14)
+    add(add(mul(b3, v3, k13), mul(hv3, w3, k15), k13), ha, o15)
+    hv1o = add(mul(v1, ho, k2), mul(v1o, h, k13), k2)
+    add(
+        add(add(mul(b1, v1o, k13), mul(b1o, v1, k15), k13), add(mul(hv1, w1o, k15), mul(hv1o, w1, k18), k15), k13), hao,
+        o19
+    )
+    s3o = add(mul(w3, sgo, k13), mul(w3o, sg, k15), k13)
+    sub(
+        add(add(mul(b1, v2o, k15), mul(b1o, v2, k18), k15), add(mul(hv1, w2o, k18), mul(hv1o, w2, k19), k18), k15), s3o,
+        o20
+    )
+    s2o = add(mul(w2, sgo, k15), mul(w2o, sg, k18), k15)
+    add(add(add(mul(b1, v3o, k3), mul(b1o, v3, k9), k3), add(mul(hv1, w3o, k9), mul(hv1o, w3, k2), k2), k2), s2o, o21)
+    s1o = add(mul(w1, sgo, k2), mul(w1o, sg, k1), k1)
+    hv2o = add(mul(v2, ho, k2), mul(v2o, h, k3), k2)
+    add(add(add(mul(b2, v1o, k3), mul(b2o, v1, k4), k3), add(mul(hv2, w1o, k4), mul(hv2o, w1, k9), k4), k3), s3o, o25)
+    hv3o = add(mul(v3, ho, k3), mul(v3o, h, k4), k3)
+    sub(add(add(mul(b3, v1o, k4), mul(b3o, v1, k7), k4), add(mul(hv3, w1o, k7), mul(hv3o, w1, k9), k7), k4), s2o, o31)
+    add(add(add(mul(b2, v2o, k4), mul(b2o, v2, k7), k4), add(mul(hv2, w2o, k7), mul(hv2o, w2, k9), k7), k4), hao, o26)
+    sub(add(add(mul(b2, v3o, k4), mul(b2o, v3, k5), k4), add(mul(hv2, w3o, k5), mul(hv2o, w3, k2), k2), k2), s1o, o27)
+    add(add(add(mul(b3, v2o, k2), mul(b3o, v2, k4), k2), add(mul(hv3, w2o, k4), mul(hv3o, w2, k5), k4), k2), s1o, o32)
+    add(add(add(mul(b3, v3o, k1), mul(b3o, v3, k2), k1), add(mul(hv3, w3o, k2), mul(hv3o, w3, k3), k2), k1), hao, o33)
+    copy(n0, o4)
+    copy(n0, o5)
+    copy(n0, o6)
+    copy(n0, o10)
+    copy(n0, o11)
+    copy(n0, o12)
+    copy(n0, o16)
+    copy(n0, o17)
+    copy(n0, o18)
+    copy(o1, o22)
+    copy(o2, o23)
+    copy(o3, o24)
+    copy(o7, o28)
+    copy(o8, o29)
+    copy(o9, o30)
+    copy(o13, o34)
+    copy(o14, o35)
+    copy(o15, o36)
+
+
+# operations 202: 82 +, 111 *, 9 /
+def rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    side, = table
+    hs = side / 2
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    _, hi, fiy, hiy, fiyy, hiyy = c.tangent_inv_dot(m, x)
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    hio = hiy * y
+    fiyo = fiyy * y
+    hiyo = hiyy * y
+    hih = hi / 2
+    hiho = hio / 2
+    vw = v1 * w1 + v2 * w2 + v3 * w3
+    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
+    ht = hiy * vw
+    hto = hiy * vwo + hiyo * vw
+    b1 = (w1 * fiy + v1 * ht) / 2
+    b1o = (w1 * fiyo + w1o * fiy + (v1 * hto + v1o * ht)) / 2
+    b2 = (w2 * fiy + v2 * ht) / 2
+    b2o = (w2 * fiyo + w2o * fiy + (v2 * hto + v2o * ht)) / 2
+    b3 = (w3 * fiy + v3 * ht) / 2
+    b3o = (w3 * fiyo + w3o * fiy + (v3 * hto + v3o * ht)) / 2
+    hv1 = v1 * hih
+    hv1o = v1 * hiho + v1o * hih
+    hv2 = v2 * hih
+    hv2o = v2 * hiho + v2o * hih
+    hv3 = v3 * hih
+    hv3o = v3 * hiho + v3o * hih
+    s1 = w1 * hs
+    s1o = w1o * hs
+    s2 = w2 * hs
+    s2o = w2o * hs
+    s3 = w3 * hs
+    s3o = w3o * hs
+    ha = hih * vw
+    hao = hih * vwo + hiho * vw
+    J11 = b1 * v1 + hv1 * w1 + ha
+    J12 = b1 * v2 + hv1 * w2 - s3
+    J13 = b1 * v3 + hv1 * w3 + s2
+    J21 = b2 * v1 + hv2 * w1 + s3
+    J22 = b2 * v2 + hv2 * w2 + ha
+    J23 = b2 * v3 + hv2 * w3 - s1
+    J31 = b3 * v1 + hv3 * w1 - s2
+    J32 = b3 * v2 + hv3 * w2 + s1
+    J33 = b3 * v3 + hv3 * w3 + ha
+    return (
+        J11,
+        J12,
+        J13,
+        0,
+        0,
+        0,
+        J21,
+        J22,
+        J23,
+        0,
+        0,
+        0,
+        J31,
+        J32,
+        J33,
+        0,
+        0,
+        0,
+        b1 * v1o + b1o * v1 + (hv1 * w1o + hv1o * w1) + hao,
+        b1 * v2o + b1o * v2 + (hv1 * w2o + hv1o * w2) - s3o,
+        b1 * v3o + b1o * v3 + (hv1 * w3o + hv1o * w3) + s2o,
+        J11,
+        J12,
+        J13,
+        b2 * v1o + b2o * v1 + (hv2 * w1o + hv2o * w1) + s3o,
+        b2 * v2o + b2o * v2 + (hv2 * w2o + hv2o * w2) + hao,
+        b2 * v3o + b2o * v3 + (hv2 * w3o + hv2o * w3) - s1o,
+        J21,
+        J22,
+        J23,
+        b3 * v1o + b3o * v1 + (hv3 * w1o + hv3o * w1) - s2o,
+        b3 * v2o + b3o * v2 + (hv3 * w2o + hv3o * w2) + s1o,
+        b3 * v3o + b3o * v3 + (hv3 * w3o + hv3o * w3) + hao,
+        J31,
+        J32,
+        J33,
+    )
+
+
+def rate_jacobian_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows, table: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    side, = table
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36,
+    ) = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, *spare = scratch
+    *spare_masks, = masks
+    n0, n2 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    _, hi, fiy, hiy, fiyy, hiyy = c.tangent_inv_dot((k2, k3, k4, k5, k6, k7), (*spare,), (*spare_masks,), x)
+    hih = div(hi, n2, k1)
+    vw = add(add(mul(v1, w1, k2), mul(v2, w2, k3), k2), mul(v3, w3, k3), k2)
+    ht = mul(hiy, vw, k3)
+    b3 = div(add(mul(w3, fiy, k8), mul(v3, ht, k9), k8), n2, k8)
+    hv3 = mul(v3, hih, k9)
+    ha = mul(hih, vw, k10)
+    add(add(mul(b3, v3, k11), mul(hv3, w3, k12), k11), ha, o15)
+    hs = div(side, n2, k11)
+    s1 = mul(w1, hs, k12)
+    add(add(mul(b3, v2, k13), mul(hv3, w2, k14), k13), s1, o14)
+    s2 = mul(w2, hs, k13)
+    sub(add(mul(b3, v1, k14), mul(hv3, w1, k15), k14), s2, o13)
+    y = add(add(mul(v1, v1o, k14), mul(v2, v2o, k15), k14), mul(v3, v3o, k15), k14)
+    hiyo = mul(hiyy, y, k7)
+    fiyo = mul(fiyy, y, k6)
+    hio = mul(hiy, y, k14)
+    hiho = div(hio, n2, k14)
+    vwo = add(
+        add(add(mul(v1, w1o, k15), mul(v1o, w1, k16), k15), add(mul(v2, w2o, k16), mul(v2o, w2, k17), k16), k15),
+        add(mul(v3, w3o, k16), mul(v3o, w3, k17), k16), k15
+    )
+    hto = add(mul(hiy, vwo, k5), mul(hiyo, vw, k7), k5)
+    hao = add(mul(hih, vwo, k7), mul(hiho, vw, k2), k2)
+    b3o = div(
+        add(add(mul(w3, fiyo, k7), mul(w3o, fiy, k15), k7), add(mul(v3, hto, k15), mul(v3o, ht, k16), k15), k7), n2, k7
+    )
+    hv3o = add(mul(v3, hiho, k15), mul(v3o, hih, k16), k15)
+    add(
+        add(add(mul(b3, v3o, k16), mul(b3o, v3, k17), k16), add(mul(hv3, w3o, k17), mul(hv3o, w3, k18), k17), k16), hao,
+        o33
+    )
+    s1o = mul(w1o, hs, k16)
+    add(
+        add(add(mul(b3, v2o, k17), mul(b3o, v2, k18), k17), add(mul(hv3, w2o, k18), mul(hv3o, w2, k19), k18), k17), s1o,
+        o32
+    )
+    s2o = mul(w2o, hs, k17)
+    sub(add(add(mul(b3, v1o, k8), mul(b3o, v1, k7), k7), add(mul(hv3, w1o, k8), mul(hv3o, w1, k9), k8), k7), s2o, o31)
+    b2 = div(add(mul(w2, fiy, k7), mul(v2, ht, k8), k7), n2, k7)
+    hv2 = mul(v2, hih, k8)
+    sub(add(mul(b2, v3, k9), mul(hv2, w3, k15), k9), s1, o9)
+    add(add(mul(b2, v2, k9), mul(hv2, w2, k12), k9), ha, o8)
+    s3 = mul(w3, hs, k9)
+    add(add(mul(b2, v1, k12), mul(hv2, w1, k15), k12), s3, o7)
+    s3o = mul(w3o, hs, k11)
+    b2o = div(
+        add(add(mul(w2, fiyo, k12), mul(w2o, fiy, k15), k12), add(mul(v2, hto, k15), mul(v2o, ht, k18), k15), k12), n2,
+        k12
+    )
+    b1o = div(
+        add(add(mul(w1, fiyo, k6), mul(w1o, fiy, k15), k6), add(mul(v1, hto, k5), mul(v1o, ht, k15), k5), k5), n2, k5
+    )
+    b1 = div(add(mul(w1, fiy, k4), mul(v1, ht, k3), k3), n2, k3)
+    hv2o = add(mul(v2, hiho, k4), mul(v2o, hih, k6), k4)
+    sub(
+        add(add(mul(b2, v3o, k6), mul(b2o, v3, k15), k6), add(mul(hv2, w3o, k15), mul(hv2o, w3, k18), k15), k6), s1o,
+        o27
+    )
+    add(
+        add(add(mul(b2, v2o, k6), mul(b2o, v2, k15), k6), add(mul(hv2, w2o, k15), mul(hv2o, w2, k16), k15), k6), hao,
+        o26
+    )
+    add(add(add(mul(b2, v1o, k6), mul(b2o, v1, k7), k6), add(mul(hv2, w1o, k7), mul(hv2o, w1, k4), k4), k4), s3o, o25)
+    hv1o = add(mul(v1, hiho, k4), mul(v1o, hih, k6), k4)
+    hv1 = mul(v1, hih, k1)
+    add(add(mul(b1, v3, k6), mul(hv1, w3, k7), k6), s2, o3)
+    sub(add(mul(b1, v2, k6), mul(hv1, w2, k7), k6), s3, o2)
+    add(add(mul(b1, v1, k6), mul(hv1, w1, k7), k6), ha, o1)
+    add(add(add(mul(b1, v3o, k6), mul(b1o, v3, k7), k6), add(mul(hv1, w3o, k7), mul(hv1o, w3, k8), k7), k6), s2o, o21)
+    sub(add(add(mul(b1, v2o, k6), mul(b1o, v2, k7), k6), add(mul(hv1, w2o, k7), mul(hv1o, w2, k8), k7), k6), s3o, o20)
+    add(add(add(mul(b1, v1o, k3), mul(b1o, v1, k5), k3), add(mul(hv1, w1o, k1), mul(hv1o, w1, k4), k1), k1), hao, o19)
+    copy(n0, o4)
+    copy(n0, o5)
+    copy(n0, o6)
+    copy(n0, o10)
+    copy(n0, o11)
+    copy(n0, o12)
+    copy(n0, o16)
+    copy(n0, o17)
+    copy(n0, o18)
+    copy(o1, o22)
+    copy(o2, o23)
+    copy(o3, o24)
+    copy(o7, o28)
+    copy(o8, o29)
+    copy(o9, o30)
+    copy(o13, o34)
+    copy(o14, o35)
+    copy(o15, o36)
+
+
 # operations 63: 22 +, 38 *, 3 /
 def from_quaternion(m: Any, c: Any, e: Components) -> Result:
     e0, e1, e2, e3, e0o, e1o, e2o, e3o = e
@@ -1956,6 +2846,61 @@ KERNELS: Mapping[str, Kernel] = {
         masks=0,
         numbers=(),
         lent=(('tangent_inv', 0, 0),),
+        real=False,
+    ),
+    "tangent_dot": Kernel(
+        tangent_dot,
+        tangent_dot_blocks,
+        (("v", (6,)), ("v_dot", (6,)),),
+        (2, 3, 3),
+        registers=15,
+        masks=0,
+        numbers=(2,),
+        lent=(('tangent_dot', 0, 0),),
+        real=False,
+    ),
+    "twist_dot": Kernel(
+        twist_dot,
+        twist_dot_blocks,
+        (("v", (6,)), ("v_dot", (6,)), ("v_ddot", (6,)),),
+        (6,),
+        registers=18,
+        masks=0,
+        numbers=(2,),
+        lent=(('tangent_dot', 0, 0),),
+        real=False,
+    ),
+    "rate_dot": Kernel(
+        rate_dot,
+        rate_dot_blocks,
+        (("v", (6,)), ("omega", (6,)), ("omega_dot", (6,)),),
+        (6,),
+        registers=22,
+        masks=0,
+        numbers=(2,),
+        lent=(('tangent_inv_dot', 0, 0),),
+        real=False,
+    ),
+    "twist_jacobian": Kernel(
+        twist_jacobian,
+        twist_jacobian_blocks,
+        (("v", (6,)), ("v_dot", (6,)),),
+        (6, 6),
+        registers=20,
+        masks=0,
+        numbers=(0,),
+        lent=(('tangent_dot', 0, 0),),
+        real=False,
+    ),
+    "rate_jacobian": Kernel(
+        rate_jacobian,
+        rate_jacobian_blocks,
+        (("v", (6,)), ("omega", (6,)),),
+        (6, 6),
+        registers=19,
+        masks=0,
+        numbers=(0, 2),
+        lent=(('tangent_inv_dot', 0, 0),),
         real=False,
     ),
     "from_quaternion": Kernel(

@@ -519,6 +519,335 @@ class PoseKernels:
         """
         return call(self._chart, "rate", axis, out, v, omega, table=BODY_INV)
 
+    # --- derivatives of the tangent operator ------------------------------------------------------------------------
+
+
+    def tangent_dot(self, v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+        r"""Time derivative of the tangent operator T of the space frame.
+
+        Parameters
+        ----------
+        v : array_like, shape (..., 6)
+            Rodrigues dual vector φ(α) u of this module: real part (dimensionless), then dual part (length unit of the
+            pose).
+        v_dot : array_like, shape (..., 6)
+            Time derivative of v (1/s).
+        axis : {-1, 0}
+            Where the component axes stand, in arguments and result: last, or first (the fastest).
+        out : ndarray, optional
+            Array for the result, shape (..., 2, 3, 3); it may overlap an argument.
+
+        Returns
+        -------
+        ndarray, shape (..., 2, 3, 3)
+            Dual tensor, real part first. Defined for every v.
+        """
+        return call(self._chart, "tangent_dot", axis, out, v, v_dot, table=SPACE)
+
+    def body_tangent_dot(self, v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+        r"""Time derivative of the tangent operator Tᵀ of the body frame.
+
+        Parameters
+        ----------
+        v : array_like, shape (..., 6)
+            Rodrigues dual vector φ(α) u of this module: real part (dimensionless), then dual part (length unit of the
+            pose).
+        v_dot : array_like, shape (..., 6)
+            Time derivative of v (1/s).
+        axis : {-1, 0}
+            Where the component axes stand, in arguments and result: last, or first (the fastest).
+        out : ndarray, optional
+            Array for the result, shape (..., 2, 3, 3); it may overlap an argument.
+
+        Returns
+        -------
+        ndarray, shape (..., 2, 3, 3)
+            Dual tensor, real part first. Defined for every v.
+        """
+        return call(self._chart, "tangent_dot", axis, out, v, v_dot, table=BODY)
+
+    def twist_dot(self, v: ArrayLike, v_dot: ArrayLike, v_ddot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+        r"""Time derivative of the twist in the space frame, the dual acceleration: ``T v̈ + dT/dt v̇``.
+
+        Parameters
+        ----------
+        v : array_like, shape (..., 6)
+            Rodrigues dual vector φ(α) u of this module: real part (dimensionless), then dual part (length unit of the
+            pose).
+        v_dot : array_like, shape (..., 6)
+            Time derivative of v (1/s).
+        v_ddot : array_like, shape (..., 6)
+            Second time derivative of v (1/s²).
+        axis : {-1, 0}
+            Where the component axes stand, in arguments and result: last, or first (the fastest).
+        out : ndarray, optional
+            Array for the result, shape (..., 6); it may overlap an argument.
+
+        Returns
+        -------
+        ndarray, shape (..., 6)
+            Angular acceleration (rad/s²), then the derivative of the twist's linear part. Defined for every v.
+        """
+        return call(self._chart, "twist_dot", axis, out, v, v_dot, v_ddot, table=SPACE)
+
+    def body_twist_dot(self, v: ArrayLike, v_dot: ArrayLike, v_ddot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+        r"""Time derivative of the twist in the body frame, the dual acceleration: ``Tᵀ v̈ + dTᵀ/dt v̇``.
+
+        Parameters
+        ----------
+        v : array_like, shape (..., 6)
+            Rodrigues dual vector φ(α) u of this module: real part (dimensionless), then dual part (length unit of the
+            pose).
+        v_dot : array_like, shape (..., 6)
+            Time derivative of v (1/s).
+        v_ddot : array_like, shape (..., 6)
+            Second time derivative of v (1/s²).
+        axis : {-1, 0}
+            Where the component axes stand, in arguments and result: last, or first (the fastest).
+        out : ndarray, optional
+            Array for the result, shape (..., 6); it may overlap an argument.
+
+        Returns
+        -------
+        ndarray, shape (..., 6)
+            Angular acceleration (rad/s²), then the derivative of the twist's linear part. Defined for every v.
+        """
+        return call(self._chart, "twist_dot", axis, out, v, v_dot, v_ddot, table=BODY)
+
+    def rate_dot(self, v: ArrayLike, omega: ArrayLike, omega_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+        r"""Second time derivative of v from the twist in the space frame and its derivative: ``T⁻¹ ω̇ + dT⁻¹/dt ω``.
+
+        Parameters
+        ----------
+        v : array_like, shape (..., 6)
+            Rodrigues dual vector φ(α) u of this module: real part (dimensionless), then dual part (length unit of the
+            pose).
+        omega : array_like, shape (..., 6)
+            Twist [ω, v] in the space frame: angular velocity (rad/s), then velocity.
+        omega_dot : array_like, shape (..., 6)
+            Time derivative of the twist (rad/s², then that of the linear part).
+        axis : {-1, 0}
+            Where the component axes stand, in arguments and result: last, or first (the fastest).
+        out : ndarray, optional
+            Array for the result, shape (..., 6); it may overlap an argument.
+
+        Returns
+        -------
+        ndarray, shape (..., 6)
+            v̈ (1/s²); inf or NaN where ``tangent_inv`` has a pole.
+        """
+        return call(self._chart, "rate_dot", axis, out, v, omega, omega_dot, table=SPACE)
+
+    def body_rate_dot(self, v: ArrayLike, omega: ArrayLike, omega_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+        r"""Second time derivative of v from the twist in the body frame and its derivative: ``T⁻ᵀ ω̇_B + dT⁻ᵀ/dt ω_B``.
+
+        Parameters
+        ----------
+        v : array_like, shape (..., 6)
+            Rodrigues dual vector φ(α) u of this module: real part (dimensionless), then dual part (length unit of the
+            pose).
+        omega : array_like, shape (..., 6)
+            Twist [ω, v] in the body frame: angular velocity (rad/s), then velocity.
+        omega_dot : array_like, shape (..., 6)
+            Time derivative of the twist (rad/s², then that of the linear part).
+        axis : {-1, 0}
+            Where the component axes stand, in arguments and result: last, or first (the fastest).
+        out : ndarray, optional
+            Array for the result, shape (..., 6); it may overlap an argument.
+
+        Returns
+        -------
+        ndarray, shape (..., 6)
+            v̈ (1/s²); inf or NaN where ``tangent_inv`` has a pole.
+        """
+        return call(self._chart, "rate_dot", axis, out, v, omega, omega_dot, table=BODY)
+
+    def twist_jacobian(self, v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+        r"""Derivative of the twist in the space frame by v, v̇ fixed: ``∂(T v̇)/∂v``.
+
+        Parameters
+        ----------
+        v : array_like, shape (..., 6)
+            Rodrigues dual vector φ(α) u of this module: real part (dimensionless), then dual part (length unit of the
+            pose).
+        v_dot : array_like, shape (..., 6)
+            Time derivative of v (1/s).
+        axis : {-1, 0}
+            Where the component axes stand, in arguments and result: last, or first (the fastest).
+        out : ndarray, optional
+            Array for the result, shape (..., 6, 6); it may overlap an argument.
+
+        Returns
+        -------
+        ndarray, shape (..., 6, 6)
+            Real: rows are components of the result, columns those of v.
+            Defined for every v.
+        """
+        return call(self._chart, "twist_jacobian", axis, out, v, v_dot, table=SPACE)
+
+    def body_twist_jacobian(self, v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+        r"""Derivative of the twist in the body frame by v, v̇ fixed: ``∂(Tᵀ v̇)/∂v``.
+
+        Parameters
+        ----------
+        v : array_like, shape (..., 6)
+            Rodrigues dual vector φ(α) u of this module: real part (dimensionless), then dual part (length unit of the
+            pose).
+        v_dot : array_like, shape (..., 6)
+            Time derivative of v (1/s).
+        axis : {-1, 0}
+            Where the component axes stand, in arguments and result: last, or first (the fastest).
+        out : ndarray, optional
+            Array for the result, shape (..., 6, 6); it may overlap an argument.
+
+        Returns
+        -------
+        ndarray, shape (..., 6, 6)
+            Real: rows are components of the result, columns those of v.
+            Defined for every v.
+        """
+        return call(self._chart, "twist_jacobian", axis, out, v, v_dot, table=BODY)
+
+    def rate_jacobian(self, v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+        r"""Derivative by v of the rate of v, the twist in the space frame fixed: ``∂(T⁻¹ ω)/∂v``.
+
+        Parameters
+        ----------
+        v : array_like, shape (..., 6)
+            Rodrigues dual vector φ(α) u of this module: real part (dimensionless), then dual part (length unit of the
+            pose).
+        omega : array_like, shape (..., 6)
+            Twist [ω, v] in the space frame: angular velocity (rad/s), then velocity.
+        axis : {-1, 0}
+            Where the component axes stand, in arguments and result: last, or first (the fastest).
+        out : ndarray, optional
+            Array for the result, shape (..., 6, 6); it may overlap an argument.
+
+        Returns
+        -------
+        ndarray, shape (..., 6, 6)
+            Real: rows are components of the result, columns those of v.
+            inf or NaN where ``tangent_inv`` has a pole.
+        """
+        return call(self._chart, "rate_jacobian", axis, out, v, omega, table=SPACE)
+
+    def body_rate_jacobian(self, v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+        r"""Derivative by v of the rate of v, the twist in the body frame fixed: ``∂(T⁻ᵀ ω_B)/∂v``.
+
+        Parameters
+        ----------
+        v : array_like, shape (..., 6)
+            Rodrigues dual vector φ(α) u of this module: real part (dimensionless), then dual part (length unit of the
+            pose).
+        omega : array_like, shape (..., 6)
+            Twist [ω, v] in the body frame: angular velocity (rad/s), then velocity.
+        axis : {-1, 0}
+            Where the component axes stand, in arguments and result: last, or first (the fastest).
+        out : ndarray, optional
+            Array for the result, shape (..., 6, 6); it may overlap an argument.
+
+        Returns
+        -------
+        ndarray, shape (..., 6, 6)
+            Real: rows are components of the result, columns those of v.
+            inf or NaN where ``tangent_inv`` has a pole.
+        """
+        return call(self._chart, "rate_jacobian", axis, out, v, omega, table=BODY)
+
+    def cotangent(self, v: ArrayLike, z: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+        r"""Generalized force of a wrench in the space frame: ``τ = Tᵀ z``, so that ``τ · v̇ = z · ω`` for dual vectors.
+
+        In components ``τ[3:]·v̇[:3] + τ[:3]·v̇[3:] = m·ω + f·v``, the power; with momenta [p, l] in place of [f, m], momenta of v.
+
+        Parameters
+        ----------
+        v : array_like, shape (..., 6)
+            Rodrigues dual vector φ(α) u of this module: real part (dimensionless), then dual part (length unit of the
+            pose).
+        z : array_like, shape (..., 6)
+            Wrench [f, m] in the space frame: force, then moment about the space origin.
+        axis : {-1, 0}
+            Where the component axes stand, in arguments and result: last, or first (the fastest).
+        out : ndarray, optional
+            Array for the result, shape (..., 6); it may overlap an argument.
+
+        Returns
+        -------
+        ndarray, shape (..., 6)
+            Dual vector τ: its dual part goes with the real part of v̇ and conversely. Defined for every v.
+        """
+        return call(self._chart, "twist", axis, out, v, z, table=BODY, last="z")
+
+    def body_cotangent(self, v: ArrayLike, z: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+        r"""Generalized force of a wrench in the body frame: ``τ = T z``, so that ``τ · v̇ = z · ω_B`` for dual vectors.
+
+        In components ``τ[3:]·v̇[:3] + τ[:3]·v̇[3:] = m·ω + f·v``, the power; with momenta [p, l] in place of [f, m], momenta of v.
+
+        Parameters
+        ----------
+        v : array_like, shape (..., 6)
+            Rodrigues dual vector φ(α) u of this module: real part (dimensionless), then dual part (length unit of the
+            pose).
+        z : array_like, shape (..., 6)
+            Wrench [f, m] in the body frame: force, then moment about the body's origin.
+        axis : {-1, 0}
+            Where the component axes stand, in arguments and result: last, or first (the fastest).
+        out : ndarray, optional
+            Array for the result, shape (..., 6); it may overlap an argument.
+
+        Returns
+        -------
+        ndarray, shape (..., 6)
+            Dual vector τ: its dual part goes with the real part of v̇ and conversely. Defined for every v.
+        """
+        return call(self._chart, "twist", axis, out, v, z, table=SPACE, last="z")
+
+    def cotangent_jacobian(self, v: ArrayLike, z: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+        r"""Derivative by v of the generalized force of a fixed wrench in the space frame: ``∂(Tᵀ z)/∂v``.
+
+        Parameters
+        ----------
+        v : array_like, shape (..., 6)
+            Rodrigues dual vector φ(α) u of this module: real part (dimensionless), then dual part (length unit of the
+            pose).
+        z : array_like, shape (..., 6)
+            Wrench [f, m] in the space frame: force, then moment about the space origin.
+        axis : {-1, 0}
+            Where the component axes stand, in arguments and result: last, or first (the fastest).
+        out : ndarray, optional
+            Array for the result, shape (..., 6, 6); it may overlap an argument.
+
+        Returns
+        -------
+        ndarray, shape (..., 6, 6)
+            Real: rows are components of the result, columns those of v.
+            Defined for every v.
+        """
+        return call(self._chart, "twist_jacobian", axis, out, v, z, table=BODY, last="z")
+
+    def body_cotangent_jacobian(self, v: ArrayLike, z: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+        r"""Derivative by v of the generalized force of a fixed wrench in the body frame: ``∂(T z)/∂v``.
+
+        Parameters
+        ----------
+        v : array_like, shape (..., 6)
+            Rodrigues dual vector φ(α) u of this module: real part (dimensionless), then dual part (length unit of the
+            pose).
+        z : array_like, shape (..., 6)
+            Wrench [f, m] in the body frame: force, then moment about the body's origin.
+        axis : {-1, 0}
+            Where the component axes stand, in arguments and result: last, or first (the fastest).
+        out : ndarray, optional
+            Array for the result, shape (..., 6, 6); it may overlap an argument.
+
+        Returns
+        -------
+        ndarray, shape (..., 6, 6)
+            Real: rows are components of the result, columns those of v.
+            Defined for every v.
+        """
+        return call(self._chart, "twist_jacobian", axis, out, v, z, table=SPACE, last="z")
+
     # --- inverse maps, shadows, composition -------------------------------------------------------------------------
 
     def shadow(self, v: ArrayLike, branch: int = 1, *, axis: int = -1, out: Array | None = None) -> Array:
@@ -526,6 +855,10 @@ class PoseKernels:
 
         α and u are the principal angle and its axis, u = sign(p q) v/|v|; where that sign is undecided the vector part of
         the quaternion and then the translation decide. A pure translation takes the translation as axis.
+
+        A pose that is off by eps knows the axis of a small rotation to eps/α only, so vectors of branches other than the
+        principal one lose digits near the identity; and where a branch ends at half a turn (the principal one of n = 1,
+        the middle one of odd n) v loses them as it runs to infinity. No algorithm can do better: docs/conditioning.md.
 
         Parameters
         ----------
@@ -583,6 +916,10 @@ class PoseKernels:
     ) -> Array:
         r"""Rodrigues dual vector of a unit dual quaternion, CP23 (47), (49).
 
+        A pose that is off by eps knows the axis of a small rotation to eps/α only, so vectors of branches other than the
+        principal one lose digits near the identity; and where a branch ends at half a turn (the principal one of n = 1,
+        the middle one of odd n) v loses them as it runs to infinity. No algorithm can do better: docs/conditioning.md.
+
         Parameters
         ----------
         q : array_like, shape (..., 8)
@@ -623,6 +960,10 @@ class PoseKernels:
     ) -> Array:
         r"""Rodrigues dual vector of an orthogonal dual tensor.
 
+        A pose that is off by eps knows the axis of a small rotation to eps/α only, so vectors of branches other than the
+        principal one lose digits near the identity; and where a branch ends at half a turn (the principal one of n = 1,
+        the middle one of odd n) v loses them as it runs to infinity. No algorithm can do better: docs/conditioning.md.
+
         Parameters
         ----------
         R : array_like, shape (..., 2, 3, 3)
@@ -658,6 +999,10 @@ class PoseKernels:
         self, T: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None, check: bool = False
     ) -> Array:
         r"""Rodrigues dual vector of a homogeneous matrix.
+
+        A pose that is off by eps knows the axis of a small rotation to eps/α only, so vectors of branches other than the
+        principal one lose digits near the identity; and where a branch ends at half a turn (the principal one of n = 1,
+        the middle one of odd n) v loses them as it runs to infinity. No algorithm can do better: docs/conditioning.md.
 
         Parameters
         ----------

@@ -55,18 +55,27 @@ class Objects:
 
 
 def call(
-    chart: Chart, name: str, axis: int, out: Array | None, *values: ArrayLike, table: tuple[str, ...] = ()
+    chart: Chart,
+    name: str,
+    axis: int,
+    out: Array | None,
+    *values: ArrayLike,
+    table: tuple[str, ...] = (),
+    last: str = "",
 ) -> Array:
-    """Run a kernel of a chart on its arguments; ``table`` holds decimal constants that are its last one."""
+    """Run a kernel of a chart on its arguments; ``table`` holds decimal constants that are its last one.
+
+    ``last`` is what the last argument is called, where a kernel serves functions which differ in that.
+    """
     kernel = chart.kernels[name]
-    arguments = kernel.arguments
+    arguments = (*kernel.arguments[:-1], (last, kernel.arguments[-1][1])) if last else kernel.arguments
     arrays = [as_array(name, value, part, axis, kernel.real) for (name, part), value in zip(arguments, values)]
     if out is None and all(a.dtype == FLOAT and a.ndim == len(part) for a, (_, part) in zip(arrays, arguments)):
         alone = _alone(kernel, chart, arrays, table)
         if alone is not None:
             return alone
     dtype = arrays[0].dtype if len(arrays) == 1 else np.result_type(*arrays)
-    batch = _batch(kernel, arrays, axis)
+    batch = _batch(arguments, arrays, axis)
     full = kernel.shape + batch if axis == 0 else batch + kernel.shape
     if out is not None:
         _check(out, full, dtype)
@@ -174,15 +183,15 @@ def _supported(name: str, array: Array, real: bool) -> Array:
     return array.astype(array.dtype.newbyteorder("="), copy=False)
 
 
-def _batch(kernel: Kernel, arrays: Sequence[Array], axis: int) -> Shape:
-    parts = [len(part) for _, part in kernel.arguments]
+def _batch(arguments: Sequence[tuple[str, Shape]], arrays: Sequence[Array], axis: int) -> Shape:
+    parts = [len(part) for _, part in arguments]
     shapes = [a.shape[k:] if axis == 0 else a.shape[: a.ndim - k] for a, k in zip(arrays, parts, strict=True)]
     if len(set(shapes)) == 1:
         return shapes[0]
     try:
         return np.broadcast_shapes(*shapes)
     except ValueError:
-        named = zip(shapes, kernel.arguments, strict=True)
+        named = zip(shapes, arguments, strict=True)
         given = " and ".join(f"{shape} of {name}" for shape, (name, _) in named)
         raise ValueError(f"batch shapes must broadcast together, got {given}") from None
 

@@ -60,6 +60,11 @@
 #   body_tangent_inv: 132: 44 +, 66 *, 19 /, 1 neg, 2 sqrt
 #   twist: 155: 54 +, 94 *, 5 /, 2 sqrt
 #   rate: 164: 55 +, 96 *, 10 /, 1 neg, 2 sqrt
+#   tangent_dot: 253: 89 +, 151 *, 11 /, 2 sqrt
+#   twist_dot: 281: 102 +, 168 *, 9 /, 2 sqrt
+#   rate_dot: 440: 165 +, 243 *, 28 /, 2 neg, 2 sqrt
+#   twist_jacobian: 330: 124 +, 194 *, 9 /, 1 neg, 2 sqrt
+#   rate_jacobian: 312: 110 +, 173 *, 25 /, 2 neg, 2 sqrt
 #   from_quaternion: 103: 29 +, 55 *, 11 /, 1 neg, 4 sqrt, 1 lt, 2 where
 #   from_tensor: 169: 52 +, 66 *, 15 /, 5 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 133: 37 +, 48 *, 12 /, 5 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -97,9 +102,12 @@ from ._interface import PoseKernels
 from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "body_rate", "body_tangent", "body_tangent_inv", "body_twist", "compose", "from_pose", "from_quaternion",
-    "from_screw", "from_tensor", "identity", "inverse", "pose", "principal", "quaternion", "random", "rate", "shadow",
-    "singular_angles", "tangent", "tangent_inv", "tensor", "to_screw", "transform_line", "transform_point", "twist",
+    "body_cotangent", "body_cotangent_jacobian", "body_rate", "body_rate_dot", "body_rate_jacobian", "body_tangent",
+    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
+    "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity",
+    "inverse", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
+    "transform_point", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 2
@@ -236,6 +244,76 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, o2, o3, o4, o5, o6
 
 
+# operations 76: 18 +, 47 *, 9 /, 2 sqrt
+def _tangent_dot(m: Any, x: Any) -> Result:
+    below = x + m.sqrt(x * x + 4)
+    c = 2 * (below / below / below)
+    cc = c * c
+    cc_by_2 = 2 * cc
+    s = cc_by_2 - 1
+    w = 2 * (c * m.sqrt(c))
+    f = 2 * (s * w)
+    ww = w * w
+    g = 2 * ww
+    weight = 3 + cc_by_2
+    over = 1 / (1 + cc)
+    h = 2 * (c * w) * (weight * over)
+    rho = 4 * (w * over)
+    fy = h - rho * g
+    gy = f * h - g * g
+    decline = 2 * (c * over)
+    share = 4 * (cc * over)
+    hgrowth = share - 5 - 8 * (cc / weight)
+    hy = h * decline * hgrowth / 2
+    rhogrowth = share - 3
+    rhoy = rho * decline * rhogrowth / 2
+    fyy = hy - rhoy * g - rho * gy
+    gyy = fy * h + f * hy - 2 * (g * gy)
+    sharey = -2 * (share * over * decline)
+    decliney = decline * decline * (share / 2 - 1)
+    hyy = (
+        (hy * decline * hgrowth + h * (decliney * hgrowth + decline * (sharey + 48 * (cc * decline / (weight
+        * weight))))) / 2
+    )
+    return f, g, h, fy, gy, hy, fyy, gyy, hyy
+
+
+def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
+    k1, k2, k3, k4, *_ = scratch
+    n_minus_2, n1, n2, n3, n4, n5, n8, n48 = numbers
+    below = add(x, sqrt(add(mul(x, x, o7), n4, o7), o7), o7)
+    c = mul(n2, div(div(below, below, o2), below, o7), o7)
+    w = mul(n2, mul(c, sqrt(c, o2), o2), o2)
+    cc = mul(c, c, o9)
+    cc_by_2 = mul(n2, cc, o1)
+    weight = add(n3, cc_by_2, o4)
+    s = sub(cc_by_2, n1, o1)
+    f = mul(n2, mul(s, w, o1), o1)
+    over = div(n1, add(n1, cc, o5), o5)
+    h = mul(mul(n2, mul(c, w, o3), o3), mul(weight, over, o8), o3)
+    decline = mul(n2, mul(c, over, o7), o7)
+    share = mul(n4, mul(cc, over, o8), o8)
+    hgrowth = sub(sub(share, n5, k1), mul(n8, div(cc, weight, o6), o6), k1)
+    hy = div(mul(mul(h, decline, o6), hgrowth, o6), n2, o6)
+    decliney = mul(mul(decline, decline, k2), sub(div(share, n2, k3), n1, k3), k2)
+    sharey = mul(n_minus_2, mul(mul(share, over, k3), decline, k3), k3)
+    div(
+        add(mul(mul(hy, decline, k4), hgrowth, k4), mul(h, add(mul(decliney, hgrowth, k1), mul(decline, add(sharey,
+        mul(n48, div(mul(cc, decline, o9), mul(weight, weight, o4), o9), o9), o9), o9), o9), o9), o9), n2, o9
+    )
+    rho = mul(n4, mul(w, over, o4), o4)
+    ww = mul(w, w, o2)
+    g = mul(n2, ww, o2)
+    rhogrowth = sub(share, n3, o5)
+    rhoy = div(mul(mul(rho, decline, o7), rhogrowth, o7), n2, o7)
+    gy = sub(mul(f, h, o5), mul(g, g, o8), o5)
+    sub(sub(hy, mul(rhoy, g, o7), o7), mul(rho, gy, o8), o7)
+    fy = sub(h, mul(rho, g, o4), o4)
+    sub(add(mul(fy, h, o8), mul(f, hy, k1), o8), mul(n2, mul(g, gy, k1), k1), o8)
+    return o1, o2, o3, o4, o5, o6, o7, o8, o9
+
+
 # operations 28: 6 +, 15 *, 5 /, 2 sqrt
 def _inverse(m: Any, x: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
@@ -334,6 +412,94 @@ def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     fiy = neg(div(h, g, o3), o3)
     div(sub(sub(sub(gy, mul(fiy, h, k4), k2), mul(fi, hy, k1), k1), mul(hi, rhoy, o4), o4), rho, o4)
     return o1, o2, o3, o4
+
+
+# operations 110: 28 +, 62 *, 16 /, 2 neg, 2 sqrt
+def _tangent_inv_dot(m: Any, x: Any) -> Result:
+    below = x + m.sqrt(x * x + 4)
+    c = 2 * (below / below / below)
+    cc = c * c
+    cc_by_2 = 2 * cc
+    s = cc_by_2 - 1
+    w = 2 * (c * m.sqrt(c))
+    fi = s / w
+    ww = w * w
+    g = 2 * ww
+    weight = 3 + cc_by_2
+    over = 1 / (1 + cc)
+    h = 2 * (c * w) * (weight * over)
+    rho = 4 * (w * over)
+    hi = (g - fi * h) / rho
+    fiy = -(h / g)
+    f = 2 * (s * w)
+    gy = f * h - g * g
+    decline = 2 * (c * over)
+    share = 4 * (cc * over)
+    hgrowth = share - 5 - 8 * (cc / weight)
+    hy = h * decline * hgrowth / 2
+    rhogrowth = share - 3
+    rhoy = rho * decline * rhogrowth / 2
+    hiy = (gy - fiy * h - fi * hy - hi * rhoy) / rho
+    fiyy = -((hy + fiy * gy) / g)
+    sharey = -2 * (share * over * decline)
+    decliney = decline * decline * (share / 2 - 1)
+    hyy = (
+        (hy * decline * hgrowth + h * (decliney * hgrowth + decline * (sharey + 48 * (cc * decline / (weight
+        * weight))))) / 2
+    )
+    fy = h - rho * g
+    gyy = fy * h + f * hy - 2 * (g * gy)
+    rhoyy = (rhoy * decline * rhogrowth + rho * (decliney * rhogrowth + decline * sharey)) / 2
+    hiyy = (gyy - (fiyy * h + 2 * (fiy * hy) + fi * hyy) - 2 * (hiy * rhoy) - hi * rhoyy) / rho
+    return fi, hi, fiy, hiy, fiyy, hiyy
+
+
+def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, *_ = scratch
+    n_minus_2, n1, n2, n3, n4, n5, n8, n48 = numbers
+    below = add(x, sqrt(add(mul(x, x, o6), n4, o6), o6), o6)
+    c = mul(n2, div(div(below, below, o5), below, o6), o6)
+    w = mul(n2, mul(c, sqrt(c, o5), o5), o5)
+    cc = mul(c, c, k1)
+    cc_by_2 = mul(n2, cc, o1)
+    weight = add(n3, cc_by_2, k2)
+    s = sub(cc_by_2, n1, o1)
+    over = div(n1, add(n1, cc, o4), o4)
+    h = mul(mul(n2, mul(c, w, k3), k3), mul(weight, over, k4), k3)
+    decline = mul(n2, mul(c, over, o6), o6)
+    share = mul(n4, mul(cc, over, k4), k4)
+    hgrowth = sub(sub(share, n5, k5), mul(n8, div(cc, weight, k6), k6), k5)
+    hy = div(mul(mul(h, decline, k6), hgrowth, k6), n2, k6)
+    decliney = mul(mul(decline, decline, k7), sub(div(share, n2, k8), n1, k8), k7)
+    sharey = mul(n_minus_2, mul(mul(share, over, k8), decline, k8), k8)
+    hyy = div(
+        add(mul(mul(hy, decline, o2), hgrowth, o2), mul(h, add(mul(decliney, hgrowth, k5), mul(decline, add(sharey,
+        mul(n48, div(mul(cc, decline, k1), mul(weight, weight, k2), k1), k1), k1), k1), k1), k1), k1), n2, k1
+    )
+    rho = mul(n4, mul(w, over, k2), k2)
+    rhogrowth = sub(share, n3, o4)
+    f = mul(n2, mul(s, w, k4), k4)
+    fi = div(s, w, o1)
+    ww = mul(w, w, o5)
+    g = mul(n2, ww, o5)
+    gy = sub(mul(f, h, k5), mul(g, g, o2), k5)
+    hi = div(sub(g, mul(fi, h, o2), o2), rho, o2)
+    fiy = neg(div(h, g, o3), o3)
+    rhoy = div(mul(mul(rho, decline, k9), rhogrowth, k9), n2, k9)
+    rhoyy = div(
+        add(mul(mul(rhoy, decline, k10), rhogrowth, k10), mul(rho, add(mul(decliney, rhogrowth, o4), mul(decline,
+        sharey, o6), o6), o6), o6), n2, o6
+    )
+    hiy = div(sub(sub(sub(gy, mul(fiy, h, o4), o4), mul(fi, hy, k7), o4), mul(hi, rhoy, k7), o4), rho, o4)
+    fy = sub(h, mul(rho, g, k7), k7)
+    gyy = sub(add(mul(fy, h, k7), mul(f, hy, k4), k4), mul(n2, mul(g, gy, k7), k7), k4)
+    fiyy = neg(div(add(hy, mul(fiy, gy, k5), k5), g, o5), o5)
+    div(
+        sub(sub(sub(gyy, add(add(mul(fiyy, h, k3), mul(n2, mul(fiy, hy, k5), k5), k3), mul(fi, hyy, k1), k1), k1),
+        mul(n2, mul(hiy, rhoy, k3), k3), k1), mul(hi, rhoyy, o6), o6), rho, o6
+    )
+    return o1, o2, o3, o4, o5, o6
 
 
 # operations 24: 5 +, 14 *, 3 /, 2 sqrt
@@ -625,8 +791,10 @@ CHART = Chart(
         "quaternion": Function(_quaternion, _quaternion_blocks, 1, 0, (1, 2, 3, 4)),
         "pose": Function(_pose, _pose_blocks, 2, 0, (1, 2, 3, 4)),
         "tangent": Function(_tangent, _tangent_blocks, 2, 0, (1, 2, 3, 4, 5, 8)),
+        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 4, 0, (-2, 1, 2, 3, 4, 5, 8, 48)),
         "inverse": Function(_inverse, _inverse_blocks, 4, 0, (1, 2, 3, 4)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 6, 0, (1, 2, 3, 4, 5, 8)),
+        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 10, 0, (-2, 1, 2, 3, 4, 5, 8, 48)),
         "ray": Function(_ray, _ray_blocks, 0, 0, (1, 2, 3, 4)),
         "gain_unit": Function(_gain_unit, _gain_unit_blocks, 2, 1, (-1, 0, 1, 2)),
         "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 0, (1, 2)),
@@ -642,11 +810,20 @@ CHART = Chart(
 
 KERNELS = PoseKernels(CHART)
 
+body_cotangent = KERNELS.body_cotangent
+body_cotangent_jacobian = KERNELS.body_cotangent_jacobian
 body_rate = KERNELS.body_rate
+body_rate_dot = KERNELS.body_rate_dot
+body_rate_jacobian = KERNELS.body_rate_jacobian
 body_tangent = KERNELS.body_tangent
+body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
 body_twist = KERNELS.body_twist
+body_twist_dot = KERNELS.body_twist_dot
+body_twist_jacobian = KERNELS.body_twist_jacobian
 compose = KERNELS.compose
+cotangent = KERNELS.cotangent
+cotangent_jacobian = KERNELS.cotangent_jacobian
 from_pose = KERNELS.from_pose
 from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
@@ -658,12 +835,17 @@ principal = KERNELS.principal
 quaternion = KERNELS.quaternion
 random = KERNELS.random
 rate = KERNELS.rate
+rate_dot = KERNELS.rate_dot
+rate_jacobian = KERNELS.rate_jacobian
 shadow = KERNELS.shadow
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent
+tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_screw = KERNELS.to_screw
 transform_line = KERNELS.transform_line
 transform_point = KERNELS.transform_point
 twist = KERNELS.twist
+twist_dot = KERNELS.twist_dot
+twist_jacobian = KERNELS.twist_jacobian

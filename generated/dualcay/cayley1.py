@@ -62,7 +62,7 @@
 #   [n = 1] q = cos(alpha/2) + u sin(alpha/2): phi'*(h*x + f) = 1; [s](x -> 0) = 1
 #
 # Operations:
-#   quaternion: 29: 8 +, 17 *, 3 /, 1 sqrt
+#   quaternion: 30: 8 +, 18 *, 3 /, 1 sqrt
 #   tensor: 71: 29 +, 40 *, 2 /
 #   pose: 44: 20 +, 22 *, 2 /
 #   transform_point: 57: 24 +, 31 *, 2 /
@@ -74,11 +74,16 @@
 #   body_tangent_inv: 57: 21 +, 21 *, 15 /
 #   twist: 80: 29 +, 47 *, 3 /, 1 neg
 #   rate: 84: 34 +, 50 *
+#   tangent_dot: 86: 26 +, 49 *, 4 /, 7 neg
+#   twist_dot: 116: 44 +, 67 *, 4 /, 1 neg
+#   rate_dot: 236: 104 +, 120 *, 12 /
+#   twist_jacobian: 149: 54 +, 89 *, 4 /, 2 neg
+#   rate_jacobian: 85: 34 +, 42 *, 9 /
 #   from_quaternion: 58: 20 +, 34 *, 4 /
-#   from_tensor: 119: 40 +, 41 *, 7 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
-#   from_pose: 83: 25 +, 23 *, 4 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_tensor: 125: 42 +, 45 *, 7 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_pose: 89: 27 +, 27 *, 4 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
-#   to_screw: 66: 16 +, 26 *, 11 /, 6 abs, 1 sqrt, 1 atan2, 1 eq, 4 where
+#   to_screw: 71: 18 +, 29 *, 11 /, 6 abs, 1 sqrt, 1 atan2, 1 eq, 4 where
 #   compose: 139: 56 +, 75 *, 8 /
 r"""Cayley map of order 1: Rodrigues dual vectors ``v = tan(α/2) u`` of rigid displacements.
 
@@ -107,13 +112,15 @@ from typing import Any
 
 from ._chart import Chart, Function
 from ._interface import PoseKernels
-from ._kernel import Components, Kernel, Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
+from ._kernel import Components, Kernel, Result, Rows, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "body_rate", "body_tangent", "body_tangent_inv", "body_twist", "compose", "dcay", "dcay_inv", "from_pose",
-    "from_quaternion", "from_screw", "from_tensor", "identity", "inverse", "pose", "principal", "quaternion", "random",
-    "rate", "shadow", "singular_angles", "tangent", "tangent_inv", "tensor", "to_screw", "transform_line",
-    "transform_point", "twist",
+    "body_cotangent", "body_cotangent_jacobian", "body_rate", "body_rate_dot", "body_rate_jacobian", "body_tangent",
+    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
+    "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_pose", "from_quaternion", "from_screw", "from_tensor",
+    "identity", "inverse", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
+    "transform_point", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 1
@@ -124,6 +131,72 @@ def __dir__() -> list[str]:
 
 
 # --- scalars of x = v·v, of angles and quaternions: plain, and in place -------------------------------------------
+
+
+# operations 6: 1 +, 1 *, 3 /, 1 sqrt
+def _quaternion(m: Any, x: Any) -> Result:
+    N = 1 + x
+    root = m.sqrt(N)
+    r = root / root / root
+    minus_e = -1 / N
+    sy = r * minus_e
+    return r, r, sy, sy
+
+
+def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, o3, o4 = out
+    k1, *_ = scratch
+    n_minus_1, n1 = numbers
+    N = add(n1, x, o3)
+    root = sqrt(N, o1)
+    r = div(div(root, root, k1), root, o1)
+    minus_e = div(n_minus_1, N, o3)
+    mul(r, minus_e, o3)
+    copy(o1, o2)
+    copy(o3, o4)
+    return o1, o2, o3, o4
+
+
+# operations 0
+def _inverse(m: Any, x: Any) -> Result:
+    return 1,
+
+
+def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    n1, = numbers
+    return n1,
+
+
+# operations 1: 1 /
+def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
+    gain = 1 / e0
+    return gain,
+
+
+def _gain_positive_blocks(
+    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
+) -> Result:
+    o1, = out
+    n1, = numbers
+    div(n1, e0, o1)
+    return o1,
+
+
+# operations 7: 3 +, 2 *, 1 /, 1 atan2
+def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
+    one = x - x + 1
+    angle = 2 * m.atan2(r * one, 1)
+    slope = 2 / (1 + x)
+    return angle, slope, one
+
+
+def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
+    o1, o2, o3 = out
+    n1, n2 = numbers
+    one = add(sub(x, x, o3), n1, o3)
+    mul(n2, atan2(mul(r, one, o1), n1, o1), o1)
+    div(n2, add(n1, x, o2), o2)
+    return o1, o2, o3
 
 
 # operations 5: 1 +, 1 *, 2 /, 1 tan
@@ -142,49 +215,6 @@ def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
 
 
 # --- geometry that does with less here than for any chart ---------------------------------------------------------
-
-
-# operations 29: 8 +, 17 *, 3 /, 1 sqrt
-def _own_quaternion(m: Any, c: Any, v: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    N = 1 + x
-    root = m.sqrt(N)
-    r = root / root / root
-    minus_e = -1 / N
-    sy = r * minus_e
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    wo = sy * y
-    return r, v1 * r, v2 * r, v3 * r, wo, v1o * r + v1 * wo, v2o * r + v2 * wo, v3o * r + v3 * wo
-
-
-def _own_quaternion_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    o1, o2, o3, o4, o5, o6, o7, o8 = out
-    k1, k2, k3 = scratch
-    n_minus_1, n1 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    N = add(n1, x, k1)
-    root = sqrt(N, k2)
-    r = div(div(root, root, k3), root, o1)
-    mul(v1, r, o2)
-    mul(v2, r, o3)
-    mul(v3, r, o4)
-    minus_e = div(n_minus_1, N, k1)
-    sy = mul(r, minus_e, k1)
-    y = add(add(mul(v1, v1o, k2), mul(v2, v2o, k3), k2), mul(v3, v3o, k3), k2)
-    wo = mul(sy, y, o5)
-    add(mul(v1o, r, k1), mul(v1, wo, k2), o6)
-    add(mul(v2o, r, k1), mul(v2, wo, k2), o7)
-    add(mul(v3o, r, k1), mul(v3, wo, k2), o8)
 
 
 # operations 71: 29 +, 40 *, 2 /
@@ -937,6 +967,629 @@ def _own_rate_blocks(
     )
 
 
+# operations 86: 26 +, 49 *, 4 /, 7 neg
+def _own_tangent_dot(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    side, = table
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    N = 1 + x
+    r = 2 * (N / N / N)
+    e = 2 / N
+    eg = e * r
+    fy = -eg
+    egy = e * fy
+    ee = 2 * e / N
+    eeg = ee * r
+    fyy = eeg - egy
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    go = fy * y
+    fyo = fyy * y
+    vw = v1 * w1 + v2 * w2 + v3 * w3
+    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
+    gt = fy * vw
+    gto = fy * vwo + fyo * vw
+    gw1 = w1 * r
+    gw1o = w1 * go + w1o * r
+    gw2 = w2 * r
+    gw2o = w2 * go + w2o * r
+    gw3 = w3 * r
+    gw3o = w3 * go + w3o * r
+    s1 = (v1 * gt + gw1) * side
+    s1o = (v1 * gto + v1o * gt + gw1o) * side
+    s2 = (v2 * gt + gw2) * side
+    s2o = (v2 * gto + v2o * gt + gw2o) * side
+    s3 = (v3 * gt + gw3) * side
+    s3o = (v3 * gto + v3o * gt + gw3o) * side
+    return gt, -s3, s2, s3, gt, -s1, -s2, s1, gt, gto, -s3o, s2o, s3o, gto, -s1o, -s2o, s1o, gto
+
+
+def _own_tangent_dot_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows, table: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    side, = table
+    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
+    k1, k2, k3, k4, k5, k6, k7 = scratch
+    n1, n2 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    N = add(n1, x, k1)
+    r = mul(n2, div(div(N, N, k2), N, k2), k2)
+    e = div(n2, N, k3)
+    ee = div(mul(n2, e, k4), N, k1)
+    eeg = mul(ee, r, k1)
+    eg = mul(e, r, k4)
+    fy = neg(eg, k4)
+    egy = mul(e, fy, k3)
+    fyy = sub(eeg, egy, k1)
+    y = add(add(mul(v1, v1o, k3), mul(v2, v2o, k5), k3), mul(v3, v3o, k5), k3)
+    fyo = mul(fyy, y, k1)
+    go = mul(fy, y, k3)
+    vwo = add(
+        add(add(mul(v1, w1o, k5), mul(v1o, w1, k6), k5), add(mul(v2, w2o, k6), mul(v2o, w2, k7), k6), k5), add(mul(v3,
+        w3o, k6), mul(v3o, w3, k7), k6), k5
+    )
+    vw = add(add(mul(v1, w1, k6), mul(v2, w2, k7), k6), mul(v3, w3, k7), k6)
+    gto = add(mul(fy, vwo, k5), mul(fyo, vw, k1), o10)
+    gt = mul(fy, vw, o1)
+    gw1o = add(mul(w1, go, k1), mul(w1o, r, k4), k1)
+    s1o = mul(add(add(mul(v1, gto, k4), mul(v1o, gt, k5), k4), gw1o, k1), side, o17)
+    neg(s1o, o15)
+    gw2o = add(mul(w2, go, k1), mul(w2o, r, k4), k1)
+    s2o = mul(add(add(mul(v2, gto, k4), mul(v2o, gt, k5), k4), gw2o, k1), side, o12)
+    neg(s2o, o16)
+    gw3o = add(mul(w3, go, k1), mul(w3o, r, k3), k1)
+    s3o = mul(add(add(mul(v3, gto, k3), mul(v3o, gt, k4), k3), gw3o, k1), side, o13)
+    neg(s3o, o11)
+    gw1 = mul(w1, r, k1)
+    s1 = mul(add(mul(v1, gt, k3), gw1, k1), side, o8)
+    neg(s1, o6)
+    gw2 = mul(w2, r, k1)
+    s2 = mul(add(mul(v2, gt, k3), gw2, k1), side, o3)
+    neg(s2, o7)
+    gw3 = mul(w3, r, k1)
+    s3 = mul(add(mul(v3, gt, k2), gw3, k1), side, o4)
+    neg(s3, o2)
+    copy(o1, o5)
+    copy(o1, o9)
+    copy(o10, o14)
+    copy(o10, o18)
+
+
+# operations 116: 44 +, 67 *, 4 /, 1 neg
+def _own_twist_dot(m: Any, c: Any, v: Components, v_dot: Components, v_ddot: Components, table: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    z1, z2, z3, z1o, z2o, z3o = v_ddot
+    side, = table
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    N = 1 + x
+    r = 2 * (N / N / N)
+    e = 2 / N
+    eg = e * r
+    fy = -eg
+    egy = e * fy
+    ee = 2 * e / N
+    eeg = ee * r
+    fyy = eeg - egy
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    fo = fy * y
+    fyo = fyy * y
+    vw = v1 * w1 + v2 * w2 + v3 * w3
+    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
+    gt = fy * vw
+    gto = fy * vwo + fyo * vw
+    gz1 = z1 * r + w1 * gt
+    gz1o = z1 * fo + z1o * r + (w1 * gto + w1o * gt)
+    gz2 = z2 * r + w2 * gt
+    gz2o = z2 * fo + z2o * r + (w2 * gto + w2o * gt)
+    gz3 = z3 * r + w3 * gt
+    gz3o = z3 * fo + z3o * r + (w3 * gto + w3o * gt)
+    s1 = gz1 * side
+    s1o = gz1o * side
+    s2 = gz2 * side
+    s2o = gz2o * side
+    s3 = gz3 * side
+    s3o = gz3o * side
+    return (
+        gz1 + (v2 * s3 - v3 * s2),
+        gz2 + (v3 * s1 - v1 * s3),
+        gz3 + (v1 * s2 - v2 * s1),
+        gz1o + (v2 * s3o + v2o * s3 - (v3 * s2o + v3o * s2)),
+        gz2o + (v3 * s1o + v3o * s1 - (v1 * s3o + v1o * s3)),
+        gz3o + (v1 * s2o + v1o * s2 - (v2 * s1o + v2o * s1)),
+    )
+
+
+def _own_twist_dot_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows, v_ddot: Rows, table: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    z1, z2, z3, z1o, z2o, z3o = v_ddot
+    side, = table
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12 = scratch
+    n1, n2 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    N = add(n1, x, k1)
+    r = mul(n2, div(div(N, N, k2), N, k2), k2)
+    e = div(n2, N, k3)
+    ee = div(mul(n2, e, k4), N, k1)
+    eeg = mul(ee, r, k1)
+    eg = mul(e, r, k4)
+    fy = neg(eg, k4)
+    egy = mul(e, fy, k3)
+    fyy = sub(eeg, egy, k1)
+    vw = add(add(mul(v1, w1, k3), mul(v2, w2, k5), k3), mul(v3, w3, k5), k3)
+    gt = mul(fy, vw, k5)
+    gz1 = add(mul(z1, r, k6), mul(w1, gt, k7), k6)
+    gz3 = add(mul(z3, r, k7), mul(w3, gt, k8), k7)
+    s3 = mul(gz3, side, k8)
+    gz2 = add(mul(z2, r, k9), mul(w2, gt, k10), k9)
+    s2 = mul(gz2, side, k10)
+    add(gz1, sub(mul(v2, s3, k11), mul(v3, s2, k12), k11), o1)
+    s1 = mul(gz1, side, k6)
+    add(gz2, sub(mul(v3, s1, k11), mul(v1, s3, k12), k11), o2)
+    add(gz3, sub(mul(v1, s2, k9), mul(v2, s1, k11), k9), o3)
+    y = add(add(mul(v1, v1o, k7), mul(v2, v2o, k9), k7), mul(v3, v3o, k9), k7)
+    fyo = mul(fyy, y, k1)
+    fo = mul(fy, y, k7)
+    vwo = add(
+        add(add(mul(v1, w1o, k9), mul(v1o, w1, k11), k9), add(mul(v2, w2o, k11), mul(v2o, w2, k12), k11), k9),
+        add(mul(v3, w3o, k11), mul(v3o, w3, k12), k11), k9
+    )
+    gto = add(mul(fy, vwo, k4), mul(fyo, vw, k1), k1)
+    gz1o = add(add(mul(z1, fo, k3), mul(z1o, r, k4), k3), add(mul(w1, gto, k4), mul(w1o, gt, k9), k4), k3)
+    gz3o = add(add(mul(z3, fo, k4), mul(z3o, r, k9), k4), add(mul(w3, gto, k9), mul(w3o, gt, k11), k9), k4)
+    gz2o = add(add(mul(z2, fo, k7), mul(z2o, r, k2), k2), add(mul(w2, gto, k1), mul(w2o, gt, k5), k1), k1)
+    s3o = mul(gz3o, side, k2)
+    s2o = mul(gz2o, side, k5)
+    add(gz1o, sub(add(mul(v2, s3o, k7), mul(v2o, s3, k9), k7), add(mul(v3, s2o, k9), mul(v3o, s2, k11), k9), k7), o4)
+    s1o = mul(gz1o, side, k3)
+    add(gz2o, sub(add(mul(v3, s1o, k7), mul(v3o, s1, k9), k7), add(mul(v1, s3o, k2), mul(v1o, s3, k8), k2), k2), o5)
+    add(gz3o, sub(add(mul(v1, s2o, k1), mul(v1o, s2, k2), k1), add(mul(v2, s1o, k2), mul(v2o, s1, k3), k2), k1), o6)
+
+
+# operations 236: 104 +, 120 *, 12 /
+def _own_rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: Components, table: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    z1, z2, z3, z1o, z2o, z3o = omega_dot
+    side, = table
+    vw = v1 * w1 + v2 * w2 + v3 * w3
+    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
+    u1 = (w1 + (w2 * v3 - w3 * v2) * side + v1 * vw) / 2
+    u1o = (w1o + (w2 * v3o + w2o * v3 - (w3 * v2o + w3o * v2)) * side + (v1 * vwo + v1o * vw)) / 2
+    u2 = (w2 + (w3 * v1 - w1 * v3) * side + v2 * vw) / 2
+    u2o = (w2o + (w3 * v1o + w3o * v1 - (w1 * v3o + w1o * v3)) * side + (v2 * vwo + v2o * vw)) / 2
+    u3 = (w3 + (w1 * v2 - w2 * v1) * side + v3 * vw) / 2
+    u3o = (w3o + (w1 * v2o + w1o * v2 - (w2 * v1o + w2o * v1)) * side + (v3 * vwo + v3o * vw)) / 2
+    pull = v1 * z1 + v2 * z2 + v3 * z3 + (u1 * w1 + u2 * w2 + u3 * w3)
+    pullo = (
+        v1 * z1o + v1o * z1 + (v2 * z2o + v2o * z2) + (v3 * z3o + v3o * z3) + (u1 * w1o + u1o * w1 + (u2 * w2o + u2o
+        * w2) + (u3 * w3o + u3o * w3))
+    )
+    return (
+        (z1 + (z2 * v3 - z3 * v2 + (w2 * u3 - w3 * u2)) * side + v1 * pull + u1 * vw) / 2,
+        (z2 + (z3 * v1 - z1 * v3 + (w3 * u1 - w1 * u3)) * side + v2 * pull + u2 * vw) / 2,
+        (z3 + (z1 * v2 - z2 * v1 + (w1 * u2 - w2 * u1)) * side + v3 * pull + u3 * vw) / 2,
+        (z1o + (z2 * v3o + z2o * v3 - (z3 * v2o + z3o * v2) + (w2 * u3o + w2o * u3 - (w3 * u2o + w3o * u2))) * side
+        + (v1 * pullo + v1o * pull) + (u1 * vwo + u1o * vw)) / 2,
+        (z2o + (z3 * v1o + z3o * v1 - (z1 * v3o + z1o * v3) + (w3 * u1o + w3o * u1 - (w1 * u3o + w1o * u3))) * side
+        + (v2 * pullo + v2o * pull) + (u2 * vwo + u2o * vw)) / 2,
+        (z3o + (z1 * v2o + z1o * v2 - (z2 * v1o + z2o * v1) + (w1 * u2o + w1o * u2 - (w2 * u1o + w2o * u1))) * side
+        + (v3 * pullo + v3o * pull) + (u3 * vwo + u3o * vw)) / 2,
+    )
+
+
+def _own_rate_dot_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows, omega_dot: Rows, table: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    z1, z2, z3, z1o, z2o, z3o = omega_dot
+    side, = table
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14 = scratch
+    n2, = numbers
+    vw = add(add(mul(v1, w1, k1), mul(v2, w2, k2), k1), mul(v3, w3, k2), k1)
+    u1 = div(add(add(w1, mul(sub(mul(w2, v3, k2), mul(w3, v2, k3), k2), side, k2), k2), mul(v1, vw, k3), k2), n2, k2)
+    u2 = div(add(add(w2, mul(sub(mul(w3, v1, k3), mul(w1, v3, k4), k3), side, k3), k3), mul(v2, vw, k4), k3), n2, k3)
+    u3 = div(add(add(w3, mul(sub(mul(w1, v2, k4), mul(w2, v1, k5), k4), side, k4), k4), mul(v3, vw, k5), k4), n2, k4)
+    pull = add(
+        add(add(mul(v1, z1, k5), mul(v2, z2, k6), k5), mul(v3, z3, k6), k5), add(add(mul(u1, w1, k6), mul(u2, w2, k7),
+        k6), mul(u3, w3, k7), k6), k5
+    )
+    div(
+        add(add(add(z1, mul(add(sub(mul(z2, v3, k6), mul(z3, v2, k7), k6), sub(mul(w2, u3, k7), mul(w3, u2, k8), k7),
+        k6), side, k6), k6), mul(v1, pull, k7), k6), mul(u1, vw, k7), k6), n2, o1
+    )
+    div(
+        add(add(add(z2, mul(add(sub(mul(z3, v1, k6), mul(z1, v3, k7), k6), sub(mul(w3, u1, k7), mul(w1, u3, k8), k7),
+        k6), side, k6), k6), mul(v2, pull, k7), k6), mul(u2, vw, k7), k6), n2, o2
+    )
+    div(
+        add(add(add(z3, mul(add(sub(mul(z1, v2, k6), mul(z2, v1, k7), k6), sub(mul(w1, u2, k7), mul(w2, u1, k8), k7),
+        k6), side, k6), k6), mul(v3, pull, k7), k6), mul(u3, vw, k7), k6), n2, o3
+    )
+    vwo = add(
+        add(add(mul(v1, w1o, k6), mul(v1o, w1, k7), k6), add(mul(v2, w2o, k7), mul(v2o, w2, k8), k7), k6), add(mul(v3,
+        w3o, k7), mul(v3o, w3, k8), k7), k6
+    )
+    u1o = div(
+        add(add(w1o, mul(sub(add(mul(w2, v3o, k7), mul(w2o, v3, k8), k7), add(mul(w3, v2o, k8), mul(w3o, v2, k9), k8),
+        k7), side, k7), k7), add(mul(v1, vwo, k8), mul(v1o, vw, k9), k8), k7), n2, k7
+    )
+    u2o = div(
+        add(add(w2o, mul(sub(add(mul(w3, v1o, k8), mul(w3o, v1, k9), k8), add(mul(w1, v3o, k9), mul(w1o, v3, k10), k9),
+        k8), side, k8), k8), add(mul(v2, vwo, k9), mul(v2o, vw, k10), k9), k8), n2, k8
+    )
+    u3o = div(
+        add(add(w3o, mul(sub(add(mul(w1, v2o, k9), mul(w1o, v2, k10), k9), add(mul(w2, v1o, k10), mul(w2o, v1, k11),
+        k10), k9), side, k9), k9), add(mul(v3, vwo, k10), mul(v3o, vw, k11), k10), k9), n2, k9
+    )
+    pullo = add(
+        add(add(add(mul(v1, z1o, k10), mul(v1o, z1, k11), k10), add(mul(v2, z2o, k11), mul(v2o, z2, k12), k11), k10),
+        add(mul(v3, z3o, k11), mul(v3o, z3, k12), k11), k10), add(add(add(mul(u1, w1o, k11), mul(u1o, w1, k12), k11),
+        add(mul(u2, w2o, k12), mul(u2o, w2, k13), k12), k11), add(mul(u3, w3o, k12), mul(u3o, w3, k13), k12), k11), k10
+    )
+    div(
+        add(add(add(z1o, mul(add(sub(add(mul(z2, v3o, k11), mul(z2o, v3, k12), k11), add(mul(z3, v2o, k12), mul(z3o, v2,
+        k13), k12), k11), sub(add(mul(w2, u3o, k12), mul(w2o, u3, k13), k12), add(mul(w3, u2o, k13), mul(w3o, u2, k14),
+        k13), k12), k11), side, k11), k11), add(mul(v1, pullo, k12), mul(v1o, pull, k13), k12), k11), add(mul(u1, vwo,
+        k12), mul(u1o, vw, k13), k12), k11), n2, o4
+    )
+    div(
+        add(add(add(z2o, mul(add(sub(add(mul(z3, v1o, k11), mul(z3o, v1, k12), k11), add(mul(z1, v3o, k12), mul(z1o, v3,
+        k13), k12), k11), sub(add(mul(w3, u1o, k12), mul(w3o, u1, k13), k12), add(mul(w1, u3o, k13), mul(w1o, u3, k14),
+        k13), k12), k11), side, k11), k11), add(mul(v2, pullo, k12), mul(v2o, pull, k13), k12), k11), add(mul(u2, vwo,
+        k12), mul(u2o, vw, k13), k12), k11), n2, o5
+    )
+    div(
+        add(add(add(z3o, mul(add(sub(add(mul(z1, v2o, k11), mul(z1o, v2, k12), k11), add(mul(z2, v1o, k12), mul(z2o, v1,
+        k13), k12), k11), sub(add(mul(w1, u2o, k8), mul(w1o, u2, k3), k3), add(mul(w2, u1o, k7), mul(w2o, u1, k2), k2),
+        k2), k2), side, k2), k2), add(mul(v3, pullo, k3), mul(v3o, pull, k5), k3), k2), add(mul(u3, vwo, k3), mul(u3o,
+        vw, k1), k1), k1), n2, o6
+    )
+
+
+# operations 149: 54 +, 89 *, 4 /, 2 neg
+def _own_twist_jacobian(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    side, = table
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    N = 1 + x
+    r = 2 * (N / N / N)
+    e = 2 / N
+    eg = e * r
+    fy = -eg
+    egy = e * fy
+    ee = 2 * e / N
+    eeg = ee * r
+    fyy = eeg - egy
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    go = fy * y
+    fyo = fyy * y
+    t1 = v2 * w3 - v3 * w2
+    t1o = v2 * w3o + v2o * w3 - (v3 * w2o + v3o * w2)
+    t2 = v3 * w1 - v1 * w3
+    t2o = v3 * w1o + v3o * w1 - (v1 * w3o + v1o * w3)
+    t3 = v1 * w2 - v2 * w1
+    t3o = v1 * w2o + v1o * w2 - (v2 * w1o + v2o * w1)
+    gs = fy * side
+    gso = fyo * side
+    b1 = w1 * fy + t1 * gs
+    b1o = w1 * fyo + w1o * fy + (t1 * gso + t1o * gs)
+    b2 = w2 * fy + t2 * gs
+    b2o = w2 * fyo + w2o * fy + (t2 * gso + t2o * gs)
+    b3 = w3 * fy + t3 * gs
+    b3o = w3 * fyo + w3o * fy + (t3 * gso + t3o * gs)
+    minus_side = -side
+    sg = r * minus_side
+    sgo = go * minus_side
+    s1 = w1 * sg
+    s1o = w1 * sgo + w1o * sg
+    s2 = w2 * sg
+    s2o = w2 * sgo + w2o * sg
+    s3 = w3 * sg
+    s3o = w3 * sgo + w3o * sg
+    J11 = b1 * v1
+    J22 = b2 * v2
+    J33 = b3 * v3
+    J12 = b1 * v2 - s3
+    J13 = b1 * v3 + s2
+    J21 = b2 * v1 + s3
+    J23 = b2 * v3 - s1
+    J31 = b3 * v1 - s2
+    J32 = b3 * v2 + s1
+    return (
+        J11,
+        J12,
+        J13,
+        0,
+        0,
+        0,
+        J21,
+        J22,
+        J23,
+        0,
+        0,
+        0,
+        J31,
+        J32,
+        J33,
+        0,
+        0,
+        0,
+        b1 * v1o + b1o * v1,
+        b1 * v2o + b1o * v2 - s3o,
+        b1 * v3o + b1o * v3 + s2o,
+        J11,
+        J12,
+        J13,
+        b2 * v1o + b2o * v1 + s3o,
+        b2 * v2o + b2o * v2,
+        b2 * v3o + b2o * v3 - s1o,
+        J21,
+        J22,
+        J23,
+        b3 * v1o + b3o * v1 - s2o,
+        b3 * v2o + b3o * v2 + s1o,
+        b3 * v3o + b3o * v3,
+        J31,
+        J32,
+        J33,
+    )
+
+
+def _own_twist_jacobian_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows, table: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    side, = table
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36,
+    ) = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14 = scratch
+    n0, n1, n2 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    N = add(n1, x, k1)
+    r = mul(n2, div(div(N, N, k2), N, k2), k2)
+    e = div(n2, N, k3)
+    ee = div(mul(n2, e, k4), N, k1)
+    eeg = mul(ee, r, k1)
+    eg = mul(e, r, k4)
+    fy = neg(eg, k4)
+    egy = mul(e, fy, k3)
+    fyy = sub(eeg, egy, k1)
+    gs = mul(fy, side, k3)
+    t3 = sub(mul(v1, w2, k5), mul(v2, w1, k6), k5)
+    b3 = add(mul(w3, fy, k6), mul(t3, gs, k7), k6)
+    mul(b3, v3, o15)
+    minus_side = neg(side, k7)
+    sg = mul(r, minus_side, k2)
+    s1 = mul(w1, sg, k8)
+    add(mul(b3, v2, k9), s1, o14)
+    s2 = mul(w2, sg, k9)
+    sub(mul(b3, v1, k10), s2, o13)
+    y = add(add(mul(v1, v1o, k10), mul(v2, v2o, k11), k10), mul(v3, v3o, k11), k10)
+    fyo = mul(fyy, y, k1)
+    go = mul(fy, y, k10)
+    sgo = mul(go, minus_side, k7)
+    gso = mul(fyo, side, k10)
+    t3o = sub(add(mul(v1, w2o, k11), mul(v1o, w2, k12), k11), add(mul(v2, w1o, k12), mul(v2o, w1, k13), k12), k11)
+    b3o = add(add(mul(w3, fyo, k12), mul(w3o, fy, k13), k12), add(mul(t3, gso, k5), mul(t3o, gs, k11), k5), k5)
+    add(mul(b3, v3o, k11), mul(b3o, v3, k12), o33)
+    s1o = add(mul(w1, sgo, k11), mul(w1o, sg, k12), k11)
+    add(add(mul(b3, v2o, k12), mul(b3o, v2, k13), k12), s1o, o32)
+    s2o = add(mul(w2, sgo, k12), mul(w2o, sg, k13), k12)
+    sub(add(mul(b3, v1o, k6), mul(b3o, v1, k5), k5), s2o, o31)
+    s3o = add(mul(w3, sgo, k5), mul(w3o, sg, k6), k5)
+    s3 = mul(w3, sg, k2)
+    t2 = sub(mul(v3, w1, k6), mul(v1, w3, k7), k6)
+    b2 = add(mul(w2, fy, k7), mul(t2, gs, k13), k7)
+    sub(mul(b2, v3, k13), s1, o9)
+    mul(b2, v2, o8)
+    add(mul(b2, v1, k8), s3, o7)
+    t2o = sub(add(mul(v3, w1o, k8), mul(v3o, w1, k13), k8), add(mul(v1, w3o, k13), mul(v1o, w3, k14), k13), k8)
+    b2o = add(add(mul(w2, fyo, k13), mul(w2o, fy, k14), k13), add(mul(t2, gso, k6), mul(t2o, gs, k8), k6), k6)
+    sub(add(mul(b2, v3o, k8), mul(b2o, v3, k13), k8), s1o, o27)
+    add(mul(b2, v2o, k8), mul(b2o, v2, k11), o26)
+    add(add(mul(b2, v1o, k7), mul(b2o, v1, k6), k6), s3o, o25)
+    t1 = sub(mul(v2, w3, k6), mul(v3, w2, k7), k6)
+    b1 = add(mul(w1, fy, k7), mul(t1, gs, k8), k7)
+    add(mul(b1, v3, k8), s2, o3)
+    sub(mul(b1, v2, k8), s3, o2)
+    mul(b1, v1, o1)
+    t1o = sub(add(mul(v2, w3o, k2), mul(v2o, w3, k8), k2), add(mul(v3, w2o, k8), mul(v3o, w2, k9), k8), k2)
+    b1o = add(add(mul(w1, fyo, k1), mul(w1o, fy, k4), k1), add(mul(t1, gso, k4), mul(t1o, gs, k2), k2), k1)
+    add(add(mul(b1, v3o, k2), mul(b1o, v3, k3), k2), s2o, o21)
+    sub(add(mul(b1, v2o, k2), mul(b1o, v2, k3), k2), s3o, o20)
+    add(mul(b1, v1o, k2), mul(b1o, v1, k1), o19)
+    copy(n0, o4)
+    copy(n0, o5)
+    copy(n0, o6)
+    copy(n0, o10)
+    copy(n0, o11)
+    copy(n0, o12)
+    copy(n0, o16)
+    copy(n0, o17)
+    copy(n0, o18)
+    copy(o1, o22)
+    copy(o2, o23)
+    copy(o3, o24)
+    copy(o7, o28)
+    copy(o8, o29)
+    copy(o9, o30)
+    copy(o13, o34)
+    copy(o14, o35)
+    copy(o15, o36)
+
+
+# operations 85: 34 +, 42 *, 9 /
+def _own_rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    side, = table
+    hs = side / 2
+    vw = v1 * w1 + v2 * w2 + v3 * w3
+    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
+    hv1 = v1 / 2
+    hv1o = v1o / 2
+    hv2 = v2 / 2
+    hv2o = v2o / 2
+    hv3 = v3 / 2
+    hv3o = v3o / 2
+    s1 = w1 * hs
+    s1o = w1o * hs
+    s2 = w2 * hs
+    s2o = w2o * hs
+    s3 = w3 * hs
+    s3o = w3o * hs
+    ha = vw / 2
+    hao = vwo / 2
+    J11 = hv1 * w1 + ha
+    J12 = hv1 * w2 - s3
+    J13 = hv1 * w3 + s2
+    J21 = hv2 * w1 + s3
+    J22 = hv2 * w2 + ha
+    J23 = hv2 * w3 - s1
+    J31 = hv3 * w1 - s2
+    J32 = hv3 * w2 + s1
+    J33 = hv3 * w3 + ha
+    return (
+        J11,
+        J12,
+        J13,
+        0,
+        0,
+        0,
+        J21,
+        J22,
+        J23,
+        0,
+        0,
+        0,
+        J31,
+        J32,
+        J33,
+        0,
+        0,
+        0,
+        hv1 * w1o + hv1o * w1 + hao,
+        hv1 * w2o + hv1o * w2 - s3o,
+        hv1 * w3o + hv1o * w3 + s2o,
+        J11,
+        J12,
+        J13,
+        hv2 * w1o + hv2o * w1 + s3o,
+        hv2 * w2o + hv2o * w2 + hao,
+        hv2 * w3o + hv2o * w3 - s1o,
+        J21,
+        J22,
+        J23,
+        hv3 * w1o + hv3o * w1 - s2o,
+        hv3 * w2o + hv3o * w2 + s1o,
+        hv3 * w3o + hv3o * w3 + hao,
+        J31,
+        J32,
+        J33,
+    )
+
+
+def _own_rate_jacobian_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows, table: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    side, = table
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36,
+    ) = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
+    n0, n2 = numbers
+    hv1 = div(v1, n2, k1)
+    vw = add(add(mul(v1, w1, k2), mul(v2, w2, k3), k2), mul(v3, w3, k3), k2)
+    ha = div(vw, n2, k2)
+    add(mul(hv1, w1, k3), ha, o1)
+    hs = div(side, n2, k3)
+    s3 = mul(w3, hs, k4)
+    sub(mul(hv1, w2, k5), s3, o2)
+    s2 = mul(w2, hs, k5)
+    add(mul(hv1, w3, k6), s2, o3)
+    hv2 = div(v2, n2, k6)
+    add(mul(hv2, w1, k7), s3, o7)
+    add(mul(hv2, w2, k4), ha, o8)
+    s1 = mul(w1, hs, k4)
+    sub(mul(hv2, w3, k7), s1, o9)
+    hv3 = div(v3, n2, k7)
+    sub(mul(hv3, w1, k8), s2, o13)
+    add(mul(hv3, w2, k5), s1, o14)
+    add(mul(hv3, w3, k4), ha, o15)
+    hv1o = div(v1o, n2, k2)
+    vwo = add(
+        add(add(mul(v1, w1o, k4), mul(v1o, w1, k5), k4), add(mul(v2, w2o, k5), mul(v2o, w2, k8), k5), k4), add(mul(v3,
+        w3o, k5), mul(v3o, w3, k8), k5), k4
+    )
+    hao = div(vwo, n2, k4)
+    add(add(mul(hv1, w1o, k5), mul(hv1o, w1, k8), k5), hao, o19)
+    s3o = mul(w3o, hs, k5)
+    sub(add(mul(hv1, w2o, k8), mul(hv1o, w2, k9), k8), s3o, o20)
+    s2o = mul(w2o, hs, k8)
+    add(add(mul(hv1, w3o, k1), mul(hv1o, w3, k2), k1), s2o, o21)
+    s1o = mul(w1o, hs, k1)
+    hv2o = div(v2o, n2, k2)
+    add(add(mul(hv2, w1o, k3), mul(hv2o, w1, k9), k3), s3o, o25)
+    add(add(mul(hv2, w2o, k3), mul(hv2o, w2, k5), k3), hao, o26)
+    sub(add(mul(hv2, w3o, k3), mul(hv2o, w3, k2), k2), s1o, o27)
+    hv3o = div(v3o, n2, k2)
+    sub(add(mul(hv3, w1o, k3), mul(hv3o, w1, k5), k3), s2o, o31)
+    add(add(mul(hv3, w2o, k3), mul(hv3o, w2, k5), k3), s1o, o32)
+    add(add(mul(hv3, w3o, k1), mul(hv3o, w3, k2), k1), hao, o33)
+    copy(n0, o4)
+    copy(n0, o5)
+    copy(n0, o6)
+    copy(n0, o10)
+    copy(n0, o11)
+    copy(n0, o12)
+    copy(n0, o16)
+    copy(n0, o17)
+    copy(n0, o18)
+    copy(o1, o22)
+    copy(o2, o23)
+    copy(o3, o24)
+    copy(o7, o28)
+    copy(o8, o29)
+    copy(o9, o30)
+    copy(o13, o34)
+    copy(o14, o35)
+    copy(o15, o36)
+
+
 # operations 58: 20 +, 34 *, 4 /
 def _own_from_quaternion(m: Any, c: Any, e: Components) -> Result:
     e0, e1, e2, e3, e0o, e1o, e2o, e3o = e
@@ -984,330 +1637,6 @@ def _own_from_quaternion_blocks(
     div(add(sub(mul(rho1, fi, k6), sub(mul(v2, rho3, k7), mul(v3, rho2, k8), k7), k6), mul(v1, hvr, k7), k6), n2, o4)
     div(add(sub(mul(rho2, fi, k6), sub(mul(v3, rho1, k7), mul(v1, rho3, k8), k7), k6), mul(v2, hvr, k7), k6), n2, o5)
     div(add(sub(mul(rho3, fi, k1), sub(mul(v1, rho2, k3), mul(v2, rho1, k2), k2), k1), mul(v3, hvr, k2), k1), n2, o6)
-
-
-# operations 119: 40 +, 41 *, 7 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
-def _own_from_tensor(m: Any, c: Any, R: Components) -> Result:
-    Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33, D11, D12, D13, D21, D22, D23, D31, D32, D33 = R
-    rho1 = (D31 * Q21 + D32 * Q22 + D33 * Q23 - (D21 * Q31 + D22 * Q32 + D23 * Q33)) / 2
-    rho2 = (D11 * Q31 + D12 * Q32 + D13 * Q33 - (D31 * Q11 + D32 * Q12 + D33 * Q13)) / 2
-    rho3 = (D21 * Q11 + D22 * Q12 + D23 * Q13 - (D11 * Q21 + D12 * Q22 + D13 * Q23)) / 2
-    a1 = Q32 - Q23
-    a2 = Q13 - Q31
-    a3 = Q21 - Q12
-    s12 = Q12 + Q21
-    s13 = Q13 + Q31
-    s23 = Q23 + Q32
-    up = 1 + Q11
-    down = 1 - Q11
-    total = Q22 + Q33
-    difference = Q22 - Q33
-    t0 = up + total
-    t1 = up - total
-    t2 = down + difference
-    t3 = down - difference
-    larger1 = t0 < t1
-    best1 = m.where(larger1, t1, t0)
-    z10 = m.where(larger1, a1, t0)
-    z11 = m.where(larger1, t1, a1)
-    z12 = m.where(larger1, s12, a2)
-    z13 = m.where(larger1, s13, a3)
-    larger2 = best1 < t2
-    best2 = m.where(larger2, t2, best1)
-    z20 = m.where(larger2, a2, z10)
-    z21 = m.where(larger2, s12, z11)
-    z22 = m.where(larger2, t2, z12)
-    z23 = m.where(larger2, s23, z13)
-    larger3 = best2 < t3
-    z30 = m.where(larger3, a3, z20)
-    z31 = m.where(larger3, s13, z21)
-    z32 = m.where(larger3, s23, z22)
-    z33 = m.where(larger3, t3, z23)
-    sign = m.where((z30 < 0) | (z30 == 0) & ((z31 < 0) | (z31 == 0) & ((z32 < 0) | (z32 == 0) & (z33 < 0))), -1, 1)
-    e0 = sign * z30
-    e1 = sign * z31
-    e2 = sign * z32
-    e3 = sign * z33
-    gain = 1 / e0
-    v1 = e1 * gain
-    v2 = e2 * gain
-    v3 = e3 * gain
-    fi = gain * e0
-    hvr = v1 * rho1 + v2 * rho2 + v3 * rho3
-    return (
-        v1,
-        v2,
-        v3,
-        (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
-        (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
-        (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
-    )
-
-
-def _own_from_tensor_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, R: Rows
-) -> None:
-    Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33, D11, D12, D13, D21, D22, D23, D31, D32, D33 = R
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
-    mask1, mask2, mask3, mask4, mask5, mask6, mask7 = masks
-    n_minus_1, n0, n1, n2 = numbers
-    up = add(n1, Q11, k1)
-    total = add(Q22, Q33, k2)
-    t0 = add(up, total, k3)
-    t1 = sub(up, total, k1)
-    larger1 = m.less(t0, t1, mask1)
-    best1 = m.where(larger1, t1, t0, k2)
-    down = sub(n1, Q11, k4)
-    difference = sub(Q22, Q33, k5)
-    t2 = add(down, difference, k6)
-    t3 = sub(down, difference, k4)
-    larger2 = m.less(best1, t2, mask2)
-    best2 = m.where(larger2, t2, best1, k5)
-    larger3 = m.less(best2, t3, mask3)
-    a1 = sub(Q32, Q23, k2)
-    z10 = m.where(larger1, a1, t0, k5)
-    z11 = m.where(larger1, t1, a1, k1)
-    a2 = sub(Q13, Q31, k2)
-    z20 = m.where(larger2, a2, z10, k3)
-    a3 = sub(Q21, Q12, k5)
-    z30 = m.where(larger3, a3, z20, k7)
-    s12 = add(Q12, Q21, k3)
-    z21 = m.where(larger2, s12, z11, k8)
-    z12 = m.where(larger1, s12, a2, k1)
-    z22 = m.where(larger2, t2, z12, k2)
-    s13 = add(Q13, Q31, k1)
-    z13 = m.where(larger1, s13, a3, k3)
-    z31 = m.where(larger3, s13, z21, k1)
-    s23 = add(Q23, Q32, k5)
-    z23 = m.where(larger2, s23, z13, k6)
-    z32 = m.where(larger3, s23, z22, k3)
-    z33 = m.where(larger3, t3, z23, k2)
-    sign = m.where(
-        m.either(m.less(z30, n0, mask1), m.both(m.equal(z30, n0, mask2), m.either(m.less(z31, n0, mask3),
-        m.both(m.equal(z31, n0, mask4), m.either(m.less(z32, n0, mask5), m.both(m.equal(z32, n0, mask6), m.less(z33, n0,
-        mask7), mask6), mask5), mask4), mask3), mask2), mask1), n_minus_1, n1, k4
-    )
-    e1 = mul(sign, z31, k1)
-    e0 = mul(sign, z30, k5)
-    e2 = mul(sign, z32, k3)
-    e3 = mul(sign, z33, k2)
-    gain = div(n1, e0, k4)
-    v1 = mul(e1, gain, o1)
-    v2 = mul(e2, gain, o2)
-    v3 = mul(e3, gain, o3)
-    fi = mul(gain, e0, k1)
-    rho1 = div(
-        sub(add(add(mul(D31, Q21, k2), mul(D32, Q22, k3), k2), mul(D33, Q23, k3), k2), add(add(mul(D21, Q31, k3),
-        mul(D22, Q32, k4), k3), mul(D23, Q33, k4), k3), k2), n2, k2
-    )
-    rho2 = div(
-        sub(add(add(mul(D11, Q31, k3), mul(D12, Q32, k4), k3), mul(D13, Q33, k4), k3), add(add(mul(D31, Q11, k4),
-        mul(D32, Q12, k5), k4), mul(D33, Q13, k5), k4), k3), n2, k3
-    )
-    rho3 = div(
-        sub(add(add(mul(D21, Q11, k4), mul(D22, Q12, k5), k4), mul(D23, Q13, k5), k4), add(add(mul(D11, Q21, k5),
-        mul(D12, Q22, k6), k5), mul(D13, Q23, k6), k5), k4), n2, k4
-    )
-    hvr = add(add(mul(v1, rho1, k5), mul(v2, rho2, k6), k5), mul(v3, rho3, k6), k5)
-    div(add(sub(mul(rho1, fi, k6), sub(mul(v2, rho3, k7), mul(v3, rho2, k8), k7), k6), mul(v1, hvr, k7), k6), n2, o4)
-    div(add(sub(mul(rho2, fi, k6), sub(mul(v3, rho1, k7), mul(v1, rho3, k8), k7), k6), mul(v2, hvr, k7), k6), n2, o5)
-    div(add(sub(mul(rho3, fi, k1), sub(mul(v1, rho2, k3), mul(v2, rho1, k2), k2), k1), mul(v3, hvr, k2), k1), n2, o6)
-
-
-# operations 83: 25 +, 23 *, 4 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
-def _own_from_pose(m: Any, c: Any, T: Components) -> Result:
-    Q11, Q12, Q13, T14, Q21, Q22, Q23, T24, Q31, Q32, Q33, T34, _, _, _, _ = T
-    a1 = Q32 - Q23
-    a2 = Q13 - Q31
-    a3 = Q21 - Q12
-    s12 = Q12 + Q21
-    s13 = Q13 + Q31
-    s23 = Q23 + Q32
-    up = 1 + Q11
-    down = 1 - Q11
-    total = Q22 + Q33
-    difference = Q22 - Q33
-    t0 = up + total
-    t1 = up - total
-    t2 = down + difference
-    t3 = down - difference
-    larger1 = t0 < t1
-    best1 = m.where(larger1, t1, t0)
-    z10 = m.where(larger1, a1, t0)
-    z11 = m.where(larger1, t1, a1)
-    z12 = m.where(larger1, s12, a2)
-    z13 = m.where(larger1, s13, a3)
-    larger2 = best1 < t2
-    best2 = m.where(larger2, t2, best1)
-    z20 = m.where(larger2, a2, z10)
-    z21 = m.where(larger2, s12, z11)
-    z22 = m.where(larger2, t2, z12)
-    z23 = m.where(larger2, s23, z13)
-    larger3 = best2 < t3
-    z30 = m.where(larger3, a3, z20)
-    z31 = m.where(larger3, s13, z21)
-    z32 = m.where(larger3, s23, z22)
-    z33 = m.where(larger3, t3, z23)
-    sign = m.where((z30 < 0) | (z30 == 0) & ((z31 < 0) | (z31 == 0) & ((z32 < 0) | (z32 == 0) & (z33 < 0))), -1, 1)
-    e0 = sign * z30
-    e1 = sign * z31
-    e2 = sign * z32
-    e3 = sign * z33
-    gain = 1 / e0
-    v1 = e1 * gain
-    v2 = e2 * gain
-    v3 = e3 * gain
-    fi = gain * e0
-    hvr = v1 * T14 + v2 * T24 + v3 * T34
-    return (
-        v1,
-        v2,
-        v3,
-        (T14 * fi - (v2 * T34 - v3 * T24) + v1 * hvr) / 2,
-        (T24 * fi - (v3 * T14 - v1 * T34) + v2 * hvr) / 2,
-        (T34 * fi - (v1 * T24 - v2 * T14) + v3 * hvr) / 2,
-    )
-
-
-def _own_from_pose_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, T: Rows
-) -> None:
-    Q11, Q12, Q13, T14, Q21, Q22, Q23, T24, Q31, Q32, Q33, T34, _, _, _, _ = T
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
-    mask1, mask2, mask3, mask4, mask5, mask6, mask7 = masks
-    n_minus_1, n0, n1, n2 = numbers
-    up = add(n1, Q11, k1)
-    total = add(Q22, Q33, k2)
-    t0 = add(up, total, k3)
-    t1 = sub(up, total, k1)
-    larger1 = m.less(t0, t1, mask1)
-    best1 = m.where(larger1, t1, t0, k2)
-    down = sub(n1, Q11, k4)
-    difference = sub(Q22, Q33, k5)
-    t2 = add(down, difference, k6)
-    t3 = sub(down, difference, k4)
-    larger2 = m.less(best1, t2, mask2)
-    best2 = m.where(larger2, t2, best1, k5)
-    larger3 = m.less(best2, t3, mask3)
-    a1 = sub(Q32, Q23, k2)
-    z10 = m.where(larger1, a1, t0, k5)
-    z11 = m.where(larger1, t1, a1, k1)
-    a2 = sub(Q13, Q31, k2)
-    z20 = m.where(larger2, a2, z10, k3)
-    a3 = sub(Q21, Q12, k5)
-    z30 = m.where(larger3, a3, z20, k7)
-    s12 = add(Q12, Q21, k3)
-    z21 = m.where(larger2, s12, z11, k8)
-    z12 = m.where(larger1, s12, a2, k1)
-    z22 = m.where(larger2, t2, z12, k2)
-    s13 = add(Q13, Q31, k1)
-    z13 = m.where(larger1, s13, a3, k3)
-    z31 = m.where(larger3, s13, z21, k1)
-    s23 = add(Q23, Q32, k5)
-    z23 = m.where(larger2, s23, z13, k6)
-    z32 = m.where(larger3, s23, z22, k3)
-    z33 = m.where(larger3, t3, z23, k2)
-    sign = m.where(
-        m.either(m.less(z30, n0, mask1), m.both(m.equal(z30, n0, mask2), m.either(m.less(z31, n0, mask3),
-        m.both(m.equal(z31, n0, mask4), m.either(m.less(z32, n0, mask5), m.both(m.equal(z32, n0, mask6), m.less(z33, n0,
-        mask7), mask6), mask5), mask4), mask3), mask2), mask1), n_minus_1, n1, k4
-    )
-    e1 = mul(sign, z31, k1)
-    e0 = mul(sign, z30, k5)
-    e2 = mul(sign, z32, k3)
-    e3 = mul(sign, z33, k2)
-    gain = div(n1, e0, k4)
-    v1 = mul(e1, gain, o1)
-    v2 = mul(e2, gain, o2)
-    v3 = mul(e3, gain, o3)
-    fi = mul(gain, e0, k1)
-    hvr = add(add(mul(v1, T14, k2), mul(v2, T24, k3), k2), mul(v3, T34, k3), k2)
-    div(add(sub(mul(T14, fi, k3), sub(mul(v2, T34, k4), mul(v3, T24, k5), k4), k3), mul(v1, hvr, k4), k3), n2, o4)
-    div(add(sub(mul(T24, fi, k3), sub(mul(v3, T14, k4), mul(v1, T34, k5), k4), k3), mul(v2, hvr, k4), k3), n2, o5)
-    div(add(sub(mul(T34, fi, k1), sub(mul(v1, T24, k3), mul(v2, T14, k4), k3), k1), mul(v3, hvr, k2), k1), n2, o6)
-
-
-# operations 66: 16 +, 26 *, 11 /, 6 abs, 1 sqrt, 1 atan2, 1 eq, 4 where
-def _own_to_screw(m: Any, c: Any, v: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    total = m.abs(v1) + m.abs(v2) + m.abs(v3)
-    still = total == 0
-    a1 = m.where(still, v1o, v1)
-    a2 = m.where(still, v2o, v2)
-    a3 = m.where(still, v3o, v3)
-    scale = m.abs(a1) + m.abs(a2) + m.abs(a3)
-    s1 = a1 / scale
-    s2 = a2 / scale
-    s3 = a3 / scale
-    root = m.sqrt(s1 * s1 + s2 * s2 + s3 * s3)
-    u1 = s1 / root
-    u2 = s2 / root
-    u3 = s3 / root
-    ro = u1 * v1o + u2 * v2o + u3 * v3o
-    ir = m.where(still, 0, 1) / root
-    ru1 = u1 * ro
-    ru2 = u2 * ro
-    ru3 = u3 * ro
-    r = total * root
-    uo1 = (v1o - ru1) / scale * ir
-    uo2 = (v2o - ru2) / scale * ir
-    uo3 = (v3o - ru3) / scale * ir
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    one = x - x + 1
-    angle = 2 * m.atan2(r * one, 1)
-    slope = 2 / (1 + x)
-    return angle, one * (slope * ro), u1 * one, u2 * one, u3 * one, uo1 * one, uo2 * one, uo3 * one
-
-
-def _own_to_screw_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    o1, o2, o3, o4, o5, o6, o7, o8 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
-    mask1, = masks
-    n0, n1, n2 = numbers
-    total = add(add(absolute(v1, k1), absolute(v2, k2), k1), absolute(v3, k2), k1)
-    still = m.equal(total, n0, mask1)
-    a1 = m.where(still, v1o, v1, k2)
-    a2 = m.where(still, v2o, v2, k3)
-    a3 = m.where(still, v3o, v3, k4)
-    scale = add(add(absolute(a1, k5), absolute(a2, k6), k5), absolute(a3, k6), k5)
-    s1 = div(a1, scale, k2)
-    s2 = div(a2, scale, k3)
-    s3 = div(a3, scale, k4)
-    root = sqrt(add(add(mul(s1, s1, k6), mul(s2, s2, k7), k6), mul(s3, s3, k7), k6), k6)
-    r = mul(total, root, k1)
-    u1 = div(s1, root, k2)
-    u2 = div(s2, root, k3)
-    u3 = div(s3, root, k4)
-    ir = div(m.where(still, n0, n1, k7), root, k6)
-    v11 = mul(v1, v1, k7)
-    v22 = mul(v2, v2, k8)
-    v33 = mul(v3, v3, k9)
-    x = add(add(v11, v22, k7), v33, k7)
-    one = add(sub(x, x, k8), n1, k8)
-    mul(n2, atan2(mul(r, one, k1), n1, k1), o1)
-    slope = div(n2, add(n1, x, k1), k1)
-    mul(u1, one, o3)
-    mul(u2, one, o4)
-    mul(u3, one, o5)
-    ro = add(add(mul(u1, v1o, k7), mul(u2, v2o, k9), k7), mul(u3, v3o, k9), k7)
-    mul(one, mul(slope, ro, k1), o2)
-    ru1 = mul(u1, ro, k1)
-    uo1 = mul(div(sub(v1o, ru1, k1), scale, k1), ir, k1)
-    mul(uo1, one, o6)
-    ru2 = mul(u2, ro, k1)
-    ru3 = mul(u3, ro, k2)
-    uo2 = mul(div(sub(v2o, ru2, k1), scale, k1), ir, k1)
-    uo3 = mul(div(sub(v3o, ru3, k2), scale, k2), ir, k2)
-    mul(uo2, one, o7)
-    mul(uo3, one, o8)
 
 
 # operations 139: 56 +, 75 *, 8 /
@@ -1438,20 +1767,13 @@ CHART = Chart(
     returns=(
     ),
     functions={
+        "quaternion": Function(_quaternion, _quaternion_blocks, 1, 0, (-1, 1)),
+        "inverse": Function(_inverse, _inverse_blocks, 0, 0, (1,)),
+        "gain_positive": Function(_gain_positive, _gain_positive_blocks, 0, 0, (1,)),
+        "natural": Function(_natural, _natural_blocks, 0, 0, (1, 2)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 2)),
     },
     own={
-        "quaternion": Kernel(
-        _own_quaternion,
-        _own_quaternion_blocks,
-        (("v", (6,)),),
-        (8,),
-        registers=3,
-        masks=0,
-        numbers=(-1, 1),
-        lent=(),
-        real=False,
-    ),
         "tensor": Kernel(
         _own_tensor,
         _own_tensor_blocks,
@@ -1562,6 +1884,61 @@ CHART = Chart(
         lent=(),
         real=False,
     ),
+        "tangent_dot": Kernel(
+        _own_tangent_dot,
+        _own_tangent_dot_blocks,
+        (("v", (6,)), ("v_dot", (6,)),),
+        (2, 3, 3),
+        registers=7,
+        masks=0,
+        numbers=(1, 2),
+        lent=(),
+        real=False,
+    ),
+        "twist_dot": Kernel(
+        _own_twist_dot,
+        _own_twist_dot_blocks,
+        (("v", (6,)), ("v_dot", (6,)), ("v_ddot", (6,)),),
+        (6,),
+        registers=12,
+        masks=0,
+        numbers=(1, 2),
+        lent=(),
+        real=False,
+    ),
+        "rate_dot": Kernel(
+        _own_rate_dot,
+        _own_rate_dot_blocks,
+        (("v", (6,)), ("omega", (6,)), ("omega_dot", (6,)),),
+        (6,),
+        registers=14,
+        masks=0,
+        numbers=(2,),
+        lent=(),
+        real=False,
+    ),
+        "twist_jacobian": Kernel(
+        _own_twist_jacobian,
+        _own_twist_jacobian_blocks,
+        (("v", (6,)), ("v_dot", (6,)),),
+        (6, 6),
+        registers=14,
+        masks=0,
+        numbers=(0, 1, 2),
+        lent=(),
+        real=False,
+    ),
+        "rate_jacobian": Kernel(
+        _own_rate_jacobian,
+        _own_rate_jacobian_blocks,
+        (("v", (6,)), ("omega", (6,)),),
+        (6, 6),
+        registers=9,
+        masks=0,
+        numbers=(0, 2),
+        lent=(),
+        real=False,
+    ),
         "from_quaternion": Kernel(
         _own_from_quaternion,
         _own_from_quaternion_blocks,
@@ -1570,39 +1947,6 @@ CHART = Chart(
         registers=8,
         masks=0,
         numbers=(1, 2),
-        lent=(),
-        real=True,
-    ),
-        "from_tensor": Kernel(
-        _own_from_tensor,
-        _own_from_tensor_blocks,
-        (("R", (2, 3, 3)),),
-        (6,),
-        registers=8,
-        masks=7,
-        numbers=(-1, 0, 1, 2),
-        lent=(),
-        real=True,
-    ),
-        "from_pose": Kernel(
-        _own_from_pose,
-        _own_from_pose_blocks,
-        (("T", (4, 4)),),
-        (6,),
-        registers=8,
-        masks=7,
-        numbers=(-1, 0, 1, 2),
-        lent=(),
-        real=True,
-    ),
-        "to_screw": Kernel(
-        _own_to_screw,
-        _own_to_screw_blocks,
-        (("v", (6,)),),
-        (8,),
-        registers=9,
-        masks=1,
-        numbers=(0, 1, 2),
         lent=(),
         real=True,
     ),
@@ -1622,11 +1966,20 @@ CHART = Chart(
 
 KERNELS = PoseKernels(CHART)
 
+body_cotangent = KERNELS.body_cotangent
+body_cotangent_jacobian = KERNELS.body_cotangent_jacobian
 body_rate = KERNELS.body_rate
+body_rate_dot = KERNELS.body_rate_dot
+body_rate_jacobian = KERNELS.body_rate_jacobian
 body_tangent = KERNELS.body_tangent
+body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
 body_twist = KERNELS.body_twist
+body_twist_dot = KERNELS.body_twist_dot
+body_twist_jacobian = KERNELS.body_twist_jacobian
 compose = KERNELS.compose
+cotangent = KERNELS.cotangent
+cotangent_jacobian = KERNELS.cotangent_jacobian
 dcay = KERNELS.tangent
 dcay_inv = KERNELS.tangent_inv
 from_pose = KERNELS.from_pose
@@ -1640,12 +1993,17 @@ principal = KERNELS.principal
 quaternion = KERNELS.quaternion
 random = KERNELS.random
 rate = KERNELS.rate
+rate_dot = KERNELS.rate_dot
+rate_jacobian = KERNELS.rate_jacobian
 shadow = KERNELS.shadow
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent
+tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_screw = KERNELS.to_screw
 transform_line = KERNELS.transform_line
 transform_point = KERNELS.transform_point
 twist = KERNELS.twist
+twist_dot = KERNELS.twist_dot
+twist_jacobian = KERNELS.twist_jacobian

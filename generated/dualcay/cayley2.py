@@ -63,7 +63,7 @@
 #   [n = 2] q = cos(alpha/2) + u sin(alpha/2): phi'*(h*x + f) = 1; [s](x -> 0) = 1
 #
 # Operations:
-#   quaternion: 31: 9 +, 19 *, 3 /
+#   quaternion: 32: 9 +, 20 *, 3 /
 #   tensor: 92: 35 +, 55 *, 2 /
 #   pose: 65: 26 +, 37 *, 2 /
 #   transform_point: 78: 30 +, 46 *, 2 /
@@ -74,16 +74,21 @@
 #   body_tangent: 81: 35 +, 42 *, 3 /, 1 neg
 #   body_tangent_inv: 69: 29 +, 24 *, 15 /, 1 neg
 #   twist: 128: 49 +, 75 *, 3 /, 1 neg
-#   rate: 105: 42 +, 61 *, 1 /, 1 neg
+#   rate: 109: 43 +, 65 *, 1 /
+#   tangent_dot: 179: 74 +, 98 *, 6 /, 1 neg
+#   twist_dot: 227: 91 +, 131 *, 4 /, 1 neg
+#   rate_dot: 332: 138 +, 181 *, 13 /
+#   twist_jacobian: 276: 113 +, 157 *, 4 /, 2 neg
+#   rate_jacobian: 151: 61 +, 69 *, 15 /, 6 neg
 #   from_quaternion: 63: 21 +, 34 *, 4 /, 1 neg, 1 lt, 2 where
-#   from_tensor: 128: 44 +, 45 *, 7 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
-#   from_pose: 92: 29 +, 27 *, 4 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_tensor: 134: 46 +, 49 *, 7 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_pose: 98: 31 +, 31 *, 4 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
-#   to_screw: 77: 19 +, 28 *, 12 /, 7 abs, 1 sqrt, 1 atan2, 2 lt, 1 eq, 6 where
+#   to_screw: 82: 21 +, 31 *, 12 /, 7 abs, 1 sqrt, 1 atan2, 2 lt, 1 eq, 6 where
 #   turn: 66: 16 +, 27 *, 11 /, 6 abs, 1 sqrt, 1 eq, 4 where
-#   shadow: 85: 23 +, 33 *, 12 /, 6 abs, 2 sqrt, 2 lt, 1 eq, 6 where
+#   shadow: 90: 25 +, 36 *, 12 /, 6 abs, 2 sqrt, 2 lt, 1 eq, 6 where
 #   principal: 55: 15 +, 23 *, 8 /, 1 sqrt, 1 lt, 7 where
-#   compose: 199: 71 +, 116 *, 8 /, 1 neg, 1 lt, 2 where
+#   compose: 205: 73 +, 120 *, 8 /, 1 neg, 1 lt, 2 where
 r"""Cayley map of order 2: Rodrigues dual vectors ``v = tan(α/4) u`` of rigid displacements.
 
 .. math::
@@ -114,10 +119,12 @@ from ._interface import PoseKernels
 from ._kernel import Components, Kernel, Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "body_rate", "body_tangent", "body_tangent_inv", "body_twist", "compose", "dcay", "dcay_inv", "from_pose",
-    "from_quaternion", "from_screw", "from_tensor", "identity", "inverse", "pose", "principal", "quaternion", "random",
-    "rate", "shadow", "singular_angles", "tangent", "tangent_inv", "tensor", "to_screw", "transform_line",
-    "transform_point", "twist",
+    "body_cotangent", "body_cotangent_jacobian", "body_rate", "body_rate_dot", "body_rate_jacobian", "body_tangent",
+    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
+    "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_pose", "from_quaternion", "from_screw", "from_tensor",
+    "identity", "inverse", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
+    "transform_point", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 2
@@ -128,6 +135,32 @@ def __dir__() -> list[str]:
 
 
 # --- scalars of x = v·v, of angles and quaternions: plain, and in place -------------------------------------------
+
+
+# operations 8: 2 +, 3 *, 3 /
+def _quaternion(m: Any, x: Any) -> Result:
+    p = 1 - x
+    root = 1 + x
+    r = root / root / root
+    s = p * r
+    w = 2 * r
+    minus_e = -2 / root
+    sy = w * minus_e
+    return s, w, sy, sy
+
+
+def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, o3, o4 = out
+    n_minus_2, n1, n2 = numbers
+    root = add(n1, x, o3)
+    r = div(div(root, root, o2), root, o2)
+    minus_e = div(n_minus_2, root, o3)
+    p = sub(n1, x, o1)
+    mul(p, r, o1)
+    w = mul(n2, r, o2)
+    mul(w, minus_e, o3)
+    copy(o3, o4)
+    return o1, o2, o3, o4
 
 
 # operations 10: 2 +, 6 *, 2 /
@@ -160,7 +193,8 @@ def _tangent(m: Any, x: Any) -> Result:
     r = 2 * (N / N / N)
     f = 2 * p * r
     g = 4 * r
-    e = 4 / (1 + x)
+    x1 = 1 + x
+    e = 4 / x1
     eg = e * g
     fy = g - eg
     gy = -eg
@@ -175,13 +209,220 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     r = mul(n2, div(div(N, N, o5), N, o2), o2)
     mul(mul(n2, p, o1), r, o1)
     g = mul(n4, r, o2)
-    e = div(n4, add(n1, x, o5), o5)
+    x1 = add(n1, x, o5)
+    e = div(n4, x1, o5)
     eg = mul(e, g, o5)
     sub(g, eg, o4)
     neg(eg, o5)
     copy(o2, o3)
     copy(o5, o6)
     return o1, o2, o3, o4, o5, o6
+
+
+# operations 22: 7 +, 10 *, 4 /, 1 neg
+def _tangent_dot(m: Any, x: Any) -> Result:
+    p = 1 - x
+    N = p * p + 4 * x
+    r = 2 * (N / N / N)
+    f = 2 * p * r
+    g = 4 * r
+    x1 = 1 + x
+    e = 4 / x1
+    eg = e * g
+    fy = g - eg
+    gy = -eg
+    egy = e * gy
+    ee = 2 * e / x1
+    eeg = ee * g
+    fyy = gy - egy + eeg
+    gyy = eeg - egy
+    return f, g, g, fy, gy, gy, fyy, gyy, gyy
+
+
+def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
+    k1, *_ = scratch
+    n1, n2, n4 = numbers
+    p = sub(n1, x, o1)
+    N = add(mul(p, p, o2), mul(n4, x, o8), o2)
+    r = mul(n2, div(div(N, N, o8), N, o2), o2)
+    mul(mul(n2, p, o1), r, o1)
+    g = mul(n4, r, o2)
+    x1 = add(n1, x, o8)
+    e = div(n4, x1, k1)
+    ee = div(mul(n2, e, o5), x1, o8)
+    eeg = mul(ee, g, o8)
+    eg = mul(e, g, o5)
+    sub(g, eg, o4)
+    gy = neg(eg, o5)
+    egy = mul(e, gy, k1)
+    add(sub(gy, egy, o7), eeg, o7)
+    sub(eeg, egy, o8)
+    copy(o2, o3)
+    copy(o5, o6)
+    copy(o8, o9)
+    return o1, o2, o3, o4, o5, o6, o7, o8, o9
+
+
+# operations 0
+def _inverse(m: Any, x: Any) -> Result:
+    return 1,
+
+
+def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    n1, = numbers
+    return n1,
+
+
+# operations 2: 1 +, 1 /
+def _tangent_inv(m: Any, x: Any) -> Result:
+    p = 1 - x
+    fi = p / 2
+    return fi, 1, -1, 0
+
+
+def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, _, _, _ = out
+    n_minus_1, n0, n1, n2 = numbers
+    p = sub(n1, x, o1)
+    div(p, n2, o1)
+    return o1, n1, n_minus_1, n0
+
+
+# operations 2: 1 +, 1 /
+def _tangent_inv_dot(m: Any, x: Any) -> Result:
+    p = 1 - x
+    fi = p / 2
+    return fi, 1, -1, 0, 0, 0
+
+
+def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, _, _, _, _, _ = out
+    n_minus_1, n0, n1, n2 = numbers
+    p = sub(n1, x, o1)
+    div(p, n2, o1)
+    return o1, n1, n_minus_1, n0, n0, n0
+
+
+# operations 11: 3 +, 6 *, 2 /
+def _ray(m: Any, x: Any) -> Result:
+    p = 1 - x
+    root = 1 + x
+    N = p * p + 4 * x
+    r = 2 * (N / N / N)
+    f = 2 * p * r
+    g = 4 * r
+    return p, 2, root, f, g, g
+
+
+def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, _, o3, o4, o5, o6 = out
+    n1, n2, n4 = numbers
+    p = sub(n1, x, o1)
+    add(n1, x, o3)
+    N = add(mul(p, p, o5), mul(n4, x, o4), o5)
+    r = mul(n2, div(div(N, N, o4), N, o5), o5)
+    mul(mul(n2, p, o4), r, o4)
+    mul(n4, r, o5)
+    copy(o5, o6)
+    return o1, n2, o3, o4, o5, o6
+
+
+# operations 10: 4 +, 4 *, 1 /, 1 sqrt
+def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
+    size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
+    gain = 1 / (size + e0)
+    return gain,
+
+
+def _gain_positive_blocks(
+    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
+) -> Result:
+    o1, = out
+    k1, k2, *_ = scratch
+    n1, = numbers
+    size = sqrt(add(mul(e0, e0, o1), add(add(mul(e1, e1, k1), mul(e2, e2, k2), k1), mul(e3, e3, k2), k1), o1), o1)
+    div(n1, add(size, e0, o1), o1)
+    return o1,
+
+
+# operations 7: 1 +, 1 *, 1 /, 1 neg, 1 lt, 2 where
+def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
+    size = size2 * size1
+    negative = e0 < 0
+    cos = m.where(negative, -e0, e0)
+    gain = m.where(negative, -1, 1) / (size + cos)
+    return gain,
+
+
+def _gain_product_blocks(
+    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any
+) -> Result:
+    o1, = out
+    k1, k2, *_ = scratch
+    mask1, *_ = masks
+    n_minus_1, n0, n1 = numbers
+    negative = m.less(e0, n0, mask1)
+    size = mul(size2, size1, o1)
+    cos = m.where(negative, neg(e0, k1), e0, k1)
+    div(m.where(negative, n_minus_1, n1, k2), add(size, cos, o1), o1)
+    return o1,
+
+
+# operations 13: 5 +, 2 *, 1 /, 1 sqrt, 2 lt, 2 where
+def _direction(m: Any, x: Any, y: Any) -> Result:
+    rd = m.sqrt(x)
+    rq = 2 * rd
+    p = 1 - x
+    either = rq + p
+    one = either - either + 1
+    qp = m.where(rq + p / 16 < rq, -2, 2)
+    sign = one * m.where(qp < 0, -1, 1)
+    return sign,
+
+
+def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any) -> Result:
+    o1, = out
+    k1, k2, *_ = scratch
+    mask1, *_ = masks
+    n_minus_2, n_minus_1, n0, n1, n2, n16 = numbers
+    rd = sqrt(x, o1)
+    rq = mul(n2, rd, o1)
+    p = sub(n1, x, k1)
+    either = add(rq, p, k2)
+    qp = m.where(m.less(add(rq, div(p, n16, k1), k1), rq, mask1), n_minus_2, n2, o1)
+    one = add(sub(either, either, k1), n1, k1)
+    mul(one, m.where(m.less(qp, n0, mask1), n_minus_1, n1, o1), o1)
+    return o1,
+
+
+# operations 18: 6 +, 4 *, 2 /, 1 abs, 1 atan2, 2 lt, 2 where
+def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
+    rq = 2 * r
+    p = 1 - x
+    either = rq + p
+    one = either - either + 1
+    qp = m.where(rq + p / 16 < rq, -2, 2)
+    sign = one * m.where(qp < 0, -1, 1)
+    angle = 2 * m.atan2(rq * one, m.abs(p))
+    slope = 4 / (1 + x)
+    return angle, slope, sign
+
+
+def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
+    o1, o2, o3 = out
+    k1, *_ = scratch
+    mask1, *_ = masks
+    n_minus_2, n_minus_1, n0, n1, n2, n4, n16 = numbers
+    rq = mul(n2, r, o1)
+    p = sub(n1, x, o3)
+    either = add(rq, p, o2)
+    one = add(sub(either, either, o2), n1, o2)
+    qp = m.where(m.less(add(rq, div(p, n16, k1), k1), rq, mask1), n_minus_2, n2, k1)
+    mul(n2, atan2(mul(rq, one, o1), absolute(p, o3), o1), o1)
+    mul(one, m.where(m.less(qp, n0, mask1), n_minus_1, n1, o3), o3)
+    div(n4, add(n1, x, o2), o2)
+    return o1, o2, o3
 
 
 # operations 7: 2 +, 4 *, 1 /
@@ -236,53 +477,6 @@ def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
 # --- geometry that does with less here than for any chart ---------------------------------------------------------
 
 
-# operations 31: 9 +, 19 *, 3 /
-def _own_quaternion(m: Any, c: Any, v: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    p = 1 - x
-    root = 1 + x
-    r = root / root / root
-    s = p * r
-    w = 2 * r
-    minus_e = -2 / root
-    sy = w * minus_e
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    wo = sy * y
-    return s, v1 * w, v2 * w, v3 * w, wo, v1o * w + v1 * wo, v2o * w + v2 * wo, v3o * w + v3 * wo
-
-
-def _own_quaternion_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    o1, o2, o3, o4, o5, o6, o7, o8 = out
-    k1, k2, k3, k4 = scratch
-    n_minus_2, n1, n2 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    root = add(n1, x, k2)
-    p = sub(n1, x, k1)
-    r = div(div(root, root, k3), root, k3)
-    mul(p, r, o1)
-    w = mul(n2, r, k1)
-    mul(v1, w, o2)
-    mul(v2, w, o3)
-    mul(v3, w, o4)
-    minus_e = div(n_minus_2, root, k2)
-    sy = mul(w, minus_e, k2)
-    y = add(add(mul(v1, v1o, k3), mul(v2, v2o, k4), k3), mul(v3, v3o, k4), k3)
-    wo = mul(sy, y, o5)
-    add(mul(v1o, w, k2), mul(v1, wo, k3), o6)
-    add(mul(v2o, w, k2), mul(v2, wo, k3), o7)
-    add(mul(v3o, w, k1), mul(v3, wo, k2), o8)
-
-
 # operations 81: 35 +, 42 *, 3 /, 1 neg
 def _own_tangent(m: Any, c: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
@@ -295,7 +489,8 @@ def _own_tangent(m: Any, c: Any, v: Components) -> Result:
     r = 2 * (N / N / N)
     f = 2 * p * r
     g = 4 * r
-    e = 4 / (1 + x)
+    x1 = 1 + x
+    e = 4 / x1
     eg = e * g
     fy = g - eg
     gy = -eg
@@ -352,7 +547,8 @@ def _own_tangent_blocks(
     r = mul(n2, div(div(N, N, k4), N, k3), k3)
     f = mul(mul(n2, p, k2), r, k2)
     g = mul(n4, r, k3)
-    e = div(n4, add(n1, x, k1), k1)
+    x1 = add(n1, x, k1)
+    e = div(n4, x1, k1)
     eg = mul(e, g, k1)
     gv1 = mul(v1, g, k4)
     add(f, mul(gv1, v1, k5), o1)
@@ -511,7 +707,8 @@ def _own_body_tangent(m: Any, c: Any, v: Components) -> Result:
     r = 2 * (N / N / N)
     f = 2 * p * r
     g = 4 * r
-    e = 4 / (1 + x)
+    x1 = 1 + x
+    e = 4 / x1
     eg = e * g
     fy = g - eg
     gy = -eg
@@ -568,7 +765,8 @@ def _own_body_tangent_blocks(
     r = mul(n2, div(div(N, N, k4), N, k3), k3)
     f = mul(mul(n2, p, k2), r, k2)
     g = mul(n4, r, k3)
-    e = div(n4, add(n1, x, k1), k1)
+    x1 = add(n1, x, k1)
+    e = div(n4, x1, k1)
     eg = mul(e, g, k1)
     gv1 = mul(v1, g, k4)
     add(f, mul(gv1, v1, k5), o1)
@@ -715,74 +913,330 @@ def _own_body_tangent_inv_blocks(
     add(fio, add(mul(cv3, v3o, k3), mul(cvo3, v3, k2), k2), o18)
 
 
-# operations 105: 42 +, 61 *, 1 /, 1 neg
-def _own_rate(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
+# operations 179: 74 +, 98 *, 6 /, 1 neg
+def _own_tangent_dot(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = omega
-    side, half = table
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    side, = table
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
     p = 1 - x
-    fi = p / 2
+    N = p * p + 4 * x
+    r = 2 * (N / N / N)
+    g = 4 * r
+    x1 = 1 + x
+    e = 4 / x1
+    eg = e * g
+    fy = g - eg
+    gy = -eg
+    egy = e * gy
+    ee = 2 * e / x1
+    eeg = ee * g
+    fyy = gy - egy + eeg
+    gyy = eeg - egy
     y = v1 * v1o + v2 * v2o + v3 * v3o
-    ys = y * side
-    fis = fi * side
-    fio = -ys
+    go = gy * y
+    fyo = fyy * y
+    gyo = gyy * y
     vw = v1 * w1 + v2 * w2 + v3 * w3
-    cvw = side * vw
-    cvwo = side * (v1o * w1 + v2o * w2 + v3o * w3 + (v1 * w1o + v2 * w2o + v3 * w3o))
+    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
+    gt = gy * vw
+    gto = gy * vwo + gyo * vw
+    gw1 = w1 * g
+    gw1o = w1 * go + w1o * g
+    gw2 = w2 * g
+    gw2o = w2 * go + w2o * g
+    gw3 = w3 * g
+    gw3o = w3 * go + w3o * g
+    s1 = (v1 * gt + gw1) * side
+    s1o = (v1 * gto + v1o * gt + gw1o) * side
+    s2 = (v2 * gt + gw2) * side
+    s2o = (v2 * gto + v2o * gt + gw2o) * side
+    s3 = (v3 * gt + gw3) * side
+    s3o = (v3 * gto + v3o * gt + gw3o) * side
+    ht = gt / 2
+    hto = gto / 2
+    b1 = v1 * ht + gw1
+    b1o = v1 * hto + v1o * ht + gw1o
+    b2 = v2 * ht + gw2
+    b2o = v2 * hto + v2o * ht + gw2o
+    b3 = v3 * ht + gw3
+    b3o = v3 * hto + v3o * ht + gw3o
+    ft = fy * vw
+    fto = fy * vwo + fyo * vw
+    d12 = v1 * b2 + b1 * v2
+    d12o = v1 * b2o + v1o * b2 + (b1 * v2o + b1o * v2)
+    d13 = v1 * b3 + b1 * v3
+    d13o = v1 * b3o + v1o * b3 + (b1 * v3o + b1o * v3)
+    d23 = v2 * b3 + b2 * v3
+    d23o = v2 * b3o + v2o * b3 + (b2 * v3o + b2o * v3)
     return (
-        (w1 * fis + (w2 * v3 - w3 * v2) + v1 * cvw) * half,
-        (w2 * fis + (w3 * v1 - w1 * v3) + v2 * cvw) * half,
-        (w3 * fis + (w1 * v2 - w2 * v1) + v3 * cvw) * half,
-        (w1o * fis + w1 * fio + (w2o * v3 - w3o * v2) + (w2 * v3o - w3 * v2o) + (v1o * cvw + v1 * cvwo)) * half,
-        (w2o * fis + w2 * fio + (w3o * v1 - w1o * v3) + (w3 * v1o - w1 * v3o) + (v2o * cvw + v2 * cvwo)) * half,
-        (w3o * fis + w3 * fio + (w1o * v2 - w2o * v1) + (w1 * v2o - w2 * v1o) + (v3o * cvw + v3 * cvwo)) * half,
+        ft + 2 * (v1 * b1),
+        d12 - s3,
+        d13 + s2,
+        d12 + s3,
+        ft + 2 * (v2 * b2),
+        d23 - s1,
+        d13 - s2,
+        d23 + s1,
+        ft + 2 * (v3 * b3),
+        fto + 2 * (v1 * b1o + v1o * b1),
+        d12o - s3o,
+        d13o + s2o,
+        d12o + s3o,
+        fto + 2 * (v2 * b2o + v2o * b2),
+        d23o - s1o,
+        d13o - s2o,
+        d23o + s1o,
+        fto + 2 * (v3 * b3o + v3o * b3),
     )
 
 
-def _own_rate_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows, table: Rows
+def _own_tangent_dot_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows, table: Rows
 ) -> None:
     v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = omega
-    side, half = table
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7 = scratch
-    n1, n2 = numbers
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    side, = table
+    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16 = scratch
+    n1, n2, n4 = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
-    p = sub(n1, x, k1)
-    fi = div(p, n2, k1)
-    fis = mul(fi, side, k1)
-    vw = add(add(mul(v1, w1, k2), mul(v2, w2, k3), k2), mul(v3, w3, k3), k2)
-    cvw = mul(side, vw, k2)
-    mul(add(add(mul(w1, fis, k3), sub(mul(w2, v3, k4), mul(w3, v2, k5), k4), k3), mul(v1, cvw, k4), k3), half, o1)
-    mul(add(add(mul(w2, fis, k3), sub(mul(w3, v1, k4), mul(w1, v3, k5), k4), k3), mul(v2, cvw, k4), k3), half, o2)
-    mul(add(add(mul(w3, fis, k3), sub(mul(w1, v2, k4), mul(w2, v1, k5), k4), k3), mul(v3, cvw, k4), k3), half, o3)
-    y = add(add(mul(v1, v1o, k3), mul(v2, v2o, k4), k3), mul(v3, v3o, k4), k3)
-    ys = mul(y, side, k3)
-    fio = neg(ys, k3)
-    cvwo = mul(
-        side, add(add(add(mul(v1o, w1, k4), mul(v2o, w2, k5), k4), mul(v3o, w3, k5), k4), add(add(mul(v1, w1o, k5),
-        mul(v2, w2o, k6), k5), mul(v3, w3o, k6), k5), k4), k4
+    p = sub(n1, x, k2)
+    N = add(mul(p, p, k2), mul(n4, x, k3), k2)
+    r = mul(n2, div(div(N, N, k3), N, k2), k2)
+    g = mul(n4, r, k2)
+    x1 = add(n1, x, k1)
+    e = div(n4, x1, k3)
+    ee = div(mul(n2, e, k4), x1, k1)
+    eeg = mul(ee, g, k1)
+    eg = mul(e, g, k4)
+    fy = sub(g, eg, k5)
+    gy = neg(eg, k4)
+    egy = mul(e, gy, k3)
+    vw = add(add(mul(v1, w1, k6), mul(v2, w2, k7), k6), mul(v3, w3, k7), k6)
+    ft = mul(fy, vw, k7)
+    gt = mul(gy, vw, k8)
+    ht = div(gt, n2, k9)
+    gw1 = mul(w1, g, k10)
+    b1 = add(mul(v1, ht, k11), gw1, k11)
+    add(ft, mul(n2, mul(v1, b1, k12), k12), o1)
+    s1 = mul(add(mul(v1, gt, k12), gw1, k10), side, k10)
+    gw2 = mul(w2, g, k12)
+    b2 = add(mul(v2, ht, k13), gw2, k13)
+    s2 = mul(add(mul(v2, gt, k14), gw2, k12), side, k12)
+    add(ft, mul(n2, mul(v2, b2, k14), k14), o5)
+    d12 = add(mul(v1, b2, k14), mul(b1, v2, k15), k14)
+    gw3 = mul(w3, g, k15)
+    s3 = mul(add(mul(v3, gt, k16), gw3, k16), side, k16)
+    sub(d12, s3, o2)
+    add(d12, s3, o4)
+    b3 = add(mul(v3, ht, k14), gw3, k14)
+    add(ft, mul(n2, mul(v3, b3, k15), k15), o9)
+    d13 = add(mul(v1, b3, k7), mul(b1, v3, k15), k7)
+    add(d13, s2, o3)
+    sub(d13, s2, o7)
+    d23 = add(mul(v2, b3, k7), mul(b2, v3, k12), k7)
+    sub(d23, s1, o6)
+    add(d23, s1, o8)
+    fyy = add(sub(gy, egy, k7), eeg, k7)
+    gyy = sub(eeg, egy, k1)
+    y = add(add(mul(v1, v1o, k3), mul(v2, v2o, k10), k3), mul(v3, v3o, k10), k3)
+    fyo = mul(fyy, y, k7)
+    gyo = mul(gyy, y, k1)
+    go = mul(gy, y, k3)
+    vwo = add(
+        add(add(mul(v1, w1o, k10), mul(v1o, w1, k12), k10), add(mul(v2, w2o, k12), mul(v2o, w2, k15), k12), k10),
+        add(mul(v3, w3o, k12), mul(v3o, w3, k15), k12), k10
     )
-    mul(
-        add(add(add(add(mul(w1o, fis, k5), mul(w1, fio, k6), k5), sub(mul(w2o, v3, k6), mul(w3o, v2, k7), k6), k5),
-        sub(mul(w2, v3o, k6), mul(w3, v2o, k7), k6), k5), add(mul(v1o, cvw, k6), mul(v1, cvwo, k7), k6), k5), half, o4
+    fto = add(mul(fy, vwo, k5), mul(fyo, vw, k7), k5)
+    gto = add(mul(gy, vwo, k4), mul(gyo, vw, k1), k1)
+    hto = div(gto, n2, k4)
+    gw1o = add(mul(w1, go, k6), mul(w1o, g, k7), k6)
+    b1o = add(add(mul(v1, hto, k7), mul(v1o, ht, k10), k7), gw1o, k7)
+    add(fto, mul(n2, add(mul(v1, b1o, k10), mul(v1o, b1, k12), k10), k10), o10)
+    s1o = mul(add(add(mul(v1, gto, k10), mul(v1o, gt, k12), k10), gw1o, k6), side, k6)
+    gw2o = add(mul(w2, go, k10), mul(w2o, g, k12), k10)
+    gw3o = add(mul(w3, go, k3), mul(w3o, g, k2), k2)
+    b2o = add(add(mul(v2, hto, k3), mul(v2o, ht, k12), k3), gw2o, k3)
+    b3o = add(add(mul(v3, hto, k4), mul(v3o, ht, k9), k4), gw3o, k4)
+    s3o = mul(add(add(mul(v3, gto, k9), mul(v3o, gt, k12), k9), gw3o, k2), side, k2)
+    s2o = mul(add(add(mul(v2, gto, k1), mul(v2o, gt, k8), k1), gw2o, k1), side, k1)
+    add(fto, mul(n2, add(mul(v2, b2o, k8), mul(v2o, b2, k9), k8), k8), o14)
+    add(fto, mul(n2, add(mul(v3, b3o, k8), mul(v3o, b3, k9), k8), k8), o18)
+    d12o = add(add(mul(v1, b2o, k5), mul(v1o, b2, k8), k5), add(mul(b1, v2o, k8), mul(b1o, v2, k9), k8), k5)
+    d13o = add(add(mul(v1, b3o, k8), mul(v1o, b3, k9), k8), add(mul(b1, v3o, k9), mul(b1o, v3, k7), k7), k7)
+    d23o = add(add(mul(v2, b3o, k4), mul(v2o, b3, k8), k4), add(mul(b2, v3o, k8), mul(b2o, v3, k3), k3), k3)
+    sub(d12o, s3o, o11)
+    add(d12o, s3o, o13)
+    add(d13o, s2o, o12)
+    sub(d13o, s2o, o16)
+    sub(d23o, s1o, o15)
+    add(d23o, s1o, o17)
+
+
+# operations 151: 61 +, 69 *, 15 /, 6 neg
+def _own_rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    side, = table
+    hs = side / 2
+    vw = v1 * w1 + v2 * w2 + v3 * w3
+    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
+    b1 = -w1 / 2
+    b1o = -w1o / 2
+    b2 = -w2 / 2
+    b2o = -w2o / 2
+    b3 = -w3 / 2
+    b3o = -w3o / 2
+    hv1 = v1 / 2
+    hv1o = v1o / 2
+    hv2 = v2 / 2
+    hv2o = v2o / 2
+    hv3 = v3 / 2
+    hv3o = v3o / 2
+    s1 = w1 * hs
+    s1o = w1o * hs
+    s2 = w2 * hs
+    s2o = w2o * hs
+    s3 = w3 * hs
+    s3o = w3o * hs
+    ha = vw / 2
+    hao = vwo / 2
+    J11 = b1 * v1 + hv1 * w1 + ha
+    J12 = b1 * v2 + hv1 * w2 - s3
+    J13 = b1 * v3 + hv1 * w3 + s2
+    J21 = b2 * v1 + hv2 * w1 + s3
+    J22 = b2 * v2 + hv2 * w2 + ha
+    J23 = b2 * v3 + hv2 * w3 - s1
+    J31 = b3 * v1 + hv3 * w1 - s2
+    J32 = b3 * v2 + hv3 * w2 + s1
+    J33 = b3 * v3 + hv3 * w3 + ha
+    return (
+        J11,
+        J12,
+        J13,
+        0,
+        0,
+        0,
+        J21,
+        J22,
+        J23,
+        0,
+        0,
+        0,
+        J31,
+        J32,
+        J33,
+        0,
+        0,
+        0,
+        b1 * v1o + b1o * v1 + (hv1 * w1o + hv1o * w1) + hao,
+        b1 * v2o + b1o * v2 + (hv1 * w2o + hv1o * w2) - s3o,
+        b1 * v3o + b1o * v3 + (hv1 * w3o + hv1o * w3) + s2o,
+        J11,
+        J12,
+        J13,
+        b2 * v1o + b2o * v1 + (hv2 * w1o + hv2o * w1) + s3o,
+        b2 * v2o + b2o * v2 + (hv2 * w2o + hv2o * w2) + hao,
+        b2 * v3o + b2o * v3 + (hv2 * w3o + hv2o * w3) - s1o,
+        J21,
+        J22,
+        J23,
+        b3 * v1o + b3o * v1 + (hv3 * w1o + hv3o * w1) - s2o,
+        b3 * v2o + b3o * v2 + (hv3 * w2o + hv3o * w2) + s1o,
+        b3 * v3o + b3o * v3 + (hv3 * w3o + hv3o * w3) + hao,
+        J31,
+        J32,
+        J33,
     )
-    mul(
-        add(add(add(add(mul(w2o, fis, k5), mul(w2, fio, k6), k5), sub(mul(w3o, v1, k6), mul(w1o, v3, k7), k6), k5),
-        sub(mul(w3, v1o, k6), mul(w1, v3o, k7), k6), k5), add(mul(v2o, cvw, k6), mul(v2, cvwo, k7), k6), k5), half, o5
+
+
+def _own_rate_jacobian_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows, table: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    side, = table
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36,
+    ) = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14 = scratch
+    n0, n2 = numbers
+    b1 = div(neg(w1, k1), n2, k1)
+    hv1 = div(v1, n2, k2)
+    vw = add(add(mul(v1, w1, k3), mul(v2, w2, k4), k3), mul(v3, w3, k4), k3)
+    ha = div(vw, n2, k3)
+    add(add(mul(b1, v1, k4), mul(hv1, w1, k5), k4), ha, o1)
+    hs = div(side, n2, k4)
+    s3 = mul(w3, hs, k5)
+    sub(add(mul(b1, v2, k6), mul(hv1, w2, k7), k6), s3, o2)
+    s2 = mul(w2, hs, k6)
+    add(add(mul(b1, v3, k7), mul(hv1, w3, k8), k7), s2, o3)
+    b2 = div(neg(w2, k7), n2, k7)
+    hv2 = div(v2, n2, k8)
+    add(add(mul(b2, v1, k9), mul(hv2, w1, k10), k9), s3, o7)
+    add(add(mul(b2, v2, k5), mul(hv2, w2, k9), k5), ha, o8)
+    s1 = mul(w1, hs, k5)
+    sub(add(mul(b2, v3, k9), mul(hv2, w3, k10), k9), s1, o9)
+    b3 = div(neg(w3, k9), n2, k9)
+    hv3 = div(v3, n2, k10)
+    sub(add(mul(b3, v1, k11), mul(hv3, w1, k12), k11), s2, o13)
+    add(add(mul(b3, v2, k6), mul(hv3, w2, k11), k6), s1, o14)
+    add(add(mul(b3, v3, k5), mul(hv3, w3, k6), k5), ha, o15)
+    b1o = div(neg(w1o, k3), n2, k3)
+    hv1o = div(v1o, n2, k5)
+    vwo = add(
+        add(add(mul(v1, w1o, k6), mul(v1o, w1, k11), k6), add(mul(v2, w2o, k11), mul(v2o, w2, k12), k11), k6),
+        add(mul(v3, w3o, k11), mul(v3o, w3, k12), k11), k6
     )
-    mul(
-        add(add(add(add(mul(w3o, fis, k1), mul(w3, fio, k3), k1), sub(mul(w1o, v2, k3), mul(w2o, v1, k5), k3), k1),
-        sub(mul(w1, v2o, k3), mul(w2, v1o, k5), k3), k1), add(mul(v3o, cvw, k2), mul(v3, cvwo, k3), k2), k1), half, o6
+    hao = div(vwo, n2, k6)
+    add(
+        add(add(mul(b1, v1o, k11), mul(b1o, v1, k12), k11), add(mul(hv1, w1o, k12), mul(hv1o, w1, k13), k12), k11), hao,
+        o19
     )
+    s3o = mul(w3o, hs, k11)
+    sub(
+        add(add(mul(b1, v2o, k12), mul(b1o, v2, k13), k12), add(mul(hv1, w2o, k13), mul(hv1o, w2, k14), k13), k12), s3o,
+        o20
+    )
+    s2o = mul(w2o, hs, k12)
+    add(add(add(mul(b1, v3o, k1), mul(b1o, v3, k3), k1), add(mul(hv1, w3o, k2), mul(hv1o, w3, k3), k2), k1), s2o, o21)
+    s1o = mul(w1o, hs, k1)
+    b2o = div(neg(w2o, k2), n2, k2)
+    hv2o = div(v2o, n2, k3)
+    add(add(add(mul(b2, v1o, k4), mul(b2o, v1, k5), k4), add(mul(hv2, w1o, k5), mul(hv2o, w1, k13), k5), k4), s3o, o25)
+    add(add(add(mul(b2, v2o, k4), mul(b2o, v2, k5), k4), add(mul(hv2, w2o, k5), mul(hv2o, w2, k11), k5), k4), hao, o26)
+    sub(add(add(mul(b2, v3o, k4), mul(b2o, v3, k2), k2), add(mul(hv2, w3o, k4), mul(hv2o, w3, k3), k3), k2), s1o, o27)
+    b3o = div(neg(w3o, k2), n2, k2)
+    hv3o = div(v3o, n2, k3)
+    sub(add(add(mul(b3, v1o, k4), mul(b3o, v1, k5), k4), add(mul(hv3, w1o, k5), mul(hv3o, w1, k7), k5), k4), s2o, o31)
+    add(add(add(mul(b3, v2o, k4), mul(b3o, v2, k5), k4), add(mul(hv3, w2o, k5), mul(hv3o, w2, k7), k5), k4), s1o, o32)
+    add(add(add(mul(b3, v3o, k1), mul(b3o, v3, k2), k1), add(mul(hv3, w3o, k2), mul(hv3o, w3, k3), k2), k1), hao, o33)
+    copy(n0, o4)
+    copy(n0, o5)
+    copy(n0, o6)
+    copy(n0, o10)
+    copy(n0, o11)
+    copy(n0, o12)
+    copy(n0, o16)
+    copy(n0, o17)
+    copy(n0, o18)
+    copy(o1, o22)
+    copy(o2, o23)
+    copy(o3, o24)
+    copy(o7, o28)
+    copy(o8, o29)
+    copy(o9, o30)
+    copy(o13, o34)
+    copy(o14, o35)
+    copy(o15, o36)
 
 
 # operations 63: 21 +, 34 *, 4 /, 1 neg, 1 lt, 2 where
@@ -839,610 +1293,6 @@ def _own_from_quaternion_blocks(
     div(add(sub(mul(rho3, fi, k1), sub(mul(v1, rho2, k3), mul(v2, rho1, k2), k2), k1), mul(v3, hvr, k2), k1), n2, o6)
 
 
-# operations 128: 44 +, 45 *, 7 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
-def _own_from_tensor(m: Any, c: Any, R: Components) -> Result:
-    Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33, D11, D12, D13, D21, D22, D23, D31, D32, D33 = R
-    rho1 = (D31 * Q21 + D32 * Q22 + D33 * Q23 - (D21 * Q31 + D22 * Q32 + D23 * Q33)) / 2
-    rho2 = (D11 * Q31 + D12 * Q32 + D13 * Q33 - (D31 * Q11 + D32 * Q12 + D33 * Q13)) / 2
-    rho3 = (D21 * Q11 + D22 * Q12 + D23 * Q13 - (D11 * Q21 + D12 * Q22 + D13 * Q23)) / 2
-    a1 = Q32 - Q23
-    a2 = Q13 - Q31
-    a3 = Q21 - Q12
-    s12 = Q12 + Q21
-    s13 = Q13 + Q31
-    s23 = Q23 + Q32
-    up = 1 + Q11
-    down = 1 - Q11
-    total = Q22 + Q33
-    difference = Q22 - Q33
-    t0 = up + total
-    t1 = up - total
-    t2 = down + difference
-    t3 = down - difference
-    larger1 = t0 < t1
-    best1 = m.where(larger1, t1, t0)
-    z10 = m.where(larger1, a1, t0)
-    z11 = m.where(larger1, t1, a1)
-    z12 = m.where(larger1, s12, a2)
-    z13 = m.where(larger1, s13, a3)
-    larger2 = best1 < t2
-    best2 = m.where(larger2, t2, best1)
-    z20 = m.where(larger2, a2, z10)
-    z21 = m.where(larger2, s12, z11)
-    z22 = m.where(larger2, t2, z12)
-    z23 = m.where(larger2, s23, z13)
-    larger3 = best2 < t3
-    z30 = m.where(larger3, a3, z20)
-    z31 = m.where(larger3, s13, z21)
-    z32 = m.where(larger3, s23, z22)
-    z33 = m.where(larger3, t3, z23)
-    sign = m.where((z30 < 0) | (z30 == 0) & ((z31 < 0) | (z31 == 0) & ((z32 < 0) | (z32 == 0) & (z33 < 0))), -1, 1)
-    e0 = sign * z30
-    e1 = sign * z31
-    e2 = sign * z32
-    e3 = sign * z33
-    size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
-    gain = 1 / (size + e0)
-    v1 = e1 * gain
-    v2 = e2 * gain
-    v3 = e3 * gain
-    fi = gain * e0
-    hvr = v1 * rho1 + v2 * rho2 + v3 * rho3
-    return (
-        v1,
-        v2,
-        v3,
-        (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
-        (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
-        (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
-    )
-
-
-def _own_from_tensor_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, R: Rows
-) -> None:
-    Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33, D11, D12, D13, D21, D22, D23, D31, D32, D33 = R
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
-    mask1, mask2, mask3, mask4, mask5, mask6, mask7 = masks
-    n_minus_1, n0, n1, n2 = numbers
-    up = add(n1, Q11, k1)
-    total = add(Q22, Q33, k2)
-    t0 = add(up, total, k3)
-    t1 = sub(up, total, k1)
-    larger1 = m.less(t0, t1, mask1)
-    best1 = m.where(larger1, t1, t0, k2)
-    down = sub(n1, Q11, k4)
-    difference = sub(Q22, Q33, k5)
-    t2 = add(down, difference, k6)
-    t3 = sub(down, difference, k4)
-    larger2 = m.less(best1, t2, mask2)
-    best2 = m.where(larger2, t2, best1, k5)
-    larger3 = m.less(best2, t3, mask3)
-    a1 = sub(Q32, Q23, k2)
-    z10 = m.where(larger1, a1, t0, k5)
-    z11 = m.where(larger1, t1, a1, k1)
-    a2 = sub(Q13, Q31, k2)
-    z20 = m.where(larger2, a2, z10, k3)
-    a3 = sub(Q21, Q12, k5)
-    z30 = m.where(larger3, a3, z20, k7)
-    s12 = add(Q12, Q21, k3)
-    z21 = m.where(larger2, s12, z11, k8)
-    z12 = m.where(larger1, s12, a2, k1)
-    z22 = m.where(larger2, t2, z12, k2)
-    s13 = add(Q13, Q31, k1)
-    z13 = m.where(larger1, s13, a3, k3)
-    z31 = m.where(larger3, s13, z21, k1)
-    s23 = add(Q23, Q32, k5)
-    z23 = m.where(larger2, s23, z13, k6)
-    z32 = m.where(larger3, s23, z22, k3)
-    z33 = m.where(larger3, t3, z23, k2)
-    sign = m.where(
-        m.either(m.less(z30, n0, mask1), m.both(m.equal(z30, n0, mask2), m.either(m.less(z31, n0, mask3),
-        m.both(m.equal(z31, n0, mask4), m.either(m.less(z32, n0, mask5), m.both(m.equal(z32, n0, mask6), m.less(z33, n0,
-        mask7), mask6), mask5), mask4), mask3), mask2), mask1), n_minus_1, n1, k4
-    )
-    e0 = mul(sign, z30, k5)
-    e1 = mul(sign, z31, k1)
-    e2 = mul(sign, z32, k3)
-    e3 = mul(sign, z33, k2)
-    size = sqrt(add(mul(e0, e0, k4), add(add(mul(e1, e1, k6), mul(e2, e2, k7), k6), mul(e3, e3, k7), k6), k4), k4)
-    gain = div(n1, add(size, e0, k4), k4)
-    v1 = mul(e1, gain, o1)
-    v2 = mul(e2, gain, o2)
-    v3 = mul(e3, gain, o3)
-    fi = mul(gain, e0, k1)
-    rho1 = div(
-        sub(add(add(mul(D31, Q21, k2), mul(D32, Q22, k3), k2), mul(D33, Q23, k3), k2), add(add(mul(D21, Q31, k3),
-        mul(D22, Q32, k4), k3), mul(D23, Q33, k4), k3), k2), n2, k2
-    )
-    rho2 = div(
-        sub(add(add(mul(D11, Q31, k3), mul(D12, Q32, k4), k3), mul(D13, Q33, k4), k3), add(add(mul(D31, Q11, k4),
-        mul(D32, Q12, k5), k4), mul(D33, Q13, k5), k4), k3), n2, k3
-    )
-    rho3 = div(
-        sub(add(add(mul(D21, Q11, k4), mul(D22, Q12, k5), k4), mul(D23, Q13, k5), k4), add(add(mul(D11, Q21, k5),
-        mul(D12, Q22, k6), k5), mul(D13, Q23, k6), k5), k4), n2, k4
-    )
-    hvr = add(add(mul(v1, rho1, k5), mul(v2, rho2, k6), k5), mul(v3, rho3, k6), k5)
-    div(add(sub(mul(rho1, fi, k6), sub(mul(v2, rho3, k7), mul(v3, rho2, k8), k7), k6), mul(v1, hvr, k7), k6), n2, o4)
-    div(add(sub(mul(rho2, fi, k6), sub(mul(v3, rho1, k7), mul(v1, rho3, k8), k7), k6), mul(v2, hvr, k7), k6), n2, o5)
-    div(add(sub(mul(rho3, fi, k1), sub(mul(v1, rho2, k3), mul(v2, rho1, k2), k2), k1), mul(v3, hvr, k2), k1), n2, o6)
-
-
-# operations 92: 29 +, 27 *, 4 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
-def _own_from_pose(m: Any, c: Any, T: Components) -> Result:
-    Q11, Q12, Q13, T14, Q21, Q22, Q23, T24, Q31, Q32, Q33, T34, _, _, _, _ = T
-    a1 = Q32 - Q23
-    a2 = Q13 - Q31
-    a3 = Q21 - Q12
-    s12 = Q12 + Q21
-    s13 = Q13 + Q31
-    s23 = Q23 + Q32
-    up = 1 + Q11
-    down = 1 - Q11
-    total = Q22 + Q33
-    difference = Q22 - Q33
-    t0 = up + total
-    t1 = up - total
-    t2 = down + difference
-    t3 = down - difference
-    larger1 = t0 < t1
-    best1 = m.where(larger1, t1, t0)
-    z10 = m.where(larger1, a1, t0)
-    z11 = m.where(larger1, t1, a1)
-    z12 = m.where(larger1, s12, a2)
-    z13 = m.where(larger1, s13, a3)
-    larger2 = best1 < t2
-    best2 = m.where(larger2, t2, best1)
-    z20 = m.where(larger2, a2, z10)
-    z21 = m.where(larger2, s12, z11)
-    z22 = m.where(larger2, t2, z12)
-    z23 = m.where(larger2, s23, z13)
-    larger3 = best2 < t3
-    z30 = m.where(larger3, a3, z20)
-    z31 = m.where(larger3, s13, z21)
-    z32 = m.where(larger3, s23, z22)
-    z33 = m.where(larger3, t3, z23)
-    sign = m.where((z30 < 0) | (z30 == 0) & ((z31 < 0) | (z31 == 0) & ((z32 < 0) | (z32 == 0) & (z33 < 0))), -1, 1)
-    e0 = sign * z30
-    e1 = sign * z31
-    e2 = sign * z32
-    e3 = sign * z33
-    size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
-    gain = 1 / (size + e0)
-    v1 = e1 * gain
-    v2 = e2 * gain
-    v3 = e3 * gain
-    fi = gain * e0
-    hvr = v1 * T14 + v2 * T24 + v3 * T34
-    return (
-        v1,
-        v2,
-        v3,
-        (T14 * fi - (v2 * T34 - v3 * T24) + v1 * hvr) / 2,
-        (T24 * fi - (v3 * T14 - v1 * T34) + v2 * hvr) / 2,
-        (T34 * fi - (v1 * T24 - v2 * T14) + v3 * hvr) / 2,
-    )
-
-
-def _own_from_pose_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, T: Rows
-) -> None:
-    Q11, Q12, Q13, T14, Q21, Q22, Q23, T24, Q31, Q32, Q33, T34, _, _, _, _ = T
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
-    mask1, mask2, mask3, mask4, mask5, mask6, mask7 = masks
-    n_minus_1, n0, n1, n2 = numbers
-    up = add(n1, Q11, k1)
-    total = add(Q22, Q33, k2)
-    t0 = add(up, total, k3)
-    t1 = sub(up, total, k1)
-    larger1 = m.less(t0, t1, mask1)
-    best1 = m.where(larger1, t1, t0, k2)
-    down = sub(n1, Q11, k4)
-    difference = sub(Q22, Q33, k5)
-    t2 = add(down, difference, k6)
-    t3 = sub(down, difference, k4)
-    larger2 = m.less(best1, t2, mask2)
-    best2 = m.where(larger2, t2, best1, k5)
-    larger3 = m.less(best2, t3, mask3)
-    a1 = sub(Q32, Q23, k2)
-    z10 = m.where(larger1, a1, t0, k5)
-    z11 = m.where(larger1, t1, a1, k1)
-    a2 = sub(Q13, Q31, k2)
-    z20 = m.where(larger2, a2, z10, k3)
-    a3 = sub(Q21, Q12, k5)
-    z30 = m.where(larger3, a3, z20, k7)
-    s12 = add(Q12, Q21, k3)
-    z21 = m.where(larger2, s12, z11, k8)
-    z12 = m.where(larger1, s12, a2, k1)
-    z22 = m.where(larger2, t2, z12, k2)
-    s13 = add(Q13, Q31, k1)
-    z13 = m.where(larger1, s13, a3, k3)
-    z31 = m.where(larger3, s13, z21, k1)
-    s23 = add(Q23, Q32, k5)
-    z23 = m.where(larger2, s23, z13, k6)
-    z32 = m.where(larger3, s23, z22, k3)
-    z33 = m.where(larger3, t3, z23, k2)
-    sign = m.where(
-        m.either(m.less(z30, n0, mask1), m.both(m.equal(z30, n0, mask2), m.either(m.less(z31, n0, mask3),
-        m.both(m.equal(z31, n0, mask4), m.either(m.less(z32, n0, mask5), m.both(m.equal(z32, n0, mask6), m.less(z33, n0,
-        mask7), mask6), mask5), mask4), mask3), mask2), mask1), n_minus_1, n1, k4
-    )
-    e0 = mul(sign, z30, k5)
-    e1 = mul(sign, z31, k1)
-    e2 = mul(sign, z32, k3)
-    e3 = mul(sign, z33, k2)
-    size = sqrt(add(mul(e0, e0, k4), add(add(mul(e1, e1, k6), mul(e2, e2, k7), k6), mul(e3, e3, k7), k6), k4), k4)
-    gain = div(n1, add(size, e0, k4), k4)
-    v1 = mul(e1, gain, o1)
-    v2 = mul(e2, gain, o2)
-    v3 = mul(e3, gain, o3)
-    fi = mul(gain, e0, k1)
-    hvr = add(add(mul(v1, T14, k2), mul(v2, T24, k3), k2), mul(v3, T34, k3), k2)
-    div(add(sub(mul(T14, fi, k3), sub(mul(v2, T34, k4), mul(v3, T24, k5), k4), k3), mul(v1, hvr, k4), k3), n2, o4)
-    div(add(sub(mul(T24, fi, k3), sub(mul(v3, T14, k4), mul(v1, T34, k5), k4), k3), mul(v2, hvr, k4), k3), n2, o5)
-    div(add(sub(mul(T34, fi, k1), sub(mul(v1, T24, k3), mul(v2, T14, k4), k3), k1), mul(v3, hvr, k2), k1), n2, o6)
-
-
-# operations 77: 19 +, 28 *, 12 /, 7 abs, 1 sqrt, 1 atan2, 2 lt, 1 eq, 6 where
-def _own_to_screw(m: Any, c: Any, v: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    total = m.abs(v1) + m.abs(v2) + m.abs(v3)
-    still = total == 0
-    a1 = m.where(still, v1o, v1)
-    a2 = m.where(still, v2o, v2)
-    a3 = m.where(still, v3o, v3)
-    scale = m.abs(a1) + m.abs(a2) + m.abs(a3)
-    s1 = a1 / scale
-    s2 = a2 / scale
-    s3 = a3 / scale
-    root = m.sqrt(s1 * s1 + s2 * s2 + s3 * s3)
-    u1 = s1 / root
-    u2 = s2 / root
-    u3 = s3 / root
-    ro = u1 * v1o + u2 * v2o + u3 * v3o
-    ir = m.where(still, 0, 1) / root
-    ru1 = u1 * ro
-    ru2 = u2 * ro
-    ru3 = u3 * ro
-    r = total * root
-    uo1 = (v1o - ru1) / scale * ir
-    uo2 = (v2o - ru2) / scale * ir
-    uo3 = (v3o - ru3) / scale * ir
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    rq = 2 * r
-    p = 1 - x
-    either = rq + p
-    one = either - either + 1
-    qp = m.where(rq + p / 16 < rq, -2, 2)
-    sign = one * m.where(qp < 0, -1, 1)
-    angle = 2 * m.atan2(rq * one, m.abs(p))
-    slope = 4 / (1 + x)
-    return angle, sign * (slope * ro), u1 * sign, u2 * sign, u3 * sign, uo1 * sign, uo2 * sign, uo3 * sign
-
-
-def _own_to_screw_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    o1, o2, o3, o4, o5, o6, o7, o8 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11 = scratch
-    mask1, = masks
-    n_minus_2, n_minus_1, n0, n1, n2, n4, n16 = numbers
-    total = add(add(absolute(v1, k1), absolute(v2, k2), k1), absolute(v3, k2), k1)
-    still = m.equal(total, n0, mask1)
-    a1 = m.where(still, v1o, v1, k2)
-    a2 = m.where(still, v2o, v2, k3)
-    a3 = m.where(still, v3o, v3, k4)
-    scale = add(add(absolute(a1, k5), absolute(a2, k6), k5), absolute(a3, k6), k5)
-    s1 = div(a1, scale, k2)
-    s2 = div(a2, scale, k3)
-    s3 = div(a3, scale, k4)
-    root = sqrt(add(add(mul(s1, s1, k6), mul(s2, s2, k7), k6), mul(s3, s3, k7), k6), k6)
-    r = mul(total, root, k1)
-    rq = mul(n2, r, k1)
-    u1 = div(s1, root, k2)
-    u2 = div(s2, root, k3)
-    u3 = div(s3, root, k4)
-    ir = div(m.where(still, n0, n1, k7), root, k6)
-    v11 = mul(v1, v1, k7)
-    v22 = mul(v2, v2, k8)
-    v33 = mul(v3, v3, k9)
-    x = add(add(v11, v22, k7), v33, k7)
-    p = sub(n1, x, k8)
-    slope = div(n4, add(n1, x, k7), k7)
-    either = add(rq, p, k9)
-    one = add(sub(either, either, k9), n1, k9)
-    mul(n2, atan2(mul(rq, one, k10), absolute(p, k11), k10), o1)
-    qp = m.where(m.less(add(rq, div(p, n16, k8), k8), rq, mask1), n_minus_2, n2, k1)
-    sign = mul(one, m.where(m.less(qp, n0, mask1), n_minus_1, n1, k1), k1)
-    mul(u1, sign, o3)
-    mul(u2, sign, o4)
-    mul(u3, sign, o5)
-    ro = add(add(mul(u1, v1o, k8), mul(u2, v2o, k9), k8), mul(u3, v3o, k9), k8)
-    mul(sign, mul(slope, ro, k7), o2)
-    ru1 = mul(u1, ro, k2)
-    uo1 = mul(div(sub(v1o, ru1, k2), scale, k2), ir, k2)
-    mul(uo1, sign, o6)
-    ru2 = mul(u2, ro, k2)
-    ru3 = mul(u3, ro, k3)
-    uo2 = mul(div(sub(v2o, ru2, k2), scale, k2), ir, k2)
-    uo3 = mul(div(sub(v3o, ru3, k3), scale, k3), ir, k3)
-    mul(uo2, sign, o7)
-    mul(uo3, sign, o8)
-
-
-# operations 85: 23 +, 33 *, 12 /, 6 abs, 2 sqrt, 2 lt, 1 eq, 6 where
-def _own_shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    cos, sin = table
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    rd = m.sqrt(x)
-    rq = 2 * rd
-    p = 1 - x
-    either = rq + p
-    one = either - either + 1
-    qp = m.where(rq + p / 16 < rq, -2, 2)
-    sign = one * m.where(qp < 0, -1, 1)
-    total = m.abs(v1) + m.abs(v2) + m.abs(v3)
-    still = total == 0
-    a1 = m.where(still, v1o, v1)
-    a2 = m.where(still, v2o, v2)
-    a3 = m.where(still, v3o, v3)
-    scale = m.abs(a1) + m.abs(a2) + m.abs(a3)
-    s1 = a1 / scale
-    s2 = a2 / scale
-    s3 = a3 / scale
-    root = m.sqrt(s1 * s1 + s2 * s2 + s3 * s3)
-    u1 = s1 / root
-    u2 = s2 / root
-    u3 = s3 / root
-    ro = u1 * v1o + u2 * v2o + u3 * v3o
-    ir = m.where(still, 0, 1) / root
-    ru1 = u1 * ro
-    ru2 = u2 * ro
-    ru3 = u3 * ro
-    r = total * root
-    uo1 = (v1o - ru1) / scale * ir
-    uo2 = (v2o - ru2) / scale * ir
-    uo3 = (v3o - ru3) / scale * ir
-    sn = sign * sin
-    iden = 1 / (cos - r * sn)
-    rk = (r * cos + sn) * iden
-    slope = iden * iden
-    rko = ro * slope
-    return u1 * rk, u2 * rk, u3 * rk, uo1 * rk + u1 * rko, uo2 * rk + u2 * rko, uo3 * rk + u3 * rko
-
-
-def _own_shadow_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, table: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    cos, sin = table
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
-    mask1, = masks
-    n_minus_2, n_minus_1, n0, n1, n2, n16 = numbers
-    total = add(add(absolute(v1, k1), absolute(v2, k2), k1), absolute(v3, k2), k1)
-    still = m.equal(total, n0, mask1)
-    a1 = m.where(still, v1o, v1, k2)
-    a2 = m.where(still, v2o, v2, k3)
-    a3 = m.where(still, v3o, v3, k4)
-    scale = add(add(absolute(a1, k5), absolute(a2, k6), k5), absolute(a3, k6), k5)
-    s1 = div(a1, scale, k2)
-    s2 = div(a2, scale, k3)
-    s3 = div(a3, scale, k4)
-    root = sqrt(add(add(mul(s1, s1, k6), mul(s2, s2, k7), k6), mul(s3, s3, k7), k6), k6)
-    r = mul(total, root, k1)
-    u1 = div(s1, root, k2)
-    u2 = div(s2, root, k3)
-    u3 = div(s3, root, k4)
-    ir = div(m.where(still, n0, n1, k7), root, k6)
-    v11 = mul(v1, v1, k7)
-    v22 = mul(v2, v2, k8)
-    v33 = mul(v3, v3, k9)
-    x = add(add(v11, v22, k7), v33, k7)
-    rd = sqrt(x, k8)
-    rq = mul(n2, rd, k8)
-    p = sub(n1, x, k7)
-    either = add(rq, p, k9)
-    qp = m.where(m.less(add(rq, div(p, n16, k7), k7), rq, mask1), n_minus_2, n2, k7)
-    one = add(sub(either, either, k8), n1, k8)
-    sign = mul(one, m.where(m.less(qp, n0, mask1), n_minus_1, n1, k7), k7)
-    sn = mul(sign, sin, k7)
-    iden = div(n1, sub(cos, mul(r, sn, k8), k8), k8)
-    rk = mul(add(mul(r, cos, k1), sn, k1), iden, k1)
-    mul(u1, rk, o1)
-    mul(u2, rk, o2)
-    mul(u3, rk, o3)
-    slope = mul(iden, iden, k7)
-    ro = add(add(mul(u1, v1o, k8), mul(u2, v2o, k9), k8), mul(u3, v3o, k9), k8)
-    rko = mul(ro, slope, k7)
-    ru1 = mul(u1, ro, k9)
-    uo1 = mul(div(sub(v1o, ru1, k9), scale, k9), ir, k9)
-    add(mul(uo1, rk, k9), mul(u1, rko, k2), o4)
-    ru2 = mul(u2, ro, k2)
-    uo2 = mul(div(sub(v2o, ru2, k2), scale, k2), ir, k2)
-    add(mul(uo2, rk, k2), mul(u2, rko, k3), o5)
-    ru3 = mul(u3, ro, k2)
-    uo3 = mul(div(sub(v3o, ru3, k2), scale, k2), ir, k2)
-    add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
-
-
-# operations 199: 71 +, 116 *, 8 /, 1 neg, 1 lt, 2 where
-def _own_compose(m: Any, c: Any, b: Components, a: Components) -> Result:
-    b1, b2, b3, b1o, b2o, b3o = b
-    a1, a2, a3, a1o, a2o, a3o = a
-    v11b = b1 * b1
-    v22b = b2 * b2
-    v33b = b3 * b3
-    xb = v11b + v22b + v33b
-    pb = 1 - xb
-    rootb = 1 + xb
-    Nb = pb * pb + 4 * xb
-    rb = 2 * (Nb / Nb / Nb)
-    fb = 2 * pb * rb
-    gb = 4 * rb
-    bvb1 = 2 * b1
-    bvb2 = 2 * b2
-    bvb3 = 2 * b3
-    v11a = a1 * a1
-    v22a = a2 * a2
-    v33a = a3 * a3
-    xa = v11a + v22a + v33a
-    pa = 1 - xa
-    roota = 1 + xa
-    Na = pa * pa + 4 * xa
-    ra = 2 * (Na / Na / Na)
-    fa = 2 * pa * ra
-    ga = 4 * ra
-    bva1 = 2 * a1
-    bva2 = 2 * a2
-    bva3 = 2 * a3
-    z0 = pb * pa - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
-    z1 = bva1 * pb + bvb1 * pa + (bvb2 * bva3 - bvb3 * bva2)
-    z2 = bva2 * pb + bvb2 * pa + (bvb3 * bva1 - bvb1 * bva3)
-    z3 = bva3 * pb + bvb3 * pa + (bvb1 * bva2 - bvb2 * bva1)
-    gva1 = a1 * ga
-    gva2 = a2 * ga
-    gva3 = a3 * ga
-    ya = a1 * a1o + a2 * a2o + a3 * a3o
-    alonga = ga * ya
-    rhoa1 = a1o * fa + (gva2 * a3o - gva3 * a2o) + a1 * alonga
-    rhoa2 = a2o * fa + (gva3 * a1o - gva1 * a3o) + a2 * alonga
-    rhoa3 = a3o * fa + (gva1 * a2o - gva2 * a1o) + a3 * alonga
-    v_rho1 = b2 * rhoa3 - b3 * rhoa2
-    v_rho2 = b3 * rhoa1 - b1 * rhoa3
-    v_rho3 = b1 * rhoa2 - b2 * rhoa1
-    gv_rho1 = v_rho1 * gb
-    gv_rho2 = v_rho2 * gb
-    gv_rho3 = v_rho3 * gb
-    gvb1 = b1 * gb
-    gvb2 = b2 * gb
-    gvb3 = b3 * gb
-    yb = b1 * b1o + b2 * b2o + b3 * b3o
-    alongb = gb * yb
-    rho1 = rhoa1 + (v_rho1 * fb + (b2 * gv_rho3 - b3 * gv_rho2)) + (b1o * fb + (gvb2 * b3o - gvb3 * b2o) + b1 * alongb)
-    rho2 = rhoa2 + (v_rho2 * fb + (b3 * gv_rho1 - b1 * gv_rho3)) + (b2o * fb + (gvb3 * b1o - gvb1 * b3o) + b2 * alongb)
-    rho3 = rhoa3 + (v_rho3 * fb + (b1 * gv_rho2 - b2 * gv_rho1)) + (b3o * fb + (gvb1 * b2o - gvb2 * b1o) + b3 * alongb)
-    size = rootb * roota
-    negative = z0 < 0
-    cos = m.where(negative, -z0, z0)
-    gain = m.where(negative, -1, 1) / (size + cos)
-    v1 = z1 * gain
-    v2 = z2 * gain
-    v3 = z3 * gain
-    fi = gain * z0
-    hvr = v1 * rho1 + v2 * rho2 + v3 * rho3
-    return (
-        v1,
-        v2,
-        v3,
-        (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
-        (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
-        (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
-    )
-
-
-def _own_compose_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, b: Rows, a: Rows
-) -> None:
-    b1, b2, b3, b1o, b2o, b3o = b
-    a1, a2, a3, a1o, a2o, a3o = a
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17 = scratch
-    mask1, = masks
-    n_minus_1, n0, n1, n2, n4 = numbers
-    v11b = mul(b1, b1, k1)
-    v22b = mul(b2, b2, k2)
-    v33b = mul(b3, b3, k3)
-    xb = add(add(v11b, v22b, k1), v33b, k1)
-    pb = sub(n1, xb, k2)
-    v11a = mul(a1, a1, k3)
-    v22a = mul(a2, a2, k4)
-    v33a = mul(a3, a3, k5)
-    xa = add(add(v11a, v22a, k3), v33a, k3)
-    pa = sub(n1, xa, k4)
-    bvb1 = mul(n2, b1, k5)
-    bva1 = mul(n2, a1, k6)
-    bvb2 = mul(n2, b2, k7)
-    bva2 = mul(n2, a2, k8)
-    bvb3 = mul(n2, b3, k9)
-    bva3 = mul(n2, a3, k10)
-    z0 = sub(
-        mul(pb, pa, k11), add(add(mul(bvb1, bva1, k12), mul(bvb2, bva2, k13), k12), mul(bvb3, bva3, k13), k12), k11
-    )
-    negative = m.less(z0, n0, mask1)
-    cos = m.where(negative, neg(z0, k12), z0, k12)
-    rootb = add(n1, xb, k13)
-    Nb = add(mul(pb, pb, k14), mul(n4, xb, k1), k1)
-    rb = mul(n2, div(div(Nb, Nb, k14), Nb, k1), k1)
-    roota = add(n1, xa, k14)
-    size = mul(rootb, roota, k13)
-    gain = div(m.where(negative, n_minus_1, n1, k14), add(size, cos, k12), k12)
-    Na = add(mul(pa, pa, k13), mul(n4, xa, k3), k3)
-    ra = mul(n2, div(div(Na, Na, k13), Na, k3), k3)
-    fi = mul(gain, z0, k11)
-    z1 = add(
-        add(mul(bva1, pb, k13), mul(bvb1, pa, k14), k13), sub(mul(bvb2, bva3, k14), mul(bvb3, bva2, k15), k14), k13
-    )
-    v1 = mul(z1, gain, o1)
-    z2 = add(
-        add(mul(bva2, pb, k13), mul(bvb2, pa, k14), k13), sub(mul(bvb3, bva1, k14), mul(bvb1, bva3, k15), k14), k13
-    )
-    z3 = add(add(mul(bva3, pb, k10), mul(bvb3, pa, k9), k9), sub(mul(bvb1, bva2, k5), mul(bvb2, bva1, k6), k5), k5)
-    v2 = mul(z2, gain, o2)
-    v3 = mul(z3, gain, o3)
-    fa = mul(mul(n2, pa, k4), ra, k4)
-    ga = mul(n4, ra, k3)
-    fb = mul(mul(n2, pb, k2), rb, k2)
-    gb = mul(n4, rb, k1)
-    gva1 = mul(a1, ga, k5)
-    gva2 = mul(a2, ga, k6)
-    ya = add(add(mul(a1, a1o, k7), mul(a2, a2o, k8), k7), mul(a3, a3o, k8), k7)
-    alonga = mul(ga, ya, k7)
-    gva3 = mul(a3, ga, k3)
-    rhoa3 = add(add(mul(a3o, fa, k8), sub(mul(gva1, a2o, k9), mul(gva2, a1o, k10), k9), k8), mul(a3, alonga, k9), k8)
-    rhoa2 = add(add(mul(a2o, fa, k9), sub(mul(gva3, a1o, k10), mul(gva1, a3o, k5), k5), k5), mul(a2, alonga, k9), k5)
-    rhoa1 = add(add(mul(a1o, fa, k4), sub(mul(gva2, a3o, k6), mul(gva3, a2o, k3), k3), k3), mul(a1, alonga, k4), k3)
-    v_rho1 = sub(mul(b2, rhoa3, k4), mul(b3, rhoa2, k6), k4)
-    v_rho3 = sub(mul(b1, rhoa2, k6), mul(b2, rhoa1, k7), k6)
-    gv_rho3 = mul(v_rho3, gb, k7)
-    v_rho2 = sub(mul(b3, rhoa1, k9), mul(b1, rhoa3, k10), k9)
-    gv_rho2 = mul(v_rho2, gb, k10)
-    gvb2 = mul(b2, gb, k12)
-    gvb3 = mul(b3, gb, k13)
-    yb = add(add(mul(b1, b1o, k14), mul(b2, b2o, k15), k14), mul(b3, b3o, k15), k14)
-    alongb = mul(gb, yb, k14)
-    rho1 = add(
-        add(rhoa1, add(mul(v_rho1, fb, k15), sub(mul(b2, gv_rho3, k16), mul(b3, gv_rho2, k17), k16), k15), k3),
-        add(add(mul(b1o, fb, k15), sub(mul(gvb2, b3o, k16), mul(gvb3, b2o, k17), k16), k15), mul(b1, alongb, k16), k15),
-        k3
-    )
-    gv_rho1 = mul(v_rho1, gb, k4)
-    gvb1 = mul(b1, gb, k1)
-    rho2 = add(
-        add(rhoa2, add(mul(v_rho2, fb, k9), sub(mul(b3, gv_rho1, k15), mul(b1, gv_rho3, k7), k7), k7), k5),
-        add(add(mul(b2o, fb, k7), sub(mul(gvb3, b1o, k9), mul(gvb1, b3o, k13), k9), k7), mul(b2, alongb, k9), k7), k5
-    )
-    rho3 = add(
-        add(rhoa3, add(mul(v_rho3, fb, k6), sub(mul(b1, gv_rho2, k7), mul(b2, gv_rho1, k4), k4), k4), k4),
-        add(add(mul(b3o, fb, k2), sub(mul(gvb1, b2o, k1), mul(gvb2, b1o, k6), k1), k1), mul(b3, alongb, k2), k1), k1
-    )
-    hvr = add(add(mul(v1, rho1, k2), mul(v2, rho2, k4), k2), mul(v3, rho3, k4), k2)
-    div(add(sub(mul(rho1, fi, k4), sub(mul(v2, rho3, k6), mul(v3, rho2, k7), k6), k4), mul(v1, hvr, k6), k4), n2, o4)
-    div(add(sub(mul(rho2, fi, k4), sub(mul(v3, rho1, k6), mul(v1, rho3, k7), k6), k4), mul(v2, hvr, k6), k4), n2, o5)
-    div(add(sub(mul(rho3, fi, k1), sub(mul(v1, rho2, k4), mul(v2, rho1, k3), k3), k1), mul(v3, hvr, k2), k1), n2, o6)
-
-
 CHART = Chart(
     __name__,
     branches=2,
@@ -1459,24 +1309,23 @@ CHART = Chart(
         "-1.0",
     ),
     functions={
+        "quaternion": Function(_quaternion, _quaternion_blocks, 0, 0, (-2, 1, 2)),
         "pose": Function(_pose, _pose_blocks, 1, 0, (1, 2, 4)),
         "tangent": Function(_tangent, _tangent_blocks, 0, 0, (1, 2, 4)),
+        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 1, 0, (1, 2, 4)),
+        "inverse": Function(_inverse, _inverse_blocks, 0, 0, (1,)),
+        "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 0, 0, (-1, 0, 1, 2)),
+        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 0, 0, (-1, 0, 1, 2)),
+        "ray": Function(_ray, _ray_blocks, 0, 0, (1, 2, 4)),
+        "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 0, (1,)),
+        "gain_product": Function(_gain_product, _gain_product_blocks, 2, 1, (-1, 0, 1)),
+        "direction": Function(_direction, _direction_blocks, 2, 1, (-2, -1, 0, 1, 2, 16)),
+        "natural": Function(_natural, _natural_blocks, 1, 1, (-2, -1, 0, 1, 2, 4, 16)),
         "turned": Function(_turned, _turned_blocks, 0, 0, (1,)),
         "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 4)),
     },
     own={
-        "quaternion": Kernel(
-        _own_quaternion,
-        _own_quaternion_blocks,
-        (("v", (6,)),),
-        (8,),
-        registers=4,
-        masks=0,
-        numbers=(-2, 1, 2),
-        lent=(),
-        real=False,
-    ),
         "tangent": Kernel(
         _own_tangent,
         _own_tangent_blocks,
@@ -1521,14 +1370,25 @@ CHART = Chart(
         lent=(),
         real=False,
     ),
-        "rate": Kernel(
-        _own_rate,
-        _own_rate_blocks,
-        (("v", (6,)), ("omega", (6,)),),
-        (6,),
-        registers=7,
+        "tangent_dot": Kernel(
+        _own_tangent_dot,
+        _own_tangent_dot_blocks,
+        (("v", (6,)), ("v_dot", (6,)),),
+        (2, 3, 3),
+        registers=16,
         masks=0,
-        numbers=(1, 2),
+        numbers=(1, 2, 4),
+        lent=(),
+        real=False,
+    ),
+        "rate_jacobian": Kernel(
+        _own_rate_jacobian,
+        _own_rate_jacobian_blocks,
+        (("v", (6,)), ("omega", (6,)),),
+        (6, 6),
+        registers=14,
+        masks=0,
+        numbers=(0, 2),
         lent=(),
         real=False,
     ),
@@ -1543,71 +1403,25 @@ CHART = Chart(
         lent=(),
         real=True,
     ),
-        "from_tensor": Kernel(
-        _own_from_tensor,
-        _own_from_tensor_blocks,
-        (("R", (2, 3, 3)),),
-        (6,),
-        registers=8,
-        masks=7,
-        numbers=(-1, 0, 1, 2),
-        lent=(),
-        real=True,
-    ),
-        "from_pose": Kernel(
-        _own_from_pose,
-        _own_from_pose_blocks,
-        (("T", (4, 4)),),
-        (6,),
-        registers=8,
-        masks=7,
-        numbers=(-1, 0, 1, 2),
-        lent=(),
-        real=True,
-    ),
-        "to_screw": Kernel(
-        _own_to_screw,
-        _own_to_screw_blocks,
-        (("v", (6,)),),
-        (8,),
-        registers=11,
-        masks=1,
-        numbers=(-2, -1, 0, 1, 2, 4, 16),
-        lent=(),
-        real=True,
-    ),
-        "shadow": Kernel(
-        _own_shadow,
-        _own_shadow_blocks,
-        (("v", (6,)),),
-        (6,),
-        registers=9,
-        masks=1,
-        numbers=(-2, -1, 0, 1, 2, 16),
-        lent=(),
-        real=True,
-    ),
-        "compose": Kernel(
-        _own_compose,
-        _own_compose_blocks,
-        (("v2", (6,)), ("v1", (6,)),),
-        (6,),
-        registers=17,
-        masks=1,
-        numbers=(-1, 0, 1, 2, 4),
-        lent=(),
-        real=True,
-    ),
     },
 )
 
 KERNELS = PoseKernels(CHART)
 
+body_cotangent = KERNELS.body_cotangent
+body_cotangent_jacobian = KERNELS.body_cotangent_jacobian
 body_rate = KERNELS.body_rate
+body_rate_dot = KERNELS.body_rate_dot
+body_rate_jacobian = KERNELS.body_rate_jacobian
 body_tangent = KERNELS.body_tangent
+body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
 body_twist = KERNELS.body_twist
+body_twist_dot = KERNELS.body_twist_dot
+body_twist_jacobian = KERNELS.body_twist_jacobian
 compose = KERNELS.compose
+cotangent = KERNELS.cotangent
+cotangent_jacobian = KERNELS.cotangent_jacobian
 dcay = KERNELS.tangent
 dcay_inv = KERNELS.tangent_inv
 from_pose = KERNELS.from_pose
@@ -1621,12 +1435,17 @@ principal = KERNELS.principal
 quaternion = KERNELS.quaternion
 random = KERNELS.random
 rate = KERNELS.rate
+rate_dot = KERNELS.rate_dot
+rate_jacobian = KERNELS.rate_jacobian
 shadow = KERNELS.shadow
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent
+tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_screw = KERNELS.to_screw
 transform_line = KERNELS.transform_line
 transform_point = KERNELS.transform_point
 twist = KERNELS.twist
+twist_dot = KERNELS.twist_dot
+twist_jacobian = KERNELS.twist_jacobian

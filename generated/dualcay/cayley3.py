@@ -72,6 +72,11 @@
 #   body_tangent_inv: 90: 35 +, 42 *, 12 /, 1 neg
 #   twist: 136: 51 +, 81 *, 3 /, 1 neg
 #   rate: 122: 46 +, 72 *, 3 /, 1 neg
+#   tangent_dot: 214: 83 +, 124 *, 6 /, 1 neg
+#   twist_dot: 242: 96 +, 141 *, 4 /, 1 neg
+#   rate_dot: 352: 141 +, 193 *, 15 /, 3 neg
+#   twist_jacobian: 291: 118 +, 167 *, 4 /, 2 neg
+#   rate_jacobian: 224: 86 +, 123 *, 12 /, 3 neg
 #   from_quaternion: 88: 26 +, 44 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   from_tensor: 144: 46 +, 50 *, 10 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_pose: 108: 31 +, 32 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
@@ -111,10 +116,12 @@ from ._interface import PoseKernels
 from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "body_rate", "body_tangent", "body_tangent_inv", "body_twist", "compose", "dcay", "dcay_inv", "from_pose",
-    "from_quaternion", "from_screw", "from_tensor", "identity", "inverse", "pose", "principal", "quaternion", "random",
-    "rate", "shadow", "singular_angles", "tangent", "tangent_inv", "tensor", "to_screw", "transform_line",
-    "transform_point", "twist",
+    "body_cotangent", "body_cotangent_jacobian", "body_rate", "body_rate_dot", "body_rate_jacobian", "body_tangent",
+    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
+    "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_pose", "from_quaternion", "from_screw", "from_tensor",
+    "identity", "inverse", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
+    "transform_point", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 3
@@ -198,7 +205,8 @@ def _tangent(m: Any, x: Any) -> Result:
     f = p * q * r
     g = qq * r
     h = 16 * r
-    e = 6 / (1 + x)
+    x1 = 1 + x
+    e = 6 / x1
     eg = e * g
     fy = h - eg
     qr = -4 * (q * r)
@@ -219,12 +227,67 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     g = mul(qq, r, o2)
     qr = mul(n_minus_4, mul(q, r, o5), o5)
     h = mul(n16, r, o3)
-    e = div(n6, add(n1, x, o6), o6)
+    x1 = add(n1, x, o6)
+    e = div(n6, x1, o6)
     eg = mul(e, g, o4)
     sub(qr, eg, o5)
     sub(h, eg, o4)
     neg(mul(e, h, o6), o6)
     return o1, o2, o3, o4, o5, o6
+
+
+# operations 37: 12 +, 20 *, 4 /, 1 neg
+def _tangent_dot(m: Any, x: Any) -> Result:
+    p = 1 - 3 * x
+    q = 3 - x
+    qq = q * q
+    N = p * p + x * qq
+    r = 2 * (N / N / N)
+    f = p * q * r
+    g = qq * r
+    h = 16 * r
+    x1 = 1 + x
+    e = 6 / x1
+    eg = e * g
+    fy = h - eg
+    qr = -4 * (q * r)
+    gy = qr - eg
+    hy = -(e * h)
+    egy = e * gy
+    ee = 2 * e / x1
+    eeg = ee * g
+    fyy = hy - egy + eeg
+    gyy = 8 * r - (egy + e * qr) + eeg
+    hyy = ee * h - e * hy
+    return f, g, h, fy, gy, hy, fyy, gyy, hyy
+
+
+def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
+    k1, k2, *_ = scratch
+    n_minus_4, n1, n2, n3, n6, n8, n16 = numbers
+    q = sub(n3, x, o8)
+    qq = mul(q, q, o2)
+    p = sub(n1, mul(n3, x, o1), o1)
+    N = add(mul(p, p, o6), mul(x, qq, o3), o6)
+    r = mul(n2, div(div(N, N, o3), N, o6), o6)
+    mul(mul(p, q, o1), r, o1)
+    g = mul(qq, r, o2)
+    qr = mul(n_minus_4, mul(q, r, o8), o8)
+    h = mul(n16, r, o3)
+    x1 = add(n1, x, o9)
+    e = div(n6, x1, o7)
+    ee = div(mul(n2, e, o5), x1, o9)
+    eg = mul(e, g, o5)
+    eeg = mul(ee, g, k1)
+    sub(h, eg, o4)
+    gy = sub(qr, eg, o5)
+    egy = mul(e, gy, k2)
+    add(sub(mul(n8, r, o6), add(egy, mul(e, qr, o8), o8), o8), eeg, o8)
+    hy = neg(mul(e, h, o6), o6)
+    sub(mul(ee, h, o9), mul(e, hy, o7), o9)
+    add(sub(hy, egy, o7), eeg, o7)
+    return o1, o2, o3, o4, o5, o6, o7, o8, o9
 
 
 # operations 5: 2 +, 1 *, 2 /
@@ -276,6 +339,42 @@ def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     div(mul(sub(mul(n2, diq, o4), n2, o4), iq, o4), n3, o4)
     neg(mul(n16, mul(iq, iq, o3), o3), o3)
     return o1, o2, o3, o4
+
+
+# operations 22: 4 +, 12 *, 3 /, 3 neg
+def _tangent_inv_dot(m: Any, x: Any) -> Result:
+    p = 1 - 3 * x
+    q = 3 - x
+    iq = 1 / q
+    fi = p * iq
+    d = 11 - x
+    diq = d * iq
+    hi = diq / 3
+    fiy = -(16 * (iq * iq))
+    hiy = (2 * diq - 2) * iq / 3
+    dqiq = -iq
+    fiyy = 64 * dqiq * iq * iq
+    hiyy = -(4 * dqiq * hiy)
+    return fi, hi, fiy, hiy, fiyy, hiyy
+
+
+def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, o3, o4, o5, o6 = out
+    k1, *_ = scratch
+    n1, n2, n3, n4, n11, n16, n64 = numbers
+    p = sub(n1, mul(n3, x, o1), o1)
+    q = sub(n3, x, o5)
+    iq = div(n1, q, o5)
+    mul(p, iq, o1)
+    d = sub(n11, x, o4)
+    diq = mul(d, iq, o4)
+    div(diq, n3, o2)
+    hiy = div(mul(sub(mul(n2, diq, o4), n2, o4), iq, o4), n3, o4)
+    neg(mul(n16, mul(iq, iq, o3), o3), o3)
+    dqiq = neg(iq, o6)
+    mul(mul(mul(n64, dqiq, k1), iq, k1), iq, o5)
+    neg(mul(mul(n4, dqiq, o6), hiy, o6), o6)
+    return o1, o2, o3, o4, o5, o6
 
 
 # operations 14: 3 +, 9 *, 2 /
@@ -533,8 +632,10 @@ CHART = Chart(
         "quaternion": Function(_quaternion, _quaternion_blocks, 0, 0, (-3, 1, 2, 3)),
         "pose": Function(_pose, _pose_blocks, 2, 0, (1, 2, 3, 16)),
         "tangent": Function(_tangent, _tangent_blocks, 0, 0, (-4, 1, 2, 3, 6, 16)),
+        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 2, 0, (-4, 1, 2, 3, 6, 8, 16)),
         "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 3, 11)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 0, 0, (1, 2, 3, 11, 16)),
+        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 1, 0, (1, 2, 3, 4, 11, 16, 64)),
         "ray": Function(_ray, _ray_blocks, 0, 0, (1, 2, 3, 16)),
         "gain_unit": Function(_gain_unit, _gain_unit_blocks, 4, 2, (-1, 0, 1, 3)),
         "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 1, (0, 1, 3)),
@@ -550,11 +651,20 @@ CHART = Chart(
 
 KERNELS = PoseKernels(CHART)
 
+body_cotangent = KERNELS.body_cotangent
+body_cotangent_jacobian = KERNELS.body_cotangent_jacobian
 body_rate = KERNELS.body_rate
+body_rate_dot = KERNELS.body_rate_dot
+body_rate_jacobian = KERNELS.body_rate_jacobian
 body_tangent = KERNELS.body_tangent
+body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
 body_twist = KERNELS.body_twist
+body_twist_dot = KERNELS.body_twist_dot
+body_twist_jacobian = KERNELS.body_twist_jacobian
 compose = KERNELS.compose
+cotangent = KERNELS.cotangent
+cotangent_jacobian = KERNELS.cotangent_jacobian
 dcay = KERNELS.tangent
 dcay_inv = KERNELS.tangent_inv
 from_pose = KERNELS.from_pose
@@ -568,12 +678,17 @@ principal = KERNELS.principal
 quaternion = KERNELS.quaternion
 random = KERNELS.random
 rate = KERNELS.rate
+rate_dot = KERNELS.rate_dot
+rate_jacobian = KERNELS.rate_jacobian
 shadow = KERNELS.shadow
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent
+tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_screw = KERNELS.to_screw
 transform_line = KERNELS.transform_line
 transform_point = KERNELS.transform_point
 twist = KERNELS.twist
+twist_dot = KERNELS.twist_dot
+twist_jacobian = KERNELS.twist_jacobian

@@ -72,6 +72,11 @@
 #   body_tangent_inv: 96: 38 +, 45 *, 12 /, 1 neg
 #   twist: 146: 56 +, 87 *, 3 /
 #   rate: 128: 49 +, 75 *, 3 /, 1 neg
+#   tangent_dot: 228: 90 +, 132 *, 6 /
+#   twist_dot: 256: 103 +, 149 *, 4 /
+#   rate_dot: 363: 146 +, 200 *, 15 /, 2 neg
+#   twist_jacobian: 305: 125 +, 175 *, 4 /, 1 neg
+#   rate_jacobian: 235: 91 +, 130 *, 12 /, 2 neg
 #   from_quaternion: 81: 26 +, 43 *, 7 /, 1 neg, 1 sqrt, 1 lt, 2 where
 #   from_tensor: 148: 49 +, 55 *, 11 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 112: 34 +, 37 *, 8 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -111,10 +116,12 @@ from ._interface import PoseKernels
 from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "body_rate", "body_tangent", "body_tangent_inv", "body_twist", "compose", "dcay", "dcay_inv", "from_pose",
-    "from_quaternion", "from_screw", "from_tensor", "identity", "inverse", "pose", "principal", "quaternion", "random",
-    "rate", "shadow", "singular_angles", "tangent", "tangent_inv", "tensor", "to_screw", "transform_line",
-    "transform_point", "twist",
+    "body_cotangent", "body_cotangent_jacobian", "body_rate", "body_rate_dot", "body_rate_jacobian", "body_tangent",
+    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
+    "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_pose", "from_quaternion", "from_screw", "from_tensor",
+    "identity", "inverse", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
+    "transform_point", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 4
@@ -201,7 +208,8 @@ def _tangent(m: Any, x: Any) -> Result:
     g = qq * r
     c = (8 * x - 16) * x + 40
     h = c * r
-    e = 8 / (1 + x)
+    x1 = 1 + x
+    e = 8 / x1
     eg = e * g
     fy = h - eg
     qr = -16 * (q * r)
@@ -228,12 +236,75 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     cr = mul(mul(n2, dc, o6), r, o6)
     c = add(mul(sub(mul(n8, x, o4), n16, o4), x, o4), n40, o4)
     h = mul(c, r, o3)
-    e = div(n8, add(n1, x, o4), o4)
+    x1 = add(n1, x, o4)
+    e = div(n8, x1, o4)
     sub(cr, mul(e, h, k1), o6)
     eg = mul(e, g, o4)
     sub(qr, eg, o5)
     sub(h, eg, o4)
     return o1, o2, o3, o4, o5, o6
+
+
+# operations 51: 19 +, 28 *, 4 /
+def _tangent_dot(m: Any, x: Any) -> Result:
+    p = (x - 6) * x + 1
+    q = 4 - 4 * x
+    qq = q * q
+    N = p * p + x * qq
+    r = 2 * (N / N / N)
+    f = p * q * r
+    g = qq * r
+    c = (8 * x - 16) * x + 40
+    h = c * r
+    x1 = 1 + x
+    e = 8 / x1
+    eg = e * g
+    fy = h - eg
+    qr = -16 * (q * r)
+    gy = qr - eg
+    dc = 16 * x - 16
+    cr = 2 * dc * r
+    hy = cr - e * h
+    egy = e * gy
+    ee = 2 * e / x1
+    eeg = ee * g
+    fyy = hy - egy + eeg
+    r_by_16 = 16 * r
+    gyy = 8 * r_by_16 - (egy + e * qr) + eeg
+    hyy = 4 * r_by_16 - e * (hy + cr) + ee * h
+    return f, g, h, fy, gy, hy, fyy, gyy, hyy
+
+
+def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
+    k1, k2, k3, *_ = scratch
+    n_minus_16, n1, n2, n4, n6, n8, n16, n40 = numbers
+    q = sub(n4, mul(n4, x, o8), o8)
+    qq = mul(q, q, o2)
+    p = add(mul(sub(x, n6, o1), x, o1), n1, o1)
+    N = add(mul(p, p, o7), mul(x, qq, o9), o7)
+    r = mul(n2, div(div(N, N, o9), N, o7), o7)
+    g = mul(qq, r, o2)
+    mul(mul(p, q, o1), r, o1)
+    qr = mul(n_minus_16, mul(q, r, o8), o8)
+    dc = sub(mul(n16, x, o9), n16, o9)
+    cr = mul(mul(n2, dc, o9), r, o9)
+    c = add(mul(sub(mul(n8, x, o3), n16, o3), x, o3), n40, o3)
+    h = mul(c, r, o3)
+    r_by_16 = mul(n16, r, o7)
+    x1 = add(n1, x, k1)
+    e = div(n8, x1, k2)
+    ee = div(mul(n2, e, o6), x1, k1)
+    hy = sub(cr, mul(e, h, o6), o6)
+    add(sub(mul(n4, r_by_16, o5), mul(e, add(hy, cr, o9), o9), o9), mul(ee, h, o5), o9)
+    eeg = mul(ee, g, k1)
+    eg = mul(e, g, o5)
+    sub(h, eg, o4)
+    gy = sub(qr, eg, o5)
+    egy = mul(e, gy, k3)
+    add(sub(mul(n8, r_by_16, o7), add(egy, mul(e, qr, o8), o8), o8), eeg, o8)
+    add(sub(hy, egy, o7), eeg, o7)
+    return o1, o2, o3, o4, o5, o6, o7, o8, o9
 
 
 # operations 7: 2 +, 3 *, 2 /
@@ -290,6 +361,48 @@ def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     div(mul(sub(mul(n8, diq, k1), n16, k1), iq, o4), n4, o4)
     div(diq, n4, o2)
     return o1, o2, o3, o4
+
+
+# operations 33: 9 +, 19 *, 3 /, 2 neg
+def _tangent_inv_dot(m: Any, x: Any) -> Result:
+    p = (x - 6) * x + 1
+    q = 4 - 4 * x
+    iq = 1 / q
+    fi = p * iq
+    x_by_8 = 8 * x
+    d = 24 - x_by_8
+    diq = d * iq
+    hi = diq / 4
+    c = (x_by_8 - 16) * x + 40
+    fiy = -(c * (iq * iq))
+    hiy = (8 * diq - 16) * iq / 4
+    dqiq = -4 * iq
+    dc = 16 * x - 16
+    fiyy = (4 * c * dqiq - 2 * dc) * iq * iq
+    hiyy = -(4 * dqiq * hiy)
+    return fi, hi, fiy, hiy, fiyy, hiyy
+
+
+def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, *_ = scratch
+    n_minus_4, n1, n2, n4, n6, n8, n16, n24, n40 = numbers
+    x_by_8 = mul(n8, x, o3)
+    d = sub(n24, x_by_8, o2)
+    c = add(mul(sub(x_by_8, n16, o3), x, o3), n40, o3)
+    q = sub(n4, mul(n4, x, o1), o1)
+    iq = div(n1, q, o1)
+    diq = mul(d, iq, o2)
+    hiy = div(mul(sub(mul(n8, diq, o4), n16, o4), iq, o4), n4, o4)
+    div(diq, n4, o2)
+    dqiq = mul(n_minus_4, iq, o5)
+    neg(mul(mul(n4, dqiq, o6), hiy, o6), o6)
+    dc = sub(mul(n16, x, k1), n16, k1)
+    mul(mul(sub(mul(mul(n4, c, k2), dqiq, o5), mul(n2, dc, k1), o5), iq, o5), iq, o5)
+    neg(mul(c, mul(iq, iq, k1), o3), o3)
+    p = add(mul(sub(x, n6, k1), x, k1), n1, k1)
+    mul(p, iq, o1)
+    return o1, o2, o3, o4, o5, o6
 
 
 # operations 23: 8 +, 13 *, 2 /
@@ -552,8 +665,10 @@ CHART = Chart(
         "quaternion": Function(_quaternion, _quaternion_blocks, 0, 0, (-4, 1, 4, 6, 8)),
         "pose": Function(_pose, _pose_blocks, 2, 0, (1, 2, 4, 6, 8, 16, 40)),
         "tangent": Function(_tangent, _tangent_blocks, 1, 0, (-16, 1, 2, 4, 6, 8, 16, 40)),
+        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 3, 0, (-16, 1, 2, 4, 6, 8, 16, 40)),
         "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 4, 8, 24)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 1, 0, (1, 4, 6, 8, 16, 24, 40)),
+        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 2, 0, (-4, 1, 2, 4, 6, 8, 16, 24, 40)),
         "ray": Function(_ray, _ray_blocks, 1, 0, (1, 2, 4, 6, 8, 16, 40)),
         "gain_unit": Function(_gain_unit, _gain_unit_blocks, 2, 1, (-1, 0, 1, 2)),
         "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 0, (1, 2)),
@@ -569,11 +684,20 @@ CHART = Chart(
 
 KERNELS = PoseKernels(CHART)
 
+body_cotangent = KERNELS.body_cotangent
+body_cotangent_jacobian = KERNELS.body_cotangent_jacobian
 body_rate = KERNELS.body_rate
+body_rate_dot = KERNELS.body_rate_dot
+body_rate_jacobian = KERNELS.body_rate_jacobian
 body_tangent = KERNELS.body_tangent
+body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
 body_twist = KERNELS.body_twist
+body_twist_dot = KERNELS.body_twist_dot
+body_twist_jacobian = KERNELS.body_twist_jacobian
 compose = KERNELS.compose
+cotangent = KERNELS.cotangent
+cotangent_jacobian = KERNELS.cotangent_jacobian
 dcay = KERNELS.tangent
 dcay_inv = KERNELS.tangent_inv
 from_pose = KERNELS.from_pose
@@ -587,12 +711,17 @@ principal = KERNELS.principal
 quaternion = KERNELS.quaternion
 random = KERNELS.random
 rate = KERNELS.rate
+rate_dot = KERNELS.rate_dot
+rate_jacobian = KERNELS.rate_jacobian
 shadow = KERNELS.shadow
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent
+tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_screw = KERNELS.to_screw
 transform_line = KERNELS.transform_line
 transform_point = KERNELS.transform_point
 twist = KERNELS.twist
+twist_dot = KERNELS.twist_dot
+twist_jacobian = KERNELS.twist_jacobian

@@ -72,6 +72,11 @@
 #   body_tangent_inv: 105: 42 +, 50 *, 12 /, 1 neg
 #   twist: 151: 58 +, 90 *, 3 /
 #   rate: 137: 53 +, 80 *, 3 /, 1 neg
+#   tangent_dot: 237: 93 +, 138 *, 6 /
+#   twist_dot: 265: 106 +, 155 *, 4 /
+#   rate_dot: 377: 152 +, 208 *, 16 /, 1 neg
+#   twist_jacobian: 314: 128 +, 181 *, 4 /, 1 neg
+#   rate_jacobian: 249: 97 +, 138 *, 13 /, 1 neg
 #   from_quaternion: 92: 28 +, 46 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   from_tensor: 148: 48 +, 52 *, 10 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_pose: 112: 33 +, 34 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
@@ -111,10 +116,12 @@ from ._interface import PoseKernels
 from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "body_rate", "body_tangent", "body_tangent_inv", "body_twist", "compose", "dcay", "dcay_inv", "from_pose",
-    "from_quaternion", "from_screw", "from_tensor", "identity", "inverse", "pose", "principal", "quaternion", "random",
-    "rate", "shadow", "singular_angles", "tangent", "tangent_inv", "tensor", "to_screw", "transform_line",
-    "transform_point", "twist",
+    "body_cotangent", "body_cotangent_jacobian", "body_rate", "body_rate_dot", "body_rate_jacobian", "body_tangent",
+    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
+    "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_pose", "from_quaternion", "from_screw", "from_tensor",
+    "identity", "inverse", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
+    "transform_point", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 5
@@ -204,7 +211,8 @@ def _tangent(m: Any, x: Any) -> Result:
     g = qq * r
     c = (80 * x - 96) * x + 80
     h = c * r
-    e = 10 / (1 + x)
+    x1 = 1 + x
+    e = 10 / x1
     eg = e * g
     fy = h - eg
     dq = 2 * x - 10
@@ -229,7 +237,8 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     g = mul(qq, r, o2)
     c = add(mul(sub(mul(n80, x, o3), n96, o3), x, o3), n80, o3)
     h = mul(c, r, o3)
-    e = div(n10, add(n1, x, k1), k1)
+    x1 = add(n1, x, k1)
+    e = div(n10, x1, k1)
     eg = mul(e, g, k2)
     sub(h, eg, o4)
     dq = sub(mul(n2, x, k3), n10, k3)
@@ -239,6 +248,71 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     cr = mul(mul(n2, dc, k2), r, o6)
     sub(cr, mul(e, h, k1), o6)
     return o1, o2, o3, o4, o5, o6
+
+
+# operations 60: 22 +, 34 *, 4 /
+def _tangent_dot(m: Any, x: Any) -> Result:
+    p = (5 * x - 10) * x + 1
+    q = (x - 10) * x + 5
+    qq = q * q
+    N = p * p + x * qq
+    r = 2 * (N / N / N)
+    f = p * q * r
+    g = qq * r
+    c = (80 * x - 96) * x + 80
+    h = c * r
+    x1 = 1 + x
+    e = 10 / x1
+    eg = e * g
+    fy = h - eg
+    dq = 2 * x - 10
+    qr = 4 * dq * (q * r)
+    gy = qr - eg
+    dc = 160 * x - 96
+    cr = 2 * dc * r
+    hy = cr - e * h
+    egy = e * gy
+    ee = 2 * e / x1
+    eeg = ee * g
+    fyy = hy - egy + eeg
+    gyy = 8 * ((2 * q + dq * dq) * r) - (egy + e * qr) + eeg
+    hyy = 4 * (160 * r) - e * (hy + cr) + ee * h
+    return f, g, h, fy, gy, hy, fyy, gyy, hyy
+
+
+def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
+    k1, k2, k3, k4, *_ = scratch
+    n1, n2, n4, n5, n8, n10, n80, n96, n160 = numbers
+    q = add(mul(sub(x, n10, o8), x, o8), n5, o8)
+    qq = mul(q, q, o2)
+    p = add(mul(sub(mul(n5, x, o1), n10, o1), x, o1), n1, o1)
+    N = add(mul(p, p, o9), mul(x, qq, o3), o9)
+    r = mul(n2, div(div(N, N, o3), N, o9), o9)
+    mul(mul(p, q, o1), r, o1)
+    g = mul(qq, r, o2)
+    c = add(mul(sub(mul(n80, x, o3), n96, o3), x, o3), n80, o3)
+    h = mul(c, r, o3)
+    x1 = add(n1, x, o7)
+    e = div(n10, x1, k1)
+    ee = div(mul(n2, e, o5), x1, o7)
+    eg = mul(e, g, o5)
+    eeg = mul(ee, g, k2)
+    sub(h, eg, o4)
+    dq = sub(mul(n2, x, k3), n10, k3)
+    qr = mul(mul(n4, dq, o6), mul(q, r, k4), o6)
+    gy = sub(qr, eg, o5)
+    egy = mul(e, gy, k4)
+    add(
+        sub(mul(n8, mul(add(mul(n2, q, o8), mul(dq, dq, k3), o8), r, o8), o8), add(egy, mul(e, qr, k3), k3), o8), eeg,
+        o8
+    )
+    dc = sub(mul(n160, x, k3), n96, k3)
+    cr = mul(mul(n2, dc, k3), r, k3)
+    hy = sub(cr, mul(e, h, o6), o6)
+    add(sub(mul(n4, mul(n160, r, o9), o9), mul(e, add(hy, cr, k3), k1), o9), mul(ee, h, o7), o9)
+    add(sub(hy, egy, o7), eeg, o7)
+    return o1, o2, o3, o4, o5, o6, o7, o8, o9
 
 
 # operations 9: 4 +, 3 *, 2 /
@@ -299,6 +373,52 @@ def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     p = add(mul(sub(mul(n5, x, k1), n10, k1), x, k1), n1, k1)
     mul(p, iq, o1)
     return o1, o2, o3, o4
+
+
+# operations 47: 15 +, 27 *, 4 /, 1 neg
+def _tangent_inv_dot(m: Any, x: Any) -> Result:
+    p = (5 * x - 10) * x + 1
+    q = (x - 10) * x + 5
+    iq = 1 / q
+    fi = p * iq
+    d = (x - 34) * x + 45
+    diq = d * iq
+    hi = diq / 5
+    c = (80 * x - 96) * x + 80
+    fiy = -(c * (iq * iq))
+    x_by_2 = 2 * x
+    dd = x_by_2 - 34
+    dq = x_by_2 - 10
+    hiy = (2 * dd - 2 * dq * diq) * iq / 5
+    dqiq = dq * iq
+    dc = 160 * x - 96
+    fiyy = (4 * c * dqiq - 2 * dc) * iq * iq
+    hiyy = 4 * ((2 - 2 * diq) * iq) / 5 - 4 * dqiq * hiy
+    return fi, hi, fiy, hiy, fiyy, hiyy
+
+
+def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, *_ = scratch
+    n1, n2, n4, n5, n10, n34, n45, n80, n96, n160 = numbers
+    d = add(mul(sub(x, n34, o2), x, o2), n45, o2)
+    q = add(mul(sub(x, n10, o1), x, o1), n5, o1)
+    iq = div(n1, q, o1)
+    diq = mul(d, iq, o2)
+    x_by_2 = mul(n2, x, o5)
+    dd = sub(x_by_2, n34, o4)
+    dq = sub(x_by_2, n10, o5)
+    hiy = div(mul(sub(mul(n2, dd, o4), mul(mul(n2, dq, o6), diq, o6), o4), iq, o4), n5, o4)
+    dqiq = mul(dq, iq, o5)
+    sub(div(mul(n4, mul(sub(n2, mul(n2, diq, o6), o6), iq, o6), o6), n5, o6), mul(mul(n4, dqiq, o3), hiy, o3), o6)
+    div(diq, n5, o2)
+    c = add(mul(sub(mul(n80, x, o3), n96, o3), x, o3), n80, o3)
+    dc = sub(mul(n160, x, k1), n96, k1)
+    mul(mul(sub(mul(mul(n4, c, k2), dqiq, o5), mul(n2, dc, k1), o5), iq, o5), iq, o5)
+    neg(mul(c, mul(iq, iq, k1), o3), o3)
+    p = add(mul(sub(mul(n5, x, k1), n10, k1), x, k1), n1, k1)
+    mul(p, iq, o1)
+    return o1, o2, o3, o4, o5, o6
 
 
 # operations 22: 7 +, 13 *, 2 /
@@ -569,8 +689,10 @@ CHART = Chart(
         "quaternion": Function(_quaternion, _quaternion_blocks, 1, 0, (-5, 1, 2, 5, 10)),
         "pose": Function(_pose, _pose_blocks, 2, 0, (1, 2, 5, 10, 80, 96)),
         "tangent": Function(_tangent, _tangent_blocks, 3, 0, (1, 2, 4, 5, 10, 80, 96, 160)),
+        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 4, 0, (1, 2, 4, 5, 8, 10, 80, 96, 160)),
         "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 5, 10, 34, 45)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 1, 0, (1, 2, 5, 10, 34, 45, 80, 96)),
+        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 2, 0, (1, 2, 4, 5, 10, 34, 45, 80, 96, 160)),
         "ray": Function(_ray, _ray_blocks, 1, 0, (1, 2, 5, 10, 80, 96)),
         "gain_unit": Function(_gain_unit, _gain_unit_blocks, 4, 2, (-1, 0, 1, 5)),
         "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 1, (0, 1, 5)),
@@ -586,11 +708,20 @@ CHART = Chart(
 
 KERNELS = PoseKernels(CHART)
 
+body_cotangent = KERNELS.body_cotangent
+body_cotangent_jacobian = KERNELS.body_cotangent_jacobian
 body_rate = KERNELS.body_rate
+body_rate_dot = KERNELS.body_rate_dot
+body_rate_jacobian = KERNELS.body_rate_jacobian
 body_tangent = KERNELS.body_tangent
+body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
 body_twist = KERNELS.body_twist
+body_twist_dot = KERNELS.body_twist_dot
+body_twist_jacobian = KERNELS.body_twist_jacobian
 compose = KERNELS.compose
+cotangent = KERNELS.cotangent
+cotangent_jacobian = KERNELS.cotangent_jacobian
 dcay = KERNELS.tangent
 dcay_inv = KERNELS.tangent_inv
 from_pose = KERNELS.from_pose
@@ -604,12 +735,17 @@ principal = KERNELS.principal
 quaternion = KERNELS.quaternion
 random = KERNELS.random
 rate = KERNELS.rate
+rate_dot = KERNELS.rate_dot
+rate_jacobian = KERNELS.rate_jacobian
 shadow = KERNELS.shadow
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent
+tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_screw = KERNELS.to_screw
 transform_line = KERNELS.transform_line
 transform_point = KERNELS.transform_point
 twist = KERNELS.twist
+twist_dot = KERNELS.twist_dot
+twist_jacobian = KERNELS.twist_jacobian

@@ -72,6 +72,11 @@
 #   body_tangent_inv: 126: 52 +, 61 *, 12 /, 1 neg
 #   twist: 175: 70 +, 102 *, 3 /
 #   rate: 158: 63 +, 91 *, 3 /, 1 neg
+#   tangent_dot: 271: 110 +, 155 *, 6 /
+#   twist_dot: 299: 123 +, 172 *, 4 /
+#   rate_dot: 408: 168 +, 223 *, 16 /, 1 neg
+#   twist_jacobian: 348: 145 +, 198 *, 4 /, 1 neg
+#   rate_jacobian: 280: 113 +, 153 *, 13 /, 1 neg
 #   from_quaternion: 94: 31 +, 49 *, 8 /, 1 neg, 2 sqrt, 1 lt, 2 where
 #   from_tensor: 161: 54 +, 61 *, 12 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 125: 39 +, 43 *, 9 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -111,10 +116,12 @@ from ._interface import PoseKernels
 from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "body_rate", "body_tangent", "body_tangent_inv", "body_twist", "compose", "dcay", "dcay_inv", "from_pose",
-    "from_quaternion", "from_screw", "from_tensor", "identity", "inverse", "pose", "principal", "quaternion", "random",
-    "rate", "shadow", "singular_angles", "tangent", "tangent_inv", "tensor", "to_screw", "transform_line",
-    "transform_point", "twist",
+    "body_cotangent", "body_cotangent_jacobian", "body_rate", "body_rate_dot", "body_rate_jacobian", "body_tangent",
+    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
+    "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_pose", "from_quaternion", "from_screw", "from_tensor",
+    "identity", "inverse", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
+    "transform_point", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 8
@@ -207,7 +214,8 @@ def _tangent(m: Any, x: Any) -> Result:
     g = qq * r
     c = (((((16 * x - 224) * x + 2352) * x - 5440) * x + 6000) * x - 2016) * x + 336
     h = c * r
-    e = 16 / (1 + x)
+    x1 = 1 + x
+    e = 16 / x1
     eg = e * g
     fy = h - eg
     dq = (112 - 24 * x) * x - 56
@@ -238,7 +246,8 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
         o3), n6000, o3), x, o3), n2016, o3), x, o3), n336, o3
     )
     h = mul(c, r, o3)
-    e = div(n16, add(n1, x, k1), k1)
+    x1 = add(n1, x, k1)
+    e = div(n16, x1, k1)
     eg = mul(e, g, k2)
     sub(h, eg, o4)
     dq = sub(mul(sub(n112, mul(n24, x, k3), k3), x, k3), n56, k3)
@@ -251,6 +260,87 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     cr = mul(mul(n2, dc, k2), r, o6)
     sub(cr, mul(e, h, k1), o6)
     return o1, o2, o3, o4, o5, o6
+
+
+# operations 94: 39 +, 51 *, 4 /
+def _tangent_dot(m: Any, x: Any) -> Result:
+    p = (((x - 28) * x + 70) * x - 28) * x + 1
+    q = ((56 - 8 * x) * x - 56) * x + 8
+    qq = q * q
+    N = p * p + x * qq
+    r = 2 * (N / N / N)
+    f = p * q * r
+    g = qq * r
+    c = (((((16 * x - 224) * x + 2352) * x - 5440) * x + 6000) * x - 2016) * x + 336
+    h = c * r
+    x1 = 1 + x
+    e = 16 / x1
+    eg = e * g
+    fy = h - eg
+    dq = (112 - 24 * x) * x - 56
+    qr = 4 * dq * (q * r)
+    gy = qr - eg
+    dc = ((((96 * x - 1120) * x + 9408) * x - 16320) * x + 12000) * x - 2016
+    cr = 2 * dc * r
+    hy = cr - e * h
+    egy = e * gy
+    ee = 2 * e / x1
+    eeg = ee * g
+    fyy = hy - egy + eeg
+    ddq = 112 - 48 * x
+    gyy = 8 * ((q * ddq + dq * dq) * r) - (egy + e * qr) + eeg
+    ddc = (((480 * x - 4480) * x + 28224) * x - 32640) * x + 12000
+    hyy = 4 * (ddc * r) - e * (hy + cr) + ee * h
+    return f, g, h, fy, gy, hy, fyy, gyy, hyy
+
+
+def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
+    k1, k2, k3, k4, k5, k6, k7, *_ = scratch
+    (
+        n1, n2, n4, n8, n16, n24, n28, n48, n56, n70, n96, n112, n224, n336, n480, n1120, n2016, n2352, n4480, n5440,
+        n6000, n9408, n12000, n16320, n28224, n32640,
+    ) = numbers
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, o8), o8), x, o8), n56, o8), x, o8), n8, o8)
+    qq = mul(q, q, o2)
+    p = add(mul(sub(mul(add(mul(sub(x, n28, o1), x, o1), n70, o1), x, o1), n28, o1), x, o1), n1, o1)
+    N = add(mul(p, p, k1), mul(x, qq, o9), k1)
+    r = mul(n2, div(div(N, N, o9), N, k1), k1)
+    g = mul(qq, r, o2)
+    mul(mul(p, q, o1), r, o1)
+    dc = sub(
+        mul(add(mul(sub(mul(add(mul(sub(mul(n96, x, o9), n1120, o9), x, o9), n9408, o9), x, o9), n16320, o9), x, o9),
+        n12000, o9), x, o9), n2016, o9
+    )
+    cr = mul(mul(n2, dc, o9), r, o9)
+    c = add(
+        mul(sub(mul(add(mul(sub(mul(add(mul(sub(mul(n16, x, o3), n224, o3), x, o3), n2352, o3), x, o3), n5440, o3), x,
+        o3), n6000, o3), x, o3), n2016, o3), x, o3), n336, o3
+    )
+    h = mul(c, r, o3)
+    x1 = add(n1, x, k2)
+    e = div(n16, x1, k3)
+    ee = div(mul(n2, e, o6), x1, k2)
+    hy = sub(cr, mul(e, h, o6), o6)
+    ddc = add(
+        mul(sub(mul(add(mul(sub(mul(n480, x, o5), n4480, o5), x, o5), n28224, o5), x, o5), n32640, o5), x, o5), n12000,
+        o5
+    )
+    add(sub(mul(n4, mul(ddc, r, o5), o5), mul(e, add(hy, cr, o9), o9), o9), mul(ee, h, o5), o9)
+    eeg = mul(ee, g, k2)
+    eg = mul(e, g, o5)
+    sub(h, eg, o4)
+    dq = sub(mul(sub(n112, mul(n24, x, k4), k4), x, k4), n56, k4)
+    qr = mul(mul(n4, dq, k5), mul(q, r, k6), k5)
+    gy = sub(qr, eg, o5)
+    egy = mul(e, gy, k6)
+    add(sub(hy, egy, o7), eeg, o7)
+    ddq = sub(n112, mul(n48, x, k7), k7)
+    add(
+        sub(mul(n8, mul(add(mul(q, ddq, o8), mul(dq, dq, k4), o8), r, o8), o8), add(egy, mul(e, qr, k1), k1), o8), eeg,
+        o8
+    )
+    return o1, o2, o3, o4, o5, o6, o7, o8, o9
 
 
 # operations 15: 6 +, 7 *, 2 /
@@ -316,6 +406,69 @@ def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     p = add(mul(sub(mul(add(mul(sub(x, n28, k1), x, k1), n70, k1), x, k1), n28, k1), x, k1), n1, k1)
     mul(p, iq, o1)
     return o1, o2, o3, o4
+
+
+# operations 78: 31 +, 42 *, 4 /, 1 neg
+def _tangent_inv_dot(m: Any, x: Any) -> Result:
+    p = (((x - 28) * x + 70) * x - 28) * x + 1
+    q = ((56 - 8 * x) * x - 56) * x + 8
+    iq = 1 / q
+    fi = p * iq
+    x_by_16 = 16 * x
+    d = ((272 - x_by_16) * x - 560) * x + 176
+    diq = d * iq
+    hi = diq / 8
+    c = (((((x_by_16 - 224) * x + 2352) * x - 5440) * x + 6000) * x - 2016) * x + 336
+    fiy = -(c * (iq * iq))
+    x_by_48 = 48 * x
+    dd = (544 - x_by_48) * x - 560
+    dq = (112 - 24 * x) * x - 56
+    hiy = (2 * dd - 2 * dq * diq) * iq / 8
+    dqiq = dq * iq
+    x_by_96 = 96 * x
+    dc = ((((x_by_96 - 1120) * x + 9408) * x - 16320) * x + 12000) * x - 2016
+    fiyy = (4 * c * dqiq - 2 * dc) * iq * iq
+    ddd = 544 - x_by_96
+    ddq = 112 - x_by_48
+    hiyy = 4 * ((ddd - ddq * diq) * iq) / 8 - 4 * dqiq * hiy
+    return fi, hi, fiy, hiy, fiyy, hiyy
+
+
+def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, *_ = scratch
+    (
+        n1, n2, n4, n8, n16, n24, n28, n48, n56, n70, n96, n112, n176, n224, n272, n336, n544, n560, n1120, n2016,
+        n2352, n5440, n6000, n9408, n12000, n16320,
+    ) = numbers
+    x_by_16 = mul(n16, x, o3)
+    d = add(mul(sub(mul(sub(n272, x_by_16, o2), x, o2), n560, o2), x, o2), n176, o2)
+    c = add(
+        mul(sub(mul(add(mul(sub(mul(add(mul(sub(x_by_16, n224, o3), x, o3), n2352, o3), x, o3), n5440, o3), x, o3),
+        n6000, o3), x, o3), n2016, o3), x, o3), n336, o3
+    )
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, o1), o1), x, o1), n56, o1), x, o1), n8, o1)
+    iq = div(n1, q, o1)
+    diq = mul(d, iq, o2)
+    x_by_48 = mul(n48, x, o6)
+    dd = sub(mul(sub(n544, x_by_48, o4), x, o4), n560, o4)
+    ddq = sub(n112, x_by_48, o6)
+    dq = sub(mul(sub(n112, mul(n24, x, o5), o5), x, o5), n56, o5)
+    hiy = div(mul(sub(mul(n2, dd, o4), mul(mul(n2, dq, k1), diq, k1), o4), iq, o4), n8, o4)
+    dqiq = mul(dq, iq, o5)
+    x_by_96 = mul(n96, x, k1)
+    ddd = sub(n544, x_by_96, k2)
+    sub(div(mul(n4, mul(sub(ddd, mul(ddq, diq, o6), o6), iq, o6), o6), n8, o6), mul(mul(n4, dqiq, k2), hiy, k2), o6)
+    dc = sub(
+        mul(add(mul(sub(mul(add(mul(sub(x_by_96, n1120, k1), x, k1), n9408, k1), x, k1), n16320, k1), x, k1), n12000,
+        k1), x, k1), n2016, k1
+    )
+    mul(mul(sub(mul(mul(n4, c, k2), dqiq, o5), mul(n2, dc, k1), o5), iq, o5), iq, o5)
+    neg(mul(c, mul(iq, iq, k1), o3), o3)
+    div(diq, n8, o2)
+    p = add(mul(sub(mul(add(mul(sub(x, n28, k1), x, k1), n70, k1), x, k1), n28, k1), x, k1), n1, k1)
+    mul(p, iq, o1)
+    return o1, o2, o3, o4, o5, o6
 
 
 # operations 45: 18 +, 25 *, 2 /
@@ -616,8 +769,10 @@ CHART = Chart(
         "quaternion": Function(_quaternion, _quaternion_blocks, 1, 0, (-8, 1, 2, 4, 6, 8, 24, 28, 56, 70, 112)),
         "pose": Function(_pose, _pose_blocks, 2, 0, (1, 2, 8, 16, 28, 56, 70, 224, 336, 2016, 2352, 5440, 6000)),
         "tangent": Function(_tangent, _tangent_blocks, 3, 0, (1, 2, 4, 8, 16, 24, 28, 56, 70, 96, 112, 224, 336, 1120, 2016, 2352, 5440, 6000, 9408, 12000, 16320)),
+        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 7, 0, (1, 2, 4, 8, 16, 24, 28, 48, 56, 70, 96, 112, 224, 336, 480, 1120, 2016, 2352, 4480, 5440, 6000, 9408, 12000, 16320, 28224, 32640)),
         "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 8, 16, 56, 176, 272, 560)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 1, 0, (1, 2, 8, 16, 24, 28, 48, 56, 70, 112, 176, 224, 272, 336, 544, 560, 2016, 2352, 5440, 6000)),
+        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 2, 0, (1, 2, 4, 8, 16, 24, 28, 48, 56, 70, 96, 112, 176, 224, 272, 336, 544, 560, 1120, 2016, 2352, 5440, 6000, 9408, 12000, 16320)),
         "ray": Function(_ray, _ray_blocks, 1, 0, (1, 2, 4, 6, 8, 16, 28, 56, 70, 224, 336, 2016, 2352, 5440, 6000)),
         "gain_unit": Function(_gain_unit, _gain_unit_blocks, 3, 1, (-1, 0, 1, 2)),
         "gain_positive": Function(_gain_positive, _gain_positive_blocks, 3, 0, (1, 2)),
@@ -633,11 +788,20 @@ CHART = Chart(
 
 KERNELS = PoseKernels(CHART)
 
+body_cotangent = KERNELS.body_cotangent
+body_cotangent_jacobian = KERNELS.body_cotangent_jacobian
 body_rate = KERNELS.body_rate
+body_rate_dot = KERNELS.body_rate_dot
+body_rate_jacobian = KERNELS.body_rate_jacobian
 body_tangent = KERNELS.body_tangent
+body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
 body_twist = KERNELS.body_twist
+body_twist_dot = KERNELS.body_twist_dot
+body_twist_jacobian = KERNELS.body_twist_jacobian
 compose = KERNELS.compose
+cotangent = KERNELS.cotangent
+cotangent_jacobian = KERNELS.cotangent_jacobian
 dcay = KERNELS.tangent
 dcay_inv = KERNELS.tangent_inv
 from_pose = KERNELS.from_pose
@@ -651,12 +815,17 @@ principal = KERNELS.principal
 quaternion = KERNELS.quaternion
 random = KERNELS.random
 rate = KERNELS.rate
+rate_dot = KERNELS.rate_dot
+rate_jacobian = KERNELS.rate_jacobian
 shadow = KERNELS.shadow
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent
+tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_screw = KERNELS.to_screw
 transform_line = KERNELS.transform_line
 transform_point = KERNELS.transform_point
 twist = KERNELS.twist
+twist_dot = KERNELS.twist_dot
+twist_jacobian = KERNELS.twist_jacobian

@@ -58,14 +58,19 @@
 #   body_tangent_inv: 173: 61 +, 70 *, 31 /, 1 neg, 2 sqrt, 1 tan, 1 lt, 6 where
 #   twist: 203: 73 +, 100 *, 20 /, 2 sqrt, 1 tan, 1 lt, 6 where
 #   rate: 205: 72 +, 100 *, 22 /, 1 neg, 2 sqrt, 1 tan, 1 lt, 6 where
+#   tangent_dot: 299: 112 +, 149 *, 27 /, 2 sqrt, 1 tan, 1 lt, 7 where
+#   twist_dot: 327: 125 +, 166 *, 25 /, 2 sqrt, 1 tan, 1 lt, 7 where
+#   rate_dot: 471: 184 +, 234 *, 40 /, 2 neg, 2 sqrt, 1 tan, 1 lt, 7 where
+#   twist_jacobian: 376: 147 +, 192 *, 25 /, 1 neg, 2 sqrt, 1 tan, 1 lt, 7 where
+#   rate_jacobian: 343: 129 +, 164 *, 37 /, 2 neg, 2 sqrt, 1 tan, 1 lt, 7 where
 #   from_quaternion: 149: 44 +, 65 *, 21 /, 1 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   from_tensor: 205: 64 +, 71 *, 24 /, 3 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 23 where
 #   from_pose: 169: 49 +, 53 *, 21 /, 3 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 23 where
-#   from_screw: 12: 3 +, 9 *
+#   from_screw: 13: 3 +, 10 *
 #   to_screw: 137: 34 +, 46 *, 23 /, 1 neg, 8 abs, 3 sqrt, 1 tan, 1 atan2, 5 lt, 2 eq, 1 and, 1 or, 11 where
-#   turn: 56: 15 +, 19 *, 10 /, 6 abs, 1 sqrt, 1 eq, 4 where
-#   shadow: 135: 38 +, 43 *, 23 /, 1 neg, 6 abs, 3 sqrt, 1 tan, 5 lt, 2 eq, 1 and, 1 or, 11 where
-#   principal: 107: 31 +, 35 *, 20 /, 4 sqrt, 1 tan, 1 atan2, 3 lt, 12 where
+#   turn: 60: 15 +, 23 *, 10 /, 6 abs, 1 sqrt, 1 eq, 4 where
+#   shadow: 139: 38 +, 47 *, 23 /, 1 neg, 6 abs, 3 sqrt, 1 tan, 5 lt, 2 eq, 1 and, 1 or, 11 where
+#   principal: 111: 31 +, 39 *, 20 /, 4 sqrt, 1 tan, 1 atan2, 3 lt, 12 where
 #   compose: 392: 126 +, 176 *, 53 /, 1 neg, 7 sqrt, 3 tan, 1 atan2, 4 lt, 1 eq, 20 where
 r"""Exponential map: Rodrigues dual vectors ``v = α u`` of rigid displacements.
 
@@ -92,12 +97,15 @@ from typing import Any
 
 from ._chart import Chart, Function
 from ._interface import PoseKernels
-from ._kernel import Components, Kernel, Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
+from ._kernel import Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "body_rate", "body_tangent", "body_tangent_inv", "body_twist", "compose", "from_pose", "from_quaternion",
-    "from_screw", "from_tensor", "identity", "inverse", "pose", "principal", "quaternion", "random", "rate", "shadow",
-    "singular_angles", "tangent", "tangent_inv", "tensor", "to_screw", "transform_line", "transform_point", "twist",
+    "body_cotangent", "body_cotangent_jacobian", "body_rate", "body_rate_dot", "body_rate_jacobian", "body_tangent",
+    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
+    "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity",
+    "inverse", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
+    "transform_point", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 1
@@ -312,6 +320,98 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, o2, o3, o4, o5, o6
 
 
+# operations 122: 41 +, 45 *, 25 /, 2 sqrt, 1 tan, 1 lt, 7 where
+def _tangent_dot(m: Any, x: Any) -> Result:
+    near = x < 6
+    z = m.where(near, x, x - x) / 4
+    C7 = (
+        (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
+        / 93024)))) / 3603600)) / 72 / 5040
+    )
+    C5 = (1 - 120 * (z * C7)) / 120
+    C3 = (1 - 6 * (z * C5)) / 6
+    C1 = 1 - z * C3
+    CC1 = C1 * C1
+    C0 = m.sqrt(1 - z * CC1)
+    xx = m.where(near, 6 + x, x)
+    alpha = m.sqrt(xx)
+    t = m.tan(alpha / 4)
+    tt = t * t
+    below = 1 + tt
+    s = m.where(near, C0, (1 - tt) / below)
+    w = m.where(near, C1 / 2, 2 * t / below / alpha)
+    f = 2 * (s * w)
+    ww = w * w
+    g = 2 * ww
+    C01 = 1 + C0
+    C2 = CC1 / C01
+    h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
+    fy = h - g
+    gy = f * h - g * g
+    CC3 = C3 * C3
+    C4 = (4 * C3 - C2 - 2 * (z * CC3)) / (2 * C01)
+    c5 = (C5 + C4 + C2 * C3) / 16
+    c4 = C3 * (1 + C1) / 8
+    hy = m.where(near, 3 * c5 - c4, (g - 3 * h) / xx)
+    fyy = hy - gy
+    gyy = fy * h + f * hy - 2 * (g * gy)
+    C6 = (4 * C5 + 2 * CC3 - C4 - 2 * (C2 * C4)) / 4
+    c6 = (2 * C5 + CC3) / 32
+    hyy = m.where(near, 15 * ((C7 + C6 + C3 * C4 + C5 / 2) / 64) - 7 * c6 + c5, (gy - 5 * hy) / xx)
+    return f, g, h, fy, gy, hy, fyy, gyy, hyy
+
+
+def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
+    k1, k2, k3, k4, k5, *_ = scratch
+    mask1, *_ = masks
+    (
+        n1, n2, n3, n4, n5, n6, n7, n8, n15, n16, n32, n64, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520,
+        n3603600,
+    ) = numbers
+    near = m.less(x, n6, mask1)
+    z = div(m.where(near, x, sub(x, x, o9), o4), n4, o9)
+    C7 = div(
+        div(sub(n72, mul(z, div(sub(n3603600, mul(z, sub(n32760, mul(z, sub(n210, mul(z, div(sub(n93024, mul(z,
+        sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, o4), o4), o4), n212520, o4), o4), o4), o4), o4), n93024,
+        o4), o4), o4), o4), o4), o4), o4), n3603600, o4), o4), o4), n72, o4), n5040, o4
+    )
+    C5 = div(sub(n1, mul(n120, mul(z, C7, o8), o8), o8), n120, o8)
+    C3 = div(sub(n1, mul(n6, mul(z, C5, o7), o7), o7), n6, o7)
+    C1 = sub(n1, mul(z, C3, o6), o6)
+    CC1 = mul(C1, C1, k1)
+    C0 = sqrt(sub(n1, mul(z, CC1, o1), o1), o1)
+    C01 = add(n1, C0, k2)
+    C2 = div(CC1, C01, k1)
+    CC3 = mul(C3, C3, k3)
+    C4 = div(sub(sub(mul(n4, C3, k4), C2, k4), mul(n2, mul(z, CC3, o9), o9), o9), mul(n2, C01, k2), o9)
+    C6 = div(sub(sub(add(mul(n4, C5, k2), mul(n2, CC3, k4), k2), C4, k2), mul(n2, mul(C2, C4, k4), k4), k2), n4, k2)
+    c6 = div(add(mul(n2, C5, k4), CC3, k3), n32, k3)
+    xx = m.where(near, add(n6, x, k4), x, k4)
+    alpha = sqrt(xx, o2)
+    t = tan(div(alpha, n4, o3), o3)
+    tt = mul(t, t, o5)
+    below = add(n1, tt, k5)
+    s = m.where(near, C0, div(sub(n1, tt, o5), below, o5), o1)
+    w = m.where(near, div(C1, n2, o5), div(div(mul(n2, t, o3), below, o3), alpha, o2), o3)
+    f = mul(n2, mul(s, w, o1), o1)
+    ww = mul(w, w, o2)
+    g = mul(n2, ww, o2)
+    h = m.where(near, div(add(C3, mul(C1, C2, o3), o3), n4, o3), div(sub(n1, f, o5), xx, o5), o3)
+    c5 = div(add(add(C5, C4, o5), mul(C2, C3, k1), k1), n16, k1)
+    c4 = div(mul(C3, add(n1, C1, o6), o6), n8, o6)
+    hy = m.where(near, sub(mul(n3, c5, o5), c4, o6), div(sub(g, mul(n3, h, o5), o5), xx, o5), o6)
+    gy = sub(mul(f, h, o5), mul(g, g, k5), o5)
+    m.where(
+        near, add(sub(mul(n15, div(add(add(add(C7, C6, o4), mul(C3, C4, o9), o9), div(C5, n2, o4), o9), n64, o9), o9),
+        mul(n7, c6, o4), o9), c5, o9), div(sub(gy, mul(n5, hy, o4), o4), xx, o4), o9
+    )
+    fy = sub(h, g, o4)
+    sub(add(mul(fy, h, o8), mul(f, hy, o7), o8), mul(n2, mul(g, gy, o7), o7), o8)
+    sub(hy, gy, o7)
+    return o1, o2, o3, o4, o5, o6, o7, o8, o9
+
+
 # operations 68: 20 +, 22 *, 17 /, 2 sqrt, 1 tan, 1 lt, 5 where
 def _inverse(m: Any, x: Any) -> Result:
     near = x < 6
@@ -460,6 +560,108 @@ def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     return o1, o2, o3, o4
 
 
+# operations 141: 47 +, 53 *, 28 /, 2 neg, 2 sqrt, 1 tan, 1 lt, 7 where
+def _tangent_inv_dot(m: Any, x: Any) -> Result:
+    near = x < 6
+    z = m.where(near, x, x - x) / 4
+    C7 = (
+        (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
+        / 93024)))) / 3603600)) / 72 / 5040
+    )
+    C5 = (1 - 120 * (z * C7)) / 120
+    C3 = (1 - 6 * (z * C5)) / 6
+    C1 = 1 - z * C3
+    CC1 = C1 * C1
+    C0 = m.sqrt(1 - z * CC1)
+    xx = m.where(near, 6 + x, x)
+    alpha = m.sqrt(xx)
+    t = m.tan(alpha / 4)
+    tt = t * t
+    below = 1 + tt
+    s = m.where(near, C0, (1 - tt) / below)
+    w = m.where(near, C1 / 2, 2 * t / below / alpha)
+    fi = s / w
+    ww = w * w
+    g = 2 * ww
+    C01 = 1 + C0
+    C2 = CC1 / C01
+    f = 2 * (s * w)
+    h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
+    hi = g - fi * h
+    fiy = -(h / g)
+    gy = f * h - g * g
+    CC3 = C3 * C3
+    C4 = (4 * C3 - C2 - 2 * (z * CC3)) / (2 * C01)
+    c5 = (C5 + C4 + C2 * C3) / 16
+    c4 = C3 * (1 + C1) / 8
+    hy = m.where(near, 3 * c5 - c4, (g - 3 * h) / xx)
+    hiy = gy - fiy * h - fi * hy
+    fiyy = -((hy + fiy * gy) / g)
+    C6 = (4 * C5 + 2 * CC3 - C4 - 2 * (C2 * C4)) / 4
+    c6 = (2 * C5 + CC3) / 32
+    hyy = m.where(near, 15 * ((C7 + C6 + C3 * C4 + C5 / 2) / 64) - 7 * c6 + c5, (gy - 5 * hy) / xx)
+    fy = h - g
+    gyy = fy * h + f * hy - 2 * (g * gy)
+    hiyy = gyy - (fiyy * h + 2 * (fiy * hy) + fi * hyy)
+    return fi, hi, fiy, hiy, fiyy, hiyy
+
+
+def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, *_ = scratch
+    mask1, *_ = masks
+    (
+        n1, n2, n3, n4, n5, n6, n7, n8, n15, n16, n32, n64, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520,
+        n3603600,
+    ) = numbers
+    near = m.less(x, n6, mask1)
+    z = div(m.where(near, x, sub(x, x, o6), o4), n4, o6)
+    C7 = div(
+        div(sub(n72, mul(z, div(sub(n3603600, mul(z, sub(n32760, mul(z, sub(n210, mul(z, div(sub(n93024, mul(z,
+        sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, o4), o4), o4), n212520, o4), o4), o4), o4), o4), n93024,
+        o4), o4), o4), o4), o4), o4), o4), n3603600, o4), o4), o4), n72, o4), n5040, o4
+    )
+    C5 = div(sub(n1, mul(n120, mul(z, C7, o3), o3), o3), n120, o3)
+    C3 = div(sub(n1, mul(n6, mul(z, C5, o5), o5), o5), n6, o5)
+    C1 = sub(n1, mul(z, C3, o2), o2)
+    CC1 = mul(C1, C1, k1)
+    C0 = sqrt(sub(n1, mul(z, CC1, o1), o1), o1)
+    C01 = add(n1, C0, k2)
+    C2 = div(CC1, C01, k1)
+    CC3 = mul(C3, C3, k3)
+    C4 = div(sub(sub(mul(n4, C3, k4), C2, k4), mul(n2, mul(z, CC3, o6), o6), o6), mul(n2, C01, k2), o6)
+    C6 = div(sub(sub(add(mul(n4, C5, k2), mul(n2, CC3, k4), k2), C4, k2), mul(n2, mul(C2, C4, k4), k4), k2), n4, k2)
+    c6 = div(add(mul(n2, C5, k4), CC3, k3), n32, k3)
+    xx = m.where(near, add(n6, x, k4), x, k4)
+    alpha = sqrt(xx, k5)
+    t = tan(div(alpha, n4, k6), k6)
+    tt = mul(t, t, k7)
+    below = add(n1, tt, k8)
+    s = m.where(near, C0, div(sub(n1, tt, k7), below, k7), o1)
+    w = m.where(near, div(C1, n2, k7), div(div(mul(n2, t, k6), below, k6), alpha, k5), k6)
+    f = mul(n2, mul(s, w, k5), k5)
+    fi = div(s, w, o1)
+    ww = mul(w, w, k6)
+    g = mul(n2, ww, k6)
+    h = m.where(near, div(add(C3, mul(C1, C2, k7), k7), n4, k7), div(sub(n1, f, k8), xx, k8), k7)
+    c5 = div(add(add(C5, C4, k8), mul(C2, C3, k1), k1), n16, k1)
+    c4 = div(mul(C3, add(n1, C1, o2), o2), n8, o2)
+    hy = m.where(near, sub(mul(n3, c5, k8), c4, o2), div(sub(g, mul(n3, h, k8), k8), xx, k8), o2)
+    gy = sub(mul(f, h, k8), mul(g, g, k9), k8)
+    hyy = m.where(
+        near, add(sub(mul(n15, div(add(add(add(C7, C6, o4), mul(C3, C4, o6), o6), div(C5, n2, o4), o6), n64, o6), o6),
+        mul(n7, c6, o4), o6), c5, o6), div(sub(gy, mul(n5, hy, o4), o4), xx, o4), o6
+    )
+    fy = sub(h, g, o4)
+    gyy = sub(add(mul(fy, h, o4), mul(f, hy, o3), o4), mul(n2, mul(g, gy, o3), o3), o4)
+    fiy = neg(div(h, g, o3), o3)
+    fiyy = neg(div(add(hy, mul(fiy, gy, o5), o5), g, o5), o5)
+    sub(gyy, add(add(mul(fiyy, h, k1), mul(n2, mul(fiy, hy, k2), k2), k1), mul(fi, hyy, o6), o6), o6)
+    sub(sub(gy, mul(fiy, h, o4), o4), mul(fi, hy, o2), o4)
+    sub(g, mul(fi, h, o2), o2)
+    return o1, o2, o3, o4, o5, o6
+
+
 # operations 65: 19 +, 21 *, 16 /, 2 sqrt, 1 tan, 1 lt, 5 where
 def _ray(m: Any, x: Any) -> Result:
     near = x < 6
@@ -605,6 +807,67 @@ def _gain_product_blocks(
     return o1,
 
 
+# operations 68: 19 +, 17 *, 13 /, 1 neg, 2 sqrt, 1 tan, 5 lt, 1 eq, 1 and, 1 or, 7 where
+def _direction(m: Any, x: Any, y: Any) -> Result:
+    near = x < 6
+    z = m.where(near, x, x - x) / 4
+    C7 = (
+        (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
+        / 93024)))) / 3603600)) / 72 / 5040
+    )
+    C5 = (1 - 120 * (z * C7)) / 120
+    C3 = (1 - 6 * (z * C5)) / 6
+    C1 = 1 - z * C3
+    xx = m.where(near, 6 + x, x)
+    alpha = m.sqrt(xx)
+    t = m.tan(alpha / 4)
+    tt = t * t
+    below = 1 + tt
+    w = m.where(near, C1 / 2, 2 * t / below / alpha)
+    kept = m.where(w < 0, 0, 16)
+    CC1 = C1 * C1
+    C0 = m.sqrt(1 - z * CC1)
+    s = m.where(near, C0, (1 - tt) / below)
+    turned = m.where(kept + s < kept, -w, w)
+    one = s - s + 1
+    sign = one * m.where((turned < 0) | (w == 0) & (y < 0), -1, 1)
+    return sign,
+
+
+def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any) -> Result:
+    o1, = out
+    k1, k2, k3, k4, k5, *_ = scratch
+    mask1, mask2, mask3, *_ = masks
+    n_minus_1, n0, n1, n2, n4, n6, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    near = m.less(x, n6, mask1)
+    z = div(m.where(near, x, sub(x, x, o1), k1), n4, o1)
+    C7 = div(
+        div(sub(n72, mul(z, div(sub(n3603600, mul(z, sub(n32760, mul(z, sub(n210, mul(z, div(sub(n93024, mul(z,
+        sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, k1), k1), k1), n212520, k1), k1), k1), k1), k1), n93024,
+        k1), k1), k1), k1), k1), k1), k1), n3603600, k1), k1), k1), n72, k1), n5040, k1
+    )
+    C5 = div(sub(n1, mul(n120, mul(z, C7, k1), k1), k1), n120, k1)
+    C3 = div(sub(n1, mul(n6, mul(z, C5, k1), k1), k1), n6, k1)
+    C1 = sub(n1, mul(z, C3, k1), k1)
+    CC1 = mul(C1, C1, k2)
+    C0 = sqrt(sub(n1, mul(z, CC1, o1), o1), o1)
+    xx = m.where(near, add(n6, x, k2), x, k2)
+    alpha = sqrt(xx, k2)
+    t = tan(div(alpha, n4, k3), k3)
+    tt = mul(t, t, k4)
+    below = add(n1, tt, k5)
+    w = m.where(near, div(C1, n2, k1), div(div(mul(n2, t, k3), below, k3), alpha, k2), k1)
+    s = m.where(near, C0, div(sub(n1, tt, k2), below, k2), o1)
+    kept = m.where(m.less(w, n0, mask1), n0, n16, k2)
+    turned = m.where(m.less(add(kept, s, k3), kept, mask1), neg(w, k2), w, k2)
+    one = add(sub(s, s, o1), n1, o1)
+    mul(
+        one, m.where(m.either(m.less(turned, n0, mask1), m.both(m.equal(w, n0, mask2), m.less(y, n0, mask3), mask2),
+        mask1), n_minus_1, n1, k1), o1
+    )
+    return o1,
+
+
 # operations 73: 19 +, 19 *, 13 /, 1 neg, 2 abs, 2 sqrt, 1 tan, 1 atan2, 5 lt, 1 eq, 1 and, 1 or, 7 where
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     near = x < 6
@@ -668,239 +931,21 @@ def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, n1, o3
 
 
-# --- geometry that does with less here than for any chart ---------------------------------------------------------
-
-
-# operations 12: 3 +, 9 *
-def _own_from_screw(m: Any, c: Any, angle: Components, line: Components) -> Result:
-    alpha, d = angle
-    u1, u2, u3, u1o, u2o, u3o = line
-    return u1 * alpha, u2 * alpha, u3 * alpha, u1o * alpha + u1 * d, u2o * alpha + u2 * d, u3o * alpha + u3 * d
-
-
-def _own_from_screw_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, angle: Rows, line: Rows
-) -> None:
-    alpha, d = angle
-    u1, u2, u3, u1o, u2o, u3o = line
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2 = scratch
-    mul(u1, alpha, o1)
-    mul(u2, alpha, o2)
-    mul(u3, alpha, o3)
-    add(mul(u1o, alpha, k1), mul(u1, d, k2), o4)
-    add(mul(u2o, alpha, k1), mul(u2, d, k2), o5)
-    add(mul(u3o, alpha, k1), mul(u3, d, k2), o6)
-
-
-# operations 56: 15 +, 19 *, 10 /, 6 abs, 1 sqrt, 1 eq, 4 where
-def _own_turn(m: Any, c: Any, v: Components, table: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    _, sin = table
-    total = m.abs(v1) + m.abs(v2) + m.abs(v3)
-    still = total == 0
-    a1 = m.where(still, v1o, v1)
-    a2 = m.where(still, v2o, v2)
-    a3 = m.where(still, v3o, v3)
-    scale = m.abs(a1) + m.abs(a2) + m.abs(a3)
-    s1 = a1 / scale
-    s2 = a2 / scale
-    s3 = a3 / scale
-    root = m.sqrt(s1 * s1 + s2 * s2 + s3 * s3)
-    u1 = s1 / root
-    u2 = s2 / root
-    u3 = s3 / root
-    ro = u1 * v1o + u2 * v2o + u3 * v3o
-    ir = m.where(still, 0, 1) / root
-    ru1 = u1 * ro
-    ru2 = u2 * ro
-    ru3 = u3 * ro
-    r = total * root
-    uo1 = (v1o - ru1) / scale * ir
-    uo2 = (v2o - ru2) / scale * ir
-    uo3 = (v3o - ru3) / scale * ir
+# operations 1: 1 +
+def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     alphak = r + sin
-    return u1 * alphak, u2 * alphak, u3 * alphak, uo1 * alphak + ru1, uo2 * alphak + ru2, uo3 * alphak + ru3
+    return alphak, 1
 
 
-def _own_turn_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, table: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    _, sin = table
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
-    mask1, = masks
-    n0, n1 = numbers
-    total = add(add(absolute(v1, k1), absolute(v2, k2), k1), absolute(v3, k2), k1)
-    still = m.equal(total, n0, mask1)
-    a1 = m.where(still, v1o, v1, k2)
-    a2 = m.where(still, v2o, v2, k3)
-    a3 = m.where(still, v3o, v3, k4)
-    scale = add(add(absolute(a1, k5), absolute(a2, k6), k5), absolute(a3, k6), k5)
-    s1 = div(a1, scale, k2)
-    s2 = div(a2, scale, k3)
-    s3 = div(a3, scale, k4)
-    root = sqrt(add(add(mul(s1, s1, k6), mul(s2, s2, k7), k6), mul(s3, s3, k7), k6), k6)
-    u1 = div(s1, root, k2)
-    r = mul(total, root, k1)
-    alphak = add(r, sin, k1)
-    mul(u1, alphak, o1)
-    u2 = div(s2, root, k3)
-    mul(u2, alphak, o2)
-    u3 = div(s3, root, k4)
-    ir = div(m.where(still, n0, n1, k7), root, k6)
-    mul(u3, alphak, o3)
-    ro = add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7)
-    ru1 = mul(u1, ro, k2)
-    ru2 = mul(u2, ro, k3)
-    ru3 = mul(u3, ro, k4)
-    uo1 = mul(div(sub(v1o, ru1, k7), scale, k7), ir, k7)
-    add(mul(uo1, alphak, k7), ru1, o4)
-    uo2 = mul(div(sub(v2o, ru2, k2), scale, k2), ir, k2)
-    add(mul(uo2, alphak, k2), ru2, o5)
-    uo3 = mul(div(sub(v3o, ru3, k2), scale, k2), ir, k2)
-    add(mul(uo3, alphak, k1), ru3, o6)
+def _turned_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, r: Any, cos: Any, sin: Any) -> Result:
+    o1, _ = out
+    n1, = numbers
+    add(r, sin, o1)
+    return o1, n1
 
 
-# operations 135: 38 +, 43 *, 23 /, 1 neg, 6 abs, 3 sqrt, 1 tan, 5 lt, 2 eq, 1 and, 1 or, 11 where
-def _own_shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    _, sin = table
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    near = x < 6
-    z = m.where(near, x, x - x) / 4
-    C7 = (
-        (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
-        / 93024)))) / 3603600)) / 72 / 5040
-    )
-    C5 = (1 - 120 * (z * C7)) / 120
-    C3 = (1 - 6 * (z * C5)) / 6
-    C1 = 1 - z * C3
-    xx = m.where(near, 6 + x, x)
-    alpha = m.sqrt(xx)
-    t = m.tan(alpha / 4)
-    tt = t * t
-    below = 1 + tt
-    w = m.where(near, C1 / 2, 2 * t / below / alpha)
-    kept = m.where(w < 0, 0, 16)
-    CC1 = C1 * C1
-    C0 = m.sqrt(1 - z * CC1)
-    s = m.where(near, C0, (1 - tt) / below)
-    turned = m.where(kept + s < kept, -w, w)
-    one = s - s + 1
-    sign = one * m.where((turned < 0) | (w == 0) & (y < 0), -1, 1)
-    total = m.abs(v1) + m.abs(v2) + m.abs(v3)
-    still = total == 0
-    a1 = m.where(still, v1o, v1)
-    a2 = m.where(still, v2o, v2)
-    a3 = m.where(still, v3o, v3)
-    scale = m.abs(a1) + m.abs(a2) + m.abs(a3)
-    s1 = a1 / scale
-    s2 = a2 / scale
-    s3 = a3 / scale
-    root = m.sqrt(s1 * s1 + s2 * s2 + s3 * s3)
-    u1 = s1 / root
-    u2 = s2 / root
-    u3 = s3 / root
-    ro = u1 * v1o + u2 * v2o + u3 * v3o
-    ir = m.where(still, 0, 1) / root
-    ru1 = u1 * ro
-    ru2 = u2 * ro
-    ru3 = u3 * ro
-    r = total * root
-    uo1 = (v1o - ru1) / scale * ir
-    uo2 = (v2o - ru2) / scale * ir
-    uo3 = (v3o - ru3) / scale * ir
-    sn = sign * sin
-    alphak = r + sn
-    return u1 * alphak, u2 * alphak, u3 * alphak, uo1 * alphak + ru1, uo2 * alphak + ru2, uo3 * alphak + ru3
-
-
-def _own_shadow_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, table: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    _, sin = table
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
-    mask1, mask2, mask3 = masks
-    n_minus_1, n0, n1, n2, n4, n6, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    near = m.less(x, n6, mask1)
-    z = div(m.where(near, x, sub(x, x, k2), k3), n4, k2)
-    xx = m.where(near, add(n6, x, k3), x, k3)
-    alpha = sqrt(xx, k1)
-    C7 = div(
-        div(sub(n72, mul(z, div(sub(n3603600, mul(z, sub(n32760, mul(z, sub(n210, mul(z, div(sub(n93024, mul(z,
-        sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, k3), k3), k3), n212520, k3), k3), k3), k3), k3), n93024,
-        k3), k3), k3), k3), k3), k3), k3), n3603600, k3), k3), k3), n72, k3), n5040, k3
-    )
-    C5 = div(sub(n1, mul(n120, mul(z, C7, k3), k3), k3), n120, k3)
-    C3 = div(sub(n1, mul(n6, mul(z, C5, k3), k3), k3), n6, k3)
-    C1 = sub(n1, mul(z, C3, k3), k3)
-    CC1 = mul(C1, C1, k4)
-    C0 = sqrt(sub(n1, mul(z, CC1, k2), k2), k2)
-    t = tan(div(alpha, n4, k4), k4)
-    tt = mul(t, t, k5)
-    below = add(n1, tt, k6)
-    w = m.where(near, div(C1, n2, k3), div(div(mul(n2, t, k4), below, k4), alpha, k1), k3)
-    s = m.where(near, C0, div(sub(n1, tt, k1), below, k1), k2)
-    kept = m.where(m.less(w, n0, mask1), n0, n16, k1)
-    turned = m.where(m.less(add(kept, s, k4), kept, mask1), neg(w, k1), w, k1)
-    one = add(sub(s, s, k2), n1, k2)
-    y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k5), k4), mul(v3, v3o, k5), k4)
-    sign = mul(
-        one, m.where(m.either(m.less(turned, n0, mask1), m.both(m.equal(w, n0, mask2), m.less(y, n0, mask3), mask2),
-        mask1), n_minus_1, n1, k1), k1
-    )
-    sn = mul(sign, sin, k1)
-    total = add(add(absolute(v1, k2), absolute(v2, k3), k2), absolute(v3, k3), k2)
-    still = m.equal(total, n0, mask1)
-    a1 = m.where(still, v1o, v1, k3)
-    a2 = m.where(still, v2o, v2, k4)
-    a3 = m.where(still, v3o, v3, k5)
-    scale = add(add(absolute(a1, k6), absolute(a2, k7), k6), absolute(a3, k7), k6)
-    s1 = div(a1, scale, k3)
-    s2 = div(a2, scale, k4)
-    s3 = div(a3, scale, k5)
-    root = sqrt(add(add(mul(s1, s1, k7), mul(s2, s2, k8), k7), mul(s3, s3, k8), k7), k7)
-    r = mul(total, root, k2)
-    alphak = add(r, sn, k1)
-    u1 = div(s1, root, k2)
-    mul(u1, alphak, o1)
-    u2 = div(s2, root, k3)
-    mul(u2, alphak, o2)
-    u3 = div(s3, root, k4)
-    ir = div(m.where(still, n0, n1, k5), root, k5)
-    mul(u3, alphak, o3)
-    ro = add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7)
-    ru1 = mul(u1, ro, k2)
-    ru2 = mul(u2, ro, k3)
-    ru3 = mul(u3, ro, k4)
-    uo1 = mul(div(sub(v1o, ru1, k7), scale, k7), ir, k7)
-    add(mul(uo1, alphak, k7), ru1, o4)
-    uo2 = mul(div(sub(v2o, ru2, k2), scale, k2), ir, k2)
-    add(mul(uo2, alphak, k2), ru2, o5)
-    uo3 = mul(div(sub(v3o, ru3, k2), scale, k2), ir, k2)
-    add(mul(uo3, alphak, k1), ru3, o6)
-
-
-# operations 107: 31 +, 35 *, 20 /, 4 sqrt, 1 tan, 1 atan2, 3 lt, 12 where
-def _own_principal(m: Any, c: Any, v: Components, table: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    limit1, _, _ = table
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
+# operations 66: 19 +, 20 *, 14 /, 3 sqrt, 1 tan, 1 atan2, 3 lt, 5 where
+def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
     beyond1 = limit1 < limit1 + (x - limit1) / 16
     rx = m.sqrt(x)
     near = x < 6
@@ -924,83 +969,53 @@ def _own_principal(m: Any, c: Any, v: Components, table: Components) -> Result:
     sine = w * rx
     side = m.where(s < 0, -1, 1)
     back = 2 * m.atan2(side * sine, side * s) - rx
-    r = m.sqrt(m.where(beyond1, x, 1 + x))
-    u1 = v1 / r
-    u2 = v2 / r
-    u3 = v3 / r
-    ro = u1 * v1o + u2 * v2o + u3 * v3o
-    ru1 = u1 * ro
-    ru2 = u2 * ro
-    ru3 = u3 * ro
-    uo1 = (v1o - ru1) / r
-    uo2 = (v2o - ru2) / r
-    uo3 = (v3o - ru3) / r
-    alphak = r + back
-    return (
-        m.where(beyond1, u1 * alphak, v1),
-        m.where(beyond1, u2 * alphak, v2),
-        m.where(beyond1, u3 * alphak, v3),
-        m.where(beyond1, uo1 * alphak + ru1, v1o),
-        m.where(beyond1, uo2 * alphak + ru2, v2o),
-        m.where(beyond1, uo3 * alphak + ru3, v3o),
-    )
+    return beyond1, cos1, back
 
 
-def _own_principal_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, table: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    limit1, _, _ = table
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7 = scratch
-    mask1, = masks
+def _beyond_blocks(
+    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, limit1: Any, cos1: Any, sin1: Any
+) -> Result:
+    o1, _, o3 = out
+    k1, k2, k3, k4, k5, *_ = scratch
+    _, mask2, *_ = masks
     n_minus_1, n0, n1, n2, n4, n6, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    near = m.less(x, n6, mask1)
-    z = div(m.where(near, x, sub(x, x, k2), k3), n4, k2)
+    m.less(limit1, add(limit1, div(sub(x, limit1, o3), n16, o3), o3), o1)
+    near = m.less(x, n6, mask2)
+    z = div(m.where(near, x, sub(x, x, o3), k1), n4, o3)
     C7 = div(
         div(sub(n72, mul(z, div(sub(n3603600, mul(z, sub(n32760, mul(z, sub(n210, mul(z, div(sub(n93024, mul(z,
-        sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, k3), k3), k3), n212520, k3), k3), k3), k3), k3), n93024,
-        k3), k3), k3), k3), k3), k3), k3), n3603600, k3), k3), k3), n72, k3), n5040, k3
+        sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, k1), k1), k1), n212520, k1), k1), k1), k1), k1), n93024,
+        k1), k1), k1), k1), k1), k1), k1), n3603600, k1), k1), k1), n72, k1), n5040, k1
     )
-    C5 = div(sub(n1, mul(n120, mul(z, C7, k3), k3), k3), n120, k3)
-    C3 = div(sub(n1, mul(n6, mul(z, C5, k3), k3), k3), n6, k3)
-    C1 = sub(n1, mul(z, C3, k3), k3)
-    CC1 = mul(C1, C1, k4)
-    C0 = sqrt(sub(n1, mul(z, CC1, k2), k2), k2)
-    xx = m.where(near, add(n6, x, k4), x, k4)
-    alpha = sqrt(xx, k4)
-    t = tan(div(alpha, n4, k5), k5)
-    tt = mul(t, t, k6)
-    below = add(n1, tt, k7)
-    w = m.where(near, div(C1, n2, k3), div(div(mul(n2, t, k5), below, k5), alpha, k4), k3)
-    s = m.where(near, C0, div(sub(n1, tt, k4), below, k4), k2)
-    side = m.where(m.less(s, n0, mask1), n_minus_1, n1, k4)
-    rx = sqrt(x, k5)
-    sine = mul(w, rx, k3)
-    back = sub(mul(n2, atan2(mul(side, sine, k3), mul(side, s, k2), k2), k2), rx, k2)
-    beyond1 = m.less(limit1, add(limit1, div(sub(x, limit1, k3), n16, k3), k3), mask1)
-    r = sqrt(m.where(beyond1, x, add(n1, x, k3), k1), k1)
-    alphak = add(r, back, k2)
-    u1 = div(v1, r, k3)
-    m.where(beyond1, mul(u1, alphak, k4), v1, o1)
-    u2 = div(v2, r, k4)
-    m.where(beyond1, mul(u2, alphak, k5), v2, o2)
-    u3 = div(v3, r, k5)
-    m.where(beyond1, mul(u3, alphak, k6), v3, o3)
-    ro = add(add(mul(u1, v1o, k6), mul(u2, v2o, k7), k6), mul(u3, v3o, k7), k6)
-    ru1 = mul(u1, ro, k3)
-    ru2 = mul(u2, ro, k4)
-    ru3 = mul(u3, ro, k5)
-    uo1 = div(sub(v1o, ru1, k6), r, k6)
-    m.where(beyond1, add(mul(uo1, alphak, k6), ru1, k3), v1o, o4)
-    uo2 = div(sub(v2o, ru2, k3), r, k3)
-    m.where(beyond1, add(mul(uo2, alphak, k3), ru2, k3), v2o, o5)
-    uo3 = div(sub(v3o, ru3, k3), r, k1)
-    m.where(beyond1, add(mul(uo3, alphak, k1), ru3, k1), v3o, o6)
+    C5 = div(sub(n1, mul(n120, mul(z, C7, k1), k1), k1), n120, k1)
+    C3 = div(sub(n1, mul(n6, mul(z, C5, k1), k1), k1), n6, k1)
+    C1 = sub(n1, mul(z, C3, k1), k1)
+    CC1 = mul(C1, C1, k2)
+    C0 = sqrt(sub(n1, mul(z, CC1, o3), o3), o3)
+    xx = m.where(near, add(n6, x, k2), x, k2)
+    alpha = sqrt(xx, k2)
+    t = tan(div(alpha, n4, k3), k3)
+    tt = mul(t, t, k4)
+    below = add(n1, tt, k5)
+    w = m.where(near, div(C1, n2, k1), div(div(mul(n2, t, k3), below, k3), alpha, k2), k1)
+    s = m.where(near, C0, div(sub(n1, tt, k2), below, k2), o3)
+    side = m.where(m.less(s, n0, mask2), n_minus_1, n1, k2)
+    rx = sqrt(x, k3)
+    sine = mul(w, rx, k1)
+    sub(mul(n2, atan2(mul(side, sine, k1), mul(side, s, o3), o3), o3), rx, o3)
+    return o1, cos1, o3
+
+
+# operations 0
+def _coefficient(m: Any, alpha: Any) -> Result:
+    return alpha, 1
+
+
+def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
+    o1, _ = out
+    n1, = numbers
+    copy(alpha, o1)
+    return o1, n1
 
 
 CHART = Chart(
@@ -1021,69 +1036,39 @@ CHART = Chart(
         "quaternion": Function(_quaternion, _quaternion_blocks, 5, 1, (1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
         "pose": Function(_pose, _pose_blocks, 6, 1, (1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
         "tangent": Function(_tangent, _tangent_blocks, 4, 1, (1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
+        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 5, 1, (1, 2, 3, 4, 5, 6, 7, 8, 15, 16, 32, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
         "inverse": Function(_inverse, _inverse_blocks, 8, 1, (1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 9, 1, (1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
+        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 9, 1, (1, 2, 3, 4, 5, 6, 7, 8, 15, 16, 32, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
         "ray": Function(_ray, _ray_blocks, 4, 1, (1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
         "gain_unit": Function(_gain_unit, _gain_unit_blocks, 4, 2, (-1, 0, 1, 2)),
         "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 1, (0, 2)),
         "gain_product": Function(_gain_product, _gain_product_blocks, 4, 2, (-1, 0, 1, 2)),
+        "direction": Function(_direction, _direction_blocks, 5, 3, (-1, 0, 1, 2, 4, 6, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
         "natural": Function(_natural, _natural_blocks, 4, 3, (-1, 0, 1, 2, 4, 6, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
+        "turned": Function(_turned, _turned_blocks, 0, 0, (1,)),
+        "beyond": Function(_beyond, _beyond_blocks, 5, 2, (-1, 0, 1, 2, 4, 6, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
+        "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1,)),
     },
-    own={
-        "from_screw": Kernel(
-        _own_from_screw,
-        _own_from_screw_blocks,
-        (("angle", (2,)), ("line", (6,)),),
-        (6,),
-        registers=2,
-        masks=0,
-        numbers=(),
-        lent=(),
-        real=True,
-    ),
-        "turn": Kernel(
-        _own_turn,
-        _own_turn_blocks,
-        (("v", (6,)),),
-        (6,),
-        registers=8,
-        masks=1,
-        numbers=(0, 1),
-        lent=(),
-        real=True,
-    ),
-        "shadow": Kernel(
-        _own_shadow,
-        _own_shadow_blocks,
-        (("v", (6,)),),
-        (6,),
-        registers=8,
-        masks=3,
-        numbers=(-1, 0, 1, 2, 4, 6, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
-        lent=(),
-        real=True,
-    ),
-        "principal": Kernel(
-        _own_principal,
-        _own_principal_blocks,
-        (("v", (6,)),),
-        (6,),
-        registers=7,
-        masks=1,
-        numbers=(-1, 0, 1, 2, 4, 6, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
-        lent=(),
-        real=True,
-    ),
-    },
+    own={},
 )
 
 KERNELS = PoseKernels(CHART)
 
+body_cotangent = KERNELS.body_cotangent
+body_cotangent_jacobian = KERNELS.body_cotangent_jacobian
 body_rate = KERNELS.body_rate
+body_rate_dot = KERNELS.body_rate_dot
+body_rate_jacobian = KERNELS.body_rate_jacobian
 body_tangent = KERNELS.body_tangent
+body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
 body_twist = KERNELS.body_twist
+body_twist_dot = KERNELS.body_twist_dot
+body_twist_jacobian = KERNELS.body_twist_jacobian
 compose = KERNELS.compose
+cotangent = KERNELS.cotangent
+cotangent_jacobian = KERNELS.cotangent_jacobian
 from_pose = KERNELS.from_pose
 from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
@@ -1095,12 +1080,17 @@ principal = KERNELS.principal
 quaternion = KERNELS.quaternion
 random = KERNELS.random
 rate = KERNELS.rate
+rate_dot = KERNELS.rate_dot
+rate_jacobian = KERNELS.rate_jacobian
 shadow = KERNELS.shadow
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent
+tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_screw = KERNELS.to_screw
 transform_line = KERNELS.transform_line
 transform_point = KERNELS.transform_point
 twist = KERNELS.twist
+twist_dot = KERNELS.twist_dot
+twist_jacobian = KERNELS.twist_jacobian

@@ -44,6 +44,11 @@
 #   body_tangent_inv: 98: 35 +, 45 *, 15 /, 2 neg, 1 sqrt
 #   twist: 134: 51 +, 78 *, 4 /, 1 sqrt
 #   rate: 130: 46 +, 75 *, 6 /, 2 neg, 1 sqrt
+#   tangent_dot: 215: 82 +, 121 *, 10 /, 1 neg, 1 sqrt
+#   twist_dot: 243: 95 +, 138 *, 8 /, 1 neg, 1 sqrt
+#   rate_dot: 383: 147 +, 205 *, 25 /, 5 neg, 1 sqrt
+#   twist_jacobian: 292: 117 +, 164 *, 8 /, 2 neg, 1 sqrt
+#   rate_jacobian: 255: 92 +, 135 *, 22 /, 5 neg, 1 sqrt
 #   from_quaternion: 78: 24 +, 42 *, 6 /, 1 neg, 2 sqrt, 1 lt, 2 where
 #   from_tensor: 144: 47 +, 53 *, 10 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 108: 32 +, 35 *, 7 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -81,9 +86,12 @@ from ._interface import PoseKernels
 from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "body_rate", "body_tangent", "body_tangent_inv", "body_twist", "compose", "from_pose", "from_quaternion",
-    "from_screw", "from_tensor", "identity", "inverse", "pose", "principal", "quaternion", "random", "rate", "shadow",
-    "singular_angles", "tangent", "tangent_inv", "tensor", "to_screw", "transform_line", "transform_point", "twist",
+    "body_cotangent", "body_cotangent_jacobian", "body_rate", "body_rate_dot", "body_rate_jacobian", "body_tangent",
+    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
+    "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity",
+    "inverse", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
+    "transform_point", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 2
@@ -190,6 +198,50 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, o2, o3, o4, o5, o6
 
 
+# operations 38: 11 +, 17 *, 8 /, 1 neg, 1 sqrt
+def _tangent_dot(m: Any, x: Any) -> Result:
+    s = 1 - 2 * x
+    cc = 1 - x
+    c = m.sqrt(cc)
+    w = 2 * c
+    f = 2 * (s * w)
+    ww = w * w
+    g = 2 * ww
+    h = (12 - 8 * x) / c
+    rho = 4 / c
+    fy = h - rho * g
+    gy = f * h - g * g
+    hy = -16 / c + h / cc
+    rhoy = rho / cc
+    fyy = hy - rhoy * g - rho * gy
+    gyy = fy * h + f * hy - 2 * (g * gy)
+    hyy = -(-16 / cc) / c + 3 * hy / cc
+    return f, g, h, fy, gy, hy, fyy, gyy, hyy
+
+
+def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
+    k1, *_ = scratch
+    n_minus_16, n1, n2, n3, n4, n8, n12 = numbers
+    cc = sub(n1, x, o7)
+    c = sqrt(cc, o4)
+    h = div(sub(n12, mul(n8, x, o3), o3), c, o3)
+    hy = add(div(n_minus_16, c, o6), div(h, cc, o9), o6)
+    add(div(neg(div(n_minus_16, cc, o9), o9), c, o9), div(mul(n3, hy, o1), cc, o1), o9)
+    s = sub(n1, mul(n2, x, o1), o1)
+    w = mul(n2, c, o2)
+    f = mul(n2, mul(s, w, o1), o1)
+    ww = mul(w, w, o2)
+    g = mul(n2, ww, o2)
+    rho = div(n4, c, o4)
+    rhoy = div(rho, cc, o7)
+    gy = sub(mul(f, h, o5), mul(g, g, o8), o5)
+    sub(sub(hy, mul(rhoy, g, o7), o7), mul(rho, gy, o8), o7)
+    fy = sub(h, mul(rho, g, o4), o4)
+    sub(add(mul(fy, h, o8), mul(f, hy, k1), o8), mul(n2, mul(g, gy, k1), k1), o8)
+    return o1, o2, o3, o4, o5, o6, o7, o8, o9
+
+
 # operations 5: 1 +, 2 *, 1 /, 1 sqrt
 def _inverse(m: Any, x: Any) -> Result:
     cc = 1 - x
@@ -247,6 +299,60 @@ def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     hi = div(n2, below, o2)
     div(neg(mul(n2, mul(hi, wy, k1), k1), k1), below, o4)
     return o1, o2, o3, o4
+
+
+# operations 53: 10 +, 24 *, 13 /, 5 neg, 1 sqrt
+def _tangent_inv_dot(m: Any, x: Any) -> Result:
+    s = 1 - 2 * x
+    cc = 1 - x
+    c = m.sqrt(cc)
+    w = 2 * c
+    fi = s / w
+    below = 2 * w
+    hi = 2 / below
+    h = (12 - 8 * x) / c
+    ww = w * w
+    g = 2 * ww
+    fiy = -(h / g)
+    wy = s * h / 2 - w * ww
+    hiy = -(2 * (hi * wy)) / below
+    hy = -16 / c + h / cc
+    f = 2 * (s * w)
+    gy = f * h - g * g
+    fiyy = -((hy + fiy * gy) / g)
+    rho = 4 / c
+    sy = -(rho * w / 2)
+    wyy = (sy * h + s * hy) / 2 - 3 * (ww * wy)
+    hiyy = -(2 * (2 * (hiy * wy) + hi * wyy)) / below
+    return fi, hi, fiy, hiy, fiyy, hiyy
+
+
+def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, *_ = scratch
+    n_minus_16, n1, n2, n3, n4, n8, n12 = numbers
+    cc = sub(n1, x, o5)
+    c = sqrt(cc, o6)
+    w = mul(n2, c, o1)
+    ww = mul(w, w, k1)
+    s = sub(n1, mul(n2, x, k2), k2)
+    h = div(sub(n12, mul(n8, x, o3), o3), c, o3)
+    hy = add(div(n_minus_16, c, k3), div(h, cc, o5), o5)
+    rho = div(n4, c, o6)
+    sy = neg(div(mul(rho, w, o6), n2, o6), o6)
+    wy = sub(div(mul(s, h, k3), n2, k3), mul(w, ww, k4), k3)
+    wyy = sub(div(add(mul(sy, h, o6), mul(s, hy, k4), o6), n2, o6), mul(n3, mul(ww, wy, k4), k4), o6)
+    g = mul(n2, ww, k1)
+    below = mul(n2, w, k4)
+    hi = div(n2, below, o2)
+    hiy = div(neg(mul(n2, mul(hi, wy, o4), o4), o4), below, o4)
+    div(neg(mul(n2, add(mul(n2, mul(hiy, wy, k3), k3), mul(hi, wyy, o6), o6), o6), o6), below, o6)
+    f = mul(n2, mul(s, w, k3), k3)
+    div(s, w, o1)
+    gy = sub(mul(f, h, k2), mul(g, g, k3), k2)
+    fiy = neg(div(h, g, o3), o3)
+    neg(div(add(hy, mul(fiy, gy, k2), o5), g, o5), o5)
+    return o1, o2, o3, o4, o5, o6
 
 
 # operations 12: 3 +, 7 *, 1 /, 1 sqrt
@@ -503,8 +609,10 @@ CHART = Chart(
         "quaternion": Function(_quaternion, _quaternion_blocks, 1, 0, (1, 2, 4, 8, 12)),
         "pose": Function(_pose, _pose_blocks, 1, 0, (1, 2, 8, 12)),
         "tangent": Function(_tangent, _tangent_blocks, 1, 0, (-16, 1, 2, 4, 8, 12)),
+        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 1, 0, (-16, 1, 2, 3, 4, 8, 12)),
         "inverse": Function(_inverse, _inverse_blocks, 0, 0, (1, 2)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 2, 0, (1, 2, 8, 12)),
+        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 4, 0, (-16, 1, 2, 3, 4, 8, 12)),
         "ray": Function(_ray, _ray_blocks, 0, 0, (1, 2, 8, 12)),
         "gain_unit": Function(_gain_unit, _gain_unit_blocks, 1, 1, (-1, 0, 1, 2)),
         "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 0, (1, 2)),
@@ -520,11 +628,20 @@ CHART = Chart(
 
 KERNELS = PoseKernels(CHART)
 
+body_cotangent = KERNELS.body_cotangent
+body_cotangent_jacobian = KERNELS.body_cotangent_jacobian
 body_rate = KERNELS.body_rate
+body_rate_dot = KERNELS.body_rate_dot
+body_rate_jacobian = KERNELS.body_rate_jacobian
 body_tangent = KERNELS.body_tangent
+body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
 body_twist = KERNELS.body_twist
+body_twist_dot = KERNELS.body_twist_dot
+body_twist_jacobian = KERNELS.body_twist_jacobian
 compose = KERNELS.compose
+cotangent = KERNELS.cotangent
+cotangent_jacobian = KERNELS.cotangent_jacobian
 from_pose = KERNELS.from_pose
 from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
@@ -536,12 +653,17 @@ principal = KERNELS.principal
 quaternion = KERNELS.quaternion
 random = KERNELS.random
 rate = KERNELS.rate
+rate_dot = KERNELS.rate_dot
+rate_jacobian = KERNELS.rate_jacobian
 shadow = KERNELS.shadow
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent
+tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_screw = KERNELS.to_screw
 transform_line = KERNELS.transform_line
 transform_point = KERNELS.transform_point
 twist = KERNELS.twist
+twist_dot = KERNELS.twist_dot
+twist_jacobian = KERNELS.twist_jacobian

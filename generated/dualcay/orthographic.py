@@ -44,11 +44,16 @@
 #   body_tangent_inv: 30: 5 +, 7 *, 10 /, 7 neg, 1 sqrt
 #   twist: 122: 48 +, 71 *, 2 /, 1 sqrt
 #   rate: 72: 26 +, 42 *, 2 /, 1 neg, 1 sqrt
+#   tangent_dot: 198: 78 +, 114 *, 5 /, 1 sqrt
+#   twist_dot: 226: 91 +, 131 *, 3 /, 1 sqrt
+#   rate_dot: 219: 84 +, 116 *, 16 /, 2 neg, 1 sqrt
+#   twist_jacobian: 275: 113 +, 157 *, 3 /, 1 neg, 1 sqrt
+#   rate_jacobian: 97: 31 +, 52 *, 11 /, 2 neg, 1 sqrt
 #   from_quaternion: 48: 15 +, 28 *, 3 /, 1 lt, 1 where
 #   from_tensor: 116: 38 +, 39 *, 7 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 80: 23 +, 21 *, 4 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 22: 5 +, 12 *, 4 /, 1 tan
-#   to_screw: 73: 17 +, 26 *, 11 /, 7 abs, 2 sqrt, 1 atan2, 2 lt, 1 eq, 6 where
+#   to_screw: 78: 19 +, 29 *, 11 /, 7 abs, 2 sqrt, 1 atan2, 2 lt, 1 eq, 6 where
 #   compose: 163: 61 +, 93 *, 5 /, 2 sqrt, 1 lt, 1 where
 r"""Orthographic projection: Rodrigues dual vectors ``v = sin(α/2) u`` of rigid displacements.
 
@@ -78,9 +83,12 @@ from ._interface import PoseKernels
 from ._kernel import Components, Kernel, Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "body_rate", "body_tangent", "body_tangent_inv", "body_twist", "compose", "from_pose", "from_quaternion",
-    "from_screw", "from_tensor", "identity", "inverse", "pose", "principal", "quaternion", "random", "rate", "shadow",
-    "singular_angles", "tangent", "tangent_inv", "tensor", "to_screw", "transform_line", "transform_point", "twist",
+    "body_cotangent", "body_cotangent_jacobian", "body_rate", "body_rate_dot", "body_rate_jacobian", "body_tangent",
+    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
+    "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity",
+    "inverse", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
+    "transform_point", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 1
@@ -135,6 +143,64 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     div(h, cc, o6)
     sub(h, mul(n2, h, o4), o4)
     return o1, n2, o3, o4, o5, o6
+
+
+# operations 21: 7 +, 10 *, 3 /, 1 sqrt
+def _tangent_dot(m: Any, x: Any) -> Result:
+    cc = 1 - x
+    c = m.sqrt(cc)
+    f = 2 * c
+    h = 2 / c
+    fy = h - 2 * h
+    gy = f * h - 4
+    hy = h / cc
+    fyy = hy - 2 * hy - h * gy
+    gyy = fy * h + f * hy - 2 * (2 * gy)
+    hyy = 3 * hy / cc
+    return f, 2, h, fy, gy, hy, fyy, gyy, hyy
+
+
+def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, _, o3, o4, o5, o6, o7, o8, o9 = out
+    k1, *_ = scratch
+    n1, n2, n3, n4 = numbers
+    cc = sub(n1, x, o9)
+    c = sqrt(cc, o3)
+    f = mul(n2, c, o1)
+    h = div(n2, c, o3)
+    fy = sub(h, mul(n2, h, o4), o4)
+    gy = sub(mul(f, h, o5), n4, o5)
+    hy = div(h, cc, o6)
+    sub(add(mul(fy, h, o8), mul(f, hy, o7), o8), mul(n2, mul(n2, gy, o7), o7), o8)
+    sub(sub(hy, mul(n2, hy, o7), o7), mul(h, gy, k1), o7)
+    div(mul(n3, hy, k1), cc, o9)
+    return o1, n2, o3, o4, o5, o6, o7, o8, o9
+
+
+# operations 14: 4 +, 2 *, 1 /, 1 abs, 1 sqrt, 1 atan2, 2 lt, 2 where
+def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
+    cc = 1 - x
+    c = m.sqrt(cc)
+    turned = m.where(16 + c < 16, -1, 1)
+    one = c - c + 1
+    sign = one * m.where(turned < 0, -1, 1)
+    angle = 2 * m.atan2(r, m.abs(c))
+    rho = 2 / c
+    return angle, rho, sign
+
+
+def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
+    o1, o2, o3 = out
+    mask1, *_ = masks
+    n_minus_1, n0, n1, n2, n16 = numbers
+    cc = sub(n1, x, o1)
+    c = sqrt(cc, o1)
+    one = add(sub(c, c, o3), n1, o3)
+    turned = m.where(m.less(add(n16, c, o2), n16, mask1), n_minus_1, n1, o2)
+    mul(one, m.where(m.less(turned, n0, mask1), n_minus_1, n1, o2), o3)
+    div(n2, c, o2)
+    mul(n2, atan2(r, absolute(c, o1), o1), o1)
+    return o1, o2, o3
 
 
 # operations 9: 2 +, 2 *, 4 /, 1 tan
@@ -393,6 +459,287 @@ def _own_rate_blocks(
         add(add(add(mul(w3o, fis, k2), mul(w3, fio, k1), k1), sub(mul(w1o, v2, k2), mul(w2o, v1, k3), k2), k1),
         sub(mul(w1, v2o, k2), mul(w2, v1o, k3), k2), k1), half, o6
     )
+
+
+# operations 219: 84 +, 116 *, 16 /, 2 neg, 1 sqrt
+def _own_rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: Components, table: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    z1, z2, z3, z1o, z2o, z3o = omega_dot
+    side, = table
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    cc = 1 - x
+    c = m.sqrt(cc)
+    h = 2 / c
+    fiy = -(h / 2)
+    hy = h / cc
+    f = 2 * c
+    gy = f * h - 4
+    fiyy = -((hy + fiy * gy) / 2)
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    fio = fiy * y
+    fiyo = fiyy * y
+    u1 = (w1 * c + (w2 * v3 - w3 * v2) * side) / 2
+    u1o = (w1 * fio + w1o * c + (w2 * v3o + w2o * v3 - (w3 * v2o + w3o * v2)) * side) / 2
+    u2 = (w2 * c + (w3 * v1 - w1 * v3) * side) / 2
+    u2o = (w2 * fio + w2o * c + (w3 * v1o + w3o * v1 - (w1 * v3o + w1o * v3)) * side) / 2
+    u3 = (w3 * c + (w1 * v2 - w2 * v1) * side) / 2
+    u3o = (w3 * fio + w3o * c + (w1 * v2o + w1o * v2 - (w2 * v1o + w2o * v1)) * side) / 2
+    vu = v1 * u1 + v2 * u2 + v3 * u3
+    vuo = v1 * u1o + v1o * u1 + (v2 * u2o + v2o * u2) + (v3 * u3o + v3o * u3)
+    ft = fiy * vu
+    fto = fiy * vuo + fiyo * vu
+    return (
+        (z1 * c + w1 * ft + (z2 * v3 - z3 * v2 + (w2 * u3 - w3 * u2)) * side) / 2,
+        (z2 * c + w2 * ft + (z3 * v1 - z1 * v3 + (w3 * u1 - w1 * u3)) * side) / 2,
+        (z3 * c + w3 * ft + (z1 * v2 - z2 * v1 + (w1 * u2 - w2 * u1)) * side) / 2,
+        (z1 * fio + z1o * c + (w1 * fto + w1o * ft) + (z2 * v3o + z2o * v3 - (z3 * v2o + z3o * v2) + (w2 * u3o + w2o
+        * u3 - (w3 * u2o + w3o * u2))) * side) / 2,
+        (z2 * fio + z2o * c + (w2 * fto + w2o * ft) + (z3 * v1o + z3o * v1 - (z1 * v3o + z1o * v3) + (w3 * u1o + w3o
+        * u1 - (w1 * u3o + w1o * u3))) * side) / 2,
+        (z3 * fio + z3o * c + (w3 * fto + w3o * ft) + (z1 * v2o + z1o * v2 - (z2 * v1o + z2o * v1) + (w1 * u2o + w1o
+        * u2 - (w2 * u1o + w2o * u1))) * side) / 2,
+    )
+
+
+def _own_rate_dot_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows, omega_dot: Rows, table: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    z1, z2, z3, z1o, z2o, z3o = omega_dot
+    side, = table
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15 = scratch
+    n1, n2, n4 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    cc = sub(n1, x, k1)
+    c = sqrt(cc, k2)
+    h = div(n2, c, k3)
+    hy = div(h, cc, k1)
+    fiy = neg(div(h, n2, k4), k4)
+    y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k6), k5), mul(v3, v3o, k6), k5)
+    fio = mul(fiy, y, k6)
+    u1o = div(
+        add(add(mul(w1, fio, k7), mul(w1o, c, k8), k7), mul(sub(add(mul(w2, v3o, k8), mul(w2o, v3, k9), k8), add(mul(w3,
+        v2o, k9), mul(w3o, v2, k10), k9), k8), side, k8), k7), n2, k7
+    )
+    u2o = div(
+        add(add(mul(w2, fio, k8), mul(w2o, c, k9), k8), mul(sub(add(mul(w3, v1o, k9), mul(w3o, v1, k10), k9),
+        add(mul(w1, v3o, k10), mul(w1o, v3, k11), k10), k9), side, k9), k8), n2, k8
+    )
+    u3o = div(
+        add(add(mul(w3, fio, k9), mul(w3o, c, k10), k9), mul(sub(add(mul(w1, v2o, k10), mul(w1o, v2, k11), k10),
+        add(mul(w2, v1o, k11), mul(w2o, v1, k12), k11), k10), side, k10), k9), n2, k9
+    )
+    u1 = div(add(mul(w1, c, k10), mul(sub(mul(w2, v3, k11), mul(w3, v2, k12), k11), side, k11), k10), n2, k10)
+    u2 = div(add(mul(w2, c, k11), mul(sub(mul(w3, v1, k12), mul(w1, v3, k13), k12), side, k12), k11), n2, k11)
+    u3 = div(add(mul(w3, c, k12), mul(sub(mul(w1, v2, k13), mul(w2, v1, k14), k13), side, k13), k12), n2, k12)
+    vuo = add(
+        add(add(mul(v1, u1o, k13), mul(v1o, u1, k14), k13), add(mul(v2, u2o, k14), mul(v2o, u2, k15), k14), k13),
+        add(mul(v3, u3o, k14), mul(v3o, u3, k15), k14), k13
+    )
+    f = mul(n2, c, k14)
+    gy = sub(mul(f, h, k3), n4, k3)
+    fiyy = neg(div(add(hy, mul(fiy, gy, k3), k1), n2, k1), k1)
+    fiyo = mul(fiyy, y, k1)
+    vu = add(add(mul(v1, u1, k3), mul(v2, u2, k5), k3), mul(v3, u3, k5), k3)
+    fto = add(mul(fiy, vuo, k5), mul(fiyo, vu, k1), k1)
+    ft = mul(fiy, vu, k3)
+    div(
+        add(add(add(mul(z3, fio, k4), mul(z3o, c, k5), k4), add(mul(w3, fto, k5), mul(w3o, ft, k13), k5), k4),
+        mul(add(sub(add(mul(z1, v2o, k5), mul(z1o, v2, k13), k5), add(mul(z2, v1o, k13), mul(z2o, v1, k14), k13), k5),
+        sub(add(mul(w1, u2o, k13), mul(w1o, u2, k14), k13), add(mul(w2, u1o, k14), mul(w2o, u1, k15), k14), k13), k5),
+        side, k5), k4), n2, o6
+    )
+    div(
+        add(add(add(mul(z2, fio, k4), mul(z2o, c, k5), k4), add(mul(w2, fto, k5), mul(w2o, ft, k13), k5), k4),
+        mul(add(sub(add(mul(z3, v1o, k5), mul(z3o, v1, k13), k5), add(mul(z1, v3o, k13), mul(z1o, v3, k14), k13), k5),
+        sub(add(mul(w3, u1o, k7), mul(w3o, u1, k13), k7), add(mul(w1, u3o, k13), mul(w1o, u3, k14), k13), k7), k5),
+        side, k5), k4), n2, o5
+    )
+    div(
+        add(add(add(mul(z1, fio, k4), mul(z1o, c, k5), k4), add(mul(w1, fto, k1), mul(w1o, ft, k5), k1), k1),
+        mul(add(sub(add(mul(z2, v3o, k4), mul(z2o, v3, k5), k4), add(mul(z3, v2o, k5), mul(z3o, v2, k6), k5), k4),
+        sub(add(mul(w2, u3o, k5), mul(w2o, u3, k6), k5), add(mul(w3, u2o, k6), mul(w3o, u2, k7), k6), k5), k4), side,
+        k4), k1), n2, o4
+    )
+    div(
+        add(add(mul(z3, c, k1), mul(w3, ft, k4), k1), mul(add(sub(mul(z1, v2, k4), mul(z2, v1, k5), k4), sub(mul(w1, u2,
+        k5), mul(w2, u1, k6), k5), k4), side, k4), k1), n2, o3
+    )
+    div(
+        add(add(mul(z2, c, k1), mul(w2, ft, k4), k1), mul(add(sub(mul(z3, v1, k4), mul(z1, v3, k5), k4), sub(mul(w3, u1,
+        k5), mul(w1, u3, k6), k5), k4), side, k4), k1), n2, o2
+    )
+    div(
+        add(add(mul(z1, c, k1), mul(w1, ft, k2), k1), mul(add(sub(mul(z2, v3, k2), mul(z3, v2, k3), k2), sub(mul(w2, u3,
+        k3), mul(w3, u2, k4), k3), k2), side, k2), k1), n2, o1
+    )
+
+
+# operations 97: 31 +, 52 *, 11 /, 2 neg, 1 sqrt
+def _own_rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    side, = table
+    hs = side / 2
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    cc = 1 - x
+    c = m.sqrt(cc)
+    h = 2 / c
+    fiy = -(h / 2)
+    hy = h / cc
+    f = 2 * c
+    gy = f * h - 4
+    fiyy = -((hy + fiy * gy) / 2)
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    fiyo = fiyy * y
+    b1 = w1 * fiy / 2
+    b1o = (w1 * fiyo + w1o * fiy) / 2
+    b2 = w2 * fiy / 2
+    b2o = (w2 * fiyo + w2o * fiy) / 2
+    b3 = w3 * fiy / 2
+    b3o = (w3 * fiyo + w3o * fiy) / 2
+    s1 = w1 * hs
+    s1o = w1o * hs
+    s2 = w2 * hs
+    s2o = w2o * hs
+    s3 = w3 * hs
+    s3o = w3o * hs
+    J11 = b1 * v1
+    J22 = b2 * v2
+    J33 = b3 * v3
+    J12 = b1 * v2 - s3
+    J13 = b1 * v3 + s2
+    J21 = b2 * v1 + s3
+    J23 = b2 * v3 - s1
+    J31 = b3 * v1 - s2
+    J32 = b3 * v2 + s1
+    return (
+        J11,
+        J12,
+        J13,
+        0,
+        0,
+        0,
+        J21,
+        J22,
+        J23,
+        0,
+        0,
+        0,
+        J31,
+        J32,
+        J33,
+        0,
+        0,
+        0,
+        b1 * v1o + b1o * v1,
+        b1 * v2o + b1o * v2 - s3o,
+        b1 * v3o + b1o * v3 + s2o,
+        J11,
+        J12,
+        J13,
+        b2 * v1o + b2o * v1 + s3o,
+        b2 * v2o + b2o * v2,
+        b2 * v3o + b2o * v3 - s1o,
+        J21,
+        J22,
+        J23,
+        b3 * v1o + b3o * v1 - s2o,
+        b3 * v2o + b3o * v2 + s1o,
+        b3 * v3o + b3o * v3,
+        J31,
+        J32,
+        J33,
+    )
+
+
+def _own_rate_jacobian_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows, table: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    side, = table
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36,
+    ) = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10 = scratch
+    n0, n1, n2, n4 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    cc = sub(n1, x, k1)
+    c = sqrt(cc, k2)
+    h = div(n2, c, k3)
+    hy = div(h, cc, k1)
+    f = mul(n2, c, k2)
+    gy = sub(mul(f, h, k2), n4, k2)
+    fiy = neg(div(h, n2, k3), k3)
+    fiyy = neg(div(add(hy, mul(fiy, gy, k2), k1), n2, k1), k1)
+    b1 = div(mul(w1, fiy, k2), n2, k2)
+    mul(b1, v1, o1)
+    hs = div(side, n2, k4)
+    s3 = mul(w3, hs, k5)
+    sub(mul(b1, v2, k6), s3, o2)
+    s2 = mul(w2, hs, k6)
+    add(mul(b1, v3, k7), s2, o3)
+    b2 = div(mul(w2, fiy, k7), n2, k7)
+    add(mul(b2, v1, k8), s3, o7)
+    mul(b2, v2, o8)
+    s1 = mul(w1, hs, k5)
+    sub(mul(b2, v3, k8), s1, o9)
+    b3 = div(mul(w3, fiy, k8), n2, k8)
+    sub(mul(b3, v1, k9), s2, o13)
+    add(mul(b3, v2, k6), s1, o14)
+    mul(b3, v3, o15)
+    y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k6), k5), mul(v3, v3o, k6), k5)
+    fiyo = mul(fiyy, y, k1)
+    b1o = div(add(mul(w1, fiyo, k5), mul(w1o, fiy, k6), k5), n2, k5)
+    add(mul(b1, v1o, k6), mul(b1o, v1, k9), o19)
+    s3o = mul(w3o, hs, k6)
+    sub(add(mul(b1, v2o, k9), mul(b1o, v2, k10), k9), s3o, o20)
+    s2o = mul(w2o, hs, k9)
+    add(add(mul(b1, v3o, k2), mul(b1o, v3, k5), k2), s2o, o21)
+    s1o = mul(w1o, hs, k2)
+    b2o = div(add(mul(w2, fiyo, k4), mul(w2o, fiy, k5), k4), n2, k4)
+    add(add(mul(b2, v1o, k5), mul(b2o, v1, k10), k5), s3o, o25)
+    b3o = div(add(mul(w3, fiyo, k1), mul(w3o, fiy, k3), k1), n2, k1)
+    sub(add(mul(b3, v1o, k3), mul(b3o, v1, k5), k3), s2o, o31)
+    add(mul(b2, v2o, k3), mul(b2o, v2, k5), o26)
+    sub(add(mul(b2, v3o, k3), mul(b2o, v3, k4), k3), s1o, o27)
+    add(add(mul(b3, v2o, k3), mul(b3o, v2, k4), k3), s1o, o32)
+    add(mul(b3, v3o, k2), mul(b3o, v3, k1), o33)
+    copy(n0, o4)
+    copy(n0, o5)
+    copy(n0, o6)
+    copy(n0, o10)
+    copy(n0, o11)
+    copy(n0, o12)
+    copy(n0, o16)
+    copy(n0, o17)
+    copy(n0, o18)
+    copy(o1, o22)
+    copy(o2, o23)
+    copy(o3, o24)
+    copy(o7, o28)
+    copy(o8, o29)
+    copy(o9, o30)
+    copy(o13, o34)
+    copy(o14, o35)
+    copy(o15, o36)
 
 
 # operations 48: 15 +, 28 *, 3 /, 1 lt, 1 where
@@ -688,95 +1035,6 @@ def _own_from_pose_blocks(
     div(sub(mul(T34, fi, k1), sub(mul(v1, T24, k2), mul(v2, T14, k3), k2), k1), n2, o6)
 
 
-# operations 73: 17 +, 26 *, 11 /, 7 abs, 2 sqrt, 1 atan2, 2 lt, 1 eq, 6 where
-def _own_to_screw(m: Any, c: Any, v: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    total = m.abs(v1) + m.abs(v2) + m.abs(v3)
-    still = total == 0
-    a1 = m.where(still, v1o, v1)
-    a2 = m.where(still, v2o, v2)
-    a3 = m.where(still, v3o, v3)
-    scale = m.abs(a1) + m.abs(a2) + m.abs(a3)
-    s1 = a1 / scale
-    s2 = a2 / scale
-    s3 = a3 / scale
-    root = m.sqrt(s1 * s1 + s2 * s2 + s3 * s3)
-    u1 = s1 / root
-    u2 = s2 / root
-    u3 = s3 / root
-    ro = u1 * v1o + u2 * v2o + u3 * v3o
-    ir = m.where(still, 0, 1) / root
-    ru1 = u1 * ro
-    ru2 = u2 * ro
-    ru3 = u3 * ro
-    r = total * root
-    uo1 = (v1o - ru1) / scale * ir
-    uo2 = (v2o - ru2) / scale * ir
-    uo3 = (v3o - ru3) / scale * ir
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    cc = 1 - x
-    c = m.sqrt(cc)
-    turned = m.where(16 + c < 16, -1, 1)
-    one = c - c + 1
-    sign = one * m.where(turned < 0, -1, 1)
-    angle = 2 * m.atan2(r, m.abs(c))
-    rho = 2 / c
-    return angle, sign * (rho * ro), u1 * sign, u2 * sign, u3 * sign, uo1 * sign, uo2 * sign, uo3 * sign
-
-
-def _own_to_screw_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    o1, o2, o3, o4, o5, o6, o7, o8 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
-    mask1, = masks
-    n_minus_1, n0, n1, n2, n16 = numbers
-    total = add(add(absolute(v1, k1), absolute(v2, k2), k1), absolute(v3, k2), k1)
-    still = m.equal(total, n0, mask1)
-    a1 = m.where(still, v1o, v1, k2)
-    a2 = m.where(still, v2o, v2, k3)
-    a3 = m.where(still, v3o, v3, k4)
-    scale = add(add(absolute(a1, k5), absolute(a2, k6), k5), absolute(a3, k6), k5)
-    s1 = div(a1, scale, k2)
-    s2 = div(a2, scale, k3)
-    s3 = div(a3, scale, k4)
-    root = sqrt(add(add(mul(s1, s1, k6), mul(s2, s2, k7), k6), mul(s3, s3, k7), k6), k6)
-    r = mul(total, root, k1)
-    u1 = div(s1, root, k2)
-    u2 = div(s2, root, k3)
-    u3 = div(s3, root, k4)
-    ir = div(m.where(still, n0, n1, k7), root, k6)
-    v11 = mul(v1, v1, k7)
-    v22 = mul(v2, v2, k8)
-    v33 = mul(v3, v3, k9)
-    x = add(add(v11, v22, k7), v33, k7)
-    cc = sub(n1, x, k7)
-    c = sqrt(cc, k7)
-    mul(n2, atan2(r, absolute(c, k8), k1), o1)
-    ro = add(add(mul(u1, v1o, k1), mul(u2, v2o, k8), k1), mul(u3, v3o, k8), k1)
-    one = add(sub(c, c, k8), n1, k8)
-    turned = m.where(m.less(add(n16, c, k9), n16, mask1), n_minus_1, n1, k9)
-    sign = mul(one, m.where(m.less(turned, n0, mask1), n_minus_1, n1, k9), k8)
-    rho = div(n2, c, k7)
-    mul(sign, mul(rho, ro, k7), o2)
-    mul(u1, sign, o3)
-    mul(u2, sign, o4)
-    mul(u3, sign, o5)
-    ru1 = mul(u1, ro, k2)
-    uo1 = mul(div(sub(v1o, ru1, k2), scale, k2), ir, k2)
-    mul(uo1, sign, o6)
-    ru2 = mul(u2, ro, k2)
-    ru3 = mul(u3, ro, k1)
-    uo2 = mul(div(sub(v2o, ru2, k2), scale, k2), ir, k2)
-    uo3 = mul(div(sub(v3o, ru3, k1), scale, k1), ir, k1)
-    mul(uo2, sign, o7)
-    mul(uo3, sign, o8)
-
-
 # operations 163: 61 +, 93 *, 5 /, 2 sqrt, 1 lt, 1 where
 def _own_compose(m: Any, c: Any, b: Components, a: Components) -> Result:
     b1, b2, b3, b1o, b2o, b3o = b
@@ -925,6 +1183,8 @@ CHART = Chart(
     functions={
         "pose": Function(_pose, _pose_blocks, 0, 0, (1, 2)),
         "tangent": Function(_tangent, _tangent_blocks, 0, 0, (1, 2, 4)),
+        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 1, 0, (1, 2, 3, 4)),
+        "natural": Function(_natural, _natural_blocks, 0, 1, (-1, 0, 1, 2, 16)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 1, 0, (1, 2, 4)),
     },
     own={
@@ -972,6 +1232,28 @@ CHART = Chart(
         lent=(),
         real=False,
     ),
+        "rate_dot": Kernel(
+        _own_rate_dot,
+        _own_rate_dot_blocks,
+        (("v", (6,)), ("omega", (6,)), ("omega_dot", (6,)),),
+        (6,),
+        registers=15,
+        masks=0,
+        numbers=(1, 2, 4),
+        lent=(),
+        real=False,
+    ),
+        "rate_jacobian": Kernel(
+        _own_rate_jacobian,
+        _own_rate_jacobian_blocks,
+        (("v", (6,)), ("omega", (6,)),),
+        (6, 6),
+        registers=10,
+        masks=0,
+        numbers=(0, 1, 2, 4),
+        lent=(),
+        real=False,
+    ),
         "from_quaternion": Kernel(
         _own_from_quaternion,
         _own_from_quaternion_blocks,
@@ -1005,17 +1287,6 @@ CHART = Chart(
         lent=(),
         real=True,
     ),
-        "to_screw": Kernel(
-        _own_to_screw,
-        _own_to_screw_blocks,
-        (("v", (6,)),),
-        (8,),
-        registers=9,
-        masks=1,
-        numbers=(-1, 0, 1, 2, 16),
-        lent=(),
-        real=True,
-    ),
         "compose": Kernel(
         _own_compose,
         _own_compose_blocks,
@@ -1032,11 +1303,20 @@ CHART = Chart(
 
 KERNELS = PoseKernels(CHART)
 
+body_cotangent = KERNELS.body_cotangent
+body_cotangent_jacobian = KERNELS.body_cotangent_jacobian
 body_rate = KERNELS.body_rate
+body_rate_dot = KERNELS.body_rate_dot
+body_rate_jacobian = KERNELS.body_rate_jacobian
 body_tangent = KERNELS.body_tangent
+body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
 body_twist = KERNELS.body_twist
+body_twist_dot = KERNELS.body_twist_dot
+body_twist_jacobian = KERNELS.body_twist_jacobian
 compose = KERNELS.compose
+cotangent = KERNELS.cotangent
+cotangent_jacobian = KERNELS.cotangent_jacobian
 from_pose = KERNELS.from_pose
 from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
@@ -1048,12 +1328,17 @@ principal = KERNELS.principal
 quaternion = KERNELS.quaternion
 random = KERNELS.random
 rate = KERNELS.rate
+rate_dot = KERNELS.rate_dot
+rate_jacobian = KERNELS.rate_jacobian
 shadow = KERNELS.shadow
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent
+tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_screw = KERNELS.to_screw
 transform_line = KERNELS.transform_line
 transform_point = KERNELS.transform_point
 twist = KERNELS.twist
+twist_dot = KERNELS.twist_dot
+twist_jacobian = KERNELS.twist_jacobian

@@ -44,11 +44,16 @@
 #   body_tangent_inv: 51: 21 +, 18 *, 12 /
 #   twist: 86: 29 +, 48 *, 8 /, 1 neg
 #   rate: 86: 34 +, 51 *, 1 /
+#   tangent_dot: 97: 27 +, 53 *, 10 /, 7 neg
+#   twist_dot: 159: 57 +, 90 *, 11 /, 1 neg
+#   rate_dot: 252: 104 +, 132 *, 16 /
+#   twist_jacobian: 156: 54 +, 90 *, 10 /, 2 neg
+#   rate_jacobian: 85: 34 +, 42 *, 9 /
 #   from_quaternion: 60: 20 +, 35 *, 5 /
 #   from_tensor: 121: 40 +, 42 *, 8 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 85: 25 +, 24 *, 5 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 20: 4 +, 13 *, 2 /, 1 tan
-#   to_screw: 69: 16 +, 26 *, 14 /, 6 abs, 1 sqrt, 1 atan2, 1 eq, 4 where
+#   to_screw: 74: 18 +, 29 *, 14 /, 6 abs, 1 sqrt, 1 atan2, 1 eq, 4 where
 #   compose: 156: 56 +, 79 *, 21 /
 r"""Normal Rodrigues vector of order 1: Rodrigues dual vectors ``v = 2 tan(α/2) u`` of rigid displacements.
 
@@ -75,12 +80,15 @@ from typing import Any
 
 from ._chart import Chart, Function
 from ._interface import PoseKernels
-from ._kernel import Components, Kernel, Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
+from ._kernel import Components, Kernel, Result, Rows, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "body_rate", "body_tangent", "body_tangent_inv", "body_twist", "compose", "from_pose", "from_quaternion",
-    "from_screw", "from_tensor", "identity", "inverse", "pose", "principal", "quaternion", "random", "rate", "shadow",
-    "singular_angles", "tangent", "tangent_inv", "tensor", "to_screw", "transform_line", "transform_point", "twist",
+    "body_cotangent", "body_cotangent_jacobian", "body_rate", "body_rate_dot", "body_rate_jacobian", "body_tangent",
+    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
+    "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity",
+    "inverse", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
+    "transform_point", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 1
@@ -120,6 +128,28 @@ def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: R
     div(sy, n4, o3)
     div(sy, n8, o4)
     return o1, o2, o3, o4
+
+
+# operations 10: 3 +, 2 *, 4 /, 1 atan2
+def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
+    rq = r / 2
+    z = x / 4
+    one = z - z + 1
+    angle = 2 * m.atan2(rq * one, 1)
+    slope = 2 / (1 + z)
+    return angle, slope / 2, one
+
+
+def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
+    o1, o2, o3 = out
+    n1, n2, n4 = numbers
+    z = div(x, n4, o2)
+    one = add(sub(z, z, o3), n1, o3)
+    slope = div(n2, add(n1, z, o2), o2)
+    div(slope, n2, o2)
+    rq = div(r, n2, o1)
+    mul(n2, atan2(mul(rq, one, o1), n1, o1), o1)
+    return o1, o2, o3
 
 
 # operations 7: 1 +, 3 *, 2 /, 1 tan
@@ -971,6 +1001,709 @@ def _own_rate_blocks(
     )
 
 
+# operations 97: 27 +, 53 *, 10 /, 7 neg
+def _own_tangent_dot(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    side, = table
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    z = x / 4
+    N = 1 + z
+    r = 2 * (N / N / N)
+    g_v = r / 4
+    e = 2 / N
+    eg = e * r
+    fy = -eg
+    fy_v = fy / 8
+    gy_v = fy / 16
+    egy = e * fy
+    ee = 2 * e / N
+    eeg = ee * r
+    fyy = eeg - egy
+    fyy_v = fyy / 32
+    gyy_v = fyy / 64
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    go = gy_v * y
+    fyo = fyy_v * y
+    gyo = gyy_v * y
+    vw = v1 * w1 + v2 * w2 + v3 * w3
+    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
+    gt = gy_v * vw
+    gto = gy_v * vwo + gyo * vw
+    gw1 = w1 * g_v
+    gw1o = w1 * go + w1o * g_v
+    gw2 = w2 * g_v
+    gw2o = w2 * go + w2o * g_v
+    gw3 = w3 * g_v
+    gw3o = w3 * go + w3o * g_v
+    s1 = (v1 * gt + gw1) * side
+    s1o = (v1 * gto + v1o * gt + gw1o) * side
+    s2 = (v2 * gt + gw2) * side
+    s2o = (v2 * gto + v2o * gt + gw2o) * side
+    s3 = (v3 * gt + gw3) * side
+    s3o = (v3 * gto + v3o * gt + gw3o) * side
+    ft = fy_v * vw
+    fto = fy_v * vwo + fyo * vw
+    return ft, -s3, s2, s3, ft, -s1, -s2, s1, ft, fto, -s3o, s2o, s3o, fto, -s1o, -s2o, s1o, fto
+
+
+def _own_tangent_dot_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows, table: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    side, = table
+    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
+    n1, n2, n4, n8, n16, n32, n64 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    z = div(x, n4, k1)
+    N = add(n1, z, k1)
+    r = mul(n2, div(div(N, N, k2), N, k2), k2)
+    e = div(n2, N, k3)
+    ee = div(mul(n2, e, k4), N, k1)
+    eeg = mul(ee, r, k1)
+    eg = mul(e, r, k4)
+    fy = neg(eg, k4)
+    egy = mul(e, fy, k3)
+    fyy = sub(eeg, egy, k1)
+    g_v = div(r, n4, k2)
+    fyy_v = div(fyy, n32, k3)
+    gyy_v = div(fyy, n64, k1)
+    y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k6), k5), mul(v3, v3o, k6), k5)
+    fyo = mul(fyy_v, y, k3)
+    gyo = mul(gyy_v, y, k1)
+    fy_v = div(fy, n8, k6)
+    gy_v = div(fy, n16, k4)
+    go = mul(gy_v, y, k5)
+    vwo = add(
+        add(add(mul(v1, w1o, k7), mul(v1o, w1, k8), k7), add(mul(v2, w2o, k8), mul(v2o, w2, k9), k8), k7), add(mul(v3,
+        w3o, k8), mul(v3o, w3, k9), k8), k7
+    )
+    vw = add(add(mul(v1, w1, k8), mul(v2, w2, k9), k8), mul(v3, w3, k9), k8)
+    add(mul(fy_v, vwo, k9), mul(fyo, vw, k3), o10)
+    gto = add(mul(gy_v, vwo, k3), mul(gyo, vw, k1), k1)
+    mul(fy_v, vw, o1)
+    gt = mul(gy_v, vw, k3)
+    gw1o = add(mul(w1, go, k4), mul(w1o, g_v, k6), k4)
+    s1o = mul(add(add(mul(v1, gto, k6), mul(v1o, gt, k7), k6), gw1o, k4), side, o17)
+    neg(s1o, o15)
+    gw2o = add(mul(w2, go, k4), mul(w2o, g_v, k6), k4)
+    s2o = mul(add(add(mul(v2, gto, k6), mul(v2o, gt, k7), k6), gw2o, k4), side, o12)
+    neg(s2o, o16)
+    gw3o = add(mul(w3, go, k4), mul(w3o, g_v, k5), k4)
+    s3o = mul(add(add(mul(v3, gto, k1), mul(v3o, gt, k5), k1), gw3o, k1), side, o13)
+    neg(s3o, o11)
+    gw1 = mul(w1, g_v, k1)
+    s1 = mul(add(mul(v1, gt, k4), gw1, k1), side, o8)
+    neg(s1, o6)
+    gw2 = mul(w2, g_v, k1)
+    s2 = mul(add(mul(v2, gt, k4), gw2, k1), side, o3)
+    neg(s2, o7)
+    gw3 = mul(w3, g_v, k1)
+    s3 = mul(add(mul(v3, gt, k2), gw3, k1), side, o4)
+    neg(s3, o2)
+    copy(o1, o5)
+    copy(o1, o9)
+    copy(o10, o14)
+    copy(o10, o18)
+
+
+# operations 159: 57 +, 90 *, 11 /, 1 neg
+def _own_twist_dot(m: Any, c: Any, v: Components, v_dot: Components, v_ddot: Components, table: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    z1, z2, z3, z1o, z2o, z3o = v_ddot
+    side, = table
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    z = x / 4
+    N = 1 + z
+    r = 2 * (N / N / N)
+    f_v = r / 2
+    g_v = r / 4
+    e = 2 / N
+    eg = e * r
+    fy = -eg
+    fy_v = fy / 8
+    gy_v = fy / 16
+    egy = e * fy
+    ee = 2 * e / N
+    eeg = ee * r
+    fyy = eeg - egy
+    fyy_v = fyy / 32
+    gyy_v = fyy / 64
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    fo = fy_v * y
+    go = gy_v * y
+    fyo = fyy_v * y
+    gyo = gyy_v * y
+    vw = v1 * w1 + v2 * w2 + v3 * w3
+    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
+    gt = gy_v * vw
+    gto = gy_v * vwo + gyo * vw
+    gz1 = z1 * g_v + w1 * gt
+    gz1o = z1 * go + z1o * g_v + (w1 * gto + w1o * gt)
+    gz2 = z2 * g_v + w2 * gt
+    gz2o = z2 * go + z2o * g_v + (w2 * gto + w2o * gt)
+    gz3 = z3 * g_v + w3 * gt
+    gz3o = z3 * go + z3o * g_v + (w3 * gto + w3o * gt)
+    fh = fy_v * vw
+    fho = fy_v * vwo + fyo * vw
+    s1 = gz1 * side
+    s1o = gz1o * side
+    s2 = gz2 * side
+    s2o = gz2o * side
+    s3 = gz3 * side
+    s3o = gz3o * side
+    return (
+        z1 * f_v + w1 * fh + (v2 * s3 - v3 * s2),
+        z2 * f_v + w2 * fh + (v3 * s1 - v1 * s3),
+        z3 * f_v + w3 * fh + (v1 * s2 - v2 * s1),
+        z1 * fo + z1o * f_v + (w1 * fho + w1o * fh) + (v2 * s3o + v2o * s3 - (v3 * s2o + v3o * s2)),
+        z2 * fo + z2o * f_v + (w2 * fho + w2o * fh) + (v3 * s1o + v3o * s1 - (v1 * s3o + v1o * s3)),
+        z3 * fo + z3o * f_v + (w3 * fho + w3o * fh) + (v1 * s2o + v1o * s2 - (v2 * s1o + v2o * s1)),
+    )
+
+
+def _own_twist_dot_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows, v_ddot: Rows, table: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    z1, z2, z3, z1o, z2o, z3o = v_ddot
+    side, = table
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14 = scratch
+    n1, n2, n4, n8, n16, n32, n64 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    z = div(x, n4, k1)
+    N = add(n1, z, k1)
+    r = mul(n2, div(div(N, N, k2), N, k2), k2)
+    e = div(n2, N, k3)
+    ee = div(mul(n2, e, k4), N, k1)
+    eeg = mul(ee, r, k1)
+    eg = mul(e, r, k4)
+    fy = neg(eg, k4)
+    egy = mul(e, fy, k3)
+    fyy = sub(eeg, egy, k1)
+    gyy_v = div(fyy, n64, k3)
+    fyy_v = div(fyy, n32, k1)
+    y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k6), k5), mul(v3, v3o, k6), k5)
+    gyo = mul(gyy_v, y, k3)
+    fyo = mul(fyy_v, y, k1)
+    gy_v = div(fy, n16, k6)
+    fy_v = div(fy, n8, k4)
+    vwo = add(
+        add(add(mul(v1, w1o, k7), mul(v1o, w1, k8), k7), add(mul(v2, w2o, k8), mul(v2o, w2, k9), k8), k7), add(mul(v3,
+        w3o, k8), mul(v3o, w3, k9), k8), k7
+    )
+    vw = add(add(mul(v1, w1, k8), mul(v2, w2, k9), k8), mul(v3, w3, k9), k8)
+    gto = add(mul(gy_v, vwo, k9), mul(gyo, vw, k3), k3)
+    fho = add(mul(fy_v, vwo, k7), mul(fyo, vw, k1), k1)
+    go = mul(gy_v, y, k7)
+    gt = mul(gy_v, vw, k6)
+    fo = mul(fy_v, y, k5)
+    fh = mul(fy_v, vw, k4)
+    g_v = div(r, n4, k8)
+    f_v = div(r, n2, k2)
+    gz2o = add(add(mul(z2, go, k9), mul(z2o, g_v, k10), k9), add(mul(w2, gto, k10), mul(w2o, gt, k11), k10), k9)
+    s2o = mul(gz2o, side, k9)
+    gz1o = add(add(mul(z1, go, k10), mul(z1o, g_v, k11), k10), add(mul(w1, gto, k11), mul(w1o, gt, k12), k11), k10)
+    gz3o = add(add(mul(z3, go, k7), mul(z3o, g_v, k11), k7), add(mul(w3, gto, k3), mul(w3o, gt, k11), k3), k3)
+    s1o = mul(gz1o, side, k7)
+    s3o = mul(gz3o, side, k3)
+    gz2 = add(mul(z2, g_v, k10), mul(w2, gt, k11), k10)
+    s2 = mul(gz2, side, k10)
+    gz1 = add(mul(z1, g_v, k11), mul(w1, gt, k12), k11)
+    gz3 = add(mul(z3, g_v, k8), mul(w3, gt, k6), k6)
+    s1 = mul(gz1, side, k8)
+    add(
+        add(add(mul(z3, fo, k11), mul(z3o, f_v, k12), k11), add(mul(w3, fho, k12), mul(w3o, fh, k13), k12), k11),
+        sub(add(mul(v1, s2o, k12), mul(v1o, s2, k13), k12), add(mul(v2, s1o, k13), mul(v2o, s1, k14), k13), k12), o6
+    )
+    s3 = mul(gz3, side, k6)
+    add(
+        add(add(mul(z2, fo, k11), mul(z2o, f_v, k12), k11), add(mul(w2, fho, k12), mul(w2o, fh, k13), k12), k11),
+        sub(add(mul(v3, s1o, k7), mul(v3o, s1, k12), k7), add(mul(v1, s3o, k12), mul(v1o, s3, k13), k12), k7), o5
+    )
+    add(
+        add(add(mul(z1, fo, k5), mul(z1o, f_v, k7), k5), add(mul(w1, fho, k1), mul(w1o, fh, k7), k1), k1),
+        sub(add(mul(v2, s3o, k3), mul(v2o, s3, k5), k3), add(mul(v3, s2o, k5), mul(v3o, s2, k7), k5), k3), o4
+    )
+    add(add(mul(z3, f_v, k1), mul(w3, fh, k3), k1), sub(mul(v1, s2, k3), mul(v2, s1, k5), k3), o3)
+    add(add(mul(z2, f_v, k1), mul(w2, fh, k3), k1), sub(mul(v3, s1, k3), mul(v1, s3, k5), k3), o2)
+    add(add(mul(z1, f_v, k1), mul(w1, fh, k2), k1), sub(mul(v2, s3, k2), mul(v3, s2, k3), k2), o1)
+
+
+# operations 252: 104 +, 132 *, 16 /
+def _own_rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: Components, table: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    z1, z2, z3, z1o, z2o, z3o = omega_dot
+    side, = table
+    vw = v1 * w1 + v2 * w2 + v3 * w3
+    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
+    hvw = vw / 2
+    hvwo = vwo / 2
+    u1 = (2 * w1 + (w2 * v3 - w3 * v2) * side + v1 * hvw) / 2
+    u1o = (2 * w1o + (w2 * v3o + w2o * v3 - (w3 * v2o + w3o * v2)) * side + (v1 * hvwo + v1o * hvw)) / 2
+    u2 = (2 * w2 + (w3 * v1 - w1 * v3) * side + v2 * hvw) / 2
+    u2o = (2 * w2o + (w3 * v1o + w3o * v1 - (w1 * v3o + w1o * v3)) * side + (v2 * hvwo + v2o * hvw)) / 2
+    u3 = (2 * w3 + (w1 * v2 - w2 * v1) * side + v3 * hvw) / 2
+    u3o = (2 * w3o + (w1 * v2o + w1o * v2 - (w2 * v1o + w2o * v1)) * side + (v3 * hvwo + v3o * hvw)) / 2
+    pull = v1 * z1 + v2 * z2 + v3 * z3 + (u1 * w1 + u2 * w2 + u3 * w3)
+    pullo = (
+        v1 * z1o + v1o * z1 + (v2 * z2o + v2o * z2) + (v3 * z3o + v3o * z3) + (u1 * w1o + u1o * w1 + (u2 * w2o + u2o
+        * w2) + (u3 * w3o + u3o * w3))
+    )
+    cvv = pull / 2
+    cvvo = pullo / 2
+    return (
+        (2 * z1 + (z2 * v3 - z3 * v2 + (w2 * u3 - w3 * u2)) * side + v1 * cvv + u1 * hvw) / 2,
+        (2 * z2 + (z3 * v1 - z1 * v3 + (w3 * u1 - w1 * u3)) * side + v2 * cvv + u2 * hvw) / 2,
+        (2 * z3 + (z1 * v2 - z2 * v1 + (w1 * u2 - w2 * u1)) * side + v3 * cvv + u3 * hvw) / 2,
+        (2 * z1o + (z2 * v3o + z2o * v3 - (z3 * v2o + z3o * v2) + (w2 * u3o + w2o * u3 - (w3 * u2o + w3o * u2))) * side
+        + (v1 * cvvo + v1o * cvv) + (u1 * hvwo + u1o * hvw)) / 2,
+        (2 * z2o + (z3 * v1o + z3o * v1 - (z1 * v3o + z1o * v3) + (w3 * u1o + w3o * u1 - (w1 * u3o + w1o * u3))) * side
+        + (v2 * cvvo + v2o * cvv) + (u2 * hvwo + u2o * hvw)) / 2,
+        (2 * z3o + (z1 * v2o + z1o * v2 - (z2 * v1o + z2o * v1) + (w1 * u2o + w1o * u2 - (w2 * u1o + w2o * u1))) * side
+        + (v3 * cvvo + v3o * cvv) + (u3 * hvwo + u3o * hvw)) / 2,
+    )
+
+
+def _own_rate_dot_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows, omega_dot: Rows, table: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    z1, z2, z3, z1o, z2o, z3o = omega_dot
+    side, = table
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15 = scratch
+    n2, = numbers
+    vw = add(add(mul(v1, w1, k1), mul(v2, w2, k2), k1), mul(v3, w3, k2), k1)
+    hvw = div(vw, n2, k1)
+    u1 = div(
+        add(add(mul(n2, w1, k2), mul(sub(mul(w2, v3, k3), mul(w3, v2, k4), k3), side, k3), k2), mul(v1, hvw, k3), k2),
+        n2, k2
+    )
+    u2 = div(
+        add(add(mul(n2, w2, k3), mul(sub(mul(w3, v1, k4), mul(w1, v3, k5), k4), side, k4), k3), mul(v2, hvw, k4), k3),
+        n2, k3
+    )
+    u3 = div(
+        add(add(mul(n2, w3, k4), mul(sub(mul(w1, v2, k5), mul(w2, v1, k6), k5), side, k5), k4), mul(v3, hvw, k5), k4),
+        n2, k4
+    )
+    pull = add(
+        add(add(mul(v1, z1, k5), mul(v2, z2, k6), k5), mul(v3, z3, k6), k5), add(add(mul(u1, w1, k6), mul(u2, w2, k7),
+        k6), mul(u3, w3, k7), k6), k5
+    )
+    cvv = div(pull, n2, k5)
+    div(
+        add(add(add(mul(n2, z1, k6), mul(add(sub(mul(z2, v3, k7), mul(z3, v2, k8), k7), sub(mul(w2, u3, k8), mul(w3, u2,
+        k9), k8), k7), side, k7), k6), mul(v1, cvv, k7), k6), mul(u1, hvw, k7), k6), n2, o1
+    )
+    div(
+        add(add(add(mul(n2, z2, k6), mul(add(sub(mul(z3, v1, k7), mul(z1, v3, k8), k7), sub(mul(w3, u1, k8), mul(w1, u3,
+        k9), k8), k7), side, k7), k6), mul(v2, cvv, k7), k6), mul(u2, hvw, k7), k6), n2, o2
+    )
+    div(
+        add(add(add(mul(n2, z3, k6), mul(add(sub(mul(z1, v2, k7), mul(z2, v1, k8), k7), sub(mul(w1, u2, k8), mul(w2, u1,
+        k9), k8), k7), side, k7), k6), mul(v3, cvv, k7), k6), mul(u3, hvw, k7), k6), n2, o3
+    )
+    vwo = add(
+        add(add(mul(v1, w1o, k6), mul(v1o, w1, k7), k6), add(mul(v2, w2o, k7), mul(v2o, w2, k8), k7), k6), add(mul(v3,
+        w3o, k7), mul(v3o, w3, k8), k7), k6
+    )
+    hvwo = div(vwo, n2, k6)
+    u1o = div(
+        add(add(mul(n2, w1o, k7), mul(sub(add(mul(w2, v3o, k8), mul(w2o, v3, k9), k8), add(mul(w3, v2o, k9), mul(w3o,
+        v2, k10), k9), k8), side, k8), k7), add(mul(v1, hvwo, k8), mul(v1o, hvw, k9), k8), k7), n2, k7
+    )
+    u2o = div(
+        add(add(mul(n2, w2o, k8), mul(sub(add(mul(w3, v1o, k9), mul(w3o, v1, k10), k9), add(mul(w1, v3o, k10), mul(w1o,
+        v3, k11), k10), k9), side, k9), k8), add(mul(v2, hvwo, k9), mul(v2o, hvw, k10), k9), k8), n2, k8
+    )
+    u3o = div(
+        add(add(mul(n2, w3o, k9), mul(sub(add(mul(w1, v2o, k10), mul(w1o, v2, k11), k10), add(mul(w2, v1o, k11),
+        mul(w2o, v1, k12), k11), k10), side, k10), k9), add(mul(v3, hvwo, k10), mul(v3o, hvw, k11), k10), k9), n2, k9
+    )
+    pullo = add(
+        add(add(add(mul(v1, z1o, k10), mul(v1o, z1, k11), k10), add(mul(v2, z2o, k11), mul(v2o, z2, k12), k11), k10),
+        add(mul(v3, z3o, k11), mul(v3o, z3, k12), k11), k10), add(add(add(mul(u1, w1o, k11), mul(u1o, w1, k12), k11),
+        add(mul(u2, w2o, k12), mul(u2o, w2, k13), k12), k11), add(mul(u3, w3o, k12), mul(u3o, w3, k13), k12), k11), k10
+    )
+    cvvo = div(pullo, n2, k10)
+    div(
+        add(add(add(mul(n2, z1o, k11), mul(add(sub(add(mul(z2, v3o, k12), mul(z2o, v3, k13), k12), add(mul(z3, v2o,
+        k13), mul(z3o, v2, k14), k13), k12), sub(add(mul(w2, u3o, k13), mul(w2o, u3, k14), k13), add(mul(w3, u2o, k14),
+        mul(w3o, u2, k15), k14), k13), k12), side, k12), k11), add(mul(v1, cvvo, k12), mul(v1o, cvv, k13), k12), k11),
+        add(mul(u1, hvwo, k12), mul(u1o, hvw, k13), k12), k11), n2, o4
+    )
+    div(
+        add(add(add(mul(n2, z2o, k11), mul(add(sub(add(mul(z3, v1o, k12), mul(z3o, v1, k13), k12), add(mul(z1, v3o,
+        k13), mul(z1o, v3, k14), k13), k12), sub(add(mul(w3, u1o, k13), mul(w3o, u1, k14), k13), add(mul(w1, u3o, k14),
+        mul(w1o, u3, k15), k14), k13), k12), side, k12), k11), add(mul(v2, cvvo, k12), mul(v2o, cvv, k13), k12), k11),
+        add(mul(u2, hvwo, k12), mul(u2o, hvw, k13), k12), k11), n2, o5
+    )
+    div(
+        add(add(add(mul(n2, z3o, k11), mul(add(sub(add(mul(z1, v2o, k12), mul(z1o, v2, k13), k12), add(mul(z2, v1o,
+        k13), mul(z2o, v1, k14), k13), k12), sub(add(mul(w1, u2o, k8), mul(w1o, u2, k3), k3), add(mul(w2, u1o, k7),
+        mul(w2o, u1, k2), k2), k2), k2), side, k2), k2), add(mul(v3, cvvo, k3), mul(v3o, cvv, k5), k3), k2), add(mul(u3,
+        hvwo, k3), mul(u3o, hvw, k1), k1), k1), n2, o6
+    )
+
+
+# operations 156: 54 +, 90 *, 10 /, 2 neg
+def _own_twist_jacobian(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    side, = table
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    z = x / 4
+    N = 1 + z
+    r = 2 * (N / N / N)
+    g_v = r / 4
+    e = 2 / N
+    eg = e * r
+    fy = -eg
+    fy_v = fy / 8
+    gy_v = fy / 16
+    egy = e * fy
+    ee = 2 * e / N
+    eeg = ee * r
+    fyy = eeg - egy
+    fyy_v = fyy / 32
+    gyy_v = fyy / 64
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    go = gy_v * y
+    fyo = fyy_v * y
+    gyo = gyy_v * y
+    t1 = v2 * w3 - v3 * w2
+    t1o = v2 * w3o + v2o * w3 - (v3 * w2o + v3o * w2)
+    t2 = v3 * w1 - v1 * w3
+    t2o = v3 * w1o + v3o * w1 - (v1 * w3o + v1o * w3)
+    t3 = v1 * w2 - v2 * w1
+    t3o = v1 * w2o + v1o * w2 - (v2 * w1o + v2o * w1)
+    gs = gy_v * side
+    gso = gyo * side
+    b1 = w1 * fy_v + t1 * gs
+    b1o = w1 * fyo + w1o * fy_v + (t1 * gso + t1o * gs)
+    b2 = w2 * fy_v + t2 * gs
+    b2o = w2 * fyo + w2o * fy_v + (t2 * gso + t2o * gs)
+    b3 = w3 * fy_v + t3 * gs
+    b3o = w3 * fyo + w3o * fy_v + (t3 * gso + t3o * gs)
+    minus_side = -side
+    sg = g_v * minus_side
+    sgo = go * minus_side
+    s1 = w1 * sg
+    s1o = w1 * sgo + w1o * sg
+    s2 = w2 * sg
+    s2o = w2 * sgo + w2o * sg
+    s3 = w3 * sg
+    s3o = w3 * sgo + w3o * sg
+    J11 = b1 * v1
+    J22 = b2 * v2
+    J33 = b3 * v3
+    J12 = b1 * v2 - s3
+    J13 = b1 * v3 + s2
+    J21 = b2 * v1 + s3
+    J23 = b2 * v3 - s1
+    J31 = b3 * v1 - s2
+    J32 = b3 * v2 + s1
+    return (
+        J11,
+        J12,
+        J13,
+        0,
+        0,
+        0,
+        J21,
+        J22,
+        J23,
+        0,
+        0,
+        0,
+        J31,
+        J32,
+        J33,
+        0,
+        0,
+        0,
+        b1 * v1o + b1o * v1,
+        b1 * v2o + b1o * v2 - s3o,
+        b1 * v3o + b1o * v3 + s2o,
+        J11,
+        J12,
+        J13,
+        b2 * v1o + b2o * v1 + s3o,
+        b2 * v2o + b2o * v2,
+        b2 * v3o + b2o * v3 - s1o,
+        J21,
+        J22,
+        J23,
+        b3 * v1o + b3o * v1 - s2o,
+        b3 * v2o + b3o * v2 + s1o,
+        b3 * v3o + b3o * v3,
+        J31,
+        J32,
+        J33,
+    )
+
+
+def _own_twist_jacobian_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows, table: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    side, = table
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36,
+    ) = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14 = scratch
+    n0, n1, n2, n4, n8, n16, n32, n64 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    z = div(x, n4, k1)
+    N = add(n1, z, k1)
+    r = mul(n2, div(div(N, N, k2), N, k2), k2)
+    e = div(n2, N, k3)
+    ee = div(mul(n2, e, k4), N, k1)
+    eeg = mul(ee, r, k1)
+    eg = mul(e, r, k4)
+    fy = neg(eg, k4)
+    g_v = div(r, n4, k2)
+    egy = mul(e, fy, k3)
+    fyy = sub(eeg, egy, k1)
+    fy_v = div(fy, n8, k3)
+    gy_v = div(fy, n16, k4)
+    gs = mul(gy_v, side, k5)
+    t3 = sub(mul(v1, w2, k6), mul(v2, w1, k7), k6)
+    b3 = add(mul(w3, fy_v, k7), mul(t3, gs, k8), k7)
+    mul(b3, v3, o15)
+    minus_side = neg(side, k8)
+    sg = mul(g_v, minus_side, k2)
+    s1 = mul(w1, sg, k9)
+    add(mul(b3, v2, k10), s1, o14)
+    s2 = mul(w2, sg, k10)
+    sub(mul(b3, v1, k11), s2, o13)
+    fyy_v = div(fyy, n32, k11)
+    gyy_v = div(fyy, n64, k1)
+    y = add(add(mul(v1, v1o, k12), mul(v2, v2o, k13), k12), mul(v3, v3o, k13), k12)
+    fyo = mul(fyy_v, y, k11)
+    gyo = mul(gyy_v, y, k1)
+    go = mul(gy_v, y, k4)
+    sgo = mul(go, minus_side, k4)
+    gso = mul(gyo, side, k1)
+    t3o = sub(add(mul(v1, w2o, k8), mul(v1o, w2, k12), k8), add(mul(v2, w1o, k12), mul(v2o, w1, k13), k12), k8)
+    b3o = add(add(mul(w3, fyo, k12), mul(w3o, fy_v, k13), k12), add(mul(t3, gso, k6), mul(t3o, gs, k8), k6), k6)
+    add(mul(b3, v3o, k8), mul(b3o, v3, k12), o33)
+    s1o = add(mul(w1, sgo, k8), mul(w1o, sg, k12), k8)
+    add(add(mul(b3, v2o, k12), mul(b3o, v2, k13), k12), s1o, o32)
+    s2o = add(mul(w2, sgo, k12), mul(w2o, sg, k13), k12)
+    sub(add(mul(b3, v1o, k7), mul(b3o, v1, k6), k6), s2o, o31)
+    s3o = add(mul(w3, sgo, k4), mul(w3o, sg, k6), k4)
+    s3 = mul(w3, sg, k2)
+    t2 = sub(mul(v3, w1, k6), mul(v1, w3, k7), k6)
+    b2 = add(mul(w2, fy_v, k7), mul(t2, gs, k13), k7)
+    sub(mul(b2, v3, k13), s1, o9)
+    mul(b2, v2, o8)
+    add(mul(b2, v1, k9), s3, o7)
+    t2o = sub(add(mul(v3, w1o, k9), mul(v3o, w1, k13), k9), add(mul(v1, w3o, k13), mul(v1o, w3, k14), k13), k9)
+    b2o = add(add(mul(w2, fyo, k13), mul(w2o, fy_v, k14), k13), add(mul(t2, gso, k6), mul(t2o, gs, k9), k6), k6)
+    sub(add(mul(b2, v3o, k9), mul(b2o, v3, k13), k9), s1o, o27)
+    add(mul(b2, v2o, k8), mul(b2o, v2, k9), o26)
+    add(add(mul(b2, v1o, k7), mul(b2o, v1, k6), k6), s3o, o25)
+    t1 = sub(mul(v2, w3, k6), mul(v3, w2, k7), k6)
+    b1 = add(mul(w1, fy_v, k7), mul(t1, gs, k8), k7)
+    add(mul(b1, v3, k8), s2, o3)
+    sub(mul(b1, v2, k8), s3, o2)
+    mul(b1, v1, o1)
+    t1o = sub(add(mul(v2, w3o, k2), mul(v2o, w3, k8), k2), add(mul(v3, w2o, k8), mul(v3o, w2, k9), k8), k2)
+    b1o = add(add(mul(w1, fyo, k8), mul(w1o, fy_v, k3), k3), add(mul(t1, gso, k1), mul(t1o, gs, k2), k1), k1)
+    add(add(mul(b1, v3o, k2), mul(b1o, v3, k3), k2), s2o, o21)
+    sub(add(mul(b1, v2o, k2), mul(b1o, v2, k3), k2), s3o, o20)
+    add(mul(b1, v1o, k2), mul(b1o, v1, k1), o19)
+    copy(n0, o4)
+    copy(n0, o5)
+    copy(n0, o6)
+    copy(n0, o10)
+    copy(n0, o11)
+    copy(n0, o12)
+    copy(n0, o16)
+    copy(n0, o17)
+    copy(n0, o18)
+    copy(o1, o22)
+    copy(o2, o23)
+    copy(o3, o24)
+    copy(o7, o28)
+    copy(o8, o29)
+    copy(o9, o30)
+    copy(o13, o34)
+    copy(o14, o35)
+    copy(o15, o36)
+
+
+# operations 85: 34 +, 42 *, 9 /
+def _own_rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    side, = table
+    hs = side / 2
+    vw = v1 * w1 + v2 * w2 + v3 * w3
+    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
+    hv1 = v1 / 4
+    hv1o = v1o / 4
+    hv2 = v2 / 4
+    hv2o = v2o / 4
+    hv3 = v3 / 4
+    hv3o = v3o / 4
+    s1 = w1 * hs
+    s1o = w1o * hs
+    s2 = w2 * hs
+    s2o = w2o * hs
+    s3 = w3 * hs
+    s3o = w3o * hs
+    ha = vw / 4
+    hao = vwo / 4
+    J11 = hv1 * w1 + ha
+    J12 = hv1 * w2 - s3
+    J13 = hv1 * w3 + s2
+    J21 = hv2 * w1 + s3
+    J22 = hv2 * w2 + ha
+    J23 = hv2 * w3 - s1
+    J31 = hv3 * w1 - s2
+    J32 = hv3 * w2 + s1
+    J33 = hv3 * w3 + ha
+    return (
+        J11,
+        J12,
+        J13,
+        0,
+        0,
+        0,
+        J21,
+        J22,
+        J23,
+        0,
+        0,
+        0,
+        J31,
+        J32,
+        J33,
+        0,
+        0,
+        0,
+        hv1 * w1o + hv1o * w1 + hao,
+        hv1 * w2o + hv1o * w2 - s3o,
+        hv1 * w3o + hv1o * w3 + s2o,
+        J11,
+        J12,
+        J13,
+        hv2 * w1o + hv2o * w1 + s3o,
+        hv2 * w2o + hv2o * w2 + hao,
+        hv2 * w3o + hv2o * w3 - s1o,
+        J21,
+        J22,
+        J23,
+        hv3 * w1o + hv3o * w1 - s2o,
+        hv3 * w2o + hv3o * w2 + s1o,
+        hv3 * w3o + hv3o * w3 + hao,
+        J31,
+        J32,
+        J33,
+    )
+
+
+def _own_rate_jacobian_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows, table: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    side, = table
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36,
+    ) = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
+    n0, n2, n4 = numbers
+    hv1 = div(v1, n4, k1)
+    vw = add(add(mul(v1, w1, k2), mul(v2, w2, k3), k2), mul(v3, w3, k3), k2)
+    ha = div(vw, n4, k2)
+    add(mul(hv1, w1, k3), ha, o1)
+    hs = div(side, n2, k3)
+    s3 = mul(w3, hs, k4)
+    sub(mul(hv1, w2, k5), s3, o2)
+    s2 = mul(w2, hs, k5)
+    add(mul(hv1, w3, k6), s2, o3)
+    hv2 = div(v2, n4, k6)
+    add(mul(hv2, w1, k7), s3, o7)
+    add(mul(hv2, w2, k4), ha, o8)
+    s1 = mul(w1, hs, k4)
+    sub(mul(hv2, w3, k7), s1, o9)
+    hv3 = div(v3, n4, k7)
+    sub(mul(hv3, w1, k8), s2, o13)
+    add(mul(hv3, w2, k5), s1, o14)
+    add(mul(hv3, w3, k4), ha, o15)
+    hv1o = div(v1o, n4, k2)
+    vwo = add(
+        add(add(mul(v1, w1o, k4), mul(v1o, w1, k5), k4), add(mul(v2, w2o, k5), mul(v2o, w2, k8), k5), k4), add(mul(v3,
+        w3o, k5), mul(v3o, w3, k8), k5), k4
+    )
+    hao = div(vwo, n4, k4)
+    add(add(mul(hv1, w1o, k5), mul(hv1o, w1, k8), k5), hao, o19)
+    s3o = mul(w3o, hs, k5)
+    sub(add(mul(hv1, w2o, k8), mul(hv1o, w2, k9), k8), s3o, o20)
+    s2o = mul(w2o, hs, k8)
+    add(add(mul(hv1, w3o, k1), mul(hv1o, w3, k2), k1), s2o, o21)
+    s1o = mul(w1o, hs, k1)
+    hv2o = div(v2o, n4, k2)
+    add(add(mul(hv2, w1o, k3), mul(hv2o, w1, k9), k3), s3o, o25)
+    add(add(mul(hv2, w2o, k3), mul(hv2o, w2, k5), k3), hao, o26)
+    sub(add(mul(hv2, w3o, k3), mul(hv2o, w3, k2), k2), s1o, o27)
+    hv3o = div(v3o, n4, k2)
+    sub(add(mul(hv3, w1o, k3), mul(hv3o, w1, k5), k3), s2o, o31)
+    add(add(mul(hv3, w2o, k3), mul(hv3o, w2, k5), k3), s1o, o32)
+    add(add(mul(hv3, w3o, k1), mul(hv3o, w3, k2), k1), hao, o33)
+    copy(n0, o4)
+    copy(n0, o5)
+    copy(n0, o6)
+    copy(n0, o10)
+    copy(n0, o11)
+    copy(n0, o12)
+    copy(n0, o16)
+    copy(n0, o17)
+    copy(n0, o18)
+    copy(o1, o22)
+    copy(o2, o23)
+    copy(o3, o24)
+    copy(o7, o28)
+    copy(o8, o29)
+    copy(o9, o30)
+    copy(o13, o34)
+    copy(o14, o35)
+    copy(o15, o36)
+
+
 # operations 60: 20 +, 35 *, 5 /
 def _own_from_quaternion(m: Any, c: Any, e: Components) -> Result:
     e0, e1, e2, e3, e0o, e1o, e2o, e3o = e
@@ -1263,93 +1996,6 @@ def _own_from_pose_blocks(
     div(add(sub(mul(T34, fi, k1), sub(mul(v1, T24, k3), mul(v2, T14, k4), k3), k1), mul(v3, hvr, k2), k1), n2, o6)
 
 
-# operations 69: 16 +, 26 *, 14 /, 6 abs, 1 sqrt, 1 atan2, 1 eq, 4 where
-def _own_to_screw(m: Any, c: Any, v: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    total = m.abs(v1) + m.abs(v2) + m.abs(v3)
-    still = total == 0
-    a1 = m.where(still, v1o, v1)
-    a2 = m.where(still, v2o, v2)
-    a3 = m.where(still, v3o, v3)
-    scale = m.abs(a1) + m.abs(a2) + m.abs(a3)
-    s1 = a1 / scale
-    s2 = a2 / scale
-    s3 = a3 / scale
-    root = m.sqrt(s1 * s1 + s2 * s2 + s3 * s3)
-    u1 = s1 / root
-    u2 = s2 / root
-    u3 = s3 / root
-    ro = u1 * v1o + u2 * v2o + u3 * v3o
-    ir = m.where(still, 0, 1) / root
-    ru1 = u1 * ro
-    ru2 = u2 * ro
-    ru3 = u3 * ro
-    r = total * root
-    uo1 = (v1o - ru1) / scale * ir
-    uo2 = (v2o - ru2) / scale * ir
-    uo3 = (v3o - ru3) / scale * ir
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    rq = r / 2
-    z = x / 4
-    one = z - z + 1
-    angle = 2 * m.atan2(rq * one, 1)
-    slope = 2 / (1 + z)
-    slope_ = slope / 2
-    return angle, one * (slope_ * ro), u1 * one, u2 * one, u3 * one, uo1 * one, uo2 * one, uo3 * one
-
-
-def _own_to_screw_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    o1, o2, o3, o4, o5, o6, o7, o8 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
-    mask1, = masks
-    n0, n1, n2, n4 = numbers
-    total = add(add(absolute(v1, k1), absolute(v2, k2), k1), absolute(v3, k2), k1)
-    still = m.equal(total, n0, mask1)
-    a1 = m.where(still, v1o, v1, k2)
-    a2 = m.where(still, v2o, v2, k3)
-    a3 = m.where(still, v3o, v3, k4)
-    scale = add(add(absolute(a1, k5), absolute(a2, k6), k5), absolute(a3, k6), k5)
-    s1 = div(a1, scale, k2)
-    s2 = div(a2, scale, k3)
-    s3 = div(a3, scale, k4)
-    root = sqrt(add(add(mul(s1, s1, k6), mul(s2, s2, k7), k6), mul(s3, s3, k7), k6), k6)
-    r = mul(total, root, k1)
-    rq = div(r, n2, k1)
-    u1 = div(s1, root, k2)
-    u2 = div(s2, root, k3)
-    u3 = div(s3, root, k4)
-    ir = div(m.where(still, n0, n1, k7), root, k6)
-    v11 = mul(v1, v1, k7)
-    v22 = mul(v2, v2, k8)
-    v33 = mul(v3, v3, k9)
-    x = add(add(v11, v22, k7), v33, k7)
-    z = div(x, n4, k7)
-    one = add(sub(z, z, k8), n1, k8)
-    mul(n2, atan2(mul(rq, one, k1), n1, k1), o1)
-    slope = div(n2, add(n1, z, k1), k1)
-    slope_ = div(slope, n2, k1)
-    mul(u1, one, o3)
-    mul(u2, one, o4)
-    mul(u3, one, o5)
-    ro = add(add(mul(u1, v1o, k7), mul(u2, v2o, k9), k7), mul(u3, v3o, k9), k7)
-    mul(one, mul(slope_, ro, k1), o2)
-    ru1 = mul(u1, ro, k1)
-    uo1 = mul(div(sub(v1o, ru1, k1), scale, k1), ir, k1)
-    mul(uo1, one, o6)
-    ru2 = mul(u2, ro, k1)
-    ru3 = mul(u3, ro, k2)
-    uo2 = mul(div(sub(v2o, ru2, k1), scale, k1), ir, k1)
-    uo3 = mul(div(sub(v3o, ru3, k2), scale, k2), ir, k2)
-    mul(uo2, one, o7)
-    mul(uo3, one, o8)
-
-
 # operations 156: 56 +, 79 *, 21 /
 def _own_compose(m: Any, c: Any, b: Components, a: Components) -> Result:
     b1, b2, b3, b1o, b2o, b3o = b
@@ -1503,6 +2149,7 @@ CHART = Chart(
     ),
     functions={
         "quaternion": Function(_quaternion, _quaternion_blocks, 0, 0, (-1, 1, 2, 4, 8)),
+        "natural": Function(_natural, _natural_blocks, 0, 0, (1, 2, 4)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 2)),
     },
     own={
@@ -1616,6 +2263,61 @@ CHART = Chart(
         lent=(),
         real=False,
     ),
+        "tangent_dot": Kernel(
+        _own_tangent_dot,
+        _own_tangent_dot_blocks,
+        (("v", (6,)), ("v_dot", (6,)),),
+        (2, 3, 3),
+        registers=9,
+        masks=0,
+        numbers=(1, 2, 4, 8, 16, 32, 64),
+        lent=(),
+        real=False,
+    ),
+        "twist_dot": Kernel(
+        _own_twist_dot,
+        _own_twist_dot_blocks,
+        (("v", (6,)), ("v_dot", (6,)), ("v_ddot", (6,)),),
+        (6,),
+        registers=14,
+        masks=0,
+        numbers=(1, 2, 4, 8, 16, 32, 64),
+        lent=(),
+        real=False,
+    ),
+        "rate_dot": Kernel(
+        _own_rate_dot,
+        _own_rate_dot_blocks,
+        (("v", (6,)), ("omega", (6,)), ("omega_dot", (6,)),),
+        (6,),
+        registers=15,
+        masks=0,
+        numbers=(2,),
+        lent=(),
+        real=False,
+    ),
+        "twist_jacobian": Kernel(
+        _own_twist_jacobian,
+        _own_twist_jacobian_blocks,
+        (("v", (6,)), ("v_dot", (6,)),),
+        (6, 6),
+        registers=14,
+        masks=0,
+        numbers=(0, 1, 2, 4, 8, 16, 32, 64),
+        lent=(),
+        real=False,
+    ),
+        "rate_jacobian": Kernel(
+        _own_rate_jacobian,
+        _own_rate_jacobian_blocks,
+        (("v", (6,)), ("omega", (6,)),),
+        (6, 6),
+        registers=9,
+        masks=0,
+        numbers=(0, 2, 4),
+        lent=(),
+        real=False,
+    ),
         "from_quaternion": Kernel(
         _own_from_quaternion,
         _own_from_quaternion_blocks,
@@ -1649,17 +2351,6 @@ CHART = Chart(
         lent=(),
         real=True,
     ),
-        "to_screw": Kernel(
-        _own_to_screw,
-        _own_to_screw_blocks,
-        (("v", (6,)),),
-        (8,),
-        registers=9,
-        masks=1,
-        numbers=(0, 1, 2, 4),
-        lent=(),
-        real=True,
-    ),
         "compose": Kernel(
         _own_compose,
         _own_compose_blocks,
@@ -1676,11 +2367,20 @@ CHART = Chart(
 
 KERNELS = PoseKernels(CHART)
 
+body_cotangent = KERNELS.body_cotangent
+body_cotangent_jacobian = KERNELS.body_cotangent_jacobian
 body_rate = KERNELS.body_rate
+body_rate_dot = KERNELS.body_rate_dot
+body_rate_jacobian = KERNELS.body_rate_jacobian
 body_tangent = KERNELS.body_tangent
+body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
 body_twist = KERNELS.body_twist
+body_twist_dot = KERNELS.body_twist_dot
+body_twist_jacobian = KERNELS.body_twist_jacobian
 compose = KERNELS.compose
+cotangent = KERNELS.cotangent
+cotangent_jacobian = KERNELS.cotangent_jacobian
 from_pose = KERNELS.from_pose
 from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
@@ -1692,12 +2392,17 @@ principal = KERNELS.principal
 quaternion = KERNELS.quaternion
 random = KERNELS.random
 rate = KERNELS.rate
+rate_dot = KERNELS.rate_dot
+rate_jacobian = KERNELS.rate_jacobian
 shadow = KERNELS.shadow
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent
+tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_screw = KERNELS.to_screw
 transform_line = KERNELS.transform_line
 transform_point = KERNELS.transform_point
 twist = KERNELS.twist
+twist_dot = KERNELS.twist_dot
+twist_jacobian = KERNELS.twist_jacobian

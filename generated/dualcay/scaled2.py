@@ -44,13 +44,18 @@
 #   body_tangent_inv: 72: 29 +, 25 *, 17 /, 1 neg
 #   twist: 135: 49 +, 75 *, 10 /, 1 neg
 #   rate: 109: 42 +, 62 *, 4 /, 1 neg
+#   tangent_dot: 209: 78 +, 114 *, 16 /, 1 neg
+#   twist_dot: 237: 91 +, 131 *, 14 /, 1 neg
+#   rate_dot: 318: 131 +, 163 *, 21 /, 3 neg
+#   twist_jacobian: 286: 113 +, 157 *, 14 /, 2 neg
+#   rate_jacobian: 157: 61 +, 69 *, 21 /, 6 neg
 #   from_quaternion: 65: 21 +, 35 *, 5 /, 1 neg, 1 lt, 2 where
 #   from_tensor: 130: 44 +, 46 *, 8 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 94: 29 +, 28 *, 5 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 20: 4 +, 13 *, 2 /, 1 tan
-#   to_screw: 80: 19 +, 28 *, 15 /, 7 abs, 1 sqrt, 1 atan2, 2 lt, 1 eq, 6 where
+#   to_screw: 85: 21 +, 31 *, 15 /, 7 abs, 1 sqrt, 1 atan2, 2 lt, 1 eq, 6 where
 #   turn: 68: 16 +, 28 *, 12 /, 6 abs, 1 sqrt, 1 eq, 4 where
-#   shadow: 88: 23 +, 34 *, 14 /, 6 abs, 2 sqrt, 2 lt, 1 eq, 6 where
+#   shadow: 93: 25 +, 37 *, 14 /, 6 abs, 2 sqrt, 2 lt, 1 eq, 6 where
 #   principal: 57: 15 +, 24 *, 9 /, 1 sqrt, 1 lt, 7 where
 #   compose: 209: 71 +, 111 *, 23 /, 1 neg, 1 lt, 2 where
 r"""Normal Rodrigues vector of order 2: Rodrigues dual vectors ``v = 4 tan(α/4) u`` of rigid displacements.
@@ -78,12 +83,15 @@ from typing import Any
 
 from ._chart import Chart, Function
 from ._interface import PoseKernels
-from ._kernel import Components, Kernel, Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
+from ._kernel import Components, Kernel, Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "body_rate", "body_tangent", "body_tangent_inv", "body_twist", "compose", "from_pose", "from_quaternion",
-    "from_screw", "from_tensor", "identity", "inverse", "pose", "principal", "quaternion", "random", "rate", "shadow",
-    "singular_angles", "tangent", "tangent_inv", "tensor", "to_screw", "transform_line", "transform_point", "twist",
+    "body_cotangent", "body_cotangent_jacobian", "body_rate", "body_rate_dot", "body_rate_jacobian", "body_tangent",
+    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
+    "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity",
+    "inverse", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
+    "transform_point", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 2
@@ -169,7 +177,8 @@ def _tangent(m: Any, x: Any) -> Result:
     g = 4 * r
     g_v = g / 16
     h_v = g / 64
-    e = 4 / (1 + z)
+    x1 = 1 + z
+    e = 4 / x1
     eg = e * g
     fy = g - eg
     fy_v = fy / 64
@@ -189,7 +198,8 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     f = mul(mul(n2, p, o1), r, o1)
     div(f, n4, o1)
     g = mul(n4, r, o4)
-    e = div(n4, add(n1, z, o6), o6)
+    x1 = add(n1, z, o6)
+    e = div(n4, x1, o6)
     eg = mul(e, g, o6)
     div(g, n16, o2)
     div(g, n64, o3)
@@ -199,6 +209,128 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     div(gy, n256, o5)
     div(gy, n1024, o6)
     return o1, o2, o3, o4, o5, o6
+
+
+# operations 32: 7 +, 10 *, 14 /, 1 neg
+def _tangent_dot(m: Any, x: Any) -> Result:
+    z = x / 16
+    p = 1 - z
+    N = p * p + 4 * z
+    r = 2 * (N / N / N)
+    f = 2 * p * r
+    f_v = f / 4
+    g = 4 * r
+    g_v = g / 16
+    h_v = g / 64
+    x1 = 1 + z
+    e = 4 / x1
+    eg = e * g
+    fy = g - eg
+    fy_v = fy / 64
+    gy = -eg
+    gy_v = gy / 256
+    hy_v = gy / 1024
+    egy = e * gy
+    ee = 2 * e / x1
+    eeg = ee * g
+    fyy = gy - egy + eeg
+    fyy_v = fyy / 1024
+    gyy = eeg - egy
+    gyy_v = gyy / 4096
+    hyy_v = gyy / 16384
+    return f_v, g_v, h_v, fy_v, gy_v, hy_v, fyy_v, gyy_v, hyy_v
+
+
+def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
+    n1, n2, n4, n16, n64, n256, n1024, n4096, n16384 = numbers
+    z = div(x, n16, o9)
+    p = sub(n1, z, o1)
+    N = add(mul(p, p, o4), mul(n4, z, o2), o4)
+    r = mul(n2, div(div(N, N, o2), N, o4), o4)
+    f = mul(mul(n2, p, o1), r, o1)
+    div(f, n4, o1)
+    g = mul(n4, r, o4)
+    x1 = add(n1, z, o9)
+    div(g, n16, o2)
+    div(g, n64, o3)
+    e = div(n4, x1, o7)
+    ee = div(mul(n2, e, o8), x1, o9)
+    eeg = mul(ee, g, o9)
+    eg = mul(e, g, o8)
+    fy = sub(g, eg, o4)
+    div(fy, n64, o4)
+    gy = neg(eg, o8)
+    egy = mul(e, gy, o7)
+    div(gy, n256, o5)
+    div(gy, n1024, o6)
+    fyy = add(sub(gy, egy, o8), eeg, o8)
+    gyy = sub(eeg, egy, o9)
+    div(fyy, n1024, o7)
+    div(gyy, n4096, o8)
+    div(gyy, n16384, o9)
+    return o1, o2, o3, o4, o5, o6, o7, o8, o9
+
+
+# operations 14: 5 +, 2 *, 2 /, 1 sqrt, 2 lt, 2 where
+def _direction(m: Any, x: Any, y: Any) -> Result:
+    z = x / 16
+    rd = m.sqrt(z)
+    rq = 2 * rd
+    p = 1 - z
+    either = rq + p
+    one = either - either + 1
+    qp = m.where(rq + p / 16 < rq, -2, 2)
+    sign = one * m.where(qp < 0, -1, 1)
+    return sign,
+
+
+def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any) -> Result:
+    o1, = out
+    k1, k2, *_ = scratch
+    mask1, *_ = masks
+    n_minus_2, n_minus_1, n0, n1, n2, n16 = numbers
+    z = div(x, n16, o1)
+    rd = sqrt(z, k1)
+    rq = mul(n2, rd, k1)
+    p = sub(n1, z, o1)
+    either = add(rq, p, k2)
+    qp = m.where(m.less(add(rq, div(p, n16, o1), o1), rq, mask1), n_minus_2, n2, o1)
+    one = add(sub(either, either, k1), n1, k1)
+    mul(one, m.where(m.less(qp, n0, mask1), n_minus_1, n1, o1), o1)
+    return o1,
+
+
+# operations 21: 6 +, 4 *, 5 /, 1 abs, 1 atan2, 2 lt, 2 where
+def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
+    z = x / 16
+    rq = 2 * (r / 4)
+    p = 1 - z
+    either = rq + p
+    one = either - either + 1
+    qp = m.where(rq + p / 16 < rq, -2, 2)
+    sign = one * m.where(qp < 0, -1, 1)
+    angle = 2 * m.atan2(rq * one, m.abs(p))
+    slope = 4 / (1 + z)
+    return angle, slope / 4, sign
+
+
+def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
+    o1, o2, o3 = out
+    k1, k2, *_ = scratch
+    mask1, *_ = masks
+    n_minus_2, n_minus_1, n0, n1, n2, n4, n16 = numbers
+    rq = mul(n2, div(r, n4, o1), o1)
+    z = div(x, n16, o2)
+    p = sub(n1, z, o3)
+    slope = div(n4, add(n1, z, o2), o2)
+    div(slope, n4, o2)
+    either = add(rq, p, k1)
+    one = add(sub(either, either, k1), n1, k1)
+    qp = m.where(m.less(add(rq, div(p, n16, k2), k2), rq, mask1), n_minus_2, n2, k2)
+    mul(n2, atan2(mul(rq, one, o1), absolute(p, o3), o1), o1)
+    mul(one, m.where(m.less(qp, n0, mask1), n_minus_1, n1, o3), o3)
+    return o1, o2, o3
 
 
 # operations 9: 2 +, 5 *, 2 /
@@ -561,6 +693,325 @@ def _own_rate_blocks(
     )
 
 
+# operations 318: 131 +, 163 *, 21 /, 3 neg
+def _own_rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: Components, table: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    z1, z2, z3, z1o, z2o, z3o = omega_dot
+    side, = table
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    z = x / 16
+    p = 1 - z
+    fi = p / 2
+    fi_v = 4 * fi
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    fio = -y / 4
+    vw = v1 * w1 + v2 * w2 + v3 * w3
+    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
+    hvw = vw / 4
+    hvwo = vwo / 4
+    u1 = (w1 * fi_v + (w2 * v3 - w3 * v2) * side + v1 * hvw) / 2
+    u1o = (w1 * fio + w1o * fi_v + (w2 * v3o + w2o * v3 - (w3 * v2o + w3o * v2)) * side + (v1 * hvwo + v1o * hvw)) / 2
+    u2 = (w2 * fi_v + (w3 * v1 - w1 * v3) * side + v2 * hvw) / 2
+    u2o = (w2 * fio + w2o * fi_v + (w3 * v1o + w3o * v1 - (w1 * v3o + w1o * v3)) * side + (v2 * hvwo + v2o * hvw)) / 2
+    u3 = (w3 * fi_v + (w1 * v2 - w2 * v1) * side + v3 * hvw) / 2
+    u3o = (w3 * fio + w3o * fi_v + (w1 * v2o + w1o * v2 - (w2 * v1o + w2o * v1)) * side + (v3 * hvwo + v3o * hvw)) / 2
+    vu = v1 * u1 + v2 * u2 + v3 * u3
+    vuo = v1 * u1o + v1o * u1 + (v2 * u2o + v2o * u2) + (v3 * u3o + v3o * u3)
+    pull = v1 * z1 + v2 * z2 + v3 * z3 + (u1 * w1 + u2 * w2 + u3 * w3)
+    pullo = (
+        v1 * z1o + v1o * z1 + (v2 * z2o + v2o * z2) + (v3 * z3o + v3o * z3) + (u1 * w1o + u1o * w1 + (u2 * w2o + u2o
+        * w2) + (u3 * w3o + u3o * w3))
+    )
+    ft = -vu / 4
+    fto = -vuo / 4
+    cvv = pull / 4
+    cvvo = pullo / 4
+    return (
+        (z1 * fi_v + w1 * ft + (z2 * v3 - z3 * v2 + (w2 * u3 - w3 * u2)) * side + v1 * cvv + u1 * hvw) / 2,
+        (z2 * fi_v + w2 * ft + (z3 * v1 - z1 * v3 + (w3 * u1 - w1 * u3)) * side + v2 * cvv + u2 * hvw) / 2,
+        (z3 * fi_v + w3 * ft + (z1 * v2 - z2 * v1 + (w1 * u2 - w2 * u1)) * side + v3 * cvv + u3 * hvw) / 2,
+        (z1 * fio + z1o * fi_v + (w1 * fto + w1o * ft) + (z2 * v3o + z2o * v3 - (z3 * v2o + z3o * v2) + (w2 * u3o + w2o
+        * u3 - (w3 * u2o + w3o * u2))) * side + (v1 * cvvo + v1o * cvv) + (u1 * hvwo + u1o * hvw)) / 2,
+        (z2 * fio + z2o * fi_v + (w2 * fto + w2o * ft) + (z3 * v1o + z3o * v1 - (z1 * v3o + z1o * v3) + (w3 * u1o + w3o
+        * u1 - (w1 * u3o + w1o * u3))) * side + (v2 * cvvo + v2o * cvv) + (u2 * hvwo + u2o * hvw)) / 2,
+        (z3 * fio + z3o * fi_v + (w3 * fto + w3o * ft) + (z1 * v2o + z1o * v2 - (z2 * v1o + z2o * v1) + (w1 * u2o + w1o
+        * u2 - (w2 * u1o + w2o * u1))) * side + (v3 * cvvo + v3o * cvv) + (u3 * hvwo + u3o * hvw)) / 2,
+    )
+
+
+def _own_rate_dot_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows, omega_dot: Rows, table: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    z1, z2, z3, z1o, z2o, z3o = omega_dot
+    side, = table
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19 = scratch
+    n1, n2, n4, n16 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    z = div(x, n16, k1)
+    p = sub(n1, z, k1)
+    fi = div(p, n2, k1)
+    fi_v = mul(n4, fi, k1)
+    vw = add(add(mul(v1, w1, k2), mul(v2, w2, k3), k2), mul(v3, w3, k3), k2)
+    hvw = div(vw, n4, k2)
+    u1 = div(
+        add(add(mul(w1, fi_v, k3), mul(sub(mul(w2, v3, k4), mul(w3, v2, k5), k4), side, k4), k3), mul(v1, hvw, k4), k3),
+        n2, k3
+    )
+    u2 = div(
+        add(add(mul(w2, fi_v, k4), mul(sub(mul(w3, v1, k5), mul(w1, v3, k6), k5), side, k5), k4), mul(v2, hvw, k5), k4),
+        n2, k4
+    )
+    u3 = div(
+        add(add(mul(w3, fi_v, k5), mul(sub(mul(w1, v2, k6), mul(w2, v1, k7), k6), side, k6), k5), mul(v3, hvw, k6), k5),
+        n2, k5
+    )
+    vu = add(add(mul(v1, u1, k6), mul(v2, u2, k7), k6), mul(v3, u3, k7), k6)
+    ft = div(neg(vu, k6), n4, k6)
+    pull = add(
+        add(add(mul(v1, z1, k7), mul(v2, z2, k8), k7), mul(v3, z3, k8), k7), add(add(mul(u1, w1, k8), mul(u2, w2, k9),
+        k8), mul(u3, w3, k9), k8), k7
+    )
+    cvv = div(pull, n4, k7)
+    div(
+        add(add(add(add(mul(z1, fi_v, k8), mul(w1, ft, k9), k8), mul(add(sub(mul(z2, v3, k9), mul(z3, v2, k10), k9),
+        sub(mul(w2, u3, k10), mul(w3, u2, k11), k10), k9), side, k9), k8), mul(v1, cvv, k9), k8), mul(u1, hvw, k9), k8),
+        n2, o1
+    )
+    div(
+        add(add(add(add(mul(z2, fi_v, k8), mul(w2, ft, k9), k8), mul(add(sub(mul(z3, v1, k9), mul(z1, v3, k10), k9),
+        sub(mul(w3, u1, k10), mul(w1, u3, k11), k10), k9), side, k9), k8), mul(v2, cvv, k9), k8), mul(u2, hvw, k9), k8),
+        n2, o2
+    )
+    div(
+        add(add(add(add(mul(z3, fi_v, k8), mul(w3, ft, k9), k8), mul(add(sub(mul(z1, v2, k9), mul(z2, v1, k10), k9),
+        sub(mul(w1, u2, k10), mul(w2, u1, k11), k10), k9), side, k9), k8), mul(v3, cvv, k9), k8), mul(u3, hvw, k9), k8),
+        n2, o3
+    )
+    y = add(add(mul(v1, v1o, k8), mul(v2, v2o, k9), k8), mul(v3, v3o, k9), k8)
+    fio = div(neg(y, k8), n4, k8)
+    vwo = add(
+        add(add(mul(v1, w1o, k9), mul(v1o, w1, k10), k9), add(mul(v2, w2o, k10), mul(v2o, w2, k11), k10), k9),
+        add(mul(v3, w3o, k10), mul(v3o, w3, k11), k10), k9
+    )
+    hvwo = div(vwo, n4, k9)
+    u1o = div(
+        add(add(add(mul(w1, fio, k10), mul(w1o, fi_v, k11), k10), mul(sub(add(mul(w2, v3o, k11), mul(w2o, v3, k12),
+        k11), add(mul(w3, v2o, k12), mul(w3o, v2, k13), k12), k11), side, k11), k10), add(mul(v1, hvwo, k11), mul(v1o,
+        hvw, k12), k11), k10), n2, k10
+    )
+    u2o = div(
+        add(add(add(mul(w2, fio, k11), mul(w2o, fi_v, k12), k11), mul(sub(add(mul(w3, v1o, k12), mul(w3o, v1, k13),
+        k12), add(mul(w1, v3o, k13), mul(w1o, v3, k14), k13), k12), side, k12), k11), add(mul(v2, hvwo, k12), mul(v2o,
+        hvw, k13), k12), k11), n2, k11
+    )
+    u3o = div(
+        add(add(add(mul(w3, fio, k12), mul(w3o, fi_v, k13), k12), mul(sub(add(mul(w1, v2o, k13), mul(w1o, v2, k14),
+        k13), add(mul(w2, v1o, k14), mul(w2o, v1, k15), k14), k13), side, k13), k12), add(mul(v3, hvwo, k13), mul(v3o,
+        hvw, k14), k13), k12), n2, k12
+    )
+    vuo = add(
+        add(add(mul(v1, u1o, k13), mul(v1o, u1, k14), k13), add(mul(v2, u2o, k14), mul(v2o, u2, k15), k14), k13),
+        add(mul(v3, u3o, k14), mul(v3o, u3, k15), k14), k13
+    )
+    fto = div(neg(vuo, k13), n4, k13)
+    pullo = add(
+        add(add(add(mul(v1, z1o, k14), mul(v1o, z1, k15), k14), add(mul(v2, z2o, k15), mul(v2o, z2, k16), k15), k14),
+        add(mul(v3, z3o, k15), mul(v3o, z3, k16), k15), k14), add(add(add(mul(u1, w1o, k15), mul(u1o, w1, k16), k15),
+        add(mul(u2, w2o, k16), mul(u2o, w2, k17), k16), k15), add(mul(u3, w3o, k16), mul(u3o, w3, k17), k16), k15), k14
+    )
+    cvvo = div(pullo, n4, k14)
+    div(
+        add(add(add(add(add(mul(z1, fio, k15), mul(z1o, fi_v, k16), k15), add(mul(w1, fto, k16), mul(w1o, ft, k17),
+        k16), k15), mul(add(sub(add(mul(z2, v3o, k16), mul(z2o, v3, k17), k16), add(mul(z3, v2o, k17), mul(z3o, v2,
+        k18), k17), k16), sub(add(mul(w2, u3o, k17), mul(w2o, u3, k18), k17), add(mul(w3, u2o, k18), mul(w3o, u2, k19),
+        k18), k17), k16), side, k16), k15), add(mul(v1, cvvo, k16), mul(v1o, cvv, k17), k16), k15), add(mul(u1, hvwo,
+        k16), mul(u1o, hvw, k17), k16), k15), n2, o4
+    )
+    div(
+        add(add(add(add(add(mul(z2, fio, k15), mul(z2o, fi_v, k16), k15), add(mul(w2, fto, k16), mul(w2o, ft, k17),
+        k16), k15), mul(add(sub(add(mul(z3, v1o, k16), mul(z3o, v1, k17), k16), add(mul(z1, v3o, k17), mul(z1o, v3,
+        k18), k17), k16), sub(add(mul(w3, u1o, k17), mul(w3o, u1, k18), k17), add(mul(w1, u3o, k18), mul(w1o, u3, k19),
+        k18), k17), k16), side, k16), k15), add(mul(v2, cvvo, k16), mul(v2o, cvv, k17), k16), k15), add(mul(u2, hvwo,
+        k16), mul(u2o, hvw, k17), k16), k15), n2, o5
+    )
+    div(
+        add(add(add(add(add(mul(z3, fio, k8), mul(z3o, fi_v, k1), k1), add(mul(w3, fto, k8), mul(w3o, ft, k6), k6), k1),
+        mul(add(sub(add(mul(z1, v2o, k6), mul(z1o, v2, k8), k6), add(mul(z2, v1o, k8), mul(z2o, v1, k13), k8), k6),
+        sub(add(mul(w1, u2o, k8), mul(w1o, u2, k4), k4), add(mul(w2, u1o, k8), mul(w2o, u1, k3), k3), k3), k3), side,
+        k3), k1), add(mul(v3, cvvo, k3), mul(v3o, cvv, k4), k3), k1), add(mul(u3, hvwo, k3), mul(u3o, hvw, k2), k2),
+        k1), n2, o6
+    )
+
+
+# operations 157: 61 +, 69 *, 21 /, 6 neg
+def _own_rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    side, = table
+    hs = side / 2
+    vw = v1 * w1 + v2 * w2 + v3 * w3
+    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
+    b1 = -w1 / 4 / 2
+    b1o = -w1o / 4 / 2
+    b2 = -w2 / 4 / 2
+    b2o = -w2o / 4 / 2
+    b3 = -w3 / 4 / 2
+    b3o = -w3o / 4 / 2
+    hv1 = v1 / 8
+    hv1o = v1o / 8
+    hv2 = v2 / 8
+    hv2o = v2o / 8
+    hv3 = v3 / 8
+    hv3o = v3o / 8
+    s1 = w1 * hs
+    s1o = w1o * hs
+    s2 = w2 * hs
+    s2o = w2o * hs
+    s3 = w3 * hs
+    s3o = w3o * hs
+    ha = vw / 8
+    hao = vwo / 8
+    J11 = b1 * v1 + hv1 * w1 + ha
+    J12 = b1 * v2 + hv1 * w2 - s3
+    J13 = b1 * v3 + hv1 * w3 + s2
+    J21 = b2 * v1 + hv2 * w1 + s3
+    J22 = b2 * v2 + hv2 * w2 + ha
+    J23 = b2 * v3 + hv2 * w3 - s1
+    J31 = b3 * v1 + hv3 * w1 - s2
+    J32 = b3 * v2 + hv3 * w2 + s1
+    J33 = b3 * v3 + hv3 * w3 + ha
+    return (
+        J11,
+        J12,
+        J13,
+        0,
+        0,
+        0,
+        J21,
+        J22,
+        J23,
+        0,
+        0,
+        0,
+        J31,
+        J32,
+        J33,
+        0,
+        0,
+        0,
+        b1 * v1o + b1o * v1 + (hv1 * w1o + hv1o * w1) + hao,
+        b1 * v2o + b1o * v2 + (hv1 * w2o + hv1o * w2) - s3o,
+        b1 * v3o + b1o * v3 + (hv1 * w3o + hv1o * w3) + s2o,
+        J11,
+        J12,
+        J13,
+        b2 * v1o + b2o * v1 + (hv2 * w1o + hv2o * w1) + s3o,
+        b2 * v2o + b2o * v2 + (hv2 * w2o + hv2o * w2) + hao,
+        b2 * v3o + b2o * v3 + (hv2 * w3o + hv2o * w3) - s1o,
+        J21,
+        J22,
+        J23,
+        b3 * v1o + b3o * v1 + (hv3 * w1o + hv3o * w1) - s2o,
+        b3 * v2o + b3o * v2 + (hv3 * w2o + hv3o * w2) + s1o,
+        b3 * v3o + b3o * v3 + (hv3 * w3o + hv3o * w3) + hao,
+        J31,
+        J32,
+        J33,
+    )
+
+
+def _own_rate_jacobian_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows, table: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    side, = table
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36,
+    ) = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14 = scratch
+    n0, n2, n4, n8 = numbers
+    b1 = div(div(neg(w1, k1), n4, k1), n2, k1)
+    hv1 = div(v1, n8, k2)
+    vw = add(add(mul(v1, w1, k3), mul(v2, w2, k4), k3), mul(v3, w3, k4), k3)
+    ha = div(vw, n8, k3)
+    add(add(mul(b1, v1, k4), mul(hv1, w1, k5), k4), ha, o1)
+    hs = div(side, n2, k4)
+    s3 = mul(w3, hs, k5)
+    sub(add(mul(b1, v2, k6), mul(hv1, w2, k7), k6), s3, o2)
+    s2 = mul(w2, hs, k6)
+    add(add(mul(b1, v3, k7), mul(hv1, w3, k8), k7), s2, o3)
+    b2 = div(div(neg(w2, k7), n4, k7), n2, k7)
+    hv2 = div(v2, n8, k8)
+    add(add(mul(b2, v1, k9), mul(hv2, w1, k10), k9), s3, o7)
+    add(add(mul(b2, v2, k5), mul(hv2, w2, k9), k5), ha, o8)
+    s1 = mul(w1, hs, k5)
+    sub(add(mul(b2, v3, k9), mul(hv2, w3, k10), k9), s1, o9)
+    b3 = div(div(neg(w3, k9), n4, k9), n2, k9)
+    hv3 = div(v3, n8, k10)
+    sub(add(mul(b3, v1, k11), mul(hv3, w1, k12), k11), s2, o13)
+    add(add(mul(b3, v2, k6), mul(hv3, w2, k11), k6), s1, o14)
+    add(add(mul(b3, v3, k5), mul(hv3, w3, k6), k5), ha, o15)
+    b1o = div(div(neg(w1o, k3), n4, k3), n2, k3)
+    hv1o = div(v1o, n8, k5)
+    vwo = add(
+        add(add(mul(v1, w1o, k6), mul(v1o, w1, k11), k6), add(mul(v2, w2o, k11), mul(v2o, w2, k12), k11), k6),
+        add(mul(v3, w3o, k11), mul(v3o, w3, k12), k11), k6
+    )
+    hao = div(vwo, n8, k6)
+    add(
+        add(add(mul(b1, v1o, k11), mul(b1o, v1, k12), k11), add(mul(hv1, w1o, k12), mul(hv1o, w1, k13), k12), k11), hao,
+        o19
+    )
+    s3o = mul(w3o, hs, k11)
+    sub(
+        add(add(mul(b1, v2o, k12), mul(b1o, v2, k13), k12), add(mul(hv1, w2o, k13), mul(hv1o, w2, k14), k13), k12), s3o,
+        o20
+    )
+    s2o = mul(w2o, hs, k12)
+    add(add(add(mul(b1, v3o, k1), mul(b1o, v3, k3), k1), add(mul(hv1, w3o, k2), mul(hv1o, w3, k3), k2), k1), s2o, o21)
+    s1o = mul(w1o, hs, k1)
+    b2o = div(div(neg(w2o, k2), n4, k2), n2, k2)
+    hv2o = div(v2o, n8, k3)
+    add(add(add(mul(b2, v1o, k4), mul(b2o, v1, k5), k4), add(mul(hv2, w1o, k5), mul(hv2o, w1, k13), k5), k4), s3o, o25)
+    add(add(add(mul(b2, v2o, k4), mul(b2o, v2, k5), k4), add(mul(hv2, w2o, k5), mul(hv2o, w2, k11), k5), k4), hao, o26)
+    sub(add(add(mul(b2, v3o, k4), mul(b2o, v3, k2), k2), add(mul(hv2, w3o, k4), mul(hv2o, w3, k3), k3), k2), s1o, o27)
+    b3o = div(div(neg(w3o, k2), n4, k2), n2, k2)
+    hv3o = div(v3o, n8, k3)
+    sub(add(add(mul(b3, v1o, k4), mul(b3o, v1, k5), k4), add(mul(hv3, w1o, k5), mul(hv3o, w1, k7), k5), k4), s2o, o31)
+    add(add(add(mul(b3, v2o, k4), mul(b3o, v2, k5), k4), add(mul(hv3, w2o, k5), mul(hv3o, w2, k7), k5), k4), s1o, o32)
+    add(add(add(mul(b3, v3o, k1), mul(b3o, v3, k2), k1), add(mul(hv3, w3o, k2), mul(hv3o, w3, k3), k2), k1), hao, o33)
+    copy(n0, o4)
+    copy(n0, o5)
+    copy(n0, o6)
+    copy(n0, o10)
+    copy(n0, o11)
+    copy(n0, o12)
+    copy(n0, o16)
+    copy(n0, o17)
+    copy(n0, o18)
+    copy(o1, o22)
+    copy(o2, o23)
+    copy(o3, o24)
+    copy(o7, o28)
+    copy(o8, o29)
+    copy(o9, o30)
+    copy(o13, o34)
+    copy(o14, o35)
+    copy(o15, o36)
+
+
 # operations 65: 21 +, 35 *, 5 /, 1 neg, 1 lt, 2 where
 def _own_from_quaternion(m: Any, c: Any, e: Components) -> Result:
     e0, e1, e2, e3, e0o, e1o, e2o, e3o = e
@@ -862,207 +1313,6 @@ def _own_from_pose_blocks(
     div(add(sub(mul(T34, fi, k1), sub(mul(v1, T24, k3), mul(v2, T14, k4), k3), k1), mul(v3, hvr, k2), k1), n2, o6)
 
 
-# operations 80: 19 +, 28 *, 15 /, 7 abs, 1 sqrt, 1 atan2, 2 lt, 1 eq, 6 where
-def _own_to_screw(m: Any, c: Any, v: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    total = m.abs(v1) + m.abs(v2) + m.abs(v3)
-    still = total == 0
-    a1 = m.where(still, v1o, v1)
-    a2 = m.where(still, v2o, v2)
-    a3 = m.where(still, v3o, v3)
-    scale = m.abs(a1) + m.abs(a2) + m.abs(a3)
-    s1 = a1 / scale
-    s2 = a2 / scale
-    s3 = a3 / scale
-    root = m.sqrt(s1 * s1 + s2 * s2 + s3 * s3)
-    u1 = s1 / root
-    u2 = s2 / root
-    u3 = s3 / root
-    ro = u1 * v1o + u2 * v2o + u3 * v3o
-    ir = m.where(still, 0, 1) / root
-    ru1 = u1 * ro
-    ru2 = u2 * ro
-    ru3 = u3 * ro
-    r = total * root
-    uo1 = (v1o - ru1) / scale * ir
-    uo2 = (v2o - ru2) / scale * ir
-    uo3 = (v3o - ru3) / scale * ir
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    z = x / 16
-    rq = 2 * (r / 4)
-    p = 1 - z
-    either = rq + p
-    one = either - either + 1
-    qp = m.where(rq + p / 16 < rq, -2, 2)
-    sign = one * m.where(qp < 0, -1, 1)
-    angle = 2 * m.atan2(rq * one, m.abs(p))
-    slope = 4 / (1 + z)
-    slope_ = slope / 4
-    return angle, sign * (slope_ * ro), u1 * sign, u2 * sign, u3 * sign, uo1 * sign, uo2 * sign, uo3 * sign
-
-
-def _own_to_screw_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    o1, o2, o3, o4, o5, o6, o7, o8 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11 = scratch
-    mask1, = masks
-    n_minus_2, n_minus_1, n0, n1, n2, n4, n16 = numbers
-    total = add(add(absolute(v1, k1), absolute(v2, k2), k1), absolute(v3, k2), k1)
-    still = m.equal(total, n0, mask1)
-    a1 = m.where(still, v1o, v1, k2)
-    a2 = m.where(still, v2o, v2, k3)
-    a3 = m.where(still, v3o, v3, k4)
-    scale = add(add(absolute(a1, k5), absolute(a2, k6), k5), absolute(a3, k6), k5)
-    s1 = div(a1, scale, k2)
-    s2 = div(a2, scale, k3)
-    s3 = div(a3, scale, k4)
-    root = sqrt(add(add(mul(s1, s1, k6), mul(s2, s2, k7), k6), mul(s3, s3, k7), k6), k6)
-    r = mul(total, root, k1)
-    rq = mul(n2, div(r, n4, k1), k1)
-    u1 = div(s1, root, k2)
-    u2 = div(s2, root, k3)
-    u3 = div(s3, root, k4)
-    ir = div(m.where(still, n0, n1, k7), root, k6)
-    v11 = mul(v1, v1, k7)
-    v22 = mul(v2, v2, k8)
-    v33 = mul(v3, v3, k9)
-    x = add(add(v11, v22, k7), v33, k7)
-    z = div(x, n16, k7)
-    p = sub(n1, z, k8)
-    slope = div(n4, add(n1, z, k7), k7)
-    slope_ = div(slope, n4, k7)
-    either = add(rq, p, k9)
-    one = add(sub(either, either, k9), n1, k9)
-    mul(n2, atan2(mul(rq, one, k10), absolute(p, k11), k10), o1)
-    qp = m.where(m.less(add(rq, div(p, n16, k8), k8), rq, mask1), n_minus_2, n2, k1)
-    sign = mul(one, m.where(m.less(qp, n0, mask1), n_minus_1, n1, k1), k1)
-    mul(u1, sign, o3)
-    mul(u2, sign, o4)
-    mul(u3, sign, o5)
-    ro = add(add(mul(u1, v1o, k8), mul(u2, v2o, k9), k8), mul(u3, v3o, k9), k8)
-    mul(sign, mul(slope_, ro, k7), o2)
-    ru1 = mul(u1, ro, k2)
-    uo1 = mul(div(sub(v1o, ru1, k2), scale, k2), ir, k2)
-    mul(uo1, sign, o6)
-    ru2 = mul(u2, ro, k2)
-    ru3 = mul(u3, ro, k3)
-    uo2 = mul(div(sub(v2o, ru2, k2), scale, k2), ir, k2)
-    uo3 = mul(div(sub(v3o, ru3, k3), scale, k3), ir, k3)
-    mul(uo2, sign, o7)
-    mul(uo3, sign, o8)
-
-
-# operations 88: 23 +, 34 *, 14 /, 6 abs, 2 sqrt, 2 lt, 1 eq, 6 where
-def _own_shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    cos, sin = table
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    z = x / 16
-    rd = m.sqrt(z)
-    rq = 2 * rd
-    p = 1 - z
-    either = rq + p
-    one = either - either + 1
-    qp = m.where(rq + p / 16 < rq, -2, 2)
-    sign = one * m.where(qp < 0, -1, 1)
-    total = m.abs(v1) + m.abs(v2) + m.abs(v3)
-    still = total == 0
-    a1 = m.where(still, v1o, v1)
-    a2 = m.where(still, v2o, v2)
-    a3 = m.where(still, v3o, v3)
-    scale = m.abs(a1) + m.abs(a2) + m.abs(a3)
-    s1 = a1 / scale
-    s2 = a2 / scale
-    s3 = a3 / scale
-    root = m.sqrt(s1 * s1 + s2 * s2 + s3 * s3)
-    u1 = s1 / root
-    u2 = s2 / root
-    u3 = s3 / root
-    ro = u1 * v1o + u2 * v2o + u3 * v3o
-    ir = m.where(still, 0, 1) / root
-    ru1 = u1 * ro
-    ru2 = u2 * ro
-    ru3 = u3 * ro
-    r = total * root
-    uo1 = (v1o - ru1) / scale * ir
-    uo2 = (v2o - ru2) / scale * ir
-    uo3 = (v3o - ru3) / scale * ir
-    sn = sign * sin
-    rt = r / 4
-    iden = 1 / (cos - rt * sn)
-    rk = (rt * cos + sn) * iden
-    slope = iden * iden
-    rv = 4 * rk
-    rko = ro * slope
-    return u1 * rv, u2 * rv, u3 * rv, uo1 * rv + u1 * rko, uo2 * rv + u2 * rko, uo3 * rv + u3 * rko
-
-
-def _own_shadow_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, table: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    cos, sin = table
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
-    mask1, = masks
-    n_minus_2, n_minus_1, n0, n1, n2, n4, n16 = numbers
-    total = add(add(absolute(v1, k1), absolute(v2, k2), k1), absolute(v3, k2), k1)
-    still = m.equal(total, n0, mask1)
-    a1 = m.where(still, v1o, v1, k2)
-    a2 = m.where(still, v2o, v2, k3)
-    a3 = m.where(still, v3o, v3, k4)
-    scale = add(add(absolute(a1, k5), absolute(a2, k6), k5), absolute(a3, k6), k5)
-    s1 = div(a1, scale, k2)
-    s2 = div(a2, scale, k3)
-    s3 = div(a3, scale, k4)
-    root = sqrt(add(add(mul(s1, s1, k6), mul(s2, s2, k7), k6), mul(s3, s3, k7), k6), k6)
-    r = mul(total, root, k1)
-    rt = div(r, n4, k1)
-    u1 = div(s1, root, k2)
-    u2 = div(s2, root, k3)
-    u3 = div(s3, root, k4)
-    ir = div(m.where(still, n0, n1, k7), root, k6)
-    v11 = mul(v1, v1, k7)
-    v22 = mul(v2, v2, k8)
-    v33 = mul(v3, v3, k9)
-    x = add(add(v11, v22, k7), v33, k7)
-    z = div(x, n16, k7)
-    rd = sqrt(z, k8)
-    rq = mul(n2, rd, k8)
-    p = sub(n1, z, k7)
-    either = add(rq, p, k9)
-    qp = m.where(m.less(add(rq, div(p, n16, k7), k7), rq, mask1), n_minus_2, n2, k7)
-    one = add(sub(either, either, k8), n1, k8)
-    sign = mul(one, m.where(m.less(qp, n0, mask1), n_minus_1, n1, k7), k7)
-    sn = mul(sign, sin, k7)
-    iden = div(n1, sub(cos, mul(rt, sn, k8), k8), k8)
-    rk = mul(add(mul(rt, cos, k1), sn, k1), iden, k1)
-    rv = mul(n4, rk, k1)
-    mul(u1, rv, o1)
-    mul(u2, rv, o2)
-    mul(u3, rv, o3)
-    slope = mul(iden, iden, k7)
-    ro = add(add(mul(u1, v1o, k8), mul(u2, v2o, k9), k8), mul(u3, v3o, k9), k8)
-    rko = mul(ro, slope, k7)
-    ru1 = mul(u1, ro, k9)
-    uo1 = mul(div(sub(v1o, ru1, k9), scale, k9), ir, k9)
-    add(mul(uo1, rv, k9), mul(u1, rko, k2), o4)
-    ru2 = mul(u2, ro, k2)
-    uo2 = mul(div(sub(v2o, ru2, k2), scale, k2), ir, k2)
-    add(mul(uo2, rv, k2), mul(u2, rko, k3), o5)
-    ru3 = mul(u3, ro, k2)
-    uo3 = mul(div(sub(v3o, ru3, k2), scale, k2), ir, k2)
-    add(mul(uo3, rv, k1), mul(u3, rko, k2), o6)
-
-
 # operations 209: 71 +, 111 *, 23 /, 1 neg, 1 lt, 2 where
 def _own_compose(m: Any, c: Any, b: Components, a: Components) -> Result:
     b1, b2, b3, b1o, b2o, b3o = b
@@ -1271,6 +1521,9 @@ CHART = Chart(
         "quaternion": Function(_quaternion, _quaternion_blocks, 0, 0, (-2, 1, 2, 4, 16, 64)),
         "pose": Function(_pose, _pose_blocks, 0, 0, (1, 2, 4, 16, 64)),
         "tangent": Function(_tangent, _tangent_blocks, 0, 0, (1, 2, 4, 16, 64, 256, 1024)),
+        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 0, 0, (1, 2, 4, 16, 64, 256, 1024, 4096, 16384)),
+        "direction": Function(_direction, _direction_blocks, 2, 1, (-2, -1, 0, 1, 2, 16)),
+        "natural": Function(_natural, _natural_blocks, 2, 1, (-2, -1, 0, 1, 2, 4, 16)),
         "turned": Function(_turned, _turned_blocks, 0, 0, (1, 4)),
         "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 4)),
@@ -1309,6 +1562,28 @@ CHART = Chart(
         lent=(),
         real=False,
     ),
+        "rate_dot": Kernel(
+        _own_rate_dot,
+        _own_rate_dot_blocks,
+        (("v", (6,)), ("omega", (6,)), ("omega_dot", (6,)),),
+        (6,),
+        registers=19,
+        masks=0,
+        numbers=(1, 2, 4, 16),
+        lent=(),
+        real=False,
+    ),
+        "rate_jacobian": Kernel(
+        _own_rate_jacobian,
+        _own_rate_jacobian_blocks,
+        (("v", (6,)), ("omega", (6,)),),
+        (6, 6),
+        registers=14,
+        masks=0,
+        numbers=(0, 2, 4, 8),
+        lent=(),
+        real=False,
+    ),
         "from_quaternion": Kernel(
         _own_from_quaternion,
         _own_from_quaternion_blocks,
@@ -1342,28 +1617,6 @@ CHART = Chart(
         lent=(),
         real=True,
     ),
-        "to_screw": Kernel(
-        _own_to_screw,
-        _own_to_screw_blocks,
-        (("v", (6,)),),
-        (8,),
-        registers=11,
-        masks=1,
-        numbers=(-2, -1, 0, 1, 2, 4, 16),
-        lent=(),
-        real=True,
-    ),
-        "shadow": Kernel(
-        _own_shadow,
-        _own_shadow_blocks,
-        (("v", (6,)),),
-        (6,),
-        registers=9,
-        masks=1,
-        numbers=(-2, -1, 0, 1, 2, 4, 16),
-        lent=(),
-        real=True,
-    ),
         "compose": Kernel(
         _own_compose,
         _own_compose_blocks,
@@ -1380,11 +1633,20 @@ CHART = Chart(
 
 KERNELS = PoseKernels(CHART)
 
+body_cotangent = KERNELS.body_cotangent
+body_cotangent_jacobian = KERNELS.body_cotangent_jacobian
 body_rate = KERNELS.body_rate
+body_rate_dot = KERNELS.body_rate_dot
+body_rate_jacobian = KERNELS.body_rate_jacobian
 body_tangent = KERNELS.body_tangent
+body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
 body_twist = KERNELS.body_twist
+body_twist_dot = KERNELS.body_twist_dot
+body_twist_jacobian = KERNELS.body_twist_jacobian
 compose = KERNELS.compose
+cotangent = KERNELS.cotangent
+cotangent_jacobian = KERNELS.cotangent_jacobian
 from_pose = KERNELS.from_pose
 from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
@@ -1396,12 +1658,17 @@ principal = KERNELS.principal
 quaternion = KERNELS.quaternion
 random = KERNELS.random
 rate = KERNELS.rate
+rate_dot = KERNELS.rate_dot
+rate_jacobian = KERNELS.rate_jacobian
 shadow = KERNELS.shadow
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent
+tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_screw = KERNELS.to_screw
 transform_line = KERNELS.transform_line
 transform_point = KERNELS.transform_point
 twist = KERNELS.twist
+twist_dot = KERNELS.twist_dot
+twist_jacobian = KERNELS.twist_jacobian

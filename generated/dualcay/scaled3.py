@@ -44,6 +44,11 @@
 #   body_tangent_inv: 95: 35 +, 43 *, 16 /, 1 neg
 #   twist: 143: 51 +, 81 *, 10 /, 1 neg
 #   rate: 127: 46 +, 73 *, 7 /, 1 neg
+#   tangent_dot: 224: 83 +, 124 *, 16 /, 1 neg
+#   twist_dot: 252: 96 +, 141 *, 14 /, 1 neg
+#   rate_dot: 359: 141 +, 194 *, 21 /, 3 neg
+#   twist_jacobian: 301: 118 +, 167 *, 14 /, 2 neg
+#   rate_jacobian: 231: 86 +, 124 *, 18 /, 3 neg
 #   from_quaternion: 91: 26 +, 45 *, 9 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   from_tensor: 147: 46 +, 51 *, 12 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_pose: 111: 31 +, 33 *, 9 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
@@ -81,9 +86,12 @@ from ._interface import PoseKernels
 from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "body_rate", "body_tangent", "body_tangent_inv", "body_twist", "compose", "from_pose", "from_quaternion",
-    "from_screw", "from_tensor", "identity", "inverse", "pose", "principal", "quaternion", "random", "rate", "shadow",
-    "singular_angles", "tangent", "tangent_inv", "tensor", "to_screw", "transform_line", "transform_point", "twist",
+    "body_cotangent", "body_cotangent_jacobian", "body_rate", "body_rate_dot", "body_rate_jacobian", "body_tangent",
+    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
+    "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity",
+    "inverse", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
+    "transform_point", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 3
@@ -188,7 +196,8 @@ def _tangent(m: Any, x: Any) -> Result:
     g_v = g / 36
     h = 16 * r
     h_v = h / 216
-    e = 6 / (1 + z)
+    x1 = 1 + z
+    e = 6 / x1
     eg = e * g
     fy = h - eg
     fy_v = fy / 216
@@ -212,7 +221,8 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     f = mul(mul(p, q, o1), r, o1)
     div(f, n6, o1)
     g = mul(qq, r, o4)
-    e = div(n6, add(n1, z, o6), o6)
+    x1 = add(n1, z, o6)
+    e = div(n6, x1, o6)
     qr = mul(n_minus_4, mul(q, r, o5), o5)
     h = mul(n16, r, o3)
     div(g, n36, o2)
@@ -225,6 +235,80 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     div(h, n216, o3)
     div(hy, n7776, o6)
     return o1, o2, o3, o4, o5, o6
+
+
+# operations 47: 12 +, 20 *, 14 /, 1 neg
+def _tangent_dot(m: Any, x: Any) -> Result:
+    z = x / 36
+    p = 1 - 3 * z
+    q = 3 - z
+    qq = q * q
+    N = p * p + z * qq
+    r = 2 * (N / N / N)
+    f = p * q * r
+    f_v = f / 6
+    g = qq * r
+    g_v = g / 36
+    h = 16 * r
+    h_v = h / 216
+    x1 = 1 + z
+    e = 6 / x1
+    eg = e * g
+    fy = h - eg
+    fy_v = fy / 216
+    qr = -4 * (q * r)
+    gy = qr - eg
+    gy_v = gy / 1296
+    hy = -(e * h)
+    hy_v = hy / 7776
+    egy = e * gy
+    ee = 2 * e / x1
+    eeg = ee * g
+    fyy = hy - egy + eeg
+    fyy_v = fyy / 7776
+    gyy = 8 * r - (egy + e * qr) + eeg
+    gyy_v = gyy / 46656
+    hyy = ee * h - e * hy
+    hyy_v = hyy / 279936
+    return f_v, g_v, h_v, fy_v, gy_v, hy_v, fyy_v, gyy_v, hyy_v
+
+
+def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
+    k1, k2, k3, *_ = scratch
+    n_minus_4, n1, n2, n3, n6, n8, n16, n36, n216, n1296, n7776, n46656, n279936 = numbers
+    z = div(x, n36, o9)
+    q = sub(n3, z, o8)
+    qq = mul(q, q, o7)
+    p = sub(n1, mul(n3, z, o1), o1)
+    N = add(mul(p, p, o6), mul(z, qq, o2), o6)
+    r = mul(n2, div(div(N, N, o2), N, o6), o6)
+    f = mul(mul(p, q, o1), r, o1)
+    div(f, n6, o1)
+    g = mul(qq, r, o7)
+    x1 = add(n1, z, o9)
+    qr = mul(n_minus_4, mul(q, r, o8), o8)
+    div(g, n36, o2)
+    h = mul(n16, r, k1)
+    div(h, n216, o3)
+    e = div(n6, x1, k2)
+    ee = div(mul(n2, e, k3), x1, o9)
+    eg = mul(e, g, k3)
+    eeg = mul(ee, g, o7)
+    fy = sub(h, eg, o4)
+    div(fy, n216, o4)
+    gy = sub(qr, eg, k3)
+    div(gy, n1296, o5)
+    egy = mul(e, gy, k3)
+    gyy = add(sub(mul(n8, r, o6), add(egy, mul(e, qr, o8), o8), o8), eeg, o8)
+    div(gyy, n46656, o8)
+    hy = neg(mul(e, h, o6), o6)
+    hyy = sub(mul(ee, h, o9), mul(e, hy, k1), o9)
+    fyy = add(sub(hy, egy, k1), eeg, o7)
+    div(hy, n7776, o6)
+    div(fyy, n7776, o7)
+    div(hyy, n279936, o9)
+    return o1, o2, o3, o4, o5, o6, o7, o8, o9
 
 
 # operations 7: 2 +, 1 *, 4 /
@@ -290,6 +374,55 @@ def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     div(fiy, n6, o3)
     div(hiy, n216, o4)
     return o1, o2, o3, o4
+
+
+# operations 29: 4 +, 13 *, 9 /, 3 neg
+def _tangent_inv_dot(m: Any, x: Any) -> Result:
+    z = x / 36
+    p = 1 - 3 * z
+    q = 3 - z
+    iq = 1 / q
+    fi = p * iq
+    fi_v = 6 * fi
+    d = 11 - z
+    diq = d * iq
+    hi = diq / 3
+    hi_v = hi / 6
+    fiy = -(16 * (iq * iq))
+    fiy_v = fiy / 6
+    hiy = (2 * diq - 2) * iq / 3
+    hiy_v = hiy / 216
+    dqiq = -iq
+    fiyy = 64 * dqiq * iq * iq
+    fiyy_v = fiyy / 216
+    hiyy = -(4 * dqiq * hiy)
+    hiyy_v = hiyy / 7776
+    return fi_v, hi_v, fiy_v, hiy_v, fiyy_v, hiyy_v
+
+
+def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, o3, o4, o5, o6 = out
+    n1, n2, n3, n4, n6, n11, n16, n36, n64, n216, n7776 = numbers
+    z = div(x, n36, o1)
+    d = sub(n11, z, o2)
+    q = sub(n3, z, o3)
+    iq = div(n1, q, o3)
+    diq = mul(d, iq, o2)
+    p = sub(n1, mul(n3, z, o1), o1)
+    fi = mul(p, iq, o1)
+    mul(n6, fi, o1)
+    hiy = div(mul(sub(mul(n2, diq, o4), n2, o4), iq, o4), n3, o4)
+    hi = div(diq, n3, o2)
+    div(hi, n6, o2)
+    dqiq = neg(iq, o5)
+    hiyy = neg(mul(mul(n4, dqiq, o6), hiy, o6), o6)
+    div(hiyy, n7776, o6)
+    fiyy = mul(mul(mul(n64, dqiq, o5), iq, o5), iq, o5)
+    div(fiyy, n216, o5)
+    div(hiy, n216, o4)
+    fiy = neg(mul(n16, mul(iq, iq, o3), o3), o3)
+    div(fiy, n6, o3)
+    return o1, o2, o3, o4, o5, o6
 
 
 # operations 19: 3 +, 9 *, 7 /
@@ -578,8 +711,10 @@ CHART = Chart(
         "quaternion": Function(_quaternion, _quaternion_blocks, 1, 0, (-3, 1, 2, 3, 6, 36, 216)),
         "pose": Function(_pose, _pose_blocks, 2, 0, (1, 2, 3, 6, 16, 36, 216)),
         "tangent": Function(_tangent, _tangent_blocks, 0, 0, (-4, 1, 2, 3, 6, 16, 36, 216, 1296, 7776)),
+        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 3, 0, (-4, 1, 2, 3, 6, 8, 16, 36, 216, 1296, 7776, 46656, 279936)),
         "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 3, 6, 11, 36)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 0, 0, (1, 2, 3, 6, 11, 16, 36, 216)),
+        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 0, 0, (1, 2, 3, 4, 6, 11, 16, 36, 64, 216, 7776)),
         "ray": Function(_ray, _ray_blocks, 0, 0, (1, 2, 3, 6, 16, 36, 216)),
         "gain_unit": Function(_gain_unit, _gain_unit_blocks, 4, 2, (-1, 0, 1, 3, 6)),
         "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 1, (0, 1, 3, 6)),
@@ -595,11 +730,20 @@ CHART = Chart(
 
 KERNELS = PoseKernels(CHART)
 
+body_cotangent = KERNELS.body_cotangent
+body_cotangent_jacobian = KERNELS.body_cotangent_jacobian
 body_rate = KERNELS.body_rate
+body_rate_dot = KERNELS.body_rate_dot
+body_rate_jacobian = KERNELS.body_rate_jacobian
 body_tangent = KERNELS.body_tangent
+body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
 body_twist = KERNELS.body_twist
+body_twist_dot = KERNELS.body_twist_dot
+body_twist_jacobian = KERNELS.body_twist_jacobian
 compose = KERNELS.compose
+cotangent = KERNELS.cotangent
+cotangent_jacobian = KERNELS.cotangent_jacobian
 from_pose = KERNELS.from_pose
 from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
@@ -611,12 +755,17 @@ principal = KERNELS.principal
 quaternion = KERNELS.quaternion
 random = KERNELS.random
 rate = KERNELS.rate
+rate_dot = KERNELS.rate_dot
+rate_jacobian = KERNELS.rate_jacobian
 shadow = KERNELS.shadow
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent
+tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_screw = KERNELS.to_screw
 transform_line = KERNELS.transform_line
 transform_point = KERNELS.transform_point
 twist = KERNELS.twist
+twist_dot = KERNELS.twist_dot
+twist_jacobian = KERNELS.twist_jacobian

@@ -44,6 +44,11 @@
 #   body_tangent_inv: 101: 38 +, 46 *, 16 /, 1 neg
 #   twist: 153: 56 +, 87 *, 10 /
 #   rate: 133: 49 +, 76 *, 7 /, 1 neg
+#   tangent_dot: 238: 90 +, 132 *, 16 /
+#   twist_dot: 266: 103 +, 149 *, 14 /
+#   rate_dot: 370: 146 +, 201 *, 21 /, 2 neg
+#   twist_jacobian: 315: 125 +, 175 *, 14 /, 1 neg
+#   rate_jacobian: 242: 91 +, 131 *, 18 /, 2 neg
 #   from_quaternion: 84: 26 +, 44 *, 9 /, 1 neg, 1 sqrt, 1 lt, 2 where
 #   from_tensor: 151: 49 +, 56 *, 13 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 115: 34 +, 38 *, 10 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -81,9 +86,12 @@ from ._interface import PoseKernels
 from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "body_rate", "body_tangent", "body_tangent_inv", "body_twist", "compose", "from_pose", "from_quaternion",
-    "from_screw", "from_tensor", "identity", "inverse", "pose", "principal", "quaternion", "random", "rate", "shadow",
-    "singular_angles", "tangent", "tangent_inv", "tensor", "to_screw", "transform_line", "transform_point", "twist",
+    "body_cotangent", "body_cotangent_jacobian", "body_rate", "body_rate_dot", "body_rate_jacobian", "body_tangent",
+    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
+    "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity",
+    "inverse", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
+    "transform_point", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 4
@@ -190,7 +198,8 @@ def _tangent(m: Any, x: Any) -> Result:
     c = (8 * z - 16) * z + 40
     h = c * r
     h_v = h / 512
-    e = 8 / (1 + z)
+    x1 = 1 + z
+    e = 8 / x1
     eg = e * g
     fy = h - eg
     fy_v = fy / 512
@@ -222,7 +231,8 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     cr = mul(mul(n2, dc, o6), r, o6)
     c = add(mul(sub(mul(n8, z, k1), n16, k1), z, k1), n40, k1)
     h = mul(c, r, o3)
-    e = div(n8, add(n1, z, o4), o4)
+    x1 = add(n1, z, o4)
+    e = div(n8, x1, o4)
     hy = sub(cr, mul(e, h, k1), o6)
     div(hy, n32768, o6)
     eg = mul(e, g, o4)
@@ -233,6 +243,88 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     div(h, n512, o3)
     div(g, n64, o2)
     return o1, o2, o3, o4, o5, o6
+
+
+# operations 61: 19 +, 28 *, 14 /
+def _tangent_dot(m: Any, x: Any) -> Result:
+    z = x / 64
+    p = (z - 6) * z + 1
+    q = 4 - 4 * z
+    qq = q * q
+    N = p * p + z * qq
+    r = 2 * (N / N / N)
+    f = p * q * r
+    f_v = f / 8
+    g = qq * r
+    g_v = g / 64
+    c = (8 * z - 16) * z + 40
+    h = c * r
+    h_v = h / 512
+    x1 = 1 + z
+    e = 8 / x1
+    eg = e * g
+    fy = h - eg
+    fy_v = fy / 512
+    qr = -16 * (q * r)
+    gy = qr - eg
+    gy_v = gy / 4096
+    dc = 16 * z - 16
+    cr = 2 * dc * r
+    hy = cr - e * h
+    hy_v = hy / 32768
+    egy = e * gy
+    ee = 2 * e / x1
+    eeg = ee * g
+    fyy = hy - egy + eeg
+    fyy_v = fyy / 32768
+    r_by_16 = 16 * r
+    gyy = 8 * r_by_16 - (egy + e * qr) + eeg
+    gyy_v = gyy / 262144
+    hyy = 4 * r_by_16 - e * (hy + cr) + ee * h
+    hyy_v = hyy / 2097152
+    return f_v, g_v, h_v, fy_v, gy_v, hy_v, fyy_v, gyy_v, hyy_v
+
+
+def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
+    k1, k2, k3, *_ = scratch
+    n_minus_16, n1, n2, n4, n6, n8, n16, n40, n64, n512, n4096, n32768, n262144, n2097152 = numbers
+    z = div(x, n64, o7)
+    p = add(mul(sub(z, n6, o1), z, o1), n1, o1)
+    q = sub(n4, mul(n4, z, o8), o8)
+    qq = mul(q, q, o2)
+    N = add(mul(p, p, o6), mul(z, qq, o9), o6)
+    r = mul(n2, div(div(N, N, o9), N, o6), o6)
+    g = mul(qq, r, o2)
+    f = mul(mul(p, q, o1), r, o1)
+    qr = mul(n_minus_16, mul(q, r, o8), o8)
+    div(f, n8, o1)
+    dc = sub(mul(n16, z, o9), n16, o9)
+    cr = mul(mul(n2, dc, o9), r, o9)
+    c = add(mul(sub(mul(n8, z, o3), n16, o3), z, o3), n40, o3)
+    h = mul(c, r, o3)
+    x1 = add(n1, z, o7)
+    r_by_16 = mul(n16, r, o6)
+    e = div(n8, x1, o5)
+    ee = div(mul(n2, e, k1), x1, o7)
+    hy = sub(cr, mul(e, h, k1), k1)
+    hyy = add(sub(mul(n4, r_by_16, o4), mul(e, add(hy, cr, o9), o9), o9), mul(ee, h, o4), o9)
+    div(hyy, n2097152, o9)
+    eeg = mul(ee, g, o7)
+    eg = mul(e, g, o4)
+    div(g, n64, o2)
+    gy = sub(qr, eg, k2)
+    fy = sub(h, eg, o4)
+    div(fy, n512, o4)
+    div(h, n512, o3)
+    egy = mul(e, gy, k3)
+    gyy = add(sub(mul(n8, r_by_16, o6), add(egy, mul(e, qr, o8), o8), o8), eeg, o8)
+    fyy = add(sub(hy, egy, o6), eeg, o7)
+    div(gyy, n262144, o8)
+    div(fyy, n32768, o7)
+    div(hy, n32768, o6)
+    div(gy, n4096, o5)
+    return o1, o2, o3, o4, o5, o6, o7, o8, o9
 
 
 # operations 9: 2 +, 3 *, 4 /
@@ -303,6 +395,62 @@ def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     div(hi, n8, o2)
     div(hiy, n512, o4)
     return o1, o2, o3, o4
+
+
+# operations 40: 9 +, 20 *, 9 /, 2 neg
+def _tangent_inv_dot(m: Any, x: Any) -> Result:
+    z = x / 64
+    p = (z - 6) * z + 1
+    q = 4 - 4 * z
+    iq = 1 / q
+    fi = p * iq
+    fi_v = 8 * fi
+    z_by_8 = 8 * z
+    d = 24 - z_by_8
+    diq = d * iq
+    hi = diq / 4
+    hi_v = hi / 8
+    c = (z_by_8 - 16) * z + 40
+    fiy = -(c * (iq * iq))
+    fiy_v = fiy / 8
+    hiy = (8 * diq - 16) * iq / 4
+    hiy_v = hiy / 512
+    dqiq = -4 * iq
+    dc = 16 * z - 16
+    fiyy = (4 * c * dqiq - 2 * dc) * iq * iq
+    fiyy_v = fiyy / 512
+    hiyy = -(4 * dqiq * hiy)
+    hiyy_v = hiyy / 32768
+    return fi_v, hi_v, fiy_v, hiy_v, fiyy_v, hiyy_v
+
+
+def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, *_ = scratch
+    n_minus_4, n1, n2, n4, n6, n8, n16, n24, n40, n64, n512, n32768 = numbers
+    z = div(x, n64, o5)
+    p = add(mul(sub(z, n6, o1), z, o1), n1, o1)
+    q = sub(n4, mul(n4, z, o6), o6)
+    iq = div(n1, q, o6)
+    fi = mul(p, iq, o1)
+    mul(n8, fi, o1)
+    z_by_8 = mul(n8, z, k1)
+    d = sub(n24, z_by_8, k2)
+    diq = mul(d, iq, k2)
+    c = add(mul(sub(z_by_8, n16, k1), z, k1), n40, k1)
+    dc = sub(mul(n16, z, o5), n16, o5)
+    hi = div(diq, n4, o2)
+    div(hi, n8, o2)
+    hiy = div(mul(sub(mul(n8, diq, k2), n16, k2), iq, k2), n4, k2)
+    fiy = neg(mul(c, mul(iq, iq, o3), o3), o3)
+    div(fiy, n8, o3)
+    div(hiy, n512, o4)
+    dqiq = mul(n_minus_4, iq, k3)
+    fiyy = mul(mul(sub(mul(mul(n4, c, k1), dqiq, k1), mul(n2, dc, o5), o5), iq, o5), iq, o5)
+    hiyy = neg(mul(mul(n4, dqiq, o6), hiy, o6), o6)
+    div(fiyy, n512, o5)
+    div(hiyy, n32768, o6)
+    return o1, o2, o3, o4, o5, o6
 
 
 # operations 28: 8 +, 13 *, 7 /
@@ -590,8 +738,10 @@ CHART = Chart(
         "quaternion": Function(_quaternion, _quaternion_blocks, 0, 0, (-4, 1, 4, 6, 8, 64, 512)),
         "pose": Function(_pose, _pose_blocks, 3, 0, (1, 2, 4, 6, 8, 16, 40, 64, 512)),
         "tangent": Function(_tangent, _tangent_blocks, 1, 0, (-16, 1, 2, 4, 6, 8, 16, 40, 64, 512, 4096, 32768)),
+        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 3, 0, (-16, 1, 2, 4, 6, 8, 16, 40, 64, 512, 4096, 32768, 262144, 2097152)),
         "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 4, 8, 24, 64)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 1, 0, (1, 4, 6, 8, 16, 24, 40, 64, 512)),
+        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 3, 0, (-4, 1, 2, 4, 6, 8, 16, 24, 40, 64, 512, 32768)),
         "ray": Function(_ray, _ray_blocks, 2, 0, (1, 2, 4, 6, 8, 16, 40, 64, 512)),
         "gain_unit": Function(_gain_unit, _gain_unit_blocks, 2, 1, (-1, 0, 1, 2, 8)),
         "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 0, (1, 2, 8)),
@@ -607,11 +757,20 @@ CHART = Chart(
 
 KERNELS = PoseKernels(CHART)
 
+body_cotangent = KERNELS.body_cotangent
+body_cotangent_jacobian = KERNELS.body_cotangent_jacobian
 body_rate = KERNELS.body_rate
+body_rate_dot = KERNELS.body_rate_dot
+body_rate_jacobian = KERNELS.body_rate_jacobian
 body_tangent = KERNELS.body_tangent
+body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
 body_twist = KERNELS.body_twist
+body_twist_dot = KERNELS.body_twist_dot
+body_twist_jacobian = KERNELS.body_twist_jacobian
 compose = KERNELS.compose
+cotangent = KERNELS.cotangent
+cotangent_jacobian = KERNELS.cotangent_jacobian
 from_pose = KERNELS.from_pose
 from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
@@ -623,12 +782,17 @@ principal = KERNELS.principal
 quaternion = KERNELS.quaternion
 random = KERNELS.random
 rate = KERNELS.rate
+rate_dot = KERNELS.rate_dot
+rate_jacobian = KERNELS.rate_jacobian
 shadow = KERNELS.shadow
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent
+tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_screw = KERNELS.to_screw
 transform_line = KERNELS.transform_line
 transform_point = KERNELS.transform_point
 twist = KERNELS.twist
+twist_dot = KERNELS.twist_dot
+twist_jacobian = KERNELS.twist_jacobian

@@ -44,6 +44,11 @@
 #   body_tangent_inv: 110: 42 +, 51 *, 16 /, 1 neg
 #   twist: 158: 58 +, 90 *, 10 /
 #   rate: 142: 53 +, 81 *, 7 /, 1 neg
+#   tangent_dot: 247: 93 +, 138 *, 16 /
+#   twist_dot: 275: 106 +, 155 *, 14 /
+#   rate_dot: 384: 152 +, 209 *, 22 /, 1 neg
+#   twist_jacobian: 324: 128 +, 181 *, 14 /, 1 neg
+#   rate_jacobian: 256: 97 +, 139 *, 19 /, 1 neg
 #   from_quaternion: 95: 28 +, 47 *, 9 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   from_tensor: 151: 48 +, 53 *, 12 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_pose: 115: 33 +, 35 *, 9 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
@@ -81,9 +86,12 @@ from ._interface import PoseKernels
 from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "body_rate", "body_tangent", "body_tangent_inv", "body_twist", "compose", "from_pose", "from_quaternion",
-    "from_screw", "from_tensor", "identity", "inverse", "pose", "principal", "quaternion", "random", "rate", "shadow",
-    "singular_angles", "tangent", "tangent_inv", "tensor", "to_screw", "transform_line", "transform_point", "twist",
+    "body_cotangent", "body_cotangent_jacobian", "body_rate", "body_rate_dot", "body_rate_jacobian", "body_tangent",
+    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
+    "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity",
+    "inverse", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
+    "transform_point", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 5
@@ -193,7 +201,8 @@ def _tangent(m: Any, x: Any) -> Result:
     c = (80 * z - 96) * z + 80
     h = c * r
     h_v = h / 1000
-    e = 10 / (1 + z)
+    x1 = 1 + z
+    e = 10 / x1
     eg = e * g
     fy = h - eg
     fy_v = fy / 1000
@@ -225,7 +234,8 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     cr = mul(mul(n2, dc, o6), r, o6)
     c = add(mul(sub(mul(n80, z, k1), n96, k1), z, k1), n80, k1)
     h = mul(c, r, k1)
-    e = div(n10, add(n1, z, k2), k2)
+    x1 = add(n1, z, k2)
+    e = div(n10, x1, k2)
     hy = sub(cr, mul(e, h, k3), o6)
     div(hy, n100000, o6)
     dq = sub(mul(n2, z, o5), n10, o5)
@@ -238,6 +248,91 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     div(h, n1000, o3)
     div(g, n100, o2)
     return o1, o2, o3, o4, o5, o6
+
+
+# operations 70: 22 +, 34 *, 14 /
+def _tangent_dot(m: Any, x: Any) -> Result:
+    z = x / 100
+    p = (5 * z - 10) * z + 1
+    q = (z - 10) * z + 5
+    qq = q * q
+    N = p * p + z * qq
+    r = 2 * (N / N / N)
+    f = p * q * r
+    f_v = f / 10
+    g = qq * r
+    g_v = g / 100
+    c = (80 * z - 96) * z + 80
+    h = c * r
+    h_v = h / 1000
+    x1 = 1 + z
+    e = 10 / x1
+    eg = e * g
+    fy = h - eg
+    fy_v = fy / 1000
+    dq = 2 * z - 10
+    qr = 4 * dq * (q * r)
+    gy = qr - eg
+    gy_v = gy / 10000
+    dc = 160 * z - 96
+    cr = 2 * dc * r
+    hy = cr - e * h
+    hy_v = hy / 100000
+    egy = e * gy
+    ee = 2 * e / x1
+    eeg = ee * g
+    fyy = hy - egy + eeg
+    fyy_v = fyy / 100000
+    gyy = 8 * ((2 * q + dq * dq) * r) - (egy + e * qr) + eeg
+    gyy_v = gyy / 1000000
+    hyy = 4 * (160 * r) - e * (hy + cr) + ee * h
+    hyy_v = hyy / 10000000
+    return f_v, g_v, h_v, fy_v, gy_v, hy_v, fyy_v, gyy_v, hyy_v
+
+
+def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
+    k1, k2, k3, k4, k5, *_ = scratch
+    n1, n2, n4, n5, n8, n10, n80, n96, n100, n160, n1000, n10000, n100000, n1000000, n10000000 = numbers
+    z = div(x, n100, o8)
+    q = add(mul(sub(z, n10, o7), z, o7), n5, o7)
+    qq = mul(q, q, o2)
+    p = add(mul(sub(mul(n5, z, o1), n10, o1), z, o1), n1, o1)
+    N = add(mul(p, p, o6), mul(z, qq, o9), o6)
+    r = mul(n2, div(div(N, N, o9), N, o6), o6)
+    g = mul(qq, r, o2)
+    f = mul(mul(p, q, o1), r, o1)
+    div(f, n10, o1)
+    dc = sub(mul(n160, z, o9), n96, o9)
+    cr = mul(mul(n2, dc, o9), r, o9)
+    c = add(mul(sub(mul(n80, z, o3), n96, o3), z, o3), n80, o3)
+    h = mul(c, r, o3)
+    x1 = add(n1, z, o5)
+    dq = sub(mul(n2, z, o8), n10, o8)
+    e = div(n10, x1, k1)
+    ee = div(mul(n2, e, k2), x1, o5)
+    hy = sub(cr, mul(e, h, k2), k2)
+    hyy = add(sub(mul(n4, mul(n160, r, k3), k3), mul(e, add(hy, cr, o9), o9), o9), mul(ee, h, k3), o9)
+    div(hyy, n10000000, o9)
+    eeg = mul(ee, g, o5)
+    qr = mul(mul(n4, dq, k3), mul(q, r, o4), k3)
+    eg = mul(e, g, o4)
+    div(g, n100, o2)
+    gy = sub(qr, eg, k4)
+    fy = sub(h, eg, o4)
+    div(fy, n1000, o4)
+    div(h, n1000, o3)
+    egy = mul(e, gy, k5)
+    gyy = add(
+        sub(mul(n8, mul(add(mul(n2, q, o7), mul(dq, dq, o8), o8), r, o8), o8), add(egy, mul(e, qr, o7), o7), o8), eeg,
+        o8
+    )
+    fyy = add(sub(hy, egy, o7), eeg, o7)
+    div(gyy, n1000000, o8)
+    div(fyy, n100000, o7)
+    div(hy, n100000, o6)
+    div(gy, n10000, o5)
+    return o1, o2, o3, o4, o5, o6, o7, o8, o9
 
 
 # operations 11: 4 +, 3 *, 4 /
@@ -312,6 +407,68 @@ def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     fi = mul(p, iq, o1)
     mul(n10, fi, o1)
     return o1, o2, o3, o4
+
+
+# operations 54: 15 +, 28 *, 10 /, 1 neg
+def _tangent_inv_dot(m: Any, x: Any) -> Result:
+    z = x / 100
+    p = (5 * z - 10) * z + 1
+    q = (z - 10) * z + 5
+    iq = 1 / q
+    fi = p * iq
+    fi_v = 10 * fi
+    d = (z - 34) * z + 45
+    diq = d * iq
+    hi = diq / 5
+    hi_v = hi / 10
+    c = (80 * z - 96) * z + 80
+    fiy = -(c * (iq * iq))
+    fiy_v = fiy / 10
+    z_by_2 = 2 * z
+    dd = z_by_2 - 34
+    dq = z_by_2 - 10
+    hiy = (2 * dd - 2 * dq * diq) * iq / 5
+    hiy_v = hiy / 1000
+    dqiq = dq * iq
+    dc = 160 * z - 96
+    fiyy = (4 * c * dqiq - 2 * dc) * iq * iq
+    fiyy_v = fiyy / 1000
+    hiyy = 4 * ((2 - 2 * diq) * iq) / 5 - 4 * dqiq * hiy
+    hiyy_v = hiyy / 100000
+    return fi_v, hi_v, fiy_v, hiy_v, fiyy_v, hiyy_v
+
+
+def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, *_ = scratch
+    n1, n2, n4, n5, n10, n34, n45, n80, n96, n100, n160, n1000, n100000 = numbers
+    z = div(x, n100, o1)
+    d = add(mul(sub(z, n34, o2), z, o2), n45, o2)
+    q = add(mul(sub(z, n10, k1), z, k1), n5, k1)
+    iq = div(n1, q, k1)
+    diq = mul(d, iq, o2)
+    z_by_2 = mul(n2, z, o5)
+    dd = sub(z_by_2, n34, o4)
+    dq = sub(z_by_2, n10, o5)
+    hiy = div(mul(sub(mul(n2, dd, o4), mul(mul(n2, dq, o6), diq, o6), o4), iq, o4), n5, o4)
+    dqiq = mul(dq, iq, o5)
+    hiyy = sub(
+        div(mul(n4, mul(sub(n2, mul(n2, diq, o6), o6), iq, o6), o6), n5, o6), mul(mul(n4, dqiq, o3), hiy, o3), o6
+    )
+    div(hiyy, n100000, o6)
+    div(hiy, n1000, o4)
+    hi = div(diq, n5, o2)
+    div(hi, n10, o2)
+    c = add(mul(sub(mul(n80, z, o3), n96, o3), z, o3), n80, o3)
+    dc = sub(mul(n160, z, k2), n96, k2)
+    fiyy = mul(mul(sub(mul(mul(n4, c, k3), dqiq, o5), mul(n2, dc, k2), o5), iq, o5), iq, o5)
+    div(fiyy, n1000, o5)
+    fiy = neg(mul(c, mul(iq, iq, k2), o3), o3)
+    div(fiy, n10, o3)
+    p = add(mul(sub(mul(n5, z, k2), n10, k2), z, o1), n1, o1)
+    fi = mul(p, iq, o1)
+    mul(n10, fi, o1)
+    return o1, o2, o3, o4, o5, o6
 
 
 # operations 27: 7 +, 13 *, 7 /
@@ -613,8 +770,10 @@ CHART = Chart(
         "quaternion": Function(_quaternion, _quaternion_blocks, 1, 0, (-5, 1, 2, 5, 10, 100, 1000)),
         "pose": Function(_pose, _pose_blocks, 3, 0, (1, 2, 5, 10, 80, 96, 100, 1000)),
         "tangent": Function(_tangent, _tangent_blocks, 3, 0, (1, 2, 4, 5, 10, 80, 96, 100, 160, 1000, 10000, 100000)),
+        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 5, 0, (1, 2, 4, 5, 8, 10, 80, 96, 100, 160, 1000, 10000, 100000, 1000000, 10000000)),
         "inverse": Function(_inverse, _inverse_blocks, 2, 0, (1, 5, 10, 34, 45, 100)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 2, 0, (1, 2, 5, 10, 34, 45, 80, 96, 100, 1000)),
+        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 3, 0, (1, 2, 4, 5, 10, 34, 45, 80, 96, 100, 160, 1000, 100000)),
         "ray": Function(_ray, _ray_blocks, 1, 0, (1, 2, 5, 10, 80, 96, 100, 1000)),
         "gain_unit": Function(_gain_unit, _gain_unit_blocks, 4, 2, (-1, 0, 1, 5, 10)),
         "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 1, (0, 1, 5, 10)),
@@ -630,11 +789,20 @@ CHART = Chart(
 
 KERNELS = PoseKernels(CHART)
 
+body_cotangent = KERNELS.body_cotangent
+body_cotangent_jacobian = KERNELS.body_cotangent_jacobian
 body_rate = KERNELS.body_rate
+body_rate_dot = KERNELS.body_rate_dot
+body_rate_jacobian = KERNELS.body_rate_jacobian
 body_tangent = KERNELS.body_tangent
+body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
 body_twist = KERNELS.body_twist
+body_twist_dot = KERNELS.body_twist_dot
+body_twist_jacobian = KERNELS.body_twist_jacobian
 compose = KERNELS.compose
+cotangent = KERNELS.cotangent
+cotangent_jacobian = KERNELS.cotangent_jacobian
 from_pose = KERNELS.from_pose
 from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
@@ -646,12 +814,17 @@ principal = KERNELS.principal
 quaternion = KERNELS.quaternion
 random = KERNELS.random
 rate = KERNELS.rate
+rate_dot = KERNELS.rate_dot
+rate_jacobian = KERNELS.rate_jacobian
 shadow = KERNELS.shadow
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent
+tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_screw = KERNELS.to_screw
 transform_line = KERNELS.transform_line
 transform_point = KERNELS.transform_point
 twist = KERNELS.twist
+twist_dot = KERNELS.twist_dot
+twist_jacobian = KERNELS.twist_jacobian

@@ -44,6 +44,11 @@
 #   body_tangent_inv: 104: 38 +, 47 *, 16 /, 2 neg, 1 sqrt
 #   twist: 140: 54 +, 81 *, 4 /, 1 sqrt
 #   rate: 136: 49 +, 77 *, 7 /, 2 neg, 1 sqrt
+#   tangent_dot: 221: 86 +, 124 *, 10 /, 1 sqrt
+#   twist_dot: 249: 99 +, 141 *, 8 /, 1 sqrt
+#   rate_dot: 395: 152 +, 209 *, 28 /, 5 neg, 1 sqrt
+#   twist_jacobian: 298: 121 +, 167 *, 8 /, 1 neg, 1 sqrt
+#   rate_jacobian: 267: 97 +, 139 *, 25 /, 5 neg, 1 sqrt
 #   from_quaternion: 94: 27 +, 48 *, 7 /, 1 neg, 2 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   from_tensor: 150: 47 +, 54 *, 10 /, 2 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_pose: 114: 32 +, 36 *, 7 /, 2 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
@@ -81,9 +86,12 @@ from ._interface import PoseKernels
 from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "body_rate", "body_tangent", "body_tangent_inv", "body_twist", "compose", "from_pose", "from_quaternion",
-    "from_screw", "from_tensor", "identity", "inverse", "pose", "principal", "quaternion", "random", "rate", "shadow",
-    "singular_angles", "tangent", "tangent_inv", "tensor", "to_screw", "transform_line", "transform_point", "twist",
+    "body_cotangent", "body_cotangent_jacobian", "body_rate", "body_rate_dot", "body_rate_jacobian", "body_tangent",
+    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
+    "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity",
+    "inverse", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
+    "transform_point", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 3
@@ -172,7 +180,8 @@ def _tangent(m: Any, x: Any) -> Result:
     rho = 6 / c
     fy = h - rho * g
     gy = f * h - g * g
-    hy = 2 * (64 * x - 64) / c + h / cc
+    dH = 64 * x - 64
+    hy = 2 * dH / c + h / cc
     return f, g, h, fy, gy, hy
 
 
@@ -180,20 +189,71 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     o1, o2, o3, o4, o5, o6 = out
     k1, *_ = scratch
     n1, n2, n3, n4, n6, n32, n38, n64 = numbers
-    cc = sub(n1, x, o6)
+    dH = sub(mul(n64, x, o6), n64, o6)
+    cc = sub(n1, x, o2)
     c = sqrt(cc, o4)
+    h = div(add(mul(sub(mul(n32, x, o3), n64, o3), x, o3), n38, o3), c, o3)
+    add(div(mul(n2, dH, o6), c, o6), div(h, cc, o2), o6)
     x_by_4 = mul(n4, x, o2)
     s = mul(c, sub(n1, x_by_4, o1), o1)
     w = sub(n3, x_by_4, o2)
     f = mul(n2, mul(s, w, o1), o1)
     ww = mul(w, w, o2)
     g = mul(n2, ww, o2)
-    h = div(add(mul(sub(mul(n32, x, o3), n64, o3), x, o3), n38, o3), c, o3)
     sub(mul(f, h, o5), mul(g, g, k1), o5)
-    add(div(mul(n2, sub(mul(n64, x, k1), n64, k1), k1), c, k1), div(h, cc, o6), o6)
     rho = div(n6, c, o4)
     sub(h, mul(rho, g, o4), o4)
     return o1, o2, o3, o4, o5, o6
+
+
+# operations 44: 15 +, 20 *, 8 /, 1 sqrt
+def _tangent_dot(m: Any, x: Any) -> Result:
+    x_by_4 = 4 * x
+    cc = 1 - x
+    c = m.sqrt(cc)
+    s = c * (1 - x_by_4)
+    w = 3 - x_by_4
+    f = 2 * (s * w)
+    ww = w * w
+    g = 2 * ww
+    h = ((32 * x - 64) * x + 38) / c
+    rho = 6 / c
+    fy = h - rho * g
+    gy = f * h - g * g
+    dH = 64 * x - 64
+    dH_by_2 = 2 * dH
+    hy = dH_by_2 / c + h / cc
+    rhoy = rho / cc
+    fyy = hy - rhoy * g - rho * gy
+    gyy = fy * h + f * hy - 2 * (g * gy)
+    hyy = (256 - dH_by_2 / cc) / c + 3 * hy / cc
+    return f, g, h, fy, gy, hy, fyy, gyy, hyy
+
+
+def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
+    k1, *_ = scratch
+    n1, n2, n3, n4, n6, n32, n38, n64, n256 = numbers
+    dH = sub(mul(n64, x, o9), n64, o9)
+    dH_by_2 = mul(n2, dH, o9)
+    cc = sub(n1, x, o7)
+    c = sqrt(cc, o4)
+    h = div(add(mul(sub(mul(n32, x, o3), n64, o3), x, o3), n38, o3), c, o3)
+    hy = add(div(dH_by_2, c, o6), div(h, cc, o2), o6)
+    add(div(sub(n256, div(dH_by_2, cc, o9), o9), c, o9), div(mul(n3, hy, o2), cc, o2), o9)
+    x_by_4 = mul(n4, x, o2)
+    s = mul(c, sub(n1, x_by_4, o1), o1)
+    w = sub(n3, x_by_4, o2)
+    f = mul(n2, mul(s, w, o1), o1)
+    ww = mul(w, w, o2)
+    g = mul(n2, ww, o2)
+    rho = div(n6, c, o4)
+    rhoy = div(rho, cc, o7)
+    gy = sub(mul(f, h, o5), mul(g, g, o8), o5)
+    sub(sub(hy, mul(rhoy, g, o7), o7), mul(rho, gy, o8), o7)
+    fy = sub(h, mul(rho, g, o4), o4)
+    sub(add(mul(fy, h, o8), mul(f, hy, k1), o8), mul(n2, mul(g, gy, k1), k1), o8)
+    return o1, o2, o3, o4, o5, o6, o7, o8, o9
 
 
 # operations 7: 2 +, 3 *, 1 /, 1 sqrt
@@ -256,6 +316,67 @@ def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     hi = div(mul(n8, c, o2), below, o2)
     div(sub(neg(div(n8, c, o4), o4), mul(n3, mul(hi, wy, k2), k2), o4), below, o4)
     return o1, o2, o3, o4
+
+
+# operations 65: 15 +, 28 *, 16 /, 5 neg, 1 sqrt
+def _tangent_inv_dot(m: Any, x: Any) -> Result:
+    x_by_4 = 4 * x
+    cc = 1 - x
+    c = m.sqrt(cc)
+    s = c * (1 - x_by_4)
+    w = 3 - x_by_4
+    fi = s / w
+    below = 3 * w
+    hi = 8 * c / below
+    h = ((32 * x - 64) * x + 38) / c
+    ww = w * w
+    g = 2 * ww
+    fiy = -(h / g)
+    wy = s * h / 2 - w * ww
+    hiy = (-(8 / c) - 3 * (hi * wy)) / below
+    dH = 64 * x - 64
+    hy = 2 * dH / c + h / cc
+    f = 2 * (s * w)
+    gy = f * h - g * g
+    fiyy = -((hy + fiy * gy) / g)
+    rho = 6 / c
+    sy = -(rho * w / 2)
+    wyy = (sy * h + s * hy) / 2 - 3 * (ww * wy)
+    hiyy = (-(8 / cc / c) - 3 * (2 * (hiy * wy) + hi * wyy)) / below
+    return fi, hi, fiy, hiy, fiyy, hiyy
+
+
+def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, *_ = scratch
+    n1, n2, n3, n4, n6, n8, n32, n38, n64 = numbers
+    dH = sub(mul(n64, x, o5), n64, o5)
+    cc = sub(n1, x, o6)
+    c = sqrt(cc, k1)
+    h = div(add(mul(sub(mul(n32, x, o3), n64, o3), x, o3), n38, o3), c, o3)
+    hy = add(div(mul(n2, dH, o5), c, o5), div(h, cc, o1), o5)
+    x_by_4 = mul(n4, x, o1)
+    s = mul(c, sub(n1, x_by_4, k2), k2)
+    w = sub(n3, x_by_4, o1)
+    ww = mul(w, w, k3)
+    wy = sub(div(mul(s, h, k4), n2, k4), mul(w, ww, k5), k4)
+    rho = div(n6, c, k5)
+    sy = neg(div(mul(rho, w, k5), n2, k5), k5)
+    wyy = sub(div(add(mul(sy, h, k5), mul(s, hy, k6), k5), n2, k5), mul(n3, mul(ww, wy, k6), k6), k5)
+    g = mul(n2, ww, k3)
+    below = mul(n3, w, k6)
+    hi = div(mul(n8, c, o2), below, o2)
+    hiy = div(sub(neg(div(n8, c, o4), o4), mul(n3, mul(hi, wy, k7), k7), o4), below, o4)
+    div(
+        sub(neg(div(div(n8, cc, o6), c, o6), o6), mul(n3, add(mul(n2, mul(hiy, wy, k1), k1), mul(hi, wyy, k4), k1), k1),
+        o6), below, o6
+    )
+    f = mul(n2, mul(s, w, k1), k1)
+    div(s, w, o1)
+    gy = sub(mul(f, h, k1), mul(g, g, k2), k1)
+    fiy = neg(div(h, g, o3), o3)
+    neg(div(add(hy, mul(fiy, gy, k1), o5), g, o5), o5)
+    return o1, o2, o3, o4, o5, o6
 
 
 # operations 15: 5 +, 8 *, 1 /, 1 sqrt
@@ -548,8 +669,10 @@ CHART = Chart(
         "quaternion": Function(_quaternion, _quaternion_blocks, 1, 0, (1, 2, 3, 4, 6, 32, 38, 64)),
         "pose": Function(_pose, _pose_blocks, 1, 0, (1, 2, 3, 4, 32, 38, 64)),
         "tangent": Function(_tangent, _tangent_blocks, 1, 0, (1, 2, 3, 4, 6, 32, 38, 64)),
+        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 1, 0, (1, 2, 3, 4, 6, 32, 38, 64, 256)),
         "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 3, 4, 8)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 3, 0, (1, 2, 3, 4, 8, 32, 38, 64)),
+        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 7, 0, (1, 2, 3, 4, 6, 8, 32, 38, 64)),
         "ray": Function(_ray, _ray_blocks, 0, 0, (1, 2, 3, 4, 32, 38, 64)),
         "gain_unit": Function(_gain_unit, _gain_unit_blocks, 4, 2, (-1, 0, 1, 2, 3, 6)),
         "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 1, (0, 1, 2, 3, 6)),
@@ -565,11 +688,20 @@ CHART = Chart(
 
 KERNELS = PoseKernels(CHART)
 
+body_cotangent = KERNELS.body_cotangent
+body_cotangent_jacobian = KERNELS.body_cotangent_jacobian
 body_rate = KERNELS.body_rate
+body_rate_dot = KERNELS.body_rate_dot
+body_rate_jacobian = KERNELS.body_rate_jacobian
 body_tangent = KERNELS.body_tangent
+body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
 body_twist = KERNELS.body_twist
+body_twist_dot = KERNELS.body_twist_dot
+body_twist_jacobian = KERNELS.body_twist_jacobian
 compose = KERNELS.compose
+cotangent = KERNELS.cotangent
+cotangent_jacobian = KERNELS.cotangent_jacobian
 from_pose = KERNELS.from_pose
 from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
@@ -581,12 +713,17 @@ principal = KERNELS.principal
 quaternion = KERNELS.quaternion
 random = KERNELS.random
 rate = KERNELS.rate
+rate_dot = KERNELS.rate_dot
+rate_jacobian = KERNELS.rate_jacobian
 shadow = KERNELS.shadow
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent
+tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_screw = KERNELS.to_screw
 transform_line = KERNELS.transform_line
 transform_point = KERNELS.transform_point
 twist = KERNELS.twist
+twist_dot = KERNELS.twist_dot
+twist_jacobian = KERNELS.twist_jacobian

@@ -44,6 +44,11 @@
 #   body_tangent_inv: 107: 41 +, 49 *, 15 /, 1 neg, 1 sqrt
 #   twist: 146: 57 +, 84 *, 4 /, 1 sqrt
 #   rate: 139: 52 +, 79 *, 6 /, 1 neg, 1 sqrt
+#   tangent_dot: 230: 90 +, 129 *, 10 /, 1 sqrt
+#   twist_dot: 258: 103 +, 146 *, 8 /, 1 sqrt
+#   rate_dot: 397: 155 +, 212 *, 25 /, 4 neg, 1 sqrt
+#   twist_jacobian: 307: 125 +, 172 *, 8 /, 1 neg, 1 sqrt
+#   rate_jacobian: 269: 100 +, 142 *, 22 /, 4 neg, 1 sqrt
 #   from_quaternion: 87: 27 +, 46 *, 7 /, 1 neg, 3 sqrt, 1 lt, 2 where
 #   from_tensor: 153: 50 +, 57 *, 11 /, 4 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 117: 35 +, 39 *, 8 /, 4 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -81,9 +86,12 @@ from ._interface import PoseKernels
 from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "body_rate", "body_tangent", "body_tangent_inv", "body_twist", "compose", "from_pose", "from_quaternion",
-    "from_screw", "from_tensor", "identity", "inverse", "pose", "principal", "quaternion", "random", "rate", "shadow",
-    "singular_angles", "tangent", "tangent_inv", "tensor", "to_screw", "transform_line", "transform_point", "twist",
+    "body_cotangent", "body_cotangent_jacobian", "body_rate", "body_rate_dot", "body_rate_jacobian", "body_tangent",
+    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
+    "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity",
+    "inverse", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
+    "transform_point", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 4
@@ -172,7 +180,8 @@ def _tangent(m: Any, x: Any) -> Result:
     rho = 8 / c
     fy = h - rho * g
     gy = f * h - g * g
-    hy = 2 * ((640 - 384 * x) * x - 272) / c + h / cc
+    dH = (640 - 384 * x) * x - 272
+    hy = 2 * dH / c + h / cc
     return f, g, h, fy, gy, hy
 
 
@@ -180,41 +189,96 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     o1, o2, o3, o4, o5, o6 = out
     k1, *_ = scratch
     n1, n2, n4, n8, n88, n128, n272, n320, n384, n640 = numbers
-    cc = sub(n1, x, o6)
+    dH = sub(mul(sub(n640, mul(n384, x, o6), o6), x, o6), n272, o6)
+    cc = sub(n1, x, o1)
     c = sqrt(cc, o4)
+    h = div(add(mul(sub(mul(sub(n320, mul(n128, x, o3), o3), x, o3), n272, o3), x, o3), n88, o3), c, o3)
+    add(div(mul(n2, dH, o6), c, o6), div(h, cc, o1), o6)
     x_by_8 = mul(n8, x, o1)
     w = mul(c, sub(n4, x_by_8, o2), o2)
     s = add(mul(sub(x_by_8, n8, o1), x, o1), n1, o1)
     f = mul(n2, mul(s, w, o1), o1)
     ww = mul(w, w, o2)
     g = mul(n2, ww, o2)
-    h = div(add(mul(sub(mul(sub(n320, mul(n128, x, o3), o3), x, o3), n272, o3), x, o3), n88, o3), c, o3)
     sub(mul(f, h, o5), mul(g, g, k1), o5)
-    add(div(mul(n2, sub(mul(sub(n640, mul(n384, x, k1), k1), x, k1), n272, k1), k1), c, k1), div(h, cc, o6), o6)
     rho = div(n8, c, o4)
     sub(h, mul(rho, g, o4), o4)
     return o1, o2, o3, o4, o5, o6
 
 
+# operations 53: 19 +, 25 *, 8 /, 1 sqrt
+def _tangent_dot(m: Any, x: Any) -> Result:
+    x_by_8 = 8 * x
+    s = (x_by_8 - 8) * x + 1
+    cc = 1 - x
+    c = m.sqrt(cc)
+    w = c * (4 - x_by_8)
+    f = 2 * (s * w)
+    ww = w * w
+    g = 2 * ww
+    h = (((320 - 128 * x) * x - 272) * x + 88) / c
+    rho = 8 / c
+    fy = h - rho * g
+    gy = f * h - g * g
+    dH = (640 - 384 * x) * x - 272
+    dH_by_2 = 2 * dH
+    hy = dH_by_2 / c + h / cc
+    rhoy = rho / cc
+    fyy = hy - rhoy * g - rho * gy
+    gyy = fy * h + f * hy - 2 * (g * gy)
+    ddH = 640 - 768 * x
+    hyy = (4 * ddH - dH_by_2 / cc) / c + 3 * hy / cc
+    return f, g, h, fy, gy, hy, fyy, gyy, hyy
+
+
+def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
+    k1, *_ = scratch
+    n1, n2, n3, n4, n8, n88, n128, n272, n320, n384, n640, n768 = numbers
+    dH = sub(mul(sub(n640, mul(n384, x, o9), o9), x, o9), n272, o9)
+    dH_by_2 = mul(n2, dH, o9)
+    cc = sub(n1, x, o7)
+    c = sqrt(cc, o4)
+    h = div(add(mul(sub(mul(sub(n320, mul(n128, x, o3), o3), x, o3), n272, o3), x, o3), n88, o3), c, o3)
+    hy = add(div(dH_by_2, c, o6), div(h, cc, o1), o6)
+    ddH = sub(n640, mul(n768, x, o1), o1)
+    add(div(sub(mul(n4, ddH, o1), div(dH_by_2, cc, o9), o9), c, o9), div(mul(n3, hy, o1), cc, o1), o9)
+    x_by_8 = mul(n8, x, o1)
+    w = mul(c, sub(n4, x_by_8, o2), o2)
+    s = add(mul(sub(x_by_8, n8, o1), x, o1), n1, o1)
+    f = mul(n2, mul(s, w, o1), o1)
+    ww = mul(w, w, o2)
+    g = mul(n2, ww, o2)
+    rho = div(n8, c, o4)
+    rhoy = div(rho, cc, o7)
+    gy = sub(mul(f, h, o5), mul(g, g, o8), o5)
+    sub(sub(hy, mul(rhoy, g, o7), o7), mul(rho, gy, o8), o7)
+    fy = sub(h, mul(rho, g, o4), o4)
+    sub(add(mul(fy, h, o8), mul(f, hy, k1), o8), mul(n2, mul(g, gy, k1), k1), o8)
+    return o1, o2, o3, o4, o5, o6, o7, o8, o9
+
+
 # operations 9: 3 +, 4 *, 1 /, 1 sqrt
 def _inverse(m: Any, x: Any) -> Result:
+    B = 20 - 24 * x
     cc = 1 - x
     c = m.sqrt(cc)
     w = c * (4 - 8 * x)
     below = 4 * w
-    hi = (20 - 24 * x) / below
+    hi = B / below
     return hi,
 
 
 def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, = out
-    k1, *_ = scratch
+    k1, k2, *_ = scratch
     n1, n4, n8, n20, n24 = numbers
-    cc = sub(n1, x, o1)
-    c = sqrt(cc, o1)
-    w = mul(c, sub(n4, mul(n8, x, k1), k1), o1)
-    below = mul(n4, w, o1)
-    div(sub(n20, mul(n24, x, k1), k1), below, o1)
+    B = sub(n20, mul(n24, x, o1), o1)
+    cc = sub(n1, x, k1)
+    c = sqrt(cc, k1)
+    w = mul(c, sub(n4, mul(n8, x, k2), k2), k1)
+    below = mul(n4, w, k1)
+    div(B, below, o1)
     return o1,
 
 
@@ -226,8 +290,9 @@ def _tangent_inv(m: Any, x: Any) -> Result:
     c = m.sqrt(cc)
     w = c * (4 - x_by_8)
     fi = s / w
+    B = 20 - 24 * x
     below = 4 * w
-    hi = (20 - 24 * x) / below
+    hi = B / below
     h = (((320 - 128 * x) * x - 272) * x + 88) / c
     ww = w * w
     g = 2 * ww
@@ -253,9 +318,70 @@ def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     neg(div(h, g, o3), o3)
     div(s, w, o1)
     below = mul(n4, w, o4)
-    hi = div(sub(n20, mul(n24, x, o2), o2), below, o2)
+    B = sub(n20, mul(n24, x, o2), o2)
+    hi = div(B, below, o2)
     div(sub(n_minus_48, mul(n4, mul(hi, wy, k1), k1), k1), below, o4)
     return o1, o2, o3, o4
+
+
+# operations 67: 18 +, 31 *, 13 /, 4 neg, 1 sqrt
+def _tangent_inv_dot(m: Any, x: Any) -> Result:
+    x_by_8 = 8 * x
+    s = (x_by_8 - 8) * x + 1
+    cc = 1 - x
+    c = m.sqrt(cc)
+    w = c * (4 - x_by_8)
+    fi = s / w
+    B = 20 - 24 * x
+    below = 4 * w
+    hi = B / below
+    h = (((320 - 128 * x) * x - 272) * x + 88) / c
+    ww = w * w
+    g = 2 * ww
+    fiy = -(h / g)
+    wy = s * h / 2 - w * ww
+    hiy = (-48 - 4 * (hi * wy)) / below
+    dH = (640 - 384 * x) * x - 272
+    hy = 2 * dH / c + h / cc
+    f = 2 * (s * w)
+    gy = f * h - g * g
+    fiyy = -((hy + fiy * gy) / g)
+    rho = 8 / c
+    sy = -(rho * w / 2)
+    wyy = (sy * h + s * hy) / 2 - 3 * (ww * wy)
+    hiyy = -(4 * (2 * (hiy * wy) + hi * wyy)) / below
+    return fi, hi, fiy, hiy, fiyy, hiyy
+
+
+def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, *_ = scratch
+    n_minus_48, n1, n2, n3, n4, n8, n20, n24, n88, n128, n272, n320, n384, n640 = numbers
+    dH = sub(mul(sub(n640, mul(n384, x, o5), o5), x, o5), n272, o5)
+    cc = sub(n1, x, o1)
+    c = sqrt(cc, o6)
+    h = div(add(mul(sub(mul(sub(n320, mul(n128, x, o3), o3), x, o3), n272, o3), x, o3), n88, o3), c, o3)
+    hy = add(div(mul(n2, dH, o5), c, o5), div(h, cc, o1), o5)
+    x_by_8 = mul(n8, x, o1)
+    w = mul(c, sub(n4, x_by_8, k1), k1)
+    s = add(mul(sub(x_by_8, n8, o1), x, o1), n1, o1)
+    rho = div(n8, c, o6)
+    sy = neg(div(mul(rho, w, o6), n2, o6), o6)
+    ww = mul(w, w, k2)
+    wy = sub(div(mul(s, h, k3), n2, k3), mul(w, ww, k4), k3)
+    wyy = sub(div(add(mul(sy, h, o6), mul(s, hy, k4), o6), n2, o6), mul(n3, mul(ww, wy, k4), k4), o6)
+    g = mul(n2, ww, k2)
+    below = mul(n4, w, k4)
+    B = sub(n20, mul(n24, x, o2), o2)
+    hi = div(B, below, o2)
+    hiy = div(sub(n_minus_48, mul(n4, mul(hi, wy, o4), o4), o4), below, o4)
+    div(neg(mul(n4, add(mul(n2, mul(hiy, wy, k3), k3), mul(hi, wyy, o6), o6), o6), o6), below, o6)
+    f = mul(n2, mul(s, w, k3), k3)
+    div(s, w, o1)
+    gy = sub(mul(f, h, k1), mul(g, g, k3), k1)
+    fiy = neg(div(h, g, o3), o3)
+    neg(div(add(hy, mul(fiy, gy, k1), o5), g, o5), o5)
+    return o1, o2, o3, o4, o5, o6
 
 
 # operations 19: 7 +, 10 *, 1 /, 1 sqrt
@@ -537,8 +663,10 @@ CHART = Chart(
         "quaternion": Function(_quaternion, _quaternion_blocks, 1, 0, (1, 2, 4, 8, 88, 128, 272, 320)),
         "pose": Function(_pose, _pose_blocks, 1, 0, (1, 2, 4, 8, 88, 128, 272, 320)),
         "tangent": Function(_tangent, _tangent_blocks, 1, 0, (1, 2, 4, 8, 88, 128, 272, 320, 384, 640)),
-        "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 4, 8, 20, 24)),
+        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 1, 0, (1, 2, 3, 4, 8, 88, 128, 272, 320, 384, 640, 768)),
+        "inverse": Function(_inverse, _inverse_blocks, 2, 0, (1, 4, 8, 20, 24)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 2, 0, (-48, 1, 2, 4, 8, 20, 24, 88, 128, 272, 320)),
+        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 4, 0, (-48, 1, 2, 3, 4, 8, 20, 24, 88, 128, 272, 320, 384, 640)),
         "ray": Function(_ray, _ray_blocks, 0, 0, (1, 2, 4, 8, 88, 128, 272, 320)),
         "gain_unit": Function(_gain_unit, _gain_unit_blocks, 2, 1, (-1, 0, 1, 2)),
         "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 0, (1, 2)),
@@ -554,11 +682,20 @@ CHART = Chart(
 
 KERNELS = PoseKernels(CHART)
 
+body_cotangent = KERNELS.body_cotangent
+body_cotangent_jacobian = KERNELS.body_cotangent_jacobian
 body_rate = KERNELS.body_rate
+body_rate_dot = KERNELS.body_rate_dot
+body_rate_jacobian = KERNELS.body_rate_jacobian
 body_tangent = KERNELS.body_tangent
+body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
 body_twist = KERNELS.body_twist
+body_twist_dot = KERNELS.body_twist_dot
+body_twist_jacobian = KERNELS.body_twist_jacobian
 compose = KERNELS.compose
+cotangent = KERNELS.cotangent
+cotangent_jacobian = KERNELS.cotangent_jacobian
 from_pose = KERNELS.from_pose
 from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
@@ -570,12 +707,17 @@ principal = KERNELS.principal
 quaternion = KERNELS.quaternion
 random = KERNELS.random
 rate = KERNELS.rate
+rate_dot = KERNELS.rate_dot
+rate_jacobian = KERNELS.rate_jacobian
 shadow = KERNELS.shadow
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent
+tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_screw = KERNELS.to_screw
 transform_line = KERNELS.transform_line
 transform_point = KERNELS.transform_point
 twist = KERNELS.twist
+twist_dot = KERNELS.twist_dot
+twist_jacobian = KERNELS.twist_jacobian

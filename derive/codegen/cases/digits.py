@@ -21,10 +21,10 @@ from ...maps.pose import (
     tensor_from_screw,
 )
 from ...maps.sign_tests import orientation
-from . import exact
-from .exact import Expectation
-from .maps_at import MAPS, Flat, flat
-from .point import SYMBOLS, Point
+from ..signatures import FUNCTIONS
+from .exact import ALGEBRAIC, Expectation
+from .maps_at import Flat, flat
+from .point import value
 from .screws import covering, half_turns, steep, translation
 from .vectors import Vectors, is_whole
 
@@ -262,15 +262,16 @@ def _half_turns_of(chart: Vectors, re: Vector) -> int:
 def algebraic(chart: Chart) -> Iterator[tuple[Expectation, ...]]:
     """Every algebraic function of a chart whose formulas no ring holds, at seeded vectors; no rotation among them."""
     draw, at = random.Random(SEED), Vectors(chart)
-    batches: dict[str, list[Expectation]] = {}
+    points = []
     for size in (mpmath.mpf(0), *(at.size(mpmath.mpf(share) * at.first_pole) for share in SIZES)):
         u = Vector(*(mpmath.mpf(draw.uniform(-1, 1)) for _ in range(3)))
-        rest = [mpmath.mpf(draw.uniform(-2, 2)) for _ in range(9)]
-        values = dict(zip(SYMBOLS, (*(u * (size / u.magnitude())), *rest), strict=True))
-        for case in exact.expectations(chart, lambda _values=values, **_: Point(_values, at)):
-            if case.function not in MAPS:
-                batches.setdefault(case.function, []).append(case)
-    yield from map(tuple, batches.values())
+        re = u * (size / u.magnitude())
+        rest = [tuple(mpmath.mpf(draw.uniform(-2, 2)) for _ in range(count)) for count in (3, 6, 6)]
+        points.append(((*re, *rest[0]), *rest[1:]))
+    for name in ALGEBRAIC:
+        sizes = [array.size for array in FUNCTIONS[name].arguments]
+        given = [tuple(row[:size] for row, size in zip(rows, sizes)) for rows in points]
+        yield tuple(Expectation(name, arguments, value(at, name, None, arguments)) for arguments in given)
 
 
 def tolerance(chart: Chart) -> Any:

@@ -1,8 +1,9 @@
-"""Numbers in place of the symbols of the exact ring: formulas at a point."""
+"""Functions at given numbers: formulas at a point, numbers in place of elements of the exact ring."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 from typing import Any
@@ -11,35 +12,40 @@ import mpmath
 import sympy
 
 from ...maps.families import alpha
+from .exact import ALGEBRAIC, Flat, Formulas
+from .maps_at import MAPS
 from .vectors import Vectors
 
-SYMBOLS = tuple(f"{letter}{i}" for letter in "vw" for i in range(1, 7))
-"""The components that cases are about."""
 
+@dataclass(frozen=True, slots=True)
+class Numbers:
+    """Numbers in place of elements of the exact ring, with what formulas ask of a ring."""
 
-class Point:
-    """Numbers in place of the symbols of the exact ring, with what expectations ask of a ring."""
+    chart: Vectors
 
-    def __init__(self, values: Mapping[str, Any], chart: Vectors) -> None:
-        self.values = values
-        self.chart = chart
-
-    def symbol(self, name: str) -> Any:
-        return self.values[name]
-
-    def value_and_slope(self, expression: sympy.Expr, symbol: sympy.Symbol, value: Any) -> tuple[Any, Any]:
-        """A formula and its derivative at an exact number, rounded to the working precision."""
+    def derivatives(self, expression: sympy.Expr, symbol: sympy.Symbol, value: Any, order: int) -> Sequence[Any]:
+        """A formula at an exact number and its derivatives, rounded to the working precision."""
         if alpha in expression.free_symbols:
-            return self.chart.value_and_slope(expression, value)
-        at, digits = _fraction(value), mpmath.mp.dps + 5
-        both = (_evaluated(e, symbol, at, digits) for e in (expression, _derivative(expression, symbol)))
-        found, slope = map(mpmath.mpf, both)
-        return found, slope
+            return self.chart.derivatives(expression, value, order)
+        return _derivatives(expression, symbol, mpmath.mpf(value), order, mpmath.mp.dps)
 
 
-@lru_cache(maxsize=256)  # points differ in other components more often than in x
-def _evaluated(expression: sympy.Expr, symbol: sympy.Symbol, value: Fraction, digits: int) -> sympy.Float:
-    return expression.xreplace({symbol: sympy.Rational(value)}).evalf(digits)
+def value(chart: Vectors, function: str, branch: int | None, arguments: Sequence[Flat]) -> Flat:
+    """What a function returns at given numbers."""
+    if function in ALGEBRAIC:
+        return ALGEBRAIC[function](Formulas(chart.chart, Numbers(chart)), *arguments)
+    return MAPS[function](chart, branch or 0, *arguments)
+
+
+@lru_cache(maxsize=1024)  # points differ in other components more often than in x
+def _derivatives(
+    expression: sympy.Expr, symbol: sympy.Symbol, value: Any, order: int, digits: int
+) -> tuple[Any, ...]:
+    at, found = sympy.Rational(_fraction(value)), []
+    for _ in range(order + 1):
+        found.append(mpmath.mpf(expression.xreplace({symbol: at}).evalf(digits + 5)))
+        expression = _derivative(expression, symbol)
+    return tuple(found)
 
 
 @lru_cache(maxsize=256)

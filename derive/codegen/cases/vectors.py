@@ -5,7 +5,7 @@ No scalar of the chart is used, nor its way back: what they compute has to agree
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -69,7 +69,7 @@ class Vectors:
         return {}
 
     @cached_property
-    def _values(self) -> dict[tuple[int, sympy.Expr, Any], tuple[Any, ...]]:
+    def _values(self) -> dict[tuple[int, sympy.Expr, Any, int], tuple[Any, ...]]:
         """Values and slopes of functions of α that have been computed: points differ in other components more often."""
         return {}
 
@@ -137,16 +137,19 @@ class Vectors:
         """The largest component of vectors drawn at random: this, or less where they would come near an angle."""
         return float(most if mpmath.isinf(angle) else min(most, self.size(SHORT * angle) / mpmath.sqrt(3)))
 
-    def value_and_slope(self, expression: sympy.Expr, square: Any) -> tuple[Any, Any]:
-        """An even function of α and its derivative by x; its terms may cancel near 0, so more digits are taken."""
-        key = mpmath.mp.prec, expression, square
+    def derivatives(self, expression: sympy.Expr, square: Any, order: int) -> Sequence[Any]:
+        """An even function of α and its derivatives by x; terms may cancel near 0, so more digits are taken."""
+        key = mpmath.mp.prec, expression, square, order
         if key not in self._values:
             angle, digits = self.angle(mpmath.sqrt(square)), mpmath.mp.dps
-            with mpmath.workdps(digits + CANCELLED):
+            with mpmath.workdps(digits + CANCELLED * max(order, 1)):
                 at = max(angle, mpmath.mpf(10) ** (-digits // 2 - 5))  # an even function: off by the square of that
-                self._values[key] = tuple(evaluate(e, alpha, at) for e in (expression, self._by_square(expression)))
-        value, slope = self._values[key]
-        return +value, +slope
+                found = []
+                for _ in range(order + 1):
+                    found.append(evaluate(expression, alpha, at))
+                    expression = self._by_square(expression)
+                self._values[key] = tuple(found)
+        return tuple(+value for value in self._values[key])
 
     def _by_square(self, expression: sympy.Expr) -> sympy.Expr:
         if expression not in self._slopes:

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 from ..lowering.scalars import SCALARS
 from ..programs.program import FUNCTIONS, Call, Program, Step, summary
-from ..programs.registers import results
+from ..programs.registers import all_results, results
 from ..signatures import KERNELS
 from .expression import ARITHMETIC, WIDTH, Dialect, Operator, Text, bracket, fill, renamed
 
@@ -157,8 +157,7 @@ def _statements(program: Program) -> Iterator[str]:
 
 def _call(call: Call, arguments: str) -> Iterator[str]:
     """Places for the results, and the call; a result that is not read has a place too."""
-    first = results(call)[0]
-    names = [f"{first}_{i}" if name == "_" else name for i, name in enumerate(call.names)]
+    names = all_results(call)
     truths = [name for name in names if name in call.truths]
     for kind, places in (("int", truths), (REAL, [name for name in names if name not in truths])):
         if places:

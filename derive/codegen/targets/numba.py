@@ -46,7 +46,7 @@ class Part:
 
 def parts(program: Program, prefix: str = "") -> tuple[Part, ...]:
     """The cores of a program of a geometry, each with the outputs it is for; a prefix stands before their names."""
-    sizes = [size for array in KERNELS[program.name].results for size in array.parts for _ in range(size)]
+    sizes = [array.parts[part] for array in KERNELS[program.name].results for part in array.part_of]
     return tuple(_part(program, f"{program.name}{i}", group, prefix) for i, group in enumerate(_groups(sizes), 1))
 
 

@@ -16,7 +16,7 @@ from itertools import chain
 from ..facts import Facts
 from ..lowered import geometry
 from ..programs.program import Call, Operand, Program, Step
-from ..programs.registers import Placement, place, place_returned, results
+from ..programs.registers import Placement, all_results, place, place_returned, results
 from ..validation import Machinery
 from . import infix, python
 from .expression import WIDTH, fill
@@ -142,7 +142,7 @@ class _Calls:
         free = [f"{kind}{index}" for kind, index in self.free[results(call)[0]]]
         scratch = [name for name in free if name.startswith("k")] + ["*spare"]
         masks = [name for name in free if name.startswith("mask")] + ["*spare_masks"]
-        groups = [_tuple([self.place(name) for name in call.names]), _tuple(scratch), _tuple(masks)]
+        groups = [_tuple([self.place(name) for name in all_results(call)]), _tuple(scratch), _tuple(masks)]
         rest = [f"*{call.rest}"] if call.rest else []
         return f"c.{call.function}({', '.join([*groups, *map(self.operand, call.args), *rest])})"
 

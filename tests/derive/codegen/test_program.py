@@ -7,7 +7,7 @@ from fractions import Fraction
 import pytest
 
 from derive.algebra import Vector
-from derive.codegen.lowered import geometry, lower_chart
+from derive.codegen.lowered import WORTH, geometry, lower_chart
 from derive.codegen.programs.trace import Trace, UnnamedValueError
 from derive.codegen.signatures import KERNELS
 from derive.codegen.targets import infix
@@ -126,7 +126,7 @@ def test_geometry_with_its_calls_looked_into_is_what_the_chart_traces_itself(ord
     for name, row in KERNELS.items():
         if name in lowered.operations and name not in lowered.own:
             alone = row.traced(Cayley(order)).operations.total()
-            assert alone <= lowered.operations[name].total() <= alone / 0.98, name
+            assert alone <= lowered.operations[name].total() <= alone / WORTH, name
 
 
 def test_long_statements_are_wrapped_and_mean_the_same():

@@ -200,8 +200,9 @@ def test_derivatives(backend: str, root: int) -> None:
     lifted = exact.lift(expression, {x: square})
     assert lifted == ((square**3 - 1) * square + square + 2) / (square * (square + 2))
     assert lifted.derivative("x") == exact.lift(sympy.diff(expression, x), {x: square})
-    assert exact.value_and_slope(expression, x, square) == (lifted, lifted.derivative("x"))
-    _raises(lambda: exact.value_and_slope(expression, x, 2 * square), ValueError, "by the square of v")
+    slope = lifted.derivative("x")
+    assert exact.derivatives(expression, x, square, 2) == [lifted, slope, slope.derivative("x")]
+    _raises(lambda: exact.derivatives(expression, x, 2 * square, 1), ValueError, "by the square of v")
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
