@@ -32,7 +32,7 @@ def shifted(value: Coefficient, bits: int, m: Arithmetic) -> Coefficient:
 
 @dataclass(frozen=True)
 class Polynomial:
-    """``Σ c_k t^k``, ``t = (x − centre)/2^scale``, each c_k split; ``shift`` is the power of 2 below the first level."""
+    """``Σ c_k t^k``, ``t = (x − centre)/2^scale``, each c_k split; ``shift``: the power of 2 below the first level."""
 
     levels: tuple[tuple[int, ...], ...]
     shift: int

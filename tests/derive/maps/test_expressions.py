@@ -16,8 +16,9 @@ from derive.maps.families import alpha
 
 WORDS = (
     "alpha", "n", "pi", "1", "2", "40", "0.1", "1e-3", ".5", "+", "-", "*", "/", "**", "(", ")", ",", ".", "sin", "cos",
-    "tan", "asin", "atan", "exp", "log", "sqrt", "sinh", "lambda", ":", "__import__", "'os'", "system", "eval", "open", "[",
-    "]", "{", "}", "=", ":=", "if", "else", "for", "in", "1j", "True", "None", "@", "_", "__class__", ";", "\n", "9" * 40,
+    "tan", "asin", "atan", "exp", "log", "sqrt", "sinh", "lambda", ":", "__import__", "'os'", "system", "eval", "open",
+    "[", "]", "{", "}", "=", ":=", "if", "else", "for", "in", "1j", "True", "None", "@", "_", "__class__", ";", "\n",
+    "9" * 40,
 )  # fmt: skip
 
 
