@@ -35,11 +35,7 @@ class Folded(Oracle):
     def base(self, v: families.Any) -> families.Any:
         x = families.dot(v, v)
         slope = 2 / (1 + self.field.sqrt(1 - x / 10))  # α/|v|
-        xi = x * slope * slope
-        if families._real(xi) == 0:
-            return (2 - xi / 6) / slope
-        angle = self.field.sqrt(xi)
-        return angle / self.field.tan(angle / 2) / slope
+        return families.angle_by_tangent(self.field, x * slope * slope) / slope
 
     def size(self, theta: families.Any) -> families.Any:
         return 2 * theta / (1 + theta * theta / 10)
