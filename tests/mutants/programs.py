@@ -184,11 +184,12 @@ class Programs:
         return None
 
     def mutants(self, folder: Path) -> Iterator[Mutant]:
-        for n, printer, program in road.programs():
+        for which, printer, program in road.programs():
+            owner = "geometry" if which is None else road.chart(which).name
             for index, (operator, change, _) in enumerate(program_mutants(program)):
                 for form in FORMS:
-                    place = f"{'geometry' if n is None else f'cayley{n}'}.{program.name}, {form}"
-                    yield Mutant(place, 0, operator, change, (n, printer, program.name, index, form))
+                    place = f"{owner}.{program.name}, {form}"
+                    yield Mutant(place, 0, operator, change, (which, printer, program.name, index, form))
 
     def is_one(self, mutant: Mutant) -> bool:
         return True
@@ -197,7 +198,7 @@ class Programs:
         return 60
 
     def trial(self, mutant: Mutant | None, knowledge: Any) -> Fate:
-        n, printer, name, index, form = mutant.site if mutant else (3, "two_forms", "", 0, "")
+        which, printer, name, index, form = mutant.site if mutant else (3, "two_forms", "", 0, "")
         pair: list[Program] = []
 
         def change(original: Any, program: Program) -> Any:
@@ -206,9 +207,9 @@ class Programs:
             return _printed(original, program, changed, form)
 
         try:
-            with road.printed_otherwise(printer, n, name, change):
-                for order in road.GEOMETRY if n is None else (n,):
-                    road.build(order, road.targets()[TARGET])
+            with road.printed_otherwise(printer, which, name, change):
+                for one in road.GEOMETRY if which is None else (which,):
+                    road.build(one, road.targets()[TARGET])
         except Exception as error:
             return Fate(KILLED, "validation", type(error).__name__)
         if pair and same_value(*pair):

@@ -101,15 +101,16 @@ class Files:
 
 NUMBERS = "tests/derive/papers/test_theorem_numbers.py"
 PROOF = Checks("proof", ("derive/proof",), ("tests/derive/proof", NUMBERS), first=("proof",), controlled=True)
-MAPS = Checks("maps", ("derive/maps",), ("tests/derive/maps",), first=("proof", "validation"))
+MAPS = Checks("maps", ("derive/maps",), ("tests/derive/maps", NUMBERS), first=("proof", "validation"))
+TARGETS = ("tests/targets/test_array_api.py", "tests/targets/test_numba.py")
 EMISSION = Checks(
     "emission",
     ("derive/codegen", "derive/output", "templates"),
-    ("tests/derive/codegen", "tests/derive/output", "tests/derive/papers/report/test_report.py"),
+    ("tests/derive/codegen", "tests/derive/output", "tests/derive/papers/report/test_report.py", *TARGETS),
     first=("validation",),
     emits=True,
 )
-PAPERS = Checks("papers", ("derive/papers",), ("tests/derive/papers",))
+PAPERS = Checks("papers", ("derive/papers",), ("tests/derive/papers",), first=("execution",))
 
 ROOMS: Mapping[str, Room] = {
     room.name: room
@@ -124,7 +125,8 @@ ROOMS: Mapping[str, Room] = {
         ),
         Files(
             "maps",
-            "derive/maps: by the proofs of the committed orders and NumPy kernels of some, then by tests/derive/maps",
+            "derive/maps: by proofs of committed orders and NumPy kernels of some, then by tests/derive/maps and of "
+            "equation numbers",
             ("derive/maps",),
             MAPS,
             ("derive.algebra", "derive.output"),
@@ -146,7 +148,7 @@ ROOMS: Mapping[str, Room] = {
         Statements(),
         Files(
             "papers",
-            "derive/papers but for the statements: by tests/derive/papers",
+            "derive/papers but for the statements: by deciding every entry, then by tests/derive/papers",
             ("derive/papers",),
             PAPERS,
             ("derive.proof", "derive.output"),

@@ -9,6 +9,7 @@ c_calls       C functions called on flat components
 c_interpreter a preprocessor, parser and interpreter of C on numbers of any type
 compiled      compile the differential test beside a C header, and run it
 replay        call a package on floats, in all the ways its functions may be called
+helpers       matrix6, identity and random poses
 ways          those that are the same for every function: broadcasting, ``out``, layouts, calls at the same time
 calls         a call whose results are known, and how they compare
 known         results to many digits, and how far rounding may move them

@@ -24,6 +24,7 @@ from ..cases import far, samples
 from ..lowered import lower_chart
 from . import ways
 from .calls import NUMPY, Call, Caller, Library, alone, several
+from .helpers import helpers
 from .known import Analysis, Known, require_sharp
 from .run import loaded
 
@@ -108,7 +109,8 @@ def replay_package(
                 _every_function(caller, found, chart, few)
                 _overflow(caller, chart, analysis, few)
                 _ways(caller, found, chart, machinery, few, all_ways)
-    return sum(caller.count for caller in callers)
+        beside = helpers(importlib.import_module(package), module) if all_ways else 0
+    return beside + sum(caller.count for caller in callers)
 
 
 def _every_function(caller: Caller, found: Sequence[Known], chart: Chart, few: int) -> None:
