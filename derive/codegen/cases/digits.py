@@ -144,6 +144,7 @@ def expectations(chart: Chart) -> Iterator[tuple[Expectation, ...]]:
 
 def _cases(chart: Vectors, draw: random.Random) -> Iterator[Expectation]:
     """The principal branch takes all screws and exact half turns, every other one some of them."""
+    yield from _identity(chart)
     small = SMALL if chart.edge > mpmath.pi else SMALL_AT_EDGE
     screws, halves = list(covering(draw, small)), list(half_turns(draw))
     still, other_still = translation(draw), translation(draw)
@@ -163,7 +164,6 @@ def _cases(chart: Vectors, draw: random.Random) -> Iterator[Expectation]:
             yield from _from_rotation(tensor_from_screw(screw), 0, flat(chart.at(screw)))
     yield from undecided(chart)
     yield from _near_ties(chart, screws[0])
-    yield from _identity(chart)
 
 
 def _principal(chart: Vectors, screw: Screw, other: Screw) -> Iterator[Expectation]:
@@ -240,6 +240,7 @@ def _identity(chart: Vectors) -> Iterator[Expectation]:
     for branch in chart.tried:
         if branch:
             yield Expectation(f"shadow {branch}", (identity,), nowhere)
+            yield Expectation(f"from_quaternion {branch}", ((mpmath.mpf(1), *identity, mpmath.mpf(0)),), nowhere)
 
 
 def undecided(chart: Vectors) -> Iterator[Expectation]:

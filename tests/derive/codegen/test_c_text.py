@@ -208,7 +208,7 @@ def not_the_identity(function, arguments):
         ("from_quaternion", "gain_unit_scalars", "(negative ? -1 :", "(negative ? 1 :", not_negative),
         ("from_quaternion", "gain_unit_scalars", "negative = e0 < 0", "negative = e0 <= 0", not_at_half_turn),
         ("to_screw", "natural_scalars", "(y < 0)) ? -1", "(y < 0)) ? 1", not_on_branch),
-        ("to_screw", "natural_scalars", "dualcay_abs(p)", "p", not_on_branch),
+        ("to_screw", "natural_scalars", "fabs(p)", "p", not_on_branch),
         ("to_screw", "natural_scalars", "(q == 0) & (y < 0)", "(q == 0) & (y > 0)", not_undecided),
         ("shadow", "direction_scalars", "(q == 0) & (y < 0)", "(q == 0) & (y > 0)", not_undecided),
         ("shadow", "shadow_core", "ro = still ? scale", "ro = still ? -scale", not_a_translation),
