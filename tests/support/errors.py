@@ -34,6 +34,7 @@ DERIVED = 4  # derivatives of T and T⁻¹: a few more of such terms than there,
 RATE = 6  # T⁻¹ ω: three coefficients, three products, summed; measured 2.9
 ROUND_TRIP = 8  # pose and back: its 6 to 10 eps pass through a Jacobian of norm below 1; measured 3.8 (n ≥ 2)
 GENERAL = 20  # any other map, over all regimes: at most two of the above in a chain (10 + 10)
+THREE = 30  # derivatives of inverse maps beyond the first pole: T⁻¹, the derivative of T, T⁻¹ in a chain
 
 
 def shadow_gate(order: int) -> int:
