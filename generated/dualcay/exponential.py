@@ -67,9 +67,9 @@
 #   from_tensor: 207: 64 +, 73 *, 24 /, 3 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 23 where
 #   from_pose: 171: 49 +, 55 *, 21 /, 3 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 23 where
 #   from_screw: 13: 3 +, 10 *
-#   to_screw: 137: 34 +, 46 *, 23 /, 1 neg, 8 abs, 3 sqrt, 1 tan, 1 atan2, 5 lt, 2 eq, 1 and, 1 or, 11 where
-#   turn: 60: 15 +, 23 *, 10 /, 6 abs, 1 sqrt, 1 eq, 4 where
-#   shadow: 139: 38 +, 47 *, 23 /, 1 neg, 6 abs, 3 sqrt, 1 tan, 5 lt, 2 eq, 1 and, 1 or, 11 where
+#   to_screw: 141: 34 +, 47 *, 23 /, 1 neg, 8 abs, 3 sqrt, 1 tan, 1 atan2, 5 lt, 3 eq, 1 and, 1 or, 13 where
+#   turn: 64: 15 +, 24 *, 10 /, 6 abs, 1 sqrt, 2 eq, 6 where
+#   shadow: 143: 38 +, 48 *, 23 /, 1 neg, 6 abs, 3 sqrt, 1 tan, 5 lt, 3 eq, 1 and, 1 or, 13 where
 #   principal: 111: 31 +, 39 *, 20 /, 4 sqrt, 1 tan, 1 atan2, 3 lt, 12 where
 #   compose: 394: 126 +, 178 *, 53 /, 1 neg, 7 sqrt, 3 tan, 1 atan2, 4 lt, 1 eq, 20 where
 r"""Exponential map: Rodrigues dual vectors ``v = α u`` of rigid displacements.
