@@ -51,6 +51,9 @@ def cli() -> None:
               "1-5,8; by default the committed ones.")  # fmt: skip
 @click.option("--family", "families", callback=options.listed, metavar="NAMES", help="Other parameterizations, e.g. "
               "lambert,sine7.")  # fmt: skip
+@click.option("--phi", metavar="EXPR", help="A parameterization v = φ(α) u of your own, e.g. "
+              "'alpha/(1 + alpha**2/40)'; -n is the n in it.")  # fmt: skip
+@click.option("--name", metavar="NAME", help="Name of its module.")
 @click.option("--target", type=click.Choice(about.TARGETS), default=about.TARGET, show_default=True,
               help="What the kernels run on; a folder holds those of one.")  # fmt: skip
 @click.option("-o", "output", type=options.Place(file_okay=False), help="Folder of the package; without, that of the "

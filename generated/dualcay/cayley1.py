@@ -83,7 +83,7 @@
 #   from_tensor: 125: 42 +, 45 *, 7 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 89: 27 +, 27 *, 4 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
-#   to_screw: 71: 18 +, 29 *, 11 /, 6 abs, 1 sqrt, 1 atan2, 1 eq, 4 where
+#   to_screw: 75: 18 +, 30 *, 11 /, 6 abs, 1 sqrt, 1 atan2, 2 eq, 6 where
 #   compose: 139: 56 +, 75 *, 8 /
 r"""Cayley map of order 1: Rodrigues dual vectors ``v = tan(α/2) u`` of rigid displacements.
 

@@ -53,7 +53,7 @@
 #   from_tensor: 116: 38 +, 39 *, 7 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 80: 23 +, 21 *, 4 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 22: 5 +, 12 *, 4 /, 1 tan
-#   to_screw: 78: 19 +, 29 *, 11 /, 7 abs, 2 sqrt, 1 atan2, 2 lt, 1 eq, 6 where
+#   to_screw: 82: 19 +, 30 *, 11 /, 7 abs, 2 sqrt, 1 atan2, 2 lt, 2 eq, 8 where
 #   compose: 163: 61 +, 93 *, 5 /, 2 sqrt, 1 lt, 1 where
 r"""Orthographic projection: Rodrigues dual vectors ``v = sin(α/2) u`` of rigid displacements.
 
