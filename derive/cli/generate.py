@@ -9,6 +9,7 @@ import click
 from ..codegen import Package, catalogue
 from ..codegen import check as check_folder
 from ..codegen import generate as generate_kernels
+from ..maps import PhiError
 from ..output.tables import Column, Grid, columns
 from . import display, options
 
@@ -21,6 +22,8 @@ HEADINGS = ("theorems", "proofs at n", "calls validated", "replayed", "compiled"
 def generate(
     orders: tuple[int, ...],
     families: tuple[str, ...],
+    phi: str | None,
+    name: str | None,
     target: str,
     output: Path | None,
     check: bool,
@@ -29,18 +32,27 @@ def generate(
 ) -> None:
     """Do what the command says; its parameters are the options."""
     options.require_cap(orders, max_n)
+    if (phi is None) != (name is None):
+        raise click.UsageError("--phi and --name belong together")
     try:
-        charts = catalogue.charts(orders, families) or catalogue.committed()
+        charts = catalogue.charts(orders, families, phi, name) or catalogue.committed()
+    except PhiError as error:
+        raise click.BadParameter(str(error), param_hint="--phi") from None
     except ValueError as error:
-        raise click.BadParameter(str(error), param_hint="--family") from None
+        raise click.BadParameter(str(error), param_hint="--family" if phi is None else "--name") from None
     if output is None and not catalogue.has_place(target):
         raise click.UsageError(f"name a folder with -o: only {catalogue.TARGET} kernels have a place, in a checkout")
     folder = output or catalogue.COMMITTED
-    with display.progress(STAGES * len(charts)) as step:
-        if check:
-            found = check_folder(folder, orders, target, step, max_n, families=families)
-        else:
-            package = generate_kernels(orders, target, folder, families=families, force=force, progress=step)
+    try:
+        with display.progress(STAGES * len(charts)) as step:
+            if check:
+                found = check_folder(folder, orders, target, step, max_n, families=families, phi=phi, name=name)
+            else:
+                package = generate_kernels(
+                    orders, target, folder, families=families, phi=phi, name=name, force=force, progress=step
+                )
+    except PhiError as error:
+        raise click.BadParameter(str(error), param_hint="--phi") from None
     if not check:
         click.echo(written(package, folder).text(columns()), nl=False)
         display.not_compiled(package)

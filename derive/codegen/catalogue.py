@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from .. import about
-from ..maps import Cayley, family
+from ..maps import Cayley, family, parameterization
 from ..maps.chart import Chart
 
 ORDERS, FAMILIES, TARGET, MAX_ORDER = about.ORDERS, about.FAMILIES, about.TARGET, about.MAX_ORDER
@@ -39,15 +39,27 @@ def command(target: str, *charts: Chart) -> str:
     return f"python -m derive generate{options} --target {target}{cap}"
 
 
-def charts(orders: Iterable[int] = (), families: Iterable[str] = ()) -> list[Chart]:
-    """The charts of some orders, then those of some families, each once.
+def charts(
+    orders: Iterable[int] = (), families: Iterable[str] = (), phi: str | None = None, name: str | None = None
+) -> list[Chart]:
+    """The charts of some orders, then those of some families, each once; or that of φ, and of families.
+
+    Of φ an order is the n in it.
 
     Raises
     ------
     ValueError, TypeError
-        For an order or a family that does not exist.
+        For an order or a family that does not exist, a φ that is refused, or a name that is taken.
     """
-    return [*(Cayley(n) for n in sorted(set(orders))), *map(family, dict.fromkeys(families))]
+    named: list[Chart] = [*map(family, dict.fromkeys(families))]
+    given = sorted(set(orders))
+    if phi is None:
+        return [*map(Cayley, given), *named]
+    if len(given) > 1:
+        raise ValueError(f"n in phi has one value, got {', '.join(map(str, given))}")
+    if name in {chart.name for chart in committed()}:
+        raise ValueError(f"{name!r} is the name of a committed module")
+    return [parameterization(phi, name or "", given[0] if given else None), *named]
 
 
 def committed() -> list[Chart]:
@@ -60,8 +72,11 @@ def chart_of(line: str) -> Chart | None:
     words = shlex.split(line)
     chosen = dict(itertools.pairwise(words))
     try:
+        if "--phi" in chosen:
+            order = int(chosen["-n"]) if "-n" in chosen else None
+            return parameterization(chosen["--phi"], chosen["--name"], order)
         if "--family" in chosen:
             return family(chosen["--family"])
         return Cayley(int(chosen["-n"])) if "-n" in chosen else None
-    except ValueError:
+    except (KeyError, ValueError):
         return None

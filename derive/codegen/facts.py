@@ -148,4 +148,7 @@ def _decimal(value: Any) -> str:
 
 def _multiple_of_pi(angle: sympy.Expr) -> str:
     factor = angle / sympy.pi
+    if not factor.is_Rational:
+        with mpmath.workdps(DIGITS + 10):
+            return _decimal(mpmath.mpf(angle.evalf(DIGITS + 10)))
     return "pi" if factor == 1 else f"{factor} * pi"

@@ -17,7 +17,9 @@ from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import Arithmetic
 from . import turns
 from .families import alpha
+from .lowered_phi import number
 from .own_axis import OwnAxis
+from .split import times
 
 FURTHEST = 4 * sympy.pi
 """Up to where singular angles are named in a chart without an edge."""
@@ -42,8 +44,8 @@ class ByAngle(OwnAxis):
         return (*(2 * sympy.pi * k for k in range(1, turns + 1)), self.edge)
 
     @abstractmethod
-    def angle(self, r: Coefficient, m: Arithmetic) -> Coefficient:
-        """α of a length, not near 0."""
+    def own_angle(self, at: Any, r: Coefficient) -> Coefficient:
+        """α of a length r, from the scalars at its square."""
 
     @abstractmethod
     def sized(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> tuple[Coefficient, Coefficient]:
@@ -62,20 +64,16 @@ class ByAngle(OwnAxis):
         # the root is not taken of 0: its slope there is infinite, and 0 times that is no gradient
         sine = m.name("sin", m.sqrt(m.where(still, cosine, square)))
         r, _ = self.sized(m.name("angle", 2 * m.atan2(sine, cosine)), m)
-        first = 2 * self.phi.diff(alpha).subs(alpha, 0)
-        at_rest = self.constant(first)
-        gain = m.where(still, at_rest, r) / m.where(still, cosine, sine)
+        at_rest = times(number(2 * self.phi.diff(alpha).subs(alpha, 0)), cosine, m, "rest")
+        gain = m.where(still, at_rest, r) / m.where(still, cosine * cosine, sine)
         return m.name("gain", m.where(negative, -1, 1) * gain)
-
-    @abstractmethod
-    def constant(self, value: sympy.Expr) -> Any:
-        """A number of a formula as programs hold it."""
 
     # --- branches ---------------------------------------------------------------------------------------------------
 
     def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         _, further = turn
-        angle = m.name("alpha", self.angle(r, m))
+        at = self.scalars(m.name("rr", r * r), m)
+        angle = m.name("own", self.own_angle(at, r))
         _, before = self.sized(angle, m)
         after, slope = self.sized(m.name("alphak", angle + further), m, "k")
         return m.name("rk", after), m.name("slope", m.div(slope, before))
@@ -89,7 +87,7 @@ class ByAngle(OwnAxis):
         s, sine = at.s, m.name("sine", at.w * r)
         sign = m.name("side", m.where(m.less(s, 0), -1, 1))
         reduced = 2 * m.atan2(sign * sine, sign * s)
-        return selected, (one, m.name("back", reduced - self.angle(r, m)))
+        return selected, (one, m.name("back", reduced - self.own_angle(at, r)))
 
     def turn(self, branch: int) -> tuple[Any, Any]:
         return mpmath.mpf(1), 2 * branch * mpmath.pi

@@ -102,11 +102,8 @@ class Exponential(ByAngle):
     def scalars(self, x: Coefficient, m: Arithmetic) -> ExponentialScalars:
         return ExponentialScalars(x, m)
 
-    def angle(self, r: Coefficient, m: Arithmetic) -> Coefficient:
+    def own_angle(self, at: ExponentialScalars, r: Coefficient) -> Coefficient:
         return r
 
     def sized(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> tuple[Coefficient, Coefficient]:
         return angle, 1
-
-    def constant(self, value: sympy.Expr) -> int:
-        return int(value)

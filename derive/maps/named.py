@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import keyword
 import re
+import shlex
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from fractions import Fraction
@@ -12,7 +14,10 @@ import sympy
 
 from .breusing import Breusing
 from .exponential_chart import Exponential
+from .expressions import PhiError, parity, parsed
 from .families import alpha
+from .general import General
+from .inverse_phi import edge_of
 from .polynomials import require_order
 from .scaled import Scaled
 from .sine import Sine
@@ -77,3 +82,34 @@ def recognized(phi: sympy.Expr, name: str, selection: tuple[str, str]) -> Named 
         return None
     scale = Fraction(int(factor.p), int(factor.q))
     return kinds[function.func](name, int(order), scale, selection, f"The chart of phi = {phi}")
+
+
+def parameterization(phi: str | sympy.Expr, name: str, order: int | None = None) -> Named | General:
+    """Return the chart of a φ.
+
+    Parameters
+    ----------
+    phi : str or Expr
+        Odd, in `families.alpha`; of a text what `expressions.parsed` takes.
+    name : str
+        Of its module, an identifier.
+    order : int, optional
+        The value of n in a text.
+
+    Raises
+    ------
+    PhiError
+        If φ is refused, with the reason.
+    """
+    expression = parsed(phi, order) if isinstance(phi, str) else phi
+    if not (name.isidentifier() and name.isascii() and not keyword.iskeyword(name)):
+        raise PhiError(f"the name of a module is an identifier, got {name!r}")
+    if parity(expression) != -1:
+        raise PhiError(f"phi = {expression} is not odd by its structure: a sum of odd terms, products odd times even")
+    with_n = f" -n {order}" if order is not None else ""
+    selection = ("--phi", f"{shlex.quote(phi if isinstance(phi, str) else str(phi))} --name {name}{with_n}")
+    found = recognized(expression, name, selection)
+    if found is not None:
+        return found
+    edge_of(expression)
+    return General(name, expression, selection, f"The chart of phi = {expression}")

@@ -2258,7 +2258,7 @@ def from_screw_blocks(
     add(mul(u3o, r, k1), mul(u3, ro, k2), o6)
 
 
-# operations 64: 15 +, 27 *, 10 /, 6 abs, 1 sqrt, 1 eq, 4 where
+# operations 68: 15 +, 28 *, 10 /, 6 abs, 1 sqrt, 2 eq, 6 where
 def to_screw(m: Any, c: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     total = m.abs(v1) + m.abs(v2) + m.abs(v3)
@@ -2266,7 +2266,8 @@ def to_screw(m: Any, c: Any, v: Components) -> Result:
     a1 = m.where(still, v1o, v1)
     a2 = m.where(still, v2o, v2)
     a3 = m.where(still, v3o, v3)
-    scale = m.abs(a1) + m.abs(a2) + m.abs(a3)
+    extent = m.abs(a1) + m.abs(a2) + m.abs(a3)
+    scale = m.where(extent == 0, 1, extent)
     s1 = a1 / scale
     s2 = a2 / scale
     s3 = a3 / scale
@@ -2274,7 +2275,7 @@ def to_screw(m: Any, c: Any, v: Components) -> Result:
     u1 = s1 / root
     u2 = s2 / root
     u3 = s3 / root
-    ro = u1 * v1o + u2 * v2o + u3 * v3o
+    ro = m.where(still, scale * root, u1 * v1o + u2 * v2o + u3 * v3o)
     ir = m.where(still, 0, 1) / root
     ru1 = u1 * ro
     ru2 = u2 * ro
@@ -2298,34 +2299,37 @@ def to_screw_blocks(
     v1, v2, v3, v1o, v2o, v3o = v
     o1, o2, o3, o4, o5, o6, o7, o8 = out
     k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, *spare = scratch
-    mask1, *spare_masks = masks
+    mask1, mask2, *spare_masks = masks
     n0, n1 = numbers
     total = add(add(absolute(v1, k1), absolute(v2, k2), k1), absolute(v3, k2), k1)
     still = m.equal(total, n0, mask1)
     a1 = m.where(still, v1o, v1, k2)
     a2 = m.where(still, v2o, v2, k3)
     a3 = m.where(still, v3o, v3, k4)
-    scale = add(add(absolute(a1, k5), absolute(a2, k6), k5), absolute(a3, k6), k5)
+    extent = add(add(absolute(a1, k5), absolute(a2, k6), k5), absolute(a3, k6), k5)
+    scale = m.where(m.equal(extent, n0, mask2), n1, extent, k6)
     s1 = div(a1, scale, k2)
     s2 = div(a2, scale, k3)
     s3 = div(a3, scale, k4)
-    root = sqrt(add(add(mul(s1, s1, k6), mul(s2, s2, k7), k6), mul(s3, s3, k7), k6), k6)
+    root = sqrt(add(add(mul(s1, s1, k5), mul(s2, s2, k7), k5), mul(s3, s3, k7), k5), k5)
     r = mul(total, root, k1)
     u1 = div(s1, root, k2)
     u2 = div(s2, root, k3)
     u3 = div(s3, root, k4)
-    ir = div(m.where(still, n0, n1, k7), root, k6)
     v11 = mul(v1, v1, k7)
     v22 = mul(v2, v2, k8)
     v33 = mul(v3, v3, k9)
     x = add(add(v11, v22, k7), v33, k7)
     y = add(add(mul(v1, v1o, k8), mul(v2, v2o, k9), k8), mul(v3, v3o, k9), k8)
-    _, slope, sign = c.natural((o1, k9, k10), (*spare,), (mask1, *spare_masks), x, y, r)
+    _, slope, sign = c.natural((o1, k9, k10), (*spare,), (mask2, *spare_masks), x, y, r)
     mul(u1, sign, o3)
     mul(u2, sign, o4)
     mul(u3, sign, o5)
-    ro = add(add(mul(u1, v1o, k1), mul(u2, v2o, k7), k1), mul(u3, v3o, k7), k1)
+    ro = m.where(
+        still, mul(scale, root, k1), add(add(mul(u1, v1o, k7), mul(u2, v2o, k8), k7), mul(u3, v3o, k8), k7), k1
+    )
     mul(sign, mul(slope, ro, k7), o2)
+    ir = div(m.where(still, n0, n1, k7), root, k5)
     ru1 = mul(u1, ro, k2)
     uo1 = mul(div(sub(v1o, ru1, k2), scale, k2), ir, k2)
     mul(uo1, sign, o6)
@@ -2337,7 +2341,7 @@ def to_screw_blocks(
     mul(uo3, sign, o8)
 
 
-# operations 59: 14 +, 23 *, 10 /, 6 abs, 1 sqrt, 1 eq, 4 where
+# operations 63: 14 +, 24 *, 10 /, 6 abs, 1 sqrt, 2 eq, 6 where
 def turn(m: Any, c: Any, v: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = table
@@ -2346,7 +2350,8 @@ def turn(m: Any, c: Any, v: Components, table: Components) -> Result:
     a1 = m.where(still, v1o, v1)
     a2 = m.where(still, v2o, v2)
     a3 = m.where(still, v3o, v3)
-    scale = m.abs(a1) + m.abs(a2) + m.abs(a3)
+    extent = m.abs(a1) + m.abs(a2) + m.abs(a3)
+    scale = m.where(extent == 0, 1, extent)
     s1 = a1 / scale
     s2 = a2 / scale
     s3 = a3 / scale
@@ -2354,7 +2359,7 @@ def turn(m: Any, c: Any, v: Components, table: Components) -> Result:
     u1 = s1 / root
     u2 = s2 / root
     u3 = s3 / root
-    ro = u1 * v1o + u2 * v2o + u3 * v3o
+    ro = m.where(still, scale * root, u1 * v1o + u2 * v2o + u3 * v3o)
     ir = m.where(still, 0, 1) / root
     ru1 = u1 * ro
     ru2 = u2 * ro
@@ -2374,29 +2379,32 @@ def turn_blocks(
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = table
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, *spare = scratch
-    mask1, *spare_masks = masks
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, *spare = scratch
+    mask1, mask2, *spare_masks = masks
     n0, n1 = numbers
     total = add(add(absolute(v1, k1), absolute(v2, k2), k1), absolute(v3, k2), k1)
     still = m.equal(total, n0, mask1)
     a1 = m.where(still, v1o, v1, k2)
     a2 = m.where(still, v2o, v2, k3)
     a3 = m.where(still, v3o, v3, k4)
-    scale = add(add(absolute(a1, k5), absolute(a2, k6), k5), absolute(a3, k6), k5)
+    extent = add(add(absolute(a1, k5), absolute(a2, k6), k5), absolute(a3, k6), k5)
+    scale = m.where(m.equal(extent, n0, mask2), n1, extent, k6)
     s1 = div(a1, scale, k2)
     s2 = div(a2, scale, k3)
     s3 = div(a3, scale, k4)
-    root = sqrt(add(add(mul(s1, s1, k6), mul(s2, s2, k7), k6), mul(s3, s3, k7), k6), k6)
+    root = sqrt(add(add(mul(s1, s1, k5), mul(s2, s2, k7), k5), mul(s3, s3, k7), k5), k5)
     u1 = div(s1, root, k2)
     r = mul(total, root, k1)
-    rk, slope = c.turned((k7, k8), (*spare,), (*spare_masks,), r, cos, sin)
+    rk, slope = c.turned((k7, k8), (*spare,), (mask2, *spare_masks), r, cos, sin)
     mul(u1, rk, o1)
     u2 = div(s2, root, k1)
     mul(u2, rk, o2)
     u3 = div(s3, root, k3)
-    ir = div(m.where(still, n0, n1, k4), root, k4)
     mul(u3, rk, o3)
-    ro = add(add(mul(u1, v1o, k6), mul(u2, v2o, k9), k6), mul(u3, v3o, k9), k6)
+    ro = m.where(
+        still, mul(scale, root, k4), add(add(mul(u1, v1o, k9), mul(u2, v2o, k10), k9), mul(u3, v3o, k10), k9), k4
+    )
+    ir = div(m.where(still, n0, n1, k9), root, k5)
     rko = mul(ro, slope, k8)
     ru1 = mul(u1, ro, k9)
     uo1 = mul(div(sub(v1o, ru1, k9), scale, k9), ir, k9)
@@ -2409,7 +2417,7 @@ def turn_blocks(
     add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
 
 
-# operations 70: 18 +, 30 *, 10 /, 6 abs, 1 sqrt, 1 eq, 4 where
+# operations 74: 18 +, 31 *, 10 /, 6 abs, 1 sqrt, 2 eq, 6 where
 def shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = table
@@ -2424,7 +2432,8 @@ def shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
     a1 = m.where(still, v1o, v1)
     a2 = m.where(still, v2o, v2)
     a3 = m.where(still, v3o, v3)
-    scale = m.abs(a1) + m.abs(a2) + m.abs(a3)
+    extent = m.abs(a1) + m.abs(a2) + m.abs(a3)
+    scale = m.where(extent == 0, 1, extent)
     s1 = a1 / scale
     s2 = a2 / scale
     s3 = a3 / scale
@@ -2432,7 +2441,7 @@ def shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
     u1 = s1 / root
     u2 = s2 / root
     u3 = s3 / root
-    ro = u1 * v1o + u2 * v2o + u3 * v3o
+    ro = m.where(still, scale * root, u1 * v1o + u2 * v2o + u3 * v3o)
     ir = m.where(still, 0, 1) / root
     ru1 = u1 * ro
     ru2 = u2 * ro
@@ -2453,36 +2462,39 @@ def shadow_blocks(
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = table
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, *spare = scratch
-    mask1, *spare_masks = masks
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, *spare = scratch
+    mask1, mask2, *spare_masks = masks
     n0, n1 = numbers
     total = add(add(absolute(v1, k1), absolute(v2, k2), k1), absolute(v3, k2), k1)
     still = m.equal(total, n0, mask1)
     a1 = m.where(still, v1o, v1, k2)
     a2 = m.where(still, v2o, v2, k3)
     a3 = m.where(still, v3o, v3, k4)
-    scale = add(add(absolute(a1, k5), absolute(a2, k6), k5), absolute(a3, k6), k5)
+    extent = add(add(absolute(a1, k5), absolute(a2, k6), k5), absolute(a3, k6), k5)
+    scale = m.where(m.equal(extent, n0, mask2), n1, extent, k6)
     s1 = div(a1, scale, k2)
     s2 = div(a2, scale, k3)
     s3 = div(a3, scale, k4)
-    root = sqrt(add(add(mul(s1, s1, k6), mul(s2, s2, k7), k6), mul(s3, s3, k7), k6), k6)
+    root = sqrt(add(add(mul(s1, s1, k5), mul(s2, s2, k7), k5), mul(s3, s3, k7), k5), k5)
     u1 = div(s1, root, k2)
     r = mul(total, root, k1)
     u2 = div(s2, root, k3)
     u3 = div(s3, root, k4)
-    ir = div(m.where(still, n0, n1, k7), root, k6)
     v11 = mul(v1, v1, k7)
     v22 = mul(v2, v2, k8)
     v33 = mul(v3, v3, k9)
     x = add(add(v11, v22, k7), v33, k7)
     y = add(add(mul(v1, v1o, k8), mul(v2, v2o, k9), k8), mul(v3, v3o, k9), k8)
-    sign, = c.direction((k9,), (*spare,), (mask1, *spare_masks), x, y)
+    sign, = c.direction((k9,), (*spare,), (mask2, *spare_masks), x, y)
     sn = mul(sign, sin, k7)
-    rk, slope = c.turned((k8, k9), (*spare,), (mask1, *spare_masks), r, cos, sn)
+    rk, slope = c.turned((k8, k9), (*spare,), (mask2, *spare_masks), r, cos, sn)
     mul(u1, rk, o1)
     mul(u2, rk, o2)
     mul(u3, rk, o3)
-    ro = add(add(mul(u1, v1o, k1), mul(u2, v2o, k7), k1), mul(u3, v3o, k7), k1)
+    ro = m.where(
+        still, mul(scale, root, k1), add(add(mul(u1, v1o, k7), mul(u2, v2o, k10), k7), mul(u3, v3o, k10), k7), k1
+    )
+    ir = div(m.where(still, n0, n1, k7), root, k5)
     rko = mul(ro, slope, k7)
     ru1 = mul(u1, ro, k9)
     uo1 = mul(div(sub(v1o, ru1, k9), scale, k9), ir, k9)
@@ -5396,7 +5408,7 @@ KERNELS: Mapping[str, Kernel] = {
         (("v", (6,)),),
         (8,),
         registers=10,
-        masks=1,
+        masks=2,
         numbers=(0, 1),
         lent=(('natural', 0, 1),),
         real=True,
@@ -5406,10 +5418,10 @@ KERNELS: Mapping[str, Kernel] = {
         turn_blocks,
         (("v", (6,)),),
         (6,),
-        registers=9,
-        masks=1,
+        registers=10,
+        masks=2,
         numbers=(0, 1),
-        lent=(('turned', 0, 0),),
+        lent=(('turned', 0, 1),),
         real=True,
     ),
     "shadow": Kernel(
@@ -5417,8 +5429,8 @@ KERNELS: Mapping[str, Kernel] = {
         shadow_blocks,
         (("v", (6,)),),
         (6,),
-        registers=9,
-        masks=1,
+        registers=10,
+        masks=2,
         numbers=(0, 1),
         lent=(('direction', 0, 1), ('turned', 0, 1)),
         real=True,

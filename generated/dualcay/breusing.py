@@ -69,9 +69,9 @@
 #   from_tensor: 169: 52 +, 66 *, 15 /, 5 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 133: 37 +, 48 *, 12 /, 5 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 30: 6 +, 15 *, 7 /, 1 sqrt, 1 tan
-#   to_screw: 101: 22 +, 38 *, 13 /, 1 neg, 8 abs, 3 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 7 where
-#   turn: 94: 20 +, 38 *, 19 /, 6 abs, 4 sqrt, 1 lt, 1 eq, 5 where
-#   shadow: 133: 30 +, 52 *, 21 /, 1 neg, 6 abs, 6 sqrt, 5 lt, 2 eq, 1 and, 1 or, 8 where
+#   to_screw: 105: 22 +, 39 *, 13 /, 1 neg, 8 abs, 3 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
+#   turn: 98: 20 +, 39 *, 19 /, 6 abs, 4 sqrt, 1 lt, 2 eq, 7 where
+#   shadow: 137: 30 +, 53 *, 21 /, 1 neg, 6 abs, 6 sqrt, 5 lt, 3 eq, 1 and, 1 or, 10 where
 #   principal: 83: 19 +, 34 *, 16 /, 4 sqrt, 2 lt, 8 where
 #   compose: 267: 83 +, 154 *, 18 /, 1 neg, 8 sqrt, 1 lt, 2 where
 #   between: 273: 83 +, 154 *, 18 /, 7 neg, 8 sqrt, 1 lt, 2 where

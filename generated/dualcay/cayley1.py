@@ -83,7 +83,7 @@
 #   from_tensor: 125: 42 +, 45 *, 7 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 89: 27 +, 27 *, 4 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
-#   to_screw: 71: 18 +, 29 *, 11 /, 6 abs, 1 sqrt, 1 atan2, 1 eq, 4 where
+#   to_screw: 75: 18 +, 30 *, 11 /, 6 abs, 1 sqrt, 1 atan2, 2 eq, 6 where
 #   compose: 185: 68 +, 109 *, 8 /
 #   between: 191: 68 +, 109 *, 8 /, 6 neg
 #   compose_jacobians: 919: 368 +, 493 *, 50 /, 8 neg

@@ -84,9 +84,9 @@
 #   from_tensor: 134: 46 +, 49 *, 7 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 98: 31 +, 31 *, 4 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
-#   to_screw: 82: 21 +, 31 *, 12 /, 7 abs, 1 sqrt, 1 atan2, 2 lt, 1 eq, 6 where
-#   turn: 66: 16 +, 27 *, 11 /, 6 abs, 1 sqrt, 1 eq, 4 where
-#   shadow: 90: 25 +, 36 *, 12 /, 6 abs, 2 sqrt, 2 lt, 1 eq, 6 where
+#   to_screw: 86: 21 +, 32 *, 12 /, 7 abs, 1 sqrt, 1 atan2, 2 lt, 2 eq, 8 where
+#   turn: 70: 16 +, 28 *, 11 /, 6 abs, 1 sqrt, 2 eq, 6 where
+#   shadow: 94: 25 +, 37 *, 12 /, 6 abs, 2 sqrt, 2 lt, 2 eq, 8 where
 #   principal: 55: 15 +, 23 *, 8 /, 1 sqrt, 1 lt, 7 where
 #   compose: 205: 73 +, 120 *, 8 /, 1 neg, 1 lt, 2 where
 #   between: 211: 73 +, 120 *, 8 /, 7 neg, 1 lt, 2 where

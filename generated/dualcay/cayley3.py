@@ -81,9 +81,9 @@
 #   from_tensor: 144: 46 +, 50 *, 10 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_pose: 108: 31 +, 32 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
-#   to_screw: 92: 22 +, 32 *, 12 /, 1 neg, 8 abs, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 7 where
-#   turn: 66: 16 +, 27 *, 11 /, 6 abs, 1 sqrt, 1 eq, 4 where
-#   shadow: 100: 26 +, 37 *, 12 /, 1 neg, 7 abs, 2 sqrt, 4 lt, 2 eq, 1 and, 1 or, 7 where
+#   to_screw: 96: 22 +, 33 *, 12 /, 1 neg, 8 abs, 1 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
+#   turn: 70: 16 +, 28 *, 11 /, 6 abs, 1 sqrt, 2 eq, 6 where
+#   shadow: 104: 26 +, 38 *, 12 /, 1 neg, 7 abs, 2 sqrt, 4 lt, 3 eq, 1 and, 1 or, 9 where
 #   principal: 55: 15 +, 23 *, 8 /, 1 sqrt, 1 lt, 7 where
 #   compose: 230: 76 +, 131 *, 12 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   between: 236: 76 +, 131 *, 12 /, 7 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where

@@ -81,9 +81,9 @@
 #   from_tensor: 148: 49 +, 55 *, 11 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 112: 34 +, 37 *, 8 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
-#   to_screw: 94: 23 +, 33 *, 12 /, 1 neg, 8 abs, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 7 where
-#   turn: 66: 16 +, 27 *, 11 /, 6 abs, 1 sqrt, 1 eq, 4 where
-#   shadow: 102: 27 +, 38 *, 12 /, 1 neg, 7 abs, 2 sqrt, 4 lt, 2 eq, 1 and, 1 or, 7 where
+#   to_screw: 98: 23 +, 34 *, 12 /, 1 neg, 8 abs, 1 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
+#   turn: 70: 16 +, 28 *, 11 /, 6 abs, 1 sqrt, 2 eq, 6 where
+#   shadow: 106: 27 +, 39 *, 12 /, 1 neg, 7 abs, 2 sqrt, 4 lt, 3 eq, 1 and, 1 or, 9 where
 #   principal: 58: 15 +, 23 *, 8 /, 1 sqrt, 2 lt, 9 where
 #   compose: 243: 86 +, 140 *, 12 /, 1 neg, 1 sqrt, 1 lt, 2 where
 #   between: 249: 86 +, 140 *, 12 /, 7 neg, 1 sqrt, 1 lt, 2 where

@@ -81,9 +81,9 @@
 #   from_tensor: 161: 54 +, 61 *, 12 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 125: 39 +, 43 *, 9 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
-#   to_screw: 102: 27 +, 37 *, 12 /, 1 neg, 8 abs, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 7 where
-#   turn: 66: 16 +, 27 *, 11 /, 6 abs, 1 sqrt, 1 eq, 4 where
-#   shadow: 110: 31 +, 42 *, 12 /, 1 neg, 7 abs, 2 sqrt, 4 lt, 2 eq, 1 and, 1 or, 7 where
+#   to_screw: 106: 27 +, 38 *, 12 /, 1 neg, 8 abs, 1 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
+#   turn: 70: 16 +, 28 *, 11 /, 6 abs, 1 sqrt, 2 eq, 6 where
+#   shadow: 114: 31 +, 43 *, 12 /, 1 neg, 7 abs, 2 sqrt, 4 lt, 3 eq, 1 and, 1 or, 9 where
 #   principal: 64: 15 +, 23 *, 8 /, 1 sqrt, 4 lt, 13 where
 #   compose: 300: 111 +, 170 *, 13 /, 1 neg, 2 sqrt, 1 lt, 2 where
 #   between: 306: 111 +, 170 *, 13 /, 7 neg, 2 sqrt, 1 lt, 2 where

@@ -63,18 +63,18 @@
 #   rate_dot: 471: 184 +, 234 *, 40 /, 2 neg, 2 sqrt, 1 tan, 1 lt, 7 where
 #   twist_jacobian: 376: 147 +, 192 *, 25 /, 1 neg, 2 sqrt, 1 tan, 1 lt, 7 where
 #   rate_jacobian: 343: 129 +, 164 *, 37 /, 2 neg, 2 sqrt, 1 tan, 1 lt, 7 where
-#   from_quaternion: 149: 44 +, 65 *, 21 /, 1 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   from_tensor: 205: 64 +, 71 *, 24 /, 3 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 23 where
-#   from_pose: 169: 49 +, 53 *, 21 /, 3 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 23 where
+#   from_quaternion: 151: 44 +, 67 *, 21 /, 1 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+#   from_tensor: 207: 64 +, 73 *, 24 /, 3 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 23 where
+#   from_pose: 171: 49 +, 55 *, 21 /, 3 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 23 where
 #   from_screw: 13: 3 +, 10 *
-#   to_screw: 137: 34 +, 46 *, 23 /, 1 neg, 8 abs, 3 sqrt, 1 tan, 1 atan2, 5 lt, 2 eq, 1 and, 1 or, 11 where
-#   turn: 60: 15 +, 23 *, 10 /, 6 abs, 1 sqrt, 1 eq, 4 where
-#   shadow: 139: 38 +, 47 *, 23 /, 1 neg, 6 abs, 3 sqrt, 1 tan, 5 lt, 2 eq, 1 and, 1 or, 11 where
+#   to_screw: 141: 34 +, 47 *, 23 /, 1 neg, 8 abs, 3 sqrt, 1 tan, 1 atan2, 5 lt, 3 eq, 1 and, 1 or, 13 where
+#   turn: 64: 15 +, 24 *, 10 /, 6 abs, 1 sqrt, 2 eq, 6 where
+#   shadow: 143: 38 +, 48 *, 23 /, 1 neg, 6 abs, 3 sqrt, 1 tan, 5 lt, 3 eq, 1 and, 1 or, 13 where
 #   principal: 111: 31 +, 39 *, 20 /, 4 sqrt, 1 tan, 1 atan2, 3 lt, 12 where
-#   compose: 392: 126 +, 176 *, 53 /, 1 neg, 7 sqrt, 3 tan, 1 atan2, 4 lt, 1 eq, 20 where
-#   between: 398: 126 +, 176 *, 53 /, 7 neg, 7 sqrt, 3 tan, 1 atan2, 4 lt, 1 eq, 20 where
-#   compose_jacobians: 1390: 510 +, 655 *, 151 /, 8 neg, 13 sqrt, 6 tan, 1 atan2, 7 lt, 1 eq, 38 where
-#   between_jacobians: 1414: 510 +, 655 *, 151 /, 32 neg, 13 sqrt, 6 tan, 1 atan2, 7 lt, 1 eq, 38 where
+#   compose: 394: 126 +, 178 *, 53 /, 1 neg, 7 sqrt, 3 tan, 1 atan2, 4 lt, 1 eq, 20 where
+#   between: 400: 126 +, 178 *, 53 /, 7 neg, 7 sqrt, 3 tan, 1 atan2, 4 lt, 1 eq, 20 where
+#   compose_jacobians: 1392: 510 +, 657 *, 151 /, 8 neg, 13 sqrt, 6 tan, 1 atan2, 7 lt, 1 eq, 38 where
+#   between_jacobians: 1416: 510 +, 657 *, 151 /, 32 neg, 13 sqrt, 6 tan, 1 atan2, 7 lt, 1 eq, 38 where
 #   adjoint: 147: 52 +, 70 *, 16 /, 2 sqrt, 1 tan, 1 lt, 5 where
 #   transform_point_jacobians: 283: 115 +, 135 *, 20 /, 3 neg, 2 sqrt, 1 tan, 1 lt, 6 where
 #   transform_line_jacobians: 382: 148 +, 198 *, 20 /, 6 neg, 2 sqrt, 1 tan, 1 lt, 6 where
@@ -731,7 +731,7 @@ def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x:
     return o1, o2, n1, o4, o5, o6
 
 
-# operations 18: 2 +, 5 *, 1 /, 1 neg, 1 sqrt, 1 atan2, 1 lt, 1 eq, 5 where
+# operations 20: 2 +, 7 *, 1 /, 1 neg, 1 sqrt, 1 atan2, 1 lt, 1 eq, 5 where
 def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     negative = e0 < 0
     cos = m.where(negative, -e0, e0)
@@ -739,7 +739,7 @@ def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     still = ss == 0
     sin = m.sqrt(m.where(still, cos, ss))
     angle = 2 * m.atan2(sin, cos)
-    gain = m.where(negative, -1, 1) * (m.where(still, 2, angle) / m.where(still, cos, sin))
+    gain = m.where(negative, -1, 1) * (m.where(still, 2 * cos, angle) / m.where(still, cos * cos, sin))
     return gain,
 
 
@@ -756,17 +756,20 @@ def _gain_unit_blocks(
     cos = m.where(negative, neg(e0, k1), e0, k1)
     sin = sqrt(m.where(still, cos, ss, k2), o1)
     angle = mul(n2, atan2(sin, cos, k2), k2)
-    mul(m.where(negative, n_minus_1, n1, k3), div(m.where(still, n2, angle, k4), m.where(still, cos, sin, k1), o1), o1)
+    mul(
+        m.where(negative, n_minus_1, n1, k3), div(m.where(still, mul(n2, cos, k4), angle, k4), m.where(still, mul(cos,
+        cos, k1), sin, k1), o1), o1
+    )
     return o1,
 
 
-# operations 13: 2 +, 4 *, 1 /, 1 sqrt, 1 atan2, 1 eq, 3 where
+# operations 15: 2 +, 6 *, 1 /, 1 sqrt, 1 atan2, 1 eq, 3 where
 def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     ss = e1 * e1 + e2 * e2 + e3 * e3
     still = ss == 0
     sin = m.sqrt(m.where(still, e0, ss))
     angle = 2 * m.atan2(sin, e0)
-    gain = m.where(still, 2, angle) / m.where(still, e0, sin)
+    gain = m.where(still, 2 * e0, angle) / m.where(still, e0 * e0, sin)
     return gain,
 
 
@@ -781,11 +784,11 @@ def _gain_positive_blocks(
     still = m.equal(ss, n0, mask1)
     sin = sqrt(m.where(still, e0, ss, k1), o1)
     angle = mul(n2, atan2(sin, e0, k1), k1)
-    div(m.where(still, n2, angle, k2), m.where(still, e0, sin, k1), o1)
+    div(m.where(still, mul(n2, e0, k2), angle, k2), m.where(still, mul(e0, e0, k1), sin, k1), o1)
     return o1,
 
 
-# operations 18: 2 +, 5 *, 1 /, 1 neg, 1 sqrt, 1 atan2, 1 lt, 1 eq, 5 where
+# operations 20: 2 +, 7 *, 1 /, 1 neg, 1 sqrt, 1 atan2, 1 lt, 1 eq, 5 where
 def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
     negative = e0 < 0
     cos = m.where(negative, -e0, e0)
@@ -793,7 +796,7 @@ def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1:
     still = ss == 0
     sin = m.sqrt(m.where(still, cos, ss))
     angle = 2 * m.atan2(sin, cos)
-    gain = m.where(negative, -1, 1) * (m.where(still, 2, angle) / m.where(still, cos, sin))
+    gain = m.where(negative, -1, 1) * (m.where(still, 2 * cos, angle) / m.where(still, cos * cos, sin))
     return gain,
 
 
@@ -810,7 +813,10 @@ def _gain_product_blocks(
     cos = m.where(negative, neg(e0, k1), e0, k1)
     sin = sqrt(m.where(still, cos, ss, k2), o1)
     angle = mul(n2, atan2(sin, cos, k2), k2)
-    mul(m.where(negative, n_minus_1, n1, k3), div(m.where(still, n2, angle, k4), m.where(still, cos, sin, k1), o1), o1)
+    mul(
+        m.where(negative, n_minus_1, n1, k3), div(m.where(still, mul(n2, cos, k4), angle, k4), m.where(still, mul(cos,
+        cos, k1), sin, k1), o1), o1
+    )
     return o1,
 
 

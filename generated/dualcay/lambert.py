@@ -53,9 +53,9 @@
 #   from_tensor: 144: 47 +, 53 *, 10 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 108: 32 +, 35 *, 7 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 22: 5 +, 12 *, 4 /, 1 tan
-#   to_screw: 90: 20 +, 32 *, 11 /, 1 neg, 8 abs, 2 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 7 where
-#   turn: 75: 17 +, 30 *, 11 /, 6 abs, 2 sqrt, 2 lt, 1 eq, 6 where
-#   shadow: 106: 26 +, 40 *, 11 /, 1 neg, 6 abs, 3 sqrt, 6 lt, 2 eq, 1 and, 1 or, 9 where
+#   to_screw: 94: 20 +, 33 *, 11 /, 1 neg, 8 abs, 2 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
+#   turn: 79: 17 +, 31 *, 11 /, 6 abs, 2 sqrt, 2 lt, 2 eq, 8 where
+#   shadow: 110: 26 +, 41 *, 11 /, 1 neg, 6 abs, 3 sqrt, 6 lt, 3 eq, 1 and, 1 or, 11 where
 #   principal: 64: 16 +, 26 *, 8 /, 2 sqrt, 3 lt, 9 where
 #   compose: 218: 74 +, 127 *, 9 /, 1 neg, 4 sqrt, 1 lt, 2 where
 #   between: 224: 74 +, 127 *, 9 /, 7 neg, 4 sqrt, 1 lt, 2 where

@@ -53,7 +53,7 @@
 #   from_tensor: 133: 45 +, 49 *, 7 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 97: 30 +, 31 *, 4 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 22: 5 +, 12 *, 4 /, 1 tan
-#   to_screw: 78: 19 +, 29 *, 11 /, 7 abs, 2 sqrt, 1 atan2, 2 lt, 1 eq, 6 where
+#   to_screw: 82: 19 +, 30 *, 11 /, 7 abs, 2 sqrt, 1 atan2, 2 lt, 2 eq, 8 where
 #   compose: 163: 61 +, 93 *, 5 /, 2 sqrt, 1 lt, 1 where
 #   between: 169: 61 +, 93 *, 5 /, 6 neg, 2 sqrt, 1 lt, 1 where
 #   compose_jacobians: 848: 339 +, 446 *, 45 /, 13 neg, 3 sqrt, 1 lt, 1 where

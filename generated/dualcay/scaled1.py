@@ -53,7 +53,7 @@
 #   from_tensor: 121: 40 +, 42 *, 8 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 85: 25 +, 24 *, 5 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 20: 4 +, 13 *, 2 /, 1 tan
-#   to_screw: 74: 18 +, 29 *, 14 /, 6 abs, 1 sqrt, 1 atan2, 1 eq, 4 where
+#   to_screw: 78: 18 +, 30 *, 14 /, 6 abs, 1 sqrt, 1 atan2, 2 eq, 6 where
 #   compose: 156: 56 +, 79 *, 21 /
 #   between: 162: 56 +, 79 *, 21 /, 6 neg
 #   compose_jacobians: 776: 296 +, 391 *, 69 /, 20 neg

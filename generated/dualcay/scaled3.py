@@ -53,9 +53,9 @@
 #   from_tensor: 147: 46 +, 51 *, 12 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_pose: 111: 31 +, 33 *, 9 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_screw: 20: 4 +, 13 *, 2 /, 1 tan
-#   to_screw: 95: 22 +, 32 *, 15 /, 1 neg, 8 abs, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 7 where
-#   turn: 68: 16 +, 28 *, 12 /, 6 abs, 1 sqrt, 1 eq, 4 where
-#   shadow: 103: 26 +, 38 *, 14 /, 1 neg, 7 abs, 2 sqrt, 4 lt, 2 eq, 1 and, 1 or, 7 where
+#   to_screw: 99: 22 +, 33 *, 15 /, 1 neg, 8 abs, 1 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
+#   turn: 72: 16 +, 29 *, 12 /, 6 abs, 1 sqrt, 2 eq, 6 where
+#   shadow: 107: 26 +, 39 *, 14 /, 1 neg, 7 abs, 2 sqrt, 4 lt, 3 eq, 1 and, 1 or, 9 where
 #   principal: 57: 15 +, 24 *, 9 /, 1 sqrt, 1 lt, 7 where
 #   compose: 243: 76 +, 132 *, 24 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   between: 249: 76 +, 132 *, 24 /, 7 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where

@@ -53,9 +53,9 @@
 #   from_tensor: 151: 49 +, 56 *, 13 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 115: 34 +, 38 *, 10 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 20: 4 +, 13 *, 2 /, 1 tan
-#   to_screw: 97: 23 +, 33 *, 15 /, 1 neg, 8 abs, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 7 where
-#   turn: 68: 16 +, 28 *, 12 /, 6 abs, 1 sqrt, 1 eq, 4 where
-#   shadow: 105: 27 +, 39 *, 14 /, 1 neg, 7 abs, 2 sqrt, 4 lt, 2 eq, 1 and, 1 or, 7 where
+#   to_screw: 101: 23 +, 34 *, 15 /, 1 neg, 8 abs, 1 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
+#   turn: 72: 16 +, 29 *, 12 /, 6 abs, 1 sqrt, 2 eq, 6 where
+#   shadow: 109: 27 +, 40 *, 14 /, 1 neg, 7 abs, 2 sqrt, 4 lt, 3 eq, 1 and, 1 or, 9 where
 #   principal: 60: 15 +, 24 *, 9 /, 1 sqrt, 2 lt, 9 where
 #   compose: 256: 86 +, 141 *, 24 /, 1 neg, 1 sqrt, 1 lt, 2 where
 #   between: 262: 86 +, 141 *, 24 /, 7 neg, 1 sqrt, 1 lt, 2 where

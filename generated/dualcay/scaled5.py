@@ -53,9 +53,9 @@
 #   from_tensor: 151: 48 +, 53 *, 12 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_pose: 115: 33 +, 35 *, 9 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_screw: 20: 4 +, 13 *, 2 /, 1 tan
-#   to_screw: 99: 24 +, 34 *, 15 /, 1 neg, 8 abs, 1 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 7 where
-#   turn: 68: 16 +, 28 *, 12 /, 6 abs, 1 sqrt, 1 eq, 4 where
-#   shadow: 107: 28 +, 40 *, 14 /, 1 neg, 7 abs, 2 sqrt, 4 lt, 2 eq, 1 and, 1 or, 7 where
+#   to_screw: 103: 24 +, 35 *, 15 /, 1 neg, 8 abs, 1 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
+#   turn: 72: 16 +, 29 *, 12 /, 6 abs, 1 sqrt, 2 eq, 6 where
+#   shadow: 111: 28 +, 41 *, 14 /, 1 neg, 7 abs, 2 sqrt, 4 lt, 3 eq, 1 and, 1 or, 9 where
 #   principal: 60: 15 +, 24 *, 9 /, 1 sqrt, 2 lt, 9 where
 #   compose: 263: 86 +, 142 *, 24 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   between: 269: 86 +, 142 *, 24 /, 7 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where

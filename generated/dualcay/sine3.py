@@ -53,9 +53,9 @@
 #   from_tensor: 150: 47 +, 54 *, 10 /, 2 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_pose: 114: 32 +, 36 *, 7 /, 2 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_screw: 22: 5 +, 12 *, 4 /, 1 tan
-#   to_screw: 91: 21 +, 32 *, 11 /, 1 neg, 8 abs, 2 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 7 where
-#   turn: 75: 17 +, 30 *, 11 /, 6 abs, 2 sqrt, 2 lt, 1 eq, 6 where
-#   shadow: 107: 27 +, 40 *, 11 /, 1 neg, 6 abs, 3 sqrt, 6 lt, 2 eq, 1 and, 1 or, 9 where
+#   to_screw: 95: 21 +, 33 *, 11 /, 1 neg, 8 abs, 2 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
+#   turn: 79: 17 +, 31 *, 11 /, 6 abs, 2 sqrt, 2 lt, 2 eq, 8 where
+#   shadow: 111: 27 +, 41 *, 11 /, 1 neg, 6 abs, 3 sqrt, 6 lt, 3 eq, 1 and, 1 or, 11 where
 #   principal: 64: 16 +, 26 *, 8 /, 2 sqrt, 3 lt, 9 where
 #   compose: 237: 81 +, 133 *, 9 /, 1 neg, 4 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   between: 243: 81 +, 133 *, 9 /, 7 neg, 4 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where

@@ -53,9 +53,9 @@
 #   from_tensor: 153: 50 +, 57 *, 11 /, 4 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 117: 35 +, 39 *, 8 /, 4 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 22: 5 +, 12 *, 4 /, 1 tan
-#   to_screw: 93: 22 +, 33 *, 11 /, 1 neg, 8 abs, 2 sqrt, 1 atan2, 4 lt, 2 eq, 1 and, 1 or, 7 where
-#   turn: 75: 17 +, 30 *, 11 /, 6 abs, 2 sqrt, 2 lt, 1 eq, 6 where
-#   shadow: 109: 28 +, 41 *, 11 /, 1 neg, 6 abs, 3 sqrt, 6 lt, 2 eq, 1 and, 1 or, 9 where
+#   to_screw: 97: 22 +, 34 *, 11 /, 1 neg, 8 abs, 2 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
+#   turn: 79: 17 +, 31 *, 11 /, 6 abs, 2 sqrt, 2 lt, 2 eq, 8 where
+#   shadow: 113: 28 +, 42 *, 11 /, 1 neg, 6 abs, 3 sqrt, 6 lt, 3 eq, 1 and, 1 or, 11 where
 #   principal: 67: 16 +, 26 *, 8 /, 2 sqrt, 4 lt, 11 where
 #   compose: 241: 85 +, 137 *, 10 /, 1 neg, 5 sqrt, 1 lt, 2 where
 #   between: 247: 85 +, 137 *, 10 /, 7 neg, 5 sqrt, 1 lt, 2 where

@@ -53,9 +53,9 @@
 #   from_tensor: 130: 44 +, 46 *, 8 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 94: 29 +, 28 *, 5 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 20: 4 +, 13 *, 2 /, 1 tan
-#   to_screw: 85: 21 +, 31 *, 15 /, 7 abs, 1 sqrt, 1 atan2, 2 lt, 1 eq, 6 where
-#   turn: 68: 16 +, 28 *, 12 /, 6 abs, 1 sqrt, 1 eq, 4 where
-#   shadow: 93: 25 +, 37 *, 14 /, 6 abs, 2 sqrt, 2 lt, 1 eq, 6 where
+#   to_screw: 89: 21 +, 32 *, 15 /, 7 abs, 1 sqrt, 1 atan2, 2 lt, 2 eq, 8 where
+#   turn: 72: 16 +, 29 *, 12 /, 6 abs, 1 sqrt, 2 eq, 6 where
+#   shadow: 97: 25 +, 38 *, 14 /, 6 abs, 2 sqrt, 2 lt, 2 eq, 8 where
 #   principal: 57: 15 +, 24 *, 9 /, 1 sqrt, 1 lt, 7 where
 #   compose: 209: 71 +, 111 *, 23 /, 1 neg, 1 lt, 2 where
 #   between: 215: 71 +, 111 *, 23 /, 7 neg, 1 lt, 2 where

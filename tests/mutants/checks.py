@@ -112,7 +112,7 @@ class Checks:
         left_out = {
             "fails unchanged": [*tests.failed, *kernels.failed],
             "fails for one more comment in what is emitted": sorted(set(commented) - set(tests.failed)),
-            "starts a Python of its own": sorted(reach.starters & tests.seconds.keys()),
+            "starts a program of its own": sorted(reach.starters & tests.seconds.keys()),
             "takes long": [*tests.longer(LONG, LONG_FIXTURE), *kernels.longer(LONG, LONG_FIXTURE)],
         }
         out = {name for names in left_out.values() for name in names}

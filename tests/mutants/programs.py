@@ -173,10 +173,10 @@ def _operation(op: str, args: list[int]) -> int:
 
 @dataclass(frozen=True)
 class Programs:
-    """The programs of the geometry and of the committed charts; in both printed forms, or in one of them alone."""
+    """The programs of the geometry and of the charts with names; in both printed forms, or in one of them alone."""
 
     name: str = "programs"
-    what: str = "straight-line programs of the geometry and of the committed charts: by validation alone"
+    what: str = "straight-line programs of the geometry and of the charts with names: by validation alone"
     checks: None = None
     unchanged: tuple[str, ...] = ("derive.codegen",)
 

@@ -100,10 +100,10 @@ process of its own on a copy of the tree. State: `{state}`.
 
 {table}
 
-- **proof**, **validation**, **execution**: killed by what is no test, that is by the proofs of n = {committed}; by
-  emission with validation (n = {orders} for NumPy, {others} for the other targets; for maps NumPy alone, n = {some});
-  both also of {kinds}; by executing the statement, or all of them, of which docs/errata.md must say
-  the same. **first stage** is their share.
+- **proof**, **validation**, **execution**: killed by what is no test, that is by proofs of the charts with names; by
+  emission with validation (n = {orders} and {kinds} for NumPy,
+  n = {others} for the other targets; for maps NumPy alone, n = {some} and all families); by
+  executing the statement, or all of them, of which docs/errata.md must say the same. **first stage** is their share.
 - **tests**: killed by tests of that room only, but for those listed as left out. Of emission {few} cases of
   each test are run. **kernels**: killed by {few} cases of each test of tests/generated, run on the NumPy kernels that
   the mutant emits. **crash**: the process died.
@@ -125,7 +125,7 @@ def page(results: Sequence[Results], state: str, seed: int, count: int) -> str:
     """The page of figures."""
     table = rows(map(score, results))
     lines = ["| " + " | ".join(cells) + " |" for cells in (HEAD, ("---",) * len(HEAD), *table)]
-    orders = {"committed": road.COMMITTED, "orders": road.ORDERS, "others": road.FEW, "some": road.GEOMETRY}
+    orders = {"orders": road.ORDERS, "others": road.FEW, "some": road.GEOMETRY}
     listed = {name: ", ".join(map(str, sorted(values))) for name, values in orders.items()}
     listed["kinds"] = ", ".join(road.kinds())
     rooms = "\n\n".join(map(_section, results))

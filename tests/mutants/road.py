@@ -65,8 +65,9 @@ def label(which: Which) -> str:
 
 
 def families() -> tuple[str, ...]:
-    """The committed charts that are no Cayley maps."""
-    return tuple(importlib.import_module("derive.about").FAMILIES)
+    """The charts with names that are no Cayley maps, committed ones first."""
+    about, named = (importlib.import_module(f"derive.{name}") for name in ("about", "maps.named"))
+    return tuple(dict.fromkeys((*about.FAMILIES, *named.SINGLE)))
 
 
 def kinds() -> list[str]:
@@ -75,11 +76,11 @@ def kinds() -> list[str]:
 
 
 def proofs() -> dict[str, Check]:
-    """Proofs of the committed orders, and of one chart of each other kind."""
+    """Proofs of the committed charts, and of the others that have a name."""
     prove = importlib.import_module("derive.proof").prove
     return {
         f"proof of {label(which)}": lambda which=which: prove(chart(which))  # type: ignore[misc]
-        for which in (*COMMITTED, *kinds())
+        for which in (*COMMITTED, *families())
     }
 
 
@@ -105,7 +106,7 @@ def validations(everything: bool, around: Around) -> dict[str, Check]:
         seen = Otherwise(target, validate=around(name, target.validate))
         return lambda: build(which, seen)
 
-    numpy = (*(ORDERS if everything else GEOMETRY), *kinds())
+    numpy = (*ORDERS, *kinds()) if everything else (*GEOMETRY, *families())
     return {
         f"{name}, {label(which)}": check(f"{name}, {label(which)}", which, target)
         for name, target in targets().items()
@@ -262,7 +263,7 @@ def _is_text(statement: ast.stmt) -> bool:
 def write_kernels(folder: Path) -> bool:
     """Put what is emitted for NumPy where the committed kernels are; whether any of their code has changed."""
     target = unvalidated(targets()["numpy"])
-    committed = (*sorted(COMMITTED), *families())
+    committed = (*sorted(COMMITTED), *importlib.import_module("derive.about").FAMILIES)
     emitted = {file: text for which in committed for file, text in build(which, target).texts.items()}
     changed = False
     for file, text in emitted.items():

@@ -48,14 +48,18 @@ class ExponentialOracle(Oracle):
     """v = 2θ u, θ = α/2."""
 
     def base(self, v: Any) -> Any:
-        x = dot(v, v)
-        if _real(x) == 0:
-            return 2 - x / 6  # the square of x is 0
-        length = self.field.sqrt(x)
-        return length / self.field.tan(length / 2)
+        return angle_by_tangent(self.field, dot(v, v))
 
     def size(self, theta: Any) -> Any:
         return 2 * theta
+
+
+def angle_by_tangent(field: Any, square: Any) -> Any:
+    """α/tan(α/2) of α², nilpotent parts and all; by its series where a root would lose them."""
+    if abs(_real(square)) < 1e-30:
+        return 2 - square / 6 - square * square / 360 - square * square * square / 15120
+    angle = field.sqrt(square)
+    return angle / field.tan(angle / 2)
 
 
 def _real(number: Any) -> Any:

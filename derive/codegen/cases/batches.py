@@ -59,8 +59,8 @@ def batches(chart: Chart) -> list[Batch]:
 
 
 def same(got: Any, expected: Any) -> bool:
-    """Whether two elements are equal."""
-    return bool(got == expected)
+    """Whether two numbers are equal; NaN is only itself."""
+    return bool(got == expected or (got != got and expected != expected))
 
 
 def _require(what: str, names: Iterable[str], found: Iterable[Batch]) -> None:

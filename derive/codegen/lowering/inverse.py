@@ -159,7 +159,7 @@ def _turn(trace: Geometry) -> tuple[Number, ...]:
 
 
 def _axis(trace: Geometry, point: Point) -> Axis:
-    """|v| and v/|v| as dual quantities; at Re v = 0 the axis is that of v°, through the origin.
+    """|v| and v/|v| as dual quantities; at Re v = 0 the axis is that of v°, through the origin; at v = 0 it is NaN.
 
     Vectors are scaled by their sums before they are squared: no length underflows or overflows but where it must.
     """
@@ -167,12 +167,13 @@ def _axis(trace: Geometry, point: Point) -> Axis:
     total = point.name("total", _sum(trace, v))
     still = point.name("still", trace.equal(total, 0))
     along = named(trace, "a", Vector(*(trace.where(still, b, a) for a, b in zip(v, vo, strict=True))))
-    scale = point.name("scale", _sum(trace, along))
+    extent = point.name("extent", _sum(trace, along))
+    scale = point.name("scale", trace.where(trace.equal(extent, 0), 1, extent))
     scaled = named(trace, "s", along / scale)
     # one root, never of 0 but at the identity: so the gradient is finite wherever the axis is defined
     root = point.name("root", trace.sqrt(scaled.dot(scaled)))
     u = named(trace, "u", scaled / root)
-    size_du = point.name("ro", u.dot(vo))
+    size_du = point.name("ro", trace.where(still, scale * root, u.dot(vo)))
     inverse = point.name("ir", trace.where(still, 0, 1) / root)
     across = vo - named(trace, "ru", size_du * u)
     return point.name("r", total * root), u, size_du, named(trace, "uo", across / scale * inverse)

@@ -44,6 +44,8 @@ class Trace:
         self._inputs: list[tuple[str, tuple[str, ...]]] = []
         self._calls: dict[int, Call] = {}
         self._results: dict[int, tuple[int, ...]] = {}
+        self._rest = ""
+        self._corrected: set[int] = set()
 
     def inputs(self, argument: str, names: Sequence[str]) -> tuple[Value, ...]:
         """Declare an argument of the program with one named component each."""
@@ -67,6 +69,16 @@ class Trace:
         while name in taken:
             name += "_"
         return name
+
+    def corrected(self, value: Number) -> Number:
+        """A named value whose rounding the program corrects afterwards, as a step of Newton's method does."""
+        if isinstance(value, Value):
+            self._corrected.add(value.index)
+        return value
+
+    def name_rest(self, letter: str) -> None:
+        """From now on values that are used more than once and have no name get this letter and a number."""
+        self._rest = letter
 
     def _rename(self, value: Value, name: str) -> None:
         if name in self._names.values():
@@ -241,6 +253,9 @@ class Trace:
         calls = (self._nodes[index] for index in uses if index in self._calls)
         passed = {arg for call in calls for arg in call.args if not isinstance(arg, _Const)}
         shared: set[int] = {index for index, count in uses.items() if count > 1 and index not in self._calls}
+        for index in sorted(shared | passed) if self._rest else ():
+            if index not in self._names:
+                self._rename(Value(self, index), self.free_name(f"{self._rest}{index}"))
         self._require_names(shared | passed, name)
         labels = {i: self._names.get(i, f"t{i}") for i in uses}
 
@@ -249,7 +264,8 @@ class Trace:
 
         finals = tuple(labels[v.index] if isinstance(v, Value) else v for v in results)
         statements = (self._statement(index, labels, label) for index in sorted(uses))
-        return Program(name, tuple(self._inputs), tuple(filter(None, statements)), finals)
+        corrected = frozenset(labels[index] for index in self._corrected & labels.keys())
+        return Program(name, tuple(self._inputs), tuple(filter(None, statements)), finals, corrected)
 
     def _require_names(self, indices: Iterable[int], program: str) -> None:
         unnamed = [index for index in sorted(indices) if index not in self._names]

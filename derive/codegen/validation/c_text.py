@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import Any
 
 import mpmath
-import sympy
 
 from ...maps.chart import Chart
 from ..cases import Batch, batches, digits
@@ -116,20 +115,19 @@ def _drawn(draw: random.Random, size: int) -> Flat:
 
 def _constants(unit: Unit, chart: Chart) -> None:
     """What the macros of the header stand for, and the singular angles."""
-    ratios = [angle / sympy.pi for angle in chart.singular_angles]
     prefix = _prefix(chart)
     macro = prefix.upper()
-    expected = {f"{macro}ORDER": str(chart.order), f"{macro}SINGULAR_ANGLES": str(len(ratios))}
+    expected = {f"{macro}ORDER": str(chart.order), f"{macro}SINGULAR_ANGLES": str(len(chart.singular_angles))}
     named = aliases(chart).items()
     expected |= {f"{prefix}{a}{form}": f"{prefix}{b}{form}" for a, b in named for form in ("", "_rows")}
     for name, text in expected.items():
         if unit.source.expand(name) != text:
             raise ValidationFailed(f"{name} is {unit.source.expand(name)}, not {text}")
-    angles = [UNSET] * len(ratios)
-    if unit.call(f"{_prefix(chart)}singular_angles", Pointer.to(angles)) != len(ratios):
-        raise ValidationFailed(f"singular_angles does not return {len(ratios)}")
+    angles = [UNSET] * len(chart.singular_angles)
+    if unit.call(f"{_prefix(chart)}singular_angles", Pointer.to(angles)) != len(chart.singular_angles):
+        raise ValidationFailed(f"singular_angles does not return {len(chart.singular_angles)}")
     with mpmath.workdps(digits.DIGITS):
-        wanted = [mpmath.pi * int(r.p) / int(r.q) for r in ratios]
+        wanted = [mpmath.mpf(angle.evalf(digits.DIGITS + 5)) for angle in chart.singular_angles]
         _compare("singular_angles", angles, wanted, partial(digits.close, tolerance=digits.tolerance(chart)))
 
 

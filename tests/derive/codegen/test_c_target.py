@@ -220,7 +220,7 @@ def staged(tmp_path, package):
         ("cayley3.h", "turned_scalars", r"iden \* iden", "iden"),
         ("cayley3.h", "natural_scalars", r"2 \* dualcay_atan2", "dualcay_atan2"),
         ("cayley3.h", "coefficient_scalars", r"/ 6", "/ 3"),
-        ("cayley3.h", "beyond_scalars", r"limit1 < x", "x < limit1"),
+        ("cayley3.h", "beyond_scalars", r"limit1 < limit1 \+", "limit1 < limit1 -"),
         ("cayley3.h", "beyond_scalars", r"sin1 = DUALCAY_NUMBER\(-", "sin1 = DUALCAY_NUMBER("),
         ("cayley3.h", "step", r"\{DUALCAY_NUMBER\(-0\.5", "{DUALCAY_NUMBER(0.5"),
         ("cayley4.h", "gain_unit_scalars", r"\(1 \+ ", "(1 - "),

@@ -10,6 +10,7 @@ from derive.algebra.arithmetic import PLAIN
 from derive.maps import family
 from derive.maps.families import alpha
 from derive.maps.named import recognized
+from derive.proof import prove
 
 THIRD = sympy.Rational(1, 3)
 
@@ -68,3 +69,11 @@ def test_coefficients_at_no_rotation(name: str):
     expected = (1 / first, 1 / (2 * first**2), (sixth - bend) / first**3, first, bend / first + sixth / (2 * first))
     found = (at.f, at.g, at.h, at.fi / 2, at.hi / 2)
     assert all(sympy.nsimplify(a - b) == 0 for a, b in zip(found, expected, strict=True))
+
+
+@pytest.mark.parametrize("phi", [3 * sympy.sin(alpha / 6), sympy.sin(alpha / 4) / 2, 3 * sympy.tan(alpha / 8)])
+def test_scalars_of_any_multiple_are_proved(phi: sympy.Expr):
+    chart = recognized(phi, "multiple", ("--phi", str(phi)))
+    assert chart is not None
+    assert chart.phi == phi
+    assert prove(chart).formulas is chart
