@@ -8,7 +8,7 @@ from rich.console import Console
 from rich.table import Table
 
 from ..equation import Result, Status
-from .content import MEANING, Chapter, Report, label
+from .content import MEANING, Chapter, Report, example, label, readings
 from .plain import plain
 
 WIDTH = 120
@@ -48,7 +48,9 @@ def errata(chapter: Chapter) -> Table:
     """Printed and corrected, side by side."""
     table = _table(chapter, Status.ERRATUM, "equation", "printed", "corrected")
     for result in chapter.of(Status.ERRATUM):
-        table.add_row(_name(result), plain(result.printed), plain(result.corrected or ""))
+        table.add_row(_name(result), plain(result.printed), plain(result.corrected or ""), end_section=True)
+        if result.counterexample is not None:
+            table.add_row("where they differ", "\n".join(example(result.counterexample)), readings(result))
     return table
 
 
