@@ -46,7 +46,9 @@ class Outcome:
         return f"{self.point}: {'no value' if self.truth is None else str(self.truth).lower()}"
 
 
-def decide(paper: str, entry: Equation, lost: str, orders: Sequence[int] = ORDERS) -> Result:
+def decide(
+    paper: str, entry: Equation, lost: str, orders: Sequence[int] = ORDERS, count: bool = True
+) -> Result:
     """Compute the status of an entry.
 
     Parameters
@@ -57,6 +59,8 @@ def decide(paper: str, entry: Equation, lost: str, orders: Sequence[int] = ORDER
         Marks that the paper's extraction lost, see `derive.papers.equation.faithful`.
     orders : sequence of int
         The orders n at which statements about n are executed.
+    count : bool
+        Whether all readings are counted where a listed one is true; the status does not depend on it.
 
     Raises
     ------
@@ -72,7 +76,7 @@ def decide(paper: str, entry: Equation, lost: str, orders: Sequence[int] = ORDER
     orders = tuple(n for n in orders if entry.orders is None or n in entry.orders) or (entry.orders or orders)
     listed = tuple(judge(entry, reading, orders) for reading in entry.readings)
     none_true = not any(verdict.true for verdict in listed)
-    found = _readings(entry, lost, none_true)
+    found = _readings(entry, lost, none_true) if none_true or count else Readings(len(listed), False, ())
     others = [judge(entry, Reading(statement, FOUND), orders) for statement in found.true] if none_true else []
     known = (*listed, *(other for other in others if other.true))
     verdicts = tuple(sorted(known, key=lambda verdict: not verdict.true))

@@ -34,7 +34,7 @@ def witness(paper: Paper, entry: Equation, orders: Sequence[int] = ORDERS) -> di
         ``point``, its name; ``letters``, the parts of each letter; ``values``, the parts of each side that is a number,
         vector, tensor or quaternion, equal sides once; a claim without such sides has its truth in ``values``.
     """
-    statement = true_statements(decide(paper.slug, entry, paper.lost, orders))[0]
+    statement = true_statements(decide(paper.slug, entry, paper.lost, orders, count=False))[0]
     with mpmath.workdps(DIGITS):
         label, env = next(_inside(entry, statement, orders))
         free = {letter.name: env.value(letter) for letter in entry.free(statement)}

@@ -45,7 +45,7 @@ REASONS = {
 def _scores(chunk: int) -> dict[tuple[str, str], Score]:
     entries = [(paper, entry) for paper in PAPERS for entry in paper.entries()]
     return {
-        (paper.short, entry.number): try_mutants(decide(paper.slug, entry, paper.lost))
+        (paper.short, entry.number): try_mutants(decide(paper.slug, entry, paper.lost, count=False))
         for paper, entry in entries[chunk::CHUNKS]
     }
 
