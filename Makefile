@@ -15,12 +15,13 @@ PIP    := $(RUN) -m pip --disable-pip-version-check install --quiet --quiet --co
 generate: $(READY)  ## derive, prove and write the committed kernels (the default)
 	$(RUN) -m derive generate
 
-check: $(READY)  ## fail if a generated file is stale, missing or foreign
+check: $(READY)  ## fail if a generated file or page is stale, missing or foreign, or a control does not fail
 	$(RUN) -m derive generate --check
 	$(RUN) -m derive verify --format markdown -o docs/errata.md --check
+	$(RUN) -m derive.proof -o docs/theorems.md --check
 
-proofs: $(READY)  ## prove all theorems, and see every control fail
-	$(RUN) -m derive.proof
+proofs: $(READY)  ## prove all theorems, see every control fail, and write docs/theorems.md
+	$(RUN) -m derive.proof -o docs/theorems.md
 
 verify: $(READY)  ## decide every equation of the papers and write docs/errata.md
 	$(RUN) -m derive verify --format markdown -o docs/errata.md
@@ -29,7 +30,7 @@ show: $(READY)  ## print the formulas of an order: make show N=3
 	$(RUN) -m derive show -n $(or $(N),1-3)
 
 test: $(TESTED)  ## lint, types, stale check, proofs with their controls and all tests
-	$(MAKE) --no-print-directory --jobs=2 lint types check proofs
+	$(MAKE) --no-print-directory --jobs=2 lint types check
 	$(PYTEST)
 
 quick: lint types  ## lint, types and a smoke of every room, in less than a minute
@@ -50,6 +51,7 @@ bench: $(VENV)/.bench  ## proof times by order, then kernels against peers and t
 
 accuracy: $(VENV)/.bench  ## worst errors and figures in docs: make accuracy SEARCH=60 looks for worse inputs
 	$(RUN) -m benchmarks.accuracy --search $(or $(SEARCH),0)
+	$(RUN) -m benchmarks.conditioning
 
 clean:  ## remove the environment and caches
 	rm -rf $(VENV) .mutants build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis
@@ -62,7 +64,7 @@ help:  ## list these targets
 $(READY): pyproject.toml constraints.txt
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Python >= 3.11 is needed: make PYTHON=python3.11")'
 	$(PYTHON) -m venv $(VENV)
-	$(PIP) --editable '.[derive,flint]'
+	$(PIP) --editable '.[derive]'
 	touch $@
 
 $(TESTED): $(READY)

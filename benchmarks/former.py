@@ -175,8 +175,7 @@ class Inputs:
         rng = np.random.default_rng([2011, seed])
         self.module = module
         self.layout = layout
-        draw = sys.modules[module.__name__.split(".")[0]].random_vector
-        self.vectors = [draw(layout.batch, max_angle=3.0, order=module.ORDER, rng=rng) for _ in range(2)]
+        self.vectors = [module.from_screw(*_screws(layout.batch, rng)) for _ in range(2)]
 
     def calls(self, name: str, options: dict[str, int], *modules: ModuleType) -> tuple[Call, ...]:
         """The function of each module, ready to be called on the same arrays."""
@@ -193,6 +192,14 @@ class Inputs:
     def _value(self, name: str, v: Array) -> Array:
         value = MADE[name](self.module, v) if name in MADE else v
         return np.ascontiguousarray(np.moveaxis(value, 0, -1) if self.layout.rows else value)
+
+
+def _screws(batch: tuple[int, ...], rng: np.random.Generator) -> tuple[Array, Array]:
+    """Dual angles up to 3 and axes near the origin."""
+    direction, point = rng.normal(size=(2, *batch, 3))
+    direction /= np.linalg.norm(direction, axis=-1, keepdims=True)
+    line = np.concatenate([direction, np.cross(point, direction)], axis=-1)
+    return rng.uniform((0, -1), (3, 1), (*batch, 2)), line
 
 
 # --- calls of NumPy ---------------------------------------------------------------------------------------------

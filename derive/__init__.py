@@ -24,23 +24,56 @@ Everything is loaded on first use, so that importing :mod:`derive` costs nothing
 from __future__ import annotations
 
 import importlib
-from typing import TYPE_CHECKING, Any
+import os
+from typing import TYPE_CHECKING
+
+from .about import __version__
 
 if TYPE_CHECKING:
     from .codegen import generate
-    from .front import Cayley
+    from .front import Cayley, family
     from .maps import x
     from .papers import verify
 
-__all__ = ["Cayley", "generate", "verify", "x"]
+__all__ = ["Cayley", "__version__", "family", "generate", "verify", "x"]
 
-_HOMES = {"Cayley": "derive.front", "x": "derive.maps", "generate": "derive.codegen", "verify": "derive.papers"}
+_HOMES = {
+    "Cayley": "derive.front",
+    "family": "derive.front",
+    "x": "derive.maps",
+    "generate": "derive.codegen",
+    "verify": "derive.papers",
+}
+
+_OWN = {
+    "__init__.py", "__main__.py", "about.py", "front.py",
+    "algebra", "cli", "codegen", "maps", "output", "papers", "proof",
+}  # fmt: skip
+"""Every module and package of this folder: an installed one may hold those of another distribution too."""
 
 
-def __getattr__(name: str) -> Any:
-    if name not in _HOMES:
-        raise AttributeError(f"module 'derive' has no attribute {name!r}")
-    return getattr(importlib.import_module(_HOMES[name]), name)
+def _refuse_company(folder: str) -> None:
+    """Two distributions install a package ``derive``: into one folder, where neither would work."""
+    modules = {name for name in os.listdir(folder) if os.path.isfile(os.path.join(folder, name, "__init__.py"))}
+    modules |= {name for name in os.listdir(folder) if name.endswith(".py")}
+    if foreign := ", ".join(sorted(modules - _OWN)):
+        raise ImportError(
+            f"{folder} holds files of another distribution ({foreign}), which cannot be installed together with "
+            "dualcay: remove it (pip uninstall derive), then install dualcay again",
+            name=__name__,
+        )
+
+
+if os.path.isdir(os.path.join(os.path.dirname(__file__), "_templates")):  # which only an installed package holds
+    _refuse_company(os.path.dirname(__file__))
+
+
+if not TYPE_CHECKING:  # which knows all names by the imports above
+
+    def __getattr__(name: str) -> object:
+        if name not in _HOMES:
+            raise AttributeError(f"module 'derive' has no attribute {name!r}")
+        return getattr(importlib.import_module(_HOMES[name]), name)
 
 
 def __dir__() -> list[str]:

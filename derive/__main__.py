@@ -3,20 +3,45 @@
 from __future__ import annotations
 
 import importlib.util
+import io
 import sys
 
-NEEDED = ("click", "jinja2", "latex2mathml", "pcpp", "pycparser", "rich", "sympy")
+from .about import __version__
+
+NEEDED = ("click", "jinja2", "latex2mathml", "mpmath", "pcpp", "pycparser", "rich", "sympy")
+INSTALL = 'pip install "dualcay[derive]"'
+INTERRUPTED = 130
 
 
 def main() -> int:
-    """Run the command line; 3 when the toolkit's libraries are not installed."""
-    missing = [name for name in NEEDED if importlib.util.find_spec(name) is None]
-    if missing:
-        print(f'dualcay: needs {", ".join(missing)}: install with  pip install "dualcay[derive]"', file=sys.stderr)
-        return 3
-    from .cli import run
+    """Run the command line; 3 when the toolkit's libraries are not installed, unless only help is asked for."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):  # formulas are UTF-8 whatever the locale; names of files may be none
+            stream.reconfigure(encoding="utf-8", errors="surrogateescape")
+    try:
+        missing = [name for name in NEEDED if importlib.util.find_spec(name) is None]
+        if missing:
+            return _without(", ".join(missing), set(sys.argv[1:]))
+        from .cli import run
 
-    return run()
+        return run()
+    except KeyboardInterrupt:
+        print("dualcay: interrupted", file=sys.stderr)
+        return INTERRUPTED
+
+
+def _without(missing: str, arguments: set[str]) -> int:
+    """What can be said without the libraries."""
+    if arguments & {"-V", "--version"}:
+        print(f"dualcay, version {__version__}")
+        return 0
+    if arguments & {"-h", "--help"} or not arguments:
+        print(f"dualcay {__version__}: derive, prove and emit kernels for rigid motion, for any order n\n")
+        print(f"This command needs {missing}: install with  {INSTALL}")
+        print("The kernels need NumPy alone:  python -m dualcay  lists them.")
+        return 0
+    print(f"dualcay: needs {missing}: install with  {INSTALL}", file=sys.stderr)
+    return 3
 
 
 if __name__ == "__main__":

@@ -2,19 +2,58 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
+from typing import Any
 
 from . import maps
+from .output.listing import Listing
 from .proof import Proof, proofs
+
+
+class Provable:
+    """A chart that can be asked for its proofs."""
+
+    def prove(self: Any) -> Listing[Proof]:
+        """Decide everything claimed of this chart; return each `Proof`."""
+        return Listing(proofs(self))
+
+
+def family(name: str) -> Any:
+    """Return a parameterization v = φ(α) u by its name, such as ``"lambert"``, ``"sine7"``, ``"scaled3"``.
+
+    Parameters
+    ----------
+    name : str
+        One of those that `dualcay list` names, with the order n where there is one in it.
+
+    Returns
+    -------
+    Chart
+        With the formulas ``quaternion``, ``tensor``, ``tangent``, ``tangent_inv``, with φ as ``phi`` and its end as
+        ``edge``, with ``singular_angles``, and with ``prove()``.
+
+    Raises
+    ------
+    ValueError
+        If there is none of that name.
+    """
+    return provable(maps.family(name))
+
+
+def provable(chart: Any) -> Any:
+    """The same chart, with ``prove()``."""
+    kind = type(chart)
+    with_proofs = type(kind.__name__, (Provable, kind), {"__doc__": kind.__doc__, "__module__": kind.__module__})
+    return with_proofs(**{field.name: getattr(chart, field.name) for field in fields(chart)})
 
 
 @dataclass(frozen=True)
 class Cayley(maps.Cayley):
     __doc__ = maps.Cayley.__doc__
 
-    def prove(self) -> list[Proof]:
+    def prove(self) -> Listing[Proof]:
         """Decide everything claimed of this map, for all n and by components at this n; return each `Proof`.
 
         Whether all hold is ``all(proof.proved for proof in m.prove())``.
         """
-        return list(proofs(self))
+        return Listing(proofs(self))

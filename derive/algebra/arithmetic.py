@@ -19,9 +19,16 @@ class Arithmetic(Protocol):
     def name(self, name: str, value: Coefficient, /) -> Coefficient:
         """Return the value, known by this letter from now on."""
 
+    def name_rest(self, letter: str, /) -> None:
+        """Values of formulas that are made by a computer, too many for letters, are known by one and a number."""
+
+    def corrected(self, value: Coefficient, /) -> Coefficient:
+        """Return the value, a named one, whose rounding is corrected afterwards: by a step of Newton's method."""
+
     def div(self, a: Coefficient, b: Coefficient, /) -> Coefficient:
         """Return a/b, exact where both are exact."""
 
+    def abs(self, a: Coefficient, /) -> Coefficient: ...
     def sqrt(self, a: Coefficient, /) -> Coefficient: ...
     def tan(self, a: Coefficient, /) -> Coefficient: ...
     def atan2(self, a: Coefficient, b: Coefficient, /) -> Coefficient: ...
@@ -36,6 +43,7 @@ class Arithmetic(Protocol):
 class Plain:
     """Numbers of any type as they are; names are forgotten."""
 
+    abs = staticmethod(abs)
     sqrt = staticmethod(functions.sqrt)
     tan = staticmethod(functions.tan)
     atan2 = staticmethod(functions.atan2)
@@ -43,6 +51,14 @@ class Plain:
     @staticmethod
     def name(name: str, value: Coefficient) -> Coefficient:
         return value
+
+    @staticmethod
+    def corrected(value: Coefficient) -> Coefficient:
+        return value
+
+    @staticmethod
+    def name_rest(letter: str) -> None:
+        pass
 
     @staticmethod
     def div(a: Coefficient, b: Coefficient) -> Coefficient:

@@ -59,6 +59,46 @@ def atan(value: Coefficient) -> Coefficient:
     return lift(value, namespace(value).atan, lambda a: 1 / (1 + a * a))
 
 
+def asin(value: Coefficient) -> Coefficient:
+    """Return the principal arc sine."""
+    library = namespace(value)
+    return lift(value, library.asin, lambda a: 1 / library.sqrt(1 - a * a))
+
+
+def acos(value: Coefficient) -> Coefficient:
+    """Return the principal arc cosine."""
+    library = namespace(value)
+    return lift(value, library.acos, lambda a: -1 / library.sqrt(1 - a * a))
+
+
+def exp(value: Coefficient) -> Coefficient:
+    """Return the exponential."""
+    library = namespace(value)
+    return lift(value, library.exp, library.exp)
+
+
+def log(value: Coefficient) -> Coefficient:
+    """Return the natural logarithm."""
+    return lift(value, namespace(value).log, lambda a: 1 / a)
+
+
+def sinh(value: Coefficient) -> Coefficient:
+    """Return the hyperbolic sine."""
+    library = namespace(value)
+    return lift(value, library.sinh, library.cosh)
+
+
+def cosh(value: Coefficient) -> Coefficient:
+    """Return the hyperbolic cosine."""
+    library = namespace(value)
+    return lift(value, library.cosh, library.sinh)
+
+
+def tanh(value: Coefficient) -> Coefficient:
+    """Return the hyperbolic tangent."""
+    return sinh(value) / cosh(value)
+
+
 def atan2(y: Coefficient, x: Coefficient) -> Coefficient:
     """Return the angle of the point (x, y), real part in (−π, π]; dual part ``(x y° − y x°)/(x² + y²)``."""
     a, b = real_part(y), real_part(x)

@@ -1,11 +1,15 @@
 """The command line: parse, call, show.
 
 ======== =============================================================
-commands generate, show, list (and their exit codes)
-verify   decide the papers' equations and report
 options  order lists such as ``1-5,8``, and other parsed options
-display  tables, progress and errors on stderr
+commands what the command takes, and exit codes
+generate write kernels, or check those on disk
+show     formulas, and what there is
+verify   decide the papers' equations and report
+display  progress, differences and messages
 ======== =============================================================
+
+`commands` imports Click alone: what is asked for is loaded when it is run.
 """
 
 from .commands import run

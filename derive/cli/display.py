@@ -1,29 +1,37 @@
-"""What a person sees: progress and messages on stderr, tables and formulas on stdout."""
+"""What a person sees beside the results: progress and messages, on stderr, and differences."""
 
 from __future__ import annotations
 
+import sys
+import threading
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from pathlib import Path
 
+import click
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
-from rich.table import Table
 
 from ..codegen import Difference, Package
 
-
-def console(stderr: bool = False) -> Console:
-    """A console that honours NO_COLOR and writes plain text into files and pipes."""
-    return Console(stderr=stderr, highlight=False, soft_wrap=True)
+SPARSE = 10.0
+"""Seconds before the first line of progress where there is no terminal; each pause is then twice as long, up to a
+minute: what watches a run takes long silence for its end."""
+LONGEST_PAUSE = 60.0
 
 
 @contextmanager
 def progress(total: int) -> Iterator[Callable[[str], None]]:
-    """A progress bar on a terminal's stderr, silence elsewhere; each call names the step that begins."""
-    screen = console(stderr=True)
+    """A progress bar on a terminal's stderr, a line now and then elsewhere; each call names the step that begins."""
+    screen = Console(stderr=True, highlight=False, soft_wrap=True)
+    with _bar(screen, total) if screen.is_terminal else _lines(total) as step:
+        yield step
+
+
+@contextmanager
+def _bar(screen: Console, total: int) -> Iterator[Callable[[str], None]]:
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
-    with Progress(*columns, console=screen, transient=True, disable=not screen.is_terminal) as bar:
+    with Progress(*columns, console=screen, transient=True) as bar:
         task = bar.add_task("", total=total)
         done = -1
 
@@ -35,19 +43,30 @@ def progress(total: int) -> Iterator[Callable[[str], None]]:
         yield step
 
 
-def written(package: Package, folder: Path) -> Table:
-    """What was proved and written, a row per module."""
-    table = Table(title=f"kernels in {folder}", title_justify="left")
-    table.add_column("module")
-    for heading in ("theorems", "proofs at n", "calls validated", "replayed", "compiled", "lines"):
-        table.add_column(heading, justify="right")
-    for module in package.modules:
-        proofs = module.proved.proofs
-        general = sum(proof.scope == "all n" for proof in proofs)
-        lines = module.text.count("\n")
-        counts = (general, len(proofs) - general, module.validated, module.replayed or "-", module.tested or "-", lines)
-        table.add_row(module.name, *map(str, counts))
-    return table
+@contextmanager
+def _lines(total: int) -> Iterator[Callable[[str], None]]:
+    """Lines from a thread of their own, since one step may be long."""
+    begun, ended = time.monotonic(), threading.Event()
+    done, current = -1, "beginning"
+
+    def step(line: str) -> None:
+        nonlocal done, current
+        done, current = done + 1, line
+
+    def report() -> None:
+        pause = SPARSE
+        while not ended.wait(pause):
+            print(f"{time.monotonic() - begun:.0f} s: {max(done, 0)}/{total}  {current}", file=stream, flush=True)
+            pause = min(2 * pause, LONGEST_PAUSE)
+
+    stream = sys.stderr
+    thread = threading.Thread(target=report, daemon=True)
+    thread.start()
+    try:
+        yield step
+    finally:
+        ended.set()
+        thread.join()
 
 
 def not_compiled(package: Package) -> None:
@@ -55,15 +74,14 @@ def not_compiled(package: Package) -> None:
     names = [module.name for module in package.modules if module.tested is None]
     if names:
         found = f"no C compiler found (set CC), so validated as text only: {', '.join(names)}"
-        console(stderr=True).print(found, markup=False)
+        click.echo(found, err=True)
 
 
 def differences(found: list[Difference], command: str) -> None:
     """Print each difference as a diff, and the command that accepts them."""
-    out = console()
     for difference in found:
         reason = f" ({difference.reason})" if difference.reason else ""
-        out.print(f"{difference.kind}: {difference.path}{reason}", markup=False)
+        click.echo(f"{difference.kind}: {difference.path}{reason}")
         if difference.diff:
-            out.print(difference.diff, markup=False, end="")
-    console(stderr=True).print(f"{len(found)} file(s) differ; accept with:  {command}", markup=False)
+            click.echo(difference.diff, nl=False)
+    click.echo(f"{len(found)} file(s) differ; accept with:  {command}", err=True)

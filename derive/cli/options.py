@@ -1,11 +1,17 @@
-"""Parsed options: lists of orders, names to show, the cap on orders."""
+"""Parsed options: lists of orders, names to show, files and folders, the cap on orders."""
 
 from __future__ import annotations
 
 import re
+import shlex
+import sys
 from collections.abc import Callable
+from pathlib import Path
+from typing import Any
 
 import click
+
+from .. import about
 
 LONGEST_RANGE = 10_000
 
@@ -43,7 +49,46 @@ def names(choices: tuple[str, ...]) -> Callable[[click.Context, click.Parameter,
     return parse
 
 
+def listed(context: click.Context, parameter: click.Parameter, value: str | None) -> tuple[str, ...]:
+    """Return names between commas, each once; none for no value."""
+    return tuple(dict.fromkeys(part.strip() for part in value.split(","))) if value is not None else ()
+
+
+class Place(click.Path):
+    """A file or folder to write, which has a name: an empty one (of a variable that is not set) is no path."""
+
+    def __init__(self, **kind: bool) -> None:
+        super().__init__(path_type=Path, **kind)
+
+    def convert(self, value: Any, parameter: click.Parameter | None, context: click.Context | None) -> Any:
+        if value == "":
+            self.fail("expected a name, got an empty one", parameter, context)
+        return super().convert(value, parameter, context)
+
+
+max_n = click.option(
+    "--max-n",
+    default=about.MAX_ORDER,
+    show_default=True,
+    type=click.IntRange(min=1),
+    help=f"Largest order that -n may name. Proofs beyond {about.MAX_ORDER} are long, so they are asked for twice.",
+)
+"""The cap on orders."""
+
+
 def require_cap(chosen: tuple[int, ...], cap: int) -> None:
     """Refuse an order above the cap, naming the option that raises it."""
     if chosen and chosen[-1] > cap:
         raise click.BadParameter(f"order {chosen[-1]} is above the cap {cap}; raise it with --max-n", param_hint="-n")
+
+
+def program() -> str:
+    """What the user typed to start the command."""
+    started = Path(sys.argv[0])
+    return "python -m derive" if started.name == "__main__.py" else started.stem
+
+
+def unchecked() -> str:
+    """The command line without ``--check``: what writes what was compared."""
+    kept = [argument for argument in sys.argv[1:] if argument != "--check"]
+    return f"{program()} {shlex.join(kept)}"

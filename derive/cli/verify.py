@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import difflib
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
 
 import click
@@ -11,29 +13,17 @@ import click
 from ..codegen import catalogue
 from ..maps import Cayley
 from ..output import files
-from ..papers import PAPERS, Paper, Status, UndecidedError
+from ..output.tables import columns
+from ..papers import PAPERS, Paper, Status
 from ..papers import verify as decide
-from ..papers.report import FORMATS, Report
+from ..papers.report import FORMATS, Report, as_text
 from ..proof import Proof, proofs, theorems
 from . import display, options
 
-
-class NotDecided(click.ClickException):
-    """An entry that cannot be given a status."""
-
-    exit_code = 1
+NEAREST = 3
+"""Names that are proposed for one that does not exist."""
 
 
-@click.command()
-@click.option("--paper", type=click.Choice([paper.slug for paper in PAPERS]), help="One paper; all by default.")
-@click.option("--eq", "equations", help="Numbers or slugs, e.g. 88,111; all by default.")
-@click.option("-n", "orders", callback=options.orders, help="Orders at which statements about n are executed and the "
-              "formulas proved, e.g. 1-8.")  # fmt: skip
-@click.option("--format", "form", type=click.Choice(tuple(FORMATS)), default="text", show_default=True)
-@click.option("-o", "output", type=click.Path(path_type=Path, dir_okay=False), help="File to write; else stdout.")
-@click.option("--check", is_flag=True, help="Write nothing; exit 1 if the file of -o is not what would be written.")
-@click.option("--strict", is_flag=True, help="Exit 1 for an erratum too.")
-@click.option("--max-n", default=catalogue.MAX_ORDER, show_default=True, type=click.IntRange(min=1))
 def verify(
     paper: str | None,
     equations: str | None,
@@ -44,14 +34,16 @@ def verify(
     strict: bool,
     max_n: int,
 ) -> None:
-    """Decide every equation of the papers: which hold, under what condition, and what the wrong ones should say."""
+    """Do what the command says; its parameters are the options."""
     options.require_cap(orders, max_n)
     if check and output is None:
         raise click.UsageError("--check needs the file that -o names")
     papers = [p for p in PAPERS if paper in (None, p.slug)]
     report = _report(papers, _chosen(papers, equations), orders, output)
-    text = FORMATS[form](report)
-    stale = _deliver(text, output, f"python -m derive verify --format {form} -o {output}" if check else "")
+    text = as_text(report, columns()) if form == "text" and output is None else FORMATS[form](report)
+    stale = _deliver(text, output, check)
+    if output is not None and not check:
+        click.echo(f"{output}: {counted(report)}", err=True)
     wrong = any(result.status is Status.ERRATUM for result in report.results)
     if stale or report.failed or (strict and wrong):
         raise click.exceptions.Exit(1)
@@ -63,13 +55,14 @@ def _chosen(papers: Sequence[Paper], equations: str | None) -> list[str]:
     if equations is None:
         return list(known)
     wanted = {part.strip() for part in equations.split(",")}
-    unknown = sorted(wanted - set(known))
+    unknown = [f"{name!r} (nearest: {_nearest(name, known)})" for name in sorted(wanted - set(known))]
     if unknown:
-        numbers, slugs = (", ".join(n for n in known if n.isdecimal() is decimal) for decimal in (True, False))
-        raise click.BadParameter(
-            f"no equation {', '.join(map(repr, unknown))}; there are {numbers}; and {slugs}", param_hint="--eq"
-        )
+        raise click.BadParameter(f"no equation {', '.join(unknown)}", param_hint="--eq")
     return [number for number in known if number in wanted]
+
+
+def _nearest(name: str, known: Iterable[str]) -> str:
+    return ", ".join(difflib.get_close_matches(name, known, NEAREST, cutoff=0.0))
 
 
 def _report(papers: Sequence[Paper], equations: list[str], orders: tuple[int, ...], output: Path | None) -> Report:
@@ -78,10 +71,7 @@ def _report(papers: Sequence[Paper], equations: list[str], orders: tuple[int, ..
     slug = papers[0].slug if len(papers) == 1 else None
     with display.progress(total + len(orders) + 1) as step:
         step("equations")
-        try:
-            results = decide(slug, equations, orders or None, lambda done, _: step(f"equation {done} of {total}"))
-        except UndecidedError as error:
-            raise NotDecided(str(error)) from error
+        results = decide(slug, equations, orders or None, lambda done, _: step(f"equation {done} of {total}"))
         cited = None if total == everything or orders else _cited(papers, equations)
         found = {(proof.name, proof.scope): proof for proof in _proofs(orders, cited, step)}
     return Report.of(papers, results, found.values(), _root(output))
@@ -108,8 +98,8 @@ def _root(output: Path | None) -> str:
     return Path(os.path.relpath(catalogue.CHECKOUT, output.resolve().parent)).as_posix()
 
 
-def _deliver(text: str, output: Path | None, check: str) -> bool:
-    """Print or write the text, or only check the file, with the command that writes it; return whether it is stale."""
+def _deliver(text: str, output: Path | None, check: bool) -> bool:
+    """Print or write the text, or only check the file; return whether it is stale."""
     if output is None:
         click.echo(text, nl=False)
         return False
@@ -118,5 +108,11 @@ def _deliver(text: str, output: Path | None, check: str) -> bool:
         return False
     found = [d for d in files.compare(output.parent, {output.name: text}) if d.path == output]
     if found:
-        display.differences(found, check)
+        display.differences(found, options.unchecked())
     return bool(found)
+
+
+def counted(report: Report) -> str:
+    """How many equations have each status, and how many proofs there are."""
+    counts = Counter(str(result.status) for result in report.results)
+    return ", ".join(f"{count} {what}" for what, count in (*counts.items(), ("proofs", len(report.proofs))))

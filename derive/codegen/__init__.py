@@ -19,7 +19,17 @@ A module imports only from those above it.
 """
 
 from ..output import Difference, RefusedError
-from .compiler import Module, Package, build, check, generate
+from .compiler import Module, Package, build, check, generate, generate_charts
 from .validation import ValidationFailed
 
-__all__ = ["Difference", "Module", "Package", "RefusedError", "ValidationFailed", "build", "check", "generate"]
+__all__ = [
+    "Difference",
+    "Module",
+    "Package",
+    "RefusedError",
+    "ValidationFailed",
+    "build",
+    "check",
+    "generate",
+    "generate_charts",
+]

@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-import re
+import itertools
+import shlex
+from collections.abc import Iterable
 from pathlib import Path
 
+from .. import about
+from ..maps import Cayley, family, parameterization
 from ..maps.chart import Chart
 
-ORDERS = (1, 2, 3, 4, 5, 8)
-"""Orders whose modules are committed."""
-
-TARGET = "numpy"
-"""Target of the committed modules."""
-
-MAX_ORDER = 64
-"""Largest order generated without being asked twice: proof times beyond it are not measured."""
+ORDERS, FAMILIES, TARGET, MAX_ORDER = about.ORDERS, about.FAMILIES, about.TARGET, about.MAX_ORDER
 
 CHECKOUT = Path(__file__).parent.parent.parent
 COMMITTED = CHECKOUT / "generated" / "dualcay"
@@ -24,6 +21,11 @@ COMMITTED = CHECKOUT / "generated" / "dualcay"
 def is_checkout() -> bool:
     """Whether the toolkit runs from a checkout of the project, whose kernels it may rewrite."""
     return (CHECKOUT / "templates").is_dir() and (CHECKOUT / "pyproject.toml").is_file()
+
+
+def has_place(target: str) -> bool:
+    """Whether kernels of a target have a place of their own: those committed in a checkout, and no other."""
+    return target == TARGET and is_checkout()
 
 
 def command(target: str, *charts: Chart) -> str:
@@ -37,7 +39,44 @@ def command(target: str, *charts: Chart) -> str:
     return f"python -m derive generate{options} --target {target}{cap}"
 
 
-def order_of(line: str) -> int | None:
-    """The order in the command of a module; None for the command of shared files."""
-    found = re.search(r" -n (\d{1,9})\b", line)
-    return int(found.group(1)) if found else None
+def charts(
+    orders: Iterable[int] = (), families: Iterable[str] = (), phi: str | None = None, name: str | None = None
+) -> list[Chart]:
+    """The charts of some orders, then those of some families, each once; or that of φ, and of families.
+
+    Of φ an order is the n in it.
+
+    Raises
+    ------
+    ValueError, TypeError
+        For an order or a family that does not exist, a φ that is refused, or a name that is taken.
+    """
+    named: list[Chart] = [*map(family, dict.fromkeys(families))]
+    given = sorted(set(orders))
+    if phi is None:
+        return [*map(Cayley, given), *named]
+    if len(given) > 1:
+        raise ValueError(f"n in phi has one value, got {', '.join(map(str, given))}")
+    if name in {chart.name for chart in committed()}:
+        raise ValueError(f"{name!r} is the name of a committed module")
+    return [parameterization(phi, name or "", given[0] if given else None), *named]
+
+
+def committed() -> list[Chart]:
+    """The charts whose modules are committed."""
+    return charts(ORDERS, FAMILIES)
+
+
+def chart_of(line: str) -> Chart | None:
+    """The chart in the command of a module; None for the command of shared files, and for any other."""
+    words = shlex.split(line)
+    chosen = dict(itertools.pairwise(words))
+    try:
+        if "--phi" in chosen:
+            order = int(chosen["-n"]) if "-n" in chosen else None
+            return parameterization(chosen["--phi"], chosen["--name"], order)
+        if "--family" in chosen:
+            return family(chosen["--family"])
+        return Cayley(int(chosen["-n"])) if "-n" in chosen else None
+    except (KeyError, ValueError):
+        return None

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from ..maps import Cayley
@@ -12,8 +13,11 @@ from ..maps.chart import Chart
 from ..output import files
 from ..proof import Proved, prove
 from . import catalogue
+from .facts import Facts
+from .lowered import lower
 from .module import companion_texts, module_name, module_text, notices, shared_texts
 from .targets import TARGETS, Target
+from .validation import Seen
 
 Progress = Callable[[str], None]
 
@@ -34,6 +38,9 @@ class Module:
     replayed: int
     tested: int | None
 
+    def __repr__(self) -> str:
+        return f"<Module {self.name}: {len(self.proved.proofs)} proofs, {self.validated} calls validated>"
+
 
 @dataclass(frozen=True, slots=True)
 class Package:
@@ -41,6 +48,9 @@ class Package:
 
     texts: dict[str, str]
     modules: tuple[Module, ...]
+
+    def __repr__(self) -> str:
+        return f"<Package of {', '.join(module.name for module in self.modules)}: {len(self.texts)} files>"
 
 
 def build(orders: Iterable[int], target: Target, progress: Progress | None = None) -> Package:
@@ -60,44 +70,56 @@ def build_charts(charts: Sequence[Chart], target: Target, progress: Progress | N
     texts = dict(shared_texts(target))
     with tempfile.TemporaryDirectory() as staging:
         files.write(Path(staging), texts)
-        modules = tuple(_module(chart, target, Path(staging), report, not i) for i, chart in enumerate(charts))
+        seen = Seen()
+        modules = tuple(_module(chart, target, Path(staging), report, seen) for chart in charts)
     for module in modules:
         texts |= module.companions | {module.name: module.text}
     return Package(texts, modules)
 
 
-def _module(chart: Chart, target: Target, staging: Path, report: Progress, first: bool) -> Module:
-    """One module; what is the same in all of them is replayed in the first."""
+def _module(chart: Chart, target: Target, staging: Path, report: Progress, seen: Seen) -> Module:
+    """One module; what is the same in all of them is validated and replayed in the first that has it."""
+    first = not seen.programs
     report(f"{chart.name}: proving")
     name, proved = module_name(chart, target), prove(chart)
     report(f"{chart.name}: emitting")
-    text, companions = module_text(proved, target), companion_texts(chart, target)
+    facts = Facts(proved, lower(proved))
+    text, companions = module_text(facts, target), companion_texts(chart, target)
     files.write(staging, companions | {name: text})
     report(f"{chart.name}: validating")
-    validated = target.validate(staging, chart)
+    validated = target.validate(staging, chart, partial(seen.new, facts.lowered))
     report(f"{chart.name}: replaying")
     replayed, tested = target.replay(staging, chart, first), target.test(staging, chart)
     return Module(name, proved, text, companions, validated, replayed, tested)
 
 
 def generate(
-    orders: Iterable[int] = catalogue.ORDERS,
+    orders: Iterable[int] | None = None,
     target: str = "numpy",
-    output: str | Path = catalogue.COMMITTED,
+    output: str | Path | None = None,
     *,
+    families: Iterable[str] = (),
+    phi: str | None = None,
+    name: str | None = None,
     force: bool = False,
     progress: Progress | None = None,
 ) -> Package:
-    """Write proven kernels of the given orders into a folder, as a package that needs NumPy only.
+    """Write proven kernels of some charts into a folder, as a package that needs NumPy only.
 
     Parameters
     ----------
-    orders : iterable of int
-        Orders n >= 1; the committed ones by default.
+    orders : iterable of int, optional
+        Orders n >= 1 of Cayley maps. Without orders and families, the committed charts.
     target : str
         ``"numpy"``, ``"array-api"``, ``"numba"`` or ``"c"``.
-    output : path
-        Folder of the package, made if missing; ``generated/dualcay`` of a checkout by default.
+    output : path, optional
+        Folder of the package, made if missing; ``generated/dualcay`` of a checkout by default, for no other target.
+    families : iterable of str
+        Names of parameterizations, such as ``"lambert"`` or ``"sine7"``.
+    phi : str, optional
+        A further one, ``"alpha/(1 + alpha**2/40)"``; then an order is the n in it.
+    name : str, optional
+        The name of its module.
     force : bool
         Overwrite files which do not bear the generated header.
     progress : callable, optional
@@ -111,51 +133,69 @@ def generate(
     Raises
     ------
     ValueError, TypeError
-        For a target or an order that does not exist.
+        For a target, an order or a family that does not exist; without a folder where none is the kernels' own, as
+        where the toolkit is installed.
     ProofFailed, ValidationFailed
         If a formula or a printed kernel fails; nothing is written.
     RefusedError
         If a file in the way is not a generated one, the folder holds kernels of another target, or it cannot be
         written; nothing is written.
     """
-    chosen, asked = _target(target), sorted(set(orders))
-    package = build(asked, chosen, progress)
-    files.write(Path(output), package.texts, force, notices([Cayley(n) for n in asked], chosen))
+    asked = catalogue.charts(orders or (), families, phi, name) or catalogue.committed()
+    return generate_charts(asked, target, output, force=force, progress=progress)
+
+
+def generate_charts(
+    charts: Sequence[Chart],
+    target: str = "numpy",
+    output: str | Path | None = None,
+    *,
+    force: bool = False,
+    progress: Progress | None = None,
+) -> Package:
+    """The same for charts as they are."""
+    chosen = _target(target)
+    if output is None and not catalogue.has_place(target):
+        raise ValueError(f"name an output folder: only {catalogue.TARGET} kernels have a place, in a checkout")
+    package = build_charts(charts, chosen, progress)
+    files.write(Path(output or catalogue.COMMITTED), package.texts, force, notices(charts, chosen))
     return package
 
 
 def check(
     folder: Path,
-    orders: Iterable[int] = catalogue.ORDERS,
+    orders: Iterable[int] | None = None,
     target: str = "numpy",
     progress: Progress | None = None,
     cap: int = catalogue.MAX_ORDER,
+    *,
+    families: Iterable[str] = (),
+    phi: str | None = None,
+    name: str | None = None,
 ) -> list[files.Difference]:
     """Regenerate what a folder should hold and compare: files that are missing or stale, then what does not belong.
 
-    It should hold the modules of the given orders (by default the committed ones), and every further module that bears
-    our header is regenerated by the command in it, unless its order is above the cap.
+    It should hold the modules of the given orders and families (by default the committed ones), and every further
+    module that bears our header is regenerated by the command in it, unless its order is above the cap.
     """
-    chosen = _target(target)
-    further = _orders_in(folder, chosen) - set(orders)
-    unmade = {
-        module_name(Cayley(n), chosen): f"order {n} is above the cap {cap}, so not compared; raise it with --max-n"
-        for n in further
-        if n > cap
-    }
-    package = build({n for n in further if n <= cap} | set(orders), chosen, progress)
+    asked = catalogue.charts(orders or (), families, phi, name) or catalogue.committed()
+    chosen, wanted = _target(target), {chart.name: chart for chart in asked}
+    further = {chart.name: chart for chart in _charts_in(folder, chosen) if chart.name not in wanted}
+    above = [chart for chart in further.values() if chart.order > cap]
+    reason = f"is above the cap {cap}, so not compared; raise it with --max-n"
+    unmade = {module_name(chart, chosen): f"order {chart.order} {reason}" for chart in above}
+    made = [*wanted.values(), *(chart for chart in further.values() if chart not in above)]
+    package = build_charts(made, chosen, progress)
     return list(files.compare(folder, package.texts, unmade))
 
 
-def _orders_in(folder: Path, target: Target) -> set[int]:
-    """Orders of the modules in a folder, by the commands in those that bear their own."""
-    commands = {path.name: files.header_command(path) or "" for path in folder.glob(f"*.{target.extension}")}
-    orders = {name: catalogue.order_of(command) for name, command in commands.items()}
-    return {
-        n
-        for name, n in orders.items()
-        if n and module_name(Cayley(n), target) == name and catalogue.command(target.name, Cayley(n)) == commands[name]
-    }
+def _charts_in(folder: Path, target: Target) -> Iterator[Chart]:
+    """The charts of the modules in a folder, by the commands in those that bear their own."""
+    for path in sorted(folder.glob(f"*.{target.extension}")):
+        command = files.header_command(path) or ""
+        chart = catalogue.chart_of(command)
+        if chart and module_name(chart, target) == path.name and catalogue.command(target.name, chart) == command:
+            yield chart
 
 
 def _target(name: str) -> Target:

@@ -14,7 +14,7 @@ from .lowering.scalars import scalar_programs
 from .programs.program import Program
 from .signatures import KERNELS
 
-WORTH = 0.98
+WORTH = 0.92
 """The share of a function's operations that its own program must stay below, to be worth its lines."""
 
 

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from .. import about
 from ..maps.chart import Chart
 from ..output import render
-from ..proof import Proved
 from . import catalogue
-from .facts import Facts, comment, notice
-from .lowered import lower
+from .facts import Facts, comment, head
 from .targets.target import Target
 
 
@@ -24,7 +23,9 @@ def shared_texts(target: Target) -> Mapping[str, str]:
     texts = {}
     for name, data in target.shared().items():
         template = f"{target.name}/{name}.j2"
-        lines = [catalogue.command(target.name), notice(template)]
+        lines = head(catalogue.command(target.name), template)
+        if name == target.entry:  # in no other file, so that a release changes one
+            lines.append(f"Version {about.__version__}.")
         mark = "#" if name.endswith((".txt", ".cmake")) else target.comment
         texts[name] = render(template, header=comment(lines, mark), **data)
     target.require_complete(texts)
@@ -36,9 +37,8 @@ def module_name(chart: Chart, target: Target) -> str:
     return f"{chart.name}.{target.extension}"
 
 
-def module_text(proved: Proved, target: Target) -> str:
+def module_text(facts: Facts, target: Target) -> str:
     """Render the module of a proved chart."""
-    facts = Facts(proved, lower(proved))
     template = f"{target.name}/chart.{target.extension}.j2"
     lines = facts.header(catalogue.command(target.name, facts.chart), template)
     return render(template, header=comment(lines, target.comment), **target.module(facts))
@@ -48,7 +48,7 @@ def notices(charts: Sequence[Chart], target: Target) -> dict[str, str]:
     """Render what stands in the place of a package's entry while its other files are exchanged, by name."""
     template = f"interrupted/{target.entry}.j2"
     command = catalogue.command(target.name, *charts)
-    header = "\n".join(f"{target.comment} {line}" for line in (command, notice(template)))
+    header = "\n".join(f"{target.comment} {line}" for line in head(command, template))
     return {target.entry: render(template, header=header, command=command)}
 
 
@@ -57,6 +57,6 @@ def companion_texts(chart: Chart, target: Target) -> dict[str, str]:
     texts = {}
     for name, (companion, data) in target.companions(chart).items():
         template = f"{target.name}/{companion}.j2"
-        header = comment([catalogue.command(target.name, chart), notice(template)], target.comment)
+        header = comment(head(catalogue.command(target.name, chart), template), target.comment)
         texts[name] = render(template, header=header, **data)
     return texts

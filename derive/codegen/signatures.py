@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 from ..maps.chart import Chart
-from .lowering import forward, inverse, kinematics
+from .lowering import calculus, forward, inverse, kinematics
 from .lowering.point import Geometry
 from .programs.program import Program
 
@@ -20,25 +20,25 @@ Recipe = Callable[[Geometry], Program]
 
 @dataclass(frozen=True, slots=True)
 class Array:
-    """A named array of components; ``parts`` are the sizes of its real part, its dual part and so on, in order."""
+    """A named array of components; ``part_of`` says which part (real, dual and so on) each belongs to."""
 
     name: str
     shape: tuple[int, ...]
-    parts: tuple[int, ...]
+    part_of: tuple[int, ...]
 
     def __post_init__(self) -> None:
-        if sum(self.parts) != math.prod(self.shape):
-            raise ValueError(f"the parts {self.parts} of {self.name} do not make its shape {self.shape}")
+        if len(self.part_of) != math.prod(self.shape):
+            raise ValueError(f"the parts {self.part_of} of {self.name} do not make its shape {self.shape}")
 
     @property
     def size(self) -> int:
         """How many components."""
-        return sum(self.parts)
+        return len(self.part_of)
 
     @property
-    def part_of(self) -> tuple[int, ...]:
-        """Which part each component belongs to."""
-        return tuple(part for part, size in enumerate(self.parts) for _ in range(size))
+    def parts(self) -> tuple[int, ...]:
+        """The size of each part."""
+        return tuple(self.part_of.count(part) for part in range(max(self.part_of) + 1))
 
     def called(self, name: str) -> Array:
         """The same under another name."""
@@ -67,6 +67,9 @@ class Function:
         Whether users call it.
     aliases : tuple of str
         Further names in the modules of Cayley maps.
+    keywords : tuple of str
+        Keyword parameters besides those of every function, in languages that have them: they choose what is done to
+        arguments and results, and change no program.
     """
 
     name: str
@@ -79,6 +82,7 @@ class Function:
     real: bool = False
     public: bool = True
     aliases: tuple[str, ...] = ()
+    keywords: tuple[str, ...] = ()
     shares: str = ""
 
     @property
@@ -104,40 +108,82 @@ class Function:
         return self.shares or self.name
 
 
+def _array(name: str, shape: tuple[int, ...], *parts: int) -> Array:
+    """An array whose parts, of these sizes, follow each other."""
+    return Array(name, shape, tuple(part for part, size in enumerate(parts) for _ in range(size)))
+
+
 def _dual(name: str) -> Array:
-    return Array(name, (6,), (3, 3))
+    return _array(name, (6,), 3, 3)
 
 
 def _tensor(name: str) -> Array:
-    return Array(name, (2, 3, 3), (9, 9))
+    return _array(name, (2, 3, 3), 9, 9)
 
 
-V, OMEGA, V_DOT, LINE, SHADOW, MOVED = map(_dual, ("v", "omega", "v_dot", "line", "v_k", "moved"))
-QUATERNION = Array("q", (8,), (4, 4))
-POSE = Array("pose", (4, 4), (3, 1, 3, 1, 3, 1, 4))
-POINT = Array("r", (3,), (3,))
-ANGLE = Array("angle", (2,), (1, 1))
+def _jacobian(name: str) -> Array:
+    """A dual tensor as a real matrix: its real part beside zeros, then its dual part beside the real one."""
+    return Array(name, (6, 6), (0,) * 18 + (1, 1, 1, 0, 0, 0) * 3)
+
+
+V, OMEGA, V_DOT, LINE, SHADOW, MOVED, BACK = map(_dual, ("v", "omega", "v_dot", "line", "v_k", "moved", "v_back"))
+OMEGA_DOT, V_DDOT, WRENCH, MOMENTUM = map(_dual, ("omega_dot", "v_ddot", "z", "tau"))
+JACOBIAN = _jacobian("jacobian")
+QUATERNION = _array("q", (8,), 4, 4)
+POSE = _array("pose", (4, 4), 3, 1, 3, 1, 3, 1, 4)
+POINT = _array("r", (3,), 3)
+ANGLE = _array("angle", (2,), 1, 1)
 
 SPACE, BODY = ("1",), ("-1",)
 """The side of T: itself, which gives the twist in space, or its transpose, in the body; of T⁻¹ also half the side."""
 SPACE_INV, BODY_INV = ("1", "0.5"), ("-1", "-0.5")
 
+CHECK, SCALAR_FIRST = "check", "scalar_first"
+"""Keywords: whether arguments are checked for what they have to be, and where in a quaternion the scalar stands."""
+
+
+def _way_back(name: str, given: Array, recipe: Recipe, *keywords: str) -> Function:
+    """From what represents a pose to its v on a branch."""
+    keywords = (CHECK, *keywords)
+    return Function(name, (given,), (V,), recipe, exact=False, branch=True, real=True, keywords=keywords)
+
+
+def _both_frames(name: str, arguments: tuple[Array, ...], result: Array, recipe: Recipe) -> tuple[Function, Function]:
+    """A function of space and, by the other side of T, that of the body."""
+    return (
+        Function(name, arguments, (result,), recipe, constants=SPACE),
+        Function(f"body_{name}", arguments, (result,), None, constants=BODY, shares=name),
+    )
+
+
 _ROWS = (
-    Function("quaternion", (V,), (QUATERNION,), forward.quaternion),
+    Function("quaternion", (V,), (QUATERNION,), forward.quaternion, keywords=(SCALAR_FIRST,)),
     Function("tensor", (V,), (_tensor("tensor"),), forward.tensor),
     Function("pose", (V,), (POSE,), forward.pose),
     Function("transform_point", (V, POINT), (POINT.called("moved"),), forward.transform_point),
     Function("transform_line", (V, LINE), (MOVED,), forward.transform_line),
+    Function("inverse", (V,), (BACK,), forward.inverse),
     Function("tangent", (V,), (_tensor("tangent"),), kinematics.tangent, aliases=("dcay",)),
     Function("tangent_inv", (V,), (_tensor("tangent"),), kinematics.tangent_inv, aliases=("dcay_inv",)),
+    Function("body_tangent", (V,), (_tensor("tangent"),), kinematics.body_tangent),
+    Function("body_tangent_inv", (V,), (_tensor("tangent"),), kinematics.body_tangent_inv),
     Function("twist", (V, V_DOT), (OMEGA,), kinematics.twist, constants=SPACE),
     Function("rate", (V, OMEGA), (V_DOT,), kinematics.rate, constants=SPACE_INV),
     Function("body_twist", (V, V_DOT), (OMEGA,), None, constants=BODY, shares="twist"),
     Function("body_rate", (V, OMEGA), (V_DOT,), None, constants=BODY_INV, shares="rate"),
-    Function("from_quaternion", (QUATERNION,), (V,), inverse.from_quaternion, exact=False, branch=True, real=True),
-    Function("from_tensor", (_tensor("R"),), (V,), inverse.from_tensor, exact=False, branch=True, real=True),
-    Function("from_pose", (POSE.called("T"),), (V,), inverse.from_pose, exact=False, branch=True, real=True),
-    Function("from_screw", (ANGLE, LINE), (V,), inverse.from_screw, exact=False, real=True),
+    *_both_frames("tangent_dot", (V, V_DOT), _tensor("tangent_dot"), calculus.tangent_dot),
+    *_both_frames("twist_dot", (V, V_DOT, V_DDOT), OMEGA_DOT, calculus.twist_dot),
+    *_both_frames("rate_dot", (V, OMEGA, OMEGA_DOT), V_DDOT, calculus.rate_dot),
+    *_both_frames("twist_jacobian", (V, V_DOT), JACOBIAN, calculus.twist_jacobian),
+    *_both_frames("rate_jacobian", (V, OMEGA), JACOBIAN, calculus.rate_jacobian),
+    Function("cotangent", (V, WRENCH), (MOMENTUM,), None, constants=BODY, shares="twist"),
+    Function("body_cotangent", (V, WRENCH), (MOMENTUM,), None, constants=SPACE, shares="twist"),
+    Function("cotangent_jacobian", (V, WRENCH), (JACOBIAN,), None, constants=BODY, shares="twist_jacobian"),
+    Function("body_cotangent_jacobian", (V, WRENCH), (JACOBIAN,), None, constants=SPACE, shares="twist_jacobian"),
+    _way_back("from_quaternion", QUATERNION, inverse.from_quaternion, SCALAR_FIRST),
+    _way_back("from_tensor", _tensor("R"), inverse.from_tensor),
+    _way_back("from_pose", POSE.called("T"), inverse.from_pose),
+    Function("from_screw", (ANGLE, LINE), (V,), inverse.from_screw, exact=False, real=True, keywords=(CHECK,)),
     Function("to_screw", (V,), (ANGLE, LINE), inverse.to_screw, exact=False, real=True),
     Function("turn", (V,), (SHADOW,), inverse.turn, exact=False, real=True, public=False),
     Function("shadow", (V,), (SHADOW,), inverse.shadow, exact=False, branch=True, real=True),

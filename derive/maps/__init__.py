@@ -4,7 +4,9 @@ CP23 is Condurache and Popa, Symmetry 15(11) 2011 (2023), cited by equation numb
 """
 
 from .cayley import Cayley
+from .expressions import PhiError
 from .formula import Formula, IsotropicMap, QuaternionMap
+from .named import family, parameterization
 from .polynomials import x
 
-__all__ = ["Cayley", "Formula", "IsotropicMap", "QuaternionMap", "x"]
+__all__ = ["Cayley", "Formula", "IsotropicMap", "PhiError", "QuaternionMap", "family", "parameterization", "x"]

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, ClassVar
 
 import sympy
 
@@ -52,6 +52,7 @@ class Cayley:
     """
 
     order: int
+    remainder: ClassVar[float] = 0.0
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "order", require_order(self.order))

@@ -6,7 +6,8 @@ r"""The scalars of the Cayley map of order n at one ``x = v · v``, in closed fo
 
 in which c_n and d_n are the brackets of CP23 (88) and (89) divided by x. One source serves all uses: elements of Q(x)
 give the formulas, ``Fraction`` and mpmath numbers values, `Dual` numbers dual values, traced numbers programs.
-A slope, marked y, is ``2 d/dx``: the factor of ``v · v°`` in the dual part, since ``x° = 2 v · v°``.
+A slope, marked y, is ``2 d/dx``: the factor of ``v · v°`` in the dual part, since ``x° = 2 v · v°``. Slopes of slopes
+are marked yy; with ``e = 2n/(1 + x)``, the slope of N over N, no division by x is left in any of them.
 N is written ``p² + x q²``, whose rounding error does not grow with n, and ``(N/N)/N`` stands for 1/N: NaN where N has
 overflowed and 1/N would be finite and wrong. Only x is needed, never |v|: a pure translation is no special case.
 """
@@ -16,87 +17,13 @@ from __future__ import annotations
 from functools import cached_property
 
 from ..algebra import Coefficient
-from ..algebra.arithmetic import Arithmetic
 from . import polynomials
-from .evaluation import HORNER_LIMIT, Jet, chain, horner
+from .cayley_polynomials import CayleyPolynomials
 from .way_back import has_ladder
 
 
-class CayleyScalars:
+class CayleyScalars(CayleyPolynomials):
     """What the Cayley map of an order makes of x; every value is computed, and named, when it is asked for."""
-
-    def __init__(self, order: int, x: Coefficient, m: Arithmetic) -> None:
-        self.order = order
-        self.x = x
-        self.m = m
-
-    # --- polynomials ------------------------------------------------------------------------------------------
-
-    @property
-    def _expanded(self) -> bool:
-        """Small orders are evaluated by Horner's rule; above, it loses digits on shadows and the chain does not."""
-        return self.order <= HORNER_LIMIT
-
-    @cached_property
-    def _chain(self) -> dict[int, tuple[Jet, Jet]]:
-        return chain(self.order, self.x, self.m)
-
-    @cached_property
-    def _jets(self) -> tuple[Jet, Jet]:
-        return self._chain[self.order]
-
-    def _horner(self, name: str, polynomial: object) -> Coefficient:
-        return self.m.name(name, horner(polynomial, self.x))
-
-    @cached_property
-    def p(self) -> Coefficient:
-        """p_n, CP23 (51)."""
-        return self._horner("p", polynomials.ring_pair(self.order)[0]) if self._expanded else self._jets[0].value
-
-    @cached_property
-    def q(self) -> Coefficient:
-        """q_n, CP23 (52)."""
-        return self._horner("q", polynomials.ring_pair(self.order)[1]) if self._expanded else self._jets[1].value
-
-    @cached_property
-    def dp(self) -> Coefficient:
-        if self._expanded:
-            return self._horner("dp", polynomials.ring_pair(self.order)[0].diff(polynomials.RING_X))
-        return self._jets[0].first
-
-    @cached_property
-    def dq(self) -> Coefficient:
-        if self._expanded:
-            return self._horner("dq", polynomials.ring_pair(self.order)[1].diff(polynomials.RING_X))
-        return self._jets[1].first
-
-    @cached_property
-    def c(self) -> Coefficient:
-        """``[n (1+x)ⁿ⁻¹ − p q]/x = 2 (p q′ − q p′)``."""
-        if self._expanded:
-            return self._horner("c", polynomials.ring_brackets(self.order)[0])
-        return self.m.name("c", 2 * (self.p * self.dq - self.q * self.dp))
-
-    @cached_property
-    def dc(self) -> Coefficient:
-        if self._expanded:
-            return self._horner("dc", polynomials.ring_brackets(self.order)[0].diff(polynomials.RING_X))
-        p, q = self._jets
-        return self.m.name("dc", 4 * (self.p * q.half_second - self.q * p.half_second))
-
-    @cached_property
-    def d(self) -> Coefficient:
-        """``[(1+x) q − n p]/x = q − 2 q′ − 2 p′``."""
-        if self._expanded:
-            return self._horner("d", polynomials.ring_brackets(self.order)[1])
-        return self.m.name("d", self.q - 2 * (self.dq + self.dp))
-
-    @cached_property
-    def dd(self) -> Coefficient:
-        if self._expanded:
-            return self._horner("dd", polynomials.ring_brackets(self.order)[1].diff(polynomials.RING_X))
-        p, q = self._jets
-        return self.m.name("dd", self.dq - 4 * (q.half_second + p.half_second))
 
     # --- norm -------------------------------------------------------------------------------------------------
 
@@ -137,7 +64,11 @@ class CayleyScalars:
     @cached_property
     def _growth(self) -> Coefficient:
         """``2 N′/N = 2n/(1 + x)``."""
-        return self.m.name("e", 2 * self.order / (1 + self.x))
+        return self.m.name("e", 2 * self.order / self._beyond_one)
+
+    @cached_property
+    def _beyond_one(self) -> Coefficient:
+        return self.m.name("x1", 1 + self.x)
 
     # --- q̂ = s + w v, CP23 (50), (55) -------------------------------------------------------------------------
 
@@ -187,6 +118,11 @@ class CayleyScalars:
         return self.m.name("eg", self._growth * self.g)
 
     @cached_property
+    def _falling(self) -> Coefficient:
+        """``−2 e′ = e²/n``."""
+        return self.m.name("ee", 2 * self._growth / self._beyond_one)
+
+    @cached_property
     def fy(self) -> Coefficient:
         """``2 f′ = h − 2n g/(1 + x)``."""
         return self.m.name("fy", self.h - self._growing_g)
@@ -194,12 +130,47 @@ class CayleyScalars:
     @cached_property
     def gy(self) -> Coefficient:
         """``2 g′ = 8 q q′/N − 2n g/(1 + x)``."""
-        return self.m.name("gy", 4 * self.dq * (self.q * self._twice_inverse_norm) - self._growing_g)
+        return self.m.name("gy", self._rising - self._growing_g)
+
+    @cached_property
+    def _rising(self) -> Coefficient:
+        """``8 q q′/N``."""
+        return self.m.name("qr", 4 * self.dq * (self.q * self._twice_inverse_norm))
 
     @cached_property
     def hy(self) -> Coefficient:
         """``2 h′ = 4 c′/N − 2n h/(1 + x)``."""
-        return self.m.name("hy", 2 * self.dc * self._twice_inverse_norm - self._growth * self.h)
+        return self.m.name("hy", self._bending - self._growth * self.h)
+
+    @cached_property
+    def _bending(self) -> Coefficient:
+        """``4 c′/N``."""
+        return self.m.name("cr", 2 * self.dc * self._twice_inverse_norm)
+
+    @cached_property
+    def fyy(self) -> Coefficient:
+        """``2 fy′ = hy − e gy + (e²/n) g``."""
+        return self.m.name("fyy", self.hy - self._growing_gy + self._falling_g)
+
+    @cached_property
+    def _growing_gy(self) -> Coefficient:
+        return self.m.name("egy", self._growth * self.gy)
+
+    @cached_property
+    def _falling_g(self) -> Coefficient:
+        return self.m.name("eeg", self._falling * self.g)
+
+    @cached_property
+    def gyy(self) -> Coefficient:
+        """``2 gy′ = 16 (q q″ + q′²)/N − e (gy + 8 q q′/N) + (e²/n) g``."""
+        bend = 8 * ((self.q * self.ddq + self.dq * self.dq) * self._twice_inverse_norm)
+        return self.m.name("gyy", bend - (self._growing_gy + self._growth * self._rising) + self._falling_g)
+
+    @cached_property
+    def hyy(self) -> Coefficient:
+        """``2 hy′ = 8 c″/N − e (hy + 4 c′/N) + (e²/n) h``."""
+        bend = 4 * (self.ddc * self._twice_inverse_norm)
+        return self.m.name("hyy", bend - self._growth * (self.hy + self._bending) + self._falling * self.h)
 
     # --- T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, CP23 (89) ----------------------------------------------------------
 
@@ -210,6 +181,11 @@ class CayleyScalars:
     @cached_property
     def _bracket(self) -> Coefficient:
         return self.m.name("diq", self.d * self._inverse_q)
+
+    @cached_property
+    def _log_slope(self) -> Coefficient:
+        """``q′/q``."""
+        return self.m.name("dqiq", self.dq * self._inverse_q)
 
     @cached_property
     def fi(self) -> Coefficient:
@@ -229,3 +205,15 @@ class CayleyScalars:
         """``2 hi′ = 2 (d′ − d q′/q)/(n q)``."""
         change = 2 * self.dd - 2 * self.dq * self._bracket
         return self.m.name("hiy", self.m.div(change * self._inverse_q, self.order))
+
+    @cached_property
+    def fiyy(self) -> Coefficient:
+        """``2 fiy′ = (4 c q′/q − 2 c′)/q²``."""
+        change = 4 * self.c * self._log_slope - 2 * self.dc
+        return self.m.name("fiyy", change * self._inverse_q * self._inverse_q)
+
+    @cached_property
+    def hiyy(self) -> Coefficient:
+        """``2 hiy′ = 4 (d″ − d q″/q)/(n q) − 4 (q′/q) hiy``."""
+        bend = self.m.div(4 * ((self.ddd - self.ddq * self._bracket) * self._inverse_q), self.order)
+        return self.m.name("hiyy", bend - 4 * self._log_slope * self.hiy)

@@ -10,7 +10,7 @@ Geometry is the same for all charts. With a handful of scalars, each regular at 
     h_i = \frac{1}{x} \left(\frac{2}{f + x h} - f_i\right) \qquad v = \mathrm{gain}(\hat q)\,\mathrm{vec}\,\hat q
 
 where ``ω = T v̇`` is the space twist. Dual parts need slopes: with ``x° = 2 y``, ``y = v · v°``, that of f(x) is
-``fy y``, ``fy = 2 f′``. A slope is marked by y. (Second slopes will be marked yy.)
+``fy y``, ``fy = 2 f′``. A slope is marked by y, that of a slope by yy.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ DEFINITIONS = {
 
 
 class Scalars(Protocol):
-    """The scalars of a chart at one x; a trailing y marks a slope, ``2 d/dx``."""
+    """The scalars of a chart at one x; a trailing y marks a slope, ``2 d/dx``, two of them the slope of that."""
 
     @property
     def s(self) -> Coefficient: ...
@@ -67,6 +67,16 @@ class Scalars(Protocol):
     def fiy(self) -> Coefficient: ...
     @property
     def hiy(self) -> Coefficient: ...
+    @property
+    def fyy(self) -> Coefficient: ...
+    @property
+    def gyy(self) -> Coefficient: ...
+    @property
+    def hyy(self) -> Coefficient: ...
+    @property
+    def fiyy(self) -> Coefficient: ...
+    @property
+    def hiyy(self) -> Coefficient: ...
 
     @property
     def ray(self) -> tuple[Coefficient, Coefficient, Coefficient]:
@@ -106,7 +116,7 @@ class Chart(Protocol):
 
     @property
     def branches(self) -> int:
-        """How many vectors v_k = φ(α + 2πk) u a pose has, k modulo their number."""
+        """How many vectors v_k = φ(α + 2πk) u a pose has, k modulo their number; 0 where k is any integer."""
 
     @property
     def singular_angles(self) -> tuple[sympy.Expr, ...]:
@@ -118,6 +128,10 @@ class Chart(Protocol):
 
     def overflow(self, largest: float) -> tuple[str, float]:
         """Why forward maps are NaN for large v, and the Re|v| beyond which they are, in floats up to `largest`."""
+
+    @property
+    def remainder(self) -> float:
+        """What scalars as computed are off by at most, however many digits numbers have: 0 of a formula."""
 
     @property
     def quaternion(self) -> QuaternionMap: ...

@@ -14,35 +14,52 @@ HORNER_LIMIT = 8
 
 @dataclass(frozen=True, slots=True)
 class Jet:
-    """Taylor coefficients in x: a value, its first derivative, and half its second derivative."""
+    """Taylor coefficients in x: a value, its first derivative, half its second and a sixth of its third derivative."""
 
     value: Coefficient
     first: Coefficient = 0
     half_second: Coefficient = 0
+    sixth_third: Coefficient = 0
 
     def __add__(self, other: Jet) -> Jet:
-        return Jet(self.value + other.value, self.first + other.first, self.half_second + other.half_second)
+        return Jet(
+            self.value + other.value,
+            self.first + other.first,
+            self.half_second + other.half_second,
+            self.sixth_third + other.sixth_third,
+        )
 
     def __sub__(self, other: Jet) -> Jet:
-        return Jet(self.value - other.value, self.first - other.first, self.half_second - other.half_second)
+        return Jet(
+            self.value - other.value,
+            self.first - other.first,
+            self.half_second - other.half_second,
+            self.sixth_third - other.sixth_third,
+        )
 
     def __mul__(self, other: Jet) -> Jet:
         return Jet(
             self.value * other.value,
             self.value * other.first + self.first * other.value,
             self.value * other.half_second + self.first * other.first + self.half_second * other.value,
+            self.value * other.sixth_third
+            + self.first * other.half_second
+            + self.half_second * other.first
+            + self.sixth_third * other.value,
         )
 
     def square(self) -> Jet:
         bend = 2 * (self.value * self.half_second) + self.first * self.first
-        return Jet(self.value * self.value, 2 * (self.value * self.first), bend)
+        twist = 2 * (self.value * self.sixth_third + self.first * self.half_second)
+        return Jet(self.value * self.value, 2 * (self.value * self.first), bend, twist)
 
     def named(self, m: Arithmetic, letter: str) -> Jet:
-        """The same jet with its coefficients named p, p_x, p_xx."""
+        """The same jet with its coefficients named p, p_x, p_xx, p_xxx."""
         return Jet(
             m.name(letter, self.value),
             m.name(f"{letter}_x", self.first),
             m.name(f"{letter}_xx", self.half_second),
+            m.name(f"{letter}_xxx", self.sixth_third),
         )
 
 

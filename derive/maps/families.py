@@ -20,8 +20,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from types import SimpleNamespace
 from typing import Any, TypeAlias
 
+import mpmath
 import sympy
 from sympy.polys.ring_series import rs_cos, rs_mul, rs_series_inversion, rs_sin, rs_trunc
 
@@ -31,6 +33,9 @@ from .sign_tests import is_zero
 
 alpha = sympy.Symbol("alpha")
 """The dual angle α: rotation angle + ε translation along the screw axis."""
+
+FURTHER = ("asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log")
+"""Functions that a library may have besides."""
 
 Triple: TypeAlias = tuple[sympy.Expr, sympy.Expr, sympy.Expr]
 
@@ -192,6 +197,19 @@ def euler() -> Family:
     return Family("Euler", 1, alpha, root * sympy.cot(root / 2), "every alpha; T loses rank at |Re alpha| = 2 pi k")
 
 
+def of_angle(phi: sympy.Expr) -> SimpleNamespace:
+    """The scalars of a chart (`chart.Scalars`) as functions of α, and its x."""
+    sine, cosine, slope = sympy.sin(alpha / 2), sympy.cos(alpha / 2), phi.diff(alpha)
+    f, fi = 2 * sine * cosine / phi, phi * cosine / sine
+    g, h, hi = 2 * sine**2 / phi**2, (1 / slope - f) / phi**2, (2 * slope - fi) / phi**2
+    return SimpleNamespace(x=phi**2, s=cosine, w=sine / phi, f=f, g=g, h=h, fi=fi, hi=hi)
+
+
+def by_square(expression: sympy.Expr, phi: sympy.Expr) -> sympy.Expr:
+    """The derivative by x = φ² of a function of α."""
+    return expression.diff(alpha) / (2 * phi * phi.diff(alpha))
+
+
 def evaluate(expression: sympy.Expr, symbol: sympy.Symbol, value: Coefficient, library: Any = functions) -> Coefficient:
     """Return an elementary expression in one symbol at a number of any type.
 
@@ -214,8 +232,12 @@ def evaluate(expression: sympy.Expr, symbol: sympy.Symbol, value: Coefficient, l
             return over(product(above), at(denominator)) if denominator != 1 else product(above)
         if e.is_Rational:
             return over(value * 0 + int(e.p), int(e.q))
+        if not e.free_symbols:
+            return value * 0 + mpmath.mpf(e.evalf(mpmath.mp.dps + 5))
         if e.is_Pow:
             return power(e)
+        if e.func.__name__ in FURTHER:
+            return getattr(library, e.func.__name__)(at(e.args[0]))
         sine, cosine = (f(at(e.args[0])) for f in (library.sin, library.cos))
         quotient = {sympy.tan: (sine, cosine), sympy.cot: (cosine, sine), sympy.sin: (sine, 1), sympy.cos: (cosine, 1)}
         above, below = quotient[e.func]
@@ -224,6 +246,8 @@ def evaluate(expression: sympy.Expr, symbol: sympy.Symbol, value: Coefficient, l
     def power(e: sympy.Expr) -> Coefficient:
         base, exponent = e.as_base_exp()
         root = at(base) if exponent.q == 1 else library.sqrt(at(base))
+        if exponent.q > 2:  # of a positive number
+            return library.exp(library.log(at(base)) * (value * 0 + int(exponent.p)) / int(exponent.q))
         raised = root ** abs(int(exponent.p))
         return raised if exponent > 0 else over(1 + 0 * raised, raised)
 

@@ -15,30 +15,44 @@ from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
 from .cayley_scalars import CayleyScalars
 
+NOISE = 16
+"""A term that is lost beside another when divided by this is below 8 eps of it: 0 but for rounding.
+
+A vector of half a turn is off by up to 4 eps of its length, so its α by 4π eps at most and ``cot(α/2)`` by 2π eps.
+"""
+
 
 def direction(n: int, at: CayleyScalars, y: Coefficient, m: Arithmetic) -> Coefficient:
     """Return sign(p q): u = sign(p q) v/|v|. Where p = 0 that of q, where q = 0 the translation along v decides."""
-    negative = m.name("pneg", m.less(at.p, 0))
-    flipped = m.name("qp", m.where(negative, m.name("mq", -at.q), at.q))
+    sign, _ = _direction(n, at, y, m.name("rd", m.sqrt(at.x)), m)
+    return sign
+
+
+def _direction(
+    n: int, at: CayleyScalars, y: Coefficient, r: Coefficient, m: Arithmetic
+) -> tuple[Coefficient, Coefficient]:
+    """The direction, and ``r |q|``, both NaN where p or that has overflowed (for n = 1, x) and signs say nothing.
+
+    At half a turn, where q > 0, p is 0 but for rounding: then the side that v is on stands.
+    """
+    sine = m.name("rq", r * m.abs(at.q))
+    either = at.x if n == 1 else m.name("either", sine + at.p)
+    one = m.name("one", either - either + 1)
+    if n == 1:
+        return one, sine * one
+    negative = m.name("qneg", m.less(at.q, 0))
+    kept = m.name("kept", m.where(negative, 0, sine))
+    turned = m.name("qp", m.where(m.less(kept + m.div(at.p, NOISE), kept), -at.q, at.q))
     backwards = m.both(m.equal(at.q, 0), m.less(y, 0))
-    return m.name("sign", _in_range(n, at, m) * m.where(m.either(m.less(flipped, 0), backwards), -1, 1))
+    return m.name("sign", one * m.where(m.either(m.less(turned, 0), backwards), -1, 1)), sine * one
 
 
 def natural(
     n: int, at: CayleyScalars, y: Coefficient, r: Coefficient, m: Arithmetic
 ) -> tuple[Coefficient, Coefficient, Coefficient]:
     """Return the principal angle ``2 atan2(r |q|, |p|)``, ``dα/dr = 2n/(1 + x)``, and the direction."""
-    sign = direction(n, at, y, m)
-    p = m.where(m.name("pneg", m.less(at.p, 0)), -at.p, at.p)
-    q = m.where(m.less(at.q, 0), m.name("mq", -at.q), at.q)
-    angle = 2 * m.atan2(r * q, p) * _in_range(n, at, m)
-    return m.name("angle", angle), m.name("slope", 2 * n / (1 + at.x)), sign
-
-
-def _in_range(n: int, at: CayleyScalars, m: Arithmetic) -> Coefficient:
-    """1, or NaN where p has overflowed and its sign says nothing, or x, and v/|v| is nothing."""
-    largest = at.x if n == 1 else at.p
-    return m.name("one", largest - largest + 1)
+    sign, sine = _direction(n, at, y, r, m)
+    return m.name("angle", 2 * m.atan2(sine, m.abs(at.p))), m.name("slope", 2 * n / (1 + at.x)), sign
 
 
 def turned(r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> tuple[Coefficient, Coefficient]:
@@ -50,7 +64,10 @@ def turned(r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> tuple[
 
 def beyond(x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Sequence[Coefficient]]:
     """Return whether x lies beyond the first limit of the table, and the turn of the last limit it lies beyond."""
-    limits = [m.name(f"beyond{j}", m.less(limit, x)) for j, limit in enumerate(table[::3], 1)]
+    first, *others = table[::3]
+    # at half a turn, but for rounding, v is on the first branch
+    limits = [m.name("beyond1", m.less(first, first + m.div(x - first, NOISE)))]
+    limits += [m.name(f"beyond{j}", m.less(limit, x)) for j, limit in enumerate(others, 2)]
     cosine, sine = table[1:3]
     for j, (further, *values) in enumerate(zip(limits[1:], table[4::3], table[5::3], strict=True), 2):
         cosine = m.name(f"cosine{j}", m.where(further, values[0], cosine))

@@ -4,6 +4,8 @@
 templates the template environment; every hole, nothing more
 files     write all or none, compare
 exchange  a folder's files for new ones, whenever the process is killed
+tables    tables as text, of any width
+listing   lists of results, as lines and as HTML
 ========= ==================================================
 
 This room knows nothing of the mathematics, and imports no other.

@@ -24,6 +24,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 
+from ..output.listing import Listing
 from . import condurache_popa_2023, karakilic_2010
 from .decide import ORDERS, decide
 from .equation import Equation, Reading, Result, Status, UndecidedError, Verdict, equation
@@ -34,18 +35,18 @@ PAPERS: tuple[Paper, ...] = (condurache_popa_2023.PAPER, karakilic_2010.PAPER)
 
 def verify(
     paper: str | None = None,
-    equations: Iterable[str] | None = None,
+    equations: str | Iterable[str] | None = None,
     orders: Sequence[int] | None = None,
     progress: Callable[[int, int], None] | None = None,
-) -> list[Result]:
+) -> Listing[Result]:
     """Decide the equations of the papers.
 
     Parameters
     ----------
     paper : str, optional
         Slug of one paper; both by default.
-    equations : iterable of str, optional
-        Numbers or slugs; all by default.
+    equations : str or iterable of str, optional
+        Numbers or slugs, also as one text with commas, ``"88,111"``; all by default.
     orders : sequence of int, optional
         The orders n at which statements about n are executed, 1 … 5 by default.
     progress : callable, optional
@@ -59,12 +60,13 @@ def verify(
     papers = [p for p in PAPERS if paper in (None, p.slug)]
     if not papers:
         raise ValueError(f"no paper {paper!r}: expected {' or '.join(p.slug for p in PAPERS)}")
-    wanted = None if equations is None else [str(number) for number in equations]
+    listed = [part.strip() for part in equations.split(",")] if isinstance(equations, str) else equations
+    wanted = None if listed is None else [str(number) for number in listed]
     chosen = [(p, e) for p in papers for e in p.entries() if wanted is None or e.number in wanted]
     missing = sorted(set(wanted or ()) - {e.number for _, e in chosen})
     if missing:
         raise ValueError(f"no equation {', '.join(missing)}")
-    results = []
+    results: Listing[Result] = Listing()
     for done, (source, entry) in enumerate(chosen, 1):
         results.append(decide(source.slug, entry, source.lost, tuple(orders or ORDERS)))
         if progress is not None:

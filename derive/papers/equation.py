@@ -149,6 +149,9 @@ class Equation:
                 queue += new
         return tuple(letter for letter in queue if letter not in self.definitions and letter.kind.varies)
 
+    def __repr__(self) -> str:
+        return f"<Equation ({self.number}): {self.title}>"
+
     def reading(self, statement: Term) -> Equation:
         """The same entry with this one reading: a correction or a mutant put in place of what is printed."""
         return replace(self, readings=(Reading(statement),), extract="")
@@ -303,6 +306,21 @@ class Result:
             "source": self.equation.source,
             "remark": self.equation.remark,
         }
+
+    def cells(self) -> dict[str, str]:
+        """Its row in a table."""
+        corrected = "" if self.corrected is None else f"$\\displaystyle {self.corrected}$"
+        return {
+            "paper": self.paper,
+            "equation": self.equation.number,
+            "status": str(self.status),
+            "printed": f"$\\displaystyle {self.printed}$",
+            "corrected": corrected,
+            "method": self.method,
+        }
+
+    def __repr__(self) -> str:
+        return f"<Result {self.paper} ({self.equation.number}): {self.status}>"
 
     def _repr_latex_(self) -> str:
         body = rf"\text{{({self.equation.number}) {self.status}:}}\quad {self.printed}"

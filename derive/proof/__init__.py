@@ -1,19 +1,5 @@
 """Proofs: identities decided exactly, for every order n at once and, on a second road, at each order asked for.
 
-identity             `Proof`, and `decide`: every residue is zero
-differential_field   Q(n, x)(p, q) with a derivation, in which n stays a symbol
-induction            theorems on p_n, q_n for all n
-map_theorems         theorems on tensor, quaternion and tangent operators for all n
-every_order          all of these, proved once per process
-at_order             the formulas of one order are the theorems' instances
-exact, element       the exact ring of vector components modulo v·v = x
-polynomial_backend   its polynomials, by python-flint or SymPy
-ratio                rational functions as numbers, with roots of squares and sines of given angles
-components           the componentwise road at one order, from the definition
-scalars              the scalars of any algebraic chart are its formulas, and those of its φ
-proved               `Proved` and the way to it
-==================== ==============================================================================
-=======
 ====================== ==============================================================================
 marks                  the letters and marks of statements, SymPy expressions, and how they are printed
 statement              `Equation`, and `Premise`: what a theorem takes as given
@@ -27,6 +13,8 @@ formulas               the coefficients of R, dcay and its inverse that the theo
 polynomial_theorems    theorems on p_n, q_n for all n
 map_theorems           theorems on tensor, quaternion and tangent operators for all n
 displacement_theorems  theorems on screws, poses, lines, shadows and composition
+calculus_theorems      theorems on derivatives of the tangent operators
+transport_theorems     theorems on rates where branches change, and on twists of products
 every_order            all of these, proved once per process
 at_order               the formulas of one order are the theorems' instances
 computations           and so is what `derive.maps` computes in other ways
@@ -36,12 +24,15 @@ ratio                  rational functions as numbers, with roots of squares and 
 components             the componentwise road at one order, from the definition
 at_point               statements about one order, evaluated as printed
 scalars                the scalars of any algebraic chart are its formulas, and those of its φ
+any_phi                theorems on every parameterization v = φ(α) u
+instances_of_phi       the formulas of a chart in α are their instances
 proved                 `Proved` and the way to it
 controls               every theorem and every check with one thing wrong, which must fail
 coverage               which theorem, or which validation, covers each kernel function
+page                   all of this as Markdown
 ====================== ==============================================================================
 
-``python -m derive.proof`` proves everything and runs all controls.
+``python -m derive.proof`` proves everything and sees all controls fail.
 """
 
 from __future__ import annotations
@@ -51,6 +42,9 @@ from .every_order import theorems
 from .exact import Ring
 from .identity import Proof, decide
 from .proved import ProofFailed, Proved, proofs, prove
-from .scalars import root_of
+from .scalars import is_algebraic, root_of
 
-__all__ = ["Element", "Proof", "ProofFailed", "Proved", "Ring", "decide", "proofs", "prove", "root_of", "theorems"]
+__all__ = [
+    "Element", "Proof", "ProofFailed", "Proved", "Ring", "decide", "is_algebraic", "proofs", "prove", "root_of",
+    "theorems",
+]  # fmt: skip

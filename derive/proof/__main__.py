@@ -1,51 +1,83 @@
 """``python -m derive.proof``: prove everything, and see every control fail. Exit code 1 if a proof fails or a control
-does not."""
+does not, or with ``--check`` if the page of theorems is stale."""
 
 from __future__ import annotations
 
+import argparse
 import sys
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Sequence
+from pathlib import Path
 
 from ..maps import Cayley
+from ..output import files
+from .any_phi import ANY_PHI
 from .controls import Control, controls, controls_at, controls_of
 from .displacement_theorems import COMPOSITION_AT
 from .every_order import decided, stated
 from .formulas import Formulas
-from .identity import Proof
+from .identity import ALL_ORDERS, Proof
+from .page import page, title
 from .proved import proofs
+from .theorem import Theorem
 
 ORDERS = (1, 2, 3, 4, 5)
 """Orders at which the componentwise road is controlled: without poles and with, even and odd."""
 
+SHOWN = 3
+"""The one of them on the page."""
 
-def main() -> int:
-    """Print what is proved and how many controls failed, as they must."""
-    claimed = (*stated(Formulas()), *COMPOSITION_AT.values())
-    general = decided(claimed)
-    at_orders = (proof for n in ORDERS for proof in proofs(Cayley(n)))
-    proved = tuple({(proof.scope, proof.name): proof for proof in (*general, *at_orders)}.values())
-    known = {proof.name: proof for proof in general}
-    altered = [*controls(claimed, known)]
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Print what failed and count what did not; write the page of theorems, or compare it."""
+    options = _options(arguments)
+    general = decided(claims())
+    altered = [*controls(claims(), {proof.name: proof for proof in general})]
+    again = {n: at_order(n) for n in ORDERS}
     for n in ORDERS:
-        altered += (*controls_at(Cayley(n)), *controls_of(Cayley(n)))
-    print("\n".join(_report(proved, altered)))
+        altered += controlled_at(n)
+    proved = (*general, *(proof for found in again.values() for proof in found))
     wrong = [proof for proof in proved if not proof.proved]
     missed = [control for control in altered if not control.noticed]
-    print(f"{len(proved)} statements, {len(wrong)} not proved; ", end="")
-    print(f"{len(altered)} controls, {len(missed)} not noticed")
+    print(f"{len(proved)} statements, {len(wrong)} not proved; {len(altered)} controls, {len(missed)} not noticed")
     for line in (*map(str, wrong), *map(str, missed)):
         print(line, file=sys.stderr)
-    return 1 if wrong or missed else 0
+    if wrong or missed:
+        return 1
+    text = page(general, again[SHOWN], Counter(title(control.proof) for control in altered))
+    return _deliver(text, options.output, options.check)
 
 
-def _report(proved: tuple[Proof, ...], altered: list[Control]) -> Iterator[str]:
-    """A line for each statement: scope, name, how many of its controls failed, and its words."""
-    for proof in proved:
-        own = [c for c in altered if (c.proof.name, c.proof.scope) == (proof.name, proof.scope)]
-        noticed = sum(control.noticed for control in own)
-        yield f"{proof.status} [{proof.scope}] {proof.name}, {noticed} of {len(own)} controls failed: {proof.statement}"
-        yield from (f"    given {premise}" for premise in proof.premises)
-        yield from (f"    multiplied by {factor}, zero where {factor.vanishes}" for factor in proof.multipliers)
+def claims() -> tuple[Theorem, ...]:
+    """What is proved once."""
+    return (*stated(Formulas()), *COMPOSITION_AT.values(), *ANY_PHI)
+
+
+def at_order(n: int) -> tuple[Proof, ...]:
+    """What is decided again for an order."""
+    once = {theorem.name for theorem in COMPOSITION_AT.values()}
+    return tuple(proof for proof in proofs(Cayley(n)) if proof.scope != ALL_ORDERS and proof.name not in once)
+
+
+def controlled_at(n: int) -> tuple[Control, ...]:
+    """All controls of that."""
+    return (*controls_at(Cayley(n)), *controls_of(Cayley(n)))
+
+
+def _deliver(text: str, output: Path | None, check: bool) -> int:
+    if output and not check:
+        files.write(output.parent, {output.name: text}, force=True)
+    elif output and any(found.path == output for found in files.compare(output.parent, {output.name: text})):
+        print(f"{output} is stale; accept with:  python -m derive.proof -o {output}", file=sys.stderr)
+        return 1
+    return 0
+
+
+def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog="python -m derive.proof", description="Prove everything, see controls fail.")
+    parser.add_argument("-o", "--output", type=Path, help="page of theorems to write")
+    parser.add_argument("--check", action="store_true", help="compare the page instead")
+    return parser.parse_args(arguments)
 
 
 if __name__ == "__main__":

@@ -38,7 +38,7 @@ class AtPoint(Evaluation):
         v = Vector(*(Dual(Fraction(place), Fraction(speed)) for place, speed in zip(PLACE, SPEED, strict=True)))
         x = v.dot(v)
         p, q = (Dual(Fraction(1)) * value for value in polynomials.pair_by_squaring(n, x))
-        self.root = Dual(Fraction(ROOT), x.du / (2 * ROOT))
+        self.root = Fraction(ROOT)
         factor = self.root**-n
         formulas, rates = Formulas(), v.map(dual_part)
         tensors = {marks.R: formulas.tensor, marks.dcay: formulas.tangent, marks.dcay_inv: formulas.tangent_inv}

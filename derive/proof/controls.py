@@ -21,7 +21,7 @@ from .at_order import CayleyFormulas, instances
 from .components import STATEMENTS, Components, hamilton
 from .computations import Computed, computations
 from .identity import NO_VALUE, Proof
-from .scalars import SLOPES, VALUES, ScalarProofs
+from .scalars import BENDS, SLOPES, VALUES, ScalarProofs
 from .theorem import Theorem
 
 
@@ -140,7 +140,7 @@ _DEFINITIONS: Mapping[type[Components], tuple[int, ...]] = {
 }
 """Which statements must fail when a definition is."""
 
-LOWERED, RELATED, DERIVED = range(3)
+LOWERED, RELATED, DERIVED, DERIVED_TWICE = range(4)
 """Places of the statements about the scalars of a chart; the one about φ is the last."""
 
 
@@ -167,14 +167,14 @@ def controls_at(cayley: CayleyFormulas) -> Iterator[Control]:
 
 def controls_of(chart: Chart) -> Iterator[Control]:
     """All controls of what is proved of any chart: each scalar with x added to it, and another φ."""
-    for name in (*VALUES, *SLOPES):
+    for name in (*VALUES, *SLOPES, *BENDS):
 
         def scalars(x: Any, m: Arithmetic, name: str = name) -> Any:
             at = chart.scalars(x, m)
             return _Wrong(at, name, getattr(at, name) + x)
 
         decided = tuple(ScalarProofs(_Wrong(chart, "scalars", scalars)).proofs())
-        for place in (LOWERED, RELATED) if name in VALUES else (DERIVED,):
+        for place in (LOWERED, RELATED) if name in VALUES else (DERIVED if name in SLOPES else DERIVED_TWICE,):
             yield Control(decided[place].name, f"{name} + x", decided[place])
     *_, failing = ScalarProofs(_Wrong(chart, "phi", chart.phi.xreplace({alpha: 2 * alpha}))).proofs()
     yield Control(failing.name, "phi of twice the angle", failing)

@@ -39,6 +39,11 @@ class Coverage:
 
 _TANGENT = ("tangent", "twist", "axis", "determinant")
 _INVERSE = ("tangent_inv", "inverse", "rates of v")
+_SLOPES = ("slopes of the tangent operators", "second slopes of the tangent operators")
+_SECOND = (*_SLOPES, "rate of the tangent operator", "structure equation")
+_SECOND_INVERSE = (*_SLOPES, "rate of the inverse operator")
+_JACOBIAN = (*_SLOPES, "Jacobian of the twist", "structure equation", "structure equation in the body")
+_JACOBIAN_INVERSE = (*_SLOPES, "Jacobian of the rate")
 _BRANCHES = "the choice of axis, of sign and of the branch among the angles of one screw; half turns and translations"
 
 COVERAGE: Mapping[str, Coverage] = {
@@ -47,14 +52,24 @@ COVERAGE: Mapping[str, Coverage] = {
     "pose": Coverage("exact", ("pose", "orthogonality")),
     "transform_point": Coverage("exact", ("pose", "line")),
     "transform_line": Coverage("exact", ("pose", "line")),
+    "inverse": Coverage("exact", ("orthogonality", "quaternion")),
     "tangent": Coverage("exact", _TANGENT),
     "dcay": Coverage("exact", _TANGENT),
     "tangent_inv": Coverage("exact", _INVERSE),
     "dcay_inv": Coverage("exact", _INVERSE),
+    "body_tangent": Coverage("exact", ("body twist", "axis", "determinant")),
+    "body_tangent_inv": Coverage("exact", ("rates of v", "inverse")),
     "twist": Coverage("exact", ("twist", "quaternion rate")),
     "body_twist": Coverage("exact", ("body twist", "quaternion rate")),
     "rate": Coverage("exact", ("rates of v", "inverse")),
     "body_rate": Coverage("exact", ("rates of v", "body twist")),
+    **{name: Coverage("exact", _SECOND) for name in ("tangent_dot", "body_tangent_dot", "twist_dot", "body_twist_dot")},
+    **{name: Coverage("exact", _SECOND_INVERSE) for name in ("rate_dot", "body_rate_dot")},
+    **{name: Coverage("exact", _JACOBIAN) for name in ("twist_jacobian", "body_twist_jacobian")},
+    **{name: Coverage("exact", _JACOBIAN) for name in ("cotangent_jacobian", "body_cotangent_jacobian")},
+    **{name: Coverage("exact", _JACOBIAN_INVERSE) for name in ("rate_jacobian", "body_rate_jacobian")},
+    "cotangent": Coverage("exact", ("tangent", "body twist")),
+    "body_cotangent": Coverage("exact", ("tangent", "body twist")),
     "from_quaternion": Coverage("50 digits", ("screw", "multiples of an angle"), _BRANCHES),
     "from_tensor": Coverage("50 digits", ("screw", "multiples of an angle"), _BRANCHES),
     "from_pose": Coverage("50 digits", ("screw", "multiples of an angle", "pose"), _BRANCHES),

@@ -150,7 +150,7 @@ class Element:
         Raises
         ------
         ValueError
-            If the element is not the square of a rational function of the squares (or of s = sqrt(1 ± x)).
+            If the element is not the square of a rational function of the squares (or of s = sqrt(1 + x/k)).
         """
         ring, library = self.ring, self.ring.polynomials
         numerator = self._numerator("an element under a square root")
@@ -196,9 +196,11 @@ class Element:
         slope = rate(below, index)
         terms = {key: rate(c, index) for key, c in self.terms.items()}
         if slope:
-            terms = {key: product(c, below) - product(self.terms[key], slope) for key, c in terms.items()}
-            below = product(below, below)
-        if ring.root and index == 0:  # s² = 1 ± x, so d/dx = ± d/ds / (2 s)
+            # (P/D)' = (P' a - P b)/(D a) with D'/D = b/a in lowest terms
+            b, a = cofactors(library, below, slope)
+            terms = {key: product(c, a) - product(self.terms[key], b) for key, c in terms.items()}
+            below = product(below, a)
+        if ring.root and index == 0:  # s² = 1 + x/k, so d/dx = d/ds / (2 k s)
             below = below * library.generators[0] * (2 * ring.root)
         return Element(ring, {key: c for key, c in terms.items() if c}, below)
 

@@ -1,21 +1,24 @@
-"""All theorems for every order n ≥ 1, without bound: on the polynomials, the maps made with them, displacements."""
+"""All theorems for every order n ≥ 1, without bound: on polynomials, maps made with them, motion."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 from functools import cache
 
+from .calculus_theorems import calculus_theorems
 from .displacement_theorems import displacement_theorems
 from .formulas import Formulas
 from .identity import Proof
 from .map_theorems import map_theorems
 from .polynomial_theorems import POLYNOMIAL_THEOREMS
 from .theorem import Theorem
+from .transport_theorems import transport_theorems
 
 
 def stated(formulas: Formulas) -> tuple[Theorem, ...]:
     """Everything that is claimed for every order of the given formulas, each after what it rests on."""
-    return (*POLYNOMIAL_THEOREMS, *map_theorems(formulas), *displacement_theorems(formulas))
+    of_maps = (map_theorems, displacement_theorems, calculus_theorems, transport_theorems)
+    return (*POLYNOMIAL_THEOREMS, *(theorem for theorems_of in of_maps for theorem in theorems_of(formulas)))
 
 
 def decided(claimed: Iterable[Theorem]) -> tuple[Proof, ...]:

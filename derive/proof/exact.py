@@ -37,8 +37,8 @@ class Ring:
     extra : sequence of str
         Further independent symbols (dual parts, rates, points).
     root : int
-        1 or −1: the square x of the first vector is expressed through s = sqrt(1 ± x), so that odd powers of 1 ± x have
-        a square root. 0: it is not.
+        Not 0: the square x of the first vector is expressed through s = sqrt(1 + x/root), so that odd powers of
+        1 + x/root have a square root. 0: it is not.
     backend : {"flint", "sympy"}, optional
         Library for the polynomials; by default python-flint where it is installed.
     """
@@ -50,8 +50,8 @@ class Ring:
         root: int = 0,
         backend: str | None = None,
     ) -> None:
-        if root not in (-1, 0, 1):
-            raise ValueError(f"the root of a ring is that of 1 + x (1), of 1 - x (-1), or none (0), given {root!r}")
+        if not isinstance(root, int):
+            raise TypeError(f"the root of a ring is that of 1 + x/k for an integer k, or none (0), given {root!r}")
         self.vectors = tuple(vectors)
         self.root = root
         squares = ["s" if root else "x"] + [f"{name}_square" for name in self.vectors[1:]]
@@ -90,9 +90,9 @@ class Ring:
         return Element(self, {0: self.squares[self._index(name)]}, self.polynomials.one)
 
     def square_root(self) -> Element:
-        """The element s = sqrt(1 ± x) of a ring made with a root."""
+        """The element s = sqrt(1 + x/root) of a ring made with a root."""
         if not self.root:
-            raise ValueError("sqrt(1 ± x) is an element of rings made with root=1 or root=-1 only")
+            raise ValueError("sqrt(1 + x/root) is an element of rings made with a root only")
         return Element(self, {0: self.polynomials.generators[0]}, self.polynomials.one)
 
     def lift(self, expression: Any, values: Mapping[Any, Operand]) -> Element:
@@ -110,6 +110,15 @@ class Ring:
         if not isinstance(expression, sympy.Basic):
             raise TypeError(f"expected a SymPy expression or an exact number, not {type(expression).__name__}")
         return self._lift(expression, {symbol: self.element(value) for symbol, value in values.items()})
+
+    def derivatives(self, expression: Any, symbol: Any, square: Element, order: int) -> list[Element]:
+        """An expression in one symbol as an element where this is the first square, and its derivatives by it."""
+        if square != self.square(self.vectors[0]):
+            raise ValueError(f"derivatives are by the square of {self.vectors[0]}, not by {square!r}")
+        found = [self.lift(expression, {symbol: square})]
+        while len(found) <= order:
+            found.append(found[-1].derivative(self.square_names[0]))
+        return found
 
     def element(self, value: Operand) -> Element:
         """The value itself if it is of this ring, else the constant; floats are refused."""

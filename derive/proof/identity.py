@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 import time
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
@@ -131,8 +132,24 @@ class Proof:
         """The residues that do not vanish."""
         return tuple(residue for residue in self.residues if not residue.vanishes)
 
+    def cells(self) -> dict[str, str]:
+        """Its row in a table."""
+        return {
+            "theorem": self.name,
+            "scope": self.scope,
+            "status": self.status,
+            "statement": f"$\\displaystyle {self.latex}$",
+            "method": self.method,
+        }
+
     def __str__(self) -> str:
         return f"{self.status} [{self.scope}] {self.statement} ({self.method})"
+
+    def __repr__(self) -> str:
+        return f"<Proof [{self.scope}] {textwrap.shorten(self.name, 80, placeholder=' …')}: {self.status}>"
+
+    def _repr_latex_(self) -> str:
+        return f"$\\displaystyle \\text{{{self.status} [{self.scope}]:}}\\quad {self.latex}$"
 
 
 @dataclass(frozen=True)

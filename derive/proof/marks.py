@@ -18,7 +18,7 @@ from ..maps.polynomials import x as x
 
 n, m = sympy.symbols("n m", integer=True, positive=True)
 j = sympy.Symbol("j", integer=True)
-X, r, alpha, theta, beta, i, epsilon = sympy.symbols("X r alpha theta beta i epsilon")
+X, r, alpha, theta, beta, gamma, i, epsilon = sympy.symbols("X r alpha theta beta gamma i epsilon")
 p, q, p_m, q_m, p_k, q_k, c, d = sympy.symbols("p_n q_n p_m q_m p_k q_k c_n d_n")
 p_sum, q_sum, p_double, q_double = sympy.symbols("p_{m+n} q_{m+n} p_{2n} q_{2n}")
 
@@ -35,8 +35,14 @@ R, R_k, Q, dcay, dcay_inv, q_hat, omega, omega_body = map(
 rho, vector, first, second = map(structure, ("rho", "vector", "vector_1", "vector_2"))
 b, b_1, b_2, sigma, sigma_1, sigma_2 = map(structure, ("b", "b_1", "b_2", "sigma", "sigma_1", "sigma_2"))
 v_dual, V, R_dual = map(structure, ("v°", "V", "R(V)"))
-x_dual, p_dual, q_dual, scalar, scalar_1, scalar_2, r_k = sympy.symbols(
-    "x(V) p_n(V) q_n(V) scalar scalar_1 scalar_2 r_k"
+a, omega_1, omega_2 = map(structure, ("a", "omega_1", "omega_2"))
+twist_jacobian, twist_jacobian_b, body_jacobian, rate_jacobian, body_rate_jacobian = map(
+    structure, ("J(a)", "J(b)", "J_B(a)", "K(a)", "K_B(a)")
+)
+dcay_k, transport = map(structure, ("dcay_n(v_k)", "S_k"))
+f, g, h, f_i, h_i, f_y, g_y, h_y, f_iy, h_iy = sympy.symbols("f g h f_i h_i f_y g_y h_y f_iy h_iy")
+x_dual, p_dual, q_dual, scalar, scalar_1, scalar_2, r_k, r_jk = sympy.symbols(
+    "x(V) p_n(V) q_n(V) scalar scalar_1 scalar_2 r_k r_{j+k}"
 )
 
 TYPESET = {
@@ -59,7 +65,9 @@ class Mark(sympy.Function):  # type: ignore[misc]  # SymPy is untyped
 
     def _latex(self, printer: LatexPrinter, exp: str | None = None) -> str:
         body = self.typeset.format(*(self._bracketed(printer, self.typeset, place) for place in range(len(self.args))))
-        return body if exp is None else f"{{{body}}}^{{{exp}}}"
+        if exp is None:
+            return body
+        return rf"\left({body}\right)^{{{exp}}}" if isinstance(self, prime) else f"{{{body}}}^{{{exp}}}"
 
     def _bracketed(self, printer: Any, template: str, place: int) -> str:
         """An argument, in brackets if it is composed and the template has none."""
@@ -135,7 +143,7 @@ class _Text(StrPrinter):  # type: ignore[misc]
         if expr.exp.is_negative:
             return f"1/{self.parenthesize(1 / expr, PRECEDENCE['Pow'], strict=True)}"
         base, exponent = (self.parenthesize(part, PRECEDENCE["Pow"]) for part in expr.args)
-        return f"{base}^{exponent}"
+        return f"({base})^{exponent}" if isinstance(expr.base, prime) else f"{base}^{exponent}"
 
 
 class _Typeset(LatexPrinter):  # type: ignore[misc]

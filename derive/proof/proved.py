@@ -12,7 +12,8 @@ from .computations import computations
 from .displacement_theorems import COMPOSITION_AT
 from .every_order import theorems
 from .identity import Proof
-from .scalars import ScalarProofs
+from .instances_of_phi import instance
+from .scalars import ScalarProofs, is_algebraic
 
 Progress = Callable[[str], None]
 _MADE_HERE = object()
@@ -43,7 +44,8 @@ class Proved:
         What was proved.
     proofs : tuple of Proof
         Of a Cayley map theorems for all n, their instances at this order, the componentwise road at this order; of any
-        chart that what is lowered are its formulas and those of its φ.
+        algebraic chart that what is lowered are its formulas and those of its φ; of any other that its formulas, in α,
+        are instances of the theorems on every φ.
     """
 
     formulas: Chart
@@ -53,6 +55,9 @@ class Proved:
     def __post_init__(self, token: object) -> None:
         if token is not _MADE_HERE:
             raise TypeError("only derive.proof.prove makes a Proved")
+
+    def __repr__(self) -> str:
+        return f"<Proved {self.formulas.name}: {len(self.proofs)} proofs>"
 
 
 def proofs(chart: Chart, progress: Progress | None = None, backend: str | None = None) -> tuple[Proof, ...]:
@@ -91,7 +96,7 @@ def _decided(chart: Chart, progress: Progress, backend: str | None) -> Iterator[
     if chart.cayley:
         yield from _cayley(chart.cayley, progress, backend)
     progress(f"{chart.name}: what is lowered")
-    yield from ScalarProofs(chart, backend).proofs()
+    yield from ScalarProofs(chart, backend).proofs() if is_algebraic(chart) else instance(chart)
 
 
 def _cayley(cayley: CayleyFormulas, progress: Progress, backend: str | None) -> Iterator[Proof]:

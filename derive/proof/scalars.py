@@ -1,7 +1,7 @@
 r"""The scalars a chart is lowered with are its formulas, and those of φ: decided exactly, for any algebraic chart.
 
-What a chart computes at x runs on the element x of the exact ring, Q(x) with the root sqrt(1 ± x) where formulas have
-it. With ``q̂ = s + w v`` and ``y = v · v̇``, ``ṡ = s_y y``, ``ẇ = w_y y``, the twist ``ω = 2 vec(q̂' q̂*)`` is
+What a chart computes at x runs on the element x of the exact ring, Q(x) with the root sqrt(1 + x/k) where formulas
+have it. With ``q̂ = s + w v`` and ``y = v · v̇``, ``ṡ = s_y y``, ``ẇ = w_y y``, the twist ``ω = 2 vec(q̂' q̂*)`` is
 
 .. math:: \omega = 2 s w\,\dot v + 2 w^2\,v \times \dot v + 2 (s w_y - w s_y)\,(v \cdot \dot v)\,v
 
@@ -31,13 +31,15 @@ from .polynomial_backend import Polynomial
 from .ratio import Ratio, RationalFunctions
 from .statement import Equation
 
-METHOD = "residues in Q(x), with the root of 1 ± x where formulas have it"
+METHOD = "residues in Q(x), with the root of 1 + x/k where formulas have it"
 BY_ANGLE = "residues in Q(tan(alpha/2M)), M such that phi is made of sines and cosines of multiples of alpha/M"
 TRIGONOMETRY = SimpleNamespace(sin=Ratio.sin, cos=Ratio.cos, sqrt=Ratio.sqrt)
 
 VALUES, SLOPES = ("s", "w", "f", "g", "h", "fi", "hi"), ("sy", "wy", "fy", "gy", "hy", "fiy", "hiy")
+BENDS = ("fyy", "gyy", "hyy", "fiyy", "hiyy")
 s, w, f, g, h, fi, hi = sympy.symbols(VALUES)
 sy, wy, fy, gy, hy, fiy, hiy = sympy.symbols(SLOPES)
+fyy, gyy, hyy, fiyy, hiyy = sympy.symbols(BENDS)
 a, b, slope = sympy.symbols("a b phi'")
 
 FORMULAS = {
@@ -62,26 +64,43 @@ RELATIONS = (
 DERIVATIVES = tuple(
     Equation(of, 2 * prime(value)) for of, value in zip((sy, wy, fy, gy, hy, fiy, hiy), (s, w, f, g, h, fi, hi))
 )
+SECOND_DERIVATIVES = tuple(
+    Equation(of, 2 * prime(slope)) for of, slope in zip((fyy, gyy, hyy, fiyy, hiyy), (fy, gy, hy, fiy, hiy))
+)
 ANGLE = (Equation((f + x * h) * slope, sympy.Integer(1)), Equation(Shifted(s, x, sympy.Integer(0)), sympy.Integer(1)))
 
 
+def is_algebraic(chart: Chart) -> bool:
+    """Whether the formulas of a chart are functions of x: then the exact ring decides what is computed."""
+    return all(c.free_symbols <= {x} for name in FORMULAS for c in getattr(chart, name).coefficients)
+
+
 def root_of(expressions: Iterable[sympy.Expr]) -> int:
-    """The sign in the root sqrt(1 ± x) that expressions in x hold; 0 where they hold none.
+    """The integer k of the root sqrt(1 + x/k) that expressions in x hold; 0 where they hold none.
 
     Raises
     ------
     ValueError
-        If they hold another root, or both.
+        If they hold another root, or several.
     """
     powers = {power for expression in expressions for power in expression.atoms(sympy.Pow)}
     roots = {power for power in powers if not power.exp.is_Integer}
     if not roots:
         return 0
-    for sign in (1, -1):
-        if all(root.base == 1 + sign * x and (2 * root.exp).is_Integer for root in roots):
-            return sign
+    found = {_divisor(root) for root in roots}
+    if len(found) == 1 and None not in found:
+        return int(found.pop() or 0)
     named = ", ".join(sorted(map(str, roots)))
-    raise ValueError(f"formulas may hold the square root of 1 + x or that of 1 - x, not {named}")
+    raise ValueError(f"formulas may hold the square root of 1 + x/k for one integer k, not {named}")
+
+
+def _divisor(root: sympy.Pow) -> sympy.Integer | None:
+    """The k for which it is a power of sqrt(a² + a² x/k), a rational; None where there is none."""
+    start, step = root.base.coeff(x, 0), root.base.coeff(x, 1)
+    right = (2 * root.exp).is_Integer and step != 0 and root.base == start + step * x
+    if not (right and sympy.sqrt(start).is_Rational and (start / step).is_Integer):
+        return None
+    return sympy.Integer(start / step)
 
 
 class ScalarProofs:
@@ -105,9 +124,9 @@ class ScalarProofs:
         """What the letters stand for: scalars as the chart computes them, and their derivatives."""
         at_x = self.ring.square("v")
         at = self.chart.scalars(at_x, PLAIN)
-        found = {name: self.ring.element(getattr(at, name)) for name in (*VALUES, *SLOPES)}
+        found = {name: self.ring.element(getattr(at, name)) for name in (*VALUES, *SLOPES, *BENDS)}
         values = {sympy.Symbol(name): value for name, value in found.items()}
-        values |= {prime(sympy.Symbol(name)): found[name].derivative("x") for name in VALUES}
+        values |= {prime(sympy.Symbol(name)): found[name].derivative("x") for name in (*VALUES, *SLOPES)}
         size_s, size_w, _ = map(self.ring.element, at.ray)
         return values | {a: size_s, b: size_w, x: at_x}
 
@@ -126,6 +145,7 @@ class ScalarProofs:
         yield self._decide("scalars as lowered", formulas, lambda: self._residues(formulas, lifted))
         yield self._decide("scalars", RELATIONS, lambda: self._residues(RELATIONS))
         yield self._decide("slopes", DERIVATIVES, lambda: self._residues(DERIVATIVES))
+        yield self._decide("second slopes", SECOND_DERIVATIVES, lambda: self._residues(SECOND_DERIVATIVES))
         yield self._decide("q = cos(alpha/2) + u sin(alpha/2)", ANGLE, self._angle, BY_ANGLE)
 
     def _decide(self, name: str, claim: tuple[Equation, ...], checks: Any, method: str = METHOD) -> Proof:
@@ -153,7 +173,7 @@ class ScalarProofs:
         library = self.ring.polynomials
         above, below = element.terms.get(0, library.zero), element.denominator
         common = library.gcd(above, below)
-        generator = (1 + self.ring.root * square).sqrt() if self.ring.root else square
+        generator = (1 + square / self.ring.root).sqrt() if self.ring.root else square
 
         def value(polynomial: Polynomial) -> Any:
             return sum(c * generator**power for (power,), c in library.coefficients(polynomial).items())

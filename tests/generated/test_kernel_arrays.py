@@ -143,6 +143,9 @@ NAMES = {
     "tangent_inv": ["v"],
     "twist": ["v", "v_dot"],
     "rate": ["v", "omega"],
+    "body_tangent": ["v"],
+    "body_tangent_inv": ["v"],
+    "inverse": ["v"],
     "body_twist": ["v", "v_dot"],
     "body_rate": ["v", "omega"],
     "from_quaternion": ["q", "branch"],
@@ -154,12 +157,20 @@ NAMES = {
     "transform_point": ["v", "r"],
     "transform_line": ["v", "line"],
 }
+KEYWORDS = {
+    "quaternion": {"scalar_first": True},
+    "from_quaternion": {"check": False, "scalar_first": True},
+    "from_tensor": {"check": False},
+    "from_pose": {"check": False},
+}
 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_arguments_have_the_documented_names(kernel: ModuleType, order: int, name: str) -> None:
     parameters = inspect.signature(getattr(kernel, name)).parameters
-    assert list(parameters) == [*NAMES[name], "axis", "out"]
+    further = KEYWORDS.get(name, {})
+    assert list(parameters) == [*NAMES[name], "axis", "out", *further]
+    assert {keyword: parameters[keyword].default for keyword in further} == further
     assert parameters["axis"].default == -1
     assert parameters["out"].default is None
     if "branch" in parameters:

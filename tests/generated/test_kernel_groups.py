@@ -159,23 +159,3 @@ def test_matrix6_acts_on_twists_as_the_dual_tensor_does(order: int, kernel: Modu
     np.testing.assert_array_equal(m[..., 3:, 3:], d[..., 0, :, :])
     np.testing.assert_array_equal(m[..., 3:, :3], d[..., 1, :, :])
     np.testing.assert_array_equal(m[..., :3, 3:], 0)
-
-
-def test_random_vectors_are_seeded_and_stay_within_their_limits(kernel: ModuleType, order: int) -> None:
-    def draw(seed: int) -> np.ndarray:
-        rng = np.random.default_rng(seed)
-        return dualcay.random_vector((50, 4), max_angle=2.5, max_translation=3.0, order=order, rng=rng)
-
-    v = draw(1)
-    assert v.shape == (50, 4, 6)
-    assert v.dtype == np.float64
-    np.testing.assert_array_equal(v, draw(1))
-    assert (v != draw(2)).any()
-    angle, _ = kernel.to_screw(v)
-    assert angle[..., 0].max() <= 2.5 + 1e-12
-    assert angle[..., 0].max() > 1.5
-    shifts = np.linalg.norm(kernel.pose(v)[..., :3, 3], axis=-1)
-    assert shifts.max() <= 3.0 + 1e-12
-    assert shifts.max() > 1.0
-    one = dualcay.random_vector(max_angle=1.0, max_translation=1.0, order=order, rng=np.random.default_rng(0))
-    assert one.shape == (6,)

@@ -17,7 +17,8 @@ from derive.codegen.signatures import PUBLIC
 from tests.support import sampling
 from tests.support.kernels import ORDERS, load
 
-NAMES = sorted({*(alias for row in PUBLIC.values() for alias in (row.name, *row.aliases)), "singular_angles"})
+PLAIN = {"singular_angles", "identity", "random"}
+NAMES = sorted({*(alias for row in PUBLIC.values() for alias in (row.name, *row.aliases)), *PLAIN})
 
 
 @pytest.mark.parametrize("order", ORDERS)

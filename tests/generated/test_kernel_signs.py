@@ -228,3 +228,67 @@ def test_mixed_batches_do_not_disturb_each_other(kernel: ModuleType, order: int)
             for i, row in enumerate(given):
                 single = getattr(kernel, name)(row, branch)
                 np.testing.assert_allclose(batch[i], single, rtol=1e-12, atol=1e-14 * np.nanmax(abs(single), initial=1))
+
+
+@FINITE
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+def test_a_rounded_half_turn_keeps_its_side(order: int, dtype: type[np.floating]) -> None:
+    """Rounding puts φ(π) u beyond the tie as often as not: the axis stays u, and v its principal vector."""
+    kernel = load(order)
+    u = np.concatenate([np.array(AXES), sampling.unit_vectors(sampling.generator("half turns"), (200,))])
+    zeros = np.zeros((len(u), 1))
+    q = np.concatenate([zeros, u, zeros, np.zeros_like(u)], axis=-1).astype(dtype)
+    v = kernel.from_quaternion(q)
+    for rows in (slice(None), slice(0, 1), slice(5, 6)):
+        angle, axis = kernel.to_screw(v[rows])
+        np.testing.assert_allclose(axis[:, :3], u[rows], atol=16 * np.finfo(dtype).eps)
+        # 2 NOISE eps is how far beyond half a turn an angle may be
+        np.testing.assert_allclose(angle[:, 0], np.pi, atol=32 * np.finfo(dtype).eps)
+        np.testing.assert_array_equal(kernel.principal(v[rows]), v[rows])
+    for k in branches(order)[1:]:
+        expected = kernel.from_quaternion(q, k)
+        size = 1 + np.linalg.norm(expected, axis=-1, keepdims=True) ** 2
+        np.testing.assert_allclose(kernel.shadow(v, k) / size, expected / size, atol=64 * np.finfo(dtype).eps)
+
+
+@FINITE
+def test_the_first_axis_of_a_half_turn_about_x(order: int) -> None:
+    kernel = load(order)
+    R = np.stack([np.diag([1.0, -1, -1]), np.zeros((3, 3))])
+    for given in (R, R[None]):
+        _, axis = kernel.to_screw(kernel.from_tensor(given))
+        np.testing.assert_allclose(axis.ravel(), [1, 0, 0, 0, 0, 0], atol=4 * EPS)
+
+
+@pytest.mark.parametrize("batch", [False, True])
+@pytest.mark.parametrize("size", [1e-100, 1e-155, 1e-162, 1e-200, 1e-300])
+def test_lengths_do_not_underflow(kernel: ModuleType, order: int, size: float, batch: bool) -> None:
+    """Of a vector whose square is nothing, turned or not: axis, angle, shadows, and the way there and back."""
+    re, du = np.array([2.0, -1, 2]) / 3, np.array([2.0, 2, -1])
+    u = np.concatenate([re, du / 3])
+    for v, expected, rotation in (
+        (size * np.concatenate([re, du / 3]), u, size),
+        (size * np.concatenate([np.zeros(3), re]), np.concatenate([re, np.zeros(3)]), 0.0),
+    ):
+        given = np.stack([v] * 30) if batch else v
+        angle, axis = kernel.to_screw(given)
+        np.testing.assert_allclose(np.atleast_2d(axis)[0], expected, atol=8 * EPS)
+        # exact zeros: a tiny d is a rounding of |v°|
+        wanted = [2 * order * rotation, 0.0 if rotation else 2 * order * size]
+        np.testing.assert_allclose(np.atleast_2d(angle)[0], wanted, rtol=8 * EPS, atol=8 * EPS * size)
+        for k in range(1, order):
+            if 2 * k != order:
+                tangent = np.tan(np.pi * k / order)
+                shadow = np.atleast_2d(kernel.shadow(given, k))[0]
+                np.testing.assert_allclose(shadow[:3], tangent * re, rtol=1e-13)
+        back = kernel.from_quaternion(kernel.quaternion(given), check=True)
+        np.testing.assert_allclose(back, given, rtol=8 * EPS, atol=0 if size > 1e-290 else 1e-320)
+
+
+@pytest.mark.parametrize("size", [1e-100, 1e-155, 1e-162, 1e-200, 1e-300])
+def test_a_tiny_scalar_is_half_a_turn_but_for_itself(kernel: ModuleType, order: int, size: float) -> None:
+    u = np.array([2.0, -1, 2]) / 3
+    for sign in (1, -1):
+        q = np.array([sign * size, *u, 0, 0, 0, 0])
+        length = 1 / size if order == 1 else np.tan(np.pi / (2 * order))
+        np.testing.assert_allclose(kernel.from_quaternion(q)[:3], sign * length * u, rtol=8 * EPS)

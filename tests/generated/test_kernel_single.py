@@ -109,8 +109,9 @@ SPECIAL["R"] = [np.stack([t[:3, :3], 0 * t[:3, :3]]) for t in SPECIAL["T"][:4]] 
 def test_special_inputs_neither_raise_nor_warn_and_batches_agree(kernel: ModuleType, order: int, name: str) -> None:
     kinds = SIGNATURES[name].arguments
     for first in SPECIAL[kinds[0]]:
-        for second in SPECIAL[kinds[1]] if len(kinds) == 2 else [None]:
-            arguments = [first] if second is None else [first, second]
+        # a third argument goes through the same values, the other way
+        for rest in zip(*(SPECIAL[kind][:: 1 - 2 * i] for i, kind in enumerate(kinds[1:]))) if kinds[1:] else [()]:
+            arguments = [first, *rest]
             for branch in ({}, {"branch": 1}) if name.startswith("from_") or name == "shadow" else ({},):
                 single = getattr(kernel, name)(*arguments, **branch)
                 batch = getattr(kernel, name)(*(np.repeat(a[None], 3, axis=0) for a in arguments), **branch)

@@ -60,6 +60,22 @@ def test_complex_steps_of_the_tensor(kernel: ModuleType, order: int, regime: str
 
 
 @REGIME
+def test_operators_of_the_body_take_rates_to_body_twists_and_back(kernel: ModuleType, order: int, regime: str) -> None:
+    """Of the dual tensor each part is transposed; the transpose of the real 6x6 matrix is another operator."""
+    v = samples(order, regime)
+    space, body = kernel.tangent(v), kernel.body_tangent(v)
+    np.testing.assert_array_equal(body, np.swapaxes(space, -1, -2))
+    np.testing.assert_array_equal(kernel.body_tangent_inv(v), np.swapaxes(kernel.tangent_inv(v), -1, -2))
+    rates = sampling.dual_vectors("rates", count=len(v))
+    twists = np.einsum("...ij,...j->...i", dualcay.matrix6(body), rates)
+    for i, twist in enumerate(kernel.body_twist(v, rates)):
+        assert_close(twists[i], twist, allowed(order, v[i]) * errors.size(rates[i]), errors.AGREE * EPS)
+    if regime == "uniform":
+        wrong = np.einsum("...ji,...j->...i", dualcay.matrix6(space), rates)
+        assert (abs(wrong - twists).max(axis=-1) > 0.01).all()
+
+
+@REGIME
 def test_complex_steps_of_the_pose(kernel: ModuleType, order: int, regime: str) -> None:
     v = samples(order, regime)
     rates = sampling.dual_vectors("rates", count=len(v))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -23,6 +22,7 @@ LONG, LONG_FIXTURE = 5.0, 30.0
 """Seconds of processor time: a longer test is left out of trials."""
 
 VALIDATING = "validating"
+CONTROLLING = "controls of proofs"
 COMMENT = {".py.j2": "# one more comment\n", ".h.j2": "// one more comment\n"}
 
 
@@ -30,14 +30,17 @@ COMMENT = {".py.j2": "# one more comment\n", ".h.j2": "// one more comment\n"}
 class Knowledge:
     """Of the unchanged tree: seconds of the checks of every stage, what they reach, and what is emitted.
 
-    ``processor`` are the seconds of processor time of all checks, ``left_out`` the tests that cannot take part, by
-    reason, and ``printing`` the lines that only make texts.
+    ``setups`` are seconds too, of all fixtures, ``left_out`` the tests that cannot take part, by reason, and
+    ``printing`` the lines that only make texts. ``controlling`` are those that only make controls of proofs, and
+    ``controls`` what these are of.
     """
 
-    processor: float
     seconds: Mapping[str, Mapping[str, float]]
+    setups: float
     table: Table
     printing: frozenset[tuple[str, int]]
+    controlling: frozenset[tuple[str, int]]
+    controls: Sequence[str]
     left_out: Mapping[str, Sequence[str]]
     prints: Mapping[str, tuple[str, str]]
 
@@ -49,10 +52,23 @@ class Knowledge:
             for stage, seconds in self.seconds.items()
         }
 
+    def processor(self, edit: Edit | None) -> float:
+        """Seconds of processor time that those take, watched."""
+        planned = ((stage, name) for stage, names in self.plan(edit).items() for name in names)
+        return self.setups + sum(self.seconds[stage][name] for stage, name in planned)
+
     def prints_only(self, edit: Edit) -> bool:
         """Whether an edit is in what makes texts, and in nothing that validates them."""
-        places = {(edit.path, line) for line in range(edit.lines[0], edit.lines[1] + 1)} & self.table.lines.keys()
+        places = self._places(edit)
         return bool(places) and places <= self.printing
+
+    def controls_only(self, edit: Edit) -> bool:
+        """Whether an edit is in what makes theorems wrong on purpose, and in nothing that decides them."""
+        places = self._places(edit)
+        return bool(places) and places <= self.controlling
+
+    def _places(self, edit: Edit) -> set[tuple[str, int]]:
+        return {(edit.path, line) for line in range(edit.lines[0], edit.lines[1] + 1)} & self.table.lines.keys()
 
 
 @dataclass(frozen=True)
@@ -65,18 +81,21 @@ class Checks:
         Folders whose lines are watched.
     tests : tuple of str
         Files and folders of tests.
-    first : str
-        Name of the first stage, of those in `road`; "" for none.
+    first : tuple of str
+        Names of the stages that are no tests, of those in `road`.
     emits : bool
         Whether what is watched decides what is emitted: survivors are compared by that, and the tests of kernels run
         on it.
+    controlled : bool
+        Whether what is watched also makes controls of proofs: survivors are compared by those.
     """
 
     name: str
     watched: tuple[str, ...]
     tests: tuple[str, ...]
-    first: str = ""
+    first: tuple[str, ...] = ()
     emits: bool = False
+    controlled: bool = False
 
     def prepare(self, folder: Path) -> Knowledge:
         """Run everything once on the unchanged tree, and watch."""
@@ -84,26 +103,27 @@ class Checks:
         kernels = isolated(lambda: suite.run_all(KERNELS, few=FEW)) if self.emits else suite.Times()
         prints = isolated(road.prints) if self.emits else {}
         reach = Reach(folder, [f"{source}/*" for source in self.watched])
-        started = sum(os.times()[:4])
         with reach.open():
             road.import_all()
-            first = {name: _timed(reach, name, check) for name, check in self._first_stage(reach).items()}
+            first = {stage: self._first_stage(stage, reach) for stage in self.first}
+            with reach.by(CONTROLLING):
+                controls = road.controls() if self.controlled else ()
             tests = suite.run_all(self.tests, reach, few=FEW if self.emits else None)
-        processor = sum(os.times()[:4]) - started + sum(kernels.seconds.values())
         left_out = {
             "fails unchanged": [*tests.failed, *kernels.failed],
             "fails for one more comment in what is emitted": sorted(set(commented) - set(tests.failed)),
-            "starts a Python of its own": sorted(reach.starters & tests.seconds.keys()),
+            "starts a program of its own": sorted(reach.starters & tests.seconds.keys()),
             "takes long": [*tests.longer(LONG, LONG_FIXTURE), *kernels.longer(LONG, LONG_FIXTURE)],
         }
         out = {name for names in left_out.values() for name in names}
-        seconds = {self.first or "first": first, "tests": tests.without(out), "kernels": kernels.without(out)}
+        seconds = {**first, "tests": tests.without(out), "kernels": kernels.without(out)}
         if not seconds["tests"]:
             raise RuntimeError(f"no test of {', '.join(self.tests)} can be used: {left_out}")
         table = reach.table([name for stage in seconds.values() for name in stage])
-        return Knowledge(processor, seconds, table, _printing(reach, set(first)), left_out, prints)
+        setups, apart = tests.setups + kernels.setups, _apart(reach, set().union(*first.values()))
+        return Knowledge(seconds, setups, table, *apart, controls, left_out, prints)
 
-    def _first_stage(self, reach: Reach) -> dict[str, road.Check]:
+    def _first_stage(self, stage: str, reach: Reach) -> dict[str, float]:
         def around(name: str, validate: Any) -> Any:
             def watched(*arguments: Any) -> Any:
                 with reach.by(f"{VALIDATING} {name}"):
@@ -111,7 +131,8 @@ class Checks:
 
             return watched
 
-        return road.first_stage(self.first, around) if self.first else {}
+        checks = road.first_stage(stage, self.emits, around)
+        return {name: _timed(reach, name, check) for name, check in checks.items()}
 
     def _commented(self, folder: Path) -> list[str]:
         """Tests that fail for one more comment in every template: they would kill whatever changes a byte."""
@@ -129,26 +150,24 @@ class Checks:
     def fate(self, edit: Edit | None, knowledge: Knowledge) -> Fate:
         """What becomes of an edit (None: of the unchanged tree)."""
         plan = knowledge.plan(edit)
-        if self.first and (by := _first_error(self.first, plan[self.first])):
-            return Fate(KILLED, self.first, by)
-        if by := suite.first_failure(plan["tests"]):
-            return Fate(KILLED, "tests", by)
-        emitted = self.emits and plan[self.first]
-        return self._compared(edit, knowledge, plan["kernels"]) if emitted else Fate(SURVIVED)
-
-    def _compared(self, edit: Edit | None, knowledge: Knowledge, kernels: Sequence[str]) -> Fate:
-        """By what is emitted: nothing changed, prose alone, or code that the tests of kernels look at."""
+        for stage in self.first:
+            if by := _first_error(stage, plan[stage], self.emits):
+                return Fate(KILLED, stage, by)
         try:
-            found = road.difference(knowledge.prints)
+            emitted = road.difference(knowledge.prints) if self.emits and plan["validation"] else None
         except Exception as error:
             return Fate(KILLED, "validation", f"another order: {type(error).__name__}")
-        if found == "text":
+        if emitted == "text":
             return Fate(PROSE, by="what is emitted differs in comments, docstrings and layout only")
-        if not found and edit and knowledge.prints_only(edit):
+        if by := suite.first_failure(plan["tests"]):
+            return Fate(KILLED, "tests", by)
+        if edit and knowledge.controls_only(edit) and _controls() == knowledge.controls:
+            return Fate(EQUIVALENT, by="another control of the same theorem, which fails as well")
+        if edit and emitted == "" and knowledge.prints_only(edit):
             return Fate(EQUIVALENT, by="every emitted text is the same")
-        if edit is None or (found == "code" and road.write_kernels(Path("generated", "dualcay"))):
+        if self.emits and (edit is None or (emitted == "code" and road.write_kernels(Path("generated", "dualcay")))):
             forget("dualcay")
-            if by := suite.first_failure(kernels):
+            if by := suite.first_failure(plan["kernels"]):
                 return Fate(KILLED, "kernels", by)
         return Fate(SURVIVED)
 
@@ -160,21 +179,31 @@ def _timed(reach: Reach, name: str, check: road.Check) -> float:
     return suite.processor() - started
 
 
-def _printing(reach: Reach, builds: set[str]) -> frozenset[tuple[str, int]]:
-    """Lines that run when texts are made, and neither when they are validated nor while modules are imported."""
-    return frozenset(
-        place
-        for place, names in reach.contexts().items()
-        if names & builds and "" not in names and not any(name.startswith(VALIDATING) for name in names)
-    )
+def _apart(reach: Reach, builds: set[str]) -> tuple[frozenset[tuple[str, int]], frozenset[tuple[str, int]]]:
+    """Lines that run when texts are made, and not when they are validated; those that run for controls alone.
+
+    Neither run while modules are imported.
+    """
+    inside = {place: names for place, names in reach.contexts().items() if "" not in names}
+    validating = {place for place, names in inside.items() if any(name.startswith(VALIDATING) for name in names)}
+    building = {place for place, names in inside.items() if names & builds}
+    controlling = {place for place, names in inside.items() if CONTROLLING in names}
+    return frozenset(building - validating), frozenset(controlling - building)
 
 
-def _first_error(stage: str, names: Sequence[str]) -> str | None:
+def _controls() -> Sequence[str]:
+    try:
+        return road.controls()
+    except Exception:
+        return ()
+
+
+def _first_error(stage: str, names: Sequence[str], everything: bool) -> str | None:
     """The first of these checks that fails."""
     if not names:
         return None
     try:
-        checks = road.first_stage(stage)
+        checks = road.first_stage(stage, everything)
     except Exception as error:
         return f"import: {type(error).__name__}"
     for name in names:

@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 import gc
+import multiprocessing
 import os
 import pickle
 import resource
 import signal
+import sys
 import tempfile
 import time
 import traceback
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import ExitStack, suppress
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 POLL = 0.005
 MEMORY = 8 << 30
@@ -90,6 +92,18 @@ class Child:
         how, value = pickle.loads(written)
         return Outcome(how, value, seconds)
 
+    def wait(self, wanted: Callable[[], bool]) -> Outcome:
+        """What became of it; this process ends as soon as nobody wants to know."""
+        try:
+            while (outcome := self.outcome()) is None:
+                if not wanted():
+                    sys.exit()
+                time.sleep(POLL)
+        except SystemExit:
+            self.stop()
+            raise
+        return outcome
+
     def stop(self) -> None:
         """End it, and whatever it has started."""
         with suppress(ProcessLookupError):
@@ -107,6 +121,45 @@ def isolated(job: Callable[[], Any]) -> Any:
     if outcome.how != "done":
         raise RuntimeError(f"{outcome.how}: {outcome.value}")
     return outcome.value
+
+
+T = TypeVar("T")
+Begin = Callable[[T], tuple[ExitStack, Child]]
+"""Given a slot: begins a job in it, and says what is to be closed when the job has ended."""
+
+
+def shared(slots: Sequence[T], warm: Callable[[T], None], jobs: Sequence[Begin[T]]) -> Iterator[tuple[int, Outcome]]:
+    """Run jobs, each forked from the process of a slot, which has warmed up; yield number and outcome as they end."""
+    fork, parent = multiprocessing.get_context("fork"), os.getpid()
+    following, found = fork.Value("i", 0), fork.SimpleQueue()
+
+    def work(slot: T) -> None:
+        signal.signal(signal.SIGTERM, lambda *_: sys.exit())
+        warm(slot)
+        while True:
+            with following.get_lock():
+                number, following.value = following.value, following.value + 1
+            if number >= len(jobs):
+                return
+            entered, child = jobs[number](slot)
+            with entered:
+                outcome = child.wait(lambda: os.getppid() == parent)
+            found.put((number, outcome))
+
+    workers = [fork.Process(target=work, args=(slot,), daemon=True) for slot in slots]
+    for worker in workers:
+        worker.start()
+    try:
+        while any(worker.is_alive() for worker in workers) or not found.empty():
+            if found.empty():
+                time.sleep(POLL)
+            else:
+                yield found.get()
+        if any(worker.exitcode for worker in workers):
+            raise RuntimeError(f"a process that was to run trials ended: {[worker.exitcode for worker in workers]}")
+    finally:
+        for worker in workers:
+            worker.terminate()
 
 
 Start = Callable[[Any], tuple[ExitStack, Child]]

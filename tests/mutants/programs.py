@@ -23,7 +23,7 @@ TARGET = "numpy"
 FORMS = ("both forms", "plain form", "in-place form")
 OPPOSITE = {"add": "sub", "sub": "add", "mul": "div", "div": "mul", "and": "or", "or": "and", "lt": "eq", "eq": "lt"}
 ORDERED = {"sub": (0, 1), "div": (0, 1), "lt": (0, 1), "atan2": (0, 1), "where": (1, 2)}
-DROPPED = {"neg": (0,), "sqrt": (0,), "tan": (0,), "where": (1, 2)}
+DROPPED = {"neg": (0,), "abs": (0,), "sqrt": (0,), "tan": (0,), "where": (1, 2)}
 MASKS = ("lt", "eq", "and", "or")
 PRIME = (1 << 61) - 1
 POINTS = 3
@@ -173,30 +173,32 @@ def _operation(op: str, args: list[int]) -> int:
 
 @dataclass(frozen=True)
 class Programs:
-    """The programs of the geometry and of the committed charts; in both printed forms, or in one of them alone."""
+    """The programs of the geometry and of the charts with names; in both printed forms, or in one of them alone."""
 
     name: str = "programs"
-    what: str = "straight-line programs of the geometry and of the committed charts: by validation alone"
+    what: str = "straight-line programs of the geometry and of the charts with names: by validation alone"
     checks: None = None
+    unchanged: tuple[str, ...] = ("derive.codegen",)
 
     def edit(self, mutant: Mutant) -> Edit | None:
         return None
 
     def mutants(self, folder: Path) -> Iterator[Mutant]:
-        for n, printer, program in road.programs():
+        for which, printer, program in road.programs():
+            owner = "geometry" if which is None else road.chart(which).name
             for index, (operator, change, _) in enumerate(program_mutants(program)):
                 for form in FORMS:
-                    place = f"{'geometry' if n is None else f'cayley{n}'}.{program.name}, {form}"
-                    yield Mutant(place, 0, operator, change, (n, printer, program.name, index, form))
+                    place = f"{owner}.{program.name}, {form}"
+                    yield Mutant(place, 0, operator, change, (which, printer, program.name, index, form))
 
     def is_one(self, mutant: Mutant) -> bool:
         return True
 
-    def limit(self, knowledge: Any) -> float:
+    def limit(self, mutant: Mutant | None, knowledge: Any) -> float:
         return 60
 
     def trial(self, mutant: Mutant | None, knowledge: Any) -> Fate:
-        n, printer, name, index, form = mutant.site if mutant else (3, "two_forms", "", 0, "")
+        which, printer, name, index, form = mutant.site if mutant else (3, "two_forms", "", 0, "")
         pair: list[Program] = []
 
         def change(original: Any, program: Program) -> Any:
@@ -205,9 +207,9 @@ class Programs:
             return _printed(original, program, changed, form)
 
         try:
-            with road.printed_otherwise(printer, n, name, change):
-                for order in road.GEOMETRY if n is None else (n,):
-                    road.build(order, road.targets()[TARGET])
+            with road.printed_otherwise(printer, which, name, change):
+                for one in road.GEOMETRY if which is None else (which,):
+                    road.build(one, road.targets()[TARGET])
         except Exception as error:
             return Fate(KILLED, "validation", type(error).__name__)
         if pair and same_value(*pair):

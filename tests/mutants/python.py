@@ -1,7 +1,8 @@
 """Mutants of Python source: one node of the tree changed, the rest of the text as it is.
 
 Annotations, aliases of types, decorators, imports, docstrings, messages and ``__all__`` are left alone: nothing
-computes with them.
+computes with them. So are keywords that say when to give up (``timeout``, the ``strict`` of a zip), and arguments are
+not swapped where their order says nothing.
 """
 
 from __future__ import annotations
@@ -31,6 +32,12 @@ SIBLINGS = {
     "min": "max", "max": "min", "any": "all", "all": "any", "sin": "cos", "cos": "sin", "sinpi": "cospi",
     "cospi": "sinpi", "re": "du", "du": "re", "floor": "ceil", "ceil": "floor", "union": "intersection",
 }  # fmt: skip
+
+GUARDS = ("strict", "timeout")
+"""Keywords that say when to give up."""
+
+SYMMETRIC = ("min", "max", "gcd")
+"""Functions of arguments in any order."""
 
 
 def _arithmetic(node: ast.AST) -> Iterator[Change]:
@@ -73,6 +80,8 @@ def _sign(node: ast.AST) -> Iterator[Change]:
 
 def _arguments(node: ast.AST) -> Iterator[Change]:
     if isinstance(node, ast.Call) and not any(isinstance(argument, ast.Starred) for argument in node.args):
+        if ast.unparse(node.func).rpartition(".")[2] in SYMMETRIC:
+            return
         for arguments in _swapped(node.args):
             yield node, ast.Call(node.func, arguments, node.keywords)
 
@@ -211,7 +220,7 @@ def _sites(node: ast.AST, lines: tuple[int, int] = (1, 1)) -> Iterator[tuple[ast
         yield node, lines
     elif isinstance(node, ast.expr | ast.comprehension):
         yield node, lines
-    if isinstance(node, ast.JoinedStr):
+    if isinstance(node, ast.JoinedStr) or (isinstance(node, ast.keyword) and node.arg in GUARDS):
         return
     for name, value in ast.iter_fields(node):
         if name not in ("annotation", "returns", "decorator_list", "bases", "exc", "type"):

@@ -16,13 +16,16 @@ import jinja2
 
 Names = set[str]
 
+COMPILERS = ("cc", "gcc", "g++", "clang", "clang++")
+"""Programs that are started by checks and run nothing of the toolkit."""
+
 
 class Reach:
     """Records while it is open; every check runs `by` its name.
 
     What runs outside of all checks (imports, tables made by them) is reached by every check. A cached function is
-    reached by all that call it, whoever was first. ``starters`` are checks that start a Python of their own: what that
-    reaches is not seen.
+    reached by all that call it, whoever was first. ``starters`` are checks that start a Python of their own, or a
+    browser: what that reaches is not seen, and other limits of time hold for it.
     """
 
     def __init__(self, root: Path, sources: Sequence[str]) -> None:
@@ -53,7 +56,7 @@ class Reach:
                 self._coverage.stop()
 
     def _started(self, event: str, arguments: tuple[Any, ...]) -> None:
-        if event == "subprocess.Popen" and self._names[-1] and Path(str(arguments[0])).name.startswith("python"):
+        if event == "subprocess.Popen" and self._names[-1] and Path(str(arguments[0])).name not in COMPILERS:
             self.starters.add(self._names[-1])
 
     def _watched_loading(self, get_template: Any) -> Any:

@@ -100,16 +100,19 @@ process of its own on a copy of the tree. State: `{state}`.
 
 {table}
 
-- **proof**, **validation**, **execution**: killed by what is no test, that is by the proofs of n = {committed}; by
-  emission with validation (n = {orders} for NumPy, {others} for the other targets); by executing the
-  statement. **first stage** is their share.
+- **proof**, **validation**, **execution**: killed by what is no test, that is by proofs of the charts with names; by
+  emission with validation (n = {orders} and {kinds} for NumPy,
+  n = {others} for the other targets; for maps NumPy alone, n = {some} and all families); by
+  executing the statement, or all of them, of which docs/errata.md must say the same. **first stage** is their share.
 - **tests**: killed by tests of that room only, but for those listed as left out. Of emission {few} cases of
   each test are run. **kernels**: killed by {few} cases of each test of tests/generated, run on the NumPy kernels that
   the mutant emits. **crash**: the process died.
-- **time limit**: stopped after three times the processor time of all checks; counted as killed.
+- **time limit**: stopped after twice the processor time of the checks that reach the change, and 20 s; counted as
+  killed.
 - **equivalent**: shown to be so by the run. Programs: of the same value at random points of a prime field, functions
   and comparisons uninterpreted. Emission: the changed lines make texts and nothing else, and every emitted text is the
-  same, all targets, n = {orders}. Python that compiles to the same code is not drawn.
+  same, all targets, n = {orders}. Proof: the changed lines make controls (theorems with one thing wrong) and nothing
+  else, and as many of the same theorems fail. Python that compiles to the same code is not drawn.
 - **prose**: what is emitted differs in comments, docstrings and layout only; `make check` notices.
 - **no meaning**: statements that combine what has no such operation.
 - **killed** is the share among all but equivalent, prose and meaningless ones.
@@ -122,8 +125,9 @@ def page(results: Sequence[Results], state: str, seed: int, count: int) -> str:
     """The page of figures."""
     table = rows(map(score, results))
     lines = ["| " + " | ".join(cells) + " |" for cells in (HEAD, ("---",) * len(HEAD), *table)]
-    orders = {"committed": sorted(road.COMMITTED), "orders": sorted(road.ORDERS), "others": road.FEW}
-    listed = {name: ", ".join(map(str, values)) for name, values in orders.items()}
+    orders = {"orders": road.ORDERS, "others": road.FEW, "some": road.GEOMETRY}
+    listed = {name: ", ".join(map(str, sorted(values))) for name, values in orders.items()}
+    listed["kinds"] = ", ".join(road.kinds())
     rooms = "\n\n".join(map(_section, results))
     return PAGE.format(count=count, seed=seed, state=state, few=FEW, table="\n".join(lines), rooms=rooms, **listed)
 

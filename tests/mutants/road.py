@@ -10,7 +10,8 @@ import hashlib
 import importlib
 import pkgutil
 import re
-from collections.abc import Callable, Iterator, Mapping
+import sys
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path, PurePath
 from typing import Any
@@ -20,15 +21,20 @@ Check = Callable[[], object]
 
 Around = Callable[[str, Any], Any]
 
+ERRATA = "docs/errata.md"
+
+Which = int | str
+"""A chart: the order of a Cayley map, or the name of another one."""
+
 COMMITTED = (3, 2, 4, 1, 5, 8)
-ORDERS = (*COMMITTED, 11, 16)
-"""Orders of NumPy kernels: the committed ones, and two for which programs are made in another way."""
+GEOMETRY = (3, 4, 2, 1)
+"""Orders with which what all charts share is tried."""
+
+ORDERS = (*GEOMETRY, 11, 16)
+"""Orders of NumPy kernels: two more, for which programs are made in another way."""
 
 FEW = (3, 4)
 """Orders of the other targets."""
-
-GEOMETRY = (3, 4, 2, 1)
-"""Orders with which what all charts share is tried."""
 
 
 def import_all() -> None:
@@ -39,32 +45,101 @@ def import_all() -> None:
             importlib.import_module(module.name)
 
 
+def warm(modules: Sequence[str]) -> None:
+    """Import these and decide the theorems for every order, so that no trial has to."""
+    for name in modules:
+        importlib.import_module(name)
+    if "derive.proof" in sys.modules:
+        importlib.import_module("derive.proof").theorems()
+
+
+def chart(which: Which) -> Any:
+    """The chart of an order or a name."""
+    charts = importlib.import_module("derive.codegen.catalogue").charts
+    return charts([which])[0] if isinstance(which, int) else charts((), [which])[0]
+
+
+def label(which: Which) -> str:
+    """What it is called."""
+    return f"n = {which}" if isinstance(which, int) else which
+
+
+def families() -> tuple[str, ...]:
+    """The charts with names that are no Cayley maps, committed ones first."""
+    about, named = (importlib.import_module(f"derive.{name}") for name in ("about", "maps.named"))
+    return tuple(dict.fromkeys((*about.FAMILIES, *named.SINGLE)))
+
+
+def kinds() -> list[str]:
+    """One of each kind of these."""
+    return list({type(chart(name)): name for name in reversed(families())}.values())
+
+
 def proofs() -> dict[str, Check]:
-    """Proofs of the committed orders."""
-    derive, proof = importlib.import_module("derive"), importlib.import_module("derive.proof")
-    return {f"proof of n = {n}": lambda n=n: proof.prove(derive.Cayley(n)) for n in COMMITTED}  # type: ignore[misc]
+    """Proofs of the committed charts, and of the others that have a name."""
+    prove = importlib.import_module("derive.proof").prove
+    return {
+        f"proof of {label(which)}": lambda which=which: prove(chart(which))  # type: ignore[misc]
+        for which in (*COMMITTED, *families())
+    }
 
 
-def validations(around: Around = lambda name, validate: validate) -> dict[str, Check]:
-    """Emission with validation.
+def controls() -> list[str]:
+    """What the controls of all theorems are of; every one must fail, for a reason."""
+    command, identity = (importlib.import_module(f"derive.proof.{name}") for name in ("__main__", "identity"))
+    theorems = command.claims()
+    known = {proof.name: proof for proof in command.decided(theorems)}
+    found = [*command.controls(theorems, known), *command.controlled_at(command.SHOWN)]
+    for control in found:
+        if control.proof.proved or any(residue.label == identity.NO_VALUE for residue in control.proof.residues):
+            raise AssertionError(f"not noticed: {control}")
+    return sorted(f"{control.theorem} [{control.proof.scope}]" for control in found)
+
+
+def validations(everything: bool, around: Around) -> dict[str, Check]:
+    """Emission with validation, for all targets and orders, or for NumPy and a few.
 
     ``around`` is put between the road and the validation that ends it.
     """
 
-    def check(name: str, n: int, target: Any) -> Check:
+    def check(name: str, which: Which, target: Any) -> Check:
         seen = Otherwise(target, validate=around(name, target.validate))
-        return lambda: build(n, seen)
+        return lambda: build(which, seen)
 
+    numpy = (*ORDERS, *kinds()) if everything else (*GEOMETRY, *families())
     return {
-        f"{name}, n = {n}": check(f"{name}, n = {n}", n, target)
+        f"{name}, {label(which)}": check(f"{name}, {label(which)}", which, target)
         for name, target in targets().items()
-        for n in (ORDERS if name == "numpy" else FEW)
+        for which in (numpy if name == "numpy" else FEW)
+        if everything or name == "numpy"
     }
 
 
-def first_stage(stage: str, around: Around = lambda name, validate: validate) -> dict[str, Check]:
-    """Checks of a stage that are no tests: "proof" or "validation"."""
-    return proofs() if stage == "proof" else validations(around)
+def first_stage(
+    stage: str, everything: bool = True, around: Around = lambda name, validate: validate
+) -> dict[str, Check]:
+    """Checks of a stage that are no tests: "proof", "execution", "validation" of everything or some NumPy kernels."""
+    if stage == "execution":
+        return executions()
+    return proofs() if stage == "proof" else validations(everything, around)
+
+
+def executions() -> dict[str, Check]:
+    """Every entry of the papers decided again: the page of errata must say the same of it."""
+    papers, decide, report = (importlib.import_module(f"derive.papers{name}") for name in ("", ".decide", ".report"))
+    page = Path(ERRATA).read_text(encoding="utf-8")
+
+    def check(paper: Any, entry: Any) -> None:
+        result = decide.decide(paper.slug, entry, paper.lost)
+        text = report.FORMATS["markdown"](report.Report.of([paper], [result], (), ".."))
+        if text[text.index("\n#### ") :].strip() not in page:
+            raise AssertionError(f"{paper.short} {entry.number} is decided otherwise")
+
+    return {
+        f"{paper.short} {entry.number}": lambda paper=paper, entry=entry: check(paper, entry)  # type: ignore[misc]
+        for paper in papers.PAPERS
+        for entry in paper.entries()
+    }
 
 
 def statement_folders() -> tuple[str, ...]:
@@ -79,9 +154,9 @@ def targets() -> Mapping[str, Any]:
     return {name: found[name] for name in sorted(found, key=lambda name: (name == "c", name != "numpy"))}
 
 
-def build(n: int, target: Any) -> Any:
-    """Everything that is emitted for an order."""
-    return importlib.import_module("derive.codegen.compiler").build([n], target)
+def build(which: Which, target: Any) -> Any:
+    """Everything that is emitted for a chart."""
+    return importlib.import_module("derive.codegen.compiler").build_charts([chart(which)], target)
 
 
 class Otherwise:
@@ -101,25 +176,27 @@ def unvalidated(target: Any) -> Any:
     return Otherwise(target, **nothing)
 
 
-def programs() -> Iterator[tuple[int | None, str, Any]]:
-    """Every program of the NumPy target: its order (None: of the geometry), what prints it, and itself."""
-    lowered, derive = importlib.import_module("derive.codegen.lowered"), importlib.import_module("derive")
+def programs() -> Iterator[tuple[Which | None, str, Any]]:
+    """Every program of the NumPy target: its chart (None: of the geometry), what prints it, and itself."""
+    lowered = importlib.import_module("derive.codegen.lowered")
     yield from ((None, "two_forms", program) for program in lowered.geometry().values())
-    for n in sorted(COMMITTED):
-        found = lowered.lower_chart(derive.Cayley(n))
-        yield from ((n, "two_scalar_forms", program) for program in found.scalars.values())
-        yield from ((n, "two_forms", program) for program in found.own.values())
+    for which in (*sorted(COMMITTED), *families()):
+        found = lowered.lower_chart(chart(which))
+        yield from ((which, "two_scalar_forms", program) for program in found.scalars.values())
+        yield from ((which, "two_forms", program) for program in found.own.values())
 
 
 @contextmanager
-def printed_otherwise(printer: str, n: int | None, name: str, change: Callable[[Any, Any], Any]) -> Iterator[None]:
+def printed_otherwise(
+    printer: str, which: Which | None, name: str, change: Callable[[Any, Any], Any]
+) -> Iterator[None]:
     """While it lasts, one program of the NumPy target is printed by ``change``, given the printer and the program."""
     module = importlib.import_module("derive.codegen.targets.numpy")
     shared = set(map(id, importlib.import_module("derive.codegen.lowered").geometry().values()))
     original = getattr(module, printer)
 
     def instead(program: Any) -> Any:
-        meant = program.name == name and (id(program) in shared) == (n is None)
+        meant = program.name == name and (id(program) in shared) == (which is None)
         return change(original, program) if meant else original(program)
 
     setattr(module, printer, instead)
@@ -131,9 +208,9 @@ def printed_otherwise(printer: str, n: int | None, name: str, change: Callable[[
 
 def texts() -> Iterator[tuple[str, Mapping[str, str]]]:
     """What is emitted, by target and order; cheap ones first."""
-    for n in sorted(ORDERS):
+    for which in (*sorted(ORDERS), *kinds()):
         for name, target in targets().items():
-            yield f"{name}, n = {n}", build(n, unvalidated(target)).texts
+            yield f"{name}, {label(which)}", build(which, unvalidated(target)).texts
 
 
 def prints() -> dict[str, tuple[str, str]]:
@@ -186,7 +263,8 @@ def _is_text(statement: ast.stmt) -> bool:
 def write_kernels(folder: Path) -> bool:
     """Put what is emitted for NumPy where the committed kernels are; whether any of their code has changed."""
     target = unvalidated(targets()["numpy"])
-    emitted = {file: text for n in sorted(COMMITTED) for file, text in build(n, target).texts.items()}
+    committed = (*sorted(COMMITTED), *importlib.import_module("derive.about").FAMILIES)
+    emitted = {file: text for which in committed for file, text in build(which, target).texts.items()}
     changed = False
     for file, text in emitted.items():
         path = folder / file

@@ -26,6 +26,10 @@ class Room(Protocol):
         """What is mutated, and which checks should notice, for the report."""
 
     @property
+    def unchanged(self) -> tuple[str, ...]:
+        """Modules that, with all they import, no mutant changes."""
+
+    @property
     def checks(self) -> Checks | None:
         """What has to look at the unchanged tree first."""
 
@@ -38,7 +42,7 @@ class Room(Protocol):
     def is_one(self, mutant: Mutant) -> bool:
         """Whether a mutant is well formed and not the same code."""
 
-    def limit(self, knowledge: Any) -> float:
+    def limit(self, mutant: Mutant | None, knowledge: Any) -> float:
         """Seconds of processor time a trial may take."""
 
     def trial(self, mutant: Mutant | None, knowledge: Any) -> Fate:
@@ -61,6 +65,7 @@ class Files:
     what: str
     sources: tuple[str, ...]
     checks: Checks
+    unchanged: tuple[str, ...] = ()
     apart: Callable[[], tuple[str, ...]] = tuple
 
     def edit(self, mutant: Mutant) -> Edit | None:
@@ -87,23 +92,25 @@ class Files:
         except SyntaxError:
             return False
 
-    def limit(self, knowledge: Any) -> float:
-        return 30 + 3 * float(knowledge.processor)
+    def limit(self, mutant: Mutant | None, knowledge: Any) -> float:
+        return 20 + 2 * float(knowledge.processor(mutant.site if mutant else None))
 
     def trial(self, mutant: Mutant | None, knowledge: Any) -> Fate:
         return self.checks.fate(mutant.site if mutant else None, knowledge)
 
 
-PROOF = Checks("proof", ("derive/proof",), ("tests/derive/proof",), first="proof")
-MAPS = Checks("maps", ("derive/maps",), ("tests/derive/maps",), first="proof")
+NUMBERS = "tests/derive/papers/test_theorem_numbers.py"
+PROOF = Checks("proof", ("derive/proof",), ("tests/derive/proof", NUMBERS), first=("proof",), controlled=True)
+MAPS = Checks("maps", ("derive/maps",), ("tests/derive/maps", NUMBERS), first=("proof", "validation"))
+TARGETS = ("tests/targets/test_array_api.py", "tests/targets/test_numba.py")
 EMISSION = Checks(
     "emission",
     ("derive/codegen", "derive/output", "templates"),
-    ("tests/derive/codegen", "tests/derive/output", "tests/derive/papers/report/test_report.py"),
-    first="validation",
+    ("tests/derive/codegen", "tests/derive/output", "tests/derive/papers/report/test_report.py", *TARGETS),
+    first=("validation",),
     emits=True,
 )
-PAPERS = Checks("papers", ("derive/papers",), ("tests/derive/papers",))
+PAPERS = Checks("papers", ("derive/papers",), ("tests/derive/papers",), first=("execution",))
 
 ROOMS: Mapping[str, Room] = {
     room.name: room
@@ -111,34 +118,40 @@ ROOMS: Mapping[str, Room] = {
         Programs(),
         Files(
             "proof",
-            "derive/proof: by the proofs of the committed orders, then by tests/derive/proof",
+            "derive/proof: by the proofs of the committed orders, then by tests/derive/proof and of equation numbers",
             ("derive/proof",),
             PROOF,
+            ("derive.maps", "derive.output"),
         ),
         Files(
             "maps",
-            "derive/maps: by the proofs of the committed orders, then by tests/derive/maps",
+            "derive/maps: by proofs of committed orders and NumPy kernels of some, then by tests/derive/maps and of "
+            "equation numbers",
             ("derive/maps",),
             MAPS,
+            ("derive.algebra", "derive.output"),
         ),
         Files(
             "codegen",
             "derive/codegen, derive/output: by emission with validation, then by their tests and those of kernels",
             ("derive/codegen", "derive/output"),
             EMISSION,
+            ("derive.proof",),
         ),
         Files(
             "templates",
             "templates: by emission with validation, then by tests of codegen, of the report, and of kernels",
             ("templates",),
             EMISSION,
+            ("derive.codegen",),
         ),
         Statements(),
         Files(
             "papers",
-            "derive/papers but for the statements: by tests/derive/papers",
+            "derive/papers but for the statements: by deciding every entry, then by tests/derive/papers",
             ("derive/papers",),
             PAPERS,
+            ("derive.proof", "derive.output"),
             road.statement_folders,
         ),
     )

@@ -15,8 +15,9 @@ from itertools import islice
 from pathlib import Path
 from typing import Any
 
+from . import road
 from .checks import Checks
-from .child import Child, Outcome, outcomes
+from .child import Child, Outcome, outcomes, shared
 from .mutant import KILLED, SURVIVED, TIMEOUT, Fate, Mutant, keyed, sample
 from .rooms import Room
 from .tree import Copy, digest, enter
@@ -124,7 +125,8 @@ class Run:
         wanted = [key for key in trials if key not in kept]
         shown = time.monotonic()
         with path.open("a", encoding="utf-8") as file:
-            for number, outcome in outcomes([partial(self._start, drawn, trials[key]) for key in wanted], copies):
+            jobs = [partial(self._start, drawn, trials[key]) for key in wanted]
+            for number, outcome in shared(copies, partial(warm, drawn.room), jobs) if jobs else ():
                 fate = _fate(outcome)
                 key = wanted[number]
                 if key == CONTROL and fate.kind != SURVIVED:
@@ -148,8 +150,8 @@ class Run:
     def _start(drawn: Drawn, mutant: Mutant | None, copy: Copy) -> tuple[ExitStack, Child]:
         room, stack = drawn.room, ExitStack()
         stack.enter_context(copy.changed(room.edit(mutant) if mutant else None))
-        limit = room.limit(drawn.knowledge)
-        return stack, Child(partial(attempt, room, mutant, drawn.knowledge, copy.folder), limit)
+        limit = room.limit(mutant, drawn.knowledge)
+        return stack, Child(partial(room.trial, mutant, drawn.knowledge), limit)
 
 
 def prepare(checks: Checks, folder: Path) -> Any:
@@ -166,10 +168,10 @@ def draw(room: Room, seed: int, count: int, folder: Path) -> tuple[int, dict[str
     return len(population), dict(islice(((key, mutant) for key, mutant in drawn if room.is_one(mutant)), count))
 
 
-def attempt(room: Room, mutant: Mutant | None, knowledge: Any, folder: Path) -> Fate:
-    """Try a mutant, inside a copy."""
-    enter(folder)
-    return room.trial(mutant, knowledge)
+def warm(room: Room, copy: Copy) -> None:
+    """Make ready for trials inside a copy: import what no mutant of the room changes."""
+    enter(copy.folder)
+    road.warm(room.unchanged)
 
 
 def _fate(outcome: Outcome) -> Fate:

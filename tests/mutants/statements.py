@@ -20,6 +20,7 @@ class Statements:
     name: str = "statements"
     what: str = "statements of the papers that were found true: by executing them"
     checks: None = None
+    unchanged: tuple[str, ...] = ("derive.papers",)
 
     def edit(self, mutant: Mutant) -> Edit | None:
         return None
@@ -37,7 +38,7 @@ class Statements:
     def is_one(self, mutant: Mutant) -> bool:
         return True
 
-    def limit(self, knowledge: Any) -> float:
+    def limit(self, mutant: Mutant | None, knowledge: Any) -> float:
         return 120
 
     def trial(self, mutant: Mutant | None, knowledge: Any) -> Fate:

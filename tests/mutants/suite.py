@@ -31,11 +31,12 @@ def processor() -> float:
 
 @dataclass(eq=False)
 class Times:
-    """Seconds of processor time of each test, those of the longest of its fixtures apart, and what failed."""
+    """Seconds of processor time of each test, those of the longest of its fixtures apart, all setups, what failed."""
 
     seconds: dict[str, float] = field(default_factory=dict)
     fixtures: dict[str, float] = field(default_factory=dict)
     failed: list[str] = field(default_factory=list)
+    setups: float = 0.0
 
     def longer(self, limit: float, fixture: float) -> list[str]:
         """Tests that take longer than a limit, or have a fixture that takes longer than another."""
@@ -52,7 +53,15 @@ class _Verdicts(Times):
 
     def __init__(self) -> None:
         super().__init__()
-        self._setups: dict[str, float] = {}
+        self._longest: dict[str, float] = {}
+
+    @pytest.hookimpl(wrapper=True, tryfirst=True)
+    def pytest_runtest_setup(self) -> Iterator[None]:
+        started = processor()
+        try:
+            return (yield)
+        finally:
+            self.setups += processor() - started
 
     @pytest.hookimpl(wrapper=True, tryfirst=True)
     def pytest_fixture_setup(self, fixturedef: Any) -> Iterator[None]:
@@ -60,7 +69,7 @@ class _Verdicts(Times):
         try:
             return (yield)
         finally:
-            self._setups[name] = max(self._setups.get(name, 0.0), processor() - started)
+            self._longest[name] = max(self._longest.get(name, 0.0), processor() - started)
 
     @pytest.hookimpl(wrapper=True, tryfirst=True)
     def pytest_runtest_call(self, item: pytest.Item) -> Iterator[None]:
@@ -70,7 +79,7 @@ class _Verdicts(Times):
         finally:
             self.seconds[item.nodeid] = processor() - started
             names = getattr(item, "fixturenames", ())
-            self.fixtures[item.nodeid] = max((self._setups.get(name, 0.0) for name in names), default=0.0)
+            self.fixtures[item.nodeid] = max((self._longest.get(name, 0.0) for name in names), default=0.0)
 
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
         if report.failed and report.nodeid not in self.failed:
@@ -171,4 +180,4 @@ def run_all(folders: Sequence[str], reach: Reach | None = None, few: int | None 
         code = pytest.main([*QUIET, *present], plugins)
         if code not in (pytest.ExitCode.OK, pytest.ExitCode.TESTS_FAILED):
             raise RuntimeError(f"tests of {', '.join(present)} do not run: {code!r}, {verdicts.failed}")
-    return Times(verdicts.seconds, verdicts.fixtures, verdicts.failed)
+    return Times(verdicts.seconds, verdicts.fixtures, verdicts.failed, verdicts.setups)

@@ -14,6 +14,8 @@ from tests.mutants.programs import program_mutants, same_value
 from tests.mutants.python import OPERATORS, python_mutants, same_code
 from tests.mutants.templates import template_mutants
 
+pytestmark = pytest.mark.smoke
+
 
 def applied(source: str, operator: str) -> set[str]:
     """The sources that an operator makes of one."""
@@ -54,6 +56,7 @@ def test_nothing_is_changed_where_nothing_computes() -> None:
     source = (
         '"""A docstring with 1 + 1."""\nfrom a import b\n__all__ = ["c", "d"]\nNumber = int | float\n'
         'def f(a: int | None, b: tuple[int, ...]) -> "a + b":\n    """1 + 1"""\n    x: list[int]\n'
+        "y = zip(a, strict=True)\nz = run(timeout=30)\nw = gcd(a, b)\n"
     )
     assert not list(python_mutants("a.py", source))
 

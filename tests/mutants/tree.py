@@ -14,7 +14,7 @@ from pathlib import Path
 
 from .python import Edit
 
-DECIDING = ("derive", "templates", "generated", "tests", "pyproject.toml")
+DECIDING = ("derive", "templates", "generated", "tests", "docs/theorems.md", "docs/errata.md", "pyproject.toml")
 """What decides the fate of a mutant: results are kept until one of these files changes."""
 
 SEEN = (*DECIDING, "benchmarks", "docs", "examples", "Makefile", "README.md")

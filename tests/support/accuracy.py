@@ -55,6 +55,19 @@ class Trial(Measured):
         scale = "tangent_inv" if self.inside else "near_pole"
         return self._forward("tangent_inv", scale, self.gates(errors.RATE, errors.GENERAL))
 
+    def body_tangent(self) -> Iterator[Result]:
+        gates = self.gates(errors.TANGENT, errors.tangent_shadow_gate(self.order))
+        return self._forward("body_tangent", "tangent", gates)
+
+    def body_tangent_inv(self) -> Iterator[Result]:
+        scale = "tangent_inv" if self.inside else "near_pole"
+        return self._forward("body_tangent_inv", scale, self.gates(errors.RATE, errors.GENERAL))
+
+    def inverse(self) -> Iterator[Result]:
+        for v, got in zip(self.v, self.module.inverse(self.v), strict=True):
+            # a sign: nothing is rounded
+            yield Result(got, [self.oracle.inverse(v)], [errors.size(v)], (0.5, 0.5), (v,))
+
     def _applied(self, name: str, scale: str, gates: tuple[float, float]) -> Iterator[Result]:
         argument = self.second(sampling.dual_vectors, name)
         for v, w, got in zip(self.v, argument, getattr(self.module, name)(self.v, argument), strict=True):
@@ -76,6 +89,62 @@ class Trial(Measured):
     def body_rate(self) -> Iterator[Result]:
         scale = "tangent_inv" if self.inside else "near_pole"
         return self._applied("body_rate", scale, self.gates(errors.RATE, errors.GENERAL))
+
+    # ---- derivatives of the tangent operator -------------------------------------------------------------------
+
+    def _derived(self, name: str, scale: Any, gates: tuple[float, float], count: int) -> Iterator[Result]:
+        """`scale(slope, operator, *sizes)` of the second and third arguments, `count` of them."""
+        inverse = name.removeprefix("body_").startswith("rate")
+        kind = ("tangent_inv" if self.inside else "near_pole") if inverse else "tangent"
+        given = [self.second(sampling.dual_vectors, name) for _ in range(min(count, 1))]
+        given += [np.roll(given[0], 1, axis=-1)] * (count - 1)
+        for v, *others, got in zip(self.v, *given, getattr(self.module, name)(self.v, *given), strict=True):
+            slope, operator = (getattr(of(self.order, v), kind) for of in (errors.slopes, errors.scales))
+            if got.shape == (6, 6):
+                assert (got[:3, :3] == got[3:, 3:]).all()
+                assert (got[:3, 3:] == 0).all()
+            allowed = scale(slope, operator, *map(errors.size, others))
+            yield Result(got, [getattr(self.oracle, name)(v, *others)], [allowed], gates, (v, others[0]))
+
+    @property
+    def _derived_gates(self) -> tuple[float, float]:
+        return self.gates(errors.DERIVED, errors.shadow_gate(self.order))
+
+    def tangent_dot(self) -> Iterator[Result]:
+        return self._derived("tangent_dot", lambda slope, _, w: slope * w, self._derived_gates, 1)
+
+    def _twist_dot(self, name: str) -> Iterator[Result]:
+        return self._derived(name, lambda slope, T, w, z: T * z + slope * w * w, self._derived_gates, 2)
+
+    def twist_dot(self) -> Iterator[Result]:
+        return self._twist_dot("twist_dot")
+
+    def body_twist_dot(self) -> Iterator[Result]:
+        return self._twist_dot("body_twist_dot")
+
+    def _rate_dot(self, name: str) -> Iterator[Result]:
+        return self._derived(name, lambda slope, T, w, z: T * z + slope * (T * w) * w, self._derived_gates, 2)
+
+    def rate_dot(self) -> Iterator[Result]:
+        return self._rate_dot("rate_dot")
+
+    def body_rate_dot(self) -> Iterator[Result]:
+        return self._rate_dot("body_rate_dot")
+
+    def _jacobian(self, name: str) -> Iterator[Result]:
+        return self._derived(name, lambda slope, _, w: slope * w, self._derived_gates, 1)
+
+    def twist_jacobian(self) -> Iterator[Result]:
+        return self._jacobian("twist_jacobian")
+
+    def cotangent_jacobian(self) -> Iterator[Result]:
+        return self._jacobian("cotangent_jacobian")
+
+    def rate_jacobian(self) -> Iterator[Result]:
+        return self._jacobian("rate_jacobian")
+
+    def body_rate_jacobian(self) -> Iterator[Result]:
+        return self._jacobian("body_rate_jacobian")
 
     def transform_line(self) -> Iterator[Result]:
         return self._applied("transform_line", "tensor", self.gates(errors.GENERAL, errors.GENERAL))
@@ -246,10 +315,22 @@ FUNCTIONS = (
     "pose",
     "tangent",
     "tangent_inv",
+    "body_tangent",
+    "body_tangent_inv",
+    "inverse",
     "twist",
     "rate",
     "body_twist",
     "body_rate",
+    "tangent_dot",
+    "twist_dot",
+    "body_twist_dot",
+    "rate_dot",
+    "body_rate_dot",
+    "twist_jacobian",
+    "cotangent_jacobian",
+    "rate_jacobian",
+    "body_rate_jacobian",
     "from_quaternion",
     "from_tensor",
     "from_pose",

@@ -25,7 +25,7 @@ KINDS: Mapping[str, tuple[str, str | None]] = {
     "stride": (r"\* \w+_by\]", "* 1]"),
     "row": (r"(?<=\w) \+ j\b", ""),
     "row stride": (r", (\w+)_stride(?=[,)])", r", \1_stride + 1"),
-    "output order": (r"(_at\[[^\]]+\] = )([^;]+)(;\s+\w+_at\[[^\]]+\] = )([^;]+);", r"\1\4\3\2;"),
+    "output order": (r"(_at\[[^\]]+\] = )([^;]+)(;\s+\w+_at\[[^\]]+\] = )(?!\2;)([^;]+);", r"\1\4\3\2;"),
     "result order": (r"&(\w+), &(\w+)", r"&\2, &\1"),
     "stored result": (r"(\*\w+_at = )([^;]+)(;\s+\*\w+_at = )([^;]+);", r"\1\4\3\2;"),
     "side": (r", -(\d)", r", \1"),

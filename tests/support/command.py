@@ -32,6 +32,7 @@ def dualcay(*arguments: str, cwd: Path = ROOT) -> Done:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(sys, "argv", ["dualcay", *arguments])
         patch.setenv("NO_COLOR", "1")
+        patch.setattr("derive.cli.display.SPARSE", 3600.0)  # lines which say how far a long run is, on a slow machine
         patch.chdir(cwd)
         with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
             code = main()
@@ -42,12 +43,13 @@ def dualcay(*arguments: str, cwd: Path = ROOT) -> Done:
     return Done(code, *texts)
 
 
-def in_a_process(*arguments: str, code: str | None = None, **variables: str) -> Done:
+def in_a_process(*arguments: str, code: str | None = None, errors: str = "strict", **variables: str) -> Done:
     """Run ``python -m derive``, or some code in its place, as a process with these environment variables."""
     start = ["-m", "derive"] if code is None else ["-c", code]
     env = {**os.environ, "PYTHONPATH": str(ROOT), "NO_COLOR": "1", **variables}
+    command = [sys.executable, *start, *arguments]
     done = subprocess.run(
-        [sys.executable, *start, *arguments], cwd=ROOT, env=env, capture_output=True, encoding="utf-8", check=False
+        command, cwd=ROOT, env=env, capture_output=True, encoding="utf-8", errors=errors, check=False
     )
     assert "Traceback" not in done.stderr
     return Done(done.returncode, done.stdout, done.stderr)

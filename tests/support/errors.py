@@ -30,9 +30,11 @@ QUATERNION = 4  # p/N, q v/N: a ratio, a root, a product; measured 2.8
 ROTATION = 10  # I + 2pq/N² skew + 2q²/N² skew²: three roundings more, summed over nine entries; measured 6.5
 POSITION = 6  # T v°: coefficients as in T, then three products summed; measured 3.1
 TANGENT = 6  # as the tensor, without the unit entries' own rounding; measured 2.5
+DERIVED = 4  # derivatives of T and T⁻¹: a few more of such terms than there, of which one leads; measured 1.9
 RATE = 6  # T⁻¹ ω: three coefficients, three products, summed; measured 2.9
 ROUND_TRIP = 8  # pose and back: its 6 to 10 eps pass through a Jacobian of norm below 1; measured 3.8 (n ≥ 2)
 GENERAL = 20  # any other map, over all regimes: at most two of the above in a chain (10 + 10)
+THREE = 30  # derivatives of inverse maps beyond the first pole: T⁻¹, the derivative of T, T⁻¹ in a chain
 
 
 def shadow_gate(order: int) -> int:
@@ -66,8 +68,10 @@ def norm(a: Any) -> float:
 
 
 def parts(array: Any) -> tuple[Any, Any]:
-    """Real and dual part of a packed dual vector, quaternion or tensor; Q and ρ of a homogeneous matrix."""
+    """Real and dual part of a packed dual vector, quaternion, tensor or Jacobian; Q and ρ of a homogeneous matrix."""
     array = np.asarray(array)
+    if array.shape == (6, 6):
+        return array[:3, :3], array[3:, :3]
     if array.shape == (4, 4):
         return array[:3, :3], array[:3, 3]
     if array.ndim == 3:
@@ -141,6 +145,46 @@ def _scales(order: int, vector: tuple[float, ...]) -> Scales:
         condition=kappa,
         near_pole=Nil(norm(inverted) * (1 + kappa), norm(change_inv) * size_du * (1 + 2 * kappa)),
     )
+
+
+@dataclass(frozen=True)
+class Slopes:
+    """Scales of the derivatives of the tangent operator and its inverse by v; near poles with the condition."""
+
+    tangent: Nil
+    tangent_inv: Nil
+    near_pole: Nil
+
+
+@functools.lru_cache(maxsize=4096)
+def _slopes(order: int, vector: tuple[float, ...]) -> Slopes:
+    oracle, re, size_du = Oracle(order, 15, float_field()), vector[:3], norm(vector[3:])
+    pairs = [(i, j) for i in range(3) for j in range(3)]
+    moved = ([Nil(Nil(a, 1.0 * (k == i)), Nil(1.0 * (k == j), 0.0)) for k, a in enumerate(re)] for i, j in pairs)
+    found = [np.array(oracle.operator_by_spin(v), dtype=object) for v in moved]
+    slopes = [part(found[3 * i], lambda e: e.re.du) for i in range(3)]
+    bends = [part(tensor, lambda e: e.du.du) for tensor in found]
+    back = np.array(inverse(part(found[0], lambda e: e.re.re).tolist()))
+    slopes_inv = [-back @ slope @ back for slope in slopes]
+    bends_inv = [
+        -(slopes_inv[i] @ slopes[j] + back @ bend) @ back - back @ slopes[j] @ slopes_inv[i]
+        for (i, j), bend in zip(pairs, bends, strict=True)
+    ]
+    inverted, kappa = Nil(norm(slopes_inv), norm(bends_inv) * size_du), _scales(order, vector).condition
+    return Slopes(
+        tangent=Nil(norm(slopes), norm(bends) * size_du),
+        tangent_inv=inverted,
+        near_pole=Nil(inverted.re * (1 + 2 * kappa), inverted.du * (1 + 3 * kappa)),
+    )
+
+
+def part(tensor: Array, of: Any) -> np.ndarray:
+    """A part of every entry of a tensor, as floats."""
+    return np.array([of(entry) for entry in tensor.flat], float).reshape(tensor.shape)
+
+
+def slopes(order: int, v: Any) -> Slopes:
+    return _slopes(order, tuple(float(c) for c in v))
 
 
 def scales(order: int, v: Any) -> Scales:

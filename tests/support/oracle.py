@@ -45,6 +45,36 @@ def pack(value: Any) -> np.ndarray:
     return np.stack([p.reshape(entries.shape) for p in parts])
 
 
+def along(v: Any, rate: Any) -> tuple[Nil, ...]:
+    """The vector with its rate beside it."""
+    return tuple(Nil(Nil(a.re, d.re), Nil(a.du, d.du)) for a, d in zip(v, rate, strict=True))
+
+
+def matrix6(tensor: np.ndarray) -> np.ndarray:
+    """The real matrix that acts on dual vectors as a dual tensor does."""
+    zero = tensor[0] * 0
+    return np.block([[tensor[0], zero], [tensor[1], tensor[0]]])
+
+
+def scaled(tensor: Any, factor: Any) -> Any:
+    return tuple(tuple(c * factor for c in row) for row in tensor)
+
+
+def added(a: Any, b: Any) -> Any:
+    """The sum of vectors, or of tensors."""
+    return tuple(added(p, q) if isinstance(p, tuple) else p + q for p, q in zip(a, b, strict=True))
+
+
+def directional(slopes: Any, direction: Any) -> Any:
+    """The derivative of a tensor along a direction, by those along the axes."""
+    return functools.reduce(added, (scaled(slope, c) for slope, c in zip(slopes, direction, strict=True)))
+
+
+def applied_jacobian(slopes: Any, w: Any) -> np.ndarray:
+    """The derivative of a tensor applied to w as a real matrix."""
+    return matrix6(pack(transpose([matvec(slope, w) for slope in slopes])))
+
+
 def value_key(value: Any) -> Any:
     """What tells a number, a dual number or an array or tuple of them from others."""
     if isinstance(value, Nil):
@@ -124,8 +154,7 @@ class Oracle:
         return transpose([hamilton(hamilton(w, (0, *e)), back)[1:] for e in E])
 
     def rotation_and_derivative(self, v: Any, v_dot: Any) -> tuple[Any, Any]:
-        moving = tuple(Nil(Nil(a.re, d.re), Nil(a.du, d.du)) for a, d in zip(v, v_dot, strict=True))
-        return split(self.rotation(moving))
+        return split(self.rotation(along(v, v_dot)))
 
     def space_twist(self, v: Any, v_dot: Any) -> tuple[Any, ...]:
         r, r_dot = self.rotation_and_derivative(v, v_dot)
@@ -241,6 +270,26 @@ class Oracle:
     def tangent_inv(self, v: Any) -> np.ndarray:
         return pack(inverse(self.operator(self.unpack(v))))
 
+    def body_tangent(self, v: Any) -> np.ndarray:
+        """Column j is the body twist of v moving along e_j."""
+        dual = self.unpack(v)
+
+        def column(e: Any) -> tuple[Any, ...]:
+            r, r_dot = self.rotation_and_derivative(dual, [Nil(dual[0].re * 0 + c, dual[0].re * 0) for c in e])
+            return vect(matmul(transpose(r), r_dot))
+
+        return pack(transpose([column(e) for e in E]))
+
+    def body_tangent_inv(self, v: Any) -> np.ndarray:
+        dual = self.unpack(v)
+        return pack(matmul(inverse(self.operator(dual)), self.rotation(dual)))
+
+    def inverse(self, v: Any) -> np.ndarray:
+        """From the conjugate of the n-th root that v stands for."""
+        dual = self.unpack(v)
+        theta, axis = self.half_screw(conjugate((self.base(dual), *dual)))
+        return pack(dual if axis is None else tuple(self.size(theta) * c for c in axis))
+
     def twist(self, v: Any, v_dot: Any) -> np.ndarray:
         return pack(self.space_twist(self.unpack(v), self.unpack(v_dot)))
 
@@ -254,6 +303,62 @@ class Oracle:
     def body_rate(self, v: Any, omega: Any) -> np.ndarray:
         dual = self.unpack(v)
         return pack(matvec(inverse(self.operator(dual)), matvec(self.rotation(dual), self.unpack(omega))))
+
+    # ---- derivatives: T at a vector that moves along each axis -------------------------------------------------
+
+    def frame_operator(self, v: Any, body: bool) -> Any:
+        """T, or what gives the twist in the body: Rᵀ T."""
+        operator = self.operator_by_spin(v)
+        return matmul(transpose(self.rotation(v)), operator) if body else operator
+
+    @remembered
+    def gradient(self, v: Any, body: bool) -> tuple[Any, tuple[Any, ...]]:
+        """The operator of a frame, and its derivatives along the three axes."""
+        units = [[Nil(a.re * 0 + c, a.re * 0) for a, c in zip(v, e, strict=True)] for e in E]
+        values, slopes = zip(*(split(self.frame_operator(along(v, unit), body)) for unit in units), strict=True)
+        return values[0], slopes
+
+    @remembered
+    def gradient_inv(self, v: Any, body: bool) -> tuple[Any, tuple[Any, ...]]:
+        """The same of the inverse."""
+        operator, slopes = self.gradient(v, body)
+        back = inverse(operator)
+        return back, tuple(scaled(matmul(back, matmul(slope, back)), -1) for slope in slopes)
+
+    def tangent_dot(self, v: Any, v_dot: Any, body: bool = False) -> np.ndarray:
+        return pack(directional(self.gradient(self.unpack(v), body)[1], self.unpack(v_dot)))
+
+    def twist_dot(self, v: Any, v_dot: Any, v_ddot: Any, body: bool = False) -> np.ndarray:
+        (operator, slopes), rate = self.gradient(self.unpack(v), body), self.unpack(v_dot)
+        return pack(added(matvec(operator, self.unpack(v_ddot)), matvec(directional(slopes, rate), rate)))
+
+    def rate_dot(self, v: Any, omega: Any, omega_dot: Any, body: bool = False) -> np.ndarray:
+        (back, slopes), twist = self.gradient_inv(self.unpack(v), body), self.unpack(omega)
+        change = directional(slopes, matvec(back, twist))
+        return pack(added(matvec(back, self.unpack(omega_dot)), matvec(change, twist)))
+
+    def twist_jacobian(self, v: Any, v_dot: Any, body: bool = False) -> np.ndarray:
+        return applied_jacobian(self.gradient(self.unpack(v), body)[1], self.unpack(v_dot))
+
+    def rate_jacobian(self, v: Any, omega: Any, body: bool = False) -> np.ndarray:
+        return applied_jacobian(self.gradient_inv(self.unpack(v), body)[1], self.unpack(omega))
+
+    def cotangent(self, v: Any, z: Any, body: bool = False) -> np.ndarray:
+        return pack(matvec(transpose(self.frame_operator(self.unpack(v), body)), self.unpack(z)))
+
+    def cotangent_jacobian(self, v: Any, z: Any, body: bool = False) -> np.ndarray:
+        slopes = self.gradient(self.unpack(v), body)[1]
+        return applied_jacobian([transpose(slope) for slope in slopes], self.unpack(z))
+
+    body_tangent_dot = functools.partialmethod(tangent_dot, body=True)
+    body_twist_dot = functools.partialmethod(twist_dot, body=True)
+    body_rate_dot = functools.partialmethod(rate_dot, body=True)
+    body_twist_jacobian = functools.partialmethod(twist_jacobian, body=True)
+    body_rate_jacobian = functools.partialmethod(rate_jacobian, body=True)
+    body_cotangent = functools.partialmethod(cotangent, body=True)
+    body_cotangent_jacobian = functools.partialmethod(cotangent_jacobian, body=True)
+
+    # ---- inverse maps, screws, shadows, composition -----------------------------------------------------------
 
     def from_quaternion(self, q: Any, branch: int = 0) -> np.ndarray:
         return pack(self.vector_of(self.unpack(q), branch))

@@ -2,4 +2,4 @@
 
 from __future__ import annotations
 
-ORDERS = {"array-api": (1, 2, 3, 4, 8), "numba": (1, 2, 3, 4, 8), "c": (1, 2, 3, 8, 16)}
+ORDERS = {"array-api": (1, 2, 3, 8), "numba": (1, 2, 3, 4, 8), "c": (1, 2, 3, 8, 16)}

@@ -11,6 +11,11 @@ from tests.support.kernels import load
 from tests.support.libraries import LIBRARIES, QUICKLY
 
 ORDERS = pytest.mark.parametrize("order", [1, 2, 3])
+# geometry is the same for all orders from 2 on, and the gain of a tensor is that of its pose
+ROADS = pytest.mark.parametrize(
+    ("order", "road"),
+    [(1, "quaternion"), (1, "tensor"), (2, "quaternion"), (2, "pose"), (3, "quaternion"), (3, "tensor"), (3, "pose")],
+)
 REGIMES = ("uniform", "angle 1e-7", "pure translation", "identity")
 EPS = 2.0**-52
 
@@ -81,8 +86,7 @@ def test_the_tangent_operator_is_the_derivative_of_the_tensor(array_api, order, 
 
 
 @JACOBIANS
-@ORDERS
-@pytest.mark.parametrize("road", ["quaternion", "tensor", "pose"])
+@ROADS
 def test_inverse_maps_undo_the_forward_maps_to_first_order(array_api, order, road, jacobians):
     module, at = array_api(order), samples(order, *REGIMES)
     forward, back = getattr(module, road), getattr(module, f"from_{road}")
@@ -92,8 +96,7 @@ def test_inverse_maps_undo_the_forward_maps_to_first_order(array_api, order, roa
 
 
 @JACOBIANS
-@ORDERS
-@pytest.mark.parametrize("road", ["quaternion", "tensor", "pose"])
+@ROADS
 def test_inverse_maps_have_finite_derivatives_in_every_entry(array_api, order, road, jacobians):
     values = getattr(load(order), road)(samples(order, *REGIMES))
     assert np.isfinite(jacobians(getattr(array_api(order), f"from_{road}"), values)).all()

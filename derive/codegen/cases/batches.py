@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import mpmath
 
 from ...maps.chart import Chart
+from ...proof import is_algebraic
 from ..signatures import PUBLIC
 from . import digits, exact
 from .exact import Expectation
@@ -18,17 +20,22 @@ Agree = Callable[[Any, Any], bool]
 
 @dataclass(frozen=True, slots=True)
 class Batch:
-    """Cases of one function and branch, on elements of an exact ring or on numbers of 50 digits."""
+    """Cases of one function and branch, on elements of an exact ring or on numbers of 50 digits, within a tolerance."""
 
     function: str
     branch: tuple[int, ...]
     cases: tuple[Expectation, ...]
-    exact: bool
+    tolerance: Any = None
+
+    @property
+    def exact(self) -> bool:
+        """Whether results are elements of a ring."""
+        return self.tolerance is None
 
     @property
     def agree(self) -> Agree:
         """What a result has to be to the expected one."""
-        return same if self.exact else digits.close
+        return same if self.exact else partial(digits.close, tolerance=self.tolerance)
 
 
 def batches(chart: Chart) -> list[Batch]:
@@ -37,19 +44,23 @@ def batches(chart: Chart) -> list[Batch]:
     Raises
     ------
     ValueError
-        If a function of the table has no case, or no exact one where its row says so.
+        If a function of the table has no case, or in an algebraic chart no exact one where its row says so.
     """
+    algebraic = is_algebraic(chart)
     with mpmath.workdps(digits.DIGITS):
-        exactly = [_batch((case,), True) for case in exact.expectations(chart)]
-        closely = [_batch(tuple(map(_decimal, batch)), False) for batch in digits.expectations(chart)]
+        exactly = [_batch((case,)) for case in exact.expectations(chart)] if algebraic else []
+        close = [*digits.expectations(chart), *(() if algebraic else digits.algebraic(chart))]
+        tolerance = digits.tolerance(chart)
+        closely = [_batch(tuple(map(_decimal, batch)), tolerance) for batch in close]
     _require("an expectation", PUBLIC, exactly + closely)
-    _require("an exact expectation", (name for name, row in PUBLIC.items() if row.exact), exactly)
+    if algebraic:
+        _require("an exact expectation", (name for name, row in PUBLIC.items() if row.exact), exactly)
     return exactly + closely
 
 
 def same(got: Any, expected: Any) -> bool:
-    """Whether two elements are equal."""
-    return bool(got == expected)
+    """Whether two numbers are equal; NaN is only itself."""
+    return bool(got == expected or (got != got and expected != expected))
 
 
 def _require(what: str, names: Iterable[str], found: Iterable[Batch]) -> None:
@@ -58,9 +69,9 @@ def _require(what: str, names: Iterable[str], found: Iterable[Batch]) -> None:
         raise ValueError(f"functions without {what} cannot be generated: {', '.join(missing)}")
 
 
-def _batch(cases: tuple[Expectation, ...], exactly: bool) -> Batch:
+def _batch(cases: tuple[Expectation, ...], tolerance: Any = None) -> Batch:
     function, *branch = cases[0].function.split()
-    return Batch(function, tuple(map(int, branch)), cases, exactly)
+    return Batch(function, tuple(map(int, branch)), cases, tolerance)
 
 
 def _decimal(case: Expectation) -> Expectation:

@@ -1,23 +1,33 @@
-"""Exact expectations: what each rational kernel function must return on ring elements, from the formula alone."""
+"""What each algebraic kernel function must return, from the formula alone: on ring elements exactly, or at numbers.
+
+Formulas in x are lifted into the ring. Where they are functions of α, which no ring holds, there are numbers only.
+Derivatives are those of the formulas, in dual numbers of one more level: no slope of a chart's scalars enters.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import sympy
 
-from ...algebra import Dual, Isotropic, Quaternion, Vector
+from ...algebra import Coefficient, Dual, Isotropic, Quaternion, Tensor, Vector
 from ...maps import Formula, x
 from ...maps.chart import Chart
-from ...maps.pose import pose_from_tensor
+from ...maps.pose import Pose, pose_from_tensor
 from ...proof import Ring, root_of
-from ..lowering.scalars import scalar_programs
+from ..lowering.scalars import scalar_program
+from ..signatures import FUNCTIONS, Function
+
+Flat = tuple[Any, ...]
 
 ROOTS = 2
 """Up to so many square roots in a row the way back, if it takes half angles only, is decided exactly (above, only the
 cost forbids it)."""
+
+LETTERS = ("v", "w", "z")
+"""The symbols that stand for the arguments of a function, in order; those of the first are a vector of the ring."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,80 +35,200 @@ class Expectation:
     """Arguments of a kernel function and its exact result, both as flat components."""
 
     function: str
-    arguments: tuple[tuple[Any, ...], ...]
-    result: tuple[Any, ...]
+    arguments: tuple[Flat, ...]
+    result: Flat
 
 
-def expectations(chart: Chart, ring: Callable[..., Any] = Ring) -> Iterator[Expectation]:
-    """Every algebraic function of the module of a chart, on six symbols (and six more for a rate, twist or line).
+@dataclass(frozen=True, slots=True)
+class Formulas:
+    """The formulas of a chart at numbers that a ring can lift its coefficients to."""
 
-    ``ring`` makes what stands for the symbols: the exact ring, or numbers in their place.
-    """
-    yield from _quaternion(chart, ring)
-    yield from _tensors(chart, ring)
+    chart: Chart
+    ring: Any
+
+    def lifted(self, expression: sympy.Expr, at: Coefficient) -> Coefficient:
+        """An algebraic expression at a number, dual of any level: ``f(a + ε b) = f(a) + ε b f′(a)``."""
+        order, plain = 0, at
+        while isinstance(plain, Dual):
+            order, plain = order + 1, plain.re
+        derivatives = self.ring.derivatives(expression, x, plain, order)
+
+        def raised(k: int, at: Coefficient) -> Coefficient:
+            return Dual(raised(k, at.re), raised(k + 1, at.re) * at.du) if isinstance(at, Dual) else derivatives[k]
+
+        return raised(0, at)
+
+    def _operator(self, formula: Formula, v: Vector) -> Isotropic:
+        square = v.dot(v)
+        a, b, c = (self.lifted(coefficient, square) for coefficient in formula.coefficients)
+        return Isotropic(a, b, c, square)
+
+    def quaternion(self, v: Vector) -> Quaternion:
+        s, w = (self.lifted(coefficient, v.dot(v)) for coefficient in self.chart.quaternion.coefficients)
+        return Quaternion(s, v * w)
+
+    def tensor(self, v: Vector) -> Isotropic:
+        return self._operator(self.chart.tensor, v)
+
+    def pose(self, v: Vector) -> Pose:
+        return pose_from_tensor(self.tensor(v).tensor(v))
+
+    def tangent(self, v: Vector, hand: int = 1) -> Isotropic:
+        """T, or with hand −1 its transpose."""
+        T = self._operator(self.chart.tangent, v)
+        return T if hand == 1 else T.transpose
+
+    def tangent_inv(self, v: Vector, hand: int = 1) -> Isotropic:
+        T = self._operator(self.chart.tangent_inv, v)
+        return T if hand == 1 else T.transpose
 
 
-def _symbols(ring: Any, letter: str) -> tuple[Any, ...]:
-    return tuple(ring.symbol(f"{letter}{i}") for i in range(1, 7))
-
-
-def _dual(components: Sequence[Any]) -> Vector:
+def dual(components: Sequence[Any]) -> Vector:
+    """A dual vector by its six components."""
     return Vector.dual(components[:3], components[3:])
 
 
-def _lifted(ring: Any, expression: sympy.Expr, square: Dual) -> Dual:
-    """f(x) + eps x° f'(x) of an algebraic expression."""
-    value, slope = (ring.lift(e, {x: square.re}) for e in (expression, expression.diff(x)))
-    return Dual(value, square.du * slope)
+def _flat(value: Vector | Tensor | Quaternion) -> Flat:
+    return (*value.re, *value.du)
 
 
-def _isotropic(ring: Any, formula: Formula, v: Vector) -> Isotropic:
-    square = v.dot(v)
-    a, b, c = (_lifted(ring, coefficient, square) for coefficient in formula.coefficients)
-    return Isotropic(a, b, c, square)
+def _pose(at: Formulas, v: Flat) -> Flat:
+    pose = at.pose(dual(v))
+    Q, rho = pose.rotation, tuple(pose.displacement)
+    rows = (entry for i in range(3) for entry in (Q[i, 0], Q[i, 1], Q[i, 2], rho[i]))
+    return (*rows, 0, 0, 0, 1)
 
 
-def _quaternion(chart: Chart, make: Callable[..., Any]) -> Iterator[Expectation]:
-    """s + w v; and back, where no trigonometry is needed."""
-    ring = make(extra=("v4", "v5", "v6"), root=root_of(chart.quaternion.coefficients))
-    components = _symbols(ring, "v")
-    v = _dual(components)
-    s, w = (_lifted(ring, coefficient, v.dot(v)) for coefficient in chart.quaternion.coefficients)
-    quaternion = Quaternion(s, v * w)
-    flat = (*quaternion.re, *quaternion.du)
-    yield Expectation("quaternion", (components,), flat)
-    if _goes_back_by_roots(chart):
-        yield Expectation("from_quaternion", (flat,), components)
+# --- derivatives: an outer dual part is one by time, or along a component of v ------------------------------------
+
+
+def moving(a: Vector, rate: Vector) -> Vector:
+    """``a + τ rate``, τ² = 0."""
+    return Vector.dual(a, rate)
+
+
+def matrix6(columns: Sequence[Vector]) -> Flat:
+    """The real matrix that acts on dual vectors as the dual tensor of these columns does."""
+    re, du = ([column.re for column in columns], [column.du for column in columns])
+    upper = (entry for row in zip(*re, strict=True) for entry in (*row, 0, 0, 0))
+    lower = (entry for row, below in zip(zip(*du, strict=True), zip(*re, strict=True)) for entry in (*row, *below))
+    return (*upper, *lower)
+
+
+def jacobian(function: Callable[[Vector], Vector], v: Vector) -> Flat:
+    """The derivative of a function of dual vectors."""
+    zero = 0 * v.c1
+    units = ([zero + int(i == j) for i in range(3)] for j in range(3))
+    return matrix6([function(moving(v, Vector(*unit))).du for unit in units])
+
+
+Operator = Callable[..., Isotropic]
+
+
+def _tangent_dot(hand: int) -> Callable[..., Flat]:
+    def expected(at: Formulas, v: Flat, v_dot: Flat) -> Flat:
+        there = moving(dual(v), dual(v_dot))
+        return _flat(at.tangent(there, hand).tensor(there).du)
+
+    return expected
+
+
+def _applied(operator: Operator, hand: int = 1) -> Callable[..., Flat]:
+    """An operator applied to the second argument."""
+
+    def expected(at: Formulas, v: Flat, w: Flat) -> Flat:
+        return _flat(operator(at, dual(v), hand).apply(dual(v), dual(w)))
+
+    return expected
+
+
+def _applied_jacobian(operator: Operator, hand: int) -> Callable[..., Flat]:
+    """Its derivative by v."""
+
+    def expected(at: Formulas, v: Flat, w: Flat) -> Flat:
+        given = dual(w)
+        fixed = moving(given, 0 * given)
+        return jacobian(lambda there: operator(at, there, hand).apply(there, fixed), dual(v))
+
+    return expected
+
+
+def _twist_dot(hand: int) -> Callable[..., Flat]:
+    def expected(at: Formulas, v: Flat, v_dot: Flat, v_ddot: Flat) -> Flat:
+        there = moving(dual(v), dual(v_dot))
+        return _flat(at.tangent(there, hand).apply(there, moving(dual(v_dot), dual(v_ddot))).du)
+
+    return expected
+
+
+def _rate_dot(hand: int) -> Callable[..., Flat]:
+    def expected(at: Formulas, v: Flat, omega: Flat, omega_dot: Flat) -> Flat:
+        here, twist = dual(v), dual(omega)
+        there = moving(here, at.tangent_inv(here, hand).apply(here, twist))
+        return _flat(at.tangent_inv(there, hand).apply(there, moving(twist, dual(omega_dot))).du)
+
+    return expected
+
+
+Value = Callable[..., Flat]
+
+BY_QUATERNION: Mapping[str, Value] = {"quaternion": lambda at, v: _flat(at.quaternion(dual(v)))}
+"""Functions whose formulas may hold a root."""
+
+BY_TENSORS: Mapping[str, Value] = {
+    "tensor": lambda at, v: _flat(at.tensor(dual(v)).tensor(dual(v))),
+    "pose": _pose,
+    "transform_point": lambda at, v, r: tuple(at.pose(dual(v)).apply(Vector(*r))),
+    "transform_line": lambda at, v, line: _flat(at.tensor(dual(v)).apply(dual(v), dual(line))),
+    "tangent": lambda at, v: _flat(at.tangent(dual(v)).tensor(dual(v))),
+    "tangent_inv": lambda at, v: _flat(at.tangent_inv(dual(v)).tensor(dual(v))),
+    "body_tangent": lambda at, v: _flat(at.tangent(dual(v), -1).tensor(dual(v))),
+    "body_tangent_inv": lambda at, v: _flat(at.tangent_inv(dual(v), -1).tensor(dual(v))),
+    "inverse": lambda at, v: tuple(-c for c in v),
+    "twist": _applied(Formulas.tangent),
+    "rate": _applied(Formulas.tangent_inv),
+    "body_twist": _applied(Formulas.tangent, -1),
+    "body_rate": _applied(Formulas.tangent_inv, -1),
+    "tangent_dot": _tangent_dot(1),
+    "body_tangent_dot": _tangent_dot(-1),
+    "twist_dot": _twist_dot(1),
+    "body_twist_dot": _twist_dot(-1),
+    "rate_dot": _rate_dot(1),
+    "body_rate_dot": _rate_dot(-1),
+    "twist_jacobian": _applied_jacobian(Formulas.tangent, 1),
+    "body_twist_jacobian": _applied_jacobian(Formulas.tangent, -1),
+    "rate_jacobian": _applied_jacobian(Formulas.tangent_inv, 1),
+    "body_rate_jacobian": _applied_jacobian(Formulas.tangent_inv, -1),
+    "cotangent": _applied(Formulas.tangent, -1),
+    "body_cotangent": _applied(Formulas.tangent),
+    "cotangent_jacobian": _applied_jacobian(Formulas.tangent, -1),
+    "body_cotangent_jacobian": _applied_jacobian(Formulas.tangent, 1),
+}
+
+ALGEBRAIC: Mapping[str, Value] = {**BY_QUATERNION, **BY_TENSORS}
+"""By kernel function: its value by the formulas of a chart, of flat arguments."""
+
+
+def expectations(chart: Chart) -> Iterator[Expectation]:
+    """Every algebraic function of the module of a chart, on symbols; and back, where no trigonometry is needed."""
+    for name in BY_QUATERNION:
+        case = _on_symbols(chart, FUNCTIONS[name], chart.quaternion)
+        yield case
+        if _goes_back_by_roots(chart):
+            yield Expectation(f"from_{name}", (case.result,), case.arguments[0])
+    for name in BY_TENSORS:
+        yield _on_symbols(chart, FUNCTIONS[name], chart.tensor, chart.tangent, chart.tangent_inv)
+
+
+def _on_symbols(chart: Chart, row: Function, *formulas: Formula) -> Expectation:
+    root = root_of(coefficient for formula in formulas for coefficient in formula.coefficients)
+    names = [[f"{letter}{i + 1}" for i in range(array.size)] for letter, array in zip(LETTERS, row.arguments)]
+    ring = Ring(extra=[*names[0][3:], *(name for group in names[1:] for name in group)], root=root)
+    arguments = tuple(tuple(map(ring.symbol, group)) for group in names)
+    return Expectation(row.name, arguments, ALGEBRAIC[row.name](Formulas(chart, ring), *arguments))
 
 
 def _goes_back_by_roots(chart: Chart) -> bool:
     """Whether the way back takes a few square roots and no trigonometry."""
-    operations = scalar_programs(chart)["gain_unit"].operations
+    operations = scalar_program("gain_unit", chart).operations
     return not operations.keys() & {"tan", "atan2"} and operations["sqrt"] <= ROOTS
-
-
-def _tensors(chart: Chart, make: Callable[..., Any]) -> Iterator[Expectation]:
-    maps = (chart.tensor, chart.tangent, chart.tangent_inv)
-    root = root_of(coefficient for formula in maps for coefficient in formula.coefficients)
-    ring = make(extra=("v4", "v5", "v6", *(f"w{i}" for i in range(1, 7))), root=root)
-    components, others = _symbols(ring, "v"), _symbols(ring, "w")
-    v, w = _dual(components), _dual(others)
-    R, T, T_inv = (_isotropic(ring, f, v) for f in maps)
-    for name, operator in (("tensor", R), ("tangent", T), ("tangent_inv", T_inv)):
-        tensor = operator.tensor(v)
-        yield Expectation(name, (components,), (*tensor.re, *tensor.du))
-    applied = {
-        "transform_line": R,
-        "twist": T,
-        "rate": T_inv,
-        "body_twist": T.transpose,
-        "body_rate": T_inv.transpose,
-    }
-    for name, operator in applied.items():
-        image = operator.apply(v, w)
-        yield Expectation(name, (components, others), (*image.re, *image.du))
-    pose = pose_from_tensor(R.tensor(v))
-    Q, rho = pose.rotation, tuple(pose.displacement)
-    rows = [entry for i in range(3) for entry in (Q[i, 0], Q[i, 1], Q[i, 2], rho[i])]
-    yield Expectation("pose", (components,), (*rows, 0, 0, 0, 1))
-    yield Expectation("transform_point", (components, others[:3]), tuple(pose.apply(w.re)))

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import itertools
 import random
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -18,14 +18,16 @@ from ...algebra import Vector
 from ...maps.chart import Chart
 from ..signatures import FUNCTIONS
 from . import digits, exact
-from .maps_at import MAPS, MAX_BRANCHES, Flat, seeded_arguments
+from .exact import ALGEBRAIC
+from .maps_at import Flat, seeded_arguments
+from .point import value
 from .screws import half_turns
-from .seeded import WIDE, Point, nearby
+from .seeded import WIDE, nearby
 from .vectors import Vectors
 
 SEED = 131
 SIDE = 3
-"""Rows of each argument where there are several: so many squared are its combinations."""
+"""Rows of each of two arguments: so many squared are their combinations. A third one has one row."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,7 +46,7 @@ def samples(chart: Chart) -> list[Samples]:
     with mpmath.workdps(digits.DIGITS):
         at = Vectors(chart)
         vectors, others = list(_vectors(at, draw)), [_drawn(draw, 2, 6) for _ in range(SIDE)]
-        return [*_algebraic(at, vectors, others), *_inverse(at, draw)]
+        return [*_algebraic(at, vectors, others, others[-1:]), *_inverse(at, draw)]
 
 
 def far(chart: Chart, size: Any) -> list[Samples]:
@@ -62,8 +64,8 @@ def far(chart: Chart, size: Any) -> list[Samples]:
         near = _drawn(draw, float(at.slope(0)), 6)
         given = {"to_screw": ((v,),), "principal": ((v,),), "compose": ((v,), (near,))}
         inverse = [_at(at, name, (), rows) for name, rows in given.items()]
-        inverse += [_at(at, "shadow", (branch,), ((v,),)) for branch in _branches(at)[1:2]]
-        return [*_algebraic(at, [v], [_drawn(draw, 2, 6)]), *inverse]
+        inverse += [_at(at, "shadow", (branch,), ((v,),)) for branch in at.tried[1:2]]
+        return [*_algebraic(at, [v], *([_drawn(draw, 2, 6)] for _ in range(2))), *inverse]
 
 
 def _vectors(chart: Vectors, draw: random.Random) -> Iterator[Flat]:
@@ -77,24 +79,11 @@ def _drawn(draw: random.Random, size: float, count: int) -> Flat:
     return tuple(nearby(draw.uniform(-size, size)) for _ in range(count))
 
 
-def _algebraic(chart: Vectors, vectors: Sequence[Flat], others: Sequence[Flat]) -> Iterator[Samples]:
-    """Every algebraic function at all pairs; of a point only the first components of its row."""
-    rows: dict[str, list[Flat]] = {}
-    for v, w in itertools.product(vectors, others):
-        at = {f"{letter}{i}": c for letter, row in (("v", v), ("w", w)) for i, c in enumerate(row, 1)}
-        for case in exact.expectations(chart.chart, _point(at)):
-            rows.setdefault(case.function, []).append(case.result)
-    for name, results in rows.items():
-        if name not in MAPS:
-            kinds = FUNCTIONS[name].arguments
-            given = [tuple(row[: kind.size] for row in group) for kind, group in zip(kinds, (vectors, others))]
-            # where there is no second argument its rows make no difference
-            step = len(others) ** (2 - len(kinds))
-            yield Samples(name, (), tuple(given), tuple(results[::step]))
-
-
-def _point(at: Mapping[str, Any]) -> Callable[..., Point]:
-    return lambda **_: Point(at)
+def _algebraic(chart: Vectors, *groups: Sequence[Flat]) -> Iterator[Samples]:
+    """Every algebraic function at all combinations of rows; of a point only the first components of its row."""
+    for name in ALGEBRAIC:
+        given = [tuple(row[: kind.size] for row in group) for kind, group in zip(FUNCTIONS[name].arguments, groups)]
+        yield _at(chart, name, (), tuple(given))
 
 
 def _inverse(chart: Vectors, draw: random.Random) -> Iterator[Samples]:
@@ -117,8 +106,7 @@ def _inverse(chart: Vectors, draw: random.Random) -> Iterator[Samples]:
 
 
 def _at(chart: Vectors, name: str, branch: tuple[int, ...], arguments: tuple[tuple[Flat, ...], ...]) -> Samples:
-    index = branch[0] if branch else 0
-    results = (MAPS[name](chart, index, *row) for row in itertools.product(*arguments))
+    results = (value(chart, name, branch[0] if branch else None, row) for row in itertools.product(*arguments))
     return Samples(name, branch, arguments, tuple(results))
 
 
@@ -129,10 +117,6 @@ def _joined(found: Samples, ties: Iterable[exact.Expectation]) -> Samples:
 
 def _ties(chart: Vectors, draw: random.Random) -> Iterator[exact.Expectation]:
     halves = list(half_turns(draw))
-    for branch in _branches(chart):
+    for branch in chart.tried:
         yield from digits.at_half_turns(chart, halves, branch)
     yield from digits.undecided(chart)
-
-
-def _branches(chart: Vectors) -> range:
-    return range(min(chart.chart.branches, MAX_BRANCHES))

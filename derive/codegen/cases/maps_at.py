@@ -19,8 +19,6 @@ SMALL = 2.0**-8
 NEAR_EDGE = 0.1
 """What `Vectors.finite` asks of a branch here: rounding of the principal v grows by its inverse."""
 
-MAX_BRANCHES = 8
-
 
 def _from_quaternion(chart: Vectors, branch: int, q: Flat) -> Flat:
     return flat(chart.of_quaternion(Quaternion.dual(q[:4], q[4:]), branch))
@@ -88,12 +86,15 @@ def seeded_arguments(
         yield "principal", None, (v,)
         yield "compose", None, (v2, v)
         yield from _on_branch(screw, 0, v)
-    branches = chart.chart.branches
-    for branch in range(1, min(branches, MAX_BRANCHES)):
-        screw = next(s for s in screws[branch % len(screws) :] + screws if chart.finite(s, branch, NEAR_EDGE))
+    for branch in chart.tried[1:]:
+        turned = screws[branch % len(screws) :] + screws
+        reached = [s for s in turned if chart.finite(s, branch, NEAR_EDGE)]
+        if not reached:  # of this φ no vector is so many turns on
+            continue
+        screw = reached[0]
         v, v_k = (short(flat(chart.at(screw, k))) for k in (0, branch))
         yield from _on_branch(screw, branch, v)
-        for name, k in (("principal", None), ("to_screw", None), ("shadow", branches - branch)):
+        for name, k in (("principal", None), ("to_screw", None), ("shadow", chart.back(branch))):
             yield name, k, (v_k,)
 
 

@@ -3,27 +3,26 @@
 Arguments are numbers that a float holds (inverse maps: what rounds to one), results are computed from the formula to 50
 digits. Every part of a result (real, dual) comes with the scale its error is measured by: its norm, or, where larger,
 how far it moves when arguments move by their own size, the terms added up. Of the forward maps only dual arguments are
-moved: their dual part is linear in them, so this is the sum of the norms of its terms. Of the inverse maps all are:
-this is their condition.
+moved: their dual part is linear in them, so this is the sum of the norms of its terms; and in turn all arguments but
+the first as a whole, so this is the sum over what each of them contributes. Of the inverse maps all are: this is their
+condition.
 """
 
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
-from functools import lru_cache
 from typing import Any
 
 import mpmath
-import sympy
 
 from ...maps.chart import Chart
-from ..signatures import FUNCTIONS
-from . import exact
+from ..signatures import FUNCTIONS, Function
 from .digits import DIGITS
-from .maps_at import MAPS, Flat, seeded_arguments
+from .exact import ALGEBRAIC, Flat
+from .maps_at import seeded_arguments
+from .point import value
 from .vectors import Vectors
 
 SEED = 88
@@ -33,7 +32,6 @@ WIDE = 3
 """Largest component of v, by φ′(0)."""
 
 GRID = 2**18
-DUAL_SYMBOLS = ("v4", "v5", "v6", "w4", "w5", "w6")
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +51,7 @@ def cases(chart: Chart) -> list[Case]:
     with mpmath.workdps(DIGITS):
         vectors = Vectors(chart)
         found = [case for _ in range(POINTS) for case in _algebraic(vectors, draw)]
-        found += [_inverse(vectors, *given) for given in seeded_arguments(vectors, draw, nearby)]
+        found += [_case(vectors, *given) for given in seeded_arguments(vectors, draw, nearby)]
     names = list(FUNCTIONS)
     return sorted(found, key=lambda case: names.index(case.function))
 
@@ -63,69 +61,38 @@ def nearby(value: Any) -> Any:
     return mpmath.mpf(int(mpmath.nint(value * GRID))) / GRID
 
 
-class Point:
-    """Numbers in place of the symbols of the exact ring, with what expectations ask of a ring."""
-
-    def __init__(self, values: Mapping[str, Any]) -> None:
-        self.values = values
-
-    def symbol(self, name: str) -> Any:
-        return self.values[name]
-
-    def lift(self, expression: sympy.Expr, values: Mapping[sympy.Symbol, Any]) -> Any:
-        """An algebraic expression at exact numbers, rounded to the working precision."""
-        exact = tuple((symbol, _fraction(value)) for symbol, value in values.items())
-        return mpmath.mpf(_evaluated(expression, exact, mpmath.mp.dps + 5))
-
-
-@lru_cache(maxsize=256)  # points differ in other components more often than in x
-def _evaluated(expression: sympy.Expr, values: tuple[tuple[sympy.Symbol, Fraction], ...], digits: int) -> sympy.Float:
-    return expression.xreplace({symbol: sympy.Rational(value) for symbol, value in values}).evalf(digits)
-
-
-def _fraction(value: Any) -> Fraction:
-    sign, mantissa, exponent, _ = mpmath.mpf(value)._mpf_
-    magnitude = Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
-    return -magnitude if sign else magnitude
-
-
 def _algebraic(chart: Vectors, draw: random.Random) -> Iterator[Case]:
     """Every algebraic function at one point, Re|v| well below the first pole of the inverse operator."""
     size = chart.component(WIDE * chart.slope(0), chart.first_pole)
-    values = {f"v{i}": nearby(draw.uniform(-size, size)) for i in range(1, 7)}
-    values |= {f"w{i}": nearby(draw.uniform(-2, 2)) for i in range(1, 7)}
-
-    def results(at: Mapping[str, Any]) -> list[exact.Expectation]:
-        found = exact.expectations(chart.chart, lambda **symbols: Point(at))
-        return [case for case in found if case.function not in MAPS]
-
-    moved = [results(values | {name: values[name] * (1 + STEP)}) for name in DUAL_SYMBOLS]
-    for index, case in enumerate(results(values)):
-        yield _case(case.function, None, case.arguments, case.result, [step[index].result for step in moved])
+    rows = [tuple(nearby(draw.uniform(-most, most)) for _ in range(6)) for most in (size, 2, 2)]
+    for name in ALGEBRAIC:
+        yield _case(chart, name, None, [row[: array.size] for row, array in zip(rows, FUNCTIONS[name].arguments)])
 
 
-def _inverse(chart: Vectors, function: str, branch: int | None, arguments: Sequence[Flat]) -> Case:
-    evaluate = MAPS[function]
-    moved = []
-    for i, argument in enumerate(arguments):
-        for j, component in enumerate(argument):
-            stepped = (*argument[:j], component * (1 + STEP), *argument[j + 1 :])
-            moved.append(evaluate(chart, branch or 0, *arguments[:i], stepped, *arguments[i + 1 :]))
-    return _case(function, branch, arguments, evaluate(chart, branch or 0, *arguments), moved)
+def _case(chart: Vectors, function: str, branch: int | None, arguments: Sequence[Flat]) -> Case:
+    """A call with its result and scales: of an algebraic function dual parts of dual arguments move, else all."""
+    row, result = FUNCTIONS[function], value(chart, function, branch, arguments)
 
+    def moved(place: int, components: Sequence[int]) -> Flat:
+        """How far the result goes when these components of an argument move by their own size."""
+        stepped = [c * (1 + STEP) if j in components else c for j, c in enumerate(arguments[place])]
+        there = value(chart, function, branch, [*arguments[:place], tuple(stepped), *arguments[place + 1 :]])
+        return tuple((b - a) / STEP for a, b in zip(result, there, strict=True))
 
-def _case(
-    function: str, branch: int | None, arguments: Sequence[Flat], result: Flat, moved: Sequence[Flat]
-) -> Case:
-    steps = [[(b - a) / STEP for a, b in zip(result, other, strict=True)] for other in moved]
-    scales = []
-    start = 0
-    for size in (size for array in FUNCTIONS[function].results for size in array.parts):
-        part = slice(start, start + size)
-        condition = sum(_norm(step[part]) for step in steps)
-        scales.append(float(max(_norm(result[part]), condition)))
-        start += size
+    places = [(i, j) for i, array in enumerate(row.arguments) for j in range(array.size)]
+    single = [moved(i, [j]) for i, j in places if row.arguments[i].part_of[j] or not row.exact]
+    whole = [moved(i, range(array.size)) for i, array in enumerate(row.arguments) if i and row.exact]
+    ways = ([result], single, whole)
+    scales = (float(max(sum(_norm(at(step)) for step in steps) for steps in ways)) for at in _parts(row))
     return Case(function, branch, tuple(map(_doubles, arguments)), _doubles(result), tuple(scales))
+
+
+def _parts(row: Function) -> Iterator[Callable[[Flat], Flat]]:
+    """What takes a part out of a result, part by part of its arrays."""
+    owners = [(place, part) for place, array in enumerate(row.results) for part in array.part_of]
+    for owner in dict.fromkeys(owners):
+        where = [index for index, other in enumerate(owners) if other == owner]
+        yield lambda values, where=where: tuple(values[index] for index in where)  # type: ignore[misc]
 
 
 def _norm(values: Sequence[Any]) -> Any:

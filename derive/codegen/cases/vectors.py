@@ -5,7 +5,7 @@ No scalar of the chart is used, nor its way back: what they compute has to agree
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -16,10 +16,20 @@ import sympy
 from ...algebra import Dual, Quaternion, Tensor, Vector, real_part
 from ...algebra.functions import atan2
 from ...maps.chart import Chart
-from ...maps.families import alpha, evaluate
+from ...maps.families import alpha, by_square, evaluate
 from ...maps.inverse import polar
 from ...maps.pose import Screw, natural_invariants, quaternion_from_screw
 from ...maps.sign_tests import is_zero, orientation
+
+CANCELLED = 250
+"""Digits that terms of a scalar or its slope may lose: α⁻⁷ at least."""
+
+MAX_BRANCHES = 8
+ENDLESS = (0, 1, -1, 2)
+"""Branches that are tried, at most, and where there is no end of them."""
+
+FEW = 2**20
+"""Units of rounding before the edge: where φ′ is small, or great."""
 
 SHORT = 0.9
 """Of an angle: what vectors drawn at random may reach of it."""
@@ -38,6 +48,13 @@ class Vectors:
         return mpmath.inf if edge.is_infinite else mpmath.mpf(edge.evalf(mpmath.mp.dps + 5))
 
     @cached_property
+    def is_folded(self) -> bool:
+        """Whether v ends at the edge, with φ′ = 0; else it is infinite there, or there is none."""
+        if mpmath.isinf(self.edge):
+            return False
+        return bool(abs(self.slope(self.edge * (1 - FEW * mpmath.eps))) < self.slope(0))
+
+    @cached_property
     def first_pole(self) -> Any:
         """The least Re α > 0 where v, T or its inverse is singular."""
         return mpmath.mpf(self.chart.singular_angles[0].evalf(mpmath.mp.dps + 5))
@@ -49,6 +66,16 @@ class Vectors:
     @cached_property
     def _roots(self) -> dict[tuple[int, Any], Any]:
         """Angles that have been found, by precision and length."""
+        return {}
+
+    @cached_property
+    def _values(self) -> dict[tuple[int, sympy.Expr, Any, int], tuple[Any, ...]]:
+        """Values and slopes of functions of α that have been computed: points differ in other components more often."""
+        return {}
+
+    @cached_property
+    def _slopes(self) -> dict[sympy.Expr, sympy.Expr]:
+        """Derivatives by x that have been taken."""
         return {}
 
     def size(self, angle: Any) -> Any:
@@ -110,6 +137,25 @@ class Vectors:
         """The largest component of vectors drawn at random: this, or less where they would come near an angle."""
         return float(most if mpmath.isinf(angle) else min(most, self.size(SHORT * angle) / mpmath.sqrt(3)))
 
+    def derivatives(self, expression: sympy.Expr, square: Any, order: int) -> Sequence[Any]:
+        """An even function of α and its derivatives by x; terms may cancel near 0, so more digits are taken."""
+        key = mpmath.mp.prec, expression, square, order
+        if key not in self._values:
+            angle, digits = self.angle(mpmath.sqrt(square)), mpmath.mp.dps
+            with mpmath.workdps(digits + CANCELLED * max(order, 1)):
+                at = max(angle, mpmath.mpf(10) ** (-digits // 2 - 5))  # an even function: off by the square of that
+                found = []
+                for _ in range(order + 1):
+                    found.append(evaluate(expression, alpha, at))
+                    expression = self._by_square(expression)
+                self._values[key] = tuple(found)
+        return tuple(+value for value in self._values[key])
+
+    def _by_square(self, expression: sympy.Expr) -> sympy.Expr:
+        if expression not in self._slopes:
+            self._slopes[expression] = by_square(expression, self.chart.phi)
+        return self._slopes[expression]
+
     # --- from natural invariants --------------------------------------------------------------------------------
 
     def at(self, screw: Screw, branch: int = 0) -> Vector:
@@ -123,11 +169,20 @@ class Vectors:
         return bool(abs(share) < 1 and mpmath.cospi(share / 2) > least)
 
     def _turned(self, screw: Screw, branch: int) -> Dual:
-        """α + 2πk, branches taken modulo their number so that it is nearest to 0."""
+        """α + 2πk, branches taken modulo their number, where there is one, so that it is nearest to 0."""
         count = self.chart.branches
-        nearest = mpmath.nint((screw.angle.re / (2 * mpmath.pi) + branch) / count)
+        nearest = mpmath.nint((screw.angle.re / (2 * mpmath.pi) + branch) / count) if count else 0
         angle: Dual = screw.angle + 2 * mpmath.pi * (branch - count * int(nearest))
         return angle
+
+    @property
+    def tried(self) -> tuple[int, ...]:
+        """Branches that cases are about, the principal one first."""
+        return tuple(range(min(self.chart.branches, MAX_BRANCHES))) or ENDLESS
+
+    def back(self, branch: int) -> int:
+        """The number of branches that leads back from a branch."""
+        return self.chart.branches - branch if self.chart.branches else -branch
 
     def of_quaternion(self, q: Quaternion, branch: int = 0) -> Vector:
         """v of one branch; scalar part >= 0 is taken, and where it is 0, the given vector part stands."""
@@ -167,11 +222,10 @@ class Vectors:
         return self.at(screw, own + branch)
 
     def odd_half_turns(self) -> Iterator[int]:
-        """1, 3, 5 …: the half turns below the edge, between branches."""
-        halves = 1
-        while halves * sympy.pi < self.chart.edge:
-            yield halves
-            halves += 2
+        """1, 3, 5 …: the half turns below the edge, between branches that are tried."""
+        for halves in range(1, 2 * MAX_BRANCHES, 2):
+            if halves * sympy.pi < self.chart.edge:
+                yield halves
 
 
 def is_whole(number: Any) -> bool:

@@ -1,7 +1,7 @@
 """Recipes of straight-line programs: of the geometry that all charts share, and of the scalars of one chart.
 
 ============ ========================================================================
-forward      quaternion, tensor, pose, transform_point, transform_line
+forward      quaternion, tensor, pose, transform_point, transform_line, inverse
 kinematics   tangent, tangent_inv, twist, rate, in space and body frames
 inverse      from_quaternion, from_tensor, from_pose, screws, shadows, compose
 point        a trace that asks a chart for scalars, and v in it: x = v·v, y = v·v°

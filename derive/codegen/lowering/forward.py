@@ -109,6 +109,12 @@ def transform_line(trace: Geometry) -> Program:
     return trace.program("transform_line", (*direction, *(moment + rho.cross(direction))))
 
 
+def inverse(trace: Geometry) -> Program:
+    """R(−v) = R(v)ᵀ."""
+    point = start(trace)
+    return trace.program("inverse", [-component for component in (*point.re, *point.du)])
+
+
 def start(trace: Geometry) -> Point:
     """The vector v that is the first argument."""
     return Point(trace, dual_vector(trace, "v", "v"))

@@ -102,10 +102,14 @@ def _ray(trace: Geometry, point: Point) -> tuple[Quaternion, Number, tuple[Numbe
 
 
 def _finish(trace: Geometry, name: str, e: Quaternion, gain: str, rho: Vector, *sizes: Number) -> Program:
-    """v = gain · e and v° = Re(T)⁻¹ rho, T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, by one of the chart's gains."""
+    """v = gain · e and v° = Re(T)⁻¹ rho, T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, by one of the chart's gains.
+
+    ``fi = s/w`` is the gain times the scalar of e: from x it could not be computed as well where φ′ is small.
+    """
     (factor,) = trace.ask(gain, (e.scalar, *e.vector, *sizes))
     re = named(trace, "v", factor * e.vector)
-    fi, hi = Point(trace, (*re, 0, 0, 0)).scalars("inverse")
+    fi = trace.name("fi", factor * e.scalar)
+    (hi,) = Point(trace, (*re, 0, 0, 0)).scalars("inverse")
     along = trace.name("hvr", hi * re.dot(rho))
     return trace.program(name, (*re, *((fi * rho - re.cross(rho) + along * re) / 2)))
 
@@ -143,17 +147,29 @@ def _turn(trace: Geometry) -> tuple[Number, ...]:
 
 
 def _axis(trace: Geometry, point: Point) -> Axis:
-    """|v| and v/|v| as dual quantities; at Re v = 0 the axis is that of v°, through the origin."""
+    """|v| and v/|v| as dual quantities; at Re v = 0 the axis is that of v°, through the origin; at v = 0 it is NaN.
+
+    Vectors are scaled by their sums before they are squared: no length underflows or overflows but where it must.
+    """
     v, vo = point.re, point.du
-    still = point.name("still", trace.equal(point.x, 0))
+    total = point.name("total", _sum(trace, v))
+    still = point.name("still", trace.equal(total, 0))
+    along = named(trace, "a", Vector(*(trace.where(still, b, a) for a, b in zip(v, vo, strict=True))))
+    extent = point.name("extent", _sum(trace, along))
+    scale = point.name("scale", trace.where(trace.equal(extent, 0), 1, extent))
+    scaled = named(trace, "s", along / scale)
     # one root, never of 0 but at the identity: so the gradient is finite wherever the axis is defined
-    length = point.name("length", trace.sqrt(trace.where(still, vo.dot(vo), point.x)))
-    size = point.name("r", trace.where(still, point.x, length))  # 0 of the type of x
-    u = named(trace, "u", Vector(*(trace.where(still, b, a) / length for a, b in zip(v, vo, strict=True))))
-    size_du = point.name("ro", trace.where(still, length, u.dot(vo)))
-    across = vo - size_du * u
-    moment = named(trace, "uo", Vector(*(trace.where(still, 0, c) / length for c in across)))
-    return size, u, size_du, moment
+    root = point.name("root", trace.sqrt(scaled.dot(scaled)))
+    u = named(trace, "u", scaled / root)
+    size_du = point.name("ro", trace.where(still, scale * root, u.dot(vo)))
+    inverse = point.name("ir", trace.where(still, 0, 1) / root)
+    across = vo - named(trace, "ru", size_du * u)
+    return point.name("r", total * root), u, size_du, named(trace, "uo", across / scale * inverse)
+
+
+def _sum(trace: Geometry, v: Vector) -> Number:
+    first, second, third = map(trace.abs, v)
+    return first + second + third
 
 
 def _axis_where(trace: Geometry, point: Point, selected: Number) -> Axis:
@@ -161,7 +177,7 @@ def _axis_where(trace: Geometry, point: Point, selected: Number) -> Axis:
     size = point.name("r", trace.sqrt(trace.where(selected, point.x, 1 + point.x)))
     u = named(trace, "u", point.re / size)
     size_du = point.name("ro", u.dot(point.du))
-    moment = named(trace, "uo", (point.du - size_du * u) / size)
+    moment = named(trace, "uo", (point.du - named(trace, "ru", size_du * u)) / size)
     return size, u, size_du, moment
 
 

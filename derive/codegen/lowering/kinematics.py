@@ -30,14 +30,16 @@ class Operator:
     co: Number
     opposite: bool = False
 
-    def entries(self) -> Iterator[Number]:
-        """Real part, then dual part, in C order."""
+    def entries(self, transposed: bool = False) -> Iterator[Number]:
+        """Real part, then dual part, in C order; or those of the transpose."""
         point = self.point
         v, vo = tuple(point.re), tuple(point.du)
         cv = tuple(named(point.trace, "cv", self.c * point.re))
         dv = tuple(named(point.trace, "cvo", self.c * point.du + self.co * point.re))
-        yield from flat(_assemble(point, "", self.a, self.s, lambda i, j: cv[i] * v[j]))
-        yield from flat(_assemble(point, "o", self.ao, self.so, lambda i, j: cv[i] * vo[j] + dv[i] * v[j]))
+        re = _assemble(point, "", self.a, self.s, lambda i, j: cv[i] * v[j])
+        du = _assemble(point, "o", self.ao, self.so, lambda i, j: cv[i] * vo[j] + dv[i] * v[j])
+        for rows in (re, du):
+            yield from flat(tuple(map(Vector, *rows)) if transposed else rows)
 
     def _turn(self, s: Vector, w: Vector) -> Vector:
         return w.cross(s) if self.opposite else s.cross(w)
@@ -81,6 +83,11 @@ def tangent(trace: Geometry) -> Program:
     return trace.program("tangent", tangent_operator(start(trace)).entries())
 
 
+def body_tangent(trace: Geometry) -> Program:
+    """Tᵀ, the entries of T in another order."""
+    return trace.program("body_tangent", tangent_operator(start(trace)).entries(transposed=True))
+
+
 def twist(trace: Geometry) -> Program:
     """T v̇, or with the side -1 its transpose."""
     point = start(trace)
@@ -91,14 +98,22 @@ def twist(trace: Geometry) -> Program:
 
 
 def tangent_inv(trace: Geometry) -> Program:
+    return trace.program("tangent_inv", _inverse_operator(start(trace)).entries())
+
+
+def body_tangent_inv(trace: Geometry) -> Program:
+    """T⁻ᵀ, the entries of T⁻¹ in another order."""
+    return trace.program("body_tangent_inv", _inverse_operator(start(trace)).entries(transposed=True))
+
+
+def _inverse_operator(point: Point) -> Operator:
     """T⁻¹ = fi/2 I - skew(v)/2 + hi/2 v⊗v."""
-    point = start(trace)
     fi, hi, fiy, hiy = point.scalars("tangent_inv")
     half = point.name("yh", point.y / 2)
-    s, so = named(trace, "s", point.re / -2), named(trace, "so", point.du / -2)
-    a, ao = point.name("fih", trace.div(fi, 2)), point.name("fio", fiy * half)
-    c, co = point.name("hih", trace.div(hi, 2)), point.name("hio", hiy * half)
-    return trace.program("tangent_inv", Operator(point, a, ao, s, so, c, co).entries())
+    s, so = named(point.trace, "s", point.re / -2), named(point.trace, "so", point.du / -2)
+    a, ao = point.name("fih", point.trace.div(fi, 2)), point.name("fio", fiy * half)
+    c, co = point.name("hih", point.trace.div(hi, 2)), point.name("hio", hiy * half)
+    return Operator(point, a, ao, s, so, c, co)
 
 
 def rate(trace: Geometry) -> Program:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from functools import cached_property
 from typing import Any
 
-from ...algebra import Vector
+from ...algebra import Dual, Vector
 from ...maps.chart import Chart
 from ..programs.trace import Trace
 from ..programs.value import Number
@@ -33,6 +33,14 @@ class Geometry(Trace):
         scope: Any = _Scope(self, mark)
         results = row.compute(self.chart, scope, given)
         return tuple(scope.name(name, value) for name, value in zip(row.results, results, strict=True))
+
+    def dual(self, name: str, value: Number) -> Number:
+        """A dual number with its parts named, that of the dual part ending in o."""
+        return Dual(self.name(name, value.re), self.name(name + "o", value.du))
+
+    def dual_vector(self, letter: str, value: Vector) -> Vector:
+        """A dual vector with its components named."""
+        return Vector(*(self.dual(f"{letter}{i}", component) for i, component in enumerate(value, 1)))
 
     def declare_returns(self) -> None:
         """The argument that holds the chart's table of returns, of a length which only the chart knows."""
@@ -82,6 +90,16 @@ class Point:
     def y(self) -> Number:
         """v·v°, half the dual part of x."""
         return self.name("y", self.re.dot(self.du))
+
+    @cached_property
+    def v(self) -> Vector:
+        """The dual vector."""
+        return Vector.dual(self.re, self.du)
+
+    def lifted(self, function: str, letters: Sequence[str]) -> tuple[Number, ...]:
+        """Some results of a scalar program at the dual x: the dual part of f is its slope fy times y."""
+        found = dict(zip(SCALARS[function].results, self.scalars(function), strict=True))
+        return tuple(Dual(found[name], self.name(name + "o", found[name + "y"] * self.y)) for name in letters)
 
     def scalars(self, function: str) -> tuple[Number, ...]:
         """The results of a scalar program at x."""

@@ -71,8 +71,10 @@ SCALARS: Mapping[str, Scalar] = {
     "quaternion": _of_x("s", "w", "sy", "wy"),
     "pose": _of_x("f", "g", "h"),
     "tangent": _of_x("f", "g", "h", "fy", "gy", "hy"),
-    "inverse": _of_x("fi", "hi"),
+    "tangent_dot": _of_x("f", "g", "h", "fy", "gy", "hy", "fyy", "gyy", "hyy"),
+    "inverse": _of_x("hi"),
     "tangent_inv": _of_x("fi", "hi", "fiy", "hiy"),
+    "tangent_inv_dot": _of_x("fi", "hi", "fiy", "hiy", "fiyy", "hiyy"),
     "ray": Scalar(("x",), ("a", "b", "size", "f", "g", "h"), _ray),
     "gain_unit": Scalar(E, ("gain",), _gain_unit),
     "gain_positive": Scalar(E, ("gain",), _gain_positive),
@@ -92,11 +94,17 @@ def table_names(chart: Chart) -> tuple[str, ...]:
 
 
 def scalar_programs(chart: Chart) -> dict[str, Program]:
-    """The scalar programs of a chart, by name; without `beyond` where every v is principal."""
-    return {name: _program(name, chart) for name in SCALARS if chart.returns() or name != "beyond"}
+    """The scalar programs of a chart, by name, without those that are `idle`."""
+    return {name: scalar_program(name, chart) for name in SCALARS if name not in idle(chart)}
 
 
-def _program(name: str, chart: Chart) -> Program:
+def idle(chart: Chart) -> set[str]:
+    """Scalars nothing asks for: `beyond` where every v is principal, `turned` where a pose has one v."""
+    return {name for name, asked in (("beyond", chart.returns()), ("turned", chart.branches != 1)) if not asked}
+
+
+def scalar_program(name: str, chart: Chart) -> Program:
+    """One of them, traced."""
     row, trace = SCALARS[name], Trace()
     arguments: list[Any] = []
     for argument in row.arguments:

@@ -12,7 +12,7 @@ Operand = str | int | Fraction
 
 
 ARITHMETIC = ("add", "sub", "mul", "div", "neg")
-FUNCTIONS = ("sqrt", "tan", "atan2")
+FUNCTIONS = ("abs", "sqrt", "tan", "atan2")
 SELECTION = ("lt", "eq", "and", "or", "where")
 
 
@@ -46,12 +46,16 @@ Statement = Step | Call
 
 @dataclass(frozen=True, slots=True)
 class Program:
-    """Assignments in order, from named inputs (grouped by argument) to outputs in C order."""
+    """Assignments in order, from named inputs (grouped by argument) to outputs in C order.
+
+    Of what is ``corrected`` afterwards rounding makes no difference.
+    """
 
     name: str
     inputs: tuple[tuple[str, tuple[str, ...]], ...]
     statements: tuple[Statement, ...]
     outputs: tuple[Operand, ...]
+    corrected: frozenset[str] = frozenset()
 
     @property
     def steps(self) -> tuple[Step, ...]:

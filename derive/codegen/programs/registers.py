@@ -92,6 +92,12 @@ def results(statement: Statement) -> tuple[str, ...]:
     return (statement.name,) if isinstance(statement, Step) else tuple(n for n in statement.names if n != "_")
 
 
+def all_results(call: Call) -> tuple[str, ...]:
+    """A name for every result of a call, those which are not read too: they need a place as well."""
+    first = results(call)[0]
+    return tuple(f"{first}_{i}" if name == "_" else name for i, name in enumerate(call.names))
+
+
 class _Allocator:
     def __init__(self, program: Program, fixed: Mapping[str, Place], asked: Sequence[Operand], eager: bool) -> None:
         self.program = program
@@ -196,11 +202,14 @@ class _Allocator:
 
     def _place_call(self, call: Call, reads: Counter[str]) -> None:
         """Results stand apart from the arguments, which are read while they are written; what is free is lent."""
-        for name in results(call):
+        for name in all_results(call):
             self._take(name, name in call.truths)
         lent = [(kind, index) for kind, bank in self.banks.items() for index in sorted(bank.free)]
         self.free[results(call)[0]] = tuple(lent)
         self._release(list(call.args), reads)
+        for name in set(all_results(call)) - set(results(call)):
+            kind, index = self.places[name]
+            self.banks[kind].free.append(index)
 
     def _take(self, name: str, truth: bool) -> None:
         if name not in self.places:

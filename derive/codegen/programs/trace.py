@@ -11,6 +11,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from math import lcm
 
 from .program import Call, Constant, Operand, Program, Statement, Step
 from .value import Number, Value
@@ -43,6 +44,8 @@ class Trace:
         self._inputs: list[tuple[str, tuple[str, ...]]] = []
         self._calls: dict[int, Call] = {}
         self._results: dict[int, tuple[int, ...]] = {}
+        self._rest = ""
+        self._corrected: set[int] = set()
 
     def inputs(self, argument: str, names: Sequence[str]) -> tuple[Value, ...]:
         """Declare an argument of the program with one named component each."""
@@ -66,6 +69,16 @@ class Trace:
         while name in taken:
             name += "_"
         return name
+
+    def corrected(self, value: Number) -> Number:
+        """A named value whose rounding the program corrects afterwards, as a step of Newton's method does."""
+        if isinstance(value, Value):
+            self._corrected.add(value.index)
+        return value
+
+    def name_rest(self, letter: str) -> None:
+        """From now on values that are used more than once and have no name get this letter and a number."""
+        self._rest = letter
 
     def _rename(self, value: Value, name: str) -> None:
         if name in self._names.values():
@@ -100,6 +113,10 @@ class Trace:
             return a
         if (negated := self._negated(b)) is not None:
             return self.add(a, negated)
+        if isinstance(a, Fraction):
+            return self.div(self.sub(a.numerator, self.mul(a.denominator, b)), a.denominator)
+        if isinstance(b, Fraction):
+            return self.div(self.sub(self.mul(b.denominator, a), b.numerator), b.denominator)
         return self.record("sub", a, b)
 
     def mul(self, a: Number, b: Number) -> Number:
@@ -128,6 +145,10 @@ class Trace:
             return _tidy(Fraction(a) / Fraction(b))
         if _is(b, 1) or _is(a, 0):
             return a
+        if isinstance(b, Fraction):
+            return self.mul(1 / b, a)
+        if isinstance(a, Fraction):
+            return self.div(a.numerator, self.mul(a.denominator, b))
         return self.record("div", a, b)
 
     def neg(self, a: Number) -> Number:
@@ -151,6 +172,9 @@ class Trace:
         return None
 
     # --- elementary functions and selection -------------------------------------------------------------------
+
+    def abs(self, a: Number) -> Number:
+        return self.record("abs", a) if isinstance(a, Value) else abs(a)
 
     def sqrt(self, a: Number) -> Number:
         return a if _is(a, 1) or _is(a, 0) else self.record("sqrt", a)
@@ -188,6 +212,8 @@ class Trace:
     def where(self, condition: Number, a: Number, b: Number) -> Number:
         if isinstance(condition, bool):
             return a if condition else b
+        if (common := lcm(*(value.denominator for value in (a, b) if isinstance(value, Fraction)))) > 1:
+            return self.div(self.where(condition, self.mul(common, a), self.mul(common, b)), common)
         return self.record("where", condition, a, b)
 
     # --- recording --------------------------------------------------------------------------------------------
@@ -227,6 +253,9 @@ class Trace:
         calls = (self._nodes[index] for index in uses if index in self._calls)
         passed = {arg for call in calls for arg in call.args if not isinstance(arg, _Const)}
         shared: set[int] = {index for index, count in uses.items() if count > 1 and index not in self._calls}
+        for index in sorted(shared | passed) if self._rest else ():
+            if index not in self._names:
+                self._rename(Value(self, index), self.free_name(f"{self._rest}{index}"))
         self._require_names(shared | passed, name)
         labels = {i: self._names.get(i, f"t{i}") for i in uses}
 
@@ -235,7 +264,8 @@ class Trace:
 
         finals = tuple(labels[v.index] if isinstance(v, Value) else v for v in results)
         statements = (self._statement(index, labels, label) for index in sorted(uses))
-        return Program(name, tuple(self._inputs), tuple(filter(None, statements)), finals)
+        corrected = frozenset(labels[index] for index in self._corrected & labels.keys())
+        return Program(name, tuple(self._inputs), tuple(filter(None, statements)), finals, corrected)
 
     def _require_names(self, indices: Iterable[int], program: str) -> None:
         unnamed = [index for index in sorted(indices) if index not in self._names]

@@ -22,6 +22,8 @@ WORDS = python.Words(
     options="*, axis: int = -1",
     passed="axis",
     passed_alone="axis",
+    placed="axis",
+    makes=False,
 )
 
 STRICT = "array_api_strict"
@@ -32,19 +34,20 @@ class ArrayApi(python.PythonTarget):
     """The target that imports no array library and takes the arrays of each."""
 
     name = "array-api"
+    words = WORDS
     machinery = Machinery(out=False, silent=False)
     unproved = "what array libraries do with arrays other than NumPy's arrays of objects; rounding errors"
 
     def shared(self) -> Mapping[str, Data]:
         programs = [python.printed(program, infix.body(program)) for program in geometry().values()]
         return {
-            "__init__.py": {},
+            **self.package(),
             "_chart.py": {},
+            "_checks.py": {"words": WORDS},
             "_geometry.py": {"programs": programs, "rows": python.rows()},
             "_interface.py": python.interface(WORDS),
             "_runtime.py": {},
             "_tools.py": {},
-            "py.typed": {},
         }
 
     def module(self, facts: Facts) -> Data:
@@ -53,7 +56,7 @@ class ArrayApi(python.PythonTarget):
             for program in facts.lowered.scalars.values()
         ]
         own = [python.printed(program, infix.body(program)) for program in facts.lowered.own.values()]
-        return python.described(facts) | {"scalars": scalars, "own": own, "rows": python.rows()}
+        return python.described(facts, WORDS) | {"scalars": scalars, "own": own, "rows": python.rows()}
 
     def libraries(self) -> Sequence[Library]:
         """NumPy, and the strict reference of the standard where it is installed, in the standard's types."""

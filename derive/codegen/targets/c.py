@@ -18,22 +18,25 @@ from ...maps.chart import Chart
 from .. import differential
 from ..facts import Facts, comment, numbers, theorem_lines
 from ..lowered import Lowered, geometry
-from ..lowering.scalars import table_names
+from ..lowering.scalars import SCALARS, table_names
 from ..programs.program import Program
 from ..signatures import PUBLIC, Array, Function, aliases
-from ..validation import c_text, compiled
+from ..validation import Choose, c_text, compiled, everything
 from . import c99
 from .target import Data, require_functions
 
 GEOMETRY = "geometry.h"
-LEVELS = {"sqrt": 1, "tan": 2, "atan2": 2}
+LEVELS = {"abs": 1, "sqrt": 1, "tan": 2, "atan2": 2}
 """What an operation needs of ``math.h``: nothing is 0, what becomes vector code 1, what does not 2."""
 
 NAMES = {"R": "tensor", "T": "pose"}
 """Names of arrays here: capital letters are where other people's macros are."""
 
-NEVER_BEYOND = Program("beyond", (("x", ("x",)),), (), (0, 1, 0))
-"""Of a chart where every v is principal."""
+IDLE: Mapping[str, Program] = {
+    name: Program(name, tuple((a, (a,)) for a in SCALARS[name].arguments if a != "table"), (), outputs)
+    for name, outputs in (("beyond", (0, 1, 0)), ("direction", (1,)), ("turned", (0, 0)))
+}
+"""What stands for scalars that geometry names and a chart never comes to."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -128,7 +131,9 @@ class C:
     def module(self, facts: Facts) -> Data:
         chart, lowered = facts.chart, facts.lowered
         table = dict(zip(table_names(chart), itertools.chain(*facts.returns), strict=True))
-        scalars = [*lowered.scalars.values(), *([] if chart.returns() else [NEVER_BEYOND])]
+        shared = (program for name, program in geometry().items() if name not in lowered.own)
+        named = {call.function for program in shared for call in program.calls}
+        scalars = [*lowered.scalars.values(), *(IDLE[name] for name in sorted(named - lowered.scalars.keys()))]
         return {
             "name": chart.name,
             "macro": f"DUALCAY_{chart.name.upper()}",
@@ -155,7 +160,8 @@ class C:
         require_functions(GEOMETRY, plain)
         require_functions(f"{GEOMETRY}, rows", [name.removesuffix("_rows") for name in rows])
 
-    def validate(self, folder: Path, chart: Chart) -> int:
+    def validate(self, folder: Path, chart: Chart, choose: Choose = everything) -> int:
+        """All of it: a header is read anew for each chart, geometry included."""
         return c_text.validate(folder, chart)
 
     def replay(self, folder: Path, chart: Chart, all_ways: bool) -> int:

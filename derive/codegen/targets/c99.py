@@ -11,8 +11,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from ..lowering.scalars import SCALARS
-from ..programs.program import Call, Program, Step, summary
-from ..programs.registers import results
+from ..programs.program import FUNCTIONS, Call, Program, Step, summary
+from ..programs.registers import all_results, results
 from ..signatures import KERNELS
 from .expression import ARITHMETIC, WIDTH, Dialect, Operator, Text, bracket, fill, renamed
 
@@ -58,7 +58,7 @@ def _ternary(condition: Text, first: Text, second: Text) -> Text:
 
 C99 = Dialect(
     operators=ARITHMETIC | _LOGIC | _COMPARISON,
-    calls={name: f"dualcay_{name}" for name in ("sqrt", "tan", "atan2")},
+    calls={name: f"dualcay_{name}" for name in FUNCTIONS},
     select=_ternary,
     largest=_EXACT_IN_FLOAT,
 )
@@ -157,8 +157,7 @@ def _statements(program: Program) -> Iterator[str]:
 
 def _call(call: Call, arguments: str) -> Iterator[str]:
     """Places for the results, and the call; a result that is not read has a place too."""
-    first = results(call)[0]
-    names = [f"{first}_{i}" if name == "_" else name for i, name in enumerate(call.names)]
+    names = all_results(call)
     truths = [name for name in names if name in call.truths]
     for kind, places in (("int", truths), (REAL, [name for name in names if name not in truths])):
         if places:

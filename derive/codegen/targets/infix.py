@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 
-from ..programs.program import Call, Program
+from ..programs.program import FUNCTIONS, Call, Program
 from .expression import ARITHMETIC, ATOM, WIDTH, Dialect, Operator, Text, fill, left_associative
 
 Ask = Callable[[Call, str], str]
@@ -24,7 +24,7 @@ def python(prefix: str, literal: Callable[[int], str] = str) -> Dialect:
             "lt": Operator("<", 1, 4, 4),
             "eq": Operator("==", 1, 4, 4),
         },
-        calls={name: prefix + name for name in ("sqrt", "tan", "atan2")},
+        calls={name: prefix + name for name in FUNCTIONS},
         select=where,
         literal=literal,
     )

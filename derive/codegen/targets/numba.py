@@ -19,7 +19,7 @@ from ..lowered import geometry
 from ..programs.program import Call, Operand, Program, Statement, summary
 from ..programs.registers import results
 from ..signatures import KERNELS
-from ..validation import Library
+from ..validation import Choose, Library, everything
 from . import infix, python
 from .expression import WIDTH
 from .target import Data
@@ -46,7 +46,7 @@ class Part:
 
 def parts(program: Program, prefix: str = "") -> tuple[Part, ...]:
     """The cores of a program of a geometry, each with the outputs it is for; a prefix stands before their names."""
-    sizes = [size for array in KERNELS[program.name].results for size in array.parts for _ in range(size)]
+    sizes = [array.parts[part] for array in KERNELS[program.name].results for part in array.part_of]
     return tuple(_part(program, f"{program.name}{i}", group, prefix) for i, group in enumerate(_groups(sizes), 1))
 
 
@@ -143,6 +143,8 @@ WORDS = python.Words(
     options="*, axis: int = -1, out: Array | None = None, parallel: bool = False",
     passed="axis, out, parallel",
     passed_alone="axis, None, False",
+    placed="axis, out",
+    makes=True,
 )
 
 
@@ -150,20 +152,21 @@ class Numba(python.PythonTarget):
     """The target that Numba compiles, on NumPy arrays."""
 
     name = "numba"
+    words = WORDS
     unproved = "what Numba and LLVM make of the source, with typed constants and selections; rounding errors"
 
     def shared(self) -> Mapping[str, Data]:
         programs = [python.printed(program, parts(program)) for program in geometry().values()]
         calls = ["prange", *_called(_cores(programs))]
         return {
-            "__init__.py": {},
+            **self.package(),
             "_chart.py": {},
+            "_checks.py": {"words": WORDS},
             "_compiled.py": {},
             "_geometry.py": {"programs": programs, "rows": python.rows(), "calls": sorted(calls)},
             "_interface.py": python.interface(WORDS),
             "_runtime.py": {},
             "_tools.py": {},
-            "py.typed": {},
         }
 
     def module(self, facts: Facts) -> Data:
@@ -171,12 +174,12 @@ class Numba(python.PythonTarget):
         own = [python.printed(program, parts(program, "_own_")) for program in facts.lowered.own.values()]
         calls = ["prange"] * bool(own) + _called([*(program.forms for program in scalars), *_cores(own)])
         data = {"scalars": scalars, "own": own, "rows": python.rows(), "calls": sorted(calls)}
-        return python.described(facts) | data
+        return python.described(facts, WORDS) | data
 
-    def validate(self, folder: Path, chart: Chart) -> int:
+    def validate(self, folder: Path, chart: Chart, choose: Choose = everything) -> int:
         """Run the source of a package which wants its compiler even so."""
         try:
-            return super().validate(folder, chart)
+            return super().validate(folder, chart, choose)
         except ImportError as error:
             raise RefusedError(f"cannot validate what was printed: {error}") from error
 

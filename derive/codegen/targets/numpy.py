@@ -16,15 +16,16 @@ from itertools import chain
 from ..facts import Facts
 from ..lowered import geometry
 from ..programs.program import Call, Operand, Program, Step
-from ..programs.registers import Placement, place, place_returned, results
+from ..programs.registers import Placement, all_results, place, place_returned, results
 from ..validation import Machinery
 from . import infix, python
 from .expression import WIDTH, fill
 from .target import Data
 
 _FUNCTIONS = {
-    "add": "add", "sub": "sub", "mul": "mul", "div": "div", "neg": "neg", "sqrt": "sqrt", "tan": "tan",
-    "atan2": "atan2", "lt": "m.less", "eq": "m.equal", "and": "m.both", "or": "m.either", "where": "m.where",
+    "add": "add", "sub": "sub", "mul": "mul", "div": "div", "neg": "neg", "abs": "absolute", "sqrt": "sqrt",
+    "tan": "tan", "atan2": "atan2", "lt": "m.less", "eq": "m.equal", "and": "m.both", "or": "m.either",
+    "where": "m.where",
 }  # fmt: skip
 
 
@@ -141,7 +142,7 @@ class _Calls:
         free = [f"{kind}{index}" for kind, index in self.free[results(call)[0]]]
         scratch = [name for name in free if name.startswith("k")] + ["*spare"]
         masks = [name for name in free if name.startswith("mask")] + ["*spare_masks"]
-        groups = [_tuple([self.place(name) for name in call.names]), _tuple(scratch), _tuple(masks)]
+        groups = [_tuple([self.place(name) for name in all_results(call)]), _tuple(scratch), _tuple(masks)]
         rest = [f"*{call.rest}"] if call.rest else []
         return f"c.{call.function}({', '.join([*groups, *map(self.operand, call.args), *rest])})"
 
@@ -196,6 +197,8 @@ WORDS = python.Words(
     options="*, axis: int = -1, out: Array | None = None",
     passed="axis, out",
     passed_alone="axis, None",
+    placed="axis, out",
+    makes=True,
 )
 
 
@@ -203,21 +206,22 @@ class Numpy(python.PythonTarget):
     """The target of the committed kernels."""
 
     name = "numpy"
+    words = WORDS
     machinery = Machinery(few="_runtime.FEW", block="_kernel.BLOCK")
     unproved = "rounding errors, which are measured; NumPy itself"
 
     def shared(self) -> Mapping[str, Data]:
         programs = [python.printed(program, two_forms(program)) for program in geometry().values()]
         return {
-            "__init__.py": {},
+            **self.package(),
             "_chart.py": {},
+            "_checks.py": {"words": WORDS},
             "_geometry.py": {"programs": programs, "rows": python.rows(), "calls": _called(programs)},
             "_interface.py": python.interface(WORDS),
             "_kernel.py": {},
             "_runtime.py": {},
             "_selection.py": {},
             "_tools.py": {},
-            "py.typed": {},
         }
 
     def module(self, facts: Facts) -> Data:
@@ -227,4 +231,4 @@ class Numpy(python.PythonTarget):
         ]
         own = [python.printed(program, two_forms(program)) for program in facts.lowered.own.values()]
         data = {"calls": _called((*scalars, *own)), "scalars": scalars, "own": own, "rows": python.rows()}
-        return python.described(facts) | data
+        return python.described(facts, WORDS) | data

@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 import ast
+import re
 import textwrap
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from ... import about
 from ...maps.cayley import EQUATIONS
 from ...maps.chart import DEFINITIONS, Chart
+from ...maps.named import NUMBERED, SINGLE
 from ..facts import Facts, comment, numbers, theorem_lines
 from ..programs.program import Program, summary
-from ..signatures import FUNCTIONS, KERNELS, PUBLIC, aliases
-from ..validation import NUMPY, Library, Machinery, replay, validate
+from ..signatures import FUNCTIONS, KERNELS, PUBLIC, Function, aliases
+from ..validation import NUMPY, Choose, Library, Machinery, everything, replay, validate
 from .expression import WIDTH
 from .target import Data, require_functions
 
@@ -26,7 +29,8 @@ CLASS = "PoseKernels"
 class Words:
     """How a target speaks of arrays, what it keeps of them, and the keyword parameters of its functions.
 
-    ``passed`` is what a function passes on of them, ``passed_alone`` one that returns several arrays.
+    ``passed`` is what a function passes on of them, ``passed_alone`` one that does more with the result; ``placed`` is
+    where that result goes. ``makes`` says that there are arrays without arguments: the identity, random poses.
     """
 
     value: str
@@ -36,6 +40,18 @@ class Words:
     options: str
     passed: str
     passed_alone: str
+    placed: str
+    makes: bool
+
+    @property
+    def keywords(self) -> list[str]:
+        """Names of the keyword parameters of functions that return one array."""
+        return re.findall(r"(\w+):", self.options)
+
+    @property
+    def plain(self) -> tuple[str, ...]:
+        """Functions of a module that take no arrays, and so have no row in the table."""
+        return ("singular_angles", *(("identity", "random") if self.makes else ()))
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,15 +71,24 @@ class PythonTarget:
     entry = "__init__.py"
     comment = "#"
     machinery = Machinery()
+    name: str
+    words: Words
+
+    def package(self) -> Mapping[str, Data]:
+        """The files by which a package is imported and run."""
+        option = "" if self.name == about.TARGET else f" --target {self.name}"
+        families = "|".join([*SINGLE, *(rf"{stem}[1-9]\d*" for stem in NUMBERED)])
+        init = {"version": about.__version__, "target": self.name, "option": option, "families": families}
+        return {self.entry: init, "__main__.py": {}, "py.typed": {}}
 
     def companions(self, chart: Chart) -> Mapping[str, tuple[str, Data]]:
         return {}
 
     def require_complete(self, texts: Mapping[str, str]) -> None:
-        require_complete(texts)
+        require_complete(texts, self.words)
 
-    def validate(self, folder: Path, chart: Chart) -> int:
-        return validate(folder, chart)
+    def validate(self, folder: Path, chart: Chart, choose: Choose = everything) -> int:
+        return validate(folder, chart, choose)
 
     def replay(self, folder: Path, chart: Chart, all_ways: bool) -> int:
         return replay(folder, chart, self.machinery, self.libraries(), all_ways=all_ways)
@@ -83,10 +108,10 @@ def interface(words: Words) -> Data:
     return {"words": words, "definitions": DEFINITIONS, "equations": equations, "theorems": theorems}
 
 
-def described(facts: Facts) -> dict[str, Any]:
+def described(facts: Facts, words: Words) -> dict[str, Any]:
     """What every Python module says of its chart."""
     chart = facts.chart
-    exported = aliases(chart) | {name: name for name in PUBLIC}
+    exported = aliases(chart) | {name: name for name in (*PUBLIC, *words.plain)}
     return {
         "title": chart.title,
         "parameter": chart.parameter,
@@ -100,8 +125,8 @@ def described(facts: Facts) -> dict[str, Any]:
         "largest": facts.largest,
         "turns": facts.turns,
         "returns": facts.returns,
-        "exports": _quoted(exported.keys() | {"singular_angles"}),
-        "exported": dict(sorted({**exported, "singular_angles": "singular_angles"}.items())),
+        "exports": _quoted(exported),
+        "exported": dict(sorted(exported.items())),
     }
 
 
@@ -127,25 +152,33 @@ def rows() -> Mapping[str, Any]:
     return KERNELS
 
 
-def require_complete(texts: Mapping[str, str]) -> None:
+def require_complete(texts: Mapping[str, str], words: Words) -> None:
     """Compare the methods of the interface, and their parameters, with the table.
 
     Raises
     ------
     ValueError
-        If a function is missing, is in no row, or takes other arguments than its row says.
+        If a function is missing, is in no row, has no docstring, or takes other parameters than its row says.
     """
     methods = {method.name: method for method in _methods(texts[INTERFACE])}
-    methods.pop("singular_angles", None)
-    require_functions(INTERFACE, methods)
+    require_functions(INTERFACE, [name for name in methods if name not in words.plain])
     for name, method in methods.items():
-        given = [argument.arg for argument in (*method.args.posonlyargs, *method.args.args)][1:]
-        row = FUNCTIONS[name]
-        expected = [array.name for array in row.arguments] + ["branch"] * row.branch
-        if given != expected:
-            raise ValueError(f"{INTERFACE}: {name} takes {', '.join(given)}, and {', '.join(expected)} in the table")
+        if name in FUNCTIONS:
+            _require_parameters(FUNCTIONS[name], method.args, words)
         if not ast.get_docstring(method):
             raise ValueError(f"{INTERFACE}: {name} has no docstring")
+
+
+def _require_parameters(row: Function, found: ast.arguments, words: Words) -> None:
+    """Arguments as in the table; after them the keywords of every function, or of those that return several arrays."""
+    given = [argument.arg for argument in (*found.posonlyargs, *found.args)][1:]
+    expected = [array.name for array in row.arguments] + ["branch"] * row.branch
+    if given != expected:
+        raise ValueError(f"{INTERFACE}: {row.name} takes {', '.join(given)}, and {', '.join(expected)} in the table")
+    keywords = [argument.arg for argument in found.kwonlyargs]
+    wanted = [*(words.keywords if len(row.results) == 1 else ["axis"]), *row.keywords]
+    if keywords != wanted:
+        raise ValueError(f"{INTERFACE}: keywords of {row.name} are {', '.join(keywords)}, not {', '.join(wanted)}")
 
 
 def _methods(text: str) -> Iterator[ast.FunctionDef]:

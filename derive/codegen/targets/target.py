@@ -9,6 +9,7 @@ from typing import Any, Protocol
 from ...maps.chart import Chart
 from ..facts import Facts
 from ..signatures import PUBLIC
+from ..validation import Choose, everything
 
 Data = Mapping[str, Any]
 """What fills the holes of a template, by name, but for ``header``."""
@@ -48,8 +49,11 @@ class Target(Protocol):
     def require_complete(self, texts: Mapping[str, str]) -> None:
         """Compare the functions in the shared texts with the table; `ValueError` if they differ."""
 
-    def validate(self, folder: Path, chart: Chart) -> int:
-        """Execute the text of a module in a folder; how many calls equal the formula."""
+    def validate(self, folder: Path, chart: Chart, choose: Choose = everything) -> int:
+        """Execute the text of a module in a folder; how many calls equal the formula.
+
+        ``choose`` leaves out what other charts of the package have shown of its shared text.
+        """
 
     def replay(self, folder: Path, chart: Chart, all_ways: bool) -> int:
         """Call the functions of a module on floats; how many calls agree with the formula, 0 where nothing is called.

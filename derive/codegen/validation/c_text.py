@@ -5,11 +5,11 @@ from __future__ import annotations
 import random
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import mpmath
-import sympy
 
 from ...maps.chart import Chart
 from ..cases import Batch, batches, digits
@@ -18,9 +18,10 @@ from ..cases.digits import Decimal
 from ..signatures import FUNCTIONS, aliases
 from .c_calls import Flat, Kernel
 from .c_interpreter import UNSET, CError, Pointer, Unit, load
-from .run import ValidationFailed
+from .errors import ValidationFailed
 
 SEED = 1863
+
 
 def validate(folder: Path, chart: Chart) -> int:
     """Interpret the header of a chart; return how many calls equal the formula.
@@ -114,20 +115,20 @@ def _drawn(draw: random.Random, size: int) -> Flat:
 
 def _constants(unit: Unit, chart: Chart) -> None:
     """What the macros of the header stand for, and the singular angles."""
-    ratios = [angle / sympy.pi for angle in chart.singular_angles]
     prefix = _prefix(chart)
     macro = prefix.upper()
-    expected = {f"{macro}ORDER": str(chart.order), f"{macro}SINGULAR_ANGLES": str(len(ratios))}
+    expected = {f"{macro}ORDER": str(chart.order), f"{macro}SINGULAR_ANGLES": str(len(chart.singular_angles))}
     named = aliases(chart).items()
     expected |= {f"{prefix}{a}{form}": f"{prefix}{b}{form}" for a, b in named for form in ("", "_rows")}
     for name, text in expected.items():
         if unit.source.expand(name) != text:
             raise ValidationFailed(f"{name} is {unit.source.expand(name)}, not {text}")
-    angles = [UNSET] * len(ratios)
-    if unit.call(f"{_prefix(chart)}singular_angles", Pointer.to(angles)) != len(ratios):
-        raise ValidationFailed(f"singular_angles does not return {len(ratios)}")
+    angles = [UNSET] * len(chart.singular_angles)
+    if unit.call(f"{_prefix(chart)}singular_angles", Pointer.to(angles)) != len(chart.singular_angles):
+        raise ValidationFailed(f"singular_angles does not return {len(chart.singular_angles)}")
     with mpmath.workdps(digits.DIGITS):
-        _compare("singular_angles", angles, [mpmath.pi * int(r.p) / int(r.q) for r in ratios], digits.close)
+        wanted = [mpmath.mpf(angle.evalf(digits.DIGITS + 5)) for angle in chart.singular_angles]
+        _compare("singular_angles", angles, wanted, partial(digits.close, tolerance=digits.tolerance(chart)))
 
 
 def _compare(where: str, found: Sequence[Any], expected: Sequence[Any], agree: Agree) -> None:

@@ -11,9 +11,9 @@ from typing import Any
 import numpy as np
 
 from ..signatures import Function
+from .errors import ValidationFailed
 from .known import Known, parts
 from .rounding import Array
-from .run import ValidationFailed
 
 FLOATS = tuple(map(np.dtype, (np.float64, np.float32, np.longdouble)))
 

@@ -11,7 +11,7 @@ import tempfile
 from pathlib import Path
 
 from ...maps.chart import Chart
-from .run import ValidationFailed
+from .errors import ValidationFailed
 
 TYPES = ("double", "float")
 COMPILERS = ("cc", "gcc", "clang")
@@ -22,7 +22,7 @@ FLAGS = ("-std=c99", "-O1")
 def compiler() -> list[str] | None:
     """The command of a C compiler: what CC says, else the first that is found; None without any."""
     named = shlex.split(os.environ.get("CC", ""))
-    for command in ([named] if named else [[name] for name in COMPILERS]):
+    for command in [named] if named else [[name] for name in COMPILERS]:
         if shutil.which(command[0]):
             return command
     return None

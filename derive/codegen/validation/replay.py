@@ -24,6 +24,7 @@ from ..cases import far, samples
 from ..lowered import lower_chart
 from . import ways
 from .calls import NUMPY, Call, Caller, Library, alone, several
+from .helpers import helpers
 from .known import Analysis, Known, require_sharp
 from .run import loaded
 
@@ -85,12 +86,20 @@ def replay(
     """
     if not libraries:
         return 0
+    with loaded(folder) as package:
+        return replay_package(package, chart, machinery, libraries, all_ways=all_ways)
+
+
+def replay_package(
+    package: str, chart: Chart, machinery: Machinery, libraries: Sequence[Library], *, all_ways: bool
+) -> int:
+    """The same for a package that can be imported."""
     dtypes = list(dict.fromkeys(dtype for library in libraries for dtype in library.dtypes))
     analysis = Analysis(chart, lower_chart(chart), dtypes)
     found = [analysis.known(group) for group in samples(chart)]
     for known in found:
         require_sharp(known)
-    with loaded(folder) as package, warnings.catch_warnings(), np.errstate(all="warn"):
+    with warnings.catch_warnings(), np.errstate(all="warn"):
         warnings.simplefilter("error" if machinery.silent else "ignore", RuntimeWarning)
         module = importlib.import_module(f"{package}.{chart.name}")
         few = _number(package, machinery.few) if machinery.few else FEW
@@ -100,11 +109,12 @@ def replay(
                 _every_function(caller, found, chart, few)
                 _overflow(caller, chart, analysis, few)
                 _ways(caller, found, chart, machinery, few, all_ways)
-    return sum(caller.count for caller in callers)
+        beside = helpers(importlib.import_module(package), module) if all_ways else 0
+    return beside + sum(caller.count for caller in callers)
 
 
 def _every_function(caller: Caller, found: Sequence[Known], chart: Chart, few: int) -> None:
-    """Single poses, few, and many in several blocks; components last and first; under every name and branch."""
+    """Single poses, few, many in several blocks; components last and first; under every name, keyword and branch."""
     for known in found:
         for dtype in caller.library.dtypes:
             plain = dtype == np.float64
@@ -113,6 +123,8 @@ def _every_function(caller: Caller, found: Sequence[Known], chart: Chart, few: i
             for axis in (-1, 0):
                 for count in (few // 2, few + BLOCK):
                     caller.check(Call(known, several(known, count), dtype, axis))
+            if known.row.keywords:
+                ways.keywords(caller, known, dtype, few)
         first = Call(known, several(known, 1), caller.library.dtypes[0])
         for name in known.row.aliases if chart.cayley else ():
             caller.check(replace(first, name=name))
@@ -135,9 +147,7 @@ def _overflow(caller: Caller, chart: Chart, analysis: Analysis, few: int) -> Non
                 caller.compare(call, caller.run(call), overflow=True)
 
 
-def _ways(
-    caller: Caller, found: Sequence[Known], chart: Chart, machinery: Machinery, few: int, all_ways: bool
-) -> None:
+def _ways(caller: Caller, found: Sequence[Known], chart: Chart, machinery: Machinery, few: int, all_ways: bool) -> None:
     """What the run-time parts do, on a function of each kind; or on one, which the chart decides, in one type."""
     kinds, dtypes = ways.kinds(found), caller.library.dtypes
     sample = chart.branches % len(kinds)

@@ -84,6 +84,10 @@ class Rounding:
     def neg(a: Ball) -> Ball:
         return Ball(-a.value, a.error)
 
+    @staticmethod
+    def abs(a: Ball) -> Ball:
+        return Ball(np.abs(a.value), a.error)
+
     def sqrt(self, a: Ball) -> Ball:
         value = np.sqrt(a.value)
         least = np.sqrt(np.maximum(a.value - a.error, 0))
@@ -141,8 +145,14 @@ class Rounding:
                 found = self.run(scalars[statement.function], scalars, arguments, rest)
                 known |= zip(statement.names, found, strict=True)
             else:
-                known[statement.name] = self.operation(statement.op)(*arguments)
+                found = self.operation(statement.op)(*arguments)
+                known[statement.name] = exact(found) if statement.name in program.corrected else found
         return [read(output) for output in program.outputs]
+
+
+def exact(ball: Ball) -> Ball:
+    """The number without its error."""
+    return Ball(ball.value, 0 * ball.value)
 
 
 def long(values: Sequence[Any]) -> Array:

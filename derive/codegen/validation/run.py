@@ -20,18 +20,19 @@ from ..cases import Batch, batches
 from ..cases.digits import DIGITS
 from ..cases.exact import Expectation
 from ..signatures import FUNCTIONS
+from .errors import ValidationFailed
+from .refusals import refuse
+from .sample import Choose, everything
 
 Objects: TypeAlias = "np.ndarray[Any, np.dtype[Any]]"
 
 _serial = itertools.count()
 
 
-class ValidationFailed(Exception):
-    """An emitted kernel does not compute its formula."""
-
-
-def validate(folder: Path, chart: Chart) -> int:
+def validate(folder: Path, chart: Chart, choose: Choose = everything) -> int:
     """Check the module of a chart in a folder; return how many function calls were compared.
+
+    ``choose`` leaves out what other charts of the package have shown of its geometry.
 
     Raises
     ------
@@ -40,7 +41,9 @@ def validate(folder: Path, chart: Chart) -> int:
     """
     with loaded(folder) as package, mpmath.workdps(DIGITS):
         module = importlib.import_module(f"{package}.{chart.name}")
-        return sum(_check(module, batch) for batch in batches(chart))
+        chosen = choose(batches(chart))
+        compared = sum(_check(module, batch, (-1, 0) if whole else (-1,)) for batch, whole in chosen)
+        return compared + refuse(module)
 
 
 @contextmanager
@@ -63,8 +66,8 @@ def loaded(folder: Path) -> Iterator[str]:
             del sys.modules[loaded]
 
 
-def _check(module: ModuleType, batch: Batch) -> int:
-    """Call one function on a batch in both layouts, and on its poses alone; return the number of calls.
+def _check(module: ModuleType, batch: Batch, layouts: Sequence[int]) -> int:
+    """Call one function on a batch in some layouts, and on its poses alone; return the number of calls.
 
     Objects in a batch run the in-place form of the kernel, those of a single pose its plain form.
     """
@@ -73,7 +76,7 @@ def _check(module: ModuleType, batch: Batch) -> int:
     kinds = FUNCTIONS[batch.function].arguments
     arguments = [_array(rows, array.shape) for rows, array in zip(columns, kinds, strict=True)]
     place = f"{_name(module)}.{batch.function}"
-    for axis in (-1, 0):
+    for axis in layouts:
         where = f"{place}(axis={axis})"
         given = [_components_first(a) if axis == 0 else a for a in arguments]
         parts = _call(function, given, batch.branch, axis, where)
@@ -84,7 +87,7 @@ def _check(module: ModuleType, batch: Batch) -> int:
     for pose, case in zip(zip(*arguments, strict=True), batch.cases, strict=True):
         parts = _call(function, pose, batch.branch, -1, place)
         _compare(np.concatenate([part.ravel() for part in parts]), case, batch.agree, place)
-    return 2 + len(batch.cases)
+    return len(layouts) + len(batch.cases)
 
 
 def _call(function: Any, arrays: Sequence[Objects], branch: tuple[int, ...], axis: int, where: str) -> tuple[Any, ...]:

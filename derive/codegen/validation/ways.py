@@ -13,9 +13,14 @@ from typing import Any
 
 import numpy as np
 
+from ..signatures import CHECK, QUATERNION, SCALAR_FIRST
+from ..signatures import Array as Kind
 from .calls import Call, Caller, several
 from .known import Known
 from .rounding import Array
+
+SCALAR_LAST = [1, 2, 3, 0, 5, 6, 7, 4]
+"""The components of a dual quaternion in the order of ``scalar_first=False``."""
 
 OFFSETS = ((0, 0), (0, 5), (3, 0))
 """Where an argument and a result begin in the memory they share."""
@@ -79,6 +84,30 @@ def _strided(array: Array) -> Array:
 def _backwards(array: Array) -> Array:
     turned = (slice(None, None, -1),) * array.ndim
     return np.ascontiguousarray(array[turned])[turned]
+
+
+def keywords(caller: Caller, known: Known, dtype: np.dtype[Any], few: int) -> None:
+    """Under each keyword of its row: what is right passes its check, and quaternions come in another order.
+
+    Screws of samples stand on a grid, so their axes are no unit vectors: of no use to a check.
+    """
+    for count, axis in itertools.product((few // 2, few + 1), (-1, 0)):
+        call = Call(known, several(known, count), dtype, axis)
+        if CHECK in known.row.keywords and known.row.branch:
+            caller.check(call, how="checked", check=True)
+        if SCALAR_FIRST in known.row.keywords:
+            given = _ordered(call.arguments(), known.row.arguments, SCALAR_LAST, axis)
+            found = caller.run(call, given, "scalar last", scalar_first=False)
+            back = [SCALAR_LAST.index(i) for i in range(len(SCALAR_LAST))]
+            caller.compare(call, _ordered(found, known.row.results, back, axis), "scalar last")
+
+
+def _ordered(arrays: Sequence[Array], kinds: Sequence[Kind], order: Sequence[int], axis: int) -> list[Array]:
+    """The arrays, in another order the components of those that are quaternions."""
+    return [
+        array.take(order, axis) if kind.shape == QUATERNION.shape else array
+        for array, kind in zip(arrays, kinds, strict=True)
+    ]
 
 
 def out(caller: Caller, known: Known, dtype: np.dtype[Any], few: int) -> None:

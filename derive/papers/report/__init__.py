@@ -26,4 +26,4 @@ FORMATS: dict[str, Callable[[Report], str]] = {
     "latex": as_latex,
 }
 
-__all__ = ["FORMATS", "Report"]
+__all__ = ["FORMATS", "Report", "as_text"]

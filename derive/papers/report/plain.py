@@ -23,7 +23,7 @@ _SIGNS = {
     "\\forall": "∀", "\\exists": "∃", "\\circ": "∘", "\\|": "‖", "\\{": "{", "\\}": "}", "\\#": "#", "\\mathbb": "",
     "\\left": "", "\\right": "", "\\mathbf": "", "\\mathrm": "", "\\operatorname": "", "\\text": "", "\\,": " ",
     "\\;": " ", "\\quad": "  ", "\\\\": "; ", "\\dots": "…", "\\ldots": "…", "\\cdots": "…", "\\ ": " ",
-    "$": "",
+    "$": "", "\\boldsymbol": "",
 }  # fmt: skip
 _WHOLE = re.compile(r"[^\s+\-−·×/=]+")
 
@@ -56,7 +56,7 @@ def _part(token: str, tokens: Iterator[str]) -> str:
     if token == "\\sqrt":
         return f"√{_grouped(_argument(tokens))}"
     if token in _ACCENTS:
-        letter = _argument(tokens)
+        letter = _argument(tokens).strip()
         return letter[:1] + _ACCENTS[token] + letter[1:]
     if token in ("\\begin", "\\end"):
         _argument(tokens)

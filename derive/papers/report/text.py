@@ -2,82 +2,77 @@
 
 from __future__ import annotations
 
-import io
+from collections.abc import Iterable, Iterator
 
-from rich.console import Console
-from rich.table import Table
+from derive.output.tables import WIDTH, Column, Grid
 
 from ..equation import Result, Status
 from .content import MEANING, Chapter, Report, example, label, readings
 from .plain import plain
 
-WIDTH = 120
+NARROWEST = 72
+"""Columns that two formulas side by side need."""
 
 
-def as_text(report: Report) -> str:
-    """Plain text, `WIDTH` columns wide, the same on a terminal and in a file."""
-    screen = Console(file=io.StringIO(), width=WIDTH, highlight=False, color_system=None, markup=False, emoji=False)
-    screen.print(counts(report))
+def as_text(report: Report, width: int = WIDTH) -> str:
+    """Plain text within a width."""
+    return "\n".join(grid.text(width) for grid in _grids(report))
+
+
+def _grids(report: Report) -> Iterator[Grid]:
+    yield counts(report)
     for chapter in report.chapters:
         for status, table in TABLES.items():
             if chapter.of(status):
-                screen.print()
-                screen.print(table(chapter))
+                yield table(chapter)
     if report.proofs:
-        screen.print()
-        screen.print(proofs(report))
-    output = screen.file
-    assert isinstance(output, io.StringIO)
-    return "\n".join(line.rstrip() for line in output.getvalue().splitlines()) + "\n"
+        yield proofs(report)
 
 
-def counts(report: Report) -> Table:
+def counts(report: Report) -> Grid:
     """How many equations of each paper have each status."""
-    table = Table(title="equations decided", title_justify="left")
-    table.add_column("paper")
-    for status in MEANING:
-        table.add_column(str(status), justify="right")
-    table.add_column("all", justify="right")
-    for chapter in report.chapters:
-        numbers = chapter.counts.values()
-        table.add_row(chapter.paper.short, *map(str, numbers), str(sum(numbers)))
-    return table
+    numbers = [Column(str(status), number=True) for status in MEANING]
+    rows = [(c.paper.short, *map(str, c.counts.values()), str(sum(c.counts.values()))) for c in report.chapters]
+    return Grid("equations decided", [Column("paper"), *numbers, Column("all", number=True)], rows)
 
 
-def errata(chapter: Chapter) -> Table:
+def errata(chapter: Chapter) -> Grid:
     """Printed and corrected, side by side."""
-    table = _table(chapter, Status.ERRATUM, "equation", "printed", "corrected")
-    for result in chapter.of(Status.ERRATUM):
-        table.add_row(_name(result), plain(result.printed), plain(result.corrected or ""), end_section=True)
-        if result.counterexample is not None:
-            table.add_row("where they differ", "\n".join(example(result.counterexample)), readings(result))
-    return table
+    rows = (row for result in chapter.of(Status.ERRATUM) for row in _erratum(result))
+    return _grid(chapter, Status.ERRATUM, ("equation", "printed", "corrected"), rows)
 
 
-def ambiguous(chapter: Chapter) -> Table:
+def _erratum(result: Result) -> Iterator[tuple[str, ...]]:
+    """A row with both forms, and one with numbers for which they differ."""
+    yield _name(result), plain(result.printed), plain(result.corrected or "")
+    if result.counterexample is not None:
+        yield "where they differ", "\n".join(example(result.counterexample)), readings(result)
+
+
+def ambiguous(chapter: Chapter) -> Grid:
     """Each reading with its verdict."""
-    table = _table(chapter, Status.AMBIGUOUS, "equation", "reading", "verdict")
-    for result in chapter.of(Status.AMBIGUOUS):
-        for i, verdict in enumerate(result.verdicts):
-            note = f"\n{verdict.note}" if verdict.note else ""
-            table.add_row("" if i else _name(result), plain(verdict.latex) + note, str(verdict.true).lower())
-    return table
+    rows = (
+        (
+            "" if i else _name(result),
+            "\n".join(filter(None, (plain(verdict.latex), verdict.note))),
+            str(verdict.true).lower(),
+        )
+        for result in chapter.of(Status.AMBIGUOUS)
+        for i, verdict in enumerate(result.verdicts)
+    )
+    return _grid(chapter, Status.AMBIGUOUS, ("equation", "reading", "verdict"), rows)
 
 
-def conditional(chapter: Chapter) -> Table:
+def conditional(chapter: Chapter) -> Grid:
     """Printed, with its condition."""
-    table = _table(chapter, Status.HOLDS_IF, "equation", "printed", "condition")
-    for result in chapter.of(Status.HOLDS_IF):
-        table.add_row(_name(result), plain(result.printed), plain(result.condition or ""))
-    return table
+    rows = ((_name(r), plain(r.printed), plain(r.condition or "")) for r in chapter.of(Status.HOLDS_IF))
+    return _grid(chapter, Status.HOLDS_IF, ("equation", "printed", "condition"), rows)
 
 
-def true(chapter: Chapter) -> Table:
+def true(chapter: Chapter) -> Grid:
     """Printed, with how it is known."""
-    table = _table(chapter, Status.HOLDS, "equation", "printed", "method")
-    for result in chapter.of(Status.HOLDS):
-        table.add_row(_name(result), plain(result.printed), result.method)
-    return table
+    rows = ((_name(r), plain(r.printed), r.method) for r in chapter.of(Status.HOLDS))
+    return _grid(chapter, Status.HOLDS, ("equation", "printed", "method"), rows)
 
 
 TABLES = {
@@ -88,23 +83,17 @@ TABLES = {
 }
 
 
-def proofs(report: Report) -> Table:
+def proofs(report: Report) -> Grid:
     """The theorems behind the formulas of this project."""
-    table = Table(title="proofs", title_justify="left", show_lines=False)
-    for heading in ("scope", "status", "statement"):
-        table.add_column(heading)
-    for proof in report.proofs:
-        table.add_row(proof.scope, proof.status, proof.statement)
-    return table
+    rows = [(proof.scope, proof.status, proof.statement) for proof in report.proofs]
+    return Grid("proofs", [Column("scope"), Column("status"), Column("statement")], rows, NARROWEST)
 
 
-def _table(chapter: Chapter, status: Status, first: str, second: str, third: str) -> Table:
+def _grid(chapter: Chapter, status: Status, headings: tuple[str, str, str], rows: Iterable[tuple[str, ...]]) -> Grid:
     title = f"{chapter.paper.short}, {status}: {MEANING[status]}"
-    table = Table(title=title, title_justify="left", show_lines=True)
-    table.add_column(first, width=24)
-    table.add_column(second, ratio=3)
-    table.add_column(third, ratio=3 if status is Status.ERRATUM else 2)
-    return table
+    first, second, third = headings
+    last = Column(third, ratio=3 if status is Status.ERRATUM else 2)
+    return Grid(title, [Column(first, width=24), Column(second, ratio=3), last], list(rows), NARROWEST, ruled=True)
 
 
 def _name(result: Result) -> str:

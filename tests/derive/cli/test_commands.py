@@ -3,19 +3,30 @@
 from __future__ import annotations
 
 import json
+import os
+import re
 import shlex
 import signal
 import subprocess
 import sys
+import time
+import tomllib
 from pathlib import Path
 
 import pytest
 
 import derive
-from derive.codegen import catalogue, check
+from derive import about
+from derive.__main__ import NEEDED
+from derive.cli import commands, display, options
+from derive.codegen import Difference, catalogue
+from derive.codegen.module import shared_texts
 from derive.codegen.targets import TARGETS
 from derive.maps import Cayley
-from tests.support.command import dualcay, in_a_process
+from derive.output import write
+from derive.papers import PAPERS
+from derive.papers.report import FORMATS
+from tests.support.command import ROOT, dualcay, in_a_process
 
 
 @pytest.mark.smoke
@@ -40,7 +51,22 @@ def test_check_passes_and_names_a_stale_file_with_the_accepting_command(tmp_path
     assert "stale: " in done.stdout
     assert "foreign: " in done.stdout
     assert "+ORDER = 2" in done.stdout
-    assert f"accept with:  python -m derive generate -o {folder}" in done.stderr
+    assert f"accept with:  dualcay generate -n 2 -o {folder}\n" in done.stderr
+
+
+@pytest.mark.parametrize("options", [(), ("--target", "array-api", "--max-n", "9", "--force")])
+def test_the_advice_repeats_every_option_that_was_given(tmp_path: Path, monkeypatch, options: tuple[str, ...]):
+    given = ("generate", "-n", "6", *options, "-o", str(tmp_path / "the user's kernels"))
+    monkeypatch.setattr("derive.cli.generate.check_folder", lambda *_, **__: [Difference(tmp_path / "f.py", "stale")])
+    done = dualcay(*given, "--check")
+    assert done.returncode == 1
+    assert done.stderr == f"1 file(s) differ; accept with:  {shlex.join(('dualcay', *given))}\n"
+
+
+def test_a_user_is_called_back_by_the_name_that_was_typed(monkeypatch):
+    for started, name in (("/usr/bin/dualcay", "dualcay"), ("/x/derive/__main__.py", "python -m derive")):
+        monkeypatch.setattr("sys.argv", [started, "generate", "--check"])
+        assert options.unchecked() == f"{name} generate"
 
 
 @pytest.mark.parametrize(
@@ -56,6 +82,7 @@ def test_check_passes_and_names_a_stale_file_with_the_accepting_command(tmp_path
         (["show", "-n", "2", "--what", "p,r"], 2, "expected names out of p, q, quaternion"),
         (["nonsense"], 2, "No such command 'nonsense'"),
         (["generate", "-n", "2", "-o", "/proc/nowhere"], 3, "cannot write /proc/nowhere"),
+        (["generate", "-n", "2", "-o", ""], 2, "expected a name, got an empty one"),
     ],
 )
 def test_bad_input_gets_a_message_and_its_exit_code(tmp_path: Path, arguments, code, message):
@@ -104,12 +131,14 @@ def test_a_package_half_written_says_at_import_how_to_finish_it(tmp_path: Path):
     subprocess.run(load, cwd=tmp_path, check=True)
 
 
-def test_a_second_target_in_a_folder_is_refused(tmp_path: Path):
-    derive.generate([1], output=tmp_path)
-    done = dualcay("generate", "-n", "1", "--target", "array-api", "-o", str(tmp_path))
+@pytest.mark.parametrize("target", [target for target in TARGETS if target != "numpy"])
+def test_a_second_target_in_a_folder_is_refused(tmp_path: Path, target: str):
+    write(tmp_path, shared_texts(TARGETS["numpy"]))
+    before = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
+    done = dualcay("generate", "-n", "1", "--target", target, "-o", str(tmp_path))
     assert done.returncode == 3
     assert "holds kernels of the target numpy (__init__.py), and a folder holds those of one" in done.stderr
-    assert check(tmp_path, [1]) == []
+    assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == before
 
 
 def test_check_regenerates_only_what_a_header_can_have_made(tmp_path: Path):
@@ -189,26 +218,145 @@ def test_a_process_ends_with_the_code_and_keeps_its_streams_apart():
     assert "Missing option '-n'" in done.stderr
 
 
-def test_an_interrupted_process_says_so_without_a_traceback():
+@pytest.mark.parametrize("place", ["derive.cli.show.show", "derive.cli.run"])
+def test_an_interrupted_process_says_so_in_one_line(place: str):
+    module, _, name = place.rpartition(".")
     code = (
-        "import os, signal, sys\n"
+        "import importlib, os, signal, sys, time\n"
         "signal.signal(signal.SIGINT, signal.default_int_handler)\n"  # which jobs in the background are started without
-        "from derive.cli import commands\n"
-        "commands.Cayley = lambda order: os.kill(os.getpid(), signal.SIGINT)\n"
-        "sys.exit(commands.run())"
-    )
-    done = in_a_process("show", "-n", "2", code=code)
-    assert (done.returncode, done.stdout, done.stderr.strip()) == (3, "", "aborted")
-
-
-def test_without_its_libraries_the_command_says_what_to_install():
-    code = (
-        "import importlib.util, sys\n"
-        "found = importlib.util.find_spec\n"
-        "importlib.util.find_spec = lambda name, *a: None if name in ('sympy', 'jinja2') else found(name, *a)\n"
+        f"setattr(importlib.import_module({module!r}), {name!r}, lambda **_: os.kill(os.getpid(), signal.SIGINT))\n"
         "from derive.__main__ import main\n"
         "sys.exit(main())"
     )
-    done = in_a_process("list", code=code)
+    done = in_a_process("show", "-n", "2", code=code)
+    assert (done.returncode, done.stdout, done.stderr) == (130, "", "dualcay: interrupted\n")
+
+
+@pytest.mark.parametrize("encoding", ["cp1252", ""])
+def test_output_is_utf8_whatever_the_locale(encoding: str):
+    variables = {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0", "PYTHONIOENCODING": encoding}
+    done = in_a_process("show", "-n", "2", "--what", "tensor", **variables)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "v⊗v" in done.stdout
+
+
+def test_a_folder_whose_name_is_no_utf8_is_printed_as_it_is():
+    name = os.fsdecode(b"k\xff")
+    code = (
+        "import os, sys, derive.cli.generate as module\n"
+        "from derive.codegen import Difference\n"
+        "module.check_folder = lambda folder, *_, **__: [Difference(folder, 'missing')]\n"
+        "from derive.__main__ import main\n"
+        "sys.exit(main())"
+    )
+    done = in_a_process("generate", "--check", "-o", name, code=code, errors="surrogateescape")
+    assert (done.returncode, done.stdout) == (1, f"missing: {name}\n")
+
+
+@pytest.mark.parametrize(
+    "arguments", [["--help"], ["-h"], ["--version"], ["-V"], ["generate", "--help"], ["verify", "--help"]]
+)
+def test_help_and_version_load_nothing_heavy(arguments: list[str]):
+    code = (
+        "import sys\nfrom derive.__main__ import main\ncode = main()\n"
+        "sys.exit(code or any(name in sys.modules for name in ('sympy', 'numpy', 'rich', 'jinja2')))"
+    )
+    assert in_a_process(*arguments, code=code).returncode == 0
+
+
+def test_help_takes_little_more_time_than_python():
+    """Processor time, the least of three runs, since others use the machine too."""
+
+    def least(*command: str) -> float:
+        def once() -> float:
+            before = os.times()
+            subprocess.run([sys.executable, *command], cwd=ROOT, capture_output=True, check=True)
+            after = os.times()
+            return after.children_user + after.children_system - before.children_user - before.children_system
+
+        return min(once() for _ in range(3))
+
+    assert least("-m", "derive", "--help") - least("-c", "pass") < 0.15
+
+
+def test_completion_offers_commands_and_names():
+    code = "import sys; sys.argv[0] = 'dualcay'; from derive.__main__ import main; sys.exit(main())"
+    for words, offered in (("dualcay gen", "plain,generate"), ("dualcay generate --target nu", "plain,numpy")):
+        place = str(len(words.split()) - 1)
+        done = in_a_process(code=code, _DUALCAY_COMPLETE="bash_complete", COMP_WORDS=words, COMP_CWORD=place)
+        assert offered in done.stdout.splitlines()
+
+
+WITHOUT = (
+    "import importlib.util, sys\n"
+    "found = importlib.util.find_spec\n"
+    "importlib.util.find_spec = lambda name, *a: None if name in {missing} else found(name, *a)\n"
+    "from derive.__main__ import main\n"
+    "sys.exit(main())"
+)
+
+
+def test_without_its_libraries_the_command_says_what_to_install():
+    done = in_a_process("list", code=WITHOUT.format(missing=("sympy", "jinja2")))
     assert done.returncode == 3
     assert done.stderr == 'dualcay: needs jinja2, sympy: install with  pip install "dualcay[derive]"\n'
+
+
+@pytest.mark.parametrize("arguments", [(), ("--help",), ("-h",), ("generate", "--help"), ("--version",), ("-V",)])
+def test_without_its_libraries_help_and_version_are_there(arguments: tuple[str, ...]):
+    done = in_a_process(*arguments, code=WITHOUT.format(missing=NEEDED))
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout.startswith("dualcay")
+    assert derive.__version__ in done.stdout
+    version = {"--version", "-V"} & set(arguments)
+    assert ('pip install "dualcay[derive]"' in done.stdout) == (not version)
+    assert done.stdout.count("\n") <= 4
+
+
+# --- what help says before anything is loaded ---------------------------------------------------------------------
+
+
+def test_names_of_the_command_are_those_of_what_they_name():
+    assert tuple(TARGETS) == about.TARGETS
+    assert tuple(paper.slug for paper in PAPERS) == about.PAPERS
+    assert tuple(FORMATS) == about.FORMATS
+    assert all(hasattr(Cayley, name) for name in about.FORMULAS)
+
+
+def test_what_the_command_needs_is_what_the_extra_installs():
+    extra = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["optional-dependencies"]
+    installed = {re.split(r"[>=\[]", requirement)[0] for requirement in extra["derive"]}
+    assert installed - {"python-flint"} == set(NEEDED)
+
+
+def test_every_option_says_what_it_is_for():
+    for command in commands.cli.commands.values():
+        for parameter in command.params:
+            assert getattr(parameter, "help", ""), f"{command.name} {parameter.opts}"
+
+
+# --- tables and progress ------------------------------------------------------------------------------------------
+
+
+def test_tables_fit_the_screen(tmp_path: Path, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "40")
+    (tmp_path / "k").mkdir()
+    done = dualcay("generate", "-n", "1", "-o", "k", cwd=tmp_path)
+    assert max(map(len, done.stdout.splitlines())) <= 40
+    assert re.match(r"kernels in k\ncayley1.py\n  theorems: \d+\n  proofs at n: \d+\n  calls validated: ", done.stdout)
+    assert max(map(len, dualcay("list").stdout.splitlines())) <= 40
+
+
+def test_a_long_run_on_a_pipe_says_how_far_it_is_and_a_short_one_nothing(monkeypatch, capsys):
+    with display.progress(2) as step:
+        step("first")
+    assert capsys.readouterr().err == ""
+    monkeypatch.setattr(display, "SPARSE", 0.05)
+    with display.progress(3) as step:
+        step("first")
+        step("second")
+        time.sleep(0.25)
+    lines = capsys.readouterr().err.splitlines()
+    assert lines
+    assert set(lines) == {"0 s: 1/3  second"}
+    assert len(lines) <= 3  # after 0.05, 0.15 and, on a slow machine, 0.35 s

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import re
+import shlex
 import sys
 from pathlib import Path
 
@@ -40,8 +42,9 @@ def test_json_with_the_proofs_of_the_orders_asked_for() -> None:
 @pytest.mark.parametrize(
     ("arguments", "code", "message"),
     [
-        ((*K10, "--eq", "99"), 2, "no equation '99'; there are 1, 2, 3"),
-        ((*K10, "--eq", "99"), 2, "zero-components"),
+        ((*K10, "--eq", "99"), 2, "no equation '99' (nearest: 9, 19, "),
+        ((*K10, "--eq", "22,zero-component"), 2, "no equation 'zero-component' (nearest: zero-components, "),
+        ((*K10, "--eq", "22", "-o", ""), 2, "expected a name, got an empty one"),
         (("verify", "--paper", "euler-1776"), 2, "'karakilic-2010'"),
         (("verify", "--format", "pdf"), 2, "'markdown'"),
         (("verify", "-n", "0"), 2, "an order is an integer n >= 1"),
@@ -55,6 +58,7 @@ def test_exit_codes_and_messages(arguments: tuple[str, ...], code: int, message:
     assert done.returncode == code
     assert message in " ".join(done.stderr.split())
     assert done.stdout == ""
+    assert done.stderr.count("\n") <= 4  # at most: usage, where help is, an empty line, the message
 
 
 def test_file_is_written_checked_and_reported_stale(tmp_path: Path) -> None:
@@ -62,13 +66,15 @@ def test_file_is_written_checked_and_reported_stale(tmp_path: Path) -> None:
     write = (*K10, "--eq", "22", "--format", "markdown", "-o", str(page))
     assert dualcay(*write, "--check").returncode == 1
     assert not page.exists()
-    assert dualcay(*write).returncode == 0
+    done = dualcay(*write)
+    assert (done.returncode, done.stdout) == (0, "")
+    assert re.fullmatch(rf"{page}: 1 holds-if, \d+ proofs\n", done.stderr)
     assert dualcay(*write, "--check").returncode == 0
     page.write_text(page.read_text(encoding="utf-8").replace("(22)", "(23)"), encoding="utf-8")
     stale = dualcay(*write, "--check")
     assert stale.returncode == 1
     assert "+#### (22)" in stale.stdout
-    assert f"accept with:  python -m derive verify --format markdown -o {page}" in stale.stderr
+    assert f"accept with:  dualcay {shlex.join(write)}\n" in stale.stderr
     assert [p.name for p in page.parent.iterdir()] == ["errata.md"]
 
 
@@ -79,7 +85,8 @@ def test_two_processes_write_the_same_page(tmp_path: Path) -> None:
 
 
 def test_an_entry_that_cannot_be_decided_is_exit_1(monkeypatch, capsys) -> None:
-    from derive.cli import commands, verify
+    import derive.cli.verify as verify
+    from derive.cli import commands
 
     def undecided(*_: object) -> None:
         raise UndecidedError("(22): no point on both sides of its domain")
@@ -94,3 +101,11 @@ def test_python_interface() -> None:
     (result,) = derive.verify("karakilic-2010", ["14"])
     assert result.status == "erratum"
     assert "longrightarrow" in result._repr_latex_()
+
+
+@pytest.mark.parametrize("width", [40, 71, 72, 200])
+def test_the_report_fits_the_screen(monkeypatch, width: int) -> None:
+    monkeypatch.setenv("COLUMNS", str(width))
+    lines = dualcay(*K10, "--eq", "14,22", "--format", "text").stdout.splitlines()
+    assert max(map(len, lines)) <= min(width, 120)
+    assert any("corrected: b₁*" in line for line in lines) == (width < 72)

@@ -77,7 +77,8 @@ def numbers(case):
 def test_every_condition_of_the_text_takes_both_values(folder, order):
     unit = load(f'#include "cayley{order}.h"\n', folder)
     c_text.check(unit, Cayley(order), batches(order))
-    assert [str(condition) for condition in unit.one_sided] == []
+    # only a chart without end has no number of branches
+    assert [str(c) for c in unit.one_sided if not str(c).endswith(": branches")] == []
     assert all(condition.taken for condition in unit.scope.conditions)
     assert unit.idle == [f"dualcay_cayley{order}_singular_angles"]
 
@@ -189,6 +190,10 @@ def not_a_translation(function, arguments):
     return any(arguments[0][:3])
 
 
+def not_the_identity(function, arguments):
+    return any(arguments[0])
+
+
 @pytest.mark.parametrize(
     ("kernel", "function", "old", "new", "without"),
     [
@@ -203,10 +208,11 @@ def not_a_translation(function, arguments):
         ("from_quaternion", "gain_unit_scalars", "(negative ? -1 :", "(negative ? 1 :", not_negative),
         ("from_quaternion", "gain_unit_scalars", "negative = e0 < 0", "negative = e0 <= 0", not_at_half_turn),
         ("to_screw", "natural_scalars", "(y < 0)) ? -1", "(y < 0)) ? 1", not_on_branch),
-        ("to_screw", "natural_scalars", "pneg ? -p : p", "p", not_on_branch),
+        ("to_screw", "natural_scalars", "fabs(p)", "p", not_on_branch),
         ("to_screw", "natural_scalars", "(q == 0) & (y < 0)", "(q == 0) & (y > 0)", not_undecided),
         ("shadow", "direction_scalars", "(q == 0) & (y < 0)", "(q == 0) & (y > 0)", not_undecided),
-        ("shadow", "shadow_core", "ro = still ? length", "ro = still ? -length", not_a_translation),
+        ("shadow", "shadow_core", "ro = still ? scale", "ro = still ? -scale", not_a_translation),
+        ("to_screw", "to_screw_core", "extent == 0 ? 1 : extent", "extent", not_the_identity),
         ("principal", "beyond_scalars", f"0.{28 * '3'}", f"0.{27 * '3'}4", not_near_a_tie),
         ("compose", "gain_product_scalars", "still = ss == 0", "still = ss < 0", not_two_translations),
     ],

@@ -7,7 +7,7 @@ from fractions import Fraction
 import pytest
 
 from derive.algebra import Vector
-from derive.codegen.lowered import geometry, lower_chart
+from derive.codegen.lowered import WORTH, geometry, lower_chart
 from derive.codegen.programs.trace import Trace, UnnamedValueError
 from derive.codegen.signatures import KERNELS
 from derive.codegen.targets import infix
@@ -126,7 +126,7 @@ def test_geometry_with_its_calls_looked_into_is_what_the_chart_traces_itself(ord
     for name, row in KERNELS.items():
         if name in lowered.operations and name not in lowered.own:
             alone = row.traced(Cayley(order)).operations.total()
-            assert alone <= lowered.operations[name].total() <= alone / 0.98, name
+            assert alone <= lowered.operations[name].total() <= alone / WORTH, name
 
 
 def test_long_statements_are_wrapped_and_mean_the_same():
@@ -154,6 +154,10 @@ def test_forward_maps_have_no_trigonometry_and_small_powers_of_two_none_at_all()
     forward = ("quaternion", "tensor", "pose", "tangent", "tangent_inv", "twist", "rate", "transform_point")
     inverse = ("from_quaternion", "from_tensor", "from_pose", "shadow", "turn", "compose")
     for order in (1, 2, 3, 4, 5, 8):
-        names = forward + (inverse if order in (1, 2, 4, 8) else ())
+        chart = Cayley(order)
+        # what nothing asks for where a pose has one v has no program
+        unasked = {"shadow", "turn"} if chart.branches == 1 else set()
+        names = {*forward, *(inverse if order in (1, 2, 4, 8) else ())} - unasked
+        operations = lower_chart(chart).operations
         for name in names:
-            assert not {"tan", "atan2"} & set(lower_chart(Cayley(order)).operations[name]), (order, name)
+            assert not {"tan", "atan2"} & set(operations[name]), (order, name)

@@ -123,6 +123,18 @@ OTHERS = {
         MODULE, r"sinq = ss / sin",
         "sinq = sin",
     ),
+    "order of a quaternion given": (
+        RUNTIME, r"take\(SCALAR_FIRST, axis\)",
+        "take(SCALAR_LAST, axis)",
+    ),
+    "order of a quaternion returned": (
+        RUNTIME, r"q\.take\(SCALAR_LAST, axis\)",
+        "q",
+    ),
+    "a check of what is right": (
+        "_checks.py", r"T\[15\] - 1",
+        "T[15]",
+    ),
     "a warning": (
         RUNTIME, r'all="ignore"',
         'all="warn"',

@@ -25,3 +25,10 @@ def test_distance_of_parallels_of_either_orientation() -> None:
     a, b = lines.line_through(Vector(1, 0, 0), X), lines.line_through(Vector(9, 3, 4), X)
     assert lines.distance_of_parallels(a, b) == 5
     assert lines.distance_of_parallels(a, -b) == 5
+
+
+def test_distance_does_not_depend_on_the_angle_of_lines() -> None:
+    slanted = Vector(mpmath.mpf(3) / 5, mpmath.mpf(4) / 5, mpmath.mpf(0))
+    a, b = lines.line_through(Vector(7, 0, 2), X), lines.line_through(Vector(0, -4, 5), slanted)
+    assert abs(lines.distance(a, b) - 3) < 1e-40
+    assert lines.distance(b, a) == lines.distance(a, b)

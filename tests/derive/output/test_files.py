@@ -9,6 +9,8 @@ import pytest
 
 from derive.output import RefusedError, files
 
+pytestmark = pytest.mark.smoke
+
 OURS = "# python -m derive generate -n 1 --target numpy\nx = 1\n"
 
 

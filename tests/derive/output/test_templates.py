@@ -9,6 +9,8 @@ import pytest
 
 from derive.output import render, templates
 
+pytestmark = pytest.mark.smoke
+
 
 @pytest.fixture
 def write(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[[str, str], object]]:

@@ -8,7 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from derive.papers import PAPERS, Paper
+from derive.papers import PAPERS, Paper, verify
+
+pytestmark = pytest.mark.smoke
 
 ROOT = Path(__file__).parents[3]
 NUMBERED = {"condurache-popa-2023": 131, "karakilic-2010": 22}
@@ -62,3 +64,10 @@ def test_entries_are_found_where_they_say(paper) -> None:
         assert entry.source.startswith(f"{paper.package.replace('.', '/')}/sections/")
         assert entry.number in {held.number for held in holder.ENTRIES}
         assert (ROOT / entry.source).is_file()
+
+
+def test_equations_are_named_by_one_text_or_several():
+    for equations, expected in (("22", ["22"]), ("23, 22", ["22", "23"]), (["22"], ["22"])):
+        assert [result.equation.number for result in verify("condurache-popa-2023", equations)] == expected
+    with pytest.raises(ValueError, match="no equation 999"):
+        verify("condurache-popa-2023", "112,999")

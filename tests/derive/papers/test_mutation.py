@@ -42,10 +42,16 @@ REASONS = {
 """Why mutants of these entries survive."""
 
 
+THIRD = 3
+"""Of the mutants of an entry that should have no survivors; `make mutants` draws from all."""
+
+
 def _scores(chunk: int) -> dict[tuple[str, str], Score]:
     entries = [(paper, entry) for paper in PAPERS for entry in paper.entries()]
     return {
-        (paper.short, entry.number): try_mutants(decide(paper.slug, entry, paper.lost, count=False))
+        (paper.short, entry.number): try_mutants(
+            decide(paper.slug, entry, paper.lost, count=False), 1 if entry.number in REASONS[paper.short] else THIRD
+        )
         for paper, entry in entries[chunk::CHUNKS]
     }
 
@@ -67,7 +73,7 @@ def test_mutants_are_killed(scores, record_testsuite_property, capsys) -> None:
             if score.survivors:
                 reason = REASONS[paper].get(number, "no reason is known")
                 print(f"  {paper} ({number}): {len(score.survivors)} survive: {reason}")
-    assert total.killed > 5000
+    assert total.killed > 1500
     assert total.share >= ENOUGH
 
 

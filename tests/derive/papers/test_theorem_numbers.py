@@ -9,6 +9,8 @@ from typing import Any
 import pytest
 import sympy
 
+from derive.maps import Cayley
+from derive.maps.cayley import EQUATIONS
 from derive.papers import PAPERS
 from derive.papers.equation import Equation as Entry
 from derive.papers.language.terms import Apply, Letter, Number, Term, walk
@@ -152,3 +154,21 @@ def test_a_wrong_number_is_noticed() -> None:
     for equation in equations():
         for number in equation.numbers:
             assert not any(says(other, equation) for other in (number - 1, number + 1) if other not in equation.numbers)
+
+
+KINDS = {
+    "quaternion": "unit dual quaternion", "tensor": "orthogonal dual tensor", "tangent": "tangent operator",
+    "tangent_inv": "kinematic tensor",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("n", range(1, 8))
+@pytest.mark.parametrize("name", KINDS)
+def test_numbers_of_maps_are_those_of_the_entries_about_them(name: str, n: int) -> None:
+    """The general equation, and the one of this order where it is printed."""
+    printed = {entry.title: int(entry.number) for entry in PAPERS[0].entries() if entry.number.isdecimal()}
+    at_order = printed.get(f"{KINDS[name]}, n = {n}")
+    assert getattr(Cayley(n), name).equations == (*EQUATIONS[name], *([] if at_order is None else [at_order]))
+    assert (at_order is not None) == (n <= 5)
+    general = [number for title, number in printed.items() if title.startswith(f"{KINDS[name]} of order n")]
+    assert list(EQUATIONS[name]) == general

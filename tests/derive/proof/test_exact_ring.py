@@ -81,7 +81,7 @@ def test_programs_agree_with_rational_arithmetic(backend: str, steps: list[tuple
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
-@pytest.mark.parametrize("root", [0, 1, -1])
+@pytest.mark.parametrize("root", [0, 1, -1, -4])
 def test_square_becomes_the_generator(backend: str, root: int) -> None:
     exact = ring(backend, root)
     v = np.array(exact.vector("v"), dtype=object)
@@ -90,7 +90,7 @@ def test_square_becomes_the_generator(backend: str, root: int) -> None:
     assert set((v @ v).terms) == {0}
     assert v[2] ** 3 == v[2] * (exact.square("v") - v[0] ** 2 - v[1] ** 2)
     if root:
-        assert exact.square_root() ** 2 == 1 + root * (v @ v)
+        assert exact.square_root() ** 2 == 1 + (v @ v) / root
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
@@ -142,8 +142,8 @@ def test_errors_say_what_is_wrong(backend: str) -> None:
     _raises(lambda: v1.derivative("x"), ValueError, "differentiated by a square")
     _raises(lambda: v1.derivative("w"), ValueError, "no symbol 'w'")
     _raises(lambda: exact.vector("w"), ValueError, "no vector 'w'")
-    _raises(lambda: exact.square_root(), ValueError, "root=1 or root=-1")
-    _raises(lambda: Ring(root=2), ValueError, "given 2")
+    _raises(lambda: exact.square_root(), ValueError, "made with a root only")
+    _raises(lambda: Ring(root=0.5), TypeError, "given 0.5")
     _raises(lambda: v1 + Ring().symbol("v1"), ValueError, "two different rings")
     _raises(lambda: exact.lift(sympy.sin(x), {x: one_plus}), ValueError, "not an algebraic expression")
     _raises(lambda: exact.lift("x", {x: one_plus}), TypeError, "expected a SymPy expression")
@@ -172,21 +172,21 @@ def test_square_roots(backend: str) -> None:
 
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_square_roots_of_odd_powers(backend: str) -> None:
-    for root in (1, -1):
+    for root in (1, -1, 4, -9):
         exact = ring(backend, root)
-        one_plus, s = 1 + root * exact.square("v"), exact.square_root()
+        one_plus, s = 1 + exact.square("v") / root, exact.square_root()
         assert (one_plus**5).sqrt() == s**5
         assert (1 / one_plus).sqrt() == 1 / s
         assert ((s - 2) ** 2).sqrt() == 2 - s  # positive near v = 0, where s = 1
-        assert ((s - 1) ** 2 / one_plus).sqrt() == root * (s - 1) / s  # s > 1 there, or s < 1
-        radicand = 1 + root * x
+        assert ((s - 1) ** 2 / one_plus).sqrt() == (1 if root > 0 else -1) * (s - 1) / s  # s > 1 there, or s < 1
+        radicand = 1 + x / root
         lifted = exact.lift(sympy.sqrt(radicand) / radicand**2 - x, {x: exact.square("v")})
         assert lifted == 1 / s**3 - exact.square("v")
-        assert 2 * s.derivative("x") == root / s
+        assert 2 * s.derivative("x") == 1 / (root * s)
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
-@pytest.mark.parametrize("root", [0, 1, -1])
+@pytest.mark.parametrize("root", [0, 1, -1, 9])
 def test_derivatives(backend: str, root: int) -> None:
     exact = ring(backend, root)
     v1, _, v3 = exact.vector("v")
@@ -200,6 +200,9 @@ def test_derivatives(backend: str, root: int) -> None:
     lifted = exact.lift(expression, {x: square})
     assert lifted == ((square**3 - 1) * square + square + 2) / (square * (square + 2))
     assert lifted.derivative("x") == exact.lift(sympy.diff(expression, x), {x: square})
+    slope = lifted.derivative("x")
+    assert exact.derivatives(expression, x, square, 2) == [lifted, slope, slope.derivative("x")]
+    _raises(lambda: exact.derivatives(expression, x, 2 * square, 1), ValueError, "by the square of v")
 
 
 @pytest.mark.parametrize("backend", BACKENDS)

@@ -14,6 +14,7 @@ from .memory import UNSET, Cells
 from .types import NAMES, Frame, Run, Type, Value, variable
 
 LIBRARY: Mapping[str, tuple[int, Callable[..., Any]]] = {
+    "fabs": (1, abs),
     "sqrt": (1, lambda a: a.sqrt()),
     "tan": (1, lambda a: a.tan()),
     "atan2": (2, lambda a, b: a.arctan2(b)),

@@ -13,6 +13,8 @@ from derive.papers.numbers.every_order import EveryOrder
 from derive.papers.numbers.fields import DIGITS, Decimal60, Exact, Field, UndefinedError, integer_power
 from derive.proof.ratio import NotExactError
 
+pytestmark = pytest.mark.smoke
+
 
 @pytest.fixture
 def exact() -> Exact:

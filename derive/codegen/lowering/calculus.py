@@ -1,0 +1,131 @@
+"""Derivatives of the tangent operator and its inverse, by time and by v, in dual numbers.
+
+What is differentiated are f, g, h of ``T = f I + side (g skew(v)) + h v⊗v`` and fi, hi of
+``2 T⁻¹ = fi I − side skew(v) + hi v⊗v``, side 1 in space and −1 in the body: ``df = fy v·dv``. A derivative by v is a
+dual tensor and is returned as the real matrix that acts on dual vectors as it does.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+
+from ...algebra import Dual, Tensor, Vector
+from ..programs.program import Program
+from ..programs.value import Number
+from .forward import start
+from .inputs import dual_vector
+from .point import Geometry, Point
+
+HALF = Fraction(1, 2)
+
+
+def tangent_dot(trace: Geometry) -> Program:
+    """``ḟ I + side skew(ġ v + g v̇) + v⊗c + c⊗v``, c = ḣ/2 v + h v̇."""
+    point, w = start(trace), _argument(trace, "v_dot", "w")
+    side = _side(trace)
+    g, h, fy, gy, hy = point.lifted("tangent_dot", ("g", "h", "fy", "gy", "hy"))
+    v, along = point.v, trace.dual("vw", point.v.dot(w))
+    s = trace.dual_vector("s", (trace.dual("gt", gy * along) * v + trace.dual_vector("gw", g * w)) * side)
+    c = trace.dual_vector("b", trace.dual("ht", hy * along * HALF) * v + trace.dual_vector("hw", h * w))
+    tensor = _assembled(trace, trace.dual("ft", fy * along), s, v, c)
+    return trace.program("tangent_dot", (*tensor.re, *tensor.du))
+
+
+def _assembled(trace: Geometry, a: Dual, s: Vector, v: Vector, c: Vector) -> Tensor:
+    """``a I + skew(s) + v⊗c + c⊗v``."""
+    (v1, v2, v3), (c1, c2, c3), (s1, s2, s3) = v, c, s
+    d12, d13, d23 = (
+        trace.dual(name, p * d + b * q)
+        for name, p, d, b, q in (("d12", v1, c2, c1, v2), ("d13", v1, c3, c1, v3), ("d23", v2, c3, c2, v3))
+    )
+    d11, d22, d33 = (a + 2 * (p * b) for p, b in ((v1, c1), (v2, c2), (v3, c3)))
+    return Tensor(((d11, d12 - s3, d13 + s2), (d12 + s3, d22, d23 - s1), (d13 - s2, d23 + s1, d33)))
+
+
+def twist_dot(trace: Geometry) -> Program:
+    """``f v̈ + (fy + h) a v̇ + side v × (g v̈ + gy a v̇) + (h (v·v̈ + v̇·v̇) + hy a²) v``, a = v·v̇."""
+    point, w, z = start(trace), _argument(trace, "v_dot", "w"), _argument(trace, "v_ddot", "z")
+    side = _side(trace)
+    f, g, h, fy, gy, hy = point.lifted("tangent_dot", ("f", "g", "h", "fy", "gy", "hy"))
+    v, along = point.v, trace.dual("vw", point.v.dot(w))
+    turned = trace.dual_vector("gz", g * z + trace.dual("gt", gy * along) * w)
+    pull, bend = trace.dual("pull", v.dot(z) + _square(w)), trace.dual("ht", hy * along)
+    scale, drift = trace.dual("cvv", h * pull + bend * along), trace.dual("fh", trace.dual("fyh", fy + h) * along)
+    found = f * z + drift * w + v.cross(trace.dual_vector("s", turned * side)) + scale * v
+    return trace.program("twist_dot", (*found.re, *found.du))
+
+
+def rate_dot(trace: Geometry) -> Program:
+    """``T⁻¹ ω̇ + (d/dt T⁻¹) ω`` with v̇ = T⁻¹ ω."""
+    point, w, z = start(trace), _argument(trace, "omega", "w"), _argument(trace, "omega_dot", "z")
+    side = _side(trace)
+    fi, hi, fiy, hiy = point.lifted("tangent_inv_dot", ("fi", "hi", "fiy", "hiy"))
+    v, along = point.v, trace.dual("vw", point.v.dot(w))
+    spread = trace.dual("hvw", hi * along)
+    u = trace.dual_vector("u", (fi * w + w.cross(v) * side + spread * v) * HALF)
+    change, pull = trace.dual("vu", v.dot(u)), trace.dual("pull", v.dot(z) + u.dot(w))
+    drift, bend = trace.dual("ft", fiy * change), trace.dual("ht", hiy * change)
+    scale = trace.dual("cvv", hi * pull + bend * along)
+    found = (fi * z + drift * w + (z.cross(v) + w.cross(u)) * side + scale * v + spread * u) * HALF
+    return trace.program("rate_dot", (*found.re, *found.du))
+
+
+def twist_jacobian(trace: Geometry) -> Program:
+    """``(fy w + side gy v × w + hy (v·w) v)⊗v + h (v⊗w + (v·w) I) − side g skew(w)``."""
+    point, w = start(trace), _argument(trace, "v_dot", "w")
+    side = _side(trace)
+    g, h, fy, gy, hy = point.lifted("tangent_dot", ("g", "h", "fy", "gy", "hy"))
+    v, along = point.v, trace.dual("vw", point.v.dot(w))
+    turned = trace.dual_vector("t", v.cross(w))
+    image = trace.dual_vector("b", fy * w + trace.dual("gs", gy * side) * turned + trace.dual("ht", hy * along) * v)
+    return _jacobian(trace, "twist_jacobian", image, point, h, w, along, trace.dual("sg", g * -side))
+
+
+def rate_jacobian(trace: Geometry) -> Program:
+    """Half of ``(fiy w + hiy (v·w) v)⊗v + hi (v⊗w + (v·w) I) + side skew(w)``."""
+    point, w = start(trace), _argument(trace, "omega", "w")
+    side = trace.name("hs", _side(trace) * HALF)
+    hi, fiy, hiy = point.lifted("tangent_inv_dot", ("hi", "fiy", "hiy"))
+    h, along = trace.dual("hih", hi * HALF), trace.dual("vw", point.v.dot(w))
+    image = trace.dual_vector("b", (fiy * w + trace.dual("ht", hiy * along) * point.v) * HALF)
+    return _jacobian(trace, "rate_jacobian", image, point, h, w, along, side)
+
+
+def _jacobian(
+    trace: Geometry, name: str, image: Vector, point: Point, h: Number, w: Vector, along: Number, turn: Number
+) -> Program:
+    """``image⊗v + h (v⊗w + (v·w) I) + turn skew(w)``."""
+    hv, s = trace.dual_vector("hv", h * point.v), trace.dual_vector("s", turn * w)
+    a = trace.dual("ha", h * along)
+    spread = Tensor.skew(s) + Tensor(((a, 0, 0), (0, a, 0), (0, 0, a)))
+    return trace.program(name, matrix6(trace, Tensor.dyad(image, point.v) + Tensor.dyad(hv, w) + spread))
+
+
+def matrix6(trace: Geometry, tensor: Tensor) -> Iterator[Number]:
+    """The real matrix that acts on dual vectors as the tensor does, whose real part stands in it twice."""
+    places = [f"J{i}{j}" for i in (1, 2, 3) for j in (1, 2, 3)]
+    re = _rows([trace.name(place, entry) for place, entry in zip(places, tensor.re, strict=True)])
+    for row in re:
+        yield from (*row, 0, 0, 0)
+    for below, row in zip(_rows(list(tensor.du)), re, strict=True):
+        yield from (*below, *row)
+
+
+def _rows(entries: Sequence[Number]) -> tuple[Sequence[Number], ...]:
+    return entries[:3], entries[3:6], entries[6:]
+
+
+def _argument(trace: Geometry, argument: str, letter: str) -> Vector:
+    components = dual_vector(trace, argument, letter)
+    return Vector.dual(components[:3], components[3:])
+
+
+def _square(w: Vector) -> Dual:
+    """w·w."""
+    return Dual(w.re.dot(w.re), 2 * w.re.dot(w.du))
+
+
+def _side(trace: Geometry) -> Number:
+    (side,) = trace.inputs("table", ("side",))
+    return side

@@ -1,0 +1,85 @@
+"""What of a further chart is executed: geometry that another chart of the package has shown to be right only as needed.
+
+Geometry is the same for all charts and stands once in a package. Whichever chart runs a program of it first runs it on
+all cases; of a later chart as many functions are run as read every result of its own scalars, and all that it has
+programs of its own for. So what a chart costs does not grow with the number of functions.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence, Set
+from dataclasses import dataclass, field
+
+from ..cases import Batch
+from ..lowered import Lowered, geometry
+from ..programs.program import Program
+from ..signatures import FUNCTIONS, KERNELS, PUBLIC
+
+TABLE = "table"
+"""The argument of a program that takes a turn, or all returns, of the chart."""
+
+
+Choose = Callable[[Sequence[Batch]], Sequence[tuple[Batch, bool]]]
+"""Which of the batches are executed, and whether in every layout."""
+
+
+def everything(given: Sequence[Batch]) -> Sequence[tuple[Batch, bool]]:
+    """All batches, in every layout."""
+    return [(batch, True) for batch in given]
+
+
+@dataclass(frozen=True, slots=True)
+class Seen:
+    """Programs of a geometry that have been executed on all cases; grows as charts are validated."""
+
+    programs: set[str] = field(default_factory=set)
+
+    def new(self, lowered: Lowered, given: Sequence[Batch]) -> list[tuple[Batch, bool]]:
+        """The batches of a lowered chart that are still to be executed, and whether in every layout."""
+        wanted, shown = set(_readers(lowered)), self.programs - lowered.own.keys()
+        unseen = [bool(_executed(batch, lowered) - shown) for batch in given]
+        for batch in given:
+            self.programs.update(_executed(batch, lowered) - lowered.own.keys())
+        return [(batch, new) for batch, new in zip(given, unseen, strict=True) if new or _samples(batch, wanted)]
+
+
+def _samples(batch: Batch, wanted: Set[str]) -> bool:
+    """Whether a batch is of a wanted function: on the principal branch, on others where it takes their turns itself."""
+    return batch.function in wanted and (_principal(batch) or _takes_table(batch.function))
+
+
+def _principal(batch: Batch) -> bool:
+    return not any(batch.branch)
+
+
+def _takes_table(function: str) -> bool:
+    return TABLE in dict(geometry()[FUNCTIONS[function].kernel].inputs)
+
+
+def _executed(batch: Batch, lowered: Lowered) -> set[str]:
+    """What a call of a function on a branch runs: its program, a turn after it, or nothing at all."""
+    branch = FUNCTIONS[batch.function].branch
+    programs = {FUNCTIONS[batch.function].kernel}
+    if branch and _takes_table(batch.function) and _principal(batch):
+        return {f"{batch.function}: v stands"}
+    if branch and not _takes_table(batch.function) and not _principal(batch):
+        programs |= KERNELS.keys() - PUBLIC.keys()
+    return {name if name in lowered.operations else f"{name}: v stands" for name in programs}
+
+
+def _readers(lowered: Lowered) -> Iterator[str]:
+    """Functions that together read every result of every scalar program."""
+    read: set[tuple[str, int]] = set()
+    for name in KERNELS:
+        shared = name in PUBLIC and name in lowered.operations and name not in lowered.own
+        found = set(_results(geometry()[name])) if shared else set()
+        if found - read:
+            read |= found
+            yield name
+
+
+def _results(program: Program) -> Iterator[tuple[str, int]]:
+    """The results of scalar programs that a program reads, by place."""
+    operands = program.operands
+    for call in program.calls:
+        yield from ((call.function, place) for place, name in enumerate(call.names) if name in operands)

@@ -1,0 +1,152 @@
+r"""Breusing's chart, the geometric mean of tangent and sine: ``v = sin θ/√(cos θ) u``, θ = α/4.
+
+From ``x = (1 − c²)/c``, ``c = cos θ``:
+
+.. math::
+    c = \frac{2}{x + \sqrt{x^2 + 4}} \qquad s = 2 c^2 - 1 \quad w = 2 c^{3/2} \quad
+    \rho = \frac{8 c^{3/2}}{1 + c^2} \quad h = \frac{4 c^{5/2} (3 + 2 c^2)}{1 + c^2} \qquad
+    \frac{dc}{dx} = -\frac{c^2}{1 + c^2}
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import sympy
+
+from ..algebra import Coefficient
+from ..algebra.arithmetic import Arithmetic
+from .dependent import DependentScalars
+from .families import alpha
+from .of_order import OfOrder
+
+
+def cosine(x: Coefficient, m: Arithmetic) -> Coefficient:
+    """cos θ at x; where x² overflows NaN, not 0."""
+    below = m.name("below", x + m.sqrt(x * x + 4))
+    return m.name("c", 2 * (m.div(below, below) / below))
+
+
+class BreusingScalars(DependentScalars):
+    """The scalars at ``x = sin² θ/cos θ``."""
+
+    @cached_property
+    def c(self) -> Coefficient:
+        return cosine(self.x, self.m)
+
+    @cached_property
+    def cc(self) -> Coefficient:
+        return self.m.name("cc", self.c * self.c)
+
+    @cached_property
+    def _over(self) -> Coefficient:
+        """``1/(1 + c²)``."""
+        return self.m.name("over", self.m.div(1, 1 + self.cc))
+
+    @cached_property
+    def _weight(self) -> Coefficient:
+        return self.m.name("weight", 3 + 2 * self.cc)
+
+    @cached_property
+    def s(self) -> Coefficient:
+        return self.m.name("s", 2 * self.cc - 1)
+
+    @cached_property
+    def w(self) -> Coefficient:
+        return self.m.name("w", 2 * (self.c * self.m.sqrt(self.c)))
+
+    @cached_property
+    def rate(self) -> Coefficient:
+        return self.m.name("rho", 4 * (self.w * self._over))
+
+    @cached_property
+    def h(self) -> Coefficient:
+        return self.m.name("h", 2 * (self.c * self.w) * (self._weight * self._over))
+
+    @cached_property
+    def _decline(self) -> Coefficient:
+        """``−2 c′/c``."""
+        return self.m.name("decline", 2 * (self.c * self._over))
+
+    @cached_property
+    def _share(self) -> Coefficient:
+        """``4 c²/(1 + c²)``."""
+        return self.m.name("share", 4 * (self.cc * self._over))
+
+    @cached_property
+    def _declining(self) -> Coefficient:
+        """The slope of that."""
+        half = self.m.div(self._share, 2)
+        return self.m.name("decliney", self._decline * self._decline * (half - 1))
+
+    @cached_property
+    def _sharing(self) -> Coefficient:
+        return self.m.name("sharey", -2 * (self._share * self._over * self._decline))
+
+    def _bend(self, slope: Coefficient, value: Coefficient, growth: Coefficient, change: Coefficient) -> Coefficient:
+        """The slope of ``value · decline · growth/2``."""
+        of_decline = self._declining * growth + self._decline * change
+        return self.m.div(slope * self._decline * growth + value * of_decline, 2)
+
+    @cached_property
+    def _rate_growth(self) -> Coefficient:
+        return self.m.name("rhogrowth", self._share - 3)
+
+    @cached_property
+    def ratey(self) -> Coefficient:
+        return self.m.name("rhoy", self.m.div(self.rate * self._decline * self._rate_growth, 2))
+
+    @cached_property
+    def rateyy(self) -> Coefficient:
+        return self.m.name("rhoyy", self._bend(self.ratey, self.rate, self._rate_growth, self._sharing))
+
+    @cached_property
+    def _h_growth(self) -> Coefficient:
+        return self.m.name("hgrowth", self._share - 5 - 8 * (self.cc / self._weight))
+
+    @cached_property
+    def hy(self) -> Coefficient:
+        return self.m.name("hy", self.m.div(self.h * self._decline * self._h_growth, 2))
+
+    @cached_property
+    def hyy(self) -> Coefficient:
+        change = self._sharing + 48 * (self.cc * self._decline / (self._weight * self._weight))
+        return self.m.name("hyy", self._bend(self.hy, self.h, self._h_growth, change))
+
+
+@dataclass(frozen=True)
+class Breusing(OfOrder):
+    """v = sin(α/4)/√cos(α/4) u, up to |Re α| = 2π."""
+
+    name: str = "breusing"
+    order: int = 2
+    selection: tuple[str, str] = ("--family", "breusing")
+    title: str = "Breusing's chart"
+
+    @property
+    def phi(self) -> sympy.Expr:
+        return sympy.sin(alpha / 4) / sympy.sqrt(sympy.cos(alpha / 4))
+
+    @property
+    def algebraic(self) -> bool:
+        return False
+
+    def overflow(self, largest: float) -> tuple[str, float]:
+        return "x^2 overflows", float(largest**0.25)
+
+    def scalars(self, x: Coefficient, m: Arithmetic) -> BreusingScalars:
+        return BreusingScalars(x, m)
+
+    def sized(
+        self, sine: Coefficient, cosine: Coefficient, m: Arithmetic, mark: str = ""
+    ) -> tuple[Coefficient, Coefficient]:
+        inverse = m.name(f"iroot{mark}", m.div(1, m.sqrt(cosine)))
+        return sine * inverse, m.div((1 + cosine * cosine) / cosine * inverse, 2)
+
+    def cosine(self, x: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+        c = cosine(x, m)
+        return c, m.name("sigma", m.sqrt(c))
+
+    def factor(self, cosine: Coefficient, m: Arithmetic) -> Coefficient:
+        return m.div(1, m.sqrt(cosine))

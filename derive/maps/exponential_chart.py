@@ -1,0 +1,109 @@
+r"""The exponential chart, ``v = α u``: T is dexp, and going back is the logarithm.
+
+.. math:: s = c_0(x/4) \quad w = \tfrac12 c_1(x/4) \quad f = c_1 \quad g = c_2 \quad h = c_3(x) \qquad x = \alpha^2
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import sympy
+
+from ..algebra import Coefficient
+from ..algebra.arithmetic import Arithmetic
+from . import stumpff
+from .by_angle import ByAngle
+from .dependent import DependentScalars
+from .families import alpha
+from .of_order import of_twice
+
+
+class ExponentialScalars(DependentScalars):
+    """The scalars at x = α²."""
+
+    rate = 1
+    ratey = 0
+    rateyy = 0
+
+    @cached_property
+    def _near(self) -> Any:
+        return self.m.name("near", self.m.less(self.x, stumpff.LIMIT))
+
+    @cached_property
+    def _half(self) -> stumpff.HalfAngle:
+        """Of what is near; else of no angle, of the type of x."""
+        zeta = self.m.name("z", self.m.div(self.m.where(self._near, self.x, self.x - self.x), 4))
+        return stumpff.HalfAngle(zeta, self.m)
+
+    @cached_property
+    def _whole(self) -> stumpff.WholeAngle:
+        return stumpff.WholeAngle(self._half, self.m)
+
+    @cached_property
+    def _square(self) -> Coefficient:
+        """α² of what is far; else some number beyond the limit."""
+        return self.m.name("xx", self.m.where(self._near, stumpff.LIMIT + self.x, self.x))
+
+    @cached_property
+    def _trigonometry(self) -> tuple[Coefficient, Coefficient]:
+        """Cosine of α/2, and sine of it over α."""
+        angle = self.m.name("alpha", self.m.sqrt(self._square))
+        sine, cosine = of_twice(self.m.name("t", self.m.tan(self.m.div(angle, 4))), self.m)
+        return cosine, sine / angle
+
+    @cached_property
+    def s(self) -> Coefficient:
+        return self.m.name("s", self.m.where(self._near, self._half.c0, self._trigonometry[0]))
+
+    @cached_property
+    def w(self) -> Coefficient:
+        return self.m.name("w", self.m.where(self._near, self.m.div(self._half.c1, 2), self._trigonometry[1]))
+
+    @cached_property
+    def h(self) -> Coefficient:
+        return self.m.name("h", self.m.where(self._near, self._whole.c3, (1 - self.f) / self._square))
+
+    @cached_property
+    def hy(self) -> Coefficient:
+        near = 3 * self._whole.c5 - self._whole.c4
+        return self.m.name("hy", self.m.where(self._near, near, (self.g - 3 * self.h) / self._square))
+
+    @cached_property
+    def hyy(self) -> Coefficient:
+        near = 15 * self._whole.c7 - 7 * self._whole.c6 + self._whole.c5
+        return self.m.name("hyy", self.m.where(self._near, near, (self.gy - 5 * self.hy) / self._square))
+
+
+@dataclass(frozen=True)
+class Exponential(ByAngle):
+    """v = α u, without an edge."""
+
+    name: str = "exponential"
+    selection: tuple[str, str] = ("--family", "exponential")
+    title: str = "Exponential map"
+
+    @property
+    def phi(self) -> sympy.Expr:
+        return alpha
+
+    @property
+    def edge(self) -> sympy.Expr:
+        return sympy.oo
+
+    @property
+    def remainder(self) -> float:
+        return stumpff.REMAINDER
+
+    def overflow(self, largest: float) -> tuple[str, float]:
+        return "x overflows", float(largest**0.5)
+
+    def scalars(self, x: Coefficient, m: Arithmetic) -> ExponentialScalars:
+        return ExponentialScalars(x, m)
+
+    def own_angle(self, at: ExponentialScalars, r: Coefficient) -> Coefficient:
+        return r
+
+    def sized(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> tuple[Coefficient, Coefficient]:
+        return angle, 1

@@ -1,0 +1,150 @@
+"""φ and its derivatives as arithmetic at an angle: sines by the tangent of a quarter, arcs by atan2."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+from typing import Any
+
+import mpmath
+import sympy
+
+from ..algebra import Coefficient
+from ..algebra.arithmetic import Arithmetic
+from .expressions import PhiError
+from .families import alpha
+from .of_order import of_twice
+from .split import is_small, plus, times
+
+DIGITS = 60
+
+
+def number(expression: sympy.Expr) -> Any:
+    """A constant as a fraction where that is one of small integers, else to many digits."""
+    if expression.is_Rational:
+        fraction = Fraction(int(expression.p), int(expression.q))
+        if is_small(fraction):
+            return fraction
+    with mpmath.workdps(DIGITS):
+        return mpmath.mpf(expression.evalf(DIGITS))
+
+
+class Lowering:
+    """Expressions at one angle; what they share is computed once. A prefix keeps its names apart from others."""
+
+    def __init__(self, angle: Coefficient, m: Arithmetic, prefix: str) -> None:
+        self.m = m
+        self.prefix = prefix
+        self._known: dict[sympy.Expr, Coefficient] = {alpha: angle}
+        self._pairs: dict[sympy.Expr, tuple[Coefficient, Coefficient]] = {}
+        self._count = 0
+
+    def at(self, expression: sympy.Expr) -> Coefficient:
+        """Its value."""
+        if alpha not in expression.free_symbols:
+            found = number(expression)
+            if not is_small(found):
+                raise PhiError(f"kernels take {expression} as a factor or a term only")
+            return found if found.denominator != 1 else int(found)
+        if expression not in self._known:
+            self._known[expression] = self.m.name(self._name(), self._computed(expression))
+        return self._known[expression]
+
+    def _name(self) -> str:
+        self._count += 1
+        return f"{self.prefix}{self._count}"
+
+    def _computed(self, e: sympy.Expr) -> Coefficient:
+        if e.is_Add:
+            return self._sum(e)
+        if e.is_Mul:
+            return self._product(e)
+        if e.is_Pow:
+            return self._power(e)
+        if e.func not in self._functions:
+            raise PhiError(f"kernels compute no {e.func.__name__}: its charts are symbolic only")
+        return self._functions[e.func](e.args[0])
+
+    def _sum(self, e: sympy.Expr) -> Coefficient:
+        constants, terms = e.as_independent(alpha, as_Add=True)
+        first, *rest = map(self.at, sympy.Add.make_args(terms))
+        for term in rest:
+            first = first + term
+        return first if constants == 0 else plus(first, number(constants), self.m, self._name())
+
+    def _product(self, e: sympy.Expr) -> Coefficient:
+        constant, factors = e.as_independent(alpha, as_Add=False)
+        above: Coefficient = 1
+        below: Coefficient = 1
+        for factor in sympy.Mul.make_args(factors):
+            base, exponent = factor.as_base_exp()
+            if exponent.is_Rational and exponent < 0:
+                below = below * self.at(base**-exponent)
+            else:
+                above = above * self.at(factor)
+        if constant != 1:
+            above = times(number(constant), above, self.m, self._name()) if not _is_one(above) else above
+        if _is_one(above):
+            return _over(number(constant), below, self.m)
+        return above if _is_one(below) else self.m.div(above, below)
+
+    def _power(self, e: sympy.Expr) -> Coefficient:
+        base, exponent = e.as_base_exp()
+        if not (exponent.is_Rational and exponent.q <= 2):
+            raise PhiError(f"kernels take square roots only, not {e}")
+        root = self.at(base) if exponent.q == 1 else self.m.name(self._name(), self.m.sqrt(self.at(base)))
+        value: Coefficient = 1
+        for bit in bin(abs(int(exponent.p)))[2:]:
+            value = value if _is_one(value) else self.m.name(self._name(), value * value)
+            value = value * root if bit == "1" else value
+        return value if exponent > 0 else self.m.div(1, self.m.name(self._name(), value))
+
+    @property
+    def _functions(self) -> Mapping[Any, Callable[[sympy.Expr], Coefficient]]:
+        m = self.m
+        return {
+            sympy.sin: lambda e: self._pair(e)[0],
+            sympy.cos: lambda e: self._pair(e)[1],
+            sympy.tan: lambda e: m.tan(self.at(e)),
+            sympy.asin: lambda e: m.atan2(self.at(e), self._other(e)),
+            sympy.acos: lambda e: m.atan2(self._other(e), self.at(e)),
+            sympy.atan: lambda e: m.atan2(self.at(e), 1),
+        }
+
+    def _other(self, e: sympy.Expr) -> Coefficient:
+        """``√(1 − e²)``."""
+        return self.at(sympy.sqrt(1 - e**2))
+
+    def _pair(self, argument: sympy.Expr) -> tuple[Coefficient, Coefficient]:
+        """Sine and cosine, by the tangent of a quarter, whose pole is far."""
+        if argument not in self._pairs:
+            m, scope = self.m, _Prefixed(self.m, self._name())
+            quarter = m.name(self._name(), m.tan(m.div(self.at(argument), 4)))
+            sine, cosine = (m.name(self._name(), value) for value in of_twice(quarter, scope))
+            self._pairs[argument] = 2 * (sine * cosine), 1 - 2 * (sine * sine)
+        return self._pairs[argument]
+
+
+class _Prefixed:
+    """The same arithmetic, with a prefix before every name."""
+
+    def __init__(self, m: Arithmetic, prefix: str) -> None:
+        self._m = m
+        self._prefix = prefix
+
+    def name(self, name: str, value: Coefficient) -> Coefficient:
+        return self._m.name(f"{self._prefix}_{name}", value)
+
+    def __getattr__(self, operation: str) -> Any:
+        return getattr(self._m, operation)
+
+
+def _is_one(value: Coefficient) -> bool:
+    return isinstance(value, int) and value == 1
+
+
+def _over(constant: Any, below: Coefficient, m: Arithmetic) -> Coefficient:
+    """A number over a value."""
+    if is_small(constant):
+        return m.div(constant.numerator, below if constant.denominator == 1 else constant.denominator * below)
+    return times(constant, m.div(1, below), m, "over")

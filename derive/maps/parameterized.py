@@ -1,0 +1,107 @@
+"""What a chart other than Cayley's owes to its φ and its scalars alone: formulas, and texts about them."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from functools import cached_property
+from typing import Any, ClassVar, TypeVar
+
+import sympy
+
+from ..algebra import Coefficient
+from ..algebra.arithmetic import PLAIN, Arithmetic
+from .chart import DEFINITIONS, Scalars
+from .families import alpha, of_angle
+from .formula import Formula, IsotropicMap, QuaternionMap
+from .polynomials import x
+
+Map = TypeVar("Map", bound=Formula)
+
+SYMBOLS = {"quaternion": r"\hat q", "tensor": "R", "tangent": "T", "tangent_inv": "T^{-1}"}
+IDENTITIES = {
+    "quaternion": ("|q|^2 = 1",),
+    "tensor": ("R R^T = I", "det R = 1"),
+    "tangent": ("T v = (phi/phi') u", "T^T = R^T T"),
+    "tangent_inv": ("T T^-1 = I",),
+}
+
+
+class Parameterized(ABC):
+    """A chart v = φ(α) u whose formulas are made of its scalars."""
+
+    cayley: ClassVar[None] = None
+    order: int
+    letters: ClassVar[tuple[tuple[str, sympy.Expr], ...]] = ()
+
+    @property
+    @abstractmethod
+    def phi(self) -> sympy.Expr: ...
+    @property
+    @abstractmethod
+    def edge(self) -> sympy.Expr: ...
+    @property
+    @abstractmethod
+    def singular_angles(self) -> tuple[sympy.Expr, ...]: ...
+    @abstractmethod
+    def scalars(self, x: Coefficient, m: Arithmetic) -> Scalars: ...
+
+    @property
+    def algebraic(self) -> bool:
+        """Whether its formulas hold no other root than one sqrt(1 + x/k), k an integer."""
+        return True
+
+    @property
+    def remainder(self) -> float:
+        return 0.0
+
+    @property
+    def parameter(self) -> str:
+        return str(self.phi).replace("alpha", "α").replace("*", " ")
+
+    # --- formulas -------------------------------------------------------------------------------------------------
+
+    @cached_property
+    def _values(self) -> Any:
+        """x and the scalars: as expressions in x, or where the exact ring does not hold them, in α."""
+        return self.scalars(x, PLAIN) if self.algebraic else of_angle(self.phi)
+
+    @cached_property
+    def quaternion(self) -> QuaternionMap:
+        at = self._values
+        return self._formula(QuaternionMap, "quaternion", at.s, at.w)
+
+    @cached_property
+    def tensor(self) -> IsotropicMap:
+        at = self._values
+        return self._formula(IsotropicMap, "tensor", 1 - at.x * at.g, at.f, at.g)
+
+    @cached_property
+    def tangent(self) -> IsotropicMap:
+        at = self._values
+        return self._formula(IsotropicMap, "tangent", at.f, at.g, at.h)
+
+    @cached_property
+    def tangent_inv(self) -> IsotropicMap:
+        at = self._values
+        return self._formula(IsotropicMap, "tangent_inv", at.fi / 2, -sympy.Rational(1, 2), at.hi / 2)
+
+    def _formula(self, kind: type[Map], name: str, *coefficients: sympy.Expr) -> Map:
+        poles = [f"Re alpha = {angle}" for angle in self.singular_angles if angle != self.edge]
+        size = self.phi.subs(alpha, self.edge)
+        infinite = size.is_infinite
+        end = "v is infinite" if infinite else "v ends, and with it the domain,"
+        end = "there is no edge" if self.edge.is_infinite else f"{end} at Re alpha = {self.edge}"
+        lost = {"tangent": "loses rank at", "tangent_inv": "pole at"}.get(name, "") if poles else ""
+        coefficients = tuple(c + sympy.Integer(0) for c in coefficients)  # constants of Python are numbers of SymPy
+        return kind(
+            name=name,
+            order=self.order,
+            coefficients=tuple(map(sympy.factor, coefficients)) if self.algebraic else coefficients,
+            at=lambda at: tuple(c.xreplace({x: at}) for c in coefficients),
+            equations=(),
+            identities=IDENTITIES[name],
+            domain="every dual vector v" if infinite else f"|Re v| < {size}",
+            singular="; ".join(filter(None, (f"{lost} {', '.join(poles)}" if lost else "", end))),
+            symbol=SYMBOLS[name],
+            definition=DEFINITIONS[name].split(" = ", 1)[1],
+        )

@@ -1,0 +1,186 @@
+r"""Sine charts, ``v = K sin(α/2n) u``: orthographic at n = 1, Lambert's equal-area projection at n = 2.
+
+With ``y = x/K² = sin² θ``, ``c = √(1 − y)`` and polynomials S, W, H, B of y: for even n ``cos nθ = S`` and
+``sin nθ/sin θ = c W``, for odd n ``c S`` and ``W``. For either
+
+.. math::
+    h = \frac{H}{K^3 c} \quad y H = 2 n - 2 (1 - y) S W \qquad \rho = \frac{2 n}{K c} \qquad
+    h_i = \frac{B}{n K^2 w} \quad y B = (1 - y) W - n S \quad \text{or} \quad
+    h_i = \frac{c B}{n K^2 w} \quad y B = W - n S
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property, lru_cache
+from typing import Any
+
+import sympy
+
+from ..algebra import Coefficient
+from ..algebra.arithmetic import Arithmetic
+from .dependent import DependentScalars, divided
+from .evaluation import horner
+from .families import alpha
+from .of_order import OfOrder
+from .polynomials import RING, RING_X, ring_pair
+
+
+@lru_cache(maxsize=64)
+def polynomials_of(n: int) -> tuple[Any, Any, Any, Any]:
+    """S, W, H and B of an order, elements of Z[y]."""
+    p, q = ring_pair(n)
+    S, W = _homogeneous(p, n // 2), _homogeneous(q, (n - 1) // 2)
+    sine = W if n % 2 else (1 - RING_X) * W
+    return S, W, (2 * n - 2 * (1 - RING_X) * S * W).exquo(RING_X), (sine - n * S).exquo(RING_X)
+
+
+def _homogeneous(polynomial: Any, degree: int) -> Any:
+    """``Σ a_j y^j (1 − y)^(degree − j)``."""
+    terms = (c * RING_X**j * (1 - RING_X) ** (degree - j) for (j,), c in polynomial.terms())
+    return sum(terms, RING.zero)
+
+
+class SineScalars(DependentScalars):
+    """The scalars at x = K² sin² θ."""
+
+    def __init__(self, order: int, scale: Fraction, x: Coefficient, m: Arithmetic) -> None:
+        super().__init__(x, m)
+        self.order = order
+        self.scale = scale
+        self.odd = order % 2 == 1
+        self.S, self.W, self.H, self.B = polynomials_of(order)
+
+    def over(self, value: Coefficient, power: int) -> Coefficient:
+        """The value divided by a power of K."""
+        return divided(value, self.scale**power, self.m)
+
+    @cached_property
+    def y(self) -> Coefficient:
+        return self.m.name("z", self.over(self.x, 2))
+
+    @cached_property
+    def cc(self) -> Coefficient:
+        return self.m.name("cc", 1 - self.y)
+
+    @cached_property
+    def c(self) -> Coefficient:
+        """cos θ."""
+        return self.m.name("c", self.m.sqrt(self.cc))
+
+    def _at(self, name: str, polynomial: Any) -> Coefficient:
+        return self.m.name(name, horner(polynomial, self.y))
+
+    def _with_root(self, value: Coefficient, odd: bool) -> Coefficient:
+        return self.c * value if odd else value
+
+    @cached_property
+    def s(self) -> Coefficient:
+        return self.m.name("s", self._with_root(horner(self.S, self.y), self.odd))
+
+    @cached_property
+    def w(self) -> Coefficient:
+        return self.m.name("w", self.over(self._with_root(horner(self.W, self.y), not self.odd), 1))
+
+    @cached_property
+    def rate(self) -> Coefficient:
+        return self.m.name("rho", self.m.div(2 * self.order, self.over(1, -1) * self.c))
+
+    @cached_property
+    def ratey(self) -> Coefficient:
+        return self.m.name("rhoy", self.over(self.rate / self.cc, 2))
+
+    @cached_property
+    def h(self) -> Coefficient:
+        return self.m.name("h", self.over(horner(self.H, self.y) / self.c, 3))
+
+    @cached_property
+    def hy(self) -> Coefficient:
+        """``(2 H′ + H/c²)/(K⁵ c)``."""
+        direct = self.over(2 * self._at("dH", self.H.diff(RING_X)) / self.c, 5)
+        return self.m.name("hy", direct + self.over(self.h / self.cc, 2))
+
+    @cached_property
+    def rateyy(self) -> Coefficient:
+        return self.m.name("rhoyy", self.over(3 * (self.ratey / self.cc), 2))
+
+    @cached_property
+    def hyy(self) -> Coefficient:
+        """``(4 H″ + 4 H′/c² + 3 H/c⁴)/(K⁷ c) = (4 H″ − 2 H′/c²)/(K⁷ c) + 3 h_y/(K² c²)``."""
+        slope = self.H.diff(RING_X)
+        first, second = self._at("dH", slope), self._at("ddH", slope.diff(RING_X))
+        direct = self.over((4 * second - self.m.div(2 * first, self.cc)) / self.c, 7)
+        return self.m.name("hyy", direct + self.over(3 * self.hy / self.cc, 2))
+
+    @cached_property
+    def _below(self) -> Coefficient:
+        """``n K² w``."""
+        return self.m.name("below", self.order * self.over(self.w, -2))
+
+    @cached_property
+    def hi(self) -> Coefficient:
+        return self.m.name("hi", self.m.div(self._with_root(self._at("B", self.B), self.odd), self._below))
+
+    @cached_property
+    def hiy(self) -> Coefficient:
+        """By ``n K² (w h_i)_y = (2 B′ c − B/c)/K²``, or ``2 B′/K²``."""
+        B, dB = self._at("B", self.B), 2 * self._at("dB", self.B.diff(RING_X))
+        change = self.over(self.c * dB - self.m.div(B, self.c) if self.odd else dB, 2)
+        return self.m.name("hiy", self._quotient(change, self.hi * self.wy))
+
+    @cached_property
+    def hiyy(self) -> Coefficient:
+        """By ``n K² (w h_i)_yy = (4 B″ c − 4 B′/c − B/c³)/K⁴``, or ``4 B″/K⁴``."""
+        slope = self.B.diff(RING_X)
+        B, dB, ddB = self._at("B", self.B), self._at("dB", slope), self._at("ddB", slope.diff(RING_X))
+        change = 4 * ddB
+        if self.odd:
+            change = self.c * change - self.m.div(4 * dB + self.m.div(B, self.cc), self.c)
+        rest = 2 * (self.hiy * self.wy) + self.hi * self.wyy
+        return self.m.name("hiyy", self._quotient(self.over(change, 4), rest))
+
+    def _quotient(self, change: Coefficient, rest: Coefficient) -> Coefficient:
+        """``(change − n K² rest)/(n K² w)``."""
+        return self.m.div(change - self.order * self.over(rest, -2), self._below)
+
+
+@dataclass(frozen=True)
+class Sine(OfOrder):
+    """v = K sin(α/2n) u, up to |Re α| = nπ."""
+
+    name: str
+    order: int = 1
+    scale: Fraction = Fraction(1)
+    selection: tuple[str, str] = ("", "")
+    title: str = ""
+
+    @property
+    def phi(self) -> sympy.Expr:
+        return sympy.Rational(self.scale) * sympy.sin(alpha / (2 * self.order))
+
+    @property
+    def algebraic(self) -> bool:
+        return (self.scale**2).denominator == 1
+
+    def overflow(self, largest: float) -> tuple[str, float]:
+        return f"v ends, at |Re v| = {self.scale}", float(self.scale)
+
+    def scalars(self, x: Coefficient, m: Arithmetic) -> SineScalars:
+        return SineScalars(self.order, self.scale, x, m)
+
+    def sized(
+        self, sine: Coefficient, cosine: Coefficient, m: Arithmetic, mark: str = ""
+    ) -> tuple[Coefficient, Coefficient]:
+        return self._scaled(sine, m), self._scaled(cosine, m)
+
+    def cosine(self, x: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+        """Beyond the end too some number, which nothing uses."""
+        y = m.name("z", divided(x, self.scale**2, m))
+        return m.name("c", m.sqrt(m.where(m.less(y, 1), 1 - y, y))), divided(1, self.scale, m)
+
+    def factor(self, cosine: Coefficient, m: Arithmetic) -> Coefficient:
+        return self._scaled(1, m)
+
+    def _scaled(self, value: Coefficient, m: Arithmetic) -> Coefficient:
+        return divided(value, 1 / self.scale, m)

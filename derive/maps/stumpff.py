@@ -1,0 +1,135 @@
+r"""Sine and cosine of an angle divided by its powers, without loss of digits at any angle.
+
+.. math::
+    c_k(\xi) = \sum_{j \ge 0} \frac{(-\xi)^j}{(2j + k)!} \qquad
+    c_0 = \cos\alpha \quad c_1 = \frac{\sin\alpha}{\alpha} \quad c_2 = \frac{1 - \cos\alpha}{\alpha^2} \quad
+    c_3 = \frac{\alpha - \sin\alpha}{\alpha^3} \qquad \xi = \alpha^2
+
+(Stumpff functions.) They are analytic in ξ, ``c_k = 1/k! − ξ c_(k+2)`` and ``2 c_k′ = k c_(k+2) − c_(k+1)``. Below
+`LIMIT` those of the half angle come from a series that is cut off, and the others by sums of positive terms:
+
+.. math::
+    c_3(4\zeta) = \tfrac14 (c_3 + c_1 c_2) \quad c_4(4\zeta) = \tfrac18 c_3 (1 + c_1) \quad
+    c_5(4\zeta) = \tfrac1{16} (c_5 + c_4 + c_2 c_3)
+
+    c_6(4\zeta) = \tfrac1{32} (2 c_5 + c_3^2) \quad c_7(4\zeta) = \tfrac1{64} (c_7 + c_6 + c_3 c_4 + \tfrac12 c_5)
+
+Beyond, sine and cosine themselves serve; there `LIMIT` is large enough for the differences.
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+from math import factorial
+
+from ..algebra import Coefficient
+from ..algebra.arithmetic import Arithmetic
+
+LIMIT = 6
+"""The ξ up to which series are summed, an angle of 2.4."""
+
+TERMS = 9
+"""Of the series of c₇ at a quarter of ξ."""
+
+REMAINDER = (LIMIT / 4) ** TERMS / factorial(2 * TERMS + 7)
+"""What is cut off: less than the first term left out, for signs alternate and sizes fall."""
+
+EXACT = 2**24
+"""Integers up to this every type of number holds."""
+
+
+def series(zeta: Coefficient, m: Arithmetic) -> Coefficient:
+    """``7! c₇``, cut off: ``1 − ζ/8·9 (1 − ζ/10·11 (1 − …))``, denominators joined while integers stay exact."""
+    above: Coefficient = 1
+    below = 1
+    for step in range(TERMS - 1, 0, -1):
+        divisor = (2 * step + 6) * (2 * step + 7)
+        if below * divisor > EXACT:
+            above, below = m.div(above, below), 1
+        below *= divisor
+        above = below - zeta * above
+    return m.div(above, below)
+
+
+class HalfAngle:
+    """c₀ … c₇ of half an angle, from a quarter ζ of its square, below the limit."""
+
+    def __init__(self, zeta: Coefficient, m: Arithmetic) -> None:
+        self.zeta = zeta
+        self.m = m
+
+    @cached_property
+    def c7(self) -> Coefficient:
+        return self.m.name("C7", self.m.div(series(self.zeta, self.m), 5040))
+
+    @cached_property
+    def c5(self) -> Coefficient:
+        return self.m.name("C5", self.m.div(1 - 120 * (self.zeta * self.c7), 120))
+
+    @cached_property
+    def c3(self) -> Coefficient:
+        return self.m.name("C3", self.m.div(1 - 6 * (self.zeta * self.c5), 6))
+
+    @cached_property
+    def c1(self) -> Coefficient:
+        return self.m.name("C1", 1 - self.zeta * self.c3)
+
+    @cached_property
+    def _square(self) -> Coefficient:
+        return self.m.name("CC1", self.c1 * self.c1)
+
+    @cached_property
+    def c0(self) -> Coefficient:
+        return self.m.name("C0", self.m.sqrt(1 - self.zeta * self._square))
+
+    @cached_property
+    def _beside(self) -> Coefficient:
+        return self.m.name("C01", 1 + self.c0)
+
+    @cached_property
+    def c2(self) -> Coefficient:
+        """``c₁²/(1 + c₀)``, by sin² + cos² = 1."""
+        return self.m.name("C2", self._square / self._beside)
+
+    @cached_property
+    def _cube(self) -> Coefficient:
+        return self.m.name("CC3", self.c3 * self.c3)
+
+    @cached_property
+    def c4(self) -> Coefficient:
+        """From the same; it stands beside greater ones only."""
+        return self.m.name("C4", (4 * self.c3 - self.c2 - 2 * (self.zeta * self._cube)) / (2 * self._beside))
+
+    @cached_property
+    def c6(self) -> Coefficient:
+        """And again."""
+        return self.m.name("C6", self.m.div(4 * self.c5 + 2 * self._cube - self.c4 - 2 * (self.c2 * self.c4), 4))
+
+
+class WholeAngle:
+    """c₃ … c₇ of the angle."""
+
+    def __init__(self, half: HalfAngle, m: Arithmetic) -> None:
+        self.half = half
+        self.m = m
+
+    @cached_property
+    def c3(self) -> Coefficient:
+        return self.m.div(self.half.c3 + self.half.c1 * self.half.c2, 4)
+
+    @cached_property
+    def c4(self) -> Coefficient:
+        return self.m.name("c4", self.m.div(self.half.c3 * (1 + self.half.c1), 8))
+
+    @cached_property
+    def c5(self) -> Coefficient:
+        return self.m.name("c5", self.m.div(self.half.c5 + self.half.c4 + self.half.c2 * self.half.c3, 16))
+
+    @cached_property
+    def c6(self) -> Coefficient:
+        return self.m.name("c6", self.m.div(2 * self.half.c5 + self.half.c3 * self.half.c3, 32))
+
+    @cached_property
+    def c7(self) -> Coefficient:
+        total = self.half.c7 + self.half.c6 + self.half.c3 * self.half.c4 + self.m.div(self.half.c5, 2)
+        return self.m.div(total, 64)

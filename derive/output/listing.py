@@ -1,0 +1,36 @@
+"""Lists of results: a line each at a prompt, a table in a notebook."""
+
+from __future__ import annotations
+
+import html
+from collections.abc import Iterable, Mapping
+from typing import Protocol, TypeVar
+
+
+class Shown(Protocol):
+    """What has a row in a table."""
+
+    def cells(self) -> Mapping[str, str]:
+        """Texts by heading; a formula is LaTeX between ``$``, which notebooks typeset."""
+
+
+T = TypeVar("T", bound=Shown)
+
+
+class Listing(list[T]):
+    """A list which shows itself."""
+
+    def __repr__(self) -> str:
+        items = ",\n ".join(map(repr, self))
+        return f"[{items}]"
+
+    def _repr_html_(self) -> str:
+        rows = [item.cells() for item in self]
+        lines = [_row("th", rows[0])] if rows else []
+        lines += [_row("td", row.values()) for row in rows]
+        return "\n".join(["<table>", *lines, "</table>"])
+
+
+def _row(kind: str, texts: Iterable[str]) -> str:
+    cells = "".join(f'<{kind} style="text-align: left">{html.escape(text)}</{kind}>' for text in texts)
+    return f"<tr>{cells}</tr>"

@@ -1,0 +1,65 @@
+"""The formulas of a chart in its angle are those of the theorems on every φ, with its own φ put for the letter."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+import sympy
+
+from ..maps.chart import Chart
+from ..maps.families import alpha
+from ..maps.polynomials import x
+from .any_phi import PHI, SCALARS, any_phi, cosine, phi, sine
+from .identity import Check, Claim, Proof, decide
+from .marks import Shifted
+from .scalars import FORMULAS
+from .statement import Equation
+
+METHOD = "instance of the theorems on every phi, differences of the coefficients as functions of alpha"
+
+
+def instance(chart: Chart) -> Iterator[Proof]:
+    """The theorems, and that a chart whose scalars are functions of α is an instance of them."""
+    yield from any_phi()
+    claim = tuple(
+        Equation(_in_letters(expected), sympy.Symbol(f"{name}[{i}]"))
+        for name, values in FORMULAS.items()
+        for i, expected in enumerate(values)
+    )
+    stated = [c for name in FORMULAS for c in getattr(chart, name).coefficients]
+    letters = _letters(chart)
+
+    def checks() -> Iterator[Check]:
+        for equation, found in zip(claim, stated, strict=True):
+            difference = sympy.together(equation.left.xreplace(letters) - found)
+            yield equation.text, sympy.expand(sympy.fraction(difference)[0])
+
+    yield decide(Claim("coefficients in alpha", claim, METHOD), checks, chart.name)
+    yield _at_origin(chart)
+
+
+def _in_letters(expression: sympy.Expr) -> sympy.Expr:
+    """A formula in sin, cos of α/2, φ and its derivatives."""
+    return expression.xreplace({premise.equation.left: premise.equation.right for premise in SCALARS})
+
+
+def _letters(chart: Chart) -> Mapping[sympy.Expr, sympy.Expr]:
+    derivatives = [chart.phi]
+    for _ in PHI[1:]:
+        derivatives.append(derivatives[-1].diff(alpha))
+    values = dict(zip(PHI, derivatives, strict=True))
+    return values | {sine: sympy.sin(alpha / 2), cosine: sympy.cos(alpha / 2), x: chart.phi**2}
+
+
+def _at_origin(chart: Chart) -> Proof:
+    """φ(0) = 0, φ′(0) ≠ 0 and φ odd: then every scalar is a function of x, analytic at 0."""
+    zero = sympy.Integer(0)
+    claim = (Equation(Shifted(phi, alpha, zero), zero), Equation(Shifted(phi, alpha, -alpha), -phi))
+
+    def checks() -> Iterator[Check]:
+        yield "phi at 0", chart.phi.subs(alpha, 0)
+        yield "phi odd", sympy.expand(chart.phi.subs(alpha, -alpha) + chart.phi)
+        slope = chart.phi.diff(alpha).subs(alpha, 0)
+        yield "phi' at 0 is a number other than 0", 0 if slope.is_finite and slope.is_nonzero else 1
+
+    return decide(Claim("phi at 0", claim, METHOD), checks, chart.name)

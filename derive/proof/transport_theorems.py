@@ -1,0 +1,131 @@
+r"""Theorems on what becomes of rates and twists where branches change and displacements follow each other, for every n.
+
+A step between branches keeps the twist: with ``v = r u`` and ``v_k = r_k u`` it takes rates by ``v_k' = S_k v'``,
+``S_k = (r_k/r) (I − u⊗u) + (dr_k/dr) u⊗u``, and momenta by the transpose of the inverse. From the twist of a product
+of displacements come the Jacobians of composition. The papers have none of these.
+"""
+
+from __future__ import annotations
+
+import sympy
+
+from .displacement_theorems import MOEBIUS, TURNED, TURNED_ROOT, UNIT, pythagoras
+from .formulas import Formulas
+from .map_theorems import ORIGIN_P
+from .marks import (
+    I,
+    beta,
+    cross,
+    dcay,
+    dcay_k,
+    dot,
+    dyad,
+    first,
+    gamma,
+    n,
+    omega_1,
+    omega_2,
+    p,
+    p_k,
+    q,
+    q_k,
+    r,
+    r_jk,
+    r_k,
+    rate,
+    sandwich,
+    scalar_1,
+    scalar_2,
+    second,
+    transport,
+    u,
+)  # fmt: skip
+from .setting import Letters
+from .statement import Equation, Premise, definition
+from .theorem import Identity, Theorem
+
+
+def transport_theorems(formulas: Formulas) -> tuple[Theorem, ...]:
+    """What is claimed, for every n, of branches and products of displacements by the given formulas."""
+    return (STEP, TWICE, *(_transport(formulas, sign) for sign in (1, -1)), PRODUCT)
+
+
+def _transport(formulas: Formulas, sign: int) -> Theorem:
+    """A step between branches keeps the twist: so it says what becomes of rates and, transposed, of momenta."""
+    cosine, sine = sympy.cos(beta), sympy.sin(beta)
+    return Theorem(
+        f"transport, {'even' if sign == 1 else 'odd'} branch",
+        (Equation(dcay_k * transport, dcay),),
+        (
+            definition(transport, _transported(r_k, r, TURNED_ROOT)),
+            formulas.defined(dcay, "tangent", (n, r**2, p, q), r * u),
+            formulas.defined(dcay_k, "tangent", (n, r_k**2, p_k, q_k), r_k * u),
+            *TURNED.given(),
+            STEP.premise(0),
+            UNIT,
+            definition(sympy.cos(n * beta), sign, wrong=sympy.Integer(0)),
+            definition(sympy.sin(n * beta), 0),
+            ORIGIN_P,
+        ),
+        Identity(Letters((p, q, r_k, sine, cosine, r, n), (u,), (r, r_k, sine, cosine))),
+    )
+
+
+STEP = Theorem(
+    "slope of a Moebius step",
+    (
+        Equation(1 + r_k**2, (1 + r**2) / TURNED_ROOT**2),
+        Equation(rate(r_k), 1 / TURNED_ROOT**2),
+    ),
+    (MOEBIUS, definition(rate(r), sympy.Integer(1)), pythagoras(beta)),
+    Identity(Letters((sympy.sin(beta), sympy.cos(beta), r), free=(r, sympy.sin(beta), sympy.cos(beta)))),
+)
+_SIDES = tuple(side(angle) for angle in (beta, gamma) for side in (sympy.sin, sympy.cos))
+BOTH, FURTHER = beta + gamma, sympy.cos(gamma) - r_k * sympy.sin(gamma)
+BOTH_ROOT = sympy.cos(BOTH) - r * sympy.sin(BOTH)
+
+
+def _transported(there: sympy.Expr, here: sympy.Expr, root: sympy.Expr) -> sympy.Expr:
+    """S of a step from ``here u`` to ``there u``."""
+    return there / here * (I - dyad(u, u)) + dyad(u, u) / root**2
+
+
+TWICE = Theorem(
+    "transport, step by step",
+    (
+        Equation(r_jk, (r * sympy.cos(BOTH) + sympy.sin(BOTH)) / BOTH_ROOT),
+        Equation(
+            _transported(r_jk, r, BOTH_ROOT), _transported(r_jk, r_k, FURTHER) * _transported(r_k, r, TURNED_ROOT)
+        ),
+    ),
+    (
+        MOEBIUS,
+        definition(r_jk, (r_k * sympy.cos(gamma) + sympy.sin(gamma)) / FURTHER),
+        definition(sympy.cos(BOTH), sympy.cos(beta) * sympy.cos(gamma) - sympy.sin(beta) * sympy.sin(gamma)),
+        definition(sympy.sin(BOTH), sympy.sin(beta) * sympy.cos(gamma) + sympy.cos(beta) * sympy.sin(gamma)),
+        UNIT,
+    ),
+    Identity(Letters((r, *_SIDES), (u,), (r, *_SIDES))),
+)
+_TWO, _ONE = scalar_2 + second, scalar_1 + first
+
+
+def _moving(scalar: sympy.Expr, vector: sympy.Expr, twist: sympy.Expr) -> tuple[Premise, ...]:
+    """``q' = ω q/2``, CP23 (75), by parts."""
+    return (
+        definition(rate(scalar), -dot(twist, vector) / 2),
+        definition(rate(vector), (scalar * twist + cross(twist, vector)) / 2),
+    )
+
+
+PRODUCT = Theorem(
+    "twist of a product",
+    (Equation(rate(_TWO * _ONE), (omega_2 + sandwich(_TWO) * omega_1) * _TWO * _ONE / 2),),
+    (
+        *_moving(scalar_1, first, omega_1),
+        *_moving(scalar_2, second, omega_2),
+        definition(scalar_2**2 + dot(second, second), 1),
+    ),
+    Identity(Letters((scalar_2, scalar_1), (second, first, omega_1, omega_2))),
+)
+"""So ``T(v) v' = T(v2) v2' + R(v2) T(v1) v1'`` for ``R(v) = R(v2) R(v1)``."""

@@ -1,0 +1,93 @@
+"""Cases of validation take both sides of every comparison in the programs they run."""
+
+from __future__ import annotations
+
+import operator
+from collections import defaultdict
+from collections.abc import Callable, Mapping, Sequence
+from fractions import Fraction
+from typing import Any
+
+import mpmath
+import pytest
+
+from derive.codegen.cases import digits
+from derive.codegen.cases.digits import Decimal
+from derive.codegen.cases.exact import Expectation
+from derive.codegen.lowered import Lowered, geometry, lower_chart
+from derive.codegen.programs.program import Call, Program
+from derive.codegen.signatures import FUNCTIONS
+from derive.maps import Cayley
+
+OPERATIONS: Mapping[str, Callable[..., Any]] = {
+    "add": operator.add, "sub": operator.sub, "mul": operator.mul, "div": operator.truediv, "neg": operator.neg,
+    "abs": abs, "sqrt": Decimal.sqrt, "tan": Decimal.tan, "atan2": Decimal.arctan2, "lt": operator.lt,
+    "eq": operator.eq, "and": operator.and_, "or": operator.or_, "where": lambda which, a, b: a if which else b,
+}  # fmt: skip
+COMPARISONS = ("lt", "eq")
+
+Sides = Mapping[tuple[str, str], set[bool]]
+"""By program and name of a comparison: the sides it was seen to take."""
+
+
+class Watched:
+    """Programs of a chart on numbers of 50 digits."""
+
+    def __init__(self, chart: Cayley) -> None:
+        self.chart = chart
+        self.lowered: Lowered = lower_chart(chart)
+        self.programs = {**geometry(), **self.lowered.own}
+        self.sides: dict[tuple[str, str], set[bool]] = defaultdict(set)
+
+    def call(self, case: Expectation) -> None:
+        name, *branches = case.function.split()
+        row, branch = FUNCTIONS[name], [int(k) % self.chart.branches for k in branches]
+        turn = self.chart.turn(*branch) if any(branch) else ()
+        given = [Decimal(mpmath.mpf(c)) for argument in case.arguments for c in argument]
+        if "table" not in dict(self.programs[row.kernel].inputs):
+            found = self.run(self.programs[row.kernel], given)
+            if turn:
+                self.run(self.programs["turn"], found, turn)
+        elif table := turn if branch else [c for back in self.chart.returns() for c in back]:
+            self.run(self.programs[row.kernel], given, table)
+
+    def run(self, program: Program, given: Sequence[Any], table: Sequence[Any] = ()) -> list[Any]:
+        names = [name for _, group in program.inputs for name in group]
+        known: dict[Any, Any] = dict(zip(names, [*given, *map(Decimal, table)]))
+        for statement in program.statements:
+            arguments = [known[a] if isinstance(a, str) else Decimal(Fraction(a)) for a in statement.args]
+            if isinstance(statement, Call):
+                rest = table if statement.rest else ()
+                found = self.run(self.lowered.scalars[statement.function], arguments, rest)
+                known |= zip(statement.names, found, strict=True)
+            else:
+                known[statement.name] = OPERATIONS[statement.op](*arguments)
+                if statement.op in COMPARISONS:
+                    self.sides[program.name, statement.name].add(bool(known[statement.name]))
+        return [known[output] if isinstance(output, str) else output for output in program.outputs]
+
+
+def sides(n: int, some: slice = slice(None)) -> Sides:
+    """Of all comparisons, by some cases of each function and branch."""
+    watched = Watched(Cayley(n))
+    with mpmath.workdps(digits.DIGITS):
+        for batch in digits.expectations(watched.chart):
+            for case in batch[some]:
+                watched.call(case)
+    return watched.sides
+
+
+def one_sided(found: Sides) -> list[tuple[str, str]]:
+    return [comparison for comparison, taken in found.items() if len(taken) < 2]
+
+
+@pytest.mark.parametrize("n", [3, 4, 8])
+def test_every_comparison_is_seen_both_ways(n: int) -> None:
+    """Of smaller orders some sides lie on the edge of the chart."""
+    found = sides(n)
+    assert len(found) > 15
+    assert one_sided(found) == []
+
+
+def test_with_fewer_cases_some_are_not() -> None:
+    assert len(one_sided(sides(3, slice(1)))) > 5

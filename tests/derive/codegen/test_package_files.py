@@ -1,0 +1,85 @@
+"""What generated packages say of themselves: the command, the licence, the version, what they run on."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import tomllib
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from derive import about
+from derive.codegen.facts import LICENCE
+from derive.codegen.module import companion_texts, notices, shared_texts
+from derive.codegen.targets import TARGETS
+from derive.maps import Cayley
+from derive.output import write
+
+ROOT = Path(__file__).parents[3]
+CHART = Cayley(1)
+
+
+def texts(target: str) -> Iterator[tuple[str, str]]:
+    """Files of a package by name, and what may stand in their places."""
+    row = TARGETS[target]
+    yield from (shared_texts(row) | companion_texts(CHART, row)).items()
+    yield from notices([CHART], row).items()
+
+
+def heads(text: str) -> list[str]:
+    """The comment that a file begins with, without marks."""
+    lines = text.splitlines()
+    mark = lines[0].split()[0]
+    return [line.removeprefix(mark).strip() for line in lines if line.startswith(mark)]
+
+
+@pytest.mark.parametrize("target", TARGETS)
+def test_every_header_names_the_licence(target: str) -> None:
+    for name, text in texts(target):
+        command, licence, *_ = heads(text)
+        assert command.startswith("python -m derive generate "), name
+        assert licence == LICENCE, name
+
+
+def test_committed_modules_too() -> None:
+    for path in (ROOT / "generated" / "dualcay").glob("*.py"):
+        assert heads(path.read_text(encoding="utf-8"))[1] == LICENCE
+
+
+def test_the_licence_is_that_of_the_project() -> None:
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    assert f"SPDX-License-Identifier: {project['license']}" == LICENCE
+
+
+@pytest.mark.parametrize("target", TARGETS)
+def test_the_version_stands_in_the_header_of_one_file(target: str) -> None:
+    row = TARGETS[target]
+    with_version = [name for name, text in shared_texts(row).items() if f"Version {about.__version__}." in heads(text)]
+    assert with_version == [row.entry]
+
+
+@pytest.mark.parametrize("target", TARGETS)
+def test_a_release_changes_one_file(target: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    before = dict(shared_texts(TARGETS[target]))
+    monkeypatch.setattr(about, "__version__", "99.1.2")
+    after = shared_texts(TARGETS[target])
+    assert [name for name, text in before.items() if after[name] != text] == [TARGETS[target].entry]
+
+
+# --- what packages say of themselves ------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("target", ["numpy", "array-api", "numba"])
+def test_a_package_says_what_it_runs_on_and_how_a_module_is_added(tmp_path: Path, target: str) -> None:
+    write(tmp_path / "kernels", shared_texts(TARGETS[target]))
+
+    def run(*command: str) -> subprocess.CompletedProcess[str]:
+        return subprocess.run([sys.executable, *command], cwd=tmp_path, capture_output=True, text=True)
+
+    said = run("-m", "kernels").stdout.splitlines()
+    assert said[0] == f"kernels {about.__version__}"
+    assert said[-1].startswith(f"backend  {target}: ")
+    option = "" if target == "numpy" else f" --target {target}"
+    assert run("-c", "from kernels import cayley6").stderr.endswith(f"dualcay generate -n 6{option} -o FOLDER\n")

@@ -1,0 +1,140 @@
+"""A φ of a user's own: from text to kernels, which agree with first principles on floats."""
+
+from __future__ import annotations
+
+import importlib
+from pathlib import Path
+from types import ModuleType
+
+import mpmath
+import numpy as np
+import pytest
+
+from derive.codegen import generate
+from derive.codegen.catalogue import chart_of, charts, command
+from derive.codegen.facts import Facts
+from derive.codegen.lowered import lower
+from derive.codegen.module import module_name, module_text, shared_texts
+from derive.codegen.signatures import PUBLIC
+from derive.codegen.targets import TARGETS
+from derive.maps import PhiError, parameterization
+from derive.output import files
+from derive.proof import prove
+from tests.support import families
+from tests.support.oracle import Oracle
+
+TEXT = "alpha/(1 + alpha**2/40)"
+REGIMES = ((1e-300, 1e-290), (1e-9, 1e-5), (1e-3, 0.1), (1.2, 1.4), (0.3, 3.1), (3.2, 6.0), (6.2, 6.324))
+"""Angles: the third but one meets the hand-over, the last ends before √40."""
+GATE = 8
+
+
+class Folded(Oracle):
+    """v = α/(1 + α²/40) u, so that α = 2|v|/(1 + √(1 − x/10))."""
+
+    def base(self, v: families.Any) -> families.Any:
+        x = families.dot(v, v)
+        slope = 2 / (1 + self.field.sqrt(1 - x / 10))  # α/|v|
+        return families.angle_by_tangent(self.field, x * slope * slope) / slope
+
+    def size(self, theta: families.Any) -> families.Any:
+        return 2 * theta / (1 + theta * theta / 10)
+
+
+@pytest.fixture(scope="module")
+def kernels(tmp_path_factory: pytest.TempPathFactory) -> ModuleType:
+    """As printed; generated ones are validated besides."""
+    target, proved = TARGETS["numpy"], prove(parameterization(TEXT, "folded"))
+    folder = tmp_path_factory.mktemp("phi")
+    text = {module_name(proved.formulas, target): module_text(Facts(proved, lower(proved)), target)}
+    files.write(folder / "of_phi", {**shared_texts(target), **text})
+    with pytest.MonkeyPatch.context() as patch:
+        patch.syspath_prepend(folder)
+        return importlib.import_module("of_phi.folded")
+
+
+@pytest.fixture(scope="module")
+def oracle() -> Oracle:
+    return Folded(1, families.DIGITS)
+
+
+def test_every_function_agrees_with_first_principles(kernels: ModuleType, oracle: Oracle):
+    """Each in one regime of angles, the next function in the next; of slow inverse maps the oracle counts no turns."""
+    for place, function in enumerate(PUBLIC):
+        low, high = REGIMES[place % len(REGIMES)]
+        if function == "to_screw" and high < 1e-200:
+            low, high = REGIMES[1]
+        v = families.vectors(oracle, low, high, 1)
+        branch = 0 if PUBLIC[function].branch else None
+        assert families.worst(kernels, oracle, function, v, branch) <= GATE, (function, low, high)
+
+
+@pytest.mark.parametrize("regime", REGIMES)
+def test_no_band_of_angles_loses_digits(kernels: ModuleType, oracle: Oracle, regime: tuple[float, float]):
+    v = families.vectors(oracle, *regime, 1)
+    for function in ("tangent", "pose", "tangent_inv"):
+        assert families.worst(kernels, oracle, function, v) <= GATE, function
+
+
+def test_branches_that_there_are_not_are_nan(kernels: ModuleType):
+    """The chart ends at √40: at 1 rad one turn on is no vector, one turn back is."""
+    v = np.array([1 / (1 + 1 / 40), 0, 0, 0.1, 0.2, 0.3])
+    assert np.isnan(kernels.shadow(v, 1)).all()
+    back = kernels.shadow(v, -1)
+    angle = 1 - 2 * np.pi
+    np.testing.assert_allclose(back[0], angle / (1 + angle**2 / 40), rtol=1e-14)
+    np.testing.assert_allclose(kernels.pose(back), kernels.pose(v), rtol=0, atol=1e-12)
+    np.testing.assert_allclose(kernels.principal(back), v, rtol=0, atol=1e-12)
+    assert kernels.singular_angles() == pytest.approx((2 * np.pi, np.sqrt(40)), rel=1e-15)
+
+
+def test_complex_steps_go_through_the_origin(kernels: ModuleType):
+    rng = np.random.default_rng(3)
+    for size in (0.0, 1e-9, 0.5):
+        v, v_dot = rng.normal(size=6), rng.normal(size=6)
+        v[:3] *= size / np.linalg.norm(v[:3])
+        q, q_dot = kernels.quaternion(v), kernels.quaternion(v + 1e-40j * v_dot).imag / 1e-40
+        expected = families.half_product(kernels.twist(v, v_dot), q)
+        np.testing.assert_allclose(q_dot, expected, rtol=0, atol=64 * np.finfo(float).eps * 5)
+
+
+def test_the_sides_of_the_hand_over_agree():
+    """Within the sum of what both are off by: the proved remainder, and what is left after Newton's last step."""
+    from derive.algebra.arithmetic import PLAIN
+
+    chart = parameterization(TEXT, "folded")
+    with mpmath.workdps(50):
+        limit = mpmath.mpf(chart.near.limit.numerator) / chart.near.limit.denominator
+        step = mpmath.mpf(10) ** -45
+        near, far = (chart.scalars(limit + side * step, PLAIN) for side in (-1, 1))
+        for name in ("s", "w", "f", "g", "h", "fi", "hi", "hy", "hiy", "hyy"):
+            assert abs(getattr(near, name) - getattr(far, name)) <= 100 * chart.remainder, name
+    assert chart.remainder < 1e-18
+
+
+def test_a_multiple_of_a_sine_stays_algebraic():
+    assert parameterization("sin(alpha/6)", "mine").algebraic
+    assert parameterization("4*tan(alpha/4)", "mine").algebraic
+
+
+def test_the_command_is_read_back():
+    (chart,) = charts([3], phi="2*n*tan(alpha/(2*n)) + alpha**3", name="cubic")
+    line = command("numpy", chart)
+    assert line == "python -m derive generate --phi '2*n*tan(alpha/(2*n)) + alpha**3' --name cubic -n 3 --target numpy"
+    again = chart_of(line)
+    assert again is not None
+    assert (again.name, again.phi, again.selection) == (chart.name, chart.phi, chart.selection)
+
+
+@pytest.mark.parametrize(
+    ("phi", "name", "reason"),
+    [
+        ("sinh(alpha/4)", "mine", "kernels compute no sinh"),
+        ("alpha/2", "cayley3", "is the name of a committed module"),
+        ("alpha/2", "lambert", "is the name of a committed module"),
+    ],
+)
+def test_refusals_write_nothing(tmp_path: Path, phi: str, name: str, reason: str):
+    with pytest.raises((PhiError, ValueError), match=reason):
+        generate(target="numpy", output=tmp_path / "none", phi=phi, name=name)
+    assert not (tmp_path / "none").exists()

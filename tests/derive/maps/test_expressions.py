@@ -1,0 +1,96 @@
+"""φ as text: what is understood, what is refused with its reason, and that nothing of it is ever run."""
+
+from __future__ import annotations
+
+import builtins
+import os
+import random
+import re
+
+import pytest
+import sympy
+
+from derive.maps import PhiError, parameterization
+from derive.maps.expressions import parity, parsed
+from derive.maps.families import alpha
+
+WORDS = (
+    "alpha", "n", "pi", "1", "2", "40", "0.1", "1e-3", ".5", "+", "-", "*", "/", "**", "(", ")", ",", ".", "sin", "cos",
+    "tan", "asin", "atan", "exp", "log", "sqrt", "sinh", "lambda", ":", "__import__", "'os'", "system", "eval", "open",
+    "[", "]", "{", "}", "=", ":=", "if", "else", "for", "in", "1j", "True", "None", "@", "_", "__class__", ";", "\n",
+    "9" * 40,
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("sin(alpha/6)", sympy.sin(alpha / 6)),
+        ("4*tan(alpha/4)", 4 * sympy.tan(alpha / 4)),
+        ("alpha/(1 + alpha**2/40)", alpha / (1 + alpha**2 / 40)),
+        ("2*n*tan(alpha/(2*n))", 6 * sympy.tan(alpha / 6)),
+        ("0.1*alpha - -1.5e-2*alpha", sympy.Rational(23, 200) * alpha),
+        ("sqrt(2)*sin(alpha/pi)", sympy.sqrt(2) * sympy.sin(alpha / sympy.pi)),
+    ],
+)
+def test_what_is_understood(text: str, expected: sympy.Expr):
+    assert parsed(text, 3) == expected
+    assert parity(expected) == -1
+
+
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        ("__import__('os').system('true')", "not understood in phi: \"__import__"),
+        ("alpha.real", "not understood in phi: 'alpha.real'"),
+        ("beta*2", "not understood in phi: 'beta'"),
+        ("[alpha]", "not understood in phi"),
+        ("sin(alpha, 2)", "not understood in phi"),
+        ("alpha +", "phi is no expression"),
+        ("", "phi is no expression"),
+        ("n*alpha", "give its value with -n"),
+        ("alpha/0", "divides by zero"),
+        ("alpha/(1 - 1)", "divides by zero"),
+        ("alpha**alpha", "powers in phi are numbers"),
+        ("alpha*9**9**9", "powers in phi are numbers"),
+        ("alpha*(9**16)**16*(((9**16)**16)**16)", "too large"),
+        ("1e99*alpha", "up to 1e20"),
+        ("1" * 50 + "*alpha", "at most 30 digits"),
+        ("-" * 40 + "alpha", "brackets in each other"),
+        ("+".join(["2"] * 99), "parts, and 150 are the most"),
+        ("x" * 1000, "1000 characters"),
+        ("cos(alpha)", "not odd by its structure"),
+        ("exp(alpha) - 1", "not odd by its structure"),
+        ("alpha + 1", "not odd by its structure"),
+        ("alpha**3", "phi'(0) = 0"),
+        ("-alpha", "phi'(0) = -1"),
+        ("alpha*sqrt(alpha**2 - 1)", "no real number"),
+    ],
+)
+def test_what_is_refused_says_why(text: str, reason: str):
+    with pytest.raises(PhiError, match=re.escape(reason)):
+        parameterization(text, "mine")
+
+
+@pytest.mark.parametrize("name", ["", "a b", "1a", "lambda", "ä", "a-b", "../a"])
+def test_names_are_identifiers(name: str):
+    with pytest.raises(PhiError, match="an identifier"):
+        parameterization("alpha/2", name)
+
+
+def test_nothing_is_run(monkeypatch: pytest.MonkeyPatch):
+    """A thousand strings made of words of both kinds: an expression or a `PhiError`, and nothing else happens."""
+
+    def called(*_: object, **__: object) -> None:
+        raise AssertionError("user text was run")
+
+    for module, name in ((os, "system"), (os, "popen"), (builtins, "eval"), (builtins, "exec"), (builtins, "open")):
+        monkeypatch.setattr(module, name, called)
+    draw, found = random.Random(2023), 0
+    for _ in range(1000):
+        text = draw.choice(("", " ")).join(draw.choices(WORDS, k=draw.randrange(1, 12)))
+        try:
+            found += isinstance(parsed(text, 3), sympy.Expr)
+        except PhiError:
+            continue
+    assert found > 10

@@ -1,0 +1,82 @@
+"""Operators by differentiation of nothing but displacements, against their closed forms; exponentials."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import mpmath
+import pytest
+import sympy
+
+from derive.algebra import Dual, Quaternion, Tensor, Vector, functions
+from derive.maps import Cayley, closed_forms, first_principles, kinematics, x
+from derive.maps.exponential import quaternion_exponential, tensor_exponential
+
+TINY = mpmath.mpf(10) ** -40
+Gap = Callable[[object, object], Any]
+Draw = Callable[..., Vector]
+
+
+def sine(a: Any) -> Any:
+    return Dual(sine(a.re), cosine(a.re) * a.du) if isinstance(a, Dual) else mpmath.sin(a)
+
+
+def cosine(a: Any) -> Any:
+    return Dual(cosine(a.re), -sine(a.re) * a.du) if isinstance(a, Dual) else mpmath.cos(a)
+
+
+def about(angle: Any, u: Vector) -> Tensor:
+    """Rodrigues' formula, in dual numbers of dual numbers too."""
+    skew = Tensor.skew(u)
+    turned: Tensor = Tensor.identity() + skew * sine(angle) + skew @ skew * (1 - cosine(angle))
+    return turned
+
+
+@pytest.mark.parametrize("real", [False, True])
+@pytest.mark.parametrize("n", [1, 2, 5])
+def test_tangent_operators_are_differentials(n: int, real: bool, draw: Draw, gap: Gap) -> None:
+    v = draw().re if real else draw()
+    found = first_principles.tangent(lambda at: closed_forms.tensor(n, at.dot(at)).tensor(at), v)
+    assert gap(found, closed_forms.tangent(n, v.dot(v)).tensor(v)) < TINY
+
+
+@pytest.mark.parametrize("real", [False, True])
+def test_rates_of_the_axis_are_found_from_three_motions(real: bool, draw: Draw, gap: Gap) -> None:
+    v = draw().re if real else draw()
+    u, angle = v / functions.sqrt(v.dot(v)), mpmath.mpf("0.8") if real else Dual(mpmath.mpf("0.8"), mpmath.mpf(3))
+    assert gap(first_principles.axis_rates(about, angle, u), kinematics.axis_operator(angle, u)) < TINY
+
+
+def test_rates_of_the_axis_along_a_coordinate_axis(gap: Gap) -> None:
+    """Where not every direction across it is one."""
+    for axis in Tensor.identity().rows:
+        u, angle = Vector(*map(mpmath.mpf, axis)), mpmath.mpf("0.8")
+        assert gap(first_principles.axis_rates(about, angle, u), kinematics.axis_operator(angle, u)) < TINY
+
+
+def test_without_rotation_the_axis_turns_at_any_rate(draw: Draw) -> None:
+    v = draw().re
+    with pytest.raises(ZeroDivisionError):
+        first_principles.axis_rates(about, mpmath.mpf(0), v / v.magnitude())
+
+
+@pytest.mark.parametrize("size", [0, 1])
+def test_exponentials_of_quaternions_turn_by_twice_the_vector(size: int, draw: Draw, gap: Gap) -> None:
+    v = draw()
+    a = Vector.dual(v.re * size, v.du)
+    q = quaternion_exponential(a)
+    assert gap(first_principles.tensor_by_sandwich(q), tensor_exponential(a * 2)) < TINY
+    assert gap(q * q.conjugate(), Quaternion(Dual(1, 0), a * 0)) < TINY
+    assert gap(tensor_exponential(a) @ tensor_exponential(a), tensor_exponential(a * 2)) < TINY
+    assert gap(q * q, quaternion_exponential(a * 2)) < TINY
+
+
+@pytest.mark.parametrize("n", [1, 2, 3])
+def test_formulas_are_elements_of_the_algebra(n: int) -> None:
+    m = Cayley(n)
+    product = m.tangent.isotropic @ m.tangent_inv.isotropic
+    assert [sympy.cancel(c) for c in (product.a, product.b, product.c)] == [1, 0, 0]
+    turned = m.tensor.isotropic @ m.tensor.isotropic.transpose
+    assert [sympy.cancel(c) for c in (turned.a, turned.b, turned.c)] == [1, 0, 0]
+    assert m.tangent.isotropic.x == x

@@ -1,0 +1,33 @@
+"""Sine and cosine over powers of the angle: series below a limit, by a quarter of the square, and what is cut off."""
+
+from __future__ import annotations
+
+import mpmath
+import pytest
+
+from derive.algebra.arithmetic import PLAIN
+from derive.maps import stumpff
+
+
+def exact(k: int, xi: mpmath.mpf) -> mpmath.mpf:
+    return mpmath.nsum(lambda j: (-xi) ** int(j) / mpmath.factorial(2 * int(j) + k), [0, 80])
+
+
+@pytest.mark.parametrize("share", ["0", "1e-9", "0.4", "1"])
+def test_they_are_what_they_are_called(share: str):
+    """Within what is cut off of c₇ at a quarter, which nothing magnifies by more than 100."""
+    with mpmath.workdps(60):
+        xi = mpmath.mpf(share) * stumpff.LIMIT
+        half = stumpff.HalfAngle(xi / 4, PLAIN)
+        whole = stumpff.WholeAngle(half, PLAIN)
+        for k in range(8):
+            assert abs(getattr(half, f"c{k}") - exact(k, xi / 4)) <= 100 * stumpff.REMAINDER
+        for k in range(3, 8):
+            assert abs(getattr(whole, f"c{k}") - exact(k, xi)) <= 100 * stumpff.REMAINDER
+
+
+def test_what_is_cut_off_is_what_is_said():
+    with mpmath.workdps(60):
+        zeta = mpmath.mpf(stumpff.LIMIT) / 4
+        miss = abs(stumpff.series(zeta, PLAIN) / 5040 - exact(7, zeta))
+        assert stumpff.REMAINDER / 2 < miss < stumpff.REMAINDER

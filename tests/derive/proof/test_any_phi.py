@@ -1,0 +1,45 @@
+"""Theorems on every φ, and that a chart in α is an instance of them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+import sympy
+
+from derive.maps import family
+from derive.maps.families import alpha
+from derive.proof import ProofFailed, prove
+from derive.proof.any_phi import ANY_PHI, any_phi
+from derive.proof.controls import controls
+
+
+def test_they_are_proved():
+    assert {proof.status for proof in any_phi()} == {"proved"}
+    assert {proof.scope for proof in any_phi()} == {"every phi"}
+
+
+@pytest.mark.parametrize("theorem", ANY_PHI[2:6:3], ids=lambda theorem: theorem.name)
+def test_whatever_is_wrong_is_noticed(theorem):
+    """Of these two; `make proofs` runs the controls of all."""
+    found = [*controls([theorem], {proof.name: proof for proof in any_phi()})]
+    assert found
+    assert [str(control) for control in found if not control.noticed] == []
+
+
+def test_a_wrong_coefficient_is_no_instance():
+    chart = family("breusing")
+    right = chart.tangent
+    chart.__dict__["tangent"] = replace(right, coefficients=(*right.coefficients[:2], 2 * right.coefficients[2]))
+    with pytest.raises(ProofFailed, match=r"tangent\[2\]"):
+        prove(chart)
+
+
+@pytest.mark.parametrize("phi", [sympy.sin(alpha / 4) + 1, sympy.sin(alpha / 4) ** 3, sympy.cos(alpha)])
+def test_another_start_is_noticed(phi: sympy.Expr):
+    class Mistaken(type(family("breusing"))):
+        pass
+
+    Mistaken.phi = phi
+    with pytest.raises(ProofFailed, match="phi"):
+        prove(Mistaken())

@@ -1,0 +1,54 @@
+"""The page of theorems says what is proved and what is taken as given, and counts controls that all fail."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+
+import pytest
+
+from derive.proof import __main__ as command
+from derive.proof import theorems
+from derive.proof.controls import Control, controls
+from derive.proof.every_order import decided
+from derive.proof.page import counts, page
+from derive.proof.theorem import Theorem
+
+PAGE = Path(__file__).parents[3] / "docs" / "theorems.md"
+TEXT = PAGE.read_text(encoding="utf-8")
+COUNTS = counts(TEXT)
+
+
+def test_the_page_says_what_is_proved() -> None:
+    assert page(decided(command.claims()), command.at_order(command.SHOWN), COUNTS) == TEXT
+
+
+def test_a_page_that_says_otherwise_is_stale(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    place = tmp_path / "theorems.md"
+    assert command._deliver(TEXT, place, check=True) == 1
+    assert not place.exists()
+    assert command._deliver(TEXT, place, check=False) == 0
+    assert place.read_text(encoding="utf-8") == TEXT
+    assert command._deliver(TEXT, place, check=True) == 0
+    assert command._deliver(TEXT.replace("(57)", "(58)"), place, check=True) == 1
+    assert f"accept with:  python -m derive.proof -o {place}" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("theorem", command.claims(), ids=lambda theorem: theorem.name)
+def test_every_control_is_noticed(theorem: Theorem) -> None:
+    scope = "" if theorem.scope == "all n" else f" [{theorem.scope}]"
+    known = {proof.name: proof for proof in theorems()}
+    found = [*controls([theorem], known | {theorem.name: theorem.decide(known)})]
+    assert unnoticed(found) == []
+    assert len(found) == COUNTS[theorem.name + scope] > len(theorem.claim) + len(theorem.premises) - 1
+
+
+def test_every_control_at_an_order_is_noticed() -> None:
+    found = command.controlled_at(command.SHOWN)
+    assert unnoticed(found) == []
+    scope = f" [n = {command.SHOWN}]"
+    assert len(found) == sum(count for title, count in COUNTS.items() if title.endswith(scope)) > 40
+
+
+def unnoticed(found: Iterable[Control]) -> list[str]:
+    return [str(control) for control in found if not control.noticed]

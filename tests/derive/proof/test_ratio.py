@@ -1,0 +1,78 @@
+"""Rational functions as numbers: at the reference point they are close to what they stand for."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+
+import pytest
+
+from derive.proof.ratio import NotExactError, Ratio, RationalFunctions
+
+STEPS = 3
+NEAR = 1e-3
+"""The reference point has the tangent t, at most 1/37, for its angle: off by t³/3, some twenty times that."""
+
+
+@pytest.fixture(scope="module")
+def field() -> RationalFunctions:
+    return RationalFunctions(("a", "b"), {"alpha": STEPS})
+
+
+def at_reference(element: Ratio) -> float:
+    at = element.field.value_at_reference
+    return float(at(element.numerator) / at(element.denominator))
+
+
+def test_the_reference_point_is_close_to_the_numbers_it_stands_for(field: RationalFunctions) -> None:
+    values = {name: at_reference(field.symbol(name)) for name in field.names}
+    assert values["pi"] == pytest.approx(math.pi, abs=1e-6)
+    assert values["tan_alpha"] == pytest.approx(math.tan(values["alpha"] / (2 * STEPS)), rel=NEAR)
+    assert len(set(values.values())) == len(values)
+    assert min(values.values()) > 0
+
+
+@pytest.mark.parametrize("quarters", range(-1, 5))
+@pytest.mark.parametrize("k", range(-2 * STEPS, 2 * STEPS + 1))
+def test_sines_and_cosines_are_close_to_their_values(field: RationalFunctions, k: int, quarters: int) -> None:
+    angle = field.symbol("alpha") * Fraction(k, STEPS) + field.symbol("pi") * Fraction(quarters, 2)
+    assert at_reference(angle.sin()) == pytest.approx(math.sin(at_reference(angle)), abs=NEAR)
+    assert at_reference(angle.cos()) == pytest.approx(math.cos(at_reference(angle)), abs=NEAR)
+    assert angle.sin() ** 2 + angle.cos() ** 2 == 1
+
+
+@pytest.mark.parametrize("k", range(-2 * STEPS, 2 * STEPS + 1))
+def test_angles_are_found_from_their_points(field: RationalFunctions, k: int) -> None:
+    angle = field.symbol("alpha") * Fraction(k, STEPS)
+    length = field.symbol("a")
+    assert (length * angle.sin()).angle(length * angle.cos()) == angle
+
+
+def test_what_is_no_multiple_is_refused(field: RationalFunctions) -> None:
+    a, alpha = field.symbol("a"), field.symbol("alpha")
+    for wrong in (a, alpha / (2 * STEPS), alpha * a, alpha + a, 1 / alpha, field.symbol("pi") / 3, field.constant(1)):
+        with pytest.raises(NotExactError):
+            wrong.sin()
+    with pytest.raises(NotExactError):
+        a.angle(field.constant(1))
+    with pytest.raises(NotExactError):
+        (-alpha.sin()).angle(a * alpha.cos())
+
+
+def test_arithmetic_is_that_of_its_values(field: RationalFunctions) -> None:
+    a, b = field.symbol("a"), field.symbol("b")
+    x, y = at_reference(a), at_reference(b)
+    made = [
+        (a + b, x + y), (a - b, x - y), (2 - a, 2 - x), (a - 2, x - 2), (a * b, x * y), (a / b, x / y), (3 / a, 3 / x),
+        (a**3, x**3), (a**-2, x**-2), (a**0, 1.0), (-a, -x), (+a, x), (abs(a - b), abs(x - y)),
+        (abs(b - a), abs(x - y)), (a / b + b / a, x / y + y / x), (a / b + 1 / b, (x + 1) / y),
+    ]  # fmt: skip
+    for element, value in made:
+        assert at_reference(element) == pytest.approx(value)
+    root = ((a - b) * (a - b) / (4 * a * a)).sqrt()
+    assert at_reference(root) == pytest.approx(abs(x - y) / (2 * x))
+    assert (a * b) / (b * b) == a / b
+    assert a != b
+    assert not (a - a)
+    with pytest.raises(ZeroDivisionError):
+        a / (b - b)

@@ -1,0 +1,140 @@
+"""Families other than Cayley's against first principles, on floats: every function, from no angle to the edge."""
+
+from __future__ import annotations
+
+import importlib
+import math
+from types import ModuleType
+
+import numpy as np
+import pytest
+
+from derive.about import FAMILIES
+from derive.codegen.signatures import PUBLIC
+from tests.support import families
+
+GATE = 8
+"""Eps of the size and condition of a result: `make accuracy` found half of it."""
+
+REGIMES = ((1e-300, 1e-290), (1e-9, 1e-5), (1e-3, 0.1), (0.3, 3.1), (0.9, 0.99999))
+"""Angles; the last are shares of the edge."""
+
+
+@pytest.fixture(params=FAMILIES)
+def name(request: pytest.FixtureRequest) -> str:
+    return str(request.param)
+
+
+@pytest.fixture
+def kernels(name: str) -> ModuleType:
+    return importlib.import_module(f"dualcay.{name}")
+
+
+def angles(name: str, regime: int) -> tuple[float, float]:
+    low, high = REGIMES[regime]
+    edge = families.edge_of(name)
+    return (low * edge, high * edge) if regime == len(REGIMES) - 1 else (low, high)
+
+
+def test_every_function_agrees_with_first_principles(name: str, kernels: ModuleType):
+    """Each in one regime of angles, another for the next function and the next family."""
+    oracle, start = families.oracle_of(name), FAMILIES.index(name)
+    for place, function in enumerate(PUBLIC):
+        regime = (start + place) % len(REGIMES)
+        if function == "to_screw" and not regime:
+            regime = 1  # at 1e-300 the moment of the axis, which is v° over |v|, overflows
+        v = families.vectors(oracle, *angles(name, regime), 1)
+        branch = 0 if PUBLIC[function].branch else None
+        error = families.worst(kernels, oracle, function, v, branch)
+        assert error <= GATE, (name, function, REGIMES[regime])
+
+
+def test_all_regimes_are_met_by_every_function():
+    """Over the families, whose starts differ."""
+    met = {(place, (start + place) % len(REGIMES)) for start in range(len(FAMILIES)) for place in range(len(PUBLIC))}
+    assert len(met) == len(REGIMES) * len(PUBLIC)
+
+
+def test_translations_are_no_special_case(name: str, kernels: ModuleType):
+    """At Re v = 0 the pose is a translation by v°/φ′(0)."""
+    v = np.array([0.0, 0.0, 0.0, 1.0, -2.0, 0.5])
+    slope = families.slope_of(name)
+    rho = kernels.pose(v)[:3, 3]
+    np.testing.assert_allclose(rho, v[3:] / slope, rtol=4 * np.finfo(float).eps)
+    np.testing.assert_allclose(kernels.from_pose(kernels.pose(v)), v, rtol=8 * np.finfo(float).eps)
+    np.testing.assert_allclose(kernels.tangent(v)[0], np.eye(3) / slope, rtol=4 * np.finfo(float).eps)
+
+
+def test_branches_are_the_same_pose(name: str, kernels: ModuleType):
+    """To 40 eps (errors.AGREE) times a condition below 100: 1e-12; and going round leads back."""
+    v = families.vectors(families.oracle_of(name), 0.3, 2.5)
+    for branch in range(1, families.oracle_of(name).order):
+        there = kernels.shadow(v, branch)
+        np.testing.assert_allclose(kernels.pose(there), kernels.pose(v), rtol=0, atol=1e-12)
+        np.testing.assert_allclose(kernels.principal(there), v, rtol=0, atol=1e-12)
+        np.testing.assert_allclose(kernels.shadow(there, -branch), v, rtol=0, atol=1e-12)
+
+
+def test_complex_steps_give_tangents(name: str, kernels: ModuleType):
+    """The derivative of the quaternion along v̇ is ω q/2, down to no rotation at all."""
+    rng = np.random.default_rng(7)
+    for size in (0.0, 1e-12, 1e-3, 0.4):
+        v, v_dot = rng.normal(size=6), rng.normal(size=6)
+        v[:3] *= size * families.slope_of(name) / np.linalg.norm(v[:3])
+        q, q_dot = kernels.quaternion(v), kernels.quaternion(v + 1e-40j * v_dot).imag / 1e-40
+        omega = kernels.twist(v, v_dot)
+        expected = families.half_product(omega, q)
+        np.testing.assert_allclose(q_dot, expected, rtol=0, atol=64 * np.finfo(float).eps * abs(omega).max())
+
+
+def test_singular_angles_end_at_the_edge(name: str, kernels: ModuleType):
+    """For the exponential, which has none, at twice round."""
+    found = kernels.singular_angles()
+    edge = 4 * math.pi if name == "exponential" else families.edge_of(name)
+    assert found == (*(2 * math.pi * k for k in range(1, math.ceil(edge / 2 / math.pi))), edge)
+
+
+def test_wiener_milenkovic_is_scaled2():
+    from dualcay import scaled2, wiener_milenkovic
+
+    v = families.vectors(families.oracle_of("scaled2"), 0.01, 3.0)
+    np.testing.assert_array_equal(wiener_milenkovic.pose(v), scaled2.pose(v))
+
+
+def test_the_exponential_has_a_vector_for_every_turn():
+    """α + 2πk, to 8 eps of the larger angle; at the identity there is no axis to turn about."""
+    from dualcay import exponential
+
+    v = np.array([0.3, -0.6, 0.2, 1.0, 0.5, -2.0])
+    u = v[:3] / np.linalg.norm(v[:3])
+    for k in (-3, -1, 1, 2, 50):
+        there = exponential.shadow(v, k)
+        np.testing.assert_allclose(there[:3], v[:3] + 2 * math.pi * k * u, rtol=8 * np.finfo(float).eps)
+        close = {"rtol": 0, "atol": 8 * np.finfo(float).eps * (1 + 7 * abs(k)) ** 2}  # v° goes with the square of |v|
+        np.testing.assert_allclose(exponential.principal(there), v, **close)
+        np.testing.assert_allclose(exponential.pose(there), exponential.pose(v), **close)
+    assert np.isnan(exponential.shadow(np.zeros(6), 1)).all()
+    assert (exponential.shadow(np.zeros(6), 0) == 0).all()
+    with pytest.raises(TypeError, match="branch must be an integer"):
+        exponential.shadow(v, 0.5)
+
+
+@pytest.mark.parametrize("turns", [2.3, 10.6, 1e5])
+def test_the_exponential_goes_round_many_times(turns: float):
+    """The rotation against SciPy's, to 8 eps of the angle."""
+    from scipy.spatial.transform import Rotation
+
+    from dualcay import exponential
+
+    v = 2 * math.pi * turns * np.array([2, 3, 6, 0, 0, 0]) / 7
+    expected = Rotation.from_rotvec(v[:3]).as_matrix()
+    np.testing.assert_allclose(exponential.pose(v)[:3, :3], expected, rtol=0, atol=8 * np.finfo(float).eps * 7 * turns)
+
+
+def test_both_sides_of_the_hand_over_agree():
+    """Within what is cut off and 8 eps: the scalars change by no more from one float to the next one."""
+    from dualcay import exponential
+
+    limit = math.sqrt(6.0)
+    before, behind = (exponential.tangent(np.array([a, 0, 0, 0.3, 0.4, 0.5])) for a in (limit - 1e-15, limit + 1e-15))
+    np.testing.assert_allclose(before, behind, rtol=0, atol=8 * np.finfo(float).eps)

@@ -1,0 +1,92 @@
+"""What the package of kernels is to a person: imported, listed, asked for what is missing, run."""
+
+from __future__ import annotations
+
+import importlib
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from mypy import api
+
+import dualcay
+from derive import about
+from tests.support.kernels import ORDERS, load
+
+MODULES = sorted([*(f"cayley{order}" for order in ORDERS), *about.FAMILIES])
+
+
+def test_the_version_is_that_of_the_toolkit() -> None:
+    assert dualcay.__version__ == about.__version__
+
+
+def test_the_package_lists_its_modules_and_functions() -> None:
+    assert set(MODULES) <= set(dir(dualcay))
+    assert {name for name in dir(dualcay) if not name.startswith("_")} == {*MODULES, *dualcay.__all__}
+    assert all(hasattr(dualcay, name) for name in dir(dualcay))
+
+
+@pytest.mark.parametrize("order", ORDERS)
+def test_a_module_lists_what_users_call(order: int) -> None:
+    assert dir(load(order)) == sorted(load(order).__all__)
+
+
+def test_backend_says_what_runs_each_function() -> None:
+    functions = {getattr(load(3), name).__name__ for name in load(3).__all__}  # aliases once
+    assert dualcay.backend() == dict.fromkeys(sorted(functions), "numpy")
+
+
+@pytest.mark.parametrize(("name", "option"), [("cayley6", "-n 6"), ("sine77", "--family sine77")])
+def test_a_module_that_is_not_written_is_refused_with_the_command_that_writes_it(name: str, option: str) -> None:
+    with pytest.raises(ImportError, match=rf"^no {name} in 'dualcay'.*cayley8.*dualcay generate {option} -o FOLDER$"):
+        exec(f"from dualcay import {name}")
+
+
+def test_a_name_that_is_no_module_is_refused_with_those_that_are() -> None:
+    for name in ("nonsense", "cayley06", "cayley0", "cayley", "sine", "sine0"):
+        with pytest.raises(AttributeError, match=f"has no attribute '{name}'; kernel modules: breusing, cayley1, "):
+            getattr(dualcay, name)
+    with pytest.raises(ImportError, match="cannot import name 'nonsense'"):
+        from dualcay import nonsense  # noqa: F401
+
+
+def test_the_package_run_says_what_it_is() -> None:
+    root = Path(dualcay.__file__).parents[1]
+    done = subprocess.run([sys.executable, "-m", "dualcay"], cwd=root, capture_output=True, text=True, check=True)
+    count = len(dualcay.backend())
+    assert done.stdout.splitlines() == [
+        f"dualcay {about.__version__}",
+        f"modules  {', '.join(MODULES)}",
+        f"backend  numpy: {count} functions",
+    ]
+    assert done.stderr == ""
+
+
+TYPED = """
+from dualcay import cayley3, matrix6
+from dualcay import nonsense
+from dualcay import cayley6
+from dualcay.cayley3 import pose
+from dualcay.cayley3 import nothing
+from derive import Cayley, generate, verify, x
+from derive import missing
+matrix6(pose([0.0] * 6), 1)
+Cayley("3")
+"""
+
+
+def test_names_and_arguments_are_known_to_type_checkers(tmp_path: Path, monkeypatch) -> None:
+    roots = (Path(importlib.import_module(name).__file__ or "").parents[1] for name in ("dualcay", "derive"))
+    monkeypatch.setenv("MYPYPATH", os.pathsep.join(map(str, roots)))
+    options = ("--strict", "--config-file=", "--follow-imports=silent", "--no-site-packages", f"--cache-dir={tmp_path}")
+    said, _, _ = api.run([*options, "-c", TYPED])
+    assert [line.partition(": error: ")[2] for line in said.splitlines()[:-1]] == [
+        'Module "dualcay" has no attribute "nonsense"  [attr-defined]',
+        'Module "dualcay" has no attribute "cayley6"  [attr-defined]',
+        'Module "dualcay.cayley3" has no attribute "nothing"  [attr-defined]',
+        'Module "derive" has no attribute "missing"  [attr-defined]',
+        'Too many arguments for "matrix6"  [call-arg]',
+        'Argument 1 to "Cayley" has incompatible type "str"; expected "int"  [arg-type]',
+    ], said

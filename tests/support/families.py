@@ -1,0 +1,171 @@
+"""Oracles of families, and errors of results by their condition, for charts of any kind.
+
+As in `oracle`, nothing of the code under test is used: a family is what |v| makes of θ = α/2n, and back.
+"""
+
+from __future__ import annotations
+
+import functools
+from types import ModuleType
+from typing import Any
+
+import mpmath
+import numpy as np
+
+from derive.codegen.signatures import FUNCTIONS
+from tests.support import errors, sampling
+from tests.support.nilpotent import dot
+from tests.support.oracle import Oracle, SineOracle
+
+
+class ScaledOracle(Oracle):
+    """v = 2n tan θ u."""
+
+    def base(self, v: Any) -> Any:
+        return v[0] * 0 + 2 * self.order
+
+    def size(self, theta: Any) -> Any:
+        return 2 * self.order * self.field.tan(theta)
+
+
+class BreusingOracle(Oracle):
+    """v = sin θ/√cos θ u, cos θ > 0 by adding half turns to θ: cos² θ + x cos θ = 1."""
+
+    def cosine(self, v: Any) -> Any:
+        x = dot(v, v)
+        return 2 / (x + self.field.sqrt(x * x + 4))
+
+    def base(self, v: Any) -> Any:
+        return self.field.sqrt(self.cosine(v))
+
+    def size(self, theta: Any) -> Any:
+        sine, cosine = self.field.sin(theta), self.field.cos(theta)
+        sign = -1 if cosine.re < 0 else 1
+        return sign * sine / self.field.sqrt(sign * cosine)
+
+
+class ExponentialOracle(Oracle):
+    """v = 2θ u, θ = α/2."""
+
+    def base(self, v: Any) -> Any:
+        return angle_by_tangent(self.field, dot(v, v))
+
+    def size(self, theta: Any) -> Any:
+        return 2 * theta
+
+
+def angle_by_tangent(field: Any, square: Any) -> Any:
+    """α/tan(α/2) of α², nilpotent parts and all; by its series where a root would lose them."""
+    if abs(_real(square)) < 1e-30:
+        return 2 - square / 6 - square * square / 360 - square * square * square / 15120
+    angle = field.sqrt(square)
+    return angle / field.tan(angle / 2)
+
+
+def _real(number: Any) -> Any:
+    """What is left of a number without its nilpotent parts."""
+    return _real(number.re) if hasattr(number, "re") and hasattr(number, "du") else number
+
+
+ORACLES = {
+    "exponential": (ExponentialOracle, 1),
+    "orthographic": (SineOracle, 1), "lambert": (SineOracle, 2), "sine3": (SineOracle, 3), "sine4": (SineOracle, 4),
+    "breusing": (BreusingOracle, 2), "wiener_milenkovic": (ScaledOracle, 2),
+    **{f"scaled{n}": (ScaledOracle, n) for n in range(1, 6)},
+}  # fmt: skip
+"""By module: its oracle and order."""
+
+
+DIGITS = 60
+
+
+@functools.cache
+def oracle_of(name: str) -> Oracle:
+    """The oracle of a family, one for all tests: it remembers results."""
+    kind, order = ORACLES[name]
+    return kind(order, DIGITS)
+
+
+def vectors(oracle: Oracle, low: float, high: float, count: int = 4) -> np.ndarray:
+    """Dual vectors of angles between two, drawn evenly in their logarithms."""
+    rng = sampling.generator("families", low, high)
+    angles = np.exp(rng.uniform(np.log(low), np.log(high), count))
+    axes, rest = sampling.unit_vectors(rng, (count,)), rng.normal(size=(count, 3))
+    sizes = [float(oracle.size(oracle.field.number(a) / (2 * oracle.order) + _dual_zero(oracle)).re) for a in angles]
+    return np.concatenate([np.array(sizes)[:, np.newaxis] * axes, rest], axis=-1)
+
+
+def _dual_zero(oracle: Oracle) -> Any:
+    return oracle.unpack((0, 0))[0]
+
+
+def arguments(kernels: ModuleType, name: str, v: np.ndarray) -> list[np.ndarray]:
+    """What a function is given: v, or what v is the vector of, and a second argument."""
+    first = FUNCTIONS[name].arguments[0].name
+    given = {"q": kernels.quaternion, "R": kernels.tensor, "T": kernels.pose}
+    if first == "angle":
+        return [np.array(part) for part in kernels.to_screw(v)]
+    others = [np.roll(sampling.dual_vectors(name, count=len(v))[:, : a.size], 1) for a in FUNCTIONS[name].arguments[1:]]
+    return [given.get(first, np.array)(v), *([v[::-1]] if name == "compose" else others)]
+
+
+def scale(function: Any, given: list[np.ndarray], exact: list[Any]) -> list[float]:
+    """Norms of the parts of a result, and how far they go when its arguments move by their own size."""
+    step = mpmath.mpf(2) ** -80
+    sizes = [errors.norm(part) for part in exact]
+    for i, argument in enumerate(given):
+        for index, component in np.ndenumerate(argument):
+            moved = argument.astype(object)
+            with mpmath.workdps(DIGITS):
+                moved[index] = mpmath.mpf(component) * (1 + step)
+            other = parts(function(*given[:i], moved, *given[i + 1 :]))
+            sizes = [size + errors.norm((b - a) / step) for size, a, b in zip(sizes, exact, other, strict=True)]
+    return sizes
+
+
+def parts(result: Any) -> list[Any]:
+    """Real and dual part of a result; those of each where there are several; a moved point as it is."""
+    if isinstance(result, tuple):
+        return [part for array in result for part in errors.parts(array)]
+    return [result] if np.shape(result) == (3,) else list(errors.parts(result))
+
+
+def worst(kernels: ModuleType, oracle: Oracle, name: str, v: np.ndarray, branch: int | None = None) -> float:
+    """The largest error of a function at vectors, in eps of the scale of each part of its result."""
+    chosen = () if branch is None else (branch,)
+    given = arguments(kernels, name, v)
+
+    def function(*values: Any) -> Any:
+        return getattr(oracle, name)(*values, *chosen)
+
+    found = getattr(kernels, name)(*given, *chosen)
+    largest = 0.0
+    for i in range(len(v)):
+        one = [argument[i] for argument in given]
+        got = parts(tuple(array[i] for array in found) if isinstance(found, tuple) else found[i])
+        exact = parts(function(*one))
+        for a, b, size in zip(got, exact, scale(function, one, exact), strict=True):
+            error = errors.norm(b - a.astype(object)) / np.finfo(float).eps
+            largest = max(largest, float(error / size) if error else 0.0)
+    return largest
+
+
+def edge_of(name: str) -> float:
+    """The angle at which a family ends; for the exponential once round, beyond which its oracle counts no turns."""
+    return 2 * np.pi if name == "exponential" else oracle_of(name).order * np.pi
+
+
+def slope_of(name: str) -> float:
+    """φ′(0)."""
+    oracle = oracle_of(name)
+    tiny = oracle.field.number(2.0**-80)
+    return float((oracle.size(_dual_zero(oracle) + tiny).re / tiny) / (2 * oracle.order))
+
+
+def half_product(omega: np.ndarray, q: np.ndarray) -> np.ndarray:
+    """The dual quaternion ω q/2 of a dual vector and a dual quaternion."""
+
+    def product(w: np.ndarray, p: np.ndarray) -> np.ndarray:
+        return np.concatenate([[-w @ p[1:]], p[0] * w + np.cross(w, p[1:])])
+
+    return np.concatenate([product(omega[:3], q[:4]), product(omega[:3], q[4:]) + product(omega[3:], q[:4])]) / 2
