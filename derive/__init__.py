@@ -31,14 +31,17 @@ from .about import __version__
 
 if TYPE_CHECKING:
     from .codegen import generate
-    from .front import Cayley, family
+    from .front import Cayley, Parameterization, family
     from .maps import x
+    from .maps.families import alpha
     from .papers import verify
 
-__all__ = ["Cayley", "__version__", "family", "generate", "verify", "x"]
+__all__ = ["Cayley", "Parameterization", "__version__", "alpha", "family", "generate", "verify", "x"]
 
 _HOMES = {
     "Cayley": "derive.front",
+    "Parameterization": "derive.front",
+    "alpha": "derive.maps.families",
     "family": "derive.front",
     "x": "derive.maps",
     "generate": "derive.codegen",

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, fields
 from typing import Any
 
+import sympy
+
 from . import maps
 from .output.listing import Listing
 from .proof import Proof, proofs
@@ -38,6 +40,32 @@ def family(name: str) -> Any:
         If there is none of that name.
     """
     return provable(maps.family(name))
+
+
+def Parameterization(phi: str | sympy.Expr, name: str = "phi", order: int | None = None) -> Any:
+    """Return the parameterization v = φ(α) u of a φ, such as ``"alpha/(1 + alpha**2/40)"``.
+
+    Parameters
+    ----------
+    phi : str or Expr
+        Odd by its structure, φ′(0) > 0. Of a text numbers, ``alpha``, ``n``, ``pi``, ``+ - * / **`` and elementary
+        functions are understood, and nothing of it is run. An expression is one in `derive.alpha`.
+    name : str
+        An identifier.
+    order : int, optional
+        The value of n in a text.
+
+    Returns
+    -------
+    Chart
+        As of `family`; also ``scale`` (a(v) of CP23 (60)), ``range`` of |v|, ``limits`` of T and T⁻¹ at 0, ``inverse``.
+
+    Raises
+    ------
+    PhiError
+        A `ValueError` that says why φ is refused.
+    """
+    return provable(maps.parameterization(phi, name, order))
 
 
 def provable(chart: Any) -> Any:

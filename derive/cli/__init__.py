@@ -5,6 +5,7 @@ options  order lists such as ``1-5,8``, and other parsed options
 commands what the command takes, and exit codes
 generate write kernels, or check those on disk
 show     formulas, and what there is
+compare  parameterizations side by side
 verify   decide the papers' equations and report
 display  progress, differences and messages
 ======== =============================================================

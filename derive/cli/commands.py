@@ -83,6 +83,22 @@ def show(**given: Any) -> None:
     show(**given)
 
 
+@cli.command()
+@click.option("-n", "orders", callback=options.orders, metavar="ORDERS", help="Orders n of v = tan(α/2n) u, e.g. 1-4.")
+@click.option("--family", "families", callback=options.listed, metavar="NAMES", help="Other parameterizations, e.g. "
+              "exponential,lambert; without any, the committed ones.")  # fmt: skip
+@click.option("--phi", metavar="EXPR", help="One of your own, e.g. 'alpha/(1 + alpha**2/40)'.")
+@click.option("--plot", type=options.Place(dir_okay=False), help="File of a plot against the angle, by its ending.")
+@click.option("--format", "form", type=click.Choice(("text", "json", "markdown")), default="text", show_default=True,
+              help="How the figures are written.")  # fmt: skip
+@options.max_n
+def compare(**given: Any) -> None:
+    """Compare parameterizations: how far they reach, how much they stretch, what they cost."""
+    from .compare import compare
+
+    compare(**given)
+
+
 @cli.command("list")
 def list_catalogue() -> None:
     """List targets, committed orders and what a module holds."""

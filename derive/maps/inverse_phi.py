@@ -111,10 +111,20 @@ def _named(root: Any) -> sympy.Expr:
     return sympy.Float(mpmath.nstr(root, 50), 50)
 
 
+def _end(phi: sympy.Expr, edge: Edge, size: Any) -> Any:
+    """The edge, or an angle beyond that of a length."""
+    if not edge.angle.is_infinite:
+        return mpmath.mpf(edge.angle.evalf(mpmath.mp.dps + 5))
+    high = mpmath.mpf(1)
+    while _real(phi, high, phi) <= size:
+        high = 2 * high
+    return high
+
+
 def angle_of(phi: sympy.Expr, edge: Edge, size: Any) -> Any:
     """φ⁻¹ by Newton's method between bounds, in the working precision."""
     slope = phi.diff(alpha)
-    low, high = mpmath.mpf(0), mpmath.mpf(edge.angle.evalf(mpmath.mp.dps + 5))
+    low, high = mpmath.mpf(0), _end(phi, edge, size)
     guess = min(size / evaluate(slope, alpha, low), high / 2)
     for _ in range(8 * mpmath.mp.prec):
         miss = _real(phi, guess, phi) - size
@@ -254,7 +264,8 @@ def _interval(e: sympy.Expr, z: Any) -> Any:
     if not e.free_symbols:
         with mpmath.workdps(DIGITS):
             value = mpmath.mpf(e.evalf(DIGITS))
-        return iv.mpf([value * (1 - mpmath.mpf(2) ** -45), value * (1 + mpmath.mpf(2) ** -45)])
+        off = abs(value) * mpmath.mpf(2) ** -45
+        return iv.mpf([value - off, value + off])
     arguments = [_interval(a, z) for a in e.args if not (e.is_Pow and a == e.exp)]
     if e.is_Add or e.is_Mul:
         first, *rest = arguments

@@ -6,6 +6,7 @@ from abc import ABC, abstractmethod
 from functools import cached_property
 from typing import Any, ClassVar, TypeVar
 
+import mpmath
 import sympy
 
 from ..algebra import Coefficient
@@ -13,6 +14,7 @@ from ..algebra.arithmetic import PLAIN, Arithmetic
 from .chart import DEFINITIONS, Scalars
 from .families import alpha, of_angle
 from .formula import Formula, IsotropicMap, QuaternionMap
+from .inverse_phi import Edge, angle_of
 from .polynomials import x
 
 Map = TypeVar("Map", bound=Formula)
@@ -56,7 +58,41 @@ class Parameterized(ABC):
 
     @property
     def parameter(self) -> str:
-        return str(self.phi).replace("alpha", "α").replace("*", " ")
+        return str(self.phi).replace("alpha", "α").replace("**", "^").replace("*", " ")
+
+    # --- what φ says ----------------------------------------------------------------------------------------------
+
+    @property
+    def scale(self) -> sympy.Expr:
+        """a(v) as a function of α, ``q̂ = ±(a + v)ⁿ/(a² + x)^(n/2)``: CP23 (60), (61)."""
+        return self.phi * sympy.cot(alpha / (2 * self.order))
+
+    @property
+    def range(self) -> sympy.Expr:
+        """The |v| at the edge; infinite where φ goes there."""
+        return self.phi.subs(alpha, self.edge)
+
+    @property
+    def limits(self) -> tuple[tuple[sympy.Expr, ...], tuple[sympy.Expr, ...]]:
+        """The coefficients of T and of T⁻¹ at α = 0, from ``φ = c₁ α + c₃ α³ + …``."""
+        first, third = (self.phi.diff(alpha, k).subs(alpha, 0) / sympy.factorial(k) for k in (1, 3))
+        sixth, bend = sympy.Rational(1, 6), 2 * third / first
+        tangent = 1 / first, 1 / (2 * first**2), (sixth - bend) / first**3
+        return tangent, (first, -sympy.Rational(1, 2), bend / first + sixth / (2 * first))
+
+    def inverse(self, size: Any) -> Any:
+        """φ⁻¹ of a length below `range`, in the working precision of mpmath: Newton's method between bounds."""
+        return angle_of(self.phi, Edge(self.edge, ""), mpmath.mpf(size))
+
+    def latex(self) -> str:
+        """Return φ and the four maps as LaTeX."""
+        maps = (self.quaternion, self.tensor, self.tangent, self.tangent_inv)
+        lines = [rf"\varphi &= {sympy.latex(self.phi)}", *(f"{of.symbol} &= {of.definition}" for of in maps)]
+        separator = " \\\\\n"
+        return f"\\begin{{aligned}}\n{separator.join(lines)}\n\\end{{aligned}}"
+
+    def _repr_latex_(self) -> str:
+        return f"$\\displaystyle {self.latex()}$"
 
     # --- formulas -------------------------------------------------------------------------------------------------
 

@@ -1,0 +1,53 @@
+"""``dualcay compare``: figures side by side, the page made of them, and a plot."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from tests.support.command import ROOT, dualcay
+
+
+def test_figures_of_some_charts():
+    done = dualcay("compare", "-n", "2,3", "--family", "lambert", "--phi", "alpha/(1+alpha**2/40)", "--format", "json")
+    assert done.returncode == 0
+    found = {entry["chart"]: entry for entry in json.loads(done.stdout)}
+    assert set(found) == {"cayley2", "cayley3", "lambert", "phi"}
+    assert found["cayley2"]["stretch"]["π"]["condition"] == pytest.approx(1)
+    assert found["lambert"]["range"] == 1
+    assert found["phi"]["singular_angles"] == pytest.approx([6.283185307, 6.32455532])
+    assert found["cayley3"]["operations"]["pose"] < found["phi"]["operations"]["pose"]
+
+
+def test_text_fits_a_line():
+    done = dualcay("compare", "-n", "1", "--family", "exponential")
+    assert done.returncode == 0
+    assert "exponential" in done.stdout
+    assert max(map(len, done.stdout.splitlines())) <= 120
+
+
+def test_a_plot_is_written(tmp_path: Path):
+    pytest.importorskip("matplotlib")
+    assert dualcay("compare", "-n", "2", "--plot", str(tmp_path / "plot.svg")).returncode == 0
+    assert "<svg" in (tmp_path / "plot.svg").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "reason"),
+    [
+        (("--phi", "cos(alpha)"), "not odd by its structure"),
+        (("--phi", "__import__('os')"), "not understood in phi"),
+        (("--family", "none"), "a family is one of"),
+    ],
+)
+def test_refusals_are_usage_errors(arguments: tuple[str, ...], reason: str):
+    done = dualcay("compare", *arguments)
+    assert done.returncode == 2
+    assert reason in done.stderr
+
+
+def test_the_page_is_what_the_command_prints():
+    done = dualcay("compare", "--format", "markdown")
+    assert done.stdout == (ROOT / "docs" / "parameterizations.md").read_text(encoding="utf-8")
