@@ -163,6 +163,7 @@ def test_closed_forms_are_the_derivatives(array_api, jacobians):
     def total(v, w):
         return module.compose(w, v) + 2 * module.body_twist(v, w) + 4 * module.rate(v, w)
 
-    closed = kernel.compose_jacobians(w, at)[1] + 2 * kernel.body_twist_jacobian(at, w) + 4 * kernel.rate_jacobian(at, w)
+    closed = kernel.compose_jacobians(w, at)[1]
+    closed += 2 * kernel.body_twist_jacobian(at, w) + 4 * kernel.rate_jacobian(at, w)
     for got, expected in zip(jacobians(total, at, w), closed, strict=True):
         assert_equal_derivatives(got, expected, 2000)
