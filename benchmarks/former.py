@@ -175,7 +175,7 @@ class Inputs:
         rng = np.random.default_rng([2011, seed])
         self.module = module
         self.layout = layout
-        self.vectors = [module.from_screw(*_screws(layout.batch, rng)) for _ in range(2)]
+        self.vectors = [module.from_screw(*_screws(layout.batch, rng)) for _ in range(3)]
 
     def calls(self, name: str, options: dict[str, int], *modules: ModuleType) -> tuple[Call, ...]:
         """The function of each module, ready to be called on the same arrays."""
