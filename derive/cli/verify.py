@@ -67,17 +67,25 @@ def _nearest(name: str, known: Iterable[str]) -> str:
 
 def _report(papers: Sequence[Paper], equations: list[str], orders: tuple[int, ...], output: Path | None) -> Report:
     total = sum(entry.number in equations for paper in papers for entry in paper.entries())
+    everything = sum(len(paper.entries()) for paper in papers)
     slug = papers[0].slug if len(papers) == 1 else None
     with display.progress(total + len(orders) + 1) as step:
         step("equations")
         results = decide(slug, equations, orders or None, lambda done, _: step(f"equation {done} of {total}"))
-        found = {(proof.name, proof.scope): proof for proof in _proofs(orders, step)}
+        cited = None if total == everything or orders else _cited(papers, equations)
+        found = {(proof.name, proof.scope): proof for proof in _proofs(orders, cited, step)}
     return Report.of(papers, results, found.values(), _root(output))
 
 
-def _proofs(orders: tuple[int, ...], step: Callable[[str], None]) -> Iterator[Proof]:
-    """The theorems for all n, and everything about the orders asked for."""
-    yield from theorems()
+def _cited(papers: Sequence[Paper], equations: list[str]) -> set[int]:
+    """The numbers that theorems may cite: they are those of the first paper."""
+    return {int(number) for number in equations if number.isdecimal()} if PAPERS[0] in papers else set()
+
+
+def _proofs(orders: tuple[int, ...], cited: set[int] | None, step: Callable[[str], None]) -> Iterator[Proof]:
+    """The theorems for all n, those that cite an equation asked for; and everything about the orders asked for."""
+    if cited is None or cited:
+        yield from (proof for proof in theorems() if cited is None or cited & set(proof.equations))
     for n in orders:
         step(f"proofs at n = {n}")
         yield from proofs(Cayley(n))

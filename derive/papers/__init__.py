@@ -7,6 +7,9 @@ equation               an entry and its result
 paper                  a paper, its sections and the inventory of its text
 condurache_popa_2023   the entries of CP23, a module for each section
 karakilic_2010         those of K10
+readings               all ways to read a display whose marks were lost
+poles                  where the denominators of a formula vanish
+counterexample         what a false statement comes to at a point
 decide                 from an entry to its status
 mutation               mutants of a statement, and how they fare
 witnesses              30-digit values at seeded points, kept beside each paper's package

@@ -11,7 +11,8 @@ import mpmath
 
 from derive.proof.ratio import NotExactError
 
-from .equation import Equation, Reading, Result, Status, UndecidedError, Verdict, faithful
+from .counterexample import counterexample
+from .equation import Counterexample, Equation, Reading, Result, Status, UndecidedError, Verdict, faithful
 from .language.evaluation import Env
 from .language.notation import over
 from .language.terms import Apply, Letter, Number, Term, Trait, marked, takes_apart, walk
@@ -20,9 +21,14 @@ from .numbers.every_order import EveryOrder
 from .numbers.fields import DIGITS, Decimal60
 from .numbers.generic import Generic, GenericOrder
 from .numbers.kinds import BRANCH, ORDER, SIGN
+from .poles import poles
+from .readings.enumeration import Readings, UnreadableError, read
 
 ORDERS = (1, 2, 3, 4, 5)
 GENERIC_POINTS = 2
+SHORT = 1
+"""Decimals of the numbers in a counterexample."""
+FOUND = "found among all readings"
 
 
 @dataclass(frozen=True)
@@ -32,6 +38,7 @@ class Outcome:
     point: str
     inside: bool
     truth: bool | None
+    env: Env
 
     @property
     def place(self) -> str:
@@ -39,7 +46,9 @@ class Outcome:
         return f"{self.point}: {'no value' if self.truth is None else str(self.truth).lower()}"
 
 
-def decide(paper: str, entry: Equation, lost: str, orders: Sequence[int] = ORDERS) -> Result:
+def decide(
+    paper: str, entry: Equation, lost: str, orders: Sequence[int] = ORDERS, count: bool = True
+) -> Result:
     """Compute the status of an entry.
 
     Parameters
@@ -50,32 +59,60 @@ def decide(paper: str, entry: Equation, lost: str, orders: Sequence[int] = ORDER
         Marks that the paper's extraction lost, see `derive.papers.equation.faithful`.
     orders : sequence of int
         The orders n at which statements about n are executed.
+    count : bool
+        Whether all readings are counted where a listed one is true; the status does not depend on it.
 
     Raises
     ------
     UndecidedError
         If what the entry says of itself does not fit what is computed.
     """
+    lost += entry.lost
     for reading in entry.readings:
         if entry.extract and not faithful(reading.statement, entry.extract, lost):
             raise UndecidedError(f"({entry.number}): a reading does not have the marks of line {entry.line}")
     if entry.because is not None:
         _support(entry, entry.because)
     orders = tuple(n for n in orders if entry.orders is None or n in entry.orders) or (entry.orders or orders)
-    verdicts = tuple(judge(entry, reading, orders) for reading in entry.readings)
-    truths = {verdict.true for verdict in verdicts}
-    if len(truths) > 1:
-        return Result(paper, entry, Status.AMBIGUOUS, "; ".join(v.method for v in verdicts), verdicts)
-    if truths == {True}:
-        status = Status.HOLDS if entry.condition is None else Status.HOLDS_IF
-        return Result(paper, entry, status, verdicts[0].method, verdicts)
+    listed = tuple(judge(entry, reading, orders) for reading in entry.readings)
+    none_true = not any(verdict.true for verdict in listed)
+    found = _readings(entry, lost, none_true) if none_true or count else Readings(len(listed), False, ())
+    others = [judge(entry, Reading(statement, FOUND), orders) for statement in found.true] if none_true else []
+    known = (*listed, *(other for other in others if other.true))
+    verdicts = tuple(sorted(known, key=lambda verdict: not verdict.true))
+    result = partial(Result, paper, entry, verdicts=verdicts, reading_count=found.count, capped=not found.complete)
+    method = "; ".join(verdict.method for verdict in verdicts)
+    if verdicts[0].true and not _speaks_for_a_false_one(entry, listed):
+        return result(Status.HOLDS if entry.condition is None else Status.HOLDS_IF, verdicts[0].method)
+    if verdicts[0].true:
+        return result(Status.AMBIGUOUS, method)
     if entry.corrected is None:
         raise UndecidedError(f"({entry.number}) is false and has no correction: {verdicts[0].method}")
+    if entry.extract and faithful(entry.corrected, entry.extract, lost):
+        raise UndecidedError(f"({entry.number}): the correction is a reading of line {entry.line}")
     correction = judge(entry, Reading(entry.corrected), orders)
     if not correction.true:
         raise UndecidedError(f"({entry.number}): the correction is false: {correction.method}")
-    method = f"{verdicts[0].method}; correction {correction.method}"
-    return Result(paper, entry, Status.ERRATUM, method, verdicts)
+    status = Status.ERRATUM if found.complete else Status.AMBIGUOUS
+    more = "" if found.complete else "; there are more readings than can be tried"
+    return result(status, f"{verdicts[0].method}; correction {correction.method}{more}")
+
+
+def _readings(entry: Equation, lost: str, search: bool) -> Readings:
+    """All readings where signs were lost; elsewhere, and for claims in words, those that are listed."""
+    if not entry.extract or "-" not in lost:
+        return Readings(len(entry.readings), True, ())
+    try:
+        return read(entry, lost, search)
+    except UnreadableError:
+        return Readings(len(entry.readings), False, ())
+
+
+def _speaks_for_a_false_one(entry: Equation, listed: Sequence[Verdict]) -> bool:
+    """Whether a legible place supports a false reading, or a claim in words can be understood both ways."""
+    truths = {verdict.true for verdict in listed}
+    supported = any(r.supported_by and not v.true for r, v in zip(entry.readings, listed, strict=True))
+    return supported or (not entry.extract and len(truths) > 1)
 
 
 def _support(entry: Equation, identity: Term) -> None:
@@ -95,7 +132,7 @@ def judge(entry: Equation, reading: Reading, orders: Sequence[int]) -> Verdict:
     inside = [outcome for outcome in outcomes if outcome.inside]
     failed = next((outcome for outcome in inside if outcome.truth is not True), None)
     if failed is not None:
-        return verdict(False, f"refuted at {failed.place}")
+        return verdict(False, f"refuted at {failed.place}", _example(entry, reading.statement, orders, failed))
     outside = [outcome for outcome in outcomes if not outcome.inside]
     if not inside or (entry.condition is not None and not outside):
         raise UndecidedError(f"({entry.number}): no point on {'both sides' if inside else 'the inside'} of its domain")
@@ -103,6 +140,13 @@ def judge(entry: Equation, reading: Reading, orders: Sequence[int]) -> Verdict:
         if outcome.truth is True:
             raise UndecidedError(f"({entry.number}): true outside its condition, at {outcome.place}")
     return verdict(True, _method(entry, reading.statement, prove(entry, reading.statement, orders), len(inside)))
+
+
+def _example(entry: Equation, statement: Term, orders: Sequence[int], failed: Outcome) -> Counterexample:
+    """Where a statement fails, with numbers of few digits if it fails at those too."""
+    short = explore(entry, statement, orders, SHORT)
+    shown = next((outcome for outcome in short if outcome.inside and outcome.truth is False), failed)
+    return counterexample(shown.point, shown.env, entry, statement)
 
 
 def _method(entry: Equation, statement: Term, exact: str | None, points: int) -> str:
@@ -116,18 +160,20 @@ def _method(entry: Equation, statement: Term, exact: str | None, points: int) ->
     return f"{exact}{supported}"
 
 
-def explore(entry: Equation, statement: Term, orders: Sequence[int]) -> Iterator[Outcome]:
+def explore(entry: Equation, statement: Term, orders: Sequence[int], digits: int = 30) -> Iterator[Outcome]:
     """The statement at all points of the entry's claimed domain."""
     with mpmath.workdps(DIGITS):
-        for label, env in points(entry, statement, orders):
+        for label, env in points(entry, statement, orders, digits):
             if entry.claimed is not None and not _truth(env, entry.claimed):
                 continue
             inside = entry.condition is None or bool(_truth(env, entry.condition))
-            yield Outcome(label, inside, _truth(env, statement))
+            yield Outcome(label, inside, _truth(env, statement), env)
 
 
-def points(entry: Equation, statement: Term, orders: Sequence[int]) -> Iterator[tuple[str, Env]]:
-    """Seeded environments: all letters generic, then each special value of each letter, then the entry's own."""
+def points(
+    entry: Equation, statement: Term, orders: Sequence[int], digits: int = 30
+) -> Iterator[tuple[str, Env]]:
+    """Seeded environments: all letters generic, each special value of each letter, the entry's own, and poles."""
     free = entry.free(statement)
     order = next((letter for letter in free if letter.kind is ORDER), None)
     others = [letter for letter in free if letter.kind not in (ORDER, BRANCH)]
@@ -136,11 +182,16 @@ def points(entry: Equation, statement: Term, orders: Sequence[int]) -> Iterator[
         prefix = f"n = {n}, " if order is not None else ""
         for branch in range((entry.branches or n) if branches else 1):
             fixed = {**({order: n} if order is not None else {}), **dict.fromkeys(branches, branch)}
-            draw = Draw(f"{entry.number} {n} {branch}", entry.moving)
+            draw = Draw(f"{entry.number} {n} {branch}", entry.moving, digits)
             for label, values in _variations(draw, others, entry):
-                yield f"{prefix}{label}", Env(
-                    Decimal60(), {**fixed, **values}, entry.definitions, moving=entry.moving
-                )
+                yield f"{prefix}{label}", _environment(entry, {**fixed, **values})
+            start = {**fixed, **{letter: letter.kind.generic(draw) for letter in others}}
+            for label, moved in poles(statement, _environment(entry, start)):
+                yield f"{prefix}{label}", _environment(entry, {**start, **moved})
+
+
+def _environment(entry: Equation, values: dict[Letter, object]) -> Env:
+    return Env(Decimal60(), values, entry.definitions, moving=entry.moving)
 
 
 def _variations(draw: Draw, free: Sequence[Letter], entry: Equation) -> Iterator[tuple[str, dict[Letter, object]]]:

@@ -6,9 +6,12 @@ An `Equation` is an entry: what is printed, and what the letters stand for. Noth
 * every reading is evaluated at seeded 60-digit points, the special values of every letter among them. One failure
   refutes it; a reading that survives is then proved at generic values of an exact field, for symbolic n where there is
   an n. Where that is not possible the method says that the points are evidence, not proof;
-* ``holds``: every reading is true at all points. ``holds-if``: true exactly where the entry's condition is, which is
-  tested on both sides. ``ambiguous``: readings differ. ``erratum``: no reading is true; then the correction must be;
-* every reading must be faithful: its marks, less the kinds that the extraction lost, are the extracted text.
+* every reading must be faithful: its marks, less the kinds that the extraction lost, are the extracted text;
+* the readings that are listed are not all: `readings` puts the lost marks in anew, in every way that has a meaning;
+* ``holds``: a reading is true at all points, for the marks were lost by the extraction, not by the paper. ``holds-if``:
+  true exactly where the entry's condition is, which is tested on both sides. ``erratum``: no reading is true, of those
+  listed or any other; then the correction must be. ``ambiguous``: a legible place speaks for a reading that is false,
+  or there are too many readings to say that none is true.
 
 An entry that fits none of these raises `UndecidedError`: there is no other way to a status than to compute it.
 """
@@ -51,10 +54,14 @@ class Reading:
         The formula.
     note : str
         How it differs from the other readings ("the bracket closes before I").
+    supported_by : str
+        A legible place of the paper that speaks for it, quoted with its line; a false reading that has one makes the
+        entry ambiguous.
     """
 
     statement: Term
     note: str = ""
+    supported_by: str = ""
 
 
 @dataclass(frozen=True)
@@ -78,6 +85,8 @@ class Equation:
         The domain that the paper states; points outside it are not tested.
     condition : Term, optional
         The domain that was found.
+    sharp : bool
+        Whether it is true nowhere else; if not, it holds at least there.
     corrected : Term, optional
         What an erratum should say.
     because : Term, optional
@@ -92,6 +101,8 @@ class Equation:
         How many values a branch letter takes, where that is not n.
     components : bool
         Whether single components occur, so that no frame may be chosen along the vectors.
+    lost : str
+        Further marks that the extraction lost in this display.
     fixed_by : str
         The legible place that decides between readings, where one does.
     remark : str
@@ -108,6 +119,7 @@ class Equation:
     where: tuple[Definition, ...] = ()
     claimed: Term | None = None
     condition: Term | None = None
+    sharp: bool = True
     corrected: Term | None = None
     because: Term | None = None
     also: Points | None = field(default=None, compare=False)
@@ -115,6 +127,7 @@ class Equation:
     orders: tuple[int, ...] | None = None
     branches: int | None = None
     components: bool = False
+    lost: str = ""
     fixed_by: str = ""
     remark: str = ""
     source: str = ""
@@ -152,6 +165,29 @@ def equation(number: str, title: str, line: int, printed: Term | tuple[Reading, 
 
 
 @dataclass(frozen=True)
+class Counterexample:
+    """A point at which a statement is false.
+
+    Attributes
+    ----------
+    point : str
+        What is special about it.
+    letters : dict of str to list of str
+        LaTeX of each free letter to the numbers it consists of: real parts, then dual parts.
+    sides : tuple of list of str
+        The numbers that the two sides of the equation that fails consist of; none for a claim in words.
+    """
+
+    point: str
+    letters: Mapping[str, list[str]]
+    sides: tuple[list[str], ...]
+
+    def as_json(self) -> dict[str, Any]:
+        """As plain data."""
+        return {"point": self.point, "letters": dict(self.letters), "sides": list(self.sides)}
+
+
+@dataclass(frozen=True)
 class Verdict:
     """What came out for one reading.
 
@@ -163,12 +199,15 @@ class Verdict:
         Whether it is true wherever it should be.
     method : str
         How that is known.
+    counterexample : Counterexample, optional
+        Of a false one.
     """
 
     statement: Term
     note: str
     true: bool
     method: str
+    counterexample: Counterexample | None = None
 
     @property
     def latex(self) -> str:
@@ -189,7 +228,11 @@ class Result:
     status : Status
     method : str
     verdicts : tuple of Verdict
-        One for each reading.
+        One for each reading that is listed or was found true; a true one comes first if there is one.
+    reading_count : int
+        How many readings differ, at most `readings.search.CAP`.
+    capped : bool
+        Whether there are more, so that not all were looked at.
     """
 
     paper: str
@@ -197,6 +240,8 @@ class Result:
     status: Status
     method: str
     verdicts: tuple[Verdict, ...]
+    reading_count: int = 1
+    capped: bool = False
 
     @property
     def printed(self) -> str:
@@ -211,30 +256,56 @@ class Result:
 
     @property
     def condition(self) -> str | None:
-        """LaTeX of the condition under which it holds."""
-        entry = self.equation
-        return latex(entry.condition) if self.status is Status.HOLDS_IF and entry.condition is not None else None
+        """LaTeX of the domain that was found."""
+        return None if self.equation.condition is None else latex(self.equation.condition)
+
+    @property
+    def claimed(self) -> str | None:
+        """LaTeX of the domain that the paper states."""
+        return None if self.equation.claimed is None else latex(self.equation.claimed)
+
+    @property
+    def counterexample(self) -> Counterexample | None:
+        """Where an erratum fails."""
+        return self.verdicts[0].counterexample if self.status is Status.ERRATUM else None
+
+    @property
+    def section(self) -> str:
+        """The number of the section of the paper, from the module of the entry."""
+        found = re.search(r"/s0?(\d+)(?:_(\d))?", self.equation.source)
+        return ".".join(part for part in found.groups() if part) if found else ""
+
+    @property
+    def anchor(self) -> str:
+        """The name of the entry in pages; it never changes."""
+        return f"{self.paper}-{self.equation.number}"
 
     def as_json(self) -> dict[str, Any]:
         """The result as plain data, for ``--format json``."""
-        record: dict[str, Any] = {
+        example = self.counterexample
+        return {
             "paper": self.paper,
             "equation": self.equation.number,
             "title": self.equation.title,
             "status": str(self.status),
             "printed": self.printed,
             "corrected": self.corrected,
+            "claimed": self.claimed,
             "condition": self.condition,
+            "exact": self.equation.sharp if self.equation.condition is not None else None,
+            "readings": [
+                {"latex": v.latex, "verdict": "true" if v.true else "false", "note": v.note} for v in self.verdicts
+            ],
+            "reading_count": self.reading_count,
+            "capped": self.capped,
+            "counterexample": None if example is None else example.as_json(),
             "method": self.method,
+            "anchor": self.anchor,
+            "section": self.section,
             "line": self.equation.line,
             "source": self.equation.source,
             "remark": self.equation.remark,
         }
-        if self.status is Status.AMBIGUOUS:
-            record["readings"] = [
-                {"printed": v.latex, "verdict": "true" if v.true else "false", "note": v.note} for v in self.verdicts
-            ]
-        return record
 
     def cells(self) -> dict[str, str]:
         """Its row in a table."""

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 from .decide import ORDERS, explore
-from .equation import Equation, Result, Status
+from .equation import Equation, Result
 from .language.terms import Apply, Number, Term, text
 
 
@@ -43,10 +43,9 @@ class Score:
 
 
 def true_statements(result: Result) -> tuple[Term, ...]:
-    """What was found true: the printed form, the correction of an erratum, the true readings of an ambiguous one."""
-    if result.status is Status.ERRATUM:
-        return () if result.equation.corrected is None else (result.equation.corrected,)
-    return tuple(verdict.statement for verdict in result.verdicts if verdict.true)
+    """What was found true: the readings that are, else the correction."""
+    true = tuple(verdict.statement for verdict in result.verdicts if verdict.true)
+    return true or (() if result.equation.corrected is None else (result.equation.corrected,))
 
 
 def try_mutants(result: Result, every: int = 1, orders: Sequence[int] = ORDERS) -> Score:

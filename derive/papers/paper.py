@@ -22,6 +22,8 @@ class Paper:
         Its package, with an ``inventory`` and the modules of ``sections``.
     sections : tuple of str
         Those modules, in the paper's order; each has ``ENTRIES``.
+    doi : str
+        Empty for a paper without one.
     """
 
     slug: str
@@ -30,6 +32,7 @@ class Paper:
     lost: str
     package: str
     sections: tuple[str, ...]
+    doi: str = ""
 
     def entries(self) -> tuple[Equation, ...]:
         """All entries in the paper's order, each with the module that holds it."""

@@ -13,20 +13,15 @@ from typing import Any
 
 import mpmath
 
-from derive.algebra import Dual, Structure
-from derive.maps.pose import Pose
-
 from . import PAPERS, Paper
+from .counterexample import is_value, shown, sides
 from .decide import ORDERS, decide, points
 from .equation import Equation
-from .language import values
 from .language.evaluation import Env
-from .language.notation import equal
-from .language.terms import Apply, Term, Trait
+from .language.terms import Term
 from .mutation import true_statements
 from .numbers.fields import DIGITS
 
-SHOWN = 30
 FILE = "witnesses.json"
 
 
@@ -39,13 +34,13 @@ def witness(paper: Paper, entry: Equation, orders: Sequence[int] = ORDERS) -> di
         ``point``, its name; ``letters``, the parts of each letter; ``values``, the parts of each side that is a number,
         vector, tensor or quaternion, equal sides once; a claim without such sides has its truth in ``values``.
     """
-    statement = true_statements(decide(paper.slug, entry, paper.lost, orders))[0]
+    statement = true_statements(decide(paper.slug, entry, paper.lost, orders, count=False))[0]
     with mpmath.workdps(DIGITS):
         label, env = next(_inside(entry, statement, orders))
         free = {letter.name: env.value(letter) for letter in entry.free(statement)}
-        given = {name: _shown(value) for name, value in free.items() if _is_value(value)}
-        sides = [_shown(value) for value in _sides(env, statement) if _is_value(value)]
-        different = [side for i, side in enumerate(sides) if side not in sides[:i]]
+        given = {name: shown(value) for name, value in free.items() if is_value(value)}
+        seen = [shown(value) for value in sides(env, statement) if is_value(value)]
+        different = [side for i, side in enumerate(seen) if side not in seen[:i]]
         return {"point": label, "letters": given, "values": different or [[str(bool(env.value(statement))).lower()]]}
 
 
@@ -73,31 +68,6 @@ def _holds(value: Callable[[], Any]) -> bool:
         return bool(value())
     except ArithmeticError:
         return False
-
-
-def _sides(env: Env, statement: Term) -> Iterator[Any]:
-    """The values of both sides of each equation in a statement."""
-    if not isinstance(statement, Apply):
-        return
-    if Trait.JOINS in statement.mark.traits:
-        for part in statement.arguments:
-            yield from _sides(env, part)
-    elif statement.mark is equal:
-        for side in statement.arguments:
-            yield env.value(side)
-
-
-def _is_value(value: Any) -> bool:
-    if isinstance(value, values.Either):
-        return _is_value(value.first)
-    return isinstance(value, Structure | Pose | Dual | mpmath.mpf | int) and not isinstance(value, bool)
-
-
-def _shown(value: Any) -> list[str]:
-    """All parts of a value as decimal numbers."""
-    if isinstance(value, Pose):
-        return [*_shown(value.rotation), *_shown(value.displacement)]
-    return [mpmath.nstr(mpmath.mpf(part), SHOWN) for part in values.coefficients(value)]
 
 
 def main() -> None:

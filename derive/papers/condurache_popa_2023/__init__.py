@@ -19,6 +19,7 @@ PAPER = Paper(
     short="CP23",
     citation="D. Condurache, I. Popa: A Minimal Parameterization of Rigid Body Displacement and Motion Using a "
     "Higher-Order Cayley Map by Dual Quaternions. Symmetry 15(11) 2011, 2023",
+    doi="10.3390/sym15112011",
     lost=LOST,
     package=__name__,
     sections=(

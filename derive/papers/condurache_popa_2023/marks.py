@@ -43,7 +43,8 @@ def _limit(env: Env, index: Term, body: Term) -> Any:
     return second
 
 
-limit = define("limit", r"\lim_{{{0} \to \infty}} {1}", "lim {0} {1}", PRODUCT, (ATOM, PRODUCT), _limit, lazy=True)
+limit = define("limit", r"\lim_{{{0} \to \infty}} {1}", "lim {0} {1}", PRODUCT, (ATOM, PRODUCT), _limit, lazy=True,
+               traits=Trait.EVENTUAL)  # fmt: skip
 provided = define("if", r"\text{{if }} {0}", "if {0}", RELATION, (LIST,), lambda env, a: a)
 tends = define("tends", r"{0} \to {1}", "{0} {1}", RELATION, (SUM,),
                lambda env, a, b: values.equal(env.field, a, b))  # fmt: skip

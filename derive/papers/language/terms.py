@@ -42,6 +42,8 @@ class Trait(Flag):
     """It is the root of a square, so that its own square needs no root."""
     JOINS = auto()
     """It joins statements: what its parts state is stated."""
+    EVENTUAL = auto()
+    """It is what its last argument is from some order on."""
 
 
 @dataclass(frozen=True)

@@ -19,17 +19,20 @@ class Draw:
     ----------
     seed : str
         Every draw with the same seed is the same.
-    dual, moving : bool
+    moving : bool
         Layout of the coefficients, as in `derive.papers.language.evaluation.Env`.
+    digits : int
+        How many decimals the numbers have that are drawn.
     """
 
-    def __init__(self, seed: str, moving: bool = False) -> None:
+    def __init__(self, seed: str, moving: bool = False, digits: int = 30) -> None:
         self.random = random.Random(seed)
         self.moving = moving
+        self.digits = digits
 
     def real(self, low: float = 0.2, high: float = 0.9) -> Any:
-        """A positive number with at most 30 digits, never a special one."""
-        scale = 10**30
+        """A positive number, never a special one."""
+        scale = 10**self.digits
         return mpmath.mpf(self.random.randint(int(low * scale), int(high * scale))) / scale
 
     def signed(self) -> Any:

@@ -143,10 +143,11 @@ class Generic:
         return letter.kind.exact(self, letter.name)
 
     def _field(self, steps: int) -> Exact:
+        return Exact(self._names(), self._angles(steps))
+
+    def _angles(self, steps: int) -> dict[str, int]:
         angles = {letter.name: steps for letter in self.letters if letter.kind.role in (Role.ANGLE, Role.TURN)}
-        if self.first is not None:
-            angles[f"arctan {self.first}"] = 1
-        return Exact(self._names(), angles)
+        return angles if self.first is None else {**angles, f"arctan {self.first}": 1}
 
     def _names(self) -> list[str]:
         parts = [f"{part}{slope}" for part in (("", "°") if self.dual else ("",)) for slope in self._slopes]
@@ -166,7 +167,7 @@ class Generic:
     def _first(self) -> Any:
         """The magnitude of the first vector: the tangent of an angle."""
         angle = self.field.symbol(f"arctan {self.first}")
-        return angle.sin() / angle.cos()
+        return self.field.sin(angle) / self.field.cos(angle)
 
 
 class GenericOrder(Generic):

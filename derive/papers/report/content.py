@@ -7,13 +7,15 @@ from dataclasses import dataclass
 
 from derive.proof import Proof
 
-from ..equation import Result, Status
+from ..equation import Counterexample, Result, Status
 from ..paper import Paper
+from ..readings.search import CAP, COUNTED
+from .plain import plain
 
 MEANING = {
-    Status.ERRATUM: "false as printed; the correction is proved",
-    Status.AMBIGUOUS: "the text is too lossy: its readings differ",
-    Status.HOLDS_IF: "true exactly under the condition shown",
+    Status.ERRATUM: "false as printed, however it is read; the correction is decided like any other statement",
+    Status.AMBIGUOUS: "a legible place speaks for a reading that is false, or there are too many readings to try",
+    Status.HOLDS_IF: "true under the condition shown",
     Status.HOLDS: "true as printed",
 }
 """The statuses in the order of the report."""
@@ -78,3 +80,59 @@ def label(result: Result) -> str:
     """How an equation is cited: ``(111)``, or its slug."""
     number = result.equation.number
     return f"({number})" if number.isdecimal() else number
+
+
+def place(result: Result) -> str:
+    """Where an entry stands in its paper: section, and the number of a display that has one."""
+    number = result.equation.number
+    return f"section {result.section}" + (f", equation ({number})" if number.isdecimal() else "")
+
+
+def readings(result: Result) -> str:
+    """How many readings the display has, and how many of those that were looked at are true."""
+    if not result.equation.extract or result.reading_count <= 1:
+        return ""
+    count, true = result.reading_count, sum(verdict.true for verdict in result.verdicts)
+    shown = f"{count} or more" if count in (COUNTED, CAP) or result.capped else str(count)
+    return f"{shown} readings, {'none' if not true else 'one' if true == 1 else true} true"
+
+
+def why(result: Result) -> str:
+    """One line on what an erratum contradicts."""
+    entry = result.equation
+    return (entry.remark or entry.title).split(". ")[0].rstrip(".") + "."
+
+
+def command(result: Result) -> str:
+    """What prints the entry with its counterexample."""
+    return f"dualcay verify --paper {result.paper} --eq {result.equation.number}"
+
+
+DIGITS = 10
+
+
+def example(found: Counterexample) -> tuple[str, ...]:
+    """A counterexample in lines: the letters, then the first number in which the sides differ."""
+    lines = [f"{plain(name)} = {_numbers(parts)}" for name, parts in found.letters.items()]
+    if len(found.sides) == 2 and all(found.sides):
+        left, right = found.sides
+        differing = (i for i, pair in enumerate(zip(left, right, strict=False)) if pair[0][:DIGITS] != pair[1][:DIGITS])
+        i = next(differing, 0)
+        which = f"number {i + 1} of {len(left)}: " if len(left) > 1 else ""
+        lines.append(f"{which}left {left[i][: DIGITS + 2]}, right {right[i][: DIGITS + 2]}")
+    else:
+        lines.append(f"{found.point}: the statement is false")
+    return tuple(lines)
+
+
+def _numbers(parts: list[str]) -> str:
+    """Real parts, and dual parts after ε."""
+    short = [part[: DIGITS + 2] for part in parts]
+    half = len(short) // 2
+    if len(short) in (2, 6, 8):
+        return f"{_tuple(short[:half])} + ε {_tuple(short[half:])}"
+    return _tuple(short)
+
+
+def _tuple(parts: list[str]) -> str:
+    return parts[0] if len(parts) == 1 else f"({', '.join(parts)})"

@@ -13,9 +13,10 @@ from derive.output import render
 from derive.proof import Proof
 
 from ..equation import Result, Status
-from .content import MEANING, Report, label
+from .content import MEANING, Report, command, example, label, place, readings, why
+from .difference import differing
 
-SCHEMA = 1
+SCHEMA = 2
 
 
 def as_json(report: Report) -> str:
@@ -30,17 +31,21 @@ def as_json(report: Report) -> str:
 
 def as_markdown(report: Report) -> str:
     """A page for a repository: formulas in fenced ``math`` blocks."""
-    return render("report/errata.md.j2", **_data(report))
+    return render("report/errata.md.j2", differing=differing_sides, **PAGE, **_data(report))
 
 
 def as_html(report: Report) -> str:
     """One self-contained page: formulas in MathML, a filter that needs no network."""
-    return render("report/errata.html.j2", mathml=mathml, **_data(report))
+    return render("report/errata.html.j2", mathml=mathml, differing=differing_sides, **PAGE, **_data(report))
 
 
 def as_latex(report: Report) -> str:
     """A sheet of the errata, to be compiled with pdflatex."""
     return render("report/errata.tex.j2", escape=escape, **_data(report))
+
+
+PAGE = {"place": place, "readings": readings, "why": why, "command": command, "example": example}
+"""What pages say besides."""
 
 
 def _data(report: Report) -> dict[str, Any]:
@@ -53,6 +58,12 @@ def _data(report: Report) -> dict[str, Any]:
         "HOLDS_IF": Status.HOLDS_IF,
         "notes": notes,
     }
+
+
+def differing_sides(result: Result) -> tuple[str, str]:
+    """What is printed and what is right, with what differs in colour."""
+    assert result.equation.corrected is not None
+    return differing(result.verdicts[0].statement, result.equation.corrected)
 
 
 def notes(result: Result) -> tuple[str, ...]:

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from derive.output.tables import WIDTH, Column, Grid
 
 from ..equation import Result, Status
-from .content import MEANING, Chapter, Report, label
+from .content import MEANING, Chapter, Report, example, label, readings
 from .plain import plain
 
 NARROWEST = 72
@@ -38,8 +38,15 @@ def counts(report: Report) -> Grid:
 
 def errata(chapter: Chapter) -> Grid:
     """Printed and corrected, side by side."""
-    rows = ((_name(r), plain(r.printed), plain(r.corrected or "")) for r in chapter.of(Status.ERRATUM))
+    rows = (row for result in chapter.of(Status.ERRATUM) for row in _erratum(result))
     return _grid(chapter, Status.ERRATUM, ("equation", "printed", "corrected"), rows)
+
+
+def _erratum(result: Result) -> Iterator[tuple[str, ...]]:
+    """A row with both forms, and one with numbers for which they differ."""
+    yield _name(result), plain(result.printed), plain(result.corrected or "")
+    if result.counterexample is not None:
+        yield "where they differ", "\n".join(example(result.counterexample)), readings(result)
 
 
 def ambiguous(chapter: Chapter) -> Grid:

@@ -81,12 +81,17 @@ def test_an_unfaithful_reading_is_refused() -> None:
         decided(square_of_sum, extract="a + b 2 = a 2 + a b + b 2")
 
 
-def test_readings_that_differ_are_ambiguous() -> None:
-    readings = (Reading(equal((a - b) * b, a * b - b**2), "bracket"), Reading(equal(a - b * b, a * b - b**2), "none"))
+def test_a_true_reading_is_enough() -> None:
+    readings = (Reading(equal(a - b * b, a * b - b**2), "none"), Reading(equal((a - b) * b, a * b - b**2), "bracket"))
     result = decided(readings, extract="a b b = a b b 2")
-    assert result.status is Status.AMBIGUOUS
+    assert result.status is Status.HOLDS
     assert [verdict.true for verdict in result.verdicts] == [True, False]
     assert [r["verdict"] for r in result.as_json()["readings"]] == ["true", "false"]
+
+
+def test_a_claim_in_words_that_can_be_understood_both_ways_is_ambiguous() -> None:
+    readings = (Reading(equal((a - b) * b, a * b - b**2)), Reading(equal(a - b * b, a * b - b**2)))
+    assert decided(readings).status is Status.AMBIGUOUS
 
 
 def test_two_false_readings_are_an_erratum() -> None:

@@ -9,7 +9,8 @@ from tests.support.imports import ROOT, imported, sources
 
 BASE = ("derive", "papers")
 PACKAGES = tuple(paper.package.rpartition(".")[2] for paper in PAPERS)
-ROOMS = ("numbers", "language", "equation", "paper", *PACKAGES, "decide", "mutation", "report", "", "witnesses")
+DECIDING = ("readings", "poles", "counterexample", "decide")
+ROOMS = ("numbers", "language", "equation", "paper", *PACKAGES, *DECIDING, "mutation", "report", "", "witnesses")
 """Each room or module may import itself and those before it; the empty name is the package itself."""
 
 IN_A_PAPER = ("alphabet", "marks", "meanings", "sections", "inventory")

@@ -199,6 +199,7 @@ POLYNOMIAL = (
              extract="p n + 1 X = p n X X 2 q n X q n + 1 X = q n X + q n X p 1 X = 1 , q 1 X = 1",
              where=(*POLYNOMIALS, let(p_next, cayley_maps.next_p, n), let(q_next, cayley_maps.next_q, n),
                     let(p_1, orders.at_order(1, orders.p)), let(q_1, orders.at_order(1, orders.q))),
+             remark="Contradicts (52): q₂ would be 2q₁ = 2 by chance, and q₃ would be 4.",
              corrected=both(equal(p_next(X), p(X) - X**2 * q(X)), equal(q_next(X), q(X) + p(X)), equal(p_1(X), 1),
                             equal(q_1(X), 1))),
     equation("57", "orthogonal dual tensor of order n", 279,

@@ -80,13 +80,13 @@ SHADOWS = (
              equal(pm(q_hat), 1 / root((1 + norm(v_k)**2)**n) * (p_n(norm(v_k)) + q_n(norm(v_k)) * v_k)),
              where=(let(p_n, orders.p, n), let(q_n, orders.q, n), let(v_k, cayley_maps.branch, n, k, alpha, u),
                     let(q_hat, orders.screw_quaternion, alpha, u)),
-             claimed=finite(turned)),
+             condition=finite(turned)),
     equation("tensor-shadows", "so do the tensors", 276,
              equal(R, identity + 2 * p_n(norm(v_k)) * q_n(norm(v_k)) / (1 + norm(v_k)**2)**n * skew_k
                    + 2 * (q_n**2)(norm(v_k)) / (1 + norm(v_k)**2)**n * skew_k**2),
              where=(let(p_n, orders.p, n), let(q_n, orders.q, n), let(v_k, cayley_maps.branch, n, k, alpha, u),
                     let(R, screw_tensor, alpha, u)),
-             claimed=finite(turned)),
+             condition=finite(turned)),
 )  # fmt: skip
 
 TENSORS = (

@@ -83,7 +83,7 @@ THEOREM_16 = (
              extract="± q _ ^ v _ = a v _ + v _ n a v _ 2 + v _ 2 n",
              where=(let(a, cayley_maps.constant, a_value), let(v, cayley_maps.scaled_rodrigues, n, a_value, alpha, u),
                     let(q_of, cayley_maps.function_of(orders.screw_quaternion), alpha, u)),
-             claimed=finite(alpha / (2 * n)),
+             condition=finite(alpha / (2 * n)),
              remark="v = φ(α) u with any value a(v) = φ(α) cot(α/2n); another k is another angle and ±."),
     equation("theorem-16-factor", "factor a(v) of a vectorial parameterization", 302,
              equal(a(v), norm(v) * cot((phi_inv(norm(v)) + 2 * k * pi) / (2 * n))),

@@ -89,6 +89,7 @@ SECOND = (
     equation("105", "kinematic tensor, n = 2", 432,
              equal(o2.dcay_inv, (1 - x) / 2 * I - half * V + half * VV),
              extract="d c a y 2 1 = 1 v _ 2 2 I _ 1 2 v ~ _ + 1 2 v _ v _", where=o2.where,
+             remark="Contradicts (89) at n = 2, where p₂/2q₂ is (1 − |v|²)/4.",
              corrected=equal(o2.dcay_inv, (1 - x) / 4 * I - half * V + half * VV)),
 )  # fmt: skip
 
@@ -110,11 +111,13 @@ THIRD = (
              equal(o3.dcay, 2 / (1 + x)**3 * ((1 - 3 * x) * (3 - x) * I + (3 - x)**2 * V + (16 + 9 * x) * VV)),
              extract="d c a y 3 = 2 1 + v _ 2 3 1 3 v _ 2 3 v _ 2 I _ + 3 v _ 2 2 v ~ _ + 16 + 9 v _ 2 v _ v _",
              where=o3.where,
+             remark="Contradicts (88) at n = 3, where the factor of v ⊗ v is 32/(1 + |v|²)³.",
              corrected=equal(o3.dcay, 2 / (1 + x)**3 * ((1 - 3 * x) * (3 - x) * I + (3 - x)**2 * V + 16 * VV))),
     equation("112", "kinematic tensor, n = 3", 440,
              equal(o3.dcay_inv, (1 - 3 * x) / (3 - x) * I - half * V + (11 - x) / (6 * (3 - x)) * VV),
              extract="d c a y 3 1 = 1 3 v _ 2 3 v _ 2 I _ 1 2 v ~ _ + 11 v _ 2 6 3 v _ 2 v _ v _", where=o3.where,
              condition=nonzero(Re(3 - x)), also=lambda draw: {"Re |v|² = 3": {v: draw.vector(re=(1, -1, 1))}},
+             remark="Contradicts (89) at n = 3, where p₃/2q₃ is the factor of I.",
              corrected=equal(o3.dcay_inv,
                              (1 - 3 * x) / (2 * (3 - x)) * I - half * V + (11 - x) / (6 * (3 - x)) * VV)),
 )  # fmt: skip

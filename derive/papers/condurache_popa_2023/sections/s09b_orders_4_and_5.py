@@ -30,6 +30,7 @@ FOURTH = (
              extract="d c a y 4 = 8 1 + v _ 2 4 1 6 v _ 2 + v _ 4 1 v _ 2 I _ + 4 1 v _ 2 v ~ _ "
                      "+ v _ 4 3 v _ 2 + 10 v _ v _",
              where=o4.where,
+             remark="Contradicts (88) at n = 4 in the factors of ṽ and v ⊗ v.",
              corrected=equal(o4.dcay, 8 / (1 + x) ** 4 * (p4 * (1 - x) * I + 4 * (1 - x) ** 2 * V
                                                           + (2 * x2 - 4 * x + 10) * VV))),
     equation("119", "kinematic tensor, n = 4", 448,
@@ -37,6 +38,7 @@ FOURTH = (
              extract="d c a y 4 1 = 1 6 v _ 2 + v _ 4 8 1 v _ 2 I _ 1 2 v ~ _ 8 v _ 2 + 3 8 1 v _ 2 v _ v _",
              where=o4.where, condition=nonzero(Re(1 - x)),
              also=lambda draw: {"Re |v| = 1": {v: draw.unit()}},
+             remark="Contradicts (89) at n = 4 in the factor of v ⊗ v.",
              corrected=equal(o4.dcay_inv, p4 / (8 * (1 - x)) * I - half * V + (3 - x) / (4 * (1 - x)) * VV)),
 )  # fmt: skip
 
@@ -62,12 +64,14 @@ FIFTH = (
              equal(o5.dcay, 2 / (1 + x) ** 5 * (p5_printed * q5 * I + q5 * V + (40 - 48 * x + 40 * x2) * VV)),
              extract="d c a y 5 = 2 1 + v _ 2 5 1 10 v _ 2 + v _ 4 5 10 v _ 2 + v _ 4 I _ + 5 10 v _ 2 + v _ 4 v ~ "
                      "+ 40 48 v _ 2 + 40 v _ 4 v _ v _", where=o5.where,
+             remark="Contradicts (88) at n = 5 in all three factors, and (121) in p₅.",
              corrected=equal(o5.dcay, 2 / (1 + x) ** 5 * (p5 * q5 * I + q5**2 * V + (80 - 96 * x + 80 * x2) * VV))),
     equation("125", "kinematic tensor, n = 5", 456,
              equal(o5.dcay_inv, p5_printed / (2 * q5) * I - half * V + (45 - 16 * x + x2) / (10 * q5) * VV),
              extract="d c a y 5 1 = 1 10 v _ 2 + v _ 4 2 5 10 v _ 2 + v _ 4 I _ 1 2 v _ ~ + 45 16 v _ 2 + v _ 4 "
                      "10 5 10 v _ 2 + v _ 4 v _ v _", where=o5.where, condition=nonzero(Re(q5)),
              also=lambda draw: {"Re q₅ = 0": {v: draw.unit() * mpmath.tan(mpmath.pi / 5)}},
+             remark="Contradicts (89) at n = 5 in the factors of I and v ⊗ v, and (121) in p₅.",
              corrected=equal(o5.dcay_inv, p5 / (2 * q5) * I - half * V + (45 - 34 * x + x2) / (10 * q5) * VV)),
 )  # fmt: skip
 

@@ -39,6 +39,7 @@ def _components(i: int) -> tuple[Equation, Equation]:
                  equal(b0_i, shift * bracket(square) * u0_i),
                  extract=f"b {i} 0 = d [ 1 + ( t a n α 2 ) 2 ] u {i} 0", where=where, condition=finite(angle / 2),
                  components=True,
+                 remark="Contradicts (92): the dual part of tan(α/2) u has a term along u and a factor 1/2.",
                  corrected=equal(b0_i, half * shift * bracket(square) * u_i + tan(angle / 2) * u0_i)),
     )  # fmt: skip
 

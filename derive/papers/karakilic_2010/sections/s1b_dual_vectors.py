@@ -14,7 +14,7 @@ from ..marks import at_least, column, group, length, parts, square_root
 # ---- vectors --------------------------------------------------------------------------------------------------
 
 v_hat, w_hat, u_hat = (hat(name, "dual vector") for name in "vwu")
-v, v_, v_lost = arrow("v"), arrow("v", star=True), arrow("v", star=True, seen_as="v")
+v, v_ = arrow("v"), arrow("v", star=True)
 a_hat, b_hat = (hat(name, "dual number") for name in "ab")
 six = tuple(real("v", index, star) for star in (False, True) for index in (1, 2, 3))
 v1, v2, v3, v1_, v2_, v3_ = six

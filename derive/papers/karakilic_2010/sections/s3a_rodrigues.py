@@ -39,7 +39,6 @@ FIGURE = (
 turned_less = nonzero(Re(cos(f_hat / 2)))
 ratio = length(X_across - x_across) / length(X_across + x_across)
 seen = nonzero(Re(length(X_across + x_across)))
-lost_two = Letter("2 (lost)", "dual number", "2", " ")
 
 RHOMBUS = (
     equation("rhombus", "X̂' and x̂' are sides of a rhombus", 117,
@@ -59,10 +58,10 @@ RHOMBUS = (
              extract=marks(r"\left\| \hat{b} \right\| = \frac{\left\| \hat{X}' - \hat{x}' \right\|}{\left\| \hat{X}' + "
                            r"\hat{x}' \right\|}"), where=FIGURE, condition=seen),
     equation("half-angle", "the ratio as a tangent", 129,
-             equal(ratio, (length(X_across - x_across) / lost_two) / (length(X_across + x_across) / 2), Tan(f_hat / 2)),
+             equal(ratio, (length(X_across - x_across) / 2) / (length(X_across + x_across) / 2), Tan(f_hat / 2)),
              extract=marks(r"\hat{X}' - \hat{x}' \hat{X}' + \hat{x}' = \hat{X}' - \hat{x}' \hat{X}' + \hat{x}' 2 = Tan "
                            r"\frac{\hat{f}}{2}"),
-             where=(*FIGURE, let(lost_two, lambda env: 2)), condition=both(seen, at_least(Tan(f_hat / 2), 0)),
+             where=FIGURE, lost="2", condition=both(seen, at_least(Tan(f_hat / 2), 0)),
              fixed_by="figure 1, lines 125 and 133: the same ratio, so that both diagonals are halved",
              remark="The extraction has one 2 for both. Beyond a half turn the tangent is negative."),
     equation("1", "norm of the dual Rodrigues vector", 133, equal(length(b_hat), ratio),
@@ -73,13 +72,13 @@ RHOMBUS = (
 # ---- real and dual parts --------------------------------------------------------------------------------------
 
 f, f_ = real("f", kind="real angle"), real("f", star=True)
-b, b_, b_lost = arrow("b"), arrow("b", star=True), arrow("b", star=True, seen_as="b")
+b, b_ = arrow("b"), arrow("b", star=True)
 s, s_, s_hat = arrow("s"), arrow("s", star=True), hat("s", "dual vector")
 turn = Letter("turn", "unit vector")
 ANY = (let(b_hat, meanings.along, size, turn),)
 SCREW = (let(f_hat, meanings.dual_number, f, f_), let(b_hat, meanings.screw_rodrigues, f_hat, turn))
 PARTS = (
-    let(b, real_of, b_hat), let(b_, dual_of, b_hat), let(b_lost, dual_of, b_hat),
+    let(b, real_of, b_hat), let(b_, dual_of, b_hat),
     let(s_hat, meanings.direction, b_hat), let(s, real_of, s_hat), let(s_, dual_of, s_hat),
 )  # fmt: skip
 slope: Term = f_ / 2 * group(1 + Tan2(f / 2))
@@ -87,19 +86,19 @@ forward = ordered(Number(0), Tan(f / 2))
 LEGIBLE = "(5), line 151: the same quotient, with its star"
 
 DUAL_PARTS = (
-    equation("2", "norm of b̂ by parts", 138, equal(length(b_hat), length(b) + e * (dot(b, b_lost) / length(b))),
+    equation("2", "norm of b̂ by parts", 138, equal(length(b_hat), length(b) + e * (dot(b, b_) / length(b))),
              extract=marks(r"\left\| \hat{b} \right\| = \left\| b \right\| + e \frac{b \cdot b}{\left\| b \right\|}"),
-             where=(*ANY, *PARTS), condition=nonzero(b), fixed_by=LEGIBLE),
+             where=(*ANY, *PARTS), lost="*", condition=nonzero(b), fixed_by=LEGIBLE),
     equation("3", "tangent of half the dual angle", 143, equal(Tan(f_hat / 2), Tan(f / 2) + e * slope),
              extract=marks(r"Tan\frac{\hat{f}}{2} = Tan\frac{f}{2} + e\frac{f^*}{2}(1 + Tan^2\frac{f}{2})"),
              where=SCREW, condition=nonzero(cos(f / 2))),
     equation("4", "both norms", 148,
-             equal(length(b) + e * (pair(b, b_lost) / length(b)), Tan(f / 2) + e * slope),
+             equal(length(b) + e * (pair(b, b_) / length(b)), Tan(f / 2) + e * slope),
              extract=marks(r"\| \stackrel{\mathbf{r}}{b} \| + e \frac{\stackrel{\mathbf{r}}{b} "
                            r"\stackrel{\mathbf{r}}{b}}"
                            r"{\| \stackrel{\mathbf{r}}{b} \|} = Tan \frac{f}{2} + e \frac{f^*}{2} (1 + Tan^2 "
                            r"\frac{f}{2})"),
-             where=(*SCREW, *PARTS), condition=forward, fixed_by=LEGIBLE),
+             where=(*SCREW, *PARTS), lost="*", condition=forward, fixed_by=LEGIBLE),
     equation("real-norm", "norm of the real Rodrigues vector", 151, equal(length(b), Tan(f / 2)),
              extract=marks(r"\left\| \stackrel{\mathbf{r}}{b} \right\| = Tan \frac{f}{2}"), where=(*SCREW, *PARTS),
              condition=at_least(Tan(f / 2), 0), remark="Beyond a half turn it is −Tan f/2."),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...equation import equation
+from ...equation import Reading, equation
 from ...language.evaluation import let
 from ...language.notation import Re, cos, dot, equal, nonzero, zero
 from ...language.terms import Letter
@@ -10,14 +10,14 @@ from .. import meanings
 from ..alphabet import hat, marks
 from .s3b_components import SCREW, equations, f, f_, forward, relation, solution
 
-star_lost = Letter("f* (star lost)", "real", "f^{*}", "f")
 b1_, right_22 = equations["22"]
 
 RESTATED = (
     relation("conclusion-22", "dual Rodrigues parameter b1*, restated", 256,
-             equal(b1_, right_22.xreplace({f_: star_lost})),
+             (Reading(equal(b1_, right_22), "with the star of f"),
+              Reading(equal(b1_, right_22.xreplace({f_: f})), "without")),
              extract=marks(r"b_1^* = s_1^* Tan \frac{f}{2} + s_1 \frac{f}{2} (1 + Tan^2 \frac{f}{2})"),
-             where=(*SCREW, let(star_lost, meanings.same, f_)), condition=forward,
+             where=SCREW, lost="*", condition=forward,
              fixed_by="(22), line 247, and (20), (21) beside it: f*/2",
              remark="The extraction has f/2; its star is gone."),
     solution("20", 259, 2, restated=True),

@@ -48,13 +48,16 @@ def test_every_entry_can_be_rendered() -> None:
 
 def test_json_has_the_documented_fields(report) -> None:
     data = json.loads(FORMATS["json"](report))
-    assert data["schema"] == 1
-    fields = {"paper", "equation", "title", "status", "printed", "corrected", "condition", "method"}
+    assert data["schema"] == 2
+    fields = {"paper", "equation", "title", "status", "printed", "corrected", "claimed", "condition", "exact"}
+    fields |= {"readings", "reading_count", "capped", "counterexample", "method", "anchor"}
     for equation in data["equations"]:
         assert fields <= set(equation)
         assert (equation["corrected"] is not None) == (equation["status"] == "erratum")
-        assert (equation["condition"] is not None) == (equation["status"] == "holds-if")
-        assert ("readings" in equation) == (equation["status"] == "ambiguous")
+        assert equation["condition"] is not None or equation["status"] != "holds-if"
+        assert (equation["counterexample"] is not None) == (equation["status"] == "erratum")
+        assert not (equation["capped"] and equation["status"] == "erratum")
+        assert {tuple(reading) for reading in equation["readings"]} == {("latex", "verdict", "note")}
     assert all(set(p) == {"statement", "scope", "status", "method", "seconds"} for p in data["proofs"])
     assert len(data["proofs"]) == 2
 

@@ -19,13 +19,21 @@ FLAGS = (
     *("--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-sync"),
     *("--disable-background-networking", "--disable-component-update", "--virtual-time-budget=3000"),
 )
-PROBE = """<script>
+PROBE = r"""<script>
 addEventListener("load", () => {
   const click = new URLSearchParams(location.search).get("click");
   if (click) document.querySelector(`nav a[href="#${click}"]`).click();
   setTimeout(() => {
     const shown = [...document.querySelectorAll("article")].filter(row => row.offsetHeight > 0);
     const within = what => shown.flatMap(row => [...row.querySelectorAll(what)]);
+    const target = location.hash ? document.getElementById(location.hash.slice(1)) : null;
+    const light = colour => colour.match(/[\d.]+/g).slice(0, 3).map(c => c / 255)
+      .map(c => c <= .03928 ? c / 12.92 : ((c + .055) / 1.055) ** 2.4)
+      .reduce((sum, c, i) => sum + c * [.2126, .7152, .0722][i], 0);
+    const contrast = style => {
+      const [a, b] = [light(style.color), light(style.backgroundColor)].sort();
+      return (b + .05) / (a + .05);
+    };
     const box = node => node.getBoundingClientRect();
     document.body.dataset.probe = JSON.stringify({
       shown: shown.map(row => row.dataset.status),
@@ -34,6 +42,8 @@ addEventListener("load", () => {
       flat: within("math").filter(node => box(node).width < 5 || box(node).height < 5).length,
       fractions: within("mfrac").length,
       stacked: within("mfrac").filter(f => box(f.children[0]).bottom <= box(f.children[1]).top + 2).length,
+      contrast: contrast(getComputedStyle(document.body)),
+      covered: target !== null && box(target).top < box(document.querySelector("nav")).bottom,
       overflow: document.documentElement.scrollWidth - innerWidth,
     });
   }, 300);
@@ -56,9 +66,9 @@ def look(browser: str, report: Report, tmp_path: Path):
     page = FORMATS["html"](report)
     (tmp_path / "errata.html").write_text(page.replace("</body>", f"{PROBE}</body>"), encoding="utf-8")
 
-    def visit(address: str) -> dict[str, object]:
+    def visit(address: str, *flags: str) -> dict[str, object]:
         url = f"file://{tmp_path}/errata.html{address}"
-        command = [browser, *FLAGS, f"--user-data-dir={tmp_path}/profile", "--dump-dom", url]
+        command = [browser, *FLAGS, *flags, f"--user-data-dir={tmp_path}/profile", "--dump-dom", url]
         done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
         found = re.search(r'data-probe="([^"]*)"', done.stdout)
         assert found, f"no page came back: {done.stderr[-2000:]}"
@@ -83,6 +93,16 @@ def test_filter_by_address_and_by_click(look, report, status: Status, address: s
     seen = look(address.format(status))
     assert seen["shown"] == [str(r.status) for r in report.results if r.status is status]
     assert seen["current"] == str(status)
+
+
+@pytest.mark.parametrize("width", [375, 1280])
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_nothing_is_wider_than_the_window(look, width: int, scheme: str) -> None:
+    dark = ("--blink-settings=preferredColorScheme=0",) if scheme == "dark" else ()
+    seen = look("#karakilic-2010-14", f"--window-size={width},900", *dark)
+    assert seen["overflow"] <= 0
+    assert seen["contrast"] >= 4.5
+    assert seen["covered"] is False
 
 
 def test_the_address_of_an_entry_shows_everything(look, report) -> None:

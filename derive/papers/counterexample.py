@@ -1,0 +1,73 @@
+"""A point at which a statement fails, as numbers that anyone can put in."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import pairwise
+from typing import Any
+
+import mpmath
+
+from derive.algebra import Dual, Structure
+from derive.maps.pose import Pose
+
+from .equation import Counterexample, Equation
+from .language import values
+from .language.evaluation import Env
+from .language.notation import equal
+from .language.terms import Apply, Term, Trait, latex
+from .numbers.fields import DIGITS
+
+SHOWN = 30
+"""Digits of a value."""
+
+
+def counterexample(point: str, env: Env, entry: Equation, statement: Term) -> Counterexample:
+    """What the free letters of a statement are at a point, and the sides that differ there."""
+    with mpmath.workdps(DIGITS):
+        letters = {latex(letter): shown(env.value(letter)) for letter in entry.free(statement)
+                   if is_value(env.value(letter))}  # fmt: skip
+        return Counterexample(point, letters, _different(env, statement))
+
+
+def _different(env: Env, statement: Term) -> tuple[list[str], ...]:
+    """The first two sides of one equation that are not equal."""
+    if not isinstance(statement, Apply):
+        return ()
+    if Trait.JOINS in statement.mark.traits:
+        return next((found for part in statement.arguments if (found := _different(env, part))), ())
+    if statement.mark is equal:
+        for pair in pairwise(statement.arguments):
+            try:
+                a, b = (env.now(env.value(side)) for side in pair)
+            except ArithmeticError:
+                return ()
+            if not values.equal(env.field, a, b):
+                return tuple(shown(side) if is_value(side) else [] for side in (a, b))
+    return ()
+
+
+def sides(env: Env, statement: Term) -> Iterator[Any]:
+    """The values of both sides of each equation in a statement."""
+    if not isinstance(statement, Apply):
+        return
+    if Trait.JOINS in statement.mark.traits:
+        for part in statement.arguments:
+            yield from sides(env, part)
+    elif statement.mark is equal:
+        for side in statement.arguments:
+            yield env.value(side)
+
+
+def is_value(value: Any) -> bool:
+    """Whether a value consists of numbers."""
+    if isinstance(value, values.Either):
+        return is_value(value.first)
+    return isinstance(value, Structure | Pose | Dual | mpmath.mpf | int) and not isinstance(value, bool)
+
+
+def shown(value: Any, digits: int = SHOWN) -> list[str]:
+    """All parts of a value as decimal numbers."""
+    if isinstance(value, Pose):
+        return [*shown(value.rotation, digits), *shown(value.displacement, digits)]
+    return [mpmath.nstr(mpmath.mpf(part), digits) for part in values.coefficients(value)]

@@ -1,0 +1,32 @@
+"""Two formulas side by side: the smallest parts in which they differ are marked."""
+
+from __future__ import annotations
+
+from ..language.notation import define
+from ..language.terms import ATOM, LIST, POWER, PRODUCT, RELATION, SUM, Apply, Term, latex
+
+COLOUR = "#b3261e"
+CHANGED = {
+    level: define(f"changed {level}", rf"\color{{{{{COLOUR}}}}}{{{{{{0}}}}}}", "{0}", level, (level,), lambda env, a: a)
+    for level in (LIST, RELATION, SUM, PRODUCT, POWER, ATOM)
+}
+"""A mark for each level, so that brackets stay where they are."""
+
+
+def differing(printed: Term, right: Term) -> tuple[str, str]:
+    """LaTeX of both, with the parts in colour in which they differ."""
+    first, second = _marked(printed, right)
+    return latex(first), latex(second)
+
+
+def _marked(a: Term, b: Term) -> tuple[Term, Term]:
+    if a == b:
+        return a, b
+    if isinstance(a, Apply) and isinstance(b, Apply) and a.mark is b.mark and len(a.arguments) == len(b.arguments):
+        pairs = [_marked(s, t) for s, t in zip(a.arguments, b.arguments, strict=True)]
+        return a.mark(*(s for s, _ in pairs)), b.mark(*(t for _, t in pairs))
+    return _coloured(a), _coloured(b)
+
+
+def _coloured(a: Term) -> Term:
+    return CHANGED[a.mark.level if isinstance(a, Apply) else ATOM](a)
