@@ -1,4 +1,4 @@
-r"""The scaled charts ``2n tan(α/2n)`` tend to the exponential one, like 1/n²: how far each scalar is off, to first order.
+r"""The scaled charts ``2n tan(α/2n)`` tend to the exponential one, like 1/n²: how far scalars are off, to first order.
 
 At a fixed v let ``r = |v|`` and ``ε = 1/(2n)²``. Then ``tan(α/2n) = √ε r``, so that
 
@@ -6,9 +6,9 @@ At a fixed v let ``r = |v|`` and ``ε = 1/(2n)²``. Then ``tan(α/2n) = √ε r`
     \alpha = \frac{\arctan(\sqrt\varepsilon\,r)}{\sqrt\varepsilon} = r - \tfrac13 \varepsilon r^3 + \dots \qquad
     \varphi' = 1 + \varepsilon r^2
 
-The first is a power series in ε r², which converges for ``ε r² < 1``, that is for angles up to nπ/2; scalars are analytic
-functions of α², φ′ and x = r². So they are analytic in ε there: their value at ε = 0 is that of the exponential chart, and
-the difference is ``ε`` times what `deviation` returns, but for terms of order ε².
+The first is a power series in ε r², which converges for ``ε r² < 1``, that is for angles up to nπ/2; scalars are
+analytic functions of α², φ′ and x = r². So they are analytic in ε there: their value at ε = 0 is that of the exponential
+chart, and the difference is ``ε`` times what `deviation` returns, but for terms of order ε².
 """
 
 from __future__ import annotations
