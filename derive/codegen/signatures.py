@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 from ..maps.chart import Chart
-from .lowering import calculus, forward, inverse, kinematics
+from .lowering import calculus, forward, groups, inverse, kinematics
 from .lowering.point import Geometry
 from .programs.program import Program
 
@@ -128,7 +128,9 @@ def _jacobian(name: str) -> Array:
 
 V, OMEGA, V_DOT, LINE, SHADOW, MOVED, BACK = map(_dual, ("v", "omega", "v_dot", "line", "v_k", "moved", "v_back"))
 OMEGA_DOT, V_DDOT, WRENCH, MOMENTUM = map(_dual, ("omega_dot", "v_ddot", "z", "tau"))
-JACOBIAN = _jacobian("jacobian")
+JACOBIAN, BY_V, BY_LINE = map(_jacobian, ("jacobian", "by_v", "by_line"))
+TWO, BY_TWO = (V.called("v2"), V.called("v1")), (_jacobian("by_v2"), _jacobian("by_v1"))
+BY_V_OF_POINT, BY_POINT = Array("by_v", (3, 6), (0, 0, 0, 1, 1, 1) * 3), _array("by_r", (3, 3), 9)
 QUATERNION = _array("q", (8,), 4, 4)
 POSE = _array("pose", (4, 4), 3, 1, 3, 1, 3, 1, 4)
 POINT = _array("r", (3,), 3)
@@ -188,7 +190,13 @@ _ROWS = (
     Function("turn", (V,), (SHADOW,), inverse.turn, exact=False, real=True, public=False),
     Function("shadow", (V,), (SHADOW,), inverse.shadow, exact=False, branch=True, real=True),
     Function("principal", (V,), (SHADOW,), inverse.principal, exact=False, real=True),
-    Function("compose", (V.called("v2"), V.called("v1")), (V,), inverse.compose, exact=False, real=True),
+    Function("compose", TWO, (V,), inverse.compose, exact=False, real=True),
+    Function("between", TWO, (V,), groups.between, exact=False, real=True),
+    Function("compose_jacobians", TWO, BY_TWO, groups.compose_jacobians, exact=False, real=True),
+    Function("between_jacobians", TWO, BY_TWO, groups.between_jacobians, exact=False, real=True),
+    Function("adjoint", (V,), (_jacobian("adjoint"),), groups.adjoint),
+    Function("transform_point_jacobians", (V, POINT), (BY_V_OF_POINT, BY_POINT), groups.transform_point_jacobians),
+    Function("transform_line_jacobians", (V, LINE), (BY_V, BY_LINE), groups.transform_line_jacobians),
 )
 
 FUNCTIONS: Mapping[str, Function] = {row.name: row for row in _ROWS}

@@ -44,6 +44,7 @@ _SECOND = (*_SLOPES, "rate of the tangent operator", "structure equation")
 _SECOND_INVERSE = (*_SLOPES, "rate of the inverse operator")
 _JACOBIAN = (*_SLOPES, "Jacobian of the twist", "structure equation", "structure equation in the body")
 _JACOBIAN_INVERSE = (*_SLOPES, "Jacobian of the rate")
+_PRODUCT = ("twist of a product", "twist", "rates of v")
 _BRANCHES = "the choice of axis, of sign and of the branch among the angles of one screw; half turns and translations"
 
 COVERAGE: Mapping[str, Coverage] = {
@@ -79,6 +80,12 @@ COVERAGE: Mapping[str, Coverage] = {
         "50 digits", ("Moebius step", "shadow, even branch", "shadow, odd branch"), "the axis and its sign"
     ),
     "principal": Coverage("50 digits", ("shadow, even branch", "shadow, odd branch"), _BRANCHES),
+    "adjoint": Coverage("exact", ("tensor", "pose", "line")),
+    "transform_point_jacobians": Coverage("exact", ("pose", "line", "twist")),
+    "transform_line_jacobians": Coverage("exact", ("line", "twist")),
+    "between": Coverage("50 digits", ("composition", "quaternion"), "the principal v of the product quaternion"),
+    "compose_jacobians": Coverage("50 digits", _PRODUCT, "the principal v of the product quaternion"),
+    "between_jacobians": Coverage("50 digits", _PRODUCT, "the principal v of the product quaternion"),
     "compose": Coverage("50 digits", ("composition", "quaternion"), "the principal v of the product quaternion"),
     "singular_angles": Coverage("text", ("determinant", "multiples of an angle")),
 }

@@ -2727,6 +2727,2449 @@ def compose_blocks(
     div(add(sub(mul(rho3, fi, k1), sub(mul(v1, rho2, k2), mul(v2, rho1, k4), k2), k1), mul(v3, hvr, k2), k1), n2, o6)
 
 
+# operations 182: 66 +, 107 *, 3 /, 6 neg
+def between(m: Any, c: Any, a: Components, b: Components) -> Result:
+    a1, a2, a3, a1o, a2o, a3o = a
+    b1, b2, b3, b1o, b2o, b3o = b
+    minus_b1 = -b1
+    minus_b2 = -b2
+    minus_b3 = -b3
+    minus_b4 = -b1o
+    minus_b5 = -b2o
+    minus_b6 = -b3o
+    v11b = minus_b1 * minus_b1
+    v22b = minus_b2 * minus_b2
+    v33b = minus_b3 * minus_b3
+    xb = v11b + v22b + v33b
+    ab, bb, sizeb, fb, gb, hb = c.ray(m, xb)
+    bvb1 = minus_b1 * bb
+    bvb2 = minus_b2 * bb
+    bvb3 = minus_b3 * bb
+    v11a = a1 * a1
+    v22a = a2 * a2
+    v33a = a3 * a3
+    xa = v11a + v22a + v33a
+    aa, ba, sizea, fa, ga, ha = c.ray(m, xa)
+    bva1 = a1 * ba
+    bva2 = a2 * ba
+    bva3 = a3 * ba
+    z0 = ab * aa - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
+    z1 = bva1 * ab + bvb1 * aa + (bvb2 * bva3 - bvb3 * bva2)
+    z2 = bva2 * ab + bvb2 * aa + (bvb3 * bva1 - bvb1 * bva3)
+    z3 = bva3 * ab + bvb3 * aa + (bvb1 * bva2 - bvb2 * bva1)
+    gva1 = a1 * ga
+    gva2 = a2 * ga
+    gva3 = a3 * ga
+    ya = a1 * a1o + a2 * a2o + a3 * a3o
+    alonga = ha * ya
+    rhoa1 = a1o * fa + (gva2 * a3o - gva3 * a2o) + a1 * alonga
+    rhoa2 = a2o * fa + (gva3 * a1o - gva1 * a3o) + a2 * alonga
+    rhoa3 = a3o * fa + (gva1 * a2o - gva2 * a1o) + a3 * alonga
+    v_rho1 = minus_b2 * rhoa3 - minus_b3 * rhoa2
+    v_rho2 = minus_b3 * rhoa1 - minus_b1 * rhoa3
+    v_rho3 = minus_b1 * rhoa2 - minus_b2 * rhoa1
+    gv_rho1 = v_rho1 * gb
+    gv_rho2 = v_rho2 * gb
+    gv_rho3 = v_rho3 * gb
+    gvb1 = minus_b1 * gb
+    gvb2 = minus_b2 * gb
+    gvb3 = minus_b3 * gb
+    yb = minus_b1 * minus_b4 + minus_b2 * minus_b5 + minus_b3 * minus_b6
+    alongb = hb * yb
+    rho1 = (
+        rhoa1 + (v_rho1 * fb + (minus_b2 * gv_rho3 - minus_b3 * gv_rho2)) + (minus_b4 * fb + (gvb2 * minus_b6 - gvb3
+        * minus_b5) + minus_b1 * alongb)
+    )
+    rho2 = (
+        rhoa2 + (v_rho2 * fb + (minus_b3 * gv_rho1 - minus_b1 * gv_rho3)) + (minus_b5 * fb + (gvb3 * minus_b4 - gvb1
+        * minus_b6) + minus_b2 * alongb)
+    )
+    rho3 = (
+        rhoa3 + (v_rho3 * fb + (minus_b1 * gv_rho2 - minus_b2 * gv_rho1)) + (minus_b6 * fb + (gvb1 * minus_b5 - gvb2
+        * minus_b4) + minus_b3 * alongb)
+    )
+    gain, = c.gain_product(m, z0, z1, z2, z3, sizeb, sizea)
+    v1 = z1 * gain
+    v2 = z2 * gain
+    v3 = z3 * gain
+    fi = gain * z0
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    hi, = c.inverse(m, x)
+    hvr = hi * (v1 * rho1 + v2 * rho2 + v3 * rho3)
+    return (
+        v1,
+        v2,
+        v3,
+        (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
+        (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
+        (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
+    )
+
+
+def between_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, a: Rows, b: Rows
+) -> None:
+    a1, a2, a3, a1o, a2o, a3o = a
+    b1, b2, b3, b1o, b2o, b3o = b
+    o1, o2, o3, o4, o5, o6 = out
+    (
+        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
+        *spare,
+    ) = scratch
+    *spare_masks, = masks
+    n2, = numbers
+    minus_b1 = neg(b1, k1)
+    v11b = mul(minus_b1, minus_b1, k2)
+    minus_b2 = neg(b2, k3)
+    v22b = mul(minus_b2, minus_b2, k4)
+    minus_b3 = neg(b3, k5)
+    v33b = mul(minus_b3, minus_b3, k6)
+    xb = add(add(v11b, v22b, k2), v33b, k2)
+    ab, bb, sizeb, fb, gb, hb = c.ray((k4, k6, k7, k8, k9, k10), (*spare,), (*spare_masks,), xb)
+    v11a = mul(a1, a1, k2)
+    v22a = mul(a2, a2, k11)
+    v33a = mul(a3, a3, k12)
+    xa = add(add(v11a, v22a, k2), v33a, k2)
+    aa, ba, sizea, fa, ga, ha = c.ray((k11, k12, k13, k14, k15, k16), (*spare,), (*spare_masks,), xa)
+    bvb1 = mul(minus_b1, bb, k2)
+    bva1 = mul(a1, ba, k17)
+    bvb2 = mul(minus_b2, bb, k18)
+    bvb3 = mul(minus_b3, bb, k6)
+    bva2 = mul(a2, ba, k19)
+    bva3 = mul(a3, ba, k12)
+    z0 = sub(
+        mul(ab, aa, k20), add(add(mul(bvb1, bva1, k21), mul(bvb2, bva2, k22), k21), mul(bvb3, bva3, k22), k21), k20
+    )
+    z1 = add(
+        add(mul(bva1, ab, k21), mul(bvb1, aa, k22), k21), sub(mul(bvb2, bva3, k22), mul(bvb3, bva2, k23), k22), k21
+    )
+    z2 = add(
+        add(mul(bva2, ab, k22), mul(bvb2, aa, k23), k22), sub(mul(bvb3, bva1, k23), mul(bvb1, bva3, k24), k23), k22
+    )
+    z3 = add(add(mul(bva3, ab, k4), mul(bvb3, aa, k6), k4), sub(mul(bvb1, bva2, k2), mul(bvb2, bva1, k6), k2), k2)
+    gain, = c.gain_product(
+        (k4,), (k6, k11, k12, k17, k18, k19, k23, k24, *spare), (*spare_masks,), z0, z1, z2, z3, sizeb, sizea
+    )
+    v1 = mul(z1, gain, o1)
+    v2 = mul(z2, gain, o2)
+    v3 = mul(z3, gain, o3)
+    fi = mul(gain, z0, k2)
+    v11 = mul(v1, v1, k4)
+    v22 = mul(v2, v2, k6)
+    v33 = mul(v3, v3, k7)
+    x = add(add(v11, v22, k4), v33, k4)
+    hi, = c.inverse((k6,), (k7, k11, k12, k13, k17, k18, k19, k20, k21, k22, k23, k24, *spare), (*spare_masks,), x)
+    gva1 = mul(a1, ga, k4)
+    gva2 = mul(a2, ga, k7)
+    gva3 = mul(a3, ga, k11)
+    ya = add(add(mul(a1, a1o, k12), mul(a2, a2o, k13), k12), mul(a3, a3o, k13), k12)
+    alonga = mul(ha, ya, k12)
+    rhoa3 = add(
+        add(mul(a3o, fa, k13), sub(mul(gva1, a2o, k15), mul(gva2, a1o, k16), k15), k13), mul(a3, alonga, k15), k13
+    )
+    rhoa2 = add(add(mul(a2o, fa, k15), sub(mul(gva3, a1o, k16), mul(gva1, a3o, k4), k4), k4), mul(a2, alonga, k15), k4)
+    rhoa1 = add(add(mul(a1o, fa, k14), sub(mul(gva2, a3o, k7), mul(gva3, a2o, k11), k7), k7), mul(a1, alonga, k11), k7)
+    v_rho1 = sub(mul(minus_b2, rhoa3, k11), mul(minus_b3, rhoa2, k12), k11)
+    v_rho3 = sub(mul(minus_b1, rhoa2, k12), mul(minus_b2, rhoa1, k14), k12)
+    gv_rho3 = mul(v_rho3, gb, k14)
+    v_rho2 = sub(mul(minus_b3, rhoa1, k15), mul(minus_b1, rhoa3, k16), k15)
+    gv_rho2 = mul(v_rho2, gb, k16)
+    minus_b4 = neg(b1o, k17)
+    minus_b5 = neg(b2o, k18)
+    minus_b6 = neg(b3o, k19)
+    yb = add(add(mul(minus_b1, minus_b4, k20), mul(minus_b2, minus_b5, k21), k20), mul(minus_b3, minus_b6, k21), k20)
+    alongb = mul(hb, yb, k10)
+    gvb2 = mul(minus_b2, gb, k20)
+    gvb3 = mul(minus_b3, gb, k21)
+    rho1 = add(
+        add(rhoa1, add(mul(v_rho1, fb, k22), sub(mul(minus_b2, gv_rho3, k23), mul(minus_b3, gv_rho2, k24), k23), k22),
+        k7), add(add(mul(minus_b4, fb, k22), sub(mul(gvb2, minus_b6, k23), mul(gvb3, minus_b5, k24), k23), k22),
+        mul(minus_b1, alongb, k23), k22), k7
+    )
+    gv_rho1 = mul(v_rho1, gb, k11)
+    gvb1 = mul(minus_b1, gb, k9)
+    rho2 = add(
+        add(rhoa2, add(mul(v_rho2, fb, k15), sub(mul(minus_b3, gv_rho1, k22), mul(minus_b1, gv_rho3, k14), k14), k14),
+        k4), add(add(mul(minus_b5, fb, k14), sub(mul(gvb3, minus_b4, k15), mul(gvb1, minus_b6, k21), k15), k14),
+        mul(minus_b2, alongb, k15), k14), k4
+    )
+    rho3 = add(
+        add(rhoa3, add(mul(v_rho3, fb, k12), sub(mul(minus_b1, gv_rho2, k1), mul(minus_b2, gv_rho1, k3), k1), k1), k1),
+        add(add(mul(minus_b6, fb, k3), sub(mul(gvb1, minus_b5, k8), mul(gvb2, minus_b4, k9), k8), k3), mul(minus_b3,
+        alongb, k5), k3), k1
+    )
+    hvr = mul(hi, add(add(mul(v1, rho1, k3), mul(v2, rho2, k5), k3), mul(v3, rho3, k5), k3), k3)
+    div(add(sub(mul(rho1, fi, k5), sub(mul(v2, rho3, k6), mul(v3, rho2, k8), k6), k5), mul(v1, hvr, k6), k5), n2, o4)
+    div(add(sub(mul(rho2, fi, k5), sub(mul(v3, rho1, k6), mul(v1, rho3, k8), k6), k5), mul(v2, hvr, k6), k5), n2, o5)
+    div(add(sub(mul(rho3, fi, k1), sub(mul(v1, rho2, k2), mul(v2, rho1, k4), k2), k1), mul(v3, hvr, k2), k1), n2, o6)
+
+
+# operations 896: 364 +, 487 *, 39 /, 6 neg
+def compose_jacobians(m: Any, c: Any, b: Components, a: Components) -> Result:
+    b1, b2, b3, b1o, b2o, b3o = b
+    a1, a2, a3, a1o, a2o, a3o = a
+    v11b = b1 * b1
+    v22b = b2 * b2
+    v33b = b3 * b3
+    x12b = v11b + v22b
+    xb = x12b + v33b
+    ab, bb, sizeb, fb, gb, hb = c.ray(m, xb)
+    bvb1 = b1 * bb
+    bvb2 = b2 * bb
+    bvb3 = b3 * bb
+    v11a = a1 * a1
+    v22a = a2 * a2
+    v33a = a3 * a3
+    xa = v11a + v22a + v33a
+    aa, ba, sizea, fa, ga, ha = c.ray(m, xa)
+    bva1 = a1 * ba
+    bva2 = a2 * ba
+    bva3 = a3 * ba
+    z0 = ab * aa - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
+    z1 = bva1 * ab + bvb1 * aa + (bvb2 * bva3 - bvb3 * bva2)
+    z2 = bva2 * ab + bvb2 * aa + (bvb3 * bva1 - bvb1 * bva3)
+    z3 = bva3 * ab + bvb3 * aa + (bvb1 * bva2 - bvb2 * bva1)
+    gva1 = a1 * ga
+    gva2 = a2 * ga
+    gva3 = a3 * ga
+    ya = a1 * a1o + a2 * a2o + a3 * a3o
+    alonga = ha * ya
+    rhoa1 = a1o * fa + (gva2 * a3o - gva3 * a2o) + a1 * alonga
+    rhoa2 = a2o * fa + (gva3 * a1o - gva1 * a3o) + a2 * alonga
+    rhoa3 = a3o * fa + (gva1 * a2o - gva2 * a1o) + a3 * alonga
+    v_rho1 = b2 * rhoa3 - b3 * rhoa2
+    v_rho2 = b3 * rhoa1 - b1 * rhoa3
+    v_rho3 = b1 * rhoa2 - b2 * rhoa1
+    gv_rho1 = v_rho1 * gb
+    gv_rho2 = v_rho2 * gb
+    gv_rho3 = v_rho3 * gb
+    gvb1 = b1 * gb
+    gvb2 = b2 * gb
+    gvb3 = b3 * gb
+    yb = b1 * b1o + b2 * b2o + b3 * b3o
+    alongb = hb * yb
+    rhob1 = b1o * fb + (gvb2 * b3o - gvb3 * b2o) + b1 * alongb
+    rhob2 = b2o * fb + (gvb3 * b1o - gvb1 * b3o) + b2 * alongb
+    rhob3 = b3o * fb + (gvb1 * b2o - gvb2 * b1o) + b3 * alongb
+    rho1 = rhoa1 + (v_rho1 * fb + (b2 * gv_rho3 - b3 * gv_rho2)) + rhob1
+    rho2 = rhoa2 + (v_rho2 * fb + (b3 * gv_rho1 - b1 * gv_rho3)) + rhob2
+    rho3 = rhoa3 + (v_rho3 * fb + (b1 * gv_rho2 - b2 * gv_rho1)) + rhob3
+    gain, = c.gain_product(m, z0, z1, z2, z3, sizeb, sizea)
+    v1 = z1 * gain
+    v2 = z2 * gain
+    v3 = z3 * gain
+    fi = gain * z0
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    hi, = c.inverse(m, x)
+    hvr = hi * (v1 * rho1 + v2 * rho2 + v3 * rho3)
+    w4 = (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2
+    w5 = (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2
+    w6 = (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2
+    fiw, hiw, fiyw, hiyw = c.tangent_inv(m, x)
+    yw = v1 * w4 + v2 * w5 + v3 * w6
+    fiow = fiyw * yw
+    hiow = hiyw * yw
+    sw1 = -v1
+    sw2 = -v2
+    sw3 = -v3
+    sow1 = -w4
+    sow2 = -w5
+    sow3 = -w6
+    cvw1 = v1 * hiw
+    cvw2 = v2 * hiw
+    cvw3 = v3 * hiw
+    cvow1 = w4 * hiw + v1 * hiow
+    cvow2 = w5 * hiw + v2 * hiow
+    cvow3 = w6 * hiw + v3 * hiow
+    d12w = cvw1 * v2
+    d13w = cvw1 * v3
+    d23w = cvw2 * v3
+    I11 = fiw + cvw1 * v1
+    I12 = d12w - sw3
+    I13 = d13w + sw2
+    I21 = d12w + sw3
+    I22 = fiw + cvw2 * v2
+    I23 = d23w - sw1
+    I31 = d13w - sw2
+    I32 = d23w + sw1
+    I33 = fiw + cvw3 * v3
+    d12ow = cvw1 * w5 + cvow1 * v2
+    d13ow = cvw1 * w6 + cvow1 * v3
+    d23ow = cvw2 * w6 + cvow2 * v3
+    I11o = fiow + (cvw1 * w4 + cvow1 * v1)
+    I12o = d12ow - sow3
+    I13o = d13ow + sow2
+    I21o = d12ow + sow3
+    I22o = fiow + (cvw2 * w5 + cvow2 * v2)
+    I23o = d23ow - sow1
+    I31o = d13ow - sow2
+    I32o = d23ow + sow1
+    I33o = fiow + (cvw3 * w6 + cvow3 * v3)
+    fS, gS, hS, fyS, gyS, hyS = c.tangent(m, xb)
+    foS = fyS * yb
+    goS = gyS * yb
+    hoS = hyS * yb
+    gvS1 = b1 * gS
+    gvS2 = b2 * gS
+    gvS3 = b3 * gS
+    gvoS1 = b1o * gS + b1 * goS
+    gvoS2 = b2o * gS + b2 * goS
+    gvoS3 = b3o * gS + b3 * goS
+    cvS1 = b1 * hS
+    cvS2 = b2 * hS
+    cvS3 = b3 * hS
+    cvoS1 = b1o * hS + b1 * hoS
+    cvoS2 = b2o * hS + b2 * hoS
+    cvoS3 = b3o * hS + b3 * hoS
+    d12S = cvS1 * b2
+    d13S = cvS1 * b3
+    d23S = cvS2 * b3
+    S11 = fS + cvS1 * b1
+    S12 = d12S - gvS3
+    S13 = d13S + gvS2
+    S21 = d12S + gvS3
+    S22 = fS + cvS2 * b2
+    S23 = d23S - gvS1
+    S31 = d13S - gvS2
+    S32 = d23S + gvS1
+    S33 = fS + cvS3 * b3
+    d12oS = cvS1 * b2o + cvoS1 * b2
+    d13oS = cvS1 * b3o + cvoS1 * b3
+    d23oS = cvS2 * b3o + cvoS2 * b3
+    S11o = foS + (cvS1 * b1o + cvoS1 * b1)
+    S12o = d12oS - gvoS3
+    S13o = d13oS + gvoS2
+    S21o = d12oS + gvoS3
+    S22o = foS + (cvS2 * b2o + cvoS2 * b2)
+    S23o = d23oS - gvoS1
+    S31o = d13oS - gvoS2
+    S32o = d23oS + gvoS1
+    S33o = foS + (cvS3 * b3o + cvoS3 * b3)
+    fF, gF, hF, fyF, gyF, hyF = c.tangent(m, xa)
+    foF = fyF * ya
+    goF = gyF * ya
+    hoF = hyF * ya
+    gvF1 = a1 * gF
+    gvF2 = a2 * gF
+    gvF3 = a3 * gF
+    gvoF1 = a1o * gF + a1 * goF
+    gvoF2 = a2o * gF + a2 * goF
+    gvoF3 = a3o * gF + a3 * goF
+    cvF1 = a1 * hF
+    cvF2 = a2 * hF
+    cvF3 = a3 * hF
+    cvoF1 = a1o * hF + a1 * hoF
+    cvoF2 = a2o * hF + a2 * hoF
+    cvoF3 = a3o * hF + a3 * hoF
+    d12F = cvF1 * a2
+    d13F = cvF1 * a3
+    d23F = cvF2 * a3
+    F11 = fF + cvF1 * a1
+    F12 = d12F - gvF3
+    F13 = d13F + gvF2
+    F21 = d12F + gvF3
+    F22 = fF + cvF2 * a2
+    F23 = d23F - gvF1
+    F31 = d13F - gvF2
+    F32 = d23F + gvF1
+    F33 = fF + cvF3 * a3
+    d12oF = cvF1 * a2o + cvoF1 * a2
+    d13oF = cvF1 * a3o + cvoF1 * a3
+    d23oF = cvF2 * a3o + cvoF2 * a3
+    F11o = foF + (cvF1 * a1o + cvoF1 * a1)
+    F12o = d12oF - gvoF3
+    F13o = d13oF + gvoF2
+    F21o = d12oF + gvoF3
+    F22o = foF + (cvF2 * a2o + cvoF2 * a2)
+    F23o = d23oF - gvoF1
+    F31o = d13oF - gvoF2
+    F32o = d23oF + gvoF1
+    F33o = foF + (cvF3 * a3o + cvoF3 * a3)
+    x23b = v22b + v33b
+    x13b = v11b + v33b
+    fvb1 = b1 * fb
+    fvb2 = b2 * fb
+    fvb3 = b3 * fb
+    gvvb1 = gvb1 * b2
+    gvvb2 = gvb1 * b3
+    gvvb3 = gvb2 * b3
+    Qb11 = 1 - gb * x23b
+    Qb12 = gvvb1 - fvb3
+    Qb13 = gvvb2 + fvb2
+    Qb21 = gvvb1 + fvb3
+    Qb22 = 1 - gb * x13b
+    Qb23 = gvvb3 - fvb1
+    Qb31 = gvvb2 - fvb2
+    Qb32 = gvvb3 + fvb1
+    Qb33 = 1 - gb * x12b
+    R11o = Qb31 * rhob2 - Qb21 * rhob3
+    R12o = Qb32 * rhob2 - Qb22 * rhob3
+    R13o = Qb33 * rhob2 - Qb23 * rhob3
+    R21o = Qb11 * rhob3 - Qb31 * rhob1
+    R22o = Qb12 * rhob3 - Qb32 * rhob1
+    R23o = Qb13 * rhob3 - Qb33 * rhob1
+    R31o = Qb21 * rhob1 - Qb11 * rhob2
+    R32o = Qb22 * rhob1 - Qb12 * rhob2
+    R33o = Qb23 * rhob1 - Qb13 * rhob2
+    B11 = (I11 * S11 + I12 * S21 + I13 * S31) / 2
+    B12 = (I11 * S12 + I12 * S22 + I13 * S32) / 2
+    B13 = (I11 * S13 + I12 * S23 + I13 * S33) / 2
+    B21 = (I21 * S11 + I22 * S21 + I23 * S31) / 2
+    B22 = (I21 * S12 + I22 * S22 + I23 * S32) / 2
+    B23 = (I21 * S13 + I22 * S23 + I23 * S33) / 2
+    B31 = (I31 * S11 + I32 * S21 + I33 * S31) / 2
+    B32 = (I31 * S12 + I32 * S22 + I33 * S32) / 2
+    B33 = (I31 * S13 + I32 * S23 + I33 * S33) / 2
+    RT11 = Qb11 * F11 + Qb12 * F21 + Qb13 * F31
+    RT11o = Qb11 * F11o + R11o * F11 + (Qb12 * F21o + R12o * F21) + (Qb13 * F31o + R13o * F31)
+    RT12 = Qb11 * F12 + Qb12 * F22 + Qb13 * F32
+    RT12o = Qb11 * F12o + R11o * F12 + (Qb12 * F22o + R12o * F22) + (Qb13 * F32o + R13o * F32)
+    RT13 = Qb11 * F13 + Qb12 * F23 + Qb13 * F33
+    RT13o = Qb11 * F13o + R11o * F13 + (Qb12 * F23o + R12o * F23) + (Qb13 * F33o + R13o * F33)
+    RT21 = Qb21 * F11 + Qb22 * F21 + Qb23 * F31
+    RT21o = Qb21 * F11o + R21o * F11 + (Qb22 * F21o + R22o * F21) + (Qb23 * F31o + R23o * F31)
+    RT22 = Qb21 * F12 + Qb22 * F22 + Qb23 * F32
+    RT22o = Qb21 * F12o + R21o * F12 + (Qb22 * F22o + R22o * F22) + (Qb23 * F32o + R23o * F32)
+    RT23 = Qb21 * F13 + Qb22 * F23 + Qb23 * F33
+    RT23o = Qb21 * F13o + R21o * F13 + (Qb22 * F23o + R22o * F23) + (Qb23 * F33o + R23o * F33)
+    RT31 = Qb31 * F11 + Qb32 * F21 + Qb33 * F31
+    RT31o = Qb31 * F11o + R31o * F11 + (Qb32 * F21o + R32o * F21) + (Qb33 * F31o + R33o * F31)
+    RT32 = Qb31 * F12 + Qb32 * F22 + Qb33 * F32
+    RT32o = Qb31 * F12o + R31o * F12 + (Qb32 * F22o + R32o * F22) + (Qb33 * F32o + R33o * F32)
+    RT33 = Qb31 * F13 + Qb32 * F23 + Qb33 * F33
+    RT33o = Qb31 * F13o + R31o * F13 + (Qb32 * F23o + R32o * F23) + (Qb33 * F33o + R33o * F33)
+    A11 = (I11 * RT11 + I12 * RT21 + I13 * RT31) / 2
+    A12 = (I11 * RT12 + I12 * RT22 + I13 * RT32) / 2
+    A13 = (I11 * RT13 + I12 * RT23 + I13 * RT33) / 2
+    A21 = (I21 * RT11 + I22 * RT21 + I23 * RT31) / 2
+    A22 = (I21 * RT12 + I22 * RT22 + I23 * RT32) / 2
+    A23 = (I21 * RT13 + I22 * RT23 + I23 * RT33) / 2
+    A31 = (I31 * RT11 + I32 * RT21 + I33 * RT31) / 2
+    A32 = (I31 * RT12 + I32 * RT22 + I33 * RT32) / 2
+    A33 = (I31 * RT13 + I32 * RT23 + I33 * RT33) / 2
+    return (
+        B11,
+        B12,
+        B13,
+        0,
+        0,
+        0,
+        B21,
+        B22,
+        B23,
+        0,
+        0,
+        0,
+        B31,
+        B32,
+        B33,
+        0,
+        0,
+        0,
+        (I11 * S11o + I11o * S11 + (I12 * S21o + I12o * S21) + (I13 * S31o + I13o * S31)) / 2,
+        (I11 * S12o + I11o * S12 + (I12 * S22o + I12o * S22) + (I13 * S32o + I13o * S32)) / 2,
+        (I11 * S13o + I11o * S13 + (I12 * S23o + I12o * S23) + (I13 * S33o + I13o * S33)) / 2,
+        B11,
+        B12,
+        B13,
+        (I21 * S11o + I21o * S11 + (I22 * S21o + I22o * S21) + (I23 * S31o + I23o * S31)) / 2,
+        (I21 * S12o + I21o * S12 + (I22 * S22o + I22o * S22) + (I23 * S32o + I23o * S32)) / 2,
+        (I21 * S13o + I21o * S13 + (I22 * S23o + I22o * S23) + (I23 * S33o + I23o * S33)) / 2,
+        B21,
+        B22,
+        B23,
+        (I31 * S11o + I31o * S11 + (I32 * S21o + I32o * S21) + (I33 * S31o + I33o * S31)) / 2,
+        (I31 * S12o + I31o * S12 + (I32 * S22o + I32o * S22) + (I33 * S32o + I33o * S32)) / 2,
+        (I31 * S13o + I31o * S13 + (I32 * S23o + I32o * S23) + (I33 * S33o + I33o * S33)) / 2,
+        B31,
+        B32,
+        B33,
+        A11,
+        A12,
+        A13,
+        0,
+        0,
+        0,
+        A21,
+        A22,
+        A23,
+        0,
+        0,
+        0,
+        A31,
+        A32,
+        A33,
+        0,
+        0,
+        0,
+        (I11 * RT11o + I11o * RT11 + (I12 * RT21o + I12o * RT21) + (I13 * RT31o + I13o * RT31)) / 2,
+        (I11 * RT12o + I11o * RT12 + (I12 * RT22o + I12o * RT22) + (I13 * RT32o + I13o * RT32)) / 2,
+        (I11 * RT13o + I11o * RT13 + (I12 * RT23o + I12o * RT23) + (I13 * RT33o + I13o * RT33)) / 2,
+        A11,
+        A12,
+        A13,
+        (I21 * RT11o + I21o * RT11 + (I22 * RT21o + I22o * RT21) + (I23 * RT31o + I23o * RT31)) / 2,
+        (I21 * RT12o + I21o * RT12 + (I22 * RT22o + I22o * RT22) + (I23 * RT32o + I23o * RT32)) / 2,
+        (I21 * RT13o + I21o * RT13 + (I22 * RT23o + I22o * RT23) + (I23 * RT33o + I23o * RT33)) / 2,
+        A21,
+        A22,
+        A23,
+        (I31 * RT11o + I31o * RT11 + (I32 * RT21o + I32o * RT21) + (I33 * RT31o + I33o * RT31)) / 2,
+        (I31 * RT12o + I31o * RT12 + (I32 * RT22o + I32o * RT22) + (I33 * RT32o + I33o * RT32)) / 2,
+        (I31 * RT13o + I31o * RT13 + (I32 * RT23o + I32o * RT23) + (I33 * RT33o + I33o * RT33)) / 2,
+        A31,
+        A32,
+        A33,
+    )
+
+
+def compose_jacobians_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, b: Rows, a: Rows
+) -> None:
+    b1, b2, b3, b1o, b2o, b3o = b
+    a1, a2, a3, a1o, a2o, a3o = a
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36, o37, o38, o39, o40, o41, o42, o43, o44, o45, o46,
+        o47, o48, o49, o50, o51, o52, o53, o54, o55, o56, o57, o58, o59, o60, o61, o62, o63, o64, o65, o66, o67, o68,
+        o69, o70, o71, o72,
+    ) = out
+    (
+        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
+        k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, k35, k36, k37, k38, k39, k40, k41, k42, k43, k44, k45, k46,
+        k47, k48, k49, k50, k51, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61, k62, k63, k64, k65, k66, k67, *spare,
+    ) = scratch
+    *spare_masks, = masks
+    n0, n1, n2 = numbers
+    v11b = mul(b1, b1, k1)
+    v22b = mul(b2, b2, k2)
+    x12b = add(v11b, v22b, k3)
+    v33b = mul(b3, b3, k4)
+    x23b = add(v22b, v33b, k2)
+    x13b = add(v11b, v33b, k1)
+    xb = add(x12b, v33b, k4)
+    v11a = mul(a1, a1, k5)
+    v22a = mul(a2, a2, k6)
+    v33a = mul(a3, a3, k7)
+    xa = add(add(v11a, v22a, k5), v33a, k5)
+    ya = add(add(mul(a1, a1o, k6), mul(a2, a2o, k7), k6), mul(a3, a3o, k7), k6)
+    yb = add(add(mul(b1, b1o, k7), mul(b2, b2o, k8), k7), mul(b3, b3o, k8), k7)
+    ab, bb, sizeb, fb, gb, hb = c.ray((k8, k9, k10, k11, k12, k13), (*spare,), (*spare_masks,), xb)
+    Qb11 = sub(n1, mul(gb, x23b, k2), k2)
+    Qb22 = sub(n1, mul(gb, x13b, k1), k1)
+    Qb33 = sub(n1, mul(gb, x12b, k3), k3)
+    alongb = mul(hb, yb, k13)
+    bvb1 = mul(b1, bb, k14)
+    bvb2 = mul(b2, bb, k15)
+    bvb3 = mul(b3, bb, k9)
+    gvb1 = mul(b1, gb, k16)
+    gvvb1 = mul(gvb1, b2, k17)
+    fvb3 = mul(b3, fb, k18)
+    Qb12 = sub(gvvb1, fvb3, k19)
+    Qb21 = add(gvvb1, fvb3, k17)
+    gvvb2 = mul(gvb1, b3, k18)
+    fvb2 = mul(b2, fb, k20)
+    Qb13 = add(gvvb2, fvb2, k21)
+    Qb31 = sub(gvvb2, fvb2, k18)
+    gvb2 = mul(b2, gb, k20)
+    gvvb3 = mul(gvb2, b3, k22)
+    fvb1 = mul(b1, fb, k23)
+    Qb23 = sub(gvvb3, fvb1, k24)
+    Qb32 = add(gvvb3, fvb1, k22)
+    gvb3 = mul(b3, gb, k23)
+    rhob1 = add(
+        add(mul(b1o, fb, k25), sub(mul(gvb2, b3o, k26), mul(gvb3, b2o, k27), k26), k25), mul(b1, alongb, k26), k25
+    )
+    rhob2 = add(
+        add(mul(b2o, fb, k26), sub(mul(gvb3, b1o, k23), mul(gvb1, b3o, k27), k23), k23), mul(b2, alongb, k26), k23
+    )
+    rhob3 = add(
+        add(mul(b3o, fb, k26), sub(mul(gvb1, b2o, k16), mul(gvb2, b1o, k20), k16), k16), mul(b3, alongb, k13), k13
+    )
+    R11o = sub(mul(Qb31, rhob2, k16), mul(Qb21, rhob3, k20), k16)
+    R12o = sub(mul(Qb32, rhob2, k20), mul(Qb22, rhob3, k26), k20)
+    R13o = sub(mul(Qb33, rhob2, k26), mul(Qb23, rhob3, k27), k26)
+    R21o = sub(mul(Qb11, rhob3, k27), mul(Qb31, rhob1, k28), k27)
+    R22o = sub(mul(Qb12, rhob3, k28), mul(Qb32, rhob1, k29), k28)
+    R23o = sub(mul(Qb13, rhob3, k29), mul(Qb33, rhob1, k30), k29)
+    R31o = sub(mul(Qb21, rhob1, k30), mul(Qb11, rhob2, k31), k30)
+    R32o = sub(mul(Qb22, rhob1, k31), mul(Qb12, rhob2, k32), k31)
+    R33o = sub(mul(Qb23, rhob1, k32), mul(Qb13, rhob2, k33), k32)
+    fS, gS, hS, fyS, gyS, hyS = c.tangent((k33, k34, k35, k36, k37, k38), (*spare,), (*spare_masks,), xb)
+    hoS = mul(hyS, yb, k4)
+    goS = mul(gyS, yb, k37)
+    foS = mul(fyS, yb, k7)
+    cvS1 = mul(b1, hS, k36)
+    d13S = mul(cvS1, b3, k38)
+    gvS2 = mul(b2, gS, k39)
+    S13 = add(d13S, gvS2, k40)
+    S31 = sub(d13S, gvS2, k38)
+    cvS2 = mul(b2, hS, k39)
+    d23S = mul(cvS2, b3, k41)
+    gvS1 = mul(b1, gS, k42)
+    S23 = sub(d23S, gvS1, k43)
+    S32 = add(d23S, gvS1, k41)
+    cvS3 = mul(b3, hS, k42)
+    S33 = add(fS, mul(cvS3, b3, k44), k44)
+    d12S = mul(cvS1, b2, k45)
+    gvS3 = mul(b3, gS, k46)
+    S12 = sub(d12S, gvS3, k47)
+    S21 = add(d12S, gvS3, k45)
+    S22 = add(fS, mul(cvS2, b2, k46), k46)
+    S11 = add(fS, mul(cvS1, b1, k48), k33)
+    cvoS1 = add(mul(b1o, hS, k48), mul(b1, hoS, k49), k48)
+    d13oS = add(mul(cvS1, b3o, k49), mul(cvoS1, b3, k50), k49)
+    gvoS2 = add(mul(b2o, gS, k50), mul(b2, goS, k51), k50)
+    S13o = add(d13oS, gvoS2, k51)
+    S31o = sub(d13oS, gvoS2, k49)
+    cvoS2 = add(mul(b2o, hS, k50), mul(b2, hoS, k52), k50)
+    cvoS3 = add(mul(b3o, hS, k35), mul(b3, hoS, k4), k4)
+    S33o = add(foS, add(mul(cvS3, b3o, k35), mul(cvoS3, b3, k4), k4), k4)
+    d23oS = add(mul(cvS2, b3o, k35), mul(cvoS2, b3, k42), k35)
+    S22o = add(foS, add(mul(cvS2, b2o, k39), mul(cvoS2, b2, k42), k39), k39)
+    S11o = add(foS, add(mul(cvS1, b1o, k42), mul(cvoS1, b1, k50), k42), k7)
+    d12oS = add(mul(cvS1, b2o, k36), mul(cvoS1, b2, k42), k36)
+    gvoS1 = add(mul(b1o, gS, k42), mul(b1, goS, k48), k42)
+    gvoS3 = add(mul(b3o, gS, k34), mul(b3, goS, k37), k34)
+    S23o = sub(d23oS, gvoS1, k37)
+    S32o = add(d23oS, gvoS1, k35)
+    S12o = sub(d12oS, gvoS3, k42)
+    S21o = add(d12oS, gvoS3, k34)
+    aa, ba, sizea, fa, ga, ha = c.ray((k36, k48, k50, k52, k53, k54), (*spare,), (*spare_masks,), xa)
+    alonga = mul(ha, ya, k54)
+    bva1 = mul(a1, ba, k55)
+    bva2 = mul(a2, ba, k56)
+    bva3 = mul(a3, ba, k48)
+    z0 = sub(
+        mul(ab, aa, k57), add(add(mul(bvb1, bva1, k58), mul(bvb2, bva2, k59), k58), mul(bvb3, bva3, k59), k58), k57
+    )
+    z1 = add(
+        add(mul(bva1, ab, k58), mul(bvb1, aa, k59), k58), sub(mul(bvb2, bva3, k59), mul(bvb3, bva2, k60), k59), k58
+    )
+    z2 = add(
+        add(mul(bva2, ab, k59), mul(bvb2, aa, k60), k59), sub(mul(bvb3, bva1, k60), mul(bvb1, bva3, k61), k60), k59
+    )
+    z3 = add(add(mul(bva3, ab, k8), mul(bvb3, aa, k9), k8), sub(mul(bvb1, bva2, k9), mul(bvb2, bva1, k14), k9), k8)
+    gain, = c.gain_product(
+        (k9,), (k14, k15, k36, k48, k55, k56, k60, k61, *spare), (*spare_masks,), z0, z1, z2, z3, sizeb, sizea
+    )
+    v1 = mul(z1, gain, k10)
+    v2 = mul(z2, gain, k14)
+    v3 = mul(z3, gain, k8)
+    fi = mul(gain, z0, k9)
+    v11 = mul(v1, v1, k15)
+    v22 = mul(v2, v2, k36)
+    v33 = mul(v3, v3, k48)
+    x = add(add(v11, v22, k15), v33, k15)
+    sw2 = neg(v2, k36)
+    sw1 = neg(v1, k48)
+    hi, = c.inverse((k50,), (k55, k56, k57, k58, k59, k60, k61, *spare), (*spare_masks,), x)
+    gva1 = mul(a1, ga, k55)
+    gva2 = mul(a2, ga, k56)
+    gva3 = mul(a3, ga, k53)
+    rhoa3 = add(
+        add(mul(a3o, fa, k57), sub(mul(gva1, a2o, k58), mul(gva2, a1o, k59), k58), k57), mul(a3, alonga, k58), k57
+    )
+    rhoa2 = add(
+        add(mul(a2o, fa, k58), sub(mul(gva3, a1o, k59), mul(gva1, a3o, k55), k55), k55), mul(a2, alonga, k58), k55
+    )
+    rhoa1 = add(
+        add(mul(a1o, fa, k52), sub(mul(gva2, a3o, k56), mul(gva3, a2o, k53), k53), k52), mul(a1, alonga, k53), k52
+    )
+    v_rho1 = sub(mul(b2, rhoa3, k53), mul(b3, rhoa2, k54), k53)
+    v_rho3 = sub(mul(b1, rhoa2, k54), mul(b2, rhoa1, k56), k54)
+    gv_rho3 = mul(v_rho3, gb, k56)
+    v_rho2 = sub(mul(b3, rhoa1, k58), mul(b1, rhoa3, k59), k58)
+    gv_rho2 = mul(v_rho2, gb, k59)
+    rho1 = add(
+        add(rhoa1, add(mul(v_rho1, fb, k60), sub(mul(b2, gv_rho3, k61), mul(b3, gv_rho2, k62), k61), k60), k52), rhob1,
+        k25
+    )
+    gv_rho1 = mul(v_rho1, gb, k12)
+    rho2 = add(
+        add(rhoa2, add(mul(v_rho2, fb, k52), sub(mul(b3, gv_rho1, k53), mul(b1, gv_rho3, k56), k53), k52), k52), rhob2,
+        k23
+    )
+    rho3 = add(
+        add(rhoa3, add(mul(v_rho3, fb, k11), sub(mul(b1, gv_rho2, k52), mul(b2, gv_rho1, k12), k12), k11), k11), rhob3,
+        k11
+    )
+    hvr = mul(hi, add(add(mul(v1, rho1, k12), mul(v2, rho2, k13), k12), mul(v3, rho3, k13), k12), k12)
+    w4 = div(
+        add(sub(mul(rho1, fi, k13), sub(mul(v2, rho3, k50), mul(v3, rho2, k52), k50), k13), mul(v1, hvr, k50), k13), n2,
+        k13
+    )
+    w5 = div(
+        add(sub(mul(rho2, fi, k50), sub(mul(v3, rho1, k52), mul(v1, rho3, k53), k52), k50), mul(v2, hvr, k52), k50), n2,
+        k50
+    )
+    w6 = div(
+        add(sub(mul(rho3, fi, k9), sub(mul(v1, rho2, k11), mul(v2, rho1, k23), k11), k9), mul(v3, hvr, k11), k9), n2, k9
+    )
+    yw = add(add(mul(v1, w4, k11), mul(v2, w5, k12), k11), mul(v3, w6, k12), k11)
+    sow2 = neg(w5, k12)
+    sow1 = neg(w4, k23)
+    sw3 = neg(v3, k25)
+    sow3 = neg(w6, k52)
+    fiw, hiw, fiyw, hiyw = c.tangent_inv(
+        (k53, k54, k55, k56), (k57, k58, k59, k60, k61, k62, *spare), (*spare_masks,), x
+    )
+    fiow = mul(fiyw, yw, k15)
+    hiow = mul(hiyw, yw, k11)
+    cvw3 = mul(v3, hiw, k55)
+    I33 = add(fiw, mul(cvw3, v3, k56), k56)
+    cvw1 = mul(v1, hiw, k57)
+    d13w = mul(cvw1, v3, k58)
+    I31 = sub(d13w, sw2, k59)
+    I13 = add(d13w, sw2, k36)
+    cvw2 = mul(v2, hiw, k58)
+    d23w = mul(cvw2, v3, k60)
+    I32 = add(d23w, sw1, k61)
+    I23 = sub(d23w, sw1, k48)
+    div(add(add(mul(I31, S13, k60), mul(I32, S23, k62), k60), mul(I33, S33, k62), k60), n2, o15)
+    div(add(add(mul(I31, S12, k60), mul(I32, S22, k62), k60), mul(I33, S32, k62), k60), n2, o14)
+    div(add(add(mul(I31, S11, k60), mul(I32, S21, k62), k60), mul(I33, S31, k62), k60), n2, o13)
+    cvow3 = add(mul(w6, hiw, k60), mul(v3, hiow, k62), k60)
+    I33o = add(fiow, add(mul(cvw3, w6, k55), mul(cvow3, v3, k60), k55), k55)
+    cvow1 = add(mul(w4, hiw, k60), mul(v1, hiow, k62), k60)
+    cvow2 = add(mul(w5, hiw, k54), mul(v2, hiow, k11), k11)
+    I11o = add(fiow, add(mul(cvw1, w4, k13), mul(cvow1, v1, k54), k13), k13)
+    I22o = add(fiow, add(mul(cvw2, w5, k54), mul(cvow2, v2, k62), k54), k15)
+    d23ow = add(mul(cvw2, w6, k54), mul(cvow2, v3, k11), k11)
+    d13ow = add(mul(cvw1, w6, k9), mul(cvow1, v3, k8), k8)
+    d12ow = add(mul(cvw1, w5, k9), mul(cvow1, v2, k50), k9)
+    I22 = add(fiw, mul(cvw2, v2, k50), k50)
+    I11 = add(fiw, mul(cvw1, v1, k10), k10)
+    d12w = mul(cvw1, v2, k14)
+    I31o = sub(d13ow, sow2, k53)
+    I13o = add(d13ow, sow2, k8)
+    I32o = add(d23ow, sow1, k12)
+    I23o = sub(d23ow, sow1, k11)
+    div(
+        add(add(add(mul(I31, S13o, k23), mul(I31o, S13, k54), k23), add(mul(I32, S23o, k54), mul(I32o, S23, k57), k54),
+        k23), add(mul(I33, S33o, k54), mul(I33o, S33, k57), k54), k23), n2, o33
+    )
+    div(
+        add(add(add(mul(I31, S12o, k23), mul(I31o, S12, k54), k23), add(mul(I32, S22o, k54), mul(I32o, S22, k57), k54),
+        k23), add(mul(I33, S32o, k54), mul(I33o, S32, k57), k54), k23), n2, o32
+    )
+    div(
+        add(add(add(mul(I31, S11o, k23), mul(I31o, S11, k54), k23), add(mul(I32, S21o, k54), mul(I32o, S21, k57), k54),
+        k23), add(mul(I33, S31o, k54), mul(I33o, S31, k57), k54), k23), n2, o31
+    )
+    I21 = add(d12w, sw3, k23)
+    I12 = sub(d12w, sw3, k14)
+    div(add(add(mul(I21, S13, k25), mul(I22, S23, k54), k25), mul(I23, S33, k54), k25), n2, o9)
+    div(add(add(mul(I21, S12, k25), mul(I22, S22, k54), k25), mul(I23, S32, k54), k25), n2, o8)
+    div(add(add(mul(I21, S11, k25), mul(I22, S21, k54), k25), mul(I23, S31, k54), k25), n2, o7)
+    div(add(add(mul(I11, S13, k25), mul(I12, S23, k54), k25), mul(I13, S33, k54), k25), n2, o3)
+    div(add(add(mul(I11, S12, k25), mul(I12, S22, k54), k25), mul(I13, S32, k54), k25), n2, o2)
+    div(add(add(mul(I11, S11, k25), mul(I12, S21, k54), k25), mul(I13, S31, k54), k25), n2, o1)
+    I21o = add(d12ow, sow3, k25)
+    I12o = sub(d12ow, sow3, k9)
+    div(
+        add(add(add(mul(I21, S13o, k52), mul(I21o, S13, k54), k52), add(mul(I22, S23o, k54), mul(I22o, S23, k57), k54),
+        k52), add(mul(I23, S33o, k54), mul(I23o, S33, k57), k54), k52), n2, o27
+    )
+    div(
+        add(add(add(mul(I11, S13o, k51), mul(I11o, S13, k40), k40), add(mul(I12, S23o, k37), mul(I12o, S23, k43), k37),
+        k37), add(mul(I13, S33o, k4), mul(I13o, S33, k40), k4), k4), n2, o21
+    )
+    div(
+        add(add(add(mul(I21, S12o, k4), mul(I21o, S12, k37), k4), add(mul(I22, S22o, k37), mul(I22o, S22, k40), k37),
+        k4), add(mul(I23, S32o, k37), mul(I23o, S32, k40), k37), k4), n2, o26
+    )
+    div(
+        add(add(add(mul(I11, S12o, k4), mul(I11o, S12, k37), k4), add(mul(I12, S22o, k37), mul(I12o, S22, k39), k37),
+        k4), add(mul(I13, S32o, k35), mul(I13o, S32, k37), k35), k4), n2, o20
+    )
+    div(
+        add(add(add(mul(I21, S11o, k4), mul(I21o, S11, k35), k4), add(mul(I22, S21o, k35), mul(I22o, S21, k37), k35),
+        k4), add(mul(I23, S31o, k35), mul(I23o, S31, k37), k35), k4), n2, o25
+    )
+    div(
+        add(add(add(mul(I11, S11o, k4), mul(I11o, S11, k7), k4), add(mul(I12, S21o, k7), mul(I12o, S21, k33), k7), k4),
+        add(mul(I13, S31o, k7), mul(I13o, S31, k33), k7), k4), n2, o19
+    )
+    fF, gF, hF, fyF, gyF, hyF = c.tangent(
+        (k4, k7, k33, k34, k35, k37), (k38, k39, k40, k41, k42, k43, k44, k45, k46, k47, k49, k51, k52, k54, k57, k58,
+        k60, k62, *spare), (*spare_masks,), xa
+    )
+    hoF = mul(hyF, ya, k5)
+    goF = mul(gyF, ya, k35)
+    foF = mul(fyF, ya, k6)
+    cvF1 = mul(a1, hF, k34)
+    d13F = mul(cvF1, a3, k37)
+    gvF2 = mul(a2, gF, k38)
+    F13 = add(d13F, gvF2, k39)
+    F31 = sub(d13F, gvF2, k37)
+    cvF2 = mul(a2, hF, k38)
+    d23F = mul(cvF2, a3, k40)
+    gvF1 = mul(a1, gF, k41)
+    F23 = sub(d23F, gvF1, k42)
+    F32 = add(d23F, gvF1, k40)
+    cvF3 = mul(a3, hF, k41)
+    F33 = add(fF, mul(cvF3, a3, k43), k43)
+    RT13 = add(add(mul(Qb11, F13, k44), mul(Qb12, F23, k45), k44), mul(Qb13, F33, k45), k44)
+    RT23 = add(add(mul(Qb21, F13, k45), mul(Qb22, F23, k46), k45), mul(Qb23, F33, k46), k45)
+    RT33 = add(add(mul(Qb31, F13, k46), mul(Qb32, F23, k47), k46), mul(Qb33, F33, k47), k46)
+    div(add(add(mul(I31, RT13, k47), mul(I32, RT23, k49), k47), mul(I33, RT33, k49), k47), n2, o51)
+    div(add(add(mul(I21, RT13, k47), mul(I22, RT23, k49), k47), mul(I23, RT33, k49), k47), n2, o45)
+    div(add(add(mul(I11, RT13, k47), mul(I12, RT23, k49), k47), mul(I13, RT33, k49), k47), n2, o39)
+    d12F = mul(cvF1, a2, k47)
+    gvF3 = mul(a3, gF, k49)
+    F12 = sub(d12F, gvF3, k51)
+    F21 = add(d12F, gvF3, k47)
+    F22 = add(fF, mul(cvF2, a2, k49), k49)
+    F11 = add(fF, mul(cvF1, a1, k52), k4)
+    RT12 = add(add(mul(Qb11, F12, k52), mul(Qb12, F22, k54), k52), mul(Qb13, F32, k54), k52)
+    RT22 = add(add(mul(Qb21, F12, k54), mul(Qb22, F22, k57), k54), mul(Qb23, F32, k57), k54)
+    RT32 = add(add(mul(Qb31, F12, k57), mul(Qb32, F22, k58), k57), mul(Qb33, F32, k58), k57)
+    div(add(add(mul(I31, RT12, k58), mul(I32, RT22, k60), k58), mul(I33, RT32, k60), k58), n2, o50)
+    div(add(add(mul(I21, RT12, k58), mul(I22, RT22, k60), k58), mul(I23, RT32, k60), k58), n2, o44)
+    div(add(add(mul(I11, RT12, k58), mul(I12, RT22, k60), k58), mul(I13, RT32, k60), k58), n2, o38)
+    RT11 = add(add(mul(Qb11, F11, k58), mul(Qb12, F21, k60), k58), mul(Qb13, F31, k60), k58)
+    RT21 = add(add(mul(Qb21, F11, k60), mul(Qb22, F21, k62), k60), mul(Qb23, F31, k62), k60)
+    RT31 = add(add(mul(Qb31, F11, k62), mul(Qb32, F21, k63), k62), mul(Qb33, F31, k63), k62)
+    div(add(add(mul(I31, RT11, k63), mul(I32, RT21, k64), k63), mul(I33, RT31, k64), k63), n2, o49)
+    div(add(add(mul(I21, RT11, k63), mul(I22, RT21, k64), k63), mul(I23, RT31, k64), k63), n2, o43)
+    div(add(add(mul(I11, RT11, k63), mul(I12, RT21, k64), k63), mul(I13, RT31, k64), k63), n2, o37)
+    cvoF1 = add(mul(a1o, hF, k63), mul(a1, hoF, k64), k63)
+    d13oF = add(mul(cvF1, a3o, k64), mul(cvoF1, a3, k65), k64)
+    gvoF2 = add(mul(a2o, gF, k65), mul(a2, goF, k66), k65)
+    F13o = add(d13oF, gvoF2, k66)
+    F31o = sub(d13oF, gvoF2, k64)
+    cvoF2 = add(mul(a2o, hF, k65), mul(a2, hoF, k67), k65)
+    cvoF3 = add(mul(a3o, hF, k33), mul(a3, hoF, k5), k5)
+    F33o = add(foF, add(mul(cvF3, a3o, k33), mul(cvoF3, a3, k5), k5), k5)
+    d23oF = add(mul(cvF2, a3o, k33), mul(cvoF2, a3, k41), k33)
+    F22o = add(foF, add(mul(cvF2, a2o, k38), mul(cvoF2, a2, k41), k38), k38)
+    F11o = add(foF, add(mul(cvF1, a1o, k41), mul(cvoF1, a1, k65), k41), k6)
+    d12oF = add(mul(cvF1, a2o, k34), mul(cvoF1, a2, k41), k34)
+    gvoF1 = add(mul(a1o, gF, k41), mul(a1, goF, k63), k41)
+    gvoF3 = add(mul(a3o, gF, k7), mul(a3, goF, k35), k7)
+    F23o = sub(d23oF, gvoF1, k35)
+    F32o = add(d23oF, gvoF1, k33)
+    RT13o = add(
+        add(add(mul(Qb11, F13o, k41), mul(R11o, F13, k63), k41), add(mul(Qb12, F23o, k63), mul(R12o, F23, k65), k63),
+        k41), add(mul(Qb13, F33o, k63), mul(R13o, F33, k65), k63), k41
+    )
+    RT23o = add(
+        add(add(mul(Qb21, F13o, k63), mul(R21o, F13, k65), k63), add(mul(Qb22, F23o, k65), mul(R22o, F23, k67), k65),
+        k63), add(mul(Qb23, F33o, k65), mul(R23o, F33, k67), k65), k63
+    )
+    RT33o = add(
+        add(add(mul(Qb31, F13o, k65), mul(R31o, F13, k39), k39), add(mul(Qb32, F23o, k35), mul(R32o, F23, k42), k35),
+        k35), add(mul(Qb33, F33o, k5), mul(R33o, F33, k39), k5), k5
+    )
+    div(
+        add(add(add(mul(I31, RT13o, k35), mul(I31o, RT13, k39), k35), add(mul(I32, RT23o, k39), mul(I32o, RT23, k42),
+        k39), k35), add(mul(I33, RT33o, k39), mul(I33o, RT33, k42), k39), k35), n2, o69
+    )
+    div(
+        add(add(add(mul(I21, RT13o, k35), mul(I21o, RT13, k39), k35), add(mul(I22, RT23o, k39), mul(I22o, RT23, k42),
+        k39), k35), add(mul(I23, RT33o, k39), mul(I23o, RT33, k42), k39), k35), n2, o63
+    )
+    div(
+        add(add(add(mul(I11, RT13o, k35), mul(I11o, RT13, k39), k35), add(mul(I12, RT23o, k39), mul(I12o, RT23, k41),
+        k39), k35), add(mul(I13, RT33o, k5), mul(I13o, RT33, k39), k5), k5), n2, o57
+    )
+    F12o = sub(d12oF, gvoF3, k5)
+    F21o = add(d12oF, gvoF3, k7)
+    RT12o = add(
+        add(add(mul(Qb11, F12o, k34), mul(R11o, F12, k35), k34), add(mul(Qb12, F22o, k35), mul(R12o, F22, k39), k35),
+        k34), add(mul(Qb13, F32o, k35), mul(R13o, F32, k39), k35), k34
+    )
+    RT11o = add(
+        add(add(mul(Qb11, F11o, k2), mul(R11o, F11, k16), k2), add(mul(Qb12, F21o, k16), mul(R12o, F21, k19), k16), k2),
+        add(mul(Qb13, F31o, k16), mul(R13o, F31, k19), k16), k2
+    )
+    RT22o = add(
+        add(add(mul(Qb21, F12o, k16), mul(R21o, F12, k19), k16), add(mul(Qb22, F22o, k19), mul(R22o, F22, k20), k19),
+        k16), add(mul(Qb23, F32o, k19), mul(R23o, F32, k20), k19), k16
+    )
+    RT32o = add(
+        add(add(mul(Qb31, F12o, k5), mul(R31o, F12, k19), k5), add(mul(Qb32, F22o, k19), mul(R32o, F22, k20), k19), k5),
+        add(mul(Qb33, F32o, k19), mul(R33o, F32, k20), k19), k5
+    )
+    RT21o = add(
+        add(add(mul(Qb21, F11o, k17), mul(R21o, F11, k19), k17), add(mul(Qb22, F21o, k1), mul(R22o, F21, k19), k1), k1),
+        add(mul(Qb23, F31o, k17), mul(R23o, F31, k19), k17), k1
+    )
+    RT31o = add(
+        add(add(mul(Qb31, F11o, k6), mul(R31o, F11, k4), k4), add(mul(Qb32, F21o, k6), mul(R32o, F21, k7), k6), k4),
+        add(mul(Qb33, F31o, k3), mul(R33o, F31, k6), k3), k3
+    )
+    div(
+        add(add(add(mul(I31, RT12o, k4), mul(I31o, RT12, k6), k4), add(mul(I32, RT22o, k6), mul(I32o, RT22, k7), k6),
+        k4), add(mul(I33, RT32o, k6), mul(I33o, RT32, k7), k6), k4), n2, o68
+    )
+    div(
+        add(add(add(mul(I31, RT11o, k4), mul(I31o, RT11, k6), k4), add(mul(I32, RT21o, k6), mul(I32o, RT21, k7), k6),
+        k4), add(mul(I33, RT31o, k6), mul(I33o, RT31, k7), k6), k4), n2, o67
+    )
+    div(
+        add(add(add(mul(I21, RT12o, k4), mul(I21o, RT12, k6), k4), add(mul(I22, RT22o, k6), mul(I22o, RT22, k7), k6),
+        k4), add(mul(I23, RT32o, k6), mul(I23o, RT32, k7), k6), k4), n2, o62
+    )
+    div(
+        add(add(add(mul(I21, RT11o, k4), mul(I21o, RT11, k6), k4), add(mul(I22, RT21o, k6), mul(I22o, RT21, k7), k6),
+        k4), add(mul(I23, RT31o, k6), mul(I23o, RT31, k7), k6), k4), n2, o61
+    )
+    div(
+        add(add(add(mul(I11, RT12o, k4), mul(I11o, RT12, k6), k4), add(mul(I12, RT22o, k6), mul(I12o, RT22, k7), k6),
+        k4), add(mul(I13, RT32o, k5), mul(I13o, RT32, k6), k5), k4), n2, o56
+    )
+    div(
+        add(add(add(mul(I11, RT11o, k2), mul(I11o, RT11, k4), k2), add(mul(I12, RT21o, k1), mul(I12o, RT21, k4), k1),
+        k1), add(mul(I13, RT31o, k2), mul(I13o, RT31, k3), k2), k1), n2, o55
+    )
+    copy(n0, o4)
+    copy(n0, o5)
+    copy(n0, o6)
+    copy(n0, o10)
+    copy(n0, o11)
+    copy(n0, o12)
+    copy(n0, o16)
+    copy(n0, o17)
+    copy(n0, o18)
+    copy(o1, o22)
+    copy(o2, o23)
+    copy(o3, o24)
+    copy(o7, o28)
+    copy(o8, o29)
+    copy(o9, o30)
+    copy(o13, o34)
+    copy(o14, o35)
+    copy(o15, o36)
+    copy(n0, o40)
+    copy(n0, o41)
+    copy(n0, o42)
+    copy(n0, o46)
+    copy(n0, o47)
+    copy(n0, o48)
+    copy(n0, o52)
+    copy(n0, o53)
+    copy(n0, o54)
+    copy(o37, o58)
+    copy(o38, o59)
+    copy(o39, o60)
+    copy(o43, o64)
+    copy(o44, o65)
+    copy(o45, o66)
+    copy(o49, o70)
+    copy(o50, o71)
+    copy(o51, o72)
+
+
+# operations 920: 364 +, 487 *, 39 /, 30 neg
+def between_jacobians(m: Any, c: Any, a: Components, b: Components) -> Result:
+    a1, a2, a3, a1o, a2o, a3o = a
+    b1, b2, b3, b1o, b2o, b3o = b
+    minus_b1 = -b1
+    minus_b2 = -b2
+    minus_b3 = -b3
+    minus_b4 = -b1o
+    minus_b5 = -b2o
+    minus_b6 = -b3o
+    v11b = minus_b1 * minus_b1
+    v22b = minus_b2 * minus_b2
+    v33b = minus_b3 * minus_b3
+    x12b = v11b + v22b
+    xb = x12b + v33b
+    ab, bb, sizeb, fb, gb, hb = c.ray(m, xb)
+    bvb1 = minus_b1 * bb
+    bvb2 = minus_b2 * bb
+    bvb3 = minus_b3 * bb
+    v11a = a1 * a1
+    v22a = a2 * a2
+    v33a = a3 * a3
+    xa = v11a + v22a + v33a
+    aa, ba, sizea, fa, ga, ha = c.ray(m, xa)
+    bva1 = a1 * ba
+    bva2 = a2 * ba
+    bva3 = a3 * ba
+    z0 = ab * aa - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
+    z1 = bva1 * ab + bvb1 * aa + (bvb2 * bva3 - bvb3 * bva2)
+    z2 = bva2 * ab + bvb2 * aa + (bvb3 * bva1 - bvb1 * bva3)
+    z3 = bva3 * ab + bvb3 * aa + (bvb1 * bva2 - bvb2 * bva1)
+    gva1 = a1 * ga
+    gva2 = a2 * ga
+    gva3 = a3 * ga
+    ya = a1 * a1o + a2 * a2o + a3 * a3o
+    alonga = ha * ya
+    rhoa1 = a1o * fa + (gva2 * a3o - gva3 * a2o) + a1 * alonga
+    rhoa2 = a2o * fa + (gva3 * a1o - gva1 * a3o) + a2 * alonga
+    rhoa3 = a3o * fa + (gva1 * a2o - gva2 * a1o) + a3 * alonga
+    v_rho1 = minus_b2 * rhoa3 - minus_b3 * rhoa2
+    v_rho2 = minus_b3 * rhoa1 - minus_b1 * rhoa3
+    v_rho3 = minus_b1 * rhoa2 - minus_b2 * rhoa1
+    gv_rho1 = v_rho1 * gb
+    gv_rho2 = v_rho2 * gb
+    gv_rho3 = v_rho3 * gb
+    gvb1 = minus_b1 * gb
+    gvb2 = minus_b2 * gb
+    gvb3 = minus_b3 * gb
+    yb = minus_b1 * minus_b4 + minus_b2 * minus_b5 + minus_b3 * minus_b6
+    alongb = hb * yb
+    rhob1 = minus_b4 * fb + (gvb2 * minus_b6 - gvb3 * minus_b5) + minus_b1 * alongb
+    rhob2 = minus_b5 * fb + (gvb3 * minus_b4 - gvb1 * minus_b6) + minus_b2 * alongb
+    rhob3 = minus_b6 * fb + (gvb1 * minus_b5 - gvb2 * minus_b4) + minus_b3 * alongb
+    rho1 = rhoa1 + (v_rho1 * fb + (minus_b2 * gv_rho3 - minus_b3 * gv_rho2)) + rhob1
+    rho2 = rhoa2 + (v_rho2 * fb + (minus_b3 * gv_rho1 - minus_b1 * gv_rho3)) + rhob2
+    rho3 = rhoa3 + (v_rho3 * fb + (minus_b1 * gv_rho2 - minus_b2 * gv_rho1)) + rhob3
+    gain, = c.gain_product(m, z0, z1, z2, z3, sizeb, sizea)
+    v1 = z1 * gain
+    v2 = z2 * gain
+    v3 = z3 * gain
+    fi = gain * z0
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    hi, = c.inverse(m, x)
+    hvr = hi * (v1 * rho1 + v2 * rho2 + v3 * rho3)
+    w4 = (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2
+    w5 = (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2
+    w6 = (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2
+    fiw, hiw, fiyw, hiyw = c.tangent_inv(m, x)
+    yw = v1 * w4 + v2 * w5 + v3 * w6
+    fiow = fiyw * yw
+    hiow = hiyw * yw
+    sw1 = -v1
+    sw2 = -v2
+    sw3 = -v3
+    sow1 = -w4
+    sow2 = -w5
+    sow3 = -w6
+    cvw1 = v1 * hiw
+    cvw2 = v2 * hiw
+    cvw3 = v3 * hiw
+    cvow1 = w4 * hiw + v1 * hiow
+    cvow2 = w5 * hiw + v2 * hiow
+    cvow3 = w6 * hiw + v3 * hiow
+    d12w = cvw1 * v2
+    d13w = cvw1 * v3
+    d23w = cvw2 * v3
+    I11 = fiw + cvw1 * v1
+    I12 = d12w - sw3
+    I13 = d13w + sw2
+    I21 = d12w + sw3
+    I22 = fiw + cvw2 * v2
+    I23 = d23w - sw1
+    I31 = d13w - sw2
+    I32 = d23w + sw1
+    I33 = fiw + cvw3 * v3
+    d12ow = cvw1 * w5 + cvow1 * v2
+    d13ow = cvw1 * w6 + cvow1 * v3
+    d23ow = cvw2 * w6 + cvow2 * v3
+    I11o = fiow + (cvw1 * w4 + cvow1 * v1)
+    I12o = d12ow - sow3
+    I13o = d13ow + sow2
+    I21o = d12ow + sow3
+    I22o = fiow + (cvw2 * w5 + cvow2 * v2)
+    I23o = d23ow - sow1
+    I31o = d13ow - sow2
+    I32o = d23ow + sow1
+    I33o = fiow + (cvw3 * w6 + cvow3 * v3)
+    fS, gS, hS, fyS, gyS, hyS = c.tangent(m, xb)
+    foS = fyS * yb
+    goS = gyS * yb
+    hoS = hyS * yb
+    gvS1 = minus_b1 * gS
+    gvS2 = minus_b2 * gS
+    gvS3 = minus_b3 * gS
+    gvoS1 = minus_b4 * gS + minus_b1 * goS
+    gvoS2 = minus_b5 * gS + minus_b2 * goS
+    gvoS3 = minus_b6 * gS + minus_b3 * goS
+    cvS1 = minus_b1 * hS
+    cvS2 = minus_b2 * hS
+    cvS3 = minus_b3 * hS
+    cvoS1 = minus_b4 * hS + minus_b1 * hoS
+    cvoS2 = minus_b5 * hS + minus_b2 * hoS
+    cvoS3 = minus_b6 * hS + minus_b3 * hoS
+    d12S = cvS1 * minus_b2
+    d13S = cvS1 * minus_b3
+    d23S = cvS2 * minus_b3
+    S11 = fS + cvS1 * minus_b1
+    S12 = d12S - gvS3
+    S13 = d13S + gvS2
+    S21 = d12S + gvS3
+    S22 = fS + cvS2 * minus_b2
+    S23 = d23S - gvS1
+    S31 = d13S - gvS2
+    S32 = d23S + gvS1
+    S33 = fS + cvS3 * minus_b3
+    d12oS = cvS1 * minus_b5 + cvoS1 * minus_b2
+    d13oS = cvS1 * minus_b6 + cvoS1 * minus_b3
+    d23oS = cvS2 * minus_b6 + cvoS2 * minus_b3
+    S11o = foS + (cvS1 * minus_b4 + cvoS1 * minus_b1)
+    S12o = d12oS - gvoS3
+    S13o = d13oS + gvoS2
+    S21o = d12oS + gvoS3
+    S22o = foS + (cvS2 * minus_b5 + cvoS2 * minus_b2)
+    S23o = d23oS - gvoS1
+    S31o = d13oS - gvoS2
+    S32o = d23oS + gvoS1
+    S33o = foS + (cvS3 * minus_b6 + cvoS3 * minus_b3)
+    fF, gF, hF, fyF, gyF, hyF = c.tangent(m, xa)
+    foF = fyF * ya
+    goF = gyF * ya
+    hoF = hyF * ya
+    gvF1 = a1 * gF
+    gvF2 = a2 * gF
+    gvF3 = a3 * gF
+    gvoF1 = a1o * gF + a1 * goF
+    gvoF2 = a2o * gF + a2 * goF
+    gvoF3 = a3o * gF + a3 * goF
+    cvF1 = a1 * hF
+    cvF2 = a2 * hF
+    cvF3 = a3 * hF
+    cvoF1 = a1o * hF + a1 * hoF
+    cvoF2 = a2o * hF + a2 * hoF
+    cvoF3 = a3o * hF + a3 * hoF
+    d12F = cvF1 * a2
+    d13F = cvF1 * a3
+    d23F = cvF2 * a3
+    F11 = fF + cvF1 * a1
+    F12 = d12F - gvF3
+    F13 = d13F + gvF2
+    F21 = d12F + gvF3
+    F22 = fF + cvF2 * a2
+    F23 = d23F - gvF1
+    F31 = d13F - gvF2
+    F32 = d23F + gvF1
+    F33 = fF + cvF3 * a3
+    d12oF = cvF1 * a2o + cvoF1 * a2
+    d13oF = cvF1 * a3o + cvoF1 * a3
+    d23oF = cvF2 * a3o + cvoF2 * a3
+    F11o = foF + (cvF1 * a1o + cvoF1 * a1)
+    F12o = d12oF - gvoF3
+    F13o = d13oF + gvoF2
+    F21o = d12oF + gvoF3
+    F22o = foF + (cvF2 * a2o + cvoF2 * a2)
+    F23o = d23oF - gvoF1
+    F31o = d13oF - gvoF2
+    F32o = d23oF + gvoF1
+    F33o = foF + (cvF3 * a3o + cvoF3 * a3)
+    x23b = v22b + v33b
+    x13b = v11b + v33b
+    fvb1 = minus_b1 * fb
+    fvb2 = minus_b2 * fb
+    fvb3 = minus_b3 * fb
+    gvvb1 = gvb1 * minus_b2
+    gvvb2 = gvb1 * minus_b3
+    gvvb3 = gvb2 * minus_b3
+    Qb11 = 1 - gb * x23b
+    Qb12 = gvvb1 - fvb3
+    Qb13 = gvvb2 + fvb2
+    Qb21 = gvvb1 + fvb3
+    Qb22 = 1 - gb * x13b
+    Qb23 = gvvb3 - fvb1
+    Qb31 = gvvb2 - fvb2
+    Qb32 = gvvb3 + fvb1
+    Qb33 = 1 - gb * x12b
+    R11o = Qb31 * rhob2 - Qb21 * rhob3
+    R12o = Qb32 * rhob2 - Qb22 * rhob3
+    R13o = Qb33 * rhob2 - Qb23 * rhob3
+    R21o = Qb11 * rhob3 - Qb31 * rhob1
+    R22o = Qb12 * rhob3 - Qb32 * rhob1
+    R23o = Qb13 * rhob3 - Qb33 * rhob1
+    R31o = Qb21 * rhob1 - Qb11 * rhob2
+    R32o = Qb22 * rhob1 - Qb12 * rhob2
+    R33o = Qb23 * rhob1 - Qb13 * rhob2
+    RT11 = Qb11 * F11 + Qb12 * F21 + Qb13 * F31
+    RT11o = Qb11 * F11o + R11o * F11 + (Qb12 * F21o + R12o * F21) + (Qb13 * F31o + R13o * F31)
+    RT12 = Qb11 * F12 + Qb12 * F22 + Qb13 * F32
+    RT12o = Qb11 * F12o + R11o * F12 + (Qb12 * F22o + R12o * F22) + (Qb13 * F32o + R13o * F32)
+    RT13 = Qb11 * F13 + Qb12 * F23 + Qb13 * F33
+    RT13o = Qb11 * F13o + R11o * F13 + (Qb12 * F23o + R12o * F23) + (Qb13 * F33o + R13o * F33)
+    RT21 = Qb21 * F11 + Qb22 * F21 + Qb23 * F31
+    RT21o = Qb21 * F11o + R21o * F11 + (Qb22 * F21o + R22o * F21) + (Qb23 * F31o + R23o * F31)
+    RT22 = Qb21 * F12 + Qb22 * F22 + Qb23 * F32
+    RT22o = Qb21 * F12o + R21o * F12 + (Qb22 * F22o + R22o * F22) + (Qb23 * F32o + R23o * F32)
+    RT23 = Qb21 * F13 + Qb22 * F23 + Qb23 * F33
+    RT23o = Qb21 * F13o + R21o * F13 + (Qb22 * F23o + R22o * F23) + (Qb23 * F33o + R23o * F33)
+    RT31 = Qb31 * F11 + Qb32 * F21 + Qb33 * F31
+    RT31o = Qb31 * F11o + R31o * F11 + (Qb32 * F21o + R32o * F21) + (Qb33 * F31o + R33o * F31)
+    RT32 = Qb31 * F12 + Qb32 * F22 + Qb33 * F32
+    RT32o = Qb31 * F12o + R31o * F12 + (Qb32 * F22o + R32o * F22) + (Qb33 * F32o + R33o * F32)
+    RT33 = Qb31 * F13 + Qb32 * F23 + Qb33 * F33
+    RT33o = Qb31 * F13o + R31o * F13 + (Qb32 * F23o + R32o * F23) + (Qb33 * F33o + R33o * F33)
+    A11 = (I11 * RT11 + I12 * RT21 + I13 * RT31) / 2
+    A12 = (I11 * RT12 + I12 * RT22 + I13 * RT32) / 2
+    A13 = (I11 * RT13 + I12 * RT23 + I13 * RT33) / 2
+    A21 = (I21 * RT11 + I22 * RT21 + I23 * RT31) / 2
+    A22 = (I21 * RT12 + I22 * RT22 + I23 * RT32) / 2
+    A23 = (I21 * RT13 + I22 * RT23 + I23 * RT33) / 2
+    A31 = (I31 * RT11 + I32 * RT21 + I33 * RT31) / 2
+    A32 = (I31 * RT12 + I32 * RT22 + I33 * RT32) / 2
+    A33 = (I31 * RT13 + I32 * RT23 + I33 * RT33) / 2
+    B11 = -((I11 * S11 + I12 * S21 + I13 * S31) / 2)
+    B12 = -((I11 * S12 + I12 * S22 + I13 * S32) / 2)
+    B13 = -((I11 * S13 + I12 * S23 + I13 * S33) / 2)
+    B21 = -((I21 * S11 + I22 * S21 + I23 * S31) / 2)
+    B22 = -((I21 * S12 + I22 * S22 + I23 * S32) / 2)
+    B23 = -((I21 * S13 + I22 * S23 + I23 * S33) / 2)
+    B31 = -((I31 * S11 + I32 * S21 + I33 * S31) / 2)
+    B32 = -((I31 * S12 + I32 * S22 + I33 * S32) / 2)
+    B33 = -((I31 * S13 + I32 * S23 + I33 * S33) / 2)
+    return (
+        A11,
+        A12,
+        A13,
+        0,
+        0,
+        0,
+        A21,
+        A22,
+        A23,
+        0,
+        0,
+        0,
+        A31,
+        A32,
+        A33,
+        0,
+        0,
+        0,
+        (I11 * RT11o + I11o * RT11 + (I12 * RT21o + I12o * RT21) + (I13 * RT31o + I13o * RT31)) / 2,
+        (I11 * RT12o + I11o * RT12 + (I12 * RT22o + I12o * RT22) + (I13 * RT32o + I13o * RT32)) / 2,
+        (I11 * RT13o + I11o * RT13 + (I12 * RT23o + I12o * RT23) + (I13 * RT33o + I13o * RT33)) / 2,
+        A11,
+        A12,
+        A13,
+        (I21 * RT11o + I21o * RT11 + (I22 * RT21o + I22o * RT21) + (I23 * RT31o + I23o * RT31)) / 2,
+        (I21 * RT12o + I21o * RT12 + (I22 * RT22o + I22o * RT22) + (I23 * RT32o + I23o * RT32)) / 2,
+        (I21 * RT13o + I21o * RT13 + (I22 * RT23o + I22o * RT23) + (I23 * RT33o + I23o * RT33)) / 2,
+        A21,
+        A22,
+        A23,
+        (I31 * RT11o + I31o * RT11 + (I32 * RT21o + I32o * RT21) + (I33 * RT31o + I33o * RT31)) / 2,
+        (I31 * RT12o + I31o * RT12 + (I32 * RT22o + I32o * RT22) + (I33 * RT32o + I33o * RT32)) / 2,
+        (I31 * RT13o + I31o * RT13 + (I32 * RT23o + I32o * RT23) + (I33 * RT33o + I33o * RT33)) / 2,
+        A31,
+        A32,
+        A33,
+        B11,
+        B12,
+        B13,
+        0,
+        0,
+        0,
+        B21,
+        B22,
+        B23,
+        0,
+        0,
+        0,
+        B31,
+        B32,
+        B33,
+        0,
+        0,
+        0,
+        -((I11 * S11o + I11o * S11 + (I12 * S21o + I12o * S21) + (I13 * S31o + I13o * S31)) / 2),
+        -((I11 * S12o + I11o * S12 + (I12 * S22o + I12o * S22) + (I13 * S32o + I13o * S32)) / 2),
+        -((I11 * S13o + I11o * S13 + (I12 * S23o + I12o * S23) + (I13 * S33o + I13o * S33)) / 2),
+        B11,
+        B12,
+        B13,
+        -((I21 * S11o + I21o * S11 + (I22 * S21o + I22o * S21) + (I23 * S31o + I23o * S31)) / 2),
+        -((I21 * S12o + I21o * S12 + (I22 * S22o + I22o * S22) + (I23 * S32o + I23o * S32)) / 2),
+        -((I21 * S13o + I21o * S13 + (I22 * S23o + I22o * S23) + (I23 * S33o + I23o * S33)) / 2),
+        B21,
+        B22,
+        B23,
+        -((I31 * S11o + I31o * S11 + (I32 * S21o + I32o * S21) + (I33 * S31o + I33o * S31)) / 2),
+        -((I31 * S12o + I31o * S12 + (I32 * S22o + I32o * S22) + (I33 * S32o + I33o * S32)) / 2),
+        -((I31 * S13o + I31o * S13 + (I32 * S23o + I32o * S23) + (I33 * S33o + I33o * S33)) / 2),
+        B31,
+        B32,
+        B33,
+    )
+
+
+def between_jacobians_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, a: Rows, b: Rows
+) -> None:
+    a1, a2, a3, a1o, a2o, a3o = a
+    b1, b2, b3, b1o, b2o, b3o = b
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36, o37, o38, o39, o40, o41, o42, o43, o44, o45, o46,
+        o47, o48, o49, o50, o51, o52, o53, o54, o55, o56, o57, o58, o59, o60, o61, o62, o63, o64, o65, o66, o67, o68,
+        o69, o70, o71, o72,
+    ) = out
+    (
+        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
+        k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, k35, k36, k37, k38, k39, k40, k41, k42, k43, k44, k45, k46,
+        k47, k48, k49, k50, k51, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61, k62, k63, k64, k65, k66, k67, *spare,
+    ) = scratch
+    *spare_masks, = masks
+    n0, n1, n2 = numbers
+    minus_b1 = neg(b1, k1)
+    v11b = mul(minus_b1, minus_b1, k2)
+    minus_b2 = neg(b2, k3)
+    v22b = mul(minus_b2, minus_b2, k4)
+    x12b = add(v11b, v22b, k5)
+    minus_b3 = neg(b3, k6)
+    v33b = mul(minus_b3, minus_b3, k7)
+    x23b = add(v22b, v33b, k4)
+    x13b = add(v11b, v33b, k2)
+    xb = add(x12b, v33b, k7)
+    ab, bb, sizeb, fb, gb, hb = c.ray((k8, k9, k10, k11, k12, k13), (*spare,), (*spare_masks,), xb)
+    fS, gS, hS, fyS, gyS, hyS = c.tangent((k14, k15, k16, k17, k18, k19), (*spare,), (*spare_masks,), xb)
+    Qb11 = sub(n1, mul(gb, x23b, k4), k4)
+    Qb22 = sub(n1, mul(gb, x13b, k2), k2)
+    Qb33 = sub(n1, mul(gb, x12b, k5), k5)
+    v11a = mul(a1, a1, k7)
+    v22a = mul(a2, a2, k20)
+    v33a = mul(a3, a3, k21)
+    xa = add(add(v11a, v22a, k7), v33a, k7)
+    aa, ba, sizea, fa, ga, ha = c.ray((k20, k21, k22, k23, k24, k25), (*spare,), (*spare_masks,), xa)
+    fF, gF, hF, fyF, gyF, hyF = c.tangent((k26, k27, k28, k29, k30, k31), (*spare,), (*spare_masks,), xa)
+    bvb1 = mul(minus_b1, bb, k7)
+    bva1 = mul(a1, ba, k32)
+    bvb2 = mul(minus_b2, bb, k33)
+    bvb3 = mul(minus_b3, bb, k9)
+    bva2 = mul(a2, ba, k34)
+    bva3 = mul(a3, ba, k21)
+    z0 = sub(
+        mul(ab, aa, k35), add(add(mul(bvb1, bva1, k36), mul(bvb2, bva2, k37), k36), mul(bvb3, bva3, k37), k36), k35
+    )
+    z1 = add(
+        add(mul(bva1, ab, k36), mul(bvb1, aa, k37), k36), sub(mul(bvb2, bva3, k37), mul(bvb3, bva2, k38), k37), k36
+    )
+    z2 = add(
+        add(mul(bva2, ab, k37), mul(bvb2, aa, k38), k37), sub(mul(bvb3, bva1, k38), mul(bvb1, bva3, k39), k38), k37
+    )
+    z3 = add(add(mul(bva3, ab, k8), mul(bvb3, aa, k9), k8), sub(mul(bvb1, bva2, k7), mul(bvb2, bva1, k9), k7), k7)
+    gain, = c.gain_product(
+        (k8,), (k9, k20, k21, k32, k33, k34, k38, k39, *spare), (*spare_masks,), z0, z1, z2, z3, sizeb, sizea
+    )
+    v1 = mul(z1, gain, k9)
+    v2 = mul(z2, gain, k10)
+    v3 = mul(z3, gain, k7)
+    fi = mul(gain, z0, k8)
+    v11 = mul(v1, v1, k20)
+    v22 = mul(v2, v2, k21)
+    v33 = mul(v3, v3, k22)
+    x = add(add(v11, v22, k20), v33, k20)
+    fiw, hiw, fiyw, hiyw = c.tangent_inv(
+        (k21, k22, k32, k33), (k34, k35, k36, k37, k38, k39, *spare), (*spare_masks,), x
+    )
+    hi, = c.inverse((k34,), (k35, k36, k37, k38, k39, *spare), (*spare_masks,), x)
+    cvw3 = mul(v3, hiw, k20)
+    I33 = add(fiw, mul(cvw3, v3, k35), k35)
+    cvw1 = mul(v1, hiw, k36)
+    d13w = mul(cvw1, v3, k37)
+    sw2 = neg(v2, k38)
+    I31 = sub(d13w, sw2, k39)
+    I13 = add(d13w, sw2, k37)
+    cvw2 = mul(v2, hiw, k38)
+    d23w = mul(cvw2, v3, k40)
+    sw1 = neg(v1, k41)
+    I32 = add(d23w, sw1, k42)
+    I23 = sub(d23w, sw1, k40)
+    cvS1 = mul(minus_b1, hS, k41)
+    d13S = mul(cvS1, minus_b3, k43)
+    gvS2 = mul(minus_b2, gS, k44)
+    S13 = add(d13S, gvS2, k45)
+    S31 = sub(d13S, gvS2, k43)
+    cvS2 = mul(minus_b2, hS, k44)
+    d23S = mul(cvS2, minus_b3, k46)
+    gvS1 = mul(minus_b1, gS, k47)
+    S23 = sub(d23S, gvS1, k48)
+    S32 = add(d23S, gvS1, k46)
+    cvS3 = mul(minus_b3, hS, k47)
+    S33 = add(fS, mul(cvS3, minus_b3, k49), k49)
+    neg(div(add(add(mul(I31, S13, k50), mul(I32, S23, k51), k50), mul(I33, S33, k51), k50), n2, k50), o51)
+    d12S = mul(cvS1, minus_b2, k50)
+    gvS3 = mul(minus_b3, gS, k51)
+    S12 = sub(d12S, gvS3, k52)
+    S21 = add(d12S, gvS3, k50)
+    S22 = add(fS, mul(cvS2, minus_b2, k51), k51)
+    neg(div(add(add(mul(I31, S12, k53), mul(I32, S22, k54), k53), mul(I33, S32, k54), k53), n2, k53), o50)
+    S11 = add(fS, mul(cvS1, minus_b1, k53), k14)
+    neg(div(add(add(mul(I31, S11, k53), mul(I32, S21, k54), k53), mul(I33, S31, k54), k53), n2, k53), o49)
+    gva1 = mul(a1, ga, k53)
+    gva2 = mul(a2, ga, k54)
+    gva3 = mul(a3, ga, k24)
+    ya = add(add(mul(a1, a1o, k55), mul(a2, a2o, k56), k55), mul(a3, a3o, k56), k55)
+    alonga = mul(ha, ya, k25)
+    hoF = mul(hyF, ya, k31)
+    goF = mul(gyF, ya, k30)
+    foF = mul(fyF, ya, k29)
+    rhoa3 = add(
+        add(mul(a3o, fa, k55), sub(mul(gva1, a2o, k56), mul(gva2, a1o, k57), k56), k55), mul(a3, alonga, k56), k55
+    )
+    rhoa2 = add(
+        add(mul(a2o, fa, k56), sub(mul(gva3, a1o, k57), mul(gva1, a3o, k53), k53), k53), mul(a2, alonga, k56), k53
+    )
+    rhoa1 = add(
+        add(mul(a1o, fa, k23), sub(mul(gva2, a3o, k54), mul(gva3, a2o, k24), k24), k23), mul(a1, alonga, k24), k23
+    )
+    v_rho1 = sub(mul(minus_b2, rhoa3, k24), mul(minus_b3, rhoa2, k25), k24)
+    v_rho3 = sub(mul(minus_b1, rhoa2, k25), mul(minus_b2, rhoa1, k54), k25)
+    gv_rho3 = mul(v_rho3, gb, k54)
+    v_rho2 = sub(mul(minus_b3, rhoa1, k56), mul(minus_b1, rhoa3, k57), k56)
+    gv_rho2 = mul(v_rho2, gb, k57)
+    minus_b4 = neg(b1o, k58)
+    minus_b5 = neg(b2o, k59)
+    minus_b6 = neg(b3o, k60)
+    yb = add(add(mul(minus_b1, minus_b4, k61), mul(minus_b2, minus_b5, k62), k61), mul(minus_b3, minus_b6, k62), k61)
+    alongb = mul(hb, yb, k13)
+    hoS = mul(hyS, yb, k19)
+    goS = mul(gyS, yb, k18)
+    foS = mul(fyS, yb, k17)
+    gvb2 = mul(minus_b2, gb, k61)
+    gvb3 = mul(minus_b3, gb, k62)
+    rhob1 = add(
+        add(mul(minus_b4, fb, k63), sub(mul(gvb2, minus_b6, k64), mul(gvb3, minus_b5, k65), k64), k63), mul(minus_b1,
+        alongb, k64), k63
+    )
+    rho1 = add(
+        add(rhoa1, add(mul(v_rho1, fb, k64), sub(mul(minus_b2, gv_rho3, k65), mul(minus_b3, gv_rho2, k66), k65), k64),
+        k23), rhob1, k23
+    )
+    gv_rho1 = mul(v_rho1, gb, k24)
+    gvb1 = mul(minus_b1, gb, k12)
+    rhob2 = add(
+        add(mul(minus_b5, fb, k64), sub(mul(gvb3, minus_b4, k62), mul(gvb1, minus_b6, k65), k62), k62), mul(minus_b2,
+        alongb, k64), k62
+    )
+    rho2 = add(
+        add(rhoa2, add(mul(v_rho2, fb, k56), sub(mul(minus_b3, gv_rho1, k64), mul(minus_b1, gv_rho3, k54), k54), k54),
+        k53), rhob2, k53
+    )
+    rhob3 = add(
+        add(mul(minus_b6, fb, k54), sub(mul(gvb1, minus_b5, k56), mul(gvb2, minus_b4, k64), k56), k54), mul(minus_b3,
+        alongb, k13), k13
+    )
+    rho3 = add(
+        add(rhoa3, add(mul(v_rho3, fb, k25), sub(mul(minus_b1, gv_rho2, k54), mul(minus_b2, gv_rho1, k24), k24), k24),
+        k24), rhob3, k24
+    )
+    hvr = mul(hi, add(add(mul(v1, rho1, k25), mul(v2, rho2, k54), k25), mul(v3, rho3, k54), k25), k25)
+    gvvb3 = mul(gvb2, minus_b3, k34)
+    w4 = div(
+        add(sub(mul(rho1, fi, k54), sub(mul(v2, rho3, k55), mul(v3, rho2, k56), k55), k54), mul(v1, hvr, k55), k54), n2,
+        k54
+    )
+    w5 = div(
+        add(sub(mul(rho2, fi, k55), sub(mul(v3, rho1, k56), mul(v1, rho3, k57), k56), k55), mul(v2, hvr, k56), k55), n2,
+        k55
+    )
+    w6 = div(
+        add(sub(mul(rho3, fi, k8), sub(mul(v1, rho2, k24), mul(v2, rho1, k23), k23), k8), mul(v3, hvr, k23), k8), n2, k8
+    )
+    yw = add(add(mul(v1, w4, k23), mul(v2, w5, k24), k23), mul(v3, w6, k24), k23)
+    fiow = mul(fiyw, yw, k24)
+    hiow = mul(hiyw, yw, k23)
+    cvow3 = add(mul(w6, hiw, k25), mul(v3, hiow, k32), k25)
+    I33o = add(fiow, add(mul(cvw3, w6, k20), mul(cvow3, v3, k25), k20), k20)
+    cvow1 = add(mul(w4, hiw, k25), mul(v1, hiow, k32), k25)
+    cvow2 = add(mul(w5, hiw, k22), mul(v2, hiow, k23), k22)
+    d13ow = add(mul(cvw1, w6, k23), mul(cvow1, v3, k32), k23)
+    sow2 = neg(w5, k32)
+    I31o = sub(d13ow, sow2, k33)
+    I13o = add(d13ow, sow2, k23)
+    d23ow = add(mul(cvw2, w6, k32), mul(cvow2, v3, k53), k32)
+    sw3 = neg(v3, k7)
+    I22o = add(fiow, add(mul(cvw2, w5, k53), mul(cvow2, v2, k22), k22), k22)
+    I22 = add(fiw, mul(cvw2, v2, k38), k38)
+    d12ow = add(mul(cvw1, w5, k53), mul(cvow1, v2, k55), k53)
+    I11o = add(fiow, add(mul(cvw1, w4, k55), mul(cvow1, v1, k25), k25), k24)
+    I11 = add(fiw, mul(cvw1, v1, k9), k9)
+    d12w = mul(cvw1, v2, k10)
+    sow1 = neg(w4, k21)
+    sow3 = neg(w6, k8)
+    I32o = add(d23ow, sow1, k25)
+    I23o = sub(d23ow, sow1, k21)
+    cvoS1 = add(mul(minus_b4, hS, k32), mul(minus_b1, hoS, k36), k32)
+    d13oS = add(mul(cvS1, minus_b6, k36), mul(cvoS1, minus_b3, k54), k36)
+    gvoS2 = add(mul(minus_b5, gS, k54), mul(minus_b2, goS, k55), k54)
+    S13o = add(d13oS, gvoS2, k55)
+    S31o = sub(d13oS, gvoS2, k36)
+    cvoS2 = add(mul(minus_b5, hS, k54), mul(minus_b2, hoS, k56), k54)
+    cvoS3 = add(mul(minus_b6, hS, k16), mul(minus_b3, hoS, k19), k16)
+    S33o = add(foS, add(mul(cvS3, minus_b6, k19), mul(cvoS3, minus_b3, k16), k16), k16)
+    d23oS = add(mul(cvS2, minus_b6, k19), mul(cvoS2, minus_b3, k47), k19)
+    S22o = add(foS, add(mul(cvS2, minus_b5, k44), mul(cvoS2, minus_b2, k47), k44), k44)
+    d12oS = add(mul(cvS1, minus_b5, k47), mul(cvoS1, minus_b2, k54), k47)
+    S11o = add(foS, add(mul(cvS1, minus_b4, k41), mul(cvoS1, minus_b1, k32), k32), k17)
+    gvoS1 = add(mul(minus_b4, gS, k32), mul(minus_b1, goS, k41), k32)
+    gvoS3 = add(mul(minus_b6, gS, k15), mul(minus_b3, goS, k18), k15)
+    fvb1 = mul(minus_b1, fb, k1)
+    S23o = sub(d23oS, gvoS1, k18)
+    S32o = add(d23oS, gvoS1, k19)
+    neg(
+        div(add(add(add(mul(I31, S13o, k32), mul(I31o, S13, k41), k32), add(mul(I32, S23o, k41), mul(I32o, S23, k54),
+        k41), k32), add(mul(I33, S33o, k41), mul(I33o, S33, k54), k41), k32), n2, k32), o69
+    )
+    S12o = sub(d12oS, gvoS3, k32)
+    S21o = add(d12oS, gvoS3, k15)
+    neg(
+        div(add(add(add(mul(I31, S12o, k41), mul(I31o, S12, k47), k41), add(mul(I32, S22o, k47), mul(I32o, S22, k54),
+        k47), k41), add(mul(I33, S32o, k47), mul(I33o, S32, k54), k47), k41), n2, k41), o68
+    )
+    neg(
+        div(add(add(add(mul(I31, S11o, k41), mul(I31o, S11, k47), k41), add(mul(I32, S21o, k47), mul(I32o, S21, k54),
+        k47), k41), add(mul(I33, S31o, k47), mul(I33o, S31, k54), k47), k41), n2, k41), o67
+    )
+    I21 = add(d12w, sw3, k41)
+    I12 = sub(d12w, sw3, k7)
+    neg(div(add(add(mul(I21, S13, k10), mul(I22, S23, k47), k10), mul(I23, S33, k47), k10), n2, k10), o45)
+    neg(div(add(add(mul(I21, S12, k10), mul(I22, S22, k47), k10), mul(I23, S32, k47), k10), n2, k10), o44)
+    neg(div(add(add(mul(I21, S11, k10), mul(I22, S21, k47), k10), mul(I23, S31, k47), k10), n2, k10), o43)
+    neg(div(add(add(mul(I11, S13, k10), mul(I12, S23, k47), k10), mul(I13, S33, k47), k10), n2, k10), o39)
+    neg(div(add(add(mul(I11, S12, k10), mul(I12, S22, k47), k10), mul(I13, S32, k47), k10), n2, k10), o38)
+    neg(div(add(add(mul(I11, S11, k10), mul(I12, S21, k47), k10), mul(I13, S31, k47), k10), n2, k10), o37)
+    I21o = add(d12ow, sow3, k10)
+    I12o = sub(d12ow, sow3, k8)
+    neg(
+        div(add(add(add(mul(I21, S13o, k47), mul(I21o, S13, k53), k47), add(mul(I22, S23o, k53), mul(I22o, S23, k54),
+        k53), k47), add(mul(I23, S33o, k53), mul(I23o, S33, k54), k53), k47), n2, k47), o63
+    )
+    neg(
+        div(add(add(add(mul(I11, S13o, k47), mul(I11o, S13, k45), k45), add(mul(I12, S23o, k18), mul(I12o, S23, k47),
+        k18), k18), add(mul(I13, S33o, k16), mul(I13o, S33, k45), k16), k16), n2, k16), o57
+    )
+    neg(
+        div(add(add(add(mul(I21, S12o, k16), mul(I21o, S12, k18), k16), add(mul(I22, S22o, k18), mul(I22o, S22, k45),
+        k18), k16), add(mul(I23, S32o, k18), mul(I23o, S32, k45), k18), k16), n2, k16), o62
+    )
+    neg(
+        div(add(add(add(mul(I11, S12o, k16), mul(I11o, S12, k18), k16), add(mul(I12, S22o, k18), mul(I12o, S22, k32),
+        k18), k16), add(mul(I13, S32o, k18), mul(I13o, S32, k19), k18), k16), n2, k16), o56
+    )
+    neg(
+        div(add(add(add(mul(I21, S11o, k16), mul(I21o, S11, k18), k16), add(mul(I22, S21o, k18), mul(I22o, S21, k19),
+        k18), k16), add(mul(I23, S31o, k18), mul(I23o, S31, k19), k18), k16), n2, k16), o61
+    )
+    neg(
+        div(add(add(add(mul(I11, S11o, k16), mul(I11o, S11, k14), k14), add(mul(I12, S21o, k15), mul(I12o, S21, k16),
+        k15), k14), add(mul(I13, S31o, k15), mul(I13o, S31, k16), k15), k14), n2, k14), o55
+    )
+    cvF1 = mul(a1, hF, k14)
+    d13F = mul(cvF1, a3, k15)
+    gvF2 = mul(a2, gF, k16)
+    F13 = add(d13F, gvF2, k17)
+    F31 = sub(d13F, gvF2, k15)
+    gvvb1 = mul(gvb1, minus_b2, k16)
+    gvvb2 = mul(gvb1, minus_b3, k12)
+    fvb3 = mul(minus_b3, fb, k6)
+    fvb2 = mul(minus_b2, fb, k3)
+    Qb12 = sub(gvvb1, fvb3, k11)
+    Qb21 = add(gvvb1, fvb3, k6)
+    cvF2 = mul(a2, hF, k16)
+    d23F = mul(cvF2, a3, k18)
+    gvF1 = mul(a1, gF, k19)
+    F23 = sub(d23F, gvF1, k32)
+    F32 = add(d23F, gvF1, k18)
+    Qb13 = add(gvvb2, fvb2, k19)
+    Qb31 = sub(gvvb2, fvb2, k3)
+    cvF3 = mul(a3, hF, k12)
+    F33 = add(fF, mul(cvF3, a3, k36), k36)
+    RT13 = add(add(mul(Qb11, F13, k43), mul(Qb12, F23, k44), k43), mul(Qb13, F33, k44), k43)
+    Qb23 = sub(gvvb3, fvb1, k44)
+    Qb32 = add(gvvb3, fvb1, k1)
+    RT23 = add(add(mul(Qb21, F13, k34), mul(Qb22, F23, k45), k34), mul(Qb23, F33, k45), k34)
+    RT33 = add(add(mul(Qb31, F13, k45), mul(Qb32, F23, k46), k45), mul(Qb33, F33, k46), k45)
+    div(add(add(mul(I31, RT13, k46), mul(I32, RT23, k47), k46), mul(I33, RT33, k47), k46), n2, o15)
+    div(add(add(mul(I21, RT13, k46), mul(I22, RT23, k47), k46), mul(I23, RT33, k47), k46), n2, o9)
+    div(add(add(mul(I11, RT13, k46), mul(I12, RT23, k47), k46), mul(I13, RT33, k47), k46), n2, o3)
+    d12F = mul(cvF1, a2, k46)
+    gvF3 = mul(a3, gF, k47)
+    F12 = sub(d12F, gvF3, k48)
+    F21 = add(d12F, gvF3, k46)
+    F22 = add(fF, mul(cvF2, a2, k47), k47)
+    F11 = add(fF, mul(cvF1, a1, k49), k26)
+    RT12 = add(add(mul(Qb11, F12, k49), mul(Qb12, F22, k50), k49), mul(Qb13, F32, k50), k49)
+    RT22 = add(add(mul(Qb21, F12, k50), mul(Qb22, F22, k51), k50), mul(Qb23, F32, k51), k50)
+    RT32 = add(add(mul(Qb31, F12, k51), mul(Qb32, F22, k52), k51), mul(Qb33, F32, k52), k51)
+    div(add(add(mul(I31, RT12, k52), mul(I32, RT22, k53), k52), mul(I33, RT32, k53), k52), n2, o14)
+    div(add(add(mul(I21, RT12, k52), mul(I22, RT22, k53), k52), mul(I23, RT32, k53), k52), n2, o8)
+    div(add(add(mul(I11, RT12, k52), mul(I12, RT22, k53), k52), mul(I13, RT32, k53), k52), n2, o2)
+    RT11 = add(add(mul(Qb11, F11, k52), mul(Qb12, F21, k53), k52), mul(Qb13, F31, k53), k52)
+    RT21 = add(add(mul(Qb21, F11, k53), mul(Qb22, F21, k54), k53), mul(Qb23, F31, k54), k53)
+    RT31 = add(add(mul(Qb31, F11, k54), mul(Qb32, F21, k55), k54), mul(Qb33, F31, k55), k54)
+    div(add(add(mul(I31, RT11, k55), mul(I32, RT21, k56), k55), mul(I33, RT31, k56), k55), n2, o13)
+    div(add(add(mul(I21, RT11, k55), mul(I22, RT21, k56), k55), mul(I23, RT31, k56), k55), n2, o7)
+    div(add(add(mul(I11, RT11, k55), mul(I12, RT21, k56), k55), mul(I13, RT31, k56), k55), n2, o1)
+    R11o = sub(mul(Qb31, rhob2, k55), mul(Qb21, rhob3, k56), k55)
+    R12o = sub(mul(Qb32, rhob2, k56), mul(Qb22, rhob3, k57), k56)
+    R13o = sub(mul(Qb33, rhob2, k57), mul(Qb23, rhob3, k58), k57)
+    cvoF1 = add(mul(a1o, hF, k58), mul(a1, hoF, k59), k58)
+    d13oF = add(mul(cvF1, a3o, k59), mul(cvoF1, a3, k60), k59)
+    gvoF2 = add(mul(a2o, gF, k60), mul(a2, goF, k61), k60)
+    F13o = add(d13oF, gvoF2, k61)
+    F31o = sub(d13oF, gvoF2, k59)
+    cvoF2 = add(mul(a2o, hF, k60), mul(a2, hoF, k64), k60)
+    cvoF3 = add(mul(a3o, hF, k28), mul(a3, hoF, k31), k28)
+    F33o = add(foF, add(mul(cvF3, a3o, k12), mul(cvoF3, a3, k28), k12), k12)
+    d23oF = add(mul(cvF2, a3o, k28), mul(cvoF2, a3, k31), k28)
+    F22o = add(foF, add(mul(cvF2, a2o, k16), mul(cvoF2, a2, k31), k16), k16)
+    F11o = add(foF, add(mul(cvF1, a1o, k31), mul(cvoF1, a1, k60), k31), k29)
+    d12oF = add(mul(cvF1, a2o, k14), mul(cvoF1, a2, k31), k14)
+    gvoF1 = add(mul(a1o, gF, k31), mul(a1, goF, k58), k31)
+    gvoF3 = add(mul(a3o, gF, k27), mul(a3, goF, k30), k27)
+    F23o = sub(d23oF, gvoF1, k30)
+    F32o = add(d23oF, gvoF1, k28)
+    RT13o = add(
+        add(add(mul(Qb11, F13o, k31), mul(R11o, F13, k58), k31), add(mul(Qb12, F23o, k58), mul(R12o, F23, k60), k58),
+        k31), add(mul(Qb13, F33o, k58), mul(R13o, F33, k60), k58), k31
+    )
+    R21o = sub(mul(Qb11, rhob3, k58), mul(Qb31, rhob1, k60), k58)
+    R22o = sub(mul(Qb12, rhob3, k60), mul(Qb32, rhob1, k64), k60)
+    R23o = sub(mul(Qb13, rhob3, k13), mul(Qb33, rhob1, k64), k13)
+    RT23o = add(
+        add(add(mul(Qb21, F13o, k64), mul(R21o, F13, k65), k64), add(mul(Qb22, F23o, k65), mul(R22o, F23, k66), k65),
+        k64), add(mul(Qb23, F33o, k65), mul(R23o, F33, k66), k65), k64
+    )
+    R31o = sub(mul(Qb21, rhob1, k65), mul(Qb11, rhob2, k66), k65)
+    R32o = sub(mul(Qb22, rhob1, k66), mul(Qb12, rhob2, k67), k66)
+    R33o = sub(mul(Qb23, rhob1, k63), mul(Qb13, rhob2, k62), k62)
+    RT33o = add(
+        add(add(mul(Qb31, F13o, k61), mul(R31o, F13, k17), k17), add(mul(Qb32, F23o, k30), mul(R32o, F23, k32), k30),
+        k17), add(mul(Qb33, F33o, k12), mul(R33o, F33, k30), k12), k12
+    )
+    div(
+        add(add(add(mul(I31, RT13o, k17), mul(I31o, RT13, k30), k17), add(mul(I32, RT23o, k30), mul(I32o, RT23, k32),
+        k30), k17), add(mul(I33, RT33o, k30), mul(I33o, RT33, k32), k30), k17), n2, o33
+    )
+    div(
+        add(add(add(mul(I21, RT13o, k17), mul(I21o, RT13, k30), k17), add(mul(I22, RT23o, k30), mul(I22o, RT23, k32),
+        k30), k17), add(mul(I23, RT33o, k30), mul(I23o, RT33, k32), k30), k17), n2, o27
+    )
+    div(
+        add(add(add(mul(I11, RT13o, k17), mul(I11o, RT13, k30), k17), add(mul(I12, RT23o, k30), mul(I12o, RT23, k31),
+        k30), k17), add(mul(I13, RT33o, k12), mul(I13o, RT33, k30), k12), k12), n2, o21
+    )
+    F12o = sub(d12oF, gvoF3, k12)
+    F21o = add(d12oF, gvoF3, k14)
+    RT12o = add(
+        add(add(mul(Qb11, F12o, k17), mul(R11o, F12, k27), k17), add(mul(Qb12, F22o, k27), mul(R12o, F22, k30), k27),
+        k17), add(mul(Qb13, F32o, k27), mul(R13o, F32, k30), k27), k17
+    )
+    RT11o = add(
+        add(add(mul(Qb11, F11o, k4), mul(R11o, F11, k27), k4), add(mul(Qb12, F21o, k11), mul(R12o, F21, k27), k11), k4),
+        add(mul(Qb13, F31o, k11), mul(R13o, F31, k19), k11), k4
+    )
+    RT22o = add(
+        add(add(mul(Qb21, F12o, k11), mul(R21o, F12, k19), k11), add(mul(Qb22, F22o, k19), mul(R22o, F22, k27), k19),
+        k11), add(mul(Qb23, F32o, k19), mul(R23o, F32, k27), k19), k11
+    )
+    RT32o = add(
+        add(add(mul(Qb31, F12o, k12), mul(R31o, F12, k19), k12), add(mul(Qb32, F22o, k16), mul(R32o, F22, k19), k16),
+        k12), add(mul(Qb33, F32o, k16), mul(R33o, F32, k18), k16), k12
+    )
+    RT21o = add(
+        add(add(mul(Qb21, F11o, k6), mul(R21o, F11, k16), k6), add(mul(Qb22, F21o, k2), mul(R22o, F21, k16), k2), k2),
+        add(mul(Qb23, F31o, k6), mul(R23o, F31, k13), k6), k2
+    )
+    RT31o = add(
+        add(add(mul(Qb31, F11o, k3), mul(R31o, F11, k6), k3), add(mul(Qb32, F21o, k1), mul(R32o, F21, k6), k1), k1),
+        add(mul(Qb33, F31o, k3), mul(R33o, F31, k5), k3), k1
+    )
+    div(
+        add(add(add(mul(I31, RT12o, k3), mul(I31o, RT12, k5), k3), add(mul(I32, RT22o, k5), mul(I32o, RT22, k6), k5),
+        k3), add(mul(I33, RT32o, k5), mul(I33o, RT32, k6), k5), k3), n2, o32
+    )
+    div(
+        add(add(add(mul(I31, RT11o, k3), mul(I31o, RT11, k5), k3), add(mul(I32, RT21o, k5), mul(I32o, RT21, k6), k5),
+        k3), add(mul(I33, RT31o, k5), mul(I33o, RT31, k6), k5), k3), n2, o31
+    )
+    div(
+        add(add(add(mul(I21, RT12o, k3), mul(I21o, RT12, k5), k3), add(mul(I22, RT22o, k5), mul(I22o, RT22, k6), k5),
+        k3), add(mul(I23, RT32o, k5), mul(I23o, RT32, k6), k5), k3), n2, o26
+    )
+    div(
+        add(add(add(mul(I21, RT11o, k3), mul(I21o, RT11, k5), k3), add(mul(I22, RT21o, k5), mul(I22o, RT21, k6), k5),
+        k3), add(mul(I23, RT31o, k5), mul(I23o, RT31, k6), k5), k3), n2, o25
+    )
+    div(
+        add(add(add(mul(I11, RT12o, k3), mul(I11o, RT12, k5), k3), add(mul(I12, RT22o, k5), mul(I12o, RT22, k6), k5),
+        k3), add(mul(I13, RT32o, k5), mul(I13o, RT32, k6), k5), k3), n2, o20
+    )
+    div(
+        add(add(add(mul(I11, RT11o, k3), mul(I11o, RT11, k4), k3), add(mul(I12, RT21o, k2), mul(I12o, RT21, k4), k2),
+        k2), add(mul(I13, RT31o, k1), mul(I13o, RT31, k3), k1), k1), n2, o19
+    )
+    copy(n0, o4)
+    copy(n0, o5)
+    copy(n0, o6)
+    copy(n0, o10)
+    copy(n0, o11)
+    copy(n0, o12)
+    copy(n0, o16)
+    copy(n0, o17)
+    copy(n0, o18)
+    copy(o1, o22)
+    copy(o2, o23)
+    copy(o3, o24)
+    copy(o7, o28)
+    copy(o8, o29)
+    copy(o9, o30)
+    copy(o13, o34)
+    copy(o14, o35)
+    copy(o15, o36)
+    copy(n0, o40)
+    copy(n0, o41)
+    copy(n0, o42)
+    copy(n0, o46)
+    copy(n0, o47)
+    copy(n0, o48)
+    copy(n0, o52)
+    copy(n0, o53)
+    copy(n0, o54)
+    copy(o37, o58)
+    copy(o38, o59)
+    copy(o39, o60)
+    copy(o43, o64)
+    copy(o44, o65)
+    copy(o45, o66)
+    copy(o49, o70)
+    copy(o50, o71)
+    copy(o51, o72)
+
+
+# operations 82: 33 +, 49 *
+def adjoint(m: Any, c: Any, v: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x12 = v11 + v22
+    x = x12 + v33
+    f, g, h = c.pose(m, x)
+    x23 = v22 + v33
+    x13 = v11 + v33
+    fv1 = v1 * f
+    fv2 = v2 * f
+    fv3 = v3 * f
+    gv1 = v1 * g
+    gv2 = v2 * g
+    gv3 = v3 * g
+    gvv1 = gv1 * v2
+    gvv2 = gv1 * v3
+    gvv3 = gv2 * v3
+    Q11 = 1 - g * x23
+    Q12 = gvv1 - fv3
+    Q13 = gvv2 + fv2
+    Q21 = gvv1 + fv3
+    Q22 = 1 - g * x13
+    Q23 = gvv3 - fv1
+    Q31 = gvv2 - fv2
+    Q32 = gvv3 + fv1
+    Q33 = 1 - g * x12
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    along = h * y
+    rho1 = v1o * f + (gv2 * v3o - gv3 * v2o) + v1 * along
+    rho2 = v2o * f + (gv3 * v1o - gv1 * v3o) + v2 * along
+    rho3 = v3o * f + (gv1 * v2o - gv2 * v1o) + v3 * along
+    return (
+        Q11,
+        Q12,
+        Q13,
+        0,
+        0,
+        0,
+        Q21,
+        Q22,
+        Q23,
+        0,
+        0,
+        0,
+        Q31,
+        Q32,
+        Q33,
+        0,
+        0,
+        0,
+        Q31 * rho2 - Q21 * rho3,
+        Q32 * rho2 - Q22 * rho3,
+        Q33 * rho2 - Q23 * rho3,
+        Q11,
+        Q12,
+        Q13,
+        Q11 * rho3 - Q31 * rho1,
+        Q12 * rho3 - Q32 * rho1,
+        Q13 * rho3 - Q33 * rho1,
+        Q21,
+        Q22,
+        Q23,
+        Q21 * rho1 - Q11 * rho2,
+        Q22 * rho1 - Q12 * rho2,
+        Q23 * rho1 - Q13 * rho2,
+        Q31,
+        Q32,
+        Q33,
+    )
+
+
+def adjoint_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36,
+    ) = out
+    k1, k2, k3, k4, k5, k6, k7, k8, *spare = scratch
+    *spare_masks, = masks
+    n0, n1 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    x12 = add(v11, v22, k3)
+    v33 = mul(v3, v3, k4)
+    x23 = add(v22, v33, k2)
+    x13 = add(v11, v33, k1)
+    x = add(x12, v33, k4)
+    f, g, h = c.pose((k5, k6, k7), (*spare,), (*spare_masks,), x)
+    Q11 = sub(n1, mul(g, x23, k2), o1)
+    Q22 = sub(n1, mul(g, x13, k1), o8)
+    Q33 = sub(n1, mul(g, x12, k1), o15)
+    gv1 = mul(v1, g, k1)
+    gvv1 = mul(gv1, v2, k2)
+    fv3 = mul(v3, f, k3)
+    Q12 = sub(gvv1, fv3, o2)
+    Q21 = add(gvv1, fv3, o7)
+    gvv2 = mul(gv1, v3, k2)
+    fv2 = mul(v2, f, k3)
+    Q13 = add(gvv2, fv2, o3)
+    Q31 = sub(gvv2, fv2, o13)
+    gv2 = mul(v2, g, k2)
+    gv3 = mul(v3, g, k3)
+    gvv3 = mul(gv2, v3, k4)
+    fv1 = mul(v1, f, k6)
+    Q23 = sub(gvv3, fv1, o9)
+    Q32 = add(gvv3, fv1, o14)
+    y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k6), k4), mul(v3, v3o, k6), k4)
+    along = mul(h, y, k4)
+    rho2 = add(add(mul(v2o, f, k6), sub(mul(gv3, v1o, k7), mul(gv1, v3o, k8), k7), k6), mul(v2, along, k7), k6)
+    rho3 = add(add(mul(v3o, f, k7), sub(mul(gv1, v2o, k1), mul(gv2, v1o, k8), k1), k1), mul(v3, along, k7), k1)
+    rho1 = add(add(mul(v1o, f, k5), sub(mul(gv2, v3o, k2), mul(gv3, v2o, k3), k2), k2), mul(v1, along, k3), k2)
+    sub(mul(Q31, rho2, k3), mul(Q21, rho3, k4), o19)
+    sub(mul(Q32, rho2, k3), mul(Q22, rho3, k4), o20)
+    sub(mul(Q33, rho2, k3), mul(Q23, rho3, k4), o21)
+    sub(mul(Q11, rho3, k3), mul(Q31, rho1, k4), o25)
+    sub(mul(Q12, rho3, k3), mul(Q32, rho1, k4), o26)
+    sub(mul(Q13, rho3, k1), mul(Q33, rho1, k3), o27)
+    sub(mul(Q21, rho1, k1), mul(Q11, rho2, k3), o31)
+    sub(mul(Q22, rho1, k1), mul(Q12, rho2, k3), o32)
+    sub(mul(Q23, rho1, k1), mul(Q13, rho2, k2), o33)
+    copy(n0, o4)
+    copy(n0, o5)
+    copy(n0, o6)
+    copy(n0, o10)
+    copy(n0, o11)
+    copy(n0, o12)
+    copy(n0, o16)
+    copy(n0, o17)
+    copy(n0, o18)
+    copy(o1, o22)
+    copy(o2, o23)
+    copy(o3, o24)
+    copy(o7, o28)
+    copy(o8, o29)
+    copy(o9, o30)
+    copy(o13, o34)
+    copy(o14, o35)
+    copy(o15, o36)
+
+
+# operations 193: 87 +, 103 *, 3 neg
+def transform_point_jacobians(m: Any, c: Any, v: Components, r: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    r1, r2, r3 = r
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x12 = v11 + v22
+    x = x12 + v33
+    f, g, h, fy, gy, hy = c.tangent(m, x)
+    gv1 = v1 * g
+    gv2 = v2 * g
+    gv3 = v3 * g
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    along = h * y
+    v_r1 = v2 * r3 - v3 * r2
+    v_r2 = v3 * r1 - v1 * r3
+    v_r3 = v1 * r2 - v2 * r1
+    gv_r1 = v_r1 * g
+    gv_r2 = v_r2 * g
+    gv_r3 = v_r3 * g
+    moved1 = r1 + (v_r1 * f + (v2 * gv_r3 - v3 * gv_r2)) + (v1o * f + (gv2 * v3o - gv3 * v2o) + v1 * along)
+    moved2 = r2 + (v_r2 * f + (v3 * gv_r1 - v1 * gv_r3)) + (v2o * f + (gv3 * v1o - gv1 * v3o) + v2 * along)
+    moved3 = r3 + (v_r3 * f + (v1 * gv_r2 - v2 * gv_r1)) + (v3o * f + (gv1 * v2o - gv2 * v1o) + v3 * along)
+    fo = fy * y
+    go = gy * y
+    ho = hy * y
+    gvo1 = v1o * g + v1 * go
+    gvo2 = v2o * g + v2 * go
+    gvo3 = v3o * g + v3 * go
+    cv1 = v1 * h
+    cv2 = v2 * h
+    cv3 = v3 * h
+    cvo1 = v1o * h + v1 * ho
+    cvo2 = v2o * h + v2 * ho
+    cvo3 = v3o * h + v3 * ho
+    d12 = cv1 * v2
+    d13 = cv1 * v3
+    d23 = cv2 * v3
+    T11 = f + cv1 * v1
+    T12 = d12 - gv3
+    T13 = d13 + gv2
+    T21 = d12 + gv3
+    T22 = f + cv2 * v2
+    T23 = d23 - gv1
+    T31 = d13 - gv2
+    T32 = d23 + gv1
+    T33 = f + cv3 * v3
+    d12o = cv1 * v2o + cvo1 * v2
+    d13o = cv1 * v3o + cvo1 * v3
+    d23o = cv2 * v3o + cvo2 * v3
+    T11o = fo + (cv1 * v1o + cvo1 * v1)
+    T12o = d12o - gvo3
+    T13o = d13o + gvo2
+    T21o = d12o + gvo3
+    T22o = fo + (cv2 * v2o + cvo2 * v2)
+    T23o = d23o - gvo1
+    T31o = d13o - gvo2
+    T32o = d23o + gvo1
+    T33o = fo + (cv3 * v3o + cvo3 * v3)
+    minus_moved3 = -moved3
+    minus_moved1 = -moved1
+    minus_moved2 = -moved2
+    x23 = v22 + v33
+    x13 = v11 + v33
+    fv1 = v1 * f
+    fv2 = v2 * f
+    fv3 = v3 * f
+    gvv1 = gv1 * v2
+    gvv2 = gv1 * v3
+    gvv3 = gv2 * v3
+    return (
+        T11o - (minus_moved3 * T21 + moved2 * T31),
+        T12o - (minus_moved3 * T22 + moved2 * T32),
+        T13o - (minus_moved3 * T23 + moved2 * T33),
+        T11,
+        T12,
+        T13,
+        T21o - (moved3 * T11 + minus_moved1 * T31),
+        T22o - (moved3 * T12 + minus_moved1 * T32),
+        T23o - (moved3 * T13 + minus_moved1 * T33),
+        T21,
+        T22,
+        T23,
+        T31o - (minus_moved2 * T11 + moved1 * T21),
+        T32o - (minus_moved2 * T12 + moved1 * T22),
+        T33o - (minus_moved2 * T13 + moved1 * T23),
+        T31,
+        T32,
+        T33,
+        1 - g * x23,
+        gvv1 - fv3,
+        gvv2 + fv2,
+        gvv1 + fv3,
+        1 - g * x13,
+        gvv3 - fv1,
+        gvv2 - fv2,
+        gvv3 + fv1,
+        1 - g * x12,
+    )
+
+
+def transform_point_jacobians_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, r: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    r1, r2, r3 = r
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27,
+    ) = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, *spare = scratch
+    *spare_masks, = masks
+    n1, = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    x12 = add(v11, v22, k3)
+    v33 = mul(v3, v3, k4)
+    x23 = add(v22, v33, k2)
+    x13 = add(v11, v33, k1)
+    x = add(x12, v33, k4)
+    f, g, h, fy, gy, hy = c.tangent((k5, k6, k7, k8, k9, k10), (*spare,), (*spare_masks,), x)
+    sub(n1, mul(g, x23, k2), o19)
+    sub(n1, mul(g, x13, k1), o23)
+    sub(n1, mul(g, x12, k1), o27)
+    v_r2 = sub(mul(v3, r1, k1), mul(v1, r3, k2), k1)
+    gv_r2 = mul(v_r2, g, k2)
+    v_r1 = sub(mul(v2, r3, k3), mul(v3, r2, k4), k3)
+    gv_r1 = mul(v_r1, g, k4)
+    gv1 = mul(v1, g, k11)
+    gv2 = mul(v2, g, k12)
+    y = add(add(mul(v1, v1o, k13), mul(v2, v2o, k14), k13), mul(v3, v3o, k14), k13)
+    ho = mul(hy, y, k10)
+    fo = mul(fy, y, k8)
+    go = mul(gy, y, k9)
+    along = mul(h, y, k13)
+    v_r3 = sub(mul(v1, r2, k14), mul(v2, r1, k15), k14)
+    moved3 = add(
+        add(r3, add(mul(v_r3, f, k15), sub(mul(v1, gv_r2, k16), mul(v2, gv_r1, k17), k16), k15), k15), add(add(mul(v3o,
+        f, k16), sub(mul(gv1, v2o, k17), mul(gv2, v1o, k18), k17), k16), mul(v3, along, k17), k16), k15
+    )
+    gv_r3 = mul(v_r3, g, k14)
+    minus_moved3 = neg(moved3, k16)
+    gv3 = mul(v3, g, k17)
+    moved2 = add(
+        add(r2, add(mul(v_r2, f, k1), sub(mul(v3, gv_r1, k4), mul(v1, gv_r3, k18), k4), k1), k1), add(add(mul(v2o, f,
+        k4), sub(mul(gv3, v1o, k18), mul(gv1, v3o, k19), k18), k4), mul(v2, along, k18), k4), k1
+    )
+    moved1 = add(
+        add(r1, add(mul(v_r1, f, k3), sub(mul(v2, gv_r3, k4), mul(v3, gv_r2, k2), k2), k2), k2), add(add(mul(v1o, f,
+        k3), sub(mul(gv2, v3o, k4), mul(gv3, v2o, k14), k4), k3), mul(v1, along, k4), k3), k2
+    )
+    cvo1 = add(mul(v1o, h, k3), mul(v1, ho, k4), k3)
+    cv1 = mul(v1, h, k4)
+    T11 = add(f, mul(cv1, v1, k13), o4)
+    T11o = add(fo, add(mul(cv1, v1o, k13), mul(cvo1, v1, k14), k13), k13)
+    d12 = mul(cv1, v2, k14)
+    T21 = add(d12, gv3, o10)
+    T12 = sub(d12, gv3, o5)
+    d13 = mul(cv1, v3, k14)
+    T31 = sub(d13, gv2, o16)
+    sub(T11o, add(mul(minus_moved3, T21, k17), mul(moved2, T31, k18), k17), o1)
+    T13 = add(d13, gv2, o6)
+    gvv3 = mul(gv2, v3, k12)
+    d12o = add(mul(cv1, v2o, k13), mul(cvo1, v2, k14), k13)
+    d13o = add(mul(cv1, v3o, k4), mul(cvo1, v3, k3), k3)
+    gvo3 = add(mul(v3o, g, k4), mul(v3, go, k14), k4)
+    T12o = sub(d12o, gvo3, k14)
+    T21o = add(d12o, gvo3, k4)
+    cv2 = mul(v2, h, k13)
+    T22 = add(f, mul(cv2, v2, k17), o11)
+    d23 = mul(cv2, v3, k17)
+    T32 = add(d23, gv1, o17)
+    sub(T12o, add(mul(minus_moved3, T22, k18), mul(moved2, T32, k19), k18), o2)
+    T23 = sub(d23, gv1, o12)
+    gvo2 = add(mul(v2o, g, k14), mul(v2, go, k17), k14)
+    gvo1 = add(mul(v1o, g, k6), mul(v1, go, k9), k6)
+    T13o = add(d13o, gvo2, k9)
+    T31o = sub(d13o, gvo2, k3)
+    cv3 = mul(v3, h, k14)
+    T33 = add(f, mul(cv3, v3, k17), o18)
+    sub(T13o, add(mul(minus_moved3, T23, k16), mul(moved2, T33, k17), k16), o3)
+    minus_moved2 = neg(moved2, k1)
+    sub(T31o, add(mul(minus_moved2, T11, k9), mul(moved1, T21, k16), k9), o13)
+    minus_moved1 = neg(moved1, k3)
+    sub(T21o, add(mul(moved3, T11, k9), mul(minus_moved1, T31, k16), k9), o7)
+    cvo2 = add(mul(v2o, h, k4), mul(v2, ho, k9), k4)
+    cvo3 = add(mul(v3o, h, k7), mul(v3, ho, k9), k7)
+    T33o = add(fo, add(mul(cv3, v3o, k9), mul(cvo3, v3, k7), k7), k7)
+    sub(T33o, add(mul(minus_moved2, T13, k9), mul(moved1, T23, k10), k9), o15)
+    T22o = add(fo, add(mul(cv2, v2o, k7), mul(cvo2, v2, k9), k7), k7)
+    sub(T22o, add(mul(moved3, T12, k8), mul(minus_moved1, T32, k9), k8), o8)
+    d23o = add(mul(cv2, v3o, k7), mul(cvo2, v3, k4), k4)
+    T23o = sub(d23o, gvo1, k7)
+    sub(T23o, add(mul(moved3, T13, k8), mul(minus_moved1, T33, k3), k3), o9)
+    T32o = add(d23o, gvo1, k3)
+    sub(T32o, add(mul(minus_moved2, T12, k1), mul(moved1, T22, k2), k1), o14)
+    gvv1 = mul(gv1, v2, k1)
+    gvv2 = mul(gv1, v3, k2)
+    fv3 = mul(v3, f, k3)
+    sub(gvv1, fv3, o20)
+    add(gvv1, fv3, o22)
+    fv2 = mul(v2, f, k1)
+    add(gvv2, fv2, o21)
+    sub(gvv2, fv2, o25)
+    fv1 = mul(v1, f, k1)
+    sub(gvv3, fv1, o24)
+    add(gvv3, fv1, o26)
+
+
+# operations 292: 120 +, 166 *, 6 neg
+def transform_line_jacobians(m: Any, c: Any, v: Components, line: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    l1, l2, l3, m1, m2, m3 = line
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x12 = v11 + v22
+    x = x12 + v33
+    f, g, h, fy, gy, hy = c.tangent(m, x)
+    x23 = v22 + v33
+    x13 = v11 + v33
+    fv1 = v1 * f
+    fv2 = v2 * f
+    fv3 = v3 * f
+    gv1 = v1 * g
+    gv2 = v2 * g
+    gv3 = v3 * g
+    gvv1 = gv1 * v2
+    gvv2 = gv1 * v3
+    gvv3 = gv2 * v3
+    Q11 = 1 - g * x23
+    Q12 = gvv1 - fv3
+    Q13 = gvv2 + fv2
+    Q21 = gvv1 + fv3
+    Q22 = 1 - g * x13
+    Q23 = gvv3 - fv1
+    Q31 = gvv2 - fv2
+    Q32 = gvv3 + fv1
+    Q33 = 1 - g * x12
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    along = h * y
+    rho1 = v1o * f + (gv2 * v3o - gv3 * v2o) + v1 * along
+    rho2 = v2o * f + (gv3 * v1o - gv1 * v3o) + v2 * along
+    rho3 = v3o * f + (gv1 * v2o - gv2 * v1o) + v3 * along
+    R11o = Q31 * rho2 - Q21 * rho3
+    R12o = Q32 * rho2 - Q22 * rho3
+    R13o = Q33 * rho2 - Q23 * rho3
+    R21o = Q11 * rho3 - Q31 * rho1
+    R22o = Q12 * rho3 - Q32 * rho1
+    R23o = Q13 * rho3 - Q33 * rho1
+    R31o = Q21 * rho1 - Q11 * rho2
+    R32o = Q22 * rho1 - Q12 * rho2
+    R33o = Q23 * rho1 - Q13 * rho2
+    moved1 = Q11 * l1 + Q12 * l2 + Q13 * l3
+    moved1o = Q11 * m1 + R11o * l1 + (Q12 * m2 + R12o * l2) + (Q13 * m3 + R13o * l3)
+    moved2 = Q21 * l1 + Q22 * l2 + Q23 * l3
+    moved2o = Q21 * m1 + R21o * l1 + (Q22 * m2 + R22o * l2) + (Q23 * m3 + R23o * l3)
+    moved3 = Q31 * l1 + Q32 * l2 + Q33 * l3
+    moved3o = Q31 * m1 + R31o * l1 + (Q32 * m2 + R32o * l2) + (Q33 * m3 + R33o * l3)
+    minus_moved1 = -moved1
+    minus_moved1o = -moved1o
+    minus_moved2 = -moved2
+    minus_moved2o = -moved2o
+    minus_moved3 = -moved3
+    minus_moved3o = -moved3o
+    fo = fy * y
+    go = gy * y
+    ho = hy * y
+    gvo1 = v1o * g + v1 * go
+    gvo2 = v2o * g + v2 * go
+    gvo3 = v3o * g + v3 * go
+    cv1 = v1 * h
+    cv2 = v2 * h
+    cv3 = v3 * h
+    cvo1 = v1o * h + v1 * ho
+    cvo2 = v2o * h + v2 * ho
+    cvo3 = v3o * h + v3 * ho
+    d12 = cv1 * v2
+    d13 = cv1 * v3
+    d23 = cv2 * v3
+    T11 = f + cv1 * v1
+    T12 = d12 - gv3
+    T13 = d13 + gv2
+    T21 = d12 + gv3
+    T22 = f + cv2 * v2
+    T23 = d23 - gv1
+    T31 = d13 - gv2
+    T32 = d23 + gv1
+    T33 = f + cv3 * v3
+    d12o = cv1 * v2o + cvo1 * v2
+    d13o = cv1 * v3o + cvo1 * v3
+    d23o = cv2 * v3o + cvo2 * v3
+    T11o = fo + (cv1 * v1o + cvo1 * v1)
+    T12o = d12o - gvo3
+    T13o = d13o + gvo2
+    T21o = d12o + gvo3
+    T22o = fo + (cv2 * v2o + cvo2 * v2)
+    T23o = d23o - gvo1
+    T31o = d13o - gvo2
+    T32o = d23o + gvo1
+    T33o = fo + (cv3 * v3o + cvo3 * v3)
+    V11 = moved3 * T21 + minus_moved2 * T31
+    V12 = moved3 * T22 + minus_moved2 * T32
+    V13 = moved3 * T23 + minus_moved2 * T33
+    V21 = minus_moved3 * T11 + moved1 * T31
+    V22 = minus_moved3 * T12 + moved1 * T32
+    V23 = minus_moved3 * T13 + moved1 * T33
+    V31 = moved2 * T11 + minus_moved1 * T21
+    V32 = moved2 * T12 + minus_moved1 * T22
+    V33 = moved2 * T13 + minus_moved1 * T23
+    return (
+        V11,
+        V12,
+        V13,
+        0,
+        0,
+        0,
+        V21,
+        V22,
+        V23,
+        0,
+        0,
+        0,
+        V31,
+        V32,
+        V33,
+        0,
+        0,
+        0,
+        moved3 * T21o + moved3o * T21 + (minus_moved2 * T31o + minus_moved2o * T31),
+        moved3 * T22o + moved3o * T22 + (minus_moved2 * T32o + minus_moved2o * T32),
+        moved3 * T23o + moved3o * T23 + (minus_moved2 * T33o + minus_moved2o * T33),
+        V11,
+        V12,
+        V13,
+        minus_moved3 * T11o + minus_moved3o * T11 + (moved1 * T31o + moved1o * T31),
+        minus_moved3 * T12o + minus_moved3o * T12 + (moved1 * T32o + moved1o * T32),
+        minus_moved3 * T13o + minus_moved3o * T13 + (moved1 * T33o + moved1o * T33),
+        V21,
+        V22,
+        V23,
+        moved2 * T11o + moved2o * T11 + (minus_moved1 * T21o + minus_moved1o * T21),
+        moved2 * T12o + moved2o * T12 + (minus_moved1 * T22o + minus_moved1o * T22),
+        moved2 * T13o + moved2o * T13 + (minus_moved1 * T23o + minus_moved1o * T23),
+        V31,
+        V32,
+        V33,
+        Q11,
+        Q12,
+        Q13,
+        0,
+        0,
+        0,
+        Q21,
+        Q22,
+        Q23,
+        0,
+        0,
+        0,
+        Q31,
+        Q32,
+        Q33,
+        0,
+        0,
+        0,
+        R11o,
+        R12o,
+        R13o,
+        Q11,
+        Q12,
+        Q13,
+        R21o,
+        R22o,
+        R23o,
+        Q21,
+        Q22,
+        Q23,
+        R31o,
+        R32o,
+        R33o,
+        Q31,
+        Q32,
+        Q33,
+    )
+
+
+def transform_line_jacobians_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, line: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    l1, l2, l3, m1, m2, m3 = line
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36, o37, o38, o39, o40, o41, o42, o43, o44, o45, o46,
+        o47, o48, o49, o50, o51, o52, o53, o54, o55, o56, o57, o58, o59, o60, o61, o62, o63, o64, o65, o66, o67, o68,
+        o69, o70, o71, o72,
+    ) = out
+    (
+        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
+        k25, k26, k27, *spare,
+    ) = scratch
+    *spare_masks, = masks
+    n0, n1 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    x12 = add(v11, v22, k3)
+    v33 = mul(v3, v3, k4)
+    x13 = add(v11, v33, k1)
+    x23 = add(v22, v33, k2)
+    x = add(x12, v33, k4)
+    f, g, h, fy, gy, hy = c.tangent((k5, k6, k7, k8, k9, k10), (*spare,), (*spare_masks,), x)
+    Q33 = sub(n1, mul(g, x12, k3), o51)
+    Q22 = sub(n1, mul(g, x13, k1), o44)
+    Q11 = sub(n1, mul(g, x23, k1), o37)
+    gv2 = mul(v2, g, k1)
+    gvv3 = mul(gv2, v3, k2)
+    fv1 = mul(v1, f, k3)
+    Q32 = add(gvv3, fv1, o50)
+    Q23 = sub(gvv3, fv1, o45)
+    gv1 = mul(v1, g, k2)
+    gvv2 = mul(gv1, v3, k3)
+    fv2 = mul(v2, f, k4)
+    Q31 = sub(gvv2, fv2, o49)
+    Q13 = add(gvv2, fv2, o39)
+    gv3 = mul(v3, g, k3)
+    y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k11), k4), mul(v3, v3o, k11), k4)
+    ho = mul(hy, y, k10)
+    go = mul(gy, y, k9)
+    fo = mul(fy, y, k8)
+    along = mul(h, y, k4)
+    rho1 = add(add(mul(v1o, f, k11), sub(mul(gv2, v3o, k12), mul(gv3, v2o, k13), k12), k11), mul(v1, along, k12), k11)
+    rho2 = add(add(mul(v2o, f, k12), sub(mul(gv3, v1o, k13), mul(gv1, v3o, k14), k13), k12), mul(v2, along, k13), k12)
+    R33o = sub(mul(Q23, rho1, k13), mul(Q13, rho2, k14), o69)
+    rho3 = add(add(mul(v3o, f, k13), sub(mul(gv1, v2o, k14), mul(gv2, v1o, k15), k14), k13), mul(v3, along, k4), k4)
+    R23o = sub(mul(Q13, rho3, k13), mul(Q33, rho1, k14), o63)
+    R21o = sub(mul(Q11, rho3, k13), mul(Q31, rho1, k14), o61)
+    R13o = sub(mul(Q33, rho2, k13), mul(Q23, rho3, k14), o57)
+    R12o = sub(mul(Q32, rho2, k13), mul(Q22, rho3, k14), o56)
+    gvv1 = mul(gv1, v2, k13)
+    fv3 = mul(v3, f, k14)
+    Q12 = sub(gvv1, fv3, o38)
+    Q21 = add(gvv1, fv3, o43)
+    R32o = sub(mul(Q22, rho1, k13), mul(Q12, rho2, k14), o68)
+    R31o = sub(mul(Q21, rho1, k13), mul(Q11, rho2, k14), o67)
+    R22o = sub(mul(Q12, rho3, k13), mul(Q32, rho1, k11), o62)
+    R11o = sub(mul(Q31, rho2, k11), mul(Q21, rho3, k4), o55)
+    moved2 = add(add(mul(Q21, l1, k4), mul(Q22, l2, k11), k4), mul(Q23, l3, k11), k4)
+    moved1 = add(add(mul(Q11, l1, k11), mul(Q12, l2, k12), k11), mul(Q13, l3, k12), k11)
+    minus_moved1 = neg(moved1, k12)
+    cv1 = mul(v1, h, k13)
+    d13 = mul(cv1, v3, k14)
+    T13 = add(d13, gv2, k15)
+    T31 = sub(d13, gv2, k1)
+    cv2 = mul(v2, h, k14)
+    d23 = mul(cv2, v3, k16)
+    T23 = sub(d23, gv1, k17)
+    T32 = add(d23, gv1, k2)
+    add(mul(moved2, T13, k16), mul(minus_moved1, T23, k18), o15)
+    d12 = mul(cv1, v2, k16)
+    T12 = sub(d12, gv3, k18)
+    T21 = add(d12, gv3, k3)
+    T22 = add(f, mul(cv2, v2, k16), k16)
+    add(mul(moved2, T12, k19), mul(minus_moved1, T22, k20), o14)
+    T11 = add(f, mul(cv1, v1, k19), k19)
+    add(mul(moved2, T11, k20), mul(minus_moved1, T21, k21), o13)
+    moved2o = add(
+        add(add(mul(Q21, m1, k20), mul(R21o, l1, k21), k20), add(mul(Q22, m2, k21), mul(R22o, l2, k22), k21), k20),
+        add(mul(Q23, m3, k21), mul(R23o, l3, k22), k21), k20
+    )
+    moved1o = add(
+        add(add(mul(Q11, m1, k21), mul(R11o, l1, k22), k21), add(mul(Q12, m2, k22), mul(R12o, l2, k23), k22), k21),
+        add(mul(Q13, m3, k22), mul(R13o, l3, k23), k22), k21
+    )
+    minus_moved1o = neg(moved1o, k22)
+    cvo1 = add(mul(v1o, h, k23), mul(v1, ho, k24), k23)
+    d13o = add(mul(cv1, v3o, k24), mul(cvo1, v3, k25), k24)
+    gvo2 = add(mul(v2o, g, k25), mul(v2, go, k26), k25)
+    T13o = add(d13o, gvo2, k26)
+    T31o = sub(d13o, gvo2, k24)
+    cvo2 = add(mul(v2o, h, k25), mul(v2, ho, k27), k25)
+    cvo3 = add(mul(v3o, h, k27), mul(v3, ho, k10), k10)
+    cv3 = mul(v3, h, k7)
+    T33 = add(f, mul(cv3, v3, k27), k5)
+    T33o = add(fo, add(mul(cv3, v3o, k7), mul(cvo3, v3, k10), k7), k7)
+    d23o = add(mul(cv2, v3o, k10), mul(cvo2, v3, k27), k10)
+    T22o = add(fo, add(mul(cv2, v2o, k14), mul(cvo2, v2, k25), k14), k14)
+    T11o = add(fo, add(mul(cv1, v1o, k25), mul(cvo1, v1, k27), k25), k8)
+    d12o = add(mul(cv1, v2o, k13), mul(cvo1, v2, k23), k13)
+    gvo1 = add(mul(v1o, g, k23), mul(v1, go, k25), k23)
+    gvo3 = add(mul(v3o, g, k6), mul(v3, go, k9), k6)
+    T23o = sub(d23o, gvo1, k9)
+    T32o = add(d23o, gvo1, k10)
+    add(
+        add(mul(moved2, T13o, k23), mul(moved2o, T13, k25), k23), add(mul(minus_moved1, T23o, k25), mul(minus_moved1o,
+        T23, k27), k25), o33
+    )
+    T12o = sub(d12o, gvo3, k23)
+    T21o = add(d12o, gvo3, k6)
+    add(
+        add(mul(moved2, T12o, k13), mul(moved2o, T12, k25), k13), add(mul(minus_moved1, T22o, k25), mul(minus_moved1o,
+        T22, k27), k25), o32
+    )
+    add(
+        add(mul(moved2, T11o, k13), mul(moved2o, T11, k25), k13), add(mul(minus_moved1, T21o, k12), mul(minus_moved1o,
+        T21, k22), k12), o31
+    )
+    minus_moved2 = neg(moved2, k4)
+    minus_moved2o = neg(moved2o, k12)
+    moved3 = add(add(mul(Q31, l1, k13), mul(Q32, l2, k20), k13), mul(Q33, l3, k20), k13)
+    add(mul(moved3, T23, k20), mul(minus_moved2, T33, k22), o3)
+    add(mul(moved3, T22, k20), mul(minus_moved2, T32, k22), o2)
+    add(mul(moved3, T21, k20), mul(minus_moved2, T31, k22), o1)
+    minus_moved3 = neg(moved3, k20)
+    add(mul(minus_moved3, T13, k22), mul(moved1, T33, k25), o9)
+    add(mul(minus_moved3, T12, k22), mul(moved1, T32, k25), o8)
+    add(mul(minus_moved3, T11, k22), mul(moved1, T31, k25), o7)
+    moved3o = add(
+        add(add(mul(Q31, m1, k22), mul(R31o, l1, k25), k22), add(mul(Q32, m2, k25), mul(R32o, l2, k27), k25), k22),
+        add(mul(Q33, m3, k25), mul(R33o, l3, k27), k25), k22
+    )
+    add(
+        add(mul(moved3, T23o, k9), mul(moved3o, T23, k17), k9), add(mul(minus_moved2, T33o, k17), mul(minus_moved2o,
+        T33, k25), k17), o21
+    )
+    add(
+        add(mul(moved3, T22o, k9), mul(moved3o, T22, k14), k9), add(mul(minus_moved2, T32o, k14), mul(minus_moved2o,
+        T32, k16), k14), o20
+    )
+    add(
+        add(mul(moved3, T21o, k6), mul(moved3o, T21, k3), k3), add(mul(minus_moved2, T31o, k4), mul(minus_moved2o, T31,
+        k6), k4), o19
+    )
+    minus_moved3o = neg(moved3o, k3)
+    add(
+        add(mul(minus_moved3, T13o, k4), mul(minus_moved3o, T13, k6), k4), add(mul(moved1, T33o, k6), mul(moved1o, T33,
+        k5), k5), o27
+    )
+    add(
+        add(mul(minus_moved3, T12o, k4), mul(minus_moved3o, T12, k5), k4), add(mul(moved1, T32o, k5), mul(moved1o, T32,
+        k2), k2), o26
+    )
+    add(
+        add(mul(minus_moved3, T11o, k2), mul(minus_moved3o, T11, k3), k2), add(mul(moved1, T31o, k3), mul(moved1o, T31,
+        k1), k1), o25
+    )
+    copy(n0, o4)
+    copy(n0, o5)
+    copy(n0, o6)
+    copy(n0, o10)
+    copy(n0, o11)
+    copy(n0, o12)
+    copy(n0, o16)
+    copy(n0, o17)
+    copy(n0, o18)
+    copy(o1, o22)
+    copy(o2, o23)
+    copy(o3, o24)
+    copy(o7, o28)
+    copy(o8, o29)
+    copy(o9, o30)
+    copy(o13, o34)
+    copy(o14, o35)
+    copy(o15, o36)
+    copy(n0, o40)
+    copy(n0, o41)
+    copy(n0, o42)
+    copy(n0, o46)
+    copy(n0, o47)
+    copy(n0, o48)
+    copy(n0, o52)
+    copy(n0, o53)
+    copy(n0, o54)
+    copy(o37, o58)
+    copy(o38, o59)
+    copy(o39, o60)
+    copy(o43, o64)
+    copy(o44, o65)
+    copy(o45, o66)
+    copy(o49, o70)
+    copy(o50, o71)
+    copy(o51, o72)
+
+
 KERNELS: Mapping[str, Kernel] = {
     "quaternion": Kernel(
         quaternion,
@@ -3013,5 +5456,71 @@ KERNELS: Mapping[str, Kernel] = {
         numbers=(2,),
         lent=(('ray', 0, 0), ('ray', 0, 0), ('gain_product', 8, 0), ('inverse', 12, 0)),
         real=True,
+    ),
+    "between": Kernel(
+        between,
+        between_blocks,
+        (("v2", (6,)), ("v1", (6,)),),
+        (6,),
+        registers=24,
+        masks=0,
+        numbers=(2,),
+        lent=(('ray', 0, 0), ('ray', 0, 0), ('gain_product', 8, 0), ('inverse', 12, 0)),
+        real=True,
+    ),
+    "compose_jacobians": Kernel(
+        compose_jacobians,
+        compose_jacobians_blocks,
+        (("v2", (6,)), ("v1", (6,)),),
+        (72,),
+        registers=67,
+        masks=0,
+        numbers=(0, 1, 2),
+        lent=(('ray', 0, 0), ('ray', 0, 0), ('gain_product', 8, 0), ('inverse', 7, 0), ('tangent_inv', 6, 0), ('tangent', 0, 0), ('tangent', 18, 0)),
+        real=True,
+    ),
+    "between_jacobians": Kernel(
+        between_jacobians,
+        between_jacobians_blocks,
+        (("v2", (6,)), ("v1", (6,)),),
+        (72,),
+        registers=67,
+        masks=0,
+        numbers=(0, 1, 2),
+        lent=(('ray', 0, 0), ('ray', 0, 0), ('gain_product', 8, 0), ('inverse', 5, 0), ('tangent_inv', 6, 0), ('tangent', 0, 0), ('tangent', 0, 0)),
+        real=True,
+    ),
+    "adjoint": Kernel(
+        adjoint,
+        adjoint_blocks,
+        (("v", (6,)),),
+        (6, 6),
+        registers=8,
+        masks=0,
+        numbers=(0, 1),
+        lent=(('pose', 0, 0),),
+        real=False,
+    ),
+    "transform_point_jacobians": Kernel(
+        transform_point_jacobians,
+        transform_point_jacobians_blocks,
+        (("v", (6,)), ("r", (3,)),),
+        (27,),
+        registers=19,
+        masks=0,
+        numbers=(1,),
+        lent=(('tangent', 0, 0),),
+        real=False,
+    ),
+    "transform_line_jacobians": Kernel(
+        transform_line_jacobians,
+        transform_line_jacobians_blocks,
+        (("v", (6,)), ("line", (6,)),),
+        (72,),
+        registers=27,
+        masks=0,
+        numbers=(0, 1),
+        lent=(('tangent', 0, 0),),
+        real=False,
     ),
 }

@@ -88,7 +88,7 @@ from numpy.typing import ArrayLike
 from ._chart import Chart
 from ._checks import require
 from ._kernel import Array
-from ._runtime import call, call_branch, from_scalar_last, returned, shifted, to_scalar_last
+from ._runtime import call, call_branch, from_scalar_last, returned, separate, shifted, to_scalar_last
 from ._tools import directions, with_zeros
 
 # the side of T: itself, which gives the twist in space, and its transpose, in the body; for T⁻¹ also half the side
@@ -1124,6 +1124,148 @@ class PoseKernels:
             If an argument is complex.
         """
         return call(self._chart, "compose", axis, out, v2, v1)
+
+    # --- group ------------------------------------------------------------------------------------------------------
+
+
+    def between(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+        r"""Principal v of ``R(v1)⁻¹ R(v2)``: what leads from v1 to v2, in the frame of v1.
+
+        Parameters
+        ----------
+        v2, v1 : array_like, shape (..., 6)
+            Rodrigues dual vectors φ(α) u of this module.
+        axis : {-1, 0}
+            Where the component axes stand, in arguments and result: last, or first (the fastest).
+        out : ndarray, optional
+            Array for the result, shape (..., 6); it may overlap an argument.
+
+        Returns
+        -------
+        ndarray, shape (..., 6)
+            Infinite where n = 1 and the angle is π.
+
+        Raises
+        ------
+        TypeError
+            If an argument is complex.
+        """
+        return call(self._chart, "between", axis, out, v2, v1)
+
+    def compose_jacobians(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
+        r"""Derivatives of ``v = compose(v2, v1)``: ``∂v/∂v2 = T(v)⁻¹ T(v2)`` and ``∂v/∂v1 = T(v)⁻¹ R(v2) T(v1)``.
+
+        Those of the branch that compose takes, the principal one.
+
+        Parameters
+        ----------
+        v2, v1 : array_like, shape (..., 6)
+            Rodrigues dual vectors φ(α) u of this module.
+        axis : {-1, 0}
+            Where the component axes stand, in arguments and results.
+
+        Returns
+        -------
+        by_v2, by_v1 : ndarray, shape (..., 6, 6)
+            Real: rows are components of the result, columns those of the argument.
+
+        Raises
+        ------
+        TypeError
+            If an argument is complex.
+        """
+        found = call(self._chart, "compose_jacobians", axis, None, v2, v1)
+        return separate(found, axis, (6, 6), (6, 6))
+
+    def between_jacobians(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
+        r"""Derivatives of ``v = between(v2, v1)`` by v2 and by v1, on the branch that it takes, the principal one.
+
+        Parameters
+        ----------
+        v2, v1 : array_like, shape (..., 6)
+            Rodrigues dual vectors φ(α) u of this module.
+        axis : {-1, 0}
+            Where the component axes stand, in arguments and results.
+
+        Returns
+        -------
+        by_v2, by_v1 : ndarray, shape (..., 6, 6)
+            Real: rows are components of the result, columns those of the argument.
+
+        Raises
+        ------
+        TypeError
+            If an argument is complex.
+        """
+        found = call(self._chart, "between_jacobians", axis, None, v2, v1)
+        return separate(found, axis, (6, 6), (6, 6))
+
+    def adjoint(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+        r"""Real matrix of the displacement on motors: [[Q, 0], [skew(ρ) Q, Q]].
+
+        It takes twists [ω, v] from the body frame to that of space and, alike, wrenches [f, m]: both are dual vectors,
+        real part first, with their dual part about the origin. So there is no inverse transpose for wrenches.
+
+        Parameters
+        ----------
+        v : array_like, shape (..., 6)
+            Rodrigues dual vector φ(α) u of this module: real part (dimensionless), then dual part (length unit of the
+            pose).
+        axis : {-1, 0}
+            Where the component axes stand, in arguments and result: last, or first (the fastest).
+        out : ndarray, optional
+            Array for the result, shape (..., 6, 6); it may overlap an argument.
+
+        Returns
+        -------
+        ndarray, shape (..., 6, 6)
+            ``matrix6`` of ``tensor``. Defined for every v.
+        """
+        return call(self._chart, "adjoint", axis, out, v)
+
+    def transform_point_jacobians(self, v: ArrayLike, r: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
+        r"""Derivatives of ``transform_point(v, r)`` by v and by r.
+
+        Parameters
+        ----------
+        v : array_like, shape (..., 6)
+            Rodrigues dual vector φ(α) u of this module: real part (dimensionless), then dual part (length unit of the
+            pose).
+        r : array_like, shape (..., 3)
+            Point (length unit of the pose).
+        axis : {-1, 0}
+            Where the component axes stand, in arguments and results.
+
+        Returns
+        -------
+        by_v : ndarray, shape (..., 3, 6)
+            Rows are components of the moved point, columns those of v.
+        by_r : ndarray, shape (..., 3, 3)
+            The rotation Q. Both are defined for every v.
+        """
+        found = call(self._chart, "transform_point_jacobians", axis, None, v, r)
+        return separate(found, axis, (3, 6), (3, 3))
+
+    def transform_line_jacobians(self, v: ArrayLike, line: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
+        r"""Derivatives of ``transform_line(v, line)`` by v, ``−skew(R l) T``, and by the line, ``adjoint(v)``.
+
+        Parameters
+        ----------
+        v : array_like, shape (..., 6)
+            Rodrigues dual vector φ(α) u of this module: real part (dimensionless), then dual part (length unit of the
+            pose).
+        line : array_like, shape (..., 6)
+            Plücker coordinates: direction, then moment about the origin.
+        axis : {-1, 0}
+            Where the component axes stand, in arguments and results.
+
+        Returns
+        -------
+        by_v, by_line : ndarray, shape (..., 6, 6)
+            Real: rows are components of the moved line, columns those of the argument. Defined for every v.
+        """
+        found = call(self._chart, "transform_line_jacobians", axis, None, v, line)
+        return separate(found, axis, (6, 6), (6, 6))
 
 
 def kernels_of(module: str) -> PoseKernels:

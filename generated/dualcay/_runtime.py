@@ -205,6 +205,19 @@ def _check(out: Array, shape: Shape, dtype: np.dtype[Any]) -> None:
         raise TypeError(f"out must be able to hold {dtype}, got dtype {out.dtype}")
 
 
+def separate(found: Array, axis: int, *shapes: Shape) -> tuple[Array, ...]:
+    """Several results which stand side by side."""
+    results, start = [], 0
+    for shape in shapes:
+        size = math.prod(shape)
+        if axis == 0:
+            results.append(found[start : start + size].reshape(shape + found.shape[1:]))
+        else:
+            results.append(found[..., start : start + size].reshape(found.shape[:-1] + shape))
+        start += size
+    return tuple(results)
+
+
 # --- branches ---------------------------------------------------------------------------------------------------
 
 

@@ -69,18 +69,18 @@
 #   transform_point: 78: 30 +, 46 *, 2 /
 #   transform_line: 117: 45 +, 70 *, 2 /
 #   inverse: 6: 6 neg
-#   tangent: 81: 35 +, 42 *, 3 /, 1 neg
+#   tangent: 94: 38 +, 52 *, 3 /, 1 neg
 #   tangent_inv: 69: 29 +, 24 *, 15 /, 1 neg
-#   body_tangent: 81: 35 +, 42 *, 3 /, 1 neg
+#   body_tangent: 94: 38 +, 52 *, 3 /, 1 neg
 #   body_tangent_inv: 69: 29 +, 24 *, 15 /, 1 neg
 #   twist: 128: 49 +, 75 *, 3 /, 1 neg
 #   rate: 109: 43 +, 65 *, 1 /
-#   tangent_dot: 179: 74 +, 98 *, 6 /, 1 neg
+#   tangent_dot: 199: 78 +, 114 *, 6 /, 1 neg
 #   twist_dot: 227: 91 +, 131 *, 4 /, 1 neg
 #   rate_dot: 332: 138 +, 181 *, 13 /
 #   twist_jacobian: 276: 113 +, 157 *, 4 /, 2 neg
 #   rate_jacobian: 151: 61 +, 69 *, 15 /, 6 neg
-#   from_quaternion: 63: 21 +, 34 *, 4 /, 1 neg, 1 lt, 2 where
+#   from_quaternion: 69: 23 +, 38 *, 4 /, 1 neg, 1 lt, 2 where
 #   from_tensor: 134: 46 +, 49 *, 7 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 98: 31 +, 31 *, 4 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
@@ -89,6 +89,12 @@
 #   shadow: 94: 25 +, 37 *, 12 /, 6 abs, 2 sqrt, 2 lt, 2 eq, 8 where
 #   principal: 55: 15 +, 23 *, 8 /, 1 sqrt, 1 lt, 7 where
 #   compose: 205: 73 +, 120 *, 8 /, 1 neg, 1 lt, 2 where
+#   between: 211: 73 +, 120 *, 8 /, 7 neg, 1 lt, 2 where
+#   compose_jacobians: 957: 380 +, 514 *, 51 /, 9 neg, 1 lt, 2 where
+#   between_jacobians: 981: 380 +, 514 *, 51 /, 33 neg, 1 lt, 2 where
+#   adjoint: 92: 35 +, 55 *, 2 /
+#   transform_point_jacobians: 208: 91 +, 110 *, 3 /, 4 neg
+#   transform_line_jacobians: 307: 124 +, 173 *, 3 /, 7 neg
 r"""Cayley map of order 2: Rodrigues dual vectors ``v = tan(α/4) u`` of rigid displacements.
 
 .. math::
@@ -119,12 +125,13 @@ from ._interface import PoseKernels
 from ._kernel import Components, Kernel, Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "body_cotangent", "body_cotangent_jacobian", "body_rate", "body_rate_dot", "body_rate_jacobian", "body_tangent",
-    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
-    "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_pose", "from_quaternion", "from_screw", "from_tensor",
-    "identity", "inverse", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow",
-    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
-    "transform_point", "twist", "twist_dot", "twist_jacobian",
+    "adjoint", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_rate",
+    "body_rate_dot", "body_rate_jacobian", "body_tangent", "body_tangent_dot", "body_tangent_inv", "body_twist",
+    "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians", "cotangent", "cotangent_jacobian", "dcay",
+    "dcay_inv", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity", "inverse", "pose", "principal",
+    "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow", "singular_angles", "tangent", "tangent_dot",
+    "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
+    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 2
@@ -328,6 +335,27 @@ def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x:
     return o1, n2, o3, o4, o5, o6
 
 
+# operations 6: 1 +, 1 /, 1 neg, 1 lt, 2 where
+def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
+    negative = e0 < 0
+    cos = m.where(negative, -e0, e0)
+    gain = m.where(negative, -1, 1) / (1 + cos)
+    return gain,
+
+
+def _gain_unit_blocks(
+    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
+) -> Result:
+    o1, = out
+    k1, *_ = scratch
+    mask1, *_ = masks
+    n_minus_1, n0, n1 = numbers
+    negative = m.less(e0, n0, mask1)
+    cos = m.where(negative, neg(e0, o1), e0, o1)
+    div(m.where(negative, n_minus_1, n1, k1), add(n1, cos, o1), o1)
+    return o1,
+
+
 # operations 10: 4 +, 4 *, 1 /, 1 sqrt
 def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
@@ -477,116 +505,6 @@ def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
 # --- geometry that does with less here than for any chart ---------------------------------------------------------
 
 
-# operations 81: 35 +, 42 *, 3 /, 1 neg
-def _own_tangent(m: Any, c: Any, v: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    p = 1 - x
-    N = p * p + 4 * x
-    r = 2 * (N / N / N)
-    f = 2 * p * r
-    g = 4 * r
-    x1 = 1 + x
-    e = 4 / x1
-    eg = e * g
-    fy = g - eg
-    gy = -eg
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    fo = fy * y
-    go = gy * y
-    gv1 = v1 * g
-    gv2 = v2 * g
-    gv3 = v3 * g
-    gvo1 = v1o * g + v1 * go
-    gvo2 = v2o * g + v2 * go
-    gvo3 = v3o * g + v3 * go
-    d12 = gv1 * v2
-    d13 = gv1 * v3
-    d23 = gv2 * v3
-    d12o = gv1 * v2o + gvo1 * v2
-    d13o = gv1 * v3o + gvo1 * v3
-    d23o = gv2 * v3o + gvo2 * v3
-    return (
-        f + gv1 * v1,
-        d12 - gv3,
-        d13 + gv2,
-        d12 + gv3,
-        f + gv2 * v2,
-        d23 - gv1,
-        d13 - gv2,
-        d23 + gv1,
-        f + gv3 * v3,
-        fo + (gv1 * v1o + gvo1 * v1),
-        d12o - gvo3,
-        d13o + gvo2,
-        d12o + gvo3,
-        fo + (gv2 * v2o + gvo2 * v2),
-        d23o - gvo1,
-        d13o - gvo2,
-        d23o + gvo1,
-        fo + (gv3 * v3o + gvo3 * v3),
-    )
-
-
-def _own_tangent_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10 = scratch
-    n1, n2, n4 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    p = sub(n1, x, k2)
-    N = add(mul(p, p, k3), mul(n4, x, k4), k3)
-    r = mul(n2, div(div(N, N, k4), N, k3), k3)
-    f = mul(mul(n2, p, k2), r, k2)
-    g = mul(n4, r, k3)
-    x1 = add(n1, x, k1)
-    e = div(n4, x1, k1)
-    eg = mul(e, g, k1)
-    gv1 = mul(v1, g, k4)
-    add(f, mul(gv1, v1, k5), o1)
-    d12 = mul(gv1, v2, k5)
-    gv3 = mul(v3, g, k6)
-    sub(d12, gv3, o2)
-    add(d12, gv3, o4)
-    add(f, mul(gv3, v3, k5), o9)
-    d13 = mul(gv1, v3, k5)
-    gv2 = mul(v2, g, k7)
-    add(f, mul(gv2, v2, k8), o5)
-    add(d13, gv2, o3)
-    sub(d13, gv2, o7)
-    d23 = mul(gv2, v3, k2)
-    sub(d23, gv1, o6)
-    add(d23, gv1, o8)
-    fy = sub(g, eg, k2)
-    gy = neg(eg, k1)
-    y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k8), k5), mul(v3, v3o, k8), k5)
-    fo = mul(fy, y, k2)
-    go = mul(gy, y, k1)
-    gvo1 = add(mul(v1o, g, k5), mul(v1, go, k8), k5)
-    add(fo, add(mul(gv1, v1o, k8), mul(gvo1, v1, k9), k8), o10)
-    d12o = add(mul(gv1, v2o, k8), mul(gvo1, v2, k9), k8)
-    d13o = add(mul(gv1, v3o, k4), mul(gvo1, v3, k9), k4)
-    gvo3 = add(mul(v3o, g, k9), mul(v3, go, k10), k9)
-    gvo2 = add(mul(v2o, g, k3), mul(v2, go, k1), k1)
-    add(fo, add(mul(gv3, v3o, k3), mul(gvo3, v3, k6), k3), o18)
-    add(fo, add(mul(gv2, v2o, k3), mul(gvo2, v2, k6), k3), o14)
-    sub(d12o, gvo3, o11)
-    add(d12o, gvo3, o13)
-    add(d13o, gvo2, o12)
-    sub(d13o, gvo2, o16)
-    d23o = add(mul(gv2, v3o, k2), mul(gvo2, v3, k1), k1)
-    sub(d23o, gvo1, o15)
-    add(d23o, gvo1, o17)
-
-
 # operations 69: 29 +, 24 *, 15 /, 1 neg
 def _own_tangent_inv(m: Any, c: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
@@ -695,116 +613,6 @@ def _own_tangent_inv_blocks(
     add(fio, add(mul(cv3, v3o, k3), mul(cvo3, v3, k2), k2), o18)
 
 
-# operations 81: 35 +, 42 *, 3 /, 1 neg
-def _own_body_tangent(m: Any, c: Any, v: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    p = 1 - x
-    N = p * p + 4 * x
-    r = 2 * (N / N / N)
-    f = 2 * p * r
-    g = 4 * r
-    x1 = 1 + x
-    e = 4 / x1
-    eg = e * g
-    fy = g - eg
-    gy = -eg
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    fo = fy * y
-    go = gy * y
-    gv1 = v1 * g
-    gv2 = v2 * g
-    gv3 = v3 * g
-    gvo1 = v1o * g + v1 * go
-    gvo2 = v2o * g + v2 * go
-    gvo3 = v3o * g + v3 * go
-    d12 = gv1 * v2
-    d13 = gv1 * v3
-    d23 = gv2 * v3
-    d12o = gv1 * v2o + gvo1 * v2
-    d13o = gv1 * v3o + gvo1 * v3
-    d23o = gv2 * v3o + gvo2 * v3
-    return (
-        f + gv1 * v1,
-        d12 + gv3,
-        d13 - gv2,
-        d12 - gv3,
-        f + gv2 * v2,
-        d23 + gv1,
-        d13 + gv2,
-        d23 - gv1,
-        f + gv3 * v3,
-        fo + (gv1 * v1o + gvo1 * v1),
-        d12o + gvo3,
-        d13o - gvo2,
-        d12o - gvo3,
-        fo + (gv2 * v2o + gvo2 * v2),
-        d23o + gvo1,
-        d13o + gvo2,
-        d23o - gvo1,
-        fo + (gv3 * v3o + gvo3 * v3),
-    )
-
-
-def _own_body_tangent_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10 = scratch
-    n1, n2, n4 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    p = sub(n1, x, k2)
-    N = add(mul(p, p, k3), mul(n4, x, k4), k3)
-    r = mul(n2, div(div(N, N, k4), N, k3), k3)
-    f = mul(mul(n2, p, k2), r, k2)
-    g = mul(n4, r, k3)
-    x1 = add(n1, x, k1)
-    e = div(n4, x1, k1)
-    eg = mul(e, g, k1)
-    gv1 = mul(v1, g, k4)
-    add(f, mul(gv1, v1, k5), o1)
-    d12 = mul(gv1, v2, k5)
-    gv3 = mul(v3, g, k6)
-    add(d12, gv3, o2)
-    sub(d12, gv3, o4)
-    add(f, mul(gv3, v3, k5), o9)
-    d13 = mul(gv1, v3, k5)
-    gv2 = mul(v2, g, k7)
-    add(f, mul(gv2, v2, k8), o5)
-    sub(d13, gv2, o3)
-    add(d13, gv2, o7)
-    d23 = mul(gv2, v3, k2)
-    add(d23, gv1, o6)
-    sub(d23, gv1, o8)
-    fy = sub(g, eg, k2)
-    gy = neg(eg, k1)
-    y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k8), k5), mul(v3, v3o, k8), k5)
-    fo = mul(fy, y, k2)
-    go = mul(gy, y, k1)
-    gvo1 = add(mul(v1o, g, k5), mul(v1, go, k8), k5)
-    add(fo, add(mul(gv1, v1o, k8), mul(gvo1, v1, k9), k8), o10)
-    d12o = add(mul(gv1, v2o, k8), mul(gvo1, v2, k9), k8)
-    d13o = add(mul(gv1, v3o, k4), mul(gvo1, v3, k9), k4)
-    gvo3 = add(mul(v3o, g, k9), mul(v3, go, k10), k9)
-    gvo2 = add(mul(v2o, g, k3), mul(v2, go, k1), k1)
-    add(fo, add(mul(gv3, v3o, k3), mul(gvo3, v3, k6), k3), o18)
-    add(fo, add(mul(gv2, v2o, k3), mul(gvo2, v2, k6), k3), o14)
-    add(d12o, gvo3, o11)
-    sub(d12o, gvo3, o13)
-    sub(d13o, gvo2, o12)
-    add(d13o, gvo2, o16)
-    d23o = add(mul(gv2, v3o, k2), mul(gvo2, v3, k1), k1)
-    add(d23o, gvo1, o15)
-    sub(d23o, gvo1, o17)
-
-
 # operations 69: 29 +, 24 *, 15 /, 1 neg
 def _own_body_tangent_inv(m: Any, c: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
@@ -911,173 +719,6 @@ def _own_body_tangent_inv_blocks(
     sub(d23o, so1, o17)
     cvo3 = div(v3o, n2, k2)
     add(fio, add(mul(cv3, v3o, k3), mul(cvo3, v3, k2), k2), o18)
-
-
-# operations 179: 74 +, 98 *, 6 /, 1 neg
-def _own_tangent_dot(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = v_dot
-    side, = table
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    p = 1 - x
-    N = p * p + 4 * x
-    r = 2 * (N / N / N)
-    g = 4 * r
-    x1 = 1 + x
-    e = 4 / x1
-    eg = e * g
-    fy = g - eg
-    gy = -eg
-    egy = e * gy
-    ee = 2 * e / x1
-    eeg = ee * g
-    fyy = gy - egy + eeg
-    gyy = eeg - egy
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    go = gy * y
-    fyo = fyy * y
-    gyo = gyy * y
-    vw = v1 * w1 + v2 * w2 + v3 * w3
-    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
-    gt = gy * vw
-    gto = gy * vwo + gyo * vw
-    gw1 = w1 * g
-    gw1o = w1 * go + w1o * g
-    gw2 = w2 * g
-    gw2o = w2 * go + w2o * g
-    gw3 = w3 * g
-    gw3o = w3 * go + w3o * g
-    s1 = (v1 * gt + gw1) * side
-    s1o = (v1 * gto + v1o * gt + gw1o) * side
-    s2 = (v2 * gt + gw2) * side
-    s2o = (v2 * gto + v2o * gt + gw2o) * side
-    s3 = (v3 * gt + gw3) * side
-    s3o = (v3 * gto + v3o * gt + gw3o) * side
-    ht = gt / 2
-    hto = gto / 2
-    b1 = v1 * ht + gw1
-    b1o = v1 * hto + v1o * ht + gw1o
-    b2 = v2 * ht + gw2
-    b2o = v2 * hto + v2o * ht + gw2o
-    b3 = v3 * ht + gw3
-    b3o = v3 * hto + v3o * ht + gw3o
-    ft = fy * vw
-    fto = fy * vwo + fyo * vw
-    d12 = v1 * b2 + b1 * v2
-    d12o = v1 * b2o + v1o * b2 + (b1 * v2o + b1o * v2)
-    d13 = v1 * b3 + b1 * v3
-    d13o = v1 * b3o + v1o * b3 + (b1 * v3o + b1o * v3)
-    d23 = v2 * b3 + b2 * v3
-    d23o = v2 * b3o + v2o * b3 + (b2 * v3o + b2o * v3)
-    return (
-        ft + 2 * (v1 * b1),
-        d12 - s3,
-        d13 + s2,
-        d12 + s3,
-        ft + 2 * (v2 * b2),
-        d23 - s1,
-        d13 - s2,
-        d23 + s1,
-        ft + 2 * (v3 * b3),
-        fto + 2 * (v1 * b1o + v1o * b1),
-        d12o - s3o,
-        d13o + s2o,
-        d12o + s3o,
-        fto + 2 * (v2 * b2o + v2o * b2),
-        d23o - s1o,
-        d13o - s2o,
-        d23o + s1o,
-        fto + 2 * (v3 * b3o + v3o * b3),
-    )
-
-
-def _own_tangent_dot_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows, table: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = v_dot
-    side, = table
-    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16 = scratch
-    n1, n2, n4 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    p = sub(n1, x, k2)
-    N = add(mul(p, p, k2), mul(n4, x, k3), k2)
-    r = mul(n2, div(div(N, N, k3), N, k2), k2)
-    g = mul(n4, r, k2)
-    x1 = add(n1, x, k1)
-    e = div(n4, x1, k3)
-    ee = div(mul(n2, e, k4), x1, k1)
-    eeg = mul(ee, g, k1)
-    eg = mul(e, g, k4)
-    fy = sub(g, eg, k5)
-    gy = neg(eg, k4)
-    egy = mul(e, gy, k3)
-    vw = add(add(mul(v1, w1, k6), mul(v2, w2, k7), k6), mul(v3, w3, k7), k6)
-    ft = mul(fy, vw, k7)
-    gt = mul(gy, vw, k8)
-    ht = div(gt, n2, k9)
-    gw1 = mul(w1, g, k10)
-    b1 = add(mul(v1, ht, k11), gw1, k11)
-    add(ft, mul(n2, mul(v1, b1, k12), k12), o1)
-    s1 = mul(add(mul(v1, gt, k12), gw1, k10), side, k10)
-    gw2 = mul(w2, g, k12)
-    b2 = add(mul(v2, ht, k13), gw2, k13)
-    s2 = mul(add(mul(v2, gt, k14), gw2, k12), side, k12)
-    add(ft, mul(n2, mul(v2, b2, k14), k14), o5)
-    d12 = add(mul(v1, b2, k14), mul(b1, v2, k15), k14)
-    gw3 = mul(w3, g, k15)
-    s3 = mul(add(mul(v3, gt, k16), gw3, k16), side, k16)
-    sub(d12, s3, o2)
-    add(d12, s3, o4)
-    b3 = add(mul(v3, ht, k14), gw3, k14)
-    add(ft, mul(n2, mul(v3, b3, k15), k15), o9)
-    d13 = add(mul(v1, b3, k7), mul(b1, v3, k15), k7)
-    add(d13, s2, o3)
-    sub(d13, s2, o7)
-    d23 = add(mul(v2, b3, k7), mul(b2, v3, k12), k7)
-    sub(d23, s1, o6)
-    add(d23, s1, o8)
-    fyy = add(sub(gy, egy, k7), eeg, k7)
-    gyy = sub(eeg, egy, k1)
-    y = add(add(mul(v1, v1o, k3), mul(v2, v2o, k10), k3), mul(v3, v3o, k10), k3)
-    fyo = mul(fyy, y, k7)
-    gyo = mul(gyy, y, k1)
-    go = mul(gy, y, k3)
-    vwo = add(
-        add(add(mul(v1, w1o, k10), mul(v1o, w1, k12), k10), add(mul(v2, w2o, k12), mul(v2o, w2, k15), k12), k10),
-        add(mul(v3, w3o, k12), mul(v3o, w3, k15), k12), k10
-    )
-    fto = add(mul(fy, vwo, k5), mul(fyo, vw, k7), k5)
-    gto = add(mul(gy, vwo, k4), mul(gyo, vw, k1), k1)
-    hto = div(gto, n2, k4)
-    gw1o = add(mul(w1, go, k6), mul(w1o, g, k7), k6)
-    b1o = add(add(mul(v1, hto, k7), mul(v1o, ht, k10), k7), gw1o, k7)
-    add(fto, mul(n2, add(mul(v1, b1o, k10), mul(v1o, b1, k12), k10), k10), o10)
-    s1o = mul(add(add(mul(v1, gto, k10), mul(v1o, gt, k12), k10), gw1o, k6), side, k6)
-    gw2o = add(mul(w2, go, k10), mul(w2o, g, k12), k10)
-    gw3o = add(mul(w3, go, k3), mul(w3o, g, k2), k2)
-    b2o = add(add(mul(v2, hto, k3), mul(v2o, ht, k12), k3), gw2o, k3)
-    b3o = add(add(mul(v3, hto, k4), mul(v3o, ht, k9), k4), gw3o, k4)
-    s3o = mul(add(add(mul(v3, gto, k9), mul(v3o, gt, k12), k9), gw3o, k2), side, k2)
-    s2o = mul(add(add(mul(v2, gto, k1), mul(v2o, gt, k8), k1), gw2o, k1), side, k1)
-    add(fto, mul(n2, add(mul(v2, b2o, k8), mul(v2o, b2, k9), k8), k8), o14)
-    add(fto, mul(n2, add(mul(v3, b3o, k8), mul(v3o, b3, k9), k8), k8), o18)
-    d12o = add(add(mul(v1, b2o, k5), mul(v1o, b2, k8), k5), add(mul(b1, v2o, k8), mul(b1o, v2, k9), k8), k5)
-    d13o = add(add(mul(v1, b3o, k8), mul(v1o, b3, k9), k8), add(mul(b1, v3o, k9), mul(b1o, v3, k7), k7), k7)
-    d23o = add(add(mul(v2, b3o, k4), mul(v2o, b3, k8), k4), add(mul(b2, v3o, k8), mul(b2o, v3, k3), k3), k3)
-    sub(d12o, s3o, o11)
-    add(d12o, s3o, o13)
-    add(d13o, s2o, o12)
-    sub(d13o, s2o, o16)
-    sub(d23o, s1o, o15)
-    add(d23o, s1o, o17)
 
 
 # operations 151: 61 +, 69 *, 15 /, 6 neg
@@ -1239,60 +880,6 @@ def _own_rate_jacobian_blocks(
     copy(o15, o36)
 
 
-# operations 63: 21 +, 34 *, 4 /, 1 neg, 1 lt, 2 where
-def _own_from_quaternion(m: Any, c: Any, e: Components) -> Result:
-    e0, e1, e2, e3, e0o, e1o, e2o, e3o = e
-    rho1 = 2 * (e1o * e0 - e1 * e0o + (e2 * e3o - e3 * e2o))
-    rho2 = 2 * (e2o * e0 - e2 * e0o + (e3 * e1o - e1 * e3o))
-    rho3 = 2 * (e3o * e0 - e3 * e0o + (e1 * e2o - e2 * e1o))
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
-    gain = m.where(negative, -1, 1) / (1 + cos)
-    v1 = e1 * gain
-    v2 = e2 * gain
-    v3 = e3 * gain
-    fi = gain * e0
-    hvr = v1 * rho1 + v2 * rho2 + v3 * rho3
-    return (
-        v1,
-        v2,
-        v3,
-        (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
-        (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
-        (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
-    )
-
-
-def _own_from_quaternion_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, e: Rows
-) -> None:
-    e0, e1, e2, e3, e0o, e1o, e2o, e3o = e
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
-    mask1, = masks
-    n_minus_1, n0, n1, n2 = numbers
-    negative = m.less(e0, n0, mask1)
-    cos = m.where(negative, neg(e0, k1), e0, k1)
-    gain = div(m.where(negative, n_minus_1, n1, k2), add(n1, cos, k1), k1)
-    v1 = mul(e1, gain, o1)
-    v2 = mul(e2, gain, o2)
-    v3 = mul(e3, gain, o3)
-    fi = mul(gain, e0, k1)
-    rho1 = mul(
-        n2, add(sub(mul(e1o, e0, k2), mul(e1, e0o, k3), k2), sub(mul(e2, e3o, k3), mul(e3, e2o, k4), k3), k2), k2
-    )
-    rho2 = mul(
-        n2, add(sub(mul(e2o, e0, k3), mul(e2, e0o, k4), k3), sub(mul(e3, e1o, k4), mul(e1, e3o, k5), k4), k3), k3
-    )
-    rho3 = mul(
-        n2, add(sub(mul(e3o, e0, k4), mul(e3, e0o, k5), k4), sub(mul(e1, e2o, k5), mul(e2, e1o, k6), k5), k4), k4
-    )
-    hvr = add(add(mul(v1, rho1, k5), mul(v2, rho2, k6), k5), mul(v3, rho3, k6), k5)
-    div(add(sub(mul(rho1, fi, k6), sub(mul(v2, rho3, k7), mul(v3, rho2, k8), k7), k6), mul(v1, hvr, k7), k6), n2, o4)
-    div(add(sub(mul(rho2, fi, k6), sub(mul(v3, rho1, k7), mul(v1, rho3, k8), k7), k6), mul(v2, hvr, k7), k6), n2, o5)
-    div(add(sub(mul(rho3, fi, k1), sub(mul(v1, rho2, k3), mul(v2, rho1, k2), k2), k1), mul(v3, hvr, k2), k1), n2, o6)
-
-
 CHART = Chart(
     __name__,
     branches=2,
@@ -1317,6 +904,7 @@ CHART = Chart(
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 0, 0, (-1, 0, 1, 2)),
         "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 0, 0, (-1, 0, 1, 2)),
         "ray": Function(_ray, _ray_blocks, 0, 0, (1, 2, 4)),
+        "gain_unit": Function(_gain_unit, _gain_unit_blocks, 1, 1, (-1, 0, 1)),
         "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 0, (1,)),
         "gain_product": Function(_gain_product, _gain_product_blocks, 2, 1, (-1, 0, 1)),
         "direction": Function(_direction, _direction_blocks, 2, 1, (-2, -1, 0, 1, 2, 16)),
@@ -1326,17 +914,6 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 4)),
     },
     own={
-        "tangent": Kernel(
-        _own_tangent,
-        _own_tangent_blocks,
-        (("v", (6,)),),
-        (2, 3, 3),
-        registers=10,
-        masks=0,
-        numbers=(1, 2, 4),
-        lent=(),
-        real=False,
-    ),
         "tangent_inv": Kernel(
         _own_tangent_inv,
         _own_tangent_inv_blocks,
@@ -1345,17 +922,6 @@ CHART = Chart(
         registers=7,
         masks=0,
         numbers=(-2, 1, 2),
-        lent=(),
-        real=False,
-    ),
-        "body_tangent": Kernel(
-        _own_body_tangent,
-        _own_body_tangent_blocks,
-        (("v", (6,)),),
-        (2, 3, 3),
-        registers=10,
-        masks=0,
-        numbers=(1, 2, 4),
         lent=(),
         real=False,
     ),
@@ -1370,17 +936,6 @@ CHART = Chart(
         lent=(),
         real=False,
     ),
-        "tangent_dot": Kernel(
-        _own_tangent_dot,
-        _own_tangent_dot_blocks,
-        (("v", (6,)), ("v_dot", (6,)),),
-        (2, 3, 3),
-        registers=16,
-        masks=0,
-        numbers=(1, 2, 4),
-        lent=(),
-        real=False,
-    ),
         "rate_jacobian": Kernel(
         _own_rate_jacobian,
         _own_rate_jacobian_blocks,
@@ -1392,22 +947,14 @@ CHART = Chart(
         lent=(),
         real=False,
     ),
-        "from_quaternion": Kernel(
-        _own_from_quaternion,
-        _own_from_quaternion_blocks,
-        (("q", (8,)),),
-        (6,),
-        registers=8,
-        masks=1,
-        numbers=(-1, 0, 1, 2),
-        lent=(),
-        real=True,
-    ),
     },
 )
 
 KERNELS = PoseKernels(CHART)
 
+adjoint = KERNELS.adjoint
+between = KERNELS.between
+between_jacobians = KERNELS.between_jacobians
 body_cotangent = KERNELS.body_cotangent
 body_cotangent_jacobian = KERNELS.body_cotangent_jacobian
 body_rate = KERNELS.body_rate
@@ -1420,6 +967,7 @@ body_twist = KERNELS.body_twist
 body_twist_dot = KERNELS.body_twist_dot
 body_twist_jacobian = KERNELS.body_twist_jacobian
 compose = KERNELS.compose
+compose_jacobians = KERNELS.compose_jacobians
 cotangent = KERNELS.cotangent
 cotangent_jacobian = KERNELS.cotangent_jacobian
 dcay = KERNELS.tangent
@@ -1445,7 +993,9 @@ tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_screw = KERNELS.to_screw
 transform_line = KERNELS.transform_line
+transform_line_jacobians = KERNELS.transform_line_jacobians
 transform_point = KERNELS.transform_point
+transform_point_jacobians = KERNELS.transform_point_jacobians
 twist = KERNELS.twist
 twist_dot = KERNELS.twist_dot
 twist_jacobian = KERNELS.twist_jacobian

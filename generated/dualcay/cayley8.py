@@ -86,6 +86,12 @@
 #   shadow: 114: 31 +, 43 *, 12 /, 1 neg, 7 abs, 2 sqrt, 4 lt, 3 eq, 1 and, 1 or, 9 where
 #   principal: 64: 15 +, 23 *, 8 /, 1 sqrt, 4 lt, 13 where
 #   compose: 300: 111 +, 170 *, 13 /, 1 neg, 2 sqrt, 1 lt, 2 where
+#   between: 306: 111 +, 170 *, 13 /, 7 neg, 2 sqrt, 1 lt, 2 where
+#   compose_jacobians: 1195: 480 +, 644 *, 58 /, 8 neg, 2 sqrt, 1 lt, 2 where
+#   between_jacobians: 1219: 480 +, 644 *, 58 /, 32 neg, 2 sqrt, 1 lt, 2 where
+#   adjoint: 118: 47 +, 69 *, 2 /
+#   transform_point_jacobians: 255: 112 +, 137 *, 3 /, 3 neg
+#   transform_line_jacobians: 354: 145 +, 200 *, 3 /, 6 neg
 r"""Cayley map of order 8: Rodrigues dual vectors ``v = tan(α/16) u`` of rigid displacements.
 
 .. math::
@@ -116,12 +122,13 @@ from ._interface import PoseKernels
 from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "body_cotangent", "body_cotangent_jacobian", "body_rate", "body_rate_dot", "body_rate_jacobian", "body_tangent",
-    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
-    "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_pose", "from_quaternion", "from_screw", "from_tensor",
-    "identity", "inverse", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow",
-    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
-    "transform_point", "twist", "twist_dot", "twist_jacobian",
+    "adjoint", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_rate",
+    "body_rate_dot", "body_rate_jacobian", "body_tangent", "body_tangent_dot", "body_tangent_inv", "body_twist",
+    "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians", "cotangent", "cotangent_jacobian", "dcay",
+    "dcay_inv", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity", "inverse", "pose", "principal",
+    "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow", "singular_angles", "tangent", "tangent_dot",
+    "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
+    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 8
@@ -788,6 +795,9 @@ CHART = Chart(
 
 KERNELS = PoseKernels(CHART)
 
+adjoint = KERNELS.adjoint
+between = KERNELS.between
+between_jacobians = KERNELS.between_jacobians
 body_cotangent = KERNELS.body_cotangent
 body_cotangent_jacobian = KERNELS.body_cotangent_jacobian
 body_rate = KERNELS.body_rate
@@ -800,6 +810,7 @@ body_twist = KERNELS.body_twist
 body_twist_dot = KERNELS.body_twist_dot
 body_twist_jacobian = KERNELS.body_twist_jacobian
 compose = KERNELS.compose
+compose_jacobians = KERNELS.compose_jacobians
 cotangent = KERNELS.cotangent
 cotangent_jacobian = KERNELS.cotangent_jacobian
 dcay = KERNELS.tangent
@@ -825,7 +836,9 @@ tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_screw = KERNELS.to_screw
 transform_line = KERNELS.transform_line
+transform_line_jacobians = KERNELS.transform_line_jacobians
 transform_point = KERNELS.transform_point
+transform_point_jacobians = KERNELS.transform_point_jacobians
 twist = KERNELS.twist
 twist_dot = KERNELS.twist_dot
 twist_jacobian = KERNELS.twist_jacobian

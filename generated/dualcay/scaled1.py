@@ -33,19 +33,19 @@
 #
 # Operations:
 #   quaternion: 34: 8 +, 18 *, 7 /, 1 sqrt
-#   tensor: 77: 29 +, 43 *, 5 /
-#   pose: 50: 20 +, 25 *, 5 /
-#   transform_point: 63: 24 +, 34 *, 5 /
-#   transform_line: 102: 39 +, 58 *, 5 /
+#   tensor: 89: 34 +, 50 *, 5 /
+#   pose: 62: 25 +, 32 *, 5 /
+#   transform_point: 75: 29 +, 41 *, 5 /
+#   transform_line: 114: 44 +, 65 *, 5 /
 #   inverse: 6: 6 neg
 #   tangent: 42: 8 +, 19 *, 8 /, 7 neg
 #   tangent_inv: 51: 21 +, 18 *, 12 /
 #   body_tangent: 42: 8 +, 19 *, 8 /, 7 neg
 #   body_tangent_inv: 51: 21 +, 18 *, 12 /
-#   twist: 86: 29 +, 48 *, 8 /, 1 neg
+#   twist: 125: 46 +, 70 *, 8 /, 1 neg
 #   rate: 86: 34 +, 51 *, 1 /
 #   tangent_dot: 97: 27 +, 53 *, 10 /, 7 neg
-#   twist_dot: 159: 57 +, 90 *, 11 /, 1 neg
+#   twist_dot: 224: 86 +, 126 *, 11 /, 1 neg
 #   rate_dot: 252: 104 +, 132 *, 16 /
 #   twist_jacobian: 156: 54 +, 90 *, 10 /, 2 neg
 #   rate_jacobian: 85: 34 +, 42 *, 9 /
@@ -55,6 +55,12 @@
 #   from_screw: 20: 4 +, 13 *, 2 /, 1 tan
 #   to_screw: 78: 18 +, 30 *, 14 /, 6 abs, 1 sqrt, 1 atan2, 2 eq, 6 where
 #   compose: 156: 56 +, 79 *, 21 /
+#   between: 162: 56 +, 79 *, 21 /, 6 neg
+#   compose_jacobians: 776: 296 +, 391 *, 69 /, 20 neg
+#   between_jacobians: 800: 296 +, 391 *, 69 /, 44 neg
+#   adjoint: 89: 34 +, 50 *, 5 /
+#   transform_point_jacobians: 205: 88 +, 105 *, 8 /, 4 neg
+#   transform_line_jacobians: 304: 121 +, 168 *, 8 /, 7 neg
 r"""Normal Rodrigues vector of order 1: Rodrigues dual vectors ``v = 2 tan(α/2) u`` of rigid displacements.
 
 .. math::
@@ -83,12 +89,13 @@ from ._interface import PoseKernels
 from ._kernel import Components, Kernel, Result, Rows, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "body_cotangent", "body_cotangent_jacobian", "body_rate", "body_rate_dot", "body_rate_jacobian", "body_tangent",
-    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
-    "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity",
-    "inverse", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow",
-    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
-    "transform_point", "twist", "twist_dot", "twist_jacobian",
+    "adjoint", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_rate",
+    "body_rate_dot", "body_rate_jacobian", "body_tangent", "body_tangent_dot", "body_tangent_inv", "body_twist",
+    "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians", "cotangent", "cotangent_jacobian",
+    "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity", "inverse", "pose", "principal",
+    "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow", "singular_angles", "tangent", "tangent_dot",
+    "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
+    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 1
@@ -128,6 +135,101 @@ def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: R
     div(sy, n4, o3)
     div(sy, n8, o4)
     return o1, o2, o3, o4
+
+
+# operations 7: 1 +, 1 *, 5 /
+def _pose(m: Any, x: Any) -> Result:
+    z = x / 4
+    N = 1 + z
+    r = 2 * (N / N / N)
+    f_v = r / 2
+    g_v = r / 4
+    return f_v, g_v, 0
+
+
+def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, _ = out
+    n0, n1, n2, n4 = numbers
+    z = div(x, n4, o2)
+    N = add(n1, z, o2)
+    r = mul(n2, div(div(N, N, o1), N, o2), o2)
+    div(r, n2, o1)
+    div(r, n4, o2)
+    return o1, o2, n0
+
+
+# operations 12: 1 +, 2 *, 8 /, 1 neg
+def _tangent(m: Any, x: Any) -> Result:
+    z = x / 4
+    N = 1 + z
+    r = 2 * (N / N / N)
+    f_v = r / 2
+    g_v = r / 4
+    e = 2 / N
+    eg = e * r
+    fy = -eg
+    fy_v = fy / 8
+    gy_v = fy / 16
+    return f_v, g_v, 0, fy_v, gy_v, 0
+
+
+def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, _, o4, o5, _ = out
+    n0, n1, n2, n4, n8, n16 = numbers
+    z = div(x, n4, o5)
+    N = add(n1, z, o5)
+    r = mul(n2, div(div(N, N, o2), N, o2), o2)
+    e = div(n2, N, o5)
+    eg = mul(e, r, o5)
+    fy = neg(eg, o5)
+    div(r, n2, o1)
+    div(r, n4, o2)
+    div(fy, n8, o4)
+    div(fy, n16, o5)
+    return o1, o2, n0, o4, o5, n0
+
+
+# operations 19: 2 +, 5 *, 11 /, 1 neg
+def _tangent_dot(m: Any, x: Any) -> Result:
+    z = x / 4
+    N = 1 + z
+    r = 2 * (N / N / N)
+    f_v = r / 2
+    g_v = r / 4
+    e = 2 / N
+    eg = e * r
+    fy = -eg
+    fy_v = fy / 8
+    gy_v = fy / 16
+    egy = e * fy
+    ee = 2 * e / N
+    eeg = ee * r
+    fyy = eeg - egy
+    fyy_v = fyy / 32
+    gyy_v = fyy / 64
+    return f_v, g_v, 0, fy_v, gy_v, 0, fyy_v, gyy_v, 0
+
+
+def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, _, o4, o5, _, o7, o8, _ = out
+    n0, n1, n2, n4, n8, n16, n32, n64 = numbers
+    z = div(x, n4, o8)
+    N = add(n1, z, o8)
+    r = mul(n2, div(div(N, N, o5), N, o5), o5)
+    div(r, n2, o1)
+    div(r, n4, o2)
+    e = div(n2, N, o4)
+    ee = div(mul(n2, e, o7), N, o8)
+    eeg = mul(ee, r, o8)
+    eg = mul(e, r, o5)
+    fy = neg(eg, o5)
+    egy = mul(e, fy, o4)
+    fyy = sub(eeg, egy, o8)
+    div(fy, n8, o4)
+    div(fy, n16, o5)
+    div(fyy, n32, o7)
+    div(fyy, n64, o8)
+    return o1, o2, n0, o4, o5, n0, o7, o8, n0
 
 
 # operations 10: 3 +, 2 *, 4 /, 1 atan2
@@ -172,370 +274,6 @@ def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
 
 
 # --- geometry that does with less here than for any chart ---------------------------------------------------------
-
-
-# operations 77: 29 +, 43 *, 5 /
-def _own_tensor(m: Any, c: Any, v: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x12 = v11 + v22
-    x = x12 + v33
-    z = x / 4
-    N = 1 + z
-    r = 2 * (N / N / N)
-    f_v = r / 2
-    g_v = r / 4
-    x23 = v22 + v33
-    x13 = v11 + v33
-    fv1 = v1 * f_v
-    fv2 = v2 * f_v
-    fv3 = v3 * f_v
-    gv1 = v1 * g_v
-    gv2 = v2 * g_v
-    gv3 = v3 * g_v
-    gvv1 = gv1 * v2
-    gvv2 = gv1 * v3
-    gvv3 = gv2 * v3
-    Q11 = 1 - g_v * x23
-    Q12 = gvv1 - fv3
-    Q13 = gvv2 + fv2
-    Q21 = gvv1 + fv3
-    Q22 = 1 - g_v * x13
-    Q23 = gvv3 - fv1
-    Q31 = gvv2 - fv2
-    Q32 = gvv3 + fv1
-    Q33 = 1 - g_v * x12
-    rho1 = v1o * f_v + (gv2 * v3o - gv3 * v2o)
-    rho2 = v2o * f_v + (gv3 * v1o - gv1 * v3o)
-    rho3 = v3o * f_v + (gv1 * v2o - gv2 * v1o)
-    return (
-        Q11,
-        Q12,
-        Q13,
-        Q21,
-        Q22,
-        Q23,
-        Q31,
-        Q32,
-        Q33,
-        Q31 * rho2 - Q21 * rho3,
-        Q32 * rho2 - Q22 * rho3,
-        Q33 * rho2 - Q23 * rho3,
-        Q11 * rho3 - Q31 * rho1,
-        Q12 * rho3 - Q32 * rho1,
-        Q13 * rho3 - Q33 * rho1,
-        Q21 * rho1 - Q11 * rho2,
-        Q22 * rho1 - Q12 * rho2,
-        Q23 * rho1 - Q13 * rho2,
-    )
-
-
-def _own_tensor_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
-    k1, k2, k3, k4, k5, k6, k7 = scratch
-    n1, n2, n4 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    x12 = add(v11, v22, k3)
-    v33 = mul(v3, v3, k4)
-    x23 = add(v22, v33, k2)
-    x13 = add(v11, v33, k1)
-    x = add(x12, v33, k4)
-    z = div(x, n4, k4)
-    N = add(n1, z, k4)
-    r = mul(n2, div(div(N, N, k5), N, k4), k4)
-    g_v = div(r, n4, k5)
-    Q11 = sub(n1, mul(g_v, x23, k2), o1)
-    Q22 = sub(n1, mul(g_v, x13, k1), o5)
-    Q33 = sub(n1, mul(g_v, x12, k1), o9)
-    f_v = div(r, n2, k1)
-    gv1 = mul(v1, g_v, k2)
-    gvv1 = mul(gv1, v2, k3)
-    fv3 = mul(v3, f_v, k4)
-    Q12 = sub(gvv1, fv3, o2)
-    Q21 = add(gvv1, fv3, o4)
-    gvv2 = mul(gv1, v3, k3)
-    fv2 = mul(v2, f_v, k4)
-    Q13 = add(gvv2, fv2, o3)
-    Q31 = sub(gvv2, fv2, o7)
-    gv2 = mul(v2, g_v, k3)
-    gv3 = mul(v3, g_v, k4)
-    gvv3 = mul(gv2, v3, k5)
-    fv1 = mul(v1, f_v, k6)
-    Q23 = sub(gvv3, fv1, o6)
-    Q32 = add(gvv3, fv1, o8)
-    rho2 = add(mul(v2o, f_v, k5), sub(mul(gv3, v1o, k6), mul(gv1, v3o, k7), k6), k5)
-    rho3 = add(mul(v3o, f_v, k6), sub(mul(gv1, v2o, k2), mul(gv2, v1o, k7), k2), k2)
-    rho1 = add(mul(v1o, f_v, k1), sub(mul(gv2, v3o, k3), mul(gv3, v2o, k4), k3), k1)
-    sub(mul(Q31, rho2, k3), mul(Q21, rho3, k4), o10)
-    sub(mul(Q32, rho2, k3), mul(Q22, rho3, k4), o11)
-    sub(mul(Q33, rho2, k3), mul(Q23, rho3, k4), o12)
-    sub(mul(Q11, rho3, k3), mul(Q31, rho1, k4), o13)
-    sub(mul(Q12, rho3, k3), mul(Q32, rho1, k4), o14)
-    sub(mul(Q13, rho3, k2), mul(Q33, rho1, k3), o15)
-    sub(mul(Q21, rho1, k2), mul(Q11, rho2, k3), o16)
-    sub(mul(Q22, rho1, k2), mul(Q12, rho2, k3), o17)
-    sub(mul(Q23, rho1, k1), mul(Q13, rho2, k2), o18)
-
-
-# operations 50: 20 +, 25 *, 5 /
-def _own_pose(m: Any, c: Any, v: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x12 = v11 + v22
-    x = x12 + v33
-    z = x / 4
-    N = 1 + z
-    r = 2 * (N / N / N)
-    f_v = r / 2
-    g_v = r / 4
-    x23 = v22 + v33
-    x13 = v11 + v33
-    fv1 = v1 * f_v
-    fv2 = v2 * f_v
-    fv3 = v3 * f_v
-    gv1 = v1 * g_v
-    gv2 = v2 * g_v
-    gv3 = v3 * g_v
-    gvv1 = gv1 * v2
-    gvv2 = gv1 * v3
-    gvv3 = gv2 * v3
-    return (
-        1 - g_v * x23,
-        gvv1 - fv3,
-        gvv2 + fv2,
-        v1o * f_v + (gv2 * v3o - gv3 * v2o),
-        gvv1 + fv3,
-        1 - g_v * x13,
-        gvv3 - fv1,
-        v2o * f_v + (gv3 * v1o - gv1 * v3o),
-        gvv2 - fv2,
-        gvv3 + fv1,
-        1 - g_v * x12,
-        v3o * f_v + (gv1 * v2o - gv2 * v1o),
-        0,
-        0,
-        0,
-        1,
-    )
-
-
-def _own_pose_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16 = out
-    k1, k2, k3, k4, k5, k6, k7 = scratch
-    n0, n1, n2, n4 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    x12 = add(v11, v22, k3)
-    v33 = mul(v3, v3, k4)
-    x23 = add(v22, v33, k2)
-    x13 = add(v11, v33, k1)
-    x = add(x12, v33, k4)
-    z = div(x, n4, k4)
-    N = add(n1, z, k4)
-    r = mul(n2, div(div(N, N, k5), N, k4), k4)
-    g_v = div(r, n4, k5)
-    sub(n1, mul(g_v, x23, k2), o1)
-    sub(n1, mul(g_v, x13, k1), o6)
-    sub(n1, mul(g_v, x12, k1), o11)
-    f_v = div(r, n2, k1)
-    gv1 = mul(v1, g_v, k2)
-    gvv1 = mul(gv1, v2, k3)
-    fv3 = mul(v3, f_v, k4)
-    sub(gvv1, fv3, o2)
-    add(gvv1, fv3, o5)
-    gvv2 = mul(gv1, v3, k3)
-    fv2 = mul(v2, f_v, k4)
-    add(gvv2, fv2, o3)
-    sub(gvv2, fv2, o9)
-    gv2 = mul(v2, g_v, k3)
-    gv3 = mul(v3, g_v, k4)
-    add(mul(v1o, f_v, k5), sub(mul(gv2, v3o, k6), mul(gv3, v2o, k7), k6), o4)
-    add(mul(v2o, f_v, k5), sub(mul(gv3, v1o, k4), mul(gv1, v3o, k6), k4), o8)
-    add(mul(v3o, f_v, k4), sub(mul(gv1, v2o, k2), mul(gv2, v1o, k5), k2), o12)
-    gvv3 = mul(gv2, v3, k2)
-    fv1 = mul(v1, f_v, k1)
-    sub(gvv3, fv1, o7)
-    add(gvv3, fv1, o10)
-    copy(n0, o13)
-    copy(n0, o14)
-    copy(n0, o15)
-    copy(n1, o16)
-
-
-# operations 63: 24 +, 34 *, 5 /
-def _own_transform_point(m: Any, c: Any, v: Components, r: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    r1, r2, r3 = r
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    z = x / 4
-    N = 1 + z
-    r_ = 2 * (N / N / N)
-    f_v = r_ / 2
-    g_v = r_ / 4
-    v_r1 = v2 * r3 - v3 * r2
-    v_r2 = v3 * r1 - v1 * r3
-    v_r3 = v1 * r2 - v2 * r1
-    gv_r1 = v_r1 * g_v
-    gv_r2 = v_r2 * g_v
-    gv_r3 = v_r3 * g_v
-    gv1 = v1 * g_v
-    gv2 = v2 * g_v
-    gv3 = v3 * g_v
-    return (
-        r1 + (v_r1 * f_v + (v2 * gv_r3 - v3 * gv_r2)) + (v1o * f_v + (gv2 * v3o - gv3 * v2o)),
-        r2 + (v_r2 * f_v + (v3 * gv_r1 - v1 * gv_r3)) + (v2o * f_v + (gv3 * v1o - gv1 * v3o)),
-        r3 + (v_r3 * f_v + (v1 * gv_r2 - v2 * gv_r1)) + (v3o * f_v + (gv1 * v2o - gv2 * v1o)),
-    )
-
-
-def _own_transform_point_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, r: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    r1, r2, r3 = r
-    o1, o2, o3 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13 = scratch
-    n1, n2, n4 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    z = div(x, n4, k1)
-    N = add(n1, z, k1)
-    r_ = mul(n2, div(div(N, N, k2), N, k1), k1)
-    f_v = div(r_, n2, k2)
-    g_v = div(r_, n4, k1)
-    v_r3 = sub(mul(v1, r2, k3), mul(v2, r1, k4), k3)
-    gv_r3 = mul(v_r3, g_v, k4)
-    v_r2 = sub(mul(v3, r1, k5), mul(v1, r3, k6), k5)
-    gv_r2 = mul(v_r2, g_v, k6)
-    gv2 = mul(v2, g_v, k7)
-    gv3 = mul(v3, g_v, k8)
-    v_r1 = sub(mul(v2, r3, k9), mul(v3, r2, k10), k9)
-    add(
-        add(r1, add(mul(v_r1, f_v, k10), sub(mul(v2, gv_r3, k11), mul(v3, gv_r2, k12), k11), k10), k10), add(mul(v1o,
-        f_v, k11), sub(mul(gv2, v3o, k12), mul(gv3, v2o, k13), k12), k11), o1
-    )
-    gv_r1 = mul(v_r1, g_v, k9)
-    gv1 = mul(v1, g_v, k1)
-    add(
-        add(r2, add(mul(v_r2, f_v, k5), sub(mul(v3, gv_r1, k10), mul(v1, gv_r3, k4), k4), k4), k4), add(mul(v2o, f_v,
-        k5), sub(mul(gv3, v1o, k8), mul(gv1, v3o, k10), k8), k5), o2
-    )
-    add(
-        add(r3, add(mul(v_r3, f_v, k3), sub(mul(v1, gv_r2, k4), mul(v2, gv_r1, k5), k4), k3), k3), add(mul(v3o, f_v,
-        k2), sub(mul(gv1, v2o, k1), mul(gv2, v1o, k4), k1), k1), o3
-    )
-
-
-# operations 102: 39 +, 58 *, 5 /
-def _own_transform_line(m: Any, c: Any, v: Components, line: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    l1, l2, l3, m1, m2, m3 = line
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    z = x / 4
-    N = 1 + z
-    r = 2 * (N / N / N)
-    f_v = r / 2
-    g_v = r / 4
-    v_l1 = v2 * l3 - v3 * l2
-    v_l2 = v3 * l1 - v1 * l3
-    v_l3 = v1 * l2 - v2 * l1
-    gv_l1 = v_l1 * g_v
-    gv_l2 = v_l2 * g_v
-    gv_l3 = v_l3 * g_v
-    Ql1 = l1 + (v_l1 * f_v + (v2 * gv_l3 - v3 * gv_l2))
-    Ql2 = l2 + (v_l2 * f_v + (v3 * gv_l1 - v1 * gv_l3))
-    Ql3 = l3 + (v_l3 * f_v + (v1 * gv_l2 - v2 * gv_l1))
-    v_m1 = v2 * m3 - v3 * m2
-    v_m2 = v3 * m1 - v1 * m3
-    v_m3 = v1 * m2 - v2 * m1
-    gv_m1 = v_m1 * g_v
-    gv_m2 = v_m2 * g_v
-    gv_m3 = v_m3 * g_v
-    gv1 = v1 * g_v
-    gv2 = v2 * g_v
-    gv3 = v3 * g_v
-    rho1 = v1o * f_v + (gv2 * v3o - gv3 * v2o)
-    rho2 = v2o * f_v + (gv3 * v1o - gv1 * v3o)
-    rho3 = v3o * f_v + (gv1 * v2o - gv2 * v1o)
-    return (
-        Ql1,
-        Ql2,
-        Ql3,
-        m1 + (v_m1 * f_v + (v2 * gv_m3 - v3 * gv_m2)) + (rho2 * Ql3 - rho3 * Ql2),
-        m2 + (v_m2 * f_v + (v3 * gv_m1 - v1 * gv_m3)) + (rho3 * Ql1 - rho1 * Ql3),
-        m3 + (v_m3 * f_v + (v1 * gv_m2 - v2 * gv_m1)) + (rho1 * Ql2 - rho2 * Ql1),
-    )
-
-
-def _own_transform_line_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, line: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    l1, l2, l3, m1, m2, m3 = line
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13 = scratch
-    n1, n2, n4 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    z = div(x, n4, k1)
-    N = add(n1, z, k1)
-    r = mul(n2, div(div(N, N, k2), N, k1), k1)
-    f_v = div(r, n2, k2)
-    g_v = div(r, n4, k1)
-    v_l3 = sub(mul(v1, l2, k3), mul(v2, l1, k4), k3)
-    gv_l3 = mul(v_l3, g_v, k4)
-    v_l2 = sub(mul(v3, l1, k5), mul(v1, l3, k6), k5)
-    gv_l2 = mul(v_l2, g_v, k6)
-    v_l1 = sub(mul(v2, l3, k7), mul(v3, l2, k8), k7)
-    Ql1 = add(l1, add(mul(v_l1, f_v, k8), sub(mul(v2, gv_l3, k9), mul(v3, gv_l2, k10), k9), k8), o1)
-    gv_l1 = mul(v_l1, g_v, k7)
-    Ql2 = add(l2, add(mul(v_l2, f_v, k5), sub(mul(v3, gv_l1, k8), mul(v1, gv_l3, k4), k4), k4), o2)
-    Ql3 = add(l3, add(mul(v_l3, f_v, k3), sub(mul(v1, gv_l2, k4), mul(v2, gv_l1, k5), k4), k3), o3)
-    gv3 = mul(v3, g_v, k3)
-    gv1 = mul(v1, g_v, k4)
-    rho2 = add(mul(v2o, f_v, k5), sub(mul(gv3, v1o, k6), mul(gv1, v3o, k7), k6), k5)
-    gv2 = mul(v2, g_v, k6)
-    rho3 = add(mul(v3o, f_v, k7), sub(mul(gv1, v2o, k4), mul(gv2, v1o, k8), k4), k4)
-    rho1 = add(mul(v1o, f_v, k7), sub(mul(gv2, v3o, k6), mul(gv3, v2o, k3), k3), k3)
-    v_m3 = sub(mul(v1, m2, k6), mul(v2, m1, k7), k6)
-    gv_m3 = mul(v_m3, g_v, k7)
-    v_m2 = sub(mul(v3, m1, k8), mul(v1, m3, k9), k8)
-    gv_m2 = mul(v_m2, g_v, k9)
-    v_m1 = sub(mul(v2, m3, k10), mul(v3, m2, k11), k10)
-    add(
-        add(m1, add(mul(v_m1, f_v, k11), sub(mul(v2, gv_m3, k12), mul(v3, gv_m2, k13), k12), k11), k11), sub(mul(rho2,
-        Ql3, k12), mul(rho3, Ql2, k13), k12), o4
-    )
-    gv_m1 = mul(v_m1, g_v, k1)
-    add(
-        add(m2, add(mul(v_m2, f_v, k8), sub(mul(v3, gv_m1, k10), mul(v1, gv_m3, k7), k7), k7), k7), sub(mul(rho3, Ql1,
-        k4), mul(rho1, Ql3, k8), k4), o5
-    )
-    add(
-        add(m3, add(mul(v_m3, f_v, k2), sub(mul(v1, gv_m2, k4), mul(v2, gv_m1, k1), k1), k1), k1), sub(mul(rho1, Ql2,
-        k2), mul(rho2, Ql1, k3), k2), o6
-    )
 
 
 # operations 42: 8 +, 19 *, 8 /, 7 neg
@@ -856,97 +594,6 @@ def _own_body_tangent_inv_blocks(
     add(d12, s3, o2)
 
 
-# operations 86: 29 +, 48 *, 8 /, 1 neg
-def _own_twist(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = v_dot
-    side, = table
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    z = x / 4
-    N = 1 + z
-    r = 2 * (N / N / N)
-    f_v = r / 2
-    g_v = r / 4
-    e = 2 / N
-    eg = e * r
-    fy = -eg
-    fy_v = fy / 8
-    gy_v = fy / 16
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    fo = fy_v * y
-    go = gy_v * y
-    gs = g_v * side
-    gso = go * side
-    gv1 = v1 * gs
-    gv2 = v2 * gs
-    gv3 = v3 * gs
-    gvo1 = v1o * gs + v1 * gso
-    gvo2 = v2o * gs + v2 * gso
-    gvo3 = v3o * gs + v3 * gso
-    return (
-        w1 * f_v + (gv2 * w3 - gv3 * w2),
-        w2 * f_v + (gv3 * w1 - gv1 * w3),
-        w3 * f_v + (gv1 * w2 - gv2 * w1),
-        w1o * f_v + w1 * fo + (gv2 * w3o - gv3 * w2o) + (gvo2 * w3 - gvo3 * w2),
-        w2o * f_v + w2 * fo + (gv3 * w1o - gv1 * w3o) + (gvo3 * w1 - gvo1 * w3),
-        w3o * f_v + w3 * fo + (gv1 * w2o - gv2 * w1o) + (gvo1 * w2 - gvo2 * w1),
-    )
-
-
-def _own_twist_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows, table: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = v_dot
-    side, = table
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11 = scratch
-    n1, n2, n4, n8, n16 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    z = div(x, n4, k1)
-    N = add(n1, z, k1)
-    r = mul(n2, div(div(N, N, k2), N, k2), k2)
-    e = div(n2, N, k1)
-    eg = mul(e, r, k1)
-    fy = neg(eg, k1)
-    f_v = div(r, n2, k3)
-    g_v = div(r, n4, k2)
-    gs = mul(g_v, side, k2)
-    gv2 = mul(v2, gs, k4)
-    gv3 = mul(v3, gs, k5)
-    add(mul(w1, f_v, k6), sub(mul(gv2, w3, k7), mul(gv3, w2, k8), k7), o1)
-    gv1 = mul(v1, gs, k6)
-    add(mul(w2, f_v, k7), sub(mul(gv3, w1, k8), mul(gv1, w3, k9), k8), o2)
-    add(mul(w3, f_v, k7), sub(mul(gv1, w2, k8), mul(gv2, w1, k9), k8), o3)
-    gy_v = div(fy, n16, k7)
-    fy_v = div(fy, n8, k1)
-    y = add(add(mul(v1, v1o, k8), mul(v2, v2o, k9), k8), mul(v3, v3o, k9), k8)
-    go = mul(gy_v, y, k7)
-    fo = mul(fy_v, y, k1)
-    gso = mul(go, side, k7)
-    gvo2 = add(mul(v2o, gs, k8), mul(v2, gso, k9), k8)
-    gvo3 = add(mul(v3o, gs, k9), mul(v3, gso, k10), k9)
-    gvo1 = add(mul(v1o, gs, k2), mul(v1, gso, k7), k2)
-    add(
-        add(add(mul(w1o, f_v, k7), mul(w1, fo, k10), k7), sub(mul(gv2, w3o, k10), mul(gv3, w2o, k11), k10), k7),
-        sub(mul(gvo2, w3, k10), mul(gvo3, w2, k11), k10), o4
-    )
-    add(
-        add(add(mul(w2o, f_v, k7), mul(w2, fo, k10), k7), sub(mul(gv3, w1o, k5), mul(gv1, w3o, k10), k5), k5),
-        sub(mul(gvo3, w1, k7), mul(gvo1, w3, k9), k7), o5
-    )
-    add(
-        add(add(mul(w3o, f_v, k3), mul(w3, fo, k1), k1), sub(mul(gv1, w2o, k3), mul(gv2, w1o, k4), k3), k1),
-        sub(mul(gvo1, w2, k2), mul(gvo2, w1, k3), k2), o6
-    )
-
-
 # operations 86: 34 +, 51 *, 1 /
 def _own_rate(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
@@ -1113,138 +760,6 @@ def _own_tangent_dot_blocks(
     copy(o1, o9)
     copy(o10, o14)
     copy(o10, o18)
-
-
-# operations 159: 57 +, 90 *, 11 /, 1 neg
-def _own_twist_dot(m: Any, c: Any, v: Components, v_dot: Components, v_ddot: Components, table: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = v_dot
-    z1, z2, z3, z1o, z2o, z3o = v_ddot
-    side, = table
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    z = x / 4
-    N = 1 + z
-    r = 2 * (N / N / N)
-    f_v = r / 2
-    g_v = r / 4
-    e = 2 / N
-    eg = e * r
-    fy = -eg
-    fy_v = fy / 8
-    gy_v = fy / 16
-    egy = e * fy
-    ee = 2 * e / N
-    eeg = ee * r
-    fyy = eeg - egy
-    fyy_v = fyy / 32
-    gyy_v = fyy / 64
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    fo = fy_v * y
-    go = gy_v * y
-    fyo = fyy_v * y
-    gyo = gyy_v * y
-    vw = v1 * w1 + v2 * w2 + v3 * w3
-    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
-    gt = gy_v * vw
-    gto = gy_v * vwo + gyo * vw
-    gz1 = z1 * g_v + w1 * gt
-    gz1o = z1 * go + z1o * g_v + (w1 * gto + w1o * gt)
-    gz2 = z2 * g_v + w2 * gt
-    gz2o = z2 * go + z2o * g_v + (w2 * gto + w2o * gt)
-    gz3 = z3 * g_v + w3 * gt
-    gz3o = z3 * go + z3o * g_v + (w3 * gto + w3o * gt)
-    fh = fy_v * vw
-    fho = fy_v * vwo + fyo * vw
-    s1 = gz1 * side
-    s1o = gz1o * side
-    s2 = gz2 * side
-    s2o = gz2o * side
-    s3 = gz3 * side
-    s3o = gz3o * side
-    return (
-        z1 * f_v + w1 * fh + (v2 * s3 - v3 * s2),
-        z2 * f_v + w2 * fh + (v3 * s1 - v1 * s3),
-        z3 * f_v + w3 * fh + (v1 * s2 - v2 * s1),
-        z1 * fo + z1o * f_v + (w1 * fho + w1o * fh) + (v2 * s3o + v2o * s3 - (v3 * s2o + v3o * s2)),
-        z2 * fo + z2o * f_v + (w2 * fho + w2o * fh) + (v3 * s1o + v3o * s1 - (v1 * s3o + v1o * s3)),
-        z3 * fo + z3o * f_v + (w3 * fho + w3o * fh) + (v1 * s2o + v1o * s2 - (v2 * s1o + v2o * s1)),
-    )
-
-
-def _own_twist_dot_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows, v_ddot: Rows, table: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = v_dot
-    z1, z2, z3, z1o, z2o, z3o = v_ddot
-    side, = table
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14 = scratch
-    n1, n2, n4, n8, n16, n32, n64 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    z = div(x, n4, k1)
-    N = add(n1, z, k1)
-    r = mul(n2, div(div(N, N, k2), N, k2), k2)
-    e = div(n2, N, k3)
-    ee = div(mul(n2, e, k4), N, k1)
-    eeg = mul(ee, r, k1)
-    eg = mul(e, r, k4)
-    fy = neg(eg, k4)
-    egy = mul(e, fy, k3)
-    fyy = sub(eeg, egy, k1)
-    gyy_v = div(fyy, n64, k3)
-    fyy_v = div(fyy, n32, k1)
-    y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k6), k5), mul(v3, v3o, k6), k5)
-    gyo = mul(gyy_v, y, k3)
-    fyo = mul(fyy_v, y, k1)
-    gy_v = div(fy, n16, k6)
-    fy_v = div(fy, n8, k4)
-    vwo = add(
-        add(add(mul(v1, w1o, k7), mul(v1o, w1, k8), k7), add(mul(v2, w2o, k8), mul(v2o, w2, k9), k8), k7), add(mul(v3,
-        w3o, k8), mul(v3o, w3, k9), k8), k7
-    )
-    vw = add(add(mul(v1, w1, k8), mul(v2, w2, k9), k8), mul(v3, w3, k9), k8)
-    gto = add(mul(gy_v, vwo, k9), mul(gyo, vw, k3), k3)
-    fho = add(mul(fy_v, vwo, k7), mul(fyo, vw, k1), k1)
-    go = mul(gy_v, y, k7)
-    gt = mul(gy_v, vw, k6)
-    fo = mul(fy_v, y, k5)
-    fh = mul(fy_v, vw, k4)
-    g_v = div(r, n4, k8)
-    f_v = div(r, n2, k2)
-    gz2o = add(add(mul(z2, go, k9), mul(z2o, g_v, k10), k9), add(mul(w2, gto, k10), mul(w2o, gt, k11), k10), k9)
-    s2o = mul(gz2o, side, k9)
-    gz1o = add(add(mul(z1, go, k10), mul(z1o, g_v, k11), k10), add(mul(w1, gto, k11), mul(w1o, gt, k12), k11), k10)
-    gz3o = add(add(mul(z3, go, k7), mul(z3o, g_v, k11), k7), add(mul(w3, gto, k3), mul(w3o, gt, k11), k3), k3)
-    s1o = mul(gz1o, side, k7)
-    s3o = mul(gz3o, side, k3)
-    gz2 = add(mul(z2, g_v, k10), mul(w2, gt, k11), k10)
-    s2 = mul(gz2, side, k10)
-    gz1 = add(mul(z1, g_v, k11), mul(w1, gt, k12), k11)
-    gz3 = add(mul(z3, g_v, k8), mul(w3, gt, k6), k6)
-    s1 = mul(gz1, side, k8)
-    add(
-        add(add(mul(z3, fo, k11), mul(z3o, f_v, k12), k11), add(mul(w3, fho, k12), mul(w3o, fh, k13), k12), k11),
-        sub(add(mul(v1, s2o, k12), mul(v1o, s2, k13), k12), add(mul(v2, s1o, k13), mul(v2o, s1, k14), k13), k12), o6
-    )
-    s3 = mul(gz3, side, k6)
-    add(
-        add(add(mul(z2, fo, k11), mul(z2o, f_v, k12), k11), add(mul(w2, fho, k12), mul(w2o, fh, k13), k12), k11),
-        sub(add(mul(v3, s1o, k7), mul(v3o, s1, k12), k7), add(mul(v1, s3o, k12), mul(v1o, s3, k13), k12), k7), o5
-    )
-    add(
-        add(add(mul(z1, fo, k5), mul(z1o, f_v, k7), k5), add(mul(w1, fho, k1), mul(w1o, fh, k7), k1), k1),
-        sub(add(mul(v2, s3o, k3), mul(v2o, s3, k5), k3), add(mul(v3, s2o, k5), mul(v3o, s2, k7), k5), k3), o4
-    )
-    add(add(mul(z3, f_v, k1), mul(w3, fh, k3), k1), sub(mul(v1, s2, k3), mul(v2, s1, k5), k3), o3)
-    add(add(mul(z2, f_v, k1), mul(w2, fh, k3), k1), sub(mul(v3, s1, k3), mul(v1, s3, k5), k3), o2)
-    add(add(mul(z1, f_v, k1), mul(w1, fh, k2), k1), sub(mul(v2, s3, k2), mul(v3, s2, k3), k2), o1)
 
 
 # operations 252: 104 +, 132 *, 16 /
@@ -2136,6 +1651,1446 @@ def _own_compose_blocks(
     div(add(sub(mul(rho1, fi, k1), sub(mul(v2, rho3, k2), mul(v3, rho2, k3), k2), k1), mul(v1, hvr, k2), k1), n2, o4)
 
 
+# operations 162: 56 +, 79 *, 21 /, 6 neg
+def _own_between(m: Any, c: Any, a: Components, b: Components) -> Result:
+    a1, a2, a3, a1o, a2o, a3o = a
+    b1, b2, b3, b1o, b2o, b3o = b
+    minus_b1 = -b1
+    minus_b2 = -b2
+    minus_b3 = -b3
+    minus_b4 = -b1o
+    minus_b5 = -b2o
+    minus_b6 = -b3o
+    v11b = minus_b1 * minus_b1
+    v22b = minus_b2 * minus_b2
+    v33b = minus_b3 * minus_b3
+    xb = v11b + v22b + v33b
+    zb = xb / 4
+    Nb = 1 + zb
+    rb = 2 * (Nb / Nb / Nb)
+    f_vb = rb / 2
+    g_vb = rb / 4
+    bvb1 = minus_b1 / 2
+    bvb2 = minus_b2 / 2
+    bvb3 = minus_b3 / 2
+    v11a = a1 * a1
+    v22a = a2 * a2
+    v33a = a3 * a3
+    xa = v11a + v22a + v33a
+    za = xa / 4
+    Na = 1 + za
+    ra = 2 * (Na / Na / Na)
+    f_va = ra / 2
+    g_va = ra / 4
+    bva1 = a1 / 2
+    bva2 = a2 / 2
+    bva3 = a3 / 2
+    z0 = 1 - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
+    z1 = bva1 + bvb1 + (bvb2 * bva3 - bvb3 * bva2)
+    z2 = bva2 + bvb2 + (bvb3 * bva1 - bvb1 * bva3)
+    z3 = bva3 + bvb3 + (bvb1 * bva2 - bvb2 * bva1)
+    gva1 = a1 * g_va
+    gva2 = a2 * g_va
+    gva3 = a3 * g_va
+    rhoa1 = a1o * f_va + (gva2 * a3o - gva3 * a2o)
+    rhoa2 = a2o * f_va + (gva3 * a1o - gva1 * a3o)
+    rhoa3 = a3o * f_va + (gva1 * a2o - gva2 * a1o)
+    v_rho1 = minus_b2 * rhoa3 - minus_b3 * rhoa2
+    v_rho2 = minus_b3 * rhoa1 - minus_b1 * rhoa3
+    v_rho3 = minus_b1 * rhoa2 - minus_b2 * rhoa1
+    gv_rho1 = v_rho1 * g_vb
+    gv_rho2 = v_rho2 * g_vb
+    gv_rho3 = v_rho3 * g_vb
+    gvb1 = minus_b1 * g_vb
+    gvb2 = minus_b2 * g_vb
+    gvb3 = minus_b3 * g_vb
+    rho1 = (
+        rhoa1 + (v_rho1 * f_vb + (minus_b2 * gv_rho3 - minus_b3 * gv_rho2)) + (minus_b4 * f_vb + (gvb2 * minus_b6 - gvb3
+        * minus_b5))
+    )
+    rho2 = (
+        rhoa2 + (v_rho2 * f_vb + (minus_b3 * gv_rho1 - minus_b1 * gv_rho3)) + (minus_b5 * f_vb + (gvb3 * minus_b4 - gvb1
+        * minus_b6))
+    )
+    rho3 = (
+        rhoa3 + (v_rho3 * f_vb + (minus_b1 * gv_rho2 - minus_b2 * gv_rho1)) + (minus_b6 * f_vb + (gvb1 * minus_b5 - gvb2
+        * minus_b4))
+    )
+    gain = 2 * (1 / z0)
+    v1 = z1 * gain
+    v2 = z2 * gain
+    v3 = z3 * gain
+    fi = gain * z0
+    hvr = (v1 * rho1 + v2 * rho2 + v3 * rho3) / 2
+    return (
+        v1,
+        v2,
+        v3,
+        (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
+        (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
+        (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
+    )
+
+
+def _own_between_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, a: Rows, b: Rows
+) -> None:
+    a1, a2, a3, a1o, a2o, a3o = a
+    b1, b2, b3, b1o, b2o, b3o = b
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21 = scratch
+    n1, n2, n4 = numbers
+    v11a = mul(a1, a1, k1)
+    v22a = mul(a2, a2, k2)
+    v33a = mul(a3, a3, k3)
+    xa = add(add(v11a, v22a, k1), v33a, k1)
+    za = div(xa, n4, k1)
+    Na = add(n1, za, k1)
+    ra = mul(n2, div(div(Na, Na, k2), Na, k1), k1)
+    f_va = div(ra, n2, k2)
+    g_va = div(ra, n4, k1)
+    gva1 = mul(a1, g_va, k3)
+    gva2 = mul(a2, g_va, k4)
+    gva3 = mul(a3, g_va, k1)
+    rhoa3 = add(mul(a3o, f_va, k5), sub(mul(gva1, a2o, k6), mul(gva2, a1o, k7), k6), k5)
+    rhoa2 = add(mul(a2o, f_va, k6), sub(mul(gva3, a1o, k7), mul(gva1, a3o, k3), k3), k3)
+    rhoa1 = add(mul(a1o, f_va, k2), sub(mul(gva2, a3o, k4), mul(gva3, a2o, k1), k1), k1)
+    minus_b2 = neg(b2, k2)
+    minus_b3 = neg(b3, k4)
+    v_rho1 = sub(mul(minus_b2, rhoa3, k6), mul(minus_b3, rhoa2, k7), k6)
+    minus_b1 = neg(b1, k7)
+    v_rho3 = sub(mul(minus_b1, rhoa2, k8), mul(minus_b2, rhoa1, k9), k8)
+    v11b = mul(minus_b1, minus_b1, k9)
+    v22b = mul(minus_b2, minus_b2, k10)
+    v33b = mul(minus_b3, minus_b3, k11)
+    xb = add(add(v11b, v22b, k9), v33b, k9)
+    zb = div(xb, n4, k9)
+    Nb = add(n1, zb, k9)
+    rb = mul(n2, div(div(Nb, Nb, k10), Nb, k9), k9)
+    g_vb = div(rb, n4, k10)
+    f_vb = div(rb, n2, k9)
+    gv_rho3 = mul(v_rho3, g_vb, k11)
+    v_rho2 = sub(mul(minus_b3, rhoa1, k12), mul(minus_b1, rhoa3, k13), k12)
+    gv_rho2 = mul(v_rho2, g_vb, k13)
+    gvb2 = mul(minus_b2, g_vb, k14)
+    gvb3 = mul(minus_b3, g_vb, k15)
+    minus_b4 = neg(b1o, k16)
+    minus_b6 = neg(b3o, k17)
+    minus_b5 = neg(b2o, k18)
+    rho1 = add(
+        add(rhoa1, add(mul(v_rho1, f_vb, k19), sub(mul(minus_b2, gv_rho3, k20), mul(minus_b3, gv_rho2, k21), k20), k19),
+        k1), add(mul(minus_b4, f_vb, k19), sub(mul(gvb2, minus_b6, k20), mul(gvb3, minus_b5, k21), k20), k19), k1
+    )
+    gv_rho1 = mul(v_rho1, g_vb, k6)
+    gvb1 = mul(minus_b1, g_vb, k10)
+    rho2 = add(
+        add(rhoa2, add(mul(v_rho2, f_vb, k12), sub(mul(minus_b3, gv_rho1, k19), mul(minus_b1, gv_rho3, k11), k11), k11),
+        k3), add(mul(minus_b5, f_vb, k11), sub(mul(gvb3, minus_b4, k12), mul(gvb1, minus_b6, k15), k12), k11), k3
+    )
+    rho3 = add(
+        add(rhoa3, add(mul(v_rho3, f_vb, k8), sub(mul(minus_b1, gv_rho2, k11), mul(minus_b2, gv_rho1, k6), k6), k6),
+        k5), add(mul(minus_b6, f_vb, k6), sub(mul(gvb1, minus_b5, k8), mul(gvb2, minus_b4, k9), k8), k6), k5
+    )
+    bvb1 = div(minus_b1, n2, k6)
+    bvb2 = div(minus_b2, n2, k2)
+    bvb3 = div(minus_b3, n2, k4)
+    bva1 = div(a1, n2, k7)
+    bva3 = div(a3, n2, k8)
+    bva2 = div(a2, n2, k9)
+    z1 = add(add(bva1, bvb1, k10), sub(mul(bvb2, bva3, k11), mul(bvb3, bva2, k12), k11), k10)
+    z0 = sub(n1, add(add(mul(bvb1, bva1, k11), mul(bvb2, bva2, k12), k11), mul(bvb3, bva3, k12), k11), k11)
+    gain = mul(n2, div(n1, z0, k12), k12)
+    v1 = mul(z1, gain, o1)
+    fi = mul(gain, z0, k10)
+    z2 = add(add(bva2, bvb2, k11), sub(mul(bvb3, bva1, k13), mul(bvb1, bva3, k14), k13), k11)
+    z3 = add(add(bva3, bvb3, k4), sub(mul(bvb1, bva2, k6), mul(bvb2, bva1, k2), k2), k2)
+    v2 = mul(z2, gain, o2)
+    v3 = mul(z3, gain, o3)
+    hvr = div(add(add(mul(v1, rho1, k2), mul(v2, rho2, k4), k2), mul(v3, rho3, k4), k2), n2, k2)
+    div(add(sub(mul(rho3, fi, k4), sub(mul(v1, rho2, k6), mul(v2, rho1, k7), k6), k4), mul(v3, hvr, k6), k4), n2, o6)
+    div(add(sub(mul(rho2, fi, k4), sub(mul(v3, rho1, k6), mul(v1, rho3, k7), k6), k4), mul(v2, hvr, k6), k4), n2, o5)
+    div(add(sub(mul(rho1, fi, k1), sub(mul(v2, rho3, k4), mul(v3, rho2, k3), k3), k1), mul(v1, hvr, k2), k1), n2, o4)
+
+
+# operations 776: 296 +, 391 *, 69 /, 20 neg
+def _own_compose_jacobians(m: Any, c: Any, b: Components, a: Components) -> Result:
+    b1, b2, b3, b1o, b2o, b3o = b
+    a1, a2, a3, a1o, a2o, a3o = a
+    v11b = b1 * b1
+    v22b = b2 * b2
+    v33b = b3 * b3
+    x12b = v11b + v22b
+    xb = x12b + v33b
+    zb = xb / 4
+    Nb = 1 + zb
+    rb = 2 * (Nb / Nb / Nb)
+    f_vb = rb / 2
+    g_vb = rb / 4
+    bvb1 = b1 / 2
+    bvb2 = b2 / 2
+    bvb3 = b3 / 2
+    v11a = a1 * a1
+    v22a = a2 * a2
+    v33a = a3 * a3
+    xa = v11a + v22a + v33a
+    za = xa / 4
+    Na = 1 + za
+    ra = 2 * (Na / Na / Na)
+    f_va = ra / 2
+    g_va = ra / 4
+    bva1 = a1 / 2
+    bva2 = a2 / 2
+    bva3 = a3 / 2
+    z0 = 1 - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
+    z1 = bva1 + bvb1 + (bvb2 * bva3 - bvb3 * bva2)
+    z2 = bva2 + bvb2 + (bvb3 * bva1 - bvb1 * bva3)
+    z3 = bva3 + bvb3 + (bvb1 * bva2 - bvb2 * bva1)
+    gva1 = a1 * g_va
+    gva2 = a2 * g_va
+    gva3 = a3 * g_va
+    ya = a1 * a1o + a2 * a2o + a3 * a3o
+    rhoa1 = a1o * f_va + (gva2 * a3o - gva3 * a2o)
+    rhoa2 = a2o * f_va + (gva3 * a1o - gva1 * a3o)
+    rhoa3 = a3o * f_va + (gva1 * a2o - gva2 * a1o)
+    v_rho1 = b2 * rhoa3 - b3 * rhoa2
+    v_rho2 = b3 * rhoa1 - b1 * rhoa3
+    v_rho3 = b1 * rhoa2 - b2 * rhoa1
+    gv_rho1 = v_rho1 * g_vb
+    gv_rho2 = v_rho2 * g_vb
+    gv_rho3 = v_rho3 * g_vb
+    gvb1 = b1 * g_vb
+    gvb2 = b2 * g_vb
+    gvb3 = b3 * g_vb
+    yb = b1 * b1o + b2 * b2o + b3 * b3o
+    rhob1 = b1o * f_vb + (gvb2 * b3o - gvb3 * b2o)
+    rhob2 = b2o * f_vb + (gvb3 * b1o - gvb1 * b3o)
+    rhob3 = b3o * f_vb + (gvb1 * b2o - gvb2 * b1o)
+    rho1 = rhoa1 + (v_rho1 * f_vb + (b2 * gv_rho3 - b3 * gv_rho2)) + rhob1
+    rho2 = rhoa2 + (v_rho2 * f_vb + (b3 * gv_rho1 - b1 * gv_rho3)) + rhob2
+    rho3 = rhoa3 + (v_rho3 * f_vb + (b1 * gv_rho2 - b2 * gv_rho1)) + rhob3
+    gain = 2 * (1 / z0)
+    v1 = z1 * gain
+    v2 = z2 * gain
+    v3 = z3 * gain
+    fi = gain * z0
+    hvr = (v1 * rho1 + v2 * rho2 + v3 * rho3) / 2
+    w4 = (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2
+    w5 = (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2
+    w6 = (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2
+    sw1 = -v1
+    sw2 = -v2
+    sw3 = -v3
+    sow1 = -w4
+    sow2 = -w5
+    sow3 = -w6
+    cvw1 = v1 / 2
+    cvw2 = v2 / 2
+    cvw3 = v3 / 2
+    cvow1 = w4 / 2
+    cvow2 = w5 / 2
+    cvow3 = w6 / 2
+    d12w = cvw1 * v2
+    d13w = cvw1 * v3
+    d23w = cvw2 * v3
+    I11 = 2 + cvw1 * v1
+    I12 = d12w - sw3
+    I13 = d13w + sw2
+    I21 = d12w + sw3
+    I22 = 2 + cvw2 * v2
+    I23 = d23w - sw1
+    I31 = d13w - sw2
+    I32 = d23w + sw1
+    I33 = 2 + cvw3 * v3
+    d12ow = cvw1 * w5 + cvow1 * v2
+    d13ow = cvw1 * w6 + cvow1 * v3
+    d23ow = cvw2 * w6 + cvow2 * v3
+    I11o = cvw1 * w4 + cvow1 * v1
+    I12o = d12ow - sow3
+    I13o = d13ow + sow2
+    I21o = d12ow + sow3
+    I22o = cvw2 * w5 + cvow2 * v2
+    I23o = d23ow - sow1
+    I31o = d13ow - sow2
+    I32o = d23ow + sow1
+    I33o = cvw3 * w6 + cvow3 * v3
+    eS = 2 / Nb
+    egS = eS * rb
+    fyS = -egS
+    fy_vS = fyS / 8
+    gy_vS = fyS / 16
+    foS = fy_vS * yb
+    goS = gy_vS * yb
+    gvoS1 = b1o * g_vb + b1 * goS
+    gvoS2 = b2o * g_vb + b2 * goS
+    gvoS3 = b3o * g_vb + b3 * goS
+    S12 = -gvb3
+    S23 = -gvb1
+    S31 = -gvb2
+    S12o = -gvoS3
+    S23o = -gvoS1
+    S31o = -gvoS2
+    eF = 2 / Na
+    egF = eF * ra
+    fyF = -egF
+    fy_vF = fyF / 8
+    gy_vF = fyF / 16
+    foF = fy_vF * ya
+    goF = gy_vF * ya
+    gvoF1 = a1o * g_va + a1 * goF
+    gvoF2 = a2o * g_va + a2 * goF
+    gvoF3 = a3o * g_va + a3 * goF
+    F12 = -gva3
+    F23 = -gva1
+    F31 = -gva2
+    F12o = -gvoF3
+    F23o = -gvoF1
+    F31o = -gvoF2
+    x23b = v22b + v33b
+    x13b = v11b + v33b
+    fvb1 = b1 * f_vb
+    fvb2 = b2 * f_vb
+    fvb3 = b3 * f_vb
+    gvvb1 = gvb1 * b2
+    gvvb2 = gvb1 * b3
+    gvvb3 = gvb2 * b3
+    Qb11 = 1 - g_vb * x23b
+    Qb12 = gvvb1 - fvb3
+    Qb13 = gvvb2 + fvb2
+    Qb21 = gvvb1 + fvb3
+    Qb22 = 1 - g_vb * x13b
+    Qb23 = gvvb3 - fvb1
+    Qb31 = gvvb2 - fvb2
+    Qb32 = gvvb3 + fvb1
+    Qb33 = 1 - g_vb * x12b
+    R11o = Qb31 * rhob2 - Qb21 * rhob3
+    R12o = Qb32 * rhob2 - Qb22 * rhob3
+    R13o = Qb33 * rhob2 - Qb23 * rhob3
+    R21o = Qb11 * rhob3 - Qb31 * rhob1
+    R22o = Qb12 * rhob3 - Qb32 * rhob1
+    R23o = Qb13 * rhob3 - Qb33 * rhob1
+    R31o = Qb21 * rhob1 - Qb11 * rhob2
+    R32o = Qb22 * rhob1 - Qb12 * rhob2
+    R33o = Qb23 * rhob1 - Qb13 * rhob2
+    B11 = (I11 * f_vb + I12 * gvb3 + I13 * S31) / 2
+    B12 = (I11 * S12 + I12 * f_vb + I13 * gvb1) / 2
+    B13 = (I11 * gvb2 + I12 * S23 + I13 * f_vb) / 2
+    B21 = (I21 * f_vb + I22 * gvb3 + I23 * S31) / 2
+    B22 = (I21 * S12 + I22 * f_vb + I23 * gvb1) / 2
+    B23 = (I21 * gvb2 + I22 * S23 + I23 * f_vb) / 2
+    B31 = (I31 * f_vb + I32 * gvb3 + I33 * S31) / 2
+    B32 = (I31 * S12 + I32 * f_vb + I33 * gvb1) / 2
+    B33 = (I31 * gvb2 + I32 * S23 + I33 * f_vb) / 2
+    RT11 = Qb11 * f_va + Qb12 * gva3 + Qb13 * F31
+    RT11o = Qb11 * foF + R11o * f_va + (Qb12 * gvoF3 + R12o * gva3) + (Qb13 * F31o + R13o * F31)
+    RT12 = Qb11 * F12 + Qb12 * f_va + Qb13 * gva1
+    RT12o = Qb11 * F12o + R11o * F12 + (Qb12 * foF + R12o * f_va) + (Qb13 * gvoF1 + R13o * gva1)
+    RT13 = Qb11 * gva2 + Qb12 * F23 + Qb13 * f_va
+    RT13o = Qb11 * gvoF2 + R11o * gva2 + (Qb12 * F23o + R12o * F23) + (Qb13 * foF + R13o * f_va)
+    RT21 = Qb21 * f_va + Qb22 * gva3 + Qb23 * F31
+    RT21o = Qb21 * foF + R21o * f_va + (Qb22 * gvoF3 + R22o * gva3) + (Qb23 * F31o + R23o * F31)
+    RT22 = Qb21 * F12 + Qb22 * f_va + Qb23 * gva1
+    RT22o = Qb21 * F12o + R21o * F12 + (Qb22 * foF + R22o * f_va) + (Qb23 * gvoF1 + R23o * gva1)
+    RT23 = Qb21 * gva2 + Qb22 * F23 + Qb23 * f_va
+    RT23o = Qb21 * gvoF2 + R21o * gva2 + (Qb22 * F23o + R22o * F23) + (Qb23 * foF + R23o * f_va)
+    RT31 = Qb31 * f_va + Qb32 * gva3 + Qb33 * F31
+    RT31o = Qb31 * foF + R31o * f_va + (Qb32 * gvoF3 + R32o * gva3) + (Qb33 * F31o + R33o * F31)
+    RT32 = Qb31 * F12 + Qb32 * f_va + Qb33 * gva1
+    RT32o = Qb31 * F12o + R31o * F12 + (Qb32 * foF + R32o * f_va) + (Qb33 * gvoF1 + R33o * gva1)
+    RT33 = Qb31 * gva2 + Qb32 * F23 + Qb33 * f_va
+    RT33o = Qb31 * gvoF2 + R31o * gva2 + (Qb32 * F23o + R32o * F23) + (Qb33 * foF + R33o * f_va)
+    A11 = (I11 * RT11 + I12 * RT21 + I13 * RT31) / 2
+    A12 = (I11 * RT12 + I12 * RT22 + I13 * RT32) / 2
+    A13 = (I11 * RT13 + I12 * RT23 + I13 * RT33) / 2
+    A21 = (I21 * RT11 + I22 * RT21 + I23 * RT31) / 2
+    A22 = (I21 * RT12 + I22 * RT22 + I23 * RT32) / 2
+    A23 = (I21 * RT13 + I22 * RT23 + I23 * RT33) / 2
+    A31 = (I31 * RT11 + I32 * RT21 + I33 * RT31) / 2
+    A32 = (I31 * RT12 + I32 * RT22 + I33 * RT32) / 2
+    A33 = (I31 * RT13 + I32 * RT23 + I33 * RT33) / 2
+    return (
+        B11,
+        B12,
+        B13,
+        0,
+        0,
+        0,
+        B21,
+        B22,
+        B23,
+        0,
+        0,
+        0,
+        B31,
+        B32,
+        B33,
+        0,
+        0,
+        0,
+        (I11 * foS + I11o * f_vb + (I12 * gvoS3 + I12o * gvb3) + (I13 * S31o + I13o * S31)) / 2,
+        (I11 * S12o + I11o * S12 + (I12 * foS + I12o * f_vb) + (I13 * gvoS1 + I13o * gvb1)) / 2,
+        (I11 * gvoS2 + I11o * gvb2 + (I12 * S23o + I12o * S23) + (I13 * foS + I13o * f_vb)) / 2,
+        B11,
+        B12,
+        B13,
+        (I21 * foS + I21o * f_vb + (I22 * gvoS3 + I22o * gvb3) + (I23 * S31o + I23o * S31)) / 2,
+        (I21 * S12o + I21o * S12 + (I22 * foS + I22o * f_vb) + (I23 * gvoS1 + I23o * gvb1)) / 2,
+        (I21 * gvoS2 + I21o * gvb2 + (I22 * S23o + I22o * S23) + (I23 * foS + I23o * f_vb)) / 2,
+        B21,
+        B22,
+        B23,
+        (I31 * foS + I31o * f_vb + (I32 * gvoS3 + I32o * gvb3) + (I33 * S31o + I33o * S31)) / 2,
+        (I31 * S12o + I31o * S12 + (I32 * foS + I32o * f_vb) + (I33 * gvoS1 + I33o * gvb1)) / 2,
+        (I31 * gvoS2 + I31o * gvb2 + (I32 * S23o + I32o * S23) + (I33 * foS + I33o * f_vb)) / 2,
+        B31,
+        B32,
+        B33,
+        A11,
+        A12,
+        A13,
+        0,
+        0,
+        0,
+        A21,
+        A22,
+        A23,
+        0,
+        0,
+        0,
+        A31,
+        A32,
+        A33,
+        0,
+        0,
+        0,
+        (I11 * RT11o + I11o * RT11 + (I12 * RT21o + I12o * RT21) + (I13 * RT31o + I13o * RT31)) / 2,
+        (I11 * RT12o + I11o * RT12 + (I12 * RT22o + I12o * RT22) + (I13 * RT32o + I13o * RT32)) / 2,
+        (I11 * RT13o + I11o * RT13 + (I12 * RT23o + I12o * RT23) + (I13 * RT33o + I13o * RT33)) / 2,
+        A11,
+        A12,
+        A13,
+        (I21 * RT11o + I21o * RT11 + (I22 * RT21o + I22o * RT21) + (I23 * RT31o + I23o * RT31)) / 2,
+        (I21 * RT12o + I21o * RT12 + (I22 * RT22o + I22o * RT22) + (I23 * RT32o + I23o * RT32)) / 2,
+        (I21 * RT13o + I21o * RT13 + (I22 * RT23o + I22o * RT23) + (I23 * RT33o + I23o * RT33)) / 2,
+        A21,
+        A22,
+        A23,
+        (I31 * RT11o + I31o * RT11 + (I32 * RT21o + I32o * RT21) + (I33 * RT31o + I33o * RT31)) / 2,
+        (I31 * RT12o + I31o * RT12 + (I32 * RT22o + I32o * RT22) + (I33 * RT32o + I33o * RT32)) / 2,
+        (I31 * RT13o + I31o * RT13 + (I32 * RT23o + I32o * RT23) + (I33 * RT33o + I33o * RT33)) / 2,
+        A31,
+        A32,
+        A33,
+    )
+
+
+def _own_compose_jacobians_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, b: Rows, a: Rows
+) -> None:
+    b1, b2, b3, b1o, b2o, b3o = b
+    a1, a2, a3, a1o, a2o, a3o = a
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36, o37, o38, o39, o40, o41, o42, o43, o44, o45, o46,
+        o47, o48, o49, o50, o51, o52, o53, o54, o55, o56, o57, o58, o59, o60, o61, o62, o63, o64, o65, o66, o67, o68,
+        o69, o70, o71, o72,
+    ) = out
+    (
+        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
+        k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, k35, k36, k37, k38, k39, k40, k41, k42, k43, k44, k45, k46,
+        k47, k48, k49, k50, k51, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61,
+    ) = scratch
+    n0, n1, n2, n4, n8, n16 = numbers
+    bva1 = div(a1, n2, k1)
+    bvb1 = div(b1, n2, k2)
+    bvb2 = div(b2, n2, k3)
+    bva3 = div(a3, n2, k4)
+    bvb3 = div(b3, n2, k5)
+    bva2 = div(a2, n2, k6)
+    z1 = add(add(bva1, bvb1, k7), sub(mul(bvb2, bva3, k8), mul(bvb3, bva2, k9), k8), k7)
+    z0 = sub(n1, add(add(mul(bvb1, bva1, k8), mul(bvb2, bva2, k9), k8), mul(bvb3, bva3, k9), k8), k8)
+    gain = mul(n2, div(n1, z0, k9), k9)
+    v1 = mul(z1, gain, k7)
+    fi = mul(gain, z0, k8)
+    cvw1 = div(v1, n2, k10)
+    I11 = add(n2, mul(cvw1, v1, k11), k11)
+    z2 = add(add(bva2, bvb2, k12), sub(mul(bvb3, bva1, k13), mul(bvb1, bva3, k14), k13), k12)
+    z3 = add(add(bva3, bvb3, k4), sub(mul(bvb1, bva2, k2), mul(bvb2, bva1, k1), k1), k1)
+    v2 = mul(z2, gain, k2)
+    v3 = mul(z3, gain, k1)
+    d12w = mul(cvw1, v2, k3)
+    sw3 = neg(v3, k4)
+    I12 = sub(d12w, sw3, k5)
+    I21 = add(d12w, sw3, k3)
+    d13w = mul(cvw1, v3, k4)
+    sw2 = neg(v2, k6)
+    I13 = add(d13w, sw2, k9)
+    I31 = sub(d13w, sw2, k4)
+    v11b = mul(b1, b1, k6)
+    v22b = mul(b2, b2, k12)
+    x12b = add(v11b, v22b, k13)
+    v33b = mul(b3, b3, k14)
+    x23b = add(v22b, v33b, k12)
+    x13b = add(v11b, v33b, k6)
+    xb = add(x12b, v33b, k14)
+    zb = div(xb, n4, k14)
+    Nb = add(n1, zb, k14)
+    rb = mul(n2, div(div(Nb, Nb, k15), Nb, k15), k15)
+    eS = div(n2, Nb, k14)
+    egS = mul(eS, rb, k14)
+    fyS = neg(egS, k14)
+    f_vb = div(rb, n2, k16)
+    g_vb = div(rb, n4, k15)
+    Qb11 = sub(n1, mul(g_vb, x23b, k12), k12)
+    Qb22 = sub(n1, mul(g_vb, x13b, k6), k6)
+    Qb33 = sub(n1, mul(g_vb, x12b, k13), k13)
+    gvb3 = mul(b3, g_vb, k17)
+    gvb2 = mul(b2, g_vb, k18)
+    S31 = neg(gvb2, k19)
+    div(add(add(mul(I11, f_vb, k20), mul(I12, gvb3, k21), k20), mul(I13, S31, k21), k20), n2, o1)
+    S12 = neg(gvb3, k20)
+    gvb1 = mul(b1, g_vb, k21)
+    div(add(add(mul(I11, S12, k22), mul(I12, f_vb, k23), k22), mul(I13, gvb1, k23), k22), n2, o2)
+    S23 = neg(gvb1, k22)
+    div(add(add(mul(I11, gvb2, k23), mul(I12, S23, k24), k23), mul(I13, f_vb, k24), k23), n2, o3)
+    cvw2 = div(v2, n2, k23)
+    I22 = add(n2, mul(cvw2, v2, k24), k24)
+    d23w = mul(cvw2, v3, k25)
+    sw1 = neg(v1, k26)
+    I23 = sub(d23w, sw1, k27)
+    I32 = add(d23w, sw1, k25)
+    div(add(add(mul(I21, f_vb, k26), mul(I22, gvb3, k28), k26), mul(I23, S31, k28), k26), n2, o7)
+    div(add(add(mul(I21, S12, k26), mul(I22, f_vb, k28), k26), mul(I23, gvb1, k28), k26), n2, o8)
+    div(add(add(mul(I21, gvb2, k26), mul(I22, S23, k28), k26), mul(I23, f_vb, k28), k26), n2, o9)
+    cvw3 = div(v3, n2, k26)
+    I33 = add(n2, mul(cvw3, v3, k28), k28)
+    div(add(add(mul(I31, f_vb, k29), mul(I32, gvb3, k30), k29), mul(I33, S31, k30), k29), n2, o13)
+    div(add(add(mul(I31, S12, k29), mul(I32, f_vb, k30), k29), mul(I33, gvb1, k30), k29), n2, o14)
+    div(add(add(mul(I31, gvb2, k29), mul(I32, S23, k30), k29), mul(I33, f_vb, k30), k29), n2, o15)
+    v11a = mul(a1, a1, k29)
+    v22a = mul(a2, a2, k30)
+    v33a = mul(a3, a3, k31)
+    xa = add(add(v11a, v22a, k29), v33a, k29)
+    za = div(xa, n4, k29)
+    Na = add(n1, za, k29)
+    ra = mul(n2, div(div(Na, Na, k30), Na, k30), k30)
+    eF = div(n2, Na, k29)
+    egF = mul(eF, ra, k29)
+    fyF = neg(egF, k29)
+    f_va = div(ra, n2, k31)
+    g_va = div(ra, n4, k30)
+    gva1 = mul(a1, g_va, k32)
+    gva2 = mul(a2, g_va, k33)
+    rhoa3 = add(mul(a3o, f_va, k34), sub(mul(gva1, a2o, k35), mul(gva2, a1o, k36), k35), k34)
+    gva3 = mul(a3, g_va, k35)
+    rhoa2 = add(mul(a2o, f_va, k36), sub(mul(gva3, a1o, k37), mul(gva1, a3o, k38), k37), k36)
+    v_rho1 = sub(mul(b2, rhoa3, k37), mul(b3, rhoa2, k38), k37)
+    rhoa1 = add(mul(a1o, f_va, k38), sub(mul(gva2, a3o, k39), mul(gva3, a2o, k40), k39), k38)
+    v_rho3 = sub(mul(b1, rhoa2, k39), mul(b2, rhoa1, k40), k39)
+    gv_rho3 = mul(v_rho3, g_vb, k40)
+    v_rho2 = sub(mul(b3, rhoa1, k41), mul(b1, rhoa3, k42), k41)
+    gv_rho2 = mul(v_rho2, g_vb, k42)
+    rhob1 = add(mul(b1o, f_vb, k43), sub(mul(gvb2, b3o, k44), mul(gvb3, b2o, k45), k44), k43)
+    rho1 = add(
+        add(rhoa1, add(mul(v_rho1, f_vb, k44), sub(mul(b2, gv_rho3, k45), mul(b3, gv_rho2, k46), k45), k44), k38),
+        rhob1, k38
+    )
+    gv_rho1 = mul(v_rho1, g_vb, k37)
+    rhob2 = add(mul(b2o, f_vb, k44), sub(mul(gvb3, b1o, k45), mul(gvb1, b3o, k46), k45), k44)
+    rho2 = add(
+        add(rhoa2, add(mul(v_rho2, f_vb, k41), sub(mul(b3, gv_rho1, k45), mul(b1, gv_rho3, k40), k40), k40), k36),
+        rhob2, k36
+    )
+    rhob3 = add(mul(b3o, f_vb, k40), sub(mul(gvb1, b2o, k41), mul(gvb2, b1o, k45), k41), k40)
+    rho3 = add(
+        add(rhoa3, add(mul(v_rho3, f_vb, k39), sub(mul(b1, gv_rho2, k41), mul(b2, gv_rho1, k37), k37), k37), k34),
+        rhob3, k34
+    )
+    hvr = div(add(add(mul(v1, rho1, k37), mul(v2, rho2, k39), k37), mul(v3, rho3, k39), k37), n2, k37)
+    w4 = div(
+        add(sub(mul(rho1, fi, k39), sub(mul(v2, rho3, k41), mul(v3, rho2, k42), k41), k39), mul(v1, hvr, k41), k39), n2,
+        k39
+    )
+    cvow1 = div(w4, n2, k41)
+    I11o = add(mul(cvw1, w4, k42), mul(cvow1, v1, k45), k42)
+    sow1 = neg(w4, k39)
+    w5 = div(
+        add(sub(mul(rho2, fi, k45), sub(mul(v3, rho1, k46), mul(v1, rho3, k47), k46), k45), mul(v2, hvr, k46), k45), n2,
+        k45
+    )
+    w6 = div(
+        add(sub(mul(rho3, fi, k8), sub(mul(v1, rho2, k7), mul(v2, rho1, k34), k7), k7), mul(v3, hvr, k8), k7), n2, k7
+    )
+    d12ow = add(mul(cvw1, w5, k8), mul(cvow1, v2, k34), k8)
+    d13ow = add(mul(cvw1, w6, k10), mul(cvow1, v3, k34), k10)
+    sow3 = neg(w6, k34)
+    I12o = sub(d12ow, sow3, k36)
+    I21o = add(d12ow, sow3, k8)
+    sow2 = neg(w5, k34)
+    I13o = add(d13ow, sow2, k37)
+    I31o = sub(d13ow, sow2, k10)
+    gy_vS = div(fyS, n16, k34)
+    fy_vS = div(fyS, n8, k14)
+    yb = add(add(mul(b1, b1o, k38), mul(b2, b2o, k41), k38), mul(b3, b3o, k41), k38)
+    goS = mul(gy_vS, yb, k34)
+    foS = mul(fy_vS, yb, k14)
+    gvoS3 = add(mul(b3o, g_vb, k38), mul(b3, goS, k41), k38)
+    gvoS2 = add(mul(b2o, g_vb, k41), mul(b2, goS, k46), k41)
+    gvoS1 = add(mul(b1o, g_vb, k15), mul(b1, goS, k34), k15)
+    S31o = neg(gvoS2, k34)
+    div(
+        add(add(add(mul(I11, foS, k46), mul(I11o, f_vb, k47), k46), add(mul(I12, gvoS3, k47), mul(I12o, gvb3, k48),
+        k47), k46), add(mul(I13, S31o, k47), mul(I13o, S31, k48), k47), k46), n2, o19
+    )
+    S12o = neg(gvoS3, k46)
+    div(
+        add(add(add(mul(I11, S12o, k47), mul(I11o, S12, k48), k47), add(mul(I12, foS, k48), mul(I12o, f_vb, k49), k48),
+        k47), add(mul(I13, gvoS1, k48), mul(I13o, gvb1, k49), k48), k47), n2, o20
+    )
+    S23o = neg(gvoS1, k47)
+    div(
+        add(add(add(mul(I11, gvoS2, k48), mul(I11o, gvb2, k49), k48), add(mul(I12, S23o, k49), mul(I12o, S23, k50),
+        k49), k48), add(mul(I13, foS, k49), mul(I13o, f_vb, k50), k49), k48), n2, o21
+    )
+    cvow2 = div(w5, n2, k48)
+    I22o = add(mul(cvw2, w5, k45), mul(cvow2, v2, k2), k2)
+    d23ow = add(mul(cvw2, w6, k23), mul(cvow2, v3, k45), k23)
+    I23o = sub(d23ow, sow1, k45)
+    I32o = add(d23ow, sow1, k23)
+    div(
+        add(add(add(mul(I21, foS, k39), mul(I21o, f_vb, k48), k39), add(mul(I22, gvoS3, k48), mul(I22o, gvb3, k49),
+        k48), k39), add(mul(I23, S31o, k48), mul(I23o, S31, k49), k48), k39), n2, o25
+    )
+    div(
+        add(add(add(mul(I21, S12o, k39), mul(I21o, S12, k48), k39), add(mul(I22, foS, k48), mul(I22o, f_vb, k49), k48),
+        k39), add(mul(I23, gvoS1, k48), mul(I23o, gvb1, k49), k48), k39), n2, o26
+    )
+    div(
+        add(add(add(mul(I21, gvoS2, k39), mul(I21o, gvb2, k48), k39), add(mul(I22, S23o, k48), mul(I22o, S23, k49),
+        k48), k39), add(mul(I23, foS, k48), mul(I23o, f_vb, k49), k48), k39), n2, o27
+    )
+    cvow3 = div(w6, n2, k39)
+    I33o = add(mul(cvw3, w6, k7), mul(cvow3, v3, k1), k1)
+    div(
+        add(add(add(mul(I31, foS, k7), mul(I31o, f_vb, k26), k7), add(mul(I32, gvoS3, k26), mul(I32o, gvb3, k17), k17),
+        k7), add(mul(I33, S31o, k17), mul(I33o, S31, k19), k17), k7), n2, o31
+    )
+    div(
+        add(add(add(mul(I31, S12o, k7), mul(I31o, S12, k17), k7), add(mul(I32, foS, k17), mul(I32o, f_vb, k19), k17),
+        k7), add(mul(I33, gvoS1, k15), mul(I33o, gvb1, k17), k15), k7), n2, o32
+    )
+    div(
+        add(add(add(mul(I31, gvoS2, k7), mul(I31o, gvb2, k15), k7), add(mul(I32, S23o, k15), mul(I32o, S23, k17), k15),
+        k7), add(mul(I33, foS, k14), mul(I33o, f_vb, k15), k14), k7), n2, o33
+    )
+    gvvb3 = mul(gvb2, b3, k7)
+    gvvb1 = mul(gvb1, b2, k14)
+    gvvb2 = mul(gvb1, b3, k15)
+    fvb3 = mul(b3, f_vb, k17)
+    Qb12 = sub(gvvb1, fvb3, k18)
+    Qb21 = add(gvvb1, fvb3, k14)
+    fvb2 = mul(b2, f_vb, k17)
+    fvb1 = mul(b1, f_vb, k16)
+    Qb13 = add(gvvb2, fvb2, k19)
+    Qb31 = sub(gvvb2, fvb2, k15)
+    F31 = neg(gva2, k17)
+    RT11 = add(add(mul(Qb11, f_va, k20), mul(Qb12, gva3, k21), k20), mul(Qb13, F31, k21), k20)
+    Qb23 = sub(gvvb3, fvb1, k21)
+    Qb32 = add(gvvb3, fvb1, k7)
+    RT21 = add(add(mul(Qb21, f_va, k16), mul(Qb22, gva3, k22), k16), mul(Qb23, F31, k22), k16)
+    RT31 = add(add(mul(Qb31, f_va, k22), mul(Qb32, gva3, k26), k22), mul(Qb33, F31, k26), k22)
+    div(add(add(mul(I11, RT11, k26), mul(I12, RT21, k34), k26), mul(I13, RT31, k34), k26), n2, o37)
+    div(add(add(mul(I21, RT11, k26), mul(I22, RT21, k34), k26), mul(I23, RT31, k34), k26), n2, o43)
+    div(add(add(mul(I31, RT11, k26), mul(I32, RT21, k34), k26), mul(I33, RT31, k34), k26), n2, o49)
+    F12 = neg(gva3, k26)
+    RT12 = add(add(mul(Qb11, F12, k34), mul(Qb12, f_va, k38), k34), mul(Qb13, gva1, k38), k34)
+    RT22 = add(add(mul(Qb21, F12, k38), mul(Qb22, f_va, k39), k38), mul(Qb23, gva1, k39), k38)
+    RT32 = add(add(mul(Qb31, F12, k39), mul(Qb32, f_va, k41), k39), mul(Qb33, gva1, k41), k39)
+    div(add(add(mul(I11, RT12, k41), mul(I12, RT22, k46), k41), mul(I13, RT32, k46), k41), n2, o38)
+    div(add(add(mul(I21, RT12, k41), mul(I22, RT22, k46), k41), mul(I23, RT32, k46), k41), n2, o44)
+    div(add(add(mul(I31, RT12, k41), mul(I32, RT22, k46), k41), mul(I33, RT32, k46), k41), n2, o50)
+    F23 = neg(gva1, k41)
+    RT13 = add(add(mul(Qb11, gva2, k46), mul(Qb12, F23, k47), k46), mul(Qb13, f_va, k47), k46)
+    RT23 = add(add(mul(Qb21, gva2, k47), mul(Qb22, F23, k48), k47), mul(Qb23, f_va, k48), k47)
+    RT33 = add(add(mul(Qb31, gva2, k48), mul(Qb32, F23, k49), k48), mul(Qb33, f_va, k49), k48)
+    div(add(add(mul(I11, RT13, k49), mul(I12, RT23, k50), k49), mul(I13, RT33, k50), k49), n2, o39)
+    div(add(add(mul(I21, RT13, k49), mul(I22, RT23, k50), k49), mul(I23, RT33, k50), k49), n2, o45)
+    div(add(add(mul(I31, RT13, k49), mul(I32, RT23, k50), k49), mul(I33, RT33, k50), k49), n2, o51)
+    R11o = sub(mul(Qb31, rhob2, k49), mul(Qb21, rhob3, k50), k49)
+    R12o = sub(mul(Qb32, rhob2, k50), mul(Qb22, rhob3, k51), k50)
+    R13o = sub(mul(Qb33, rhob2, k51), mul(Qb23, rhob3, k52), k51)
+    gy_vF = div(fyF, n16, k52)
+    fy_vF = div(fyF, n8, k29)
+    ya = add(add(mul(a1, a1o, k53), mul(a2, a2o, k54), k53), mul(a3, a3o, k54), k53)
+    goF = mul(gy_vF, ya, k52)
+    foF = mul(fy_vF, ya, k29)
+    gvoF3 = add(mul(a3o, g_va, k53), mul(a3, goF, k54), k53)
+    gvoF2 = add(mul(a2o, g_va, k54), mul(a2, goF, k55), k54)
+    gvoF1 = add(mul(a1o, g_va, k30), mul(a1, goF, k52), k30)
+    F31o = neg(gvoF2, k52)
+    RT11o = add(
+        add(add(mul(Qb11, foF, k55), mul(R11o, f_va, k56), k55), add(mul(Qb12, gvoF3, k56), mul(R12o, gva3, k57), k56),
+        k55), add(mul(Qb13, F31o, k56), mul(R13o, F31, k57), k56), k55
+    )
+    R22o = sub(mul(Qb12, rhob3, k56), mul(Qb32, rhob1, k57), k56)
+    R21o = sub(mul(Qb11, rhob3, k57), mul(Qb31, rhob1, k58), k57)
+    R23o = sub(mul(Qb13, rhob3, k40), mul(Qb33, rhob1, k58), k40)
+    RT21o = add(
+        add(add(mul(Qb21, foF, k58), mul(R21o, f_va, k59), k58), add(mul(Qb22, gvoF3, k59), mul(R22o, gva3, k60), k59),
+        k58), add(mul(Qb23, F31o, k59), mul(R23o, F31, k60), k59), k58
+    )
+    R33o = sub(mul(Qb23, rhob1, k59), mul(Qb13, rhob2, k60), k59)
+    R31o = sub(mul(Qb21, rhob1, k60), mul(Qb11, rhob2, k61), k60)
+    R32o = sub(mul(Qb22, rhob1, k43), mul(Qb12, rhob2, k44), k43)
+    RT31o = add(
+        add(add(mul(Qb31, foF, k44), mul(R31o, f_va, k61), k44), add(mul(Qb32, gvoF3, k61), mul(R32o, gva3, k35), k35),
+        k35), add(mul(Qb33, F31o, k44), mul(R33o, F31, k17), k17), k17
+    )
+    div(
+        add(add(add(mul(I11, RT11o, k35), mul(I11o, RT11, k44), k35), add(mul(I12, RT21o, k44), mul(I12o, RT21, k52),
+        k44), k35), add(mul(I13, RT31o, k44), mul(I13o, RT31, k52), k44), k35), n2, o55
+    )
+    F12o = neg(gvoF3, k35)
+    div(
+        add(add(add(mul(I21, RT11o, k44), mul(I21o, RT11, k52), k44), add(mul(I22, RT21o, k52), mul(I22o, RT21, k53),
+        k52), k44), add(mul(I23, RT31o, k52), mul(I23o, RT31, k53), k52), k44), n2, o61
+    )
+    div(
+        add(add(add(mul(I31, RT11o, k44), mul(I31o, RT11, k20), k20), add(mul(I32, RT21o, k44), mul(I32o, RT21, k16),
+        k16), k16), add(mul(I33, RT31o, k17), mul(I33o, RT31, k20), k17), k16), n2, o67
+    )
+    RT12o = add(
+        add(add(mul(Qb11, F12o, k16), mul(R11o, F12, k17), k16), add(mul(Qb12, foF, k17), mul(R12o, f_va, k20), k17),
+        k16), add(mul(Qb13, gvoF1, k17), mul(R13o, gva1, k20), k17), k16
+    )
+    RT22o = add(
+        add(add(mul(Qb21, F12o, k17), mul(R21o, F12, k20), k17), add(mul(Qb22, foF, k20), mul(R22o, f_va, k22), k20),
+        k17), add(mul(Qb23, gvoF1, k20), mul(R23o, gva1, k22), k20), k17
+    )
+    RT32o = add(
+        add(add(mul(Qb31, F12o, k20), mul(R31o, F12, k22), k20), add(mul(Qb32, foF, k22), mul(R32o, f_va, k26), k22),
+        k20), add(mul(Qb33, gvoF1, k22), mul(R33o, gva1, k26), k22), k20
+    )
+    div(
+        add(add(add(mul(I11, RT12o, k22), mul(I11o, RT12, k26), k22), add(mul(I12, RT22o, k26), mul(I12o, RT22, k32),
+        k26), k22), add(mul(I13, RT32o, k26), mul(I13o, RT32, k32), k26), k22), n2, o56
+    )
+    F23o = neg(gvoF1, k22)
+    RT13o = add(
+        add(add(mul(Qb11, gvoF2, k12), mul(R11o, gva2, k26), k12), add(mul(Qb12, F23o, k18), mul(R12o, F23, k26), k18),
+        k12), add(mul(Qb13, foF, k18), mul(R13o, f_va, k19), k18), k12
+    )
+    RT23o = add(
+        add(add(mul(Qb21, gvoF2, k14), mul(R21o, gva2, k18), k14), add(mul(Qb22, F23o, k6), mul(R22o, F23, k18), k6),
+        k6), add(mul(Qb23, foF, k14), mul(R23o, f_va, k18), k14), k6
+    )
+    RT33o = add(
+        add(add(mul(Qb31, gvoF2, k14), mul(R31o, gva2, k15), k14), add(mul(Qb32, F23o, k7), mul(R32o, F23, k15), k7),
+        k7), add(mul(Qb33, foF, k13), mul(R33o, f_va, k14), k13), k7
+    )
+    div(
+        add(add(add(mul(I11, RT13o, k11), mul(I11o, RT13, k13), k11), add(mul(I12, RT23o, k5), mul(I12o, RT23, k13),
+        k5), k5), add(mul(I13, RT33o, k9), mul(I13o, RT33, k11), k9), k5), n2, o57
+    )
+    div(
+        add(add(add(mul(I21, RT12o, k5), mul(I21o, RT12, k9), k5), add(mul(I22, RT22o, k9), mul(I22o, RT22, k11), k9),
+        k5), add(mul(I23, RT32o, k9), mul(I23o, RT32, k11), k9), k5), n2, o62
+    )
+    div(
+        add(add(add(mul(I21, RT13o, k3), mul(I21o, RT13, k5), k3), add(mul(I22, RT23o, k5), mul(I22o, RT23, k2), k2),
+        k2), add(mul(I23, RT33o, k3), mul(I23o, RT33, k5), k3), k2), n2, o63
+    )
+    div(
+        add(add(add(mul(I31, RT12o, k2), mul(I31o, RT12, k3), k2), add(mul(I32, RT22o, k3), mul(I32o, RT22, k5), k3),
+        k2), add(mul(I33, RT32o, k3), mul(I33o, RT32, k5), k3), k2), n2, o68
+    )
+    div(
+        add(add(add(mul(I31, RT13o, k2), mul(I31o, RT13, k3), k2), add(mul(I32, RT23o, k3), mul(I32o, RT23, k4), k3),
+        k2), add(mul(I33, RT33o, k3), mul(I33o, RT33, k1), k1), k1), n2, o69
+    )
+    copy(n0, o4)
+    copy(n0, o5)
+    copy(n0, o6)
+    copy(n0, o10)
+    copy(n0, o11)
+    copy(n0, o12)
+    copy(n0, o16)
+    copy(n0, o17)
+    copy(n0, o18)
+    copy(o1, o22)
+    copy(o2, o23)
+    copy(o3, o24)
+    copy(o7, o28)
+    copy(o8, o29)
+    copy(o9, o30)
+    copy(o13, o34)
+    copy(o14, o35)
+    copy(o15, o36)
+    copy(n0, o40)
+    copy(n0, o41)
+    copy(n0, o42)
+    copy(n0, o46)
+    copy(n0, o47)
+    copy(n0, o48)
+    copy(n0, o52)
+    copy(n0, o53)
+    copy(n0, o54)
+    copy(o37, o58)
+    copy(o38, o59)
+    copy(o39, o60)
+    copy(o43, o64)
+    copy(o44, o65)
+    copy(o45, o66)
+    copy(o49, o70)
+    copy(o50, o71)
+    copy(o51, o72)
+
+
+# operations 800: 296 +, 391 *, 69 /, 44 neg
+def _own_between_jacobians(m: Any, c: Any, a: Components, b: Components) -> Result:
+    a1, a2, a3, a1o, a2o, a3o = a
+    b1, b2, b3, b1o, b2o, b3o = b
+    minus_b1 = -b1
+    minus_b2 = -b2
+    minus_b3 = -b3
+    minus_b4 = -b1o
+    minus_b5 = -b2o
+    minus_b6 = -b3o
+    v11b = minus_b1 * minus_b1
+    v22b = minus_b2 * minus_b2
+    v33b = minus_b3 * minus_b3
+    x12b = v11b + v22b
+    xb = x12b + v33b
+    zb = xb / 4
+    Nb = 1 + zb
+    rb = 2 * (Nb / Nb / Nb)
+    f_vb = rb / 2
+    g_vb = rb / 4
+    bvb1 = minus_b1 / 2
+    bvb2 = minus_b2 / 2
+    bvb3 = minus_b3 / 2
+    v11a = a1 * a1
+    v22a = a2 * a2
+    v33a = a3 * a3
+    xa = v11a + v22a + v33a
+    za = xa / 4
+    Na = 1 + za
+    ra = 2 * (Na / Na / Na)
+    f_va = ra / 2
+    g_va = ra / 4
+    bva1 = a1 / 2
+    bva2 = a2 / 2
+    bva3 = a3 / 2
+    z0 = 1 - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
+    z1 = bva1 + bvb1 + (bvb2 * bva3 - bvb3 * bva2)
+    z2 = bva2 + bvb2 + (bvb3 * bva1 - bvb1 * bva3)
+    z3 = bva3 + bvb3 + (bvb1 * bva2 - bvb2 * bva1)
+    gva1 = a1 * g_va
+    gva2 = a2 * g_va
+    gva3 = a3 * g_va
+    ya = a1 * a1o + a2 * a2o + a3 * a3o
+    rhoa1 = a1o * f_va + (gva2 * a3o - gva3 * a2o)
+    rhoa2 = a2o * f_va + (gva3 * a1o - gva1 * a3o)
+    rhoa3 = a3o * f_va + (gva1 * a2o - gva2 * a1o)
+    v_rho1 = minus_b2 * rhoa3 - minus_b3 * rhoa2
+    v_rho2 = minus_b3 * rhoa1 - minus_b1 * rhoa3
+    v_rho3 = minus_b1 * rhoa2 - minus_b2 * rhoa1
+    gv_rho1 = v_rho1 * g_vb
+    gv_rho2 = v_rho2 * g_vb
+    gv_rho3 = v_rho3 * g_vb
+    gvb1 = minus_b1 * g_vb
+    gvb2 = minus_b2 * g_vb
+    gvb3 = minus_b3 * g_vb
+    yb = minus_b1 * minus_b4 + minus_b2 * minus_b5 + minus_b3 * minus_b6
+    rhob1 = minus_b4 * f_vb + (gvb2 * minus_b6 - gvb3 * minus_b5)
+    rhob2 = minus_b5 * f_vb + (gvb3 * minus_b4 - gvb1 * minus_b6)
+    rhob3 = minus_b6 * f_vb + (gvb1 * minus_b5 - gvb2 * minus_b4)
+    rho1 = rhoa1 + (v_rho1 * f_vb + (minus_b2 * gv_rho3 - minus_b3 * gv_rho2)) + rhob1
+    rho2 = rhoa2 + (v_rho2 * f_vb + (minus_b3 * gv_rho1 - minus_b1 * gv_rho3)) + rhob2
+    rho3 = rhoa3 + (v_rho3 * f_vb + (minus_b1 * gv_rho2 - minus_b2 * gv_rho1)) + rhob3
+    gain = 2 * (1 / z0)
+    v1 = z1 * gain
+    v2 = z2 * gain
+    v3 = z3 * gain
+    fi = gain * z0
+    hvr = (v1 * rho1 + v2 * rho2 + v3 * rho3) / 2
+    w4 = (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2
+    w5 = (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2
+    w6 = (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2
+    sw1 = -v1
+    sw2 = -v2
+    sw3 = -v3
+    sow1 = -w4
+    sow2 = -w5
+    sow3 = -w6
+    cvw1 = v1 / 2
+    cvw2 = v2 / 2
+    cvw3 = v3 / 2
+    cvow1 = w4 / 2
+    cvow2 = w5 / 2
+    cvow3 = w6 / 2
+    d12w = cvw1 * v2
+    d13w = cvw1 * v3
+    d23w = cvw2 * v3
+    I11 = 2 + cvw1 * v1
+    I12 = d12w - sw3
+    I13 = d13w + sw2
+    I21 = d12w + sw3
+    I22 = 2 + cvw2 * v2
+    I23 = d23w - sw1
+    I31 = d13w - sw2
+    I32 = d23w + sw1
+    I33 = 2 + cvw3 * v3
+    d12ow = cvw1 * w5 + cvow1 * v2
+    d13ow = cvw1 * w6 + cvow1 * v3
+    d23ow = cvw2 * w6 + cvow2 * v3
+    I11o = cvw1 * w4 + cvow1 * v1
+    I12o = d12ow - sow3
+    I13o = d13ow + sow2
+    I21o = d12ow + sow3
+    I22o = cvw2 * w5 + cvow2 * v2
+    I23o = d23ow - sow1
+    I31o = d13ow - sow2
+    I32o = d23ow + sow1
+    I33o = cvw3 * w6 + cvow3 * v3
+    eS = 2 / Nb
+    egS = eS * rb
+    fyS = -egS
+    fy_vS = fyS / 8
+    gy_vS = fyS / 16
+    foS = fy_vS * yb
+    goS = gy_vS * yb
+    gvoS1 = minus_b4 * g_vb + minus_b1 * goS
+    gvoS2 = minus_b5 * g_vb + minus_b2 * goS
+    gvoS3 = minus_b6 * g_vb + minus_b3 * goS
+    S12 = -gvb3
+    S23 = -gvb1
+    S31 = -gvb2
+    S12o = -gvoS3
+    S23o = -gvoS1
+    S31o = -gvoS2
+    eF = 2 / Na
+    egF = eF * ra
+    fyF = -egF
+    fy_vF = fyF / 8
+    gy_vF = fyF / 16
+    foF = fy_vF * ya
+    goF = gy_vF * ya
+    gvoF1 = a1o * g_va + a1 * goF
+    gvoF2 = a2o * g_va + a2 * goF
+    gvoF3 = a3o * g_va + a3 * goF
+    F12 = -gva3
+    F23 = -gva1
+    F31 = -gva2
+    F12o = -gvoF3
+    F23o = -gvoF1
+    F31o = -gvoF2
+    x23b = v22b + v33b
+    x13b = v11b + v33b
+    fvb1 = minus_b1 * f_vb
+    fvb2 = minus_b2 * f_vb
+    fvb3 = minus_b3 * f_vb
+    gvvb1 = gvb1 * minus_b2
+    gvvb2 = gvb1 * minus_b3
+    gvvb3 = gvb2 * minus_b3
+    Qb11 = 1 - g_vb * x23b
+    Qb12 = gvvb1 - fvb3
+    Qb13 = gvvb2 + fvb2
+    Qb21 = gvvb1 + fvb3
+    Qb22 = 1 - g_vb * x13b
+    Qb23 = gvvb3 - fvb1
+    Qb31 = gvvb2 - fvb2
+    Qb32 = gvvb3 + fvb1
+    Qb33 = 1 - g_vb * x12b
+    R11o = Qb31 * rhob2 - Qb21 * rhob3
+    R12o = Qb32 * rhob2 - Qb22 * rhob3
+    R13o = Qb33 * rhob2 - Qb23 * rhob3
+    R21o = Qb11 * rhob3 - Qb31 * rhob1
+    R22o = Qb12 * rhob3 - Qb32 * rhob1
+    R23o = Qb13 * rhob3 - Qb33 * rhob1
+    R31o = Qb21 * rhob1 - Qb11 * rhob2
+    R32o = Qb22 * rhob1 - Qb12 * rhob2
+    R33o = Qb23 * rhob1 - Qb13 * rhob2
+    RT11 = Qb11 * f_va + Qb12 * gva3 + Qb13 * F31
+    RT11o = Qb11 * foF + R11o * f_va + (Qb12 * gvoF3 + R12o * gva3) + (Qb13 * F31o + R13o * F31)
+    RT12 = Qb11 * F12 + Qb12 * f_va + Qb13 * gva1
+    RT12o = Qb11 * F12o + R11o * F12 + (Qb12 * foF + R12o * f_va) + (Qb13 * gvoF1 + R13o * gva1)
+    RT13 = Qb11 * gva2 + Qb12 * F23 + Qb13 * f_va
+    RT13o = Qb11 * gvoF2 + R11o * gva2 + (Qb12 * F23o + R12o * F23) + (Qb13 * foF + R13o * f_va)
+    RT21 = Qb21 * f_va + Qb22 * gva3 + Qb23 * F31
+    RT21o = Qb21 * foF + R21o * f_va + (Qb22 * gvoF3 + R22o * gva3) + (Qb23 * F31o + R23o * F31)
+    RT22 = Qb21 * F12 + Qb22 * f_va + Qb23 * gva1
+    RT22o = Qb21 * F12o + R21o * F12 + (Qb22 * foF + R22o * f_va) + (Qb23 * gvoF1 + R23o * gva1)
+    RT23 = Qb21 * gva2 + Qb22 * F23 + Qb23 * f_va
+    RT23o = Qb21 * gvoF2 + R21o * gva2 + (Qb22 * F23o + R22o * F23) + (Qb23 * foF + R23o * f_va)
+    RT31 = Qb31 * f_va + Qb32 * gva3 + Qb33 * F31
+    RT31o = Qb31 * foF + R31o * f_va + (Qb32 * gvoF3 + R32o * gva3) + (Qb33 * F31o + R33o * F31)
+    RT32 = Qb31 * F12 + Qb32 * f_va + Qb33 * gva1
+    RT32o = Qb31 * F12o + R31o * F12 + (Qb32 * foF + R32o * f_va) + (Qb33 * gvoF1 + R33o * gva1)
+    RT33 = Qb31 * gva2 + Qb32 * F23 + Qb33 * f_va
+    RT33o = Qb31 * gvoF2 + R31o * gva2 + (Qb32 * F23o + R32o * F23) + (Qb33 * foF + R33o * f_va)
+    A11 = (I11 * RT11 + I12 * RT21 + I13 * RT31) / 2
+    A12 = (I11 * RT12 + I12 * RT22 + I13 * RT32) / 2
+    A13 = (I11 * RT13 + I12 * RT23 + I13 * RT33) / 2
+    A21 = (I21 * RT11 + I22 * RT21 + I23 * RT31) / 2
+    A22 = (I21 * RT12 + I22 * RT22 + I23 * RT32) / 2
+    A23 = (I21 * RT13 + I22 * RT23 + I23 * RT33) / 2
+    A31 = (I31 * RT11 + I32 * RT21 + I33 * RT31) / 2
+    A32 = (I31 * RT12 + I32 * RT22 + I33 * RT32) / 2
+    A33 = (I31 * RT13 + I32 * RT23 + I33 * RT33) / 2
+    B11 = -((I11 * f_vb + I12 * gvb3 + I13 * S31) / 2)
+    B12 = -((I11 * S12 + I12 * f_vb + I13 * gvb1) / 2)
+    B13 = -((I11 * gvb2 + I12 * S23 + I13 * f_vb) / 2)
+    B21 = -((I21 * f_vb + I22 * gvb3 + I23 * S31) / 2)
+    B22 = -((I21 * S12 + I22 * f_vb + I23 * gvb1) / 2)
+    B23 = -((I21 * gvb2 + I22 * S23 + I23 * f_vb) / 2)
+    B31 = -((I31 * f_vb + I32 * gvb3 + I33 * S31) / 2)
+    B32 = -((I31 * S12 + I32 * f_vb + I33 * gvb1) / 2)
+    B33 = -((I31 * gvb2 + I32 * S23 + I33 * f_vb) / 2)
+    return (
+        A11,
+        A12,
+        A13,
+        0,
+        0,
+        0,
+        A21,
+        A22,
+        A23,
+        0,
+        0,
+        0,
+        A31,
+        A32,
+        A33,
+        0,
+        0,
+        0,
+        (I11 * RT11o + I11o * RT11 + (I12 * RT21o + I12o * RT21) + (I13 * RT31o + I13o * RT31)) / 2,
+        (I11 * RT12o + I11o * RT12 + (I12 * RT22o + I12o * RT22) + (I13 * RT32o + I13o * RT32)) / 2,
+        (I11 * RT13o + I11o * RT13 + (I12 * RT23o + I12o * RT23) + (I13 * RT33o + I13o * RT33)) / 2,
+        A11,
+        A12,
+        A13,
+        (I21 * RT11o + I21o * RT11 + (I22 * RT21o + I22o * RT21) + (I23 * RT31o + I23o * RT31)) / 2,
+        (I21 * RT12o + I21o * RT12 + (I22 * RT22o + I22o * RT22) + (I23 * RT32o + I23o * RT32)) / 2,
+        (I21 * RT13o + I21o * RT13 + (I22 * RT23o + I22o * RT23) + (I23 * RT33o + I23o * RT33)) / 2,
+        A21,
+        A22,
+        A23,
+        (I31 * RT11o + I31o * RT11 + (I32 * RT21o + I32o * RT21) + (I33 * RT31o + I33o * RT31)) / 2,
+        (I31 * RT12o + I31o * RT12 + (I32 * RT22o + I32o * RT22) + (I33 * RT32o + I33o * RT32)) / 2,
+        (I31 * RT13o + I31o * RT13 + (I32 * RT23o + I32o * RT23) + (I33 * RT33o + I33o * RT33)) / 2,
+        A31,
+        A32,
+        A33,
+        B11,
+        B12,
+        B13,
+        0,
+        0,
+        0,
+        B21,
+        B22,
+        B23,
+        0,
+        0,
+        0,
+        B31,
+        B32,
+        B33,
+        0,
+        0,
+        0,
+        -((I11 * foS + I11o * f_vb + (I12 * gvoS3 + I12o * gvb3) + (I13 * S31o + I13o * S31)) / 2),
+        -((I11 * S12o + I11o * S12 + (I12 * foS + I12o * f_vb) + (I13 * gvoS1 + I13o * gvb1)) / 2),
+        -((I11 * gvoS2 + I11o * gvb2 + (I12 * S23o + I12o * S23) + (I13 * foS + I13o * f_vb)) / 2),
+        B11,
+        B12,
+        B13,
+        -((I21 * foS + I21o * f_vb + (I22 * gvoS3 + I22o * gvb3) + (I23 * S31o + I23o * S31)) / 2),
+        -((I21 * S12o + I21o * S12 + (I22 * foS + I22o * f_vb) + (I23 * gvoS1 + I23o * gvb1)) / 2),
+        -((I21 * gvoS2 + I21o * gvb2 + (I22 * S23o + I22o * S23) + (I23 * foS + I23o * f_vb)) / 2),
+        B21,
+        B22,
+        B23,
+        -((I31 * foS + I31o * f_vb + (I32 * gvoS3 + I32o * gvb3) + (I33 * S31o + I33o * S31)) / 2),
+        -((I31 * S12o + I31o * S12 + (I32 * foS + I32o * f_vb) + (I33 * gvoS1 + I33o * gvb1)) / 2),
+        -((I31 * gvoS2 + I31o * gvb2 + (I32 * S23o + I32o * S23) + (I33 * foS + I33o * f_vb)) / 2),
+        B31,
+        B32,
+        B33,
+    )
+
+
+def _own_between_jacobians_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, a: Rows, b: Rows
+) -> None:
+    a1, a2, a3, a1o, a2o, a3o = a
+    b1, b2, b3, b1o, b2o, b3o = b
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36, o37, o38, o39, o40, o41, o42, o43, o44, o45, o46,
+        o47, o48, o49, o50, o51, o52, o53, o54, o55, o56, o57, o58, o59, o60, o61, o62, o63, o64, o65, o66, o67, o68,
+        o69, o70, o71, o72,
+    ) = out
+    (
+        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
+        k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, k35, k36, k37, k38, k39, k40, k41, k42, k43, k44, k45, k46,
+        k47, k48, k49, k50, k51, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61,
+    ) = scratch
+    n0, n1, n2, n4, n8, n16 = numbers
+    bva1 = div(a1, n2, k1)
+    minus_b1 = neg(b1, k2)
+    bvb1 = div(minus_b1, n2, k3)
+    minus_b2 = neg(b2, k4)
+    bvb2 = div(minus_b2, n2, k5)
+    bva3 = div(a3, n2, k6)
+    minus_b3 = neg(b3, k7)
+    bvb3 = div(minus_b3, n2, k8)
+    bva2 = div(a2, n2, k9)
+    z1 = add(add(bva1, bvb1, k10), sub(mul(bvb2, bva3, k11), mul(bvb3, bva2, k12), k11), k10)
+    z0 = sub(n1, add(add(mul(bvb1, bva1, k11), mul(bvb2, bva2, k12), k11), mul(bvb3, bva3, k12), k11), k11)
+    gain = mul(n2, div(n1, z0, k12), k12)
+    v1 = mul(z1, gain, k10)
+    fi = mul(gain, z0, k11)
+    cvw1 = div(v1, n2, k13)
+    z3 = add(add(bva3, bvb3, k14), sub(mul(bvb1, bva2, k15), mul(bvb2, bva1, k16), k15), k14)
+    z2 = add(add(bva2, bvb2, k5), sub(mul(bvb3, bva1, k1), mul(bvb1, bva3, k3), k1), k1)
+    v3 = mul(z3, gain, k3)
+    v2 = mul(z2, gain, k1)
+    d13w = mul(cvw1, v3, k5)
+    sw2 = neg(v2, k6)
+    I31 = sub(d13w, sw2, k8)
+    I13 = add(d13w, sw2, k5)
+    cvw2 = div(v2, n2, k6)
+    d23w = mul(cvw2, v3, k9)
+    sw1 = neg(v1, k12)
+    I32 = add(d23w, sw1, k14)
+    I23 = sub(d23w, sw1, k9)
+    cvw3 = div(v3, n2, k12)
+    I33 = add(n2, mul(cvw3, v3, k15), k15)
+    v11b = mul(minus_b1, minus_b1, k16)
+    v22b = mul(minus_b2, minus_b2, k17)
+    x12b = add(v11b, v22b, k18)
+    v33b = mul(minus_b3, minus_b3, k19)
+    x23b = add(v22b, v33b, k17)
+    x13b = add(v11b, v33b, k16)
+    xb = add(x12b, v33b, k19)
+    zb = div(xb, n4, k19)
+    Nb = add(n1, zb, k19)
+    rb = mul(n2, div(div(Nb, Nb, k20), Nb, k20), k20)
+    eS = div(n2, Nb, k19)
+    egS = mul(eS, rb, k19)
+    fyS = neg(egS, k19)
+    g_vb = div(rb, n4, k21)
+    f_vb = div(rb, n2, k20)
+    Qb11 = sub(n1, mul(g_vb, x23b, k17), k17)
+    Qb22 = sub(n1, mul(g_vb, x13b, k16), k16)
+    Qb33 = sub(n1, mul(g_vb, x12b, k18), k18)
+    gvb2 = mul(minus_b2, g_vb, k22)
+    gvb1 = mul(minus_b1, g_vb, k23)
+    S23 = neg(gvb1, k24)
+    neg(div(add(add(mul(I31, gvb2, k25), mul(I32, S23, k26), k25), mul(I33, f_vb, k26), k25), n2, k25), o51)
+    gvb3 = mul(minus_b3, g_vb, k25)
+    S12 = neg(gvb3, k26)
+    neg(div(add(add(mul(I31, S12, k27), mul(I32, f_vb, k28), k27), mul(I33, gvb1, k28), k27), n2, k27), o50)
+    S31 = neg(gvb2, k27)
+    neg(div(add(add(mul(I31, f_vb, k28), mul(I32, gvb3, k29), k28), mul(I33, S31, k29), k28), n2, k28), o49)
+    v11a = mul(a1, a1, k28)
+    v22a = mul(a2, a2, k29)
+    v33a = mul(a3, a3, k30)
+    xa = add(add(v11a, v22a, k28), v33a, k28)
+    za = div(xa, n4, k28)
+    Na = add(n1, za, k28)
+    ra = mul(n2, div(div(Na, Na, k29), Na, k29), k29)
+    eF = div(n2, Na, k28)
+    egF = mul(eF, ra, k28)
+    fyF = neg(egF, k28)
+    f_va = div(ra, n2, k30)
+    g_va = div(ra, n4, k29)
+    gva1 = mul(a1, g_va, k31)
+    gva2 = mul(a2, g_va, k32)
+    rhoa3 = add(mul(a3o, f_va, k33), sub(mul(gva1, a2o, k34), mul(gva2, a1o, k35), k34), k33)
+    gva3 = mul(a3, g_va, k34)
+    rhoa2 = add(mul(a2o, f_va, k35), sub(mul(gva3, a1o, k36), mul(gva1, a3o, k37), k36), k35)
+    v_rho1 = sub(mul(minus_b2, rhoa3, k36), mul(minus_b3, rhoa2, k37), k36)
+    rhoa1 = add(mul(a1o, f_va, k37), sub(mul(gva2, a3o, k38), mul(gva3, a2o, k39), k38), k37)
+    v_rho3 = sub(mul(minus_b1, rhoa2, k38), mul(minus_b2, rhoa1, k39), k38)
+    gv_rho3 = mul(v_rho3, g_vb, k39)
+    v_rho2 = sub(mul(minus_b3, rhoa1, k40), mul(minus_b1, rhoa3, k41), k40)
+    gv_rho2 = mul(v_rho2, g_vb, k41)
+    minus_b4 = neg(b1o, k42)
+    minus_b6 = neg(b3o, k43)
+    minus_b5 = neg(b2o, k44)
+    rhob1 = add(mul(minus_b4, f_vb, k45), sub(mul(gvb2, minus_b6, k46), mul(gvb3, minus_b5, k47), k46), k45)
+    rho1 = add(
+        add(rhoa1, add(mul(v_rho1, f_vb, k46), sub(mul(minus_b2, gv_rho3, k47), mul(minus_b3, gv_rho2, k48), k47), k46),
+        k37), rhob1, k37
+    )
+    gv_rho1 = mul(v_rho1, g_vb, k36)
+    rhob2 = add(mul(minus_b5, f_vb, k46), sub(mul(gvb3, minus_b4, k47), mul(gvb1, minus_b6, k48), k47), k46)
+    rho2 = add(
+        add(rhoa2, add(mul(v_rho2, f_vb, k40), sub(mul(minus_b3, gv_rho1, k47), mul(minus_b1, gv_rho3, k39), k39), k39),
+        k35), rhob2, k35
+    )
+    rhob3 = add(mul(minus_b6, f_vb, k39), sub(mul(gvb1, minus_b5, k40), mul(gvb2, minus_b4, k47), k40), k39)
+    rho3 = add(
+        add(rhoa3, add(mul(v_rho3, f_vb, k38), sub(mul(minus_b1, gv_rho2, k40), mul(minus_b2, gv_rho1, k36), k36), k36),
+        k33), rhob3, k33
+    )
+    hvr = div(add(add(mul(v1, rho1, k36), mul(v2, rho2, k38), k36), mul(v3, rho3, k38), k36), n2, k36)
+    w6 = div(
+        add(sub(mul(rho3, fi, k38), sub(mul(v1, rho2, k40), mul(v2, rho1, k41), k40), k38), mul(v3, hvr, k40), k38), n2,
+        k38
+    )
+    w4 = div(
+        add(sub(mul(rho1, fi, k40), sub(mul(v2, rho3, k41), mul(v3, rho2, k47), k41), k40), mul(v1, hvr, k41), k40), n2,
+        k40
+    )
+    w5 = div(
+        add(sub(mul(rho2, fi, k11), sub(mul(v3, rho1, k35), mul(v1, rho3, k33), k33), k11), mul(v2, hvr, k33), k11), n2,
+        k11
+    )
+    cvow1 = div(w4, n2, k33)
+    d13ow = add(mul(cvw1, w6, k35), mul(cvow1, v3, k36), k35)
+    sow2 = neg(w5, k36)
+    I31o = sub(d13ow, sow2, k37)
+    I13o = add(d13ow, sow2, k35)
+    cvow2 = div(w5, n2, k36)
+    d23ow = add(mul(cvw2, w6, k41), mul(cvow2, v3, k47), k41)
+    I22o = add(mul(cvw2, w5, k47), mul(cvow2, v2, k36), k36)
+    I22 = add(n2, mul(cvw2, v2, k6), k6)
+    d12ow = add(mul(cvw1, w5, k11), mul(cvow1, v2, k47), k11)
+    d12w = mul(cvw1, v2, k1)
+    I11o = add(mul(cvw1, w4, k47), mul(cvow1, v1, k33), k33)
+    I11 = add(n2, mul(cvw1, v1, k10), k10)
+    sow1 = neg(w4, k13)
+    I32o = add(d23ow, sow1, k40)
+    I23o = sub(d23ow, sow1, k13)
+    cvow3 = div(w6, n2, k41)
+    I33o = add(mul(cvw3, w6, k12), mul(cvow3, v3, k41), k12)
+    sw3 = neg(v3, k3)
+    sow3 = neg(w6, k38)
+    yb = add(add(mul(minus_b1, minus_b4, k41), mul(minus_b2, minus_b5, k47), k41), mul(minus_b3, minus_b6, k47), k41)
+    gy_vS = div(fyS, n16, k47)
+    goS = mul(gy_vS, yb, k47)
+    gvoS2 = add(mul(minus_b5, g_vb, k44), mul(minus_b2, goS, k48), k44)
+    gvoS1 = add(mul(minus_b4, g_vb, k42), mul(minus_b1, goS, k48), k42)
+    gvoS3 = add(mul(minus_b6, g_vb, k21), mul(minus_b3, goS, k43), k21)
+    fy_vS = div(fyS, n8, k19)
+    foS = mul(fy_vS, yb, k19)
+    fvb1 = mul(minus_b1, f_vb, k2)
+    S23o = neg(gvoS1, k41)
+    neg(
+        div(add(add(add(mul(I31, gvoS2, k43), mul(I31o, gvb2, k47), k43), add(mul(I32, S23o, k47), mul(I32o, S23, k48),
+        k47), k43), add(mul(I33, foS, k47), mul(I33o, f_vb, k48), k47), k43), n2, k43), o69
+    )
+    S12o = neg(gvoS3, k43)
+    neg(
+        div(add(add(add(mul(I31, S12o, k47), mul(I31o, S12, k48), k47), add(mul(I32, foS, k48), mul(I32o, f_vb, k49),
+        k48), k47), add(mul(I33, gvoS1, k48), mul(I33o, gvb1, k49), k48), k47), n2, k47), o68
+    )
+    S31o = neg(gvoS2, k47)
+    neg(
+        div(add(add(add(mul(I31, foS, k48), mul(I31o, f_vb, k49), k48), add(mul(I32, gvoS3, k49), mul(I32o, gvb3, k50),
+        k49), k48), add(mul(I33, S31o, k49), mul(I33o, S31, k50), k49), k48), n2, k48), o67
+    )
+    I21 = add(d12w, sw3, k48)
+    I12 = sub(d12w, sw3, k1)
+    neg(div(add(add(mul(I21, gvb2, k3), mul(I22, S23, k49), k3), mul(I23, f_vb, k49), k3), n2, k3), o45)
+    neg(div(add(add(mul(I21, S12, k3), mul(I22, f_vb, k49), k3), mul(I23, gvb1, k49), k3), n2, k3), o44)
+    neg(div(add(add(mul(I21, f_vb, k3), mul(I22, gvb3, k49), k3), mul(I23, S31, k49), k3), n2, k3), o43)
+    neg(div(add(add(mul(I11, gvb2, k3), mul(I12, S23, k49), k3), mul(I13, f_vb, k49), k3), n2, k3), o39)
+    neg(div(add(add(mul(I11, S12, k3), mul(I12, f_vb, k49), k3), mul(I13, gvb1, k49), k3), n2, k3), o38)
+    neg(div(add(add(mul(I11, f_vb, k3), mul(I12, gvb3, k49), k3), mul(I13, S31, k49), k3), n2, k3), o37)
+    I21o = add(d12ow, sow3, k3)
+    I12o = sub(d12ow, sow3, k11)
+    neg(
+        div(add(add(add(mul(I21, gvoS2, k38), mul(I21o, gvb2, k49), k38), add(mul(I22, S23o, k49), mul(I22o, S23, k50),
+        k49), k38), add(mul(I23, foS, k49), mul(I23o, f_vb, k50), k49), k38), n2, k38), o63
+    )
+    neg(
+        div(add(add(add(mul(I11, gvoS2, k38), mul(I11o, gvb2, k44), k38), add(mul(I12, S23o, k41), mul(I12o, S23, k24),
+        k24), k24), add(mul(I13, foS, k38), mul(I13o, f_vb, k41), k38), k24), n2, k24), o57
+    )
+    neg(
+        div(add(add(add(mul(I21, S12o, k24), mul(I21o, S12, k38), k24), add(mul(I22, foS, k38), mul(I22o, f_vb, k41),
+        k38), k24), add(mul(I23, gvoS1, k38), mul(I23o, gvb1, k41), k38), k24), n2, k24), o62
+    )
+    neg(
+        div(add(add(add(mul(I11, S12o, k24), mul(I11o, S12, k26), k24), add(mul(I12, foS, k26), mul(I12o, f_vb, k38),
+        k26), k24), add(mul(I13, gvoS1, k26), mul(I13o, gvb1, k38), k26), k24), n2, k24), o56
+    )
+    neg(
+        div(add(add(add(mul(I21, foS, k24), mul(I21o, f_vb, k26), k24), add(mul(I22, gvoS3, k26), mul(I22o, gvb3, k38),
+        k26), k24), add(mul(I23, S31o, k26), mul(I23o, S31, k38), k26), k24), n2, k24), o61
+    )
+    neg(
+        div(add(add(add(mul(I11, foS, k19), mul(I11o, f_vb, k24), k19), add(mul(I12, gvoS3, k21), mul(I12o, gvb3, k24),
+        k21), k19), add(mul(I13, S31o, k21), mul(I13o, S31, k24), k21), k19), n2, k19), o55
+    )
+    gvvb3 = mul(gvb2, minus_b3, k19)
+    gvvb1 = mul(gvb1, minus_b2, k21)
+    gvvb2 = mul(gvb1, minus_b3, k22)
+    fvb3 = mul(minus_b3, f_vb, k7)
+    fvb2 = mul(minus_b2, f_vb, k4)
+    Qb12 = sub(gvvb1, fvb3, k20)
+    Qb21 = add(gvvb1, fvb3, k7)
+    Qb13 = add(gvvb2, fvb2, k21)
+    Qb31 = sub(gvvb2, fvb2, k4)
+    F23 = neg(gva1, k22)
+    RT13 = add(add(mul(Qb11, gva2, k23), mul(Qb12, F23, k24), k23), mul(Qb13, f_va, k24), k23)
+    Qb23 = sub(gvvb3, fvb1, k24)
+    Qb32 = add(gvvb3, fvb1, k2)
+    RT23 = add(add(mul(Qb21, gva2, k19), mul(Qb22, F23, k25), k19), mul(Qb23, f_va, k25), k19)
+    RT33 = add(add(mul(Qb31, gva2, k25), mul(Qb32, F23, k26), k25), mul(Qb33, f_va, k26), k25)
+    div(add(add(mul(I31, RT13, k26), mul(I32, RT23, k27), k26), mul(I33, RT33, k27), k26), n2, o15)
+    div(add(add(mul(I21, RT13, k26), mul(I22, RT23, k27), k26), mul(I23, RT33, k27), k26), n2, o9)
+    div(add(add(mul(I11, RT13, k26), mul(I12, RT23, k27), k26), mul(I13, RT33, k27), k26), n2, o3)
+    F12 = neg(gva3, k26)
+    RT12 = add(add(mul(Qb11, F12, k27), mul(Qb12, f_va, k38), k27), mul(Qb13, gva1, k38), k27)
+    RT22 = add(add(mul(Qb21, F12, k38), mul(Qb22, f_va, k41), k38), mul(Qb23, gva1, k41), k38)
+    RT32 = add(add(mul(Qb31, F12, k41), mul(Qb32, f_va, k42), k41), mul(Qb33, gva1, k42), k41)
+    div(add(add(mul(I31, RT12, k42), mul(I32, RT22, k43), k42), mul(I33, RT32, k43), k42), n2, o14)
+    div(add(add(mul(I21, RT12, k42), mul(I22, RT22, k43), k42), mul(I23, RT32, k43), k42), n2, o8)
+    div(add(add(mul(I11, RT12, k42), mul(I12, RT22, k43), k42), mul(I13, RT32, k43), k42), n2, o2)
+    F31 = neg(gva2, k42)
+    RT11 = add(add(mul(Qb11, f_va, k43), mul(Qb12, gva3, k44), k43), mul(Qb13, F31, k44), k43)
+    RT21 = add(add(mul(Qb21, f_va, k44), mul(Qb22, gva3, k47), k44), mul(Qb23, F31, k47), k44)
+    RT31 = add(add(mul(Qb31, f_va, k47), mul(Qb32, gva3, k49), k47), mul(Qb33, F31, k49), k47)
+    div(add(add(mul(I31, RT11, k49), mul(I32, RT21, k50), k49), mul(I33, RT31, k50), k49), n2, o13)
+    div(add(add(mul(I21, RT11, k49), mul(I22, RT21, k50), k49), mul(I23, RT31, k50), k49), n2, o7)
+    div(add(add(mul(I11, RT11, k49), mul(I12, RT21, k50), k49), mul(I13, RT31, k50), k49), n2, o1)
+    R11o = sub(mul(Qb31, rhob2, k49), mul(Qb21, rhob3, k50), k49)
+    R12o = sub(mul(Qb32, rhob2, k50), mul(Qb22, rhob3, k51), k50)
+    R13o = sub(mul(Qb33, rhob2, k51), mul(Qb23, rhob3, k52), k51)
+    gy_vF = div(fyF, n16, k52)
+    fy_vF = div(fyF, n8, k28)
+    ya = add(add(mul(a1, a1o, k53), mul(a2, a2o, k54), k53), mul(a3, a3o, k54), k53)
+    goF = mul(gy_vF, ya, k52)
+    foF = mul(fy_vF, ya, k28)
+    gvoF2 = add(mul(a2o, g_va, k53), mul(a2, goF, k54), k53)
+    gvoF1 = add(mul(a1o, g_va, k54), mul(a1, goF, k55), k54)
+    gvoF3 = add(mul(a3o, g_va, k29), mul(a3, goF, k52), k29)
+    F23o = neg(gvoF1, k52)
+    RT13o = add(
+        add(add(mul(Qb11, gvoF2, k55), mul(R11o, gva2, k56), k55), add(mul(Qb12, F23o, k56), mul(R12o, F23, k57), k56),
+        k55), add(mul(Qb13, foF, k56), mul(R13o, f_va, k57), k56), k55
+    )
+    R22o = sub(mul(Qb12, rhob3, k56), mul(Qb32, rhob1, k57), k56)
+    R21o = sub(mul(Qb11, rhob3, k57), mul(Qb31, rhob1, k58), k57)
+    R23o = sub(mul(Qb13, rhob3, k39), mul(Qb33, rhob1, k58), k39)
+    RT23o = add(
+        add(add(mul(Qb21, gvoF2, k58), mul(R21o, gva2, k59), k58), add(mul(Qb22, F23o, k59), mul(R22o, F23, k60), k59),
+        k58), add(mul(Qb23, foF, k59), mul(R23o, f_va, k60), k59), k58
+    )
+    R33o = sub(mul(Qb23, rhob1, k59), mul(Qb13, rhob2, k60), k59)
+    R31o = sub(mul(Qb21, rhob1, k60), mul(Qb11, rhob2, k61), k60)
+    R32o = sub(mul(Qb22, rhob1, k45), mul(Qb12, rhob2, k46), k45)
+    RT33o = add(
+        add(add(mul(Qb31, gvoF2, k46), mul(R31o, gva2, k32), k32), add(mul(Qb32, F23o, k46), mul(R32o, F23, k22), k22),
+        k22), add(mul(Qb33, foF, k32), mul(R33o, f_va, k46), k32), k22
+    )
+    div(
+        add(add(add(mul(I31, RT13o, k32), mul(I31o, RT13, k46), k32), add(mul(I32, RT23o, k46), mul(I32o, RT23, k52),
+        k46), k32), add(mul(I33, RT33o, k46), mul(I33o, RT33, k52), k46), k32), n2, o33
+    )
+    F31o = neg(gvoF2, k32)
+    div(
+        add(add(add(mul(I21, RT13o, k46), mul(I21o, RT13, k52), k46), add(mul(I22, RT23o, k52), mul(I22o, RT23, k53),
+        k52), k46), add(mul(I23, RT33o, k52), mul(I23o, RT33, k53), k52), k46), n2, o27
+    )
+    div(
+        add(add(add(mul(I11, RT13o, k46), mul(I11o, RT13, k23), k23), add(mul(I12, RT23o, k46), mul(I12o, RT23, k19),
+        k19), k19), add(mul(I13, RT33o, k22), mul(I13o, RT33, k23), k22), k19), n2, o21
+    )
+    F12o = neg(gvoF3, k19)
+    RT12o = add(
+        add(add(mul(Qb11, F12o, k22), mul(R11o, F12, k23), k22), add(mul(Qb12, foF, k23), mul(R12o, f_va, k25), k23),
+        k22), add(mul(Qb13, gvoF1, k23), mul(R13o, gva1, k25), k23), k22
+    )
+    RT11o = add(
+        add(add(mul(Qb11, foF, k17), mul(R11o, f_va, k23), k17), add(mul(Qb12, gvoF3, k20), mul(R12o, gva3, k23), k20),
+        k17), add(mul(Qb13, F31o, k20), mul(R13o, F31, k21), k20), k17
+    )
+    RT22o = add(
+        add(add(mul(Qb21, F12o, k20), mul(R21o, F12, k21), k20), add(mul(Qb22, foF, k21), mul(R22o, f_va, k23), k21),
+        k20), add(mul(Qb23, gvoF1, k21), mul(R23o, gva1, k23), k21), k20
+    )
+    RT21o = add(
+        add(add(mul(Qb21, foF, k7), mul(R21o, f_va, k21), k7), add(mul(Qb22, gvoF3, k16), mul(R22o, gva3, k21), k16),
+        k7), add(mul(Qb23, F31o, k16), mul(R23o, F31, k21), k16), k7
+    )
+    RT32o = add(
+        add(add(mul(Qb31, F12o, k16), mul(R31o, F12, k19), k16), add(mul(Qb32, foF, k19), mul(R32o, f_va, k21), k19),
+        k16), add(mul(Qb33, gvoF1, k19), mul(R33o, gva1, k21), k19), k16
+    )
+    RT31o = add(
+        add(add(mul(Qb31, foF, k4), mul(R31o, f_va, k19), k4), add(mul(Qb32, gvoF3, k2), mul(R32o, gva3, k19), k2), k2),
+        add(mul(Qb33, F31o, k4), mul(R33o, F31, k18), k4), k2
+    )
+    div(
+        add(add(add(mul(I31, RT12o, k4), mul(I31o, RT12, k18), k4), add(mul(I32, RT22o, k18), mul(I32o, RT22, k19),
+        k18), k4), add(mul(I33, RT32o, k18), mul(I33o, RT32, k19), k18), k4), n2, o32
+    )
+    div(
+        add(add(add(mul(I31, RT11o, k4), mul(I31o, RT11, k8), k4), add(mul(I32, RT21o, k8), mul(I32o, RT21, k14), k8),
+        k4), add(mul(I33, RT31o, k8), mul(I33o, RT31, k12), k8), k4), n2, o31
+    )
+    div(
+        add(add(add(mul(I21, RT12o, k4), mul(I21o, RT12, k8), k4), add(mul(I22, RT22o, k8), mul(I22o, RT22, k12), k8),
+        k4), add(mul(I23, RT32o, k8), mul(I23o, RT32, k12), k8), k4), n2, o26
+    )
+    div(
+        add(add(add(mul(I21, RT11o, k4), mul(I21o, RT11, k3), k3), add(mul(I22, RT21o, k4), mul(I22o, RT21, k6), k4),
+        k3), add(mul(I23, RT31o, k4), mul(I23o, RT31, k6), k4), k3), n2, o25
+    )
+    div(
+        add(add(add(mul(I11, RT12o, k3), mul(I11o, RT12, k4), k3), add(mul(I12, RT22o, k4), mul(I12o, RT22, k6), k4),
+        k3), add(mul(I13, RT32o, k4), mul(I13o, RT32, k6), k4), k3), n2, o20
+    )
+    div(
+        add(add(add(mul(I11, RT11o, k3), mul(I11o, RT11, k4), k3), add(mul(I12, RT21o, k1), mul(I12o, RT21, k4), k1),
+        k1), add(mul(I13, RT31o, k2), mul(I13o, RT31, k3), k2), k1), n2, o19
+    )
+    copy(n0, o4)
+    copy(n0, o5)
+    copy(n0, o6)
+    copy(n0, o10)
+    copy(n0, o11)
+    copy(n0, o12)
+    copy(n0, o16)
+    copy(n0, o17)
+    copy(n0, o18)
+    copy(o1, o22)
+    copy(o2, o23)
+    copy(o3, o24)
+    copy(o7, o28)
+    copy(o8, o29)
+    copy(o9, o30)
+    copy(o13, o34)
+    copy(o14, o35)
+    copy(o15, o36)
+    copy(n0, o40)
+    copy(n0, o41)
+    copy(n0, o42)
+    copy(n0, o46)
+    copy(n0, o47)
+    copy(n0, o48)
+    copy(n0, o52)
+    copy(n0, o53)
+    copy(n0, o54)
+    copy(o37, o58)
+    copy(o38, o59)
+    copy(o39, o60)
+    copy(o43, o64)
+    copy(o44, o65)
+    copy(o45, o66)
+    copy(o49, o70)
+    copy(o50, o71)
+    copy(o51, o72)
+
+
 CHART = Chart(
     __name__,
     branches=1,
@@ -2149,54 +3104,13 @@ CHART = Chart(
     ),
     functions={
         "quaternion": Function(_quaternion, _quaternion_blocks, 0, 0, (-1, 1, 2, 4, 8)),
+        "pose": Function(_pose, _pose_blocks, 0, 0, (0, 1, 2, 4)),
+        "tangent": Function(_tangent, _tangent_blocks, 0, 0, (0, 1, 2, 4, 8, 16)),
+        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 0, 0, (0, 1, 2, 4, 8, 16, 32, 64)),
         "natural": Function(_natural, _natural_blocks, 0, 0, (1, 2, 4)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 2)),
     },
     own={
-        "tensor": Kernel(
-        _own_tensor,
-        _own_tensor_blocks,
-        (("v", (6,)),),
-        (2, 3, 3),
-        registers=7,
-        masks=0,
-        numbers=(1, 2, 4),
-        lent=(),
-        real=False,
-    ),
-        "pose": Kernel(
-        _own_pose,
-        _own_pose_blocks,
-        (("v", (6,)),),
-        (4, 4),
-        registers=7,
-        masks=0,
-        numbers=(0, 1, 2, 4),
-        lent=(),
-        real=False,
-    ),
-        "transform_point": Kernel(
-        _own_transform_point,
-        _own_transform_point_blocks,
-        (("v", (6,)), ("r", (3,)),),
-        (3,),
-        registers=13,
-        masks=0,
-        numbers=(1, 2, 4),
-        lent=(),
-        real=False,
-    ),
-        "transform_line": Kernel(
-        _own_transform_line,
-        _own_transform_line_blocks,
-        (("v", (6,)), ("line", (6,)),),
-        (6,),
-        registers=13,
-        masks=0,
-        numbers=(1, 2, 4),
-        lent=(),
-        real=False,
-    ),
         "tangent": Kernel(
         _own_tangent,
         _own_tangent_blocks,
@@ -2241,17 +3155,6 @@ CHART = Chart(
         lent=(),
         real=False,
     ),
-        "twist": Kernel(
-        _own_twist,
-        _own_twist_blocks,
-        (("v", (6,)), ("v_dot", (6,)),),
-        (6,),
-        registers=11,
-        masks=0,
-        numbers=(1, 2, 4, 8, 16),
-        lent=(),
-        real=False,
-    ),
         "rate": Kernel(
         _own_rate,
         _own_rate_blocks,
@@ -2269,17 +3172,6 @@ CHART = Chart(
         (("v", (6,)), ("v_dot", (6,)),),
         (2, 3, 3),
         registers=9,
-        masks=0,
-        numbers=(1, 2, 4, 8, 16, 32, 64),
-        lent=(),
-        real=False,
-    ),
-        "twist_dot": Kernel(
-        _own_twist_dot,
-        _own_twist_dot_blocks,
-        (("v", (6,)), ("v_dot", (6,)), ("v_ddot", (6,)),),
-        (6,),
-        registers=14,
         masks=0,
         numbers=(1, 2, 4, 8, 16, 32, 64),
         lent=(),
@@ -2362,11 +3254,47 @@ CHART = Chart(
         lent=(),
         real=True,
     ),
+        "between": Kernel(
+        _own_between,
+        _own_between_blocks,
+        (("v2", (6,)), ("v1", (6,)),),
+        (6,),
+        registers=21,
+        masks=0,
+        numbers=(1, 2, 4),
+        lent=(),
+        real=True,
+    ),
+        "compose_jacobians": Kernel(
+        _own_compose_jacobians,
+        _own_compose_jacobians_blocks,
+        (("v2", (6,)), ("v1", (6,)),),
+        (72,),
+        registers=61,
+        masks=0,
+        numbers=(0, 1, 2, 4, 8, 16),
+        lent=(),
+        real=True,
+    ),
+        "between_jacobians": Kernel(
+        _own_between_jacobians,
+        _own_between_jacobians_blocks,
+        (("v2", (6,)), ("v1", (6,)),),
+        (72,),
+        registers=61,
+        masks=0,
+        numbers=(0, 1, 2, 4, 8, 16),
+        lent=(),
+        real=True,
+    ),
     },
 )
 
 KERNELS = PoseKernels(CHART)
 
+adjoint = KERNELS.adjoint
+between = KERNELS.between
+between_jacobians = KERNELS.between_jacobians
 body_cotangent = KERNELS.body_cotangent
 body_cotangent_jacobian = KERNELS.body_cotangent_jacobian
 body_rate = KERNELS.body_rate
@@ -2379,6 +3307,7 @@ body_twist = KERNELS.body_twist
 body_twist_dot = KERNELS.body_twist_dot
 body_twist_jacobian = KERNELS.body_twist_jacobian
 compose = KERNELS.compose
+compose_jacobians = KERNELS.compose_jacobians
 cotangent = KERNELS.cotangent
 cotangent_jacobian = KERNELS.cotangent_jacobian
 from_pose = KERNELS.from_pose
@@ -2402,7 +3331,9 @@ tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_screw = KERNELS.to_screw
 transform_line = KERNELS.transform_line
+transform_line_jacobians = KERNELS.transform_line_jacobians
 transform_point = KERNELS.transform_point
+transform_point_jacobians = KERNELS.transform_point_jacobians
 twist = KERNELS.twist
 twist_dot = KERNELS.twist_dot
 twist_jacobian = KERNELS.twist_jacobian

@@ -58,6 +58,12 @@
 #   shadow: 109: 27 +, 40 *, 14 /, 1 neg, 7 abs, 2 sqrt, 4 lt, 3 eq, 1 and, 1 or, 9 where
 #   principal: 60: 15 +, 24 *, 9 /, 1 sqrt, 2 lt, 9 where
 #   compose: 256: 86 +, 141 *, 24 /, 1 neg, 1 sqrt, 1 lt, 2 where
+#   between: 262: 86 +, 141 *, 24 /, 7 neg, 1 sqrt, 1 lt, 2 where
+#   compose_jacobians: 1082: 413 +, 570 *, 87 /, 8 neg, 1 sqrt, 1 lt, 2 where
+#   between_jacobians: 1106: 413 +, 570 *, 87 /, 32 neg, 1 sqrt, 1 lt, 2 where
+#   adjoint: 106: 39 +, 61 *, 6 /
+#   transform_point_jacobians: 233: 98 +, 122 *, 10 /, 3 neg
+#   transform_line_jacobians: 332: 131 +, 185 *, 10 /, 6 neg
 r"""Normal Rodrigues vector of order 4: Rodrigues dual vectors ``v = 8 tan(α/8) u`` of rigid displacements.
 
 .. math::
@@ -86,12 +92,13 @@ from ._interface import PoseKernels
 from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "body_cotangent", "body_cotangent_jacobian", "body_rate", "body_rate_dot", "body_rate_jacobian", "body_tangent",
-    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
-    "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity",
-    "inverse", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow",
-    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
-    "transform_point", "twist", "twist_dot", "twist_jacobian",
+    "adjoint", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_rate",
+    "body_rate_dot", "body_rate_jacobian", "body_tangent", "body_tangent_dot", "body_tangent_inv", "body_twist",
+    "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians", "cotangent", "cotangent_jacobian",
+    "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity", "inverse", "pose", "principal",
+    "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow", "singular_angles", "tangent", "tangent_dot",
+    "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
+    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 4
@@ -757,6 +764,9 @@ CHART = Chart(
 
 KERNELS = PoseKernels(CHART)
 
+adjoint = KERNELS.adjoint
+between = KERNELS.between
+between_jacobians = KERNELS.between_jacobians
 body_cotangent = KERNELS.body_cotangent
 body_cotangent_jacobian = KERNELS.body_cotangent_jacobian
 body_rate = KERNELS.body_rate
@@ -769,6 +779,7 @@ body_twist = KERNELS.body_twist
 body_twist_dot = KERNELS.body_twist_dot
 body_twist_jacobian = KERNELS.body_twist_jacobian
 compose = KERNELS.compose
+compose_jacobians = KERNELS.compose_jacobians
 cotangent = KERNELS.cotangent
 cotangent_jacobian = KERNELS.cotangent_jacobian
 from_pose = KERNELS.from_pose
@@ -792,7 +803,9 @@ tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_screw = KERNELS.to_screw
 transform_line = KERNELS.transform_line
+transform_line_jacobians = KERNELS.transform_line_jacobians
 transform_point = KERNELS.transform_point
+transform_point_jacobians = KERNELS.transform_point_jacobians
 twist = KERNELS.twist
 twist_dot = KERNELS.twist_dot
 twist_jacobian = KERNELS.twist_jacobian

@@ -58,6 +58,12 @@
 #   shadow: 97: 25 +, 38 *, 14 /, 6 abs, 2 sqrt, 2 lt, 2 eq, 8 where
 #   principal: 57: 15 +, 24 *, 9 /, 1 sqrt, 1 lt, 7 where
 #   compose: 209: 71 +, 111 *, 23 /, 1 neg, 1 lt, 2 where
+#   between: 215: 71 +, 111 *, 23 /, 7 neg, 1 lt, 2 where
+#   compose_jacobians: 940: 371 +, 480 *, 76 /, 10 neg, 1 lt, 2 where
+#   between_jacobians: 964: 371 +, 480 *, 76 /, 34 neg, 1 lt, 2 where
+#   adjoint: 96: 35 +, 55 *, 6 /
+#   transform_point_jacobians: 215: 91 +, 110 *, 10 /, 4 neg
+#   transform_line_jacobians: 314: 124 +, 173 *, 10 /, 7 neg
 r"""Wiener-Milenkovic vector: Rodrigues dual vectors ``v = 4 tan(α/4) u`` of rigid displacements.
 
 .. math::
@@ -86,12 +92,13 @@ from ._interface import PoseKernels
 from ._kernel import Components, Kernel, Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "body_cotangent", "body_cotangent_jacobian", "body_rate", "body_rate_dot", "body_rate_jacobian", "body_tangent",
-    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
-    "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity",
-    "inverse", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow",
-    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
-    "transform_point", "twist", "twist_dot", "twist_jacobian",
+    "adjoint", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_rate",
+    "body_rate_dot", "body_rate_jacobian", "body_tangent", "body_tangent_dot", "body_tangent_inv", "body_twist",
+    "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians", "cotangent", "cotangent_jacobian",
+    "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity", "inverse", "pose", "principal",
+    "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow", "singular_angles", "tangent", "tangent_dot",
+    "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
+    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 2
@@ -1502,6 +1509,1855 @@ def _own_compose_blocks(
     div(add(sub(mul(rho3, fi, k1), sub(mul(v1, rho2, k4), mul(v2, rho1, k3), k3), k1), mul(v3, hvr, k2), k1), n2, o6)
 
 
+# operations 215: 71 +, 111 *, 23 /, 7 neg, 1 lt, 2 where
+def _own_between(m: Any, c: Any, a: Components, b: Components) -> Result:
+    a1, a2, a3, a1o, a2o, a3o = a
+    b1, b2, b3, b1o, b2o, b3o = b
+    minus_b1 = -b1
+    minus_b2 = -b2
+    minus_b3 = -b3
+    minus_b4 = -b1o
+    minus_b5 = -b2o
+    minus_b6 = -b3o
+    v11b = minus_b1 * minus_b1
+    v22b = minus_b2 * minus_b2
+    v33b = minus_b3 * minus_b3
+    xb = v11b + v22b + v33b
+    zb = xb / 16
+    pb = 1 - zb
+    rootb = 1 + zb
+    Nb = pb * pb + 4 * zb
+    rb = 2 * (Nb / Nb / Nb)
+    fb = 2 * pb * rb
+    f_vb = fb / 4
+    gb = 4 * rb
+    g_vb = gb / 16
+    h_vb = gb / 64
+    bvb1 = minus_b1 / 2
+    bvb2 = minus_b2 / 2
+    bvb3 = minus_b3 / 2
+    v11a = a1 * a1
+    v22a = a2 * a2
+    v33a = a3 * a3
+    xa = v11a + v22a + v33a
+    za = xa / 16
+    pa = 1 - za
+    roota = 1 + za
+    Na = pa * pa + 4 * za
+    ra = 2 * (Na / Na / Na)
+    fa = 2 * pa * ra
+    f_va = fa / 4
+    ga = 4 * ra
+    g_va = ga / 16
+    h_va = ga / 64
+    bva1 = a1 / 2
+    bva2 = a2 / 2
+    bva3 = a3 / 2
+    z0 = pb * pa - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
+    z1 = bva1 * pb + bvb1 * pa + (bvb2 * bva3 - bvb3 * bva2)
+    z2 = bva2 * pb + bvb2 * pa + (bvb3 * bva1 - bvb1 * bva3)
+    z3 = bva3 * pb + bvb3 * pa + (bvb1 * bva2 - bvb2 * bva1)
+    gva1 = a1 * g_va
+    gva2 = a2 * g_va
+    gva3 = a3 * g_va
+    ya = a1 * a1o + a2 * a2o + a3 * a3o
+    alonga = h_va * ya
+    rhoa1 = a1o * f_va + (gva2 * a3o - gva3 * a2o) + a1 * alonga
+    rhoa2 = a2o * f_va + (gva3 * a1o - gva1 * a3o) + a2 * alonga
+    rhoa3 = a3o * f_va + (gva1 * a2o - gva2 * a1o) + a3 * alonga
+    v_rho1 = minus_b2 * rhoa3 - minus_b3 * rhoa2
+    v_rho2 = minus_b3 * rhoa1 - minus_b1 * rhoa3
+    v_rho3 = minus_b1 * rhoa2 - minus_b2 * rhoa1
+    gv_rho1 = v_rho1 * g_vb
+    gv_rho2 = v_rho2 * g_vb
+    gv_rho3 = v_rho3 * g_vb
+    gvb1 = minus_b1 * g_vb
+    gvb2 = minus_b2 * g_vb
+    gvb3 = minus_b3 * g_vb
+    yb = minus_b1 * minus_b4 + minus_b2 * minus_b5 + minus_b3 * minus_b6
+    alongb = h_vb * yb
+    rho1 = (
+        rhoa1 + (v_rho1 * f_vb + (minus_b2 * gv_rho3 - minus_b3 * gv_rho2)) + (minus_b4 * f_vb + (gvb2 * minus_b6 - gvb3
+        * minus_b5) + minus_b1 * alongb)
+    )
+    rho2 = (
+        rhoa2 + (v_rho2 * f_vb + (minus_b3 * gv_rho1 - minus_b1 * gv_rho3)) + (minus_b5 * f_vb + (gvb3 * minus_b4 - gvb1
+        * minus_b6) + minus_b2 * alongb)
+    )
+    rho3 = (
+        rhoa3 + (v_rho3 * f_vb + (minus_b1 * gv_rho2 - minus_b2 * gv_rho1)) + (minus_b6 * f_vb + (gvb1 * minus_b5 - gvb2
+        * minus_b4) + minus_b3 * alongb)
+    )
+    size = rootb * roota
+    negative = z0 < 0
+    cos = m.where(negative, -z0, z0)
+    gain = 4 * (m.where(negative, -1, 1) / (size + cos))
+    v1 = z1 * gain
+    v2 = z2 * gain
+    v3 = z3 * gain
+    fi = gain * z0
+    hvr = (v1 * rho1 + v2 * rho2 + v3 * rho3) / 4
+    return (
+        v1,
+        v2,
+        v3,
+        (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
+        (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
+        (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
+    )
+
+
+def _own_between_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, a: Rows, b: Rows
+) -> None:
+    a1, a2, a3, a1o, a2o, a3o = a
+    b1, b2, b3, b1o, b2o, b3o = b
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23 = scratch
+    mask1, = masks
+    n_minus_1, n0, n1, n2, n4, n16, n64 = numbers
+    minus_b1 = neg(b1, k1)
+    v11b = mul(minus_b1, minus_b1, k2)
+    minus_b2 = neg(b2, k3)
+    v22b = mul(minus_b2, minus_b2, k4)
+    minus_b3 = neg(b3, k5)
+    v33b = mul(minus_b3, minus_b3, k6)
+    xb = add(add(v11b, v22b, k2), v33b, k2)
+    zb = div(xb, n16, k2)
+    pb = sub(n1, zb, k4)
+    v11a = mul(a1, a1, k6)
+    v22a = mul(a2, a2, k7)
+    v33a = mul(a3, a3, k8)
+    xa = add(add(v11a, v22a, k6), v33a, k6)
+    za = div(xa, n16, k6)
+    pa = sub(n1, za, k7)
+    bvb1 = div(minus_b1, n2, k8)
+    bva1 = div(a1, n2, k9)
+    bvb2 = div(minus_b2, n2, k10)
+    bva2 = div(a2, n2, k11)
+    bvb3 = div(minus_b3, n2, k12)
+    bva3 = div(a3, n2, k13)
+    z0 = sub(
+        mul(pb, pa, k14), add(add(mul(bvb1, bva1, k15), mul(bvb2, bva2, k16), k15), mul(bvb3, bva3, k16), k15), k14
+    )
+    negative = m.less(z0, n0, mask1)
+    cos = m.where(negative, neg(z0, k15), z0, k15)
+    rootb = add(n1, zb, k16)
+    Nb = add(mul(pb, pb, k17), mul(n4, zb, k2), k2)
+    rb = mul(n2, div(div(Nb, Nb, k17), Nb, k2), k2)
+    roota = add(n1, za, k17)
+    size = mul(rootb, roota, k16)
+    gain = mul(n4, div(m.where(negative, n_minus_1, n1, k17), add(size, cos, k15), k15), k15)
+    Na = add(mul(pa, pa, k16), mul(n4, za, k6), k6)
+    ra = mul(n2, div(div(Na, Na, k16), Na, k6), k6)
+    fi = mul(gain, z0, k14)
+    z1 = add(
+        add(mul(bva1, pb, k16), mul(bvb1, pa, k17), k16), sub(mul(bvb2, bva3, k17), mul(bvb3, bva2, k18), k17), k16
+    )
+    v1 = mul(z1, gain, o1)
+    z2 = add(
+        add(mul(bva2, pb, k16), mul(bvb2, pa, k17), k16), sub(mul(bvb3, bva1, k17), mul(bvb1, bva3, k18), k17), k16
+    )
+    z3 = add(add(mul(bva3, pb, k13), mul(bvb3, pa, k12), k12), sub(mul(bvb1, bva2, k8), mul(bvb2, bva1, k9), k8), k8)
+    v2 = mul(z2, gain, o2)
+    v3 = mul(z3, gain, o3)
+    fa = mul(mul(n2, pa, k7), ra, k7)
+    f_va = div(fa, n4, k7)
+    ga = mul(n4, ra, k6)
+    fb = mul(mul(n2, pb, k4), rb, k4)
+    gb = mul(n4, rb, k2)
+    f_vb = div(fb, n4, k4)
+    g_va = div(ga, n16, k8)
+    h_va = div(ga, n64, k6)
+    gva1 = mul(a1, g_va, k9)
+    gva2 = mul(a2, g_va, k10)
+    gva3 = mul(a3, g_va, k8)
+    ya = add(add(mul(a1, a1o, k11), mul(a2, a2o, k12), k11), mul(a3, a3o, k12), k11)
+    alonga = mul(h_va, ya, k6)
+    rhoa3 = add(
+        add(mul(a3o, f_va, k11), sub(mul(gva1, a2o, k12), mul(gva2, a1o, k13), k12), k11), mul(a3, alonga, k12), k11
+    )
+    rhoa2 = add(
+        add(mul(a2o, f_va, k12), sub(mul(gva3, a1o, k13), mul(gva1, a3o, k9), k9), k9), mul(a2, alonga, k12), k9
+    )
+    rhoa1 = add(add(mul(a1o, f_va, k7), sub(mul(gva2, a3o, k10), mul(gva3, a2o, k8), k8), k7), mul(a1, alonga, k6), k6)
+    v_rho1 = sub(mul(minus_b2, rhoa3, k7), mul(minus_b3, rhoa2, k8), k7)
+    v_rho3 = sub(mul(minus_b1, rhoa2, k8), mul(minus_b2, rhoa1, k10), k8)
+    g_vb = div(gb, n16, k10)
+    h_vb = div(gb, n64, k2)
+    gv_rho3 = mul(v_rho3, g_vb, k12)
+    v_rho2 = sub(mul(minus_b3, rhoa1, k13), mul(minus_b1, rhoa3, k15), k13)
+    gv_rho2 = mul(v_rho2, g_vb, k15)
+    gvb2 = mul(minus_b2, g_vb, k16)
+    gvb3 = mul(minus_b3, g_vb, k17)
+    minus_b4 = neg(b1o, k18)
+    minus_b5 = neg(b2o, k19)
+    minus_b6 = neg(b3o, k20)
+    yb = add(add(mul(minus_b1, minus_b4, k21), mul(minus_b2, minus_b5, k22), k21), mul(minus_b3, minus_b6, k22), k21)
+    alongb = mul(h_vb, yb, k2)
+    rho1 = add(
+        add(rhoa1, add(mul(v_rho1, f_vb, k21), sub(mul(minus_b2, gv_rho3, k22), mul(minus_b3, gv_rho2, k23), k22), k21),
+        k6), add(add(mul(minus_b4, f_vb, k21), sub(mul(gvb2, minus_b6, k22), mul(gvb3, minus_b5, k23), k22), k21),
+        mul(minus_b1, alongb, k22), k21), k6
+    )
+    gv_rho1 = mul(v_rho1, g_vb, k7)
+    gvb1 = mul(minus_b1, g_vb, k10)
+    rho2 = add(
+        add(rhoa2, add(mul(v_rho2, f_vb, k13), sub(mul(minus_b3, gv_rho1, k21), mul(minus_b1, gv_rho3, k12), k12), k12),
+        k9), add(add(mul(minus_b5, f_vb, k12), sub(mul(gvb3, minus_b4, k13), mul(gvb1, minus_b6, k17), k13), k12),
+        mul(minus_b2, alongb, k13), k12), k9
+    )
+    rho3 = add(
+        add(rhoa3, add(mul(v_rho3, f_vb, k8), sub(mul(minus_b1, gv_rho2, k1), mul(minus_b2, gv_rho1, k3), k1), k1), k1),
+        add(add(mul(minus_b6, f_vb, k3), sub(mul(gvb1, minus_b5, k4), mul(gvb2, minus_b4, k7), k4), k3), mul(minus_b3,
+        alongb, k2), k2), k1
+    )
+    hvr = div(add(add(mul(v1, rho1, k2), mul(v2, rho2, k3), k2), mul(v3, rho3, k3), k2), n4, k2)
+    div(add(sub(mul(rho1, fi, k3), sub(mul(v2, rho3, k4), mul(v3, rho2, k5), k4), k3), mul(v1, hvr, k4), k3), n2, o4)
+    div(add(sub(mul(rho2, fi, k3), sub(mul(v3, rho1, k4), mul(v1, rho3, k5), k4), k3), mul(v2, hvr, k4), k3), n2, o5)
+    div(add(sub(mul(rho3, fi, k1), sub(mul(v1, rho2, k3), mul(v2, rho1, k4), k3), k1), mul(v3, hvr, k2), k1), n2, o6)
+
+
+# operations 940: 371 +, 480 *, 76 /, 10 neg, 1 lt, 2 where
+def _own_compose_jacobians(m: Any, c: Any, b: Components, a: Components) -> Result:
+    b1, b2, b3, b1o, b2o, b3o = b
+    a1, a2, a3, a1o, a2o, a3o = a
+    v11b = b1 * b1
+    v22b = b2 * b2
+    v33b = b3 * b3
+    x12b = v11b + v22b
+    xb = x12b + v33b
+    zb = xb / 16
+    pb = 1 - zb
+    rootb = 1 + zb
+    Nb = pb * pb + 4 * zb
+    rb = 2 * (Nb / Nb / Nb)
+    fb = 2 * pb * rb
+    f_vb = fb / 4
+    gb = 4 * rb
+    g_vb = gb / 16
+    h_vb = gb / 64
+    bvb1 = b1 / 2
+    bvb2 = b2 / 2
+    bvb3 = b3 / 2
+    v11a = a1 * a1
+    v22a = a2 * a2
+    v33a = a3 * a3
+    xa = v11a + v22a + v33a
+    za = xa / 16
+    pa = 1 - za
+    roota = 1 + za
+    Na = pa * pa + 4 * za
+    ra = 2 * (Na / Na / Na)
+    fa = 2 * pa * ra
+    f_va = fa / 4
+    ga = 4 * ra
+    g_va = ga / 16
+    h_va = ga / 64
+    bva1 = a1 / 2
+    bva2 = a2 / 2
+    bva3 = a3 / 2
+    z0 = pb * pa - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
+    z1 = bva1 * pb + bvb1 * pa + (bvb2 * bva3 - bvb3 * bva2)
+    z2 = bva2 * pb + bvb2 * pa + (bvb3 * bva1 - bvb1 * bva3)
+    z3 = bva3 * pb + bvb3 * pa + (bvb1 * bva2 - bvb2 * bva1)
+    gva1 = a1 * g_va
+    gva2 = a2 * g_va
+    gva3 = a3 * g_va
+    ya = a1 * a1o + a2 * a2o + a3 * a3o
+    alonga = h_va * ya
+    rhoa1 = a1o * f_va + (gva2 * a3o - gva3 * a2o) + a1 * alonga
+    rhoa2 = a2o * f_va + (gva3 * a1o - gva1 * a3o) + a2 * alonga
+    rhoa3 = a3o * f_va + (gva1 * a2o - gva2 * a1o) + a3 * alonga
+    v_rho1 = b2 * rhoa3 - b3 * rhoa2
+    v_rho2 = b3 * rhoa1 - b1 * rhoa3
+    v_rho3 = b1 * rhoa2 - b2 * rhoa1
+    gv_rho1 = v_rho1 * g_vb
+    gv_rho2 = v_rho2 * g_vb
+    gv_rho3 = v_rho3 * g_vb
+    gvb1 = b1 * g_vb
+    gvb2 = b2 * g_vb
+    gvb3 = b3 * g_vb
+    yb = b1 * b1o + b2 * b2o + b3 * b3o
+    alongb = h_vb * yb
+    rhob1 = b1o * f_vb + (gvb2 * b3o - gvb3 * b2o) + b1 * alongb
+    rhob2 = b2o * f_vb + (gvb3 * b1o - gvb1 * b3o) + b2 * alongb
+    rhob3 = b3o * f_vb + (gvb1 * b2o - gvb2 * b1o) + b3 * alongb
+    rho1 = rhoa1 + (v_rho1 * f_vb + (b2 * gv_rho3 - b3 * gv_rho2)) + rhob1
+    rho2 = rhoa2 + (v_rho2 * f_vb + (b3 * gv_rho1 - b1 * gv_rho3)) + rhob2
+    rho3 = rhoa3 + (v_rho3 * f_vb + (b1 * gv_rho2 - b2 * gv_rho1)) + rhob3
+    size = rootb * roota
+    negative = z0 < 0
+    cos = m.where(negative, -z0, z0)
+    gain = 4 * (m.where(negative, -1, 1) / (size + cos))
+    v1 = z1 * gain
+    v2 = z2 * gain
+    v3 = z3 * gain
+    fi = gain * z0
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    z = x / 16
+    hvr = (v1 * rho1 + v2 * rho2 + v3 * rho3) / 4
+    w4 = (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2
+    w5 = (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2
+    w6 = (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2
+    pw = 1 - z
+    fiw = pw / 2
+    fi_vw = 4 * fiw
+    yw = v1 * w4 + v2 * w5 + v3 * w6
+    fiow = -yw / 4
+    sw1 = -v1
+    sw2 = -v2
+    sw3 = -v3
+    sow1 = -w4
+    sow2 = -w5
+    sow3 = -w6
+    cvw1 = v1 / 4
+    cvw2 = v2 / 4
+    cvw3 = v3 / 4
+    cvow1 = w4 / 4
+    cvow2 = w5 / 4
+    cvow3 = w6 / 4
+    d12w = cvw1 * v2
+    d13w = cvw1 * v3
+    d23w = cvw2 * v3
+    I11 = fi_vw + cvw1 * v1
+    I12 = d12w - sw3
+    I13 = d13w + sw2
+    I21 = d12w + sw3
+    I22 = fi_vw + cvw2 * v2
+    I23 = d23w - sw1
+    I31 = d13w - sw2
+    I32 = d23w + sw1
+    I33 = fi_vw + cvw3 * v3
+    d12ow = cvw1 * w5 + cvow1 * v2
+    d13ow = cvw1 * w6 + cvow1 * v3
+    d23ow = cvw2 * w6 + cvow2 * v3
+    I11o = fiow + (cvw1 * w4 + cvow1 * v1)
+    I12o = d12ow - sow3
+    I13o = d13ow + sow2
+    I21o = d12ow + sow3
+    I22o = fiow + (cvw2 * w5 + cvow2 * v2)
+    I23o = d23ow - sow1
+    I31o = d13ow - sow2
+    I32o = d23ow + sow1
+    I33o = fiow + (cvw3 * w6 + cvow3 * v3)
+    eS = 4 / rootb
+    egS = eS * gb
+    fyS = gb - egS
+    fy_vS = fyS / 64
+    gyS = -egS
+    gy_vS = gyS / 256
+    hy_vS = gyS / 1024
+    foS = fy_vS * yb
+    goS = gy_vS * yb
+    hoS = hy_vS * yb
+    gvoS1 = b1o * g_vb + b1 * goS
+    gvoS2 = b2o * g_vb + b2 * goS
+    gvoS3 = b3o * g_vb + b3 * goS
+    cvS1 = b1 * h_vb
+    cvS2 = b2 * h_vb
+    cvS3 = b3 * h_vb
+    cvoS1 = b1o * h_vb + b1 * hoS
+    cvoS2 = b2o * h_vb + b2 * hoS
+    cvoS3 = b3o * h_vb + b3 * hoS
+    d12S = cvS1 * b2
+    d13S = cvS1 * b3
+    d23S = cvS2 * b3
+    S11 = f_vb + cvS1 * b1
+    S12 = d12S - gvb3
+    S13 = d13S + gvb2
+    S21 = d12S + gvb3
+    S22 = f_vb + cvS2 * b2
+    S23 = d23S - gvb1
+    S31 = d13S - gvb2
+    S32 = d23S + gvb1
+    S33 = f_vb + cvS3 * b3
+    d12oS = cvS1 * b2o + cvoS1 * b2
+    d13oS = cvS1 * b3o + cvoS1 * b3
+    d23oS = cvS2 * b3o + cvoS2 * b3
+    S11o = foS + (cvS1 * b1o + cvoS1 * b1)
+    S12o = d12oS - gvoS3
+    S13o = d13oS + gvoS2
+    S21o = d12oS + gvoS3
+    S22o = foS + (cvS2 * b2o + cvoS2 * b2)
+    S23o = d23oS - gvoS1
+    S31o = d13oS - gvoS2
+    S32o = d23oS + gvoS1
+    S33o = foS + (cvS3 * b3o + cvoS3 * b3)
+    eF = 4 / roota
+    egF = eF * ga
+    fyF = ga - egF
+    fy_vF = fyF / 64
+    gyF = -egF
+    gy_vF = gyF / 256
+    hy_vF = gyF / 1024
+    foF = fy_vF * ya
+    goF = gy_vF * ya
+    hoF = hy_vF * ya
+    gvoF1 = a1o * g_va + a1 * goF
+    gvoF2 = a2o * g_va + a2 * goF
+    gvoF3 = a3o * g_va + a3 * goF
+    cvF1 = a1 * h_va
+    cvF2 = a2 * h_va
+    cvF3 = a3 * h_va
+    cvoF1 = a1o * h_va + a1 * hoF
+    cvoF2 = a2o * h_va + a2 * hoF
+    cvoF3 = a3o * h_va + a3 * hoF
+    d12F = cvF1 * a2
+    d13F = cvF1 * a3
+    d23F = cvF2 * a3
+    F11 = f_va + cvF1 * a1
+    F12 = d12F - gva3
+    F13 = d13F + gva2
+    F21 = d12F + gva3
+    F22 = f_va + cvF2 * a2
+    F23 = d23F - gva1
+    F31 = d13F - gva2
+    F32 = d23F + gva1
+    F33 = f_va + cvF3 * a3
+    d12oF = cvF1 * a2o + cvoF1 * a2
+    d13oF = cvF1 * a3o + cvoF1 * a3
+    d23oF = cvF2 * a3o + cvoF2 * a3
+    F11o = foF + (cvF1 * a1o + cvoF1 * a1)
+    F12o = d12oF - gvoF3
+    F13o = d13oF + gvoF2
+    F21o = d12oF + gvoF3
+    F22o = foF + (cvF2 * a2o + cvoF2 * a2)
+    F23o = d23oF - gvoF1
+    F31o = d13oF - gvoF2
+    F32o = d23oF + gvoF1
+    F33o = foF + (cvF3 * a3o + cvoF3 * a3)
+    x23b = v22b + v33b
+    x13b = v11b + v33b
+    fvb1 = b1 * f_vb
+    fvb2 = b2 * f_vb
+    fvb3 = b3 * f_vb
+    gvvb1 = gvb1 * b2
+    gvvb2 = gvb1 * b3
+    gvvb3 = gvb2 * b3
+    Qb11 = 1 - g_vb * x23b
+    Qb12 = gvvb1 - fvb3
+    Qb13 = gvvb2 + fvb2
+    Qb21 = gvvb1 + fvb3
+    Qb22 = 1 - g_vb * x13b
+    Qb23 = gvvb3 - fvb1
+    Qb31 = gvvb2 - fvb2
+    Qb32 = gvvb3 + fvb1
+    Qb33 = 1 - g_vb * x12b
+    R11o = Qb31 * rhob2 - Qb21 * rhob3
+    R12o = Qb32 * rhob2 - Qb22 * rhob3
+    R13o = Qb33 * rhob2 - Qb23 * rhob3
+    R21o = Qb11 * rhob3 - Qb31 * rhob1
+    R22o = Qb12 * rhob3 - Qb32 * rhob1
+    R23o = Qb13 * rhob3 - Qb33 * rhob1
+    R31o = Qb21 * rhob1 - Qb11 * rhob2
+    R32o = Qb22 * rhob1 - Qb12 * rhob2
+    R33o = Qb23 * rhob1 - Qb13 * rhob2
+    B11 = (I11 * S11 + I12 * S21 + I13 * S31) / 2
+    B12 = (I11 * S12 + I12 * S22 + I13 * S32) / 2
+    B13 = (I11 * S13 + I12 * S23 + I13 * S33) / 2
+    B21 = (I21 * S11 + I22 * S21 + I23 * S31) / 2
+    B22 = (I21 * S12 + I22 * S22 + I23 * S32) / 2
+    B23 = (I21 * S13 + I22 * S23 + I23 * S33) / 2
+    B31 = (I31 * S11 + I32 * S21 + I33 * S31) / 2
+    B32 = (I31 * S12 + I32 * S22 + I33 * S32) / 2
+    B33 = (I31 * S13 + I32 * S23 + I33 * S33) / 2
+    RT11 = Qb11 * F11 + Qb12 * F21 + Qb13 * F31
+    RT11o = Qb11 * F11o + R11o * F11 + (Qb12 * F21o + R12o * F21) + (Qb13 * F31o + R13o * F31)
+    RT12 = Qb11 * F12 + Qb12 * F22 + Qb13 * F32
+    RT12o = Qb11 * F12o + R11o * F12 + (Qb12 * F22o + R12o * F22) + (Qb13 * F32o + R13o * F32)
+    RT13 = Qb11 * F13 + Qb12 * F23 + Qb13 * F33
+    RT13o = Qb11 * F13o + R11o * F13 + (Qb12 * F23o + R12o * F23) + (Qb13 * F33o + R13o * F33)
+    RT21 = Qb21 * F11 + Qb22 * F21 + Qb23 * F31
+    RT21o = Qb21 * F11o + R21o * F11 + (Qb22 * F21o + R22o * F21) + (Qb23 * F31o + R23o * F31)
+    RT22 = Qb21 * F12 + Qb22 * F22 + Qb23 * F32
+    RT22o = Qb21 * F12o + R21o * F12 + (Qb22 * F22o + R22o * F22) + (Qb23 * F32o + R23o * F32)
+    RT23 = Qb21 * F13 + Qb22 * F23 + Qb23 * F33
+    RT23o = Qb21 * F13o + R21o * F13 + (Qb22 * F23o + R22o * F23) + (Qb23 * F33o + R23o * F33)
+    RT31 = Qb31 * F11 + Qb32 * F21 + Qb33 * F31
+    RT31o = Qb31 * F11o + R31o * F11 + (Qb32 * F21o + R32o * F21) + (Qb33 * F31o + R33o * F31)
+    RT32 = Qb31 * F12 + Qb32 * F22 + Qb33 * F32
+    RT32o = Qb31 * F12o + R31o * F12 + (Qb32 * F22o + R32o * F22) + (Qb33 * F32o + R33o * F32)
+    RT33 = Qb31 * F13 + Qb32 * F23 + Qb33 * F33
+    RT33o = Qb31 * F13o + R31o * F13 + (Qb32 * F23o + R32o * F23) + (Qb33 * F33o + R33o * F33)
+    A11 = (I11 * RT11 + I12 * RT21 + I13 * RT31) / 2
+    A12 = (I11 * RT12 + I12 * RT22 + I13 * RT32) / 2
+    A13 = (I11 * RT13 + I12 * RT23 + I13 * RT33) / 2
+    A21 = (I21 * RT11 + I22 * RT21 + I23 * RT31) / 2
+    A22 = (I21 * RT12 + I22 * RT22 + I23 * RT32) / 2
+    A23 = (I21 * RT13 + I22 * RT23 + I23 * RT33) / 2
+    A31 = (I31 * RT11 + I32 * RT21 + I33 * RT31) / 2
+    A32 = (I31 * RT12 + I32 * RT22 + I33 * RT32) / 2
+    A33 = (I31 * RT13 + I32 * RT23 + I33 * RT33) / 2
+    return (
+        B11,
+        B12,
+        B13,
+        0,
+        0,
+        0,
+        B21,
+        B22,
+        B23,
+        0,
+        0,
+        0,
+        B31,
+        B32,
+        B33,
+        0,
+        0,
+        0,
+        (I11 * S11o + I11o * S11 + (I12 * S21o + I12o * S21) + (I13 * S31o + I13o * S31)) / 2,
+        (I11 * S12o + I11o * S12 + (I12 * S22o + I12o * S22) + (I13 * S32o + I13o * S32)) / 2,
+        (I11 * S13o + I11o * S13 + (I12 * S23o + I12o * S23) + (I13 * S33o + I13o * S33)) / 2,
+        B11,
+        B12,
+        B13,
+        (I21 * S11o + I21o * S11 + (I22 * S21o + I22o * S21) + (I23 * S31o + I23o * S31)) / 2,
+        (I21 * S12o + I21o * S12 + (I22 * S22o + I22o * S22) + (I23 * S32o + I23o * S32)) / 2,
+        (I21 * S13o + I21o * S13 + (I22 * S23o + I22o * S23) + (I23 * S33o + I23o * S33)) / 2,
+        B21,
+        B22,
+        B23,
+        (I31 * S11o + I31o * S11 + (I32 * S21o + I32o * S21) + (I33 * S31o + I33o * S31)) / 2,
+        (I31 * S12o + I31o * S12 + (I32 * S22o + I32o * S22) + (I33 * S32o + I33o * S32)) / 2,
+        (I31 * S13o + I31o * S13 + (I32 * S23o + I32o * S23) + (I33 * S33o + I33o * S33)) / 2,
+        B31,
+        B32,
+        B33,
+        A11,
+        A12,
+        A13,
+        0,
+        0,
+        0,
+        A21,
+        A22,
+        A23,
+        0,
+        0,
+        0,
+        A31,
+        A32,
+        A33,
+        0,
+        0,
+        0,
+        (I11 * RT11o + I11o * RT11 + (I12 * RT21o + I12o * RT21) + (I13 * RT31o + I13o * RT31)) / 2,
+        (I11 * RT12o + I11o * RT12 + (I12 * RT22o + I12o * RT22) + (I13 * RT32o + I13o * RT32)) / 2,
+        (I11 * RT13o + I11o * RT13 + (I12 * RT23o + I12o * RT23) + (I13 * RT33o + I13o * RT33)) / 2,
+        A11,
+        A12,
+        A13,
+        (I21 * RT11o + I21o * RT11 + (I22 * RT21o + I22o * RT21) + (I23 * RT31o + I23o * RT31)) / 2,
+        (I21 * RT12o + I21o * RT12 + (I22 * RT22o + I22o * RT22) + (I23 * RT32o + I23o * RT32)) / 2,
+        (I21 * RT13o + I21o * RT13 + (I22 * RT23o + I22o * RT23) + (I23 * RT33o + I23o * RT33)) / 2,
+        A21,
+        A22,
+        A23,
+        (I31 * RT11o + I31o * RT11 + (I32 * RT21o + I32o * RT21) + (I33 * RT31o + I33o * RT31)) / 2,
+        (I31 * RT12o + I31o * RT12 + (I32 * RT22o + I32o * RT22) + (I33 * RT32o + I33o * RT32)) / 2,
+        (I31 * RT13o + I31o * RT13 + (I32 * RT23o + I32o * RT23) + (I33 * RT33o + I33o * RT33)) / 2,
+        A31,
+        A32,
+        A33,
+    )
+
+
+def _own_compose_jacobians_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, b: Rows, a: Rows
+) -> None:
+    b1, b2, b3, b1o, b2o, b3o = b
+    a1, a2, a3, a1o, a2o, a3o = a
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36, o37, o38, o39, o40, o41, o42, o43, o44, o45, o46,
+        o47, o48, o49, o50, o51, o52, o53, o54, o55, o56, o57, o58, o59, o60, o61, o62, o63, o64, o65, o66, o67, o68,
+        o69, o70, o71, o72,
+    ) = out
+    (
+        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
+        k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, k35, k36, k37, k38, k39, k40, k41, k42, k43, k44, k45, k46,
+        k47, k48, k49, k50, k51, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61, k62, k63, k64, k65, k66, k67, k68,
+        k69,
+    ) = scratch
+    mask1, = masks
+    n_minus_1, n0, n1, n2, n4, n16, n64, n256, n1024 = numbers
+    v11a = mul(a1, a1, k1)
+    v22a = mul(a2, a2, k2)
+    v33a = mul(a3, a3, k3)
+    xa = add(add(v11a, v22a, k1), v33a, k1)
+    za = div(xa, n16, k1)
+    pa = sub(n1, za, k2)
+    v11b = mul(b1, b1, k3)
+    v22b = mul(b2, b2, k4)
+    x12b = add(v11b, v22b, k5)
+    v33b = mul(b3, b3, k6)
+    x23b = add(v22b, v33b, k4)
+    x13b = add(v11b, v33b, k3)
+    xb = add(x12b, v33b, k6)
+    zb = div(xb, n16, k6)
+    pb = sub(n1, zb, k7)
+    bvb1 = div(b1, n2, k8)
+    bva1 = div(a1, n2, k9)
+    bvb2 = div(b2, n2, k10)
+    bva2 = div(a2, n2, k11)
+    bvb3 = div(b3, n2, k12)
+    bva3 = div(a3, n2, k13)
+    z0 = sub(
+        mul(pb, pa, k14), add(add(mul(bvb1, bva1, k15), mul(bvb2, bva2, k16), k15), mul(bvb3, bva3, k16), k15), k14
+    )
+    negative = m.less(z0, n0, mask1)
+    cos = m.where(negative, neg(z0, k15), z0, k15)
+    roota = add(n1, za, k16)
+    Na = add(mul(pa, pa, k17), mul(n4, za, k1), k1)
+    ra = mul(n2, div(div(Na, Na, k17), Na, k1), k1)
+    rootb = add(n1, zb, k17)
+    Nb = add(mul(pb, pb, k18), mul(n4, zb, k6), k6)
+    rb = mul(n2, div(div(Nb, Nb, k18), Nb, k6), k6)
+    size = mul(rootb, roota, k18)
+    gain = mul(n4, div(m.where(negative, n_minus_1, n1, k19), add(size, cos, k15), k15), k15)
+    fi = mul(gain, z0, k14)
+    eS = div(n4, rootb, k17)
+    eF = div(n4, roota, k16)
+    z1 = add(
+        add(mul(bva1, pb, k18), mul(bvb1, pa, k19), k18), sub(mul(bvb2, bva3, k19), mul(bvb3, bva2, k20), k19), k18
+    )
+    v1 = mul(z1, gain, k18)
+    v11 = mul(v1, v1, k19)
+    z2 = add(
+        add(mul(bva2, pb, k20), mul(bvb2, pa, k21), k20), sub(mul(bvb3, bva1, k21), mul(bvb1, bva3, k22), k21), k20
+    )
+    z3 = add(add(mul(bva3, pb, k13), mul(bvb3, pa, k12), k12), sub(mul(bvb1, bva2, k8), mul(bvb2, bva1, k9), k8), k8)
+    v2 = mul(z2, gain, k9)
+    v3 = mul(z3, gain, k8)
+    fb = mul(mul(n2, pb, k7), rb, k7)
+    f_vb = div(fb, n4, k7)
+    gb = mul(n4, rb, k6)
+    fa = mul(mul(n2, pa, k2), ra, k2)
+    f_va = div(fa, n4, k2)
+    ga = mul(n4, ra, k1)
+    egS = mul(eS, gb, k10)
+    egF = mul(eF, ga, k11)
+    v22 = mul(v2, v2, k12)
+    v33 = mul(v3, v3, k13)
+    x = add(add(v11, v22, k12), v33, k12)
+    z = div(x, n16, k12)
+    pw = sub(n1, z, k12)
+    fiw = div(pw, n2, k12)
+    fi_vw = mul(n4, fiw, k12)
+    cvw1 = div(v1, n4, k13)
+    I11 = add(fi_vw, mul(cvw1, v1, k15), k15)
+    d12w = mul(cvw1, v2, k16)
+    sw3 = neg(v3, k17)
+    I12 = sub(d12w, sw3, k19)
+    I21 = add(d12w, sw3, k16)
+    d13w = mul(cvw1, v3, k17)
+    sw2 = neg(v2, k20)
+    I13 = add(d13w, sw2, k21)
+    I31 = sub(d13w, sw2, k17)
+    h_vb = div(gb, n64, k20)
+    cvS1 = mul(b1, h_vb, k22)
+    S11 = add(f_vb, mul(cvS1, b1, k23), k23)
+    d12S = mul(cvS1, b2, k24)
+    g_vb = div(gb, n16, k25)
+    fyS = sub(gb, egS, k6)
+    fy_vS = div(fyS, n64, k6)
+    gyS = neg(egS, k10)
+    Qb11 = sub(n1, mul(g_vb, x23b, k4), k4)
+    Qb22 = sub(n1, mul(g_vb, x13b, k3), k3)
+    Qb33 = sub(n1, mul(g_vb, x12b, k5), k5)
+    gvb3 = mul(b3, g_vb, k26)
+    S21 = add(d12S, gvb3, k27)
+    S12 = sub(d12S, gvb3, k24)
+    d13S = mul(cvS1, b3, k28)
+    gvb2 = mul(b2, g_vb, k29)
+    S31 = sub(d13S, gvb2, k30)
+    div(add(add(mul(I11, S11, k31), mul(I12, S21, k32), k31), mul(I13, S31, k32), k31), n2, o1)
+    S13 = add(d13S, gvb2, k28)
+    cvS2 = mul(b2, h_vb, k31)
+    S22 = add(f_vb, mul(cvS2, b2, k32), k32)
+    d23S = mul(cvS2, b3, k33)
+    gvb1 = mul(b1, g_vb, k34)
+    S32 = add(d23S, gvb1, k35)
+    div(add(add(mul(I11, S12, k36), mul(I12, S22, k37), k36), mul(I13, S32, k37), k36), n2, o2)
+    S23 = sub(d23S, gvb1, k33)
+    cvS3 = mul(b3, h_vb, k36)
+    S33 = add(f_vb, mul(cvS3, b3, k37), k37)
+    div(add(add(mul(I11, S13, k38), mul(I12, S23, k39), k38), mul(I13, S33, k39), k38), n2, o3)
+    cvw2 = div(v2, n4, k38)
+    I22 = add(fi_vw, mul(cvw2, v2, k39), k39)
+    d23w = mul(cvw2, v3, k40)
+    sw1 = neg(v1, k41)
+    I23 = sub(d23w, sw1, k42)
+    I32 = add(d23w, sw1, k40)
+    div(add(add(mul(I21, S11, k41), mul(I22, S21, k43), k41), mul(I23, S31, k43), k41), n2, o7)
+    div(add(add(mul(I21, S12, k41), mul(I22, S22, k43), k41), mul(I23, S32, k43), k41), n2, o8)
+    div(add(add(mul(I21, S13, k41), mul(I22, S23, k43), k41), mul(I23, S33, k43), k41), n2, o9)
+    cvw3 = div(v3, n4, k41)
+    I33 = add(fi_vw, mul(cvw3, v3, k43), k12)
+    div(add(add(mul(I31, S11, k43), mul(I32, S21, k44), k43), mul(I33, S31, k44), k43), n2, o13)
+    div(add(add(mul(I31, S12, k43), mul(I32, S22, k44), k43), mul(I33, S32, k44), k43), n2, o14)
+    div(add(add(mul(I31, S13, k43), mul(I32, S23, k44), k43), mul(I33, S33, k44), k43), n2, o15)
+    g_va = div(ga, n16, k43)
+    gva1 = mul(a1, g_va, k44)
+    gva2 = mul(a2, g_va, k45)
+    h_va = div(ga, n64, k46)
+    fyF = sub(ga, egF, k1)
+    fy_vF = div(fyF, n64, k1)
+    gyF = neg(egF, k11)
+    ya = add(add(mul(a1, a1o, k47), mul(a2, a2o, k48), k47), mul(a3, a3o, k48), k47)
+    foF = mul(fy_vF, ya, k1)
+    alonga = mul(h_va, ya, k48)
+    rhoa3 = add(
+        add(mul(a3o, f_va, k49), sub(mul(gva1, a2o, k50), mul(gva2, a1o, k51), k50), k49), mul(a3, alonga, k50), k49
+    )
+    gva3 = mul(a3, g_va, k50)
+    rhoa2 = add(
+        add(mul(a2o, f_va, k51), sub(mul(gva3, a1o, k52), mul(gva1, a3o, k53), k52), k51), mul(a2, alonga, k52), k51
+    )
+    rhoa1 = add(
+        add(mul(a1o, f_va, k52), sub(mul(gva2, a3o, k53), mul(gva3, a2o, k54), k53), k52), mul(a1, alonga, k48), k48
+    )
+    v_rho1 = sub(mul(b2, rhoa3, k52), mul(b3, rhoa2, k53), k52)
+    v_rho3 = sub(mul(b1, rhoa2, k53), mul(b2, rhoa1, k54), k53)
+    gv_rho3 = mul(v_rho3, g_vb, k54)
+    v_rho2 = sub(mul(b3, rhoa1, k55), mul(b1, rhoa3, k56), k55)
+    gv_rho2 = mul(v_rho2, g_vb, k56)
+    yb = add(add(mul(b1, b1o, k57), mul(b2, b2o, k58), k57), mul(b3, b3o, k58), k57)
+    foS = mul(fy_vS, yb, k6)
+    alongb = mul(h_vb, yb, k58)
+    rhob1 = add(
+        add(mul(b1o, f_vb, k59), sub(mul(gvb2, b3o, k60), mul(gvb3, b2o, k61), k60), k59), mul(b1, alongb, k60), k59
+    )
+    rho1 = add(
+        add(rhoa1, add(mul(v_rho1, f_vb, k60), sub(mul(b2, gv_rho3, k61), mul(b3, gv_rho2, k62), k61), k60), k48),
+        rhob1, k48
+    )
+    gv_rho1 = mul(v_rho1, g_vb, k52)
+    rhob2 = add(
+        add(mul(b2o, f_vb, k60), sub(mul(gvb3, b1o, k26), mul(gvb1, b3o, k61), k26), k26), mul(b2, alongb, k60), k26
+    )
+    rho2 = add(
+        add(rhoa2, add(mul(v_rho2, f_vb, k55), sub(mul(b3, gv_rho1, k60), mul(b1, gv_rho3, k54), k54), k54), k51),
+        rhob2, k51
+    )
+    rhob3 = add(
+        add(mul(b3o, f_vb, k54), sub(mul(gvb1, b2o, k55), mul(gvb2, b1o, k60), k55), k54), mul(b3, alongb, k55), k54
+    )
+    rho3 = add(
+        add(rhoa3, add(mul(v_rho3, f_vb, k53), sub(mul(b1, gv_rho2, k55), mul(b2, gv_rho1, k52), k52), k52), k49),
+        rhob3, k49
+    )
+    gvvb3 = mul(gvb2, b3, k29)
+    hvr = div(add(add(mul(v1, rho1, k52), mul(v2, rho2, k53), k52), mul(v3, rho3, k53), k52), n4, k52)
+    w4 = div(
+        add(sub(mul(rho1, fi, k53), sub(mul(v2, rho3, k55), mul(v3, rho2, k56), k55), k53), mul(v1, hvr, k55), k53), n2,
+        k53
+    )
+    w5 = div(
+        add(sub(mul(rho2, fi, k55), sub(mul(v3, rho1, k56), mul(v1, rho3, k58), k56), k55), mul(v2, hvr, k56), k55), n2,
+        k55
+    )
+    w6 = div(
+        add(sub(mul(rho3, fi, k14), sub(mul(v1, rho2, k49), mul(v2, rho1, k48), k48), k14), mul(v3, hvr, k48), k14), n2,
+        k14
+    )
+    yw = add(add(mul(v1, w4, k48), mul(v2, w5, k49), k48), mul(v3, w6, k49), k48)
+    fiow = div(neg(yw, k48), n4, k48)
+    cvow1 = div(w4, n4, k49)
+    I11o = add(fiow, add(mul(cvw1, w4, k51), mul(cvow1, v1, k18), k18), k18)
+    sow1 = neg(w4, k51)
+    d12ow = add(mul(cvw1, w5, k52), mul(cvow1, v2, k53), k52)
+    d13ow = add(mul(cvw1, w6, k13), mul(cvow1, v3, k49), k13)
+    sow3 = neg(w6, k49)
+    I12o = sub(d12ow, sow3, k53)
+    I21o = add(d12ow, sow3, k49)
+    sow2 = neg(w5, k52)
+    I13o = add(d13ow, sow2, k56)
+    I31o = sub(d13ow, sow2, k13)
+    hy_vS = div(gyS, n1024, k52)
+    hoS = mul(hy_vS, yb, k52)
+    gy_vS = div(gyS, n256, k10)
+    goS = mul(gy_vS, yb, k10)
+    cvoS1 = add(mul(b1o, h_vb, k57), mul(b1, hoS, k58), k57)
+    S11o = add(foS, add(mul(cvS1, b1o, k58), mul(cvoS1, b1, k60), k58), k58)
+    d12oS = add(mul(cvS1, b2o, k60), mul(cvoS1, b2, k61), k60)
+    d13oS = add(mul(cvS1, b3o, k22), mul(cvoS1, b3, k57), k22)
+    gvoS3 = add(mul(b3o, g_vb, k57), mul(b3, goS, k61), k57)
+    S21o = add(d12oS, gvoS3, k61)
+    S12o = sub(d12oS, gvoS3, k57)
+    gvoS2 = add(mul(b2o, g_vb, k60), mul(b2, goS, k62), k60)
+    gvoS1 = add(mul(b1o, g_vb, k25), mul(b1, goS, k10), k10)
+    S31o = sub(d13oS, gvoS2, k25)
+    S13o = add(d13oS, gvoS2, k22)
+    div(
+        add(add(add(mul(I11, S11o, k60), mul(I11o, S11, k62), k60), add(mul(I12, S21o, k62), mul(I12o, S21, k63), k62),
+        k60), add(mul(I13, S31o, k62), mul(I13o, S31, k63), k62), k60), n2, o19
+    )
+    cvoS2 = add(mul(b2o, h_vb, k60), mul(b2, hoS, k62), k60)
+    cvoS3 = add(mul(b3o, h_vb, k20), mul(b3, hoS, k52), k20)
+    S33o = add(foS, add(mul(cvS3, b3o, k36), mul(cvoS3, b3, k20), k20), k20)
+    S22o = add(foS, add(mul(cvS2, b2o, k36), mul(cvoS2, b2, k52), k36), k6)
+    d23oS = add(mul(cvS2, b3o, k31), mul(cvoS2, b3, k36), k31)
+    S32o = add(d23oS, gvoS1, k36)
+    S23o = sub(d23oS, gvoS1, k10)
+    div(
+        add(add(add(mul(I11, S12o, k31), mul(I11o, S12, k52), k31), add(mul(I12, S22o, k52), mul(I12o, S22, k60), k52),
+        k31), add(mul(I13, S32o, k52), mul(I13o, S32, k60), k52), k31), n2, o20
+    )
+    div(
+        add(add(add(mul(I11, S13o, k31), mul(I11o, S13, k52), k31), add(mul(I12, S23o, k52), mul(I12o, S23, k60), k52),
+        k31), add(mul(I13, S33o, k52), mul(I13o, S33, k60), k52), k31), n2, o21
+    )
+    cvow2 = div(w5, n4, k31)
+    I22o = add(fiow, add(mul(cvw2, w5, k52), mul(cvow2, v2, k9), k9), k9)
+    d23ow = add(mul(cvw2, w6, k38), mul(cvow2, v3, k31), k31)
+    I23o = sub(d23ow, sow1, k38)
+    I32o = add(d23ow, sow1, k31)
+    div(
+        add(add(add(mul(I21, S11o, k51), mul(I21o, S11, k52), k51), add(mul(I22, S21o, k52), mul(I22o, S21, k55), k52),
+        k51), add(mul(I23, S31o, k52), mul(I23o, S31, k55), k52), k51), n2, o25
+    )
+    div(
+        add(add(add(mul(I21, S12o, k51), mul(I21o, S12, k52), k51), add(mul(I22, S22o, k52), mul(I22o, S22, k55), k52),
+        k51), add(mul(I23, S32o, k52), mul(I23o, S32, k55), k52), k51), n2, o26
+    )
+    div(
+        add(add(add(mul(I21, S13o, k51), mul(I21o, S13, k52), k51), add(mul(I22, S23o, k52), mul(I22o, S23, k55), k52),
+        k51), add(mul(I23, S33o, k52), mul(I23o, S33, k55), k52), k51), n2, o27
+    )
+    cvow3 = div(w6, n4, k51)
+    I33o = add(fiow, add(mul(cvw3, w6, k14), mul(cvow3, v3, k8), k8), k8)
+    div(
+        add(add(add(mul(I31, S11o, k14), mul(I31o, S11, k23), k14), add(mul(I32, S21o, k23), mul(I32o, S21, k27), k23),
+        k14), add(mul(I33, S31o, k23), mul(I33o, S31, k25), k23), k14), n2, o31
+    )
+    div(
+        add(add(add(mul(I31, S12o, k14), mul(I31o, S12, k23), k14), add(mul(I32, S22o, k6), mul(I32o, S22, k23), k6),
+        k6), add(mul(I33, S32o, k14), mul(I33o, S32, k23), k14), k6), n2, o32
+    )
+    div(
+        add(add(add(mul(I31, S13o, k6), mul(I31o, S13, k14), k6), add(mul(I32, S23o, k10), mul(I32o, S23, k14), k10),
+        k6), add(mul(I33, S33o, k10), mul(I33o, S33, k14), k10), k6), n2, o33
+    )
+    cvF1 = mul(a1, h_va, k6)
+    F11 = add(f_va, mul(cvF1, a1, k10), k10)
+    d12F = mul(cvF1, a2, k14)
+    F21 = add(d12F, gva3, k20)
+    F12 = sub(d12F, gva3, k14)
+    d13F = mul(cvF1, a3, k22)
+    F31 = sub(d13F, gva2, k23)
+    F13 = add(d13F, gva2, k22)
+    gvvb1 = mul(gvb1, b2, k24)
+    gvvb2 = mul(gvb1, b3, k25)
+    fvb3 = mul(b3, f_vb, k27)
+    Qb12 = sub(gvvb1, fvb3, k28)
+    Qb21 = add(gvvb1, fvb3, k24)
+    fvb2 = mul(b2, f_vb, k27)
+    fvb1 = mul(b1, f_vb, k7)
+    Qb13 = add(gvvb2, fvb2, k30)
+    Qb31 = sub(gvvb2, fvb2, k25)
+    RT11 = add(add(mul(Qb11, F11, k27), mul(Qb12, F21, k32), k27), mul(Qb13, F31, k32), k27)
+    Qb23 = sub(gvvb3, fvb1, k32)
+    Qb32 = add(gvvb3, fvb1, k7)
+    RT21 = add(add(mul(Qb21, F11, k29), mul(Qb22, F21, k33), k29), mul(Qb23, F31, k33), k29)
+    RT31 = add(add(mul(Qb31, F11, k33), mul(Qb32, F21, k34), k33), mul(Qb33, F31, k34), k33)
+    div(add(add(mul(I11, RT11, k34), mul(I12, RT21, k35), k34), mul(I13, RT31, k35), k34), n2, o37)
+    div(add(add(mul(I21, RT11, k34), mul(I22, RT21, k35), k34), mul(I23, RT31, k35), k34), n2, o43)
+    div(add(add(mul(I31, RT11, k34), mul(I32, RT21, k35), k34), mul(I33, RT31, k35), k34), n2, o49)
+    cvF2 = mul(a2, h_va, k34)
+    F22 = add(f_va, mul(cvF2, a2, k35), k35)
+    d23F = mul(cvF2, a3, k36)
+    F32 = add(d23F, gva1, k37)
+    F23 = sub(d23F, gva1, k36)
+    RT12 = add(add(mul(Qb11, F12, k41), mul(Qb12, F22, k44), k41), mul(Qb13, F32, k44), k41)
+    RT22 = add(add(mul(Qb21, F12, k44), mul(Qb22, F22, k45), k44), mul(Qb23, F32, k45), k44)
+    RT32 = add(add(mul(Qb31, F12, k45), mul(Qb32, F22, k48), k45), mul(Qb33, F32, k48), k45)
+    div(add(add(mul(I11, RT12, k48), mul(I12, RT22, k50), k48), mul(I13, RT32, k50), k48), n2, o38)
+    div(add(add(mul(I21, RT12, k48), mul(I22, RT22, k50), k48), mul(I23, RT32, k50), k48), n2, o44)
+    div(add(add(mul(I31, RT12, k48), mul(I32, RT22, k50), k48), mul(I33, RT32, k50), k48), n2, o50)
+    cvF3 = mul(a3, h_va, k48)
+    F33 = add(f_va, mul(cvF3, a3, k50), k2)
+    RT13 = add(add(mul(Qb11, F13, k50), mul(Qb12, F23, k51), k50), mul(Qb13, F33, k51), k50)
+    RT23 = add(add(mul(Qb21, F13, k51), mul(Qb22, F23, k52), k51), mul(Qb23, F33, k52), k51)
+    RT33 = add(add(mul(Qb31, F13, k52), mul(Qb32, F23, k55), k52), mul(Qb33, F33, k55), k52)
+    div(add(add(mul(I11, RT13, k55), mul(I12, RT23, k57), k55), mul(I13, RT33, k57), k55), n2, o39)
+    div(add(add(mul(I21, RT13, k55), mul(I22, RT23, k57), k55), mul(I23, RT33, k57), k55), n2, o45)
+    div(add(add(mul(I31, RT13, k55), mul(I32, RT23, k57), k55), mul(I33, RT33, k57), k55), n2, o51)
+    R11o = sub(mul(Qb31, rhob2, k55), mul(Qb21, rhob3, k57), k55)
+    R12o = sub(mul(Qb32, rhob2, k57), mul(Qb22, rhob3, k58), k57)
+    R13o = sub(mul(Qb33, rhob2, k58), mul(Qb23, rhob3, k60), k58)
+    hy_vF = div(gyF, n1024, k60)
+    hoF = mul(hy_vF, ya, k60)
+    gy_vF = div(gyF, n256, k11)
+    goF = mul(gy_vF, ya, k11)
+    cvoF1 = add(mul(a1o, h_va, k47), mul(a1, hoF, k61), k47)
+    F11o = add(foF, add(mul(cvF1, a1o, k61), mul(cvoF1, a1, k62), k61), k61)
+    d12oF = add(mul(cvF1, a2o, k62), mul(cvoF1, a2, k63), k62)
+    d13oF = add(mul(cvF1, a3o, k6), mul(cvoF1, a3, k47), k6)
+    gvoF3 = add(mul(a3o, g_va, k47), mul(a3, goF, k63), k47)
+    F21o = add(d12oF, gvoF3, k63)
+    F12o = sub(d12oF, gvoF3, k47)
+    gvoF2 = add(mul(a2o, g_va, k62), mul(a2, goF, k64), k62)
+    gvoF1 = add(mul(a1o, g_va, k43), mul(a1, goF, k11), k11)
+    F31o = sub(d13oF, gvoF2, k43)
+    F13o = add(d13oF, gvoF2, k6)
+    RT11o = add(
+        add(add(mul(Qb11, F11o, k62), mul(R11o, F11, k64), k62), add(mul(Qb12, F21o, k64), mul(R12o, F21, k65), k64),
+        k62), add(mul(Qb13, F31o, k64), mul(R13o, F31, k65), k64), k62
+    )
+    R21o = sub(mul(Qb11, rhob3, k64), mul(Qb31, rhob1, k65), k64)
+    R22o = sub(mul(Qb12, rhob3, k65), mul(Qb32, rhob1, k66), k65)
+    R23o = sub(mul(Qb13, rhob3, k54), mul(Qb33, rhob1, k66), k54)
+    RT21o = add(
+        add(add(mul(Qb21, F11o, k66), mul(R21o, F11, k67), k66), add(mul(Qb22, F21o, k67), mul(R22o, F21, k68), k67),
+        k66), add(mul(Qb23, F31o, k67), mul(R23o, F31, k68), k67), k66
+    )
+    R31o = sub(mul(Qb21, rhob1, k67), mul(Qb11, rhob2, k68), k67)
+    R32o = sub(mul(Qb22, rhob1, k68), mul(Qb12, rhob2, k69), k68)
+    R33o = sub(mul(Qb23, rhob1, k59), mul(Qb13, rhob2, k26), k26)
+    RT31o = add(
+        add(add(mul(Qb31, F11o, k59), mul(R31o, F11, k10), k10), add(mul(Qb32, F21o, k59), mul(R32o, F21, k20), k20),
+        k10), add(mul(Qb33, F31o, k20), mul(R33o, F31, k23), k20), k10
+    )
+    div(
+        add(add(add(mul(I11, RT11o, k20), mul(I11o, RT11, k23), k20), add(mul(I12, RT21o, k23), mul(I12o, RT21, k43),
+        k23), k20), add(mul(I13, RT31o, k23), mul(I13o, RT31, k43), k23), k20), n2, o55
+    )
+    div(
+        add(add(add(mul(I21, RT11o, k20), mul(I21o, RT11, k23), k20), add(mul(I22, RT21o, k23), mul(I22o, RT21, k43),
+        k23), k20), add(mul(I23, RT31o, k23), mul(I23o, RT31, k43), k23), k20), n2, o61
+    )
+    div(
+        add(add(add(mul(I31, RT11o, k20), mul(I31o, RT11, k23), k20), add(mul(I32, RT21o, k23), mul(I32o, RT21, k27),
+        k23), k20), add(mul(I33, RT31o, k10), mul(I33o, RT31, k23), k10), k10), n2, o67
+    )
+    cvoF2 = add(mul(a2o, h_va, k10), mul(a2, hoF, k20), k10)
+    cvoF3 = add(mul(a3o, h_va, k20), mul(a3, hoF, k23), k20)
+    F33o = add(foF, add(mul(cvF3, a3o, k23), mul(cvoF3, a3, k20), k20), k20)
+    F22o = add(foF, add(mul(cvF2, a2o, k23), mul(cvoF2, a2, k27), k23), k1)
+    d23oF = add(mul(cvF2, a3o, k23), mul(cvoF2, a3, k10), k10)
+    F32o = add(d23oF, gvoF1, k23)
+    F23o = sub(d23oF, gvoF1, k10)
+    RT12o = add(
+        add(add(mul(Qb11, F12o, k11), mul(R11o, F12, k27), k11), add(mul(Qb12, F22o, k27), mul(R12o, F22, k29), k27),
+        k11), add(mul(Qb13, F32o, k27), mul(R13o, F32, k29), k27), k11
+    )
+    RT13o = add(
+        add(add(mul(Qb11, F13o, k4), mul(R11o, F13, k27), k4), add(mul(Qb12, F23o, k27), mul(R12o, F23, k28), k27), k4),
+        add(mul(Qb13, F33o, k27), mul(R13o, F33, k28), k27), k4
+    )
+    RT22o = add(
+        add(add(mul(Qb21, F12o, k27), mul(R21o, F12, k28), k27), add(mul(Qb22, F22o, k28), mul(R22o, F22, k29), k28),
+        k27), add(mul(Qb23, F32o, k28), mul(R23o, F32, k29), k28), k27
+    )
+    RT32o = add(
+        add(add(mul(Qb31, F12o, k28), mul(R31o, F12, k14), k14), add(mul(Qb32, F22o, k1), mul(R32o, F22, k28), k1), k1),
+        add(mul(Qb33, F32o, k14), mul(R33o, F32, k23), k14), k1
+    )
+    RT23o = add(
+        add(add(mul(Qb21, F13o, k14), mul(R21o, F13, k23), k14), add(mul(Qb22, F23o, k3), mul(R22o, F23, k23), k3), k3),
+        add(mul(Qb23, F33o, k14), mul(R23o, F33, k23), k14), k3
+    )
+    RT33o = add(
+        add(add(mul(Qb31, F13o, k6), mul(R31o, F13, k14), k6), add(mul(Qb32, F23o, k7), mul(R32o, F23, k10), k7), k6),
+        add(mul(Qb33, F33o, k5), mul(R33o, F33, k2), k2), k2
+    )
+    div(
+        add(add(add(mul(I11, RT12o, k5), mul(I11o, RT12, k6), k5), add(mul(I12, RT22o, k6), mul(I12o, RT22, k7), k6),
+        k5), add(mul(I13, RT32o, k6), mul(I13o, RT32, k7), k6), k5), n2, o56
+    )
+    div(
+        add(add(add(mul(I11, RT13o, k5), mul(I11o, RT13, k6), k5), add(mul(I12, RT23o, k6), mul(I12o, RT23, k7), k6),
+        k5), add(mul(I13, RT33o, k6), mul(I13o, RT33, k7), k6), k5), n2, o57
+    )
+    div(
+        add(add(add(mul(I21, RT12o, k5), mul(I21o, RT12, k6), k5), add(mul(I22, RT22o, k6), mul(I22o, RT22, k7), k6),
+        k5), add(mul(I23, RT32o, k6), mul(I23o, RT32, k7), k6), k5), n2, o62
+    )
+    div(
+        add(add(add(mul(I21, RT13o, k5), mul(I21o, RT13, k6), k5), add(mul(I22, RT23o, k6), mul(I22o, RT23, k7), k6),
+        k5), add(mul(I23, RT33o, k6), mul(I23o, RT33, k7), k6), k5), n2, o63
+    )
+    div(
+        add(add(add(mul(I31, RT12o, k5), mul(I31o, RT12, k6), k5), add(mul(I32, RT22o, k6), mul(I32o, RT22, k7), k6),
+        k5), add(mul(I33, RT32o, k1), mul(I33o, RT32, k6), k1), k1), n2, o68
+    )
+    div(
+        add(add(add(mul(I31, RT13o, k1), mul(I31o, RT13, k4), k1), add(mul(I32, RT23o, k3), mul(I32o, RT23, k4), k3),
+        k1), add(mul(I33, RT33o, k2), mul(I33o, RT33, k3), k2), k1), n2, o69
+    )
+    copy(n0, o4)
+    copy(n0, o5)
+    copy(n0, o6)
+    copy(n0, o10)
+    copy(n0, o11)
+    copy(n0, o12)
+    copy(n0, o16)
+    copy(n0, o17)
+    copy(n0, o18)
+    copy(o1, o22)
+    copy(o2, o23)
+    copy(o3, o24)
+    copy(o7, o28)
+    copy(o8, o29)
+    copy(o9, o30)
+    copy(o13, o34)
+    copy(o14, o35)
+    copy(o15, o36)
+    copy(n0, o40)
+    copy(n0, o41)
+    copy(n0, o42)
+    copy(n0, o46)
+    copy(n0, o47)
+    copy(n0, o48)
+    copy(n0, o52)
+    copy(n0, o53)
+    copy(n0, o54)
+    copy(o37, o58)
+    copy(o38, o59)
+    copy(o39, o60)
+    copy(o43, o64)
+    copy(o44, o65)
+    copy(o45, o66)
+    copy(o49, o70)
+    copy(o50, o71)
+    copy(o51, o72)
+
+
+# operations 964: 371 +, 480 *, 76 /, 34 neg, 1 lt, 2 where
+def _own_between_jacobians(m: Any, c: Any, a: Components, b: Components) -> Result:
+    a1, a2, a3, a1o, a2o, a3o = a
+    b1, b2, b3, b1o, b2o, b3o = b
+    minus_b1 = -b1
+    minus_b2 = -b2
+    minus_b3 = -b3
+    minus_b4 = -b1o
+    minus_b5 = -b2o
+    minus_b6 = -b3o
+    v11b = minus_b1 * minus_b1
+    v22b = minus_b2 * minus_b2
+    v33b = minus_b3 * minus_b3
+    x12b = v11b + v22b
+    xb = x12b + v33b
+    zb = xb / 16
+    pb = 1 - zb
+    rootb = 1 + zb
+    Nb = pb * pb + 4 * zb
+    rb = 2 * (Nb / Nb / Nb)
+    fb = 2 * pb * rb
+    f_vb = fb / 4
+    gb = 4 * rb
+    g_vb = gb / 16
+    h_vb = gb / 64
+    bvb1 = minus_b1 / 2
+    bvb2 = minus_b2 / 2
+    bvb3 = minus_b3 / 2
+    v11a = a1 * a1
+    v22a = a2 * a2
+    v33a = a3 * a3
+    xa = v11a + v22a + v33a
+    za = xa / 16
+    pa = 1 - za
+    roota = 1 + za
+    Na = pa * pa + 4 * za
+    ra = 2 * (Na / Na / Na)
+    fa = 2 * pa * ra
+    f_va = fa / 4
+    ga = 4 * ra
+    g_va = ga / 16
+    h_va = ga / 64
+    bva1 = a1 / 2
+    bva2 = a2 / 2
+    bva3 = a3 / 2
+    z0 = pb * pa - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
+    z1 = bva1 * pb + bvb1 * pa + (bvb2 * bva3 - bvb3 * bva2)
+    z2 = bva2 * pb + bvb2 * pa + (bvb3 * bva1 - bvb1 * bva3)
+    z3 = bva3 * pb + bvb3 * pa + (bvb1 * bva2 - bvb2 * bva1)
+    gva1 = a1 * g_va
+    gva2 = a2 * g_va
+    gva3 = a3 * g_va
+    ya = a1 * a1o + a2 * a2o + a3 * a3o
+    alonga = h_va * ya
+    rhoa1 = a1o * f_va + (gva2 * a3o - gva3 * a2o) + a1 * alonga
+    rhoa2 = a2o * f_va + (gva3 * a1o - gva1 * a3o) + a2 * alonga
+    rhoa3 = a3o * f_va + (gva1 * a2o - gva2 * a1o) + a3 * alonga
+    v_rho1 = minus_b2 * rhoa3 - minus_b3 * rhoa2
+    v_rho2 = minus_b3 * rhoa1 - minus_b1 * rhoa3
+    v_rho3 = minus_b1 * rhoa2 - minus_b2 * rhoa1
+    gv_rho1 = v_rho1 * g_vb
+    gv_rho2 = v_rho2 * g_vb
+    gv_rho3 = v_rho3 * g_vb
+    gvb1 = minus_b1 * g_vb
+    gvb2 = minus_b2 * g_vb
+    gvb3 = minus_b3 * g_vb
+    yb = minus_b1 * minus_b4 + minus_b2 * minus_b5 + minus_b3 * minus_b6
+    alongb = h_vb * yb
+    rhob1 = minus_b4 * f_vb + (gvb2 * minus_b6 - gvb3 * minus_b5) + minus_b1 * alongb
+    rhob2 = minus_b5 * f_vb + (gvb3 * minus_b4 - gvb1 * minus_b6) + minus_b2 * alongb
+    rhob3 = minus_b6 * f_vb + (gvb1 * minus_b5 - gvb2 * minus_b4) + minus_b3 * alongb
+    rho1 = rhoa1 + (v_rho1 * f_vb + (minus_b2 * gv_rho3 - minus_b3 * gv_rho2)) + rhob1
+    rho2 = rhoa2 + (v_rho2 * f_vb + (minus_b3 * gv_rho1 - minus_b1 * gv_rho3)) + rhob2
+    rho3 = rhoa3 + (v_rho3 * f_vb + (minus_b1 * gv_rho2 - minus_b2 * gv_rho1)) + rhob3
+    size = rootb * roota
+    negative = z0 < 0
+    cos = m.where(negative, -z0, z0)
+    gain = 4 * (m.where(negative, -1, 1) / (size + cos))
+    v1 = z1 * gain
+    v2 = z2 * gain
+    v3 = z3 * gain
+    fi = gain * z0
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    z = x / 16
+    hvr = (v1 * rho1 + v2 * rho2 + v3 * rho3) / 4
+    w4 = (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2
+    w5 = (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2
+    w6 = (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2
+    pw = 1 - z
+    fiw = pw / 2
+    fi_vw = 4 * fiw
+    yw = v1 * w4 + v2 * w5 + v3 * w6
+    fiow = -yw / 4
+    sw1 = -v1
+    sw2 = -v2
+    sw3 = -v3
+    sow1 = -w4
+    sow2 = -w5
+    sow3 = -w6
+    cvw1 = v1 / 4
+    cvw2 = v2 / 4
+    cvw3 = v3 / 4
+    cvow1 = w4 / 4
+    cvow2 = w5 / 4
+    cvow3 = w6 / 4
+    d12w = cvw1 * v2
+    d13w = cvw1 * v3
+    d23w = cvw2 * v3
+    I11 = fi_vw + cvw1 * v1
+    I12 = d12w - sw3
+    I13 = d13w + sw2
+    I21 = d12w + sw3
+    I22 = fi_vw + cvw2 * v2
+    I23 = d23w - sw1
+    I31 = d13w - sw2
+    I32 = d23w + sw1
+    I33 = fi_vw + cvw3 * v3
+    d12ow = cvw1 * w5 + cvow1 * v2
+    d13ow = cvw1 * w6 + cvow1 * v3
+    d23ow = cvw2 * w6 + cvow2 * v3
+    I11o = fiow + (cvw1 * w4 + cvow1 * v1)
+    I12o = d12ow - sow3
+    I13o = d13ow + sow2
+    I21o = d12ow + sow3
+    I22o = fiow + (cvw2 * w5 + cvow2 * v2)
+    I23o = d23ow - sow1
+    I31o = d13ow - sow2
+    I32o = d23ow + sow1
+    I33o = fiow + (cvw3 * w6 + cvow3 * v3)
+    eS = 4 / rootb
+    egS = eS * gb
+    fyS = gb - egS
+    fy_vS = fyS / 64
+    gyS = -egS
+    gy_vS = gyS / 256
+    hy_vS = gyS / 1024
+    foS = fy_vS * yb
+    goS = gy_vS * yb
+    hoS = hy_vS * yb
+    gvoS1 = minus_b4 * g_vb + minus_b1 * goS
+    gvoS2 = minus_b5 * g_vb + minus_b2 * goS
+    gvoS3 = minus_b6 * g_vb + minus_b3 * goS
+    cvS1 = minus_b1 * h_vb
+    cvS2 = minus_b2 * h_vb
+    cvS3 = minus_b3 * h_vb
+    cvoS1 = minus_b4 * h_vb + minus_b1 * hoS
+    cvoS2 = minus_b5 * h_vb + minus_b2 * hoS
+    cvoS3 = minus_b6 * h_vb + minus_b3 * hoS
+    d12S = cvS1 * minus_b2
+    d13S = cvS1 * minus_b3
+    d23S = cvS2 * minus_b3
+    S11 = f_vb + cvS1 * minus_b1
+    S12 = d12S - gvb3
+    S13 = d13S + gvb2
+    S21 = d12S + gvb3
+    S22 = f_vb + cvS2 * minus_b2
+    S23 = d23S - gvb1
+    S31 = d13S - gvb2
+    S32 = d23S + gvb1
+    S33 = f_vb + cvS3 * minus_b3
+    d12oS = cvS1 * minus_b5 + cvoS1 * minus_b2
+    d13oS = cvS1 * minus_b6 + cvoS1 * minus_b3
+    d23oS = cvS2 * minus_b6 + cvoS2 * minus_b3
+    S11o = foS + (cvS1 * minus_b4 + cvoS1 * minus_b1)
+    S12o = d12oS - gvoS3
+    S13o = d13oS + gvoS2
+    S21o = d12oS + gvoS3
+    S22o = foS + (cvS2 * minus_b5 + cvoS2 * minus_b2)
+    S23o = d23oS - gvoS1
+    S31o = d13oS - gvoS2
+    S32o = d23oS + gvoS1
+    S33o = foS + (cvS3 * minus_b6 + cvoS3 * minus_b3)
+    eF = 4 / roota
+    egF = eF * ga
+    fyF = ga - egF
+    fy_vF = fyF / 64
+    gyF = -egF
+    gy_vF = gyF / 256
+    hy_vF = gyF / 1024
+    foF = fy_vF * ya
+    goF = gy_vF * ya
+    hoF = hy_vF * ya
+    gvoF1 = a1o * g_va + a1 * goF
+    gvoF2 = a2o * g_va + a2 * goF
+    gvoF3 = a3o * g_va + a3 * goF
+    cvF1 = a1 * h_va
+    cvF2 = a2 * h_va
+    cvF3 = a3 * h_va
+    cvoF1 = a1o * h_va + a1 * hoF
+    cvoF2 = a2o * h_va + a2 * hoF
+    cvoF3 = a3o * h_va + a3 * hoF
+    d12F = cvF1 * a2
+    d13F = cvF1 * a3
+    d23F = cvF2 * a3
+    F11 = f_va + cvF1 * a1
+    F12 = d12F - gva3
+    F13 = d13F + gva2
+    F21 = d12F + gva3
+    F22 = f_va + cvF2 * a2
+    F23 = d23F - gva1
+    F31 = d13F - gva2
+    F32 = d23F + gva1
+    F33 = f_va + cvF3 * a3
+    d12oF = cvF1 * a2o + cvoF1 * a2
+    d13oF = cvF1 * a3o + cvoF1 * a3
+    d23oF = cvF2 * a3o + cvoF2 * a3
+    F11o = foF + (cvF1 * a1o + cvoF1 * a1)
+    F12o = d12oF - gvoF3
+    F13o = d13oF + gvoF2
+    F21o = d12oF + gvoF3
+    F22o = foF + (cvF2 * a2o + cvoF2 * a2)
+    F23o = d23oF - gvoF1
+    F31o = d13oF - gvoF2
+    F32o = d23oF + gvoF1
+    F33o = foF + (cvF3 * a3o + cvoF3 * a3)
+    x23b = v22b + v33b
+    x13b = v11b + v33b
+    fvb1 = minus_b1 * f_vb
+    fvb2 = minus_b2 * f_vb
+    fvb3 = minus_b3 * f_vb
+    gvvb1 = gvb1 * minus_b2
+    gvvb2 = gvb1 * minus_b3
+    gvvb3 = gvb2 * minus_b3
+    Qb11 = 1 - g_vb * x23b
+    Qb12 = gvvb1 - fvb3
+    Qb13 = gvvb2 + fvb2
+    Qb21 = gvvb1 + fvb3
+    Qb22 = 1 - g_vb * x13b
+    Qb23 = gvvb3 - fvb1
+    Qb31 = gvvb2 - fvb2
+    Qb32 = gvvb3 + fvb1
+    Qb33 = 1 - g_vb * x12b
+    R11o = Qb31 * rhob2 - Qb21 * rhob3
+    R12o = Qb32 * rhob2 - Qb22 * rhob3
+    R13o = Qb33 * rhob2 - Qb23 * rhob3
+    R21o = Qb11 * rhob3 - Qb31 * rhob1
+    R22o = Qb12 * rhob3 - Qb32 * rhob1
+    R23o = Qb13 * rhob3 - Qb33 * rhob1
+    R31o = Qb21 * rhob1 - Qb11 * rhob2
+    R32o = Qb22 * rhob1 - Qb12 * rhob2
+    R33o = Qb23 * rhob1 - Qb13 * rhob2
+    RT11 = Qb11 * F11 + Qb12 * F21 + Qb13 * F31
+    RT11o = Qb11 * F11o + R11o * F11 + (Qb12 * F21o + R12o * F21) + (Qb13 * F31o + R13o * F31)
+    RT12 = Qb11 * F12 + Qb12 * F22 + Qb13 * F32
+    RT12o = Qb11 * F12o + R11o * F12 + (Qb12 * F22o + R12o * F22) + (Qb13 * F32o + R13o * F32)
+    RT13 = Qb11 * F13 + Qb12 * F23 + Qb13 * F33
+    RT13o = Qb11 * F13o + R11o * F13 + (Qb12 * F23o + R12o * F23) + (Qb13 * F33o + R13o * F33)
+    RT21 = Qb21 * F11 + Qb22 * F21 + Qb23 * F31
+    RT21o = Qb21 * F11o + R21o * F11 + (Qb22 * F21o + R22o * F21) + (Qb23 * F31o + R23o * F31)
+    RT22 = Qb21 * F12 + Qb22 * F22 + Qb23 * F32
+    RT22o = Qb21 * F12o + R21o * F12 + (Qb22 * F22o + R22o * F22) + (Qb23 * F32o + R23o * F32)
+    RT23 = Qb21 * F13 + Qb22 * F23 + Qb23 * F33
+    RT23o = Qb21 * F13o + R21o * F13 + (Qb22 * F23o + R22o * F23) + (Qb23 * F33o + R23o * F33)
+    RT31 = Qb31 * F11 + Qb32 * F21 + Qb33 * F31
+    RT31o = Qb31 * F11o + R31o * F11 + (Qb32 * F21o + R32o * F21) + (Qb33 * F31o + R33o * F31)
+    RT32 = Qb31 * F12 + Qb32 * F22 + Qb33 * F32
+    RT32o = Qb31 * F12o + R31o * F12 + (Qb32 * F22o + R32o * F22) + (Qb33 * F32o + R33o * F32)
+    RT33 = Qb31 * F13 + Qb32 * F23 + Qb33 * F33
+    RT33o = Qb31 * F13o + R31o * F13 + (Qb32 * F23o + R32o * F23) + (Qb33 * F33o + R33o * F33)
+    A11 = (I11 * RT11 + I12 * RT21 + I13 * RT31) / 2
+    A12 = (I11 * RT12 + I12 * RT22 + I13 * RT32) / 2
+    A13 = (I11 * RT13 + I12 * RT23 + I13 * RT33) / 2
+    A21 = (I21 * RT11 + I22 * RT21 + I23 * RT31) / 2
+    A22 = (I21 * RT12 + I22 * RT22 + I23 * RT32) / 2
+    A23 = (I21 * RT13 + I22 * RT23 + I23 * RT33) / 2
+    A31 = (I31 * RT11 + I32 * RT21 + I33 * RT31) / 2
+    A32 = (I31 * RT12 + I32 * RT22 + I33 * RT32) / 2
+    A33 = (I31 * RT13 + I32 * RT23 + I33 * RT33) / 2
+    B11 = -((I11 * S11 + I12 * S21 + I13 * S31) / 2)
+    B12 = -((I11 * S12 + I12 * S22 + I13 * S32) / 2)
+    B13 = -((I11 * S13 + I12 * S23 + I13 * S33) / 2)
+    B21 = -((I21 * S11 + I22 * S21 + I23 * S31) / 2)
+    B22 = -((I21 * S12 + I22 * S22 + I23 * S32) / 2)
+    B23 = -((I21 * S13 + I22 * S23 + I23 * S33) / 2)
+    B31 = -((I31 * S11 + I32 * S21 + I33 * S31) / 2)
+    B32 = -((I31 * S12 + I32 * S22 + I33 * S32) / 2)
+    B33 = -((I31 * S13 + I32 * S23 + I33 * S33) / 2)
+    return (
+        A11,
+        A12,
+        A13,
+        0,
+        0,
+        0,
+        A21,
+        A22,
+        A23,
+        0,
+        0,
+        0,
+        A31,
+        A32,
+        A33,
+        0,
+        0,
+        0,
+        (I11 * RT11o + I11o * RT11 + (I12 * RT21o + I12o * RT21) + (I13 * RT31o + I13o * RT31)) / 2,
+        (I11 * RT12o + I11o * RT12 + (I12 * RT22o + I12o * RT22) + (I13 * RT32o + I13o * RT32)) / 2,
+        (I11 * RT13o + I11o * RT13 + (I12 * RT23o + I12o * RT23) + (I13 * RT33o + I13o * RT33)) / 2,
+        A11,
+        A12,
+        A13,
+        (I21 * RT11o + I21o * RT11 + (I22 * RT21o + I22o * RT21) + (I23 * RT31o + I23o * RT31)) / 2,
+        (I21 * RT12o + I21o * RT12 + (I22 * RT22o + I22o * RT22) + (I23 * RT32o + I23o * RT32)) / 2,
+        (I21 * RT13o + I21o * RT13 + (I22 * RT23o + I22o * RT23) + (I23 * RT33o + I23o * RT33)) / 2,
+        A21,
+        A22,
+        A23,
+        (I31 * RT11o + I31o * RT11 + (I32 * RT21o + I32o * RT21) + (I33 * RT31o + I33o * RT31)) / 2,
+        (I31 * RT12o + I31o * RT12 + (I32 * RT22o + I32o * RT22) + (I33 * RT32o + I33o * RT32)) / 2,
+        (I31 * RT13o + I31o * RT13 + (I32 * RT23o + I32o * RT23) + (I33 * RT33o + I33o * RT33)) / 2,
+        A31,
+        A32,
+        A33,
+        B11,
+        B12,
+        B13,
+        0,
+        0,
+        0,
+        B21,
+        B22,
+        B23,
+        0,
+        0,
+        0,
+        B31,
+        B32,
+        B33,
+        0,
+        0,
+        0,
+        -((I11 * S11o + I11o * S11 + (I12 * S21o + I12o * S21) + (I13 * S31o + I13o * S31)) / 2),
+        -((I11 * S12o + I11o * S12 + (I12 * S22o + I12o * S22) + (I13 * S32o + I13o * S32)) / 2),
+        -((I11 * S13o + I11o * S13 + (I12 * S23o + I12o * S23) + (I13 * S33o + I13o * S33)) / 2),
+        B11,
+        B12,
+        B13,
+        -((I21 * S11o + I21o * S11 + (I22 * S21o + I22o * S21) + (I23 * S31o + I23o * S31)) / 2),
+        -((I21 * S12o + I21o * S12 + (I22 * S22o + I22o * S22) + (I23 * S32o + I23o * S32)) / 2),
+        -((I21 * S13o + I21o * S13 + (I22 * S23o + I22o * S23) + (I23 * S33o + I23o * S33)) / 2),
+        B21,
+        B22,
+        B23,
+        -((I31 * S11o + I31o * S11 + (I32 * S21o + I32o * S21) + (I33 * S31o + I33o * S31)) / 2),
+        -((I31 * S12o + I31o * S12 + (I32 * S22o + I32o * S22) + (I33 * S32o + I33o * S32)) / 2),
+        -((I31 * S13o + I31o * S13 + (I32 * S23o + I32o * S23) + (I33 * S33o + I33o * S33)) / 2),
+        B31,
+        B32,
+        B33,
+    )
+
+
+def _own_between_jacobians_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, a: Rows, b: Rows
+) -> None:
+    a1, a2, a3, a1o, a2o, a3o = a
+    b1, b2, b3, b1o, b2o, b3o = b
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36, o37, o38, o39, o40, o41, o42, o43, o44, o45, o46,
+        o47, o48, o49, o50, o51, o52, o53, o54, o55, o56, o57, o58, o59, o60, o61, o62, o63, o64, o65, o66, o67, o68,
+        o69, o70, o71, o72,
+    ) = out
+    (
+        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
+        k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, k35, k36, k37, k38, k39, k40, k41, k42, k43, k44, k45, k46,
+        k47, k48, k49, k50, k51, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61, k62, k63, k64, k65, k66, k67,
+    ) = scratch
+    mask1, = masks
+    n_minus_1, n0, n1, n2, n4, n16, n64, n256, n1024 = numbers
+    minus_b1 = neg(b1, k1)
+    v11b = mul(minus_b1, minus_b1, k2)
+    minus_b2 = neg(b2, k3)
+    v22b = mul(minus_b2, minus_b2, k4)
+    x12b = add(v11b, v22b, k5)
+    minus_b3 = neg(b3, k6)
+    v33b = mul(minus_b3, minus_b3, k7)
+    x23b = add(v22b, v33b, k4)
+    x13b = add(v11b, v33b, k2)
+    xb = add(x12b, v33b, k7)
+    zb = div(xb, n16, k7)
+    pb = sub(n1, zb, k8)
+    v11a = mul(a1, a1, k9)
+    v22a = mul(a2, a2, k10)
+    v33a = mul(a3, a3, k11)
+    xa = add(add(v11a, v22a, k9), v33a, k9)
+    za = div(xa, n16, k9)
+    pa = sub(n1, za, k10)
+    bvb1 = div(minus_b1, n2, k11)
+    bva1 = div(a1, n2, k12)
+    bvb2 = div(minus_b2, n2, k13)
+    bva2 = div(a2, n2, k14)
+    bvb3 = div(minus_b3, n2, k15)
+    bva3 = div(a3, n2, k16)
+    z0 = sub(
+        mul(pb, pa, k17), add(add(mul(bvb1, bva1, k18), mul(bvb2, bva2, k19), k18), mul(bvb3, bva3, k19), k18), k17
+    )
+    negative = m.less(z0, n0, mask1)
+    cos = m.where(negative, neg(z0, k18), z0, k18)
+    rootb = add(n1, zb, k19)
+    Nb = add(mul(pb, pb, k20), mul(n4, zb, k7), k7)
+    rb = mul(n2, div(div(Nb, Nb, k20), Nb, k7), k7)
+    roota = add(n1, za, k20)
+    Na = add(mul(pa, pa, k21), mul(n4, za, k9), k9)
+    ra = mul(n2, div(div(Na, Na, k21), Na, k9), k9)
+    size = mul(rootb, roota, k21)
+    gain = mul(n4, div(m.where(negative, n_minus_1, n1, k22), add(size, cos, k18), k18), k18)
+    fi = mul(gain, z0, k17)
+    eS = div(n4, rootb, k19)
+    eF = div(n4, roota, k20)
+    z1 = add(
+        add(mul(bva1, pb, k21), mul(bvb1, pa, k22), k21), sub(mul(bvb2, bva3, k22), mul(bvb3, bva2, k23), k22), k21
+    )
+    v1 = mul(z1, gain, k21)
+    v11 = mul(v1, v1, k22)
+    z2 = add(
+        add(mul(bva2, pb, k23), mul(bvb2, pa, k24), k23), sub(mul(bvb3, bva1, k24), mul(bvb1, bva3, k25), k24), k23
+    )
+    z3 = add(
+        add(mul(bva3, pb, k16), mul(bvb3, pa, k15), k15), sub(mul(bvb1, bva2, k11), mul(bvb2, bva1, k12), k11), k11
+    )
+    v2 = mul(z2, gain, k12)
+    v3 = mul(z3, gain, k11)
+    fb = mul(mul(n2, pb, k8), rb, k8)
+    gb = mul(n4, rb, k7)
+    f_vb = div(fb, n4, k8)
+    fa = mul(mul(n2, pa, k10), ra, k10)
+    f_va = div(fa, n4, k10)
+    ga = mul(n4, ra, k9)
+    egS = mul(eS, gb, k13)
+    egF = mul(eF, ga, k14)
+    v22 = mul(v2, v2, k15)
+    v33 = mul(v3, v3, k16)
+    x = add(add(v11, v22, k15), v33, k15)
+    z = div(x, n16, k15)
+    pw = sub(n1, z, k15)
+    fiw = div(pw, n2, k15)
+    fi_vw = mul(n4, fiw, k15)
+    cvw3 = div(v3, n4, k16)
+    I33 = add(fi_vw, mul(cvw3, v3, k18), k18)
+    cvw1 = div(v1, n4, k19)
+    d13w = mul(cvw1, v3, k20)
+    sw2 = neg(v2, k22)
+    I31 = sub(d13w, sw2, k23)
+    I13 = add(d13w, sw2, k20)
+    cvw2 = div(v2, n4, k22)
+    d23w = mul(cvw2, v3, k24)
+    sw1 = neg(v1, k25)
+    I32 = add(d23w, sw1, k26)
+    I23 = sub(d23w, sw1, k24)
+    h_vb = div(gb, n64, k25)
+    cvS1 = mul(minus_b1, h_vb, k27)
+    d13S = mul(cvS1, minus_b3, k28)
+    g_vb = div(gb, n16, k29)
+    fyS = sub(gb, egS, k7)
+    gyS = neg(egS, k13)
+    fy_vS = div(fyS, n64, k7)
+    Qb11 = sub(n1, mul(g_vb, x23b, k4), k4)
+    Qb22 = sub(n1, mul(g_vb, x13b, k2), k2)
+    Qb33 = sub(n1, mul(g_vb, x12b, k5), k5)
+    gvb2 = mul(minus_b2, g_vb, k30)
+    S13 = add(d13S, gvb2, k31)
+    S31 = sub(d13S, gvb2, k28)
+    cvS2 = mul(minus_b2, h_vb, k32)
+    d23S = mul(cvS2, minus_b3, k33)
+    gvb1 = mul(minus_b1, g_vb, k34)
+    S23 = sub(d23S, gvb1, k35)
+    S32 = add(d23S, gvb1, k33)
+    cvS3 = mul(minus_b3, h_vb, k36)
+    S33 = add(f_vb, mul(cvS3, minus_b3, k37), k37)
+    neg(div(add(add(mul(I31, S13, k38), mul(I32, S23, k39), k38), mul(I33, S33, k39), k38), n2, k38), o51)
+    d12S = mul(cvS1, minus_b2, k38)
+    gvb3 = mul(minus_b3, g_vb, k39)
+    S12 = sub(d12S, gvb3, k40)
+    S21 = add(d12S, gvb3, k38)
+    S22 = add(f_vb, mul(cvS2, minus_b2, k41), k41)
+    neg(div(add(add(mul(I31, S12, k42), mul(I32, S22, k43), k42), mul(I33, S32, k43), k42), n2, k42), o50)
+    S11 = add(f_vb, mul(cvS1, minus_b1, k42), k42)
+    neg(div(add(add(mul(I31, S11, k43), mul(I32, S21, k44), k43), mul(I33, S31, k44), k43), n2, k43), o49)
+    g_va = div(ga, n16, k43)
+    gva1 = mul(a1, g_va, k44)
+    gva2 = mul(a2, g_va, k45)
+    h_va = div(ga, n64, k46)
+    fyF = sub(ga, egF, k9)
+    gyF = neg(egF, k14)
+    fy_vF = div(fyF, n64, k9)
+    ya = add(add(mul(a1, a1o, k47), mul(a2, a2o, k48), k47), mul(a3, a3o, k48), k47)
+    foF = mul(fy_vF, ya, k9)
+    alonga = mul(h_va, ya, k48)
+    rhoa3 = add(
+        add(mul(a3o, f_va, k49), sub(mul(gva1, a2o, k50), mul(gva2, a1o, k51), k50), k49), mul(a3, alonga, k50), k49
+    )
+    gva3 = mul(a3, g_va, k50)
+    rhoa2 = add(
+        add(mul(a2o, f_va, k51), sub(mul(gva3, a1o, k52), mul(gva1, a3o, k53), k52), k51), mul(a2, alonga, k52), k51
+    )
+    rhoa1 = add(
+        add(mul(a1o, f_va, k52), sub(mul(gva2, a3o, k53), mul(gva3, a2o, k54), k53), k52), mul(a1, alonga, k48), k48
+    )
+    v_rho1 = sub(mul(minus_b2, rhoa3, k52), mul(minus_b3, rhoa2, k53), k52)
+    v_rho3 = sub(mul(minus_b1, rhoa2, k53), mul(minus_b2, rhoa1, k54), k53)
+    gv_rho3 = mul(v_rho3, g_vb, k54)
+    v_rho2 = sub(mul(minus_b3, rhoa1, k55), mul(minus_b1, rhoa3, k56), k55)
+    gv_rho2 = mul(v_rho2, g_vb, k56)
+    minus_b4 = neg(b1o, k57)
+    minus_b5 = neg(b2o, k58)
+    minus_b6 = neg(b3o, k59)
+    yb = add(add(mul(minus_b1, minus_b4, k60), mul(minus_b2, minus_b5, k61), k60), mul(minus_b3, minus_b6, k61), k60)
+    foS = mul(fy_vS, yb, k7)
+    alongb = mul(h_vb, yb, k61)
+    rhob1 = add(
+        add(mul(minus_b4, f_vb, k62), sub(mul(gvb2, minus_b6, k63), mul(gvb3, minus_b5, k64), k63), k62), mul(minus_b1,
+        alongb, k63), k62
+    )
+    rho1 = add(
+        add(rhoa1, add(mul(v_rho1, f_vb, k63), sub(mul(minus_b2, gv_rho3, k64), mul(minus_b3, gv_rho2, k65), k64), k63),
+        k48), rhob1, k48
+    )
+    gv_rho1 = mul(v_rho1, g_vb, k52)
+    rhob2 = add(
+        add(mul(minus_b5, f_vb, k63), sub(mul(gvb3, minus_b4, k39), mul(gvb1, minus_b6, k64), k39), k39), mul(minus_b2,
+        alongb, k63), k39
+    )
+    rho2 = add(
+        add(rhoa2, add(mul(v_rho2, f_vb, k55), sub(mul(minus_b3, gv_rho1, k63), mul(minus_b1, gv_rho3, k54), k54), k54),
+        k51), rhob2, k51
+    )
+    rhob3 = add(
+        add(mul(minus_b6, f_vb, k54), sub(mul(gvb1, minus_b5, k55), mul(gvb2, minus_b4, k63), k55), k54), mul(minus_b3,
+        alongb, k55), k54
+    )
+    rho3 = add(
+        add(rhoa3, add(mul(v_rho3, f_vb, k53), sub(mul(minus_b1, gv_rho2, k55), mul(minus_b2, gv_rho1, k52), k52), k52),
+        k49), rhob3, k49
+    )
+    gvvb3 = mul(gvb2, minus_b3, k30)
+    hvr = div(add(add(mul(v1, rho1, k52), mul(v2, rho2, k53), k52), mul(v3, rho3, k53), k52), n4, k52)
+    w4 = div(
+        add(sub(mul(rho1, fi, k53), sub(mul(v2, rho3, k55), mul(v3, rho2, k56), k55), k53), mul(v1, hvr, k55), k53), n2,
+        k53
+    )
+    w5 = div(
+        add(sub(mul(rho2, fi, k55), sub(mul(v3, rho1, k56), mul(v1, rho3, k61), k56), k55), mul(v2, hvr, k56), k55), n2,
+        k55
+    )
+    w6 = div(
+        add(sub(mul(rho3, fi, k17), sub(mul(v1, rho2, k49), mul(v2, rho1, k48), k48), k17), mul(v3, hvr, k48), k17), n2,
+        k17
+    )
+    yw = add(add(mul(v1, w4, k48), mul(v2, w5, k49), k48), mul(v3, w6, k49), k48)
+    fiow = div(neg(yw, k48), n4, k48)
+    cvow3 = div(w6, n4, k49)
+    I33o = add(fiow, add(mul(cvw3, w6, k16), mul(cvow3, v3, k49), k16), k16)
+    cvow1 = div(w4, n4, k49)
+    d13ow = add(mul(cvw1, w6, k51), mul(cvow1, v3, k52), k51)
+    sow2 = neg(w5, k52)
+    I31o = sub(d13ow, sow2, k56)
+    I13o = add(d13ow, sow2, k51)
+    cvow2 = div(w5, n4, k52)
+    d23ow = add(mul(cvw2, w6, k61), mul(cvow2, v3, k63), k61)
+    sw3 = neg(v3, k11)
+    I22o = add(fiow, add(mul(cvw2, w5, k63), mul(cvow2, v2, k52), k52), k52)
+    I22 = add(fi_vw, mul(cvw2, v2, k22), k22)
+    d12ow = add(mul(cvw1, w5, k55), mul(cvow1, v2, k63), k55)
+    I11o = add(fiow, add(mul(cvw1, w4, k63), mul(cvow1, v1, k49), k49), k48)
+    I11 = add(fi_vw, mul(cvw1, v1, k21), k15)
+    d12w = mul(cvw1, v2, k12)
+    sow1 = neg(w4, k19)
+    sow3 = neg(w6, k17)
+    I32o = add(d23ow, sow1, k21)
+    I23o = sub(d23ow, sow1, k19)
+    hy_vS = div(gyS, n1024, k49)
+    hoS = mul(hy_vS, yb, k49)
+    gy_vS = div(gyS, n256, k13)
+    goS = mul(gy_vS, yb, k13)
+    cvoS1 = add(mul(minus_b4, h_vb, k53), mul(minus_b1, hoS, k60), k53)
+    d13oS = add(mul(cvS1, minus_b6, k60), mul(cvoS1, minus_b3, k61), k60)
+    gvoS2 = add(mul(minus_b5, g_vb, k61), mul(minus_b2, goS, k63), k61)
+    S13o = add(d13oS, gvoS2, k63)
+    S31o = sub(d13oS, gvoS2, k60)
+    cvoS2 = add(mul(minus_b5, h_vb, k61), mul(minus_b2, hoS, k64), k61)
+    cvoS3 = add(mul(minus_b6, h_vb, k25), mul(minus_b3, hoS, k49), k25)
+    S33o = add(foS, add(mul(cvS3, minus_b6, k36), mul(cvoS3, minus_b3, k25), k25), k25)
+    d23oS = add(mul(cvS2, minus_b6, k36), mul(cvoS2, minus_b3, k49), k36)
+    S22o = add(foS, add(mul(cvS2, minus_b5, k32), mul(cvoS2, minus_b2, k49), k32), k32)
+    d12oS = add(mul(cvS1, minus_b5, k49), mul(cvoS1, minus_b2, k58), k49)
+    S11o = add(foS, add(mul(cvS1, minus_b4, k27), mul(cvoS1, minus_b1, k53), k27), k7)
+    gvoS1 = add(mul(minus_b4, g_vb, k27), mul(minus_b1, goS, k53), k27)
+    gvoS3 = add(mul(minus_b6, g_vb, k29), mul(minus_b3, goS, k13), k13)
+    fvb1 = mul(minus_b1, f_vb, k1)
+    S23o = sub(d23oS, gvoS1, k29)
+    S32o = add(d23oS, gvoS1, k27)
+    neg(
+        div(add(add(add(mul(I31, S13o, k36), mul(I31o, S13, k53), k36), add(mul(I32, S23o, k53), mul(I32o, S23, k57),
+        k53), k36), add(mul(I33, S33o, k53), mul(I33o, S33, k57), k53), k36), n2, k36), o69
+    )
+    S12o = sub(d12oS, gvoS3, k36)
+    S21o = add(d12oS, gvoS3, k13)
+    neg(
+        div(add(add(add(mul(I31, S12o, k49), mul(I31o, S12, k53), k49), add(mul(I32, S22o, k53), mul(I32o, S22, k57),
+        k53), k49), add(mul(I33, S32o, k53), mul(I33o, S32, k57), k53), k49), n2, k49), o68
+    )
+    neg(
+        div(add(add(add(mul(I31, S11o, k49), mul(I31o, S11, k53), k49), add(mul(I32, S21o, k53), mul(I32o, S21, k57),
+        k53), k49), add(mul(I33, S31o, k53), mul(I33o, S31, k57), k53), k49), n2, k49), o67
+    )
+    I21 = add(d12w, sw3, k49)
+    I12 = sub(d12w, sw3, k11)
+    neg(div(add(add(mul(I21, S13, k12), mul(I22, S23, k53), k12), mul(I23, S33, k53), k12), n2, k12), o45)
+    neg(div(add(add(mul(I21, S12, k12), mul(I22, S22, k53), k12), mul(I23, S32, k53), k12), n2, k12), o44)
+    neg(div(add(add(mul(I21, S11, k12), mul(I22, S21, k53), k12), mul(I23, S31, k53), k12), n2, k12), o43)
+    neg(div(add(add(mul(I11, S13, k12), mul(I12, S23, k53), k12), mul(I13, S33, k53), k12), n2, k12), o39)
+    neg(div(add(add(mul(I11, S12, k12), mul(I12, S22, k53), k12), mul(I13, S32, k53), k12), n2, k12), o38)
+    neg(div(add(add(mul(I11, S11, k12), mul(I12, S21, k53), k12), mul(I13, S31, k53), k12), n2, k12), o37)
+    I21o = add(d12ow, sow3, k12)
+    I12o = sub(d12ow, sow3, k17)
+    neg(
+        div(add(add(add(mul(I21, S13o, k53), mul(I21o, S13, k55), k53), add(mul(I22, S23o, k55), mul(I22o, S23, k57),
+        k55), k53), add(mul(I23, S33o, k55), mul(I23o, S33, k57), k55), k53), n2, k53), o63
+    )
+    neg(
+        div(add(add(add(mul(I11, S13o, k53), mul(I11o, S13, k31), k31), add(mul(I12, S23o, k29), mul(I12o, S23, k35),
+        k29), k29), add(mul(I13, S33o, k25), mul(I13o, S33, k31), k25), k25), n2, k25), o57
+    )
+    neg(
+        div(add(add(add(mul(I21, S12o, k25), mul(I21o, S12, k29), k25), add(mul(I22, S22o, k29), mul(I22o, S22, k31),
+        k29), k25), add(mul(I23, S32o, k29), mul(I23o, S32, k31), k29), k25), n2, k25), o62
+    )
+    neg(
+        div(add(add(add(mul(I11, S12o, k25), mul(I11o, S12, k29), k25), add(mul(I12, S22o, k29), mul(I12o, S22, k31),
+        k29), k25), add(mul(I13, S32o, k27), mul(I13o, S32, k29), k27), k25), n2, k25), o56
+    )
+    neg(
+        div(add(add(add(mul(I21, S11o, k25), mul(I21o, S11, k27), k25), add(mul(I22, S21o, k27), mul(I22o, S21, k29),
+        k27), k25), add(mul(I23, S31o, k27), mul(I23o, S31, k29), k27), k25), n2, k25), o61
+    )
+    neg(
+        div(add(add(add(mul(I11, S11o, k7), mul(I11o, S11, k25), k7), add(mul(I12, S21o, k13), mul(I12o, S21, k25),
+        k13), k7), add(mul(I13, S31o, k13), mul(I13o, S31, k25), k13), k7), n2, k7), o55
+    )
+    cvF1 = mul(a1, h_va, k7)
+    d13F = mul(cvF1, a3, k13)
+    F13 = add(d13F, gva2, k25)
+    F31 = sub(d13F, gva2, k13)
+    gvvb1 = mul(gvb1, minus_b2, k27)
+    gvvb2 = mul(gvb1, minus_b3, k28)
+    fvb3 = mul(minus_b3, f_vb, k6)
+    fvb2 = mul(minus_b2, f_vb, k3)
+    Qb12 = sub(gvvb1, fvb3, k8)
+    Qb21 = add(gvvb1, fvb3, k6)
+    cvF2 = mul(a2, h_va, k27)
+    d23F = mul(cvF2, a3, k29)
+    F23 = sub(d23F, gva1, k31)
+    F32 = add(d23F, gva1, k29)
+    Qb13 = add(gvvb2, fvb2, k32)
+    Qb31 = sub(gvvb2, fvb2, k3)
+    cvF3 = mul(a3, h_va, k28)
+    F33 = add(f_va, mul(cvF3, a3, k33), k33)
+    RT13 = add(add(mul(Qb11, F13, k34), mul(Qb12, F23, k35), k34), mul(Qb13, F33, k35), k34)
+    Qb23 = sub(gvvb3, fvb1, k35)
+    Qb32 = add(gvvb3, fvb1, k1)
+    RT23 = add(add(mul(Qb21, F13, k30), mul(Qb22, F23, k36), k30), mul(Qb23, F33, k36), k30)
+    RT33 = add(add(mul(Qb31, F13, k36), mul(Qb32, F23, k37), k36), mul(Qb33, F33, k37), k36)
+    div(add(add(mul(I31, RT13, k37), mul(I32, RT23, k38), k37), mul(I33, RT33, k38), k37), n2, o15)
+    div(add(add(mul(I21, RT13, k37), mul(I22, RT23, k38), k37), mul(I23, RT33, k38), k37), n2, o9)
+    div(add(add(mul(I11, RT13, k37), mul(I12, RT23, k38), k37), mul(I13, RT33, k38), k37), n2, o3)
+    d12F = mul(cvF1, a2, k37)
+    F12 = sub(d12F, gva3, k38)
+    F21 = add(d12F, gva3, k37)
+    F22 = add(f_va, mul(cvF2, a2, k40), k40)
+    F11 = add(f_va, mul(cvF1, a1, k41), k10)
+    RT12 = add(add(mul(Qb11, F12, k41), mul(Qb12, F22, k42), k41), mul(Qb13, F32, k42), k41)
+    RT22 = add(add(mul(Qb21, F12, k42), mul(Qb22, F22, k44), k42), mul(Qb23, F32, k44), k42)
+    RT32 = add(add(mul(Qb31, F12, k44), mul(Qb32, F22, k45), k44), mul(Qb33, F32, k45), k44)
+    div(add(add(mul(I31, RT12, k45), mul(I32, RT22, k50), k45), mul(I33, RT32, k50), k45), n2, o14)
+    div(add(add(mul(I21, RT12, k45), mul(I22, RT22, k50), k45), mul(I23, RT32, k50), k45), n2, o8)
+    div(add(add(mul(I11, RT12, k45), mul(I12, RT22, k50), k45), mul(I13, RT32, k50), k45), n2, o2)
+    RT11 = add(add(mul(Qb11, F11, k45), mul(Qb12, F21, k50), k45), mul(Qb13, F31, k50), k45)
+    RT21 = add(add(mul(Qb21, F11, k50), mul(Qb22, F21, k53), k50), mul(Qb23, F31, k53), k50)
+    RT31 = add(add(mul(Qb31, F11, k53), mul(Qb32, F21, k55), k53), mul(Qb33, F31, k55), k53)
+    div(add(add(mul(I31, RT11, k55), mul(I32, RT21, k57), k55), mul(I33, RT31, k57), k55), n2, o13)
+    div(add(add(mul(I21, RT11, k55), mul(I22, RT21, k57), k55), mul(I23, RT31, k57), k55), n2, o7)
+    div(add(add(mul(I11, RT11, k55), mul(I12, RT21, k57), k55), mul(I13, RT31, k57), k55), n2, o1)
+    R11o = sub(mul(Qb31, rhob2, k55), mul(Qb21, rhob3, k57), k55)
+    R12o = sub(mul(Qb32, rhob2, k57), mul(Qb22, rhob3, k58), k57)
+    R13o = sub(mul(Qb33, rhob2, k58), mul(Qb23, rhob3, k59), k58)
+    hy_vF = div(gyF, n1024, k59)
+    hoF = mul(hy_vF, ya, k59)
+    gy_vF = div(gyF, n256, k14)
+    goF = mul(gy_vF, ya, k14)
+    cvoF1 = add(mul(a1o, h_va, k47), mul(a1, hoF, k60), k47)
+    d13oF = add(mul(cvF1, a3o, k60), mul(cvoF1, a3, k61), k60)
+    gvoF2 = add(mul(a2o, g_va, k61), mul(a2, goF, k63), k61)
+    F13o = add(d13oF, gvoF2, k63)
+    F31o = sub(d13oF, gvoF2, k60)
+    cvoF2 = add(mul(a2o, h_va, k61), mul(a2, hoF, k64), k61)
+    cvoF3 = add(mul(a3o, h_va, k46), mul(a3, hoF, k59), k46)
+    F33o = add(foF, add(mul(cvF3, a3o, k28), mul(cvoF3, a3, k46), k28), k28)
+    d23oF = add(mul(cvF2, a3o, k46), mul(cvoF2, a3, k59), k46)
+    F22o = add(foF, add(mul(cvF2, a2o, k27), mul(cvoF2, a2, k59), k27), k27)
+    F11o = add(foF, add(mul(cvF1, a1o, k59), mul(cvoF1, a1, k61), k59), k9)
+    d12oF = add(mul(cvF1, a2o, k7), mul(cvoF1, a2, k47), k7)
+    gvoF1 = add(mul(a1o, g_va, k47), mul(a1, goF, k59), k47)
+    gvoF3 = add(mul(a3o, g_va, k43), mul(a3, goF, k14), k14)
+    F23o = sub(d23oF, gvoF1, k43)
+    F32o = add(d23oF, gvoF1, k46)
+    RT13o = add(
+        add(add(mul(Qb11, F13o, k47), mul(R11o, F13, k59), k47), add(mul(Qb12, F23o, k59), mul(R12o, F23, k61), k59),
+        k47), add(mul(Qb13, F33o, k59), mul(R13o, F33, k61), k59), k47
+    )
+    R21o = sub(mul(Qb11, rhob3, k59), mul(Qb31, rhob1, k61), k59)
+    R22o = sub(mul(Qb12, rhob3, k61), mul(Qb32, rhob1, k64), k61)
+    R23o = sub(mul(Qb13, rhob3, k54), mul(Qb33, rhob1, k64), k54)
+    RT23o = add(
+        add(add(mul(Qb21, F13o, k64), mul(R21o, F13, k65), k64), add(mul(Qb22, F23o, k65), mul(R22o, F23, k66), k65),
+        k64), add(mul(Qb23, F33o, k65), mul(R23o, F33, k66), k65), k64
+    )
+    R31o = sub(mul(Qb21, rhob1, k65), mul(Qb11, rhob2, k66), k65)
+    R32o = sub(mul(Qb22, rhob1, k66), mul(Qb12, rhob2, k67), k66)
+    R33o = sub(mul(Qb23, rhob1, k62), mul(Qb13, rhob2, k39), k39)
+    RT33o = add(
+        add(add(mul(Qb31, F13o, k62), mul(R31o, F13, k25), k25), add(mul(Qb32, F23o, k43), mul(R32o, F23, k31), k31),
+        k25), add(mul(Qb33, F33o, k28), mul(R33o, F33, k31), k28), k25
+    )
+    div(
+        add(add(add(mul(I31, RT13o, k28), mul(I31o, RT13, k31), k28), add(mul(I32, RT23o, k31), mul(I32o, RT23, k33),
+        k31), k28), add(mul(I33, RT33o, k31), mul(I33o, RT33, k33), k31), k28), n2, o33
+    )
+    div(
+        add(add(add(mul(I21, RT13o, k28), mul(I21o, RT13, k31), k28), add(mul(I22, RT23o, k31), mul(I22o, RT23, k33),
+        k31), k28), add(mul(I23, RT33o, k31), mul(I23o, RT33, k33), k31), k28), n2, o27
+    )
+    div(
+        add(add(add(mul(I11, RT13o, k28), mul(I11o, RT13, k31), k28), add(mul(I12, RT23o, k31), mul(I12o, RT23, k30),
+        k30), k28), add(mul(I13, RT33o, k25), mul(I13o, RT33, k30), k25), k25), n2, o21
+    )
+    F12o = sub(d12oF, gvoF3, k25)
+    F21o = add(d12oF, gvoF3, k7)
+    RT12o = add(
+        add(add(mul(Qb11, F12o, k14), mul(R11o, F12, k28), k14), add(mul(Qb12, F22o, k28), mul(R12o, F22, k30), k28),
+        k14), add(mul(Qb13, F32o, k28), mul(R13o, F32, k30), k28), k14
+    )
+    RT11o = add(
+        add(add(mul(Qb11, F11o, k4), mul(R11o, F11, k28), k4), add(mul(Qb12, F21o, k8), mul(R12o, F21, k28), k8), k4),
+        add(mul(Qb13, F31o, k8), mul(R13o, F31, k28), k8), k4
+    )
+    RT22o = add(
+        add(add(mul(Qb21, F12o, k8), mul(R21o, F12, k28), k8), add(mul(Qb22, F22o, k28), mul(R22o, F22, k30), k28), k8),
+        add(mul(Qb23, F32o, k28), mul(R23o, F32, k30), k28), k8
+    )
+    RT32o = add(
+        add(add(mul(Qb31, F12o, k25), mul(R31o, F12, k28), k25), add(mul(Qb32, F22o, k27), mul(R32o, F22, k28), k27),
+        k25), add(mul(Qb33, F32o, k27), mul(R33o, F32, k28), k27), k25
+    )
+    RT21o = add(
+        add(add(mul(Qb21, F11o, k6), mul(R21o, F11, k27), k6), add(mul(Qb22, F21o, k2), mul(R22o, F21, k27), k2), k2),
+        add(mul(Qb23, F31o, k6), mul(R23o, F31, k27), k6), k2
+    )
+    RT31o = add(
+        add(add(mul(Qb31, F11o, k3), mul(R31o, F11, k6), k3), add(mul(Qb32, F21o, k1), mul(R32o, F21, k6), k1), k1),
+        add(mul(Qb33, F31o, k3), mul(R33o, F31, k5), k3), k1
+    )
+    div(
+        add(add(add(mul(I31, RT12o, k3), mul(I31o, RT12, k5), k3), add(mul(I32, RT22o, k5), mul(I32o, RT22, k6), k5),
+        k3), add(mul(I33, RT32o, k5), mul(I33o, RT32, k6), k5), k3), n2, o32
+    )
+    div(
+        add(add(add(mul(I31, RT11o, k3), mul(I31o, RT11, k5), k3), add(mul(I32, RT21o, k5), mul(I32o, RT21, k6), k5),
+        k3), add(mul(I33, RT31o, k5), mul(I33o, RT31, k6), k5), k3), n2, o31
+    )
+    div(
+        add(add(add(mul(I21, RT12o, k3), mul(I21o, RT12, k5), k3), add(mul(I22, RT22o, k5), mul(I22o, RT22, k6), k5),
+        k3), add(mul(I23, RT32o, k5), mul(I23o, RT32, k6), k5), k3), n2, o26
+    )
+    div(
+        add(add(add(mul(I21, RT11o, k3), mul(I21o, RT11, k5), k3), add(mul(I22, RT21o, k5), mul(I22o, RT21, k6), k5),
+        k3), add(mul(I23, RT31o, k5), mul(I23o, RT31, k6), k5), k3), n2, o25
+    )
+    div(
+        add(add(add(mul(I11, RT12o, k3), mul(I11o, RT12, k5), k3), add(mul(I12, RT22o, k5), mul(I12o, RT22, k6), k5),
+        k3), add(mul(I13, RT32o, k5), mul(I13o, RT32, k6), k5), k3), n2, o20
+    )
+    div(
+        add(add(add(mul(I11, RT11o, k3), mul(I11o, RT11, k4), k3), add(mul(I12, RT21o, k2), mul(I12o, RT21, k4), k2),
+        k2), add(mul(I13, RT31o, k1), mul(I13o, RT31, k3), k1), k1), n2, o19
+    )
+    copy(n0, o4)
+    copy(n0, o5)
+    copy(n0, o6)
+    copy(n0, o10)
+    copy(n0, o11)
+    copy(n0, o12)
+    copy(n0, o16)
+    copy(n0, o17)
+    copy(n0, o18)
+    copy(o1, o22)
+    copy(o2, o23)
+    copy(o3, o24)
+    copy(o7, o28)
+    copy(o8, o29)
+    copy(o9, o30)
+    copy(o13, o34)
+    copy(o14, o35)
+    copy(o15, o36)
+    copy(n0, o40)
+    copy(n0, o41)
+    copy(n0, o42)
+    copy(n0, o46)
+    copy(n0, o47)
+    copy(n0, o48)
+    copy(n0, o52)
+    copy(n0, o53)
+    copy(n0, o54)
+    copy(o37, o58)
+    copy(o38, o59)
+    copy(o39, o60)
+    copy(o43, o64)
+    copy(o44, o65)
+    copy(o45, o66)
+    copy(o49, o70)
+    copy(o50, o71)
+    copy(o51, o72)
+
+
 CHART = Chart(
     __name__,
     branches=2,
@@ -1628,11 +3484,47 @@ CHART = Chart(
         lent=(),
         real=True,
     ),
+        "between": Kernel(
+        _own_between,
+        _own_between_blocks,
+        (("v2", (6,)), ("v1", (6,)),),
+        (6,),
+        registers=23,
+        masks=1,
+        numbers=(-1, 0, 1, 2, 4, 16, 64),
+        lent=(),
+        real=True,
+    ),
+        "compose_jacobians": Kernel(
+        _own_compose_jacobians,
+        _own_compose_jacobians_blocks,
+        (("v2", (6,)), ("v1", (6,)),),
+        (72,),
+        registers=69,
+        masks=1,
+        numbers=(-1, 0, 1, 2, 4, 16, 64, 256, 1024),
+        lent=(),
+        real=True,
+    ),
+        "between_jacobians": Kernel(
+        _own_between_jacobians,
+        _own_between_jacobians_blocks,
+        (("v2", (6,)), ("v1", (6,)),),
+        (72,),
+        registers=67,
+        masks=1,
+        numbers=(-1, 0, 1, 2, 4, 16, 64, 256, 1024),
+        lent=(),
+        real=True,
+    ),
     },
 )
 
 KERNELS = PoseKernels(CHART)
 
+adjoint = KERNELS.adjoint
+between = KERNELS.between
+between_jacobians = KERNELS.between_jacobians
 body_cotangent = KERNELS.body_cotangent
 body_cotangent_jacobian = KERNELS.body_cotangent_jacobian
 body_rate = KERNELS.body_rate
@@ -1645,6 +3537,7 @@ body_twist = KERNELS.body_twist
 body_twist_dot = KERNELS.body_twist_dot
 body_twist_jacobian = KERNELS.body_twist_jacobian
 compose = KERNELS.compose
+compose_jacobians = KERNELS.compose_jacobians
 cotangent = KERNELS.cotangent
 cotangent_jacobian = KERNELS.cotangent_jacobian
 from_pose = KERNELS.from_pose
@@ -1668,7 +3561,9 @@ tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_screw = KERNELS.to_screw
 transform_line = KERNELS.transform_line
+transform_line_jacobians = KERNELS.transform_line_jacobians
 transform_point = KERNELS.transform_point
+transform_point_jacobians = KERNELS.transform_point_jacobians
 twist = KERNELS.twist
 twist_dot = KERNELS.twist_dot
 twist_jacobian = KERNELS.twist_jacobian

@@ -404,6 +404,43 @@ class Oracle:
     def compose(self, v2: Any, v1: Any) -> np.ndarray:
         return pack(self.vector_of(hamilton(self.unit(self.unpack(v2)), self.unit(self.unpack(v1)))))
 
+    def between(self, v2: Any, v1: Any) -> np.ndarray:
+        return pack(self.vector_of(hamilton(conjugate(self.unit(self.unpack(v1))), self.unit(self.unpack(v2)))))
+
+    def compose_jacobians(self, v2: Any, v1: Any) -> tuple[np.ndarray, np.ndarray]:
+        """By the twist of a product: T(v) v̇ = T(v2) v̇2 + R(v2) T(v1) v̇1."""
+        later, sooner = self.unpack(v2), self.unpack(v1)
+        back = inverse(self.operator(self.unpack(self.compose(v2, v1))))
+        turned = matmul(self.rotation(later), self.operator(sooner))
+        return matrix6(pack(matmul(back, self.operator(later)))), matrix6(pack(matmul(back, turned)))
+
+    def between_jacobians(self, v2: Any, v1: Any) -> tuple[np.ndarray, np.ndarray]:
+        """The same of R(v1)ᵀ R(v2)."""
+        back = inverse(self.operator(self.unpack(self.between(v2, v1))))
+        back = matmul(back, transpose(self.rotation(self.unpack(v1))))
+        one, other = (matrix6(pack(matmul(back, self.operator(self.unpack(v))))) for v in (v2, v1))
+        return one, -other
+
+    def adjoint(self, v: Any) -> np.ndarray:
+        return matrix6(self.tensor(v))
+
+    def transform_point_jacobians(self, v: Any, r: Any) -> tuple[np.ndarray, np.ndarray]:
+        """Rates of Q r + vect(R° Qᵀ) as each component of v goes."""
+        here, point = self.unpack(v), [self.field.number(c) for c in r]
+        zero, columns = here[0].re * 0, []
+        for place in range(6):
+            unit = [Nil(zero + (place == i), zero + (place == 3 + i)) for i in range(3)]
+            now, change = (np.array(pack(tensor)) for tensor in split(self.rotation(along(here, unit))))
+            shift = change[1] @ now[0].T + now[1] @ change[0].T
+            columns.append(change[0] @ np.array(point, dtype=object) + np.array(vect(shift.tolist()), dtype=object))
+        return np.stack(columns, axis=-1), self.pose(v)[:3, :3]
+
+    def transform_line_jacobians(self, v: Any, line: Any) -> tuple[np.ndarray, np.ndarray]:
+        here, given = self.unpack(v), self.unpack(line)
+        units = [[Nil(a.re * 0 + c, a.re * 0) for a, c in zip(here, e, strict=True)] for e in E]
+        slopes = [split(self.rotation(along(here, unit)))[1] for unit in units]
+        return applied_jacobian(slopes, given), self.adjoint(v)
+
     def transform_point(self, v: Any, r: Any) -> np.ndarray:
         pose = self.pose(v)
         return pose[:3, :3] @ np.array([self.field.number(c) for c in r], dtype=object) + pose[:3, 3]

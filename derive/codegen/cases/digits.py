@@ -23,7 +23,7 @@ from ...maps.pose import (
 from ...maps.sign_tests import orientation
 from ..signatures import FUNCTIONS
 from .exact import ALGEBRAIC, Expectation
-from .maps_at import Flat, flat
+from .maps_at import MAPS, Flat, flat
 from .point import value
 from .screws import covering, half_turns, steep, translation
 from .vectors import Vectors, is_whole
@@ -39,6 +39,9 @@ SMALL_AT_EDGE = 1e-11
 
 NEAR_EDGE = 1e-12
 """What `Vectors.finite` asks of a branch here: nearer to the edge, its condition takes digits that are compared."""
+
+INSIDE = 0.1
+"""The same of vectors that Jacobians are taken at, whose condition is greater by one more power."""
 
 NEAR_TIE = mpmath.mpf(10) ** -30
 """Angle between a vector and the limit of its branch."""
@@ -174,6 +177,10 @@ def _principal(chart: Vectors, screw: Screw, other: Screw) -> Iterator[Expectati
     product = quaternion_from_screw(other) * q
     vectors = (flat(chart.at(other)), flat(principal))
     yield Expectation("compose", vectors, flat(chart.of_quaternion(product)))
+    yield Expectation("between", vectors, MAPS["between"](chart, 0, *vectors))
+    if all(chart.finite(s, 0, INSIDE) for s in (screw, other)):
+        for name in ("compose_jacobians", "between_jacobians"):
+            yield Expectation(name, vectors, MAPS[name](chart, 0, *vectors))
 
 
 def _back(chart: Vectors, screw: Screw, branch: int) -> Iterator[Expectation]:

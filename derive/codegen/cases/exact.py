@@ -170,6 +170,30 @@ def _rate_dot(hand: int) -> Callable[..., Flat]:
     return expected
 
 
+def _point_jacobians(at: Formulas, v: Flat, r: Flat) -> Flat:
+    """Rates of the moved point as each component of v goes, and Q."""
+    here, point = dual(v), Vector(*r)
+    still = 0 * here.re
+    columns = []
+    for place in range(6):
+        rate = [0 * c + int(i == place) for i, c in enumerate(v)]
+        there = Vector.dual(moving(here.re, Vector(*rate[:3])), moving(here.du, Vector(*rate[3:])))
+        columns.append(at.pose(there).apply(moving(point, still)).du)
+    rows = (entry for row in zip(*columns, strict=True) for entry in row)
+    return (*rows, *at.pose(here).rotation)
+
+
+def _line_jacobians(at: Formulas, v: Flat, line: Flat) -> Flat:
+    given = dual(line)
+    fixed = moving(given, 0 * given)
+    by_v = jacobian(lambda there: at.tensor(there).apply(there, fixed), dual(v))
+    return (*by_v, *_adjoint(at, v))
+
+
+def _adjoint(at: Formulas, v: Flat) -> Flat:
+    return matrix6([Vector(*column) for column in at.tensor(dual(v)).tensor(dual(v)).transpose.rows])
+
+
 Value = Callable[..., Flat]
 
 BY_QUATERNION: Mapping[str, Value] = {"quaternion": lambda at, v: _flat(at.quaternion(dual(v)))}
@@ -179,6 +203,9 @@ BY_TENSORS: Mapping[str, Value] = {
     "tensor": lambda at, v: _flat(at.tensor(dual(v)).tensor(dual(v))),
     "pose": _pose,
     "transform_point": lambda at, v, r: tuple(at.pose(dual(v)).apply(Vector(*r))),
+    "adjoint": _adjoint,
+    "transform_point_jacobians": _point_jacobians,
+    "transform_line_jacobians": _line_jacobians,
     "transform_line": lambda at, v, line: _flat(at.tensor(dual(v)).apply(dual(v), dual(line))),
     "tangent": lambda at, v: _flat(at.tangent(dual(v)).tensor(dual(v))),
     "tangent_inv": lambda at, v: _flat(at.tangent_inv(dual(v)).tensor(dual(v))),

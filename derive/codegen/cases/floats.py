@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import itertools
 import random
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Container, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -40,16 +40,16 @@ class Samples:
     results: tuple[Flat, ...]
 
 
-def samples(chart: Chart) -> list[Samples]:
-    """Samples of every public function of the module of a chart, on all branches; exact ties among them."""
+def samples(chart: Chart, chosen: Container[str] = FUNCTIONS) -> list[Samples]:
+    """Samples of every chosen public function of the module of a chart, on all branches; exact ties among them."""
     draw = random.Random(SEED)
     with mpmath.workdps(digits.DIGITS):
         at = Vectors(chart)
         vectors, others = list(_vectors(at, draw)), [_drawn(draw, 2, 6) for _ in range(SIDE)]
-        return [*_algebraic(at, vectors, others, others[-1:]), *_inverse(at, draw)]
+        return [*_algebraic(at, chosen, vectors, others, others[-1:]), *_inverse(at, chosen, draw)]
 
 
-def far(chart: Chart, size: Any) -> list[Samples]:
+def far(chart: Chart, size: Any, chosen: Container[str] = FUNCTIONS) -> list[Samples]:
     """The functions of a vector v, where Re|v| is that large; a second argument is as usual.
 
     None where the chart ends before.
@@ -63,9 +63,10 @@ def far(chart: Chart, size: Any) -> list[Samples]:
             return []
         near = _drawn(draw, float(at.slope(0)), 6)
         given = {"to_screw": ((v,),), "principal": ((v,),), "compose": ((v,), (near,))}
-        inverse = [_at(at, name, (), rows) for name, rows in given.items()]
-        inverse += [_at(at, "shadow", (branch,), ((v,),)) for branch in at.tried[1:2]]
-        return [*_algebraic(at, [v], *([_drawn(draw, 2, 6)] for _ in range(2))), *inverse]
+        inverse = [_at(at, name, (), rows) for name, rows in given.items() if name in chosen]
+        turned = at.tried[1:2] if "shadow" in chosen else ()
+        inverse += [_at(at, "shadow", (branch,), ((v,),)) for branch in turned]
+        return [*_algebraic(at, chosen, [v], *([_drawn(draw, 2, 6)] for _ in range(2))), *inverse]
 
 
 def _vectors(chart: Vectors, draw: random.Random) -> Iterator[Flat]:
@@ -79,14 +80,14 @@ def _drawn(draw: random.Random, size: float, count: int) -> Flat:
     return tuple(nearby(draw.uniform(-size, size)) for _ in range(count))
 
 
-def _algebraic(chart: Vectors, *groups: Sequence[Flat]) -> Iterator[Samples]:
-    """Every algebraic function at all combinations of rows; of a point only the first components of its row."""
-    for name in ALGEBRAIC:
+def _algebraic(chart: Vectors, chosen: Container[str], *groups: Sequence[Flat]) -> Iterator[Samples]:
+    """Every chosen algebraic function at all combinations of rows; of a point only the first components of its row."""
+    for name in filter(chosen.__contains__, ALGEBRAIC):
         given = [tuple(row[: kind.size] for row in group) for kind, group in zip(FUNCTIONS[name].arguments, groups)]
         yield _at(chart, name, (), tuple(given))
 
 
-def _inverse(chart: Vectors, draw: random.Random) -> Iterator[Samples]:
+def _inverse(chart: Vectors, chosen: Container[str], draw: random.Random) -> Iterator[Samples]:
     """Inverse maps, screws, shadows and composition at seeded screws, and where sides are exactly tied."""
     given: dict[tuple[str, tuple[int, ...]], list[tuple[Flat, ...]]] = {}
     for name, branch, arguments in seeded_arguments(chart, draw, nearby):
@@ -98,6 +99,8 @@ def _inverse(chart: Vectors, draw: random.Random) -> Iterator[Samples]:
     if unknown := tied.keys() - given.keys():
         raise ValueError(f"ties of functions without seeded arguments: {sorted(unknown)}")
     for (name, where), calls in given.items():
+        if name not in chosen:
+            continue
         columns = tuple(zip(*calls, strict=True))
         if len(columns) > 1:
             yield _at(chart, name, where, tuple(column[:SIDE] for column in columns))

@@ -6,8 +6,11 @@ import random
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
+import mpmath
+
 from ...algebra import Dual, Quaternion, Tensor, Vector
 from ...maps.pose import Pose, Screw, pose_from_tensor, quaternion_from_screw, tensor_from_pose, tensor_from_screw
+from .exact import matrix6
 from .screws import covering
 from .vectors import Vectors
 
@@ -57,6 +60,32 @@ def _compose(chart: Vectors, branch: int, v2: Flat, v1: Flat) -> Flat:
     return flat(chart.of_quaternion(chart.quaternion(_dual(v2)) * chart.quaternion(_dual(v1))))
 
 
+def _between(chart: Vectors, branch: int, v2: Flat, v1: Flat) -> Flat:
+    if v2 == v1:
+        return (mpmath.mpf(0),) * 6
+    return flat(chart.of_quaternion(chart.quaternion(_dual(v1)).conjugate() * chart.quaternion(_dual(v2))))
+
+
+def _jacobians(function: Callable[..., Flat]) -> Callable[..., Flat]:
+    """The derivatives of a function of dual vectors by each of its arguments, as quotients of small differences."""
+
+    def quotients(chart: Vectors, branch: int, *arguments: Flat) -> Flat:
+        with mpmath.workprec(2 * mpmath.mp.prec):
+            step = mpmath.mpf(2) ** (-mpmath.mp.prec // 2)
+            start = function(chart, branch, *arguments)
+            found: list[Any] = []
+            for place, argument in enumerate(arguments):
+                columns = []
+                for j in range(3):
+                    moved = (*argument[:j], argument[j] + step, *argument[j + 1 :])
+                    there = function(chart, branch, *arguments[:place], moved, *arguments[place + 1 :])
+                    columns.append(_dual(tuple((b - a) / step for a, b in zip(start, there, strict=True))))
+                found += matrix6(columns)
+        return tuple(+entry for entry in found)
+
+    return quotients
+
+
 MAPS: Mapping[str, Callable[..., Flat]] = {
     "from_quaternion": _from_quaternion,
     "from_tensor": _from_tensor,
@@ -66,6 +95,9 @@ MAPS: Mapping[str, Callable[..., Flat]] = {
     "shadow": _shadow,
     "principal": _principal,
     "compose": _compose,
+    "between": _between,
+    "compose_jacobians": _jacobians(_compose),
+    "between_jacobians": _jacobians(_between),
 }
 """By kernel function: its value for a chart, a branch and arguments."""
 
@@ -84,7 +116,8 @@ def seeded_arguments(
         yield "from_screw", None, (short((screw.angle.re, screw.angle.du)), short(flat(screw.axis)))
         yield "to_screw", None, (v,)
         yield "principal", None, (v,)
-        yield "compose", None, (v2, v)
+        for name in ("compose", "between", "compose_jacobians", "between_jacobians"):
+            yield name, None, (v2, v)
         yield from _on_branch(screw, 0, v)
     for branch in chart.tried[1:]:
         turned = screws[branch % len(screws) :] + screws

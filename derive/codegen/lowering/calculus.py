@@ -102,9 +102,9 @@ def _jacobian(
     return trace.program(name, matrix6(trace, Tensor.dyad(image, point.v) + Tensor.dyad(hv, w) + spread))
 
 
-def matrix6(trace: Geometry, tensor: Tensor) -> Iterator[Number]:
+def matrix6(trace: Geometry, tensor: Tensor, letter: str = "J") -> Iterator[Number]:
     """The real matrix that acts on dual vectors as the tensor does, whose real part stands in it twice."""
-    places = [f"J{i}{j}" for i in (1, 2, 3) for j in (1, 2, 3)]
+    places = [f"{letter}{i}{j}" for i in (1, 2, 3) for j in (1, 2, 3)]
     re = _rows([trace.name(place, entry) for place, entry in zip(places, tensor.re, strict=True)])
     for row in re:
         yield from (*row, 0, 0, 0)

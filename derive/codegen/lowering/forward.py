@@ -33,12 +33,12 @@ def translation(point: Point, f: Number, g: Number, h: Number) -> Vector:
 def rotation_rows(point: Point, f: Number, g: Number) -> Rows:
     """Q = I + f skew(v) + g skew(v)², whose diagonal is 1 - g (x - v_i²)."""
     first, second, third = point.squares
-    name = point.trace.name
+    name, mark = point.name, point.mark
     across = (name("x23", second + third), name("x13", first + third), name("x12", first + second))
     _, v2, v3 = point.re
-    f1, f2, f3 = named(point.trace, "fv", f * point.re)
-    g1, g2, _ = named(point.trace, "gv", g * point.re)
-    g12, g13, g23 = named(point.trace, "gvv", Vector(g1 * v2, g1 * v3, g2 * v3))
+    f1, f2, f3 = named(point.trace, "fv" + mark, f * point.re)
+    g1, g2, _ = named(point.trace, "gv" + mark, g * point.re)
+    g12, g13, g23 = named(point.trace, "gvv" + mark, Vector(g1 * v2, g1 * v3, g2 * v3))
     return (
         Vector(1 - g * across[0], g12 - f3, g13 + f2),
         Vector(g12 + f3, 1 - g * across[1], g23 - f1),
@@ -51,7 +51,7 @@ def named(trace: Geometry, letter: str, value: Vector) -> Vector:
     return Vector(*(trace.name(f"{letter}{i}", component) for i, component in enumerate(value, 1)))
 
 
-def _named_rows(trace: Geometry, letter: str, rows: Rows) -> Rows:
+def named_rows(trace: Geometry, letter: str, rows: Rows) -> Rows:
     first, second, third = (named(trace, f"{letter}{i}", row) for i, row in enumerate(rows, 1))
     return first, second, third
 
@@ -66,7 +66,7 @@ def quaternion(trace: Geometry) -> Program:
 def tensor(trace: Geometry) -> Program:
     point = start(trace)
     f, g, h = point.scalars("pose")
-    rows = _named_rows(point.trace, "Q", rotation_rows(point, f, g))
+    rows = named_rows(point.trace, "Q", rotation_rows(point, f, g))
     rho = named(point.trace, "rho", translation(point, f, g, h))
     return trace.program("tensor", (*flat(rows), *flat(cross_rows(rho, rows))))
 

@@ -84,15 +84,23 @@ def _positive(trace: Geometry, entries: tuple[Number, ...]) -> Quaternion:
 
 
 def compose(trace: Geometry) -> Program:
-    """Through the product of rays (a2 + b2 v2)(a1 + b1 v1), quaternions times a size; rho = rho2 + Q2 rho1."""
+    """R(v2) R(v1)."""
     second = Point(trace, dual_vector(trace, "b", "b"), "b")
     first = Point(trace, dual_vector(trace, "a", "a"), "a")
+    return trace.program("compose", product(trace, second, first))
+
+
+def product(trace: Geometry, second: Point, first: Point) -> tuple[Number, ...]:
+    """The principal vector of one displacement after the other; rho = rho2 + Q2 rho1.
+
+    Through the product of rays (a2 + b2 v2)(a1 + b1 v1), quaternions times a size.
+    """
     ray2, size2, (f, g, h) = _ray(trace, second)
     ray1, size1, coefficients = _ray(trace, first)
     z = Quaternion.from_components(trace.name(f"z{i}", c) for i, c in enumerate(ray2 * ray1))
     moved = rotate(second, f, g, named(trace, "rhoa", translation(first, *coefficients)), "rho")
     rho = named(trace, "rho", moved + translation(second, f, g, h))
-    return _finish(trace, "compose", z, "gain_product", rho, size2, size1)
+    return _vector(trace, z, "gain_product", rho, size2, size1)
 
 
 def _ray(trace: Geometry, point: Point) -> tuple[Quaternion, Number, tuple[Number, ...]]:
@@ -101,7 +109,11 @@ def _ray(trace: Geometry, point: Point) -> tuple[Quaternion, Number, tuple[Numbe
     return Quaternion(a, named(trace, "bv" + point.mark, b * point.re)), size, tuple(coefficients)
 
 
-def _finish(trace: Geometry, name: str, e: Quaternion, gain: str, rho: Vector, *sizes: Number) -> Program:
+def _finish(trace: Geometry, name: str, e: Quaternion, gain: str, rho: Vector) -> Program:
+    return trace.program(name, _vector(trace, e, gain, rho))
+
+
+def _vector(trace: Geometry, e: Quaternion, gain: str, rho: Vector, *sizes: Number) -> tuple[Number, ...]:
     """v = gain · e and v° = Re(T)⁻¹ rho, T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, by one of the chart's gains.
 
     ``fi = s/w`` is the gain times the scalar of e: from x it could not be computed as well where φ′ is small.
@@ -111,7 +123,7 @@ def _finish(trace: Geometry, name: str, e: Quaternion, gain: str, rho: Vector, *
     fi = trace.name("fi", factor * e.scalar)
     (hi,) = Point(trace, (*re, 0, 0, 0)).scalars("inverse")
     along = trace.name("hvr", hi * re.dot(rho))
-    return trace.program(name, (*re, *((fi * rho - re.cross(rho) + along * re) / 2)))
+    return (*re, *((fi * rho - re.cross(rho) + along * re) / 2))
 
 
 # --- shadows --------------------------------------------------------------------------------------------------

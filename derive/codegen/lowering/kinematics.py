@@ -34,8 +34,8 @@ class Operator:
         """Real part, then dual part, in C order; or those of the transpose."""
         point = self.point
         v, vo = tuple(point.re), tuple(point.du)
-        cv = tuple(named(point.trace, "cv", self.c * point.re))
-        dv = tuple(named(point.trace, "cvo", self.c * point.du + self.co * point.re))
+        cv = tuple(named(point.trace, "cv" + point.mark, self.c * point.re))
+        dv = tuple(named(point.trace, "cvo" + point.mark, self.c * point.du + self.co * point.re))
         re = _assemble(point, "", self.a, self.s, lambda i, j: cv[i] * v[j])
         du = _assemble(point, "o", self.ao, self.so, lambda i, j: cv[i] * vo[j] + dv[i] * v[j])
         for rows in (re, du):
@@ -74,8 +74,8 @@ def tangent_operator(point: Point, side: Number = 1) -> Operator:
     f, g, h, fy, gy, hy = point.scalars("tangent")
     fo, go, ho = (point.name(letter, slope * point.y) for letter, slope in (("fo", fy), ("go", gy), ("ho", hy)))
     turn, turn_du = point.name("gs", g * side), point.name("gso", go * side)
-    s = named(point.trace, "gv", turn * point.re)
-    so = named(point.trace, "gvo", turn * point.du + turn_du * point.re)
+    s = named(point.trace, "gv" + point.mark, turn * point.re)
+    so = named(point.trace, "gvo" + point.mark, turn * point.du + turn_du * point.re)
     return Operator(point, f, fo, s, so, h, ho)
 
 
@@ -110,7 +110,7 @@ def _inverse_operator(point: Point) -> Operator:
     """T⁻¹ = fi/2 I - skew(v)/2 + hi/2 v⊗v."""
     fi, hi, fiy, hiy = point.scalars("tangent_inv")
     half = point.name("yh", point.y / 2)
-    s, so = named(point.trace, "s", point.re / -2), named(point.trace, "so", point.du / -2)
+    s, so = (named(point.trace, letter + point.mark, part / -2) for letter, part in (("s", point.re), ("so", point.du)))
     a, ao = point.name("fih", point.trace.div(fi, 2)), point.name("fio", fiy * half)
     c, co = point.name("hih", point.trace.div(hi, 2)), point.name("hio", hiy * half)
     return Operator(point, a, ao, s, so, c, co)

@@ -294,7 +294,7 @@ class Trace:
         return {index: count for index, count in uses.items() if count}
 
     def _name_multiple(self, index: int) -> None:
-        """Name a shared value after the one it is the negative or an integer multiple of."""
+        """Name a shared value after the one it is the negative or an integer multiple of, or after two factors."""
         node, last = self._nodes[index], self._nodes[index].args[-1:]
         base = self._names.get(last[0]) if last and not isinstance(last[0], _Const) else None
         if base is None or index in self._names:
@@ -303,6 +303,10 @@ class Trace:
             self._rename(Value(self, index), f"minus_{base}")
         elif node.op == "mul" and isinstance(node.args[0], _Const):
             self._rename(Value(self, index), f"{base}_by_{node.args[0].value}".replace("-", "minus_"))
+        elif node.op == "mul":
+            first = None if isinstance(node.args[0], _Const) else self._names.get(node.args[0])
+            if first is not None:
+                self._rename(Value(self, index), self.free_name(f"{first}_{base}"))
 
     def _describe(self, index: int) -> str:
         node = self._nodes[index]

@@ -106,12 +106,14 @@ class Caller:
         how: str = "",
         *,
         spoilt: Array | None = None,
+        position: int = 0,
         overflow: bool = False,
         dtype: np.dtype[Any] | None = None,
     ) -> None:
         """Compare the results of a call with what is known: types, shapes, and values within their bounds.
 
-        Where ``spoilt`` says so, an element has to be NaN; with ``overflow`` any may be NaN or infinite, none wrong. A
+        Where ``spoilt`` says so, by the argument at a position, an element has to be NaN; with ``overflow`` any may be
+        NaN or infinite, none wrong. A
         ``dtype`` other than the call's is that of an ``out``, into which results are rounded.
         """
         held = dtype or call.dtype
@@ -127,7 +129,7 @@ class Caller:
                 if overflow:
                     right |= ~np.isfinite(rows)
                 if spoilt is not None:
-                    nothing = np.isnan(rows) | call.known.constant[part]
+                    nothing = np.isnan(rows) | call.known.free[position, part]
                     right = np.where(spoilt[..., np.newaxis], nothing, right)
             if not right.all():
                 where = tuple(np.argwhere(~right)[0])

@@ -14,6 +14,8 @@ from .. import signatures
 from ..cases import Samples
 from ..cases.digits import DIGITS
 from ..lowered import Lowered, geometry
+from ..programs.program import Operand, Program
+from ..programs.registers import results as result_names
 from ..signatures import FUNCTIONS, Function
 from .rounding import Array, Ball, Rounding, long
 
@@ -24,8 +26,8 @@ TABLE = "table"
 class Known:
     """A function and branch: rows of each argument, and at every combination of them the result and its bounds.
 
-    ``results`` has a row per combination, in C order; ``bounds`` one of these for each of ``dtypes``. Components that
-    are the same numbers for all arguments are ``constant``.
+    ``results`` has a row per combination, in C order; ``bounds`` one of these for each of ``dtypes``. ``free`` says, by
+    argument, which components do not depend on it.
     """
 
     row: Function
@@ -34,7 +36,7 @@ class Known:
     results: Array
     bounds: Array
     dtypes: tuple[np.dtype[Any], ...]
-    constant: Array
+    free: Array
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -72,8 +74,8 @@ class Analysis:
             bounds = np.stack([np.broadcast_to(ball.error, shape) for ball in found], axis=-1)
             bounds = bounds + self.rounding.unit[..., np.newaxis] * abs(results)  # that of the exact result itself
             arguments = tuple(np.stack([long(values) for values in group]) for group in samples.arguments)
-        constant = np.array([not isinstance(output, str) for output in self.programs[row.kernel].outputs])
-        return Known(row, samples.branch, arguments, results, bounds, self.rounding.dtypes, constant)
+        free = np.array([_free(self.programs[row.kernel], place) for place in range(len(arguments))])
+        return Known(row, samples.branch, arguments, results, bounds, self.rounding.dtypes, free)
 
     def _results(self, row: Function, branch: tuple[int, ...], given: list[Ball]) -> list[Ball]:
         """A branch is a table of the function's own program, or of the turn that follows it."""
@@ -95,6 +97,15 @@ class Analysis:
         if branch:
             return tuple(self.chart.turn(*branch)) if any(branch) else ()
         return tuple(value for row in self.chart.returns() for value in row)
+
+
+def _free(program: Program, place: int) -> list[bool]:
+    """Which outputs of a program do not depend on one of its arguments."""
+    reached: set[Operand] = set(program.inputs[place][1])
+    for statement in program.statements:
+        if reached.intersection(statement.args):
+            reached.update(result_names(statement))
+    return [output not in reached for output in program.outputs]
 
 
 def _picked(ball: Ball, pick: Array) -> Ball:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import importlib
 import math
 import warnings
-from collections.abc import Iterator, Sequence
+from collections.abc import Container, Iterator, Sequence
 from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -22,11 +22,13 @@ import numpy as np
 from ...maps.chart import Chart
 from ..cases import far, samples
 from ..lowered import lower_chart
+from ..signatures import FUNCTIONS
 from . import ways
 from .calls import NUMPY, Call, Caller, Library, alone, several
 from .helpers import helpers
 from .known import Analysis, Known, require_sharp
 from .run import loaded
+from .sample import its_own
 
 FEW = 20
 """Size of small batches, where a target has none of its own."""
@@ -77,7 +79,8 @@ def replay(
     libraries : sequence of Library
         Whose arrays are given.
     all_ways : bool
-        Whether to try all that is the same for every chart: once for a package is enough. Else one function is tried.
+        Whether to try all that is the same for every chart: once for a package is enough. Else functions are called
+        which read its scalars or are its own, one of them in all ways.
 
     Raises
     ------
@@ -95,8 +98,9 @@ def replay_package(
 ) -> int:
     """The same for a package that can be imported."""
     dtypes = list(dict.fromkeys(dtype for library in libraries for dtype in library.dtypes))
-    analysis = Analysis(chart, lower_chart(chart), dtypes)
-    found = [analysis.known(group) for group in samples(chart)]
+    lowered = lower_chart(chart)
+    analysis, chosen = Analysis(chart, lowered, dtypes), FUNCTIONS if all_ways else its_own(lowered)
+    found = [analysis.known(group) for group in samples(chart, chosen)]
     for known in found:
         require_sharp(known)
     with warnings.catch_warnings(), np.errstate(all="warn"):
@@ -107,7 +111,7 @@ def replay_package(
         with _small_blocks(package, machinery.block) if machinery.block else nullcontext():
             for caller in callers:
                 _every_function(caller, found, chart, few)
-                _overflow(caller, chart, analysis, few)
+                _overflow(caller, chart, analysis, chosen, few)
                 _ways(caller, found, chart, machinery, few, all_ways)
         beside = helpers(importlib.import_module(package), module) if all_ways else 0
     return beside + sum(caller.count for caller in callers)
@@ -132,7 +136,7 @@ def _every_function(caller: Caller, found: Sequence[Known], chart: Chart, few: i
             caller.check(replace(first, branch=(known.branch[0] + turns * chart.branches,)))
 
 
-def _overflow(caller: Caller, chart: Chart, analysis: Analysis, few: int) -> None:
+def _overflow(caller: Caller, chart: Chart, analysis: Analysis, chosen: Container[str], few: int) -> None:
     """Where forward maps overflow, in another type where x does, results are right or not finite.
 
     The widest type is left out: bounds overflow with it.
@@ -141,7 +145,7 @@ def _overflow(caller: Caller, chart: Chart, analysis: Analysis, few: int) -> Non
     for dtype, everywhere in zip(dtypes, (False, True), strict=False):
         largest = float(np.finfo(dtype).max)
         size = BEYOND * mpmath.mpf(math.sqrt(largest) if everywhere else chart.overflow(largest)[1])
-        for known in map(analysis.known, far(chart, size)):
+        for known in map(analysis.known, far(chart, size, chosen)):
             for picks in (alone(known, 0), several(known, few + BLOCK)):
                 call = Call(known, picks, dtype)
                 caller.compare(call, caller.run(call), overflow=True)

@@ -43,6 +43,11 @@ class Seen:
         return [(batch, new) for batch, new in zip(given, unseen, strict=True) if new or _samples(batch, wanted)]
 
 
+def its_own(lowered: Lowered) -> set[str]:
+    """The functions of a chart that have programs of their own, or read scalars which no other one reads."""
+    return {*_readers(lowered), *(name for name, row in PUBLIC.items() if row.kernel in lowered.own)}
+
+
 def _samples(batch: Batch, wanted: Set[str]) -> bool:
     """Whether a batch is of a wanted function: on the principal branch, on others where it takes their turns itself."""
     return batch.function in wanted and (_principal(batch) or _takes_table(batch.function))

@@ -61,7 +61,7 @@ def spoilt(caller: Caller, known: Known, dtype: np.dtype[Any], few: int) -> None
         given = call.arguments()
         given[position][1] = np.nan
         how = f"NaN in {kind.name}"
-        caller.compare(call, caller.run(call, given, how), how, spoilt=np.arange(count) == 1)
+        caller.compare(call, caller.run(call, given, how), how, spoilt=np.arange(count) == 1, position=position)
 
 
 def layouts(caller: Caller, known: Known, dtype: np.dtype[Any], few: int) -> None:

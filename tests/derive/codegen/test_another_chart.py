@@ -351,7 +351,7 @@ def arguments(kernels: ModuleType, name: str, v: np.ndarray) -> list[np.ndarray]
     if first == "angle":
         return [np.array(part) for part in kernels.to_screw(v)]
     others = [np.roll(sampling.dual_vectors(name, count=len(v))[:, : a.size], 1) for a in FUNCTIONS[name].arguments[1:]]
-    return [given.get(first, np.array)(v), *([v[::-1]] if name == "compose" else others)]
+    return [given.get(first, np.array)(v), *([v[::-1]] if first == "v2" else others)]
 
 
 def scale(function: Any, given: list[np.ndarray], exact: list[Any]) -> list[float]:
@@ -371,7 +371,9 @@ def parts(result: Any) -> list[Any]:
     """Real and dual part of a result; those of each where there are several; a moved point as it is."""
     if isinstance(result, tuple):
         return [part for array in result for part in errors.parts(array)]
-    return [result] if np.shape(result) == (3,) else list(errors.parts(result))
+    if np.shape(result) == (3, 6):
+        return [result[:, :3], result[:, 3:]]
+    return [result] if np.shape(result) in ((3,), (3, 3)) else list(errors.parts(result))
 
 
 @pytest.mark.parametrize("angles", [(1e-7, 1e-6), (0.05, 3.0), (3.4, 6.0), (6.5, 9.0)], ids=str)
