@@ -7,7 +7,7 @@ At a fixed v let ``r = |v|`` and ``ε = 1/(2n)²``. Then ``tan(α/2n) = √ε r`
     \varphi' = 1 + \varepsilon r^2
 
 The first is a power series in ε r², which converges for ``ε r² < 1``, that is for angles up to nπ/2; scalars are
-analytic functions of α², φ′ and x = r². So they are analytic in ε there: their value at ε = 0 is that of the exponential
+analytic functions of α², φ′ and x = r². So they are analytic in ε there; their value at 0 is that of the exponential
 chart, and the difference is ``ε`` times what `deviation` returns, but for terms of order ε².
 """
 

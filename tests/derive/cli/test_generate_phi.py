@@ -38,5 +38,5 @@ def test_a_phi_that_is_a_sine_is_written_and_checked(tmp_path: Path):
     text = (tmp_path / "kernels" / "mine.py").read_text(encoding="utf-8")
     assert text.startswith("# python -m derive generate --phi '2*sin(alpha/(2*n))' --name mine -n 1 --target numpy\n")
     assert dualcay("generate", *arguments, "--check").returncode == 0
-    (tmp_path / "kernels" / "mine.py").write_text(text.replace("def _pose", "def  _pose"), encoding="utf-8")
+    (tmp_path / "kernels" / "mine.py").write_text(f"{text}# more\n", encoding="utf-8")
     assert dualcay("generate", *arguments, "--check").returncode == 1
