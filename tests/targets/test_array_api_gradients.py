@@ -152,3 +152,18 @@ def test_torch_vmap_and_backward(array_api):
     at = torch.zeros((2, 6), dtype=torch.float64, requires_grad=True)
     module.from_pose(module.pose(at)).sum().backward()
     torch.testing.assert_close(at.grad, torch.ones_like(at))
+
+
+@JACOBIANS
+def test_closed_forms_are_the_derivatives(array_api, jacobians):
+    """Of a sum of functions with weights, so that one compilation does for all of them."""
+    module, kernel, at = array_api(3), load(3), samples(3, "uniform", "angle 1e-7", "pure translation", "shadow")
+    w = np.broadcast_to(0.3 * sampling.dual_vectors("closed forms")[0], at.shape)
+
+    def total(v, w):
+        return module.compose(w, v) + 2 * module.body_twist(v, w) + 4 * module.rate(v, w)
+
+    closed = kernel.compose_jacobians(w, at)[1]
+    closed += 2 * kernel.body_twist_jacobian(at, w) + 4 * kernel.rate_jacobian(at, w)
+    for got, expected in zip(jacobians(total, at, w), closed, strict=True):
+        assert_equal_derivatives(got, expected, 2000)
