@@ -31,7 +31,8 @@ CODE = compile(SOURCE.read_text(encoding="utf-8"), "copy of " + SOURCE.name, "ex
 def cores(path: Path) -> dict[str, ast.FunctionDef]:
     """Programs in both forms, by name: geometry's, or the scalars of a chart."""
     tree = ast.parse(path.read_text(encoding="utf-8"))
-    return {node.name: node for node in tree.body if isinstance(node, ast.FunctionDef)}
+    functions = (node for node in tree.body if isinstance(node, ast.FunctionDef))
+    return {node.name: node for node in functions if not node.name.startswith("__")}
 
 
 CORES = cores(Path(_geometry.__file__)) | cores(SOURCE)
@@ -44,8 +45,16 @@ OPPOSITE = {"add": "sub", "sub": "add", "neg": "positive"}
 
 
 def signs(core: ast.FunctionDef) -> list[int]:
-    """Places of + and − in the core, as indices into its walk; not those that only choose a side, in ``where``."""
-    choices = [call for call in ast.walk(core) if isinstance(call, ast.Call) and ast.unparse(call.func) == "m.where"]
+    """Places of + and − in the core, as indices into its walk; not those that only choose, a side or NaN.
+
+    ``where`` chooses a side, and ``either`` holds numbers of which one may have overflowed.
+    """
+    choices: list[ast.AST] = [
+        node
+        for node in ast.walk(core)
+        if (isinstance(node, ast.Call) and ast.unparse(node.func) == "m.where")
+        or (isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "either")
+    ]
     apart = {id(node) for call in choices for node in ast.walk(call)}
     return [
         i
@@ -140,12 +149,11 @@ SEEN_THROUGH = {"turn": "from_quaternion"}  # the step from branch to branch
 def seen_through(core: str) -> Iterator[str]:
     """The functions of users that a core serves."""
     name = core.removesuffix("_blocks")
-    if not name.startswith("_"):
-        yield SEEN_THROUGH.get(name, name)
-        return
-    for kernel, program in _geometry.KERNELS.items():
-        if name.removeprefix("_") in {function for function, _, _ in program.lent}:
-            yield SEEN_THROUGH.get(kernel, kernel)
+    kernels = [name]
+    if name.startswith("_"):
+        lent = {kernel: {function for function, *_ in k.lent} for kernel, k in _geometry.KERNELS.items()}
+        kernels = [kernel for kernel, functions in lent.items() if name.removeprefix("_") in functions]
+    yield from (found for kernel in kernels if (found := SEEN_THROUGH.get(kernel, kernel)) in FUNCTIONS)
 
 
 def laws() -> Iterator[tuple[Callable[..., None], tuple[object, ...]]]:
@@ -174,7 +182,7 @@ def test_an_unchanged_copy_passes() -> None:
     assert not caught_by_the_laws(module)
 
 
-@pytest.mark.parametrize("only_form", sorted(CORES), indirect=True)
+@pytest.mark.parametrize("only_form", sorted(core for core in CORES if any(seen_through(core))), indirect=True)
 def test_every_flipped_sign_is_seen_by_the_oracle(only_form: str) -> None:
     name = only_form
     unseen = []
