@@ -10,7 +10,7 @@ PYTEST := $(RUN) -m pytest -n auto --maxprocesses 4 --dist worksteal
 PIP    := $(RUN) -m pip --disable-pip-version-check install --quiet --quiet --constraint constraints.txt
 
 .DEFAULT_GOAL := generate
-.PHONY: generate check proofs verify show test quick lint types mutants bench accuracy clean help
+.PHONY: generate check proofs verify show test quick lint types mutants bench accuracy parameterizations clean help
 
 generate: $(READY)  ## derive, prove and write the committed kernels (the default)
 	$(RUN) -m derive generate
@@ -48,6 +48,10 @@ mutants: $(TESTED)  ## what the checks would notice (docs/assurance.md): make mu
 bench: $(VENV)/.bench  ## proof times by order, then kernels against peers and their former release (docs/benchmarks.md)
 	$(RUN) benchmarks/proofs.py
 	$(RUN) -m benchmarks -o docs/benchmarks.md
+
+parameterizations: $(VENV)/.bench  ## what charts are like: docs/parameterizations.md and its plot
+	$(RUN) -m derive compare --plot docs/parameterizations.png > /dev/null
+	$(RUN) -m derive compare --format markdown > docs/parameterizations.md
 
 accuracy: $(VENV)/.bench  ## worst errors and figures in docs: make accuracy SEARCH=60 looks for worse inputs
 	$(RUN) -m benchmarks.accuracy --search $(or $(SEARCH),0)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import ast
 import re
+import warnings
 from collections.abc import Callable, Mapping
 from typing import Any
 
@@ -49,7 +50,9 @@ def parsed(text: str, order: int | None = None) -> sympy.Expr:
     if len(text) > LENGTH:
         raise PhiError(f"phi has {len(text)} characters, and {LENGTH} are the most")
     try:
-        tree = ast.parse(text.strip(), mode="eval")
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", SyntaxWarning)  # of "1if", say
+            tree = ast.parse(text.strip(), mode="eval")
     except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
         raise PhiError(f"phi is no expression: {text!r}") from error
     if (count := sum(1 for _ in ast.walk(tree))) > NODES:

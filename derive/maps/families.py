@@ -191,6 +191,13 @@ def breusing() -> Family:
     return Family("Breusing", 2, phi, scale, "|Re alpha| < 2 pi")
 
 
+def isochoric() -> Family:
+    """``[6 (α − sin α)]^(1/3) u``: det T = 1, so that volumes of rotation vectors are those of rotations."""
+    phi = sympy.cbrt(6 * (alpha - sympy.sin(alpha)))
+    scale = phi * sympy.cot(alpha / 2)  # of x it is no function that has a name
+    return Family("isochoric", 1, phi, scale, "every alpha; T loses rank at |Re alpha| = 2 pi k")
+
+
 def euler() -> Family:
     """Euler vector, ``α u``: T is dexp, CP23 (82), (84)."""
     root = sympy.sqrt(x)

@@ -23,7 +23,7 @@ from .by_angle import ByAngle
 from .dependent import DependentScalars
 from .families import alpha
 from .inverse_phi import DIGITS, Edge, Guess, Ratio, edge_of, guess, ratio
-from .lowered_phi import Lowering
+from .lowered_phi import Lowering, require_known
 from .of_order import of_twice
 from .split import plus, times
 
@@ -226,6 +226,7 @@ class General(ByAngle):
     @cached_property
     def near(self) -> Ratio:
         """a(x) below a limit."""
+        require_known(self.expression)
         return ratio(self.expression, self._edge)
 
     @cached_property

@@ -29,6 +29,16 @@ def number(expression: sympy.Expr) -> Any:
         return mpmath.mpf(expression.evalf(DIGITS))
 
 
+KNOWN = (sympy.sin, sympy.cos, sympy.tan, sympy.asin, sympy.acos, sympy.atan)
+
+
+def require_known(phi: sympy.Expr) -> None:
+    """Refuse a φ with functions that kernels do not compute: its chart is symbolic only."""
+    other = sorted({f.func.__name__ for f in phi.atoms(sympy.Function) if f.has(alpha) and f.func not in KNOWN})
+    if other:
+        raise PhiError(f"kernels compute no {', '.join(other)}: the chart of phi = {phi} is symbolic only")
+
+
 class Lowering:
     """Expressions at one angle; what they share is computed once. A prefix keeps its names apart from others."""
 
@@ -61,8 +71,6 @@ class Lowering:
             return self._product(e)
         if e.is_Pow:
             return self._power(e)
-        if e.func not in self._functions:
-            raise PhiError(f"kernels compute no {e.func.__name__}: its charts are symbolic only")
         return self._functions[e.func](e.args[0])
 
     def _sum(self, e: sympy.Expr) -> Coefficient:

@@ -21,6 +21,12 @@ class Geometry(Trace):
         self.chart = chart
         self._returns: tuple[Number, ...] = ()
 
+    def name(self, name: str, value: Number) -> Number:
+        """As of any trace; a chart in it may have taken the name."""
+        while self.chart is not None and name in self._names.values():
+            name += "_"
+        return super().name(name, value)
+
     def ask(self, function: str, arguments: Sequence[Number], mark: str = "") -> tuple[Number, ...]:
         """The results of a scalar program, under their own names and a mark."""
         row = SCALARS[function]

@@ -16,6 +16,7 @@ from derive.maps.families import (
     breusing,
     euler,
     evaluate,
+    isochoric,
     lambert,
     normal_rodrigues,
     orthographic,
@@ -127,3 +128,13 @@ def test_poles_raise() -> None:
     with pytest.raises(ZeroDivisionError):
         euler().operator(turned, u, inverse=True)
     assert euler().operator(at.angle, at.axis)[0, 0] == 1
+
+
+def test_the_isochoric_parameterization_keeps_volumes() -> None:
+    family = isochoric()
+    cube = sympy.expand(family.phi**3)
+    assert cube == 6 * alpha - 6 * sympy.sin(alpha)
+    # det T = 2 (1 − cos α)/(φ′ φ²), and 3 φ² φ′ = (φ³)′
+    assert sympy.expand(6 * (1 - sympy.cos(alpha)) - cube.diff(alpha)) == 0
+    value = family.determinant.subs(alpha, sympy.Rational(13, 10)).evalf(40)
+    assert abs(value - 1) < sympy.Float(10, 40) ** -35

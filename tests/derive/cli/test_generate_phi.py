@@ -1,0 +1,42 @@
+"""``dualcay generate --phi``: a module of one's own, checked again by its header; refusals are usage errors."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.support.command import dualcay
+
+
+@pytest.mark.parametrize(
+    ("arguments", "reason"),
+    [
+        (("--phi", "alpha/2"), "--phi and --name belong together"),
+        (("--name", "mine"), "--phi and --name belong together"),
+        (("--phi", "alpha + 1", "--name", "mine"), "not odd by its structure"),
+        (("--phi", "__import__('os').system('true')", "--name", "mine"), "not understood in phi"),
+        (("--phi", "n*alpha", "--name", "mine"), "give its value with -n"),
+        (("--phi", "n*alpha", "--name", "mine", "-n", "2,3"), "n in phi has one value"),
+        (("--phi", "alpha/2", "--name", "lambert"), "is the name of a committed module"),
+        (("--phi", "alpha/2", "--name", "not a name"), "an identifier"),
+        (("--phi", "sinh(alpha)", "--name", "mine"), "kernels compute no sinh"),
+    ],
+)
+def test_refusals(tmp_path: Path, arguments: tuple[str, ...], reason: str):
+    done = dualcay("generate", *arguments, "-o", str(tmp_path / "kernels"))
+    assert done.returncode == 2
+    assert reason in done.stderr
+    assert "Traceback" not in done.stderr
+    assert not (tmp_path / "kernels").exists()
+
+
+def test_a_phi_that_is_a_sine_is_written_and_checked(tmp_path: Path):
+    folder = str(tmp_path / "kernels")
+    arguments = ("--phi", "2*sin(alpha/(2*n))", "-n", "1", "--name", "mine", "-o", folder)
+    assert dualcay("generate", *arguments).returncode == 0
+    text = (tmp_path / "kernels" / "mine.py").read_text(encoding="utf-8")
+    assert text.startswith("# python -m derive generate --phi '2*sin(alpha/(2*n))' --name mine -n 1 --target numpy\n")
+    assert dualcay("generate", *arguments, "--check").returncode == 0
+    (tmp_path / "kernels" / "mine.py").write_text(f"{text}# more\n", encoding="utf-8")
+    assert dualcay("generate", *arguments, "--check").returncode == 1
