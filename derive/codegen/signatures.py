@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 from ..maps.chart import Chart
-from .lowering import calculus, forward, groups, inverse, kinematics
+from .lowering import calculus, forward, groups, inverse, kinematics, retraction
 from .lowering.point import Geometry
 from .programs.program import Program
 
@@ -70,6 +70,8 @@ class Function:
     keywords : tuple of str
         Keyword parameters besides those of every function, in languages that have them: they choose what is done to
         arguments and results, and change no program.
+    remainder : float
+        What its own series leave off, however many digits numbers have.
     """
 
     name: str
@@ -84,6 +86,7 @@ class Function:
     aliases: tuple[str, ...] = ()
     keywords: tuple[str, ...] = ()
     shares: str = ""
+    remainder: float = 0.0
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -128,6 +131,7 @@ def _jacobian(name: str) -> Array:
 
 V, OMEGA, V_DOT, LINE, SHADOW, MOVED, BACK = map(_dual, ("v", "omega", "v_dot", "line", "v_k", "moved", "v_back"))
 OMEGA_DOT, V_DDOT, WRENCH, MOMENTUM = map(_dual, ("omega_dot", "v_ddot", "z", "tau"))
+DELTA, MOVED_V = map(_dual, ("delta", "v_moved"))
 JACOBIAN, BY_V, BY_LINE = map(_jacobian, ("jacobian", "by_v", "by_line"))
 TWO, BY_TWO = (V.called("v2"), V.called("v1")), (_jacobian("by_v2"), _jacobian("by_v1"))
 BY_V_OF_POINT, BY_POINT = Array("by_v", (3, 6), (0, 0, 0, 1, 1, 1) * 3), _array("by_r", (3, 3), 9)
@@ -156,6 +160,12 @@ def _both_frames(name: str, arguments: tuple[Array, ...], result: Array, recipe:
         Function(name, arguments, (result,), recipe, constants=SPACE),
         Function(f"body_{name}", arguments, (result,), None, constants=BODY, shares=name),
     )
+
+
+def _by_exponential(name: str, arguments: tuple[Array, ...], result: Array, recipe: Recipe) -> Function:
+    """A function which the exponential's series enter."""
+    remainder = retraction.EXPONENTIAL.remainder
+    return Function(name, arguments, (result,), recipe, exact=False, real=True, remainder=remainder)
 
 
 _ROWS = (
@@ -194,6 +204,10 @@ _ROWS = (
     Function("between", TWO, (V,), groups.between, exact=False, real=True),
     Function("compose_jacobians", TWO, BY_TWO, groups.compose_jacobians, exact=False, real=True),
     Function("between_jacobians", TWO, BY_TWO, groups.between_jacobians, exact=False, real=True),
+    _by_exponential("retract", (V, DELTA), MOVED_V, retraction.retract),
+    _by_exponential("body_retract", (V, DELTA), MOVED_V, retraction.body_retract),
+    _by_exponential("local", TWO, DELTA, retraction.local),
+    _by_exponential("body_local", TWO, DELTA, retraction.body_local),
     Function("adjoint", (V,), (_jacobian("adjoint"),), groups.adjoint),
     Function("transform_point_jacobians", (V, POINT), (BY_V_OF_POINT, BY_POINT), groups.transform_point_jacobians),
     Function("transform_line_jacobians", (V, LINE), (BY_V, BY_LINE), groups.transform_line_jacobians),

@@ -70,6 +70,9 @@ class ByAngle(OwnAxis):
 
     # --- branches ---------------------------------------------------------------------------------------------------
 
+    def unfolded(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
+        return self.own_angle(self.scalars(x, m), r)
+
     def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         _, further = turn
         at = self.scalars(m.name("rr", r * r), m)

@@ -219,6 +219,9 @@ class Cayley:
     ) -> tuple[Coefficient, Coefficient, Coefficient]:
         return turns.natural(self.order, self.scalars(x, m), y, r, m)
 
+    def unfolded(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
+        return 2 * self.order * m.atan2(r, 1)
+
     def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         return turns.turned(r, turn, m)
 

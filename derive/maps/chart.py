@@ -163,6 +163,9 @@ class Chart(Protocol):
     ) -> tuple[Coefficient, Coefficient, Coefficient]:
         """The principal angle of ``v = r u``, r ≥ 0, ``dα/dr`` on v's own branch, and the `direction`."""
 
+    def unfolded(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
+        """The angle of ``v = r u`` on its own branch, r > 0."""
+
     def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         """The coefficient of the vector a `turn` on from ``v = r u``, and its derivative by r.
 

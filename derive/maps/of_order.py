@@ -85,6 +85,10 @@ class OfOrder(OwnAxis):
 
     # --- branches ---------------------------------------------------------------------------------------------------
 
+    def unfolded(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
+        c, sigma = self.cosine(x, m)
+        return 2 * self.order * m.atan2(r * sigma, c)
+
     def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         (cosine, sine), rr = turn, m.name("rr", r * r)
         c, sigma = self.cosine(rr, m)

@@ -121,6 +121,9 @@ class Scaled(Parameterized):
         angle, slope, sign = turns.natural(self.order, self._inner(x, m), y, tangent, m)
         return angle, divided(slope, self.scale, m), sign
 
+    def unfolded(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
+        return 2 * self.order * m.atan2(divided(r, self.scale, m), 1)
+
     def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         rk, slope = turns.turned(m.name("rt", divided(r, self.scale, m)), turn, m)
         return self._times(rk, m, "rv"), slope

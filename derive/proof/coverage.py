@@ -45,6 +45,7 @@ _SECOND_INVERSE = (*_SLOPES, "rate of the inverse operator")
 _JACOBIAN = (*_SLOPES, "Jacobian of the twist", "structure equation", "structure equation in the body")
 _JACOBIAN_INVERSE = (*_SLOPES, "Jacobian of the rate")
 _PRODUCT = ("twist of a product", "twist", "rates of v")
+_SMALL = ("exponential of a quaternion", "composition", "quaternion")
 _BRANCHES = "the choice of axis, of sign and of the branch among the angles of one screw; half turns and translations"
 
 COVERAGE: Mapping[str, Coverage] = {
@@ -84,6 +85,8 @@ COVERAGE: Mapping[str, Coverage] = {
     "transform_point_jacobians": Coverage("exact", ("pose", "line", "twist")),
     "transform_line_jacobians": Coverage("exact", ("line", "twist")),
     "between": Coverage("50 digits", ("composition", "quaternion"), "the principal v of the product quaternion"),
+    **{name: Coverage("50 digits", _SMALL, "the branch nearest v") for name in ("retract", "body_retract")},
+    **{name: Coverage("50 digits", _SMALL, "the principal angle") for name in ("local", "body_local")},
     "compose_jacobians": Coverage("50 digits", _PRODUCT, "the principal v of the product quaternion"),
     "between_jacobians": Coverage("50 digits", _PRODUCT, "the principal v of the product quaternion"),
     "compose": Coverage("50 digits", ("composition", "quaternion"), "the principal v of the product quaternion"),

@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from ._kernel import Components, Kernel, Result, Rows, absolute, add, copy, div, mul, neg, sqrt, sub
+from ._kernel import Components, Kernel, Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
 
 # operations 24: 7 +, 17 *
@@ -4441,6 +4441,937 @@ def between_jacobians_blocks(
     copy(o51, o72)
 
 
+# operations 277: 93 +, 138 *, 24 /, 4 sqrt, 2 tan, 2 atan2, 1 lt, 2 eq, 11 where
+def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    d1, d2, d3, d1o, d2o, d3o = delta
+    v11d = d1 * d1
+    v22d = d2 * d2
+    v33d = d3 * d3
+    xd = v11d + v22d + v33d
+    neard = xd < 6
+    zd = m.where(neard, xd, xd - xd) / 4
+    C7d = (
+        (72 - zd * ((3603600 - zd * (32760 - zd * (210 - zd * ((93024 - zd * (342 - zd * ((212520 - zd * (506 - zd))
+        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
+    )
+    C5d = (1 - 120 * (zd * C7d)) / 120
+    C3d = (1 - 6 * (zd * C5d)) / 6
+    C1d = 1 - zd * C3d
+    CC1d = C1d * C1d
+    C0d = m.sqrt(1 - zd * CC1d)
+    xxd = m.where(neard, 6 + xd, xd)
+    alphad = m.sqrt(xxd)
+    td = m.tan(alphad / 4)
+    ttd = td * td
+    belowd = 1 + ttd
+    sd = m.where(neard, C0d, (1 - ttd) / belowd)
+    wd = m.where(neard, C1d / 2, 2 * td / belowd / alphad)
+    wd1 = d1 * wd
+    wd2 = d2 * wd
+    wd3 = d3 * wd
+    fd = 2 * (sd * wd)
+    wwd = wd * wd
+    gd = 2 * wwd
+    C01d = 1 + C0d
+    C2d = CC1d / C01d
+    hd = m.where(neard, (C3d + C1d * C2d) / 4, (1 - fd) / xxd)
+    gvd1 = d1 * gd
+    gvd2 = d2 * gd
+    gvd3 = d3 * gd
+    yd = d1 * d1o + d2 * d2o + d3 * d3o
+    alongd = hd * yd
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    a, b, _, f, g, h = c.ray(m, x)
+    bv1 = v1 * b
+    bv2 = v2 * b
+    bv3 = v3 * b
+    gv1 = v1 * g
+    gv2 = v2 * g
+    gv3 = v3 * g
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    along = h * y
+    rhob1 = v1o * f + (gv2 * v3o - gv3 * v2o) + v1 * along
+    rhob2 = v2o * f + (gv3 * v1o - gv1 * v3o) + v2 * along
+    rhob3 = v3o * f + (gv1 * v2o - gv2 * v1o) + v3 * along
+    z0 = sd * a - (wd1 * bv1 + wd2 * bv2 + wd3 * bv3)
+    z1 = bv1 * sd + wd1 * a + (wd2 * bv3 - wd3 * bv2)
+    z2 = bv2 * sd + wd2 * a + (wd3 * bv1 - wd1 * bv3)
+    z3 = bv3 * sd + wd3 * a + (wd1 * bv2 - wd2 * bv1)
+    v_rhob1 = d2 * rhob3 - d3 * rhob2
+    v_rhob2 = d3 * rhob1 - d1 * rhob3
+    v_rhob3 = d1 * rhob2 - d2 * rhob1
+    gv_rhob1 = v_rhob1 * gd
+    gv_rhob2 = v_rhob2 * gd
+    gv_rhob3 = v_rhob3 * gd
+    rho1 = (
+        rhob1 + (v_rhob1 * fd + (d2 * gv_rhob3 - d3 * gv_rhob2)) + (d1o * fd + (gvd2 * d3o - gvd3 * d2o) + d1 * alongd)
+    )
+    rho2 = (
+        rhob2 + (v_rhob2 * fd + (d3 * gv_rhob1 - d1 * gv_rhob3)) + (d2o * fd + (gvd3 * d1o - gvd1 * d3o) + d2 * alongd)
+    )
+    rho3 = (
+        rhob3 + (v_rhob3 * fd + (d1 * gv_rhob2 - d2 * gv_rhob1)) + (d3o * fd + (gvd1 * d2o - gvd2 * d1o) + d3 * alongd)
+    )
+    ss = z1 * z1 + z2 * z2 + z3 * z3
+    still = ss == 0
+    resting = x == 0
+    length = m.sqrt(m.where(still, 1 + ss, ss))
+    r = m.sqrt(m.where(resting, 1 + x, x))
+    own, = c.unfolded(m, x, r)
+    own_ = m.where(resting, 0, own / r) * (v1 * z1 + v2 * z2 + v3 * z3) / length
+    angle = own_ + 2 * m.atan2(m.tan((2 * m.atan2(m.where(still, ss, length), z0) - own_) / 2), 1)
+    rn, slopen = c.coefficient(m, angle)
+    z0s = m.where(still, z0, length)
+    factor = m.where(still, 2 * slopen / z0s, rn / length)
+    v_1 = z1 * factor
+    v_2 = z2 * factor
+    v_3 = z3 * factor
+    v11w = v_1 * v_1
+    v22w = v_2 * v_2
+    v33w = v_3 * v_3
+    xw = v11w + v22w + v33w
+    hiw, = c.inverse(m, xw)
+    fi = factor * z0
+    hvr = hiw * (v_1 * rho1 + v_2 * rho2 + v_3 * rho3)
+    return (
+        v_1,
+        v_2,
+        v_3,
+        (rho1 * fi - (v_2 * rho3 - v_3 * rho2) + v_1 * hvr) / 2,
+        (rho2 * fi - (v_3 * rho1 - v_1 * rho3) + v_2 * hvr) / 2,
+        (rho3 * fi - (v_1 * rho2 - v_2 * rho1) + v_3 * hvr) / 2,
+    )
+
+
+def retract_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, delta: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    d1, d2, d3, d1o, d2o, d3o = delta
+    o1, o2, o3, o4, o5, o6 = out
+    (
+        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, *spare,
+    ) = scratch
+    mask1, mask2, *spare_masks = masks
+    n0, n1, n2, n4, n6, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    v11d = mul(d1, d1, k1)
+    v22d = mul(d2, d2, k2)
+    v33d = mul(d3, d3, k3)
+    xd = add(add(v11d, v22d, k1), v33d, k1)
+    neard = m.less(xd, n6, mask1)
+    zd = div(m.where(neard, xd, sub(xd, xd, k2), k3), n4, k2)
+    xxd = m.where(neard, add(n6, xd, k3), xd, k3)
+    C7d = div(
+        div(sub(n72, mul(zd, div(sub(n3603600, mul(zd, sub(n32760, mul(zd, sub(n210, mul(zd, div(sub(n93024, mul(zd,
+        sub(n342, mul(zd, div(sub(n212520, mul(zd, sub(n506, zd, k1), k1), k1), n212520, k1), k1), k1), k1), k1),
+        n93024, k1), k1), k1), k1), k1), k1), k1), n3603600, k1), k1), k1), n72, k1), n5040, k1
+    )
+    C5d = div(sub(n1, mul(n120, mul(zd, C7d, k1), k1), k1), n120, k1)
+    C3d = div(sub(n1, mul(n6, mul(zd, C5d, k1), k1), k1), n6, k1)
+    C1d = sub(n1, mul(zd, C3d, k4), k4)
+    CC1d = mul(C1d, C1d, k5)
+    C0d = sqrt(sub(n1, mul(zd, CC1d, k2), k2), k2)
+    alphad = sqrt(xxd, k6)
+    td = tan(div(alphad, n4, k7), k7)
+    ttd = mul(td, td, k8)
+    belowd = add(n1, ttd, k9)
+    wd = m.where(neard, div(C1d, n2, k10), div(div(mul(n2, td, k7), belowd, k7), alphad, k6), k7)
+    sd = m.where(neard, C0d, div(sub(n1, ttd, k6), belowd, k6), k8)
+    C01d = add(n1, C0d, k2)
+    C2d = div(CC1d, C01d, k2)
+    wd1 = mul(d1, wd, k5)
+    wd2 = mul(d2, wd, k6)
+    wd3 = mul(d3, wd, k9)
+    v11 = mul(v1, v1, k10)
+    v22 = mul(v2, v2, k11)
+    v33 = mul(v3, v3, k12)
+    x = add(add(v11, v22, k10), v33, k10)
+    a, b, _, f, g, h = c.ray((k11, k12, k13, k14, k15, k16), (*spare,), (*spare_masks,), x)
+    bv1 = mul(v1, b, k13)
+    bv3 = mul(v3, b, k17)
+    bv2 = mul(v2, b, k12)
+    z1 = add(add(mul(bv1, sd, k18), mul(wd1, a, k19), k18), sub(mul(wd2, bv3, k19), mul(wd3, bv2, k20), k19), k18)
+    z2 = add(add(mul(bv2, sd, k19), mul(wd2, a, k20), k19), sub(mul(wd3, bv1, k20), mul(wd1, bv3, k21), k20), k19)
+    z3 = add(add(mul(bv3, sd, k20), mul(wd3, a, k21), k20), sub(mul(wd1, bv2, k21), mul(wd2, bv1, k22), k21), k20)
+    z0 = sub(mul(sd, a, k11), add(add(mul(wd1, bv1, k5), mul(wd2, bv2, k6), k5), mul(wd3, bv3, k6), k5), k5)
+    fd = mul(n2, mul(sd, wd, k6), k6)
+    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k2), k1), n4, k1), div(sub(n1, fd, k2), xxd, k2), k1)
+    wwd = mul(wd, wd, k2)
+    gd = mul(n2, wwd, k2)
+    ss = add(add(mul(z1, z1, k3), mul(z2, z2, k4), k3), mul(z3, z3, k4), k3)
+    still = m.equal(ss, n0, mask1)
+    length = sqrt(m.where(still, add(n1, ss, k4), ss, k4), k4)
+    resting = m.equal(x, n0, mask2)
+    r = sqrt(m.where(resting, add(n1, x, k7), x, k7), k7)
+    own, = c.unfolded((k8,), (k9, k11, k12, k13, k17, k21, k22, *spare), (*spare_masks,), x, r)
+    own_ = div(
+        mul(m.where(resting, n0, div(own, r, k7), k8), add(add(mul(v1, z1, k7), mul(v2, z2, k9), k7), mul(v3, z3, k9),
+        k7), k7), length, k7
+    )
+    angle = add(
+        own_, mul(n2, atan2(tan(div(sub(mul(n2, atan2(m.where(still, ss, length, k3), z0, k3), k3), own_, k3), n2, k3),
+        k3), n1, k3), k3), k3
+    )
+    rn, slopen = c.coefficient((k7, k8), (k9, k10, k11, k12, k13, k17, k21, k22, *spare), (mask2, *spare_masks), angle)
+    z0s = m.where(still, z0, length, k3)
+    factor = m.where(still, div(mul(n2, slopen, k8), z0s, k3), div(rn, length, k4), k3)
+    v_1 = mul(z1, factor, o1)
+    v_2 = mul(z2, factor, o2)
+    v_3 = mul(z3, factor, o3)
+    fi = mul(factor, z0, k3)
+    v11w = mul(v_1, v_1, k4)
+    v22w = mul(v_2, v_2, k5)
+    v33w = mul(v_3, v_3, k7)
+    xw = add(add(v11w, v22w, k4), v33w, k4)
+    hiw, = c.inverse(
+        (k5,), (k7, k8, k9, k10, k11, k12, k13, k17, k18, k19, k20, k21, k22, *spare), (mask1, mask2, *spare_masks), xw
+    )
+    yd = add(add(mul(d1, d1o, k4), mul(d2, d2o, k7), k4), mul(d3, d3o, k7), k4)
+    alongd = mul(hd, yd, k1)
+    gv3 = mul(v3, g, k4)
+    gv1 = mul(v1, g, k7)
+    gv2 = mul(v2, g, k8)
+    y = add(add(mul(v1, v1o, k9), mul(v2, v2o, k10), k9), mul(v3, v3o, k10), k9)
+    along = mul(h, y, k9)
+    rhob2 = add(add(mul(v2o, f, k10), sub(mul(gv3, v1o, k11), mul(gv1, v3o, k12), k11), k10), mul(v2, along, k11), k10)
+    rhob1 = add(add(mul(v1o, f, k11), sub(mul(gv2, v3o, k12), mul(gv3, v2o, k4), k4), k4), mul(v1, along, k11), k4)
+    rhob3 = add(add(mul(v3o, f, k11), sub(mul(gv1, v2o, k7), mul(gv2, v1o, k8), k7), k7), mul(v3, along, k8), k7)
+    v_rhob3 = sub(mul(d1, rhob2, k8), mul(d2, rhob1, k9), k8)
+    gv_rhob3 = mul(v_rhob3, gd, k9)
+    v_rhob2 = sub(mul(d3, rhob1, k11), mul(d1, rhob3, k12), k11)
+    gv_rhob2 = mul(v_rhob2, gd, k12)
+    gvd2 = mul(d2, gd, k13)
+    gvd3 = mul(d3, gd, k14)
+    v_rhob1 = sub(mul(d2, rhob3, k15), mul(d3, rhob2, k16), k15)
+    rho1 = add(
+        add(rhob1, add(mul(v_rhob1, fd, k16), sub(mul(d2, gv_rhob3, k17), mul(d3, gv_rhob2, k18), k17), k16), k4),
+        add(add(mul(d1o, fd, k16), sub(mul(gvd2, d3o, k17), mul(gvd3, d2o, k18), k17), k16), mul(d1, alongd, k17), k16),
+        k4
+    )
+    gv_rhob1 = mul(v_rhob1, gd, k15)
+    gvd1 = mul(d1, gd, k2)
+    rho2 = add(
+        add(rhob2, add(mul(v_rhob2, fd, k11), sub(mul(d3, gv_rhob1, k16), mul(d1, gv_rhob3, k9), k9), k9), k9),
+        add(add(mul(d2o, fd, k10), sub(mul(gvd3, d1o, k11), mul(gvd1, d3o, k14), k11), k10), mul(d2, alongd, k11), k10),
+        k9
+    )
+    rho3 = add(
+        add(rhob3, add(mul(v_rhob3, fd, k8), sub(mul(d1, gv_rhob2, k10), mul(d2, gv_rhob1, k11), k10), k8), k7),
+        add(add(mul(d3o, fd, k6), sub(mul(gvd1, d2o, k2), mul(gvd2, d1o, k8), k2), k2), mul(d3, alongd, k1), k1), k1
+    )
+    hvr = mul(hiw, add(add(mul(v_1, rho1, k2), mul(v_2, rho2, k6), k2), mul(v_3, rho3, k6), k2), k2)
+    div(add(sub(mul(rho1, fi, k5), sub(mul(v_2, rho3, k6), mul(v_3, rho2, k7), k6), k5), mul(v_1, hvr, k6), k5), n2, o4)
+    div(add(sub(mul(rho2, fi, k5), sub(mul(v_3, rho1, k6), mul(v_1, rho3, k7), k6), k5), mul(v_2, hvr, k6), k5), n2, o5)
+    div(add(sub(mul(rho3, fi, k1), sub(mul(v_1, rho2, k3), mul(v_2, rho1, k4), k3), k1), mul(v_3, hvr, k2), k1), n2, o6)
+
+
+# operations 277: 93 +, 138 *, 24 /, 4 sqrt, 2 tan, 2 atan2, 1 lt, 2 eq, 11 where
+def body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    d1, d2, d3, d1o, d2o, d3o = delta
+    v11d = d1 * d1
+    v22d = d2 * d2
+    v33d = d3 * d3
+    xd = v11d + v22d + v33d
+    neard = xd < 6
+    zd = m.where(neard, xd, xd - xd) / 4
+    C7d = (
+        (72 - zd * ((3603600 - zd * (32760 - zd * (210 - zd * ((93024 - zd * (342 - zd * ((212520 - zd * (506 - zd))
+        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
+    )
+    C5d = (1 - 120 * (zd * C7d)) / 120
+    C3d = (1 - 6 * (zd * C5d)) / 6
+    C1d = 1 - zd * C3d
+    CC1d = C1d * C1d
+    C0d = m.sqrt(1 - zd * CC1d)
+    xxd = m.where(neard, 6 + xd, xd)
+    alphad = m.sqrt(xxd)
+    td = m.tan(alphad / 4)
+    ttd = td * td
+    belowd = 1 + ttd
+    sd = m.where(neard, C0d, (1 - ttd) / belowd)
+    wd = m.where(neard, C1d / 2, 2 * td / belowd / alphad)
+    wd1 = d1 * wd
+    wd2 = d2 * wd
+    wd3 = d3 * wd
+    fd = 2 * (sd * wd)
+    wwd = wd * wd
+    gd = 2 * wwd
+    C01d = 1 + C0d
+    C2d = CC1d / C01d
+    hd = m.where(neard, (C3d + C1d * C2d) / 4, (1 - fd) / xxd)
+    gvd1 = d1 * gd
+    gvd2 = d2 * gd
+    gvd3 = d3 * gd
+    yd = d1 * d1o + d2 * d2o + d3 * d3o
+    alongd = hd * yd
+    rhob1 = d1o * fd + (gvd2 * d3o - gvd3 * d2o) + d1 * alongd
+    rhob2 = d2o * fd + (gvd3 * d1o - gvd1 * d3o) + d2 * alongd
+    rhob3 = d3o * fd + (gvd1 * d2o - gvd2 * d1o) + d3 * alongd
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    a, b, _, f, g, h = c.ray(m, x)
+    bv1 = v1 * b
+    bv2 = v2 * b
+    bv3 = v3 * b
+    gv1 = v1 * g
+    gv2 = v2 * g
+    gv3 = v3 * g
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    along = h * y
+    z0 = a * sd - (bv1 * wd1 + bv2 * wd2 + bv3 * wd3)
+    z1 = wd1 * a + bv1 * sd + (bv2 * wd3 - bv3 * wd2)
+    z2 = wd2 * a + bv2 * sd + (bv3 * wd1 - bv1 * wd3)
+    z3 = wd3 * a + bv3 * sd + (bv1 * wd2 - bv2 * wd1)
+    v_rhob1 = v2 * rhob3 - v3 * rhob2
+    v_rhob2 = v3 * rhob1 - v1 * rhob3
+    v_rhob3 = v1 * rhob2 - v2 * rhob1
+    gv_rhob1 = v_rhob1 * g
+    gv_rhob2 = v_rhob2 * g
+    gv_rhob3 = v_rhob3 * g
+    rho1 = rhob1 + (v_rhob1 * f + (v2 * gv_rhob3 - v3 * gv_rhob2)) + (v1o * f + (gv2 * v3o - gv3 * v2o) + v1 * along)
+    rho2 = rhob2 + (v_rhob2 * f + (v3 * gv_rhob1 - v1 * gv_rhob3)) + (v2o * f + (gv3 * v1o - gv1 * v3o) + v2 * along)
+    rho3 = rhob3 + (v_rhob3 * f + (v1 * gv_rhob2 - v2 * gv_rhob1)) + (v3o * f + (gv1 * v2o - gv2 * v1o) + v3 * along)
+    ss = z1 * z1 + z2 * z2 + z3 * z3
+    still = ss == 0
+    resting = x == 0
+    length = m.sqrt(m.where(still, 1 + ss, ss))
+    r = m.sqrt(m.where(resting, 1 + x, x))
+    own, = c.unfolded(m, x, r)
+    own_ = m.where(resting, 0, own / r) * (v1 * z1 + v2 * z2 + v3 * z3) / length
+    angle = own_ + 2 * m.atan2(m.tan((2 * m.atan2(m.where(still, ss, length), z0) - own_) / 2), 1)
+    rn, slopen = c.coefficient(m, angle)
+    z0s = m.where(still, z0, length)
+    factor = m.where(still, 2 * slopen / z0s, rn / length)
+    v_1 = z1 * factor
+    v_2 = z2 * factor
+    v_3 = z3 * factor
+    v11w = v_1 * v_1
+    v22w = v_2 * v_2
+    v33w = v_3 * v_3
+    xw = v11w + v22w + v33w
+    hiw, = c.inverse(m, xw)
+    fi = factor * z0
+    hvr = hiw * (v_1 * rho1 + v_2 * rho2 + v_3 * rho3)
+    return (
+        v_1,
+        v_2,
+        v_3,
+        (rho1 * fi - (v_2 * rho3 - v_3 * rho2) + v_1 * hvr) / 2,
+        (rho2 * fi - (v_3 * rho1 - v_1 * rho3) + v_2 * hvr) / 2,
+        (rho3 * fi - (v_1 * rho2 - v_2 * rho1) + v_3 * hvr) / 2,
+    )
+
+
+def body_retract_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, delta: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    d1, d2, d3, d1o, d2o, d3o = delta
+    o1, o2, o3, o4, o5, o6 = out
+    (
+        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, *spare,
+    ) = scratch
+    mask1, mask2, *spare_masks = masks
+    n0, n1, n2, n4, n6, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    v11d = mul(d1, d1, k1)
+    v22d = mul(d2, d2, k2)
+    v33d = mul(d3, d3, k3)
+    xd = add(add(v11d, v22d, k1), v33d, k1)
+    neard = m.less(xd, n6, mask1)
+    zd = div(m.where(neard, xd, sub(xd, xd, k2), k3), n4, k2)
+    xxd = m.where(neard, add(n6, xd, k3), xd, k3)
+    C7d = div(
+        div(sub(n72, mul(zd, div(sub(n3603600, mul(zd, sub(n32760, mul(zd, sub(n210, mul(zd, div(sub(n93024, mul(zd,
+        sub(n342, mul(zd, div(sub(n212520, mul(zd, sub(n506, zd, k1), k1), k1), n212520, k1), k1), k1), k1), k1),
+        n93024, k1), k1), k1), k1), k1), k1), k1), n3603600, k1), k1), k1), n72, k1), n5040, k1
+    )
+    C5d = div(sub(n1, mul(n120, mul(zd, C7d, k1), k1), k1), n120, k1)
+    C3d = div(sub(n1, mul(n6, mul(zd, C5d, k1), k1), k1), n6, k1)
+    C1d = sub(n1, mul(zd, C3d, k4), k4)
+    CC1d = mul(C1d, C1d, k5)
+    C0d = sqrt(sub(n1, mul(zd, CC1d, k2), k2), k2)
+    alphad = sqrt(xxd, k6)
+    td = tan(div(alphad, n4, k7), k7)
+    ttd = mul(td, td, k8)
+    belowd = add(n1, ttd, k9)
+    wd = m.where(neard, div(C1d, n2, k10), div(div(mul(n2, td, k7), belowd, k7), alphad, k6), k7)
+    sd = m.where(neard, C0d, div(sub(n1, ttd, k6), belowd, k6), k8)
+    C01d = add(n1, C0d, k2)
+    C2d = div(CC1d, C01d, k2)
+    wd1 = mul(d1, wd, k5)
+    wd3 = mul(d3, wd, k6)
+    wd2 = mul(d2, wd, k9)
+    v11 = mul(v1, v1, k10)
+    v22 = mul(v2, v2, k11)
+    v33 = mul(v3, v3, k12)
+    x = add(add(v11, v22, k10), v33, k10)
+    a, b, _, f, g, h = c.ray((k11, k12, k13, k14, k15, k16), (*spare,), (*spare_masks,), x)
+    bv1 = mul(v1, b, k13)
+    bv2 = mul(v2, b, k17)
+    bv3 = mul(v3, b, k12)
+    z1 = add(add(mul(wd1, a, k18), mul(bv1, sd, k19), k18), sub(mul(bv2, wd3, k19), mul(bv3, wd2, k20), k19), k18)
+    z2 = add(add(mul(wd2, a, k19), mul(bv2, sd, k20), k19), sub(mul(bv3, wd1, k20), mul(bv1, wd3, k21), k20), k19)
+    z3 = add(add(mul(wd3, a, k20), mul(bv3, sd, k21), k20), sub(mul(bv1, wd2, k21), mul(bv2, wd1, k22), k21), k20)
+    z0 = sub(mul(a, sd, k11), add(add(mul(bv1, wd1, k5), mul(bv2, wd2, k9), k5), mul(bv3, wd3, k6), k5), k5)
+    fd = mul(n2, mul(sd, wd, k6), k6)
+    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k2), k1), n4, k1), div(sub(n1, fd, k2), xxd, k2), k1)
+    wwd = mul(wd, wd, k2)
+    gd = mul(n2, wwd, k2)
+    ss = add(add(mul(z1, z1, k3), mul(z2, z2, k4), k3), mul(z3, z3, k4), k3)
+    still = m.equal(ss, n0, mask1)
+    length = sqrt(m.where(still, add(n1, ss, k4), ss, k4), k4)
+    resting = m.equal(x, n0, mask2)
+    r = sqrt(m.where(resting, add(n1, x, k7), x, k7), k7)
+    own, = c.unfolded((k8,), (k9, k11, k12, k13, k17, k21, k22, *spare), (*spare_masks,), x, r)
+    own_ = div(
+        mul(m.where(resting, n0, div(own, r, k7), k8), add(add(mul(v1, z1, k7), mul(v2, z2, k9), k7), mul(v3, z3, k9),
+        k7), k7), length, k7
+    )
+    angle = add(
+        own_, mul(n2, atan2(tan(div(sub(mul(n2, atan2(m.where(still, ss, length, k3), z0, k3), k3), own_, k3), n2, k3),
+        k3), n1, k3), k3), k3
+    )
+    rn, slopen = c.coefficient((k7, k8), (k9, k10, k11, k12, k13, k17, k21, k22, *spare), (mask2, *spare_masks), angle)
+    z0s = m.where(still, z0, length, k3)
+    factor = m.where(still, div(mul(n2, slopen, k8), z0s, k3), div(rn, length, k4), k3)
+    v_1 = mul(z1, factor, o1)
+    v_2 = mul(z2, factor, o2)
+    v_3 = mul(z3, factor, o3)
+    fi = mul(factor, z0, k3)
+    v11w = mul(v_1, v_1, k4)
+    v22w = mul(v_2, v_2, k5)
+    v33w = mul(v_3, v_3, k7)
+    xw = add(add(v11w, v22w, k4), v33w, k4)
+    hiw, = c.inverse(
+        (k5,), (k7, k8, k9, k10, k11, k12, k13, k17, k18, k19, k20, k21, k22, *spare), (mask1, mask2, *spare_masks), xw
+    )
+    yd = add(add(mul(d1, d1o, k4), mul(d2, d2o, k7), k4), mul(d3, d3o, k7), k4)
+    alongd = mul(hd, yd, k1)
+    gvd1 = mul(d1, gd, k4)
+    gvd2 = mul(d2, gd, k7)
+    gvd3 = mul(d3, gd, k2)
+    rhob3 = add(add(mul(d3o, fd, k8), sub(mul(gvd1, d2o, k9), mul(gvd2, d1o, k10), k9), k8), mul(d3, alongd, k9), k8)
+    rhob2 = add(add(mul(d2o, fd, k9), sub(mul(gvd3, d1o, k10), mul(gvd1, d3o, k4), k4), k4), mul(d2, alongd, k9), k4)
+    rhob1 = add(add(mul(d1o, fd, k6), sub(mul(gvd2, d3o, k7), mul(gvd3, d2o, k2), k2), k2), mul(d1, alongd, k1), k1)
+    v_rhob1 = sub(mul(v2, rhob3, k2), mul(v3, rhob2, k6), k2)
+    v_rhob3 = sub(mul(v1, rhob2, k6), mul(v2, rhob1, k7), k6)
+    gv_rhob3 = mul(v_rhob3, g, k7)
+    v_rhob2 = sub(mul(v3, rhob1, k9), mul(v1, rhob3, k10), k9)
+    gv_rhob2 = mul(v_rhob2, g, k10)
+    gv2 = mul(v2, g, k11)
+    gv3 = mul(v3, g, k12)
+    y = add(add(mul(v1, v1o, k13), mul(v2, v2o, k17), k13), mul(v3, v3o, k17), k13)
+    along = mul(h, y, k13)
+    rho1 = add(
+        add(rhob1, add(mul(v_rhob1, f, k16), sub(mul(v2, gv_rhob3, k17), mul(v3, gv_rhob2, k18), k17), k16), k1),
+        add(add(mul(v1o, f, k16), sub(mul(gv2, v3o, k17), mul(gv3, v2o, k18), k17), k16), mul(v1, along, k17), k16), k1
+    )
+    gv_rhob1 = mul(v_rhob1, g, k2)
+    gv1 = mul(v1, g, k15)
+    rho2 = add(
+        add(rhob2, add(mul(v_rhob2, f, k9), sub(mul(v3, gv_rhob1, k16), mul(v1, gv_rhob3, k7), k7), k7), k4),
+        add(add(mul(v2o, f, k7), sub(mul(gv3, v1o, k9), mul(gv1, v3o, k12), k9), k7), mul(v2, along, k9), k7), k4
+    )
+    rho3 = add(
+        add(rhob3, add(mul(v_rhob3, f, k6), sub(mul(v1, gv_rhob2, k7), mul(v2, gv_rhob1, k2), k2), k2), k2),
+        add(add(mul(v3o, f, k6), sub(mul(gv1, v2o, k7), mul(gv2, v1o, k8), k7), k6), mul(v3, along, k7), k6), k2
+    )
+    hvr = mul(hiw, add(add(mul(v_1, rho1, k6), mul(v_2, rho2, k7), k6), mul(v_3, rho3, k7), k6), k5)
+    div(add(sub(mul(rho1, fi, k6), sub(mul(v_2, rho3, k7), mul(v_3, rho2, k8), k7), k6), mul(v_1, hvr, k7), k6), n2, o4)
+    div(add(sub(mul(rho2, fi, k6), sub(mul(v_3, rho1, k7), mul(v_1, rho3, k8), k7), k6), mul(v_2, hvr, k7), k6), n2, o5)
+    div(add(sub(mul(rho3, fi, k2), sub(mul(v_1, rho2, k3), mul(v_2, rho1, k1), k1), k1), mul(v_3, hvr, k2), k1), n2, o6)
+
+
+# operations 270: 88 +, 136 *, 21 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+def local(m: Any, c: Any, b: Components, a: Components) -> Result:
+    b1, b2, b3, b1o, b2o, b3o = b
+    a1, a2, a3, a1o, a2o, a3o = a
+    minus_a1 = -a1
+    minus_a2 = -a2
+    minus_a3 = -a3
+    minus_a4 = -a1o
+    minus_a5 = -a2o
+    minus_a6 = -a3o
+    v11b = b1 * b1
+    v22b = b2 * b2
+    v33b = b3 * b3
+    xb = v11b + v22b + v33b
+    ab, bb, _, fb, gb, hb = c.ray(m, xb)
+    bvb1 = b1 * bb
+    bvb2 = b2 * bb
+    bvb3 = b3 * bb
+    v11a = minus_a1 * minus_a1
+    v22a = minus_a2 * minus_a2
+    v33a = minus_a3 * minus_a3
+    xa = v11a + v22a + v33a
+    aa, ba, _, fa, ga, ha = c.ray(m, xa)
+    bva1 = minus_a1 * ba
+    bva2 = minus_a2 * ba
+    bva3 = minus_a3 * ba
+    z0 = ab * aa - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
+    z1 = bva1 * ab + bvb1 * aa + (bvb2 * bva3 - bvb3 * bva2)
+    z2 = bva2 * ab + bvb2 * aa + (bvb3 * bva1 - bvb1 * bva3)
+    z3 = bva3 * ab + bvb3 * aa + (bvb1 * bva2 - bvb2 * bva1)
+    gva1 = minus_a1 * ga
+    gva2 = minus_a2 * ga
+    gva3 = minus_a3 * ga
+    ya = minus_a1 * minus_a4 + minus_a2 * minus_a5 + minus_a3 * minus_a6
+    alonga = ha * ya
+    rhoa1 = minus_a4 * fa + (gva2 * minus_a6 - gva3 * minus_a5) + minus_a1 * alonga
+    rhoa2 = minus_a5 * fa + (gva3 * minus_a4 - gva1 * minus_a6) + minus_a2 * alonga
+    rhoa3 = minus_a6 * fa + (gva1 * minus_a5 - gva2 * minus_a4) + minus_a3 * alonga
+    v_rho1 = b2 * rhoa3 - b3 * rhoa2
+    v_rho2 = b3 * rhoa1 - b1 * rhoa3
+    v_rho3 = b1 * rhoa2 - b2 * rhoa1
+    gv_rho1 = v_rho1 * gb
+    gv_rho2 = v_rho2 * gb
+    gv_rho3 = v_rho3 * gb
+    gvb1 = b1 * gb
+    gvb2 = b2 * gb
+    gvb3 = b3 * gb
+    yb = b1 * b1o + b2 * b2o + b3 * b3o
+    alongb = hb * yb
+    rho1 = rhoa1 + (v_rho1 * fb + (b2 * gv_rho3 - b3 * gv_rho2)) + (b1o * fb + (gvb2 * b3o - gvb3 * b2o) + b1 * alongb)
+    rho2 = rhoa2 + (v_rho2 * fb + (b3 * gv_rho1 - b1 * gv_rho3)) + (b2o * fb + (gvb3 * b1o - gvb1 * b3o) + b2 * alongb)
+    rho3 = rhoa3 + (v_rho3 * fb + (b1 * gv_rho2 - b2 * gv_rho1)) + (b3o * fb + (gvb1 * b2o - gvb2 * b1o) + b3 * alongb)
+    negativee = z0 < 0
+    cose = m.where(negativee, -z0, z0)
+    sse = z1 * z1 + z2 * z2 + z3 * z3
+    stille = sse == 0
+    sine = m.sqrt(m.where(stille, cose, sse))
+    anglee = 2 * m.atan2(sine, cose)
+    gaine = m.where(negativee, -1, 1) * (m.where(stille, 2 * cose, anglee) / m.where(stille, cose * cose, sine))
+    d1 = z1 * gaine
+    d2 = z2 * gaine
+    d3 = z3 * gaine
+    v11e = d1 * d1
+    v22e = d2 * d2
+    v33e = d3 * d3
+    xe = v11e + v22e + v33e
+    neare = xe < 6
+    ze = m.where(neare, xe, xe - xe) / 4
+    C7e = (
+        (72 - ze * ((3603600 - ze * (32760 - ze * (210 - ze * ((93024 - ze * (342 - ze * ((212520 - ze * (506 - ze))
+        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
+    )
+    C5e = (1 - 120 * (ze * C7e)) / 120
+    C3e = (1 - 6 * (ze * C5e)) / 6
+    C1e = 1 - ze * C3e
+    xxe = m.where(neare, 6 + xe, xe)
+    alphae = m.sqrt(xxe)
+    te = m.tan(alphae / 4)
+    tte = te * te
+    belowe = 1 + tte
+    we = m.where(neare, C1e / 2, 2 * te / belowe / alphae)
+    wwe = we * we
+    ge = 2 * wwe
+    CC1e = C1e * C1e
+    C0e = m.sqrt(1 - ze * CC1e)
+    se = m.where(neare, C0e, (1 - tte) / belowe)
+    fie = se / we
+    C01e = 1 + C0e
+    C2e = CC1e / C01e
+    fe = 2 * (se * we)
+    he = m.where(neare, (C3e + C1e * C2e) / 4, (1 - fe) / xxe)
+    hie = ge - fie * he
+    fi = gaine * z0
+    hvr = hie * (d1 * rho1 + d2 * rho2 + d3 * rho3)
+    return (
+        d1,
+        d2,
+        d3,
+        (rho1 * fi - (d2 * rho3 - d3 * rho2) + d1 * hvr) / 2,
+        (rho2 * fi - (d3 * rho1 - d1 * rho3) + d2 * hvr) / 2,
+        (rho3 * fi - (d1 * rho2 - d2 * rho1) + d3 * hvr) / 2,
+    )
+
+
+def local_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, b: Rows, a: Rows
+) -> None:
+    b1, b2, b3, b1o, b2o, b3o = b
+    a1, a2, a3, a1o, a2o, a3o = a
+    o1, o2, o3, o4, o5, o6 = out
+    (
+        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, *spare,
+    ) = scratch
+    mask1, mask2, *spare_masks = masks
+    n_minus_1, n0, n1, n2, n4, n6, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    minus_a1 = neg(a1, k1)
+    v11a = mul(minus_a1, minus_a1, k2)
+    minus_a2 = neg(a2, k3)
+    v22a = mul(minus_a2, minus_a2, k4)
+    minus_a3 = neg(a3, k5)
+    v33a = mul(minus_a3, minus_a3, k6)
+    xa = add(add(v11a, v22a, k2), v33a, k2)
+    aa, ba, _, fa, ga, ha = c.ray((k4, k6, k7, k8, k9, k10), (*spare,), (*spare_masks,), xa)
+    bva1 = mul(minus_a1, ba, k2)
+    v11b = mul(b1, b1, k7)
+    v22b = mul(b2, b2, k11)
+    v33b = mul(b3, b3, k12)
+    xb = add(add(v11b, v22b, k7), v33b, k7)
+    ab, bb, _, fb, gb, hb = c.ray((k11, k12, k13, k14, k15, k16), (*spare,), (*spare_masks,), xb)
+    bvb1 = mul(b1, bb, k7)
+    bvb2 = mul(b2, bb, k13)
+    bvb3 = mul(b3, bb, k12)
+    bva3 = mul(minus_a3, ba, k17)
+    bva2 = mul(minus_a2, ba, k6)
+    z1 = add(
+        add(mul(bva1, ab, k18), mul(bvb1, aa, k19), k18), sub(mul(bvb2, bva3, k19), mul(bvb3, bva2, k20), k19), k18
+    )
+    z2 = add(
+        add(mul(bva2, ab, k19), mul(bvb2, aa, k20), k19), sub(mul(bvb3, bva1, k20), mul(bvb1, bva3, k21), k20), k19
+    )
+    z3 = add(
+        add(mul(bva3, ab, k20), mul(bvb3, aa, k21), k20), sub(mul(bvb1, bva2, k21), mul(bvb2, bva1, k22), k21), k20
+    )
+    z0 = sub(mul(ab, aa, k4), add(add(mul(bvb1, bva1, k2), mul(bvb2, bva2, k6), k2), mul(bvb3, bva3, k6), k2), k2)
+    sse = add(add(mul(z1, z1, k4), mul(z2, z2, k6), k4), mul(z3, z3, k6), k4)
+    stille = m.equal(sse, n0, mask1)
+    negativee = m.less(z0, n0, mask2)
+    cose = m.where(negativee, neg(z0, k6), z0, k6)
+    sine = sqrt(m.where(stille, cose, sse, k7), k4)
+    anglee = mul(n2, atan2(sine, cose, k7), k7)
+    gaine = mul(
+        m.where(negativee, n_minus_1, n1, k11), div(m.where(stille, mul(n2, cose, k12), anglee, k12), m.where(stille,
+        mul(cose, cose, k6), sine, k6), k4), k4
+    )
+    d1 = mul(z1, gaine, o1)
+    d2 = mul(z2, gaine, o2)
+    d3 = mul(z3, gaine, o3)
+    fi = mul(gaine, z0, k2)
+    v11e = mul(d1, d1, k4)
+    v22e = mul(d2, d2, k6)
+    v33e = mul(d3, d3, k7)
+    xe = add(add(v11e, v22e, k4), v33e, k4)
+    neare = m.less(xe, n6, mask1)
+    ze = div(m.where(neare, xe, sub(xe, xe, k6), k7), n4, k6)
+    xxe = m.where(neare, add(n6, xe, k7), xe, k7)
+    C7e = div(
+        div(sub(n72, mul(ze, div(sub(n3603600, mul(ze, sub(n32760, mul(ze, sub(n210, mul(ze, div(sub(n93024, mul(ze,
+        sub(n342, mul(ze, div(sub(n212520, mul(ze, sub(n506, ze, k4), k4), k4), n212520, k4), k4), k4), k4), k4),
+        n93024, k4), k4), k4), k4), k4), k4), k4), n3603600, k4), k4), k4), n72, k4), n5040, k4
+    )
+    C5e = div(sub(n1, mul(n120, mul(ze, C7e, k4), k4), k4), n120, k4)
+    C3e = div(sub(n1, mul(n6, mul(ze, C5e, k4), k4), k4), n6, k4)
+    C1e = sub(n1, mul(ze, C3e, k11), k11)
+    CC1e = mul(C1e, C1e, k12)
+    C0e = sqrt(sub(n1, mul(ze, CC1e, k6), k6), k6)
+    C01e = add(n1, C0e, k13)
+    C2e = div(CC1e, C01e, k12)
+    alphae = sqrt(xxe, k13)
+    te = tan(div(alphae, n4, k17), k17)
+    tte = mul(te, te, k18)
+    belowe = add(n1, tte, k19)
+    se = m.where(neare, C0e, div(sub(n1, tte, k18), belowe, k18), k6)
+    we = m.where(neare, div(C1e, n2, k18), div(div(mul(n2, te, k17), belowe, k17), alphae, k13), k17)
+    fe = mul(n2, mul(se, we, k13), k13)
+    he = m.where(neare, div(add(C3e, mul(C1e, C2e, k11), k4), n4, k4), div(sub(n1, fe, k11), xxe, k7), k4)
+    fie = div(se, we, k6)
+    wwe = mul(we, we, k7)
+    ge = mul(n2, wwe, k7)
+    hie = sub(ge, mul(fie, he, k4), k4)
+    minus_a4 = neg(a1o, k6)
+    minus_a5 = neg(a2o, k7)
+    minus_a6 = neg(a3o, k11)
+    ya = add(add(mul(minus_a1, minus_a4, k12), mul(minus_a2, minus_a5, k13), k12), mul(minus_a3, minus_a6, k13), k12)
+    alonga = mul(ha, ya, k10)
+    gva1 = mul(minus_a1, ga, k12)
+    gva2 = mul(minus_a2, ga, k13)
+    gva3 = mul(minus_a3, ga, k9)
+    rhoa3 = add(
+        add(mul(minus_a6, fa, k17), sub(mul(gva1, minus_a5, k18), mul(gva2, minus_a4, k19), k18), k17), mul(minus_a3,
+        alonga, k5), k5
+    )
+    rhoa2 = add(
+        add(mul(minus_a5, fa, k17), sub(mul(gva3, minus_a4, k18), mul(gva1, minus_a6, k12), k12), k12), mul(minus_a2,
+        alonga, k3), k3
+    )
+    rhoa1 = add(
+        add(mul(minus_a4, fa, k6), sub(mul(gva2, minus_a6, k8), mul(gva3, minus_a5, k7), k7), k6), mul(minus_a1, alonga,
+        k1), k1
+    )
+    v_rho1 = sub(mul(b2, rhoa3, k6), mul(b3, rhoa2, k7), k6)
+    v_rho3 = sub(mul(b1, rhoa2, k7), mul(b2, rhoa1, k8), k7)
+    gv_rho3 = mul(v_rho3, gb, k8)
+    v_rho2 = sub(mul(b3, rhoa1, k9), mul(b1, rhoa3, k10), k9)
+    gv_rho2 = mul(v_rho2, gb, k10)
+    gvb2 = mul(b2, gb, k11)
+    gvb3 = mul(b3, gb, k12)
+    yb = add(add(mul(b1, b1o, k13), mul(b2, b2o, k17), k13), mul(b3, b3o, k17), k13)
+    alongb = mul(hb, yb, k13)
+    rho1 = add(
+        add(rhoa1, add(mul(v_rho1, fb, k16), sub(mul(b2, gv_rho3, k17), mul(b3, gv_rho2, k18), k17), k16), k1),
+        add(add(mul(b1o, fb, k16), sub(mul(gvb2, b3o, k17), mul(gvb3, b2o, k18), k17), k16), mul(b1, alongb, k17), k16),
+        k1
+    )
+    gv_rho1 = mul(v_rho1, gb, k6)
+    gvb1 = mul(b1, gb, k15)
+    rho2 = add(
+        add(rhoa2, add(mul(v_rho2, fb, k9), sub(mul(b3, gv_rho1, k16), mul(b1, gv_rho3, k8), k8), k8), k3),
+        add(add(mul(b2o, fb, k8), sub(mul(gvb3, b1o, k9), mul(gvb1, b3o, k12), k9), k8), mul(b2, alongb, k9), k8), k3
+    )
+    rho3 = add(
+        add(rhoa3, add(mul(v_rho3, fb, k7), sub(mul(b1, gv_rho2, k8), mul(b2, gv_rho1, k6), k6), k6), k5),
+        add(add(mul(b3o, fb, k6), sub(mul(gvb1, b2o, k7), mul(gvb2, b1o, k8), k7), k6), mul(b3, alongb, k7), k6), k5
+    )
+    hvr = mul(hie, add(add(mul(d1, rho1, k6), mul(d2, rho2, k7), k6), mul(d3, rho3, k7), k6), k4)
+    div(add(sub(mul(rho1, fi, k6), sub(mul(d2, rho3, k7), mul(d3, rho2, k8), k7), k6), mul(d1, hvr, k7), k6), n2, o4)
+    div(add(sub(mul(rho2, fi, k6), sub(mul(d3, rho1, k7), mul(d1, rho3, k8), k7), k6), mul(d2, hvr, k7), k6), n2, o5)
+    div(add(sub(mul(rho3, fi, k2), sub(mul(d1, rho2, k3), mul(d2, rho1, k1), k1), k1), mul(d3, hvr, k2), k1), n2, o6)
+
+
+# operations 270: 88 +, 136 *, 21 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+def body_local(m: Any, c: Any, a: Components, b: Components) -> Result:
+    a1, a2, a3, a1o, a2o, a3o = a
+    b1, b2, b3, b1o, b2o, b3o = b
+    minus_b1 = -b1
+    minus_b2 = -b2
+    minus_b3 = -b3
+    minus_b4 = -b1o
+    minus_b5 = -b2o
+    minus_b6 = -b3o
+    v11b = minus_b1 * minus_b1
+    v22b = minus_b2 * minus_b2
+    v33b = minus_b3 * minus_b3
+    xb = v11b + v22b + v33b
+    ab, bb, _, fb, gb, hb = c.ray(m, xb)
+    bvb1 = minus_b1 * bb
+    bvb2 = minus_b2 * bb
+    bvb3 = minus_b3 * bb
+    v11a = a1 * a1
+    v22a = a2 * a2
+    v33a = a3 * a3
+    xa = v11a + v22a + v33a
+    aa, ba, _, fa, ga, ha = c.ray(m, xa)
+    bva1 = a1 * ba
+    bva2 = a2 * ba
+    bva3 = a3 * ba
+    z0 = ab * aa - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
+    z1 = bva1 * ab + bvb1 * aa + (bvb2 * bva3 - bvb3 * bva2)
+    z2 = bva2 * ab + bvb2 * aa + (bvb3 * bva1 - bvb1 * bva3)
+    z3 = bva3 * ab + bvb3 * aa + (bvb1 * bva2 - bvb2 * bva1)
+    gva1 = a1 * ga
+    gva2 = a2 * ga
+    gva3 = a3 * ga
+    ya = a1 * a1o + a2 * a2o + a3 * a3o
+    alonga = ha * ya
+    rhoa1 = a1o * fa + (gva2 * a3o - gva3 * a2o) + a1 * alonga
+    rhoa2 = a2o * fa + (gva3 * a1o - gva1 * a3o) + a2 * alonga
+    rhoa3 = a3o * fa + (gva1 * a2o - gva2 * a1o) + a3 * alonga
+    v_rho1 = minus_b2 * rhoa3 - minus_b3 * rhoa2
+    v_rho2 = minus_b3 * rhoa1 - minus_b1 * rhoa3
+    v_rho3 = minus_b1 * rhoa2 - minus_b2 * rhoa1
+    gv_rho1 = v_rho1 * gb
+    gv_rho2 = v_rho2 * gb
+    gv_rho3 = v_rho3 * gb
+    gvb1 = minus_b1 * gb
+    gvb2 = minus_b2 * gb
+    gvb3 = minus_b3 * gb
+    yb = minus_b1 * minus_b4 + minus_b2 * minus_b5 + minus_b3 * minus_b6
+    alongb = hb * yb
+    rho1 = (
+        rhoa1 + (v_rho1 * fb + (minus_b2 * gv_rho3 - minus_b3 * gv_rho2)) + (minus_b4 * fb + (gvb2 * minus_b6 - gvb3
+        * minus_b5) + minus_b1 * alongb)
+    )
+    rho2 = (
+        rhoa2 + (v_rho2 * fb + (minus_b3 * gv_rho1 - minus_b1 * gv_rho3)) + (minus_b5 * fb + (gvb3 * minus_b4 - gvb1
+        * minus_b6) + minus_b2 * alongb)
+    )
+    rho3 = (
+        rhoa3 + (v_rho3 * fb + (minus_b1 * gv_rho2 - minus_b2 * gv_rho1)) + (minus_b6 * fb + (gvb1 * minus_b5 - gvb2
+        * minus_b4) + minus_b3 * alongb)
+    )
+    negativee = z0 < 0
+    cose = m.where(negativee, -z0, z0)
+    sse = z1 * z1 + z2 * z2 + z3 * z3
+    stille = sse == 0
+    sine = m.sqrt(m.where(stille, cose, sse))
+    anglee = 2 * m.atan2(sine, cose)
+    gaine = m.where(negativee, -1, 1) * (m.where(stille, 2 * cose, anglee) / m.where(stille, cose * cose, sine))
+    d1 = z1 * gaine
+    d2 = z2 * gaine
+    d3 = z3 * gaine
+    v11e = d1 * d1
+    v22e = d2 * d2
+    v33e = d3 * d3
+    xe = v11e + v22e + v33e
+    neare = xe < 6
+    ze = m.where(neare, xe, xe - xe) / 4
+    C7e = (
+        (72 - ze * ((3603600 - ze * (32760 - ze * (210 - ze * ((93024 - ze * (342 - ze * ((212520 - ze * (506 - ze))
+        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
+    )
+    C5e = (1 - 120 * (ze * C7e)) / 120
+    C3e = (1 - 6 * (ze * C5e)) / 6
+    C1e = 1 - ze * C3e
+    xxe = m.where(neare, 6 + xe, xe)
+    alphae = m.sqrt(xxe)
+    te = m.tan(alphae / 4)
+    tte = te * te
+    belowe = 1 + tte
+    we = m.where(neare, C1e / 2, 2 * te / belowe / alphae)
+    wwe = we * we
+    ge = 2 * wwe
+    CC1e = C1e * C1e
+    C0e = m.sqrt(1 - ze * CC1e)
+    se = m.where(neare, C0e, (1 - tte) / belowe)
+    fie = se / we
+    C01e = 1 + C0e
+    C2e = CC1e / C01e
+    fe = 2 * (se * we)
+    he = m.where(neare, (C3e + C1e * C2e) / 4, (1 - fe) / xxe)
+    hie = ge - fie * he
+    fi = gaine * z0
+    hvr = hie * (d1 * rho1 + d2 * rho2 + d3 * rho3)
+    return (
+        d1,
+        d2,
+        d3,
+        (rho1 * fi - (d2 * rho3 - d3 * rho2) + d1 * hvr) / 2,
+        (rho2 * fi - (d3 * rho1 - d1 * rho3) + d2 * hvr) / 2,
+        (rho3 * fi - (d1 * rho2 - d2 * rho1) + d3 * hvr) / 2,
+    )
+
+
+def body_local_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, a: Rows, b: Rows
+) -> None:
+    a1, a2, a3, a1o, a2o, a3o = a
+    b1, b2, b3, b1o, b2o, b3o = b
+    o1, o2, o3, o4, o5, o6 = out
+    (
+        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
+        *spare,
+    ) = scratch
+    mask1, mask2, *spare_masks = masks
+    n_minus_1, n0, n1, n2, n4, n6, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    v11a = mul(a1, a1, k1)
+    v22a = mul(a2, a2, k2)
+    v33a = mul(a3, a3, k3)
+    xa = add(add(v11a, v22a, k1), v33a, k1)
+    aa, ba, _, fa, ga, ha = c.ray((k2, k3, k4, k5, k6, k7), (*spare,), (*spare_masks,), xa)
+    bva1 = mul(a1, ba, k1)
+    minus_b1 = neg(b1, k4)
+    v11b = mul(minus_b1, minus_b1, k8)
+    minus_b2 = neg(b2, k9)
+    v22b = mul(minus_b2, minus_b2, k10)
+    minus_b3 = neg(b3, k11)
+    v33b = mul(minus_b3, minus_b3, k12)
+    xb = add(add(v11b, v22b, k8), v33b, k8)
+    ab, bb, _, fb, gb, hb = c.ray((k10, k12, k13, k14, k15, k16), (*spare,), (*spare_masks,), xb)
+    bvb1 = mul(minus_b1, bb, k8)
+    bvb2 = mul(minus_b2, bb, k13)
+    bvb3 = mul(minus_b3, bb, k12)
+    bva3 = mul(a3, ba, k17)
+    bva2 = mul(a2, ba, k3)
+    z1 = add(
+        add(mul(bva1, ab, k18), mul(bvb1, aa, k19), k18), sub(mul(bvb2, bva3, k19), mul(bvb3, bva2, k20), k19), k18
+    )
+    z2 = add(
+        add(mul(bva2, ab, k19), mul(bvb2, aa, k20), k19), sub(mul(bvb3, bva1, k20), mul(bvb1, bva3, k21), k20), k19
+    )
+    z3 = add(
+        add(mul(bva3, ab, k20), mul(bvb3, aa, k21), k20), sub(mul(bvb1, bva2, k21), mul(bvb2, bva1, k22), k21), k20
+    )
+    z0 = sub(mul(ab, aa, k2), add(add(mul(bvb1, bva1, k1), mul(bvb2, bva2, k3), k1), mul(bvb3, bva3, k3), k1), k1)
+    sse = add(add(mul(z1, z1, k2), mul(z2, z2, k3), k2), mul(z3, z3, k3), k2)
+    stille = m.equal(sse, n0, mask1)
+    negativee = m.less(z0, n0, mask2)
+    cose = m.where(negativee, neg(z0, k3), z0, k3)
+    sine = sqrt(m.where(stille, cose, sse, k8), k2)
+    anglee = mul(n2, atan2(sine, cose, k8), k8)
+    gaine = mul(
+        m.where(negativee, n_minus_1, n1, k10), div(m.where(stille, mul(n2, cose, k12), anglee, k12), m.where(stille,
+        mul(cose, cose, k3), sine, k3), k2), k2
+    )
+    d1 = mul(z1, gaine, o1)
+    d2 = mul(z2, gaine, o2)
+    d3 = mul(z3, gaine, o3)
+    fi = mul(gaine, z0, k1)
+    v11e = mul(d1, d1, k2)
+    v22e = mul(d2, d2, k3)
+    v33e = mul(d3, d3, k8)
+    xe = add(add(v11e, v22e, k2), v33e, k2)
+    neare = m.less(xe, n6, mask1)
+    ze = div(m.where(neare, xe, sub(xe, xe, k3), k8), n4, k3)
+    xxe = m.where(neare, add(n6, xe, k8), xe, k8)
+    C7e = div(
+        div(sub(n72, mul(ze, div(sub(n3603600, mul(ze, sub(n32760, mul(ze, sub(n210, mul(ze, div(sub(n93024, mul(ze,
+        sub(n342, mul(ze, div(sub(n212520, mul(ze, sub(n506, ze, k2), k2), k2), n212520, k2), k2), k2), k2), k2),
+        n93024, k2), k2), k2), k2), k2), k2), k2), n3603600, k2), k2), k2), n72, k2), n5040, k2
+    )
+    C5e = div(sub(n1, mul(n120, mul(ze, C7e, k2), k2), k2), n120, k2)
+    C3e = div(sub(n1, mul(n6, mul(ze, C5e, k2), k2), k2), n6, k2)
+    C1e = sub(n1, mul(ze, C3e, k10), k10)
+    CC1e = mul(C1e, C1e, k12)
+    C0e = sqrt(sub(n1, mul(ze, CC1e, k3), k3), k3)
+    C01e = add(n1, C0e, k13)
+    C2e = div(CC1e, C01e, k12)
+    alphae = sqrt(xxe, k13)
+    te = tan(div(alphae, n4, k17), k17)
+    tte = mul(te, te, k18)
+    belowe = add(n1, tte, k19)
+    se = m.where(neare, C0e, div(sub(n1, tte, k18), belowe, k18), k3)
+    we = m.where(neare, div(C1e, n2, k18), div(div(mul(n2, te, k17), belowe, k17), alphae, k13), k17)
+    fe = mul(n2, mul(se, we, k13), k13)
+    he = m.where(neare, div(add(C3e, mul(C1e, C2e, k10), k2), n4, k2), div(sub(n1, fe, k10), xxe, k8), k2)
+    fie = div(se, we, k3)
+    wwe = mul(we, we, k8)
+    ge = mul(n2, wwe, k8)
+    hie = sub(ge, mul(fie, he, k2), k2)
+    gva1 = mul(a1, ga, k3)
+    gva2 = mul(a2, ga, k8)
+    gva3 = mul(a3, ga, k6)
+    ya = add(add(mul(a1, a1o, k10), mul(a2, a2o, k12), k10), mul(a3, a3o, k12), k10)
+    alonga = mul(ha, ya, k7)
+    rhoa3 = add(
+        add(mul(a3o, fa, k10), sub(mul(gva1, a2o, k12), mul(gva2, a1o, k13), k12), k10), mul(a3, alonga, k12), k10
+    )
+    rhoa2 = add(add(mul(a2o, fa, k12), sub(mul(gva3, a1o, k13), mul(gva1, a3o, k3), k3), k3), mul(a2, alonga, k12), k3)
+    rhoa1 = add(add(mul(a1o, fa, k5), sub(mul(gva2, a3o, k8), mul(gva3, a2o, k6), k6), k5), mul(a1, alonga, k6), k5)
+    v_rho1 = sub(mul(minus_b2, rhoa3, k6), mul(minus_b3, rhoa2, k7), k6)
+    v_rho3 = sub(mul(minus_b1, rhoa2, k7), mul(minus_b2, rhoa1, k8), k7)
+    gv_rho3 = mul(v_rho3, gb, k8)
+    v_rho2 = sub(mul(minus_b3, rhoa1, k12), mul(minus_b1, rhoa3, k13), k12)
+    gv_rho2 = mul(v_rho2, gb, k13)
+    minus_b4 = neg(b1o, k17)
+    minus_b5 = neg(b2o, k18)
+    minus_b6 = neg(b3o, k19)
+    yb = add(add(mul(minus_b1, minus_b4, k20), mul(minus_b2, minus_b5, k21), k20), mul(minus_b3, minus_b6, k21), k20)
+    alongb = mul(hb, yb, k16)
+    gvb2 = mul(minus_b2, gb, k20)
+    gvb3 = mul(minus_b3, gb, k21)
+    rho1 = add(
+        add(rhoa1, add(mul(v_rho1, fb, k22), sub(mul(minus_b2, gv_rho3, k23), mul(minus_b3, gv_rho2, k24), k23), k22),
+        k5), add(add(mul(minus_b4, fb, k22), sub(mul(gvb2, minus_b6, k23), mul(gvb3, minus_b5, k24), k23), k22),
+        mul(minus_b1, alongb, k23), k22), k5
+    )
+    gv_rho1 = mul(v_rho1, gb, k6)
+    gvb1 = mul(minus_b1, gb, k15)
+    rho2 = add(
+        add(rhoa2, add(mul(v_rho2, fb, k12), sub(mul(minus_b3, gv_rho1, k22), mul(minus_b1, gv_rho3, k8), k8), k8), k3),
+        add(add(mul(minus_b5, fb, k8), sub(mul(gvb3, minus_b4, k12), mul(gvb1, minus_b6, k21), k12), k8), mul(minus_b2,
+        alongb, k12), k8), k3
+    )
+    rho3 = add(
+        add(rhoa3, add(mul(v_rho3, fb, k7), sub(mul(minus_b1, gv_rho2, k4), mul(minus_b2, gv_rho1, k6), k4), k4), k4),
+        add(add(mul(minus_b6, fb, k6), sub(mul(gvb1, minus_b5, k7), mul(gvb2, minus_b4, k8), k7), k6), mul(minus_b3,
+        alongb, k7), k6), k4
+    )
+    hvr = mul(hie, add(add(mul(d1, rho1, k6), mul(d2, rho2, k7), k6), mul(d3, rho3, k7), k6), k2)
+    div(add(sub(mul(rho1, fi, k6), sub(mul(d2, rho3, k7), mul(d3, rho2, k8), k7), k6), mul(d1, hvr, k7), k6), n2, o4)
+    div(add(sub(mul(rho2, fi, k6), sub(mul(d3, rho1, k7), mul(d1, rho3, k8), k7), k6), mul(d2, hvr, k7), k6), n2, o5)
+    div(add(sub(mul(rho3, fi, k1), sub(mul(d1, rho2, k3), mul(d2, rho1, k4), k3), k1), mul(d3, hvr, k2), k1), n2, o6)
+
+
 # operations 82: 33 +, 49 *
 def adjoint(m: Any, c: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
@@ -5488,6 +6419,50 @@ KERNELS: Mapping[str, Kernel] = {
         masks=0,
         numbers=(0, 1, 2),
         lent=(('ray', 0, 0), ('ray', 0, 0), ('gain_product', 8, 0), ('inverse', 5, 0), ('tangent_inv', 6, 0), ('tangent', 0, 0), ('tangent', 0, 0)),
+        real=True,
+    ),
+    "retract": Kernel(
+        retract,
+        retract_blocks,
+        (("v", (6,)), ("delta", (6,)),),
+        (6,),
+        registers=22,
+        masks=2,
+        numbers=(0, 1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        lent=(('ray', 0, 0), ('unfolded', 7, 0), ('coefficient', 8, 1), ('inverse', 13, 2)),
+        real=True,
+    ),
+    "body_retract": Kernel(
+        body_retract,
+        body_retract_blocks,
+        (("v", (6,)), ("delta", (6,)),),
+        (6,),
+        registers=22,
+        masks=2,
+        numbers=(0, 1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        lent=(('ray', 0, 0), ('unfolded', 7, 0), ('coefficient', 8, 1), ('inverse', 13, 2)),
+        real=True,
+    ),
+    "local": Kernel(
+        local,
+        local_blocks,
+        (("v2", (6,)), ("v1", (6,)),),
+        (6,),
+        registers=22,
+        masks=2,
+        numbers=(-1, 0, 1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        lent=(('ray', 0, 0), ('ray', 0, 0)),
+        real=True,
+    ),
+    "body_local": Kernel(
+        body_local,
+        body_local_blocks,
+        (("v2", (6,)), ("v1", (6,)),),
+        (6,),
+        registers=24,
+        masks=2,
+        numbers=(-1, 0, 1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        lent=(('ray', 0, 0), ('ray', 0, 0)),
         real=True,
     ),
     "adjoint": Kernel(

@@ -1200,6 +1200,108 @@ class PoseKernels:
         found = call(self._chart, "between_jacobians", axis, None, v2, v1)
         return separate(found, axis, (6, 6), (6, 6))
 
+    def retract(self, v: ArrayLike, delta: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+        r"""Vector of ``exp(δ) R(v)``, of its branches the one nearest v: a step of δ in the space frame.
+
+        Parameters
+        ----------
+        v : array_like, shape (..., 6)
+            Rodrigues dual vector φ(α) u of this module: real part (dimensionless), then dual part (length unit of the
+            pose).
+        delta : array_like, shape (..., 6)
+            Motor [rotation, translation part] of the step: a twist times its time.
+        axis : {-1, 0}
+            Where the component axes stand, in arguments and result: last, or first (the fastest).
+        out : ndarray, optional
+            Array for the result, shape (..., 6); it may overlap an argument.
+
+        Returns
+        -------
+        ndarray, shape (..., 6)
+            Its angle is within π of v's own along the new axis, so v is followed over half turns.
+
+        Raises
+        ------
+        TypeError
+            If an argument is complex.
+        """
+        return call(self._chart, "retract", axis, out, v, delta)
+
+    def body_retract(self, v: ArrayLike, delta: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+        r"""Vector of ``R(v) exp(δ)``, of its branches the one nearest v: a step of δ in the body frame.
+
+        Parameters
+        ----------
+        v : array_like, shape (..., 6)
+            Rodrigues dual vector φ(α) u of this module: real part (dimensionless), then dual part (length unit of the
+            pose).
+        delta : array_like, shape (..., 6)
+            Motor [rotation, translation part] of the step: a twist times its time.
+        axis : {-1, 0}
+            Where the component axes stand, in arguments and result: last, or first (the fastest).
+        out : ndarray, optional
+            Array for the result, shape (..., 6); it may overlap an argument.
+
+        Returns
+        -------
+        ndarray, shape (..., 6)
+            Its angle is within π of v's own along the new axis, so v is followed over half turns.
+
+        Raises
+        ------
+        TypeError
+            If an argument is complex.
+        """
+        return call(self._chart, "body_retract", axis, out, v, delta)
+
+    def local(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+        r"""The δ that takes v1 to v2: ``R(v2) = exp(δ) R(v1)``, in the space frame.
+
+        Parameters
+        ----------
+        v2, v1 : array_like, shape (..., 6)
+            Rodrigues dual vectors φ(α) u of this module.
+        axis : {-1, 0}
+            Where the component axes stand, in arguments and result: last, or first (the fastest).
+        out : ndarray, optional
+            Array for the result, shape (..., 6); it may overlap an argument.
+
+        Returns
+        -------
+        ndarray, shape (..., 6)
+            Motor [rotation, translation part] with a rotation of at most π; at π either side.
+
+        Raises
+        ------
+        TypeError
+            If an argument is complex.
+        """
+        return call(self._chart, "local", axis, out, v2, v1)
+
+    def body_local(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+        r"""The δ that takes v1 to v2: ``R(v2) = R(v1) exp(δ)``, in the body frame.
+
+        Parameters
+        ----------
+        v2, v1 : array_like, shape (..., 6)
+            Rodrigues dual vectors φ(α) u of this module.
+        axis : {-1, 0}
+            Where the component axes stand, in arguments and result: last, or first (the fastest).
+        out : ndarray, optional
+            Array for the result, shape (..., 6); it may overlap an argument.
+
+        Returns
+        -------
+        ndarray, shape (..., 6)
+            Motor [rotation, translation part] with a rotation of at most π; at π either side.
+
+        Raises
+        ------
+        TypeError
+            If an argument is complex.
+        """
+        return call(self._chart, "body_local", axis, out, v2, v1)
+
     def adjoint(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Real matrix of the displacement on motors: [[Q, 0], [skew(ρ) Q, Q]].
 

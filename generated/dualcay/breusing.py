@@ -77,6 +77,10 @@
 #   between: 273: 83 +, 154 *, 18 /, 7 neg, 8 sqrt, 1 lt, 2 where
 #   compose_jacobians: 1128: 412 +, 617 *, 74 /, 8 neg, 14 sqrt, 1 lt, 2 where
 #   between_jacobians: 1152: 412 +, 617 *, 74 /, 32 neg, 14 sqrt, 1 lt, 2 where
+#   retract: 357: 109 +, 176 *, 41 /, 11 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+#   body_retract: 357: 109 +, 176 *, 41 /, 11 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+#   local: 318: 98 +, 164 *, 27 /, 7 neg, 7 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+#   body_local: 318: 98 +, 164 *, 27 /, 7 neg, 7 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   adjoint: 106: 38 +, 63 *, 3 /, 2 sqrt
 #   transform_point_jacobians: 235: 96 +, 129 *, 5 /, 3 neg, 2 sqrt
 #   transform_line_jacobians: 334: 129 +, 192 *, 5 /, 6 neg, 2 sqrt
@@ -108,13 +112,13 @@ from ._interface import PoseKernels
 from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "adjoint", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_rate",
-    "body_rate_dot", "body_rate_jacobian", "body_tangent", "body_tangent_dot", "body_tangent_inv", "body_twist",
-    "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians", "cotangent", "cotangent_jacobian",
-    "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity", "inverse", "pose", "principal",
-    "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow", "singular_angles", "tangent", "tangent_dot",
-    "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
-    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
+    "adjoint", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local", "body_rate",
+    "body_rate_dot", "body_rate_jacobian", "body_retract", "body_tangent", "body_tangent_dot", "body_tangent_inv",
+    "body_twist", "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians", "cotangent",
+    "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity", "inverse", "local",
+    "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "retract", "shadow",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
+    "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 2
@@ -692,6 +696,26 @@ def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, o2, o3
 
 
+# operations 11: 2 +, 4 *, 2 /, 2 sqrt, 1 atan2
+def _unfolded(m: Any, x: Any, r: Any) -> Result:
+    below = x + m.sqrt(x * x + 4)
+    c = 2 * (below / below / below)
+    sigma = m.sqrt(c)
+    own = 4 * m.atan2(r * sigma, c)
+    return own,
+
+
+def _unfolded_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, r: Any) -> Result:
+    o1, = out
+    k1, *_ = scratch
+    n2, n4 = numbers
+    below = add(x, sqrt(add(mul(x, x, o1), n4, o1), o1), o1)
+    c = mul(n2, div(div(below, below, k1), below, o1), o1)
+    sigma = sqrt(c, k1)
+    mul(n4, atan2(mul(r, sigma, k1), c, o1), o1)
+    return o1,
+
+
 # operations 35: 6 +, 15 *, 9 /, 3 sqrt, 1 lt, 1 where
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     rr = r * r
@@ -808,6 +832,7 @@ CHART = Chart(
         "gain_product": Function(_gain_product, _gain_product_blocks, 3, 1, (-1, 0, 1, 2)),
         "direction": Function(_direction, _direction_blocks, 3, 3, (-1, 0, 1, 2, 4, 16)),
         "natural": Function(_natural, _natural_blocks, 2, 3, (-1, 0, 1, 2, 4, 16)),
+        "unfolded": Function(_unfolded, _unfolded_blocks, 1, 0, (2, 4)),
         "turned": Function(_turned, _turned_blocks, 4, 1, (-1, 0, 1, 2, 4)),
         "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 0, (1, 2, 4, 8)),
@@ -822,9 +847,11 @@ between = KERNELS.between
 between_jacobians = KERNELS.between_jacobians
 body_cotangent = KERNELS.body_cotangent
 body_cotangent_jacobian = KERNELS.body_cotangent_jacobian
+body_local = KERNELS.body_local
 body_rate = KERNELS.body_rate
 body_rate_dot = KERNELS.body_rate_dot
 body_rate_jacobian = KERNELS.body_rate_jacobian
+body_retract = KERNELS.body_retract
 body_tangent = KERNELS.body_tangent
 body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
@@ -841,6 +868,7 @@ from_screw = KERNELS.from_screw
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
 inverse = KERNELS.inverse
+local = KERNELS.local
 pose = KERNELS.pose
 principal = KERNELS.principal
 quaternion = KERNELS.quaternion
@@ -848,6 +876,7 @@ random = KERNELS.random
 rate = KERNELS.rate
 rate_dot = KERNELS.rate_dot
 rate_jacobian = KERNELS.rate_jacobian
+retract = KERNELS.retract
 shadow = KERNELS.shadow
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent

@@ -61,6 +61,10 @@
 #   between: 224: 74 +, 127 *, 9 /, 7 neg, 4 sqrt, 1 lt, 2 where
 #   compose_jacobians: 1003: 388 +, 537 *, 59 /, 9 neg, 7 sqrt, 1 lt, 2 where
 #   between_jacobians: 1027: 388 +, 537 *, 59 /, 33 neg, 7 sqrt, 1 lt, 2 where
+#   retract: 309: 100 +, 150 *, 30 /, 7 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   body_retract: 309: 100 +, 150 *, 30 /, 7 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   local: 294: 94 +, 150 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+#   body_local: 294: 94 +, 150 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   adjoint: 94: 36 +, 56 *, 1 /, 1 sqrt
 #   transform_point_jacobians: 214: 93 +, 113 *, 4 /, 3 neg, 1 sqrt
 #   transform_line_jacobians: 313: 126 +, 176 *, 4 /, 6 neg, 1 sqrt
@@ -92,13 +96,13 @@ from ._interface import PoseKernels
 from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "adjoint", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_rate",
-    "body_rate_dot", "body_rate_jacobian", "body_tangent", "body_tangent_dot", "body_tangent_inv", "body_twist",
-    "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians", "cotangent", "cotangent_jacobian",
-    "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity", "inverse", "pose", "principal",
-    "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow", "singular_angles", "tangent", "tangent_dot",
-    "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
-    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
+    "adjoint", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local", "body_rate",
+    "body_rate_dot", "body_rate_jacobian", "body_retract", "body_tangent", "body_tangent_dot", "body_tangent_inv",
+    "body_twist", "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians", "cotangent",
+    "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity", "inverse", "local",
+    "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "retract", "shadow",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
+    "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 2
@@ -529,6 +533,22 @@ def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, o2, o3
 
 
+# operations 6: 1 +, 1 *, 1 sqrt, 1 atan2, 1 lt, 1 where
+def _unfolded(m: Any, x: Any, r: Any) -> Result:
+    c = m.sqrt(m.where(x < 1, 1 - x, x))
+    own = 4 * m.atan2(r, c)
+    return own,
+
+
+def _unfolded_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, r: Any) -> Result:
+    o1, = out
+    mask1, *_ = masks
+    n1, n4 = numbers
+    c = sqrt(m.where(m.less(x, n1, mask1), sub(n1, x, o1), x, o1), o1)
+    mul(n4, atan2(r, c, o1), o1)
+    return o1,
+
+
 # operations 16: 3 +, 7 *, 1 /, 1 sqrt, 2 lt, 2 where
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     rr = r * r
@@ -626,6 +646,7 @@ CHART = Chart(
         "gain_product": Function(_gain_product, _gain_product_blocks, 2, 1, (-1, 0, 1, 2)),
         "direction": Function(_direction, _direction_blocks, 3, 3, (-1, 0, 1, 2, 16)),
         "natural": Function(_natural, _natural_blocks, 2, 3, (-1, 0, 1, 2, 4, 16)),
+        "unfolded": Function(_unfolded, _unfolded_blocks, 0, 1, (1, 4)),
         "turned": Function(_turned, _turned_blocks, 2, 1, (-1, 0, 1)),
         "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 1, 0, (1, 2, 4, 8)),
@@ -640,9 +661,11 @@ between = KERNELS.between
 between_jacobians = KERNELS.between_jacobians
 body_cotangent = KERNELS.body_cotangent
 body_cotangent_jacobian = KERNELS.body_cotangent_jacobian
+body_local = KERNELS.body_local
 body_rate = KERNELS.body_rate
 body_rate_dot = KERNELS.body_rate_dot
 body_rate_jacobian = KERNELS.body_rate_jacobian
+body_retract = KERNELS.body_retract
 body_tangent = KERNELS.body_tangent
 body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
@@ -659,6 +682,7 @@ from_screw = KERNELS.from_screw
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
 inverse = KERNELS.inverse
+local = KERNELS.local
 pose = KERNELS.pose
 principal = KERNELS.principal
 quaternion = KERNELS.quaternion
@@ -666,6 +690,7 @@ random = KERNELS.random
 rate = KERNELS.rate
 rate_dot = KERNELS.rate_dot
 rate_jacobian = KERNELS.rate_jacobian
+retract = KERNELS.retract
 shadow = KERNELS.shadow
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent

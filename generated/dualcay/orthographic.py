@@ -58,6 +58,10 @@
 #   between: 169: 61 +, 93 *, 5 /, 6 neg, 2 sqrt, 1 lt, 1 where
 #   compose_jacobians: 848: 339 +, 446 *, 45 /, 13 neg, 3 sqrt, 1 lt, 1 where
 #   between_jacobians: 872: 339 +, 446 *, 45 /, 37 neg, 3 sqrt, 1 lt, 1 where
+#   retract: 296: 97 +, 142 *, 29 /, 6 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   body_retract: 296: 97 +, 142 *, 29 /, 6 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   local: 278: 90 +, 138 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+#   body_local: 278: 90 +, 138 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   adjoint: 86: 34 +, 50 *, 1 /, 1 sqrt
 #   transform_point_jacobians: 202: 90 +, 106 *, 2 /, 3 neg, 1 sqrt
 #   transform_line_jacobians: 301: 123 +, 169 *, 2 /, 6 neg, 1 sqrt
@@ -89,13 +93,13 @@ from ._interface import PoseKernels
 from ._kernel import Components, Kernel, Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "adjoint", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_rate",
-    "body_rate_dot", "body_rate_jacobian", "body_tangent", "body_tangent_dot", "body_tangent_inv", "body_twist",
-    "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians", "cotangent", "cotangent_jacobian",
-    "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity", "inverse", "pose", "principal",
-    "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow", "singular_angles", "tangent", "tangent_dot",
-    "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
-    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
+    "adjoint", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local", "body_rate",
+    "body_rate_dot", "body_rate_jacobian", "body_retract", "body_tangent", "body_tangent_dot", "body_tangent_inv",
+    "body_twist", "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians", "cotangent",
+    "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity", "inverse", "local",
+    "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "retract", "shadow",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
+    "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 1
@@ -215,6 +219,25 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return n0,
 
 
+# operations 4: 1 +, 1 *, 1 /, 1 sqrt
+def _ray(m: Any, x: Any) -> Result:
+    cc = 1 - x
+    c = m.sqrt(cc)
+    f = 2 * c
+    h = 2 / c
+    return c, 1, 1, f, 2, h
+
+
+def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, _, _, o4, _, o6 = out
+    n1, n2 = numbers
+    cc = sub(n1, x, o1)
+    c = sqrt(cc, o1)
+    mul(n2, c, o4)
+    div(n2, c, o6)
+    return o1, n1, n1, o4, n2, o6
+
+
 # operations 2: 1 lt, 1 where
 def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     negative = e0 < 0
@@ -275,6 +298,22 @@ def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     div(n2, c, o2)
     mul(n2, atan2(r, absolute(c, o1), o1), o1)
     return o1, o2, o3
+
+
+# operations 6: 1 +, 1 *, 1 sqrt, 1 atan2, 1 lt, 1 where
+def _unfolded(m: Any, x: Any, r: Any) -> Result:
+    c = m.sqrt(m.where(x < 1, 1 - x, x))
+    own = 2 * m.atan2(r, c)
+    return own,
+
+
+def _unfolded_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, r: Any) -> Result:
+    o1, = out
+    mask1, *_ = masks
+    n1, n2 = numbers
+    c = sqrt(m.where(m.less(x, n1, mask1), sub(n1, x, o1), x, o1), o1)
+    mul(n2, atan2(r, c, o1), o1)
+    return o1,
 
 
 # operations 9: 2 +, 2 *, 4 /, 1 tan
@@ -2497,9 +2536,11 @@ CHART = Chart(
         "tangent": Function(_tangent, _tangent_blocks, 0, 0, (1, 2, 4)),
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 1, 0, (1, 2, 3, 4)),
         "inverse": Function(_inverse, _inverse_blocks, 0, 0, (0,)),
+        "ray": Function(_ray, _ray_blocks, 0, 0, (1, 2)),
         "gain_unit": Function(_gain_unit, _gain_unit_blocks, 0, 1, (-1, 0, 1)),
         "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 0, (1,)),
         "natural": Function(_natural, _natural_blocks, 0, 1, (-1, 0, 1, 2, 16)),
+        "unfolded": Function(_unfolded, _unfolded_blocks, 0, 1, (1, 2)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 1, 0, (1, 2, 4)),
     },
     own={
@@ -2612,9 +2653,11 @@ between = KERNELS.between
 between_jacobians = KERNELS.between_jacobians
 body_cotangent = KERNELS.body_cotangent
 body_cotangent_jacobian = KERNELS.body_cotangent_jacobian
+body_local = KERNELS.body_local
 body_rate = KERNELS.body_rate
 body_rate_dot = KERNELS.body_rate_dot
 body_rate_jacobian = KERNELS.body_rate_jacobian
+body_retract = KERNELS.body_retract
 body_tangent = KERNELS.body_tangent
 body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
@@ -2631,6 +2674,7 @@ from_screw = KERNELS.from_screw
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
 inverse = KERNELS.inverse
+local = KERNELS.local
 pose = KERNELS.pose
 principal = KERNELS.principal
 quaternion = KERNELS.quaternion
@@ -2638,6 +2682,7 @@ random = KERNELS.random
 rate = KERNELS.rate
 rate_dot = KERNELS.rate_dot
 rate_jacobian = KERNELS.rate_jacobian
+retract = KERNELS.retract
 shadow = KERNELS.shadow
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent

@@ -58,6 +58,10 @@
 #   between: 162: 56 +, 79 *, 21 /, 6 neg
 #   compose_jacobians: 776: 296 +, 391 *, 69 /, 20 neg
 #   between_jacobians: 800: 296 +, 391 *, 69 /, 44 neg
+#   retract: 273: 88 +, 125 *, 36 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+#   body_retract: 273: 88 +, 125 *, 36 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+#   local: 253: 80 +, 111 *, 37 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+#   body_local: 253: 80 +, 111 *, 37 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   adjoint: 89: 34 +, 50 *, 5 /
 #   transform_point_jacobians: 205: 88 +, 105 *, 8 /, 4 neg
 #   transform_line_jacobians: 304: 121 +, 168 *, 8 /, 7 neg
@@ -89,13 +93,13 @@ from ._interface import PoseKernels
 from ._kernel import Components, Kernel, Result, Rows, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "adjoint", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_rate",
-    "body_rate_dot", "body_rate_jacobian", "body_tangent", "body_tangent_dot", "body_tangent_inv", "body_twist",
-    "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians", "cotangent", "cotangent_jacobian",
-    "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity", "inverse", "pose", "principal",
-    "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow", "singular_angles", "tangent", "tangent_dot",
-    "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
-    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
+    "adjoint", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local", "body_rate",
+    "body_rate_dot", "body_rate_jacobian", "body_retract", "body_tangent", "body_tangent_dot", "body_tangent_inv",
+    "body_twist", "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians", "cotangent",
+    "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity", "inverse", "local",
+    "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "retract", "shadow",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
+    "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 1
@@ -3091,6 +3095,912 @@ def _own_between_jacobians_blocks(
     copy(o51, o72)
 
 
+# operations 273: 88 +, 125 *, 36 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+def _own_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    d1, d2, d3, d1o, d2o, d3o = delta
+    v11d = d1 * d1
+    v22d = d2 * d2
+    v33d = d3 * d3
+    xd = v11d + v22d + v33d
+    neard = xd < 6
+    zd = m.where(neard, xd, xd - xd) / 4
+    C7d = (
+        (72 - zd * ((3603600 - zd * (32760 - zd * (210 - zd * ((93024 - zd * (342 - zd * ((212520 - zd * (506 - zd))
+        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
+    )
+    C5d = (1 - 120 * (zd * C7d)) / 120
+    C3d = (1 - 6 * (zd * C5d)) / 6
+    C1d = 1 - zd * C3d
+    CC1d = C1d * C1d
+    C0d = m.sqrt(1 - zd * CC1d)
+    xxd = m.where(neard, 6 + xd, xd)
+    alphad = m.sqrt(xxd)
+    td = m.tan(alphad / 4)
+    ttd = td * td
+    belowd = 1 + ttd
+    sd = m.where(neard, C0d, (1 - ttd) / belowd)
+    wd = m.where(neard, C1d / 2, 2 * td / belowd / alphad)
+    wd1 = d1 * wd
+    wd2 = d2 * wd
+    wd3 = d3 * wd
+    fd = 2 * (sd * wd)
+    wwd = wd * wd
+    gd = 2 * wwd
+    C01d = 1 + C0d
+    C2d = CC1d / C01d
+    hd = m.where(neard, (C3d + C1d * C2d) / 4, (1 - fd) / xxd)
+    gvd1 = d1 * gd
+    gvd2 = d2 * gd
+    gvd3 = d3 * gd
+    yd = d1 * d1o + d2 * d2o + d3 * d3o
+    alongd = hd * yd
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    z = x / 4
+    N = 1 + z
+    r = 2 * (N / N / N)
+    f_v = r / 2
+    g_v = r / 4
+    bv1 = v1 / 2
+    bv2 = v2 / 2
+    bv3 = v3 / 2
+    gv1 = v1 * g_v
+    gv2 = v2 * g_v
+    gv3 = v3 * g_v
+    rhob1 = v1o * f_v + (gv2 * v3o - gv3 * v2o)
+    rhob2 = v2o * f_v + (gv3 * v1o - gv1 * v3o)
+    rhob3 = v3o * f_v + (gv1 * v2o - gv2 * v1o)
+    z0 = sd - (wd1 * bv1 + wd2 * bv2 + wd3 * bv3)
+    z1 = bv1 * sd + wd1 + (wd2 * bv3 - wd3 * bv2)
+    z2 = bv2 * sd + wd2 + (wd3 * bv1 - wd1 * bv3)
+    z3 = bv3 * sd + wd3 + (wd1 * bv2 - wd2 * bv1)
+    v_rhob1 = d2 * rhob3 - d3 * rhob2
+    v_rhob2 = d3 * rhob1 - d1 * rhob3
+    v_rhob3 = d1 * rhob2 - d2 * rhob1
+    gv_rhob1 = v_rhob1 * gd
+    gv_rhob2 = v_rhob2 * gd
+    gv_rhob3 = v_rhob3 * gd
+    rho1 = (
+        rhob1 + (v_rhob1 * fd + (d2 * gv_rhob3 - d3 * gv_rhob2)) + (d1o * fd + (gvd2 * d3o - gvd3 * d2o) + d1 * alongd)
+    )
+    rho2 = (
+        rhob2 + (v_rhob2 * fd + (d3 * gv_rhob1 - d1 * gv_rhob3)) + (d2o * fd + (gvd3 * d1o - gvd1 * d3o) + d2 * alongd)
+    )
+    rho3 = (
+        rhob3 + (v_rhob3 * fd + (d1 * gv_rhob2 - d2 * gv_rhob1)) + (d3o * fd + (gvd1 * d2o - gvd2 * d1o) + d3 * alongd)
+    )
+    ss = z1 * z1 + z2 * z2 + z3 * z3
+    still = ss == 0
+    resting = x == 0
+    length = m.sqrt(m.where(still, 1 + ss, ss))
+    r_ = m.sqrt(m.where(resting, 1 + x, x))
+    own = 2 * m.atan2(r_ / 2, 1)
+    own_ = m.where(resting, 0, own / r_) * (v1 * z1 + v2 * z2 + v3 * z3) / length
+    angle = own_ + 2 * m.atan2(m.tan((2 * m.atan2(m.where(still, ss, length), z0) - own_) / 2), 1)
+    rn = m.tan(angle / 2)
+    slopen = (1 + rn * rn) / 2
+    vn = 2 * rn
+    v_slopen = 2 * slopen
+    z0s = m.where(still, z0, length)
+    factor = m.where(still, 2 * v_slopen / z0s, vn / length)
+    v_1 = z1 * factor
+    v_2 = z2 * factor
+    v_3 = z3 * factor
+    fi = factor * z0
+    hvr = (v_1 * rho1 + v_2 * rho2 + v_3 * rho3) / 2
+    return (
+        v_1,
+        v_2,
+        v_3,
+        (rho1 * fi - (v_2 * rho3 - v_3 * rho2) + v_1 * hvr) / 2,
+        (rho2 * fi - (v_3 * rho1 - v_1 * rho3) + v_2 * hvr) / 2,
+        (rho3 * fi - (v_1 * rho2 - v_2 * rho1) + v_3 * hvr) / 2,
+    )
+
+
+def _own_retract_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, delta: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    d1, d2, d3, d1o, d2o, d3o = delta
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17 = scratch
+    mask1, mask2 = masks
+    n0, n1, n2, n4, n6, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    v11d = mul(d1, d1, k1)
+    v22d = mul(d2, d2, k2)
+    v33d = mul(d3, d3, k3)
+    xd = add(add(v11d, v22d, k1), v33d, k1)
+    neard = m.less(xd, n6, mask1)
+    zd = div(m.where(neard, xd, sub(xd, xd, k2), k3), n4, k2)
+    xxd = m.where(neard, add(n6, xd, k3), xd, k3)
+    C7d = div(
+        div(sub(n72, mul(zd, div(sub(n3603600, mul(zd, sub(n32760, mul(zd, sub(n210, mul(zd, div(sub(n93024, mul(zd,
+        sub(n342, mul(zd, div(sub(n212520, mul(zd, sub(n506, zd, k1), k1), k1), n212520, k1), k1), k1), k1), k1),
+        n93024, k1), k1), k1), k1), k1), k1), k1), n3603600, k1), k1), k1), n72, k1), n5040, k1
+    )
+    C5d = div(sub(n1, mul(n120, mul(zd, C7d, k1), k1), k1), n120, k1)
+    C3d = div(sub(n1, mul(n6, mul(zd, C5d, k1), k1), k1), n6, k1)
+    C1d = sub(n1, mul(zd, C3d, k4), k4)
+    CC1d = mul(C1d, C1d, k5)
+    C0d = sqrt(sub(n1, mul(zd, CC1d, k2), k2), k2)
+    alphad = sqrt(xxd, k6)
+    td = tan(div(alphad, n4, k7), k7)
+    ttd = mul(td, td, k8)
+    belowd = add(n1, ttd, k9)
+    wd = m.where(neard, div(C1d, n2, k10), div(div(mul(n2, td, k7), belowd, k7), alphad, k6), k7)
+    sd = m.where(neard, C0d, div(sub(n1, ttd, k6), belowd, k6), k8)
+    C01d = add(n1, C0d, k2)
+    C2d = div(CC1d, C01d, k2)
+    wd1 = mul(d1, wd, k5)
+    wd2 = mul(d2, wd, k6)
+    wd3 = mul(d3, wd, k9)
+    bv1 = div(v1, n2, k10)
+    bv3 = div(v3, n2, k11)
+    bv2 = div(v2, n2, k12)
+    z1 = add(add(mul(bv1, sd, k13), wd1, k13), sub(mul(wd2, bv3, k14), mul(wd3, bv2, k15), k14), k13)
+    z2 = add(add(mul(bv2, sd, k14), wd2, k14), sub(mul(wd3, bv1, k15), mul(wd1, bv3, k16), k15), k14)
+    z3 = add(add(mul(bv3, sd, k15), wd3, k15), sub(mul(wd1, bv2, k16), mul(wd2, bv1, k17), k16), k15)
+    z0 = sub(sd, add(add(mul(wd1, bv1, k5), mul(wd2, bv2, k6), k5), mul(wd3, bv3, k6), k5), k5)
+    fd = mul(n2, mul(sd, wd, k6), k6)
+    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k2), k1), n4, k1), div(sub(n1, fd, k2), xxd, k2), k1)
+    wwd = mul(wd, wd, k2)
+    gd = mul(n2, wwd, k2)
+    ss = add(add(mul(z1, z1, k3), mul(z2, z2, k4), k3), mul(z3, z3, k4), k3)
+    still = m.equal(ss, n0, mask1)
+    length = sqrt(m.where(still, add(n1, ss, k4), ss, k4), k4)
+    v11 = mul(v1, v1, k7)
+    v22 = mul(v2, v2, k8)
+    v33 = mul(v3, v3, k9)
+    x = add(add(v11, v22, k7), v33, k7)
+    resting = m.equal(x, n0, mask2)
+    r_ = sqrt(m.where(resting, add(n1, x, k8), x, k8), k8)
+    z = div(x, n4, k7)
+    N = add(n1, z, k7)
+    r = mul(n2, div(div(N, N, k9), N, k7), k7)
+    own = mul(n2, atan2(div(r_, n2, k9), n1, k9), k9)
+    own_ = div(
+        mul(m.where(resting, n0, div(own, r_, k8), k9), add(add(mul(v1, z1, k8), mul(v2, z2, k10), k8), mul(v3, z3,
+        k10), k8), k8), length, k8
+    )
+    angle = add(
+        own_, mul(n2, atan2(tan(div(sub(mul(n2, atan2(m.where(still, ss, length, k3), z0, k3), k3), own_, k3), n2, k3),
+        k3), n1, k3), k3), k3
+    )
+    rn = tan(div(angle, n2, k3), k3)
+    slopen = div(add(n1, mul(rn, rn, k8), k8), n2, k8)
+    v_slopen = mul(n2, slopen, k8)
+    vn = mul(n2, rn, k3)
+    z0s = m.where(still, z0, length, k9)
+    factor = m.where(still, div(mul(n2, v_slopen, k8), z0s, k8), div(vn, length, k3), k4)
+    v_1 = mul(z1, factor, o1)
+    v_2 = mul(z2, factor, o2)
+    v_3 = mul(z3, factor, o3)
+    fi = mul(factor, z0, k3)
+    yd = add(add(mul(d1, d1o, k4), mul(d2, d2o, k5), k4), mul(d3, d3o, k5), k4)
+    alongd = mul(hd, yd, k1)
+    f_v = div(r, n2, k4)
+    g_v = div(r, n4, k5)
+    gv3 = mul(v3, g_v, k7)
+    gv1 = mul(v1, g_v, k8)
+    gv2 = mul(v2, g_v, k5)
+    rhob2 = add(mul(v2o, f_v, k9), sub(mul(gv3, v1o, k10), mul(gv1, v3o, k11), k10), k9)
+    rhob1 = add(mul(v1o, f_v, k10), sub(mul(gv2, v3o, k11), mul(gv3, v2o, k7), k7), k7)
+    rhob3 = add(mul(v3o, f_v, k4), sub(mul(gv1, v2o, k8), mul(gv2, v1o, k5), k5), k4)
+    v_rhob3 = sub(mul(d1, rhob2, k5), mul(d2, rhob1, k8), k5)
+    gv_rhob3 = mul(v_rhob3, gd, k8)
+    v_rhob2 = sub(mul(d3, rhob1, k10), mul(d1, rhob3, k11), k10)
+    gv_rhob2 = mul(v_rhob2, gd, k11)
+    gvd2 = mul(d2, gd, k12)
+    gvd3 = mul(d3, gd, k13)
+    v_rhob1 = sub(mul(d2, rhob3, k14), mul(d3, rhob2, k15), k14)
+    rho1 = add(
+        add(rhob1, add(mul(v_rhob1, fd, k15), sub(mul(d2, gv_rhob3, k16), mul(d3, gv_rhob2, k17), k16), k15), k7),
+        add(add(mul(d1o, fd, k15), sub(mul(gvd2, d3o, k16), mul(gvd3, d2o, k17), k16), k15), mul(d1, alongd, k16), k15),
+        k7
+    )
+    gv_rhob1 = mul(v_rhob1, gd, k14)
+    gvd1 = mul(d1, gd, k2)
+    rho2 = add(
+        add(rhob2, add(mul(v_rhob2, fd, k10), sub(mul(d3, gv_rhob1, k15), mul(d1, gv_rhob3, k8), k8), k8), k8),
+        add(add(mul(d2o, fd, k9), sub(mul(gvd3, d1o, k10), mul(gvd1, d3o, k13), k10), k9), mul(d2, alongd, k10), k9), k8
+    )
+    rho3 = add(
+        add(rhob3, add(mul(v_rhob3, fd, k5), sub(mul(d1, gv_rhob2, k9), mul(d2, gv_rhob1, k10), k9), k5), k4),
+        add(add(mul(d3o, fd, k5), sub(mul(gvd1, d2o, k2), mul(gvd2, d1o, k6), k2), k2), mul(d3, alongd, k1), k1), k1
+    )
+    hvr = div(add(add(mul(v_1, rho1, k2), mul(v_2, rho2, k4), k2), mul(v_3, rho3, k4), k2), n2, k2)
+    div(add(sub(mul(rho1, fi, k4), sub(mul(v_2, rho3, k5), mul(v_3, rho2, k6), k5), k4), mul(v_1, hvr, k5), k4), n2, o4)
+    div(add(sub(mul(rho2, fi, k4), sub(mul(v_3, rho1, k5), mul(v_1, rho3, k6), k5), k4), mul(v_2, hvr, k5), k4), n2, o5)
+    div(add(sub(mul(rho3, fi, k1), sub(mul(v_1, rho2, k3), mul(v_2, rho1, k4), k3), k1), mul(v_3, hvr, k2), k1), n2, o6)
+
+
+# operations 273: 88 +, 125 *, 36 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+def _own_body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    d1, d2, d3, d1o, d2o, d3o = delta
+    v11d = d1 * d1
+    v22d = d2 * d2
+    v33d = d3 * d3
+    xd = v11d + v22d + v33d
+    neard = xd < 6
+    zd = m.where(neard, xd, xd - xd) / 4
+    C7d = (
+        (72 - zd * ((3603600 - zd * (32760 - zd * (210 - zd * ((93024 - zd * (342 - zd * ((212520 - zd * (506 - zd))
+        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
+    )
+    C5d = (1 - 120 * (zd * C7d)) / 120
+    C3d = (1 - 6 * (zd * C5d)) / 6
+    C1d = 1 - zd * C3d
+    CC1d = C1d * C1d
+    C0d = m.sqrt(1 - zd * CC1d)
+    xxd = m.where(neard, 6 + xd, xd)
+    alphad = m.sqrt(xxd)
+    td = m.tan(alphad / 4)
+    ttd = td * td
+    belowd = 1 + ttd
+    sd = m.where(neard, C0d, (1 - ttd) / belowd)
+    wd = m.where(neard, C1d / 2, 2 * td / belowd / alphad)
+    wd1 = d1 * wd
+    wd2 = d2 * wd
+    wd3 = d3 * wd
+    fd = 2 * (sd * wd)
+    wwd = wd * wd
+    gd = 2 * wwd
+    C01d = 1 + C0d
+    C2d = CC1d / C01d
+    hd = m.where(neard, (C3d + C1d * C2d) / 4, (1 - fd) / xxd)
+    gvd1 = d1 * gd
+    gvd2 = d2 * gd
+    gvd3 = d3 * gd
+    yd = d1 * d1o + d2 * d2o + d3 * d3o
+    alongd = hd * yd
+    rhob1 = d1o * fd + (gvd2 * d3o - gvd3 * d2o) + d1 * alongd
+    rhob2 = d2o * fd + (gvd3 * d1o - gvd1 * d3o) + d2 * alongd
+    rhob3 = d3o * fd + (gvd1 * d2o - gvd2 * d1o) + d3 * alongd
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    z = x / 4
+    N = 1 + z
+    r = 2 * (N / N / N)
+    f_v = r / 2
+    g_v = r / 4
+    bv1 = v1 / 2
+    bv2 = v2 / 2
+    bv3 = v3 / 2
+    gv1 = v1 * g_v
+    gv2 = v2 * g_v
+    gv3 = v3 * g_v
+    z0 = sd - (bv1 * wd1 + bv2 * wd2 + bv3 * wd3)
+    z1 = wd1 + bv1 * sd + (bv2 * wd3 - bv3 * wd2)
+    z2 = wd2 + bv2 * sd + (bv3 * wd1 - bv1 * wd3)
+    z3 = wd3 + bv3 * sd + (bv1 * wd2 - bv2 * wd1)
+    v_rhob1 = v2 * rhob3 - v3 * rhob2
+    v_rhob2 = v3 * rhob1 - v1 * rhob3
+    v_rhob3 = v1 * rhob2 - v2 * rhob1
+    gv_rhob1 = v_rhob1 * g_v
+    gv_rhob2 = v_rhob2 * g_v
+    gv_rhob3 = v_rhob3 * g_v
+    rho1 = rhob1 + (v_rhob1 * f_v + (v2 * gv_rhob3 - v3 * gv_rhob2)) + (v1o * f_v + (gv2 * v3o - gv3 * v2o))
+    rho2 = rhob2 + (v_rhob2 * f_v + (v3 * gv_rhob1 - v1 * gv_rhob3)) + (v2o * f_v + (gv3 * v1o - gv1 * v3o))
+    rho3 = rhob3 + (v_rhob3 * f_v + (v1 * gv_rhob2 - v2 * gv_rhob1)) + (v3o * f_v + (gv1 * v2o - gv2 * v1o))
+    ss = z1 * z1 + z2 * z2 + z3 * z3
+    still = ss == 0
+    resting = x == 0
+    length = m.sqrt(m.where(still, 1 + ss, ss))
+    r_ = m.sqrt(m.where(resting, 1 + x, x))
+    own = 2 * m.atan2(r_ / 2, 1)
+    own_ = m.where(resting, 0, own / r_) * (v1 * z1 + v2 * z2 + v3 * z3) / length
+    angle = own_ + 2 * m.atan2(m.tan((2 * m.atan2(m.where(still, ss, length), z0) - own_) / 2), 1)
+    rn = m.tan(angle / 2)
+    slopen = (1 + rn * rn) / 2
+    vn = 2 * rn
+    v_slopen = 2 * slopen
+    z0s = m.where(still, z0, length)
+    factor = m.where(still, 2 * v_slopen / z0s, vn / length)
+    v_1 = z1 * factor
+    v_2 = z2 * factor
+    v_3 = z3 * factor
+    fi = factor * z0
+    hvr = (v_1 * rho1 + v_2 * rho2 + v_3 * rho3) / 2
+    return (
+        v_1,
+        v_2,
+        v_3,
+        (rho1 * fi - (v_2 * rho3 - v_3 * rho2) + v_1 * hvr) / 2,
+        (rho2 * fi - (v_3 * rho1 - v_1 * rho3) + v_2 * hvr) / 2,
+        (rho3 * fi - (v_1 * rho2 - v_2 * rho1) + v_3 * hvr) / 2,
+    )
+
+
+def _own_body_retract_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, delta: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    d1, d2, d3, d1o, d2o, d3o = delta
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17 = scratch
+    mask1, mask2 = masks
+    n0, n1, n2, n4, n6, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    v11d = mul(d1, d1, k1)
+    v22d = mul(d2, d2, k2)
+    v33d = mul(d3, d3, k3)
+    xd = add(add(v11d, v22d, k1), v33d, k1)
+    neard = m.less(xd, n6, mask1)
+    zd = div(m.where(neard, xd, sub(xd, xd, k2), k3), n4, k2)
+    xxd = m.where(neard, add(n6, xd, k3), xd, k3)
+    C7d = div(
+        div(sub(n72, mul(zd, div(sub(n3603600, mul(zd, sub(n32760, mul(zd, sub(n210, mul(zd, div(sub(n93024, mul(zd,
+        sub(n342, mul(zd, div(sub(n212520, mul(zd, sub(n506, zd, k1), k1), k1), n212520, k1), k1), k1), k1), k1),
+        n93024, k1), k1), k1), k1), k1), k1), k1), n3603600, k1), k1), k1), n72, k1), n5040, k1
+    )
+    C5d = div(sub(n1, mul(n120, mul(zd, C7d, k1), k1), k1), n120, k1)
+    C3d = div(sub(n1, mul(n6, mul(zd, C5d, k1), k1), k1), n6, k1)
+    C1d = sub(n1, mul(zd, C3d, k4), k4)
+    CC1d = mul(C1d, C1d, k5)
+    C0d = sqrt(sub(n1, mul(zd, CC1d, k2), k2), k2)
+    alphad = sqrt(xxd, k6)
+    td = tan(div(alphad, n4, k7), k7)
+    ttd = mul(td, td, k8)
+    belowd = add(n1, ttd, k9)
+    wd = m.where(neard, div(C1d, n2, k10), div(div(mul(n2, td, k7), belowd, k7), alphad, k6), k7)
+    sd = m.where(neard, C0d, div(sub(n1, ttd, k6), belowd, k6), k8)
+    C01d = add(n1, C0d, k2)
+    C2d = div(CC1d, C01d, k2)
+    wd1 = mul(d1, wd, k5)
+    wd3 = mul(d3, wd, k6)
+    wd2 = mul(d2, wd, k9)
+    bv1 = div(v1, n2, k10)
+    bv2 = div(v2, n2, k11)
+    bv3 = div(v3, n2, k12)
+    z1 = add(add(wd1, mul(bv1, sd, k13), k13), sub(mul(bv2, wd3, k14), mul(bv3, wd2, k15), k14), k13)
+    z2 = add(add(wd2, mul(bv2, sd, k14), k14), sub(mul(bv3, wd1, k15), mul(bv1, wd3, k16), k15), k14)
+    z3 = add(add(wd3, mul(bv3, sd, k15), k15), sub(mul(bv1, wd2, k16), mul(bv2, wd1, k17), k16), k15)
+    z0 = sub(sd, add(add(mul(bv1, wd1, k5), mul(bv2, wd2, k9), k5), mul(bv3, wd3, k6), k5), k5)
+    fd = mul(n2, mul(sd, wd, k6), k6)
+    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k2), k1), n4, k1), div(sub(n1, fd, k2), xxd, k2), k1)
+    wwd = mul(wd, wd, k2)
+    gd = mul(n2, wwd, k2)
+    ss = add(add(mul(z1, z1, k3), mul(z2, z2, k4), k3), mul(z3, z3, k4), k3)
+    still = m.equal(ss, n0, mask1)
+    length = sqrt(m.where(still, add(n1, ss, k4), ss, k4), k4)
+    v11 = mul(v1, v1, k7)
+    v22 = mul(v2, v2, k8)
+    v33 = mul(v3, v3, k9)
+    x = add(add(v11, v22, k7), v33, k7)
+    resting = m.equal(x, n0, mask2)
+    r_ = sqrt(m.where(resting, add(n1, x, k8), x, k8), k8)
+    z = div(x, n4, k7)
+    N = add(n1, z, k7)
+    r = mul(n2, div(div(N, N, k9), N, k7), k7)
+    own = mul(n2, atan2(div(r_, n2, k9), n1, k9), k9)
+    own_ = div(
+        mul(m.where(resting, n0, div(own, r_, k8), k9), add(add(mul(v1, z1, k8), mul(v2, z2, k10), k8), mul(v3, z3,
+        k10), k8), k8), length, k8
+    )
+    angle = add(
+        own_, mul(n2, atan2(tan(div(sub(mul(n2, atan2(m.where(still, ss, length, k3), z0, k3), k3), own_, k3), n2, k3),
+        k3), n1, k3), k3), k3
+    )
+    rn = tan(div(angle, n2, k3), k3)
+    slopen = div(add(n1, mul(rn, rn, k8), k8), n2, k8)
+    v_slopen = mul(n2, slopen, k8)
+    vn = mul(n2, rn, k3)
+    z0s = m.where(still, z0, length, k9)
+    factor = m.where(still, div(mul(n2, v_slopen, k8), z0s, k8), div(vn, length, k3), k4)
+    v_1 = mul(z1, factor, o1)
+    v_2 = mul(z2, factor, o2)
+    v_3 = mul(z3, factor, o3)
+    fi = mul(factor, z0, k3)
+    yd = add(add(mul(d1, d1o, k4), mul(d2, d2o, k5), k4), mul(d3, d3o, k5), k4)
+    alongd = mul(hd, yd, k1)
+    gvd1 = mul(d1, gd, k4)
+    gvd2 = mul(d2, gd, k5)
+    gvd3 = mul(d3, gd, k2)
+    rhob3 = add(add(mul(d3o, fd, k8), sub(mul(gvd1, d2o, k9), mul(gvd2, d1o, k10), k9), k8), mul(d3, alongd, k9), k8)
+    rhob2 = add(add(mul(d2o, fd, k9), sub(mul(gvd3, d1o, k10), mul(gvd1, d3o, k4), k4), k4), mul(d2, alongd, k9), k4)
+    rhob1 = add(add(mul(d1o, fd, k6), sub(mul(gvd2, d3o, k5), mul(gvd3, d2o, k2), k2), k2), mul(d1, alongd, k1), k1)
+    v_rhob1 = sub(mul(v2, rhob3, k2), mul(v3, rhob2, k5), k2)
+    v_rhob3 = sub(mul(v1, rhob2, k5), mul(v2, rhob1, k6), k5)
+    g_v = div(r, n4, k6)
+    f_v = div(r, n2, k7)
+    gv_rhob3 = mul(v_rhob3, g_v, k9)
+    v_rhob2 = sub(mul(v3, rhob1, k10), mul(v1, rhob3, k11), k10)
+    gv_rhob2 = mul(v_rhob2, g_v, k11)
+    gv2 = mul(v2, g_v, k12)
+    gv3 = mul(v3, g_v, k13)
+    rho1 = add(
+        add(rhob1, add(mul(v_rhob1, f_v, k14), sub(mul(v2, gv_rhob3, k15), mul(v3, gv_rhob2, k16), k15), k14), k1),
+        add(mul(v1o, f_v, k14), sub(mul(gv2, v3o, k15), mul(gv3, v2o, k16), k15), k14), k1
+    )
+    gv_rhob1 = mul(v_rhob1, g_v, k2)
+    gv1 = mul(v1, g_v, k6)
+    rho2 = add(
+        add(rhob2, add(mul(v_rhob2, f_v, k10), sub(mul(v3, gv_rhob1, k14), mul(v1, gv_rhob3, k9), k9), k9), k4),
+        add(mul(v2o, f_v, k9), sub(mul(gv3, v1o, k10), mul(gv1, v3o, k13), k10), k9), k4
+    )
+    rho3 = add(
+        add(rhob3, add(mul(v_rhob3, f_v, k5), sub(mul(v1, gv_rhob2, k9), mul(v2, gv_rhob1, k2), k2), k2), k2),
+        add(mul(v3o, f_v, k5), sub(mul(gv1, v2o, k6), mul(gv2, v1o, k7), k6), k5), k2
+    )
+    hvr = div(add(add(mul(v_1, rho1, k5), mul(v_2, rho2, k6), k5), mul(v_3, rho3, k6), k5), n2, k5)
+    div(add(sub(mul(rho1, fi, k6), sub(mul(v_2, rho3, k7), mul(v_3, rho2, k8), k7), k6), mul(v_1, hvr, k7), k6), n2, o4)
+    div(add(sub(mul(rho2, fi, k6), sub(mul(v_3, rho1, k7), mul(v_1, rho3, k8), k7), k6), mul(v_2, hvr, k7), k6), n2, o5)
+    div(add(sub(mul(rho3, fi, k2), sub(mul(v_1, rho2, k3), mul(v_2, rho1, k1), k1), k1), mul(v_3, hvr, k2), k1), n2, o6)
+
+
+# operations 253: 80 +, 111 *, 37 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+def _own_local(m: Any, c: Any, b: Components, a: Components) -> Result:
+    b1, b2, b3, b1o, b2o, b3o = b
+    a1, a2, a3, a1o, a2o, a3o = a
+    minus_a1 = -a1
+    minus_a2 = -a2
+    minus_a3 = -a3
+    minus_a4 = -a1o
+    minus_a5 = -a2o
+    minus_a6 = -a3o
+    v11b = b1 * b1
+    v22b = b2 * b2
+    v33b = b3 * b3
+    xb = v11b + v22b + v33b
+    zb = xb / 4
+    Nb = 1 + zb
+    rb = 2 * (Nb / Nb / Nb)
+    f_vb = rb / 2
+    g_vb = rb / 4
+    bvb1 = b1 / 2
+    bvb2 = b2 / 2
+    bvb3 = b3 / 2
+    v11a = minus_a1 * minus_a1
+    v22a = minus_a2 * minus_a2
+    v33a = minus_a3 * minus_a3
+    xa = v11a + v22a + v33a
+    za = xa / 4
+    Na = 1 + za
+    ra = 2 * (Na / Na / Na)
+    f_va = ra / 2
+    g_va = ra / 4
+    bva1 = minus_a1 / 2
+    bva2 = minus_a2 / 2
+    bva3 = minus_a3 / 2
+    z0 = 1 - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
+    z1 = bva1 + bvb1 + (bvb2 * bva3 - bvb3 * bva2)
+    z2 = bva2 + bvb2 + (bvb3 * bva1 - bvb1 * bva3)
+    z3 = bva3 + bvb3 + (bvb1 * bva2 - bvb2 * bva1)
+    gva1 = minus_a1 * g_va
+    gva2 = minus_a2 * g_va
+    gva3 = minus_a3 * g_va
+    rhoa1 = minus_a4 * f_va + (gva2 * minus_a6 - gva3 * minus_a5)
+    rhoa2 = minus_a5 * f_va + (gva3 * minus_a4 - gva1 * minus_a6)
+    rhoa3 = minus_a6 * f_va + (gva1 * minus_a5 - gva2 * minus_a4)
+    v_rho1 = b2 * rhoa3 - b3 * rhoa2
+    v_rho2 = b3 * rhoa1 - b1 * rhoa3
+    v_rho3 = b1 * rhoa2 - b2 * rhoa1
+    gv_rho1 = v_rho1 * g_vb
+    gv_rho2 = v_rho2 * g_vb
+    gv_rho3 = v_rho3 * g_vb
+    gvb1 = b1 * g_vb
+    gvb2 = b2 * g_vb
+    gvb3 = b3 * g_vb
+    rho1 = rhoa1 + (v_rho1 * f_vb + (b2 * gv_rho3 - b3 * gv_rho2)) + (b1o * f_vb + (gvb2 * b3o - gvb3 * b2o))
+    rho2 = rhoa2 + (v_rho2 * f_vb + (b3 * gv_rho1 - b1 * gv_rho3)) + (b2o * f_vb + (gvb3 * b1o - gvb1 * b3o))
+    rho3 = rhoa3 + (v_rho3 * f_vb + (b1 * gv_rho2 - b2 * gv_rho1)) + (b3o * f_vb + (gvb1 * b2o - gvb2 * b1o))
+    negativee = z0 < 0
+    cose = m.where(negativee, -z0, z0)
+    sse = z1 * z1 + z2 * z2 + z3 * z3
+    stille = sse == 0
+    sine = m.sqrt(m.where(stille, cose, sse))
+    anglee = 2 * m.atan2(sine, cose)
+    gaine = m.where(negativee, -1, 1) * (m.where(stille, 2 * cose, anglee) / m.where(stille, cose * cose, sine))
+    d1 = z1 * gaine
+    d2 = z2 * gaine
+    d3 = z3 * gaine
+    v11e = d1 * d1
+    v22e = d2 * d2
+    v33e = d3 * d3
+    xe = v11e + v22e + v33e
+    neare = xe < 6
+    ze = m.where(neare, xe, xe - xe) / 4
+    C7e = (
+        (72 - ze * ((3603600 - ze * (32760 - ze * (210 - ze * ((93024 - ze * (342 - ze * ((212520 - ze * (506 - ze))
+        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
+    )
+    C5e = (1 - 120 * (ze * C7e)) / 120
+    C3e = (1 - 6 * (ze * C5e)) / 6
+    C1e = 1 - ze * C3e
+    xxe = m.where(neare, 6 + xe, xe)
+    alphae = m.sqrt(xxe)
+    te = m.tan(alphae / 4)
+    tte = te * te
+    belowe = 1 + tte
+    we = m.where(neare, C1e / 2, 2 * te / belowe / alphae)
+    wwe = we * we
+    ge = 2 * wwe
+    CC1e = C1e * C1e
+    C0e = m.sqrt(1 - ze * CC1e)
+    se = m.where(neare, C0e, (1 - tte) / belowe)
+    fie = se / we
+    C01e = 1 + C0e
+    C2e = CC1e / C01e
+    fe = 2 * (se * we)
+    he = m.where(neare, (C3e + C1e * C2e) / 4, (1 - fe) / xxe)
+    hie = ge - fie * he
+    fi = gaine * z0
+    hvr = hie * (d1 * rho1 + d2 * rho2 + d3 * rho3)
+    return (
+        d1,
+        d2,
+        d3,
+        (rho1 * fi - (d2 * rho3 - d3 * rho2) + d1 * hvr) / 2,
+        (rho2 * fi - (d3 * rho1 - d1 * rho3) + d2 * hvr) / 2,
+        (rho3 * fi - (d1 * rho2 - d2 * rho1) + d3 * hvr) / 2,
+    )
+
+
+def _own_local_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, b: Rows, a: Rows
+) -> None:
+    b1, b2, b3, b1o, b2o, b3o = b
+    a1, a2, a3, a1o, a2o, a3o = a
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17 = scratch
+    mask1, mask2 = masks
+    n_minus_1, n0, n1, n2, n4, n6, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    minus_a1 = neg(a1, k1)
+    bva1 = div(minus_a1, n2, k2)
+    bvb1 = div(b1, n2, k3)
+    bvb2 = div(b2, n2, k4)
+    minus_a3 = neg(a3, k5)
+    bva3 = div(minus_a3, n2, k6)
+    bvb3 = div(b3, n2, k7)
+    minus_a2 = neg(a2, k8)
+    bva2 = div(minus_a2, n2, k9)
+    z1 = add(add(bva1, bvb1, k10), sub(mul(bvb2, bva3, k11), mul(bvb3, bva2, k12), k11), k10)
+    z2 = add(add(bva2, bvb2, k11), sub(mul(bvb3, bva1, k12), mul(bvb1, bva3, k13), k12), k11)
+    z3 = add(add(bva3, bvb3, k12), sub(mul(bvb1, bva2, k13), mul(bvb2, bva1, k14), k13), k12)
+    z0 = sub(n1, add(add(mul(bvb1, bva1, k2), mul(bvb2, bva2, k3), k2), mul(bvb3, bva3, k3), k2), k2)
+    sse = add(add(mul(z1, z1, k3), mul(z2, z2, k4), k3), mul(z3, z3, k4), k3)
+    stille = m.equal(sse, n0, mask1)
+    negativee = m.less(z0, n0, mask2)
+    cose = m.where(negativee, neg(z0, k4), z0, k4)
+    sine = sqrt(m.where(stille, cose, sse, k6), k3)
+    anglee = mul(n2, atan2(sine, cose, k6), k6)
+    gaine = mul(
+        m.where(negativee, n_minus_1, n1, k7), div(m.where(stille, mul(n2, cose, k9), anglee, k9), m.where(stille,
+        mul(cose, cose, k4), sine, k4), k3), k3
+    )
+    d1 = mul(z1, gaine, o1)
+    d2 = mul(z2, gaine, o2)
+    d3 = mul(z3, gaine, o3)
+    fi = mul(gaine, z0, k2)
+    v11e = mul(d1, d1, k3)
+    v22e = mul(d2, d2, k4)
+    v33e = mul(d3, d3, k6)
+    xe = add(add(v11e, v22e, k3), v33e, k3)
+    neare = m.less(xe, n6, mask1)
+    ze = div(m.where(neare, xe, sub(xe, xe, k4), k6), n4, k4)
+    xxe = m.where(neare, add(n6, xe, k6), xe, k6)
+    C7e = div(
+        div(sub(n72, mul(ze, div(sub(n3603600, mul(ze, sub(n32760, mul(ze, sub(n210, mul(ze, div(sub(n93024, mul(ze,
+        sub(n342, mul(ze, div(sub(n212520, mul(ze, sub(n506, ze, k3), k3), k3), n212520, k3), k3), k3), k3), k3),
+        n93024, k3), k3), k3), k3), k3), k3), k3), n3603600, k3), k3), k3), n72, k3), n5040, k3
+    )
+    C5e = div(sub(n1, mul(n120, mul(ze, C7e, k3), k3), k3), n120, k3)
+    C3e = div(sub(n1, mul(n6, mul(ze, C5e, k3), k3), k3), n6, k3)
+    C1e = sub(n1, mul(ze, C3e, k7), k7)
+    CC1e = mul(C1e, C1e, k9)
+    C0e = sqrt(sub(n1, mul(ze, CC1e, k4), k4), k4)
+    C01e = add(n1, C0e, k10)
+    C2e = div(CC1e, C01e, k9)
+    alphae = sqrt(xxe, k10)
+    te = tan(div(alphae, n4, k11), k11)
+    tte = mul(te, te, k12)
+    belowe = add(n1, tte, k13)
+    se = m.where(neare, C0e, div(sub(n1, tte, k12), belowe, k12), k4)
+    we = m.where(neare, div(C1e, n2, k12), div(div(mul(n2, te, k11), belowe, k11), alphae, k10), k11)
+    fe = mul(n2, mul(se, we, k10), k10)
+    he = m.where(neare, div(add(C3e, mul(C1e, C2e, k7), k3), n4, k3), div(sub(n1, fe, k7), xxe, k6), k3)
+    fie = div(se, we, k4)
+    wwe = mul(we, we, k6)
+    ge = mul(n2, wwe, k6)
+    hie = sub(ge, mul(fie, he, k3), k3)
+    v11a = mul(minus_a1, minus_a1, k4)
+    v22a = mul(minus_a2, minus_a2, k6)
+    v33a = mul(minus_a3, minus_a3, k7)
+    xa = add(add(v11a, v22a, k4), v33a, k4)
+    za = div(xa, n4, k4)
+    Na = add(n1, za, k4)
+    ra = mul(n2, div(div(Na, Na, k6), Na, k4), k4)
+    f_va = div(ra, n2, k6)
+    g_va = div(ra, n4, k4)
+    gva1 = mul(minus_a1, g_va, k1)
+    gva2 = mul(minus_a2, g_va, k7)
+    gva3 = mul(minus_a3, g_va, k4)
+    minus_a6 = neg(a3o, k5)
+    minus_a5 = neg(a2o, k8)
+    minus_a4 = neg(a1o, k9)
+    rhoa3 = add(mul(minus_a6, f_va, k10), sub(mul(gva1, minus_a5, k11), mul(gva2, minus_a4, k12), k11), k10)
+    rhoa2 = add(mul(minus_a5, f_va, k11), sub(mul(gva3, minus_a4, k12), mul(gva1, minus_a6, k1), k1), k1)
+    rhoa1 = add(mul(minus_a4, f_va, k6), sub(mul(gva2, minus_a6, k5), mul(gva3, minus_a5, k4), k4), k4)
+    v_rho1 = sub(mul(b2, rhoa3, k5), mul(b3, rhoa2, k6), k5)
+    v_rho3 = sub(mul(b1, rhoa2, k6), mul(b2, rhoa1, k7), k6)
+    v11b = mul(b1, b1, k7)
+    v22b = mul(b2, b2, k8)
+    v33b = mul(b3, b3, k9)
+    xb = add(add(v11b, v22b, k7), v33b, k7)
+    zb = div(xb, n4, k7)
+    Nb = add(n1, zb, k7)
+    rb = mul(n2, div(div(Nb, Nb, k8), Nb, k7), k7)
+    g_vb = div(rb, n4, k8)
+    f_vb = div(rb, n2, k7)
+    gv_rho3 = mul(v_rho3, g_vb, k9)
+    v_rho2 = sub(mul(b3, rhoa1, k11), mul(b1, rhoa3, k12), k11)
+    gv_rho2 = mul(v_rho2, g_vb, k12)
+    gvb2 = mul(b2, g_vb, k13)
+    gvb3 = mul(b3, g_vb, k14)
+    rho1 = add(
+        add(rhoa1, add(mul(v_rho1, f_vb, k15), sub(mul(b2, gv_rho3, k16), mul(b3, gv_rho2, k17), k16), k15), k4),
+        add(mul(b1o, f_vb, k15), sub(mul(gvb2, b3o, k16), mul(gvb3, b2o, k17), k16), k15), k4
+    )
+    gv_rho1 = mul(v_rho1, g_vb, k5)
+    gvb1 = mul(b1, g_vb, k8)
+    rho2 = add(
+        add(rhoa2, add(mul(v_rho2, f_vb, k11), sub(mul(b3, gv_rho1, k15), mul(b1, gv_rho3, k9), k9), k9), k1),
+        add(mul(b2o, f_vb, k9), sub(mul(gvb3, b1o, k11), mul(gvb1, b3o, k14), k11), k9), k1
+    )
+    rho3 = add(
+        add(rhoa3, add(mul(v_rho3, f_vb, k6), sub(mul(b1, gv_rho2, k9), mul(b2, gv_rho1, k5), k5), k5), k5),
+        add(mul(b3o, f_vb, k6), sub(mul(gvb1, b2o, k7), mul(gvb2, b1o, k8), k7), k6), k5
+    )
+    hvr = mul(hie, add(add(mul(d1, rho1, k6), mul(d2, rho2, k7), k6), mul(d3, rho3, k7), k6), k3)
+    div(add(sub(mul(rho1, fi, k6), sub(mul(d2, rho3, k7), mul(d3, rho2, k8), k7), k6), mul(d1, hvr, k7), k6), n2, o4)
+    div(add(sub(mul(rho2, fi, k6), sub(mul(d3, rho1, k7), mul(d1, rho3, k8), k7), k6), mul(d2, hvr, k7), k6), n2, o5)
+    div(add(sub(mul(rho3, fi, k2), sub(mul(d1, rho2, k1), mul(d2, rho1, k4), k1), k1), mul(d3, hvr, k2), k1), n2, o6)
+
+
+# operations 253: 80 +, 111 *, 37 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+def _own_body_local(m: Any, c: Any, a: Components, b: Components) -> Result:
+    a1, a2, a3, a1o, a2o, a3o = a
+    b1, b2, b3, b1o, b2o, b3o = b
+    minus_b1 = -b1
+    minus_b2 = -b2
+    minus_b3 = -b3
+    minus_b4 = -b1o
+    minus_b5 = -b2o
+    minus_b6 = -b3o
+    v11b = minus_b1 * minus_b1
+    v22b = minus_b2 * minus_b2
+    v33b = minus_b3 * minus_b3
+    xb = v11b + v22b + v33b
+    zb = xb / 4
+    Nb = 1 + zb
+    rb = 2 * (Nb / Nb / Nb)
+    f_vb = rb / 2
+    g_vb = rb / 4
+    bvb1 = minus_b1 / 2
+    bvb2 = minus_b2 / 2
+    bvb3 = minus_b3 / 2
+    v11a = a1 * a1
+    v22a = a2 * a2
+    v33a = a3 * a3
+    xa = v11a + v22a + v33a
+    za = xa / 4
+    Na = 1 + za
+    ra = 2 * (Na / Na / Na)
+    f_va = ra / 2
+    g_va = ra / 4
+    bva1 = a1 / 2
+    bva2 = a2 / 2
+    bva3 = a3 / 2
+    z0 = 1 - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
+    z1 = bva1 + bvb1 + (bvb2 * bva3 - bvb3 * bva2)
+    z2 = bva2 + bvb2 + (bvb3 * bva1 - bvb1 * bva3)
+    z3 = bva3 + bvb3 + (bvb1 * bva2 - bvb2 * bva1)
+    gva1 = a1 * g_va
+    gva2 = a2 * g_va
+    gva3 = a3 * g_va
+    rhoa1 = a1o * f_va + (gva2 * a3o - gva3 * a2o)
+    rhoa2 = a2o * f_va + (gva3 * a1o - gva1 * a3o)
+    rhoa3 = a3o * f_va + (gva1 * a2o - gva2 * a1o)
+    v_rho1 = minus_b2 * rhoa3 - minus_b3 * rhoa2
+    v_rho2 = minus_b3 * rhoa1 - minus_b1 * rhoa3
+    v_rho3 = minus_b1 * rhoa2 - minus_b2 * rhoa1
+    gv_rho1 = v_rho1 * g_vb
+    gv_rho2 = v_rho2 * g_vb
+    gv_rho3 = v_rho3 * g_vb
+    gvb1 = minus_b1 * g_vb
+    gvb2 = minus_b2 * g_vb
+    gvb3 = minus_b3 * g_vb
+    rho1 = (
+        rhoa1 + (v_rho1 * f_vb + (minus_b2 * gv_rho3 - minus_b3 * gv_rho2)) + (minus_b4 * f_vb + (gvb2 * minus_b6 - gvb3
+        * minus_b5))
+    )
+    rho2 = (
+        rhoa2 + (v_rho2 * f_vb + (minus_b3 * gv_rho1 - minus_b1 * gv_rho3)) + (minus_b5 * f_vb + (gvb3 * minus_b4 - gvb1
+        * minus_b6))
+    )
+    rho3 = (
+        rhoa3 + (v_rho3 * f_vb + (minus_b1 * gv_rho2 - minus_b2 * gv_rho1)) + (minus_b6 * f_vb + (gvb1 * minus_b5 - gvb2
+        * minus_b4))
+    )
+    negativee = z0 < 0
+    cose = m.where(negativee, -z0, z0)
+    sse = z1 * z1 + z2 * z2 + z3 * z3
+    stille = sse == 0
+    sine = m.sqrt(m.where(stille, cose, sse))
+    anglee = 2 * m.atan2(sine, cose)
+    gaine = m.where(negativee, -1, 1) * (m.where(stille, 2 * cose, anglee) / m.where(stille, cose * cose, sine))
+    d1 = z1 * gaine
+    d2 = z2 * gaine
+    d3 = z3 * gaine
+    v11e = d1 * d1
+    v22e = d2 * d2
+    v33e = d3 * d3
+    xe = v11e + v22e + v33e
+    neare = xe < 6
+    ze = m.where(neare, xe, xe - xe) / 4
+    C7e = (
+        (72 - ze * ((3603600 - ze * (32760 - ze * (210 - ze * ((93024 - ze * (342 - ze * ((212520 - ze * (506 - ze))
+        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
+    )
+    C5e = (1 - 120 * (ze * C7e)) / 120
+    C3e = (1 - 6 * (ze * C5e)) / 6
+    C1e = 1 - ze * C3e
+    xxe = m.where(neare, 6 + xe, xe)
+    alphae = m.sqrt(xxe)
+    te = m.tan(alphae / 4)
+    tte = te * te
+    belowe = 1 + tte
+    we = m.where(neare, C1e / 2, 2 * te / belowe / alphae)
+    wwe = we * we
+    ge = 2 * wwe
+    CC1e = C1e * C1e
+    C0e = m.sqrt(1 - ze * CC1e)
+    se = m.where(neare, C0e, (1 - tte) / belowe)
+    fie = se / we
+    C01e = 1 + C0e
+    C2e = CC1e / C01e
+    fe = 2 * (se * we)
+    he = m.where(neare, (C3e + C1e * C2e) / 4, (1 - fe) / xxe)
+    hie = ge - fie * he
+    fi = gaine * z0
+    hvr = hie * (d1 * rho1 + d2 * rho2 + d3 * rho3)
+    return (
+        d1,
+        d2,
+        d3,
+        (rho1 * fi - (d2 * rho3 - d3 * rho2) + d1 * hvr) / 2,
+        (rho2 * fi - (d3 * rho1 - d1 * rho3) + d2 * hvr) / 2,
+        (rho3 * fi - (d1 * rho2 - d2 * rho1) + d3 * hvr) / 2,
+    )
+
+
+def _own_body_local_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, a: Rows, b: Rows
+) -> None:
+    a1, a2, a3, a1o, a2o, a3o = a
+    b1, b2, b3, b1o, b2o, b3o = b
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23 = scratch
+    mask1, mask2 = masks
+    n_minus_1, n0, n1, n2, n4, n6, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    bva1 = div(a1, n2, k1)
+    minus_b1 = neg(b1, k2)
+    bvb1 = div(minus_b1, n2, k3)
+    minus_b2 = neg(b2, k4)
+    bvb2 = div(minus_b2, n2, k5)
+    bva3 = div(a3, n2, k6)
+    minus_b3 = neg(b3, k7)
+    bvb3 = div(minus_b3, n2, k8)
+    bva2 = div(a2, n2, k9)
+    z1 = add(add(bva1, bvb1, k10), sub(mul(bvb2, bva3, k11), mul(bvb3, bva2, k12), k11), k10)
+    z2 = add(add(bva2, bvb2, k11), sub(mul(bvb3, bva1, k12), mul(bvb1, bva3, k13), k12), k11)
+    z3 = add(add(bva3, bvb3, k12), sub(mul(bvb1, bva2, k13), mul(bvb2, bva1, k14), k13), k12)
+    z0 = sub(n1, add(add(mul(bvb1, bva1, k1), mul(bvb2, bva2, k3), k1), mul(bvb3, bva3, k3), k1), k1)
+    sse = add(add(mul(z1, z1, k3), mul(z2, z2, k5), k3), mul(z3, z3, k5), k3)
+    stille = m.equal(sse, n0, mask1)
+    negativee = m.less(z0, n0, mask2)
+    cose = m.where(negativee, neg(z0, k5), z0, k5)
+    sine = sqrt(m.where(stille, cose, sse, k6), k3)
+    anglee = mul(n2, atan2(sine, cose, k6), k6)
+    gaine = mul(
+        m.where(negativee, n_minus_1, n1, k8), div(m.where(stille, mul(n2, cose, k9), anglee, k9), m.where(stille,
+        mul(cose, cose, k5), sine, k5), k3), k3
+    )
+    d1 = mul(z1, gaine, o1)
+    d2 = mul(z2, gaine, o2)
+    d3 = mul(z3, gaine, o3)
+    fi = mul(gaine, z0, k1)
+    v11e = mul(d1, d1, k3)
+    v22e = mul(d2, d2, k5)
+    v33e = mul(d3, d3, k6)
+    xe = add(add(v11e, v22e, k3), v33e, k3)
+    neare = m.less(xe, n6, mask1)
+    ze = div(m.where(neare, xe, sub(xe, xe, k5), k6), n4, k5)
+    xxe = m.where(neare, add(n6, xe, k6), xe, k6)
+    C7e = div(
+        div(sub(n72, mul(ze, div(sub(n3603600, mul(ze, sub(n32760, mul(ze, sub(n210, mul(ze, div(sub(n93024, mul(ze,
+        sub(n342, mul(ze, div(sub(n212520, mul(ze, sub(n506, ze, k3), k3), k3), n212520, k3), k3), k3), k3), k3),
+        n93024, k3), k3), k3), k3), k3), k3), k3), n3603600, k3), k3), k3), n72, k3), n5040, k3
+    )
+    C5e = div(sub(n1, mul(n120, mul(ze, C7e, k3), k3), k3), n120, k3)
+    C3e = div(sub(n1, mul(n6, mul(ze, C5e, k3), k3), k3), n6, k3)
+    C1e = sub(n1, mul(ze, C3e, k8), k8)
+    CC1e = mul(C1e, C1e, k9)
+    C0e = sqrt(sub(n1, mul(ze, CC1e, k5), k5), k5)
+    C01e = add(n1, C0e, k10)
+    C2e = div(CC1e, C01e, k9)
+    alphae = sqrt(xxe, k10)
+    te = tan(div(alphae, n4, k11), k11)
+    tte = mul(te, te, k12)
+    belowe = add(n1, tte, k13)
+    se = m.where(neare, C0e, div(sub(n1, tte, k12), belowe, k12), k5)
+    we = m.where(neare, div(C1e, n2, k12), div(div(mul(n2, te, k11), belowe, k11), alphae, k10), k11)
+    fe = mul(n2, mul(se, we, k10), k10)
+    he = m.where(neare, div(add(C3e, mul(C1e, C2e, k8), k3), n4, k3), div(sub(n1, fe, k8), xxe, k6), k3)
+    fie = div(se, we, k5)
+    wwe = mul(we, we, k6)
+    ge = mul(n2, wwe, k6)
+    hie = sub(ge, mul(fie, he, k3), k3)
+    v11a = mul(a1, a1, k5)
+    v22a = mul(a2, a2, k6)
+    v33a = mul(a3, a3, k8)
+    xa = add(add(v11a, v22a, k5), v33a, k5)
+    za = div(xa, n4, k5)
+    Na = add(n1, za, k5)
+    ra = mul(n2, div(div(Na, Na, k6), Na, k5), k5)
+    f_va = div(ra, n2, k6)
+    g_va = div(ra, n4, k5)
+    gva1 = mul(a1, g_va, k8)
+    gva2 = mul(a2, g_va, k9)
+    gva3 = mul(a3, g_va, k5)
+    rhoa3 = add(mul(a3o, f_va, k10), sub(mul(gva1, a2o, k11), mul(gva2, a1o, k12), k11), k10)
+    rhoa2 = add(mul(a2o, f_va, k11), sub(mul(gva3, a1o, k12), mul(gva1, a3o, k8), k8), k8)
+    rhoa1 = add(mul(a1o, f_va, k6), sub(mul(gva2, a3o, k9), mul(gva3, a2o, k5), k5), k5)
+    v_rho1 = sub(mul(minus_b2, rhoa3, k6), mul(minus_b3, rhoa2, k9), k6)
+    v_rho3 = sub(mul(minus_b1, rhoa2, k9), mul(minus_b2, rhoa1, k11), k9)
+    v11b = mul(minus_b1, minus_b1, k11)
+    v22b = mul(minus_b2, minus_b2, k12)
+    v33b = mul(minus_b3, minus_b3, k13)
+    xb = add(add(v11b, v22b, k11), v33b, k11)
+    zb = div(xb, n4, k11)
+    Nb = add(n1, zb, k11)
+    rb = mul(n2, div(div(Nb, Nb, k12), Nb, k11), k11)
+    g_vb = div(rb, n4, k12)
+    f_vb = div(rb, n2, k11)
+    gv_rho3 = mul(v_rho3, g_vb, k13)
+    v_rho2 = sub(mul(minus_b3, rhoa1, k14), mul(minus_b1, rhoa3, k15), k14)
+    gv_rho2 = mul(v_rho2, g_vb, k15)
+    gvb2 = mul(minus_b2, g_vb, k16)
+    gvb3 = mul(minus_b3, g_vb, k17)
+    minus_b4 = neg(b1o, k18)
+    minus_b6 = neg(b3o, k19)
+    minus_b5 = neg(b2o, k20)
+    rho1 = add(
+        add(rhoa1, add(mul(v_rho1, f_vb, k21), sub(mul(minus_b2, gv_rho3, k22), mul(minus_b3, gv_rho2, k23), k22), k21),
+        k5), add(mul(minus_b4, f_vb, k21), sub(mul(gvb2, minus_b6, k22), mul(gvb3, minus_b5, k23), k22), k21), k5
+    )
+    gv_rho1 = mul(v_rho1, g_vb, k6)
+    gvb1 = mul(minus_b1, g_vb, k12)
+    rho2 = add(
+        add(rhoa2, add(mul(v_rho2, f_vb, k14), sub(mul(minus_b3, gv_rho1, k7), mul(minus_b1, gv_rho3, k13), k7), k7),
+        k7), add(mul(minus_b5, f_vb, k8), sub(mul(gvb3, minus_b4, k13), mul(gvb1, minus_b6, k14), k13), k8), k7
+    )
+    rho3 = add(
+        add(rhoa3, add(mul(v_rho3, f_vb, k8), sub(mul(minus_b1, gv_rho2, k2), mul(minus_b2, gv_rho1, k4), k2), k2), k2),
+        add(mul(minus_b6, f_vb, k4), sub(mul(gvb1, minus_b5, k6), mul(gvb2, minus_b4, k8), k6), k4), k2
+    )
+    hvr = mul(hie, add(add(mul(d1, rho1, k4), mul(d2, rho2, k6), k4), mul(d3, rho3, k6), k4), k3)
+    div(add(sub(mul(rho1, fi, k4), sub(mul(d2, rho3, k6), mul(d3, rho2, k8), k6), k4), mul(d1, hvr, k6), k4), n2, o4)
+    div(add(sub(mul(rho2, fi, k4), sub(mul(d3, rho1, k6), mul(d1, rho3, k8), k6), k4), mul(d2, hvr, k6), k4), n2, o5)
+    div(add(sub(mul(rho3, fi, k1), sub(mul(d1, rho2, k2), mul(d2, rho1, k4), k2), k1), mul(d3, hvr, k2), k1), n2, o6)
+
+
 CHART = Chart(
     __name__,
     branches=1,
@@ -3287,6 +4197,50 @@ CHART = Chart(
         lent=(),
         real=True,
     ),
+        "retract": Kernel(
+        _own_retract,
+        _own_retract_blocks,
+        (("v", (6,)), ("delta", (6,)),),
+        (6,),
+        registers=17,
+        masks=2,
+        numbers=(0, 1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        lent=(),
+        real=True,
+    ),
+        "body_retract": Kernel(
+        _own_body_retract,
+        _own_body_retract_blocks,
+        (("v", (6,)), ("delta", (6,)),),
+        (6,),
+        registers=17,
+        masks=2,
+        numbers=(0, 1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        lent=(),
+        real=True,
+    ),
+        "local": Kernel(
+        _own_local,
+        _own_local_blocks,
+        (("v2", (6,)), ("v1", (6,)),),
+        (6,),
+        registers=17,
+        masks=2,
+        numbers=(-1, 0, 1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        lent=(),
+        real=True,
+    ),
+        "body_local": Kernel(
+        _own_body_local,
+        _own_body_local_blocks,
+        (("v2", (6,)), ("v1", (6,)),),
+        (6,),
+        registers=23,
+        masks=2,
+        numbers=(-1, 0, 1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        lent=(),
+        real=True,
+    ),
     },
 )
 
@@ -3297,9 +4251,11 @@ between = KERNELS.between
 between_jacobians = KERNELS.between_jacobians
 body_cotangent = KERNELS.body_cotangent
 body_cotangent_jacobian = KERNELS.body_cotangent_jacobian
+body_local = KERNELS.body_local
 body_rate = KERNELS.body_rate
 body_rate_dot = KERNELS.body_rate_dot
 body_rate_jacobian = KERNELS.body_rate_jacobian
+body_retract = KERNELS.body_retract
 body_tangent = KERNELS.body_tangent
 body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
@@ -3316,6 +4272,7 @@ from_screw = KERNELS.from_screw
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
 inverse = KERNELS.inverse
+local = KERNELS.local
 pose = KERNELS.pose
 principal = KERNELS.principal
 quaternion = KERNELS.quaternion
@@ -3323,6 +4280,7 @@ random = KERNELS.random
 rate = KERNELS.rate
 rate_dot = KERNELS.rate_dot
 rate_jacobian = KERNELS.rate_jacobian
+retract = KERNELS.retract
 shadow = KERNELS.shadow
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent

@@ -61,6 +61,10 @@
 #   between: 215: 71 +, 111 *, 23 /, 7 neg, 1 lt, 2 where
 #   compose_jacobians: 940: 371 +, 480 *, 76 /, 10 neg, 1 lt, 2 where
 #   between_jacobians: 964: 371 +, 480 *, 76 /, 34 neg, 1 lt, 2 where
+#   retract: 296: 94 +, 141 *, 37 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+#   body_retract: 296: 94 +, 141 *, 37 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+#   local: 298: 92 +, 142 *, 39 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+#   body_local: 298: 92 +, 142 *, 39 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   adjoint: 96: 35 +, 55 *, 6 /
 #   transform_point_jacobians: 215: 91 +, 110 *, 10 /, 4 neg
 #   transform_line_jacobians: 314: 124 +, 173 *, 10 /, 7 neg
@@ -92,13 +96,13 @@ from ._interface import PoseKernels
 from ._kernel import Components, Kernel, Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "adjoint", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_rate",
-    "body_rate_dot", "body_rate_jacobian", "body_tangent", "body_tangent_dot", "body_tangent_inv", "body_twist",
-    "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians", "cotangent", "cotangent_jacobian",
-    "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity", "inverse", "pose", "principal",
-    "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "shadow", "singular_angles", "tangent", "tangent_dot",
-    "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
-    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
+    "adjoint", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local", "body_rate",
+    "body_rate_dot", "body_rate_jacobian", "body_retract", "body_tangent", "body_tangent_dot", "body_tangent_inv",
+    "body_twist", "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians", "cotangent",
+    "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity", "inverse", "local",
+    "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "retract", "shadow",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
+    "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 2
@@ -3358,6 +3362,1038 @@ def _own_between_jacobians_blocks(
     copy(o51, o72)
 
 
+# operations 296: 94 +, 141 *, 37 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+def _own_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    d1, d2, d3, d1o, d2o, d3o = delta
+    v11d = d1 * d1
+    v22d = d2 * d2
+    v33d = d3 * d3
+    xd = v11d + v22d + v33d
+    neard = xd < 6
+    zd = m.where(neard, xd, xd - xd) / 4
+    C7d = (
+        (72 - zd * ((3603600 - zd * (32760 - zd * (210 - zd * ((93024 - zd * (342 - zd * ((212520 - zd * (506 - zd))
+        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
+    )
+    C5d = (1 - 120 * (zd * C7d)) / 120
+    C3d = (1 - 6 * (zd * C5d)) / 6
+    C1d = 1 - zd * C3d
+    CC1d = C1d * C1d
+    C0d = m.sqrt(1 - zd * CC1d)
+    xxd = m.where(neard, 6 + xd, xd)
+    alphad = m.sqrt(xxd)
+    td = m.tan(alphad / 4)
+    ttd = td * td
+    belowd = 1 + ttd
+    sd = m.where(neard, C0d, (1 - ttd) / belowd)
+    wd = m.where(neard, C1d / 2, 2 * td / belowd / alphad)
+    wd1 = d1 * wd
+    wd2 = d2 * wd
+    wd3 = d3 * wd
+    fd = 2 * (sd * wd)
+    wwd = wd * wd
+    gd = 2 * wwd
+    C01d = 1 + C0d
+    C2d = CC1d / C01d
+    hd = m.where(neard, (C3d + C1d * C2d) / 4, (1 - fd) / xxd)
+    gvd1 = d1 * gd
+    gvd2 = d2 * gd
+    gvd3 = d3 * gd
+    yd = d1 * d1o + d2 * d2o + d3 * d3o
+    alongd = hd * yd
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    z = x / 16
+    p = 1 - z
+    N = p * p + 4 * z
+    r = 2 * (N / N / N)
+    f = 2 * p * r
+    f_v = f / 4
+    g = 4 * r
+    g_v = g / 16
+    h_v = g / 64
+    bv1 = v1 / 2
+    bv2 = v2 / 2
+    bv3 = v3 / 2
+    gv1 = v1 * g_v
+    gv2 = v2 * g_v
+    gv3 = v3 * g_v
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    along = h_v * y
+    rhob1 = v1o * f_v + (gv2 * v3o - gv3 * v2o) + v1 * along
+    rhob2 = v2o * f_v + (gv3 * v1o - gv1 * v3o) + v2 * along
+    rhob3 = v3o * f_v + (gv1 * v2o - gv2 * v1o) + v3 * along
+    z0 = sd * p - (wd1 * bv1 + wd2 * bv2 + wd3 * bv3)
+    z1 = bv1 * sd + wd1 * p + (wd2 * bv3 - wd3 * bv2)
+    z2 = bv2 * sd + wd2 * p + (wd3 * bv1 - wd1 * bv3)
+    z3 = bv3 * sd + wd3 * p + (wd1 * bv2 - wd2 * bv1)
+    v_rhob1 = d2 * rhob3 - d3 * rhob2
+    v_rhob2 = d3 * rhob1 - d1 * rhob3
+    v_rhob3 = d1 * rhob2 - d2 * rhob1
+    gv_rhob1 = v_rhob1 * gd
+    gv_rhob2 = v_rhob2 * gd
+    gv_rhob3 = v_rhob3 * gd
+    rho1 = (
+        rhob1 + (v_rhob1 * fd + (d2 * gv_rhob3 - d3 * gv_rhob2)) + (d1o * fd + (gvd2 * d3o - gvd3 * d2o) + d1 * alongd)
+    )
+    rho2 = (
+        rhob2 + (v_rhob2 * fd + (d3 * gv_rhob1 - d1 * gv_rhob3)) + (d2o * fd + (gvd3 * d1o - gvd1 * d3o) + d2 * alongd)
+    )
+    rho3 = (
+        rhob3 + (v_rhob3 * fd + (d1 * gv_rhob2 - d2 * gv_rhob1)) + (d3o * fd + (gvd1 * d2o - gvd2 * d1o) + d3 * alongd)
+    )
+    ss = z1 * z1 + z2 * z2 + z3 * z3
+    still = ss == 0
+    resting = x == 0
+    length = m.sqrt(m.where(still, 1 + ss, ss))
+    r_ = m.sqrt(m.where(resting, 1 + x, x))
+    own = 4 * m.atan2(r_ / 4, 1)
+    own_ = m.where(resting, 0, own / r_) * (v1 * z1 + v2 * z2 + v3 * z3) / length
+    angle = own_ + 2 * m.atan2(m.tan((2 * m.atan2(m.where(still, ss, length), z0) - own_) / 2), 1)
+    rn = m.tan(angle / 4)
+    slopen = (1 + rn * rn) / 4
+    vn = 4 * rn
+    v_slopen = 4 * slopen
+    z0s = m.where(still, z0, length)
+    factor = m.where(still, 2 * v_slopen / z0s, vn / length)
+    v_1 = z1 * factor
+    v_2 = z2 * factor
+    v_3 = z3 * factor
+    fi = factor * z0
+    hvr = (v_1 * rho1 + v_2 * rho2 + v_3 * rho3) / 4
+    return (
+        v_1,
+        v_2,
+        v_3,
+        (rho1 * fi - (v_2 * rho3 - v_3 * rho2) + v_1 * hvr) / 2,
+        (rho2 * fi - (v_3 * rho1 - v_1 * rho3) + v_2 * hvr) / 2,
+        (rho3 * fi - (v_1 * rho2 - v_2 * rho1) + v_3 * hvr) / 2,
+    )
+
+
+def _own_retract_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, delta: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    d1, d2, d3, d1o, d2o, d3o = delta
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20 = scratch
+    mask1, mask2 = masks
+    n0, n1, n2, n4, n6, n16, n64, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    v11d = mul(d1, d1, k1)
+    v22d = mul(d2, d2, k2)
+    v33d = mul(d3, d3, k3)
+    xd = add(add(v11d, v22d, k1), v33d, k1)
+    neard = m.less(xd, n6, mask1)
+    zd = div(m.where(neard, xd, sub(xd, xd, k2), k3), n4, k2)
+    xxd = m.where(neard, add(n6, xd, k3), xd, k3)
+    C7d = div(
+        div(sub(n72, mul(zd, div(sub(n3603600, mul(zd, sub(n32760, mul(zd, sub(n210, mul(zd, div(sub(n93024, mul(zd,
+        sub(n342, mul(zd, div(sub(n212520, mul(zd, sub(n506, zd, k1), k1), k1), n212520, k1), k1), k1), k1), k1),
+        n93024, k1), k1), k1), k1), k1), k1), k1), n3603600, k1), k1), k1), n72, k1), n5040, k1
+    )
+    C5d = div(sub(n1, mul(n120, mul(zd, C7d, k1), k1), k1), n120, k1)
+    C3d = div(sub(n1, mul(n6, mul(zd, C5d, k1), k1), k1), n6, k1)
+    C1d = sub(n1, mul(zd, C3d, k4), k4)
+    CC1d = mul(C1d, C1d, k5)
+    C0d = sqrt(sub(n1, mul(zd, CC1d, k2), k2), k2)
+    alphad = sqrt(xxd, k6)
+    td = tan(div(alphad, n4, k7), k7)
+    ttd = mul(td, td, k8)
+    belowd = add(n1, ttd, k9)
+    wd = m.where(neard, div(C1d, n2, k10), div(div(mul(n2, td, k7), belowd, k7), alphad, k6), k7)
+    sd = m.where(neard, C0d, div(sub(n1, ttd, k6), belowd, k6), k8)
+    C01d = add(n1, C0d, k2)
+    C2d = div(CC1d, C01d, k2)
+    wd1 = mul(d1, wd, k5)
+    wd2 = mul(d2, wd, k6)
+    wd3 = mul(d3, wd, k9)
+    v11 = mul(v1, v1, k10)
+    v22 = mul(v2, v2, k11)
+    v33 = mul(v3, v3, k12)
+    x = add(add(v11, v22, k10), v33, k10)
+    z = div(x, n16, k11)
+    p = sub(n1, z, k12)
+    N = add(mul(p, p, k13), mul(n4, z, k11), k11)
+    r = mul(n2, div(div(N, N, k13), N, k11), k11)
+    bv1 = div(v1, n2, k13)
+    bv3 = div(v3, n2, k14)
+    bv2 = div(v2, n2, k15)
+    z1 = add(add(mul(bv1, sd, k16), mul(wd1, p, k17), k16), sub(mul(wd2, bv3, k17), mul(wd3, bv2, k18), k17), k16)
+    z2 = add(add(mul(bv2, sd, k17), mul(wd2, p, k18), k17), sub(mul(wd3, bv1, k18), mul(wd1, bv3, k19), k18), k17)
+    z3 = add(add(mul(bv3, sd, k18), mul(wd3, p, k19), k18), sub(mul(wd1, bv2, k19), mul(wd2, bv1, k20), k19), k18)
+    z0 = sub(mul(sd, p, k19), add(add(mul(wd1, bv1, k5), mul(wd2, bv2, k6), k5), mul(wd3, bv3, k6), k5), k5)
+    fd = mul(n2, mul(sd, wd, k6), k6)
+    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k2), k1), n4, k1), div(sub(n1, fd, k2), xxd, k2), k1)
+    wwd = mul(wd, wd, k2)
+    gd = mul(n2, wwd, k2)
+    f = mul(mul(n2, p, k3), r, k3)
+    f_v = div(f, n4, k3)
+    g = mul(n4, r, k4)
+    ss = add(add(mul(z1, z1, k7), mul(z2, z2, k8), k7), mul(z3, z3, k8), k7)
+    still = m.equal(ss, n0, mask1)
+    length = sqrt(m.where(still, add(n1, ss, k8), ss, k8), k8)
+    resting = m.equal(x, n0, mask2)
+    r_ = sqrt(m.where(resting, add(n1, x, k9), x, k9), k9)
+    own = mul(n4, atan2(div(r_, n4, k10), n1, k10), k10)
+    own_ = div(
+        mul(m.where(resting, n0, div(own, r_, k9), k10), add(add(mul(v1, z1, k9), mul(v2, z2, k11), k9), mul(v3, z3,
+        k11), k9), k9), length, k9
+    )
+    angle = add(
+        own_, mul(n2, atan2(tan(div(sub(mul(n2, atan2(m.where(still, ss, length, k7), z0, k7), k7), own_, k7), n2, k7),
+        k7), n1, k7), k7), k7
+    )
+    rn = tan(div(angle, n4, k7), k7)
+    slopen = div(add(n1, mul(rn, rn, k9), k9), n4, k9)
+    v_slopen = mul(n4, slopen, k9)
+    vn = mul(n4, rn, k7)
+    z0s = m.where(still, z0, length, k10)
+    factor = m.where(still, div(mul(n2, v_slopen, k9), z0s, k9), div(vn, length, k7), k8)
+    v_1 = mul(z1, factor, o1)
+    v_2 = mul(z2, factor, o2)
+    v_3 = mul(z3, factor, o3)
+    fi = mul(factor, z0, k5)
+    yd = add(add(mul(d1, d1o, k7), mul(d2, d2o, k8), k7), mul(d3, d3o, k8), k7)
+    alongd = mul(hd, yd, k1)
+    g_v = div(g, n16, k7)
+    h_v = div(g, n64, k4)
+    gv3 = mul(v3, g_v, k8)
+    gv1 = mul(v1, g_v, k9)
+    gv2 = mul(v2, g_v, k7)
+    y = add(add(mul(v1, v1o, k10), mul(v2, v2o, k11), k10), mul(v3, v3o, k11), k10)
+    along = mul(h_v, y, k4)
+    rhob2 = add(
+        add(mul(v2o, f_v, k10), sub(mul(gv3, v1o, k11), mul(gv1, v3o, k12), k11), k10), mul(v2, along, k11), k10
+    )
+    rhob1 = add(add(mul(v1o, f_v, k11), sub(mul(gv2, v3o, k12), mul(gv3, v2o, k8), k8), k8), mul(v1, along, k11), k8)
+    rhob3 = add(add(mul(v3o, f_v, k3), sub(mul(gv1, v2o, k9), mul(gv2, v1o, k7), k7), k3), mul(v3, along, k4), k3)
+    v_rhob3 = sub(mul(d1, rhob2, k4), mul(d2, rhob1, k7), k4)
+    gv_rhob3 = mul(v_rhob3, gd, k7)
+    v_rhob2 = sub(mul(d3, rhob1, k9), mul(d1, rhob3, k11), k9)
+    gv_rhob2 = mul(v_rhob2, gd, k11)
+    gvd2 = mul(d2, gd, k12)
+    gvd3 = mul(d3, gd, k13)
+    v_rhob1 = sub(mul(d2, rhob3, k14), mul(d3, rhob2, k15), k14)
+    rho1 = add(
+        add(rhob1, add(mul(v_rhob1, fd, k15), sub(mul(d2, gv_rhob3, k16), mul(d3, gv_rhob2, k17), k16), k15), k8),
+        add(add(mul(d1o, fd, k15), sub(mul(gvd2, d3o, k16), mul(gvd3, d2o, k17), k16), k15), mul(d1, alongd, k16), k15),
+        k8
+    )
+    gv_rhob1 = mul(v_rhob1, gd, k14)
+    gvd1 = mul(d1, gd, k2)
+    rho2 = add(
+        add(rhob2, add(mul(v_rhob2, fd, k9), sub(mul(d3, gv_rhob1, k15), mul(d1, gv_rhob3, k7), k7), k7), k7),
+        add(add(mul(d2o, fd, k9), sub(mul(gvd3, d1o, k10), mul(gvd1, d3o, k13), k10), k9), mul(d2, alongd, k10), k9), k7
+    )
+    rho3 = add(
+        add(rhob3, add(mul(v_rhob3, fd, k4), sub(mul(d1, gv_rhob2, k9), mul(d2, gv_rhob1, k10), k9), k4), k3),
+        add(add(mul(d3o, fd, k4), sub(mul(gvd1, d2o, k2), mul(gvd2, d1o, k6), k2), k2), mul(d3, alongd, k1), k1), k1
+    )
+    hvr = div(add(add(mul(v_1, rho1, k2), mul(v_2, rho2, k3), k2), mul(v_3, rho3, k3), k2), n4, k2)
+    div(add(sub(mul(rho1, fi, k3), sub(mul(v_2, rho3, k4), mul(v_3, rho2, k6), k4), k3), mul(v_1, hvr, k4), k3), n2, o4)
+    div(add(sub(mul(rho2, fi, k3), sub(mul(v_3, rho1, k4), mul(v_1, rho3, k6), k4), k3), mul(v_2, hvr, k4), k3), n2, o5)
+    div(add(sub(mul(rho3, fi, k1), sub(mul(v_1, rho2, k3), mul(v_2, rho1, k4), k3), k1), mul(v_3, hvr, k2), k1), n2, o6)
+
+
+# operations 296: 94 +, 141 *, 37 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+def _own_body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    d1, d2, d3, d1o, d2o, d3o = delta
+    v11d = d1 * d1
+    v22d = d2 * d2
+    v33d = d3 * d3
+    xd = v11d + v22d + v33d
+    neard = xd < 6
+    zd = m.where(neard, xd, xd - xd) / 4
+    C7d = (
+        (72 - zd * ((3603600 - zd * (32760 - zd * (210 - zd * ((93024 - zd * (342 - zd * ((212520 - zd * (506 - zd))
+        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
+    )
+    C5d = (1 - 120 * (zd * C7d)) / 120
+    C3d = (1 - 6 * (zd * C5d)) / 6
+    C1d = 1 - zd * C3d
+    CC1d = C1d * C1d
+    C0d = m.sqrt(1 - zd * CC1d)
+    xxd = m.where(neard, 6 + xd, xd)
+    alphad = m.sqrt(xxd)
+    td = m.tan(alphad / 4)
+    ttd = td * td
+    belowd = 1 + ttd
+    sd = m.where(neard, C0d, (1 - ttd) / belowd)
+    wd = m.where(neard, C1d / 2, 2 * td / belowd / alphad)
+    wd1 = d1 * wd
+    wd2 = d2 * wd
+    wd3 = d3 * wd
+    fd = 2 * (sd * wd)
+    wwd = wd * wd
+    gd = 2 * wwd
+    C01d = 1 + C0d
+    C2d = CC1d / C01d
+    hd = m.where(neard, (C3d + C1d * C2d) / 4, (1 - fd) / xxd)
+    gvd1 = d1 * gd
+    gvd2 = d2 * gd
+    gvd3 = d3 * gd
+    yd = d1 * d1o + d2 * d2o + d3 * d3o
+    alongd = hd * yd
+    rhob1 = d1o * fd + (gvd2 * d3o - gvd3 * d2o) + d1 * alongd
+    rhob2 = d2o * fd + (gvd3 * d1o - gvd1 * d3o) + d2 * alongd
+    rhob3 = d3o * fd + (gvd1 * d2o - gvd2 * d1o) + d3 * alongd
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    z = x / 16
+    p = 1 - z
+    N = p * p + 4 * z
+    r = 2 * (N / N / N)
+    f = 2 * p * r
+    f_v = f / 4
+    g = 4 * r
+    g_v = g / 16
+    h_v = g / 64
+    bv1 = v1 / 2
+    bv2 = v2 / 2
+    bv3 = v3 / 2
+    gv1 = v1 * g_v
+    gv2 = v2 * g_v
+    gv3 = v3 * g_v
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    along = h_v * y
+    z0 = p * sd - (bv1 * wd1 + bv2 * wd2 + bv3 * wd3)
+    z1 = wd1 * p + bv1 * sd + (bv2 * wd3 - bv3 * wd2)
+    z2 = wd2 * p + bv2 * sd + (bv3 * wd1 - bv1 * wd3)
+    z3 = wd3 * p + bv3 * sd + (bv1 * wd2 - bv2 * wd1)
+    v_rhob1 = v2 * rhob3 - v3 * rhob2
+    v_rhob2 = v3 * rhob1 - v1 * rhob3
+    v_rhob3 = v1 * rhob2 - v2 * rhob1
+    gv_rhob1 = v_rhob1 * g_v
+    gv_rhob2 = v_rhob2 * g_v
+    gv_rhob3 = v_rhob3 * g_v
+    rho1 = (
+        rhob1 + (v_rhob1 * f_v + (v2 * gv_rhob3 - v3 * gv_rhob2)) + (v1o * f_v + (gv2 * v3o - gv3 * v2o) + v1 * along)
+    )
+    rho2 = (
+        rhob2 + (v_rhob2 * f_v + (v3 * gv_rhob1 - v1 * gv_rhob3)) + (v2o * f_v + (gv3 * v1o - gv1 * v3o) + v2 * along)
+    )
+    rho3 = (
+        rhob3 + (v_rhob3 * f_v + (v1 * gv_rhob2 - v2 * gv_rhob1)) + (v3o * f_v + (gv1 * v2o - gv2 * v1o) + v3 * along)
+    )
+    ss = z1 * z1 + z2 * z2 + z3 * z3
+    still = ss == 0
+    resting = x == 0
+    length = m.sqrt(m.where(still, 1 + ss, ss))
+    r_ = m.sqrt(m.where(resting, 1 + x, x))
+    own = 4 * m.atan2(r_ / 4, 1)
+    own_ = m.where(resting, 0, own / r_) * (v1 * z1 + v2 * z2 + v3 * z3) / length
+    angle = own_ + 2 * m.atan2(m.tan((2 * m.atan2(m.where(still, ss, length), z0) - own_) / 2), 1)
+    rn = m.tan(angle / 4)
+    slopen = (1 + rn * rn) / 4
+    vn = 4 * rn
+    v_slopen = 4 * slopen
+    z0s = m.where(still, z0, length)
+    factor = m.where(still, 2 * v_slopen / z0s, vn / length)
+    v_1 = z1 * factor
+    v_2 = z2 * factor
+    v_3 = z3 * factor
+    fi = factor * z0
+    hvr = (v_1 * rho1 + v_2 * rho2 + v_3 * rho3) / 4
+    return (
+        v_1,
+        v_2,
+        v_3,
+        (rho1 * fi - (v_2 * rho3 - v_3 * rho2) + v_1 * hvr) / 2,
+        (rho2 * fi - (v_3 * rho1 - v_1 * rho3) + v_2 * hvr) / 2,
+        (rho3 * fi - (v_1 * rho2 - v_2 * rho1) + v_3 * hvr) / 2,
+    )
+
+
+def _own_body_retract_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, delta: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    d1, d2, d3, d1o, d2o, d3o = delta
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20 = scratch
+    mask1, mask2 = masks
+    n0, n1, n2, n4, n6, n16, n64, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    v11d = mul(d1, d1, k1)
+    v22d = mul(d2, d2, k2)
+    v33d = mul(d3, d3, k3)
+    xd = add(add(v11d, v22d, k1), v33d, k1)
+    neard = m.less(xd, n6, mask1)
+    zd = div(m.where(neard, xd, sub(xd, xd, k2), k3), n4, k2)
+    xxd = m.where(neard, add(n6, xd, k3), xd, k3)
+    C7d = div(
+        div(sub(n72, mul(zd, div(sub(n3603600, mul(zd, sub(n32760, mul(zd, sub(n210, mul(zd, div(sub(n93024, mul(zd,
+        sub(n342, mul(zd, div(sub(n212520, mul(zd, sub(n506, zd, k1), k1), k1), n212520, k1), k1), k1), k1), k1),
+        n93024, k1), k1), k1), k1), k1), k1), k1), n3603600, k1), k1), k1), n72, k1), n5040, k1
+    )
+    C5d = div(sub(n1, mul(n120, mul(zd, C7d, k1), k1), k1), n120, k1)
+    C3d = div(sub(n1, mul(n6, mul(zd, C5d, k1), k1), k1), n6, k1)
+    C1d = sub(n1, mul(zd, C3d, k4), k4)
+    CC1d = mul(C1d, C1d, k5)
+    C0d = sqrt(sub(n1, mul(zd, CC1d, k2), k2), k2)
+    alphad = sqrt(xxd, k6)
+    td = tan(div(alphad, n4, k7), k7)
+    ttd = mul(td, td, k8)
+    belowd = add(n1, ttd, k9)
+    wd = m.where(neard, div(C1d, n2, k10), div(div(mul(n2, td, k7), belowd, k7), alphad, k6), k7)
+    sd = m.where(neard, C0d, div(sub(n1, ttd, k6), belowd, k6), k8)
+    C01d = add(n1, C0d, k2)
+    C2d = div(CC1d, C01d, k2)
+    wd1 = mul(d1, wd, k5)
+    wd3 = mul(d3, wd, k6)
+    wd2 = mul(d2, wd, k9)
+    v11 = mul(v1, v1, k10)
+    v22 = mul(v2, v2, k11)
+    v33 = mul(v3, v3, k12)
+    x = add(add(v11, v22, k10), v33, k10)
+    z = div(x, n16, k11)
+    p = sub(n1, z, k12)
+    N = add(mul(p, p, k13), mul(n4, z, k11), k11)
+    r = mul(n2, div(div(N, N, k13), N, k11), k11)
+    bv1 = div(v1, n2, k13)
+    bv2 = div(v2, n2, k14)
+    bv3 = div(v3, n2, k15)
+    z1 = add(add(mul(wd1, p, k16), mul(bv1, sd, k17), k16), sub(mul(bv2, wd3, k17), mul(bv3, wd2, k18), k17), k16)
+    z2 = add(add(mul(wd2, p, k17), mul(bv2, sd, k18), k17), sub(mul(bv3, wd1, k18), mul(bv1, wd3, k19), k18), k17)
+    z3 = add(add(mul(wd3, p, k18), mul(bv3, sd, k19), k18), sub(mul(bv1, wd2, k19), mul(bv2, wd1, k20), k19), k18)
+    z0 = sub(mul(p, sd, k19), add(add(mul(bv1, wd1, k5), mul(bv2, wd2, k9), k5), mul(bv3, wd3, k6), k5), k5)
+    fd = mul(n2, mul(sd, wd, k6), k6)
+    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k2), k1), n4, k1), div(sub(n1, fd, k2), xxd, k2), k1)
+    wwd = mul(wd, wd, k2)
+    gd = mul(n2, wwd, k2)
+    f = mul(mul(n2, p, k3), r, k3)
+    g = mul(n4, r, k4)
+    f_v = div(f, n4, k3)
+    ss = add(add(mul(z1, z1, k7), mul(z2, z2, k8), k7), mul(z3, z3, k8), k7)
+    still = m.equal(ss, n0, mask1)
+    length = sqrt(m.where(still, add(n1, ss, k8), ss, k8), k8)
+    resting = m.equal(x, n0, mask2)
+    r_ = sqrt(m.where(resting, add(n1, x, k9), x, k9), k9)
+    own = mul(n4, atan2(div(r_, n4, k10), n1, k10), k10)
+    own_ = div(
+        mul(m.where(resting, n0, div(own, r_, k9), k10), add(add(mul(v1, z1, k9), mul(v2, z2, k11), k9), mul(v3, z3,
+        k11), k9), k9), length, k9
+    )
+    angle = add(
+        own_, mul(n2, atan2(tan(div(sub(mul(n2, atan2(m.where(still, ss, length, k7), z0, k7), k7), own_, k7), n2, k7),
+        k7), n1, k7), k7), k7
+    )
+    rn = tan(div(angle, n4, k7), k7)
+    slopen = div(add(n1, mul(rn, rn, k9), k9), n4, k9)
+    v_slopen = mul(n4, slopen, k9)
+    vn = mul(n4, rn, k7)
+    z0s = m.where(still, z0, length, k10)
+    factor = m.where(still, div(mul(n2, v_slopen, k9), z0s, k9), div(vn, length, k7), k8)
+    v_1 = mul(z1, factor, o1)
+    v_2 = mul(z2, factor, o2)
+    v_3 = mul(z3, factor, o3)
+    fi = mul(factor, z0, k5)
+    yd = add(add(mul(d1, d1o, k7), mul(d2, d2o, k8), k7), mul(d3, d3o, k8), k7)
+    alongd = mul(hd, yd, k1)
+    gvd1 = mul(d1, gd, k7)
+    gvd2 = mul(d2, gd, k8)
+    gvd3 = mul(d3, gd, k2)
+    rhob3 = add(add(mul(d3o, fd, k9), sub(mul(gvd1, d2o, k10), mul(gvd2, d1o, k11), k10), k9), mul(d3, alongd, k10), k9)
+    rhob2 = add(add(mul(d2o, fd, k10), sub(mul(gvd3, d1o, k11), mul(gvd1, d3o, k7), k7), k7), mul(d2, alongd, k10), k7)
+    rhob1 = add(add(mul(d1o, fd, k6), sub(mul(gvd2, d3o, k8), mul(gvd3, d2o, k2), k2), k2), mul(d1, alongd, k1), k1)
+    v_rhob1 = sub(mul(v2, rhob3, k2), mul(v3, rhob2, k6), k2)
+    v_rhob3 = sub(mul(v1, rhob2, k6), mul(v2, rhob1, k8), k6)
+    g_v = div(g, n16, k8)
+    h_v = div(g, n64, k4)
+    gv_rhob3 = mul(v_rhob3, g_v, k10)
+    v_rhob2 = sub(mul(v3, rhob1, k11), mul(v1, rhob3, k12), k11)
+    gv_rhob2 = mul(v_rhob2, g_v, k12)
+    gv2 = mul(v2, g_v, k13)
+    gv3 = mul(v3, g_v, k14)
+    y = add(add(mul(v1, v1o, k15), mul(v2, v2o, k16), k15), mul(v3, v3o, k16), k15)
+    along = mul(h_v, y, k4)
+    rho1 = add(
+        add(rhob1, add(mul(v_rhob1, f_v, k15), sub(mul(v2, gv_rhob3, k16), mul(v3, gv_rhob2, k17), k16), k15), k1),
+        add(add(mul(v1o, f_v, k15), sub(mul(gv2, v3o, k16), mul(gv3, v2o, k17), k16), k15), mul(v1, along, k16), k15),
+        k1
+    )
+    gv_rhob1 = mul(v_rhob1, g_v, k2)
+    gv1 = mul(v1, g_v, k8)
+    rho2 = add(
+        add(rhob2, add(mul(v_rhob2, f_v, k11), sub(mul(v3, gv_rhob1, k15), mul(v1, gv_rhob3, k10), k10), k10), k7),
+        add(add(mul(v2o, f_v, k10), sub(mul(gv3, v1o, k11), mul(gv1, v3o, k14), k11), k10), mul(v2, along, k11), k10),
+        k7
+    )
+    rho3 = add(
+        add(rhob3, add(mul(v_rhob3, f_v, k6), sub(mul(v1, gv_rhob2, k10), mul(v2, gv_rhob1, k2), k2), k2), k2),
+        add(add(mul(v3o, f_v, k3), sub(mul(gv1, v2o, k6), mul(gv2, v1o, k8), k6), k3), mul(v3, along, k4), k3), k2
+    )
+    hvr = div(add(add(mul(v_1, rho1, k3), mul(v_2, rho2, k4), k3), mul(v_3, rho3, k4), k3), n4, k3)
+    div(add(sub(mul(rho1, fi, k4), sub(mul(v_2, rho3, k6), mul(v_3, rho2, k8), k6), k4), mul(v_1, hvr, k6), k4), n2, o4)
+    div(add(sub(mul(rho2, fi, k4), sub(mul(v_3, rho1, k6), mul(v_1, rho3, k8), k6), k4), mul(v_2, hvr, k6), k4), n2, o5)
+    div(add(sub(mul(rho3, fi, k2), sub(mul(v_1, rho2, k4), mul(v_2, rho1, k1), k1), k1), mul(v_3, hvr, k2), k1), n2, o6)
+
+
+# operations 298: 92 +, 142 *, 39 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+def _own_local(m: Any, c: Any, b: Components, a: Components) -> Result:
+    b1, b2, b3, b1o, b2o, b3o = b
+    a1, a2, a3, a1o, a2o, a3o = a
+    minus_a1 = -a1
+    minus_a2 = -a2
+    minus_a3 = -a3
+    minus_a4 = -a1o
+    minus_a5 = -a2o
+    minus_a6 = -a3o
+    v11b = b1 * b1
+    v22b = b2 * b2
+    v33b = b3 * b3
+    xb = v11b + v22b + v33b
+    zb = xb / 16
+    pb = 1 - zb
+    Nb = pb * pb + 4 * zb
+    rb = 2 * (Nb / Nb / Nb)
+    fb = 2 * pb * rb
+    f_vb = fb / 4
+    gb = 4 * rb
+    g_vb = gb / 16
+    h_vb = gb / 64
+    bvb1 = b1 / 2
+    bvb2 = b2 / 2
+    bvb3 = b3 / 2
+    v11a = minus_a1 * minus_a1
+    v22a = minus_a2 * minus_a2
+    v33a = minus_a3 * minus_a3
+    xa = v11a + v22a + v33a
+    za = xa / 16
+    pa = 1 - za
+    Na = pa * pa + 4 * za
+    ra = 2 * (Na / Na / Na)
+    fa = 2 * pa * ra
+    f_va = fa / 4
+    ga = 4 * ra
+    g_va = ga / 16
+    h_va = ga / 64
+    bva1 = minus_a1 / 2
+    bva2 = minus_a2 / 2
+    bva3 = minus_a3 / 2
+    z0 = pb * pa - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
+    z1 = bva1 * pb + bvb1 * pa + (bvb2 * bva3 - bvb3 * bva2)
+    z2 = bva2 * pb + bvb2 * pa + (bvb3 * bva1 - bvb1 * bva3)
+    z3 = bva3 * pb + bvb3 * pa + (bvb1 * bva2 - bvb2 * bva1)
+    gva1 = minus_a1 * g_va
+    gva2 = minus_a2 * g_va
+    gva3 = minus_a3 * g_va
+    ya = minus_a1 * minus_a4 + minus_a2 * minus_a5 + minus_a3 * minus_a6
+    alonga = h_va * ya
+    rhoa1 = minus_a4 * f_va + (gva2 * minus_a6 - gva3 * minus_a5) + minus_a1 * alonga
+    rhoa2 = minus_a5 * f_va + (gva3 * minus_a4 - gva1 * minus_a6) + minus_a2 * alonga
+    rhoa3 = minus_a6 * f_va + (gva1 * minus_a5 - gva2 * minus_a4) + minus_a3 * alonga
+    v_rho1 = b2 * rhoa3 - b3 * rhoa2
+    v_rho2 = b3 * rhoa1 - b1 * rhoa3
+    v_rho3 = b1 * rhoa2 - b2 * rhoa1
+    gv_rho1 = v_rho1 * g_vb
+    gv_rho2 = v_rho2 * g_vb
+    gv_rho3 = v_rho3 * g_vb
+    gvb1 = b1 * g_vb
+    gvb2 = b2 * g_vb
+    gvb3 = b3 * g_vb
+    yb = b1 * b1o + b2 * b2o + b3 * b3o
+    alongb = h_vb * yb
+    rho1 = (
+        rhoa1 + (v_rho1 * f_vb + (b2 * gv_rho3 - b3 * gv_rho2)) + (b1o * f_vb + (gvb2 * b3o - gvb3 * b2o) + b1 * alongb)
+    )
+    rho2 = (
+        rhoa2 + (v_rho2 * f_vb + (b3 * gv_rho1 - b1 * gv_rho3)) + (b2o * f_vb + (gvb3 * b1o - gvb1 * b3o) + b2 * alongb)
+    )
+    rho3 = (
+        rhoa3 + (v_rho3 * f_vb + (b1 * gv_rho2 - b2 * gv_rho1)) + (b3o * f_vb + (gvb1 * b2o - gvb2 * b1o) + b3 * alongb)
+    )
+    negativee = z0 < 0
+    cose = m.where(negativee, -z0, z0)
+    sse = z1 * z1 + z2 * z2 + z3 * z3
+    stille = sse == 0
+    sine = m.sqrt(m.where(stille, cose, sse))
+    anglee = 2 * m.atan2(sine, cose)
+    gaine = m.where(negativee, -1, 1) * (m.where(stille, 2 * cose, anglee) / m.where(stille, cose * cose, sine))
+    d1 = z1 * gaine
+    d2 = z2 * gaine
+    d3 = z3 * gaine
+    v11e = d1 * d1
+    v22e = d2 * d2
+    v33e = d3 * d3
+    xe = v11e + v22e + v33e
+    neare = xe < 6
+    ze = m.where(neare, xe, xe - xe) / 4
+    C7e = (
+        (72 - ze * ((3603600 - ze * (32760 - ze * (210 - ze * ((93024 - ze * (342 - ze * ((212520 - ze * (506 - ze))
+        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
+    )
+    C5e = (1 - 120 * (ze * C7e)) / 120
+    C3e = (1 - 6 * (ze * C5e)) / 6
+    C1e = 1 - ze * C3e
+    xxe = m.where(neare, 6 + xe, xe)
+    alphae = m.sqrt(xxe)
+    te = m.tan(alphae / 4)
+    tte = te * te
+    belowe = 1 + tte
+    we = m.where(neare, C1e / 2, 2 * te / belowe / alphae)
+    wwe = we * we
+    ge = 2 * wwe
+    CC1e = C1e * C1e
+    C0e = m.sqrt(1 - ze * CC1e)
+    se = m.where(neare, C0e, (1 - tte) / belowe)
+    fie = se / we
+    C01e = 1 + C0e
+    C2e = CC1e / C01e
+    fe = 2 * (se * we)
+    he = m.where(neare, (C3e + C1e * C2e) / 4, (1 - fe) / xxe)
+    hie = ge - fie * he
+    fi = gaine * z0
+    hvr = hie * (d1 * rho1 + d2 * rho2 + d3 * rho3)
+    return (
+        d1,
+        d2,
+        d3,
+        (rho1 * fi - (d2 * rho3 - d3 * rho2) + d1 * hvr) / 2,
+        (rho2 * fi - (d3 * rho1 - d1 * rho3) + d2 * hvr) / 2,
+        (rho3 * fi - (d1 * rho2 - d2 * rho1) + d3 * hvr) / 2,
+    )
+
+
+def _own_local_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, b: Rows, a: Rows
+) -> None:
+    b1, b2, b3, b1o, b2o, b3o = b
+    a1, a2, a3, a1o, a2o, a3o = a
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18 = scratch
+    mask1, mask2 = masks
+    (
+        n_minus_1, n0, n1, n2, n4, n6, n16, n64, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600,
+    ) = numbers
+    minus_a1 = neg(a1, k1)
+    v11a = mul(minus_a1, minus_a1, k2)
+    minus_a2 = neg(a2, k3)
+    v22a = mul(minus_a2, minus_a2, k4)
+    minus_a3 = neg(a3, k5)
+    v33a = mul(minus_a3, minus_a3, k6)
+    xa = add(add(v11a, v22a, k2), v33a, k2)
+    za = div(xa, n16, k2)
+    pa = sub(n1, za, k4)
+    Na = add(mul(pa, pa, k6), mul(n4, za, k2), k2)
+    ra = mul(n2, div(div(Na, Na, k6), Na, k2), k2)
+    v11b = mul(b1, b1, k6)
+    v22b = mul(b2, b2, k7)
+    v33b = mul(b3, b3, k8)
+    xb = add(add(v11b, v22b, k6), v33b, k6)
+    zb = div(xb, n16, k6)
+    pb = sub(n1, zb, k7)
+    Nb = add(mul(pb, pb, k8), mul(n4, zb, k6), k6)
+    rb = mul(n2, div(div(Nb, Nb, k8), Nb, k6), k6)
+    bva1 = div(minus_a1, n2, k8)
+    bvb1 = div(b1, n2, k9)
+    bvb2 = div(b2, n2, k10)
+    bva3 = div(minus_a3, n2, k11)
+    bvb3 = div(b3, n2, k12)
+    bva2 = div(minus_a2, n2, k13)
+    z1 = add(
+        add(mul(bva1, pb, k14), mul(bvb1, pa, k15), k14), sub(mul(bvb2, bva3, k15), mul(bvb3, bva2, k16), k15), k14
+    )
+    z2 = add(
+        add(mul(bva2, pb, k15), mul(bvb2, pa, k16), k15), sub(mul(bvb3, bva1, k16), mul(bvb1, bva3, k17), k16), k15
+    )
+    z3 = add(
+        add(mul(bva3, pb, k16), mul(bvb3, pa, k17), k16), sub(mul(bvb1, bva2, k17), mul(bvb2, bva1, k18), k17), k16
+    )
+    z0 = sub(mul(pb, pa, k17), add(add(mul(bvb1, bva1, k8), mul(bvb2, bva2, k9), k8), mul(bvb3, bva3, k9), k8), k8)
+    fa = mul(mul(n2, pa, k4), ra, k4)
+    f_va = div(fa, n4, k4)
+    ga = mul(n4, ra, k2)
+    fb = mul(mul(n2, pb, k7), rb, k7)
+    gb = mul(n4, rb, k6)
+    f_vb = div(fb, n4, k7)
+    sse = add(add(mul(z1, z1, k9), mul(z2, z2, k10), k9), mul(z3, z3, k10), k9)
+    stille = m.equal(sse, n0, mask1)
+    negativee = m.less(z0, n0, mask2)
+    cose = m.where(negativee, neg(z0, k10), z0, k10)
+    sine = sqrt(m.where(stille, cose, sse, k11), k9)
+    anglee = mul(n2, atan2(sine, cose, k11), k11)
+    gaine = mul(
+        m.where(negativee, n_minus_1, n1, k12), div(m.where(stille, mul(n2, cose, k13), anglee, k13), m.where(stille,
+        mul(cose, cose, k10), sine, k10), k9), k9
+    )
+    d1 = mul(z1, gaine, o1)
+    d2 = mul(z2, gaine, o2)
+    d3 = mul(z3, gaine, o3)
+    fi = mul(gaine, z0, k8)
+    v11e = mul(d1, d1, k9)
+    v22e = mul(d2, d2, k10)
+    v33e = mul(d3, d3, k11)
+    xe = add(add(v11e, v22e, k9), v33e, k9)
+    neare = m.less(xe, n6, mask1)
+    ze = div(m.where(neare, xe, sub(xe, xe, k10), k11), n4, k10)
+    xxe = m.where(neare, add(n6, xe, k11), xe, k11)
+    C7e = div(
+        div(sub(n72, mul(ze, div(sub(n3603600, mul(ze, sub(n32760, mul(ze, sub(n210, mul(ze, div(sub(n93024, mul(ze,
+        sub(n342, mul(ze, div(sub(n212520, mul(ze, sub(n506, ze, k9), k9), k9), n212520, k9), k9), k9), k9), k9),
+        n93024, k9), k9), k9), k9), k9), k9), k9), n3603600, k9), k9), k9), n72, k9), n5040, k9
+    )
+    C5e = div(sub(n1, mul(n120, mul(ze, C7e, k9), k9), k9), n120, k9)
+    C3e = div(sub(n1, mul(n6, mul(ze, C5e, k9), k9), k9), n6, k9)
+    C1e = sub(n1, mul(ze, C3e, k12), k12)
+    CC1e = mul(C1e, C1e, k13)
+    C0e = sqrt(sub(n1, mul(ze, CC1e, k10), k10), k10)
+    C01e = add(n1, C0e, k14)
+    C2e = div(CC1e, C01e, k13)
+    alphae = sqrt(xxe, k14)
+    te = tan(div(alphae, n4, k15), k15)
+    tte = mul(te, te, k16)
+    belowe = add(n1, tte, k17)
+    se = m.where(neare, C0e, div(sub(n1, tte, k16), belowe, k16), k10)
+    we = m.where(neare, div(C1e, n2, k16), div(div(mul(n2, te, k15), belowe, k15), alphae, k14), k15)
+    fe = mul(n2, mul(se, we, k14), k14)
+    he = m.where(neare, div(add(C3e, mul(C1e, C2e, k12), k9), n4, k9), div(sub(n1, fe, k12), xxe, k11), k9)
+    fie = div(se, we, k10)
+    wwe = mul(we, we, k11)
+    ge = mul(n2, wwe, k11)
+    hie = sub(ge, mul(fie, he, k9), k9)
+    g_va = div(ga, n16, k10)
+    h_va = div(ga, n64, k2)
+    gva1 = mul(minus_a1, g_va, k11)
+    gva2 = mul(minus_a2, g_va, k12)
+    gva3 = mul(minus_a3, g_va, k10)
+    minus_a4 = neg(a1o, k13)
+    minus_a5 = neg(a2o, k14)
+    minus_a6 = neg(a3o, k15)
+    ya = add(add(mul(minus_a1, minus_a4, k16), mul(minus_a2, minus_a5, k17), k16), mul(minus_a3, minus_a6, k17), k16)
+    alonga = mul(h_va, ya, k2)
+    rhoa3 = add(
+        add(mul(minus_a6, f_va, k16), sub(mul(gva1, minus_a5, k17), mul(gva2, minus_a4, k18), k17), k16), mul(minus_a3,
+        alonga, k5), k5
+    )
+    rhoa2 = add(
+        add(mul(minus_a5, f_va, k16), sub(mul(gva3, minus_a4, k17), mul(gva1, minus_a6, k11), k11), k11), mul(minus_a2,
+        alonga, k3), k3
+    )
+    rhoa1 = add(
+        add(mul(minus_a4, f_va, k4), sub(mul(gva2, minus_a6, k11), mul(gva3, minus_a5, k10), k10), k4), mul(minus_a1,
+        alonga, k1), k1
+    )
+    v_rho1 = sub(mul(b2, rhoa3, k2), mul(b3, rhoa2, k4), k2)
+    v_rho3 = sub(mul(b1, rhoa2, k4), mul(b2, rhoa1, k10), k4)
+    g_vb = div(gb, n16, k10)
+    h_vb = div(gb, n64, k6)
+    gv_rho3 = mul(v_rho3, g_vb, k11)
+    v_rho2 = sub(mul(b3, rhoa1, k12), mul(b1, rhoa3, k13), k12)
+    gv_rho2 = mul(v_rho2, g_vb, k13)
+    gvb2 = mul(b2, g_vb, k14)
+    gvb3 = mul(b3, g_vb, k15)
+    yb = add(add(mul(b1, b1o, k16), mul(b2, b2o, k17), k16), mul(b3, b3o, k17), k16)
+    alongb = mul(h_vb, yb, k6)
+    rho1 = add(
+        add(rhoa1, add(mul(v_rho1, f_vb, k16), sub(mul(b2, gv_rho3, k17), mul(b3, gv_rho2, k18), k17), k16), k1),
+        add(add(mul(b1o, f_vb, k16), sub(mul(gvb2, b3o, k17), mul(gvb3, b2o, k18), k17), k16), mul(b1, alongb, k17),
+        k16), k1
+    )
+    gv_rho1 = mul(v_rho1, g_vb, k2)
+    gvb1 = mul(b1, g_vb, k10)
+    rho2 = add(
+        add(rhoa2, add(mul(v_rho2, f_vb, k12), sub(mul(b3, gv_rho1, k16), mul(b1, gv_rho3, k11), k11), k11), k3),
+        add(add(mul(b2o, f_vb, k11), sub(mul(gvb3, b1o, k12), mul(gvb1, b3o, k15), k12), k11), mul(b2, alongb, k12),
+        k11), k3
+    )
+    rho3 = add(
+        add(rhoa3, add(mul(v_rho3, f_vb, k4), sub(mul(b1, gv_rho2, k11), mul(b2, gv_rho1, k2), k2), k2), k2),
+        add(add(mul(b3o, f_vb, k4), sub(mul(gvb1, b2o, k5), mul(gvb2, b1o, k7), k5), k4), mul(b3, alongb, k5), k4), k2
+    )
+    hvr = mul(hie, add(add(mul(d1, rho1, k4), mul(d2, rho2, k5), k4), mul(d3, rho3, k5), k4), k4)
+    div(add(sub(mul(rho1, fi, k5), sub(mul(d2, rho3, k6), mul(d3, rho2, k7), k6), k5), mul(d1, hvr, k6), k5), n2, o4)
+    div(add(sub(mul(rho2, fi, k5), sub(mul(d3, rho1, k6), mul(d1, rho3, k7), k6), k5), mul(d2, hvr, k6), k5), n2, o5)
+    div(add(sub(mul(rho3, fi, k2), sub(mul(d1, rho2, k3), mul(d2, rho1, k1), k1), k1), mul(d3, hvr, k2), k1), n2, o6)
+
+
+# operations 298: 92 +, 142 *, 39 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+def _own_body_local(m: Any, c: Any, a: Components, b: Components) -> Result:
+    a1, a2, a3, a1o, a2o, a3o = a
+    b1, b2, b3, b1o, b2o, b3o = b
+    minus_b1 = -b1
+    minus_b2 = -b2
+    minus_b3 = -b3
+    minus_b4 = -b1o
+    minus_b5 = -b2o
+    minus_b6 = -b3o
+    v11b = minus_b1 * minus_b1
+    v22b = minus_b2 * minus_b2
+    v33b = minus_b3 * minus_b3
+    xb = v11b + v22b + v33b
+    zb = xb / 16
+    pb = 1 - zb
+    Nb = pb * pb + 4 * zb
+    rb = 2 * (Nb / Nb / Nb)
+    fb = 2 * pb * rb
+    f_vb = fb / 4
+    gb = 4 * rb
+    g_vb = gb / 16
+    h_vb = gb / 64
+    bvb1 = minus_b1 / 2
+    bvb2 = minus_b2 / 2
+    bvb3 = minus_b3 / 2
+    v11a = a1 * a1
+    v22a = a2 * a2
+    v33a = a3 * a3
+    xa = v11a + v22a + v33a
+    za = xa / 16
+    pa = 1 - za
+    Na = pa * pa + 4 * za
+    ra = 2 * (Na / Na / Na)
+    fa = 2 * pa * ra
+    f_va = fa / 4
+    ga = 4 * ra
+    g_va = ga / 16
+    h_va = ga / 64
+    bva1 = a1 / 2
+    bva2 = a2 / 2
+    bva3 = a3 / 2
+    z0 = pb * pa - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
+    z1 = bva1 * pb + bvb1 * pa + (bvb2 * bva3 - bvb3 * bva2)
+    z2 = bva2 * pb + bvb2 * pa + (bvb3 * bva1 - bvb1 * bva3)
+    z3 = bva3 * pb + bvb3 * pa + (bvb1 * bva2 - bvb2 * bva1)
+    gva1 = a1 * g_va
+    gva2 = a2 * g_va
+    gva3 = a3 * g_va
+    ya = a1 * a1o + a2 * a2o + a3 * a3o
+    alonga = h_va * ya
+    rhoa1 = a1o * f_va + (gva2 * a3o - gva3 * a2o) + a1 * alonga
+    rhoa2 = a2o * f_va + (gva3 * a1o - gva1 * a3o) + a2 * alonga
+    rhoa3 = a3o * f_va + (gva1 * a2o - gva2 * a1o) + a3 * alonga
+    v_rho1 = minus_b2 * rhoa3 - minus_b3 * rhoa2
+    v_rho2 = minus_b3 * rhoa1 - minus_b1 * rhoa3
+    v_rho3 = minus_b1 * rhoa2 - minus_b2 * rhoa1
+    gv_rho1 = v_rho1 * g_vb
+    gv_rho2 = v_rho2 * g_vb
+    gv_rho3 = v_rho3 * g_vb
+    gvb1 = minus_b1 * g_vb
+    gvb2 = minus_b2 * g_vb
+    gvb3 = minus_b3 * g_vb
+    yb = minus_b1 * minus_b4 + minus_b2 * minus_b5 + minus_b3 * minus_b6
+    alongb = h_vb * yb
+    rho1 = (
+        rhoa1 + (v_rho1 * f_vb + (minus_b2 * gv_rho3 - minus_b3 * gv_rho2)) + (minus_b4 * f_vb + (gvb2 * minus_b6 - gvb3
+        * minus_b5) + minus_b1 * alongb)
+    )
+    rho2 = (
+        rhoa2 + (v_rho2 * f_vb + (minus_b3 * gv_rho1 - minus_b1 * gv_rho3)) + (minus_b5 * f_vb + (gvb3 * minus_b4 - gvb1
+        * minus_b6) + minus_b2 * alongb)
+    )
+    rho3 = (
+        rhoa3 + (v_rho3 * f_vb + (minus_b1 * gv_rho2 - minus_b2 * gv_rho1)) + (minus_b6 * f_vb + (gvb1 * minus_b5 - gvb2
+        * minus_b4) + minus_b3 * alongb)
+    )
+    negativee = z0 < 0
+    cose = m.where(negativee, -z0, z0)
+    sse = z1 * z1 + z2 * z2 + z3 * z3
+    stille = sse == 0
+    sine = m.sqrt(m.where(stille, cose, sse))
+    anglee = 2 * m.atan2(sine, cose)
+    gaine = m.where(negativee, -1, 1) * (m.where(stille, 2 * cose, anglee) / m.where(stille, cose * cose, sine))
+    d1 = z1 * gaine
+    d2 = z2 * gaine
+    d3 = z3 * gaine
+    v11e = d1 * d1
+    v22e = d2 * d2
+    v33e = d3 * d3
+    xe = v11e + v22e + v33e
+    neare = xe < 6
+    ze = m.where(neare, xe, xe - xe) / 4
+    C7e = (
+        (72 - ze * ((3603600 - ze * (32760 - ze * (210 - ze * ((93024 - ze * (342 - ze * ((212520 - ze * (506 - ze))
+        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
+    )
+    C5e = (1 - 120 * (ze * C7e)) / 120
+    C3e = (1 - 6 * (ze * C5e)) / 6
+    C1e = 1 - ze * C3e
+    xxe = m.where(neare, 6 + xe, xe)
+    alphae = m.sqrt(xxe)
+    te = m.tan(alphae / 4)
+    tte = te * te
+    belowe = 1 + tte
+    we = m.where(neare, C1e / 2, 2 * te / belowe / alphae)
+    wwe = we * we
+    ge = 2 * wwe
+    CC1e = C1e * C1e
+    C0e = m.sqrt(1 - ze * CC1e)
+    se = m.where(neare, C0e, (1 - tte) / belowe)
+    fie = se / we
+    C01e = 1 + C0e
+    C2e = CC1e / C01e
+    fe = 2 * (se * we)
+    he = m.where(neare, (C3e + C1e * C2e) / 4, (1 - fe) / xxe)
+    hie = ge - fie * he
+    fi = gaine * z0
+    hvr = hie * (d1 * rho1 + d2 * rho2 + d3 * rho3)
+    return (
+        d1,
+        d2,
+        d3,
+        (rho1 * fi - (d2 * rho3 - d3 * rho2) + d1 * hvr) / 2,
+        (rho2 * fi - (d3 * rho1 - d1 * rho3) + d2 * hvr) / 2,
+        (rho3 * fi - (d1 * rho2 - d2 * rho1) + d3 * hvr) / 2,
+    )
+
+
+def _own_body_local_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, a: Rows, b: Rows
+) -> None:
+    a1, a2, a3, a1o, a2o, a3o = a
+    b1, b2, b3, b1o, b2o, b3o = b
+    o1, o2, o3, o4, o5, o6 = out
+    (
+        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
+    ) = scratch
+    mask1, mask2 = masks
+    (
+        n_minus_1, n0, n1, n2, n4, n6, n16, n64, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600,
+    ) = numbers
+    minus_b1 = neg(b1, k1)
+    v11b = mul(minus_b1, minus_b1, k2)
+    minus_b2 = neg(b2, k3)
+    v22b = mul(minus_b2, minus_b2, k4)
+    minus_b3 = neg(b3, k5)
+    v33b = mul(minus_b3, minus_b3, k6)
+    xb = add(add(v11b, v22b, k2), v33b, k2)
+    zb = div(xb, n16, k2)
+    pb = sub(n1, zb, k4)
+    Nb = add(mul(pb, pb, k6), mul(n4, zb, k2), k2)
+    rb = mul(n2, div(div(Nb, Nb, k6), Nb, k2), k2)
+    v11a = mul(a1, a1, k6)
+    v22a = mul(a2, a2, k7)
+    v33a = mul(a3, a3, k8)
+    xa = add(add(v11a, v22a, k6), v33a, k6)
+    za = div(xa, n16, k6)
+    pa = sub(n1, za, k7)
+    Na = add(mul(pa, pa, k8), mul(n4, za, k6), k6)
+    ra = mul(n2, div(div(Na, Na, k8), Na, k6), k6)
+    bva1 = div(a1, n2, k8)
+    bvb1 = div(minus_b1, n2, k9)
+    bvb2 = div(minus_b2, n2, k10)
+    bva3 = div(a3, n2, k11)
+    bvb3 = div(minus_b3, n2, k12)
+    bva2 = div(a2, n2, k13)
+    z1 = add(
+        add(mul(bva1, pb, k14), mul(bvb1, pa, k15), k14), sub(mul(bvb2, bva3, k15), mul(bvb3, bva2, k16), k15), k14
+    )
+    z2 = add(
+        add(mul(bva2, pb, k15), mul(bvb2, pa, k16), k15), sub(mul(bvb3, bva1, k16), mul(bvb1, bva3, k17), k16), k15
+    )
+    z3 = add(
+        add(mul(bva3, pb, k16), mul(bvb3, pa, k17), k16), sub(mul(bvb1, bva2, k17), mul(bvb2, bva1, k18), k17), k16
+    )
+    z0 = sub(mul(pb, pa, k17), add(add(mul(bvb1, bva1, k8), mul(bvb2, bva2, k9), k8), mul(bvb3, bva3, k9), k8), k8)
+    fa = mul(mul(n2, pa, k7), ra, k7)
+    f_va = div(fa, n4, k7)
+    ga = mul(n4, ra, k6)
+    fb = mul(mul(n2, pb, k4), rb, k4)
+    gb = mul(n4, rb, k2)
+    f_vb = div(fb, n4, k4)
+    sse = add(add(mul(z1, z1, k9), mul(z2, z2, k10), k9), mul(z3, z3, k10), k9)
+    stille = m.equal(sse, n0, mask1)
+    negativee = m.less(z0, n0, mask2)
+    cose = m.where(negativee, neg(z0, k10), z0, k10)
+    sine = sqrt(m.where(stille, cose, sse, k11), k9)
+    anglee = mul(n2, atan2(sine, cose, k11), k11)
+    gaine = mul(
+        m.where(negativee, n_minus_1, n1, k12), div(m.where(stille, mul(n2, cose, k13), anglee, k13), m.where(stille,
+        mul(cose, cose, k10), sine, k10), k9), k9
+    )
+    d1 = mul(z1, gaine, o1)
+    d2 = mul(z2, gaine, o2)
+    d3 = mul(z3, gaine, o3)
+    fi = mul(gaine, z0, k8)
+    v11e = mul(d1, d1, k9)
+    v22e = mul(d2, d2, k10)
+    v33e = mul(d3, d3, k11)
+    xe = add(add(v11e, v22e, k9), v33e, k9)
+    neare = m.less(xe, n6, mask1)
+    ze = div(m.where(neare, xe, sub(xe, xe, k10), k11), n4, k10)
+    xxe = m.where(neare, add(n6, xe, k11), xe, k11)
+    C7e = div(
+        div(sub(n72, mul(ze, div(sub(n3603600, mul(ze, sub(n32760, mul(ze, sub(n210, mul(ze, div(sub(n93024, mul(ze,
+        sub(n342, mul(ze, div(sub(n212520, mul(ze, sub(n506, ze, k9), k9), k9), n212520, k9), k9), k9), k9), k9),
+        n93024, k9), k9), k9), k9), k9), k9), k9), n3603600, k9), k9), k9), n72, k9), n5040, k9
+    )
+    C5e = div(sub(n1, mul(n120, mul(ze, C7e, k9), k9), k9), n120, k9)
+    C3e = div(sub(n1, mul(n6, mul(ze, C5e, k9), k9), k9), n6, k9)
+    C1e = sub(n1, mul(ze, C3e, k12), k12)
+    CC1e = mul(C1e, C1e, k13)
+    C0e = sqrt(sub(n1, mul(ze, CC1e, k10), k10), k10)
+    C01e = add(n1, C0e, k14)
+    C2e = div(CC1e, C01e, k13)
+    alphae = sqrt(xxe, k14)
+    te = tan(div(alphae, n4, k15), k15)
+    tte = mul(te, te, k16)
+    belowe = add(n1, tte, k17)
+    se = m.where(neare, C0e, div(sub(n1, tte, k16), belowe, k16), k10)
+    we = m.where(neare, div(C1e, n2, k16), div(div(mul(n2, te, k15), belowe, k15), alphae, k14), k15)
+    fe = mul(n2, mul(se, we, k14), k14)
+    he = m.where(neare, div(add(C3e, mul(C1e, C2e, k12), k9), n4, k9), div(sub(n1, fe, k12), xxe, k11), k9)
+    fie = div(se, we, k10)
+    wwe = mul(we, we, k11)
+    ge = mul(n2, wwe, k11)
+    hie = sub(ge, mul(fie, he, k9), k9)
+    g_va = div(ga, n16, k10)
+    h_va = div(ga, n64, k6)
+    gva1 = mul(a1, g_va, k11)
+    gva2 = mul(a2, g_va, k12)
+    gva3 = mul(a3, g_va, k10)
+    ya = add(add(mul(a1, a1o, k13), mul(a2, a2o, k14), k13), mul(a3, a3o, k14), k13)
+    alonga = mul(h_va, ya, k6)
+    rhoa3 = add(
+        add(mul(a3o, f_va, k13), sub(mul(gva1, a2o, k14), mul(gva2, a1o, k15), k14), k13), mul(a3, alonga, k14), k13
+    )
+    rhoa2 = add(
+        add(mul(a2o, f_va, k14), sub(mul(gva3, a1o, k15), mul(gva1, a3o, k11), k11), k11), mul(a2, alonga, k14), k11
+    )
+    rhoa1 = add(
+        add(mul(a1o, f_va, k7), sub(mul(gva2, a3o, k12), mul(gva3, a2o, k10), k10), k7), mul(a1, alonga, k6), k6
+    )
+    v_rho1 = sub(mul(minus_b2, rhoa3, k7), mul(minus_b3, rhoa2, k10), k7)
+    v_rho3 = sub(mul(minus_b1, rhoa2, k10), mul(minus_b2, rhoa1, k12), k10)
+    g_vb = div(gb, n16, k12)
+    h_vb = div(gb, n64, k2)
+    gv_rho3 = mul(v_rho3, g_vb, k14)
+    v_rho2 = sub(mul(minus_b3, rhoa1, k15), mul(minus_b1, rhoa3, k16), k15)
+    gv_rho2 = mul(v_rho2, g_vb, k16)
+    gvb2 = mul(minus_b2, g_vb, k17)
+    gvb3 = mul(minus_b3, g_vb, k18)
+    minus_b4 = neg(b1o, k19)
+    minus_b5 = neg(b2o, k20)
+    minus_b6 = neg(b3o, k21)
+    yb = add(add(mul(minus_b1, minus_b4, k22), mul(minus_b2, minus_b5, k23), k22), mul(minus_b3, minus_b6, k23), k22)
+    alongb = mul(h_vb, yb, k2)
+    rho1 = add(
+        add(rhoa1, add(mul(v_rho1, f_vb, k22), sub(mul(minus_b2, gv_rho3, k23), mul(minus_b3, gv_rho2, k24), k23), k22),
+        k6), add(add(mul(minus_b4, f_vb, k22), sub(mul(gvb2, minus_b6, k23), mul(gvb3, minus_b5, k24), k23), k22),
+        mul(minus_b1, alongb, k23), k22), k6
+    )
+    gv_rho1 = mul(v_rho1, g_vb, k7)
+    gvb1 = mul(minus_b1, g_vb, k12)
+    rho2 = add(
+        add(rhoa2, add(mul(v_rho2, f_vb, k15), sub(mul(minus_b3, gv_rho1, k22), mul(minus_b1, gv_rho3, k14), k14), k14),
+        k11), add(add(mul(minus_b5, f_vb, k14), sub(mul(gvb3, minus_b4, k15), mul(gvb1, minus_b6, k18), k15), k14),
+        mul(minus_b2, alongb, k15), k14), k11
+    )
+    rho3 = add(
+        add(rhoa3, add(mul(v_rho3, f_vb, k10), sub(mul(minus_b1, gv_rho2, k1), mul(minus_b2, gv_rho1, k3), k1), k1),
+        k1), add(add(mul(minus_b6, f_vb, k3), sub(mul(gvb1, minus_b5, k4), mul(gvb2, minus_b4, k7), k4), k3),
+        mul(minus_b3, alongb, k2), k2), k1
+    )
+    hvr = mul(hie, add(add(mul(d1, rho1, k2), mul(d2, rho2, k3), k2), mul(d3, rho3, k3), k2), k2)
+    div(add(sub(mul(rho1, fi, k3), sub(mul(d2, rho3, k4), mul(d3, rho2, k5), k4), k3), mul(d1, hvr, k4), k3), n2, o4)
+    div(add(sub(mul(rho2, fi, k3), sub(mul(d3, rho1, k4), mul(d1, rho3, k5), k4), k3), mul(d2, hvr, k4), k3), n2, o5)
+    div(add(sub(mul(rho3, fi, k1), sub(mul(d1, rho2, k3), mul(d2, rho1, k4), k3), k1), mul(d3, hvr, k2), k1), n2, o6)
+
+
 CHART = Chart(
     __name__,
     branches=2,
@@ -3517,6 +4553,50 @@ CHART = Chart(
         lent=(),
         real=True,
     ),
+        "retract": Kernel(
+        _own_retract,
+        _own_retract_blocks,
+        (("v", (6,)), ("delta", (6,)),),
+        (6,),
+        registers=20,
+        masks=2,
+        numbers=(0, 1, 2, 4, 6, 16, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        lent=(),
+        real=True,
+    ),
+        "body_retract": Kernel(
+        _own_body_retract,
+        _own_body_retract_blocks,
+        (("v", (6,)), ("delta", (6,)),),
+        (6,),
+        registers=20,
+        masks=2,
+        numbers=(0, 1, 2, 4, 6, 16, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        lent=(),
+        real=True,
+    ),
+        "local": Kernel(
+        _own_local,
+        _own_local_blocks,
+        (("v2", (6,)), ("v1", (6,)),),
+        (6,),
+        registers=18,
+        masks=2,
+        numbers=(-1, 0, 1, 2, 4, 6, 16, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        lent=(),
+        real=True,
+    ),
+        "body_local": Kernel(
+        _own_body_local,
+        _own_body_local_blocks,
+        (("v2", (6,)), ("v1", (6,)),),
+        (6,),
+        registers=24,
+        masks=2,
+        numbers=(-1, 0, 1, 2, 4, 6, 16, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        lent=(),
+        real=True,
+    ),
     },
 )
 
@@ -3527,9 +4607,11 @@ between = KERNELS.between
 between_jacobians = KERNELS.between_jacobians
 body_cotangent = KERNELS.body_cotangent
 body_cotangent_jacobian = KERNELS.body_cotangent_jacobian
+body_local = KERNELS.body_local
 body_rate = KERNELS.body_rate
 body_rate_dot = KERNELS.body_rate_dot
 body_rate_jacobian = KERNELS.body_rate_jacobian
+body_retract = KERNELS.body_retract
 body_tangent = KERNELS.body_tangent
 body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
@@ -3546,6 +4628,7 @@ from_screw = KERNELS.from_screw
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
 inverse = KERNELS.inverse
+local = KERNELS.local
 pose = KERNELS.pose
 principal = KERNELS.principal
 quaternion = KERNELS.quaternion
@@ -3553,6 +4636,7 @@ random = KERNELS.random
 rate = KERNELS.rate
 rate_dot = KERNELS.rate_dot
 rate_jacobian = KERNELS.rate_jacobian
+retract = KERNELS.retract
 shadow = KERNELS.shadow
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent

@@ -5,6 +5,7 @@ from __future__ import annotations
 from types import ModuleType
 
 import numpy as np
+import pytest
 from scipy.stats import chi2  # type: ignore[import-untyped]
 
 from tests.support import sampling
@@ -94,6 +95,18 @@ def test_jacobians_follow_the_chain_rule(kernel: ModuleType, order: int) -> None
     np.testing.assert_allclose(undone, v1, rtol=0, atol=1e-12)
     np.testing.assert_allclose(by_v @ by_v1, np.broadcast_to(np.eye(6), by_v.shape), rtol=0, atol=1e-12)
     np.testing.assert_allclose(by_v @ by_v2 + by_one, 0 * by_v, rtol=0, atol=1e-12)
+
+
+@pytest.mark.parametrize("regime", ["uniform", "shadow", "pure translation", "identity"])
+def test_steps_are_taken_on_the_branch_of_v_and_found_again(kernel: ModuleType, order: int, regime: str) -> None:
+    """No step leaves v where it is, shadows too; small ones are found: to 1e-9, of conditions below 1e6."""
+    if not sampling.has_regime(order, regime):
+        return
+    v, delta = sampling.poses(order, regime), 1e-3 * sampling.dual_vectors("steps")
+    for step, back in ((kernel.retract, kernel.local), (kernel.body_retract, kernel.body_local)):
+        size = np.abs(v).max(axis=-1, keepdims=True)
+        assert (np.abs(step(v, np.zeros(6)) - v) <= 1e-9 * size).all()
+        np.testing.assert_allclose(back(step(v, delta), v), delta, rtol=0, atol=1e-9)
 
 
 def test_powers_do_not_depend_on_the_chart(kernel: ModuleType, order: int) -> None:

@@ -421,6 +421,36 @@ class Oracle:
         one, other = (matrix6(pack(matmul(back, self.operator(self.unpack(v))))) for v in (v2, v1))
         return one, -other
 
+    def step(self, delta: Any) -> tuple[Any, ...]:
+        """exp(δ/2)."""
+        half = tuple(c / 2 for c in delta)
+        if all(c.re == 0 for c in half):
+            return (Nil(half[0].re + 1, half[0].re), *half)
+        length = self.field.sqrt(dot(half, half))
+        return (self.field.cos(length), *(self.field.sin(length) * c / length for c in half))
+
+    def retract(self, v: Any, delta: Any, body: bool = False) -> np.ndarray:
+        """On the branch whose angle is nearest that of v along the new axis."""
+        here, small = self.unpack(v), self.step(self.unpack(delta))
+        q = hamilton(self.unit(here), small) if body else hamilton(small, self.unit(here))
+        half, axis = self.half_screw(q)
+        theta, own = self.half_screw((self.base(here), *here))
+        if axis is None:
+            return pack(self.on_branch(half, None, 0))
+        along = 0 if own is None else self.order * theta.re * dot(own, axis).re
+        turns = int(self.field.number(round(float((along - half.re) / self.field.pi))))
+        return pack(self.on_branch(half, axis, turns))
+
+    def local(self, v2: Any, v1: Any, body: bool = False) -> np.ndarray:
+        later, sooner = self.unit(self.unpack(v2)), conjugate(self.unit(self.unpack(v1)))
+        q = hamilton(sooner, later) if body else hamilton(later, sooner)
+        half, axis = self.half_screw(tuple(-c for c in q) if q[0].re < 0 else q)
+        zero = half.re * 0
+        return pack(tuple(2 * half * c for c in axis or (Nil(zero, zero),) * 3))
+
+    body_retract = functools.partialmethod(retract, body=True)
+    body_local = functools.partialmethod(local, body=True)
+
     def adjoint(self, v: Any) -> np.ndarray:
         return matrix6(self.tensor(v))
 

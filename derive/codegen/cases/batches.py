@@ -11,7 +11,7 @@ import mpmath
 
 from ...maps.chart import Chart
 from ...proof import is_algebraic
-from ..signatures import PUBLIC
+from ..signatures import FUNCTIONS, PUBLIC
 from . import digits, exact
 from .exact import Expectation
 
@@ -50,8 +50,7 @@ def batches(chart: Chart) -> list[Batch]:
     with mpmath.workdps(digits.DIGITS):
         exactly = [_batch((case,)) for case in exact.expectations(chart)] if algebraic else []
         close = [*digits.expectations(chart), *(() if algebraic else digits.algebraic(chart))]
-        tolerance = digits.tolerance(chart)
-        closely = [_batch(tuple(map(_decimal, batch)), tolerance) for batch in close]
+        closely = [_batch(tuple(map(_decimal, batch)), chart) for batch in close]
     _require("an expectation", PUBLIC, exactly + closely)
     if algebraic:
         _require("an exact expectation", (name for name, row in PUBLIC.items() if row.exact), exactly)
@@ -69,8 +68,10 @@ def _require(what: str, names: Iterable[str], found: Iterable[Batch]) -> None:
         raise ValueError(f"functions without {what} cannot be generated: {', '.join(missing)}")
 
 
-def _batch(cases: tuple[Expectation, ...], tolerance: Any = None) -> Batch:
+def _batch(cases: tuple[Expectation, ...], chart: Chart | None = None) -> Batch:
+    """Of exact cases, or of decimal ones of a chart."""
     function, *branch = cases[0].function.split()
+    tolerance = digits.tolerance(chart, FUNCTIONS[function].remainder) if chart else None
     return Batch(function, tuple(map(int, branch)), cases, tolerance)
 
 

@@ -177,7 +177,8 @@ def _principal(chart: Vectors, screw: Screw, other: Screw) -> Iterator[Expectati
     product = quaternion_from_screw(other) * q
     vectors = (flat(chart.at(other)), flat(principal))
     yield Expectation("compose", vectors, flat(chart.of_quaternion(product)))
-    yield Expectation("between", vectors, MAPS["between"](chart, 0, *vectors))
+    for name in ("between", "local", "body_local", "retract", "body_retract"):  # any dual vector is a δ
+        yield Expectation(name, vectors, MAPS[name](chart, 0, *vectors))
     if all(chart.finite(s, 0, INSIDE) for s in (screw, other)):
         for name in ("compose_jacobians", "between_jacobians"):
             yield Expectation(name, vectors, MAPS[name](chart, 0, *vectors))
@@ -292,9 +293,9 @@ def algebraic(chart: Chart) -> Iterator[tuple[Expectation, ...]]:
         yield tuple(Expectation(name, arguments, value(at, name, None, arguments)) for arguments in given)
 
 
-def tolerance(chart: Chart) -> Any:
+def tolerance(chart: Chart, remainder: float = 0.0) -> Any:
     """How far results of 50-digit numbers may be off, by 1 and their own size."""
-    return CONDITION * max(CONSTANTS, mpmath.mpf(chart.remainder))
+    return CONDITION * max(CONSTANTS, mpmath.mpf(chart.remainder), mpmath.mpf(remainder))
 
 
 def close(got: Any, expected: Any, tolerance: Any) -> bool:

@@ -9,7 +9,11 @@ from typing import Any
 import mpmath
 
 from ...algebra import Dual, Quaternion, Tensor, Vector
+from ...algebra.functions import atan2
+from ...maps.exponential import quaternion_exponential
+from ...maps.inverse import polar
 from ...maps.pose import Pose, Screw, pose_from_tensor, quaternion_from_screw, tensor_from_pose, tensor_from_screw
+from ...maps.sign_tests import orientation
 from .exact import matrix6
 from .screws import covering
 from .vectors import Vectors
@@ -66,6 +70,36 @@ def _between(chart: Vectors, branch: int, v2: Flat, v1: Flat) -> Flat:
     return flat(chart.of_quaternion(chart.quaternion(_dual(v1)).conjugate() * chart.quaternion(_dual(v2))))
 
 
+def _retract(body: bool) -> Callable[..., Flat]:
+    """R(v) with exp(δ) on one side, on the branch whose angle is nearest that of v along the new axis."""
+
+    def retracted(chart: Vectors, branch: int, v: Flat, delta: Flat) -> Flat:
+        small, here = quaternion_exponential(_dual(delta) / 2), chart.quaternion(_dual(v))
+        q = here * small if body else small * here
+        (length, u), (own, axis) = polar(q.vector), polar(_dual(v))
+        angle = 2 * atan2(length, q.scalar)
+        along = chart.angle(own.re) * axis.re.dot(u.re)
+        turns = mpmath.nint((along - angle.re) / (2 * mpmath.pi))
+        return flat(u * chart.size(angle + 2 * mpmath.pi * turns))
+
+    return retracted
+
+
+def _local(body: bool) -> Callable[..., Flat]:
+    """δ = α u of what leads from v1 to v2."""
+
+    def logarithm(chart: Vectors, branch: int, v2: Flat, v1: Flat) -> Flat:
+        if v2 == v1:
+            return (mpmath.mpf(0),) * 6
+        later, sooner = chart.quaternion(_dual(v2)), chart.quaternion(_dual(v1)).conjugate()
+        q = sooner * later if body else later * sooner
+        q = q * orientation(q.scalar.re)
+        length, u = polar(q.vector)
+        return flat(u * (2 * atan2(length, q.scalar)))
+
+    return logarithm
+
+
 def _jacobians(function: Callable[..., Flat]) -> Callable[..., Flat]:
     """The derivatives of a function of dual vectors by each of its arguments, as quotients of small differences."""
 
@@ -96,6 +130,10 @@ MAPS: Mapping[str, Callable[..., Flat]] = {
     "principal": _principal,
     "compose": _compose,
     "between": _between,
+    "retract": _retract(body=False),
+    "body_retract": _retract(body=True),
+    "local": _local(body=False),
+    "body_local": _local(body=True),
     "compose_jacobians": _jacobians(_compose),
     "between_jacobians": _jacobians(_between),
 }
@@ -116,8 +154,11 @@ def seeded_arguments(
         yield "from_screw", None, (short((screw.angle.re, screw.angle.du)), short(flat(screw.axis)))
         yield "to_screw", None, (v,)
         yield "principal", None, (v,)
-        for name in ("compose", "between", "compose_jacobians", "between_jacobians"):
+        for name in ("compose", "between", "local", "body_local", "compose_jacobians", "between_jacobians"):
             yield name, None, (v2, v)
+        delta = tuple(nearby(draw.uniform(-1, 1)) for _ in range(6))
+        for name in ("retract", "body_retract"):
+            yield name, None, (v, delta)
         yield from _on_branch(screw, 0, v)
     for branch in chart.tried[1:]:
         turned = screws[branch % len(screws) :] + screws

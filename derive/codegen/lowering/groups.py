@@ -77,7 +77,7 @@ def compose_jacobians(trace: Geometry) -> Program:
 def between_jacobians(trace: Geometry) -> Program:
     """The same of −v1 after v2, by v1 with a minus."""
     first, second = (dual_vector(trace, letter, letter) for letter in ("a", "b"))
-    by_second, by_first = _by_factors(trace, _opposite(trace, second), first)
+    by_second, by_first = _by_factors(trace, opposite(trace, "b", second), first)
     return trace.program("between_jacobians", (*matrix6(trace, by_first, "A"), *matrix6(trace, -by_second, "B")))
 
 
@@ -99,12 +99,13 @@ def _twice_inverse(point: Point) -> Operator:
     return Operator(point, fi, fio, s, so, hi, hio)
 
 
-def _opposite(trace: Geometry, v: Sequence[Number]) -> list[Number]:
-    return [trace.name(f"minus_b{i}", -c) for i, c in enumerate(v, 1)]
+def opposite(trace: Geometry, letter: str, v: Sequence[Number]) -> list[Number]:
+    """−v."""
+    return [trace.name(f"minus_{letter}{i}", -c) for i, c in enumerate(v, 1)]
 
 
 def between(trace: Geometry) -> Program:
     """R(v1)⁻¹ R(v2), R(v1)⁻¹ = R(−v1)."""
     first, second = (dual_vector(trace, letter, letter) for letter in ("a", "b"))
-    back = _opposite(trace, second)
+    back = opposite(trace, "b", second)
     return trace.program("between", product(trace, Point(trace, back, "b"), Point(trace, first, "a")))

@@ -95,15 +95,15 @@ def product(trace: Geometry, second: Point, first: Point) -> tuple[Number, ...]:
 
     Through the product of rays (a2 + b2 v2)(a1 + b1 v1), quaternions times a size.
     """
-    ray2, size2, (f, g, h) = _ray(trace, second)
-    ray1, size1, coefficients = _ray(trace, first)
+    ray2, size2, (f, g, h) = ray(trace, second)
+    ray1, size1, coefficients = ray(trace, first)
     z = Quaternion.from_components(trace.name(f"z{i}", c) for i, c in enumerate(ray2 * ray1))
     moved = rotate(second, f, g, named(trace, "rhoa", translation(first, *coefficients)), "rho")
     rho = named(trace, "rho", moved + translation(second, f, g, h))
     return _vector(trace, z, "gain_product", rho, size2, size1)
 
 
-def _ray(trace: Geometry, point: Point) -> tuple[Quaternion, Number, tuple[Number, ...]]:
+def ray(trace: Geometry, point: Point) -> tuple[Quaternion, Number, tuple[Number, ...]]:
     """A positive multiple of the quaternion, how large, and f, g, h."""
     a, b, size, *coefficients = point.scalars("ray")
     return Quaternion(a, named(trace, "bv" + point.mark, b * point.re)), size, tuple(coefficients)

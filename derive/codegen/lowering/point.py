@@ -36,7 +36,7 @@ class Geometry(Trace):
             return self.call(function, given, names, truths, "table" if "table" in row.arguments else "")
         if "table" in row.arguments:
             given += self._returns
-        scope: Any = _Scope(self, mark)
+        scope: Any = Scope(self, mark)
         results = row.compute(self.chart, scope, given)
         return tuple(scope.name(name, value) for name, value in zip(row.results, results, strict=True))
 
@@ -54,7 +54,7 @@ class Geometry(Trace):
         self._returns = self.inputs("table", names)
 
 
-class _Scope:
+class Scope:
     """The same trace, with a mark on every name and another where a name is taken."""
 
     def __init__(self, trace: Trace, mark: str) -> None:

@@ -81,6 +81,7 @@ SCALARS: Mapping[str, Scalar] = {
     "gain_product": Scalar((*E, "size2", "size1"), ("gain",), _gain_product),
     "direction": Scalar(("x", "y"), ("sign",), lambda c, m, at: (c.direction(at[0], at[1], m),)),
     "natural": Scalar(("x", "y", "r"), ("angle", "slope", "sign"), lambda c, m, at: c.natural(at[0], at[1], at[2], m)),
+    "unfolded": Scalar(("x", "r"), ("own",), lambda c, m, at: (m.name("own", c.unfolded(at[0], at[1], m)),)),
     "turned": Scalar(("r", "cos", "sin"), ("rk", "slope"), lambda c, m, at: c.turned(at[0], at[1:], m)),
     "beyond": Scalar(("x", "table"), ("beyond", "cosine", "sine"), _beyond, truths=("beyond",)),
     "coefficient": Scalar(("alpha",), ("r", "slope"), lambda c, m, at: c.coefficient(at[0], m)),

@@ -223,6 +223,9 @@ class Sine:
         s, w = (m.where(m.less(value, 0), -value, value) for value in (at.s, at.w))
         return m.name("angle", 2 * m.atan2(r * w, s)), m.name("slope", 6 / at.c), self.direction(x, y, m)
 
+    def unfolded(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
+        return 6 * m.atan2(r, self.scalars(x, m).c)
+
     def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         (cosine, sine), rr = turn, m.name("rr", r * r)
         c = m.name("c", m.sqrt(m.where(m.less(1, rr), rr, 1 - rr)))

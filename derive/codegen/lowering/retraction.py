@@ -1,0 +1,104 @@
+"""Small displacements by the exponential: what they make of v, and the one that leads from a vector to another.
+
+The exponential's own scalars are traced in place: they are the same in every chart.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from ...algebra import Quaternion, Vector
+from ...maps.exponential_chart import Exponential
+from ..programs.program import Program
+from ..programs.value import Number
+from .forward import named, rotate, start, translation
+from .groups import opposite
+from .inputs import dual_vector
+from .inverse import ray
+from .point import Geometry, Point, Scope
+
+EXPONENTIAL = Exponential()
+
+
+def retract(trace: Geometry) -> Program:
+    """R = exp(δ) R(v)."""
+    return trace.program("retract", _retracted(trace, body=False))
+
+
+def body_retract(trace: Geometry) -> Program:
+    """R = R(v) exp(δ)."""
+    return trace.program("body_retract", _retracted(trace, body=True))
+
+
+def _retracted(trace: Geometry, body: bool) -> tuple[Number, ...]:
+    """The vector of the product on the branch nearest v."""
+    point, delta = start(trace), Point(trace, dual_vector(trace, "delta", "d"), "d")
+    at = EXPONENTIAL.scalars(delta.x, Scope(trace, "d"))
+    small = (Quaternion(at.s, named(trace, "wd", at.w * delta.re)), (at.f, at.g), translation(delta, at.f, at.g, at.h))
+    turned, _, (f, g, h) = ray(trace, point)
+    large = (turned, (f, g), translation(point, f, g, h))
+    (after, (f2, g2), shift), (before, _, rho) = (large, small) if body else (small, large)
+    outer = point if body else delta
+    e = Quaternion.from_components(trace.name(f"z{i}", c) for i, c in enumerate(after * before))
+    moved = rotate(outer, f2, g2, named(trace, "rhob", rho), "rhob")
+    return _nearest(trace, point, e, named(trace, "rho", moved + shift))
+
+
+def _nearest(trace: Geometry, point: Point, e: Quaternion, rho: Vector) -> tuple[Number, ...]:
+    """φ(α) u of a quaternion, α within π of what v's own angle is along u."""
+    scope = Scope(trace, "")  # whose names avoid those of a chart
+    ss = scope.name("ss", e.vector.dot(e.vector))
+    still, resting = scope.name("still", trace.equal(ss, 0)), scope.name("resting", trace.equal(point.x, 0))
+    length = scope.name("length", trace.sqrt(trace.where(still, 1 + ss, ss)))
+    r = scope.name("r", trace.sqrt(trace.where(resting, 1 + point.x, point.x)))
+    (own,) = trace.ask("unfolded", (point.x, r))
+    share = trace.where(resting, 0, own / r)
+    along = scope.name("own", share * point.re.dot(e.vector) / length)
+    angle = 2 * trace.atan2(trace.where(still, ss, length), e.scalar)
+    turn = trace.tan((angle - along) / 2)
+    alpha = scope.name("angle", along + 2 * trace.atan2(turn, 1))
+    size, slope = trace.ask("coefficient", (alpha,), "n")
+    rest = 2 * slope / scope.name("z0s", trace.where(still, e.scalar, length))
+    factor = scope.name("factor", trace.where(still, rest, size / length))
+    return _placed(trace, factor, e, rho)
+
+
+def _placed(trace: Geometry, factor: Number, e: Quaternion, rho: Vector) -> tuple[Number, ...]:
+    """v = factor · vec e, v° = Re(T)⁻¹ rho."""
+    re = named(trace, "v_", factor * e.vector)
+    (hi,) = Point(trace, (*re, 0, 0, 0), "w").scalars("inverse")
+    return _with_dual(trace, factor, e, rho, re, hi)
+
+
+def _with_dual(
+    trace: Geometry, factor: Number, e: Quaternion, rho: Vector, re: Vector, hi: Number
+) -> tuple[Number, ...]:
+    scope = Scope(trace, "")
+    fi, along = scope.name("fi", factor * e.scalar), scope.name("hvr", hi * re.dot(rho))
+    return (*re, *((fi * rho - re.cross(rho) + along * re) / 2))
+
+
+def local(trace: Geometry) -> Program:
+    """exp(δ) = R(v2) R(v1)ᵀ."""
+    second, first = (dual_vector(trace, letter, letter) for letter in ("b", "a"))
+    return trace.program("local", _logarithm(trace, second, opposite(trace, "a", first)))
+
+
+def body_local(trace: Geometry) -> Program:
+    """exp(δ) = R(v1)ᵀ R(v2)."""
+    first, second = (dual_vector(trace, letter, letter) for letter in ("a", "b"))
+    return trace.program("body_local", _logarithm(trace, opposite(trace, "b", second), first))
+
+
+def _logarithm(trace: Geometry, second: Sequence[Number], first: Sequence[Number]) -> tuple[Number, ...]:
+    """The exponential's vector of a product."""
+    after, before = Point(trace, second, "b"), Point(trace, first, "a")
+    ray2, size2, (f, g, h) = ray(trace, after)
+    ray1, size1, coefficients = ray(trace, before)
+    e = Quaternion.from_components(trace.name(f"z{i}", c) for i, c in enumerate(ray2 * ray1))
+    moved = rotate(after, f, g, named(trace, "rhoa", translation(before, *coefficients)), "rho")
+    rho, scope = named(trace, "rho", moved + translation(after, f, g, h)), Scope(trace, "e")
+    factor = EXPONENTIAL.gain(e, trace.name("size", size2 * size1), scope)
+    re = named(trace, "d", factor * e.vector)
+    at = EXPONENTIAL.scalars(Point(trace, (*re, 0, 0, 0), "e").x, scope)
+    return _with_dual(trace, factor, e, rho, re, at.hi)
