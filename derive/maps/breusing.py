@@ -4,7 +4,8 @@ From ``x = (1 − c²)/c``, ``c = cos θ``:
 
 .. math::
     c = \frac{2}{x + \sqrt{x^2 + 4}} \qquad s = 2 c^2 - 1 \quad w = 2 c^{3/2} \quad
-    \rho = \frac{8 c^{3/2}}{1 + c^2} \quad h_i = \frac{3}{4 \sqrt c} \quad h = \frac{4 c^{5/2} (3 + 2 c^2)}{1 + c^2} \qquad
+    \rho = \frac{8 c^{3/2}}{1 + c^2} \quad h_i = \frac{3}{4 \sqrt c} \quad h = \frac{4 c^{5/2} (3 + 2 c^2)}{1 + c^2}
+
     \frac{dc}{dx} = -\frac{c^2}{1 + c^2}
 """
 
