@@ -197,6 +197,7 @@ _ROWS = (
     _way_back("from_pose", POSE.called("T"), inverse.from_pose),
     Function("from_screw", (ANGLE, LINE), (V,), inverse.from_screw, exact=False, real=True, keywords=(CHECK,)),
     Function("to_screw", (V,), (ANGLE, LINE), inverse.to_screw, exact=False, real=True),
+    Function("angle", (V,), (ANGLE,), inverse.angle, exact=False, real=True),
     Function("turn", (V,), (SHADOW,), inverse.turn, exact=False, real=True, public=False),
     Function("shadow", (V,), (SHADOW,), inverse.shadow, exact=False, branch=True, real=True),
     Function("principal", (V,), (SHADOW,), inverse.principal, exact=False, real=True),

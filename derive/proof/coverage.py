@@ -77,6 +77,7 @@ COVERAGE: Mapping[str, Coverage] = {
     "from_pose": Coverage("50 digits", ("screw", "multiples of an angle", "pose"), _BRANCHES),
     "from_screw": Coverage("50 digits", ("screw",), "tan of a dual angle"),
     "to_screw": Coverage("50 digits", ("screw", "pose"), _BRANCHES),
+    "angle": Coverage("50 digits", ("screw", "axis"), "the angle of a length"),
     "shadow": Coverage(
         "50 digits", ("Moebius step", "shadow, even branch", "shadow, odd branch"), "the axis and its sign"
     ),

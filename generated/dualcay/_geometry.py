@@ -2341,6 +2341,72 @@ def to_screw_blocks(
     mul(uo3, sign, o8)
 
 
+# operations 48: 12 +, 12 *, 6 /, 6 abs, 2 sqrt, 3 eq, 7 where
+def angle(m: Any, c: Any, v: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    total = m.abs(v1) + m.abs(v2) + m.abs(v3)
+    still = total == 0
+    a1 = m.where(still, v1o, v1)
+    a2 = m.where(still, v2o, v2)
+    a3 = m.where(still, v3o, v3)
+    extent = m.abs(a1) + m.abs(a2) + m.abs(a3)
+    scale = m.where(extent == 0, 1, extent)
+    s1 = a1 / scale
+    s2 = a2 / scale
+    s3 = a3 / scale
+    root = m.sqrt(s1 * s1 + s2 * s2 + s3 * s3)
+    u1 = s1 / root
+    u2 = s2 / root
+    u3 = s3 / root
+    ro = m.where(still, scale * root, u1 * v1o + u2 * v2o + u3 * v3o)
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    f, _, h = c.pose(m, x)
+    resting = x == 0
+    rown = m.sqrt(m.where(resting, 1 + x, x))
+    own, = c.unfolded(m, x, rown)
+    return m.where(resting, x, own), ro * (f + x * h)
+
+
+def angle_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    o1, o2 = out
+    k1, k2, k3, k4, k5, k6, *spare = scratch
+    mask1, mask2, *spare_masks = masks
+    n0, n1 = numbers
+    total = add(add(absolute(v1, k1), absolute(v2, k2), k1), absolute(v3, k2), k1)
+    still = m.equal(total, n0, mask1)
+    a1 = m.where(still, v1o, v1, k1)
+    a2 = m.where(still, v2o, v2, k2)
+    a3 = m.where(still, v3o, v3, k3)
+    extent = add(add(absolute(a1, k4), absolute(a2, k5), k4), absolute(a3, k5), k4)
+    scale = m.where(m.equal(extent, n0, mask2), n1, extent, k5)
+    s1 = div(a1, scale, k1)
+    s2 = div(a2, scale, k2)
+    s3 = div(a3, scale, k3)
+    root = sqrt(add(add(mul(s1, s1, k4), mul(s2, s2, k6), k4), mul(s3, s3, k6), k4), k4)
+    u1 = div(s1, root, k1)
+    u2 = div(s2, root, k2)
+    u3 = div(s3, root, k3)
+    ro = m.where(
+        still, mul(scale, root, k4), add(add(mul(u1, v1o, k1), mul(u2, v2o, k2), k1), mul(u3, v3o, k2), k1), k2
+    )
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k3)
+    v33 = mul(v3, v3, k4)
+    x = add(add(v11, v22, k1), v33, k1)
+    f, _, h = c.pose((k3, k4, k5), (k6, *spare), (mask1, mask2, *spare_masks), x)
+    mul(ro, add(f, mul(x, h, k4), k3), o2)
+    resting = m.equal(x, n0, mask1)
+    rown = sqrt(m.where(resting, add(n1, x, k2), x, k2), k2)
+    own, = c.unfolded((k3,), (k4, k5, k6, *spare), (mask2, *spare_masks), x, rown)
+    m.where(resting, x, own, o1)
+
+
 # operations 63: 14 +, 24 *, 10 /, 6 abs, 1 sqrt, 2 eq, 6 where
 def turn(m: Any, c: Any, v: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
@@ -6342,6 +6408,17 @@ KERNELS: Mapping[str, Kernel] = {
         masks=2,
         numbers=(0, 1),
         lent=(('natural', 0, 1),),
+        real=True,
+    ),
+    "angle": Kernel(
+        angle,
+        angle_blocks,
+        (("v", (6,)),),
+        (2,),
+        registers=6,
+        masks=2,
+        numbers=(0, 1),
+        lent=(('pose', 1, 2), ('unfolded', 3, 1)),
         real=True,
     ),
     "turn": Kernel(

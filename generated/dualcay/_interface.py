@@ -1100,6 +1100,32 @@ class PoseKernels:
         screw = call(self._chart, "to_screw", axis, None, v)
         return (screw[:2, ...], screw[2:, ...]) if axis == 0 else (screw[..., :2], screw[..., 2:])
 
+    def angle(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+        r"""Dual angle of v on its own branch, not folded to [0, π]: ``v = φ(α) u``.
+
+        Parameters
+        ----------
+        v : array_like, shape (..., 6)
+            Rodrigues dual vector φ(α) u of this module: real part (dimensionless), then dual part (length unit of the
+            pose).
+        axis : {-1, 0}
+            Where the component axes stand, in arguments and result: last, or first (the fastest).
+        out : ndarray, optional
+            Array for the result, shape (..., 2); it may overlap an argument.
+
+        Returns
+        -------
+        ndarray, shape (..., 2)
+            Rotation angle from 0 to the edge of the chart (rad), then the translation along the axis; of a pure
+            translation 0 and its length.
+
+        Raises
+        ------
+        TypeError
+            If v is complex.
+        """
+        return call(self._chart, "angle", axis, out, v)
+
     def compose(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Principal v of ``R(v2) R(v1)``: v1 acts first, CP23 (58).
 

@@ -84,6 +84,7 @@
 #   from_pose: 89: 27 +, 27 *, 4 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
 #   to_screw: 75: 18 +, 30 *, 11 /, 6 abs, 1 sqrt, 1 atan2, 2 eq, 6 where
+#   angle: 54: 13 +, 14 *, 8 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
 #   compose: 185: 68 +, 109 *, 8 /
 #   between: 191: 68 +, 109 *, 8 /, 6 neg
 #   compose_jacobians: 919: 368 +, 493 *, 50 /, 8 neg
@@ -125,13 +126,14 @@ from ._interface import PoseKernels
 from ._kernel import Components, Kernel, Result, Rows, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "adjoint", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local", "body_rate",
-    "body_rate_dot", "body_rate_jacobian", "body_retract", "body_tangent", "body_tangent_dot", "body_tangent_inv",
-    "body_twist", "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians", "cotangent",
-    "cotangent_jacobian", "dcay", "dcay_inv", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity",
-    "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "retract",
-    "shadow", "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
-    "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
+    "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
+    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_tangent", "body_tangent_dot",
+    "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians",
+    "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_pose", "from_quaternion", "from_screw", "from_tensor",
+    "identity", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian",
+    "retract", "shadow", "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw",
+    "transform_line", "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot",
+    "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 1
@@ -1283,6 +1285,7 @@ CHART = Chart(
 KERNELS = PoseKernels(CHART)
 
 adjoint = KERNELS.adjoint
+angle = KERNELS.angle
 between = KERNELS.between
 between_jacobians = KERNELS.between_jacobians
 body_cotangent = KERNELS.body_cotangent

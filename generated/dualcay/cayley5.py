@@ -82,6 +82,7 @@
 #   from_pose: 112: 33 +, 34 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
 #   to_screw: 100: 24 +, 35 *, 12 /, 1 neg, 8 abs, 1 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
+#   angle: 72: 19 +, 26 *, 8 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
 #   turn: 70: 16 +, 28 *, 11 /, 6 abs, 1 sqrt, 2 eq, 6 where
 #   shadow: 108: 28 +, 40 *, 12 /, 1 neg, 7 abs, 2 sqrt, 4 lt, 3 eq, 1 and, 1 or, 9 where
 #   principal: 58: 15 +, 23 *, 8 /, 1 sqrt, 2 lt, 9 where
@@ -126,13 +127,14 @@ from ._interface import PoseKernels
 from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "adjoint", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local", "body_rate",
-    "body_rate_dot", "body_rate_jacobian", "body_retract", "body_tangent", "body_tangent_dot", "body_tangent_inv",
-    "body_twist", "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians", "cotangent",
-    "cotangent_jacobian", "dcay", "dcay_inv", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity",
-    "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "retract",
-    "shadow", "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
-    "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
+    "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
+    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_tangent", "body_tangent_dot",
+    "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians",
+    "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_pose", "from_quaternion", "from_screw", "from_tensor",
+    "identity", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian",
+    "retract", "shadow", "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw",
+    "transform_line", "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot",
+    "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 5
@@ -734,6 +736,7 @@ CHART = Chart(
 KERNELS = PoseKernels(CHART)
 
 adjoint = KERNELS.adjoint
+angle = KERNELS.angle
 between = KERNELS.between
 between_jacobians = KERNELS.between_jacobians
 body_cotangent = KERNELS.body_cotangent

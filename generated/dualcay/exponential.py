@@ -68,6 +68,7 @@
 #   from_pose: 171: 49 +, 55 *, 21 /, 3 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 23 where
 #   from_screw: 13: 3 +, 10 *
 #   to_screw: 141: 34 +, 47 *, 23 /, 1 neg, 8 abs, 3 sqrt, 1 tan, 1 atan2, 5 lt, 3 eq, 1 and, 1 or, 13 where
+#   angle: 113: 31 +, 33 *, 22 /, 6 abs, 4 sqrt, 1 tan, 1 lt, 3 eq, 12 where
 #   turn: 64: 15 +, 24 *, 10 /, 6 abs, 1 sqrt, 2 eq, 6 where
 #   shadow: 143: 38 +, 48 *, 23 /, 1 neg, 6 abs, 3 sqrt, 1 tan, 5 lt, 3 eq, 1 and, 1 or, 13 where
 #   principal: 111: 31 +, 39 *, 20 /, 4 sqrt, 1 tan, 1 atan2, 3 lt, 12 where
@@ -110,12 +111,12 @@ from ._interface import PoseKernels
 from ._kernel import Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "adjoint", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local", "body_rate",
-    "body_rate_dot", "body_rate_jacobian", "body_retract", "body_tangent", "body_tangent_dot", "body_tangent_inv",
-    "body_twist", "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians", "cotangent",
-    "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity", "inverse", "local",
-    "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "retract", "shadow",
-    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
+    "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
+    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_tangent", "body_tangent_dot",
+    "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians",
+    "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity",
+    "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "retract",
+    "shadow", "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
     "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
@@ -1085,6 +1086,7 @@ CHART = Chart(
 KERNELS = PoseKernels(CHART)
 
 adjoint = KERNELS.adjoint
+angle = KERNELS.angle
 between = KERNELS.between
 between_jacobians = KERNELS.between_jacobians
 body_cotangent = KERNELS.body_cotangent

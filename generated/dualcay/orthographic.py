@@ -54,6 +54,7 @@
 #   from_pose: 97: 30 +, 31 *, 4 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 22: 5 +, 12 *, 4 /, 1 tan
 #   to_screw: 82: 19 +, 30 *, 11 /, 7 abs, 2 sqrt, 1 atan2, 2 lt, 2 eq, 8 where
+#   angle: 58: 14 +, 14 *, 7 /, 6 abs, 4 sqrt, 1 atan2, 1 lt, 3 eq, 8 where
 #   compose: 163: 61 +, 93 *, 5 /, 2 sqrt, 1 lt, 1 where
 #   between: 169: 61 +, 93 *, 5 /, 6 neg, 2 sqrt, 1 lt, 1 where
 #   compose_jacobians: 848: 339 +, 446 *, 45 /, 13 neg, 3 sqrt, 1 lt, 1 where
@@ -93,12 +94,12 @@ from ._interface import PoseKernels
 from ._kernel import Components, Kernel, Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "adjoint", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local", "body_rate",
-    "body_rate_dot", "body_rate_jacobian", "body_retract", "body_tangent", "body_tangent_dot", "body_tangent_inv",
-    "body_twist", "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians", "cotangent",
-    "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity", "inverse", "local",
-    "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "retract", "shadow",
-    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
+    "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
+    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_tangent", "body_tangent_dot",
+    "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians",
+    "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity",
+    "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "retract",
+    "shadow", "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
     "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
@@ -2649,6 +2650,7 @@ CHART = Chart(
 KERNELS = PoseKernels(CHART)
 
 adjoint = KERNELS.adjoint
+angle = KERNELS.angle
 between = KERNELS.between
 between_jacobians = KERNELS.between_jacobians
 body_cotangent = KERNELS.body_cotangent

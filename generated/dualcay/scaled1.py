@@ -54,6 +54,7 @@
 #   from_pose: 85: 25 +, 24 *, 5 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 20: 4 +, 13 *, 2 /, 1 tan
 #   to_screw: 78: 18 +, 30 *, 14 /, 6 abs, 1 sqrt, 1 atan2, 2 eq, 6 where
+#   angle: 58: 13 +, 14 *, 12 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
 #   compose: 156: 56 +, 79 *, 21 /
 #   between: 162: 56 +, 79 *, 21 /, 6 neg
 #   compose_jacobians: 776: 296 +, 391 *, 69 /, 20 neg
@@ -93,12 +94,12 @@ from ._interface import PoseKernels
 from ._kernel import Components, Kernel, Result, Rows, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "adjoint", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local", "body_rate",
-    "body_rate_dot", "body_rate_jacobian", "body_retract", "body_tangent", "body_tangent_dot", "body_tangent_inv",
-    "body_twist", "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians", "cotangent",
-    "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity", "inverse", "local",
-    "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "retract", "shadow",
-    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
+    "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
+    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_tangent", "body_tangent_dot",
+    "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians",
+    "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity",
+    "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "retract",
+    "shadow", "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
     "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
@@ -256,6 +257,19 @@ def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     rq = div(r, n2, o1)
     mul(n2, atan2(mul(rq, one, o1), n1, o1), o1)
     return o1, o2, o3
+
+
+# operations 3: 1 *, 1 /, 1 atan2
+def _unfolded(m: Any, x: Any, r: Any) -> Result:
+    own = 2 * m.atan2(r / 2, 1)
+    return own,
+
+
+def _unfolded_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, r: Any) -> Result:
+    o1, = out
+    n1, n2 = numbers
+    mul(n2, atan2(div(r, n2, o1), n1, o1), o1)
+    return o1,
 
 
 # operations 7: 1 +, 3 *, 2 /, 1 tan
@@ -4018,6 +4032,7 @@ CHART = Chart(
         "tangent": Function(_tangent, _tangent_blocks, 0, 0, (0, 1, 2, 4, 8, 16)),
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 0, 0, (0, 1, 2, 4, 8, 16, 32, 64)),
         "natural": Function(_natural, _natural_blocks, 0, 0, (1, 2, 4)),
+        "unfolded": Function(_unfolded, _unfolded_blocks, 0, 0, (1, 2)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 2)),
     },
     own={
@@ -4247,6 +4262,7 @@ CHART = Chart(
 KERNELS = PoseKernels(CHART)
 
 adjoint = KERNELS.adjoint
+angle = KERNELS.angle
 between = KERNELS.between
 between_jacobians = KERNELS.between_jacobians
 body_cotangent = KERNELS.body_cotangent

@@ -54,6 +54,7 @@
 #   from_pose: 94: 29 +, 28 *, 5 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 20: 4 +, 13 *, 2 /, 1 tan
 #   to_screw: 89: 21 +, 32 *, 15 /, 7 abs, 1 sqrt, 1 atan2, 2 lt, 2 eq, 8 where
+#   angle: 65: 14 +, 19 *, 13 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
 #   turn: 72: 16 +, 29 *, 12 /, 6 abs, 1 sqrt, 2 eq, 6 where
 #   shadow: 97: 25 +, 38 *, 14 /, 6 abs, 2 sqrt, 2 lt, 2 eq, 8 where
 #   principal: 57: 15 +, 24 *, 9 /, 1 sqrt, 1 lt, 7 where
@@ -96,12 +97,12 @@ from ._interface import PoseKernels
 from ._kernel import Components, Kernel, Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
-    "adjoint", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local", "body_rate",
-    "body_rate_dot", "body_rate_jacobian", "body_retract", "body_tangent", "body_tangent_dot", "body_tangent_inv",
-    "body_twist", "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians", "cotangent",
-    "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity", "inverse", "local",
-    "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "retract", "shadow",
-    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
+    "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
+    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_tangent", "body_tangent_dot",
+    "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians",
+    "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity",
+    "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "retract",
+    "shadow", "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
     "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
@@ -342,6 +343,19 @@ def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     mul(n2, atan2(mul(rq, one, o1), absolute(p, o3), o1), o1)
     mul(one, m.where(m.less(qp, n0, mask1), n_minus_1, n1, o3), o3)
     return o1, o2, o3
+
+
+# operations 3: 1 *, 1 /, 1 atan2
+def _unfolded(m: Any, x: Any, r: Any) -> Result:
+    own = 4 * m.atan2(r / 4, 1)
+    return own,
+
+
+def _unfolded_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, r: Any) -> Result:
+    o1, = out
+    n1, n4 = numbers
+    mul(n4, atan2(div(r, n4, o1), n1, o1), o1)
+    return o1,
 
 
 # operations 9: 2 +, 5 *, 2 /
@@ -4416,6 +4430,7 @@ CHART = Chart(
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 0, 0, (1, 2, 4, 16, 64, 256, 1024, 4096, 16384)),
         "direction": Function(_direction, _direction_blocks, 2, 1, (-2, -1, 0, 1, 2, 16)),
         "natural": Function(_natural, _natural_blocks, 2, 1, (-2, -1, 0, 1, 2, 4, 16)),
+        "unfolded": Function(_unfolded, _unfolded_blocks, 0, 0, (1, 4)),
         "turned": Function(_turned, _turned_blocks, 0, 0, (1, 4)),
         "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 4)),
@@ -4603,6 +4618,7 @@ CHART = Chart(
 KERNELS = PoseKernels(CHART)
 
 adjoint = KERNELS.adjoint
+angle = KERNELS.angle
 between = KERNELS.between
 between_jacobians = KERNELS.between_jacobians
 body_cotangent = KERNELS.body_cotangent

@@ -386,6 +386,12 @@ class Oracle:
             axis = (Nil(nan, nan),) * 3
         return pack((alpha,)), pack(axis)
 
+    def angle(self, v: Any) -> np.ndarray:
+        """Of v's own branch."""
+        dual = self.unpack(v)
+        theta, _ = self.half_screw((self.base(dual), *dual))
+        return pack((2 * self.order * theta,))
+
     def shadow(self, v: Any, branch: int = 1) -> np.ndarray:
         dual = self.unpack(v)
         alpha, axis = self.reduced(dual)

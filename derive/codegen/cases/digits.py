@@ -199,6 +199,7 @@ def _branch(chart: Vectors, screw: Screw, branch: int) -> Iterator[Expectation]:
     principal = flat(chart.at(screw))
     yield Expectation(f"shadow {branch}", (principal,), v)
     yield Expectation("principal", (v,), principal)
+    yield Expectation("angle", (v,), MAPS["angle"](chart, 0, v))
 
 
 def _from_rotation(R: Tensor, branch: int, v: Flat) -> Iterator[Expectation]:

@@ -51,6 +51,12 @@ def _to_screw(chart: Vectors, branch: int, v: Flat) -> Flat:
     return (screw.angle.re, screw.angle.du, *flat(screw.axis))
 
 
+def _angle(chart: Vectors, branch: int, v: Flat) -> Flat:
+    length, _ = polar(_dual(v))
+    angle = chart.angle(length)
+    return angle.re, angle.du
+
+
 def _shadow(chart: Vectors, branch: int, v: Flat) -> Flat:
     return flat(chart.shadow(_dual(v), branch))
 
@@ -126,6 +132,7 @@ MAPS: Mapping[str, Callable[..., Flat]] = {
     "from_pose": _from_pose,
     "from_screw": _from_screw,
     "to_screw": _to_screw,
+    "angle": _angle,
     "shadow": _shadow,
     "principal": _principal,
     "compose": _compose,
@@ -152,8 +159,8 @@ def seeded_arguments(
     for screw, other in zip(screws, [*screws[1:], screws[0]], strict=True):
         v, v2 = (short(flat(chart.at(s))) for s in (screw, other))
         yield "from_screw", None, (short((screw.angle.re, screw.angle.du)), short(flat(screw.axis)))
-        yield "to_screw", None, (v,)
-        yield "principal", None, (v,)
+        for name in ("to_screw", "angle", "principal"):
+            yield name, None, (v,)
         for name in ("compose", "between", "local", "body_local", "compose_jacobians", "between_jacobians"):
             yield name, None, (v2, v)
         delta = tuple(nearby(draw.uniform(-1, 1)) for _ in range(6))
@@ -168,7 +175,7 @@ def seeded_arguments(
         screw = reached[0]
         v, v_k = (short(flat(chart.at(screw, k))) for k in (0, branch))
         yield from _on_branch(screw, branch, v)
-        for name, k in (("principal", None), ("to_screw", None), ("shadow", chart.back(branch))):
+        for name, k in (("principal", None), ("to_screw", None), ("angle", None), ("shadow", chart.back(branch))):
             yield name, k, (v_k,)
 
 

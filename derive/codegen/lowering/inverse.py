@@ -209,6 +209,17 @@ def to_screw(trace: Geometry) -> Program:
     return trace.program("to_screw", (angle, sign * (slope * size_du), *(sign * u), *(sign * moment)))
 
 
+def angle(trace: Geometry) -> Program:
+    """The dual angle of v's own branch; along the axis ``dα/dr`` is ``f + x h``."""
+    point = start(trace)
+    _, _, distance, _ = _axis(trace, point)
+    f, _, h = point.scalars("pose")
+    resting = trace.name("resting", trace.equal(point.x, 0))
+    length = trace.name("rown", trace.sqrt(trace.where(resting, 1 + point.x, point.x)))
+    (own,) = trace.ask("unfolded", (point.x, length))
+    return trace.program("angle", (trace.where(resting, point.x, own), distance * (f + point.x * h)))
+
+
 def from_screw(trace: Geometry) -> Program:
     """v = φ(α) u over dual numbers."""
     angle, distance = trace.inputs("angle", ("alpha", "d"))
