@@ -9,9 +9,9 @@ An `Equation` is an entry: what is printed, and what the letters stand for. Noth
 * every reading must be faithful: its marks, less the kinds that the extraction lost, are the extracted text;
 * the readings that are listed are not all: `readings` puts the lost marks in anew, in every way that has a meaning;
 * ``holds``: a reading is true at all points, for the marks were lost by the extraction, not by the paper. ``holds-if``:
-  true where the entry's condition is, and not everywhere else; both sides are tested. ``erratum``: no reading is true, of those
-  listed or any other; then the correction must be. ``ambiguous``: a legible place speaks for a reading that is false,
-  or there are too many readings to say that none is true.
+  true where the entry's condition is, and not everywhere else; both sides are tested. ``erratum``: no reading is true,
+  of those listed or any other; then the correction must be. ``ambiguous``: a legible place speaks for a reading that
+  is false, or there are too many readings to say that none is true.
 
 An entry that fits none of these raises `UndecidedError`: there is no other way to a status than to compute it.
 """

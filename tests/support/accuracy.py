@@ -108,7 +108,7 @@ class Trial(Measured):
 
     @property
     def _derived_gates(self) -> tuple[float, float]:
-        return self.gates(errors.DERIVED, errors.shadow_gate(self.order))
+        return self.gates(errors.DERIVED, errors.derived_shadow_gate(self.order))
 
     def tangent_dot(self) -> Iterator[Result]:
         return self._derived("tangent_dot", lambda slope, _, w: slope * w, self._derived_gates, 1)
