@@ -4,7 +4,8 @@ From ``x = (1 − c²)/c``, ``c = cos θ``:
 
 .. math::
     c = \frac{2}{x + \sqrt{x^2 + 4}} \qquad s = 2 c^2 - 1 \quad w = 2 c^{3/2} \quad
-    \rho = \frac{8 c^{3/2}}{1 + c^2} \quad h = \frac{4 c^{5/2} (3 + 2 c^2)}{1 + c^2} \qquad
+    \rho = \frac{8 c^{3/2}}{1 + c^2} \quad h_i = \frac{3}{4 \sqrt c} \quad h = \frac{4 c^{5/2} (3 + 2 c^2)}{1 + c^2}
+
     \frac{dc}{dx} = -\frac{c^2}{1 + c^2}
 """
 
@@ -25,7 +26,7 @@ from .of_order import OfOrder
 def cosine(x: Coefficient, m: Arithmetic) -> Coefficient:
     """cos θ at x; where x² overflows NaN, not 0."""
     below = m.name("below", x + m.sqrt(x * x + 4))
-    return m.name("c", 2 * (m.div(below, below) / below))
+    return m.name("c", (below - below + 2) / below)
 
 
 class BreusingScalars(DependentScalars):
@@ -54,7 +55,11 @@ class BreusingScalars(DependentScalars):
 
     @cached_property
     def w(self) -> Coefficient:
-        return self.m.name("w", 2 * (self.c * self.m.sqrt(self.c)))
+        return self.m.name("w", 2 * (self.c * self._root))
+
+    @cached_property
+    def _root(self) -> Coefficient:
+        return self.m.name("rootc", self.m.sqrt(self.c))
 
     @cached_property
     def rate(self) -> Coefficient:
@@ -83,6 +88,29 @@ class BreusingScalars(DependentScalars):
     @cached_property
     def _sharing(self) -> Coefficient:
         return self.m.name("sharey", -2 * (self._share * self._over * self._decline))
+
+    @cached_property
+    def g(self) -> Coefficient:
+        """``2 w² = 8 c³``, of fewer roundings."""
+        return self.m.name("g", 8 * (self.c * self.cc))
+
+    @cached_property
+    def fi(self) -> Coefficient:
+        """``s/w``, a root divided by last."""
+        return self.m.name("fi", self.m.div(self.s, 2 * self.c) / self._root)
+
+    @cached_property
+    def hi(self) -> Coefficient:
+        """``3/(4 √c)``."""
+        return self.m.name("hi", self.m.div(3, 4 * self._root))
+
+    @cached_property
+    def hiy(self) -> Coefficient:
+        return self.m.name("hiy", self.m.div(self.hi * self._decline, 2))
+
+    @cached_property
+    def hiyy(self) -> Coefficient:
+        return self.m.name("hiyy", self.m.div(self.hiy * self._decline + self.hi * self._declining, 2))
 
     def _bend(self, slope: Coefficient, value: Coefficient, growth: Coefficient, change: Coefficient) -> Coefficient:
         """The slope of ``value · decline · growth/2``."""

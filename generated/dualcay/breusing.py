@@ -48,43 +48,43 @@
 #   [breusing] phi at 0: [phi](alpha -> 0) = 0; [phi](alpha -> -alpha) = -phi
 #
 # Operations:
-#   quaternion: 54: 13 +, 33 *, 5 /, 1 neg, 2 sqrt
-#   tensor: 106: 38 +, 63 *, 3 /, 2 sqrt
-#   pose: 79: 29 +, 45 *, 3 /, 2 sqrt
-#   transform_point: 92: 33 +, 54 *, 3 /, 2 sqrt
-#   transform_line: 131: 48 +, 78 *, 3 /, 2 sqrt
+#   quaternion: 54: 15 +, 32 *, 4 /, 1 neg, 2 sqrt
+#   tensor: 106: 40 +, 62 *, 2 /, 2 sqrt
+#   pose: 79: 31 +, 44 *, 2 /, 2 sqrt
+#   transform_point: 92: 35 +, 53 *, 2 /, 2 sqrt
+#   transform_line: 131: 50 +, 77 *, 2 /, 2 sqrt
 #   inverse: 6: 6 neg
-#   tangent: 121: 43 +, 71 *, 5 /, 2 sqrt
-#   tangent_inv: 132: 44 +, 66 *, 19 /, 1 neg, 2 sqrt
-#   body_tangent: 121: 43 +, 71 *, 5 /, 2 sqrt
-#   body_tangent_inv: 132: 44 +, 66 *, 19 /, 1 neg, 2 sqrt
-#   twist: 155: 54 +, 94 *, 5 /, 2 sqrt
-#   rate: 164: 55 +, 96 *, 10 /, 1 neg, 2 sqrt
-#   tangent_dot: 253: 89 +, 151 *, 11 /, 2 sqrt
-#   twist_dot: 281: 102 +, 168 *, 9 /, 2 sqrt
-#   rate_dot: 440: 165 +, 243 *, 28 /, 2 neg, 2 sqrt
-#   twist_jacobian: 330: 124 +, 194 *, 9 /, 1 neg, 2 sqrt
-#   rate_jacobian: 312: 110 +, 173 *, 25 /, 2 neg, 2 sqrt
-#   from_quaternion: 103: 29 +, 55 *, 11 /, 1 neg, 4 sqrt, 1 lt, 2 where
-#   from_tensor: 169: 52 +, 66 *, 15 /, 5 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
-#   from_pose: 133: 37 +, 48 *, 12 /, 5 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   tangent: 121: 45 +, 70 *, 4 /, 2 sqrt
+#   tangent_inv: 108: 38 +, 51 *, 16 /, 1 neg, 2 sqrt
+#   body_tangent: 121: 45 +, 70 *, 4 /, 2 sqrt
+#   body_tangent_inv: 108: 38 +, 51 *, 16 /, 1 neg, 2 sqrt
+#   twist: 155: 56 +, 93 *, 4 /, 2 sqrt
+#   rate: 140: 49 +, 81 *, 7 /, 1 neg, 2 sqrt
+#   tangent_dot: 253: 91 +, 150 *, 10 /, 2 sqrt
+#   twist_dot: 281: 104 +, 167 *, 8 /, 2 sqrt
+#   rate_dot: 389: 150 +, 211 *, 24 /, 2 neg, 2 sqrt
+#   twist_jacobian: 330: 126 +, 193 *, 8 /, 1 neg, 2 sqrt
+#   rate_jacobian: 261: 95 +, 141 *, 21 /, 2 neg, 2 sqrt
+#   from_quaternion: 85: 27 +, 42 *, 8 /, 1 neg, 4 sqrt, 1 lt, 2 where
+#   from_tensor: 151: 50 +, 53 *, 12 /, 5 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_pose: 115: 35 +, 35 *, 9 /, 5 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 30: 6 +, 15 *, 7 /, 1 sqrt, 1 tan
-#   to_screw: 105: 22 +, 39 *, 13 /, 1 neg, 8 abs, 3 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
-#   angle: 83: 19 +, 30 *, 11 /, 6 abs, 6 sqrt, 1 atan2, 3 eq, 7 where
-#   turn: 98: 20 +, 39 *, 19 /, 6 abs, 4 sqrt, 1 lt, 2 eq, 7 where
-#   shadow: 137: 30 +, 53 *, 21 /, 1 neg, 6 abs, 6 sqrt, 5 lt, 3 eq, 1 and, 1 or, 10 where
-#   principal: 83: 19 +, 34 *, 16 /, 4 sqrt, 2 lt, 8 where
-#   compose: 267: 83 +, 154 *, 18 /, 1 neg, 8 sqrt, 1 lt, 2 where
-#   between: 273: 83 +, 154 *, 18 /, 7 neg, 8 sqrt, 1 lt, 2 where
-#   compose_jacobians: 1128: 412 +, 617 *, 74 /, 8 neg, 14 sqrt, 1 lt, 2 where
-#   between_jacobians: 1152: 412 +, 617 *, 74 /, 32 neg, 14 sqrt, 1 lt, 2 where
-#   retract: 357: 109 +, 176 *, 41 /, 11 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
-#   body_retract: 357: 109 +, 176 *, 41 /, 11 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
-#   local: 318: 98 +, 164 *, 27 /, 7 neg, 7 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   body_local: 318: 98 +, 164 *, 27 /, 7 neg, 7 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   adjoint: 106: 38 +, 63 *, 3 /, 2 sqrt
-#   transform_point_jacobians: 235: 96 +, 129 *, 5 /, 3 neg, 2 sqrt
-#   transform_line_jacobians: 334: 129 +, 192 *, 5 /, 6 neg, 2 sqrt
+#   to_screw: 105: 24 +, 38 *, 12 /, 1 neg, 8 abs, 3 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
+#   angle: 83: 23 +, 28 *, 9 /, 6 abs, 6 sqrt, 1 atan2, 3 eq, 7 where
+#   turn: 98: 22 +, 38 *, 18 /, 6 abs, 4 sqrt, 1 lt, 2 eq, 7 where
+#   shadow: 137: 34 +, 51 *, 19 /, 1 neg, 6 abs, 6 sqrt, 5 lt, 3 eq, 1 and, 1 or, 10 where
+#   principal: 83: 21 +, 33 *, 15 /, 4 sqrt, 2 lt, 8 where
+#   compose: 249: 85 +, 139 *, 13 /, 1 neg, 8 sqrt, 1 lt, 2 where
+#   between: 255: 85 +, 139 *, 13 /, 7 neg, 8 sqrt, 1 lt, 2 where
+#   compose_jacobians: 1086: 412 +, 585 *, 64 /, 8 neg, 14 sqrt, 1 lt, 2 where
+#   between_jacobians: 1110: 412 +, 585 *, 64 /, 32 neg, 14 sqrt, 1 lt, 2 where
+#   retract: 339: 111 +, 161 *, 36 /, 11 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+#   body_retract: 339: 111 +, 161 *, 36 /, 11 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+#   local: 318: 102 +, 162 *, 25 /, 7 neg, 7 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+#   body_local: 318: 102 +, 162 *, 25 /, 7 neg, 7 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+#   adjoint: 106: 40 +, 62 *, 2 /, 2 sqrt
+#   transform_point_jacobians: 235: 98 +, 128 *, 4 /, 3 neg, 2 sqrt
+#   transform_line_jacobians: 334: 131 +, 191 *, 4 /, 6 neg, 2 sqrt
 r"""Breusing's chart: Rodrigues dual vectors ``v = sin(α/4)/sqrt(cos(α/4)) u`` of rigid displacements.
 
 .. math::
@@ -132,14 +132,15 @@ def __dir__() -> list[str]:
 # --- scalars of x = v·v, of angles and quaternions: plain, and in place -------------------------------------------
 
 
-# operations 30: 6 +, 16 *, 5 /, 1 neg, 2 sqrt
+# operations 30: 8 +, 15 *, 4 /, 1 neg, 2 sqrt
 def _quaternion(m: Any, x: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
-    c = 2 * (below / below / below)
+    c = (below - below + 2) / below
     cc = c * c
     cc_by_2 = 2 * cc
     s = cc_by_2 - 1
-    w = 2 * (c * m.sqrt(c))
+    rootc = m.sqrt(c)
+    w = 2 * (c * rootc)
     over = 1 / (1 + cc)
     rho = 4 * (w * over)
     sy = -(rho * w / 2)
@@ -155,13 +156,14 @@ def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: R
     k1, *_ = scratch
     n1, n2, n3, n4 = numbers
     below = add(x, sqrt(add(mul(x, x, o4), n4, o4), o4), o4)
-    c = mul(n2, div(div(below, below, o3), below, o4), o4)
+    c = div(add(sub(below, below, o3), n2, o3), below, o4)
     cc = mul(c, c, o3)
     cc_by_2 = mul(n2, cc, k1)
     over = div(n1, add(n1, cc, o3), o3)
     s = sub(cc_by_2, n1, o1)
     weight = add(n3, cc_by_2, k1)
-    w = mul(n2, mul(c, sqrt(c, o2), o2), o2)
+    rootc = sqrt(c, o2)
+    w = mul(n2, mul(c, rootc, o2), o2)
     h = mul(mul(n2, mul(c, w, o4), o4), mul(weight, over, k1), o4)
     rho = mul(n4, mul(w, over, o3), o3)
     neg(div(mul(rho, w, o3), n2, o3), o3)
@@ -170,17 +172,17 @@ def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: R
     return o1, o2, o3, o4
 
 
-# operations 24: 5 +, 14 *, 3 /, 2 sqrt
+# operations 24: 7 +, 13 *, 2 /, 2 sqrt
 def _pose(m: Any, x: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
-    c = 2 * (below / below / below)
+    c = (below - below + 2) / below
     cc = c * c
     cc_by_2 = 2 * cc
     s = cc_by_2 - 1
-    w = 2 * (c * m.sqrt(c))
+    rootc = m.sqrt(c)
+    w = 2 * (c * rootc)
     f = 2 * (s * w)
-    ww = w * w
-    g = 2 * ww
+    g = 8 * (c * cc)
     weight = 3 + cc_by_2
     over = 1 / (1 + cc)
     h = 2 * (c * w) * (weight * over)
@@ -189,34 +191,34 @@ def _pose(m: Any, x: Any) -> Result:
 
 def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3 = out
-    k1, k2, *_ = scratch
-    n1, n2, n3, n4 = numbers
+    k1, k2, k3, *_ = scratch
+    n1, n2, n3, n4, n8 = numbers
     below = add(x, sqrt(add(mul(x, x, o3), n4, o3), o3), o3)
-    c = mul(n2, div(div(below, below, o1), below, o3), o3)
-    cc = mul(c, c, o1)
-    cc_by_2 = mul(n2, cc, o2)
-    over = div(n1, add(n1, cc, o1), o1)
-    s = sub(cc_by_2, n1, k1)
-    weight = add(n3, cc_by_2, o2)
-    w = mul(n2, mul(c, sqrt(c, k2), k2), k2)
-    mul(mul(n2, mul(c, w, o3), o3), mul(weight, over, o1), o3)
+    c = div(add(sub(below, below, k1), n2, k1), below, o3)
+    cc = mul(c, c, k1)
+    cc_by_2 = mul(n2, cc, k2)
+    s = sub(cc_by_2, n1, o1)
+    weight = add(n3, cc_by_2, k2)
+    rootc = sqrt(c, k3)
+    w = mul(n2, mul(c, rootc, k3), k3)
     mul(n2, mul(s, w, o1), o1)
-    ww = mul(w, w, o2)
-    mul(n2, ww, o2)
+    mul(n8, mul(c, cc, o2), o2)
+    over = div(n1, add(n1, cc, k1), k1)
+    mul(mul(n2, mul(c, w, o3), o3), mul(weight, over, k1), o3)
     return o1, o2, o3
 
 
-# operations 42: 9 +, 26 *, 5 /, 2 sqrt
+# operations 42: 11 +, 25 *, 4 /, 2 sqrt
 def _tangent(m: Any, x: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
-    c = 2 * (below / below / below)
+    c = (below - below + 2) / below
     cc = c * c
     cc_by_2 = 2 * cc
     s = cc_by_2 - 1
-    w = 2 * (c * m.sqrt(c))
+    rootc = m.sqrt(c)
+    w = 2 * (c * rootc)
     f = 2 * (s * w)
-    ww = w * w
-    g = 2 * ww
+    g = 8 * (c * cc)
     weight = 3 + cc_by_2
     over = 1 / (1 + cc)
     h = 2 * (c * w) * (weight * over)
@@ -234,39 +236,39 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     o1, o2, o3, o4, o5, o6 = out
     k1, k2, *_ = scratch
     n1, n2, n3, n4, n5, n8 = numbers
-    below = add(x, sqrt(add(mul(x, x, o6), n4, o6), o6), o6)
-    c = mul(n2, div(div(below, below, o2), below, o6), o6)
-    w = mul(n2, mul(c, sqrt(c, o2), o2), o2)
-    cc = mul(c, c, o4)
+    below = add(x, sqrt(add(mul(x, x, o2), n4, o2), o2), o2)
+    c = div(add(sub(below, below, o4), n2, o4), below, o2)
+    rootc = sqrt(c, o4)
+    w = mul(n2, mul(c, rootc, o4), o4)
+    cc = mul(c, c, o5)
     cc_by_2 = mul(n2, cc, o1)
-    weight = add(n3, cc_by_2, o5)
+    weight = add(n3, cc_by_2, o6)
     s = sub(cc_by_2, n1, o1)
     f = mul(n2, mul(s, w, o1), o1)
     over = div(n1, add(n1, cc, k1), k1)
     h = mul(mul(n2, mul(c, w, o3), o3), mul(weight, over, k2), o3)
-    decline = mul(n2, mul(c, over, o6), o6)
-    share = mul(n4, mul(cc, over, k2), k2)
-    hgrowth = sub(sub(share, n5, k2), mul(n8, div(cc, weight, o4), o4), o4)
-    div(mul(mul(h, decline, o6), hgrowth, o6), n2, o6)
     rho = mul(n4, mul(w, over, o4), o4)
-    ww = mul(w, w, o2)
-    g = mul(n2, ww, o2)
+    share = mul(n4, mul(cc, over, k2), k2)
+    hgrowth = sub(sub(share, n5, k2), mul(n8, div(cc, weight, o6), o6), o6)
+    decline = mul(n2, mul(c, over, k1), k1)
+    div(mul(mul(h, decline, k1), hgrowth, o6), n2, o6)
+    g = mul(n8, mul(c, cc, o2), o2)
     sub(mul(f, h, o5), mul(g, g, k1), o5)
     sub(h, mul(rho, g, o4), o4)
     return o1, o2, o3, o4, o5, o6
 
 
-# operations 76: 18 +, 47 *, 9 /, 2 sqrt
+# operations 76: 20 +, 46 *, 8 /, 2 sqrt
 def _tangent_dot(m: Any, x: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
-    c = 2 * (below / below / below)
+    c = (below - below + 2) / below
     cc = c * c
     cc_by_2 = 2 * cc
     s = cc_by_2 - 1
-    w = 2 * (c * m.sqrt(c))
+    rootc = m.sqrt(c)
+    w = 2 * (c * rootc)
     f = 2 * (s * w)
-    ww = w * w
-    g = 2 * ww
+    g = 8 * (c * cc)
     weight = 3 + cc_by_2
     over = 1 / (1 + cc)
     h = 2 * (c * w) * (weight * over)
@@ -294,31 +296,31 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
     k1, k2, k3, k4, *_ = scratch
     n_minus_2, n1, n2, n3, n4, n5, n8, n48 = numbers
-    below = add(x, sqrt(add(mul(x, x, o7), n4, o7), o7), o7)
-    c = mul(n2, div(div(below, below, o2), below, o7), o7)
-    w = mul(n2, mul(c, sqrt(c, o2), o2), o2)
+    below = add(x, sqrt(add(mul(x, x, o2), n4, o2), o2), o2)
+    c = div(add(sub(below, below, o4), n2, o4), below, o2)
+    rootc = sqrt(c, o4)
+    w = mul(n2, mul(c, rootc, o4), o4)
     cc = mul(c, c, o9)
     cc_by_2 = mul(n2, cc, o1)
-    weight = add(n3, cc_by_2, o4)
+    weight = add(n3, cc_by_2, o7)
     s = sub(cc_by_2, n1, o1)
     f = mul(n2, mul(s, w, o1), o1)
     over = div(n1, add(n1, cc, o5), o5)
     h = mul(mul(n2, mul(c, w, o3), o3), mul(weight, over, o8), o3)
-    decline = mul(n2, mul(c, over, o7), o7)
+    rho = mul(n4, mul(w, over, o4), o4)
     share = mul(n4, mul(cc, over, o8), o8)
-    hgrowth = sub(sub(share, n5, k1), mul(n8, div(cc, weight, o6), o6), k1)
+    hgrowth = sub(sub(share, n5, k1), mul(n8, div(cc, weight, k2), k2), k1)
+    decline = mul(n2, mul(c, over, k2), k2)
+    sharey = mul(n_minus_2, mul(mul(share, over, o5), decline, o5), o5)
+    g = mul(n8, mul(c, cc, o2), o2)
     hy = div(mul(mul(h, decline, o6), hgrowth, o6), n2, o6)
-    decliney = mul(mul(decline, decline, k2), sub(div(share, n2, k3), n1, k3), k2)
-    sharey = mul(n_minus_2, mul(mul(share, over, k3), decline, k3), k3)
+    decliney = mul(mul(decline, decline, k3), sub(div(share, n2, k4), n1, k4), k3)
     div(
         add(mul(mul(hy, decline, k4), hgrowth, k4), mul(h, add(mul(decliney, hgrowth, k1), mul(decline, add(sharey,
-        mul(n48, div(mul(cc, decline, o9), mul(weight, weight, o4), o9), o9), o9), o9), o9), o9), o9), n2, o9
+        mul(n48, div(mul(cc, decline, o9), mul(weight, weight, o7), o9), o9), o9), o9), o9), o9), o9), n2, o9
     )
-    rho = mul(n4, mul(w, over, o4), o4)
-    ww = mul(w, w, o2)
-    g = mul(n2, ww, o2)
-    rhogrowth = sub(share, n3, o5)
-    rhoy = div(mul(mul(rho, decline, o7), rhogrowth, o7), n2, o7)
+    rhogrowth = sub(share, n3, o7)
+    rhoy = div(mul(mul(rho, decline, o5), rhogrowth, o7), n2, o7)
     gy = sub(mul(f, h, o5), mul(g, g, o8), o5)
     sub(sub(hy, mul(rhoy, g, o7), o7), mul(rho, gy, o8), o7)
     fy = sub(h, mul(rho, g, o4), o4)
@@ -326,205 +328,141 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     return o1, o2, o3, o4, o5, o6, o7, o8, o9
 
 
-# operations 28: 6 +, 15 *, 5 /, 2 sqrt
+# operations 10: 4 +, 2 *, 2 /, 2 sqrt
 def _inverse(m: Any, x: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
-    c = 2 * (below / below / below)
-    w = 2 * (c * m.sqrt(c))
-    ww = w * w
-    g = 2 * ww
-    cc = c * c
-    cc_by_2 = 2 * cc
-    s = cc_by_2 - 1
-    fi = s / w
-    weight = 3 + cc_by_2
-    over = 1 / (1 + cc)
-    h = 2 * (c * w) * (weight * over)
-    rho = 4 * (w * over)
-    hi = (g - fi * h) / rho
+    c = (below - below + 2) / below
+    rootc = m.sqrt(c)
+    hi = 3 / (4 * rootc)
     return hi,
 
 
 def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, = out
-    k1, k2, k3, k4, *_ = scratch
-    n1, n2, n3, n4 = numbers
+    k1, *_ = scratch
+    n2, n3, n4 = numbers
     below = add(x, sqrt(add(mul(x, x, o1), n4, o1), o1), o1)
-    c = mul(n2, div(div(below, below, k1), below, o1), o1)
-    w = mul(n2, mul(c, sqrt(c, k1), k1), k1)
-    cc = mul(c, c, k2)
-    cc_by_2 = mul(n2, cc, k3)
-    over = div(n1, add(n1, cc, k2), k2)
-    weight = add(n3, cc_by_2, k4)
-    h = mul(mul(n2, mul(c, w, o1), o1), mul(weight, over, k4), o1)
-    s = sub(cc_by_2, n1, k3)
-    fi = div(s, w, k3)
-    rho = mul(n4, mul(w, over, k2), k2)
-    ww = mul(w, w, k1)
-    g = mul(n2, ww, k1)
-    div(sub(g, mul(fi, h, o1), o1), rho, o1)
+    c = div(add(sub(below, below, k1), n2, k1), below, o1)
+    rootc = sqrt(c, o1)
+    div(n3, mul(n4, rootc, o1), o1)
     return o1,
 
 
-# operations 57: 13 +, 31 *, 10 /, 1 neg, 2 sqrt
+# operations 33: 7 +, 16 *, 7 /, 1 neg, 2 sqrt
 def _tangent_inv(m: Any, x: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
-    c = 2 * (below / below / below)
+    c = (below - below + 2) / below
     cc = c * c
     cc_by_2 = 2 * cc
     s = cc_by_2 - 1
-    w = 2 * (c * m.sqrt(c))
-    fi = s / w
-    ww = w * w
-    g = 2 * ww
+    rootc = m.sqrt(c)
+    fi = s / (2 * c) / rootc
+    hi = 3 / (4 * rootc)
+    w = 2 * (c * rootc)
     weight = 3 + cc_by_2
     over = 1 / (1 + cc)
     h = 2 * (c * w) * (weight * over)
-    rho = 4 * (w * over)
-    hi = (g - fi * h) / rho
+    g = 8 * (c * cc)
     fiy = -(h / g)
-    f = 2 * (s * w)
-    gy = f * h - g * g
     decline = 2 * (c * over)
-    share = 4 * (cc * over)
-    hgrowth = share - 5 - 8 * (cc / weight)
-    hy = h * decline * hgrowth / 2
-    rhogrowth = share - 3
-    rhoy = rho * decline * rhogrowth / 2
-    hiy = (gy - fiy * h - fi * hy - hi * rhoy) / rho
+    hiy = hi * decline / 2
     return fi, hi, fiy, hiy
 
 
 def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3, o4 = out
-    k1, k2, k3, k4, k5, k6, *_ = scratch
-    n1, n2, n3, n4, n5, n8 = numbers
+    k1, k2, k3, *_ = scratch
+    n1, n2, n3, n4, n8 = numbers
     below = add(x, sqrt(add(mul(x, x, o4), n4, o4), o4), o4)
-    c = mul(n2, div(div(below, below, k1), below, o4), o4)
-    cc = mul(c, c, k1)
-    cc_by_2 = mul(n2, cc, o2)
-    s = sub(cc_by_2, n1, k2)
-    weight = add(n3, cc_by_2, o2)
-    w = mul(n2, mul(c, sqrt(c, k3), k3), k3)
-    fi = div(s, w, o1)
-    f = mul(n2, mul(s, w, k2), k2)
-    over = div(n1, add(n1, cc, o3), o3)
-    h = mul(mul(n2, mul(c, w, k4), k4), mul(weight, over, k5), k4)
+    c = div(add(sub(below, below, o3), n2, o3), below, o4)
+    cc = mul(c, c, o3)
+    cc_by_2 = mul(n2, cc, k1)
+    s = sub(cc_by_2, n1, o1)
+    weight = add(n3, cc_by_2, k1)
+    rootc = sqrt(c, k2)
+    div(div(s, mul(n2, c, o2), o1), rootc, o1)
+    hi = div(n3, mul(n4, rootc, o2), o2)
+    w = mul(n2, mul(c, rootc, k2), k2)
+    over = div(n1, add(n1, cc, k3), k3)
+    h = mul(mul(n2, mul(c, w, k2), k2), mul(weight, over, k1), k1)
+    g = mul(n8, mul(c, cc, o3), o3)
+    neg(div(h, g, o3), o3)
     decline = mul(n2, mul(c, over, o4), o4)
-    ww = mul(w, w, k5)
-    g = mul(n2, ww, k5)
-    rho = mul(n4, mul(w, over, k3), k3)
-    gy = sub(mul(f, h, k2), mul(g, g, k6), k2)
-    share = mul(n4, mul(cc, over, o3), o3)
-    hgrowth = sub(sub(share, n5, k6), mul(n8, div(cc, weight, k1), k1), k1)
-    hy = div(mul(mul(h, decline, o2), hgrowth, k1), n2, k1)
-    rhogrowth = sub(share, n3, o2)
-    rhoy = div(mul(mul(rho, decline, o4), rhogrowth, o4), n2, o4)
-    hi = div(sub(g, mul(fi, h, o2), o2), rho, o2)
-    fiy = neg(div(h, g, o3), o3)
-    div(sub(sub(sub(gy, mul(fiy, h, k4), k2), mul(fi, hy, k1), k1), mul(hi, rhoy, o4), o4), rho, o4)
+    div(mul(hi, decline, o4), n2, o4)
     return o1, o2, o3, o4
 
 
-# operations 110: 28 +, 62 *, 16 /, 2 neg, 2 sqrt
+# operations 59: 13 +, 30 *, 12 /, 2 neg, 2 sqrt
 def _tangent_inv_dot(m: Any, x: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
-    c = 2 * (below / below / below)
+    c = (below - below + 2) / below
     cc = c * c
     cc_by_2 = 2 * cc
     s = cc_by_2 - 1
-    w = 2 * (c * m.sqrt(c))
-    fi = s / w
-    ww = w * w
-    g = 2 * ww
+    rootc = m.sqrt(c)
+    fi = s / (2 * c) / rootc
+    hi = 3 / (4 * rootc)
+    w = 2 * (c * rootc)
     weight = 3 + cc_by_2
     over = 1 / (1 + cc)
     h = 2 * (c * w) * (weight * over)
-    rho = 4 * (w * over)
-    hi = (g - fi * h) / rho
+    g = 8 * (c * cc)
     fiy = -(h / g)
-    f = 2 * (s * w)
-    gy = f * h - g * g
     decline = 2 * (c * over)
+    hiy = hi * decline / 2
     share = 4 * (cc * over)
     hgrowth = share - 5 - 8 * (cc / weight)
     hy = h * decline * hgrowth / 2
-    rhogrowth = share - 3
-    rhoy = rho * decline * rhogrowth / 2
-    hiy = (gy - fiy * h - fi * hy - hi * rhoy) / rho
+    f = 2 * (s * w)
+    gy = f * h - g * g
     fiyy = -((hy + fiy * gy) / g)
-    sharey = -2 * (share * over * decline)
     decliney = decline * decline * (share / 2 - 1)
-    hyy = (
-        (hy * decline * hgrowth + h * (decliney * hgrowth + decline * (sharey + 48 * (cc * decline / (weight
-        * weight))))) / 2
-    )
-    fy = h - rho * g
-    gyy = fy * h + f * hy - 2 * (g * gy)
-    rhoyy = (rhoy * decline * rhogrowth + rho * (decliney * rhogrowth + decline * sharey)) / 2
-    hiyy = (gyy - (fiyy * h + 2 * (fiy * hy) + fi * hyy) - 2 * (hiy * rhoy) - hi * rhoyy) / rho
+    hiyy = (hiy * decline + hi * decliney) / 2
     return fi, hi, fiy, hiy, fiyy, hiyy
 
 
 def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, *_ = scratch
-    n_minus_2, n1, n2, n3, n4, n5, n8, n48 = numbers
+    k1, k2, k3, k4, *_ = scratch
+    n1, n2, n3, n4, n5, n8 = numbers
     below = add(x, sqrt(add(mul(x, x, o6), n4, o6), o6), o6)
-    c = mul(n2, div(div(below, below, o5), below, o6), o6)
-    w = mul(n2, mul(c, sqrt(c, o5), o5), o5)
-    cc = mul(c, c, k1)
-    cc_by_2 = mul(n2, cc, o1)
-    weight = add(n3, cc_by_2, k2)
-    s = sub(cc_by_2, n1, o1)
-    over = div(n1, add(n1, cc, o4), o4)
-    h = mul(mul(n2, mul(c, w, k3), k3), mul(weight, over, k4), k3)
+    c = div(add(sub(below, below, o5), n2, o5), below, o6)
+    cc = mul(c, c, o5)
+    cc_by_2 = mul(n2, cc, k1)
+    s = sub(cc_by_2, n1, o3)
+    weight = add(n3, cc_by_2, k1)
+    rootc = sqrt(c, o4)
+    div(div(s, mul(n2, c, o1), o1), rootc, o1)
+    hi = div(n3, mul(n4, rootc, o2), o2)
+    w = mul(n2, mul(c, rootc, o4), o4)
+    f = mul(n2, mul(s, w, o3), o3)
+    over = div(n1, add(n1, cc, k2), k2)
+    h = mul(mul(n2, mul(c, w, o4), o4), mul(weight, over, k3), o4)
+    g = mul(n8, mul(c, cc, k3), k3)
     decline = mul(n2, mul(c, over, o6), o6)
-    share = mul(n4, mul(cc, over, k4), k4)
-    hgrowth = sub(sub(share, n5, k5), mul(n8, div(cc, weight, k6), k6), k5)
-    hy = div(mul(mul(h, decline, k6), hgrowth, k6), n2, k6)
-    decliney = mul(mul(decline, decline, k7), sub(div(share, n2, k8), n1, k8), k7)
-    sharey = mul(n_minus_2, mul(mul(share, over, k8), decline, k8), k8)
-    hyy = div(
-        add(mul(mul(hy, decline, o2), hgrowth, o2), mul(h, add(mul(decliney, hgrowth, k5), mul(decline, add(sharey,
-        mul(n48, div(mul(cc, decline, k1), mul(weight, weight, k2), k1), k1), k1), k1), k1), k1), k1), n2, k1
-    )
-    rho = mul(n4, mul(w, over, k2), k2)
-    rhogrowth = sub(share, n3, o4)
-    f = mul(n2, mul(s, w, k4), k4)
-    fi = div(s, w, o1)
-    ww = mul(w, w, o5)
-    g = mul(n2, ww, o5)
-    gy = sub(mul(f, h, k5), mul(g, g, o2), k5)
-    hi = div(sub(g, mul(fi, h, o2), o2), rho, o2)
+    share = mul(n4, mul(cc, over, k2), k2)
+    hgrowth = sub(sub(share, n5, k4), mul(n8, div(cc, weight, o5), o5), o5)
+    hy = div(mul(mul(h, decline, k1), hgrowth, o5), n2, o5)
+    gy = sub(mul(f, h, k1), mul(g, g, o3), k1)
     fiy = neg(div(h, g, o3), o3)
-    rhoy = div(mul(mul(rho, decline, k9), rhogrowth, k9), n2, k9)
-    rhoyy = div(
-        add(mul(mul(rhoy, decline, k10), rhogrowth, k10), mul(rho, add(mul(decliney, rhogrowth, o4), mul(decline,
-        sharey, o6), o6), o6), o6), n2, o6
-    )
-    hiy = div(sub(sub(sub(gy, mul(fiy, h, o4), o4), mul(fi, hy, k7), o4), mul(hi, rhoy, k7), o4), rho, o4)
-    fy = sub(h, mul(rho, g, k7), k7)
-    gyy = sub(add(mul(fy, h, k7), mul(f, hy, k4), k4), mul(n2, mul(g, gy, k7), k7), k4)
-    fiyy = neg(div(add(hy, mul(fiy, gy, k5), k5), g, o5), o5)
-    div(
-        sub(sub(sub(gyy, add(add(mul(fiyy, h, k3), mul(n2, mul(fiy, hy, k5), k5), k3), mul(fi, hyy, k1), k1), k1),
-        mul(n2, mul(hiy, rhoy, k3), k3), k1), mul(hi, rhoyy, o6), o6), rho, o6
-    )
+    neg(div(add(hy, mul(fiy, gy, k1), o5), g, o5), o5)
+    decliney = mul(mul(decline, decline, k1), sub(div(share, n2, o4), n1, o4), k1)
+    hiy = div(mul(hi, decline, o4), n2, o4)
+    div(add(mul(hiy, decline, o6), mul(hi, decliney, k1), o6), n2, o6)
     return o1, o2, o3, o4, o5, o6
 
 
-# operations 24: 5 +, 14 *, 3 /, 2 sqrt
+# operations 24: 7 +, 13 *, 2 /, 2 sqrt
 def _ray(m: Any, x: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
-    c = 2 * (below / below / below)
+    c = (below - below + 2) / below
     cc = c * c
     cc_by_2 = 2 * cc
     s = cc_by_2 - 1
-    w = 2 * (c * m.sqrt(c))
+    rootc = m.sqrt(c)
+    w = 2 * (c * rootc)
     f = 2 * (s * w)
-    ww = w * w
-    g = 2 * ww
+    g = 8 * (c * cc)
     weight = 3 + cc_by_2
     over = 1 / (1 + cc)
     h = 2 * (c * w) * (weight * over)
@@ -533,19 +471,20 @@ def _ray(m: Any, x: Any) -> Result:
 
 def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, _, o4, o5, o6 = out
-    n1, n2, n3, n4 = numbers
+    k1, k2, *_ = scratch
+    n1, n2, n3, n4, n8 = numbers
     below = add(x, sqrt(add(mul(x, x, o6), n4, o6), o6), o6)
-    c = mul(n2, div(div(below, below, o4), below, o6), o6)
-    cc = mul(c, c, o4)
-    cc_by_2 = mul(n2, cc, o5)
-    over = div(n1, add(n1, cc, o4), o4)
+    c = div(add(sub(below, below, k1), n2, k1), below, o6)
+    cc = mul(c, c, k1)
+    cc_by_2 = mul(n2, cc, k2)
     s = sub(cc_by_2, n1, o1)
-    weight = add(n3, cc_by_2, o5)
-    w = mul(n2, mul(c, sqrt(c, o2), o2), o2)
-    mul(mul(n2, mul(c, w, o6), o6), mul(weight, over, o4), o6)
+    weight = add(n3, cc_by_2, k2)
+    rootc = sqrt(c, o2)
+    w = mul(n2, mul(c, rootc, o2), o2)
     mul(n2, mul(s, w, o4), o4)
-    ww = mul(w, w, o5)
-    mul(n2, ww, o5)
+    mul(n8, mul(c, cc, o5), o5)
+    over = div(n1, add(n1, cc, k1), k1)
+    mul(mul(n2, mul(c, w, o6), o6), mul(weight, over, k1), o6)
     return o1, o2, n1, o4, o5, o6
 
 
@@ -623,11 +562,12 @@ def _gain_product_blocks(
     return o1,
 
 
-# operations 28: 6 +, 7 *, 2 /, 1 neg, 2 sqrt, 4 lt, 1 eq, 1 and, 1 or, 3 where
+# operations 28: 8 +, 6 *, 1 /, 1 neg, 2 sqrt, 4 lt, 1 eq, 1 and, 1 or, 3 where
 def _direction(m: Any, x: Any, y: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
-    c = 2 * (below / below / below)
-    w = 2 * (c * m.sqrt(c))
+    c = (below - below + 2) / below
+    rootc = m.sqrt(c)
+    w = 2 * (c * rootc)
     kept = m.where(w < 0, 0, 16)
     cc = c * c
     s = 2 * cc - 1
@@ -643,8 +583,9 @@ def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Ro
     mask1, mask2, mask3, *_ = masks
     n_minus_1, n0, n1, n2, n4, n16 = numbers
     below = add(x, sqrt(add(mul(x, x, o1), n4, o1), o1), o1)
-    c = mul(n2, div(div(below, below, k1), below, o1), o1)
-    w = mul(n2, mul(c, sqrt(c, k1), k1), k1)
+    c = div(add(sub(below, below, k1), n2, k1), below, o1)
+    rootc = sqrt(c, k1)
+    w = mul(n2, mul(c, rootc, k1), k1)
     cc = mul(c, c, o1)
     s = sub(mul(n2, cc, o1), n1, o1)
     kept = m.where(m.less(w, n0, mask1), n0, n16, k2)
@@ -657,11 +598,12 @@ def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Ro
     return o1,
 
 
-# operations 37: 7 +, 11 *, 3 /, 1 neg, 2 abs, 2 sqrt, 1 atan2, 4 lt, 1 eq, 1 and, 1 or, 3 where
+# operations 37: 9 +, 10 *, 2 /, 1 neg, 2 abs, 2 sqrt, 1 atan2, 4 lt, 1 eq, 1 and, 1 or, 3 where
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
-    c = 2 * (below / below / below)
-    w = 2 * (c * m.sqrt(c))
+    c = (below - below + 2) / below
+    rootc = m.sqrt(c)
+    w = 2 * (c * rootc)
     kept = m.where(w < 0, 0, 16)
     cc = c * c
     s = 2 * cc - 1
@@ -680,8 +622,9 @@ def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     mask1, mask2, mask3, *_ = masks
     n_minus_1, n0, n1, n2, n4, n16 = numbers
     below = add(x, sqrt(add(mul(x, x, o2), n4, o2), o2), o2)
-    c = mul(n2, div(div(below, below, o1), below, o2), o2)
-    w = mul(n2, mul(c, sqrt(c, o1), o1), o1)
+    c = div(add(sub(below, below, o1), n2, o1), below, o2)
+    rootc = sqrt(c, o1)
+    w = mul(n2, mul(c, rootc, o1), o1)
     cc = mul(c, c, o2)
     kept = m.where(m.less(w, n0, mask1), n0, n16, o3)
     s = sub(mul(n2, cc, k1), n1, k1)
@@ -697,10 +640,10 @@ def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, o2, o3
 
 
-# operations 11: 2 +, 4 *, 2 /, 2 sqrt, 1 atan2
+# operations 11: 4 +, 3 *, 1 /, 2 sqrt, 1 atan2
 def _unfolded(m: Any, x: Any, r: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
-    c = 2 * (below / below / below)
+    c = (below - below + 2) / below
     sigma = m.sqrt(c)
     own = 4 * m.atan2(r * sigma, c)
     return own,
@@ -711,17 +654,17 @@ def _unfolded_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Row
     k1, *_ = scratch
     n2, n4 = numbers
     below = add(x, sqrt(add(mul(x, x, o1), n4, o1), o1), o1)
-    c = mul(n2, div(div(below, below, k1), below, o1), o1)
+    c = div(add(sub(below, below, k1), n2, k1), below, o1)
     sigma = sqrt(c, k1)
     mul(n4, atan2(mul(r, sigma, k1), c, o1), o1)
     return o1,
 
 
-# operations 35: 6 +, 15 *, 9 /, 3 sqrt, 1 lt, 1 where
+# operations 35: 8 +, 14 *, 8 /, 3 sqrt, 1 lt, 1 where
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     rr = r * r
     below = rr + m.sqrt(rr * rr + 4)
-    c = 2 * (below / below / below)
+    c = (below - below + 2) / below
     sigma = m.sqrt(c)
     s = r * sigma
     further = c * cos - s * sin
@@ -742,7 +685,7 @@ def _turned_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows,
     n_minus_1, n0, n1, n2, n4 = numbers
     rr = mul(r, r, o2)
     below = add(rr, sqrt(add(mul(rr, rr, o1), n4, o1), o1), o2)
-    c = mul(n2, div(div(below, below, o1), below, o2), o2)
+    c = div(add(sub(below, below, o1), n2, o1), below, o2)
     sigma = sqrt(c, o1)
     s = mul(r, sigma, k1)
     iroot = div(n1, sigma, o1)
@@ -821,13 +764,13 @@ CHART = Chart(
     ),
     functions={
         "quaternion": Function(_quaternion, _quaternion_blocks, 1, 0, (1, 2, 3, 4)),
-        "pose": Function(_pose, _pose_blocks, 2, 0, (1, 2, 3, 4)),
+        "pose": Function(_pose, _pose_blocks, 3, 0, (1, 2, 3, 4, 8)),
         "tangent": Function(_tangent, _tangent_blocks, 2, 0, (1, 2, 3, 4, 5, 8)),
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 4, 0, (-2, 1, 2, 3, 4, 5, 8, 48)),
-        "inverse": Function(_inverse, _inverse_blocks, 4, 0, (1, 2, 3, 4)),
-        "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 6, 0, (1, 2, 3, 4, 5, 8)),
-        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 10, 0, (-2, 1, 2, 3, 4, 5, 8, 48)),
-        "ray": Function(_ray, _ray_blocks, 0, 0, (1, 2, 3, 4)),
+        "inverse": Function(_inverse, _inverse_blocks, 1, 0, (2, 3, 4)),
+        "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 3, 0, (1, 2, 3, 4, 8)),
+        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 4, 0, (1, 2, 3, 4, 5, 8)),
+        "ray": Function(_ray, _ray_blocks, 2, 0, (1, 2, 3, 4, 8)),
         "gain_unit": Function(_gain_unit, _gain_unit_blocks, 2, 1, (-1, 0, 1, 2)),
         "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 0, (1, 2)),
         "gain_product": Function(_gain_product, _gain_product_blocks, 3, 1, (-1, 0, 1, 2)),

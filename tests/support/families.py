@@ -77,6 +77,8 @@ ORACLES = {
 
 
 DIGITS = 60
+VECTORS = ("v1", "v2", "delta")
+"""Arguments, beside the first, that are vectors of the chart or near the identity."""
 
 
 @functools.cache
@@ -105,8 +107,13 @@ def arguments(kernels: ModuleType, name: str, v: np.ndarray) -> list[np.ndarray]
     given = {"q": kernels.quaternion, "R": kernels.tensor, "T": kernels.pose}
     if first == "angle":
         return [np.array(part) for part in kernels.to_screw(v)]
-    others = [np.roll(sampling.dual_vectors(name, count=len(v))[:, : a.size], 1) for a in FUNCTIONS[name].arguments[1:]]
-    return [given.get(first, np.array)(v), *([v[::-1]] if name == "compose" else others)]
+    others = []
+    for argument in FUNCTIONS[name].arguments[1:]:
+        drawn = np.roll(sampling.dual_vectors(name, count=len(v))[:, : argument.size], 1)
+        if argument.name in VECTORS:  # about another axis, and so short that no product lies beyond the edge
+            drawn[:, :3] = 0.1 * np.roll(v[:, :3], 1, axis=-1)
+        others.append(drawn)
+    return [given.get(first, np.array)(v), *others]
 
 
 def scale(function: Any, given: list[np.ndarray], exact: list[Any]) -> list[float]:
