@@ -165,6 +165,7 @@ def _cases(chart: Vectors, draw: random.Random) -> Iterator[Expectation]:
     for screw in steep(draw, small, 1 / 3):
         if chart.finite(screw, 0, near_edge(chart)):
             yield from _from_rotation(tensor_from_screw(screw), 0, flat(chart.at(screw)))
+    yield from _far_steps(chart, screws[0], still)
     yield from undecided(chart)
     yield from _near_ties(chart, screws[0])
 
@@ -230,6 +231,17 @@ def _half_turn(chart: Vectors, screw: Screw, branch: int) -> Iterator[Expectatio
     R = tensor_from_pose(Pose(Tensor.dyad(u, u) * 2 - Tensor.identity(), d * u + 2 * u.cross(moment)))
     positive = screw if orientation(*u) > 0 else opposite
     yield from _from_rotation(R, branch, flat(chart.at(positive, branch)))
+
+
+def _far_steps(chart: Vectors, screw: Screw, still: Screw) -> Iterator[Expectation]:
+    """Steps beyond the series of the exponential, and from a translation."""
+    small, large = (tuple(mpmath.mpf(size * c) for c in (1, -2, 2, 1, 0, 3)) for size in (0.25, 2))
+    resting = flat(chart.at(still))
+    for name in ("retract", "body_retract"):
+        for given in ((flat(chart.at(screw)), large), (resting, small)):
+            yield Expectation(name, given, MAPS[name](chart, 0, *given))
+    yield Expectation("angle", (resting,), MAPS["angle"](chart, 0, resting))
+    yield Expectation("angle", ((mpmath.mpf(0),) * 6,), (mpmath.mpf(0),) * 2)
 
 
 def _near_ties(chart: Vectors, screw: Screw) -> Iterator[Expectation]:
