@@ -211,8 +211,12 @@ class Cayley:
     def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
         return m.name("gain", way_back.gain(self.order, q, size, m, positive))
 
-    def direction(self, x: Coefficient, y: Coefficient, m: Arithmetic) -> Coefficient:
-        return turns.direction(self.order, self.scalars(x, m), y, m)
+    def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+        at = self.scalars(x, m)
+        return at.fi, at.hi
+
+    def direction(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
+        return turns.direction(self.order, self.scalars(x, m), y, r, m)
 
     def natural(
         self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic

@@ -155,8 +155,15 @@ class Chart(Protocol):
     def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
         """The factor in ``v = gain · vec q`` for a quaternion of norm `size`; `positive` says that its scalar is."""
 
-    def direction(self, x: Coefficient, y: Coefficient, m: Arithmetic) -> Coefficient:
-        """1 or −1: the axis of the principal angle is that times ``v/|v|``."""
+    def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+        """The scalars (f_i, h_i) of T⁻¹ at ``v = gain · vec q``, where `fi` is the gain times the scalar of q.
+
+        That is f_i too: for a chart that is folded at its edge, φ′ = 0, it is the better one, since x hardly changes
+        there. For others that at x is: the derivative of a gain loses digits where v is small.
+        """
+
+    def direction(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
+        """1 or −1: the axis of the principal angle is that times ``v/|v|``, where ``v = r u``, r ≥ 0."""
 
     def natural(
         self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic

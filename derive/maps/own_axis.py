@@ -17,7 +17,10 @@ class OwnAxis(Parameterized):
     @abstractmethod
     def scalars(self, x: Coefficient, m: Arithmetic) -> DependentScalars: ...
 
-    def direction(self, x: Coefficient, y: Coefficient, m: Arithmetic) -> Coefficient:
+    def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+        return fi, self.scalars(x, m).hi
+
+    def direction(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         """The sign of sin α on v; where it is 0 at half a turn that of w, at a whole one that of the translation."""
         return self._direction(self.scalars(x, m), y, m)
 

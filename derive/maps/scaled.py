@@ -111,8 +111,13 @@ class Scaled(Parameterized):
     def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
         return self._times(way_back.gain(self.order, q, size, m, positive), m, "gain")
 
-    def direction(self, x: Coefficient, y: Coefficient, m: Arithmetic) -> Coefficient:
-        return turns.direction(self.order, self._inner(x, m), y, m)
+    def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+        at = self.scalars(x, m)
+        return at.fi, at.hi
+
+    def direction(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
+        tangent = divided(r, self.scale, m)
+        return turns.direction(self.order, self._inner(x, m), y, tangent, m)
 
     def natural(
         self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic

@@ -22,9 +22,9 @@ A vector of half a turn is off by up to 4 eps of its length, so its α by 4π ep
 """
 
 
-def direction(n: int, at: CayleyScalars, y: Coefficient, m: Arithmetic) -> Coefficient:
+def direction(n: int, at: CayleyScalars, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
     """Return sign(p q): u = sign(p q) v/|v|. Where p = 0 that of q, where q = 0 the translation along v decides."""
-    sign, _ = _direction(n, at, y, m.name("rd", m.sqrt(at.x)), m)
+    sign, _ = _direction(n, at, y, r, m)
     return sign
 
 

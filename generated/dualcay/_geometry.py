@@ -1910,12 +1910,12 @@ def from_quaternion(m: Any, c: Any, e: Components) -> Result:
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
-    fi = gain * e0
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
-    hi, = c.inverse(m, x)
+    fe = gain * e0
+    fi, hi = c.inverse(m, x, fe)
     hvr = hi * (v1 * rho1 + v2 * rho2 + v3 * rho3)
     return (
         v1,
@@ -1939,25 +1939,25 @@ def from_quaternion_blocks(
     v1 = mul(e1, gain, o1)
     v2 = mul(e2, gain, o2)
     v3 = mul(e3, gain, o3)
-    fi = mul(gain, e0, k1)
+    fe = mul(gain, e0, k1)
     v11 = mul(v1, v1, k2)
     v22 = mul(v2, v2, k3)
     v33 = mul(v3, v3, k4)
     x = add(add(v11, v22, k2), v33, k2)
-    hi, = c.inverse((k3,), (k4, *spare), (*spare_masks,), x)
+    fi, hi = c.inverse((k3, k4), (*spare,), (*spare_masks,), x, fe)
     rho1 = mul(
-        n2, add(sub(mul(e1o, e0, k2), mul(e1, e0o, k4), k2), sub(mul(e2, e3o, k4), mul(e3, e2o, k5), k4), k2), k2
+        n2, add(sub(mul(e1o, e0, k1), mul(e1, e0o, k2), k1), sub(mul(e2, e3o, k2), mul(e3, e2o, k5), k2), k1), k1
     )
     rho2 = mul(
-        n2, add(sub(mul(e2o, e0, k4), mul(e2, e0o, k5), k4), sub(mul(e3, e1o, k5), mul(e1, e3o, k6), k5), k4), k4
+        n2, add(sub(mul(e2o, e0, k2), mul(e2, e0o, k5), k2), sub(mul(e3, e1o, k5), mul(e1, e3o, k6), k5), k2), k2
     )
     rho3 = mul(
         n2, add(sub(mul(e3o, e0, k5), mul(e3, e0o, k6), k5), sub(mul(e1, e2o, k6), mul(e2, e1o, k7), k6), k5), k5
     )
-    hvr = mul(hi, add(add(mul(v1, rho1, k6), mul(v2, rho2, k7), k6), mul(v3, rho3, k7), k6), k3)
+    hvr = mul(hi, add(add(mul(v1, rho1, k6), mul(v2, rho2, k7), k6), mul(v3, rho3, k7), k6), k4)
     div(add(sub(mul(rho1, fi, k6), sub(mul(v2, rho3, k7), mul(v3, rho2, k8), k7), k6), mul(v1, hvr, k7), k6), n2, o4)
     div(add(sub(mul(rho2, fi, k6), sub(mul(v3, rho1, k7), mul(v1, rho3, k8), k7), k6), mul(v2, hvr, k7), k6), n2, o5)
-    div(add(sub(mul(rho3, fi, k1), sub(mul(v1, rho2, k4), mul(v2, rho1, k2), k2), k1), mul(v3, hvr, k2), k1), n2, o6)
+    div(add(sub(mul(rho3, fi, k3), sub(mul(v1, rho2, k2), mul(v2, rho1, k1), k1), k1), mul(v3, hvr, k2), k1), n2, o6)
 
 
 # operations 124: 42 +, 45 *, 6 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -2006,12 +2006,12 @@ def from_tensor(m: Any, c: Any, R: Components) -> Result:
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
-    fi = gain * e0
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
-    hi, = c.inverse(m, x)
+    fe = gain * e0
+    fi, hi = c.inverse(m, x, fe)
     hvr = hi * (v1 * rho1 + v2 * rho2 + v3 * rho3)
     return (
         v1,
@@ -2077,30 +2077,30 @@ def from_tensor_blocks(
     v1 = mul(e1, gain, o1)
     v2 = mul(e2, gain, o2)
     v3 = mul(e3, gain, o3)
-    fi = mul(gain, e0, k1)
+    fe = mul(gain, e0, k1)
     v11 = mul(v1, v1, k2)
     v22 = mul(v2, v2, k3)
     v33 = mul(v3, v3, k4)
     x = add(add(v11, v22, k2), v33, k2)
-    hi, = c.inverse(
-        (k3,), (k4, k5, k6, k7, k8, *spare), (mask1, mask2, mask3, mask4, mask5, mask6, mask7, *spare_masks), x
+    fi, hi = c.inverse(
+        (k3, k4), (k5, k6, k7, k8, *spare), (mask1, mask2, mask3, mask4, mask5, mask6, mask7, *spare_masks), x, fe
     )
     rho1 = div(
-        sub(add(add(mul(D31, Q21, k2), mul(D32, Q22, k4), k2), mul(D33, Q23, k4), k2), add(add(mul(D21, Q31, k4),
-        mul(D22, Q32, k5), k4), mul(D23, Q33, k5), k4), k2), n2, k2
+        sub(add(add(mul(D31, Q21, k1), mul(D32, Q22, k2), k1), mul(D33, Q23, k2), k1), add(add(mul(D21, Q31, k2),
+        mul(D22, Q32, k5), k2), mul(D23, Q33, k5), k2), k1), n2, k1
     )
     rho2 = div(
-        sub(add(add(mul(D11, Q31, k4), mul(D12, Q32, k5), k4), mul(D13, Q33, k5), k4), add(add(mul(D31, Q11, k5),
-        mul(D32, Q12, k6), k5), mul(D33, Q13, k6), k5), k4), n2, k4
+        sub(add(add(mul(D11, Q31, k2), mul(D12, Q32, k5), k2), mul(D13, Q33, k5), k2), add(add(mul(D31, Q11, k5),
+        mul(D32, Q12, k6), k5), mul(D33, Q13, k6), k5), k2), n2, k2
     )
     rho3 = div(
         sub(add(add(mul(D21, Q11, k5), mul(D22, Q12, k6), k5), mul(D23, Q13, k6), k5), add(add(mul(D11, Q21, k6),
         mul(D12, Q22, k7), k6), mul(D13, Q23, k7), k6), k5), n2, k5
     )
-    hvr = mul(hi, add(add(mul(v1, rho1, k6), mul(v2, rho2, k7), k6), mul(v3, rho3, k7), k6), k3)
+    hvr = mul(hi, add(add(mul(v1, rho1, k6), mul(v2, rho2, k7), k6), mul(v3, rho3, k7), k6), k4)
     div(add(sub(mul(rho1, fi, k6), sub(mul(v2, rho3, k7), mul(v3, rho2, k8), k7), k6), mul(v1, hvr, k7), k6), n2, o4)
     div(add(sub(mul(rho2, fi, k6), sub(mul(v3, rho1, k7), mul(v1, rho3, k8), k7), k6), mul(v2, hvr, k7), k6), n2, o5)
-    div(add(sub(mul(rho3, fi, k1), sub(mul(v1, rho2, k4), mul(v2, rho1, k2), k2), k1), mul(v3, hvr, k2), k1), n2, o6)
+    div(add(sub(mul(rho3, fi, k3), sub(mul(v1, rho2, k2), mul(v2, rho1, k1), k1), k1), mul(v3, hvr, k2), k1), n2, o6)
 
 
 # operations 88: 27 +, 27 *, 3 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -2146,12 +2146,12 @@ def from_pose(m: Any, c: Any, T: Components) -> Result:
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
-    fi = gain * e0
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
-    hi, = c.inverse(m, x)
+    fe = gain * e0
+    fi, hi = c.inverse(m, x, fe)
     hvr = hi * (v1 * T14 + v2 * T24 + v3 * T34)
     return (
         v1,
@@ -2217,18 +2217,18 @@ def from_pose_blocks(
     v1 = mul(e1, gain, o1)
     v2 = mul(e2, gain, o2)
     v3 = mul(e3, gain, o3)
-    fi = mul(gain, e0, k1)
+    fe = mul(gain, e0, k1)
     v11 = mul(v1, v1, k2)
     v22 = mul(v2, v2, k3)
     v33 = mul(v3, v3, k4)
     x = add(add(v11, v22, k2), v33, k2)
-    hi, = c.inverse(
-        (k3,), (k4, k5, k6, k7, k8, *spare), (mask1, mask2, mask3, mask4, mask5, mask6, mask7, *spare_masks), x
+    fi, hi = c.inverse(
+        (k3, k4), (k5, k6, k7, k8, *spare), (mask1, mask2, mask3, mask4, mask5, mask6, mask7, *spare_masks), x, fe
     )
-    hvr = mul(hi, add(add(mul(v1, T14, k2), mul(v2, T24, k4), k2), mul(v3, T34, k4), k2), k2)
-    div(add(sub(mul(T14, fi, k3), sub(mul(v2, T34, k4), mul(v3, T24, k5), k4), k3), mul(v1, hvr, k4), k3), n2, o4)
-    div(add(sub(mul(T24, fi, k3), sub(mul(v3, T14, k4), mul(v1, T34, k5), k4), k3), mul(v2, hvr, k4), k3), n2, o5)
-    div(add(sub(mul(T34, fi, k1), sub(mul(v1, T24, k3), mul(v2, T14, k4), k3), k1), mul(v3, hvr, k2), k1), n2, o6)
+    hvr = mul(hi, add(add(mul(v1, T14, k1), mul(v2, T24, k2), k1), mul(v3, T34, k2), k1), k1)
+    div(add(sub(mul(T14, fi, k2), sub(mul(v2, T34, k4), mul(v3, T24, k5), k4), k2), mul(v1, hvr, k4), k2), n2, o4)
+    div(add(sub(mul(T24, fi, k2), sub(mul(v3, T14, k4), mul(v1, T34, k5), k4), k2), mul(v2, hvr, k4), k2), n2, o5)
+    div(add(sub(mul(T34, fi, k2), sub(mul(v1, T24, k3), mul(v2, T14, k4), k3), k2), mul(v3, hvr, k1), k1), n2, o6)
 
 
 # operations 13: 3 +, 10 *
@@ -2487,12 +2487,6 @@ def turn_blocks(
 def shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = table
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    sign, = c.direction(m, x, y)
     total = m.abs(v1) + m.abs(v2) + m.abs(v3)
     still = total == 0
     a1 = m.where(still, v1o, v1)
@@ -2516,6 +2510,12 @@ def shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
     uo1 = (v1o - ru1) / scale * ir
     uo2 = (v2o - ru2) / scale * ir
     uo3 = (v3o - ru3) / scale * ir
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    sign, = c.direction(m, x, y, r)
     sn = sign * sin
     rk, slope = c.turned(m, r, cos, sn)
     rko = ro * slope
@@ -2542,8 +2542,8 @@ def shadow_blocks(
     s2 = div(a2, scale, k3)
     s3 = div(a3, scale, k4)
     root = sqrt(add(add(mul(s1, s1, k5), mul(s2, s2, k7), k5), mul(s3, s3, k7), k5), k5)
-    u1 = div(s1, root, k2)
     r = mul(total, root, k1)
+    u1 = div(s1, root, k2)
     u2 = div(s2, root, k3)
     u3 = div(s3, root, k4)
     v11 = mul(v1, v1, k7)
@@ -2551,7 +2551,7 @@ def shadow_blocks(
     v33 = mul(v3, v3, k9)
     x = add(add(v11, v22, k7), v33, k7)
     y = add(add(mul(v1, v1o, k8), mul(v2, v2o, k9), k8), mul(v3, v3o, k9), k8)
-    sign, = c.direction((k9,), (*spare,), (mask2, *spare_masks), x, y)
+    sign, = c.direction((k9,), (*spare,), (mask2, *spare_masks), x, y, r)
     sn = mul(sign, sin, k7)
     rk, slope = c.turned((k8, k9), (*spare,), (mask2, *spare_masks), r, cos, sn)
     mul(u1, rk, o1)
@@ -2688,12 +2688,12 @@ def compose(m: Any, c: Any, b: Components, a: Components) -> Result:
     v1 = z1 * gain
     v2 = z2 * gain
     v3 = z3 * gain
-    fi = gain * z0
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
-    hi, = c.inverse(m, x)
+    fe = gain * z0
+    fi, hi = c.inverse(m, x, fe)
     hvr = hi * (v1 * rho1 + v2 * rho2 + v3 * rho3)
     return (
         v1,
@@ -2746,22 +2746,22 @@ def compose_blocks(
     v1 = mul(z1, gain, o1)
     v2 = mul(z2, gain, o2)
     v3 = mul(z3, gain, o3)
-    fi = mul(gain, z0, k1)
+    fe = mul(gain, z0, k1)
     v11 = mul(v1, v1, k2)
     v22 = mul(v2, v2, k3)
     v33 = mul(v3, v3, k4)
     x = add(add(v11, v22, k2), v33, k2)
-    hi, = c.inverse((k3,), (k4, k8, k9, k10, k14, k15, k16, k17, k18, k19, k20, k21, *spare), (*spare_masks,), x)
-    gva1 = mul(a1, ga, k2)
-    gva2 = mul(a2, ga, k4)
+    fi, hi = c.inverse((k3, k4), (k8, k9, k10, k14, k15, k16, k17, k18, k19, k20, k21, *spare), (*spare_masks,), x, fe)
+    gva1 = mul(a1, ga, k1)
+    gva2 = mul(a2, ga, k2)
     gva3 = mul(a3, ga, k8)
     ya = add(add(mul(a1, a1o, k9), mul(a2, a2o, k10), k9), mul(a3, a3o, k10), k9)
     alonga = mul(ha, ya, k9)
     rhoa3 = add(
         add(mul(a3o, fa, k10), sub(mul(gva1, a2o, k12), mul(gva2, a1o, k13), k12), k10), mul(a3, alonga, k12), k10
     )
-    rhoa2 = add(add(mul(a2o, fa, k12), sub(mul(gva3, a1o, k13), mul(gva1, a3o, k2), k2), k2), mul(a2, alonga, k12), k2)
-    rhoa1 = add(add(mul(a1o, fa, k11), sub(mul(gva2, a3o, k4), mul(gva3, a2o, k8), k4), k4), mul(a1, alonga, k8), k4)
+    rhoa2 = add(add(mul(a2o, fa, k12), sub(mul(gva3, a1o, k13), mul(gva1, a3o, k1), k1), k1), mul(a2, alonga, k12), k1)
+    rhoa1 = add(add(mul(a1o, fa, k11), sub(mul(gva2, a3o, k2), mul(gva3, a2o, k8), k2), k2), mul(a1, alonga, k8), k2)
     v_rho1 = sub(mul(b2, rhoa3, k8), mul(b3, rhoa2, k9), k8)
     v_rho3 = sub(mul(b1, rhoa2, k9), mul(b2, rhoa1, k11), k9)
     gv_rho3 = mul(v_rho3, gb, k11)
@@ -2772,25 +2772,25 @@ def compose_blocks(
     yb = add(add(mul(b1, b1o, k16), mul(b2, b2o, k17), k16), mul(b3, b3o, k17), k16)
     alongb = mul(hb, yb, k7)
     rho1 = add(
-        add(rhoa1, add(mul(v_rho1, fb, k16), sub(mul(b2, gv_rho3, k17), mul(b3, gv_rho2, k18), k17), k16), k4),
+        add(rhoa1, add(mul(v_rho1, fb, k16), sub(mul(b2, gv_rho3, k17), mul(b3, gv_rho2, k18), k17), k16), k2),
         add(add(mul(b1o, fb, k16), sub(mul(gvb2, b3o, k17), mul(gvb3, b2o, k18), k17), k16), mul(b1, alongb, k17), k16),
-        k4
+        k2
     )
     gv_rho1 = mul(v_rho1, gb, k8)
     gvb1 = mul(b1, gb, k6)
     rho2 = add(
-        add(rhoa2, add(mul(v_rho2, fb, k12), sub(mul(b3, gv_rho1, k16), mul(b1, gv_rho3, k11), k11), k11), k2),
+        add(rhoa2, add(mul(v_rho2, fb, k12), sub(mul(b3, gv_rho1, k16), mul(b1, gv_rho3, k11), k11), k11), k1),
         add(add(mul(b2o, fb, k11), sub(mul(gvb3, b1o, k12), mul(gvb1, b3o, k15), k12), k11), mul(b2, alongb, k12), k11),
-        k2
+        k1
     )
     rho3 = add(
         add(rhoa3, add(mul(v_rho3, fb, k9), sub(mul(b1, gv_rho2, k11), mul(b2, gv_rho1, k8), k8), k8), k8),
         add(add(mul(b3o, fb, k5), sub(mul(gvb1, b2o, k6), mul(gvb2, b1o, k9), k6), k5), mul(b3, alongb, k6), k5), k5
     )
-    hvr = mul(hi, add(add(mul(v1, rho1, k6), mul(v2, rho2, k7), k6), mul(v3, rho3, k7), k6), k3)
+    hvr = mul(hi, add(add(mul(v1, rho1, k6), mul(v2, rho2, k7), k6), mul(v3, rho3, k7), k6), k4)
     div(add(sub(mul(rho1, fi, k6), sub(mul(v2, rho3, k7), mul(v3, rho2, k8), k7), k6), mul(v1, hvr, k7), k6), n2, o4)
     div(add(sub(mul(rho2, fi, k6), sub(mul(v3, rho1, k7), mul(v1, rho3, k8), k7), k6), mul(v2, hvr, k7), k6), n2, o5)
-    div(add(sub(mul(rho3, fi, k1), sub(mul(v1, rho2, k2), mul(v2, rho1, k4), k2), k1), mul(v3, hvr, k2), k1), n2, o6)
+    div(add(sub(mul(rho3, fi, k3), sub(mul(v1, rho2, k1), mul(v2, rho1, k2), k1), k1), mul(v3, hvr, k2), k1), n2, o6)
 
 
 # operations 182: 66 +, 107 *, 3 /, 6 neg
@@ -2858,12 +2858,12 @@ def between(m: Any, c: Any, a: Components, b: Components) -> Result:
     v1 = z1 * gain
     v2 = z2 * gain
     v3 = z3 * gain
-    fi = gain * z0
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
-    hi, = c.inverse(m, x)
+    fe = gain * z0
+    fi, hi = c.inverse(m, x, fe)
     hvr = hi * (v1 * rho1 + v2 * rho2 + v3 * rho3)
     return (
         v1,
@@ -2922,22 +2922,24 @@ def between_blocks(
     v1 = mul(z1, gain, o1)
     v2 = mul(z2, gain, o2)
     v3 = mul(z3, gain, o3)
-    fi = mul(gain, z0, k2)
+    fe = mul(gain, z0, k2)
     v11 = mul(v1, v1, k4)
     v22 = mul(v2, v2, k6)
     v33 = mul(v3, v3, k7)
     x = add(add(v11, v22, k4), v33, k4)
-    hi, = c.inverse((k6,), (k7, k11, k12, k13, k17, k18, k19, k20, k21, k22, k23, k24, *spare), (*spare_masks,), x)
-    gva1 = mul(a1, ga, k4)
-    gva2 = mul(a2, ga, k7)
+    fi, hi = c.inverse(
+        (k6, k7), (k11, k12, k13, k17, k18, k19, k20, k21, k22, k23, k24, *spare), (*spare_masks,), x, fe
+    )
+    gva1 = mul(a1, ga, k2)
+    gva2 = mul(a2, ga, k4)
     gva3 = mul(a3, ga, k11)
     ya = add(add(mul(a1, a1o, k12), mul(a2, a2o, k13), k12), mul(a3, a3o, k13), k12)
     alonga = mul(ha, ya, k12)
     rhoa3 = add(
         add(mul(a3o, fa, k13), sub(mul(gva1, a2o, k15), mul(gva2, a1o, k16), k15), k13), mul(a3, alonga, k15), k13
     )
-    rhoa2 = add(add(mul(a2o, fa, k15), sub(mul(gva3, a1o, k16), mul(gva1, a3o, k4), k4), k4), mul(a2, alonga, k15), k4)
-    rhoa1 = add(add(mul(a1o, fa, k14), sub(mul(gva2, a3o, k7), mul(gva3, a2o, k11), k7), k7), mul(a1, alonga, k11), k7)
+    rhoa2 = add(add(mul(a2o, fa, k15), sub(mul(gva3, a1o, k16), mul(gva1, a3o, k2), k2), k2), mul(a2, alonga, k15), k2)
+    rhoa1 = add(add(mul(a1o, fa, k14), sub(mul(gva2, a3o, k4), mul(gva3, a2o, k11), k4), k4), mul(a1, alonga, k11), k4)
     v_rho1 = sub(mul(minus_b2, rhoa3, k11), mul(minus_b3, rhoa2, k12), k11)
     v_rho3 = sub(mul(minus_b1, rhoa2, k12), mul(minus_b2, rhoa1, k14), k12)
     gv_rho3 = mul(v_rho3, gb, k14)
@@ -2952,15 +2954,15 @@ def between_blocks(
     gvb3 = mul(minus_b3, gb, k21)
     rho1 = add(
         add(rhoa1, add(mul(v_rho1, fb, k22), sub(mul(minus_b2, gv_rho3, k23), mul(minus_b3, gv_rho2, k24), k23), k22),
-        k7), add(add(mul(minus_b4, fb, k22), sub(mul(gvb2, minus_b6, k23), mul(gvb3, minus_b5, k24), k23), k22),
-        mul(minus_b1, alongb, k23), k22), k7
+        k4), add(add(mul(minus_b4, fb, k22), sub(mul(gvb2, minus_b6, k23), mul(gvb3, minus_b5, k24), k23), k22),
+        mul(minus_b1, alongb, k23), k22), k4
     )
     gv_rho1 = mul(v_rho1, gb, k11)
     gvb1 = mul(minus_b1, gb, k9)
     rho2 = add(
         add(rhoa2, add(mul(v_rho2, fb, k15), sub(mul(minus_b3, gv_rho1, k22), mul(minus_b1, gv_rho3, k14), k14), k14),
-        k4), add(add(mul(minus_b5, fb, k14), sub(mul(gvb3, minus_b4, k15), mul(gvb1, minus_b6, k21), k15), k14),
-        mul(minus_b2, alongb, k15), k14), k4
+        k2), add(add(mul(minus_b5, fb, k14), sub(mul(gvb3, minus_b4, k15), mul(gvb1, minus_b6, k21), k15), k14),
+        mul(minus_b2, alongb, k15), k14), k2
     )
     rho3 = add(
         add(rhoa3, add(mul(v_rho3, fb, k12), sub(mul(minus_b1, gv_rho2, k1), mul(minus_b2, gv_rho1, k3), k1), k1), k1),
@@ -2968,8 +2970,8 @@ def between_blocks(
         alongb, k5), k3), k1
     )
     hvr = mul(hi, add(add(mul(v1, rho1, k3), mul(v2, rho2, k5), k3), mul(v3, rho3, k5), k3), k3)
-    div(add(sub(mul(rho1, fi, k5), sub(mul(v2, rho3, k6), mul(v3, rho2, k8), k6), k5), mul(v1, hvr, k6), k5), n2, o4)
-    div(add(sub(mul(rho2, fi, k5), sub(mul(v3, rho1, k6), mul(v1, rho3, k8), k6), k5), mul(v2, hvr, k6), k5), n2, o5)
+    div(add(sub(mul(rho1, fi, k5), sub(mul(v2, rho3, k7), mul(v3, rho2, k8), k7), k5), mul(v1, hvr, k7), k5), n2, o4)
+    div(add(sub(mul(rho2, fi, k5), sub(mul(v3, rho1, k7), mul(v1, rho3, k8), k7), k5), mul(v2, hvr, k7), k5), n2, o5)
     div(add(sub(mul(rho3, fi, k1), sub(mul(v1, rho2, k2), mul(v2, rho1, k4), k2), k1), mul(v3, hvr, k2), k1), n2, o6)
 
 
@@ -3027,12 +3029,12 @@ def compose_jacobians(m: Any, c: Any, b: Components, a: Components) -> Result:
     v1 = z1 * gain
     v2 = z2 * gain
     v3 = z3 * gain
-    fi = gain * z0
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
-    hi, = c.inverse(m, x)
+    fe = gain * z0
+    fi, hi = c.inverse(m, x, fe)
     hvr = hi * (v1 * rho1 + v2 * rho2 + v3 * rho3)
     w4 = (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2
     w5 = (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2
@@ -3428,23 +3430,21 @@ def compose_jacobians_blocks(
     v1 = mul(z1, gain, k10)
     v2 = mul(z2, gain, k14)
     v3 = mul(z3, gain, k8)
-    fi = mul(gain, z0, k9)
+    fe = mul(gain, z0, k9)
     v11 = mul(v1, v1, k15)
     v22 = mul(v2, v2, k36)
     v33 = mul(v3, v3, k48)
     x = add(add(v11, v22, k15), v33, k15)
     sw2 = neg(v2, k36)
     sw1 = neg(v1, k48)
-    hi, = c.inverse((k50,), (k55, k56, k57, k58, k59, k60, k61, *spare), (*spare_masks,), x)
-    gva1 = mul(a1, ga, k55)
+    fi, hi = c.inverse((k50, k55), (k56, k57, k58, k59, k60, k61, *spare), (*spare_masks,), x, fe)
+    gva1 = mul(a1, ga, k9)
     gva2 = mul(a2, ga, k56)
     gva3 = mul(a3, ga, k53)
     rhoa3 = add(
         add(mul(a3o, fa, k57), sub(mul(gva1, a2o, k58), mul(gva2, a1o, k59), k58), k57), mul(a3, alonga, k58), k57
     )
-    rhoa2 = add(
-        add(mul(a2o, fa, k58), sub(mul(gva3, a1o, k59), mul(gva1, a3o, k55), k55), k55), mul(a2, alonga, k58), k55
-    )
+    rhoa2 = add(add(mul(a2o, fa, k58), sub(mul(gva3, a1o, k59), mul(gva1, a3o, k9), k9), k9), mul(a2, alonga, k58), k9)
     rhoa1 = add(
         add(mul(a1o, fa, k52), sub(mul(gva2, a3o, k56), mul(gva3, a2o, k53), k53), k52), mul(a1, alonga, k53), k52
     )
@@ -3459,29 +3459,29 @@ def compose_jacobians_blocks(
     )
     gv_rho1 = mul(v_rho1, gb, k12)
     rho2 = add(
-        add(rhoa2, add(mul(v_rho2, fb, k52), sub(mul(b3, gv_rho1, k53), mul(b1, gv_rho3, k56), k53), k52), k52), rhob2,
-        k23
+        add(rhoa2, add(mul(v_rho2, fb, k52), sub(mul(b3, gv_rho1, k53), mul(b1, gv_rho3, k56), k53), k52), k9), rhob2,
+        k9
     )
     rho3 = add(
-        add(rhoa3, add(mul(v_rho3, fb, k11), sub(mul(b1, gv_rho2, k52), mul(b2, gv_rho1, k12), k12), k11), k11), rhob3,
+        add(rhoa3, add(mul(v_rho3, fb, k11), sub(mul(b1, gv_rho2, k23), mul(b2, gv_rho1, k12), k12), k11), k11), rhob3,
         k11
     )
     hvr = mul(hi, add(add(mul(v1, rho1, k12), mul(v2, rho2, k13), k12), mul(v3, rho3, k13), k12), k12)
     w4 = div(
-        add(sub(mul(rho1, fi, k13), sub(mul(v2, rho3, k50), mul(v3, rho2, k52), k50), k13), mul(v1, hvr, k50), k13), n2,
+        add(sub(mul(rho1, fi, k13), sub(mul(v2, rho3, k23), mul(v3, rho2, k52), k23), k13), mul(v1, hvr, k23), k13), n2,
         k13
     )
     w5 = div(
-        add(sub(mul(rho2, fi, k50), sub(mul(v3, rho1, k52), mul(v1, rho3, k53), k52), k50), mul(v2, hvr, k52), k50), n2,
-        k50
+        add(sub(mul(rho2, fi, k23), sub(mul(v3, rho1, k52), mul(v1, rho3, k53), k52), k23), mul(v2, hvr, k52), k23), n2,
+        k23
     )
     w6 = div(
-        add(sub(mul(rho3, fi, k9), sub(mul(v1, rho2, k11), mul(v2, rho1, k23), k11), k9), mul(v3, hvr, k11), k9), n2, k9
+        add(sub(mul(rho3, fi, k11), sub(mul(v1, rho2, k9), mul(v2, rho1, k25), k9), k9), mul(v3, hvr, k11), k9), n2, k9
     )
     yw = add(add(mul(v1, w4, k11), mul(v2, w5, k12), k11), mul(v3, w6, k12), k11)
     sow2 = neg(w5, k12)
-    sow1 = neg(w4, k23)
-    sw3 = neg(v3, k25)
+    sow1 = neg(w4, k25)
+    sw3 = neg(v3, k50)
     sow3 = neg(w6, k52)
     fiw, hiw, fiyw, hiyw = c.tangent_inv(
         (k53, k54, k55, k56), (k57, k58, k59, k60, k61, k62, *spare), (*spare_masks,), x
@@ -3509,8 +3509,8 @@ def compose_jacobians_blocks(
     I22o = add(fiow, add(mul(cvw2, w5, k54), mul(cvow2, v2, k62), k54), k15)
     d23ow = add(mul(cvw2, w6, k54), mul(cvow2, v3, k11), k11)
     d13ow = add(mul(cvw1, w6, k9), mul(cvow1, v3, k8), k8)
-    d12ow = add(mul(cvw1, w5, k9), mul(cvow1, v2, k50), k9)
-    I22 = add(fiw, mul(cvw2, v2, k50), k50)
+    d12ow = add(mul(cvw1, w5, k9), mul(cvow1, v2, k23), k9)
+    I22 = add(fiw, mul(cvw2, v2, k23), k23)
     I11 = add(fiw, mul(cvw1, v1, k10), k10)
     d12w = mul(cvw1, v2, k14)
     I31o = sub(d13ow, sow2, k53)
@@ -3518,26 +3518,26 @@ def compose_jacobians_blocks(
     I32o = add(d23ow, sow1, k12)
     I23o = sub(d23ow, sow1, k11)
     div(
-        add(add(add(mul(I31, S13o, k23), mul(I31o, S13, k54), k23), add(mul(I32, S23o, k54), mul(I32o, S23, k57), k54),
-        k23), add(mul(I33, S33o, k54), mul(I33o, S33, k57), k54), k23), n2, o33
+        add(add(add(mul(I31, S13o, k25), mul(I31o, S13, k54), k25), add(mul(I32, S23o, k54), mul(I32o, S23, k57), k54),
+        k25), add(mul(I33, S33o, k54), mul(I33o, S33, k57), k54), k25), n2, o33
     )
     div(
-        add(add(add(mul(I31, S12o, k23), mul(I31o, S12, k54), k23), add(mul(I32, S22o, k54), mul(I32o, S22, k57), k54),
-        k23), add(mul(I33, S32o, k54), mul(I33o, S32, k57), k54), k23), n2, o32
+        add(add(add(mul(I31, S12o, k25), mul(I31o, S12, k54), k25), add(mul(I32, S22o, k54), mul(I32o, S22, k57), k54),
+        k25), add(mul(I33, S32o, k54), mul(I33o, S32, k57), k54), k25), n2, o32
     )
     div(
-        add(add(add(mul(I31, S11o, k23), mul(I31o, S11, k54), k23), add(mul(I32, S21o, k54), mul(I32o, S21, k57), k54),
-        k23), add(mul(I33, S31o, k54), mul(I33o, S31, k57), k54), k23), n2, o31
+        add(add(add(mul(I31, S11o, k25), mul(I31o, S11, k54), k25), add(mul(I32, S21o, k54), mul(I32o, S21, k57), k54),
+        k25), add(mul(I33, S31o, k54), mul(I33o, S31, k57), k54), k25), n2, o31
     )
-    I21 = add(d12w, sw3, k23)
+    I21 = add(d12w, sw3, k25)
     I12 = sub(d12w, sw3, k14)
-    div(add(add(mul(I21, S13, k25), mul(I22, S23, k54), k25), mul(I23, S33, k54), k25), n2, o9)
-    div(add(add(mul(I21, S12, k25), mul(I22, S22, k54), k25), mul(I23, S32, k54), k25), n2, o8)
-    div(add(add(mul(I21, S11, k25), mul(I22, S21, k54), k25), mul(I23, S31, k54), k25), n2, o7)
-    div(add(add(mul(I11, S13, k25), mul(I12, S23, k54), k25), mul(I13, S33, k54), k25), n2, o3)
-    div(add(add(mul(I11, S12, k25), mul(I12, S22, k54), k25), mul(I13, S32, k54), k25), n2, o2)
-    div(add(add(mul(I11, S11, k25), mul(I12, S21, k54), k25), mul(I13, S31, k54), k25), n2, o1)
-    I21o = add(d12ow, sow3, k25)
+    div(add(add(mul(I21, S13, k50), mul(I22, S23, k54), k50), mul(I23, S33, k54), k50), n2, o9)
+    div(add(add(mul(I21, S12, k50), mul(I22, S22, k54), k50), mul(I23, S32, k54), k50), n2, o8)
+    div(add(add(mul(I21, S11, k50), mul(I22, S21, k54), k50), mul(I23, S31, k54), k50), n2, o7)
+    div(add(add(mul(I11, S13, k50), mul(I12, S23, k54), k50), mul(I13, S33, k54), k50), n2, o3)
+    div(add(add(mul(I11, S12, k50), mul(I12, S22, k54), k50), mul(I13, S32, k54), k50), n2, o2)
+    div(add(add(mul(I11, S11, k50), mul(I12, S21, k54), k50), mul(I13, S31, k54), k50), n2, o1)
+    I21o = add(d12ow, sow3, k50)
     I12o = sub(d12ow, sow3, k9)
     div(
         add(add(add(mul(I21, S13o, k52), mul(I21o, S13, k54), k52), add(mul(I22, S23o, k54), mul(I22o, S23, k57), k54),
@@ -3794,12 +3794,12 @@ def between_jacobians(m: Any, c: Any, a: Components, b: Components) -> Result:
     v1 = z1 * gain
     v2 = z2 * gain
     v3 = z3 * gain
-    fi = gain * z0
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
-    hi, = c.inverse(m, x)
+    fe = gain * z0
+    fi, hi = c.inverse(m, x, fe)
     hvr = hi * (v1 * rho1 + v2 * rho2 + v3 * rho3)
     w4 = (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2
     w5 = (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2
@@ -4123,7 +4123,7 @@ def between_jacobians_blocks(
     v1 = mul(z1, gain, k9)
     v2 = mul(z2, gain, k10)
     v3 = mul(z3, gain, k7)
-    fi = mul(gain, z0, k8)
+    fe = mul(gain, z0, k8)
     v11 = mul(v1, v1, k20)
     v22 = mul(v2, v2, k21)
     v33 = mul(v3, v3, k22)
@@ -4131,9 +4131,9 @@ def between_jacobians_blocks(
     fiw, hiw, fiyw, hiyw = c.tangent_inv(
         (k21, k22, k32, k33), (k34, k35, k36, k37, k38, k39, *spare), (*spare_masks,), x
     )
-    hi, = c.inverse((k34,), (k35, k36, k37, k38, k39, *spare), (*spare_masks,), x)
-    cvw3 = mul(v3, hiw, k20)
-    I33 = add(fiw, mul(cvw3, v3, k35), k35)
+    fi, hi = c.inverse((k34, k35), (k36, k37, k38, k39, *spare), (*spare_masks,), x, fe)
+    cvw3 = mul(v3, hiw, k8)
+    I33 = add(fiw, mul(cvw3, v3, k20), k20)
     cvw1 = mul(v1, hiw, k36)
     d13w = mul(cvw1, v3, k37)
     sw2 = neg(v2, k38)
@@ -4224,7 +4224,7 @@ def between_jacobians_blocks(
         k24), rhob3, k24
     )
     hvr = mul(hi, add(add(mul(v1, rho1, k25), mul(v2, rho2, k54), k25), mul(v3, rho3, k54), k25), k25)
-    gvvb3 = mul(gvb2, minus_b3, k34)
+    gvvb3 = mul(gvb2, minus_b3, k35)
     w4 = div(
         add(sub(mul(rho1, fi, k54), sub(mul(v2, rho3, k55), mul(v3, rho2, k56), k55), k54), mul(v1, hvr, k55), k54), n2,
         k54
@@ -4234,32 +4234,33 @@ def between_jacobians_blocks(
         k55
     )
     w6 = div(
-        add(sub(mul(rho3, fi, k8), sub(mul(v1, rho2, k24), mul(v2, rho1, k23), k23), k8), mul(v3, hvr, k23), k8), n2, k8
+        add(sub(mul(rho3, fi, k24), sub(mul(v1, rho2, k34), mul(v2, rho1, k23), k23), k23), mul(v3, hvr, k24), k23), n2,
+        k23
     )
-    yw = add(add(mul(v1, w4, k23), mul(v2, w5, k24), k23), mul(v3, w6, k24), k23)
-    fiow = mul(fiyw, yw, k24)
-    hiow = mul(hiyw, yw, k23)
-    cvow3 = add(mul(w6, hiw, k25), mul(v3, hiow, k32), k25)
-    I33o = add(fiow, add(mul(cvw3, w6, k20), mul(cvow3, v3, k25), k20), k20)
-    cvow1 = add(mul(w4, hiw, k25), mul(v1, hiow, k32), k25)
-    cvow2 = add(mul(w5, hiw, k22), mul(v2, hiow, k23), k22)
-    d13ow = add(mul(cvw1, w6, k23), mul(cvow1, v3, k32), k23)
-    sow2 = neg(w5, k32)
-    I31o = sub(d13ow, sow2, k33)
-    I13o = add(d13ow, sow2, k23)
-    d23ow = add(mul(cvw2, w6, k32), mul(cvow2, v3, k53), k32)
+    yw = add(add(mul(v1, w4, k24), mul(v2, w5, k25), k24), mul(v3, w6, k25), k24)
+    fiow = mul(fiyw, yw, k25)
+    hiow = mul(hiyw, yw, k24)
+    cvow3 = add(mul(w6, hiw, k32), mul(v3, hiow, k33), k32)
+    I33o = add(fiow, add(mul(cvw3, w6, k8), mul(cvow3, v3, k32), k8), k8)
+    cvow1 = add(mul(w4, hiw, k32), mul(v1, hiow, k33), k32)
+    cvow2 = add(mul(w5, hiw, k22), mul(v2, hiow, k24), k22)
+    d13ow = add(mul(cvw1, w6, k24), mul(cvow1, v3, k33), k24)
+    sow2 = neg(w5, k33)
+    I31o = sub(d13ow, sow2, k34)
+    I13o = add(d13ow, sow2, k24)
+    d23ow = add(mul(cvw2, w6, k33), mul(cvow2, v3, k53), k33)
     sw3 = neg(v3, k7)
     I22o = add(fiow, add(mul(cvw2, w5, k53), mul(cvow2, v2, k22), k22), k22)
     I22 = add(fiw, mul(cvw2, v2, k38), k38)
     d12ow = add(mul(cvw1, w5, k53), mul(cvow1, v2, k55), k53)
-    I11o = add(fiow, add(mul(cvw1, w4, k55), mul(cvow1, v1, k25), k25), k24)
+    I11o = add(fiow, add(mul(cvw1, w4, k55), mul(cvow1, v1, k32), k32), k25)
     I11 = add(fiw, mul(cvw1, v1, k9), k9)
     d12w = mul(cvw1, v2, k10)
     sow1 = neg(w4, k21)
-    sow3 = neg(w6, k8)
-    I32o = add(d23ow, sow1, k25)
+    sow3 = neg(w6, k23)
+    I32o = add(d23ow, sow1, k32)
     I23o = sub(d23ow, sow1, k21)
-    cvoS1 = add(mul(minus_b4, hS, k32), mul(minus_b1, hoS, k36), k32)
+    cvoS1 = add(mul(minus_b4, hS, k33), mul(minus_b1, hoS, k36), k33)
     d13oS = add(mul(cvS1, minus_b6, k36), mul(cvoS1, minus_b3, k54), k36)
     gvoS2 = add(mul(minus_b5, gS, k54), mul(minus_b2, goS, k55), k54)
     S13o = add(d13oS, gvoS2, k55)
@@ -4270,17 +4271,17 @@ def between_jacobians_blocks(
     d23oS = add(mul(cvS2, minus_b6, k19), mul(cvoS2, minus_b3, k47), k19)
     S22o = add(foS, add(mul(cvS2, minus_b5, k44), mul(cvoS2, minus_b2, k47), k44), k44)
     d12oS = add(mul(cvS1, minus_b5, k47), mul(cvoS1, minus_b2, k54), k47)
-    S11o = add(foS, add(mul(cvS1, minus_b4, k41), mul(cvoS1, minus_b1, k32), k32), k17)
-    gvoS1 = add(mul(minus_b4, gS, k32), mul(minus_b1, goS, k41), k32)
+    S11o = add(foS, add(mul(cvS1, minus_b4, k41), mul(cvoS1, minus_b1, k33), k33), k17)
+    gvoS1 = add(mul(minus_b4, gS, k33), mul(minus_b1, goS, k41), k33)
     gvoS3 = add(mul(minus_b6, gS, k15), mul(minus_b3, goS, k18), k15)
     fvb1 = mul(minus_b1, fb, k1)
     S23o = sub(d23oS, gvoS1, k18)
     S32o = add(d23oS, gvoS1, k19)
     neg(
-        div(add(add(add(mul(I31, S13o, k32), mul(I31o, S13, k41), k32), add(mul(I32, S23o, k41), mul(I32o, S23, k54),
-        k41), k32), add(mul(I33, S33o, k41), mul(I33o, S33, k54), k41), k32), n2, k32), o69
+        div(add(add(add(mul(I31, S13o, k33), mul(I31o, S13, k41), k33), add(mul(I32, S23o, k41), mul(I32o, S23, k54),
+        k41), k33), add(mul(I33, S33o, k41), mul(I33o, S33, k54), k41), k33), n2, k33), o69
     )
-    S12o = sub(d12oS, gvoS3, k32)
+    S12o = sub(d12oS, gvoS3, k33)
     S21o = add(d12oS, gvoS3, k15)
     neg(
         div(add(add(add(mul(I31, S12o, k41), mul(I31o, S12, k47), k41), add(mul(I32, S22o, k47), mul(I32o, S22, k54),
@@ -4299,7 +4300,7 @@ def between_jacobians_blocks(
     neg(div(add(add(mul(I11, S12, k10), mul(I12, S22, k47), k10), mul(I13, S32, k47), k10), n2, k10), o38)
     neg(div(add(add(mul(I11, S11, k10), mul(I12, S21, k47), k10), mul(I13, S31, k47), k10), n2, k10), o37)
     I21o = add(d12ow, sow3, k10)
-    I12o = sub(d12ow, sow3, k8)
+    I12o = sub(d12ow, sow3, k23)
     neg(
         div(add(add(add(mul(I21, S13o, k47), mul(I21o, S13, k53), k47), add(mul(I22, S23o, k53), mul(I22o, S23, k54),
         k53), k47), add(mul(I23, S33o, k53), mul(I23o, S33, k54), k53), k47), n2, k47), o63
@@ -4313,7 +4314,7 @@ def between_jacobians_blocks(
         k18), k16), add(mul(I23, S32o, k18), mul(I23o, S32, k45), k18), k16), n2, k16), o62
     )
     neg(
-        div(add(add(add(mul(I11, S12o, k16), mul(I11o, S12, k18), k16), add(mul(I12, S22o, k18), mul(I12o, S22, k32),
+        div(add(add(add(mul(I11, S12o, k16), mul(I11o, S12, k18), k16), add(mul(I12, S22o, k18), mul(I12o, S22, k33),
         k18), k16), add(mul(I13, S32o, k18), mul(I13o, S32, k19), k18), k16), n2, k16), o56
     )
     neg(
@@ -4338,7 +4339,7 @@ def between_jacobians_blocks(
     cvF2 = mul(a2, hF, k16)
     d23F = mul(cvF2, a3, k18)
     gvF1 = mul(a1, gF, k19)
-    F23 = sub(d23F, gvF1, k32)
+    F23 = sub(d23F, gvF1, k33)
     F32 = add(d23F, gvF1, k18)
     Qb13 = add(gvvb2, fvb2, k19)
     Qb31 = sub(gvvb2, fvb2, k3)
@@ -4347,7 +4348,7 @@ def between_jacobians_blocks(
     RT13 = add(add(mul(Qb11, F13, k43), mul(Qb12, F23, k44), k43), mul(Qb13, F33, k44), k43)
     Qb23 = sub(gvvb3, fvb1, k44)
     Qb32 = add(gvvb3, fvb1, k1)
-    RT23 = add(add(mul(Qb21, F13, k34), mul(Qb22, F23, k45), k34), mul(Qb23, F33, k45), k34)
+    RT23 = add(add(mul(Qb21, F13, k35), mul(Qb22, F23, k45), k35), mul(Qb23, F33, k45), k35)
     RT33 = add(add(mul(Qb31, F13, k45), mul(Qb32, F23, k46), k45), mul(Qb33, F33, k46), k45)
     div(add(add(mul(I31, RT13, k46), mul(I32, RT23, k47), k46), mul(I33, RT33, k47), k46), n2, o15)
     div(add(add(mul(I21, RT13, k46), mul(I22, RT23, k47), k46), mul(I23, RT33, k47), k46), n2, o9)
@@ -4404,16 +4405,16 @@ def between_jacobians_blocks(
     R32o = sub(mul(Qb22, rhob1, k66), mul(Qb12, rhob2, k67), k66)
     R33o = sub(mul(Qb23, rhob1, k63), mul(Qb13, rhob2, k62), k62)
     RT33o = add(
-        add(add(mul(Qb31, F13o, k61), mul(R31o, F13, k17), k17), add(mul(Qb32, F23o, k30), mul(R32o, F23, k32), k30),
+        add(add(mul(Qb31, F13o, k61), mul(R31o, F13, k17), k17), add(mul(Qb32, F23o, k30), mul(R32o, F23, k33), k30),
         k17), add(mul(Qb33, F33o, k12), mul(R33o, F33, k30), k12), k12
     )
     div(
-        add(add(add(mul(I31, RT13o, k17), mul(I31o, RT13, k30), k17), add(mul(I32, RT23o, k30), mul(I32o, RT23, k32),
-        k30), k17), add(mul(I33, RT33o, k30), mul(I33o, RT33, k32), k30), k17), n2, o33
+        add(add(add(mul(I31, RT13o, k17), mul(I31o, RT13, k30), k17), add(mul(I32, RT23o, k30), mul(I32o, RT23, k33),
+        k30), k17), add(mul(I33, RT33o, k30), mul(I33o, RT33, k33), k30), k17), n2, o33
     )
     div(
-        add(add(add(mul(I21, RT13o, k17), mul(I21o, RT13, k30), k17), add(mul(I22, RT23o, k30), mul(I22o, RT23, k32),
-        k30), k17), add(mul(I23, RT33o, k30), mul(I23o, RT33, k32), k30), k17), n2, o27
+        add(add(add(mul(I21, RT13o, k17), mul(I21o, RT13, k30), k17), add(mul(I22, RT23o, k30), mul(I22o, RT23, k33),
+        k30), k17), add(mul(I23, RT33o, k30), mul(I23o, RT33, k33), k30), k17), n2, o27
     )
     div(
         add(add(add(mul(I11, RT13o, k17), mul(I11o, RT13, k30), k17), add(mul(I12, RT23o, k30), mul(I12o, RT23, k31),
@@ -4596,20 +4597,20 @@ def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v_1 = z1 * factor
     v_2 = z2 * factor
     v_3 = z3 * factor
+    fe = factor * z0
     v11w = v_1 * v_1
     v22w = v_2 * v_2
     v33w = v_3 * v_3
     xw = v11w + v22w + v33w
-    hiw, = c.inverse(m, xw)
-    fi = factor * z0
+    _, hiw = c.inverse(m, xw, fe)
     hvr = hiw * (v_1 * rho1 + v_2 * rho2 + v_3 * rho3)
     return (
         v_1,
         v_2,
         v_3,
-        (rho1 * fi - (v_2 * rho3 - v_3 * rho2) + v_1 * hvr) / 2,
-        (rho2 * fi - (v_3 * rho1 - v_1 * rho3) + v_2 * hvr) / 2,
-        (rho3 * fi - (v_1 * rho2 - v_2 * rho1) + v_3 * hvr) / 2,
+        (rho1 * fe - (v_2 * rho3 - v_3 * rho2) + v_1 * hvr) / 2,
+        (rho2 * fe - (v_3 * rho1 - v_1 * rho3) + v_2 * hvr) / 2,
+        (rho3 * fe - (v_1 * rho2 - v_2 * rho1) + v_3 * hvr) / 2,
     )
 
 
@@ -4688,24 +4689,25 @@ def retract_blocks(
     v_1 = mul(z1, factor, o1)
     v_2 = mul(z2, factor, o2)
     v_3 = mul(z3, factor, o3)
-    fi = mul(factor, z0, k3)
+    fe = mul(factor, z0, k3)
     v11w = mul(v_1, v_1, k4)
     v22w = mul(v_2, v_2, k5)
     v33w = mul(v_3, v_3, k7)
     xw = add(add(v11w, v22w, k4), v33w, k4)
-    hiw, = c.inverse(
-        (k5,), (k7, k8, k9, k10, k11, k12, k13, k17, k18, k19, k20, k21, k22, *spare), (mask1, mask2, *spare_masks), xw
+    _, hiw = c.inverse(
+        (k5, k7), (k8, k9, k10, k11, k12, k13, k17, k18, k19, k20, k21, k22, *spare), (mask1, mask2, *spare_masks), xw,
+        fe
     )
-    yd = add(add(mul(d1, d1o, k4), mul(d2, d2o, k7), k4), mul(d3, d3o, k7), k4)
+    yd = add(add(mul(d1, d1o, k4), mul(d2, d2o, k5), k4), mul(d3, d3o, k5), k4)
     alongd = mul(hd, yd, k1)
     gv3 = mul(v3, g, k4)
-    gv1 = mul(v1, g, k7)
+    gv1 = mul(v1, g, k5)
     gv2 = mul(v2, g, k8)
     y = add(add(mul(v1, v1o, k9), mul(v2, v2o, k10), k9), mul(v3, v3o, k10), k9)
     along = mul(h, y, k9)
     rhob2 = add(add(mul(v2o, f, k10), sub(mul(gv3, v1o, k11), mul(gv1, v3o, k12), k11), k10), mul(v2, along, k11), k10)
     rhob1 = add(add(mul(v1o, f, k11), sub(mul(gv2, v3o, k12), mul(gv3, v2o, k4), k4), k4), mul(v1, along, k11), k4)
-    rhob3 = add(add(mul(v3o, f, k11), sub(mul(gv1, v2o, k7), mul(gv2, v1o, k8), k7), k7), mul(v3, along, k8), k7)
+    rhob3 = add(add(mul(v3o, f, k11), sub(mul(gv1, v2o, k5), mul(gv2, v1o, k8), k5), k5), mul(v3, along, k8), k5)
     v_rhob3 = sub(mul(d1, rhob2, k8), mul(d2, rhob1, k9), k8)
     gv_rhob3 = mul(v_rhob3, gd, k9)
     v_rhob2 = sub(mul(d3, rhob1, k11), mul(d1, rhob3, k12), k11)
@@ -4726,13 +4728,13 @@ def retract_blocks(
         k9
     )
     rho3 = add(
-        add(rhob3, add(mul(v_rhob3, fd, k8), sub(mul(d1, gv_rhob2, k10), mul(d2, gv_rhob1, k11), k10), k8), k7),
+        add(rhob3, add(mul(v_rhob3, fd, k8), sub(mul(d1, gv_rhob2, k10), mul(d2, gv_rhob1, k11), k10), k8), k5),
         add(add(mul(d3o, fd, k6), sub(mul(gvd1, d2o, k2), mul(gvd2, d1o, k8), k2), k2), mul(d3, alongd, k1), k1), k1
     )
-    hvr = mul(hiw, add(add(mul(v_1, rho1, k2), mul(v_2, rho2, k6), k2), mul(v_3, rho3, k6), k2), k2)
-    div(add(sub(mul(rho1, fi, k5), sub(mul(v_2, rho3, k6), mul(v_3, rho2, k7), k6), k5), mul(v_1, hvr, k6), k5), n2, o4)
-    div(add(sub(mul(rho2, fi, k5), sub(mul(v_3, rho1, k6), mul(v_1, rho3, k7), k6), k5), mul(v_2, hvr, k6), k5), n2, o5)
-    div(add(sub(mul(rho3, fi, k1), sub(mul(v_1, rho2, k3), mul(v_2, rho1, k4), k3), k1), mul(v_3, hvr, k2), k1), n2, o6)
+    hvr = mul(hiw, add(add(mul(v_1, rho1, k2), mul(v_2, rho2, k5), k2), mul(v_3, rho3, k5), k2), k2)
+    div(add(sub(mul(rho1, fe, k5), sub(mul(v_2, rho3, k6), mul(v_3, rho2, k7), k6), k5), mul(v_1, hvr, k6), k5), n2, o4)
+    div(add(sub(mul(rho2, fe, k5), sub(mul(v_3, rho1, k6), mul(v_1, rho3, k7), k6), k5), mul(v_2, hvr, k6), k5), n2, o5)
+    div(add(sub(mul(rho3, fe, k1), sub(mul(v_1, rho2, k3), mul(v_2, rho1, k4), k3), k1), mul(v_3, hvr, k2), k1), n2, o6)
 
 
 # operations 277: 93 +, 138 *, 24 /, 4 sqrt, 2 tan, 2 atan2, 1 lt, 2 eq, 11 where
@@ -4818,20 +4820,20 @@ def body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v_1 = z1 * factor
     v_2 = z2 * factor
     v_3 = z3 * factor
+    fe = factor * z0
     v11w = v_1 * v_1
     v22w = v_2 * v_2
     v33w = v_3 * v_3
     xw = v11w + v22w + v33w
-    hiw, = c.inverse(m, xw)
-    fi = factor * z0
+    _, hiw = c.inverse(m, xw, fe)
     hvr = hiw * (v_1 * rho1 + v_2 * rho2 + v_3 * rho3)
     return (
         v_1,
         v_2,
         v_3,
-        (rho1 * fi - (v_2 * rho3 - v_3 * rho2) + v_1 * hvr) / 2,
-        (rho2 * fi - (v_3 * rho1 - v_1 * rho3) + v_2 * hvr) / 2,
-        (rho3 * fi - (v_1 * rho2 - v_2 * rho1) + v_3 * hvr) / 2,
+        (rho1 * fe - (v_2 * rho3 - v_3 * rho2) + v_1 * hvr) / 2,
+        (rho2 * fe - (v_3 * rho1 - v_1 * rho3) + v_2 * hvr) / 2,
+        (rho3 * fe - (v_1 * rho2 - v_2 * rho1) + v_3 * hvr) / 2,
     )
 
 
@@ -4910,25 +4912,26 @@ def body_retract_blocks(
     v_1 = mul(z1, factor, o1)
     v_2 = mul(z2, factor, o2)
     v_3 = mul(z3, factor, o3)
-    fi = mul(factor, z0, k3)
+    fe = mul(factor, z0, k3)
     v11w = mul(v_1, v_1, k4)
     v22w = mul(v_2, v_2, k5)
     v33w = mul(v_3, v_3, k7)
     xw = add(add(v11w, v22w, k4), v33w, k4)
-    hiw, = c.inverse(
-        (k5,), (k7, k8, k9, k10, k11, k12, k13, k17, k18, k19, k20, k21, k22, *spare), (mask1, mask2, *spare_masks), xw
+    _, hiw = c.inverse(
+        (k5, k7), (k8, k9, k10, k11, k12, k13, k17, k18, k19, k20, k21, k22, *spare), (mask1, mask2, *spare_masks), xw,
+        fe
     )
-    yd = add(add(mul(d1, d1o, k4), mul(d2, d2o, k7), k4), mul(d3, d3o, k7), k4)
+    yd = add(add(mul(d1, d1o, k4), mul(d2, d2o, k5), k4), mul(d3, d3o, k5), k4)
     alongd = mul(hd, yd, k1)
     gvd1 = mul(d1, gd, k4)
-    gvd2 = mul(d2, gd, k7)
+    gvd2 = mul(d2, gd, k5)
     gvd3 = mul(d3, gd, k2)
     rhob3 = add(add(mul(d3o, fd, k8), sub(mul(gvd1, d2o, k9), mul(gvd2, d1o, k10), k9), k8), mul(d3, alongd, k9), k8)
     rhob2 = add(add(mul(d2o, fd, k9), sub(mul(gvd3, d1o, k10), mul(gvd1, d3o, k4), k4), k4), mul(d2, alongd, k9), k4)
-    rhob1 = add(add(mul(d1o, fd, k6), sub(mul(gvd2, d3o, k7), mul(gvd3, d2o, k2), k2), k2), mul(d1, alongd, k1), k1)
-    v_rhob1 = sub(mul(v2, rhob3, k2), mul(v3, rhob2, k6), k2)
-    v_rhob3 = sub(mul(v1, rhob2, k6), mul(v2, rhob1, k7), k6)
-    gv_rhob3 = mul(v_rhob3, g, k7)
+    rhob1 = add(add(mul(d1o, fd, k6), sub(mul(gvd2, d3o, k5), mul(gvd3, d2o, k2), k2), k2), mul(d1, alongd, k1), k1)
+    v_rhob1 = sub(mul(v2, rhob3, k2), mul(v3, rhob2, k5), k2)
+    v_rhob3 = sub(mul(v1, rhob2, k5), mul(v2, rhob1, k6), k5)
+    gv_rhob3 = mul(v_rhob3, g, k6)
     v_rhob2 = sub(mul(v3, rhob1, k9), mul(v1, rhob3, k10), k9)
     gv_rhob2 = mul(v_rhob2, g, k10)
     gv2 = mul(v2, g, k11)
@@ -4942,17 +4945,17 @@ def body_retract_blocks(
     gv_rhob1 = mul(v_rhob1, g, k2)
     gv1 = mul(v1, g, k15)
     rho2 = add(
-        add(rhob2, add(mul(v_rhob2, f, k9), sub(mul(v3, gv_rhob1, k16), mul(v1, gv_rhob3, k7), k7), k7), k4),
-        add(add(mul(v2o, f, k7), sub(mul(gv3, v1o, k9), mul(gv1, v3o, k12), k9), k7), mul(v2, along, k9), k7), k4
+        add(rhob2, add(mul(v_rhob2, f, k9), sub(mul(v3, gv_rhob1, k16), mul(v1, gv_rhob3, k6), k6), k6), k4),
+        add(add(mul(v2o, f, k6), sub(mul(gv3, v1o, k9), mul(gv1, v3o, k12), k9), k6), mul(v2, along, k9), k6), k4
     )
     rho3 = add(
-        add(rhob3, add(mul(v_rhob3, f, k6), sub(mul(v1, gv_rhob2, k7), mul(v2, gv_rhob1, k2), k2), k2), k2),
-        add(add(mul(v3o, f, k6), sub(mul(gv1, v2o, k7), mul(gv2, v1o, k8), k7), k6), mul(v3, along, k7), k6), k2
+        add(rhob3, add(mul(v_rhob3, f, k5), sub(mul(v1, gv_rhob2, k6), mul(v2, gv_rhob1, k2), k2), k2), k2),
+        add(add(mul(v3o, f, k5), sub(mul(gv1, v2o, k6), mul(gv2, v1o, k8), k6), k5), mul(v3, along, k6), k5), k2
     )
-    hvr = mul(hiw, add(add(mul(v_1, rho1, k6), mul(v_2, rho2, k7), k6), mul(v_3, rho3, k7), k6), k5)
-    div(add(sub(mul(rho1, fi, k6), sub(mul(v_2, rho3, k7), mul(v_3, rho2, k8), k7), k6), mul(v_1, hvr, k7), k6), n2, o4)
-    div(add(sub(mul(rho2, fi, k6), sub(mul(v_3, rho1, k7), mul(v_1, rho3, k8), k7), k6), mul(v_2, hvr, k7), k6), n2, o5)
-    div(add(sub(mul(rho3, fi, k2), sub(mul(v_1, rho2, k3), mul(v_2, rho1, k1), k1), k1), mul(v_3, hvr, k2), k1), n2, o6)
+    hvr = mul(hiw, add(add(mul(v_1, rho1, k5), mul(v_2, rho2, k6), k5), mul(v_3, rho3, k6), k5), k5)
+    div(add(sub(mul(rho1, fe, k6), sub(mul(v_2, rho3, k7), mul(v_3, rho2, k8), k7), k6), mul(v_1, hvr, k7), k6), n2, o4)
+    div(add(sub(mul(rho2, fe, k6), sub(mul(v_3, rho1, k7), mul(v_1, rho3, k8), k7), k6), mul(v_2, hvr, k7), k6), n2, o5)
+    div(add(sub(mul(rho3, fe, k2), sub(mul(v_1, rho2, k3), mul(v_2, rho1, k1), k1), k1), mul(v_3, hvr, k2), k1), n2, o6)
 
 
 # operations 270: 88 +, 136 *, 21 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
@@ -5021,6 +5024,7 @@ def local(m: Any, c: Any, b: Components, a: Components) -> Result:
     v22e = d2 * d2
     v33e = d3 * d3
     xe = v11e + v22e + v33e
+    fee = gaine * z0
     neare = xe < 6
     ze = m.where(neare, xe, xe - xe) / 4
     C7e = (
@@ -5047,15 +5051,14 @@ def local(m: Any, c: Any, b: Components, a: Components) -> Result:
     fe = 2 * (se * we)
     he = m.where(neare, (C3e + C1e * C2e) / 4, (1 - fe) / xxe)
     hie = ge - fie * he
-    fi = gaine * z0
     hvr = hie * (d1 * rho1 + d2 * rho2 + d3 * rho3)
     return (
         d1,
         d2,
         d3,
-        (rho1 * fi - (d2 * rho3 - d3 * rho2) + d1 * hvr) / 2,
-        (rho2 * fi - (d3 * rho1 - d1 * rho3) + d2 * hvr) / 2,
-        (rho3 * fi - (d1 * rho2 - d2 * rho1) + d3 * hvr) / 2,
+        (rho1 * fee - (d2 * rho3 - d3 * rho2) + d1 * hvr) / 2,
+        (rho2 * fee - (d3 * rho1 - d1 * rho3) + d2 * hvr) / 2,
+        (rho3 * fee - (d1 * rho2 - d2 * rho1) + d3 * hvr) / 2,
     )
 
 
@@ -5112,7 +5115,7 @@ def local_blocks(
     d1 = mul(z1, gaine, o1)
     d2 = mul(z2, gaine, o2)
     d3 = mul(z3, gaine, o3)
-    fi = mul(gaine, z0, k2)
+    fee = mul(gaine, z0, k2)
     v11e = mul(d1, d1, k4)
     v22e = mul(d2, d2, k6)
     v33e = mul(d3, d3, k7)
@@ -5189,9 +5192,9 @@ def local_blocks(
         add(add(mul(b3o, fb, k6), sub(mul(gvb1, b2o, k7), mul(gvb2, b1o, k8), k7), k6), mul(b3, alongb, k7), k6), k5
     )
     hvr = mul(hie, add(add(mul(d1, rho1, k6), mul(d2, rho2, k7), k6), mul(d3, rho3, k7), k6), k4)
-    div(add(sub(mul(rho1, fi, k6), sub(mul(d2, rho3, k7), mul(d3, rho2, k8), k7), k6), mul(d1, hvr, k7), k6), n2, o4)
-    div(add(sub(mul(rho2, fi, k6), sub(mul(d3, rho1, k7), mul(d1, rho3, k8), k7), k6), mul(d2, hvr, k7), k6), n2, o5)
-    div(add(sub(mul(rho3, fi, k2), sub(mul(d1, rho2, k3), mul(d2, rho1, k1), k1), k1), mul(d3, hvr, k2), k1), n2, o6)
+    div(add(sub(mul(rho1, fee, k6), sub(mul(d2, rho3, k7), mul(d3, rho2, k8), k7), k6), mul(d1, hvr, k7), k6), n2, o4)
+    div(add(sub(mul(rho2, fee, k6), sub(mul(d3, rho1, k7), mul(d1, rho3, k8), k7), k6), mul(d2, hvr, k7), k6), n2, o5)
+    div(add(sub(mul(rho3, fee, k2), sub(mul(d1, rho2, k3), mul(d2, rho1, k1), k1), k1), mul(d3, hvr, k2), k1), n2, o6)
 
 
 # operations 270: 88 +, 136 *, 21 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
@@ -5269,6 +5272,7 @@ def body_local(m: Any, c: Any, a: Components, b: Components) -> Result:
     v22e = d2 * d2
     v33e = d3 * d3
     xe = v11e + v22e + v33e
+    fee = gaine * z0
     neare = xe < 6
     ze = m.where(neare, xe, xe - xe) / 4
     C7e = (
@@ -5295,15 +5299,14 @@ def body_local(m: Any, c: Any, a: Components, b: Components) -> Result:
     fe = 2 * (se * we)
     he = m.where(neare, (C3e + C1e * C2e) / 4, (1 - fe) / xxe)
     hie = ge - fie * he
-    fi = gaine * z0
     hvr = hie * (d1 * rho1 + d2 * rho2 + d3 * rho3)
     return (
         d1,
         d2,
         d3,
-        (rho1 * fi - (d2 * rho3 - d3 * rho2) + d1 * hvr) / 2,
-        (rho2 * fi - (d3 * rho1 - d1 * rho3) + d2 * hvr) / 2,
-        (rho3 * fi - (d1 * rho2 - d2 * rho1) + d3 * hvr) / 2,
+        (rho1 * fee - (d2 * rho3 - d3 * rho2) + d1 * hvr) / 2,
+        (rho2 * fee - (d3 * rho1 - d1 * rho3) + d2 * hvr) / 2,
+        (rho3 * fee - (d1 * rho2 - d2 * rho1) + d3 * hvr) / 2,
     )
 
 
@@ -5361,7 +5364,7 @@ def body_local_blocks(
     d1 = mul(z1, gaine, o1)
     d2 = mul(z2, gaine, o2)
     d3 = mul(z3, gaine, o3)
-    fi = mul(gaine, z0, k1)
+    fee = mul(gaine, z0, k1)
     v11e = mul(d1, d1, k2)
     v22e = mul(d2, d2, k3)
     v33e = mul(d3, d3, k8)
@@ -5433,9 +5436,9 @@ def body_local_blocks(
         alongb, k7), k6), k4
     )
     hvr = mul(hie, add(add(mul(d1, rho1, k6), mul(d2, rho2, k7), k6), mul(d3, rho3, k7), k6), k2)
-    div(add(sub(mul(rho1, fi, k6), sub(mul(d2, rho3, k7), mul(d3, rho2, k8), k7), k6), mul(d1, hvr, k7), k6), n2, o4)
-    div(add(sub(mul(rho2, fi, k6), sub(mul(d3, rho1, k7), mul(d1, rho3, k8), k7), k6), mul(d2, hvr, k7), k6), n2, o5)
-    div(add(sub(mul(rho3, fi, k1), sub(mul(d1, rho2, k3), mul(d2, rho1, k4), k3), k1), mul(d3, hvr, k2), k1), n2, o6)
+    div(add(sub(mul(rho1, fee, k6), sub(mul(d2, rho3, k7), mul(d3, rho2, k8), k7), k6), mul(d1, hvr, k7), k6), n2, o4)
+    div(add(sub(mul(rho2, fee, k6), sub(mul(d3, rho1, k7), mul(d1, rho3, k8), k7), k6), mul(d2, hvr, k7), k6), n2, o5)
+    div(add(sub(mul(rho3, fee, k1), sub(mul(d1, rho2, k3), mul(d2, rho1, k4), k3), k1), mul(d3, hvr, k2), k1), n2, o6)
 
 
 # operations 82: 33 +, 49 *
@@ -6363,7 +6366,7 @@ KERNELS: Mapping[str, Kernel] = {
         registers=8,
         masks=0,
         numbers=(2,),
-        lent=(('gain_unit', 0, 0), ('inverse', 1, 0)),
+        lent=(('gain_unit', 0, 0), ('inverse', 0, 0)),
         real=True,
     ),
     "from_tensor": Kernel(
@@ -6374,7 +6377,7 @@ KERNELS: Mapping[str, Kernel] = {
         registers=8,
         masks=7,
         numbers=(-1, 0, 1, 2),
-        lent=(('gain_positive', 3, 7), ('inverse', 5, 7)),
+        lent=(('gain_positive', 3, 7), ('inverse', 4, 7)),
         real=True,
     ),
     "from_pose": Kernel(
@@ -6385,7 +6388,7 @@ KERNELS: Mapping[str, Kernel] = {
         registers=8,
         masks=7,
         numbers=(-1, 0, 1, 2),
-        lent=(('gain_positive', 3, 7), ('inverse', 5, 7)),
+        lent=(('gain_positive', 3, 7), ('inverse', 4, 7)),
         real=True,
     ),
     "from_screw": Kernel(
@@ -6462,7 +6465,7 @@ KERNELS: Mapping[str, Kernel] = {
         registers=21,
         masks=0,
         numbers=(2,),
-        lent=(('ray', 0, 0), ('ray', 0, 0), ('gain_product', 8, 0), ('inverse', 12, 0)),
+        lent=(('ray', 0, 0), ('ray', 0, 0), ('gain_product', 8, 0), ('inverse', 11, 0)),
         real=True,
     ),
     "between": Kernel(
@@ -6473,7 +6476,7 @@ KERNELS: Mapping[str, Kernel] = {
         registers=24,
         masks=0,
         numbers=(2,),
-        lent=(('ray', 0, 0), ('ray', 0, 0), ('gain_product', 8, 0), ('inverse', 12, 0)),
+        lent=(('ray', 0, 0), ('ray', 0, 0), ('gain_product', 8, 0), ('inverse', 11, 0)),
         real=True,
     ),
     "compose_jacobians": Kernel(
@@ -6484,7 +6487,7 @@ KERNELS: Mapping[str, Kernel] = {
         registers=67,
         masks=0,
         numbers=(0, 1, 2),
-        lent=(('ray', 0, 0), ('ray', 0, 0), ('gain_product', 8, 0), ('inverse', 7, 0), ('tangent_inv', 6, 0), ('tangent', 0, 0), ('tangent', 18, 0)),
+        lent=(('ray', 0, 0), ('ray', 0, 0), ('gain_product', 8, 0), ('inverse', 6, 0), ('tangent_inv', 6, 0), ('tangent', 0, 0), ('tangent', 18, 0)),
         real=True,
     ),
     "between_jacobians": Kernel(
@@ -6495,7 +6498,7 @@ KERNELS: Mapping[str, Kernel] = {
         registers=67,
         masks=0,
         numbers=(0, 1, 2),
-        lent=(('ray', 0, 0), ('ray', 0, 0), ('gain_product', 8, 0), ('inverse', 5, 0), ('tangent_inv', 6, 0), ('tangent', 0, 0), ('tangent', 0, 0)),
+        lent=(('ray', 0, 0), ('ray', 0, 0), ('gain_product', 8, 0), ('inverse', 4, 0), ('tangent_inv', 6, 0), ('tangent', 0, 0), ('tangent', 0, 0)),
         real=True,
     ),
     "retract": Kernel(
@@ -6506,7 +6509,7 @@ KERNELS: Mapping[str, Kernel] = {
         registers=22,
         masks=2,
         numbers=(0, 1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
-        lent=(('ray', 0, 0), ('unfolded', 7, 0), ('coefficient', 8, 1), ('inverse', 13, 2)),
+        lent=(('ray', 0, 0), ('unfolded', 7, 0), ('coefficient', 8, 1), ('inverse', 12, 2)),
         real=True,
     ),
     "body_retract": Kernel(
@@ -6517,7 +6520,7 @@ KERNELS: Mapping[str, Kernel] = {
         registers=22,
         masks=2,
         numbers=(0, 1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
-        lent=(('ray', 0, 0), ('unfolded', 7, 0), ('coefficient', 8, 1), ('inverse', 13, 2)),
+        lent=(('ray', 0, 0), ('unfolded', 7, 0), ('coefficient', 8, 1), ('inverse', 12, 2)),
         real=True,
     ),
     "local": Kernel(

@@ -110,7 +110,7 @@ from typing import Any
 
 from ._chart import Chart, Function
 from ._interface import PoseKernels
-from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
+from ._kernel import Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
@@ -329,23 +329,24 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
 
 
 # operations 10: 4 +, 2 *, 2 /, 2 sqrt
-def _inverse(m: Any, x: Any) -> Result:
+def _inverse(m: Any, x: Any, fe: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     c = (below - below + 2) / below
     rootc = m.sqrt(c)
     hi = 3 / (4 * rootc)
-    return hi,
+    return fe, hi
 
 
-def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, = out
+def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
+    o1, o2 = out
     k1, *_ = scratch
     n2, n3, n4 = numbers
-    below = add(x, sqrt(add(mul(x, x, o1), n4, o1), o1), o1)
-    c = div(add(sub(below, below, k1), n2, k1), below, o1)
-    rootc = sqrt(c, o1)
-    div(n3, mul(n4, rootc, o1), o1)
-    return o1,
+    below = add(x, sqrt(add(mul(x, x, o2), n4, o2), o2), o2)
+    c = div(add(sub(below, below, k1), n2, k1), below, o2)
+    rootc = sqrt(c, o2)
+    div(n3, mul(n4, rootc, o2), o2)
+    copy(fe, o1)
+    return o1, o2
 
 
 # operations 33: 7 +, 16 *, 7 /, 1 neg, 2 sqrt
@@ -563,7 +564,7 @@ def _gain_product_blocks(
 
 
 # operations 28: 8 +, 6 *, 1 /, 1 neg, 2 sqrt, 4 lt, 1 eq, 1 and, 1 or, 3 where
-def _direction(m: Any, x: Any, y: Any) -> Result:
+def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     c = (below - below + 2) / below
     rootc = m.sqrt(c)
@@ -577,7 +578,7 @@ def _direction(m: Any, x: Any, y: Any) -> Result:
     return sign,
 
 
-def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any) -> Result:
+def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
     o1, = out
     k1, k2, k3, *_ = scratch
     mask1, mask2, mask3, *_ = masks

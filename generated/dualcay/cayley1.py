@@ -211,13 +211,13 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
 
 
 # operations 0
-def _inverse(m: Any, x: Any) -> Result:
-    return 1,
+def _inverse(m: Any, x: Any, fe: Any) -> Result:
+    return 1, 1
 
 
-def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
     n1, = numbers
-    return n1,
+    return n1, n1
 
 
 # operations 0

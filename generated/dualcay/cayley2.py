@@ -80,21 +80,21 @@
 #   rate_dot: 332: 138 +, 181 *, 13 /
 #   twist_jacobian: 276: 113 +, 157 *, 4 /, 2 neg
 #   rate_jacobian: 151: 61 +, 69 *, 15 /, 6 neg
-#   from_quaternion: 69: 23 +, 38 *, 4 /, 1 neg, 1 lt, 2 where
-#   from_tensor: 134: 46 +, 49 *, 7 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
-#   from_pose: 98: 31 +, 31 *, 4 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_quaternion: 71: 24 +, 38 *, 5 /, 1 neg, 1 lt, 2 where
+#   from_tensor: 136: 47 +, 49 *, 8 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_pose: 100: 32 +, 31 *, 5 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
 #   to_screw: 86: 21 +, 32 *, 12 /, 7 abs, 1 sqrt, 1 atan2, 2 lt, 2 eq, 8 where
 #   angle: 60: 14 +, 19 *, 8 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
 #   turn: 70: 16 +, 28 *, 11 /, 6 abs, 1 sqrt, 2 eq, 6 where
-#   shadow: 94: 25 +, 37 *, 12 /, 6 abs, 2 sqrt, 2 lt, 2 eq, 8 where
+#   shadow: 93: 25 +, 37 *, 12 /, 6 abs, 1 sqrt, 2 lt, 2 eq, 8 where
 #   principal: 55: 15 +, 23 *, 8 /, 1 sqrt, 1 lt, 7 where
-#   compose: 205: 73 +, 120 *, 8 /, 1 neg, 1 lt, 2 where
-#   between: 211: 73 +, 120 *, 8 /, 7 neg, 1 lt, 2 where
-#   compose_jacobians: 957: 380 +, 514 *, 51 /, 9 neg, 1 lt, 2 where
-#   between_jacobians: 981: 380 +, 514 *, 51 /, 33 neg, 1 lt, 2 where
-#   retract: 295: 97 +, 146 *, 28 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
-#   body_retract: 295: 97 +, 146 *, 28 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+#   compose: 207: 74 +, 120 *, 9 /, 1 neg, 1 lt, 2 where
+#   between: 213: 74 +, 120 *, 9 /, 7 neg, 1 lt, 2 where
+#   compose_jacobians: 959: 381 +, 514 *, 52 /, 9 neg, 1 lt, 2 where
+#   between_jacobians: 983: 381 +, 514 *, 52 /, 33 neg, 1 lt, 2 where
+#   retract: 297: 98 +, 146 *, 29 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+#   body_retract: 297: 98 +, 146 *, 29 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
 #   local: 292: 94 +, 148 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 292: 94 +, 148 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   adjoint: 92: 35 +, 55 *, 2 /
@@ -277,14 +277,19 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     return o1, o2, o3, o4, o5, o6, o7, o8, o9
 
 
-# operations 0
-def _inverse(m: Any, x: Any) -> Result:
-    return 1,
+# operations 2: 1 +, 1 /
+def _inverse(m: Any, x: Any, fe: Any) -> Result:
+    p = 1 - x
+    fi = p / 2
+    return fi, 1
 
 
-def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    n1, = numbers
-    return n1,
+def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
+    o1, _ = out
+    n1, n2 = numbers
+    p = sub(n1, x, o1)
+    div(p, n2, o1)
+    return o1, n1
 
 
 # operations 2: 1 +, 1 /
@@ -403,10 +408,9 @@ def _gain_product_blocks(
     return o1,
 
 
-# operations 13: 5 +, 2 *, 1 /, 1 sqrt, 2 lt, 2 where
-def _direction(m: Any, x: Any, y: Any) -> Result:
-    rd = m.sqrt(x)
-    rq = 2 * rd
+# operations 12: 5 +, 2 *, 1 /, 2 lt, 2 where
+def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
+    rq = 2 * r
     p = 1 - x
     either = rq + p
     one = either - either + 1
@@ -415,13 +419,12 @@ def _direction(m: Any, x: Any, y: Any) -> Result:
     return sign,
 
 
-def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any) -> Result:
+def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
     o1, = out
     k1, k2, *_ = scratch
     mask1, *_ = masks
     n_minus_2, n_minus_1, n0, n1, n2, n16 = numbers
-    rd = sqrt(x, o1)
-    rq = mul(n2, rd, o1)
+    rq = mul(n2, r, o1)
     p = sub(n1, x, k1)
     either = add(rq, p, k2)
     qp = m.where(m.less(add(rq, div(p, n16, k1), k1), rq, mask1), n_minus_2, n2, o1)
@@ -919,7 +922,7 @@ CHART = Chart(
         "pose": Function(_pose, _pose_blocks, 1, 0, (1, 2, 4)),
         "tangent": Function(_tangent, _tangent_blocks, 0, 0, (1, 2, 4)),
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 1, 0, (1, 2, 4)),
-        "inverse": Function(_inverse, _inverse_blocks, 0, 0, (1,)),
+        "inverse": Function(_inverse, _inverse_blocks, 0, 0, (1, 2)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 0, 0, (-1, 0, 1, 2)),
         "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 0, 0, (-1, 0, 1, 2)),
         "ray": Function(_ray, _ray_blocks, 0, 0, (1, 2, 4)),

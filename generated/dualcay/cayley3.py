@@ -77,21 +77,21 @@
 #   rate_dot: 352: 141 +, 193 *, 15 /, 3 neg
 #   twist_jacobian: 291: 118 +, 167 *, 4 /, 2 neg
 #   rate_jacobian: 224: 86 +, 123 *, 12 /, 3 neg
-#   from_quaternion: 88: 26 +, 44 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   from_tensor: 144: 46 +, 50 *, 10 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
-#   from_pose: 108: 31 +, 32 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
+#   from_quaternion: 91: 27 +, 46 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   from_tensor: 147: 47 +, 52 *, 10 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
+#   from_pose: 111: 32 +, 34 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
 #   to_screw: 96: 22 +, 33 *, 12 /, 1 neg, 8 abs, 1 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
 #   angle: 64: 15 +, 22 *, 8 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
 #   turn: 70: 16 +, 28 *, 11 /, 6 abs, 1 sqrt, 2 eq, 6 where
-#   shadow: 104: 26 +, 38 *, 12 /, 1 neg, 7 abs, 2 sqrt, 4 lt, 3 eq, 1 and, 1 or, 9 where
+#   shadow: 103: 26 +, 38 *, 12 /, 1 neg, 7 abs, 1 sqrt, 4 lt, 3 eq, 1 and, 1 or, 9 where
 #   principal: 55: 15 +, 23 *, 8 /, 1 sqrt, 1 lt, 7 where
-#   compose: 230: 76 +, 131 *, 12 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   between: 236: 76 +, 131 *, 12 /, 7 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   compose_jacobians: 1011: 390 +, 544 *, 57 /, 10 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   between_jacobians: 1035: 390 +, 544 *, 57 /, 34 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   retract: 303: 99 +, 150 *, 30 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
-#   body_retract: 303: 99 +, 150 *, 30 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+#   compose: 233: 77 +, 133 *, 12 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   between: 239: 77 +, 133 *, 12 /, 7 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   compose_jacobians: 1014: 391 +, 546 *, 57 /, 10 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   between_jacobians: 1038: 391 +, 546 *, 57 /, 34 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   retract: 306: 100 +, 152 *, 30 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+#   body_retract: 306: 100 +, 152 *, 30 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
 #   local: 298: 94 +, 154 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 298: 94 +, 154 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   adjoint: 96: 36 +, 58 *, 2 /
@@ -303,26 +303,30 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     return o1, o2, o3, o4, o5, o6, o7, o8, o9
 
 
-# operations 5: 2 +, 1 *, 2 /
-def _inverse(m: Any, x: Any) -> Result:
-    d = 11 - x
+# operations 8: 3 +, 3 *, 2 /
+def _inverse(m: Any, x: Any, fe: Any) -> Result:
+    p = 1 - 3 * x
     q = 3 - x
     iq = 1 / q
+    fi = p * iq
+    d = 11 - x
     diq = d * iq
     hi = diq / 3
-    return hi,
+    return fi, hi
 
 
-def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, = out
+def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
+    o1, o2 = out
     k1, *_ = scratch
     n1, n3, n11 = numbers
-    d = sub(n11, x, o1)
-    q = sub(n3, x, k1)
-    iq = div(n1, q, k1)
-    diq = mul(d, iq, o1)
-    div(diq, n3, o1)
-    return o1,
+    p = sub(n1, mul(n3, x, o1), o1)
+    q = sub(n3, x, o2)
+    iq = div(n1, q, o2)
+    mul(p, iq, o1)
+    d = sub(n11, x, k1)
+    diq = mul(d, iq, o2)
+    div(diq, n3, o2)
+    return o1, o2
 
 
 # operations 15: 4 +, 7 *, 3 /, 1 neg
@@ -502,11 +506,10 @@ def _gain_product_blocks(
     return o1,
 
 
-# operations 23: 6 +, 3 *, 1 /, 1 neg, 1 abs, 1 sqrt, 4 lt, 1 eq, 1 and, 1 or, 3 where
-def _direction(m: Any, x: Any, y: Any) -> Result:
-    rd = m.sqrt(x)
+# operations 22: 6 +, 3 *, 1 /, 1 neg, 1 abs, 4 lt, 1 eq, 1 and, 1 or, 3 where
+def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     q = 3 - x
-    rq = rd * m.abs(q)
+    rq = r * m.abs(q)
     p = 1 - 3 * x
     either = rq + p
     one = either - either + 1
@@ -517,23 +520,22 @@ def _direction(m: Any, x: Any, y: Any) -> Result:
     return sign,
 
 
-def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any) -> Result:
+def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
     o1, = out
     k1, k2, k3, k4, *_ = scratch
     mask1, mask2, mask3, *_ = masks
     n_minus_1, n0, n1, n3, n16 = numbers
-    rd = sqrt(x, o1)
-    q = sub(n3, x, k1)
-    rq = mul(rd, absolute(q, k2), o1)
+    q = sub(n3, x, o1)
     qneg = m.less(q, n0, mask1)
+    rq = mul(r, absolute(q, k1), k1)
     kept = m.where(qneg, n0, rq, k2)
     p = sub(n1, mul(n3, x, k3), k3)
     qp = m.where(m.less(add(kept, div(p, n16, k4), k4), kept, mask1), neg(q, k2), q, k2)
-    either = add(rq, p, o1)
-    one = add(sub(either, either, o1), n1, o1)
+    either = add(rq, p, k1)
+    one = add(sub(either, either, k1), n1, k1)
     mul(
         one, m.where(m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1),
-        n_minus_1, n1, k1), o1
+        n_minus_1, n1, o1), o1
     )
     return o1,
 

@@ -77,21 +77,21 @@
 #   rate_dot: 363: 146 +, 200 *, 15 /, 2 neg
 #   twist_jacobian: 305: 125 +, 175 *, 4 /, 1 neg
 #   rate_jacobian: 235: 91 +, 130 *, 12 /, 2 neg
-#   from_quaternion: 81: 26 +, 43 *, 7 /, 1 neg, 1 sqrt, 1 lt, 2 where
-#   from_tensor: 148: 49 +, 55 *, 11 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
-#   from_pose: 112: 34 +, 37 *, 8 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_quaternion: 85: 28 +, 45 *, 7 /, 1 neg, 1 sqrt, 1 lt, 2 where
+#   from_tensor: 152: 51 +, 57 *, 11 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_pose: 116: 36 +, 39 *, 8 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
 #   to_screw: 98: 23 +, 34 *, 12 /, 1 neg, 8 abs, 1 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
 #   angle: 70: 18 +, 25 *, 8 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
 #   turn: 70: 16 +, 28 *, 11 /, 6 abs, 1 sqrt, 2 eq, 6 where
-#   shadow: 106: 27 +, 39 *, 12 /, 1 neg, 7 abs, 2 sqrt, 4 lt, 3 eq, 1 and, 1 or, 9 where
+#   shadow: 105: 27 +, 39 *, 12 /, 1 neg, 7 abs, 1 sqrt, 4 lt, 3 eq, 1 and, 1 or, 9 where
 #   principal: 58: 15 +, 23 *, 8 /, 1 sqrt, 2 lt, 9 where
-#   compose: 243: 86 +, 140 *, 12 /, 1 neg, 1 sqrt, 1 lt, 2 where
-#   between: 249: 86 +, 140 *, 12 /, 7 neg, 1 sqrt, 1 lt, 2 where
-#   compose_jacobians: 1050: 413 +, 568 *, 57 /, 8 neg, 1 sqrt, 1 lt, 2 where
-#   between_jacobians: 1074: 413 +, 568 *, 57 /, 32 neg, 1 sqrt, 1 lt, 2 where
-#   retract: 314: 104 +, 156 *, 30 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
-#   body_retract: 314: 104 +, 156 *, 30 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+#   compose: 247: 88 +, 142 *, 12 /, 1 neg, 1 sqrt, 1 lt, 2 where
+#   between: 253: 88 +, 142 *, 12 /, 7 neg, 1 sqrt, 1 lt, 2 where
+#   compose_jacobians: 1054: 415 +, 570 *, 57 /, 8 neg, 1 sqrt, 1 lt, 2 where
+#   between_jacobians: 1078: 415 +, 570 *, 57 /, 32 neg, 1 sqrt, 1 lt, 2 where
+#   retract: 318: 106 +, 158 *, 30 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+#   body_retract: 318: 106 +, 158 *, 30 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
 #   local: 316: 104 +, 162 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 316: 104 +, 162 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   adjoint: 102: 39 +, 61 *, 2 /
@@ -320,26 +320,30 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     return o1, o2, o3, o4, o5, o6, o7, o8, o9
 
 
-# operations 7: 2 +, 3 *, 2 /
-def _inverse(m: Any, x: Any) -> Result:
-    d = 24 - 8 * x
+# operations 11: 4 +, 5 *, 2 /
+def _inverse(m: Any, x: Any, fe: Any) -> Result:
+    p = (x - 6) * x + 1
     q = 4 - 4 * x
     iq = 1 / q
+    fi = p * iq
+    d = 24 - 8 * x
     diq = d * iq
     hi = diq / 4
-    return hi,
+    return fi, hi
 
 
-def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, = out
+def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
+    o1, o2 = out
     k1, *_ = scratch
-    n1, n4, n8, n24 = numbers
-    d = sub(n24, mul(n8, x, o1), o1)
-    q = sub(n4, mul(n4, x, k1), k1)
-    iq = div(n1, q, k1)
-    diq = mul(d, iq, o1)
-    div(diq, n4, o1)
-    return o1,
+    n1, n4, n6, n8, n24 = numbers
+    p = add(mul(sub(x, n6, o1), x, o1), n1, o1)
+    q = sub(n4, mul(n4, x, o2), o2)
+    iq = div(n1, q, o2)
+    mul(p, iq, o1)
+    d = sub(n24, mul(n8, x, k1), k1)
+    diq = mul(d, iq, o2)
+    div(diq, n4, o2)
+    return o1, o2
 
 
 # operations 21: 7 +, 10 *, 3 /, 1 neg
@@ -526,11 +530,10 @@ def _gain_product_blocks(
     return o1,
 
 
-# operations 25: 7 +, 4 *, 1 /, 1 neg, 1 abs, 1 sqrt, 4 lt, 1 eq, 1 and, 1 or, 3 where
-def _direction(m: Any, x: Any, y: Any) -> Result:
-    rd = m.sqrt(x)
+# operations 24: 7 +, 4 *, 1 /, 1 neg, 1 abs, 4 lt, 1 eq, 1 and, 1 or, 3 where
+def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     q = 4 - 4 * x
-    rq = rd * m.abs(q)
+    rq = r * m.abs(q)
     p = (x - 6) * x + 1
     either = rq + p
     one = either - either + 1
@@ -541,23 +544,22 @@ def _direction(m: Any, x: Any, y: Any) -> Result:
     return sign,
 
 
-def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any) -> Result:
+def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
     o1, = out
     k1, k2, k3, k4, *_ = scratch
     mask1, mask2, mask3, *_ = masks
     n_minus_1, n0, n1, n4, n6, n16 = numbers
-    rd = sqrt(x, o1)
-    q = sub(n4, mul(n4, x, k1), k1)
-    rq = mul(rd, absolute(q, k2), o1)
+    q = sub(n4, mul(n4, x, o1), o1)
     qneg = m.less(q, n0, mask1)
+    rq = mul(r, absolute(q, k1), k1)
     kept = m.where(qneg, n0, rq, k2)
     p = add(mul(sub(x, n6, k3), x, k3), n1, k3)
     qp = m.where(m.less(add(kept, div(p, n16, k4), k4), kept, mask1), neg(q, k2), q, k2)
-    either = add(rq, p, o1)
-    one = add(sub(either, either, o1), n1, o1)
+    either = add(rq, p, k1)
+    one = add(sub(either, either, k1), n1, k1)
     mul(
         one, m.where(m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1),
-        n_minus_1, n1, k1), o1
+        n_minus_1, n1, o1), o1
     )
     return o1,
 
@@ -692,7 +694,7 @@ CHART = Chart(
         "pose": Function(_pose, _pose_blocks, 2, 0, (1, 2, 4, 6, 8, 16, 40)),
         "tangent": Function(_tangent, _tangent_blocks, 1, 0, (-16, 1, 2, 4, 6, 8, 16, 40)),
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 3, 0, (-16, 1, 2, 4, 6, 8, 16, 40)),
-        "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 4, 8, 24)),
+        "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 4, 6, 8, 24)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 1, 0, (1, 4, 6, 8, 16, 24, 40)),
         "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 2, 0, (-4, 1, 2, 4, 6, 8, 16, 24, 40)),
         "ray": Function(_ray, _ray_blocks, 1, 0, (1, 2, 4, 6, 8, 16, 40)),

@@ -77,21 +77,21 @@
 #   rate_dot: 377: 152 +, 208 *, 16 /, 1 neg
 #   twist_jacobian: 314: 128 +, 181 *, 4 /, 1 neg
 #   rate_jacobian: 249: 97 +, 138 *, 13 /, 1 neg
-#   from_quaternion: 92: 28 +, 46 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   from_tensor: 148: 48 +, 52 *, 10 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
-#   from_pose: 112: 33 +, 34 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
+#   from_quaternion: 97: 30 +, 49 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   from_tensor: 153: 50 +, 55 *, 10 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
+#   from_pose: 117: 35 +, 37 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
 #   to_screw: 100: 24 +, 35 *, 12 /, 1 neg, 8 abs, 1 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
 #   angle: 72: 19 +, 26 *, 8 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
 #   turn: 70: 16 +, 28 *, 11 /, 6 abs, 1 sqrt, 2 eq, 6 where
-#   shadow: 108: 28 +, 40 *, 12 /, 1 neg, 7 abs, 2 sqrt, 4 lt, 3 eq, 1 and, 1 or, 9 where
+#   shadow: 107: 28 +, 40 *, 12 /, 1 neg, 7 abs, 1 sqrt, 4 lt, 3 eq, 1 and, 1 or, 9 where
 #   principal: 58: 15 +, 23 *, 8 /, 1 sqrt, 2 lt, 9 where
-#   compose: 250: 86 +, 141 *, 12 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   between: 256: 86 +, 141 *, 12 /, 7 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   compose_jacobians: 1076: 421 +, 580 *, 57 /, 8 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   between_jacobians: 1100: 421 +, 580 *, 57 /, 32 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   retract: 315: 105 +, 156 *, 30 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
-#   body_retract: 315: 105 +, 156 *, 30 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+#   compose: 255: 88 +, 144 *, 12 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   between: 261: 88 +, 144 *, 12 /, 7 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   compose_jacobians: 1081: 423 +, 583 *, 57 /, 8 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   between_jacobians: 1105: 423 +, 583 *, 57 /, 32 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   retract: 320: 107 +, 159 *, 30 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+#   body_retract: 320: 107 +, 159 *, 30 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
 #   local: 314: 102 +, 162 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 314: 102 +, 162 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   adjoint: 104: 40 +, 62 *, 2 /
@@ -328,26 +328,30 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     return o1, o2, o3, o4, o5, o6, o7, o8, o9
 
 
-# operations 9: 4 +, 3 *, 2 /
-def _inverse(m: Any, x: Any) -> Result:
-    d = (x - 34) * x + 45
+# operations 14: 6 +, 6 *, 2 /
+def _inverse(m: Any, x: Any, fe: Any) -> Result:
+    p = (5 * x - 10) * x + 1
     q = (x - 10) * x + 5
     iq = 1 / q
+    fi = p * iq
+    d = (x - 34) * x + 45
     diq = d * iq
     hi = diq / 5
-    return hi,
+    return fi, hi
 
 
-def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, = out
+def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
+    o1, o2 = out
     k1, *_ = scratch
     n1, n5, n10, n34, n45 = numbers
-    d = add(mul(sub(x, n34, o1), x, o1), n45, o1)
-    q = add(mul(sub(x, n10, k1), x, k1), n5, k1)
-    iq = div(n1, q, k1)
-    diq = mul(d, iq, o1)
-    div(diq, n5, o1)
-    return o1,
+    p = add(mul(sub(mul(n5, x, o1), n10, o1), x, o1), n1, o1)
+    q = add(mul(sub(x, n10, o2), x, o2), n5, o2)
+    iq = div(n1, q, o2)
+    mul(p, iq, o1)
+    d = add(mul(sub(x, n34, k1), x, k1), n45, k1)
+    diq = mul(d, iq, o2)
+    div(diq, n5, o2)
+    return o1, o2
 
 
 # operations 30: 11 +, 15 *, 3 /, 1 neg
@@ -549,11 +553,10 @@ def _gain_product_blocks(
     return o1,
 
 
-# operations 27: 8 +, 5 *, 1 /, 1 neg, 1 abs, 1 sqrt, 4 lt, 1 eq, 1 and, 1 or, 3 where
-def _direction(m: Any, x: Any, y: Any) -> Result:
-    rd = m.sqrt(x)
+# operations 26: 8 +, 5 *, 1 /, 1 neg, 1 abs, 4 lt, 1 eq, 1 and, 1 or, 3 where
+def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     q = (x - 10) * x + 5
-    rq = rd * m.abs(q)
+    rq = r * m.abs(q)
     p = (5 * x - 10) * x + 1
     either = rq + p
     one = either - either + 1
@@ -564,23 +567,22 @@ def _direction(m: Any, x: Any, y: Any) -> Result:
     return sign,
 
 
-def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any) -> Result:
+def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
     o1, = out
     k1, k2, k3, k4, *_ = scratch
     mask1, mask2, mask3, *_ = masks
     n_minus_1, n0, n1, n5, n10, n16 = numbers
-    rd = sqrt(x, o1)
-    q = add(mul(sub(x, n10, k1), x, k1), n5, k1)
-    rq = mul(rd, absolute(q, k2), o1)
+    q = add(mul(sub(x, n10, o1), x, o1), n5, o1)
     qneg = m.less(q, n0, mask1)
+    rq = mul(r, absolute(q, k1), k1)
     kept = m.where(qneg, n0, rq, k2)
     p = add(mul(sub(mul(n5, x, k3), n10, k3), x, k3), n1, k3)
     qp = m.where(m.less(add(kept, div(p, n16, k4), k4), kept, mask1), neg(q, k2), q, k2)
-    either = add(rq, p, o1)
-    one = add(sub(either, either, o1), n1, o1)
+    either = add(rq, p, k1)
+    one = add(sub(either, either, k1), n1, k1)
     mul(
         one, m.where(m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1),
-        n_minus_1, n1, k1), o1
+        n_minus_1, n1, o1), o1
     )
     return o1,
 

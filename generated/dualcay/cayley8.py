@@ -77,21 +77,21 @@
 #   rate_dot: 408: 168 +, 223 *, 16 /, 1 neg
 #   twist_jacobian: 348: 145 +, 198 *, 4 /, 1 neg
 #   rate_jacobian: 280: 113 +, 153 *, 13 /, 1 neg
-#   from_quaternion: 94: 31 +, 49 *, 8 /, 1 neg, 2 sqrt, 1 lt, 2 where
-#   from_tensor: 161: 54 +, 61 *, 12 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
-#   from_pose: 125: 39 +, 43 *, 9 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_quaternion: 102: 35 +, 53 *, 8 /, 1 neg, 2 sqrt, 1 lt, 2 where
+#   from_tensor: 169: 58 +, 65 *, 12 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_pose: 133: 43 +, 47 *, 9 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
 #   to_screw: 106: 27 +, 38 *, 12 /, 1 neg, 8 abs, 1 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
 #   angle: 86: 26 +, 33 *, 8 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
 #   turn: 70: 16 +, 28 *, 11 /, 6 abs, 1 sqrt, 2 eq, 6 where
-#   shadow: 114: 31 +, 43 *, 12 /, 1 neg, 7 abs, 2 sqrt, 4 lt, 3 eq, 1 and, 1 or, 9 where
+#   shadow: 113: 31 +, 43 *, 12 /, 1 neg, 7 abs, 1 sqrt, 4 lt, 3 eq, 1 and, 1 or, 9 where
 #   principal: 64: 15 +, 23 *, 8 /, 1 sqrt, 4 lt, 13 where
-#   compose: 300: 111 +, 170 *, 13 /, 1 neg, 2 sqrt, 1 lt, 2 where
-#   between: 306: 111 +, 170 *, 13 /, 7 neg, 2 sqrt, 1 lt, 2 where
-#   compose_jacobians: 1195: 480 +, 644 *, 58 /, 8 neg, 2 sqrt, 1 lt, 2 where
-#   between_jacobians: 1219: 480 +, 644 *, 58 /, 32 neg, 2 sqrt, 1 lt, 2 where
-#   retract: 344: 118 +, 172 *, 30 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
-#   body_retract: 344: 118 +, 172 *, 30 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+#   compose: 308: 115 +, 174 *, 13 /, 1 neg, 2 sqrt, 1 lt, 2 where
+#   between: 314: 115 +, 174 *, 13 /, 7 neg, 2 sqrt, 1 lt, 2 where
+#   compose_jacobians: 1203: 484 +, 648 *, 58 /, 8 neg, 2 sqrt, 1 lt, 2 where
+#   between_jacobians: 1227: 484 +, 648 *, 58 /, 32 neg, 2 sqrt, 1 lt, 2 where
+#   retract: 352: 122 +, 176 *, 30 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+#   body_retract: 352: 122 +, 176 *, 30 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
 #   local: 360: 124 +, 186 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 360: 124 +, 186 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   adjoint: 118: 47 +, 69 *, 2 /
@@ -356,26 +356,30 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     return o1, o2, o3, o4, o5, o6, o7, o8, o9
 
 
-# operations 15: 6 +, 7 *, 2 /
-def _inverse(m: Any, x: Any) -> Result:
-    d = ((272 - 16 * x) * x - 560) * x + 176
+# operations 23: 10 +, 11 *, 2 /
+def _inverse(m: Any, x: Any, fe: Any) -> Result:
+    p = (((x - 28) * x + 70) * x - 28) * x + 1
     q = ((56 - 8 * x) * x - 56) * x + 8
     iq = 1 / q
+    fi = p * iq
+    d = ((272 - 16 * x) * x - 560) * x + 176
     diq = d * iq
     hi = diq / 8
-    return hi,
+    return fi, hi
 
 
-def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, = out
+def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
+    o1, o2 = out
     k1, *_ = scratch
-    n1, n8, n16, n56, n176, n272, n560 = numbers
-    d = add(mul(sub(mul(sub(n272, mul(n16, x, o1), o1), x, o1), n560, o1), x, o1), n176, o1)
-    q = add(mul(sub(mul(sub(n56, mul(n8, x, k1), k1), x, k1), n56, k1), x, k1), n8, k1)
-    iq = div(n1, q, k1)
-    diq = mul(d, iq, o1)
-    div(diq, n8, o1)
-    return o1,
+    n1, n8, n16, n28, n56, n70, n176, n272, n560 = numbers
+    p = add(mul(sub(mul(add(mul(sub(x, n28, o1), x, o1), n70, o1), x, o1), n28, o1), x, o1), n1, o1)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, o2), o2), x, o2), n56, o2), x, o2), n8, o2)
+    iq = div(n1, q, o2)
+    mul(p, iq, o1)
+    d = add(mul(sub(mul(sub(n272, mul(n16, x, k1), k1), x, k1), n560, k1), x, k1), n176, k1)
+    diq = mul(d, iq, o2)
+    div(diq, n8, o2)
+    return o1, o2
 
 
 # operations 51: 21 +, 26 *, 3 /, 1 neg
@@ -607,11 +611,10 @@ def _gain_product_blocks(
     return o1,
 
 
-# operations 33: 11 +, 8 *, 1 /, 1 neg, 1 abs, 1 sqrt, 4 lt, 1 eq, 1 and, 1 or, 3 where
-def _direction(m: Any, x: Any, y: Any) -> Result:
-    rd = m.sqrt(x)
+# operations 32: 11 +, 8 *, 1 /, 1 neg, 1 abs, 4 lt, 1 eq, 1 and, 1 or, 3 where
+def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     q = ((56 - 8 * x) * x - 56) * x + 8
-    rq = rd * m.abs(q)
+    rq = r * m.abs(q)
     p = (((x - 28) * x + 70) * x - 28) * x + 1
     either = rq + p
     one = either - either + 1
@@ -622,23 +625,22 @@ def _direction(m: Any, x: Any, y: Any) -> Result:
     return sign,
 
 
-def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any) -> Result:
+def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
     o1, = out
     k1, k2, k3, k4, *_ = scratch
     mask1, mask2, mask3, *_ = masks
     n_minus_1, n0, n1, n8, n16, n28, n56, n70 = numbers
-    rd = sqrt(x, o1)
-    q = add(mul(sub(mul(sub(n56, mul(n8, x, k1), k1), x, k1), n56, k1), x, k1), n8, k1)
-    rq = mul(rd, absolute(q, k2), o1)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, o1), o1), x, o1), n56, o1), x, o1), n8, o1)
     qneg = m.less(q, n0, mask1)
+    rq = mul(r, absolute(q, k1), k1)
     kept = m.where(qneg, n0, rq, k2)
     p = add(mul(sub(mul(add(mul(sub(x, n28, k3), x, k3), n70, k3), x, k3), n28, k3), x, k3), n1, k3)
     qp = m.where(m.less(add(kept, div(p, n16, k4), k4), kept, mask1), neg(q, k2), q, k2)
-    either = add(rq, p, o1)
-    one = add(sub(either, either, o1), n1, o1)
+    either = add(rq, p, k1)
+    one = add(sub(either, either, k1), n1, k1)
     mul(
         one, m.where(m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1),
-        n_minus_1, n1, k1), o1
+        n_minus_1, n1, o1), o1
     )
     return o1,
 
@@ -796,7 +798,7 @@ CHART = Chart(
         "pose": Function(_pose, _pose_blocks, 2, 0, (1, 2, 8, 16, 28, 56, 70, 224, 336, 2016, 2352, 5440, 6000)),
         "tangent": Function(_tangent, _tangent_blocks, 3, 0, (1, 2, 4, 8, 16, 24, 28, 56, 70, 96, 112, 224, 336, 1120, 2016, 2352, 5440, 6000, 9408, 12000, 16320)),
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 7, 0, (1, 2, 4, 8, 16, 24, 28, 48, 56, 70, 96, 112, 224, 336, 480, 1120, 2016, 2352, 4480, 5440, 6000, 9408, 12000, 16320, 28224, 32640)),
-        "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 8, 16, 56, 176, 272, 560)),
+        "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 8, 16, 28, 56, 70, 176, 272, 560)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 1, 0, (1, 2, 8, 16, 24, 28, 48, 56, 70, 112, 176, 224, 272, 336, 544, 560, 2016, 2352, 5440, 6000)),
         "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 2, 0, (1, 2, 4, 8, 16, 24, 28, 48, 56, 70, 96, 112, 176, 224, 272, 336, 544, 560, 1120, 2016, 2352, 5440, 6000, 9408, 12000, 16320)),
         "ray": Function(_ray, _ray_blocks, 1, 0, (1, 2, 4, 6, 8, 16, 28, 56, 70, 224, 336, 2016, 2352, 5440, 6000)),

@@ -425,7 +425,7 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
 
 
 # operations 68: 20 +, 22 *, 17 /, 2 sqrt, 1 tan, 1 lt, 5 where
-def _inverse(m: Any, x: Any) -> Result:
+def _inverse(m: Any, x: Any, fe: Any) -> Result:
     near = x < 6
     z = m.where(near, x, x - x) / 4
     C7 = (
@@ -452,16 +452,16 @@ def _inverse(m: Any, x: Any) -> Result:
     f = 2 * (s * w)
     h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
     hi = g - fi * h
-    return hi,
+    return fe, hi
 
 
-def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, = out
+def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
+    o1, o2 = out
     k1, k2, k3, k4, k5, k6, k7, k8, *_ = scratch
     mask1, *_ = masks
     n1, n2, n4, n6, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
     near = m.less(x, n6, mask1)
-    z = div(m.where(near, x, sub(x, x, o1), k1), n4, o1)
+    z = div(m.where(near, x, sub(x, x, o2), k1), n4, o2)
     C7 = div(
         div(sub(n72, mul(z, div(sub(n3603600, mul(z, sub(n32760, mul(z, sub(n210, mul(z, div(sub(n93024, mul(z,
         sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, k1), k1), k1), n212520, k1), k1), k1), k1), k1), n93024,
@@ -471,7 +471,7 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     C3 = div(sub(n1, mul(n6, mul(z, C5, k1), k1), k1), n6, k1)
     C1 = sub(n1, mul(z, C3, k2), k2)
     CC1 = mul(C1, C1, k3)
-    C0 = sqrt(sub(n1, mul(z, CC1, o1), o1), o1)
+    C0 = sqrt(sub(n1, mul(z, CC1, o2), o2), o2)
     C01 = add(n1, C0, k4)
     C2 = div(CC1, C01, k3)
     xx = m.where(near, add(n6, x, k4), x, k4)
@@ -479,15 +479,16 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     t = tan(div(alpha, n4, k6), k6)
     tt = mul(t, t, k7)
     below = add(n1, tt, k8)
-    s = m.where(near, C0, div(sub(n1, tt, k7), below, k7), o1)
+    s = m.where(near, C0, div(sub(n1, tt, k7), below, k7), o2)
     w = m.where(near, div(C1, n2, k7), div(div(mul(n2, t, k6), below, k6), alpha, k5), k6)
     f = mul(n2, mul(s, w, k5), k5)
     h = m.where(near, div(add(C3, mul(C1, C2, k2), k1), n4, k1), div(sub(n1, f, k2), xx, k2), k1)
-    fi = div(s, w, o1)
+    fi = div(s, w, o2)
     ww = mul(w, w, k2)
     g = mul(n2, ww, k2)
-    sub(g, mul(fi, h, o1), o1)
-    return o1,
+    sub(g, mul(fi, h, o2), o2)
+    copy(fe, o1)
+    return o1, o2
 
 
 # operations 98: 30 +, 35 *, 22 /, 1 neg, 2 sqrt, 1 tan, 1 lt, 6 where
@@ -826,7 +827,7 @@ def _gain_product_blocks(
 
 
 # operations 68: 19 +, 17 *, 13 /, 1 neg, 2 sqrt, 1 tan, 5 lt, 1 eq, 1 and, 1 or, 7 where
-def _direction(m: Any, x: Any, y: Any) -> Result:
+def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     near = x < 6
     z = m.where(near, x, x - x) / 4
     C7 = (
@@ -852,7 +853,7 @@ def _direction(m: Any, x: Any, y: Any) -> Result:
     return sign,
 
 
-def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any) -> Result:
+def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
     o1, = out
     k1, k2, k3, k4, k5, *_ = scratch
     mask1, mask2, mask3, *_ = masks

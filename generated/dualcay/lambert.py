@@ -94,7 +94,7 @@ from typing import Any
 
 from ._chart import Chart, Function
 from ._interface import PoseKernels
-from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
+from ._kernel import Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
@@ -255,24 +255,25 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
 
 
 # operations 5: 1 +, 2 *, 1 /, 1 sqrt
-def _inverse(m: Any, x: Any) -> Result:
+def _inverse(m: Any, x: Any, fe: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
     w = 2 * c
     below = 2 * w
     hi = 2 / below
-    return hi,
+    return fe, hi
 
 
-def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, = out
+def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
+    o1, o2 = out
     n1, n2 = numbers
-    cc = sub(n1, x, o1)
-    c = sqrt(cc, o1)
-    w = mul(n2, c, o1)
-    below = mul(n2, w, o1)
-    div(n2, below, o1)
-    return o1,
+    cc = sub(n1, x, o2)
+    c = sqrt(cc, o2)
+    w = mul(n2, c, o2)
+    below = mul(n2, w, o2)
+    div(n2, below, o2)
+    copy(fe, o1)
+    return o1, o2
 
 
 # operations 23: 4 +, 10 *, 6 /, 2 neg, 1 sqrt
@@ -467,7 +468,7 @@ def _gain_product_blocks(
 
 
 # operations 20: 5 +, 3 *, 1 neg, 1 sqrt, 4 lt, 1 eq, 1 and, 1 or, 3 where
-def _direction(m: Any, x: Any, y: Any) -> Result:
+def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
     w = 2 * c
@@ -479,7 +480,7 @@ def _direction(m: Any, x: Any, y: Any) -> Result:
     return sign,
 
 
-def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any) -> Result:
+def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
     o1, = out
     k1, k2, k3, *_ = scratch
     mask1, mask2, mask3, *_ = masks

@@ -211,13 +211,15 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
 
 
 # operations 0
-def _inverse(m: Any, x: Any) -> Result:
-    return 0,
+def _inverse(m: Any, x: Any, fe: Any) -> Result:
+    return fe, 0
 
 
-def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
+    o1, _ = out
     n0, = numbers
-    return n0,
+    copy(fe, o1)
+    return o1, n0
 
 
 # operations 4: 1 +, 1 *, 1 /, 1 sqrt
@@ -863,14 +865,14 @@ def _own_compose(m: Any, c: Any, b: Components, a: Components) -> Result:
     v1 = z1 * gain
     v2 = z2 * gain
     v3 = z3 * gain
-    fi = gain * z0
+    fe = gain * z0
     return (
         v1,
         v2,
         v3,
-        (rho1 * fi - (v2 * rho3 - v3 * rho2)) / 2,
-        (rho2 * fi - (v3 * rho1 - v1 * rho3)) / 2,
-        (rho3 * fi - (v1 * rho2 - v2 * rho1)) / 2,
+        (rho1 * fe - (v2 * rho3 - v3 * rho2)) / 2,
+        (rho2 * fe - (v3 * rho1 - v1 * rho3)) / 2,
+        (rho3 * fe - (v1 * rho2 - v2 * rho1)) / 2,
     )
 
 
@@ -900,7 +902,7 @@ def _own_compose_blocks(
     negative = m.less(z0, n0, mask1)
     gain = m.where(negative, n_minus_1, n1, k5)
     v1 = mul(z1, gain, o1)
-    fi = mul(gain, z0, k3)
+    fe = mul(gain, z0, k3)
     z2 = add(add(mul(a2, cb, k4), mul(b2, ca, k6), k4), sub(mul(b3, a1, k6), mul(b1, a3, k7), k6), k4)
     v2 = mul(z2, gain, o2)
     z3 = add(add(mul(a3, cb, k4), mul(b3, ca, k6), k4), sub(mul(b1, a2, k6), mul(b2, a1, k7), k6), k4)
@@ -941,9 +943,9 @@ def _own_compose_blocks(
         add(rhoa2, add(mul(v_rho2, fb, k7), sub(mul(b3, gv_rho1, k4), mul(b1, gv_rho3, k8), k4), k4), k4),
         add(add(mul(b2o, fb, k5), sub(mul(gvb3, b1o, k7), mul(gvb1, b3o, k8), k7), k5), mul(b2, alongb, k1), k1), k1
     )
-    div(sub(mul(rho1, fi, k4), sub(mul(v2, rho3, k5), mul(v3, rho2, k7), k5), k4), n2, o4)
-    div(sub(mul(rho2, fi, k4), sub(mul(v3, rho1, k5), mul(v1, rho3, k7), k5), k4), n2, o5)
-    div(sub(mul(rho3, fi, k3), sub(mul(v1, rho2, k1), mul(v2, rho1, k2), k1), k1), n2, o6)
+    div(sub(mul(rho1, fe, k4), sub(mul(v2, rho3, k5), mul(v3, rho2, k7), k5), k4), n2, o4)
+    div(sub(mul(rho2, fe, k4), sub(mul(v3, rho1, k5), mul(v1, rho3, k7), k5), k4), n2, o5)
+    div(sub(mul(rho3, fe, k3), sub(mul(v1, rho2, k1), mul(v2, rho1, k2), k1), k1), n2, o6)
 
 
 # operations 169: 61 +, 93 *, 5 /, 6 neg, 2 sqrt, 1 lt, 1 where
@@ -1012,14 +1014,14 @@ def _own_between(m: Any, c: Any, a: Components, b: Components) -> Result:
     v1 = z1 * gain
     v2 = z2 * gain
     v3 = z3 * gain
-    fi = gain * z0
+    fe = gain * z0
     return (
         v1,
         v2,
         v3,
-        (rho1 * fi - (v2 * rho3 - v3 * rho2)) / 2,
-        (rho2 * fi - (v3 * rho1 - v1 * rho3)) / 2,
-        (rho3 * fi - (v1 * rho2 - v2 * rho1)) / 2,
+        (rho1 * fe - (v2 * rho3 - v3 * rho2)) / 2,
+        (rho2 * fe - (v3 * rho1 - v1 * rho3)) / 2,
+        (rho3 * fe - (v1 * rho2 - v2 * rho1)) / 2,
     )
 
 
@@ -1052,7 +1054,7 @@ def _own_between_blocks(
     negative = m.less(z0, n0, mask1)
     gain = m.where(negative, n_minus_1, n1, k8)
     v1 = mul(z1, gain, o1)
-    fi = mul(gain, z0, k6)
+    fe = mul(gain, z0, k6)
     z2 = add(
         add(mul(a2, cb, k7), mul(minus_b2, ca, k9), k7), sub(mul(minus_b3, a1, k9), mul(minus_b1, a3, k10), k9), k7
     )
@@ -1108,9 +1110,9 @@ def _own_between_blocks(
         add(add(mul(minus_b5, fb, k2), sub(mul(gvb3, minus_b4, k5), mul(gvb1, minus_b6, k7), k5), k2), mul(minus_b2,
         alongb, k3), k2), k1
     )
-    div(sub(mul(rho1, fi, k2), sub(mul(v2, rho3, k3), mul(v3, rho2, k5), k3), k2), n2, o4)
-    div(sub(mul(rho2, fi, k2), sub(mul(v3, rho1, k3), mul(v1, rho3, k5), k3), k2), n2, o5)
-    div(sub(mul(rho3, fi, k2), sub(mul(v1, rho2, k1), mul(v2, rho1, k3), k1), k1), n2, o6)
+    div(sub(mul(rho1, fe, k2), sub(mul(v2, rho3, k3), mul(v3, rho2, k5), k3), k2), n2, o4)
+    div(sub(mul(rho2, fe, k2), sub(mul(v3, rho1, k3), mul(v1, rho3, k5), k3), k2), n2, o5)
+    div(sub(mul(rho3, fe, k2), sub(mul(v1, rho2, k1), mul(v2, rho1, k3), k1), k1), n2, o6)
 
 
 # operations 848: 339 +, 446 *, 45 /, 13 neg, 3 sqrt, 1 lt, 1 where
@@ -1168,16 +1170,16 @@ def _own_compose_jacobians(m: Any, c: Any, b: Components, a: Components) -> Resu
     v1 = z1 * gain
     v2 = z2 * gain
     v3 = z3 * gain
-    fi = gain * z0
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
+    fe = gain * z0
     cc = 1 - x
     c = m.sqrt(cc)
-    w4 = (rho1 * fi - (v2 * rho3 - v3 * rho2)) / 2
-    w5 = (rho2 * fi - (v3 * rho1 - v1 * rho3)) / 2
-    w6 = (rho3 * fi - (v1 * rho2 - v2 * rho1)) / 2
+    w4 = (rho1 * fe - (v2 * rho3 - v3 * rho2)) / 2
+    w5 = (rho2 * fe - (v3 * rho1 - v1 * rho3)) / 2
+    w6 = (rho3 * fe - (v1 * rho2 - v2 * rho1)) / 2
     hw = 2 / c
     fiyw = -(hw / 2)
     yw = v1 * w4 + v2 * w5 + v3 * w6
@@ -1451,7 +1453,7 @@ def _own_compose_jacobians_blocks(
     negative = m.less(z0, n0, mask1)
     gain = m.where(negative, n_minus_1, n1, k10)
     v1 = mul(z1, gain, k8)
-    fi = mul(gain, z0, k9)
+    fe = mul(gain, z0, k9)
     v11 = mul(v1, v1, k11)
     z2 = add(add(mul(a2, cb, k12), mul(b2, ca, k13), k12), sub(mul(b3, a1, k13), mul(b1, a3, k14), k13), k12)
     v2 = mul(z2, gain, k12)
@@ -1547,9 +1549,9 @@ def _own_compose_jacobians_blocks(
         k40
     )
     gvvb3 = mul(gvb2, b3, k23)
-    w4 = div(sub(mul(rho1, fi, k43), sub(mul(v2, rho3, k44), mul(v3, rho2, k46), k44), k43), n2, k43)
-    w5 = div(sub(mul(rho2, fi, k44), sub(mul(v3, rho1, k46), mul(v1, rho3, k47), k46), k44), n2, k44)
-    w6 = div(sub(mul(rho3, fi, k9), sub(mul(v1, rho2, k40), mul(v2, rho1, k37), k37), k9), n2, k9)
+    w4 = div(sub(mul(rho1, fe, k43), sub(mul(v2, rho3, k44), mul(v3, rho2, k46), k44), k43), n2, k43)
+    w5 = div(sub(mul(rho2, fe, k44), sub(mul(v3, rho1, k46), mul(v1, rho3, k47), k46), k44), n2, k44)
+    w6 = div(sub(mul(rho3, fe, k9), sub(mul(v1, rho2, k40), mul(v2, rho1, k37), k37), k9), n2, k9)
     yw = add(add(mul(v1, w4, k8), mul(v2, w5, k12), k8), mul(v3, w6, k10), k8)
     sow3 = neg(w6, k9)
     sow2 = neg(w5, k10)
@@ -1864,16 +1866,16 @@ def _own_between_jacobians(m: Any, c: Any, a: Components, b: Components) -> Resu
     v1 = z1 * gain
     v2 = z2 * gain
     v3 = z3 * gain
-    fi = gain * z0
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
+    fe = gain * z0
     cc = 1 - x
     c = m.sqrt(cc)
-    w4 = (rho1 * fi - (v2 * rho3 - v3 * rho2)) / 2
-    w5 = (rho2 * fi - (v3 * rho1 - v1 * rho3)) / 2
-    w6 = (rho3 * fi - (v1 * rho2 - v2 * rho1)) / 2
+    w4 = (rho1 * fe - (v2 * rho3 - v3 * rho2)) / 2
+    w5 = (rho2 * fe - (v3 * rho1 - v1 * rho3)) / 2
+    w6 = (rho3 * fe - (v1 * rho2 - v2 * rho1)) / 2
     hw = 2 / c
     fiyw = -(hw / 2)
     yw = v1 * w4 + v2 * w5 + v3 * w6
@@ -2156,7 +2158,7 @@ def _own_between_jacobians_blocks(
     negative = m.less(z0, n0, mask1)
     gain = m.where(negative, n_minus_1, n1, k13)
     v1 = mul(z1, gain, k11)
-    fi = mul(gain, z0, k12)
+    fe = mul(gain, z0, k12)
     v11 = mul(v1, v1, k14)
     z2 = add(
         add(mul(a2, cb, k15), mul(minus_b2, ca, k16), k15), sub(mul(minus_b3, a1, k16), mul(minus_b1, a3, k17), k16),
@@ -2255,9 +2257,9 @@ def _own_between_jacobians_blocks(
         add(rhoa2, add(mul(v_rho2, fb, k50), sub(mul(minus_b3, gv_rho1, k49), mul(minus_b1, gv_rho3, k51), k49), k49),
         k48), rhob2, k48
     )
-    w4 = div(sub(mul(rho1, fi, k49), sub(mul(v2, rho3, k50), mul(v3, rho2, k51), k50), k49), n2, k49)
-    w5 = div(sub(mul(rho2, fi, k50), sub(mul(v3, rho1, k51), mul(v1, rho3, k52), k51), k50), n2, k50)
-    w6 = div(sub(mul(rho3, fi, k12), sub(mul(v1, rho2, k46), mul(v2, rho1, k43), k43), k12), n2, k12)
+    w4 = div(sub(mul(rho1, fe, k49), sub(mul(v2, rho3, k50), mul(v3, rho2, k51), k50), k49), n2, k49)
+    w5 = div(sub(mul(rho2, fe, k50), sub(mul(v3, rho1, k51), mul(v1, rho3, k52), k51), k50), n2, k50)
+    w6 = div(sub(mul(rho3, fe, k12), sub(mul(v1, rho2, k46), mul(v2, rho1, k43), k43), k12), n2, k12)
     yw = add(add(mul(v1, w4, k11), mul(v2, w5, k15), k11), mul(v3, w6, k15), k11)
     sow2 = neg(w5, k15)
     sow1 = neg(w4, k43)

@@ -49,16 +49,16 @@
 #   rate_dot: 252: 104 +, 132 *, 16 /
 #   twist_jacobian: 156: 54 +, 90 *, 10 /, 2 neg
 #   rate_jacobian: 85: 34 +, 42 *, 9 /
-#   from_quaternion: 60: 20 +, 35 *, 5 /
-#   from_tensor: 121: 40 +, 42 *, 8 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
-#   from_pose: 85: 25 +, 24 *, 5 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_quaternion: 59: 20 +, 34 *, 5 /
+#   from_tensor: 120: 40 +, 41 *, 8 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_pose: 84: 25 +, 23 *, 5 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 20: 4 +, 13 *, 2 /, 1 tan
 #   to_screw: 78: 18 +, 30 *, 14 /, 6 abs, 1 sqrt, 1 atan2, 2 eq, 6 where
 #   angle: 58: 13 +, 14 *, 12 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
-#   compose: 156: 56 +, 79 *, 21 /
-#   between: 162: 56 +, 79 *, 21 /, 6 neg
-#   compose_jacobians: 776: 296 +, 391 *, 69 /, 20 neg
-#   between_jacobians: 800: 296 +, 391 *, 69 /, 44 neg
+#   compose: 155: 56 +, 78 *, 21 /
+#   between: 161: 56 +, 78 *, 21 /, 6 neg
+#   compose_jacobians: 775: 296 +, 390 *, 69 /, 20 neg
+#   between_jacobians: 799: 296 +, 390 *, 69 /, 44 neg
 #   retract: 273: 88 +, 125 *, 36 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
 #   body_retract: 273: 88 +, 125 *, 36 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
 #   local: 253: 80 +, 111 *, 37 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
@@ -1237,7 +1237,7 @@ def _own_rate_jacobian_blocks(
     copy(o15, o36)
 
 
-# operations 60: 20 +, 35 *, 5 /
+# operations 59: 20 +, 34 *, 5 /
 def _own_from_quaternion(m: Any, c: Any, e: Components) -> Result:
     e0, e1, e2, e3, e0o, e1o, e2o, e3o = e
     rho1 = 2 * (e1o * e0 - e1 * e0o + (e2 * e3o - e3 * e2o))
@@ -1247,15 +1247,14 @@ def _own_from_quaternion(m: Any, c: Any, e: Components) -> Result:
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
-    fi = gain * e0
     hvr = (v1 * rho1 + v2 * rho2 + v3 * rho3) / 2
     return (
         v1,
         v2,
         v3,
-        (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
-        (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
-        (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
+        (2 * rho1 - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
+        (2 * rho2 - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
+        (2 * rho3 - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
     )
 
 
@@ -1264,29 +1263,28 @@ def _own_from_quaternion_blocks(
 ) -> None:
     e0, e1, e2, e3, e0o, e1o, e2o, e3o = e
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
+    k1, k2, k3, k4, k5, k6, k7 = scratch
     n1, n2 = numbers
     gain = mul(n2, div(n1, e0, k1), k1)
     v1 = mul(e1, gain, o1)
     v2 = mul(e2, gain, o2)
     v3 = mul(e3, gain, o3)
-    fi = mul(gain, e0, k1)
     rho1 = mul(
-        n2, add(sub(mul(e1o, e0, k2), mul(e1, e0o, k3), k2), sub(mul(e2, e3o, k3), mul(e3, e2o, k4), k3), k2), k2
+        n2, add(sub(mul(e1o, e0, k1), mul(e1, e0o, k2), k1), sub(mul(e2, e3o, k2), mul(e3, e2o, k3), k2), k1), k1
     )
     rho2 = mul(
-        n2, add(sub(mul(e2o, e0, k3), mul(e2, e0o, k4), k3), sub(mul(e3, e1o, k4), mul(e1, e3o, k5), k4), k3), k3
+        n2, add(sub(mul(e2o, e0, k2), mul(e2, e0o, k3), k2), sub(mul(e3, e1o, k3), mul(e1, e3o, k4), k3), k2), k2
     )
     rho3 = mul(
-        n2, add(sub(mul(e3o, e0, k4), mul(e3, e0o, k5), k4), sub(mul(e1, e2o, k5), mul(e2, e1o, k6), k5), k4), k4
+        n2, add(sub(mul(e3o, e0, k3), mul(e3, e0o, k4), k3), sub(mul(e1, e2o, k4), mul(e2, e1o, k5), k4), k3), k3
     )
-    hvr = div(add(add(mul(v1, rho1, k5), mul(v2, rho2, k6), k5), mul(v3, rho3, k6), k5), n2, k5)
-    div(add(sub(mul(rho1, fi, k6), sub(mul(v2, rho3, k7), mul(v3, rho2, k8), k7), k6), mul(v1, hvr, k7), k6), n2, o4)
-    div(add(sub(mul(rho2, fi, k6), sub(mul(v3, rho1, k7), mul(v1, rho3, k8), k7), k6), mul(v2, hvr, k7), k6), n2, o5)
-    div(add(sub(mul(rho3, fi, k1), sub(mul(v1, rho2, k3), mul(v2, rho1, k2), k2), k1), mul(v3, hvr, k2), k1), n2, o6)
+    hvr = div(add(add(mul(v1, rho1, k4), mul(v2, rho2, k5), k4), mul(v3, rho3, k5), k4), n2, k4)
+    div(add(sub(mul(n2, rho1, k5), sub(mul(v2, rho3, k6), mul(v3, rho2, k7), k6), k5), mul(v1, hvr, k6), k5), n2, o4)
+    div(add(sub(mul(n2, rho2, k5), sub(mul(v3, rho1, k6), mul(v1, rho3, k7), k6), k5), mul(v2, hvr, k6), k5), n2, o5)
+    div(add(sub(mul(n2, rho3, k3), sub(mul(v1, rho2, k2), mul(v2, rho1, k1), k1), k1), mul(v3, hvr, k2), k1), n2, o6)
 
 
-# operations 121: 40 +, 42 *, 8 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
+# operations 120: 40 +, 41 *, 8 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 def _own_from_tensor(m: Any, c: Any, R: Components) -> Result:
     Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33, D11, D12, D13, D21, D22, D23, D31, D32, D33 = R
     rho1 = (D31 * Q21 + D32 * Q22 + D33 * Q23 - (D21 * Q31 + D22 * Q32 + D23 * Q33)) / 2
@@ -1332,15 +1330,14 @@ def _own_from_tensor(m: Any, c: Any, R: Components) -> Result:
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
-    fi = gain * e0
     hvr = (v1 * rho1 + v2 * rho2 + v3 * rho3) / 2
     return (
         v1,
         v2,
         v3,
-        (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
-        (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
-        (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
+        (2 * rho1 - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
+        (2 * rho2 - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
+        (2 * rho3 - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
     )
 
 
@@ -1390,32 +1387,31 @@ def _own_from_tensor_blocks(
     )
     e1 = mul(sign, z31, k1)
     e0 = mul(sign, z30, k5)
-    e2 = mul(sign, z32, k3)
-    e3 = mul(sign, z33, k2)
-    gain = mul(n2, div(n1, e0, k4), k4)
+    gain = mul(n2, div(n1, e0, k5), k5)
     v1 = mul(e1, gain, o1)
+    e2 = mul(sign, z32, k1)
     v2 = mul(e2, gain, o2)
+    e3 = mul(sign, z33, k1)
     v3 = mul(e3, gain, o3)
-    fi = mul(gain, e0, k1)
     rho1 = div(
-        sub(add(add(mul(D31, Q21, k2), mul(D32, Q22, k3), k2), mul(D33, Q23, k3), k2), add(add(mul(D21, Q31, k3),
-        mul(D22, Q32, k4), k3), mul(D23, Q33, k4), k3), k2), n2, k2
+        sub(add(add(mul(D31, Q21, k1), mul(D32, Q22, k2), k1), mul(D33, Q23, k2), k1), add(add(mul(D21, Q31, k2),
+        mul(D22, Q32, k3), k2), mul(D23, Q33, k3), k2), k1), n2, k1
     )
     rho2 = div(
-        sub(add(add(mul(D11, Q31, k3), mul(D12, Q32, k4), k3), mul(D13, Q33, k4), k3), add(add(mul(D31, Q11, k4),
-        mul(D32, Q12, k5), k4), mul(D33, Q13, k5), k4), k3), n2, k3
+        sub(add(add(mul(D11, Q31, k2), mul(D12, Q32, k3), k2), mul(D13, Q33, k3), k2), add(add(mul(D31, Q11, k3),
+        mul(D32, Q12, k4), k3), mul(D33, Q13, k4), k3), k2), n2, k2
     )
     rho3 = div(
-        sub(add(add(mul(D21, Q11, k4), mul(D22, Q12, k5), k4), mul(D23, Q13, k5), k4), add(add(mul(D11, Q21, k5),
-        mul(D12, Q22, k6), k5), mul(D13, Q23, k6), k5), k4), n2, k4
+        sub(add(add(mul(D21, Q11, k3), mul(D22, Q12, k4), k3), mul(D23, Q13, k4), k3), add(add(mul(D11, Q21, k4),
+        mul(D12, Q22, k5), k4), mul(D13, Q23, k5), k4), k3), n2, k3
     )
-    hvr = div(add(add(mul(v1, rho1, k5), mul(v2, rho2, k6), k5), mul(v3, rho3, k6), k5), n2, k5)
-    div(add(sub(mul(rho1, fi, k6), sub(mul(v2, rho3, k7), mul(v3, rho2, k8), k7), k6), mul(v1, hvr, k7), k6), n2, o4)
-    div(add(sub(mul(rho2, fi, k6), sub(mul(v3, rho1, k7), mul(v1, rho3, k8), k7), k6), mul(v2, hvr, k7), k6), n2, o5)
-    div(add(sub(mul(rho3, fi, k1), sub(mul(v1, rho2, k3), mul(v2, rho1, k2), k2), k1), mul(v3, hvr, k2), k1), n2, o6)
+    hvr = div(add(add(mul(v1, rho1, k4), mul(v2, rho2, k5), k4), mul(v3, rho3, k5), k4), n2, k4)
+    div(add(sub(mul(n2, rho1, k5), sub(mul(v2, rho3, k6), mul(v3, rho2, k7), k6), k5), mul(v1, hvr, k6), k5), n2, o4)
+    div(add(sub(mul(n2, rho2, k5), sub(mul(v3, rho1, k6), mul(v1, rho3, k7), k6), k5), mul(v2, hvr, k6), k5), n2, o5)
+    div(add(sub(mul(n2, rho3, k3), sub(mul(v1, rho2, k2), mul(v2, rho1, k1), k1), k1), mul(v3, hvr, k2), k1), n2, o6)
 
 
-# operations 85: 25 +, 24 *, 5 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
+# operations 84: 25 +, 23 *, 5 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 def _own_from_pose(m: Any, c: Any, T: Components) -> Result:
     Q11, Q12, Q13, T14, Q21, Q22, Q23, T24, Q31, Q32, Q33, T34, _, _, _, _ = T
     a1 = Q32 - Q23
@@ -1458,15 +1454,14 @@ def _own_from_pose(m: Any, c: Any, T: Components) -> Result:
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
-    fi = gain * e0
     hvr = (v1 * T14 + v2 * T24 + v3 * T34) / 2
     return (
         v1,
         v2,
         v3,
-        (T14 * fi - (v2 * T34 - v3 * T24) + v1 * hvr) / 2,
-        (T24 * fi - (v3 * T14 - v1 * T34) + v2 * hvr) / 2,
-        (T34 * fi - (v1 * T24 - v2 * T14) + v3 * hvr) / 2,
+        (2 * T14 - (v2 * T34 - v3 * T24) + v1 * hvr) / 2,
+        (2 * T24 - (v3 * T14 - v1 * T34) + v2 * hvr) / 2,
+        (2 * T34 - (v1 * T24 - v2 * T14) + v3 * hvr) / 2,
     )
 
 
@@ -1516,20 +1511,19 @@ def _own_from_pose_blocks(
     )
     e1 = mul(sign, z31, k1)
     e0 = mul(sign, z30, k5)
-    e2 = mul(sign, z32, k3)
-    e3 = mul(sign, z33, k2)
-    gain = mul(n2, div(n1, e0, k4), k4)
+    gain = mul(n2, div(n1, e0, k5), k5)
     v1 = mul(e1, gain, o1)
+    e2 = mul(sign, z32, k1)
     v2 = mul(e2, gain, o2)
+    e3 = mul(sign, z33, k1)
     v3 = mul(e3, gain, o3)
-    fi = mul(gain, e0, k1)
-    hvr = div(add(add(mul(v1, T14, k2), mul(v2, T24, k3), k2), mul(v3, T34, k3), k2), n2, k2)
-    div(add(sub(mul(T14, fi, k3), sub(mul(v2, T34, k4), mul(v3, T24, k5), k4), k3), mul(v1, hvr, k4), k3), n2, o4)
-    div(add(sub(mul(T24, fi, k3), sub(mul(v3, T14, k4), mul(v1, T34, k5), k4), k3), mul(v2, hvr, k4), k3), n2, o5)
-    div(add(sub(mul(T34, fi, k1), sub(mul(v1, T24, k3), mul(v2, T14, k4), k3), k1), mul(v3, hvr, k2), k1), n2, o6)
+    hvr = div(add(add(mul(v1, T14, k1), mul(v2, T24, k2), k1), mul(v3, T34, k2), k1), n2, k1)
+    div(add(sub(mul(n2, T14, k2), sub(mul(v2, T34, k3), mul(v3, T24, k4), k3), k2), mul(v1, hvr, k3), k2), n2, o4)
+    div(add(sub(mul(n2, T24, k2), sub(mul(v3, T14, k3), mul(v1, T34, k4), k3), k2), mul(v2, hvr, k3), k2), n2, o5)
+    div(add(sub(mul(n2, T34, k2), sub(mul(v1, T24, k3), mul(v2, T14, k4), k3), k2), mul(v3, hvr, k1), k1), n2, o6)
 
 
-# operations 156: 56 +, 79 *, 21 /
+# operations 155: 56 +, 78 *, 21 /
 def _own_compose(m: Any, c: Any, b: Components, a: Components) -> Result:
     b1, b2, b3, b1o, b2o, b3o = b
     a1, a2, a3, a1o, a2o, a3o = a
@@ -1583,15 +1577,14 @@ def _own_compose(m: Any, c: Any, b: Components, a: Components) -> Result:
     v1 = z1 * gain
     v2 = z2 * gain
     v3 = z3 * gain
-    fi = gain * z0
     hvr = (v1 * rho1 + v2 * rho2 + v3 * rho3) / 2
     return (
         v1,
         v2,
         v3,
-        (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
-        (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
-        (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
+        (2 * rho1 - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
+        (2 * rho2 - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
+        (2 * rho3 - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
     )
 
 
@@ -1603,6 +1596,20 @@ def _own_compose_blocks(
     o1, o2, o3, o4, o5, o6 = out
     k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15 = scratch
     n1, n2, n4 = numbers
+    bva1 = div(a1, n2, k1)
+    bvb1 = div(b1, n2, k2)
+    bvb2 = div(b2, n2, k3)
+    bva3 = div(a3, n2, k4)
+    bvb3 = div(b3, n2, k5)
+    bva2 = div(a2, n2, k6)
+    z1 = add(add(bva1, bvb1, k7), sub(mul(bvb2, bva3, k8), mul(bvb3, bva2, k9), k8), k7)
+    z0 = sub(n1, add(add(mul(bvb1, bva1, k8), mul(bvb2, bva2, k9), k8), mul(bvb3, bva3, k9), k8), k8)
+    gain = mul(n2, div(n1, z0, k8), k8)
+    v1 = mul(z1, gain, o1)
+    z2 = add(add(bva2, bvb2, k7), sub(mul(bvb3, bva1, k9), mul(bvb1, bva3, k10), k9), k7)
+    z3 = add(add(bva3, bvb3, k4), sub(mul(bvb1, bva2, k2), mul(bvb2, bva1, k1), k1), k1)
+    v2 = mul(z2, gain, o2)
+    v3 = mul(z3, gain, o3)
     v11a = mul(a1, a1, k1)
     v22a = mul(a2, a2, k2)
     v33a = mul(a3, a3, k3)
@@ -1648,28 +1655,13 @@ def _own_compose_blocks(
         add(rhoa3, add(mul(v_rho3, f_vb, k4), sub(mul(b1, gv_rho2, k8), mul(b2, gv_rho1, k2), k2), k2), k2),
         add(mul(b3o, f_vb, k4), sub(mul(gvb1, b2o, k5), mul(gvb2, b1o, k6), k5), k4), k2
     )
-    bva1 = div(a1, n2, k4)
-    bvb1 = div(b1, n2, k5)
-    bvb2 = div(b2, n2, k6)
-    bva3 = div(a3, n2, k7)
-    bvb3 = div(b3, n2, k8)
-    bva2 = div(a2, n2, k9)
-    z1 = add(add(bva1, bvb1, k10), sub(mul(bvb2, bva3, k11), mul(bvb3, bva2, k12), k11), k10)
-    z0 = sub(n1, add(add(mul(bvb1, bva1, k11), mul(bvb2, bva2, k12), k11), mul(bvb3, bva3, k12), k11), k11)
-    gain = mul(n2, div(n1, z0, k12), k12)
-    v1 = mul(z1, gain, o1)
-    fi = mul(gain, z0, k10)
-    z2 = add(add(bva2, bvb2, k11), sub(mul(bvb3, bva1, k13), mul(bvb1, bva3, k14), k13), k11)
-    z3 = add(add(bva3, bvb3, k7), sub(mul(bvb1, bva2, k5), mul(bvb2, bva1, k4), k4), k4)
-    v2 = mul(z2, gain, o2)
-    v3 = mul(z3, gain, o3)
     hvr = div(add(add(mul(v1, rho1, k4), mul(v2, rho2, k5), k4), mul(v3, rho3, k5), k4), n2, k4)
-    div(add(sub(mul(rho3, fi, k5), sub(mul(v1, rho2, k6), mul(v2, rho1, k7), k6), k5), mul(v3, hvr, k6), k5), n2, o6)
-    div(add(sub(mul(rho2, fi, k5), sub(mul(v3, rho1, k6), mul(v1, rho3, k7), k6), k5), mul(v2, hvr, k6), k5), n2, o5)
-    div(add(sub(mul(rho1, fi, k1), sub(mul(v2, rho3, k2), mul(v3, rho2, k3), k2), k1), mul(v1, hvr, k2), k1), n2, o4)
+    div(add(sub(mul(n2, rho1, k5), sub(mul(v2, rho3, k6), mul(v3, rho2, k7), k6), k5), mul(v1, hvr, k6), k5), n2, o4)
+    div(add(sub(mul(n2, rho2, k5), sub(mul(v3, rho1, k6), mul(v1, rho3, k7), k6), k5), mul(v2, hvr, k6), k5), n2, o5)
+    div(add(sub(mul(n2, rho3, k2), sub(mul(v1, rho2, k3), mul(v2, rho1, k1), k1), k1), mul(v3, hvr, k2), k1), n2, o6)
 
 
-# operations 162: 56 +, 79 *, 21 /, 6 neg
+# operations 161: 56 +, 78 *, 21 /, 6 neg
 def _own_between(m: Any, c: Any, a: Components, b: Components) -> Result:
     a1, a2, a3, a1o, a2o, a3o = a
     b1, b2, b3, b1o, b2o, b3o = b
@@ -1738,15 +1730,14 @@ def _own_between(m: Any, c: Any, a: Components, b: Components) -> Result:
     v1 = z1 * gain
     v2 = z2 * gain
     v3 = z3 * gain
-    fi = gain * z0
     hvr = (v1 * rho1 + v2 * rho2 + v3 * rho3) / 2
     return (
         v1,
         v2,
         v3,
-        (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
-        (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
-        (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
+        (2 * rho1 - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
+        (2 * rho2 - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
+        (2 * rho3 - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
     )
 
 
@@ -1758,26 +1749,40 @@ def _own_between_blocks(
     o1, o2, o3, o4, o5, o6 = out
     k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21 = scratch
     n1, n2, n4 = numbers
+    bva1 = div(a1, n2, k1)
+    minus_b1 = neg(b1, k2)
+    bvb1 = div(minus_b1, n2, k3)
+    minus_b2 = neg(b2, k4)
+    bvb2 = div(minus_b2, n2, k5)
+    bva3 = div(a3, n2, k6)
+    minus_b3 = neg(b3, k7)
+    bvb3 = div(minus_b3, n2, k8)
+    bva2 = div(a2, n2, k9)
+    z1 = add(add(bva1, bvb1, k10), sub(mul(bvb2, bva3, k11), mul(bvb3, bva2, k12), k11), k10)
+    z0 = sub(n1, add(add(mul(bvb1, bva1, k11), mul(bvb2, bva2, k12), k11), mul(bvb3, bva3, k12), k11), k11)
+    gain = mul(n2, div(n1, z0, k11), k11)
+    v1 = mul(z1, gain, o1)
+    z2 = add(add(bva2, bvb2, k10), sub(mul(bvb3, bva1, k12), mul(bvb1, bva3, k13), k12), k10)
+    z3 = add(add(bva3, bvb3, k6), sub(mul(bvb1, bva2, k3), mul(bvb2, bva1, k1), k1), k1)
+    v2 = mul(z2, gain, o2)
+    v3 = mul(z3, gain, o3)
     v11a = mul(a1, a1, k1)
-    v22a = mul(a2, a2, k2)
-    v33a = mul(a3, a3, k3)
+    v22a = mul(a2, a2, k3)
+    v33a = mul(a3, a3, k5)
     xa = add(add(v11a, v22a, k1), v33a, k1)
     za = div(xa, n4, k1)
     Na = add(n1, za, k1)
-    ra = mul(n2, div(div(Na, Na, k2), Na, k1), k1)
-    f_va = div(ra, n2, k2)
+    ra = mul(n2, div(div(Na, Na, k3), Na, k1), k1)
+    f_va = div(ra, n2, k3)
     g_va = div(ra, n4, k1)
-    gva1 = mul(a1, g_va, k3)
-    gva2 = mul(a2, g_va, k4)
+    gva1 = mul(a1, g_va, k5)
+    gva2 = mul(a2, g_va, k6)
     gva3 = mul(a3, g_va, k1)
-    rhoa3 = add(mul(a3o, f_va, k5), sub(mul(gva1, a2o, k6), mul(gva2, a1o, k7), k6), k5)
-    rhoa2 = add(mul(a2o, f_va, k6), sub(mul(gva3, a1o, k7), mul(gva1, a3o, k3), k3), k3)
-    rhoa1 = add(mul(a1o, f_va, k2), sub(mul(gva2, a3o, k4), mul(gva3, a2o, k1), k1), k1)
-    minus_b2 = neg(b2, k2)
-    minus_b3 = neg(b3, k4)
-    v_rho1 = sub(mul(minus_b2, rhoa3, k6), mul(minus_b3, rhoa2, k7), k6)
-    minus_b1 = neg(b1, k7)
-    v_rho3 = sub(mul(minus_b1, rhoa2, k8), mul(minus_b2, rhoa1, k9), k8)
+    rhoa3 = add(mul(a3o, f_va, k8), sub(mul(gva1, a2o, k9), mul(gva2, a1o, k10), k9), k8)
+    rhoa2 = add(mul(a2o, f_va, k9), sub(mul(gva3, a1o, k10), mul(gva1, a3o, k5), k5), k5)
+    rhoa1 = add(mul(a1o, f_va, k3), sub(mul(gva2, a3o, k6), mul(gva3, a2o, k1), k1), k1)
+    v_rho1 = sub(mul(minus_b2, rhoa3, k3), mul(minus_b3, rhoa2, k6), k3)
+    v_rho3 = sub(mul(minus_b1, rhoa2, k6), mul(minus_b2, rhoa1, k9), k6)
     v11b = mul(minus_b1, minus_b1, k9)
     v22b = mul(minus_b2, minus_b2, k10)
     v33b = mul(minus_b3, minus_b3, k11)
@@ -1799,38 +1804,23 @@ def _own_between_blocks(
         add(rhoa1, add(mul(v_rho1, f_vb, k19), sub(mul(minus_b2, gv_rho3, k20), mul(minus_b3, gv_rho2, k21), k20), k19),
         k1), add(mul(minus_b4, f_vb, k19), sub(mul(gvb2, minus_b6, k20), mul(gvb3, minus_b5, k21), k20), k19), k1
     )
-    gv_rho1 = mul(v_rho1, g_vb, k6)
+    gv_rho1 = mul(v_rho1, g_vb, k3)
     gvb1 = mul(minus_b1, g_vb, k10)
     rho2 = add(
-        add(rhoa2, add(mul(v_rho2, f_vb, k12), sub(mul(minus_b3, gv_rho1, k19), mul(minus_b1, gv_rho3, k11), k11), k11),
-        k3), add(mul(minus_b5, f_vb, k11), sub(mul(gvb3, minus_b4, k12), mul(gvb1, minus_b6, k15), k12), k11), k3
+        add(rhoa2, add(mul(v_rho2, f_vb, k12), sub(mul(minus_b3, gv_rho1, k7), mul(minus_b1, gv_rho3, k11), k7), k7),
+        k5), add(mul(minus_b5, f_vb, k7), sub(mul(gvb3, minus_b4, k11), mul(gvb1, minus_b6, k12), k11), k7), k5
     )
     rho3 = add(
-        add(rhoa3, add(mul(v_rho3, f_vb, k8), sub(mul(minus_b1, gv_rho2, k11), mul(minus_b2, gv_rho1, k6), k6), k6),
-        k5), add(mul(minus_b6, f_vb, k6), sub(mul(gvb1, minus_b5, k8), mul(gvb2, minus_b4, k9), k8), k6), k5
+        add(rhoa3, add(mul(v_rho3, f_vb, k6), sub(mul(minus_b1, gv_rho2, k2), mul(minus_b2, gv_rho1, k3), k2), k2), k2),
+        add(mul(minus_b6, f_vb, k3), sub(mul(gvb1, minus_b5, k4), mul(gvb2, minus_b4, k6), k4), k3), k2
     )
-    bvb1 = div(minus_b1, n2, k6)
-    bvb2 = div(minus_b2, n2, k2)
-    bvb3 = div(minus_b3, n2, k4)
-    bva1 = div(a1, n2, k7)
-    bva3 = div(a3, n2, k8)
-    bva2 = div(a2, n2, k9)
-    z1 = add(add(bva1, bvb1, k10), sub(mul(bvb2, bva3, k11), mul(bvb3, bva2, k12), k11), k10)
-    z0 = sub(n1, add(add(mul(bvb1, bva1, k11), mul(bvb2, bva2, k12), k11), mul(bvb3, bva3, k12), k11), k11)
-    gain = mul(n2, div(n1, z0, k12), k12)
-    v1 = mul(z1, gain, o1)
-    fi = mul(gain, z0, k10)
-    z2 = add(add(bva2, bvb2, k11), sub(mul(bvb3, bva1, k13), mul(bvb1, bva3, k14), k13), k11)
-    z3 = add(add(bva3, bvb3, k4), sub(mul(bvb1, bva2, k6), mul(bvb2, bva1, k2), k2), k2)
-    v2 = mul(z2, gain, o2)
-    v3 = mul(z3, gain, o3)
-    hvr = div(add(add(mul(v1, rho1, k2), mul(v2, rho2, k4), k2), mul(v3, rho3, k4), k2), n2, k2)
-    div(add(sub(mul(rho3, fi, k4), sub(mul(v1, rho2, k6), mul(v2, rho1, k7), k6), k4), mul(v3, hvr, k6), k4), n2, o6)
-    div(add(sub(mul(rho2, fi, k4), sub(mul(v3, rho1, k6), mul(v1, rho3, k7), k6), k4), mul(v2, hvr, k6), k4), n2, o5)
-    div(add(sub(mul(rho1, fi, k1), sub(mul(v2, rho3, k4), mul(v3, rho2, k3), k3), k1), mul(v1, hvr, k2), k1), n2, o4)
+    hvr = div(add(add(mul(v1, rho1, k3), mul(v2, rho2, k4), k3), mul(v3, rho3, k4), k3), n2, k3)
+    div(add(sub(mul(n2, rho1, k4), sub(mul(v2, rho3, k6), mul(v3, rho2, k7), k6), k4), mul(v1, hvr, k6), k4), n2, o4)
+    div(add(sub(mul(n2, rho2, k4), sub(mul(v3, rho1, k6), mul(v1, rho3, k7), k6), k4), mul(v2, hvr, k6), k4), n2, o5)
+    div(add(sub(mul(n2, rho3, k2), sub(mul(v1, rho2, k4), mul(v2, rho1, k1), k1), k1), mul(v3, hvr, k2), k1), n2, o6)
 
 
-# operations 776: 296 +, 391 *, 69 /, 20 neg
+# operations 775: 296 +, 390 *, 69 /, 20 neg
 def _own_compose_jacobians(m: Any, c: Any, b: Components, a: Components) -> Result:
     b1, b2, b3, b1o, b2o, b3o = b
     a1, a2, a3, a1o, a2o, a3o = a
@@ -1890,11 +1880,10 @@ def _own_compose_jacobians(m: Any, c: Any, b: Components, a: Components) -> Resu
     v1 = z1 * gain
     v2 = z2 * gain
     v3 = z3 * gain
-    fi = gain * z0
     hvr = (v1 * rho1 + v2 * rho2 + v3 * rho3) / 2
-    w4 = (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2
-    w5 = (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2
-    w6 = (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2
+    w4 = (2 * rho1 - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2
+    w5 = (2 * rho2 - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2
+    w6 = (2 * rho3 - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2
     sw1 = -v1
     sw2 = -v2
     sw3 = -v3
@@ -2126,12 +2115,11 @@ def _own_compose_jacobians_blocks(
     bva2 = div(a2, n2, k6)
     z1 = add(add(bva1, bvb1, k7), sub(mul(bvb2, bva3, k8), mul(bvb3, bva2, k9), k8), k7)
     z0 = sub(n1, add(add(mul(bvb1, bva1, k8), mul(bvb2, bva2, k9), k8), mul(bvb3, bva3, k9), k8), k8)
-    gain = mul(n2, div(n1, z0, k9), k9)
+    gain = mul(n2, div(n1, z0, k8), k8)
     v1 = mul(z1, gain, k7)
-    fi = mul(gain, z0, k8)
-    cvw1 = div(v1, n2, k10)
-    I11 = add(n2, mul(cvw1, v1, k11), k11)
-    z2 = add(add(bva2, bvb2, k12), sub(mul(bvb3, bva1, k13), mul(bvb1, bva3, k14), k13), k12)
+    cvw1 = div(v1, n2, k9)
+    I11 = add(n2, mul(cvw1, v1, k10), k10)
+    z2 = add(add(bva2, bvb2, k11), sub(mul(bvb3, bva1, k12), mul(bvb1, bva3, k13), k12), k11)
     z3 = add(add(bva3, bvb3, k4), sub(mul(bvb1, bva2, k2), mul(bvb2, bva1, k1), k1), k1)
     v2 = mul(z2, gain, k2)
     v3 = mul(z3, gain, k1)
@@ -2141,120 +2129,120 @@ def _own_compose_jacobians_blocks(
     I21 = add(d12w, sw3, k3)
     d13w = mul(cvw1, v3, k4)
     sw2 = neg(v2, k6)
-    I13 = add(d13w, sw2, k9)
+    I13 = add(d13w, sw2, k8)
     I31 = sub(d13w, sw2, k4)
     v11b = mul(b1, b1, k6)
-    v22b = mul(b2, b2, k12)
-    x12b = add(v11b, v22b, k13)
-    v33b = mul(b3, b3, k14)
-    x23b = add(v22b, v33b, k12)
+    v22b = mul(b2, b2, k11)
+    x12b = add(v11b, v22b, k12)
+    v33b = mul(b3, b3, k13)
+    x23b = add(v22b, v33b, k11)
     x13b = add(v11b, v33b, k6)
-    xb = add(x12b, v33b, k14)
-    zb = div(xb, n4, k14)
-    Nb = add(n1, zb, k14)
-    rb = mul(n2, div(div(Nb, Nb, k15), Nb, k15), k15)
-    eS = div(n2, Nb, k14)
-    egS = mul(eS, rb, k14)
-    fyS = neg(egS, k14)
-    f_vb = div(rb, n2, k16)
-    g_vb = div(rb, n4, k15)
-    Qb11 = sub(n1, mul(g_vb, x23b, k12), k12)
+    xb = add(x12b, v33b, k13)
+    zb = div(xb, n4, k13)
+    Nb = add(n1, zb, k13)
+    rb = mul(n2, div(div(Nb, Nb, k14), Nb, k14), k14)
+    eS = div(n2, Nb, k13)
+    egS = mul(eS, rb, k13)
+    fyS = neg(egS, k13)
+    f_vb = div(rb, n2, k15)
+    g_vb = div(rb, n4, k14)
+    Qb11 = sub(n1, mul(g_vb, x23b, k11), k11)
     Qb22 = sub(n1, mul(g_vb, x13b, k6), k6)
-    Qb33 = sub(n1, mul(g_vb, x12b, k13), k13)
-    gvb3 = mul(b3, g_vb, k17)
-    gvb2 = mul(b2, g_vb, k18)
-    S31 = neg(gvb2, k19)
-    div(add(add(mul(I11, f_vb, k20), mul(I12, gvb3, k21), k20), mul(I13, S31, k21), k20), n2, o1)
-    S12 = neg(gvb3, k20)
-    gvb1 = mul(b1, g_vb, k21)
-    div(add(add(mul(I11, S12, k22), mul(I12, f_vb, k23), k22), mul(I13, gvb1, k23), k22), n2, o2)
-    S23 = neg(gvb1, k22)
-    div(add(add(mul(I11, gvb2, k23), mul(I12, S23, k24), k23), mul(I13, f_vb, k24), k23), n2, o3)
-    cvw2 = div(v2, n2, k23)
-    I22 = add(n2, mul(cvw2, v2, k24), k24)
-    d23w = mul(cvw2, v3, k25)
-    sw1 = neg(v1, k26)
-    I23 = sub(d23w, sw1, k27)
-    I32 = add(d23w, sw1, k25)
-    div(add(add(mul(I21, f_vb, k26), mul(I22, gvb3, k28), k26), mul(I23, S31, k28), k26), n2, o7)
-    div(add(add(mul(I21, S12, k26), mul(I22, f_vb, k28), k26), mul(I23, gvb1, k28), k26), n2, o8)
-    div(add(add(mul(I21, gvb2, k26), mul(I22, S23, k28), k26), mul(I23, f_vb, k28), k26), n2, o9)
-    cvw3 = div(v3, n2, k26)
-    I33 = add(n2, mul(cvw3, v3, k28), k28)
-    div(add(add(mul(I31, f_vb, k29), mul(I32, gvb3, k30), k29), mul(I33, S31, k30), k29), n2, o13)
-    div(add(add(mul(I31, S12, k29), mul(I32, f_vb, k30), k29), mul(I33, gvb1, k30), k29), n2, o14)
-    div(add(add(mul(I31, gvb2, k29), mul(I32, S23, k30), k29), mul(I33, f_vb, k30), k29), n2, o15)
-    v11a = mul(a1, a1, k29)
-    v22a = mul(a2, a2, k30)
-    v33a = mul(a3, a3, k31)
-    xa = add(add(v11a, v22a, k29), v33a, k29)
-    za = div(xa, n4, k29)
-    Na = add(n1, za, k29)
-    ra = mul(n2, div(div(Na, Na, k30), Na, k30), k30)
-    eF = div(n2, Na, k29)
-    egF = mul(eF, ra, k29)
-    fyF = neg(egF, k29)
-    f_va = div(ra, n2, k31)
-    g_va = div(ra, n4, k30)
-    gva1 = mul(a1, g_va, k32)
-    gva2 = mul(a2, g_va, k33)
-    rhoa3 = add(mul(a3o, f_va, k34), sub(mul(gva1, a2o, k35), mul(gva2, a1o, k36), k35), k34)
-    gva3 = mul(a3, g_va, k35)
-    rhoa2 = add(mul(a2o, f_va, k36), sub(mul(gva3, a1o, k37), mul(gva1, a3o, k38), k37), k36)
-    v_rho1 = sub(mul(b2, rhoa3, k37), mul(b3, rhoa2, k38), k37)
-    rhoa1 = add(mul(a1o, f_va, k38), sub(mul(gva2, a3o, k39), mul(gva3, a2o, k40), k39), k38)
-    v_rho3 = sub(mul(b1, rhoa2, k39), mul(b2, rhoa1, k40), k39)
-    gv_rho3 = mul(v_rho3, g_vb, k40)
-    v_rho2 = sub(mul(b3, rhoa1, k41), mul(b1, rhoa3, k42), k41)
-    gv_rho2 = mul(v_rho2, g_vb, k42)
-    rhob1 = add(mul(b1o, f_vb, k43), sub(mul(gvb2, b3o, k44), mul(gvb3, b2o, k45), k44), k43)
+    Qb33 = sub(n1, mul(g_vb, x12b, k12), k12)
+    gvb3 = mul(b3, g_vb, k16)
+    gvb2 = mul(b2, g_vb, k17)
+    S31 = neg(gvb2, k18)
+    div(add(add(mul(I11, f_vb, k19), mul(I12, gvb3, k20), k19), mul(I13, S31, k20), k19), n2, o1)
+    S12 = neg(gvb3, k19)
+    gvb1 = mul(b1, g_vb, k20)
+    div(add(add(mul(I11, S12, k21), mul(I12, f_vb, k22), k21), mul(I13, gvb1, k22), k21), n2, o2)
+    S23 = neg(gvb1, k21)
+    div(add(add(mul(I11, gvb2, k22), mul(I12, S23, k23), k22), mul(I13, f_vb, k23), k22), n2, o3)
+    cvw2 = div(v2, n2, k22)
+    I22 = add(n2, mul(cvw2, v2, k23), k23)
+    d23w = mul(cvw2, v3, k24)
+    sw1 = neg(v1, k25)
+    I23 = sub(d23w, sw1, k26)
+    I32 = add(d23w, sw1, k24)
+    div(add(add(mul(I21, f_vb, k25), mul(I22, gvb3, k27), k25), mul(I23, S31, k27), k25), n2, o7)
+    div(add(add(mul(I21, S12, k25), mul(I22, f_vb, k27), k25), mul(I23, gvb1, k27), k25), n2, o8)
+    div(add(add(mul(I21, gvb2, k25), mul(I22, S23, k27), k25), mul(I23, f_vb, k27), k25), n2, o9)
+    cvw3 = div(v3, n2, k25)
+    I33 = add(n2, mul(cvw3, v3, k27), k27)
+    div(add(add(mul(I31, f_vb, k28), mul(I32, gvb3, k29), k28), mul(I33, S31, k29), k28), n2, o13)
+    div(add(add(mul(I31, S12, k28), mul(I32, f_vb, k29), k28), mul(I33, gvb1, k29), k28), n2, o14)
+    div(add(add(mul(I31, gvb2, k28), mul(I32, S23, k29), k28), mul(I33, f_vb, k29), k28), n2, o15)
+    v11a = mul(a1, a1, k28)
+    v22a = mul(a2, a2, k29)
+    v33a = mul(a3, a3, k30)
+    xa = add(add(v11a, v22a, k28), v33a, k28)
+    za = div(xa, n4, k28)
+    Na = add(n1, za, k28)
+    ra = mul(n2, div(div(Na, Na, k29), Na, k29), k29)
+    eF = div(n2, Na, k28)
+    egF = mul(eF, ra, k28)
+    fyF = neg(egF, k28)
+    f_va = div(ra, n2, k30)
+    g_va = div(ra, n4, k29)
+    gva1 = mul(a1, g_va, k31)
+    gva2 = mul(a2, g_va, k32)
+    rhoa3 = add(mul(a3o, f_va, k33), sub(mul(gva1, a2o, k34), mul(gva2, a1o, k35), k34), k33)
+    gva3 = mul(a3, g_va, k34)
+    rhoa2 = add(mul(a2o, f_va, k35), sub(mul(gva3, a1o, k36), mul(gva1, a3o, k37), k36), k35)
+    v_rho1 = sub(mul(b2, rhoa3, k36), mul(b3, rhoa2, k37), k36)
+    rhoa1 = add(mul(a1o, f_va, k37), sub(mul(gva2, a3o, k38), mul(gva3, a2o, k39), k38), k37)
+    v_rho3 = sub(mul(b1, rhoa2, k38), mul(b2, rhoa1, k39), k38)
+    gv_rho3 = mul(v_rho3, g_vb, k39)
+    v_rho2 = sub(mul(b3, rhoa1, k40), mul(b1, rhoa3, k41), k40)
+    gv_rho2 = mul(v_rho2, g_vb, k41)
+    rhob1 = add(mul(b1o, f_vb, k42), sub(mul(gvb2, b3o, k43), mul(gvb3, b2o, k44), k43), k42)
     rho1 = add(
-        add(rhoa1, add(mul(v_rho1, f_vb, k44), sub(mul(b2, gv_rho3, k45), mul(b3, gv_rho2, k46), k45), k44), k38),
-        rhob1, k38
+        add(rhoa1, add(mul(v_rho1, f_vb, k43), sub(mul(b2, gv_rho3, k44), mul(b3, gv_rho2, k45), k44), k43), k37),
+        rhob1, k37
     )
-    gv_rho1 = mul(v_rho1, g_vb, k37)
-    rhob2 = add(mul(b2o, f_vb, k44), sub(mul(gvb3, b1o, k45), mul(gvb1, b3o, k46), k45), k44)
+    gv_rho1 = mul(v_rho1, g_vb, k36)
+    rhob2 = add(mul(b2o, f_vb, k43), sub(mul(gvb3, b1o, k44), mul(gvb1, b3o, k45), k44), k43)
     rho2 = add(
-        add(rhoa2, add(mul(v_rho2, f_vb, k41), sub(mul(b3, gv_rho1, k45), mul(b1, gv_rho3, k40), k40), k40), k36),
-        rhob2, k36
+        add(rhoa2, add(mul(v_rho2, f_vb, k40), sub(mul(b3, gv_rho1, k44), mul(b1, gv_rho3, k39), k39), k39), k35),
+        rhob2, k35
     )
-    rhob3 = add(mul(b3o, f_vb, k40), sub(mul(gvb1, b2o, k41), mul(gvb2, b1o, k45), k41), k40)
+    rhob3 = add(mul(b3o, f_vb, k39), sub(mul(gvb1, b2o, k40), mul(gvb2, b1o, k44), k40), k39)
     rho3 = add(
-        add(rhoa3, add(mul(v_rho3, f_vb, k39), sub(mul(b1, gv_rho2, k41), mul(b2, gv_rho1, k37), k37), k37), k34),
-        rhob3, k34
+        add(rhoa3, add(mul(v_rho3, f_vb, k38), sub(mul(b1, gv_rho2, k40), mul(b2, gv_rho1, k36), k36), k36), k33),
+        rhob3, k33
     )
-    hvr = div(add(add(mul(v1, rho1, k37), mul(v2, rho2, k39), k37), mul(v3, rho3, k39), k37), n2, k37)
+    hvr = div(add(add(mul(v1, rho1, k36), mul(v2, rho2, k38), k36), mul(v3, rho3, k38), k36), n2, k36)
     w4 = div(
-        add(sub(mul(rho1, fi, k39), sub(mul(v2, rho3, k41), mul(v3, rho2, k42), k41), k39), mul(v1, hvr, k41), k39), n2,
-        k39
+        add(sub(mul(n2, rho1, k38), sub(mul(v2, rho3, k40), mul(v3, rho2, k41), k40), k38), mul(v1, hvr, k40), k38), n2,
+        k38
     )
-    cvow1 = div(w4, n2, k41)
-    I11o = add(mul(cvw1, w4, k42), mul(cvow1, v1, k45), k42)
-    sow1 = neg(w4, k39)
+    cvow1 = div(w4, n2, k40)
+    I11o = add(mul(cvw1, w4, k41), mul(cvow1, v1, k44), k41)
+    sow1 = neg(w4, k38)
     w5 = div(
-        add(sub(mul(rho2, fi, k45), sub(mul(v3, rho1, k46), mul(v1, rho3, k47), k46), k45), mul(v2, hvr, k46), k45), n2,
-        k45
+        add(sub(mul(n2, rho2, k44), sub(mul(v3, rho1, k45), mul(v1, rho3, k46), k45), k44), mul(v2, hvr, k45), k44), n2,
+        k44
     )
     w6 = div(
-        add(sub(mul(rho3, fi, k8), sub(mul(v1, rho2, k7), mul(v2, rho1, k34), k7), k7), mul(v3, hvr, k8), k7), n2, k7
+        add(sub(mul(n2, rho3, k33), sub(mul(v1, rho2, k7), mul(v2, rho1, k35), k7), k7), mul(v3, hvr, k33), k7), n2, k7
     )
-    d12ow = add(mul(cvw1, w5, k8), mul(cvow1, v2, k34), k8)
-    d13ow = add(mul(cvw1, w6, k10), mul(cvow1, v3, k34), k10)
-    sow3 = neg(w6, k34)
+    d12ow = add(mul(cvw1, w5, k33), mul(cvow1, v2, k35), k33)
+    d13ow = add(mul(cvw1, w6, k9), mul(cvow1, v3, k35), k9)
+    sow3 = neg(w6, k35)
     I12o = sub(d12ow, sow3, k36)
-    I21o = add(d12ow, sow3, k8)
-    sow2 = neg(w5, k34)
+    I21o = add(d12ow, sow3, k33)
+    sow2 = neg(w5, k35)
     I13o = add(d13ow, sow2, k37)
-    I31o = sub(d13ow, sow2, k10)
-    gy_vS = div(fyS, n16, k34)
-    fy_vS = div(fyS, n8, k14)
-    yb = add(add(mul(b1, b1o, k38), mul(b2, b2o, k41), k38), mul(b3, b3o, k41), k38)
-    goS = mul(gy_vS, yb, k34)
-    foS = mul(fy_vS, yb, k14)
-    gvoS3 = add(mul(b3o, g_vb, k38), mul(b3, goS, k41), k38)
-    gvoS2 = add(mul(b2o, g_vb, k41), mul(b2, goS, k46), k41)
-    gvoS1 = add(mul(b1o, g_vb, k15), mul(b1, goS, k34), k15)
-    S31o = neg(gvoS2, k34)
+    I31o = sub(d13ow, sow2, k9)
+    gy_vS = div(fyS, n16, k35)
+    fy_vS = div(fyS, n8, k13)
+    yb = add(add(mul(b1, b1o, k40), mul(b2, b2o, k45), k40), mul(b3, b3o, k45), k40)
+    goS = mul(gy_vS, yb, k35)
+    foS = mul(fy_vS, yb, k13)
+    gvoS3 = add(mul(b3o, g_vb, k40), mul(b3, goS, k45), k40)
+    gvoS2 = add(mul(b2o, g_vb, k45), mul(b2, goS, k46), k45)
+    gvoS1 = add(mul(b1o, g_vb, k14), mul(b1, goS, k35), k14)
+    S31o = neg(gvoS2, k35)
     div(
         add(add(add(mul(I11, foS, k46), mul(I11o, f_vb, k47), k46), add(mul(I12, gvoS3, k47), mul(I12o, gvb3, k48),
         k47), k46), add(mul(I13, S31o, k47), mul(I13o, S31, k48), k47), k46), n2, o19
@@ -2270,63 +2258,63 @@ def _own_compose_jacobians_blocks(
         k49), k48), add(mul(I13, foS, k49), mul(I13o, f_vb, k50), k49), k48), n2, o21
     )
     cvow2 = div(w5, n2, k48)
-    I22o = add(mul(cvw2, w5, k45), mul(cvow2, v2, k2), k2)
-    d23ow = add(mul(cvw2, w6, k23), mul(cvow2, v3, k45), k23)
-    I23o = sub(d23ow, sow1, k45)
-    I32o = add(d23ow, sow1, k23)
+    I22o = add(mul(cvw2, w5, k44), mul(cvow2, v2, k2), k2)
+    d23ow = add(mul(cvw2, w6, k22), mul(cvow2, v3, k44), k22)
+    I23o = sub(d23ow, sow1, k44)
+    I32o = add(d23ow, sow1, k22)
     div(
-        add(add(add(mul(I21, foS, k39), mul(I21o, f_vb, k48), k39), add(mul(I22, gvoS3, k48), mul(I22o, gvb3, k49),
-        k48), k39), add(mul(I23, S31o, k48), mul(I23o, S31, k49), k48), k39), n2, o25
+        add(add(add(mul(I21, foS, k38), mul(I21o, f_vb, k48), k38), add(mul(I22, gvoS3, k48), mul(I22o, gvb3, k49),
+        k48), k38), add(mul(I23, S31o, k48), mul(I23o, S31, k49), k48), k38), n2, o25
     )
     div(
-        add(add(add(mul(I21, S12o, k39), mul(I21o, S12, k48), k39), add(mul(I22, foS, k48), mul(I22o, f_vb, k49), k48),
-        k39), add(mul(I23, gvoS1, k48), mul(I23o, gvb1, k49), k48), k39), n2, o26
+        add(add(add(mul(I21, S12o, k38), mul(I21o, S12, k48), k38), add(mul(I22, foS, k48), mul(I22o, f_vb, k49), k48),
+        k38), add(mul(I23, gvoS1, k48), mul(I23o, gvb1, k49), k48), k38), n2, o26
     )
     div(
-        add(add(add(mul(I21, gvoS2, k39), mul(I21o, gvb2, k48), k39), add(mul(I22, S23o, k48), mul(I22o, S23, k49),
-        k48), k39), add(mul(I23, foS, k48), mul(I23o, f_vb, k49), k48), k39), n2, o27
+        add(add(add(mul(I21, gvoS2, k38), mul(I21o, gvb2, k48), k38), add(mul(I22, S23o, k48), mul(I22o, S23, k49),
+        k48), k38), add(mul(I23, foS, k48), mul(I23o, f_vb, k49), k48), k38), n2, o27
     )
-    cvow3 = div(w6, n2, k39)
+    cvow3 = div(w6, n2, k38)
     I33o = add(mul(cvw3, w6, k7), mul(cvow3, v3, k1), k1)
     div(
-        add(add(add(mul(I31, foS, k7), mul(I31o, f_vb, k26), k7), add(mul(I32, gvoS3, k26), mul(I32o, gvb3, k17), k17),
-        k7), add(mul(I33, S31o, k17), mul(I33o, S31, k19), k17), k7), n2, o31
+        add(add(add(mul(I31, foS, k7), mul(I31o, f_vb, k25), k7), add(mul(I32, gvoS3, k25), mul(I32o, gvb3, k16), k16),
+        k7), add(mul(I33, S31o, k16), mul(I33o, S31, k18), k16), k7), n2, o31
     )
     div(
-        add(add(add(mul(I31, S12o, k7), mul(I31o, S12, k17), k7), add(mul(I32, foS, k17), mul(I32o, f_vb, k19), k17),
-        k7), add(mul(I33, gvoS1, k15), mul(I33o, gvb1, k17), k15), k7), n2, o32
+        add(add(add(mul(I31, S12o, k7), mul(I31o, S12, k16), k7), add(mul(I32, foS, k16), mul(I32o, f_vb, k18), k16),
+        k7), add(mul(I33, gvoS1, k14), mul(I33o, gvb1, k16), k14), k7), n2, o32
     )
     div(
-        add(add(add(mul(I31, gvoS2, k7), mul(I31o, gvb2, k15), k7), add(mul(I32, S23o, k15), mul(I32o, S23, k17), k15),
-        k7), add(mul(I33, foS, k14), mul(I33o, f_vb, k15), k14), k7), n2, o33
+        add(add(add(mul(I31, gvoS2, k7), mul(I31o, gvb2, k14), k7), add(mul(I32, S23o, k14), mul(I32o, S23, k16), k14),
+        k7), add(mul(I33, foS, k13), mul(I33o, f_vb, k14), k13), k7), n2, o33
     )
     gvvb3 = mul(gvb2, b3, k7)
-    gvvb1 = mul(gvb1, b2, k14)
-    gvvb2 = mul(gvb1, b3, k15)
-    fvb3 = mul(b3, f_vb, k17)
-    Qb12 = sub(gvvb1, fvb3, k18)
-    Qb21 = add(gvvb1, fvb3, k14)
-    fvb2 = mul(b2, f_vb, k17)
-    fvb1 = mul(b1, f_vb, k16)
-    Qb13 = add(gvvb2, fvb2, k19)
-    Qb31 = sub(gvvb2, fvb2, k15)
-    F31 = neg(gva2, k17)
-    RT11 = add(add(mul(Qb11, f_va, k20), mul(Qb12, gva3, k21), k20), mul(Qb13, F31, k21), k20)
-    Qb23 = sub(gvvb3, fvb1, k21)
+    gvvb1 = mul(gvb1, b2, k13)
+    gvvb2 = mul(gvb1, b3, k14)
+    fvb3 = mul(b3, f_vb, k16)
+    Qb12 = sub(gvvb1, fvb3, k17)
+    Qb21 = add(gvvb1, fvb3, k13)
+    fvb2 = mul(b2, f_vb, k16)
+    fvb1 = mul(b1, f_vb, k15)
+    Qb13 = add(gvvb2, fvb2, k18)
+    Qb31 = sub(gvvb2, fvb2, k14)
+    F31 = neg(gva2, k16)
+    RT11 = add(add(mul(Qb11, f_va, k19), mul(Qb12, gva3, k20), k19), mul(Qb13, F31, k20), k19)
+    Qb23 = sub(gvvb3, fvb1, k20)
     Qb32 = add(gvvb3, fvb1, k7)
-    RT21 = add(add(mul(Qb21, f_va, k16), mul(Qb22, gva3, k22), k16), mul(Qb23, F31, k22), k16)
-    RT31 = add(add(mul(Qb31, f_va, k22), mul(Qb32, gva3, k26), k22), mul(Qb33, F31, k26), k22)
-    div(add(add(mul(I11, RT11, k26), mul(I12, RT21, k34), k26), mul(I13, RT31, k34), k26), n2, o37)
-    div(add(add(mul(I21, RT11, k26), mul(I22, RT21, k34), k26), mul(I23, RT31, k34), k26), n2, o43)
-    div(add(add(mul(I31, RT11, k26), mul(I32, RT21, k34), k26), mul(I33, RT31, k34), k26), n2, o49)
-    F12 = neg(gva3, k26)
-    RT12 = add(add(mul(Qb11, F12, k34), mul(Qb12, f_va, k38), k34), mul(Qb13, gva1, k38), k34)
-    RT22 = add(add(mul(Qb21, F12, k38), mul(Qb22, f_va, k39), k38), mul(Qb23, gva1, k39), k38)
-    RT32 = add(add(mul(Qb31, F12, k39), mul(Qb32, f_va, k41), k39), mul(Qb33, gva1, k41), k39)
-    div(add(add(mul(I11, RT12, k41), mul(I12, RT22, k46), k41), mul(I13, RT32, k46), k41), n2, o38)
-    div(add(add(mul(I21, RT12, k41), mul(I22, RT22, k46), k41), mul(I23, RT32, k46), k41), n2, o44)
-    div(add(add(mul(I31, RT12, k41), mul(I32, RT22, k46), k41), mul(I33, RT32, k46), k41), n2, o50)
-    F23 = neg(gva1, k41)
+    RT21 = add(add(mul(Qb21, f_va, k15), mul(Qb22, gva3, k21), k15), mul(Qb23, F31, k21), k15)
+    RT31 = add(add(mul(Qb31, f_va, k21), mul(Qb32, gva3, k25), k21), mul(Qb33, F31, k25), k21)
+    div(add(add(mul(I11, RT11, k25), mul(I12, RT21, k35), k25), mul(I13, RT31, k35), k25), n2, o37)
+    div(add(add(mul(I21, RT11, k25), mul(I22, RT21, k35), k25), mul(I23, RT31, k35), k25), n2, o43)
+    div(add(add(mul(I31, RT11, k25), mul(I32, RT21, k35), k25), mul(I33, RT31, k35), k25), n2, o49)
+    F12 = neg(gva3, k25)
+    RT12 = add(add(mul(Qb11, F12, k35), mul(Qb12, f_va, k38), k35), mul(Qb13, gva1, k38), k35)
+    RT22 = add(add(mul(Qb21, F12, k38), mul(Qb22, f_va, k40), k38), mul(Qb23, gva1, k40), k38)
+    RT32 = add(add(mul(Qb31, F12, k40), mul(Qb32, f_va, k45), k40), mul(Qb33, gva1, k45), k40)
+    div(add(add(mul(I11, RT12, k45), mul(I12, RT22, k46), k45), mul(I13, RT32, k46), k45), n2, o38)
+    div(add(add(mul(I21, RT12, k45), mul(I22, RT22, k46), k45), mul(I23, RT32, k46), k45), n2, o44)
+    div(add(add(mul(I31, RT12, k45), mul(I32, RT22, k46), k45), mul(I33, RT32, k46), k45), n2, o50)
+    F23 = neg(gva1, k45)
     RT13 = add(add(mul(Qb11, gva2, k46), mul(Qb12, F23, k47), k46), mul(Qb13, f_va, k47), k46)
     RT23 = add(add(mul(Qb21, gva2, k47), mul(Qb22, F23, k48), k47), mul(Qb23, f_va, k48), k47)
     RT33 = add(add(mul(Qb31, gva2, k48), mul(Qb32, F23, k49), k48), mul(Qb33, f_va, k49), k48)
@@ -2337,13 +2325,13 @@ def _own_compose_jacobians_blocks(
     R12o = sub(mul(Qb32, rhob2, k50), mul(Qb22, rhob3, k51), k50)
     R13o = sub(mul(Qb33, rhob2, k51), mul(Qb23, rhob3, k52), k51)
     gy_vF = div(fyF, n16, k52)
-    fy_vF = div(fyF, n8, k29)
+    fy_vF = div(fyF, n8, k28)
     ya = add(add(mul(a1, a1o, k53), mul(a2, a2o, k54), k53), mul(a3, a3o, k54), k53)
     goF = mul(gy_vF, ya, k52)
-    foF = mul(fy_vF, ya, k29)
+    foF = mul(fy_vF, ya, k28)
     gvoF3 = add(mul(a3o, g_va, k53), mul(a3, goF, k54), k53)
     gvoF2 = add(mul(a2o, g_va, k54), mul(a2, goF, k55), k54)
-    gvoF1 = add(mul(a1o, g_va, k30), mul(a1, goF, k52), k30)
+    gvoF1 = add(mul(a1o, g_va, k29), mul(a1, goF, k52), k29)
     F31o = neg(gvoF2, k52)
     RT11o = add(
         add(add(mul(Qb11, foF, k55), mul(R11o, f_va, k56), k55), add(mul(Qb12, gvoF3, k56), mul(R12o, gva3, k57), k56),
@@ -2351,67 +2339,67 @@ def _own_compose_jacobians_blocks(
     )
     R22o = sub(mul(Qb12, rhob3, k56), mul(Qb32, rhob1, k57), k56)
     R21o = sub(mul(Qb11, rhob3, k57), mul(Qb31, rhob1, k58), k57)
-    R23o = sub(mul(Qb13, rhob3, k40), mul(Qb33, rhob1, k58), k40)
+    R23o = sub(mul(Qb13, rhob3, k39), mul(Qb33, rhob1, k58), k39)
     RT21o = add(
         add(add(mul(Qb21, foF, k58), mul(R21o, f_va, k59), k58), add(mul(Qb22, gvoF3, k59), mul(R22o, gva3, k60), k59),
         k58), add(mul(Qb23, F31o, k59), mul(R23o, F31, k60), k59), k58
     )
     R33o = sub(mul(Qb23, rhob1, k59), mul(Qb13, rhob2, k60), k59)
     R31o = sub(mul(Qb21, rhob1, k60), mul(Qb11, rhob2, k61), k60)
-    R32o = sub(mul(Qb22, rhob1, k43), mul(Qb12, rhob2, k44), k43)
+    R32o = sub(mul(Qb22, rhob1, k42), mul(Qb12, rhob2, k43), k42)
     RT31o = add(
-        add(add(mul(Qb31, foF, k44), mul(R31o, f_va, k61), k44), add(mul(Qb32, gvoF3, k61), mul(R32o, gva3, k35), k35),
-        k35), add(mul(Qb33, F31o, k44), mul(R33o, F31, k17), k17), k17
+        add(add(mul(Qb31, foF, k43), mul(R31o, f_va, k61), k43), add(mul(Qb32, gvoF3, k61), mul(R32o, gva3, k34), k34),
+        k34), add(mul(Qb33, F31o, k43), mul(R33o, F31, k16), k16), k16
     )
     div(
-        add(add(add(mul(I11, RT11o, k35), mul(I11o, RT11, k44), k35), add(mul(I12, RT21o, k44), mul(I12o, RT21, k52),
-        k44), k35), add(mul(I13, RT31o, k44), mul(I13o, RT31, k52), k44), k35), n2, o55
+        add(add(add(mul(I11, RT11o, k34), mul(I11o, RT11, k43), k34), add(mul(I12, RT21o, k43), mul(I12o, RT21, k52),
+        k43), k34), add(mul(I13, RT31o, k43), mul(I13o, RT31, k52), k43), k34), n2, o55
     )
-    F12o = neg(gvoF3, k35)
+    F12o = neg(gvoF3, k34)
     div(
-        add(add(add(mul(I21, RT11o, k44), mul(I21o, RT11, k52), k44), add(mul(I22, RT21o, k52), mul(I22o, RT21, k53),
-        k52), k44), add(mul(I23, RT31o, k52), mul(I23o, RT31, k53), k52), k44), n2, o61
+        add(add(add(mul(I21, RT11o, k43), mul(I21o, RT11, k52), k43), add(mul(I22, RT21o, k52), mul(I22o, RT21, k53),
+        k52), k43), add(mul(I23, RT31o, k52), mul(I23o, RT31, k53), k52), k43), n2, o61
     )
     div(
-        add(add(add(mul(I31, RT11o, k44), mul(I31o, RT11, k20), k20), add(mul(I32, RT21o, k44), mul(I32o, RT21, k16),
-        k16), k16), add(mul(I33, RT31o, k17), mul(I33o, RT31, k20), k17), k16), n2, o67
+        add(add(add(mul(I31, RT11o, k43), mul(I31o, RT11, k19), k19), add(mul(I32, RT21o, k43), mul(I32o, RT21, k15),
+        k15), k15), add(mul(I33, RT31o, k16), mul(I33o, RT31, k19), k16), k15), n2, o67
     )
     RT12o = add(
-        add(add(mul(Qb11, F12o, k16), mul(R11o, F12, k17), k16), add(mul(Qb12, foF, k17), mul(R12o, f_va, k20), k17),
-        k16), add(mul(Qb13, gvoF1, k17), mul(R13o, gva1, k20), k17), k16
+        add(add(mul(Qb11, F12o, k15), mul(R11o, F12, k16), k15), add(mul(Qb12, foF, k16), mul(R12o, f_va, k19), k16),
+        k15), add(mul(Qb13, gvoF1, k16), mul(R13o, gva1, k19), k16), k15
     )
     RT22o = add(
-        add(add(mul(Qb21, F12o, k17), mul(R21o, F12, k20), k17), add(mul(Qb22, foF, k20), mul(R22o, f_va, k22), k20),
-        k17), add(mul(Qb23, gvoF1, k20), mul(R23o, gva1, k22), k20), k17
+        add(add(mul(Qb21, F12o, k16), mul(R21o, F12, k19), k16), add(mul(Qb22, foF, k19), mul(R22o, f_va, k21), k19),
+        k16), add(mul(Qb23, gvoF1, k19), mul(R23o, gva1, k21), k19), k16
     )
     RT32o = add(
-        add(add(mul(Qb31, F12o, k20), mul(R31o, F12, k22), k20), add(mul(Qb32, foF, k22), mul(R32o, f_va, k26), k22),
-        k20), add(mul(Qb33, gvoF1, k22), mul(R33o, gva1, k26), k22), k20
+        add(add(mul(Qb31, F12o, k19), mul(R31o, F12, k21), k19), add(mul(Qb32, foF, k21), mul(R32o, f_va, k25), k21),
+        k19), add(mul(Qb33, gvoF1, k21), mul(R33o, gva1, k25), k21), k19
     )
     div(
-        add(add(add(mul(I11, RT12o, k22), mul(I11o, RT12, k26), k22), add(mul(I12, RT22o, k26), mul(I12o, RT22, k32),
-        k26), k22), add(mul(I13, RT32o, k26), mul(I13o, RT32, k32), k26), k22), n2, o56
+        add(add(add(mul(I11, RT12o, k21), mul(I11o, RT12, k25), k21), add(mul(I12, RT22o, k25), mul(I12o, RT22, k31),
+        k25), k21), add(mul(I13, RT32o, k25), mul(I13o, RT32, k31), k25), k21), n2, o56
     )
-    F23o = neg(gvoF1, k22)
+    F23o = neg(gvoF1, k21)
     RT13o = add(
-        add(add(mul(Qb11, gvoF2, k12), mul(R11o, gva2, k26), k12), add(mul(Qb12, F23o, k18), mul(R12o, F23, k26), k18),
-        k12), add(mul(Qb13, foF, k18), mul(R13o, f_va, k19), k18), k12
+        add(add(mul(Qb11, gvoF2, k11), mul(R11o, gva2, k25), k11), add(mul(Qb12, F23o, k17), mul(R12o, F23, k25), k17),
+        k11), add(mul(Qb13, foF, k17), mul(R13o, f_va, k18), k17), k11
     )
     RT23o = add(
-        add(add(mul(Qb21, gvoF2, k14), mul(R21o, gva2, k18), k14), add(mul(Qb22, F23o, k6), mul(R22o, F23, k18), k6),
-        k6), add(mul(Qb23, foF, k14), mul(R23o, f_va, k18), k14), k6
+        add(add(mul(Qb21, gvoF2, k13), mul(R21o, gva2, k17), k13), add(mul(Qb22, F23o, k6), mul(R22o, F23, k17), k6),
+        k6), add(mul(Qb23, foF, k13), mul(R23o, f_va, k17), k13), k6
     )
     RT33o = add(
-        add(add(mul(Qb31, gvoF2, k14), mul(R31o, gva2, k15), k14), add(mul(Qb32, F23o, k7), mul(R32o, F23, k15), k7),
-        k7), add(mul(Qb33, foF, k13), mul(R33o, f_va, k14), k13), k7
+        add(add(mul(Qb31, gvoF2, k13), mul(R31o, gva2, k14), k13), add(mul(Qb32, F23o, k7), mul(R32o, F23, k14), k7),
+        k7), add(mul(Qb33, foF, k12), mul(R33o, f_va, k13), k12), k7
     )
     div(
-        add(add(add(mul(I11, RT13o, k11), mul(I11o, RT13, k13), k11), add(mul(I12, RT23o, k5), mul(I12o, RT23, k13),
-        k5), k5), add(mul(I13, RT33o, k9), mul(I13o, RT33, k11), k9), k5), n2, o57
+        add(add(add(mul(I11, RT13o, k10), mul(I11o, RT13, k12), k10), add(mul(I12, RT23o, k5), mul(I12o, RT23, k12),
+        k5), k5), add(mul(I13, RT33o, k8), mul(I13o, RT33, k10), k8), k5), n2, o57
     )
     div(
-        add(add(add(mul(I21, RT12o, k5), mul(I21o, RT12, k9), k5), add(mul(I22, RT22o, k9), mul(I22o, RT22, k11), k9),
-        k5), add(mul(I23, RT32o, k9), mul(I23o, RT32, k11), k9), k5), n2, o62
+        add(add(add(mul(I21, RT12o, k5), mul(I21o, RT12, k8), k5), add(mul(I22, RT22o, k8), mul(I22o, RT22, k10), k8),
+        k5), add(mul(I23, RT32o, k8), mul(I23o, RT32, k10), k8), k5), n2, o62
     )
     div(
         add(add(add(mul(I21, RT13o, k3), mul(I21o, RT13, k5), k3), add(mul(I22, RT23o, k5), mul(I22o, RT23, k2), k2),
@@ -2463,7 +2451,7 @@ def _own_compose_jacobians_blocks(
     copy(o51, o72)
 
 
-# operations 800: 296 +, 391 *, 69 /, 44 neg
+# operations 799: 296 +, 390 *, 69 /, 44 neg
 def _own_between_jacobians(m: Any, c: Any, a: Components, b: Components) -> Result:
     a1, a2, a3, a1o, a2o, a3o = a
     b1, b2, b3, b1o, b2o, b3o = b
@@ -2529,11 +2517,10 @@ def _own_between_jacobians(m: Any, c: Any, a: Components, b: Components) -> Resu
     v1 = z1 * gain
     v2 = z2 * gain
     v3 = z3 * gain
-    fi = gain * z0
     hvr = (v1 * rho1 + v2 * rho2 + v3 * rho3) / 2
-    w4 = (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2
-    w5 = (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2
-    w6 = (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2
+    w4 = (2 * rho1 - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2
+    w5 = (2 * rho2 - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2
+    w6 = (2 * rho3 - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2
     sw1 = -v1
     sw2 = -v2
     sw3 = -v3
@@ -2768,11 +2755,10 @@ def _own_between_jacobians_blocks(
     bva2 = div(a2, n2, k9)
     z1 = add(add(bva1, bvb1, k10), sub(mul(bvb2, bva3, k11), mul(bvb3, bva2, k12), k11), k10)
     z0 = sub(n1, add(add(mul(bvb1, bva1, k11), mul(bvb2, bva2, k12), k11), mul(bvb3, bva3, k12), k11), k11)
-    gain = mul(n2, div(n1, z0, k12), k12)
+    gain = mul(n2, div(n1, z0, k11), k11)
     v1 = mul(z1, gain, k10)
-    fi = mul(gain, z0, k11)
-    cvw1 = div(v1, n2, k13)
-    z3 = add(add(bva3, bvb3, k14), sub(mul(bvb1, bva2, k15), mul(bvb2, bva1, k16), k15), k14)
+    cvw1 = div(v1, n2, k12)
+    z3 = add(add(bva3, bvb3, k13), sub(mul(bvb1, bva2, k14), mul(bvb2, bva1, k15), k14), k13)
     z2 = add(add(bva2, bvb2, k5), sub(mul(bvb3, bva1, k1), mul(bvb1, bva3, k3), k1), k1)
     v3 = mul(z3, gain, k3)
     v2 = mul(z2, gain, k1)
@@ -2782,128 +2768,128 @@ def _own_between_jacobians_blocks(
     I13 = add(d13w, sw2, k5)
     cvw2 = div(v2, n2, k6)
     d23w = mul(cvw2, v3, k9)
-    sw1 = neg(v1, k12)
-    I32 = add(d23w, sw1, k14)
+    sw1 = neg(v1, k11)
+    I32 = add(d23w, sw1, k13)
     I23 = sub(d23w, sw1, k9)
-    cvw3 = div(v3, n2, k12)
-    I33 = add(n2, mul(cvw3, v3, k15), k15)
-    v11b = mul(minus_b1, minus_b1, k16)
-    v22b = mul(minus_b2, minus_b2, k17)
-    x12b = add(v11b, v22b, k18)
-    v33b = mul(minus_b3, minus_b3, k19)
-    x23b = add(v22b, v33b, k17)
-    x13b = add(v11b, v33b, k16)
-    xb = add(x12b, v33b, k19)
-    zb = div(xb, n4, k19)
-    Nb = add(n1, zb, k19)
-    rb = mul(n2, div(div(Nb, Nb, k20), Nb, k20), k20)
-    eS = div(n2, Nb, k19)
-    egS = mul(eS, rb, k19)
-    fyS = neg(egS, k19)
-    g_vb = div(rb, n4, k21)
-    f_vb = div(rb, n2, k20)
-    Qb11 = sub(n1, mul(g_vb, x23b, k17), k17)
-    Qb22 = sub(n1, mul(g_vb, x13b, k16), k16)
-    Qb33 = sub(n1, mul(g_vb, x12b, k18), k18)
-    gvb2 = mul(minus_b2, g_vb, k22)
-    gvb1 = mul(minus_b1, g_vb, k23)
-    S23 = neg(gvb1, k24)
-    neg(div(add(add(mul(I31, gvb2, k25), mul(I32, S23, k26), k25), mul(I33, f_vb, k26), k25), n2, k25), o51)
-    gvb3 = mul(minus_b3, g_vb, k25)
-    S12 = neg(gvb3, k26)
-    neg(div(add(add(mul(I31, S12, k27), mul(I32, f_vb, k28), k27), mul(I33, gvb1, k28), k27), n2, k27), o50)
-    S31 = neg(gvb2, k27)
-    neg(div(add(add(mul(I31, f_vb, k28), mul(I32, gvb3, k29), k28), mul(I33, S31, k29), k28), n2, k28), o49)
-    v11a = mul(a1, a1, k28)
-    v22a = mul(a2, a2, k29)
-    v33a = mul(a3, a3, k30)
-    xa = add(add(v11a, v22a, k28), v33a, k28)
-    za = div(xa, n4, k28)
-    Na = add(n1, za, k28)
-    ra = mul(n2, div(div(Na, Na, k29), Na, k29), k29)
-    eF = div(n2, Na, k28)
-    egF = mul(eF, ra, k28)
-    fyF = neg(egF, k28)
-    f_va = div(ra, n2, k30)
-    g_va = div(ra, n4, k29)
-    gva1 = mul(a1, g_va, k31)
-    gva2 = mul(a2, g_va, k32)
-    rhoa3 = add(mul(a3o, f_va, k33), sub(mul(gva1, a2o, k34), mul(gva2, a1o, k35), k34), k33)
-    gva3 = mul(a3, g_va, k34)
-    rhoa2 = add(mul(a2o, f_va, k35), sub(mul(gva3, a1o, k36), mul(gva1, a3o, k37), k36), k35)
-    v_rho1 = sub(mul(minus_b2, rhoa3, k36), mul(minus_b3, rhoa2, k37), k36)
-    rhoa1 = add(mul(a1o, f_va, k37), sub(mul(gva2, a3o, k38), mul(gva3, a2o, k39), k38), k37)
-    v_rho3 = sub(mul(minus_b1, rhoa2, k38), mul(minus_b2, rhoa1, k39), k38)
-    gv_rho3 = mul(v_rho3, g_vb, k39)
-    v_rho2 = sub(mul(minus_b3, rhoa1, k40), mul(minus_b1, rhoa3, k41), k40)
-    gv_rho2 = mul(v_rho2, g_vb, k41)
-    minus_b4 = neg(b1o, k42)
-    minus_b6 = neg(b3o, k43)
-    minus_b5 = neg(b2o, k44)
-    rhob1 = add(mul(minus_b4, f_vb, k45), sub(mul(gvb2, minus_b6, k46), mul(gvb3, minus_b5, k47), k46), k45)
+    cvw3 = div(v3, n2, k11)
+    I33 = add(n2, mul(cvw3, v3, k14), k14)
+    v11b = mul(minus_b1, minus_b1, k15)
+    v22b = mul(minus_b2, minus_b2, k16)
+    x12b = add(v11b, v22b, k17)
+    v33b = mul(minus_b3, minus_b3, k18)
+    x23b = add(v22b, v33b, k16)
+    x13b = add(v11b, v33b, k15)
+    xb = add(x12b, v33b, k18)
+    zb = div(xb, n4, k18)
+    Nb = add(n1, zb, k18)
+    rb = mul(n2, div(div(Nb, Nb, k19), Nb, k19), k19)
+    eS = div(n2, Nb, k18)
+    egS = mul(eS, rb, k18)
+    fyS = neg(egS, k18)
+    g_vb = div(rb, n4, k20)
+    f_vb = div(rb, n2, k19)
+    Qb11 = sub(n1, mul(g_vb, x23b, k16), k16)
+    Qb22 = sub(n1, mul(g_vb, x13b, k15), k15)
+    Qb33 = sub(n1, mul(g_vb, x12b, k17), k17)
+    gvb2 = mul(minus_b2, g_vb, k21)
+    gvb1 = mul(minus_b1, g_vb, k22)
+    S23 = neg(gvb1, k23)
+    neg(div(add(add(mul(I31, gvb2, k24), mul(I32, S23, k25), k24), mul(I33, f_vb, k25), k24), n2, k24), o51)
+    gvb3 = mul(minus_b3, g_vb, k24)
+    S12 = neg(gvb3, k25)
+    neg(div(add(add(mul(I31, S12, k26), mul(I32, f_vb, k27), k26), mul(I33, gvb1, k27), k26), n2, k26), o50)
+    S31 = neg(gvb2, k26)
+    neg(div(add(add(mul(I31, f_vb, k27), mul(I32, gvb3, k28), k27), mul(I33, S31, k28), k27), n2, k27), o49)
+    v11a = mul(a1, a1, k27)
+    v22a = mul(a2, a2, k28)
+    v33a = mul(a3, a3, k29)
+    xa = add(add(v11a, v22a, k27), v33a, k27)
+    za = div(xa, n4, k27)
+    Na = add(n1, za, k27)
+    ra = mul(n2, div(div(Na, Na, k28), Na, k28), k28)
+    eF = div(n2, Na, k27)
+    egF = mul(eF, ra, k27)
+    fyF = neg(egF, k27)
+    f_va = div(ra, n2, k29)
+    g_va = div(ra, n4, k28)
+    gva1 = mul(a1, g_va, k30)
+    gva2 = mul(a2, g_va, k31)
+    rhoa3 = add(mul(a3o, f_va, k32), sub(mul(gva1, a2o, k33), mul(gva2, a1o, k34), k33), k32)
+    gva3 = mul(a3, g_va, k33)
+    rhoa2 = add(mul(a2o, f_va, k34), sub(mul(gva3, a1o, k35), mul(gva1, a3o, k36), k35), k34)
+    v_rho1 = sub(mul(minus_b2, rhoa3, k35), mul(minus_b3, rhoa2, k36), k35)
+    rhoa1 = add(mul(a1o, f_va, k36), sub(mul(gva2, a3o, k37), mul(gva3, a2o, k38), k37), k36)
+    v_rho3 = sub(mul(minus_b1, rhoa2, k37), mul(minus_b2, rhoa1, k38), k37)
+    gv_rho3 = mul(v_rho3, g_vb, k38)
+    v_rho2 = sub(mul(minus_b3, rhoa1, k39), mul(minus_b1, rhoa3, k40), k39)
+    gv_rho2 = mul(v_rho2, g_vb, k40)
+    minus_b4 = neg(b1o, k41)
+    minus_b6 = neg(b3o, k42)
+    minus_b5 = neg(b2o, k43)
+    rhob1 = add(mul(minus_b4, f_vb, k44), sub(mul(gvb2, minus_b6, k45), mul(gvb3, minus_b5, k46), k45), k44)
     rho1 = add(
-        add(rhoa1, add(mul(v_rho1, f_vb, k46), sub(mul(minus_b2, gv_rho3, k47), mul(minus_b3, gv_rho2, k48), k47), k46),
-        k37), rhob1, k37
+        add(rhoa1, add(mul(v_rho1, f_vb, k45), sub(mul(minus_b2, gv_rho3, k46), mul(minus_b3, gv_rho2, k47), k46), k45),
+        k36), rhob1, k36
     )
-    gv_rho1 = mul(v_rho1, g_vb, k36)
-    rhob2 = add(mul(minus_b5, f_vb, k46), sub(mul(gvb3, minus_b4, k47), mul(gvb1, minus_b6, k48), k47), k46)
+    gv_rho1 = mul(v_rho1, g_vb, k35)
+    rhob2 = add(mul(minus_b5, f_vb, k45), sub(mul(gvb3, minus_b4, k46), mul(gvb1, minus_b6, k47), k46), k45)
     rho2 = add(
-        add(rhoa2, add(mul(v_rho2, f_vb, k40), sub(mul(minus_b3, gv_rho1, k47), mul(minus_b1, gv_rho3, k39), k39), k39),
-        k35), rhob2, k35
+        add(rhoa2, add(mul(v_rho2, f_vb, k39), sub(mul(minus_b3, gv_rho1, k46), mul(minus_b1, gv_rho3, k38), k38), k38),
+        k34), rhob2, k34
     )
-    rhob3 = add(mul(minus_b6, f_vb, k39), sub(mul(gvb1, minus_b5, k40), mul(gvb2, minus_b4, k47), k40), k39)
+    rhob3 = add(mul(minus_b6, f_vb, k38), sub(mul(gvb1, minus_b5, k39), mul(gvb2, minus_b4, k46), k39), k38)
     rho3 = add(
-        add(rhoa3, add(mul(v_rho3, f_vb, k38), sub(mul(minus_b1, gv_rho2, k40), mul(minus_b2, gv_rho1, k36), k36), k36),
-        k33), rhob3, k33
+        add(rhoa3, add(mul(v_rho3, f_vb, k37), sub(mul(minus_b1, gv_rho2, k39), mul(minus_b2, gv_rho1, k35), k35), k35),
+        k32), rhob3, k32
     )
-    hvr = div(add(add(mul(v1, rho1, k36), mul(v2, rho2, k38), k36), mul(v3, rho3, k38), k36), n2, k36)
+    hvr = div(add(add(mul(v1, rho1, k35), mul(v2, rho2, k37), k35), mul(v3, rho3, k37), k35), n2, k35)
     w6 = div(
-        add(sub(mul(rho3, fi, k38), sub(mul(v1, rho2, k40), mul(v2, rho1, k41), k40), k38), mul(v3, hvr, k40), k38), n2,
-        k38
+        add(sub(mul(n2, rho3, k37), sub(mul(v1, rho2, k39), mul(v2, rho1, k40), k39), k37), mul(v3, hvr, k39), k37), n2,
+        k37
     )
     w4 = div(
-        add(sub(mul(rho1, fi, k40), sub(mul(v2, rho3, k41), mul(v3, rho2, k47), k41), k40), mul(v1, hvr, k41), k40), n2,
-        k40
+        add(sub(mul(n2, rho1, k39), sub(mul(v2, rho3, k40), mul(v3, rho2, k46), k40), k39), mul(v1, hvr, k40), k39), n2,
+        k39
     )
     w5 = div(
-        add(sub(mul(rho2, fi, k11), sub(mul(v3, rho1, k35), mul(v1, rho3, k33), k33), k11), mul(v2, hvr, k33), k11), n2,
-        k11
+        add(sub(mul(n2, rho2, k34), sub(mul(v3, rho1, k36), mul(v1, rho3, k32), k32), k32), mul(v2, hvr, k34), k32), n2,
+        k32
     )
-    cvow1 = div(w4, n2, k33)
+    cvow1 = div(w4, n2, k34)
     d13ow = add(mul(cvw1, w6, k35), mul(cvow1, v3, k36), k35)
     sow2 = neg(w5, k36)
-    I31o = sub(d13ow, sow2, k37)
+    I31o = sub(d13ow, sow2, k40)
     I13o = add(d13ow, sow2, k35)
     cvow2 = div(w5, n2, k36)
-    d23ow = add(mul(cvw2, w6, k41), mul(cvow2, v3, k47), k41)
+    d23ow = add(mul(cvw2, w6, k46), mul(cvow2, v3, k47), k46)
     I22o = add(mul(cvw2, w5, k47), mul(cvow2, v2, k36), k36)
     I22 = add(n2, mul(cvw2, v2, k6), k6)
-    d12ow = add(mul(cvw1, w5, k11), mul(cvow1, v2, k47), k11)
+    d12ow = add(mul(cvw1, w5, k32), mul(cvow1, v2, k47), k32)
     d12w = mul(cvw1, v2, k1)
-    I11o = add(mul(cvw1, w4, k47), mul(cvow1, v1, k33), k33)
+    I11o = add(mul(cvw1, w4, k47), mul(cvow1, v1, k34), k34)
     I11 = add(n2, mul(cvw1, v1, k10), k10)
-    sow1 = neg(w4, k13)
-    I32o = add(d23ow, sow1, k40)
-    I23o = sub(d23ow, sow1, k13)
-    cvow3 = div(w6, n2, k41)
-    I33o = add(mul(cvw3, w6, k12), mul(cvow3, v3, k41), k12)
+    sow1 = neg(w4, k12)
+    I32o = add(d23ow, sow1, k39)
+    I23o = sub(d23ow, sow1, k12)
+    cvow3 = div(w6, n2, k46)
+    I33o = add(mul(cvw3, w6, k11), mul(cvow3, v3, k46), k11)
     sw3 = neg(v3, k3)
-    sow3 = neg(w6, k38)
-    yb = add(add(mul(minus_b1, minus_b4, k41), mul(minus_b2, minus_b5, k47), k41), mul(minus_b3, minus_b6, k47), k41)
+    sow3 = neg(w6, k37)
+    yb = add(add(mul(minus_b1, minus_b4, k46), mul(minus_b2, minus_b5, k47), k46), mul(minus_b3, minus_b6, k47), k46)
     gy_vS = div(fyS, n16, k47)
     goS = mul(gy_vS, yb, k47)
-    gvoS2 = add(mul(minus_b5, g_vb, k44), mul(minus_b2, goS, k48), k44)
-    gvoS1 = add(mul(minus_b4, g_vb, k42), mul(minus_b1, goS, k48), k42)
-    gvoS3 = add(mul(minus_b6, g_vb, k21), mul(minus_b3, goS, k43), k21)
-    fy_vS = div(fyS, n8, k19)
-    foS = mul(fy_vS, yb, k19)
+    gvoS2 = add(mul(minus_b5, g_vb, k43), mul(minus_b2, goS, k48), k43)
+    gvoS1 = add(mul(minus_b4, g_vb, k41), mul(minus_b1, goS, k48), k41)
+    gvoS3 = add(mul(minus_b6, g_vb, k20), mul(minus_b3, goS, k42), k20)
+    fy_vS = div(fyS, n8, k18)
+    foS = mul(fy_vS, yb, k18)
     fvb1 = mul(minus_b1, f_vb, k2)
-    S23o = neg(gvoS1, k41)
+    S23o = neg(gvoS1, k42)
     neg(
-        div(add(add(add(mul(I31, gvoS2, k43), mul(I31o, gvb2, k47), k43), add(mul(I32, S23o, k47), mul(I32o, S23, k48),
-        k47), k43), add(mul(I33, foS, k47), mul(I33o, f_vb, k48), k47), k43), n2, k43), o69
+        div(add(add(add(mul(I31, gvoS2, k46), mul(I31o, gvb2, k47), k46), add(mul(I32, S23o, k47), mul(I32o, S23, k48),
+        k47), k46), add(mul(I33, foS, k47), mul(I33o, f_vb, k48), k47), k46), n2, k46), o69
     )
-    S12o = neg(gvoS3, k43)
+    S12o = neg(gvoS3, k46)
     neg(
         div(add(add(add(mul(I31, S12o, k47), mul(I31o, S12, k48), k47), add(mul(I32, foS, k48), mul(I32o, f_vb, k49),
         k48), k47), add(mul(I33, gvoS1, k48), mul(I33o, gvb1, k49), k48), k47), n2, k47), o68
@@ -2922,59 +2908,59 @@ def _own_between_jacobians_blocks(
     neg(div(add(add(mul(I11, S12, k3), mul(I12, f_vb, k49), k3), mul(I13, gvb1, k49), k3), n2, k3), o38)
     neg(div(add(add(mul(I11, f_vb, k3), mul(I12, gvb3, k49), k3), mul(I13, S31, k49), k3), n2, k3), o37)
     I21o = add(d12ow, sow3, k3)
-    I12o = sub(d12ow, sow3, k11)
+    I12o = sub(d12ow, sow3, k32)
     neg(
-        div(add(add(add(mul(I21, gvoS2, k38), mul(I21o, gvb2, k49), k38), add(mul(I22, S23o, k49), mul(I22o, S23, k50),
-        k49), k38), add(mul(I23, foS, k49), mul(I23o, f_vb, k50), k49), k38), n2, k38), o63
+        div(add(add(add(mul(I21, gvoS2, k37), mul(I21o, gvb2, k49), k37), add(mul(I22, S23o, k49), mul(I22o, S23, k50),
+        k49), k37), add(mul(I23, foS, k49), mul(I23o, f_vb, k50), k49), k37), n2, k37), o63
     )
     neg(
-        div(add(add(add(mul(I11, gvoS2, k38), mul(I11o, gvb2, k44), k38), add(mul(I12, S23o, k41), mul(I12o, S23, k24),
-        k24), k24), add(mul(I13, foS, k38), mul(I13o, f_vb, k41), k38), k24), n2, k24), o57
+        div(add(add(add(mul(I11, gvoS2, k37), mul(I11o, gvb2, k43), k37), add(mul(I12, S23o, k42), mul(I12o, S23, k23),
+        k23), k23), add(mul(I13, foS, k37), mul(I13o, f_vb, k42), k37), k23), n2, k23), o57
     )
     neg(
-        div(add(add(add(mul(I21, S12o, k24), mul(I21o, S12, k38), k24), add(mul(I22, foS, k38), mul(I22o, f_vb, k41),
-        k38), k24), add(mul(I23, gvoS1, k38), mul(I23o, gvb1, k41), k38), k24), n2, k24), o62
+        div(add(add(add(mul(I21, S12o, k23), mul(I21o, S12, k37), k23), add(mul(I22, foS, k37), mul(I22o, f_vb, k42),
+        k37), k23), add(mul(I23, gvoS1, k37), mul(I23o, gvb1, k42), k37), k23), n2, k23), o62
     )
     neg(
-        div(add(add(add(mul(I11, S12o, k24), mul(I11o, S12, k26), k24), add(mul(I12, foS, k26), mul(I12o, f_vb, k38),
-        k26), k24), add(mul(I13, gvoS1, k26), mul(I13o, gvb1, k38), k26), k24), n2, k24), o56
+        div(add(add(add(mul(I11, S12o, k23), mul(I11o, S12, k25), k23), add(mul(I12, foS, k25), mul(I12o, f_vb, k37),
+        k25), k23), add(mul(I13, gvoS1, k25), mul(I13o, gvb1, k37), k25), k23), n2, k23), o56
     )
     neg(
-        div(add(add(add(mul(I21, foS, k24), mul(I21o, f_vb, k26), k24), add(mul(I22, gvoS3, k26), mul(I22o, gvb3, k38),
-        k26), k24), add(mul(I23, S31o, k26), mul(I23o, S31, k38), k26), k24), n2, k24), o61
+        div(add(add(add(mul(I21, foS, k23), mul(I21o, f_vb, k25), k23), add(mul(I22, gvoS3, k25), mul(I22o, gvb3, k37),
+        k25), k23), add(mul(I23, S31o, k25), mul(I23o, S31, k37), k25), k23), n2, k23), o61
     )
     neg(
-        div(add(add(add(mul(I11, foS, k19), mul(I11o, f_vb, k24), k19), add(mul(I12, gvoS3, k21), mul(I12o, gvb3, k24),
-        k21), k19), add(mul(I13, S31o, k21), mul(I13o, S31, k24), k21), k19), n2, k19), o55
+        div(add(add(add(mul(I11, foS, k18), mul(I11o, f_vb, k23), k18), add(mul(I12, gvoS3, k20), mul(I12o, gvb3, k23),
+        k20), k18), add(mul(I13, S31o, k20), mul(I13o, S31, k23), k20), k18), n2, k18), o55
     )
-    gvvb3 = mul(gvb2, minus_b3, k19)
-    gvvb1 = mul(gvb1, minus_b2, k21)
-    gvvb2 = mul(gvb1, minus_b3, k22)
+    gvvb3 = mul(gvb2, minus_b3, k18)
+    gvvb1 = mul(gvb1, minus_b2, k20)
+    gvvb2 = mul(gvb1, minus_b3, k21)
     fvb3 = mul(minus_b3, f_vb, k7)
     fvb2 = mul(minus_b2, f_vb, k4)
-    Qb12 = sub(gvvb1, fvb3, k20)
+    Qb12 = sub(gvvb1, fvb3, k19)
     Qb21 = add(gvvb1, fvb3, k7)
-    Qb13 = add(gvvb2, fvb2, k21)
+    Qb13 = add(gvvb2, fvb2, k20)
     Qb31 = sub(gvvb2, fvb2, k4)
-    F23 = neg(gva1, k22)
-    RT13 = add(add(mul(Qb11, gva2, k23), mul(Qb12, F23, k24), k23), mul(Qb13, f_va, k24), k23)
-    Qb23 = sub(gvvb3, fvb1, k24)
+    F23 = neg(gva1, k21)
+    RT13 = add(add(mul(Qb11, gva2, k22), mul(Qb12, F23, k23), k22), mul(Qb13, f_va, k23), k22)
+    Qb23 = sub(gvvb3, fvb1, k23)
     Qb32 = add(gvvb3, fvb1, k2)
-    RT23 = add(add(mul(Qb21, gva2, k19), mul(Qb22, F23, k25), k19), mul(Qb23, f_va, k25), k19)
-    RT33 = add(add(mul(Qb31, gva2, k25), mul(Qb32, F23, k26), k25), mul(Qb33, f_va, k26), k25)
-    div(add(add(mul(I31, RT13, k26), mul(I32, RT23, k27), k26), mul(I33, RT33, k27), k26), n2, o15)
-    div(add(add(mul(I21, RT13, k26), mul(I22, RT23, k27), k26), mul(I23, RT33, k27), k26), n2, o9)
-    div(add(add(mul(I11, RT13, k26), mul(I12, RT23, k27), k26), mul(I13, RT33, k27), k26), n2, o3)
-    F12 = neg(gva3, k26)
-    RT12 = add(add(mul(Qb11, F12, k27), mul(Qb12, f_va, k38), k27), mul(Qb13, gva1, k38), k27)
-    RT22 = add(add(mul(Qb21, F12, k38), mul(Qb22, f_va, k41), k38), mul(Qb23, gva1, k41), k38)
+    RT23 = add(add(mul(Qb21, gva2, k18), mul(Qb22, F23, k24), k18), mul(Qb23, f_va, k24), k18)
+    RT33 = add(add(mul(Qb31, gva2, k24), mul(Qb32, F23, k25), k24), mul(Qb33, f_va, k25), k24)
+    div(add(add(mul(I31, RT13, k25), mul(I32, RT23, k26), k25), mul(I33, RT33, k26), k25), n2, o15)
+    div(add(add(mul(I21, RT13, k25), mul(I22, RT23, k26), k25), mul(I23, RT33, k26), k25), n2, o9)
+    div(add(add(mul(I11, RT13, k25), mul(I12, RT23, k26), k25), mul(I13, RT33, k26), k25), n2, o3)
+    F12 = neg(gva3, k25)
+    RT12 = add(add(mul(Qb11, F12, k26), mul(Qb12, f_va, k37), k26), mul(Qb13, gva1, k37), k26)
+    RT22 = add(add(mul(Qb21, F12, k37), mul(Qb22, f_va, k41), k37), mul(Qb23, gva1, k41), k37)
     RT32 = add(add(mul(Qb31, F12, k41), mul(Qb32, f_va, k42), k41), mul(Qb33, gva1, k42), k41)
     div(add(add(mul(I31, RT12, k42), mul(I32, RT22, k43), k42), mul(I33, RT32, k43), k42), n2, o14)
     div(add(add(mul(I21, RT12, k42), mul(I22, RT22, k43), k42), mul(I23, RT32, k43), k42), n2, o8)
     div(add(add(mul(I11, RT12, k42), mul(I12, RT22, k43), k42), mul(I13, RT32, k43), k42), n2, o2)
     F31 = neg(gva2, k42)
-    RT11 = add(add(mul(Qb11, f_va, k43), mul(Qb12, gva3, k44), k43), mul(Qb13, F31, k44), k43)
-    RT21 = add(add(mul(Qb21, f_va, k44), mul(Qb22, gva3, k47), k44), mul(Qb23, F31, k47), k44)
+    RT11 = add(add(mul(Qb11, f_va, k43), mul(Qb12, gva3, k46), k43), mul(Qb13, F31, k46), k43)
+    RT21 = add(add(mul(Qb21, f_va, k46), mul(Qb22, gva3, k47), k46), mul(Qb23, F31, k47), k46)
     RT31 = add(add(mul(Qb31, f_va, k47), mul(Qb32, gva3, k49), k47), mul(Qb33, F31, k49), k47)
     div(add(add(mul(I31, RT11, k49), mul(I32, RT21, k50), k49), mul(I33, RT31, k50), k49), n2, o13)
     div(add(add(mul(I21, RT11, k49), mul(I22, RT21, k50), k49), mul(I23, RT31, k50), k49), n2, o7)
@@ -2983,13 +2969,13 @@ def _own_between_jacobians_blocks(
     R12o = sub(mul(Qb32, rhob2, k50), mul(Qb22, rhob3, k51), k50)
     R13o = sub(mul(Qb33, rhob2, k51), mul(Qb23, rhob3, k52), k51)
     gy_vF = div(fyF, n16, k52)
-    fy_vF = div(fyF, n8, k28)
+    fy_vF = div(fyF, n8, k27)
     ya = add(add(mul(a1, a1o, k53), mul(a2, a2o, k54), k53), mul(a3, a3o, k54), k53)
     goF = mul(gy_vF, ya, k52)
-    foF = mul(fy_vF, ya, k28)
+    foF = mul(fy_vF, ya, k27)
     gvoF2 = add(mul(a2o, g_va, k53), mul(a2, goF, k54), k53)
     gvoF1 = add(mul(a1o, g_va, k54), mul(a1, goF, k55), k54)
-    gvoF3 = add(mul(a3o, g_va, k29), mul(a3, goF, k52), k29)
+    gvoF3 = add(mul(a3o, g_va, k28), mul(a3, goF, k52), k28)
     F23o = neg(gvoF1, k52)
     RT13o = add(
         add(add(mul(Qb11, gvoF2, k55), mul(R11o, gva2, k56), k55), add(mul(Qb12, F23o, k56), mul(R12o, F23, k57), k56),
@@ -2997,67 +2983,67 @@ def _own_between_jacobians_blocks(
     )
     R22o = sub(mul(Qb12, rhob3, k56), mul(Qb32, rhob1, k57), k56)
     R21o = sub(mul(Qb11, rhob3, k57), mul(Qb31, rhob1, k58), k57)
-    R23o = sub(mul(Qb13, rhob3, k39), mul(Qb33, rhob1, k58), k39)
+    R23o = sub(mul(Qb13, rhob3, k38), mul(Qb33, rhob1, k58), k38)
     RT23o = add(
         add(add(mul(Qb21, gvoF2, k58), mul(R21o, gva2, k59), k58), add(mul(Qb22, F23o, k59), mul(R22o, F23, k60), k59),
         k58), add(mul(Qb23, foF, k59), mul(R23o, f_va, k60), k59), k58
     )
     R33o = sub(mul(Qb23, rhob1, k59), mul(Qb13, rhob2, k60), k59)
     R31o = sub(mul(Qb21, rhob1, k60), mul(Qb11, rhob2, k61), k60)
-    R32o = sub(mul(Qb22, rhob1, k45), mul(Qb12, rhob2, k46), k45)
+    R32o = sub(mul(Qb22, rhob1, k44), mul(Qb12, rhob2, k45), k44)
     RT33o = add(
-        add(add(mul(Qb31, gvoF2, k46), mul(R31o, gva2, k32), k32), add(mul(Qb32, F23o, k46), mul(R32o, F23, k22), k22),
-        k22), add(mul(Qb33, foF, k32), mul(R33o, f_va, k46), k32), k22
+        add(add(mul(Qb31, gvoF2, k45), mul(R31o, gva2, k31), k31), add(mul(Qb32, F23o, k45), mul(R32o, F23, k21), k21),
+        k21), add(mul(Qb33, foF, k31), mul(R33o, f_va, k45), k31), k21
     )
     div(
-        add(add(add(mul(I31, RT13o, k32), mul(I31o, RT13, k46), k32), add(mul(I32, RT23o, k46), mul(I32o, RT23, k52),
-        k46), k32), add(mul(I33, RT33o, k46), mul(I33o, RT33, k52), k46), k32), n2, o33
+        add(add(add(mul(I31, RT13o, k31), mul(I31o, RT13, k45), k31), add(mul(I32, RT23o, k45), mul(I32o, RT23, k52),
+        k45), k31), add(mul(I33, RT33o, k45), mul(I33o, RT33, k52), k45), k31), n2, o33
     )
-    F31o = neg(gvoF2, k32)
+    F31o = neg(gvoF2, k31)
     div(
-        add(add(add(mul(I21, RT13o, k46), mul(I21o, RT13, k52), k46), add(mul(I22, RT23o, k52), mul(I22o, RT23, k53),
-        k52), k46), add(mul(I23, RT33o, k52), mul(I23o, RT33, k53), k52), k46), n2, o27
+        add(add(add(mul(I21, RT13o, k45), mul(I21o, RT13, k52), k45), add(mul(I22, RT23o, k52), mul(I22o, RT23, k53),
+        k52), k45), add(mul(I23, RT33o, k52), mul(I23o, RT33, k53), k52), k45), n2, o27
     )
     div(
-        add(add(add(mul(I11, RT13o, k46), mul(I11o, RT13, k23), k23), add(mul(I12, RT23o, k46), mul(I12o, RT23, k19),
-        k19), k19), add(mul(I13, RT33o, k22), mul(I13o, RT33, k23), k22), k19), n2, o21
+        add(add(add(mul(I11, RT13o, k45), mul(I11o, RT13, k22), k22), add(mul(I12, RT23o, k45), mul(I12o, RT23, k18),
+        k18), k18), add(mul(I13, RT33o, k21), mul(I13o, RT33, k22), k21), k18), n2, o21
     )
-    F12o = neg(gvoF3, k19)
+    F12o = neg(gvoF3, k18)
     RT12o = add(
-        add(add(mul(Qb11, F12o, k22), mul(R11o, F12, k23), k22), add(mul(Qb12, foF, k23), mul(R12o, f_va, k25), k23),
-        k22), add(mul(Qb13, gvoF1, k23), mul(R13o, gva1, k25), k23), k22
+        add(add(mul(Qb11, F12o, k21), mul(R11o, F12, k22), k21), add(mul(Qb12, foF, k22), mul(R12o, f_va, k24), k22),
+        k21), add(mul(Qb13, gvoF1, k22), mul(R13o, gva1, k24), k22), k21
     )
     RT11o = add(
-        add(add(mul(Qb11, foF, k17), mul(R11o, f_va, k23), k17), add(mul(Qb12, gvoF3, k20), mul(R12o, gva3, k23), k20),
-        k17), add(mul(Qb13, F31o, k20), mul(R13o, F31, k21), k20), k17
+        add(add(mul(Qb11, foF, k16), mul(R11o, f_va, k22), k16), add(mul(Qb12, gvoF3, k19), mul(R12o, gva3, k22), k19),
+        k16), add(mul(Qb13, F31o, k19), mul(R13o, F31, k20), k19), k16
     )
     RT22o = add(
-        add(add(mul(Qb21, F12o, k20), mul(R21o, F12, k21), k20), add(mul(Qb22, foF, k21), mul(R22o, f_va, k23), k21),
-        k20), add(mul(Qb23, gvoF1, k21), mul(R23o, gva1, k23), k21), k20
+        add(add(mul(Qb21, F12o, k19), mul(R21o, F12, k20), k19), add(mul(Qb22, foF, k20), mul(R22o, f_va, k22), k20),
+        k19), add(mul(Qb23, gvoF1, k20), mul(R23o, gva1, k22), k20), k19
     )
     RT21o = add(
-        add(add(mul(Qb21, foF, k7), mul(R21o, f_va, k21), k7), add(mul(Qb22, gvoF3, k16), mul(R22o, gva3, k21), k16),
-        k7), add(mul(Qb23, F31o, k16), mul(R23o, F31, k21), k16), k7
+        add(add(mul(Qb21, foF, k7), mul(R21o, f_va, k20), k7), add(mul(Qb22, gvoF3, k15), mul(R22o, gva3, k20), k15),
+        k7), add(mul(Qb23, F31o, k15), mul(R23o, F31, k20), k15), k7
     )
     RT32o = add(
-        add(add(mul(Qb31, F12o, k16), mul(R31o, F12, k19), k16), add(mul(Qb32, foF, k19), mul(R32o, f_va, k21), k19),
-        k16), add(mul(Qb33, gvoF1, k19), mul(R33o, gva1, k21), k19), k16
+        add(add(mul(Qb31, F12o, k15), mul(R31o, F12, k18), k15), add(mul(Qb32, foF, k18), mul(R32o, f_va, k20), k18),
+        k15), add(mul(Qb33, gvoF1, k18), mul(R33o, gva1, k20), k18), k15
     )
     RT31o = add(
-        add(add(mul(Qb31, foF, k4), mul(R31o, f_va, k19), k4), add(mul(Qb32, gvoF3, k2), mul(R32o, gva3, k19), k2), k2),
-        add(mul(Qb33, F31o, k4), mul(R33o, F31, k18), k4), k2
+        add(add(mul(Qb31, foF, k4), mul(R31o, f_va, k18), k4), add(mul(Qb32, gvoF3, k2), mul(R32o, gva3, k18), k2), k2),
+        add(mul(Qb33, F31o, k4), mul(R33o, F31, k17), k4), k2
     )
     div(
-        add(add(add(mul(I31, RT12o, k4), mul(I31o, RT12, k18), k4), add(mul(I32, RT22o, k18), mul(I32o, RT22, k19),
-        k18), k4), add(mul(I33, RT32o, k18), mul(I33o, RT32, k19), k18), k4), n2, o32
+        add(add(add(mul(I31, RT12o, k4), mul(I31o, RT12, k17), k4), add(mul(I32, RT22o, k17), mul(I32o, RT22, k18),
+        k17), k4), add(mul(I33, RT32o, k17), mul(I33o, RT32, k18), k17), k4), n2, o32
     )
     div(
-        add(add(add(mul(I31, RT11o, k4), mul(I31o, RT11, k8), k4), add(mul(I32, RT21o, k8), mul(I32o, RT21, k14), k8),
-        k4), add(mul(I33, RT31o, k8), mul(I33o, RT31, k12), k8), k4), n2, o31
+        add(add(add(mul(I31, RT11o, k4), mul(I31o, RT11, k8), k4), add(mul(I32, RT21o, k8), mul(I32o, RT21, k13), k8),
+        k4), add(mul(I33, RT31o, k8), mul(I33o, RT31, k11), k8), k4), n2, o31
     )
     div(
-        add(add(add(mul(I21, RT12o, k4), mul(I21o, RT12, k8), k4), add(mul(I22, RT22o, k8), mul(I22o, RT22, k12), k8),
-        k4), add(mul(I23, RT32o, k8), mul(I23o, RT32, k12), k8), k4), n2, o26
+        add(add(add(mul(I21, RT12o, k4), mul(I21o, RT12, k8), k4), add(mul(I22, RT22o, k8), mul(I22o, RT22, k11), k8),
+        k4), add(mul(I23, RT32o, k8), mul(I23o, RT32, k11), k8), k4), n2, o26
     )
     div(
         add(add(add(mul(I21, RT11o, k4), mul(I21o, RT11, k3), k3), add(mul(I22, RT21o, k4), mul(I22o, RT21, k6), k4),
@@ -3203,15 +3189,15 @@ def _own_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v_1 = z1 * factor
     v_2 = z2 * factor
     v_3 = z3 * factor
-    fi = factor * z0
+    fe = factor * z0
     hvr = (v_1 * rho1 + v_2 * rho2 + v_3 * rho3) / 2
     return (
         v_1,
         v_2,
         v_3,
-        (rho1 * fi - (v_2 * rho3 - v_3 * rho2) + v_1 * hvr) / 2,
-        (rho2 * fi - (v_3 * rho1 - v_1 * rho3) + v_2 * hvr) / 2,
-        (rho3 * fi - (v_1 * rho2 - v_2 * rho1) + v_3 * hvr) / 2,
+        (rho1 * fe - (v_2 * rho3 - v_3 * rho2) + v_1 * hvr) / 2,
+        (rho2 * fe - (v_3 * rho1 - v_1 * rho3) + v_2 * hvr) / 2,
+        (rho3 * fe - (v_1 * rho2 - v_2 * rho1) + v_3 * hvr) / 2,
     )
 
 
@@ -3293,7 +3279,7 @@ def _own_retract_blocks(
     v_1 = mul(z1, factor, o1)
     v_2 = mul(z2, factor, o2)
     v_3 = mul(z3, factor, o3)
-    fi = mul(factor, z0, k3)
+    fe = mul(factor, z0, k3)
     yd = add(add(mul(d1, d1o, k4), mul(d2, d2o, k5), k4), mul(d3, d3o, k5), k4)
     alongd = mul(hd, yd, k1)
     f_v = div(r, n2, k4)
@@ -3327,9 +3313,9 @@ def _own_retract_blocks(
         add(add(mul(d3o, fd, k5), sub(mul(gvd1, d2o, k2), mul(gvd2, d1o, k6), k2), k2), mul(d3, alongd, k1), k1), k1
     )
     hvr = div(add(add(mul(v_1, rho1, k2), mul(v_2, rho2, k4), k2), mul(v_3, rho3, k4), k2), n2, k2)
-    div(add(sub(mul(rho1, fi, k4), sub(mul(v_2, rho3, k5), mul(v_3, rho2, k6), k5), k4), mul(v_1, hvr, k5), k4), n2, o4)
-    div(add(sub(mul(rho2, fi, k4), sub(mul(v_3, rho1, k5), mul(v_1, rho3, k6), k5), k4), mul(v_2, hvr, k5), k4), n2, o5)
-    div(add(sub(mul(rho3, fi, k1), sub(mul(v_1, rho2, k3), mul(v_2, rho1, k4), k3), k1), mul(v_3, hvr, k2), k1), n2, o6)
+    div(add(sub(mul(rho1, fe, k4), sub(mul(v_2, rho3, k5), mul(v_3, rho2, k6), k5), k4), mul(v_1, hvr, k5), k4), n2, o4)
+    div(add(sub(mul(rho2, fe, k4), sub(mul(v_3, rho1, k5), mul(v_1, rho3, k6), k5), k4), mul(v_2, hvr, k5), k4), n2, o5)
+    div(add(sub(mul(rho3, fe, k1), sub(mul(v_1, rho2, k3), mul(v_2, rho1, k4), k3), k1), mul(v_3, hvr, k2), k1), n2, o6)
 
 
 # operations 273: 88 +, 125 *, 36 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
@@ -3420,15 +3406,15 @@ def _own_body_retract(m: Any, c: Any, v: Components, delta: Components) -> Resul
     v_1 = z1 * factor
     v_2 = z2 * factor
     v_3 = z3 * factor
-    fi = factor * z0
+    fe = factor * z0
     hvr = (v_1 * rho1 + v_2 * rho2 + v_3 * rho3) / 2
     return (
         v_1,
         v_2,
         v_3,
-        (rho1 * fi - (v_2 * rho3 - v_3 * rho2) + v_1 * hvr) / 2,
-        (rho2 * fi - (v_3 * rho1 - v_1 * rho3) + v_2 * hvr) / 2,
-        (rho3 * fi - (v_1 * rho2 - v_2 * rho1) + v_3 * hvr) / 2,
+        (rho1 * fe - (v_2 * rho3 - v_3 * rho2) + v_1 * hvr) / 2,
+        (rho2 * fe - (v_3 * rho1 - v_1 * rho3) + v_2 * hvr) / 2,
+        (rho3 * fe - (v_1 * rho2 - v_2 * rho1) + v_3 * hvr) / 2,
     )
 
 
@@ -3510,7 +3496,7 @@ def _own_body_retract_blocks(
     v_1 = mul(z1, factor, o1)
     v_2 = mul(z2, factor, o2)
     v_3 = mul(z3, factor, o3)
-    fi = mul(factor, z0, k3)
+    fe = mul(factor, z0, k3)
     yd = add(add(mul(d1, d1o, k4), mul(d2, d2o, k5), k4), mul(d3, d3o, k5), k4)
     alongd = mul(hd, yd, k1)
     gvd1 = mul(d1, gd, k4)
@@ -3543,9 +3529,9 @@ def _own_body_retract_blocks(
         add(mul(v3o, f_v, k5), sub(mul(gv1, v2o, k6), mul(gv2, v1o, k7), k6), k5), k2
     )
     hvr = div(add(add(mul(v_1, rho1, k5), mul(v_2, rho2, k6), k5), mul(v_3, rho3, k6), k5), n2, k5)
-    div(add(sub(mul(rho1, fi, k6), sub(mul(v_2, rho3, k7), mul(v_3, rho2, k8), k7), k6), mul(v_1, hvr, k7), k6), n2, o4)
-    div(add(sub(mul(rho2, fi, k6), sub(mul(v_3, rho1, k7), mul(v_1, rho3, k8), k7), k6), mul(v_2, hvr, k7), k6), n2, o5)
-    div(add(sub(mul(rho3, fi, k2), sub(mul(v_1, rho2, k3), mul(v_2, rho1, k1), k1), k1), mul(v_3, hvr, k2), k1), n2, o6)
+    div(add(sub(mul(rho1, fe, k6), sub(mul(v_2, rho3, k7), mul(v_3, rho2, k8), k7), k6), mul(v_1, hvr, k7), k6), n2, o4)
+    div(add(sub(mul(rho2, fe, k6), sub(mul(v_3, rho1, k7), mul(v_1, rho3, k8), k7), k6), mul(v_2, hvr, k7), k6), n2, o5)
+    div(add(sub(mul(rho3, fe, k2), sub(mul(v_1, rho2, k3), mul(v_2, rho1, k1), k1), k1), mul(v_3, hvr, k2), k1), n2, o6)
 
 
 # operations 253: 80 +, 111 *, 37 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
@@ -3618,6 +3604,7 @@ def _own_local(m: Any, c: Any, b: Components, a: Components) -> Result:
     v22e = d2 * d2
     v33e = d3 * d3
     xe = v11e + v22e + v33e
+    fee = gaine * z0
     neare = xe < 6
     ze = m.where(neare, xe, xe - xe) / 4
     C7e = (
@@ -3644,15 +3631,14 @@ def _own_local(m: Any, c: Any, b: Components, a: Components) -> Result:
     fe = 2 * (se * we)
     he = m.where(neare, (C3e + C1e * C2e) / 4, (1 - fe) / xxe)
     hie = ge - fie * he
-    fi = gaine * z0
     hvr = hie * (d1 * rho1 + d2 * rho2 + d3 * rho3)
     return (
         d1,
         d2,
         d3,
-        (rho1 * fi - (d2 * rho3 - d3 * rho2) + d1 * hvr) / 2,
-        (rho2 * fi - (d3 * rho1 - d1 * rho3) + d2 * hvr) / 2,
-        (rho3 * fi - (d1 * rho2 - d2 * rho1) + d3 * hvr) / 2,
+        (rho1 * fee - (d2 * rho3 - d3 * rho2) + d1 * hvr) / 2,
+        (rho2 * fee - (d3 * rho1 - d1 * rho3) + d2 * hvr) / 2,
+        (rho3 * fee - (d1 * rho2 - d2 * rho1) + d3 * hvr) / 2,
     )
 
 
@@ -3691,7 +3677,7 @@ def _own_local_blocks(
     d1 = mul(z1, gaine, o1)
     d2 = mul(z2, gaine, o2)
     d3 = mul(z3, gaine, o3)
-    fi = mul(gaine, z0, k2)
+    fee = mul(gaine, z0, k2)
     v11e = mul(d1, d1, k3)
     v22e = mul(d2, d2, k4)
     v33e = mul(d3, d3, k6)
@@ -3772,9 +3758,9 @@ def _own_local_blocks(
         add(mul(b3o, f_vb, k6), sub(mul(gvb1, b2o, k7), mul(gvb2, b1o, k8), k7), k6), k5
     )
     hvr = mul(hie, add(add(mul(d1, rho1, k6), mul(d2, rho2, k7), k6), mul(d3, rho3, k7), k6), k3)
-    div(add(sub(mul(rho1, fi, k6), sub(mul(d2, rho3, k7), mul(d3, rho2, k8), k7), k6), mul(d1, hvr, k7), k6), n2, o4)
-    div(add(sub(mul(rho2, fi, k6), sub(mul(d3, rho1, k7), mul(d1, rho3, k8), k7), k6), mul(d2, hvr, k7), k6), n2, o5)
-    div(add(sub(mul(rho3, fi, k2), sub(mul(d1, rho2, k1), mul(d2, rho1, k4), k1), k1), mul(d3, hvr, k2), k1), n2, o6)
+    div(add(sub(mul(rho1, fee, k6), sub(mul(d2, rho3, k7), mul(d3, rho2, k8), k7), k6), mul(d1, hvr, k7), k6), n2, o4)
+    div(add(sub(mul(rho2, fee, k6), sub(mul(d3, rho1, k7), mul(d1, rho3, k8), k7), k6), mul(d2, hvr, k7), k6), n2, o5)
+    div(add(sub(mul(rho3, fee, k2), sub(mul(d1, rho2, k1), mul(d2, rho1, k4), k1), k1), mul(d3, hvr, k2), k1), n2, o6)
 
 
 # operations 253: 80 +, 111 *, 37 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
@@ -3856,6 +3842,7 @@ def _own_body_local(m: Any, c: Any, a: Components, b: Components) -> Result:
     v22e = d2 * d2
     v33e = d3 * d3
     xe = v11e + v22e + v33e
+    fee = gaine * z0
     neare = xe < 6
     ze = m.where(neare, xe, xe - xe) / 4
     C7e = (
@@ -3882,15 +3869,14 @@ def _own_body_local(m: Any, c: Any, a: Components, b: Components) -> Result:
     fe = 2 * (se * we)
     he = m.where(neare, (C3e + C1e * C2e) / 4, (1 - fe) / xxe)
     hie = ge - fie * he
-    fi = gaine * z0
     hvr = hie * (d1 * rho1 + d2 * rho2 + d3 * rho3)
     return (
         d1,
         d2,
         d3,
-        (rho1 * fi - (d2 * rho3 - d3 * rho2) + d1 * hvr) / 2,
-        (rho2 * fi - (d3 * rho1 - d1 * rho3) + d2 * hvr) / 2,
-        (rho3 * fi - (d1 * rho2 - d2 * rho1) + d3 * hvr) / 2,
+        (rho1 * fee - (d2 * rho3 - d3 * rho2) + d1 * hvr) / 2,
+        (rho2 * fee - (d3 * rho1 - d1 * rho3) + d2 * hvr) / 2,
+        (rho3 * fee - (d1 * rho2 - d2 * rho1) + d3 * hvr) / 2,
     )
 
 
@@ -3929,7 +3915,7 @@ def _own_body_local_blocks(
     d1 = mul(z1, gaine, o1)
     d2 = mul(z2, gaine, o2)
     d3 = mul(z3, gaine, o3)
-    fi = mul(gaine, z0, k1)
+    fee = mul(gaine, z0, k1)
     v11e = mul(d1, d1, k3)
     v22e = mul(d2, d2, k5)
     v33e = mul(d3, d3, k6)
@@ -4010,9 +3996,9 @@ def _own_body_local_blocks(
         add(mul(minus_b6, f_vb, k4), sub(mul(gvb1, minus_b5, k6), mul(gvb2, minus_b4, k8), k6), k4), k2
     )
     hvr = mul(hie, add(add(mul(d1, rho1, k4), mul(d2, rho2, k6), k4), mul(d3, rho3, k6), k4), k3)
-    div(add(sub(mul(rho1, fi, k4), sub(mul(d2, rho3, k6), mul(d3, rho2, k8), k6), k4), mul(d1, hvr, k6), k4), n2, o4)
-    div(add(sub(mul(rho2, fi, k4), sub(mul(d3, rho1, k6), mul(d1, rho3, k8), k6), k4), mul(d2, hvr, k6), k4), n2, o5)
-    div(add(sub(mul(rho3, fi, k1), sub(mul(d1, rho2, k2), mul(d2, rho1, k4), k2), k1), mul(d3, hvr, k2), k1), n2, o6)
+    div(add(sub(mul(rho1, fee, k4), sub(mul(d2, rho3, k6), mul(d3, rho2, k8), k6), k4), mul(d1, hvr, k6), k4), n2, o4)
+    div(add(sub(mul(rho2, fee, k4), sub(mul(d3, rho1, k6), mul(d1, rho3, k8), k6), k4), mul(d2, hvr, k6), k4), n2, o5)
+    div(add(sub(mul(rho3, fee, k1), sub(mul(d1, rho2, k2), mul(d2, rho1, k4), k2), k1), mul(d3, hvr, k2), k1), n2, o6)
 
 
 CHART = Chart(
@@ -4140,7 +4126,7 @@ CHART = Chart(
         _own_from_quaternion_blocks,
         (("q", (8,)),),
         (6,),
-        registers=8,
+        registers=7,
         masks=0,
         numbers=(1, 2),
         lent=(),

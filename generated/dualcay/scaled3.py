@@ -49,21 +49,21 @@
 #   rate_dot: 359: 141 +, 194 *, 21 /, 3 neg
 #   twist_jacobian: 301: 118 +, 167 *, 14 /, 2 neg
 #   rate_jacobian: 231: 86 +, 124 *, 18 /, 3 neg
-#   from_quaternion: 91: 26 +, 45 *, 9 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   from_tensor: 147: 46 +, 51 *, 12 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
-#   from_pose: 111: 31 +, 33 *, 9 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
+#   from_quaternion: 95: 27 +, 48 *, 9 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   from_tensor: 151: 47 +, 54 *, 12 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
+#   from_pose: 115: 32 +, 36 *, 9 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_screw: 20: 4 +, 13 *, 2 /, 1 tan
 #   to_screw: 99: 22 +, 33 *, 15 /, 1 neg, 8 abs, 1 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
 #   angle: 69: 15 +, 22 *, 13 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
 #   turn: 72: 16 +, 29 *, 12 /, 6 abs, 1 sqrt, 2 eq, 6 where
-#   shadow: 107: 26 +, 39 *, 14 /, 1 neg, 7 abs, 2 sqrt, 4 lt, 3 eq, 1 and, 1 or, 9 where
+#   shadow: 107: 26 +, 39 *, 15 /, 1 neg, 7 abs, 1 sqrt, 4 lt, 3 eq, 1 and, 1 or, 9 where
 #   principal: 57: 15 +, 24 *, 9 /, 1 sqrt, 1 lt, 7 where
-#   compose: 243: 76 +, 132 *, 24 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   between: 249: 76 +, 132 *, 24 /, 7 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   compose_jacobians: 1043: 390 +, 546 *, 87 /, 10 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   between_jacobians: 1067: 390 +, 546 *, 87 /, 34 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   retract: 313: 99 +, 152 *, 38 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
-#   body_retract: 313: 99 +, 152 *, 38 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+#   compose: 247: 77 +, 135 *, 24 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   between: 253: 77 +, 135 *, 24 /, 7 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   compose_jacobians: 1047: 391 +, 549 *, 87 /, 10 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   between_jacobians: 1071: 391 +, 549 *, 87 /, 34 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   retract: 317: 100 +, 155 *, 38 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+#   body_retract: 317: 100 +, 155 *, 38 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
 #   local: 308: 94 +, 154 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 308: 94 +, 154 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   adjoint: 100: 36 +, 58 *, 6 /
@@ -323,30 +323,36 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     return o1, o2, o3, o4, o5, o6, o7, o8, o9
 
 
-# operations 7: 2 +, 1 *, 4 /
-def _inverse(m: Any, x: Any) -> Result:
+# operations 11: 3 +, 4 *, 4 /
+def _inverse(m: Any, x: Any, fe: Any) -> Result:
     z = x / 36
-    d = 11 - z
+    p = 1 - 3 * z
     q = 3 - z
     iq = 1 / q
+    fi = p * iq
+    fi_v = 6 * fi
+    d = 11 - z
     diq = d * iq
     hi = diq / 3
     hi_v = hi / 6
-    return hi_v,
+    return fi_v, hi_v
 
 
-def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, = out
+def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
+    o1, o2 = out
     k1, *_ = scratch
     n1, n3, n6, n11, n36 = numbers
-    z = div(x, n36, o1)
-    d = sub(n11, z, k1)
-    q = sub(n3, z, o1)
-    iq = div(n1, q, o1)
-    diq = mul(d, iq, o1)
-    hi = div(diq, n3, o1)
-    div(hi, n6, o1)
-    return o1,
+    z = div(x, n36, o2)
+    p = sub(n1, mul(n3, z, o1), o1)
+    q = sub(n3, z, k1)
+    iq = div(n1, q, k1)
+    fi = mul(p, iq, o1)
+    mul(n6, fi, o1)
+    d = sub(n11, z, o2)
+    diq = mul(d, iq, o2)
+    hi = div(diq, n3, o2)
+    div(hi, n6, o2)
+    return o1, o2
 
 
 # operations 20: 4 +, 8 *, 7 /, 1 neg
@@ -567,12 +573,11 @@ def _gain_product_blocks(
     return o1,
 
 
-# operations 24: 6 +, 3 *, 2 /, 1 neg, 1 abs, 1 sqrt, 4 lt, 1 eq, 1 and, 1 or, 3 where
-def _direction(m: Any, x: Any, y: Any) -> Result:
+# operations 24: 6 +, 3 *, 3 /, 1 neg, 1 abs, 4 lt, 1 eq, 1 and, 1 or, 3 where
+def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     z = x / 36
-    rd = m.sqrt(z)
     q = 3 - z
-    rq = rd * m.abs(q)
+    rq = r / 6 * m.abs(q)
     p = 1 - 3 * z
     either = rq + p
     one = either - either + 1
@@ -583,17 +588,16 @@ def _direction(m: Any, x: Any, y: Any) -> Result:
     return sign,
 
 
-def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any) -> Result:
+def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
     o1, = out
     k1, k2, k3, k4, *_ = scratch
     mask1, mask2, mask3, *_ = masks
-    n_minus_1, n0, n1, n3, n16, n36 = numbers
+    n_minus_1, n0, n1, n3, n6, n16, n36 = numbers
     z = div(x, n36, o1)
-    rd = sqrt(z, k1)
-    q = sub(n3, z, k2)
-    rq = mul(rd, absolute(q, k3), k1)
+    q = sub(n3, z, k1)
     p = sub(n1, mul(n3, z, o1), o1)
     qneg = m.less(q, n0, mask1)
+    rq = mul(div(r, n6, k2), absolute(q, k3), k2)
     kept = m.where(qneg, n0, rq, k3)
     qp = m.where(m.less(add(kept, div(p, n16, k4), k4), kept, mask1), neg(q, k3), q, k3)
     either = add(rq, p, o1)
@@ -744,7 +748,7 @@ CHART = Chart(
         "gain_unit": Function(_gain_unit, _gain_unit_blocks, 4, 2, (-1, 0, 1, 3, 6)),
         "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 1, (0, 1, 3, 6)),
         "gain_product": Function(_gain_product, _gain_product_blocks, 4, 2, (-1, 0, 1, 3, 6)),
-        "direction": Function(_direction, _direction_blocks, 4, 3, (-1, 0, 1, 3, 16, 36)),
+        "direction": Function(_direction, _direction_blocks, 4, 3, (-1, 0, 1, 3, 6, 16, 36)),
         "natural": Function(_natural, _natural_blocks, 3, 3, (-1, 0, 1, 2, 3, 6, 16, 36)),
         "unfolded": Function(_unfolded, _unfolded_blocks, 0, 0, (1, 6)),
         "turned": Function(_turned, _turned_blocks, 0, 0, (1, 6)),

@@ -49,21 +49,21 @@
 #   rate_dot: 370: 146 +, 201 *, 21 /, 2 neg
 #   twist_jacobian: 315: 125 +, 175 *, 14 /, 1 neg
 #   rate_jacobian: 242: 91 +, 131 *, 18 /, 2 neg
-#   from_quaternion: 84: 26 +, 44 *, 9 /, 1 neg, 1 sqrt, 1 lt, 2 where
-#   from_tensor: 151: 49 +, 56 *, 13 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
-#   from_pose: 115: 34 +, 38 *, 10 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_quaternion: 89: 28 +, 47 *, 9 /, 1 neg, 1 sqrt, 1 lt, 2 where
+#   from_tensor: 156: 51 +, 59 *, 13 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_pose: 120: 36 +, 41 *, 10 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 20: 4 +, 13 *, 2 /, 1 tan
 #   to_screw: 101: 23 +, 34 *, 15 /, 1 neg, 8 abs, 1 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
 #   angle: 75: 18 +, 25 *, 13 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
 #   turn: 72: 16 +, 29 *, 12 /, 6 abs, 1 sqrt, 2 eq, 6 where
-#   shadow: 109: 27 +, 40 *, 14 /, 1 neg, 7 abs, 2 sqrt, 4 lt, 3 eq, 1 and, 1 or, 9 where
+#   shadow: 109: 27 +, 40 *, 15 /, 1 neg, 7 abs, 1 sqrt, 4 lt, 3 eq, 1 and, 1 or, 9 where
 #   principal: 60: 15 +, 24 *, 9 /, 1 sqrt, 2 lt, 9 where
-#   compose: 256: 86 +, 141 *, 24 /, 1 neg, 1 sqrt, 1 lt, 2 where
-#   between: 262: 86 +, 141 *, 24 /, 7 neg, 1 sqrt, 1 lt, 2 where
-#   compose_jacobians: 1082: 413 +, 570 *, 87 /, 8 neg, 1 sqrt, 1 lt, 2 where
-#   between_jacobians: 1106: 413 +, 570 *, 87 /, 32 neg, 1 sqrt, 1 lt, 2 where
-#   retract: 324: 104 +, 158 *, 38 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
-#   body_retract: 324: 104 +, 158 *, 38 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+#   compose: 261: 88 +, 144 *, 24 /, 1 neg, 1 sqrt, 1 lt, 2 where
+#   between: 267: 88 +, 144 *, 24 /, 7 neg, 1 sqrt, 1 lt, 2 where
+#   compose_jacobians: 1087: 415 +, 573 *, 87 /, 8 neg, 1 sqrt, 1 lt, 2 where
+#   between_jacobians: 1111: 415 +, 573 *, 87 /, 32 neg, 1 sqrt, 1 lt, 2 where
+#   retract: 329: 106 +, 161 *, 38 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+#   body_retract: 329: 106 +, 161 *, 38 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
 #   local: 326: 104 +, 162 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 326: 104 +, 162 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   adjoint: 106: 39 +, 61 *, 6 /
@@ -339,30 +339,36 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     return o1, o2, o3, o4, o5, o6, o7, o8, o9
 
 
-# operations 9: 2 +, 3 *, 4 /
-def _inverse(m: Any, x: Any) -> Result:
+# operations 14: 4 +, 6 *, 4 /
+def _inverse(m: Any, x: Any, fe: Any) -> Result:
     z = x / 64
-    d = 24 - 8 * z
+    p = (z - 6) * z + 1
     q = 4 - 4 * z
     iq = 1 / q
+    fi = p * iq
+    fi_v = 8 * fi
+    d = 24 - 8 * z
     diq = d * iq
     hi = diq / 4
     hi_v = hi / 8
-    return hi_v,
+    return fi_v, hi_v
 
 
-def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, = out
+def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
+    o1, o2 = out
     k1, *_ = scratch
-    n1, n4, n8, n24, n64 = numbers
-    z = div(x, n64, o1)
-    d = sub(n24, mul(n8, z, k1), k1)
-    q = sub(n4, mul(n4, z, o1), o1)
-    iq = div(n1, q, o1)
-    diq = mul(d, iq, o1)
-    hi = div(diq, n4, o1)
-    div(hi, n8, o1)
-    return o1,
+    n1, n4, n6, n8, n24, n64 = numbers
+    z = div(x, n64, o2)
+    p = add(mul(sub(z, n6, o1), z, o1), n1, o1)
+    q = sub(n4, mul(n4, z, k1), k1)
+    iq = div(n1, q, k1)
+    fi = mul(p, iq, o1)
+    mul(n8, fi, o1)
+    d = sub(n24, mul(n8, z, o2), o2)
+    diq = mul(d, iq, o2)
+    hi = div(diq, n4, o2)
+    div(hi, n8, o2)
+    return o1, o2
 
 
 # operations 26: 7 +, 11 *, 7 /, 1 neg
@@ -585,12 +591,11 @@ def _gain_product_blocks(
     return o1,
 
 
-# operations 26: 7 +, 4 *, 2 /, 1 neg, 1 abs, 1 sqrt, 4 lt, 1 eq, 1 and, 1 or, 3 where
-def _direction(m: Any, x: Any, y: Any) -> Result:
+# operations 26: 7 +, 4 *, 3 /, 1 neg, 1 abs, 4 lt, 1 eq, 1 and, 1 or, 3 where
+def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     z = x / 64
-    rd = m.sqrt(z)
     q = 4 - 4 * z
-    rq = rd * m.abs(q)
+    rq = r / 8 * m.abs(q)
     p = (z - 6) * z + 1
     either = rq + p
     one = either - either + 1
@@ -601,17 +606,16 @@ def _direction(m: Any, x: Any, y: Any) -> Result:
     return sign,
 
 
-def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any) -> Result:
+def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
     o1, = out
     k1, k2, k3, k4, *_ = scratch
     mask1, mask2, mask3, *_ = masks
-    n_minus_1, n0, n1, n4, n6, n16, n64 = numbers
+    n_minus_1, n0, n1, n4, n6, n8, n16, n64 = numbers
     z = div(x, n64, o1)
-    rd = sqrt(z, k1)
-    q = sub(n4, mul(n4, z, k2), k2)
-    rq = mul(rd, absolute(q, k3), k1)
-    p = add(mul(sub(z, n6, k3), z, o1), n1, o1)
+    q = sub(n4, mul(n4, z, k1), k1)
+    p = add(mul(sub(z, n6, k2), z, o1), n1, o1)
     qneg = m.less(q, n0, mask1)
+    rq = mul(div(r, n8, k2), absolute(q, k3), k2)
     kept = m.where(qneg, n0, rq, k3)
     qp = m.where(m.less(add(kept, div(p, n16, k4), k4), kept, mask1), neg(q, k3), q, k3)
     either = add(rq, p, o1)
@@ -764,14 +768,14 @@ CHART = Chart(
         "pose": Function(_pose, _pose_blocks, 3, 0, (1, 2, 4, 6, 8, 16, 40, 64, 512)),
         "tangent": Function(_tangent, _tangent_blocks, 1, 0, (-16, 1, 2, 4, 6, 8, 16, 40, 64, 512, 4096, 32768)),
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 3, 0, (-16, 1, 2, 4, 6, 8, 16, 40, 64, 512, 4096, 32768, 262144, 2097152)),
-        "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 4, 8, 24, 64)),
+        "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 4, 6, 8, 24, 64)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 1, 0, (1, 4, 6, 8, 16, 24, 40, 64, 512)),
         "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 3, 0, (-4, 1, 2, 4, 6, 8, 16, 24, 40, 64, 512, 32768)),
         "ray": Function(_ray, _ray_blocks, 2, 0, (1, 2, 4, 6, 8, 16, 40, 64, 512)),
         "gain_unit": Function(_gain_unit, _gain_unit_blocks, 2, 1, (-1, 0, 1, 2, 8)),
         "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 0, (1, 2, 8)),
         "gain_product": Function(_gain_product, _gain_product_blocks, 3, 1, (-1, 0, 1, 2, 8)),
-        "direction": Function(_direction, _direction_blocks, 4, 3, (-1, 0, 1, 4, 6, 16, 64)),
+        "direction": Function(_direction, _direction_blocks, 4, 3, (-1, 0, 1, 4, 6, 8, 16, 64)),
         "natural": Function(_natural, _natural_blocks, 3, 3, (-1, 0, 1, 2, 4, 6, 8, 16, 64)),
         "unfolded": Function(_unfolded, _unfolded_blocks, 0, 0, (1, 8)),
         "turned": Function(_turned, _turned_blocks, 0, 0, (1, 8)),

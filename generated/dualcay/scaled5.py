@@ -49,21 +49,21 @@
 #   rate_dot: 384: 152 +, 209 *, 22 /, 1 neg
 #   twist_jacobian: 324: 128 +, 181 *, 14 /, 1 neg
 #   rate_jacobian: 256: 97 +, 139 *, 19 /, 1 neg
-#   from_quaternion: 95: 28 +, 47 *, 9 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   from_tensor: 151: 48 +, 53 *, 12 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
-#   from_pose: 115: 33 +, 35 *, 9 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
+#   from_quaternion: 101: 30 +, 51 *, 9 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   from_tensor: 157: 50 +, 57 *, 12 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
+#   from_pose: 121: 35 +, 39 *, 9 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_screw: 20: 4 +, 13 *, 2 /, 1 tan
 #   to_screw: 103: 24 +, 35 *, 15 /, 1 neg, 8 abs, 1 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
 #   angle: 77: 19 +, 26 *, 13 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
 #   turn: 72: 16 +, 29 *, 12 /, 6 abs, 1 sqrt, 2 eq, 6 where
-#   shadow: 111: 28 +, 41 *, 14 /, 1 neg, 7 abs, 2 sqrt, 4 lt, 3 eq, 1 and, 1 or, 9 where
+#   shadow: 111: 28 +, 41 *, 15 /, 1 neg, 7 abs, 1 sqrt, 4 lt, 3 eq, 1 and, 1 or, 9 where
 #   principal: 60: 15 +, 24 *, 9 /, 1 sqrt, 2 lt, 9 where
-#   compose: 263: 86 +, 142 *, 24 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   between: 269: 86 +, 142 *, 24 /, 7 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   compose_jacobians: 1108: 421 +, 582 *, 87 /, 8 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   between_jacobians: 1132: 421 +, 582 *, 87 /, 32 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   retract: 325: 105 +, 158 *, 38 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
-#   body_retract: 325: 105 +, 158 *, 38 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+#   compose: 269: 88 +, 146 *, 24 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   between: 275: 88 +, 146 *, 24 /, 7 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   compose_jacobians: 1114: 423 +, 586 *, 87 /, 8 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   between_jacobians: 1138: 423 +, 586 *, 87 /, 32 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   retract: 331: 107 +, 162 *, 38 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+#   body_retract: 331: 107 +, 162 *, 38 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
 #   local: 324: 102 +, 162 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 324: 102 +, 162 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   adjoint: 108: 40 +, 62 *, 6 /
@@ -347,30 +347,36 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     return o1, o2, o3, o4, o5, o6, o7, o8, o9
 
 
-# operations 11: 4 +, 3 *, 4 /
-def _inverse(m: Any, x: Any) -> Result:
+# operations 17: 6 +, 7 *, 4 /
+def _inverse(m: Any, x: Any, fe: Any) -> Result:
     z = x / 100
-    d = (z - 34) * z + 45
+    p = (5 * z - 10) * z + 1
     q = (z - 10) * z + 5
     iq = 1 / q
+    fi = p * iq
+    fi_v = 10 * fi
+    d = (z - 34) * z + 45
     diq = d * iq
     hi = diq / 5
     hi_v = hi / 10
-    return hi_v,
+    return fi_v, hi_v
 
 
-def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, = out
+def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
+    o1, o2 = out
     k1, k2, *_ = scratch
     n1, n5, n10, n34, n45, n100 = numbers
-    z = div(x, n100, o1)
-    d = add(mul(sub(z, n34, k1), z, k1), n45, k1)
-    q = add(mul(sub(z, n10, k2), z, o1), n5, o1)
-    iq = div(n1, q, o1)
-    diq = mul(d, iq, o1)
-    hi = div(diq, n5, o1)
-    div(hi, n10, o1)
-    return o1,
+    z = div(x, n100, o2)
+    p = add(mul(sub(mul(n5, z, o1), n10, o1), z, o1), n1, o1)
+    q = add(mul(sub(z, n10, k1), z, k1), n5, k1)
+    iq = div(n1, q, k1)
+    fi = mul(p, iq, o1)
+    mul(n10, fi, o1)
+    d = add(mul(sub(z, n34, k2), z, o2), n45, o2)
+    diq = mul(d, iq, o2)
+    hi = div(diq, n5, o2)
+    div(hi, n10, o2)
+    return o1, o2
 
 
 # operations 35: 11 +, 16 *, 7 /, 1 neg
@@ -616,12 +622,11 @@ def _gain_product_blocks(
     return o1,
 
 
-# operations 28: 8 +, 5 *, 2 /, 1 neg, 1 abs, 1 sqrt, 4 lt, 1 eq, 1 and, 1 or, 3 where
-def _direction(m: Any, x: Any, y: Any) -> Result:
+# operations 28: 8 +, 5 *, 3 /, 1 neg, 1 abs, 4 lt, 1 eq, 1 and, 1 or, 3 where
+def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     z = x / 100
-    rd = m.sqrt(z)
     q = (z - 10) * z + 5
-    rq = rd * m.abs(q)
+    rq = r / 10 * m.abs(q)
     p = (5 * z - 10) * z + 1
     either = rq + p
     one = either - either + 1
@@ -632,18 +637,17 @@ def _direction(m: Any, x: Any, y: Any) -> Result:
     return sign,
 
 
-def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any) -> Result:
+def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
     o1, = out
     k1, k2, k3, k4, *_ = scratch
     mask1, mask2, mask3, *_ = masks
     n_minus_1, n0, n1, n5, n10, n16, n100 = numbers
     z = div(x, n100, o1)
     q = add(mul(sub(z, n10, k1), z, k1), n5, k1)
+    p = add(mul(sub(mul(n5, z, k2), n10, k2), z, o1), n1, o1)
     qneg = m.less(q, n0, mask1)
-    rd = sqrt(z, k2)
-    rq = mul(rd, absolute(q, k3), k2)
+    rq = mul(div(r, n10, k2), absolute(q, k3), k2)
     kept = m.where(qneg, n0, rq, k3)
-    p = add(mul(sub(mul(n5, z, k4), n10, k4), z, o1), n1, o1)
     qp = m.where(m.less(add(kept, div(p, n16, k4), k4), kept, mask1), neg(q, k3), q, k3)
     either = add(rq, p, o1)
     one = add(sub(either, either, o1), n1, o1)

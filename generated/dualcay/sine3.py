@@ -94,7 +94,7 @@ from typing import Any
 
 from ._chart import Chart, Function
 from ._interface import PoseKernels
-from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
+from ._kernel import Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
@@ -269,25 +269,26 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
 
 
 # operations 7: 2 +, 3 *, 1 /, 1 sqrt
-def _inverse(m: Any, x: Any) -> Result:
+def _inverse(m: Any, x: Any, fe: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
     w = 3 - 4 * x
     below = 3 * w
     hi = 8 * c / below
-    return hi,
+    return fe, hi
 
 
-def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, = out
+def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
+    o1, o2 = out
     k1, *_ = scratch
     n1, n3, n4, n8 = numbers
-    cc = sub(n1, x, o1)
-    c = sqrt(cc, o1)
+    cc = sub(n1, x, o2)
+    c = sqrt(cc, o2)
     w = sub(n3, mul(n4, x, k1), k1)
     below = mul(n3, w, k1)
-    div(mul(n8, c, o1), below, o1)
-    return o1,
+    div(mul(n8, c, o2), below, o2)
+    copy(fe, o1)
+    return o1, o2
 
 
 # operations 29: 7 +, 12 *, 7 /, 2 neg, 1 sqrt
@@ -522,7 +523,7 @@ def _gain_product_blocks(
 
 
 # operations 21: 6 +, 3 *, 1 neg, 1 sqrt, 4 lt, 1 eq, 1 and, 1 or, 3 where
-def _direction(m: Any, x: Any, y: Any) -> Result:
+def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     x_by_4 = 4 * x
     w = 3 - x_by_4
     kept = m.where(w < 0, 0, 16)
@@ -535,7 +536,7 @@ def _direction(m: Any, x: Any, y: Any) -> Result:
     return sign,
 
 
-def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any) -> Result:
+def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
     o1, = out
     k1, k2, k3, *_ = scratch
     mask1, mask2, mask3, *_ = masks

@@ -94,7 +94,7 @@ from typing import Any
 
 from ._chart import Chart, Function
 from ._interface import PoseKernels
-from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
+from ._kernel import Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
@@ -271,27 +271,28 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
 
 
 # operations 9: 3 +, 4 *, 1 /, 1 sqrt
-def _inverse(m: Any, x: Any) -> Result:
+def _inverse(m: Any, x: Any, fe: Any) -> Result:
     B = 20 - 24 * x
     cc = 1 - x
     c = m.sqrt(cc)
     w = c * (4 - 8 * x)
     below = 4 * w
     hi = B / below
-    return hi,
+    return fe, hi
 
 
-def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, = out
+def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
+    o1, o2 = out
     k1, k2, *_ = scratch
     n1, n4, n8, n20, n24 = numbers
-    B = sub(n20, mul(n24, x, o1), o1)
+    B = sub(n20, mul(n24, x, o2), o2)
     cc = sub(n1, x, k1)
     c = sqrt(cc, k1)
     w = mul(c, sub(n4, mul(n8, x, k2), k2), k1)
     below = mul(n4, w, k1)
-    div(B, below, o1)
-    return o1,
+    div(B, below, o2)
+    copy(fe, o1)
+    return o1, o2
 
 
 # operations 32: 10 +, 14 *, 6 /, 1 neg, 1 sqrt
@@ -507,7 +508,7 @@ def _gain_product_blocks(
 
 
 # operations 23: 7 +, 4 *, 1 neg, 1 sqrt, 4 lt, 1 eq, 1 and, 1 or, 3 where
-def _direction(m: Any, x: Any, y: Any) -> Result:
+def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     x_by_8 = 8 * x
     cc = 1 - x
     c = m.sqrt(cc)
@@ -520,7 +521,7 @@ def _direction(m: Any, x: Any, y: Any) -> Result:
     return sign,
 
 
-def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any) -> Result:
+def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
     o1, = out
     k1, k2, k3, *_ = scratch
     mask1, mask2, mask3, *_ = masks

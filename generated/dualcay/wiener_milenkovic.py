@@ -49,19 +49,19 @@
 #   rate_dot: 318: 131 +, 163 *, 21 /, 3 neg
 #   twist_jacobian: 286: 113 +, 157 *, 14 /, 2 neg
 #   rate_jacobian: 157: 61 +, 69 *, 21 /, 6 neg
-#   from_quaternion: 65: 21 +, 35 *, 5 /, 1 neg, 1 lt, 2 where
-#   from_tensor: 130: 44 +, 46 *, 8 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
-#   from_pose: 94: 29 +, 28 *, 5 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_quaternion: 73: 24 +, 38 *, 7 /, 1 neg, 1 lt, 2 where
+#   from_tensor: 138: 47 +, 49 *, 10 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_pose: 102: 32 +, 31 *, 7 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 20: 4 +, 13 *, 2 /, 1 tan
 #   to_screw: 89: 21 +, 32 *, 15 /, 7 abs, 1 sqrt, 1 atan2, 2 lt, 2 eq, 8 where
 #   angle: 65: 14 +, 19 *, 13 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
 #   turn: 72: 16 +, 29 *, 12 /, 6 abs, 1 sqrt, 2 eq, 6 where
-#   shadow: 97: 25 +, 38 *, 14 /, 6 abs, 2 sqrt, 2 lt, 2 eq, 8 where
+#   shadow: 97: 25 +, 38 *, 15 /, 6 abs, 1 sqrt, 2 lt, 2 eq, 8 where
 #   principal: 57: 15 +, 24 *, 9 /, 1 sqrt, 1 lt, 7 where
-#   compose: 209: 71 +, 111 *, 23 /, 1 neg, 1 lt, 2 where
-#   between: 215: 71 +, 111 *, 23 /, 7 neg, 1 lt, 2 where
-#   compose_jacobians: 940: 371 +, 480 *, 76 /, 10 neg, 1 lt, 2 where
-#   between_jacobians: 964: 371 +, 480 *, 76 /, 34 neg, 1 lt, 2 where
+#   compose: 217: 74 +, 114 *, 25 /, 1 neg, 1 lt, 2 where
+#   between: 223: 74 +, 114 *, 25 /, 7 neg, 1 lt, 2 where
+#   compose_jacobians: 939: 371 +, 479 *, 76 /, 10 neg, 1 lt, 2 where
+#   between_jacobians: 963: 371 +, 479 *, 76 /, 34 neg, 1 lt, 2 where
 #   retract: 296: 94 +, 141 *, 37 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
 #   body_retract: 296: 94 +, 141 *, 37 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
 #   local: 298: 92 +, 142 *, 39 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
@@ -284,11 +284,10 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     return o1, o2, o3, o4, o5, o6, o7, o8, o9
 
 
-# operations 14: 5 +, 2 *, 2 /, 1 sqrt, 2 lt, 2 where
-def _direction(m: Any, x: Any, y: Any) -> Result:
+# operations 14: 5 +, 2 *, 3 /, 2 lt, 2 where
+def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     z = x / 16
-    rd = m.sqrt(z)
-    rq = 2 * rd
+    rq = 2 * (r / 4)
     p = 1 - z
     either = rq + p
     one = either - either + 1
@@ -297,17 +296,16 @@ def _direction(m: Any, x: Any, y: Any) -> Result:
     return sign,
 
 
-def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any) -> Result:
+def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
     o1, = out
     k1, k2, *_ = scratch
     mask1, *_ = masks
-    n_minus_2, n_minus_1, n0, n1, n2, n16 = numbers
-    z = div(x, n16, o1)
-    rd = sqrt(z, k1)
-    rq = mul(n2, rd, k1)
-    p = sub(n1, z, o1)
+    n_minus_2, n_minus_1, n0, n1, n2, n4, n16 = numbers
+    rq = mul(n2, div(r, n4, o1), o1)
+    z = div(x, n16, k1)
+    p = sub(n1, z, k1)
     either = add(rq, p, k2)
-    qp = m.where(m.less(add(rq, div(p, n16, o1), o1), rq, mask1), n_minus_2, n2, o1)
+    qp = m.where(m.less(add(rq, div(p, n16, k1), k1), rq, mask1), n_minus_2, n2, o1)
     one = add(sub(either, either, k1), n1, k1)
     mul(one, m.where(m.less(qp, n0, mask1), n_minus_1, n1, o1), o1)
     return o1,
@@ -1037,7 +1035,7 @@ def _own_rate_jacobian_blocks(
     copy(o15, o36)
 
 
-# operations 65: 21 +, 35 *, 5 /, 1 neg, 1 lt, 2 where
+# operations 73: 24 +, 38 *, 7 /, 1 neg, 1 lt, 2 where
 def _own_from_quaternion(m: Any, c: Any, e: Components) -> Result:
     e0, e1, e2, e3, e0o, e1o, e2o, e3o = e
     rho1 = 2 * (e1o * e0 - e1 * e0o + (e2 * e3o - e3 * e2o))
@@ -1049,15 +1047,22 @@ def _own_from_quaternion(m: Any, c: Any, e: Components) -> Result:
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
-    fi = gain * e0
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    z = x / 16
+    p = 1 - z
+    fi = p / 2
+    fi_v = 4 * fi
     hvr = (v1 * rho1 + v2 * rho2 + v3 * rho3) / 4
     return (
         v1,
         v2,
         v3,
-        (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
-        (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
-        (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
+        (rho1 * fi_v - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
+        (rho2 * fi_v - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
+        (rho3 * fi_v - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
     )
 
 
@@ -1068,30 +1073,37 @@ def _own_from_quaternion_blocks(
     o1, o2, o3, o4, o5, o6 = out
     k1, k2, k3, k4, k5, k6, k7, k8 = scratch
     mask1, = masks
-    n_minus_1, n0, n1, n2, n4 = numbers
+    n_minus_1, n0, n1, n2, n4, n16 = numbers
     negative = m.less(e0, n0, mask1)
     cos = m.where(negative, neg(e0, k1), e0, k1)
     gain = mul(n4, div(m.where(negative, n_minus_1, n1, k2), add(n1, cos, k1), k1), k1)
     v1 = mul(e1, gain, o1)
     v2 = mul(e2, gain, o2)
     v3 = mul(e3, gain, o3)
-    fi = mul(gain, e0, k1)
     rho1 = mul(
-        n2, add(sub(mul(e1o, e0, k2), mul(e1, e0o, k3), k2), sub(mul(e2, e3o, k3), mul(e3, e2o, k4), k3), k2), k2
+        n2, add(sub(mul(e1o, e0, k1), mul(e1, e0o, k2), k1), sub(mul(e2, e3o, k2), mul(e3, e2o, k3), k2), k1), k1
     )
     rho2 = mul(
-        n2, add(sub(mul(e2o, e0, k3), mul(e2, e0o, k4), k3), sub(mul(e3, e1o, k4), mul(e1, e3o, k5), k4), k3), k3
+        n2, add(sub(mul(e2o, e0, k2), mul(e2, e0o, k3), k2), sub(mul(e3, e1o, k3), mul(e1, e3o, k4), k3), k2), k2
     )
     rho3 = mul(
-        n2, add(sub(mul(e3o, e0, k4), mul(e3, e0o, k5), k4), sub(mul(e1, e2o, k5), mul(e2, e1o, k6), k5), k4), k4
+        n2, add(sub(mul(e3o, e0, k3), mul(e3, e0o, k4), k3), sub(mul(e1, e2o, k4), mul(e2, e1o, k5), k4), k3), k3
     )
-    hvr = div(add(add(mul(v1, rho1, k5), mul(v2, rho2, k6), k5), mul(v3, rho3, k6), k5), n4, k5)
-    div(add(sub(mul(rho1, fi, k6), sub(mul(v2, rho3, k7), mul(v3, rho2, k8), k7), k6), mul(v1, hvr, k7), k6), n2, o4)
-    div(add(sub(mul(rho2, fi, k6), sub(mul(v3, rho1, k7), mul(v1, rho3, k8), k7), k6), mul(v2, hvr, k7), k6), n2, o5)
-    div(add(sub(mul(rho3, fi, k1), sub(mul(v1, rho2, k3), mul(v2, rho1, k2), k2), k1), mul(v3, hvr, k2), k1), n2, o6)
+    hvr = div(add(add(mul(v1, rho1, k4), mul(v2, rho2, k5), k4), mul(v3, rho3, k5), k4), n4, k4)
+    v11 = mul(v1, v1, k5)
+    v22 = mul(v2, v2, k6)
+    v33 = mul(v3, v3, k7)
+    x = add(add(v11, v22, k5), v33, k5)
+    z = div(x, n16, k5)
+    p = sub(n1, z, k5)
+    fi = div(p, n2, k5)
+    fi_v = mul(n4, fi, k5)
+    div(add(sub(mul(rho1, fi_v, k6), sub(mul(v2, rho3, k7), mul(v3, rho2, k8), k7), k6), mul(v1, hvr, k7), k6), n2, o4)
+    div(add(sub(mul(rho2, fi_v, k6), sub(mul(v3, rho1, k7), mul(v1, rho3, k8), k7), k6), mul(v2, hvr, k7), k6), n2, o5)
+    div(add(sub(mul(rho3, fi_v, k3), sub(mul(v1, rho2, k2), mul(v2, rho1, k1), k1), k1), mul(v3, hvr, k2), k1), n2, o6)
 
 
-# operations 130: 44 +, 46 *, 8 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
+# operations 138: 47 +, 49 *, 10 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 def _own_from_tensor(m: Any, c: Any, R: Components) -> Result:
     Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33, D11, D12, D13, D21, D22, D23, D31, D32, D33 = R
     rho1 = (D31 * Q21 + D32 * Q22 + D33 * Q23 - (D21 * Q31 + D22 * Q32 + D23 * Q33)) / 2
@@ -1138,15 +1150,22 @@ def _own_from_tensor(m: Any, c: Any, R: Components) -> Result:
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
-    fi = gain * e0
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    z = x / 16
+    p = 1 - z
+    fi = p / 2
+    fi_v = 4 * fi
     hvr = (v1 * rho1 + v2 * rho2 + v3 * rho3) / 4
     return (
         v1,
         v2,
         v3,
-        (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
-        (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
-        (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
+        (rho1 * fi_v - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
+        (rho2 * fi_v - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
+        (rho3 * fi_v - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
     )
 
 
@@ -1157,7 +1176,7 @@ def _own_from_tensor_blocks(
     o1, o2, o3, o4, o5, o6 = out
     k1, k2, k3, k4, k5, k6, k7, k8 = scratch
     mask1, mask2, mask3, mask4, mask5, mask6, mask7 = masks
-    n_minus_1, n0, n1, n2, n4 = numbers
+    n_minus_1, n0, n1, n2, n4, n16 = numbers
     up = add(n1, Q11, k1)
     total = add(Q22, Q33, k2)
     t0 = add(up, total, k3)
@@ -1203,7 +1222,14 @@ def _own_from_tensor_blocks(
     v1 = mul(e1, gain, o1)
     v2 = mul(e2, gain, o2)
     v3 = mul(e3, gain, o3)
-    fi = mul(gain, e0, k1)
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    z = div(x, n16, k1)
+    p = sub(n1, z, k1)
+    fi = div(p, n2, k1)
+    fi_v = mul(n4, fi, k1)
     rho1 = div(
         sub(add(add(mul(D31, Q21, k2), mul(D32, Q22, k3), k2), mul(D33, Q23, k3), k2), add(add(mul(D21, Q31, k3),
         mul(D22, Q32, k4), k3), mul(D23, Q33, k4), k3), k2), n2, k2
@@ -1217,12 +1243,12 @@ def _own_from_tensor_blocks(
         mul(D12, Q22, k6), k5), mul(D13, Q23, k6), k5), k4), n2, k4
     )
     hvr = div(add(add(mul(v1, rho1, k5), mul(v2, rho2, k6), k5), mul(v3, rho3, k6), k5), n4, k5)
-    div(add(sub(mul(rho1, fi, k6), sub(mul(v2, rho3, k7), mul(v3, rho2, k8), k7), k6), mul(v1, hvr, k7), k6), n2, o4)
-    div(add(sub(mul(rho2, fi, k6), sub(mul(v3, rho1, k7), mul(v1, rho3, k8), k7), k6), mul(v2, hvr, k7), k6), n2, o5)
-    div(add(sub(mul(rho3, fi, k1), sub(mul(v1, rho2, k3), mul(v2, rho1, k2), k2), k1), mul(v3, hvr, k2), k1), n2, o6)
+    div(add(sub(mul(rho1, fi_v, k6), sub(mul(v2, rho3, k7), mul(v3, rho2, k8), k7), k6), mul(v1, hvr, k7), k6), n2, o4)
+    div(add(sub(mul(rho2, fi_v, k6), sub(mul(v3, rho1, k7), mul(v1, rho3, k8), k7), k6), mul(v2, hvr, k7), k6), n2, o5)
+    div(add(sub(mul(rho3, fi_v, k1), sub(mul(v1, rho2, k3), mul(v2, rho1, k2), k2), k1), mul(v3, hvr, k2), k1), n2, o6)
 
 
-# operations 94: 29 +, 28 *, 5 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
+# operations 102: 32 +, 31 *, 7 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 def _own_from_pose(m: Any, c: Any, T: Components) -> Result:
     Q11, Q12, Q13, T14, Q21, Q22, Q23, T24, Q31, Q32, Q33, T34, _, _, _, _ = T
     a1 = Q32 - Q23
@@ -1266,15 +1292,22 @@ def _own_from_pose(m: Any, c: Any, T: Components) -> Result:
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
-    fi = gain * e0
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    z = x / 16
+    p = 1 - z
+    fi = p / 2
+    fi_v = 4 * fi
     hvr = (v1 * T14 + v2 * T24 + v3 * T34) / 4
     return (
         v1,
         v2,
         v3,
-        (T14 * fi - (v2 * T34 - v3 * T24) + v1 * hvr) / 2,
-        (T24 * fi - (v3 * T14 - v1 * T34) + v2 * hvr) / 2,
-        (T34 * fi - (v1 * T24 - v2 * T14) + v3 * hvr) / 2,
+        (T14 * fi_v - (v2 * T34 - v3 * T24) + v1 * hvr) / 2,
+        (T24 * fi_v - (v3 * T14 - v1 * T34) + v2 * hvr) / 2,
+        (T34 * fi_v - (v1 * T24 - v2 * T14) + v3 * hvr) / 2,
     )
 
 
@@ -1285,7 +1318,7 @@ def _own_from_pose_blocks(
     o1, o2, o3, o4, o5, o6 = out
     k1, k2, k3, k4, k5, k6, k7, k8 = scratch
     mask1, mask2, mask3, mask4, mask5, mask6, mask7 = masks
-    n_minus_1, n0, n1, n2, n4 = numbers
+    n_minus_1, n0, n1, n2, n4, n16 = numbers
     up = add(n1, Q11, k1)
     total = add(Q22, Q33, k2)
     t0 = add(up, total, k3)
@@ -1331,14 +1364,21 @@ def _own_from_pose_blocks(
     v1 = mul(e1, gain, o1)
     v2 = mul(e2, gain, o2)
     v3 = mul(e3, gain, o3)
-    fi = mul(gain, e0, k1)
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    z = div(x, n16, k1)
+    p = sub(n1, z, k1)
+    fi = div(p, n2, k1)
+    fi_v = mul(n4, fi, k1)
     hvr = div(add(add(mul(v1, T14, k2), mul(v2, T24, k3), k2), mul(v3, T34, k3), k2), n4, k2)
-    div(add(sub(mul(T14, fi, k3), sub(mul(v2, T34, k4), mul(v3, T24, k5), k4), k3), mul(v1, hvr, k4), k3), n2, o4)
-    div(add(sub(mul(T24, fi, k3), sub(mul(v3, T14, k4), mul(v1, T34, k5), k4), k3), mul(v2, hvr, k4), k3), n2, o5)
-    div(add(sub(mul(T34, fi, k1), sub(mul(v1, T24, k3), mul(v2, T14, k4), k3), k1), mul(v3, hvr, k2), k1), n2, o6)
+    div(add(sub(mul(T14, fi_v, k3), sub(mul(v2, T34, k4), mul(v3, T24, k5), k4), k3), mul(v1, hvr, k4), k3), n2, o4)
+    div(add(sub(mul(T24, fi_v, k3), sub(mul(v3, T14, k4), mul(v1, T34, k5), k4), k3), mul(v2, hvr, k4), k3), n2, o5)
+    div(add(sub(mul(T34, fi_v, k1), sub(mul(v1, T24, k3), mul(v2, T14, k4), k3), k1), mul(v3, hvr, k2), k1), n2, o6)
 
 
-# operations 209: 71 +, 111 *, 23 /, 1 neg, 1 lt, 2 where
+# operations 217: 74 +, 114 *, 25 /, 1 neg, 1 lt, 2 where
 def _own_compose(m: Any, c: Any, b: Components, a: Components) -> Result:
     b1, b2, b3, b1o, b2o, b3o = b
     a1, a2, a3, a1o, a2o, a3o = a
@@ -1415,15 +1455,22 @@ def _own_compose(m: Any, c: Any, b: Components, a: Components) -> Result:
     v1 = z1 * gain
     v2 = z2 * gain
     v3 = z3 * gain
-    fi = gain * z0
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    z = x / 16
+    p = 1 - z
+    fi = p / 2
+    fi_v = 4 * fi
     hvr = (v1 * rho1 + v2 * rho2 + v3 * rho3) / 4
     return (
         v1,
         v2,
         v3,
-        (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
-        (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
-        (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
+        (rho1 * fi_v - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
+        (rho2 * fi_v - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
+        (rho3 * fi_v - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
     )
 
 
@@ -1433,7 +1480,7 @@ def _own_compose_blocks(
     b1, b2, b3, b1o, b2o, b3o = b
     a1, a2, a3, a1o, a2o, a3o = a
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17 = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16 = scratch
     mask1, = masks
     n_minus_1, n0, n1, n2, n4, n16, n64 = numbers
     v11b = mul(b1, b1, k1)
@@ -1459,21 +1506,20 @@ def _own_compose_blocks(
     )
     negative = m.less(z0, n0, mask1)
     cos = m.where(negative, neg(z0, k12), z0, k12)
-    rootb = add(n1, zb, k13)
-    Nb = add(mul(pb, pb, k14), mul(n4, zb, k1), k1)
-    rb = mul(n2, div(div(Nb, Nb, k14), Nb, k1), k1)
-    roota = add(n1, za, k14)
-    size = mul(rootb, roota, k13)
-    gain = mul(n4, div(m.where(negative, n_minus_1, n1, k14), add(size, cos, k12), k12), k12)
-    Na = add(mul(pa, pa, k13), mul(n4, za, k3), k3)
-    ra = mul(n2, div(div(Na, Na, k13), Na, k3), k3)
-    fi = mul(gain, z0, k11)
+    rootb = add(n1, zb, k11)
+    Nb = add(mul(pb, pb, k13), mul(n4, zb, k1), k1)
+    rb = mul(n2, div(div(Nb, Nb, k13), Nb, k1), k1)
+    roota = add(n1, za, k13)
+    size = mul(rootb, roota, k11)
+    gain = mul(n4, div(m.where(negative, n_minus_1, n1, k13), add(size, cos, k11), k11), k11)
+    Na = add(mul(pa, pa, k12), mul(n4, za, k3), k3)
+    ra = mul(n2, div(div(Na, Na, k12), Na, k3), k3)
     z1 = add(
-        add(mul(bva1, pb, k13), mul(bvb1, pa, k14), k13), sub(mul(bvb2, bva3, k14), mul(bvb3, bva2, k15), k14), k13
+        add(mul(bva1, pb, k12), mul(bvb1, pa, k13), k12), sub(mul(bvb2, bva3, k13), mul(bvb3, bva2, k14), k13), k12
     )
     v1 = mul(z1, gain, o1)
     z2 = add(
-        add(mul(bva2, pb, k13), mul(bvb2, pa, k14), k13), sub(mul(bvb3, bva1, k14), mul(bvb1, bva3, k15), k14), k13
+        add(mul(bva2, pb, k12), mul(bvb2, pa, k13), k12), sub(mul(bvb3, bva1, k13), mul(bvb1, bva3, k14), k13), k12
     )
     z3 = add(add(mul(bva3, pb, k10), mul(bvb3, pa, k9), k9), sub(mul(bvb1, bva2, k5), mul(bvb2, bva1, k6), k5), k5)
     v2 = mul(z2, gain, o2)
@@ -1499,22 +1545,22 @@ def _own_compose_blocks(
     g_vb = div(gb, n16, k7)
     h_vb = div(gb, n64, k1)
     gv_rho3 = mul(v_rho3, g_vb, k9)
-    v_rho2 = sub(mul(b3, rhoa1, k10), mul(b1, rhoa3, k12), k10)
-    gv_rho2 = mul(v_rho2, g_vb, k12)
-    gvb2 = mul(b2, g_vb, k13)
-    gvb3 = mul(b3, g_vb, k14)
-    yb = add(add(mul(b1, b1o, k15), mul(b2, b2o, k16), k15), mul(b3, b3o, k16), k15)
+    v_rho2 = sub(mul(b3, rhoa1, k10), mul(b1, rhoa3, k11), k10)
+    gv_rho2 = mul(v_rho2, g_vb, k11)
+    gvb2 = mul(b2, g_vb, k12)
+    gvb3 = mul(b3, g_vb, k13)
+    yb = add(add(mul(b1, b1o, k14), mul(b2, b2o, k15), k14), mul(b3, b3o, k15), k14)
     alongb = mul(h_vb, yb, k1)
     rho1 = add(
-        add(rhoa1, add(mul(v_rho1, f_vb, k15), sub(mul(b2, gv_rho3, k16), mul(b3, gv_rho2, k17), k16), k15), k3),
-        add(add(mul(b1o, f_vb, k15), sub(mul(gvb2, b3o, k16), mul(gvb3, b2o, k17), k16), k15), mul(b1, alongb, k16),
-        k15), k3
+        add(rhoa1, add(mul(v_rho1, f_vb, k14), sub(mul(b2, gv_rho3, k15), mul(b3, gv_rho2, k16), k15), k14), k3),
+        add(add(mul(b1o, f_vb, k14), sub(mul(gvb2, b3o, k15), mul(gvb3, b2o, k16), k15), k14), mul(b1, alongb, k15),
+        k14), k3
     )
     gv_rho1 = mul(v_rho1, g_vb, k4)
     gvb1 = mul(b1, g_vb, k7)
     rho2 = add(
-        add(rhoa2, add(mul(v_rho2, f_vb, k10), sub(mul(b3, gv_rho1, k15), mul(b1, gv_rho3, k9), k9), k9), k6),
-        add(add(mul(b2o, f_vb, k9), sub(mul(gvb3, b1o, k10), mul(gvb1, b3o, k14), k10), k9), mul(b2, alongb, k10), k9),
+        add(rhoa2, add(mul(v_rho2, f_vb, k10), sub(mul(b3, gv_rho1, k14), mul(b1, gv_rho3, k9), k9), k9), k6),
+        add(add(mul(b2o, f_vb, k9), sub(mul(gvb3, b1o, k10), mul(gvb1, b3o, k13), k10), k9), mul(b2, alongb, k10), k9),
         k6
     )
     rho3 = add(
@@ -1522,12 +1568,20 @@ def _own_compose_blocks(
         add(add(mul(b3o, f_vb, k2), sub(mul(gvb1, b2o, k5), mul(gvb2, b1o, k7), k5), k2), mul(b3, alongb, k1), k1), k1
     )
     hvr = div(add(add(mul(v1, rho1, k2), mul(v2, rho2, k4), k2), mul(v3, rho3, k4), k2), n4, k2)
-    div(add(sub(mul(rho1, fi, k4), sub(mul(v2, rho3, k5), mul(v3, rho2, k7), k5), k4), mul(v1, hvr, k5), k4), n2, o4)
-    div(add(sub(mul(rho2, fi, k4), sub(mul(v3, rho1, k5), mul(v1, rho3, k7), k5), k4), mul(v2, hvr, k5), k4), n2, o5)
-    div(add(sub(mul(rho3, fi, k1), sub(mul(v1, rho2, k4), mul(v2, rho1, k3), k3), k1), mul(v3, hvr, k2), k1), n2, o6)
+    v11 = mul(v1, v1, k4)
+    v22 = mul(v2, v2, k5)
+    v33 = mul(v3, v3, k7)
+    x = add(add(v11, v22, k4), v33, k4)
+    z = div(x, n16, k4)
+    p = sub(n1, z, k4)
+    fi = div(p, n2, k4)
+    fi_v = mul(n4, fi, k4)
+    div(add(sub(mul(rho1, fi_v, k5), sub(mul(v2, rho3, k7), mul(v3, rho2, k8), k7), k5), mul(v1, hvr, k7), k5), n2, o4)
+    div(add(sub(mul(rho2, fi_v, k5), sub(mul(v3, rho1, k7), mul(v1, rho3, k8), k7), k5), mul(v2, hvr, k7), k5), n2, o5)
+    div(add(sub(mul(rho3, fi_v, k1), sub(mul(v1, rho2, k4), mul(v2, rho1, k3), k3), k1), mul(v3, hvr, k2), k1), n2, o6)
 
 
-# operations 215: 71 +, 111 *, 23 /, 7 neg, 1 lt, 2 where
+# operations 223: 74 +, 114 *, 25 /, 7 neg, 1 lt, 2 where
 def _own_between(m: Any, c: Any, a: Components, b: Components) -> Result:
     a1, a2, a3, a1o, a2o, a3o = a
     b1, b2, b3, b1o, b2o, b3o = b
@@ -1613,15 +1667,22 @@ def _own_between(m: Any, c: Any, a: Components, b: Components) -> Result:
     v1 = z1 * gain
     v2 = z2 * gain
     v3 = z3 * gain
-    fi = gain * z0
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    z = x / 16
+    p = 1 - z
+    fi = p / 2
+    fi_v = 4 * fi
     hvr = (v1 * rho1 + v2 * rho2 + v3 * rho3) / 4
     return (
         v1,
         v2,
         v3,
-        (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
-        (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
-        (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
+        (rho1 * fi_v - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
+        (rho2 * fi_v - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
+        (rho3 * fi_v - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
     )
 
 
@@ -1631,7 +1692,7 @@ def _own_between_blocks(
     a1, a2, a3, a1o, a2o, a3o = a
     b1, b2, b3, b1o, b2o, b3o = b
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23 = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22 = scratch
     mask1, = masks
     n_minus_1, n0, n1, n2, n4, n16, n64 = numbers
     minus_b1 = neg(b1, k1)
@@ -1660,21 +1721,20 @@ def _own_between_blocks(
     )
     negative = m.less(z0, n0, mask1)
     cos = m.where(negative, neg(z0, k15), z0, k15)
-    rootb = add(n1, zb, k16)
-    Nb = add(mul(pb, pb, k17), mul(n4, zb, k2), k2)
-    rb = mul(n2, div(div(Nb, Nb, k17), Nb, k2), k2)
-    roota = add(n1, za, k17)
-    size = mul(rootb, roota, k16)
-    gain = mul(n4, div(m.where(negative, n_minus_1, n1, k17), add(size, cos, k15), k15), k15)
-    Na = add(mul(pa, pa, k16), mul(n4, za, k6), k6)
-    ra = mul(n2, div(div(Na, Na, k16), Na, k6), k6)
-    fi = mul(gain, z0, k14)
+    rootb = add(n1, zb, k14)
+    Nb = add(mul(pb, pb, k16), mul(n4, zb, k2), k2)
+    rb = mul(n2, div(div(Nb, Nb, k16), Nb, k2), k2)
+    roota = add(n1, za, k16)
+    size = mul(rootb, roota, k14)
+    gain = mul(n4, div(m.where(negative, n_minus_1, n1, k16), add(size, cos, k14), k14), k14)
+    Na = add(mul(pa, pa, k15), mul(n4, za, k6), k6)
+    ra = mul(n2, div(div(Na, Na, k15), Na, k6), k6)
     z1 = add(
-        add(mul(bva1, pb, k16), mul(bvb1, pa, k17), k16), sub(mul(bvb2, bva3, k17), mul(bvb3, bva2, k18), k17), k16
+        add(mul(bva1, pb, k15), mul(bvb1, pa, k16), k15), sub(mul(bvb2, bva3, k16), mul(bvb3, bva2, k17), k16), k15
     )
     v1 = mul(z1, gain, o1)
     z2 = add(
-        add(mul(bva2, pb, k16), mul(bvb2, pa, k17), k16), sub(mul(bvb3, bva1, k17), mul(bvb1, bva3, k18), k17), k16
+        add(mul(bva2, pb, k15), mul(bvb2, pa, k16), k15), sub(mul(bvb3, bva1, k16), mul(bvb1, bva3, k17), k16), k15
     )
     z3 = add(add(mul(bva3, pb, k13), mul(bvb3, pa, k12), k12), sub(mul(bvb1, bva2, k8), mul(bvb2, bva1, k9), k8), k8)
     v2 = mul(z2, gain, o2)
@@ -1704,25 +1764,25 @@ def _own_between_blocks(
     g_vb = div(gb, n16, k10)
     h_vb = div(gb, n64, k2)
     gv_rho3 = mul(v_rho3, g_vb, k12)
-    v_rho2 = sub(mul(minus_b3, rhoa1, k13), mul(minus_b1, rhoa3, k15), k13)
-    gv_rho2 = mul(v_rho2, g_vb, k15)
-    gvb2 = mul(minus_b2, g_vb, k16)
-    gvb3 = mul(minus_b3, g_vb, k17)
-    minus_b4 = neg(b1o, k18)
-    minus_b5 = neg(b2o, k19)
-    minus_b6 = neg(b3o, k20)
-    yb = add(add(mul(minus_b1, minus_b4, k21), mul(minus_b2, minus_b5, k22), k21), mul(minus_b3, minus_b6, k22), k21)
+    v_rho2 = sub(mul(minus_b3, rhoa1, k13), mul(minus_b1, rhoa3, k14), k13)
+    gv_rho2 = mul(v_rho2, g_vb, k14)
+    gvb2 = mul(minus_b2, g_vb, k15)
+    gvb3 = mul(minus_b3, g_vb, k16)
+    minus_b4 = neg(b1o, k17)
+    minus_b5 = neg(b2o, k18)
+    minus_b6 = neg(b3o, k19)
+    yb = add(add(mul(minus_b1, minus_b4, k20), mul(minus_b2, minus_b5, k21), k20), mul(minus_b3, minus_b6, k21), k20)
     alongb = mul(h_vb, yb, k2)
     rho1 = add(
-        add(rhoa1, add(mul(v_rho1, f_vb, k21), sub(mul(minus_b2, gv_rho3, k22), mul(minus_b3, gv_rho2, k23), k22), k21),
-        k6), add(add(mul(minus_b4, f_vb, k21), sub(mul(gvb2, minus_b6, k22), mul(gvb3, minus_b5, k23), k22), k21),
-        mul(minus_b1, alongb, k22), k21), k6
+        add(rhoa1, add(mul(v_rho1, f_vb, k20), sub(mul(minus_b2, gv_rho3, k21), mul(minus_b3, gv_rho2, k22), k21), k20),
+        k6), add(add(mul(minus_b4, f_vb, k20), sub(mul(gvb2, minus_b6, k21), mul(gvb3, minus_b5, k22), k21), k20),
+        mul(minus_b1, alongb, k21), k20), k6
     )
     gv_rho1 = mul(v_rho1, g_vb, k7)
     gvb1 = mul(minus_b1, g_vb, k10)
     rho2 = add(
-        add(rhoa2, add(mul(v_rho2, f_vb, k13), sub(mul(minus_b3, gv_rho1, k21), mul(minus_b1, gv_rho3, k12), k12), k12),
-        k9), add(add(mul(minus_b5, f_vb, k12), sub(mul(gvb3, minus_b4, k13), mul(gvb1, minus_b6, k17), k13), k12),
+        add(rhoa2, add(mul(v_rho2, f_vb, k13), sub(mul(minus_b3, gv_rho1, k20), mul(minus_b1, gv_rho3, k12), k12), k12),
+        k9), add(add(mul(minus_b5, f_vb, k12), sub(mul(gvb3, minus_b4, k13), mul(gvb1, minus_b6, k16), k13), k12),
         mul(minus_b2, alongb, k13), k12), k9
     )
     rho3 = add(
@@ -1731,12 +1791,20 @@ def _own_between_blocks(
         alongb, k2), k2), k1
     )
     hvr = div(add(add(mul(v1, rho1, k2), mul(v2, rho2, k3), k2), mul(v3, rho3, k3), k2), n4, k2)
-    div(add(sub(mul(rho1, fi, k3), sub(mul(v2, rho3, k4), mul(v3, rho2, k5), k4), k3), mul(v1, hvr, k4), k3), n2, o4)
-    div(add(sub(mul(rho2, fi, k3), sub(mul(v3, rho1, k4), mul(v1, rho3, k5), k4), k3), mul(v2, hvr, k4), k3), n2, o5)
-    div(add(sub(mul(rho3, fi, k1), sub(mul(v1, rho2, k3), mul(v2, rho1, k4), k3), k1), mul(v3, hvr, k2), k1), n2, o6)
+    v11 = mul(v1, v1, k3)
+    v22 = mul(v2, v2, k4)
+    v33 = mul(v3, v3, k5)
+    x = add(add(v11, v22, k3), v33, k3)
+    z = div(x, n16, k3)
+    p = sub(n1, z, k3)
+    fi = div(p, n2, k3)
+    fi_v = mul(n4, fi, k3)
+    div(add(sub(mul(rho1, fi_v, k4), sub(mul(v2, rho3, k5), mul(v3, rho2, k7), k5), k4), mul(v1, hvr, k5), k4), n2, o4)
+    div(add(sub(mul(rho2, fi_v, k4), sub(mul(v3, rho1, k5), mul(v1, rho3, k7), k5), k4), mul(v2, hvr, k5), k4), n2, o5)
+    div(add(sub(mul(rho3, fi_v, k1), sub(mul(v1, rho2, k3), mul(v2, rho1, k4), k3), k1), mul(v3, hvr, k2), k1), n2, o6)
 
 
-# operations 940: 371 +, 480 *, 76 /, 10 neg, 1 lt, 2 where
+# operations 939: 371 +, 479 *, 76 /, 10 neg, 1 lt, 2 where
 def _own_compose_jacobians(m: Any, c: Any, b: Components, a: Components) -> Result:
     b1, b2, b3, b1o, b2o, b3o = b
     a1, a2, a3, a1o, a2o, a3o = a
@@ -1811,19 +1879,18 @@ def _own_compose_jacobians(m: Any, c: Any, b: Components, a: Components) -> Resu
     v1 = z1 * gain
     v2 = z2 * gain
     v3 = z3 * gain
-    fi = gain * z0
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
     z = x / 16
+    p = 1 - z
+    fi = p / 2
+    fi_v = 4 * fi
     hvr = (v1 * rho1 + v2 * rho2 + v3 * rho3) / 4
-    w4 = (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2
-    w5 = (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2
-    w6 = (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2
-    pw = 1 - z
-    fiw = pw / 2
-    fi_vw = 4 * fiw
+    w4 = (rho1 * fi_v - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2
+    w5 = (rho2 * fi_v - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2
+    w6 = (rho3 * fi_v - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2
     yw = v1 * w4 + v2 * w5 + v3 * w6
     fiow = -yw / 4
     sw1 = -v1
@@ -1841,15 +1908,15 @@ def _own_compose_jacobians(m: Any, c: Any, b: Components, a: Components) -> Resu
     d12w = cvw1 * v2
     d13w = cvw1 * v3
     d23w = cvw2 * v3
-    I11 = fi_vw + cvw1 * v1
+    I11 = fi_v + cvw1 * v1
     I12 = d12w - sw3
     I13 = d13w + sw2
     I21 = d12w + sw3
-    I22 = fi_vw + cvw2 * v2
+    I22 = fi_v + cvw2 * v2
     I23 = d23w - sw1
     I31 = d13w - sw2
     I32 = d23w + sw1
-    I33 = fi_vw + cvw3 * v3
+    I33 = fi_v + cvw3 * v3
     d12ow = cvw1 * w5 + cvow1 * v2
     d13ow = cvw1 * w6 + cvow1 * v3
     d23ow = cvw2 * w6 + cvow2 * v3
@@ -2131,24 +2198,23 @@ def _own_compose_jacobians_blocks(
     )
     negative = m.less(z0, n0, mask1)
     cos = m.where(negative, neg(z0, k15), z0, k15)
-    roota = add(n1, za, k16)
-    Na = add(mul(pa, pa, k17), mul(n4, za, k1), k1)
-    ra = mul(n2, div(div(Na, Na, k17), Na, k1), k1)
-    rootb = add(n1, zb, k17)
-    Nb = add(mul(pb, pb, k18), mul(n4, zb, k6), k6)
-    rb = mul(n2, div(div(Nb, Nb, k18), Nb, k6), k6)
-    size = mul(rootb, roota, k18)
-    gain = mul(n4, div(m.where(negative, n_minus_1, n1, k19), add(size, cos, k15), k15), k15)
-    fi = mul(gain, z0, k14)
-    eS = div(n4, rootb, k17)
-    eF = div(n4, roota, k16)
+    roota = add(n1, za, k14)
+    Na = add(mul(pa, pa, k16), mul(n4, za, k1), k1)
+    ra = mul(n2, div(div(Na, Na, k16), Na, k1), k1)
+    rootb = add(n1, zb, k16)
+    Nb = add(mul(pb, pb, k17), mul(n4, zb, k6), k6)
+    rb = mul(n2, div(div(Nb, Nb, k17), Nb, k6), k6)
+    size = mul(rootb, roota, k17)
+    gain = mul(n4, div(m.where(negative, n_minus_1, n1, k18), add(size, cos, k15), k15), k15)
+    eS = div(n4, rootb, k16)
+    eF = div(n4, roota, k14)
     z1 = add(
-        add(mul(bva1, pb, k18), mul(bvb1, pa, k19), k18), sub(mul(bvb2, bva3, k19), mul(bvb3, bva2, k20), k19), k18
+        add(mul(bva1, pb, k17), mul(bvb1, pa, k18), k17), sub(mul(bvb2, bva3, k18), mul(bvb3, bva2, k19), k18), k17
     )
-    v1 = mul(z1, gain, k18)
-    v11 = mul(v1, v1, k19)
+    v1 = mul(z1, gain, k17)
+    v11 = mul(v1, v1, k18)
     z2 = add(
-        add(mul(bva2, pb, k20), mul(bvb2, pa, k21), k20), sub(mul(bvb3, bva1, k21), mul(bvb1, bva3, k22), k21), k20
+        add(mul(bva2, pb, k19), mul(bvb2, pa, k20), k19), sub(mul(bvb3, bva1, k20), mul(bvb1, bva3, k21), k20), k19
     )
     z3 = add(add(mul(bva3, pb, k13), mul(bvb3, pa, k12), k12), sub(mul(bvb1, bva2, k8), mul(bvb2, bva1, k9), k8), k8)
     v2 = mul(z2, gain, k9)
@@ -2165,59 +2231,59 @@ def _own_compose_jacobians_blocks(
     v33 = mul(v3, v3, k13)
     x = add(add(v11, v22, k12), v33, k12)
     z = div(x, n16, k12)
-    pw = sub(n1, z, k12)
-    fiw = div(pw, n2, k12)
-    fi_vw = mul(n4, fiw, k12)
+    p = sub(n1, z, k12)
+    fi = div(p, n2, k12)
+    fi_v = mul(n4, fi, k12)
     cvw1 = div(v1, n4, k13)
-    I11 = add(fi_vw, mul(cvw1, v1, k15), k15)
-    d12w = mul(cvw1, v2, k16)
-    sw3 = neg(v3, k17)
-    I12 = sub(d12w, sw3, k19)
-    I21 = add(d12w, sw3, k16)
-    d13w = mul(cvw1, v3, k17)
-    sw2 = neg(v2, k20)
-    I13 = add(d13w, sw2, k21)
-    I31 = sub(d13w, sw2, k17)
-    h_vb = div(gb, n64, k20)
-    cvS1 = mul(b1, h_vb, k22)
-    S11 = add(f_vb, mul(cvS1, b1, k23), k23)
-    d12S = mul(cvS1, b2, k24)
-    g_vb = div(gb, n16, k25)
+    I11 = add(fi_v, mul(cvw1, v1, k14), k14)
+    d12w = mul(cvw1, v2, k15)
+    sw3 = neg(v3, k16)
+    I12 = sub(d12w, sw3, k18)
+    I21 = add(d12w, sw3, k15)
+    d13w = mul(cvw1, v3, k16)
+    sw2 = neg(v2, k19)
+    I13 = add(d13w, sw2, k20)
+    I31 = sub(d13w, sw2, k16)
+    h_vb = div(gb, n64, k19)
+    cvS1 = mul(b1, h_vb, k21)
+    S11 = add(f_vb, mul(cvS1, b1, k22), k22)
+    d12S = mul(cvS1, b2, k23)
+    g_vb = div(gb, n16, k24)
     fyS = sub(gb, egS, k6)
     fy_vS = div(fyS, n64, k6)
     gyS = neg(egS, k10)
     Qb11 = sub(n1, mul(g_vb, x23b, k4), k4)
     Qb22 = sub(n1, mul(g_vb, x13b, k3), k3)
     Qb33 = sub(n1, mul(g_vb, x12b, k5), k5)
-    gvb3 = mul(b3, g_vb, k26)
-    S21 = add(d12S, gvb3, k27)
-    S12 = sub(d12S, gvb3, k24)
-    d13S = mul(cvS1, b3, k28)
-    gvb2 = mul(b2, g_vb, k29)
-    S31 = sub(d13S, gvb2, k30)
-    div(add(add(mul(I11, S11, k31), mul(I12, S21, k32), k31), mul(I13, S31, k32), k31), n2, o1)
-    S13 = add(d13S, gvb2, k28)
-    cvS2 = mul(b2, h_vb, k31)
-    S22 = add(f_vb, mul(cvS2, b2, k32), k32)
-    d23S = mul(cvS2, b3, k33)
-    gvb1 = mul(b1, g_vb, k34)
-    S32 = add(d23S, gvb1, k35)
-    div(add(add(mul(I11, S12, k36), mul(I12, S22, k37), k36), mul(I13, S32, k37), k36), n2, o2)
-    S23 = sub(d23S, gvb1, k33)
-    cvS3 = mul(b3, h_vb, k36)
-    S33 = add(f_vb, mul(cvS3, b3, k37), k37)
-    div(add(add(mul(I11, S13, k38), mul(I12, S23, k39), k38), mul(I13, S33, k39), k38), n2, o3)
-    cvw2 = div(v2, n4, k38)
-    I22 = add(fi_vw, mul(cvw2, v2, k39), k39)
-    d23w = mul(cvw2, v3, k40)
-    sw1 = neg(v1, k41)
-    I23 = sub(d23w, sw1, k42)
-    I32 = add(d23w, sw1, k40)
-    div(add(add(mul(I21, S11, k41), mul(I22, S21, k43), k41), mul(I23, S31, k43), k41), n2, o7)
-    div(add(add(mul(I21, S12, k41), mul(I22, S22, k43), k41), mul(I23, S32, k43), k41), n2, o8)
-    div(add(add(mul(I21, S13, k41), mul(I22, S23, k43), k41), mul(I23, S33, k43), k41), n2, o9)
-    cvw3 = div(v3, n4, k41)
-    I33 = add(fi_vw, mul(cvw3, v3, k43), k12)
+    gvb3 = mul(b3, g_vb, k25)
+    S21 = add(d12S, gvb3, k26)
+    S12 = sub(d12S, gvb3, k23)
+    d13S = mul(cvS1, b3, k27)
+    gvb2 = mul(b2, g_vb, k28)
+    S31 = sub(d13S, gvb2, k29)
+    div(add(add(mul(I11, S11, k30), mul(I12, S21, k31), k30), mul(I13, S31, k31), k30), n2, o1)
+    S13 = add(d13S, gvb2, k27)
+    cvS2 = mul(b2, h_vb, k30)
+    S22 = add(f_vb, mul(cvS2, b2, k31), k31)
+    d23S = mul(cvS2, b3, k32)
+    gvb1 = mul(b1, g_vb, k33)
+    S32 = add(d23S, gvb1, k34)
+    div(add(add(mul(I11, S12, k35), mul(I12, S22, k36), k35), mul(I13, S32, k36), k35), n2, o2)
+    S23 = sub(d23S, gvb1, k32)
+    cvS3 = mul(b3, h_vb, k35)
+    S33 = add(f_vb, mul(cvS3, b3, k36), k36)
+    div(add(add(mul(I11, S13, k37), mul(I12, S23, k38), k37), mul(I13, S33, k38), k37), n2, o3)
+    cvw2 = div(v2, n4, k37)
+    I22 = add(fi_v, mul(cvw2, v2, k38), k38)
+    d23w = mul(cvw2, v3, k39)
+    sw1 = neg(v1, k40)
+    I23 = sub(d23w, sw1, k41)
+    I32 = add(d23w, sw1, k39)
+    div(add(add(mul(I21, S11, k40), mul(I22, S21, k42), k40), mul(I23, S31, k42), k40), n2, o7)
+    div(add(add(mul(I21, S12, k40), mul(I22, S22, k42), k40), mul(I23, S32, k42), k40), n2, o8)
+    div(add(add(mul(I21, S13, k40), mul(I22, S23, k42), k40), mul(I23, S33, k42), k40), n2, o9)
+    cvw3 = div(v3, n4, k40)
+    I33 = add(fi_v, mul(cvw3, v3, k42), k42)
     div(add(add(mul(I31, S11, k43), mul(I32, S21, k44), k43), mul(I33, S31, k44), k43), n2, o13)
     div(add(add(mul(I31, S12, k43), mul(I32, S22, k44), k43), mul(I33, S32, k44), k43), n2, o14)
     div(add(add(mul(I31, S13, k43), mul(I32, S23, k44), k43), mul(I33, S33, k44), k43), n2, o15)
@@ -2258,7 +2324,7 @@ def _own_compose_jacobians_blocks(
     )
     gv_rho1 = mul(v_rho1, g_vb, k52)
     rhob2 = add(
-        add(mul(b2o, f_vb, k60), sub(mul(gvb3, b1o, k26), mul(gvb1, b3o, k61), k26), k26), mul(b2, alongb, k60), k26
+        add(mul(b2o, f_vb, k60), sub(mul(gvb3, b1o, k25), mul(gvb1, b3o, k61), k25), k25), mul(b2, alongb, k60), k25
     )
     rho2 = add(
         add(rhoa2, add(mul(v_rho2, f_vb, k55), sub(mul(b3, gv_rho1, k60), mul(b1, gv_rho3, k54), k54), k54), k51),
@@ -2271,24 +2337,24 @@ def _own_compose_jacobians_blocks(
         add(rhoa3, add(mul(v_rho3, f_vb, k53), sub(mul(b1, gv_rho2, k55), mul(b2, gv_rho1, k52), k52), k52), k49),
         rhob3, k49
     )
-    gvvb3 = mul(gvb2, b3, k29)
+    gvvb3 = mul(gvb2, b3, k28)
     hvr = div(add(add(mul(v1, rho1, k52), mul(v2, rho2, k53), k52), mul(v3, rho3, k53), k52), n4, k52)
     w4 = div(
-        add(sub(mul(rho1, fi, k53), sub(mul(v2, rho3, k55), mul(v3, rho2, k56), k55), k53), mul(v1, hvr, k55), k53), n2,
-        k53
+        add(sub(mul(rho1, fi_v, k53), sub(mul(v2, rho3, k55), mul(v3, rho2, k56), k55), k53), mul(v1, hvr, k55), k53),
+        n2, k53
     )
     w5 = div(
-        add(sub(mul(rho2, fi, k55), sub(mul(v3, rho1, k56), mul(v1, rho3, k58), k56), k55), mul(v2, hvr, k56), k55), n2,
-        k55
+        add(sub(mul(rho2, fi_v, k55), sub(mul(v3, rho1, k56), mul(v1, rho3, k58), k56), k55), mul(v2, hvr, k56), k55),
+        n2, k55
     )
     w6 = div(
-        add(sub(mul(rho3, fi, k14), sub(mul(v1, rho2, k49), mul(v2, rho1, k48), k48), k14), mul(v3, hvr, k48), k14), n2,
-        k14
+        add(sub(mul(rho3, fi_v, k12), sub(mul(v1, rho2, k49), mul(v2, rho1, k48), k48), k12), mul(v3, hvr, k48), k12),
+        n2, k12
     )
     yw = add(add(mul(v1, w4, k48), mul(v2, w5, k49), k48), mul(v3, w6, k49), k48)
     fiow = div(neg(yw, k48), n4, k48)
     cvow1 = div(w4, n4, k49)
-    I11o = add(fiow, add(mul(cvw1, w4, k51), mul(cvow1, v1, k18), k18), k18)
+    I11o = add(fiow, add(mul(cvw1, w4, k51), mul(cvow1, v1, k17), k17), k17)
     sow1 = neg(w4, k51)
     d12ow = add(mul(cvw1, w5, k52), mul(cvow1, v2, k53), k52)
     d13ow = add(mul(cvw1, w6, k13), mul(cvow1, v3, k49), k13)
@@ -2305,38 +2371,38 @@ def _own_compose_jacobians_blocks(
     cvoS1 = add(mul(b1o, h_vb, k57), mul(b1, hoS, k58), k57)
     S11o = add(foS, add(mul(cvS1, b1o, k58), mul(cvoS1, b1, k60), k58), k58)
     d12oS = add(mul(cvS1, b2o, k60), mul(cvoS1, b2, k61), k60)
-    d13oS = add(mul(cvS1, b3o, k22), mul(cvoS1, b3, k57), k22)
+    d13oS = add(mul(cvS1, b3o, k21), mul(cvoS1, b3, k57), k21)
     gvoS3 = add(mul(b3o, g_vb, k57), mul(b3, goS, k61), k57)
     S21o = add(d12oS, gvoS3, k61)
     S12o = sub(d12oS, gvoS3, k57)
     gvoS2 = add(mul(b2o, g_vb, k60), mul(b2, goS, k62), k60)
-    gvoS1 = add(mul(b1o, g_vb, k25), mul(b1, goS, k10), k10)
-    S31o = sub(d13oS, gvoS2, k25)
-    S13o = add(d13oS, gvoS2, k22)
+    gvoS1 = add(mul(b1o, g_vb, k24), mul(b1, goS, k10), k10)
+    S31o = sub(d13oS, gvoS2, k24)
+    S13o = add(d13oS, gvoS2, k21)
     div(
         add(add(add(mul(I11, S11o, k60), mul(I11o, S11, k62), k60), add(mul(I12, S21o, k62), mul(I12o, S21, k63), k62),
         k60), add(mul(I13, S31o, k62), mul(I13o, S31, k63), k62), k60), n2, o19
     )
     cvoS2 = add(mul(b2o, h_vb, k60), mul(b2, hoS, k62), k60)
-    cvoS3 = add(mul(b3o, h_vb, k20), mul(b3, hoS, k52), k20)
-    S33o = add(foS, add(mul(cvS3, b3o, k36), mul(cvoS3, b3, k20), k20), k20)
-    S22o = add(foS, add(mul(cvS2, b2o, k36), mul(cvoS2, b2, k52), k36), k6)
-    d23oS = add(mul(cvS2, b3o, k31), mul(cvoS2, b3, k36), k31)
-    S32o = add(d23oS, gvoS1, k36)
+    cvoS3 = add(mul(b3o, h_vb, k19), mul(b3, hoS, k52), k19)
+    S33o = add(foS, add(mul(cvS3, b3o, k35), mul(cvoS3, b3, k19), k19), k19)
+    S22o = add(foS, add(mul(cvS2, b2o, k35), mul(cvoS2, b2, k52), k35), k6)
+    d23oS = add(mul(cvS2, b3o, k30), mul(cvoS2, b3, k35), k30)
+    S32o = add(d23oS, gvoS1, k35)
     S23o = sub(d23oS, gvoS1, k10)
     div(
-        add(add(add(mul(I11, S12o, k31), mul(I11o, S12, k52), k31), add(mul(I12, S22o, k52), mul(I12o, S22, k60), k52),
-        k31), add(mul(I13, S32o, k52), mul(I13o, S32, k60), k52), k31), n2, o20
+        add(add(add(mul(I11, S12o, k30), mul(I11o, S12, k52), k30), add(mul(I12, S22o, k52), mul(I12o, S22, k60), k52),
+        k30), add(mul(I13, S32o, k52), mul(I13o, S32, k60), k52), k30), n2, o20
     )
     div(
-        add(add(add(mul(I11, S13o, k31), mul(I11o, S13, k52), k31), add(mul(I12, S23o, k52), mul(I12o, S23, k60), k52),
-        k31), add(mul(I13, S33o, k52), mul(I13o, S33, k60), k52), k31), n2, o21
+        add(add(add(mul(I11, S13o, k30), mul(I11o, S13, k52), k30), add(mul(I12, S23o, k52), mul(I12o, S23, k60), k52),
+        k30), add(mul(I13, S33o, k52), mul(I13o, S33, k60), k52), k30), n2, o21
     )
-    cvow2 = div(w5, n4, k31)
+    cvow2 = div(w5, n4, k30)
     I22o = add(fiow, add(mul(cvw2, w5, k52), mul(cvow2, v2, k9), k9), k9)
-    d23ow = add(mul(cvw2, w6, k38), mul(cvow2, v3, k31), k31)
-    I23o = sub(d23ow, sow1, k38)
-    I32o = add(d23ow, sow1, k31)
+    d23ow = add(mul(cvw2, w6, k37), mul(cvow2, v3, k30), k30)
+    I23o = sub(d23ow, sow1, k37)
+    I32o = add(d23ow, sow1, k30)
     div(
         add(add(add(mul(I21, S11o, k51), mul(I21o, S11, k52), k51), add(mul(I22, S21o, k52), mul(I22o, S21, k55), k52),
         k51), add(mul(I23, S31o, k52), mul(I23o, S31, k55), k52), k51), n2, o25
@@ -2350,50 +2416,50 @@ def _own_compose_jacobians_blocks(
         k51), add(mul(I23, S33o, k52), mul(I23o, S33, k55), k52), k51), n2, o27
     )
     cvow3 = div(w6, n4, k51)
-    I33o = add(fiow, add(mul(cvw3, w6, k14), mul(cvow3, v3, k8), k8), k8)
+    I33o = add(fiow, add(mul(cvw3, w6, k12), mul(cvow3, v3, k8), k8), k8)
     div(
-        add(add(add(mul(I31, S11o, k14), mul(I31o, S11, k23), k14), add(mul(I32, S21o, k23), mul(I32o, S21, k27), k23),
-        k14), add(mul(I33, S31o, k23), mul(I33o, S31, k25), k23), k14), n2, o31
+        add(add(add(mul(I31, S11o, k12), mul(I31o, S11, k22), k12), add(mul(I32, S21o, k22), mul(I32o, S21, k26), k22),
+        k12), add(mul(I33, S31o, k22), mul(I33o, S31, k24), k22), k12), n2, o31
     )
     div(
-        add(add(add(mul(I31, S12o, k14), mul(I31o, S12, k23), k14), add(mul(I32, S22o, k6), mul(I32o, S22, k23), k6),
-        k6), add(mul(I33, S32o, k14), mul(I33o, S32, k23), k14), k6), n2, o32
+        add(add(add(mul(I31, S12o, k12), mul(I31o, S12, k22), k12), add(mul(I32, S22o, k6), mul(I32o, S22, k22), k6),
+        k6), add(mul(I33, S32o, k12), mul(I33o, S32, k22), k12), k6), n2, o32
     )
     div(
-        add(add(add(mul(I31, S13o, k6), mul(I31o, S13, k14), k6), add(mul(I32, S23o, k10), mul(I32o, S23, k14), k10),
-        k6), add(mul(I33, S33o, k10), mul(I33o, S33, k14), k10), k6), n2, o33
+        add(add(add(mul(I31, S13o, k6), mul(I31o, S13, k12), k6), add(mul(I32, S23o, k10), mul(I32o, S23, k12), k10),
+        k6), add(mul(I33, S33o, k10), mul(I33o, S33, k12), k10), k6), n2, o33
     )
     cvF1 = mul(a1, h_va, k6)
     F11 = add(f_va, mul(cvF1, a1, k10), k10)
-    d12F = mul(cvF1, a2, k14)
-    F21 = add(d12F, gva3, k20)
-    F12 = sub(d12F, gva3, k14)
-    d13F = mul(cvF1, a3, k22)
-    F31 = sub(d13F, gva2, k23)
-    F13 = add(d13F, gva2, k22)
-    gvvb1 = mul(gvb1, b2, k24)
-    gvvb2 = mul(gvb1, b3, k25)
-    fvb3 = mul(b3, f_vb, k27)
-    Qb12 = sub(gvvb1, fvb3, k28)
-    Qb21 = add(gvvb1, fvb3, k24)
-    fvb2 = mul(b2, f_vb, k27)
+    d12F = mul(cvF1, a2, k12)
+    F21 = add(d12F, gva3, k19)
+    F12 = sub(d12F, gva3, k12)
+    d13F = mul(cvF1, a3, k21)
+    F31 = sub(d13F, gva2, k22)
+    F13 = add(d13F, gva2, k21)
+    gvvb1 = mul(gvb1, b2, k23)
+    gvvb2 = mul(gvb1, b3, k24)
+    fvb3 = mul(b3, f_vb, k26)
+    Qb12 = sub(gvvb1, fvb3, k27)
+    Qb21 = add(gvvb1, fvb3, k23)
+    fvb2 = mul(b2, f_vb, k26)
     fvb1 = mul(b1, f_vb, k7)
-    Qb13 = add(gvvb2, fvb2, k30)
-    Qb31 = sub(gvvb2, fvb2, k25)
-    RT11 = add(add(mul(Qb11, F11, k27), mul(Qb12, F21, k32), k27), mul(Qb13, F31, k32), k27)
-    Qb23 = sub(gvvb3, fvb1, k32)
+    Qb13 = add(gvvb2, fvb2, k29)
+    Qb31 = sub(gvvb2, fvb2, k24)
+    RT11 = add(add(mul(Qb11, F11, k26), mul(Qb12, F21, k31), k26), mul(Qb13, F31, k31), k26)
+    Qb23 = sub(gvvb3, fvb1, k31)
     Qb32 = add(gvvb3, fvb1, k7)
-    RT21 = add(add(mul(Qb21, F11, k29), mul(Qb22, F21, k33), k29), mul(Qb23, F31, k33), k29)
-    RT31 = add(add(mul(Qb31, F11, k33), mul(Qb32, F21, k34), k33), mul(Qb33, F31, k34), k33)
-    div(add(add(mul(I11, RT11, k34), mul(I12, RT21, k35), k34), mul(I13, RT31, k35), k34), n2, o37)
-    div(add(add(mul(I21, RT11, k34), mul(I22, RT21, k35), k34), mul(I23, RT31, k35), k34), n2, o43)
-    div(add(add(mul(I31, RT11, k34), mul(I32, RT21, k35), k34), mul(I33, RT31, k35), k34), n2, o49)
-    cvF2 = mul(a2, h_va, k34)
-    F22 = add(f_va, mul(cvF2, a2, k35), k35)
-    d23F = mul(cvF2, a3, k36)
-    F32 = add(d23F, gva1, k37)
-    F23 = sub(d23F, gva1, k36)
-    RT12 = add(add(mul(Qb11, F12, k41), mul(Qb12, F22, k44), k41), mul(Qb13, F32, k44), k41)
+    RT21 = add(add(mul(Qb21, F11, k28), mul(Qb22, F21, k32), k28), mul(Qb23, F31, k32), k28)
+    RT31 = add(add(mul(Qb31, F11, k32), mul(Qb32, F21, k33), k32), mul(Qb33, F31, k33), k32)
+    div(add(add(mul(I11, RT11, k33), mul(I12, RT21, k34), k33), mul(I13, RT31, k34), k33), n2, o37)
+    div(add(add(mul(I21, RT11, k33), mul(I22, RT21, k34), k33), mul(I23, RT31, k34), k33), n2, o43)
+    div(add(add(mul(I31, RT11, k33), mul(I32, RT21, k34), k33), mul(I33, RT31, k34), k33), n2, o49)
+    cvF2 = mul(a2, h_va, k33)
+    F22 = add(f_va, mul(cvF2, a2, k34), k34)
+    d23F = mul(cvF2, a3, k35)
+    F32 = add(d23F, gva1, k36)
+    F23 = sub(d23F, gva1, k35)
+    RT12 = add(add(mul(Qb11, F12, k40), mul(Qb12, F22, k44), k40), mul(Qb13, F32, k44), k40)
     RT22 = add(add(mul(Qb21, F12, k44), mul(Qb22, F22, k45), k44), mul(Qb23, F32, k45), k44)
     RT32 = add(add(mul(Qb31, F12, k45), mul(Qb32, F22, k48), k45), mul(Qb33, F32, k48), k45)
     div(add(add(mul(I11, RT12, k48), mul(I12, RT22, k50), k48), mul(I13, RT32, k50), k48), n2, o38)
@@ -2438,52 +2504,52 @@ def _own_compose_jacobians_blocks(
     )
     R31o = sub(mul(Qb21, rhob1, k67), mul(Qb11, rhob2, k68), k67)
     R32o = sub(mul(Qb22, rhob1, k68), mul(Qb12, rhob2, k69), k68)
-    R33o = sub(mul(Qb23, rhob1, k59), mul(Qb13, rhob2, k26), k26)
+    R33o = sub(mul(Qb23, rhob1, k59), mul(Qb13, rhob2, k25), k25)
     RT31o = add(
-        add(add(mul(Qb31, F11o, k59), mul(R31o, F11, k10), k10), add(mul(Qb32, F21o, k59), mul(R32o, F21, k20), k20),
-        k10), add(mul(Qb33, F31o, k20), mul(R33o, F31, k23), k20), k10
+        add(add(mul(Qb31, F11o, k59), mul(R31o, F11, k10), k10), add(mul(Qb32, F21o, k59), mul(R32o, F21, k19), k19),
+        k10), add(mul(Qb33, F31o, k19), mul(R33o, F31, k22), k19), k10
     )
     div(
-        add(add(add(mul(I11, RT11o, k20), mul(I11o, RT11, k23), k20), add(mul(I12, RT21o, k23), mul(I12o, RT21, k43),
-        k23), k20), add(mul(I13, RT31o, k23), mul(I13o, RT31, k43), k23), k20), n2, o55
+        add(add(add(mul(I11, RT11o, k19), mul(I11o, RT11, k22), k19), add(mul(I12, RT21o, k22), mul(I12o, RT21, k43),
+        k22), k19), add(mul(I13, RT31o, k22), mul(I13o, RT31, k43), k22), k19), n2, o55
     )
     div(
-        add(add(add(mul(I21, RT11o, k20), mul(I21o, RT11, k23), k20), add(mul(I22, RT21o, k23), mul(I22o, RT21, k43),
-        k23), k20), add(mul(I23, RT31o, k23), mul(I23o, RT31, k43), k23), k20), n2, o61
+        add(add(add(mul(I21, RT11o, k19), mul(I21o, RT11, k22), k19), add(mul(I22, RT21o, k22), mul(I22o, RT21, k43),
+        k22), k19), add(mul(I23, RT31o, k22), mul(I23o, RT31, k43), k22), k19), n2, o61
     )
     div(
-        add(add(add(mul(I31, RT11o, k20), mul(I31o, RT11, k23), k20), add(mul(I32, RT21o, k23), mul(I32o, RT21, k27),
-        k23), k20), add(mul(I33, RT31o, k10), mul(I33o, RT31, k23), k10), k10), n2, o67
+        add(add(add(mul(I31, RT11o, k19), mul(I31o, RT11, k22), k19), add(mul(I32, RT21o, k22), mul(I32o, RT21, k26),
+        k22), k19), add(mul(I33, RT31o, k10), mul(I33o, RT31, k22), k10), k10), n2, o67
     )
-    cvoF2 = add(mul(a2o, h_va, k10), mul(a2, hoF, k20), k10)
-    cvoF3 = add(mul(a3o, h_va, k20), mul(a3, hoF, k23), k20)
-    F33o = add(foF, add(mul(cvF3, a3o, k23), mul(cvoF3, a3, k20), k20), k20)
-    F22o = add(foF, add(mul(cvF2, a2o, k23), mul(cvoF2, a2, k27), k23), k1)
-    d23oF = add(mul(cvF2, a3o, k23), mul(cvoF2, a3, k10), k10)
-    F32o = add(d23oF, gvoF1, k23)
+    cvoF2 = add(mul(a2o, h_va, k10), mul(a2, hoF, k19), k10)
+    cvoF3 = add(mul(a3o, h_va, k19), mul(a3, hoF, k22), k19)
+    F33o = add(foF, add(mul(cvF3, a3o, k22), mul(cvoF3, a3, k19), k19), k19)
+    F22o = add(foF, add(mul(cvF2, a2o, k22), mul(cvoF2, a2, k26), k22), k1)
+    d23oF = add(mul(cvF2, a3o, k22), mul(cvoF2, a3, k10), k10)
+    F32o = add(d23oF, gvoF1, k22)
     F23o = sub(d23oF, gvoF1, k10)
     RT12o = add(
-        add(add(mul(Qb11, F12o, k11), mul(R11o, F12, k27), k11), add(mul(Qb12, F22o, k27), mul(R12o, F22, k29), k27),
-        k11), add(mul(Qb13, F32o, k27), mul(R13o, F32, k29), k27), k11
+        add(add(mul(Qb11, F12o, k11), mul(R11o, F12, k26), k11), add(mul(Qb12, F22o, k26), mul(R12o, F22, k28), k26),
+        k11), add(mul(Qb13, F32o, k26), mul(R13o, F32, k28), k26), k11
     )
     RT13o = add(
-        add(add(mul(Qb11, F13o, k4), mul(R11o, F13, k27), k4), add(mul(Qb12, F23o, k27), mul(R12o, F23, k28), k27), k4),
-        add(mul(Qb13, F33o, k27), mul(R13o, F33, k28), k27), k4
+        add(add(mul(Qb11, F13o, k4), mul(R11o, F13, k26), k4), add(mul(Qb12, F23o, k26), mul(R12o, F23, k27), k26), k4),
+        add(mul(Qb13, F33o, k26), mul(R13o, F33, k27), k26), k4
     )
     RT22o = add(
-        add(add(mul(Qb21, F12o, k27), mul(R21o, F12, k28), k27), add(mul(Qb22, F22o, k28), mul(R22o, F22, k29), k28),
-        k27), add(mul(Qb23, F32o, k28), mul(R23o, F32, k29), k28), k27
+        add(add(mul(Qb21, F12o, k26), mul(R21o, F12, k27), k26), add(mul(Qb22, F22o, k27), mul(R22o, F22, k28), k27),
+        k26), add(mul(Qb23, F32o, k27), mul(R23o, F32, k28), k27), k26
     )
     RT32o = add(
-        add(add(mul(Qb31, F12o, k28), mul(R31o, F12, k14), k14), add(mul(Qb32, F22o, k1), mul(R32o, F22, k28), k1), k1),
-        add(mul(Qb33, F32o, k14), mul(R33o, F32, k23), k14), k1
+        add(add(mul(Qb31, F12o, k27), mul(R31o, F12, k12), k12), add(mul(Qb32, F22o, k1), mul(R32o, F22, k27), k1), k1),
+        add(mul(Qb33, F32o, k12), mul(R33o, F32, k22), k12), k1
     )
     RT23o = add(
-        add(add(mul(Qb21, F13o, k14), mul(R21o, F13, k23), k14), add(mul(Qb22, F23o, k3), mul(R22o, F23, k23), k3), k3),
-        add(mul(Qb23, F33o, k14), mul(R23o, F33, k23), k14), k3
+        add(add(mul(Qb21, F13o, k12), mul(R21o, F13, k22), k12), add(mul(Qb22, F23o, k3), mul(R22o, F23, k22), k3), k3),
+        add(mul(Qb23, F33o, k12), mul(R23o, F33, k22), k12), k3
     )
     RT33o = add(
-        add(add(mul(Qb31, F13o, k6), mul(R31o, F13, k14), k6), add(mul(Qb32, F23o, k7), mul(R32o, F23, k10), k7), k6),
+        add(add(mul(Qb31, F13o, k6), mul(R31o, F13, k12), k6), add(mul(Qb32, F23o, k7), mul(R32o, F23, k10), k7), k6),
         add(mul(Qb33, F33o, k5), mul(R33o, F33, k2), k2), k2
     )
     div(
@@ -2548,7 +2614,7 @@ def _own_compose_jacobians_blocks(
     copy(o51, o72)
 
 
-# operations 964: 371 +, 480 *, 76 /, 34 neg, 1 lt, 2 where
+# operations 963: 371 +, 479 *, 76 /, 34 neg, 1 lt, 2 where
 def _own_between_jacobians(m: Any, c: Any, a: Components, b: Components) -> Result:
     a1, a2, a3, a1o, a2o, a3o = a
     b1, b2, b3, b1o, b2o, b3o = b
@@ -2629,19 +2695,18 @@ def _own_between_jacobians(m: Any, c: Any, a: Components, b: Components) -> Resu
     v1 = z1 * gain
     v2 = z2 * gain
     v3 = z3 * gain
-    fi = gain * z0
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
     z = x / 16
+    p = 1 - z
+    fi = p / 2
+    fi_v = 4 * fi
     hvr = (v1 * rho1 + v2 * rho2 + v3 * rho3) / 4
-    w4 = (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2
-    w5 = (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2
-    w6 = (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2
-    pw = 1 - z
-    fiw = pw / 2
-    fi_vw = 4 * fiw
+    w4 = (rho1 * fi_v - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2
+    w5 = (rho2 * fi_v - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2
+    w6 = (rho3 * fi_v - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2
     yw = v1 * w4 + v2 * w5 + v3 * w6
     fiow = -yw / 4
     sw1 = -v1
@@ -2659,15 +2724,15 @@ def _own_between_jacobians(m: Any, c: Any, a: Components, b: Components) -> Resu
     d12w = cvw1 * v2
     d13w = cvw1 * v3
     d23w = cvw2 * v3
-    I11 = fi_vw + cvw1 * v1
+    I11 = fi_v + cvw1 * v1
     I12 = d12w - sw3
     I13 = d13w + sw2
     I21 = d12w + sw3
-    I22 = fi_vw + cvw2 * v2
+    I22 = fi_v + cvw2 * v2
     I23 = d23w - sw1
     I31 = d13w - sw2
     I32 = d23w + sw1
-    I33 = fi_vw + cvw3 * v3
+    I33 = fi_v + cvw3 * v3
     d12ow = cvw1 * w5 + cvow1 * v2
     d13ow = cvw1 * w6 + cvow1 * v3
     d23ow = cvw2 * w6 + cvow2 * v3
@@ -2951,24 +3016,23 @@ def _own_between_jacobians_blocks(
     )
     negative = m.less(z0, n0, mask1)
     cos = m.where(negative, neg(z0, k18), z0, k18)
-    rootb = add(n1, zb, k19)
-    Nb = add(mul(pb, pb, k20), mul(n4, zb, k7), k7)
-    rb = mul(n2, div(div(Nb, Nb, k20), Nb, k7), k7)
-    roota = add(n1, za, k20)
-    Na = add(mul(pa, pa, k21), mul(n4, za, k9), k9)
-    ra = mul(n2, div(div(Na, Na, k21), Na, k9), k9)
-    size = mul(rootb, roota, k21)
-    gain = mul(n4, div(m.where(negative, n_minus_1, n1, k22), add(size, cos, k18), k18), k18)
-    fi = mul(gain, z0, k17)
-    eS = div(n4, rootb, k19)
-    eF = div(n4, roota, k20)
+    rootb = add(n1, zb, k17)
+    Nb = add(mul(pb, pb, k19), mul(n4, zb, k7), k7)
+    rb = mul(n2, div(div(Nb, Nb, k19), Nb, k7), k7)
+    roota = add(n1, za, k19)
+    Na = add(mul(pa, pa, k20), mul(n4, za, k9), k9)
+    ra = mul(n2, div(div(Na, Na, k20), Na, k9), k9)
+    size = mul(rootb, roota, k20)
+    gain = mul(n4, div(m.where(negative, n_minus_1, n1, k21), add(size, cos, k18), k18), k18)
+    eS = div(n4, rootb, k17)
+    eF = div(n4, roota, k19)
     z1 = add(
-        add(mul(bva1, pb, k21), mul(bvb1, pa, k22), k21), sub(mul(bvb2, bva3, k22), mul(bvb3, bva2, k23), k22), k21
+        add(mul(bva1, pb, k20), mul(bvb1, pa, k21), k20), sub(mul(bvb2, bva3, k21), mul(bvb3, bva2, k22), k21), k20
     )
-    v1 = mul(z1, gain, k21)
-    v11 = mul(v1, v1, k22)
+    v1 = mul(z1, gain, k20)
+    v11 = mul(v1, v1, k21)
     z2 = add(
-        add(mul(bva2, pb, k23), mul(bvb2, pa, k24), k23), sub(mul(bvb3, bva1, k24), mul(bvb1, bva3, k25), k24), k23
+        add(mul(bva2, pb, k22), mul(bvb2, pa, k23), k22), sub(mul(bvb3, bva1, k23), mul(bvb1, bva3, k24), k23), k22
     )
     z3 = add(
         add(mul(bva3, pb, k16), mul(bvb3, pa, k15), k15), sub(mul(bvb1, bva2, k11), mul(bvb2, bva1, k12), k11), k11
@@ -2987,328 +3051,328 @@ def _own_between_jacobians_blocks(
     v33 = mul(v3, v3, k16)
     x = add(add(v11, v22, k15), v33, k15)
     z = div(x, n16, k15)
-    pw = sub(n1, z, k15)
-    fiw = div(pw, n2, k15)
-    fi_vw = mul(n4, fiw, k15)
+    p = sub(n1, z, k15)
+    fi = div(p, n2, k15)
+    fi_v = mul(n4, fi, k15)
     cvw3 = div(v3, n4, k16)
-    I33 = add(fi_vw, mul(cvw3, v3, k18), k18)
-    cvw1 = div(v1, n4, k19)
-    d13w = mul(cvw1, v3, k20)
-    sw2 = neg(v2, k22)
-    I31 = sub(d13w, sw2, k23)
-    I13 = add(d13w, sw2, k20)
-    cvw2 = div(v2, n4, k22)
-    d23w = mul(cvw2, v3, k24)
-    sw1 = neg(v1, k25)
-    I32 = add(d23w, sw1, k26)
-    I23 = sub(d23w, sw1, k24)
-    h_vb = div(gb, n64, k25)
-    cvS1 = mul(minus_b1, h_vb, k27)
-    d13S = mul(cvS1, minus_b3, k28)
-    g_vb = div(gb, n16, k29)
+    I33 = add(fi_v, mul(cvw3, v3, k17), k17)
+    cvw1 = div(v1, n4, k18)
+    d13w = mul(cvw1, v3, k19)
+    sw2 = neg(v2, k21)
+    I31 = sub(d13w, sw2, k22)
+    I13 = add(d13w, sw2, k19)
+    cvw2 = div(v2, n4, k21)
+    d23w = mul(cvw2, v3, k23)
+    sw1 = neg(v1, k24)
+    I32 = add(d23w, sw1, k25)
+    I23 = sub(d23w, sw1, k23)
+    h_vb = div(gb, n64, k24)
+    cvS1 = mul(minus_b1, h_vb, k26)
+    d13S = mul(cvS1, minus_b3, k27)
+    g_vb = div(gb, n16, k28)
     fyS = sub(gb, egS, k7)
     gyS = neg(egS, k13)
     fy_vS = div(fyS, n64, k7)
     Qb11 = sub(n1, mul(g_vb, x23b, k4), k4)
     Qb22 = sub(n1, mul(g_vb, x13b, k2), k2)
     Qb33 = sub(n1, mul(g_vb, x12b, k5), k5)
-    gvb2 = mul(minus_b2, g_vb, k30)
-    S13 = add(d13S, gvb2, k31)
-    S31 = sub(d13S, gvb2, k28)
-    cvS2 = mul(minus_b2, h_vb, k32)
-    d23S = mul(cvS2, minus_b3, k33)
-    gvb1 = mul(minus_b1, g_vb, k34)
-    S23 = sub(d23S, gvb1, k35)
-    S32 = add(d23S, gvb1, k33)
-    cvS3 = mul(minus_b3, h_vb, k36)
-    S33 = add(f_vb, mul(cvS3, minus_b3, k37), k37)
-    neg(div(add(add(mul(I31, S13, k38), mul(I32, S23, k39), k38), mul(I33, S33, k39), k38), n2, k38), o51)
-    d12S = mul(cvS1, minus_b2, k38)
-    gvb3 = mul(minus_b3, g_vb, k39)
-    S12 = sub(d12S, gvb3, k40)
-    S21 = add(d12S, gvb3, k38)
-    S22 = add(f_vb, mul(cvS2, minus_b2, k41), k41)
-    neg(div(add(add(mul(I31, S12, k42), mul(I32, S22, k43), k42), mul(I33, S32, k43), k42), n2, k42), o50)
-    S11 = add(f_vb, mul(cvS1, minus_b1, k42), k42)
-    neg(div(add(add(mul(I31, S11, k43), mul(I32, S21, k44), k43), mul(I33, S31, k44), k43), n2, k43), o49)
-    g_va = div(ga, n16, k43)
-    gva1 = mul(a1, g_va, k44)
-    gva2 = mul(a2, g_va, k45)
-    h_va = div(ga, n64, k46)
+    gvb2 = mul(minus_b2, g_vb, k29)
+    S13 = add(d13S, gvb2, k30)
+    S31 = sub(d13S, gvb2, k27)
+    cvS2 = mul(minus_b2, h_vb, k31)
+    d23S = mul(cvS2, minus_b3, k32)
+    gvb1 = mul(minus_b1, g_vb, k33)
+    S23 = sub(d23S, gvb1, k34)
+    S32 = add(d23S, gvb1, k32)
+    cvS3 = mul(minus_b3, h_vb, k35)
+    S33 = add(f_vb, mul(cvS3, minus_b3, k36), k36)
+    neg(div(add(add(mul(I31, S13, k37), mul(I32, S23, k38), k37), mul(I33, S33, k38), k37), n2, k37), o51)
+    d12S = mul(cvS1, minus_b2, k37)
+    gvb3 = mul(minus_b3, g_vb, k38)
+    S12 = sub(d12S, gvb3, k39)
+    S21 = add(d12S, gvb3, k37)
+    S22 = add(f_vb, mul(cvS2, minus_b2, k40), k40)
+    neg(div(add(add(mul(I31, S12, k41), mul(I32, S22, k42), k41), mul(I33, S32, k42), k41), n2, k41), o50)
+    S11 = add(f_vb, mul(cvS1, minus_b1, k41), k41)
+    neg(div(add(add(mul(I31, S11, k42), mul(I32, S21, k43), k42), mul(I33, S31, k43), k42), n2, k42), o49)
+    g_va = div(ga, n16, k42)
+    gva1 = mul(a1, g_va, k43)
+    gva2 = mul(a2, g_va, k44)
+    h_va = div(ga, n64, k45)
     fyF = sub(ga, egF, k9)
     gyF = neg(egF, k14)
     fy_vF = div(fyF, n64, k9)
-    ya = add(add(mul(a1, a1o, k47), mul(a2, a2o, k48), k47), mul(a3, a3o, k48), k47)
+    ya = add(add(mul(a1, a1o, k46), mul(a2, a2o, k47), k46), mul(a3, a3o, k47), k46)
     foF = mul(fy_vF, ya, k9)
-    alonga = mul(h_va, ya, k48)
+    alonga = mul(h_va, ya, k47)
     rhoa3 = add(
-        add(mul(a3o, f_va, k49), sub(mul(gva1, a2o, k50), mul(gva2, a1o, k51), k50), k49), mul(a3, alonga, k50), k49
+        add(mul(a3o, f_va, k48), sub(mul(gva1, a2o, k49), mul(gva2, a1o, k50), k49), k48), mul(a3, alonga, k49), k48
     )
-    gva3 = mul(a3, g_va, k50)
+    gva3 = mul(a3, g_va, k49)
     rhoa2 = add(
-        add(mul(a2o, f_va, k51), sub(mul(gva3, a1o, k52), mul(gva1, a3o, k53), k52), k51), mul(a2, alonga, k52), k51
+        add(mul(a2o, f_va, k50), sub(mul(gva3, a1o, k51), mul(gva1, a3o, k52), k51), k50), mul(a2, alonga, k51), k50
     )
     rhoa1 = add(
-        add(mul(a1o, f_va, k52), sub(mul(gva2, a3o, k53), mul(gva3, a2o, k54), k53), k52), mul(a1, alonga, k48), k48
+        add(mul(a1o, f_va, k51), sub(mul(gva2, a3o, k52), mul(gva3, a2o, k53), k52), k51), mul(a1, alonga, k47), k47
     )
-    v_rho1 = sub(mul(minus_b2, rhoa3, k52), mul(minus_b3, rhoa2, k53), k52)
-    v_rho3 = sub(mul(minus_b1, rhoa2, k53), mul(minus_b2, rhoa1, k54), k53)
-    gv_rho3 = mul(v_rho3, g_vb, k54)
-    v_rho2 = sub(mul(minus_b3, rhoa1, k55), mul(minus_b1, rhoa3, k56), k55)
-    gv_rho2 = mul(v_rho2, g_vb, k56)
-    minus_b4 = neg(b1o, k57)
-    minus_b5 = neg(b2o, k58)
-    minus_b6 = neg(b3o, k59)
-    yb = add(add(mul(minus_b1, minus_b4, k60), mul(minus_b2, minus_b5, k61), k60), mul(minus_b3, minus_b6, k61), k60)
+    v_rho1 = sub(mul(minus_b2, rhoa3, k51), mul(minus_b3, rhoa2, k52), k51)
+    v_rho3 = sub(mul(minus_b1, rhoa2, k52), mul(minus_b2, rhoa1, k53), k52)
+    gv_rho3 = mul(v_rho3, g_vb, k53)
+    v_rho2 = sub(mul(minus_b3, rhoa1, k54), mul(minus_b1, rhoa3, k55), k54)
+    gv_rho2 = mul(v_rho2, g_vb, k55)
+    minus_b4 = neg(b1o, k56)
+    minus_b5 = neg(b2o, k57)
+    minus_b6 = neg(b3o, k58)
+    yb = add(add(mul(minus_b1, minus_b4, k59), mul(minus_b2, minus_b5, k60), k59), mul(minus_b3, minus_b6, k60), k59)
     foS = mul(fy_vS, yb, k7)
-    alongb = mul(h_vb, yb, k61)
+    alongb = mul(h_vb, yb, k60)
     rhob1 = add(
-        add(mul(minus_b4, f_vb, k62), sub(mul(gvb2, minus_b6, k63), mul(gvb3, minus_b5, k64), k63), k62), mul(minus_b1,
-        alongb, k63), k62
+        add(mul(minus_b4, f_vb, k61), sub(mul(gvb2, minus_b6, k62), mul(gvb3, minus_b5, k63), k62), k61), mul(minus_b1,
+        alongb, k62), k61
     )
     rho1 = add(
-        add(rhoa1, add(mul(v_rho1, f_vb, k63), sub(mul(minus_b2, gv_rho3, k64), mul(minus_b3, gv_rho2, k65), k64), k63),
-        k48), rhob1, k48
+        add(rhoa1, add(mul(v_rho1, f_vb, k62), sub(mul(minus_b2, gv_rho3, k63), mul(minus_b3, gv_rho2, k64), k63), k62),
+        k47), rhob1, k47
     )
-    gv_rho1 = mul(v_rho1, g_vb, k52)
+    gv_rho1 = mul(v_rho1, g_vb, k51)
     rhob2 = add(
-        add(mul(minus_b5, f_vb, k63), sub(mul(gvb3, minus_b4, k39), mul(gvb1, minus_b6, k64), k39), k39), mul(minus_b2,
-        alongb, k63), k39
+        add(mul(minus_b5, f_vb, k62), sub(mul(gvb3, minus_b4, k38), mul(gvb1, minus_b6, k63), k38), k38), mul(minus_b2,
+        alongb, k62), k38
     )
     rho2 = add(
-        add(rhoa2, add(mul(v_rho2, f_vb, k55), sub(mul(minus_b3, gv_rho1, k63), mul(minus_b1, gv_rho3, k54), k54), k54),
-        k51), rhob2, k51
+        add(rhoa2, add(mul(v_rho2, f_vb, k54), sub(mul(minus_b3, gv_rho1, k62), mul(minus_b1, gv_rho3, k53), k53), k53),
+        k50), rhob2, k50
     )
     rhob3 = add(
-        add(mul(minus_b6, f_vb, k54), sub(mul(gvb1, minus_b5, k55), mul(gvb2, minus_b4, k63), k55), k54), mul(minus_b3,
-        alongb, k55), k54
+        add(mul(minus_b6, f_vb, k53), sub(mul(gvb1, minus_b5, k54), mul(gvb2, minus_b4, k62), k54), k53), mul(minus_b3,
+        alongb, k54), k53
     )
     rho3 = add(
-        add(rhoa3, add(mul(v_rho3, f_vb, k53), sub(mul(minus_b1, gv_rho2, k55), mul(minus_b2, gv_rho1, k52), k52), k52),
-        k49), rhob3, k49
+        add(rhoa3, add(mul(v_rho3, f_vb, k52), sub(mul(minus_b1, gv_rho2, k54), mul(minus_b2, gv_rho1, k51), k51), k51),
+        k48), rhob3, k48
     )
-    gvvb3 = mul(gvb2, minus_b3, k30)
-    hvr = div(add(add(mul(v1, rho1, k52), mul(v2, rho2, k53), k52), mul(v3, rho3, k53), k52), n4, k52)
+    gvvb3 = mul(gvb2, minus_b3, k29)
+    hvr = div(add(add(mul(v1, rho1, k51), mul(v2, rho2, k52), k51), mul(v3, rho3, k52), k51), n4, k51)
     w4 = div(
-        add(sub(mul(rho1, fi, k53), sub(mul(v2, rho3, k55), mul(v3, rho2, k56), k55), k53), mul(v1, hvr, k55), k53), n2,
-        k53
+        add(sub(mul(rho1, fi_v, k52), sub(mul(v2, rho3, k54), mul(v3, rho2, k55), k54), k52), mul(v1, hvr, k54), k52),
+        n2, k52
     )
     w5 = div(
-        add(sub(mul(rho2, fi, k55), sub(mul(v3, rho1, k56), mul(v1, rho3, k61), k56), k55), mul(v2, hvr, k56), k55), n2,
-        k55
+        add(sub(mul(rho2, fi_v, k54), sub(mul(v3, rho1, k55), mul(v1, rho3, k60), k55), k54), mul(v2, hvr, k55), k54),
+        n2, k54
     )
     w6 = div(
-        add(sub(mul(rho3, fi, k17), sub(mul(v1, rho2, k49), mul(v2, rho1, k48), k48), k17), mul(v3, hvr, k48), k17), n2,
-        k17
+        add(sub(mul(rho3, fi_v, k48), sub(mul(v1, rho2, k50), mul(v2, rho1, k47), k47), k47), mul(v3, hvr, k48), k47),
+        n2, k47
     )
-    yw = add(add(mul(v1, w4, k48), mul(v2, w5, k49), k48), mul(v3, w6, k49), k48)
+    yw = add(add(mul(v1, w4, k48), mul(v2, w5, k50), k48), mul(v3, w6, k50), k48)
     fiow = div(neg(yw, k48), n4, k48)
-    cvow3 = div(w6, n4, k49)
-    I33o = add(fiow, add(mul(cvw3, w6, k16), mul(cvow3, v3, k49), k16), k16)
-    cvow1 = div(w4, n4, k49)
-    d13ow = add(mul(cvw1, w6, k51), mul(cvow1, v3, k52), k51)
-    sow2 = neg(w5, k52)
-    I31o = sub(d13ow, sow2, k56)
+    cvow3 = div(w6, n4, k50)
+    I33o = add(fiow, add(mul(cvw3, w6, k16), mul(cvow3, v3, k50), k16), k16)
+    cvow1 = div(w4, n4, k50)
+    d13ow = add(mul(cvw1, w6, k51), mul(cvow1, v3, k55), k51)
+    sow2 = neg(w5, k55)
+    I31o = sub(d13ow, sow2, k60)
     I13o = add(d13ow, sow2, k51)
-    cvow2 = div(w5, n4, k52)
-    d23ow = add(mul(cvw2, w6, k61), mul(cvow2, v3, k63), k61)
+    cvow2 = div(w5, n4, k55)
+    d23ow = add(mul(cvw2, w6, k62), mul(cvow2, v3, k63), k62)
     sw3 = neg(v3, k11)
-    I22o = add(fiow, add(mul(cvw2, w5, k63), mul(cvow2, v2, k52), k52), k52)
-    I22 = add(fi_vw, mul(cvw2, v2, k22), k22)
-    d12ow = add(mul(cvw1, w5, k55), mul(cvow1, v2, k63), k55)
-    I11o = add(fiow, add(mul(cvw1, w4, k63), mul(cvow1, v1, k49), k49), k48)
-    I11 = add(fi_vw, mul(cvw1, v1, k21), k15)
+    I22o = add(fiow, add(mul(cvw2, w5, k63), mul(cvow2, v2, k55), k55), k55)
+    I22 = add(fi_v, mul(cvw2, v2, k21), k21)
+    d12ow = add(mul(cvw1, w5, k54), mul(cvow1, v2, k63), k54)
+    I11o = add(fiow, add(mul(cvw1, w4, k63), mul(cvow1, v1, k50), k50), k48)
+    I11 = add(fi_v, mul(cvw1, v1, k20), k15)
     d12w = mul(cvw1, v2, k12)
-    sow1 = neg(w4, k19)
-    sow3 = neg(w6, k17)
-    I32o = add(d23ow, sow1, k21)
-    I23o = sub(d23ow, sow1, k19)
-    hy_vS = div(gyS, n1024, k49)
-    hoS = mul(hy_vS, yb, k49)
+    sow1 = neg(w4, k18)
+    sow3 = neg(w6, k20)
+    I32o = add(d23ow, sow1, k47)
+    I23o = sub(d23ow, sow1, k18)
+    hy_vS = div(gyS, n1024, k50)
+    hoS = mul(hy_vS, yb, k50)
     gy_vS = div(gyS, n256, k13)
     goS = mul(gy_vS, yb, k13)
-    cvoS1 = add(mul(minus_b4, h_vb, k53), mul(minus_b1, hoS, k60), k53)
-    d13oS = add(mul(cvS1, minus_b6, k60), mul(cvoS1, minus_b3, k61), k60)
-    gvoS2 = add(mul(minus_b5, g_vb, k61), mul(minus_b2, goS, k63), k61)
+    cvoS1 = add(mul(minus_b4, h_vb, k52), mul(minus_b1, hoS, k59), k52)
+    d13oS = add(mul(cvS1, minus_b6, k59), mul(cvoS1, minus_b3, k62), k59)
+    gvoS2 = add(mul(minus_b5, g_vb, k62), mul(minus_b2, goS, k63), k62)
     S13o = add(d13oS, gvoS2, k63)
-    S31o = sub(d13oS, gvoS2, k60)
-    cvoS2 = add(mul(minus_b5, h_vb, k61), mul(minus_b2, hoS, k64), k61)
-    cvoS3 = add(mul(minus_b6, h_vb, k25), mul(minus_b3, hoS, k49), k25)
-    S33o = add(foS, add(mul(cvS3, minus_b6, k36), mul(cvoS3, minus_b3, k25), k25), k25)
-    d23oS = add(mul(cvS2, minus_b6, k36), mul(cvoS2, minus_b3, k49), k36)
-    S22o = add(foS, add(mul(cvS2, minus_b5, k32), mul(cvoS2, minus_b2, k49), k32), k32)
-    d12oS = add(mul(cvS1, minus_b5, k49), mul(cvoS1, minus_b2, k58), k49)
-    S11o = add(foS, add(mul(cvS1, minus_b4, k27), mul(cvoS1, minus_b1, k53), k27), k7)
-    gvoS1 = add(mul(minus_b4, g_vb, k27), mul(minus_b1, goS, k53), k27)
-    gvoS3 = add(mul(minus_b6, g_vb, k29), mul(minus_b3, goS, k13), k13)
+    S31o = sub(d13oS, gvoS2, k59)
+    cvoS2 = add(mul(minus_b5, h_vb, k62), mul(minus_b2, hoS, k64), k62)
+    cvoS3 = add(mul(minus_b6, h_vb, k24), mul(minus_b3, hoS, k50), k24)
+    S33o = add(foS, add(mul(cvS3, minus_b6, k35), mul(cvoS3, minus_b3, k24), k24), k24)
+    d23oS = add(mul(cvS2, minus_b6, k35), mul(cvoS2, minus_b3, k50), k35)
+    S22o = add(foS, add(mul(cvS2, minus_b5, k31), mul(cvoS2, minus_b2, k50), k31), k31)
+    d12oS = add(mul(cvS1, minus_b5, k50), mul(cvoS1, minus_b2, k57), k50)
+    S11o = add(foS, add(mul(cvS1, minus_b4, k26), mul(cvoS1, minus_b1, k52), k26), k7)
+    gvoS1 = add(mul(minus_b4, g_vb, k26), mul(minus_b1, goS, k52), k26)
+    gvoS3 = add(mul(minus_b6, g_vb, k28), mul(minus_b3, goS, k13), k13)
     fvb1 = mul(minus_b1, f_vb, k1)
-    S23o = sub(d23oS, gvoS1, k29)
-    S32o = add(d23oS, gvoS1, k27)
+    S23o = sub(d23oS, gvoS1, k28)
+    S32o = add(d23oS, gvoS1, k26)
     neg(
-        div(add(add(add(mul(I31, S13o, k36), mul(I31o, S13, k53), k36), add(mul(I32, S23o, k53), mul(I32o, S23, k57),
-        k53), k36), add(mul(I33, S33o, k53), mul(I33o, S33, k57), k53), k36), n2, k36), o69
+        div(add(add(add(mul(I31, S13o, k35), mul(I31o, S13, k52), k35), add(mul(I32, S23o, k52), mul(I32o, S23, k56),
+        k52), k35), add(mul(I33, S33o, k52), mul(I33o, S33, k56), k52), k35), n2, k35), o69
     )
-    S12o = sub(d12oS, gvoS3, k36)
+    S12o = sub(d12oS, gvoS3, k35)
     S21o = add(d12oS, gvoS3, k13)
     neg(
-        div(add(add(add(mul(I31, S12o, k49), mul(I31o, S12, k53), k49), add(mul(I32, S22o, k53), mul(I32o, S22, k57),
-        k53), k49), add(mul(I33, S32o, k53), mul(I33o, S32, k57), k53), k49), n2, k49), o68
+        div(add(add(add(mul(I31, S12o, k50), mul(I31o, S12, k52), k50), add(mul(I32, S22o, k52), mul(I32o, S22, k56),
+        k52), k50), add(mul(I33, S32o, k52), mul(I33o, S32, k56), k52), k50), n2, k50), o68
     )
     neg(
-        div(add(add(add(mul(I31, S11o, k49), mul(I31o, S11, k53), k49), add(mul(I32, S21o, k53), mul(I32o, S21, k57),
-        k53), k49), add(mul(I33, S31o, k53), mul(I33o, S31, k57), k53), k49), n2, k49), o67
+        div(add(add(add(mul(I31, S11o, k50), mul(I31o, S11, k52), k50), add(mul(I32, S21o, k52), mul(I32o, S21, k56),
+        k52), k50), add(mul(I33, S31o, k52), mul(I33o, S31, k56), k52), k50), n2, k50), o67
     )
-    I21 = add(d12w, sw3, k49)
+    I21 = add(d12w, sw3, k50)
     I12 = sub(d12w, sw3, k11)
-    neg(div(add(add(mul(I21, S13, k12), mul(I22, S23, k53), k12), mul(I23, S33, k53), k12), n2, k12), o45)
-    neg(div(add(add(mul(I21, S12, k12), mul(I22, S22, k53), k12), mul(I23, S32, k53), k12), n2, k12), o44)
-    neg(div(add(add(mul(I21, S11, k12), mul(I22, S21, k53), k12), mul(I23, S31, k53), k12), n2, k12), o43)
-    neg(div(add(add(mul(I11, S13, k12), mul(I12, S23, k53), k12), mul(I13, S33, k53), k12), n2, k12), o39)
-    neg(div(add(add(mul(I11, S12, k12), mul(I12, S22, k53), k12), mul(I13, S32, k53), k12), n2, k12), o38)
-    neg(div(add(add(mul(I11, S11, k12), mul(I12, S21, k53), k12), mul(I13, S31, k53), k12), n2, k12), o37)
+    neg(div(add(add(mul(I21, S13, k12), mul(I22, S23, k52), k12), mul(I23, S33, k52), k12), n2, k12), o45)
+    neg(div(add(add(mul(I21, S12, k12), mul(I22, S22, k52), k12), mul(I23, S32, k52), k12), n2, k12), o44)
+    neg(div(add(add(mul(I21, S11, k12), mul(I22, S21, k52), k12), mul(I23, S31, k52), k12), n2, k12), o43)
+    neg(div(add(add(mul(I11, S13, k12), mul(I12, S23, k52), k12), mul(I13, S33, k52), k12), n2, k12), o39)
+    neg(div(add(add(mul(I11, S12, k12), mul(I12, S22, k52), k12), mul(I13, S32, k52), k12), n2, k12), o38)
+    neg(div(add(add(mul(I11, S11, k12), mul(I12, S21, k52), k12), mul(I13, S31, k52), k12), n2, k12), o37)
     I21o = add(d12ow, sow3, k12)
-    I12o = sub(d12ow, sow3, k17)
+    I12o = sub(d12ow, sow3, k20)
     neg(
-        div(add(add(add(mul(I21, S13o, k53), mul(I21o, S13, k55), k53), add(mul(I22, S23o, k55), mul(I22o, S23, k57),
-        k55), k53), add(mul(I23, S33o, k55), mul(I23o, S33, k57), k55), k53), n2, k53), o63
+        div(add(add(add(mul(I21, S13o, k52), mul(I21o, S13, k54), k52), add(mul(I22, S23o, k54), mul(I22o, S23, k56),
+        k54), k52), add(mul(I23, S33o, k54), mul(I23o, S33, k56), k54), k52), n2, k52), o63
     )
     neg(
-        div(add(add(add(mul(I11, S13o, k53), mul(I11o, S13, k31), k31), add(mul(I12, S23o, k29), mul(I12o, S23, k35),
-        k29), k29), add(mul(I13, S33o, k25), mul(I13o, S33, k31), k25), k25), n2, k25), o57
+        div(add(add(add(mul(I11, S13o, k52), mul(I11o, S13, k30), k30), add(mul(I12, S23o, k28), mul(I12o, S23, k34),
+        k28), k28), add(mul(I13, S33o, k24), mul(I13o, S33, k30), k24), k24), n2, k24), o57
     )
     neg(
-        div(add(add(add(mul(I21, S12o, k25), mul(I21o, S12, k29), k25), add(mul(I22, S22o, k29), mul(I22o, S22, k31),
-        k29), k25), add(mul(I23, S32o, k29), mul(I23o, S32, k31), k29), k25), n2, k25), o62
+        div(add(add(add(mul(I21, S12o, k24), mul(I21o, S12, k28), k24), add(mul(I22, S22o, k28), mul(I22o, S22, k30),
+        k28), k24), add(mul(I23, S32o, k28), mul(I23o, S32, k30), k28), k24), n2, k24), o62
     )
     neg(
-        div(add(add(add(mul(I11, S12o, k25), mul(I11o, S12, k29), k25), add(mul(I12, S22o, k29), mul(I12o, S22, k31),
-        k29), k25), add(mul(I13, S32o, k27), mul(I13o, S32, k29), k27), k25), n2, k25), o56
+        div(add(add(add(mul(I11, S12o, k24), mul(I11o, S12, k28), k24), add(mul(I12, S22o, k28), mul(I12o, S22, k30),
+        k28), k24), add(mul(I13, S32o, k26), mul(I13o, S32, k28), k26), k24), n2, k24), o56
     )
     neg(
-        div(add(add(add(mul(I21, S11o, k25), mul(I21o, S11, k27), k25), add(mul(I22, S21o, k27), mul(I22o, S21, k29),
-        k27), k25), add(mul(I23, S31o, k27), mul(I23o, S31, k29), k27), k25), n2, k25), o61
+        div(add(add(add(mul(I21, S11o, k24), mul(I21o, S11, k26), k24), add(mul(I22, S21o, k26), mul(I22o, S21, k28),
+        k26), k24), add(mul(I23, S31o, k26), mul(I23o, S31, k28), k26), k24), n2, k24), o61
     )
     neg(
-        div(add(add(add(mul(I11, S11o, k7), mul(I11o, S11, k25), k7), add(mul(I12, S21o, k13), mul(I12o, S21, k25),
-        k13), k7), add(mul(I13, S31o, k13), mul(I13o, S31, k25), k13), k7), n2, k7), o55
+        div(add(add(add(mul(I11, S11o, k7), mul(I11o, S11, k24), k7), add(mul(I12, S21o, k13), mul(I12o, S21, k24),
+        k13), k7), add(mul(I13, S31o, k13), mul(I13o, S31, k24), k13), k7), n2, k7), o55
     )
     cvF1 = mul(a1, h_va, k7)
     d13F = mul(cvF1, a3, k13)
-    F13 = add(d13F, gva2, k25)
+    F13 = add(d13F, gva2, k24)
     F31 = sub(d13F, gva2, k13)
-    gvvb1 = mul(gvb1, minus_b2, k27)
-    gvvb2 = mul(gvb1, minus_b3, k28)
+    gvvb1 = mul(gvb1, minus_b2, k26)
+    gvvb2 = mul(gvb1, minus_b3, k27)
     fvb3 = mul(minus_b3, f_vb, k6)
     fvb2 = mul(minus_b2, f_vb, k3)
     Qb12 = sub(gvvb1, fvb3, k8)
     Qb21 = add(gvvb1, fvb3, k6)
-    cvF2 = mul(a2, h_va, k27)
-    d23F = mul(cvF2, a3, k29)
-    F23 = sub(d23F, gva1, k31)
-    F32 = add(d23F, gva1, k29)
-    Qb13 = add(gvvb2, fvb2, k32)
+    cvF2 = mul(a2, h_va, k26)
+    d23F = mul(cvF2, a3, k28)
+    F23 = sub(d23F, gva1, k30)
+    F32 = add(d23F, gva1, k28)
+    Qb13 = add(gvvb2, fvb2, k31)
     Qb31 = sub(gvvb2, fvb2, k3)
-    cvF3 = mul(a3, h_va, k28)
-    F33 = add(f_va, mul(cvF3, a3, k33), k33)
-    RT13 = add(add(mul(Qb11, F13, k34), mul(Qb12, F23, k35), k34), mul(Qb13, F33, k35), k34)
-    Qb23 = sub(gvvb3, fvb1, k35)
+    cvF3 = mul(a3, h_va, k27)
+    F33 = add(f_va, mul(cvF3, a3, k32), k32)
+    RT13 = add(add(mul(Qb11, F13, k33), mul(Qb12, F23, k34), k33), mul(Qb13, F33, k34), k33)
+    Qb23 = sub(gvvb3, fvb1, k34)
     Qb32 = add(gvvb3, fvb1, k1)
-    RT23 = add(add(mul(Qb21, F13, k30), mul(Qb22, F23, k36), k30), mul(Qb23, F33, k36), k30)
-    RT33 = add(add(mul(Qb31, F13, k36), mul(Qb32, F23, k37), k36), mul(Qb33, F33, k37), k36)
-    div(add(add(mul(I31, RT13, k37), mul(I32, RT23, k38), k37), mul(I33, RT33, k38), k37), n2, o15)
-    div(add(add(mul(I21, RT13, k37), mul(I22, RT23, k38), k37), mul(I23, RT33, k38), k37), n2, o9)
-    div(add(add(mul(I11, RT13, k37), mul(I12, RT23, k38), k37), mul(I13, RT33, k38), k37), n2, o3)
-    d12F = mul(cvF1, a2, k37)
-    F12 = sub(d12F, gva3, k38)
-    F21 = add(d12F, gva3, k37)
-    F22 = add(f_va, mul(cvF2, a2, k40), k40)
-    F11 = add(f_va, mul(cvF1, a1, k41), k10)
-    RT12 = add(add(mul(Qb11, F12, k41), mul(Qb12, F22, k42), k41), mul(Qb13, F32, k42), k41)
-    RT22 = add(add(mul(Qb21, F12, k42), mul(Qb22, F22, k44), k42), mul(Qb23, F32, k44), k42)
-    RT32 = add(add(mul(Qb31, F12, k44), mul(Qb32, F22, k45), k44), mul(Qb33, F32, k45), k44)
-    div(add(add(mul(I31, RT12, k45), mul(I32, RT22, k50), k45), mul(I33, RT32, k50), k45), n2, o14)
-    div(add(add(mul(I21, RT12, k45), mul(I22, RT22, k50), k45), mul(I23, RT32, k50), k45), n2, o8)
-    div(add(add(mul(I11, RT12, k45), mul(I12, RT22, k50), k45), mul(I13, RT32, k50), k45), n2, o2)
-    RT11 = add(add(mul(Qb11, F11, k45), mul(Qb12, F21, k50), k45), mul(Qb13, F31, k50), k45)
-    RT21 = add(add(mul(Qb21, F11, k50), mul(Qb22, F21, k53), k50), mul(Qb23, F31, k53), k50)
-    RT31 = add(add(mul(Qb31, F11, k53), mul(Qb32, F21, k55), k53), mul(Qb33, F31, k55), k53)
-    div(add(add(mul(I31, RT11, k55), mul(I32, RT21, k57), k55), mul(I33, RT31, k57), k55), n2, o13)
-    div(add(add(mul(I21, RT11, k55), mul(I22, RT21, k57), k55), mul(I23, RT31, k57), k55), n2, o7)
-    div(add(add(mul(I11, RT11, k55), mul(I12, RT21, k57), k55), mul(I13, RT31, k57), k55), n2, o1)
-    R11o = sub(mul(Qb31, rhob2, k55), mul(Qb21, rhob3, k57), k55)
-    R12o = sub(mul(Qb32, rhob2, k57), mul(Qb22, rhob3, k58), k57)
-    R13o = sub(mul(Qb33, rhob2, k58), mul(Qb23, rhob3, k59), k58)
-    hy_vF = div(gyF, n1024, k59)
-    hoF = mul(hy_vF, ya, k59)
+    RT23 = add(add(mul(Qb21, F13, k29), mul(Qb22, F23, k35), k29), mul(Qb23, F33, k35), k29)
+    RT33 = add(add(mul(Qb31, F13, k35), mul(Qb32, F23, k36), k35), mul(Qb33, F33, k36), k35)
+    div(add(add(mul(I31, RT13, k36), mul(I32, RT23, k37), k36), mul(I33, RT33, k37), k36), n2, o15)
+    div(add(add(mul(I21, RT13, k36), mul(I22, RT23, k37), k36), mul(I23, RT33, k37), k36), n2, o9)
+    div(add(add(mul(I11, RT13, k36), mul(I12, RT23, k37), k36), mul(I13, RT33, k37), k36), n2, o3)
+    d12F = mul(cvF1, a2, k36)
+    F12 = sub(d12F, gva3, k37)
+    F21 = add(d12F, gva3, k36)
+    F22 = add(f_va, mul(cvF2, a2, k39), k39)
+    F11 = add(f_va, mul(cvF1, a1, k40), k10)
+    RT12 = add(add(mul(Qb11, F12, k40), mul(Qb12, F22, k41), k40), mul(Qb13, F32, k41), k40)
+    RT22 = add(add(mul(Qb21, F12, k41), mul(Qb22, F22, k43), k41), mul(Qb23, F32, k43), k41)
+    RT32 = add(add(mul(Qb31, F12, k43), mul(Qb32, F22, k44), k43), mul(Qb33, F32, k44), k43)
+    div(add(add(mul(I31, RT12, k44), mul(I32, RT22, k49), k44), mul(I33, RT32, k49), k44), n2, o14)
+    div(add(add(mul(I21, RT12, k44), mul(I22, RT22, k49), k44), mul(I23, RT32, k49), k44), n2, o8)
+    div(add(add(mul(I11, RT12, k44), mul(I12, RT22, k49), k44), mul(I13, RT32, k49), k44), n2, o2)
+    RT11 = add(add(mul(Qb11, F11, k44), mul(Qb12, F21, k49), k44), mul(Qb13, F31, k49), k44)
+    RT21 = add(add(mul(Qb21, F11, k49), mul(Qb22, F21, k52), k49), mul(Qb23, F31, k52), k49)
+    RT31 = add(add(mul(Qb31, F11, k52), mul(Qb32, F21, k54), k52), mul(Qb33, F31, k54), k52)
+    div(add(add(mul(I31, RT11, k54), mul(I32, RT21, k56), k54), mul(I33, RT31, k56), k54), n2, o13)
+    div(add(add(mul(I21, RT11, k54), mul(I22, RT21, k56), k54), mul(I23, RT31, k56), k54), n2, o7)
+    div(add(add(mul(I11, RT11, k54), mul(I12, RT21, k56), k54), mul(I13, RT31, k56), k54), n2, o1)
+    R11o = sub(mul(Qb31, rhob2, k54), mul(Qb21, rhob3, k56), k54)
+    R12o = sub(mul(Qb32, rhob2, k56), mul(Qb22, rhob3, k57), k56)
+    R13o = sub(mul(Qb33, rhob2, k57), mul(Qb23, rhob3, k58), k57)
+    hy_vF = div(gyF, n1024, k58)
+    hoF = mul(hy_vF, ya, k58)
     gy_vF = div(gyF, n256, k14)
     goF = mul(gy_vF, ya, k14)
-    cvoF1 = add(mul(a1o, h_va, k47), mul(a1, hoF, k60), k47)
-    d13oF = add(mul(cvF1, a3o, k60), mul(cvoF1, a3, k61), k60)
-    gvoF2 = add(mul(a2o, g_va, k61), mul(a2, goF, k63), k61)
+    cvoF1 = add(mul(a1o, h_va, k46), mul(a1, hoF, k59), k46)
+    d13oF = add(mul(cvF1, a3o, k59), mul(cvoF1, a3, k62), k59)
+    gvoF2 = add(mul(a2o, g_va, k62), mul(a2, goF, k63), k62)
     F13o = add(d13oF, gvoF2, k63)
-    F31o = sub(d13oF, gvoF2, k60)
-    cvoF2 = add(mul(a2o, h_va, k61), mul(a2, hoF, k64), k61)
-    cvoF3 = add(mul(a3o, h_va, k46), mul(a3, hoF, k59), k46)
-    F33o = add(foF, add(mul(cvF3, a3o, k28), mul(cvoF3, a3, k46), k28), k28)
-    d23oF = add(mul(cvF2, a3o, k46), mul(cvoF2, a3, k59), k46)
-    F22o = add(foF, add(mul(cvF2, a2o, k27), mul(cvoF2, a2, k59), k27), k27)
-    F11o = add(foF, add(mul(cvF1, a1o, k59), mul(cvoF1, a1, k61), k59), k9)
-    d12oF = add(mul(cvF1, a2o, k7), mul(cvoF1, a2, k47), k7)
-    gvoF1 = add(mul(a1o, g_va, k47), mul(a1, goF, k59), k47)
-    gvoF3 = add(mul(a3o, g_va, k43), mul(a3, goF, k14), k14)
-    F23o = sub(d23oF, gvoF1, k43)
-    F32o = add(d23oF, gvoF1, k46)
+    F31o = sub(d13oF, gvoF2, k59)
+    cvoF2 = add(mul(a2o, h_va, k62), mul(a2, hoF, k64), k62)
+    cvoF3 = add(mul(a3o, h_va, k45), mul(a3, hoF, k58), k45)
+    F33o = add(foF, add(mul(cvF3, a3o, k27), mul(cvoF3, a3, k45), k27), k27)
+    d23oF = add(mul(cvF2, a3o, k45), mul(cvoF2, a3, k58), k45)
+    F22o = add(foF, add(mul(cvF2, a2o, k26), mul(cvoF2, a2, k58), k26), k26)
+    F11o = add(foF, add(mul(cvF1, a1o, k58), mul(cvoF1, a1, k62), k58), k9)
+    d12oF = add(mul(cvF1, a2o, k7), mul(cvoF1, a2, k46), k7)
+    gvoF1 = add(mul(a1o, g_va, k46), mul(a1, goF, k58), k46)
+    gvoF3 = add(mul(a3o, g_va, k42), mul(a3, goF, k14), k14)
+    F23o = sub(d23oF, gvoF1, k42)
+    F32o = add(d23oF, gvoF1, k45)
     RT13o = add(
-        add(add(mul(Qb11, F13o, k47), mul(R11o, F13, k59), k47), add(mul(Qb12, F23o, k59), mul(R12o, F23, k61), k59),
-        k47), add(mul(Qb13, F33o, k59), mul(R13o, F33, k61), k59), k47
+        add(add(mul(Qb11, F13o, k46), mul(R11o, F13, k58), k46), add(mul(Qb12, F23o, k58), mul(R12o, F23, k62), k58),
+        k46), add(mul(Qb13, F33o, k58), mul(R13o, F33, k62), k58), k46
     )
-    R21o = sub(mul(Qb11, rhob3, k59), mul(Qb31, rhob1, k61), k59)
-    R22o = sub(mul(Qb12, rhob3, k61), mul(Qb32, rhob1, k64), k61)
-    R23o = sub(mul(Qb13, rhob3, k54), mul(Qb33, rhob1, k64), k54)
+    R21o = sub(mul(Qb11, rhob3, k58), mul(Qb31, rhob1, k62), k58)
+    R22o = sub(mul(Qb12, rhob3, k62), mul(Qb32, rhob1, k64), k62)
+    R23o = sub(mul(Qb13, rhob3, k53), mul(Qb33, rhob1, k64), k53)
     RT23o = add(
         add(add(mul(Qb21, F13o, k64), mul(R21o, F13, k65), k64), add(mul(Qb22, F23o, k65), mul(R22o, F23, k66), k65),
         k64), add(mul(Qb23, F33o, k65), mul(R23o, F33, k66), k65), k64
     )
     R31o = sub(mul(Qb21, rhob1, k65), mul(Qb11, rhob2, k66), k65)
     R32o = sub(mul(Qb22, rhob1, k66), mul(Qb12, rhob2, k67), k66)
-    R33o = sub(mul(Qb23, rhob1, k62), mul(Qb13, rhob2, k39), k39)
+    R33o = sub(mul(Qb23, rhob1, k61), mul(Qb13, rhob2, k38), k38)
     RT33o = add(
-        add(add(mul(Qb31, F13o, k62), mul(R31o, F13, k25), k25), add(mul(Qb32, F23o, k43), mul(R32o, F23, k31), k31),
-        k25), add(mul(Qb33, F33o, k28), mul(R33o, F33, k31), k28), k25
+        add(add(mul(Qb31, F13o, k61), mul(R31o, F13, k24), k24), add(mul(Qb32, F23o, k42), mul(R32o, F23, k30), k30),
+        k24), add(mul(Qb33, F33o, k27), mul(R33o, F33, k30), k27), k24
     )
     div(
-        add(add(add(mul(I31, RT13o, k28), mul(I31o, RT13, k31), k28), add(mul(I32, RT23o, k31), mul(I32o, RT23, k33),
-        k31), k28), add(mul(I33, RT33o, k31), mul(I33o, RT33, k33), k31), k28), n2, o33
+        add(add(add(mul(I31, RT13o, k27), mul(I31o, RT13, k30), k27), add(mul(I32, RT23o, k30), mul(I32o, RT23, k32),
+        k30), k27), add(mul(I33, RT33o, k30), mul(I33o, RT33, k32), k30), k27), n2, o33
     )
     div(
-        add(add(add(mul(I21, RT13o, k28), mul(I21o, RT13, k31), k28), add(mul(I22, RT23o, k31), mul(I22o, RT23, k33),
-        k31), k28), add(mul(I23, RT33o, k31), mul(I23o, RT33, k33), k31), k28), n2, o27
+        add(add(add(mul(I21, RT13o, k27), mul(I21o, RT13, k30), k27), add(mul(I22, RT23o, k30), mul(I22o, RT23, k32),
+        k30), k27), add(mul(I23, RT33o, k30), mul(I23o, RT33, k32), k30), k27), n2, o27
     )
     div(
-        add(add(add(mul(I11, RT13o, k28), mul(I11o, RT13, k31), k28), add(mul(I12, RT23o, k31), mul(I12o, RT23, k30),
-        k30), k28), add(mul(I13, RT33o, k25), mul(I13o, RT33, k30), k25), k25), n2, o21
+        add(add(add(mul(I11, RT13o, k27), mul(I11o, RT13, k30), k27), add(mul(I12, RT23o, k30), mul(I12o, RT23, k29),
+        k29), k27), add(mul(I13, RT33o, k24), mul(I13o, RT33, k29), k24), k24), n2, o21
     )
-    F12o = sub(d12oF, gvoF3, k25)
+    F12o = sub(d12oF, gvoF3, k24)
     F21o = add(d12oF, gvoF3, k7)
     RT12o = add(
-        add(add(mul(Qb11, F12o, k14), mul(R11o, F12, k28), k14), add(mul(Qb12, F22o, k28), mul(R12o, F22, k30), k28),
-        k14), add(mul(Qb13, F32o, k28), mul(R13o, F32, k30), k28), k14
+        add(add(mul(Qb11, F12o, k14), mul(R11o, F12, k27), k14), add(mul(Qb12, F22o, k27), mul(R12o, F22, k29), k27),
+        k14), add(mul(Qb13, F32o, k27), mul(R13o, F32, k29), k27), k14
     )
     RT11o = add(
-        add(add(mul(Qb11, F11o, k4), mul(R11o, F11, k28), k4), add(mul(Qb12, F21o, k8), mul(R12o, F21, k28), k8), k4),
-        add(mul(Qb13, F31o, k8), mul(R13o, F31, k28), k8), k4
+        add(add(mul(Qb11, F11o, k4), mul(R11o, F11, k27), k4), add(mul(Qb12, F21o, k8), mul(R12o, F21, k27), k8), k4),
+        add(mul(Qb13, F31o, k8), mul(R13o, F31, k27), k8), k4
     )
     RT22o = add(
-        add(add(mul(Qb21, F12o, k8), mul(R21o, F12, k28), k8), add(mul(Qb22, F22o, k28), mul(R22o, F22, k30), k28), k8),
-        add(mul(Qb23, F32o, k28), mul(R23o, F32, k30), k28), k8
+        add(add(mul(Qb21, F12o, k8), mul(R21o, F12, k27), k8), add(mul(Qb22, F22o, k27), mul(R22o, F22, k29), k27), k8),
+        add(mul(Qb23, F32o, k27), mul(R23o, F32, k29), k27), k8
     )
     RT32o = add(
-        add(add(mul(Qb31, F12o, k25), mul(R31o, F12, k28), k25), add(mul(Qb32, F22o, k27), mul(R32o, F22, k28), k27),
-        k25), add(mul(Qb33, F32o, k27), mul(R33o, F32, k28), k27), k25
+        add(add(mul(Qb31, F12o, k24), mul(R31o, F12, k27), k24), add(mul(Qb32, F22o, k26), mul(R32o, F22, k27), k26),
+        k24), add(mul(Qb33, F32o, k26), mul(R33o, F32, k27), k26), k24
     )
     RT21o = add(
-        add(add(mul(Qb21, F11o, k6), mul(R21o, F11, k27), k6), add(mul(Qb22, F21o, k2), mul(R22o, F21, k27), k2), k2),
-        add(mul(Qb23, F31o, k6), mul(R23o, F31, k27), k6), k2
+        add(add(mul(Qb21, F11o, k6), mul(R21o, F11, k26), k6), add(mul(Qb22, F21o, k2), mul(R22o, F21, k26), k2), k2),
+        add(mul(Qb23, F31o, k6), mul(R23o, F31, k26), k6), k2
     )
     RT31o = add(
         add(add(mul(Qb31, F11o, k3), mul(R31o, F11, k6), k3), add(mul(Qb32, F21o, k1), mul(R32o, F21, k6), k1), k1),
@@ -3476,15 +3540,15 @@ def _own_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v_1 = z1 * factor
     v_2 = z2 * factor
     v_3 = z3 * factor
-    fi = factor * z0
+    fe = factor * z0
     hvr = (v_1 * rho1 + v_2 * rho2 + v_3 * rho3) / 4
     return (
         v_1,
         v_2,
         v_3,
-        (rho1 * fi - (v_2 * rho3 - v_3 * rho2) + v_1 * hvr) / 2,
-        (rho2 * fi - (v_3 * rho1 - v_1 * rho3) + v_2 * hvr) / 2,
-        (rho3 * fi - (v_1 * rho2 - v_2 * rho1) + v_3 * hvr) / 2,
+        (rho1 * fe - (v_2 * rho3 - v_3 * rho2) + v_1 * hvr) / 2,
+        (rho2 * fe - (v_3 * rho1 - v_1 * rho3) + v_2 * hvr) / 2,
+        (rho3 * fe - (v_1 * rho2 - v_2 * rho1) + v_3 * hvr) / 2,
     )
 
 
@@ -3570,7 +3634,7 @@ def _own_retract_blocks(
     v_1 = mul(z1, factor, o1)
     v_2 = mul(z2, factor, o2)
     v_3 = mul(z3, factor, o3)
-    fi = mul(factor, z0, k5)
+    fe = mul(factor, z0, k5)
     yd = add(add(mul(d1, d1o, k7), mul(d2, d2o, k8), k7), mul(d3, d3o, k8), k7)
     alongd = mul(hd, yd, k1)
     g_v = div(g, n16, k7)
@@ -3608,9 +3672,9 @@ def _own_retract_blocks(
         add(add(mul(d3o, fd, k4), sub(mul(gvd1, d2o, k2), mul(gvd2, d1o, k6), k2), k2), mul(d3, alongd, k1), k1), k1
     )
     hvr = div(add(add(mul(v_1, rho1, k2), mul(v_2, rho2, k3), k2), mul(v_3, rho3, k3), k2), n4, k2)
-    div(add(sub(mul(rho1, fi, k3), sub(mul(v_2, rho3, k4), mul(v_3, rho2, k6), k4), k3), mul(v_1, hvr, k4), k3), n2, o4)
-    div(add(sub(mul(rho2, fi, k3), sub(mul(v_3, rho1, k4), mul(v_1, rho3, k6), k4), k3), mul(v_2, hvr, k4), k3), n2, o5)
-    div(add(sub(mul(rho3, fi, k1), sub(mul(v_1, rho2, k3), mul(v_2, rho1, k4), k3), k1), mul(v_3, hvr, k2), k1), n2, o6)
+    div(add(sub(mul(rho1, fe, k3), sub(mul(v_2, rho3, k4), mul(v_3, rho2, k6), k4), k3), mul(v_1, hvr, k4), k3), n2, o4)
+    div(add(sub(mul(rho2, fe, k3), sub(mul(v_3, rho1, k4), mul(v_1, rho3, k6), k4), k3), mul(v_2, hvr, k4), k3), n2, o5)
+    div(add(sub(mul(rho3, fe, k1), sub(mul(v_1, rho2, k3), mul(v_2, rho1, k4), k3), k1), mul(v_3, hvr, k2), k1), n2, o6)
 
 
 # operations 296: 94 +, 141 *, 37 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
@@ -3713,15 +3777,15 @@ def _own_body_retract(m: Any, c: Any, v: Components, delta: Components) -> Resul
     v_1 = z1 * factor
     v_2 = z2 * factor
     v_3 = z3 * factor
-    fi = factor * z0
+    fe = factor * z0
     hvr = (v_1 * rho1 + v_2 * rho2 + v_3 * rho3) / 4
     return (
         v_1,
         v_2,
         v_3,
-        (rho1 * fi - (v_2 * rho3 - v_3 * rho2) + v_1 * hvr) / 2,
-        (rho2 * fi - (v_3 * rho1 - v_1 * rho3) + v_2 * hvr) / 2,
-        (rho3 * fi - (v_1 * rho2 - v_2 * rho1) + v_3 * hvr) / 2,
+        (rho1 * fe - (v_2 * rho3 - v_3 * rho2) + v_1 * hvr) / 2,
+        (rho2 * fe - (v_3 * rho1 - v_1 * rho3) + v_2 * hvr) / 2,
+        (rho3 * fe - (v_1 * rho2 - v_2 * rho1) + v_3 * hvr) / 2,
     )
 
 
@@ -3807,7 +3871,7 @@ def _own_body_retract_blocks(
     v_1 = mul(z1, factor, o1)
     v_2 = mul(z2, factor, o2)
     v_3 = mul(z3, factor, o3)
-    fi = mul(factor, z0, k5)
+    fe = mul(factor, z0, k5)
     yd = add(add(mul(d1, d1o, k7), mul(d2, d2o, k8), k7), mul(d3, d3o, k8), k7)
     alongd = mul(hd, yd, k1)
     gvd1 = mul(d1, gd, k7)
@@ -3844,9 +3908,9 @@ def _own_body_retract_blocks(
         add(add(mul(v3o, f_v, k3), sub(mul(gv1, v2o, k6), mul(gv2, v1o, k8), k6), k3), mul(v3, along, k4), k3), k2
     )
     hvr = div(add(add(mul(v_1, rho1, k3), mul(v_2, rho2, k4), k3), mul(v_3, rho3, k4), k3), n4, k3)
-    div(add(sub(mul(rho1, fi, k4), sub(mul(v_2, rho3, k6), mul(v_3, rho2, k8), k6), k4), mul(v_1, hvr, k6), k4), n2, o4)
-    div(add(sub(mul(rho2, fi, k4), sub(mul(v_3, rho1, k6), mul(v_1, rho3, k8), k6), k4), mul(v_2, hvr, k6), k4), n2, o5)
-    div(add(sub(mul(rho3, fi, k2), sub(mul(v_1, rho2, k4), mul(v_2, rho1, k1), k1), k1), mul(v_3, hvr, k2), k1), n2, o6)
+    div(add(sub(mul(rho1, fe, k4), sub(mul(v_2, rho3, k6), mul(v_3, rho2, k8), k6), k4), mul(v_1, hvr, k6), k4), n2, o4)
+    div(add(sub(mul(rho2, fe, k4), sub(mul(v_3, rho1, k6), mul(v_1, rho3, k8), k6), k4), mul(v_2, hvr, k6), k4), n2, o5)
+    div(add(sub(mul(rho3, fe, k2), sub(mul(v_1, rho2, k4), mul(v_2, rho1, k1), k1), k1), mul(v_3, hvr, k2), k1), n2, o6)
 
 
 # operations 298: 92 +, 142 *, 39 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
@@ -3937,6 +4001,7 @@ def _own_local(m: Any, c: Any, b: Components, a: Components) -> Result:
     v22e = d2 * d2
     v33e = d3 * d3
     xe = v11e + v22e + v33e
+    fee = gaine * z0
     neare = xe < 6
     ze = m.where(neare, xe, xe - xe) / 4
     C7e = (
@@ -3963,15 +4028,14 @@ def _own_local(m: Any, c: Any, b: Components, a: Components) -> Result:
     fe = 2 * (se * we)
     he = m.where(neare, (C3e + C1e * C2e) / 4, (1 - fe) / xxe)
     hie = ge - fie * he
-    fi = gaine * z0
     hvr = hie * (d1 * rho1 + d2 * rho2 + d3 * rho3)
     return (
         d1,
         d2,
         d3,
-        (rho1 * fi - (d2 * rho3 - d3 * rho2) + d1 * hvr) / 2,
-        (rho2 * fi - (d3 * rho1 - d1 * rho3) + d2 * hvr) / 2,
-        (rho3 * fi - (d1 * rho2 - d2 * rho1) + d3 * hvr) / 2,
+        (rho1 * fee - (d2 * rho3 - d3 * rho2) + d1 * hvr) / 2,
+        (rho2 * fee - (d3 * rho1 - d1 * rho3) + d2 * hvr) / 2,
+        (rho3 * fee - (d1 * rho2 - d2 * rho1) + d3 * hvr) / 2,
     )
 
 
@@ -4040,7 +4104,7 @@ def _own_local_blocks(
     d1 = mul(z1, gaine, o1)
     d2 = mul(z2, gaine, o2)
     d3 = mul(z3, gaine, o3)
-    fi = mul(gaine, z0, k8)
+    fee = mul(gaine, z0, k8)
     v11e = mul(d1, d1, k9)
     v22e = mul(d2, d2, k10)
     v33e = mul(d3, d3, k11)
@@ -4122,9 +4186,9 @@ def _own_local_blocks(
         add(add(mul(b3o, f_vb, k4), sub(mul(gvb1, b2o, k5), mul(gvb2, b1o, k7), k5), k4), mul(b3, alongb, k5), k4), k2
     )
     hvr = mul(hie, add(add(mul(d1, rho1, k4), mul(d2, rho2, k5), k4), mul(d3, rho3, k5), k4), k4)
-    div(add(sub(mul(rho1, fi, k5), sub(mul(d2, rho3, k6), mul(d3, rho2, k7), k6), k5), mul(d1, hvr, k6), k5), n2, o4)
-    div(add(sub(mul(rho2, fi, k5), sub(mul(d3, rho1, k6), mul(d1, rho3, k7), k6), k5), mul(d2, hvr, k6), k5), n2, o5)
-    div(add(sub(mul(rho3, fi, k2), sub(mul(d1, rho2, k3), mul(d2, rho1, k1), k1), k1), mul(d3, hvr, k2), k1), n2, o6)
+    div(add(sub(mul(rho1, fee, k5), sub(mul(d2, rho3, k6), mul(d3, rho2, k7), k6), k5), mul(d1, hvr, k6), k5), n2, o4)
+    div(add(sub(mul(rho2, fee, k5), sub(mul(d3, rho1, k6), mul(d1, rho3, k7), k6), k5), mul(d2, hvr, k6), k5), n2, o5)
+    div(add(sub(mul(rho3, fee, k2), sub(mul(d1, rho2, k3), mul(d2, rho1, k1), k1), k1), mul(d3, hvr, k2), k1), n2, o6)
 
 
 # operations 298: 92 +, 142 *, 39 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
@@ -4218,6 +4282,7 @@ def _own_body_local(m: Any, c: Any, a: Components, b: Components) -> Result:
     v22e = d2 * d2
     v33e = d3 * d3
     xe = v11e + v22e + v33e
+    fee = gaine * z0
     neare = xe < 6
     ze = m.where(neare, xe, xe - xe) / 4
     C7e = (
@@ -4244,15 +4309,14 @@ def _own_body_local(m: Any, c: Any, a: Components, b: Components) -> Result:
     fe = 2 * (se * we)
     he = m.where(neare, (C3e + C1e * C2e) / 4, (1 - fe) / xxe)
     hie = ge - fie * he
-    fi = gaine * z0
     hvr = hie * (d1 * rho1 + d2 * rho2 + d3 * rho3)
     return (
         d1,
         d2,
         d3,
-        (rho1 * fi - (d2 * rho3 - d3 * rho2) + d1 * hvr) / 2,
-        (rho2 * fi - (d3 * rho1 - d1 * rho3) + d2 * hvr) / 2,
-        (rho3 * fi - (d1 * rho2 - d2 * rho1) + d3 * hvr) / 2,
+        (rho1 * fee - (d2 * rho3 - d3 * rho2) + d1 * hvr) / 2,
+        (rho2 * fee - (d3 * rho1 - d1 * rho3) + d2 * hvr) / 2,
+        (rho3 * fee - (d1 * rho2 - d2 * rho1) + d3 * hvr) / 2,
     )
 
 
@@ -4323,7 +4387,7 @@ def _own_body_local_blocks(
     d1 = mul(z1, gaine, o1)
     d2 = mul(z2, gaine, o2)
     d3 = mul(z3, gaine, o3)
-    fi = mul(gaine, z0, k8)
+    fee = mul(gaine, z0, k8)
     v11e = mul(d1, d1, k9)
     v22e = mul(d2, d2, k10)
     v33e = mul(d3, d3, k11)
@@ -4403,9 +4467,9 @@ def _own_body_local_blocks(
         mul(minus_b3, alongb, k2), k2), k1
     )
     hvr = mul(hie, add(add(mul(d1, rho1, k2), mul(d2, rho2, k3), k2), mul(d3, rho3, k3), k2), k2)
-    div(add(sub(mul(rho1, fi, k3), sub(mul(d2, rho3, k4), mul(d3, rho2, k5), k4), k3), mul(d1, hvr, k4), k3), n2, o4)
-    div(add(sub(mul(rho2, fi, k3), sub(mul(d3, rho1, k4), mul(d1, rho3, k5), k4), k3), mul(d2, hvr, k4), k3), n2, o5)
-    div(add(sub(mul(rho3, fi, k1), sub(mul(d1, rho2, k3), mul(d2, rho1, k4), k3), k1), mul(d3, hvr, k2), k1), n2, o6)
+    div(add(sub(mul(rho1, fee, k3), sub(mul(d2, rho3, k4), mul(d3, rho2, k5), k4), k3), mul(d1, hvr, k4), k3), n2, o4)
+    div(add(sub(mul(rho2, fee, k3), sub(mul(d3, rho1, k4), mul(d1, rho3, k5), k4), k3), mul(d2, hvr, k4), k3), n2, o5)
+    div(add(sub(mul(rho3, fee, k1), sub(mul(d1, rho2, k3), mul(d2, rho1, k4), k3), k1), mul(d3, hvr, k2), k1), n2, o6)
 
 
 CHART = Chart(
@@ -4428,7 +4492,7 @@ CHART = Chart(
         "pose": Function(_pose, _pose_blocks, 0, 0, (1, 2, 4, 16, 64)),
         "tangent": Function(_tangent, _tangent_blocks, 0, 0, (1, 2, 4, 16, 64, 256, 1024)),
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 0, 0, (1, 2, 4, 16, 64, 256, 1024, 4096, 16384)),
-        "direction": Function(_direction, _direction_blocks, 2, 1, (-2, -1, 0, 1, 2, 16)),
+        "direction": Function(_direction, _direction_blocks, 2, 1, (-2, -1, 0, 1, 2, 4, 16)),
         "natural": Function(_natural, _natural_blocks, 2, 1, (-2, -1, 0, 1, 2, 4, 16)),
         "unfolded": Function(_unfolded, _unfolded_blocks, 0, 0, (1, 4)),
         "turned": Function(_turned, _turned_blocks, 0, 0, (1, 4)),
@@ -4498,7 +4562,7 @@ CHART = Chart(
         (6,),
         registers=8,
         masks=1,
-        numbers=(-1, 0, 1, 2, 4),
+        numbers=(-1, 0, 1, 2, 4, 16),
         lent=(),
         real=True,
     ),
@@ -4509,7 +4573,7 @@ CHART = Chart(
         (6,),
         registers=8,
         masks=7,
-        numbers=(-1, 0, 1, 2, 4),
+        numbers=(-1, 0, 1, 2, 4, 16),
         lent=(),
         real=True,
     ),
@@ -4520,7 +4584,7 @@ CHART = Chart(
         (6,),
         registers=8,
         masks=7,
-        numbers=(-1, 0, 1, 2, 4),
+        numbers=(-1, 0, 1, 2, 4, 16),
         lent=(),
         real=True,
     ),
@@ -4529,7 +4593,7 @@ CHART = Chart(
         _own_compose_blocks,
         (("v2", (6,)), ("v1", (6,)),),
         (6,),
-        registers=17,
+        registers=16,
         masks=1,
         numbers=(-1, 0, 1, 2, 4, 16, 64),
         lent=(),
@@ -4540,7 +4604,7 @@ CHART = Chart(
         _own_between_blocks,
         (("v2", (6,)), ("v1", (6,)),),
         (6,),
-        registers=23,
+        registers=22,
         masks=1,
         numbers=(-1, 0, 1, 2, 4, 16, 64),
         lent=(),

@@ -114,14 +114,11 @@ def _finish(trace: Geometry, name: str, e: Quaternion, gain: str, rho: Vector) -
 
 
 def _vector(trace: Geometry, e: Quaternion, gain: str, rho: Vector, *sizes: Number) -> tuple[Number, ...]:
-    """v = gain · e and v° = Re(T)⁻¹ rho, T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, by one of the chart's gains.
-
-    ``fi = s/w`` is the gain times the scalar of e: from x it could not be computed as well where φ′ is small.
-    """
+    """v = gain · e and v° = Re(T)⁻¹ rho, T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, by one of the chart's gains."""
     (factor,) = trace.ask(gain, (e.scalar, *e.vector, *sizes))
     re = named(trace, "v", factor * e.vector)
-    fi = trace.name("fi", factor * e.scalar)
-    (hi,) = Point(trace, (*re, 0, 0, 0)).scalars("inverse")
+    point = Point(trace, (*re, 0, 0, 0))
+    fi, hi = trace.ask("inverse", (point.x, trace.name("fe", factor * e.scalar)))
     along = trace.name("hvr", hi * re.dot(rho))
     return (*re, *((fi * rho - re.cross(rho) + along * re) / 2))
 
@@ -139,8 +136,10 @@ def shadow(trace: Geometry) -> Program:
     """Go on along the axis of the principal angle by a turn of the chart."""
     point = start(trace)
     cosine, sine = _turn(trace)
-    (sign,) = trace.ask("direction", (point.x, point.y))
-    return trace.program("shadow", _turned(trace, point, _axis(trace, point), cosine, point.name("sn", sign * sine)))
+    axis = _axis(trace, point)
+    # of the axis' length, not of x: its gradient is finite at Re v = 0
+    (sign,) = trace.ask("direction", (point.x, point.y, axis[0]))
+    return trace.program("shadow", _turned(trace, point, axis, cosine, point.name("sn", sign * sine)))
 
 
 def principal(trace: Geometry) -> Program:

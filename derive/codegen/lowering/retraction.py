@@ -66,15 +66,14 @@ def _nearest(trace: Geometry, point: Point, e: Quaternion, rho: Vector) -> tuple
 def _placed(trace: Geometry, factor: Number, e: Quaternion, rho: Vector) -> tuple[Number, ...]:
     """v = factor · vec e, v° = Re(T)⁻¹ rho."""
     re = named(trace, "v_", factor * e.vector)
-    (hi,) = Point(trace, (*re, 0, 0, 0), "w").scalars("inverse")
-    return _with_dual(trace, factor, e, rho, re, hi)
+    fi = trace.name("fe", factor * e.scalar)
+    _, hi = trace.ask("inverse", (Point(trace, (*re, 0, 0, 0), "w").x, fi), "w")
+    return _with_dual(trace, fi, rho, re, hi)
 
 
-def _with_dual(
-    trace: Geometry, factor: Number, e: Quaternion, rho: Vector, re: Vector, hi: Number
-) -> tuple[Number, ...]:
-    scope = Scope(trace, "")
-    fi, along = scope.name("fi", factor * e.scalar), scope.name("hvr", hi * re.dot(rho))
+def _with_dual(trace: Geometry, fi: Number, rho: Vector, re: Vector, hi: Number) -> tuple[Number, ...]:
+    """``fi`` is the factor times the scalar of e on whichever branch v is."""
+    along = Scope(trace, "").name("hvr", hi * re.dot(rho))
     return (*re, *((fi * rho - re.cross(rho) + along * re) / 2))
 
 
@@ -101,4 +100,4 @@ def _logarithm(trace: Geometry, second: Sequence[Number], first: Sequence[Number
     factor = EXPONENTIAL.gain(e, trace.name("size", size2 * size1), scope)
     re = named(trace, "d", factor * e.vector)
     at = EXPONENTIAL.scalars(Point(trace, (*re, 0, 0, 0), "e").x, scope)
-    return _with_dual(trace, factor, e, rho, re, at.hi)
+    return _with_dual(trace, scope.name("fe", factor * e.scalar), rho, re, at.hi)

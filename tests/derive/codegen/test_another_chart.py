@@ -210,7 +210,10 @@ class Sine:
         gain = m.where(still, 1, r) / m.where(still, 3 * cosine, sine)
         return m.name("gain", m.where(negative, -1, 1) * gain)
 
-    def direction(self, x: Coefficient, y: Coefficient, m: Arithmetic) -> Coefficient:
+    def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+        return fi, self.scalars(x, m).hi
+
+    def direction(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         at = self.scalars(x, m)
         turned = m.where(m.less(at.p, 0), m.name("mw", -at.w), at.w)
         backwards = m.both(m.equal(at.w, 0), m.less(y, 0))
@@ -221,7 +224,7 @@ class Sine:
     ) -> tuple[Coefficient, Coefficient, Coefficient]:
         at = self.scalars(x, m)
         s, w = (m.where(m.less(value, 0), -value, value) for value in (at.s, at.w))
-        return m.name("angle", 2 * m.atan2(r * w, s)), m.name("slope", 6 / at.c), self.direction(x, y, m)
+        return m.name("angle", 2 * m.atan2(r * w, s)), m.name("slope", 6 / at.c), self.direction(x, y, r, m)
 
     def unfolded(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         return 6 * m.atan2(r, self.scalars(x, m).c)
