@@ -1280,6 +1280,7 @@ CHART = Chart(
         real=False,
     ),
     },
+    programs="8bfca155c3e5c05c",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -4243,6 +4243,7 @@ CHART = Chart(
         real=True,
     ),
     },
+    programs="b7dc80ca3308ed1a",
 )
 
 KERNELS = PoseKernels(CHART)

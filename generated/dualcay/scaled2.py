@@ -4677,6 +4677,7 @@ CHART = Chart(
         real=True,
     ),
     },
+    programs="931b0652dc1c9841",
 )
 
 KERNELS = PoseKernels(CHART)
