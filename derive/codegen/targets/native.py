@@ -57,6 +57,11 @@ class Loop:
     result: Operand
     passed: str
 
+    @property
+    def operands(self) -> tuple[Operand, ...]:
+        """Arguments and result."""
+        return *self.arguments, self.result
+
 
 def loop(row: Function, program: Program) -> Loop:
     """The loop around the core of a kernel."""
@@ -102,8 +107,8 @@ class Native(C):
         loops = [loop(row, geometry()[name]) for name, row in KERNELS.items()]
         data = {
             "loops": loops,
-            "most": max(array.size for each in loops for array in (*each.arguments, each.result)),
-            "operands": max(len(each.arguments) + 1 for each in loops),
+            "most": max(array.size for each in loops for array in each.operands),
+            "operands": max(len(each.operands) for each in loops),
             "package": PACKAGE,
         }
         return {
