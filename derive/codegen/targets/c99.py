@@ -50,10 +50,12 @@ class Printed:
 
 def _ternary(condition: Text, first: Text, second: Text) -> Text:
     test, a, b = (bracket(text, _SELECTED + 1) for text in (condition, first, second))
-    if all(text[0].lstrip("-").isdigit() for text in (first, second)):
-        # two integers would make an int, and a division by one an integer division
-        b = f"({REAL}){b}"
-    return f"{test} ? {a} : {b}", _SELECTED
+    return f"{test} ? {real(a)} : {real(b)}", _SELECTED
+
+
+def real(text: str) -> str:
+    """An integer where nothing would make it real: two would be an int, and not every class is made of one."""
+    return f"({REAL}){text}" if text.lstrip("-").isdigit() else text
 
 
 C99 = Dialect(
@@ -62,7 +64,7 @@ C99 = Dialect(
     select=_ternary,
     largest=_EXACT_IN_FLOAT,
 )
-"""C, where integer constants become the real type exactly by the usual arithmetic conversions."""
+"""C, where integer constants become the real type exactly beside an operand of it."""
 
 
 def core(program: Program, table: Mapping[str, str]) -> Printed:
@@ -168,7 +170,7 @@ def _call(call: Call, arguments: str) -> Iterator[str]:
 
 def _stores(program: Program, places: Sequence[str]) -> Iterator[str]:
     for place, text in zip(places, C99.statements(program)[1], strict=True):
-        yield from _wrap(place, text)
+        yield from _wrap(place, real(text))
 
 
 def _wrap(target: str, text: str) -> Iterator[str]:
