@@ -263,6 +263,13 @@ def shifted(chart: Chart, branch: int, v: ArrayLike, axis: int, out: Array | Non
     return call(chart, "shadow", axis, out, v, table=turn) if turn else _same(v, axis, out)
 
 
+def shifted_jacobian(chart: Chart, branch: int, v: ArrayLike, axis: int, out: Array | None) -> Array:
+    """The derivative of that: by none, the unit matrix."""
+    turn = turn_of(chart, branch)
+    name = "shadow_jacobian" if turn else "identity_jacobian"
+    return call(chart, name, axis, out, v, table=turn)
+
+
 def returned(chart: Chart, v: ArrayLike, axis: int, out: Array | None) -> Array:
     """Go back to the principal branch; where there is no other, v itself."""
     return call(chart, "principal", axis, out, v, table=chart.returns) if chart.returns else _same(v, axis, out)

@@ -85,12 +85,15 @@
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
 #   to_screw: 75: 18 +, 30 *, 11 /, 6 abs, 1 sqrt, 1 atan2, 2 eq, 6 where
 #   angle: 54: 13 +, 14 *, 8 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
+#   identity_jacobian: 12: 12 +
 #   compose: 185: 68 +, 109 *, 8 /
 #   between: 191: 68 +, 109 *, 8 /, 6 neg
 #   compose_jacobians: 919: 368 +, 493 *, 50 /, 8 neg
 #   between_jacobians: 943: 368 +, 493 *, 50 /, 32 neg
 #   retract: 288: 95 +, 141 *, 28 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
 #   body_retract: 288: 95 +, 141 *, 28 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+#   retract_jacobians: 1037: 403 +, 531 *, 71 /, 7 neg, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 12 where
+#   body_retract_jacobians: 1037: 403 +, 531 *, 71 /, 7 neg, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 12 where
 #   local: 278: 90 +, 138 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 278: 90 +, 138 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   adjoint: 86: 34 +, 50 *, 2 /
@@ -127,13 +130,13 @@ from ._kernel import Components, Kernel, Result, Rows, add, atan2, copy, div, mu
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
-    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_tangent", "body_tangent_dot",
-    "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians",
-    "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_pose", "from_quaternion", "from_screw", "from_tensor",
-    "identity", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian",
-    "retract", "shadow", "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw",
-    "transform_line", "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot",
-    "twist_jacobian",
+    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
+    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_pose", "from_quaternion",
+    "from_screw", "from_tensor", "identity", "inverse", "local", "pose", "principal", "quaternion", "random", "rate",
+    "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles",
+    "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians",
+    "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 1
@@ -1295,6 +1298,7 @@ body_rate = KERNELS.body_rate
 body_rate_dot = KERNELS.body_rate_dot
 body_rate_jacobian = KERNELS.body_rate_jacobian
 body_retract = KERNELS.body_retract
+body_retract_jacobians = KERNELS.body_retract_jacobians
 body_tangent = KERNELS.body_tangent
 body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
@@ -1322,7 +1326,9 @@ rate = KERNELS.rate
 rate_dot = KERNELS.rate_dot
 rate_jacobian = KERNELS.rate_jacobian
 retract = KERNELS.retract
+retract_jacobians = KERNELS.retract_jacobians
 shadow = KERNELS.shadow
+shadow_jacobian = KERNELS.shadow_jacobian
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent
 tangent_dot = KERNELS.tangent_dot

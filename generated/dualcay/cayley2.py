@@ -88,6 +88,8 @@
 #   angle: 60: 14 +, 19 *, 8 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
 #   turn: 70: 16 +, 28 *, 11 /, 6 abs, 1 sqrt, 2 eq, 6 where
 #   shadow: 93: 25 +, 37 *, 12 /, 6 abs, 1 sqrt, 2 lt, 2 eq, 8 where
+#   identity_jacobian: 12: 12 +
+#   shadow_jacobian: 159: 46 +, 72 *, 20 /, 2 neg, 6 abs, 1 sqrt, 2 lt, 2 eq, 8 where
 #   principal: 55: 15 +, 23 *, 8 /, 1 sqrt, 1 lt, 7 where
 #   compose: 207: 74 +, 120 *, 9 /, 1 neg, 1 lt, 2 where
 #   between: 213: 74 +, 120 *, 9 /, 7 neg, 1 lt, 2 where
@@ -95,6 +97,8 @@
 #   between_jacobians: 983: 381 +, 514 *, 52 /, 33 neg, 1 lt, 2 where
 #   retract: 297: 98 +, 146 *, 29 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
 #   body_retract: 297: 98 +, 146 *, 29 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+#   retract_jacobians: 1056: 410 +, 541 *, 73 /, 7 neg, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 12 where
+#   body_retract_jacobians: 1056: 410 +, 541 *, 73 /, 7 neg, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 12 where
 #   local: 292: 94 +, 148 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 292: 94 +, 148 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   adjoint: 92: 35 +, 55 *, 2 /
@@ -131,13 +135,13 @@ from ._kernel import Components, Kernel, Result, Rows, absolute, add, atan2, cop
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
-    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_tangent", "body_tangent_dot",
-    "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians",
-    "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_pose", "from_quaternion", "from_screw", "from_tensor",
-    "identity", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian",
-    "retract", "shadow", "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw",
-    "transform_line", "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot",
-    "twist_jacobian",
+    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
+    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_pose", "from_quaternion",
+    "from_screw", "from_tensor", "identity", "inverse", "local", "pose", "principal", "quaternion", "random", "rate",
+    "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles",
+    "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians",
+    "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 2
@@ -275,6 +279,26 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     copy(o5, o6)
     copy(o8, o9)
     return o1, o2, o3, o4, o5, o6, o7, o8, o9
+
+
+# operations 5: 1 +, 1 *, 2 /, 1 neg
+def _rate(m: Any, x: Any) -> Result:
+    x1 = 1 + x
+    e = 4 / x1
+    ee = 2 * e / x1
+    ey = -ee
+    return e, ey
+
+
+def _rate_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2 = out
+    k1, *_ = scratch
+    n1, n2, n4 = numbers
+    x1 = add(n1, x, o2)
+    e = div(n4, x1, o1)
+    ee = div(mul(n2, e, k1), x1, o2)
+    neg(ee, o2)
+    return o1, o2
 
 
 # operations 2: 1 +, 1 /
@@ -922,6 +946,7 @@ CHART = Chart(
         "pose": Function(_pose, _pose_blocks, 1, 0, (1, 2, 4)),
         "tangent": Function(_tangent, _tangent_blocks, 0, 0, (1, 2, 4)),
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 1, 0, (1, 2, 4)),
+        "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2, 4)),
         "inverse": Function(_inverse, _inverse_blocks, 0, 0, (1, 2)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 0, 0, (-1, 0, 1, 2)),
         "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 0, 0, (-1, 0, 1, 2)),
@@ -986,6 +1011,7 @@ body_rate = KERNELS.body_rate
 body_rate_dot = KERNELS.body_rate_dot
 body_rate_jacobian = KERNELS.body_rate_jacobian
 body_retract = KERNELS.body_retract
+body_retract_jacobians = KERNELS.body_retract_jacobians
 body_tangent = KERNELS.body_tangent
 body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
@@ -1013,7 +1039,9 @@ rate = KERNELS.rate
 rate_dot = KERNELS.rate_dot
 rate_jacobian = KERNELS.rate_jacobian
 retract = KERNELS.retract
+retract_jacobians = KERNELS.retract_jacobians
 shadow = KERNELS.shadow
+shadow_jacobian = KERNELS.shadow_jacobian
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent
 tangent_dot = KERNELS.tangent_dot

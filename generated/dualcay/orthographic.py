@@ -52,15 +52,18 @@
 #   from_quaternion: 65: 22 +, 38 *, 3 /, 1 lt, 1 where
 #   from_tensor: 133: 45 +, 49 *, 7 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 97: 30 +, 31 *, 4 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
-#   from_screw: 22: 5 +, 12 *, 4 /, 1 tan
+#   from_screw: 26: 5 +, 14 *, 4 /, 1 tan, 1 lt, 1 where
 #   to_screw: 82: 19 +, 30 *, 11 /, 7 abs, 2 sqrt, 1 atan2, 2 lt, 2 eq, 8 where
 #   angle: 58: 14 +, 14 *, 7 /, 6 abs, 4 sqrt, 1 atan2, 1 lt, 3 eq, 8 where
+#   identity_jacobian: 12: 12 +
 #   compose: 163: 61 +, 93 *, 5 /, 2 sqrt, 1 lt, 1 where
 #   between: 169: 61 +, 93 *, 5 /, 6 neg, 2 sqrt, 1 lt, 1 where
 #   compose_jacobians: 848: 339 +, 446 *, 45 /, 13 neg, 3 sqrt, 1 lt, 1 where
 #   between_jacobians: 872: 339 +, 446 *, 45 /, 37 neg, 3 sqrt, 1 lt, 1 where
-#   retract: 296: 97 +, 142 *, 29 /, 6 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
-#   body_retract: 296: 97 +, 142 *, 29 /, 6 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   retract: 300: 97 +, 144 *, 29 /, 6 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 13 where
+#   body_retract: 300: 97 +, 144 *, 29 /, 6 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 13 where
+#   retract_jacobians: 1056: 408 +, 535 *, 73 /, 7 neg, 8 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 14 where
+#   body_retract_jacobians: 1056: 408 +, 535 *, 73 /, 7 neg, 8 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 14 where
 #   local: 278: 90 +, 138 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 278: 90 +, 138 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   adjoint: 86: 34 +, 50 *, 1 /, 1 sqrt
@@ -95,12 +98,13 @@ from ._kernel import Components, Kernel, Result, Rows, absolute, add, atan2, cop
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
-    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_tangent", "body_tangent_dot",
-    "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians",
-    "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity",
-    "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "retract",
-    "shadow", "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
-    "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
+    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
+    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor",
+    "identity", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian",
+    "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent", "tangent_dot",
+    "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
+    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 1
@@ -222,6 +226,25 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, n0
 
 
+# operations 5: 1 +, 2 /, 1 neg, 1 sqrt
+def _tangent_inv(m: Any, x: Any) -> Result:
+    cc = 1 - x
+    c = m.sqrt(cc)
+    h = 2 / c
+    fiy = -(h / 2)
+    return c, 0, fiy, 0
+
+
+def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, _, o3, _ = out
+    n0, n1, n2 = numbers
+    cc = sub(n1, x, o1)
+    c = sqrt(cc, o1)
+    h = div(n2, c, o3)
+    neg(div(h, n2, o3), o3)
+    return o1, n0, o3, n0
+
+
 # operations 4: 1 +, 1 *, 1 /, 1 sqrt
 def _ray(m: Any, x: Any) -> Result:
     cc = 1 - x
@@ -319,26 +342,31 @@ def _unfolded_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Row
     return o1,
 
 
-# operations 9: 2 +, 2 *, 4 /, 1 tan
+# operations 13: 2 +, 4 *, 4 /, 1 tan, 1 lt, 1 where
 def _coefficient(m: Any, alpha: Any) -> Result:
     t = m.tan(alpha / 4)
     tt = t * t
     below = 1 + tt
-    sin = 2 * t / below
-    cos = (1 - tt) / below
+    further = (1 - tt) / below
+    side = m.where(further < 0, -1, 1)
+    sin = side * (2 * t / below)
+    cos = side * further
     slope = cos / 2
     return sin, slope
 
 
 def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
     o1, o2 = out
-    k1, *_ = scratch
-    n1, n2, n4 = numbers
+    k1, k2, *_ = scratch
+    mask1, *_ = masks
+    n_minus_1, n0, n1, n2, n4 = numbers
     t = tan(div(alpha, n4, o1), o1)
     tt = mul(t, t, o2)
     below = add(n1, tt, k1)
-    div(mul(n2, t, o1), below, o1)
-    cos = div(sub(n1, tt, o2), below, o2)
+    further = div(sub(n1, tt, o2), below, o2)
+    side = m.where(m.less(further, n0, mask1), n_minus_1, n1, k2)
+    mul(side, div(mul(n2, t, o1), below, o1), o1)
+    cos = mul(side, further, o2)
     div(cos, n2, o2)
     return o1, o2
 
@@ -2539,12 +2567,13 @@ CHART = Chart(
         "tangent": Function(_tangent, _tangent_blocks, 0, 0, (1, 2, 4)),
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 1, 0, (1, 2, 3, 4)),
         "inverse": Function(_inverse, _inverse_blocks, 0, 0, (0,)),
+        "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 0, 0, (0, 1, 2)),
         "ray": Function(_ray, _ray_blocks, 0, 0, (1, 2)),
         "gain_unit": Function(_gain_unit, _gain_unit_blocks, 0, 1, (-1, 0, 1)),
         "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 0, (1,)),
         "natural": Function(_natural, _natural_blocks, 0, 1, (-1, 0, 1, 2, 16)),
         "unfolded": Function(_unfolded, _unfolded_blocks, 0, 1, (1, 2)),
-        "coefficient": Function(_coefficient, _coefficient_blocks, 1, 0, (1, 2, 4)),
+        "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 4)),
     },
     own={
         "tangent_inv": Kernel(
@@ -2662,6 +2691,7 @@ body_rate = KERNELS.body_rate
 body_rate_dot = KERNELS.body_rate_dot
 body_rate_jacobian = KERNELS.body_rate_jacobian
 body_retract = KERNELS.body_retract
+body_retract_jacobians = KERNELS.body_retract_jacobians
 body_tangent = KERNELS.body_tangent
 body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
@@ -2687,7 +2717,9 @@ rate = KERNELS.rate
 rate_dot = KERNELS.rate_dot
 rate_jacobian = KERNELS.rate_jacobian
 retract = KERNELS.retract
+retract_jacobians = KERNELS.retract_jacobians
 shadow = KERNELS.shadow
+shadow_jacobian = KERNELS.shadow_jacobian
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent
 tangent_dot = KERNELS.tangent_dot

@@ -55,12 +55,15 @@
 #   from_screw: 20: 4 +, 13 *, 2 /, 1 tan
 #   to_screw: 78: 18 +, 30 *, 14 /, 6 abs, 1 sqrt, 1 atan2, 2 eq, 6 where
 #   angle: 58: 13 +, 14 *, 12 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
+#   identity_jacobian: 12: 12 +
 #   compose: 155: 56 +, 78 *, 21 /
 #   between: 161: 56 +, 78 *, 21 /, 6 neg
 #   compose_jacobians: 775: 296 +, 390 *, 69 /, 20 neg
 #   between_jacobians: 799: 296 +, 390 *, 69 /, 44 neg
 #   retract: 273: 88 +, 125 *, 36 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
 #   body_retract: 273: 88 +, 125 *, 36 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+#   retract_jacobians: 957: 362 +, 472 *, 85 /, 13 neg, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 12 where
+#   body_retract_jacobians: 957: 362 +, 472 *, 85 /, 13 neg, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 12 where
 #   local: 253: 80 +, 111 *, 37 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 253: 80 +, 111 *, 37 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   adjoint: 89: 34 +, 50 *, 5 /
@@ -95,12 +98,13 @@ from ._kernel import Components, Kernel, Result, Rows, add, atan2, copy, div, mu
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
-    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_tangent", "body_tangent_dot",
-    "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians",
-    "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity",
-    "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "retract",
-    "shadow", "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
-    "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
+    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
+    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor",
+    "identity", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian",
+    "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent", "tangent_dot",
+    "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
+    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 1
@@ -3534,6 +3538,1543 @@ def _own_body_retract_blocks(
     div(add(sub(mul(rho3, fe, k2), sub(mul(v_1, rho2, k3), mul(v_2, rho1, k1), k1), k1), mul(v_3, hvr, k2), k1), n2, o6)
 
 
+# operations 957: 362 +, 472 *, 85 /, 13 neg, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 12 where
+def _own_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    d1, d2, d3, d1o, d2o, d3o = delta
+    v11d = d1 * d1
+    v22d = d2 * d2
+    v33d = d3 * d3
+    x12d = v11d + v22d
+    xd = x12d + v33d
+    neard = xd < 6
+    zd = m.where(neard, xd, xd - xd) / 4
+    C7d = (
+        (72 - zd * ((3603600 - zd * (32760 - zd * (210 - zd * ((93024 - zd * (342 - zd * ((212520 - zd * (506 - zd))
+        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
+    )
+    C5d = (1 - 120 * (zd * C7d)) / 120
+    C3d = (1 - 6 * (zd * C5d)) / 6
+    C1d = 1 - zd * C3d
+    CC1d = C1d * C1d
+    C0d = m.sqrt(1 - zd * CC1d)
+    xxd = m.where(neard, 6 + xd, xd)
+    alphad = m.sqrt(xxd)
+    td = m.tan(alphad / 4)
+    ttd = td * td
+    belowd = 1 + ttd
+    sd = m.where(neard, C0d, (1 - ttd) / belowd)
+    wd = m.where(neard, C1d / 2, 2 * td / belowd / alphad)
+    wd1 = d1 * wd
+    wd2 = d2 * wd
+    wd3 = d3 * wd
+    fd = 2 * (sd * wd)
+    wwd = wd * wd
+    gd = 2 * wwd
+    C01d = 1 + C0d
+    C2d = CC1d / C01d
+    hd = m.where(neard, (C3d + C1d * C2d) / 4, (1 - fd) / xxd)
+    gvd1 = d1 * gd
+    gvd2 = d2 * gd
+    gvd3 = d3 * gd
+    yd = d1 * d1o + d2 * d2o + d3 * d3o
+    alongd = hd * yd
+    rhod1 = d1o * fd + (gvd2 * d3o - gvd3 * d2o) + d1 * alongd
+    rhod2 = d2o * fd + (gvd3 * d1o - gvd1 * d3o) + d2 * alongd
+    rhod3 = d3o * fd + (gvd1 * d2o - gvd2 * d1o) + d3 * alongd
+    v11p = v1 * v1
+    v22p = v2 * v2
+    v33p = v3 * v3
+    xp = v11p + v22p + v33p
+    zp = xp / 4
+    Np = 1 + zp
+    rp = 2 * (Np / Np / Np)
+    f_vp = rp / 2
+    g_vp = rp / 4
+    bvp1 = v1 / 2
+    bvp2 = v2 / 2
+    bvp3 = v3 / 2
+    gvp1 = v1 * g_vp
+    gvp2 = v2 * g_vp
+    gvp3 = v3 * g_vp
+    yp = v1 * v1o + v2 * v2o + v3 * v3o
+    rhob1 = v1o * f_vp + (gvp2 * v3o - gvp3 * v2o)
+    rhob2 = v2o * f_vp + (gvp3 * v1o - gvp1 * v3o)
+    rhob3 = v3o * f_vp + (gvp1 * v2o - gvp2 * v1o)
+    z0 = sd - (wd1 * bvp1 + wd2 * bvp2 + wd3 * bvp3)
+    z1 = bvp1 * sd + wd1 + (wd2 * bvp3 - wd3 * bvp2)
+    z2 = bvp2 * sd + wd2 + (wd3 * bvp1 - wd1 * bvp3)
+    z3 = bvp3 * sd + wd3 + (wd1 * bvp2 - wd2 * bvp1)
+    v_rhob1 = d2 * rhob3 - d3 * rhob2
+    v_rhob2 = d3 * rhob1 - d1 * rhob3
+    v_rhob3 = d1 * rhob2 - d2 * rhob1
+    gv_rhob1 = v_rhob1 * gd
+    gv_rhob2 = v_rhob2 * gd
+    gv_rhob3 = v_rhob3 * gd
+    rho1 = rhob1 + (v_rhob1 * fd + (d2 * gv_rhob3 - d3 * gv_rhob2)) + rhod1
+    rho2 = rhob2 + (v_rhob2 * fd + (d3 * gv_rhob1 - d1 * gv_rhob3)) + rhod2
+    rho3 = rhob3 + (v_rhob3 * fd + (d1 * gv_rhob2 - d2 * gv_rhob1)) + rhod3
+    ss = z1 * z1 + z2 * z2 + z3 * z3
+    still = ss == 0
+    resting = xp == 0
+    length = m.sqrt(m.where(still, 1 + ss, ss))
+    r = m.sqrt(m.where(resting, 1 + xp, xp))
+    own = 2 * m.atan2(r / 2, 1)
+    own_ = m.where(resting, 0, own / r) * (v1 * z1 + v2 * z2 + v3 * z3) / length
+    angle = own_ + 2 * m.atan2(m.tan((2 * m.atan2(m.where(still, ss, length), z0) - own_) / 2), 1)
+    rn = m.tan(angle / 2)
+    slopen = (1 + rn * rn) / 2
+    vn = 2 * rn
+    v_slopen = 2 * slopen
+    z0s = m.where(still, z0, length)
+    factor = m.where(still, 2 * v_slopen / z0s, vn / length)
+    v_1 = z1 * factor
+    v_2 = z2 * factor
+    v_3 = z3 * factor
+    fe = factor * z0
+    hvr = (v_1 * rho1 + v_2 * rho2 + v_3 * rho3) / 2
+    w4 = (rho1 * fe - (v_2 * rho3 - v_3 * rho2) + v_1 * hvr) / 2
+    w5 = (rho2 * fe - (v_3 * rho1 - v_1 * rho3) + v_2 * hvr) / 2
+    w6 = (rho3 * fe - (v_1 * rho2 - v_2 * rho1) + v_3 * hvr) / 2
+    sn1 = -v_1
+    sn2 = -v_2
+    sn3 = -v_3
+    son1 = -w4
+    son2 = -w5
+    son3 = -w6
+    cvn1 = v_1 / 2
+    cvn2 = v_2 / 2
+    cvn3 = v_3 / 2
+    cvon1 = w4 / 2
+    cvon2 = w5 / 2
+    cvon3 = w6 / 2
+    d12n = cvn1 * v_2
+    d13n = cvn1 * v_3
+    d23n = cvn2 * v_3
+    I11 = 2 + cvn1 * v_1
+    I12 = d12n - sn3
+    I13 = d13n + sn2
+    I21 = d12n + sn3
+    I22 = 2 + cvn2 * v_2
+    I23 = d23n - sn1
+    I31 = d13n - sn2
+    I32 = d23n + sn1
+    I33 = 2 + cvn3 * v_3
+    d12on = cvn1 * w5 + cvon1 * v_2
+    d13on = cvn1 * w6 + cvon1 * v_3
+    d23on = cvn2 * w6 + cvon2 * v_3
+    I11o = cvn1 * w4 + cvon1 * v_1
+    I12o = d12on - son3
+    I13o = d13on + son2
+    I21o = d12on + son3
+    I22o = cvn2 * w5 + cvon2 * v_2
+    I23o = d23on - son1
+    I31o = d13on - son2
+    I32o = d23on + son1
+    I33o = cvn3 * w6 + cvon3 * v_3
+    fyd = hd - gd
+    gyd = fd * hd - gd * gd
+    CC3d = C3d * C3d
+    C4d = (4 * C3d - C2d - 2 * (zd * CC3d)) / (2 * C01d)
+    c5d = (C5d + C4d + C2d * C3d) / 16
+    c4d = C3d * (1 + C1d) / 8
+    hyd = m.where(neard, 3 * c5d - c4d, (gd - 3 * hd) / xxd)
+    fod = fyd * yd
+    god = gyd * yd
+    hod = hyd * yd
+    gvod1 = d1o * gd + d1 * god
+    gvod2 = d2o * gd + d2 * god
+    gvod3 = d3o * gd + d3 * god
+    cvd1 = d1 * hd
+    cvd2 = d2 * hd
+    cvd3 = d3 * hd
+    cvod1 = d1o * hd + d1 * hod
+    cvod2 = d2o * hd + d2 * hod
+    cvod3 = d3o * hd + d3 * hod
+    d12d = cvd1 * d2
+    d13d = cvd1 * d3
+    d23d = cvd2 * d3
+    D11 = fd + cvd1 * d1
+    D12 = d12d - gvd3
+    D13 = d13d + gvd2
+    D21 = d12d + gvd3
+    D22 = fd + cvd2 * d2
+    D23 = d23d - gvd1
+    D31 = d13d - gvd2
+    D32 = d23d + gvd1
+    D33 = fd + cvd3 * d3
+    d12od = cvd1 * d2o + cvod1 * d2
+    d13od = cvd1 * d3o + cvod1 * d3
+    d23od = cvd2 * d3o + cvod2 * d3
+    D11o = fod + (cvd1 * d1o + cvod1 * d1)
+    D12o = d12od - gvod3
+    D13o = d13od + gvod2
+    D21o = d12od + gvod3
+    D22o = fod + (cvd2 * d2o + cvod2 * d2)
+    D23o = d23od - gvod1
+    D31o = d13od - gvod2
+    D32o = d23od + gvod1
+    D33o = fod + (cvd3 * d3o + cvod3 * d3)
+    eF = 2 / Np
+    egF = eF * rp
+    fyF = -egF
+    fy_vF = fyF / 8
+    gy_vF = fyF / 16
+    foF = fy_vF * yp
+    goF = gy_vF * yp
+    gvoF1 = v1o * g_vp + v1 * goF
+    gvoF2 = v2o * g_vp + v2 * goF
+    gvoF3 = v3o * g_vp + v3 * goF
+    F12 = -gvp3
+    F23 = -gvp1
+    F31 = -gvp2
+    F12o = -gvoF3
+    F23o = -gvoF1
+    F31o = -gvoF2
+    x23d = v22d + v33d
+    x13d = v11d + v33d
+    fvd1 = d1 * fd
+    fvd2 = d2 * fd
+    fvd3 = d3 * fd
+    gvvd1 = gvd1 * d2
+    gvvd2 = gvd1 * d3
+    gvvd3 = gvd2 * d3
+    Qd11 = 1 - gd * x23d
+    Qd12 = gvvd1 - fvd3
+    Qd13 = gvvd2 + fvd2
+    Qd21 = gvvd1 + fvd3
+    Qd22 = 1 - gd * x13d
+    Qd23 = gvvd3 - fvd1
+    Qd31 = gvvd2 - fvd2
+    Qd32 = gvvd3 + fvd1
+    Qd33 = 1 - gd * x12d
+    R11o = Qd31 * rhod2 - Qd21 * rhod3
+    R12o = Qd32 * rhod2 - Qd22 * rhod3
+    R13o = Qd33 * rhod2 - Qd23 * rhod3
+    R21o = Qd11 * rhod3 - Qd31 * rhod1
+    R22o = Qd12 * rhod3 - Qd32 * rhod1
+    R23o = Qd13 * rhod3 - Qd33 * rhod1
+    R31o = Qd21 * rhod1 - Qd11 * rhod2
+    R32o = Qd22 * rhod1 - Qd12 * rhod2
+    R33o = Qd23 * rhod1 - Qd13 * rhod2
+    RT11 = Qd11 * f_vp + Qd12 * gvp3 + Qd13 * F31
+    RT11o = Qd11 * foF + R11o * f_vp + (Qd12 * gvoF3 + R12o * gvp3) + (Qd13 * F31o + R13o * F31)
+    RT12 = Qd11 * F12 + Qd12 * f_vp + Qd13 * gvp1
+    RT12o = Qd11 * F12o + R11o * F12 + (Qd12 * foF + R12o * f_vp) + (Qd13 * gvoF1 + R13o * gvp1)
+    RT13 = Qd11 * gvp2 + Qd12 * F23 + Qd13 * f_vp
+    RT13o = Qd11 * gvoF2 + R11o * gvp2 + (Qd12 * F23o + R12o * F23) + (Qd13 * foF + R13o * f_vp)
+    RT21 = Qd21 * f_vp + Qd22 * gvp3 + Qd23 * F31
+    RT21o = Qd21 * foF + R21o * f_vp + (Qd22 * gvoF3 + R22o * gvp3) + (Qd23 * F31o + R23o * F31)
+    RT22 = Qd21 * F12 + Qd22 * f_vp + Qd23 * gvp1
+    RT22o = Qd21 * F12o + R21o * F12 + (Qd22 * foF + R22o * f_vp) + (Qd23 * gvoF1 + R23o * gvp1)
+    RT23 = Qd21 * gvp2 + Qd22 * F23 + Qd23 * f_vp
+    RT23o = Qd21 * gvoF2 + R21o * gvp2 + (Qd22 * F23o + R22o * F23) + (Qd23 * foF + R23o * f_vp)
+    RT31 = Qd31 * f_vp + Qd32 * gvp3 + Qd33 * F31
+    RT31o = Qd31 * foF + R31o * f_vp + (Qd32 * gvoF3 + R32o * gvp3) + (Qd33 * F31o + R33o * F31)
+    RT32 = Qd31 * F12 + Qd32 * f_vp + Qd33 * gvp1
+    RT32o = Qd31 * F12o + R31o * F12 + (Qd32 * foF + R32o * f_vp) + (Qd33 * gvoF1 + R33o * gvp1)
+    RT33 = Qd31 * gvp2 + Qd32 * F23 + Qd33 * f_vp
+    RT33o = Qd31 * gvoF2 + R31o * gvp2 + (Qd32 * F23o + R32o * F23) + (Qd33 * foF + R33o * f_vp)
+    V11 = (I11 * RT11 + I12 * RT21 + I13 * RT31) / 2
+    V12 = (I11 * RT12 + I12 * RT22 + I13 * RT32) / 2
+    V13 = (I11 * RT13 + I12 * RT23 + I13 * RT33) / 2
+    V21 = (I21 * RT11 + I22 * RT21 + I23 * RT31) / 2
+    V22 = (I21 * RT12 + I22 * RT22 + I23 * RT32) / 2
+    V23 = (I21 * RT13 + I22 * RT23 + I23 * RT33) / 2
+    V31 = (I31 * RT11 + I32 * RT21 + I33 * RT31) / 2
+    V32 = (I31 * RT12 + I32 * RT22 + I33 * RT32) / 2
+    V33 = (I31 * RT13 + I32 * RT23 + I33 * RT33) / 2
+    S11 = (I11 * D11 + I12 * D21 + I13 * D31) / 2
+    S12 = (I11 * D12 + I12 * D22 + I13 * D32) / 2
+    S13 = (I11 * D13 + I12 * D23 + I13 * D33) / 2
+    S21 = (I21 * D11 + I22 * D21 + I23 * D31) / 2
+    S22 = (I21 * D12 + I22 * D22 + I23 * D32) / 2
+    S23 = (I21 * D13 + I22 * D23 + I23 * D33) / 2
+    S31 = (I31 * D11 + I32 * D21 + I33 * D31) / 2
+    S32 = (I31 * D12 + I32 * D22 + I33 * D32) / 2
+    S33 = (I31 * D13 + I32 * D23 + I33 * D33) / 2
+    return (
+        V11,
+        V12,
+        V13,
+        0,
+        0,
+        0,
+        V21,
+        V22,
+        V23,
+        0,
+        0,
+        0,
+        V31,
+        V32,
+        V33,
+        0,
+        0,
+        0,
+        (I11 * RT11o + I11o * RT11 + (I12 * RT21o + I12o * RT21) + (I13 * RT31o + I13o * RT31)) / 2,
+        (I11 * RT12o + I11o * RT12 + (I12 * RT22o + I12o * RT22) + (I13 * RT32o + I13o * RT32)) / 2,
+        (I11 * RT13o + I11o * RT13 + (I12 * RT23o + I12o * RT23) + (I13 * RT33o + I13o * RT33)) / 2,
+        V11,
+        V12,
+        V13,
+        (I21 * RT11o + I21o * RT11 + (I22 * RT21o + I22o * RT21) + (I23 * RT31o + I23o * RT31)) / 2,
+        (I21 * RT12o + I21o * RT12 + (I22 * RT22o + I22o * RT22) + (I23 * RT32o + I23o * RT32)) / 2,
+        (I21 * RT13o + I21o * RT13 + (I22 * RT23o + I22o * RT23) + (I23 * RT33o + I23o * RT33)) / 2,
+        V21,
+        V22,
+        V23,
+        (I31 * RT11o + I31o * RT11 + (I32 * RT21o + I32o * RT21) + (I33 * RT31o + I33o * RT31)) / 2,
+        (I31 * RT12o + I31o * RT12 + (I32 * RT22o + I32o * RT22) + (I33 * RT32o + I33o * RT32)) / 2,
+        (I31 * RT13o + I31o * RT13 + (I32 * RT23o + I32o * RT23) + (I33 * RT33o + I33o * RT33)) / 2,
+        V31,
+        V32,
+        V33,
+        S11,
+        S12,
+        S13,
+        0,
+        0,
+        0,
+        S21,
+        S22,
+        S23,
+        0,
+        0,
+        0,
+        S31,
+        S32,
+        S33,
+        0,
+        0,
+        0,
+        (I11 * D11o + I11o * D11 + (I12 * D21o + I12o * D21) + (I13 * D31o + I13o * D31)) / 2,
+        (I11 * D12o + I11o * D12 + (I12 * D22o + I12o * D22) + (I13 * D32o + I13o * D32)) / 2,
+        (I11 * D13o + I11o * D13 + (I12 * D23o + I12o * D23) + (I13 * D33o + I13o * D33)) / 2,
+        S11,
+        S12,
+        S13,
+        (I21 * D11o + I21o * D11 + (I22 * D21o + I22o * D21) + (I23 * D31o + I23o * D31)) / 2,
+        (I21 * D12o + I21o * D12 + (I22 * D22o + I22o * D22) + (I23 * D32o + I23o * D32)) / 2,
+        (I21 * D13o + I21o * D13 + (I22 * D23o + I22o * D23) + (I23 * D33o + I23o * D33)) / 2,
+        S21,
+        S22,
+        S23,
+        (I31 * D11o + I31o * D11 + (I32 * D21o + I32o * D21) + (I33 * D31o + I33o * D31)) / 2,
+        (I31 * D12o + I31o * D12 + (I32 * D22o + I32o * D22) + (I33 * D32o + I33o * D32)) / 2,
+        (I31 * D13o + I31o * D13 + (I32 * D23o + I32o * D23) + (I33 * D33o + I33o * D33)) / 2,
+        S31,
+        S32,
+        S33,
+    )
+
+
+def _own_retract_jacobians_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, delta: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    d1, d2, d3, d1o, d2o, d3o = delta
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36, o37, o38, o39, o40, o41, o42, o43, o44, o45, o46,
+        o47, o48, o49, o50, o51, o52, o53, o54, o55, o56, o57, o58, o59, o60, o61, o62, o63, o64, o65, o66, o67, o68,
+        o69, o70, o71, o72,
+    ) = out
+    (
+        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
+        k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, k35, k36, k37, k38, k39, k40, k41, k42, k43, k44, k45, k46,
+        k47, k48, k49, k50, k51, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61,
+    ) = scratch
+    mask1, mask2, mask3 = masks
+    n0, n1, n2, n3, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    v11d = mul(d1, d1, k1)
+    v22d = mul(d2, d2, k2)
+    x12d = add(v11d, v22d, k3)
+    v33d = mul(d3, d3, k4)
+    x23d = add(v22d, v33d, k2)
+    x13d = add(v11d, v33d, k1)
+    xd = add(x12d, v33d, k4)
+    neard = m.less(xd, n6, mask1)
+    zd = div(m.where(neard, xd, sub(xd, xd, k5), k6), n4, k5)
+    xxd = m.where(neard, add(n6, xd, k6), xd, k6)
+    C7d = div(
+        div(sub(n72, mul(zd, div(sub(n3603600, mul(zd, sub(n32760, mul(zd, sub(n210, mul(zd, div(sub(n93024, mul(zd,
+        sub(n342, mul(zd, div(sub(n212520, mul(zd, sub(n506, zd, k4), k4), k4), n212520, k4), k4), k4), k4), k4),
+        n93024, k4), k4), k4), k4), k4), k4), k4), n3603600, k4), k4), k4), n72, k4), n5040, k4
+    )
+    C5d = div(sub(n1, mul(n120, mul(zd, C7d, k4), k4), k4), n120, k4)
+    C3d = div(sub(n1, mul(n6, mul(zd, C5d, k7), k7), k7), n6, k7)
+    C1d = sub(n1, mul(zd, C3d, k8), k8)
+    CC1d = mul(C1d, C1d, k9)
+    C0d = sqrt(sub(n1, mul(zd, CC1d, k10), k10), k10)
+    alphad = sqrt(xxd, k11)
+    td = tan(div(alphad, n4, k12), k12)
+    ttd = mul(td, td, k13)
+    belowd = add(n1, ttd, k14)
+    wd = m.where(neard, div(C1d, n2, k15), div(div(mul(n2, td, k12), belowd, k12), alphad, k11), k12)
+    sd = m.where(neard, C0d, div(sub(n1, ttd, k11), belowd, k11), k13)
+    C01d = add(n1, C0d, k10)
+    C2d = div(CC1d, C01d, k9)
+    wd1 = mul(d1, wd, k11)
+    wd2 = mul(d2, wd, k14)
+    wd3 = mul(d3, wd, k15)
+    bvp1 = div(v1, n2, k16)
+    bvp3 = div(v3, n2, k17)
+    bvp2 = div(v2, n2, k18)
+    z1 = add(add(mul(bvp1, sd, k19), wd1, k19), sub(mul(wd2, bvp3, k20), mul(wd3, bvp2, k21), k20), k19)
+    z2 = add(add(mul(bvp2, sd, k20), wd2, k20), sub(mul(wd3, bvp1, k21), mul(wd1, bvp3, k22), k21), k20)
+    z3 = add(add(mul(bvp3, sd, k21), wd3, k21), sub(mul(wd1, bvp2, k22), mul(wd2, bvp1, k23), k22), k21)
+    z0 = sub(sd, add(add(mul(wd1, bvp1, k11), mul(wd2, bvp2, k14), k11), mul(wd3, bvp3, k14), k11), k11)
+    fd = mul(n2, mul(sd, wd, k13), k13)
+    wwd = mul(wd, wd, k12)
+    gd = mul(n2, wwd, k12)
+    Qd11 = sub(n1, mul(gd, x23d, k2), k2)
+    Qd22 = sub(n1, mul(gd, x13d, k1), k1)
+    Qd33 = sub(n1, mul(gd, x12d, k3), k3)
+    ss = add(add(mul(z1, z1, k14), mul(z2, z2, k15), k14), mul(z3, z3, k15), k14)
+    still = m.equal(ss, n0, mask2)
+    length = sqrt(m.where(still, add(n1, ss, k15), ss, k15), k15)
+    v11p = mul(v1, v1, k16)
+    v22p = mul(v2, v2, k17)
+    v33p = mul(v3, v3, k18)
+    xp = add(add(v11p, v22p, k16), v33p, k16)
+    resting = m.equal(xp, n0, mask3)
+    r = sqrt(m.where(resting, add(n1, xp, k17), xp, k17), k17)
+    zp = div(xp, n4, k16)
+    Np = add(n1, zp, k16)
+    own = mul(n2, atan2(div(r, n2, k18), n1, k18), k18)
+    own_ = div(
+        mul(m.where(resting, n0, div(own, r, k17), k18), add(add(mul(v1, z1, k17), mul(v2, z2, k22), k17), mul(v3, z3,
+        k22), k17), k17), length, k17
+    )
+    angle = add(
+        own_, mul(n2, atan2(tan(div(sub(mul(n2, atan2(m.where(still, ss, length, k14), z0, k14), k14), own_, k14), n2,
+        k14), k14), n1, k14), k14), k14
+    )
+    rn = tan(div(angle, n2, k14), k14)
+    slopen = div(add(n1, mul(rn, rn, k17), k17), n2, k17)
+    v_slopen = mul(n2, slopen, k17)
+    vn = mul(n2, rn, k14)
+    z0s = m.where(still, z0, length, k18)
+    factor = m.where(still, div(mul(n2, v_slopen, k17), z0s, k17), div(vn, length, k14), k15)
+    v_1 = mul(z1, factor, k14)
+    v_3 = mul(z3, factor, k17)
+    v_2 = mul(z2, factor, k18)
+    fe = mul(factor, z0, k11)
+    cvn1 = div(v_1, n2, k15)
+    d13n = mul(cvn1, v_3, k19)
+    sn2 = neg(v_2, k20)
+    I31 = sub(d13n, sn2, k21)
+    I13 = add(d13n, sn2, k19)
+    cvn2 = div(v_2, n2, k20)
+    d23n = mul(cvn2, v_3, k22)
+    sn1 = neg(v_1, k23)
+    I32 = add(d23n, sn1, k24)
+    I23 = sub(d23n, sn1, k22)
+    cvn3 = div(v_3, n2, k23)
+    I33 = add(n2, mul(cvn3, v_3, k25), k25)
+    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k26), k26), n4, k26), div(sub(n1, fd, k27), xxd, k27), k26)
+    c4d = div(mul(C3d, add(n1, C1d, k8), k8), n8, k8)
+    cvd1 = mul(d1, hd, k27)
+    d13d = mul(cvd1, d3, k28)
+    gvd2 = mul(d2, gd, k29)
+    D13 = add(d13d, gvd2, k30)
+    D31 = sub(d13d, gvd2, k28)
+    cvd2 = mul(d2, hd, k31)
+    d23d = mul(cvd2, d3, k32)
+    gvd1 = mul(d1, gd, k33)
+    D23 = sub(d23d, gvd1, k34)
+    D32 = add(d23d, gvd1, k32)
+    cvd3 = mul(d3, hd, k35)
+    D33 = add(fd, mul(cvd3, d3, k36), k36)
+    div(add(add(mul(I31, D13, k37), mul(I32, D23, k38), k37), mul(I33, D33, k38), k37), n2, o51)
+    d12d = mul(cvd1, d2, k37)
+    gvd3 = mul(d3, gd, k38)
+    D12 = sub(d12d, gvd3, k39)
+    D21 = add(d12d, gvd3, k37)
+    D22 = add(fd, mul(cvd2, d2, k40), k40)
+    div(add(add(mul(I31, D12, k41), mul(I32, D22, k42), k41), mul(I33, D32, k42), k41), n2, o50)
+    D11 = add(fd, mul(cvd1, d1, k41), k41)
+    div(add(add(mul(I31, D11, k42), mul(I32, D21, k43), k42), mul(I33, D31, k43), k42), n2, o49)
+    yd = add(add(mul(d1, d1o, k42), mul(d2, d2o, k43), k42), mul(d3, d3o, k43), k42)
+    alongd = mul(hd, yd, k43)
+    rhod1 = add(
+        add(mul(d1o, fd, k44), sub(mul(gvd2, d3o, k45), mul(gvd3, d2o, k46), k45), k44), mul(d1, alongd, k45), k44
+    )
+    rhod2 = add(
+        add(mul(d2o, fd, k45), sub(mul(gvd3, d1o, k38), mul(gvd1, d3o, k46), k38), k38), mul(d2, alongd, k45), k38
+    )
+    rhod3 = add(
+        add(mul(d3o, fd, k45), sub(mul(gvd1, d2o, k46), mul(gvd2, d1o, k47), k46), k45), mul(d3, alongd, k43), k43
+    )
+    gvvd3 = mul(gvd2, d3, k29)
+    rp = mul(n2, div(div(Np, Np, k45), Np, k45), k45)
+    eF = div(n2, Np, k16)
+    egF = mul(eF, rp, k16)
+    fyF = neg(egF, k16)
+    f_vp = div(rp, n2, k46)
+    g_vp = div(rp, n4, k45)
+    gvp3 = mul(v3, g_vp, k47)
+    gvp1 = mul(v1, g_vp, k48)
+    rhob2 = add(mul(v2o, f_vp, k49), sub(mul(gvp3, v1o, k50), mul(gvp1, v3o, k51), k50), k49)
+    gvp2 = mul(v2, g_vp, k50)
+    rhob1 = add(mul(v1o, f_vp, k51), sub(mul(gvp2, v3o, k52), mul(gvp3, v2o, k53), k52), k51)
+    v_rhob3 = sub(mul(d1, rhob2, k52), mul(d2, rhob1, k53), k52)
+    gv_rhob3 = mul(v_rhob3, gd, k53)
+    rhob3 = add(mul(v3o, f_vp, k54), sub(mul(gvp1, v2o, k55), mul(gvp2, v1o, k56), k55), k54)
+    v_rhob2 = sub(mul(d3, rhob1, k55), mul(d1, rhob3, k56), k55)
+    gv_rhob2 = mul(v_rhob2, gd, k56)
+    v_rhob1 = sub(mul(d2, rhob3, k57), mul(d3, rhob2, k58), k57)
+    rho1 = add(
+        add(rhob1, add(mul(v_rhob1, fd, k58), sub(mul(d2, gv_rhob3, k59), mul(d3, gv_rhob2, k60), k59), k58), k51),
+        rhod1, k51
+    )
+    gv_rhob1 = mul(v_rhob1, gd, k57)
+    rho2 = add(
+        add(rhob2, add(mul(v_rhob2, fd, k55), sub(mul(d3, gv_rhob1, k58), mul(d1, gv_rhob3, k53), k53), k53), k49),
+        rhod2, k49
+    )
+    rho3 = add(
+        add(rhob3, add(mul(v_rhob3, fd, k52), sub(mul(d1, gv_rhob2, k53), mul(d2, gv_rhob1, k55), k53), k52), k52),
+        rhod3, k52
+    )
+    hvr = div(add(add(mul(v_1, rho1, k53), mul(v_2, rho2, k54), k53), mul(v_3, rho3, k54), k53), n2, k53)
+    w6 = div(
+        add(sub(mul(rho3, fe, k54), sub(mul(v_1, rho2, k55), mul(v_2, rho1, k56), k55), k54), mul(v_3, hvr, k55), k54),
+        n2, k54
+    )
+    w4 = div(
+        add(sub(mul(rho1, fe, k55), sub(mul(v_2, rho3, k56), mul(v_3, rho2, k57), k56), k55), mul(v_1, hvr, k56), k55),
+        n2, k55
+    )
+    w5 = div(
+        add(sub(mul(rho2, fe, k11), sub(mul(v_3, rho1, k49), mul(v_1, rho3, k51), k49), k11), mul(v_2, hvr, k49), k11),
+        n2, k11
+    )
+    cvon1 = div(w4, n2, k49)
+    d13on = add(mul(cvn1, w6, k51), mul(cvon1, v_3, k52), k51)
+    son2 = neg(w5, k52)
+    I31o = sub(d13on, son2, k53)
+    I13o = add(d13on, son2, k51)
+    cvon2 = div(w5, n2, k52)
+    d23on = add(mul(cvn2, w6, k56), mul(cvon2, v_3, k57), k56)
+    I22o = add(mul(cvn2, w5, k57), mul(cvon2, v_2, k52), k52)
+    I22 = add(n2, mul(cvn2, v_2, k20), k20)
+    d12on = add(mul(cvn1, w5, k11), mul(cvon1, v_2, k57), k11)
+    d12n = mul(cvn1, v_2, k18)
+    I11o = add(mul(cvn1, w4, k57), mul(cvon1, v_1, k49), k49)
+    I11 = add(n2, mul(cvn1, v_1, k14), k14)
+    son1 = neg(w4, k15)
+    I32o = add(d23on, son1, k55)
+    I23o = sub(d23on, son1, k15)
+    cvon3 = div(w6, n2, k56)
+    I33o = add(mul(cvn3, w6, k23), mul(cvon3, v_3, k56), k23)
+    sn3 = neg(v_3, k17)
+    son3 = neg(w6, k54)
+    CC3d = mul(C3d, C3d, k56)
+    C4d = div(sub(sub(mul(n4, C3d, k57), C2d, k57), mul(n2, mul(zd, CC3d, k5), k5), k5), mul(n2, C01d, k10), k5)
+    c5d = div(add(add(C5d, C4d, k4), mul(C2d, C3d, k5), k4), n16, k4)
+    hyd = m.where(neard, sub(mul(n3, c5d, k4), c4d, k4), div(sub(gd, mul(n3, hd, k5), k5), xxd, k5), k4)
+    hod = mul(hyd, yd, k4)
+    cvod1 = add(mul(d1o, hd, k5), mul(d1, hod, k6), k5)
+    d13od = add(mul(cvd1, d3o, k6), mul(cvod1, d3, k7), k6)
+    gyd = sub(mul(fd, hd, k7), mul(gd, gd, k8), k7)
+    god = mul(gyd, yd, k7)
+    gvod2 = add(mul(d2o, gd, k8), mul(d2, god, k9), k8)
+    D13o = add(d13od, gvod2, k9)
+    D31o = sub(d13od, gvod2, k6)
+    cvod2 = add(mul(d2o, hd, k8), mul(d2, hod, k10), k8)
+    cvod3 = add(mul(d3o, hd, k10), mul(d3, hod, k4), k4)
+    fyd = sub(hd, gd, k10)
+    fod = mul(fyd, yd, k10)
+    D33o = add(fod, add(mul(cvd3, d3o, k26), mul(cvod3, d3, k4), k4), k4)
+    d23od = add(mul(cvd2, d3o, k26), mul(cvod2, d3, k35), k26)
+    D22o = add(fod, add(mul(cvd2, d2o, k31), mul(cvod2, d2, k8), k8), k8)
+    D11o = add(fod, add(mul(cvd1, d1o, k31), mul(cvod1, d1, k35), k31), k10)
+    d12od = add(mul(cvd1, d2o, k27), mul(cvod1, d2, k5), k5)
+    gvod1 = add(mul(d1o, gd, k27), mul(d1, god, k31), k27)
+    gvod3 = add(mul(d3o, gd, k12), mul(d3, god, k7), k7)
+    D23o = sub(d23od, gvod1, k12)
+    D32o = add(d23od, gvod1, k26)
+    div(
+        add(add(add(mul(I31, D13o, k27), mul(I31o, D13, k31), k27), add(mul(I32, D23o, k31), mul(I32o, D23, k35), k31),
+        k27), add(mul(I33, D33o, k31), mul(I33o, D33, k35), k31), k27), n2, o69
+    )
+    D12o = sub(d12od, gvod3, k27)
+    D21o = add(d12od, gvod3, k5)
+    div(
+        add(add(add(mul(I31, D12o, k7), mul(I31o, D12, k31), k7), add(mul(I32, D22o, k31), mul(I32o, D22, k35), k31),
+        k7), add(mul(I33, D32o, k31), mul(I33o, D32, k35), k31), k7), n2, o68
+    )
+    div(
+        add(add(add(mul(I31, D11o, k7), mul(I31o, D11, k31), k7), add(mul(I32, D21o, k31), mul(I32o, D21, k35), k31),
+        k7), add(mul(I33, D31o, k31), mul(I33o, D31, k35), k31), k7), n2, o67
+    )
+    I21 = add(d12n, sn3, k7)
+    I12 = sub(d12n, sn3, k17)
+    div(add(add(mul(I21, D13, k18), mul(I22, D23, k31), k18), mul(I23, D33, k31), k18), n2, o45)
+    div(add(add(mul(I21, D12, k18), mul(I22, D22, k31), k18), mul(I23, D32, k31), k18), n2, o44)
+    div(add(add(mul(I21, D11, k18), mul(I22, D21, k31), k18), mul(I23, D31, k31), k18), n2, o43)
+    div(add(add(mul(I11, D13, k18), mul(I12, D23, k31), k18), mul(I13, D33, k31), k18), n2, o39)
+    div(add(add(mul(I11, D12, k18), mul(I12, D22, k31), k18), mul(I13, D32, k31), k18), n2, o38)
+    div(add(add(mul(I11, D11, k18), mul(I12, D21, k31), k18), mul(I13, D31, k31), k18), n2, o37)
+    I21o = add(d12on, son3, k18)
+    I12o = sub(d12on, son3, k11)
+    div(
+        add(add(add(mul(I21, D13o, k31), mul(I21o, D13, k35), k31), add(mul(I22, D23o, k35), mul(I22o, D23, k42), k35),
+        k31), add(mul(I23, D33o, k35), mul(I23o, D33, k42), k35), k31), n2, o63
+    )
+    div(
+        add(add(add(mul(I11, D13o, k9), mul(I11o, D13, k30), k9), add(mul(I12, D23o, k12), mul(I12o, D23, k30), k12),
+        k9), add(mul(I13, D33o, k4), mul(I13o, D33, k12), k4), k4), n2, o57
+    )
+    div(
+        add(add(add(mul(I21, D12o, k4), mul(I21o, D12, k9), k4), add(mul(I22, D22o, k9), mul(I22o, D22, k12), k9), k4),
+        add(mul(I23, D32o, k9), mul(I23o, D32, k12), k9), k4), n2, o62
+    )
+    div(
+        add(add(add(mul(I11, D12o, k4), mul(I11o, D12, k9), k4), add(mul(I12, D22o, k8), mul(I12o, D22, k9), k8), k4),
+        add(mul(I13, D32o, k8), mul(I13o, D32, k9), k8), k4), n2, o56
+    )
+    div(
+        add(add(add(mul(I21, D11o, k4), mul(I21o, D11, k8), k4), add(mul(I22, D21o, k8), mul(I22o, D21, k9), k8), k4),
+        add(mul(I23, D31o, k8), mul(I23o, D31, k9), k8), k4), n2, o61
+    )
+    div(
+        add(add(add(mul(I11, D11o, k4), mul(I11o, D11, k8), k4), add(mul(I12, D21o, k5), mul(I12o, D21, k8), k5), k4),
+        add(mul(I13, D31o, k5), mul(I13o, D31, k6), k5), k4), n2, o55
+    )
+    gvvd1 = mul(gvd1, d2, k4)
+    gvvd2 = mul(gvd1, d3, k5)
+    fvd3 = mul(d3, fd, k6)
+    Qd12 = sub(gvvd1, fvd3, k8)
+    Qd21 = add(gvvd1, fvd3, k4)
+    fvd2 = mul(d2, fd, k6)
+    fvd1 = mul(d1, fd, k9)
+    Qd13 = add(gvvd2, fvd2, k10)
+    Qd31 = sub(gvvd2, fvd2, k5)
+    F23 = neg(gvp1, k6)
+    RT13 = add(add(mul(Qd11, gvp2, k12), mul(Qd12, F23, k13), k12), mul(Qd13, f_vp, k13), k12)
+    Qd23 = sub(gvvd3, fvd1, k13)
+    Qd32 = add(gvvd3, fvd1, k9)
+    RT23 = add(add(mul(Qd21, gvp2, k26), mul(Qd22, F23, k27), k26), mul(Qd23, f_vp, k27), k26)
+    RT33 = add(add(mul(Qd31, gvp2, k27), mul(Qd32, F23, k28), k27), mul(Qd33, f_vp, k28), k27)
+    div(add(add(mul(I31, RT13, k28), mul(I32, RT23, k29), k28), mul(I33, RT33, k29), k28), n2, o15)
+    div(add(add(mul(I21, RT13, k28), mul(I22, RT23, k29), k28), mul(I23, RT33, k29), k28), n2, o9)
+    div(add(add(mul(I11, RT13, k28), mul(I12, RT23, k29), k28), mul(I13, RT33, k29), k28), n2, o3)
+    F12 = neg(gvp3, k28)
+    RT12 = add(add(mul(Qd11, F12, k29), mul(Qd12, f_vp, k30), k29), mul(Qd13, gvp1, k30), k29)
+    RT22 = add(add(mul(Qd21, F12, k30), mul(Qd22, f_vp, k31), k30), mul(Qd23, gvp1, k31), k30)
+    RT32 = add(add(mul(Qd31, F12, k31), mul(Qd32, f_vp, k32), k31), mul(Qd33, gvp1, k32), k31)
+    div(add(add(mul(I31, RT12, k32), mul(I32, RT22, k33), k32), mul(I33, RT32, k33), k32), n2, o14)
+    div(add(add(mul(I21, RT12, k32), mul(I22, RT22, k33), k32), mul(I23, RT32, k33), k32), n2, o8)
+    div(add(add(mul(I11, RT12, k32), mul(I12, RT22, k33), k32), mul(I13, RT32, k33), k32), n2, o2)
+    F31 = neg(gvp2, k32)
+    RT11 = add(add(mul(Qd11, f_vp, k33), mul(Qd12, gvp3, k34), k33), mul(Qd13, F31, k34), k33)
+    RT21 = add(add(mul(Qd21, f_vp, k34), mul(Qd22, gvp3, k35), k34), mul(Qd23, F31, k35), k34)
+    RT31 = add(add(mul(Qd31, f_vp, k35), mul(Qd32, gvp3, k36), k35), mul(Qd33, F31, k36), k35)
+    div(add(add(mul(I31, RT11, k36), mul(I32, RT21, k37), k36), mul(I33, RT31, k37), k36), n2, o13)
+    div(add(add(mul(I21, RT11, k36), mul(I22, RT21, k37), k36), mul(I23, RT31, k37), k36), n2, o7)
+    div(add(add(mul(I11, RT11, k36), mul(I12, RT21, k37), k36), mul(I13, RT31, k37), k36), n2, o1)
+    R11o = sub(mul(Qd31, rhod2, k36), mul(Qd21, rhod3, k37), k36)
+    R12o = sub(mul(Qd32, rhod2, k37), mul(Qd22, rhod3, k39), k37)
+    R13o = sub(mul(Qd33, rhod2, k39), mul(Qd23, rhod3, k40), k39)
+    gy_vF = div(fyF, n16, k40)
+    fy_vF = div(fyF, n8, k16)
+    yp = add(add(mul(v1, v1o, k41), mul(v2, v2o, k42), k41), mul(v3, v3o, k42), k41)
+    goF = mul(gy_vF, yp, k40)
+    foF = mul(fy_vF, yp, k16)
+    gvoF2 = add(mul(v2o, g_vp, k41), mul(v2, goF, k42), k41)
+    gvoF1 = add(mul(v1o, g_vp, k42), mul(v1, goF, k54), k42)
+    gvoF3 = add(mul(v3o, g_vp, k45), mul(v3, goF, k40), k40)
+    F23o = neg(gvoF1, k45)
+    RT13o = add(
+        add(add(mul(Qd11, gvoF2, k54), mul(R11o, gvp2, k56), k54), add(mul(Qd12, F23o, k56), mul(R12o, F23, k57), k56),
+        k54), add(mul(Qd13, foF, k56), mul(R13o, f_vp, k57), k56), k54
+    )
+    R21o = sub(mul(Qd11, rhod3, k56), mul(Qd31, rhod1, k57), k56)
+    R22o = sub(mul(Qd12, rhod3, k57), mul(Qd32, rhod1, k58), k57)
+    R23o = sub(mul(Qd13, rhod3, k43), mul(Qd33, rhod1, k58), k43)
+    RT23o = add(
+        add(add(mul(Qd21, gvoF2, k58), mul(R21o, gvp2, k59), k58), add(mul(Qd22, F23o, k59), mul(R22o, F23, k60), k59),
+        k58), add(mul(Qd23, foF, k59), mul(R23o, f_vp, k60), k59), k58
+    )
+    R31o = sub(mul(Qd21, rhod1, k59), mul(Qd11, rhod2, k60), k59)
+    R32o = sub(mul(Qd22, rhod1, k60), mul(Qd12, rhod2, k61), k60)
+    R33o = sub(mul(Qd23, rhod1, k44), mul(Qd13, rhod2, k38), k38)
+    RT33o = add(
+        add(add(mul(Qd31, gvoF2, k44), mul(R31o, gvp2, k50), k44), add(mul(Qd32, F23o, k45), mul(R32o, F23, k6), k6),
+        k6), add(mul(Qd33, foF, k44), mul(R33o, f_vp, k45), k44), k6
+    )
+    div(
+        add(add(add(mul(I31, RT13o, k44), mul(I31o, RT13, k45), k44), add(mul(I32, RT23o, k45), mul(I32o, RT23, k50),
+        k45), k44), add(mul(I33, RT33o, k45), mul(I33o, RT33, k50), k45), k44), n2, o33
+    )
+    F31o = neg(gvoF2, k41)
+    div(
+        add(add(add(mul(I21, RT13o, k44), mul(I21o, RT13, k45), k44), add(mul(I22, RT23o, k45), mul(I22o, RT23, k50),
+        k45), k44), add(mul(I23, RT33o, k45), mul(I23o, RT33, k50), k45), k44), n2, o27
+    )
+    div(
+        add(add(add(mul(I11, RT13o, k44), mul(I11o, RT13, k12), k12), add(mul(I12, RT23o, k44), mul(I12o, RT23, k26),
+        k26), k12), add(mul(I13, RT33o, k6), mul(I13o, RT33, k26), k6), k6), n2, o21
+    )
+    F12o = neg(gvoF3, k6)
+    RT12o = add(
+        add(add(mul(Qd11, F12o, k12), mul(R11o, F12, k26), k12), add(mul(Qd12, foF, k26), mul(R12o, f_vp, k27), k26),
+        k12), add(mul(Qd13, gvoF1, k26), mul(R13o, gvp1, k27), k26), k12
+    )
+    RT11o = add(
+        add(add(mul(Qd11, foF, k2), mul(R11o, f_vp, k26), k2), add(mul(Qd12, gvoF3, k8), mul(R12o, gvp3, k26), k8), k2),
+        add(mul(Qd13, F31o, k8), mul(R13o, F31, k10), k8), k2
+    )
+    RT22o = add(
+        add(add(mul(Qd21, F12o, k8), mul(R21o, F12, k10), k8), add(mul(Qd22, foF, k10), mul(R22o, f_vp, k26), k10), k8),
+        add(mul(Qd23, gvoF1, k10), mul(R23o, gvp1, k26), k10), k8
+    )
+    RT21o = add(
+        add(add(mul(Qd21, foF, k4), mul(R21o, f_vp, k10), k4), add(mul(Qd22, gvoF3, k1), mul(R22o, gvp3, k10), k1), k1),
+        add(mul(Qd23, F31o, k4), mul(R23o, F31, k10), k4), k1
+    )
+    RT32o = add(
+        add(add(mul(Qd31, F12o, k4), mul(R31o, F12, k6), k4), add(mul(Qd32, foF, k6), mul(R32o, f_vp, k10), k6), k4),
+        add(mul(Qd33, gvoF1, k6), mul(R33o, gvp1, k10), k6), k4
+    )
+    RT31o = add(
+        add(add(mul(Qd31, foF, k5), mul(R31o, f_vp, k6), k5), add(mul(Qd32, gvoF3, k6), mul(R32o, gvp3, k9), k6), k5),
+        add(mul(Qd33, F31o, k3), mul(R33o, F31, k6), k3), k3
+    )
+    div(
+        add(add(add(mul(I31, RT12o, k5), mul(I31o, RT12, k6), k5), add(mul(I32, RT22o, k6), mul(I32o, RT22, k9), k6),
+        k5), add(mul(I33, RT32o, k6), mul(I33o, RT32, k9), k6), k5), n2, o32
+    )
+    div(
+        add(add(add(mul(I31, RT11o, k5), mul(I31o, RT11, k6), k5), add(mul(I32, RT21o, k6), mul(I32o, RT21, k9), k6),
+        k5), add(mul(I33, RT31o, k6), mul(I33o, RT31, k9), k6), k5), n2, o31
+    )
+    div(
+        add(add(add(mul(I21, RT12o, k5), mul(I21o, RT12, k6), k5), add(mul(I22, RT22o, k6), mul(I22o, RT22, k9), k6),
+        k5), add(mul(I23, RT32o, k6), mul(I23o, RT32, k9), k6), k5), n2, o26
+    )
+    div(
+        add(add(add(mul(I21, RT11o, k5), mul(I21o, RT11, k6), k5), add(mul(I22, RT21o, k6), mul(I22o, RT21, k7), k6),
+        k5), add(mul(I23, RT31o, k6), mul(I23o, RT31, k7), k6), k5), n2, o25
+    )
+    div(
+        add(add(add(mul(I11, RT12o, k5), mul(I11o, RT12, k6), k5), add(mul(I12, RT22o, k6), mul(I12o, RT22, k7), k6),
+        k5), add(mul(I13, RT32o, k4), mul(I13o, RT32, k6), k4), k4), n2, o20
+    )
+    div(
+        add(add(add(mul(I11, RT11o, k2), mul(I11o, RT11, k4), k2), add(mul(I12, RT21o, k1), mul(I12o, RT21, k4), k1),
+        k1), add(mul(I13, RT31o, k2), mul(I13o, RT31, k3), k2), k1), n2, o19
+    )
+    copy(n0, o4)
+    copy(n0, o5)
+    copy(n0, o6)
+    copy(n0, o10)
+    copy(n0, o11)
+    copy(n0, o12)
+    copy(n0, o16)
+    copy(n0, o17)
+    copy(n0, o18)
+    copy(o1, o22)
+    copy(o2, o23)
+    copy(o3, o24)
+    copy(o7, o28)
+    copy(o8, o29)
+    copy(o9, o30)
+    copy(o13, o34)
+    copy(o14, o35)
+    copy(o15, o36)
+    copy(n0, o40)
+    copy(n0, o41)
+    copy(n0, o42)
+    copy(n0, o46)
+    copy(n0, o47)
+    copy(n0, o48)
+    copy(n0, o52)
+    copy(n0, o53)
+    copy(n0, o54)
+    copy(o37, o58)
+    copy(o38, o59)
+    copy(o39, o60)
+    copy(o43, o64)
+    copy(o44, o65)
+    copy(o45, o66)
+    copy(o49, o70)
+    copy(o50, o71)
+    copy(o51, o72)
+
+
+# operations 957: 362 +, 472 *, 85 /, 13 neg, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 12 where
+def _own_body_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    d1, d2, d3, d1o, d2o, d3o = delta
+    v11d = d1 * d1
+    v22d = d2 * d2
+    v33d = d3 * d3
+    xd = v11d + v22d + v33d
+    neard = xd < 6
+    zd = m.where(neard, xd, xd - xd) / 4
+    C7d = (
+        (72 - zd * ((3603600 - zd * (32760 - zd * (210 - zd * ((93024 - zd * (342 - zd * ((212520 - zd * (506 - zd))
+        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
+    )
+    C5d = (1 - 120 * (zd * C7d)) / 120
+    C3d = (1 - 6 * (zd * C5d)) / 6
+    C1d = 1 - zd * C3d
+    CC1d = C1d * C1d
+    C0d = m.sqrt(1 - zd * CC1d)
+    xxd = m.where(neard, 6 + xd, xd)
+    alphad = m.sqrt(xxd)
+    td = m.tan(alphad / 4)
+    ttd = td * td
+    belowd = 1 + ttd
+    sd = m.where(neard, C0d, (1 - ttd) / belowd)
+    wd = m.where(neard, C1d / 2, 2 * td / belowd / alphad)
+    wd1 = d1 * wd
+    wd2 = d2 * wd
+    wd3 = d3 * wd
+    fd = 2 * (sd * wd)
+    wwd = wd * wd
+    gd = 2 * wwd
+    C01d = 1 + C0d
+    C2d = CC1d / C01d
+    hd = m.where(neard, (C3d + C1d * C2d) / 4, (1 - fd) / xxd)
+    gvd1 = d1 * gd
+    gvd2 = d2 * gd
+    gvd3 = d3 * gd
+    yd = d1 * d1o + d2 * d2o + d3 * d3o
+    alongd = hd * yd
+    rhob1 = d1o * fd + (gvd2 * d3o - gvd3 * d2o) + d1 * alongd
+    rhob2 = d2o * fd + (gvd3 * d1o - gvd1 * d3o) + d2 * alongd
+    rhob3 = d3o * fd + (gvd1 * d2o - gvd2 * d1o) + d3 * alongd
+    v11p = v1 * v1
+    v22p = v2 * v2
+    v33p = v3 * v3
+    x12p = v11p + v22p
+    xp = x12p + v33p
+    zp = xp / 4
+    Np = 1 + zp
+    rp = 2 * (Np / Np / Np)
+    f_vp = rp / 2
+    g_vp = rp / 4
+    bvp1 = v1 / 2
+    bvp2 = v2 / 2
+    bvp3 = v3 / 2
+    gvp1 = v1 * g_vp
+    gvp2 = v2 * g_vp
+    gvp3 = v3 * g_vp
+    yp = v1 * v1o + v2 * v2o + v3 * v3o
+    rhop1 = v1o * f_vp + (gvp2 * v3o - gvp3 * v2o)
+    rhop2 = v2o * f_vp + (gvp3 * v1o - gvp1 * v3o)
+    rhop3 = v3o * f_vp + (gvp1 * v2o - gvp2 * v1o)
+    z0 = sd - (bvp1 * wd1 + bvp2 * wd2 + bvp3 * wd3)
+    z1 = wd1 + bvp1 * sd + (bvp2 * wd3 - bvp3 * wd2)
+    z2 = wd2 + bvp2 * sd + (bvp3 * wd1 - bvp1 * wd3)
+    z3 = wd3 + bvp3 * sd + (bvp1 * wd2 - bvp2 * wd1)
+    v_rhob1 = v2 * rhob3 - v3 * rhob2
+    v_rhob2 = v3 * rhob1 - v1 * rhob3
+    v_rhob3 = v1 * rhob2 - v2 * rhob1
+    gv_rhob1 = v_rhob1 * g_vp
+    gv_rhob2 = v_rhob2 * g_vp
+    gv_rhob3 = v_rhob3 * g_vp
+    rho1 = rhob1 + (v_rhob1 * f_vp + (v2 * gv_rhob3 - v3 * gv_rhob2)) + rhop1
+    rho2 = rhob2 + (v_rhob2 * f_vp + (v3 * gv_rhob1 - v1 * gv_rhob3)) + rhop2
+    rho3 = rhob3 + (v_rhob3 * f_vp + (v1 * gv_rhob2 - v2 * gv_rhob1)) + rhop3
+    ss = z1 * z1 + z2 * z2 + z3 * z3
+    still = ss == 0
+    resting = xp == 0
+    length = m.sqrt(m.where(still, 1 + ss, ss))
+    r = m.sqrt(m.where(resting, 1 + xp, xp))
+    own = 2 * m.atan2(r / 2, 1)
+    own_ = m.where(resting, 0, own / r) * (v1 * z1 + v2 * z2 + v3 * z3) / length
+    angle = own_ + 2 * m.atan2(m.tan((2 * m.atan2(m.where(still, ss, length), z0) - own_) / 2), 1)
+    rn = m.tan(angle / 2)
+    slopen = (1 + rn * rn) / 2
+    vn = 2 * rn
+    v_slopen = 2 * slopen
+    z0s = m.where(still, z0, length)
+    factor = m.where(still, 2 * v_slopen / z0s, vn / length)
+    v_1 = z1 * factor
+    v_2 = z2 * factor
+    v_3 = z3 * factor
+    fe = factor * z0
+    hvr = (v_1 * rho1 + v_2 * rho2 + v_3 * rho3) / 2
+    w4 = (rho1 * fe - (v_2 * rho3 - v_3 * rho2) + v_1 * hvr) / 2
+    w5 = (rho2 * fe - (v_3 * rho1 - v_1 * rho3) + v_2 * hvr) / 2
+    w6 = (rho3 * fe - (v_1 * rho2 - v_2 * rho1) + v_3 * hvr) / 2
+    sn1 = -v_1
+    sn2 = -v_2
+    sn3 = -v_3
+    son1 = -w4
+    son2 = -w5
+    son3 = -w6
+    cvn1 = v_1 / 2
+    cvn2 = v_2 / 2
+    cvn3 = v_3 / 2
+    cvon1 = w4 / 2
+    cvon2 = w5 / 2
+    cvon3 = w6 / 2
+    d12n = cvn1 * v_2
+    d13n = cvn1 * v_3
+    d23n = cvn2 * v_3
+    I11 = 2 + cvn1 * v_1
+    I12 = d12n - sn3
+    I13 = d13n + sn2
+    I21 = d12n + sn3
+    I22 = 2 + cvn2 * v_2
+    I23 = d23n - sn1
+    I31 = d13n - sn2
+    I32 = d23n + sn1
+    I33 = 2 + cvn3 * v_3
+    d12on = cvn1 * w5 + cvon1 * v_2
+    d13on = cvn1 * w6 + cvon1 * v_3
+    d23on = cvn2 * w6 + cvon2 * v_3
+    I11o = cvn1 * w4 + cvon1 * v_1
+    I12o = d12on - son3
+    I13o = d13on + son2
+    I21o = d12on + son3
+    I22o = cvn2 * w5 + cvon2 * v_2
+    I23o = d23on - son1
+    I31o = d13on - son2
+    I32o = d23on + son1
+    I33o = cvn3 * w6 + cvon3 * v_3
+    fyd = hd - gd
+    gyd = fd * hd - gd * gd
+    CC3d = C3d * C3d
+    C4d = (4 * C3d - C2d - 2 * (zd * CC3d)) / (2 * C01d)
+    c5d = (C5d + C4d + C2d * C3d) / 16
+    c4d = C3d * (1 + C1d) / 8
+    hyd = m.where(neard, 3 * c5d - c4d, (gd - 3 * hd) / xxd)
+    fod = fyd * yd
+    god = gyd * yd
+    hod = hyd * yd
+    gvod1 = d1o * gd + d1 * god
+    gvod2 = d2o * gd + d2 * god
+    gvod3 = d3o * gd + d3 * god
+    cvd1 = d1 * hd
+    cvd2 = d2 * hd
+    cvd3 = d3 * hd
+    cvod1 = d1o * hd + d1 * hod
+    cvod2 = d2o * hd + d2 * hod
+    cvod3 = d3o * hd + d3 * hod
+    d12d = cvd1 * d2
+    d13d = cvd1 * d3
+    d23d = cvd2 * d3
+    D11 = fd + cvd1 * d1
+    D12 = d12d - gvd3
+    D13 = d13d + gvd2
+    D21 = d12d + gvd3
+    D22 = fd + cvd2 * d2
+    D23 = d23d - gvd1
+    D31 = d13d - gvd2
+    D32 = d23d + gvd1
+    D33 = fd + cvd3 * d3
+    d12od = cvd1 * d2o + cvod1 * d2
+    d13od = cvd1 * d3o + cvod1 * d3
+    d23od = cvd2 * d3o + cvod2 * d3
+    D11o = fod + (cvd1 * d1o + cvod1 * d1)
+    D12o = d12od - gvod3
+    D13o = d13od + gvod2
+    D21o = d12od + gvod3
+    D22o = fod + (cvd2 * d2o + cvod2 * d2)
+    D23o = d23od - gvod1
+    D31o = d13od - gvod2
+    D32o = d23od + gvod1
+    D33o = fod + (cvd3 * d3o + cvod3 * d3)
+    eF = 2 / Np
+    egF = eF * rp
+    fyF = -egF
+    fy_vF = fyF / 8
+    gy_vF = fyF / 16
+    foF = fy_vF * yp
+    goF = gy_vF * yp
+    gvoF1 = v1o * g_vp + v1 * goF
+    gvoF2 = v2o * g_vp + v2 * goF
+    gvoF3 = v3o * g_vp + v3 * goF
+    F12 = -gvp3
+    F23 = -gvp1
+    F31 = -gvp2
+    F12o = -gvoF3
+    F23o = -gvoF1
+    F31o = -gvoF2
+    x23p = v22p + v33p
+    x13p = v11p + v33p
+    fvp1 = v1 * f_vp
+    fvp2 = v2 * f_vp
+    fvp3 = v3 * f_vp
+    gvvp1 = gvp1 * v2
+    gvvp2 = gvp1 * v3
+    gvvp3 = gvp2 * v3
+    Qp11 = 1 - g_vp * x23p
+    Qp12 = gvvp1 - fvp3
+    Qp13 = gvvp2 + fvp2
+    Qp21 = gvvp1 + fvp3
+    Qp22 = 1 - g_vp * x13p
+    Qp23 = gvvp3 - fvp1
+    Qp31 = gvvp2 - fvp2
+    Qp32 = gvvp3 + fvp1
+    Qp33 = 1 - g_vp * x12p
+    R11o = Qp31 * rhop2 - Qp21 * rhop3
+    R12o = Qp32 * rhop2 - Qp22 * rhop3
+    R13o = Qp33 * rhop2 - Qp23 * rhop3
+    R21o = Qp11 * rhop3 - Qp31 * rhop1
+    R22o = Qp12 * rhop3 - Qp32 * rhop1
+    R23o = Qp13 * rhop3 - Qp33 * rhop1
+    R31o = Qp21 * rhop1 - Qp11 * rhop2
+    R32o = Qp22 * rhop1 - Qp12 * rhop2
+    R33o = Qp23 * rhop1 - Qp13 * rhop2
+    RD11 = Qp11 * D11 + Qp12 * D21 + Qp13 * D31
+    RD11o = Qp11 * D11o + R11o * D11 + (Qp12 * D21o + R12o * D21) + (Qp13 * D31o + R13o * D31)
+    RD12 = Qp11 * D12 + Qp12 * D22 + Qp13 * D32
+    RD12o = Qp11 * D12o + R11o * D12 + (Qp12 * D22o + R12o * D22) + (Qp13 * D32o + R13o * D32)
+    RD13 = Qp11 * D13 + Qp12 * D23 + Qp13 * D33
+    RD13o = Qp11 * D13o + R11o * D13 + (Qp12 * D23o + R12o * D23) + (Qp13 * D33o + R13o * D33)
+    RD21 = Qp21 * D11 + Qp22 * D21 + Qp23 * D31
+    RD21o = Qp21 * D11o + R21o * D11 + (Qp22 * D21o + R22o * D21) + (Qp23 * D31o + R23o * D31)
+    RD22 = Qp21 * D12 + Qp22 * D22 + Qp23 * D32
+    RD22o = Qp21 * D12o + R21o * D12 + (Qp22 * D22o + R22o * D22) + (Qp23 * D32o + R23o * D32)
+    RD23 = Qp21 * D13 + Qp22 * D23 + Qp23 * D33
+    RD23o = Qp21 * D13o + R21o * D13 + (Qp22 * D23o + R22o * D23) + (Qp23 * D33o + R23o * D33)
+    RD31 = Qp31 * D11 + Qp32 * D21 + Qp33 * D31
+    RD31o = Qp31 * D11o + R31o * D11 + (Qp32 * D21o + R32o * D21) + (Qp33 * D31o + R33o * D31)
+    RD32 = Qp31 * D12 + Qp32 * D22 + Qp33 * D32
+    RD32o = Qp31 * D12o + R31o * D12 + (Qp32 * D22o + R32o * D22) + (Qp33 * D32o + R33o * D32)
+    RD33 = Qp31 * D13 + Qp32 * D23 + Qp33 * D33
+    RD33o = Qp31 * D13o + R31o * D13 + (Qp32 * D23o + R32o * D23) + (Qp33 * D33o + R33o * D33)
+    V11 = (I11 * f_vp + I12 * gvp3 + I13 * F31) / 2
+    V12 = (I11 * F12 + I12 * f_vp + I13 * gvp1) / 2
+    V13 = (I11 * gvp2 + I12 * F23 + I13 * f_vp) / 2
+    V21 = (I21 * f_vp + I22 * gvp3 + I23 * F31) / 2
+    V22 = (I21 * F12 + I22 * f_vp + I23 * gvp1) / 2
+    V23 = (I21 * gvp2 + I22 * F23 + I23 * f_vp) / 2
+    V31 = (I31 * f_vp + I32 * gvp3 + I33 * F31) / 2
+    V32 = (I31 * F12 + I32 * f_vp + I33 * gvp1) / 2
+    V33 = (I31 * gvp2 + I32 * F23 + I33 * f_vp) / 2
+    S11 = (I11 * RD11 + I12 * RD21 + I13 * RD31) / 2
+    S12 = (I11 * RD12 + I12 * RD22 + I13 * RD32) / 2
+    S13 = (I11 * RD13 + I12 * RD23 + I13 * RD33) / 2
+    S21 = (I21 * RD11 + I22 * RD21 + I23 * RD31) / 2
+    S22 = (I21 * RD12 + I22 * RD22 + I23 * RD32) / 2
+    S23 = (I21 * RD13 + I22 * RD23 + I23 * RD33) / 2
+    S31 = (I31 * RD11 + I32 * RD21 + I33 * RD31) / 2
+    S32 = (I31 * RD12 + I32 * RD22 + I33 * RD32) / 2
+    S33 = (I31 * RD13 + I32 * RD23 + I33 * RD33) / 2
+    return (
+        V11,
+        V12,
+        V13,
+        0,
+        0,
+        0,
+        V21,
+        V22,
+        V23,
+        0,
+        0,
+        0,
+        V31,
+        V32,
+        V33,
+        0,
+        0,
+        0,
+        (I11 * foF + I11o * f_vp + (I12 * gvoF3 + I12o * gvp3) + (I13 * F31o + I13o * F31)) / 2,
+        (I11 * F12o + I11o * F12 + (I12 * foF + I12o * f_vp) + (I13 * gvoF1 + I13o * gvp1)) / 2,
+        (I11 * gvoF2 + I11o * gvp2 + (I12 * F23o + I12o * F23) + (I13 * foF + I13o * f_vp)) / 2,
+        V11,
+        V12,
+        V13,
+        (I21 * foF + I21o * f_vp + (I22 * gvoF3 + I22o * gvp3) + (I23 * F31o + I23o * F31)) / 2,
+        (I21 * F12o + I21o * F12 + (I22 * foF + I22o * f_vp) + (I23 * gvoF1 + I23o * gvp1)) / 2,
+        (I21 * gvoF2 + I21o * gvp2 + (I22 * F23o + I22o * F23) + (I23 * foF + I23o * f_vp)) / 2,
+        V21,
+        V22,
+        V23,
+        (I31 * foF + I31o * f_vp + (I32 * gvoF3 + I32o * gvp3) + (I33 * F31o + I33o * F31)) / 2,
+        (I31 * F12o + I31o * F12 + (I32 * foF + I32o * f_vp) + (I33 * gvoF1 + I33o * gvp1)) / 2,
+        (I31 * gvoF2 + I31o * gvp2 + (I32 * F23o + I32o * F23) + (I33 * foF + I33o * f_vp)) / 2,
+        V31,
+        V32,
+        V33,
+        S11,
+        S12,
+        S13,
+        0,
+        0,
+        0,
+        S21,
+        S22,
+        S23,
+        0,
+        0,
+        0,
+        S31,
+        S32,
+        S33,
+        0,
+        0,
+        0,
+        (I11 * RD11o + I11o * RD11 + (I12 * RD21o + I12o * RD21) + (I13 * RD31o + I13o * RD31)) / 2,
+        (I11 * RD12o + I11o * RD12 + (I12 * RD22o + I12o * RD22) + (I13 * RD32o + I13o * RD32)) / 2,
+        (I11 * RD13o + I11o * RD13 + (I12 * RD23o + I12o * RD23) + (I13 * RD33o + I13o * RD33)) / 2,
+        S11,
+        S12,
+        S13,
+        (I21 * RD11o + I21o * RD11 + (I22 * RD21o + I22o * RD21) + (I23 * RD31o + I23o * RD31)) / 2,
+        (I21 * RD12o + I21o * RD12 + (I22 * RD22o + I22o * RD22) + (I23 * RD32o + I23o * RD32)) / 2,
+        (I21 * RD13o + I21o * RD13 + (I22 * RD23o + I22o * RD23) + (I23 * RD33o + I23o * RD33)) / 2,
+        S21,
+        S22,
+        S23,
+        (I31 * RD11o + I31o * RD11 + (I32 * RD21o + I32o * RD21) + (I33 * RD31o + I33o * RD31)) / 2,
+        (I31 * RD12o + I31o * RD12 + (I32 * RD22o + I32o * RD22) + (I33 * RD32o + I33o * RD32)) / 2,
+        (I31 * RD13o + I31o * RD13 + (I32 * RD23o + I32o * RD23) + (I33 * RD33o + I33o * RD33)) / 2,
+        S31,
+        S32,
+        S33,
+    )
+
+
+def _own_body_retract_jacobians_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, delta: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    d1, d2, d3, d1o, d2o, d3o = delta
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36, o37, o38, o39, o40, o41, o42, o43, o44, o45, o46,
+        o47, o48, o49, o50, o51, o52, o53, o54, o55, o56, o57, o58, o59, o60, o61, o62, o63, o64, o65, o66, o67, o68,
+        o69, o70, o71, o72,
+    ) = out
+    (
+        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
+        k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, k35, k36, k37, k38, k39, k40, k41, k42, k43, k44, k45, k46,
+        k47, k48, k49, k50, k51, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61, k62, k63, k64, k65, k66, k67, k68,
+        k69,
+    ) = scratch
+    mask1, mask2, mask3 = masks
+    n0, n1, n2, n3, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    v11d = mul(d1, d1, k1)
+    v22d = mul(d2, d2, k2)
+    v33d = mul(d3, d3, k3)
+    xd = add(add(v11d, v22d, k1), v33d, k1)
+    neard = m.less(xd, n6, mask1)
+    zd = div(m.where(neard, xd, sub(xd, xd, k2), k3), n4, k2)
+    xxd = m.where(neard, add(n6, xd, k3), xd, k3)
+    C7d = div(
+        div(sub(n72, mul(zd, div(sub(n3603600, mul(zd, sub(n32760, mul(zd, sub(n210, mul(zd, div(sub(n93024, mul(zd,
+        sub(n342, mul(zd, div(sub(n212520, mul(zd, sub(n506, zd, k1), k1), k1), n212520, k1), k1), k1), k1), k1),
+        n93024, k1), k1), k1), k1), k1), k1), k1), n3603600, k1), k1), k1), n72, k1), n5040, k1
+    )
+    C5d = div(sub(n1, mul(n120, mul(zd, C7d, k1), k1), k1), n120, k1)
+    C3d = div(sub(n1, mul(n6, mul(zd, C5d, k4), k4), k4), n6, k4)
+    C1d = sub(n1, mul(zd, C3d, k5), k5)
+    CC1d = mul(C1d, C1d, k6)
+    C0d = sqrt(sub(n1, mul(zd, CC1d, k7), k7), k7)
+    alphad = sqrt(xxd, k8)
+    td = tan(div(alphad, n4, k9), k9)
+    ttd = mul(td, td, k10)
+    belowd = add(n1, ttd, k11)
+    wd = m.where(neard, div(C1d, n2, k12), div(div(mul(n2, td, k9), belowd, k9), alphad, k8), k9)
+    sd = m.where(neard, C0d, div(sub(n1, ttd, k8), belowd, k8), k10)
+    C01d = add(n1, C0d, k7)
+    C2d = div(CC1d, C01d, k6)
+    wd1 = mul(d1, wd, k8)
+    wd3 = mul(d3, wd, k11)
+    wd2 = mul(d2, wd, k12)
+    bvp1 = div(v1, n2, k13)
+    bvp2 = div(v2, n2, k14)
+    bvp3 = div(v3, n2, k15)
+    z1 = add(add(wd1, mul(bvp1, sd, k16), k16), sub(mul(bvp2, wd3, k17), mul(bvp3, wd2, k18), k17), k16)
+    z2 = add(add(wd2, mul(bvp2, sd, k17), k17), sub(mul(bvp3, wd1, k18), mul(bvp1, wd3, k19), k18), k17)
+    z3 = add(add(wd3, mul(bvp3, sd, k18), k18), sub(mul(bvp1, wd2, k19), mul(bvp2, wd1, k20), k19), k18)
+    z0 = sub(sd, add(add(mul(bvp1, wd1, k8), mul(bvp2, wd2, k12), k8), mul(bvp3, wd3, k11), k8), k8)
+    fd = mul(n2, mul(sd, wd, k10), k10)
+    wwd = mul(wd, wd, k9)
+    gd = mul(n2, wwd, k9)
+    ss = add(add(mul(z1, z1, k11), mul(z2, z2, k12), k11), mul(z3, z3, k12), k11)
+    still = m.equal(ss, n0, mask2)
+    length = sqrt(m.where(still, add(n1, ss, k12), ss, k12), k12)
+    v11p = mul(v1, v1, k13)
+    v22p = mul(v2, v2, k14)
+    x12p = add(v11p, v22p, k15)
+    v33p = mul(v3, v3, k19)
+    x23p = add(v22p, v33p, k14)
+    x13p = add(v11p, v33p, k13)
+    xp = add(x12p, v33p, k19)
+    resting = m.equal(xp, n0, mask3)
+    r = sqrt(m.where(resting, add(n1, xp, k20), xp, k20), k20)
+    zp = div(xp, n4, k19)
+    Np = add(n1, zp, k19)
+    own = mul(n2, atan2(div(r, n2, k21), n1, k21), k21)
+    own_ = div(
+        mul(m.where(resting, n0, div(own, r, k20), k21), add(add(mul(v1, z1, k20), mul(v2, z2, k22), k20), mul(v3, z3,
+        k22), k20), k20), length, k20
+    )
+    angle = add(
+        own_, mul(n2, atan2(tan(div(sub(mul(n2, atan2(m.where(still, ss, length, k11), z0, k11), k11), own_, k11), n2,
+        k11), k11), n1, k11), k11), k11
+    )
+    rn = tan(div(angle, n2, k11), k11)
+    slopen = div(add(n1, mul(rn, rn, k20), k20), n2, k20)
+    v_slopen = mul(n2, slopen, k20)
+    vn = mul(n2, rn, k11)
+    z0s = m.where(still, z0, length, k21)
+    factor = m.where(still, div(mul(n2, v_slopen, k20), z0s, k20), div(vn, length, k11), k12)
+    v_1 = mul(z1, factor, k11)
+    v_2 = mul(z2, factor, k16)
+    v_3 = mul(z3, factor, k17)
+    fe = mul(factor, z0, k8)
+    cvn1 = div(v_1, n2, k12)
+    I11 = add(n2, mul(cvn1, v_1, k18), k18)
+    d12n = mul(cvn1, v_2, k20)
+    sn3 = neg(v_3, k21)
+    I12 = sub(d12n, sn3, k22)
+    I21 = add(d12n, sn3, k20)
+    d13n = mul(cvn1, v_3, k21)
+    sn2 = neg(v_2, k23)
+    I13 = add(d13n, sn2, k24)
+    I31 = sub(d13n, sn2, k21)
+    rp = mul(n2, div(div(Np, Np, k23), Np, k23), k23)
+    eF = div(n2, Np, k19)
+    egF = mul(eF, rp, k19)
+    fyF = neg(egF, k19)
+    f_vp = div(rp, n2, k25)
+    g_vp = div(rp, n4, k23)
+    Qp11 = sub(n1, mul(g_vp, x23p, k14), k14)
+    Qp22 = sub(n1, mul(g_vp, x13p, k13), k13)
+    Qp33 = sub(n1, mul(g_vp, x12p, k15), k15)
+    gvp3 = mul(v3, g_vp, k26)
+    gvp2 = mul(v2, g_vp, k27)
+    F31 = neg(gvp2, k28)
+    div(add(add(mul(I11, f_vp, k29), mul(I12, gvp3, k30), k29), mul(I13, F31, k30), k29), n2, o1)
+    F12 = neg(gvp3, k29)
+    gvp1 = mul(v1, g_vp, k30)
+    div(add(add(mul(I11, F12, k31), mul(I12, f_vp, k32), k31), mul(I13, gvp1, k32), k31), n2, o2)
+    F23 = neg(gvp1, k31)
+    div(add(add(mul(I11, gvp2, k32), mul(I12, F23, k33), k32), mul(I13, f_vp, k33), k32), n2, o3)
+    cvn2 = div(v_2, n2, k32)
+    I22 = add(n2, mul(cvn2, v_2, k33), k33)
+    d23n = mul(cvn2, v_3, k34)
+    sn1 = neg(v_1, k35)
+    I23 = sub(d23n, sn1, k36)
+    I32 = add(d23n, sn1, k34)
+    div(add(add(mul(I21, f_vp, k35), mul(I22, gvp3, k37), k35), mul(I23, F31, k37), k35), n2, o7)
+    div(add(add(mul(I21, F12, k35), mul(I22, f_vp, k37), k35), mul(I23, gvp1, k37), k35), n2, o8)
+    div(add(add(mul(I21, gvp2, k35), mul(I22, F23, k37), k35), mul(I23, f_vp, k37), k35), n2, o9)
+    cvn3 = div(v_3, n2, k35)
+    I33 = add(n2, mul(cvn3, v_3, k37), k37)
+    div(add(add(mul(I31, f_vp, k38), mul(I32, gvp3, k39), k38), mul(I33, F31, k39), k38), n2, o13)
+    div(add(add(mul(I31, F12, k38), mul(I32, f_vp, k39), k38), mul(I33, gvp1, k39), k38), n2, o14)
+    div(add(add(mul(I31, gvp2, k38), mul(I32, F23, k39), k38), mul(I33, f_vp, k39), k38), n2, o15)
+    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k38), k38), n4, k38), div(sub(n1, fd, k39), xxd, k39), k38)
+    c4d = div(mul(C3d, add(n1, C1d, k5), k5), n8, k5)
+    yd = add(add(mul(d1, d1o, k39), mul(d2, d2o, k40), k39), mul(d3, d3o, k40), k39)
+    alongd = mul(hd, yd, k40)
+    gvd1 = mul(d1, gd, k41)
+    gvd2 = mul(d2, gd, k42)
+    rhob3 = add(
+        add(mul(d3o, fd, k43), sub(mul(gvd1, d2o, k44), mul(gvd2, d1o, k45), k44), k43), mul(d3, alongd, k44), k43
+    )
+    gvd3 = mul(d3, gd, k44)
+    rhob2 = add(
+        add(mul(d2o, fd, k45), sub(mul(gvd3, d1o, k46), mul(gvd1, d3o, k47), k46), k45), mul(d2, alongd, k46), k45
+    )
+    rhob1 = add(
+        add(mul(d1o, fd, k46), sub(mul(gvd2, d3o, k47), mul(gvd3, d2o, k48), k47), k46), mul(d1, alongd, k40), k40
+    )
+    v_rhob1 = sub(mul(v2, rhob3, k46), mul(v3, rhob2, k47), k46)
+    v_rhob3 = sub(mul(v1, rhob2, k47), mul(v2, rhob1, k48), k47)
+    gv_rhob3 = mul(v_rhob3, g_vp, k48)
+    v_rhob2 = sub(mul(v3, rhob1, k49), mul(v1, rhob3, k50), k49)
+    gv_rhob2 = mul(v_rhob2, g_vp, k50)
+    rhop1 = add(mul(v1o, f_vp, k51), sub(mul(gvp2, v3o, k52), mul(gvp3, v2o, k53), k52), k51)
+    rho1 = add(
+        add(rhob1, add(mul(v_rhob1, f_vp, k52), sub(mul(v2, gv_rhob3, k53), mul(v3, gv_rhob2, k54), k53), k52), k40),
+        rhop1, k40
+    )
+    gv_rhob1 = mul(v_rhob1, g_vp, k46)
+    rhop2 = add(mul(v2o, f_vp, k52), sub(mul(gvp3, v1o, k53), mul(gvp1, v3o, k54), k53), k52)
+    rho2 = add(
+        add(rhob2, add(mul(v_rhob2, f_vp, k49), sub(mul(v3, gv_rhob1, k53), mul(v1, gv_rhob3, k48), k48), k48), k45),
+        rhop2, k45
+    )
+    rhop3 = add(mul(v3o, f_vp, k48), sub(mul(gvp1, v2o, k49), mul(gvp2, v1o, k53), k49), k48)
+    rho3 = add(
+        add(rhob3, add(mul(v_rhob3, f_vp, k47), sub(mul(v1, gv_rhob2, k49), mul(v2, gv_rhob1, k46), k46), k46), k43),
+        rhop3, k43
+    )
+    hvr = div(add(add(mul(v_1, rho1, k46), mul(v_2, rho2, k47), k46), mul(v_3, rho3, k47), k46), n2, k46)
+    w4 = div(
+        add(sub(mul(rho1, fe, k47), sub(mul(v_2, rho3, k49), mul(v_3, rho2, k50), k49), k47), mul(v_1, hvr, k49), k47),
+        n2, k47
+    )
+    cvon1 = div(w4, n2, k49)
+    I11o = add(mul(cvn1, w4, k50), mul(cvon1, v_1, k53), k50)
+    son1 = neg(w4, k47)
+    w5 = div(
+        add(sub(mul(rho2, fe, k53), sub(mul(v_3, rho1, k54), mul(v_1, rho3, k55), k54), k53), mul(v_2, hvr, k54), k53),
+        n2, k53
+    )
+    w6 = div(
+        add(sub(mul(rho3, fe, k8), sub(mul(v_1, rho2, k11), mul(v_2, rho1, k40), k11), k8), mul(v_3, hvr, k11), k8), n2,
+        k8
+    )
+    d12on = add(mul(cvn1, w5, k11), mul(cvon1, v_2, k40), k11)
+    d13on = add(mul(cvn1, w6, k12), mul(cvon1, v_3, k40), k12)
+    son3 = neg(w6, k40)
+    I12o = sub(d12on, son3, k43)
+    I21o = add(d12on, son3, k11)
+    son2 = neg(w5, k40)
+    I13o = add(d13on, son2, k45)
+    I31o = sub(d13on, son2, k12)
+    gy_vF = div(fyF, n16, k40)
+    fy_vF = div(fyF, n8, k19)
+    yp = add(add(mul(v1, v1o, k46), mul(v2, v2o, k49), k46), mul(v3, v3o, k49), k46)
+    goF = mul(gy_vF, yp, k40)
+    foF = mul(fy_vF, yp, k19)
+    gvoF3 = add(mul(v3o, g_vp, k46), mul(v3, goF, k49), k46)
+    gvoF2 = add(mul(v2o, g_vp, k49), mul(v2, goF, k54), k49)
+    gvoF1 = add(mul(v1o, g_vp, k23), mul(v1, goF, k40), k23)
+    F31o = neg(gvoF2, k40)
+    div(
+        add(add(add(mul(I11, foF, k54), mul(I11o, f_vp, k55), k54), add(mul(I12, gvoF3, k55), mul(I12o, gvp3, k56),
+        k55), k54), add(mul(I13, F31o, k55), mul(I13o, F31, k56), k55), k54), n2, o19
+    )
+    F12o = neg(gvoF3, k54)
+    div(
+        add(add(add(mul(I11, F12o, k55), mul(I11o, F12, k56), k55), add(mul(I12, foF, k56), mul(I12o, f_vp, k57), k56),
+        k55), add(mul(I13, gvoF1, k56), mul(I13o, gvp1, k57), k56), k55), n2, o20
+    )
+    F23o = neg(gvoF1, k55)
+    div(
+        add(add(add(mul(I11, gvoF2, k56), mul(I11o, gvp2, k57), k56), add(mul(I12, F23o, k57), mul(I12o, F23, k58),
+        k57), k56), add(mul(I13, foF, k57), mul(I13o, f_vp, k58), k57), k56), n2, o21
+    )
+    cvon2 = div(w5, n2, k56)
+    I22o = add(mul(cvn2, w5, k53), mul(cvon2, v_2, k16), k16)
+    d23on = add(mul(cvn2, w6, k32), mul(cvon2, v_3, k53), k32)
+    I23o = sub(d23on, son1, k53)
+    I32o = add(d23on, son1, k32)
+    div(
+        add(add(add(mul(I21, foF, k47), mul(I21o, f_vp, k56), k47), add(mul(I22, gvoF3, k56), mul(I22o, gvp3, k57),
+        k56), k47), add(mul(I23, F31o, k56), mul(I23o, F31, k57), k56), k47), n2, o25
+    )
+    div(
+        add(add(add(mul(I21, F12o, k47), mul(I21o, F12, k56), k47), add(mul(I22, foF, k56), mul(I22o, f_vp, k57), k56),
+        k47), add(mul(I23, gvoF1, k56), mul(I23o, gvp1, k57), k56), k47), n2, o26
+    )
+    div(
+        add(add(add(mul(I21, gvoF2, k47), mul(I21o, gvp2, k56), k47), add(mul(I22, F23o, k56), mul(I22o, F23, k57),
+        k56), k47), add(mul(I23, foF, k56), mul(I23o, f_vp, k57), k56), k47), n2, o27
+    )
+    cvon3 = div(w6, n2, k47)
+    I33o = add(mul(cvn3, w6, k8), mul(cvon3, v_3, k17), k8)
+    div(
+        add(add(add(mul(I31, foF, k17), mul(I31o, f_vp, k35), k17), add(mul(I32, gvoF3, k35), mul(I32o, gvp3, k26),
+        k26), k17), add(mul(I33, F31o, k26), mul(I33o, F31, k28), k26), k17), n2, o31
+    )
+    div(
+        add(add(add(mul(I31, F12o, k17), mul(I31o, F12, k26), k17), add(mul(I32, foF, k26), mul(I32o, f_vp, k28), k26),
+        k17), add(mul(I33, gvoF1, k23), mul(I33o, gvp1, k26), k23), k17), n2, o32
+    )
+    div(
+        add(add(add(mul(I31, gvoF2, k17), mul(I31o, gvp2, k23), k17), add(mul(I32, F23o, k23), mul(I32o, F23, k26),
+        k23), k17), add(mul(I33, foF, k19), mul(I33o, f_vp, k23), k19), k17), n2, o33
+    )
+    gvvp3 = mul(gvp2, v3, k17)
+    cvd1 = mul(d1, hd, k19)
+    D11 = add(fd, mul(cvd1, d1, k23), k23)
+    d12d = mul(cvd1, d2, k26)
+    D21 = add(d12d, gvd3, k27)
+    D12 = sub(d12d, gvd3, k26)
+    d13d = mul(cvd1, d3, k28)
+    D31 = sub(d13d, gvd2, k29)
+    D13 = add(d13d, gvd2, k28)
+    gvvp1 = mul(gvp1, v2, k31)
+    gvvp2 = mul(gvp1, v3, k30)
+    fvp3 = mul(v3, f_vp, k35)
+    Qp12 = sub(gvvp1, fvp3, k40)
+    Qp21 = add(gvvp1, fvp3, k31)
+    fvp2 = mul(v2, f_vp, k35)
+    fvp1 = mul(v1, f_vp, k25)
+    Qp13 = add(gvvp2, fvp2, k42)
+    Qp31 = sub(gvvp2, fvp2, k30)
+    RD11 = add(add(mul(Qp11, D11, k35), mul(Qp12, D21, k44), k35), mul(Qp13, D31, k44), k35)
+    Qp23 = sub(gvvp3, fvp1, k44)
+    Qp32 = add(gvvp3, fvp1, k17)
+    RD21 = add(add(mul(Qp21, D11, k25), mul(Qp22, D21, k46), k25), mul(Qp23, D31, k46), k25)
+    RD31 = add(add(mul(Qp31, D11, k46), mul(Qp32, D21, k47), k46), mul(Qp33, D31, k47), k46)
+    div(add(add(mul(I11, RD11, k47), mul(I12, RD21, k49), k47), mul(I13, RD31, k49), k47), n2, o37)
+    div(add(add(mul(I21, RD11, k47), mul(I22, RD21, k49), k47), mul(I23, RD31, k49), k47), n2, o43)
+    div(add(add(mul(I31, RD11, k47), mul(I32, RD21, k49), k47), mul(I33, RD31, k49), k47), n2, o49)
+    cvd2 = mul(d2, hd, k47)
+    D22 = add(fd, mul(cvd2, d2, k49), k49)
+    d23d = mul(cvd2, d3, k54)
+    D32 = add(d23d, gvd1, k55)
+    D23 = sub(d23d, gvd1, k41)
+    RD12 = add(add(mul(Qp11, D12, k54), mul(Qp12, D22, k56), k54), mul(Qp13, D32, k56), k54)
+    RD22 = add(add(mul(Qp21, D12, k56), mul(Qp22, D22, k57), k56), mul(Qp23, D32, k57), k56)
+    RD32 = add(add(mul(Qp31, D12, k57), mul(Qp32, D22, k58), k57), mul(Qp33, D32, k58), k57)
+    div(add(add(mul(I11, RD12, k58), mul(I12, RD22, k59), k58), mul(I13, RD32, k59), k58), n2, o38)
+    div(add(add(mul(I21, RD12, k58), mul(I22, RD22, k59), k58), mul(I23, RD32, k59), k58), n2, o44)
+    div(add(add(mul(I31, RD12, k58), mul(I32, RD22, k59), k58), mul(I33, RD32, k59), k58), n2, o50)
+    cvd3 = mul(d3, hd, k58)
+    D33 = add(fd, mul(cvd3, d3, k59), k59)
+    gyd = sub(mul(fd, hd, k10), mul(gd, gd, k60), k10)
+    god = mul(gyd, yd, k10)
+    RD13 = add(add(mul(Qp11, D13, k60), mul(Qp12, D23, k61), k60), mul(Qp13, D33, k61), k60)
+    RD23 = add(add(mul(Qp21, D13, k61), mul(Qp22, D23, k62), k61), mul(Qp23, D33, k62), k61)
+    RD33 = add(add(mul(Qp31, D13, k62), mul(Qp32, D23, k63), k62), mul(Qp33, D33, k63), k62)
+    div(add(add(mul(I11, RD13, k63), mul(I12, RD23, k64), k63), mul(I13, RD33, k64), k63), n2, o39)
+    div(add(add(mul(I21, RD13, k63), mul(I22, RD23, k64), k63), mul(I23, RD33, k64), k63), n2, o45)
+    div(add(add(mul(I31, RD13, k63), mul(I32, RD23, k64), k63), mul(I33, RD33, k64), k63), n2, o51)
+    CC3d = mul(C3d, C3d, k63)
+    C4d = div(sub(sub(mul(n4, C3d, k64), C2d, k64), mul(n2, mul(zd, CC3d, k2), k2), k2), mul(n2, C01d, k7), k2)
+    c5d = div(add(add(C5d, C4d, k1), mul(C2d, C3d, k2), k1), n16, k1)
+    hyd = m.where(neard, sub(mul(n3, c5d, k1), c4d, k1), div(sub(gd, mul(n3, hd, k2), k2), xxd, k2), k1)
+    hod = mul(hyd, yd, k1)
+    cvod1 = add(mul(d1o, hd, k2), mul(d1, hod, k3), k2)
+    fyd = sub(hd, gd, k3)
+    fod = mul(fyd, yd, k3)
+    D11o = add(fod, add(mul(cvd1, d1o, k4), mul(cvod1, d1, k5), k4), k4)
+    d12od = add(mul(cvd1, d2o, k5), mul(cvod1, d2, k6), k5)
+    d13od = add(mul(cvd1, d3o, k6), mul(cvod1, d3, k2), k2)
+    gvod3 = add(mul(d3o, gd, k6), mul(d3, god, k7), k6)
+    D21o = add(d12od, gvod3, k7)
+    D12o = sub(d12od, gvod3, k5)
+    gvod2 = add(mul(d2o, gd, k6), mul(d2, god, k19), k6)
+    gvod1 = add(mul(d1o, gd, k9), mul(d1, god, k10), k9)
+    D31o = sub(d13od, gvod2, k10)
+    D13o = add(d13od, gvod2, k2)
+    R11o = sub(mul(Qp31, rhop2, k6), mul(Qp21, rhop3, k19), k6)
+    R12o = sub(mul(Qp32, rhop2, k19), mul(Qp22, rhop3, k39), k19)
+    R13o = sub(mul(Qp33, rhop2, k39), mul(Qp23, rhop3, k63), k39)
+    RD11o = add(
+        add(add(mul(Qp11, D11o, k63), mul(R11o, D11, k64), k63), add(mul(Qp12, D21o, k64), mul(R12o, D21, k65), k64),
+        k63), add(mul(Qp13, D31o, k64), mul(R13o, D31, k65), k64), k63
+    )
+    R22o = sub(mul(Qp12, rhop3, k64), mul(Qp32, rhop1, k65), k64)
+    R21o = sub(mul(Qp11, rhop3, k65), mul(Qp31, rhop1, k66), k65)
+    R23o = sub(mul(Qp13, rhop3, k48), mul(Qp33, rhop1, k66), k48)
+    RD21o = add(
+        add(add(mul(Qp21, D11o, k66), mul(R21o, D11, k67), k66), add(mul(Qp22, D21o, k67), mul(R22o, D21, k68), k67),
+        k66), add(mul(Qp23, D31o, k67), mul(R23o, D31, k68), k67), k66
+    )
+    R33o = sub(mul(Qp23, rhop1, k67), mul(Qp13, rhop2, k68), k67)
+    R31o = sub(mul(Qp21, rhop1, k68), mul(Qp11, rhop2, k69), k68)
+    R32o = sub(mul(Qp22, rhop1, k51), mul(Qp12, rhop2, k52), k51)
+    RD31o = add(
+        add(add(mul(Qp31, D11o, k4), mul(R31o, D11, k23), k4), add(mul(Qp32, D21o, k7), mul(R32o, D21, k23), k7), k4),
+        add(mul(Qp33, D31o, k7), mul(R33o, D31, k10), k7), k4
+    )
+    div(
+        add(add(add(mul(I11, RD11o, k7), mul(I11o, RD11, k10), k7), add(mul(I12, RD21o, k10), mul(I12o, RD21, k23),
+        k10), k7), add(mul(I13, RD31o, k10), mul(I13o, RD31, k23), k10), k7), n2, o55
+    )
+    div(
+        add(add(add(mul(I21, RD11o, k7), mul(I21o, RD11, k10), k7), add(mul(I22, RD21o, k10), mul(I22o, RD21, k23),
+        k10), k7), add(mul(I23, RD31o, k10), mul(I23o, RD31, k23), k10), k7), n2, o61
+    )
+    div(
+        add(add(add(mul(I31, RD11o, k7), mul(I31o, RD11, k10), k7), add(mul(I32, RD21o, k10), mul(I32o, RD21, k23),
+        k10), k7), add(mul(I33, RD31o, k4), mul(I33o, RD31, k10), k4), k4), n2, o67
+    )
+    cvod2 = add(mul(d2o, hd, k4), mul(d2, hod, k7), k4)
+    cvod3 = add(mul(d3o, hd, k7), mul(d3, hod, k1), k1)
+    D33o = add(fod, add(mul(cvd3, d3o, k7), mul(cvod3, d3, k1), k1), k1)
+    D22o = add(fod, add(mul(cvd2, d2o, k7), mul(cvod2, d2, k10), k7), k3)
+    d23od = add(mul(cvd2, d3o, k7), mul(cvod2, d3, k4), k4)
+    D32o = add(d23od, gvod1, k7)
+    D23o = sub(d23od, gvod1, k4)
+    RD12o = add(
+        add(add(mul(Qp11, D12o, k9), mul(R11o, D12, k10), k9), add(mul(Qp12, D22o, k10), mul(R12o, D22, k23), k10), k9),
+        add(mul(Qp13, D32o, k10), mul(R13o, D32, k23), k10), k9
+    )
+    RD13o = add(
+        add(add(mul(Qp11, D13o, k10), mul(R11o, D13, k6), k6), add(mul(Qp12, D23o, k10), mul(R12o, D23, k14), k10), k6),
+        add(mul(Qp13, D33o, k10), mul(R13o, D33, k14), k10), k6
+    )
+    RD22o = add(
+        add(add(mul(Qp21, D12o, k10), mul(R21o, D12, k14), k10), add(mul(Qp22, D22o, k14), mul(R22o, D22, k19), k14),
+        k10), add(mul(Qp23, D32o, k14), mul(R23o, D32, k19), k14), k10
+    )
+    RD32o = add(
+        add(add(mul(Qp31, D12o, k5), mul(R31o, D12, k14), k5), add(mul(Qp32, D22o, k3), mul(R32o, D22, k14), k3), k3),
+        add(mul(Qp33, D32o, k5), mul(R33o, D32, k7), k5), k3
+    )
+    RD23o = add(
+        add(add(mul(Qp21, D13o, k5), mul(R21o, D13, k7), k5), add(mul(Qp22, D23o, k7), mul(R22o, D23, k13), k7), k5),
+        add(mul(Qp23, D33o, k7), mul(R23o, D33, k13), k7), k5
+    )
+    RD33o = add(
+        add(add(mul(Qp31, D13o, k2), mul(R31o, D13, k7), k2), add(mul(Qp32, D23o, k4), mul(R32o, D23, k7), k4), k2),
+        add(mul(Qp33, D33o, k1), mul(R33o, D33, k4), k1), k1
+    )
+    div(
+        add(add(add(mul(I11, RD12o, k2), mul(I11o, RD12, k4), k2), add(mul(I12, RD22o, k4), mul(I12o, RD22, k7), k4),
+        k2), add(mul(I13, RD32o, k4), mul(I13o, RD32, k7), k4), k2), n2, o56
+    )
+    div(
+        add(add(add(mul(I11, RD13o, k2), mul(I11o, RD13, k4), k2), add(mul(I12, RD23o, k4), mul(I12o, RD23, k7), k4),
+        k2), add(mul(I13, RD33o, k4), mul(I13o, RD33, k7), k4), k2), n2, o57
+    )
+    div(
+        add(add(add(mul(I21, RD12o, k2), mul(I21o, RD12, k4), k2), add(mul(I22, RD22o, k4), mul(I22o, RD22, k7), k4),
+        k2), add(mul(I23, RD32o, k4), mul(I23o, RD32, k7), k4), k2), n2, o62
+    )
+    div(
+        add(add(add(mul(I21, RD13o, k2), mul(I21o, RD13, k4), k2), add(mul(I22, RD23o, k4), mul(I22o, RD23, k7), k4),
+        k2), add(mul(I23, RD33o, k4), mul(I23o, RD33, k7), k4), k2), n2, o63
+    )
+    div(
+        add(add(add(mul(I31, RD12o, k2), mul(I31o, RD12, k4), k2), add(mul(I32, RD22o, k4), mul(I32o, RD22, k7), k4),
+        k2), add(mul(I33, RD32o, k3), mul(I33o, RD32, k4), k3), k2), n2, o68
+    )
+    div(
+        add(add(add(mul(I31, RD13o, k2), mul(I31o, RD13, k3), k2), add(mul(I32, RD23o, k3), mul(I32o, RD23, k4), k3),
+        k2), add(mul(I33, RD33o, k1), mul(I33o, RD33, k3), k1), k1), n2, o69
+    )
+    copy(n0, o4)
+    copy(n0, o5)
+    copy(n0, o6)
+    copy(n0, o10)
+    copy(n0, o11)
+    copy(n0, o12)
+    copy(n0, o16)
+    copy(n0, o17)
+    copy(n0, o18)
+    copy(o1, o22)
+    copy(o2, o23)
+    copy(o3, o24)
+    copy(o7, o28)
+    copy(o8, o29)
+    copy(o9, o30)
+    copy(o13, o34)
+    copy(o14, o35)
+    copy(o15, o36)
+    copy(n0, o40)
+    copy(n0, o41)
+    copy(n0, o42)
+    copy(n0, o46)
+    copy(n0, o47)
+    copy(n0, o48)
+    copy(n0, o52)
+    copy(n0, o53)
+    copy(n0, o54)
+    copy(o37, o58)
+    copy(o38, o59)
+    copy(o39, o60)
+    copy(o43, o64)
+    copy(o44, o65)
+    copy(o45, o66)
+    copy(o49, o70)
+    copy(o50, o71)
+    copy(o51, o72)
+
+
 # operations 253: 80 +, 111 *, 37 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 def _own_local(m: Any, c: Any, b: Components, a: Components) -> Result:
     b1, b2, b3, b1o, b2o, b3o = b
@@ -4220,6 +5761,28 @@ CHART = Chart(
         lent=(),
         real=True,
     ),
+        "retract_jacobians": Kernel(
+        _own_retract_jacobians,
+        _own_retract_jacobians_blocks,
+        (("v", (6,)), ("delta", (6,)),),
+        (72,),
+        registers=61,
+        masks=3,
+        numbers=(0, 1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        lent=(),
+        real=True,
+    ),
+        "body_retract_jacobians": Kernel(
+        _own_body_retract_jacobians,
+        _own_body_retract_jacobians_blocks,
+        (("v", (6,)), ("delta", (6,)),),
+        (72,),
+        registers=69,
+        masks=3,
+        numbers=(0, 1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        lent=(),
+        real=True,
+    ),
         "local": Kernel(
         _own_local,
         _own_local_blocks,
@@ -4258,6 +5821,7 @@ body_rate = KERNELS.body_rate
 body_rate_dot = KERNELS.body_rate_dot
 body_rate_jacobian = KERNELS.body_rate_jacobian
 body_retract = KERNELS.body_retract
+body_retract_jacobians = KERNELS.body_retract_jacobians
 body_tangent = KERNELS.body_tangent
 body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
@@ -4283,7 +5847,9 @@ rate = KERNELS.rate
 rate_dot = KERNELS.rate_dot
 rate_jacobian = KERNELS.rate_jacobian
 retract = KERNELS.retract
+retract_jacobians = KERNELS.retract_jacobians
 shadow = KERNELS.shadow
+shadow_jacobian = KERNELS.shadow_jacobian
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent
 tangent_dot = KERNELS.tangent_dot

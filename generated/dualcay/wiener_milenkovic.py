@@ -57,6 +57,8 @@
 #   angle: 65: 14 +, 19 *, 13 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
 #   turn: 72: 16 +, 29 *, 12 /, 6 abs, 1 sqrt, 2 eq, 6 where
 #   shadow: 97: 25 +, 38 *, 15 /, 6 abs, 1 sqrt, 2 lt, 2 eq, 8 where
+#   identity_jacobian: 12: 12 +
+#   shadow_jacobian: 169: 46 +, 73 *, 29 /, 2 neg, 6 abs, 1 sqrt, 2 lt, 2 eq, 8 where
 #   principal: 57: 15 +, 24 *, 9 /, 1 sqrt, 1 lt, 7 where
 #   compose: 217: 74 +, 114 *, 25 /, 1 neg, 1 lt, 2 where
 #   between: 223: 74 +, 114 *, 25 /, 7 neg, 1 lt, 2 where
@@ -64,6 +66,8 @@
 #   between_jacobians: 963: 371 +, 479 *, 76 /, 34 neg, 1 lt, 2 where
 #   retract: 296: 94 +, 141 *, 37 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
 #   body_retract: 296: 94 +, 141 *, 37 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+#   retract_jacobians: 1046: 403 +, 520 *, 90 /, 8 neg, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 12 where
+#   body_retract_jacobians: 1046: 403 +, 520 *, 90 /, 8 neg, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 12 where
 #   local: 298: 92 +, 142 *, 39 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 298: 92 +, 142 *, 39 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   adjoint: 96: 35 +, 55 *, 6 /
@@ -98,12 +102,13 @@ from ._kernel import Components, Kernel, Result, Rows, absolute, add, atan2, cop
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
-    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_tangent", "body_tangent_dot",
-    "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians",
-    "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity",
-    "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "retract",
-    "shadow", "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
-    "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
+    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
+    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor",
+    "identity", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian",
+    "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent", "tangent_dot",
+    "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
+    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 2
@@ -282,6 +287,32 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     div(gyy, n4096, o8)
     div(gyy, n16384, o9)
     return o1, o2, o3, o4, o5, o6, o7, o8, o9
+
+
+# operations 8: 1 +, 1 *, 5 /, 1 neg
+def _rate(m: Any, x: Any) -> Result:
+    z = x / 16
+    x1 = 1 + z
+    e = 4 / x1
+    rate_v = e / 4
+    ee = 2 * e / x1
+    ey = -ee
+    ratey_v = ey / 64
+    return rate_v, ratey_v
+
+
+def _rate_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2 = out
+    k1, *_ = scratch
+    n1, n2, n4, n16, n64 = numbers
+    z = div(x, n16, o2)
+    x1 = add(n1, z, o2)
+    e = div(n4, x1, o1)
+    ee = div(mul(n2, e, k1), x1, o2)
+    div(e, n4, o1)
+    ey = neg(ee, o2)
+    div(ey, n64, o2)
+    return o1, o2
 
 
 # operations 14: 5 +, 2 *, 3 /, 2 lt, 2 where
@@ -3913,6 +3944,1733 @@ def _own_body_retract_blocks(
     div(add(sub(mul(rho3, fe, k2), sub(mul(v_1, rho2, k4), mul(v_2, rho1, k1), k1), k1), mul(v_3, hvr, k2), k1), n2, o6)
 
 
+# operations 1046: 403 +, 520 *, 90 /, 8 neg, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 12 where
+def _own_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    d1, d2, d3, d1o, d2o, d3o = delta
+    v11d = d1 * d1
+    v22d = d2 * d2
+    v33d = d3 * d3
+    x12d = v11d + v22d
+    xd = x12d + v33d
+    neard = xd < 6
+    zd = m.where(neard, xd, xd - xd) / 4
+    C7d = (
+        (72 - zd * ((3603600 - zd * (32760 - zd * (210 - zd * ((93024 - zd * (342 - zd * ((212520 - zd * (506 - zd))
+        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
+    )
+    C5d = (1 - 120 * (zd * C7d)) / 120
+    C3d = (1 - 6 * (zd * C5d)) / 6
+    C1d = 1 - zd * C3d
+    CC1d = C1d * C1d
+    C0d = m.sqrt(1 - zd * CC1d)
+    xxd = m.where(neard, 6 + xd, xd)
+    alphad = m.sqrt(xxd)
+    td = m.tan(alphad / 4)
+    ttd = td * td
+    belowd = 1 + ttd
+    sd = m.where(neard, C0d, (1 - ttd) / belowd)
+    wd = m.where(neard, C1d / 2, 2 * td / belowd / alphad)
+    wd1 = d1 * wd
+    wd2 = d2 * wd
+    wd3 = d3 * wd
+    fd = 2 * (sd * wd)
+    wwd = wd * wd
+    gd = 2 * wwd
+    C01d = 1 + C0d
+    C2d = CC1d / C01d
+    hd = m.where(neard, (C3d + C1d * C2d) / 4, (1 - fd) / xxd)
+    gvd1 = d1 * gd
+    gvd2 = d2 * gd
+    gvd3 = d3 * gd
+    yd = d1 * d1o + d2 * d2o + d3 * d3o
+    alongd = hd * yd
+    rhod1 = d1o * fd + (gvd2 * d3o - gvd3 * d2o) + d1 * alongd
+    rhod2 = d2o * fd + (gvd3 * d1o - gvd1 * d3o) + d2 * alongd
+    rhod3 = d3o * fd + (gvd1 * d2o - gvd2 * d1o) + d3 * alongd
+    v11p = v1 * v1
+    v22p = v2 * v2
+    v33p = v3 * v3
+    xp = v11p + v22p + v33p
+    zp = xp / 16
+    pp = 1 - zp
+    rootp = 1 + zp
+    Np = pp * pp + 4 * zp
+    rp = 2 * (Np / Np / Np)
+    fp = 2 * pp * rp
+    f_vp = fp / 4
+    gp = 4 * rp
+    g_vp = gp / 16
+    h_vp = gp / 64
+    bvp1 = v1 / 2
+    bvp2 = v2 / 2
+    bvp3 = v3 / 2
+    gvp1 = v1 * g_vp
+    gvp2 = v2 * g_vp
+    gvp3 = v3 * g_vp
+    yp = v1 * v1o + v2 * v2o + v3 * v3o
+    alongp = h_vp * yp
+    rhob1 = v1o * f_vp + (gvp2 * v3o - gvp3 * v2o) + v1 * alongp
+    rhob2 = v2o * f_vp + (gvp3 * v1o - gvp1 * v3o) + v2 * alongp
+    rhob3 = v3o * f_vp + (gvp1 * v2o - gvp2 * v1o) + v3 * alongp
+    z0 = sd * pp - (wd1 * bvp1 + wd2 * bvp2 + wd3 * bvp3)
+    z1 = bvp1 * sd + wd1 * pp + (wd2 * bvp3 - wd3 * bvp2)
+    z2 = bvp2 * sd + wd2 * pp + (wd3 * bvp1 - wd1 * bvp3)
+    z3 = bvp3 * sd + wd3 * pp + (wd1 * bvp2 - wd2 * bvp1)
+    v_rhob1 = d2 * rhob3 - d3 * rhob2
+    v_rhob2 = d3 * rhob1 - d1 * rhob3
+    v_rhob3 = d1 * rhob2 - d2 * rhob1
+    gv_rhob1 = v_rhob1 * gd
+    gv_rhob2 = v_rhob2 * gd
+    gv_rhob3 = v_rhob3 * gd
+    rho1 = rhob1 + (v_rhob1 * fd + (d2 * gv_rhob3 - d3 * gv_rhob2)) + rhod1
+    rho2 = rhob2 + (v_rhob2 * fd + (d3 * gv_rhob1 - d1 * gv_rhob3)) + rhod2
+    rho3 = rhob3 + (v_rhob3 * fd + (d1 * gv_rhob2 - d2 * gv_rhob1)) + rhod3
+    ss = z1 * z1 + z2 * z2 + z3 * z3
+    still = ss == 0
+    resting = xp == 0
+    length = m.sqrt(m.where(still, 1 + ss, ss))
+    r = m.sqrt(m.where(resting, 1 + xp, xp))
+    own = 4 * m.atan2(r / 4, 1)
+    own_ = m.where(resting, 0, own / r) * (v1 * z1 + v2 * z2 + v3 * z3) / length
+    angle = own_ + 2 * m.atan2(m.tan((2 * m.atan2(m.where(still, ss, length), z0) - own_) / 2), 1)
+    rn = m.tan(angle / 4)
+    slopen = (1 + rn * rn) / 4
+    vn = 4 * rn
+    v_slopen = 4 * slopen
+    z0s = m.where(still, z0, length)
+    factor = m.where(still, 2 * v_slopen / z0s, vn / length)
+    v_1 = z1 * factor
+    v_2 = z2 * factor
+    v_3 = z3 * factor
+    fe = factor * z0
+    v11w = v_1 * v_1
+    v22w = v_2 * v_2
+    v33w = v_3 * v_3
+    xw = v11w + v22w + v33w
+    zw = xw / 16
+    pw = 1 - zw
+    fiw = pw / 2
+    fi_vw = 4 * fiw
+    hvr = (v_1 * rho1 + v_2 * rho2 + v_3 * rho3) / 4
+    w4 = (rho1 * fe - (v_2 * rho3 - v_3 * rho2) + v_1 * hvr) / 2
+    w5 = (rho2 * fe - (v_3 * rho1 - v_1 * rho3) + v_2 * hvr) / 2
+    w6 = (rho3 * fe - (v_1 * rho2 - v_2 * rho1) + v_3 * hvr) / 2
+    yn = v_1 * w4 + v_2 * w5 + v_3 * w6
+    fion = -yn / 4
+    sn1 = -v_1
+    sn2 = -v_2
+    sn3 = -v_3
+    son1 = -w4
+    son2 = -w5
+    son3 = -w6
+    cvn1 = v_1 / 4
+    cvn2 = v_2 / 4
+    cvn3 = v_3 / 4
+    cvon1 = w4 / 4
+    cvon2 = w5 / 4
+    cvon3 = w6 / 4
+    d12n = cvn1 * v_2
+    d13n = cvn1 * v_3
+    d23n = cvn2 * v_3
+    I11 = fi_vw + cvn1 * v_1
+    I12 = d12n - sn3
+    I13 = d13n + sn2
+    I21 = d12n + sn3
+    I22 = fi_vw + cvn2 * v_2
+    I23 = d23n - sn1
+    I31 = d13n - sn2
+    I32 = d23n + sn1
+    I33 = fi_vw + cvn3 * v_3
+    d12on = cvn1 * w5 + cvon1 * v_2
+    d13on = cvn1 * w6 + cvon1 * v_3
+    d23on = cvn2 * w6 + cvon2 * v_3
+    I11o = fion + (cvn1 * w4 + cvon1 * v_1)
+    I12o = d12on - son3
+    I13o = d13on + son2
+    I21o = d12on + son3
+    I22o = fion + (cvn2 * w5 + cvon2 * v_2)
+    I23o = d23on - son1
+    I31o = d13on - son2
+    I32o = d23on + son1
+    I33o = fion + (cvn3 * w6 + cvon3 * v_3)
+    fyd = hd - gd
+    gyd = fd * hd - gd * gd
+    CC3d = C3d * C3d
+    C4d = (4 * C3d - C2d - 2 * (zd * CC3d)) / (2 * C01d)
+    c5d = (C5d + C4d + C2d * C3d) / 16
+    c4d = C3d * (1 + C1d) / 8
+    hyd = m.where(neard, 3 * c5d - c4d, (gd - 3 * hd) / xxd)
+    fod = fyd * yd
+    god = gyd * yd
+    hod = hyd * yd
+    gvod1 = d1o * gd + d1 * god
+    gvod2 = d2o * gd + d2 * god
+    gvod3 = d3o * gd + d3 * god
+    cvd1 = d1 * hd
+    cvd2 = d2 * hd
+    cvd3 = d3 * hd
+    cvod1 = d1o * hd + d1 * hod
+    cvod2 = d2o * hd + d2 * hod
+    cvod3 = d3o * hd + d3 * hod
+    d12d = cvd1 * d2
+    d13d = cvd1 * d3
+    d23d = cvd2 * d3
+    D11 = fd + cvd1 * d1
+    D12 = d12d - gvd3
+    D13 = d13d + gvd2
+    D21 = d12d + gvd3
+    D22 = fd + cvd2 * d2
+    D23 = d23d - gvd1
+    D31 = d13d - gvd2
+    D32 = d23d + gvd1
+    D33 = fd + cvd3 * d3
+    d12od = cvd1 * d2o + cvod1 * d2
+    d13od = cvd1 * d3o + cvod1 * d3
+    d23od = cvd2 * d3o + cvod2 * d3
+    D11o = fod + (cvd1 * d1o + cvod1 * d1)
+    D12o = d12od - gvod3
+    D13o = d13od + gvod2
+    D21o = d12od + gvod3
+    D22o = fod + (cvd2 * d2o + cvod2 * d2)
+    D23o = d23od - gvod1
+    D31o = d13od - gvod2
+    D32o = d23od + gvod1
+    D33o = fod + (cvd3 * d3o + cvod3 * d3)
+    eF = 4 / rootp
+    egF = eF * gp
+    fyF = gp - egF
+    fy_vF = fyF / 64
+    gyF = -egF
+    gy_vF = gyF / 256
+    hy_vF = gyF / 1024
+    foF = fy_vF * yp
+    goF = gy_vF * yp
+    hoF = hy_vF * yp
+    gvoF1 = v1o * g_vp + v1 * goF
+    gvoF2 = v2o * g_vp + v2 * goF
+    gvoF3 = v3o * g_vp + v3 * goF
+    cvF1 = v1 * h_vp
+    cvF2 = v2 * h_vp
+    cvF3 = v3 * h_vp
+    cvoF1 = v1o * h_vp + v1 * hoF
+    cvoF2 = v2o * h_vp + v2 * hoF
+    cvoF3 = v3o * h_vp + v3 * hoF
+    d12F = cvF1 * v2
+    d13F = cvF1 * v3
+    d23F = cvF2 * v3
+    F11 = f_vp + cvF1 * v1
+    F12 = d12F - gvp3
+    F13 = d13F + gvp2
+    F21 = d12F + gvp3
+    F22 = f_vp + cvF2 * v2
+    F23 = d23F - gvp1
+    F31 = d13F - gvp2
+    F32 = d23F + gvp1
+    F33 = f_vp + cvF3 * v3
+    d12oF = cvF1 * v2o + cvoF1 * v2
+    d13oF = cvF1 * v3o + cvoF1 * v3
+    d23oF = cvF2 * v3o + cvoF2 * v3
+    F11o = foF + (cvF1 * v1o + cvoF1 * v1)
+    F12o = d12oF - gvoF3
+    F13o = d13oF + gvoF2
+    F21o = d12oF + gvoF3
+    F22o = foF + (cvF2 * v2o + cvoF2 * v2)
+    F23o = d23oF - gvoF1
+    F31o = d13oF - gvoF2
+    F32o = d23oF + gvoF1
+    F33o = foF + (cvF3 * v3o + cvoF3 * v3)
+    x23d = v22d + v33d
+    x13d = v11d + v33d
+    fvd1 = d1 * fd
+    fvd2 = d2 * fd
+    fvd3 = d3 * fd
+    gvvd1 = gvd1 * d2
+    gvvd2 = gvd1 * d3
+    gvvd3 = gvd2 * d3
+    Qd11 = 1 - gd * x23d
+    Qd12 = gvvd1 - fvd3
+    Qd13 = gvvd2 + fvd2
+    Qd21 = gvvd1 + fvd3
+    Qd22 = 1 - gd * x13d
+    Qd23 = gvvd3 - fvd1
+    Qd31 = gvvd2 - fvd2
+    Qd32 = gvvd3 + fvd1
+    Qd33 = 1 - gd * x12d
+    R11o = Qd31 * rhod2 - Qd21 * rhod3
+    R12o = Qd32 * rhod2 - Qd22 * rhod3
+    R13o = Qd33 * rhod2 - Qd23 * rhod3
+    R21o = Qd11 * rhod3 - Qd31 * rhod1
+    R22o = Qd12 * rhod3 - Qd32 * rhod1
+    R23o = Qd13 * rhod3 - Qd33 * rhod1
+    R31o = Qd21 * rhod1 - Qd11 * rhod2
+    R32o = Qd22 * rhod1 - Qd12 * rhod2
+    R33o = Qd23 * rhod1 - Qd13 * rhod2
+    RT11 = Qd11 * F11 + Qd12 * F21 + Qd13 * F31
+    RT11o = Qd11 * F11o + R11o * F11 + (Qd12 * F21o + R12o * F21) + (Qd13 * F31o + R13o * F31)
+    RT12 = Qd11 * F12 + Qd12 * F22 + Qd13 * F32
+    RT12o = Qd11 * F12o + R11o * F12 + (Qd12 * F22o + R12o * F22) + (Qd13 * F32o + R13o * F32)
+    RT13 = Qd11 * F13 + Qd12 * F23 + Qd13 * F33
+    RT13o = Qd11 * F13o + R11o * F13 + (Qd12 * F23o + R12o * F23) + (Qd13 * F33o + R13o * F33)
+    RT21 = Qd21 * F11 + Qd22 * F21 + Qd23 * F31
+    RT21o = Qd21 * F11o + R21o * F11 + (Qd22 * F21o + R22o * F21) + (Qd23 * F31o + R23o * F31)
+    RT22 = Qd21 * F12 + Qd22 * F22 + Qd23 * F32
+    RT22o = Qd21 * F12o + R21o * F12 + (Qd22 * F22o + R22o * F22) + (Qd23 * F32o + R23o * F32)
+    RT23 = Qd21 * F13 + Qd22 * F23 + Qd23 * F33
+    RT23o = Qd21 * F13o + R21o * F13 + (Qd22 * F23o + R22o * F23) + (Qd23 * F33o + R23o * F33)
+    RT31 = Qd31 * F11 + Qd32 * F21 + Qd33 * F31
+    RT31o = Qd31 * F11o + R31o * F11 + (Qd32 * F21o + R32o * F21) + (Qd33 * F31o + R33o * F31)
+    RT32 = Qd31 * F12 + Qd32 * F22 + Qd33 * F32
+    RT32o = Qd31 * F12o + R31o * F12 + (Qd32 * F22o + R32o * F22) + (Qd33 * F32o + R33o * F32)
+    RT33 = Qd31 * F13 + Qd32 * F23 + Qd33 * F33
+    RT33o = Qd31 * F13o + R31o * F13 + (Qd32 * F23o + R32o * F23) + (Qd33 * F33o + R33o * F33)
+    V11 = (I11 * RT11 + I12 * RT21 + I13 * RT31) / 2
+    V12 = (I11 * RT12 + I12 * RT22 + I13 * RT32) / 2
+    V13 = (I11 * RT13 + I12 * RT23 + I13 * RT33) / 2
+    V21 = (I21 * RT11 + I22 * RT21 + I23 * RT31) / 2
+    V22 = (I21 * RT12 + I22 * RT22 + I23 * RT32) / 2
+    V23 = (I21 * RT13 + I22 * RT23 + I23 * RT33) / 2
+    V31 = (I31 * RT11 + I32 * RT21 + I33 * RT31) / 2
+    V32 = (I31 * RT12 + I32 * RT22 + I33 * RT32) / 2
+    V33 = (I31 * RT13 + I32 * RT23 + I33 * RT33) / 2
+    S11 = (I11 * D11 + I12 * D21 + I13 * D31) / 2
+    S12 = (I11 * D12 + I12 * D22 + I13 * D32) / 2
+    S13 = (I11 * D13 + I12 * D23 + I13 * D33) / 2
+    S21 = (I21 * D11 + I22 * D21 + I23 * D31) / 2
+    S22 = (I21 * D12 + I22 * D22 + I23 * D32) / 2
+    S23 = (I21 * D13 + I22 * D23 + I23 * D33) / 2
+    S31 = (I31 * D11 + I32 * D21 + I33 * D31) / 2
+    S32 = (I31 * D12 + I32 * D22 + I33 * D32) / 2
+    S33 = (I31 * D13 + I32 * D23 + I33 * D33) / 2
+    return (
+        V11,
+        V12,
+        V13,
+        0,
+        0,
+        0,
+        V21,
+        V22,
+        V23,
+        0,
+        0,
+        0,
+        V31,
+        V32,
+        V33,
+        0,
+        0,
+        0,
+        (I11 * RT11o + I11o * RT11 + (I12 * RT21o + I12o * RT21) + (I13 * RT31o + I13o * RT31)) / 2,
+        (I11 * RT12o + I11o * RT12 + (I12 * RT22o + I12o * RT22) + (I13 * RT32o + I13o * RT32)) / 2,
+        (I11 * RT13o + I11o * RT13 + (I12 * RT23o + I12o * RT23) + (I13 * RT33o + I13o * RT33)) / 2,
+        V11,
+        V12,
+        V13,
+        (I21 * RT11o + I21o * RT11 + (I22 * RT21o + I22o * RT21) + (I23 * RT31o + I23o * RT31)) / 2,
+        (I21 * RT12o + I21o * RT12 + (I22 * RT22o + I22o * RT22) + (I23 * RT32o + I23o * RT32)) / 2,
+        (I21 * RT13o + I21o * RT13 + (I22 * RT23o + I22o * RT23) + (I23 * RT33o + I23o * RT33)) / 2,
+        V21,
+        V22,
+        V23,
+        (I31 * RT11o + I31o * RT11 + (I32 * RT21o + I32o * RT21) + (I33 * RT31o + I33o * RT31)) / 2,
+        (I31 * RT12o + I31o * RT12 + (I32 * RT22o + I32o * RT22) + (I33 * RT32o + I33o * RT32)) / 2,
+        (I31 * RT13o + I31o * RT13 + (I32 * RT23o + I32o * RT23) + (I33 * RT33o + I33o * RT33)) / 2,
+        V31,
+        V32,
+        V33,
+        S11,
+        S12,
+        S13,
+        0,
+        0,
+        0,
+        S21,
+        S22,
+        S23,
+        0,
+        0,
+        0,
+        S31,
+        S32,
+        S33,
+        0,
+        0,
+        0,
+        (I11 * D11o + I11o * D11 + (I12 * D21o + I12o * D21) + (I13 * D31o + I13o * D31)) / 2,
+        (I11 * D12o + I11o * D12 + (I12 * D22o + I12o * D22) + (I13 * D32o + I13o * D32)) / 2,
+        (I11 * D13o + I11o * D13 + (I12 * D23o + I12o * D23) + (I13 * D33o + I13o * D33)) / 2,
+        S11,
+        S12,
+        S13,
+        (I21 * D11o + I21o * D11 + (I22 * D21o + I22o * D21) + (I23 * D31o + I23o * D31)) / 2,
+        (I21 * D12o + I21o * D12 + (I22 * D22o + I22o * D22) + (I23 * D32o + I23o * D32)) / 2,
+        (I21 * D13o + I21o * D13 + (I22 * D23o + I22o * D23) + (I23 * D33o + I23o * D33)) / 2,
+        S21,
+        S22,
+        S23,
+        (I31 * D11o + I31o * D11 + (I32 * D21o + I32o * D21) + (I33 * D31o + I33o * D31)) / 2,
+        (I31 * D12o + I31o * D12 + (I32 * D22o + I32o * D22) + (I33 * D32o + I33o * D32)) / 2,
+        (I31 * D13o + I31o * D13 + (I32 * D23o + I32o * D23) + (I33 * D33o + I33o * D33)) / 2,
+        S31,
+        S32,
+        S33,
+    )
+
+
+def _own_retract_jacobians_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, delta: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    d1, d2, d3, d1o, d2o, d3o = delta
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36, o37, o38, o39, o40, o41, o42, o43, o44, o45, o46,
+        o47, o48, o49, o50, o51, o52, o53, o54, o55, o56, o57, o58, o59, o60, o61, o62, o63, o64, o65, o66, o67, o68,
+        o69, o70, o71, o72,
+    ) = out
+    (
+        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
+        k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, k35, k36, k37, k38, k39, k40, k41, k42, k43, k44, k45, k46,
+        k47, k48, k49, k50, k51, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61, k62, k63, k64, k65, k66, k67,
+    ) = scratch
+    mask1, mask2, mask3 = masks
+    (
+        n0, n1, n2, n3, n4, n6, n8, n16, n64, n72, n120, n210, n256, n342, n506, n1024, n5040, n32760, n93024, n212520,
+        n3603600,
+    ) = numbers
+    v11d = mul(d1, d1, k1)
+    v22d = mul(d2, d2, k2)
+    x12d = add(v11d, v22d, k3)
+    v33d = mul(d3, d3, k4)
+    x23d = add(v22d, v33d, k2)
+    x13d = add(v11d, v33d, k1)
+    xd = add(x12d, v33d, k4)
+    neard = m.less(xd, n6, mask1)
+    zd = div(m.where(neard, xd, sub(xd, xd, k5), k6), n4, k5)
+    xxd = m.where(neard, add(n6, xd, k6), xd, k6)
+    C7d = div(
+        div(sub(n72, mul(zd, div(sub(n3603600, mul(zd, sub(n32760, mul(zd, sub(n210, mul(zd, div(sub(n93024, mul(zd,
+        sub(n342, mul(zd, div(sub(n212520, mul(zd, sub(n506, zd, k4), k4), k4), n212520, k4), k4), k4), k4), k4),
+        n93024, k4), k4), k4), k4), k4), k4), k4), n3603600, k4), k4), k4), n72, k4), n5040, k4
+    )
+    C5d = div(sub(n1, mul(n120, mul(zd, C7d, k4), k4), k4), n120, k4)
+    C3d = div(sub(n1, mul(n6, mul(zd, C5d, k7), k7), k7), n6, k7)
+    C1d = sub(n1, mul(zd, C3d, k8), k8)
+    CC1d = mul(C1d, C1d, k9)
+    C0d = sqrt(sub(n1, mul(zd, CC1d, k10), k10), k10)
+    alphad = sqrt(xxd, k11)
+    td = tan(div(alphad, n4, k12), k12)
+    ttd = mul(td, td, k13)
+    belowd = add(n1, ttd, k14)
+    wd = m.where(neard, div(C1d, n2, k15), div(div(mul(n2, td, k12), belowd, k12), alphad, k11), k12)
+    sd = m.where(neard, C0d, div(sub(n1, ttd, k11), belowd, k11), k13)
+    C01d = add(n1, C0d, k10)
+    C2d = div(CC1d, C01d, k9)
+    wd1 = mul(d1, wd, k11)
+    wd2 = mul(d2, wd, k14)
+    wd3 = mul(d3, wd, k15)
+    v11p = mul(v1, v1, k16)
+    v22p = mul(v2, v2, k17)
+    v33p = mul(v3, v3, k18)
+    xp = add(add(v11p, v22p, k16), v33p, k16)
+    zp = div(xp, n16, k17)
+    pp = sub(n1, zp, k18)
+    bvp1 = div(v1, n2, k19)
+    bvp3 = div(v3, n2, k20)
+    bvp2 = div(v2, n2, k21)
+    z1 = add(add(mul(bvp1, sd, k22), mul(wd1, pp, k23), k22), sub(mul(wd2, bvp3, k23), mul(wd3, bvp2, k24), k23), k22)
+    z2 = add(add(mul(bvp2, sd, k23), mul(wd2, pp, k24), k23), sub(mul(wd3, bvp1, k24), mul(wd1, bvp3, k25), k24), k23)
+    z3 = add(add(mul(bvp3, sd, k24), mul(wd3, pp, k25), k24), sub(mul(wd1, bvp2, k25), mul(wd2, bvp1, k26), k25), k24)
+    z0 = sub(mul(sd, pp, k25), add(add(mul(wd1, bvp1, k11), mul(wd2, bvp2, k14), k11), mul(wd3, bvp3, k14), k11), k11)
+    fd = mul(n2, mul(sd, wd, k13), k13)
+    wwd = mul(wd, wd, k12)
+    gd = mul(n2, wwd, k12)
+    Qd11 = sub(n1, mul(gd, x23d, k2), k2)
+    Qd22 = sub(n1, mul(gd, x13d, k1), k1)
+    Qd33 = sub(n1, mul(gd, x12d, k3), k3)
+    ss = add(add(mul(z1, z1, k14), mul(z2, z2, k15), k14), mul(z3, z3, k15), k14)
+    still = m.equal(ss, n0, mask2)
+    length = sqrt(m.where(still, add(n1, ss, k15), ss, k15), k15)
+    resting = m.equal(xp, n0, mask3)
+    r = sqrt(m.where(resting, add(n1, xp, k19), xp, k19), k16)
+    own = mul(n4, atan2(div(r, n4, k19), n1, k19), k19)
+    own_ = div(
+        mul(m.where(resting, n0, div(own, r, k16), k19), add(add(mul(v1, z1, k16), mul(v2, z2, k20), k16), mul(v3, z3,
+        k20), k16), k16), length, k16
+    )
+    angle = add(
+        own_, mul(n2, atan2(tan(div(sub(mul(n2, atan2(m.where(still, ss, length, k14), z0, k14), k14), own_, k14), n2,
+        k14), k14), n1, k14), k14), k14
+    )
+    rn = tan(div(angle, n4, k14), k14)
+    slopen = div(add(n1, mul(rn, rn, k16), k16), n4, k16)
+    v_slopen = mul(n4, slopen, k16)
+    vn = mul(n4, rn, k14)
+    z0s = m.where(still, z0, length, k19)
+    factor = m.where(still, div(mul(n2, v_slopen, k16), z0s, k16), div(vn, length, k14), k15)
+    v_1 = mul(z1, factor, k14)
+    v_2 = mul(z2, factor, k16)
+    v_3 = mul(z3, factor, k19)
+    fe = mul(factor, z0, k11)
+    v11w = mul(v_1, v_1, k15)
+    v22w = mul(v_2, v_2, k20)
+    v33w = mul(v_3, v_3, k21)
+    xw = add(add(v11w, v22w, k15), v33w, k15)
+    zw = div(xw, n16, k15)
+    pw = sub(n1, zw, k15)
+    fiw = div(pw, n2, k15)
+    fi_vw = mul(n4, fiw, k15)
+    cvn3 = div(v_3, n4, k20)
+    I33 = add(fi_vw, mul(cvn3, v_3, k21), k21)
+    cvn1 = div(v_1, n4, k22)
+    d13n = mul(cvn1, v_3, k23)
+    sn2 = neg(v_2, k24)
+    I31 = sub(d13n, sn2, k25)
+    I13 = add(d13n, sn2, k23)
+    cvn2 = div(v_2, n4, k24)
+    d23n = mul(cvn2, v_3, k26)
+    sn1 = neg(v_1, k27)
+    I32 = add(d23n, sn1, k28)
+    I23 = sub(d23n, sn1, k26)
+    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k27), k27), n4, k27), div(sub(n1, fd, k29), xxd, k29), k27)
+    c4d = div(mul(C3d, add(n1, C1d, k8), k8), n8, k8)
+    cvd1 = mul(d1, hd, k29)
+    d13d = mul(cvd1, d3, k30)
+    gvd2 = mul(d2, gd, k31)
+    D13 = add(d13d, gvd2, k32)
+    D31 = sub(d13d, gvd2, k30)
+    cvd2 = mul(d2, hd, k33)
+    d23d = mul(cvd2, d3, k34)
+    gvd1 = mul(d1, gd, k35)
+    D23 = sub(d23d, gvd1, k36)
+    D32 = add(d23d, gvd1, k34)
+    cvd3 = mul(d3, hd, k37)
+    D33 = add(fd, mul(cvd3, d3, k38), k38)
+    div(add(add(mul(I31, D13, k39), mul(I32, D23, k40), k39), mul(I33, D33, k40), k39), n2, o51)
+    d12d = mul(cvd1, d2, k39)
+    gvd3 = mul(d3, gd, k40)
+    D12 = sub(d12d, gvd3, k41)
+    D21 = add(d12d, gvd3, k39)
+    D22 = add(fd, mul(cvd2, d2, k42), k42)
+    div(add(add(mul(I31, D12, k43), mul(I32, D22, k44), k43), mul(I33, D32, k44), k43), n2, o50)
+    D11 = add(fd, mul(cvd1, d1, k43), k43)
+    div(add(add(mul(I31, D11, k44), mul(I32, D21, k45), k44), mul(I33, D31, k45), k44), n2, o49)
+    yd = add(add(mul(d1, d1o, k44), mul(d2, d2o, k45), k44), mul(d3, d3o, k45), k44)
+    alongd = mul(hd, yd, k45)
+    rhod1 = add(
+        add(mul(d1o, fd, k46), sub(mul(gvd2, d3o, k47), mul(gvd3, d2o, k48), k47), k46), mul(d1, alongd, k47), k46
+    )
+    rhod2 = add(
+        add(mul(d2o, fd, k47), sub(mul(gvd3, d1o, k40), mul(gvd1, d3o, k48), k40), k40), mul(d2, alongd, k47), k40
+    )
+    rhod3 = add(
+        add(mul(d3o, fd, k47), sub(mul(gvd1, d2o, k48), mul(gvd2, d1o, k49), k48), k47), mul(d3, alongd, k45), k45
+    )
+    gvvd3 = mul(gvd2, d3, k31)
+    Np = add(mul(pp, pp, k47), mul(n4, zp, k48), k47)
+    rp = mul(n2, div(div(Np, Np, k48), Np, k47), k47)
+    fp = mul(mul(n2, pp, k18), rp, k18)
+    f_vp = div(fp, n4, k18)
+    gp = mul(n4, rp, k47)
+    rootp = add(n1, zp, k17)
+    eF = div(n4, rootp, k17)
+    egF = mul(eF, gp, k17)
+    g_vp = div(gp, n16, k48)
+    gvp3 = mul(v3, g_vp, k49)
+    gvp1 = mul(v1, g_vp, k50)
+    h_vp = div(gp, n64, k51)
+    fyF = sub(gp, egF, k47)
+    gyF = neg(egF, k17)
+    fy_vF = div(fyF, n64, k47)
+    yp = add(add(mul(v1, v1o, k52), mul(v2, v2o, k53), k52), mul(v3, v3o, k53), k52)
+    foF = mul(fy_vF, yp, k47)
+    alongp = mul(h_vp, yp, k53)
+    rhob2 = add(
+        add(mul(v2o, f_vp, k54), sub(mul(gvp3, v1o, k55), mul(gvp1, v3o, k56), k55), k54), mul(v2, alongp, k55), k54
+    )
+    gvp2 = mul(v2, g_vp, k55)
+    rhob1 = add(
+        add(mul(v1o, f_vp, k56), sub(mul(gvp2, v3o, k57), mul(gvp3, v2o, k58), k57), k56), mul(v1, alongp, k57), k56
+    )
+    rhob3 = add(
+        add(mul(v3o, f_vp, k57), sub(mul(gvp1, v2o, k58), mul(gvp2, v1o, k59), k58), k57), mul(v3, alongp, k53), k53
+    )
+    v_rhob3 = sub(mul(d1, rhob2, k57), mul(d2, rhob1, k58), k57)
+    gv_rhob3 = mul(v_rhob3, gd, k58)
+    v_rhob2 = sub(mul(d3, rhob1, k59), mul(d1, rhob3, k60), k59)
+    gv_rhob2 = mul(v_rhob2, gd, k60)
+    v_rhob1 = sub(mul(d2, rhob3, k61), mul(d3, rhob2, k62), k61)
+    rho1 = add(
+        add(rhob1, add(mul(v_rhob1, fd, k62), sub(mul(d2, gv_rhob3, k63), mul(d3, gv_rhob2, k64), k63), k62), k56),
+        rhod1, k56
+    )
+    gv_rhob1 = mul(v_rhob1, gd, k61)
+    rho2 = add(
+        add(rhob2, add(mul(v_rhob2, fd, k59), sub(mul(d3, gv_rhob1, k62), mul(d1, gv_rhob3, k58), k58), k58), k54),
+        rhod2, k54
+    )
+    rho3 = add(
+        add(rhob3, add(mul(v_rhob3, fd, k57), sub(mul(d1, gv_rhob2, k58), mul(d2, gv_rhob1, k59), k58), k57), k53),
+        rhod3, k53
+    )
+    hvr = div(add(add(mul(v_1, rho1, k57), mul(v_2, rho2, k58), k57), mul(v_3, rho3, k58), k57), n4, k57)
+    w4 = div(
+        add(sub(mul(rho1, fe, k58), sub(mul(v_2, rho3, k59), mul(v_3, rho2, k60), k59), k58), mul(v_1, hvr, k59), k58),
+        n2, k58
+    )
+    w5 = div(
+        add(sub(mul(rho2, fe, k59), sub(mul(v_3, rho1, k60), mul(v_1, rho3, k61), k60), k59), mul(v_2, hvr, k60), k59),
+        n2, k59
+    )
+    w6 = div(
+        add(sub(mul(rho3, fe, k11), sub(mul(v_1, rho2, k53), mul(v_2, rho1, k54), k53), k11), mul(v_3, hvr, k53), k11),
+        n2, k11
+    )
+    yn = add(add(mul(v_1, w4, k53), mul(v_2, w5, k54), k53), mul(v_3, w6, k54), k53)
+    fion = div(neg(yn, k53), n4, k53)
+    cvon3 = div(w6, n4, k54)
+    I33o = add(fion, add(mul(cvn3, w6, k20), mul(cvon3, v_3, k54), k20), k20)
+    cvon1 = div(w4, n4, k54)
+    d13on = add(mul(cvn1, w6, k56), mul(cvon1, v_3, k57), k56)
+    son2 = neg(w5, k57)
+    I31o = sub(d13on, son2, k60)
+    I13o = add(d13on, son2, k56)
+    cvon2 = div(w5, n4, k57)
+    d23on = add(mul(cvn2, w6, k61), mul(cvon2, v_3, k62), k61)
+    sn3 = neg(v_3, k19)
+    I22o = add(fion, add(mul(cvn2, w5, k62), mul(cvon2, v_2, k57), k57), k57)
+    I22 = add(fi_vw, mul(cvn2, v_2, k24), k24)
+    d12on = add(mul(cvn1, w5, k59), mul(cvon1, v_2, k62), k59)
+    I11o = add(fion, add(mul(cvn1, w4, k62), mul(cvon1, v_1, k54), k54), k53)
+    I11 = add(fi_vw, mul(cvn1, v_1, k14), k14)
+    d12n = mul(cvn1, v_2, k15)
+    son1 = neg(w4, k16)
+    son3 = neg(w6, k11)
+    I32o = add(d23on, son1, k22)
+    I23o = sub(d23on, son1, k16)
+    CC3d = mul(C3d, C3d, k54)
+    C4d = div(sub(sub(mul(n4, C3d, k58), C2d, k58), mul(n2, mul(zd, CC3d, k5), k5), k5), mul(n2, C01d, k10), k5)
+    c5d = div(add(add(C5d, C4d, k4), mul(C2d, C3d, k5), k4), n16, k4)
+    hyd = m.where(neard, sub(mul(n3, c5d, k4), c4d, k4), div(sub(gd, mul(n3, hd, k5), k5), xxd, k5), k4)
+    hod = mul(hyd, yd, k4)
+    cvod1 = add(mul(d1o, hd, k5), mul(d1, hod, k6), k5)
+    d13od = add(mul(cvd1, d3o, k6), mul(cvod1, d3, k7), k6)
+    gyd = sub(mul(fd, hd, k7), mul(gd, gd, k8), k7)
+    god = mul(gyd, yd, k7)
+    gvod2 = add(mul(d2o, gd, k8), mul(d2, god, k9), k8)
+    D13o = add(d13od, gvod2, k9)
+    D31o = sub(d13od, gvod2, k6)
+    cvod2 = add(mul(d2o, hd, k8), mul(d2, hod, k10), k8)
+    cvod3 = add(mul(d3o, hd, k10), mul(d3, hod, k4), k4)
+    fyd = sub(hd, gd, k10)
+    fod = mul(fyd, yd, k10)
+    D33o = add(fod, add(mul(cvd3, d3o, k27), mul(cvod3, d3, k4), k4), k4)
+    d23od = add(mul(cvd2, d3o, k27), mul(cvod2, d3, k37), k27)
+    D22o = add(fod, add(mul(cvd2, d2o, k33), mul(cvod2, d2, k8), k8), k8)
+    D11o = add(fod, add(mul(cvd1, d1o, k33), mul(cvod1, d1, k37), k33), k10)
+    d12od = add(mul(cvd1, d2o, k29), mul(cvod1, d2, k5), k5)
+    gvod1 = add(mul(d1o, gd, k29), mul(d1, god, k33), k29)
+    gvod3 = add(mul(d3o, gd, k12), mul(d3, god, k7), k7)
+    D23o = sub(d23od, gvod1, k12)
+    D32o = add(d23od, gvod1, k27)
+    div(
+        add(add(add(mul(I31, D13o, k29), mul(I31o, D13, k33), k29), add(mul(I32, D23o, k33), mul(I32o, D23, k37), k33),
+        k29), add(mul(I33, D33o, k33), mul(I33o, D33, k37), k33), k29), n2, o69
+    )
+    D12o = sub(d12od, gvod3, k29)
+    D21o = add(d12od, gvod3, k5)
+    div(
+        add(add(add(mul(I31, D12o, k7), mul(I31o, D12, k33), k7), add(mul(I32, D22o, k33), mul(I32o, D22, k37), k33),
+        k7), add(mul(I33, D32o, k33), mul(I33o, D32, k37), k33), k7), n2, o68
+    )
+    div(
+        add(add(add(mul(I31, D11o, k7), mul(I31o, D11, k33), k7), add(mul(I32, D21o, k33), mul(I32o, D21, k37), k33),
+        k7), add(mul(I33, D31o, k33), mul(I33o, D31, k37), k33), k7), n2, o67
+    )
+    I21 = add(d12n, sn3, k7)
+    I12 = sub(d12n, sn3, k15)
+    div(add(add(mul(I21, D13, k19), mul(I22, D23, k33), k19), mul(I23, D33, k33), k19), n2, o45)
+    div(add(add(mul(I21, D12, k19), mul(I22, D22, k33), k19), mul(I23, D32, k33), k19), n2, o44)
+    div(add(add(mul(I21, D11, k19), mul(I22, D21, k33), k19), mul(I23, D31, k33), k19), n2, o43)
+    div(add(add(mul(I11, D13, k19), mul(I12, D23, k33), k19), mul(I13, D33, k33), k19), n2, o39)
+    div(add(add(mul(I11, D12, k19), mul(I12, D22, k33), k19), mul(I13, D32, k33), k19), n2, o38)
+    div(add(add(mul(I11, D11, k19), mul(I12, D21, k33), k19), mul(I13, D31, k33), k19), n2, o37)
+    I21o = add(d12on, son3, k19)
+    I12o = sub(d12on, son3, k11)
+    div(
+        add(add(add(mul(I21, D13o, k33), mul(I21o, D13, k37), k33), add(mul(I22, D23o, k37), mul(I22o, D23, k44), k37),
+        k33), add(mul(I23, D33o, k37), mul(I23o, D33, k44), k37), k33), n2, o63
+    )
+    div(
+        add(add(add(mul(I11, D13o, k9), mul(I11o, D13, k32), k9), add(mul(I12, D23o, k12), mul(I12o, D23, k32), k12),
+        k9), add(mul(I13, D33o, k4), mul(I13o, D33, k12), k4), k4), n2, o57
+    )
+    div(
+        add(add(add(mul(I21, D12o, k4), mul(I21o, D12, k9), k4), add(mul(I22, D22o, k9), mul(I22o, D22, k12), k9), k4),
+        add(mul(I23, D32o, k9), mul(I23o, D32, k12), k9), k4), n2, o62
+    )
+    div(
+        add(add(add(mul(I11, D12o, k4), mul(I11o, D12, k9), k4), add(mul(I12, D22o, k8), mul(I12o, D22, k9), k8), k4),
+        add(mul(I13, D32o, k8), mul(I13o, D32, k9), k8), k4), n2, o56
+    )
+    div(
+        add(add(add(mul(I21, D11o, k4), mul(I21o, D11, k8), k4), add(mul(I22, D21o, k8), mul(I22o, D21, k9), k8), k4),
+        add(mul(I23, D31o, k8), mul(I23o, D31, k9), k8), k4), n2, o61
+    )
+    div(
+        add(add(add(mul(I11, D11o, k4), mul(I11o, D11, k8), k4), add(mul(I12, D21o, k5), mul(I12o, D21, k8), k5), k4),
+        add(mul(I13, D31o, k5), mul(I13o, D31, k6), k5), k4), n2, o55
+    )
+    gvvd1 = mul(gvd1, d2, k4)
+    gvvd2 = mul(gvd1, d3, k5)
+    fvd3 = mul(d3, fd, k6)
+    Qd12 = sub(gvvd1, fvd3, k8)
+    Qd21 = add(gvvd1, fvd3, k4)
+    fvd2 = mul(d2, fd, k6)
+    fvd1 = mul(d1, fd, k9)
+    Qd13 = add(gvvd2, fvd2, k10)
+    Qd31 = sub(gvvd2, fvd2, k5)
+    cvF1 = mul(v1, h_vp, k6)
+    d13F = mul(cvF1, v3, k12)
+    F13 = add(d13F, gvp2, k13)
+    F31 = sub(d13F, gvp2, k12)
+    cvF2 = mul(v2, h_vp, k27)
+    d23F = mul(cvF2, v3, k29)
+    F23 = sub(d23F, gvp1, k30)
+    F32 = add(d23F, gvp1, k29)
+    cvF3 = mul(v3, h_vp, k32)
+    F33 = add(f_vp, mul(cvF3, v3, k33), k33)
+    RT13 = add(add(mul(Qd11, F13, k34), mul(Qd12, F23, k35), k34), mul(Qd13, F33, k35), k34)
+    Qd23 = sub(gvvd3, fvd1, k35)
+    Qd32 = add(gvvd3, fvd1, k9)
+    RT23 = add(add(mul(Qd21, F13, k31), mul(Qd22, F23, k36), k31), mul(Qd23, F33, k36), k31)
+    RT33 = add(add(mul(Qd31, F13, k36), mul(Qd32, F23, k37), k36), mul(Qd33, F33, k37), k36)
+    div(add(add(mul(I31, RT13, k37), mul(I32, RT23, k38), k37), mul(I33, RT33, k38), k37), n2, o15)
+    div(add(add(mul(I21, RT13, k37), mul(I22, RT23, k38), k37), mul(I23, RT33, k38), k37), n2, o9)
+    div(add(add(mul(I11, RT13, k37), mul(I12, RT23, k38), k37), mul(I13, RT33, k38), k37), n2, o3)
+    d12F = mul(cvF1, v2, k37)
+    F12 = sub(d12F, gvp3, k38)
+    F21 = add(d12F, gvp3, k37)
+    F22 = add(f_vp, mul(cvF2, v2, k39), k39)
+    F11 = add(f_vp, mul(cvF1, v1, k41), k18)
+    RT12 = add(add(mul(Qd11, F12, k41), mul(Qd12, F22, k42), k41), mul(Qd13, F32, k42), k41)
+    RT22 = add(add(mul(Qd21, F12, k42), mul(Qd22, F22, k43), k42), mul(Qd23, F32, k43), k42)
+    RT32 = add(add(mul(Qd31, F12, k43), mul(Qd32, F22, k44), k43), mul(Qd33, F32, k44), k43)
+    div(add(add(mul(I31, RT12, k44), mul(I32, RT22, k49), k44), mul(I33, RT32, k49), k44), n2, o14)
+    div(add(add(mul(I21, RT12, k44), mul(I22, RT22, k49), k44), mul(I23, RT32, k49), k44), n2, o8)
+    div(add(add(mul(I11, RT12, k44), mul(I12, RT22, k49), k44), mul(I13, RT32, k49), k44), n2, o2)
+    RT11 = add(add(mul(Qd11, F11, k44), mul(Qd12, F21, k49), k44), mul(Qd13, F31, k49), k44)
+    RT21 = add(add(mul(Qd21, F11, k49), mul(Qd22, F21, k50), k49), mul(Qd23, F31, k50), k49)
+    RT31 = add(add(mul(Qd31, F11, k50), mul(Qd32, F21, k54), k50), mul(Qd33, F31, k54), k50)
+    div(add(add(mul(I31, RT11, k54), mul(I32, RT21, k55), k54), mul(I33, RT31, k55), k54), n2, o13)
+    div(add(add(mul(I21, RT11, k54), mul(I22, RT21, k55), k54), mul(I23, RT31, k55), k54), n2, o7)
+    div(add(add(mul(I11, RT11, k54), mul(I12, RT21, k55), k54), mul(I13, RT31, k55), k54), n2, o1)
+    R11o = sub(mul(Qd31, rhod2, k54), mul(Qd21, rhod3, k55), k54)
+    R12o = sub(mul(Qd32, rhod2, k55), mul(Qd22, rhod3, k58), k55)
+    R13o = sub(mul(Qd33, rhod2, k58), mul(Qd23, rhod3, k59), k58)
+    hy_vF = div(gyF, n1024, k59)
+    hoF = mul(hy_vF, yp, k59)
+    gy_vF = div(gyF, n256, k17)
+    goF = mul(gy_vF, yp, k17)
+    cvoF1 = add(mul(v1o, h_vp, k52), mul(v1, hoF, k61), k52)
+    d13oF = add(mul(cvF1, v3o, k61), mul(cvoF1, v3, k62), k61)
+    gvoF2 = add(mul(v2o, g_vp, k62), mul(v2, goF, k63), k62)
+    F13o = add(d13oF, gvoF2, k63)
+    F31o = sub(d13oF, gvoF2, k61)
+    cvoF2 = add(mul(v2o, h_vp, k62), mul(v2, hoF, k64), k62)
+    cvoF3 = add(mul(v3o, h_vp, k51), mul(v3, hoF, k59), k51)
+    F33o = add(foF, add(mul(cvF3, v3o, k32), mul(cvoF3, v3, k51), k32), k32)
+    d23oF = add(mul(cvF2, v3o, k51), mul(cvoF2, v3, k59), k51)
+    F22o = add(foF, add(mul(cvF2, v2o, k27), mul(cvoF2, v2, k59), k27), k27)
+    F11o = add(foF, add(mul(cvF1, v1o, k59), mul(cvoF1, v1, k62), k59), k47)
+    d12oF = add(mul(cvF1, v2o, k6), mul(cvoF1, v2, k52), k6)
+    gvoF1 = add(mul(v1o, g_vp, k52), mul(v1, goF, k59), k52)
+    gvoF3 = add(mul(v3o, g_vp, k48), mul(v3, goF, k17), k17)
+    F23o = sub(d23oF, gvoF1, k48)
+    F32o = add(d23oF, gvoF1, k51)
+    RT13o = add(
+        add(add(mul(Qd11, F13o, k52), mul(R11o, F13, k59), k52), add(mul(Qd12, F23o, k59), mul(R12o, F23, k62), k59),
+        k52), add(mul(Qd13, F33o, k59), mul(R13o, F33, k62), k59), k52
+    )
+    R21o = sub(mul(Qd11, rhod3, k59), mul(Qd31, rhod1, k62), k59)
+    R22o = sub(mul(Qd12, rhod3, k62), mul(Qd32, rhod1, k64), k62)
+    R23o = sub(mul(Qd13, rhod3, k45), mul(Qd33, rhod1, k64), k45)
+    RT23o = add(
+        add(add(mul(Qd21, F13o, k64), mul(R21o, F13, k65), k64), add(mul(Qd22, F23o, k65), mul(R22o, F23, k66), k65),
+        k64), add(mul(Qd23, F33o, k65), mul(R23o, F33, k66), k65), k64
+    )
+    R31o = sub(mul(Qd21, rhod1, k65), mul(Qd11, rhod2, k66), k65)
+    R32o = sub(mul(Qd22, rhod1, k66), mul(Qd12, rhod2, k67), k66)
+    R33o = sub(mul(Qd23, rhod1, k46), mul(Qd13, rhod2, k40), k40)
+    RT33o = add(
+        add(add(mul(Qd31, F13o, k46), mul(R31o, F13, k13), k13), add(mul(Qd32, F23o, k46), mul(R32o, F23, k30), k30),
+        k13), add(mul(Qd33, F33o, k30), mul(R33o, F33, k32), k30), k13
+    )
+    div(
+        add(add(add(mul(I31, RT13o, k30), mul(I31o, RT13, k32), k30), add(mul(I32, RT23o, k32), mul(I32o, RT23, k33),
+        k32), k30), add(mul(I33, RT33o, k32), mul(I33o, RT33, k33), k32), k30), n2, o33
+    )
+    div(
+        add(add(add(mul(I21, RT13o, k30), mul(I21o, RT13, k32), k30), add(mul(I22, RT23o, k32), mul(I22o, RT23, k33),
+        k32), k30), add(mul(I23, RT33o, k32), mul(I23o, RT33, k33), k32), k30), n2, o27
+    )
+    div(
+        add(add(add(mul(I11, RT13o, k30), mul(I11o, RT13, k32), k30), add(mul(I12, RT23o, k32), mul(I12o, RT23, k31),
+        k31), k30), add(mul(I13, RT33o, k13), mul(I13o, RT33, k31), k13), k13), n2, o21
+    )
+    F12o = sub(d12oF, gvoF3, k13)
+    F21o = add(d12oF, gvoF3, k6)
+    RT12o = add(
+        add(add(mul(Qd11, F12o, k17), mul(R11o, F12, k30), k17), add(mul(Qd12, F22o, k30), mul(R12o, F22, k31), k30),
+        k17), add(mul(Qd13, F32o, k30), mul(R13o, F32, k31), k30), k17
+    )
+    RT11o = add(
+        add(add(mul(Qd11, F11o, k2), mul(R11o, F11, k30), k2), add(mul(Qd12, F21o, k8), mul(R12o, F21, k30), k8), k2),
+        add(mul(Qd13, F31o, k8), mul(R13o, F31, k10), k8), k2
+    )
+    RT22o = add(
+        add(add(mul(Qd21, F12o, k8), mul(R21o, F12, k10), k8), add(mul(Qd22, F22o, k10), mul(R22o, F22, k30), k10), k8),
+        add(mul(Qd23, F32o, k10), mul(R23o, F32, k30), k10), k8
+    )
+    RT32o = add(
+        add(add(mul(Qd31, F12o, k10), mul(R31o, F12, k13), k10), add(mul(Qd32, F22o, k13), mul(R32o, F22, k27), k13),
+        k10), add(mul(Qd33, F32o, k13), mul(R33o, F32, k27), k13), k10
+    )
+    RT21o = add(
+        add(add(mul(Qd21, F11o, k4), mul(R21o, F11, k13), k4), add(mul(Qd22, F21o, k1), mul(R22o, F21, k13), k1), k1),
+        add(mul(Qd23, F31o, k4), mul(R23o, F31, k13), k4), k1
+    )
+    RT31o = add(
+        add(add(mul(Qd31, F11o, k4), mul(R31o, F11, k5), k4), add(mul(Qd32, F21o, k5), mul(R32o, F21, k6), k5), k4),
+        add(mul(Qd33, F31o, k3), mul(R33o, F31, k5), k3), k3
+    )
+    div(
+        add(add(add(mul(I31, RT12o, k4), mul(I31o, RT12, k5), k4), add(mul(I32, RT22o, k5), mul(I32o, RT22, k6), k5),
+        k4), add(mul(I33, RT32o, k5), mul(I33o, RT32, k6), k5), k4), n2, o32
+    )
+    div(
+        add(add(add(mul(I31, RT11o, k4), mul(I31o, RT11, k5), k4), add(mul(I32, RT21o, k5), mul(I32o, RT21, k6), k5),
+        k4), add(mul(I33, RT31o, k5), mul(I33o, RT31, k6), k5), k4), n2, o31
+    )
+    div(
+        add(add(add(mul(I21, RT12o, k4), mul(I21o, RT12, k5), k4), add(mul(I22, RT22o, k5), mul(I22o, RT22, k6), k5),
+        k4), add(mul(I23, RT32o, k5), mul(I23o, RT32, k6), k5), k4), n2, o26
+    )
+    div(
+        add(add(add(mul(I21, RT11o, k4), mul(I21o, RT11, k5), k4), add(mul(I22, RT21o, k5), mul(I22o, RT21, k6), k5),
+        k4), add(mul(I23, RT31o, k5), mul(I23o, RT31, k6), k5), k4), n2, o25
+    )
+    div(
+        add(add(add(mul(I11, RT12o, k4), mul(I11o, RT12, k5), k4), add(mul(I12, RT22o, k5), mul(I12o, RT22, k6), k5),
+        k4), add(mul(I13, RT32o, k5), mul(I13o, RT32, k6), k5), k4), n2, o20
+    )
+    div(
+        add(add(add(mul(I11, RT11o, k2), mul(I11o, RT11, k4), k2), add(mul(I12, RT21o, k1), mul(I12o, RT21, k4), k1),
+        k1), add(mul(I13, RT31o, k2), mul(I13o, RT31, k3), k2), k1), n2, o19
+    )
+    copy(n0, o4)
+    copy(n0, o5)
+    copy(n0, o6)
+    copy(n0, o10)
+    copy(n0, o11)
+    copy(n0, o12)
+    copy(n0, o16)
+    copy(n0, o17)
+    copy(n0, o18)
+    copy(o1, o22)
+    copy(o2, o23)
+    copy(o3, o24)
+    copy(o7, o28)
+    copy(o8, o29)
+    copy(o9, o30)
+    copy(o13, o34)
+    copy(o14, o35)
+    copy(o15, o36)
+    copy(n0, o40)
+    copy(n0, o41)
+    copy(n0, o42)
+    copy(n0, o46)
+    copy(n0, o47)
+    copy(n0, o48)
+    copy(n0, o52)
+    copy(n0, o53)
+    copy(n0, o54)
+    copy(o37, o58)
+    copy(o38, o59)
+    copy(o39, o60)
+    copy(o43, o64)
+    copy(o44, o65)
+    copy(o45, o66)
+    copy(o49, o70)
+    copy(o50, o71)
+    copy(o51, o72)
+
+
+# operations 1046: 403 +, 520 *, 90 /, 8 neg, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 12 where
+def _own_body_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    d1, d2, d3, d1o, d2o, d3o = delta
+    v11d = d1 * d1
+    v22d = d2 * d2
+    v33d = d3 * d3
+    xd = v11d + v22d + v33d
+    neard = xd < 6
+    zd = m.where(neard, xd, xd - xd) / 4
+    C7d = (
+        (72 - zd * ((3603600 - zd * (32760 - zd * (210 - zd * ((93024 - zd * (342 - zd * ((212520 - zd * (506 - zd))
+        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
+    )
+    C5d = (1 - 120 * (zd * C7d)) / 120
+    C3d = (1 - 6 * (zd * C5d)) / 6
+    C1d = 1 - zd * C3d
+    CC1d = C1d * C1d
+    C0d = m.sqrt(1 - zd * CC1d)
+    xxd = m.where(neard, 6 + xd, xd)
+    alphad = m.sqrt(xxd)
+    td = m.tan(alphad / 4)
+    ttd = td * td
+    belowd = 1 + ttd
+    sd = m.where(neard, C0d, (1 - ttd) / belowd)
+    wd = m.where(neard, C1d / 2, 2 * td / belowd / alphad)
+    wd1 = d1 * wd
+    wd2 = d2 * wd
+    wd3 = d3 * wd
+    fd = 2 * (sd * wd)
+    wwd = wd * wd
+    gd = 2 * wwd
+    C01d = 1 + C0d
+    C2d = CC1d / C01d
+    hd = m.where(neard, (C3d + C1d * C2d) / 4, (1 - fd) / xxd)
+    gvd1 = d1 * gd
+    gvd2 = d2 * gd
+    gvd3 = d3 * gd
+    yd = d1 * d1o + d2 * d2o + d3 * d3o
+    alongd = hd * yd
+    rhob1 = d1o * fd + (gvd2 * d3o - gvd3 * d2o) + d1 * alongd
+    rhob2 = d2o * fd + (gvd3 * d1o - gvd1 * d3o) + d2 * alongd
+    rhob3 = d3o * fd + (gvd1 * d2o - gvd2 * d1o) + d3 * alongd
+    v11p = v1 * v1
+    v22p = v2 * v2
+    v33p = v3 * v3
+    x12p = v11p + v22p
+    xp = x12p + v33p
+    zp = xp / 16
+    pp = 1 - zp
+    rootp = 1 + zp
+    Np = pp * pp + 4 * zp
+    rp = 2 * (Np / Np / Np)
+    fp = 2 * pp * rp
+    f_vp = fp / 4
+    gp = 4 * rp
+    g_vp = gp / 16
+    h_vp = gp / 64
+    bvp1 = v1 / 2
+    bvp2 = v2 / 2
+    bvp3 = v3 / 2
+    gvp1 = v1 * g_vp
+    gvp2 = v2 * g_vp
+    gvp3 = v3 * g_vp
+    yp = v1 * v1o + v2 * v2o + v3 * v3o
+    alongp = h_vp * yp
+    rhop1 = v1o * f_vp + (gvp2 * v3o - gvp3 * v2o) + v1 * alongp
+    rhop2 = v2o * f_vp + (gvp3 * v1o - gvp1 * v3o) + v2 * alongp
+    rhop3 = v3o * f_vp + (gvp1 * v2o - gvp2 * v1o) + v3 * alongp
+    z0 = pp * sd - (bvp1 * wd1 + bvp2 * wd2 + bvp3 * wd3)
+    z1 = wd1 * pp + bvp1 * sd + (bvp2 * wd3 - bvp3 * wd2)
+    z2 = wd2 * pp + bvp2 * sd + (bvp3 * wd1 - bvp1 * wd3)
+    z3 = wd3 * pp + bvp3 * sd + (bvp1 * wd2 - bvp2 * wd1)
+    v_rhob1 = v2 * rhob3 - v3 * rhob2
+    v_rhob2 = v3 * rhob1 - v1 * rhob3
+    v_rhob3 = v1 * rhob2 - v2 * rhob1
+    gv_rhob1 = v_rhob1 * g_vp
+    gv_rhob2 = v_rhob2 * g_vp
+    gv_rhob3 = v_rhob3 * g_vp
+    rho1 = rhob1 + (v_rhob1 * f_vp + (v2 * gv_rhob3 - v3 * gv_rhob2)) + rhop1
+    rho2 = rhob2 + (v_rhob2 * f_vp + (v3 * gv_rhob1 - v1 * gv_rhob3)) + rhop2
+    rho3 = rhob3 + (v_rhob3 * f_vp + (v1 * gv_rhob2 - v2 * gv_rhob1)) + rhop3
+    ss = z1 * z1 + z2 * z2 + z3 * z3
+    still = ss == 0
+    resting = xp == 0
+    length = m.sqrt(m.where(still, 1 + ss, ss))
+    r = m.sqrt(m.where(resting, 1 + xp, xp))
+    own = 4 * m.atan2(r / 4, 1)
+    own_ = m.where(resting, 0, own / r) * (v1 * z1 + v2 * z2 + v3 * z3) / length
+    angle = own_ + 2 * m.atan2(m.tan((2 * m.atan2(m.where(still, ss, length), z0) - own_) / 2), 1)
+    rn = m.tan(angle / 4)
+    slopen = (1 + rn * rn) / 4
+    vn = 4 * rn
+    v_slopen = 4 * slopen
+    z0s = m.where(still, z0, length)
+    factor = m.where(still, 2 * v_slopen / z0s, vn / length)
+    v_1 = z1 * factor
+    v_2 = z2 * factor
+    v_3 = z3 * factor
+    fe = factor * z0
+    v11w = v_1 * v_1
+    v22w = v_2 * v_2
+    v33w = v_3 * v_3
+    xw = v11w + v22w + v33w
+    zw = xw / 16
+    pw = 1 - zw
+    fiw = pw / 2
+    fi_vw = 4 * fiw
+    hvr = (v_1 * rho1 + v_2 * rho2 + v_3 * rho3) / 4
+    w4 = (rho1 * fe - (v_2 * rho3 - v_3 * rho2) + v_1 * hvr) / 2
+    w5 = (rho2 * fe - (v_3 * rho1 - v_1 * rho3) + v_2 * hvr) / 2
+    w6 = (rho3 * fe - (v_1 * rho2 - v_2 * rho1) + v_3 * hvr) / 2
+    yn = v_1 * w4 + v_2 * w5 + v_3 * w6
+    fion = -yn / 4
+    sn1 = -v_1
+    sn2 = -v_2
+    sn3 = -v_3
+    son1 = -w4
+    son2 = -w5
+    son3 = -w6
+    cvn1 = v_1 / 4
+    cvn2 = v_2 / 4
+    cvn3 = v_3 / 4
+    cvon1 = w4 / 4
+    cvon2 = w5 / 4
+    cvon3 = w6 / 4
+    d12n = cvn1 * v_2
+    d13n = cvn1 * v_3
+    d23n = cvn2 * v_3
+    I11 = fi_vw + cvn1 * v_1
+    I12 = d12n - sn3
+    I13 = d13n + sn2
+    I21 = d12n + sn3
+    I22 = fi_vw + cvn2 * v_2
+    I23 = d23n - sn1
+    I31 = d13n - sn2
+    I32 = d23n + sn1
+    I33 = fi_vw + cvn3 * v_3
+    d12on = cvn1 * w5 + cvon1 * v_2
+    d13on = cvn1 * w6 + cvon1 * v_3
+    d23on = cvn2 * w6 + cvon2 * v_3
+    I11o = fion + (cvn1 * w4 + cvon1 * v_1)
+    I12o = d12on - son3
+    I13o = d13on + son2
+    I21o = d12on + son3
+    I22o = fion + (cvn2 * w5 + cvon2 * v_2)
+    I23o = d23on - son1
+    I31o = d13on - son2
+    I32o = d23on + son1
+    I33o = fion + (cvn3 * w6 + cvon3 * v_3)
+    fyd = hd - gd
+    gyd = fd * hd - gd * gd
+    CC3d = C3d * C3d
+    C4d = (4 * C3d - C2d - 2 * (zd * CC3d)) / (2 * C01d)
+    c5d = (C5d + C4d + C2d * C3d) / 16
+    c4d = C3d * (1 + C1d) / 8
+    hyd = m.where(neard, 3 * c5d - c4d, (gd - 3 * hd) / xxd)
+    fod = fyd * yd
+    god = gyd * yd
+    hod = hyd * yd
+    gvod1 = d1o * gd + d1 * god
+    gvod2 = d2o * gd + d2 * god
+    gvod3 = d3o * gd + d3 * god
+    cvd1 = d1 * hd
+    cvd2 = d2 * hd
+    cvd3 = d3 * hd
+    cvod1 = d1o * hd + d1 * hod
+    cvod2 = d2o * hd + d2 * hod
+    cvod3 = d3o * hd + d3 * hod
+    d12d = cvd1 * d2
+    d13d = cvd1 * d3
+    d23d = cvd2 * d3
+    D11 = fd + cvd1 * d1
+    D12 = d12d - gvd3
+    D13 = d13d + gvd2
+    D21 = d12d + gvd3
+    D22 = fd + cvd2 * d2
+    D23 = d23d - gvd1
+    D31 = d13d - gvd2
+    D32 = d23d + gvd1
+    D33 = fd + cvd3 * d3
+    d12od = cvd1 * d2o + cvod1 * d2
+    d13od = cvd1 * d3o + cvod1 * d3
+    d23od = cvd2 * d3o + cvod2 * d3
+    D11o = fod + (cvd1 * d1o + cvod1 * d1)
+    D12o = d12od - gvod3
+    D13o = d13od + gvod2
+    D21o = d12od + gvod3
+    D22o = fod + (cvd2 * d2o + cvod2 * d2)
+    D23o = d23od - gvod1
+    D31o = d13od - gvod2
+    D32o = d23od + gvod1
+    D33o = fod + (cvd3 * d3o + cvod3 * d3)
+    eF = 4 / rootp
+    egF = eF * gp
+    fyF = gp - egF
+    fy_vF = fyF / 64
+    gyF = -egF
+    gy_vF = gyF / 256
+    hy_vF = gyF / 1024
+    foF = fy_vF * yp
+    goF = gy_vF * yp
+    hoF = hy_vF * yp
+    gvoF1 = v1o * g_vp + v1 * goF
+    gvoF2 = v2o * g_vp + v2 * goF
+    gvoF3 = v3o * g_vp + v3 * goF
+    cvF1 = v1 * h_vp
+    cvF2 = v2 * h_vp
+    cvF3 = v3 * h_vp
+    cvoF1 = v1o * h_vp + v1 * hoF
+    cvoF2 = v2o * h_vp + v2 * hoF
+    cvoF3 = v3o * h_vp + v3 * hoF
+    d12F = cvF1 * v2
+    d13F = cvF1 * v3
+    d23F = cvF2 * v3
+    F11 = f_vp + cvF1 * v1
+    F12 = d12F - gvp3
+    F13 = d13F + gvp2
+    F21 = d12F + gvp3
+    F22 = f_vp + cvF2 * v2
+    F23 = d23F - gvp1
+    F31 = d13F - gvp2
+    F32 = d23F + gvp1
+    F33 = f_vp + cvF3 * v3
+    d12oF = cvF1 * v2o + cvoF1 * v2
+    d13oF = cvF1 * v3o + cvoF1 * v3
+    d23oF = cvF2 * v3o + cvoF2 * v3
+    F11o = foF + (cvF1 * v1o + cvoF1 * v1)
+    F12o = d12oF - gvoF3
+    F13o = d13oF + gvoF2
+    F21o = d12oF + gvoF3
+    F22o = foF + (cvF2 * v2o + cvoF2 * v2)
+    F23o = d23oF - gvoF1
+    F31o = d13oF - gvoF2
+    F32o = d23oF + gvoF1
+    F33o = foF + (cvF3 * v3o + cvoF3 * v3)
+    x23p = v22p + v33p
+    x13p = v11p + v33p
+    fvp1 = v1 * f_vp
+    fvp2 = v2 * f_vp
+    fvp3 = v3 * f_vp
+    gvvp1 = gvp1 * v2
+    gvvp2 = gvp1 * v3
+    gvvp3 = gvp2 * v3
+    Qp11 = 1 - g_vp * x23p
+    Qp12 = gvvp1 - fvp3
+    Qp13 = gvvp2 + fvp2
+    Qp21 = gvvp1 + fvp3
+    Qp22 = 1 - g_vp * x13p
+    Qp23 = gvvp3 - fvp1
+    Qp31 = gvvp2 - fvp2
+    Qp32 = gvvp3 + fvp1
+    Qp33 = 1 - g_vp * x12p
+    R11o = Qp31 * rhop2 - Qp21 * rhop3
+    R12o = Qp32 * rhop2 - Qp22 * rhop3
+    R13o = Qp33 * rhop2 - Qp23 * rhop3
+    R21o = Qp11 * rhop3 - Qp31 * rhop1
+    R22o = Qp12 * rhop3 - Qp32 * rhop1
+    R23o = Qp13 * rhop3 - Qp33 * rhop1
+    R31o = Qp21 * rhop1 - Qp11 * rhop2
+    R32o = Qp22 * rhop1 - Qp12 * rhop2
+    R33o = Qp23 * rhop1 - Qp13 * rhop2
+    RD11 = Qp11 * D11 + Qp12 * D21 + Qp13 * D31
+    RD11o = Qp11 * D11o + R11o * D11 + (Qp12 * D21o + R12o * D21) + (Qp13 * D31o + R13o * D31)
+    RD12 = Qp11 * D12 + Qp12 * D22 + Qp13 * D32
+    RD12o = Qp11 * D12o + R11o * D12 + (Qp12 * D22o + R12o * D22) + (Qp13 * D32o + R13o * D32)
+    RD13 = Qp11 * D13 + Qp12 * D23 + Qp13 * D33
+    RD13o = Qp11 * D13o + R11o * D13 + (Qp12 * D23o + R12o * D23) + (Qp13 * D33o + R13o * D33)
+    RD21 = Qp21 * D11 + Qp22 * D21 + Qp23 * D31
+    RD21o = Qp21 * D11o + R21o * D11 + (Qp22 * D21o + R22o * D21) + (Qp23 * D31o + R23o * D31)
+    RD22 = Qp21 * D12 + Qp22 * D22 + Qp23 * D32
+    RD22o = Qp21 * D12o + R21o * D12 + (Qp22 * D22o + R22o * D22) + (Qp23 * D32o + R23o * D32)
+    RD23 = Qp21 * D13 + Qp22 * D23 + Qp23 * D33
+    RD23o = Qp21 * D13o + R21o * D13 + (Qp22 * D23o + R22o * D23) + (Qp23 * D33o + R23o * D33)
+    RD31 = Qp31 * D11 + Qp32 * D21 + Qp33 * D31
+    RD31o = Qp31 * D11o + R31o * D11 + (Qp32 * D21o + R32o * D21) + (Qp33 * D31o + R33o * D31)
+    RD32 = Qp31 * D12 + Qp32 * D22 + Qp33 * D32
+    RD32o = Qp31 * D12o + R31o * D12 + (Qp32 * D22o + R32o * D22) + (Qp33 * D32o + R33o * D32)
+    RD33 = Qp31 * D13 + Qp32 * D23 + Qp33 * D33
+    RD33o = Qp31 * D13o + R31o * D13 + (Qp32 * D23o + R32o * D23) + (Qp33 * D33o + R33o * D33)
+    V11 = (I11 * F11 + I12 * F21 + I13 * F31) / 2
+    V12 = (I11 * F12 + I12 * F22 + I13 * F32) / 2
+    V13 = (I11 * F13 + I12 * F23 + I13 * F33) / 2
+    V21 = (I21 * F11 + I22 * F21 + I23 * F31) / 2
+    V22 = (I21 * F12 + I22 * F22 + I23 * F32) / 2
+    V23 = (I21 * F13 + I22 * F23 + I23 * F33) / 2
+    V31 = (I31 * F11 + I32 * F21 + I33 * F31) / 2
+    V32 = (I31 * F12 + I32 * F22 + I33 * F32) / 2
+    V33 = (I31 * F13 + I32 * F23 + I33 * F33) / 2
+    S11 = (I11 * RD11 + I12 * RD21 + I13 * RD31) / 2
+    S12 = (I11 * RD12 + I12 * RD22 + I13 * RD32) / 2
+    S13 = (I11 * RD13 + I12 * RD23 + I13 * RD33) / 2
+    S21 = (I21 * RD11 + I22 * RD21 + I23 * RD31) / 2
+    S22 = (I21 * RD12 + I22 * RD22 + I23 * RD32) / 2
+    S23 = (I21 * RD13 + I22 * RD23 + I23 * RD33) / 2
+    S31 = (I31 * RD11 + I32 * RD21 + I33 * RD31) / 2
+    S32 = (I31 * RD12 + I32 * RD22 + I33 * RD32) / 2
+    S33 = (I31 * RD13 + I32 * RD23 + I33 * RD33) / 2
+    return (
+        V11,
+        V12,
+        V13,
+        0,
+        0,
+        0,
+        V21,
+        V22,
+        V23,
+        0,
+        0,
+        0,
+        V31,
+        V32,
+        V33,
+        0,
+        0,
+        0,
+        (I11 * F11o + I11o * F11 + (I12 * F21o + I12o * F21) + (I13 * F31o + I13o * F31)) / 2,
+        (I11 * F12o + I11o * F12 + (I12 * F22o + I12o * F22) + (I13 * F32o + I13o * F32)) / 2,
+        (I11 * F13o + I11o * F13 + (I12 * F23o + I12o * F23) + (I13 * F33o + I13o * F33)) / 2,
+        V11,
+        V12,
+        V13,
+        (I21 * F11o + I21o * F11 + (I22 * F21o + I22o * F21) + (I23 * F31o + I23o * F31)) / 2,
+        (I21 * F12o + I21o * F12 + (I22 * F22o + I22o * F22) + (I23 * F32o + I23o * F32)) / 2,
+        (I21 * F13o + I21o * F13 + (I22 * F23o + I22o * F23) + (I23 * F33o + I23o * F33)) / 2,
+        V21,
+        V22,
+        V23,
+        (I31 * F11o + I31o * F11 + (I32 * F21o + I32o * F21) + (I33 * F31o + I33o * F31)) / 2,
+        (I31 * F12o + I31o * F12 + (I32 * F22o + I32o * F22) + (I33 * F32o + I33o * F32)) / 2,
+        (I31 * F13o + I31o * F13 + (I32 * F23o + I32o * F23) + (I33 * F33o + I33o * F33)) / 2,
+        V31,
+        V32,
+        V33,
+        S11,
+        S12,
+        S13,
+        0,
+        0,
+        0,
+        S21,
+        S22,
+        S23,
+        0,
+        0,
+        0,
+        S31,
+        S32,
+        S33,
+        0,
+        0,
+        0,
+        (I11 * RD11o + I11o * RD11 + (I12 * RD21o + I12o * RD21) + (I13 * RD31o + I13o * RD31)) / 2,
+        (I11 * RD12o + I11o * RD12 + (I12 * RD22o + I12o * RD22) + (I13 * RD32o + I13o * RD32)) / 2,
+        (I11 * RD13o + I11o * RD13 + (I12 * RD23o + I12o * RD23) + (I13 * RD33o + I13o * RD33)) / 2,
+        S11,
+        S12,
+        S13,
+        (I21 * RD11o + I21o * RD11 + (I22 * RD21o + I22o * RD21) + (I23 * RD31o + I23o * RD31)) / 2,
+        (I21 * RD12o + I21o * RD12 + (I22 * RD22o + I22o * RD22) + (I23 * RD32o + I23o * RD32)) / 2,
+        (I21 * RD13o + I21o * RD13 + (I22 * RD23o + I22o * RD23) + (I23 * RD33o + I23o * RD33)) / 2,
+        S21,
+        S22,
+        S23,
+        (I31 * RD11o + I31o * RD11 + (I32 * RD21o + I32o * RD21) + (I33 * RD31o + I33o * RD31)) / 2,
+        (I31 * RD12o + I31o * RD12 + (I32 * RD22o + I32o * RD22) + (I33 * RD32o + I33o * RD32)) / 2,
+        (I31 * RD13o + I31o * RD13 + (I32 * RD23o + I32o * RD23) + (I33 * RD33o + I33o * RD33)) / 2,
+        S31,
+        S32,
+        S33,
+    )
+
+
+def _own_body_retract_jacobians_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, delta: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    d1, d2, d3, d1o, d2o, d3o = delta
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36, o37, o38, o39, o40, o41, o42, o43, o44, o45, o46,
+        o47, o48, o49, o50, o51, o52, o53, o54, o55, o56, o57, o58, o59, o60, o61, o62, o63, o64, o65, o66, o67, o68,
+        o69, o70, o71, o72,
+    ) = out
+    (
+        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
+        k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, k35, k36, k37, k38, k39, k40, k41, k42, k43, k44, k45, k46,
+        k47, k48, k49, k50, k51, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61, k62, k63, k64, k65, k66, k67, k68,
+        k69,
+    ) = scratch
+    mask1, mask2, mask3 = masks
+    (
+        n0, n1, n2, n3, n4, n6, n8, n16, n64, n72, n120, n210, n256, n342, n506, n1024, n5040, n32760, n93024, n212520,
+        n3603600,
+    ) = numbers
+    v11d = mul(d1, d1, k1)
+    v22d = mul(d2, d2, k2)
+    v33d = mul(d3, d3, k3)
+    xd = add(add(v11d, v22d, k1), v33d, k1)
+    neard = m.less(xd, n6, mask1)
+    zd = div(m.where(neard, xd, sub(xd, xd, k2), k3), n4, k2)
+    xxd = m.where(neard, add(n6, xd, k3), xd, k3)
+    C7d = div(
+        div(sub(n72, mul(zd, div(sub(n3603600, mul(zd, sub(n32760, mul(zd, sub(n210, mul(zd, div(sub(n93024, mul(zd,
+        sub(n342, mul(zd, div(sub(n212520, mul(zd, sub(n506, zd, k1), k1), k1), n212520, k1), k1), k1), k1), k1),
+        n93024, k1), k1), k1), k1), k1), k1), k1), n3603600, k1), k1), k1), n72, k1), n5040, k1
+    )
+    C5d = div(sub(n1, mul(n120, mul(zd, C7d, k1), k1), k1), n120, k1)
+    C3d = div(sub(n1, mul(n6, mul(zd, C5d, k4), k4), k4), n6, k4)
+    C1d = sub(n1, mul(zd, C3d, k5), k5)
+    CC1d = mul(C1d, C1d, k6)
+    C0d = sqrt(sub(n1, mul(zd, CC1d, k7), k7), k7)
+    alphad = sqrt(xxd, k8)
+    td = tan(div(alphad, n4, k9), k9)
+    ttd = mul(td, td, k10)
+    belowd = add(n1, ttd, k11)
+    wd = m.where(neard, div(C1d, n2, k12), div(div(mul(n2, td, k9), belowd, k9), alphad, k8), k9)
+    sd = m.where(neard, C0d, div(sub(n1, ttd, k8), belowd, k8), k10)
+    C01d = add(n1, C0d, k7)
+    C2d = div(CC1d, C01d, k6)
+    wd1 = mul(d1, wd, k8)
+    wd3 = mul(d3, wd, k11)
+    wd2 = mul(d2, wd, k12)
+    v11p = mul(v1, v1, k13)
+    v22p = mul(v2, v2, k14)
+    x12p = add(v11p, v22p, k15)
+    v33p = mul(v3, v3, k16)
+    x23p = add(v22p, v33p, k14)
+    x13p = add(v11p, v33p, k13)
+    xp = add(x12p, v33p, k16)
+    zp = div(xp, n16, k17)
+    pp = sub(n1, zp, k18)
+    bvp1 = div(v1, n2, k19)
+    bvp2 = div(v2, n2, k20)
+    bvp3 = div(v3, n2, k21)
+    z1 = add(add(mul(wd1, pp, k22), mul(bvp1, sd, k23), k22), sub(mul(bvp2, wd3, k23), mul(bvp3, wd2, k24), k23), k22)
+    z2 = add(add(mul(wd2, pp, k23), mul(bvp2, sd, k24), k23), sub(mul(bvp3, wd1, k24), mul(bvp1, wd3, k25), k24), k23)
+    z3 = add(add(mul(wd3, pp, k24), mul(bvp3, sd, k25), k24), sub(mul(bvp1, wd2, k25), mul(bvp2, wd1, k26), k25), k24)
+    z0 = sub(mul(pp, sd, k25), add(add(mul(bvp1, wd1, k8), mul(bvp2, wd2, k12), k8), mul(bvp3, wd3, k11), k8), k8)
+    fd = mul(n2, mul(sd, wd, k10), k10)
+    wwd = mul(wd, wd, k9)
+    gd = mul(n2, wwd, k9)
+    ss = add(add(mul(z1, z1, k11), mul(z2, z2, k12), k11), mul(z3, z3, k12), k11)
+    still = m.equal(ss, n0, mask2)
+    length = sqrt(m.where(still, add(n1, ss, k12), ss, k12), k12)
+    resting = m.equal(xp, n0, mask3)
+    r = sqrt(m.where(resting, add(n1, xp, k19), xp, k19), k16)
+    own = mul(n4, atan2(div(r, n4, k19), n1, k19), k19)
+    own_ = div(
+        mul(m.where(resting, n0, div(own, r, k16), k19), add(add(mul(v1, z1, k16), mul(v2, z2, k20), k16), mul(v3, z3,
+        k20), k16), k16), length, k16
+    )
+    angle = add(
+        own_, mul(n2, atan2(tan(div(sub(mul(n2, atan2(m.where(still, ss, length, k11), z0, k11), k11), own_, k11), n2,
+        k11), k11), n1, k11), k11), k11
+    )
+    rn = tan(div(angle, n4, k11), k11)
+    slopen = div(add(n1, mul(rn, rn, k16), k16), n4, k16)
+    v_slopen = mul(n4, slopen, k16)
+    vn = mul(n4, rn, k11)
+    z0s = m.where(still, z0, length, k19)
+    factor = m.where(still, div(mul(n2, v_slopen, k16), z0s, k16), div(vn, length, k11), k12)
+    v_1 = mul(z1, factor, k11)
+    v_2 = mul(z2, factor, k16)
+    v_3 = mul(z3, factor, k19)
+    fe = mul(factor, z0, k8)
+    v11w = mul(v_1, v_1, k12)
+    v22w = mul(v_2, v_2, k20)
+    v33w = mul(v_3, v_3, k21)
+    xw = add(add(v11w, v22w, k12), v33w, k12)
+    zw = div(xw, n16, k12)
+    pw = sub(n1, zw, k12)
+    fiw = div(pw, n2, k12)
+    fi_vw = mul(n4, fiw, k12)
+    cvn1 = div(v_1, n4, k20)
+    I11 = add(fi_vw, mul(cvn1, v_1, k21), k21)
+    d12n = mul(cvn1, v_2, k22)
+    sn3 = neg(v_3, k23)
+    I12 = sub(d12n, sn3, k24)
+    I21 = add(d12n, sn3, k22)
+    d13n = mul(cvn1, v_3, k23)
+    sn2 = neg(v_2, k25)
+    I13 = add(d13n, sn2, k26)
+    I31 = sub(d13n, sn2, k23)
+    Np = add(mul(pp, pp, k25), mul(n4, zp, k27), k25)
+    rp = mul(n2, div(div(Np, Np, k27), Np, k25), k25)
+    fp = mul(mul(n2, pp, k18), rp, k18)
+    f_vp = div(fp, n4, k18)
+    gp = mul(n4, rp, k25)
+    rootp = add(n1, zp, k17)
+    eF = div(n4, rootp, k17)
+    egF = mul(eF, gp, k17)
+    h_vp = div(gp, n64, k27)
+    cvF1 = mul(v1, h_vp, k28)
+    F11 = add(f_vp, mul(cvF1, v1, k29), k29)
+    d12F = mul(cvF1, v2, k30)
+    g_vp = div(gp, n16, k31)
+    fyF = sub(gp, egF, k25)
+    fy_vF = div(fyF, n64, k25)
+    gyF = neg(egF, k17)
+    Qp11 = sub(n1, mul(g_vp, x23p, k14), k14)
+    Qp22 = sub(n1, mul(g_vp, x13p, k13), k13)
+    Qp33 = sub(n1, mul(g_vp, x12p, k15), k15)
+    gvp3 = mul(v3, g_vp, k32)
+    F21 = add(d12F, gvp3, k33)
+    F12 = sub(d12F, gvp3, k30)
+    d13F = mul(cvF1, v3, k34)
+    gvp2 = mul(v2, g_vp, k35)
+    F31 = sub(d13F, gvp2, k36)
+    div(add(add(mul(I11, F11, k37), mul(I12, F21, k38), k37), mul(I13, F31, k38), k37), n2, o1)
+    F13 = add(d13F, gvp2, k34)
+    cvF2 = mul(v2, h_vp, k37)
+    F22 = add(f_vp, mul(cvF2, v2, k38), k38)
+    d23F = mul(cvF2, v3, k39)
+    gvp1 = mul(v1, g_vp, k40)
+    F32 = add(d23F, gvp1, k41)
+    div(add(add(mul(I11, F12, k42), mul(I12, F22, k43), k42), mul(I13, F32, k43), k42), n2, o2)
+    F23 = sub(d23F, gvp1, k39)
+    cvF3 = mul(v3, h_vp, k42)
+    F33 = add(f_vp, mul(cvF3, v3, k43), k43)
+    div(add(add(mul(I11, F13, k44), mul(I12, F23, k45), k44), mul(I13, F33, k45), k44), n2, o3)
+    cvn2 = div(v_2, n4, k44)
+    I22 = add(fi_vw, mul(cvn2, v_2, k45), k45)
+    d23n = mul(cvn2, v_3, k46)
+    sn1 = neg(v_1, k47)
+    I23 = sub(d23n, sn1, k48)
+    I32 = add(d23n, sn1, k46)
+    div(add(add(mul(I21, F11, k47), mul(I22, F21, k49), k47), mul(I23, F31, k49), k47), n2, o7)
+    div(add(add(mul(I21, F12, k47), mul(I22, F22, k49), k47), mul(I23, F32, k49), k47), n2, o8)
+    div(add(add(mul(I21, F13, k47), mul(I22, F23, k49), k47), mul(I23, F33, k49), k47), n2, o9)
+    cvn3 = div(v_3, n4, k47)
+    I33 = add(fi_vw, mul(cvn3, v_3, k49), k12)
+    div(add(add(mul(I31, F11, k49), mul(I32, F21, k50), k49), mul(I33, F31, k50), k49), n2, o13)
+    div(add(add(mul(I31, F12, k49), mul(I32, F22, k50), k49), mul(I33, F32, k50), k49), n2, o14)
+    div(add(add(mul(I31, F13, k49), mul(I32, F23, k50), k49), mul(I33, F33, k50), k49), n2, o15)
+    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k49), k49), n4, k49), div(sub(n1, fd, k50), xxd, k50), k49)
+    c4d = div(mul(C3d, add(n1, C1d, k5), k5), n8, k5)
+    yd = add(add(mul(d1, d1o, k50), mul(d2, d2o, k51), k50), mul(d3, d3o, k51), k50)
+    alongd = mul(hd, yd, k51)
+    gvd1 = mul(d1, gd, k52)
+    gvd2 = mul(d2, gd, k53)
+    rhob3 = add(
+        add(mul(d3o, fd, k54), sub(mul(gvd1, d2o, k55), mul(gvd2, d1o, k56), k55), k54), mul(d3, alongd, k55), k54
+    )
+    gvd3 = mul(d3, gd, k55)
+    rhob2 = add(
+        add(mul(d2o, fd, k56), sub(mul(gvd3, d1o, k57), mul(gvd1, d3o, k58), k57), k56), mul(d2, alongd, k57), k56
+    )
+    rhob1 = add(
+        add(mul(d1o, fd, k57), sub(mul(gvd2, d3o, k58), mul(gvd3, d2o, k59), k58), k57), mul(d1, alongd, k51), k51
+    )
+    v_rhob1 = sub(mul(v2, rhob3, k57), mul(v3, rhob2, k58), k57)
+    v_rhob3 = sub(mul(v1, rhob2, k58), mul(v2, rhob1, k59), k58)
+    gv_rhob3 = mul(v_rhob3, g_vp, k59)
+    v_rhob2 = sub(mul(v3, rhob1, k60), mul(v1, rhob3, k61), k60)
+    gv_rhob2 = mul(v_rhob2, g_vp, k61)
+    yp = add(add(mul(v1, v1o, k62), mul(v2, v2o, k63), k62), mul(v3, v3o, k63), k62)
+    foF = mul(fy_vF, yp, k25)
+    alongp = mul(h_vp, yp, k63)
+    rhop1 = add(
+        add(mul(v1o, f_vp, k64), sub(mul(gvp2, v3o, k65), mul(gvp3, v2o, k66), k65), k64), mul(v1, alongp, k65), k64
+    )
+    rho1 = add(
+        add(rhob1, add(mul(v_rhob1, f_vp, k65), sub(mul(v2, gv_rhob3, k66), mul(v3, gv_rhob2, k67), k66), k65), k51),
+        rhop1, k51
+    )
+    gv_rhob1 = mul(v_rhob1, g_vp, k57)
+    rhop2 = add(
+        add(mul(v2o, f_vp, k65), sub(mul(gvp3, v1o, k32), mul(gvp1, v3o, k66), k32), k32), mul(v2, alongp, k65), k32
+    )
+    rho2 = add(
+        add(rhob2, add(mul(v_rhob2, f_vp, k60), sub(mul(v3, gv_rhob1, k65), mul(v1, gv_rhob3, k59), k59), k59), k56),
+        rhop2, k56
+    )
+    rhop3 = add(
+        add(mul(v3o, f_vp, k59), sub(mul(gvp1, v2o, k60), mul(gvp2, v1o, k65), k60), k59), mul(v3, alongp, k60), k59
+    )
+    rho3 = add(
+        add(rhob3, add(mul(v_rhob3, f_vp, k58), sub(mul(v1, gv_rhob2, k60), mul(v2, gv_rhob1, k57), k57), k57), k54),
+        rhop3, k54
+    )
+    gvvp3 = mul(gvp2, v3, k35)
+    hvr = div(add(add(mul(v_1, rho1, k57), mul(v_2, rho2, k58), k57), mul(v_3, rho3, k58), k57), n4, k57)
+    w4 = div(
+        add(sub(mul(rho1, fe, k58), sub(mul(v_2, rho3, k60), mul(v_3, rho2, k61), k60), k58), mul(v_1, hvr, k60), k58),
+        n2, k58
+    )
+    w5 = div(
+        add(sub(mul(rho2, fe, k60), sub(mul(v_3, rho1, k61), mul(v_1, rho3, k63), k61), k60), mul(v_2, hvr, k61), k60),
+        n2, k60
+    )
+    w6 = div(
+        add(sub(mul(rho3, fe, k8), sub(mul(v_1, rho2, k54), mul(v_2, rho1, k51), k51), k8), mul(v_3, hvr, k51), k8), n2,
+        k8
+    )
+    yn = add(add(mul(v_1, w4, k51), mul(v_2, w5, k54), k51), mul(v_3, w6, k54), k51)
+    fion = div(neg(yn, k51), n4, k51)
+    cvon1 = div(w4, n4, k54)
+    I11o = add(fion, add(mul(cvn1, w4, k56), mul(cvon1, v_1, k11), k11), k11)
+    son1 = neg(w4, k56)
+    d12on = add(mul(cvn1, w5, k57), mul(cvon1, v_2, k58), k57)
+    d13on = add(mul(cvn1, w6, k20), mul(cvon1, v_3, k54), k20)
+    son3 = neg(w6, k54)
+    I12o = sub(d12on, son3, k58)
+    I21o = add(d12on, son3, k54)
+    son2 = neg(w5, k57)
+    I13o = add(d13on, son2, k61)
+    I31o = sub(d13on, son2, k20)
+    hy_vF = div(gyF, n1024, k57)
+    hoF = mul(hy_vF, yp, k57)
+    gy_vF = div(gyF, n256, k17)
+    goF = mul(gy_vF, yp, k17)
+    cvoF1 = add(mul(v1o, h_vp, k62), mul(v1, hoF, k63), k62)
+    F11o = add(foF, add(mul(cvF1, v1o, k63), mul(cvoF1, v1, k65), k63), k63)
+    d12oF = add(mul(cvF1, v2o, k65), mul(cvoF1, v2, k66), k65)
+    d13oF = add(mul(cvF1, v3o, k28), mul(cvoF1, v3, k62), k28)
+    gvoF3 = add(mul(v3o, g_vp, k62), mul(v3, goF, k66), k62)
+    F21o = add(d12oF, gvoF3, k66)
+    F12o = sub(d12oF, gvoF3, k62)
+    gvoF2 = add(mul(v2o, g_vp, k65), mul(v2, goF, k67), k65)
+    gvoF1 = add(mul(v1o, g_vp, k31), mul(v1, goF, k17), k17)
+    F31o = sub(d13oF, gvoF2, k31)
+    F13o = add(d13oF, gvoF2, k28)
+    div(
+        add(add(add(mul(I11, F11o, k65), mul(I11o, F11, k67), k65), add(mul(I12, F21o, k67), mul(I12o, F21, k68), k67),
+        k65), add(mul(I13, F31o, k67), mul(I13o, F31, k68), k67), k65), n2, o19
+    )
+    cvoF2 = add(mul(v2o, h_vp, k65), mul(v2, hoF, k67), k65)
+    cvoF3 = add(mul(v3o, h_vp, k27), mul(v3, hoF, k57), k27)
+    F33o = add(foF, add(mul(cvF3, v3o, k42), mul(cvoF3, v3, k27), k27), k27)
+    F22o = add(foF, add(mul(cvF2, v2o, k42), mul(cvoF2, v2, k57), k42), k25)
+    d23oF = add(mul(cvF2, v3o, k37), mul(cvoF2, v3, k42), k37)
+    F32o = add(d23oF, gvoF1, k42)
+    F23o = sub(d23oF, gvoF1, k17)
+    div(
+        add(add(add(mul(I11, F12o, k37), mul(I11o, F12, k57), k37), add(mul(I12, F22o, k57), mul(I12o, F22, k65), k57),
+        k37), add(mul(I13, F32o, k57), mul(I13o, F32, k65), k57), k37), n2, o20
+    )
+    div(
+        add(add(add(mul(I11, F13o, k37), mul(I11o, F13, k57), k37), add(mul(I12, F23o, k57), mul(I12o, F23, k65), k57),
+        k37), add(mul(I13, F33o, k57), mul(I13o, F33, k65), k57), k37), n2, o21
+    )
+    cvon2 = div(w5, n4, k37)
+    I22o = add(fion, add(mul(cvn2, w5, k57), mul(cvon2, v_2, k16), k16), k16)
+    d23on = add(mul(cvn2, w6, k44), mul(cvon2, v_3, k37), k37)
+    I23o = sub(d23on, son1, k44)
+    I32o = add(d23on, son1, k37)
+    div(
+        add(add(add(mul(I21, F11o, k56), mul(I21o, F11, k57), k56), add(mul(I22, F21o, k57), mul(I22o, F21, k60), k57),
+        k56), add(mul(I23, F31o, k57), mul(I23o, F31, k60), k57), k56), n2, o25
+    )
+    div(
+        add(add(add(mul(I21, F12o, k56), mul(I21o, F12, k57), k56), add(mul(I22, F22o, k57), mul(I22o, F22, k60), k57),
+        k56), add(mul(I23, F32o, k57), mul(I23o, F32, k60), k57), k56), n2, o26
+    )
+    div(
+        add(add(add(mul(I21, F13o, k56), mul(I21o, F13, k57), k56), add(mul(I22, F23o, k57), mul(I22o, F23, k60), k57),
+        k56), add(mul(I23, F33o, k57), mul(I23o, F33, k60), k57), k56), n2, o27
+    )
+    cvon3 = div(w6, n4, k56)
+    I33o = add(fion, add(mul(cvn3, w6, k8), mul(cvon3, v_3, k19), k8), k8)
+    div(
+        add(add(add(mul(I31, F11o, k19), mul(I31o, F11, k29), k19), add(mul(I32, F21o, k29), mul(I32o, F21, k33), k29),
+        k19), add(mul(I33, F31o, k29), mul(I33o, F31, k31), k29), k19), n2, o31
+    )
+    div(
+        add(add(add(mul(I31, F12o, k19), mul(I31o, F12, k29), k19), add(mul(I32, F22o, k25), mul(I32o, F22, k29), k25),
+        k19), add(mul(I33, F32o, k25), mul(I33o, F32, k29), k25), k19), n2, o32
+    )
+    div(
+        add(add(add(mul(I31, F13o, k19), mul(I31o, F13, k25), k19), add(mul(I32, F23o, k17), mul(I32o, F23, k25), k17),
+        k17), add(mul(I33, F33o, k19), mul(I33o, F33, k25), k19), k17), n2, o33
+    )
+    cvd1 = mul(d1, hd, k17)
+    D11 = add(fd, mul(cvd1, d1, k19), k19)
+    d12d = mul(cvd1, d2, k25)
+    D21 = add(d12d, gvd3, k27)
+    D12 = sub(d12d, gvd3, k25)
+    d13d = mul(cvd1, d3, k28)
+    D31 = sub(d13d, gvd2, k29)
+    D13 = add(d13d, gvd2, k28)
+    gvvp1 = mul(gvp1, v2, k30)
+    gvvp2 = mul(gvp1, v3, k31)
+    fvp3 = mul(v3, f_vp, k33)
+    Qp12 = sub(gvvp1, fvp3, k34)
+    Qp21 = add(gvvp1, fvp3, k30)
+    fvp2 = mul(v2, f_vp, k33)
+    fvp1 = mul(v1, f_vp, k18)
+    Qp13 = add(gvvp2, fvp2, k36)
+    Qp31 = sub(gvvp2, fvp2, k31)
+    RD11 = add(add(mul(Qp11, D11, k33), mul(Qp12, D21, k38), k33), mul(Qp13, D31, k38), k33)
+    Qp23 = sub(gvvp3, fvp1, k38)
+    Qp32 = add(gvvp3, fvp1, k18)
+    RD21 = add(add(mul(Qp21, D11, k35), mul(Qp22, D21, k39), k35), mul(Qp23, D31, k39), k35)
+    RD31 = add(add(mul(Qp31, D11, k39), mul(Qp32, D21, k40), k39), mul(Qp33, D31, k40), k39)
+    div(add(add(mul(I11, RD11, k40), mul(I12, RD21, k41), k40), mul(I13, RD31, k41), k40), n2, o37)
+    div(add(add(mul(I21, RD11, k40), mul(I22, RD21, k41), k40), mul(I23, RD31, k41), k40), n2, o43)
+    div(add(add(mul(I31, RD11, k40), mul(I32, RD21, k41), k40), mul(I33, RD31, k41), k40), n2, o49)
+    cvd2 = mul(d2, hd, k40)
+    D22 = add(fd, mul(cvd2, d2, k41), k41)
+    d23d = mul(cvd2, d3, k42)
+    D32 = add(d23d, gvd1, k43)
+    D23 = sub(d23d, gvd1, k42)
+    RD12 = add(add(mul(Qp11, D12, k47), mul(Qp12, D22, k51), k47), mul(Qp13, D32, k51), k47)
+    RD22 = add(add(mul(Qp21, D12, k51), mul(Qp22, D22, k52), k51), mul(Qp23, D32, k52), k51)
+    RD32 = add(add(mul(Qp31, D12, k52), mul(Qp32, D22, k53), k52), mul(Qp33, D32, k53), k52)
+    div(add(add(mul(I11, RD12, k53), mul(I12, RD22, k55), k53), mul(I13, RD32, k55), k53), n2, o38)
+    div(add(add(mul(I21, RD12, k53), mul(I22, RD22, k55), k53), mul(I23, RD32, k55), k53), n2, o44)
+    div(add(add(mul(I31, RD12, k53), mul(I32, RD22, k55), k53), mul(I33, RD32, k55), k53), n2, o50)
+    cvd3 = mul(d3, hd, k53)
+    D33 = add(fd, mul(cvd3, d3, k55), k55)
+    gyd = sub(mul(fd, hd, k10), mul(gd, gd, k56), k10)
+    god = mul(gyd, yd, k10)
+    RD13 = add(add(mul(Qp11, D13, k56), mul(Qp12, D23, k57), k56), mul(Qp13, D33, k57), k56)
+    RD23 = add(add(mul(Qp21, D13, k57), mul(Qp22, D23, k60), k57), mul(Qp23, D33, k60), k57)
+    RD33 = add(add(mul(Qp31, D13, k60), mul(Qp32, D23, k62), k60), mul(Qp33, D33, k62), k60)
+    div(add(add(mul(I11, RD13, k62), mul(I12, RD23, k63), k62), mul(I13, RD33, k63), k62), n2, o39)
+    div(add(add(mul(I21, RD13, k62), mul(I22, RD23, k63), k62), mul(I23, RD33, k63), k62), n2, o45)
+    div(add(add(mul(I31, RD13, k62), mul(I32, RD23, k63), k62), mul(I33, RD33, k63), k62), n2, o51)
+    CC3d = mul(C3d, C3d, k62)
+    C4d = div(sub(sub(mul(n4, C3d, k63), C2d, k63), mul(n2, mul(zd, CC3d, k2), k2), k2), mul(n2, C01d, k7), k2)
+    c5d = div(add(add(C5d, C4d, k1), mul(C2d, C3d, k2), k1), n16, k1)
+    hyd = m.where(neard, sub(mul(n3, c5d, k1), c4d, k1), div(sub(gd, mul(n3, hd, k2), k2), xxd, k2), k1)
+    hod = mul(hyd, yd, k1)
+    cvod1 = add(mul(d1o, hd, k2), mul(d1, hod, k3), k2)
+    fyd = sub(hd, gd, k3)
+    fod = mul(fyd, yd, k3)
+    D11o = add(fod, add(mul(cvd1, d1o, k4), mul(cvod1, d1, k5), k4), k4)
+    d12od = add(mul(cvd1, d2o, k5), mul(cvod1, d2, k6), k5)
+    d13od = add(mul(cvd1, d3o, k6), mul(cvod1, d3, k2), k2)
+    gvod3 = add(mul(d3o, gd, k6), mul(d3, god, k7), k6)
+    D21o = add(d12od, gvod3, k7)
+    D12o = sub(d12od, gvod3, k5)
+    gvod2 = add(mul(d2o, gd, k6), mul(d2, god, k17), k6)
+    gvod1 = add(mul(d1o, gd, k9), mul(d1, god, k10), k9)
+    D31o = sub(d13od, gvod2, k10)
+    D13o = add(d13od, gvod2, k2)
+    R11o = sub(mul(Qp31, rhop2, k6), mul(Qp21, rhop3, k17), k6)
+    R12o = sub(mul(Qp32, rhop2, k17), mul(Qp22, rhop3, k50), k17)
+    R13o = sub(mul(Qp33, rhop2, k50), mul(Qp23, rhop3, k62), k50)
+    RD11o = add(
+        add(add(mul(Qp11, D11o, k62), mul(R11o, D11, k63), k62), add(mul(Qp12, D21o, k63), mul(R12o, D21, k65), k63),
+        k62), add(mul(Qp13, D31o, k63), mul(R13o, D31, k65), k63), k62
+    )
+    R21o = sub(mul(Qp11, rhop3, k63), mul(Qp31, rhop1, k65), k63)
+    R22o = sub(mul(Qp12, rhop3, k65), mul(Qp32, rhop1, k66), k65)
+    R23o = sub(mul(Qp13, rhop3, k59), mul(Qp33, rhop1, k66), k59)
+    RD21o = add(
+        add(add(mul(Qp21, D11o, k66), mul(R21o, D11, k67), k66), add(mul(Qp22, D21o, k67), mul(R22o, D21, k68), k67),
+        k66), add(mul(Qp23, D31o, k67), mul(R23o, D31, k68), k67), k66
+    )
+    R31o = sub(mul(Qp21, rhop1, k67), mul(Qp11, rhop2, k68), k67)
+    R32o = sub(mul(Qp22, rhop1, k68), mul(Qp12, rhop2, k69), k68)
+    R33o = sub(mul(Qp23, rhop1, k64), mul(Qp13, rhop2, k32), k32)
+    RD31o = add(
+        add(add(mul(Qp31, D11o, k4), mul(R31o, D11, k19), k4), add(mul(Qp32, D21o, k7), mul(R32o, D21, k19), k7), k4),
+        add(mul(Qp33, D31o, k7), mul(R33o, D31, k10), k7), k4
+    )
+    div(
+        add(add(add(mul(I11, RD11o, k7), mul(I11o, RD11, k10), k7), add(mul(I12, RD21o, k10), mul(I12o, RD21, k19),
+        k10), k7), add(mul(I13, RD31o, k10), mul(I13o, RD31, k19), k10), k7), n2, o55
+    )
+    div(
+        add(add(add(mul(I21, RD11o, k7), mul(I21o, RD11, k10), k7), add(mul(I22, RD21o, k10), mul(I22o, RD21, k19),
+        k10), k7), add(mul(I23, RD31o, k10), mul(I23o, RD31, k19), k10), k7), n2, o61
+    )
+    div(
+        add(add(add(mul(I31, RD11o, k7), mul(I31o, RD11, k10), k7), add(mul(I32, RD21o, k10), mul(I32o, RD21, k19),
+        k10), k7), add(mul(I33, RD31o, k4), mul(I33o, RD31, k10), k4), k4), n2, o67
+    )
+    cvod2 = add(mul(d2o, hd, k4), mul(d2, hod, k7), k4)
+    cvod3 = add(mul(d3o, hd, k7), mul(d3, hod, k1), k1)
+    D33o = add(fod, add(mul(cvd3, d3o, k7), mul(cvod3, d3, k1), k1), k1)
+    D22o = add(fod, add(mul(cvd2, d2o, k7), mul(cvod2, d2, k10), k7), k3)
+    d23od = add(mul(cvd2, d3o, k7), mul(cvod2, d3, k4), k4)
+    D32o = add(d23od, gvod1, k7)
+    D23o = sub(d23od, gvod1, k4)
+    RD12o = add(
+        add(add(mul(Qp11, D12o, k9), mul(R11o, D12, k10), k9), add(mul(Qp12, D22o, k10), mul(R12o, D22, k19), k10), k9),
+        add(mul(Qp13, D32o, k10), mul(R13o, D32, k19), k10), k9
+    )
+    RD13o = add(
+        add(add(mul(Qp11, D13o, k10), mul(R11o, D13, k6), k6), add(mul(Qp12, D23o, k10), mul(R12o, D23, k14), k10), k6),
+        add(mul(Qp13, D33o, k10), mul(R13o, D33, k14), k10), k6
+    )
+    RD22o = add(
+        add(add(mul(Qp21, D12o, k10), mul(R21o, D12, k14), k10), add(mul(Qp22, D22o, k14), mul(R22o, D22, k17), k14),
+        k10), add(mul(Qp23, D32o, k14), mul(R23o, D32, k17), k14), k10
+    )
+    RD32o = add(
+        add(add(mul(Qp31, D12o, k5), mul(R31o, D12, k14), k5), add(mul(Qp32, D22o, k3), mul(R32o, D22, k14), k3), k3),
+        add(mul(Qp33, D32o, k5), mul(R33o, D32, k7), k5), k3
+    )
+    RD23o = add(
+        add(add(mul(Qp21, D13o, k5), mul(R21o, D13, k7), k5), add(mul(Qp22, D23o, k7), mul(R22o, D23, k13), k7), k5),
+        add(mul(Qp23, D33o, k7), mul(R23o, D33, k13), k7), k5
+    )
+    RD33o = add(
+        add(add(mul(Qp31, D13o, k2), mul(R31o, D13, k7), k2), add(mul(Qp32, D23o, k4), mul(R32o, D23, k7), k4), k2),
+        add(mul(Qp33, D33o, k1), mul(R33o, D33, k4), k1), k1
+    )
+    div(
+        add(add(add(mul(I11, RD12o, k2), mul(I11o, RD12, k4), k2), add(mul(I12, RD22o, k4), mul(I12o, RD22, k7), k4),
+        k2), add(mul(I13, RD32o, k4), mul(I13o, RD32, k7), k4), k2), n2, o56
+    )
+    div(
+        add(add(add(mul(I11, RD13o, k2), mul(I11o, RD13, k4), k2), add(mul(I12, RD23o, k4), mul(I12o, RD23, k7), k4),
+        k2), add(mul(I13, RD33o, k4), mul(I13o, RD33, k7), k4), k2), n2, o57
+    )
+    div(
+        add(add(add(mul(I21, RD12o, k2), mul(I21o, RD12, k4), k2), add(mul(I22, RD22o, k4), mul(I22o, RD22, k7), k4),
+        k2), add(mul(I23, RD32o, k4), mul(I23o, RD32, k7), k4), k2), n2, o62
+    )
+    div(
+        add(add(add(mul(I21, RD13o, k2), mul(I21o, RD13, k4), k2), add(mul(I22, RD23o, k4), mul(I22o, RD23, k7), k4),
+        k2), add(mul(I23, RD33o, k4), mul(I23o, RD33, k7), k4), k2), n2, o63
+    )
+    div(
+        add(add(add(mul(I31, RD12o, k2), mul(I31o, RD12, k4), k2), add(mul(I32, RD22o, k4), mul(I32o, RD22, k7), k4),
+        k2), add(mul(I33, RD32o, k3), mul(I33o, RD32, k4), k3), k2), n2, o68
+    )
+    div(
+        add(add(add(mul(I31, RD13o, k2), mul(I31o, RD13, k3), k2), add(mul(I32, RD23o, k3), mul(I32o, RD23, k4), k3),
+        k2), add(mul(I33, RD33o, k1), mul(I33o, RD33, k3), k1), k1), n2, o69
+    )
+    copy(n0, o4)
+    copy(n0, o5)
+    copy(n0, o6)
+    copy(n0, o10)
+    copy(n0, o11)
+    copy(n0, o12)
+    copy(n0, o16)
+    copy(n0, o17)
+    copy(n0, o18)
+    copy(o1, o22)
+    copy(o2, o23)
+    copy(o3, o24)
+    copy(o7, o28)
+    copy(o8, o29)
+    copy(o9, o30)
+    copy(o13, o34)
+    copy(o14, o35)
+    copy(o15, o36)
+    copy(n0, o40)
+    copy(n0, o41)
+    copy(n0, o42)
+    copy(n0, o46)
+    copy(n0, o47)
+    copy(n0, o48)
+    copy(n0, o52)
+    copy(n0, o53)
+    copy(n0, o54)
+    copy(o37, o58)
+    copy(o38, o59)
+    copy(o39, o60)
+    copy(o43, o64)
+    copy(o44, o65)
+    copy(o45, o66)
+    copy(o49, o70)
+    copy(o50, o71)
+    copy(o51, o72)
+
+
 # operations 298: 92 +, 142 *, 39 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 def _own_local(m: Any, c: Any, b: Components, a: Components) -> Result:
     b1, b2, b3, b1o, b2o, b3o = b
@@ -4492,6 +6250,7 @@ CHART = Chart(
         "pose": Function(_pose, _pose_blocks, 0, 0, (1, 2, 4, 16, 64)),
         "tangent": Function(_tangent, _tangent_blocks, 0, 0, (1, 2, 4, 16, 64, 256, 1024)),
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 0, 0, (1, 2, 4, 16, 64, 256, 1024, 4096, 16384)),
+        "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2, 4, 16, 64)),
         "direction": Function(_direction, _direction_blocks, 2, 1, (-2, -1, 0, 1, 2, 4, 16)),
         "natural": Function(_natural, _natural_blocks, 2, 1, (-2, -1, 0, 1, 2, 4, 16)),
         "unfolded": Function(_unfolded, _unfolded_blocks, 0, 0, (1, 4)),
@@ -4654,6 +6413,28 @@ CHART = Chart(
         lent=(),
         real=True,
     ),
+        "retract_jacobians": Kernel(
+        _own_retract_jacobians,
+        _own_retract_jacobians_blocks,
+        (("v", (6,)), ("delta", (6,)),),
+        (72,),
+        registers=67,
+        masks=3,
+        numbers=(0, 1, 2, 3, 4, 6, 8, 16, 64, 72, 120, 210, 256, 342, 506, 1024, 5040, 32760, 93024, 212520, 3603600),
+        lent=(),
+        real=True,
+    ),
+        "body_retract_jacobians": Kernel(
+        _own_body_retract_jacobians,
+        _own_body_retract_jacobians_blocks,
+        (("v", (6,)), ("delta", (6,)),),
+        (72,),
+        registers=69,
+        masks=3,
+        numbers=(0, 1, 2, 3, 4, 6, 8, 16, 64, 72, 120, 210, 256, 342, 506, 1024, 5040, 32760, 93024, 212520, 3603600),
+        lent=(),
+        real=True,
+    ),
         "local": Kernel(
         _own_local,
         _own_local_blocks,
@@ -4692,6 +6473,7 @@ body_rate = KERNELS.body_rate
 body_rate_dot = KERNELS.body_rate_dot
 body_rate_jacobian = KERNELS.body_rate_jacobian
 body_retract = KERNELS.body_retract
+body_retract_jacobians = KERNELS.body_retract_jacobians
 body_tangent = KERNELS.body_tangent
 body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
@@ -4717,7 +6499,9 @@ rate = KERNELS.rate
 rate_dot = KERNELS.rate_dot
 rate_jacobian = KERNELS.rate_jacobian
 retract = KERNELS.retract
+retract_jacobians = KERNELS.retract_jacobians
 shadow = KERNELS.shadow
+shadow_jacobian = KERNELS.shadow_jacobian
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent
 tangent_dot = KERNELS.tangent_dot

@@ -181,7 +181,7 @@ def _principal(chart: Vectors, screw: Screw, other: Screw) -> Iterator[Expectati
     for name in ("between", "local", "body_local", "retract", "body_retract"):  # any dual vector is a δ
         yield Expectation(name, vectors, MAPS[name](chart, 0, *vectors))
     if all(chart.finite(s, 0, INSIDE) for s in (screw, other)):
-        for name in ("compose_jacobians", "between_jacobians"):
+        for name in ("compose_jacobians", "between_jacobians", "retract_jacobians", "body_retract_jacobians"):
             yield Expectation(name, vectors, MAPS[name](chart, 0, *vectors))
 
 
@@ -201,6 +201,8 @@ def _branch(chart: Vectors, screw: Screw, branch: int) -> Iterator[Expectation]:
     yield Expectation(f"shadow {branch}", (principal,), v)
     yield Expectation("principal", (v,), principal)
     yield Expectation("angle", (v,), MAPS["angle"](chart, 0, v))
+    if screw.angle.re > INSIDE and all(chart.finite(screw, k, INSIDE) for k in (0, branch)):
+        yield Expectation(f"shadow_jacobian {branch}", (principal,), MAPS["shadow_jacobian"](chart, branch, principal))
 
 
 def _from_rotation(R: Tensor, branch: int, v: Flat) -> Iterator[Expectation]:

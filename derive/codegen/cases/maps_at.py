@@ -86,7 +86,7 @@ def _retract(body: bool) -> Callable[..., Flat]:
         angle = 2 * atan2(length, q.scalar)
         along = chart.angle(own.re) * axis.re.dot(u.re)
         turns = mpmath.nint((along - angle.re) / (2 * mpmath.pi))
-        return flat(u * chart.size(angle + 2 * mpmath.pi * turns))
+        return flat(chart.at(Screw(angle + 2 * mpmath.pi * turns, u)))
 
     return retracted
 
@@ -126,6 +126,13 @@ def _jacobians(function: Callable[..., Flat]) -> Callable[..., Flat]:
     return quotients
 
 
+def _shadow_jacobian(chart: Vectors, branch: int, v: Flat) -> Flat:
+    """Of no branch exactly I."""
+    if not branch:
+        return matrix6([Vector(*row) for row in Tensor.identity().rows])
+    return _jacobians(_shadow)(chart, branch, v)
+
+
 MAPS: Mapping[str, Callable[..., Flat]] = {
     "from_quaternion": _from_quaternion,
     "from_tensor": _from_tensor,
@@ -143,6 +150,9 @@ MAPS: Mapping[str, Callable[..., Flat]] = {
     "body_local": _local(body=True),
     "compose_jacobians": _jacobians(_compose),
     "between_jacobians": _jacobians(_between),
+    "shadow_jacobian": _shadow_jacobian,
+    "retract_jacobians": _jacobians(_retract(body=False)),
+    "body_retract_jacobians": _jacobians(_retract(body=True)),
 }
 """By kernel function: its value for a chart, a branch and arguments."""
 
@@ -164,7 +174,7 @@ def seeded_arguments(
         for name in ("compose", "between", "local", "body_local", "compose_jacobians", "between_jacobians"):
             yield name, None, (v2, v)
         delta = tuple(nearby(draw.uniform(-1, 1)) for _ in range(6))
-        for name in ("retract", "body_retract"):
+        for name in ("retract", "body_retract", "retract_jacobians", "body_retract_jacobians"):
             yield name, None, (v, delta)
         yield from _on_branch(screw, 0, v)
     for branch in chart.tried[1:]:
@@ -188,7 +198,8 @@ def _on_branch(screw: Screw, k: int, v: Flat) -> Iterator[tuple[str, int | None,
     yield "from_quaternion", k, (tuple(-c for c in (*q.re, *q.du)),)
     yield "from_tensor", k, ((*R.re, *R.du),)
     yield "from_pose", k, ((*rows, 0, 0, 0, 1),)
-    yield "shadow", k, (v,)
+    for name in ("shadow", "shadow_jacobian"):
+        yield name, k, (v,)
 
 
 def _dual(components: Flat) -> Vector:

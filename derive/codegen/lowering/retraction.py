@@ -8,13 +8,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ...algebra import Quaternion, Vector
+from ...maps.dependent import DependentScalars
 from ...maps.exponential_chart import Exponential
 from ..programs.program import Program
 from ..programs.value import Number
+from .calculus import HALF, matrix6
 from .forward import named, rotate, start, translation
-from .groups import opposite
+from .groups import dual_tensor, named_tensor, operator_tensor, opposite, tangent_at, twice_inverse
 from .inputs import dual_vector
 from .inverse import ray
+from .kinematics import operator_of
 from .point import Geometry, Point, Scope
 
 EXPONENTIAL = Exponential()
@@ -22,18 +25,22 @@ EXPONENTIAL = Exponential()
 
 def retract(trace: Geometry) -> Program:
     """R = exp(δ) R(v)."""
-    return trace.program("retract", _retracted(trace, body=False))
+    return trace.program("retract", _retracted(start(trace), step(trace), body=False))
 
 
 def body_retract(trace: Geometry) -> Program:
     """R = R(v) exp(δ)."""
-    return trace.program("body_retract", _retracted(trace, body=True))
+    return trace.program("body_retract", _retracted(start(trace), step(trace), body=True))
 
 
-def _retracted(trace: Geometry, body: bool) -> tuple[Number, ...]:
+def step(trace: Geometry) -> Point:
+    """The step that is the second argument."""
+    return Point(trace, dual_vector(trace, "delta", "d"), "d")
+
+
+def _retracted(point: Point, delta: Point, body: bool) -> tuple[Number, ...]:
     """The vector of the product on the branch nearest v."""
-    point, delta = start(trace), Point(trace, dual_vector(trace, "delta", "d"), "d")
-    at = EXPONENTIAL.scalars(delta.x, Scope(trace, "d"))
+    trace, at = point.trace, exponential_scalars(delta)
     small = (Quaternion(at.s, named(trace, "wd", at.w * delta.re)), (at.f, at.g), translation(delta, at.f, at.g, at.h))
     turned, _, (f, g, h) = ray(trace, point)
     large = (turned, (f, g), translation(point, f, g, h))
@@ -75,6 +82,38 @@ def _with_dual(trace: Geometry, fi: Number, rho: Vector, re: Vector, hi: Number)
     """``fi`` is the factor times the scalar of e on whichever branch v is."""
     along = Scope(trace, "").name("hvr", hi * re.dot(rho))
     return (*re, *((fi * rho - re.cross(rho) + along * re) / 2))
+
+
+def exponential_scalars(delta: Point) -> DependentScalars:
+    """The exponential's at a step."""
+    return EXPONENTIAL.scalars(delta.x, Scope(delta.trace, delta.mark))
+
+
+def retract_jacobians(trace: Geometry) -> Program:
+    """``(T(v')⁻¹ exp(δ) T(v), T(v')⁻¹ dexp(δ))``."""
+    return _by_step(trace, "retract_jacobians", body=False)
+
+
+def body_retract_jacobians(trace: Geometry) -> Program:
+    """``(T(v')⁻¹ T(v), T(v')⁻¹ R(v) dexp(δ))``."""
+    return _by_step(trace, "body_retract_jacobians", body=True)
+
+
+def _by_step(trace: Geometry, name: str, body: bool) -> Program:
+    point, delta = Point(trace, dual_vector(trace, "v", "v"), "p"), step(trace)
+    found = [trace.name(f"w{i}", c) for i, c in enumerate(_retracted(point, delta, body), 1)]
+    back = operator_tensor(twice_inverse(Point(trace, found, "n")), "I")
+    at = exponential_scalars(delta)
+    dexp = operator_tensor(operator_of(delta, (at.f, at.g, at.h, at.fy, at.gy, at.hy)), "D")
+    T = tangent_at(trace, (*point.re, *point.du), "F")
+    if body:
+        R = named_tensor(trace, "R", dual_tensor(point, *point.scalars("ray")[3:]))
+        dexp = named_tensor(trace, "RD", R @ dexp)
+    else:
+        R = named_tensor(trace, "R", dual_tensor(delta, at.f, at.g, at.h))
+        T = named_tensor(trace, "RT", R @ T)
+    by_v, by_delta = (back @ T) * HALF, (back @ dexp) * HALF
+    return trace.program(name, (*matrix6(trace, by_v, "V"), *matrix6(trace, by_delta, "S")))
 
 
 def local(trace: Geometry) -> Program:

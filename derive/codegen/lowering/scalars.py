@@ -72,6 +72,7 @@ SCALARS: Mapping[str, Scalar] = {
     "pose": _of_x("f", "g", "h"),
     "tangent": _of_x("f", "g", "h", "fy", "gy", "hy"),
     "tangent_dot": _of_x("f", "g", "h", "fy", "gy", "hy", "fyy", "gyy", "hyy"),
+    "rate": _of_x("rate", "ratey"),
     "inverse": Scalar(("x", "fe"), ("fi", "hi"), lambda c, m, at: c.back(at[0], at[1], m)),
     "tangent_inv": _of_x("fi", "hi", "fiy", "hiy"),
     "tangent_inv_dot": _of_x("fi", "hi", "fiy", "hiy", "fiyy", "hiyy"),

@@ -82,7 +82,7 @@ class Analysis:
         program = self.programs[row.kernel]
         tabled = TABLE in dict(program.inputs)
         if tabled and not row.constants and not self._table(branch):
-            return given  # it goes nowhere
+            return self._run(row.at_rest, given, ()) if row.at_rest else given  # it goes nowhere
         table = row.constants or (self._table(branch) if tabled else ())
         found = self._run(row.kernel, given, table)
         turns = row.branch and not tabled and any(branch)
