@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 from ..maps.chart import Chart
-from .lowering import calculus, forward, groups, inverse, kinematics, retraction
+from .lowering import calculus, forward, groups, inverse, kinematics, motion, retraction
 from .lowering.point import Geometry
 from .programs.program import Program
 
@@ -143,6 +143,7 @@ BY_V_OF_POINT, BY_POINT = Array("by_v", (3, 6), (0, 0, 0, 1, 1, 1) * 3), _array(
 QUATERNION = _array("q", (8,), 4, 4)
 POSE = _array("pose", (4, 4), 3, 1, 3, 1, 3, 1, 4)
 POINT = _array("r", (3,), 3)
+SHARE = _array("t", (), 1)
 ANGLE = _array("angle", (2,), 1, 1)
 
 SPACE, BODY = ("1",), ("-1",)
@@ -227,6 +228,7 @@ _ROWS = (
     _by_exponential("body_retract_jacobians", (V, DELTA), retraction.body_retract_jacobians, *BY_STEP),
     _by_exponential("local", TWO, retraction.local, DELTA),
     _by_exponential("body_local", TWO, retraction.body_local, DELTA),
+    _by_exponential("interpolate", (*reversed(TWO), SHARE), motion.interpolate, V),
     Function("adjoint", (V,), (_jacobian("adjoint"),), groups.adjoint),
     Function("transform_point_jacobians", (V, POINT), (BY_V_OF_POINT, BY_POINT), groups.transform_point_jacobians),
     Function("transform_line_jacobians", (V, LINE), (BY_V, BY_LINE), groups.transform_line_jacobians),

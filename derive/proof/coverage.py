@@ -95,6 +95,7 @@ COVERAGE: Mapping[str, Coverage] = {
         for name in ("retract_jacobians", "body_retract_jacobians")
     },
     **{name: Coverage("50 digits", _SMALL, "the principal angle") for name in ("local", "body_local")},
+    "interpolate": Coverage("50 digits", _SMALL, "the shorter way, and the branch that is followed from v1"),
     "compose_jacobians": Coverage("50 digits", _PRODUCT, "the principal v of the product quaternion"),
     "between_jacobians": Coverage("50 digits", _PRODUCT, "the principal v of the product quaternion"),
     "compose": Coverage("50 digits", ("composition", "quaternion"), "the principal v of the product quaternion"),

@@ -486,6 +486,25 @@ class Oracle:
     body_retract_jacobians = functools.partialmethod(retract_jacobians, body=True)
     body_local = functools.partialmethod(local, body=True)
 
+    def interpolate(self, v1: Any, v2: Any, t: Any, steps: int = 64) -> np.ndarray:
+        """Step by step: of all α u of a pose on the way, the one nearest the last."""
+        here, (share,) = self.unpack(v1), np.ravel(t)
+        way = hamilton(self.unit(self.unpack(v2)), conjugate(self.unit(here)))
+        half, axis = self.half_screw(tuple(-c for c in way) if way[0].re < 0 else way)
+        theta, own = self.half_screw((self.base(here), *here))
+        zero = half.re * 0
+        direction = axis or (Nil(zero, zero),) * 3
+        at = np.array([float(2 * self.order * theta.re * c.re) for c in own or direction])
+        for step in range(steps + 1):
+            gone = half * (self.field.number(share) * step / steps)
+            q = (self.field.cos(gone), *(self.field.sin(gone) * c for c in direction))
+            now, u = self.half_screw(hamilton(q, self.unit(here)))
+            line = np.array([float(c.re) for c in u or direction])
+            turns = [(np.linalg.norm(2 * (float(now.re) + k * np.pi) * line - at), k) for k in range(-5, 6)]
+            turn = min(turns)[1]
+            at = 2 * (float(now.re) + turn * np.pi) * line
+        return pack(self.on_branch(now, u, turn))
+
     def adjoint(self, v: Any) -> np.ndarray:
         return matrix6(self.tensor(v))
 

@@ -180,9 +180,18 @@ def _principal(chart: Vectors, screw: Screw, other: Screw) -> Iterator[Expectati
     yield Expectation("compose", vectors, flat(chart.of_quaternion(product)))
     for name in ("between", "local", "body_local", "retract", "body_retract"):  # any dual vector is a δ
         yield Expectation(name, vectors, MAPS[name](chart, 0, *vectors))
+    yield from _between(chart, screw, other)
     if all(chart.finite(s, 0, INSIDE) for s in (screw, other)):
         for name in ("compose_jacobians", "between_jacobians", "retract_jacobians", "body_retract_jacobians"):
             yield Expectation(name, vectors, MAPS[name](chart, 0, *vectors))
+
+
+def _between(chart: Vectors, screw: Screw, other: Screw) -> Iterator[Expectation]:
+    """Some of the way; about the same axis too, and there through whole turns."""
+    further = Screw(screw.angle / 3, screw.axis)
+    for end, t in ((other, "0.3"), (screw, "0.7"), (further, "0.8")):
+        given = flat(chart.at(screw)), flat(chart.at(end)), (mpmath.mpf(t),)
+        yield Expectation("interpolate", given, MAPS["interpolate"](chart, 0, *given))
 
 
 def _back(chart: Vectors, screw: Screw, branch: int) -> Iterator[Expectation]:

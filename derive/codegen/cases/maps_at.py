@@ -91,6 +91,29 @@ def _retract(body: bool) -> Callable[..., Flat]:
     return retracted
 
 
+def _interpolate(chart: Vectors, branch: int, v1: Flat, v2: Flat, t: Flat) -> Flat:
+    """exp(t δ) R(v1): with the sign of sin(α/2) that v1 has, or about its own axis as the angle goes."""
+    if v1 == v2:
+        return v1
+    first, second = chart.quaternion(_dual(v1)), chart.quaternion(_dual(v2))
+    way = second * first.conjugate()
+    way = way * orientation(way.scalar.re)
+    length, axis = polar(way.vector)
+    delta = axis * (2 * atan2(length, way.scalar))
+    (extent, own), moved = polar(_dual(v1)), quaternion_exponential(delta * t[0] / 2) * first
+    before = chart.angle(extent.re)
+    size, u = polar(moved.vector)
+    if delta.re.cross(own.re).magnitude() < mpmath.eps ** mpmath.mpf("0.8") and extent.re:
+        side = orientation(moved.vector.re.dot(own.re))
+        gone, turn = before + t[0] * delta.re.dot(own.re), 4
+    else:
+        side = orientation(first.vector.re.dot(own.re))
+        gone, turn = 2 * mpmath.pi * mpmath.floor(before / (2 * mpmath.pi)) + mpmath.pi, 2
+    angle = 2 * atan2(size, moved.scalar * side) if turn == 2 else 2 * atan2(size * side, moved.scalar)
+    turns = mpmath.nint((gone - angle.re) / (turn * mpmath.pi))
+    return flat(chart.at(Screw(angle + turn * turns * mpmath.pi, u * side)))
+
+
 def _local(body: bool) -> Callable[..., Flat]:
     """δ = α u of what leads from v1 to v2."""
 
@@ -146,6 +169,7 @@ MAPS: Mapping[str, Callable[..., Flat]] = {
     "between": _between,
     "retract": _retract(body=False),
     "body_retract": _retract(body=True),
+    "interpolate": _interpolate,
     "local": _local(body=False),
     "body_local": _local(body=True),
     "compose_jacobians": _jacobians(_compose),
@@ -173,6 +197,7 @@ def seeded_arguments(
             yield name, None, (v,)
         for name in ("compose", "between", "local", "body_local", "compose_jacobians", "between_jacobians"):
             yield name, None, (v2, v)
+        yield "interpolate", None, (v, v2, (nearby(draw.uniform(0, 1)),))
         delta = tuple(nearby(draw.uniform(-1, 1)) for _ in range(6))
         for name in ("retract", "body_retract", "retract_jacobians", "body_retract_jacobians"):
             yield name, None, (v, delta)

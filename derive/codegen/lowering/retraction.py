@@ -75,10 +75,10 @@ def _placed(trace: Geometry, factor: Number, e: Quaternion, rho: Vector) -> tupl
     re = named(trace, "v_", factor * e.vector)
     fi = trace.name("fe", factor * e.scalar)
     _, hi = trace.ask("inverse", (Point(trace, (*re, 0, 0, 0), "w").x, fi), "w")
-    return _with_dual(trace, fi, rho, re, hi)
+    return with_dual(trace, fi, rho, re, hi)
 
 
-def _with_dual(trace: Geometry, fi: Number, rho: Vector, re: Vector, hi: Number) -> tuple[Number, ...]:
+def with_dual(trace: Geometry, fi: Number, rho: Vector, re: Vector, hi: Number) -> tuple[Number, ...]:
     """``fi`` is the factor times the scalar of e on whichever branch v is."""
     along = Scope(trace, "").name("hvr", hi * re.dot(rho))
     return (*re, *((fi * rho - re.cross(rho) + along * re) / 2))
@@ -119,24 +119,29 @@ def _by_step(trace: Geometry, name: str, body: bool) -> Program:
 def local(trace: Geometry) -> Program:
     """exp(δ) = R(v2) R(v1)ᵀ."""
     second, first = (dual_vector(trace, letter, letter) for letter in ("b", "a"))
-    return trace.program("local", _logarithm(trace, second, opposite(trace, "a", first)))
+    return trace.program("local", _quotient(trace, second, opposite(trace, "a", first)))
 
 
 def body_local(trace: Geometry) -> Program:
     """exp(δ) = R(v1)ᵀ R(v2)."""
     first, second = (dual_vector(trace, letter, letter) for letter in ("a", "b"))
-    return trace.program("body_local", _logarithm(trace, opposite(trace, "b", second), first))
+    return trace.program("body_local", _quotient(trace, opposite(trace, "b", second), first))
 
 
-def _logarithm(trace: Geometry, second: Sequence[Number], first: Sequence[Number]) -> tuple[Number, ...]:
+def _quotient(trace: Geometry, second: Sequence[Number], first: Sequence[Number]) -> tuple[Number, ...]:
     """The exponential's vector of a product."""
     after, before = Point(trace, second, "b"), Point(trace, first, "a")
     ray2, size2, (f, g, h) = ray(trace, after)
     ray1, size1, coefficients = ray(trace, before)
     e = Quaternion.from_components(trace.name(f"z{i}", c) for i, c in enumerate(ray2 * ray1))
     moved = rotate(after, f, g, named(trace, "rhoa", translation(before, *coefficients)), "rho")
-    rho, scope = named(trace, "rho", moved + translation(after, f, g, h)), Scope(trace, "e")
-    factor = EXPONENTIAL.gain(e, trace.name("size", size2 * size1), scope)
+    return logarithm(trace, e, named(trace, "rho", moved + translation(after, f, g, h)), size2 * size1)
+
+
+def logarithm(trace: Geometry, e: Quaternion, rho: Vector, size: Number) -> tuple[Number, ...]:
+    """The exponential's vector of a quaternion times a size."""
+    scope = Scope(trace, "e")
+    factor = EXPONENTIAL.gain(e, trace.name("size", size), scope)
     re = named(trace, "d", factor * e.vector)
     at = EXPONENTIAL.scalars(Point(trace, (*re, 0, 0, 0), "e").x, scope)
-    return _with_dual(trace, scope.name("fe", factor * e.scalar), rho, re, at.hi)
+    return with_dual(trace, scope.name("fe", factor * e.scalar), rho, re, at.hi)
