@@ -10,7 +10,7 @@ PYTEST := $(RUN) -m pytest -n auto --maxprocesses 4 --dist worksteal
 PIP    := $(RUN) -m pip --disable-pip-version-check install --quiet --quiet --constraint constraints.txt
 
 .DEFAULT_GOAL := generate
-.PHONY: generate check proofs verify show test quick lint types mutants bench accuracy parameterizations clean help
+.PHONY: generate check proofs verify show test quick lint types mutants bench accuracy figures parameterizations clean help
 
 generate: $(READY)  ## derive, prove and write the committed kernels (the default)
 	$(RUN) -m derive generate
@@ -52,6 +52,9 @@ bench: $(VENV)/.bench  ## proof times by order, then kernels against peers and t
 parameterizations: $(VENV)/.bench  ## what charts are like: docs/parameterizations.md and its plot
 	$(RUN) -m derive compare --plot docs/parameterizations.png > /dev/null
 	$(RUN) -m derive compare --format markdown > docs/parameterizations.md
+
+figures: $(VENV)/.bench  ## the pictures of the README (docs/figures), with all libraries: make figures BENCH=bench,peers
+	$(RUN) -m benchmarks.figures
 
 accuracy: $(VENV)/.bench  ## worst errors and figures in docs: make accuracy SEARCH=60 looks for worse inputs
 	$(RUN) -m benchmarks.accuracy --search $(or $(SEARCH),0)

@@ -16,7 +16,14 @@ class Provable:
     """A chart that can be asked for its proofs."""
 
     def prove(self: Any) -> Listing[Proof]:
-        """Decide everything claimed of this chart; return each `Proof`."""
+        """Decide everything claimed of this chart; return each `Proof`.
+
+        Examples
+        --------
+        >>> import derive
+        >>> {proof.status for proof in derive.family("lambert").prove()}
+        {'proved'}
+        """
         return Listing(proofs(self))
 
 
@@ -38,6 +45,15 @@ def family(name: str) -> Any:
     ------
     ValueError
         If there is none of that name.
+
+    Examples
+    --------
+    >>> import derive
+    >>> lambert = derive.family("lambert")
+    >>> lambert.phi, lambert.edge
+    (sin(alpha/4), 2*pi)
+    >>> lambert.tangent.coefficients[1]
+    -8*(x - 1)
     """
     return provable(maps.family(name))
 
@@ -64,6 +80,14 @@ def Parameterization(phi: str | sympy.Expr, name: str = "phi", order: int | None
     ------
     PhiError
         A `ValueError` that says why φ is refused.
+
+    Examples
+    --------
+    >>> import derive
+    >>> derive.Parameterization("sin(alpha/6)").edge
+    3*pi
+    >>> derive.Parameterization("alpha + alpha**3/100").limits  # T and T⁻¹ at 0
+    ((1, 1/2, 11/75), (1, -1/2, 31/300))
     """
     return provable(maps.parameterization(phi, name, order))
 
@@ -83,5 +107,12 @@ class Cayley(maps.Cayley):
         """Decide everything claimed of this map, for all n and by components at this n; return each `Proof`.
 
         Whether all hold is ``all(proof.proved for proof in m.prove())``.
+
+        Examples
+        --------
+        >>> import derive
+        >>> proofs = derive.Cayley(3).prove()
+        >>> {proof.status for proof in proofs}, {proof.scope for proof in proofs} == {"all n", "n = 3"}
+        ({'proved'}, True)
         """
         return Listing(proofs(self))

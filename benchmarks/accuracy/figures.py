@@ -18,7 +18,8 @@ from benchmarks.accuracy import curves, peers
 FLOOR = 1e-2  # errors below are drawn there: they are zero for this purpose
 
 # Colours of Okabe and Ito, told apart without colour by line and marker; ours solid, others dashed.
-STYLES = {
+Styles = dict[str, tuple[str, str]]
+STYLES: Styles = {
     "n = 1": ("#56B4E9", "o"),
     "n = 2": ("#0072B2", "s"),
     "n = 3": ("#009E73", "^"),
@@ -76,10 +77,10 @@ PICTURES = (
 )
 
 
-def panel(axes: Axes, found: curves.Curves, name: str, part: str) -> None:
+def panel(axes: Axes, found: curves.Curves, name: str, part: str, styles: Styles = STYLES) -> None:
     """All curves of one part over one range of angles."""
     angles = curves.TO_PI if name == "to pi" else curves.ANGLES[name]
-    for i, (label, (colour, marker)) in enumerate(STYLES.items()):
+    for i, (label, (colour, marker)) in enumerate(styles.items()):
         row = found.get((name, part, label))
         if row is not None:
             ours = label.startswith("n =")
@@ -123,17 +124,21 @@ def picture(found: curves.Curves, what: Picture, path: Path) -> None:
     figure.savefig(path, dpi=120, metadata={"Software": None})
 
 
+def missing(console: Console) -> None:
+    """Say which libraries are left out."""
+    for name, version in peers.versions().items():
+        if version is None:
+            console.print(f"{name} is not installed and left out of the figures (extras bench, peers)", highlight=False)
+
+
 def draw(folder: Path, bar: Progress, console: Console) -> Sequence[tuple[str, str]]:
     """Compute and draw all figures; (file name, caption) of each."""
     matplotlib.use("Agg")
-    versions = peers.versions()
-    for name, version in versions.items():
-        if version is None:
-            console.print(f"{name} is not installed and left out of the figures (extras bench, peers)", highlight=False)
+    missing(console)
     row = bar.add_task("angles", total=sum(map(len, curves.ANGLES.values())))
     found = curves.curves(lambda done, total: bar.update(row, completed=done, total=total))
     for what in PICTURES:
         picture(found, what, folder / what.file)
-    used = ", ".join(f"{name} {version}" for name, version in versions.items() if version)
+    used = ", ".join(f"{name} {version}" for name, version in peers.versions().items() if version)
     note = f"Errors below {FLOOR:g} eps are drawn there. Compared: {used}."
     return [(what.file, f"{what.caption} {note}") for what in PICTURES]

@@ -140,6 +140,14 @@ def generate(
     RefusedError
         If a file in the way is not a generated one, the folder holds kernels of another target, or it cannot be
         written; nothing is written.
+
+    Examples
+    --------
+    >>> import derive, tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     package = derive.generate([1], output=f"{folder}/kernels")
+    >>> package
+    <Package of cayley1.py: 12 files>
     """
     asked = catalogue.charts(orders or (), families, phi, name) or catalogue.committed()
     return generate_charts(asked, target, output, force=force, progress=progress)

@@ -49,6 +49,17 @@ class Cayley:
         Orthogonal dual tensor, CP23 (57).
     tangent, tangent_inv : IsotropicMap
         Tangent operator dcay_n and its inverse, CP23 (88), (89).
+
+    Examples
+    --------
+    >>> import derive
+    >>> m = derive.Cayley(3)
+    >>> m.p, m.q
+    (1 - 3*x, 3 - x)
+    >>> m.poles, m.singular_angles
+    ((sqrt(3),), (2*pi, 3*pi))
+    >>> m.tangent_inv.coefficients[1]
+    -1/2
     """
 
     order: int

@@ -54,7 +54,14 @@ class Formula:
     """LaTeX of what the coefficients multiply."""
 
     def latex(self) -> str:
-        """Return the formula with its coefficients written out, ``symbol = definition = a I + …``."""
+        r"""Return the formula with its coefficients written out, ``symbol = definition = a I + …``.
+
+        Examples
+        --------
+        >>> import derive
+        >>> print(derive.Cayley(1).tangent_inv.latex().rpartition("= ")[2])
+        \frac{1}{2} I - \frac{1}{2} \tilde{v} + \frac{1}{2} v \otimes v
+        """
         terms = [_term(a, e) for a, e in zip(self.coefficients, self.basis, strict=True) if a != 0]
         explicit = " + ".join(terms).replace("+ - ", "- ").replace("+ -", "- ")
         return f"{self.symbol} = {self.definition} = {explicit}"
@@ -96,6 +103,14 @@ class IsotropicMap(Formula):
         ----------
         v : sequence of 6 symbols or expressions
             The Rodrigues dual vector of this order: real part, then dual part.
+
+        Examples
+        --------
+        >>> import derive, sympy
+        >>> t, s = sympy.symbols("t s")
+        >>> re, du = derive.Cayley(2).tensor.matrix([0, 0, t, 0, 0, s])  # about and along the third axis
+        >>> sympy.factor(re[1, 0])
+        -4*t*(t - 1)*(t + 1)/(t**2 + 1)**2
         """
         (a, b, c), vector = self._expand(v)
         entries: Tensor = Isotropic(a, b, c, vector.dot(vector)).tensor(vector)
@@ -116,6 +131,14 @@ class QuaternionMap(Formula):
         ----------
         v : sequence of 6 symbols or expressions
             The Rodrigues dual vector of this order: real part, then dual part.
+
+        Examples
+        --------
+        >>> import derive, sympy
+        >>> t = sympy.Symbol("t")
+        >>> re, du = derive.Cayley(2).quaternion.matrix([0, 0, t, 0, 0, 0])
+        >>> re.T
+        Matrix([[(1 - t**2)/(t**2 + 1), 0, 0, 2*t/(t**2 + 1)]])
         """
         (s, t), vector = self._expand(v)
         components = Quaternion(s, vector * t)

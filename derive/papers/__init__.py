@@ -56,6 +56,12 @@ def verify(
     ------
     ValueError
         For a paper or an equation that does not exist.
+
+    Examples
+    --------
+    >>> import derive
+    >>> derive.verify("condurache-popa-2023", "112")
+    [<Result condurache-popa-2023 (112): erratum>]
     """
     papers = [p for p in PAPERS if paper in (None, p.slug)]
     if not papers:

@@ -34,6 +34,12 @@ def backend() -> dict[str, str]:
     -------
     dict
         From the names of functions to ``"numpy"``, for all of them.
+
+    Examples
+    --------
+    >>> import dualcay
+    >>> dualcay.backend()["pose"]
+    'numpy'
     """
     from ._interface import PoseKernels
 

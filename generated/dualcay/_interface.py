@@ -125,6 +125,15 @@ class PoseKernels:
         -------
         ndarray, shape (6,)
             Zeros.
+
+        Examples
+        --------
+        >>> from dualcay import cayley2
+        >>> cayley2.pose(cayley2.identity())
+        array([[1., 0., 0., 0.],
+               [0., 1., 0., 0.],
+               [0., 0., 1., 0.],
+               [0., 0., 0., 1.]])
         """
         return np.zeros(6)
 
@@ -159,6 +168,14 @@ class PoseKernels:
         ------
         ValueError
             If an angle is not in [0, singular_angles()[-1]], or a length below 0.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = cayley2.random(1000, max_angle=np.pi / 2, rng=0)
+        >>> v.shape, bool(cayley2.angle(v)[:, 0].max() < np.pi / 2)
+        ((1000, 6), True)
         """
         largest = self._chart.singular_angles[-1]
         if max_angle is not None and not 0 <= max_angle <= largest:
@@ -203,6 +220,16 @@ class PoseKernels:
         ndarray, shape (..., 8)
             Real part, then dual part. Defined for every v. The scalar part is >= 0 for Re α <= π; on shadows the sign is
             that of the closed form.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> cayley2.quaternion(v).round(3)
+        array([ 0.6 ,  0.  ,  0.  ,  0.8 , -0.32,  1.6 ,  0.  ,  0.24])
+        >>> cayley2.quaternion(v, scalar_first=False)[:4]
+        array([0. , 0. , 0.8, 0.6])
         """
         if scalar_first:
             return call(self._chart, "quaternion", axis, out, v)
@@ -229,6 +256,19 @@ class PoseKernels:
         -------
         ndarray, shape (..., 2, 3, 3)
             R = (I + ε skew(ρ)) Q: the rotation Q from body to space axes, then skew(ρ) Q. Defined for every v.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> Q, moved = cayley2.tensor(v)
+        >>> Q.round(2)
+        array([[-0.28, -0.96,  0.  ],
+               [ 0.96, -0.28,  0.  ],
+               [ 0.  ,  0.  ,  1.  ]])
+        >>> np.allclose(moved @ Q.T, [[0, -0.8, 2.56], [0.8, 0, -1.92], [-2.56, 1.92, 0]])  # skew(ρ)
+        True
         """
         return call(self._chart, "tensor", axis, out, v)
 
@@ -252,6 +292,19 @@ class PoseKernels:
         -------
         ndarray, shape (..., 4, 4)
             [[Q, ρ], [0, 1]], from body to space. Defined for every v.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> cayley2.pose(v).round(3)
+        array([[-0.28, -0.96,  0.  ,  1.92],
+               [ 0.96, -0.28,  0.  ,  2.56],
+               [ 0.  ,  0.  ,  1.  ,  0.8 ],
+               [ 0.  ,  0.  ,  0.  ,  1.  ]])
+        >>> cayley2.pose(np.zeros((1000, 6))).shape
+        (1000, 4, 4)
         """
         return call(self._chart, "pose", axis, out, v)
 
@@ -274,6 +327,14 @@ class PoseKernels:
         -------
         ndarray, shape (..., 3)
             Defined for every v.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> cayley2.transform_point(v, np.array([1.0, 0, 0])).round(3)
+        array([1.64, 3.52, 0.8 ])
         """
         return call(self._chart, "transform_point", axis, out, v, r)
 
@@ -296,6 +357,15 @@ class PoseKernels:
         -------
         ndarray, shape (..., 6)
             Direction, then moment. Defined for every v.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> line = np.array([1.0, 0, 0, 0, 0, 0])  # through the origin, along x
+        >>> cayley2.transform_line(v, line).round(3)
+        array([-0.28 ,  0.96 ,  0.   , -0.768, -0.224,  2.56 ])
         """
         return call(self._chart, "transform_line", axis, out, v, line)
 
@@ -316,6 +386,14 @@ class PoseKernels:
         -------
         ndarray, shape (..., 6)
             −v, on the branch opposite to that of v. Defined for every v.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> np.allclose(cayley2.pose(cayley2.inverse(v)) @ cayley2.pose(v), np.eye(4))
+        True
         """
         return call(self._chart, "inverse", axis, out, v)
 
@@ -329,6 +407,14 @@ class PoseKernels:
         tuple of float
             Where ``tangent`` loses rank and ``tangent_inv`` has a pole (2 k π), and the edge of the chart, where v is
             infinite.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> cayley2.singular_angles()  # 2π
+        (6.283185307179586,)
         """
         return self._chart.singular_angles
 
@@ -355,6 +441,16 @@ class PoseKernels:
             Dual tensor, real part first; maps v̇ (1/s) to the twist in the space frame. Defined for every v; loses rank at
             the angles 2 k π of ``singular_angles``. On six-vectors it is ``matrix6`` of it that acts; for the body frame
             see ``body_tangent``, which is not the transpose of that matrix.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> cayley2.tangent(v)[0].round(2)
+        array([[ 1.92, -2.56,  0.  ],
+               [ 2.56,  1.92,  0.  ],
+               [ 0.  ,  0.  ,  3.2 ]])
         """
         return call(self._chart, "tangent", axis, out, v)
 
@@ -381,6 +477,16 @@ class PoseKernels:
             Dual tensor, real part first; maps the twist in the space frame to v̇. Defined but at the poles, the angles
             2 k π of ``singular_angles``. On six-vectors it is ``matrix6`` of it that acts; for the body frame see
             ``body_tangent_inv``, which is not the transpose of that matrix.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> cayley2.tangent_inv(v)[0].round(4)
+        array([[ 0.1875,  0.25  ,  0.    ],
+               [-0.25  ,  0.1875,  0.    ],
+               [ 0.    ,  0.    ,  0.3125]])
         """
         return call(self._chart, "tangent_inv", axis, out, v)
 
@@ -405,6 +511,15 @@ class PoseKernels:
         ndarray, shape (..., 2, 3, 3)
             Dual tensor, real part first; maps v̇ (1/s) to the twist in the body frame. Defined for every v; loses rank at
             the angles 2 k π of ``singular_angles``.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> Q = cayley2.tensor(v)[0]
+        >>> np.allclose(cayley2.body_tangent(v)[0], Q.T @ cayley2.tangent(v)[0])
+        True
         """
         return call(self._chart, "body_tangent", axis, out, v)
 
@@ -428,6 +543,14 @@ class PoseKernels:
         ndarray, shape (..., 2, 3, 3)
             Dual tensor, real part first; maps the twist in the body frame to v̇. Defined but at the poles, the angles
             2 k π of ``singular_angles``.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> np.allclose(cayley2.body_tangent_inv(v)[0] @ cayley2.body_tangent(v)[0], np.eye(3))
+        True
         """
         return call(self._chart, "body_tangent_inv", axis, out, v)
 
@@ -450,6 +573,15 @@ class PoseKernels:
         -------
         ndarray, shape (..., 6)
             [ω, v]: angular velocity (rad/s), then the velocity of the body point at the space origin. Defined for every v.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> v_dot = np.array([0.1, 0, 0.2, 0, 0.3, 0])
+        >>> cayley2.twist(v, v_dot).round(3)
+        array([ 0.192,  0.256,  0.64 , -0.397, -0.422,  0.128])
         """
         return call(self._chart, "twist", axis, out, v, v_dot, table=SPACE)
 
@@ -472,6 +604,15 @@ class PoseKernels:
         -------
         ndarray, shape (..., 6)
             Time derivative of v (1/s); inf or NaN where ``tangent_inv`` has a pole.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> omega = np.array([0, 0, 1.6, 0, 0.8, 0])
+        >>> cayley2.rate(v, omega).round(3)
+        array([0.  , 0.  , 0.5 , 0.6 , 0.95, 0.1 ])
         """
         return call(self._chart, "rate", axis, out, v, omega, table=SPACE_INV)
 
@@ -494,6 +635,15 @@ class PoseKernels:
         -------
         ndarray, shape (..., 6)
             [ω, v] in the body frame: angular velocity (rad/s), then the velocity of the body's origin. Defined for every v.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> v_dot = np.array([0.1, 0, 0.2, 0, 0.3, 0])
+        >>> cayley2.body_twist(v, v_dot).round(3)
+        array([ 0.192, -0.256,  0.64 ,  1.139,  1.574,  0.128])
         """
         return call(self._chart, "twist", axis, out, v, v_dot, table=BODY)
 
@@ -516,6 +666,16 @@ class PoseKernels:
         -------
         ndarray, shape (..., 6)
             Time derivative of v (1/s); inf or NaN where ``tangent_inv`` has a pole.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> omega = np.array([0, 0, 1.6, 0, 0.8, 0])
+        >>> v_dot = cayley2.body_rate(v, omega)
+        >>> np.allclose(cayley2.body_twist(v, v_dot), omega)
+        True
         """
         return call(self._chart, "rate", axis, out, v, omega, table=BODY_INV)
 
@@ -541,6 +701,16 @@ class PoseKernels:
         -------
         ndarray, shape (..., 2, 3, 3)
             Dual tensor, real part first. Defined for every v.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> v_dot = np.array([0.1, 0, 0.2, 0, 0.3, 0])
+        >>> T = cayley2.tangent(np.stack([v + 1e-6 * v_dot, v - 1e-6 * v_dot]))
+        >>> np.allclose(cayley2.tangent_dot(v, v_dot), (T[0] - T[1]) / 2e-6)
+        True
         """
         return call(self._chart, "tangent_dot", axis, out, v, v_dot, table=SPACE)
 
@@ -563,6 +733,16 @@ class PoseKernels:
         -------
         ndarray, shape (..., 2, 3, 3)
             Dual tensor, real part first. Defined for every v.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> v_dot = np.array([0.1, 0, 0.2, 0, 0.3, 0])
+        >>> T_dot, body_T_dot = cayley2.tangent_dot(v, v_dot), cayley2.body_tangent_dot(v, v_dot)
+        >>> np.allclose(body_T_dot, T_dot.swapaxes(-1, -2))
+        True
         """
         return call(self._chart, "tangent_dot", axis, out, v, v_dot, table=BODY)
 
@@ -587,6 +767,15 @@ class PoseKernels:
         -------
         ndarray, shape (..., 6)
             Angular acceleration (rad/s²), then the derivative of the twist's linear part. Defined for every v.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> v_dot = np.array([0.1, 0, 0.2, 0, 0.3, 0])
+        >>> cayley2.twist_dot(v, v_dot, np.zeros(6)).round(3)
+        array([-0.061, -0.082, -0.077,  0.303,  0.029, -0.294])
         """
         return call(self._chart, "twist_dot", axis, out, v, v_dot, v_ddot, table=SPACE)
 
@@ -611,6 +800,15 @@ class PoseKernels:
         -------
         ndarray, shape (..., 6)
             Angular acceleration (rad/s²), then the derivative of the twist's linear part. Defined for every v.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> v_dot = np.array([0.1, 0, 0.2, 0, 0.3, 0])
+        >>> cayley2.body_twist_dot(v, v_dot, np.zeros(6)).round(3)
+        array([-0.061,  0.082, -0.077, -0.188, -0.397, -0.294])
         """
         return call(self._chart, "twist_dot", axis, out, v, v_dot, v_ddot, table=BODY)
 
@@ -635,6 +833,16 @@ class PoseKernels:
         -------
         ndarray, shape (..., 6)
             v̈ (1/s²); inf or NaN where ``tangent_inv`` has a pole.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> omega = np.array([0, 0, 1.6, 0, 0.8, 0])
+        >>> v_dot, v_ddot = cayley2.rate(v, omega), cayley2.rate_dot(v, omega, np.zeros(6))
+        >>> np.allclose(cayley2.twist_dot(v, v_dot, v_ddot), 0)
+        True
         """
         return call(self._chart, "rate_dot", axis, out, v, omega, omega_dot, table=SPACE)
 
@@ -659,6 +867,16 @@ class PoseKernels:
         -------
         ndarray, shape (..., 6)
             v̈ (1/s²); inf or NaN where ``tangent_inv`` has a pole.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> omega = np.array([0, 0, 1.6, 0, 0.8, 0])
+        >>> v_dot, v_ddot = cayley2.body_rate(v, omega), cayley2.body_rate_dot(v, omega, np.zeros(6))
+        >>> np.allclose(cayley2.body_twist_dot(v, v_dot, v_ddot), 0)
+        True
         """
         return call(self._chart, "rate_dot", axis, out, v, omega, omega_dot, table=BODY)
 
@@ -682,6 +900,16 @@ class PoseKernels:
         ndarray, shape (..., 6, 6)
             Real: rows are components of the result, columns those of v.
             Defined for every v.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> v_dot = np.array([0.1, 0, 0.2, 0, 0.3, 0])
+        >>> accelerations = cayley2.twist_dot(v, v_dot, np.zeros(6))
+        >>> np.allclose(cayley2.twist_jacobian(v, v_dot) @ v_dot, accelerations)
+        True
         """
         return call(self._chart, "twist_jacobian", axis, out, v, v_dot, table=SPACE)
 
@@ -705,6 +933,16 @@ class PoseKernels:
         ndarray, shape (..., 6, 6)
             Real: rows are components of the result, columns those of v.
             Defined for every v.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> v_dot = np.array([0.1, 0, 0.2, 0, 0.3, 0])
+        >>> accelerations = cayley2.body_twist_dot(v, v_dot, np.zeros(6))
+        >>> np.allclose(cayley2.body_twist_jacobian(v, v_dot) @ v_dot, accelerations)
+        True
         """
         return call(self._chart, "twist_jacobian", axis, out, v, v_dot, table=BODY)
 
@@ -728,6 +966,16 @@ class PoseKernels:
         ndarray, shape (..., 6, 6)
             Real: rows are components of the result, columns those of v.
             inf or NaN where ``tangent_inv`` has a pole.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> omega = np.array([0, 0, 1.6, 0, 0.8, 0])
+        >>> v_dot, v_ddot = cayley2.rate(v, omega), cayley2.rate_dot(v, omega, np.zeros(6))
+        >>> np.allclose(cayley2.rate_jacobian(v, omega) @ v_dot, v_ddot)
+        True
         """
         return call(self._chart, "rate_jacobian", axis, out, v, omega, table=SPACE)
 
@@ -751,6 +999,16 @@ class PoseKernels:
         ndarray, shape (..., 6, 6)
             Real: rows are components of the result, columns those of v.
             inf or NaN where ``tangent_inv`` has a pole.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> omega = np.array([0, 0, 1.6, 0, 0.8, 0])
+        >>> v_dot, v_ddot = cayley2.body_rate(v, omega), cayley2.body_rate_dot(v, omega, np.zeros(6))
+        >>> np.allclose(cayley2.body_rate_jacobian(v, omega) @ v_dot, v_ddot)
+        True
         """
         return call(self._chart, "rate_jacobian", axis, out, v, omega, table=BODY)
 
@@ -775,6 +1033,18 @@ class PoseKernels:
         -------
         ndarray, shape (..., 6)
             Dual vector τ: its dual part goes with the real part of v̇ and conversely. Defined for every v.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> wrench = np.array([1.0, 0, 0, 0, 0, 2])
+        >>> v_dot = np.array([0.1, 0, 0.2, 0, 0.3, 0])
+        >>> force, twist = cayley2.cotangent(v, wrench), cayley2.twist(v, v_dot)
+        >>> power = wrench[3:] @ twist[:3] + wrench[:3] @ twist[3:]
+        >>> np.allclose(force[3:] @ v_dot[:3] + force[:3] @ v_dot[3:], power)
+        True
         """
         return call(self._chart, "twist", axis, out, v, z, table=BODY, last="z")
 
@@ -799,6 +1069,18 @@ class PoseKernels:
         -------
         ndarray, shape (..., 6)
             Dual vector τ: its dual part goes with the real part of v̇ and conversely. Defined for every v.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> wrench = np.array([1.0, 0, 0, 0, 0, 2])
+        >>> v_dot = np.array([0.1, 0, 0.2, 0, 0.3, 0])
+        >>> force, twist = cayley2.body_cotangent(v, wrench), cayley2.body_twist(v, v_dot)
+        >>> power = wrench[3:] @ twist[:3] + wrench[:3] @ twist[3:]
+        >>> np.allclose(force[3:] @ v_dot[:3] + force[:3] @ v_dot[3:], power)
+        True
         """
         return call(self._chart, "twist", axis, out, v, z, table=SPACE, last="z")
 
@@ -822,6 +1104,17 @@ class PoseKernels:
         ndarray, shape (..., 6, 6)
             Real: rows are components of the result, columns those of v.
             Defined for every v.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> wrench = np.array([1.0, 0, 0, 0, 0, 2])
+        >>> v_dot = np.array([0.1, 0, 0.2, 0, 0.3, 0])
+        >>> force = cayley2.cotangent(np.stack([v + 1e-6 * v_dot, v - 1e-6 * v_dot]), wrench)
+        >>> np.allclose(cayley2.cotangent_jacobian(v, wrench) @ v_dot, (force[0] - force[1]) / 2e-6)
+        True
         """
         return call(self._chart, "twist_jacobian", axis, out, v, z, table=BODY, last="z")
 
@@ -845,6 +1138,17 @@ class PoseKernels:
         ndarray, shape (..., 6, 6)
             Real: rows are components of the result, columns those of v.
             Defined for every v.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> wrench = np.array([1.0, 0, 0, 0, 0, 2])
+        >>> v_dot = np.array([0.1, 0, 0.2, 0, 0.3, 0])
+        >>> force = cayley2.body_cotangent(np.stack([v + 1e-6 * v_dot, v - 1e-6 * v_dot]), wrench)
+        >>> np.allclose(cayley2.body_cotangent_jacobian(v, wrench) @ v_dot, (force[0] - force[1]) / 2e-6)
+        True
         """
         return call(self._chart, "twist_jacobian", axis, out, v, z, table=SPACE, last="z")
 
@@ -882,6 +1186,16 @@ class PoseKernels:
         ------
         TypeError
             If v is complex or branch is no integer.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> np.allclose(cayley2.shadow(v), [0, 0, -2, -4, 0, 1])
+        True
+        >>> np.allclose(cayley2.pose(cayley2.shadow(v)), cayley2.pose(v))
+        True
         """
         return shifted(self._chart, branch, v, axis, out)
 
@@ -907,6 +1221,14 @@ class PoseKernels:
         ------
         TypeError
             If v is complex.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> np.allclose(cayley2.principal(cayley2.shadow(v)), v)
+        True
         """
         return returned(self._chart, v, axis, out)
 
@@ -948,6 +1270,15 @@ class PoseKernels:
             If q is complex or branch is no integer.
         ValueError
             If it is checked, and an element is no unit dual quaternion.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> q = cayley2.quaternion(v)
+        >>> np.allclose(cayley2.from_quaternion(q), v), np.allclose(cayley2.from_quaternion(-q), v)
+        (True, True)
         """
         if not scalar_first:
             q = from_scalar_last(q, axis)
@@ -990,6 +1321,14 @@ class PoseKernels:
             If R is complex or branch is no integer.
         ValueError
             If it is checked, and an element is no orthogonal dual tensor of determinant 1.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> np.allclose(cayley2.from_tensor(cayley2.tensor(v)), v)
+        True
         """
         if check:
             require("from_tensor", R, axis)
@@ -1030,6 +1369,17 @@ class PoseKernels:
             If T is complex or branch is no integer.
         ValueError
             If it is checked, and an element is no homogeneous matrix of a rotation and a translation.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> T = cayley2.pose(v)
+        >>> cayley2.from_pose(T).round(3)
+        array([0.  , 0.  , 0.5 , 1.  , 0.  , 0.25])
+        >>> np.allclose(cayley2.from_pose(T, branch=1), cayley2.shadow(v))
+        True
         """
         if check:
             require("from_pose", T, axis)
@@ -1068,6 +1418,16 @@ class PoseKernels:
             If an argument is complex.
         ValueError
             If it is checked, and an element of line is no unit dual vector.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> axis = np.array([0, 0, 1.0, 2, 0, 0])  # along z, through (0, 2, 0)
+        >>> w = cayley2.from_screw(np.array([np.pi / 2, 0.3]), axis)
+        >>> cayley2.transform_point(w, np.array([0, 2.0, 0])).round(3)
+        array([0. , 2. , 0.3])
         """
         if check:
             require("from_screw", line, axis)
@@ -1096,6 +1456,15 @@ class PoseKernels:
         ------
         TypeError
             If v is complex.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> angle, axis = cayley2.to_screw(v)
+        >>> angle.round(3), axis.round(3)
+        (array([1.855, 0.8  ]), array([0., 0., 1., 2., 0., 0.]))
         """
         screw = call(self._chart, "to_screw", axis, None, v)
         return (screw[:2, ...], screw[2:, ...]) if axis == 0 else (screw[..., :2], screw[..., 2:])
@@ -1123,6 +1492,16 @@ class PoseKernels:
         ------
         TypeError
             If v is complex.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> cayley2.angle(v).round(3)
+        array([1.855, 0.8  ])
+        >>> cayley2.angle(cayley2.shadow(v)).round(3)  # 2π and 0 minus these
+        array([ 4.429, -0.8  ])
         """
         return call(self._chart, "angle", axis, out, v)
 
@@ -1148,6 +1527,15 @@ class PoseKernels:
         ------
         TypeError
             If an argument is complex.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> w = np.array([0.2, 0, 0, 0, 0.5, 0])
+        >>> np.allclose(cayley2.pose(cayley2.compose(w, v)), cayley2.pose(w) @ cayley2.pose(v))
+        True
         """
         return call(self._chart, "compose", axis, out, v2, v1)
 
@@ -1175,6 +1563,16 @@ class PoseKernels:
         ------
         TypeError
             If an argument is complex.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> w = np.array([0.2, 0, 0, 0, 0.5, 0])
+        >>> step = cayley2.between(w, v)
+        >>> np.allclose(cayley2.compose(v, step), w)
+        True
         """
         return call(self._chart, "between", axis, out, v2, v1)
 
@@ -1199,6 +1597,18 @@ class PoseKernels:
         ------
         TypeError
             If an argument is complex.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> w = np.array([0.2, 0, 0, 0, 0.5, 0])
+        >>> step = np.array([0, 0, 0.1, 0.2, 0, 0])
+        >>> by_w, by_v = cayley2.compose_jacobians(w, v)
+        >>> moved = cayley2.compose(w, np.stack([v + 1e-6 * step, v - 1e-6 * step]))
+        >>> np.allclose(by_v @ step, (moved[0] - moved[1]) / 2e-6)
+        True
         """
         found = call(self._chart, "compose_jacobians", axis, None, v2, v1)
         return separate(found, axis, (6, 6), (6, 6))
@@ -1222,6 +1632,18 @@ class PoseKernels:
         ------
         TypeError
             If an argument is complex.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> w = np.array([0.2, 0, 0, 0, 0.5, 0])
+        >>> step = np.array([0, 0, 0.1, 0.2, 0, 0])
+        >>> by_w, by_v = cayley2.between_jacobians(w, v)
+        >>> moved = cayley2.between(np.stack([w + 1e-6 * step, w - 1e-6 * step]), v)
+        >>> np.allclose(by_w @ step, (moved[0] - moved[1]) / 2e-6)
+        True
         """
         found = call(self._chart, "between_jacobians", axis, None, v2, v1)
         return separate(found, axis, (6, 6), (6, 6))
@@ -1250,6 +1672,16 @@ class PoseKernels:
         ------
         TypeError
             If an argument is complex.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> step = np.array([0, 0, 0.1, 0.2, 0, 0])
+        >>> moved = cayley2.retract(v, step)
+        >>> np.allclose(cayley2.local(moved, v), step)
+        True
         """
         return call(self._chart, "retract", axis, out, v, delta)
 
@@ -1277,6 +1709,16 @@ class PoseKernels:
         ------
         TypeError
             If an argument is complex.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> step = np.array([0, 0, 0.1, 0.2, 0, 0])
+        >>> moved = cayley2.body_retract(v, step)
+        >>> np.allclose(cayley2.body_local(moved, v), step)
+        True
         """
         return call(self._chart, "body_retract", axis, out, v, delta)
 
@@ -1301,6 +1743,15 @@ class PoseKernels:
         ------
         TypeError
             If an argument is complex.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> w = np.array([0.2, 0, 0, 0, 0.5, 0])
+        >>> np.allclose(cayley2.retract(v, cayley2.local(w, v)), w)
+        True
         """
         return call(self._chart, "local", axis, out, v2, v1)
 
@@ -1325,6 +1776,15 @@ class PoseKernels:
         ------
         TypeError
             If an argument is complex.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> w = np.array([0.2, 0, 0, 0, 0.5, 0])
+        >>> np.allclose(cayley2.body_retract(v, cayley2.body_local(w, v)), w)
+        True
         """
         return call(self._chart, "body_local", axis, out, v2, v1)
 
@@ -1348,6 +1808,15 @@ class PoseKernels:
         -------
         ndarray, shape (..., 6, 6)
             ``matrix6`` of ``tensor``. Defined for every v.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> v_dot = np.array([0.1, 0, 0.2, 0, 0.3, 0])
+        >>> np.allclose(cayley2.adjoint(v) @ cayley2.body_twist(v, v_dot), cayley2.twist(v, v_dot))
+        True
         """
         return call(self._chart, "adjoint", axis, out, v)
 
@@ -1370,6 +1839,19 @@ class PoseKernels:
             Rows are components of the moved point, columns those of v.
         by_r : ndarray, shape (..., 3, 3)
             The rotation Q. Both are defined for every v.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> by_v, by_r = cayley2.transform_point_jacobians(v, np.array([1.0, 0, 0]))
+        >>> by_v.round(2)
+        array([[ 0.64,  1.28, -8.7 ,  1.92, -2.56,  0.  ],
+               [-1.28,  0.64,  0.13,  2.56,  1.92,  0.  ],
+               [ 5.12, -7.04, -0.64,  0.  ,  0.  ,  3.2 ]])
+        >>> np.allclose(by_r, cayley2.tensor(v)[0])
+        True
         """
         found = call(self._chart, "transform_point_jacobians", axis, None, v, r)
         return separate(found, axis, (3, 6), (3, 3))
@@ -1391,6 +1873,15 @@ class PoseKernels:
         -------
         by_v, by_line : ndarray, shape (..., 6, 6)
             Real: rows are components of the moved line, columns those of the argument. Defined for every v.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> by_v, by_line = cayley2.transform_line_jacobians(v, np.array([1.0, 0, 0, 0, 0, 0]))
+        >>> by_v.shape, np.allclose(by_line, cayley2.adjoint(v))
+        ((6, 6), True)
         """
         found = call(self._chart, "transform_line_jacobians", axis, None, v, line)
         return separate(found, axis, (6, 6), (6, 6))

@@ -30,6 +30,14 @@ def matrix6(D: ArrayLike) -> NDArray[Any]:
     ------
     ValueError
         If the last axes are not (2, 3, 3).
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from dualcay import cayley2, matrix6
+    >>> v, v_dot = np.array([0, 0, 0.5, 1, 0, 0.25]), np.array([0.1, 0, 0.2, 0, 0.3, 0])
+    >>> np.allclose(matrix6(cayley2.tangent(v)) @ v_dot, cayley2.twist(v, v_dot))
+    True
     """
     tensor = np.asarray(D)
     if tensor.shape[-3:] != (2, 3, 3):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import html
+import inspect
 import re
 
 import pytest
@@ -11,13 +12,17 @@ import derive
 from derive.codegen import Package
 from derive.output.listing import Listing
 from derive.proof import Proof, theorems
+from tests.support import examples
 
 LONGEST = 120
 
 
 @pytest.fixture(scope="module")
-def package(tmp_path_factory: pytest.TempPathFactory) -> Package:
-    return derive.generate([1], output=tmp_path_factory.mktemp("k") / "kernels")
+def package() -> Package:
+    """What the example of `generate` makes."""
+    names: dict[str, Package] = {}
+    assert examples.failures(inspect.getdoc(derive.generate), "generate", names) == ""
+    return names["package"]
 
 
 def test_results_are_short_at_a_prompt(package: Package) -> None:

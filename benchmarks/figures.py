@@ -1,0 +1,153 @@
+"""The README's pictures: ``python -m benchmarks.figures``.
+
+======== ====================================================================================================
+accuracy error against angle, ours beside other libraries': the panels of docs/accuracy.md that tell most
+charts   |v| against the angle, chart by chart, and where each is singular
+screw    a body on a screw motion, by ``from_screw``
+======== ====================================================================================================
+
+Backgrounds are transparent, and colours are told from white and from black.
+"""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any
+
+import matplotlib
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from rich.console import Console
+
+from benchmarks.accuracy import curves, figures
+from benchmarks.accuracy.__main__ import progress
+from derive.cli.compare import Compared
+from derive.codegen import catalogue
+from derive.maps.stretch import stretch
+from dualcay import cayley2
+
+FOLDER = Path(__file__).parents[1] / "docs" / "figures"
+
+GREY = "#808890"
+STYLE = {
+    "axes.edgecolor": GREY, "axes.labelcolor": GREY, "axes.titlecolor": GREY, "text.color": GREY,
+    "xtick.color": GREY, "ytick.color": GREY, "grid.color": GREY, "grid.alpha": 0.25, "grid.linewidth": 0.6,
+    "axes.facecolor": "none", "figure.facecolor": "none", "savefig.transparent": True,
+    "axes.spines.top": False, "axes.spines.right": False, "font.size": 11, "axes.titlesize": 11,
+    "lines.linewidth": 1.8,
+}  # fmt: skip
+BLUE, GREEN, ORANGE, PINK, GOLD = "#2F81C4", "#1F9E73", "#D5601A", "#C26A9B", "#B58A12"
+
+STYLES = {
+    "n = 2": (BLUE, "s"), "n = 3": (GREEN, "^"),
+    "SciPy": (GOLD, "v"), "pytransform3d": (ORANGE, "P"), "jaxlie": (PINK, "X"), "pinocchio": (GREY, "d"),
+}  # fmt: skip
+PANELS = {
+    "v to pose: translation": ("small", "ρ"),
+    "pose to v: rotation": ("to pi", "log"),
+    "twist to rate: T⁻¹": ("small", "T⁻¹"),
+}
+
+
+def save(figure: Figure, name: str) -> None:
+    """No version of the library in the file: the same data give the same bytes."""
+    FOLDER.mkdir(exist_ok=True)
+    figure.savefig(FOLDER / f"{name}.png", dpi=110, metadata={"Software": None})
+
+
+def accuracy(found: curves.Curves) -> Figure:
+    figure = Figure(figsize=(11, 3.9), layout="constrained")
+    for axes, (title, (name, part)) in zip(figure.subplots(1, 3, sharey=True), PANELS.items(), strict=True):
+        figures.panel(axes, found, name, part, STYLES)
+        axes.grid(color=GREY, alpha=0.25)
+        axes.set_title(title)
+        axes.set_yticks(10.0 ** np.arange(-2, 15, 4))
+    figure.axes[0].set_ylabel("error (units of 2.2e−16)")
+    names = {label: f"dualcay, {label}" if label.startswith("n =") else label for label in STYLES}
+    lines = {line.get_label(): line for axes in figure.axes for line in axes.get_lines()}
+    shown = [label for label in STYLES if label in lines]
+    figure.legend([lines[label] for label in shown], [names[label] for label in shown], loc="outside lower center",
+                  ncols=len(shown), frameon=False, handlelength=2.6)  # fmt: skip
+    return figure
+
+
+CHARTS = {
+    "cayley1": (BLUE, "-"), "cayley2": (GREEN, "-"), "cayley3": (ORANGE, "-"), "cayley4": (PINK, "-"),
+    "exponential": (GREY, "-"), "lambert": (GOLD, "--"), "sine4": (BLUE, "--"),
+}  # fmt: skip
+HIGHEST, LAST = 11.0, 4 * math.pi
+
+
+def charts() -> Figure:
+    figure = Figure(figsize=(11, 4.2), layout="constrained")
+    axes = figure.subplots()
+    committed = {chart.name: Compared(chart) for chart in catalogue.committed()}
+    for name, look in CHARTS.items():
+        draw_chart(axes, committed[name], *look)
+    axes.set_xticks([k * math.pi for k in range(5)], ["0", "π", "2π", "3π", "4π"])
+    axes.set(xlim=(0, LAST), ylim=(0, HIGHEST), xlabel="rotation angle α", ylabel="|v| / φ′(0)")
+    axes.plot([], [], "o", color=GREY, mfc="none", ms=8, mew=1.8, label="T is singular")
+    axes.plot([], [], ":", color=GREY, label="|v| is infinite")
+    axes.legend(frameon=False, loc="lower right")
+    return figure
+
+
+def draw_chart(axes: Axes, chart: Compared, colour: str, line: str) -> None:
+    """The curve as far as the picture goes, its name at the end, circles where T is singular, a line where it ends."""
+    end = min(chart.edge, LAST)
+    first = stretch(chart.chart.phi, 0.0).along
+    angles = np.linspace(0, end * (1 - 1e-9), 401)
+    sizes = np.array([stretch(chart.chart.phi, angle).size * first for angle in angles])
+    seen = sizes <= HIGHEST
+    axes.plot(angles[seen], sizes[seen], line, color=colour)
+    axes.annotate(chart.chart.name, (angles[seen][-1], sizes[seen][-1]), (0, 7), textcoords="offset points",
+                  color=colour, ha="center", annotation_clip=False)  # fmt: skip
+    if math.isinf(chart.range) and chart.edge <= LAST:
+        axes.axvline(chart.edge, color=colour, ls=":", lw=1.2)
+    for singular in (float(angle.evalf(17)) for angle in chart.chart.singular_angles):
+        size = np.interp(singular, angles, sizes)
+        if singular <= LAST and size <= HIGHEST:
+            axes.plot(singular, size, "o", color=colour, mfc="none", ms=8, mew=1.8, clip_on=False)
+
+
+def screw() -> Figure:
+    """Frames along a screw about an axis that does not meet the origin."""
+    angle, through, along = np.array([2.2 * np.pi, 3.4]), np.array([1.0, 0.4, 0]), np.array([0.28, 0, 0.96])
+    line = np.concatenate([along, np.cross(through, along)])
+    figure = Figure(figsize=(5.5, 4.6))
+    axes: Any = figure.add_axes((0, 0, 1, 1), projection="3d")
+
+    def poses(count: int) -> np.ndarray:
+        turns = np.linspace(0, 1, count)[:, None] * angle
+        return np.asarray(cayley2.pose(cayley2.from_screw(turns, line)))
+
+    axes.plot(*poses(200)[:, :3, 3].T, color=GREY, lw=1.4)
+    axes.plot(*(through + np.outer([-0.8, 4.2], along)).T, color=GREY, lw=1.4, ls=(0, (6, 3)))
+    for pose in poses(10):
+        for direction, colour in zip(pose[:3, :3].T, (ORANGE, GREEN, BLUE), strict=True):
+            axes.quiver(*pose[:3, 3], *direction, length=0.6, color=colour, lw=2, arrow_length_ratio=0.25)
+    limits = np.array([axes.get_xlim(), axes.get_ylim(), axes.get_zlim()])
+    axes.set_box_aspect(np.ptp(limits, axis=1), zoom=1.3)
+    axes.set_axis_off()
+    axes.view_init(elev=15, azim=-75)
+    return figure
+
+
+def main() -> None:
+    """Draw all of them."""
+    matplotlib.use("Agg")
+    with matplotlib.rc_context(STYLE):
+        save(charts(), "charts")
+        save(screw(), "screw")
+        console = Console()
+        figures.missing(console)
+        with progress(console) as bar:
+            row = bar.add_task("angles", total=None)
+            found = curves.curves(lambda done, total: bar.update(row, completed=done, total=total))
+        save(accuracy(found), "accuracy")
+
+
+if __name__ == "__main__":
+    main()

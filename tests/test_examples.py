@@ -1,0 +1,73 @@
+"""Every public function has an example in its docstring, and every example runs."""
+
+from __future__ import annotations
+
+import importlib
+import inspect
+import pkgutil
+from collections.abc import Iterator
+from types import FunctionType, MethodType
+from typing import Any
+
+import pytest
+
+import derive
+import dualcay
+from derive.maps import IsotropicMap, QuaternionMap
+from tests.support import examples
+
+pytestmark = pytest.mark.smoke
+
+
+def modules(package: Any) -> Iterator[Any]:
+    """The package and its public modules."""
+    yield package
+    for found in pkgutil.walk_packages(package.__path__, package.__name__ + "."):
+        if not found.name.rpartition(".")[2].startswith("_"):
+            yield importlib.import_module(found.name)
+
+
+def functions(module: Any) -> Iterator[FunctionType]:
+    """What a module exports, as written: of a chart the methods of its instance."""
+    for name in getattr(module, "__all__", dir(module)):
+        value = getattr(module, name)
+        own = value.__func__ if isinstance(value, MethodType) else value
+        if not name.startswith("_") and isinstance(own, FunctionType) and own.__module__.startswith("dualcay"):
+            yield own
+
+
+def methods(kind: type) -> Iterator[Any]:
+    """The public functions of a class."""
+    return (value for name, value in inspect.getmembers(kind, inspect.isfunction) if not name.startswith("_"))
+
+
+def test_kernels():
+    found = {function.__qualname__: function for module in modules(dualcay) for function in functions(module)}
+    assert len(found) > 50
+    assert examples.of_docstrings(found.values()) == ""
+
+
+def test_toolkit():
+    # `generate` takes seconds: tests/derive/test_shown.py runs its example for what it returns
+    front = [getattr(derive, name) for name in derive.__all__ if name != "generate"]
+    found = [one for one in front if callable(one) and one is not derive.alpha and one is not derive.x]
+    kinds = (IsotropicMap, QuaternionMap)
+    found += [derive.Cayley.prove, type(derive.family("lambert")).prove, *(m for kind in kinds for m in methods(kind))]
+    assert len(found) > 8
+    assert examples.of_docstrings(found) == ""
+
+
+def test_a_wrong_example_and_a_missing_one_are_seen():
+    def wrong() -> None:
+        """Add.
+
+        >>> 1 + 1
+        3
+        """
+
+    def bare() -> None:
+        """No example."""
+
+    said = examples.of_docstrings([wrong, bare])
+    assert "Expected:\n    3\nGot:\n    2" in said
+    assert "bare has no example" in said
