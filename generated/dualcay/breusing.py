@@ -783,6 +783,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 0, (1, 2, 4, 8)),
     },
     own={},
+    programs="8dc9af3cd5faaa90",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -2013,6 +2013,7 @@ CHART = Chart(
         real=False,
     ),
     },
+    programs="8bfca155c3e5c05c",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -737,6 +737,7 @@ CHART = Chart(
         real=False,
     ),
     },
+    programs="f9611cd0b5f8e846",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -676,6 +676,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 6)),
     },
     own={},
+    programs="5a9cdbbd52b08602",
 )
 
 KERNELS = PoseKernels(CHART)

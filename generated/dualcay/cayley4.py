@@ -709,6 +709,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 8)),
     },
     own={},
+    programs="4e639b2a0695d097",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -733,6 +733,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 10)),
     },
     own={},
+    programs="802fd2d224421fad",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -813,6 +813,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 16)),
     },
     own={},
+    programs="c694eeda1cc48cd0",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -1082,6 +1082,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1,)),
     },
     own={},
+    programs="d9f3fbd428dce15e",
 )
 
 KERNELS = PoseKernels(CHART)

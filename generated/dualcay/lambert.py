@@ -654,6 +654,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 1, 0, (1, 2, 4, 8)),
     },
     own={},
+    programs="47b12b1a0aa3ddde",
 )
 
 KERNELS = PoseKernels(CHART)

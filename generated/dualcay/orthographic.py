@@ -981,6 +981,7 @@ CHART = Chart(
         real=True,
     ),
     },
+    programs="c77e2e001cadced6",
 )
 
 KERNELS = PoseKernels(CHART)

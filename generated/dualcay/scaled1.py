@@ -1670,6 +1670,7 @@ CHART = Chart(
         real=False,
     ),
     },
+    programs="b7dc80ca3308ed1a",
 )
 
 KERNELS = PoseKernels(CHART)

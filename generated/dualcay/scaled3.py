@@ -756,6 +756,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 6)),
     },
     own={},
+    programs="9411597389536d32",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -783,6 +783,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 8)),
     },
     own={},
+    programs="993352a4b0e7c7f4",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -815,6 +815,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 10)),
     },
     own={},
+    programs="3022e92cec931df9",
 )
 
 KERNELS = PoseKernels(CHART)

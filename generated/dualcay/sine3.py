@@ -714,6 +714,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 1, 0, (1, 2, 6, 12)),
     },
     own={},
+    programs="224f18fa946c7222",
 )
 
 KERNELS = PoseKernels(CHART)

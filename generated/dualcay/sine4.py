@@ -708,6 +708,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 1, 0, (1, 2, 8, 16)),
     },
     own={},
+    programs="d61c6fc2f7d7483b",
 )
 
 KERNELS = PoseKernels(CHART)

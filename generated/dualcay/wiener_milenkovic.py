@@ -786,6 +786,7 @@ CHART = Chart(
         real=False,
     ),
     },
+    programs="931b0652dc1c9841",
 )
 
 KERNELS = PoseKernels(CHART)
