@@ -2013,7 +2013,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="8bfca155c3e5c05c",
+    programs="932fd2b987011f0e",
 )
 
 KERNELS = PoseKernels(CHART)

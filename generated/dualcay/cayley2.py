@@ -737,7 +737,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="f9611cd0b5f8e846",
+    programs="3ee6538181c489a4",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -981,7 +981,7 @@ CHART = Chart(
         real=True,
     ),
     },
-    programs="c77e2e001cadced6",
+    programs="e73884a78ddcfab6",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -1670,7 +1670,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="b7dc80ca3308ed1a",
+    programs="c492dd01d9004238",
 )
 
 KERNELS = PoseKernels(CHART)

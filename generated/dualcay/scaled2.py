@@ -786,7 +786,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="931b0652dc1c9841",
+    programs="c78c08ad4dce313a",
 )
 
 KERNELS = PoseKernels(CHART)

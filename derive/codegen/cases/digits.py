@@ -46,6 +46,9 @@ INSIDE = 0.1
 NEAR_TIE = mpmath.mpf(10) ** -30
 """Angle between a vector and the limit of its branch."""
 
+SMALL_STEP = tuple(mpmath.mpf(c) / 64 for c in (1, -2, 2, 1, 0, 3))
+"""A displacement that leads from a vector to one of its own branch."""
+
 LATTICE = ((1, 0, 0), (0, -1, 0), (1, 1, 1), (-1, 1, -1), (1, -1, 0))
 """Directions which have, times a power of two, a v·v without rounding: at some of them a chart's scalars vanish."""
 
@@ -201,6 +204,8 @@ def _branch(chart: Vectors, screw: Screw, branch: int) -> Iterator[Expectation]:
     yield Expectation(f"shadow {branch}", (principal,), v)
     yield Expectation("principal", (v,), principal)
     yield Expectation("angle", (v,), MAPS["angle"](chart, 0, v))
+    for name in ("retract", "body_retract") if branch else ():
+        yield Expectation(name, (v, SMALL_STEP), MAPS[name](chart, 0, v, SMALL_STEP))
 
 
 def _from_rotation(R: Tensor, branch: int, v: Flat) -> Iterator[Expectation]:

@@ -177,8 +177,6 @@ def seeded_arguments(
         yield from _on_branch(screw, branch, v)
         for name, k in (("principal", None), ("to_screw", None), ("angle", None), ("shadow", chart.back(branch))):
             yield name, k, (v_k,)
-        for name in ("retract", "body_retract"):
-            yield name, None, (v_k, delta)
 
 
 def _on_branch(screw: Screw, k: int, v: Flat) -> Iterator[tuple[str, int | None, tuple[Flat, ...]]]:
