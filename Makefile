@@ -10,7 +10,7 @@ PYTEST := $(RUN) -m pytest -n auto --maxprocesses 4 --dist worksteal
 PIP    := $(RUN) -m pip --disable-pip-version-check install --quiet --quiet --constraint constraints.txt
 
 .DEFAULT_GOAL := generate
-.PHONY: generate check proofs verify show test quick lint types mutants bench accuracy figures parameterizations clean help
+.PHONY: generate check proofs verify show test quick lint types mutants native bench accuracy figures parameterizations clean help
 
 generate: $(READY)  ## derive, prove and write the committed kernels (the default)
 	$(RUN) -m derive generate
@@ -44,6 +44,10 @@ types: $(TESTED)  ## mypy --strict
 
 mutants: $(TESTED)  ## what the checks would notice (docs/assurance.md): make mutants ROOM=proof,maps SAMPLE=200 FLOOR=95
 	$(RUN) -m tests.mutants $(ROOM:%=--room %) $(SAMPLE:%=--sample %) $(FLOOR:%=--floor %)
+
+native: $(READY)  ## compile the committed charts and install them, dualcay-native, beneath the NumPy kernels (minutes)
+	$(RUN) -m derive generate --target native -o build/native
+	$(PIP) ./build/native
 
 bench: $(VENV)/.bench  ## proof times by order, then kernels against peers and their former release (docs/benchmarks.md)
 	$(RUN) benchmarks/proofs.py

@@ -20,7 +20,7 @@ FAMILIES = (
 MAX_ORDER = 64
 """Largest order generated without being asked twice: proof times beyond it are not measured."""
 
-TARGETS = ("numpy", "array-api", "numba", "c")
+TARGETS = ("numpy", "array-api", "numba", "c", "native")
 """Keys of `derive.codegen.targets.TARGETS`."""
 
 TARGET = TARGETS[0]

@@ -16,8 +16,6 @@ import dualcay
 from derive.maps import IsotropicMap, QuaternionMap
 from tests.support import examples
 
-pytestmark = pytest.mark.smoke
-
 
 def modules(package: Any) -> Iterator[Any]:
     """The package and its public modules."""
@@ -41,6 +39,7 @@ def methods(kind: type) -> Iterator[Any]:
     return (value for name, value in inspect.getmembers(kind, inspect.isfunction) if not name.startswith("_"))
 
 
+@pytest.mark.smoke
 def test_kernels():
     found = {function.__qualname__: function for module in modules(dualcay) for function in functions(module)}
     assert len(found) > 50

@@ -111,7 +111,7 @@ def generate(
     orders : iterable of int, optional
         Orders n >= 1 of Cayley maps. Without orders and families, the committed charts.
     target : str
-        ``"numpy"``, ``"array-api"``, ``"numba"`` or ``"c"``.
+        ``"numpy"``, ``"array-api"``, ``"numba"``, ``"c"`` or ``"native"``.
     output : path, optional
         Folder of the package, made if missing; ``generated/dualcay`` of a checkout by default, for no other target.
     families : iterable of str

@@ -11,6 +11,9 @@ from . import catalogue
 from .facts import Facts, comment, head
 from .targets.target import Target
 
+HASHED = (".txt", ".cmake", ".py", ".toml", ".build", ".options")
+"""Ends of the names of files whose comments begin with #, in every target."""
+
 
 def shared_texts(target: Target) -> Mapping[str, str]:
     """Render the files every package of a target holds, ``_geometry.py`` and the like.
@@ -26,10 +29,13 @@ def shared_texts(target: Target) -> Mapping[str, str]:
         lines = head(catalogue.command(target.name), template)
         if name == target.entry:  # in no other file, so that a release changes one
             lines.append(f"Version {about.__version__}.")
-        mark = "#" if name.endswith((".txt", ".cmake")) else target.comment
-        texts[name] = render(template, header=comment(lines, mark), **data)
+        texts[name] = render(template, header=comment(lines, _mark(name, target)), **data)
     target.require_complete(texts)
     return texts
+
+
+def _mark(name: str, target: Target) -> str:
+    return "#" if name.endswith(HASHED) else target.comment
 
 
 def module_name(chart: Chart, target: Target) -> str:
@@ -48,7 +54,7 @@ def notices(charts: Sequence[Chart], target: Target) -> dict[str, str]:
     """Render what stands in the place of a package's entry while its other files are exchanged, by name."""
     template = f"interrupted/{target.entry}.j2"
     command = catalogue.command(target.name, *charts)
-    header = "\n".join(f"{target.comment} {line}" for line in head(command, template))
+    header = "\n".join(f"{_mark(target.entry, target)} {line}" for line in head(command, template))
     return {target.entry: render(template, header=header, command=command)}
 
 

@@ -33,17 +33,18 @@ def backend() -> dict[str, str]:
     Returns
     -------
     dict
-        From the names of functions to ``"numpy"``, for all of them.
-
-    Examples
-    --------
-    >>> import dualcay
-    >>> dualcay.backend()["pose"]
-    'numpy'
+        From the names of functions to ``"numpy"``, or to ``"native"`` where the compiled ones of ``dualcay-native``
+        run in every module, ``"native in cayley2, cayley3"`` where in some. Numbers that these do not take (complex ones,
+        objects) go to NumPy in any case. ``DUALCAY_NATIVE=0`` in the environment switches them off.
     """
     from ._interface import PoseKernels
 
-    return {name: "numpy" for name in dir(PoseKernels) if not name.startswith("_")}
+    modules = _modules()
+    compiled = [name for name in modules if importlib.import_module(f".{name}", __name__).CHART.native]
+    native = f"native in {', '.join(compiled)}" if len(compiled) < len(modules) else "native"
+    uncompiled = ("singular_angles", "identity", "random")
+    names = [name for name in dir(PoseKernels) if not name.startswith("_")]
+    return {name: native if compiled and name not in uncompiled else "numpy" for name in names}
 
 
 if not TYPE_CHECKING:  # which finds the modules in the folder, and no other name

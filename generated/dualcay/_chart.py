@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import partial
+from functools import cached_property, partial
 from types import SimpleNamespace
 from typing import Any, TypeAlias
 
@@ -15,6 +15,7 @@ import numpy as np
 
 from ._geometry import KERNELS
 from ._kernel import Kernel, Result, constants
+from ._native import functions as native_functions
 from ._selection import Selection
 
 Table: TypeAlias = tuple[tuple[str, ...], ...]
@@ -50,6 +51,8 @@ class Chart:
         The scalar programs.
     own : mapping
         Kernels which do with less when they know the chart, in place of those that all charts share.
+    programs : str
+        A digest of all of them, by which compiled ones are known to be the same.
     """
 
     def __init__(
@@ -61,6 +64,7 @@ class Chart:
         returns: tuple[str, ...],
         functions: Mapping[str, Function],
         own: Mapping[str, Kernel],
+        programs: str,
     ) -> None:
         self.module = module
         self.branches = branches
@@ -68,10 +72,16 @@ class Chart:
         self.turns = turns
         self.returns = returns
         self.functions = functions
+        self.programs = programs
         self.kernels: Mapping[str, Kernel] = {**KERNELS, **own}
         self.plain = SimpleNamespace(**{name: function.plain for name, function in functions.items()})
         self._bound: dict[np.dtype[Any], SimpleNamespace] = {}
         self._scratch: dict[Kernel, tuple[int, int]] = {}
+
+    @cached_property
+    def native(self) -> Mapping[str, np.ufunc]:
+        """The compiled functions that run instead of kernels, by name."""
+        return native_functions(self.module, self.programs)
 
     def in_place(self, selection: Selection, dtype: np.dtype[Any]) -> SimpleNamespace:
         """The in-place forms of the scalar programs, for a type."""

@@ -4803,7 +4803,7 @@ def between_jacobians_blocks(
     copy(o51, o72)
 
 
-# operations 277: 93 +, 138 *, 24 /, 4 sqrt, 2 tan, 2 atan2, 1 lt, 2 eq, 11 where
+# operations 282: 95 +, 138 *, 24 /, 1 abs, 4 sqrt, 2 tan, 2 atan2, 2 lt, 2 eq, 12 where
 def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     d1, d2, d3, d1o, d2o, d3o = delta
@@ -4885,7 +4885,9 @@ def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     r = m.sqrt(m.where(resting, 1 + x, x))
     own, = c.unfolded(m, x, r)
     own_ = m.where(resting, 0, own / r) * (v1 * z1 + v2 * z2 + v3 * z3) / length
-    angle = own_ + 2 * m.atan2(m.tan((2 * m.atan2(m.where(still, ss, length), z0) - own_) / 2), 1)
+    folded = 2 * m.atan2(m.where(still, ss, length), z0)
+    turns = own_ - folded + 2 * m.atan2(m.tan((folded - own_) / 2), 1)
+    angle = folded + m.where(m.abs(turns) < 1, 0, turns)
     rn, slopen = c.coefficient(m, angle)
     z0s = m.where(still, z0, length)
     factor = m.where(still, 2 * slopen / z0s, rn / length)
@@ -4967,6 +4969,7 @@ def retract_blocks(
     ss = add(add(mul(z1, z1, k3), mul(z2, z2, k4), k3), mul(z3, z3, k4), k3)
     still = m.equal(ss, n0, mask1)
     length = sqrt(m.where(still, add(n1, ss, k4), ss, k4), k4)
+    folded = mul(n2, atan2(m.where(still, ss, length, k3), z0, k3), k3)
     resting = m.equal(x, n0, mask2)
     r = sqrt(m.where(resting, add(n1, x, k7), x, k7), k7)
     own, = c.unfolded((k8,), (k9, k11, k12, k13, k17, k21, k22, *spare), (*spare_masks,), x, r)
@@ -4974,10 +4977,8 @@ def retract_blocks(
         mul(m.where(resting, n0, div(own, r, k7), k8), add(add(mul(v1, z1, k7), mul(v2, z2, k9), k7), mul(v3, z3, k9),
         k7), k7), length, k7
     )
-    angle = add(
-        own_, mul(n2, atan2(tan(div(sub(mul(n2, atan2(m.where(still, ss, length, k3), z0, k3), k3), own_, k3), n2, k3),
-        k3), n1, k3), k3), k3
-    )
+    turns = add(sub(own_, folded, k8), mul(n2, atan2(tan(div(sub(folded, own_, k7), n2, k7), k7), n1, k7), k7), k7)
+    angle = add(folded, m.where(m.less(absolute(turns, k8), n1, mask2), n0, turns, k8), k3)
     rn, slopen = c.coefficient((k7, k8), (k9, k10, k11, k12, k13, k17, k21, k22, *spare), (mask2, *spare_masks), angle)
     z0s = m.where(still, z0, length, k3)
     factor = m.where(still, div(mul(n2, slopen, k8), z0s, k3), div(rn, length, k4), k3)
@@ -5032,7 +5033,7 @@ def retract_blocks(
     div(add(sub(mul(rho3, fe, k1), sub(mul(v_1, rho2, k3), mul(v_2, rho1, k4), k3), k1), mul(v_3, hvr, k2), k1), n2, o6)
 
 
-# operations 277: 93 +, 138 *, 24 /, 4 sqrt, 2 tan, 2 atan2, 1 lt, 2 eq, 11 where
+# operations 282: 95 +, 138 *, 24 /, 1 abs, 4 sqrt, 2 tan, 2 atan2, 2 lt, 2 eq, 12 where
 def body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     d1, d2, d3, d1o, d2o, d3o = delta
@@ -5108,7 +5109,9 @@ def body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     r = m.sqrt(m.where(resting, 1 + x, x))
     own, = c.unfolded(m, x, r)
     own_ = m.where(resting, 0, own / r) * (v1 * z1 + v2 * z2 + v3 * z3) / length
-    angle = own_ + 2 * m.atan2(m.tan((2 * m.atan2(m.where(still, ss, length), z0) - own_) / 2), 1)
+    folded = 2 * m.atan2(m.where(still, ss, length), z0)
+    turns = own_ - folded + 2 * m.atan2(m.tan((folded - own_) / 2), 1)
+    angle = folded + m.where(m.abs(turns) < 1, 0, turns)
     rn, slopen = c.coefficient(m, angle)
     z0s = m.where(still, z0, length)
     factor = m.where(still, 2 * slopen / z0s, rn / length)
@@ -5190,6 +5193,7 @@ def body_retract_blocks(
     ss = add(add(mul(z1, z1, k3), mul(z2, z2, k4), k3), mul(z3, z3, k4), k3)
     still = m.equal(ss, n0, mask1)
     length = sqrt(m.where(still, add(n1, ss, k4), ss, k4), k4)
+    folded = mul(n2, atan2(m.where(still, ss, length, k3), z0, k3), k3)
     resting = m.equal(x, n0, mask2)
     r = sqrt(m.where(resting, add(n1, x, k7), x, k7), k7)
     own, = c.unfolded((k8,), (k9, k11, k12, k13, k17, k21, k22, *spare), (*spare_masks,), x, r)
@@ -5197,10 +5201,8 @@ def body_retract_blocks(
         mul(m.where(resting, n0, div(own, r, k7), k8), add(add(mul(v1, z1, k7), mul(v2, z2, k9), k7), mul(v3, z3, k9),
         k7), k7), length, k7
     )
-    angle = add(
-        own_, mul(n2, atan2(tan(div(sub(mul(n2, atan2(m.where(still, ss, length, k3), z0, k3), k3), own_, k3), n2, k3),
-        k3), n1, k3), k3), k3
-    )
+    turns = add(sub(own_, folded, k8), mul(n2, atan2(tan(div(sub(folded, own_, k7), n2, k7), k7), n1, k7), k7), k7)
+    angle = add(folded, m.where(m.less(absolute(turns, k8), n1, mask2), n0, turns, k8), k3)
     rn, slopen = c.coefficient((k7, k8), (k9, k10, k11, k12, k13, k17, k21, k22, *spare), (mask2, *spare_masks), angle)
     z0s = m.where(still, z0, length, k3)
     factor = m.where(still, div(mul(n2, slopen, k8), z0s, k3), div(rn, length, k4), k3)
@@ -5253,7 +5255,7 @@ def body_retract_blocks(
     div(add(sub(mul(rho3, fe, k2), sub(mul(v_1, rho2, k3), mul(v_2, rho1, k1), k1), k1), mul(v_3, hvr, k2), k1), n2, o6)
 
 
-# operations 1019: 400 +, 526 *, 64 /, 6 neg, 4 sqrt, 2 tan, 2 atan2, 1 lt, 2 eq, 12 where
+# operations 1024: 402 +, 526 *, 64 /, 6 neg, 1 abs, 4 sqrt, 2 tan, 2 atan2, 2 lt, 2 eq, 13 where
 def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     d1, d2, d3, d1o, d2o, d3o = delta
@@ -5333,7 +5335,9 @@ def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Resul
     r = m.sqrt(m.where(resting, 1 + xp, xp))
     own, = c.unfolded(m, xp, r)
     own_ = m.where(resting, 0, own / r) * (v1 * z1 + v2 * z2 + v3 * z3) / length
-    angle = own_ + 2 * m.atan2(m.tan((2 * m.atan2(m.where(still, ss, length), z0) - own_) / 2), 1)
+    folded = 2 * m.atan2(m.where(still, ss, length), z0)
+    turns = own_ - folded + 2 * m.atan2(m.tan((folded - own_) / 2), 1)
+    angle = folded + m.where(m.abs(turns) < 1, 0, turns)
     rn, slopen = c.coefficient(m, angle)
     z0s = m.where(still, z0, length)
     factor = m.where(still, 2 * slopen / z0s, rn / length)
@@ -5682,6 +5686,7 @@ def retract_jacobians_blocks(
     ss = add(add(mul(z1, z1, k14), mul(z2, z2, k15), k14), mul(z3, z3, k15), k14)
     still = m.equal(ss, n0, mask2)
     length = sqrt(m.where(still, add(n1, ss, k15), ss, k15), k15)
+    folded = mul(n2, atan2(m.where(still, ss, length, k14), z0, k14), k14)
     resting = m.equal(xp, n0, mask3)
     r = sqrt(m.where(resting, add(n1, xp, k17), xp, k17), k17)
     own, = c.unfolded((k18,), (k28, k29, k33, k34, *spare), (*spare_masks,), xp, r)
@@ -5689,10 +5694,10 @@ def retract_jacobians_blocks(
         mul(m.where(resting, n0, div(own, r, k16), k17), add(add(mul(v1, z1, k16), mul(v2, z2, k18), k16), mul(v3, z3,
         k18), k16), k16), length, k16
     )
-    angle = add(
-        own_, mul(n2, atan2(tan(div(sub(mul(n2, atan2(m.where(still, ss, length, k14), z0, k14), k14), own_, k14), n2,
-        k14), k14), n1, k14), k14), k14
+    turns = add(
+        sub(own_, folded, k17), mul(n2, atan2(tan(div(sub(folded, own_, k16), n2, k16), k16), n1, k16), k16), k16
     )
+    angle = add(folded, m.where(m.less(absolute(turns, k17), n1, mask3), n0, turns, k17), k14)
     rn, slopen = c.coefficient((k16, k17), (k18, k28, k29, k33, k34, *spare), (mask3, *spare_masks), angle)
     z0s = m.where(still, z0, length, k14)
     factor = m.where(still, div(mul(n2, slopen, k17), z0s, k14), div(rn, length, k15), k14)
@@ -6083,7 +6088,7 @@ def retract_jacobians_blocks(
     copy(o51, o72)
 
 
-# operations 1019: 400 +, 526 *, 64 /, 6 neg, 4 sqrt, 2 tan, 2 atan2, 1 lt, 2 eq, 12 where
+# operations 1024: 402 +, 526 *, 64 /, 6 neg, 1 abs, 4 sqrt, 2 tan, 2 atan2, 2 lt, 2 eq, 13 where
 def body_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     d1, d2, d3, d1o, d2o, d3o = delta
@@ -6163,7 +6168,9 @@ def body_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> 
     r = m.sqrt(m.where(resting, 1 + xp, xp))
     own, = c.unfolded(m, xp, r)
     own_ = m.where(resting, 0, own / r) * (v1 * z1 + v2 * z2 + v3 * z3) / length
-    angle = own_ + 2 * m.atan2(m.tan((2 * m.atan2(m.where(still, ss, length), z0) - own_) / 2), 1)
+    folded = 2 * m.atan2(m.where(still, ss, length), z0)
+    turns = own_ - folded + 2 * m.atan2(m.tan((folded - own_) / 2), 1)
+    angle = folded + m.where(m.abs(turns) < 1, 0, turns)
     rn, slopen = c.coefficient(m, angle)
     z0s = m.where(still, z0, length)
     factor = m.where(still, 2 * slopen / z0s, rn / length)
@@ -6581,10 +6588,11 @@ def body_retract_jacobians_blocks(
         mul(m.where(resting, n0, div(own, r, k11), k12), add(add(mul(v1, z1, k11), mul(v2, z2, k17), k11), mul(v3, z3,
         k17), k11), k11), length, k11
     )
-    angle = add(
-        own_, mul(n2, atan2(tan(div(sub(mul(n2, atan2(m.where(still, ss, length, k9), z0, k9), k9), own_, k9), n2, k9),
-        k9), n1, k9), k9), k9
+    folded = mul(n2, atan2(m.where(still, ss, length, k9), z0, k9), k9)
+    turns = add(
+        sub(own_, folded, k12), mul(n2, atan2(tan(div(sub(folded, own_, k11), n2, k11), k11), n1, k11), k11), k11
     )
+    angle = add(folded, m.where(m.less(absolute(turns, k12), n1, mask2), n0, turns, k12), k9)
     rn, slopen = c.coefficient((k11, k12), (k17, k18, k21, k41, k42, k46, k47, *spare), (mask2, *spare_masks), angle)
     z0s = m.where(still, z0, length, k9)
     factor = m.where(still, div(mul(n2, slopen, k12), z0s, k9), div(rn, length, k10), k9)
@@ -7399,6 +7407,526 @@ def body_local_blocks(
     div(add(sub(mul(rho1, fee, k6), sub(mul(d2, rho3, k7), mul(d3, rho2, k8), k7), k6), mul(d1, hvr, k7), k6), n2, o4)
     div(add(sub(mul(rho2, fee, k6), sub(mul(d3, rho1, k7), mul(d1, rho3, k8), k7), k6), mul(d2, hvr, k7), k6), n2, o5)
     div(add(sub(mul(rho3, fee, k1), sub(mul(d1, rho2, k3), mul(d2, rho1, k4), k3), k1), mul(d3, hvr, k2), k1), n2, o6)
+
+
+# operations 611: 197 +, 299 *, 45 /, 8 neg, 4 abs, 8 sqrt, 2 tan, 3 atan2, 6 lt, 5 eq, 1 or, 33 where
+def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) -> Result:
+    a1, a2, a3, a1o, a2o, a3o = a
+    b1, b2, b3, b1o, b2o, b3o = b
+    t, = time
+    v11a = a1 * a1
+    v22a = a2 * a2
+    v33a = a3 * a3
+    xa = v11a + v22a + v33a
+    aa, ba, _, fa, ga, ha = c.ray(m, xa)
+    bva1 = a1 * ba
+    bva2 = a2 * ba
+    bva3 = a3 * ba
+    v11b = b1 * b1
+    v22b = b2 * b2
+    v33b = b3 * b3
+    xb = v11b + v22b + v33b
+    ab, bb, _, fb, gb, hb = c.ray(m, xb)
+    bvb1 = b1 * bb
+    bvb2 = b2 * bb
+    bvb3 = b3 * bb
+    gva1 = a1 * ga
+    gva2 = a2 * ga
+    gva3 = a3 * ga
+    ya = a1 * a1o + a2 * a2o + a3 * a3o
+    alonga = ha * ya
+    rhoa1 = a1o * fa + (gva2 * a3o - gva3 * a2o) + a1 * alonga
+    rhoa2 = a2o * fa + (gva3 * a1o - gva1 * a3o) + a2 * alonga
+    rhoa3 = a3o * fa + (gva1 * a2o - gva2 * a1o) + a3 * alonga
+    minus_fa = -fa
+    v_rhoa1 = a2 * rhoa3 - a3 * rhoa2
+    v_rhoa2 = a3 * rhoa1 - a1 * rhoa3
+    v_rhoa3 = a1 * rhoa2 - a2 * rhoa1
+    gv_rhoa1 = v_rhoa1 * ga
+    gv_rhoa2 = v_rhoa2 * ga
+    gv_rhoa3 = v_rhoa3 * ga
+    back1 = -(rhoa1 + (v_rhoa1 * minus_fa + (a2 * gv_rhoa3 - a3 * gv_rhoa2)))
+    back2 = -(rhoa2 + (v_rhoa2 * minus_fa + (a3 * gv_rhoa1 - a1 * gv_rhoa3)))
+    back3 = -(rhoa3 + (v_rhoa3 * minus_fa + (a1 * gv_rhoa2 - a2 * gv_rhoa1)))
+    v_back1 = b2 * back3 - b3 * back2
+    v_back2 = b3 * back1 - b1 * back3
+    v_back3 = b1 * back2 - b2 * back1
+    gv_back1 = v_back1 * gb
+    gv_back2 = v_back2 * gb
+    gv_back3 = v_back3 * gb
+    gvb1 = b1 * gb
+    gvb2 = b2 * gb
+    gvb3 = b3 * gb
+    yb = b1 * b1o + b2 * b2o + b3 * b3o
+    alongb = hb * yb
+    way1 = (
+        back1 + (v_back1 * fb + (b2 * gv_back3 - b3 * gv_back2)) + (b1o * fb + (gvb2 * b3o - gvb3 * b2o) + b1 * alongb)
+    )
+    way2 = (
+        back2 + (v_back2 * fb + (b3 * gv_back1 - b1 * gv_back3)) + (b2o * fb + (gvb3 * b1o - gvb1 * b3o) + b2 * alongb)
+    )
+    way3 = (
+        back3 + (v_back3 * fb + (b1 * gv_back2 - b2 * gv_back1)) + (b3o * fb + (gvb1 * b2o - gvb2 * b1o) + b3 * alongb)
+    )
+    minus_bva1 = -bva1
+    minus_bva2 = -bva2
+    minus_bva3 = -bva3
+    e0 = ab * aa - (bvb1 * minus_bva1 + bvb2 * minus_bva2 + bvb3 * minus_bva3)
+    e1 = minus_bva1 * ab + bvb1 * aa + (bvb2 * minus_bva3 - bvb3 * minus_bva2)
+    e2 = minus_bva2 * ab + bvb2 * aa + (bvb3 * minus_bva1 - bvb1 * minus_bva3)
+    e3 = minus_bva3 * ab + bvb3 * aa + (bvb1 * minus_bva2 - bvb2 * minus_bva1)
+    negativee = e0 < 0
+    cose = m.where(negativee, -e0, e0)
+    sse = e1 * e1 + e2 * e2 + e3 * e3
+    stille = sse == 0
+    sine = m.sqrt(m.where(stille, cose, sse))
+    anglee = 2 * m.atan2(sine, cose)
+    gaine = m.where(negativee, -1, 1) * (m.where(stille, 2 * cose, anglee) / m.where(stille, cose * cose, sine))
+    d1 = e1 * gaine
+    d2 = e2 * gaine
+    d3 = e3 * gaine
+    v11e = d1 * d1
+    v22e = d2 * d2
+    v33e = d3 * d3
+    xe = v11e + v22e + v33e
+    fee = gaine * e0
+    neare = xe < 6
+    ze = m.where(neare, xe, xe - xe) / 4
+    C7e = (
+        (72 - ze * ((3603600 - ze * (32760 - ze * (210 - ze * ((93024 - ze * (342 - ze * ((212520 - ze * (506 - ze))
+        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
+    )
+    C5e = (1 - 120 * (ze * C7e)) / 120
+    C3e = (1 - 6 * (ze * C5e)) / 6
+    C1e = 1 - ze * C3e
+    xxe = m.where(neare, 6 + xe, xe)
+    alphae = m.sqrt(xxe)
+    te = m.tan(alphae / 4)
+    tte = te * te
+    belowe = 1 + tte
+    we = m.where(neare, C1e / 2, 2 * te / belowe / alphae)
+    wwe = we * we
+    ge = 2 * wwe
+    CC1e = C1e * C1e
+    C0e = m.sqrt(1 - ze * CC1e)
+    se = m.where(neare, C0e, (1 - tte) / belowe)
+    fie = se / we
+    C01e = 1 + C0e
+    C2e = CC1e / C01e
+    fe = 2 * (se * we)
+    he = m.where(neare, (C3e + C1e * C2e) / 4, (1 - fe) / xxe)
+    hie = ge - fie * he
+    hvr = hie * (d1 * way1 + d2 * way2 + d3 * way3)
+    td1 = t * d1
+    td2 = t * d2
+    td3 = t * d3
+    td4 = t * ((way1 * fee - (d2 * way3 - d3 * way2) + d1 * hvr) / 2)
+    td5 = t * ((way2 * fee - (d3 * way1 - d1 * way3) + d2 * hvr) / 2)
+    td6 = t * ((way3 * fee - (d1 * way2 - d2 * way1) + d3 * hvr) / 2)
+    v11t = td1 * td1
+    v22t = td2 * td2
+    v33t = td3 * td3
+    xt = v11t + v22t + v33t
+    neart = xt < 6
+    zt = m.where(neart, xt, xt - xt) / 4
+    C7t = (
+        (72 - zt * ((3603600 - zt * (32760 - zt * (210 - zt * ((93024 - zt * (342 - zt * ((212520 - zt * (506 - zt))
+        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
+    )
+    C5t = (1 - 120 * (zt * C7t)) / 120
+    C3t = (1 - 6 * (zt * C5t)) / 6
+    C1t = 1 - zt * C3t
+    CC1t = C1t * C1t
+    C0t = m.sqrt(1 - zt * CC1t)
+    xxt = m.where(neart, 6 + xt, xt)
+    alphat = m.sqrt(xxt)
+    tt = m.tan(alphat / 4)
+    ttt = tt * tt
+    belowt = 1 + ttt
+    st = m.where(neart, C0t, (1 - ttt) / belowt)
+    wt = m.where(neart, C1t / 2, 2 * tt / belowt / alphat)
+    wd1 = td1 * wt
+    wd2 = td2 * wt
+    wd3 = td3 * wt
+    z0 = st * aa - (wd1 * bva1 + wd2 * bva2 + wd3 * bva3)
+    z1 = bva1 * st + wd1 * aa + (wd2 * bva3 - wd3 * bva2)
+    z2 = bva2 * st + wd2 * aa + (wd3 * bva1 - wd1 * bva3)
+    z3 = bva3 * st + wd3 * aa + (wd1 * bva2 - wd2 * bva1)
+    ft = 2 * (st * wt)
+    wwt = wt * wt
+    gt = 2 * wwt
+    v_moved1 = td2 * rhoa3 - td3 * rhoa2
+    v_moved2 = td3 * rhoa1 - td1 * rhoa3
+    v_moved3 = td1 * rhoa2 - td2 * rhoa1
+    gv_moved1 = v_moved1 * gt
+    gv_moved2 = v_moved2 * gt
+    gv_moved3 = v_moved3 * gt
+    C01t = 1 + C0t
+    C2t = CC1t / C01t
+    ht = m.where(neart, (C3t + C1t * C2t) / 4, (1 - ft) / xxt)
+    gvt1 = td1 * gt
+    gvt2 = td2 * gt
+    gvt3 = td3 * gt
+    yt = td1 * td4 + td2 * td5 + td3 * td6
+    alongt = ht * yt
+    rho1 = (
+        rhoa1 + (v_moved1 * ft + (td2 * gv_moved3 - td3 * gv_moved2)) + (td4 * ft + (gvt2 * td6 - gvt3 * td5) + td1
+        * alongt)
+    )
+    rho2 = (
+        rhoa2 + (v_moved2 * ft + (td3 * gv_moved1 - td1 * gv_moved3)) + (td5 * ft + (gvt3 * td4 - gvt1 * td6) + td2
+        * alongt)
+    )
+    rho3 = (
+        rhoa3 + (v_moved3 * ft + (td1 * gv_moved2 - td2 * gv_moved1)) + (td6 * ft + (gvt1 * td5 - gvt2 * td4) + td3
+        * alongt)
+    )
+    resting = xa == 0
+    r = m.sqrt(m.where(resting, 1 + xa, xa))
+    own, = c.unfolded(m, xa, r)
+    own_ = m.where(resting, xa, own)
+    axis1 = a1 / r
+    axis2 = a2 / r
+    axis3 = a3 / r
+    apart = resting | (r < r + (m.abs(d2 * a3 - d3 * a2) + m.abs(d3 * a1 - d1 * a3) + m.abs(d1 * a2 - d2 * a1)) / 64)
+    side = m.where(bva1 * a1 + bva2 * a2 + bva3 * a3 < 0, -1, 1)
+    ss1 = bva1 * bva1 + bva2 * bva2 + bva3 * bva3
+    still1 = ss1 == 0
+    sine1 = (
+        m.where(apart, m.where(still1, ss1, side * m.sqrt(m.where(still1, 1 + ss1, ss1))), bva1 * axis1 + bva2 * axis2
+        + bva3 * axis3)
+    )
+    sign1 = m.where(apart, side, 1)
+    half1 = m.atan2(sign1 * sine1, sign1 * aa)
+    sst = z1 * z1 + z2 * z2 + z3 * z3
+    stillt = sst == 0
+    sinet = (
+        m.where(apart, m.where(stillt, sst, side * m.sqrt(m.where(stillt, 1 + sst, sst))), z1 * axis1 + z2 * axis2 + z3
+        * axis3)
+    )
+    halft = m.atan2(sign1 * sinet, sign1 * z0)
+    halft_by_2 = 2 * halft
+    turns = own_ + m.where(apart, -2 * half1, td1 * axis1 + td2 * axis2 + td3 * axis3 - halft_by_2)
+    still = sinet == 0
+    angle = m.where(still, sinet, m.where(m.abs(turns) < 1, 0, turns) + halft_by_2)
+    rn, slopen = c.coefficient(m, angle)
+    factor = rn / m.where(still, 1 + sinet, sinet)
+    v_1 = m.where(apart, z1 * factor, axis1 * rn)
+    v_2 = m.where(apart, z2 * factor, axis2 * rn)
+    v_3 = m.where(apart, z3 * factor, axis3 * rn)
+    fe_ = m.where(still, 2 * slopen, factor * z0)
+    v11w = v_1 * v_1
+    v22w = v_2 * v_2
+    v33w = v_3 * v_3
+    xw = v11w + v22w + v33w
+    _, hiw = c.inverse(m, xw, fe_)
+    hvr_ = hiw * (v_1 * rho1 + v_2 * rho2 + v_3 * rho3)
+    return (
+        v_1,
+        v_2,
+        v_3,
+        (rho1 * fe_ - (v_2 * rho3 - v_3 * rho2) + v_1 * hvr_) / 2,
+        (rho2 * fe_ - (v_3 * rho1 - v_1 * rho3) + v_2 * hvr_) / 2,
+        (rho3 * fe_ - (v_1 * rho2 - v_2 * rho1) + v_3 * hvr_) / 2,
+    )
+
+
+def interpolate_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, a: Rows, b: Rows, time: Rows
+) -> None:
+    a1, a2, a3, a1o, a2o, a3o = a
+    b1, b2, b3, b1o, b2o, b3o = b
+    t, = time
+    o1, o2, o3, o4, o5, o6 = out
+    (
+        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
+        k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, *spare,
+    ) = scratch
+    mask1, mask2, mask3, *spare_masks = masks
+    (
+        n_minus_2, n_minus_1, n0, n1, n2, n4, n6, n64, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520,
+        n3603600,
+    ) = numbers
+    v11a = mul(a1, a1, k1)
+    v22a = mul(a2, a2, k2)
+    v33a = mul(a3, a3, k3)
+    xa = add(add(v11a, v22a, k1), v33a, k1)
+    aa, ba, _, fa, ga, ha = c.ray((k2, k3, k4, k5, k6, k7), (*spare,), (*spare_masks,), xa)
+    bva1 = mul(a1, ba, k4)
+    minus_bva1 = neg(bva1, k8)
+    v11b = mul(b1, b1, k9)
+    v22b = mul(b2, b2, k10)
+    v33b = mul(b3, b3, k11)
+    xb = add(add(v11b, v22b, k9), v33b, k9)
+    ab, bb, _, fb, gb, hb = c.ray((k10, k11, k12, k13, k14, k15), (*spare,), (*spare_masks,), xb)
+    bvb1 = mul(b1, bb, k9)
+    bvb2 = mul(b2, bb, k12)
+    bvb3 = mul(b3, bb, k11)
+    bva3 = mul(a3, ba, k16)
+    bva2 = mul(a2, ba, k3)
+    minus_bva3 = neg(bva3, k17)
+    minus_bva2 = neg(bva2, k18)
+    e1 = add(
+        add(mul(minus_bva1, ab, k19), mul(bvb1, aa, k20), k19), sub(mul(bvb2, minus_bva3, k20), mul(bvb3, minus_bva2,
+        k21), k20), k19
+    )
+    e2 = add(
+        add(mul(minus_bva2, ab, k20), mul(bvb2, aa, k21), k20), sub(mul(bvb3, minus_bva1, k21), mul(bvb1, minus_bva3,
+        k22), k21), k20
+    )
+    e3 = add(
+        add(mul(minus_bva3, ab, k21), mul(bvb3, aa, k22), k21), sub(mul(bvb1, minus_bva2, k22), mul(bvb2, minus_bva1,
+        k23), k22), k21
+    )
+    e0 = sub(
+        mul(ab, aa, k10), add(add(mul(bvb1, minus_bva1, k8), mul(bvb2, minus_bva2, k9), k8), mul(bvb3, minus_bva3, k9),
+        k8), k8
+    )
+    sse = add(add(mul(e1, e1, k9), mul(e2, e2, k10), k9), mul(e3, e3, k10), k9)
+    stille = m.equal(sse, n0, mask1)
+    negativee = m.less(e0, n0, mask2)
+    cose = m.where(negativee, neg(e0, k10), e0, k10)
+    sine = sqrt(m.where(stille, cose, sse, k11), k9)
+    anglee = mul(n2, atan2(sine, cose, k11), k11)
+    gaine = mul(
+        m.where(negativee, n_minus_1, n1, k12), div(m.where(stille, mul(n2, cose, k17), anglee, k17), m.where(stille,
+        mul(cose, cose, k10), sine, k10), k9), k9
+    )
+    d1 = mul(e1, gaine, k10)
+    d2 = mul(e2, gaine, k11)
+    d3 = mul(e3, gaine, k12)
+    fee = mul(gaine, e0, k8)
+    td1 = mul(t, d1, k9)
+    v11t = mul(td1, td1, k17)
+    td2 = mul(t, d2, k18)
+    v22t = mul(td2, td2, k19)
+    td3 = mul(t, d3, k20)
+    v33t = mul(td3, td3, k21)
+    xt = add(add(v11t, v22t, k17), v33t, k17)
+    neart = m.less(xt, n6, mask1)
+    zt = div(m.where(neart, xt, sub(xt, xt, k19), k21), n4, k19)
+    xxt = m.where(neart, add(n6, xt, k21), xt, k21)
+    C7t = div(
+        div(sub(n72, mul(zt, div(sub(n3603600, mul(zt, sub(n32760, mul(zt, sub(n210, mul(zt, div(sub(n93024, mul(zt,
+        sub(n342, mul(zt, div(sub(n212520, mul(zt, sub(n506, zt, k17), k17), k17), n212520, k17), k17), k17), k17),
+        k17), n93024, k17), k17), k17), k17), k17), k17), k17), n3603600, k17), k17), k17), n72, k17), n5040, k17
+    )
+    C5t = div(sub(n1, mul(n120, mul(zt, C7t, k17), k17), k17), n120, k17)
+    C3t = div(sub(n1, mul(n6, mul(zt, C5t, k17), k17), k17), n6, k17)
+    C1t = sub(n1, mul(zt, C3t, k22), k22)
+    CC1t = mul(C1t, C1t, k23)
+    C0t = sqrt(sub(n1, mul(zt, CC1t, k19), k19), k19)
+    alphat = sqrt(xxt, k24)
+    tt = tan(div(alphat, n4, k25), k25)
+    ttt = mul(tt, tt, k26)
+    belowt = add(n1, ttt, k27)
+    wt = m.where(neart, div(C1t, n2, k28), div(div(mul(n2, tt, k25), belowt, k25), alphat, k24), k25)
+    st = m.where(neart, C0t, div(sub(n1, ttt, k24), belowt, k24), k26)
+    C01t = add(n1, C0t, k19)
+    C2t = div(CC1t, C01t, k19)
+    wd1 = mul(td1, wt, k23)
+    wd2 = mul(td2, wt, k24)
+    wd3 = mul(td3, wt, k27)
+    z1 = add(add(mul(bva1, st, k28), mul(wd1, aa, k29), k28), sub(mul(wd2, bva3, k29), mul(wd3, bva2, k30), k29), k28)
+    z2 = add(add(mul(bva2, st, k29), mul(wd2, aa, k30), k29), sub(mul(wd3, bva1, k30), mul(wd1, bva3, k31), k30), k29)
+    z3 = add(add(mul(bva3, st, k30), mul(wd3, aa, k31), k30), sub(mul(wd1, bva2, k31), mul(wd2, bva1, k32), k31), k30)
+    z0 = sub(mul(st, aa, k31), add(add(mul(wd1, bva1, k23), mul(wd2, bva2, k24), k23), mul(wd3, bva3, k24), k23), k23)
+    ft = mul(n2, mul(st, wt, k24), k24)
+    ht = m.where(neart, div(add(C3t, mul(C1t, C2t, k19), k17), n4, k17), div(sub(n1, ft, k19), xxt, k19), k17)
+    wwt = mul(wt, wt, k19)
+    gt = mul(n2, wwt, k19)
+    sst = add(add(mul(z1, z1, k21), mul(z2, z2, k22), k21), mul(z3, z3, k22), k21)
+    stillt = m.equal(sst, n0, mask1)
+    resting = m.equal(xa, n0, mask2)
+    r = sqrt(m.where(resting, add(n1, xa, k22), xa, k22), k22)
+    own, = c.unfolded((k25,), (k26, k27, k31, k32, *spare), (*spare_masks,), xa, r)
+    own_ = m.where(resting, xa, own, k1)
+    apart = m.either(
+        resting, m.less(r, add(r, div(add(add(absolute(sub(mul(d2, a3, k25), mul(d3, a2, k26), k25), k25),
+        absolute(sub(mul(d3, a1, k26), mul(d1, a3, k27), k26), k26), k25), absolute(sub(mul(d1, a2, k26), mul(d2, a1,
+        k27), k26), k26), k25), n64, k25), k25), mask3), mask2
+    )
+    side = m.where(
+        m.less(add(add(mul(bva1, a1, k25), mul(bva2, a2, k26), k25), mul(bva3, a3, k26), k25), n0, mask3), n_minus_1,
+        n1, k25
+    )
+    axis1 = div(a1, r, k26)
+    axis2 = div(a2, r, k27)
+    axis3 = div(a3, r, k22)
+    sinet = m.where(
+        apart, m.where(stillt, sst, mul(side, sqrt(m.where(stillt, add(n1, sst, k31), sst, k31), k31), k31), k21),
+        add(add(mul(z1, axis1, k31), mul(z2, axis2, k32), k31), mul(z3, axis3, k32), k31), k21
+    )
+    still = m.equal(sinet, n0, mask1)
+    sign1 = m.where(apart, side, n1, k31)
+    halft = atan2(mul(sign1, sinet, k32), mul(sign1, z0, k33), k32)
+    halft_by_2 = mul(n2, halft, k32)
+    ss1 = add(add(mul(bva1, bva1, k33), mul(bva2, bva2, k34), k33), mul(bva3, bva3, k34), k33)
+    still1 = m.equal(ss1, n0, mask3)
+    sine1 = m.where(
+        apart, m.where(still1, ss1, mul(side, sqrt(m.where(still1, add(n1, ss1, k34), ss1, k34), k34), k25), k33),
+        add(add(mul(bva1, axis1, k4), mul(bva2, axis2, k3), k3), mul(bva3, axis3, k4), k3), k4
+    )
+    half1 = atan2(mul(sign1, sine1, k3), mul(sign1, aa, k2), k2)
+    turns = add(
+        own_, m.where(apart, mul(n_minus_2, half1, k2), sub(add(add(mul(td1, axis1, k3), mul(td2, axis2, k4), k3),
+        mul(td3, axis3, k4), k3), halft_by_2, k3), k2), k1
+    )
+    angle = m.where(
+        still, sinet, add(m.where(m.less(absolute(turns, k2), n1, mask3), n0, turns, k2), halft_by_2, k1), k2
+    )
+    rn, slopen = c.coefficient((k1, k3), (k4, k16, k25, k31, k32, k33, k34, *spare), (mask3, *spare_masks), angle)
+    factor = div(rn, m.where(still, add(n1, sinet, k2), sinet, k2), k2)
+    v_1 = m.where(apart, mul(z1, factor, k4), mul(axis1, rn, k16), o1)
+    v_2 = m.where(apart, mul(z2, factor, k4), mul(axis2, rn, k16), o2)
+    v_3 = m.where(apart, mul(z3, factor, k4), mul(axis3, rn, k1), o3)
+    fe_ = m.where(still, mul(n2, slopen, k1), mul(factor, z0, k2), k1)
+    v11w = mul(v_1, v_1, k2)
+    v22w = mul(v_2, v_2, k3)
+    v33w = mul(v_3, v_3, k4)
+    xw = add(add(v11w, v22w, k2), v33w, k2)
+    _, hiw = c.inverse(
+        (k3, k4), (k16, k21, k22, k23, k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, *spare), (mask1, mask2, mask3,
+        *spare_masks), xw, fe_
+    )
+    v11e = mul(d1, d1, k2)
+    v22e = mul(d2, d2, k3)
+    v33e = mul(d3, d3, k16)
+    xe = add(add(v11e, v22e, k2), v33e, k2)
+    neare = m.less(xe, n6, mask1)
+    ze = div(m.where(neare, xe, sub(xe, xe, k3), k16), n4, k3)
+    xxe = m.where(neare, add(n6, xe, k16), xe, k16)
+    C7e = div(
+        div(sub(n72, mul(ze, div(sub(n3603600, mul(ze, sub(n32760, mul(ze, sub(n210, mul(ze, div(sub(n93024, mul(ze,
+        sub(n342, mul(ze, div(sub(n212520, mul(ze, sub(n506, ze, k2), k2), k2), n212520, k2), k2), k2), k2), k2),
+        n93024, k2), k2), k2), k2), k2), k2), k2), n3603600, k2), k2), k2), n72, k2), n5040, k2
+    )
+    C5e = div(sub(n1, mul(n120, mul(ze, C7e, k2), k2), k2), n120, k2)
+    C3e = div(sub(n1, mul(n6, mul(ze, C5e, k2), k2), k2), n6, k2)
+    C1e = sub(n1, mul(ze, C3e, k21), k21)
+    CC1e = mul(C1e, C1e, k22)
+    C0e = sqrt(sub(n1, mul(ze, CC1e, k3), k3), k3)
+    C01e = add(n1, C0e, k23)
+    C2e = div(CC1e, C01e, k22)
+    alphae = sqrt(xxe, k23)
+    te = tan(div(alphae, n4, k25), k25)
+    tte = mul(te, te, k26)
+    belowe = add(n1, tte, k27)
+    se = m.where(neare, C0e, div(sub(n1, tte, k26), belowe, k26), k3)
+    we = m.where(neare, div(C1e, n2, k26), div(div(mul(n2, te, k25), belowe, k25), alphae, k23), k25)
+    fe = mul(n2, mul(se, we, k23), k23)
+    he = m.where(neare, div(add(C3e, mul(C1e, C2e, k21), k2), n4, k2), div(sub(n1, fe, k21), xxe, k16), k2)
+    fie = div(se, we, k3)
+    wwe = mul(we, we, k16)
+    ge = mul(n2, wwe, k16)
+    hie = sub(ge, mul(fie, he, k2), k2)
+    gva3 = mul(a3, ga, k3)
+    gva1 = mul(a1, ga, k16)
+    ya = add(add(mul(a1, a1o, k21), mul(a2, a2o, k22), k21), mul(a3, a3o, k22), k21)
+    alonga = mul(ha, ya, k7)
+    rhoa2 = add(
+        add(mul(a2o, fa, k21), sub(mul(gva3, a1o, k22), mul(gva1, a3o, k23), k22), k21), mul(a2, alonga, k22), k21
+    )
+    gva2 = mul(a2, ga, k22)
+    rhoa1 = add(add(mul(a1o, fa, k23), sub(mul(gva2, a3o, k25), mul(gva3, a2o, k3), k3), k3), mul(a1, alonga, k23), k3)
+    rhoa3 = add(
+        add(mul(a3o, fa, k23), sub(mul(gva1, a2o, k16), mul(gva2, a1o, k22), k16), k16), mul(a3, alonga, k7), k7
+    )
+    minus_fa = neg(fa, k5)
+    v_rhoa3 = sub(mul(a1, rhoa2, k16), mul(a2, rhoa1, k22), k16)
+    v_rhoa2 = sub(mul(a3, rhoa1, k22), mul(a1, rhoa3, k23), k22)
+    gv_rhoa2 = mul(v_rhoa2, ga, k23)
+    v_rhoa1 = sub(mul(a2, rhoa3, k25), mul(a3, rhoa2, k26), k25)
+    gv_rhoa1 = mul(v_rhoa1, ga, k26)
+    gv_rhoa3 = mul(v_rhoa3, ga, k6)
+    back3 = neg(
+        add(rhoa3, add(mul(v_rhoa3, minus_fa, k16), sub(mul(a1, gv_rhoa2, k27), mul(a2, gv_rhoa1, k28), k27), k16),
+        k16), k16
+    )
+    back2 = neg(
+        add(rhoa2, add(mul(v_rhoa2, minus_fa, k22), sub(mul(a3, gv_rhoa1, k26), mul(a1, gv_rhoa3, k27), k26), k22),
+        k22), k22
+    )
+    back1 = neg(
+        add(rhoa1, add(mul(v_rhoa1, minus_fa, k5), sub(mul(a2, gv_rhoa3, k6), mul(a3, gv_rhoa2, k23), k6), k5), k5), k5
+    )
+    v_back1 = sub(mul(b2, back3, k6), mul(b3, back2, k23), k6)
+    v_back3 = sub(mul(b1, back2, k23), mul(b2, back1, k25), k23)
+    gv_back3 = mul(v_back3, gb, k25)
+    v_back2 = sub(mul(b3, back1, k26), mul(b1, back3, k27), k26)
+    gv_back2 = mul(v_back2, gb, k27)
+    gvb2 = mul(b2, gb, k28)
+    gvb3 = mul(b3, gb, k29)
+    yb = add(add(mul(b1, b1o, k30), mul(b2, b2o, k31), k30), mul(b3, b3o, k31), k30)
+    alongb = mul(hb, yb, k15)
+    way1 = add(
+        add(back1, add(mul(v_back1, fb, k30), sub(mul(b2, gv_back3, k31), mul(b3, gv_back2, k32), k31), k30), k5),
+        add(add(mul(b1o, fb, k30), sub(mul(gvb2, b3o, k31), mul(gvb3, b2o, k32), k31), k30), mul(b1, alongb, k31), k30),
+        k5
+    )
+    gv_back1 = mul(v_back1, gb, k6)
+    gvb1 = mul(b1, gb, k14)
+    way2 = add(
+        add(back2, add(mul(v_back2, fb, k26), sub(mul(b3, gv_back1, k30), mul(b1, gv_back3, k25), k25), k25), k22),
+        add(add(mul(b2o, fb, k25), sub(mul(gvb3, b1o, k26), mul(gvb1, b3o, k29), k26), k25), mul(b2, alongb, k26), k25),
+        k22
+    )
+    way3 = add(
+        add(back3, add(mul(v_back3, fb, k23), sub(mul(b1, gv_back2, k25), mul(b2, gv_back1, k6), k6), k6), k6),
+        add(add(mul(b3o, fb, k13), sub(mul(gvb1, b2o, k14), mul(gvb2, b1o, k16), k14), k13), mul(b3, alongb, k14), k13),
+        k6
+    )
+    hvr = mul(hie, add(add(mul(d1, way1, k13), mul(d2, way2, k14), k13), mul(d3, way3, k14), k13), k2)
+    td4 = mul(
+        t, div(add(sub(mul(way1, fee, k13), sub(mul(d2, way3, k14), mul(d3, way2, k15), k14), k13), mul(d1, hvr, k14),
+        k13), n2, k13), k13
+    )
+    td5 = mul(
+        t, div(add(sub(mul(way2, fee, k14), sub(mul(d3, way1, k15), mul(d1, way3, k16), k15), k14), mul(d2, hvr, k15),
+        k14), n2, k14), k14
+    )
+    td6 = mul(
+        t, div(add(sub(mul(way3, fee, k6), sub(mul(d1, way2, k8), mul(d2, way1, k5), k5), k5), mul(d3, hvr, k2), k2),
+        n2, k2), k2
+    )
+    yt = add(add(mul(td1, td4, k5), mul(td2, td5, k6), k5), mul(td3, td6, k6), k5)
+    alongt = mul(ht, yt, k5)
+    v_moved3 = sub(mul(td1, rhoa2, k6), mul(td2, rhoa1, k8), k6)
+    gv_moved3 = mul(v_moved3, gt, k8)
+    v_moved2 = sub(mul(td3, rhoa1, k10), mul(td1, rhoa3, k11), k10)
+    gv_moved2 = mul(v_moved2, gt, k11)
+    gvt2 = mul(td2, gt, k12)
+    gvt3 = mul(td3, gt, k15)
+    v_moved1 = sub(mul(td2, rhoa3, k16), mul(td3, rhoa2, k17), k16)
+    rho1 = add(
+        add(rhoa1, add(mul(v_moved1, ft, k17), sub(mul(td2, gv_moved3, k22), mul(td3, gv_moved2, k23), k22), k17), k3),
+        add(add(mul(td4, ft, k17), sub(mul(gvt2, td6, k22), mul(gvt3, td5, k23), k22), k17), mul(td1, alongt, k22),
+        k17), k3
+    )
+    gv_moved1 = mul(v_moved1, gt, k16)
+    gvt1 = mul(td1, gt, k17)
+    rho2 = add(
+        add(rhoa2, add(mul(v_moved2, ft, k10), sub(mul(td3, gv_moved1, k19), mul(td1, gv_moved3, k8), k8), k8), k8),
+        add(add(mul(td5, ft, k10), sub(mul(gvt3, td4, k15), mul(gvt1, td6, k19), k15), k10), mul(td2, alongt, k15),
+        k10), k8
+    )
+    rho3 = add(
+        add(rhoa3, add(mul(v_moved3, ft, k6), sub(mul(td1, gv_moved2, k9), mul(td2, gv_moved1, k10), k9), k6), k6),
+        add(add(mul(td6, ft, k2), sub(mul(gvt1, td5, k7), mul(gvt2, td4, k9), k7), k2), mul(td3, alongt, k5), k2), k2
+    )
+    hvr_ = mul(hiw, add(add(mul(v_1, rho1, k5), mul(v_2, rho2, k6), k5), mul(v_3, rho3, k6), k5), k4)
+    div(
+        add(sub(mul(rho1, fe_, k5), sub(mul(v_2, rho3, k6), mul(v_3, rho2, k7), k6), k5), mul(v_1, hvr_, k6), k5), n2,
+        o4
+    )
+    div(
+        add(sub(mul(rho2, fe_, k5), sub(mul(v_3, rho1, k6), mul(v_1, rho3, k7), k6), k5), mul(v_2, hvr_, k6), k5), n2,
+        o5
+    )
+    div(
+        add(sub(mul(rho3, fe_, k1), sub(mul(v_1, rho2, k2), mul(v_2, rho1, k3), k2), k1), mul(v_3, hvr_, k2), k1), n2,
+        o6
+    )
 
 
 # operations 82: 33 +, 49 *
@@ -8547,6 +9075,17 @@ KERNELS: Mapping[str, Kernel] = {
         masks=2,
         numbers=(-1, 0, 1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
         lent=(('ray', 0, 0), ('ray', 0, 0)),
+        real=True,
+    ),
+    "interpolate": Kernel(
+        interpolate,
+        interpolate_blocks,
+        (("v1", (6,)), ("v2", (6,)), ("t", ()),),
+        (6,),
+        registers=34,
+        masks=3,
+        numbers=(-2, -1, 0, 1, 2, 4, 6, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        lent=(('ray', 0, 0), ('ray', 0, 0), ('unfolded', 4, 0), ('coefficient', 7, 1), ('inverse', 14, 3)),
         real=True,
     ),
     "adjoint": Kernel(

@@ -1918,6 +1918,54 @@ class PoseKernels:
         """
         return call(self._chart, "body_local", axis, out, v2, v1)
 
+    def interpolate(self, v1: ArrayLike, v2: ArrayLike, t: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+        r"""Vector of the screw-linear motion (ScLERP) from v1 at t = 0 to the pose of v2 at t = 1: ``exp(t δ) R(v1)``.
+
+        δ = ``local(v2, v1)`` is the shorter way, a rotation by at most π. Where v1 and v2 are half a turn apart both are as
+        long: then it is that on which the vector part of the product of closed forms ``quaternion(v2) quaternion(v1)*``
+        stands, ±1 of its scalar part being rounding. The branch is followed continuously from v1, over half turns and
+        onto other branches: between two whole turns (α = 2kπ and 2(k + 1)π) the motion stays there, and only about v1's
+        own axis it goes through them. So the result at t = 1 is v2 itself where that is the branch reached, else one of
+        its shadows. Any t is taken: below 0 and above 1 the motion goes on.
+
+        Parameters
+        ----------
+        v1, v2 : array_like, shape (..., 6)
+            Rodrigues dual vectors φ(α) u of this module.
+        t : array_like, shape (...)
+            Share of the way; its axes are those of the batch, with which it broadcasts.
+        axis : {-1, 0}
+            Where the component axes stand, in arguments and result: last, or first (the fastest).
+        out : ndarray, optional
+            Array for the result, shape (..., 6); it may overlap an argument.
+
+        Returns
+        -------
+        ndarray, shape (..., 6)
+            Where the motion comes to the edge of the chart v is infinite, or ends, and goes on from the opposite side; of
+            a chart whose φ is not periodic it is NaN beyond. Near whole turns, k ≠ 0, it loses digits as the axis does; at
+            one it is the principal vector, for nothing says about which axis.
+
+        Raises
+        ------
+        TypeError
+            If an argument is complex.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> w = np.array([0.2, 0, 0, 0, 0.5, 0])
+        >>> way = cayley2.interpolate(v, w, np.linspace(0, 1, 5))
+        >>> np.allclose(way[[0, -1]], [v, w])
+        True
+        >>> half = cayley2.local(way[2], v)
+        >>> np.allclose(half, cayley2.local(w, v) / 2)
+        True
+        """
+        return call(self._chart, "interpolate", axis, out, v1, v2, t)
+
     def adjoint(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Real matrix of the displacement on motors: [[Q, 0], [skew(ρ) Q, Q]].
 

@@ -80,12 +80,14 @@
 #   between: 255: 85 +, 139 *, 13 /, 7 neg, 8 sqrt, 1 lt, 2 where
 #   compose_jacobians: 1086: 412 +, 585 *, 64 /, 8 neg, 14 sqrt, 1 lt, 2 where
 #   between_jacobians: 1110: 412 +, 585 *, 64 /, 32 neg, 14 sqrt, 1 lt, 2 where
-#   retract: 343: 111 +, 163 *, 36 /, 11 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
-#   body_retract: 343: 111 +, 163 *, 36 /, 11 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
-#   retract_jacobians: 1160: 436 +, 592 *, 87 /, 7 neg, 15 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
-#   body_retract_jacobians: 1160: 436 +, 592 *, 87 /, 7 neg, 15 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   retract: 348: 113 +, 163 *, 36 /, 1 abs, 11 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 13 where
+#   body_retract: 348: 113 +, 163 *, 36 /, 1 abs, 11 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 13 where
+#   retract_jacobians: 1165: 438 +, 592 *, 87 /, 7 neg, 1 abs, 15 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 14 where
+#   body_retract_jacobians: 1165: 438 +, 592 *, 87 /, 7 neg, 1 abs, 15 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 14
+#       where
 #   local: 318: 102 +, 162 *, 25 /, 7 neg, 7 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 318: 102 +, 162 *, 25 /, 7 neg, 7 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+#   interpolate: 701: 222 +, 337 *, 59 /, 8 neg, 4 abs, 17 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
 #   adjoint: 106: 40 +, 62 *, 2 /, 2 sqrt
 #   transform_point_jacobians: 235: 98 +, 128 *, 4 /, 3 neg, 2 sqrt
 #   transform_line_jacobians: 334: 131 +, 191 *, 4 /, 6 neg, 2 sqrt
@@ -121,9 +123,9 @@ __all__ = [
     "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
     "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
     "compose_jacobians", "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor",
-    "identity", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian",
-    "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent", "tangent_dot",
-    "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
+    "identity", "interpolate", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot",
+    "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent",
+    "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
     "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
@@ -828,6 +830,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 4, 8)),
     },
     own={},
+    programs="d8c804ab113cb682",
 )
 
 KERNELS = PoseKernels(CHART)
@@ -859,6 +862,7 @@ from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
+interpolate = KERNELS.interpolate
 inverse = KERNELS.inverse
 local = KERNELS.local
 pose = KERNELS.pose

@@ -92,12 +92,13 @@
 #   between: 253: 88 +, 142 *, 12 /, 7 neg, 1 sqrt, 1 lt, 2 where
 #   compose_jacobians: 1054: 415 +, 570 *, 57 /, 8 neg, 1 sqrt, 1 lt, 2 where
 #   between_jacobians: 1078: 415 +, 570 *, 57 /, 32 neg, 1 sqrt, 1 lt, 2 where
-#   retract: 318: 106 +, 158 *, 30 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
-#   body_retract: 318: 106 +, 158 *, 30 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
-#   retract_jacobians: 1114: 431 +, 575 *, 76 /, 7 neg, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 12 where
-#   body_retract_jacobians: 1114: 431 +, 575 *, 76 /, 7 neg, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 12 where
+#   retract: 323: 108 +, 158 *, 30 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   body_retract: 323: 108 +, 158 *, 30 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   retract_jacobians: 1119: 433 +, 575 *, 76 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   body_retract_jacobians: 1119: 433 +, 575 *, 76 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 316: 104 +, 162 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 316: 104 +, 162 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+#   interpolate: 675: 218 +, 332 *, 53 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 6 lt, 5 eq, 1 or, 33 where
 #   adjoint: 102: 39 +, 61 *, 2 /
 #   transform_point_jacobians: 226: 98 +, 122 *, 3 /, 3 neg
 #   transform_line_jacobians: 325: 131 +, 185 *, 3 /, 6 neg
@@ -135,10 +136,10 @@ __all__ = [
     "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
     "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
     "compose_jacobians", "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_pose", "from_quaternion",
-    "from_screw", "from_tensor", "identity", "inverse", "local", "pose", "principal", "quaternion", "random", "rate",
-    "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles",
-    "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians",
-    "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
+    "from_screw", "from_tensor", "identity", "interpolate", "inverse", "local", "pose", "principal", "quaternion",
+    "random", "rate", "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
+    "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 4
@@ -734,6 +735,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 8)),
     },
     own={},
+    programs="1a96273c027f14a5",
 )
 
 KERNELS = PoseKernels(CHART)
@@ -767,6 +769,7 @@ from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
+interpolate = KERNELS.interpolate
 inverse = KERNELS.inverse
 local = KERNELS.local
 pose = KERNELS.pose

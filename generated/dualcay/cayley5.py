@@ -92,12 +92,13 @@
 #   between: 261: 88 +, 144 *, 12 /, 7 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   compose_jacobians: 1081: 423 +, 583 *, 57 /, 8 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   between_jacobians: 1105: 423 +, 583 *, 57 /, 32 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   retract: 320: 107 +, 159 *, 30 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
-#   body_retract: 320: 107 +, 159 *, 30 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
-#   retract_jacobians: 1130: 438 +, 584 *, 76 /, 7 neg, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 12 where
-#   body_retract_jacobians: 1130: 438 +, 584 *, 76 /, 7 neg, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 12 where
+#   retract: 325: 109 +, 159 *, 30 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   body_retract: 325: 109 +, 159 *, 30 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   retract_jacobians: 1135: 440 +, 584 *, 76 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   body_retract_jacobians: 1135: 440 +, 584 *, 76 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 314: 102 +, 162 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 314: 102 +, 162 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+#   interpolate: 676: 218 +, 333 *, 53 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 6 lt, 5 eq, 1 or, 33 where
 #   adjoint: 104: 40 +, 62 *, 2 /
 #   transform_point_jacobians: 231: 100 +, 125 *, 3 /, 3 neg
 #   transform_line_jacobians: 330: 133 +, 188 *, 3 /, 6 neg
@@ -135,10 +136,10 @@ __all__ = [
     "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
     "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
     "compose_jacobians", "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_pose", "from_quaternion",
-    "from_screw", "from_tensor", "identity", "inverse", "local", "pose", "principal", "quaternion", "random", "rate",
-    "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles",
-    "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians",
-    "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
+    "from_screw", "from_tensor", "identity", "interpolate", "inverse", "local", "pose", "principal", "quaternion",
+    "random", "rate", "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
+    "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 5
@@ -758,6 +759,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 10)),
     },
     own={},
+    programs="f2ea42f1e3b54b95",
 )
 
 KERNELS = PoseKernels(CHART)
@@ -791,6 +793,7 @@ from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
+interpolate = KERNELS.interpolate
 inverse = KERNELS.inverse
 local = KERNELS.local
 pose = KERNELS.pose

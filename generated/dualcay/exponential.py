@@ -72,18 +72,20 @@
 #   turn: 64: 15 +, 24 *, 10 /, 6 abs, 1 sqrt, 2 eq, 6 where
 #   shadow: 143: 38 +, 48 *, 23 /, 1 neg, 6 abs, 3 sqrt, 1 tan, 5 lt, 3 eq, 1 and, 1 or, 13 where
 #   identity_jacobian: 12: 12 +
-#   shadow_jacobian: 190: 55 +, 75 *, 25 /, 2 neg, 6 abs, 3 sqrt, 1 tan, 5 lt, 3 eq, 1 and, 1 or, 13 where
+#   shadow_jacobian: 203: 61 +, 81 *, 27 /, 1 neg, 6 abs, 3 sqrt, 1 tan, 5 lt, 3 eq, 1 and, 1 or, 13 where
 #   principal: 111: 31 +, 39 *, 20 /, 4 sqrt, 1 tan, 1 atan2, 3 lt, 12 where
 #   compose: 394: 126 +, 178 *, 53 /, 1 neg, 7 sqrt, 3 tan, 1 atan2, 4 lt, 1 eq, 20 where
 #   between: 400: 126 +, 178 *, 53 /, 7 neg, 7 sqrt, 3 tan, 1 atan2, 4 lt, 1 eq, 20 where
 #   compose_jacobians: 1392: 510 +, 657 *, 151 /, 8 neg, 13 sqrt, 6 tan, 1 atan2, 7 lt, 1 eq, 38 where
 #   between_jacobians: 1416: 510 +, 657 *, 151 /, 32 neg, 13 sqrt, 6 tan, 1 atan2, 7 lt, 1 eq, 38 where
-#   retract: 410: 132 +, 181 *, 57 /, 8 sqrt, 4 tan, 2 atan2, 3 lt, 2 eq, 21 where
-#   body_retract: 410: 132 +, 181 *, 57 /, 8 sqrt, 4 tan, 2 atan2, 3 lt, 2 eq, 21 where
-#   retract_jacobians: 1340: 497 +, 636 *, 139 /, 7 neg, 12 sqrt, 6 tan, 2 atan2, 5 lt, 2 eq, 34 where
-#   body_retract_jacobians: 1340: 497 +, 636 *, 139 /, 7 neg, 12 sqrt, 6 tan, 2 atan2, 5 lt, 2 eq, 34 where
+#   retract: 415: 134 +, 181 *, 57 /, 1 abs, 8 sqrt, 4 tan, 2 atan2, 4 lt, 2 eq, 22 where
+#   body_retract: 415: 134 +, 181 *, 57 /, 1 abs, 8 sqrt, 4 tan, 2 atan2, 4 lt, 2 eq, 22 where
+#   retract_jacobians: 1345: 499 +, 636 *, 139 /, 7 neg, 1 abs, 12 sqrt, 6 tan, 2 atan2, 6 lt, 2 eq, 35 where
+#   body_retract_jacobians: 1345: 499 +, 636 *, 139 /, 7 neg, 1 abs, 12 sqrt, 6 tan, 2 atan2, 6 lt, 2 eq, 35
+#       where
 #   local: 400: 126 +, 178 *, 53 /, 7 neg, 7 sqrt, 3 tan, 1 atan2, 4 lt, 1 eq, 20 where
 #   body_local: 400: 126 +, 178 *, 53 /, 7 neg, 7 sqrt, 3 tan, 1 atan2, 4 lt, 1 eq, 20 where
+#   interpolate: 809: 255 +, 363 *, 94 /, 8 neg, 4 abs, 14 sqrt, 5 tan, 3 atan2, 9 lt, 5 eq, 1 or, 48 where
 #   adjoint: 147: 52 +, 70 *, 16 /, 2 sqrt, 1 tan, 1 lt, 5 where
 #   transform_point_jacobians: 283: 115 +, 135 *, 20 /, 3 neg, 2 sqrt, 1 tan, 1 lt, 6 where
 #   transform_line_jacobians: 382: 148 +, 198 *, 20 /, 6 neg, 2 sqrt, 1 tan, 1 lt, 6 where
@@ -112,16 +114,16 @@ from typing import Any
 
 from ._chart import Chart, Function
 from ._interface import PoseKernels
-from ._kernel import Components, Kernel, Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
+from ._kernel import Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
     "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
     "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
     "compose_jacobians", "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor",
-    "identity", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian",
-    "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent", "tangent_dot",
-    "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
+    "identity", "interpolate", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot",
+    "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent",
+    "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
     "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
@@ -427,6 +429,19 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     sub(add(mul(fy, h, o8), mul(f, hy, o7), o8), mul(n2, mul(g, gy, o7), o7), o8)
     sub(hy, gy, o7)
     return o1, o2, o3, o4, o5, o6, o7, o8, o9
+
+
+# operations 2: 2 +
+def _rate(m: Any, x: Any) -> Result:
+    one = x - x + 1
+    return one, 0
+
+
+def _rate_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, _ = out
+    n0, n1 = numbers
+    add(sub(x, x, o1), n1, o1)
+    return o1, n0
 
 
 # operations 68: 20 +, 22 *, 17 /, 2 sqrt, 1 tan, 1 lt, 5 where
@@ -1053,242 +1068,6 @@ def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     return o1, n1
 
 
-# --- geometry that does with less here than for any chart ---------------------------------------------------------
-
-
-# operations 190: 55 +, 75 *, 25 /, 2 neg, 6 abs, 3 sqrt, 1 tan, 5 lt, 3 eq, 1 and, 1 or, 13 where
-def _own_shadow_jacobian(m: Any, c: Any, v: Components, table: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    _, sin = table
-    total = m.abs(v1) + m.abs(v2) + m.abs(v3)
-    still = total == 0
-    a1 = m.where(still, v1o, v1)
-    a2 = m.where(still, v2o, v2)
-    a3 = m.where(still, v3o, v3)
-    extent = m.abs(a1) + m.abs(a2) + m.abs(a3)
-    scale = m.where(extent == 0, 1, extent)
-    s1 = a1 / scale
-    s2 = a2 / scale
-    s3 = a3 / scale
-    root = m.sqrt(s1 * s1 + s2 * s2 + s3 * s3)
-    u1 = s1 / root
-    u2 = s2 / root
-    u3 = s3 / root
-    ro = m.where(still, scale * root, u1 * v1o + u2 * v2o + u3 * v3o)
-    ir = m.where(still, 0, 1) / root
-    ru1 = u1 * ro
-    ru2 = u2 * ro
-    ru3 = u3 * ro
-    r = total * root
-    uo1 = (v1o - ru1) / scale * ir
-    uo2 = (v2o - ru2) / scale * ir
-    uo3 = (v3o - ru3) / scale * ir
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    near = x < 6
-    z = m.where(near, x, x - x) / 4
-    C7 = (
-        (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
-        / 93024)))) / 3603600)) / 72 / 5040
-    )
-    C5 = (1 - 120 * (z * C7)) / 120
-    C3 = (1 - 6 * (z * C5)) / 6
-    C1 = 1 - z * C3
-    xx = m.where(near, 6 + x, x)
-    alpha = m.sqrt(xx)
-    t = m.tan(alpha / 4)
-    tt = t * t
-    below = 1 + tt
-    w = m.where(near, C1 / 2, 2 * t / below / alpha)
-    kept = m.where(w < 0, 0, 16)
-    CC1 = C1 * C1
-    C0 = m.sqrt(1 - z * CC1)
-    s = m.where(near, C0, (1 - tt) / below)
-    turned = m.where(kept + s < kept, -w, w)
-    one = s - s + 1
-    sign = one * m.where((turned < 0) | (w == 0) & (y < 0), -1, 1)
-    sn = sign * sin
-    alphak = r + sn
-    across = alphak / r
-    acrosso = (ro - across * ro) / r
-    spread = 1 - across
-    spreado = -acrosso
-    su1 = u1 * spread
-    su1o = u1 * spreado + uo1 * spread
-    su2 = u2 * spread
-    su2o = u2 * spreado + uo2 * spread
-    su3 = u3 * spread
-    su3o = u3 * spreado + uo3 * spread
-    J12 = su1 * u2
-    J13 = su1 * u3
-    J21 = su2 * u1
-    J23 = su2 * u3
-    J31 = su3 * u1
-    J32 = su3 * u2
-    J11 = su1 * u1 + across
-    J22 = su2 * u2 + across
-    J33 = su3 * u3 + across
-    return (
-        J11,
-        J12,
-        J13,
-        0,
-        0,
-        0,
-        J21,
-        J22,
-        J23,
-        0,
-        0,
-        0,
-        J31,
-        J32,
-        J33,
-        0,
-        0,
-        0,
-        su1 * uo1 + su1o * u1 + acrosso,
-        su1 * uo2 + su1o * u2,
-        su1 * uo3 + su1o * u3,
-        J11,
-        J12,
-        J13,
-        su2 * uo1 + su2o * u1,
-        su2 * uo2 + su2o * u2 + acrosso,
-        su2 * uo3 + su2o * u3,
-        J21,
-        J22,
-        J23,
-        su3 * uo1 + su3o * u1,
-        su3 * uo2 + su3o * u2,
-        su3 * uo3 + su3o * u3 + acrosso,
-        J31,
-        J32,
-        J33,
-    )
-
-
-def _own_shadow_jacobian_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, table: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    _, sin = table
-    (
-        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
-        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36,
-    ) = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16 = scratch
-    mask1, mask2, mask3 = masks
-    n_minus_1, n0, n1, n2, n4, n6, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    near = m.less(x, n6, mask1)
-    z = div(m.where(near, x, sub(x, x, k2), k3), n4, k2)
-    xx = m.where(near, add(n6, x, k3), x, k3)
-    alpha = sqrt(xx, k1)
-    C7 = div(
-        div(sub(n72, mul(z, div(sub(n3603600, mul(z, sub(n32760, mul(z, sub(n210, mul(z, div(sub(n93024, mul(z,
-        sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, k3), k3), k3), n212520, k3), k3), k3), k3), k3), n93024,
-        k3), k3), k3), k3), k3), k3), k3), n3603600, k3), k3), k3), n72, k3), n5040, k3
-    )
-    C5 = div(sub(n1, mul(n120, mul(z, C7, k3), k3), k3), n120, k3)
-    C3 = div(sub(n1, mul(n6, mul(z, C5, k3), k3), k3), n6, k3)
-    C1 = sub(n1, mul(z, C3, k3), k3)
-    CC1 = mul(C1, C1, k4)
-    C0 = sqrt(sub(n1, mul(z, CC1, k2), k2), k2)
-    t = tan(div(alpha, n4, k4), k4)
-    tt = mul(t, t, k5)
-    below = add(n1, tt, k6)
-    w = m.where(near, div(C1, n2, k3), div(div(mul(n2, t, k4), below, k4), alpha, k1), k3)
-    s = m.where(near, C0, div(sub(n1, tt, k1), below, k1), k2)
-    kept = m.where(m.less(w, n0, mask1), n0, n16, k1)
-    turned = m.where(m.less(add(kept, s, k4), kept, mask1), neg(w, k1), w, k1)
-    one = add(sub(s, s, k2), n1, k2)
-    y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k5), k4), mul(v3, v3o, k5), k4)
-    sign = mul(
-        one, m.where(m.either(m.less(turned, n0, mask1), m.both(m.equal(w, n0, mask2), m.less(y, n0, mask3), mask2),
-        mask1), n_minus_1, n1, k1), k1
-    )
-    sn = mul(sign, sin, k1)
-    total = add(add(absolute(v1, k2), absolute(v2, k3), k2), absolute(v3, k3), k2)
-    still = m.equal(total, n0, mask1)
-    a1 = m.where(still, v1o, v1, k3)
-    a2 = m.where(still, v2o, v2, k4)
-    a3 = m.where(still, v3o, v3, k5)
-    extent = add(add(absolute(a1, k6), absolute(a2, k7), k6), absolute(a3, k7), k6)
-    scale = m.where(m.equal(extent, n0, mask2), n1, extent, k7)
-    s1 = div(a1, scale, k3)
-    s2 = div(a2, scale, k4)
-    s3 = div(a3, scale, k5)
-    root = sqrt(add(add(mul(s1, s1, k6), mul(s2, s2, k8), k6), mul(s3, s3, k8), k6), k6)
-    r = mul(total, root, k2)
-    alphak = add(r, sn, k1)
-    across = div(alphak, r, k1)
-    u3 = div(s3, root, k5)
-    u2 = div(s2, root, k4)
-    u1 = div(s1, root, k3)
-    spread = sub(n1, across, k8)
-    su3 = mul(u3, spread, k9)
-    add(mul(su3, u3, k10), across, o15)
-    mul(su3, u2, o14)
-    mul(su3, u1, o13)
-    ro = m.where(
-        still, mul(scale, root, k10), add(add(mul(u1, v1o, k11), mul(u2, v2o, k12), k11), mul(u3, v3o, k12), k11), k10
-    )
-    ir = div(m.where(still, n0, n1, k11), root, k6)
-    acrosso = div(sub(ro, mul(across, ro, k11), k11), r, k2)
-    spreado = neg(acrosso, k11)
-    ru3 = mul(u3, ro, k12)
-    uo3 = mul(div(sub(v3o, ru3, k12), scale, k12), ir, k12)
-    su3o = add(mul(u3, spreado, k13), mul(uo3, spread, k14), k13)
-    add(add(mul(su3, uo3, k14), mul(su3o, u3, k15), k14), acrosso, o33)
-    ru2 = mul(u2, ro, k14)
-    uo2 = mul(div(sub(v2o, ru2, k14), scale, k14), ir, k14)
-    add(mul(su3, uo2, k15), mul(su3o, u2, k16), o32)
-    ru1 = mul(u1, ro, k10)
-    uo1 = mul(div(sub(v1o, ru1, k10), scale, k7), ir, k6)
-    add(mul(su3, uo1, k7), mul(su3o, u1, k9), o31)
-    su2 = mul(u2, spread, k7)
-    mul(su2, u3, o9)
-    add(mul(su2, u2, k9), across, o8)
-    mul(su2, u1, o7)
-    su2o = add(mul(u2, spreado, k9), mul(uo2, spread, k10), k9)
-    add(mul(su2, uo3, k10), mul(su2o, u3, k13), o27)
-    add(add(mul(su2, uo2, k10), mul(su2o, u2, k13), k10), acrosso, o26)
-    add(mul(su2, uo1, k7), mul(su2o, u1, k9), o25)
-    su1o = add(mul(u1, spreado, k7), mul(uo1, spread, k9), k7)
-    su1 = mul(u1, spread, k8)
-    add(add(mul(su1, uo1, k6), mul(su1o, u1, k9), k6), acrosso, o19)
-    add(mul(su1, u1, k2), across, o1)
-    add(mul(su1, uo3, k1), mul(su1o, u3, k2), o21)
-    add(mul(su1, uo2, k1), mul(su1o, u2, k2), o20)
-    mul(su1, u3, o3)
-    mul(su1, u2, o2)
-    copy(n0, o4)
-    copy(n0, o5)
-    copy(n0, o6)
-    copy(n0, o10)
-    copy(n0, o11)
-    copy(n0, o12)
-    copy(n0, o16)
-    copy(n0, o17)
-    copy(n0, o18)
-    copy(o1, o22)
-    copy(o2, o23)
-    copy(o3, o24)
-    copy(o7, o28)
-    copy(o8, o29)
-    copy(o9, o30)
-    copy(o13, o34)
-    copy(o14, o35)
-    copy(o15, o36)
-
-
 CHART = Chart(
     __name__,
     branches=0,
@@ -1308,6 +1087,7 @@ CHART = Chart(
         "pose": Function(_pose, _pose_blocks, 6, 1, (1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
         "tangent": Function(_tangent, _tangent_blocks, 4, 1, (1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 5, 1, (1, 2, 3, 4, 5, 6, 7, 8, 15, 16, 32, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
+        "rate": Function(_rate, _rate_blocks, 0, 0, (0, 1)),
         "inverse": Function(_inverse, _inverse_blocks, 8, 1, (1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 9, 1, (1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
         "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 9, 1, (1, 2, 3, 4, 5, 6, 7, 8, 15, 16, 32, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
@@ -1322,19 +1102,8 @@ CHART = Chart(
         "beyond": Function(_beyond, _beyond_blocks, 5, 2, (-1, 0, 1, 2, 4, 6, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1,)),
     },
-    own={
-        "shadow_jacobian": Kernel(
-        _own_shadow_jacobian,
-        _own_shadow_jacobian_blocks,
-        (("v", (6,)),),
-        (6, 6),
-        registers=16,
-        masks=3,
-        numbers=(-1, 0, 1, 2, 4, 6, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
-        lent=(),
-        real=True,
-    ),
-    },
+    own={},
+    programs="37f7bedf60430e63",
 )
 
 KERNELS = PoseKernels(CHART)
@@ -1366,6 +1135,7 @@ from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
+interpolate = KERNELS.interpolate
 inverse = KERNELS.inverse
 local = KERNELS.local
 pose = KERNELS.pose

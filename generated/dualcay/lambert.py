@@ -64,12 +64,13 @@
 #   between: 224: 74 +, 127 *, 9 /, 7 neg, 4 sqrt, 1 lt, 2 where
 #   compose_jacobians: 1003: 388 +, 537 *, 59 /, 9 neg, 7 sqrt, 1 lt, 2 where
 #   between_jacobians: 1027: 388 +, 537 *, 59 /, 33 neg, 7 sqrt, 1 lt, 2 where
-#   retract: 313: 100 +, 152 *, 30 /, 7 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 13 where
-#   body_retract: 313: 100 +, 152 *, 30 /, 7 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 13 where
-#   retract_jacobians: 1099: 417 +, 560 *, 80 /, 8 neg, 9 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 14 where
-#   body_retract_jacobians: 1099: 417 +, 560 *, 80 /, 8 neg, 9 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 14 where
+#   retract: 318: 102 +, 152 *, 30 /, 1 abs, 7 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 14 where
+#   body_retract: 318: 102 +, 152 *, 30 /, 1 abs, 7 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 14 where
+#   retract_jacobians: 1104: 419 +, 560 *, 80 /, 8 neg, 1 abs, 9 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 15 where
+#   body_retract_jacobians: 1104: 419 +, 560 *, 80 /, 8 neg, 1 abs, 9 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 15 where
 #   local: 294: 94 +, 150 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 294: 94 +, 150 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+#   interpolate: 659: 207 +, 320 *, 52 /, 8 neg, 4 abs, 12 sqrt, 3 tan, 4 atan2, 8 lt, 5 eq, 1 or, 35 where
 #   adjoint: 94: 36 +, 56 *, 1 /, 1 sqrt
 #   transform_point_jacobians: 214: 93 +, 113 *, 4 /, 3 neg, 1 sqrt
 #   transform_line_jacobians: 313: 126 +, 176 *, 4 /, 6 neg, 1 sqrt
@@ -105,9 +106,9 @@ __all__ = [
     "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
     "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
     "compose_jacobians", "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor",
-    "identity", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian",
-    "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent", "tangent_dot",
-    "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
+    "identity", "interpolate", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot",
+    "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent",
+    "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
     "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
@@ -684,6 +685,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 4, 8)),
     },
     own={},
+    programs="4206e4789625bbaf",
 )
 
 KERNELS = PoseKernels(CHART)
@@ -715,6 +717,7 @@ from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
+interpolate = KERNELS.interpolate
 inverse = KERNELS.inverse
 local = KERNELS.local
 pose = KERNELS.pose

@@ -64,12 +64,13 @@
 #   between: 253: 77 +, 135 *, 24 /, 7 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   compose_jacobians: 1047: 391 +, 549 *, 87 /, 10 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   between_jacobians: 1071: 391 +, 549 *, 87 /, 34 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   retract: 317: 100 +, 155 *, 38 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
-#   body_retract: 317: 100 +, 155 *, 38 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
-#   retract_jacobians: 1109: 417 +, 564 *, 95 /, 8 neg, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 12 where
-#   body_retract_jacobians: 1109: 417 +, 564 *, 95 /, 8 neg, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 12 where
+#   retract: 322: 102 +, 155 *, 38 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   body_retract: 322: 102 +, 155 *, 38 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   retract_jacobians: 1114: 419 +, 564 *, 95 /, 8 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   body_retract_jacobians: 1114: 419 +, 564 *, 95 /, 8 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 308: 94 +, 154 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 308: 94 +, 154 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+#   interpolate: 670: 207 +, 325 *, 66 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 6 lt, 5 eq, 1 or, 33 where
 #   adjoint: 100: 36 +, 58 *, 6 /
 #   transform_point_jacobians: 223: 93 +, 116 *, 10 /, 4 neg
 #   transform_line_jacobians: 322: 126 +, 179 *, 10 /, 7 neg
@@ -105,9 +106,9 @@ __all__ = [
     "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
     "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
     "compose_jacobians", "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor",
-    "identity", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian",
-    "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent", "tangent_dot",
-    "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
+    "identity", "interpolate", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot",
+    "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent",
+    "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
     "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
@@ -788,6 +789,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 6)),
     },
     own={},
+    programs="f636be59e50df444",
 )
 
 KERNELS = PoseKernels(CHART)
@@ -819,6 +821,7 @@ from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
+interpolate = KERNELS.interpolate
 inverse = KERNELS.inverse
 local = KERNELS.local
 pose = KERNELS.pose

@@ -64,12 +64,13 @@
 #   between: 267: 88 +, 144 *, 24 /, 7 neg, 1 sqrt, 1 lt, 2 where
 #   compose_jacobians: 1087: 415 +, 573 *, 87 /, 8 neg, 1 sqrt, 1 lt, 2 where
 #   between_jacobians: 1111: 415 +, 573 *, 87 /, 32 neg, 1 sqrt, 1 lt, 2 where
-#   retract: 329: 106 +, 161 *, 38 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
-#   body_retract: 329: 106 +, 161 *, 38 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
-#   retract_jacobians: 1137: 431 +, 579 *, 95 /, 7 neg, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 12 where
-#   body_retract_jacobians: 1137: 431 +, 579 *, 95 /, 7 neg, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 12 where
+#   retract: 334: 108 +, 161 *, 38 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   body_retract: 334: 108 +, 161 *, 38 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   retract_jacobians: 1142: 433 +, 579 *, 95 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   body_retract_jacobians: 1142: 433 +, 579 *, 95 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 326: 104 +, 162 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 326: 104 +, 162 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+#   interpolate: 691: 218 +, 335 *, 66 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 6 lt, 5 eq, 1 or, 33 where
 #   adjoint: 106: 39 +, 61 *, 6 /
 #   transform_point_jacobians: 233: 98 +, 122 *, 10 /, 3 neg
 #   transform_line_jacobians: 332: 131 +, 185 *, 10 /, 6 neg
@@ -105,9 +106,9 @@ __all__ = [
     "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
     "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
     "compose_jacobians", "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor",
-    "identity", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian",
-    "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent", "tangent_dot",
-    "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
+    "identity", "interpolate", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot",
+    "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent",
+    "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
     "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
@@ -815,6 +816,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 8)),
     },
     own={},
+    programs="6202b367346115b6",
 )
 
 KERNELS = PoseKernels(CHART)
@@ -846,6 +848,7 @@ from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
+interpolate = KERNELS.interpolate
 inverse = KERNELS.inverse
 local = KERNELS.local
 pose = KERNELS.pose

@@ -64,12 +64,13 @@
 #   between: 275: 88 +, 146 *, 24 /, 7 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   compose_jacobians: 1114: 423 +, 586 *, 87 /, 8 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   between_jacobians: 1138: 423 +, 586 *, 87 /, 32 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   retract: 331: 107 +, 162 *, 38 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
-#   body_retract: 331: 107 +, 162 *, 38 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
-#   retract_jacobians: 1153: 438 +, 588 *, 95 /, 7 neg, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 12 where
-#   body_retract_jacobians: 1153: 438 +, 588 *, 95 /, 7 neg, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 12 where
+#   retract: 336: 109 +, 162 *, 38 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   body_retract: 336: 109 +, 162 *, 38 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   retract_jacobians: 1158: 440 +, 588 *, 95 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   body_retract_jacobians: 1158: 440 +, 588 *, 95 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 324: 102 +, 162 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 324: 102 +, 162 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+#   interpolate: 692: 218 +, 336 *, 66 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 6 lt, 5 eq, 1 or, 33 where
 #   adjoint: 108: 40 +, 62 *, 6 /
 #   transform_point_jacobians: 238: 100 +, 125 *, 10 /, 3 neg
 #   transform_line_jacobians: 337: 133 +, 188 *, 10 /, 6 neg
@@ -105,9 +106,9 @@ __all__ = [
     "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
     "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
     "compose_jacobians", "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor",
-    "identity", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian",
-    "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent", "tangent_dot",
-    "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
+    "identity", "interpolate", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot",
+    "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent",
+    "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
     "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
@@ -847,6 +848,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 10)),
     },
     own={},
+    programs="a9c0eb90e8bede43",
 )
 
 KERNELS = PoseKernels(CHART)
@@ -878,6 +880,7 @@ from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
+interpolate = KERNELS.interpolate
 inverse = KERNELS.inverse
 local = KERNELS.local
 pose = KERNELS.pose

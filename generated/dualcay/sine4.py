@@ -64,12 +64,13 @@
 #   between: 247: 85 +, 137 *, 10 /, 7 neg, 5 sqrt, 1 lt, 2 where
 #   compose_jacobians: 1059: 417 +, 563 *, 60 /, 8 neg, 8 sqrt, 1 lt, 2 where
 #   between_jacobians: 1083: 417 +, 563 *, 60 /, 32 neg, 8 sqrt, 1 lt, 2 where
-#   retract: 324: 106 +, 157 *, 30 /, 7 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 13 where
-#   body_retract: 324: 106 +, 157 *, 30 /, 7 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 13 where
-#   retract_jacobians: 1131: 435 +, 575 *, 80 /, 7 neg, 9 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 14 where
-#   body_retract_jacobians: 1131: 435 +, 575 *, 80 /, 7 neg, 9 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 14 where
+#   retract: 329: 108 +, 157 *, 30 /, 1 abs, 7 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 14 where
+#   body_retract: 329: 108 +, 157 *, 30 /, 1 abs, 7 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 14 where
+#   retract_jacobians: 1136: 437 +, 575 *, 80 /, 7 neg, 1 abs, 9 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 15 where
+#   body_retract_jacobians: 1136: 437 +, 575 *, 80 /, 7 neg, 1 abs, 9 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 15 where
 #   local: 308: 102 +, 156 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 308: 102 +, 156 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+#   interpolate: 677: 217 +, 328 *, 52 /, 8 neg, 4 abs, 12 sqrt, 3 tan, 4 atan2, 8 lt, 5 eq, 1 or, 35 where
 #   adjoint: 101: 40 +, 59 *, 1 /, 1 sqrt
 #   transform_point_jacobians: 226: 99 +, 119 *, 4 /, 3 neg, 1 sqrt
 #   transform_line_jacobians: 325: 132 +, 182 *, 4 /, 6 neg, 1 sqrt
@@ -105,9 +106,9 @@ __all__ = [
     "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
     "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
     "compose_jacobians", "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor",
-    "identity", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian",
-    "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent", "tangent_dot",
-    "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
+    "identity", "interpolate", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot",
+    "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent",
+    "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
     "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
@@ -738,6 +739,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 8, 16)),
     },
     own={},
+    programs="b27493c9503c9855",
 )
 
 KERNELS = PoseKernels(CHART)
@@ -769,6 +771,7 @@ from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
+interpolate = KERNELS.interpolate
 inverse = KERNELS.inverse
 local = KERNELS.local
 pose = KERNELS.pose

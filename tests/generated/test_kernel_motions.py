@@ -117,3 +117,97 @@ def test_shadows_of_no_rotation_have_no_derivative(name: str, kernels: ModuleTyp
     assert np.isnan(other[2, :3, :3]).all()
     if kernels.CHART.branches != 1:
         assert not np.isfinite(other[0]).all()
+
+
+# --- the screw-linear motion ----------------------------------------------------------------------------------------
+
+
+def pairs(name: str, oracle: Oracle) -> tuple[np.ndarray, np.ndarray]:
+    """Vectors of all angles, each with one of another angle; a translation and the identity among them."""
+    v = np.concatenate([vectors(oracle, *angles_of(name)), [[0, 0, 0, 1.0, -2.0, 0.5]], np.zeros((1, 6))])
+    return v, np.roll(v, 2, axis=0)
+
+
+def test_motions_agree_with_first_principles(name: str, kernels: ModuleType, oracle: Oracle):
+    """To 1e-12 of the result, and of what T⁻¹ makes of both translations."""
+    v1, v2 = pairs(name, oracle)
+    for a, b in zip(v1, v2, strict=True):
+        for t in (0.0, 0.35, 1.0):
+            got, exact = kernels.interpolate(a, b, t), oracle.interpolate(a, b, t).astype(float)
+            back = size_of(kernels.tangent_inv(got))
+            reach = sum(np.linalg.norm(kernels.pose(v)[:3, 3]) for v in (a, b)) + 1
+            sizes = errors.norm(exact[:3]) + 1 + back.re, (1 + back.re + back.du) * reach
+            for part, size in zip((slice(0, 3), slice(3, 6)), sizes, strict=True):
+                assert errors.norm(got[part] - exact[part]) <= CLOSE * size, (a, b, t, got, exact)
+
+
+def test_motions_are_screws_of_constant_pitch_and_the_shorter_way(name: str, kernels: ModuleType, oracle: Oracle):
+    """From v1 to the pose of v2: what is left of the way is its share of one step, a rotation by at most π."""
+    v1, v2 = pairs(name, oracle)
+    t = np.linspace(0, 1, 6)
+    way = kernels.interpolate(v1[:, None], v2[:, None], t)
+    assert way.shape == (len(v1), 6, 6)
+    whole = kernels.local(v2, v1)
+    assert (np.linalg.norm(whole[:, :3], axis=-1) <= np.pi * (1 + 1e-12)).all()
+    size = 1 + np.abs(kernels.pose(v2)[:, :3, 3]).max(-1) + np.abs(kernels.pose(v1)[:, :3, 3]).max(-1)
+    moved = kernels.pose(way)
+    for i in range(len(v1)):
+        by_steps = kernels.pose(kernels.retract(v1[i], t[:, None] * whole[i]))
+        np.testing.assert_allclose(moved[i], by_steps, rtol=0, atol=1e-10 * size[i])
+    np.testing.assert_allclose(moved[:, -1], kernels.pose(v2), rtol=0, atol=1e-10 * size.max())
+    np.testing.assert_allclose(way[:, 0], v1, rtol=1e-11, atol=1e-11)
+
+
+def test_the_branch_is_followed_over_half_turns_and_on_others(name: str, kernels: ModuleType, oracle: Oracle):
+    """In fine steps α u goes on by little; at the end v2 is reached, or a shadow of another angle or side."""
+    edge = families_edge(name)
+    for low, high in ((2.0, 3.0), *([(2.4 * np.pi, 2.7 * np.pi)] if edge > 3 * np.pi else [])):
+        v1, v2 = (families.vectors(oracle, low, high, 3) for _ in range(2))
+        v2[:, :3] = -np.roll(v1[:, :3], 1, axis=-1)
+        t = np.linspace(0, 1, 2001)
+        way = kernels.interpolate(v1[:, None], v2[:, None], t)
+        alpha = kernels.angle(way)[..., :1] * way[..., :3] / np.linalg.norm(way[..., :3], axis=-1, keepdims=True)
+        if np.linalg.norm(alpha, axis=-1).max() < 0.95 * edge:
+            assert np.linalg.norm(np.diff(alpha, axis=1), axis=-1).max() < 0.1
+        same = np.linalg.norm(way[:, -1] - v2, axis=-1) < 1e-9 * (1 + np.linalg.norm(v2, axis=-1))
+        shadows = ~np.isclose(kernels.angle(way[:, -1])[:, 0], kernels.angle(v2)[:, 0], rtol=0, atol=1e-6)
+        assert (same | shadows | (np.einsum("ij,ij->i", way[:, -1, :3], v2[:, :3]) < 0)).all()
+
+
+@pytest.mark.parametrize("name", ["cayley3", "cayley8", "exponential"])
+def test_about_one_axis_angles_go_through_whole_turns(kernels: ModuleType):
+    """As they do about one axis that is none of the coordinates': the ends are on two sides of 2π."""
+    axis = np.array([0.6, -0.48, 0.64, 0.0, 0.0, 0.0])
+    v1, v2 = (kernels.from_screw(np.array([angle, shift]), axis) for angle, shift in ((5.0, 0.2), (7.5, 1.0)))
+    for t in (0.25, 0.75, 1.0):
+        expected = kernels.from_screw(np.array([5.0 + 2.5 * t, 0.2 + 0.8 * t]), axis)
+        np.testing.assert_allclose(kernels.interpolate(v1, v2, t), expected, rtol=0, atol=1e-12 * 20)
+
+
+def test_at_half_a_turn_between_them_the_closed_forms_decide():
+    """q and −q are one pose: from the side of v2's own vector, and so a shadow of v2 the other way round."""
+    from dualcay import cayley2
+
+    v1 = np.zeros(6)
+    v2 = np.array([0, 0, 1.0, 0, 0, 0.5])  # half a turn about z
+    assert cayley2.quaternion(v2)[0] == 0
+    for end in (v2, -v2):
+        way = cayley2.interpolate(v1, end, np.array([0.5, 1.0]))
+        np.testing.assert_allclose(way[1], end, rtol=0, atol=1e-15)
+        np.testing.assert_allclose(cayley2.compose(way[0], way[0]), end, rtol=0, atol=1e-15)
+
+
+def test_times_broadcast_keep_types_and_spoil_their_own_elements_alone(kernels: ModuleType, name: str, oracle: Oracle):
+    v1, v2 = pairs(name, oracle)
+    few = v1[:2].astype(np.float32), v2[:2].astype(np.float32)
+    assert kernels.interpolate(*few, 0.5).dtype == np.float32
+    assert kernels.interpolate(*few, np.linspace(0, 1, 5, dtype=np.float32)[:, None]).shape == (5, 2, 6)
+    t = np.array([0.5, np.nan])
+    found = kernels.interpolate(v1[2], v2[2], t)
+    assert np.isfinite(found[0]).all()
+    assert np.isnan(found[1]).all()
+    np.testing.assert_array_equal(kernels.interpolate(v1[2][:, None], v2[2][:, None], t, axis=0).T, found)
+    with pytest.raises(TypeError, match="t must be real"):
+        kernels.interpolate(v1, v2, 0.5j)
+    with pytest.raises(ValueError, match="broadcast"):
+        kernels.interpolate(v1, v2, np.zeros(3))

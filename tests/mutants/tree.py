@@ -17,7 +17,10 @@ from .python import Edit
 DECIDING = ("derive", "templates", "generated", "tests", "docs/theorems.md", "docs/errata.md", "pyproject.toml")
 """What decides the fate of a mutant: results are kept until one of these files changes."""
 
-SEEN = (*DECIDING, "benchmarks", "docs", "examples", "Makefile", "README.md")
+SEEN = (
+    *DECIDING, "benchmarks", "docs", "examples", "Makefile", "README.md", "CHANGELOG.md", "CITATION.cff",
+    "CONTRIBUTING.md", "SECURITY.md",
+)  # fmt: skip
 """What checks may read."""
 
 FOREIGN = ("derive", "dualcay")

@@ -74,7 +74,7 @@ def test_another_real_type_is_refused(package, tmp_path):
         capture_output=True, text=True, check=False,
     )  # fmt: skip
     assert done.returncode
-    assert "DUALCAY_REAL must be float or double" in done.stderr
+    assert "DUALCAY_REAL must be float, double or long double" in done.stderr
 
 
 def test_rational_maps_build_without_any_library(package, tmp_path):

@@ -46,6 +46,9 @@ INSIDE = 0.1
 NEAR_TIE = mpmath.mpf(10) ** -30
 """Angle between a vector and the limit of its branch."""
 
+SMALL_STEP = tuple(mpmath.mpf(c) / 64 for c in (1, -2, 2, 1, 0, 3))
+"""A displacement that leads from a vector to one of its own branch."""
+
 LATTICE = ((1, 0, 0), (0, -1, 0), (1, 1, 1), (-1, 1, -1), (1, -1, 0))
 """Directions which have, times a power of two, a v·v without rounding: at some of them a chart's scalars vanish."""
 
@@ -212,6 +215,8 @@ def _branch(chart: Vectors, screw: Screw, branch: int) -> Iterator[Expectation]:
     yield Expectation("angle", (v,), MAPS["angle"](chart, 0, v))
     if screw.angle.re > INSIDE and all(chart.finite(screw, k, INSIDE) for k in (0, branch)):
         yield Expectation(f"shadow_jacobian {branch}", (principal,), MAPS["shadow_jacobian"](chart, branch, principal))
+    for name in ("retract", "body_retract") if branch else ():
+        yield Expectation(name, (v, SMALL_STEP), MAPS[name](chart, 0, v, SMALL_STEP))
 
 
 def _from_rotation(R: Tensor, branch: int, v: Flat) -> Iterator[Expectation]:

@@ -97,7 +97,7 @@ def tangent_at(trace: Geometry, v: Sequence[Number], mark: str) -> Tensor:
 
 
 def twice_inverse(point: Point) -> Operator:
-    """2 T⁻¹: a scalar of the chart may be an integer, whose half would be a float."""
+    """2 T⁻¹; what it is multiplied with is halved in the end."""
     fi, hi, fiy, hiy = point.scalars("tangent_inv")
     fio, hio = (point.name(letter, slope * point.y) for letter, slope in (("fio", fiy), ("hio", hiy)))
     s, so = (named(point.trace, letter + point.mark, -part) for letter, part in (("s", point.re), ("so", point.du)))

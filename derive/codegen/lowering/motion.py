@@ -17,7 +17,7 @@ from .point import Geometry, Point, Scope
 from .retraction import exponential_scalars, logarithm, with_dual
 
 OWN_AXIS = 64
-"""What is lost beside 1 when divided by this is below 32 eps: two rays, their product and its axis take some ten."""
+"""δ × v, lost beside |v| when divided by this, is below 32 eps of it: two rays and their product are off by some ten."""
 
 
 def interpolate(trace: Geometry) -> Program:
@@ -53,8 +53,8 @@ class _Followed:
         (own,) = trace.ask("unfolded", (start.x, r))
         self.own = name("own", where(resting, start.x, own))
         self.axis = named(trace, "axis", start.re / r)
-        across = sum((trace.abs(c) for c in delta.cross(self.axis)), start=0)
-        self.apart = name("apart", trace.either(resting, trace.less(1, 1 + across / OWN_AXIS)))
+        across = sum((trace.abs(c) for c in delta.cross(start.re)), start=0)
+        self.apart = name("apart", trace.either(resting, trace.less(r, r + across / OWN_AXIS)))
         self.side = name("side", where(trace.less(first.vector.dot(start.re), 0), -1, 1))
         _, self.begun = self._half(first, "1")
 

@@ -61,9 +61,11 @@ def _nearest(trace: Geometry, point: Point, e: Quaternion, rho: Vector) -> tuple
     (own,) = trace.ask("unfolded", (point.x, r))
     share = trace.where(resting, 0, own / r)
     along = scope.name("own", share * point.re.dot(e.vector) / length)
-    angle = 2 * trace.atan2(trace.where(still, ss, length), e.scalar)
+    angle = scope.name("folded", 2 * trace.atan2(trace.where(still, ss, length), e.scalar))
     turn = trace.tan((angle - along) / 2)
-    alpha = scope.name("angle", along + 2 * trace.atan2(turn, 1))
+    turns = scope.name("turns", along - angle + 2 * trace.atan2(turn, 1))
+    # a multiple of 2π, but for rounding, which would be much near the identity: on the principal branch it is 0
+    alpha = scope.name("angle", angle + trace.where(trace.less(trace.abs(turns), 1), 0, turns))
     size, slope = trace.ask("coefficient", (alpha,), "n")
     rest = 2 * slope / scope.name("z0s", trace.where(still, e.scalar, length))
     factor = scope.name("factor", trace.where(still, rest, size / length))

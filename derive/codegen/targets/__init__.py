@@ -10,6 +10,7 @@ array_api  the arrays of any library
 numba      compiled loops of few outputs
 c99        programs as C functions
 c          headers for C and C++
+native     NumPy functions in C
 ========== =====================================================================
 """
 
@@ -19,11 +20,12 @@ from collections.abc import Mapping
 
 from .array_api import ArrayApi
 from .c import C
+from .native import Native
 from .numba import Numba
 from .numpy import Numpy
 from .target import Target
 
-_ROWS: tuple[Target, ...] = (Numpy(), ArrayApi(), Numba(), C())
+_ROWS: tuple[Target, ...] = (Numpy(), ArrayApi(), Numba(), C(), Native())
 
 TARGETS: Mapping[str, Target] = {target.name: target for target in _ROWS}
 """By name."""

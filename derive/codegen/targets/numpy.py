@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from itertools import chain
 
 from ..facts import Facts
+from ..fingerprint import fingerprint
 from ..lowered import geometry
 from ..programs.program import Call, Operand, Program, Step
 from ..programs.registers import Placement, all_results, place, place_returned, results
@@ -207,6 +208,7 @@ class Numpy(python.PythonTarget):
 
     name = "numpy"
     words = WORDS
+    uncompiled = WORDS.plain
     machinery = Machinery(few="_runtime.FEW", block="_kernel.BLOCK")
     unproved = "rounding errors, which are measured; NumPy itself"
 
@@ -219,6 +221,7 @@ class Numpy(python.PythonTarget):
             "_geometry.py": {"programs": programs, "rows": python.rows(), "calls": _called(programs)},
             "_interface.py": python.interface(WORDS),
             "_kernel.py": {},
+            "_native.py": {},
             "_runtime.py": {},
             "_selection.py": {},
             "_tools.py": {},
@@ -230,5 +233,11 @@ class Numpy(python.PythonTarget):
             for program in facts.lowered.scalars.values()
         ]
         own = [python.printed(program, two_forms(program)) for program in facts.lowered.own.values()]
-        data = {"calls": _called((*scalars, *own)), "scalars": scalars, "own": own, "rows": python.rows()}
+        data = {
+            "calls": _called((*scalars, *own)),
+            "scalars": scalars,
+            "own": own,
+            "rows": python.rows(),
+            "programs": fingerprint(facts),
+        }
         return python.described(facts, WORDS) | data

@@ -71,6 +71,8 @@ class PythonTarget:
     entry = "__init__.py"
     comment = "#"
     machinery = Machinery()
+    uncompiled: tuple[str, ...] = ()
+    """Functions that run as they are even where compiled ones are installed; empty where nothing uses those."""
     name: str
     words: Words
 
@@ -79,7 +81,7 @@ class PythonTarget:
         option = "" if self.name == about.TARGET else f" --target {self.name}"
         families = "|".join([*SINGLE, *(rf"{stem}[1-9]\d*" for stem in NUMBERED)])
         init = {"version": about.__version__, "target": self.name, "option": option, "families": families}
-        return {self.entry: init, "__main__.py": {}, "py.typed": {}}
+        return {self.entry: {**init, "uncompiled": self.uncompiled}, "__main__.py": {}, "py.typed": {}}
 
     def companions(self, chart: Chart) -> Mapping[str, tuple[str, Data]]:
         return {}

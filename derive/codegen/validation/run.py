@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 import importlib.util
 import itertools
+import os
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -46,6 +47,10 @@ def validate(folder: Path, chart: Chart, choose: Choose = everything) -> int:
         return compared + refuse(module)
 
 
+NATIVE = "DUALCAY_NATIVE"
+"""What switches compiled functions off that may be installed: a package has to answer for itself."""
+
+
 @contextmanager
 def loaded(folder: Path) -> Iterator[str]:
     """Import a folder as a package under a name of its own, so that no other copy answers for it."""
@@ -57,11 +62,14 @@ def loaded(folder: Path) -> Iterator[str]:
     package = importlib.util.module_from_spec(spec)
     sys.modules[name] = package
     writes, sys.dont_write_bytecode = sys.dont_write_bytecode, True
+    native, os.environ[NATIVE] = os.environ.get(NATIVE), "0"
     try:
         spec.loader.exec_module(package)
         yield name
     finally:
         sys.dont_write_bytecode = writes
+        os.environ.pop(NATIVE)
+        os.environ.update({NATIVE: native} if native is not None else {})
         for loaded in [key for key in sys.modules if key == name or key.startswith(name + ".")]:
             del sys.modules[loaded]
 

@@ -1,0 +1,35 @@
+"""What tells whether two packages hold the same programs, whatever their targets."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterator, Mapping
+
+from .facts import Facts
+from .lowered import geometry
+from .programs.program import Call, Program, Statement
+from .signatures import KERNELS
+
+DIGITS = 16
+
+
+def fingerprint(facts: Facts) -> str:
+    """Hexadecimal digits of a digest of all that a chart computes: programs, their arrays, the tables of branches."""
+    lowered = facts.lowered
+    lines = [*_lines(geometry()), *_lines(lowered.scalars), *_lines(lowered.own)]
+    lines += [f"{row.name} {row.arguments} {row.results} {row.constants}" for row in KERNELS.values()]
+    lines += [f"{facts.turns} {facts.returns}"]
+    return hashlib.sha256("\n".join(lines).encode()).hexdigest()[:DIGITS]
+
+
+def _lines(programs: Mapping[str, Program]) -> Iterator[str]:
+    for name, program in programs.items():
+        yield f"{name} {program.inputs} -> {program.outputs}"
+        yield from map(_line, program.statements)
+
+
+def _line(statement: Statement) -> str:
+    """A set has no order of its own."""
+    if isinstance(statement, Call):
+        return f"{statement.names} {statement.function} {statement.args} {statement.rest} {sorted(statement.truths)}"
+    return f"{statement.name} {statement.op} {statement.args}"

@@ -1,0 +1,127 @@
+"""NumPy functions in C: the headers of the target `c`, and around every core a loop that NumPy calls.
+
+The package is a distribution of its own, ``dualcay-native``, with an extension module for each chart. The modules of
+the target `numpy` check arguments and choose branches; what they would do on arrays, these functions do where they are
+installed. Each takes the numbers of its program's table as a last array.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from ... import about
+from ...maps.chart import Chart
+from ..facts import Facts
+from ..fingerprint import fingerprint
+from ..lowered import geometry
+from ..programs.program import Program
+from ..signatures import KERNELS, Function
+from . import c99
+from .c import C
+from .target import Data
+
+PACKAGE = "dualcay_native"
+"""Import name of what is built."""
+
+MOST_AXES = 3
+
+
+
+@dataclass(frozen=True, slots=True)
+class Operand:
+    """An array of a loop: its name, its component axes, and where among the steps theirs begin."""
+
+    name: str
+    shape: tuple[int, ...]
+    steps: int
+
+    @property
+    def size(self) -> int:
+        return math.prod(self.shape)
+
+    @property
+    def counts(self) -> str:
+        """Components along three axes."""
+        return ", ".join(map(str, (*self.shape, 1, 1)[:MOST_AXES]))
+
+
+@dataclass(frozen=True, slots=True)
+class Loop:
+    """What the template shows of a loop: NumPy's signature, its arrays, the result last, and what the core is given."""
+
+    name: str
+    signature: str
+    arguments: tuple[Operand, ...]
+    result: Operand
+    passed: str
+
+    @property
+    def operands(self) -> tuple[Operand, ...]:
+        """Arguments and result."""
+        return *self.arguments, self.result
+
+
+def loop(row: Function, program: Program) -> Loop:
+    """The loop around the core of a kernel."""
+    table = next((len(names) for argument, names in program.inputs if argument == c99.TABLE), 0)
+    given = [(array.name.lower(), array.shape) for array in row.arguments] + [(c99.TABLE, (table,))] * bool(table)
+    *arguments, result = _operands([*given, ("made", row.shape)])
+    taken, made = (",".join(_shape(array.shape) for array in arrays) for arrays in (arguments, [result]))
+    return Loop(row.name, f"{taken}->{made}", tuple(arguments), result, c99.filled(_passed(row, table)))
+
+
+def _operands(arrays: list[tuple[str, tuple[int, ...]]]) -> Iterator[Operand]:
+    """The steps of all batches come first, then those of components."""
+    place = len(arrays)
+    for name, shape in arrays:
+        yield Operand(name, shape, place)
+        place += len(shape)
+
+
+def _shape(shape: tuple[int, ...]) -> str:
+    return f"({','.join(map(str, shape))})"
+
+
+def _passed(row: Function, table: int) -> Iterator[str]:
+    """Arguments, numbers of the table, and results, which stand side by side."""
+    for array in row.arguments:
+        yield from (f"{array.name.lower()}.at + j", f"{array.name.lower()}.by")
+    yield from (f"{c99.TABLE}.at[{index} * {c99.TABLE}.by + j]" for index in range(table))
+    start = 0
+    for array in row.results:
+        yield from (f"made.at + {start} * made.by + j", "made.by")
+        start += array.size
+
+
+class Native(C):
+    """The target of compiled NumPy functions."""
+
+    name = "native"
+    entry = "meson.build"
+    unproved = "rounding errors; the compiler and the loops around proved cores, which are tested"
+
+    def shared(self) -> Mapping[str, Data]:
+        headers = {name: data for name, data in super().shared().items() if name.endswith(".h")}
+        loops = [loop(row, geometry()[name]) for name, row in KERNELS.items()]
+        data = {
+            "loops": loops,
+            "most": max(array.size for each in loops for array in each.operands),
+            "operands": max(len(each.operands) for each in loops),
+            "package": PACKAGE,
+        }
+        return {
+            **headers,
+            "gufuncs.h": data,
+            "__init__.py": {},
+            "meson.build": {"version": about.__version__, "package": PACKAGE},
+            "meson.options": {},
+            "pyproject.toml": {},
+        }
+
+    def module(self, facts: Facts) -> Data:
+        return {**super().module(facts), "programs": fingerprint(facts)}
+
+    def companions(self, chart: Chart) -> Mapping[str, tuple[str, Data]]:
+        return {**super().companions(chart), f"{chart.name}.c": ("module.c", {"name": chart.name})}

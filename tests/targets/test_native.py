@@ -1,0 +1,234 @@
+"""Compiled NumPy functions beneath the committed kernels: the same results and errors, and none when switched off."""
+
+from __future__ import annotations
+
+import importlib
+import importlib.util
+import os
+import subprocess
+import sys
+import threading
+import warnings
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from types import ModuleType
+
+import numpy as np
+import pytest
+
+import dualcay
+from derive.codegen.facts import Facts
+from derive.codegen.lowered import lower
+from derive.codegen.module import module_name, module_text, shared_texts
+from derive.codegen.signatures import PUBLIC
+from derive.codegen.targets import TARGETS
+from derive.codegen.validation import NUMPY, compiled, replay_package
+from derive.maps import Cayley, family
+from derive.output import files, render
+from derive.proof import prove
+from tests.support.kernels import load
+from tests.support.signatures import SIGNATURES, components_first, components_last, inputs
+
+CHARTS = (Cayley(2), Cayley(3), family("exponential"))
+# tests of the C target look at vector code, which takes ten times as long to compile
+BUILD = ("-Csetup-args=-Doptimization=0",)
+ROOT = Path(dualcay.__file__).parent
+NAMES = sorted(PUBLIC.keys() & SIGNATURES.keys())
+
+
+def build(place: Path) -> None:
+    """Make the package of some charts, and install it there."""
+    native, source = TARGETS["native"], place / "source"
+    texts = dict(shared_texts(native))
+    for chart in CHARTS:
+        proved = prove(chart)
+        texts[module_name(chart, native)] = module_text(Facts(proved, lower(proved)), native)
+        # of its companions only this: the differential test is that of the C target
+        texts[f"{chart.name}.c"] = render("native/module.c.j2", header="// python -m derive generate", name=chart.name)
+    files.write(source, texts)
+    path = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
+    pip = (sys.executable, "-m", "pip", "install", "--quiet", "--no-build-isolation", "--no-deps", "--no-index", *BUILD)
+    done = subprocess.run(
+        [*pip, "--target", place / "site", source], env={**os.environ, "PATH": path}, capture_output=True, text=True
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+@pytest.fixture(scope="module")
+def site(shared: Callable[[str, Callable[[Path], object]], Path]) -> Path:
+    """Where the package is installed; one build for all processes."""
+    if compiled.compiler() is None:
+        pytest.skip("no C compiler is found: compiled NumPy functions are not built")
+    return shared("native", build) / "site"
+
+
+def kernels(name: str) -> str:
+    """The committed package under another name, which has asked for no compiled functions yet."""
+    spec = importlib.util.spec_from_file_location(name, ROOT / "__init__.py", submodule_search_locations=[str(ROOT)])
+    assert spec is not None
+    assert spec.loader is not None
+    sys.modules[name] = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(sys.modules[name])
+    return name
+
+
+def forget(*names: str) -> None:
+    for loaded in [key for key in sys.modules if key.split(".")[0] in names]:
+        del sys.modules[loaded]
+
+
+@pytest.fixture(scope="module")
+def package(site: Path) -> Iterator[str]:
+    """The name of a package of kernels that found the compiled functions."""
+    dualcay.backend()  # asks for compiled functions in every module, and finds none
+    with pytest.MonkeyPatch.context() as patch:
+        patch.syspath_prepend(str(site))
+        patch.setenv("DUALCAY_NATIVE", "1")
+        yield kernels("dualcay_on_native")
+    forget("dualcay_on_native", "dualcay_native")
+
+
+@pytest.fixture
+def native(package: str) -> Callable[[int], ModuleType]:
+    return lambda order: importlib.import_module(f"{package}.cayley{order}")
+
+
+def test_backend_says_where_compiled_functions_run(package):
+    native = sys.modules[package].backend()
+    assert native.keys() == dualcay.backend().keys()
+    found = {name for name, runs in native.items() if runs == "native in cayley2, cayley3, exponential"}
+    assert found == PUBLIC.keys()
+    assert {native[name] for name in native.keys() - found} == {"numpy"}
+
+
+@pytest.mark.parametrize("chart", CHARTS[:2], ids=lambda chart: chart.name)
+def test_the_replay_agrees_in_every_way_a_function_is_called(package, chart):
+    """Within bounds of rounding: types, layouts, batches, ``out``, overlaps, branches, threads, refusals."""
+    module = importlib.import_module(f"{package}.{chart.name}")
+    assert module.CHART.native
+    machinery = TARGETS["numpy"].machinery
+    assert replay_package(package, chart, machinery, [NUMPY], all_ways=chart.order == 2) > 500
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_layouts_agree_to_the_digit(native, name):
+    """Gathered tiles, rows where they are, and single poses run one loop without contraction."""
+    values = inputs(load(3), name, 3, (150,))
+    function, rank = getattr(native(3), name), len(SIGNATURES[name].result)
+    last = function(*values)
+    first = function(*(components_first(a, a.ndim - 1) for a in values), axis=0)
+    spread = function(*(np.repeat(a, 2, axis=0)[::2] for a in values))
+    assert last.flags.c_contiguous
+    np.testing.assert_array_equal(components_last(first, rank), last)
+    np.testing.assert_array_equal(spread, last)
+    np.testing.assert_array_equal(function(*(a[70] for a in values)), last[70])
+
+
+def test_results_that_overlap_arguments_are_those_of_results_that_do_not(native):
+    memory = np.zeros((300, 8))
+    v = memory[:, 1:7]
+    v[...] = native(3).random(300, rng=1)
+    expected = native(3).principal(2 * v)
+    v *= 2
+    native(3).principal(v, out=memory[:, 2:])
+    np.testing.assert_array_equal(memory[:, 2:], expected)
+
+
+def test_what_is_not_compiled_goes_to_numpy(native):
+    v = native(3).random(4, rng=2)
+    for other in (v.astype(complex), v.astype(object)):
+        got, expected = native(3).pose(other), load(3).pose(other)
+        assert got.dtype == other.dtype
+        np.testing.assert_array_equal(got, expected)
+    for dtype in (np.float32, np.float64, np.longdouble):
+        assert native(3).pose(v.astype(dtype)).dtype == dtype
+    assert native(3).compose(v.astype(np.float32), v).dtype == np.float64
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda m: m.pose(np.zeros(5)),
+        lambda m: m.pose(np.zeros((2, 7))),
+        lambda m: m.pose(np.zeros((6, 2)), axis=1),
+        lambda m: m.rate(np.zeros((2, 6)), np.zeros((3, 6))),
+        lambda m: m.rate(np.zeros(6), np.zeros(())),
+        lambda m: m.pose(np.zeros(6), out=np.zeros((3, 4))),
+        lambda m: m.pose(np.zeros(6), out=np.zeros((4, 4), int)),
+        lambda m: m.compose(np.zeros(6, complex), np.zeros(6)),
+        lambda m: m.pose(["a"] * 6),
+    ],
+)
+def test_errors_are_those_of_numpy_kernels(native, call):
+    with pytest.raises((ValueError, TypeError)) as expected:
+        call(load(3))
+    with pytest.raises(expected.type) as found:
+        call(native(3))
+    assert str(found.value) == str(expected.value)
+
+
+def test_singular_points_raise_no_floating_point_error(native):
+    pole = np.array([np.sqrt(3.0), 0, 0, 1, 1, 1])  # q = 0, nearly, and v = 0 of a shadow
+    with np.errstate(all="raise"), warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert not np.isfinite(native(3).shadow(np.zeros(6), 1)).any()
+        assert np.isnan(native(3).pose(np.array([np.inf, 0, 0, 0, 0, 0]))).any()
+        native(3).tangent_inv(pole)
+        assert np.isnan(native(3).pose(np.array([[np.nan, 0, 0, 0, 0, 0], pole]))).any(axis=(1, 2)).tolist() == [1, 0]
+
+
+def test_other_threads_run_meanwhile(native):
+    """A thread that counts goes on counting while a long call runs: it holds no lock."""
+    v, out = np.broadcast_to(native(3).random(rng=3), (400_000, 6)), np.empty((400_000, 6))
+    counted, done = [0], threading.Event()
+
+    def count() -> None:
+        while not done.wait(0.001):
+            counted[0] += 1
+
+    thread = threading.Thread(target=count)
+    thread.start()
+    before = counted[0]
+    native(3).CHART.native["compose"](v, v, out=out)
+    after = counted[0]
+    done.set()
+    thread.join()
+    assert after - before > 10
+
+
+CALL = """
+import dualcay, numpy
+dualcay.cayley3.pose(numpy.zeros(6))
+print(set(dualcay.backend().values()))
+"""
+
+
+def said(site: Path, **environment: str) -> tuple[str, str]:
+    """What a fresh process prints and warns of."""
+    paths = os.pathsep.join([str(site), str(ROOT.parent)])
+    env = {**os.environ, "PYTHONPATH": paths, "DUALCAY_NATIVE": "", **environment}
+    done = subprocess.run([sys.executable, "-c", CALL], env=env, capture_output=True, text=True, check=True)
+    return done.stdout, done.stderr
+
+
+def test_an_environment_variable_switches_it_off(site):
+    assert said(site, DUALCAY_NATIVE="0") == ("{'numpy'}\n", "")
+    assert "native in" in said(site)[0]
+
+
+def test_a_build_of_other_programs_or_none_at_all_is_left_aside_with_one_warning(tmp_path):
+    folder = tmp_path / "dualcay_native"
+    folder.mkdir()
+    (folder / "__init__.py").touch()
+    (folder / "cayley2.py").write_text("PROGRAMS = 'others'\n", encoding="utf-8")
+    (folder / "cayley3.py").write_text("PROGRAMS = 'others'\n", encoding="utf-8")
+    out, warned = said(tmp_path)
+    assert out == "{'numpy'}\n"
+    assert warned.count("RuntimeWarning: ") == 1
+    assert "dualcay_native.cayley3 was built of other programs than dualcay.cayley3 holds" in warned
+    (folder / "cayley3.py").unlink()
+    (folder / "cayley3.abi3.so").write_bytes(b"no library")
+    out, warned = said(tmp_path)
+    assert out == "{'numpy'}\n"
+    assert warned.count("RuntimeWarning: ") == 1
+    assert "dualcay_native.cayley3 cannot be loaded" in warned
