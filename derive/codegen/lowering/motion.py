@@ -17,7 +17,7 @@ from .point import Geometry, Point, Scope
 from .retraction import exponential_scalars, logarithm, with_dual
 
 OWN_AXIS = 64
-"""δ × v, lost beside |v| when divided by this, is below 32 eps of it: two rays and their product are off by some ten."""
+"""δ × v, lost beside |v| when divided by this, is below 32 eps of it: two rays and a product are off by some ten."""
 
 
 def interpolate(trace: Geometry) -> Program:
