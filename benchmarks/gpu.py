@@ -136,18 +136,18 @@ def rows(module: ModuleType, library: Library, counts: list[int], dtype: str) ->
 
 def measure(device: str, counts: list[int], order: int, dtype: str, console: Console) -> int:
     """Print the table; return how many rows it has."""
-    module = kernels(order)
     table = Table(title=f"n = {order}, {dtype}, {device}: ns per pose", title_justify="left")
     for heading in ("library", "map", "poses", "map, ns", "copy, ns", "ratio", "copy, GB/s"):
         table.add_column(heading, justify="left" if heading in ("library", "map") else "right")
+    found = []
     for find in LIBRARIES:
         try:
-            library = find(device)
+            found.append(find(device))
         except Missing as reason:
             console.print(f"{find.__name__}: {reason}")
-            continue
-        for row in rows(module, library, counts, dtype):
-            table.add_row(*row)
+    module = kernels(order) if found else None
+    for row in (row for library in found for row in rows(module, library, counts, dtype)):
+        table.add_row(*row)
     console.print(table)
     return table.row_count
 

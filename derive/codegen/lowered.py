@@ -5,21 +5,20 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping, Set
 from dataclasses import dataclass
-from fractions import Fraction
 from functools import cache
+from types import MappingProxyType
 
 from ..maps.chart import Chart
 from ..proof import Proved
-from .lowering.scalars import scalar_programs
+from .lowering.scalars import scalar_program, scalar_programs
 from .programs.program import Call, Program
 from .signatures import KERNELS
 
 WORTH = 0.92
 """The share of a function's operations that its own program must stay below, to be worth its lines."""
 
-LINES = 2
+LINES = 3
 """So many operations of an own program, each a line or two, may be printed for one that is saved."""
-
 
 
 @cache
@@ -46,21 +45,18 @@ def lower(proved: Proved) -> Lowered:
 
 
 def lower_chart(chart: Chart) -> Lowered:
-    """A function has a program of its own where knowing the chart saves operations worth mentioning.
+    """A function has a program of its own where knowing the chart saves operations worth their lines.
 
-    So it does where scalars are constant (h = 0 for n = 1) or equal (g = h for n = 2). A constant that is no integer,
-    or becomes none, leaves no choice: a call could not return it in every number type.
+    So it does where scalars are constant (h = 0 for n = 1) or equal (g = h for n = 2).
     """
-    scalars = scalar_programs(chart)
-    own, counted, called = {}, {}, set()
+    scalars, own, counted, called = _scalars(chart), {}, {}, set()
     for name, shared in geometry().items():
         functions = {call.function for call in shared.calls}
         if not functions <= scalars.keys():
             continue
         program = KERNELS[name].traced(chart)
         operations = sum((scalars[call.function].operations for call in shared.calls), shared.operations)
-        needed = any(_is_fractional(scalars[function]) for function in functions) or _divides_constants(shared, scalars)
-        if needed or is_worth(program.operations.total(), operations.total()):
+        if is_worth(program.operations.total(), operations.total()):
             own[name], operations = program, program.operations
         else:
             called |= functions
@@ -68,30 +64,42 @@ def lower_chart(chart: Chart) -> Lowered:
     return Lowered({name: program for name, program in scalars.items() if name in called}, own, counted)
 
 
-def _divides_constants(program: Program, scalars: Mapping[str, Program], given: Set[str] = frozenset()) -> bool:
-    """Whether integers which scalars return are divided, by a program or what it calls: that would make a float."""
-    constants = set(given)
+def _scalars(chart: Chart) -> dict[str, Program]:
+    """The scalar programs of a chart, with elements for constants that geometry divides: those would become floats."""
+    scalars = scalar_programs(chart)
+    asked = (program for program in geometry().values() if {c.function for c in program.calls} <= scalars.keys())
+    divided = set().union(*(_divided(program, scalars) for program in asked))
+    return {name: scalar_program(name, chart, {i for f, i in divided if f == name}) for name in scalars}
+
+
+Result = tuple[str, int]
+"""A scalar function and the number of one of its results."""
+
+
+def _divided(
+    program: Program, scalars: Mapping[str, Program], given: Mapping[str, Set[Result]] = MappingProxyType({})
+) -> set[Result]:
+    """The integers among results of scalars that are divided by integers, here or in what is called.
+
+    ``given`` are names that are such integers, and the results these were made of.
+    """
+    known, divided = dict(given), set[Result]()
     for statement in program.statements:
-        fixed = [not isinstance(arg, str) or arg in constants for arg in statement.args]
+        made_of = [known.get(arg) if isinstance(arg, str) else set[Result]() for arg in statement.args]
         if isinstance(statement, Call):
             called = scalars[statement.function]
             names = [name for _, group in called.inputs for name in group]
-            if _divides_constants(called, scalars, {name for name, known in zip(names, fixed) if known}):
-                return True
-            pairs = zip(statement.names, called.outputs, strict=True)
-            constants.update(name for name, output in pairs if not isinstance(output, str))
-        elif all(fixed):
-            if statement.op == "div":
-                return True
-            constants.add(statement.name)
-    return False
+            passed = {name: results for name, results in zip(names, made_of) if results is not None}
+            divided |= _divided(called, scalars, passed)
+            pairs = enumerate(zip(statement.names, called.outputs, strict=True))
+            known |= {name: {(called.name, i)} for i, (name, output) in pairs if not isinstance(output, str)}
+        elif all(results is not None for results in made_of):
+            origin = set().union(*filter(None, made_of))
+            known[statement.name] = origin
+            divided |= origin if statement.op == "div" else set()
+    return divided
 
 
 def is_worth(own: int, shared: int) -> bool:
     """Whether a program of so many operations is worth its lines, where geometry's takes so many."""
     return own < WORTH * shared and shared - own > own / LINES
-
-
-def _is_fractional(program: Program) -> bool:
-    """Whether a scalar program returns a constant that is no integer."""
-    return any(isinstance(output, Fraction) and output.denominator != 1 for output in program.outputs)

@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 from ..maps.chart import Chart
-from .lowering import calculus, forward, groups, inverse, kinematics, retraction
+from .lowering import calculus, forward, groups, inverse, kinematics, motion, retraction
 from .lowering.point import Geometry
 from .programs.program import Program
 
@@ -65,6 +65,9 @@ class Function:
         Whether it selects branches or angles, and so takes no complex numbers.
     public : bool
         Whether users call it.
+    at_rest : str
+        The function whose program it runs for a turn by no branch, where it runs its own for others; empty where the
+        argument stands.
     aliases : tuple of str
         Further names in the modules of Cayley maps.
     keywords : tuple of str
@@ -83,6 +86,7 @@ class Function:
     branch: bool = False
     real: bool = False
     public: bool = True
+    at_rest: str = ""
     aliases: tuple[str, ...] = ()
     keywords: tuple[str, ...] = ()
     shares: str = ""
@@ -134,10 +138,12 @@ OMEGA_DOT, V_DDOT, WRENCH, MOMENTUM = map(_dual, ("omega_dot", "v_ddot", "z", "t
 DELTA, MOVED_V = map(_dual, ("delta", "v_moved"))
 JACOBIAN, BY_V, BY_LINE = map(_jacobian, ("jacobian", "by_v", "by_line"))
 TWO, BY_TWO = (V.called("v2"), V.called("v1")), (_jacobian("by_v2"), _jacobian("by_v1"))
+BY_STEP = BY_V, _jacobian("by_delta")
 BY_V_OF_POINT, BY_POINT = Array("by_v", (3, 6), (0, 0, 0, 1, 1, 1) * 3), _array("by_r", (3, 3), 9)
 QUATERNION = _array("q", (8,), 4, 4)
 POSE = _array("pose", (4, 4), 3, 1, 3, 1, 3, 1, 4)
 POINT = _array("r", (3,), 3)
+SHARE = _array("t", (), 1)
 ANGLE = _array("angle", (2,), 1, 1)
 
 SPACE, BODY = ("1",), ("-1",)
@@ -162,10 +168,10 @@ def _both_frames(name: str, arguments: tuple[Array, ...], result: Array, recipe:
     )
 
 
-def _by_exponential(name: str, arguments: tuple[Array, ...], result: Array, recipe: Recipe) -> Function:
+def _by_exponential(name: str, arguments: tuple[Array, ...], recipe: Recipe, *results: Array) -> Function:
     """A function which the exponential's series enter."""
     remainder = retraction.EXPONENTIAL.remainder
-    return Function(name, arguments, (result,), recipe, exact=False, real=True, remainder=remainder)
+    return Function(name, arguments, results, recipe, exact=False, real=True, remainder=remainder)
 
 
 _ROWS = (
@@ -200,15 +206,29 @@ _ROWS = (
     Function("angle", (V,), (ANGLE,), inverse.angle, exact=False, real=True),
     Function("turn", (V,), (SHADOW,), inverse.turn, exact=False, real=True, public=False),
     Function("shadow", (V,), (SHADOW,), inverse.shadow, exact=False, branch=True, real=True),
+    Function("identity_jacobian", (V,), (JACOBIAN,), inverse.identity_jacobian, exact=False, real=True, public=False),
+    Function(
+        "shadow_jacobian",
+        (V,),
+        (JACOBIAN,),
+        inverse.shadow_jacobian,
+        exact=False,
+        branch=True,
+        real=True,
+        at_rest="identity_jacobian",
+    ),
     Function("principal", (V,), (SHADOW,), inverse.principal, exact=False, real=True),
     Function("compose", TWO, (V,), inverse.compose, exact=False, real=True),
     Function("between", TWO, (V,), groups.between, exact=False, real=True),
     Function("compose_jacobians", TWO, BY_TWO, groups.compose_jacobians, exact=False, real=True),
     Function("between_jacobians", TWO, BY_TWO, groups.between_jacobians, exact=False, real=True),
-    _by_exponential("retract", (V, DELTA), MOVED_V, retraction.retract),
-    _by_exponential("body_retract", (V, DELTA), MOVED_V, retraction.body_retract),
-    _by_exponential("local", TWO, DELTA, retraction.local),
-    _by_exponential("body_local", TWO, DELTA, retraction.body_local),
+    _by_exponential("retract", (V, DELTA), retraction.retract, MOVED_V),
+    _by_exponential("body_retract", (V, DELTA), retraction.body_retract, MOVED_V),
+    _by_exponential("retract_jacobians", (V, DELTA), retraction.retract_jacobians, *BY_STEP),
+    _by_exponential("body_retract_jacobians", (V, DELTA), retraction.body_retract_jacobians, *BY_STEP),
+    _by_exponential("local", TWO, retraction.local, DELTA),
+    _by_exponential("body_local", TWO, retraction.body_local, DELTA),
+    _by_exponential("interpolate", (*reversed(TWO), SHARE), motion.interpolate, V),
     Function("adjoint", (V,), (_jacobian("adjoint"),), groups.adjoint),
     Function("transform_point_jacobians", (V, POINT), (BY_V_OF_POINT, BY_POINT), groups.transform_point_jacobians),
     Function("transform_line_jacobians", (V, LINE), (BY_V, BY_LINE), groups.transform_line_jacobians),

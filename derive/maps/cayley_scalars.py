@@ -113,6 +113,16 @@ class CayleyScalars(CayleyPolynomials):
     def h(self) -> Coefficient:
         return self.m.name("h", self.c * self._twice_inverse_norm)
 
+    @property
+    def rate(self) -> Coefficient:
+        """``2n/(1 + x)``."""
+        return self._growth
+
+    @property
+    def ratey(self) -> Coefficient:
+        """``−4n/(1 + x)²``."""
+        return self.m.name("ey", -self._falling)
+
     @cached_property
     def _growing_g(self) -> Coefficient:
         return self.m.name("eg", self._growth * self.g)

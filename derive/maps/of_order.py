@@ -50,8 +50,11 @@ class OfOrder(OwnAxis):
         return polynomials.singular_angles(self.order)
 
     def coefficient(self, angle: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+        """Of the angle brought into (−nπ, nπ]: on by 2nπ sine and cosine of θ are the opposite ones."""
         sine, cosine = of_twice(m.name("t", m.tan(m.div(angle, 4 * self.order))), m)
-        r, slope = self.sized(m.name("sin", sine), m.name("cos", cosine), m)
+        further = m.name("further", cosine)
+        side = m.name("side", m.where(m.less(further, 0), -1, 1))
+        r, slope = self.sized(m.name("sin", side * sine), m.name("cos", side * further), m)
         return m.name("r", r), m.name("slope", m.div(slope, 2 * self.order))
 
     # --- way back ---------------------------------------------------------------------------------------------------

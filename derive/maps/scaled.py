@@ -27,7 +27,7 @@ from .polynomials import x
 
 POWERS = {
     "s": 0, "w": 1, "f": 1, "g": 2, "h": 3, "fi": -1, "hi": 1,
-    "sy": 2, "wy": 3, "fy": 3, "gy": 4, "hy": 5, "fiy": 1, "hiy": 3,
+    "rate": 1, "ratey": 3, "sy": 2, "wy": 3, "fy": 3, "gy": 4, "hy": 5, "fiy": 1, "hiy": 3,
     "fyy": 5, "gyy": 6, "hyy": 7, "fiyy": 3, "hiyy": 5,
 }  # fmt: skip
 """The power of K by which each scalar is divided."""

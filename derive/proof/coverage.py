@@ -81,13 +81,21 @@ COVERAGE: Mapping[str, Coverage] = {
     "shadow": Coverage(
         "50 digits", ("Moebius step", "shadow, even branch", "shadow, odd branch"), "the axis and its sign"
     ),
+    "shadow_jacobian": Coverage(
+        "50 digits", ("shadow, even branch", "shadow, odd branch", "axis", "rates of v"), "the axis and its sign"
+    ),
     "principal": Coverage("50 digits", ("shadow, even branch", "shadow, odd branch"), _BRANCHES),
     "adjoint": Coverage("exact", ("tensor", "pose", "line")),
     "transform_point_jacobians": Coverage("exact", ("pose", "line", "twist")),
     "transform_line_jacobians": Coverage("exact", ("line", "twist")),
     "between": Coverage("50 digits", ("composition", "quaternion"), "the principal v of the product quaternion"),
     **{name: Coverage("50 digits", _SMALL, "the branch nearest v") for name in ("retract", "body_retract")},
+    **{
+        name: Coverage("50 digits", (*_SMALL, *_PRODUCT), "the branch nearest v")
+        for name in ("retract_jacobians", "body_retract_jacobians")
+    },
     **{name: Coverage("50 digits", _SMALL, "the principal angle") for name in ("local", "body_local")},
+    "interpolate": Coverage("50 digits", _SMALL, "the shorter way, and the branch that is followed from v1"),
     "compose_jacobians": Coverage("50 digits", _PRODUCT, "the principal v of the product quaternion"),
     "between_jacobians": Coverage("50 digits", _PRODUCT, "the principal v of the product quaternion"),
     "compose": Coverage("50 digits", ("composition", "quaternion"), "the principal v of the product quaternion"),

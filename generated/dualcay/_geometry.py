@@ -2573,6 +2573,301 @@ def shadow_blocks(
     add(mul(uo3, rk, k1), mul(u3, rko, k2), o6)
 
 
+# operations 12: 12 +
+def identity_jacobian(m: Any, c: Any, v: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    none = v1 - v1 + (v2 - v2) + (v3 - v3) + (v1o - v1o) + (v2o - v2o) + (v3o - v3o)
+    one = 1 + none
+    return (
+        one,
+        none,
+        none,
+        0,
+        0,
+        0,
+        none,
+        one,
+        none,
+        0,
+        0,
+        0,
+        none,
+        none,
+        one,
+        0,
+        0,
+        0,
+        none,
+        none,
+        none,
+        one,
+        none,
+        none,
+        none,
+        none,
+        none,
+        none,
+        one,
+        none,
+        none,
+        none,
+        none,
+        none,
+        none,
+        one,
+    )
+
+
+def identity_jacobian_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36,
+    ) = out
+    k1, k2 = scratch
+    n0, n1 = numbers
+    none = add(
+        add(add(add(add(sub(v1, v1, k1), sub(v2, v2, k2), k1), sub(v3, v3, k2), k1), sub(v1o, v1o, k2), k1), sub(v2o,
+        v2o, k2), k1), sub(v3o, v3o, k2), o2
+    )
+    add(n1, none, o1)
+    copy(o2, o3)
+    copy(n0, o4)
+    copy(n0, o5)
+    copy(n0, o6)
+    copy(o2, o7)
+    copy(o1, o8)
+    copy(o2, o9)
+    copy(n0, o10)
+    copy(n0, o11)
+    copy(n0, o12)
+    copy(o2, o13)
+    copy(o2, o14)
+    copy(o1, o15)
+    copy(n0, o16)
+    copy(n0, o17)
+    copy(n0, o18)
+    copy(o2, o19)
+    copy(o2, o20)
+    copy(o2, o21)
+    copy(o1, o22)
+    copy(o2, o23)
+    copy(o2, o24)
+    copy(o2, o25)
+    copy(o2, o26)
+    copy(o2, o27)
+    copy(o2, o28)
+    copy(o1, o29)
+    copy(o2, o30)
+    copy(o2, o31)
+    copy(o2, o32)
+    copy(o2, o33)
+    copy(o2, o34)
+    copy(o2, o35)
+    copy(o1, o36)
+
+
+# operations 130: 37 +, 64 *, 14 /, 6 abs, 1 sqrt, 2 eq, 6 where
+def shadow_jacobian(m: Any, c: Any, v: Components, table: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    cos, sin = table
+    total = m.abs(v1) + m.abs(v2) + m.abs(v3)
+    still = total == 0
+    a1 = m.where(still, v1o, v1)
+    a2 = m.where(still, v2o, v2)
+    a3 = m.where(still, v3o, v3)
+    extent = m.abs(a1) + m.abs(a2) + m.abs(a3)
+    scale = m.where(extent == 0, 1, extent)
+    s1 = a1 / scale
+    s2 = a2 / scale
+    s3 = a3 / scale
+    root = m.sqrt(s1 * s1 + s2 * s2 + s3 * s3)
+    u1 = s1 / root
+    u2 = s2 / root
+    u3 = s3 / root
+    ro = m.where(still, scale * root, u1 * v1o + u2 * v2o + u3 * v3o)
+    ir = m.where(still, 0, 1) / root
+    ru1 = u1 * ro
+    ru2 = u2 * ro
+    ru3 = u3 * ro
+    r = total * root
+    uo1 = (v1o - ru1) / scale * ir
+    uo2 = (v2o - ru2) / scale * ir
+    uo3 = (v3o - ru3) / scale * ir
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    sign, = c.direction(m, x, y, r)
+    sn = sign * sin
+    rk, slope = c.turned(m, r, cos, sn)
+    rko = ro * slope
+    across = rk / r
+    acrosso = (rko - across * ro) / r
+    xk = rk * rk
+    rate, ratey = c.rate(m, x)
+    ratek, rateyk = c.rate(m, xk)
+    yk = rk * rko
+    spread = slope - across
+    spreado = slope * (y * (ratey / rate) - yk * (rateyk / ratek)) - acrosso
+    su1 = u1 * spread
+    su1o = u1 * spreado + uo1 * spread
+    su2 = u2 * spread
+    su2o = u2 * spreado + uo2 * spread
+    su3 = u3 * spread
+    su3o = u3 * spreado + uo3 * spread
+    J12 = su1 * u2
+    J13 = su1 * u3
+    J21 = su2 * u1
+    J23 = su2 * u3
+    J31 = su3 * u1
+    J32 = su3 * u2
+    J11 = su1 * u1 + across
+    J22 = su2 * u2 + across
+    J33 = su3 * u3 + across
+    return (
+        J11,
+        J12,
+        J13,
+        0,
+        0,
+        0,
+        J21,
+        J22,
+        J23,
+        0,
+        0,
+        0,
+        J31,
+        J32,
+        J33,
+        0,
+        0,
+        0,
+        su1 * uo1 + su1o * u1 + acrosso,
+        su1 * uo2 + su1o * u2,
+        su1 * uo3 + su1o * u3,
+        J11,
+        J12,
+        J13,
+        su2 * uo1 + su2o * u1,
+        su2 * uo2 + su2o * u2 + acrosso,
+        su2 * uo3 + su2o * u3,
+        J21,
+        J22,
+        J23,
+        su3 * uo1 + su3o * u1,
+        su3 * uo2 + su3o * u2,
+        su3 * uo3 + su3o * u3 + acrosso,
+        J31,
+        J32,
+        J33,
+    )
+
+
+def shadow_jacobian_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, table: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    cos, sin = table
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36,
+    ) = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, *spare = scratch
+    mask1, mask2, *spare_masks = masks
+    n0, n1 = numbers
+    total = add(add(absolute(v1, k1), absolute(v2, k2), k1), absolute(v3, k2), k1)
+    still = m.equal(total, n0, mask1)
+    a1 = m.where(still, v1o, v1, k2)
+    a2 = m.where(still, v2o, v2, k3)
+    a3 = m.where(still, v3o, v3, k4)
+    extent = add(add(absolute(a1, k5), absolute(a2, k6), k5), absolute(a3, k6), k5)
+    scale = m.where(m.equal(extent, n0, mask2), n1, extent, k6)
+    s1 = div(a1, scale, k2)
+    s2 = div(a2, scale, k3)
+    s3 = div(a3, scale, k4)
+    root = sqrt(add(add(mul(s1, s1, k5), mul(s2, s2, k7), k5), mul(s3, s3, k7), k5), k5)
+    r = mul(total, root, k1)
+    u3 = div(s3, root, k4)
+    u2 = div(s2, root, k3)
+    u1 = div(s1, root, k2)
+    v11 = mul(v1, v1, k7)
+    v22 = mul(v2, v2, k8)
+    v33 = mul(v3, v3, k9)
+    x = add(add(v11, v22, k7), v33, k7)
+    rate, ratey = c.rate((k8, k9), (*spare,), (mask2, *spare_masks), x)
+    y = add(add(mul(v1, v1o, k10), mul(v2, v2o, k11), k10), mul(v3, v3o, k11), k10)
+    sign, = c.direction((k11,), (*spare,), (mask2, *spare_masks), x, y, r)
+    sn = mul(sign, sin, k7)
+    rk, slope = c.turned((k11, k12), (*spare,), (mask2, *spare_masks), r, cos, sn)
+    across = div(rk, r, k7)
+    spread = sub(slope, across, k13)
+    su3 = mul(u3, spread, k14)
+    add(mul(su3, u3, k15), across, o15)
+    mul(su3, u2, o14)
+    mul(su3, u1, o13)
+    ro = m.where(
+        still, mul(scale, root, k15), add(add(mul(u1, v1o, k16), mul(u2, v2o, k17), k16), mul(u3, v3o, k17), k16), k15
+    )
+    ir = div(m.where(still, n0, n1, k16), root, k5)
+    rko = mul(ro, slope, k16)
+    acrosso = div(sub(rko, mul(across, ro, k17), k17), r, k1)
+    yk = mul(rk, rko, k16)
+    xk = mul(rk, rk, k11)
+    ratek, rateyk = c.rate((k17, k18), (*spare,), (mask1, mask2, *spare_masks), xk)
+    spreado = sub(
+        mul(slope, sub(mul(y, div(ratey, rate, k8), k8), mul(yk, div(rateyk, ratek, k9), k9), k8), k8), acrosso, k8
+    )
+    ru3 = mul(u3, ro, k9)
+    uo3 = mul(div(sub(v3o, ru3, k9), scale, k9), ir, k9)
+    su3o = add(mul(u3, spreado, k10), mul(uo3, spread, k11), k10)
+    add(add(mul(su3, uo3, k11), mul(su3o, u3, k12), k11), acrosso, o33)
+    ru2 = mul(u2, ro, k11)
+    uo2 = mul(div(sub(v2o, ru2, k11), scale, k11), ir, k11)
+    add(mul(su3, uo2, k12), mul(su3o, u2, k16), o32)
+    ru1 = mul(u1, ro, k12)
+    uo1 = mul(div(sub(v1o, ru1, k12), scale, k6), ir, k5)
+    add(mul(su3, uo1, k6), mul(su3o, u1, k10), o31)
+    su2 = mul(u2, spread, k6)
+    mul(su2, u3, o9)
+    add(mul(su2, u2, k10), across, o8)
+    mul(su2, u1, o7)
+    su2o = add(mul(u2, spreado, k10), mul(uo2, spread, k12), k10)
+    add(mul(su2, uo3, k12), mul(su2o, u3, k14), o27)
+    add(add(mul(su2, uo2, k12), mul(su2o, u2, k14), k12), acrosso, o26)
+    add(mul(su2, uo1, k6), mul(su2o, u1, k10), o25)
+    su1o = add(mul(u1, spreado, k6), mul(uo1, spread, k8), k6)
+    su1 = mul(u1, spread, k8)
+    add(add(mul(su1, uo1, k5), mul(su1o, u1, k10), k5), acrosso, o19)
+    add(mul(su1, u1, k1), across, o1)
+    add(mul(su1, uo3, k1), mul(su1o, u3, k2), o21)
+    add(mul(su1, uo2, k1), mul(su1o, u2, k2), o20)
+    mul(su1, u3, o3)
+    mul(su1, u2, o2)
+    copy(n0, o4)
+    copy(n0, o5)
+    copy(n0, o6)
+    copy(n0, o10)
+    copy(n0, o11)
+    copy(n0, o12)
+    copy(n0, o16)
+    copy(n0, o17)
+    copy(n0, o18)
+    copy(o1, o22)
+    copy(o2, o23)
+    copy(o3, o24)
+    copy(o7, o28)
+    copy(o8, o29)
+    copy(o9, o30)
+    copy(o13, o34)
+    copy(o14, o35)
+    copy(o15, o36)
+
+
 # operations 44: 11 +, 19 *, 6 /, 1 sqrt, 7 where
 def principal(m: Any, c: Any, v: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
@@ -4508,7 +4803,7 @@ def between_jacobians_blocks(
     copy(o51, o72)
 
 
-# operations 277: 93 +, 138 *, 24 /, 4 sqrt, 2 tan, 2 atan2, 1 lt, 2 eq, 11 where
+# operations 282: 95 +, 138 *, 24 /, 1 abs, 4 sqrt, 2 tan, 2 atan2, 2 lt, 2 eq, 12 where
 def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     d1, d2, d3, d1o, d2o, d3o = delta
@@ -4590,7 +4885,9 @@ def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     r = m.sqrt(m.where(resting, 1 + x, x))
     own, = c.unfolded(m, x, r)
     own_ = m.where(resting, 0, own / r) * (v1 * z1 + v2 * z2 + v3 * z3) / length
-    angle = own_ + 2 * m.atan2(m.tan((2 * m.atan2(m.where(still, ss, length), z0) - own_) / 2), 1)
+    folded = 2 * m.atan2(m.where(still, ss, length), z0)
+    turns = own_ - folded + 2 * m.atan2(m.tan((folded - own_) / 2), 1)
+    angle = folded + m.where(m.abs(turns) < 1, 0, turns)
     rn, slopen = c.coefficient(m, angle)
     z0s = m.where(still, z0, length)
     factor = m.where(still, 2 * slopen / z0s, rn / length)
@@ -4672,6 +4969,7 @@ def retract_blocks(
     ss = add(add(mul(z1, z1, k3), mul(z2, z2, k4), k3), mul(z3, z3, k4), k3)
     still = m.equal(ss, n0, mask1)
     length = sqrt(m.where(still, add(n1, ss, k4), ss, k4), k4)
+    folded = mul(n2, atan2(m.where(still, ss, length, k3), z0, k3), k3)
     resting = m.equal(x, n0, mask2)
     r = sqrt(m.where(resting, add(n1, x, k7), x, k7), k7)
     own, = c.unfolded((k8,), (k9, k11, k12, k13, k17, k21, k22, *spare), (*spare_masks,), x, r)
@@ -4679,10 +4977,8 @@ def retract_blocks(
         mul(m.where(resting, n0, div(own, r, k7), k8), add(add(mul(v1, z1, k7), mul(v2, z2, k9), k7), mul(v3, z3, k9),
         k7), k7), length, k7
     )
-    angle = add(
-        own_, mul(n2, atan2(tan(div(sub(mul(n2, atan2(m.where(still, ss, length, k3), z0, k3), k3), own_, k3), n2, k3),
-        k3), n1, k3), k3), k3
-    )
+    turns = add(sub(own_, folded, k8), mul(n2, atan2(tan(div(sub(folded, own_, k7), n2, k7), k7), n1, k7), k7), k7)
+    angle = add(folded, m.where(m.less(absolute(turns, k8), n1, mask2), n0, turns, k8), k3)
     rn, slopen = c.coefficient((k7, k8), (k9, k10, k11, k12, k13, k17, k21, k22, *spare), (mask2, *spare_masks), angle)
     z0s = m.where(still, z0, length, k3)
     factor = m.where(still, div(mul(n2, slopen, k8), z0s, k3), div(rn, length, k4), k3)
@@ -4737,7 +5033,7 @@ def retract_blocks(
     div(add(sub(mul(rho3, fe, k1), sub(mul(v_1, rho2, k3), mul(v_2, rho1, k4), k3), k1), mul(v_3, hvr, k2), k1), n2, o6)
 
 
-# operations 277: 93 +, 138 *, 24 /, 4 sqrt, 2 tan, 2 atan2, 1 lt, 2 eq, 11 where
+# operations 282: 95 +, 138 *, 24 /, 1 abs, 4 sqrt, 2 tan, 2 atan2, 2 lt, 2 eq, 12 where
 def body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     d1, d2, d3, d1o, d2o, d3o = delta
@@ -4813,7 +5109,9 @@ def body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     r = m.sqrt(m.where(resting, 1 + x, x))
     own, = c.unfolded(m, x, r)
     own_ = m.where(resting, 0, own / r) * (v1 * z1 + v2 * z2 + v3 * z3) / length
-    angle = own_ + 2 * m.atan2(m.tan((2 * m.atan2(m.where(still, ss, length), z0) - own_) / 2), 1)
+    folded = 2 * m.atan2(m.where(still, ss, length), z0)
+    turns = own_ - folded + 2 * m.atan2(m.tan((folded - own_) / 2), 1)
+    angle = folded + m.where(m.abs(turns) < 1, 0, turns)
     rn, slopen = c.coefficient(m, angle)
     z0s = m.where(still, z0, length)
     factor = m.where(still, 2 * slopen / z0s, rn / length)
@@ -4895,6 +5193,7 @@ def body_retract_blocks(
     ss = add(add(mul(z1, z1, k3), mul(z2, z2, k4), k3), mul(z3, z3, k4), k3)
     still = m.equal(ss, n0, mask1)
     length = sqrt(m.where(still, add(n1, ss, k4), ss, k4), k4)
+    folded = mul(n2, atan2(m.where(still, ss, length, k3), z0, k3), k3)
     resting = m.equal(x, n0, mask2)
     r = sqrt(m.where(resting, add(n1, x, k7), x, k7), k7)
     own, = c.unfolded((k8,), (k9, k11, k12, k13, k17, k21, k22, *spare), (*spare_masks,), x, r)
@@ -4902,10 +5201,8 @@ def body_retract_blocks(
         mul(m.where(resting, n0, div(own, r, k7), k8), add(add(mul(v1, z1, k7), mul(v2, z2, k9), k7), mul(v3, z3, k9),
         k7), k7), length, k7
     )
-    angle = add(
-        own_, mul(n2, atan2(tan(div(sub(mul(n2, atan2(m.where(still, ss, length, k3), z0, k3), k3), own_, k3), n2, k3),
-        k3), n1, k3), k3), k3
-    )
+    turns = add(sub(own_, folded, k8), mul(n2, atan2(tan(div(sub(folded, own_, k7), n2, k7), k7), n1, k7), k7), k7)
+    angle = add(folded, m.where(m.less(absolute(turns, k8), n1, mask2), n0, turns, k8), k3)
     rn, slopen = c.coefficient((k7, k8), (k9, k10, k11, k12, k13, k17, k21, k22, *spare), (mask2, *spare_masks), angle)
     z0s = m.where(still, z0, length, k3)
     factor = m.where(still, div(mul(n2, slopen, k8), z0s, k3), div(rn, length, k4), k3)
@@ -4956,6 +5253,1677 @@ def body_retract_blocks(
     div(add(sub(mul(rho1, fe, k6), sub(mul(v_2, rho3, k7), mul(v_3, rho2, k8), k7), k6), mul(v_1, hvr, k7), k6), n2, o4)
     div(add(sub(mul(rho2, fe, k6), sub(mul(v_3, rho1, k7), mul(v_1, rho3, k8), k7), k6), mul(v_2, hvr, k7), k6), n2, o5)
     div(add(sub(mul(rho3, fe, k2), sub(mul(v_1, rho2, k3), mul(v_2, rho1, k1), k1), k1), mul(v_3, hvr, k2), k1), n2, o6)
+
+
+# operations 1024: 402 +, 526 *, 64 /, 6 neg, 1 abs, 4 sqrt, 2 tan, 2 atan2, 2 lt, 2 eq, 13 where
+def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    d1, d2, d3, d1o, d2o, d3o = delta
+    v11d = d1 * d1
+    v22d = d2 * d2
+    v33d = d3 * d3
+    x12d = v11d + v22d
+    xd = x12d + v33d
+    neard = xd < 6
+    zd = m.where(neard, xd, xd - xd) / 4
+    C7d = (
+        (72 - zd * ((3603600 - zd * (32760 - zd * (210 - zd * ((93024 - zd * (342 - zd * ((212520 - zd * (506 - zd))
+        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
+    )
+    C5d = (1 - 120 * (zd * C7d)) / 120
+    C3d = (1 - 6 * (zd * C5d)) / 6
+    C1d = 1 - zd * C3d
+    CC1d = C1d * C1d
+    C0d = m.sqrt(1 - zd * CC1d)
+    xxd = m.where(neard, 6 + xd, xd)
+    alphad = m.sqrt(xxd)
+    td = m.tan(alphad / 4)
+    ttd = td * td
+    belowd = 1 + ttd
+    sd = m.where(neard, C0d, (1 - ttd) / belowd)
+    wd = m.where(neard, C1d / 2, 2 * td / belowd / alphad)
+    wd1 = d1 * wd
+    wd2 = d2 * wd
+    wd3 = d3 * wd
+    fd = 2 * (sd * wd)
+    wwd = wd * wd
+    gd = 2 * wwd
+    C01d = 1 + C0d
+    C2d = CC1d / C01d
+    hd = m.where(neard, (C3d + C1d * C2d) / 4, (1 - fd) / xxd)
+    gvd1 = d1 * gd
+    gvd2 = d2 * gd
+    gvd3 = d3 * gd
+    yd = d1 * d1o + d2 * d2o + d3 * d3o
+    alongd = hd * yd
+    rhod1 = d1o * fd + (gvd2 * d3o - gvd3 * d2o) + d1 * alongd
+    rhod2 = d2o * fd + (gvd3 * d1o - gvd1 * d3o) + d2 * alongd
+    rhod3 = d3o * fd + (gvd1 * d2o - gvd2 * d1o) + d3 * alongd
+    v11p = v1 * v1
+    v22p = v2 * v2
+    v33p = v3 * v3
+    xp = v11p + v22p + v33p
+    ap, bp, _, fp, gp, hp = c.ray(m, xp)
+    bvp1 = v1 * bp
+    bvp2 = v2 * bp
+    bvp3 = v3 * bp
+    gvp1 = v1 * gp
+    gvp2 = v2 * gp
+    gvp3 = v3 * gp
+    yp = v1 * v1o + v2 * v2o + v3 * v3o
+    alongp = hp * yp
+    rhob1 = v1o * fp + (gvp2 * v3o - gvp3 * v2o) + v1 * alongp
+    rhob2 = v2o * fp + (gvp3 * v1o - gvp1 * v3o) + v2 * alongp
+    rhob3 = v3o * fp + (gvp1 * v2o - gvp2 * v1o) + v3 * alongp
+    z0 = sd * ap - (wd1 * bvp1 + wd2 * bvp2 + wd3 * bvp3)
+    z1 = bvp1 * sd + wd1 * ap + (wd2 * bvp3 - wd3 * bvp2)
+    z2 = bvp2 * sd + wd2 * ap + (wd3 * bvp1 - wd1 * bvp3)
+    z3 = bvp3 * sd + wd3 * ap + (wd1 * bvp2 - wd2 * bvp1)
+    v_rhob1 = d2 * rhob3 - d3 * rhob2
+    v_rhob2 = d3 * rhob1 - d1 * rhob3
+    v_rhob3 = d1 * rhob2 - d2 * rhob1
+    gv_rhob1 = v_rhob1 * gd
+    gv_rhob2 = v_rhob2 * gd
+    gv_rhob3 = v_rhob3 * gd
+    rho1 = rhob1 + (v_rhob1 * fd + (d2 * gv_rhob3 - d3 * gv_rhob2)) + rhod1
+    rho2 = rhob2 + (v_rhob2 * fd + (d3 * gv_rhob1 - d1 * gv_rhob3)) + rhod2
+    rho3 = rhob3 + (v_rhob3 * fd + (d1 * gv_rhob2 - d2 * gv_rhob1)) + rhod3
+    ss = z1 * z1 + z2 * z2 + z3 * z3
+    still = ss == 0
+    resting = xp == 0
+    length = m.sqrt(m.where(still, 1 + ss, ss))
+    r = m.sqrt(m.where(resting, 1 + xp, xp))
+    own, = c.unfolded(m, xp, r)
+    own_ = m.where(resting, 0, own / r) * (v1 * z1 + v2 * z2 + v3 * z3) / length
+    folded = 2 * m.atan2(m.where(still, ss, length), z0)
+    turns = own_ - folded + 2 * m.atan2(m.tan((folded - own_) / 2), 1)
+    angle = folded + m.where(m.abs(turns) < 1, 0, turns)
+    rn, slopen = c.coefficient(m, angle)
+    z0s = m.where(still, z0, length)
+    factor = m.where(still, 2 * slopen / z0s, rn / length)
+    v_1 = z1 * factor
+    v_2 = z2 * factor
+    v_3 = z3 * factor
+    fe = factor * z0
+    v11w = v_1 * v_1
+    v22w = v_2 * v_2
+    v33w = v_3 * v_3
+    xw = v11w + v22w + v33w
+    _, hiw = c.inverse(m, xw, fe)
+    hvr = hiw * (v_1 * rho1 + v_2 * rho2 + v_3 * rho3)
+    w4 = (rho1 * fe - (v_2 * rho3 - v_3 * rho2) + v_1 * hvr) / 2
+    w5 = (rho2 * fe - (v_3 * rho1 - v_1 * rho3) + v_2 * hvr) / 2
+    w6 = (rho3 * fe - (v_1 * rho2 - v_2 * rho1) + v_3 * hvr) / 2
+    fin, hin, fiyn, hiyn = c.tangent_inv(m, xw)
+    yn = v_1 * w4 + v_2 * w5 + v_3 * w6
+    fion = fiyn * yn
+    hion = hiyn * yn
+    sn1 = -v_1
+    sn2 = -v_2
+    sn3 = -v_3
+    son1 = -w4
+    son2 = -w5
+    son3 = -w6
+    cvn1 = v_1 * hin
+    cvn2 = v_2 * hin
+    cvn3 = v_3 * hin
+    cvon1 = w4 * hin + v_1 * hion
+    cvon2 = w5 * hin + v_2 * hion
+    cvon3 = w6 * hin + v_3 * hion
+    d12n = cvn1 * v_2
+    d13n = cvn1 * v_3
+    d23n = cvn2 * v_3
+    I11 = fin + cvn1 * v_1
+    I12 = d12n - sn3
+    I13 = d13n + sn2
+    I21 = d12n + sn3
+    I22 = fin + cvn2 * v_2
+    I23 = d23n - sn1
+    I31 = d13n - sn2
+    I32 = d23n + sn1
+    I33 = fin + cvn3 * v_3
+    d12on = cvn1 * w5 + cvon1 * v_2
+    d13on = cvn1 * w6 + cvon1 * v_3
+    d23on = cvn2 * w6 + cvon2 * v_3
+    I11o = fion + (cvn1 * w4 + cvon1 * v_1)
+    I12o = d12on - son3
+    I13o = d13on + son2
+    I21o = d12on + son3
+    I22o = fion + (cvn2 * w5 + cvon2 * v_2)
+    I23o = d23on - son1
+    I31o = d13on - son2
+    I32o = d23on + son1
+    I33o = fion + (cvn3 * w6 + cvon3 * v_3)
+    fyd = hd - gd
+    gyd = fd * hd - gd * gd
+    CC3d = C3d * C3d
+    C4d = (4 * C3d - C2d - 2 * (zd * CC3d)) / (2 * C01d)
+    c5d = (C5d + C4d + C2d * C3d) / 16
+    c4d = C3d * (1 + C1d) / 8
+    hyd = m.where(neard, 3 * c5d - c4d, (gd - 3 * hd) / xxd)
+    fod = fyd * yd
+    god = gyd * yd
+    hod = hyd * yd
+    gvod1 = d1o * gd + d1 * god
+    gvod2 = d2o * gd + d2 * god
+    gvod3 = d3o * gd + d3 * god
+    cvd1 = d1 * hd
+    cvd2 = d2 * hd
+    cvd3 = d3 * hd
+    cvod1 = d1o * hd + d1 * hod
+    cvod2 = d2o * hd + d2 * hod
+    cvod3 = d3o * hd + d3 * hod
+    d12d = cvd1 * d2
+    d13d = cvd1 * d3
+    d23d = cvd2 * d3
+    D11 = fd + cvd1 * d1
+    D12 = d12d - gvd3
+    D13 = d13d + gvd2
+    D21 = d12d + gvd3
+    D22 = fd + cvd2 * d2
+    D23 = d23d - gvd1
+    D31 = d13d - gvd2
+    D32 = d23d + gvd1
+    D33 = fd + cvd3 * d3
+    d12od = cvd1 * d2o + cvod1 * d2
+    d13od = cvd1 * d3o + cvod1 * d3
+    d23od = cvd2 * d3o + cvod2 * d3
+    D11o = fod + (cvd1 * d1o + cvod1 * d1)
+    D12o = d12od - gvod3
+    D13o = d13od + gvod2
+    D21o = d12od + gvod3
+    D22o = fod + (cvd2 * d2o + cvod2 * d2)
+    D23o = d23od - gvod1
+    D31o = d13od - gvod2
+    D32o = d23od + gvod1
+    D33o = fod + (cvd3 * d3o + cvod3 * d3)
+    fF, gF, hF, fyF, gyF, hyF = c.tangent(m, xp)
+    foF = fyF * yp
+    goF = gyF * yp
+    hoF = hyF * yp
+    gvF1 = v1 * gF
+    gvF2 = v2 * gF
+    gvF3 = v3 * gF
+    gvoF1 = v1o * gF + v1 * goF
+    gvoF2 = v2o * gF + v2 * goF
+    gvoF3 = v3o * gF + v3 * goF
+    cvF1 = v1 * hF
+    cvF2 = v2 * hF
+    cvF3 = v3 * hF
+    cvoF1 = v1o * hF + v1 * hoF
+    cvoF2 = v2o * hF + v2 * hoF
+    cvoF3 = v3o * hF + v3 * hoF
+    d12F = cvF1 * v2
+    d13F = cvF1 * v3
+    d23F = cvF2 * v3
+    F11 = fF + cvF1 * v1
+    F12 = d12F - gvF3
+    F13 = d13F + gvF2
+    F21 = d12F + gvF3
+    F22 = fF + cvF2 * v2
+    F23 = d23F - gvF1
+    F31 = d13F - gvF2
+    F32 = d23F + gvF1
+    F33 = fF + cvF3 * v3
+    d12oF = cvF1 * v2o + cvoF1 * v2
+    d13oF = cvF1 * v3o + cvoF1 * v3
+    d23oF = cvF2 * v3o + cvoF2 * v3
+    F11o = foF + (cvF1 * v1o + cvoF1 * v1)
+    F12o = d12oF - gvoF3
+    F13o = d13oF + gvoF2
+    F21o = d12oF + gvoF3
+    F22o = foF + (cvF2 * v2o + cvoF2 * v2)
+    F23o = d23oF - gvoF1
+    F31o = d13oF - gvoF2
+    F32o = d23oF + gvoF1
+    F33o = foF + (cvF3 * v3o + cvoF3 * v3)
+    x23d = v22d + v33d
+    x13d = v11d + v33d
+    fvd1 = d1 * fd
+    fvd2 = d2 * fd
+    fvd3 = d3 * fd
+    gvvd1 = gvd1 * d2
+    gvvd2 = gvd1 * d3
+    gvvd3 = gvd2 * d3
+    Qd11 = 1 - gd * x23d
+    Qd12 = gvvd1 - fvd3
+    Qd13 = gvvd2 + fvd2
+    Qd21 = gvvd1 + fvd3
+    Qd22 = 1 - gd * x13d
+    Qd23 = gvvd3 - fvd1
+    Qd31 = gvvd2 - fvd2
+    Qd32 = gvvd3 + fvd1
+    Qd33 = 1 - gd * x12d
+    R11o = Qd31 * rhod2 - Qd21 * rhod3
+    R12o = Qd32 * rhod2 - Qd22 * rhod3
+    R13o = Qd33 * rhod2 - Qd23 * rhod3
+    R21o = Qd11 * rhod3 - Qd31 * rhod1
+    R22o = Qd12 * rhod3 - Qd32 * rhod1
+    R23o = Qd13 * rhod3 - Qd33 * rhod1
+    R31o = Qd21 * rhod1 - Qd11 * rhod2
+    R32o = Qd22 * rhod1 - Qd12 * rhod2
+    R33o = Qd23 * rhod1 - Qd13 * rhod2
+    RT11 = Qd11 * F11 + Qd12 * F21 + Qd13 * F31
+    RT11o = Qd11 * F11o + R11o * F11 + (Qd12 * F21o + R12o * F21) + (Qd13 * F31o + R13o * F31)
+    RT12 = Qd11 * F12 + Qd12 * F22 + Qd13 * F32
+    RT12o = Qd11 * F12o + R11o * F12 + (Qd12 * F22o + R12o * F22) + (Qd13 * F32o + R13o * F32)
+    RT13 = Qd11 * F13 + Qd12 * F23 + Qd13 * F33
+    RT13o = Qd11 * F13o + R11o * F13 + (Qd12 * F23o + R12o * F23) + (Qd13 * F33o + R13o * F33)
+    RT21 = Qd21 * F11 + Qd22 * F21 + Qd23 * F31
+    RT21o = Qd21 * F11o + R21o * F11 + (Qd22 * F21o + R22o * F21) + (Qd23 * F31o + R23o * F31)
+    RT22 = Qd21 * F12 + Qd22 * F22 + Qd23 * F32
+    RT22o = Qd21 * F12o + R21o * F12 + (Qd22 * F22o + R22o * F22) + (Qd23 * F32o + R23o * F32)
+    RT23 = Qd21 * F13 + Qd22 * F23 + Qd23 * F33
+    RT23o = Qd21 * F13o + R21o * F13 + (Qd22 * F23o + R22o * F23) + (Qd23 * F33o + R23o * F33)
+    RT31 = Qd31 * F11 + Qd32 * F21 + Qd33 * F31
+    RT31o = Qd31 * F11o + R31o * F11 + (Qd32 * F21o + R32o * F21) + (Qd33 * F31o + R33o * F31)
+    RT32 = Qd31 * F12 + Qd32 * F22 + Qd33 * F32
+    RT32o = Qd31 * F12o + R31o * F12 + (Qd32 * F22o + R32o * F22) + (Qd33 * F32o + R33o * F32)
+    RT33 = Qd31 * F13 + Qd32 * F23 + Qd33 * F33
+    RT33o = Qd31 * F13o + R31o * F13 + (Qd32 * F23o + R32o * F23) + (Qd33 * F33o + R33o * F33)
+    V11 = (I11 * RT11 + I12 * RT21 + I13 * RT31) / 2
+    V12 = (I11 * RT12 + I12 * RT22 + I13 * RT32) / 2
+    V13 = (I11 * RT13 + I12 * RT23 + I13 * RT33) / 2
+    V21 = (I21 * RT11 + I22 * RT21 + I23 * RT31) / 2
+    V22 = (I21 * RT12 + I22 * RT22 + I23 * RT32) / 2
+    V23 = (I21 * RT13 + I22 * RT23 + I23 * RT33) / 2
+    V31 = (I31 * RT11 + I32 * RT21 + I33 * RT31) / 2
+    V32 = (I31 * RT12 + I32 * RT22 + I33 * RT32) / 2
+    V33 = (I31 * RT13 + I32 * RT23 + I33 * RT33) / 2
+    S11 = (I11 * D11 + I12 * D21 + I13 * D31) / 2
+    S12 = (I11 * D12 + I12 * D22 + I13 * D32) / 2
+    S13 = (I11 * D13 + I12 * D23 + I13 * D33) / 2
+    S21 = (I21 * D11 + I22 * D21 + I23 * D31) / 2
+    S22 = (I21 * D12 + I22 * D22 + I23 * D32) / 2
+    S23 = (I21 * D13 + I22 * D23 + I23 * D33) / 2
+    S31 = (I31 * D11 + I32 * D21 + I33 * D31) / 2
+    S32 = (I31 * D12 + I32 * D22 + I33 * D32) / 2
+    S33 = (I31 * D13 + I32 * D23 + I33 * D33) / 2
+    return (
+        V11,
+        V12,
+        V13,
+        0,
+        0,
+        0,
+        V21,
+        V22,
+        V23,
+        0,
+        0,
+        0,
+        V31,
+        V32,
+        V33,
+        0,
+        0,
+        0,
+        (I11 * RT11o + I11o * RT11 + (I12 * RT21o + I12o * RT21) + (I13 * RT31o + I13o * RT31)) / 2,
+        (I11 * RT12o + I11o * RT12 + (I12 * RT22o + I12o * RT22) + (I13 * RT32o + I13o * RT32)) / 2,
+        (I11 * RT13o + I11o * RT13 + (I12 * RT23o + I12o * RT23) + (I13 * RT33o + I13o * RT33)) / 2,
+        V11,
+        V12,
+        V13,
+        (I21 * RT11o + I21o * RT11 + (I22 * RT21o + I22o * RT21) + (I23 * RT31o + I23o * RT31)) / 2,
+        (I21 * RT12o + I21o * RT12 + (I22 * RT22o + I22o * RT22) + (I23 * RT32o + I23o * RT32)) / 2,
+        (I21 * RT13o + I21o * RT13 + (I22 * RT23o + I22o * RT23) + (I23 * RT33o + I23o * RT33)) / 2,
+        V21,
+        V22,
+        V23,
+        (I31 * RT11o + I31o * RT11 + (I32 * RT21o + I32o * RT21) + (I33 * RT31o + I33o * RT31)) / 2,
+        (I31 * RT12o + I31o * RT12 + (I32 * RT22o + I32o * RT22) + (I33 * RT32o + I33o * RT32)) / 2,
+        (I31 * RT13o + I31o * RT13 + (I32 * RT23o + I32o * RT23) + (I33 * RT33o + I33o * RT33)) / 2,
+        V31,
+        V32,
+        V33,
+        S11,
+        S12,
+        S13,
+        0,
+        0,
+        0,
+        S21,
+        S22,
+        S23,
+        0,
+        0,
+        0,
+        S31,
+        S32,
+        S33,
+        0,
+        0,
+        0,
+        (I11 * D11o + I11o * D11 + (I12 * D21o + I12o * D21) + (I13 * D31o + I13o * D31)) / 2,
+        (I11 * D12o + I11o * D12 + (I12 * D22o + I12o * D22) + (I13 * D32o + I13o * D32)) / 2,
+        (I11 * D13o + I11o * D13 + (I12 * D23o + I12o * D23) + (I13 * D33o + I13o * D33)) / 2,
+        S11,
+        S12,
+        S13,
+        (I21 * D11o + I21o * D11 + (I22 * D21o + I22o * D21) + (I23 * D31o + I23o * D31)) / 2,
+        (I21 * D12o + I21o * D12 + (I22 * D22o + I22o * D22) + (I23 * D32o + I23o * D32)) / 2,
+        (I21 * D13o + I21o * D13 + (I22 * D23o + I22o * D23) + (I23 * D33o + I23o * D33)) / 2,
+        S21,
+        S22,
+        S23,
+        (I31 * D11o + I31o * D11 + (I32 * D21o + I32o * D21) + (I33 * D31o + I33o * D31)) / 2,
+        (I31 * D12o + I31o * D12 + (I32 * D22o + I32o * D22) + (I33 * D32o + I33o * D32)) / 2,
+        (I31 * D13o + I31o * D13 + (I32 * D23o + I32o * D23) + (I33 * D33o + I33o * D33)) / 2,
+        S31,
+        S32,
+        S33,
+    )
+
+
+def retract_jacobians_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, delta: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    d1, d2, d3, d1o, d2o, d3o = delta
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36, o37, o38, o39, o40, o41, o42, o43, o44, o45, o46,
+        o47, o48, o49, o50, o51, o52, o53, o54, o55, o56, o57, o58, o59, o60, o61, o62, o63, o64, o65, o66, o67, o68,
+        o69, o70, o71, o72,
+    ) = out
+    (
+        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
+        k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, k35, k36, k37, k38, k39, k40, k41, k42, k43, k44, k45, k46,
+        k47, k48, k49, k50, k51, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61, k62, k63, k64, k65, k66, k67, *spare,
+    ) = scratch
+    mask1, mask2, mask3, *spare_masks = masks
+    n0, n1, n2, n3, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    v11d = mul(d1, d1, k1)
+    v22d = mul(d2, d2, k2)
+    x12d = add(v11d, v22d, k3)
+    v33d = mul(d3, d3, k4)
+    x23d = add(v22d, v33d, k2)
+    x13d = add(v11d, v33d, k1)
+    xd = add(x12d, v33d, k4)
+    neard = m.less(xd, n6, mask1)
+    zd = div(m.where(neard, xd, sub(xd, xd, k5), k6), n4, k5)
+    xxd = m.where(neard, add(n6, xd, k6), xd, k6)
+    C7d = div(
+        div(sub(n72, mul(zd, div(sub(n3603600, mul(zd, sub(n32760, mul(zd, sub(n210, mul(zd, div(sub(n93024, mul(zd,
+        sub(n342, mul(zd, div(sub(n212520, mul(zd, sub(n506, zd, k4), k4), k4), n212520, k4), k4), k4), k4), k4),
+        n93024, k4), k4), k4), k4), k4), k4), k4), n3603600, k4), k4), k4), n72, k4), n5040, k4
+    )
+    C5d = div(sub(n1, mul(n120, mul(zd, C7d, k4), k4), k4), n120, k4)
+    C3d = div(sub(n1, mul(n6, mul(zd, C5d, k7), k7), k7), n6, k7)
+    C1d = sub(n1, mul(zd, C3d, k8), k8)
+    CC1d = mul(C1d, C1d, k9)
+    C0d = sqrt(sub(n1, mul(zd, CC1d, k10), k10), k10)
+    alphad = sqrt(xxd, k11)
+    td = tan(div(alphad, n4, k12), k12)
+    ttd = mul(td, td, k13)
+    belowd = add(n1, ttd, k14)
+    wd = m.where(neard, div(C1d, n2, k15), div(div(mul(n2, td, k12), belowd, k12), alphad, k11), k12)
+    sd = m.where(neard, C0d, div(sub(n1, ttd, k11), belowd, k11), k13)
+    C01d = add(n1, C0d, k10)
+    C2d = div(CC1d, C01d, k9)
+    wd1 = mul(d1, wd, k11)
+    wd2 = mul(d2, wd, k14)
+    wd3 = mul(d3, wd, k15)
+    v11p = mul(v1, v1, k16)
+    v22p = mul(v2, v2, k17)
+    v33p = mul(v3, v3, k18)
+    xp = add(add(v11p, v22p, k16), v33p, k16)
+    ap, bp, _, fp, gp, hp = c.ray((k17, k18, k19, k20, k21, k22), (*spare,), (*spare_masks,), xp)
+    fF, gF, hF, fyF, gyF, hyF = c.tangent((k19, k23, k24, k25, k26, k27), (*spare,), (*spare_masks,), xp)
+    bvp1 = mul(v1, bp, k28)
+    bvp3 = mul(v3, bp, k29)
+    bvp2 = mul(v2, bp, k18)
+    z1 = add(add(mul(bvp1, sd, k30), mul(wd1, ap, k31), k30), sub(mul(wd2, bvp3, k31), mul(wd3, bvp2, k32), k31), k30)
+    z2 = add(add(mul(bvp2, sd, k31), mul(wd2, ap, k32), k31), sub(mul(wd3, bvp1, k32), mul(wd1, bvp3, k33), k32), k31)
+    z3 = add(add(mul(bvp3, sd, k32), mul(wd3, ap, k33), k32), sub(mul(wd1, bvp2, k33), mul(wd2, bvp1, k34), k33), k32)
+    z0 = sub(mul(sd, ap, k17), add(add(mul(wd1, bvp1, k11), mul(wd2, bvp2, k14), k11), mul(wd3, bvp3, k14), k11), k11)
+    fd = mul(n2, mul(sd, wd, k13), k13)
+    wwd = mul(wd, wd, k12)
+    gd = mul(n2, wwd, k12)
+    Qd11 = sub(n1, mul(gd, x23d, k2), k2)
+    Qd22 = sub(n1, mul(gd, x13d, k1), k1)
+    Qd33 = sub(n1, mul(gd, x12d, k3), k3)
+    ss = add(add(mul(z1, z1, k14), mul(z2, z2, k15), k14), mul(z3, z3, k15), k14)
+    still = m.equal(ss, n0, mask2)
+    length = sqrt(m.where(still, add(n1, ss, k15), ss, k15), k15)
+    folded = mul(n2, atan2(m.where(still, ss, length, k14), z0, k14), k14)
+    resting = m.equal(xp, n0, mask3)
+    r = sqrt(m.where(resting, add(n1, xp, k17), xp, k17), k17)
+    own, = c.unfolded((k18,), (k28, k29, k33, k34, *spare), (*spare_masks,), xp, r)
+    own_ = div(
+        mul(m.where(resting, n0, div(own, r, k16), k17), add(add(mul(v1, z1, k16), mul(v2, z2, k18), k16), mul(v3, z3,
+        k18), k16), k16), length, k16
+    )
+    turns = add(
+        sub(own_, folded, k17), mul(n2, atan2(tan(div(sub(folded, own_, k16), n2, k16), k16), n1, k16), k16), k16
+    )
+    angle = add(folded, m.where(m.less(absolute(turns, k17), n1, mask3), n0, turns, k17), k14)
+    rn, slopen = c.coefficient((k16, k17), (k18, k28, k29, k33, k34, *spare), (mask3, *spare_masks), angle)
+    z0s = m.where(still, z0, length, k14)
+    factor = m.where(still, div(mul(n2, slopen, k17), z0s, k14), div(rn, length, k15), k14)
+    v_1 = mul(z1, factor, k15)
+    v_2 = mul(z2, factor, k16)
+    v_3 = mul(z3, factor, k17)
+    fe = mul(factor, z0, k11)
+    v11w = mul(v_1, v_1, k14)
+    v22w = mul(v_2, v_2, k18)
+    v33w = mul(v_3, v_3, k28)
+    xw = add(add(v11w, v22w, k14), v33w, k14)
+    fin, hin, fiyn, hiyn = c.tangent_inv(
+        (k18, k28, k29, k30), (k31, k32, k33, k34, *spare), (mask2, mask3, *spare_masks), xw
+    )
+    _, hiw = c.inverse((k31, k32), (k33, k34, *spare), (mask2, mask3, *spare_masks), xw, fe)
+    cvn3 = mul(v_3, hin, k14)
+    I33 = add(fin, mul(cvn3, v_3, k31), k31)
+    cvn1 = mul(v_1, hin, k33)
+    d13n = mul(cvn1, v_3, k34)
+    sn2 = neg(v_2, k35)
+    I31 = sub(d13n, sn2, k36)
+    I13 = add(d13n, sn2, k34)
+    cvn2 = mul(v_2, hin, k35)
+    d23n = mul(cvn2, v_3, k37)
+    sn1 = neg(v_1, k38)
+    I32 = add(d23n, sn1, k39)
+    I23 = sub(d23n, sn1, k37)
+    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k38), k38), n4, k38), div(sub(n1, fd, k40), xxd, k40), k38)
+    c4d = div(mul(C3d, add(n1, C1d, k8), k8), n8, k8)
+    cvd1 = mul(d1, hd, k40)
+    d13d = mul(cvd1, d3, k41)
+    gvd2 = mul(d2, gd, k42)
+    D13 = add(d13d, gvd2, k43)
+    D31 = sub(d13d, gvd2, k41)
+    cvd2 = mul(d2, hd, k44)
+    d23d = mul(cvd2, d3, k45)
+    gvd1 = mul(d1, gd, k46)
+    D23 = sub(d23d, gvd1, k47)
+    D32 = add(d23d, gvd1, k45)
+    cvd3 = mul(d3, hd, k48)
+    D33 = add(fd, mul(cvd3, d3, k49), k49)
+    div(add(add(mul(I31, D13, k50), mul(I32, D23, k51), k50), mul(I33, D33, k51), k50), n2, o51)
+    d12d = mul(cvd1, d2, k50)
+    gvd3 = mul(d3, gd, k51)
+    D12 = sub(d12d, gvd3, k52)
+    D21 = add(d12d, gvd3, k50)
+    D22 = add(fd, mul(cvd2, d2, k53), k53)
+    div(add(add(mul(I31, D12, k54), mul(I32, D22, k55), k54), mul(I33, D32, k55), k54), n2, o50)
+    D11 = add(fd, mul(cvd1, d1, k54), k54)
+    div(add(add(mul(I31, D11, k55), mul(I32, D21, k56), k55), mul(I33, D31, k56), k55), n2, o49)
+    yd = add(add(mul(d1, d1o, k55), mul(d2, d2o, k56), k55), mul(d3, d3o, k56), k55)
+    alongd = mul(hd, yd, k56)
+    rhod1 = add(
+        add(mul(d1o, fd, k57), sub(mul(gvd2, d3o, k58), mul(gvd3, d2o, k59), k58), k57), mul(d1, alongd, k58), k57
+    )
+    rhod2 = add(
+        add(mul(d2o, fd, k58), sub(mul(gvd3, d1o, k51), mul(gvd1, d3o, k59), k51), k51), mul(d2, alongd, k58), k51
+    )
+    rhod3 = add(
+        add(mul(d3o, fd, k58), sub(mul(gvd1, d2o, k59), mul(gvd2, d1o, k60), k59), k58), mul(d3, alongd, k56), k56
+    )
+    gvvd3 = mul(gvd2, d3, k42)
+    gvp3 = mul(v3, gp, k58)
+    gvp1 = mul(v1, gp, k59)
+    gvp2 = mul(v2, gp, k21)
+    yp = add(add(mul(v1, v1o, k60), mul(v2, v2o, k61), k60), mul(v3, v3o, k61), k60)
+    alongp = mul(hp, yp, k22)
+    hoF = mul(hyF, yp, k27)
+    goF = mul(gyF, yp, k26)
+    foF = mul(fyF, yp, k25)
+    rhob2 = add(
+        add(mul(v2o, fp, k60), sub(mul(gvp3, v1o, k61), mul(gvp1, v3o, k62), k61), k60), mul(v2, alongp, k61), k60
+    )
+    rhob1 = add(
+        add(mul(v1o, fp, k61), sub(mul(gvp2, v3o, k62), mul(gvp3, v2o, k58), k58), k58), mul(v1, alongp, k61), k58
+    )
+    rhob3 = add(
+        add(mul(v3o, fp, k20), sub(mul(gvp1, v2o, k59), mul(gvp2, v1o, k21), k21), k20), mul(v3, alongp, k21), k20
+    )
+    v_rhob3 = sub(mul(d1, rhob2, k21), mul(d2, rhob1, k22), k21)
+    gv_rhob3 = mul(v_rhob3, gd, k22)
+    v_rhob2 = sub(mul(d3, rhob1, k59), mul(d1, rhob3, k61), k59)
+    gv_rhob2 = mul(v_rhob2, gd, k61)
+    v_rhob1 = sub(mul(d2, rhob3, k62), mul(d3, rhob2, k63), k62)
+    rho1 = add(
+        add(rhob1, add(mul(v_rhob1, fd, k63), sub(mul(d2, gv_rhob3, k64), mul(d3, gv_rhob2, k65), k64), k63), k58),
+        rhod1, k58
+    )
+    gv_rhob1 = mul(v_rhob1, gd, k62)
+    rho2 = add(
+        add(rhob2, add(mul(v_rhob2, fd, k59), sub(mul(d3, gv_rhob1, k63), mul(d1, gv_rhob3, k22), k22), k22), k22),
+        rhod2, k22
+    )
+    rho3 = add(
+        add(rhob3, add(mul(v_rhob3, fd, k21), sub(mul(d1, gv_rhob2, k59), mul(d2, gv_rhob1, k60), k59), k21), k20),
+        rhod3, k20
+    )
+    hvr = mul(hiw, add(add(mul(v_1, rho1, k21), mul(v_2, rho2, k59), k21), mul(v_3, rho3, k59), k21), k21)
+    w4 = div(
+        add(sub(mul(rho1, fe, k32), sub(mul(v_2, rho3, k59), mul(v_3, rho2, k60), k59), k32), mul(v_1, hvr, k59), k32),
+        n2, k32
+    )
+    w5 = div(
+        add(sub(mul(rho2, fe, k59), sub(mul(v_3, rho1, k60), mul(v_1, rho3, k61), k60), k59), mul(v_2, hvr, k60), k59),
+        n2, k59
+    )
+    w6 = div(
+        add(sub(mul(rho3, fe, k11), sub(mul(v_1, rho2, k20), mul(v_2, rho1, k22), k20), k11), mul(v_3, hvr, k20), k11),
+        n2, k11
+    )
+    yn = add(add(mul(v_1, w4, k20), mul(v_2, w5, k21), k20), mul(v_3, w6, k21), k20)
+    fion = mul(fiyn, yn, k21)
+    hion = mul(hiyn, yn, k20)
+    cvon3 = add(mul(w6, hin, k22), mul(v_3, hion, k29), k22)
+    I33o = add(fion, add(mul(cvn3, w6, k14), mul(cvon3, v_3, k22), k14), k14)
+    cvon1 = add(mul(w4, hin, k22), mul(v_1, hion, k29), k22)
+    cvon2 = add(mul(w5, hin, k28), mul(v_2, hion, k20), k20)
+    d13on = add(mul(cvn1, w6, k28), mul(cvon1, v_3, k29), k28)
+    son2 = neg(w5, k29)
+    I31o = sub(d13on, son2, k30)
+    I13o = add(d13on, son2, k28)
+    d23on = add(mul(cvn2, w6, k29), mul(cvon2, v_3, k58), k29)
+    sn3 = neg(v_3, k17)
+    I22o = add(fion, add(mul(cvn2, w5, k58), mul(cvon2, v_2, k20), k20), k20)
+    I22 = add(fin, mul(cvn2, v_2, k35), k35)
+    d12on = add(mul(cvn1, w5, k58), mul(cvon1, v_2, k59), k58)
+    I11o = add(fion, add(mul(cvn1, w4, k59), mul(cvon1, v_1, k22), k22), k21)
+    I11 = add(fin, mul(cvn1, v_1, k15), k15)
+    d12n = mul(cvn1, v_2, k16)
+    son1 = neg(w4, k18)
+    son3 = neg(w6, k11)
+    I32o = add(d23on, son1, k22)
+    I23o = sub(d23on, son1, k18)
+    CC3d = mul(C3d, C3d, k29)
+    C4d = div(sub(sub(mul(n4, C3d, k32), C2d, k32), mul(n2, mul(zd, CC3d, k5), k5), k5), mul(n2, C01d, k10), k5)
+    c5d = div(add(add(C5d, C4d, k4), mul(C2d, C3d, k5), k4), n16, k4)
+    hyd = m.where(neard, sub(mul(n3, c5d, k4), c4d, k4), div(sub(gd, mul(n3, hd, k5), k5), xxd, k5), k4)
+    hod = mul(hyd, yd, k4)
+    cvod1 = add(mul(d1o, hd, k5), mul(d1, hod, k6), k5)
+    d13od = add(mul(cvd1, d3o, k6), mul(cvod1, d3, k7), k6)
+    gyd = sub(mul(fd, hd, k7), mul(gd, gd, k8), k7)
+    god = mul(gyd, yd, k7)
+    gvod2 = add(mul(d2o, gd, k8), mul(d2, god, k9), k8)
+    D13o = add(d13od, gvod2, k9)
+    D31o = sub(d13od, gvod2, k6)
+    cvod2 = add(mul(d2o, hd, k8), mul(d2, hod, k10), k8)
+    cvod3 = add(mul(d3o, hd, k10), mul(d3, hod, k4), k4)
+    fyd = sub(hd, gd, k10)
+    fod = mul(fyd, yd, k10)
+    D33o = add(fod, add(mul(cvd3, d3o, k29), mul(cvod3, d3, k4), k4), k4)
+    d23od = add(mul(cvd2, d3o, k29), mul(cvod2, d3, k32), k29)
+    D22o = add(fod, add(mul(cvd2, d2o, k32), mul(cvod2, d2, k8), k8), k8)
+    D11o = add(fod, add(mul(cvd1, d1o, k32), mul(cvod1, d1, k33), k32), k10)
+    d12od = add(mul(cvd1, d2o, k32), mul(cvod1, d2, k5), k5)
+    gvod1 = add(mul(d1o, gd, k32), mul(d1, god, k33), k32)
+    gvod3 = add(mul(d3o, gd, k12), mul(d3, god, k7), k7)
+    D23o = sub(d23od, gvod1, k12)
+    D32o = add(d23od, gvod1, k29)
+    div(
+        add(add(add(mul(I31, D13o, k32), mul(I31o, D13, k33), k32), add(mul(I32, D23o, k33), mul(I32o, D23, k38), k33),
+        k32), add(mul(I33, D33o, k33), mul(I33o, D33, k38), k33), k32), n2, o69
+    )
+    D12o = sub(d12od, gvod3, k32)
+    D21o = add(d12od, gvod3, k5)
+    div(
+        add(add(add(mul(I31, D12o, k7), mul(I31o, D12, k33), k7), add(mul(I32, D22o, k33), mul(I32o, D22, k38), k33),
+        k7), add(mul(I33, D32o, k33), mul(I33o, D32, k38), k33), k7), n2, o68
+    )
+    div(
+        add(add(add(mul(I31, D11o, k7), mul(I31o, D11, k33), k7), add(mul(I32, D21o, k33), mul(I32o, D21, k38), k33),
+        k7), add(mul(I33, D31o, k33), mul(I33o, D31, k38), k33), k7), n2, o67
+    )
+    I21 = add(d12n, sn3, k7)
+    I12 = sub(d12n, sn3, k16)
+    div(add(add(mul(I21, D13, k17), mul(I22, D23, k33), k17), mul(I23, D33, k33), k17), n2, o45)
+    div(add(add(mul(I21, D12, k17), mul(I22, D22, k33), k17), mul(I23, D32, k33), k17), n2, o44)
+    div(add(add(mul(I21, D11, k17), mul(I22, D21, k33), k17), mul(I23, D31, k33), k17), n2, o43)
+    div(add(add(mul(I11, D13, k17), mul(I12, D23, k33), k17), mul(I13, D33, k33), k17), n2, o39)
+    div(add(add(mul(I11, D12, k17), mul(I12, D22, k33), k17), mul(I13, D32, k33), k17), n2, o38)
+    div(add(add(mul(I11, D11, k17), mul(I12, D21, k33), k17), mul(I13, D31, k33), k17), n2, o37)
+    I21o = add(d12on, son3, k17)
+    I12o = sub(d12on, son3, k11)
+    div(
+        add(add(add(mul(I21, D13o, k33), mul(I21o, D13, k38), k33), add(mul(I22, D23o, k38), mul(I22o, D23, k40), k38),
+        k33), add(mul(I23, D33o, k38), mul(I23o, D33, k40), k38), k33), n2, o63
+    )
+    div(
+        add(add(add(mul(I11, D13o, k9), mul(I11o, D13, k33), k9), add(mul(I12, D23o, k12), mul(I12o, D23, k33), k12),
+        k9), add(mul(I13, D33o, k4), mul(I13o, D33, k12), k4), k4), n2, o57
+    )
+    div(
+        add(add(add(mul(I21, D12o, k4), mul(I21o, D12, k9), k4), add(mul(I22, D22o, k9), mul(I22o, D22, k12), k9), k4),
+        add(mul(I23, D32o, k9), mul(I23o, D32, k12), k9), k4), n2, o62
+    )
+    div(
+        add(add(add(mul(I11, D12o, k4), mul(I11o, D12, k9), k4), add(mul(I12, D22o, k8), mul(I12o, D22, k9), k8), k4),
+        add(mul(I13, D32o, k8), mul(I13o, D32, k9), k8), k4), n2, o56
+    )
+    div(
+        add(add(add(mul(I21, D11o, k4), mul(I21o, D11, k8), k4), add(mul(I22, D21o, k8), mul(I22o, D21, k9), k8), k4),
+        add(mul(I23, D31o, k8), mul(I23o, D31, k9), k8), k4), n2, o61
+    )
+    div(
+        add(add(add(mul(I11, D11o, k4), mul(I11o, D11, k8), k4), add(mul(I12, D21o, k5), mul(I12o, D21, k8), k5), k4),
+        add(mul(I13, D31o, k5), mul(I13o, D31, k6), k5), k4), n2, o55
+    )
+    gvvd1 = mul(gvd1, d2, k4)
+    gvvd2 = mul(gvd1, d3, k5)
+    fvd3 = mul(d3, fd, k6)
+    Qd12 = sub(gvvd1, fvd3, k8)
+    Qd21 = add(gvvd1, fvd3, k4)
+    fvd2 = mul(d2, fd, k6)
+    fvd1 = mul(d1, fd, k9)
+    Qd13 = add(gvvd2, fvd2, k10)
+    Qd31 = sub(gvvd2, fvd2, k5)
+    cvF1 = mul(v1, hF, k6)
+    d13F = mul(cvF1, v3, k12)
+    gvF2 = mul(v2, gF, k13)
+    F13 = add(d13F, gvF2, k29)
+    F31 = sub(d13F, gvF2, k12)
+    cvF2 = mul(v2, hF, k13)
+    d23F = mul(cvF2, v3, k32)
+    gvF1 = mul(v1, gF, k33)
+    F23 = sub(d23F, gvF1, k38)
+    F32 = add(d23F, gvF1, k32)
+    cvF3 = mul(v3, hF, k33)
+    F33 = add(fF, mul(cvF3, v3, k40), k40)
+    RT13 = add(add(mul(Qd11, F13, k41), mul(Qd12, F23, k43), k41), mul(Qd13, F33, k43), k41)
+    Qd23 = sub(gvvd3, fvd1, k43)
+    Qd32 = add(gvvd3, fvd1, k9)
+    RT23 = add(add(mul(Qd21, F13, k42), mul(Qd22, F23, k44), k42), mul(Qd23, F33, k44), k42)
+    RT33 = add(add(mul(Qd31, F13, k44), mul(Qd32, F23, k45), k44), mul(Qd33, F33, k45), k44)
+    div(add(add(mul(I31, RT13, k45), mul(I32, RT23, k46), k45), mul(I33, RT33, k46), k45), n2, o15)
+    div(add(add(mul(I21, RT13, k45), mul(I22, RT23, k46), k45), mul(I23, RT33, k46), k45), n2, o9)
+    div(add(add(mul(I11, RT13, k45), mul(I12, RT23, k46), k45), mul(I13, RT33, k46), k45), n2, o3)
+    d12F = mul(cvF1, v2, k45)
+    gvF3 = mul(v3, gF, k46)
+    F12 = sub(d12F, gvF3, k47)
+    F21 = add(d12F, gvF3, k45)
+    F22 = add(fF, mul(cvF2, v2, k46), k46)
+    F11 = add(fF, mul(cvF1, v1, k48), k19)
+    RT12 = add(add(mul(Qd11, F12, k48), mul(Qd12, F22, k49), k48), mul(Qd13, F32, k49), k48)
+    RT22 = add(add(mul(Qd21, F12, k49), mul(Qd22, F22, k50), k49), mul(Qd23, F32, k50), k49)
+    RT32 = add(add(mul(Qd31, F12, k50), mul(Qd32, F22, k52), k50), mul(Qd33, F32, k52), k50)
+    div(add(add(mul(I31, RT12, k52), mul(I32, RT22, k53), k52), mul(I33, RT32, k53), k52), n2, o14)
+    div(add(add(mul(I21, RT12, k52), mul(I22, RT22, k53), k52), mul(I23, RT32, k53), k52), n2, o8)
+    div(add(add(mul(I11, RT12, k52), mul(I12, RT22, k53), k52), mul(I13, RT32, k53), k52), n2, o2)
+    RT11 = add(add(mul(Qd11, F11, k52), mul(Qd12, F21, k53), k52), mul(Qd13, F31, k53), k52)
+    RT21 = add(add(mul(Qd21, F11, k53), mul(Qd22, F21, k54), k53), mul(Qd23, F31, k54), k53)
+    RT31 = add(add(mul(Qd31, F11, k54), mul(Qd32, F21, k55), k54), mul(Qd33, F31, k55), k54)
+    div(add(add(mul(I31, RT11, k55), mul(I32, RT21, k58), k55), mul(I33, RT31, k58), k55), n2, o13)
+    div(add(add(mul(I21, RT11, k55), mul(I22, RT21, k58), k55), mul(I23, RT31, k58), k55), n2, o7)
+    div(add(add(mul(I11, RT11, k55), mul(I12, RT21, k58), k55), mul(I13, RT31, k58), k55), n2, o1)
+    R11o = sub(mul(Qd31, rhod2, k55), mul(Qd21, rhod3, k58), k55)
+    R12o = sub(mul(Qd32, rhod2, k58), mul(Qd22, rhod3, k59), k58)
+    R13o = sub(mul(Qd33, rhod2, k59), mul(Qd23, rhod3, k60), k59)
+    cvoF1 = add(mul(v1o, hF, k60), mul(v1, hoF, k61), k60)
+    d13oF = add(mul(cvF1, v3o, k61), mul(cvoF1, v3, k62), k61)
+    gvoF2 = add(mul(v2o, gF, k62), mul(v2, goF, k63), k62)
+    F13o = add(d13oF, gvoF2, k63)
+    F31o = sub(d13oF, gvoF2, k61)
+    cvoF2 = add(mul(v2o, hF, k62), mul(v2, hoF, k64), k62)
+    cvoF3 = add(mul(v3o, hF, k24), mul(v3, hoF, k27), k24)
+    F33o = add(foF, add(mul(cvF3, v3o, k27), mul(cvoF3, v3, k24), k24), k24)
+    d23oF = add(mul(cvF2, v3o, k27), mul(cvoF2, v3, k33), k27)
+    F22o = add(foF, add(mul(cvF2, v2o, k13), mul(cvoF2, v2, k33), k13), k13)
+    F11o = add(foF, add(mul(cvF1, v1o, k33), mul(cvoF1, v1, k62), k33), k25)
+    d12oF = add(mul(cvF1, v2o, k6), mul(cvoF1, v2, k33), k6)
+    gvoF1 = add(mul(v1o, gF, k33), mul(v1, goF, k60), k33)
+    gvoF3 = add(mul(v3o, gF, k23), mul(v3, goF, k26), k23)
+    F23o = sub(d23oF, gvoF1, k26)
+    F32o = add(d23oF, gvoF1, k27)
+    RT13o = add(
+        add(add(mul(Qd11, F13o, k33), mul(R11o, F13, k60), k33), add(mul(Qd12, F23o, k60), mul(R12o, F23, k62), k60),
+        k33), add(mul(Qd13, F33o, k60), mul(R13o, F33, k62), k60), k33
+    )
+    R21o = sub(mul(Qd11, rhod3, k60), mul(Qd31, rhod1, k62), k60)
+    R22o = sub(mul(Qd12, rhod3, k62), mul(Qd32, rhod1, k64), k62)
+    R23o = sub(mul(Qd13, rhod3, k56), mul(Qd33, rhod1, k64), k56)
+    RT23o = add(
+        add(add(mul(Qd21, F13o, k64), mul(R21o, F13, k65), k64), add(mul(Qd22, F23o, k65), mul(R22o, F23, k66), k65),
+        k64), add(mul(Qd23, F33o, k65), mul(R23o, F33, k66), k65), k64
+    )
+    R31o = sub(mul(Qd21, rhod1, k65), mul(Qd11, rhod2, k66), k65)
+    R32o = sub(mul(Qd22, rhod1, k66), mul(Qd12, rhod2, k67), k66)
+    R33o = sub(mul(Qd23, rhod1, k57), mul(Qd13, rhod2, k51), k51)
+    RT33o = add(
+        add(add(mul(Qd31, F13o, k57), mul(R31o, F13, k29), k29), add(mul(Qd32, F23o, k26), mul(R32o, F23, k38), k26),
+        k26), add(mul(Qd33, F33o, k24), mul(R33o, F33, k29), k24), k24
+    )
+    div(
+        add(add(add(mul(I31, RT13o, k26), mul(I31o, RT13, k29), k26), add(mul(I32, RT23o, k29), mul(I32o, RT23, k38),
+        k29), k26), add(mul(I33, RT33o, k29), mul(I33o, RT33, k38), k29), k26), n2, o33
+    )
+    div(
+        add(add(add(mul(I21, RT13o, k26), mul(I21o, RT13, k29), k26), add(mul(I22, RT23o, k29), mul(I22o, RT23, k38),
+        k29), k26), add(mul(I23, RT33o, k29), mul(I23o, RT33, k38), k29), k26), n2, o27
+    )
+    div(
+        add(add(add(mul(I11, RT13o, k26), mul(I11o, RT13, k29), k26), add(mul(I12, RT23o, k29), mul(I12o, RT23, k33),
+        k29), k26), add(mul(I13, RT33o, k24), mul(I13o, RT33, k29), k24), k24), n2, o21
+    )
+    F12o = sub(d12oF, gvoF3, k24)
+    F21o = add(d12oF, gvoF3, k6)
+    RT12o = add(
+        add(add(mul(Qd11, F12o, k23), mul(R11o, F12, k26), k23), add(mul(Qd12, F22o, k26), mul(R12o, F22, k29), k26),
+        k23), add(mul(Qd13, F32o, k26), mul(R13o, F32, k29), k26), k23
+    )
+    RT11o = add(
+        add(add(mul(Qd11, F11o, k2), mul(R11o, F11, k26), k2), add(mul(Qd12, F21o, k8), mul(R12o, F21, k26), k8), k2),
+        add(mul(Qd13, F31o, k8), mul(R13o, F31, k10), k8), k2
+    )
+    RT22o = add(
+        add(add(mul(Qd21, F12o, k8), mul(R21o, F12, k10), k8), add(mul(Qd22, F22o, k10), mul(R22o, F22, k26), k10), k8),
+        add(mul(Qd23, F32o, k10), mul(R23o, F32, k26), k10), k8
+    )
+    RT32o = add(
+        add(add(mul(Qd31, F12o, k10), mul(R31o, F12, k24), k10), add(mul(Qd32, F22o, k13), mul(R32o, F22, k24), k13),
+        k10), add(mul(Qd33, F32o, k13), mul(R33o, F32, k24), k13), k10
+    )
+    RT21o = add(
+        add(add(mul(Qd21, F11o, k4), mul(R21o, F11, k13), k4), add(mul(Qd22, F21o, k1), mul(R22o, F21, k13), k1), k1),
+        add(mul(Qd23, F31o, k4), mul(R23o, F31, k13), k4), k1
+    )
+    RT31o = add(
+        add(add(mul(Qd31, F11o, k4), mul(R31o, F11, k5), k4), add(mul(Qd32, F21o, k5), mul(R32o, F21, k6), k5), k4),
+        add(mul(Qd33, F31o, k3), mul(R33o, F31, k5), k3), k3
+    )
+    div(
+        add(add(add(mul(I31, RT12o, k4), mul(I31o, RT12, k5), k4), add(mul(I32, RT22o, k5), mul(I32o, RT22, k6), k5),
+        k4), add(mul(I33, RT32o, k5), mul(I33o, RT32, k6), k5), k4), n2, o32
+    )
+    div(
+        add(add(add(mul(I31, RT11o, k4), mul(I31o, RT11, k5), k4), add(mul(I32, RT21o, k5), mul(I32o, RT21, k6), k5),
+        k4), add(mul(I33, RT31o, k5), mul(I33o, RT31, k6), k5), k4), n2, o31
+    )
+    div(
+        add(add(add(mul(I21, RT12o, k4), mul(I21o, RT12, k5), k4), add(mul(I22, RT22o, k5), mul(I22o, RT22, k6), k5),
+        k4), add(mul(I23, RT32o, k5), mul(I23o, RT32, k6), k5), k4), n2, o26
+    )
+    div(
+        add(add(add(mul(I21, RT11o, k4), mul(I21o, RT11, k5), k4), add(mul(I22, RT21o, k5), mul(I22o, RT21, k6), k5),
+        k4), add(mul(I23, RT31o, k5), mul(I23o, RT31, k6), k5), k4), n2, o25
+    )
+    div(
+        add(add(add(mul(I11, RT12o, k4), mul(I11o, RT12, k5), k4), add(mul(I12, RT22o, k5), mul(I12o, RT22, k6), k5),
+        k4), add(mul(I13, RT32o, k5), mul(I13o, RT32, k6), k5), k4), n2, o20
+    )
+    div(
+        add(add(add(mul(I11, RT11o, k2), mul(I11o, RT11, k4), k2), add(mul(I12, RT21o, k1), mul(I12o, RT21, k4), k1),
+        k1), add(mul(I13, RT31o, k2), mul(I13o, RT31, k3), k2), k1), n2, o19
+    )
+    copy(n0, o4)
+    copy(n0, o5)
+    copy(n0, o6)
+    copy(n0, o10)
+    copy(n0, o11)
+    copy(n0, o12)
+    copy(n0, o16)
+    copy(n0, o17)
+    copy(n0, o18)
+    copy(o1, o22)
+    copy(o2, o23)
+    copy(o3, o24)
+    copy(o7, o28)
+    copy(o8, o29)
+    copy(o9, o30)
+    copy(o13, o34)
+    copy(o14, o35)
+    copy(o15, o36)
+    copy(n0, o40)
+    copy(n0, o41)
+    copy(n0, o42)
+    copy(n0, o46)
+    copy(n0, o47)
+    copy(n0, o48)
+    copy(n0, o52)
+    copy(n0, o53)
+    copy(n0, o54)
+    copy(o37, o58)
+    copy(o38, o59)
+    copy(o39, o60)
+    copy(o43, o64)
+    copy(o44, o65)
+    copy(o45, o66)
+    copy(o49, o70)
+    copy(o50, o71)
+    copy(o51, o72)
+
+
+# operations 1024: 402 +, 526 *, 64 /, 6 neg, 1 abs, 4 sqrt, 2 tan, 2 atan2, 2 lt, 2 eq, 13 where
+def body_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    d1, d2, d3, d1o, d2o, d3o = delta
+    v11d = d1 * d1
+    v22d = d2 * d2
+    v33d = d3 * d3
+    xd = v11d + v22d + v33d
+    neard = xd < 6
+    zd = m.where(neard, xd, xd - xd) / 4
+    C7d = (
+        (72 - zd * ((3603600 - zd * (32760 - zd * (210 - zd * ((93024 - zd * (342 - zd * ((212520 - zd * (506 - zd))
+        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
+    )
+    C5d = (1 - 120 * (zd * C7d)) / 120
+    C3d = (1 - 6 * (zd * C5d)) / 6
+    C1d = 1 - zd * C3d
+    CC1d = C1d * C1d
+    C0d = m.sqrt(1 - zd * CC1d)
+    xxd = m.where(neard, 6 + xd, xd)
+    alphad = m.sqrt(xxd)
+    td = m.tan(alphad / 4)
+    ttd = td * td
+    belowd = 1 + ttd
+    sd = m.where(neard, C0d, (1 - ttd) / belowd)
+    wd = m.where(neard, C1d / 2, 2 * td / belowd / alphad)
+    wd1 = d1 * wd
+    wd2 = d2 * wd
+    wd3 = d3 * wd
+    fd = 2 * (sd * wd)
+    wwd = wd * wd
+    gd = 2 * wwd
+    C01d = 1 + C0d
+    C2d = CC1d / C01d
+    hd = m.where(neard, (C3d + C1d * C2d) / 4, (1 - fd) / xxd)
+    gvd1 = d1 * gd
+    gvd2 = d2 * gd
+    gvd3 = d3 * gd
+    yd = d1 * d1o + d2 * d2o + d3 * d3o
+    alongd = hd * yd
+    rhob1 = d1o * fd + (gvd2 * d3o - gvd3 * d2o) + d1 * alongd
+    rhob2 = d2o * fd + (gvd3 * d1o - gvd1 * d3o) + d2 * alongd
+    rhob3 = d3o * fd + (gvd1 * d2o - gvd2 * d1o) + d3 * alongd
+    v11p = v1 * v1
+    v22p = v2 * v2
+    v33p = v3 * v3
+    x12p = v11p + v22p
+    xp = x12p + v33p
+    ap, bp, _, fp, gp, hp = c.ray(m, xp)
+    bvp1 = v1 * bp
+    bvp2 = v2 * bp
+    bvp3 = v3 * bp
+    gvp1 = v1 * gp
+    gvp2 = v2 * gp
+    gvp3 = v3 * gp
+    yp = v1 * v1o + v2 * v2o + v3 * v3o
+    alongp = hp * yp
+    rhop1 = v1o * fp + (gvp2 * v3o - gvp3 * v2o) + v1 * alongp
+    rhop2 = v2o * fp + (gvp3 * v1o - gvp1 * v3o) + v2 * alongp
+    rhop3 = v3o * fp + (gvp1 * v2o - gvp2 * v1o) + v3 * alongp
+    z0 = ap * sd - (bvp1 * wd1 + bvp2 * wd2 + bvp3 * wd3)
+    z1 = wd1 * ap + bvp1 * sd + (bvp2 * wd3 - bvp3 * wd2)
+    z2 = wd2 * ap + bvp2 * sd + (bvp3 * wd1 - bvp1 * wd3)
+    z3 = wd3 * ap + bvp3 * sd + (bvp1 * wd2 - bvp2 * wd1)
+    v_rhob1 = v2 * rhob3 - v3 * rhob2
+    v_rhob2 = v3 * rhob1 - v1 * rhob3
+    v_rhob3 = v1 * rhob2 - v2 * rhob1
+    gv_rhob1 = v_rhob1 * gp
+    gv_rhob2 = v_rhob2 * gp
+    gv_rhob3 = v_rhob3 * gp
+    rho1 = rhob1 + (v_rhob1 * fp + (v2 * gv_rhob3 - v3 * gv_rhob2)) + rhop1
+    rho2 = rhob2 + (v_rhob2 * fp + (v3 * gv_rhob1 - v1 * gv_rhob3)) + rhop2
+    rho3 = rhob3 + (v_rhob3 * fp + (v1 * gv_rhob2 - v2 * gv_rhob1)) + rhop3
+    ss = z1 * z1 + z2 * z2 + z3 * z3
+    still = ss == 0
+    resting = xp == 0
+    length = m.sqrt(m.where(still, 1 + ss, ss))
+    r = m.sqrt(m.where(resting, 1 + xp, xp))
+    own, = c.unfolded(m, xp, r)
+    own_ = m.where(resting, 0, own / r) * (v1 * z1 + v2 * z2 + v3 * z3) / length
+    folded = 2 * m.atan2(m.where(still, ss, length), z0)
+    turns = own_ - folded + 2 * m.atan2(m.tan((folded - own_) / 2), 1)
+    angle = folded + m.where(m.abs(turns) < 1, 0, turns)
+    rn, slopen = c.coefficient(m, angle)
+    z0s = m.where(still, z0, length)
+    factor = m.where(still, 2 * slopen / z0s, rn / length)
+    v_1 = z1 * factor
+    v_2 = z2 * factor
+    v_3 = z3 * factor
+    fe = factor * z0
+    v11w = v_1 * v_1
+    v22w = v_2 * v_2
+    v33w = v_3 * v_3
+    xw = v11w + v22w + v33w
+    _, hiw = c.inverse(m, xw, fe)
+    hvr = hiw * (v_1 * rho1 + v_2 * rho2 + v_3 * rho3)
+    w4 = (rho1 * fe - (v_2 * rho3 - v_3 * rho2) + v_1 * hvr) / 2
+    w5 = (rho2 * fe - (v_3 * rho1 - v_1 * rho3) + v_2 * hvr) / 2
+    w6 = (rho3 * fe - (v_1 * rho2 - v_2 * rho1) + v_3 * hvr) / 2
+    fin, hin, fiyn, hiyn = c.tangent_inv(m, xw)
+    yn = v_1 * w4 + v_2 * w5 + v_3 * w6
+    fion = fiyn * yn
+    hion = hiyn * yn
+    sn1 = -v_1
+    sn2 = -v_2
+    sn3 = -v_3
+    son1 = -w4
+    son2 = -w5
+    son3 = -w6
+    cvn1 = v_1 * hin
+    cvn2 = v_2 * hin
+    cvn3 = v_3 * hin
+    cvon1 = w4 * hin + v_1 * hion
+    cvon2 = w5 * hin + v_2 * hion
+    cvon3 = w6 * hin + v_3 * hion
+    d12n = cvn1 * v_2
+    d13n = cvn1 * v_3
+    d23n = cvn2 * v_3
+    I11 = fin + cvn1 * v_1
+    I12 = d12n - sn3
+    I13 = d13n + sn2
+    I21 = d12n + sn3
+    I22 = fin + cvn2 * v_2
+    I23 = d23n - sn1
+    I31 = d13n - sn2
+    I32 = d23n + sn1
+    I33 = fin + cvn3 * v_3
+    d12on = cvn1 * w5 + cvon1 * v_2
+    d13on = cvn1 * w6 + cvon1 * v_3
+    d23on = cvn2 * w6 + cvon2 * v_3
+    I11o = fion + (cvn1 * w4 + cvon1 * v_1)
+    I12o = d12on - son3
+    I13o = d13on + son2
+    I21o = d12on + son3
+    I22o = fion + (cvn2 * w5 + cvon2 * v_2)
+    I23o = d23on - son1
+    I31o = d13on - son2
+    I32o = d23on + son1
+    I33o = fion + (cvn3 * w6 + cvon3 * v_3)
+    fyd = hd - gd
+    gyd = fd * hd - gd * gd
+    CC3d = C3d * C3d
+    C4d = (4 * C3d - C2d - 2 * (zd * CC3d)) / (2 * C01d)
+    c5d = (C5d + C4d + C2d * C3d) / 16
+    c4d = C3d * (1 + C1d) / 8
+    hyd = m.where(neard, 3 * c5d - c4d, (gd - 3 * hd) / xxd)
+    fod = fyd * yd
+    god = gyd * yd
+    hod = hyd * yd
+    gvod1 = d1o * gd + d1 * god
+    gvod2 = d2o * gd + d2 * god
+    gvod3 = d3o * gd + d3 * god
+    cvd1 = d1 * hd
+    cvd2 = d2 * hd
+    cvd3 = d3 * hd
+    cvod1 = d1o * hd + d1 * hod
+    cvod2 = d2o * hd + d2 * hod
+    cvod3 = d3o * hd + d3 * hod
+    d12d = cvd1 * d2
+    d13d = cvd1 * d3
+    d23d = cvd2 * d3
+    D11 = fd + cvd1 * d1
+    D12 = d12d - gvd3
+    D13 = d13d + gvd2
+    D21 = d12d + gvd3
+    D22 = fd + cvd2 * d2
+    D23 = d23d - gvd1
+    D31 = d13d - gvd2
+    D32 = d23d + gvd1
+    D33 = fd + cvd3 * d3
+    d12od = cvd1 * d2o + cvod1 * d2
+    d13od = cvd1 * d3o + cvod1 * d3
+    d23od = cvd2 * d3o + cvod2 * d3
+    D11o = fod + (cvd1 * d1o + cvod1 * d1)
+    D12o = d12od - gvod3
+    D13o = d13od + gvod2
+    D21o = d12od + gvod3
+    D22o = fod + (cvd2 * d2o + cvod2 * d2)
+    D23o = d23od - gvod1
+    D31o = d13od - gvod2
+    D32o = d23od + gvod1
+    D33o = fod + (cvd3 * d3o + cvod3 * d3)
+    fF, gF, hF, fyF, gyF, hyF = c.tangent(m, xp)
+    foF = fyF * yp
+    goF = gyF * yp
+    hoF = hyF * yp
+    gvF1 = v1 * gF
+    gvF2 = v2 * gF
+    gvF3 = v3 * gF
+    gvoF1 = v1o * gF + v1 * goF
+    gvoF2 = v2o * gF + v2 * goF
+    gvoF3 = v3o * gF + v3 * goF
+    cvF1 = v1 * hF
+    cvF2 = v2 * hF
+    cvF3 = v3 * hF
+    cvoF1 = v1o * hF + v1 * hoF
+    cvoF2 = v2o * hF + v2 * hoF
+    cvoF3 = v3o * hF + v3 * hoF
+    d12F = cvF1 * v2
+    d13F = cvF1 * v3
+    d23F = cvF2 * v3
+    F11 = fF + cvF1 * v1
+    F12 = d12F - gvF3
+    F13 = d13F + gvF2
+    F21 = d12F + gvF3
+    F22 = fF + cvF2 * v2
+    F23 = d23F - gvF1
+    F31 = d13F - gvF2
+    F32 = d23F + gvF1
+    F33 = fF + cvF3 * v3
+    d12oF = cvF1 * v2o + cvoF1 * v2
+    d13oF = cvF1 * v3o + cvoF1 * v3
+    d23oF = cvF2 * v3o + cvoF2 * v3
+    F11o = foF + (cvF1 * v1o + cvoF1 * v1)
+    F12o = d12oF - gvoF3
+    F13o = d13oF + gvoF2
+    F21o = d12oF + gvoF3
+    F22o = foF + (cvF2 * v2o + cvoF2 * v2)
+    F23o = d23oF - gvoF1
+    F31o = d13oF - gvoF2
+    F32o = d23oF + gvoF1
+    F33o = foF + (cvF3 * v3o + cvoF3 * v3)
+    x23p = v22p + v33p
+    x13p = v11p + v33p
+    fvp1 = v1 * fp
+    fvp2 = v2 * fp
+    fvp3 = v3 * fp
+    gvvp1 = gvp1 * v2
+    gvvp2 = gvp1 * v3
+    gvvp3 = gvp2 * v3
+    Qp11 = 1 - gp * x23p
+    Qp12 = gvvp1 - fvp3
+    Qp13 = gvvp2 + fvp2
+    Qp21 = gvvp1 + fvp3
+    Qp22 = 1 - gp * x13p
+    Qp23 = gvvp3 - fvp1
+    Qp31 = gvvp2 - fvp2
+    Qp32 = gvvp3 + fvp1
+    Qp33 = 1 - gp * x12p
+    R11o = Qp31 * rhop2 - Qp21 * rhop3
+    R12o = Qp32 * rhop2 - Qp22 * rhop3
+    R13o = Qp33 * rhop2 - Qp23 * rhop3
+    R21o = Qp11 * rhop3 - Qp31 * rhop1
+    R22o = Qp12 * rhop3 - Qp32 * rhop1
+    R23o = Qp13 * rhop3 - Qp33 * rhop1
+    R31o = Qp21 * rhop1 - Qp11 * rhop2
+    R32o = Qp22 * rhop1 - Qp12 * rhop2
+    R33o = Qp23 * rhop1 - Qp13 * rhop2
+    RD11 = Qp11 * D11 + Qp12 * D21 + Qp13 * D31
+    RD11o = Qp11 * D11o + R11o * D11 + (Qp12 * D21o + R12o * D21) + (Qp13 * D31o + R13o * D31)
+    RD12 = Qp11 * D12 + Qp12 * D22 + Qp13 * D32
+    RD12o = Qp11 * D12o + R11o * D12 + (Qp12 * D22o + R12o * D22) + (Qp13 * D32o + R13o * D32)
+    RD13 = Qp11 * D13 + Qp12 * D23 + Qp13 * D33
+    RD13o = Qp11 * D13o + R11o * D13 + (Qp12 * D23o + R12o * D23) + (Qp13 * D33o + R13o * D33)
+    RD21 = Qp21 * D11 + Qp22 * D21 + Qp23 * D31
+    RD21o = Qp21 * D11o + R21o * D11 + (Qp22 * D21o + R22o * D21) + (Qp23 * D31o + R23o * D31)
+    RD22 = Qp21 * D12 + Qp22 * D22 + Qp23 * D32
+    RD22o = Qp21 * D12o + R21o * D12 + (Qp22 * D22o + R22o * D22) + (Qp23 * D32o + R23o * D32)
+    RD23 = Qp21 * D13 + Qp22 * D23 + Qp23 * D33
+    RD23o = Qp21 * D13o + R21o * D13 + (Qp22 * D23o + R22o * D23) + (Qp23 * D33o + R23o * D33)
+    RD31 = Qp31 * D11 + Qp32 * D21 + Qp33 * D31
+    RD31o = Qp31 * D11o + R31o * D11 + (Qp32 * D21o + R32o * D21) + (Qp33 * D31o + R33o * D31)
+    RD32 = Qp31 * D12 + Qp32 * D22 + Qp33 * D32
+    RD32o = Qp31 * D12o + R31o * D12 + (Qp32 * D22o + R32o * D22) + (Qp33 * D32o + R33o * D32)
+    RD33 = Qp31 * D13 + Qp32 * D23 + Qp33 * D33
+    RD33o = Qp31 * D13o + R31o * D13 + (Qp32 * D23o + R32o * D23) + (Qp33 * D33o + R33o * D33)
+    V11 = (I11 * F11 + I12 * F21 + I13 * F31) / 2
+    V12 = (I11 * F12 + I12 * F22 + I13 * F32) / 2
+    V13 = (I11 * F13 + I12 * F23 + I13 * F33) / 2
+    V21 = (I21 * F11 + I22 * F21 + I23 * F31) / 2
+    V22 = (I21 * F12 + I22 * F22 + I23 * F32) / 2
+    V23 = (I21 * F13 + I22 * F23 + I23 * F33) / 2
+    V31 = (I31 * F11 + I32 * F21 + I33 * F31) / 2
+    V32 = (I31 * F12 + I32 * F22 + I33 * F32) / 2
+    V33 = (I31 * F13 + I32 * F23 + I33 * F33) / 2
+    S11 = (I11 * RD11 + I12 * RD21 + I13 * RD31) / 2
+    S12 = (I11 * RD12 + I12 * RD22 + I13 * RD32) / 2
+    S13 = (I11 * RD13 + I12 * RD23 + I13 * RD33) / 2
+    S21 = (I21 * RD11 + I22 * RD21 + I23 * RD31) / 2
+    S22 = (I21 * RD12 + I22 * RD22 + I23 * RD32) / 2
+    S23 = (I21 * RD13 + I22 * RD23 + I23 * RD33) / 2
+    S31 = (I31 * RD11 + I32 * RD21 + I33 * RD31) / 2
+    S32 = (I31 * RD12 + I32 * RD22 + I33 * RD32) / 2
+    S33 = (I31 * RD13 + I32 * RD23 + I33 * RD33) / 2
+    return (
+        V11,
+        V12,
+        V13,
+        0,
+        0,
+        0,
+        V21,
+        V22,
+        V23,
+        0,
+        0,
+        0,
+        V31,
+        V32,
+        V33,
+        0,
+        0,
+        0,
+        (I11 * F11o + I11o * F11 + (I12 * F21o + I12o * F21) + (I13 * F31o + I13o * F31)) / 2,
+        (I11 * F12o + I11o * F12 + (I12 * F22o + I12o * F22) + (I13 * F32o + I13o * F32)) / 2,
+        (I11 * F13o + I11o * F13 + (I12 * F23o + I12o * F23) + (I13 * F33o + I13o * F33)) / 2,
+        V11,
+        V12,
+        V13,
+        (I21 * F11o + I21o * F11 + (I22 * F21o + I22o * F21) + (I23 * F31o + I23o * F31)) / 2,
+        (I21 * F12o + I21o * F12 + (I22 * F22o + I22o * F22) + (I23 * F32o + I23o * F32)) / 2,
+        (I21 * F13o + I21o * F13 + (I22 * F23o + I22o * F23) + (I23 * F33o + I23o * F33)) / 2,
+        V21,
+        V22,
+        V23,
+        (I31 * F11o + I31o * F11 + (I32 * F21o + I32o * F21) + (I33 * F31o + I33o * F31)) / 2,
+        (I31 * F12o + I31o * F12 + (I32 * F22o + I32o * F22) + (I33 * F32o + I33o * F32)) / 2,
+        (I31 * F13o + I31o * F13 + (I32 * F23o + I32o * F23) + (I33 * F33o + I33o * F33)) / 2,
+        V31,
+        V32,
+        V33,
+        S11,
+        S12,
+        S13,
+        0,
+        0,
+        0,
+        S21,
+        S22,
+        S23,
+        0,
+        0,
+        0,
+        S31,
+        S32,
+        S33,
+        0,
+        0,
+        0,
+        (I11 * RD11o + I11o * RD11 + (I12 * RD21o + I12o * RD21) + (I13 * RD31o + I13o * RD31)) / 2,
+        (I11 * RD12o + I11o * RD12 + (I12 * RD22o + I12o * RD22) + (I13 * RD32o + I13o * RD32)) / 2,
+        (I11 * RD13o + I11o * RD13 + (I12 * RD23o + I12o * RD23) + (I13 * RD33o + I13o * RD33)) / 2,
+        S11,
+        S12,
+        S13,
+        (I21 * RD11o + I21o * RD11 + (I22 * RD21o + I22o * RD21) + (I23 * RD31o + I23o * RD31)) / 2,
+        (I21 * RD12o + I21o * RD12 + (I22 * RD22o + I22o * RD22) + (I23 * RD32o + I23o * RD32)) / 2,
+        (I21 * RD13o + I21o * RD13 + (I22 * RD23o + I22o * RD23) + (I23 * RD33o + I23o * RD33)) / 2,
+        S21,
+        S22,
+        S23,
+        (I31 * RD11o + I31o * RD11 + (I32 * RD21o + I32o * RD21) + (I33 * RD31o + I33o * RD31)) / 2,
+        (I31 * RD12o + I31o * RD12 + (I32 * RD22o + I32o * RD22) + (I33 * RD32o + I33o * RD32)) / 2,
+        (I31 * RD13o + I31o * RD13 + (I32 * RD23o + I32o * RD23) + (I33 * RD33o + I33o * RD33)) / 2,
+        S31,
+        S32,
+        S33,
+    )
+
+
+def body_retract_jacobians_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, delta: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    d1, d2, d3, d1o, d2o, d3o = delta
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36, o37, o38, o39, o40, o41, o42, o43, o44, o45, o46,
+        o47, o48, o49, o50, o51, o52, o53, o54, o55, o56, o57, o58, o59, o60, o61, o62, o63, o64, o65, o66, o67, o68,
+        o69, o70, o71, o72,
+    ) = out
+    (
+        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
+        k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, k35, k36, k37, k38, k39, k40, k41, k42, k43, k44, k45, k46,
+        k47, k48, k49, k50, k51, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61, k62, k63, *spare,
+    ) = scratch
+    mask1, mask2, *spare_masks = masks
+    n0, n1, n2, n3, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    v11d = mul(d1, d1, k1)
+    v22d = mul(d2, d2, k2)
+    v33d = mul(d3, d3, k3)
+    xd = add(add(v11d, v22d, k1), v33d, k1)
+    neard = m.less(xd, n6, mask1)
+    zd = div(m.where(neard, xd, sub(xd, xd, k2), k3), n4, k2)
+    xxd = m.where(neard, add(n6, xd, k3), xd, k3)
+    C7d = div(
+        div(sub(n72, mul(zd, div(sub(n3603600, mul(zd, sub(n32760, mul(zd, sub(n210, mul(zd, div(sub(n93024, mul(zd,
+        sub(n342, mul(zd, div(sub(n212520, mul(zd, sub(n506, zd, k1), k1), k1), n212520, k1), k1), k1), k1), k1),
+        n93024, k1), k1), k1), k1), k1), k1), k1), n3603600, k1), k1), k1), n72, k1), n5040, k1
+    )
+    C5d = div(sub(n1, mul(n120, mul(zd, C7d, k1), k1), k1), n120, k1)
+    C3d = div(sub(n1, mul(n6, mul(zd, C5d, k4), k4), k4), n6, k4)
+    C1d = sub(n1, mul(zd, C3d, k5), k5)
+    CC1d = mul(C1d, C1d, k6)
+    C0d = sqrt(sub(n1, mul(zd, CC1d, k7), k7), k7)
+    alphad = sqrt(xxd, k8)
+    td = tan(div(alphad, n4, k9), k9)
+    ttd = mul(td, td, k10)
+    belowd = add(n1, ttd, k11)
+    wd = m.where(neard, div(C1d, n2, k12), div(div(mul(n2, td, k9), belowd, k9), alphad, k8), k9)
+    sd = m.where(neard, C0d, div(sub(n1, ttd, k8), belowd, k8), k10)
+    C01d = add(n1, C0d, k7)
+    C2d = div(CC1d, C01d, k6)
+    wd1 = mul(d1, wd, k8)
+    wd3 = mul(d3, wd, k11)
+    wd2 = mul(d2, wd, k12)
+    v11p = mul(v1, v1, k13)
+    v22p = mul(v2, v2, k14)
+    x12p = add(v11p, v22p, k15)
+    v33p = mul(v3, v3, k16)
+    x23p = add(v22p, v33p, k14)
+    x13p = add(v11p, v33p, k13)
+    xp = add(x12p, v33p, k16)
+    resting = m.equal(xp, n0, mask2)
+    r = sqrt(m.where(resting, add(n1, xp, k17), xp, k17), k17)
+    own, = c.unfolded((k18,), (*spare,), (*spare_masks,), xp, r)
+    fd = mul(n2, mul(sd, wd, k19), k19)
+    wwd = mul(wd, wd, k9)
+    gd = mul(n2, wwd, k9)
+    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k20), k20), n4, k20), div(sub(n1, fd, k21), xxd, k21), k20)
+    c4d = div(mul(C3d, add(n1, C1d, k5), k5), n8, k5)
+    cvd1 = mul(d1, hd, k21)
+    d13d = mul(cvd1, d3, k22)
+    gvd2 = mul(d2, gd, k23)
+    D13 = add(d13d, gvd2, k24)
+    D31 = sub(d13d, gvd2, k22)
+    cvd2 = mul(d2, hd, k25)
+    d23d = mul(cvd2, d3, k26)
+    gvd1 = mul(d1, gd, k27)
+    D23 = sub(d23d, gvd1, k28)
+    D32 = add(d23d, gvd1, k26)
+    cvd3 = mul(d3, hd, k29)
+    D33 = add(fd, mul(cvd3, d3, k30), k30)
+    d12d = mul(cvd1, d2, k31)
+    gvd3 = mul(d3, gd, k32)
+    D12 = sub(d12d, gvd3, k33)
+    D21 = add(d12d, gvd3, k31)
+    D22 = add(fd, mul(cvd2, d2, k34), k34)
+    D11 = add(fd, mul(cvd1, d1, k35), k35)
+    yd = add(add(mul(d1, d1o, k36), mul(d2, d2o, k37), k36), mul(d3, d3o, k37), k36)
+    alongd = mul(hd, yd, k37)
+    rhob3 = add(
+        add(mul(d3o, fd, k38), sub(mul(gvd1, d2o, k39), mul(gvd2, d1o, k40), k39), k38), mul(d3, alongd, k39), k38
+    )
+    rhob2 = add(
+        add(mul(d2o, fd, k39), sub(mul(gvd3, d1o, k40), mul(gvd1, d3o, k27), k27), k27), mul(d2, alongd, k39), k27
+    )
+    rhob1 = add(
+        add(mul(d1o, fd, k39), sub(mul(gvd2, d3o, k23), mul(gvd3, d2o, k32), k23), k23), mul(d1, alongd, k32), k23
+    )
+    gyd = sub(mul(fd, hd, k19), mul(gd, gd, k32), k19)
+    god = mul(gyd, yd, k19)
+    v_rhob1 = sub(mul(v2, rhob3, k32), mul(v3, rhob2, k37), k32)
+    v_rhob3 = sub(mul(v1, rhob2, k37), mul(v2, rhob1, k39), k37)
+    v_rhob2 = sub(mul(v3, rhob1, k39), mul(v1, rhob3, k40), k39)
+    yp = add(add(mul(v1, v1o, k40), mul(v2, v2o, k41), k40), mul(v3, v3o, k41), k40)
+    CC3d = mul(C3d, C3d, k41)
+    C4d = div(sub(sub(mul(n4, C3d, k42), C2d, k42), mul(n2, mul(zd, CC3d, k2), k2), k2), mul(n2, C01d, k7), k2)
+    c5d = div(add(add(C5d, C4d, k1), mul(C2d, C3d, k2), k1), n16, k1)
+    hyd = m.where(neard, sub(mul(n3, c5d, k1), c4d, k1), div(sub(gd, mul(n3, hd, k2), k2), xxd, k2), k1)
+    hod = mul(hyd, yd, k1)
+    cvod1 = add(mul(d1o, hd, k2), mul(d1, hod, k3), k2)
+    d13od = add(mul(cvd1, d3o, k3), mul(cvod1, d3, k4), k3)
+    gvod2 = add(mul(d2o, gd, k4), mul(d2, god, k5), k4)
+    D13o = add(d13od, gvod2, k5)
+    D31o = sub(d13od, gvod2, k3)
+    cvod2 = add(mul(d2o, hd, k4), mul(d2, hod, k6), k4)
+    cvod3 = add(mul(d3o, hd, k6), mul(d3, hod, k1), k1)
+    fyd = sub(hd, gd, k6)
+    fod = mul(fyd, yd, k6)
+    D33o = add(fod, add(mul(cvd3, d3o, k7), mul(cvod3, d3, k1), k1), k1)
+    d23od = add(mul(cvd2, d3o, k7), mul(cvod2, d3, k20), k7)
+    D22o = add(fod, add(mul(cvd2, d2o, k20), mul(cvod2, d2, k4), k4), k4)
+    D11o = add(fod, add(mul(cvd1, d1o, k20), mul(cvod1, d1, k25), k20), k6)
+    d12od = add(mul(cvd1, d2o, k20), mul(cvod1, d2, k2), k2)
+    gvod1 = add(mul(d1o, gd, k20), mul(d1, god, k21), k20)
+    gvod3 = add(mul(d3o, gd, k9), mul(d3, god, k19), k9)
+    D23o = sub(d23od, gvod1, k19)
+    D32o = add(d23od, gvod1, k7)
+    D12o = sub(d12od, gvod3, k20)
+    D21o = add(d12od, gvod3, k2)
+    ap, bp, _, fp, gp, hp = c.ray((k9, k21, k25, k29, k36, k41), (k42, *spare), (mask1, *spare_masks), xp)
+    Qp11 = sub(n1, mul(gp, x23p, k14), k14)
+    Qp22 = sub(n1, mul(gp, x13p, k13), k13)
+    Qp33 = sub(n1, mul(gp, x12p, k15), k15)
+    alongp = mul(hp, yp, k25)
+    bvp1 = mul(v1, bp, k41)
+    bvp2 = mul(v2, bp, k42)
+    bvp3 = mul(v3, bp, k21)
+    z1 = add(add(mul(wd1, ap, k43), mul(bvp1, sd, k44), k43), sub(mul(bvp2, wd3, k44), mul(bvp3, wd2, k45), k44), k43)
+    z2 = add(add(mul(wd2, ap, k44), mul(bvp2, sd, k45), k44), sub(mul(bvp3, wd1, k45), mul(bvp1, wd3, k46), k45), k44)
+    z3 = add(add(mul(wd3, ap, k45), mul(bvp3, sd, k46), k45), sub(mul(bvp1, wd2, k46), mul(bvp2, wd1, k47), k46), k45)
+    z0 = sub(mul(ap, sd, k9), add(add(mul(bvp1, wd1, k8), mul(bvp2, wd2, k10), k8), mul(bvp3, wd3, k10), k8), k8)
+    ss = add(add(mul(z1, z1, k9), mul(z2, z2, k10), k9), mul(z3, z3, k10), k9)
+    still = m.equal(ss, n0, mask1)
+    length = sqrt(m.where(still, add(n1, ss, k10), ss, k10), k10)
+    own_ = div(
+        mul(m.where(resting, n0, div(own, r, k11), k12), add(add(mul(v1, z1, k11), mul(v2, z2, k17), k11), mul(v3, z3,
+        k17), k11), k11), length, k11
+    )
+    folded = mul(n2, atan2(m.where(still, ss, length, k9), z0, k9), k9)
+    turns = add(
+        sub(own_, folded, k12), mul(n2, atan2(tan(div(sub(folded, own_, k11), n2, k11), k11), n1, k11), k11), k11
+    )
+    angle = add(folded, m.where(m.less(absolute(turns, k12), n1, mask2), n0, turns, k12), k9)
+    rn, slopen = c.coefficient((k11, k12), (k17, k18, k21, k41, k42, k46, k47, *spare), (mask2, *spare_masks), angle)
+    z0s = m.where(still, z0, length, k9)
+    factor = m.where(still, div(mul(n2, slopen, k12), z0s, k9), div(rn, length, k10), k9)
+    v_1 = mul(z1, factor, k10)
+    v_2 = mul(z2, factor, k11)
+    v_3 = mul(z3, factor, k12)
+    fe = mul(factor, z0, k8)
+    v11w = mul(v_1, v_1, k9)
+    v22w = mul(v_2, v_2, k17)
+    v33w = mul(v_3, v_3, k18)
+    xw = add(add(v11w, v22w, k9), v33w, k9)
+    sn2 = neg(v_2, k17)
+    sn1 = neg(v_1, k18)
+    gvp1 = mul(v1, gp, k21)
+    gvvp1 = mul(gvp1, v2, k41)
+    fvp3 = mul(v3, fp, k42)
+    Qp12 = sub(gvvp1, fvp3, k43)
+    Qp21 = add(gvvp1, fvp3, k41)
+    gvvp2 = mul(gvp1, v3, k42)
+    fvp2 = mul(v2, fp, k44)
+    Qp13 = add(gvvp2, fvp2, k45)
+    Qp31 = sub(gvvp2, fvp2, k42)
+    RD13 = add(add(mul(Qp11, D13, k44), mul(Qp12, D23, k46), k44), mul(Qp13, D33, k46), k44)
+    gvp2 = mul(v2, gp, k46)
+    gvvp3 = mul(gvp2, v3, k47)
+    fvp1 = mul(v1, fp, k48)
+    Qp23 = sub(gvvp3, fvp1, k49)
+    Qp32 = add(gvvp3, fvp1, k47)
+    RD23 = add(add(mul(Qp21, D13, k48), mul(Qp22, D23, k50), k48), mul(Qp23, D33, k50), k48)
+    RD33 = add(add(mul(Qp31, D13, k50), mul(Qp32, D23, k51), k50), mul(Qp33, D33, k51), k50)
+    RD12 = add(add(mul(Qp11, D12, k51), mul(Qp12, D22, k52), k51), mul(Qp13, D32, k52), k51)
+    RD22 = add(add(mul(Qp21, D12, k52), mul(Qp22, D22, k53), k52), mul(Qp23, D32, k53), k52)
+    RD32 = add(add(mul(Qp31, D12, k53), mul(Qp32, D22, k54), k53), mul(Qp33, D32, k54), k53)
+    RD11 = add(add(mul(Qp11, D11, k54), mul(Qp12, D21, k55), k54), mul(Qp13, D31, k55), k54)
+    RD21 = add(add(mul(Qp21, D11, k55), mul(Qp22, D21, k56), k55), mul(Qp23, D31, k56), k55)
+    RD31 = add(add(mul(Qp31, D11, k56), mul(Qp32, D21, k57), k56), mul(Qp33, D31, k57), k56)
+    _, hiw = c.inverse((k57, k58), (*spare,), (mask1, mask2, *spare_masks), xw, fe)
+    gv_rhob3 = mul(v_rhob3, gp, k57)
+    gv_rhob2 = mul(v_rhob2, gp, k59)
+    gvp3 = mul(v3, gp, k60)
+    gv_rhob1 = mul(v_rhob1, gp, k36)
+    rhop1 = add(
+        add(mul(v1o, fp, k61), sub(mul(gvp2, v3o, k62), mul(gvp3, v2o, k63), k62), k61), mul(v1, alongp, k62), k61
+    )
+    rho1 = add(
+        add(rhob1, add(mul(v_rhob1, fp, k32), sub(mul(v2, gv_rhob3, k62), mul(v3, gv_rhob2, k63), k62), k32), k23),
+        rhop1, k23
+    )
+    rhop2 = add(
+        add(mul(v2o, fp, k32), sub(mul(gvp3, v1o, k60), mul(gvp1, v3o, k62), k60), k32), mul(v2, alongp, k60), k32
+    )
+    rho2 = add(
+        add(rhob2, add(mul(v_rhob2, fp, k39), sub(mul(v3, gv_rhob1, k60), mul(v1, gv_rhob3, k57), k57), k39), k27),
+        rhop2, k27
+    )
+    rhop3 = add(
+        add(mul(v3o, fp, k39), sub(mul(gvp1, v2o, k21), mul(gvp2, v1o, k46), k21), k21), mul(v3, alongp, k25), k21
+    )
+    rho3 = add(
+        add(rhob3, add(mul(v_rhob3, fp, k25), sub(mul(v1, gv_rhob2, k29), mul(v2, gv_rhob1, k36), k29), k25), k25),
+        rhop3, k25
+    )
+    hvr = mul(hiw, add(add(mul(v_1, rho1, k29), mul(v_2, rho2, k36), k29), mul(v_3, rho3, k36), k29), k29)
+    w4 = div(
+        add(sub(mul(rho1, fe, k36), sub(mul(v_2, rho3, k37), mul(v_3, rho2, k38), k37), k36), mul(v_1, hvr, k37), k36),
+        n2, k36
+    )
+    w5 = div(
+        add(sub(mul(rho2, fe, k37), sub(mul(v_3, rho1, k38), mul(v_1, rho3, k39), k38), k37), mul(v_2, hvr, k38), k37),
+        n2, k37
+    )
+    w6 = div(
+        add(sub(mul(rho3, fe, k8), sub(mul(v_1, rho2, k25), mul(v_2, rho1, k23), k23), k8), mul(v_3, hvr, k23), k8), n2,
+        k8
+    )
+    yn = add(add(mul(v_1, w4, k23), mul(v_2, w5, k25), k23), mul(v_3, w6, k25), k23)
+    son2 = neg(w5, k25)
+    son1 = neg(w4, k27)
+    R11o = sub(mul(Qp31, rhop2, k29), mul(Qp21, rhop3, k38), k29)
+    R12o = sub(mul(Qp32, rhop2, k38), mul(Qp22, rhop3, k39), k38)
+    R13o = sub(mul(Qp33, rhop2, k39), mul(Qp23, rhop3, k46), k39)
+    RD13o = add(
+        add(add(mul(Qp11, D13o, k46), mul(R11o, D13, k57), k46), add(mul(Qp12, D23o, k57), mul(R12o, D23, k58), k57),
+        k46), add(mul(Qp13, D33o, k57), mul(R13o, D33, k58), k57), k46
+    )
+    R21o = sub(mul(Qp11, rhop3, k57), mul(Qp31, rhop1, k58), k57)
+    R22o = sub(mul(Qp12, rhop3, k58), mul(Qp32, rhop1, k59), k58)
+    R23o = sub(mul(Qp13, rhop3, k21), mul(Qp33, rhop1, k59), k21)
+    RD23o = add(
+        add(add(mul(Qp21, D13o, k59), mul(R21o, D13, k60), k59), add(mul(Qp22, D23o, k60), mul(R22o, D23, k62), k60),
+        k59), add(mul(Qp23, D33o, k60), mul(R23o, D33, k62), k60), k59
+    )
+    R31o = sub(mul(Qp21, rhop1, k60), mul(Qp11, rhop2, k62), k60)
+    R32o = sub(mul(Qp22, rhop1, k62), mul(Qp12, rhop2, k63), k62)
+    R33o = sub(mul(Qp23, rhop1, k61), mul(Qp13, rhop2, k32), k32)
+    RD33o = add(
+        add(add(mul(Qp31, D13o, k5), mul(R31o, D13, k24), k5), add(mul(Qp32, D23o, k19), mul(R32o, D23, k24), k19), k5),
+        add(mul(Qp33, D33o, k1), mul(R33o, D33, k19), k1), k1
+    )
+    RD12o = add(
+        add(add(mul(Qp11, D12o, k5), mul(R11o, D12, k19), k5), add(mul(Qp12, D22o, k19), mul(R12o, D22, k24), k19), k5),
+        add(mul(Qp13, D32o, k19), mul(R13o, D32, k24), k19), k5
+    )
+    RD11o = add(
+        add(add(mul(Qp11, D11o, k14), mul(R11o, D11, k19), k14), add(mul(Qp12, D21o, k19), mul(R12o, D21, k24), k19),
+        k14), add(mul(Qp13, D31o, k19), mul(R13o, D31, k24), k19), k14
+    )
+    RD22o = add(
+        add(add(mul(Qp21, D12o, k19), mul(R21o, D12, k24), k19), add(mul(Qp22, D22o, k24), mul(R22o, D22, k28), k24),
+        k19), add(mul(Qp23, D32o, k24), mul(R23o, D32, k28), k24), k19
+    )
+    RD32o = add(
+        add(add(mul(Qp31, D12o, k20), mul(R31o, D12, k24), k20), add(mul(Qp32, D22o, k4), mul(R32o, D22, k24), k4), k4),
+        add(mul(Qp33, D32o, k7), mul(R33o, D32, k20), k7), k4
+    )
+    RD21o = add(
+        add(add(mul(Qp21, D11o, k7), mul(R21o, D11, k20), k7), add(mul(Qp22, D21o, k13), mul(R22o, D21, k20), k13), k7),
+        add(mul(Qp23, D31o, k13), mul(R23o, D31, k20), k13), k7
+    )
+    RD31o = add(
+        add(add(mul(Qp31, D11o, k6), mul(R31o, D11, k13), k6), add(mul(Qp32, D21o, k2), mul(R32o, D21, k13), k2), k2),
+        add(mul(Qp33, D31o, k3), mul(R33o, D31, k6), k3), k2
+    )
+    sn3 = neg(v_3, k3)
+    son3 = neg(w6, k6)
+    fin, hin, fiyn, hiyn = c.tangent_inv(
+        (k13, k15, k20, k21), (k22, k24, k26, k28, k29, k30, k31, k32, k33, k34, k35, k38, k39, k41, k42, k43, k45, k47,
+        k49, k57, k58, k60, k61, k62, k63, *spare), (mask1, mask2, *spare_masks), xw
+    )
+    fion = mul(fiyn, yn, k9)
+    hion = mul(hiyn, yn, k20)
+    cvn3 = mul(v_3, hin, k21)
+    I33 = add(fin, mul(cvn3, v_3, k22), k22)
+    cvn1 = mul(v_1, hin, k23)
+    d13n = mul(cvn1, v_3, k24)
+    I31 = sub(d13n, sn2, k26)
+    I13 = add(d13n, sn2, k17)
+    cvn2 = mul(v_2, hin, k24)
+    d23n = mul(cvn2, v_3, k28)
+    I32 = add(d23n, sn1, k29)
+    I23 = sub(d23n, sn1, k18)
+    div(add(add(mul(I31, RD13, k28), mul(I32, RD23, k30), k28), mul(I33, RD33, k30), k28), n2, o51)
+    div(add(add(mul(I31, RD12, k28), mul(I32, RD22, k30), k28), mul(I33, RD32, k30), k28), n2, o50)
+    div(add(add(mul(I31, RD11, k28), mul(I32, RD21, k30), k28), mul(I33, RD31, k30), k28), n2, o49)
+    cvon3 = add(mul(w6, hin, k28), mul(v_3, hion, k30), k28)
+    I33o = add(fion, add(mul(cvn3, w6, k21), mul(cvon3, v_3, k28), k21), k21)
+    cvon1 = add(mul(w4, hin, k28), mul(v_1, hion, k30), k28)
+    cvon2 = add(mul(w5, hin, k15), mul(v_2, hion, k20), k15)
+    I11o = add(fion, add(mul(cvn1, w4, k20), mul(cvon1, v_1, k30), k20), k20)
+    I22o = add(fion, add(mul(cvn2, w5, k30), mul(cvon2, v_2, k31), k30), k9)
+    d23on = add(mul(cvn2, w6, k30), mul(cvon2, v_3, k15), k15)
+    d13on = add(mul(cvn1, w6, k8), mul(cvon1, v_3, k12), k8)
+    d12on = add(mul(cvn1, w5, k12), mul(cvon1, v_2, k28), k12)
+    I22 = add(fin, mul(cvn2, v_2, k24), k24)
+    I11 = add(fin, mul(cvn1, v_1, k10), k10)
+    d12n = mul(cvn1, v_2, k11)
+    I31o = sub(d13on, son2, k13)
+    I13o = add(d13on, son2, k8)
+    I32o = add(d23on, son1, k23)
+    I23o = sub(d23on, son1, k15)
+    div(
+        add(add(add(mul(I31, RD13o, k25), mul(I31o, RD13, k27), k25), add(mul(I32, RD23o, k27), mul(I32o, RD23, k28),
+        k27), k25), add(mul(I33, RD33o, k27), mul(I33o, RD33, k28), k27), k25), n2, o69
+    )
+    div(
+        add(add(add(mul(I31, RD12o, k25), mul(I31o, RD12, k27), k25), add(mul(I32, RD22o, k27), mul(I32o, RD22, k28),
+        k27), k25), add(mul(I33, RD32o, k27), mul(I33o, RD32, k28), k27), k25), n2, o68
+    )
+    div(
+        add(add(add(mul(I31, RD11o, k25), mul(I31o, RD11, k27), k25), add(mul(I32, RD21o, k27), mul(I32o, RD21, k28),
+        k27), k25), add(mul(I33, RD31o, k27), mul(I33o, RD31, k28), k27), k25), n2, o67
+    )
+    I21 = add(d12n, sn3, k25)
+    I12 = sub(d12n, sn3, k3)
+    div(add(add(mul(I21, RD13, k11), mul(I22, RD23, k27), k11), mul(I23, RD33, k27), k11), n2, o45)
+    div(add(add(mul(I21, RD12, k11), mul(I22, RD22, k27), k11), mul(I23, RD32, k27), k11), n2, o44)
+    div(add(add(mul(I21, RD11, k11), mul(I22, RD21, k27), k11), mul(I23, RD31, k27), k11), n2, o43)
+    div(add(add(mul(I11, RD13, k11), mul(I12, RD23, k27), k11), mul(I13, RD33, k27), k11), n2, o39)
+    div(add(add(mul(I11, RD12, k11), mul(I12, RD22, k27), k11), mul(I13, RD32, k27), k11), n2, o38)
+    div(add(add(mul(I11, RD11, k11), mul(I12, RD21, k27), k11), mul(I13, RD31, k27), k11), n2, o37)
+    I21o = add(d12on, son3, k11)
+    I12o = sub(d12on, son3, k6)
+    div(
+        add(add(add(mul(I21, RD13o, k12), mul(I21o, RD13, k27), k12), add(mul(I22, RD23o, k27), mul(I22o, RD23, k28),
+        k27), k12), add(mul(I23, RD33o, k27), mul(I23o, RD33, k28), k27), k12), n2, o63
+    )
+    div(
+        add(add(add(mul(I11, RD13o, k12), mul(I11o, RD13, k27), k12), add(mul(I12, RD23o, k27), mul(I12o, RD23, k28),
+        k27), k12), add(mul(I13, RD33o, k1), mul(I13o, RD33, k27), k1), k1), n2, o57
+    )
+    div(
+        add(add(add(mul(I21, RD12o, k1), mul(I21o, RD12, k12), k1), add(mul(I22, RD22o, k12), mul(I22o, RD22, k27),
+        k12), k1), add(mul(I23, RD32o, k12), mul(I23o, RD32, k27), k12), k1), n2, o62
+    )
+    div(
+        add(add(add(mul(I11, RD12o, k1), mul(I11o, RD12, k5), k1), add(mul(I12, RD22o, k5), mul(I12o, RD22, k12), k5),
+        k1), add(mul(I13, RD32o, k4), mul(I13o, RD32, k5), k4), k1), n2, o56
+    )
+    div(
+        add(add(add(mul(I21, RD11o, k1), mul(I21o, RD11, k4), k1), add(mul(I22, RD21o, k4), mul(I22o, RD21, k5), k4),
+        k1), add(mul(I23, RD31o, k4), mul(I23o, RD31, k5), k4), k1), n2, o61
+    )
+    div(
+        add(add(add(mul(I11, RD11o, k1), mul(I11o, RD11, k4), k1), add(mul(I12, RD21o, k4), mul(I12o, RD21, k5), k4),
+        k1), add(mul(I13, RD31o, k2), mul(I13o, RD31, k4), k2), k1), n2, o55
+    )
+    fF, gF, hF, fyF, gyF, hyF = c.tangent(
+        (k1, k2, k4, k5, k7, k12), (k14, k19, k27, k28, k30, k31, k32, k33, k34, k35, k36, k37, k38, k39, k41, k42, k43,
+        k44, k45, k46, k47, k48, k49, k50, k51, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61, k62, k63, *spare),
+        (mask1, mask2, *spare_masks), xp
+    )
+    hoF = mul(hyF, yp, k12)
+    goF = mul(gyF, yp, k7)
+    foF = mul(fyF, yp, k5)
+    cvF1 = mul(v1, hF, k14)
+    d13F = mul(cvF1, v3, k16)
+    gvF2 = mul(v2, gF, k19)
+    F13 = add(d13F, gvF2, k27)
+    F31 = sub(d13F, gvF2, k16)
+    cvF2 = mul(v2, hF, k19)
+    d23F = mul(cvF2, v3, k28)
+    gvF1 = mul(v1, gF, k30)
+    F23 = sub(d23F, gvF1, k31)
+    F32 = add(d23F, gvF1, k28)
+    cvF3 = mul(v3, hF, k30)
+    F33 = add(fF, mul(cvF3, v3, k32), k32)
+    div(add(add(mul(I31, F13, k33), mul(I32, F23, k34), k33), mul(I33, F33, k34), k33), n2, o15)
+    div(add(add(mul(I21, F13, k33), mul(I22, F23, k34), k33), mul(I23, F33, k34), k33), n2, o9)
+    div(add(add(mul(I11, F13, k33), mul(I12, F23, k34), k33), mul(I13, F33, k34), k33), n2, o3)
+    d12F = mul(cvF1, v2, k33)
+    gvF3 = mul(v3, gF, k34)
+    F12 = sub(d12F, gvF3, k35)
+    F21 = add(d12F, gvF3, k33)
+    F22 = add(fF, mul(cvF2, v2, k34), k34)
+    div(add(add(mul(I31, F12, k36), mul(I32, F22, k37), k36), mul(I33, F32, k37), k36), n2, o14)
+    F11 = add(fF, mul(cvF1, v1, k36), k1)
+    div(add(add(mul(I31, F11, k36), mul(I32, F21, k37), k36), mul(I33, F31, k37), k36), n2, o13)
+    div(add(add(mul(I21, F12, k36), mul(I22, F22, k37), k36), mul(I23, F32, k37), k36), n2, o8)
+    div(add(add(mul(I21, F11, k36), mul(I22, F21, k37), k36), mul(I23, F31, k37), k36), n2, o7)
+    div(add(add(mul(I11, F12, k36), mul(I12, F22, k37), k36), mul(I13, F32, k37), k36), n2, o2)
+    div(add(add(mul(I11, F11, k36), mul(I12, F21, k37), k36), mul(I13, F31, k37), k36), n2, o1)
+    cvoF1 = add(mul(v1o, hF, k36), mul(v1, hoF, k37), k36)
+    d13oF = add(mul(cvF1, v3o, k37), mul(cvoF1, v3, k38), k37)
+    gvoF2 = add(mul(v2o, gF, k38), mul(v2, goF, k39), k38)
+    F13o = add(d13oF, gvoF2, k39)
+    F31o = sub(d13oF, gvoF2, k37)
+    cvoF2 = add(mul(v2o, hF, k38), mul(v2, hoF, k40), k38)
+    cvoF3 = add(mul(v3o, hF, k4), mul(v3, hoF, k12), k4)
+    F33o = add(foF, add(mul(cvF3, v3o, k12), mul(cvoF3, v3, k4), k4), k4)
+    d23oF = add(mul(cvF2, v3o, k12), mul(cvoF2, v3, k30), k12)
+    F22o = add(foF, add(mul(cvF2, v2o, k19), mul(cvoF2, v2, k30), k19), k19)
+    F11o = add(foF, add(mul(cvF1, v1o, k30), mul(cvoF1, v1, k38), k30), k5)
+    d12oF = add(mul(cvF1, v2o, k14), mul(cvoF1, v2, k30), k14)
+    gvoF1 = add(mul(v1o, gF, k30), mul(v1, goF, k36), k30)
+    gvoF3 = add(mul(v3o, gF, k2), mul(v3, goF, k7), k2)
+    F23o = sub(d23oF, gvoF1, k7)
+    F32o = add(d23oF, gvoF1, k12)
+    div(
+        add(add(add(mul(I31, F13o, k30), mul(I31o, F13, k36), k30), add(mul(I32, F23o, k36), mul(I32o, F23, k38), k36),
+        k30), add(mul(I33, F33o, k36), mul(I33o, F33, k38), k36), k30), n2, o33
+    )
+    div(
+        add(add(add(mul(I21, F13o, k30), mul(I21o, F13, k36), k30), add(mul(I22, F23o, k36), mul(I22o, F23, k38), k36),
+        k30), add(mul(I23, F33o, k36), mul(I23o, F33, k38), k36), k30), n2, o27
+    )
+    div(
+        add(add(add(mul(I11, F13o, k30), mul(I11o, F13, k27), k27), add(mul(I12, F23o, k7), mul(I12o, F23, k30), k7),
+        k7), add(mul(I13, F33o, k4), mul(I13o, F33, k27), k4), k4), n2, o21
+    )
+    F12o = sub(d12oF, gvoF3, k4)
+    F21o = add(d12oF, gvoF3, k2)
+    div(
+        add(add(add(mul(I31, F12o, k7), mul(I31o, F12, k14), k7), add(mul(I32, F22o, k14), mul(I32o, F22, k27), k14),
+        k7), add(mul(I33, F32o, k14), mul(I33o, F32, k27), k14), k7), n2, o32
+    )
+    div(
+        add(add(add(mul(I31, F11o, k7), mul(I31o, F11, k13), k7), add(mul(I32, F21o, k13), mul(I32o, F21, k14), k13),
+        k7), add(mul(I33, F31o, k13), mul(I33o, F31, k14), k13), k7), n2, o31
+    )
+    div(
+        add(add(add(mul(I21, F12o, k7), mul(I21o, F12, k13), k7), add(mul(I22, F22o, k13), mul(I22o, F22, k14), k13),
+        k7), add(mul(I23, F32o, k13), mul(I23o, F32, k14), k13), k7), n2, o26
+    )
+    div(
+        add(add(add(mul(I21, F11o, k7), mul(I21o, F11, k11), k7), add(mul(I22, F21o, k11), mul(I22o, F21, k9), k9), k7),
+        add(mul(I23, F31o, k9), mul(I23o, F31, k11), k9), k7), n2, o25
+    )
+    div(
+        add(add(add(mul(I11, F12o, k4), mul(I11o, F12, k7), k4), add(mul(I12, F22o, k7), mul(I12o, F22, k9), k7), k4),
+        add(mul(I13, F32o, k7), mul(I13o, F32, k9), k7), k4), n2, o20
+    )
+    div(
+        add(add(add(mul(I11, F11o, k4), mul(I11o, F11, k1), k1), add(mul(I12, F21o, k2), mul(I12o, F21, k3), k2), k1),
+        add(mul(I13, F31o, k2), mul(I13o, F31, k3), k2), k1), n2, o19
+    )
+    copy(n0, o4)
+    copy(n0, o5)
+    copy(n0, o6)
+    copy(n0, o10)
+    copy(n0, o11)
+    copy(n0, o12)
+    copy(n0, o16)
+    copy(n0, o17)
+    copy(n0, o18)
+    copy(o1, o22)
+    copy(o2, o23)
+    copy(o3, o24)
+    copy(o7, o28)
+    copy(o8, o29)
+    copy(o9, o30)
+    copy(o13, o34)
+    copy(o14, o35)
+    copy(o15, o36)
+    copy(n0, o40)
+    copy(n0, o41)
+    copy(n0, o42)
+    copy(n0, o46)
+    copy(n0, o47)
+    copy(n0, o48)
+    copy(n0, o52)
+    copy(n0, o53)
+    copy(n0, o54)
+    copy(o37, o58)
+    copy(o38, o59)
+    copy(o39, o60)
+    copy(o43, o64)
+    copy(o44, o65)
+    copy(o45, o66)
+    copy(o49, o70)
+    copy(o50, o71)
+    copy(o51, o72)
 
 
 # operations 270: 88 +, 136 *, 21 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
@@ -5439,6 +7407,526 @@ def body_local_blocks(
     div(add(sub(mul(rho1, fee, k6), sub(mul(d2, rho3, k7), mul(d3, rho2, k8), k7), k6), mul(d1, hvr, k7), k6), n2, o4)
     div(add(sub(mul(rho2, fee, k6), sub(mul(d3, rho1, k7), mul(d1, rho3, k8), k7), k6), mul(d2, hvr, k7), k6), n2, o5)
     div(add(sub(mul(rho3, fee, k1), sub(mul(d1, rho2, k3), mul(d2, rho1, k4), k3), k1), mul(d3, hvr, k2), k1), n2, o6)
+
+
+# operations 611: 197 +, 299 *, 45 /, 8 neg, 4 abs, 8 sqrt, 2 tan, 3 atan2, 6 lt, 5 eq, 1 or, 33 where
+def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) -> Result:
+    a1, a2, a3, a1o, a2o, a3o = a
+    b1, b2, b3, b1o, b2o, b3o = b
+    t, = time
+    v11a = a1 * a1
+    v22a = a2 * a2
+    v33a = a3 * a3
+    xa = v11a + v22a + v33a
+    aa, ba, _, fa, ga, ha = c.ray(m, xa)
+    bva1 = a1 * ba
+    bva2 = a2 * ba
+    bva3 = a3 * ba
+    v11b = b1 * b1
+    v22b = b2 * b2
+    v33b = b3 * b3
+    xb = v11b + v22b + v33b
+    ab, bb, _, fb, gb, hb = c.ray(m, xb)
+    bvb1 = b1 * bb
+    bvb2 = b2 * bb
+    bvb3 = b3 * bb
+    gva1 = a1 * ga
+    gva2 = a2 * ga
+    gva3 = a3 * ga
+    ya = a1 * a1o + a2 * a2o + a3 * a3o
+    alonga = ha * ya
+    rhoa1 = a1o * fa + (gva2 * a3o - gva3 * a2o) + a1 * alonga
+    rhoa2 = a2o * fa + (gva3 * a1o - gva1 * a3o) + a2 * alonga
+    rhoa3 = a3o * fa + (gva1 * a2o - gva2 * a1o) + a3 * alonga
+    minus_fa = -fa
+    v_rhoa1 = a2 * rhoa3 - a3 * rhoa2
+    v_rhoa2 = a3 * rhoa1 - a1 * rhoa3
+    v_rhoa3 = a1 * rhoa2 - a2 * rhoa1
+    gv_rhoa1 = v_rhoa1 * ga
+    gv_rhoa2 = v_rhoa2 * ga
+    gv_rhoa3 = v_rhoa3 * ga
+    back1 = -(rhoa1 + (v_rhoa1 * minus_fa + (a2 * gv_rhoa3 - a3 * gv_rhoa2)))
+    back2 = -(rhoa2 + (v_rhoa2 * minus_fa + (a3 * gv_rhoa1 - a1 * gv_rhoa3)))
+    back3 = -(rhoa3 + (v_rhoa3 * minus_fa + (a1 * gv_rhoa2 - a2 * gv_rhoa1)))
+    v_back1 = b2 * back3 - b3 * back2
+    v_back2 = b3 * back1 - b1 * back3
+    v_back3 = b1 * back2 - b2 * back1
+    gv_back1 = v_back1 * gb
+    gv_back2 = v_back2 * gb
+    gv_back3 = v_back3 * gb
+    gvb1 = b1 * gb
+    gvb2 = b2 * gb
+    gvb3 = b3 * gb
+    yb = b1 * b1o + b2 * b2o + b3 * b3o
+    alongb = hb * yb
+    way1 = (
+        back1 + (v_back1 * fb + (b2 * gv_back3 - b3 * gv_back2)) + (b1o * fb + (gvb2 * b3o - gvb3 * b2o) + b1 * alongb)
+    )
+    way2 = (
+        back2 + (v_back2 * fb + (b3 * gv_back1 - b1 * gv_back3)) + (b2o * fb + (gvb3 * b1o - gvb1 * b3o) + b2 * alongb)
+    )
+    way3 = (
+        back3 + (v_back3 * fb + (b1 * gv_back2 - b2 * gv_back1)) + (b3o * fb + (gvb1 * b2o - gvb2 * b1o) + b3 * alongb)
+    )
+    minus_bva1 = -bva1
+    minus_bva2 = -bva2
+    minus_bva3 = -bva3
+    e0 = ab * aa - (bvb1 * minus_bva1 + bvb2 * minus_bva2 + bvb3 * minus_bva3)
+    e1 = minus_bva1 * ab + bvb1 * aa + (bvb2 * minus_bva3 - bvb3 * minus_bva2)
+    e2 = minus_bva2 * ab + bvb2 * aa + (bvb3 * minus_bva1 - bvb1 * minus_bva3)
+    e3 = minus_bva3 * ab + bvb3 * aa + (bvb1 * minus_bva2 - bvb2 * minus_bva1)
+    negativee = e0 < 0
+    cose = m.where(negativee, -e0, e0)
+    sse = e1 * e1 + e2 * e2 + e3 * e3
+    stille = sse == 0
+    sine = m.sqrt(m.where(stille, cose, sse))
+    anglee = 2 * m.atan2(sine, cose)
+    gaine = m.where(negativee, -1, 1) * (m.where(stille, 2 * cose, anglee) / m.where(stille, cose * cose, sine))
+    d1 = e1 * gaine
+    d2 = e2 * gaine
+    d3 = e3 * gaine
+    v11e = d1 * d1
+    v22e = d2 * d2
+    v33e = d3 * d3
+    xe = v11e + v22e + v33e
+    fee = gaine * e0
+    neare = xe < 6
+    ze = m.where(neare, xe, xe - xe) / 4
+    C7e = (
+        (72 - ze * ((3603600 - ze * (32760 - ze * (210 - ze * ((93024 - ze * (342 - ze * ((212520 - ze * (506 - ze))
+        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
+    )
+    C5e = (1 - 120 * (ze * C7e)) / 120
+    C3e = (1 - 6 * (ze * C5e)) / 6
+    C1e = 1 - ze * C3e
+    xxe = m.where(neare, 6 + xe, xe)
+    alphae = m.sqrt(xxe)
+    te = m.tan(alphae / 4)
+    tte = te * te
+    belowe = 1 + tte
+    we = m.where(neare, C1e / 2, 2 * te / belowe / alphae)
+    wwe = we * we
+    ge = 2 * wwe
+    CC1e = C1e * C1e
+    C0e = m.sqrt(1 - ze * CC1e)
+    se = m.where(neare, C0e, (1 - tte) / belowe)
+    fie = se / we
+    C01e = 1 + C0e
+    C2e = CC1e / C01e
+    fe = 2 * (se * we)
+    he = m.where(neare, (C3e + C1e * C2e) / 4, (1 - fe) / xxe)
+    hie = ge - fie * he
+    hvr = hie * (d1 * way1 + d2 * way2 + d3 * way3)
+    td1 = t * d1
+    td2 = t * d2
+    td3 = t * d3
+    td4 = t * ((way1 * fee - (d2 * way3 - d3 * way2) + d1 * hvr) / 2)
+    td5 = t * ((way2 * fee - (d3 * way1 - d1 * way3) + d2 * hvr) / 2)
+    td6 = t * ((way3 * fee - (d1 * way2 - d2 * way1) + d3 * hvr) / 2)
+    v11t = td1 * td1
+    v22t = td2 * td2
+    v33t = td3 * td3
+    xt = v11t + v22t + v33t
+    neart = xt < 6
+    zt = m.where(neart, xt, xt - xt) / 4
+    C7t = (
+        (72 - zt * ((3603600 - zt * (32760 - zt * (210 - zt * ((93024 - zt * (342 - zt * ((212520 - zt * (506 - zt))
+        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
+    )
+    C5t = (1 - 120 * (zt * C7t)) / 120
+    C3t = (1 - 6 * (zt * C5t)) / 6
+    C1t = 1 - zt * C3t
+    CC1t = C1t * C1t
+    C0t = m.sqrt(1 - zt * CC1t)
+    xxt = m.where(neart, 6 + xt, xt)
+    alphat = m.sqrt(xxt)
+    tt = m.tan(alphat / 4)
+    ttt = tt * tt
+    belowt = 1 + ttt
+    st = m.where(neart, C0t, (1 - ttt) / belowt)
+    wt = m.where(neart, C1t / 2, 2 * tt / belowt / alphat)
+    wd1 = td1 * wt
+    wd2 = td2 * wt
+    wd3 = td3 * wt
+    z0 = st * aa - (wd1 * bva1 + wd2 * bva2 + wd3 * bva3)
+    z1 = bva1 * st + wd1 * aa + (wd2 * bva3 - wd3 * bva2)
+    z2 = bva2 * st + wd2 * aa + (wd3 * bva1 - wd1 * bva3)
+    z3 = bva3 * st + wd3 * aa + (wd1 * bva2 - wd2 * bva1)
+    ft = 2 * (st * wt)
+    wwt = wt * wt
+    gt = 2 * wwt
+    v_moved1 = td2 * rhoa3 - td3 * rhoa2
+    v_moved2 = td3 * rhoa1 - td1 * rhoa3
+    v_moved3 = td1 * rhoa2 - td2 * rhoa1
+    gv_moved1 = v_moved1 * gt
+    gv_moved2 = v_moved2 * gt
+    gv_moved3 = v_moved3 * gt
+    C01t = 1 + C0t
+    C2t = CC1t / C01t
+    ht = m.where(neart, (C3t + C1t * C2t) / 4, (1 - ft) / xxt)
+    gvt1 = td1 * gt
+    gvt2 = td2 * gt
+    gvt3 = td3 * gt
+    yt = td1 * td4 + td2 * td5 + td3 * td6
+    alongt = ht * yt
+    rho1 = (
+        rhoa1 + (v_moved1 * ft + (td2 * gv_moved3 - td3 * gv_moved2)) + (td4 * ft + (gvt2 * td6 - gvt3 * td5) + td1
+        * alongt)
+    )
+    rho2 = (
+        rhoa2 + (v_moved2 * ft + (td3 * gv_moved1 - td1 * gv_moved3)) + (td5 * ft + (gvt3 * td4 - gvt1 * td6) + td2
+        * alongt)
+    )
+    rho3 = (
+        rhoa3 + (v_moved3 * ft + (td1 * gv_moved2 - td2 * gv_moved1)) + (td6 * ft + (gvt1 * td5 - gvt2 * td4) + td3
+        * alongt)
+    )
+    resting = xa == 0
+    r = m.sqrt(m.where(resting, 1 + xa, xa))
+    own, = c.unfolded(m, xa, r)
+    own_ = m.where(resting, xa, own)
+    axis1 = a1 / r
+    axis2 = a2 / r
+    axis3 = a3 / r
+    apart = resting | (r < r + (m.abs(d2 * a3 - d3 * a2) + m.abs(d3 * a1 - d1 * a3) + m.abs(d1 * a2 - d2 * a1)) / 64)
+    side = m.where(bva1 * a1 + bva2 * a2 + bva3 * a3 < 0, -1, 1)
+    ss1 = bva1 * bva1 + bva2 * bva2 + bva3 * bva3
+    still1 = ss1 == 0
+    sine1 = (
+        m.where(apart, m.where(still1, ss1, side * m.sqrt(m.where(still1, 1 + ss1, ss1))), bva1 * axis1 + bva2 * axis2
+        + bva3 * axis3)
+    )
+    sign1 = m.where(apart, side, 1)
+    half1 = m.atan2(sign1 * sine1, sign1 * aa)
+    sst = z1 * z1 + z2 * z2 + z3 * z3
+    stillt = sst == 0
+    sinet = (
+        m.where(apart, m.where(stillt, sst, side * m.sqrt(m.where(stillt, 1 + sst, sst))), z1 * axis1 + z2 * axis2 + z3
+        * axis3)
+    )
+    halft = m.atan2(sign1 * sinet, sign1 * z0)
+    halft_by_2 = 2 * halft
+    turns = own_ + m.where(apart, -2 * half1, td1 * axis1 + td2 * axis2 + td3 * axis3 - halft_by_2)
+    still = sinet == 0
+    angle = m.where(still, sinet, m.where(m.abs(turns) < 1, 0, turns) + halft_by_2)
+    rn, slopen = c.coefficient(m, angle)
+    factor = rn / m.where(still, 1 + sinet, sinet)
+    v_1 = m.where(apart, z1 * factor, axis1 * rn)
+    v_2 = m.where(apart, z2 * factor, axis2 * rn)
+    v_3 = m.where(apart, z3 * factor, axis3 * rn)
+    fe_ = m.where(still, 2 * slopen, factor * z0)
+    v11w = v_1 * v_1
+    v22w = v_2 * v_2
+    v33w = v_3 * v_3
+    xw = v11w + v22w + v33w
+    _, hiw = c.inverse(m, xw, fe_)
+    hvr_ = hiw * (v_1 * rho1 + v_2 * rho2 + v_3 * rho3)
+    return (
+        v_1,
+        v_2,
+        v_3,
+        (rho1 * fe_ - (v_2 * rho3 - v_3 * rho2) + v_1 * hvr_) / 2,
+        (rho2 * fe_ - (v_3 * rho1 - v_1 * rho3) + v_2 * hvr_) / 2,
+        (rho3 * fe_ - (v_1 * rho2 - v_2 * rho1) + v_3 * hvr_) / 2,
+    )
+
+
+def interpolate_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, a: Rows, b: Rows, time: Rows
+) -> None:
+    a1, a2, a3, a1o, a2o, a3o = a
+    b1, b2, b3, b1o, b2o, b3o = b
+    t, = time
+    o1, o2, o3, o4, o5, o6 = out
+    (
+        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
+        k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, *spare,
+    ) = scratch
+    mask1, mask2, mask3, *spare_masks = masks
+    (
+        n_minus_2, n_minus_1, n0, n1, n2, n4, n6, n64, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520,
+        n3603600,
+    ) = numbers
+    v11a = mul(a1, a1, k1)
+    v22a = mul(a2, a2, k2)
+    v33a = mul(a3, a3, k3)
+    xa = add(add(v11a, v22a, k1), v33a, k1)
+    aa, ba, _, fa, ga, ha = c.ray((k2, k3, k4, k5, k6, k7), (*spare,), (*spare_masks,), xa)
+    bva1 = mul(a1, ba, k4)
+    minus_bva1 = neg(bva1, k8)
+    v11b = mul(b1, b1, k9)
+    v22b = mul(b2, b2, k10)
+    v33b = mul(b3, b3, k11)
+    xb = add(add(v11b, v22b, k9), v33b, k9)
+    ab, bb, _, fb, gb, hb = c.ray((k10, k11, k12, k13, k14, k15), (*spare,), (*spare_masks,), xb)
+    bvb1 = mul(b1, bb, k9)
+    bvb2 = mul(b2, bb, k12)
+    bvb3 = mul(b3, bb, k11)
+    bva3 = mul(a3, ba, k16)
+    bva2 = mul(a2, ba, k3)
+    minus_bva3 = neg(bva3, k17)
+    minus_bva2 = neg(bva2, k18)
+    e1 = add(
+        add(mul(minus_bva1, ab, k19), mul(bvb1, aa, k20), k19), sub(mul(bvb2, minus_bva3, k20), mul(bvb3, minus_bva2,
+        k21), k20), k19
+    )
+    e2 = add(
+        add(mul(minus_bva2, ab, k20), mul(bvb2, aa, k21), k20), sub(mul(bvb3, minus_bva1, k21), mul(bvb1, minus_bva3,
+        k22), k21), k20
+    )
+    e3 = add(
+        add(mul(minus_bva3, ab, k21), mul(bvb3, aa, k22), k21), sub(mul(bvb1, minus_bva2, k22), mul(bvb2, minus_bva1,
+        k23), k22), k21
+    )
+    e0 = sub(
+        mul(ab, aa, k10), add(add(mul(bvb1, minus_bva1, k8), mul(bvb2, minus_bva2, k9), k8), mul(bvb3, minus_bva3, k9),
+        k8), k8
+    )
+    sse = add(add(mul(e1, e1, k9), mul(e2, e2, k10), k9), mul(e3, e3, k10), k9)
+    stille = m.equal(sse, n0, mask1)
+    negativee = m.less(e0, n0, mask2)
+    cose = m.where(negativee, neg(e0, k10), e0, k10)
+    sine = sqrt(m.where(stille, cose, sse, k11), k9)
+    anglee = mul(n2, atan2(sine, cose, k11), k11)
+    gaine = mul(
+        m.where(negativee, n_minus_1, n1, k12), div(m.where(stille, mul(n2, cose, k17), anglee, k17), m.where(stille,
+        mul(cose, cose, k10), sine, k10), k9), k9
+    )
+    d1 = mul(e1, gaine, k10)
+    d2 = mul(e2, gaine, k11)
+    d3 = mul(e3, gaine, k12)
+    fee = mul(gaine, e0, k8)
+    td1 = mul(t, d1, k9)
+    v11t = mul(td1, td1, k17)
+    td2 = mul(t, d2, k18)
+    v22t = mul(td2, td2, k19)
+    td3 = mul(t, d3, k20)
+    v33t = mul(td3, td3, k21)
+    xt = add(add(v11t, v22t, k17), v33t, k17)
+    neart = m.less(xt, n6, mask1)
+    zt = div(m.where(neart, xt, sub(xt, xt, k19), k21), n4, k19)
+    xxt = m.where(neart, add(n6, xt, k21), xt, k21)
+    C7t = div(
+        div(sub(n72, mul(zt, div(sub(n3603600, mul(zt, sub(n32760, mul(zt, sub(n210, mul(zt, div(sub(n93024, mul(zt,
+        sub(n342, mul(zt, div(sub(n212520, mul(zt, sub(n506, zt, k17), k17), k17), n212520, k17), k17), k17), k17),
+        k17), n93024, k17), k17), k17), k17), k17), k17), k17), n3603600, k17), k17), k17), n72, k17), n5040, k17
+    )
+    C5t = div(sub(n1, mul(n120, mul(zt, C7t, k17), k17), k17), n120, k17)
+    C3t = div(sub(n1, mul(n6, mul(zt, C5t, k17), k17), k17), n6, k17)
+    C1t = sub(n1, mul(zt, C3t, k22), k22)
+    CC1t = mul(C1t, C1t, k23)
+    C0t = sqrt(sub(n1, mul(zt, CC1t, k19), k19), k19)
+    alphat = sqrt(xxt, k24)
+    tt = tan(div(alphat, n4, k25), k25)
+    ttt = mul(tt, tt, k26)
+    belowt = add(n1, ttt, k27)
+    wt = m.where(neart, div(C1t, n2, k28), div(div(mul(n2, tt, k25), belowt, k25), alphat, k24), k25)
+    st = m.where(neart, C0t, div(sub(n1, ttt, k24), belowt, k24), k26)
+    C01t = add(n1, C0t, k19)
+    C2t = div(CC1t, C01t, k19)
+    wd1 = mul(td1, wt, k23)
+    wd2 = mul(td2, wt, k24)
+    wd3 = mul(td3, wt, k27)
+    z1 = add(add(mul(bva1, st, k28), mul(wd1, aa, k29), k28), sub(mul(wd2, bva3, k29), mul(wd3, bva2, k30), k29), k28)
+    z2 = add(add(mul(bva2, st, k29), mul(wd2, aa, k30), k29), sub(mul(wd3, bva1, k30), mul(wd1, bva3, k31), k30), k29)
+    z3 = add(add(mul(bva3, st, k30), mul(wd3, aa, k31), k30), sub(mul(wd1, bva2, k31), mul(wd2, bva1, k32), k31), k30)
+    z0 = sub(mul(st, aa, k31), add(add(mul(wd1, bva1, k23), mul(wd2, bva2, k24), k23), mul(wd3, bva3, k24), k23), k23)
+    ft = mul(n2, mul(st, wt, k24), k24)
+    ht = m.where(neart, div(add(C3t, mul(C1t, C2t, k19), k17), n4, k17), div(sub(n1, ft, k19), xxt, k19), k17)
+    wwt = mul(wt, wt, k19)
+    gt = mul(n2, wwt, k19)
+    sst = add(add(mul(z1, z1, k21), mul(z2, z2, k22), k21), mul(z3, z3, k22), k21)
+    stillt = m.equal(sst, n0, mask1)
+    resting = m.equal(xa, n0, mask2)
+    r = sqrt(m.where(resting, add(n1, xa, k22), xa, k22), k22)
+    own, = c.unfolded((k25,), (k26, k27, k31, k32, *spare), (*spare_masks,), xa, r)
+    own_ = m.where(resting, xa, own, k1)
+    apart = m.either(
+        resting, m.less(r, add(r, div(add(add(absolute(sub(mul(d2, a3, k25), mul(d3, a2, k26), k25), k25),
+        absolute(sub(mul(d3, a1, k26), mul(d1, a3, k27), k26), k26), k25), absolute(sub(mul(d1, a2, k26), mul(d2, a1,
+        k27), k26), k26), k25), n64, k25), k25), mask3), mask2
+    )
+    side = m.where(
+        m.less(add(add(mul(bva1, a1, k25), mul(bva2, a2, k26), k25), mul(bva3, a3, k26), k25), n0, mask3), n_minus_1,
+        n1, k25
+    )
+    axis1 = div(a1, r, k26)
+    axis2 = div(a2, r, k27)
+    axis3 = div(a3, r, k22)
+    sinet = m.where(
+        apart, m.where(stillt, sst, mul(side, sqrt(m.where(stillt, add(n1, sst, k31), sst, k31), k31), k31), k21),
+        add(add(mul(z1, axis1, k31), mul(z2, axis2, k32), k31), mul(z3, axis3, k32), k31), k21
+    )
+    still = m.equal(sinet, n0, mask1)
+    sign1 = m.where(apart, side, n1, k31)
+    halft = atan2(mul(sign1, sinet, k32), mul(sign1, z0, k33), k32)
+    halft_by_2 = mul(n2, halft, k32)
+    ss1 = add(add(mul(bva1, bva1, k33), mul(bva2, bva2, k34), k33), mul(bva3, bva3, k34), k33)
+    still1 = m.equal(ss1, n0, mask3)
+    sine1 = m.where(
+        apart, m.where(still1, ss1, mul(side, sqrt(m.where(still1, add(n1, ss1, k34), ss1, k34), k34), k25), k33),
+        add(add(mul(bva1, axis1, k4), mul(bva2, axis2, k3), k3), mul(bva3, axis3, k4), k3), k4
+    )
+    half1 = atan2(mul(sign1, sine1, k3), mul(sign1, aa, k2), k2)
+    turns = add(
+        own_, m.where(apart, mul(n_minus_2, half1, k2), sub(add(add(mul(td1, axis1, k3), mul(td2, axis2, k4), k3),
+        mul(td3, axis3, k4), k3), halft_by_2, k3), k2), k1
+    )
+    angle = m.where(
+        still, sinet, add(m.where(m.less(absolute(turns, k2), n1, mask3), n0, turns, k2), halft_by_2, k1), k2
+    )
+    rn, slopen = c.coefficient((k1, k3), (k4, k16, k25, k31, k32, k33, k34, *spare), (mask3, *spare_masks), angle)
+    factor = div(rn, m.where(still, add(n1, sinet, k2), sinet, k2), k2)
+    v_1 = m.where(apart, mul(z1, factor, k4), mul(axis1, rn, k16), o1)
+    v_2 = m.where(apart, mul(z2, factor, k4), mul(axis2, rn, k16), o2)
+    v_3 = m.where(apart, mul(z3, factor, k4), mul(axis3, rn, k1), o3)
+    fe_ = m.where(still, mul(n2, slopen, k1), mul(factor, z0, k2), k1)
+    v11w = mul(v_1, v_1, k2)
+    v22w = mul(v_2, v_2, k3)
+    v33w = mul(v_3, v_3, k4)
+    xw = add(add(v11w, v22w, k2), v33w, k2)
+    _, hiw = c.inverse(
+        (k3, k4), (k16, k21, k22, k23, k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, *spare), (mask1, mask2, mask3,
+        *spare_masks), xw, fe_
+    )
+    v11e = mul(d1, d1, k2)
+    v22e = mul(d2, d2, k3)
+    v33e = mul(d3, d3, k16)
+    xe = add(add(v11e, v22e, k2), v33e, k2)
+    neare = m.less(xe, n6, mask1)
+    ze = div(m.where(neare, xe, sub(xe, xe, k3), k16), n4, k3)
+    xxe = m.where(neare, add(n6, xe, k16), xe, k16)
+    C7e = div(
+        div(sub(n72, mul(ze, div(sub(n3603600, mul(ze, sub(n32760, mul(ze, sub(n210, mul(ze, div(sub(n93024, mul(ze,
+        sub(n342, mul(ze, div(sub(n212520, mul(ze, sub(n506, ze, k2), k2), k2), n212520, k2), k2), k2), k2), k2),
+        n93024, k2), k2), k2), k2), k2), k2), k2), n3603600, k2), k2), k2), n72, k2), n5040, k2
+    )
+    C5e = div(sub(n1, mul(n120, mul(ze, C7e, k2), k2), k2), n120, k2)
+    C3e = div(sub(n1, mul(n6, mul(ze, C5e, k2), k2), k2), n6, k2)
+    C1e = sub(n1, mul(ze, C3e, k21), k21)
+    CC1e = mul(C1e, C1e, k22)
+    C0e = sqrt(sub(n1, mul(ze, CC1e, k3), k3), k3)
+    C01e = add(n1, C0e, k23)
+    C2e = div(CC1e, C01e, k22)
+    alphae = sqrt(xxe, k23)
+    te = tan(div(alphae, n4, k25), k25)
+    tte = mul(te, te, k26)
+    belowe = add(n1, tte, k27)
+    se = m.where(neare, C0e, div(sub(n1, tte, k26), belowe, k26), k3)
+    we = m.where(neare, div(C1e, n2, k26), div(div(mul(n2, te, k25), belowe, k25), alphae, k23), k25)
+    fe = mul(n2, mul(se, we, k23), k23)
+    he = m.where(neare, div(add(C3e, mul(C1e, C2e, k21), k2), n4, k2), div(sub(n1, fe, k21), xxe, k16), k2)
+    fie = div(se, we, k3)
+    wwe = mul(we, we, k16)
+    ge = mul(n2, wwe, k16)
+    hie = sub(ge, mul(fie, he, k2), k2)
+    gva3 = mul(a3, ga, k3)
+    gva1 = mul(a1, ga, k16)
+    ya = add(add(mul(a1, a1o, k21), mul(a2, a2o, k22), k21), mul(a3, a3o, k22), k21)
+    alonga = mul(ha, ya, k7)
+    rhoa2 = add(
+        add(mul(a2o, fa, k21), sub(mul(gva3, a1o, k22), mul(gva1, a3o, k23), k22), k21), mul(a2, alonga, k22), k21
+    )
+    gva2 = mul(a2, ga, k22)
+    rhoa1 = add(add(mul(a1o, fa, k23), sub(mul(gva2, a3o, k25), mul(gva3, a2o, k3), k3), k3), mul(a1, alonga, k23), k3)
+    rhoa3 = add(
+        add(mul(a3o, fa, k23), sub(mul(gva1, a2o, k16), mul(gva2, a1o, k22), k16), k16), mul(a3, alonga, k7), k7
+    )
+    minus_fa = neg(fa, k5)
+    v_rhoa3 = sub(mul(a1, rhoa2, k16), mul(a2, rhoa1, k22), k16)
+    v_rhoa2 = sub(mul(a3, rhoa1, k22), mul(a1, rhoa3, k23), k22)
+    gv_rhoa2 = mul(v_rhoa2, ga, k23)
+    v_rhoa1 = sub(mul(a2, rhoa3, k25), mul(a3, rhoa2, k26), k25)
+    gv_rhoa1 = mul(v_rhoa1, ga, k26)
+    gv_rhoa3 = mul(v_rhoa3, ga, k6)
+    back3 = neg(
+        add(rhoa3, add(mul(v_rhoa3, minus_fa, k16), sub(mul(a1, gv_rhoa2, k27), mul(a2, gv_rhoa1, k28), k27), k16),
+        k16), k16
+    )
+    back2 = neg(
+        add(rhoa2, add(mul(v_rhoa2, minus_fa, k22), sub(mul(a3, gv_rhoa1, k26), mul(a1, gv_rhoa3, k27), k26), k22),
+        k22), k22
+    )
+    back1 = neg(
+        add(rhoa1, add(mul(v_rhoa1, minus_fa, k5), sub(mul(a2, gv_rhoa3, k6), mul(a3, gv_rhoa2, k23), k6), k5), k5), k5
+    )
+    v_back1 = sub(mul(b2, back3, k6), mul(b3, back2, k23), k6)
+    v_back3 = sub(mul(b1, back2, k23), mul(b2, back1, k25), k23)
+    gv_back3 = mul(v_back3, gb, k25)
+    v_back2 = sub(mul(b3, back1, k26), mul(b1, back3, k27), k26)
+    gv_back2 = mul(v_back2, gb, k27)
+    gvb2 = mul(b2, gb, k28)
+    gvb3 = mul(b3, gb, k29)
+    yb = add(add(mul(b1, b1o, k30), mul(b2, b2o, k31), k30), mul(b3, b3o, k31), k30)
+    alongb = mul(hb, yb, k15)
+    way1 = add(
+        add(back1, add(mul(v_back1, fb, k30), sub(mul(b2, gv_back3, k31), mul(b3, gv_back2, k32), k31), k30), k5),
+        add(add(mul(b1o, fb, k30), sub(mul(gvb2, b3o, k31), mul(gvb3, b2o, k32), k31), k30), mul(b1, alongb, k31), k30),
+        k5
+    )
+    gv_back1 = mul(v_back1, gb, k6)
+    gvb1 = mul(b1, gb, k14)
+    way2 = add(
+        add(back2, add(mul(v_back2, fb, k26), sub(mul(b3, gv_back1, k30), mul(b1, gv_back3, k25), k25), k25), k22),
+        add(add(mul(b2o, fb, k25), sub(mul(gvb3, b1o, k26), mul(gvb1, b3o, k29), k26), k25), mul(b2, alongb, k26), k25),
+        k22
+    )
+    way3 = add(
+        add(back3, add(mul(v_back3, fb, k23), sub(mul(b1, gv_back2, k25), mul(b2, gv_back1, k6), k6), k6), k6),
+        add(add(mul(b3o, fb, k13), sub(mul(gvb1, b2o, k14), mul(gvb2, b1o, k16), k14), k13), mul(b3, alongb, k14), k13),
+        k6
+    )
+    hvr = mul(hie, add(add(mul(d1, way1, k13), mul(d2, way2, k14), k13), mul(d3, way3, k14), k13), k2)
+    td4 = mul(
+        t, div(add(sub(mul(way1, fee, k13), sub(mul(d2, way3, k14), mul(d3, way2, k15), k14), k13), mul(d1, hvr, k14),
+        k13), n2, k13), k13
+    )
+    td5 = mul(
+        t, div(add(sub(mul(way2, fee, k14), sub(mul(d3, way1, k15), mul(d1, way3, k16), k15), k14), mul(d2, hvr, k15),
+        k14), n2, k14), k14
+    )
+    td6 = mul(
+        t, div(add(sub(mul(way3, fee, k6), sub(mul(d1, way2, k8), mul(d2, way1, k5), k5), k5), mul(d3, hvr, k2), k2),
+        n2, k2), k2
+    )
+    yt = add(add(mul(td1, td4, k5), mul(td2, td5, k6), k5), mul(td3, td6, k6), k5)
+    alongt = mul(ht, yt, k5)
+    v_moved3 = sub(mul(td1, rhoa2, k6), mul(td2, rhoa1, k8), k6)
+    gv_moved3 = mul(v_moved3, gt, k8)
+    v_moved2 = sub(mul(td3, rhoa1, k10), mul(td1, rhoa3, k11), k10)
+    gv_moved2 = mul(v_moved2, gt, k11)
+    gvt2 = mul(td2, gt, k12)
+    gvt3 = mul(td3, gt, k15)
+    v_moved1 = sub(mul(td2, rhoa3, k16), mul(td3, rhoa2, k17), k16)
+    rho1 = add(
+        add(rhoa1, add(mul(v_moved1, ft, k17), sub(mul(td2, gv_moved3, k22), mul(td3, gv_moved2, k23), k22), k17), k3),
+        add(add(mul(td4, ft, k17), sub(mul(gvt2, td6, k22), mul(gvt3, td5, k23), k22), k17), mul(td1, alongt, k22),
+        k17), k3
+    )
+    gv_moved1 = mul(v_moved1, gt, k16)
+    gvt1 = mul(td1, gt, k17)
+    rho2 = add(
+        add(rhoa2, add(mul(v_moved2, ft, k10), sub(mul(td3, gv_moved1, k19), mul(td1, gv_moved3, k8), k8), k8), k8),
+        add(add(mul(td5, ft, k10), sub(mul(gvt3, td4, k15), mul(gvt1, td6, k19), k15), k10), mul(td2, alongt, k15),
+        k10), k8
+    )
+    rho3 = add(
+        add(rhoa3, add(mul(v_moved3, ft, k6), sub(mul(td1, gv_moved2, k9), mul(td2, gv_moved1, k10), k9), k6), k6),
+        add(add(mul(td6, ft, k2), sub(mul(gvt1, td5, k7), mul(gvt2, td4, k9), k7), k2), mul(td3, alongt, k5), k2), k2
+    )
+    hvr_ = mul(hiw, add(add(mul(v_1, rho1, k5), mul(v_2, rho2, k6), k5), mul(v_3, rho3, k6), k5), k4)
+    div(
+        add(sub(mul(rho1, fe_, k5), sub(mul(v_2, rho3, k6), mul(v_3, rho2, k7), k6), k5), mul(v_1, hvr_, k6), k5), n2,
+        o4
+    )
+    div(
+        add(sub(mul(rho2, fe_, k5), sub(mul(v_3, rho1, k6), mul(v_1, rho3, k7), k6), k5), mul(v_2, hvr_, k6), k5), n2,
+        o5
+    )
+    div(
+        add(sub(mul(rho3, fe_, k1), sub(mul(v_1, rho2, k2), mul(v_2, rho1, k3), k2), k1), mul(v_3, hvr_, k2), k1), n2,
+        o6
+    )
 
 
 # operations 82: 33 +, 49 *
@@ -6446,6 +8934,28 @@ KERNELS: Mapping[str, Kernel] = {
         lent=(('direction', 0, 1), ('turned', 0, 1)),
         real=True,
     ),
+    "identity_jacobian": Kernel(
+        identity_jacobian,
+        identity_jacobian_blocks,
+        (("v", (6,)),),
+        (6, 6),
+        registers=2,
+        masks=0,
+        numbers=(0, 1),
+        lent=(),
+        real=True,
+    ),
+    "shadow_jacobian": Kernel(
+        shadow_jacobian,
+        shadow_jacobian_blocks,
+        (("v", (6,)),),
+        (6, 6),
+        registers=18,
+        masks=2,
+        numbers=(0, 1),
+        lent=(('direction', 0, 1), ('turned', 0, 1), ('rate', 0, 1), ('rate', 0, 2)),
+        real=True,
+    ),
     "principal": Kernel(
         principal,
         principal_blocks,
@@ -6523,6 +9033,28 @@ KERNELS: Mapping[str, Kernel] = {
         lent=(('ray', 0, 0), ('unfolded', 7, 0), ('coefficient', 8, 1), ('inverse', 12, 2)),
         real=True,
     ),
+    "retract_jacobians": Kernel(
+        retract_jacobians,
+        retract_jacobians_blocks,
+        (("v", (6,)), ("delta", (6,)),),
+        (72,),
+        registers=67,
+        masks=3,
+        numbers=(0, 1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        lent=(('ray', 0, 0), ('unfolded', 4, 0), ('coefficient', 5, 1), ('inverse', 2, 2), ('tangent_inv', 4, 2), ('tangent', 0, 0)),
+        real=True,
+    ),
+    "body_retract_jacobians": Kernel(
+        body_retract_jacobians,
+        body_retract_jacobians_blocks,
+        (("v", (6,)), ("delta", (6,)),),
+        (72,),
+        registers=63,
+        masks=2,
+        numbers=(0, 1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        lent=(('ray', 1, 1), ('unfolded', 0, 0), ('coefficient', 7, 1), ('inverse', 0, 2), ('tangent_inv', 25, 2), ('tangent', 37, 2)),
+        real=True,
+    ),
     "local": Kernel(
         local,
         local_blocks,
@@ -6543,6 +9075,17 @@ KERNELS: Mapping[str, Kernel] = {
         masks=2,
         numbers=(-1, 0, 1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
         lent=(('ray', 0, 0), ('ray', 0, 0)),
+        real=True,
+    ),
+    "interpolate": Kernel(
+        interpolate,
+        interpolate_blocks,
+        (("v1", (6,)), ("v2", (6,)), ("t", ()),),
+        (6,),
+        registers=34,
+        masks=3,
+        numbers=(-2, -1, 0, 1, 2, 4, 6, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        lent=(('ray', 0, 0), ('ray', 0, 0), ('unfolded', 4, 0), ('coefficient', 7, 1), ('inverse', 14, 3)),
         real=True,
     ),
     "adjoint": Kernel(

@@ -88,7 +88,16 @@ from numpy.typing import ArrayLike
 from ._chart import Chart
 from ._checks import require
 from ._kernel import Array
-from ._runtime import call, call_branch, from_scalar_last, returned, separate, shifted, to_scalar_last
+from ._runtime import (
+    call,
+    call_branch,
+    from_scalar_last,
+    returned,
+    separate,
+    shifted,
+    shifted_jacobian,
+    to_scalar_last,
+)
 from ._tools import directions, with_zeros
 
 # the side of T: itself, which gives the twist in space, and its transpose, in the body; for T⁻¹ also half the side
@@ -1199,6 +1208,49 @@ class PoseKernels:
         """
         return shifted(self._chart, branch, v, axis, out)
 
+    def shadow_jacobian(self, v: ArrayLike, branch: int = 1, *, axis: int = -1, out: Array | None = None) -> Array:
+        r"""Derivative of ``shadow(v, branch)`` by v: ``∂v_k/∂v = T(v_k)⁻¹ T(v)``, of one chart and both vectors.
+
+        Computed from what it is along the axis, ``φ′(α_k)/φ′(α)``, and across it, ``φ(α_k)/φ(α)``: so it is defined at
+        whole turns too, where T(v) has no inverse. Rates of one motion follow: ``shadow_jacobian(v) @ rate(v, omega)`` is
+        ``rate(shadow(v), omega)``, and covariances of v go over to its shadow, ``J P Jᵀ``.
+
+        Parameters
+        ----------
+        v : array_like, shape (..., 6)
+            Rodrigues dual vector φ(α) u of this module: real part (dimensionless), then dual part (length unit of the
+            pose).
+        branch : int
+            How many branches to go on, any integer, modulo the number of branches.
+        axis : {-1, 0}
+            Where the component axes stand, in arguments and result: last, or first (the fastest).
+        out : ndarray, optional
+            Array for the result, shape (..., 6, 6); it may overlap an argument.
+
+        Returns
+        -------
+        ndarray, shape (..., 6, 6)
+            Real: rows are components of the shadow, columns those of v. The unit matrix for the branch 0; for others inf
+            or NaN where there is no rotation (the shadow of a translation jumps with its axis) and where v or its shadow
+            is at the edge of the chart.
+
+        Raises
+        ------
+        TypeError
+            If v is complex or branch is no integer.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> omega = np.array([0.1, 0.2, 0.3, 0, 1, 0])
+        >>> rate = cayley2.shadow_jacobian(v) @ cayley2.rate(v, omega)
+        >>> np.allclose(rate, cayley2.rate(cayley2.shadow(v), omega))
+        True
+        """
+        return shifted_jacobian(self._chart, branch, v, axis, out)
+
     def principal(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""The shadow of smallest Re|v|, that is Re α in [0, π]; at a tie v stands.
 
@@ -1722,6 +1774,84 @@ class PoseKernels:
         """
         return call(self._chart, "body_retract", axis, out, v, delta)
 
+    def retract_jacobians(self, v: ArrayLike, delta: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
+        r"""Derivatives of ``w = retract(v, delta)``: ``T(w)⁻¹ exp(δ) T(v)`` by v and ``T(w)⁻¹ dexp(δ)`` by δ.
+
+        Those of the branch that retract takes, the one nearest v. At δ = 0 they are I and ``tangent_inv(v)``.
+
+        Parameters
+        ----------
+        v : array_like, shape (..., 6)
+            Rodrigues dual vector φ(α) u of this module: real part (dimensionless), then dual part (length unit of the
+            pose).
+        delta : array_like, shape (..., 6)
+            Motor [rotation, translation part] of the step: a twist times its time.
+        axis : {-1, 0}
+            Where the component axes stand, in arguments and results.
+
+        Returns
+        -------
+        by_v, by_delta : ndarray, shape (..., 6, 6)
+            Real: rows are components of the result, columns those of the argument. inf or NaN where ``tangent_inv`` of
+            the result has a pole.
+
+        Raises
+        ------
+        TypeError
+            If an argument is complex.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> omega = np.array([0, 0, 0.1, 0.2, 0, 0])
+        >>> by_v, by_delta = cayley2.retract_jacobians(v, np.zeros(6))
+        >>> np.allclose(by_delta @ omega, cayley2.rate(v, omega))
+        True
+        """
+        found = call(self._chart, "retract_jacobians", axis, None, v, delta)
+        return separate(found, axis, (6, 6), (6, 6))
+
+    def body_retract_jacobians(self, v: ArrayLike, delta: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
+        r"""Derivatives of ``w = body_retract(v, delta)``: ``T(w)⁻¹ T(v)`` by v and ``T(w)⁻¹ R(v) dexp(δ)`` by δ.
+
+        Those of the branch that body_retract takes, the one nearest v. At δ = 0 they are I and ``body_tangent_inv(v)``.
+
+        Parameters
+        ----------
+        v : array_like, shape (..., 6)
+            Rodrigues dual vector φ(α) u of this module: real part (dimensionless), then dual part (length unit of the
+            pose).
+        delta : array_like, shape (..., 6)
+            Motor [rotation, translation part] of the step: a twist times its time.
+        axis : {-1, 0}
+            Where the component axes stand, in arguments and results.
+
+        Returns
+        -------
+        by_v, by_delta : ndarray, shape (..., 6, 6)
+            Real: rows are components of the result, columns those of the argument. inf or NaN where ``tangent_inv`` of
+            the result has a pole.
+
+        Raises
+        ------
+        TypeError
+            If an argument is complex.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> omega = np.array([0, 0, 0.1, 0.2, 0, 0])
+        >>> by_v, by_delta = cayley2.body_retract_jacobians(v, np.zeros(6))
+        >>> np.allclose(by_delta @ omega, cayley2.body_rate(v, omega))
+        True
+        """
+        found = call(self._chart, "body_retract_jacobians", axis, None, v, delta)
+        return separate(found, axis, (6, 6), (6, 6))
+
     def local(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""The δ that takes v1 to v2: ``R(v2) = exp(δ) R(v1)``, in the space frame.
 
@@ -1787,6 +1917,54 @@ class PoseKernels:
         True
         """
         return call(self._chart, "body_local", axis, out, v2, v1)
+
+    def interpolate(self, v1: ArrayLike, v2: ArrayLike, t: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+        r"""Vector of the screw-linear motion (ScLERP) from v1 at t = 0 to the pose of v2 at t = 1: ``exp(t δ) R(v1)``.
+
+        δ = ``local(v2, v1)`` is the shorter way, a rotation by at most π. Where v1 and v2 are half a turn apart both are as
+        long: then it is that on which the vector part of the product of closed forms ``quaternion(v2) quaternion(v1)*``
+        stands, ±1 of its scalar part being rounding. The branch is followed continuously from v1, over half turns and
+        onto other branches: between two whole turns (α = 2kπ and 2(k + 1)π) the motion stays there, and only about v1's
+        own axis it goes through them. So the result at t = 1 is v2 itself where that is the branch reached, else one of
+        its shadows. Any t is taken: below 0 and above 1 the motion goes on.
+
+        Parameters
+        ----------
+        v1, v2 : array_like, shape (..., 6)
+            Rodrigues dual vectors φ(α) u of this module.
+        t : array_like, shape (...)
+            Share of the way; its axes are those of the batch, with which it broadcasts.
+        axis : {-1, 0}
+            Where the component axes stand, in arguments and result: last, or first (the fastest).
+        out : ndarray, optional
+            Array for the result, shape (..., 6); it may overlap an argument.
+
+        Returns
+        -------
+        ndarray, shape (..., 6)
+            Where the motion comes to the edge of the chart v is infinite, or ends, and goes on from the opposite side; of
+            a chart whose φ is not periodic it is NaN beyond. Near whole turns, k ≠ 0, it loses digits as the axis does; at
+            one it is the principal vector, for nothing says about which axis.
+
+        Raises
+        ------
+        TypeError
+            If an argument is complex.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> w = np.array([0.2, 0, 0, 0, 0.5, 0])
+        >>> way = cayley2.interpolate(v, w, np.linspace(0, 1, 5))
+        >>> np.allclose(way[[0, -1]], [v, w])
+        True
+        >>> half = cayley2.local(way[2], v)
+        >>> np.allclose(half, cayley2.local(w, v) / 2)
+        True
+        """
+        return call(self._chart, "interpolate", axis, out, v1, v2, t)
 
     def adjoint(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Real matrix of the displacement on motors: [[Q, 0], [skew(ρ) Q, Q]].

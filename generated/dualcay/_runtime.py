@@ -80,7 +80,7 @@ def call(
         alone = native(*arrays, *_numbers(native, arrays, table)) if native else _alone(kernel, chart, arrays, table)
         if alone is not None:
             return alone
-    dtype = arrays[0].dtype if len(arrays) == 1 else np.result_type(*arrays)
+    dtype = arrays[0].dtype if len(arrays) == 1 else common_type(values, arrays)
     batch = _batch(arguments, arrays, axis)
     full = kernel.shape + batch if axis == 0 else batch + kernel.shape
     if out is not None:
@@ -99,6 +99,11 @@ def call(
         return found
     out[...] = found
     return out
+
+
+def common_type(values: Sequence[ArrayLike], arrays: Sequence[Array]) -> np.dtype[Any]:
+    """The type of a result; a plain number, as a time may be, takes that of the others."""
+    return np.result_type(*(v if type(v) in (int, float) else a for v, a in zip(values, arrays, strict=True)))
 
 
 def _are_plain(kernel: Kernel, values: Sequence[ArrayLike]) -> bool:
@@ -216,7 +221,7 @@ def as_array(name: str, value: ArrayLike, part: Shape, axis: int, real: bool = F
     array = np.asarray(value)
     if array.dtype != FLOAT:
         array = _supported(name, array, real)
-    found = array.shape[: len(part)] if axis == 0 else array.shape[-len(part) :]
+    found = array.shape[: len(part)] if axis == 0 else array.shape[array.ndim - len(part) :]
     if found != part:
         inner = ", ".join(map(str, part))
         expected = f"({inner}, ...)" if axis == 0 else f"(..., {inner})"
@@ -313,6 +318,13 @@ def shifted(chart: Chart, branch: int, v: ArrayLike, axis: int, out: Array | Non
     """Go on by a number of branches; by none, v itself."""
     turn = turn_of(chart, branch)
     return call(chart, "shadow", axis, out, v, table=turn) if turn else _same(v, axis, out)
+
+
+def shifted_jacobian(chart: Chart, branch: int, v: ArrayLike, axis: int, out: Array | None) -> Array:
+    """The derivative of that: by none, the unit matrix."""
+    turn = turn_of(chart, branch)
+    name = "shadow_jacobian" if turn else "identity_jacobian"
+    return call(chart, name, axis, out, v, table=turn)
 
 
 def returned(chart: Chart, v: ArrayLike, axis: int, out: Array | None) -> Array:

@@ -68,20 +68,26 @@
 #   from_quaternion: 85: 27 +, 42 *, 8 /, 1 neg, 4 sqrt, 1 lt, 2 where
 #   from_tensor: 151: 50 +, 53 *, 12 /, 5 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 115: 35 +, 35 *, 9 /, 5 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
-#   from_screw: 30: 6 +, 15 *, 7 /, 1 sqrt, 1 tan
+#   from_screw: 34: 6 +, 17 *, 7 /, 1 sqrt, 1 tan, 1 lt, 1 where
 #   to_screw: 105: 24 +, 38 *, 12 /, 1 neg, 8 abs, 3 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
 #   angle: 83: 23 +, 28 *, 9 /, 6 abs, 6 sqrt, 1 atan2, 3 eq, 7 where
 #   turn: 98: 22 +, 38 *, 18 /, 6 abs, 4 sqrt, 1 lt, 2 eq, 7 where
 #   shadow: 137: 34 +, 51 *, 19 /, 1 neg, 6 abs, 6 sqrt, 5 lt, 3 eq, 1 and, 1 or, 10 where
+#   identity_jacobian: 12: 12 +
+#   shadow_jacobian: 239: 65 +, 108 *, 29 /, 1 neg, 6 abs, 10 sqrt, 5 lt, 3 eq, 1 and, 1 or, 10 where
 #   principal: 83: 21 +, 33 *, 15 /, 4 sqrt, 2 lt, 8 where
 #   compose: 249: 85 +, 139 *, 13 /, 1 neg, 8 sqrt, 1 lt, 2 where
 #   between: 255: 85 +, 139 *, 13 /, 7 neg, 8 sqrt, 1 lt, 2 where
 #   compose_jacobians: 1086: 412 +, 585 *, 64 /, 8 neg, 14 sqrt, 1 lt, 2 where
 #   between_jacobians: 1110: 412 +, 585 *, 64 /, 32 neg, 14 sqrt, 1 lt, 2 where
-#   retract: 339: 111 +, 161 *, 36 /, 11 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
-#   body_retract: 339: 111 +, 161 *, 36 /, 11 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+#   retract: 348: 113 +, 163 *, 36 /, 1 abs, 11 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 13 where
+#   body_retract: 348: 113 +, 163 *, 36 /, 1 abs, 11 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 13 where
+#   retract_jacobians: 1165: 438 +, 592 *, 87 /, 7 neg, 1 abs, 15 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 14 where
+#   body_retract_jacobians: 1165: 438 +, 592 *, 87 /, 7 neg, 1 abs, 15 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 14
+#       where
 #   local: 318: 102 +, 162 *, 25 /, 7 neg, 7 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 318: 102 +, 162 *, 25 /, 7 neg, 7 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+#   interpolate: 701: 222 +, 337 *, 59 /, 8 neg, 4 abs, 17 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
 #   adjoint: 106: 40 +, 62 *, 2 /, 2 sqrt
 #   transform_point_jacobians: 235: 98 +, 128 *, 4 /, 3 neg, 2 sqrt
 #   transform_line_jacobians: 334: 131 +, 191 *, 4 /, 6 neg, 2 sqrt
@@ -114,12 +120,13 @@ from ._kernel import Result, Rows, absolute, add, atan2, copy, div, mul, neg, sq
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
-    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_tangent", "body_tangent_dot",
-    "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians",
-    "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity",
-    "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "retract",
-    "shadow", "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
-    "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
+    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
+    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor",
+    "identity", "interpolate", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot",
+    "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent",
+    "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
+    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 2
@@ -326,6 +333,40 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     fy = sub(h, mul(rho, g, o4), o4)
     sub(add(mul(fy, h, o8), mul(f, hy, k1), o8), mul(n2, mul(g, gy, k1), k1), o8)
     return o1, o2, o3, o4, o5, o6, o7, o8, o9
+
+
+# operations 23: 6 +, 12 *, 3 /, 2 sqrt
+def _rate(m: Any, x: Any) -> Result:
+    below = x + m.sqrt(x * x + 4)
+    c = (below - below + 2) / below
+    rootc = m.sqrt(c)
+    w = 2 * (c * rootc)
+    cc = c * c
+    over = 1 / (1 + cc)
+    rho = 4 * (w * over)
+    decline = 2 * (c * over)
+    share = 4 * (cc * over)
+    rhogrowth = share - 3
+    rhoy = rho * decline * rhogrowth / 2
+    return rho, rhoy
+
+
+def _rate_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2 = out
+    k1, k2, *_ = scratch
+    n1, n2, n3, n4 = numbers
+    below = add(x, sqrt(add(mul(x, x, o2), n4, o2), o2), o2)
+    c = div(add(sub(below, below, o1), n2, o1), below, o2)
+    rootc = sqrt(c, o1)
+    w = mul(n2, mul(c, rootc, o1), o1)
+    cc = mul(c, c, k1)
+    over = div(n1, add(n1, cc, k2), k2)
+    rho = mul(n4, mul(w, over, o1), o1)
+    share = mul(n4, mul(cc, over, k1), k1)
+    decline = mul(n2, mul(c, over, o2), o2)
+    rhogrowth = sub(share, n3, k1)
+    div(mul(mul(rho, decline, o2), rhogrowth, o2), n2, o2)
+    return o1, o2
 
 
 # operations 10: 4 +, 2 *, 2 /, 2 sqrt
@@ -720,13 +761,15 @@ def _beyond_blocks(
     return o1, cos1, sin1
 
 
-# operations 17: 3 +, 5 *, 7 /, 1 sqrt, 1 tan
+# operations 21: 3 +, 7 *, 7 /, 1 sqrt, 1 tan, 1 lt, 1 where
 def _coefficient(m: Any, alpha: Any) -> Result:
     t = m.tan(alpha / 8)
     tt = t * t
     below = 1 + tt
-    sin = 2 * t / below
-    cos = (1 - tt) / below
+    further = (1 - tt) / below
+    side = m.where(further < 0, -1, 1)
+    sin = side * (2 * t / below)
+    cos = side * further
     iroot = 1 / m.sqrt(cos)
     r = sin * iroot
     slope = (1 + cos * cos) / cos * iroot / 2 / 4
@@ -736,12 +779,15 @@ def _coefficient(m: Any, alpha: Any) -> Result:
 def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
     o1, o2 = out
     k1, k2, *_ = scratch
-    n1, n2, n4, n8 = numbers
+    mask1, *_ = masks
+    n_minus_1, n0, n1, n2, n4, n8 = numbers
     t = tan(div(alpha, n8, o1), o1)
     tt = mul(t, t, o2)
     below = add(n1, tt, k1)
-    cos = div(sub(n1, tt, o2), below, o2)
-    sin = div(mul(n2, t, o1), below, o1)
+    further = div(sub(n1, tt, o2), below, o2)
+    side = m.where(m.less(further, n0, mask1), n_minus_1, n1, k2)
+    sin = mul(side, div(mul(n2, t, o1), below, o1), o1)
+    cos = mul(side, further, o2)
     iroot = div(n1, sqrt(cos, k1), k1)
     mul(sin, iroot, o1)
     div(div(mul(div(add(n1, mul(cos, cos, k2), k2), cos, o2), iroot, o2), n2, o2), n4, o2)
@@ -768,6 +814,7 @@ CHART = Chart(
         "pose": Function(_pose, _pose_blocks, 3, 0, (1, 2, 3, 4, 8)),
         "tangent": Function(_tangent, _tangent_blocks, 2, 0, (1, 2, 3, 4, 5, 8)),
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 4, 0, (-2, 1, 2, 3, 4, 5, 8, 48)),
+        "rate": Function(_rate, _rate_blocks, 2, 0, (1, 2, 3, 4)),
         "inverse": Function(_inverse, _inverse_blocks, 1, 0, (2, 3, 4)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 3, 0, (1, 2, 3, 4, 8)),
         "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 4, 0, (1, 2, 3, 4, 5, 8)),
@@ -780,10 +827,10 @@ CHART = Chart(
         "unfolded": Function(_unfolded, _unfolded_blocks, 1, 0, (2, 4)),
         "turned": Function(_turned, _turned_blocks, 4, 1, (-1, 0, 1, 2, 4)),
         "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
-        "coefficient": Function(_coefficient, _coefficient_blocks, 2, 0, (1, 2, 4, 8)),
+        "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 4, 8)),
     },
     own={},
-    programs="8dc9af3cd5faaa90",
+    programs="d8c804ab113cb682",
 )
 
 KERNELS = PoseKernels(CHART)
@@ -799,6 +846,7 @@ body_rate = KERNELS.body_rate
 body_rate_dot = KERNELS.body_rate_dot
 body_rate_jacobian = KERNELS.body_rate_jacobian
 body_retract = KERNELS.body_retract
+body_retract_jacobians = KERNELS.body_retract_jacobians
 body_tangent = KERNELS.body_tangent
 body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
@@ -814,6 +862,7 @@ from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
+interpolate = KERNELS.interpolate
 inverse = KERNELS.inverse
 local = KERNELS.local
 pose = KERNELS.pose
@@ -824,7 +873,9 @@ rate = KERNELS.rate
 rate_dot = KERNELS.rate_dot
 rate_jacobian = KERNELS.rate_jacobian
 retract = KERNELS.retract
+retract_jacobians = KERNELS.retract_jacobians
 shadow = KERNELS.shadow
+shadow_jacobian = KERNELS.shadow_jacobian
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent
 tangent_dot = KERNELS.tangent_dot

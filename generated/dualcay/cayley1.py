@@ -64,7 +64,7 @@
 # Operations:
 #   quaternion: 30: 8 +, 18 *, 3 /, 1 sqrt
 #   tensor: 86: 34 +, 50 *, 2 /
-#   pose: 59: 25 +, 32 *, 2 /
+#   pose: 44: 20 +, 22 *, 2 /
 #   transform_point: 72: 29 +, 41 *, 2 /
 #   transform_line: 111: 44 +, 65 *, 2 /
 #   inverse: 6: 6 neg
@@ -72,11 +72,11 @@
 #   tangent_inv: 57: 21 +, 21 *, 15 /
 #   body_tangent: 36: 8 +, 18 *, 3 /, 7 neg
 #   body_tangent_inv: 57: 21 +, 21 *, 15 /
-#   twist: 120: 46 +, 70 *, 3 /, 1 neg
-#   rate: 107: 42 +, 65 *
+#   twist: 80: 29 +, 47 *, 3 /, 1 neg
+#   rate: 109: 44 +, 65 *
 #   tangent_dot: 86: 26 +, 49 *, 4 /, 7 neg
 #   twist_dot: 116: 44 +, 67 *, 4 /, 1 neg
-#   rate_dot: 330: 137 +, 181 *, 12 /
+#   rate_dot: 236: 104 +, 120 *, 12 /
 #   twist_jacobian: 149: 54 +, 89 *, 4 /, 2 neg
 #   rate_jacobian: 85: 34 +, 42 *, 9 /
 #   from_quaternion: 64: 22 +, 38 *, 4 /
@@ -85,16 +85,20 @@
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
 #   to_screw: 75: 18 +, 30 *, 11 /, 6 abs, 1 sqrt, 1 atan2, 2 eq, 6 where
 #   angle: 54: 13 +, 14 *, 8 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
-#   compose: 185: 68 +, 109 *, 8 /
-#   between: 191: 68 +, 109 *, 8 /, 6 neg
-#   compose_jacobians: 919: 368 +, 493 *, 50 /, 8 neg
-#   between_jacobians: 943: 368 +, 493 *, 50 /, 32 neg
-#   retract: 288: 95 +, 141 *, 28 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
-#   body_retract: 288: 95 +, 141 *, 28 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+#   identity_jacobian: 12: 12 +
+#   compose: 135: 56 +, 71 *, 8 /
+#   between: 141: 56 +, 71 *, 8 /, 6 neg
+#   compose_jacobians: 921: 370 +, 493 *, 50 /, 8 neg
+#   between_jacobians: 945: 370 +, 493 *, 50 /, 32 neg
+#   retract: 293: 97 +, 141 *, 28 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   body_retract: 293: 97 +, 141 *, 28 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   retract_jacobians: 1044: 407 +, 531 *, 71 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   body_retract_jacobians: 1044: 407 +, 531 *, 71 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 278: 90 +, 138 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 278: 90 +, 138 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+#   interpolate: 626: 200 +, 303 *, 51 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 6 lt, 5 eq, 1 or, 33 where
 #   adjoint: 86: 34 +, 50 *, 2 /
-#   transform_point_jacobians: 200: 88 +, 105 *, 3 /, 4 neg
+#   transform_point_jacobians: 134: 58 +, 63 *, 3 /, 10 neg
 #   transform_line_jacobians: 299: 121 +, 168 *, 3 /, 7 neg
 r"""Cayley map of order 1: Rodrigues dual vectors ``v = tan(α/2) u`` of rigid displacements.
 
@@ -127,13 +131,13 @@ from ._kernel import Components, Kernel, Result, Rows, add, atan2, copy, div, mu
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
-    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_tangent", "body_tangent_dot",
-    "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians",
-    "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_pose", "from_quaternion", "from_screw", "from_tensor",
-    "identity", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian",
-    "retract", "shadow", "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw",
-    "transform_line", "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot",
-    "twist_jacobian",
+    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
+    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_pose", "from_quaternion",
+    "from_screw", "from_tensor", "identity", "interpolate", "inverse", "local", "pose", "principal", "quaternion",
+    "random", "rate", "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
+    "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 1
@@ -220,24 +224,18 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return n1, n1
 
 
-# operations 0
+# operations 2: 2 +
 def _tangent_inv(m: Any, x: Any) -> Result:
-    return 1, 1, 0, 0
+    one = x - x + 1
+    return one, one, 0, 0
 
 
 def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, _, _ = out
     n0, n1 = numbers
-    return n1, n1, n0, n0
-
-
-# operations 0
-def _tangent_inv_dot(m: Any, x: Any) -> Result:
-    return 1, 1, 0, 0, 0, 0
-
-
-def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    n0, n1 = numbers
-    return n1, n1, n0, n0, n0, n0
+    add(sub(x, x, o1), n1, o1)
+    copy(o1, o2)
+    return o1, o2, n0, n0
 
 
 # operations 4: 1 +, 1 *, 2 /
@@ -348,6 +346,84 @@ def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
 
 
 # --- geometry that does with less here than for any chart ---------------------------------------------------------
+
+
+# operations 44: 20 +, 22 *, 2 /
+def _own_pose(m: Any, c: Any, v: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x12 = v11 + v22
+    x = x12 + v33
+    N = 1 + x
+    r = 2 * (N / N / N)
+    x23 = v22 + v33
+    x13 = v11 + v33
+    fv1 = v1 * r
+    fv2 = v2 * r
+    fv3 = v3 * r
+    gvv1 = fv1 * v2
+    gvv2 = fv1 * v3
+    gvv3 = fv2 * v3
+    return (
+        1 - r * x23,
+        gvv1 - fv3,
+        gvv2 + fv2,
+        v1o * r + (fv2 * v3o - fv3 * v2o),
+        gvv1 + fv3,
+        1 - r * x13,
+        gvv3 - fv1,
+        v2o * r + (fv3 * v1o - fv1 * v3o),
+        gvv2 - fv2,
+        gvv3 + fv1,
+        1 - r * x12,
+        v3o * r + (fv1 * v2o - fv2 * v1o),
+        0,
+        0,
+        0,
+        1,
+    )
+
+
+def _own_pose_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16 = out
+    k1, k2, k3, k4, k5, k6 = scratch
+    n0, n1, n2 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    x12 = add(v11, v22, k3)
+    v33 = mul(v3, v3, k4)
+    x13 = add(v11, v33, k1)
+    x23 = add(v22, v33, k2)
+    x = add(x12, v33, k4)
+    N = add(n1, x, k4)
+    r = mul(n2, div(div(N, N, k5), N, k4), k4)
+    sub(n1, mul(r, x12, k3), o11)
+    sub(n1, mul(r, x13, k1), o6)
+    sub(n1, mul(r, x23, k1), o1)
+    fv1 = mul(v1, r, k1)
+    fv2 = mul(v2, r, k2)
+    add(mul(v3o, r, k3), sub(mul(fv1, v2o, k5), mul(fv2, v1o, k6), k5), o12)
+    gvv3 = mul(fv2, v3, k3)
+    add(gvv3, fv1, o10)
+    sub(gvv3, fv1, o7)
+    gvv2 = mul(fv1, v3, k3)
+    sub(gvv2, fv2, o9)
+    add(gvv2, fv2, o3)
+    fv3 = mul(v3, r, k3)
+    add(mul(v1o, r, k5), sub(mul(fv2, v3o, k2), mul(fv3, v2o, k6), k2), o4)
+    add(mul(v2o, r, k2), sub(mul(fv3, v1o, k4), mul(fv1, v3o, k5), k4), o8)
+    gvv1 = mul(fv1, v2, k1)
+    add(gvv1, fv3, o5)
+    sub(gvv1, fv3, o2)
+    copy(n0, o13)
+    copy(n0, o14)
+    copy(n0, o15)
+    copy(n1, o16)
 
 
 # operations 36: 8 +, 18 *, 3 /, 7 neg
@@ -644,6 +720,85 @@ def _own_body_tangent_inv_blocks(
     add(d12, s3, o2)
 
 
+# operations 80: 29 +, 47 *, 3 /, 1 neg
+def _own_twist(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    side, = table
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    N = 1 + x
+    r = 2 * (N / N / N)
+    e = 2 / N
+    eg = e * r
+    fy = -eg
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    fo = fy * y
+    gs = r * side
+    gso = fo * side
+    gv1 = v1 * gs
+    gv2 = v2 * gs
+    gv3 = v3 * gs
+    gvo1 = v1o * gs + v1 * gso
+    gvo2 = v2o * gs + v2 * gso
+    gvo3 = v3o * gs + v3 * gso
+    return (
+        w1 * r + (gv2 * w3 - gv3 * w2),
+        w2 * r + (gv3 * w1 - gv1 * w3),
+        w3 * r + (gv1 * w2 - gv2 * w1),
+        w1o * r + w1 * fo + (gv2 * w3o - gv3 * w2o) + (gvo2 * w3 - gvo3 * w2),
+        w2o * r + w2 * fo + (gv3 * w1o - gv1 * w3o) + (gvo3 * w1 - gvo1 * w3),
+        w3o * r + w3 * fo + (gv1 * w2o - gv2 * w1o) + (gvo1 * w2 - gvo2 * w1),
+    )
+
+
+def _own_twist_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows, table: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    side, = table
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11 = scratch
+    n1, n2 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    N = add(n1, x, k1)
+    r = mul(n2, div(div(N, N, k2), N, k2), k2)
+    e = div(n2, N, k1)
+    eg = mul(e, r, k1)
+    fy = neg(eg, k1)
+    gs = mul(r, side, k3)
+    gv2 = mul(v2, gs, k4)
+    gv3 = mul(v3, gs, k5)
+    add(mul(w1, r, k6), sub(mul(gv2, w3, k7), mul(gv3, w2, k8), k7), o1)
+    gv1 = mul(v1, gs, k6)
+    add(mul(w2, r, k7), sub(mul(gv3, w1, k8), mul(gv1, w3, k9), k8), o2)
+    add(mul(w3, r, k7), sub(mul(gv1, w2, k8), mul(gv2, w1, k9), k8), o3)
+    y = add(add(mul(v1, v1o, k7), mul(v2, v2o, k8), k7), mul(v3, v3o, k8), k7)
+    fo = mul(fy, y, k1)
+    gso = mul(fo, side, k7)
+    gvo2 = add(mul(v2o, gs, k8), mul(v2, gso, k9), k8)
+    gvo3 = add(mul(v3o, gs, k9), mul(v3, gso, k10), k9)
+    gvo1 = add(mul(v1o, gs, k3), mul(v1, gso, k7), k3)
+    add(
+        add(add(mul(w1o, r, k7), mul(w1, fo, k10), k7), sub(mul(gv2, w3o, k10), mul(gv3, w2o, k11), k10), k7),
+        sub(mul(gvo2, w3, k10), mul(gvo3, w2, k11), k10), o4
+    )
+    add(
+        add(add(mul(w2o, r, k7), mul(w2, fo, k10), k7), sub(mul(gv3, w1o, k5), mul(gv1, w3o, k10), k5), k5),
+        sub(mul(gvo3, w1, k7), mul(gvo1, w3, k9), k7), o5
+    )
+    add(
+        add(add(mul(w3o, r, k2), mul(w3, fo, k1), k1), sub(mul(gv1, w2o, k2), mul(gv2, w1o, k4), k2), k1), sub(mul(gvo1,
+        w2, k2), mul(gvo2, w1, k3), k2), o6
+    )
+
+
 # operations 86: 26 +, 49 *, 4 /, 7 neg
 def _own_tangent_dot(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
@@ -839,6 +994,109 @@ def _own_twist_dot_blocks(
     s1o = mul(gz1o, side, k3)
     add(gz2o, sub(add(mul(v3, s1o, k7), mul(v3o, s1, k9), k7), add(mul(v1, s3o, k2), mul(v1o, s3, k8), k2), k2), o5)
     add(gz3o, sub(add(mul(v1, s2o, k1), mul(v1o, s2, k2), k1), add(mul(v2, s1o, k2), mul(v2o, s1, k3), k2), k1), o6)
+
+
+# operations 236: 104 +, 120 *, 12 /
+def _own_rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: Components, table: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    z1, z2, z3, z1o, z2o, z3o = omega_dot
+    side, = table
+    vw = v1 * w1 + v2 * w2 + v3 * w3
+    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
+    u1 = (w1 + (w2 * v3 - w3 * v2) * side + v1 * vw) / 2
+    u1o = (w1o + (w2 * v3o + w2o * v3 - (w3 * v2o + w3o * v2)) * side + (v1 * vwo + v1o * vw)) / 2
+    u2 = (w2 + (w3 * v1 - w1 * v3) * side + v2 * vw) / 2
+    u2o = (w2o + (w3 * v1o + w3o * v1 - (w1 * v3o + w1o * v3)) * side + (v2 * vwo + v2o * vw)) / 2
+    u3 = (w3 + (w1 * v2 - w2 * v1) * side + v3 * vw) / 2
+    u3o = (w3o + (w1 * v2o + w1o * v2 - (w2 * v1o + w2o * v1)) * side + (v3 * vwo + v3o * vw)) / 2
+    pull = v1 * z1 + v2 * z2 + v3 * z3 + (u1 * w1 + u2 * w2 + u3 * w3)
+    pullo = (
+        v1 * z1o + v1o * z1 + (v2 * z2o + v2o * z2) + (v3 * z3o + v3o * z3) + (u1 * w1o + u1o * w1 + (u2 * w2o + u2o
+        * w2) + (u3 * w3o + u3o * w3))
+    )
+    return (
+        (z1 + (z2 * v3 - z3 * v2 + (w2 * u3 - w3 * u2)) * side + v1 * pull + u1 * vw) / 2,
+        (z2 + (z3 * v1 - z1 * v3 + (w3 * u1 - w1 * u3)) * side + v2 * pull + u2 * vw) / 2,
+        (z3 + (z1 * v2 - z2 * v1 + (w1 * u2 - w2 * u1)) * side + v3 * pull + u3 * vw) / 2,
+        (z1o + (z2 * v3o + z2o * v3 - (z3 * v2o + z3o * v2) + (w2 * u3o + w2o * u3 - (w3 * u2o + w3o * u2))) * side
+        + (v1 * pullo + v1o * pull) + (u1 * vwo + u1o * vw)) / 2,
+        (z2o + (z3 * v1o + z3o * v1 - (z1 * v3o + z1o * v3) + (w3 * u1o + w3o * u1 - (w1 * u3o + w1o * u3))) * side
+        + (v2 * pullo + v2o * pull) + (u2 * vwo + u2o * vw)) / 2,
+        (z3o + (z1 * v2o + z1o * v2 - (z2 * v1o + z2o * v1) + (w1 * u2o + w1o * u2 - (w2 * u1o + w2o * u1))) * side
+        + (v3 * pullo + v3o * pull) + (u3 * vwo + u3o * vw)) / 2,
+    )
+
+
+def _own_rate_dot_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows, omega_dot: Rows, table: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    z1, z2, z3, z1o, z2o, z3o = omega_dot
+    side, = table
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14 = scratch
+    n2, = numbers
+    vw = add(add(mul(v1, w1, k1), mul(v2, w2, k2), k1), mul(v3, w3, k2), k1)
+    u1 = div(add(add(w1, mul(sub(mul(w2, v3, k2), mul(w3, v2, k3), k2), side, k2), k2), mul(v1, vw, k3), k2), n2, k2)
+    u2 = div(add(add(w2, mul(sub(mul(w3, v1, k3), mul(w1, v3, k4), k3), side, k3), k3), mul(v2, vw, k4), k3), n2, k3)
+    u3 = div(add(add(w3, mul(sub(mul(w1, v2, k4), mul(w2, v1, k5), k4), side, k4), k4), mul(v3, vw, k5), k4), n2, k4)
+    pull = add(
+        add(add(mul(v1, z1, k5), mul(v2, z2, k6), k5), mul(v3, z3, k6), k5), add(add(mul(u1, w1, k6), mul(u2, w2, k7),
+        k6), mul(u3, w3, k7), k6), k5
+    )
+    div(
+        add(add(add(z1, mul(add(sub(mul(z2, v3, k6), mul(z3, v2, k7), k6), sub(mul(w2, u3, k7), mul(w3, u2, k8), k7),
+        k6), side, k6), k6), mul(v1, pull, k7), k6), mul(u1, vw, k7), k6), n2, o1
+    )
+    div(
+        add(add(add(z2, mul(add(sub(mul(z3, v1, k6), mul(z1, v3, k7), k6), sub(mul(w3, u1, k7), mul(w1, u3, k8), k7),
+        k6), side, k6), k6), mul(v2, pull, k7), k6), mul(u2, vw, k7), k6), n2, o2
+    )
+    div(
+        add(add(add(z3, mul(add(sub(mul(z1, v2, k6), mul(z2, v1, k7), k6), sub(mul(w1, u2, k7), mul(w2, u1, k8), k7),
+        k6), side, k6), k6), mul(v3, pull, k7), k6), mul(u3, vw, k7), k6), n2, o3
+    )
+    vwo = add(
+        add(add(mul(v1, w1o, k6), mul(v1o, w1, k7), k6), add(mul(v2, w2o, k7), mul(v2o, w2, k8), k7), k6), add(mul(v3,
+        w3o, k7), mul(v3o, w3, k8), k7), k6
+    )
+    u1o = div(
+        add(add(w1o, mul(sub(add(mul(w2, v3o, k7), mul(w2o, v3, k8), k7), add(mul(w3, v2o, k8), mul(w3o, v2, k9), k8),
+        k7), side, k7), k7), add(mul(v1, vwo, k8), mul(v1o, vw, k9), k8), k7), n2, k7
+    )
+    u2o = div(
+        add(add(w2o, mul(sub(add(mul(w3, v1o, k8), mul(w3o, v1, k9), k8), add(mul(w1, v3o, k9), mul(w1o, v3, k10), k9),
+        k8), side, k8), k8), add(mul(v2, vwo, k9), mul(v2o, vw, k10), k9), k8), n2, k8
+    )
+    u3o = div(
+        add(add(w3o, mul(sub(add(mul(w1, v2o, k9), mul(w1o, v2, k10), k9), add(mul(w2, v1o, k10), mul(w2o, v1, k11),
+        k10), k9), side, k9), k9), add(mul(v3, vwo, k10), mul(v3o, vw, k11), k10), k9), n2, k9
+    )
+    pullo = add(
+        add(add(add(mul(v1, z1o, k10), mul(v1o, z1, k11), k10), add(mul(v2, z2o, k11), mul(v2o, z2, k12), k11), k10),
+        add(mul(v3, z3o, k11), mul(v3o, z3, k12), k11), k10), add(add(add(mul(u1, w1o, k11), mul(u1o, w1, k12), k11),
+        add(mul(u2, w2o, k12), mul(u2o, w2, k13), k12), k11), add(mul(u3, w3o, k12), mul(u3o, w3, k13), k12), k11), k10
+    )
+    div(
+        add(add(add(z1o, mul(add(sub(add(mul(z2, v3o, k11), mul(z2o, v3, k12), k11), add(mul(z3, v2o, k12), mul(z3o, v2,
+        k13), k12), k11), sub(add(mul(w2, u3o, k12), mul(w2o, u3, k13), k12), add(mul(w3, u2o, k13), mul(w3o, u2, k14),
+        k13), k12), k11), side, k11), k11), add(mul(v1, pullo, k12), mul(v1o, pull, k13), k12), k11), add(mul(u1, vwo,
+        k12), mul(u1o, vw, k13), k12), k11), n2, o4
+    )
+    div(
+        add(add(add(z2o, mul(add(sub(add(mul(z3, v1o, k11), mul(z3o, v1, k12), k11), add(mul(z1, v3o, k12), mul(z1o, v3,
+        k13), k12), k11), sub(add(mul(w3, u1o, k12), mul(w3o, u1, k13), k12), add(mul(w1, u3o, k13), mul(w1o, u3, k14),
+        k13), k12), k11), side, k11), k11), add(mul(v2, pullo, k12), mul(v2o, pull, k13), k12), k11), add(mul(u2, vwo,
+        k12), mul(u2o, vw, k13), k12), k11), n2, o5
+    )
+    div(
+        add(add(add(z3o, mul(add(sub(add(mul(z1, v2o, k11), mul(z1o, v2, k12), k11), add(mul(z2, v1o, k12), mul(z2o, v1,
+        k13), k12), k11), sub(add(mul(w1, u2o, k8), mul(w1o, u2, k3), k3), add(mul(w2, u1o, k7), mul(w2o, u1, k2), k2),
+        k2), k2), side, k2), k2), add(mul(v3, pullo, k3), mul(v3o, pull, k5), k3), k2), add(mul(u3, vwo, k3), mul(u3o,
+        vw, k1), k1), k1), n2, o6
+    )
 
 
 # operations 149: 54 +, 89 *, 4 /, 2 neg
@@ -1164,6 +1422,420 @@ def _own_rate_jacobian_blocks(
     copy(o15, o36)
 
 
+# operations 135: 56 +, 71 *, 8 /
+def _own_compose(m: Any, c: Any, b: Components, a: Components) -> Result:
+    b1, b2, b3, b1o, b2o, b3o = b
+    a1, a2, a3, a1o, a2o, a3o = a
+    v11b = b1 * b1
+    v22b = b2 * b2
+    v33b = b3 * b3
+    xb = v11b + v22b + v33b
+    Nb = 1 + xb
+    rb = 2 * (Nb / Nb / Nb)
+    v11a = a1 * a1
+    v22a = a2 * a2
+    v33a = a3 * a3
+    xa = v11a + v22a + v33a
+    Na = 1 + xa
+    ra = 2 * (Na / Na / Na)
+    z0 = 1 - (b1 * a1 + b2 * a2 + b3 * a3)
+    z1 = a1 + b1 + (b2 * a3 - b3 * a2)
+    z2 = a2 + b2 + (b3 * a1 - b1 * a3)
+    z3 = a3 + b3 + (b1 * a2 - b2 * a1)
+    gva1 = a1 * ra
+    gva2 = a2 * ra
+    gva3 = a3 * ra
+    rhoa1 = a1o * ra + (gva2 * a3o - gva3 * a2o)
+    rhoa2 = a2o * ra + (gva3 * a1o - gva1 * a3o)
+    rhoa3 = a3o * ra + (gva1 * a2o - gva2 * a1o)
+    v_rho1 = b2 * rhoa3 - b3 * rhoa2
+    v_rho2 = b3 * rhoa1 - b1 * rhoa3
+    v_rho3 = b1 * rhoa2 - b2 * rhoa1
+    gv_rho1 = v_rho1 * rb
+    gv_rho2 = v_rho2 * rb
+    gv_rho3 = v_rho3 * rb
+    gvb1 = b1 * rb
+    gvb2 = b2 * rb
+    gvb3 = b3 * rb
+    rho1 = rhoa1 + (gv_rho1 + (b2 * gv_rho3 - b3 * gv_rho2)) + (b1o * rb + (gvb2 * b3o - gvb3 * b2o))
+    rho2 = rhoa2 + (gv_rho2 + (b3 * gv_rho1 - b1 * gv_rho3)) + (b2o * rb + (gvb3 * b1o - gvb1 * b3o))
+    rho3 = rhoa3 + (gv_rho3 + (b1 * gv_rho2 - b2 * gv_rho1)) + (b3o * rb + (gvb1 * b2o - gvb2 * b1o))
+    gain = 1 / z0
+    v1 = z1 * gain
+    v2 = z2 * gain
+    v3 = z3 * gain
+    hvr = v1 * rho1 + v2 * rho2 + v3 * rho3
+    return (
+        v1,
+        v2,
+        v3,
+        (rho1 - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
+        (rho2 - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
+        (rho3 - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
+    )
+
+
+def _own_compose_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, b: Rows, a: Rows
+) -> None:
+    b1, b2, b3, b1o, b2o, b3o = b
+    a1, a2, a3, a1o, a2o, a3o = a
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12 = scratch
+    n1, n2 = numbers
+    z1 = add(add(a1, b1, k1), sub(mul(b2, a3, k2), mul(b3, a2, k3), k2), k1)
+    z0 = sub(n1, add(add(mul(b1, a1, k2), mul(b2, a2, k3), k2), mul(b3, a3, k3), k2), k2)
+    gain = div(n1, z0, k2)
+    v1 = mul(z1, gain, o1)
+    z2 = add(add(a2, b2, k1), sub(mul(b3, a1, k3), mul(b1, a3, k4), k3), k1)
+    v2 = mul(z2, gain, o2)
+    z3 = add(add(a3, b3, k1), sub(mul(b1, a2, k3), mul(b2, a1, k4), k3), k1)
+    v3 = mul(z3, gain, o3)
+    v11a = mul(a1, a1, k1)
+    v22a = mul(a2, a2, k2)
+    v33a = mul(a3, a3, k3)
+    xa = add(add(v11a, v22a, k1), v33a, k1)
+    Na = add(n1, xa, k1)
+    ra = mul(n2, div(div(Na, Na, k2), Na, k1), k1)
+    gva1 = mul(a1, ra, k2)
+    gva2 = mul(a2, ra, k3)
+    rhoa3 = add(mul(a3o, ra, k4), sub(mul(gva1, a2o, k5), mul(gva2, a1o, k6), k5), k4)
+    gva3 = mul(a3, ra, k5)
+    rhoa2 = add(mul(a2o, ra, k6), sub(mul(gva3, a1o, k7), mul(gva1, a3o, k2), k2), k2)
+    rhoa1 = add(mul(a1o, ra, k1), sub(mul(gva2, a3o, k3), mul(gva3, a2o, k5), k3), k1)
+    v_rho1 = sub(mul(b2, rhoa3, k3), mul(b3, rhoa2, k5), k3)
+    v11b = mul(b1, b1, k5)
+    v22b = mul(b2, b2, k6)
+    v33b = mul(b3, b3, k7)
+    xb = add(add(v11b, v22b, k5), v33b, k5)
+    Nb = add(n1, xb, k5)
+    rb = mul(n2, div(div(Nb, Nb, k6), Nb, k5), k5)
+    gv_rho1 = mul(v_rho1, rb, k3)
+    v_rho3 = sub(mul(b1, rhoa2, k6), mul(b2, rhoa1, k7), k6)
+    gv_rho3 = mul(v_rho3, rb, k6)
+    v_rho2 = sub(mul(b3, rhoa1, k7), mul(b1, rhoa3, k8), k7)
+    gv_rho2 = mul(v_rho2, rb, k7)
+    gvb2 = mul(b2, rb, k8)
+    gvb3 = mul(b3, rb, k9)
+    rho1 = add(
+        add(rhoa1, add(gv_rho1, sub(mul(b2, gv_rho3, k10), mul(b3, gv_rho2, k11), k10), k10), k1), add(mul(b1o, rb,
+        k10), sub(mul(gvb2, b3o, k11), mul(gvb3, b2o, k12), k11), k10), k1
+    )
+    gvb1 = mul(b1, rb, k10)
+    rho2 = add(
+        add(rhoa2, add(gv_rho2, sub(mul(b3, gv_rho1, k11), mul(b1, gv_rho3, k12), k11), k11), k2), add(mul(b2o, rb,
+        k11), sub(mul(gvb3, b1o, k9), mul(gvb1, b3o, k12), k9), k9), k2
+    )
+    rho3 = add(
+        add(rhoa3, add(gv_rho3, sub(mul(b1, gv_rho2, k7), mul(b2, gv_rho1, k3), k3), k3), k3), add(mul(b3o, rb, k4),
+        sub(mul(gvb1, b2o, k5), mul(gvb2, b1o, k6), k5), k4), k3
+    )
+    hvr = add(add(mul(v1, rho1, k4), mul(v2, rho2, k5), k4), mul(v3, rho3, k5), k4)
+    div(add(sub(rho1, sub(mul(v2, rho3, k5), mul(v3, rho2, k6), k5), k5), mul(v1, hvr, k6), k5), n2, o4)
+    div(add(sub(rho2, sub(mul(v3, rho1, k5), mul(v1, rho3, k6), k5), k5), mul(v2, hvr, k6), k5), n2, o5)
+    div(add(sub(rho3, sub(mul(v1, rho2, k2), mul(v2, rho1, k1), k1), k1), mul(v3, hvr, k2), k1), n2, o6)
+
+
+# operations 141: 56 +, 71 *, 8 /, 6 neg
+def _own_between(m: Any, c: Any, a: Components, b: Components) -> Result:
+    a1, a2, a3, a1o, a2o, a3o = a
+    b1, b2, b3, b1o, b2o, b3o = b
+    minus_b1 = -b1
+    minus_b2 = -b2
+    minus_b3 = -b3
+    minus_b4 = -b1o
+    minus_b5 = -b2o
+    minus_b6 = -b3o
+    v11b = minus_b1 * minus_b1
+    v22b = minus_b2 * minus_b2
+    v33b = minus_b3 * minus_b3
+    xb = v11b + v22b + v33b
+    Nb = 1 + xb
+    rb = 2 * (Nb / Nb / Nb)
+    v11a = a1 * a1
+    v22a = a2 * a2
+    v33a = a3 * a3
+    xa = v11a + v22a + v33a
+    Na = 1 + xa
+    ra = 2 * (Na / Na / Na)
+    z0 = 1 - (minus_b1 * a1 + minus_b2 * a2 + minus_b3 * a3)
+    z1 = a1 + minus_b1 + (minus_b2 * a3 - minus_b3 * a2)
+    z2 = a2 + minus_b2 + (minus_b3 * a1 - minus_b1 * a3)
+    z3 = a3 + minus_b3 + (minus_b1 * a2 - minus_b2 * a1)
+    gva1 = a1 * ra
+    gva2 = a2 * ra
+    gva3 = a3 * ra
+    rhoa1 = a1o * ra + (gva2 * a3o - gva3 * a2o)
+    rhoa2 = a2o * ra + (gva3 * a1o - gva1 * a3o)
+    rhoa3 = a3o * ra + (gva1 * a2o - gva2 * a1o)
+    v_rho1 = minus_b2 * rhoa3 - minus_b3 * rhoa2
+    v_rho2 = minus_b3 * rhoa1 - minus_b1 * rhoa3
+    v_rho3 = minus_b1 * rhoa2 - minus_b2 * rhoa1
+    gv_rho1 = v_rho1 * rb
+    gv_rho2 = v_rho2 * rb
+    gv_rho3 = v_rho3 * rb
+    gvb1 = minus_b1 * rb
+    gvb2 = minus_b2 * rb
+    gvb3 = minus_b3 * rb
+    rho1 = (
+        rhoa1 + (gv_rho1 + (minus_b2 * gv_rho3 - minus_b3 * gv_rho2)) + (minus_b4 * rb + (gvb2 * minus_b6 - gvb3
+        * minus_b5))
+    )
+    rho2 = (
+        rhoa2 + (gv_rho2 + (minus_b3 * gv_rho1 - minus_b1 * gv_rho3)) + (minus_b5 * rb + (gvb3 * minus_b4 - gvb1
+        * minus_b6))
+    )
+    rho3 = (
+        rhoa3 + (gv_rho3 + (minus_b1 * gv_rho2 - minus_b2 * gv_rho1)) + (minus_b6 * rb + (gvb1 * minus_b5 - gvb2
+        * minus_b4))
+    )
+    gain = 1 / z0
+    v1 = z1 * gain
+    v2 = z2 * gain
+    v3 = z3 * gain
+    hvr = v1 * rho1 + v2 * rho2 + v3 * rho3
+    return (
+        v1,
+        v2,
+        v3,
+        (rho1 - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
+        (rho2 - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
+        (rho3 - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
+    )
+
+
+def _own_between_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, a: Rows, b: Rows
+) -> None:
+    a1, a2, a3, a1o, a2o, a3o = a
+    b1, b2, b3, b1o, b2o, b3o = b
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18 = scratch
+    n1, n2 = numbers
+    minus_b1 = neg(b1, k1)
+    minus_b2 = neg(b2, k2)
+    minus_b3 = neg(b3, k3)
+    z1 = add(add(a1, minus_b1, k4), sub(mul(minus_b2, a3, k5), mul(minus_b3, a2, k6), k5), k4)
+    z0 = sub(n1, add(add(mul(minus_b1, a1, k5), mul(minus_b2, a2, k6), k5), mul(minus_b3, a3, k6), k5), k5)
+    gain = div(n1, z0, k5)
+    v1 = mul(z1, gain, o1)
+    z2 = add(add(a2, minus_b2, k4), sub(mul(minus_b3, a1, k6), mul(minus_b1, a3, k7), k6), k4)
+    v2 = mul(z2, gain, o2)
+    z3 = add(add(a3, minus_b3, k4), sub(mul(minus_b1, a2, k6), mul(minus_b2, a1, k7), k6), k4)
+    v3 = mul(z3, gain, o3)
+    v11a = mul(a1, a1, k4)
+    v22a = mul(a2, a2, k5)
+    v33a = mul(a3, a3, k6)
+    xa = add(add(v11a, v22a, k4), v33a, k4)
+    Na = add(n1, xa, k4)
+    ra = mul(n2, div(div(Na, Na, k5), Na, k4), k4)
+    gva1 = mul(a1, ra, k5)
+    gva2 = mul(a2, ra, k6)
+    rhoa3 = add(mul(a3o, ra, k7), sub(mul(gva1, a2o, k8), mul(gva2, a1o, k9), k8), k7)
+    gva3 = mul(a3, ra, k8)
+    rhoa2 = add(mul(a2o, ra, k9), sub(mul(gva3, a1o, k10), mul(gva1, a3o, k5), k5), k5)
+    rhoa1 = add(mul(a1o, ra, k4), sub(mul(gva2, a3o, k6), mul(gva3, a2o, k8), k6), k4)
+    v_rho1 = sub(mul(minus_b2, rhoa3, k6), mul(minus_b3, rhoa2, k8), k6)
+    v11b = mul(minus_b1, minus_b1, k8)
+    v22b = mul(minus_b2, minus_b2, k9)
+    v33b = mul(minus_b3, minus_b3, k10)
+    xb = add(add(v11b, v22b, k8), v33b, k8)
+    Nb = add(n1, xb, k8)
+    rb = mul(n2, div(div(Nb, Nb, k9), Nb, k8), k8)
+    gv_rho1 = mul(v_rho1, rb, k6)
+    v_rho3 = sub(mul(minus_b1, rhoa2, k9), mul(minus_b2, rhoa1, k10), k9)
+    gv_rho3 = mul(v_rho3, rb, k9)
+    v_rho2 = sub(mul(minus_b3, rhoa1, k10), mul(minus_b1, rhoa3, k11), k10)
+    gv_rho2 = mul(v_rho2, rb, k10)
+    gvb2 = mul(minus_b2, rb, k11)
+    gvb3 = mul(minus_b3, rb, k12)
+    minus_b4 = neg(b1o, k13)
+    minus_b6 = neg(b3o, k14)
+    minus_b5 = neg(b2o, k15)
+    rho1 = add(
+        add(rhoa1, add(gv_rho1, sub(mul(minus_b2, gv_rho3, k16), mul(minus_b3, gv_rho2, k17), k16), k16), k4),
+        add(mul(minus_b4, rb, k16), sub(mul(gvb2, minus_b6, k17), mul(gvb3, minus_b5, k18), k17), k16), k4
+    )
+    gvb1 = mul(minus_b1, rb, k16)
+    rho2 = add(
+        add(rhoa2, add(gv_rho2, sub(mul(minus_b3, gv_rho1, k3), mul(minus_b1, gv_rho3, k17), k3), k3), k3),
+        add(mul(minus_b5, rb, k5), sub(mul(gvb3, minus_b4, k12), mul(gvb1, minus_b6, k17), k12), k5), k3
+    )
+    rho3 = add(
+        add(rhoa3, add(gv_rho3, sub(mul(minus_b1, gv_rho2, k1), mul(minus_b2, gv_rho1, k2), k1), k1), k1),
+        add(mul(minus_b6, rb, k2), sub(mul(gvb1, minus_b5, k5), mul(gvb2, minus_b4, k6), k5), k2), k1
+    )
+    hvr = add(add(mul(v1, rho1, k2), mul(v2, rho2, k5), k2), mul(v3, rho3, k5), k2)
+    div(add(sub(rho1, sub(mul(v2, rho3, k5), mul(v3, rho2, k6), k5), k5), mul(v1, hvr, k6), k5), n2, o4)
+    div(add(sub(rho2, sub(mul(v3, rho1, k5), mul(v1, rho3, k6), k5), k5), mul(v2, hvr, k6), k5), n2, o5)
+    div(add(sub(rho3, sub(mul(v1, rho2, k3), mul(v2, rho1, k4), k3), k1), mul(v3, hvr, k2), k1), n2, o6)
+
+
+# operations 134: 58 +, 63 *, 3 /, 10 neg
+def _own_transform_point_jacobians(m: Any, c: Any, v: Components, r: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    r1, r2, r3 = r
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x12 = v11 + v22
+    x = x12 + v33
+    N = 1 + x
+    r_ = 2 * (N / N / N)
+    e = 2 / N
+    eg = e * r_
+    fy = -eg
+    gv1 = v1 * r_
+    gv2 = v2 * r_
+    gv3 = v3 * r_
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    v1o_r_ = v1o * r_
+    v2o_r_ = v2o * r_
+    v3o_r_ = v3o * r_
+    v_r1 = v2 * r3 - v3 * r2
+    v_r2 = v3 * r1 - v1 * r3
+    v_r3 = v1 * r2 - v2 * r1
+    gv_r1 = v_r1 * r_
+    gv_r2 = v_r2 * r_
+    gv_r3 = v_r3 * r_
+    moved1 = r1 + (gv_r1 + (v2 * gv_r3 - v3 * gv_r2)) + (v1o_r_ + (gv2 * v3o - gv3 * v2o))
+    moved2 = r2 + (gv_r2 + (v3 * gv_r1 - v1 * gv_r3)) + (v2o_r_ + (gv3 * v1o - gv1 * v3o))
+    moved3 = r3 + (gv_r3 + (v1 * gv_r2 - v2 * gv_r1)) + (v3o_r_ + (gv1 * v2o - gv2 * v1o))
+    fo = fy * y
+    gvo1 = v1o_r_ + v1 * fo
+    gvo2 = v2o_r_ + v2 * fo
+    gvo3 = v3o_r_ + v3 * fo
+    T12 = -gv3
+    T23 = -gv1
+    T31 = -gv2
+    T12o = -gvo3
+    T23o = -gvo1
+    T31o = -gvo2
+    minus_moved3 = -moved3
+    minus_moved1 = -moved1
+    minus_moved2 = -moved2
+    x23 = v22 + v33
+    x13 = v11 + v33
+    gvv1 = gv1 * v2
+    gvv2 = gv1 * v3
+    gvv3 = gv2 * v3
+    return (
+        fo - (minus_moved3 * gv3 + moved2 * T31),
+        T12o - (minus_moved3 * r_ + moved2 * gv1),
+        gvo2 - (minus_moved3 * T23 + moved2 * r_),
+        r_,
+        T12,
+        gv2,
+        gvo3 - (moved3 * r_ + minus_moved1 * T31),
+        fo - (moved3 * T12 + minus_moved1 * gv1),
+        T23o - (moved3 * gv2 + minus_moved1 * r_),
+        gv3,
+        r_,
+        T23,
+        T31o - (minus_moved2 * r_ + moved1 * gv3),
+        gvo1 - (minus_moved2 * T12 + moved1 * r_),
+        fo - (minus_moved2 * gv2 + moved1 * T23),
+        T31,
+        gv1,
+        r_,
+        1 - r_ * x23,
+        gvv1 - gv3,
+        gvv2 + gv2,
+        gvv1 + gv3,
+        1 - r_ * x13,
+        gvv3 - gv1,
+        gvv2 - gv2,
+        gvv3 + gv1,
+        1 - r_ * x12,
+    )
+
+
+def _own_transform_point_jacobians_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, r: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    r1, r2, r3 = r
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27,
+    ) = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11 = scratch
+    n1, n2 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    x12 = add(v11, v22, k3)
+    v33 = mul(v3, v3, k4)
+    x23 = add(v22, v33, k2)
+    x13 = add(v11, v33, k1)
+    x = add(x12, v33, k4)
+    N = add(n1, x, k4)
+    r_ = mul(n2, div(div(N, N, k5), N, k5), o4)
+    sub(n1, mul(r_, x23, k2), o19)
+    sub(n1, mul(r_, x13, k1), o23)
+    sub(n1, mul(r_, x12, k1), o27)
+    gv1 = mul(v1, r_, o17)
+    gv2 = mul(v2, r_, o6)
+    gv3 = mul(v3, r_, o10)
+    e = div(n2, N, k1)
+    eg = mul(e, r_, k1)
+    fy = neg(eg, k1)
+    T31 = neg(gv2, o16)
+    T23 = neg(gv1, o12)
+    T12 = neg(gv3, o5)
+    v_r3 = sub(mul(v1, r2, k2), mul(v2, r1, k3), k2)
+    gv_r3 = mul(v_r3, r_, k2)
+    v_r2 = sub(mul(v3, r1, k3), mul(v1, r3, k4), k3)
+    gv_r2 = mul(v_r2, r_, k3)
+    v_r1 = sub(mul(v2, r3, k4), mul(v3, r2, k5), k4)
+    gv_r1 = mul(v_r1, r_, k4)
+    v3o_r_ = mul(v3o, r_, k5)
+    moved3 = add(
+        add(r3, add(gv_r3, sub(mul(v1, gv_r2, k6), mul(v2, gv_r1, k7), k6), k6), k6), add(v3o_r_, sub(mul(gv1, v2o, k7),
+        mul(gv2, v1o, k8), k7), k7), k6
+    )
+    minus_moved3 = neg(moved3, k7)
+    v2o_r_ = mul(v2o, r_, k8)
+    moved2 = add(
+        add(r2, add(gv_r2, sub(mul(v3, gv_r1, k9), mul(v1, gv_r3, k10), k9), k9), k9), add(v2o_r_, sub(mul(gv3, v1o,
+        k10), mul(gv1, v3o, k11), k10), k10), k9
+    )
+    y = add(add(mul(v1, v1o, k10), mul(v2, v2o, k11), k10), mul(v3, v3o, k11), k10)
+    fo = mul(fy, y, k1)
+    sub(fo, add(mul(minus_moved3, gv3, k10), mul(moved2, T31, k11), k10), o1)
+    gvo3 = add(v3o_r_, mul(v3, fo, k10), k5)
+    gvo2 = add(v2o_r_, mul(v2, fo, k10), k8)
+    sub(gvo2, add(mul(minus_moved3, T23, k10), mul(moved2, r_, k11), k10), o3)
+    T31o = neg(gvo2, k8)
+    T12o = neg(gvo3, k10)
+    sub(T12o, add(mul(minus_moved3, r_, k7), mul(moved2, gv1, k11), k7), o2)
+    minus_moved2 = neg(moved2, k7)
+    v1o_r_ = mul(v1o, r_, k9)
+    moved1 = add(
+        add(r1, add(gv_r1, sub(mul(v2, gv_r3, k2), mul(v3, gv_r2, k3), k2), k2), k2), add(v1o_r_, sub(mul(gv2, v3o, k3),
+        mul(gv3, v2o, k4), k3), k3), k2
+    )
+    sub(T31o, add(mul(minus_moved2, r_, k3), mul(moved1, gv3, k4), k3), o13)
+    gvo1 = add(v1o_r_, mul(v1, fo, k3), k3)
+    sub(gvo1, add(mul(minus_moved2, T12, k4), mul(moved1, r_, k8), k4), o14)
+    sub(fo, add(mul(minus_moved2, gv2, k4), mul(moved1, T23, k7), k4), o15)
+    minus_moved1 = neg(moved1, k2)
+    sub(gvo3, add(mul(moved3, r_, k4), mul(minus_moved1, T31, k7), k4), o7)
+    sub(fo, add(mul(moved3, T12, k4), mul(minus_moved1, gv1, k5), k4), o8)
+    T23o = neg(gvo1, k1)
+    sub(T23o, add(mul(moved3, gv2, k3), mul(minus_moved1, r_, k2), k2), o9)
+    gvv1 = mul(gv1, v2, k1)
+    sub(gvv1, gv3, o20)
+    add(gvv1, gv3, o22)
+    gvv2 = mul(gv1, v3, k1)
+    add(gvv2, gv2, o21)
+    sub(gvv2, gv2, o25)
+    gvv3 = mul(gv2, v3, k1)
+    sub(gvv3, gv1, o24)
+    add(gvv3, gv1, o26)
+    copy(o4, o11)
+    copy(o4, o18)
+
+
 CHART = Chart(
     __name__,
     branches=1,
@@ -1181,7 +1853,6 @@ CHART = Chart(
         "tangent": Function(_tangent, _tangent_blocks, 0, 0, (0, 1, 2)),
         "inverse": Function(_inverse, _inverse_blocks, 0, 0, (1,)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 0, 0, (0, 1)),
-        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 0, 0, (0, 1)),
         "ray": Function(_ray, _ray_blocks, 1, 0, (0, 1, 2)),
         "gain_unit": Function(_gain_unit, _gain_unit_blocks, 0, 0, (1,)),
         "gain_positive": Function(_gain_positive, _gain_positive_blocks, 0, 0, (1,)),
@@ -1191,6 +1862,17 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 2)),
     },
     own={
+        "pose": Kernel(
+        _own_pose,
+        _own_pose_blocks,
+        (("v", (6,)),),
+        (4, 4),
+        registers=6,
+        masks=0,
+        numbers=(0, 1, 2),
+        lent=(),
+        real=False,
+    ),
         "tangent": Kernel(
         _own_tangent,
         _own_tangent_blocks,
@@ -1235,6 +1917,17 @@ CHART = Chart(
         lent=(),
         real=False,
     ),
+        "twist": Kernel(
+        _own_twist,
+        _own_twist_blocks,
+        (("v", (6,)), ("v_dot", (6,)),),
+        (6,),
+        registers=11,
+        masks=0,
+        numbers=(1, 2),
+        lent=(),
+        real=False,
+    ),
         "tangent_dot": Kernel(
         _own_tangent_dot,
         _own_tangent_dot_blocks,
@@ -1254,6 +1947,17 @@ CHART = Chart(
         registers=12,
         masks=0,
         numbers=(1, 2),
+        lent=(),
+        real=False,
+    ),
+        "rate_dot": Kernel(
+        _own_rate_dot,
+        _own_rate_dot_blocks,
+        (("v", (6,)), ("omega", (6,)), ("omega_dot", (6,)),),
+        (6,),
+        registers=14,
+        masks=0,
+        numbers=(2,),
         lent=(),
         real=False,
     ),
@@ -1279,8 +1983,41 @@ CHART = Chart(
         lent=(),
         real=False,
     ),
+        "compose": Kernel(
+        _own_compose,
+        _own_compose_blocks,
+        (("v2", (6,)), ("v1", (6,)),),
+        (6,),
+        registers=12,
+        masks=0,
+        numbers=(1, 2),
+        lent=(),
+        real=True,
+    ),
+        "between": Kernel(
+        _own_between,
+        _own_between_blocks,
+        (("v2", (6,)), ("v1", (6,)),),
+        (6,),
+        registers=18,
+        masks=0,
+        numbers=(1, 2),
+        lent=(),
+        real=True,
+    ),
+        "transform_point_jacobians": Kernel(
+        _own_transform_point_jacobians,
+        _own_transform_point_jacobians_blocks,
+        (("v", (6,)), ("r", (3,)),),
+        (27,),
+        registers=11,
+        masks=0,
+        numbers=(1, 2),
+        lent=(),
+        real=False,
+    ),
     },
-    programs="8bfca155c3e5c05c",
+    programs="6ba75c1c3ffa9a32",
 )
 
 KERNELS = PoseKernels(CHART)
@@ -1296,6 +2033,7 @@ body_rate = KERNELS.body_rate
 body_rate_dot = KERNELS.body_rate_dot
 body_rate_jacobian = KERNELS.body_rate_jacobian
 body_retract = KERNELS.body_retract
+body_retract_jacobians = KERNELS.body_retract_jacobians
 body_tangent = KERNELS.body_tangent
 body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
@@ -1313,6 +2051,7 @@ from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
+interpolate = KERNELS.interpolate
 inverse = KERNELS.inverse
 local = KERNELS.local
 pose = KERNELS.pose
@@ -1323,7 +2062,9 @@ rate = KERNELS.rate
 rate_dot = KERNELS.rate_dot
 rate_jacobian = KERNELS.rate_jacobian
 retract = KERNELS.retract
+retract_jacobians = KERNELS.retract_jacobians
 shadow = KERNELS.shadow
+shadow_jacobian = KERNELS.shadow_jacobian
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent
 tangent_dot = KERNELS.tangent_dot

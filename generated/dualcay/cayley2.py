@@ -70,14 +70,14 @@
 #   transform_line: 117: 45 +, 70 *, 2 /
 #   inverse: 6: 6 neg
 #   tangent: 94: 38 +, 52 *, 3 /, 1 neg
-#   tangent_inv: 69: 29 +, 24 *, 15 /, 1 neg
+#   tangent_inv: 79: 34 +, 35 *, 10 /
 #   body_tangent: 94: 38 +, 52 *, 3 /, 1 neg
-#   body_tangent_inv: 69: 29 +, 24 *, 15 /, 1 neg
+#   body_tangent_inv: 79: 34 +, 35 *, 10 /
 #   twist: 128: 49 +, 75 *, 3 /, 1 neg
-#   rate: 109: 43 +, 65 *, 1 /
+#   rate: 111: 45 +, 65 *, 1 /
 #   tangent_dot: 199: 78 +, 114 *, 6 /, 1 neg
 #   twist_dot: 227: 91 +, 131 *, 4 /, 1 neg
-#   rate_dot: 332: 138 +, 181 *, 13 /
+#   rate_dot: 334: 140 +, 181 *, 13 /
 #   twist_jacobian: 276: 113 +, 157 *, 4 /, 2 neg
 #   rate_jacobian: 151: 61 +, 69 *, 15 /, 6 neg
 #   from_quaternion: 71: 24 +, 38 *, 5 /, 1 neg, 1 lt, 2 where
@@ -88,15 +88,20 @@
 #   angle: 60: 14 +, 19 *, 8 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
 #   turn: 70: 16 +, 28 *, 11 /, 6 abs, 1 sqrt, 2 eq, 6 where
 #   shadow: 93: 25 +, 37 *, 12 /, 6 abs, 1 sqrt, 2 lt, 2 eq, 8 where
+#   identity_jacobian: 12: 12 +
+#   shadow_jacobian: 159: 46 +, 72 *, 20 /, 2 neg, 6 abs, 1 sqrt, 2 lt, 2 eq, 8 where
 #   principal: 55: 15 +, 23 *, 8 /, 1 sqrt, 1 lt, 7 where
 #   compose: 207: 74 +, 120 *, 9 /, 1 neg, 1 lt, 2 where
 #   between: 213: 74 +, 120 *, 9 /, 7 neg, 1 lt, 2 where
-#   compose_jacobians: 959: 381 +, 514 *, 52 /, 9 neg, 1 lt, 2 where
-#   between_jacobians: 983: 381 +, 514 *, 52 /, 33 neg, 1 lt, 2 where
-#   retract: 297: 98 +, 146 *, 29 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
-#   body_retract: 297: 98 +, 146 *, 29 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+#   compose_jacobians: 961: 383 +, 514 *, 52 /, 9 neg, 1 lt, 2 where
+#   between_jacobians: 985: 383 +, 514 *, 52 /, 33 neg, 1 lt, 2 where
+#   retract: 302: 100 +, 146 *, 29 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   body_retract: 302: 100 +, 146 *, 29 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   retract_jacobians: 1063: 414 +, 541 *, 73 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   body_retract_jacobians: 1063: 414 +, 541 *, 73 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 292: 94 +, 148 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 292: 94 +, 148 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+#   interpolate: 642: 205 +, 313 *, 52 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 6 lt, 5 eq, 1 or, 33 where
 #   adjoint: 92: 35 +, 55 *, 2 /
 #   transform_point_jacobians: 208: 91 +, 110 *, 3 /, 4 neg
 #   transform_line_jacobians: 307: 124 +, 173 *, 3 /, 7 neg
@@ -131,13 +136,13 @@ from ._kernel import Components, Kernel, Result, Rows, absolute, add, atan2, cop
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
-    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_tangent", "body_tangent_dot",
-    "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians",
-    "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_pose", "from_quaternion", "from_screw", "from_tensor",
-    "identity", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian",
-    "retract", "shadow", "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw",
-    "transform_line", "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot",
-    "twist_jacobian",
+    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
+    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_pose", "from_quaternion",
+    "from_screw", "from_tensor", "identity", "interpolate", "inverse", "local", "pose", "principal", "quaternion",
+    "random", "rate", "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
+    "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 2
@@ -277,6 +282,26 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     return o1, o2, o3, o4, o5, o6, o7, o8, o9
 
 
+# operations 5: 1 +, 1 *, 2 /, 1 neg
+def _rate(m: Any, x: Any) -> Result:
+    x1 = 1 + x
+    e = 4 / x1
+    ee = 2 * e / x1
+    ey = -ee
+    return e, ey
+
+
+def _rate_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2 = out
+    k1, *_ = scratch
+    n1, n2, n4 = numbers
+    x1 = add(n1, x, o2)
+    e = div(n4, x1, o1)
+    ee = div(mul(n2, e, k1), x1, o2)
+    neg(ee, o2)
+    return o1, o2
+
+
 # operations 2: 1 +, 1 /
 def _inverse(m: Any, x: Any, fe: Any) -> Result:
     p = 1 - x
@@ -292,34 +317,38 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, n1
 
 
-# operations 2: 1 +, 1 /
+# operations 4: 3 +, 1 /
 def _tangent_inv(m: Any, x: Any) -> Result:
     p = 1 - x
     fi = p / 2
-    return fi, 1, -1, 0
+    one = x - x + 1
+    return fi, one, -1, 0
 
 
 def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, _, _, _ = out
+    o1, o2, _, _ = out
     n_minus_1, n0, n1, n2 = numbers
     p = sub(n1, x, o1)
     div(p, n2, o1)
-    return o1, n1, n_minus_1, n0
+    add(sub(x, x, o2), n1, o2)
+    return o1, o2, n_minus_1, n0
 
 
-# operations 2: 1 +, 1 /
+# operations 4: 3 +, 1 /
 def _tangent_inv_dot(m: Any, x: Any) -> Result:
     p = 1 - x
     fi = p / 2
-    return fi, 1, -1, 0, 0, 0
+    one = x - x + 1
+    return fi, one, -1, 0, 0, 0
 
 
 def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, _, _, _, _, _ = out
+    o1, o2, _, _, _, _ = out
     n_minus_1, n0, n1, n2 = numbers
     p = sub(n1, x, o1)
     div(p, n2, o1)
-    return o1, n1, n_minus_1, n0, n0, n0
+    add(sub(x, x, o2), n1, o2)
+    return o1, o2, n_minus_1, n0, n0, n0
 
 
 # operations 11: 3 +, 6 *, 2 /
@@ -527,222 +556,6 @@ def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
 # --- geometry that does with less here than for any chart ---------------------------------------------------------
 
 
-# operations 69: 29 +, 24 *, 15 /, 1 neg
-def _own_tangent_inv(m: Any, c: Any, v: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    p = 1 - x
-    fi = p / 2
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    yh = y / 2
-    s1 = v1 / -2
-    s2 = v2 / -2
-    s3 = v3 / -2
-    so1 = v1o / -2
-    so2 = v2o / -2
-    so3 = v3o / -2
-    fih = fi / 2
-    fio = -yh
-    cv1 = v1 / 2
-    cv2 = v2 / 2
-    cv3 = v3 / 2
-    cvo1 = v1o / 2
-    cvo2 = v2o / 2
-    cvo3 = v3o / 2
-    d12 = cv1 * v2
-    d13 = cv1 * v3
-    d23 = cv2 * v3
-    d12o = cv1 * v2o + cvo1 * v2
-    d13o = cv1 * v3o + cvo1 * v3
-    d23o = cv2 * v3o + cvo2 * v3
-    return (
-        fih + cv1 * v1,
-        d12 - s3,
-        d13 + s2,
-        d12 + s3,
-        fih + cv2 * v2,
-        d23 - s1,
-        d13 - s2,
-        d23 + s1,
-        fih + cv3 * v3,
-        fio + (cv1 * v1o + cvo1 * v1),
-        d12o - so3,
-        d13o + so2,
-        d12o + so3,
-        fio + (cv2 * v2o + cvo2 * v2),
-        d23o - so1,
-        d13o - so2,
-        d23o + so1,
-        fio + (cv3 * v3o + cvo3 * v3),
-    )
-
-
-def _own_tangent_inv_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
-    k1, k2, k3, k4, k5, k6, k7 = scratch
-    n_minus_2, n1, n2 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    p = sub(n1, x, k1)
-    fi = div(p, n2, k1)
-    fih = div(fi, n2, k1)
-    cv1 = div(v1, n2, k2)
-    add(fih, mul(cv1, v1, k3), o1)
-    d12 = mul(cv1, v2, k3)
-    s3 = div(v3, n_minus_2, k4)
-    sub(d12, s3, o2)
-    add(d12, s3, o4)
-    d13 = mul(cv1, v3, k3)
-    s2 = div(v2, n_minus_2, k4)
-    add(d13, s2, o3)
-    sub(d13, s2, o7)
-    cv2 = div(v2, n2, k3)
-    add(fih, mul(cv2, v2, k4), o5)
-    d23 = mul(cv2, v3, k4)
-    s1 = div(v1, n_minus_2, k5)
-    sub(d23, s1, o6)
-    add(d23, s1, o8)
-    cv3 = div(v3, n2, k4)
-    add(fih, mul(cv3, v3, k5), o9)
-    y = add(add(mul(v1, v1o, k1), mul(v2, v2o, k5), k1), mul(v3, v3o, k5), k1)
-    yh = div(y, n2, k1)
-    fio = neg(yh, k1)
-    cvo1 = div(v1o, n2, k5)
-    add(fio, add(mul(cv1, v1o, k6), mul(cvo1, v1, k7), k6), o10)
-    d12o = add(mul(cv1, v2o, k6), mul(cvo1, v2, k7), k6)
-    d13o = add(mul(cv1, v3o, k2), mul(cvo1, v3, k5), k2)
-    so3 = div(v3o, n_minus_2, k5)
-    sub(d12o, so3, o11)
-    add(d12o, so3, o13)
-    so2 = div(v2o, n_minus_2, k5)
-    add(d13o, so2, o12)
-    sub(d13o, so2, o16)
-    cvo2 = div(v2o, n2, k2)
-    add(fio, add(mul(cv2, v2o, k5), mul(cvo2, v2, k6), k5), o14)
-    d23o = add(mul(cv2, v3o, k3), mul(cvo2, v3, k2), k2)
-    so1 = div(v1o, n_minus_2, k3)
-    sub(d23o, so1, o15)
-    add(d23o, so1, o17)
-    cvo3 = div(v3o, n2, k2)
-    add(fio, add(mul(cv3, v3o, k3), mul(cvo3, v3, k2), k2), o18)
-
-
-# operations 69: 29 +, 24 *, 15 /, 1 neg
-def _own_body_tangent_inv(m: Any, c: Any, v: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    p = 1 - x
-    fi = p / 2
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    yh = y / 2
-    s1 = v1 / -2
-    s2 = v2 / -2
-    s3 = v3 / -2
-    so1 = v1o / -2
-    so2 = v2o / -2
-    so3 = v3o / -2
-    fih = fi / 2
-    fio = -yh
-    cv1 = v1 / 2
-    cv2 = v2 / 2
-    cv3 = v3 / 2
-    cvo1 = v1o / 2
-    cvo2 = v2o / 2
-    cvo3 = v3o / 2
-    d12 = cv1 * v2
-    d13 = cv1 * v3
-    d23 = cv2 * v3
-    d12o = cv1 * v2o + cvo1 * v2
-    d13o = cv1 * v3o + cvo1 * v3
-    d23o = cv2 * v3o + cvo2 * v3
-    return (
-        fih + cv1 * v1,
-        d12 + s3,
-        d13 - s2,
-        d12 - s3,
-        fih + cv2 * v2,
-        d23 + s1,
-        d13 + s2,
-        d23 - s1,
-        fih + cv3 * v3,
-        fio + (cv1 * v1o + cvo1 * v1),
-        d12o + so3,
-        d13o - so2,
-        d12o - so3,
-        fio + (cv2 * v2o + cvo2 * v2),
-        d23o + so1,
-        d13o + so2,
-        d23o - so1,
-        fio + (cv3 * v3o + cvo3 * v3),
-    )
-
-
-def _own_body_tangent_inv_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
-    k1, k2, k3, k4, k5, k6, k7 = scratch
-    n_minus_2, n1, n2 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    p = sub(n1, x, k1)
-    fi = div(p, n2, k1)
-    fih = div(fi, n2, k1)
-    cv1 = div(v1, n2, k2)
-    add(fih, mul(cv1, v1, k3), o1)
-    d12 = mul(cv1, v2, k3)
-    s3 = div(v3, n_minus_2, k4)
-    add(d12, s3, o2)
-    sub(d12, s3, o4)
-    d13 = mul(cv1, v3, k3)
-    s2 = div(v2, n_minus_2, k4)
-    sub(d13, s2, o3)
-    add(d13, s2, o7)
-    cv2 = div(v2, n2, k3)
-    add(fih, mul(cv2, v2, k4), o5)
-    d23 = mul(cv2, v3, k4)
-    s1 = div(v1, n_minus_2, k5)
-    add(d23, s1, o6)
-    sub(d23, s1, o8)
-    cv3 = div(v3, n2, k4)
-    add(fih, mul(cv3, v3, k5), o9)
-    y = add(add(mul(v1, v1o, k1), mul(v2, v2o, k5), k1), mul(v3, v3o, k5), k1)
-    yh = div(y, n2, k1)
-    fio = neg(yh, k1)
-    cvo1 = div(v1o, n2, k5)
-    add(fio, add(mul(cv1, v1o, k6), mul(cvo1, v1, k7), k6), o10)
-    d12o = add(mul(cv1, v2o, k6), mul(cvo1, v2, k7), k6)
-    d13o = add(mul(cv1, v3o, k2), mul(cvo1, v3, k5), k2)
-    so3 = div(v3o, n_minus_2, k5)
-    add(d12o, so3, o11)
-    sub(d12o, so3, o13)
-    so2 = div(v2o, n_minus_2, k5)
-    sub(d13o, so2, o12)
-    add(d13o, so2, o16)
-    cvo2 = div(v2o, n2, k2)
-    add(fio, add(mul(cv2, v2o, k5), mul(cvo2, v2, k6), k5), o14)
-    d23o = add(mul(cv2, v3o, k3), mul(cvo2, v3, k2), k2)
-    so1 = div(v1o, n_minus_2, k3)
-    add(d23o, so1, o15)
-    sub(d23o, so1, o17)
-    cvo3 = div(v3o, n2, k2)
-    add(fio, add(mul(cv3, v3o, k3), mul(cvo3, v3, k2), k2), o18)
-
-
 # operations 151: 61 +, 69 *, 15 /, 6 neg
 def _own_rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
@@ -922,6 +735,7 @@ CHART = Chart(
         "pose": Function(_pose, _pose_blocks, 1, 0, (1, 2, 4)),
         "tangent": Function(_tangent, _tangent_blocks, 0, 0, (1, 2, 4)),
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 1, 0, (1, 2, 4)),
+        "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2, 4)),
         "inverse": Function(_inverse, _inverse_blocks, 0, 0, (1, 2)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 0, 0, (-1, 0, 1, 2)),
         "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 0, 0, (-1, 0, 1, 2)),
@@ -937,28 +751,6 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 4)),
     },
     own={
-        "tangent_inv": Kernel(
-        _own_tangent_inv,
-        _own_tangent_inv_blocks,
-        (("v", (6,)),),
-        (2, 3, 3),
-        registers=7,
-        masks=0,
-        numbers=(-2, 1, 2),
-        lent=(),
-        real=False,
-    ),
-        "body_tangent_inv": Kernel(
-        _own_body_tangent_inv,
-        _own_body_tangent_inv_blocks,
-        (("v", (6,)),),
-        (2, 3, 3),
-        registers=7,
-        masks=0,
-        numbers=(-2, 1, 2),
-        lent=(),
-        real=False,
-    ),
         "rate_jacobian": Kernel(
         _own_rate_jacobian,
         _own_rate_jacobian_blocks,
@@ -971,7 +763,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="f9611cd0b5f8e846",
+    programs="9705ed858317f65d",
 )
 
 KERNELS = PoseKernels(CHART)
@@ -987,6 +779,7 @@ body_rate = KERNELS.body_rate
 body_rate_dot = KERNELS.body_rate_dot
 body_rate_jacobian = KERNELS.body_rate_jacobian
 body_retract = KERNELS.body_retract
+body_retract_jacobians = KERNELS.body_retract_jacobians
 body_tangent = KERNELS.body_tangent
 body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
@@ -1004,6 +797,7 @@ from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
+interpolate = KERNELS.interpolate
 inverse = KERNELS.inverse
 local = KERNELS.local
 pose = KERNELS.pose
@@ -1014,7 +808,9 @@ rate = KERNELS.rate
 rate_dot = KERNELS.rate_dot
 rate_jacobian = KERNELS.rate_jacobian
 retract = KERNELS.retract
+retract_jacobians = KERNELS.retract_jacobians
 shadow = KERNELS.shadow
+shadow_jacobian = KERNELS.shadow_jacobian
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent
 tangent_dot = KERNELS.tangent_dot

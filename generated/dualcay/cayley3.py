@@ -85,15 +85,20 @@
 #   angle: 64: 15 +, 22 *, 8 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
 #   turn: 70: 16 +, 28 *, 11 /, 6 abs, 1 sqrt, 2 eq, 6 where
 #   shadow: 103: 26 +, 38 *, 12 /, 1 neg, 7 abs, 1 sqrt, 4 lt, 3 eq, 1 and, 1 or, 9 where
+#   identity_jacobian: 12: 12 +
+#   shadow_jacobian: 169: 47 +, 73 *, 20 /, 3 neg, 7 abs, 1 sqrt, 4 lt, 3 eq, 1 and, 1 or, 9 where
 #   principal: 55: 15 +, 23 *, 8 /, 1 sqrt, 1 lt, 7 where
 #   compose: 233: 77 +, 133 *, 12 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   between: 239: 77 +, 133 *, 12 /, 7 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   compose_jacobians: 1014: 391 +, 546 *, 57 /, 10 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   between_jacobians: 1038: 391 +, 546 *, 57 /, 34 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   retract: 306: 100 +, 152 *, 30 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
-#   body_retract: 306: 100 +, 152 *, 30 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+#   retract: 311: 102 +, 152 *, 30 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   body_retract: 311: 102 +, 152 *, 30 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   retract_jacobians: 1091: 419 +, 560 *, 76 /, 8 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   body_retract_jacobians: 1091: 419 +, 560 *, 76 /, 8 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 298: 94 +, 154 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 298: 94 +, 154 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+#   interpolate: 654: 207 +, 322 *, 53 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 6 lt, 5 eq, 1 or, 33 where
 #   adjoint: 96: 36 +, 58 *, 2 /
 #   transform_point_jacobians: 216: 93 +, 116 *, 3 /, 4 neg
 #   transform_line_jacobians: 315: 126 +, 179 *, 3 /, 7 neg
@@ -128,13 +133,13 @@ from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, su
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
-    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_tangent", "body_tangent_dot",
-    "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians",
-    "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_pose", "from_quaternion", "from_screw", "from_tensor",
-    "identity", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian",
-    "retract", "shadow", "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw",
-    "transform_line", "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot",
-    "twist_jacobian",
+    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
+    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_pose", "from_quaternion",
+    "from_screw", "from_tensor", "identity", "interpolate", "inverse", "local", "pose", "principal", "quaternion",
+    "random", "rate", "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
+    "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 3
@@ -301,6 +306,26 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     sub(mul(ee, h, o9), mul(e, hy, o7), o9)
     add(sub(hy, egy, o7), eeg, o7)
     return o1, o2, o3, o4, o5, o6, o7, o8, o9
+
+
+# operations 5: 1 +, 1 *, 2 /, 1 neg
+def _rate(m: Any, x: Any) -> Result:
+    x1 = 1 + x
+    e = 6 / x1
+    ee = 2 * e / x1
+    ey = -ee
+    return e, ey
+
+
+def _rate_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2 = out
+    k1, *_ = scratch
+    n1, n2, n6 = numbers
+    x1 = add(n1, x, o2)
+    e = div(n6, x1, o1)
+    ee = div(mul(n2, e, k1), x1, o2)
+    neg(ee, o2)
+    return o1, o2
 
 
 # operations 8: 3 +, 3 *, 2 /
@@ -661,6 +686,7 @@ CHART = Chart(
         "pose": Function(_pose, _pose_blocks, 2, 0, (1, 2, 3, 16)),
         "tangent": Function(_tangent, _tangent_blocks, 0, 0, (-4, 1, 2, 3, 6, 16)),
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 2, 0, (-4, 1, 2, 3, 6, 8, 16)),
+        "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2, 6)),
         "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 3, 11)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 0, 0, (1, 2, 3, 11, 16)),
         "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 1, 0, (1, 2, 3, 4, 11, 16, 64)),
@@ -676,7 +702,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 6)),
     },
     own={},
-    programs="5a9cdbbd52b08602",
+    programs="fcef1424d2e775dc",
 )
 
 KERNELS = PoseKernels(CHART)
@@ -692,6 +718,7 @@ body_rate = KERNELS.body_rate
 body_rate_dot = KERNELS.body_rate_dot
 body_rate_jacobian = KERNELS.body_rate_jacobian
 body_retract = KERNELS.body_retract
+body_retract_jacobians = KERNELS.body_retract_jacobians
 body_tangent = KERNELS.body_tangent
 body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
@@ -709,6 +736,7 @@ from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
+interpolate = KERNELS.interpolate
 inverse = KERNELS.inverse
 local = KERNELS.local
 pose = KERNELS.pose
@@ -719,7 +747,9 @@ rate = KERNELS.rate
 rate_dot = KERNELS.rate_dot
 rate_jacobian = KERNELS.rate_jacobian
 retract = KERNELS.retract
+retract_jacobians = KERNELS.retract_jacobians
 shadow = KERNELS.shadow
+shadow_jacobian = KERNELS.shadow_jacobian
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent
 tangent_dot = KERNELS.tangent_dot

@@ -85,15 +85,20 @@
 #   angle: 86: 26 +, 33 *, 8 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
 #   turn: 70: 16 +, 28 *, 11 /, 6 abs, 1 sqrt, 2 eq, 6 where
 #   shadow: 113: 31 +, 43 *, 12 /, 1 neg, 7 abs, 1 sqrt, 4 lt, 3 eq, 1 and, 1 or, 9 where
+#   identity_jacobian: 12: 12 +
+#   shadow_jacobian: 179: 52 +, 78 *, 20 /, 3 neg, 7 abs, 1 sqrt, 4 lt, 3 eq, 1 and, 1 or, 9 where
 #   principal: 64: 15 +, 23 *, 8 /, 1 sqrt, 4 lt, 13 where
 #   compose: 308: 115 +, 174 *, 13 /, 1 neg, 2 sqrt, 1 lt, 2 where
 #   between: 314: 115 +, 174 *, 13 /, 7 neg, 2 sqrt, 1 lt, 2 where
 #   compose_jacobians: 1203: 484 +, 648 *, 58 /, 8 neg, 2 sqrt, 1 lt, 2 where
 #   between_jacobians: 1227: 484 +, 648 *, 58 /, 32 neg, 2 sqrt, 1 lt, 2 where
-#   retract: 352: 122 +, 176 *, 30 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
-#   body_retract: 352: 122 +, 176 *, 30 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+#   retract: 357: 124 +, 176 *, 30 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   body_retract: 357: 124 +, 176 *, 30 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   retract_jacobians: 1212: 477 +, 624 *, 76 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   body_retract_jacobians: 1212: 477 +, 624 *, 76 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 360: 124 +, 186 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 360: 124 +, 186 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+#   interpolate: 731: 244 +, 362 *, 53 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 6 lt, 5 eq, 1 or, 33 where
 #   adjoint: 118: 47 +, 69 *, 2 /
 #   transform_point_jacobians: 255: 112 +, 137 *, 3 /, 3 neg
 #   transform_line_jacobians: 354: 145 +, 200 *, 3 /, 6 neg
@@ -128,13 +133,13 @@ from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, su
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
-    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_tangent", "body_tangent_dot",
-    "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians",
-    "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_pose", "from_quaternion", "from_screw", "from_tensor",
-    "identity", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian",
-    "retract", "shadow", "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw",
-    "transform_line", "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot",
-    "twist_jacobian",
+    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
+    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_pose", "from_quaternion",
+    "from_screw", "from_tensor", "identity", "interpolate", "inverse", "local", "pose", "principal", "quaternion",
+    "random", "rate", "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
+    "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 8
@@ -354,6 +359,26 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
         o8
     )
     return o1, o2, o3, o4, o5, o6, o7, o8, o9
+
+
+# operations 5: 1 +, 1 *, 2 /, 1 neg
+def _rate(m: Any, x: Any) -> Result:
+    x1 = 1 + x
+    e = 16 / x1
+    ee = 2 * e / x1
+    ey = -ee
+    return e, ey
+
+
+def _rate_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2 = out
+    k1, *_ = scratch
+    n1, n2, n16 = numbers
+    x1 = add(n1, x, o2)
+    e = div(n16, x1, o1)
+    ee = div(mul(n2, e, k1), x1, o2)
+    neg(ee, o2)
+    return o1, o2
 
 
 # operations 23: 10 +, 11 *, 2 /
@@ -798,6 +823,7 @@ CHART = Chart(
         "pose": Function(_pose, _pose_blocks, 2, 0, (1, 2, 8, 16, 28, 56, 70, 224, 336, 2016, 2352, 5440, 6000)),
         "tangent": Function(_tangent, _tangent_blocks, 3, 0, (1, 2, 4, 8, 16, 24, 28, 56, 70, 96, 112, 224, 336, 1120, 2016, 2352, 5440, 6000, 9408, 12000, 16320)),
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 7, 0, (1, 2, 4, 8, 16, 24, 28, 48, 56, 70, 96, 112, 224, 336, 480, 1120, 2016, 2352, 4480, 5440, 6000, 9408, 12000, 16320, 28224, 32640)),
+        "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2, 16)),
         "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 8, 16, 28, 56, 70, 176, 272, 560)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 1, 0, (1, 2, 8, 16, 24, 28, 48, 56, 70, 112, 176, 224, 272, 336, 544, 560, 2016, 2352, 5440, 6000)),
         "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 2, 0, (1, 2, 4, 8, 16, 24, 28, 48, 56, 70, 96, 112, 176, 224, 272, 336, 544, 560, 1120, 2016, 2352, 5440, 6000, 9408, 12000, 16320)),
@@ -813,7 +839,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 16)),
     },
     own={},
-    programs="c694eeda1cc48cd0",
+    programs="5a02c085d651d55f",
 )
 
 KERNELS = PoseKernels(CHART)
@@ -829,6 +855,7 @@ body_rate = KERNELS.body_rate
 body_rate_dot = KERNELS.body_rate_dot
 body_rate_jacobian = KERNELS.body_rate_jacobian
 body_retract = KERNELS.body_retract
+body_retract_jacobians = KERNELS.body_retract_jacobians
 body_tangent = KERNELS.body_tangent
 body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
@@ -846,6 +873,7 @@ from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
+interpolate = KERNELS.interpolate
 inverse = KERNELS.inverse
 local = KERNELS.local
 pose = KERNELS.pose
@@ -856,7 +884,9 @@ rate = KERNELS.rate
 rate_dot = KERNELS.rate_dot
 rate_jacobian = KERNELS.rate_jacobian
 retract = KERNELS.retract
+retract_jacobians = KERNELS.retract_jacobians
 shadow = KERNELS.shadow
+shadow_jacobian = KERNELS.shadow_jacobian
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent
 tangent_dot = KERNELS.tangent_dot

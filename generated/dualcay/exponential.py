@@ -71,15 +71,21 @@
 #   angle: 113: 31 +, 33 *, 22 /, 6 abs, 4 sqrt, 1 tan, 1 lt, 3 eq, 12 where
 #   turn: 64: 15 +, 24 *, 10 /, 6 abs, 1 sqrt, 2 eq, 6 where
 #   shadow: 143: 38 +, 48 *, 23 /, 1 neg, 6 abs, 3 sqrt, 1 tan, 5 lt, 3 eq, 1 and, 1 or, 13 where
+#   identity_jacobian: 12: 12 +
+#   shadow_jacobian: 203: 61 +, 81 *, 27 /, 1 neg, 6 abs, 3 sqrt, 1 tan, 5 lt, 3 eq, 1 and, 1 or, 13 where
 #   principal: 111: 31 +, 39 *, 20 /, 4 sqrt, 1 tan, 1 atan2, 3 lt, 12 where
 #   compose: 394: 126 +, 178 *, 53 /, 1 neg, 7 sqrt, 3 tan, 1 atan2, 4 lt, 1 eq, 20 where
 #   between: 400: 126 +, 178 *, 53 /, 7 neg, 7 sqrt, 3 tan, 1 atan2, 4 lt, 1 eq, 20 where
 #   compose_jacobians: 1392: 510 +, 657 *, 151 /, 8 neg, 13 sqrt, 6 tan, 1 atan2, 7 lt, 1 eq, 38 where
 #   between_jacobians: 1416: 510 +, 657 *, 151 /, 32 neg, 13 sqrt, 6 tan, 1 atan2, 7 lt, 1 eq, 38 where
-#   retract: 410: 132 +, 181 *, 57 /, 8 sqrt, 4 tan, 2 atan2, 3 lt, 2 eq, 21 where
-#   body_retract: 410: 132 +, 181 *, 57 /, 8 sqrt, 4 tan, 2 atan2, 3 lt, 2 eq, 21 where
+#   retract: 415: 134 +, 181 *, 57 /, 1 abs, 8 sqrt, 4 tan, 2 atan2, 4 lt, 2 eq, 22 where
+#   body_retract: 415: 134 +, 181 *, 57 /, 1 abs, 8 sqrt, 4 tan, 2 atan2, 4 lt, 2 eq, 22 where
+#   retract_jacobians: 1345: 499 +, 636 *, 139 /, 7 neg, 1 abs, 12 sqrt, 6 tan, 2 atan2, 6 lt, 2 eq, 35 where
+#   body_retract_jacobians: 1345: 499 +, 636 *, 139 /, 7 neg, 1 abs, 12 sqrt, 6 tan, 2 atan2, 6 lt, 2 eq, 35
+#       where
 #   local: 400: 126 +, 178 *, 53 /, 7 neg, 7 sqrt, 3 tan, 1 atan2, 4 lt, 1 eq, 20 where
 #   body_local: 400: 126 +, 178 *, 53 /, 7 neg, 7 sqrt, 3 tan, 1 atan2, 4 lt, 1 eq, 20 where
+#   interpolate: 809: 255 +, 363 *, 94 /, 8 neg, 4 abs, 14 sqrt, 5 tan, 3 atan2, 9 lt, 5 eq, 1 or, 48 where
 #   adjoint: 147: 52 +, 70 *, 16 /, 2 sqrt, 1 tan, 1 lt, 5 where
 #   transform_point_jacobians: 283: 115 +, 135 *, 20 /, 3 neg, 2 sqrt, 1 tan, 1 lt, 6 where
 #   transform_line_jacobians: 382: 148 +, 198 *, 20 /, 6 neg, 2 sqrt, 1 tan, 1 lt, 6 where
@@ -112,12 +118,13 @@ from ._kernel import Result, Rows, absolute, add, atan2, copy, div, mul, neg, sq
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
-    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_tangent", "body_tangent_dot",
-    "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians",
-    "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity",
-    "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "retract",
-    "shadow", "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
-    "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
+    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
+    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor",
+    "identity", "interpolate", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot",
+    "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent",
+    "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
+    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 1
@@ -422,6 +429,19 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     sub(add(mul(fy, h, o8), mul(f, hy, o7), o8), mul(n2, mul(g, gy, o7), o7), o8)
     sub(hy, gy, o7)
     return o1, o2, o3, o4, o5, o6, o7, o8, o9
+
+
+# operations 2: 2 +
+def _rate(m: Any, x: Any) -> Result:
+    one = x - x + 1
+    return one, 0
+
+
+def _rate_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, _ = out
+    n0, n1 = numbers
+    add(sub(x, x, o1), n1, o1)
+    return o1, n0
 
 
 # operations 68: 20 +, 22 *, 17 /, 2 sqrt, 1 tan, 1 lt, 5 where
@@ -1067,6 +1087,7 @@ CHART = Chart(
         "pose": Function(_pose, _pose_blocks, 6, 1, (1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
         "tangent": Function(_tangent, _tangent_blocks, 4, 1, (1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 5, 1, (1, 2, 3, 4, 5, 6, 7, 8, 15, 16, 32, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
+        "rate": Function(_rate, _rate_blocks, 0, 0, (0, 1)),
         "inverse": Function(_inverse, _inverse_blocks, 8, 1, (1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 9, 1, (1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
         "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 9, 1, (1, 2, 3, 4, 5, 6, 7, 8, 15, 16, 32, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
@@ -1082,7 +1103,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1,)),
     },
     own={},
-    programs="d9f3fbd428dce15e",
+    programs="37f7bedf60430e63",
 )
 
 KERNELS = PoseKernels(CHART)
@@ -1098,6 +1119,7 @@ body_rate = KERNELS.body_rate
 body_rate_dot = KERNELS.body_rate_dot
 body_rate_jacobian = KERNELS.body_rate_jacobian
 body_retract = KERNELS.body_retract
+body_retract_jacobians = KERNELS.body_retract_jacobians
 body_tangent = KERNELS.body_tangent
 body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
@@ -1113,6 +1135,7 @@ from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
+interpolate = KERNELS.interpolate
 inverse = KERNELS.inverse
 local = KERNELS.local
 pose = KERNELS.pose
@@ -1123,7 +1146,9 @@ rate = KERNELS.rate
 rate_dot = KERNELS.rate_dot
 rate_jacobian = KERNELS.rate_jacobian
 retract = KERNELS.retract
+retract_jacobians = KERNELS.retract_jacobians
 shadow = KERNELS.shadow
+shadow_jacobian = KERNELS.shadow_jacobian
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent
 tangent_dot = KERNELS.tangent_dot

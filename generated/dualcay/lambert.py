@@ -52,20 +52,25 @@
 #   from_quaternion: 78: 24 +, 42 *, 6 /, 1 neg, 2 sqrt, 1 lt, 2 where
 #   from_tensor: 144: 47 +, 53 *, 10 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 108: 32 +, 35 *, 7 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
-#   from_screw: 22: 5 +, 12 *, 4 /, 1 tan
+#   from_screw: 26: 5 +, 14 *, 4 /, 1 tan, 1 lt, 1 where
 #   to_screw: 94: 20 +, 33 *, 11 /, 1 neg, 8 abs, 2 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
 #   angle: 66: 16 +, 20 *, 7 /, 6 abs, 4 sqrt, 1 atan2, 1 lt, 3 eq, 8 where
 #   turn: 79: 17 +, 31 *, 11 /, 6 abs, 2 sqrt, 2 lt, 2 eq, 8 where
 #   shadow: 110: 26 +, 41 *, 11 /, 1 neg, 6 abs, 3 sqrt, 6 lt, 3 eq, 1 and, 1 or, 11 where
+#   identity_jacobian: 12: 12 +
+#   shadow_jacobian: 174: 47 +, 74 *, 19 /, 1 neg, 6 abs, 5 sqrt, 6 lt, 3 eq, 1 and, 1 or, 11 where
 #   principal: 64: 16 +, 26 *, 8 /, 2 sqrt, 3 lt, 9 where
 #   compose: 218: 74 +, 127 *, 9 /, 1 neg, 4 sqrt, 1 lt, 2 where
 #   between: 224: 74 +, 127 *, 9 /, 7 neg, 4 sqrt, 1 lt, 2 where
 #   compose_jacobians: 1003: 388 +, 537 *, 59 /, 9 neg, 7 sqrt, 1 lt, 2 where
 #   between_jacobians: 1027: 388 +, 537 *, 59 /, 33 neg, 7 sqrt, 1 lt, 2 where
-#   retract: 309: 100 +, 150 *, 30 /, 7 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
-#   body_retract: 309: 100 +, 150 *, 30 /, 7 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   retract: 318: 102 +, 152 *, 30 /, 1 abs, 7 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 14 where
+#   body_retract: 318: 102 +, 152 *, 30 /, 1 abs, 7 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 14 where
+#   retract_jacobians: 1104: 419 +, 560 *, 80 /, 8 neg, 1 abs, 9 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 15 where
+#   body_retract_jacobians: 1104: 419 +, 560 *, 80 /, 8 neg, 1 abs, 9 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 15 where
 #   local: 294: 94 +, 150 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 294: 94 +, 150 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+#   interpolate: 659: 207 +, 320 *, 52 /, 8 neg, 4 abs, 12 sqrt, 3 tan, 4 atan2, 8 lt, 5 eq, 1 or, 35 where
 #   adjoint: 94: 36 +, 56 *, 1 /, 1 sqrt
 #   transform_point_jacobians: 214: 93 +, 113 *, 4 /, 3 neg, 1 sqrt
 #   transform_line_jacobians: 313: 126 +, 176 *, 4 /, 6 neg, 1 sqrt
@@ -98,12 +103,13 @@ from ._kernel import Result, Rows, absolute, add, atan2, copy, div, mul, neg, sq
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
-    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_tangent", "body_tangent_dot",
-    "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians",
-    "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity",
-    "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "retract",
-    "shadow", "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
-    "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
+    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
+    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor",
+    "identity", "interpolate", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot",
+    "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent",
+    "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
+    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 2
@@ -252,6 +258,25 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     fy = sub(h, mul(rho, g, o4), o4)
     sub(add(mul(fy, h, o8), mul(f, hy, k1), o8), mul(n2, mul(g, gy, k1), k1), o8)
     return o1, o2, o3, o4, o5, o6, o7, o8, o9
+
+
+# operations 4: 1 +, 2 /, 1 sqrt
+def _rate(m: Any, x: Any) -> Result:
+    cc = 1 - x
+    c = m.sqrt(cc)
+    rho = 4 / c
+    rhoy = rho / cc
+    return rho, rhoy
+
+
+def _rate_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2 = out
+    n1, n4 = numbers
+    cc = sub(n1, x, o2)
+    c = sqrt(cc, o1)
+    rho = div(n4, c, o1)
+    div(rho, cc, o2)
+    return o1, o2
 
 
 # operations 5: 1 +, 2 *, 1 /, 1 sqrt
@@ -595,26 +620,31 @@ def _beyond_blocks(
     return o1, cos1, sin1
 
 
-# operations 9: 2 +, 2 *, 4 /, 1 tan
+# operations 13: 2 +, 4 *, 4 /, 1 tan, 1 lt, 1 where
 def _coefficient(m: Any, alpha: Any) -> Result:
     t = m.tan(alpha / 8)
     tt = t * t
     below = 1 + tt
-    sin = 2 * t / below
-    cos = (1 - tt) / below
+    further = (1 - tt) / below
+    side = m.where(further < 0, -1, 1)
+    sin = side * (2 * t / below)
+    cos = side * further
     slope = cos / 4
     return sin, slope
 
 
 def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
     o1, o2 = out
-    k1, *_ = scratch
-    n1, n2, n4, n8 = numbers
+    k1, k2, *_ = scratch
+    mask1, *_ = masks
+    n_minus_1, n0, n1, n2, n4, n8 = numbers
     t = tan(div(alpha, n8, o1), o1)
     tt = mul(t, t, o2)
     below = add(n1, tt, k1)
-    div(mul(n2, t, o1), below, o1)
-    cos = div(sub(n1, tt, o2), below, o2)
+    further = div(sub(n1, tt, o2), below, o2)
+    side = m.where(m.less(further, n0, mask1), n_minus_1, n1, k2)
+    mul(side, div(mul(n2, t, o1), below, o1), o1)
+    cos = mul(side, further, o2)
     div(cos, n4, o2)
     return o1, o2
 
@@ -639,6 +669,7 @@ CHART = Chart(
         "pose": Function(_pose, _pose_blocks, 1, 0, (1, 2, 8, 12)),
         "tangent": Function(_tangent, _tangent_blocks, 1, 0, (-16, 1, 2, 4, 8, 12)),
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 1, 0, (-16, 1, 2, 3, 4, 8, 12)),
+        "rate": Function(_rate, _rate_blocks, 0, 0, (1, 4)),
         "inverse": Function(_inverse, _inverse_blocks, 0, 0, (1, 2)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 2, 0, (1, 2, 8, 12)),
         "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 4, 0, (-16, 1, 2, 3, 4, 8, 12)),
@@ -651,10 +682,10 @@ CHART = Chart(
         "unfolded": Function(_unfolded, _unfolded_blocks, 0, 1, (1, 4)),
         "turned": Function(_turned, _turned_blocks, 2, 1, (-1, 0, 1)),
         "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
-        "coefficient": Function(_coefficient, _coefficient_blocks, 1, 0, (1, 2, 4, 8)),
+        "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 4, 8)),
     },
     own={},
-    programs="47b12b1a0aa3ddde",
+    programs="4206e4789625bbaf",
 )
 
 KERNELS = PoseKernels(CHART)
@@ -670,6 +701,7 @@ body_rate = KERNELS.body_rate
 body_rate_dot = KERNELS.body_rate_dot
 body_rate_jacobian = KERNELS.body_rate_jacobian
 body_retract = KERNELS.body_retract
+body_retract_jacobians = KERNELS.body_retract_jacobians
 body_tangent = KERNELS.body_tangent
 body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
@@ -685,6 +717,7 @@ from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
+interpolate = KERNELS.interpolate
 inverse = KERNELS.inverse
 local = KERNELS.local
 pose = KERNELS.pose
@@ -695,7 +728,9 @@ rate = KERNELS.rate
 rate_dot = KERNELS.rate_dot
 rate_jacobian = KERNELS.rate_jacobian
 retract = KERNELS.retract
+retract_jacobians = KERNELS.retract_jacobians
 shadow = KERNELS.shadow
+shadow_jacobian = KERNELS.shadow_jacobian
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent
 tangent_dot = KERNELS.tangent_dot

@@ -49,20 +49,24 @@
 #   rate_dot: 219: 84 +, 116 *, 16 /, 2 neg, 1 sqrt
 #   twist_jacobian: 275: 113 +, 157 *, 3 /, 1 neg, 1 sqrt
 #   rate_jacobian: 97: 31 +, 52 *, 11 /, 2 neg, 1 sqrt
-#   from_quaternion: 65: 22 +, 38 *, 3 /, 1 lt, 1 where
+#   from_quaternion: 48: 15 +, 28 *, 3 /, 1 lt, 1 where
 #   from_tensor: 133: 45 +, 49 *, 7 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 97: 30 +, 31 *, 4 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
-#   from_screw: 22: 5 +, 12 *, 4 /, 1 tan
+#   from_screw: 26: 5 +, 14 *, 4 /, 1 tan, 1 lt, 1 where
 #   to_screw: 82: 19 +, 30 *, 11 /, 7 abs, 2 sqrt, 1 atan2, 2 lt, 2 eq, 8 where
 #   angle: 58: 14 +, 14 *, 7 /, 6 abs, 4 sqrt, 1 atan2, 1 lt, 3 eq, 8 where
-#   compose: 163: 61 +, 93 *, 5 /, 2 sqrt, 1 lt, 1 where
-#   between: 169: 61 +, 93 *, 5 /, 6 neg, 2 sqrt, 1 lt, 1 where
-#   compose_jacobians: 848: 339 +, 446 *, 45 /, 13 neg, 3 sqrt, 1 lt, 1 where
-#   between_jacobians: 872: 339 +, 446 *, 45 /, 37 neg, 3 sqrt, 1 lt, 1 where
-#   retract: 296: 97 +, 142 *, 29 /, 6 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
-#   body_retract: 296: 97 +, 142 *, 29 /, 6 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
-#   local: 278: 90 +, 138 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   body_local: 278: 90 +, 138 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+#   identity_jacobian: 12: 12 +
+#   compose: 193: 72 +, 111 *, 6 /, 2 sqrt, 1 lt, 1 where
+#   between: 199: 72 +, 111 *, 6 /, 6 neg, 2 sqrt, 1 lt, 1 where
+#   compose_jacobians: 936: 377 +, 497 *, 48 /, 7 neg, 5 sqrt, 1 lt, 1 where
+#   between_jacobians: 960: 377 +, 497 *, 48 /, 31 neg, 5 sqrt, 1 lt, 1 where
+#   retract: 307: 101 +, 144 *, 29 /, 1 abs, 6 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 14 where
+#   body_retract: 307: 101 +, 144 *, 29 /, 1 abs, 6 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 14 where
+#   retract_jacobians: 1063: 412 +, 535 *, 73 /, 7 neg, 1 abs, 8 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 15 where
+#   body_retract_jacobians: 1063: 412 +, 535 *, 73 /, 7 neg, 1 abs, 8 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 15 where
+#   local: 282: 94 +, 138 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+#   body_local: 282: 94 +, 138 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+#   interpolate: 642: 206 +, 306 *, 51 /, 8 neg, 4 abs, 11 sqrt, 3 tan, 4 atan2, 8 lt, 5 eq, 1 or, 35 where
 #   adjoint: 86: 34 +, 50 *, 1 /, 1 sqrt
 #   transform_point_jacobians: 202: 90 +, 106 *, 2 /, 3 neg, 1 sqrt
 #   transform_line_jacobians: 301: 123 +, 169 *, 2 /, 6 neg, 1 sqrt
@@ -95,12 +99,13 @@ from ._kernel import Components, Kernel, Result, Rows, absolute, add, atan2, cop
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
-    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_tangent", "body_tangent_dot",
-    "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians",
-    "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity",
-    "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "retract",
-    "shadow", "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
-    "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
+    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
+    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor",
+    "identity", "interpolate", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot",
+    "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent",
+    "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
+    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 1
@@ -222,41 +227,44 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, n0
 
 
-# operations 4: 1 +, 1 *, 1 /, 1 sqrt
+# operations 5: 1 +, 2 /, 1 neg, 1 sqrt
+def _tangent_inv(m: Any, x: Any) -> Result:
+    cc = 1 - x
+    c = m.sqrt(cc)
+    h = 2 / c
+    fiy = -(h / 2)
+    return c, 0, fiy, 0
+
+
+def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, _, o3, _ = out
+    n0, n1, n2 = numbers
+    cc = sub(n1, x, o1)
+    c = sqrt(cc, o1)
+    h = div(n2, c, o3)
+    neg(div(h, n2, o3), o3)
+    return o1, n0, o3, n0
+
+
+# operations 6: 3 +, 1 *, 1 /, 1 sqrt
 def _ray(m: Any, x: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
     f = 2 * c
     h = 2 / c
-    return c, 1, 1, f, 2, h
+    one = x - x + 1
+    return c, 1, one, f, 2, h
 
 
 def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, _, _, o4, _, o6 = out
+    o1, _, o3, o4, _, o6 = out
     n1, n2 = numbers
     cc = sub(n1, x, o1)
     c = sqrt(cc, o1)
+    add(sub(x, x, o3), n1, o3)
     mul(n2, c, o4)
     div(n2, c, o6)
-    return o1, n1, n1, o4, n2, o6
-
-
-# operations 2: 1 lt, 1 where
-def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
-    negative = e0 < 0
-    gain = m.where(negative, -1, 1)
-    return gain,
-
-
-def _gain_unit_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
-) -> Result:
-    o1, = out
-    mask1, *_ = masks
-    n_minus_1, n0, n1 = numbers
-    negative = m.less(e0, n0, mask1)
-    m.where(negative, n_minus_1, n1, o1)
-    return o1,
+    return o1, n1, o3, o4, n2, o6
 
 
 # operations 9: 3 +, 4 *, 1 /, 1 sqrt
@@ -274,6 +282,27 @@ def _gain_positive_blocks(
     n1, = numbers
     size = sqrt(add(mul(e0, e0, o1), add(add(mul(e1, e1, k1), mul(e2, e2, k2), k1), mul(e3, e3, k2), k1), o1), o1)
     div(n1, size, o1)
+    return o1,
+
+
+# operations 5: 2 *, 1 /, 1 lt, 1 where
+def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
+    size = size2 * size1
+    negative = e0 < 0
+    gain = m.where(negative, -1, 1) * (1 / size)
+    return gain,
+
+
+def _gain_product_blocks(
+    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any
+) -> Result:
+    o1, = out
+    k1, *_ = scratch
+    mask1, *_ = masks
+    n_minus_1, n0, n1 = numbers
+    negative = m.less(e0, n0, mask1)
+    size = mul(size2, size1, o1)
+    mul(m.where(negative, n_minus_1, n1, k1), div(n1, size, o1), o1)
     return o1,
 
 
@@ -319,26 +348,31 @@ def _unfolded_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Row
     return o1,
 
 
-# operations 9: 2 +, 2 *, 4 /, 1 tan
+# operations 13: 2 +, 4 *, 4 /, 1 tan, 1 lt, 1 where
 def _coefficient(m: Any, alpha: Any) -> Result:
     t = m.tan(alpha / 4)
     tt = t * t
     below = 1 + tt
-    sin = 2 * t / below
-    cos = (1 - tt) / below
+    further = (1 - tt) / below
+    side = m.where(further < 0, -1, 1)
+    sin = side * (2 * t / below)
+    cos = side * further
     slope = cos / 2
     return sin, slope
 
 
 def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
     o1, o2 = out
-    k1, *_ = scratch
-    n1, n2, n4 = numbers
+    k1, k2, *_ = scratch
+    mask1, *_ = masks
+    n_minus_1, n0, n1, n2, n4 = numbers
     t = tan(div(alpha, n4, o1), o1)
     tt = mul(t, t, o2)
     below = add(n1, tt, k1)
-    div(mul(n2, t, o1), below, o1)
-    cos = div(sub(n1, tt, o2), below, o2)
+    further = div(sub(n1, tt, o2), below, o2)
+    side = m.where(m.less(further, n0, mask1), n_minus_1, n1, k2)
+    mul(side, div(mul(n2, t, o1), below, o1), o1)
+    cos = mul(side, further, o2)
     div(cos, n2, o2)
     return o1, o2
 
@@ -814,58 +848,18 @@ def _own_rate_jacobian_blocks(
     copy(o15, o36)
 
 
-# operations 163: 61 +, 93 *, 5 /, 2 sqrt, 1 lt, 1 where
-def _own_compose(m: Any, c: Any, b: Components, a: Components) -> Result:
-    b1, b2, b3, b1o, b2o, b3o = b
-    a1, a2, a3, a1o, a2o, a3o = a
-    v11b = b1 * b1
-    v22b = b2 * b2
-    v33b = b3 * b3
-    xb = v11b + v22b + v33b
-    ccb = 1 - xb
-    cb = m.sqrt(ccb)
-    fb = 2 * cb
-    hb = 2 / cb
-    v11a = a1 * a1
-    v22a = a2 * a2
-    v33a = a3 * a3
-    xa = v11a + v22a + v33a
-    cca = 1 - xa
-    ca = m.sqrt(cca)
-    fa = 2 * ca
-    ha = 2 / ca
-    z0 = cb * ca - (b1 * a1 + b2 * a2 + b3 * a3)
-    z1 = a1 * cb + b1 * ca + (b2 * a3 - b3 * a2)
-    z2 = a2 * cb + b2 * ca + (b3 * a1 - b1 * a3)
-    z3 = a3 * cb + b3 * ca + (b1 * a2 - b2 * a1)
-    gva1 = 2 * a1
-    gva2 = 2 * a2
-    gva3 = 2 * a3
-    ya = a1 * a1o + a2 * a2o + a3 * a3o
-    alonga = ha * ya
-    rhoa1 = a1o * fa + (gva2 * a3o - gva3 * a2o) + a1 * alonga
-    rhoa2 = a2o * fa + (gva3 * a1o - gva1 * a3o) + a2 * alonga
-    rhoa3 = a3o * fa + (gva1 * a2o - gva2 * a1o) + a3 * alonga
-    v_rho1 = b2 * rhoa3 - b3 * rhoa2
-    v_rho2 = b3 * rhoa1 - b1 * rhoa3
-    v_rho3 = b1 * rhoa2 - b2 * rhoa1
-    gv_rho1 = 2 * v_rho1
-    gv_rho2 = 2 * v_rho2
-    gv_rho3 = 2 * v_rho3
-    gvb1 = 2 * b1
-    gvb2 = 2 * b2
-    gvb3 = 2 * b3
-    yb = b1 * b1o + b2 * b2o + b3 * b3o
-    alongb = hb * yb
-    rho1 = rhoa1 + (v_rho1 * fb + (b2 * gv_rho3 - b3 * gv_rho2)) + (b1o * fb + (gvb2 * b3o - gvb3 * b2o) + b1 * alongb)
-    rho2 = rhoa2 + (v_rho2 * fb + (b3 * gv_rho1 - b1 * gv_rho3)) + (b2o * fb + (gvb3 * b1o - gvb1 * b3o) + b2 * alongb)
-    rho3 = rhoa3 + (v_rho3 * fb + (b1 * gv_rho2 - b2 * gv_rho1)) + (b3o * fb + (gvb1 * b2o - gvb2 * b1o) + b3 * alongb)
-    negative = z0 < 0
+# operations 48: 15 +, 28 *, 3 /, 1 lt, 1 where
+def _own_from_quaternion(m: Any, c: Any, e: Components) -> Result:
+    e0, e1, e2, e3, e0o, e1o, e2o, e3o = e
+    rho1 = 2 * (e1o * e0 - e1 * e0o + (e2 * e3o - e3 * e2o))
+    rho2 = 2 * (e2o * e0 - e2 * e0o + (e3 * e1o - e1 * e3o))
+    rho3 = 2 * (e3o * e0 - e3 * e0o + (e1 * e2o - e2 * e1o))
+    negative = e0 < 0
     gain = m.where(negative, -1, 1)
-    v1 = z1 * gain
-    v2 = z2 * gain
-    v3 = z3 * gain
-    fe = gain * z0
+    v1 = e1 * gain
+    v2 = e2 * gain
+    v3 = e3 * gain
+    fe = gain * e0
     return (
         v1,
         v2,
@@ -876,1650 +870,32 @@ def _own_compose(m: Any, c: Any, b: Components, a: Components) -> Result:
     )
 
 
-def _own_compose_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, b: Rows, a: Rows
+def _own_from_quaternion_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, e: Rows
 ) -> None:
-    b1, b2, b3, b1o, b2o, b3o = b
-    a1, a2, a3, a1o, a2o, a3o = a
+    e0, e1, e2, e3, e0o, e1o, e2o, e3o = e
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16 = scratch
+    k1, k2, k3, k4, k5, k6, k7 = scratch
     mask1, = masks
     n_minus_1, n0, n1, n2 = numbers
-    v11b = mul(b1, b1, k1)
-    v22b = mul(b2, b2, k2)
-    v33b = mul(b3, b3, k3)
-    xb = add(add(v11b, v22b, k1), v33b, k1)
-    ccb = sub(n1, xb, k1)
-    cb = sqrt(ccb, k1)
-    v11a = mul(a1, a1, k2)
-    v22a = mul(a2, a2, k3)
-    v33a = mul(a3, a3, k4)
-    xa = add(add(v11a, v22a, k2), v33a, k2)
-    cca = sub(n1, xa, k2)
-    ca = sqrt(cca, k2)
-    z1 = add(add(mul(a1, cb, k3), mul(b1, ca, k4), k3), sub(mul(b2, a3, k4), mul(b3, a2, k5), k4), k3)
-    z0 = sub(mul(cb, ca, k4), add(add(mul(b1, a1, k5), mul(b2, a2, k6), k5), mul(b3, a3, k6), k5), k4)
-    negative = m.less(z0, n0, mask1)
-    gain = m.where(negative, n_minus_1, n1, k5)
-    v1 = mul(z1, gain, o1)
-    fe = mul(gain, z0, k3)
-    z2 = add(add(mul(a2, cb, k4), mul(b2, ca, k6), k4), sub(mul(b3, a1, k6), mul(b1, a3, k7), k6), k4)
-    v2 = mul(z2, gain, o2)
-    z3 = add(add(mul(a3, cb, k4), mul(b3, ca, k6), k4), sub(mul(b1, a2, k6), mul(b2, a1, k7), k6), k4)
-    v3 = mul(z3, gain, o3)
-    fa = mul(n2, ca, k4)
-    ha = div(n2, ca, k2)
-    ya = add(add(mul(a1, a1o, k5), mul(a2, a2o, k6), k5), mul(a3, a3o, k6), k5)
-    alonga = mul(ha, ya, k2)
-    gva1 = mul(n2, a1, k5)
-    gva2 = mul(n2, a2, k6)
-    rhoa3 = add(add(mul(a3o, fa, k7), sub(mul(gva1, a2o, k8), mul(gva2, a1o, k9), k8), k7), mul(a3, alonga, k8), k7)
-    gva3 = mul(n2, a3, k8)
-    rhoa2 = add(add(mul(a2o, fa, k9), sub(mul(gva3, a1o, k10), mul(gva1, a3o, k5), k5), k5), mul(a2, alonga, k9), k5)
-    rhoa1 = add(add(mul(a1o, fa, k4), sub(mul(gva2, a3o, k6), mul(gva3, a2o, k8), k6), k4), mul(a1, alonga, k2), k2)
-    v_rho1 = sub(mul(b2, rhoa3, k4), mul(b3, rhoa2, k6), k4)
-    v_rho3 = sub(mul(b1, rhoa2, k6), mul(b2, rhoa1, k8), k6)
-    gv_rho3 = mul(n2, v_rho3, k8)
-    v_rho2 = sub(mul(b3, rhoa1, k9), mul(b1, rhoa3, k10), k9)
-    gv_rho2 = mul(n2, v_rho2, k10)
-    fb = mul(n2, cb, k11)
-    hb = div(n2, cb, k1)
-    yb = add(add(mul(b1, b1o, k12), mul(b2, b2o, k13), k12), mul(b3, b3o, k13), k12)
-    alongb = mul(hb, yb, k1)
-    gvb2 = mul(n2, b2, k12)
-    gvb3 = mul(n2, b3, k13)
-    rho1 = add(
-        add(rhoa1, add(mul(v_rho1, fb, k14), sub(mul(b2, gv_rho3, k15), mul(b3, gv_rho2, k16), k15), k14), k2),
-        add(add(mul(b1o, fb, k14), sub(mul(gvb2, b3o, k15), mul(gvb3, b2o, k16), k15), k14), mul(b1, alongb, k15), k14),
-        k2
-    )
-    gv_rho1 = mul(n2, v_rho1, k4)
-    gvb1 = mul(n2, b1, k14)
-    rho3 = add(
-        add(rhoa3, add(mul(v_rho3, fb, k6), sub(mul(b1, gv_rho2, k10), mul(b2, gv_rho1, k15), k10), k6), k6),
-        add(add(mul(b3o, fb, k7), sub(mul(gvb1, b2o, k10), mul(gvb2, b1o, k12), k10), k7), mul(b3, alongb, k10), k7), k6
-    )
-    rho2 = add(
-        add(rhoa2, add(mul(v_rho2, fb, k7), sub(mul(b3, gv_rho1, k4), mul(b1, gv_rho3, k8), k4), k4), k4),
-        add(add(mul(b2o, fb, k5), sub(mul(gvb3, b1o, k7), mul(gvb1, b3o, k8), k7), k5), mul(b2, alongb, k1), k1), k1
-    )
-    div(sub(mul(rho1, fe, k4), sub(mul(v2, rho3, k5), mul(v3, rho2, k7), k5), k4), n2, o4)
-    div(sub(mul(rho2, fe, k4), sub(mul(v3, rho1, k5), mul(v1, rho3, k7), k5), k4), n2, o5)
-    div(sub(mul(rho3, fe, k3), sub(mul(v1, rho2, k1), mul(v2, rho1, k2), k1), k1), n2, o6)
-
-
-# operations 169: 61 +, 93 *, 5 /, 6 neg, 2 sqrt, 1 lt, 1 where
-def _own_between(m: Any, c: Any, a: Components, b: Components) -> Result:
-    a1, a2, a3, a1o, a2o, a3o = a
-    b1, b2, b3, b1o, b2o, b3o = b
-    minus_b1 = -b1
-    minus_b2 = -b2
-    minus_b3 = -b3
-    minus_b4 = -b1o
-    minus_b5 = -b2o
-    minus_b6 = -b3o
-    v11b = minus_b1 * minus_b1
-    v22b = minus_b2 * minus_b2
-    v33b = minus_b3 * minus_b3
-    xb = v11b + v22b + v33b
-    ccb = 1 - xb
-    cb = m.sqrt(ccb)
-    fb = 2 * cb
-    hb = 2 / cb
-    v11a = a1 * a1
-    v22a = a2 * a2
-    v33a = a3 * a3
-    xa = v11a + v22a + v33a
-    cca = 1 - xa
-    ca = m.sqrt(cca)
-    fa = 2 * ca
-    ha = 2 / ca
-    z0 = cb * ca - (minus_b1 * a1 + minus_b2 * a2 + minus_b3 * a3)
-    z1 = a1 * cb + minus_b1 * ca + (minus_b2 * a3 - minus_b3 * a2)
-    z2 = a2 * cb + minus_b2 * ca + (minus_b3 * a1 - minus_b1 * a3)
-    z3 = a3 * cb + minus_b3 * ca + (minus_b1 * a2 - minus_b2 * a1)
-    gva1 = 2 * a1
-    gva2 = 2 * a2
-    gva3 = 2 * a3
-    ya = a1 * a1o + a2 * a2o + a3 * a3o
-    alonga = ha * ya
-    rhoa1 = a1o * fa + (gva2 * a3o - gva3 * a2o) + a1 * alonga
-    rhoa2 = a2o * fa + (gva3 * a1o - gva1 * a3o) + a2 * alonga
-    rhoa3 = a3o * fa + (gva1 * a2o - gva2 * a1o) + a3 * alonga
-    v_rho1 = minus_b2 * rhoa3 - minus_b3 * rhoa2
-    v_rho2 = minus_b3 * rhoa1 - minus_b1 * rhoa3
-    v_rho3 = minus_b1 * rhoa2 - minus_b2 * rhoa1
-    gv_rho1 = 2 * v_rho1
-    gv_rho2 = 2 * v_rho2
-    gv_rho3 = 2 * v_rho3
-    gvb1 = 2 * minus_b1
-    gvb2 = 2 * minus_b2
-    gvb3 = 2 * minus_b3
-    yb = minus_b1 * minus_b4 + minus_b2 * minus_b5 + minus_b3 * minus_b6
-    alongb = hb * yb
-    rho1 = (
-        rhoa1 + (v_rho1 * fb + (minus_b2 * gv_rho3 - minus_b3 * gv_rho2)) + (minus_b4 * fb + (gvb2 * minus_b6 - gvb3
-        * minus_b5) + minus_b1 * alongb)
-    )
-    rho2 = (
-        rhoa2 + (v_rho2 * fb + (minus_b3 * gv_rho1 - minus_b1 * gv_rho3)) + (minus_b5 * fb + (gvb3 * minus_b4 - gvb1
-        * minus_b6) + minus_b2 * alongb)
-    )
-    rho3 = (
-        rhoa3 + (v_rho3 * fb + (minus_b1 * gv_rho2 - minus_b2 * gv_rho1)) + (minus_b6 * fb + (gvb1 * minus_b5 - gvb2
-        * minus_b4) + minus_b3 * alongb)
-    )
-    negative = z0 < 0
-    gain = m.where(negative, -1, 1)
-    v1 = z1 * gain
-    v2 = z2 * gain
-    v3 = z3 * gain
-    fe = gain * z0
-    return (
-        v1,
-        v2,
-        v3,
-        (rho1 * fe - (v2 * rho3 - v3 * rho2)) / 2,
-        (rho2 * fe - (v3 * rho1 - v1 * rho3)) / 2,
-        (rho3 * fe - (v1 * rho2 - v2 * rho1)) / 2,
-    )
-
-
-def _own_between_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, a: Rows, b: Rows
-) -> None:
-    a1, a2, a3, a1o, a2o, a3o = a
-    b1, b2, b3, b1o, b2o, b3o = b
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22 = scratch
-    mask1, = masks
-    n_minus_1, n0, n1, n2 = numbers
-    minus_b1 = neg(b1, k1)
-    v11b = mul(minus_b1, minus_b1, k2)
-    minus_b2 = neg(b2, k3)
-    v22b = mul(minus_b2, minus_b2, k4)
-    minus_b3 = neg(b3, k5)
-    v33b = mul(minus_b3, minus_b3, k6)
-    xb = add(add(v11b, v22b, k2), v33b, k2)
-    ccb = sub(n1, xb, k2)
-    cb = sqrt(ccb, k2)
-    v11a = mul(a1, a1, k4)
-    v22a = mul(a2, a2, k6)
-    v33a = mul(a3, a3, k7)
-    xa = add(add(v11a, v22a, k4), v33a, k4)
-    cca = sub(n1, xa, k4)
-    ca = sqrt(cca, k4)
-    z1 = add(add(mul(a1, cb, k6), mul(minus_b1, ca, k7), k6), sub(mul(minus_b2, a3, k7), mul(minus_b3, a2, k8), k7), k6)
-    z0 = sub(mul(cb, ca, k7), add(add(mul(minus_b1, a1, k8), mul(minus_b2, a2, k9), k8), mul(minus_b3, a3, k9), k8), k7)
-    negative = m.less(z0, n0, mask1)
-    gain = m.where(negative, n_minus_1, n1, k8)
-    v1 = mul(z1, gain, o1)
-    fe = mul(gain, z0, k6)
-    z2 = add(
-        add(mul(a2, cb, k7), mul(minus_b2, ca, k9), k7), sub(mul(minus_b3, a1, k9), mul(minus_b1, a3, k10), k9), k7
-    )
-    v2 = mul(z2, gain, o2)
-    z3 = add(
-        add(mul(a3, cb, k7), mul(minus_b3, ca, k9), k7), sub(mul(minus_b1, a2, k9), mul(minus_b2, a1, k10), k9), k7
-    )
-    v3 = mul(z3, gain, o3)
-    minus_b4 = neg(b1o, k7)
-    minus_b5 = neg(b2o, k8)
-    minus_b6 = neg(b3o, k9)
-    yb = add(add(mul(minus_b1, minus_b4, k10), mul(minus_b2, minus_b5, k11), k10), mul(minus_b3, minus_b6, k11), k10)
-    hb = div(n2, cb, k11)
-    alongb = mul(hb, yb, k10)
-    fb = mul(n2, cb, k2)
-    fa = mul(n2, ca, k11)
-    ha = div(n2, ca, k4)
-    ya = add(add(mul(a1, a1o, k12), mul(a2, a2o, k13), k12), mul(a3, a3o, k13), k12)
-    alonga = mul(ha, ya, k4)
-    gva1 = mul(n2, a1, k12)
-    gva2 = mul(n2, a2, k13)
-    rhoa3 = add(
-        add(mul(a3o, fa, k14), sub(mul(gva1, a2o, k15), mul(gva2, a1o, k16), k15), k14), mul(a3, alonga, k15), k14
-    )
-    gva3 = mul(n2, a3, k15)
-    rhoa2 = add(
-        add(mul(a2o, fa, k16), sub(mul(gva3, a1o, k17), mul(gva1, a3o, k12), k12), k12), mul(a2, alonga, k16), k12
-    )
-    rhoa1 = add(
-        add(mul(a1o, fa, k11), sub(mul(gva2, a3o, k13), mul(gva3, a2o, k15), k13), k11), mul(a1, alonga, k4), k4
-    )
-    v_rho1 = sub(mul(minus_b2, rhoa3, k11), mul(minus_b3, rhoa2, k13), k11)
-    v_rho3 = sub(mul(minus_b1, rhoa2, k13), mul(minus_b2, rhoa1, k15), k13)
-    gv_rho3 = mul(n2, v_rho3, k15)
-    v_rho2 = sub(mul(minus_b3, rhoa1, k16), mul(minus_b1, rhoa3, k17), k16)
-    gv_rho2 = mul(n2, v_rho2, k17)
-    gvb2 = mul(n2, minus_b2, k18)
-    gvb3 = mul(n2, minus_b3, k19)
-    rho1 = add(
-        add(rhoa1, add(mul(v_rho1, fb, k20), sub(mul(minus_b2, gv_rho3, k21), mul(minus_b3, gv_rho2, k22), k21), k20),
-        k4), add(add(mul(minus_b4, fb, k20), sub(mul(gvb2, minus_b6, k21), mul(gvb3, minus_b5, k22), k21), k20),
-        mul(minus_b1, alongb, k21), k20), k4
-    )
-    gv_rho1 = mul(n2, v_rho1, k11)
-    gvb1 = mul(n2, minus_b1, k20)
-    rho3 = add(
-        add(rhoa3, add(mul(v_rho3, fb, k13), sub(mul(minus_b1, gv_rho2, k17), mul(minus_b2, gv_rho1, k21), k17), k13),
-        k13), add(add(mul(minus_b6, fb, k14), sub(mul(gvb1, minus_b5, k17), mul(gvb2, minus_b4, k18), k17), k14),
-        mul(minus_b3, alongb, k17), k14), k13
-    )
-    rho2 = add(
-        add(rhoa2, add(mul(v_rho2, fb, k14), sub(mul(minus_b3, gv_rho1, k5), mul(minus_b1, gv_rho3, k1), k1), k1), k1),
-        add(add(mul(minus_b5, fb, k2), sub(mul(gvb3, minus_b4, k5), mul(gvb1, minus_b6, k7), k5), k2), mul(minus_b2,
-        alongb, k3), k2), k1
-    )
-    div(sub(mul(rho1, fe, k2), sub(mul(v2, rho3, k3), mul(v3, rho2, k5), k3), k2), n2, o4)
-    div(sub(mul(rho2, fe, k2), sub(mul(v3, rho1, k3), mul(v1, rho3, k5), k3), k2), n2, o5)
-    div(sub(mul(rho3, fe, k2), sub(mul(v1, rho2, k1), mul(v2, rho1, k3), k1), k1), n2, o6)
-
-
-# operations 848: 339 +, 446 *, 45 /, 13 neg, 3 sqrt, 1 lt, 1 where
-def _own_compose_jacobians(m: Any, c: Any, b: Components, a: Components) -> Result:
-    b1, b2, b3, b1o, b2o, b3o = b
-    a1, a2, a3, a1o, a2o, a3o = a
-    v11b = b1 * b1
-    v22b = b2 * b2
-    v33b = b3 * b3
-    x12b = v11b + v22b
-    xb = x12b + v33b
-    ccb = 1 - xb
-    cb = m.sqrt(ccb)
-    fb = 2 * cb
-    hb = 2 / cb
-    v11a = a1 * a1
-    v22a = a2 * a2
-    v33a = a3 * a3
-    xa = v11a + v22a + v33a
-    cca = 1 - xa
-    ca = m.sqrt(cca)
-    fa = 2 * ca
-    ha = 2 / ca
-    z0 = cb * ca - (b1 * a1 + b2 * a2 + b3 * a3)
-    z1 = a1 * cb + b1 * ca + (b2 * a3 - b3 * a2)
-    z2 = a2 * cb + b2 * ca + (b3 * a1 - b1 * a3)
-    z3 = a3 * cb + b3 * ca + (b1 * a2 - b2 * a1)
-    gva1 = 2 * a1
-    gva2 = 2 * a2
-    gva3 = 2 * a3
-    ya = a1 * a1o + a2 * a2o + a3 * a3o
-    alonga = ha * ya
-    rhoa1 = a1o * fa + (gva2 * a3o - gva3 * a2o) + a1 * alonga
-    rhoa2 = a2o * fa + (gva3 * a1o - gva1 * a3o) + a2 * alonga
-    rhoa3 = a3o * fa + (gva1 * a2o - gva2 * a1o) + a3 * alonga
-    v_rho1 = b2 * rhoa3 - b3 * rhoa2
-    v_rho2 = b3 * rhoa1 - b1 * rhoa3
-    v_rho3 = b1 * rhoa2 - b2 * rhoa1
-    gv_rho1 = 2 * v_rho1
-    gv_rho2 = 2 * v_rho2
-    gv_rho3 = 2 * v_rho3
-    gvb1 = 2 * b1
-    gvb2 = 2 * b2
-    gvb3 = 2 * b3
-    yb = b1 * b1o + b2 * b2o + b3 * b3o
-    alongb = hb * yb
-    rhob1 = b1o * fb + (gvb2 * b3o - gvb3 * b2o) + b1 * alongb
-    rhob2 = b2o * fb + (gvb3 * b1o - gvb1 * b3o) + b2 * alongb
-    rhob3 = b3o * fb + (gvb1 * b2o - gvb2 * b1o) + b3 * alongb
-    rho1 = rhoa1 + (v_rho1 * fb + (b2 * gv_rho3 - b3 * gv_rho2)) + rhob1
-    rho2 = rhoa2 + (v_rho2 * fb + (b3 * gv_rho1 - b1 * gv_rho3)) + rhob2
-    rho3 = rhoa3 + (v_rho3 * fb + (b1 * gv_rho2 - b2 * gv_rho1)) + rhob3
-    negative = z0 < 0
-    gain = m.where(negative, -1, 1)
-    v1 = z1 * gain
-    v2 = z2 * gain
-    v3 = z3 * gain
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    fe = gain * z0
-    cc = 1 - x
-    c = m.sqrt(cc)
-    w4 = (rho1 * fe - (v2 * rho3 - v3 * rho2)) / 2
-    w5 = (rho2 * fe - (v3 * rho1 - v1 * rho3)) / 2
-    w6 = (rho3 * fe - (v1 * rho2 - v2 * rho1)) / 2
-    hw = 2 / c
-    fiyw = -(hw / 2)
-    yw = v1 * w4 + v2 * w5 + v3 * w6
-    fiow = fiyw * yw
-    sw1 = -v1
-    sw2 = -v2
-    sw3 = -v3
-    sow1 = -w4
-    sow2 = -w5
-    sow3 = -w6
-    I12 = -sw3
-    I23 = -sw1
-    I31 = -sw2
-    I12o = -sow3
-    I23o = -sow1
-    I31o = -sow2
-    fyS = hb - 2 * hb
-    gyS = fb * hb - 4
-    hyS = hb / ccb
-    foS = fyS * yb
-    goS = gyS * yb
-    hoS = hyS * yb
-    gvoS1 = 2 * b1o + b1 * goS
-    gvoS2 = 2 * b2o + b2 * goS
-    gvoS3 = 2 * b3o + b3 * goS
-    cvS1 = b1 * hb
-    cvS2 = b2 * hb
-    cvS3 = b3 * hb
-    cvoS1 = b1o * hb + b1 * hoS
-    cvoS2 = b2o * hb + b2 * hoS
-    cvoS3 = b3o * hb + b3 * hoS
-    d12S = cvS1 * b2
-    d13S = cvS1 * b3
-    d23S = cvS2 * b3
-    S11 = fb + cvS1 * b1
-    S12 = d12S - gvb3
-    S13 = d13S + gvb2
-    S21 = d12S + gvb3
-    S22 = fb + cvS2 * b2
-    S23 = d23S - gvb1
-    S31 = d13S - gvb2
-    S32 = d23S + gvb1
-    S33 = fb + cvS3 * b3
-    d12oS = cvS1 * b2o + cvoS1 * b2
-    d13oS = cvS1 * b3o + cvoS1 * b3
-    d23oS = cvS2 * b3o + cvoS2 * b3
-    S11o = foS + (cvS1 * b1o + cvoS1 * b1)
-    S12o = d12oS - gvoS3
-    S13o = d13oS + gvoS2
-    S21o = d12oS + gvoS3
-    S22o = foS + (cvS2 * b2o + cvoS2 * b2)
-    S23o = d23oS - gvoS1
-    S31o = d13oS - gvoS2
-    S32o = d23oS + gvoS1
-    S33o = foS + (cvS3 * b3o + cvoS3 * b3)
-    fyF = ha - 2 * ha
-    gyF = fa * ha - 4
-    hyF = ha / cca
-    foF = fyF * ya
-    goF = gyF * ya
-    hoF = hyF * ya
-    gvoF1 = 2 * a1o + a1 * goF
-    gvoF2 = 2 * a2o + a2 * goF
-    gvoF3 = 2 * a3o + a3 * goF
-    cvF1 = a1 * ha
-    cvF2 = a2 * ha
-    cvF3 = a3 * ha
-    cvoF1 = a1o * ha + a1 * hoF
-    cvoF2 = a2o * ha + a2 * hoF
-    cvoF3 = a3o * ha + a3 * hoF
-    d12F = cvF1 * a2
-    d13F = cvF1 * a3
-    d23F = cvF2 * a3
-    F11 = fa + cvF1 * a1
-    F12 = d12F - gva3
-    F13 = d13F + gva2
-    F21 = d12F + gva3
-    F22 = fa + cvF2 * a2
-    F23 = d23F - gva1
-    F31 = d13F - gva2
-    F32 = d23F + gva1
-    F33 = fa + cvF3 * a3
-    d12oF = cvF1 * a2o + cvoF1 * a2
-    d13oF = cvF1 * a3o + cvoF1 * a3
-    d23oF = cvF2 * a3o + cvoF2 * a3
-    F11o = foF + (cvF1 * a1o + cvoF1 * a1)
-    F12o = d12oF - gvoF3
-    F13o = d13oF + gvoF2
-    F21o = d12oF + gvoF3
-    F22o = foF + (cvF2 * a2o + cvoF2 * a2)
-    F23o = d23oF - gvoF1
-    F31o = d13oF - gvoF2
-    F32o = d23oF + gvoF1
-    F33o = foF + (cvF3 * a3o + cvoF3 * a3)
-    x23b = v22b + v33b
-    x13b = v11b + v33b
-    fvb1 = b1 * fb
-    fvb2 = b2 * fb
-    fvb3 = b3 * fb
-    gvvb1 = gvb1 * b2
-    gvvb2 = gvb1 * b3
-    gvvb3 = gvb2 * b3
-    Qb11 = 1 - 2 * x23b
-    Qb12 = gvvb1 - fvb3
-    Qb13 = gvvb2 + fvb2
-    Qb21 = gvvb1 + fvb3
-    Qb22 = 1 - 2 * x13b
-    Qb23 = gvvb3 - fvb1
-    Qb31 = gvvb2 - fvb2
-    Qb32 = gvvb3 + fvb1
-    Qb33 = 1 - 2 * x12b
-    R11o = Qb31 * rhob2 - Qb21 * rhob3
-    R12o = Qb32 * rhob2 - Qb22 * rhob3
-    R13o = Qb33 * rhob2 - Qb23 * rhob3
-    R21o = Qb11 * rhob3 - Qb31 * rhob1
-    R22o = Qb12 * rhob3 - Qb32 * rhob1
-    R23o = Qb13 * rhob3 - Qb33 * rhob1
-    R31o = Qb21 * rhob1 - Qb11 * rhob2
-    R32o = Qb22 * rhob1 - Qb12 * rhob2
-    R33o = Qb23 * rhob1 - Qb13 * rhob2
-    B11 = (c * S11 + I12 * S21 + sw2 * S31) / 2
-    B12 = (c * S12 + I12 * S22 + sw2 * S32) / 2
-    B13 = (c * S13 + I12 * S23 + sw2 * S33) / 2
-    B21 = (sw3 * S11 + c * S21 + I23 * S31) / 2
-    B22 = (sw3 * S12 + c * S22 + I23 * S32) / 2
-    B23 = (sw3 * S13 + c * S23 + I23 * S33) / 2
-    B31 = (I31 * S11 + sw1 * S21 + c * S31) / 2
-    B32 = (I31 * S12 + sw1 * S22 + c * S32) / 2
-    B33 = (I31 * S13 + sw1 * S23 + c * S33) / 2
-    RT11 = Qb11 * F11 + Qb12 * F21 + Qb13 * F31
-    RT11o = Qb11 * F11o + R11o * F11 + (Qb12 * F21o + R12o * F21) + (Qb13 * F31o + R13o * F31)
-    RT12 = Qb11 * F12 + Qb12 * F22 + Qb13 * F32
-    RT12o = Qb11 * F12o + R11o * F12 + (Qb12 * F22o + R12o * F22) + (Qb13 * F32o + R13o * F32)
-    RT13 = Qb11 * F13 + Qb12 * F23 + Qb13 * F33
-    RT13o = Qb11 * F13o + R11o * F13 + (Qb12 * F23o + R12o * F23) + (Qb13 * F33o + R13o * F33)
-    RT21 = Qb21 * F11 + Qb22 * F21 + Qb23 * F31
-    RT21o = Qb21 * F11o + R21o * F11 + (Qb22 * F21o + R22o * F21) + (Qb23 * F31o + R23o * F31)
-    RT22 = Qb21 * F12 + Qb22 * F22 + Qb23 * F32
-    RT22o = Qb21 * F12o + R21o * F12 + (Qb22 * F22o + R22o * F22) + (Qb23 * F32o + R23o * F32)
-    RT23 = Qb21 * F13 + Qb22 * F23 + Qb23 * F33
-    RT23o = Qb21 * F13o + R21o * F13 + (Qb22 * F23o + R22o * F23) + (Qb23 * F33o + R23o * F33)
-    RT31 = Qb31 * F11 + Qb32 * F21 + Qb33 * F31
-    RT31o = Qb31 * F11o + R31o * F11 + (Qb32 * F21o + R32o * F21) + (Qb33 * F31o + R33o * F31)
-    RT32 = Qb31 * F12 + Qb32 * F22 + Qb33 * F32
-    RT32o = Qb31 * F12o + R31o * F12 + (Qb32 * F22o + R32o * F22) + (Qb33 * F32o + R33o * F32)
-    RT33 = Qb31 * F13 + Qb32 * F23 + Qb33 * F33
-    RT33o = Qb31 * F13o + R31o * F13 + (Qb32 * F23o + R32o * F23) + (Qb33 * F33o + R33o * F33)
-    A11 = (c * RT11 + I12 * RT21 + sw2 * RT31) / 2
-    A12 = (c * RT12 + I12 * RT22 + sw2 * RT32) / 2
-    A13 = (c * RT13 + I12 * RT23 + sw2 * RT33) / 2
-    A21 = (sw3 * RT11 + c * RT21 + I23 * RT31) / 2
-    A22 = (sw3 * RT12 + c * RT22 + I23 * RT32) / 2
-    A23 = (sw3 * RT13 + c * RT23 + I23 * RT33) / 2
-    A31 = (I31 * RT11 + sw1 * RT21 + c * RT31) / 2
-    A32 = (I31 * RT12 + sw1 * RT22 + c * RT32) / 2
-    A33 = (I31 * RT13 + sw1 * RT23 + c * RT33) / 2
-    return (
-        B11,
-        B12,
-        B13,
-        0,
-        0,
-        0,
-        B21,
-        B22,
-        B23,
-        0,
-        0,
-        0,
-        B31,
-        B32,
-        B33,
-        0,
-        0,
-        0,
-        (c * S11o + fiow * S11 + (I12 * S21o + I12o * S21) + (sw2 * S31o + sow2 * S31)) / 2,
-        (c * S12o + fiow * S12 + (I12 * S22o + I12o * S22) + (sw2 * S32o + sow2 * S32)) / 2,
-        (c * S13o + fiow * S13 + (I12 * S23o + I12o * S23) + (sw2 * S33o + sow2 * S33)) / 2,
-        B11,
-        B12,
-        B13,
-        (sw3 * S11o + sow3 * S11 + (c * S21o + fiow * S21) + (I23 * S31o + I23o * S31)) / 2,
-        (sw3 * S12o + sow3 * S12 + (c * S22o + fiow * S22) + (I23 * S32o + I23o * S32)) / 2,
-        (sw3 * S13o + sow3 * S13 + (c * S23o + fiow * S23) + (I23 * S33o + I23o * S33)) / 2,
-        B21,
-        B22,
-        B23,
-        (I31 * S11o + I31o * S11 + (sw1 * S21o + sow1 * S21) + (c * S31o + fiow * S31)) / 2,
-        (I31 * S12o + I31o * S12 + (sw1 * S22o + sow1 * S22) + (c * S32o + fiow * S32)) / 2,
-        (I31 * S13o + I31o * S13 + (sw1 * S23o + sow1 * S23) + (c * S33o + fiow * S33)) / 2,
-        B31,
-        B32,
-        B33,
-        A11,
-        A12,
-        A13,
-        0,
-        0,
-        0,
-        A21,
-        A22,
-        A23,
-        0,
-        0,
-        0,
-        A31,
-        A32,
-        A33,
-        0,
-        0,
-        0,
-        (c * RT11o + fiow * RT11 + (I12 * RT21o + I12o * RT21) + (sw2 * RT31o + sow2 * RT31)) / 2,
-        (c * RT12o + fiow * RT12 + (I12 * RT22o + I12o * RT22) + (sw2 * RT32o + sow2 * RT32)) / 2,
-        (c * RT13o + fiow * RT13 + (I12 * RT23o + I12o * RT23) + (sw2 * RT33o + sow2 * RT33)) / 2,
-        A11,
-        A12,
-        A13,
-        (sw3 * RT11o + sow3 * RT11 + (c * RT21o + fiow * RT21) + (I23 * RT31o + I23o * RT31)) / 2,
-        (sw3 * RT12o + sow3 * RT12 + (c * RT22o + fiow * RT22) + (I23 * RT32o + I23o * RT32)) / 2,
-        (sw3 * RT13o + sow3 * RT13 + (c * RT23o + fiow * RT23) + (I23 * RT33o + I23o * RT33)) / 2,
-        A21,
-        A22,
-        A23,
-        (I31 * RT11o + I31o * RT11 + (sw1 * RT21o + sow1 * RT21) + (c * RT31o + fiow * RT31)) / 2,
-        (I31 * RT12o + I31o * RT12 + (sw1 * RT22o + sow1 * RT22) + (c * RT32o + fiow * RT32)) / 2,
-        (I31 * RT13o + I31o * RT13 + (sw1 * RT23o + sow1 * RT23) + (c * RT33o + fiow * RT33)) / 2,
-        A31,
-        A32,
-        A33,
-    )
-
-
-def _own_compose_jacobians_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, b: Rows, a: Rows
-) -> None:
-    b1, b2, b3, b1o, b2o, b3o = b
-    a1, a2, a3, a1o, a2o, a3o = a
-    (
-        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
-        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36, o37, o38, o39, o40, o41, o42, o43, o44, o45, o46,
-        o47, o48, o49, o50, o51, o52, o53, o54, o55, o56, o57, o58, o59, o60, o61, o62, o63, o64, o65, o66, o67, o68,
-        o69, o70, o71, o72,
-    ) = out
-    (
-        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
-        k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, k35, k36, k37, k38, k39, k40, k41, k42, k43, k44, k45, k46,
-        k47, k48, k49, k50, k51, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61, k62, k63, k64, k65,
-    ) = scratch
-    mask1, = masks
-    n_minus_1, n0, n1, n2, n4 = numbers
-    v11a = mul(a1, a1, k1)
-    v22a = mul(a2, a2, k2)
-    v33a = mul(a3, a3, k3)
-    xa = add(add(v11a, v22a, k1), v33a, k1)
-    cca = sub(n1, xa, k1)
-    ca = sqrt(cca, k2)
-    v11b = mul(b1, b1, k3)
-    v22b = mul(b2, b2, k4)
-    x12b = add(v11b, v22b, k5)
-    v33b = mul(b3, b3, k6)
-    x23b = add(v22b, v33b, k4)
-    Qb11 = sub(n1, mul(n2, x23b, k4), k4)
-    x13b = add(v11b, v33b, k3)
-    xb = add(x12b, v33b, k6)
-    ccb = sub(n1, xb, k6)
-    Qb22 = sub(n1, mul(n2, x13b, k3), k3)
-    Qb33 = sub(n1, mul(n2, x12b, k5), k5)
-    cb = sqrt(ccb, k7)
-    z1 = add(add(mul(a1, cb, k8), mul(b1, ca, k9), k8), sub(mul(b2, a3, k9), mul(b3, a2, k10), k9), k8)
-    z0 = sub(mul(cb, ca, k9), add(add(mul(b1, a1, k10), mul(b2, a2, k11), k10), mul(b3, a3, k11), k10), k9)
-    negative = m.less(z0, n0, mask1)
-    gain = m.where(negative, n_minus_1, n1, k10)
-    v1 = mul(z1, gain, k8)
-    fe = mul(gain, z0, k9)
-    v11 = mul(v1, v1, k11)
-    z2 = add(add(mul(a2, cb, k12), mul(b2, ca, k13), k12), sub(mul(b3, a1, k13), mul(b1, a3, k14), k13), k12)
-    v2 = mul(z2, gain, k12)
-    v22 = mul(v2, v2, k13)
-    z3 = add(add(mul(a3, cb, k14), mul(b3, ca, k15), k14), sub(mul(b1, a2, k15), mul(b2, a1, k16), k15), k14)
-    v3 = mul(z3, gain, k10)
-    v33 = mul(v3, v3, k14)
-    x = add(add(v11, v22, k11), v33, k11)
-    cc = sub(n1, x, k11)
-    c = sqrt(cc, k11)
-    sw3 = neg(v3, k13)
-    I12 = neg(sw3, k14)
-    sw2 = neg(v2, k15)
-    fb = mul(n2, cb, k16)
-    hb = div(n2, cb, k7)
-    hyS = div(hb, ccb, k6)
-    cvS1 = mul(b1, hb, k17)
-    S11 = add(fb, mul(cvS1, b1, k18), k18)
-    d12S = mul(cvS1, b2, k19)
-    gvb3 = mul(n2, b3, k20)
-    S21 = add(d12S, gvb3, k21)
-    S12 = sub(d12S, gvb3, k19)
-    d13S = mul(cvS1, b3, k22)
-    gvb2 = mul(n2, b2, k23)
-    S31 = sub(d13S, gvb2, k24)
-    div(add(add(mul(c, S11, k25), mul(I12, S21, k26), k25), mul(sw2, S31, k26), k25), n2, o1)
-    S13 = add(d13S, gvb2, k22)
-    cvS2 = mul(b2, hb, k25)
-    S22 = add(fb, mul(cvS2, b2, k26), k26)
-    d23S = mul(cvS2, b3, k27)
-    gvb1 = mul(n2, b1, k28)
-    S32 = add(d23S, gvb1, k29)
-    div(add(add(mul(c, S12, k30), mul(I12, S22, k31), k30), mul(sw2, S32, k31), k30), n2, o2)
-    S23 = sub(d23S, gvb1, k27)
-    cvS3 = mul(b3, hb, k30)
-    S33 = add(fb, mul(cvS3, b3, k31), k31)
-    div(add(add(mul(c, S13, k32), mul(I12, S23, k33), k32), mul(sw2, S33, k33), k32), n2, o3)
-    sw1 = neg(v1, k32)
-    I23 = neg(sw1, k33)
-    div(add(add(mul(sw3, S11, k34), mul(c, S21, k35), k34), mul(I23, S31, k35), k34), n2, o7)
-    div(add(add(mul(sw3, S12, k34), mul(c, S22, k35), k34), mul(I23, S32, k35), k34), n2, o8)
-    div(add(add(mul(sw3, S13, k34), mul(c, S23, k35), k34), mul(I23, S33, k35), k34), n2, o9)
-    I31 = neg(sw2, k34)
-    div(add(add(mul(I31, S11, k35), mul(sw1, S21, k36), k35), mul(c, S31, k36), k35), n2, o13)
-    div(add(add(mul(I31, S12, k35), mul(sw1, S22, k36), k35), mul(c, S32, k36), k35), n2, o14)
-    div(add(add(mul(I31, S13, k35), mul(sw1, S23, k36), k35), mul(c, S33, k36), k35), n2, o15)
-    fa = mul(n2, ca, k35)
-    ha = div(n2, ca, k2)
-    hyF = div(ha, cca, k1)
-    ya = add(add(mul(a1, a1o, k36), mul(a2, a2o, k37), k36), mul(a3, a3o, k37), k36)
-    hoF = mul(hyF, ya, k1)
-    alonga = mul(ha, ya, k37)
-    gva1 = mul(n2, a1, k38)
-    gva2 = mul(n2, a2, k39)
-    rhoa3 = add(
-        add(mul(a3o, fa, k40), sub(mul(gva1, a2o, k41), mul(gva2, a1o, k42), k41), k40), mul(a3, alonga, k41), k40
-    )
-    gva3 = mul(n2, a3, k41)
-    rhoa2 = add(
-        add(mul(a2o, fa, k42), sub(mul(gva3, a1o, k43), mul(gva1, a3o, k44), k43), k42), mul(a2, alonga, k43), k42
-    )
-    rhoa1 = add(
-        add(mul(a1o, fa, k43), sub(mul(gva2, a3o, k44), mul(gva3, a2o, k45), k44), k43), mul(a1, alonga, k37), k37
-    )
-    v_rho1 = sub(mul(b2, rhoa3, k43), mul(b3, rhoa2, k44), k43)
-    v_rho3 = sub(mul(b1, rhoa2, k44), mul(b2, rhoa1, k45), k44)
-    gv_rho3 = mul(n2, v_rho3, k45)
-    v_rho2 = sub(mul(b3, rhoa1, k46), mul(b1, rhoa3, k47), k46)
-    gv_rho2 = mul(n2, v_rho2, k47)
-    yb = add(add(mul(b1, b1o, k48), mul(b2, b2o, k49), k48), mul(b3, b3o, k49), k48)
-    hoS = mul(hyS, yb, k6)
-    alongb = mul(hb, yb, k49)
-    rhob1 = add(
-        add(mul(b1o, fb, k50), sub(mul(gvb2, b3o, k51), mul(gvb3, b2o, k52), k51), k50), mul(b1, alongb, k51), k50
-    )
-    rho1 = add(
-        add(rhoa1, add(mul(v_rho1, fb, k51), sub(mul(b2, gv_rho3, k52), mul(b3, gv_rho2, k53), k52), k51), k37), rhob1,
-        k37
-    )
-    gv_rho1 = mul(n2, v_rho1, k43)
-    rhob2 = add(
-        add(mul(b2o, fb, k51), sub(mul(gvb3, b1o, k20), mul(gvb1, b3o, k52), k20), k20), mul(b2, alongb, k51), k20
-    )
-    rho2 = add(
-        add(rhoa2, add(mul(v_rho2, fb, k46), sub(mul(b3, gv_rho1, k51), mul(b1, gv_rho3, k45), k45), k45), k42), rhob2,
-        k42
-    )
-    rhob3 = add(
-        add(mul(b3o, fb, k45), sub(mul(gvb1, b2o, k46), mul(gvb2, b1o, k51), k46), k45), mul(b3, alongb, k46), k45
-    )
-    rho3 = add(
-        add(rhoa3, add(mul(v_rho3, fb, k44), sub(mul(b1, gv_rho2, k46), mul(b2, gv_rho1, k43), k43), k43), k40), rhob3,
-        k40
-    )
-    gvvb3 = mul(gvb2, b3, k23)
-    w4 = div(sub(mul(rho1, fe, k43), sub(mul(v2, rho3, k44), mul(v3, rho2, k46), k44), k43), n2, k43)
-    w5 = div(sub(mul(rho2, fe, k44), sub(mul(v3, rho1, k46), mul(v1, rho3, k47), k46), k44), n2, k44)
-    w6 = div(sub(mul(rho3, fe, k9), sub(mul(v1, rho2, k40), mul(v2, rho1, k37), k37), k9), n2, k9)
-    yw = add(add(mul(v1, w4, k8), mul(v2, w5, k12), k8), mul(v3, w6, k10), k8)
-    sow3 = neg(w6, k9)
-    sow2 = neg(w5, k10)
-    sow1 = neg(w4, k12)
-    hw = div(n2, c, k37)
-    fiyw = neg(div(hw, n2, k37), k37)
-    fiow = mul(fiyw, yw, k8)
-    I12o = neg(sow3, k37)
-    fyS = sub(hb, mul(n2, hb, k40), k40)
-    foS = mul(fyS, yb, k40)
-    cvoS1 = add(mul(b1o, hb, k42), mul(b1, hoS, k43), k42)
-    S11o = add(foS, add(mul(cvS1, b1o, k43), mul(cvoS1, b1, k44), k43), k43)
-    d12oS = add(mul(cvS1, b2o, k44), mul(cvoS1, b2, k46), k44)
-    d13oS = add(mul(cvS1, b3o, k17), mul(cvoS1, b3, k42), k17)
-    gyS = sub(mul(fb, hb, k42), n4, k42)
-    goS = mul(gyS, yb, k42)
-    gvoS3 = add(mul(n2, b3o, k46), mul(b3, goS, k47), k46)
-    S21o = add(d12oS, gvoS3, k47)
-    S12o = sub(d12oS, gvoS3, k44)
-    gvoS2 = add(mul(n2, b2o, k46), mul(b2, goS, k48), k46)
-    gvoS1 = add(mul(n2, b1o, k48), mul(b1, goS, k42), k42)
-    S31o = sub(d13oS, gvoS2, k48)
-    S13o = add(d13oS, gvoS2, k17)
-    div(
-        add(add(add(mul(c, S11o, k46), mul(fiow, S11, k49), k46), add(mul(I12, S21o, k49), mul(I12o, S21, k51), k49),
-        k46), add(mul(sw2, S31o, k49), mul(sow2, S31, k51), k49), k46), n2, o19
-    )
-    cvoS2 = add(mul(b2o, hb, k46), mul(b2, hoS, k49), k46)
-    cvoS3 = add(mul(b3o, hb, k7), mul(b3, hoS, k6), k6)
-    S33o = add(foS, add(mul(cvS3, b3o, k7), mul(cvoS3, b3, k6), k6), k6)
-    S22o = add(foS, add(mul(cvS2, b2o, k7), mul(cvoS2, b2, k30), k7), k7)
-    d23oS = add(mul(cvS2, b3o, k25), mul(cvoS2, b3, k30), k25)
-    S32o = add(d23oS, gvoS1, k30)
-    S23o = sub(d23oS, gvoS1, k25)
-    div(
-        add(add(add(mul(c, S12o, k40), mul(fiow, S12, k42), k40), add(mul(I12, S22o, k42), mul(I12o, S22, k46), k42),
-        k40), add(mul(sw2, S32o, k42), mul(sow2, S32, k46), k42), k40), n2, o20
-    )
-    div(
-        add(add(add(mul(c, S13o, k40), mul(fiow, S13, k42), k40), add(mul(I12, S23o, k42), mul(I12o, S23, k46), k42),
-        k40), add(mul(sw2, S33o, k42), mul(sow2, S33, k46), k42), k40), n2, o21
-    )
-    I23o = neg(sow1, k40)
-    div(
-        add(add(add(mul(sw3, S11o, k42), mul(sow3, S11, k46), k42), add(mul(c, S21o, k46), mul(fiow, S21, k49), k46),
-        k42), add(mul(I23, S31o, k46), mul(I23o, S31, k49), k46), k42), n2, o25
-    )
-    div(
-        add(add(add(mul(sw3, S12o, k42), mul(sow3, S12, k46), k42), add(mul(c, S22o, k46), mul(fiow, S22, k49), k46),
-        k42), add(mul(I23, S32o, k46), mul(I23o, S32, k49), k46), k42), n2, o26
-    )
-    div(
-        add(add(add(mul(sw3, S13o, k42), mul(sow3, S13, k46), k42), add(mul(c, S23o, k46), mul(fiow, S23, k49), k46),
-        k42), add(mul(I23, S33o, k46), mul(I23o, S33, k49), k46), k42), n2, o27
-    )
-    I31o = neg(sow2, k42)
-    div(
-        add(add(add(mul(I31, S11o, k43), mul(I31o, S11, k18), k18), add(mul(sw1, S21o, k43), mul(sow1, S21, k21), k21),
-        k18), add(mul(c, S31o, k21), mul(fiow, S31, k24), k21), k18), n2, o31
-    )
-    div(
-        add(add(add(mul(I31, S12o, k18), mul(I31o, S12, k19), k18), add(mul(sw1, S22o, k7), mul(sow1, S22, k19), k7),
-        k7), add(mul(c, S32o, k18), mul(fiow, S32, k19), k18), k7), n2, o32
-    )
-    div(
-        add(add(add(mul(I31, S13o, k7), mul(I31o, S13, k17), k7), add(mul(sw1, S23o, k17), mul(sow1, S23, k18), k17),
-        k7), add(mul(c, S33o, k6), mul(fiow, S33, k17), k6), k6), n2, o33
-    )
-    cvF1 = mul(a1, ha, k6)
-    F11 = add(fa, mul(cvF1, a1, k7), k7)
-    d12F = mul(cvF1, a2, k17)
-    F21 = add(d12F, gva3, k18)
-    F12 = sub(d12F, gva3, k17)
-    d13F = mul(cvF1, a3, k19)
-    F31 = sub(d13F, gva2, k21)
-    F13 = add(d13F, gva2, k19)
-    fvb3 = mul(b3, fb, k22)
-    gvvb1 = mul(gvb1, b2, k24)
-    gvvb2 = mul(gvb1, b3, k25)
-    Qb12 = sub(gvvb1, fvb3, k26)
-    Qb21 = add(gvvb1, fvb3, k22)
-    fvb2 = mul(b2, fb, k24)
-    fvb1 = mul(b1, fb, k16)
-    Qb13 = add(gvvb2, fvb2, k27)
-    Qb31 = sub(gvvb2, fvb2, k24)
-    RT11 = add(add(mul(Qb11, F11, k25), mul(Qb12, F21, k28), k25), mul(Qb13, F31, k28), k25)
-    Qb23 = sub(gvvb3, fvb1, k28)
-    Qb32 = add(gvvb3, fvb1, k16)
-    RT21 = add(add(mul(Qb21, F11, k23), mul(Qb22, F21, k29), k23), mul(Qb23, F31, k29), k23)
-    RT31 = add(add(mul(Qb31, F11, k29), mul(Qb32, F21, k30), k29), mul(Qb33, F31, k30), k29)
-    div(add(add(mul(c, RT11, k30), mul(I12, RT21, k31), k30), mul(sw2, RT31, k31), k30), n2, o37)
-    div(add(add(mul(sw3, RT11, k30), mul(c, RT21, k31), k30), mul(I23, RT31, k31), k30), n2, o43)
-    div(add(add(mul(I31, RT11, k30), mul(sw1, RT21, k31), k30), mul(c, RT31, k31), k30), n2, o49)
-    cvF2 = mul(a2, ha, k30)
-    F22 = add(fa, mul(cvF2, a2, k31), k31)
-    d23F = mul(cvF2, a3, k39)
-    F32 = add(d23F, gva1, k41)
-    F23 = sub(d23F, gva1, k38)
-    RT12 = add(add(mul(Qb11, F12, k39), mul(Qb12, F22, k43), k39), mul(Qb13, F32, k43), k39)
-    RT22 = add(add(mul(Qb21, F12, k43), mul(Qb22, F22, k44), k43), mul(Qb23, F32, k44), k43)
-    RT32 = add(add(mul(Qb31, F12, k44), mul(Qb32, F22, k46), k44), mul(Qb33, F32, k46), k44)
-    div(add(add(mul(c, RT12, k46), mul(I12, RT22, k47), k46), mul(sw2, RT32, k47), k46), n2, o38)
-    div(add(add(mul(sw3, RT12, k46), mul(c, RT22, k47), k46), mul(I23, RT32, k47), k46), n2, o44)
-    div(add(add(mul(I31, RT12, k46), mul(sw1, RT22, k47), k46), mul(c, RT32, k47), k46), n2, o50)
-    cvF3 = mul(a3, ha, k46)
-    F33 = add(fa, mul(cvF3, a3, k47), k47)
-    gyF = sub(mul(fa, ha, k35), n4, k35)
-    goF = mul(gyF, ya, k35)
-    RT13 = add(add(mul(Qb11, F13, k48), mul(Qb12, F23, k49), k48), mul(Qb13, F33, k49), k48)
-    RT23 = add(add(mul(Qb21, F13, k49), mul(Qb22, F23, k51), k49), mul(Qb23, F33, k51), k49)
-    RT33 = add(add(mul(Qb31, F13, k51), mul(Qb32, F23, k52), k51), mul(Qb33, F33, k52), k51)
-    div(add(add(mul(c, RT13, k52), mul(I12, RT23, k53), k52), mul(sw2, RT33, k53), k52), n2, o39)
-    div(add(add(mul(sw3, RT13, k52), mul(c, RT23, k53), k52), mul(I23, RT33, k53), k52), n2, o45)
-    div(add(add(mul(I31, RT13, k52), mul(sw1, RT23, k53), k52), mul(c, RT33, k53), k52), n2, o51)
-    fyF = sub(ha, mul(n2, ha, k52), k52)
-    foF = mul(fyF, ya, k36)
-    cvoF1 = add(mul(a1o, ha, k52), mul(a1, hoF, k53), k52)
-    F11o = add(foF, add(mul(cvF1, a1o, k53), mul(cvoF1, a1, k54), k53), k53)
-    R11o = sub(mul(Qb31, rhob2, k54), mul(Qb21, rhob3, k55), k54)
-    d12oF = add(mul(cvF1, a2o, k55), mul(cvoF1, a2, k56), k55)
-    d13oF = add(mul(cvF1, a3o, k6), mul(cvoF1, a3, k52), k6)
-    gvoF3 = add(mul(n2, a3o, k52), mul(a3, goF, k56), k52)
-    F21o = add(d12oF, gvoF3, k56)
-    F12o = sub(d12oF, gvoF3, k52)
-    R12o = sub(mul(Qb32, rhob2, k55), mul(Qb22, rhob3, k57), k55)
-    gvoF2 = add(mul(n2, a2o, k57), mul(a2, goF, k58), k57)
-    gvoF1 = add(mul(n2, a1o, k58), mul(a1, goF, k35), k35)
-    F31o = sub(d13oF, gvoF2, k58)
-    F13o = add(d13oF, gvoF2, k6)
-    R13o = sub(mul(Qb33, rhob2, k57), mul(Qb23, rhob3, k59), k57)
-    RT11o = add(
-        add(add(mul(Qb11, F11o, k59), mul(R11o, F11, k60), k59), add(mul(Qb12, F21o, k60), mul(R12o, F21, k61), k60),
-        k59), add(mul(Qb13, F31o, k60), mul(R13o, F31, k61), k60), k59
-    )
-    R21o = sub(mul(Qb11, rhob3, k60), mul(Qb31, rhob1, k61), k60)
-    R22o = sub(mul(Qb12, rhob3, k61), mul(Qb32, rhob1, k62), k61)
-    R23o = sub(mul(Qb13, rhob3, k45), mul(Qb33, rhob1, k62), k45)
-    RT21o = add(
-        add(add(mul(Qb21, F11o, k62), mul(R21o, F11, k63), k62), add(mul(Qb22, F21o, k63), mul(R22o, F21, k64), k63),
-        k62), add(mul(Qb23, F31o, k63), mul(R23o, F31, k64), k63), k62
-    )
-    R31o = sub(mul(Qb21, rhob1, k63), mul(Qb11, rhob2, k64), k63)
-    R32o = sub(mul(Qb22, rhob1, k64), mul(Qb12, rhob2, k65), k64)
-    R33o = sub(mul(Qb23, rhob1, k50), mul(Qb13, rhob2, k20), k20)
-    RT31o = add(
-        add(add(mul(Qb31, F11o, k50), mul(R31o, F11, k7), k7), add(mul(Qb32, F21o, k50), mul(R32o, F21, k18), k18), k7),
-        add(mul(Qb33, F31o, k18), mul(R33o, F31, k21), k18), k7
-    )
-    div(
-        add(add(add(mul(c, RT11o, k18), mul(fiow, RT11, k21), k18), add(mul(I12, RT21o, k21), mul(I12o, RT21, k50),
-        k21), k18), add(mul(sw2, RT31o, k21), mul(sow2, RT31, k50), k21), k18), n2, o55
-    )
-    div(
-        add(add(add(mul(sw3, RT11o, k18), mul(sow3, RT11, k21), k18), add(mul(c, RT21o, k21), mul(fiow, RT21, k50),
-        k21), k18), add(mul(I23, RT31o, k21), mul(I23o, RT31, k50), k21), k18), n2, o61
-    )
-    div(
-        add(add(add(mul(I31, RT11o, k18), mul(I31o, RT11, k21), k18), add(mul(sw1, RT21o, k21), mul(sow1, RT21, k23),
-        k21), k18), add(mul(c, RT31o, k7), mul(fiow, RT31, k21), k7), k7), n2, o67
-    )
-    cvoF2 = add(mul(a2o, ha, k7), mul(a2, hoF, k18), k7)
-    cvoF3 = add(mul(a3o, ha, k2), mul(a3, hoF, k1), k1)
-    F33o = add(foF, add(mul(cvF3, a3o, k2), mul(cvoF3, a3, k1), k1), k1)
-    F22o = add(foF, add(mul(cvF2, a2o, k2), mul(cvoF2, a2, k18), k2), k2)
-    d23oF = add(mul(cvF2, a3o, k18), mul(cvoF2, a3, k7), k7)
-    F32o = add(d23oF, gvoF1, k18)
-    F23o = sub(d23oF, gvoF1, k7)
-    RT12o = add(
-        add(add(mul(Qb11, F12o, k21), mul(R11o, F12, k23), k21), add(mul(Qb12, F22o, k23), mul(R12o, F22, k25), k23),
-        k21), add(mul(Qb13, F32o, k23), mul(R13o, F32, k25), k23), k21
-    )
-    RT13o = add(
-        add(add(mul(Qb11, F13o, k4), mul(R11o, F13, k23), k4), add(mul(Qb12, F23o, k23), mul(R12o, F23, k25), k23), k4),
-        add(mul(Qb13, F33o, k23), mul(R13o, F33, k25), k23), k4
-    )
-    RT22o = add(
-        add(add(mul(Qb21, F12o, k23), mul(R21o, F12, k25), k23), add(mul(Qb22, F22o, k25), mul(R22o, F22, k26), k25),
-        k23), add(mul(Qb23, F32o, k25), mul(R23o, F32, k26), k25), k23
-    )
-    RT32o = add(
-        add(add(mul(Qb31, F12o, k25), mul(R31o, F12, k17), k17), add(mul(Qb32, F22o, k2), mul(R32o, F22, k25), k2), k2),
-        add(mul(Qb33, F32o, k17), mul(R33o, F32, k18), k17), k2
-    )
-    RT23o = add(
-        add(add(mul(Qb21, F13o, k17), mul(R21o, F13, k18), k17), add(mul(Qb22, F23o, k3), mul(R22o, F23, k18), k3), k3),
-        add(mul(Qb23, F33o, k17), mul(R23o, F33, k18), k17), k3
-    )
-    RT33o = add(
-        add(add(mul(Qb31, F13o, k6), mul(R31o, F13, k17), k6), add(mul(Qb32, F23o, k7), mul(R32o, F23, k16), k7), k6),
-        add(mul(Qb33, F33o, k1), mul(R33o, F33, k5), k1), k1
-    )
-    div(
-        add(add(add(mul(c, RT12o, k5), mul(fiow, RT12, k6), k5), add(mul(I12, RT22o, k6), mul(I12o, RT22, k7), k6), k5),
-        add(mul(sw2, RT32o, k6), mul(sow2, RT32, k7), k6), k5), n2, o56
-    )
-    div(
-        add(add(add(mul(c, RT13o, k5), mul(fiow, RT13, k6), k5), add(mul(I12, RT23o, k6), mul(I12o, RT23, k7), k6), k5),
-        add(mul(sw2, RT33o, k6), mul(sow2, RT33, k7), k6), k5), n2, o57
-    )
-    div(
-        add(add(add(mul(sw3, RT12o, k5), mul(sow3, RT12, k6), k5), add(mul(c, RT22o, k6), mul(fiow, RT22, k7), k6), k5),
-        add(mul(I23, RT32o, k6), mul(I23o, RT32, k7), k6), k5), n2, o62
-    )
-    div(
-        add(add(add(mul(I31, RT12o, k5), mul(I31o, RT12, k6), k5), add(mul(sw1, RT22o, k6), mul(sow1, RT22, k7), k6),
-        k5), add(mul(c, RT32o, k2), mul(fiow, RT32, k6), k2), k2), n2, o68
-    )
-    div(
-        add(add(add(mul(sw3, RT13o, k2), mul(sow3, RT13, k5), k2), add(mul(c, RT23o, k5), mul(fiow, RT23, k6), k5), k2),
-        add(mul(I23, RT33o, k5), mul(I23o, RT33, k6), k5), k2), n2, o63
-    )
-    div(
-        add(add(add(mul(I31, RT13o, k2), mul(I31o, RT13, k4), k2), add(mul(sw1, RT23o, k3), mul(sow1, RT23, k4), k3),
-        k2), add(mul(c, RT33o, k1), mul(fiow, RT33, k3), k1), k1), n2, o69
-    )
-    copy(n0, o4)
-    copy(n0, o5)
-    copy(n0, o6)
-    copy(n0, o10)
-    copy(n0, o11)
-    copy(n0, o12)
-    copy(n0, o16)
-    copy(n0, o17)
-    copy(n0, o18)
-    copy(o1, o22)
-    copy(o2, o23)
-    copy(o3, o24)
-    copy(o7, o28)
-    copy(o8, o29)
-    copy(o9, o30)
-    copy(o13, o34)
-    copy(o14, o35)
-    copy(o15, o36)
-    copy(n0, o40)
-    copy(n0, o41)
-    copy(n0, o42)
-    copy(n0, o46)
-    copy(n0, o47)
-    copy(n0, o48)
-    copy(n0, o52)
-    copy(n0, o53)
-    copy(n0, o54)
-    copy(o37, o58)
-    copy(o38, o59)
-    copy(o39, o60)
-    copy(o43, o64)
-    copy(o44, o65)
-    copy(o45, o66)
-    copy(o49, o70)
-    copy(o50, o71)
-    copy(o51, o72)
-
-
-# operations 872: 339 +, 446 *, 45 /, 37 neg, 3 sqrt, 1 lt, 1 where
-def _own_between_jacobians(m: Any, c: Any, a: Components, b: Components) -> Result:
-    a1, a2, a3, a1o, a2o, a3o = a
-    b1, b2, b3, b1o, b2o, b3o = b
-    minus_b1 = -b1
-    minus_b2 = -b2
-    minus_b3 = -b3
-    minus_b4 = -b1o
-    minus_b5 = -b2o
-    minus_b6 = -b3o
-    v11b = minus_b1 * minus_b1
-    v22b = minus_b2 * minus_b2
-    v33b = minus_b3 * minus_b3
-    x12b = v11b + v22b
-    xb = x12b + v33b
-    ccb = 1 - xb
-    cb = m.sqrt(ccb)
-    fb = 2 * cb
-    hb = 2 / cb
-    v11a = a1 * a1
-    v22a = a2 * a2
-    v33a = a3 * a3
-    xa = v11a + v22a + v33a
-    cca = 1 - xa
-    ca = m.sqrt(cca)
-    fa = 2 * ca
-    ha = 2 / ca
-    z0 = cb * ca - (minus_b1 * a1 + minus_b2 * a2 + minus_b3 * a3)
-    z1 = a1 * cb + minus_b1 * ca + (minus_b2 * a3 - minus_b3 * a2)
-    z2 = a2 * cb + minus_b2 * ca + (minus_b3 * a1 - minus_b1 * a3)
-    z3 = a3 * cb + minus_b3 * ca + (minus_b1 * a2 - minus_b2 * a1)
-    gva1 = 2 * a1
-    gva2 = 2 * a2
-    gva3 = 2 * a3
-    ya = a1 * a1o + a2 * a2o + a3 * a3o
-    alonga = ha * ya
-    rhoa1 = a1o * fa + (gva2 * a3o - gva3 * a2o) + a1 * alonga
-    rhoa2 = a2o * fa + (gva3 * a1o - gva1 * a3o) + a2 * alonga
-    rhoa3 = a3o * fa + (gva1 * a2o - gva2 * a1o) + a3 * alonga
-    v_rho1 = minus_b2 * rhoa3 - minus_b3 * rhoa2
-    v_rho2 = minus_b3 * rhoa1 - minus_b1 * rhoa3
-    v_rho3 = minus_b1 * rhoa2 - minus_b2 * rhoa1
-    gv_rho1 = 2 * v_rho1
-    gv_rho2 = 2 * v_rho2
-    gv_rho3 = 2 * v_rho3
-    gvb1 = 2 * minus_b1
-    gvb2 = 2 * minus_b2
-    gvb3 = 2 * minus_b3
-    yb = minus_b1 * minus_b4 + minus_b2 * minus_b5 + minus_b3 * minus_b6
-    alongb = hb * yb
-    rhob1 = minus_b4 * fb + (gvb2 * minus_b6 - gvb3 * minus_b5) + minus_b1 * alongb
-    rhob2 = minus_b5 * fb + (gvb3 * minus_b4 - gvb1 * minus_b6) + minus_b2 * alongb
-    rhob3 = minus_b6 * fb + (gvb1 * minus_b5 - gvb2 * minus_b4) + minus_b3 * alongb
-    rho1 = rhoa1 + (v_rho1 * fb + (minus_b2 * gv_rho3 - minus_b3 * gv_rho2)) + rhob1
-    rho2 = rhoa2 + (v_rho2 * fb + (minus_b3 * gv_rho1 - minus_b1 * gv_rho3)) + rhob2
-    rho3 = rhoa3 + (v_rho3 * fb + (minus_b1 * gv_rho2 - minus_b2 * gv_rho1)) + rhob3
-    negative = z0 < 0
-    gain = m.where(negative, -1, 1)
-    v1 = z1 * gain
-    v2 = z2 * gain
-    v3 = z3 * gain
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    fe = gain * z0
-    cc = 1 - x
-    c = m.sqrt(cc)
-    w4 = (rho1 * fe - (v2 * rho3 - v3 * rho2)) / 2
-    w5 = (rho2 * fe - (v3 * rho1 - v1 * rho3)) / 2
-    w6 = (rho3 * fe - (v1 * rho2 - v2 * rho1)) / 2
-    hw = 2 / c
-    fiyw = -(hw / 2)
-    yw = v1 * w4 + v2 * w5 + v3 * w6
-    fiow = fiyw * yw
-    sw1 = -v1
-    sw2 = -v2
-    sw3 = -v3
-    sow1 = -w4
-    sow2 = -w5
-    sow3 = -w6
-    I12 = -sw3
-    I23 = -sw1
-    I31 = -sw2
-    I12o = -sow3
-    I23o = -sow1
-    I31o = -sow2
-    fyS = hb - 2 * hb
-    gyS = fb * hb - 4
-    hyS = hb / ccb
-    foS = fyS * yb
-    goS = gyS * yb
-    hoS = hyS * yb
-    gvoS1 = 2 * minus_b4 + minus_b1 * goS
-    gvoS2 = 2 * minus_b5 + minus_b2 * goS
-    gvoS3 = 2 * minus_b6 + minus_b3 * goS
-    cvS1 = minus_b1 * hb
-    cvS2 = minus_b2 * hb
-    cvS3 = minus_b3 * hb
-    cvoS1 = minus_b4 * hb + minus_b1 * hoS
-    cvoS2 = minus_b5 * hb + minus_b2 * hoS
-    cvoS3 = minus_b6 * hb + minus_b3 * hoS
-    d12S = cvS1 * minus_b2
-    d13S = cvS1 * minus_b3
-    d23S = cvS2 * minus_b3
-    S11 = fb + cvS1 * minus_b1
-    S12 = d12S - gvb3
-    S13 = d13S + gvb2
-    S21 = d12S + gvb3
-    S22 = fb + cvS2 * minus_b2
-    S23 = d23S - gvb1
-    S31 = d13S - gvb2
-    S32 = d23S + gvb1
-    S33 = fb + cvS3 * minus_b3
-    d12oS = cvS1 * minus_b5 + cvoS1 * minus_b2
-    d13oS = cvS1 * minus_b6 + cvoS1 * minus_b3
-    d23oS = cvS2 * minus_b6 + cvoS2 * minus_b3
-    S11o = foS + (cvS1 * minus_b4 + cvoS1 * minus_b1)
-    S12o = d12oS - gvoS3
-    S13o = d13oS + gvoS2
-    S21o = d12oS + gvoS3
-    S22o = foS + (cvS2 * minus_b5 + cvoS2 * minus_b2)
-    S23o = d23oS - gvoS1
-    S31o = d13oS - gvoS2
-    S32o = d23oS + gvoS1
-    S33o = foS + (cvS3 * minus_b6 + cvoS3 * minus_b3)
-    fyF = ha - 2 * ha
-    gyF = fa * ha - 4
-    hyF = ha / cca
-    foF = fyF * ya
-    goF = gyF * ya
-    hoF = hyF * ya
-    gvoF1 = 2 * a1o + a1 * goF
-    gvoF2 = 2 * a2o + a2 * goF
-    gvoF3 = 2 * a3o + a3 * goF
-    cvF1 = a1 * ha
-    cvF2 = a2 * ha
-    cvF3 = a3 * ha
-    cvoF1 = a1o * ha + a1 * hoF
-    cvoF2 = a2o * ha + a2 * hoF
-    cvoF3 = a3o * ha + a3 * hoF
-    d12F = cvF1 * a2
-    d13F = cvF1 * a3
-    d23F = cvF2 * a3
-    F11 = fa + cvF1 * a1
-    F12 = d12F - gva3
-    F13 = d13F + gva2
-    F21 = d12F + gva3
-    F22 = fa + cvF2 * a2
-    F23 = d23F - gva1
-    F31 = d13F - gva2
-    F32 = d23F + gva1
-    F33 = fa + cvF3 * a3
-    d12oF = cvF1 * a2o + cvoF1 * a2
-    d13oF = cvF1 * a3o + cvoF1 * a3
-    d23oF = cvF2 * a3o + cvoF2 * a3
-    F11o = foF + (cvF1 * a1o + cvoF1 * a1)
-    F12o = d12oF - gvoF3
-    F13o = d13oF + gvoF2
-    F21o = d12oF + gvoF3
-    F22o = foF + (cvF2 * a2o + cvoF2 * a2)
-    F23o = d23oF - gvoF1
-    F31o = d13oF - gvoF2
-    F32o = d23oF + gvoF1
-    F33o = foF + (cvF3 * a3o + cvoF3 * a3)
-    x23b = v22b + v33b
-    x13b = v11b + v33b
-    fvb1 = minus_b1 * fb
-    fvb2 = minus_b2 * fb
-    fvb3 = minus_b3 * fb
-    gvvb1 = gvb1 * minus_b2
-    gvvb2 = gvb1 * minus_b3
-    gvvb3 = gvb2 * minus_b3
-    Qb11 = 1 - 2 * x23b
-    Qb12 = gvvb1 - fvb3
-    Qb13 = gvvb2 + fvb2
-    Qb21 = gvvb1 + fvb3
-    Qb22 = 1 - 2 * x13b
-    Qb23 = gvvb3 - fvb1
-    Qb31 = gvvb2 - fvb2
-    Qb32 = gvvb3 + fvb1
-    Qb33 = 1 - 2 * x12b
-    R11o = Qb31 * rhob2 - Qb21 * rhob3
-    R12o = Qb32 * rhob2 - Qb22 * rhob3
-    R13o = Qb33 * rhob2 - Qb23 * rhob3
-    R21o = Qb11 * rhob3 - Qb31 * rhob1
-    R22o = Qb12 * rhob3 - Qb32 * rhob1
-    R23o = Qb13 * rhob3 - Qb33 * rhob1
-    R31o = Qb21 * rhob1 - Qb11 * rhob2
-    R32o = Qb22 * rhob1 - Qb12 * rhob2
-    R33o = Qb23 * rhob1 - Qb13 * rhob2
-    RT11 = Qb11 * F11 + Qb12 * F21 + Qb13 * F31
-    RT11o = Qb11 * F11o + R11o * F11 + (Qb12 * F21o + R12o * F21) + (Qb13 * F31o + R13o * F31)
-    RT12 = Qb11 * F12 + Qb12 * F22 + Qb13 * F32
-    RT12o = Qb11 * F12o + R11o * F12 + (Qb12 * F22o + R12o * F22) + (Qb13 * F32o + R13o * F32)
-    RT13 = Qb11 * F13 + Qb12 * F23 + Qb13 * F33
-    RT13o = Qb11 * F13o + R11o * F13 + (Qb12 * F23o + R12o * F23) + (Qb13 * F33o + R13o * F33)
-    RT21 = Qb21 * F11 + Qb22 * F21 + Qb23 * F31
-    RT21o = Qb21 * F11o + R21o * F11 + (Qb22 * F21o + R22o * F21) + (Qb23 * F31o + R23o * F31)
-    RT22 = Qb21 * F12 + Qb22 * F22 + Qb23 * F32
-    RT22o = Qb21 * F12o + R21o * F12 + (Qb22 * F22o + R22o * F22) + (Qb23 * F32o + R23o * F32)
-    RT23 = Qb21 * F13 + Qb22 * F23 + Qb23 * F33
-    RT23o = Qb21 * F13o + R21o * F13 + (Qb22 * F23o + R22o * F23) + (Qb23 * F33o + R23o * F33)
-    RT31 = Qb31 * F11 + Qb32 * F21 + Qb33 * F31
-    RT31o = Qb31 * F11o + R31o * F11 + (Qb32 * F21o + R32o * F21) + (Qb33 * F31o + R33o * F31)
-    RT32 = Qb31 * F12 + Qb32 * F22 + Qb33 * F32
-    RT32o = Qb31 * F12o + R31o * F12 + (Qb32 * F22o + R32o * F22) + (Qb33 * F32o + R33o * F32)
-    RT33 = Qb31 * F13 + Qb32 * F23 + Qb33 * F33
-    RT33o = Qb31 * F13o + R31o * F13 + (Qb32 * F23o + R32o * F23) + (Qb33 * F33o + R33o * F33)
-    A11 = (c * RT11 + I12 * RT21 + sw2 * RT31) / 2
-    A12 = (c * RT12 + I12 * RT22 + sw2 * RT32) / 2
-    A13 = (c * RT13 + I12 * RT23 + sw2 * RT33) / 2
-    A21 = (sw3 * RT11 + c * RT21 + I23 * RT31) / 2
-    A22 = (sw3 * RT12 + c * RT22 + I23 * RT32) / 2
-    A23 = (sw3 * RT13 + c * RT23 + I23 * RT33) / 2
-    A31 = (I31 * RT11 + sw1 * RT21 + c * RT31) / 2
-    A32 = (I31 * RT12 + sw1 * RT22 + c * RT32) / 2
-    A33 = (I31 * RT13 + sw1 * RT23 + c * RT33) / 2
-    B11 = -((c * S11 + I12 * S21 + sw2 * S31) / 2)
-    B12 = -((c * S12 + I12 * S22 + sw2 * S32) / 2)
-    B13 = -((c * S13 + I12 * S23 + sw2 * S33) / 2)
-    B21 = -((sw3 * S11 + c * S21 + I23 * S31) / 2)
-    B22 = -((sw3 * S12 + c * S22 + I23 * S32) / 2)
-    B23 = -((sw3 * S13 + c * S23 + I23 * S33) / 2)
-    B31 = -((I31 * S11 + sw1 * S21 + c * S31) / 2)
-    B32 = -((I31 * S12 + sw1 * S22 + c * S32) / 2)
-    B33 = -((I31 * S13 + sw1 * S23 + c * S33) / 2)
-    return (
-        A11,
-        A12,
-        A13,
-        0,
-        0,
-        0,
-        A21,
-        A22,
-        A23,
-        0,
-        0,
-        0,
-        A31,
-        A32,
-        A33,
-        0,
-        0,
-        0,
-        (c * RT11o + fiow * RT11 + (I12 * RT21o + I12o * RT21) + (sw2 * RT31o + sow2 * RT31)) / 2,
-        (c * RT12o + fiow * RT12 + (I12 * RT22o + I12o * RT22) + (sw2 * RT32o + sow2 * RT32)) / 2,
-        (c * RT13o + fiow * RT13 + (I12 * RT23o + I12o * RT23) + (sw2 * RT33o + sow2 * RT33)) / 2,
-        A11,
-        A12,
-        A13,
-        (sw3 * RT11o + sow3 * RT11 + (c * RT21o + fiow * RT21) + (I23 * RT31o + I23o * RT31)) / 2,
-        (sw3 * RT12o + sow3 * RT12 + (c * RT22o + fiow * RT22) + (I23 * RT32o + I23o * RT32)) / 2,
-        (sw3 * RT13o + sow3 * RT13 + (c * RT23o + fiow * RT23) + (I23 * RT33o + I23o * RT33)) / 2,
-        A21,
-        A22,
-        A23,
-        (I31 * RT11o + I31o * RT11 + (sw1 * RT21o + sow1 * RT21) + (c * RT31o + fiow * RT31)) / 2,
-        (I31 * RT12o + I31o * RT12 + (sw1 * RT22o + sow1 * RT22) + (c * RT32o + fiow * RT32)) / 2,
-        (I31 * RT13o + I31o * RT13 + (sw1 * RT23o + sow1 * RT23) + (c * RT33o + fiow * RT33)) / 2,
-        A31,
-        A32,
-        A33,
-        B11,
-        B12,
-        B13,
-        0,
-        0,
-        0,
-        B21,
-        B22,
-        B23,
-        0,
-        0,
-        0,
-        B31,
-        B32,
-        B33,
-        0,
-        0,
-        0,
-        -((c * S11o + fiow * S11 + (I12 * S21o + I12o * S21) + (sw2 * S31o + sow2 * S31)) / 2),
-        -((c * S12o + fiow * S12 + (I12 * S22o + I12o * S22) + (sw2 * S32o + sow2 * S32)) / 2),
-        -((c * S13o + fiow * S13 + (I12 * S23o + I12o * S23) + (sw2 * S33o + sow2 * S33)) / 2),
-        B11,
-        B12,
-        B13,
-        -((sw3 * S11o + sow3 * S11 + (c * S21o + fiow * S21) + (I23 * S31o + I23o * S31)) / 2),
-        -((sw3 * S12o + sow3 * S12 + (c * S22o + fiow * S22) + (I23 * S32o + I23o * S32)) / 2),
-        -((sw3 * S13o + sow3 * S13 + (c * S23o + fiow * S23) + (I23 * S33o + I23o * S33)) / 2),
-        B21,
-        B22,
-        B23,
-        -((I31 * S11o + I31o * S11 + (sw1 * S21o + sow1 * S21) + (c * S31o + fiow * S31)) / 2),
-        -((I31 * S12o + I31o * S12 + (sw1 * S22o + sow1 * S22) + (c * S32o + fiow * S32)) / 2),
-        -((I31 * S13o + I31o * S13 + (sw1 * S23o + sow1 * S23) + (c * S33o + fiow * S33)) / 2),
-        B31,
-        B32,
-        B33,
-    )
-
-
-def _own_between_jacobians_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, a: Rows, b: Rows
-) -> None:
-    a1, a2, a3, a1o, a2o, a3o = a
-    b1, b2, b3, b1o, b2o, b3o = b
-    (
-        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
-        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36, o37, o38, o39, o40, o41, o42, o43, o44, o45, o46,
-        o47, o48, o49, o50, o51, o52, o53, o54, o55, o56, o57, o58, o59, o60, o61, o62, o63, o64, o65, o66, o67, o68,
-        o69, o70, o71, o72,
-    ) = out
-    (
-        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
-        k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, k35, k36, k37, k38, k39, k40, k41, k42, k43, k44, k45, k46,
-        k47, k48, k49, k50, k51, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61, k62, k63,
-    ) = scratch
-    mask1, = masks
-    n_minus_1, n0, n1, n2, n4 = numbers
-    minus_b1 = neg(b1, k1)
-    v11b = mul(minus_b1, minus_b1, k2)
-    minus_b2 = neg(b2, k3)
-    v22b = mul(minus_b2, minus_b2, k4)
-    x12b = add(v11b, v22b, k5)
-    minus_b3 = neg(b3, k6)
-    v33b = mul(minus_b3, minus_b3, k7)
-    x23b = add(v22b, v33b, k4)
-    Qb11 = sub(n1, mul(n2, x23b, k4), k4)
-    x13b = add(v11b, v33b, k2)
-    xb = add(x12b, v33b, k7)
-    ccb = sub(n1, xb, k7)
-    Qb22 = sub(n1, mul(n2, x13b, k2), k2)
-    Qb33 = sub(n1, mul(n2, x12b, k5), k5)
-    cb = sqrt(ccb, k8)
-    v11a = mul(a1, a1, k9)
-    v22a = mul(a2, a2, k10)
-    v33a = mul(a3, a3, k11)
-    xa = add(add(v11a, v22a, k9), v33a, k9)
-    cca = sub(n1, xa, k9)
-    ca = sqrt(cca, k10)
-    z1 = add(
-        add(mul(a1, cb, k11), mul(minus_b1, ca, k12), k11), sub(mul(minus_b2, a3, k12), mul(minus_b3, a2, k13), k12),
-        k11
-    )
-    z0 = sub(
-        mul(cb, ca, k12), add(add(mul(minus_b1, a1, k13), mul(minus_b2, a2, k14), k13), mul(minus_b3, a3, k14), k13),
-        k12
-    )
-    negative = m.less(z0, n0, mask1)
-    gain = m.where(negative, n_minus_1, n1, k13)
-    v1 = mul(z1, gain, k11)
-    fe = mul(gain, z0, k12)
-    v11 = mul(v1, v1, k14)
-    z2 = add(
-        add(mul(a2, cb, k15), mul(minus_b2, ca, k16), k15), sub(mul(minus_b3, a1, k16), mul(minus_b1, a3, k17), k16),
-        k15
-    )
-    v2 = mul(z2, gain, k15)
-    v22 = mul(v2, v2, k16)
-    z3 = add(
-        add(mul(a3, cb, k17), mul(minus_b3, ca, k18), k17), sub(mul(minus_b1, a2, k18), mul(minus_b2, a1, k19), k18),
-        k17
-    )
-    v3 = mul(z3, gain, k13)
-    v33 = mul(v3, v3, k17)
-    x = add(add(v11, v22, k14), v33, k14)
-    cc = sub(n1, x, k14)
-    c = sqrt(cc, k14)
-    sw2 = neg(v2, k16)
-    I31 = neg(sw2, k17)
-    sw1 = neg(v1, k18)
-    fb = mul(n2, cb, k19)
-    hb = div(n2, cb, k8)
-    hyS = div(hb, ccb, k7)
-    cvS3 = mul(minus_b3, hb, k20)
-    S33 = add(fb, mul(cvS3, minus_b3, k21), k21)
-    cvS1 = mul(minus_b1, hb, k22)
-    d13S = mul(cvS1, minus_b3, k23)
-    gvb2 = mul(n2, minus_b2, k24)
-    S13 = add(d13S, gvb2, k25)
-    S31 = sub(d13S, gvb2, k23)
-    cvS2 = mul(minus_b2, hb, k26)
-    d23S = mul(cvS2, minus_b3, k27)
-    gvb1 = mul(n2, minus_b1, k28)
-    S23 = sub(d23S, gvb1, k29)
-    neg(div(add(add(mul(I31, S13, k30), mul(sw1, S23, k31), k30), mul(c, S33, k31), k30), n2, k30), o51)
-    S32 = add(d23S, gvb1, k27)
-    S22 = add(fb, mul(cvS2, minus_b2, k30), k30)
-    d12S = mul(cvS1, minus_b2, k31)
-    gvb3 = mul(n2, minus_b3, k32)
-    S12 = sub(d12S, gvb3, k33)
-    neg(div(add(add(mul(I31, S12, k34), mul(sw1, S22, k35), k34), mul(c, S32, k35), k34), n2, k34), o50)
-    S21 = add(d12S, gvb3, k31)
-    S11 = add(fb, mul(cvS1, minus_b1, k34), k34)
-    neg(div(add(add(mul(I31, S11, k35), mul(sw1, S21, k36), k35), mul(c, S31, k36), k35), n2, k35), o49)
-    minus_b4 = neg(b1o, k35)
-    minus_b5 = neg(b2o, k36)
-    minus_b6 = neg(b3o, k37)
-    yb = add(add(mul(minus_b1, minus_b4, k38), mul(minus_b2, minus_b5, k39), k38), mul(minus_b3, minus_b6, k39), k38)
-    hoS = mul(hyS, yb, k7)
-    alongb = mul(hb, yb, k39)
-    rhob1 = add(
-        add(mul(minus_b4, fb, k40), sub(mul(gvb2, minus_b6, k41), mul(gvb3, minus_b5, k42), k41), k40), mul(minus_b1,
-        alongb, k41), k40
-    )
-    rhob2 = add(
-        add(mul(minus_b5, fb, k41), sub(mul(gvb3, minus_b4, k32), mul(gvb1, minus_b6, k42), k32), k32), mul(minus_b2,
-        alongb, k41), k32
-    )
-    rhob3 = add(
-        add(mul(minus_b6, fb, k41), sub(mul(gvb1, minus_b5, k42), mul(gvb2, minus_b4, k43), k42), k41), mul(minus_b3,
-        alongb, k39), k39
-    )
-    gvvb3 = mul(gvb2, minus_b3, k24)
-    fa = mul(n2, ca, k41)
-    ha = div(n2, ca, k10)
-    hyF = div(ha, cca, k9)
-    ya = add(add(mul(a1, a1o, k42), mul(a2, a2o, k43), k42), mul(a3, a3o, k43), k42)
-    hoF = mul(hyF, ya, k9)
-    alonga = mul(ha, ya, k43)
-    gva1 = mul(n2, a1, k44)
-    gva2 = mul(n2, a2, k45)
-    rhoa3 = add(
-        add(mul(a3o, fa, k46), sub(mul(gva1, a2o, k47), mul(gva2, a1o, k48), k47), k46), mul(a3, alonga, k47), k46
-    )
-    gva3 = mul(n2, a3, k47)
-    rhoa2 = add(
-        add(mul(a2o, fa, k48), sub(mul(gva3, a1o, k49), mul(gva1, a3o, k50), k49), k48), mul(a2, alonga, k49), k48
-    )
-    rhoa1 = add(
-        add(mul(a1o, fa, k49), sub(mul(gva2, a3o, k50), mul(gva3, a2o, k51), k50), k49), mul(a1, alonga, k43), k43
-    )
-    v_rho1 = sub(mul(minus_b2, rhoa3, k49), mul(minus_b3, rhoa2, k50), k49)
-    v_rho3 = sub(mul(minus_b1, rhoa2, k50), mul(minus_b2, rhoa1, k51), k50)
-    gv_rho3 = mul(n2, v_rho3, k51)
-    v_rho2 = sub(mul(minus_b3, rhoa1, k52), mul(minus_b1, rhoa3, k53), k52)
-    gv_rho2 = mul(n2, v_rho2, k53)
-    rho1 = add(
-        add(rhoa1, add(mul(v_rho1, fb, k54), sub(mul(minus_b2, gv_rho3, k55), mul(minus_b3, gv_rho2, k56), k55), k54),
-        k43), rhob1, k43
-    )
-    gv_rho1 = mul(n2, v_rho1, k49)
-    rho3 = add(
-        add(rhoa3, add(mul(v_rho3, fb, k50), sub(mul(minus_b1, gv_rho2, k53), mul(minus_b2, gv_rho1, k54), k53), k50),
-        k46), rhob3, k46
-    )
-    rho2 = add(
-        add(rhoa2, add(mul(v_rho2, fb, k50), sub(mul(minus_b3, gv_rho1, k49), mul(minus_b1, gv_rho3, k51), k49), k49),
-        k48), rhob2, k48
-    )
-    w4 = div(sub(mul(rho1, fe, k49), sub(mul(v2, rho3, k50), mul(v3, rho2, k51), k50), k49), n2, k49)
-    w5 = div(sub(mul(rho2, fe, k50), sub(mul(v3, rho1, k51), mul(v1, rho3, k52), k51), k50), n2, k50)
-    w6 = div(sub(mul(rho3, fe, k12), sub(mul(v1, rho2, k46), mul(v2, rho1, k43), k43), k12), n2, k12)
-    yw = add(add(mul(v1, w4, k11), mul(v2, w5, k15), k11), mul(v3, w6, k15), k11)
-    sow2 = neg(w5, k15)
-    sow1 = neg(w4, k43)
-    sw3 = neg(v3, k13)
-    sow3 = neg(w6, k12)
-    hw = div(n2, c, k46)
-    fiyw = neg(div(hw, n2, k46), k46)
-    fiow = mul(fiyw, yw, k11)
-    I31o = neg(sow2, k46)
-    cvoS1 = add(mul(minus_b4, hb, k48), mul(minus_b1, hoS, k49), k48)
-    d13oS = add(mul(cvS1, minus_b6, k49), mul(cvoS1, minus_b3, k50), k49)
-    gyS = sub(mul(fb, hb, k50), n4, k50)
-    goS = mul(gyS, yb, k50)
-    gvoS2 = add(mul(n2, minus_b5, k51), mul(minus_b2, goS, k52), k51)
-    S13o = add(d13oS, gvoS2, k52)
-    S31o = sub(d13oS, gvoS2, k49)
-    cvoS2 = add(mul(minus_b5, hb, k51), mul(minus_b2, hoS, k53), k51)
-    cvoS3 = add(mul(minus_b6, hb, k53), mul(minus_b3, hoS, k7), k7)
-    fyS = sub(hb, mul(n2, hb, k53), k8)
-    foS = mul(fyS, yb, k8)
-    S33o = add(foS, add(mul(cvS3, minus_b6, k20), mul(cvoS3, minus_b3, k7), k7), k7)
-    d23oS = add(mul(cvS2, minus_b6, k20), mul(cvoS2, minus_b3, k38), k20)
-    S22o = add(foS, add(mul(cvS2, minus_b5, k26), mul(cvoS2, minus_b2, k38), k26), k26)
-    d12oS = add(mul(cvS1, minus_b5, k36), mul(cvoS1, minus_b2, k38), k36)
-    S11o = add(foS, add(mul(cvS1, minus_b4, k22), mul(cvoS1, minus_b1, k38), k22), k8)
-    gvoS1 = add(mul(n2, minus_b4, k22), mul(minus_b1, goS, k35), k22)
-    gvoS3 = add(mul(n2, minus_b6, k35), mul(minus_b3, goS, k37), k35)
-    fvb1 = mul(minus_b1, fb, k1)
-    S23o = sub(d23oS, gvoS1, k37)
-    S32o = add(d23oS, gvoS1, k20)
-    neg(
-        div(add(add(add(mul(I31, S13o, k22), mul(I31o, S13, k38), k22), add(mul(sw1, S23o, k38), mul(sow1, S23, k48),
-        k38), k22), add(mul(c, S33o, k38), mul(fiow, S33, k48), k38), k22), n2, k22), o69
-    )
-    S12o = sub(d12oS, gvoS3, k22)
-    S21o = add(d12oS, gvoS3, k35)
-    neg(
-        div(add(add(add(mul(I31, S12o, k36), mul(I31o, S12, k38), k36), add(mul(sw1, S22o, k38), mul(sow1, S22, k48),
-        k38), k36), add(mul(c, S32o, k38), mul(fiow, S32, k48), k38), k36), n2, k36), o68
-    )
-    neg(
-        div(add(add(add(mul(I31, S11o, k36), mul(I31o, S11, k38), k36), add(mul(sw1, S21o, k38), mul(sow1, S21, k48),
-        k38), k36), add(mul(c, S31o, k38), mul(fiow, S31, k48), k38), k36), n2, k36), o67
-    )
-    I23 = neg(sw1, k36)
-    neg(div(add(add(mul(sw3, S13, k38), mul(c, S23, k48), k38), mul(I23, S33, k48), k38), n2, k38), o45)
-    neg(div(add(add(mul(sw3, S12, k38), mul(c, S22, k48), k38), mul(I23, S32, k48), k38), n2, k38), o44)
-    neg(div(add(add(mul(sw3, S11, k38), mul(c, S21, k48), k38), mul(I23, S31, k48), k38), n2, k38), o43)
-    I23o = neg(sow1, k38)
-    neg(
-        div(add(add(add(mul(sw3, S13o, k48), mul(sow3, S13, k50), k48), add(mul(c, S23o, k50), mul(fiow, S23, k51),
-        k50), k48), add(mul(I23, S33o, k50), mul(I23o, S33, k51), k50), k48), n2, k48), o63
-    )
-    neg(
-        div(add(add(add(mul(sw3, S12o, k48), mul(sow3, S12, k50), k48), add(mul(c, S22o, k50), mul(fiow, S22, k51),
-        k50), k48), add(mul(I23, S32o, k50), mul(I23o, S32, k51), k50), k48), n2, k48), o62
-    )
-    neg(
-        div(add(add(add(mul(sw3, S11o, k48), mul(sow3, S11, k50), k48), add(mul(c, S21o, k50), mul(fiow, S21, k51),
-        k50), k48), add(mul(I23, S31o, k50), mul(I23o, S31, k51), k50), k48), n2, k48), o61
-    )
-    I12 = neg(sw3, k48)
-    neg(div(add(add(mul(c, S13, k50), mul(I12, S23, k51), k50), mul(sw2, S33, k51), k50), n2, k50), o39)
-    neg(div(add(add(mul(c, S12, k50), mul(I12, S22, k51), k50), mul(sw2, S32, k51), k50), n2, k50), o38)
-    neg(div(add(add(mul(c, S11, k50), mul(I12, S21, k51), k50), mul(sw2, S31, k51), k50), n2, k50), o37)
-    I12o = neg(sow3, k50)
-    neg(
-        div(add(add(add(mul(c, S13o, k51), mul(fiow, S13, k25), k25), add(mul(I12, S23o, k37), mul(I12o, S23, k29),
-        k29), k25), add(mul(sw2, S33o, k7), mul(sow2, S33, k21), k7), k7), n2, k7), o57
-    )
-    neg(
-        div(add(add(add(mul(c, S12o, k7), mul(fiow, S12, k21), k7), add(mul(I12, S22o, k21), mul(I12o, S22, k22), k21),
-        k7), add(mul(sw2, S32o, k20), mul(sow2, S32, k21), k20), k7), n2, k7), o56
-    )
-    neg(
-        div(add(add(add(mul(c, S11o, k7), mul(fiow, S11, k8), k7), add(mul(I12, S21o, k8), mul(I12o, S21, k20), k8),
-        k7), add(mul(sw2, S31o, k8), mul(sow2, S31, k20), k8), k7), n2, k7), o55
-    )
-    cvF3 = mul(a3, ha, k7)
-    F33 = add(fa, mul(cvF3, a3, k8), k8)
-    cvF1 = mul(a1, ha, k20)
-    d13F = mul(cvF1, a3, k21)
-    F13 = add(d13F, gva2, k22)
-    F31 = sub(d13F, gva2, k21)
-    fvb3 = mul(minus_b3, fb, k23)
-    fvb2 = mul(minus_b2, fb, k19)
-    gvvb1 = mul(gvb1, minus_b2, k3)
-    gvvb2 = mul(gvb1, minus_b3, k6)
-    Qb12 = sub(gvvb1, fvb3, k25)
-    Qb21 = add(gvvb1, fvb3, k3)
-    cvF2 = mul(a2, ha, k23)
-    d23F = mul(cvF2, a3, k26)
-    F23 = sub(d23F, gva1, k27)
-    F32 = add(d23F, gva1, k26)
-    Qb13 = add(gvvb2, fvb2, k28)
-    Qb31 = sub(gvvb2, fvb2, k6)
-    RT13 = add(add(mul(Qb11, F13, k19), mul(Qb12, F23, k29), k19), mul(Qb13, F33, k29), k19)
-    Qb23 = sub(gvvb3, fvb1, k29)
-    Qb32 = add(gvvb3, fvb1, k1)
-    RT23 = add(add(mul(Qb21, F13, k24), mul(Qb22, F23, k30), k24), mul(Qb23, F33, k30), k24)
-    RT33 = add(add(mul(Qb31, F13, k30), mul(Qb32, F23, k31), k30), mul(Qb33, F33, k31), k30)
-    div(add(add(mul(I31, RT13, k31), mul(sw1, RT23, k33), k31), mul(c, RT33, k33), k31), n2, o15)
-    div(add(add(mul(sw3, RT13, k31), mul(c, RT23, k33), k31), mul(I23, RT33, k33), k31), n2, o9)
-    div(add(add(mul(c, RT13, k31), mul(I12, RT23, k33), k31), mul(sw2, RT33, k33), k31), n2, o3)
-    F22 = add(fa, mul(cvF2, a2, k31), k31)
-    d12F = mul(cvF1, a2, k33)
-    F12 = sub(d12F, gva3, k34)
-    F21 = add(d12F, gva3, k33)
-    RT12 = add(add(mul(Qb11, F12, k35), mul(Qb12, F22, k37), k35), mul(Qb13, F32, k37), k35)
-    RT22 = add(add(mul(Qb21, F12, k37), mul(Qb22, F22, k44), k37), mul(Qb23, F32, k44), k37)
-    RT32 = add(add(mul(Qb31, F12, k44), mul(Qb32, F22, k45), k44), mul(Qb33, F32, k45), k44)
-    div(add(add(mul(I31, RT12, k45), mul(sw1, RT22, k47), k45), mul(c, RT32, k47), k45), n2, o14)
-    div(add(add(mul(sw3, RT12, k45), mul(c, RT22, k47), k45), mul(I23, RT32, k47), k45), n2, o8)
-    div(add(add(mul(c, RT12, k45), mul(I12, RT22, k47), k45), mul(sw2, RT32, k47), k45), n2, o2)
-    F11 = add(fa, mul(cvF1, a1, k45), k45)
-    gyF = sub(mul(fa, ha, k41), n4, k41)
-    goF = mul(gyF, ya, k41)
-    RT11 = add(add(mul(Qb11, F11, k47), mul(Qb12, F21, k49), k47), mul(Qb13, F31, k49), k47)
-    RT21 = add(add(mul(Qb21, F11, k49), mul(Qb22, F21, k51), k49), mul(Qb23, F31, k51), k49)
-    RT31 = add(add(mul(Qb31, F11, k51), mul(Qb32, F21, k52), k51), mul(Qb33, F31, k52), k51)
-    div(add(add(mul(I31, RT11, k52), mul(sw1, RT21, k53), k52), mul(c, RT31, k53), k52), n2, o13)
-    div(add(add(mul(sw3, RT11, k52), mul(c, RT21, k53), k52), mul(I23, RT31, k53), k52), n2, o7)
-    div(add(add(mul(c, RT11, k52), mul(I12, RT21, k53), k52), mul(sw2, RT31, k53), k52), n2, o1)
-    R11o = sub(mul(Qb31, rhob2, k52), mul(Qb21, rhob3, k53), k52)
-    R12o = sub(mul(Qb32, rhob2, k53), mul(Qb22, rhob3, k54), k53)
-    R13o = sub(mul(Qb33, rhob2, k54), mul(Qb23, rhob3, k55), k54)
-    cvoF1 = add(mul(a1o, ha, k55), mul(a1, hoF, k56), k55)
-    d13oF = add(mul(cvF1, a3o, k56), mul(cvoF1, a3, k57), k56)
-    gvoF2 = add(mul(n2, a2o, k57), mul(a2, goF, k58), k57)
-    F13o = add(d13oF, gvoF2, k58)
-    F31o = sub(d13oF, gvoF2, k56)
-    cvoF2 = add(mul(a2o, ha, k57), mul(a2, hoF, k59), k57)
-    cvoF3 = add(mul(a3o, ha, k59), mul(a3, hoF, k9), k9)
-    fyF = sub(ha, mul(n2, ha, k59), k10)
-    foF = mul(fyF, ya, k10)
-    F33o = add(foF, add(mul(cvF3, a3o, k7), mul(cvoF3, a3, k9), k7), k7)
-    d23oF = add(mul(cvF2, a3o, k9), mul(cvoF2, a3, k42), k9)
-    F22o = add(foF, add(mul(cvF2, a2o, k23), mul(cvoF2, a2, k42), k23), k23)
-    F11o = add(foF, add(mul(cvF1, a1o, k42), mul(cvoF1, a1, k57), k42), k10)
-    d12oF = add(mul(cvF1, a2o, k20), mul(cvoF1, a2, k42), k20)
-    gvoF1 = add(mul(n2, a1o, k42), mul(a1, goF, k55), k42)
-    gvoF3 = add(mul(n2, a3o, k55), mul(a3, goF, k41), k41)
-    F23o = sub(d23oF, gvoF1, k55)
-    F32o = add(d23oF, gvoF1, k9)
-    RT13o = add(
-        add(add(mul(Qb11, F13o, k42), mul(R11o, F13, k57), k42), add(mul(Qb12, F23o, k57), mul(R12o, F23, k59), k57),
-        k42), add(mul(Qb13, F33o, k57), mul(R13o, F33, k59), k57), k42
-    )
-    R21o = sub(mul(Qb11, rhob3, k57), mul(Qb31, rhob1, k59), k57)
-    R22o = sub(mul(Qb12, rhob3, k59), mul(Qb32, rhob1, k60), k59)
-    R23o = sub(mul(Qb13, rhob3, k39), mul(Qb33, rhob1, k60), k39)
-    RT23o = add(
-        add(add(mul(Qb21, F13o, k60), mul(R21o, F13, k61), k60), add(mul(Qb22, F23o, k61), mul(R22o, F23, k62), k61),
-        k60), add(mul(Qb23, F33o, k61), mul(R23o, F33, k62), k61), k60
-    )
-    R31o = sub(mul(Qb21, rhob1, k61), mul(Qb11, rhob2, k62), k61)
-    R32o = sub(mul(Qb22, rhob1, k62), mul(Qb12, rhob2, k63), k62)
-    R33o = sub(mul(Qb23, rhob1, k40), mul(Qb13, rhob2, k32), k32)
-    RT33o = add(
-        add(add(mul(Qb31, F13o, k40), mul(R31o, F13, k22), k22), add(mul(Qb32, F23o, k40), mul(R32o, F23, k27), k27),
-        k22), add(mul(Qb33, F33o, k7), mul(R33o, F33, k8), k7), k7
-    )
-    div(
-        add(add(add(mul(I31, RT13o, k8), mul(I31o, RT13, k22), k8), add(mul(sw1, RT23o, k22), mul(sow1, RT23, k27),
-        k22), k8), add(mul(c, RT33o, k22), mul(fiow, RT33, k27), k22), k8), n2, o33
-    )
-    div(
-        add(add(add(mul(sw3, RT13o, k8), mul(sow3, RT13, k22), k8), add(mul(c, RT23o, k22), mul(fiow, RT23, k27), k22),
-        k8), add(mul(I23, RT33o, k22), mul(I23o, RT33, k27), k22), k8), n2, o27
-    )
-    div(
-        add(add(add(mul(c, RT13o, k8), mul(fiow, RT13, k19), k8), add(mul(I12, RT23o, k19), mul(I12o, RT23, k22), k19),
-        k8), add(mul(sw2, RT33o, k7), mul(sow2, RT33, k19), k7), k7), n2, o21
-    )
-    F12o = sub(d12oF, gvoF3, k7)
-    F21o = add(d12oF, gvoF3, k8)
-    RT12o = add(
-        add(add(mul(Qb11, F12o, k19), mul(R11o, F12, k20), k19), add(mul(Qb12, F22o, k20), mul(R12o, F22, k22), k20),
-        k19), add(mul(Qb13, F32o, k20), mul(R13o, F32, k22), k20), k19
-    )
-    RT11o = add(
-        add(add(mul(Qb11, F11o, k4), mul(R11o, F11, k20), k4), add(mul(Qb12, F21o, k20), mul(R12o, F21, k22), k20), k4),
-        add(mul(Qb13, F31o, k20), mul(R13o, F31, k22), k20), k4
-    )
-    RT22o = add(
-        add(add(mul(Qb21, F12o, k20), mul(R21o, F12, k22), k20), add(mul(Qb22, F22o, k22), mul(R22o, F22, k24), k22),
-        k20), add(mul(Qb23, F32o, k22), mul(R23o, F32, k24), k22), k20
-    )
-    RT32o = add(
-        add(add(mul(Qb31, F12o, k7), mul(R31o, F12, k22), k7), add(mul(Qb32, F22o, k22), mul(R32o, F22, k23), k22), k7),
-        add(mul(Qb33, F32o, k9), mul(R33o, F32, k22), k9), k7
-    )
-    RT21o = add(
-        add(add(mul(Qb21, F11o, k3), mul(R21o, F11, k9), k3), add(mul(Qb22, F21o, k2), mul(R22o, F21, k9), k2), k2),
-        add(mul(Qb23, F31o, k3), mul(R23o, F31, k9), k3), k2
-    )
-    RT31o = add(
-        add(add(mul(Qb31, F11o, k3), mul(R31o, F11, k6), k3), add(mul(Qb32, F21o, k1), mul(R32o, F21, k6), k1), k1),
-        add(mul(Qb33, F31o, k3), mul(R33o, F31, k5), k3), k1
-    )
-    div(
-        add(add(add(mul(I31, RT12o, k3), mul(I31o, RT12, k5), k3), add(mul(sw1, RT22o, k5), mul(sow1, RT22, k6), k5),
-        k3), add(mul(c, RT32o, k5), mul(fiow, RT32, k6), k5), k3), n2, o32
-    )
-    div(
-        add(add(add(mul(I31, RT11o, k3), mul(I31o, RT11, k5), k3), add(mul(sw1, RT21o, k5), mul(sow1, RT21, k6), k5),
-        k3), add(mul(c, RT31o, k5), mul(fiow, RT31, k6), k5), k3), n2, o31
-    )
-    div(
-        add(add(add(mul(sw3, RT12o, k3), mul(sow3, RT12, k5), k3), add(mul(c, RT22o, k5), mul(fiow, RT22, k6), k5), k3),
-        add(mul(I23, RT32o, k5), mul(I23o, RT32, k6), k5), k3), n2, o26
-    )
-    div(
-        add(add(add(mul(c, RT12o, k3), mul(fiow, RT12, k5), k3), add(mul(I12, RT22o, k5), mul(I12o, RT22, k6), k5), k3),
-        add(mul(sw2, RT32o, k5), mul(sow2, RT32, k6), k5), k3), n2, o20
-    )
-    div(
-        add(add(add(mul(sw3, RT11o, k3), mul(sow3, RT11, k5), k3), add(mul(c, RT21o, k5), mul(fiow, RT21, k6), k5), k3),
-        add(mul(I23, RT31o, k5), mul(I23o, RT31, k6), k5), k3), n2, o25
-    )
-    div(
-        add(add(add(mul(c, RT11o, k3), mul(fiow, RT11, k4), k3), add(mul(I12, RT21o, k2), mul(I12o, RT21, k4), k2), k2),
-        add(mul(sw2, RT31o, k1), mul(sow2, RT31, k3), k1), k1), n2, o19
-    )
-    copy(n0, o4)
-    copy(n0, o5)
-    copy(n0, o6)
-    copy(n0, o10)
-    copy(n0, o11)
-    copy(n0, o12)
-    copy(n0, o16)
-    copy(n0, o17)
-    copy(n0, o18)
-    copy(o1, o22)
-    copy(o2, o23)
-    copy(o3, o24)
-    copy(o7, o28)
-    copy(o8, o29)
-    copy(o9, o30)
-    copy(o13, o34)
-    copy(o14, o35)
-    copy(o15, o36)
-    copy(n0, o40)
-    copy(n0, o41)
-    copy(n0, o42)
-    copy(n0, o46)
-    copy(n0, o47)
-    copy(n0, o48)
-    copy(n0, o52)
-    copy(n0, o53)
-    copy(n0, o54)
-    copy(o37, o58)
-    copy(o38, o59)
-    copy(o39, o60)
-    copy(o43, o64)
-    copy(o44, o65)
-    copy(o45, o66)
-    copy(o49, o70)
-    copy(o50, o71)
-    copy(o51, o72)
+    negative = m.less(e0, n0, mask1)
+    gain = m.where(negative, n_minus_1, n1, k1)
+    v1 = mul(e1, gain, o1)
+    v2 = mul(e2, gain, o2)
+    v3 = mul(e3, gain, o3)
+    fe = mul(gain, e0, k1)
+    rho1 = mul(
+        n2, add(sub(mul(e1o, e0, k2), mul(e1, e0o, k3), k2), sub(mul(e2, e3o, k3), mul(e3, e2o, k4), k3), k2), k2
+    )
+    rho3 = mul(
+        n2, add(sub(mul(e3o, e0, k3), mul(e3, e0o, k4), k3), sub(mul(e1, e2o, k4), mul(e2, e1o, k5), k4), k3), k3
+    )
+    rho2 = mul(
+        n2, add(sub(mul(e2o, e0, k4), mul(e2, e0o, k5), k4), sub(mul(e3, e1o, k5), mul(e1, e3o, k6), k5), k4), k4
+    )
+    div(sub(mul(rho1, fe, k5), sub(mul(v2, rho3, k6), mul(v3, rho2, k7), k6), k5), n2, o4)
+    div(sub(mul(rho2, fe, k5), sub(mul(v3, rho1, k6), mul(v1, rho3, k7), k6), k5), n2, o5)
+    div(sub(mul(rho3, fe, k1), sub(mul(v1, rho2, k3), mul(v2, rho1, k2), k2), k1), n2, o6)
 
 
 CHART = Chart(
@@ -2539,12 +915,13 @@ CHART = Chart(
         "tangent": Function(_tangent, _tangent_blocks, 0, 0, (1, 2, 4)),
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 1, 0, (1, 2, 3, 4)),
         "inverse": Function(_inverse, _inverse_blocks, 0, 0, (0,)),
+        "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 0, 0, (0, 1, 2)),
         "ray": Function(_ray, _ray_blocks, 0, 0, (1, 2)),
-        "gain_unit": Function(_gain_unit, _gain_unit_blocks, 0, 1, (-1, 0, 1)),
         "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 0, (1,)),
+        "gain_product": Function(_gain_product, _gain_product_blocks, 1, 1, (-1, 0, 1)),
         "natural": Function(_natural, _natural_blocks, 0, 1, (-1, 0, 1, 2, 16)),
         "unfolded": Function(_unfolded, _unfolded_blocks, 0, 1, (1, 2)),
-        "coefficient": Function(_coefficient, _coefficient_blocks, 1, 0, (1, 2, 4)),
+        "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 4)),
     },
     own={
         "tangent_inv": Kernel(
@@ -2602,52 +979,19 @@ CHART = Chart(
         lent=(),
         real=False,
     ),
-        "compose": Kernel(
-        _own_compose,
-        _own_compose_blocks,
-        (("v2", (6,)), ("v1", (6,)),),
+        "from_quaternion": Kernel(
+        _own_from_quaternion,
+        _own_from_quaternion_blocks,
+        (("q", (8,)),),
         (6,),
-        registers=16,
+        registers=7,
         masks=1,
         numbers=(-1, 0, 1, 2),
-        lent=(),
-        real=True,
-    ),
-        "between": Kernel(
-        _own_between,
-        _own_between_blocks,
-        (("v2", (6,)), ("v1", (6,)),),
-        (6,),
-        registers=22,
-        masks=1,
-        numbers=(-1, 0, 1, 2),
-        lent=(),
-        real=True,
-    ),
-        "compose_jacobians": Kernel(
-        _own_compose_jacobians,
-        _own_compose_jacobians_blocks,
-        (("v2", (6,)), ("v1", (6,)),),
-        (72,),
-        registers=65,
-        masks=1,
-        numbers=(-1, 0, 1, 2, 4),
-        lent=(),
-        real=True,
-    ),
-        "between_jacobians": Kernel(
-        _own_between_jacobians,
-        _own_between_jacobians_blocks,
-        (("v2", (6,)), ("v1", (6,)),),
-        (72,),
-        registers=63,
-        masks=1,
-        numbers=(-1, 0, 1, 2, 4),
         lent=(),
         real=True,
     ),
     },
-    programs="c77e2e001cadced6",
+    programs="753dfccab8844cc3",
 )
 
 KERNELS = PoseKernels(CHART)
@@ -2663,6 +1007,7 @@ body_rate = KERNELS.body_rate
 body_rate_dot = KERNELS.body_rate_dot
 body_rate_jacobian = KERNELS.body_rate_jacobian
 body_retract = KERNELS.body_retract
+body_retract_jacobians = KERNELS.body_retract_jacobians
 body_tangent = KERNELS.body_tangent
 body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
@@ -2678,6 +1023,7 @@ from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
+interpolate = KERNELS.interpolate
 inverse = KERNELS.inverse
 local = KERNELS.local
 pose = KERNELS.pose
@@ -2688,7 +1034,9 @@ rate = KERNELS.rate
 rate_dot = KERNELS.rate_dot
 rate_jacobian = KERNELS.rate_jacobian
 retract = KERNELS.retract
+retract_jacobians = KERNELS.retract_jacobians
 shadow = KERNELS.shadow
+shadow_jacobian = KERNELS.shadow_jacobian
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent
 tangent_dot = KERNELS.tangent_dot

@@ -42,29 +42,33 @@
 #   tangent_inv: 51: 21 +, 18 *, 12 /
 #   body_tangent: 42: 8 +, 19 *, 8 /, 7 neg
 #   body_tangent_inv: 51: 21 +, 18 *, 12 /
-#   twist: 125: 46 +, 70 *, 8 /, 1 neg
-#   rate: 86: 34 +, 51 *, 1 /
+#   twist: 86: 29 +, 48 *, 8 /, 1 neg
+#   rate: 111: 44 +, 66 *, 1 /
 #   tangent_dot: 97: 27 +, 53 *, 10 /, 7 neg
-#   twist_dot: 224: 86 +, 126 *, 11 /, 1 neg
-#   rate_dot: 252: 104 +, 132 *, 16 /
+#   twist_dot: 159: 57 +, 90 *, 11 /, 1 neg
+#   rate_dot: 333: 139 +, 181 *, 13 /
 #   twist_jacobian: 156: 54 +, 90 *, 10 /, 2 neg
 #   rate_jacobian: 85: 34 +, 42 *, 9 /
-#   from_quaternion: 59: 20 +, 34 *, 5 /
-#   from_tensor: 120: 40 +, 41 *, 8 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
-#   from_pose: 84: 25 +, 23 *, 5 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_quaternion: 68: 24 +, 39 *, 5 /
+#   from_tensor: 129: 44 +, 46 *, 8 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_pose: 93: 29 +, 28 *, 5 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 20: 4 +, 13 *, 2 /, 1 tan
 #   to_screw: 78: 18 +, 30 *, 14 /, 6 abs, 1 sqrt, 1 atan2, 2 eq, 6 where
 #   angle: 58: 13 +, 14 *, 12 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
-#   compose: 155: 56 +, 78 *, 21 /
-#   between: 161: 56 +, 78 *, 21 /, 6 neg
-#   compose_jacobians: 775: 296 +, 390 *, 69 /, 20 neg
-#   between_jacobians: 799: 296 +, 390 *, 69 /, 44 neg
-#   retract: 273: 88 +, 125 *, 36 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
-#   body_retract: 273: 88 +, 125 *, 36 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
-#   local: 253: 80 +, 111 *, 37 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   body_local: 253: 80 +, 111 *, 37 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+#   identity_jacobian: 12: 12 +
+#   compose: 201: 74 +, 110 *, 17 /
+#   between: 207: 74 +, 110 *, 17 /, 6 neg
+#   compose_jacobians: 949: 376 +, 495 *, 70 /, 8 neg
+#   between_jacobians: 973: 376 +, 495 *, 70 /, 32 neg
+#   retract: 305: 101 +, 143 *, 34 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   body_retract: 305: 101 +, 143 *, 34 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   retract_jacobians: 1063: 411 +, 534 *, 83 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   body_retract_jacobians: 1063: 411 +, 534 *, 83 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   local: 290: 94 +, 138 *, 33 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+#   body_local: 290: 94 +, 138 *, 33 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+#   interpolate: 644: 206 +, 305 *, 61 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 6 lt, 5 eq, 1 or, 33 where
 #   adjoint: 89: 34 +, 50 *, 5 /
-#   transform_point_jacobians: 205: 88 +, 105 *, 8 /, 4 neg
+#   transform_point_jacobians: 149: 58 +, 73 *, 8 /, 10 neg
 #   transform_line_jacobians: 304: 121 +, 168 *, 8 /, 7 neg
 r"""Normal Rodrigues vector of order 1: Rodrigues dual vectors ``v = 2 tan(α/2) u`` of rigid displacements.
 
@@ -95,12 +99,13 @@ from ._kernel import Components, Kernel, Result, Rows, add, atan2, copy, div, mu
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
-    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_tangent", "body_tangent_dot",
-    "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians",
-    "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity",
-    "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "retract",
-    "shadow", "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
-    "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
+    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
+    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor",
+    "identity", "interpolate", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot",
+    "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent",
+    "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
+    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 1
@@ -194,47 +199,116 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, o2, n0, o4, o5, n0
 
 
-# operations 19: 2 +, 5 *, 11 /, 1 neg
-def _tangent_dot(m: Any, x: Any) -> Result:
+# operations 3: 2 +, 1 /
+def _inverse(m: Any, x: Any, fe: Any) -> Result:
+    one = x - x + 1
+    return 2, one / 2
+
+
+def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
+    _, o2 = out
+    n1, n2 = numbers
+    one = add(sub(x, x, o2), n1, o2)
+    div(one, n2, o2)
+    return n2, o2
+
+
+# operations 4: 2 +, 1 *, 1 /
+def _tangent_inv(m: Any, x: Any) -> Result:
+    one = x - x + 1
+    return 2 * one, one / 2, 0, 0
+
+
+def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2, _, _ = out
+    n0, n1, n2 = numbers
+    one = add(sub(x, x, o2), n1, o2)
+    mul(n2, one, o1)
+    div(one, n2, o2)
+    return o1, o2, n0, n0
+
+
+# operations 3: 2 +, 1 /
+def _tangent_inv_dot(m: Any, x: Any) -> Result:
+    one = x - x + 1
+    return 2, one / 2, 0, 0, 0, 0
+
+
+def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    _, o2, _, _, _, _ = out
+    n0, n1, n2 = numbers
+    one = add(sub(x, x, o2), n1, o2)
+    div(one, n2, o2)
+    return n2, o2, n0, n0, n0, n0
+
+
+# operations 10: 3 +, 1 *, 6 /
+def _ray(m: Any, x: Any) -> Result:
     z = x / 4
     N = 1 + z
     r = 2 * (N / N / N)
     f_v = r / 2
     g_v = r / 4
-    e = 2 / N
-    eg = e * r
-    fy = -eg
-    fy_v = fy / 8
-    gy_v = fy / 16
-    egy = e * fy
-    ee = 2 * e / N
-    eeg = ee * r
-    fyy = eeg - egy
-    fyy_v = fyy / 32
-    gyy_v = fyy / 64
-    return f_v, g_v, 0, fy_v, gy_v, 0, fyy_v, gyy_v, 0
+    one = x - x + 1
+    return 1, one / 2, 1, f_v, g_v, 0
 
 
-def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, _, o4, o5, _, o7, o8, _ = out
-    n0, n1, n2, n4, n8, n16, n32, n64 = numbers
-    z = div(x, n4, o8)
-    N = add(n1, z, o8)
-    r = mul(n2, div(div(N, N, o5), N, o5), o5)
-    div(r, n2, o1)
-    div(r, n4, o2)
-    e = div(n2, N, o4)
-    ee = div(mul(n2, e, o7), N, o8)
-    eeg = mul(ee, r, o8)
-    eg = mul(e, r, o5)
-    fy = neg(eg, o5)
-    egy = mul(e, fy, o4)
-    fyy = sub(eeg, egy, o8)
-    div(fy, n8, o4)
-    div(fy, n16, o5)
-    div(fyy, n32, o7)
-    div(fyy, n64, o8)
-    return o1, o2, n0, o4, o5, n0, o7, o8, n0
+def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    _, o2, _, o4, o5, _ = out
+    n0, n1, n2, n4 = numbers
+    one = add(sub(x, x, o2), n1, o2)
+    div(one, n2, o2)
+    z = div(x, n4, o5)
+    N = add(n1, z, o5)
+    r = mul(n2, div(div(N, N, o4), N, o5), o5)
+    div(r, n2, o4)
+    div(r, n4, o5)
+    return n1, o2, n1, o4, o5, n0
+
+
+# operations 2: 1 *, 1 /
+def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
+    gain = 2 * (1 / e0)
+    return gain,
+
+
+def _gain_unit_blocks(
+    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
+) -> Result:
+    o1, = out
+    n1, n2 = numbers
+    mul(n2, div(n1, e0, o1), o1)
+    return o1,
+
+
+# operations 2: 1 *, 1 /
+def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
+    gain = 2 * (1 / e0)
+    return gain,
+
+
+def _gain_positive_blocks(
+    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
+) -> Result:
+    o1, = out
+    n1, n2 = numbers
+    mul(n2, div(n1, e0, o1), o1)
+    return o1,
+
+
+# operations 2: 1 *, 1 /
+def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
+    gain = 2 * (1 / e0)
+    return gain,
+
+
+def _gain_product_blocks(
+    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any
+) -> Result:
+    o1, = out
+    n1, n2 = numbers
+    mul(n2, div(n1, e0, o1), o1)
+    return o1,
 
 
 # operations 10: 3 +, 2 *, 4 /, 1 atan2
@@ -612,57 +686,94 @@ def _own_body_tangent_inv_blocks(
     add(d12, s3, o2)
 
 
-# operations 86: 34 +, 51 *, 1 /
-def _own_rate(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
+# operations 86: 29 +, 48 *, 8 /, 1 neg
+def _own_twist(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = omega
-    side, half = table
-    fis = 2 * side
-    his = side / 2
-    vw = v1 * w1 + v2 * w2 + v3 * w3
-    cvw = his * vw
-    cvwo = his * (v1o * w1 + v2o * w2 + v3o * w3 + (v1 * w1o + v2 * w2o + v3 * w3o))
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    side, = table
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    z = x / 4
+    N = 1 + z
+    r = 2 * (N / N / N)
+    f_v = r / 2
+    g_v = r / 4
+    e = 2 / N
+    eg = e * r
+    fy = -eg
+    fy_v = fy / 8
+    gy_v = fy / 16
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    fo = fy_v * y
+    go = gy_v * y
+    gs = g_v * side
+    gso = go * side
+    gv1 = v1 * gs
+    gv2 = v2 * gs
+    gv3 = v3 * gs
+    gvo1 = v1o * gs + v1 * gso
+    gvo2 = v2o * gs + v2 * gso
+    gvo3 = v3o * gs + v3 * gso
     return (
-        (w1 * fis + (w2 * v3 - w3 * v2) + v1 * cvw) * half,
-        (w2 * fis + (w3 * v1 - w1 * v3) + v2 * cvw) * half,
-        (w3 * fis + (w1 * v2 - w2 * v1) + v3 * cvw) * half,
-        (w1o * fis + (w2o * v3 - w3o * v2) + (w2 * v3o - w3 * v2o) + (v1o * cvw + v1 * cvwo)) * half,
-        (w2o * fis + (w3o * v1 - w1o * v3) + (w3 * v1o - w1 * v3o) + (v2o * cvw + v2 * cvwo)) * half,
-        (w3o * fis + (w1o * v2 - w2o * v1) + (w1 * v2o - w2 * v1o) + (v3o * cvw + v3 * cvwo)) * half,
+        w1 * f_v + (gv2 * w3 - gv3 * w2),
+        w2 * f_v + (gv3 * w1 - gv1 * w3),
+        w3 * f_v + (gv1 * w2 - gv2 * w1),
+        w1o * f_v + w1 * fo + (gv2 * w3o - gv3 * w2o) + (gvo2 * w3 - gvo3 * w2),
+        w2o * f_v + w2 * fo + (gv3 * w1o - gv1 * w3o) + (gvo3 * w1 - gvo1 * w3),
+        w3o * f_v + w3 * fo + (gv1 * w2o - gv2 * w1o) + (gvo1 * w2 - gvo2 * w1),
     )
 
 
-def _own_rate_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows, table: Rows
+def _own_twist_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows, table: Rows
 ) -> None:
     v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = omega
-    side, half = table
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    side, = table
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6 = scratch
-    n2, = numbers
-    his = div(side, n2, k1)
-    vw = add(add(mul(v1, w1, k2), mul(v2, w2, k3), k2), mul(v3, w3, k3), k2)
-    cvw = mul(his, vw, k2)
-    cvwo = mul(
-        his, add(add(add(mul(v1o, w1, k3), mul(v2o, w2, k4), k3), mul(v3o, w3, k4), k3), add(add(mul(v1, w1o, k4),
-        mul(v2, w2o, k5), k4), mul(v3, w3o, k5), k4), k3), k1
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11 = scratch
+    n1, n2, n4, n8, n16 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    z = div(x, n4, k1)
+    N = add(n1, z, k1)
+    r = mul(n2, div(div(N, N, k2), N, k2), k2)
+    e = div(n2, N, k1)
+    eg = mul(e, r, k1)
+    fy = neg(eg, k1)
+    f_v = div(r, n2, k3)
+    g_v = div(r, n4, k2)
+    gs = mul(g_v, side, k2)
+    gv2 = mul(v2, gs, k4)
+    gv3 = mul(v3, gs, k5)
+    add(mul(w1, f_v, k6), sub(mul(gv2, w3, k7), mul(gv3, w2, k8), k7), o1)
+    gv1 = mul(v1, gs, k6)
+    add(mul(w2, f_v, k7), sub(mul(gv3, w1, k8), mul(gv1, w3, k9), k8), o2)
+    add(mul(w3, f_v, k7), sub(mul(gv1, w2, k8), mul(gv2, w1, k9), k8), o3)
+    gy_v = div(fy, n16, k7)
+    fy_v = div(fy, n8, k1)
+    y = add(add(mul(v1, v1o, k8), mul(v2, v2o, k9), k8), mul(v3, v3o, k9), k8)
+    go = mul(gy_v, y, k7)
+    fo = mul(fy_v, y, k1)
+    gso = mul(go, side, k7)
+    gvo2 = add(mul(v2o, gs, k8), mul(v2, gso, k9), k8)
+    gvo3 = add(mul(v3o, gs, k9), mul(v3, gso, k10), k9)
+    gvo1 = add(mul(v1o, gs, k2), mul(v1, gso, k7), k2)
+    add(
+        add(add(mul(w1o, f_v, k7), mul(w1, fo, k10), k7), sub(mul(gv2, w3o, k10), mul(gv3, w2o, k11), k10), k7),
+        sub(mul(gvo2, w3, k10), mul(gvo3, w2, k11), k10), o4
     )
-    fis = mul(n2, side, k3)
-    mul(add(add(mul(w1, fis, k4), sub(mul(w2, v3, k5), mul(w3, v2, k6), k5), k4), mul(v1, cvw, k5), k4), half, o1)
-    mul(add(add(mul(w2, fis, k4), sub(mul(w3, v1, k5), mul(w1, v3, k6), k5), k4), mul(v2, cvw, k5), k4), half, o2)
-    mul(add(add(mul(w3, fis, k4), sub(mul(w1, v2, k5), mul(w2, v1, k6), k5), k4), mul(v3, cvw, k5), k4), half, o3)
-    mul(
-        add(add(add(mul(w1o, fis, k4), sub(mul(w2o, v3, k5), mul(w3o, v2, k6), k5), k4), sub(mul(w2, v3o, k5), mul(w3,
-        v2o, k6), k5), k4), add(mul(v1o, cvw, k5), mul(v1, cvwo, k6), k5), k4), half, o4
+    add(
+        add(add(mul(w2o, f_v, k7), mul(w2, fo, k10), k7), sub(mul(gv3, w1o, k5), mul(gv1, w3o, k10), k5), k5),
+        sub(mul(gvo3, w1, k7), mul(gvo1, w3, k9), k7), o5
     )
-    mul(
-        add(add(add(mul(w2o, fis, k4), sub(mul(w3o, v1, k5), mul(w1o, v3, k6), k5), k4), sub(mul(w3, v1o, k5), mul(w1,
-        v3o, k6), k5), k4), add(mul(v2o, cvw, k5), mul(v2, cvwo, k6), k5), k4), half, o5
-    )
-    mul(
-        add(add(add(mul(w3o, fis, k3), sub(mul(w1o, v2, k4), mul(w2o, v1, k5), k4), k3), sub(mul(w1, v2o, k4), mul(w2,
-        v1o, k5), k4), k3), add(mul(v3o, cvw, k2), mul(v3, cvwo, k1), k1), k1), half, o6
+    add(
+        add(add(mul(w3o, f_v, k3), mul(w3, fo, k1), k1), sub(mul(gv1, w2o, k3), mul(gv2, w1o, k4), k3), k1),
+        sub(mul(gvo1, w2, k2), mul(gvo2, w1, k3), k2), o6
     )
 
 
@@ -780,124 +891,136 @@ def _own_tangent_dot_blocks(
     copy(o10, o18)
 
 
-# operations 252: 104 +, 132 *, 16 /
-def _own_rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: Components, table: Components) -> Result:
+# operations 159: 57 +, 90 *, 11 /, 1 neg
+def _own_twist_dot(m: Any, c: Any, v: Components, v_dot: Components, v_ddot: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = omega
-    z1, z2, z3, z1o, z2o, z3o = omega_dot
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    z1, z2, z3, z1o, z2o, z3o = v_ddot
     side, = table
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    z = x / 4
+    N = 1 + z
+    r = 2 * (N / N / N)
+    f_v = r / 2
+    g_v = r / 4
+    e = 2 / N
+    eg = e * r
+    fy = -eg
+    fy_v = fy / 8
+    gy_v = fy / 16
+    egy = e * fy
+    ee = 2 * e / N
+    eeg = ee * r
+    fyy = eeg - egy
+    fyy_v = fyy / 32
+    gyy_v = fyy / 64
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    fo = fy_v * y
+    go = gy_v * y
+    fyo = fyy_v * y
+    gyo = gyy_v * y
     vw = v1 * w1 + v2 * w2 + v3 * w3
     vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
-    hvw = vw / 2
-    hvwo = vwo / 2
-    u1 = (2 * w1 + (w2 * v3 - w3 * v2) * side + v1 * hvw) / 2
-    u1o = (2 * w1o + (w2 * v3o + w2o * v3 - (w3 * v2o + w3o * v2)) * side + (v1 * hvwo + v1o * hvw)) / 2
-    u2 = (2 * w2 + (w3 * v1 - w1 * v3) * side + v2 * hvw) / 2
-    u2o = (2 * w2o + (w3 * v1o + w3o * v1 - (w1 * v3o + w1o * v3)) * side + (v2 * hvwo + v2o * hvw)) / 2
-    u3 = (2 * w3 + (w1 * v2 - w2 * v1) * side + v3 * hvw) / 2
-    u3o = (2 * w3o + (w1 * v2o + w1o * v2 - (w2 * v1o + w2o * v1)) * side + (v3 * hvwo + v3o * hvw)) / 2
-    pull = v1 * z1 + v2 * z2 + v3 * z3 + (u1 * w1 + u2 * w2 + u3 * w3)
-    pullo = (
-        v1 * z1o + v1o * z1 + (v2 * z2o + v2o * z2) + (v3 * z3o + v3o * z3) + (u1 * w1o + u1o * w1 + (u2 * w2o + u2o
-        * w2) + (u3 * w3o + u3o * w3))
-    )
-    cvv = pull / 2
-    cvvo = pullo / 2
+    gt = gy_v * vw
+    gto = gy_v * vwo + gyo * vw
+    gz1 = z1 * g_v + w1 * gt
+    gz1o = z1 * go + z1o * g_v + (w1 * gto + w1o * gt)
+    gz2 = z2 * g_v + w2 * gt
+    gz2o = z2 * go + z2o * g_v + (w2 * gto + w2o * gt)
+    gz3 = z3 * g_v + w3 * gt
+    gz3o = z3 * go + z3o * g_v + (w3 * gto + w3o * gt)
+    fh = fy_v * vw
+    fho = fy_v * vwo + fyo * vw
+    s1 = gz1 * side
+    s1o = gz1o * side
+    s2 = gz2 * side
+    s2o = gz2o * side
+    s3 = gz3 * side
+    s3o = gz3o * side
     return (
-        (2 * z1 + (z2 * v3 - z3 * v2 + (w2 * u3 - w3 * u2)) * side + v1 * cvv + u1 * hvw) / 2,
-        (2 * z2 + (z3 * v1 - z1 * v3 + (w3 * u1 - w1 * u3)) * side + v2 * cvv + u2 * hvw) / 2,
-        (2 * z3 + (z1 * v2 - z2 * v1 + (w1 * u2 - w2 * u1)) * side + v3 * cvv + u3 * hvw) / 2,
-        (2 * z1o + (z2 * v3o + z2o * v3 - (z3 * v2o + z3o * v2) + (w2 * u3o + w2o * u3 - (w3 * u2o + w3o * u2))) * side
-        + (v1 * cvvo + v1o * cvv) + (u1 * hvwo + u1o * hvw)) / 2,
-        (2 * z2o + (z3 * v1o + z3o * v1 - (z1 * v3o + z1o * v3) + (w3 * u1o + w3o * u1 - (w1 * u3o + w1o * u3))) * side
-        + (v2 * cvvo + v2o * cvv) + (u2 * hvwo + u2o * hvw)) / 2,
-        (2 * z3o + (z1 * v2o + z1o * v2 - (z2 * v1o + z2o * v1) + (w1 * u2o + w1o * u2 - (w2 * u1o + w2o * u1))) * side
-        + (v3 * cvvo + v3o * cvv) + (u3 * hvwo + u3o * hvw)) / 2,
+        z1 * f_v + w1 * fh + (v2 * s3 - v3 * s2),
+        z2 * f_v + w2 * fh + (v3 * s1 - v1 * s3),
+        z3 * f_v + w3 * fh + (v1 * s2 - v2 * s1),
+        z1 * fo + z1o * f_v + (w1 * fho + w1o * fh) + (v2 * s3o + v2o * s3 - (v3 * s2o + v3o * s2)),
+        z2 * fo + z2o * f_v + (w2 * fho + w2o * fh) + (v3 * s1o + v3o * s1 - (v1 * s3o + v1o * s3)),
+        z3 * fo + z3o * f_v + (w3 * fho + w3o * fh) + (v1 * s2o + v1o * s2 - (v2 * s1o + v2o * s1)),
     )
 
 
-def _own_rate_dot_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows, omega_dot: Rows, table: Rows
+def _own_twist_dot_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows, v_ddot: Rows, table: Rows
 ) -> None:
     v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = omega
-    z1, z2, z3, z1o, z2o, z3o = omega_dot
+    w1, w2, w3, w1o, w2o, w3o = v_dot
+    z1, z2, z3, z1o, z2o, z3o = v_ddot
     side, = table
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15 = scratch
-    n2, = numbers
-    vw = add(add(mul(v1, w1, k1), mul(v2, w2, k2), k1), mul(v3, w3, k2), k1)
-    hvw = div(vw, n2, k1)
-    u1 = div(
-        add(add(mul(n2, w1, k2), mul(sub(mul(w2, v3, k3), mul(w3, v2, k4), k3), side, k3), k2), mul(v1, hvw, k3), k2),
-        n2, k2
-    )
-    u2 = div(
-        add(add(mul(n2, w2, k3), mul(sub(mul(w3, v1, k4), mul(w1, v3, k5), k4), side, k4), k3), mul(v2, hvw, k4), k3),
-        n2, k3
-    )
-    u3 = div(
-        add(add(mul(n2, w3, k4), mul(sub(mul(w1, v2, k5), mul(w2, v1, k6), k5), side, k5), k4), mul(v3, hvw, k5), k4),
-        n2, k4
-    )
-    pull = add(
-        add(add(mul(v1, z1, k5), mul(v2, z2, k6), k5), mul(v3, z3, k6), k5), add(add(mul(u1, w1, k6), mul(u2, w2, k7),
-        k6), mul(u3, w3, k7), k6), k5
-    )
-    cvv = div(pull, n2, k5)
-    div(
-        add(add(add(mul(n2, z1, k6), mul(add(sub(mul(z2, v3, k7), mul(z3, v2, k8), k7), sub(mul(w2, u3, k8), mul(w3, u2,
-        k9), k8), k7), side, k7), k6), mul(v1, cvv, k7), k6), mul(u1, hvw, k7), k6), n2, o1
-    )
-    div(
-        add(add(add(mul(n2, z2, k6), mul(add(sub(mul(z3, v1, k7), mul(z1, v3, k8), k7), sub(mul(w3, u1, k8), mul(w1, u3,
-        k9), k8), k7), side, k7), k6), mul(v2, cvv, k7), k6), mul(u2, hvw, k7), k6), n2, o2
-    )
-    div(
-        add(add(add(mul(n2, z3, k6), mul(add(sub(mul(z1, v2, k7), mul(z2, v1, k8), k7), sub(mul(w1, u2, k8), mul(w2, u1,
-        k9), k8), k7), side, k7), k6), mul(v3, cvv, k7), k6), mul(u3, hvw, k7), k6), n2, o3
-    )
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14 = scratch
+    n1, n2, n4, n8, n16, n32, n64 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    z = div(x, n4, k1)
+    N = add(n1, z, k1)
+    r = mul(n2, div(div(N, N, k2), N, k2), k2)
+    e = div(n2, N, k3)
+    ee = div(mul(n2, e, k4), N, k1)
+    eeg = mul(ee, r, k1)
+    eg = mul(e, r, k4)
+    fy = neg(eg, k4)
+    egy = mul(e, fy, k3)
+    fyy = sub(eeg, egy, k1)
+    gyy_v = div(fyy, n64, k3)
+    fyy_v = div(fyy, n32, k1)
+    y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k6), k5), mul(v3, v3o, k6), k5)
+    gyo = mul(gyy_v, y, k3)
+    fyo = mul(fyy_v, y, k1)
+    gy_v = div(fy, n16, k6)
+    fy_v = div(fy, n8, k4)
     vwo = add(
-        add(add(mul(v1, w1o, k6), mul(v1o, w1, k7), k6), add(mul(v2, w2o, k7), mul(v2o, w2, k8), k7), k6), add(mul(v3,
-        w3o, k7), mul(v3o, w3, k8), k7), k6
+        add(add(mul(v1, w1o, k7), mul(v1o, w1, k8), k7), add(mul(v2, w2o, k8), mul(v2o, w2, k9), k8), k7), add(mul(v3,
+        w3o, k8), mul(v3o, w3, k9), k8), k7
     )
-    hvwo = div(vwo, n2, k6)
-    u1o = div(
-        add(add(mul(n2, w1o, k7), mul(sub(add(mul(w2, v3o, k8), mul(w2o, v3, k9), k8), add(mul(w3, v2o, k9), mul(w3o,
-        v2, k10), k9), k8), side, k8), k7), add(mul(v1, hvwo, k8), mul(v1o, hvw, k9), k8), k7), n2, k7
+    vw = add(add(mul(v1, w1, k8), mul(v2, w2, k9), k8), mul(v3, w3, k9), k8)
+    gto = add(mul(gy_v, vwo, k9), mul(gyo, vw, k3), k3)
+    fho = add(mul(fy_v, vwo, k7), mul(fyo, vw, k1), k1)
+    go = mul(gy_v, y, k7)
+    gt = mul(gy_v, vw, k6)
+    fo = mul(fy_v, y, k5)
+    fh = mul(fy_v, vw, k4)
+    g_v = div(r, n4, k8)
+    f_v = div(r, n2, k2)
+    gz2o = add(add(mul(z2, go, k9), mul(z2o, g_v, k10), k9), add(mul(w2, gto, k10), mul(w2o, gt, k11), k10), k9)
+    s2o = mul(gz2o, side, k9)
+    gz1o = add(add(mul(z1, go, k10), mul(z1o, g_v, k11), k10), add(mul(w1, gto, k11), mul(w1o, gt, k12), k11), k10)
+    gz3o = add(add(mul(z3, go, k7), mul(z3o, g_v, k11), k7), add(mul(w3, gto, k3), mul(w3o, gt, k11), k3), k3)
+    s1o = mul(gz1o, side, k7)
+    s3o = mul(gz3o, side, k3)
+    gz2 = add(mul(z2, g_v, k10), mul(w2, gt, k11), k10)
+    s2 = mul(gz2, side, k10)
+    gz1 = add(mul(z1, g_v, k11), mul(w1, gt, k12), k11)
+    gz3 = add(mul(z3, g_v, k8), mul(w3, gt, k6), k6)
+    s1 = mul(gz1, side, k8)
+    add(
+        add(add(mul(z3, fo, k11), mul(z3o, f_v, k12), k11), add(mul(w3, fho, k12), mul(w3o, fh, k13), k12), k11),
+        sub(add(mul(v1, s2o, k12), mul(v1o, s2, k13), k12), add(mul(v2, s1o, k13), mul(v2o, s1, k14), k13), k12), o6
     )
-    u2o = div(
-        add(add(mul(n2, w2o, k8), mul(sub(add(mul(w3, v1o, k9), mul(w3o, v1, k10), k9), add(mul(w1, v3o, k10), mul(w1o,
-        v3, k11), k10), k9), side, k9), k8), add(mul(v2, hvwo, k9), mul(v2o, hvw, k10), k9), k8), n2, k8
+    s3 = mul(gz3, side, k6)
+    add(
+        add(add(mul(z2, fo, k11), mul(z2o, f_v, k12), k11), add(mul(w2, fho, k12), mul(w2o, fh, k13), k12), k11),
+        sub(add(mul(v3, s1o, k7), mul(v3o, s1, k12), k7), add(mul(v1, s3o, k12), mul(v1o, s3, k13), k12), k7), o5
     )
-    u3o = div(
-        add(add(mul(n2, w3o, k9), mul(sub(add(mul(w1, v2o, k10), mul(w1o, v2, k11), k10), add(mul(w2, v1o, k11),
-        mul(w2o, v1, k12), k11), k10), side, k10), k9), add(mul(v3, hvwo, k10), mul(v3o, hvw, k11), k10), k9), n2, k9
+    add(
+        add(add(mul(z1, fo, k5), mul(z1o, f_v, k7), k5), add(mul(w1, fho, k1), mul(w1o, fh, k7), k1), k1),
+        sub(add(mul(v2, s3o, k3), mul(v2o, s3, k5), k3), add(mul(v3, s2o, k5), mul(v3o, s2, k7), k5), k3), o4
     )
-    pullo = add(
-        add(add(add(mul(v1, z1o, k10), mul(v1o, z1, k11), k10), add(mul(v2, z2o, k11), mul(v2o, z2, k12), k11), k10),
-        add(mul(v3, z3o, k11), mul(v3o, z3, k12), k11), k10), add(add(add(mul(u1, w1o, k11), mul(u1o, w1, k12), k11),
-        add(mul(u2, w2o, k12), mul(u2o, w2, k13), k12), k11), add(mul(u3, w3o, k12), mul(u3o, w3, k13), k12), k11), k10
-    )
-    cvvo = div(pullo, n2, k10)
-    div(
-        add(add(add(mul(n2, z1o, k11), mul(add(sub(add(mul(z2, v3o, k12), mul(z2o, v3, k13), k12), add(mul(z3, v2o,
-        k13), mul(z3o, v2, k14), k13), k12), sub(add(mul(w2, u3o, k13), mul(w2o, u3, k14), k13), add(mul(w3, u2o, k14),
-        mul(w3o, u2, k15), k14), k13), k12), side, k12), k11), add(mul(v1, cvvo, k12), mul(v1o, cvv, k13), k12), k11),
-        add(mul(u1, hvwo, k12), mul(u1o, hvw, k13), k12), k11), n2, o4
-    )
-    div(
-        add(add(add(mul(n2, z2o, k11), mul(add(sub(add(mul(z3, v1o, k12), mul(z3o, v1, k13), k12), add(mul(z1, v3o,
-        k13), mul(z1o, v3, k14), k13), k12), sub(add(mul(w3, u1o, k13), mul(w3o, u1, k14), k13), add(mul(w1, u3o, k14),
-        mul(w1o, u3, k15), k14), k13), k12), side, k12), k11), add(mul(v2, cvvo, k12), mul(v2o, cvv, k13), k12), k11),
-        add(mul(u2, hvwo, k12), mul(u2o, hvw, k13), k12), k11), n2, o5
-    )
-    div(
-        add(add(add(mul(n2, z3o, k11), mul(add(sub(add(mul(z1, v2o, k12), mul(z1o, v2, k13), k12), add(mul(z2, v1o,
-        k13), mul(z2o, v1, k14), k13), k12), sub(add(mul(w1, u2o, k8), mul(w1o, u2, k3), k3), add(mul(w2, u1o, k7),
-        mul(w2o, u1, k2), k2), k2), k2), side, k2), k2), add(mul(v3, cvvo, k3), mul(v3o, cvv, k5), k3), k2), add(mul(u3,
-        hvwo, k3), mul(u3o, hvw, k1), k1), k1), n2, o6
-    )
+    add(add(mul(z3, f_v, k1), mul(w3, fh, k3), k1), sub(mul(v1, s2, k3), mul(v2, s1, k5), k3), o3)
+    add(add(mul(z2, f_v, k1), mul(w2, fh, k3), k1), sub(mul(v3, s1, k3), mul(v1, s3, k5), k3), o2)
+    add(add(mul(z1, f_v, k1), mul(w1, fh, k2), k1), sub(mul(v2, s3, k2), mul(v3, s2, k3), k2), o1)
 
 
 # operations 156: 54 +, 90 *, 10 /, 2 neg
@@ -1237,2768 +1360,181 @@ def _own_rate_jacobian_blocks(
     copy(o15, o36)
 
 
-# operations 59: 20 +, 34 *, 5 /
-def _own_from_quaternion(m: Any, c: Any, e: Components) -> Result:
-    e0, e1, e2, e3, e0o, e1o, e2o, e3o = e
-    rho1 = 2 * (e1o * e0 - e1 * e0o + (e2 * e3o - e3 * e2o))
-    rho2 = 2 * (e2o * e0 - e2 * e0o + (e3 * e1o - e1 * e3o))
-    rho3 = 2 * (e3o * e0 - e3 * e0o + (e1 * e2o - e2 * e1o))
-    gain = 2 * (1 / e0)
-    v1 = e1 * gain
-    v2 = e2 * gain
-    v3 = e3 * gain
-    hvr = (v1 * rho1 + v2 * rho2 + v3 * rho3) / 2
-    return (
-        v1,
-        v2,
-        v3,
-        (2 * rho1 - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
-        (2 * rho2 - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
-        (2 * rho3 - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
-    )
-
-
-def _own_from_quaternion_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, e: Rows
-) -> None:
-    e0, e1, e2, e3, e0o, e1o, e2o, e3o = e
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7 = scratch
-    n1, n2 = numbers
-    gain = mul(n2, div(n1, e0, k1), k1)
-    v1 = mul(e1, gain, o1)
-    v2 = mul(e2, gain, o2)
-    v3 = mul(e3, gain, o3)
-    rho1 = mul(
-        n2, add(sub(mul(e1o, e0, k1), mul(e1, e0o, k2), k1), sub(mul(e2, e3o, k2), mul(e3, e2o, k3), k2), k1), k1
-    )
-    rho2 = mul(
-        n2, add(sub(mul(e2o, e0, k2), mul(e2, e0o, k3), k2), sub(mul(e3, e1o, k3), mul(e1, e3o, k4), k3), k2), k2
-    )
-    rho3 = mul(
-        n2, add(sub(mul(e3o, e0, k3), mul(e3, e0o, k4), k3), sub(mul(e1, e2o, k4), mul(e2, e1o, k5), k4), k3), k3
-    )
-    hvr = div(add(add(mul(v1, rho1, k4), mul(v2, rho2, k5), k4), mul(v3, rho3, k5), k4), n2, k4)
-    div(add(sub(mul(n2, rho1, k5), sub(mul(v2, rho3, k6), mul(v3, rho2, k7), k6), k5), mul(v1, hvr, k6), k5), n2, o4)
-    div(add(sub(mul(n2, rho2, k5), sub(mul(v3, rho1, k6), mul(v1, rho3, k7), k6), k5), mul(v2, hvr, k6), k5), n2, o5)
-    div(add(sub(mul(n2, rho3, k3), sub(mul(v1, rho2, k2), mul(v2, rho1, k1), k1), k1), mul(v3, hvr, k2), k1), n2, o6)
-
-
-# operations 120: 40 +, 41 *, 8 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
-def _own_from_tensor(m: Any, c: Any, R: Components) -> Result:
-    Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33, D11, D12, D13, D21, D22, D23, D31, D32, D33 = R
-    rho1 = (D31 * Q21 + D32 * Q22 + D33 * Q23 - (D21 * Q31 + D22 * Q32 + D23 * Q33)) / 2
-    rho2 = (D11 * Q31 + D12 * Q32 + D13 * Q33 - (D31 * Q11 + D32 * Q12 + D33 * Q13)) / 2
-    rho3 = (D21 * Q11 + D22 * Q12 + D23 * Q13 - (D11 * Q21 + D12 * Q22 + D13 * Q23)) / 2
-    a1 = Q32 - Q23
-    a2 = Q13 - Q31
-    a3 = Q21 - Q12
-    s12 = Q12 + Q21
-    s13 = Q13 + Q31
-    s23 = Q23 + Q32
-    up = 1 + Q11
-    down = 1 - Q11
-    total = Q22 + Q33
-    difference = Q22 - Q33
-    t0 = up + total
-    t1 = up - total
-    t2 = down + difference
-    t3 = down - difference
-    larger1 = t0 < t1
-    best1 = m.where(larger1, t1, t0)
-    z10 = m.where(larger1, a1, t0)
-    z11 = m.where(larger1, t1, a1)
-    z12 = m.where(larger1, s12, a2)
-    z13 = m.where(larger1, s13, a3)
-    larger2 = best1 < t2
-    best2 = m.where(larger2, t2, best1)
-    z20 = m.where(larger2, a2, z10)
-    z21 = m.where(larger2, s12, z11)
-    z22 = m.where(larger2, t2, z12)
-    z23 = m.where(larger2, s23, z13)
-    larger3 = best2 < t3
-    z30 = m.where(larger3, a3, z20)
-    z31 = m.where(larger3, s13, z21)
-    z32 = m.where(larger3, s23, z22)
-    z33 = m.where(larger3, t3, z23)
-    sign = m.where((z30 < 0) | (z30 == 0) & ((z31 < 0) | (z31 == 0) & ((z32 < 0) | (z32 == 0) & (z33 < 0))), -1, 1)
-    e0 = sign * z30
-    e1 = sign * z31
-    e2 = sign * z32
-    e3 = sign * z33
-    gain = 2 * (1 / e0)
-    v1 = e1 * gain
-    v2 = e2 * gain
-    v3 = e3 * gain
-    hvr = (v1 * rho1 + v2 * rho2 + v3 * rho3) / 2
-    return (
-        v1,
-        v2,
-        v3,
-        (2 * rho1 - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
-        (2 * rho2 - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
-        (2 * rho3 - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
-    )
-
-
-def _own_from_tensor_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, R: Rows
-) -> None:
-    Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33, D11, D12, D13, D21, D22, D23, D31, D32, D33 = R
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
-    mask1, mask2, mask3, mask4, mask5, mask6, mask7 = masks
-    n_minus_1, n0, n1, n2 = numbers
-    up = add(n1, Q11, k1)
-    total = add(Q22, Q33, k2)
-    t0 = add(up, total, k3)
-    t1 = sub(up, total, k1)
-    larger1 = m.less(t0, t1, mask1)
-    best1 = m.where(larger1, t1, t0, k2)
-    down = sub(n1, Q11, k4)
-    difference = sub(Q22, Q33, k5)
-    t2 = add(down, difference, k6)
-    t3 = sub(down, difference, k4)
-    larger2 = m.less(best1, t2, mask2)
-    best2 = m.where(larger2, t2, best1, k5)
-    larger3 = m.less(best2, t3, mask3)
-    a1 = sub(Q32, Q23, k2)
-    z10 = m.where(larger1, a1, t0, k5)
-    z11 = m.where(larger1, t1, a1, k1)
-    a2 = sub(Q13, Q31, k2)
-    z20 = m.where(larger2, a2, z10, k3)
-    a3 = sub(Q21, Q12, k5)
-    z30 = m.where(larger3, a3, z20, k7)
-    s12 = add(Q12, Q21, k3)
-    z21 = m.where(larger2, s12, z11, k8)
-    z12 = m.where(larger1, s12, a2, k1)
-    z22 = m.where(larger2, t2, z12, k2)
-    s13 = add(Q13, Q31, k1)
-    z13 = m.where(larger1, s13, a3, k3)
-    z31 = m.where(larger3, s13, z21, k1)
-    s23 = add(Q23, Q32, k5)
-    z23 = m.where(larger2, s23, z13, k6)
-    z32 = m.where(larger3, s23, z22, k3)
-    z33 = m.where(larger3, t3, z23, k2)
-    sign = m.where(
-        m.either(m.less(z30, n0, mask1), m.both(m.equal(z30, n0, mask2), m.either(m.less(z31, n0, mask3),
-        m.both(m.equal(z31, n0, mask4), m.either(m.less(z32, n0, mask5), m.both(m.equal(z32, n0, mask6), m.less(z33, n0,
-        mask7), mask6), mask5), mask4), mask3), mask2), mask1), n_minus_1, n1, k4
-    )
-    e1 = mul(sign, z31, k1)
-    e0 = mul(sign, z30, k5)
-    gain = mul(n2, div(n1, e0, k5), k5)
-    v1 = mul(e1, gain, o1)
-    e2 = mul(sign, z32, k1)
-    v2 = mul(e2, gain, o2)
-    e3 = mul(sign, z33, k1)
-    v3 = mul(e3, gain, o3)
-    rho1 = div(
-        sub(add(add(mul(D31, Q21, k1), mul(D32, Q22, k2), k1), mul(D33, Q23, k2), k1), add(add(mul(D21, Q31, k2),
-        mul(D22, Q32, k3), k2), mul(D23, Q33, k3), k2), k1), n2, k1
-    )
-    rho2 = div(
-        sub(add(add(mul(D11, Q31, k2), mul(D12, Q32, k3), k2), mul(D13, Q33, k3), k2), add(add(mul(D31, Q11, k3),
-        mul(D32, Q12, k4), k3), mul(D33, Q13, k4), k3), k2), n2, k2
-    )
-    rho3 = div(
-        sub(add(add(mul(D21, Q11, k3), mul(D22, Q12, k4), k3), mul(D23, Q13, k4), k3), add(add(mul(D11, Q21, k4),
-        mul(D12, Q22, k5), k4), mul(D13, Q23, k5), k4), k3), n2, k3
-    )
-    hvr = div(add(add(mul(v1, rho1, k4), mul(v2, rho2, k5), k4), mul(v3, rho3, k5), k4), n2, k4)
-    div(add(sub(mul(n2, rho1, k5), sub(mul(v2, rho3, k6), mul(v3, rho2, k7), k6), k5), mul(v1, hvr, k6), k5), n2, o4)
-    div(add(sub(mul(n2, rho2, k5), sub(mul(v3, rho1, k6), mul(v1, rho3, k7), k6), k5), mul(v2, hvr, k6), k5), n2, o5)
-    div(add(sub(mul(n2, rho3, k3), sub(mul(v1, rho2, k2), mul(v2, rho1, k1), k1), k1), mul(v3, hvr, k2), k1), n2, o6)
-
-
-# operations 84: 25 +, 23 *, 5 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
-def _own_from_pose(m: Any, c: Any, T: Components) -> Result:
-    Q11, Q12, Q13, T14, Q21, Q22, Q23, T24, Q31, Q32, Q33, T34, _, _, _, _ = T
-    a1 = Q32 - Q23
-    a2 = Q13 - Q31
-    a3 = Q21 - Q12
-    s12 = Q12 + Q21
-    s13 = Q13 + Q31
-    s23 = Q23 + Q32
-    up = 1 + Q11
-    down = 1 - Q11
-    total = Q22 + Q33
-    difference = Q22 - Q33
-    t0 = up + total
-    t1 = up - total
-    t2 = down + difference
-    t3 = down - difference
-    larger1 = t0 < t1
-    best1 = m.where(larger1, t1, t0)
-    z10 = m.where(larger1, a1, t0)
-    z11 = m.where(larger1, t1, a1)
-    z12 = m.where(larger1, s12, a2)
-    z13 = m.where(larger1, s13, a3)
-    larger2 = best1 < t2
-    best2 = m.where(larger2, t2, best1)
-    z20 = m.where(larger2, a2, z10)
-    z21 = m.where(larger2, s12, z11)
-    z22 = m.where(larger2, t2, z12)
-    z23 = m.where(larger2, s23, z13)
-    larger3 = best2 < t3
-    z30 = m.where(larger3, a3, z20)
-    z31 = m.where(larger3, s13, z21)
-    z32 = m.where(larger3, s23, z22)
-    z33 = m.where(larger3, t3, z23)
-    sign = m.where((z30 < 0) | (z30 == 0) & ((z31 < 0) | (z31 == 0) & ((z32 < 0) | (z32 == 0) & (z33 < 0))), -1, 1)
-    e0 = sign * z30
-    e1 = sign * z31
-    e2 = sign * z32
-    e3 = sign * z33
-    gain = 2 * (1 / e0)
-    v1 = e1 * gain
-    v2 = e2 * gain
-    v3 = e3 * gain
-    hvr = (v1 * T14 + v2 * T24 + v3 * T34) / 2
-    return (
-        v1,
-        v2,
-        v3,
-        (2 * T14 - (v2 * T34 - v3 * T24) + v1 * hvr) / 2,
-        (2 * T24 - (v3 * T14 - v1 * T34) + v2 * hvr) / 2,
-        (2 * T34 - (v1 * T24 - v2 * T14) + v3 * hvr) / 2,
-    )
-
-
-def _own_from_pose_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, T: Rows
-) -> None:
-    Q11, Q12, Q13, T14, Q21, Q22, Q23, T24, Q31, Q32, Q33, T34, _, _, _, _ = T
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
-    mask1, mask2, mask3, mask4, mask5, mask6, mask7 = masks
-    n_minus_1, n0, n1, n2 = numbers
-    up = add(n1, Q11, k1)
-    total = add(Q22, Q33, k2)
-    t0 = add(up, total, k3)
-    t1 = sub(up, total, k1)
-    larger1 = m.less(t0, t1, mask1)
-    best1 = m.where(larger1, t1, t0, k2)
-    down = sub(n1, Q11, k4)
-    difference = sub(Q22, Q33, k5)
-    t2 = add(down, difference, k6)
-    t3 = sub(down, difference, k4)
-    larger2 = m.less(best1, t2, mask2)
-    best2 = m.where(larger2, t2, best1, k5)
-    larger3 = m.less(best2, t3, mask3)
-    a1 = sub(Q32, Q23, k2)
-    z10 = m.where(larger1, a1, t0, k5)
-    z11 = m.where(larger1, t1, a1, k1)
-    a2 = sub(Q13, Q31, k2)
-    z20 = m.where(larger2, a2, z10, k3)
-    a3 = sub(Q21, Q12, k5)
-    z30 = m.where(larger3, a3, z20, k7)
-    s12 = add(Q12, Q21, k3)
-    z21 = m.where(larger2, s12, z11, k8)
-    z12 = m.where(larger1, s12, a2, k1)
-    z22 = m.where(larger2, t2, z12, k2)
-    s13 = add(Q13, Q31, k1)
-    z13 = m.where(larger1, s13, a3, k3)
-    z31 = m.where(larger3, s13, z21, k1)
-    s23 = add(Q23, Q32, k5)
-    z23 = m.where(larger2, s23, z13, k6)
-    z32 = m.where(larger3, s23, z22, k3)
-    z33 = m.where(larger3, t3, z23, k2)
-    sign = m.where(
-        m.either(m.less(z30, n0, mask1), m.both(m.equal(z30, n0, mask2), m.either(m.less(z31, n0, mask3),
-        m.both(m.equal(z31, n0, mask4), m.either(m.less(z32, n0, mask5), m.both(m.equal(z32, n0, mask6), m.less(z33, n0,
-        mask7), mask6), mask5), mask4), mask3), mask2), mask1), n_minus_1, n1, k4
-    )
-    e1 = mul(sign, z31, k1)
-    e0 = mul(sign, z30, k5)
-    gain = mul(n2, div(n1, e0, k5), k5)
-    v1 = mul(e1, gain, o1)
-    e2 = mul(sign, z32, k1)
-    v2 = mul(e2, gain, o2)
-    e3 = mul(sign, z33, k1)
-    v3 = mul(e3, gain, o3)
-    hvr = div(add(add(mul(v1, T14, k1), mul(v2, T24, k2), k1), mul(v3, T34, k2), k1), n2, k1)
-    div(add(sub(mul(n2, T14, k2), sub(mul(v2, T34, k3), mul(v3, T24, k4), k3), k2), mul(v1, hvr, k3), k2), n2, o4)
-    div(add(sub(mul(n2, T24, k2), sub(mul(v3, T14, k3), mul(v1, T34, k4), k3), k2), mul(v2, hvr, k3), k2), n2, o5)
-    div(add(sub(mul(n2, T34, k2), sub(mul(v1, T24, k3), mul(v2, T14, k4), k3), k2), mul(v3, hvr, k1), k1), n2, o6)
-
-
-# operations 155: 56 +, 78 *, 21 /
-def _own_compose(m: Any, c: Any, b: Components, a: Components) -> Result:
-    b1, b2, b3, b1o, b2o, b3o = b
-    a1, a2, a3, a1o, a2o, a3o = a
-    v11b = b1 * b1
-    v22b = b2 * b2
-    v33b = b3 * b3
-    xb = v11b + v22b + v33b
-    zb = xb / 4
-    Nb = 1 + zb
-    rb = 2 * (Nb / Nb / Nb)
-    f_vb = rb / 2
-    g_vb = rb / 4
-    bvb1 = b1 / 2
-    bvb2 = b2 / 2
-    bvb3 = b3 / 2
-    v11a = a1 * a1
-    v22a = a2 * a2
-    v33a = a3 * a3
-    xa = v11a + v22a + v33a
-    za = xa / 4
-    Na = 1 + za
-    ra = 2 * (Na / Na / Na)
-    f_va = ra / 2
-    g_va = ra / 4
-    bva1 = a1 / 2
-    bva2 = a2 / 2
-    bva3 = a3 / 2
-    z0 = 1 - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
-    z1 = bva1 + bvb1 + (bvb2 * bva3 - bvb3 * bva2)
-    z2 = bva2 + bvb2 + (bvb3 * bva1 - bvb1 * bva3)
-    z3 = bva3 + bvb3 + (bvb1 * bva2 - bvb2 * bva1)
-    gva1 = a1 * g_va
-    gva2 = a2 * g_va
-    gva3 = a3 * g_va
-    rhoa1 = a1o * f_va + (gva2 * a3o - gva3 * a2o)
-    rhoa2 = a2o * f_va + (gva3 * a1o - gva1 * a3o)
-    rhoa3 = a3o * f_va + (gva1 * a2o - gva2 * a1o)
-    v_rho1 = b2 * rhoa3 - b3 * rhoa2
-    v_rho2 = b3 * rhoa1 - b1 * rhoa3
-    v_rho3 = b1 * rhoa2 - b2 * rhoa1
-    gv_rho1 = v_rho1 * g_vb
-    gv_rho2 = v_rho2 * g_vb
-    gv_rho3 = v_rho3 * g_vb
-    gvb1 = b1 * g_vb
-    gvb2 = b2 * g_vb
-    gvb3 = b3 * g_vb
-    rho1 = rhoa1 + (v_rho1 * f_vb + (b2 * gv_rho3 - b3 * gv_rho2)) + (b1o * f_vb + (gvb2 * b3o - gvb3 * b2o))
-    rho2 = rhoa2 + (v_rho2 * f_vb + (b3 * gv_rho1 - b1 * gv_rho3)) + (b2o * f_vb + (gvb3 * b1o - gvb1 * b3o))
-    rho3 = rhoa3 + (v_rho3 * f_vb + (b1 * gv_rho2 - b2 * gv_rho1)) + (b3o * f_vb + (gvb1 * b2o - gvb2 * b1o))
-    gain = 2 * (1 / z0)
-    v1 = z1 * gain
-    v2 = z2 * gain
-    v3 = z3 * gain
-    hvr = (v1 * rho1 + v2 * rho2 + v3 * rho3) / 2
-    return (
-        v1,
-        v2,
-        v3,
-        (2 * rho1 - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
-        (2 * rho2 - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
-        (2 * rho3 - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
-    )
-
-
-def _own_compose_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, b: Rows, a: Rows
-) -> None:
-    b1, b2, b3, b1o, b2o, b3o = b
-    a1, a2, a3, a1o, a2o, a3o = a
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15 = scratch
-    n1, n2, n4 = numbers
-    bva1 = div(a1, n2, k1)
-    bvb1 = div(b1, n2, k2)
-    bvb2 = div(b2, n2, k3)
-    bva3 = div(a3, n2, k4)
-    bvb3 = div(b3, n2, k5)
-    bva2 = div(a2, n2, k6)
-    z1 = add(add(bva1, bvb1, k7), sub(mul(bvb2, bva3, k8), mul(bvb3, bva2, k9), k8), k7)
-    z0 = sub(n1, add(add(mul(bvb1, bva1, k8), mul(bvb2, bva2, k9), k8), mul(bvb3, bva3, k9), k8), k8)
-    gain = mul(n2, div(n1, z0, k8), k8)
-    v1 = mul(z1, gain, o1)
-    z2 = add(add(bva2, bvb2, k7), sub(mul(bvb3, bva1, k9), mul(bvb1, bva3, k10), k9), k7)
-    z3 = add(add(bva3, bvb3, k4), sub(mul(bvb1, bva2, k2), mul(bvb2, bva1, k1), k1), k1)
-    v2 = mul(z2, gain, o2)
-    v3 = mul(z3, gain, o3)
-    v11a = mul(a1, a1, k1)
-    v22a = mul(a2, a2, k2)
-    v33a = mul(a3, a3, k3)
-    xa = add(add(v11a, v22a, k1), v33a, k1)
-    za = div(xa, n4, k1)
-    Na = add(n1, za, k1)
-    ra = mul(n2, div(div(Na, Na, k2), Na, k1), k1)
-    f_va = div(ra, n2, k2)
-    g_va = div(ra, n4, k1)
-    gva1 = mul(a1, g_va, k3)
-    gva2 = mul(a2, g_va, k4)
-    gva3 = mul(a3, g_va, k1)
-    rhoa3 = add(mul(a3o, f_va, k5), sub(mul(gva1, a2o, k6), mul(gva2, a1o, k7), k6), k5)
-    rhoa2 = add(mul(a2o, f_va, k6), sub(mul(gva3, a1o, k7), mul(gva1, a3o, k3), k3), k3)
-    rhoa1 = add(mul(a1o, f_va, k2), sub(mul(gva2, a3o, k4), mul(gva3, a2o, k1), k1), k1)
-    v_rho1 = sub(mul(b2, rhoa3, k2), mul(b3, rhoa2, k4), k2)
-    v_rho3 = sub(mul(b1, rhoa2, k4), mul(b2, rhoa1, k6), k4)
-    v11b = mul(b1, b1, k6)
-    v22b = mul(b2, b2, k7)
-    v33b = mul(b3, b3, k8)
-    xb = add(add(v11b, v22b, k6), v33b, k6)
-    zb = div(xb, n4, k6)
-    Nb = add(n1, zb, k6)
-    rb = mul(n2, div(div(Nb, Nb, k7), Nb, k6), k6)
-    g_vb = div(rb, n4, k7)
-    f_vb = div(rb, n2, k6)
-    gv_rho3 = mul(v_rho3, g_vb, k8)
-    v_rho2 = sub(mul(b3, rhoa1, k9), mul(b1, rhoa3, k10), k9)
-    gv_rho2 = mul(v_rho2, g_vb, k10)
-    gvb2 = mul(b2, g_vb, k11)
-    gvb3 = mul(b3, g_vb, k12)
-    rho1 = add(
-        add(rhoa1, add(mul(v_rho1, f_vb, k13), sub(mul(b2, gv_rho3, k14), mul(b3, gv_rho2, k15), k14), k13), k1),
-        add(mul(b1o, f_vb, k13), sub(mul(gvb2, b3o, k14), mul(gvb3, b2o, k15), k14), k13), k1
-    )
-    gv_rho1 = mul(v_rho1, g_vb, k2)
-    gvb1 = mul(b1, g_vb, k7)
-    rho2 = add(
-        add(rhoa2, add(mul(v_rho2, f_vb, k9), sub(mul(b3, gv_rho1, k13), mul(b1, gv_rho3, k8), k8), k8), k3),
-        add(mul(b2o, f_vb, k8), sub(mul(gvb3, b1o, k9), mul(gvb1, b3o, k12), k9), k8), k3
-    )
-    rho3 = add(
-        add(rhoa3, add(mul(v_rho3, f_vb, k4), sub(mul(b1, gv_rho2, k8), mul(b2, gv_rho1, k2), k2), k2), k2),
-        add(mul(b3o, f_vb, k4), sub(mul(gvb1, b2o, k5), mul(gvb2, b1o, k6), k5), k4), k2
-    )
-    hvr = div(add(add(mul(v1, rho1, k4), mul(v2, rho2, k5), k4), mul(v3, rho3, k5), k4), n2, k4)
-    div(add(sub(mul(n2, rho1, k5), sub(mul(v2, rho3, k6), mul(v3, rho2, k7), k6), k5), mul(v1, hvr, k6), k5), n2, o4)
-    div(add(sub(mul(n2, rho2, k5), sub(mul(v3, rho1, k6), mul(v1, rho3, k7), k6), k5), mul(v2, hvr, k6), k5), n2, o5)
-    div(add(sub(mul(n2, rho3, k2), sub(mul(v1, rho2, k3), mul(v2, rho1, k1), k1), k1), mul(v3, hvr, k2), k1), n2, o6)
-
-
-# operations 161: 56 +, 78 *, 21 /, 6 neg
-def _own_between(m: Any, c: Any, a: Components, b: Components) -> Result:
-    a1, a2, a3, a1o, a2o, a3o = a
-    b1, b2, b3, b1o, b2o, b3o = b
-    minus_b1 = -b1
-    minus_b2 = -b2
-    minus_b3 = -b3
-    minus_b4 = -b1o
-    minus_b5 = -b2o
-    minus_b6 = -b3o
-    v11b = minus_b1 * minus_b1
-    v22b = minus_b2 * minus_b2
-    v33b = minus_b3 * minus_b3
-    xb = v11b + v22b + v33b
-    zb = xb / 4
-    Nb = 1 + zb
-    rb = 2 * (Nb / Nb / Nb)
-    f_vb = rb / 2
-    g_vb = rb / 4
-    bvb1 = minus_b1 / 2
-    bvb2 = minus_b2 / 2
-    bvb3 = minus_b3 / 2
-    v11a = a1 * a1
-    v22a = a2 * a2
-    v33a = a3 * a3
-    xa = v11a + v22a + v33a
-    za = xa / 4
-    Na = 1 + za
-    ra = 2 * (Na / Na / Na)
-    f_va = ra / 2
-    g_va = ra / 4
-    bva1 = a1 / 2
-    bva2 = a2 / 2
-    bva3 = a3 / 2
-    z0 = 1 - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
-    z1 = bva1 + bvb1 + (bvb2 * bva3 - bvb3 * bva2)
-    z2 = bva2 + bvb2 + (bvb3 * bva1 - bvb1 * bva3)
-    z3 = bva3 + bvb3 + (bvb1 * bva2 - bvb2 * bva1)
-    gva1 = a1 * g_va
-    gva2 = a2 * g_va
-    gva3 = a3 * g_va
-    rhoa1 = a1o * f_va + (gva2 * a3o - gva3 * a2o)
-    rhoa2 = a2o * f_va + (gva3 * a1o - gva1 * a3o)
-    rhoa3 = a3o * f_va + (gva1 * a2o - gva2 * a1o)
-    v_rho1 = minus_b2 * rhoa3 - minus_b3 * rhoa2
-    v_rho2 = minus_b3 * rhoa1 - minus_b1 * rhoa3
-    v_rho3 = minus_b1 * rhoa2 - minus_b2 * rhoa1
-    gv_rho1 = v_rho1 * g_vb
-    gv_rho2 = v_rho2 * g_vb
-    gv_rho3 = v_rho3 * g_vb
-    gvb1 = minus_b1 * g_vb
-    gvb2 = minus_b2 * g_vb
-    gvb3 = minus_b3 * g_vb
-    rho1 = (
-        rhoa1 + (v_rho1 * f_vb + (minus_b2 * gv_rho3 - minus_b3 * gv_rho2)) + (minus_b4 * f_vb + (gvb2 * minus_b6 - gvb3
-        * minus_b5))
-    )
-    rho2 = (
-        rhoa2 + (v_rho2 * f_vb + (minus_b3 * gv_rho1 - minus_b1 * gv_rho3)) + (minus_b5 * f_vb + (gvb3 * minus_b4 - gvb1
-        * minus_b6))
-    )
-    rho3 = (
-        rhoa3 + (v_rho3 * f_vb + (minus_b1 * gv_rho2 - minus_b2 * gv_rho1)) + (minus_b6 * f_vb + (gvb1 * minus_b5 - gvb2
-        * minus_b4))
-    )
-    gain = 2 * (1 / z0)
-    v1 = z1 * gain
-    v2 = z2 * gain
-    v3 = z3 * gain
-    hvr = (v1 * rho1 + v2 * rho2 + v3 * rho3) / 2
-    return (
-        v1,
-        v2,
-        v3,
-        (2 * rho1 - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
-        (2 * rho2 - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
-        (2 * rho3 - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
-    )
-
-
-def _own_between_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, a: Rows, b: Rows
-) -> None:
-    a1, a2, a3, a1o, a2o, a3o = a
-    b1, b2, b3, b1o, b2o, b3o = b
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21 = scratch
-    n1, n2, n4 = numbers
-    bva1 = div(a1, n2, k1)
-    minus_b1 = neg(b1, k2)
-    bvb1 = div(minus_b1, n2, k3)
-    minus_b2 = neg(b2, k4)
-    bvb2 = div(minus_b2, n2, k5)
-    bva3 = div(a3, n2, k6)
-    minus_b3 = neg(b3, k7)
-    bvb3 = div(minus_b3, n2, k8)
-    bva2 = div(a2, n2, k9)
-    z1 = add(add(bva1, bvb1, k10), sub(mul(bvb2, bva3, k11), mul(bvb3, bva2, k12), k11), k10)
-    z0 = sub(n1, add(add(mul(bvb1, bva1, k11), mul(bvb2, bva2, k12), k11), mul(bvb3, bva3, k12), k11), k11)
-    gain = mul(n2, div(n1, z0, k11), k11)
-    v1 = mul(z1, gain, o1)
-    z2 = add(add(bva2, bvb2, k10), sub(mul(bvb3, bva1, k12), mul(bvb1, bva3, k13), k12), k10)
-    z3 = add(add(bva3, bvb3, k6), sub(mul(bvb1, bva2, k3), mul(bvb2, bva1, k1), k1), k1)
-    v2 = mul(z2, gain, o2)
-    v3 = mul(z3, gain, o3)
-    v11a = mul(a1, a1, k1)
-    v22a = mul(a2, a2, k3)
-    v33a = mul(a3, a3, k5)
-    xa = add(add(v11a, v22a, k1), v33a, k1)
-    za = div(xa, n4, k1)
-    Na = add(n1, za, k1)
-    ra = mul(n2, div(div(Na, Na, k3), Na, k1), k1)
-    f_va = div(ra, n2, k3)
-    g_va = div(ra, n4, k1)
-    gva1 = mul(a1, g_va, k5)
-    gva2 = mul(a2, g_va, k6)
-    gva3 = mul(a3, g_va, k1)
-    rhoa3 = add(mul(a3o, f_va, k8), sub(mul(gva1, a2o, k9), mul(gva2, a1o, k10), k9), k8)
-    rhoa2 = add(mul(a2o, f_va, k9), sub(mul(gva3, a1o, k10), mul(gva1, a3o, k5), k5), k5)
-    rhoa1 = add(mul(a1o, f_va, k3), sub(mul(gva2, a3o, k6), mul(gva3, a2o, k1), k1), k1)
-    v_rho1 = sub(mul(minus_b2, rhoa3, k3), mul(minus_b3, rhoa2, k6), k3)
-    v_rho3 = sub(mul(minus_b1, rhoa2, k6), mul(minus_b2, rhoa1, k9), k6)
-    v11b = mul(minus_b1, minus_b1, k9)
-    v22b = mul(minus_b2, minus_b2, k10)
-    v33b = mul(minus_b3, minus_b3, k11)
-    xb = add(add(v11b, v22b, k9), v33b, k9)
-    zb = div(xb, n4, k9)
-    Nb = add(n1, zb, k9)
-    rb = mul(n2, div(div(Nb, Nb, k10), Nb, k9), k9)
-    g_vb = div(rb, n4, k10)
-    f_vb = div(rb, n2, k9)
-    gv_rho3 = mul(v_rho3, g_vb, k11)
-    v_rho2 = sub(mul(minus_b3, rhoa1, k12), mul(minus_b1, rhoa3, k13), k12)
-    gv_rho2 = mul(v_rho2, g_vb, k13)
-    gvb2 = mul(minus_b2, g_vb, k14)
-    gvb3 = mul(minus_b3, g_vb, k15)
-    minus_b4 = neg(b1o, k16)
-    minus_b6 = neg(b3o, k17)
-    minus_b5 = neg(b2o, k18)
-    rho1 = add(
-        add(rhoa1, add(mul(v_rho1, f_vb, k19), sub(mul(minus_b2, gv_rho3, k20), mul(minus_b3, gv_rho2, k21), k20), k19),
-        k1), add(mul(minus_b4, f_vb, k19), sub(mul(gvb2, minus_b6, k20), mul(gvb3, minus_b5, k21), k20), k19), k1
-    )
-    gv_rho1 = mul(v_rho1, g_vb, k3)
-    gvb1 = mul(minus_b1, g_vb, k10)
-    rho2 = add(
-        add(rhoa2, add(mul(v_rho2, f_vb, k12), sub(mul(minus_b3, gv_rho1, k7), mul(minus_b1, gv_rho3, k11), k7), k7),
-        k5), add(mul(minus_b5, f_vb, k7), sub(mul(gvb3, minus_b4, k11), mul(gvb1, minus_b6, k12), k11), k7), k5
-    )
-    rho3 = add(
-        add(rhoa3, add(mul(v_rho3, f_vb, k6), sub(mul(minus_b1, gv_rho2, k2), mul(minus_b2, gv_rho1, k3), k2), k2), k2),
-        add(mul(minus_b6, f_vb, k3), sub(mul(gvb1, minus_b5, k4), mul(gvb2, minus_b4, k6), k4), k3), k2
-    )
-    hvr = div(add(add(mul(v1, rho1, k3), mul(v2, rho2, k4), k3), mul(v3, rho3, k4), k3), n2, k3)
-    div(add(sub(mul(n2, rho1, k4), sub(mul(v2, rho3, k6), mul(v3, rho2, k7), k6), k4), mul(v1, hvr, k6), k4), n2, o4)
-    div(add(sub(mul(n2, rho2, k4), sub(mul(v3, rho1, k6), mul(v1, rho3, k7), k6), k4), mul(v2, hvr, k6), k4), n2, o5)
-    div(add(sub(mul(n2, rho3, k2), sub(mul(v1, rho2, k4), mul(v2, rho1, k1), k1), k1), mul(v3, hvr, k2), k1), n2, o6)
-
-
-# operations 775: 296 +, 390 *, 69 /, 20 neg
-def _own_compose_jacobians(m: Any, c: Any, b: Components, a: Components) -> Result:
-    b1, b2, b3, b1o, b2o, b3o = b
-    a1, a2, a3, a1o, a2o, a3o = a
-    v11b = b1 * b1
-    v22b = b2 * b2
-    v33b = b3 * b3
-    x12b = v11b + v22b
-    xb = x12b + v33b
-    zb = xb / 4
-    Nb = 1 + zb
-    rb = 2 * (Nb / Nb / Nb)
-    f_vb = rb / 2
-    g_vb = rb / 4
-    bvb1 = b1 / 2
-    bvb2 = b2 / 2
-    bvb3 = b3 / 2
-    v11a = a1 * a1
-    v22a = a2 * a2
-    v33a = a3 * a3
-    xa = v11a + v22a + v33a
-    za = xa / 4
-    Na = 1 + za
-    ra = 2 * (Na / Na / Na)
-    f_va = ra / 2
-    g_va = ra / 4
-    bva1 = a1 / 2
-    bva2 = a2 / 2
-    bva3 = a3 / 2
-    z0 = 1 - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
-    z1 = bva1 + bvb1 + (bvb2 * bva3 - bvb3 * bva2)
-    z2 = bva2 + bvb2 + (bvb3 * bva1 - bvb1 * bva3)
-    z3 = bva3 + bvb3 + (bvb1 * bva2 - bvb2 * bva1)
-    gva1 = a1 * g_va
-    gva2 = a2 * g_va
-    gva3 = a3 * g_va
-    ya = a1 * a1o + a2 * a2o + a3 * a3o
-    rhoa1 = a1o * f_va + (gva2 * a3o - gva3 * a2o)
-    rhoa2 = a2o * f_va + (gva3 * a1o - gva1 * a3o)
-    rhoa3 = a3o * f_va + (gva1 * a2o - gva2 * a1o)
-    v_rho1 = b2 * rhoa3 - b3 * rhoa2
-    v_rho2 = b3 * rhoa1 - b1 * rhoa3
-    v_rho3 = b1 * rhoa2 - b2 * rhoa1
-    gv_rho1 = v_rho1 * g_vb
-    gv_rho2 = v_rho2 * g_vb
-    gv_rho3 = v_rho3 * g_vb
-    gvb1 = b1 * g_vb
-    gvb2 = b2 * g_vb
-    gvb3 = b3 * g_vb
-    yb = b1 * b1o + b2 * b2o + b3 * b3o
-    rhob1 = b1o * f_vb + (gvb2 * b3o - gvb3 * b2o)
-    rhob2 = b2o * f_vb + (gvb3 * b1o - gvb1 * b3o)
-    rhob3 = b3o * f_vb + (gvb1 * b2o - gvb2 * b1o)
-    rho1 = rhoa1 + (v_rho1 * f_vb + (b2 * gv_rho3 - b3 * gv_rho2)) + rhob1
-    rho2 = rhoa2 + (v_rho2 * f_vb + (b3 * gv_rho1 - b1 * gv_rho3)) + rhob2
-    rho3 = rhoa3 + (v_rho3 * f_vb + (b1 * gv_rho2 - b2 * gv_rho1)) + rhob3
-    gain = 2 * (1 / z0)
-    v1 = z1 * gain
-    v2 = z2 * gain
-    v3 = z3 * gain
-    hvr = (v1 * rho1 + v2 * rho2 + v3 * rho3) / 2
-    w4 = (2 * rho1 - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2
-    w5 = (2 * rho2 - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2
-    w6 = (2 * rho3 - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2
-    sw1 = -v1
-    sw2 = -v2
-    sw3 = -v3
-    sow1 = -w4
-    sow2 = -w5
-    sow3 = -w6
-    cvw1 = v1 / 2
-    cvw2 = v2 / 2
-    cvw3 = v3 / 2
-    cvow1 = w4 / 2
-    cvow2 = w5 / 2
-    cvow3 = w6 / 2
-    d12w = cvw1 * v2
-    d13w = cvw1 * v3
-    d23w = cvw2 * v3
-    I11 = 2 + cvw1 * v1
-    I12 = d12w - sw3
-    I13 = d13w + sw2
-    I21 = d12w + sw3
-    I22 = 2 + cvw2 * v2
-    I23 = d23w - sw1
-    I31 = d13w - sw2
-    I32 = d23w + sw1
-    I33 = 2 + cvw3 * v3
-    d12ow = cvw1 * w5 + cvow1 * v2
-    d13ow = cvw1 * w6 + cvow1 * v3
-    d23ow = cvw2 * w6 + cvow2 * v3
-    I11o = cvw1 * w4 + cvow1 * v1
-    I12o = d12ow - sow3
-    I13o = d13ow + sow2
-    I21o = d12ow + sow3
-    I22o = cvw2 * w5 + cvow2 * v2
-    I23o = d23ow - sow1
-    I31o = d13ow - sow2
-    I32o = d23ow + sow1
-    I33o = cvw3 * w6 + cvow3 * v3
-    eS = 2 / Nb
-    egS = eS * rb
-    fyS = -egS
-    fy_vS = fyS / 8
-    gy_vS = fyS / 16
-    foS = fy_vS * yb
-    goS = gy_vS * yb
-    gvoS1 = b1o * g_vb + b1 * goS
-    gvoS2 = b2o * g_vb + b2 * goS
-    gvoS3 = b3o * g_vb + b3 * goS
-    S12 = -gvb3
-    S23 = -gvb1
-    S31 = -gvb2
-    S12o = -gvoS3
-    S23o = -gvoS1
-    S31o = -gvoS2
-    eF = 2 / Na
-    egF = eF * ra
-    fyF = -egF
-    fy_vF = fyF / 8
-    gy_vF = fyF / 16
-    foF = fy_vF * ya
-    goF = gy_vF * ya
-    gvoF1 = a1o * g_va + a1 * goF
-    gvoF2 = a2o * g_va + a2 * goF
-    gvoF3 = a3o * g_va + a3 * goF
-    F12 = -gva3
-    F23 = -gva1
-    F31 = -gva2
-    F12o = -gvoF3
-    F23o = -gvoF1
-    F31o = -gvoF2
-    x23b = v22b + v33b
-    x13b = v11b + v33b
-    fvb1 = b1 * f_vb
-    fvb2 = b2 * f_vb
-    fvb3 = b3 * f_vb
-    gvvb1 = gvb1 * b2
-    gvvb2 = gvb1 * b3
-    gvvb3 = gvb2 * b3
-    Qb11 = 1 - g_vb * x23b
-    Qb12 = gvvb1 - fvb3
-    Qb13 = gvvb2 + fvb2
-    Qb21 = gvvb1 + fvb3
-    Qb22 = 1 - g_vb * x13b
-    Qb23 = gvvb3 - fvb1
-    Qb31 = gvvb2 - fvb2
-    Qb32 = gvvb3 + fvb1
-    Qb33 = 1 - g_vb * x12b
-    R11o = Qb31 * rhob2 - Qb21 * rhob3
-    R12o = Qb32 * rhob2 - Qb22 * rhob3
-    R13o = Qb33 * rhob2 - Qb23 * rhob3
-    R21o = Qb11 * rhob3 - Qb31 * rhob1
-    R22o = Qb12 * rhob3 - Qb32 * rhob1
-    R23o = Qb13 * rhob3 - Qb33 * rhob1
-    R31o = Qb21 * rhob1 - Qb11 * rhob2
-    R32o = Qb22 * rhob1 - Qb12 * rhob2
-    R33o = Qb23 * rhob1 - Qb13 * rhob2
-    B11 = (I11 * f_vb + I12 * gvb3 + I13 * S31) / 2
-    B12 = (I11 * S12 + I12 * f_vb + I13 * gvb1) / 2
-    B13 = (I11 * gvb2 + I12 * S23 + I13 * f_vb) / 2
-    B21 = (I21 * f_vb + I22 * gvb3 + I23 * S31) / 2
-    B22 = (I21 * S12 + I22 * f_vb + I23 * gvb1) / 2
-    B23 = (I21 * gvb2 + I22 * S23 + I23 * f_vb) / 2
-    B31 = (I31 * f_vb + I32 * gvb3 + I33 * S31) / 2
-    B32 = (I31 * S12 + I32 * f_vb + I33 * gvb1) / 2
-    B33 = (I31 * gvb2 + I32 * S23 + I33 * f_vb) / 2
-    RT11 = Qb11 * f_va + Qb12 * gva3 + Qb13 * F31
-    RT11o = Qb11 * foF + R11o * f_va + (Qb12 * gvoF3 + R12o * gva3) + (Qb13 * F31o + R13o * F31)
-    RT12 = Qb11 * F12 + Qb12 * f_va + Qb13 * gva1
-    RT12o = Qb11 * F12o + R11o * F12 + (Qb12 * foF + R12o * f_va) + (Qb13 * gvoF1 + R13o * gva1)
-    RT13 = Qb11 * gva2 + Qb12 * F23 + Qb13 * f_va
-    RT13o = Qb11 * gvoF2 + R11o * gva2 + (Qb12 * F23o + R12o * F23) + (Qb13 * foF + R13o * f_va)
-    RT21 = Qb21 * f_va + Qb22 * gva3 + Qb23 * F31
-    RT21o = Qb21 * foF + R21o * f_va + (Qb22 * gvoF3 + R22o * gva3) + (Qb23 * F31o + R23o * F31)
-    RT22 = Qb21 * F12 + Qb22 * f_va + Qb23 * gva1
-    RT22o = Qb21 * F12o + R21o * F12 + (Qb22 * foF + R22o * f_va) + (Qb23 * gvoF1 + R23o * gva1)
-    RT23 = Qb21 * gva2 + Qb22 * F23 + Qb23 * f_va
-    RT23o = Qb21 * gvoF2 + R21o * gva2 + (Qb22 * F23o + R22o * F23) + (Qb23 * foF + R23o * f_va)
-    RT31 = Qb31 * f_va + Qb32 * gva3 + Qb33 * F31
-    RT31o = Qb31 * foF + R31o * f_va + (Qb32 * gvoF3 + R32o * gva3) + (Qb33 * F31o + R33o * F31)
-    RT32 = Qb31 * F12 + Qb32 * f_va + Qb33 * gva1
-    RT32o = Qb31 * F12o + R31o * F12 + (Qb32 * foF + R32o * f_va) + (Qb33 * gvoF1 + R33o * gva1)
-    RT33 = Qb31 * gva2 + Qb32 * F23 + Qb33 * f_va
-    RT33o = Qb31 * gvoF2 + R31o * gva2 + (Qb32 * F23o + R32o * F23) + (Qb33 * foF + R33o * f_va)
-    A11 = (I11 * RT11 + I12 * RT21 + I13 * RT31) / 2
-    A12 = (I11 * RT12 + I12 * RT22 + I13 * RT32) / 2
-    A13 = (I11 * RT13 + I12 * RT23 + I13 * RT33) / 2
-    A21 = (I21 * RT11 + I22 * RT21 + I23 * RT31) / 2
-    A22 = (I21 * RT12 + I22 * RT22 + I23 * RT32) / 2
-    A23 = (I21 * RT13 + I22 * RT23 + I23 * RT33) / 2
-    A31 = (I31 * RT11 + I32 * RT21 + I33 * RT31) / 2
-    A32 = (I31 * RT12 + I32 * RT22 + I33 * RT32) / 2
-    A33 = (I31 * RT13 + I32 * RT23 + I33 * RT33) / 2
-    return (
-        B11,
-        B12,
-        B13,
-        0,
-        0,
-        0,
-        B21,
-        B22,
-        B23,
-        0,
-        0,
-        0,
-        B31,
-        B32,
-        B33,
-        0,
-        0,
-        0,
-        (I11 * foS + I11o * f_vb + (I12 * gvoS3 + I12o * gvb3) + (I13 * S31o + I13o * S31)) / 2,
-        (I11 * S12o + I11o * S12 + (I12 * foS + I12o * f_vb) + (I13 * gvoS1 + I13o * gvb1)) / 2,
-        (I11 * gvoS2 + I11o * gvb2 + (I12 * S23o + I12o * S23) + (I13 * foS + I13o * f_vb)) / 2,
-        B11,
-        B12,
-        B13,
-        (I21 * foS + I21o * f_vb + (I22 * gvoS3 + I22o * gvb3) + (I23 * S31o + I23o * S31)) / 2,
-        (I21 * S12o + I21o * S12 + (I22 * foS + I22o * f_vb) + (I23 * gvoS1 + I23o * gvb1)) / 2,
-        (I21 * gvoS2 + I21o * gvb2 + (I22 * S23o + I22o * S23) + (I23 * foS + I23o * f_vb)) / 2,
-        B21,
-        B22,
-        B23,
-        (I31 * foS + I31o * f_vb + (I32 * gvoS3 + I32o * gvb3) + (I33 * S31o + I33o * S31)) / 2,
-        (I31 * S12o + I31o * S12 + (I32 * foS + I32o * f_vb) + (I33 * gvoS1 + I33o * gvb1)) / 2,
-        (I31 * gvoS2 + I31o * gvb2 + (I32 * S23o + I32o * S23) + (I33 * foS + I33o * f_vb)) / 2,
-        B31,
-        B32,
-        B33,
-        A11,
-        A12,
-        A13,
-        0,
-        0,
-        0,
-        A21,
-        A22,
-        A23,
-        0,
-        0,
-        0,
-        A31,
-        A32,
-        A33,
-        0,
-        0,
-        0,
-        (I11 * RT11o + I11o * RT11 + (I12 * RT21o + I12o * RT21) + (I13 * RT31o + I13o * RT31)) / 2,
-        (I11 * RT12o + I11o * RT12 + (I12 * RT22o + I12o * RT22) + (I13 * RT32o + I13o * RT32)) / 2,
-        (I11 * RT13o + I11o * RT13 + (I12 * RT23o + I12o * RT23) + (I13 * RT33o + I13o * RT33)) / 2,
-        A11,
-        A12,
-        A13,
-        (I21 * RT11o + I21o * RT11 + (I22 * RT21o + I22o * RT21) + (I23 * RT31o + I23o * RT31)) / 2,
-        (I21 * RT12o + I21o * RT12 + (I22 * RT22o + I22o * RT22) + (I23 * RT32o + I23o * RT32)) / 2,
-        (I21 * RT13o + I21o * RT13 + (I22 * RT23o + I22o * RT23) + (I23 * RT33o + I23o * RT33)) / 2,
-        A21,
-        A22,
-        A23,
-        (I31 * RT11o + I31o * RT11 + (I32 * RT21o + I32o * RT21) + (I33 * RT31o + I33o * RT31)) / 2,
-        (I31 * RT12o + I31o * RT12 + (I32 * RT22o + I32o * RT22) + (I33 * RT32o + I33o * RT32)) / 2,
-        (I31 * RT13o + I31o * RT13 + (I32 * RT23o + I32o * RT23) + (I33 * RT33o + I33o * RT33)) / 2,
-        A31,
-        A32,
-        A33,
-    )
-
-
-def _own_compose_jacobians_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, b: Rows, a: Rows
-) -> None:
-    b1, b2, b3, b1o, b2o, b3o = b
-    a1, a2, a3, a1o, a2o, a3o = a
-    (
-        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
-        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36, o37, o38, o39, o40, o41, o42, o43, o44, o45, o46,
-        o47, o48, o49, o50, o51, o52, o53, o54, o55, o56, o57, o58, o59, o60, o61, o62, o63, o64, o65, o66, o67, o68,
-        o69, o70, o71, o72,
-    ) = out
-    (
-        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
-        k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, k35, k36, k37, k38, k39, k40, k41, k42, k43, k44, k45, k46,
-        k47, k48, k49, k50, k51, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61,
-    ) = scratch
-    n0, n1, n2, n4, n8, n16 = numbers
-    bva1 = div(a1, n2, k1)
-    bvb1 = div(b1, n2, k2)
-    bvb2 = div(b2, n2, k3)
-    bva3 = div(a3, n2, k4)
-    bvb3 = div(b3, n2, k5)
-    bva2 = div(a2, n2, k6)
-    z1 = add(add(bva1, bvb1, k7), sub(mul(bvb2, bva3, k8), mul(bvb3, bva2, k9), k8), k7)
-    z0 = sub(n1, add(add(mul(bvb1, bva1, k8), mul(bvb2, bva2, k9), k8), mul(bvb3, bva3, k9), k8), k8)
-    gain = mul(n2, div(n1, z0, k8), k8)
-    v1 = mul(z1, gain, k7)
-    cvw1 = div(v1, n2, k9)
-    I11 = add(n2, mul(cvw1, v1, k10), k10)
-    z2 = add(add(bva2, bvb2, k11), sub(mul(bvb3, bva1, k12), mul(bvb1, bva3, k13), k12), k11)
-    z3 = add(add(bva3, bvb3, k4), sub(mul(bvb1, bva2, k2), mul(bvb2, bva1, k1), k1), k1)
-    v2 = mul(z2, gain, k2)
-    v3 = mul(z3, gain, k1)
-    d12w = mul(cvw1, v2, k3)
-    sw3 = neg(v3, k4)
-    I12 = sub(d12w, sw3, k5)
-    I21 = add(d12w, sw3, k3)
-    d13w = mul(cvw1, v3, k4)
-    sw2 = neg(v2, k6)
-    I13 = add(d13w, sw2, k8)
-    I31 = sub(d13w, sw2, k4)
-    v11b = mul(b1, b1, k6)
-    v22b = mul(b2, b2, k11)
-    x12b = add(v11b, v22b, k12)
-    v33b = mul(b3, b3, k13)
-    x23b = add(v22b, v33b, k11)
-    x13b = add(v11b, v33b, k6)
-    xb = add(x12b, v33b, k13)
-    zb = div(xb, n4, k13)
-    Nb = add(n1, zb, k13)
-    rb = mul(n2, div(div(Nb, Nb, k14), Nb, k14), k14)
-    eS = div(n2, Nb, k13)
-    egS = mul(eS, rb, k13)
-    fyS = neg(egS, k13)
-    f_vb = div(rb, n2, k15)
-    g_vb = div(rb, n4, k14)
-    Qb11 = sub(n1, mul(g_vb, x23b, k11), k11)
-    Qb22 = sub(n1, mul(g_vb, x13b, k6), k6)
-    Qb33 = sub(n1, mul(g_vb, x12b, k12), k12)
-    gvb3 = mul(b3, g_vb, k16)
-    gvb2 = mul(b2, g_vb, k17)
-    S31 = neg(gvb2, k18)
-    div(add(add(mul(I11, f_vb, k19), mul(I12, gvb3, k20), k19), mul(I13, S31, k20), k19), n2, o1)
-    S12 = neg(gvb3, k19)
-    gvb1 = mul(b1, g_vb, k20)
-    div(add(add(mul(I11, S12, k21), mul(I12, f_vb, k22), k21), mul(I13, gvb1, k22), k21), n2, o2)
-    S23 = neg(gvb1, k21)
-    div(add(add(mul(I11, gvb2, k22), mul(I12, S23, k23), k22), mul(I13, f_vb, k23), k22), n2, o3)
-    cvw2 = div(v2, n2, k22)
-    I22 = add(n2, mul(cvw2, v2, k23), k23)
-    d23w = mul(cvw2, v3, k24)
-    sw1 = neg(v1, k25)
-    I23 = sub(d23w, sw1, k26)
-    I32 = add(d23w, sw1, k24)
-    div(add(add(mul(I21, f_vb, k25), mul(I22, gvb3, k27), k25), mul(I23, S31, k27), k25), n2, o7)
-    div(add(add(mul(I21, S12, k25), mul(I22, f_vb, k27), k25), mul(I23, gvb1, k27), k25), n2, o8)
-    div(add(add(mul(I21, gvb2, k25), mul(I22, S23, k27), k25), mul(I23, f_vb, k27), k25), n2, o9)
-    cvw3 = div(v3, n2, k25)
-    I33 = add(n2, mul(cvw3, v3, k27), k27)
-    div(add(add(mul(I31, f_vb, k28), mul(I32, gvb3, k29), k28), mul(I33, S31, k29), k28), n2, o13)
-    div(add(add(mul(I31, S12, k28), mul(I32, f_vb, k29), k28), mul(I33, gvb1, k29), k28), n2, o14)
-    div(add(add(mul(I31, gvb2, k28), mul(I32, S23, k29), k28), mul(I33, f_vb, k29), k28), n2, o15)
-    v11a = mul(a1, a1, k28)
-    v22a = mul(a2, a2, k29)
-    v33a = mul(a3, a3, k30)
-    xa = add(add(v11a, v22a, k28), v33a, k28)
-    za = div(xa, n4, k28)
-    Na = add(n1, za, k28)
-    ra = mul(n2, div(div(Na, Na, k29), Na, k29), k29)
-    eF = div(n2, Na, k28)
-    egF = mul(eF, ra, k28)
-    fyF = neg(egF, k28)
-    f_va = div(ra, n2, k30)
-    g_va = div(ra, n4, k29)
-    gva1 = mul(a1, g_va, k31)
-    gva2 = mul(a2, g_va, k32)
-    rhoa3 = add(mul(a3o, f_va, k33), sub(mul(gva1, a2o, k34), mul(gva2, a1o, k35), k34), k33)
-    gva3 = mul(a3, g_va, k34)
-    rhoa2 = add(mul(a2o, f_va, k35), sub(mul(gva3, a1o, k36), mul(gva1, a3o, k37), k36), k35)
-    v_rho1 = sub(mul(b2, rhoa3, k36), mul(b3, rhoa2, k37), k36)
-    rhoa1 = add(mul(a1o, f_va, k37), sub(mul(gva2, a3o, k38), mul(gva3, a2o, k39), k38), k37)
-    v_rho3 = sub(mul(b1, rhoa2, k38), mul(b2, rhoa1, k39), k38)
-    gv_rho3 = mul(v_rho3, g_vb, k39)
-    v_rho2 = sub(mul(b3, rhoa1, k40), mul(b1, rhoa3, k41), k40)
-    gv_rho2 = mul(v_rho2, g_vb, k41)
-    rhob1 = add(mul(b1o, f_vb, k42), sub(mul(gvb2, b3o, k43), mul(gvb3, b2o, k44), k43), k42)
-    rho1 = add(
-        add(rhoa1, add(mul(v_rho1, f_vb, k43), sub(mul(b2, gv_rho3, k44), mul(b3, gv_rho2, k45), k44), k43), k37),
-        rhob1, k37
-    )
-    gv_rho1 = mul(v_rho1, g_vb, k36)
-    rhob2 = add(mul(b2o, f_vb, k43), sub(mul(gvb3, b1o, k44), mul(gvb1, b3o, k45), k44), k43)
-    rho2 = add(
-        add(rhoa2, add(mul(v_rho2, f_vb, k40), sub(mul(b3, gv_rho1, k44), mul(b1, gv_rho3, k39), k39), k39), k35),
-        rhob2, k35
-    )
-    rhob3 = add(mul(b3o, f_vb, k39), sub(mul(gvb1, b2o, k40), mul(gvb2, b1o, k44), k40), k39)
-    rho3 = add(
-        add(rhoa3, add(mul(v_rho3, f_vb, k38), sub(mul(b1, gv_rho2, k40), mul(b2, gv_rho1, k36), k36), k36), k33),
-        rhob3, k33
-    )
-    hvr = div(add(add(mul(v1, rho1, k36), mul(v2, rho2, k38), k36), mul(v3, rho3, k38), k36), n2, k36)
-    w4 = div(
-        add(sub(mul(n2, rho1, k38), sub(mul(v2, rho3, k40), mul(v3, rho2, k41), k40), k38), mul(v1, hvr, k40), k38), n2,
-        k38
-    )
-    cvow1 = div(w4, n2, k40)
-    I11o = add(mul(cvw1, w4, k41), mul(cvow1, v1, k44), k41)
-    sow1 = neg(w4, k38)
-    w5 = div(
-        add(sub(mul(n2, rho2, k44), sub(mul(v3, rho1, k45), mul(v1, rho3, k46), k45), k44), mul(v2, hvr, k45), k44), n2,
-        k44
-    )
-    w6 = div(
-        add(sub(mul(n2, rho3, k33), sub(mul(v1, rho2, k7), mul(v2, rho1, k35), k7), k7), mul(v3, hvr, k33), k7), n2, k7
-    )
-    d12ow = add(mul(cvw1, w5, k33), mul(cvow1, v2, k35), k33)
-    d13ow = add(mul(cvw1, w6, k9), mul(cvow1, v3, k35), k9)
-    sow3 = neg(w6, k35)
-    I12o = sub(d12ow, sow3, k36)
-    I21o = add(d12ow, sow3, k33)
-    sow2 = neg(w5, k35)
-    I13o = add(d13ow, sow2, k37)
-    I31o = sub(d13ow, sow2, k9)
-    gy_vS = div(fyS, n16, k35)
-    fy_vS = div(fyS, n8, k13)
-    yb = add(add(mul(b1, b1o, k40), mul(b2, b2o, k45), k40), mul(b3, b3o, k45), k40)
-    goS = mul(gy_vS, yb, k35)
-    foS = mul(fy_vS, yb, k13)
-    gvoS3 = add(mul(b3o, g_vb, k40), mul(b3, goS, k45), k40)
-    gvoS2 = add(mul(b2o, g_vb, k45), mul(b2, goS, k46), k45)
-    gvoS1 = add(mul(b1o, g_vb, k14), mul(b1, goS, k35), k14)
-    S31o = neg(gvoS2, k35)
-    div(
-        add(add(add(mul(I11, foS, k46), mul(I11o, f_vb, k47), k46), add(mul(I12, gvoS3, k47), mul(I12o, gvb3, k48),
-        k47), k46), add(mul(I13, S31o, k47), mul(I13o, S31, k48), k47), k46), n2, o19
-    )
-    S12o = neg(gvoS3, k46)
-    div(
-        add(add(add(mul(I11, S12o, k47), mul(I11o, S12, k48), k47), add(mul(I12, foS, k48), mul(I12o, f_vb, k49), k48),
-        k47), add(mul(I13, gvoS1, k48), mul(I13o, gvb1, k49), k48), k47), n2, o20
-    )
-    S23o = neg(gvoS1, k47)
-    div(
-        add(add(add(mul(I11, gvoS2, k48), mul(I11o, gvb2, k49), k48), add(mul(I12, S23o, k49), mul(I12o, S23, k50),
-        k49), k48), add(mul(I13, foS, k49), mul(I13o, f_vb, k50), k49), k48), n2, o21
-    )
-    cvow2 = div(w5, n2, k48)
-    I22o = add(mul(cvw2, w5, k44), mul(cvow2, v2, k2), k2)
-    d23ow = add(mul(cvw2, w6, k22), mul(cvow2, v3, k44), k22)
-    I23o = sub(d23ow, sow1, k44)
-    I32o = add(d23ow, sow1, k22)
-    div(
-        add(add(add(mul(I21, foS, k38), mul(I21o, f_vb, k48), k38), add(mul(I22, gvoS3, k48), mul(I22o, gvb3, k49),
-        k48), k38), add(mul(I23, S31o, k48), mul(I23o, S31, k49), k48), k38), n2, o25
-    )
-    div(
-        add(add(add(mul(I21, S12o, k38), mul(I21o, S12, k48), k38), add(mul(I22, foS, k48), mul(I22o, f_vb, k49), k48),
-        k38), add(mul(I23, gvoS1, k48), mul(I23o, gvb1, k49), k48), k38), n2, o26
-    )
-    div(
-        add(add(add(mul(I21, gvoS2, k38), mul(I21o, gvb2, k48), k38), add(mul(I22, S23o, k48), mul(I22o, S23, k49),
-        k48), k38), add(mul(I23, foS, k48), mul(I23o, f_vb, k49), k48), k38), n2, o27
-    )
-    cvow3 = div(w6, n2, k38)
-    I33o = add(mul(cvw3, w6, k7), mul(cvow3, v3, k1), k1)
-    div(
-        add(add(add(mul(I31, foS, k7), mul(I31o, f_vb, k25), k7), add(mul(I32, gvoS3, k25), mul(I32o, gvb3, k16), k16),
-        k7), add(mul(I33, S31o, k16), mul(I33o, S31, k18), k16), k7), n2, o31
-    )
-    div(
-        add(add(add(mul(I31, S12o, k7), mul(I31o, S12, k16), k7), add(mul(I32, foS, k16), mul(I32o, f_vb, k18), k16),
-        k7), add(mul(I33, gvoS1, k14), mul(I33o, gvb1, k16), k14), k7), n2, o32
-    )
-    div(
-        add(add(add(mul(I31, gvoS2, k7), mul(I31o, gvb2, k14), k7), add(mul(I32, S23o, k14), mul(I32o, S23, k16), k14),
-        k7), add(mul(I33, foS, k13), mul(I33o, f_vb, k14), k13), k7), n2, o33
-    )
-    gvvb3 = mul(gvb2, b3, k7)
-    gvvb1 = mul(gvb1, b2, k13)
-    gvvb2 = mul(gvb1, b3, k14)
-    fvb3 = mul(b3, f_vb, k16)
-    Qb12 = sub(gvvb1, fvb3, k17)
-    Qb21 = add(gvvb1, fvb3, k13)
-    fvb2 = mul(b2, f_vb, k16)
-    fvb1 = mul(b1, f_vb, k15)
-    Qb13 = add(gvvb2, fvb2, k18)
-    Qb31 = sub(gvvb2, fvb2, k14)
-    F31 = neg(gva2, k16)
-    RT11 = add(add(mul(Qb11, f_va, k19), mul(Qb12, gva3, k20), k19), mul(Qb13, F31, k20), k19)
-    Qb23 = sub(gvvb3, fvb1, k20)
-    Qb32 = add(gvvb3, fvb1, k7)
-    RT21 = add(add(mul(Qb21, f_va, k15), mul(Qb22, gva3, k21), k15), mul(Qb23, F31, k21), k15)
-    RT31 = add(add(mul(Qb31, f_va, k21), mul(Qb32, gva3, k25), k21), mul(Qb33, F31, k25), k21)
-    div(add(add(mul(I11, RT11, k25), mul(I12, RT21, k35), k25), mul(I13, RT31, k35), k25), n2, o37)
-    div(add(add(mul(I21, RT11, k25), mul(I22, RT21, k35), k25), mul(I23, RT31, k35), k25), n2, o43)
-    div(add(add(mul(I31, RT11, k25), mul(I32, RT21, k35), k25), mul(I33, RT31, k35), k25), n2, o49)
-    F12 = neg(gva3, k25)
-    RT12 = add(add(mul(Qb11, F12, k35), mul(Qb12, f_va, k38), k35), mul(Qb13, gva1, k38), k35)
-    RT22 = add(add(mul(Qb21, F12, k38), mul(Qb22, f_va, k40), k38), mul(Qb23, gva1, k40), k38)
-    RT32 = add(add(mul(Qb31, F12, k40), mul(Qb32, f_va, k45), k40), mul(Qb33, gva1, k45), k40)
-    div(add(add(mul(I11, RT12, k45), mul(I12, RT22, k46), k45), mul(I13, RT32, k46), k45), n2, o38)
-    div(add(add(mul(I21, RT12, k45), mul(I22, RT22, k46), k45), mul(I23, RT32, k46), k45), n2, o44)
-    div(add(add(mul(I31, RT12, k45), mul(I32, RT22, k46), k45), mul(I33, RT32, k46), k45), n2, o50)
-    F23 = neg(gva1, k45)
-    RT13 = add(add(mul(Qb11, gva2, k46), mul(Qb12, F23, k47), k46), mul(Qb13, f_va, k47), k46)
-    RT23 = add(add(mul(Qb21, gva2, k47), mul(Qb22, F23, k48), k47), mul(Qb23, f_va, k48), k47)
-    RT33 = add(add(mul(Qb31, gva2, k48), mul(Qb32, F23, k49), k48), mul(Qb33, f_va, k49), k48)
-    div(add(add(mul(I11, RT13, k49), mul(I12, RT23, k50), k49), mul(I13, RT33, k50), k49), n2, o39)
-    div(add(add(mul(I21, RT13, k49), mul(I22, RT23, k50), k49), mul(I23, RT33, k50), k49), n2, o45)
-    div(add(add(mul(I31, RT13, k49), mul(I32, RT23, k50), k49), mul(I33, RT33, k50), k49), n2, o51)
-    R11o = sub(mul(Qb31, rhob2, k49), mul(Qb21, rhob3, k50), k49)
-    R12o = sub(mul(Qb32, rhob2, k50), mul(Qb22, rhob3, k51), k50)
-    R13o = sub(mul(Qb33, rhob2, k51), mul(Qb23, rhob3, k52), k51)
-    gy_vF = div(fyF, n16, k52)
-    fy_vF = div(fyF, n8, k28)
-    ya = add(add(mul(a1, a1o, k53), mul(a2, a2o, k54), k53), mul(a3, a3o, k54), k53)
-    goF = mul(gy_vF, ya, k52)
-    foF = mul(fy_vF, ya, k28)
-    gvoF3 = add(mul(a3o, g_va, k53), mul(a3, goF, k54), k53)
-    gvoF2 = add(mul(a2o, g_va, k54), mul(a2, goF, k55), k54)
-    gvoF1 = add(mul(a1o, g_va, k29), mul(a1, goF, k52), k29)
-    F31o = neg(gvoF2, k52)
-    RT11o = add(
-        add(add(mul(Qb11, foF, k55), mul(R11o, f_va, k56), k55), add(mul(Qb12, gvoF3, k56), mul(R12o, gva3, k57), k56),
-        k55), add(mul(Qb13, F31o, k56), mul(R13o, F31, k57), k56), k55
-    )
-    R22o = sub(mul(Qb12, rhob3, k56), mul(Qb32, rhob1, k57), k56)
-    R21o = sub(mul(Qb11, rhob3, k57), mul(Qb31, rhob1, k58), k57)
-    R23o = sub(mul(Qb13, rhob3, k39), mul(Qb33, rhob1, k58), k39)
-    RT21o = add(
-        add(add(mul(Qb21, foF, k58), mul(R21o, f_va, k59), k58), add(mul(Qb22, gvoF3, k59), mul(R22o, gva3, k60), k59),
-        k58), add(mul(Qb23, F31o, k59), mul(R23o, F31, k60), k59), k58
-    )
-    R33o = sub(mul(Qb23, rhob1, k59), mul(Qb13, rhob2, k60), k59)
-    R31o = sub(mul(Qb21, rhob1, k60), mul(Qb11, rhob2, k61), k60)
-    R32o = sub(mul(Qb22, rhob1, k42), mul(Qb12, rhob2, k43), k42)
-    RT31o = add(
-        add(add(mul(Qb31, foF, k43), mul(R31o, f_va, k61), k43), add(mul(Qb32, gvoF3, k61), mul(R32o, gva3, k34), k34),
-        k34), add(mul(Qb33, F31o, k43), mul(R33o, F31, k16), k16), k16
-    )
-    div(
-        add(add(add(mul(I11, RT11o, k34), mul(I11o, RT11, k43), k34), add(mul(I12, RT21o, k43), mul(I12o, RT21, k52),
-        k43), k34), add(mul(I13, RT31o, k43), mul(I13o, RT31, k52), k43), k34), n2, o55
-    )
-    F12o = neg(gvoF3, k34)
-    div(
-        add(add(add(mul(I21, RT11o, k43), mul(I21o, RT11, k52), k43), add(mul(I22, RT21o, k52), mul(I22o, RT21, k53),
-        k52), k43), add(mul(I23, RT31o, k52), mul(I23o, RT31, k53), k52), k43), n2, o61
-    )
-    div(
-        add(add(add(mul(I31, RT11o, k43), mul(I31o, RT11, k19), k19), add(mul(I32, RT21o, k43), mul(I32o, RT21, k15),
-        k15), k15), add(mul(I33, RT31o, k16), mul(I33o, RT31, k19), k16), k15), n2, o67
-    )
-    RT12o = add(
-        add(add(mul(Qb11, F12o, k15), mul(R11o, F12, k16), k15), add(mul(Qb12, foF, k16), mul(R12o, f_va, k19), k16),
-        k15), add(mul(Qb13, gvoF1, k16), mul(R13o, gva1, k19), k16), k15
-    )
-    RT22o = add(
-        add(add(mul(Qb21, F12o, k16), mul(R21o, F12, k19), k16), add(mul(Qb22, foF, k19), mul(R22o, f_va, k21), k19),
-        k16), add(mul(Qb23, gvoF1, k19), mul(R23o, gva1, k21), k19), k16
-    )
-    RT32o = add(
-        add(add(mul(Qb31, F12o, k19), mul(R31o, F12, k21), k19), add(mul(Qb32, foF, k21), mul(R32o, f_va, k25), k21),
-        k19), add(mul(Qb33, gvoF1, k21), mul(R33o, gva1, k25), k21), k19
-    )
-    div(
-        add(add(add(mul(I11, RT12o, k21), mul(I11o, RT12, k25), k21), add(mul(I12, RT22o, k25), mul(I12o, RT22, k31),
-        k25), k21), add(mul(I13, RT32o, k25), mul(I13o, RT32, k31), k25), k21), n2, o56
-    )
-    F23o = neg(gvoF1, k21)
-    RT13o = add(
-        add(add(mul(Qb11, gvoF2, k11), mul(R11o, gva2, k25), k11), add(mul(Qb12, F23o, k17), mul(R12o, F23, k25), k17),
-        k11), add(mul(Qb13, foF, k17), mul(R13o, f_va, k18), k17), k11
-    )
-    RT23o = add(
-        add(add(mul(Qb21, gvoF2, k13), mul(R21o, gva2, k17), k13), add(mul(Qb22, F23o, k6), mul(R22o, F23, k17), k6),
-        k6), add(mul(Qb23, foF, k13), mul(R23o, f_va, k17), k13), k6
-    )
-    RT33o = add(
-        add(add(mul(Qb31, gvoF2, k13), mul(R31o, gva2, k14), k13), add(mul(Qb32, F23o, k7), mul(R32o, F23, k14), k7),
-        k7), add(mul(Qb33, foF, k12), mul(R33o, f_va, k13), k12), k7
-    )
-    div(
-        add(add(add(mul(I11, RT13o, k10), mul(I11o, RT13, k12), k10), add(mul(I12, RT23o, k5), mul(I12o, RT23, k12),
-        k5), k5), add(mul(I13, RT33o, k8), mul(I13o, RT33, k10), k8), k5), n2, o57
-    )
-    div(
-        add(add(add(mul(I21, RT12o, k5), mul(I21o, RT12, k8), k5), add(mul(I22, RT22o, k8), mul(I22o, RT22, k10), k8),
-        k5), add(mul(I23, RT32o, k8), mul(I23o, RT32, k10), k8), k5), n2, o62
-    )
-    div(
-        add(add(add(mul(I21, RT13o, k3), mul(I21o, RT13, k5), k3), add(mul(I22, RT23o, k5), mul(I22o, RT23, k2), k2),
-        k2), add(mul(I23, RT33o, k3), mul(I23o, RT33, k5), k3), k2), n2, o63
-    )
-    div(
-        add(add(add(mul(I31, RT12o, k2), mul(I31o, RT12, k3), k2), add(mul(I32, RT22o, k3), mul(I32o, RT22, k5), k3),
-        k2), add(mul(I33, RT32o, k3), mul(I33o, RT32, k5), k3), k2), n2, o68
-    )
-    div(
-        add(add(add(mul(I31, RT13o, k2), mul(I31o, RT13, k3), k2), add(mul(I32, RT23o, k3), mul(I32o, RT23, k4), k3),
-        k2), add(mul(I33, RT33o, k3), mul(I33o, RT33, k1), k1), k1), n2, o69
-    )
-    copy(n0, o4)
-    copy(n0, o5)
-    copy(n0, o6)
-    copy(n0, o10)
-    copy(n0, o11)
-    copy(n0, o12)
-    copy(n0, o16)
-    copy(n0, o17)
-    copy(n0, o18)
-    copy(o1, o22)
-    copy(o2, o23)
-    copy(o3, o24)
-    copy(o7, o28)
-    copy(o8, o29)
-    copy(o9, o30)
-    copy(o13, o34)
-    copy(o14, o35)
-    copy(o15, o36)
-    copy(n0, o40)
-    copy(n0, o41)
-    copy(n0, o42)
-    copy(n0, o46)
-    copy(n0, o47)
-    copy(n0, o48)
-    copy(n0, o52)
-    copy(n0, o53)
-    copy(n0, o54)
-    copy(o37, o58)
-    copy(o38, o59)
-    copy(o39, o60)
-    copy(o43, o64)
-    copy(o44, o65)
-    copy(o45, o66)
-    copy(o49, o70)
-    copy(o50, o71)
-    copy(o51, o72)
-
-
-# operations 799: 296 +, 390 *, 69 /, 44 neg
-def _own_between_jacobians(m: Any, c: Any, a: Components, b: Components) -> Result:
-    a1, a2, a3, a1o, a2o, a3o = a
-    b1, b2, b3, b1o, b2o, b3o = b
-    minus_b1 = -b1
-    minus_b2 = -b2
-    minus_b3 = -b3
-    minus_b4 = -b1o
-    minus_b5 = -b2o
-    minus_b6 = -b3o
-    v11b = minus_b1 * minus_b1
-    v22b = minus_b2 * minus_b2
-    v33b = minus_b3 * minus_b3
-    x12b = v11b + v22b
-    xb = x12b + v33b
-    zb = xb / 4
-    Nb = 1 + zb
-    rb = 2 * (Nb / Nb / Nb)
-    f_vb = rb / 2
-    g_vb = rb / 4
-    bvb1 = minus_b1 / 2
-    bvb2 = minus_b2 / 2
-    bvb3 = minus_b3 / 2
-    v11a = a1 * a1
-    v22a = a2 * a2
-    v33a = a3 * a3
-    xa = v11a + v22a + v33a
-    za = xa / 4
-    Na = 1 + za
-    ra = 2 * (Na / Na / Na)
-    f_va = ra / 2
-    g_va = ra / 4
-    bva1 = a1 / 2
-    bva2 = a2 / 2
-    bva3 = a3 / 2
-    z0 = 1 - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
-    z1 = bva1 + bvb1 + (bvb2 * bva3 - bvb3 * bva2)
-    z2 = bva2 + bvb2 + (bvb3 * bva1 - bvb1 * bva3)
-    z3 = bva3 + bvb3 + (bvb1 * bva2 - bvb2 * bva1)
-    gva1 = a1 * g_va
-    gva2 = a2 * g_va
-    gva3 = a3 * g_va
-    ya = a1 * a1o + a2 * a2o + a3 * a3o
-    rhoa1 = a1o * f_va + (gva2 * a3o - gva3 * a2o)
-    rhoa2 = a2o * f_va + (gva3 * a1o - gva1 * a3o)
-    rhoa3 = a3o * f_va + (gva1 * a2o - gva2 * a1o)
-    v_rho1 = minus_b2 * rhoa3 - minus_b3 * rhoa2
-    v_rho2 = minus_b3 * rhoa1 - minus_b1 * rhoa3
-    v_rho3 = minus_b1 * rhoa2 - minus_b2 * rhoa1
-    gv_rho1 = v_rho1 * g_vb
-    gv_rho2 = v_rho2 * g_vb
-    gv_rho3 = v_rho3 * g_vb
-    gvb1 = minus_b1 * g_vb
-    gvb2 = minus_b2 * g_vb
-    gvb3 = minus_b3 * g_vb
-    yb = minus_b1 * minus_b4 + minus_b2 * minus_b5 + minus_b3 * minus_b6
-    rhob1 = minus_b4 * f_vb + (gvb2 * minus_b6 - gvb3 * minus_b5)
-    rhob2 = minus_b5 * f_vb + (gvb3 * minus_b4 - gvb1 * minus_b6)
-    rhob3 = minus_b6 * f_vb + (gvb1 * minus_b5 - gvb2 * minus_b4)
-    rho1 = rhoa1 + (v_rho1 * f_vb + (minus_b2 * gv_rho3 - minus_b3 * gv_rho2)) + rhob1
-    rho2 = rhoa2 + (v_rho2 * f_vb + (minus_b3 * gv_rho1 - minus_b1 * gv_rho3)) + rhob2
-    rho3 = rhoa3 + (v_rho3 * f_vb + (minus_b1 * gv_rho2 - minus_b2 * gv_rho1)) + rhob3
-    gain = 2 * (1 / z0)
-    v1 = z1 * gain
-    v2 = z2 * gain
-    v3 = z3 * gain
-    hvr = (v1 * rho1 + v2 * rho2 + v3 * rho3) / 2
-    w4 = (2 * rho1 - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2
-    w5 = (2 * rho2 - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2
-    w6 = (2 * rho3 - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2
-    sw1 = -v1
-    sw2 = -v2
-    sw3 = -v3
-    sow1 = -w4
-    sow2 = -w5
-    sow3 = -w6
-    cvw1 = v1 / 2
-    cvw2 = v2 / 2
-    cvw3 = v3 / 2
-    cvow1 = w4 / 2
-    cvow2 = w5 / 2
-    cvow3 = w6 / 2
-    d12w = cvw1 * v2
-    d13w = cvw1 * v3
-    d23w = cvw2 * v3
-    I11 = 2 + cvw1 * v1
-    I12 = d12w - sw3
-    I13 = d13w + sw2
-    I21 = d12w + sw3
-    I22 = 2 + cvw2 * v2
-    I23 = d23w - sw1
-    I31 = d13w - sw2
-    I32 = d23w + sw1
-    I33 = 2 + cvw3 * v3
-    d12ow = cvw1 * w5 + cvow1 * v2
-    d13ow = cvw1 * w6 + cvow1 * v3
-    d23ow = cvw2 * w6 + cvow2 * v3
-    I11o = cvw1 * w4 + cvow1 * v1
-    I12o = d12ow - sow3
-    I13o = d13ow + sow2
-    I21o = d12ow + sow3
-    I22o = cvw2 * w5 + cvow2 * v2
-    I23o = d23ow - sow1
-    I31o = d13ow - sow2
-    I32o = d23ow + sow1
-    I33o = cvw3 * w6 + cvow3 * v3
-    eS = 2 / Nb
-    egS = eS * rb
-    fyS = -egS
-    fy_vS = fyS / 8
-    gy_vS = fyS / 16
-    foS = fy_vS * yb
-    goS = gy_vS * yb
-    gvoS1 = minus_b4 * g_vb + minus_b1 * goS
-    gvoS2 = minus_b5 * g_vb + minus_b2 * goS
-    gvoS3 = minus_b6 * g_vb + minus_b3 * goS
-    S12 = -gvb3
-    S23 = -gvb1
-    S31 = -gvb2
-    S12o = -gvoS3
-    S23o = -gvoS1
-    S31o = -gvoS2
-    eF = 2 / Na
-    egF = eF * ra
-    fyF = -egF
-    fy_vF = fyF / 8
-    gy_vF = fyF / 16
-    foF = fy_vF * ya
-    goF = gy_vF * ya
-    gvoF1 = a1o * g_va + a1 * goF
-    gvoF2 = a2o * g_va + a2 * goF
-    gvoF3 = a3o * g_va + a3 * goF
-    F12 = -gva3
-    F23 = -gva1
-    F31 = -gva2
-    F12o = -gvoF3
-    F23o = -gvoF1
-    F31o = -gvoF2
-    x23b = v22b + v33b
-    x13b = v11b + v33b
-    fvb1 = minus_b1 * f_vb
-    fvb2 = minus_b2 * f_vb
-    fvb3 = minus_b3 * f_vb
-    gvvb1 = gvb1 * minus_b2
-    gvvb2 = gvb1 * minus_b3
-    gvvb3 = gvb2 * minus_b3
-    Qb11 = 1 - g_vb * x23b
-    Qb12 = gvvb1 - fvb3
-    Qb13 = gvvb2 + fvb2
-    Qb21 = gvvb1 + fvb3
-    Qb22 = 1 - g_vb * x13b
-    Qb23 = gvvb3 - fvb1
-    Qb31 = gvvb2 - fvb2
-    Qb32 = gvvb3 + fvb1
-    Qb33 = 1 - g_vb * x12b
-    R11o = Qb31 * rhob2 - Qb21 * rhob3
-    R12o = Qb32 * rhob2 - Qb22 * rhob3
-    R13o = Qb33 * rhob2 - Qb23 * rhob3
-    R21o = Qb11 * rhob3 - Qb31 * rhob1
-    R22o = Qb12 * rhob3 - Qb32 * rhob1
-    R23o = Qb13 * rhob3 - Qb33 * rhob1
-    R31o = Qb21 * rhob1 - Qb11 * rhob2
-    R32o = Qb22 * rhob1 - Qb12 * rhob2
-    R33o = Qb23 * rhob1 - Qb13 * rhob2
-    RT11 = Qb11 * f_va + Qb12 * gva3 + Qb13 * F31
-    RT11o = Qb11 * foF + R11o * f_va + (Qb12 * gvoF3 + R12o * gva3) + (Qb13 * F31o + R13o * F31)
-    RT12 = Qb11 * F12 + Qb12 * f_va + Qb13 * gva1
-    RT12o = Qb11 * F12o + R11o * F12 + (Qb12 * foF + R12o * f_va) + (Qb13 * gvoF1 + R13o * gva1)
-    RT13 = Qb11 * gva2 + Qb12 * F23 + Qb13 * f_va
-    RT13o = Qb11 * gvoF2 + R11o * gva2 + (Qb12 * F23o + R12o * F23) + (Qb13 * foF + R13o * f_va)
-    RT21 = Qb21 * f_va + Qb22 * gva3 + Qb23 * F31
-    RT21o = Qb21 * foF + R21o * f_va + (Qb22 * gvoF3 + R22o * gva3) + (Qb23 * F31o + R23o * F31)
-    RT22 = Qb21 * F12 + Qb22 * f_va + Qb23 * gva1
-    RT22o = Qb21 * F12o + R21o * F12 + (Qb22 * foF + R22o * f_va) + (Qb23 * gvoF1 + R23o * gva1)
-    RT23 = Qb21 * gva2 + Qb22 * F23 + Qb23 * f_va
-    RT23o = Qb21 * gvoF2 + R21o * gva2 + (Qb22 * F23o + R22o * F23) + (Qb23 * foF + R23o * f_va)
-    RT31 = Qb31 * f_va + Qb32 * gva3 + Qb33 * F31
-    RT31o = Qb31 * foF + R31o * f_va + (Qb32 * gvoF3 + R32o * gva3) + (Qb33 * F31o + R33o * F31)
-    RT32 = Qb31 * F12 + Qb32 * f_va + Qb33 * gva1
-    RT32o = Qb31 * F12o + R31o * F12 + (Qb32 * foF + R32o * f_va) + (Qb33 * gvoF1 + R33o * gva1)
-    RT33 = Qb31 * gva2 + Qb32 * F23 + Qb33 * f_va
-    RT33o = Qb31 * gvoF2 + R31o * gva2 + (Qb32 * F23o + R32o * F23) + (Qb33 * foF + R33o * f_va)
-    A11 = (I11 * RT11 + I12 * RT21 + I13 * RT31) / 2
-    A12 = (I11 * RT12 + I12 * RT22 + I13 * RT32) / 2
-    A13 = (I11 * RT13 + I12 * RT23 + I13 * RT33) / 2
-    A21 = (I21 * RT11 + I22 * RT21 + I23 * RT31) / 2
-    A22 = (I21 * RT12 + I22 * RT22 + I23 * RT32) / 2
-    A23 = (I21 * RT13 + I22 * RT23 + I23 * RT33) / 2
-    A31 = (I31 * RT11 + I32 * RT21 + I33 * RT31) / 2
-    A32 = (I31 * RT12 + I32 * RT22 + I33 * RT32) / 2
-    A33 = (I31 * RT13 + I32 * RT23 + I33 * RT33) / 2
-    B11 = -((I11 * f_vb + I12 * gvb3 + I13 * S31) / 2)
-    B12 = -((I11 * S12 + I12 * f_vb + I13 * gvb1) / 2)
-    B13 = -((I11 * gvb2 + I12 * S23 + I13 * f_vb) / 2)
-    B21 = -((I21 * f_vb + I22 * gvb3 + I23 * S31) / 2)
-    B22 = -((I21 * S12 + I22 * f_vb + I23 * gvb1) / 2)
-    B23 = -((I21 * gvb2 + I22 * S23 + I23 * f_vb) / 2)
-    B31 = -((I31 * f_vb + I32 * gvb3 + I33 * S31) / 2)
-    B32 = -((I31 * S12 + I32 * f_vb + I33 * gvb1) / 2)
-    B33 = -((I31 * gvb2 + I32 * S23 + I33 * f_vb) / 2)
-    return (
-        A11,
-        A12,
-        A13,
-        0,
-        0,
-        0,
-        A21,
-        A22,
-        A23,
-        0,
-        0,
-        0,
-        A31,
-        A32,
-        A33,
-        0,
-        0,
-        0,
-        (I11 * RT11o + I11o * RT11 + (I12 * RT21o + I12o * RT21) + (I13 * RT31o + I13o * RT31)) / 2,
-        (I11 * RT12o + I11o * RT12 + (I12 * RT22o + I12o * RT22) + (I13 * RT32o + I13o * RT32)) / 2,
-        (I11 * RT13o + I11o * RT13 + (I12 * RT23o + I12o * RT23) + (I13 * RT33o + I13o * RT33)) / 2,
-        A11,
-        A12,
-        A13,
-        (I21 * RT11o + I21o * RT11 + (I22 * RT21o + I22o * RT21) + (I23 * RT31o + I23o * RT31)) / 2,
-        (I21 * RT12o + I21o * RT12 + (I22 * RT22o + I22o * RT22) + (I23 * RT32o + I23o * RT32)) / 2,
-        (I21 * RT13o + I21o * RT13 + (I22 * RT23o + I22o * RT23) + (I23 * RT33o + I23o * RT33)) / 2,
-        A21,
-        A22,
-        A23,
-        (I31 * RT11o + I31o * RT11 + (I32 * RT21o + I32o * RT21) + (I33 * RT31o + I33o * RT31)) / 2,
-        (I31 * RT12o + I31o * RT12 + (I32 * RT22o + I32o * RT22) + (I33 * RT32o + I33o * RT32)) / 2,
-        (I31 * RT13o + I31o * RT13 + (I32 * RT23o + I32o * RT23) + (I33 * RT33o + I33o * RT33)) / 2,
-        A31,
-        A32,
-        A33,
-        B11,
-        B12,
-        B13,
-        0,
-        0,
-        0,
-        B21,
-        B22,
-        B23,
-        0,
-        0,
-        0,
-        B31,
-        B32,
-        B33,
-        0,
-        0,
-        0,
-        -((I11 * foS + I11o * f_vb + (I12 * gvoS3 + I12o * gvb3) + (I13 * S31o + I13o * S31)) / 2),
-        -((I11 * S12o + I11o * S12 + (I12 * foS + I12o * f_vb) + (I13 * gvoS1 + I13o * gvb1)) / 2),
-        -((I11 * gvoS2 + I11o * gvb2 + (I12 * S23o + I12o * S23) + (I13 * foS + I13o * f_vb)) / 2),
-        B11,
-        B12,
-        B13,
-        -((I21 * foS + I21o * f_vb + (I22 * gvoS3 + I22o * gvb3) + (I23 * S31o + I23o * S31)) / 2),
-        -((I21 * S12o + I21o * S12 + (I22 * foS + I22o * f_vb) + (I23 * gvoS1 + I23o * gvb1)) / 2),
-        -((I21 * gvoS2 + I21o * gvb2 + (I22 * S23o + I22o * S23) + (I23 * foS + I23o * f_vb)) / 2),
-        B21,
-        B22,
-        B23,
-        -((I31 * foS + I31o * f_vb + (I32 * gvoS3 + I32o * gvb3) + (I33 * S31o + I33o * S31)) / 2),
-        -((I31 * S12o + I31o * S12 + (I32 * foS + I32o * f_vb) + (I33 * gvoS1 + I33o * gvb1)) / 2),
-        -((I31 * gvoS2 + I31o * gvb2 + (I32 * S23o + I32o * S23) + (I33 * foS + I33o * f_vb)) / 2),
-        B31,
-        B32,
-        B33,
-    )
-
-
-def _own_between_jacobians_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, a: Rows, b: Rows
-) -> None:
-    a1, a2, a3, a1o, a2o, a3o = a
-    b1, b2, b3, b1o, b2o, b3o = b
-    (
-        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
-        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36, o37, o38, o39, o40, o41, o42, o43, o44, o45, o46,
-        o47, o48, o49, o50, o51, o52, o53, o54, o55, o56, o57, o58, o59, o60, o61, o62, o63, o64, o65, o66, o67, o68,
-        o69, o70, o71, o72,
-    ) = out
-    (
-        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
-        k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, k35, k36, k37, k38, k39, k40, k41, k42, k43, k44, k45, k46,
-        k47, k48, k49, k50, k51, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61,
-    ) = scratch
-    n0, n1, n2, n4, n8, n16 = numbers
-    bva1 = div(a1, n2, k1)
-    minus_b1 = neg(b1, k2)
-    bvb1 = div(minus_b1, n2, k3)
-    minus_b2 = neg(b2, k4)
-    bvb2 = div(minus_b2, n2, k5)
-    bva3 = div(a3, n2, k6)
-    minus_b3 = neg(b3, k7)
-    bvb3 = div(minus_b3, n2, k8)
-    bva2 = div(a2, n2, k9)
-    z1 = add(add(bva1, bvb1, k10), sub(mul(bvb2, bva3, k11), mul(bvb3, bva2, k12), k11), k10)
-    z0 = sub(n1, add(add(mul(bvb1, bva1, k11), mul(bvb2, bva2, k12), k11), mul(bvb3, bva3, k12), k11), k11)
-    gain = mul(n2, div(n1, z0, k11), k11)
-    v1 = mul(z1, gain, k10)
-    cvw1 = div(v1, n2, k12)
-    z3 = add(add(bva3, bvb3, k13), sub(mul(bvb1, bva2, k14), mul(bvb2, bva1, k15), k14), k13)
-    z2 = add(add(bva2, bvb2, k5), sub(mul(bvb3, bva1, k1), mul(bvb1, bva3, k3), k1), k1)
-    v3 = mul(z3, gain, k3)
-    v2 = mul(z2, gain, k1)
-    d13w = mul(cvw1, v3, k5)
-    sw2 = neg(v2, k6)
-    I31 = sub(d13w, sw2, k8)
-    I13 = add(d13w, sw2, k5)
-    cvw2 = div(v2, n2, k6)
-    d23w = mul(cvw2, v3, k9)
-    sw1 = neg(v1, k11)
-    I32 = add(d23w, sw1, k13)
-    I23 = sub(d23w, sw1, k9)
-    cvw3 = div(v3, n2, k11)
-    I33 = add(n2, mul(cvw3, v3, k14), k14)
-    v11b = mul(minus_b1, minus_b1, k15)
-    v22b = mul(minus_b2, minus_b2, k16)
-    x12b = add(v11b, v22b, k17)
-    v33b = mul(minus_b3, minus_b3, k18)
-    x23b = add(v22b, v33b, k16)
-    x13b = add(v11b, v33b, k15)
-    xb = add(x12b, v33b, k18)
-    zb = div(xb, n4, k18)
-    Nb = add(n1, zb, k18)
-    rb = mul(n2, div(div(Nb, Nb, k19), Nb, k19), k19)
-    eS = div(n2, Nb, k18)
-    egS = mul(eS, rb, k18)
-    fyS = neg(egS, k18)
-    g_vb = div(rb, n4, k20)
-    f_vb = div(rb, n2, k19)
-    Qb11 = sub(n1, mul(g_vb, x23b, k16), k16)
-    Qb22 = sub(n1, mul(g_vb, x13b, k15), k15)
-    Qb33 = sub(n1, mul(g_vb, x12b, k17), k17)
-    gvb2 = mul(minus_b2, g_vb, k21)
-    gvb1 = mul(minus_b1, g_vb, k22)
-    S23 = neg(gvb1, k23)
-    neg(div(add(add(mul(I31, gvb2, k24), mul(I32, S23, k25), k24), mul(I33, f_vb, k25), k24), n2, k24), o51)
-    gvb3 = mul(minus_b3, g_vb, k24)
-    S12 = neg(gvb3, k25)
-    neg(div(add(add(mul(I31, S12, k26), mul(I32, f_vb, k27), k26), mul(I33, gvb1, k27), k26), n2, k26), o50)
-    S31 = neg(gvb2, k26)
-    neg(div(add(add(mul(I31, f_vb, k27), mul(I32, gvb3, k28), k27), mul(I33, S31, k28), k27), n2, k27), o49)
-    v11a = mul(a1, a1, k27)
-    v22a = mul(a2, a2, k28)
-    v33a = mul(a3, a3, k29)
-    xa = add(add(v11a, v22a, k27), v33a, k27)
-    za = div(xa, n4, k27)
-    Na = add(n1, za, k27)
-    ra = mul(n2, div(div(Na, Na, k28), Na, k28), k28)
-    eF = div(n2, Na, k27)
-    egF = mul(eF, ra, k27)
-    fyF = neg(egF, k27)
-    f_va = div(ra, n2, k29)
-    g_va = div(ra, n4, k28)
-    gva1 = mul(a1, g_va, k30)
-    gva2 = mul(a2, g_va, k31)
-    rhoa3 = add(mul(a3o, f_va, k32), sub(mul(gva1, a2o, k33), mul(gva2, a1o, k34), k33), k32)
-    gva3 = mul(a3, g_va, k33)
-    rhoa2 = add(mul(a2o, f_va, k34), sub(mul(gva3, a1o, k35), mul(gva1, a3o, k36), k35), k34)
-    v_rho1 = sub(mul(minus_b2, rhoa3, k35), mul(minus_b3, rhoa2, k36), k35)
-    rhoa1 = add(mul(a1o, f_va, k36), sub(mul(gva2, a3o, k37), mul(gva3, a2o, k38), k37), k36)
-    v_rho3 = sub(mul(minus_b1, rhoa2, k37), mul(minus_b2, rhoa1, k38), k37)
-    gv_rho3 = mul(v_rho3, g_vb, k38)
-    v_rho2 = sub(mul(minus_b3, rhoa1, k39), mul(minus_b1, rhoa3, k40), k39)
-    gv_rho2 = mul(v_rho2, g_vb, k40)
-    minus_b4 = neg(b1o, k41)
-    minus_b6 = neg(b3o, k42)
-    minus_b5 = neg(b2o, k43)
-    rhob1 = add(mul(minus_b4, f_vb, k44), sub(mul(gvb2, minus_b6, k45), mul(gvb3, minus_b5, k46), k45), k44)
-    rho1 = add(
-        add(rhoa1, add(mul(v_rho1, f_vb, k45), sub(mul(minus_b2, gv_rho3, k46), mul(minus_b3, gv_rho2, k47), k46), k45),
-        k36), rhob1, k36
-    )
-    gv_rho1 = mul(v_rho1, g_vb, k35)
-    rhob2 = add(mul(minus_b5, f_vb, k45), sub(mul(gvb3, minus_b4, k46), mul(gvb1, minus_b6, k47), k46), k45)
-    rho2 = add(
-        add(rhoa2, add(mul(v_rho2, f_vb, k39), sub(mul(minus_b3, gv_rho1, k46), mul(minus_b1, gv_rho3, k38), k38), k38),
-        k34), rhob2, k34
-    )
-    rhob3 = add(mul(minus_b6, f_vb, k38), sub(mul(gvb1, minus_b5, k39), mul(gvb2, minus_b4, k46), k39), k38)
-    rho3 = add(
-        add(rhoa3, add(mul(v_rho3, f_vb, k37), sub(mul(minus_b1, gv_rho2, k39), mul(minus_b2, gv_rho1, k35), k35), k35),
-        k32), rhob3, k32
-    )
-    hvr = div(add(add(mul(v1, rho1, k35), mul(v2, rho2, k37), k35), mul(v3, rho3, k37), k35), n2, k35)
-    w6 = div(
-        add(sub(mul(n2, rho3, k37), sub(mul(v1, rho2, k39), mul(v2, rho1, k40), k39), k37), mul(v3, hvr, k39), k37), n2,
-        k37
-    )
-    w4 = div(
-        add(sub(mul(n2, rho1, k39), sub(mul(v2, rho3, k40), mul(v3, rho2, k46), k40), k39), mul(v1, hvr, k40), k39), n2,
-        k39
-    )
-    w5 = div(
-        add(sub(mul(n2, rho2, k34), sub(mul(v3, rho1, k36), mul(v1, rho3, k32), k32), k32), mul(v2, hvr, k34), k32), n2,
-        k32
-    )
-    cvow1 = div(w4, n2, k34)
-    d13ow = add(mul(cvw1, w6, k35), mul(cvow1, v3, k36), k35)
-    sow2 = neg(w5, k36)
-    I31o = sub(d13ow, sow2, k40)
-    I13o = add(d13ow, sow2, k35)
-    cvow2 = div(w5, n2, k36)
-    d23ow = add(mul(cvw2, w6, k46), mul(cvow2, v3, k47), k46)
-    I22o = add(mul(cvw2, w5, k47), mul(cvow2, v2, k36), k36)
-    I22 = add(n2, mul(cvw2, v2, k6), k6)
-    d12ow = add(mul(cvw1, w5, k32), mul(cvow1, v2, k47), k32)
-    d12w = mul(cvw1, v2, k1)
-    I11o = add(mul(cvw1, w4, k47), mul(cvow1, v1, k34), k34)
-    I11 = add(n2, mul(cvw1, v1, k10), k10)
-    sow1 = neg(w4, k12)
-    I32o = add(d23ow, sow1, k39)
-    I23o = sub(d23ow, sow1, k12)
-    cvow3 = div(w6, n2, k46)
-    I33o = add(mul(cvw3, w6, k11), mul(cvow3, v3, k46), k11)
-    sw3 = neg(v3, k3)
-    sow3 = neg(w6, k37)
-    yb = add(add(mul(minus_b1, minus_b4, k46), mul(minus_b2, minus_b5, k47), k46), mul(minus_b3, minus_b6, k47), k46)
-    gy_vS = div(fyS, n16, k47)
-    goS = mul(gy_vS, yb, k47)
-    gvoS2 = add(mul(minus_b5, g_vb, k43), mul(minus_b2, goS, k48), k43)
-    gvoS1 = add(mul(minus_b4, g_vb, k41), mul(minus_b1, goS, k48), k41)
-    gvoS3 = add(mul(minus_b6, g_vb, k20), mul(minus_b3, goS, k42), k20)
-    fy_vS = div(fyS, n8, k18)
-    foS = mul(fy_vS, yb, k18)
-    fvb1 = mul(minus_b1, f_vb, k2)
-    S23o = neg(gvoS1, k42)
-    neg(
-        div(add(add(add(mul(I31, gvoS2, k46), mul(I31o, gvb2, k47), k46), add(mul(I32, S23o, k47), mul(I32o, S23, k48),
-        k47), k46), add(mul(I33, foS, k47), mul(I33o, f_vb, k48), k47), k46), n2, k46), o69
-    )
-    S12o = neg(gvoS3, k46)
-    neg(
-        div(add(add(add(mul(I31, S12o, k47), mul(I31o, S12, k48), k47), add(mul(I32, foS, k48), mul(I32o, f_vb, k49),
-        k48), k47), add(mul(I33, gvoS1, k48), mul(I33o, gvb1, k49), k48), k47), n2, k47), o68
-    )
-    S31o = neg(gvoS2, k47)
-    neg(
-        div(add(add(add(mul(I31, foS, k48), mul(I31o, f_vb, k49), k48), add(mul(I32, gvoS3, k49), mul(I32o, gvb3, k50),
-        k49), k48), add(mul(I33, S31o, k49), mul(I33o, S31, k50), k49), k48), n2, k48), o67
-    )
-    I21 = add(d12w, sw3, k48)
-    I12 = sub(d12w, sw3, k1)
-    neg(div(add(add(mul(I21, gvb2, k3), mul(I22, S23, k49), k3), mul(I23, f_vb, k49), k3), n2, k3), o45)
-    neg(div(add(add(mul(I21, S12, k3), mul(I22, f_vb, k49), k3), mul(I23, gvb1, k49), k3), n2, k3), o44)
-    neg(div(add(add(mul(I21, f_vb, k3), mul(I22, gvb3, k49), k3), mul(I23, S31, k49), k3), n2, k3), o43)
-    neg(div(add(add(mul(I11, gvb2, k3), mul(I12, S23, k49), k3), mul(I13, f_vb, k49), k3), n2, k3), o39)
-    neg(div(add(add(mul(I11, S12, k3), mul(I12, f_vb, k49), k3), mul(I13, gvb1, k49), k3), n2, k3), o38)
-    neg(div(add(add(mul(I11, f_vb, k3), mul(I12, gvb3, k49), k3), mul(I13, S31, k49), k3), n2, k3), o37)
-    I21o = add(d12ow, sow3, k3)
-    I12o = sub(d12ow, sow3, k32)
-    neg(
-        div(add(add(add(mul(I21, gvoS2, k37), mul(I21o, gvb2, k49), k37), add(mul(I22, S23o, k49), mul(I22o, S23, k50),
-        k49), k37), add(mul(I23, foS, k49), mul(I23o, f_vb, k50), k49), k37), n2, k37), o63
-    )
-    neg(
-        div(add(add(add(mul(I11, gvoS2, k37), mul(I11o, gvb2, k43), k37), add(mul(I12, S23o, k42), mul(I12o, S23, k23),
-        k23), k23), add(mul(I13, foS, k37), mul(I13o, f_vb, k42), k37), k23), n2, k23), o57
-    )
-    neg(
-        div(add(add(add(mul(I21, S12o, k23), mul(I21o, S12, k37), k23), add(mul(I22, foS, k37), mul(I22o, f_vb, k42),
-        k37), k23), add(mul(I23, gvoS1, k37), mul(I23o, gvb1, k42), k37), k23), n2, k23), o62
-    )
-    neg(
-        div(add(add(add(mul(I11, S12o, k23), mul(I11o, S12, k25), k23), add(mul(I12, foS, k25), mul(I12o, f_vb, k37),
-        k25), k23), add(mul(I13, gvoS1, k25), mul(I13o, gvb1, k37), k25), k23), n2, k23), o56
-    )
-    neg(
-        div(add(add(add(mul(I21, foS, k23), mul(I21o, f_vb, k25), k23), add(mul(I22, gvoS3, k25), mul(I22o, gvb3, k37),
-        k25), k23), add(mul(I23, S31o, k25), mul(I23o, S31, k37), k25), k23), n2, k23), o61
-    )
-    neg(
-        div(add(add(add(mul(I11, foS, k18), mul(I11o, f_vb, k23), k18), add(mul(I12, gvoS3, k20), mul(I12o, gvb3, k23),
-        k20), k18), add(mul(I13, S31o, k20), mul(I13o, S31, k23), k20), k18), n2, k18), o55
-    )
-    gvvb3 = mul(gvb2, minus_b3, k18)
-    gvvb1 = mul(gvb1, minus_b2, k20)
-    gvvb2 = mul(gvb1, minus_b3, k21)
-    fvb3 = mul(minus_b3, f_vb, k7)
-    fvb2 = mul(minus_b2, f_vb, k4)
-    Qb12 = sub(gvvb1, fvb3, k19)
-    Qb21 = add(gvvb1, fvb3, k7)
-    Qb13 = add(gvvb2, fvb2, k20)
-    Qb31 = sub(gvvb2, fvb2, k4)
-    F23 = neg(gva1, k21)
-    RT13 = add(add(mul(Qb11, gva2, k22), mul(Qb12, F23, k23), k22), mul(Qb13, f_va, k23), k22)
-    Qb23 = sub(gvvb3, fvb1, k23)
-    Qb32 = add(gvvb3, fvb1, k2)
-    RT23 = add(add(mul(Qb21, gva2, k18), mul(Qb22, F23, k24), k18), mul(Qb23, f_va, k24), k18)
-    RT33 = add(add(mul(Qb31, gva2, k24), mul(Qb32, F23, k25), k24), mul(Qb33, f_va, k25), k24)
-    div(add(add(mul(I31, RT13, k25), mul(I32, RT23, k26), k25), mul(I33, RT33, k26), k25), n2, o15)
-    div(add(add(mul(I21, RT13, k25), mul(I22, RT23, k26), k25), mul(I23, RT33, k26), k25), n2, o9)
-    div(add(add(mul(I11, RT13, k25), mul(I12, RT23, k26), k25), mul(I13, RT33, k26), k25), n2, o3)
-    F12 = neg(gva3, k25)
-    RT12 = add(add(mul(Qb11, F12, k26), mul(Qb12, f_va, k37), k26), mul(Qb13, gva1, k37), k26)
-    RT22 = add(add(mul(Qb21, F12, k37), mul(Qb22, f_va, k41), k37), mul(Qb23, gva1, k41), k37)
-    RT32 = add(add(mul(Qb31, F12, k41), mul(Qb32, f_va, k42), k41), mul(Qb33, gva1, k42), k41)
-    div(add(add(mul(I31, RT12, k42), mul(I32, RT22, k43), k42), mul(I33, RT32, k43), k42), n2, o14)
-    div(add(add(mul(I21, RT12, k42), mul(I22, RT22, k43), k42), mul(I23, RT32, k43), k42), n2, o8)
-    div(add(add(mul(I11, RT12, k42), mul(I12, RT22, k43), k42), mul(I13, RT32, k43), k42), n2, o2)
-    F31 = neg(gva2, k42)
-    RT11 = add(add(mul(Qb11, f_va, k43), mul(Qb12, gva3, k46), k43), mul(Qb13, F31, k46), k43)
-    RT21 = add(add(mul(Qb21, f_va, k46), mul(Qb22, gva3, k47), k46), mul(Qb23, F31, k47), k46)
-    RT31 = add(add(mul(Qb31, f_va, k47), mul(Qb32, gva3, k49), k47), mul(Qb33, F31, k49), k47)
-    div(add(add(mul(I31, RT11, k49), mul(I32, RT21, k50), k49), mul(I33, RT31, k50), k49), n2, o13)
-    div(add(add(mul(I21, RT11, k49), mul(I22, RT21, k50), k49), mul(I23, RT31, k50), k49), n2, o7)
-    div(add(add(mul(I11, RT11, k49), mul(I12, RT21, k50), k49), mul(I13, RT31, k50), k49), n2, o1)
-    R11o = sub(mul(Qb31, rhob2, k49), mul(Qb21, rhob3, k50), k49)
-    R12o = sub(mul(Qb32, rhob2, k50), mul(Qb22, rhob3, k51), k50)
-    R13o = sub(mul(Qb33, rhob2, k51), mul(Qb23, rhob3, k52), k51)
-    gy_vF = div(fyF, n16, k52)
-    fy_vF = div(fyF, n8, k27)
-    ya = add(add(mul(a1, a1o, k53), mul(a2, a2o, k54), k53), mul(a3, a3o, k54), k53)
-    goF = mul(gy_vF, ya, k52)
-    foF = mul(fy_vF, ya, k27)
-    gvoF2 = add(mul(a2o, g_va, k53), mul(a2, goF, k54), k53)
-    gvoF1 = add(mul(a1o, g_va, k54), mul(a1, goF, k55), k54)
-    gvoF3 = add(mul(a3o, g_va, k28), mul(a3, goF, k52), k28)
-    F23o = neg(gvoF1, k52)
-    RT13o = add(
-        add(add(mul(Qb11, gvoF2, k55), mul(R11o, gva2, k56), k55), add(mul(Qb12, F23o, k56), mul(R12o, F23, k57), k56),
-        k55), add(mul(Qb13, foF, k56), mul(R13o, f_va, k57), k56), k55
-    )
-    R22o = sub(mul(Qb12, rhob3, k56), mul(Qb32, rhob1, k57), k56)
-    R21o = sub(mul(Qb11, rhob3, k57), mul(Qb31, rhob1, k58), k57)
-    R23o = sub(mul(Qb13, rhob3, k38), mul(Qb33, rhob1, k58), k38)
-    RT23o = add(
-        add(add(mul(Qb21, gvoF2, k58), mul(R21o, gva2, k59), k58), add(mul(Qb22, F23o, k59), mul(R22o, F23, k60), k59),
-        k58), add(mul(Qb23, foF, k59), mul(R23o, f_va, k60), k59), k58
-    )
-    R33o = sub(mul(Qb23, rhob1, k59), mul(Qb13, rhob2, k60), k59)
-    R31o = sub(mul(Qb21, rhob1, k60), mul(Qb11, rhob2, k61), k60)
-    R32o = sub(mul(Qb22, rhob1, k44), mul(Qb12, rhob2, k45), k44)
-    RT33o = add(
-        add(add(mul(Qb31, gvoF2, k45), mul(R31o, gva2, k31), k31), add(mul(Qb32, F23o, k45), mul(R32o, F23, k21), k21),
-        k21), add(mul(Qb33, foF, k31), mul(R33o, f_va, k45), k31), k21
-    )
-    div(
-        add(add(add(mul(I31, RT13o, k31), mul(I31o, RT13, k45), k31), add(mul(I32, RT23o, k45), mul(I32o, RT23, k52),
-        k45), k31), add(mul(I33, RT33o, k45), mul(I33o, RT33, k52), k45), k31), n2, o33
-    )
-    F31o = neg(gvoF2, k31)
-    div(
-        add(add(add(mul(I21, RT13o, k45), mul(I21o, RT13, k52), k45), add(mul(I22, RT23o, k52), mul(I22o, RT23, k53),
-        k52), k45), add(mul(I23, RT33o, k52), mul(I23o, RT33, k53), k52), k45), n2, o27
-    )
-    div(
-        add(add(add(mul(I11, RT13o, k45), mul(I11o, RT13, k22), k22), add(mul(I12, RT23o, k45), mul(I12o, RT23, k18),
-        k18), k18), add(mul(I13, RT33o, k21), mul(I13o, RT33, k22), k21), k18), n2, o21
-    )
-    F12o = neg(gvoF3, k18)
-    RT12o = add(
-        add(add(mul(Qb11, F12o, k21), mul(R11o, F12, k22), k21), add(mul(Qb12, foF, k22), mul(R12o, f_va, k24), k22),
-        k21), add(mul(Qb13, gvoF1, k22), mul(R13o, gva1, k24), k22), k21
-    )
-    RT11o = add(
-        add(add(mul(Qb11, foF, k16), mul(R11o, f_va, k22), k16), add(mul(Qb12, gvoF3, k19), mul(R12o, gva3, k22), k19),
-        k16), add(mul(Qb13, F31o, k19), mul(R13o, F31, k20), k19), k16
-    )
-    RT22o = add(
-        add(add(mul(Qb21, F12o, k19), mul(R21o, F12, k20), k19), add(mul(Qb22, foF, k20), mul(R22o, f_va, k22), k20),
-        k19), add(mul(Qb23, gvoF1, k20), mul(R23o, gva1, k22), k20), k19
-    )
-    RT21o = add(
-        add(add(mul(Qb21, foF, k7), mul(R21o, f_va, k20), k7), add(mul(Qb22, gvoF3, k15), mul(R22o, gva3, k20), k15),
-        k7), add(mul(Qb23, F31o, k15), mul(R23o, F31, k20), k15), k7
-    )
-    RT32o = add(
-        add(add(mul(Qb31, F12o, k15), mul(R31o, F12, k18), k15), add(mul(Qb32, foF, k18), mul(R32o, f_va, k20), k18),
-        k15), add(mul(Qb33, gvoF1, k18), mul(R33o, gva1, k20), k18), k15
-    )
-    RT31o = add(
-        add(add(mul(Qb31, foF, k4), mul(R31o, f_va, k18), k4), add(mul(Qb32, gvoF3, k2), mul(R32o, gva3, k18), k2), k2),
-        add(mul(Qb33, F31o, k4), mul(R33o, F31, k17), k4), k2
-    )
-    div(
-        add(add(add(mul(I31, RT12o, k4), mul(I31o, RT12, k17), k4), add(mul(I32, RT22o, k17), mul(I32o, RT22, k18),
-        k17), k4), add(mul(I33, RT32o, k17), mul(I33o, RT32, k18), k17), k4), n2, o32
-    )
-    div(
-        add(add(add(mul(I31, RT11o, k4), mul(I31o, RT11, k8), k4), add(mul(I32, RT21o, k8), mul(I32o, RT21, k13), k8),
-        k4), add(mul(I33, RT31o, k8), mul(I33o, RT31, k11), k8), k4), n2, o31
-    )
-    div(
-        add(add(add(mul(I21, RT12o, k4), mul(I21o, RT12, k8), k4), add(mul(I22, RT22o, k8), mul(I22o, RT22, k11), k8),
-        k4), add(mul(I23, RT32o, k8), mul(I23o, RT32, k11), k8), k4), n2, o26
-    )
-    div(
-        add(add(add(mul(I21, RT11o, k4), mul(I21o, RT11, k3), k3), add(mul(I22, RT21o, k4), mul(I22o, RT21, k6), k4),
-        k3), add(mul(I23, RT31o, k4), mul(I23o, RT31, k6), k4), k3), n2, o25
-    )
-    div(
-        add(add(add(mul(I11, RT12o, k3), mul(I11o, RT12, k4), k3), add(mul(I12, RT22o, k4), mul(I12o, RT22, k6), k4),
-        k3), add(mul(I13, RT32o, k4), mul(I13o, RT32, k6), k4), k3), n2, o20
-    )
-    div(
-        add(add(add(mul(I11, RT11o, k3), mul(I11o, RT11, k4), k3), add(mul(I12, RT21o, k1), mul(I12o, RT21, k4), k1),
-        k1), add(mul(I13, RT31o, k2), mul(I13o, RT31, k3), k2), k1), n2, o19
-    )
-    copy(n0, o4)
-    copy(n0, o5)
-    copy(n0, o6)
-    copy(n0, o10)
-    copy(n0, o11)
-    copy(n0, o12)
-    copy(n0, o16)
-    copy(n0, o17)
-    copy(n0, o18)
-    copy(o1, o22)
-    copy(o2, o23)
-    copy(o3, o24)
-    copy(o7, o28)
-    copy(o8, o29)
-    copy(o9, o30)
-    copy(o13, o34)
-    copy(o14, o35)
-    copy(o15, o36)
-    copy(n0, o40)
-    copy(n0, o41)
-    copy(n0, o42)
-    copy(n0, o46)
-    copy(n0, o47)
-    copy(n0, o48)
-    copy(n0, o52)
-    copy(n0, o53)
-    copy(n0, o54)
-    copy(o37, o58)
-    copy(o38, o59)
-    copy(o39, o60)
-    copy(o43, o64)
-    copy(o44, o65)
-    copy(o45, o66)
-    copy(o49, o70)
-    copy(o50, o71)
-    copy(o51, o72)
-
-
-# operations 273: 88 +, 125 *, 36 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
-def _own_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
+# operations 149: 58 +, 73 *, 8 /, 10 neg
+def _own_transform_point_jacobians(m: Any, c: Any, v: Components, r: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
-    d1, d2, d3, d1o, d2o, d3o = delta
-    v11d = d1 * d1
-    v22d = d2 * d2
-    v33d = d3 * d3
-    xd = v11d + v22d + v33d
-    neard = xd < 6
-    zd = m.where(neard, xd, xd - xd) / 4
-    C7d = (
-        (72 - zd * ((3603600 - zd * (32760 - zd * (210 - zd * ((93024 - zd * (342 - zd * ((212520 - zd * (506 - zd))
-        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
-    )
-    C5d = (1 - 120 * (zd * C7d)) / 120
-    C3d = (1 - 6 * (zd * C5d)) / 6
-    C1d = 1 - zd * C3d
-    CC1d = C1d * C1d
-    C0d = m.sqrt(1 - zd * CC1d)
-    xxd = m.where(neard, 6 + xd, xd)
-    alphad = m.sqrt(xxd)
-    td = m.tan(alphad / 4)
-    ttd = td * td
-    belowd = 1 + ttd
-    sd = m.where(neard, C0d, (1 - ttd) / belowd)
-    wd = m.where(neard, C1d / 2, 2 * td / belowd / alphad)
-    wd1 = d1 * wd
-    wd2 = d2 * wd
-    wd3 = d3 * wd
-    fd = 2 * (sd * wd)
-    wwd = wd * wd
-    gd = 2 * wwd
-    C01d = 1 + C0d
-    C2d = CC1d / C01d
-    hd = m.where(neard, (C3d + C1d * C2d) / 4, (1 - fd) / xxd)
-    gvd1 = d1 * gd
-    gvd2 = d2 * gd
-    gvd3 = d3 * gd
-    yd = d1 * d1o + d2 * d2o + d3 * d3o
-    alongd = hd * yd
+    r1, r2, r3 = r
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    x = v11 + v22 + v33
+    x12 = v11 + v22
+    x = x12 + v33
     z = x / 4
     N = 1 + z
-    r = 2 * (N / N / N)
-    f_v = r / 2
-    g_v = r / 4
-    bv1 = v1 / 2
-    bv2 = v2 / 2
-    bv3 = v3 / 2
+    r_ = 2 * (N / N / N)
+    f_v = r_ / 2
+    g_v = r_ / 4
+    e = 2 / N
+    eg = e * r_
+    fy = -eg
+    fy_v = fy / 8
+    gy_v = fy / 16
     gv1 = v1 * g_v
     gv2 = v2 * g_v
     gv3 = v3 * g_v
-    rhob1 = v1o * f_v + (gv2 * v3o - gv3 * v2o)
-    rhob2 = v2o * f_v + (gv3 * v1o - gv1 * v3o)
-    rhob3 = v3o * f_v + (gv1 * v2o - gv2 * v1o)
-    z0 = sd - (wd1 * bv1 + wd2 * bv2 + wd3 * bv3)
-    z1 = bv1 * sd + wd1 + (wd2 * bv3 - wd3 * bv2)
-    z2 = bv2 * sd + wd2 + (wd3 * bv1 - wd1 * bv3)
-    z3 = bv3 * sd + wd3 + (wd1 * bv2 - wd2 * bv1)
-    v_rhob1 = d2 * rhob3 - d3 * rhob2
-    v_rhob2 = d3 * rhob1 - d1 * rhob3
-    v_rhob3 = d1 * rhob2 - d2 * rhob1
-    gv_rhob1 = v_rhob1 * gd
-    gv_rhob2 = v_rhob2 * gd
-    gv_rhob3 = v_rhob3 * gd
-    rho1 = (
-        rhob1 + (v_rhob1 * fd + (d2 * gv_rhob3 - d3 * gv_rhob2)) + (d1o * fd + (gvd2 * d3o - gvd3 * d2o) + d1 * alongd)
-    )
-    rho2 = (
-        rhob2 + (v_rhob2 * fd + (d3 * gv_rhob1 - d1 * gv_rhob3)) + (d2o * fd + (gvd3 * d1o - gvd1 * d3o) + d2 * alongd)
-    )
-    rho3 = (
-        rhob3 + (v_rhob3 * fd + (d1 * gv_rhob2 - d2 * gv_rhob1)) + (d3o * fd + (gvd1 * d2o - gvd2 * d1o) + d3 * alongd)
-    )
-    ss = z1 * z1 + z2 * z2 + z3 * z3
-    still = ss == 0
-    resting = x == 0
-    length = m.sqrt(m.where(still, 1 + ss, ss))
-    r_ = m.sqrt(m.where(resting, 1 + x, x))
-    own = 2 * m.atan2(r_ / 2, 1)
-    own_ = m.where(resting, 0, own / r_) * (v1 * z1 + v2 * z2 + v3 * z3) / length
-    angle = own_ + 2 * m.atan2(m.tan((2 * m.atan2(m.where(still, ss, length), z0) - own_) / 2), 1)
-    rn = m.tan(angle / 2)
-    slopen = (1 + rn * rn) / 2
-    vn = 2 * rn
-    v_slopen = 2 * slopen
-    z0s = m.where(still, z0, length)
-    factor = m.where(still, 2 * v_slopen / z0s, vn / length)
-    v_1 = z1 * factor
-    v_2 = z2 * factor
-    v_3 = z3 * factor
-    fe = factor * z0
-    hvr = (v_1 * rho1 + v_2 * rho2 + v_3 * rho3) / 2
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    v_r1 = v2 * r3 - v3 * r2
+    v_r2 = v3 * r1 - v1 * r3
+    v_r3 = v1 * r2 - v2 * r1
+    gv_r1 = v_r1 * g_v
+    gv_r2 = v_r2 * g_v
+    gv_r3 = v_r3 * g_v
+    moved1 = r1 + (v_r1 * f_v + (v2 * gv_r3 - v3 * gv_r2)) + (v1o * f_v + (gv2 * v3o - gv3 * v2o))
+    moved2 = r2 + (v_r2 * f_v + (v3 * gv_r1 - v1 * gv_r3)) + (v2o * f_v + (gv3 * v1o - gv1 * v3o))
+    moved3 = r3 + (v_r3 * f_v + (v1 * gv_r2 - v2 * gv_r1)) + (v3o * f_v + (gv1 * v2o - gv2 * v1o))
+    fo = fy_v * y
+    go = gy_v * y
+    gvo1 = v1o * g_v + v1 * go
+    gvo2 = v2o * g_v + v2 * go
+    gvo3 = v3o * g_v + v3 * go
+    T12 = -gv3
+    T23 = -gv1
+    T31 = -gv2
+    T12o = -gvo3
+    T23o = -gvo1
+    T31o = -gvo2
+    minus_moved3 = -moved3
+    minus_moved1 = -moved1
+    minus_moved2 = -moved2
+    x23 = v22 + v33
+    x13 = v11 + v33
+    fv1 = v1 * f_v
+    fv2 = v2 * f_v
+    fv3 = v3 * f_v
+    gvv1 = gv1 * v2
+    gvv2 = gv1 * v3
+    gvv3 = gv2 * v3
     return (
-        v_1,
-        v_2,
-        v_3,
-        (rho1 * fe - (v_2 * rho3 - v_3 * rho2) + v_1 * hvr) / 2,
-        (rho2 * fe - (v_3 * rho1 - v_1 * rho3) + v_2 * hvr) / 2,
-        (rho3 * fe - (v_1 * rho2 - v_2 * rho1) + v_3 * hvr) / 2,
+        fo - (minus_moved3 * gv3 + moved2 * T31),
+        T12o - (minus_moved3 * f_v + moved2 * gv1),
+        gvo2 - (minus_moved3 * T23 + moved2 * f_v),
+        f_v,
+        T12,
+        gv2,
+        gvo3 - (moved3 * f_v + minus_moved1 * T31),
+        fo - (moved3 * T12 + minus_moved1 * gv1),
+        T23o - (moved3 * gv2 + minus_moved1 * f_v),
+        gv3,
+        f_v,
+        T23,
+        T31o - (minus_moved2 * f_v + moved1 * gv3),
+        gvo1 - (minus_moved2 * T12 + moved1 * f_v),
+        fo - (minus_moved2 * gv2 + moved1 * T23),
+        T31,
+        gv1,
+        f_v,
+        1 - g_v * x23,
+        gvv1 - fv3,
+        gvv2 + fv2,
+        gvv1 + fv3,
+        1 - g_v * x13,
+        gvv3 - fv1,
+        gvv2 - fv2,
+        gvv3 + fv1,
+        1 - g_v * x12,
     )
 
 
-def _own_retract_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, delta: Rows
+def _own_transform_point_jacobians_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, r: Rows
 ) -> None:
     v1, v2, v3, v1o, v2o, v3o = v
-    d1, d2, d3, d1o, d2o, d3o = delta
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17 = scratch
-    mask1, mask2 = masks
-    n0, n1, n2, n4, n6, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
-    v11d = mul(d1, d1, k1)
-    v22d = mul(d2, d2, k2)
-    v33d = mul(d3, d3, k3)
-    xd = add(add(v11d, v22d, k1), v33d, k1)
-    neard = m.less(xd, n6, mask1)
-    zd = div(m.where(neard, xd, sub(xd, xd, k2), k3), n4, k2)
-    xxd = m.where(neard, add(n6, xd, k3), xd, k3)
-    C7d = div(
-        div(sub(n72, mul(zd, div(sub(n3603600, mul(zd, sub(n32760, mul(zd, sub(n210, mul(zd, div(sub(n93024, mul(zd,
-        sub(n342, mul(zd, div(sub(n212520, mul(zd, sub(n506, zd, k1), k1), k1), n212520, k1), k1), k1), k1), k1),
-        n93024, k1), k1), k1), k1), k1), k1), k1), n3603600, k1), k1), k1), n72, k1), n5040, k1
+    r1, r2, r3 = r
+    (
+        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
+        o25, o26, o27,
+    ) = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11 = scratch
+    n1, n2, n4, n8, n16 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    x12 = add(v11, v22, k3)
+    v33 = mul(v3, v3, k4)
+    x23 = add(v22, v33, k2)
+    x13 = add(v11, v33, k1)
+    x = add(x12, v33, k4)
+    z = div(x, n4, k4)
+    N = add(n1, z, k4)
+    r_ = mul(n2, div(div(N, N, k5), N, k5), k5)
+    f_v = div(r_, n2, o4)
+    e = div(n2, N, k4)
+    eg = mul(e, r_, k4)
+    g_v = div(r_, n4, k5)
+    sub(n1, mul(g_v, x23, k2), o19)
+    sub(n1, mul(g_v, x13, k1), o23)
+    sub(n1, mul(g_v, x12, k1), o27)
+    gv1 = mul(v1, g_v, o17)
+    gv2 = mul(v2, g_v, o6)
+    gv3 = mul(v3, g_v, o10)
+    fy = neg(eg, k1)
+    T31 = neg(gv2, o16)
+    T23 = neg(gv1, o12)
+    T12 = neg(gv3, o5)
+    v_r2 = sub(mul(v3, r1, k2), mul(v1, r3, k3), k2)
+    gv_r2 = mul(v_r2, g_v, k3)
+    v_r1 = sub(mul(v2, r3, k4), mul(v3, r2, k6), k4)
+    gv_r1 = mul(v_r1, g_v, k6)
+    v_r3 = sub(mul(v1, r2, k7), mul(v2, r1, k8), k7)
+    moved3 = add(
+        add(r3, add(mul(v_r3, f_v, k8), sub(mul(v1, gv_r2, k9), mul(v2, gv_r1, k10), k9), k8), k8), add(mul(v3o, f_v,
+        k9), sub(mul(gv1, v2o, k10), mul(gv2, v1o, k11), k10), k9), k8
     )
-    C5d = div(sub(n1, mul(n120, mul(zd, C7d, k1), k1), k1), n120, k1)
-    C3d = div(sub(n1, mul(n6, mul(zd, C5d, k1), k1), k1), n6, k1)
-    C1d = sub(n1, mul(zd, C3d, k4), k4)
-    CC1d = mul(C1d, C1d, k5)
-    C0d = sqrt(sub(n1, mul(zd, CC1d, k2), k2), k2)
-    alphad = sqrt(xxd, k6)
-    td = tan(div(alphad, n4, k7), k7)
-    ttd = mul(td, td, k8)
-    belowd = add(n1, ttd, k9)
-    wd = m.where(neard, div(C1d, n2, k10), div(div(mul(n2, td, k7), belowd, k7), alphad, k6), k7)
-    sd = m.where(neard, C0d, div(sub(n1, ttd, k6), belowd, k6), k8)
-    C01d = add(n1, C0d, k2)
-    C2d = div(CC1d, C01d, k2)
-    wd1 = mul(d1, wd, k5)
-    wd2 = mul(d2, wd, k6)
-    wd3 = mul(d3, wd, k9)
-    bv1 = div(v1, n2, k10)
-    bv3 = div(v3, n2, k11)
-    bv2 = div(v2, n2, k12)
-    z1 = add(add(mul(bv1, sd, k13), wd1, k13), sub(mul(wd2, bv3, k14), mul(wd3, bv2, k15), k14), k13)
-    z2 = add(add(mul(bv2, sd, k14), wd2, k14), sub(mul(wd3, bv1, k15), mul(wd1, bv3, k16), k15), k14)
-    z3 = add(add(mul(bv3, sd, k15), wd3, k15), sub(mul(wd1, bv2, k16), mul(wd2, bv1, k17), k16), k15)
-    z0 = sub(sd, add(add(mul(wd1, bv1, k5), mul(wd2, bv2, k6), k5), mul(wd3, bv3, k6), k5), k5)
-    fd = mul(n2, mul(sd, wd, k6), k6)
-    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k2), k1), n4, k1), div(sub(n1, fd, k2), xxd, k2), k1)
-    wwd = mul(wd, wd, k2)
-    gd = mul(n2, wwd, k2)
-    ss = add(add(mul(z1, z1, k3), mul(z2, z2, k4), k3), mul(z3, z3, k4), k3)
-    still = m.equal(ss, n0, mask1)
-    length = sqrt(m.where(still, add(n1, ss, k4), ss, k4), k4)
-    v11 = mul(v1, v1, k7)
-    v22 = mul(v2, v2, k8)
-    v33 = mul(v3, v3, k9)
-    x = add(add(v11, v22, k7), v33, k7)
-    resting = m.equal(x, n0, mask2)
-    r_ = sqrt(m.where(resting, add(n1, x, k8), x, k8), k8)
-    z = div(x, n4, k7)
-    N = add(n1, z, k7)
-    r = mul(n2, div(div(N, N, k9), N, k7), k7)
-    own = mul(n2, atan2(div(r_, n2, k9), n1, k9), k9)
-    own_ = div(
-        mul(m.where(resting, n0, div(own, r_, k8), k9), add(add(mul(v1, z1, k8), mul(v2, z2, k10), k8), mul(v3, z3,
-        k10), k8), k8), length, k8
+    gv_r3 = mul(v_r3, g_v, k7)
+    moved2 = add(
+        add(r2, add(mul(v_r2, f_v, k2), sub(mul(v3, gv_r1, k6), mul(v1, gv_r3, k9), k6), k2), k2), add(mul(v2o, f_v,
+        k6), sub(mul(gv3, v1o, k9), mul(gv1, v3o, k10), k9), k6), k2
     )
-    angle = add(
-        own_, mul(n2, atan2(tan(div(sub(mul(n2, atan2(m.where(still, ss, length, k3), z0, k3), k3), own_, k3), n2, k3),
-        k3), n1, k3), k3), k3
+    moved1 = add(
+        add(r1, add(mul(v_r1, f_v, k4), sub(mul(v2, gv_r3, k6), mul(v3, gv_r2, k3), k3), k3), k3), add(mul(v1o, f_v,
+        k4), sub(mul(gv2, v3o, k6), mul(gv3, v2o, k7), k6), k4), k3
     )
-    rn = tan(div(angle, n2, k3), k3)
-    slopen = div(add(n1, mul(rn, rn, k8), k8), n2, k8)
-    v_slopen = mul(n2, slopen, k8)
-    vn = mul(n2, rn, k3)
-    z0s = m.where(still, z0, length, k9)
-    factor = m.where(still, div(mul(n2, v_slopen, k8), z0s, k8), div(vn, length, k3), k4)
-    v_1 = mul(z1, factor, o1)
-    v_2 = mul(z2, factor, o2)
-    v_3 = mul(z3, factor, o3)
-    fe = mul(factor, z0, k3)
-    yd = add(add(mul(d1, d1o, k4), mul(d2, d2o, k5), k4), mul(d3, d3o, k5), k4)
-    alongd = mul(hd, yd, k1)
-    f_v = div(r, n2, k4)
-    g_v = div(r, n4, k5)
-    gv3 = mul(v3, g_v, k7)
-    gv1 = mul(v1, g_v, k8)
-    gv2 = mul(v2, g_v, k5)
-    rhob2 = add(mul(v2o, f_v, k9), sub(mul(gv3, v1o, k10), mul(gv1, v3o, k11), k10), k9)
-    rhob1 = add(mul(v1o, f_v, k10), sub(mul(gv2, v3o, k11), mul(gv3, v2o, k7), k7), k7)
-    rhob3 = add(mul(v3o, f_v, k4), sub(mul(gv1, v2o, k8), mul(gv2, v1o, k5), k5), k4)
-    v_rhob3 = sub(mul(d1, rhob2, k5), mul(d2, rhob1, k8), k5)
-    gv_rhob3 = mul(v_rhob3, gd, k8)
-    v_rhob2 = sub(mul(d3, rhob1, k10), mul(d1, rhob3, k11), k10)
-    gv_rhob2 = mul(v_rhob2, gd, k11)
-    gvd2 = mul(d2, gd, k12)
-    gvd3 = mul(d3, gd, k13)
-    v_rhob1 = sub(mul(d2, rhob3, k14), mul(d3, rhob2, k15), k14)
-    rho1 = add(
-        add(rhob1, add(mul(v_rhob1, fd, k15), sub(mul(d2, gv_rhob3, k16), mul(d3, gv_rhob2, k17), k16), k15), k7),
-        add(add(mul(d1o, fd, k15), sub(mul(gvd2, d3o, k16), mul(gvd3, d2o, k17), k16), k15), mul(d1, alongd, k16), k15),
-        k7
-    )
-    gv_rhob1 = mul(v_rhob1, gd, k14)
-    gvd1 = mul(d1, gd, k2)
-    rho2 = add(
-        add(rhob2, add(mul(v_rhob2, fd, k10), sub(mul(d3, gv_rhob1, k15), mul(d1, gv_rhob3, k8), k8), k8), k8),
-        add(add(mul(d2o, fd, k9), sub(mul(gvd3, d1o, k10), mul(gvd1, d3o, k13), k10), k9), mul(d2, alongd, k10), k9), k8
-    )
-    rho3 = add(
-        add(rhob3, add(mul(v_rhob3, fd, k5), sub(mul(d1, gv_rhob2, k9), mul(d2, gv_rhob1, k10), k9), k5), k4),
-        add(add(mul(d3o, fd, k5), sub(mul(gvd1, d2o, k2), mul(gvd2, d1o, k6), k2), k2), mul(d3, alongd, k1), k1), k1
-    )
-    hvr = div(add(add(mul(v_1, rho1, k2), mul(v_2, rho2, k4), k2), mul(v_3, rho3, k4), k2), n2, k2)
-    div(add(sub(mul(rho1, fe, k4), sub(mul(v_2, rho3, k5), mul(v_3, rho2, k6), k5), k4), mul(v_1, hvr, k5), k4), n2, o4)
-    div(add(sub(mul(rho2, fe, k4), sub(mul(v_3, rho1, k5), mul(v_1, rho3, k6), k5), k4), mul(v_2, hvr, k5), k4), n2, o5)
-    div(add(sub(mul(rho3, fe, k1), sub(mul(v_1, rho2, k3), mul(v_2, rho1, k4), k3), k1), mul(v_3, hvr, k2), k1), n2, o6)
-
-
-# operations 273: 88 +, 125 *, 36 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
-def _own_body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    d1, d2, d3, d1o, d2o, d3o = delta
-    v11d = d1 * d1
-    v22d = d2 * d2
-    v33d = d3 * d3
-    xd = v11d + v22d + v33d
-    neard = xd < 6
-    zd = m.where(neard, xd, xd - xd) / 4
-    C7d = (
-        (72 - zd * ((3603600 - zd * (32760 - zd * (210 - zd * ((93024 - zd * (342 - zd * ((212520 - zd * (506 - zd))
-        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
-    )
-    C5d = (1 - 120 * (zd * C7d)) / 120
-    C3d = (1 - 6 * (zd * C5d)) / 6
-    C1d = 1 - zd * C3d
-    CC1d = C1d * C1d
-    C0d = m.sqrt(1 - zd * CC1d)
-    xxd = m.where(neard, 6 + xd, xd)
-    alphad = m.sqrt(xxd)
-    td = m.tan(alphad / 4)
-    ttd = td * td
-    belowd = 1 + ttd
-    sd = m.where(neard, C0d, (1 - ttd) / belowd)
-    wd = m.where(neard, C1d / 2, 2 * td / belowd / alphad)
-    wd1 = d1 * wd
-    wd2 = d2 * wd
-    wd3 = d3 * wd
-    fd = 2 * (sd * wd)
-    wwd = wd * wd
-    gd = 2 * wwd
-    C01d = 1 + C0d
-    C2d = CC1d / C01d
-    hd = m.where(neard, (C3d + C1d * C2d) / 4, (1 - fd) / xxd)
-    gvd1 = d1 * gd
-    gvd2 = d2 * gd
-    gvd3 = d3 * gd
-    yd = d1 * d1o + d2 * d2o + d3 * d3o
-    alongd = hd * yd
-    rhob1 = d1o * fd + (gvd2 * d3o - gvd3 * d2o) + d1 * alongd
-    rhob2 = d2o * fd + (gvd3 * d1o - gvd1 * d3o) + d2 * alongd
-    rhob3 = d3o * fd + (gvd1 * d2o - gvd2 * d1o) + d3 * alongd
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    z = x / 4
-    N = 1 + z
-    r = 2 * (N / N / N)
-    f_v = r / 2
-    g_v = r / 4
-    bv1 = v1 / 2
-    bv2 = v2 / 2
-    bv3 = v3 / 2
-    gv1 = v1 * g_v
-    gv2 = v2 * g_v
-    gv3 = v3 * g_v
-    z0 = sd - (bv1 * wd1 + bv2 * wd2 + bv3 * wd3)
-    z1 = wd1 + bv1 * sd + (bv2 * wd3 - bv3 * wd2)
-    z2 = wd2 + bv2 * sd + (bv3 * wd1 - bv1 * wd3)
-    z3 = wd3 + bv3 * sd + (bv1 * wd2 - bv2 * wd1)
-    v_rhob1 = v2 * rhob3 - v3 * rhob2
-    v_rhob2 = v3 * rhob1 - v1 * rhob3
-    v_rhob3 = v1 * rhob2 - v2 * rhob1
-    gv_rhob1 = v_rhob1 * g_v
-    gv_rhob2 = v_rhob2 * g_v
-    gv_rhob3 = v_rhob3 * g_v
-    rho1 = rhob1 + (v_rhob1 * f_v + (v2 * gv_rhob3 - v3 * gv_rhob2)) + (v1o * f_v + (gv2 * v3o - gv3 * v2o))
-    rho2 = rhob2 + (v_rhob2 * f_v + (v3 * gv_rhob1 - v1 * gv_rhob3)) + (v2o * f_v + (gv3 * v1o - gv1 * v3o))
-    rho3 = rhob3 + (v_rhob3 * f_v + (v1 * gv_rhob2 - v2 * gv_rhob1)) + (v3o * f_v + (gv1 * v2o - gv2 * v1o))
-    ss = z1 * z1 + z2 * z2 + z3 * z3
-    still = ss == 0
-    resting = x == 0
-    length = m.sqrt(m.where(still, 1 + ss, ss))
-    r_ = m.sqrt(m.where(resting, 1 + x, x))
-    own = 2 * m.atan2(r_ / 2, 1)
-    own_ = m.where(resting, 0, own / r_) * (v1 * z1 + v2 * z2 + v3 * z3) / length
-    angle = own_ + 2 * m.atan2(m.tan((2 * m.atan2(m.where(still, ss, length), z0) - own_) / 2), 1)
-    rn = m.tan(angle / 2)
-    slopen = (1 + rn * rn) / 2
-    vn = 2 * rn
-    v_slopen = 2 * slopen
-    z0s = m.where(still, z0, length)
-    factor = m.where(still, 2 * v_slopen / z0s, vn / length)
-    v_1 = z1 * factor
-    v_2 = z2 * factor
-    v_3 = z3 * factor
-    fe = factor * z0
-    hvr = (v_1 * rho1 + v_2 * rho2 + v_3 * rho3) / 2
-    return (
-        v_1,
-        v_2,
-        v_3,
-        (rho1 * fe - (v_2 * rho3 - v_3 * rho2) + v_1 * hvr) / 2,
-        (rho2 * fe - (v_3 * rho1 - v_1 * rho3) + v_2 * hvr) / 2,
-        (rho3 * fe - (v_1 * rho2 - v_2 * rho1) + v_3 * hvr) / 2,
-    )
-
-
-def _own_body_retract_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, delta: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    d1, d2, d3, d1o, d2o, d3o = delta
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17 = scratch
-    mask1, mask2 = masks
-    n0, n1, n2, n4, n6, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
-    v11d = mul(d1, d1, k1)
-    v22d = mul(d2, d2, k2)
-    v33d = mul(d3, d3, k3)
-    xd = add(add(v11d, v22d, k1), v33d, k1)
-    neard = m.less(xd, n6, mask1)
-    zd = div(m.where(neard, xd, sub(xd, xd, k2), k3), n4, k2)
-    xxd = m.where(neard, add(n6, xd, k3), xd, k3)
-    C7d = div(
-        div(sub(n72, mul(zd, div(sub(n3603600, mul(zd, sub(n32760, mul(zd, sub(n210, mul(zd, div(sub(n93024, mul(zd,
-        sub(n342, mul(zd, div(sub(n212520, mul(zd, sub(n506, zd, k1), k1), k1), n212520, k1), k1), k1), k1), k1),
-        n93024, k1), k1), k1), k1), k1), k1), k1), n3603600, k1), k1), k1), n72, k1), n5040, k1
-    )
-    C5d = div(sub(n1, mul(n120, mul(zd, C7d, k1), k1), k1), n120, k1)
-    C3d = div(sub(n1, mul(n6, mul(zd, C5d, k1), k1), k1), n6, k1)
-    C1d = sub(n1, mul(zd, C3d, k4), k4)
-    CC1d = mul(C1d, C1d, k5)
-    C0d = sqrt(sub(n1, mul(zd, CC1d, k2), k2), k2)
-    alphad = sqrt(xxd, k6)
-    td = tan(div(alphad, n4, k7), k7)
-    ttd = mul(td, td, k8)
-    belowd = add(n1, ttd, k9)
-    wd = m.where(neard, div(C1d, n2, k10), div(div(mul(n2, td, k7), belowd, k7), alphad, k6), k7)
-    sd = m.where(neard, C0d, div(sub(n1, ttd, k6), belowd, k6), k8)
-    C01d = add(n1, C0d, k2)
-    C2d = div(CC1d, C01d, k2)
-    wd1 = mul(d1, wd, k5)
-    wd3 = mul(d3, wd, k6)
-    wd2 = mul(d2, wd, k9)
-    bv1 = div(v1, n2, k10)
-    bv2 = div(v2, n2, k11)
-    bv3 = div(v3, n2, k12)
-    z1 = add(add(wd1, mul(bv1, sd, k13), k13), sub(mul(bv2, wd3, k14), mul(bv3, wd2, k15), k14), k13)
-    z2 = add(add(wd2, mul(bv2, sd, k14), k14), sub(mul(bv3, wd1, k15), mul(bv1, wd3, k16), k15), k14)
-    z3 = add(add(wd3, mul(bv3, sd, k15), k15), sub(mul(bv1, wd2, k16), mul(bv2, wd1, k17), k16), k15)
-    z0 = sub(sd, add(add(mul(bv1, wd1, k5), mul(bv2, wd2, k9), k5), mul(bv3, wd3, k6), k5), k5)
-    fd = mul(n2, mul(sd, wd, k6), k6)
-    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k2), k1), n4, k1), div(sub(n1, fd, k2), xxd, k2), k1)
-    wwd = mul(wd, wd, k2)
-    gd = mul(n2, wwd, k2)
-    ss = add(add(mul(z1, z1, k3), mul(z2, z2, k4), k3), mul(z3, z3, k4), k3)
-    still = m.equal(ss, n0, mask1)
-    length = sqrt(m.where(still, add(n1, ss, k4), ss, k4), k4)
-    v11 = mul(v1, v1, k7)
-    v22 = mul(v2, v2, k8)
-    v33 = mul(v3, v3, k9)
-    x = add(add(v11, v22, k7), v33, k7)
-    resting = m.equal(x, n0, mask2)
-    r_ = sqrt(m.where(resting, add(n1, x, k8), x, k8), k8)
-    z = div(x, n4, k7)
-    N = add(n1, z, k7)
-    r = mul(n2, div(div(N, N, k9), N, k7), k7)
-    own = mul(n2, atan2(div(r_, n2, k9), n1, k9), k9)
-    own_ = div(
-        mul(m.where(resting, n0, div(own, r_, k8), k9), add(add(mul(v1, z1, k8), mul(v2, z2, k10), k8), mul(v3, z3,
-        k10), k8), k8), length, k8
-    )
-    angle = add(
-        own_, mul(n2, atan2(tan(div(sub(mul(n2, atan2(m.where(still, ss, length, k3), z0, k3), k3), own_, k3), n2, k3),
-        k3), n1, k3), k3), k3
-    )
-    rn = tan(div(angle, n2, k3), k3)
-    slopen = div(add(n1, mul(rn, rn, k8), k8), n2, k8)
-    v_slopen = mul(n2, slopen, k8)
-    vn = mul(n2, rn, k3)
-    z0s = m.where(still, z0, length, k9)
-    factor = m.where(still, div(mul(n2, v_slopen, k8), z0s, k8), div(vn, length, k3), k4)
-    v_1 = mul(z1, factor, o1)
-    v_2 = mul(z2, factor, o2)
-    v_3 = mul(z3, factor, o3)
-    fe = mul(factor, z0, k3)
-    yd = add(add(mul(d1, d1o, k4), mul(d2, d2o, k5), k4), mul(d3, d3o, k5), k4)
-    alongd = mul(hd, yd, k1)
-    gvd1 = mul(d1, gd, k4)
-    gvd2 = mul(d2, gd, k5)
-    gvd3 = mul(d3, gd, k2)
-    rhob3 = add(add(mul(d3o, fd, k8), sub(mul(gvd1, d2o, k9), mul(gvd2, d1o, k10), k9), k8), mul(d3, alongd, k9), k8)
-    rhob2 = add(add(mul(d2o, fd, k9), sub(mul(gvd3, d1o, k10), mul(gvd1, d3o, k4), k4), k4), mul(d2, alongd, k9), k4)
-    rhob1 = add(add(mul(d1o, fd, k6), sub(mul(gvd2, d3o, k5), mul(gvd3, d2o, k2), k2), k2), mul(d1, alongd, k1), k1)
-    v_rhob1 = sub(mul(v2, rhob3, k2), mul(v3, rhob2, k5), k2)
-    v_rhob3 = sub(mul(v1, rhob2, k5), mul(v2, rhob1, k6), k5)
-    g_v = div(r, n4, k6)
-    f_v = div(r, n2, k7)
-    gv_rhob3 = mul(v_rhob3, g_v, k9)
-    v_rhob2 = sub(mul(v3, rhob1, k10), mul(v1, rhob3, k11), k10)
-    gv_rhob2 = mul(v_rhob2, g_v, k11)
-    gv2 = mul(v2, g_v, k12)
-    gv3 = mul(v3, g_v, k13)
-    rho1 = add(
-        add(rhob1, add(mul(v_rhob1, f_v, k14), sub(mul(v2, gv_rhob3, k15), mul(v3, gv_rhob2, k16), k15), k14), k1),
-        add(mul(v1o, f_v, k14), sub(mul(gv2, v3o, k15), mul(gv3, v2o, k16), k15), k14), k1
-    )
-    gv_rhob1 = mul(v_rhob1, g_v, k2)
-    gv1 = mul(v1, g_v, k6)
-    rho2 = add(
-        add(rhob2, add(mul(v_rhob2, f_v, k10), sub(mul(v3, gv_rhob1, k14), mul(v1, gv_rhob3, k9), k9), k9), k4),
-        add(mul(v2o, f_v, k9), sub(mul(gv3, v1o, k10), mul(gv1, v3o, k13), k10), k9), k4
-    )
-    rho3 = add(
-        add(rhob3, add(mul(v_rhob3, f_v, k5), sub(mul(v1, gv_rhob2, k9), mul(v2, gv_rhob1, k2), k2), k2), k2),
-        add(mul(v3o, f_v, k5), sub(mul(gv1, v2o, k6), mul(gv2, v1o, k7), k6), k5), k2
-    )
-    hvr = div(add(add(mul(v_1, rho1, k5), mul(v_2, rho2, k6), k5), mul(v_3, rho3, k6), k5), n2, k5)
-    div(add(sub(mul(rho1, fe, k6), sub(mul(v_2, rho3, k7), mul(v_3, rho2, k8), k7), k6), mul(v_1, hvr, k7), k6), n2, o4)
-    div(add(sub(mul(rho2, fe, k6), sub(mul(v_3, rho1, k7), mul(v_1, rho3, k8), k7), k6), mul(v_2, hvr, k7), k6), n2, o5)
-    div(add(sub(mul(rho3, fe, k2), sub(mul(v_1, rho2, k3), mul(v_2, rho1, k1), k1), k1), mul(v_3, hvr, k2), k1), n2, o6)
-
-
-# operations 253: 80 +, 111 *, 37 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-def _own_local(m: Any, c: Any, b: Components, a: Components) -> Result:
-    b1, b2, b3, b1o, b2o, b3o = b
-    a1, a2, a3, a1o, a2o, a3o = a
-    minus_a1 = -a1
-    minus_a2 = -a2
-    minus_a3 = -a3
-    minus_a4 = -a1o
-    minus_a5 = -a2o
-    minus_a6 = -a3o
-    v11b = b1 * b1
-    v22b = b2 * b2
-    v33b = b3 * b3
-    xb = v11b + v22b + v33b
-    zb = xb / 4
-    Nb = 1 + zb
-    rb = 2 * (Nb / Nb / Nb)
-    f_vb = rb / 2
-    g_vb = rb / 4
-    bvb1 = b1 / 2
-    bvb2 = b2 / 2
-    bvb3 = b3 / 2
-    v11a = minus_a1 * minus_a1
-    v22a = minus_a2 * minus_a2
-    v33a = minus_a3 * minus_a3
-    xa = v11a + v22a + v33a
-    za = xa / 4
-    Na = 1 + za
-    ra = 2 * (Na / Na / Na)
-    f_va = ra / 2
-    g_va = ra / 4
-    bva1 = minus_a1 / 2
-    bva2 = minus_a2 / 2
-    bva3 = minus_a3 / 2
-    z0 = 1 - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
-    z1 = bva1 + bvb1 + (bvb2 * bva3 - bvb3 * bva2)
-    z2 = bva2 + bvb2 + (bvb3 * bva1 - bvb1 * bva3)
-    z3 = bva3 + bvb3 + (bvb1 * bva2 - bvb2 * bva1)
-    gva1 = minus_a1 * g_va
-    gva2 = minus_a2 * g_va
-    gva3 = minus_a3 * g_va
-    rhoa1 = minus_a4 * f_va + (gva2 * minus_a6 - gva3 * minus_a5)
-    rhoa2 = minus_a5 * f_va + (gva3 * minus_a4 - gva1 * minus_a6)
-    rhoa3 = minus_a6 * f_va + (gva1 * minus_a5 - gva2 * minus_a4)
-    v_rho1 = b2 * rhoa3 - b3 * rhoa2
-    v_rho2 = b3 * rhoa1 - b1 * rhoa3
-    v_rho3 = b1 * rhoa2 - b2 * rhoa1
-    gv_rho1 = v_rho1 * g_vb
-    gv_rho2 = v_rho2 * g_vb
-    gv_rho3 = v_rho3 * g_vb
-    gvb1 = b1 * g_vb
-    gvb2 = b2 * g_vb
-    gvb3 = b3 * g_vb
-    rho1 = rhoa1 + (v_rho1 * f_vb + (b2 * gv_rho3 - b3 * gv_rho2)) + (b1o * f_vb + (gvb2 * b3o - gvb3 * b2o))
-    rho2 = rhoa2 + (v_rho2 * f_vb + (b3 * gv_rho1 - b1 * gv_rho3)) + (b2o * f_vb + (gvb3 * b1o - gvb1 * b3o))
-    rho3 = rhoa3 + (v_rho3 * f_vb + (b1 * gv_rho2 - b2 * gv_rho1)) + (b3o * f_vb + (gvb1 * b2o - gvb2 * b1o))
-    negativee = z0 < 0
-    cose = m.where(negativee, -z0, z0)
-    sse = z1 * z1 + z2 * z2 + z3 * z3
-    stille = sse == 0
-    sine = m.sqrt(m.where(stille, cose, sse))
-    anglee = 2 * m.atan2(sine, cose)
-    gaine = m.where(negativee, -1, 1) * (m.where(stille, 2 * cose, anglee) / m.where(stille, cose * cose, sine))
-    d1 = z1 * gaine
-    d2 = z2 * gaine
-    d3 = z3 * gaine
-    v11e = d1 * d1
-    v22e = d2 * d2
-    v33e = d3 * d3
-    xe = v11e + v22e + v33e
-    fee = gaine * z0
-    neare = xe < 6
-    ze = m.where(neare, xe, xe - xe) / 4
-    C7e = (
-        (72 - ze * ((3603600 - ze * (32760 - ze * (210 - ze * ((93024 - ze * (342 - ze * ((212520 - ze * (506 - ze))
-        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
-    )
-    C5e = (1 - 120 * (ze * C7e)) / 120
-    C3e = (1 - 6 * (ze * C5e)) / 6
-    C1e = 1 - ze * C3e
-    xxe = m.where(neare, 6 + xe, xe)
-    alphae = m.sqrt(xxe)
-    te = m.tan(alphae / 4)
-    tte = te * te
-    belowe = 1 + tte
-    we = m.where(neare, C1e / 2, 2 * te / belowe / alphae)
-    wwe = we * we
-    ge = 2 * wwe
-    CC1e = C1e * C1e
-    C0e = m.sqrt(1 - ze * CC1e)
-    se = m.where(neare, C0e, (1 - tte) / belowe)
-    fie = se / we
-    C01e = 1 + C0e
-    C2e = CC1e / C01e
-    fe = 2 * (se * we)
-    he = m.where(neare, (C3e + C1e * C2e) / 4, (1 - fe) / xxe)
-    hie = ge - fie * he
-    hvr = hie * (d1 * rho1 + d2 * rho2 + d3 * rho3)
-    return (
-        d1,
-        d2,
-        d3,
-        (rho1 * fee - (d2 * rho3 - d3 * rho2) + d1 * hvr) / 2,
-        (rho2 * fee - (d3 * rho1 - d1 * rho3) + d2 * hvr) / 2,
-        (rho3 * fee - (d1 * rho2 - d2 * rho1) + d3 * hvr) / 2,
-    )
-
-
-def _own_local_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, b: Rows, a: Rows
-) -> None:
-    b1, b2, b3, b1o, b2o, b3o = b
-    a1, a2, a3, a1o, a2o, a3o = a
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17 = scratch
-    mask1, mask2 = masks
-    n_minus_1, n0, n1, n2, n4, n6, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
-    minus_a1 = neg(a1, k1)
-    bva1 = div(minus_a1, n2, k2)
-    bvb1 = div(b1, n2, k3)
-    bvb2 = div(b2, n2, k4)
-    minus_a3 = neg(a3, k5)
-    bva3 = div(minus_a3, n2, k6)
-    bvb3 = div(b3, n2, k7)
-    minus_a2 = neg(a2, k8)
-    bva2 = div(minus_a2, n2, k9)
-    z1 = add(add(bva1, bvb1, k10), sub(mul(bvb2, bva3, k11), mul(bvb3, bva2, k12), k11), k10)
-    z2 = add(add(bva2, bvb2, k11), sub(mul(bvb3, bva1, k12), mul(bvb1, bva3, k13), k12), k11)
-    z3 = add(add(bva3, bvb3, k12), sub(mul(bvb1, bva2, k13), mul(bvb2, bva1, k14), k13), k12)
-    z0 = sub(n1, add(add(mul(bvb1, bva1, k2), mul(bvb2, bva2, k3), k2), mul(bvb3, bva3, k3), k2), k2)
-    sse = add(add(mul(z1, z1, k3), mul(z2, z2, k4), k3), mul(z3, z3, k4), k3)
-    stille = m.equal(sse, n0, mask1)
-    negativee = m.less(z0, n0, mask2)
-    cose = m.where(negativee, neg(z0, k4), z0, k4)
-    sine = sqrt(m.where(stille, cose, sse, k6), k3)
-    anglee = mul(n2, atan2(sine, cose, k6), k6)
-    gaine = mul(
-        m.where(negativee, n_minus_1, n1, k7), div(m.where(stille, mul(n2, cose, k9), anglee, k9), m.where(stille,
-        mul(cose, cose, k4), sine, k4), k3), k3
-    )
-    d1 = mul(z1, gaine, o1)
-    d2 = mul(z2, gaine, o2)
-    d3 = mul(z3, gaine, o3)
-    fee = mul(gaine, z0, k2)
-    v11e = mul(d1, d1, k3)
-    v22e = mul(d2, d2, k4)
-    v33e = mul(d3, d3, k6)
-    xe = add(add(v11e, v22e, k3), v33e, k3)
-    neare = m.less(xe, n6, mask1)
-    ze = div(m.where(neare, xe, sub(xe, xe, k4), k6), n4, k4)
-    xxe = m.where(neare, add(n6, xe, k6), xe, k6)
-    C7e = div(
-        div(sub(n72, mul(ze, div(sub(n3603600, mul(ze, sub(n32760, mul(ze, sub(n210, mul(ze, div(sub(n93024, mul(ze,
-        sub(n342, mul(ze, div(sub(n212520, mul(ze, sub(n506, ze, k3), k3), k3), n212520, k3), k3), k3), k3), k3),
-        n93024, k3), k3), k3), k3), k3), k3), k3), n3603600, k3), k3), k3), n72, k3), n5040, k3
-    )
-    C5e = div(sub(n1, mul(n120, mul(ze, C7e, k3), k3), k3), n120, k3)
-    C3e = div(sub(n1, mul(n6, mul(ze, C5e, k3), k3), k3), n6, k3)
-    C1e = sub(n1, mul(ze, C3e, k7), k7)
-    CC1e = mul(C1e, C1e, k9)
-    C0e = sqrt(sub(n1, mul(ze, CC1e, k4), k4), k4)
-    C01e = add(n1, C0e, k10)
-    C2e = div(CC1e, C01e, k9)
-    alphae = sqrt(xxe, k10)
-    te = tan(div(alphae, n4, k11), k11)
-    tte = mul(te, te, k12)
-    belowe = add(n1, tte, k13)
-    se = m.where(neare, C0e, div(sub(n1, tte, k12), belowe, k12), k4)
-    we = m.where(neare, div(C1e, n2, k12), div(div(mul(n2, te, k11), belowe, k11), alphae, k10), k11)
-    fe = mul(n2, mul(se, we, k10), k10)
-    he = m.where(neare, div(add(C3e, mul(C1e, C2e, k7), k3), n4, k3), div(sub(n1, fe, k7), xxe, k6), k3)
-    fie = div(se, we, k4)
-    wwe = mul(we, we, k6)
-    ge = mul(n2, wwe, k6)
-    hie = sub(ge, mul(fie, he, k3), k3)
-    v11a = mul(minus_a1, minus_a1, k4)
-    v22a = mul(minus_a2, minus_a2, k6)
-    v33a = mul(minus_a3, minus_a3, k7)
-    xa = add(add(v11a, v22a, k4), v33a, k4)
-    za = div(xa, n4, k4)
-    Na = add(n1, za, k4)
-    ra = mul(n2, div(div(Na, Na, k6), Na, k4), k4)
-    f_va = div(ra, n2, k6)
-    g_va = div(ra, n4, k4)
-    gva1 = mul(minus_a1, g_va, k1)
-    gva2 = mul(minus_a2, g_va, k7)
-    gva3 = mul(minus_a3, g_va, k4)
-    minus_a6 = neg(a3o, k5)
-    minus_a5 = neg(a2o, k8)
-    minus_a4 = neg(a1o, k9)
-    rhoa3 = add(mul(minus_a6, f_va, k10), sub(mul(gva1, minus_a5, k11), mul(gva2, minus_a4, k12), k11), k10)
-    rhoa2 = add(mul(minus_a5, f_va, k11), sub(mul(gva3, minus_a4, k12), mul(gva1, minus_a6, k1), k1), k1)
-    rhoa1 = add(mul(minus_a4, f_va, k6), sub(mul(gva2, minus_a6, k5), mul(gva3, minus_a5, k4), k4), k4)
-    v_rho1 = sub(mul(b2, rhoa3, k5), mul(b3, rhoa2, k6), k5)
-    v_rho3 = sub(mul(b1, rhoa2, k6), mul(b2, rhoa1, k7), k6)
-    v11b = mul(b1, b1, k7)
-    v22b = mul(b2, b2, k8)
-    v33b = mul(b3, b3, k9)
-    xb = add(add(v11b, v22b, k7), v33b, k7)
-    zb = div(xb, n4, k7)
-    Nb = add(n1, zb, k7)
-    rb = mul(n2, div(div(Nb, Nb, k8), Nb, k7), k7)
-    g_vb = div(rb, n4, k8)
-    f_vb = div(rb, n2, k7)
-    gv_rho3 = mul(v_rho3, g_vb, k9)
-    v_rho2 = sub(mul(b3, rhoa1, k11), mul(b1, rhoa3, k12), k11)
-    gv_rho2 = mul(v_rho2, g_vb, k12)
-    gvb2 = mul(b2, g_vb, k13)
-    gvb3 = mul(b3, g_vb, k14)
-    rho1 = add(
-        add(rhoa1, add(mul(v_rho1, f_vb, k15), sub(mul(b2, gv_rho3, k16), mul(b3, gv_rho2, k17), k16), k15), k4),
-        add(mul(b1o, f_vb, k15), sub(mul(gvb2, b3o, k16), mul(gvb3, b2o, k17), k16), k15), k4
-    )
-    gv_rho1 = mul(v_rho1, g_vb, k5)
-    gvb1 = mul(b1, g_vb, k8)
-    rho2 = add(
-        add(rhoa2, add(mul(v_rho2, f_vb, k11), sub(mul(b3, gv_rho1, k15), mul(b1, gv_rho3, k9), k9), k9), k1),
-        add(mul(b2o, f_vb, k9), sub(mul(gvb3, b1o, k11), mul(gvb1, b3o, k14), k11), k9), k1
-    )
-    rho3 = add(
-        add(rhoa3, add(mul(v_rho3, f_vb, k6), sub(mul(b1, gv_rho2, k9), mul(b2, gv_rho1, k5), k5), k5), k5),
-        add(mul(b3o, f_vb, k6), sub(mul(gvb1, b2o, k7), mul(gvb2, b1o, k8), k7), k6), k5
-    )
-    hvr = mul(hie, add(add(mul(d1, rho1, k6), mul(d2, rho2, k7), k6), mul(d3, rho3, k7), k6), k3)
-    div(add(sub(mul(rho1, fee, k6), sub(mul(d2, rho3, k7), mul(d3, rho2, k8), k7), k6), mul(d1, hvr, k7), k6), n2, o4)
-    div(add(sub(mul(rho2, fee, k6), sub(mul(d3, rho1, k7), mul(d1, rho3, k8), k7), k6), mul(d2, hvr, k7), k6), n2, o5)
-    div(add(sub(mul(rho3, fee, k2), sub(mul(d1, rho2, k1), mul(d2, rho1, k4), k1), k1), mul(d3, hvr, k2), k1), n2, o6)
-
-
-# operations 253: 80 +, 111 *, 37 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-def _own_body_local(m: Any, c: Any, a: Components, b: Components) -> Result:
-    a1, a2, a3, a1o, a2o, a3o = a
-    b1, b2, b3, b1o, b2o, b3o = b
-    minus_b1 = -b1
-    minus_b2 = -b2
-    minus_b3 = -b3
-    minus_b4 = -b1o
-    minus_b5 = -b2o
-    minus_b6 = -b3o
-    v11b = minus_b1 * minus_b1
-    v22b = minus_b2 * minus_b2
-    v33b = minus_b3 * minus_b3
-    xb = v11b + v22b + v33b
-    zb = xb / 4
-    Nb = 1 + zb
-    rb = 2 * (Nb / Nb / Nb)
-    f_vb = rb / 2
-    g_vb = rb / 4
-    bvb1 = minus_b1 / 2
-    bvb2 = minus_b2 / 2
-    bvb3 = minus_b3 / 2
-    v11a = a1 * a1
-    v22a = a2 * a2
-    v33a = a3 * a3
-    xa = v11a + v22a + v33a
-    za = xa / 4
-    Na = 1 + za
-    ra = 2 * (Na / Na / Na)
-    f_va = ra / 2
-    g_va = ra / 4
-    bva1 = a1 / 2
-    bva2 = a2 / 2
-    bva3 = a3 / 2
-    z0 = 1 - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
-    z1 = bva1 + bvb1 + (bvb2 * bva3 - bvb3 * bva2)
-    z2 = bva2 + bvb2 + (bvb3 * bva1 - bvb1 * bva3)
-    z3 = bva3 + bvb3 + (bvb1 * bva2 - bvb2 * bva1)
-    gva1 = a1 * g_va
-    gva2 = a2 * g_va
-    gva3 = a3 * g_va
-    rhoa1 = a1o * f_va + (gva2 * a3o - gva3 * a2o)
-    rhoa2 = a2o * f_va + (gva3 * a1o - gva1 * a3o)
-    rhoa3 = a3o * f_va + (gva1 * a2o - gva2 * a1o)
-    v_rho1 = minus_b2 * rhoa3 - minus_b3 * rhoa2
-    v_rho2 = minus_b3 * rhoa1 - minus_b1 * rhoa3
-    v_rho3 = minus_b1 * rhoa2 - minus_b2 * rhoa1
-    gv_rho1 = v_rho1 * g_vb
-    gv_rho2 = v_rho2 * g_vb
-    gv_rho3 = v_rho3 * g_vb
-    gvb1 = minus_b1 * g_vb
-    gvb2 = minus_b2 * g_vb
-    gvb3 = minus_b3 * g_vb
-    rho1 = (
-        rhoa1 + (v_rho1 * f_vb + (minus_b2 * gv_rho3 - minus_b3 * gv_rho2)) + (minus_b4 * f_vb + (gvb2 * minus_b6 - gvb3
-        * minus_b5))
-    )
-    rho2 = (
-        rhoa2 + (v_rho2 * f_vb + (minus_b3 * gv_rho1 - minus_b1 * gv_rho3)) + (minus_b5 * f_vb + (gvb3 * minus_b4 - gvb1
-        * minus_b6))
-    )
-    rho3 = (
-        rhoa3 + (v_rho3 * f_vb + (minus_b1 * gv_rho2 - minus_b2 * gv_rho1)) + (minus_b6 * f_vb + (gvb1 * minus_b5 - gvb2
-        * minus_b4))
-    )
-    negativee = z0 < 0
-    cose = m.where(negativee, -z0, z0)
-    sse = z1 * z1 + z2 * z2 + z3 * z3
-    stille = sse == 0
-    sine = m.sqrt(m.where(stille, cose, sse))
-    anglee = 2 * m.atan2(sine, cose)
-    gaine = m.where(negativee, -1, 1) * (m.where(stille, 2 * cose, anglee) / m.where(stille, cose * cose, sine))
-    d1 = z1 * gaine
-    d2 = z2 * gaine
-    d3 = z3 * gaine
-    v11e = d1 * d1
-    v22e = d2 * d2
-    v33e = d3 * d3
-    xe = v11e + v22e + v33e
-    fee = gaine * z0
-    neare = xe < 6
-    ze = m.where(neare, xe, xe - xe) / 4
-    C7e = (
-        (72 - ze * ((3603600 - ze * (32760 - ze * (210 - ze * ((93024 - ze * (342 - ze * ((212520 - ze * (506 - ze))
-        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
-    )
-    C5e = (1 - 120 * (ze * C7e)) / 120
-    C3e = (1 - 6 * (ze * C5e)) / 6
-    C1e = 1 - ze * C3e
-    xxe = m.where(neare, 6 + xe, xe)
-    alphae = m.sqrt(xxe)
-    te = m.tan(alphae / 4)
-    tte = te * te
-    belowe = 1 + tte
-    we = m.where(neare, C1e / 2, 2 * te / belowe / alphae)
-    wwe = we * we
-    ge = 2 * wwe
-    CC1e = C1e * C1e
-    C0e = m.sqrt(1 - ze * CC1e)
-    se = m.where(neare, C0e, (1 - tte) / belowe)
-    fie = se / we
-    C01e = 1 + C0e
-    C2e = CC1e / C01e
-    fe = 2 * (se * we)
-    he = m.where(neare, (C3e + C1e * C2e) / 4, (1 - fe) / xxe)
-    hie = ge - fie * he
-    hvr = hie * (d1 * rho1 + d2 * rho2 + d3 * rho3)
-    return (
-        d1,
-        d2,
-        d3,
-        (rho1 * fee - (d2 * rho3 - d3 * rho2) + d1 * hvr) / 2,
-        (rho2 * fee - (d3 * rho1 - d1 * rho3) + d2 * hvr) / 2,
-        (rho3 * fee - (d1 * rho2 - d2 * rho1) + d3 * hvr) / 2,
-    )
-
-
-def _own_body_local_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, a: Rows, b: Rows
-) -> None:
-    a1, a2, a3, a1o, a2o, a3o = a
-    b1, b2, b3, b1o, b2o, b3o = b
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23 = scratch
-    mask1, mask2 = masks
-    n_minus_1, n0, n1, n2, n4, n6, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
-    bva1 = div(a1, n2, k1)
-    minus_b1 = neg(b1, k2)
-    bvb1 = div(minus_b1, n2, k3)
-    minus_b2 = neg(b2, k4)
-    bvb2 = div(minus_b2, n2, k5)
-    bva3 = div(a3, n2, k6)
-    minus_b3 = neg(b3, k7)
-    bvb3 = div(minus_b3, n2, k8)
-    bva2 = div(a2, n2, k9)
-    z1 = add(add(bva1, bvb1, k10), sub(mul(bvb2, bva3, k11), mul(bvb3, bva2, k12), k11), k10)
-    z2 = add(add(bva2, bvb2, k11), sub(mul(bvb3, bva1, k12), mul(bvb1, bva3, k13), k12), k11)
-    z3 = add(add(bva3, bvb3, k12), sub(mul(bvb1, bva2, k13), mul(bvb2, bva1, k14), k13), k12)
-    z0 = sub(n1, add(add(mul(bvb1, bva1, k1), mul(bvb2, bva2, k3), k1), mul(bvb3, bva3, k3), k1), k1)
-    sse = add(add(mul(z1, z1, k3), mul(z2, z2, k5), k3), mul(z3, z3, k5), k3)
-    stille = m.equal(sse, n0, mask1)
-    negativee = m.less(z0, n0, mask2)
-    cose = m.where(negativee, neg(z0, k5), z0, k5)
-    sine = sqrt(m.where(stille, cose, sse, k6), k3)
-    anglee = mul(n2, atan2(sine, cose, k6), k6)
-    gaine = mul(
-        m.where(negativee, n_minus_1, n1, k8), div(m.where(stille, mul(n2, cose, k9), anglee, k9), m.where(stille,
-        mul(cose, cose, k5), sine, k5), k3), k3
-    )
-    d1 = mul(z1, gaine, o1)
-    d2 = mul(z2, gaine, o2)
-    d3 = mul(z3, gaine, o3)
-    fee = mul(gaine, z0, k1)
-    v11e = mul(d1, d1, k3)
-    v22e = mul(d2, d2, k5)
-    v33e = mul(d3, d3, k6)
-    xe = add(add(v11e, v22e, k3), v33e, k3)
-    neare = m.less(xe, n6, mask1)
-    ze = div(m.where(neare, xe, sub(xe, xe, k5), k6), n4, k5)
-    xxe = m.where(neare, add(n6, xe, k6), xe, k6)
-    C7e = div(
-        div(sub(n72, mul(ze, div(sub(n3603600, mul(ze, sub(n32760, mul(ze, sub(n210, mul(ze, div(sub(n93024, mul(ze,
-        sub(n342, mul(ze, div(sub(n212520, mul(ze, sub(n506, ze, k3), k3), k3), n212520, k3), k3), k3), k3), k3),
-        n93024, k3), k3), k3), k3), k3), k3), k3), n3603600, k3), k3), k3), n72, k3), n5040, k3
-    )
-    C5e = div(sub(n1, mul(n120, mul(ze, C7e, k3), k3), k3), n120, k3)
-    C3e = div(sub(n1, mul(n6, mul(ze, C5e, k3), k3), k3), n6, k3)
-    C1e = sub(n1, mul(ze, C3e, k8), k8)
-    CC1e = mul(C1e, C1e, k9)
-    C0e = sqrt(sub(n1, mul(ze, CC1e, k5), k5), k5)
-    C01e = add(n1, C0e, k10)
-    C2e = div(CC1e, C01e, k9)
-    alphae = sqrt(xxe, k10)
-    te = tan(div(alphae, n4, k11), k11)
-    tte = mul(te, te, k12)
-    belowe = add(n1, tte, k13)
-    se = m.where(neare, C0e, div(sub(n1, tte, k12), belowe, k12), k5)
-    we = m.where(neare, div(C1e, n2, k12), div(div(mul(n2, te, k11), belowe, k11), alphae, k10), k11)
-    fe = mul(n2, mul(se, we, k10), k10)
-    he = m.where(neare, div(add(C3e, mul(C1e, C2e, k8), k3), n4, k3), div(sub(n1, fe, k8), xxe, k6), k3)
-    fie = div(se, we, k5)
-    wwe = mul(we, we, k6)
-    ge = mul(n2, wwe, k6)
-    hie = sub(ge, mul(fie, he, k3), k3)
-    v11a = mul(a1, a1, k5)
-    v22a = mul(a2, a2, k6)
-    v33a = mul(a3, a3, k8)
-    xa = add(add(v11a, v22a, k5), v33a, k5)
-    za = div(xa, n4, k5)
-    Na = add(n1, za, k5)
-    ra = mul(n2, div(div(Na, Na, k6), Na, k5), k5)
-    f_va = div(ra, n2, k6)
-    g_va = div(ra, n4, k5)
-    gva1 = mul(a1, g_va, k8)
-    gva2 = mul(a2, g_va, k9)
-    gva3 = mul(a3, g_va, k5)
-    rhoa3 = add(mul(a3o, f_va, k10), sub(mul(gva1, a2o, k11), mul(gva2, a1o, k12), k11), k10)
-    rhoa2 = add(mul(a2o, f_va, k11), sub(mul(gva3, a1o, k12), mul(gva1, a3o, k8), k8), k8)
-    rhoa1 = add(mul(a1o, f_va, k6), sub(mul(gva2, a3o, k9), mul(gva3, a2o, k5), k5), k5)
-    v_rho1 = sub(mul(minus_b2, rhoa3, k6), mul(minus_b3, rhoa2, k9), k6)
-    v_rho3 = sub(mul(minus_b1, rhoa2, k9), mul(minus_b2, rhoa1, k11), k9)
-    v11b = mul(minus_b1, minus_b1, k11)
-    v22b = mul(minus_b2, minus_b2, k12)
-    v33b = mul(minus_b3, minus_b3, k13)
-    xb = add(add(v11b, v22b, k11), v33b, k11)
-    zb = div(xb, n4, k11)
-    Nb = add(n1, zb, k11)
-    rb = mul(n2, div(div(Nb, Nb, k12), Nb, k11), k11)
-    g_vb = div(rb, n4, k12)
-    f_vb = div(rb, n2, k11)
-    gv_rho3 = mul(v_rho3, g_vb, k13)
-    v_rho2 = sub(mul(minus_b3, rhoa1, k14), mul(minus_b1, rhoa3, k15), k14)
-    gv_rho2 = mul(v_rho2, g_vb, k15)
-    gvb2 = mul(minus_b2, g_vb, k16)
-    gvb3 = mul(minus_b3, g_vb, k17)
-    minus_b4 = neg(b1o, k18)
-    minus_b6 = neg(b3o, k19)
-    minus_b5 = neg(b2o, k20)
-    rho1 = add(
-        add(rhoa1, add(mul(v_rho1, f_vb, k21), sub(mul(minus_b2, gv_rho3, k22), mul(minus_b3, gv_rho2, k23), k22), k21),
-        k5), add(mul(minus_b4, f_vb, k21), sub(mul(gvb2, minus_b6, k22), mul(gvb3, minus_b5, k23), k22), k21), k5
-    )
-    gv_rho1 = mul(v_rho1, g_vb, k6)
-    gvb1 = mul(minus_b1, g_vb, k12)
-    rho2 = add(
-        add(rhoa2, add(mul(v_rho2, f_vb, k14), sub(mul(minus_b3, gv_rho1, k7), mul(minus_b1, gv_rho3, k13), k7), k7),
-        k7), add(mul(minus_b5, f_vb, k8), sub(mul(gvb3, minus_b4, k13), mul(gvb1, minus_b6, k14), k13), k8), k7
-    )
-    rho3 = add(
-        add(rhoa3, add(mul(v_rho3, f_vb, k8), sub(mul(minus_b1, gv_rho2, k2), mul(minus_b2, gv_rho1, k4), k2), k2), k2),
-        add(mul(minus_b6, f_vb, k4), sub(mul(gvb1, minus_b5, k6), mul(gvb2, minus_b4, k8), k6), k4), k2
-    )
-    hvr = mul(hie, add(add(mul(d1, rho1, k4), mul(d2, rho2, k6), k4), mul(d3, rho3, k6), k4), k3)
-    div(add(sub(mul(rho1, fee, k4), sub(mul(d2, rho3, k6), mul(d3, rho2, k8), k6), k4), mul(d1, hvr, k6), k4), n2, o4)
-    div(add(sub(mul(rho2, fee, k4), sub(mul(d3, rho1, k6), mul(d1, rho3, k8), k6), k4), mul(d2, hvr, k6), k4), n2, o5)
-    div(add(sub(mul(rho3, fee, k1), sub(mul(d1, rho2, k2), mul(d2, rho1, k4), k2), k1), mul(d3, hvr, k2), k1), n2, o6)
+    minus_moved3 = neg(moved3, k4)
+    fy_v = div(fy, n8, k6)
+    gy_v = div(fy, n16, k1)
+    y = add(add(mul(v1, v1o, k7), mul(v2, v2o, k9), k7), mul(v3, v3o, k9), k7)
+    fo = mul(fy_v, y, k6)
+    go = mul(gy_v, y, k1)
+    sub(fo, add(mul(minus_moved3, gv3, k7), mul(moved2, T31, k9), k7), o1)
+    gvo3 = add(mul(v3o, g_v, k7), mul(v3, go, k9), k7)
+    T12o = neg(gvo3, k9)
+    sub(T12o, add(mul(minus_moved3, f_v, k10), mul(moved2, gv1, k11), k10), o2)
+    gvo2 = add(mul(v2o, g_v, k9), mul(v2, go, k10), k9)
+    sub(gvo2, add(mul(minus_moved3, T23, k4), mul(moved2, f_v, k10), k4), o3)
+    gvo1 = add(mul(v1o, g_v, k4), mul(v1, go, k1), k1)
+    minus_moved2 = neg(moved2, k2)
+    T31o = neg(gvo2, k4)
+    sub(T31o, add(mul(minus_moved2, f_v, k5), mul(moved1, gv3, k9), k5), o13)
+    sub(gvo1, add(mul(minus_moved2, T12, k4), mul(moved1, f_v, k5), k4), o14)
+    sub(fo, add(mul(minus_moved2, gv2, k2), mul(moved1, T23, k4), k2), o15)
+    minus_moved1 = neg(moved1, k2)
+    sub(gvo3, add(mul(moved3, f_v, k3), mul(minus_moved1, T31, k4), k3), o7)
+    sub(fo, add(mul(moved3, T12, k3), mul(minus_moved1, gv1, k4), k3), o8)
+    T23o = neg(gvo1, k1)
+    sub(T23o, add(mul(moved3, gv2, k3), mul(minus_moved1, f_v, k2), k2), o9)
+    gvv1 = mul(gv1, v2, k1)
+    fv3 = mul(v3, f_v, k2)
+    sub(gvv1, fv3, o20)
+    add(gvv1, fv3, o22)
+    gvv2 = mul(gv1, v3, k1)
+    fv2 = mul(v2, f_v, k2)
+    add(gvv2, fv2, o21)
+    sub(gvv2, fv2, o25)
+    gvv3 = mul(gv2, v3, k1)
+    fv1 = mul(v1, f_v, k2)
+    sub(gvv3, fv1, o24)
+    add(gvv3, fv1, o26)
+    copy(o4, o11)
+    copy(o4, o18)
 
 
 CHART = Chart(
@@ -4016,7 +1552,13 @@ CHART = Chart(
         "quaternion": Function(_quaternion, _quaternion_blocks, 0, 0, (-1, 1, 2, 4, 8)),
         "pose": Function(_pose, _pose_blocks, 0, 0, (0, 1, 2, 4)),
         "tangent": Function(_tangent, _tangent_blocks, 0, 0, (0, 1, 2, 4, 8, 16)),
-        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 0, 0, (0, 1, 2, 4, 8, 16, 32, 64)),
+        "inverse": Function(_inverse, _inverse_blocks, 0, 0, (1, 2)),
+        "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 0, 0, (0, 1, 2)),
+        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 0, 0, (0, 1, 2)),
+        "ray": Function(_ray, _ray_blocks, 0, 0, (0, 1, 2, 4)),
+        "gain_unit": Function(_gain_unit, _gain_unit_blocks, 0, 0, (1, 2)),
+        "gain_positive": Function(_gain_positive, _gain_positive_blocks, 0, 0, (1, 2)),
+        "gain_product": Function(_gain_product, _gain_product_blocks, 0, 0, (1, 2)),
         "natural": Function(_natural, _natural_blocks, 0, 0, (1, 2, 4)),
         "unfolded": Function(_unfolded, _unfolded_blocks, 0, 0, (1, 2)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 2)),
@@ -4066,14 +1608,14 @@ CHART = Chart(
         lent=(),
         real=False,
     ),
-        "rate": Kernel(
-        _own_rate,
-        _own_rate_blocks,
-        (("v", (6,)), ("omega", (6,)),),
+        "twist": Kernel(
+        _own_twist,
+        _own_twist_blocks,
+        (("v", (6,)), ("v_dot", (6,)),),
         (6,),
-        registers=6,
+        registers=11,
         masks=0,
-        numbers=(2,),
+        numbers=(1, 2, 4, 8, 16),
         lent=(),
         real=False,
     ),
@@ -4088,14 +1630,14 @@ CHART = Chart(
         lent=(),
         real=False,
     ),
-        "rate_dot": Kernel(
-        _own_rate_dot,
-        _own_rate_dot_blocks,
-        (("v", (6,)), ("omega", (6,)), ("omega_dot", (6,)),),
+        "twist_dot": Kernel(
+        _own_twist_dot,
+        _own_twist_dot_blocks,
+        (("v", (6,)), ("v_dot", (6,)), ("v_ddot", (6,)),),
         (6,),
-        registers=15,
+        registers=14,
         masks=0,
-        numbers=(2,),
+        numbers=(1, 2, 4, 8, 16, 32, 64),
         lent=(),
         real=False,
     ),
@@ -4121,129 +1663,19 @@ CHART = Chart(
         lent=(),
         real=False,
     ),
-        "from_quaternion": Kernel(
-        _own_from_quaternion,
-        _own_from_quaternion_blocks,
-        (("q", (8,)),),
-        (6,),
-        registers=7,
+        "transform_point_jacobians": Kernel(
+        _own_transform_point_jacobians,
+        _own_transform_point_jacobians_blocks,
+        (("v", (6,)), ("r", (3,)),),
+        (27,),
+        registers=11,
         masks=0,
-        numbers=(1, 2),
+        numbers=(1, 2, 4, 8, 16),
         lent=(),
-        real=True,
-    ),
-        "from_tensor": Kernel(
-        _own_from_tensor,
-        _own_from_tensor_blocks,
-        (("R", (2, 3, 3)),),
-        (6,),
-        registers=8,
-        masks=7,
-        numbers=(-1, 0, 1, 2),
-        lent=(),
-        real=True,
-    ),
-        "from_pose": Kernel(
-        _own_from_pose,
-        _own_from_pose_blocks,
-        (("T", (4, 4)),),
-        (6,),
-        registers=8,
-        masks=7,
-        numbers=(-1, 0, 1, 2),
-        lent=(),
-        real=True,
-    ),
-        "compose": Kernel(
-        _own_compose,
-        _own_compose_blocks,
-        (("v2", (6,)), ("v1", (6,)),),
-        (6,),
-        registers=15,
-        masks=0,
-        numbers=(1, 2, 4),
-        lent=(),
-        real=True,
-    ),
-        "between": Kernel(
-        _own_between,
-        _own_between_blocks,
-        (("v2", (6,)), ("v1", (6,)),),
-        (6,),
-        registers=21,
-        masks=0,
-        numbers=(1, 2, 4),
-        lent=(),
-        real=True,
-    ),
-        "compose_jacobians": Kernel(
-        _own_compose_jacobians,
-        _own_compose_jacobians_blocks,
-        (("v2", (6,)), ("v1", (6,)),),
-        (72,),
-        registers=61,
-        masks=0,
-        numbers=(0, 1, 2, 4, 8, 16),
-        lent=(),
-        real=True,
-    ),
-        "between_jacobians": Kernel(
-        _own_between_jacobians,
-        _own_between_jacobians_blocks,
-        (("v2", (6,)), ("v1", (6,)),),
-        (72,),
-        registers=61,
-        masks=0,
-        numbers=(0, 1, 2, 4, 8, 16),
-        lent=(),
-        real=True,
-    ),
-        "retract": Kernel(
-        _own_retract,
-        _own_retract_blocks,
-        (("v", (6,)), ("delta", (6,)),),
-        (6,),
-        registers=17,
-        masks=2,
-        numbers=(0, 1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
-        lent=(),
-        real=True,
-    ),
-        "body_retract": Kernel(
-        _own_body_retract,
-        _own_body_retract_blocks,
-        (("v", (6,)), ("delta", (6,)),),
-        (6,),
-        registers=17,
-        masks=2,
-        numbers=(0, 1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
-        lent=(),
-        real=True,
-    ),
-        "local": Kernel(
-        _own_local,
-        _own_local_blocks,
-        (("v2", (6,)), ("v1", (6,)),),
-        (6,),
-        registers=17,
-        masks=2,
-        numbers=(-1, 0, 1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
-        lent=(),
-        real=True,
-    ),
-        "body_local": Kernel(
-        _own_body_local,
-        _own_body_local_blocks,
-        (("v2", (6,)), ("v1", (6,)),),
-        (6,),
-        registers=23,
-        masks=2,
-        numbers=(-1, 0, 1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
-        lent=(),
-        real=True,
+        real=False,
     ),
     },
-    programs="b7dc80ca3308ed1a",
+    programs="e8e896a9e1c0b824",
 )
 
 KERNELS = PoseKernels(CHART)
@@ -4259,6 +1691,7 @@ body_rate = KERNELS.body_rate
 body_rate_dot = KERNELS.body_rate_dot
 body_rate_jacobian = KERNELS.body_rate_jacobian
 body_retract = KERNELS.body_retract
+body_retract_jacobians = KERNELS.body_retract_jacobians
 body_tangent = KERNELS.body_tangent
 body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
@@ -4274,6 +1707,7 @@ from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
+interpolate = KERNELS.interpolate
 inverse = KERNELS.inverse
 local = KERNELS.local
 pose = KERNELS.pose
@@ -4284,7 +1718,9 @@ rate = KERNELS.rate
 rate_dot = KERNELS.rate_dot
 rate_jacobian = KERNELS.rate_jacobian
 retract = KERNELS.retract
+retract_jacobians = KERNELS.retract_jacobians
 shadow = KERNELS.shadow
+shadow_jacobian = KERNELS.shadow_jacobian
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent
 tangent_dot = KERNELS.tangent_dot

@@ -57,15 +57,20 @@
 #   angle: 69: 15 +, 22 *, 13 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
 #   turn: 72: 16 +, 29 *, 12 /, 6 abs, 1 sqrt, 2 eq, 6 where
 #   shadow: 107: 26 +, 39 *, 15 /, 1 neg, 7 abs, 1 sqrt, 4 lt, 3 eq, 1 and, 1 or, 9 where
+#   identity_jacobian: 12: 12 +
+#   shadow_jacobian: 179: 47 +, 74 *, 29 /, 3 neg, 7 abs, 1 sqrt, 4 lt, 3 eq, 1 and, 1 or, 9 where
 #   principal: 57: 15 +, 24 *, 9 /, 1 sqrt, 1 lt, 7 where
 #   compose: 247: 77 +, 135 *, 24 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   between: 253: 77 +, 135 *, 24 /, 7 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   compose_jacobians: 1047: 391 +, 549 *, 87 /, 10 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   between_jacobians: 1071: 391 +, 549 *, 87 /, 34 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   retract: 317: 100 +, 155 *, 38 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
-#   body_retract: 317: 100 +, 155 *, 38 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+#   retract: 322: 102 +, 155 *, 38 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   body_retract: 322: 102 +, 155 *, 38 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   retract_jacobians: 1114: 419 +, 564 *, 95 /, 8 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   body_retract_jacobians: 1114: 419 +, 564 *, 95 /, 8 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 308: 94 +, 154 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 308: 94 +, 154 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+#   interpolate: 670: 207 +, 325 *, 66 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 6 lt, 5 eq, 1 or, 33 where
 #   adjoint: 100: 36 +, 58 *, 6 /
 #   transform_point_jacobians: 223: 93 +, 116 *, 10 /, 4 neg
 #   transform_line_jacobians: 322: 126 +, 179 *, 10 /, 7 neg
@@ -98,12 +103,13 @@ from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, su
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
-    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_tangent", "body_tangent_dot",
-    "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians",
-    "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity",
-    "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "retract",
-    "shadow", "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
-    "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
+    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
+    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor",
+    "identity", "interpolate", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot",
+    "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent",
+    "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
+    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 3
@@ -321,6 +327,32 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     div(fyy, n7776, o7)
     div(hyy, n279936, o9)
     return o1, o2, o3, o4, o5, o6, o7, o8, o9
+
+
+# operations 8: 1 +, 1 *, 5 /, 1 neg
+def _rate(m: Any, x: Any) -> Result:
+    z = x / 36
+    x1 = 1 + z
+    e = 6 / x1
+    rate_v = e / 6
+    ee = 2 * e / x1
+    ey = -ee
+    ratey_v = ey / 216
+    return rate_v, ratey_v
+
+
+def _rate_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2 = out
+    k1, *_ = scratch
+    n1, n2, n6, n36, n216 = numbers
+    z = div(x, n36, o2)
+    x1 = add(n1, z, o2)
+    e = div(n6, x1, o1)
+    ee = div(mul(n2, e, k1), x1, o2)
+    div(e, n6, o1)
+    ey = neg(ee, o2)
+    div(ey, n216, o2)
+    return o1, o2
 
 
 # operations 11: 3 +, 4 *, 4 /
@@ -741,6 +773,7 @@ CHART = Chart(
         "pose": Function(_pose, _pose_blocks, 2, 0, (1, 2, 3, 6, 16, 36, 216)),
         "tangent": Function(_tangent, _tangent_blocks, 0, 0, (-4, 1, 2, 3, 6, 16, 36, 216, 1296, 7776)),
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 3, 0, (-4, 1, 2, 3, 6, 8, 16, 36, 216, 1296, 7776, 46656, 279936)),
+        "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2, 6, 36, 216)),
         "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 3, 6, 11, 36)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 0, 0, (1, 2, 3, 6, 11, 16, 36, 216)),
         "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 0, 0, (1, 2, 3, 4, 6, 11, 16, 36, 64, 216, 7776)),
@@ -756,7 +789,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 6)),
     },
     own={},
-    programs="9411597389536d32",
+    programs="f636be59e50df444",
 )
 
 KERNELS = PoseKernels(CHART)
@@ -772,6 +805,7 @@ body_rate = KERNELS.body_rate
 body_rate_dot = KERNELS.body_rate_dot
 body_rate_jacobian = KERNELS.body_rate_jacobian
 body_retract = KERNELS.body_retract
+body_retract_jacobians = KERNELS.body_retract_jacobians
 body_tangent = KERNELS.body_tangent
 body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
@@ -787,6 +821,7 @@ from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
+interpolate = KERNELS.interpolate
 inverse = KERNELS.inverse
 local = KERNELS.local
 pose = KERNELS.pose
@@ -797,7 +832,9 @@ rate = KERNELS.rate
 rate_dot = KERNELS.rate_dot
 rate_jacobian = KERNELS.rate_jacobian
 retract = KERNELS.retract
+retract_jacobians = KERNELS.retract_jacobians
 shadow = KERNELS.shadow
+shadow_jacobian = KERNELS.shadow_jacobian
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent
 tangent_dot = KERNELS.tangent_dot

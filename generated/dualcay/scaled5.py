@@ -57,15 +57,20 @@
 #   angle: 77: 19 +, 26 *, 13 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
 #   turn: 72: 16 +, 29 *, 12 /, 6 abs, 1 sqrt, 2 eq, 6 where
 #   shadow: 111: 28 +, 41 *, 15 /, 1 neg, 7 abs, 1 sqrt, 4 lt, 3 eq, 1 and, 1 or, 9 where
+#   identity_jacobian: 12: 12 +
+#   shadow_jacobian: 183: 49 +, 76 *, 29 /, 3 neg, 7 abs, 1 sqrt, 4 lt, 3 eq, 1 and, 1 or, 9 where
 #   principal: 60: 15 +, 24 *, 9 /, 1 sqrt, 2 lt, 9 where
 #   compose: 269: 88 +, 146 *, 24 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   between: 275: 88 +, 146 *, 24 /, 7 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   compose_jacobians: 1114: 423 +, 586 *, 87 /, 8 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   between_jacobians: 1138: 423 +, 586 *, 87 /, 32 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   retract: 331: 107 +, 162 *, 38 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
-#   body_retract: 331: 107 +, 162 *, 38 /, 4 sqrt, 3 tan, 3 atan2, 1 lt, 2 eq, 11 where
+#   retract: 336: 109 +, 162 *, 38 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   body_retract: 336: 109 +, 162 *, 38 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   retract_jacobians: 1158: 440 +, 588 *, 95 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   body_retract_jacobians: 1158: 440 +, 588 *, 95 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 324: 102 +, 162 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 324: 102 +, 162 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+#   interpolate: 692: 218 +, 336 *, 66 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 6 lt, 5 eq, 1 or, 33 where
 #   adjoint: 108: 40 +, 62 *, 6 /
 #   transform_point_jacobians: 238: 100 +, 125 *, 10 /, 3 neg
 #   transform_line_jacobians: 337: 133 +, 188 *, 10 /, 6 neg
@@ -98,12 +103,13 @@ from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, su
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
-    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_tangent", "body_tangent_dot",
-    "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians",
-    "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity",
-    "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "retract",
-    "shadow", "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
-    "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
+    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
+    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor",
+    "identity", "interpolate", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot",
+    "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent",
+    "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
+    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 5
@@ -345,6 +351,32 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     div(hy, n100000, o6)
     div(gy, n10000, o5)
     return o1, o2, o3, o4, o5, o6, o7, o8, o9
+
+
+# operations 8: 1 +, 1 *, 5 /, 1 neg
+def _rate(m: Any, x: Any) -> Result:
+    z = x / 100
+    x1 = 1 + z
+    e = 10 / x1
+    rate_v = e / 10
+    ee = 2 * e / x1
+    ey = -ee
+    ratey_v = ey / 1000
+    return rate_v, ratey_v
+
+
+def _rate_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2 = out
+    k1, *_ = scratch
+    n1, n2, n10, n100, n1000 = numbers
+    z = div(x, n100, o2)
+    x1 = add(n1, z, o2)
+    e = div(n10, x1, o1)
+    ee = div(mul(n2, e, k1), x1, o2)
+    div(e, n10, o1)
+    ey = neg(ee, o2)
+    div(ey, n1000, o2)
+    return o1, o2
 
 
 # operations 17: 6 +, 7 *, 4 /
@@ -800,6 +832,7 @@ CHART = Chart(
         "pose": Function(_pose, _pose_blocks, 3, 0, (1, 2, 5, 10, 80, 96, 100, 1000)),
         "tangent": Function(_tangent, _tangent_blocks, 3, 0, (1, 2, 4, 5, 10, 80, 96, 100, 160, 1000, 10000, 100000)),
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 5, 0, (1, 2, 4, 5, 8, 10, 80, 96, 100, 160, 1000, 10000, 100000, 1000000, 10000000)),
+        "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2, 10, 100, 1000)),
         "inverse": Function(_inverse, _inverse_blocks, 2, 0, (1, 5, 10, 34, 45, 100)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 2, 0, (1, 2, 5, 10, 34, 45, 80, 96, 100, 1000)),
         "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 3, 0, (1, 2, 4, 5, 10, 34, 45, 80, 96, 100, 160, 1000, 100000)),
@@ -815,7 +848,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 10)),
     },
     own={},
-    programs="3022e92cec931df9",
+    programs="a9c0eb90e8bede43",
 )
 
 KERNELS = PoseKernels(CHART)
@@ -831,6 +864,7 @@ body_rate = KERNELS.body_rate
 body_rate_dot = KERNELS.body_rate_dot
 body_rate_jacobian = KERNELS.body_rate_jacobian
 body_retract = KERNELS.body_retract
+body_retract_jacobians = KERNELS.body_retract_jacobians
 body_tangent = KERNELS.body_tangent
 body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
@@ -846,6 +880,7 @@ from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
+interpolate = KERNELS.interpolate
 inverse = KERNELS.inverse
 local = KERNELS.local
 pose = KERNELS.pose
@@ -856,7 +891,9 @@ rate = KERNELS.rate
 rate_dot = KERNELS.rate_dot
 rate_jacobian = KERNELS.rate_jacobian
 retract = KERNELS.retract
+retract_jacobians = KERNELS.retract_jacobians
 shadow = KERNELS.shadow
+shadow_jacobian = KERNELS.shadow_jacobian
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent
 tangent_dot = KERNELS.tangent_dot

@@ -52,20 +52,25 @@
 #   from_quaternion: 94: 27 +, 48 *, 7 /, 1 neg, 2 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   from_tensor: 150: 47 +, 54 *, 10 /, 2 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_pose: 114: 32 +, 36 *, 7 /, 2 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
-#   from_screw: 22: 5 +, 12 *, 4 /, 1 tan
+#   from_screw: 26: 5 +, 14 *, 4 /, 1 tan, 1 lt, 1 where
 #   to_screw: 95: 21 +, 33 *, 11 /, 1 neg, 8 abs, 2 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
 #   angle: 69: 18 +, 21 *, 7 /, 6 abs, 4 sqrt, 1 atan2, 1 lt, 3 eq, 8 where
 #   turn: 79: 17 +, 31 *, 11 /, 6 abs, 2 sqrt, 2 lt, 2 eq, 8 where
 #   shadow: 111: 27 +, 41 *, 11 /, 1 neg, 6 abs, 3 sqrt, 6 lt, 3 eq, 1 and, 1 or, 11 where
+#   identity_jacobian: 12: 12 +
+#   shadow_jacobian: 175: 48 +, 74 *, 19 /, 1 neg, 6 abs, 5 sqrt, 6 lt, 3 eq, 1 and, 1 or, 11 where
 #   principal: 64: 16 +, 26 *, 8 /, 2 sqrt, 3 lt, 9 where
 #   compose: 237: 81 +, 133 *, 9 /, 1 neg, 4 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   between: 243: 81 +, 133 *, 9 /, 7 neg, 4 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   compose_jacobians: 1040: 404 +, 551 *, 60 /, 9 neg, 7 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   between_jacobians: 1064: 404 +, 551 *, 60 /, 33 neg, 7 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   retract: 314: 103 +, 152 *, 30 /, 7 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
-#   body_retract: 314: 103 +, 152 *, 30 /, 7 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   retract: 323: 105 +, 154 *, 30 /, 1 abs, 7 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 14 where
+#   body_retract: 323: 105 +, 154 *, 30 /, 1 abs, 7 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 14 where
+#   retract_jacobians: 1121: 428 +, 567 *, 81 /, 8 neg, 1 abs, 9 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 15 where
+#   body_retract_jacobians: 1121: 428 +, 567 *, 81 /, 8 neg, 1 abs, 9 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 15 where
 #   local: 300: 98 +, 152 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 300: 98 +, 152 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+#   interpolate: 667: 212 +, 323 *, 52 /, 8 neg, 4 abs, 12 sqrt, 3 tan, 4 atan2, 8 lt, 5 eq, 1 or, 35 where
 #   adjoint: 97: 38 +, 57 *, 1 /, 1 sqrt
 #   transform_point_jacobians: 220: 96 +, 116 *, 4 /, 3 neg, 1 sqrt
 #   transform_line_jacobians: 319: 129 +, 179 *, 4 /, 6 neg, 1 sqrt
@@ -98,12 +103,13 @@ from ._kernel import Result, Rows, absolute, add, atan2, copy, div, mul, neg, sq
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
-    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_tangent", "body_tangent_dot",
-    "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose", "compose_jacobians",
-    "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor", "identity",
-    "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "retract",
-    "shadow", "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
-    "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
+    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
+    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor",
+    "identity", "interpolate", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot",
+    "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent",
+    "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
+    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 3
@@ -266,6 +272,25 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     fy = sub(h, mul(rho, g, o4), o4)
     sub(add(mul(fy, h, o8), mul(f, hy, k1), o8), mul(n2, mul(g, gy, k1), k1), o8)
     return o1, o2, o3, o4, o5, o6, o7, o8, o9
+
+
+# operations 4: 1 +, 2 /, 1 sqrt
+def _rate(m: Any, x: Any) -> Result:
+    cc = 1 - x
+    c = m.sqrt(cc)
+    rho = 6 / c
+    rhoy = rho / cc
+    return rho, rhoy
+
+
+def _rate_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2 = out
+    n1, n6 = numbers
+    cc = sub(n1, x, o2)
+    c = sqrt(cc, o1)
+    rho = div(n6, c, o1)
+    div(rho, cc, o2)
+    return o1, o2
 
 
 # operations 7: 2 +, 3 *, 1 /, 1 sqrt
@@ -654,26 +679,31 @@ def _beyond_blocks(
     return o1, cos1, sin1
 
 
-# operations 9: 2 +, 2 *, 4 /, 1 tan
+# operations 13: 2 +, 4 *, 4 /, 1 tan, 1 lt, 1 where
 def _coefficient(m: Any, alpha: Any) -> Result:
     t = m.tan(alpha / 12)
     tt = t * t
     below = 1 + tt
-    sin = 2 * t / below
-    cos = (1 - tt) / below
+    further = (1 - tt) / below
+    side = m.where(further < 0, -1, 1)
+    sin = side * (2 * t / below)
+    cos = side * further
     slope = cos / 6
     return sin, slope
 
 
 def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
     o1, o2 = out
-    k1, *_ = scratch
-    n1, n2, n6, n12 = numbers
+    k1, k2, *_ = scratch
+    mask1, *_ = masks
+    n_minus_1, n0, n1, n2, n6, n12 = numbers
     t = tan(div(alpha, n12, o1), o1)
     tt = mul(t, t, o2)
     below = add(n1, tt, k1)
-    div(mul(n2, t, o1), below, o1)
-    cos = div(sub(n1, tt, o2), below, o2)
+    further = div(sub(n1, tt, o2), below, o2)
+    side = m.where(m.less(further, n0, mask1), n_minus_1, n1, k2)
+    mul(side, div(mul(n2, t, o1), below, o1), o1)
+    cos = mul(side, further, o2)
     div(cos, n6, o2)
     return o1, o2
 
@@ -699,6 +729,7 @@ CHART = Chart(
         "pose": Function(_pose, _pose_blocks, 1, 0, (1, 2, 3, 4, 32, 38, 64)),
         "tangent": Function(_tangent, _tangent_blocks, 1, 0, (1, 2, 3, 4, 6, 32, 38, 64)),
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 1, 0, (1, 2, 3, 4, 6, 32, 38, 64, 256)),
+        "rate": Function(_rate, _rate_blocks, 0, 0, (1, 6)),
         "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 3, 4, 8)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 3, 0, (1, 2, 3, 4, 8, 32, 38, 64)),
         "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 7, 0, (1, 2, 3, 4, 6, 8, 32, 38, 64)),
@@ -711,10 +742,10 @@ CHART = Chart(
         "unfolded": Function(_unfolded, _unfolded_blocks, 0, 1, (1, 6)),
         "turned": Function(_turned, _turned_blocks, 2, 1, (-1, 0, 1)),
         "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
-        "coefficient": Function(_coefficient, _coefficient_blocks, 1, 0, (1, 2, 6, 12)),
+        "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 6, 12)),
     },
     own={},
-    programs="224f18fa946c7222",
+    programs="18c795f5e20e2041",
 )
 
 KERNELS = PoseKernels(CHART)
@@ -730,6 +761,7 @@ body_rate = KERNELS.body_rate
 body_rate_dot = KERNELS.body_rate_dot
 body_rate_jacobian = KERNELS.body_rate_jacobian
 body_retract = KERNELS.body_retract
+body_retract_jacobians = KERNELS.body_retract_jacobians
 body_tangent = KERNELS.body_tangent
 body_tangent_dot = KERNELS.body_tangent_dot
 body_tangent_inv = KERNELS.body_tangent_inv
@@ -745,6 +777,7 @@ from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
+interpolate = KERNELS.interpolate
 inverse = KERNELS.inverse
 local = KERNELS.local
 pose = KERNELS.pose
@@ -755,7 +788,9 @@ rate = KERNELS.rate
 rate_dot = KERNELS.rate_dot
 rate_jacobian = KERNELS.rate_jacobian
 retract = KERNELS.retract
+retract_jacobians = KERNELS.retract_jacobians
 shadow = KERNELS.shadow
+shadow_jacobian = KERNELS.shadow_jacobian
 singular_angles = KERNELS.singular_angles
 tangent = KERNELS.tangent
 tangent_dot = KERNELS.tangent_dot

@@ -403,6 +403,13 @@ class Oracle:
         size = self.size(own)
         return pack(tuple(size * c for c in axis))
 
+    def shadow_jacobian(self, v: Any, branch: int = 1) -> np.ndarray:
+        """By the twist, which is that of the shadow too: T(v_k) ∂v_k/∂v = T(v)."""
+        if branch % self.order == 0:
+            return np.eye(6)
+        back = inverse(self.operator(self.unpack(self.shadow(v, branch))))
+        return matrix6(pack(matmul(back, self.operator(self.unpack(v)))))
+
     def principal(self, v: Any) -> np.ndarray:
         alpha, axis = self.reduced(self.unpack(v))
         return pack(self.on_branch(alpha / 2, axis, 0))
@@ -447,6 +454,27 @@ class Oracle:
         turns = int(self.field.number(round(float((along - half.re) / self.field.pi))))
         return pack(self.on_branch(half, axis, turns))
 
+    def step_operator(self, delta: Any) -> tuple[Any, ...]:
+        """dexp(δ): the twist of exp(δ) as δ moves along the axes, ω = 2 vec(ė e⁻¹)."""
+        columns = []
+        for place in range(3):
+            unit = [Nil(a.re * 0 + (place == i), a.re * 0) for i, a in enumerate(delta)]
+            e, e_dot = split(self.step(along(delta, unit)))
+            columns.append([2 * c for c in hamilton(e_dot, conjugate(e))[1:]])
+        return transpose(columns)
+
+    def retract_jacobians(self, v: Any, delta: Any, body: bool = False) -> tuple[np.ndarray, np.ndarray]:
+        """By the twist of a product: T(w) ẇ = dexp(δ) δ̇ + exp(δ) T(v) v̇, or T(v) v̇ + R(v) dexp(δ) δ̇."""
+        here, small = self.unpack(v), self.unpack(delta)
+        back = inverse(self.operator(self.unpack(self.retract(v, delta, body))))
+        by_v, by_delta, q = self.operator(here), self.step_operator(small), self.step(small)
+        if body:
+            by_delta = matmul(self.rotation(here), by_delta)
+        else:
+            turned = transpose([hamilton(hamilton(q, (0, *e)), conjugate(q))[1:] for e in E])
+            by_v = matmul(turned, by_v)
+        return matrix6(pack(matmul(back, by_v))), matrix6(pack(matmul(back, by_delta)))
+
     def local(self, v2: Any, v1: Any, body: bool = False) -> np.ndarray:
         later, sooner = self.unit(self.unpack(v2)), conjugate(self.unit(self.unpack(v1)))
         q = hamilton(sooner, later) if body else hamilton(later, sooner)
@@ -455,7 +483,27 @@ class Oracle:
         return pack(tuple(2 * half * c for c in axis or (Nil(zero, zero),) * 3))
 
     body_retract = functools.partialmethod(retract, body=True)
+    body_retract_jacobians = functools.partialmethod(retract_jacobians, body=True)
     body_local = functools.partialmethod(local, body=True)
+
+    def interpolate(self, v1: Any, v2: Any, t: Any, steps: int = 64) -> np.ndarray:
+        """Step by step: of all α u of a pose on the way, the one nearest the last."""
+        here, (share,) = self.unpack(v1), np.ravel(t)
+        way = hamilton(self.unit(self.unpack(v2)), conjugate(self.unit(here)))
+        half, axis = self.half_screw(tuple(-c for c in way) if way[0].re < 0 else way)
+        theta, own = self.half_screw((self.base(here), *here))
+        zero = half.re * 0
+        direction = axis or (Nil(zero, zero),) * 3
+        at = np.array([float(2 * self.order * theta.re * c.re) for c in own or direction])
+        for step in range(steps + 1):
+            gone = half * (self.field.number(share) * step / steps)
+            q = (self.field.cos(gone), *(self.field.sin(gone) * c for c in direction))
+            now, u = self.half_screw(hamilton(q, self.unit(here)))
+            line = np.array([float(c.re) for c in u or direction])
+            turns = [(np.linalg.norm(2 * (float(now.re) + k * np.pi) * line - at), k) for k in range(-5, 6)]
+            turn = min(turns)[1]
+            at = 2 * (float(now.re) + turn * np.pi) * line
+        return pack(self.on_branch(now, u, turn))
 
     def adjoint(self, v: Any) -> np.ndarray:
         return matrix6(self.tensor(v))

@@ -46,6 +46,9 @@ INSIDE = 0.1
 NEAR_TIE = mpmath.mpf(10) ** -30
 """Angle between a vector and the limit of its branch."""
 
+SMALL_STEP = tuple(mpmath.mpf(c) / 64 for c in (1, -2, 2, 1, 0, 3))
+"""A displacement that leads from a vector to one of its own branch."""
+
 LATTICE = ((1, 0, 0), (0, -1, 0), (1, 1, 1), (-1, 1, -1), (1, -1, 0))
 """Directions which have, times a power of two, a v·v without rounding: at some of them a chart's scalars vanish."""
 
@@ -180,9 +183,18 @@ def _principal(chart: Vectors, screw: Screw, other: Screw) -> Iterator[Expectati
     yield Expectation("compose", vectors, flat(chart.of_quaternion(product)))
     for name in ("between", "local", "body_local", "retract", "body_retract"):  # any dual vector is a δ
         yield Expectation(name, vectors, MAPS[name](chart, 0, *vectors))
+    yield from _between(chart, screw, other)
     if all(chart.finite(s, 0, INSIDE) for s in (screw, other)):
-        for name in ("compose_jacobians", "between_jacobians"):
+        for name in ("compose_jacobians", "between_jacobians", "retract_jacobians", "body_retract_jacobians"):
             yield Expectation(name, vectors, MAPS[name](chart, 0, *vectors))
+
+
+def _between(chart: Vectors, screw: Screw, other: Screw) -> Iterator[Expectation]:
+    """Some of the way; about the same axis too, and there through whole turns."""
+    further = Screw(screw.angle / 3, screw.axis)
+    for end, t in ((other, "0.3"), (screw, "0.7"), (further, "0.8")):
+        given = flat(chart.at(screw)), flat(chart.at(end)), (mpmath.mpf(t),)
+        yield Expectation("interpolate", given, MAPS["interpolate"](chart, 0, *given))
 
 
 def _back(chart: Vectors, screw: Screw, branch: int) -> Iterator[Expectation]:
@@ -201,6 +213,10 @@ def _branch(chart: Vectors, screw: Screw, branch: int) -> Iterator[Expectation]:
     yield Expectation(f"shadow {branch}", (principal,), v)
     yield Expectation("principal", (v,), principal)
     yield Expectation("angle", (v,), MAPS["angle"](chart, 0, v))
+    if screw.angle.re > INSIDE and all(chart.finite(screw, k, INSIDE) for k in (0, branch)):
+        yield Expectation(f"shadow_jacobian {branch}", (principal,), MAPS["shadow_jacobian"](chart, branch, principal))
+    for name in ("retract", "body_retract") if branch else ():
+        yield Expectation(name, (v, SMALL_STEP), MAPS[name](chart, 0, v, SMALL_STEP))
 
 
 def _from_rotation(R: Tensor, branch: int, v: Flat) -> Iterator[Expectation]:

@@ -86,9 +86,32 @@ def _retract(body: bool) -> Callable[..., Flat]:
         angle = 2 * atan2(length, q.scalar)
         along = chart.angle(own.re) * axis.re.dot(u.re)
         turns = mpmath.nint((along - angle.re) / (2 * mpmath.pi))
-        return flat(u * chart.size(angle + 2 * mpmath.pi * turns))
+        return flat(chart.at(Screw(angle + 2 * mpmath.pi * turns, u)))
 
     return retracted
+
+
+def _interpolate(chart: Vectors, branch: int, v1: Flat, v2: Flat, t: Flat) -> Flat:
+    """exp(t δ) R(v1): with the sign of sin(α/2) that v1 has, or about its own axis as the angle goes."""
+    if v1 == v2:
+        return v1
+    first, second = chart.quaternion(_dual(v1)), chart.quaternion(_dual(v2))
+    way = second * first.conjugate()
+    way = way * orientation(way.scalar.re)
+    length, axis = polar(way.vector)
+    delta = axis * (2 * atan2(length, way.scalar))
+    (extent, own), moved = polar(_dual(v1)), quaternion_exponential(delta * t[0] / 2) * first
+    before = chart.angle(extent.re)
+    size, u = polar(moved.vector)
+    if delta.re.cross(own.re).magnitude() < mpmath.eps ** mpmath.mpf("0.8") and extent.re:
+        side = orientation(moved.vector.re.dot(own.re))
+        gone, turn = before + t[0] * delta.re.dot(own.re), 4
+    else:
+        side = orientation(first.vector.re.dot(own.re))
+        gone, turn = 2 * mpmath.pi * mpmath.floor(before / (2 * mpmath.pi)) + mpmath.pi, 2
+    angle = 2 * atan2(size, moved.scalar * side) if turn == 2 else 2 * atan2(size * side, moved.scalar)
+    turns = mpmath.nint((gone - angle.re) / (turn * mpmath.pi))
+    return flat(chart.at(Screw(angle + turn * turns * mpmath.pi, u * side)))
 
 
 def _local(body: bool) -> Callable[..., Flat]:
@@ -126,6 +149,13 @@ def _jacobians(function: Callable[..., Flat]) -> Callable[..., Flat]:
     return quotients
 
 
+def _shadow_jacobian(chart: Vectors, branch: int, v: Flat) -> Flat:
+    """Of no branch exactly I."""
+    if not branch:
+        return matrix6([Vector(*row) for row in Tensor.identity().rows])
+    return _jacobians(_shadow)(chart, branch, v)
+
+
 MAPS: Mapping[str, Callable[..., Flat]] = {
     "from_quaternion": _from_quaternion,
     "from_tensor": _from_tensor,
@@ -139,10 +169,14 @@ MAPS: Mapping[str, Callable[..., Flat]] = {
     "between": _between,
     "retract": _retract(body=False),
     "body_retract": _retract(body=True),
+    "interpolate": _interpolate,
     "local": _local(body=False),
     "body_local": _local(body=True),
     "compose_jacobians": _jacobians(_compose),
     "between_jacobians": _jacobians(_between),
+    "shadow_jacobian": _shadow_jacobian,
+    "retract_jacobians": _jacobians(_retract(body=False)),
+    "body_retract_jacobians": _jacobians(_retract(body=True)),
 }
 """By kernel function: its value for a chart, a branch and arguments."""
 
@@ -163,8 +197,9 @@ def seeded_arguments(
             yield name, None, (v,)
         for name in ("compose", "between", "local", "body_local", "compose_jacobians", "between_jacobians"):
             yield name, None, (v2, v)
+        yield "interpolate", None, (v, v2, (nearby(draw.uniform(0, 1)),))
         delta = tuple(nearby(draw.uniform(-1, 1)) for _ in range(6))
-        for name in ("retract", "body_retract"):
+        for name in ("retract", "body_retract", "retract_jacobians", "body_retract_jacobians"):
             yield name, None, (v, delta)
         yield from _on_branch(screw, 0, v)
     for branch in chart.tried[1:]:
@@ -188,7 +223,8 @@ def _on_branch(screw: Screw, k: int, v: Flat) -> Iterator[tuple[str, int | None,
     yield "from_quaternion", k, (tuple(-c for c in (*q.re, *q.du)),)
     yield "from_tensor", k, ((*R.re, *R.du),)
     yield "from_pose", k, ((*rows, 0, 0, 0, 1),)
-    yield "shadow", k, (v,)
+    for name in ("shadow", "shadow_jacobian"):
+        yield name, k, (v,)
 
 
 def _dual(components: Flat) -> Vector:

@@ -21,10 +21,10 @@ from .point import Geometry, Point
 
 def adjoint(trace: Geometry) -> Program:
     point = start(trace)
-    return trace.program("adjoint", matrix6(trace, _tensor(point, *point.scalars("pose"))))
+    return trace.program("adjoint", matrix6(trace, dual_tensor(point, *point.scalars("pose"))))
 
 
-def _tensor(point: Point, f: Number, g: Number, h: Number) -> Tensor:
+def dual_tensor(point: Point, f: Number, g: Number, h: Number) -> Tensor:
     """R = Q + eps rho × Q."""
     trace = point.trace
     rows = named_rows(trace, "Q" + point.mark, rotation_rows(point, f, g))
@@ -32,14 +32,14 @@ def _tensor(point: Point, f: Number, g: Number, h: Number) -> Tensor:
     return Tensor.dual(Tensor.from_entries(flat(rows)), Tensor.from_entries(flat(cross_rows(rho, rows))))
 
 
-def _operator(operator: Operator, letter: str) -> Tensor:
+def operator_tensor(operator: Operator, letter: str) -> Tensor:
     """An operator as a dual tensor with named entries."""
     entries = tuple(operator.entries())
     parts = (Tensor.from_entries(entries[:9]), Tensor.from_entries(entries[9:]))
-    return _named(operator.point.trace, letter, Tensor.dual(*parts))
+    return named_tensor(operator.point.trace, letter, Tensor.dual(*parts))
 
 
-def _named(trace: Geometry, letter: str, tensor: Tensor) -> Tensor:
+def named_tensor(trace: Geometry, letter: str, tensor: Tensor) -> Tensor:
     places = (f"{letter}{i}{j}" for i in (1, 2, 3) for j in (1, 2, 3))
     return Tensor.from_entries(trace.dual(place, entry) for place, entry in zip(places, tensor, strict=True))
 
@@ -51,7 +51,7 @@ def transform_point_jacobians(trace: Geometry) -> Program:
     f, g, h, *_ = point.scalars("tangent")
     rho = translation(point, f, g, h)
     moved = named(trace, "moved", rotate(point, f, g, r, "r") + rho)
-    T = _operator(tangent_operator(point), "T")
+    T = operator_tensor(tangent_operator(point), "T")
     turned = T.du - Tensor.skew(moved) @ T.re
     beside = (entry for pair in zip(turned.rows, T.re.rows, strict=True) for row in pair for entry in row)
     return trace.program("transform_point_jacobians", (*beside, *flat(rotation_rows(point, f, g))))
@@ -61,9 +61,9 @@ def transform_line_jacobians(trace: Geometry) -> Program:
     """``−skew(R l) T`` and R."""
     point = start(trace)
     parts = trace.inputs("line", ("l1", "l2", "l3", "m1", "m2", "m3"))
-    R = _named(trace, "R", _tensor(point, *point.scalars("tangent")[:3]))
+    R = named_tensor(trace, "R", dual_tensor(point, *point.scalars("tangent")[:3]))
     moved = trace.dual_vector("moved", R @ Vector.dual(parts[:3], parts[3:]))
-    by_v = Tensor.skew(-moved) @ _operator(tangent_operator(point), "T")
+    by_v = Tensor.skew(-moved) @ operator_tensor(tangent_operator(point), "T")
     return trace.program("transform_line_jacobians", (*matrix6(trace, by_v, "V"), *matrix6(trace, R, "R")))
 
 
@@ -85,14 +85,19 @@ def _by_factors(trace: Geometry, second: Sequence[Number], first: Sequence[Numbe
     """Derivatives of a product by its factors."""
     after, before = Point(trace, second, "b"), Point(trace, first, "a")
     found = [trace.name(f"w{i}", c) for i, c in enumerate(product(trace, after, before), 1)]
-    back = _operator(_twice_inverse(Point(trace, found, "w")), "I")
-    T2, T1 = (_operator(tangent_operator(Point(trace, v, mark)), mark) for v, mark in ((second, "S"), (first, "F")))
-    R = _named(trace, "R", _tensor(after, *after.scalars("ray")[3:]))
-    return (back @ T2) * HALF, (back @ _named(trace, "RT", R @ T1)) * HALF
+    back = operator_tensor(twice_inverse(Point(trace, found, "w")), "I")
+    T2, T1 = (tangent_at(trace, v, mark) for v, mark in ((second, "S"), (first, "F")))
+    R = named_tensor(trace, "R", dual_tensor(after, *after.scalars("ray")[3:]))
+    return (back @ T2) * HALF, (back @ named_tensor(trace, "RT", R @ T1)) * HALF
 
 
-def _twice_inverse(point: Point) -> Operator:
-    """2 T⁻¹: a scalar of the chart may be an integer, whose half would be a float."""
+def tangent_at(trace: Geometry, v: Sequence[Number], mark: str) -> Tensor:
+    """T of a vector, which has a mark of its own."""
+    return operator_tensor(tangent_operator(Point(trace, v, mark)), mark)
+
+
+def twice_inverse(point: Point) -> Operator:
+    """2 T⁻¹; what it is multiplied with is halved in the end."""
     fi, hi, fiy, hiy = point.scalars("tangent_inv")
     fio, hio = (point.name(letter, slope * point.y) for letter, slope in (("fio", fiy), ("hio", hiy)))
     s, so = (named(point.trace, letter + point.mark, -part) for letter, part in (("s", point.re), ("so", point.du)))

@@ -6,9 +6,10 @@ quaternion: scalar part >= 0, and where it is 0 the given vector part stands.
 
 from __future__ import annotations
 
-from ...algebra import Quaternion, Vector
+from ...algebra import Dual, Quaternion, Tensor, Vector
 from ..programs.program import Program
 from ..programs.value import Number
+from .calculus import matrix6
 from .forward import named, rotate, start, translation
 from .inputs import dual_vector
 from .point import Geometry, Point
@@ -151,6 +152,41 @@ def principal(trace: Geometry) -> Program:
     stays = (*point.re, *point.du)
     outputs = [trace.where(beyond, back, stay) for back, stay in zip(turned, stays, strict=True)]
     return trace.program("principal", outputs)
+
+
+def shadow_jacobian(trace: Geometry) -> Program:
+    """``T(v_k)⁻¹ T(v)``: that is ``(r_k/r) (I − u⊗u) + dr_k/dr u⊗u``, where ``v = r u`` and ``v_k = r_k u``.
+
+    Where both T have no inverse, at whole turns, this has no singular point.
+    """
+    point = start(trace)
+    cosine, sine = _turn(trace)
+    size, u, size_du, moment = _axis(trace, point)
+    (sign,) = trace.ask("direction", (point.x, point.y, size))
+    length, slope = trace.ask("turned", (size, cosine, point.name("sn", sign * sine)))
+    length_du = point.name("rko", size_du * slope)
+    across = trace.dual("across", Dual(length, length_du) / Dual(size, size_du))
+    # dr_k/dr is 1/φ′ of v by that of v_k: slopes of both make its dual part
+    (before, beforey), (after, aftery) = (
+        trace.ask("rate", (square,), mark) for square, mark in ((point.x, ""), (point.name("xk", length * length), "k"))
+    )
+    growth = point.y * (beforey / before) - point.name("yk", length * length_du) * (aftery / after)
+    spread = trace.dual("spread", Dual(slope, slope * growth) - across)
+    axis = Vector.dual(u, moment)
+    along = trace.dual_vector("su", spread * axis)
+    diagonal = Tensor(((across, 0, 0), (0, across, 0), (0, 0, across)))
+    return trace.program("shadow_jacobian", matrix6(trace, Tensor.dyad(along, axis) + diagonal))
+
+
+def identity_jacobian(trace: Geometry) -> Program:
+    """That of no turn: I, but NaN where v is not finite."""
+    point = start(trace)
+    none = point.name("none", sum(((c - c) for c in (*point.re, *point.du)), start=0))
+    one = Dual(point.name("one", 1 + none), none)
+    zero = Dual(none, none)
+    return trace.program(
+        "identity_jacobian", matrix6(trace, Tensor(((one, zero, zero), (zero, one, zero), (zero, zero, one))))
+    )
 
 
 def _turn(trace: Geometry) -> tuple[Number, ...]:

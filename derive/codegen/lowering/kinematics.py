@@ -6,7 +6,7 @@ forms are the transposes, which differ by the sign of s alone: a constant, the s
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 from ...algebra import Vector
@@ -71,7 +71,12 @@ def _assemble(point: Point, mark: str, a: Number, s: Vector, dyad: Callable[[int
 
 def tangent_operator(point: Point, side: Number = 1) -> Operator:
     """T = f I + g skew(v) + h v⊗v, side 1; its transpose, side -1."""
-    f, g, h, fy, gy, hy = point.scalars("tangent")
+    return operator_of(point, point.scalars("tangent"), side)
+
+
+def operator_of(point: Point, scalars: Sequence[Number], side: Number = 1) -> Operator:
+    """The same of f, g, h and their slopes."""
+    f, g, h, fy, gy, hy = scalars
     fo, go, ho = (point.name(letter, slope * point.y) for letter, slope in (("fo", fy), ("go", gy), ("ho", hy)))
     turn, turn_du = point.name("gs", g * side), point.name("gso", go * side)
     s = named(point.trace, "gv" + point.mark, turn * point.re)

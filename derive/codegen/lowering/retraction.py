@@ -8,13 +8,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ...algebra import Quaternion, Vector
+from ...maps.dependent import DependentScalars
 from ...maps.exponential_chart import Exponential
 from ..programs.program import Program
 from ..programs.value import Number
+from .calculus import HALF, matrix6
 from .forward import named, rotate, start, translation
-from .groups import opposite
+from .groups import dual_tensor, named_tensor, operator_tensor, opposite, tangent_at, twice_inverse
 from .inputs import dual_vector
 from .inverse import ray
+from .kinematics import operator_of
 from .point import Geometry, Point, Scope
 
 EXPONENTIAL = Exponential()
@@ -22,18 +25,22 @@ EXPONENTIAL = Exponential()
 
 def retract(trace: Geometry) -> Program:
     """R = exp(δ) R(v)."""
-    return trace.program("retract", _retracted(trace, body=False))
+    return trace.program("retract", _retracted(start(trace), step(trace), body=False))
 
 
 def body_retract(trace: Geometry) -> Program:
     """R = R(v) exp(δ)."""
-    return trace.program("body_retract", _retracted(trace, body=True))
+    return trace.program("body_retract", _retracted(start(trace), step(trace), body=True))
 
 
-def _retracted(trace: Geometry, body: bool) -> tuple[Number, ...]:
+def step(trace: Geometry) -> Point:
+    """The step that is the second argument."""
+    return Point(trace, dual_vector(trace, "delta", "d"), "d")
+
+
+def _retracted(point: Point, delta: Point, body: bool) -> tuple[Number, ...]:
     """The vector of the product on the branch nearest v."""
-    point, delta = start(trace), Point(trace, dual_vector(trace, "delta", "d"), "d")
-    at = EXPONENTIAL.scalars(delta.x, Scope(trace, "d"))
+    trace, at = point.trace, exponential_scalars(delta)
     small = (Quaternion(at.s, named(trace, "wd", at.w * delta.re)), (at.f, at.g), translation(delta, at.f, at.g, at.h))
     turned, _, (f, g, h) = ray(trace, point)
     large = (turned, (f, g), translation(point, f, g, h))
@@ -54,9 +61,11 @@ def _nearest(trace: Geometry, point: Point, e: Quaternion, rho: Vector) -> tuple
     (own,) = trace.ask("unfolded", (point.x, r))
     share = trace.where(resting, 0, own / r)
     along = scope.name("own", share * point.re.dot(e.vector) / length)
-    angle = 2 * trace.atan2(trace.where(still, ss, length), e.scalar)
+    angle = scope.name("folded", 2 * trace.atan2(trace.where(still, ss, length), e.scalar))
     turn = trace.tan((angle - along) / 2)
-    alpha = scope.name("angle", along + 2 * trace.atan2(turn, 1))
+    turns = scope.name("turns", along - angle + 2 * trace.atan2(turn, 1))
+    # a multiple of 2π, but for rounding, which would be much near the identity: on the principal branch it is 0
+    alpha = scope.name("angle", angle + trace.where(trace.less(trace.abs(turns), 1), 0, turns))
     size, slope = trace.ask("coefficient", (alpha,), "n")
     rest = 2 * slope / scope.name("z0s", trace.where(still, e.scalar, length))
     factor = scope.name("factor", trace.where(still, rest, size / length))
@@ -68,36 +77,73 @@ def _placed(trace: Geometry, factor: Number, e: Quaternion, rho: Vector) -> tupl
     re = named(trace, "v_", factor * e.vector)
     fi = trace.name("fe", factor * e.scalar)
     _, hi = trace.ask("inverse", (Point(trace, (*re, 0, 0, 0), "w").x, fi), "w")
-    return _with_dual(trace, fi, rho, re, hi)
+    return with_dual(trace, fi, rho, re, hi)
 
 
-def _with_dual(trace: Geometry, fi: Number, rho: Vector, re: Vector, hi: Number) -> tuple[Number, ...]:
+def with_dual(trace: Geometry, fi: Number, rho: Vector, re: Vector, hi: Number) -> tuple[Number, ...]:
     """``fi`` is the factor times the scalar of e on whichever branch v is."""
     along = Scope(trace, "").name("hvr", hi * re.dot(rho))
     return (*re, *((fi * rho - re.cross(rho) + along * re) / 2))
 
 
+def exponential_scalars(delta: Point) -> DependentScalars:
+    """The exponential's at a step."""
+    return EXPONENTIAL.scalars(delta.x, Scope(delta.trace, delta.mark))
+
+
+def retract_jacobians(trace: Geometry) -> Program:
+    """``(T(v')⁻¹ exp(δ) T(v), T(v')⁻¹ dexp(δ))``."""
+    return _by_step(trace, "retract_jacobians", body=False)
+
+
+def body_retract_jacobians(trace: Geometry) -> Program:
+    """``(T(v')⁻¹ T(v), T(v')⁻¹ R(v) dexp(δ))``."""
+    return _by_step(trace, "body_retract_jacobians", body=True)
+
+
+def _by_step(trace: Geometry, name: str, body: bool) -> Program:
+    point, delta = Point(trace, dual_vector(trace, "v", "v"), "p"), step(trace)
+    found = [trace.name(f"w{i}", c) for i, c in enumerate(_retracted(point, delta, body), 1)]
+    back = operator_tensor(twice_inverse(Point(trace, found, "n")), "I")
+    at = exponential_scalars(delta)
+    dexp = operator_tensor(operator_of(delta, (at.f, at.g, at.h, at.fy, at.gy, at.hy)), "D")
+    T = tangent_at(trace, (*point.re, *point.du), "F")
+    if body:
+        R = named_tensor(trace, "R", dual_tensor(point, *point.scalars("ray")[3:]))
+        dexp = named_tensor(trace, "RD", R @ dexp)
+    else:
+        R = named_tensor(trace, "R", dual_tensor(delta, at.f, at.g, at.h))
+        T = named_tensor(trace, "RT", R @ T)
+    by_v, by_delta = (back @ T) * HALF, (back @ dexp) * HALF
+    return trace.program(name, (*matrix6(trace, by_v, "V"), *matrix6(trace, by_delta, "S")))
+
+
 def local(trace: Geometry) -> Program:
     """exp(δ) = R(v2) R(v1)ᵀ."""
     second, first = (dual_vector(trace, letter, letter) for letter in ("b", "a"))
-    return trace.program("local", _logarithm(trace, second, opposite(trace, "a", first)))
+    return trace.program("local", _quotient(trace, second, opposite(trace, "a", first)))
 
 
 def body_local(trace: Geometry) -> Program:
     """exp(δ) = R(v1)ᵀ R(v2)."""
     first, second = (dual_vector(trace, letter, letter) for letter in ("a", "b"))
-    return trace.program("body_local", _logarithm(trace, opposite(trace, "b", second), first))
+    return trace.program("body_local", _quotient(trace, opposite(trace, "b", second), first))
 
 
-def _logarithm(trace: Geometry, second: Sequence[Number], first: Sequence[Number]) -> tuple[Number, ...]:
+def _quotient(trace: Geometry, second: Sequence[Number], first: Sequence[Number]) -> tuple[Number, ...]:
     """The exponential's vector of a product."""
     after, before = Point(trace, second, "b"), Point(trace, first, "a")
     ray2, size2, (f, g, h) = ray(trace, after)
     ray1, size1, coefficients = ray(trace, before)
     e = Quaternion.from_components(trace.name(f"z{i}", c) for i, c in enumerate(ray2 * ray1))
     moved = rotate(after, f, g, named(trace, "rhoa", translation(before, *coefficients)), "rho")
-    rho, scope = named(trace, "rho", moved + translation(after, f, g, h)), Scope(trace, "e")
-    factor = EXPONENTIAL.gain(e, trace.name("size", size2 * size1), scope)
+    return logarithm(trace, e, named(trace, "rho", moved + translation(after, f, g, h)), size2 * size1)
+
+
+def logarithm(trace: Geometry, e: Quaternion, rho: Vector, size: Number) -> tuple[Number, ...]:
+    """The exponential's vector of a quaternion times a size."""
+    scope = Scope(trace, "e")
+    factor = EXPONENTIAL.gain(e, trace.name("size", size), scope)
     re = named(trace, "d", factor * e.vector)
     at = EXPONENTIAL.scalars(Point(trace, (*re, 0, 0, 0), "e").x, scope)
-    return _with_dual(trace, scope.name("fe", factor * e.scalar), rho, re, at.hi)
+    return with_dual(trace, scope.name("fe", factor * e.scalar), rho, re, at.hi)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Container, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from ...algebra import Quaternion, Vector
 from ...maps.chart import Chart
-from ..programs.program import Program
+from ..programs.program import Constant, Program
 from ..programs.trace import Trace
 from ..programs.value import Number
 
@@ -72,6 +72,7 @@ SCALARS: Mapping[str, Scalar] = {
     "pose": _of_x("f", "g", "h"),
     "tangent": _of_x("f", "g", "h", "fy", "gy", "hy"),
     "tangent_dot": _of_x("f", "g", "h", "fy", "gy", "hy", "fyy", "gyy", "hyy"),
+    "rate": _of_x("rate", "ratey"),
     "inverse": Scalar(("x", "fe"), ("fi", "hi"), lambda c, m, at: c.back(at[0], at[1], m)),
     "tangent_inv": _of_x("fi", "hi", "fiy", "hiy"),
     "tangent_inv_dot": _of_x("fi", "hi", "fiy", "hiy", "fiyy", "hiyy"),
@@ -104,10 +105,20 @@ def idle(chart: Chart) -> set[str]:
     return {name for name, asked in (("beyond", chart.returns()), ("turned", chart.branches != 1)) if not asked}
 
 
-def scalar_program(name: str, chart: Chart) -> Program:
-    """One of them, traced."""
+def scalar_program(name: str, chart: Chart, elements: Container[int] = ()) -> Program:
+    """One of them, traced.
+
+    Results that are fractions are elements, computed from the first argument so that they have its type; so are the
+    constants among those named by number. Other constants are returned as they are.
+    """
     row, trace = SCALARS[name], Trace()
     arguments: list[Any] = []
     for argument in row.arguments:
         arguments += trace.inputs(argument, table_names(chart) if argument == "table" else [argument])
-    return trace.program(name, row.compute(chart, trace, arguments))
+    results = row.compute(chart, trace, arguments)
+    one = trace.name(trace.free_name("one"), arguments[0] - arguments[0] + 1)
+    outputs = [
+        result * one if isinstance(result, Constant) and (i in elements or result.denominator != 1) else result
+        for i, result in enumerate(results)
+    ]
+    return trace.program(name, outputs)

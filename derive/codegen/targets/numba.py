@@ -114,7 +114,8 @@ def _call(name: str, program: Program, group: Sequence[int], indent: str, suffix
     lines = [f"{indent}(", *_wrapped(stored, indent), f"{indent}) = {name}("]
     for argument, names in program.inputs:
         loaded = ", ".join(f"{argument}[{index}{suffix}]" for index in range(len(names)))
-        lines += _wrapped(f"{argument}," if argument == TABLE else f"({loaded}),", indent)
+        components = f"({loaded},)," if len(names) == 1 else f"({loaded}),"
+        lines += _wrapped(f"{argument}," if argument == TABLE else components, indent)
     return "\n".join([*lines, f"{indent})"])
 
 

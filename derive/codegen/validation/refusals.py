@@ -52,7 +52,8 @@ def _wrong(row: Function, out: bool) -> Iterator[Wrong]:
     right = [np.zeros(kind.shape) for kind in row.arguments]
     yield Wrong(right, ValueError, "axis must be", {"axis": 1})
     for place, kind in enumerate(row.arguments):
-        for axis, shape in ((-1, (*kind.shape[:-1], 1)), (0, (1, *kind.shape[1:])), (0, ())):
+        shapes = ((-1, (*kind.shape[:-1], 1)), (0, (1, *kind.shape[1:])), (0, ()))
+        for axis, shape in shapes if kind.shape else ():  # a number is of any shape
             arguments = _with(right, place, np.zeros(shape))
             yield Wrong(arguments, ValueError, f"{kind.name} must have shape", {"axis": axis})
         if row.real:

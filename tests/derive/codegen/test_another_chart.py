@@ -103,6 +103,14 @@ class SineScalars:
         return self.m.name("hcc", self.h / self.cc)
 
     @cached_property
+    def rate(self) -> Coefficient:
+        return self.m.name("rho", 6 / self.c)
+
+    @cached_property
+    def ratey(self) -> Coefficient:
+        return self.m.name("rhoy", self.rate / self.cc)
+
+    @cached_property
     def fi(self) -> Coefficient:
         return self.m.name("fi", self.s / self.w)
 
@@ -293,6 +301,9 @@ def test_scalars_of_another_phi_are_not_proved(phi: sympy.Expr):
 
 DERIVATIVES = (calculus.rate_dot, calculus.rate_jacobian)
 
+BY_STEPS = ("retract_jacobians", "body_retract_jacobians")
+"""Their errors go with the operators that they are products of: tests/generated/test_kernel_motions.py."""
+
 
 # --- kernels --------------------------------------------------------------------------------------------------------
 
@@ -383,7 +394,7 @@ def parts(result: Any) -> list[Any]:
 
 
 @pytest.mark.parametrize("angles", [(1e-7, 1e-6), (0.05, 3.0), (3.4, 6.0), (6.5, 9.0)], ids=str)
-@pytest.mark.parametrize("name", PUBLIC)
+@pytest.mark.parametrize("name", [name for name in PUBLIC if name not in BY_STEPS])
 def test_floats_agree_with_first_principles(kernels: ModuleType, name: str, angles: tuple[float, float]):
     """To 20 eps (two maps in a chain) of norm and condition of the result, derivatives to 30."""
     oracle = SineOracle(3)

@@ -1,0 +1,86 @@
+"""The screw-linear motion from a vector to another, on the branch that is followed continuously.
+
+Its quaternion ``exp(t δ/2) q̂(v1)`` is that of the closed form, ``cos(α/2) + sin(α/2) u``, all the way: so between two
+whole turns the sign of ``sin(α/2)`` is that of v1, and α stays within the turn. Only a motion about v1's own axis goes
+through whole turns, as its angle does.
+"""
+
+from __future__ import annotations
+
+from ...algebra import Quaternion, Vector
+from ..programs.program import Program
+from ..programs.value import Number
+from .forward import named, rotate, translation
+from .inputs import dual_vector
+from .inverse import ray
+from .point import Geometry, Point, Scope
+from .retraction import exponential_scalars, logarithm, with_dual
+
+OWN_AXIS = 64
+"""δ × v, lost beside |v| when divided by this, is below 32 eps of it: two rays and a product are off by some ten."""
+
+
+def interpolate(trace: Geometry) -> Program:
+    """R = exp(t δ) R(v1) with exp(δ) = R(v2) R(v1)ᵀ."""
+    before, after = (Point(trace, dual_vector(trace, letter, letter), letter) for letter in ("a", "b"))
+    (t,) = trace.inputs("time", ("t",))
+    first, size1, (f1, g1, h1) = ray(trace, before)
+    second, size2, (f2, g2, h2) = ray(trace, after)
+    rho1 = named(trace, "rhoa", translation(before, f1, g1, h1))
+    back = named(trace, "back", -rotate(before, -f1, g1, rho1, "rhoa"))
+    way = named(trace, "way", rotate(after, f2, g2, back, "back") + translation(after, f2, g2, h2))
+    e = Quaternion.from_components(trace.name(f"e{i}", c) for i, c in enumerate(second * first.conjugate()))
+    delta = logarithm(trace, e, way, size2 * size1)
+    step = Point(trace, [trace.name(f"td{i}", t * c) for i, c in enumerate(delta, 1)], "t")
+    at = exponential_scalars(step)
+    small = Quaternion(at.s, named(trace, "wd", at.w * step.re))
+    z = Quaternion.from_components(trace.name(f"z{i}", c) for i, c in enumerate(small * first))
+    moved = rotate(step, at.f, at.g, rho1, "moved")
+    rho = named(trace, "rho", moved + translation(step, at.f, at.g, at.h))
+    followed = _Followed(trace, before, first, Vector(*delta[:3]))
+    return trace.program("interpolate", followed.vector(z, step.re, rho))
+
+
+class _Followed:
+    """The branch of a start, of whose ray the quaternion goes on about an axis."""
+
+    def __init__(self, trace: Geometry, start: Point, first: Quaternion, delta: Vector) -> None:
+        self.trace = trace
+        self.scope = Scope(trace, "")  # whose names avoid those of a chart
+        name, where = self.scope.name, trace.where
+        resting = name("resting", trace.equal(start.x, 0))
+        r = name("r", trace.sqrt(where(resting, 1 + start.x, start.x)))
+        (own,) = trace.ask("unfolded", (start.x, r))
+        self.own = name("own", where(resting, start.x, own))
+        self.axis = named(trace, "axis", start.re / r)
+        across = sum((trace.abs(c) for c in delta.cross(start.re)), start=0)
+        self.apart = name("apart", trace.either(resting, trace.less(r, r + across / OWN_AXIS)))
+        self.side = name("side", where(trace.less(first.vector.dot(start.re), 0), -1, 1))
+        _, self.begun = self._half(first, "1")
+
+    def _half(self, q: Quaternion, mark: str) -> tuple[Number, Number]:
+        """``sin(α/2)`` with its sign, along v1's own axis or that which stays, and α/2 but for whole turns."""
+        trace, name = self.trace, self.scope.name
+        ss = name("ss" + mark, q.vector.dot(q.vector))
+        still = name("still" + mark, trace.equal(ss, 0))
+        # the root is not taken of 0: its slope there is infinite, and 0 times that is no gradient
+        length = trace.where(still, ss, self.side * trace.sqrt(trace.where(still, 1 + ss, ss)))
+        sine = name("sine" + mark, trace.where(self.apart, length, q.vector.dot(self.axis)))
+        sign = name("sign" + mark, trace.where(self.apart, self.side, 1))
+        return sine, name("half" + mark, trace.atan2(sign * sine, sign * q.scalar))
+
+    def vector(self, z: Quaternion, gone: Vector, rho: Vector) -> tuple[Number, ...]:
+        """Where the quaternion is z, a step gone."""
+        trace, name, where = self.trace, self.scope.name, self.trace.where
+        sine, half = self._half(z, "t")
+        turns = name("turns", self.own + where(self.apart, -2 * self.begun, gone.dot(self.axis) - 2 * half))
+        whole = where(trace.less(trace.abs(turns), 1), 0, turns)  # a multiple of 2π, but for rounding
+        still = name("still", trace.equal(sine, 0))
+        angle = name("angle", where(still, sine, whole + 2 * half))
+        size, slope = trace.ask("coefficient", (angle,), "n")
+        factor = name("factor", size / where(still, 1 + sine, sine))
+        pairs = zip(factor * z.vector, size * self.axis, strict=True)
+        re = named(trace, "v_", Vector(*(where(self.apart, one, other) for one, other in pairs)))
+        fi = name("fe", where(still, 2 * slope, factor * z.scalar))
+        _, hi = trace.ask("inverse", (Point(trace, (*re, 0, 0, 0), "w").x, fi), "w")
+        return with_dual(trace, fi, rho, re, hi)

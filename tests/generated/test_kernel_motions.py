@@ -1,0 +1,213 @@
+"""Steps, shadows and motions of charts: Jacobians against first principles, and laws of what is followed."""
+
+from __future__ import annotations
+
+import importlib
+from types import ModuleType
+
+import numpy as np
+import pytest
+
+import dualcay
+from tests.support import errors, families, sampling
+from tests.support.nilpotent import Nil
+from tests.support.oracle import Oracle, oracle_of
+
+NAMES = ("cayley1", "cayley2", "cayley3", "cayley8", "exponential", "lambert")
+CLOSE = 1e-12
+"""Of the size of what a result is a product of: its operators are good to 8 eps of theirs each, 2e-15."""
+
+
+@pytest.fixture(params=NAMES)
+def name(request: pytest.FixtureRequest) -> str:
+    return str(request.param)
+
+
+@pytest.fixture
+def kernels(name: str) -> ModuleType:
+    return importlib.import_module(f"dualcay.{name}")
+
+
+@pytest.fixture
+def oracle(name: str) -> Oracle:
+    return families.oracle_of(name) if name in families.ORACLES else oracle_of(int(name.removeprefix("cayley")))
+
+
+def vectors(oracle: Oracle, *angles: float) -> np.ndarray:
+    """Dual vectors of these angles about drawn axes."""
+    return np.concatenate([families.vectors(oracle, angle, angle, 1) for angle in angles])
+
+
+def size_of(operator: np.ndarray) -> Nil:
+    """Norms of the parts of a dual tensor, or of the real matrix of one."""
+    if operator.shape == (6, 6):
+        operator = np.stack([operator[:3, :3], operator[3:, :3]])
+    return Nil(np.linalg.norm(operator[0]), np.linalg.norm(operator[1]))
+
+
+def assert_near(got: np.ndarray, exact: np.ndarray, size: Nil) -> None:
+    """Two real matrices of dual tensors, to 1e-12 of a size."""
+    difference = size_of(got - exact.astype(float))
+    assert difference.re <= CLOSE * size.re, (got, exact)
+    assert difference.du <= CLOSE * (size.re + size.du), (got, exact)
+
+
+def angles_of(name: str) -> tuple[float, ...]:
+    """Small ones, ordinary ones, and where the chart has any, those beyond half a turn."""
+    return (1e-7, 0.02, 1.0, 2.5, *(angle for angle in (4.0, 7.0) if angle < 0.9 * families_edge(name)))
+
+
+def families_edge(name: str) -> float:
+    return np.pi * int(name.removeprefix("cayley")) if name.startswith("cayley") else families.edge_of(name)
+
+
+@pytest.mark.parametrize("body", ["", "body_"])
+def test_jacobians_of_steps(name: str, kernels: ModuleType, oracle: Oracle, body: str):
+    """Long ones and short ones, and none, where they are I and T⁻¹ of the frame."""
+    retract_jacobians = getattr(kernels, f"{body}retract_jacobians")
+    v = np.concatenate([vectors(oracle, *angles_of(name)), [[0, 0, 0, 1.0, -2.0, 0.5]], np.zeros((1, 6))])
+    for v_i, delta in zip(v, np.resize((0.3, 0.01), (len(v), 1)) * sampling.dual_vectors("steps", count=len(v))):
+        exact = getattr(oracle, f"{body}retract_jacobians")(v_i, delta)
+        back = kernels.tangent_inv(getattr(kernels, f"{body}retract")(v_i, delta))
+        for got, wanted in zip(retract_jacobians(v_i, delta), exact, strict=True):
+            size = size_of(back) * size_of(kernels.tensor(v_i)) * (size_of(kernels.tangent(v_i)) + Nil(1.0, 1.0))
+            assert_near(got, wanted, size)
+        by_v, by_delta = retract_jacobians(v_i, np.zeros(6))
+        inverse = getattr(kernels, f"{body}tangent_inv")(v_i)
+        assert_near(by_v, np.eye(6), size_of(inverse) * size_of(kernels.tangent(v_i)))
+        assert_near(by_delta, dualcay.matrix6(inverse), size_of(inverse))
+
+
+def test_jacobians_of_shadows(name: str, kernels: ModuleType, oracle: Oracle):
+    """Against T(v_k)⁻¹ T(v), to 1e-12 of these two; one after the other is that of both steps."""
+    v = vectors(oracle, *angles_of(name)[1:])
+    count = kernels.CHART.branches or 100
+    for branch in (1, -1) if count > 1 else (0, 1):
+        J, there = kernels.shadow_jacobian(v, branch), kernels.shadow(v, branch)
+        for v_i, v_k, got in zip(v, there, J, strict=True):
+            size = size_of(got) + size_of(kernels.tangent_inv(v_k)) * size_of(kernels.tangent(v_i))
+            if name != "exponential":  # whose oracle counts no turns
+                assert_near(got, oracle.shadow_jacobian(v_i, branch), size)
+            assert_near(kernels.shadow_jacobian(v_k, -branch) @ got, np.eye(6), size * size)
+            omega = np.array([0.3, -0.2, 0.5, 1.0, 0.4, -0.6])
+            rates = kernels.shadow_jacobian(v_i, branch) @ kernels.rate(v_i, omega), kernels.rate(v_k, omega)
+            np.testing.assert_allclose(*rates, rtol=0, atol=CLOSE * (size * errors.size(rates[0]) + Nil(1, 1)).du * 10)
+    np.testing.assert_array_equal(kernels.shadow_jacobian(v, 0), np.broadcast_to(np.eye(6), (len(v), 6, 6)))
+
+
+@pytest.mark.parametrize("name", ["cayley3", "cayley8"])
+def test_jacobians_of_shadows_lose_nothing_at_whole_turns(kernels: ModuleType, oracle: Oracle):
+    """To 1e-12 of themselves, where T(v) has all but lost its rank; at the turn itself they are finite."""
+    for angle in (2 * np.pi * (1 + 1e-7), 2 * np.pi):
+        v = kernels.from_screw(np.array([angle, 0.4]), np.array([0.6, 0, 0.8, 1.6, 5.0, -1.2]))
+        J = kernels.shadow_jacobian(v, 1)
+        assert np.linalg.cond(kernels.tangent(v)[0]) > 1e6
+        assert np.isfinite(J).all()
+        if angle > 2 * np.pi:
+            assert_near(J, oracle.shadow_jacobian(v, 1), size_of(J))
+
+
+def test_shadows_of_no_rotation_have_no_derivative(name: str, kernels: ModuleType):
+    """But that of branch 0; NaN goes through element by element."""
+    v = np.array([[0, 0, 0, 1.0, 2.0, 3.0], [0.1, 0.2, 0, 1, 0, 0], [np.nan, 0, 0, 0, 0, 0]])
+    one, other = kernels.shadow_jacobian(v, 0), kernels.shadow_jacobian(v, 1)
+    np.testing.assert_array_equal(one[:2], np.broadcast_to(np.eye(6), (2, 6, 6)))
+    assert np.isnan(one[2, :3, :3]).all()
+    assert np.isfinite(other[1]).all()
+    assert np.isnan(other[2, :3, :3]).all()
+    if kernels.CHART.branches != 1:
+        assert not np.isfinite(other[0]).all()
+
+
+# --- the screw-linear motion ----------------------------------------------------------------------------------------
+
+
+def pairs(name: str, oracle: Oracle) -> tuple[np.ndarray, np.ndarray]:
+    """Vectors of all angles, each with one of another angle; a translation and the identity among them."""
+    v = np.concatenate([vectors(oracle, *angles_of(name)), [[0, 0, 0, 1.0, -2.0, 0.5]], np.zeros((1, 6))])
+    return v, np.roll(v, 2, axis=0)
+
+
+def test_motions_agree_with_first_principles(name: str, kernels: ModuleType, oracle: Oracle):
+    """To 1e-12 of the result, and of what T⁻¹ makes of both translations."""
+    v1, v2 = pairs(name, oracle)
+    for a, b in zip(v1, v2, strict=True):
+        for t in (0.0, 0.35, 1.0):
+            got, exact = kernels.interpolate(a, b, t), oracle.interpolate(a, b, t).astype(float)
+            back = size_of(kernels.tangent_inv(got))
+            reach = sum(np.linalg.norm(kernels.pose(v)[:3, 3]) for v in (a, b)) + 1
+            sizes = errors.norm(exact[:3]) + 1 + back.re, (1 + back.re + back.du) * reach
+            for part, size in zip((slice(0, 3), slice(3, 6)), sizes, strict=True):
+                assert errors.norm(got[part] - exact[part]) <= CLOSE * size, (a, b, t, got, exact)
+
+
+def test_motions_are_screws_of_constant_pitch_and_the_shorter_way(name: str, kernels: ModuleType, oracle: Oracle):
+    """From v1 to the pose of v2: what is left of the way is its share of one step, a rotation by at most π."""
+    v1, v2 = pairs(name, oracle)
+    t = np.linspace(0, 1, 6)
+    way = kernels.interpolate(v1[:, None], v2[:, None], t)
+    assert way.shape == (len(v1), 6, 6)
+    whole = kernels.local(v2, v1)
+    assert (np.linalg.norm(whole[:, :3], axis=-1) <= np.pi * (1 + 1e-12)).all()
+    size = 1 + np.abs(kernels.pose(v2)[:, :3, 3]).max(-1) + np.abs(kernels.pose(v1)[:, :3, 3]).max(-1)
+    moved = kernels.pose(way)
+    for i in range(len(v1)):
+        by_steps = kernels.pose(kernels.retract(v1[i], t[:, None] * whole[i]))
+        np.testing.assert_allclose(moved[i], by_steps, rtol=0, atol=1e-10 * size[i])
+    np.testing.assert_allclose(moved[:, -1], kernels.pose(v2), rtol=0, atol=1e-10 * size.max())
+    np.testing.assert_allclose(way[:, 0], v1, rtol=1e-11, atol=1e-11)
+
+
+def test_the_branch_is_followed_over_half_turns_and_on_others(name: str, kernels: ModuleType, oracle: Oracle):
+    """In fine steps α u goes on by little; at the end v2 is reached, or a shadow of another angle or side."""
+    edge = families_edge(name)
+    for low, high in ((2.0, 3.0), *([(2.4 * np.pi, 2.7 * np.pi)] if edge > 3 * np.pi else [])):
+        v1, v2 = (families.vectors(oracle, low, high, 3) for _ in range(2))
+        v2[:, :3] = -np.roll(v1[:, :3], 1, axis=-1)
+        t = np.linspace(0, 1, 2001)
+        way = kernels.interpolate(v1[:, None], v2[:, None], t)
+        alpha = kernels.angle(way)[..., :1] * way[..., :3] / np.linalg.norm(way[..., :3], axis=-1, keepdims=True)
+        if np.linalg.norm(alpha, axis=-1).max() < 0.95 * edge:
+            assert np.linalg.norm(np.diff(alpha, axis=1), axis=-1).max() < 0.1
+        same = np.linalg.norm(way[:, -1] - v2, axis=-1) < 1e-9 * (1 + np.linalg.norm(v2, axis=-1))
+        shadows = ~np.isclose(kernels.angle(way[:, -1])[:, 0], kernels.angle(v2)[:, 0], rtol=0, atol=1e-6)
+        assert (same | shadows | (np.einsum("ij,ij->i", way[:, -1, :3], v2[:, :3]) < 0)).all()
+
+
+@pytest.mark.parametrize("name", ["cayley3", "cayley8", "exponential"])
+def test_about_one_axis_angles_go_through_whole_turns(kernels: ModuleType):
+    """As they do about one axis that is none of the coordinates': the ends are on two sides of 2π."""
+    axis = np.array([0.6, -0.48, 0.64, 0.0, 0.0, 0.0])
+    v1, v2 = (kernels.from_screw(np.array([angle, shift]), axis) for angle, shift in ((5.0, 0.2), (7.5, 1.0)))
+    for t in (0.25, 0.75, 1.0):
+        expected = kernels.from_screw(np.array([5.0 + 2.5 * t, 0.2 + 0.8 * t]), axis)
+        np.testing.assert_allclose(kernels.interpolate(v1, v2, t), expected, rtol=0, atol=1e-12 * 20)
+
+
+def test_at_half_a_turn_between_them_the_closed_forms_decide():
+    """q and −q are one pose: from the side of v2's own vector, and so a shadow of v2 the other way round."""
+    from dualcay import cayley2
+
+    v1 = np.zeros(6)
+    v2 = np.array([0, 0, 1.0, 0, 0, 0.5])  # half a turn about z
+    assert cayley2.quaternion(v2)[0] == 0
+    for end in (v2, -v2):
+        way = cayley2.interpolate(v1, end, np.array([0.5, 1.0]))
+        np.testing.assert_allclose(way[1], end, rtol=0, atol=1e-15)
+        np.testing.assert_allclose(cayley2.compose(way[0], way[0]), end, rtol=0, atol=1e-15)
+
+
+def test_times_broadcast_keep_types_and_spoil_their_own_elements_alone(kernels: ModuleType, name: str, oracle: Oracle):
+    v1, v2 = pairs(name, oracle)
+    few = v1[:2].astype(np.float32), v2[:2].astype(np.float32)
+    assert kernels.interpolate(*few, 0.5).dtype == np.float32
+    assert kernels.interpolate(*few, np.linspace(0, 1, 5, dtype=np.float32)[:, None]).shape == (5, 2, 6)
+    t = np.array([0.5, np.nan])
+    found = kernels.interpolate(v1[2], v2[2], t)
+    assert np.isfinite(found[0]).all()
+    assert np.isnan(found[1]).all()
+    np.testing.assert_array_equal(kernels.interpolate(v1[2][:, None], v2[2][:, None], t, axis=0).T, found)
+    with pytest.raises(TypeError, match="t must be real"):
+        kernels.interpolate(v1, v2, 0.5j)
+    with pytest.raises(ValueError, match="broadcast"):
+        kernels.interpolate(v1, v2, np.zeros(3))
