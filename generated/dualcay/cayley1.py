@@ -126,6 +126,7 @@ from math import pi
 from typing import Any
 
 from ._chart import Chart, Function
+from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
 from ._kernel import Components, Kernel, Result, Rows, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
@@ -1861,7 +1862,8 @@ CHART = Chart(
         "unfolded": Function(_unfolded, _unfolded_blocks, 0, 0, (1, 2)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 2)),
     },
-    own={
+    kernels={
+        **SHARED,
         "pose": Kernel(
         _own_pose,
         _own_pose_blocks,
@@ -2017,7 +2019,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="6ba75c1c3ffa9a32",
+    programs="62bd3388ebcf098a",
 )
 
 KERNELS = PoseKernels(CHART)

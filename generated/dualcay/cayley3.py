@@ -128,6 +128,7 @@ from math import pi
 from typing import Any
 
 from ._chart import Chart, Function
+from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
 from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
 
@@ -701,8 +702,8 @@ CHART = Chart(
         "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 6)),
     },
-    own={},
-    programs="fcef1424d2e775dc",
+    kernels=SHARED,
+    programs="f9d09575b53a5fe2",
 )
 
 KERNELS = PoseKernels(CHART)

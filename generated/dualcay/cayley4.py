@@ -128,6 +128,7 @@ from math import pi
 from typing import Any
 
 from ._chart import Chart, Function
+from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
 from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
 
@@ -734,8 +735,8 @@ CHART = Chart(
         "beyond": Function(_beyond, _beyond_blocks, 0, 2, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 8)),
     },
-    own={},
-    programs="1a96273c027f14a5",
+    kernels=SHARED,
+    programs="3528e2fb3ccb55db",
 )
 
 KERNELS = PoseKernels(CHART)

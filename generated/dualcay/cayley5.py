@@ -128,6 +128,7 @@ from math import pi
 from typing import Any
 
 from ._chart import Chart, Function
+from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
 from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
 
@@ -758,8 +759,8 @@ CHART = Chart(
         "beyond": Function(_beyond, _beyond_blocks, 0, 2, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 10)),
     },
-    own={},
-    programs="f2ea42f1e3b54b95",
+    kernels=SHARED,
+    programs="21cb88fbf40e69aa",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -128,6 +128,7 @@ from math import pi
 from typing import Any
 
 from ._chart import Chart, Function
+from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
 from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
 
@@ -838,8 +839,8 @@ CHART = Chart(
         "beyond": Function(_beyond, _beyond_blocks, 1, 3, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 16)),
     },
-    own={},
-    programs="5a02c085d651d55f",
+    kernels=SHARED,
+    programs="6db537795893f726",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -113,6 +113,7 @@ from math import pi
 from typing import Any
 
 from ._chart import Chart, Function
+from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
 from ._kernel import Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
@@ -1102,8 +1103,8 @@ CHART = Chart(
         "beyond": Function(_beyond, _beyond_blocks, 5, 2, (-1, 0, 1, 2, 4, 6, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1,)),
     },
-    own={},
-    programs="37f7bedf60430e63",
+    kernels=SHARED,
+    programs="e9f22103b6923d8c",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -94,6 +94,7 @@ from math import pi
 from typing import Any
 
 from ._chart import Chart, Function
+from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
 from ._kernel import Components, Kernel, Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
@@ -923,7 +924,8 @@ CHART = Chart(
         "unfolded": Function(_unfolded, _unfolded_blocks, 0, 1, (1, 2)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 4)),
     },
-    own={
+    kernels={
+        **SHARED,
         "tangent_inv": Kernel(
         _own_tangent_inv,
         _own_tangent_inv_blocks,
@@ -991,7 +993,7 @@ CHART = Chart(
         real=True,
     ),
     },
-    programs="753dfccab8844cc3",
+    programs="5a6bcca85d170b0b",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -94,6 +94,7 @@ from math import pi
 from typing import Any
 
 from ._chart import Chart, Function
+from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
 from ._kernel import Components, Kernel, Result, Rows, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
@@ -1563,7 +1564,8 @@ CHART = Chart(
         "unfolded": Function(_unfolded, _unfolded_blocks, 0, 0, (1, 2)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 2)),
     },
-    own={
+    kernels={
+        **SHARED,
         "tangent": Kernel(
         _own_tangent,
         _own_tangent_blocks,
@@ -1675,7 +1677,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="e8e896a9e1c0b824",
+    programs="9dea304862b234fe",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -98,6 +98,7 @@ from math import pi
 from typing import Any
 
 from ._chart import Chart, Function
+from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
 from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
 
@@ -788,8 +789,8 @@ CHART = Chart(
         "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 6)),
     },
-    own={},
-    programs="f636be59e50df444",
+    kernels=SHARED,
+    programs="d65289a052ee8cbf",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -98,6 +98,7 @@ from math import pi
 from typing import Any
 
 from ._chart import Chart, Function
+from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
 from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
 
@@ -847,8 +848,8 @@ CHART = Chart(
         "beyond": Function(_beyond, _beyond_blocks, 0, 2, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 10)),
     },
-    own={},
-    programs="a9c0eb90e8bede43",
+    kernels=SHARED,
+    programs="2fe539d482a465af",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -98,6 +98,7 @@ from math import pi
 from typing import Any
 
 from ._chart import Chart, Function
+from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
 from ._kernel import Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
@@ -744,8 +745,8 @@ CHART = Chart(
         "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 6, 12)),
     },
-    own={},
-    programs="18c795f5e20e2041",
+    kernels=SHARED,
+    programs="33728002eebc07ef",
 )
 
 KERNELS = PoseKernels(CHART)

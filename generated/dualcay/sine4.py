@@ -98,6 +98,7 @@ from math import pi
 from typing import Any
 
 from ._chart import Chart, Function
+from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
 from ._kernel import Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
@@ -738,8 +739,8 @@ CHART = Chart(
         "beyond": Function(_beyond, _beyond_blocks, 0, 2, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 8, 16)),
     },
-    own={},
-    programs="b27493c9503c9855",
+    kernels=SHARED,
+    programs="7691ebe21f8f1de0",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -9,6 +9,7 @@ groups       between, adjoint, Jacobians of composition and of moved points and 
 retraction   steps by the exponential, and the step from one vector to another
 motion       the screw-linear motion between two vectors
 point        a trace that asks a chart for scalars, and v in it: x = v·v, y = v·v°
+real         a trace of rotations alone: of the same recipes the real part
 scalars      the scalar programs of a chart, traced from its formulas
 ============ ========================================================================
 
