@@ -40,6 +40,10 @@ class Samples:
     arguments: tuple[tuple[Flat, ...], ...]
     results: tuple[Flat, ...]
 
+    @property
+    def function(self) -> str:
+        return self.row.name
+
 
 def samples(chart: Chart, table: Table = POSES, chosen: Container[str] | None = None) -> list[Samples]:
     """Samples of every chosen public function of the module of a chart, on all branches; exact ties among them."""
