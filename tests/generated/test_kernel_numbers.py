@@ -67,6 +67,7 @@ def test_integers_become_doubles(kernel: ModuleType, order: int, name: str, dtyp
         "v": np.array([1, 0, 2, 0, 1, 3]),
         "w": np.array([3, 1, 0, 2, 5, 1]),
         "r": np.array([1, 2, 3]),
+        "t": np.array(2),
         "q": np.array([1, 0, 0, 0, 0, 1, 2, 3]),
         "T": np.array([[0, 0, 1, 4], [1, 0, 0, 5], [0, 1, 0, 6], [0, 0, 0, 1]]),
         "R": np.array([np.eye(3), np.zeros((3, 3))]),

@@ -112,7 +112,7 @@ def arguments(kernels: ModuleType, name: str, v: np.ndarray) -> list[np.ndarray]
         drawn = np.roll(sampling.dual_vectors(name, count=len(v))[:, : argument.size], 1)
         if argument.name in VECTORS:  # about another axis, and so short that no product lies beyond the edge
             drawn[:, :3] = 0.1 * np.roll(v[:, :3], 1, axis=-1)
-        others.append(drawn)
+        others.append(drawn.reshape(-1, *argument.shape))
     return [given.get(first, np.array)(v), *others]
 
 
@@ -148,7 +148,7 @@ def worst(kernels: ModuleType, oracle: Oracle, name: str, v: np.ndarray, branch:
     found = getattr(kernels, name)(*given, *chosen)
     largest = 0.0
     for i in range(len(v)):
-        one = [argument[i] for argument in given]
+        one = [np.asarray(argument[i]) for argument in given]
         got = parts(tuple(array[i] for array in found) if isinstance(found, tuple) else found[i])
         exact = parts(function(*one))
         for a, b, size in zip(got, exact, scale(function, one, exact), strict=True):

@@ -486,7 +486,7 @@ class Oracle:
     body_retract_jacobians = functools.partialmethod(retract_jacobians, body=True)
     body_local = functools.partialmethod(local, body=True)
 
-    def interpolate(self, v1: Any, v2: Any, t: Any, steps: int = 64) -> np.ndarray:
+    def interpolate(self, v1: Any, v2: Any, t: Any, steps: int = 24) -> np.ndarray:
         """Step by step: of all α u of a pose on the way, the one nearest the last."""
         here, (share,) = self.unpack(v1), np.ravel(t)
         way = hamilton(self.unit(self.unpack(v2)), conjugate(self.unit(here)))

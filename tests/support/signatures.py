@@ -57,6 +57,8 @@ def inputs(
             value = sampling.points(name, count=count)
         elif kind == "w":
             value = sampling.dual_vectors(name, count=count)
+        elif kind == "t":
+            value = sampling.points(name, count=count)[:, 0]
         else:
             value = v
         drawn.append(np.ascontiguousarray(value).reshape(shape + SHAPES[kind]).astype(dtype))

@@ -5,7 +5,8 @@ digits. Every part of a result (real, dual) comes with the scale its error is me
 how far it moves when arguments move by their own size, the terms added up. Of the forward maps only dual arguments are
 moved: their dual part is linear in them, so this is the sum of the norms of its terms; and in turn all arguments but
 the first as a whole, so this is the sum over what each of them contributes. Of the inverse maps all are: this is their
-condition.
+condition. Where a program comes to a vector by its angle, that is moved in turn, too: near an edge a rounding of it
+takes v far.
 """
 
 from __future__ import annotations
@@ -17,12 +18,15 @@ from typing import Any
 
 import mpmath
 
+from ...algebra import Vector
 from ...maps.chart import Chart
+from ...maps.inverse import polar
+from ..lowered import geometry
 from ..rows import Function
 from ..signatures import FUNCTIONS
 from .digits import DIGITS
 from .exact import ALGEBRAIC, Flat
-from .maps_at import seeded_arguments
+from .maps_at import flat, seeded_arguments
 from .point import value
 from .vectors import Vectors
 
@@ -84,9 +88,18 @@ def _case(chart: Vectors, function: str, branch: int | None, arguments: Sequence
     places = [(i, j) for i, array in enumerate(row.arguments) for j in range(array.size)]
     single = [moved(i, [j]) for i, j in places if row.arguments[i].part_of[j] or not row.exact]
     whole = [moved(i, range(array.size)) for i, array in enumerate(row.arguments) if i and row.exact]
-    ways = ([result], single, whole)
+    ways = ([result], single, whole, _by_angle(chart, row, result))
     scales = (float(max(sum(_norm(at(step)) for step in steps) for steps in ways)) for at in _parts(row))
     return Case(function, branch, tuple(map(_doubles, arguments)), _doubles(result), tuple(scales))
+
+
+def _by_angle(chart: Vectors, row: Function, result: Flat) -> list[Flat]:
+    """How far a vector goes when its angle does by its own size, for programs that come to it by the angle."""
+    if "coefficient" not in {call.function for call in geometry()[row.kernel].calls} or row.shape != (6,):
+        return []
+    extent, axis = polar(Vector.dual(result[:3], result[3:]))
+    there = flat(axis * chart.size(chart.angle(extent) * (1 + STEP)))
+    return [tuple((b - a) / STEP for a, b in zip(result, there, strict=True))]
 
 
 def _parts(row: Function) -> Iterator[Callable[[Flat], Flat]]:

@@ -36,8 +36,8 @@ def test_generate_writes_a_package_and_says_what_was_proved(tmp_path: Path):
     assert "cayley2.py" in done.stdout
     assert "theorems" in done.stdout
     assert done.stderr == ""
-    names = sorted(p.name for p in (tmp_path / "k").iterdir())
-    assert names == sorted(["cayley2.py", *TARGETS["numpy"].shared()])
+    names = {p.relative_to(tmp_path / "k").as_posix() for p in (tmp_path / "k").rglob("*") if p.is_file()}
+    assert names == {"cayley2.py", "rotation/cayley2.py", *TARGETS["numpy"].shared()}
 
 
 def test_check_passes_and_names_a_stale_file_with_the_accepting_command(tmp_path: Path):
