@@ -68,7 +68,7 @@ def test_out_may_overlap_an_input(name: str, axis: int, count: int) -> None:
 def test_in_place_updates(kernel: ModuleType, order: int, name: str) -> None:
     arguments = inputs(kernel, name, order, (4,))
     expected = getattr(kernel, name)(*arguments)
-    for i in range(len(arguments)):
+    for i in (i for i, argument in enumerate(arguments) if argument.shape == expected.shape):
         given = [a.copy() for a in arguments]
         getattr(kernel, name)(*given, out=given[i])
         assert_nearly_equal(given[i], expected)

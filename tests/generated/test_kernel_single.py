@@ -100,6 +100,7 @@ SPECIAL = {
         np.full((4, 4), 1e200),
     ],
     "r": [np.zeros(3), np.full(3, np.nan), np.full(3, np.inf), np.full(3, 1e308)],
+    "t": [*map(np.array, (0.0, 1.0, 0.5, -3.0, 1e-320, 1e308, np.inf, np.nan, 2.0, -0.0, 1 / 3))],
 }
 SPECIAL["w"] = SPECIAL["v"]
 SPECIAL["R"] = [np.stack([t[:3, :3], 0 * t[:3, :3]]) for t in SPECIAL["T"][:4]] + [np.full((2, 3, 3), np.nan)]

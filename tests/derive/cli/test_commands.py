@@ -134,11 +134,11 @@ def test_a_package_half_written_says_at_import_how_to_finish_it(tmp_path: Path):
 @pytest.mark.parametrize("target", [target for target in TARGETS if target != "numpy"])
 def test_a_second_target_in_a_folder_is_refused(tmp_path: Path, target: str):
     write(tmp_path, shared_texts(TARGETS["numpy"]))
-    before = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
+    before = {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()}
     done = dualcay("generate", "-n", "1", "--target", target, "-o", str(tmp_path))
     assert done.returncode == 3
     assert "holds kernels of the target numpy (__init__.py), and a folder holds those of one" in done.stderr
-    assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == before
+    assert {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()} == before
 
 
 def test_check_regenerates_only_what_a_header_can_have_made(tmp_path: Path):
@@ -155,7 +155,7 @@ def test_check_regenerates_only_what_a_header_can_have_made(tmp_path: Path):
     for name, text in forged.items():
         (folder / name).write_text(text)
     (folder / "cayley99.py").write_text(head.format(99, "numpy --max-n 99"))
-    (folder / "rotation").mkdir()
+    (folder / "motions").mkdir()
     done = dualcay("generate", "-n", "1", "-o", str(folder), "--check")
     assert done.returncode == 1
     claim = "not made by what its first line says"
@@ -163,7 +163,7 @@ def test_check_regenerates_only_what_a_header_can_have_made(tmp_path: Path):
         assert f"foreign: {folder / name} ({claim}: {text.strip()[2:]})\n" in done.stdout
     reason = "order 99 is above the cap 64, so not compared; raise it with --max-n"
     assert f"foreign: {folder}/cayley99.py ({reason})\n" in done.stdout
-    assert f"foreign: {folder}/rotation\n" in done.stdout
+    assert f"foreign: {folder}/motions\n" in done.stdout
     assert f"{len(forged) + 2} file(s) differ" in done.stderr
 
 
