@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 from ..maps.chart import Chart
-from .lowering import calculus, forward, groups, inverse, kinematics, motion, retraction
+from .lowering import calculus, coordinates, forward, groups, inverse, kinematics, motion, retraction
 from .lowering.point import Geometry
 from .programs.program import Program
 
@@ -135,7 +135,7 @@ def _jacobian(name: str) -> Array:
 
 V, OMEGA, V_DOT, LINE, SHADOW, MOVED, BACK = map(_dual, ("v", "omega", "v_dot", "line", "v_k", "moved", "v_back"))
 OMEGA_DOT, V_DDOT, WRENCH, MOMENTUM = map(_dual, ("omega_dot", "v_ddot", "z", "tau"))
-DELTA, MOVED_V = map(_dual, ("delta", "v_moved"))
+DELTA, MOVED_V, LOGARITHM = map(_dual, ("delta", "v_moved", "w"))
 JACOBIAN, BY_V, BY_LINE = map(_jacobian, ("jacobian", "by_v", "by_line"))
 TWO, BY_TWO = (V.called("v2"), V.called("v1")), (_jacobian("by_v2"), _jacobian("by_v1"))
 BY_STEP = BY_V, _jacobian("by_delta")
@@ -204,6 +204,8 @@ _ROWS = (
     Function("from_screw", (ANGLE, LINE), (V,), inverse.from_screw, exact=False, real=True, keywords=(CHECK,)),
     Function("to_screw", (V,), (ANGLE, LINE), inverse.to_screw, exact=False, real=True),
     Function("angle", (V,), (ANGLE,), inverse.angle, exact=False, real=True),
+    Function("to_exponential", (V,), (LOGARITHM,), coordinates.to_exponential, exact=False, real=True),
+    Function("from_exponential", (LOGARITHM,), (V,), coordinates.from_exponential, exact=False, real=True),
     Function("turn", (V,), (SHADOW,), inverse.turn, exact=False, real=True, public=False),
     Function("shadow", (V,), (SHADOW,), inverse.shadow, exact=False, branch=True, real=True),
     Function("identity_jacobian", (V,), (JACOBIAN,), inverse.identity_jacobian, exact=False, real=True, public=False),

@@ -180,6 +180,7 @@ def _principal(chart: Vectors, screw: Screw, other: Screw) -> Iterator[Expectati
     yield Expectation("from_quaternion", (tuple(-c for c in (*q.re, *q.du)),), flat(principal))
     product = quaternion_from_screw(other) * q
     vectors = (flat(chart.at(other)), flat(principal))
+    yield from _coordinates(chart, screw)
     yield Expectation("compose", vectors, flat(chart.of_quaternion(product)))
     for name in ("between", "local", "body_local", "retract", "body_retract"):  # any dual vector is a δ
         yield Expectation(name, vectors, MAPS[name](chart, 0, *vectors))
@@ -187,6 +188,17 @@ def _principal(chart: Vectors, screw: Screw, other: Screw) -> Iterator[Expectati
     if all(chart.finite(s, 0, INSIDE) for s in (screw, other)):
         for name in ("compose_jacobians", "between_jacobians", "retract_jacobians", "body_retract_jacobians"):
             yield Expectation(name, vectors, MAPS[name](chart, 0, *vectors))
+
+
+def _coordinates(chart: Vectors, screw: Screw) -> Iterator[Expectation]:
+    """α u of a vector, and back; of angles some turns further on too."""
+    v = flat(chart.at(screw))
+    yield Expectation("to_exponential", (v,), MAPS["to_exponential"](chart, 0, v))
+    for turns in (0, 1, 3) if chart.edge > mpmath.pi else (0,):
+        w = screw.axis * (screw.angle + 2 * mpmath.pi * turns)
+        found = MAPS["from_exponential"](chart, 0, flat(w))
+        if chart.reaches(Vector(*found[:3]).magnitude() / (1 - INSIDE)) or not turns:
+            yield Expectation("from_exponential", (flat(w),), found)
 
 
 def _between(chart: Vectors, screw: Screw, other: Screw) -> Iterator[Expectation]:
@@ -212,7 +224,8 @@ def _branch(chart: Vectors, screw: Screw, branch: int) -> Iterator[Expectation]:
     principal = flat(chart.at(screw))
     yield Expectation(f"shadow {branch}", (principal,), v)
     yield Expectation("principal", (v,), principal)
-    yield Expectation("angle", (v,), MAPS["angle"](chart, 0, v))
+    for name in ("angle", "to_exponential"):
+        yield Expectation(name, (v,), MAPS[name](chart, 0, v))
     if screw.angle.re > INSIDE and all(chart.finite(screw, k, INSIDE) for k in (0, branch)):
         yield Expectation(f"shadow_jacobian {branch}", (principal,), MAPS["shadow_jacobian"](chart, branch, principal))
     for name in ("retract", "body_retract") if branch else ():
