@@ -23,7 +23,7 @@ from ...maps.pose import (
 from ...maps.sign_tests import orientation
 from ..signatures import FUNCTIONS
 from .exact import ALGEBRAIC, Expectation
-from .maps_at import MAPS, Flat, flat
+from .maps_at import MAPS, Flat, flat, reached
 from .point import value
 from .screws import covering, half_turns, steep, translation
 from .vectors import Vectors, is_whole
@@ -194,11 +194,10 @@ def _coordinates(chart: Vectors, screw: Screw) -> Iterator[Expectation]:
     """α u of a vector, and back; of angles some turns further on too."""
     v = flat(chart.at(screw))
     yield Expectation("to_exponential", (v,), MAPS["to_exponential"](chart, 0, v))
-    for turns in (0, 1, 3) if chart.edge > mpmath.pi else (0,):
+    for turns in (0, 1, 3):
         w = screw.axis * (screw.angle + 2 * mpmath.pi * turns)
-        found = MAPS["from_exponential"](chart, 0, flat(w))
-        if chart.reaches(Vector(*found[:3]).magnitude() / (1 - INSIDE)) or not turns:
-            yield Expectation("from_exponential", (flat(w),), found)
+        if chart.finite(Screw(reached(chart, screw.angle + 2 * mpmath.pi * turns), screw.axis), 0, INSIDE):
+            yield Expectation("from_exponential", (flat(w),), MAPS["from_exponential"](chart, 0, flat(w)))
 
 
 def _between(chart: Vectors, screw: Screw, other: Screw) -> Iterator[Expectation]:

@@ -63,11 +63,15 @@ def _to_exponential(chart: Vectors, branch: int, v: Flat) -> Flat:
 
 
 def _from_exponential(chart: Vectors, branch: int, w: Flat) -> Flat:
-    """φ of the angle, less whole turns while it is beyond the edge."""
     angle, u = polar(_dual(w))
+    return flat(u * chart.size(reached(chart, angle)))
+
+
+def reached(chart: Vectors, angle: Dual) -> Dual:
+    """The angle, less whole turns while it is beyond the edge."""
     while angle.re > chart.edge:
         angle = angle - 2 * mpmath.pi
-    return flat(u * chart.size(angle))
+    return angle
 
 
 def _shadow(chart: Vectors, branch: int, v: Flat) -> Flat:

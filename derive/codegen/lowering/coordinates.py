@@ -1,6 +1,6 @@
 """Exponential coordinates α u of a vector on its own branch, and back: the way from chart to chart.
 
-With ``v = r u`` a function of r times u has the dual part of r times its slope along u: that of ``α/r`` is regular at 0.
+A function of r times u has the dual part of r times its slope along the axis, and no other: regular at no rotation.
 """
 
 from __future__ import annotations
