@@ -84,7 +84,7 @@ def _named(array: Array) -> Array:
 
 
 def _number(decimal: str) -> str:
-    return f"DUALCAY_NUMBER({decimal})" if "." in decimal else decimal
+    return f"DUALCAY_NUMBER({decimal})" if "." in decimal else c99.real(decimal)
 
 
 def _components(program: Program, argument: str) -> tuple[str, ...]:

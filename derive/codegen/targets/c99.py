@@ -7,7 +7,7 @@ program calls are functions of the chart, which take numbers and write their res
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from ..lowering.scalars import SCALARS
@@ -50,10 +50,12 @@ class Printed:
 
 def _ternary(condition: Text, first: Text, second: Text) -> Text:
     test, a, b = (bracket(text, _SELECTED + 1) for text in (condition, first, second))
-    if all(text[0].lstrip("-").isdigit() for text in (first, second)):
-        # two integers would make an int, and a division by one an integer division
-        b = f"({REAL}){b}"
-    return f"{test} ? {a} : {b}", _SELECTED
+    return f"{test} ? {real(a)} : {real(b)}", _SELECTED
+
+
+def real(text: str) -> str:
+    """An integer where nothing would make it real: two would be an int, and not every class is made of one."""
+    return f"({REAL}){text}" if text.lstrip("-").isdigit() else text
 
 
 C99 = Dialect(
@@ -62,7 +64,7 @@ C99 = Dialect(
     select=_ternary,
     largest=_EXACT_IN_FLOAT,
 )
-"""C, where integer constants become the real type exactly by the usual arithmetic conversions."""
+"""C, where integer constants become the real type exactly beside an operand of it."""
 
 
 def core(program: Program, table: Mapping[str, str]) -> Printed:
@@ -104,14 +106,20 @@ def scalar(program: Program, table: Mapping[str, str]) -> Printed:
     numbers = [name for _, names in program.inputs for name in names if name not in table]
     given = [f"{REAL} {name}" for name in numbers]
     given += [f"{'int' if name in row.truths else REAL} *{name}_at" for name in row.results]
-    return _printed(program, given, numbers, _constants(program, table), [f"*{name}_at" for name in row.results])
+    places, truths = ([f"*{name}_at" for name in names] for names in (row.results, row.truths))
+    return _printed(program, given, numbers, _constants(program, table), places, truths)
 
 
 def _printed(
-    program: Program, given: Sequence[str], read: Sequence[str], loads: Iterable[str], places: Sequence[str]
+    program: Program,
+    given: Sequence[str],
+    read: Sequence[str],
+    loads: Iterable[str],
+    places: Sequence[str],
+    truths: Collection[str] = (),
 ) -> Printed:
     """Parameters that are not read are cast to void: compilers would warn."""
-    text = "\n".join([*loads, *_statements(program), *_stores(program, places)])
+    text = "\n".join([*loads, *_statements(program), *_stores(program, places, truths)])
     unused = [f"{_INDENT}(void){name};" for name in read if not re.search(rf"\b{name}\b", text)]
     return Printed(program.name, f"operations {summary(program.operations)}", filled(given), "\n".join([*unused, text]))
 
@@ -166,9 +174,9 @@ def _call(call: Call, arguments: str) -> Iterator[str]:
     yield f"{_INDENT}DUALCAY_NAME({call.function}_scalars)({passed});"
 
 
-def _stores(program: Program, places: Sequence[str]) -> Iterator[str]:
+def _stores(program: Program, places: Sequence[str], truths: Collection[str]) -> Iterator[str]:
     for place, text in zip(places, C99.statements(program)[1], strict=True):
-        yield from _wrap(place, text)
+        yield from _wrap(place, text if place in truths else real(text))
 
 
 def _wrap(target: str, text: str) -> Iterator[str]:

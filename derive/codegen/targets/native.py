@@ -44,7 +44,7 @@ class Operand:
     @property
     def counts(self) -> str:
         """Components along three axes."""
-        return ", ".join(map(str, (*self.shape, 1, 1)[:MOST_AXES]))
+        return ", ".join(map(str, (*self.shape, 1, 1, 1)[:MOST_AXES]))
 
 
 @dataclass(frozen=True, slots=True)

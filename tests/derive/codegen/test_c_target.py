@@ -51,7 +51,7 @@ def test_components_are_loaded_before_any_result_is_stored():
 
 def test_a_choice_of_integers_is_a_real_number():
     text = printed(lambda t, a, b: t.where(t.less(a, 0), -1, 1) / b)
-    assert "(a < 0 ? -1 : (dualcay_real)1) / b" in text
+    assert "(a < 0 ? (dualcay_real)-1 : (dualcay_real)1) / b" in text
 
 
 def test_choices_are_ternaries_and_conditions_are_bracketed():

@@ -28,7 +28,7 @@ EQUIVALENT = {
     r"\(z32 < 0\) & \(z33 < 0\)": "where e0 = e1 = e2 = 0 the last row has been taken, and its e3 is positive",
     r"still \? \d+ \* (cos|e0)": "it is multiplied by a vector that is 0 there",
     r"/ sign;": "sign is 1 or -1",
-    r"pose_at\[1[23] \* pose_by\] = 0;": "the same number is stored in both places",
+    r"pose_at\[1[23] \* pose_by\] = \(\w+\)0;": "the same number is stored in both places",
 }
 """Changes that change no result, by their line, and why."""
 
