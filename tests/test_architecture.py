@@ -15,8 +15,8 @@ ROOMS = ("about", "output", "algebra", "maps", "proof", "papers", "codegen", "fr
 """Each room of derive may import itself and those before it."""
 
 IN_CODEGEN = (
-    "programs", "lowering", "signatures", "lowered", "cases", "differential", "validation", "facts", "fingerprint",
-    "targets", "catalogue", "module", "compiler",
+    "programs", "lowering", "rows", "signatures", "lowered", "cases", "differential", "validation", "facts",
+    "fingerprint", "targets", "catalogue", "module", "compiler",
 )  # fmt: skip
 """Likewise the rooms and modules of codegen; inside derive.papers a test of its own says what may."""
 

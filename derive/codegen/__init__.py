@@ -3,7 +3,8 @@
 ============ ==============================================================================
 programs     straight-line programs: traced, scheduled, placed in registers
 lowering     recipes: the geometry that all charts share, and the scalars of a chart
-signatures   the table of kernel functions: a row each
+rows         what a row says of a kernel function: arrays, recipe, names, its part for rotations
+signatures   the table of kernel functions, and of those of rotations
 lowered      all programs of a proved chart
 cases        what functions must return, from the formulas alone
 differential tables of seeded cases for the tests of compiled targets

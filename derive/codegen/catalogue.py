@@ -10,6 +10,7 @@ from pathlib import Path
 from .. import about
 from ..maps import Cayley, family, parameterization
 from ..maps.chart import Chart
+from .signatures import ROTATIONS
 
 ORDERS, FAMILIES, TARGET, MAX_ORDER = about.ORDERS, about.FAMILIES, about.TARGET, about.MAX_ORDER
 
@@ -57,6 +58,8 @@ def charts(
         return [*map(Cayley, given), *named]
     if len(given) > 1:
         raise ValueError(f"n in phi has one value, got {', '.join(map(str, given))}")
+    if name == ROTATIONS.name:
+        raise ValueError(f"{name!r} is the name of the folder of rotations")
     if name in {chart.name for chart in committed()}:
         raise ValueError(f"{name!r} is the name of a committed module")
     return [parameterization(phi, name or "", given[0] if given else None), *named]

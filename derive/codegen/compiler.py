@@ -5,7 +5,6 @@ from __future__ import annotations
 import tempfile
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import partial
 from pathlib import Path
 
 from ..maps import Cayley
@@ -79,15 +78,15 @@ def build_charts(charts: Sequence[Chart], target: Target, progress: Progress | N
 
 def _module(chart: Chart, target: Target, staging: Path, report: Progress, seen: Seen) -> Module:
     """One module; what is the same in all of them is validated and replayed in the first that has it."""
-    first = not seen.programs
+    first = not seen.by_table
     report(f"{chart.name}: proving")
     name, proved = module_name(chart, target), prove(chart)
     report(f"{chart.name}: emitting")
     facts = Facts(proved, lower(proved))
-    text, companions = module_text(facts, target), companion_texts(chart, target)
+    text, companions = module_text(facts, target), companion_texts(facts, target)
     files.write(staging, companions | {name: text})
     report(f"{chart.name}: validating")
-    validated = target.validate(staging, chart, partial(seen.new, facts.lowered))
+    validated = target.validate(staging, chart, seen.new)
     report(f"{chart.name}: replaying")
     replayed, tested = target.replay(staging, chart, first), target.test(staging, chart)
     return Module(name, proved, text, companions, validated, replayed, tested)
@@ -147,7 +146,7 @@ def generate(
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     package = derive.generate([1], output=f"{folder}/kernels")
     >>> package
-    <Package of cayley1.py: 13 files>
+    <Package of cayley1.py: 17 files>
     """
     asked = catalogue.charts(orders or (), families, phi, name) or catalogue.committed()
     return generate_charts(asked, target, output, force=force, progress=progress)

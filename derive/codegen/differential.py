@@ -9,7 +9,8 @@ from dataclasses import dataclass
 
 from ..maps.chart import Chart
 from .cases import Case, cases
-from .signatures import FUNCTIONS, Array
+from .rows import Array
+from .signatures import FUNCTIONS
 
 GATE = 8
 """Largest error, in units of the machine epsilon and of the scale of the result."""

@@ -12,7 +12,8 @@ from ..maps.chart import Chart
 from ..proof import Proved
 from .lowering.scalars import scalar_program, scalar_programs
 from .programs.program import Call, Program
-from .signatures import KERNELS
+from .rows import Table
+from .signatures import POSES, ROTATIONS
 
 WORTH = 0.92
 """The share of a function's operations that its own program must stay below, to be worth its lines."""
@@ -21,19 +22,24 @@ LINES = 3
 """So many operations of an own program, each a line or two, may be printed for one that is saved."""
 
 
-@cache
-def geometry() -> Mapping[str, Program]:
+def geometry(table: Table = POSES) -> Mapping[str, Program]:
     """The programs that all charts share, by name; scalars of the chart are calls in them."""
-    return {name: row.traced() for name, row in KERNELS.items()}
+    return _traced(table)
+
+
+@cache
+def _traced(table: Table) -> Mapping[str, Program]:
+    return {name: row.traced() for name, row in table.kernels.items()}
 
 
 @dataclass(frozen=True)
 class Lowered:
     """The programs of one chart: the scalars that geometry asks for, and functions that do without geometry's program.
 
-    ``operations`` counts those of every function, its scalars included.
+    They are those of the functions of a ``table``. ``operations`` counts those of every function, its scalars included.
     """
 
+    table: Table
     scalars: Mapping[str, Program]
     own: Mapping[str, Program]
     operations: Mapping[str, Counter[str]]
@@ -44,30 +50,34 @@ def lower(proved: Proved) -> Lowered:
     return lower_chart(proved.formulas)
 
 
-def lower_chart(chart: Chart) -> Lowered:
-    """A function has a program of its own where knowing the chart saves operations worth their lines.
+def lower_chart(chart: Chart, table: Table = POSES) -> Lowered:
+    """A function of the table has a program of its own where knowing the chart saves operations worth their lines.
 
-    So it does where scalars are constant (h = 0 for n = 1) or equal (g = h for n = 2).
+    So it does where scalars are constant (h = 0 for n = 1) or equal (g = h for n = 2). Of rotations such savings count
+    that poses have as well: slopes which calls return in vain are not worth lines.
     """
+    saving = table.functions if table is POSES else lower_chart(chart).own
     scalars, own, counted, called = _scalars(chart), {}, {}, set()
-    for name, shared in geometry().items():
+    for name, shared in geometry(table).items():
         functions = {call.function for call in shared.calls}
         if not functions <= scalars.keys():
             continue
-        program = KERNELS[name].traced(chart)
+        program = table.kernels[name].traced(chart)
         operations = sum((scalars[call.function].operations for call in shared.calls), shared.operations)
-        if is_worth(program.operations.total(), operations.total()):
+        saves = is_worth(program.operations.total(), operations.total())
+        if saves and table.functions[name].source in saving:
             own[name], operations = program, program.operations
         else:
             called |= functions
         counted[name] = operations
-    return Lowered({name: program for name, program in scalars.items() if name in called}, own, counted)
+    return Lowered(table, {name: program for name, program in scalars.items() if name in called}, own, counted)
 
 
 def _scalars(chart: Chart) -> dict[str, Program]:
     """The scalar programs of a chart, with elements for constants that geometry divides: those would become floats."""
     scalars = scalar_programs(chart)
-    asked = (program for program in geometry().values() if {c.function for c in program.calls} <= scalars.keys())
+    programs = (program for table in (POSES, ROTATIONS) for program in geometry(table).values())
+    asked = (program for program in programs if {c.function for c in program.calls} <= scalars.keys())
     divided = set().union(*(_divided(program, scalars) for program in asked))
     return {name: scalar_program(name, chart, {i for f, i in divided if f == name}) for name in scalars}
 

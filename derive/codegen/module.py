@@ -58,11 +58,11 @@ def notices(charts: Sequence[Chart], target: Target) -> dict[str, str]:
     return {target.entry: render(template, header=header, command=command)}
 
 
-def companion_texts(chart: Chart, target: Target) -> dict[str, str]:
+def companion_texts(facts: Facts, target: Target) -> dict[str, str]:
     """Render the files that accompany a module, by name."""
     texts = {}
-    for name, (companion, data) in target.companions(chart).items():
+    for name, (companion, data) in target.companions(facts).items():
         template = f"{target.name}/{companion}.j2"
-        header = comment(head(catalogue.command(target.name, chart), template), target.comment)
+        header = comment(head(catalogue.command(target.name, facts.chart), template), target.comment)
         texts[name] = render(template, header=header, **data)
     return texts

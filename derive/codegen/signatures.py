@@ -6,145 +6,46 @@ the interface; without one of them nothing is generated.
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import replace
 
-from ..maps.chart import Chart
 from .lowering import calculus, coordinates, forward, groups, inverse, kinematics, motion, retraction
-from .lowering.point import Geometry
-from .programs.program import Program
-
-Recipe = Callable[[Geometry], Program]
+from .rows import Array, Function, Recipe, Table
 
 
-@dataclass(frozen=True, slots=True)
-class Array:
-    """A named array of components; ``part_of`` says which part (real, dual and so on) each belongs to."""
-
-    name: str
-    shape: tuple[int, ...]
-    part_of: tuple[int, ...]
-
-    def __post_init__(self) -> None:
-        if len(self.part_of) != math.prod(self.shape):
-            raise ValueError(f"the parts {self.part_of} of {self.name} do not make its shape {self.shape}")
-
-    @property
-    def size(self) -> int:
-        """How many components."""
-        return len(self.part_of)
-
-    @property
-    def parts(self) -> tuple[int, ...]:
-        """The size of each part."""
-        return tuple(self.part_of.count(part) for part in range(max(self.part_of) + 1))
-
-    def called(self, name: str) -> Array:
-        """The same under another name."""
-        return replace(self, name=name)
-
-
-@dataclass(frozen=True, slots=True)
-class Function:
-    """A function of a kernel module.
-
-    Parameters
-    ----------
-    name : str
-    arguments, results : tuple of Array
-    recipe : callable, optional
-        Traces its program; None for a function that shares the program of another, `kernel`.
-    exact : bool
-        Whether its expectation is exact, on elements of a ring, or at 50 digits.
-    constants : tuple of str
-        Components of the argument ``table`` of its program, where they are the same for all charts.
-    branch : bool
-        Whether a branch is chosen.
-    real : bool
-        Whether it selects branches or angles, and so takes no complex numbers.
-    public : bool
-        Whether users call it.
-    at_rest : str
-        The function whose program it runs for a turn by no branch, where it runs its own for others; empty where the
-        argument stands.
-    aliases : tuple of str
-        Further names in the modules of Cayley maps.
-    keywords : tuple of str
-        Keyword parameters besides those of every function, in languages that have them: they choose what is done to
-        arguments and results, and change no program.
-    remainder : float
-        What its own series leave off, however many digits numbers have.
-    """
-
-    name: str
-    arguments: tuple[Array, ...]
-    results: tuple[Array, ...]
-    recipe: Recipe | None
-    exact: bool = True
-    constants: tuple[str, ...] = ()
-    branch: bool = False
-    real: bool = False
-    public: bool = True
-    at_rest: str = ""
-    aliases: tuple[str, ...] = ()
-    keywords: tuple[str, ...] = ()
-    shares: str = ""
-    remainder: float = 0.0
-
-    @property
-    def shape(self) -> tuple[int, ...]:
-        """Of what its program returns: several results stand side by side."""
-        return self.results[0].shape if len(self.results) == 1 else (sum(array.size for array in self.results),)
-
-    def traced(self, chart: Chart | None = None) -> Program:
-        """Its program for all charts, or for one.
-
-        Raises
-        ------
-        ValueError
-            If it has no recipe.
-        """
-        if self.recipe is None:
-            raise ValueError(f"{self.name} has no recipe: it shares the program of {self.shares!r}")
-        return self.recipe(Geometry(chart))
-
-    @property
-    def kernel(self) -> str:
-        """The function whose program it runs."""
-        return self.shares or self.name
-
-
-def _array(name: str, shape: tuple[int, ...], *parts: int) -> Array:
+def _array(name: str, shape: tuple[int, ...], *parts: int, real: tuple[int, ...] | None = None) -> Array:
     """An array whose parts, of these sizes, follow each other."""
-    return Array(name, shape, tuple(part for part, size in enumerate(parts) for _ in range(size)))
+    return Array(name, shape, tuple(part for part, size in enumerate(parts) for _ in range(size)), real)
 
 
 def _dual(name: str) -> Array:
-    return _array(name, (6,), 3, 3)
+    return _array(name, (6,), 3, 3, real=(3,))
 
 
 def _tensor(name: str) -> Array:
-    return _array(name, (2, 3, 3), 9, 9)
+    return _array(name, (2, 3, 3), 9, 9, real=(3, 3))
 
 
 def _jacobian(name: str) -> Array:
     """A dual tensor as a real matrix: its real part beside zeros, then its dual part beside the real one."""
-    return Array(name, (6, 6), (0,) * 18 + (1, 1, 1, 0, 0, 0) * 3)
+    return Array(name, (6, 6), (0,) * 18 + (1, 1, 1, 0, 0, 0) * 3, real=(3, 3))
 
 
 V, OMEGA, V_DOT, LINE, SHADOW, MOVED, BACK = map(_dual, ("v", "omega", "v_dot", "line", "v_k", "moved", "v_back"))
+AXIS = replace(LINE, real_name="u")
 OMEGA_DOT, V_DDOT, WRENCH, MOMENTUM = map(_dual, ("omega_dot", "v_ddot", "z", "tau"))
 DELTA, MOVED_V, LOGARITHM = map(_dual, ("delta", "v_moved", "w"))
+TENSOR = _tensor("tensor")
 JACOBIAN, BY_V, BY_LINE = map(_jacobian, ("jacobian", "by_v", "by_line"))
 TWO, BY_TWO = (V.called("v2"), V.called("v1")), (_jacobian("by_v2"), _jacobian("by_v1"))
 BY_STEP = BY_V, _jacobian("by_delta")
-BY_V_OF_POINT, BY_POINT = Array("by_v", (3, 6), (0, 0, 0, 1, 1, 1) * 3), _array("by_r", (3, 3), 9)
-QUATERNION = _array("q", (8,), 4, 4)
+BY_V_OF_POINT = Array("by_v", (3, 6), (0, 0, 0, 1, 1, 1) * 3, real=(3, 3))
+BY_POINT = _array("by_r", (3, 3), 9, real=(3, 3))
+QUATERNION = _array("q", (8,), 4, 4, real=(4,))
 POSE = _array("pose", (4, 4), 3, 1, 3, 1, 3, 1, 4)
-POINT = _array("r", (3,), 3)
-SHARE = _array("t", (), 1)
-ANGLE = _array("angle", (2,), 1, 1)
+POINT = _array("r", (3,), 3, real=(3,))
+SHARE = _array("t", (), 1, real=())
+ANGLE = _array("angle", (2,), 1, 1, real=())
 
 SPACE, BODY = ("1",), ("-1",)
 """The side of T: itself, which gives the twist in space, or its transpose, in the body; of T⁻¹ also half the side."""
@@ -176,10 +77,10 @@ def _by_exponential(name: str, arguments: tuple[Array, ...], recipe: Recipe, *re
 
 _ROWS = (
     Function("quaternion", (V,), (QUATERNION,), forward.quaternion, keywords=(SCALAR_FIRST,)),
-    Function("tensor", (V,), (_tensor("tensor"),), forward.tensor),
-    Function("pose", (V,), (POSE,), forward.pose),
+    Function("tensor", (V,), (TENSOR,), forward.tensor),
+    Function("pose", (V,), (POSE,), forward.pose, rotation=None),
     Function("transform_point", (V, POINT), (POINT.called("moved"),), forward.transform_point),
-    Function("transform_line", (V, LINE), (MOVED,), forward.transform_line),
+    Function("transform_line", (V, LINE), (MOVED,), forward.transform_line, rotation=None),
     Function("inverse", (V,), (BACK,), forward.inverse),
     Function("tangent", (V,), (_tensor("tangent"),), kinematics.tangent, aliases=("dcay",)),
     Function("tangent_inv", (V,), (_tensor("tangent"),), kinematics.tangent_inv, aliases=("dcay_inv",)),
@@ -200,9 +101,12 @@ _ROWS = (
     Function("body_cotangent_jacobian", (V, WRENCH), (JACOBIAN,), None, constants=SPACE, shares="twist_jacobian"),
     _way_back("from_quaternion", QUATERNION, inverse.from_quaternion, SCALAR_FIRST),
     _way_back("from_tensor", _tensor("R"), inverse.from_tensor),
-    _way_back("from_pose", POSE.called("T"), inverse.from_pose),
-    Function("from_screw", (ANGLE, LINE), (V,), inverse.from_screw, exact=False, real=True, keywords=(CHECK,)),
-    Function("to_screw", (V,), (ANGLE, LINE), inverse.to_screw, exact=False, real=True),
+    replace(_way_back("from_pose", POSE.called("T"), inverse.from_pose), rotation=None),
+    replace(
+        Function("from_screw", (ANGLE, AXIS), (V,), inverse.from_screw, exact=False, real=True, keywords=(CHECK,)),
+        rotation="from_angle_axis",
+    ),
+    Function("to_screw", (V,), (ANGLE, AXIS), inverse.to_screw, exact=False, real=True, rotation="to_angle_axis"),
     Function("angle", (V,), (ANGLE,), inverse.angle, exact=False, real=True),
     Function("to_exponential", (V,), (LOGARITHM,), coordinates.to_exponential, exact=False, real=True),
     Function("from_exponential", (LOGARITHM,), (V,), coordinates.from_exponential, exact=False, real=True),
@@ -233,19 +137,15 @@ _ROWS = (
     _by_exponential("interpolate", (*reversed(TWO), SHARE), motion.interpolate, V),
     Function("adjoint", (V,), (_jacobian("adjoint"),), groups.adjoint),
     Function("transform_point_jacobians", (V, POINT), (BY_V_OF_POINT, BY_POINT), groups.transform_point_jacobians),
-    Function("transform_line_jacobians", (V, LINE), (BY_V, BY_LINE), groups.transform_line_jacobians),
+    Function("transform_line_jacobians", (V, LINE), (BY_V, BY_LINE), groups.transform_line_jacobians, rotation=None),
 )
 
-FUNCTIONS: Mapping[str, Function] = {row.name: row for row in _ROWS}
-"""Every function of a kernel module that takes arrays."""
+POSES = Table.of("", _ROWS)
+"""The functions of a kernel module."""
 
-KERNELS: Mapping[str, Function] = {row.name: row for row in _ROWS if row.recipe}
-"""Those with a program of their own."""
+ROTATIONS = Table.of("rotation", (row.of_rotation for row in _ROWS if row.rotation is not None))
+"""Those of a module of rotations alone: their real parts."""
 
-PUBLIC: Mapping[str, Function] = {row.name: row for row in _ROWS if row.public}
-"""Those that users call."""
-
-
-def aliases(chart: Chart) -> dict[str, str]:
-    """Further names in the module of a chart, and the functions they are names of."""
-    return {alias: name for name, row in PUBLIC.items() for alias in row.aliases} if chart.cayley else {}
+FUNCTIONS: Mapping[str, Function] = POSES.functions
+KERNELS: Mapping[str, Function] = POSES.kernels
+PUBLIC: Mapping[str, Function] = POSES.public

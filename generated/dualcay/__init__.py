@@ -23,8 +23,27 @@ __all__ = ["backend", "convert", "matrix6"]
 __version__ = "0.1.0"
 
 
+PACKAGES = ("rotation",)
+"""Those within: modules of the same names for rotations alone."""
+
+
 def _modules() -> list[str]:
-    return sorted(info.name for info in pkgutil.iter_modules(__path__) if not info.name.startswith("_"))
+    found = (info.name for info in pkgutil.iter_modules(__path__) if not info.ispkg)
+    return sorted(name for name in found if not name.startswith("_"))
+
+
+if not TYPE_CHECKING:  # which finds the modules in the folder, and no other name
+
+    def __getattr__(name: str) -> Any:
+        if name in (*_modules(), *PACKAGES):
+            return importlib.import_module(f".{name}", __name__)
+        there = f"kernel modules: {', '.join(_modules())}"
+        order = re.fullmatch(r"cayley([1-9]\d*)", name)
+        if order or re.fullmatch(r"exponential|orthographic|lambert|breusing|wiener_milenkovic|reduced_euler_rodrigues|sine[1-9]\d*|scaled[1-9]\d*", name):
+            chosen = f"-n {order[1]}" if order else f"--family {name}"
+            command = f"dualcay generate {chosen} -o FOLDER"
+            raise ImportError(f"no {name} in {__name__!r} ({there}): write it with  {command}", name=f"{__name__}.{name}")
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}; {there}")
 
 
 def backend() -> dict[str, str]:
@@ -35,7 +54,7 @@ def backend() -> dict[str, str]:
     dict
         From the names of functions to ``"numpy"``, or to ``"native"`` where the compiled ones of ``dualcay-native``
         run in every module, ``"native in cayley2, cayley3"`` where in some. Numbers that these do not take (complex ones,
-        objects) go to NumPy in any case. ``DUALCAY_NATIVE=0`` in the environment switches them off.
+        objects) go to NumPy in any case, as do rotations alone. ``DUALCAY_NATIVE=0`` in the environment switches them off.
 
     Examples
     --------
@@ -53,19 +72,5 @@ def backend() -> dict[str, str]:
     return {name: native if compiled and name not in uncompiled else "numpy" for name in names}
 
 
-if not TYPE_CHECKING:  # which finds the modules in the folder, and no other name
-
-    def __getattr__(name: str) -> Any:
-        if name in _modules():
-            return importlib.import_module(f".{name}", __name__)
-        there = f"kernel modules: {', '.join(_modules())}"
-        order = re.fullmatch(r"cayley([1-9]\d*)", name)
-        if order or re.fullmatch(r"exponential|orthographic|lambert|breusing|wiener_milenkovic|reduced_euler_rodrigues|sine[1-9]\d*|scaled[1-9]\d*", name):
-            chosen = f"-n {order[1]}" if order else f"--family {name}"
-            command = f"dualcay generate {chosen} -o FOLDER"
-            raise ImportError(f"no {name} in {__name__!r} ({there}): write it with  {command}", name=f"{__name__}.{name}")
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}; {there}")
-
-
 def __dir__() -> list[str]:
-    return sorted({*__all__, *_modules(), "__version__"})
+    return sorted({*__all__, *_modules(), *PACKAGES, "__version__"})

@@ -13,7 +13,6 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from ._geometry import KERNELS
 from ._kernel import Kernel, Result, constants
 from ._native import functions as native_functions
 from ._selection import Selection
@@ -49,10 +48,10 @@ class Chart:
         By turns back, the v·v beyond which one more is due and its numbers.
     functions : mapping
         The scalar programs.
-    own : mapping
-        Kernels which do with less when they know the chart, in place of those that all charts share.
+    kernels : mapping
+        Those that all charts share, or with less where they know the chart.
     programs : str
-        A digest of all of them, by which compiled ones are known to be the same.
+        A digest of all of them, by which compiled ones are known to be the same; none of such that nothing compiles.
     """
 
     def __init__(
@@ -63,8 +62,8 @@ class Chart:
         turns: Table,
         returns: tuple[str, ...],
         functions: Mapping[str, Function],
-        own: Mapping[str, Kernel],
-        programs: str,
+        kernels: Mapping[str, Kernel],
+        programs: str = "",
     ) -> None:
         self.module = module
         self.branches = branches
@@ -72,8 +71,8 @@ class Chart:
         self.turns = turns
         self.returns = returns
         self.functions = functions
+        self.kernels = kernels
         self.programs = programs
-        self.kernels: Mapping[str, Kernel] = {**KERNELS, **own}
         self.plain = SimpleNamespace(**{name: function.plain for name, function in functions.items()})
         self._bound: dict[np.dtype[Any], SimpleNamespace] = {}
         self._scratch: dict[Kernel, tuple[int, int]] = {}

@@ -36,6 +36,10 @@ class Law:
     violations: Callable[[Components], Iterator[tuple[str, list[Any]]]]
 
 
+def _unit(u: Components) -> Iterator[tuple[str, list[Any]]]:
+    yield "its square is not 1", [_dot(u, u) - 1]
+
+
 def _quaternion(q: Components) -> Iterator[tuple[str, list[Any]]]:
     e, eo = q[:4], q[4:]
     yield "the square of its real part is not 1", [_dot(e, e) - 1]
@@ -44,14 +48,14 @@ def _quaternion(q: Components) -> Iterator[tuple[str, list[Any]]]:
 
 def _tensor(R: Components) -> Iterator[tuple[str, list[Any]]]:
     Q, D = _rows(R[:9]), _rows(R[9:])
-    yield from _rotation(Q)
+    yield from _rotation(R[:9])
     size = _size(R[9:])
     pairs = [(i, j) for i in range(3) for j in range(i + 1)]
     yield "its dual part times Qᵀ is not skew", [(_dot(D[i], Q[j]) + _dot(D[j], Q[i])) / size for i, j in pairs]
 
 
 def _pose(T: Components) -> Iterator[tuple[str, list[Any]]]:
-    yield from _rotation([T[0:3], T[4:7], T[8:11]])
+    yield from _rotation([*T[0:3], *T[4:7], *T[8:11]])
     yield "its last row is not [0, 0, 0, 1]", [T[12], T[13], T[14], T[15] - 1]
 
 
@@ -61,7 +65,8 @@ def _line(u: Components) -> Iterator[tuple[str, list[Any]]]:
     yield "its moment is not perpendicular to its direction", [_dot(direction, moment) / _size(moment)]
 
 
-def _rotation(Q: Sequence[Components]) -> Iterator[tuple[str, list[Any]]]:
+def _rotation(entries: Components) -> Iterator[tuple[str, list[Any]]]:
+    Q = _rows(entries)
     pairs = [(i, j) for i in range(3) for j in range(i + 1)]
     yield "Q Qᵀ is not I", [_dot(Q[i], Q[j]) - int(i == j) for i, j in pairs]
     (a, b, c), (d, e, f), (g, h, i) = Q
@@ -88,18 +93,24 @@ LAWS = {
     "from_pose": Law("T", (4, 4), "homogeneous matrix of a rotation and a translation", _pose),
     "from_screw": Law("line", (6,), "unit dual vector", _line),
 }
-"""By function, of that argument which not every array can be."""
+"""By function of poses, of that argument which not every array can be."""
+
+ROTATION_LAWS = {
+    "from_quaternion": Law("q", (4,), "unit quaternion", _unit),
+    "from_tensor": Law("R", (3, 3), "orthogonal matrix of determinant 1", _rotation),
+    "from_angle_axis": Law("u", (3,), "unit vector", _unit),
+}
+"""The same of rotations."""
 
 
-def require(name: str, value: ArrayLike, axis: int) -> None:
-    """Check an argument of a function.
+def require(law: Law, value: ArrayLike, axis: int) -> None:
+    """Check an argument.
 
     Raises
     ------
     ValueError
         Naming the first element that is none, its largest violation, and what is allowed.
     """
-    law = LAWS[name]
     allowed, components = _given(law, value, axis)
     with silent():
         groups = ((words, residue) for words, residues in law.violations(components) for residue in residues)

@@ -86,7 +86,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._chart import Chart
-from ._checks import require
+from ._checks import LAWS, require
 from ._kernel import Array
 from ._runtime import (
     call,
@@ -144,7 +144,7 @@ class PoseKernels:
                [0., 0., 1., 0.],
                [0., 0., 0., 1.]])
         """
-        return np.zeros(6)
+        return np.zeros((6,))
 
     def random(
         self,
@@ -242,7 +242,8 @@ class PoseKernels:
         """
         if scalar_first:
             return call(self._chart, "quaternion", axis, out, v)
-        return to_scalar_last(call(self._chart, "quaternion", axis, None, v), axis, out)
+        found = call(self._chart, "quaternion", axis, None, v)
+        return to_scalar_last(found, 8, axis, out)
 
     def tensor(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Orthogonal dual tensor of a displacement, CP23 (57).
@@ -1203,7 +1204,7 @@ class PoseKernels:
         >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
         >>> np.allclose(cayley2.shadow(v), [0, 0, -2, -4, 0, 1])
         True
-        >>> np.allclose(cayley2.pose(cayley2.shadow(v)), cayley2.pose(v))
+        >>> np.allclose(cayley2.tensor(cayley2.shadow(v)), cayley2.tensor(v))
         True
         """
         return shifted(self._chart, branch, v, axis, out)
@@ -1333,9 +1334,9 @@ class PoseKernels:
         (True, True)
         """
         if not scalar_first:
-            q = from_scalar_last(q, axis)
+            q = from_scalar_last(q, axis, 8)
         if check:
-            require("from_quaternion", q, axis)
+            require(LAWS["from_quaternion"], q, axis)
         return call_branch(self._chart, "from_quaternion", branch, axis, out, q)
 
     def from_tensor(
@@ -1383,7 +1384,7 @@ class PoseKernels:
         True
         """
         if check:
-            require("from_tensor", R, axis)
+            require(LAWS["from_tensor"], R, axis)
         return call_branch(self._chart, "from_tensor", branch, axis, out, R)
 
     def from_pose(
@@ -1434,7 +1435,7 @@ class PoseKernels:
         True
         """
         if check:
-            require("from_pose", T, axis)
+            require(LAWS["from_pose"], T, axis)
         return call_branch(self._chart, "from_pose", branch, axis, out, T)
 
     def from_screw(
@@ -1482,7 +1483,7 @@ class PoseKernels:
         array([0. , 2. , 0.3])
         """
         if check:
-            require("from_screw", line, axis)
+            require(LAWS["from_screw"], line, axis)
         return call(self._chart, "from_screw", axis, out, angle, line)
 
     def to_screw(self, v: ArrayLike, *, axis: int = -1) -> tuple[Array, Array]:
@@ -1537,7 +1538,8 @@ class PoseKernels:
         Returns
         -------
         ndarray, shape (..., 6)
-            Rotation vector (rad), then the dual part (length unit of the pose). Smooth in v up to the edge of the chart.
+            Rotation vector (rad), then the dual part (length unit of the pose). Smooth in v up to the edge of
+            the chart.
 
         Raises
         ------

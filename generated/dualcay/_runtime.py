@@ -317,7 +317,7 @@ def call_branch(chart: Chart, name: str, branch: int, axis: int, out: Array | No
 def shifted(chart: Chart, branch: int, v: ArrayLike, axis: int, out: Array | None) -> Array:
     """Go on by a number of branches; by none, v itself."""
     turn = turn_of(chart, branch)
-    return call(chart, "shadow", axis, out, v, table=turn) if turn else _same(v, axis, out)
+    return call(chart, "shadow", axis, out, v, table=turn) if turn else _same(chart, v, axis, out)
 
 
 def shifted_jacobian(chart: Chart, branch: int, v: ArrayLike, axis: int, out: Array | None) -> Array:
@@ -329,11 +329,11 @@ def shifted_jacobian(chart: Chart, branch: int, v: ArrayLike, axis: int, out: Ar
 
 def returned(chart: Chart, v: ArrayLike, axis: int, out: Array | None) -> Array:
     """Go back to the principal branch; where there is no other, v itself."""
-    return call(chart, "principal", axis, out, v, table=chart.returns) if chart.returns else _same(v, axis, out)
+    return call(chart, "principal", axis, out, v, table=chart.returns) if chart.returns else _same(chart, v, axis, out)
 
 
-def _same(v: ArrayLike, axis: int, out: Array | None) -> Array:
-    array = as_array("v", v, (6,), axis, real=True)
+def _same(chart: Chart, v: ArrayLike, axis: int, out: Array | None) -> Array:
+    array = as_array("v", v, chart.kernels["principal"].shape, axis, real=True)
     return array.copy() if out is None else _filled(array, out)
 
 
@@ -349,14 +349,14 @@ def _filled(array: Array, out: Array | None) -> Array:
 # --- quaternions whose scalar stands last -------------------------------------------------------------------------
 
 SCALAR_LAST, SCALAR_FIRST = [1, 2, 3, 0, 5, 6, 7, 4], [3, 0, 1, 2, 7, 4, 5, 6]
-"""The components of a dual quaternion in the other order."""
+"""The components of a dual quaternion in the other order; of a quaternion the first four."""
 
 
-def from_scalar_last(q: ArrayLike, axis: int) -> Array:
-    """The dual quaternion with the scalar first in each half."""
-    return as_array("q", q, (8,), axis).take(SCALAR_FIRST, axis)
+def from_scalar_last(q: ArrayLike, axis: int, size: int) -> Array:
+    """The quaternion of so many components, dual or not, with the scalar first in each half."""
+    return as_array("q", q, (size,), axis).take(SCALAR_FIRST[:size], axis)
 
 
-def to_scalar_last(q: Array, axis: int, out: Array | None) -> Array:
-    """The dual quaternion with the scalar last in each half."""
-    return _filled(q.take(SCALAR_LAST, axis), out)
+def to_scalar_last(q: Array, size: int, axis: int, out: Array | None) -> Array:
+    """The quaternion of so many components, dual or not, with the scalar last in each half."""
+    return _filled(q.take(SCALAR_LAST[:size], axis), out)

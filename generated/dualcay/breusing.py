@@ -117,6 +117,7 @@ from math import pi
 from typing import Any
 
 from ._chart import Chart, Function
+from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
 from ._kernel import Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
@@ -860,8 +861,8 @@ CHART = Chart(
         "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 4, 8)),
     },
-    own={},
-    programs="58323807978e426d",
+    kernels=SHARED,
+    programs="c9f0d5b3ede6f2b4",
 )
 
 KERNELS = PoseKernels(CHART)

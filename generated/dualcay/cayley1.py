@@ -128,6 +128,7 @@ from math import pi
 from typing import Any
 
 from ._chart import Chart, Function
+from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
 from ._kernel import Components, Kernel, Result, Rows, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
@@ -1911,7 +1912,8 @@ CHART = Chart(
         "reached": Function(_reached, _reached_blocks, 1, 1, (0, 1, 2)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 2)),
     },
-    own={
+    kernels={
+        **SHARED,
         "pose": Kernel(
         _own_pose,
         _own_pose_blocks,
@@ -2067,7 +2069,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="62ce9e9c16105d37",
+    programs="fabd7acbcf25a642",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -133,6 +133,7 @@ from math import pi
 from typing import Any
 
 from ._chart import Chart, Function
+from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
 from ._kernel import Components, Kernel, Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
@@ -781,7 +782,8 @@ CHART = Chart(
         "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 4)),
     },
-    own={
+    kernels={
+        **SHARED,
         "rate_jacobian": Kernel(
         _own_rate_jacobian,
         _own_rate_jacobian_blocks,
@@ -794,7 +796,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="3128bf28ffd5a0ec",
+    programs="5fb0e48d97645aa7",
 )
 
 KERNELS = PoseKernels(CHART)

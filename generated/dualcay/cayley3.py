@@ -130,6 +130,7 @@ from math import pi
 from typing import Any
 
 from ._chart import Chart, Function
+from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
 from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
 
@@ -734,8 +735,8 @@ CHART = Chart(
         "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 6)),
     },
-    own={},
-    programs="3f5c98d68da03b07",
+    kernels=SHARED,
+    programs="606ee4aa5b684baf",
 )
 
 KERNELS = PoseKernels(CHART)

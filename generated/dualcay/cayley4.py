@@ -130,6 +130,7 @@ from math import pi
 from typing import Any
 
 from ._chart import Chart, Function
+from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
 from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
 
@@ -767,8 +768,8 @@ CHART = Chart(
         "beyond": Function(_beyond, _beyond_blocks, 0, 2, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 8)),
     },
-    own={},
-    programs="189e77f50ce5f5c8",
+    kernels=SHARED,
+    programs="d54c39eb63175656",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -130,6 +130,7 @@ from math import pi
 from typing import Any
 
 from ._chart import Chart, Function
+from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
 from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
 
@@ -791,8 +792,8 @@ CHART = Chart(
         "beyond": Function(_beyond, _beyond_blocks, 0, 2, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 10)),
     },
-    own={},
-    programs="d56a19963c373a5a",
+    kernels=SHARED,
+    programs="315903a566ad0016",
 )
 
 KERNELS = PoseKernels(CHART)

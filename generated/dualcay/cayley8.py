@@ -130,6 +130,7 @@ from math import pi
 from typing import Any
 
 from ._chart import Chart, Function
+from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
 from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
 
@@ -871,8 +872,8 @@ CHART = Chart(
         "beyond": Function(_beyond, _beyond_blocks, 1, 3, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 16)),
     },
-    own={},
-    programs="d214a5a06c4c7f3a",
+    kernels=SHARED,
+    programs="60a82c5de4184e01",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -115,6 +115,7 @@ from math import pi
 from typing import Any
 
 from ._chart import Chart, Function
+from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
 from ._kernel import Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
@@ -1117,8 +1118,8 @@ CHART = Chart(
         "beyond": Function(_beyond, _beyond_blocks, 5, 2, (-1, 0, 1, 2, 4, 6, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1,)),
     },
-    own={},
-    programs="18f51d767cc4538b",
+    kernels=SHARED,
+    programs="c0c307c847f929aa",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -96,6 +96,7 @@ from math import pi
 from typing import Any
 
 from ._chart import Chart, Function
+from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
 from ._kernel import Components, Kernel, Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
@@ -972,7 +973,8 @@ CHART = Chart(
         "reached": Function(_reached, _reached_blocks, 1, 1, (0, 1, 2)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 4)),
     },
-    own={
+    kernels={
+        **SHARED,
         "tangent_inv": Kernel(
         _own_tangent_inv,
         _own_tangent_inv_blocks,
@@ -1040,7 +1042,7 @@ CHART = Chart(
         real=True,
     ),
     },
-    programs="545b18c6b906da89",
+    programs="de3abfa38029cf8b",
 )
 
 KERNELS = PoseKernels(CHART)

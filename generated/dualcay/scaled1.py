@@ -96,6 +96,7 @@ from math import pi
 from typing import Any
 
 from ._chart import Chart, Function
+from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
 from ._kernel import Components, Kernel, Result, Rows, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
@@ -1619,7 +1620,8 @@ CHART = Chart(
         "reached": Function(_reached, _reached_blocks, 1, 1, (0, 1, 2)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 2)),
     },
-    own={
+    kernels={
+        **SHARED,
         "tangent": Kernel(
         _own_tangent,
         _own_tangent_blocks,
@@ -1731,7 +1733,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="66dbc2caf07b945d",
+    programs="b521cedaa1929fad",
 )
 
 KERNELS = PoseKernels(CHART)

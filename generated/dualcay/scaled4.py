@@ -100,6 +100,7 @@ from math import pi
 from typing import Any
 
 from ._chart import Chart, Function
+from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
 from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
 
@@ -848,8 +849,8 @@ CHART = Chart(
         "beyond": Function(_beyond, _beyond_blocks, 0, 2, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 8)),
     },
-    own={},
-    programs="7bb6e5c6d2e295c6",
+    kernels=SHARED,
+    programs="12ba4261120f093a",
 )
 
 KERNELS = PoseKernels(CHART)

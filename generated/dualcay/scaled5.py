@@ -100,6 +100,7 @@ from math import pi
 from typing import Any
 
 from ._chart import Chart, Function
+from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
 from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
 
@@ -880,8 +881,8 @@ CHART = Chart(
         "beyond": Function(_beyond, _beyond_blocks, 0, 2, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 10)),
     },
-    own={},
-    programs="9a15f36babd92b6c",
+    kernels=SHARED,
+    programs="36acb40c7e56d49a",
 )
 
 KERNELS = PoseKernels(CHART)

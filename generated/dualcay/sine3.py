@@ -100,6 +100,7 @@ from math import pi
 from typing import Any
 
 from ._chart import Chart, Function
+from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
 from ._kernel import Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
@@ -777,8 +778,8 @@ CHART = Chart(
         "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 6, 12)),
     },
-    own={},
-    programs="ae4a21cadc3fabe8",
+    kernels=SHARED,
+    programs="1a3bcd3c0c598371",
 )
 
 KERNELS = PoseKernels(CHART)

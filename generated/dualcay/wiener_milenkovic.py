@@ -100,6 +100,7 @@ from math import pi
 from typing import Any
 
 from ._chart import Chart, Function
+from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
 from ._kernel import Components, Kernel, Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
 
@@ -837,7 +838,8 @@ CHART = Chart(
         "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 4)),
     },
-    own={
+    kernels={
+        **SHARED,
         "rate_jacobian": Kernel(
         _own_rate_jacobian,
         _own_rate_jacobian_blocks,
@@ -850,7 +852,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="660d9e43fafc5c2d",
+    programs="5ac4f55553ee05d5",
 )
 
 KERNELS = PoseKernels(CHART)

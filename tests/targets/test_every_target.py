@@ -17,6 +17,7 @@ from derive.proof import prove
 @pytest.mark.parametrize("target", TARGETS.values(), ids=TARGETS)
 def test_a_module_is_made_and_validated(target, tmp_path):
     chart, proved = Cayley(3), prove(Cayley(3))
-    module = {module_name(chart, target): module_text(Facts(proved, lower(proved)), target)}
-    files.write(tmp_path, {**shared_texts(target), **companion_texts(chart, target), **module})
+    facts = Facts(proved, lower(proved))
+    module = {module_name(chart, target): module_text(facts, target)}
+    files.write(tmp_path, {**shared_texts(target), **companion_texts(facts, target), **module})
     assert target.validate(tmp_path, chart) > 100

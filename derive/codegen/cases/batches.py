@@ -11,7 +11,8 @@ import mpmath
 
 from ...maps.chart import Chart
 from ...proof import is_algebraic
-from ..signatures import FUNCTIONS, PUBLIC
+from ..rows import Function, Table
+from ..signatures import POSES
 from . import digits, exact
 from .exact import Expectation
 
@@ -22,10 +23,14 @@ Agree = Callable[[Any, Any], bool]
 class Batch:
     """Cases of one function and branch, on elements of an exact ring or on numbers of 50 digits, within a tolerance."""
 
-    function: str
+    row: Function
     branch: tuple[int, ...]
     cases: tuple[Expectation, ...]
     tolerance: Any = None
+
+    @property
+    def function(self) -> str:
+        return self.row.name
 
     @property
     def exact(self) -> bool:
@@ -38,8 +43,8 @@ class Batch:
         return same if self.exact else partial(digits.close, tolerance=self.tolerance)
 
 
-def batches(chart: Chart) -> list[Batch]:
-    """What every function of the module of a chart must return.
+def batches(chart: Chart, table: Table = POSES) -> list[Batch]:
+    """What every function of the module of a chart must return, by default that of poses.
 
     Raises
     ------
@@ -48,12 +53,12 @@ def batches(chart: Chart) -> list[Batch]:
     """
     algebraic = is_algebraic(chart)
     with mpmath.workdps(digits.DIGITS):
-        exactly = [_batch((case,)) for case in exact.expectations(chart)] if algebraic else []
-        close = [*digits.expectations(chart), *(() if algebraic else digits.algebraic(chart))]
-        closely = [_batch(tuple(map(_decimal, batch)), chart) for batch in close]
-    _require("an expectation", PUBLIC, exactly + closely)
+        exactly = [_batch((case,), table) for case in exact.expectations(chart, table)] if algebraic else []
+        close = [*digits.expectations(chart, table), *(() if algebraic else digits.algebraic(chart, table))]
+        closely = [_batch(tuple(map(_decimal, batch)), table, chart) for batch in close]
+    _require("an expectation", table.public, exactly + closely)
     if algebraic:
-        _require("an exact expectation", (name for name, row in PUBLIC.items() if row.exact), exactly)
+        _require("an exact expectation", (name for name, row in table.public.items() if row.exact), exactly)
     return exactly + closely
 
 
@@ -68,11 +73,12 @@ def _require(what: str, names: Iterable[str], found: Iterable[Batch]) -> None:
         raise ValueError(f"functions without {what} cannot be generated: {', '.join(missing)}")
 
 
-def _batch(cases: tuple[Expectation, ...], chart: Chart | None = None) -> Batch:
+def _batch(cases: tuple[Expectation, ...], table: Table, chart: Chart | None = None) -> Batch:
     """Of exact cases, or of decimal ones of a chart."""
     function, *branch = cases[0].function.split()
-    tolerance = digits.tolerance(chart, FUNCTIONS[function].remainder) if chart else None
-    return Batch(function, tuple(map(int, branch)), cases, tolerance)
+    row = table.functions[function]
+    tolerance = digits.tolerance(chart, row.remainder) if chart else None
+    return Batch(row, tuple(map(int, branch)), cases, tolerance)
 
 
 def _decimal(case: Expectation) -> Expectation:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import itertools
 import random
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
+from functools import lru_cache
 from typing import Any
 
 import mpmath
@@ -21,7 +22,8 @@ from ...maps.pose import (
     tensor_from_screw,
 )
 from ...maps.sign_tests import orientation
-from ..signatures import FUNCTIONS
+from ..rows import Table
+from ..signatures import POSES
 from .exact import ALGEBRAIC, Expectation
 from .maps_at import MAPS, Flat, flat, reached
 from .point import value
@@ -140,12 +142,37 @@ def near_edge(chart: Vectors) -> float:
     return float(NEAR_EDGE ** (1 / 3)) if chart.is_folded else NEAR_EDGE
 
 
-def expectations(chart: Chart) -> Iterator[tuple[Expectation, ...]]:
+def expectations(chart: Chart, table: Table = POSES) -> Iterator[tuple[Expectation, ...]]:
     """Inverse maps, screws, shadows (at most eight branches) and composition: a batch for each function and branch."""
     batches: dict[str, list[Expectation]] = {}
-    for case in _cases(Vectors(chart), random.Random(SEED)):
+    at = Vectors(chart)
+    for case in restricted((*_seeded(at), *undecided(at, table)), table):
         batches.setdefault(case.function, []).append(case)
     yield from map(tuple, batches.values())
+
+
+def restricted(cases: Iterable[Expectation], table: Table) -> Iterator[Expectation]:
+    """Cases as the functions of a table have them.
+
+    Of rotations these are the real parts: no dual part decides in them, but for the axis where nothing turns. There the
+    first case stands, that of the identity, or of a translation along v.
+    """
+    seen = set()
+    for case in cases:
+        source, *branch = case.function.split()
+        if table is POSES:
+            yield case
+        elif row := table.sources.get(source):
+            function, arguments = " ".join((row.name, *branch)), row.restricted(case.arguments)
+            if (function, arguments) not in seen:
+                seen.add((function, arguments))
+                yield Expectation(function, arguments, row.part(case.result))
+
+
+@lru_cache(maxsize=1)
+def _seeded(chart: Vectors) -> tuple[Expectation, ...]:
+    """Those of poses, of which rotations take the real parts a moment later."""
+    return tuple(_cases(chart, random.Random(SEED)))
 
 
 def _cases(chart: Vectors, draw: random.Random) -> Iterator[Expectation]:
@@ -169,7 +196,6 @@ def _cases(chart: Vectors, draw: random.Random) -> Iterator[Expectation]:
         if chart.finite(screw, 0, near_edge(chart)):
             yield from _from_rotation(tensor_from_screw(screw), 0, flat(chart.at(screw)))
     yield from _far_steps(chart, screws[0], still)
-    yield from undecided(chart)
     yield from _near_ties(chart, screws[0])
 
 
@@ -290,15 +316,20 @@ def _identity(chart: Vectors) -> Iterator[Expectation]:
         if branch:
             yield Expectation(f"shadow {branch}", (identity,), nowhere)
             yield Expectation(f"from_quaternion {branch}", ((mpmath.mpf(1), *identity, mpmath.mpf(0)),), nowhere)
+            yield Expectation(f"from_tensor {branch}", ((*Tensor.identity(), *(0 * Tensor.identity())),), nowhere)
 
 
-def undecided(chart: Vectors) -> Iterator[Expectation]:
-    """Vectors with s = 0 or w = 0 exactly, half a turn or none: v itself or its dual part decides about the axis."""
+def undecided(chart: Vectors, table: Table) -> Iterator[Expectation]:
+    """Vectors with s = 0 or w = 0 exactly, half a turn or none: v itself or its dual part decides about the axis.
+
+    Where there is none, of rotations, v stands as if it moved along itself.
+    """
     half = mpmath.mpf(1) / 2
+    sides = (half, -half) if table is POSES else (half,)
     for scale, direction in itertools.product((mpmath.mpf(1), half), LATTICE):
         re = scale * Vector(*direction)
         halves = _half_turns_of(chart, re)
-        for along in (half, -half) if halves else ():
+        for along in sides if halves else ():
             v = Vector.dual(re, along * re + re.cross(Vector(1, 2, 3)))
             screw, own = chart.screw(v)
             yield Expectation("to_screw", (flat(v),), (screw.angle.re, screw.angle.du, *flat(screw.axis)))
@@ -319,7 +350,7 @@ def _half_turns_of(chart: Vectors, re: Vector) -> int:
     return int(mpmath.nint(halves)) if inside and is_whole(halves) else 0
 
 
-def algebraic(chart: Chart) -> Iterator[tuple[Expectation, ...]]:
+def algebraic(chart: Chart, table: Table = POSES) -> Iterator[tuple[Expectation, ...]]:
     """Every algebraic function of a chart whose formulas no ring holds, at seeded vectors; no rotation among them."""
     draw, at = random.Random(SEED), Vectors(chart)
     points = []
@@ -328,10 +359,10 @@ def algebraic(chart: Chart) -> Iterator[tuple[Expectation, ...]]:
         re = u * (size / u.magnitude())
         rest = [tuple(mpmath.mpf(draw.uniform(-2, 2)) for _ in range(count)) for count in (3, 6, 6)]
         points.append(((*re, *rest[0]), *rest[1:]))
-    for name in ALGEBRAIC:
-        sizes = [array.size for array in FUNCTIONS[name].arguments]
-        given = [tuple(row[:size] for row, size in zip(rows, sizes)) for rows in points]
-        yield tuple(Expectation(name, arguments, value(at, name, None, arguments)) for arguments in given)
+    for row in (table.sources[name] for name in ALGEBRAIC if name in table.sources):
+        sizes = [array.size for array in row.arguments]
+        given = [tuple(components[:size] for components, size in zip(rows, sizes)) for rows in points]
+        yield tuple(Expectation(row.name, arguments, value(at, row, None, arguments)) for arguments in given)
 
 
 def tolerance(chart: Chart, remainder: float = 0.0) -> Any:

@@ -18,7 +18,8 @@ from ...maps.chart import Chart
 from ...maps.pose import Pose, pose_from_tensor
 from ...proof import Ring, root_of
 from ..lowering.scalars import scalar_program
-from ..signatures import FUNCTIONS, Function
+from ..rows import Function, Table
+from ..signatures import POSES
 
 Flat = tuple[Any, ...]
 
@@ -236,15 +237,15 @@ ALGEBRAIC: Mapping[str, Value] = {**BY_QUATERNION, **BY_TENSORS}
 """By kernel function: its value by the formulas of a chart, of flat arguments."""
 
 
-def expectations(chart: Chart) -> Iterator[Expectation]:
+def expectations(chart: Chart, table: Table = POSES) -> Iterator[Expectation]:
     """Every algebraic function of the module of a chart, on symbols; and back, where no trigonometry is needed."""
-    for name in BY_QUATERNION:
-        case = _on_symbols(chart, FUNCTIONS[name], chart.quaternion)
+    for name in filter(table.sources.__contains__, BY_QUATERNION):
+        case = _on_symbols(chart, table.sources[name], chart.quaternion)
         yield case
         if _goes_back_by_roots(chart):
             yield Expectation(f"from_{name}", (case.result,), case.arguments[0])
-    for name in BY_TENSORS:
-        yield _on_symbols(chart, FUNCTIONS[name], chart.tensor, chart.tangent, chart.tangent_inv)
+    for name in filter(table.sources.__contains__, BY_TENSORS):
+        yield _on_symbols(chart, table.sources[name], chart.tensor, chart.tangent, chart.tangent_inv)
 
 
 def _on_symbols(chart: Chart, row: Function, *formulas: Formula) -> Expectation:
@@ -252,7 +253,12 @@ def _on_symbols(chart: Chart, row: Function, *formulas: Formula) -> Expectation:
     names = [[f"{letter}{i + 1}" for i in range(array.size)] for letter, array in zip(LETTERS, row.arguments)]
     ring = Ring(extra=[*names[0][3:], *(name for group in names[1:] for name in group)], root=root)
     arguments = tuple(tuple(map(ring.symbol, group)) for group in names)
-    return Expectation(row.name, arguments, ALGEBRAIC[row.name](Formulas(chart, ring), *arguments))
+    return Expectation(row.name, arguments, evaluated(row, Formulas(chart, ring), arguments, 0 * arguments[0][0]))
+
+
+def evaluated(row: Function, at: Formulas, arguments: Sequence[Flat], zero: Any) -> Flat:
+    """What an algebraic function returns by the formulas, of rotations the real part at dual parts of zero."""
+    return row.part(ALGEBRAIC[row.source](at, *row.embedded(arguments, zero)))
 
 
 def _goes_back_by_roots(chart: Chart) -> bool:

@@ -12,7 +12,8 @@ import mpmath
 import sympy
 
 from ...maps.families import alpha
-from .exact import ALGEBRAIC, Flat, Formulas
+from ..rows import Function
+from .exact import ALGEBRAIC, Flat, Formulas, evaluated
 from .maps_at import MAPS
 from .vectors import Vectors
 
@@ -30,17 +31,16 @@ class Numbers:
         return _derivatives(expression, symbol, mpmath.mpf(value), order, mpmath.mp.dps)
 
 
-def value(chart: Vectors, function: str, branch: int | None, arguments: Sequence[Flat]) -> Flat:
+def value(chart: Vectors, row: Function, branch: int | None, arguments: Sequence[Flat]) -> Flat:
     """What a function returns at given numbers."""
-    if function in ALGEBRAIC:
-        return ALGEBRAIC[function](Formulas(chart.chart, Numbers(chart)), *arguments)
-    return MAPS[function](chart, branch or 0, *arguments)
+    zero = mpmath.mpf(0)
+    if row.source in ALGEBRAIC:
+        return evaluated(row, Formulas(chart.chart, Numbers(chart)), arguments, zero)
+    return row.part(MAPS[row.source](chart, branch or 0, *row.embedded(arguments, zero)))
 
 
 @lru_cache(maxsize=1024)  # points differ in other components more often than in x
-def _derivatives(
-    expression: sympy.Expr, symbol: sympy.Symbol, value: Any, order: int, digits: int
-) -> tuple[Any, ...]:
+def _derivatives(expression: sympy.Expr, symbol: sympy.Symbol, value: Any, order: int, digits: int) -> tuple[Any, ...]:
     at, found = sympy.Rational(_fraction(value)), []
     for _ in range(order + 1):
         found.append(mpmath.mpf(expression.xreplace({symbol: at}).evalf(digits + 5)))

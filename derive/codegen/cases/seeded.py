@@ -18,7 +18,8 @@ from typing import Any
 import mpmath
 
 from ...maps.chart import Chart
-from ..signatures import FUNCTIONS, Function
+from ..rows import Function
+from ..signatures import FUNCTIONS
 from .digits import DIGITS
 from .exact import ALGEBRAIC, Flat
 from .maps_at import seeded_arguments
@@ -71,12 +72,13 @@ def _algebraic(chart: Vectors, draw: random.Random) -> Iterator[Case]:
 
 def _case(chart: Vectors, function: str, branch: int | None, arguments: Sequence[Flat]) -> Case:
     """A call with its result and scales: of an algebraic function dual parts of dual arguments move, else all."""
-    row, result = FUNCTIONS[function], value(chart, function, branch, arguments)
+    row = FUNCTIONS[function]
+    result = value(chart, row, branch, arguments)
 
     def moved(place: int, components: Sequence[int]) -> Flat:
         """How far the result goes when these components of an argument move by their own size."""
         stepped = [c * (1 + STEP) if j in components else c for j, c in enumerate(arguments[place])]
-        there = value(chart, function, branch, [*arguments[:place], tuple(stepped), *arguments[place + 1 :]])
+        there = value(chart, row, branch, [*arguments[:place], tuple(stepped), *arguments[place + 1 :]])
         return tuple((b - a) / STEP for a, b in zip(result, there, strict=True))
 
     places = [(i, j) for i, array in enumerate(row.arguments) for j in range(array.size)]
@@ -101,5 +103,3 @@ def _norm(values: Sequence[Any]) -> Any:
 
 def _doubles(values: Sequence[Any]) -> tuple[float, ...]:
     return tuple(float(value) for value in values)
-
-

@@ -10,6 +10,7 @@ retraction   steps by the exponential, and the step from one vector to another
 coordinates  exponential coordinates of a vector, and back
 motion       the screw-linear motion between two vectors
 point        a trace that asks a chart for scalars, and v in it: x = v·v, y = v·v°
+real         a trace of rotations alone: of the same recipes the real part
 scalars      the scalar programs of a chart, traced from its formulas
 ============ ========================================================================
 

@@ -68,9 +68,7 @@ def _quaternion_of(trace: Geometry, rotation: tuple[Vector, ...]) -> Quaternion:
         larger = trace.name(f"larger{step}", trace.less(best, size))
         best = trace.name(f"best{step}", trace.where(larger, size, best))
         pairs = zip(row, entries, strict=True)
-        entries = tuple(
-            trace.name(f"z{step}{i}", trace.where(larger, new, old)) for i, (new, old) in enumerate(pairs)
-        )
+        entries = tuple(trace.name(f"z{step}{i}", trace.where(larger, new, old)) for i, (new, old) in enumerate(pairs))
     return _positive(trace, entries)
 
 
@@ -201,7 +199,9 @@ def _axis(trace: Geometry, point: Point) -> Axis:
     v, vo = point.re, point.du
     total = point.name("total", _sum(trace, v))
     still = point.name("still", trace.equal(total, 0))
-    along = named(trace, "a", Vector(*(trace.where(still, b, a) for a, b in zip(v, vo, strict=True))))
+    # with no dual part nothing else is left at Re v = 0
+    where = v if point.is_real else Vector(*(trace.where(still, b, a) for a, b in zip(v, vo, strict=True)))
+    along = named(trace, "a", where)
     extent = point.name("extent", _sum(trace, along))
     scale = point.name("scale", trace.where(trace.equal(extent, 0), 1, extent))
     scaled = named(trace, "s", along / scale)

@@ -80,6 +80,11 @@ class Point:
     def name(self, letter: str, value: Number) -> Number:
         return self.trace.name(letter + self.mark, value)
 
+    @property
+    def is_real(self) -> bool:
+        """Whether the dual part is the constant 0, as that of rotations is."""
+        return tuple(self.du) == (0, 0, 0)
+
     @cached_property
     def squares(self) -> tuple[Number, Number, Number]:
         """v1², v2², v3²."""

@@ -4,6 +4,7 @@
 target     what a target is
 expression the steps of a program as expressions, in a dialect
 infix      programs as plain Python
+said       words of poses and of rotations alone
 python     the interface that the Python targets share
 numpy      NumPy: plain Python, and calls with ``out``
 array_api  the arrays of any library

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import importlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 from importlib.util import find_spec
 
 import numpy as np
 
-from ..facts import Facts
-from ..lowered import geometry
+from ..lowered import Lowered, geometry
+from ..rows import Table
 from ..validation import Library, Machinery
 from . import infix, python
 from .target import Data
@@ -39,24 +39,27 @@ class ArrayApi(python.PythonTarget):
     unproved = "what array libraries do with arrays other than NumPy's arrays of objects; rounding errors"
 
     def shared(self) -> Mapping[str, Data]:
-        programs = [python.printed(program, infix.body(program)) for program in geometry().values()]
         return {
             **self.package(),
+            **self.per_table(),
             "_chart.py": {},
             "_checks.py": {"words": WORDS},
-            "_geometry.py": {"programs": programs, "rows": python.rows()},
-            "_interface.py": python.interface(WORDS),
             "_runtime.py": {},
             "_tools.py": {},
         }
 
-    def module(self, facts: Facts) -> Data:
+    def geometry(self, table: Table) -> Data:
+        programs = [python.printed(program, infix.body(program)) for program in geometry(table).values()]
+        return {"programs": programs, "rows": table.kernels}
+
+    def programs(self, lowered: Lowered, known: Container[str] = ()) -> Data:
         scalars = [
             python.printed(program, infix.body(program, alone=True), python.components(program))
-            for program in facts.lowered.scalars.values()
+            for name, program in lowered.scalars.items()
+            if name not in known
         ]
-        own = [python.printed(program, infix.body(program)) for program in facts.lowered.own.values()]
-        return python.described(facts, WORDS) | {"scalars": scalars, "own": own, "rows": python.rows()}
+        own = [python.printed(program, infix.body(program)) for program in lowered.own.values()]
+        return {"scalars": scalars, "own": own, "rows": lowered.table.kernels}
 
     def libraries(self) -> Sequence[Library]:
         """NumPy, and the strict reference of the standard where it is installed, in the standard's types."""

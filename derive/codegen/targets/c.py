@@ -20,7 +20,8 @@ from ..facts import Facts, comment, numbers, theorem_lines
 from ..lowered import Lowered, geometry
 from ..lowering.scalars import SCALARS, table_names
 from ..programs.program import Program
-from ..signatures import PUBLIC, Array, Function, aliases
+from ..rows import Array, Function
+from ..signatures import POSES, PUBLIC
 from ..validation import Choose, c_text, compiled, everything
 from . import c99
 from .target import Data, require_functions
@@ -113,6 +114,7 @@ class C:
     extension = "h"
     entry = "dualcay.h"
     comment = "//"
+    tables = (POSES,)
     unproved = "rounding errors; the compiler, which is tested; code for other compilers or types behind #if"
 
     def shared(self) -> Mapping[str, Data]:
@@ -142,14 +144,15 @@ class C:
             "domain": facts.domain,
             "singular": facts.singular,
             "singular_angles": facts.singular_angles,
-            "aliases": aliases(chart),
+            "aliases": POSES.aliases(chart),
             "levels": levels(lowered),
             "scalars": [(level(program), c99.scalar(program, table)) for program in scalars],
             "own": [(level(program), c99.core(program, table)) for program in lowered.own.values()],
             "turns": facts.turns,
         }
 
-    def companions(self, chart: Chart) -> Mapping[str, tuple[str, Data]]:
+    def companions(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
+        chart = facts.chart
         data = {"name": chart.name, "gate": differential.GATE, "functions": list(differential.tables(chart))}
         return {f"test_{chart.name}.c": ("test_chart.c", data)}
 
@@ -157,8 +160,8 @@ class C:
         """Both forms of every public function stand in the geometry, and no other."""
         found = re.findall(r"^DUALCAY_FUNCTION void DUALCAY_NAME\((\w+)\)\(", texts[GEOMETRY], re.MULTILINE)
         plain, rows = ([name for name in found if name.endswith("_rows") == is_rows] for is_rows in (False, True))
-        require_functions(GEOMETRY, plain)
-        require_functions(f"{GEOMETRY}, rows", [name.removesuffix("_rows") for name in rows])
+        require_functions(GEOMETRY, plain, POSES)
+        require_functions(f"{GEOMETRY}, rows", [name.removesuffix("_rows") for name in rows], POSES)
 
     def validate(self, folder: Path, chart: Chart, choose: Choose = everything) -> int:
         """All of it: a header is read anew for each chart, geometry included."""

@@ -12,12 +12,12 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from ... import about
-from ...maps.chart import Chart
 from ..facts import Facts
 from ..fingerprint import fingerprint
 from ..lowered import geometry
 from ..programs.program import Program
-from ..signatures import KERNELS, Function
+from ..rows import Function
+from ..signatures import KERNELS
 from . import c99
 from .c import C
 from .target import Data
@@ -123,5 +123,6 @@ class Native(C):
     def module(self, facts: Facts) -> Data:
         return {**super().module(facts), "programs": fingerprint(facts)}
 
-    def companions(self, chart: Chart) -> Mapping[str, tuple[str, Data]]:
-        return {**super().companions(chart), f"{chart.name}.c": ("module.c", {"name": chart.name})}
+    def companions(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
+        name = facts.chart.name
+        return {**super().companions(facts), f"{name}.c": ("module.c", {"name": name})}

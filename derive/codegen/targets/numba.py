@@ -8,17 +8,17 @@ from __future__ import annotations
 
 import re
 import textwrap
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from ...maps.chart import Chart
 from ...output import RefusedError
-from ..facts import Facts
-from ..lowered import geometry
+from ..lowered import Lowered, geometry
 from ..programs.program import Call, Operand, Program, Statement, summary
 from ..programs.registers import results
-from ..signatures import KERNELS
+from ..rows import Table
+from ..signatures import POSES
 from ..validation import Choose, Library, everything
 from . import infix, python
 from .expression import WIDTH
@@ -44,9 +44,9 @@ class Part:
     rows: str
 
 
-def parts(program: Program, prefix: str = "") -> tuple[Part, ...]:
+def parts(program: Program, prefix: str = "", table: Table = POSES) -> tuple[Part, ...]:
     """The cores of a program of a geometry, each with the outputs it is for; a prefix stands before their names."""
-    sizes = [array.parts[part] for array in KERNELS[program.name].results for part in array.part_of]
+    sizes = [array.parts[part] for array in table.kernels[program.name].results for part in array.part_of]
     return tuple(_part(program, f"{program.name}{i}", group, prefix) for i, group in enumerate(_groups(sizes), 1))
 
 
@@ -157,25 +157,27 @@ class Numba(python.PythonTarget):
     unproved = "what Numba and LLVM make of the source, with typed constants and selections; rounding errors"
 
     def shared(self) -> Mapping[str, Data]:
-        programs = [python.printed(program, parts(program)) for program in geometry().values()]
-        calls = ["prange", *_called(_cores(programs))]
         return {
             **self.package(),
+            **self.per_table(),
             "_chart.py": {},
             "_checks.py": {"words": WORDS},
             "_compiled.py": {},
-            "_geometry.py": {"programs": programs, "rows": python.rows(), "calls": sorted(calls)},
-            "_interface.py": python.interface(WORDS),
             "_runtime.py": {},
             "_tools.py": {},
         }
 
-    def module(self, facts: Facts) -> Data:
-        scalars = [python.printed(program, body(program)) for program in facts.lowered.scalars.values()]
-        own = [python.printed(program, parts(program, "_own_")) for program in facts.lowered.own.values()]
+    def geometry(self, table: Table) -> Data:
+        programs = [python.printed(program, parts(program, table=table)) for program in geometry(table).values()]
+        calls = sorted(["prange", *_called(_cores(programs))])
+        return {"programs": programs, "rows": table.kernels, "calls": calls}
+
+    def programs(self, lowered: Lowered, known: Container[str] = ()) -> Data:
+        named = lowered.scalars.items()
+        scalars = [python.printed(program, body(program)) for name, program in named if name not in known]
+        own = [python.printed(program, parts(program, "_own_", lowered.table)) for program in lowered.own.values()]
         calls = ["prange"] * bool(own) + _called([*(program.forms for program in scalars), *_cores(own)])
-        data = {"scalars": scalars, "own": own, "rows": python.rows(), "calls": sorted(calls)}
-        return python.described(facts, WORDS) | data
+        return {"scalars": scalars, "own": own, "rows": lowered.table.kernels, "calls": sorted(calls)}
 
     def validate(self, folder: Path, chart: Chart, choose: Choose = everything) -> int:
         """Run the source of a package which wants its compiler even so."""

@@ -9,15 +9,17 @@ since a call returns where it wrote. Scratch registers are ``k1, k2, ...``, mask
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Set
+from collections.abc import Container, Iterable, Iterator, Mapping, Set
 from dataclasses import dataclass
 from itertools import chain
 
 from ..facts import Facts
 from ..fingerprint import fingerprint
-from ..lowered import geometry
+from ..lowered import Lowered, geometry
 from ..programs.program import Call, Operand, Program, Step
 from ..programs.registers import Placement, all_results, place, place_returned, results
+from ..rows import Table
+from ..signatures import POSES, ROTATIONS
 from ..validation import Machinery
 from . import infix, python
 from .expression import WIDTH, fill
@@ -208,18 +210,17 @@ class Numpy(python.PythonTarget):
 
     name = "numpy"
     words = WORDS
+    tables = (POSES, ROTATIONS)
     uncompiled = WORDS.plain
     machinery = Machinery(few="_runtime.FEW", block="_kernel.BLOCK")
     unproved = "rounding errors, which are measured; NumPy itself"
 
     def shared(self) -> Mapping[str, Data]:
-        programs = [python.printed(program, two_forms(program)) for program in geometry().values()]
         return {
             **self.package(),
+            **self.per_table(),
             "_chart.py": {},
             "_checks.py": {"words": WORDS},
-            "_geometry.py": {"programs": programs, "rows": python.rows(), "calls": _called(programs)},
-            "_interface.py": python.interface(WORDS),
             "_kernel.py": {},
             "_native.py": {},
             "_runtime.py": {},
@@ -227,17 +228,18 @@ class Numpy(python.PythonTarget):
             "_tools.py": {},
         }
 
-    def module(self, facts: Facts) -> Data:
+    def geometry(self, table: Table) -> Data:
+        programs = [python.printed(program, two_forms(program)) for program in geometry(table).values()]
+        return {"programs": programs, "rows": table.kernels, "calls": _called(programs)}
+
+    def programs(self, lowered: Lowered, known: Container[str] = ()) -> Data:
         scalars = [
             python.printed(program, two_scalar_forms(program), python.components(program))
-            for program in facts.lowered.scalars.values()
+            for name, program in lowered.scalars.items()
+            if name not in known
         ]
-        own = [python.printed(program, two_forms(program)) for program in facts.lowered.own.values()]
-        data = {
-            "calls": _called((*scalars, *own)),
-            "scalars": scalars,
-            "own": own,
-            "rows": python.rows(),
-            "programs": fingerprint(facts),
-        }
-        return python.described(facts, WORDS) | data
+        own = [python.printed(program, two_forms(program)) for program in lowered.own.values()]
+        return {"calls": _called((*scalars, *own)), "scalars": scalars, "own": own, "rows": lowered.table.kernels}
+
+    def module(self, facts: Facts) -> Data:
+        return {**super().module(facts), "programs": fingerprint(facts)}

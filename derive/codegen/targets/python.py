@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 import re
 import textwrap
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -15,14 +15,25 @@ from ...maps.cayley import EQUATIONS
 from ...maps.chart import DEFINITIONS, Chart
 from ...maps.named import NUMBERED, SINGLE
 from ..facts import Facts, comment, numbers, theorem_lines
+from ..lowered import Lowered, lower_chart
 from ..programs.program import Program, summary
-from ..signatures import FUNCTIONS, KERNELS, PUBLIC, Function, aliases
+from ..rows import Function, Table
+from ..signatures import ANGLE, BY_V_OF_POINT, JACOBIAN, POSES, QUATERNION, TENSOR, V
 from ..validation import NUMPY, Choose, Library, Machinery, everything, replay, validate
 from .expression import WIDTH
+from .said import SAID
 from .target import Data, require_functions
 
 INTERFACE = "_interface.py"
-CLASS = "PoseKernels"
+
+CLASSES = {"": "PoseKernels", "rotation": "RotationKernels"}
+"""The classes of kernels, by table."""
+
+SHAPES = {
+    "vector": V, "quaternion": QUATERNION, "tensor": TENSOR, "jacobian": JACOBIAN, "angle": ANGLE,
+    "by_point": BY_V_OF_POINT,
+}  # fmt: skip
+"""Arrays whose shapes docstrings tell, by what they call them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,6 +82,7 @@ class PythonTarget:
     entry = "__init__.py"
     comment = "#"
     machinery = Machinery()
+    tables: Sequence[Table] = (POSES,)
     uncompiled: tuple[str, ...] = ()
     """Functions that run as they are even where compiled ones are installed; empty where nothing uses those."""
     name: str
@@ -80,20 +92,50 @@ class PythonTarget:
         """The files by which a package is imported and run."""
         option = "" if self.name == about.TARGET else f" --target {self.name}"
         families = "|".join([*SINGLE, *(rf"{stem}[1-9]\d*" for stem in NUMBERED)])
-        init = {"version": about.__version__, "target": self.name, "option": option, "families": families}
-        return {self.entry: {**init, "uncompiled": self.uncompiled}, "__main__.py": {}, "py.typed": {}}
+        packages = [table.name for table in self.tables if table.name]
+        modules: Data = {"option": option, "families": families}
+        init = {"version": about.__version__, "target": self.name, "packages": packages, "uncompiled": self.uncompiled}
+        inner = {f"{package}/__init__.py": {**modules, "packages": []} for package in packages}
+        return {self.entry: {**modules, **init}, "__main__.py": {}, "py.typed": {}, **inner}
 
-    def companions(self, chart: Chart) -> Mapping[str, tuple[str, Data]]:
-        return {}
+    def per_table(self) -> Mapping[str, Data]:
+        """Geometry and interface of every table, in its folder."""
+        found: dict[str, Data] = {}
+        for table in self.tables:
+            found[inside(table, "_geometry.py")] = self.geometry(table)
+            found[inside(table, INTERFACE)] = interface(self.words, table)
+        return found
+
+    def geometry(self, table: Table) -> Data:
+        """What the template of a geometry is given."""
+        raise NotImplementedError
+
+    def programs(self, lowered: Lowered, known: Container[str] = ()) -> Data:
+        """What the template of a chart is given of its programs, but of the scalars that are known already."""
+        raise NotImplementedError
+
+    def module(self, facts: Facts) -> Data:
+        return {**described(facts, self.words), **self.programs(facts.lowered)}
+
+    def companions(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
+        """The modules of the chart for further tables, which take the scalars of that for poses."""
+        found = {}
+        for table in self.tables[1:]:
+            lowered = lower_chart(facts.chart, table)
+            told = described_part(facts, lowered, self.words)
+            data = {**told, **self.programs(lowered, facts.lowered.scalars)}
+            found[inside(table, f"{facts.chart.name}.py")] = (inside(table, "chart.py"), data)
+        return found
 
     def require_complete(self, texts: Mapping[str, str]) -> None:
-        require_complete(texts, self.words)
+        for table in self.tables:
+            require_complete(texts, self.words, table)
 
     def validate(self, folder: Path, chart: Chart, choose: Choose = everything) -> int:
-        return validate(folder, chart, choose)
+        return validate(folder, chart, choose, self.tables)
 
     def replay(self, folder: Path, chart: Chart, all_ways: bool) -> int:
-        return replay(folder, chart, self.machinery, self.libraries(), all_ways=all_ways)
+        return replay(folder, chart, self.machinery, self.libraries(), self.tables, all_ways=all_ways)
 
     def libraries(self) -> Sequence[Library]:
         """Whose arrays the functions are given in a replay."""
@@ -103,18 +145,29 @@ class PythonTarget:
         return 0
 
 
-def interface(words: Words) -> Data:
-    """What the template of the interface is given."""
-    equations = {name: numbers(equations) for name, equations in EQUATIONS.items()}
-    theorems = comment(theorem_lines(), "#")
-    return {"words": words, "definitions": DEFINITIONS, "equations": equations, "theorems": theorems}
+def inside(table: Table, name: str) -> str:
+    """A file in the folder of a table."""
+    return f"{table.name}/{name}" if table.name else name
+
+
+def interface(words: Words, table: Table) -> Data:
+    """What the template of the interface of a table is given."""
+    theorems = {"theorems": comment(theorem_lines(), "#")} if table is POSES else {}
+    return theorems | {
+        "words": words,
+        "definitions": DEFINITIONS,
+        "equations": {name: numbers(equations) for name, equations in EQUATIONS.items()},
+        "poses": table is POSES,
+        "class": CLASSES[table.name],
+        "said": SAID[table.name],
+        "shape": {what: (array if table is POSES else array.of_rotation).shape for what, array in SHAPES.items()},
+    }
 
 
 def described(facts: Facts, words: Words) -> dict[str, Any]:
     """What every Python module says of its chart."""
     chart = facts.chart
-    exported = aliases(chart) | {name: name for name in (*PUBLIC, *words.plain)}
-    return {
+    return _exports(chart, POSES, words) | {
         "title": chart.title,
         "parameter": chart.parameter,
         "branches": chart.branches,
@@ -127,9 +180,28 @@ def described(facts: Facts, words: Words) -> dict[str, Any]:
         "largest": facts.largest,
         "turns": facts.turns,
         "returns": facts.returns,
-        "exports": _quoted(exported),
-        "exported": dict(sorted(exported.items())),
     }
+
+
+def described_part(facts: Facts, lowered: Lowered, words: Words) -> dict[str, Any]:
+    """What the module of a chart for another table says: of the chart what differs from that for poses."""
+    chart = facts.chart
+    counts = ", ".join(f"{name} {count.total()}" for name, count in lowered.operations.items())
+    return _exports(chart, lowered.table, words) | {
+        "name": chart.name,
+        "order": chart.order,
+        "title": chart.title,
+        "parameter": chart.parameter,
+        "branches": chart.branches,
+        "singular": facts.singular,
+        "operations": comment(["What was proved is told in the module for poses. Operations:", f"  {counts}"], "#"),
+    }
+
+
+def _exports(chart: Chart, table: Table, words: Words) -> dict[str, Any]:
+    """The names that a module exports."""
+    exported = table.aliases(chart) | {name: name for name in (*table.public, *words.plain)}
+    return {"exports": _quoted(exported), "exported": dict(sorted(exported.items()))}
 
 
 def _quoted(names: Iterable[str]) -> str:
@@ -149,44 +221,40 @@ def components(program: Program) -> tuple[str, ...]:
     return tuple(name for _, names in program.inputs for name in names)
 
 
-def rows() -> Mapping[str, Any]:
-    """The rows of the table that have a program, for the template of a geometry."""
-    return KERNELS
-
-
-def require_complete(texts: Mapping[str, str], words: Words) -> None:
-    """Compare the methods of the interface, and their parameters, with the table.
+def require_complete(texts: Mapping[str, str], words: Words, table: Table = POSES) -> None:
+    """Compare the methods of the interface, and their parameters, with a table.
 
     Raises
     ------
     ValueError
         If a function is missing, is in no row, has no docstring, or takes other parameters than its row says.
     """
-    methods = {method.name: method for method in _methods(texts[INTERFACE])}
-    require_functions(INTERFACE, [name for name in methods if name not in words.plain])
+    where = inside(table, INTERFACE)
+    methods = {method.name: method for method in _methods(texts[where], CLASSES[table.name])}
+    require_functions(where, [name for name in methods if name not in words.plain], table)
     for name, method in methods.items():
-        if name in FUNCTIONS:
-            _require_parameters(FUNCTIONS[name], method.args, words)
+        if name in table.functions:
+            _require_parameters(where, table.functions[name], method.args, words)
         if not ast.get_docstring(method):
-            raise ValueError(f"{INTERFACE}: {name} has no docstring")
+            raise ValueError(f"{where}: {name} has no docstring")
 
 
-def _require_parameters(row: Function, found: ast.arguments, words: Words) -> None:
+def _require_parameters(where: str, row: Function, found: ast.arguments, words: Words) -> None:
     """Arguments as in the table; after them the keywords of every function, or of those that return several arrays."""
     given = [argument.arg for argument in (*found.posonlyargs, *found.args)][1:]
     expected = [array.name for array in row.arguments] + ["branch"] * row.branch
     if given != expected:
-        raise ValueError(f"{INTERFACE}: {row.name} takes {', '.join(given)}, and {', '.join(expected)} in the table")
+        raise ValueError(f"{where}: {row.name} takes {', '.join(given)}, and {', '.join(expected)} in the table")
     keywords = [argument.arg for argument in found.kwonlyargs]
     wanted = [*(words.keywords if len(row.results) == 1 else ["axis"]), *row.keywords]
     if keywords != wanted:
-        raise ValueError(f"{INTERFACE}: keywords of {row.name} are {', '.join(keywords)}, not {', '.join(wanted)}")
+        raise ValueError(f"{where}: keywords of {row.name} are {', '.join(keywords)}, not {', '.join(wanted)}")
 
 
-def _methods(text: str) -> Iterator[ast.FunctionDef]:
+def _methods(text: str, kernels: str) -> Iterator[ast.FunctionDef]:
     """Public methods of the class of kernels."""
     for node in ast.parse(text).body:
-        if isinstance(node, ast.ClassDef) and node.name == CLASS:
+        if isinstance(node, ast.ClassDef) and node.name == kernels:
             for item in node.body:
                 if isinstance(item, ast.FunctionDef) and not item.name.startswith("_"):
                     yield item

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Protocol
 
 from ...maps.chart import Chart
 from ..facts import Facts
-from ..signatures import PUBLIC
+from ..rows import Table
 from ..validation import Choose, everything
 
 Data = Mapping[str, Any]
@@ -37,13 +37,17 @@ class Target(Protocol):
     def unproved(self) -> str:
         """What of its text is not executed when it is validated."""
 
+    @property
+    def tables(self) -> Sequence[Table]:
+        """Whose functions it prints, a module of every chart for each, that of poses first."""
+
     def shared(self) -> Mapping[str, Data]:
         """Files that every package of the target holds, each from the template of its name."""
 
     def module(self, facts: Facts) -> Data:
         """What the module of a chart says."""
 
-    def companions(self, chart: Chart) -> Mapping[str, tuple[str, Data]]:
+    def companions(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
         """Further files of a chart: by name, the template and what it is given."""
 
     def require_complete(self, texts: Mapping[str, str]) -> None:
@@ -65,15 +69,15 @@ class Target(Protocol):
         """Compile and run the tests among its companions: how many calls agree, None where nothing compiles them."""
 
 
-def require_functions(where: str, found: Iterable[str]) -> None:
-    """Compare the functions that a text defines with the public ones of the table.
+def require_functions(where: str, found: Iterable[str], table: Table) -> None:
+    """Compare the functions that a text defines with the public ones of a table.
 
     Raises
     ------
     ValueError
         Naming what is missing and what is not in the table.
     """
-    missing, extra = (sorted(names) for names in (PUBLIC.keys() - set(found), set(found) - PUBLIC.keys()))
+    missing, extra = (sorted(names) for names in (table.public.keys() - set(found), set(found) - table.public.keys()))
     if missing or extra:
         named = (", ".join(names) or "none" for names in (missing, extra))
         raise ValueError(f"{where}: functions of the table that are missing: {next(named)}; not in it: {next(named)}")

@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from ..signatures import FUNCTIONS, Function
+from ..rows import Function
+from ..signatures import FUNCTIONS
 from .c_interpreter import UNSET, CError, Pointer, Unit
 
 Flat = tuple[Any, ...]

@@ -15,7 +15,7 @@ from ...maps.chart import Chart
 from ..cases import Batch, batches, digits
 from ..cases.batches import Agree, same
 from ..cases.digits import Decimal
-from ..signatures import FUNCTIONS, aliases
+from ..signatures import POSES
 from .c_calls import Flat, Kernel
 from .c_interpreter import UNSET, CError, Pointer, Unit, load
 from .errors import ValidationFailed
@@ -60,7 +60,7 @@ def _prefix(chart: Chart) -> str:
 
 def _kernel(unit: Unit, chart: Chart, batch: Batch) -> Kernel:
     """The function of a batch, with its branch; branch 0 where none is given."""
-    default = (0,) if FUNCTIONS[batch.function].branch else ()
+    default = (0,) if batch.row.branch else ()
     return Kernel(unit, _prefix(chart), batch.function, batch.branch or default)
 
 
@@ -105,7 +105,7 @@ def _samples(given: Sequence[Batch]) -> Iterator[tuple[Batch, list[tuple[Flat, .
     draw = random.Random(SEED)
     for batch in given:
         if batch.exact and (batch.function, batch.branch) not in seen:
-            sizes = [array.size for array in FUNCTIONS[batch.function].arguments]
+            sizes = [array.size for array in batch.row.arguments]
             yield batch, [tuple(_drawn(draw, size) for size in sizes) for _ in range(3)]
 
 
@@ -118,7 +118,7 @@ def _constants(unit: Unit, chart: Chart) -> None:
     prefix = _prefix(chart)
     macro = prefix.upper()
     expected = {f"{macro}ORDER": str(chart.order), f"{macro}SINGULAR_ANGLES": str(len(chart.singular_angles))}
-    named = aliases(chart).items()
+    named = POSES.aliases(chart).items()
     expected |= {f"{prefix}{a}{form}": f"{prefix}{b}{form}" for a, b in named for form in ("", "_rows")}
     for name, text in expected.items():
         if unit.source.expand(name) != text:

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from ..signatures import Function
+from ..rows import Function
 from .errors import ValidationFailed
 from .known import Known, parts
 from .rounding import Array

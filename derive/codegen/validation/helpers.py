@@ -13,6 +13,8 @@ from typing import Any
 
 import numpy as np
 
+from ..rows import Table
+from ..signatures import POSES
 from .errors import ValidationFailed
 from .rounding import Array
 
@@ -27,17 +29,20 @@ ON_SPHERE = {3: 1 / math.sqrt(3), 4: 1 / 2}
 """Of a component of a unit vector, by the number of components."""
 
 
-def helpers(package: ModuleType, module: ModuleType) -> int:
-    """Call them; return how many calls are as they must be.
+def helpers(package: ModuleType, module: ModuleType, table: Table = POSES) -> int:
+    """Call them, of the module of a table; return how many calls are as they must be.
 
     Raises
     ------
     ValidationFailed
         Naming the function and what is wrong with it.
     """
-    checks: list[Callable[[], None]] = [lambda: _matrix6(package.matrix6)]
+    moves = table is POSES
+    checks: list[Callable[[], None]] = [lambda: _matrix6(package.matrix6)] if moves else []
     if hasattr(module, "random"):
-        checks += [lambda: _rest(module), lambda: _calls(module), lambda: _by_angle(module), lambda: _uniform(module)]
+        size = table.functions["inverse"].shape
+        checks += [lambda: _rest(module, size), lambda: _calls(module, size, moves)]
+        checks += [lambda: _by_angle(module, moves), lambda: _uniform(module, moves)]
     for check in checks:
         check()
     return len(checks)
@@ -65,41 +70,43 @@ def _matrix6(matrix6: Callable[[Array], Array]) -> None:
     _refused(matrix6, "D must have shape (..., 2, 3, 3)", np.zeros((2, 3, 4)))
 
 
-def _rest(module: ModuleType) -> None:
-    _require(module.identity() == np.zeros(6), "identity moves")
+def _rest(module: ModuleType, size: tuple[int, ...]) -> None:
+    _require(module.identity().shape == size and not module.identity().any(), "identity moves")
 
 
-def _calls(module: ModuleType) -> None:
+def _calls(module: ModuleType, size: tuple[int, ...], moves: bool) -> None:
     for shape in ((), (3,), (2, 3)):
-        _require(module.random(shape).shape == (*shape, 6), "random has another shape")
-    _require(module.random(3).shape == (3, 6), "random has another shape")
+        _require(module.random(shape).shape == (*shape, *size), "random has another shape")
+    _require(module.random(3).shape == (3, *size), "random has another shape")
     again = module.random(3, rng=np.random.default_rng(SEED))
     _require(module.random(3, rng=SEED) == again, "random is not that of its seed")
     largest = module.singular_angles()[-1]
     for angle in (-0.1, *([1.1 * largest] if math.isfinite(largest) else [])):
         _refused(module.random, "max_angle must be in [0, ", max_angle=angle)
-    for length in (-0.1, math.nan):
+    for length in (-0.1, math.nan) if moves else ():
         _refused(module.random, "max_translation must be >= 0", max_translation=length)
-    still = module.random(3, max_angle=0, max_translation=0, rng=SEED)
+    still = module.random(3, max_angle=0, rng=SEED, **({"max_translation": 0} if moves else {}))
     _require(abs(still) == 0, "random moves by more than it may")
 
 
-def _by_angle(module: ModuleType) -> None:
+def _by_angle(module: ModuleType, moves: bool) -> None:
     most = 0.9 * min(math.pi, module.singular_angles()[-1])
-    v = module.random(COUNT, max_angle=most, max_translation=LENGTH, rng=SEED)
-    angle, line = module.to_screw(v)
-    _distributed(angle[:, 0] / most, "angles of random")
-    _directed(line[:, :3], "axes of random")
-    _translations(module, v, LENGTH, line[:, :3])
+    v = module.random(COUNT, max_angle=most, rng=SEED, **({"max_translation": LENGTH} if moves else {}))
+    angle, axis = module.to_screw(v) if moves else module.to_angle_axis(v)
+    _distributed((angle[:, 0] if moves else angle) / most, "angles of random")
+    _directed(axis[:, :3], "axes of random")
+    if moves:
+        _translations(module, v, LENGTH, axis[:, :3])
 
 
-def _uniform(module: ModuleType) -> None:
+def _uniform(module: ModuleType, moves: bool) -> None:
     v = module.random(COUNT, rng=SEED)
     _require(abs(module.principal(v) - v) <= 1e-9 * (1 + abs(v)), "random is not principal")
     quaternion = module.quaternion(v)[:, :4]
     signed = quaternion * np.sign(np.random.default_rng(SEED).uniform(-1, 1, (COUNT, 1)))
     _directed(signed, "quaternions of random")
-    _translations(module, v, 1.0, quaternion[:, 1:] / np.linalg.norm(quaternion[:, 1:], axis=-1, keepdims=True))
+    if moves:
+        _translations(module, v, 1.0, quaternion[:, 1:] / np.linalg.norm(quaternion[:, 1:], axis=-1, keepdims=True))
 
 
 def _translations(module: ModuleType, v: Array, most: float, axes: Array) -> None:

@@ -10,13 +10,13 @@ import mpmath
 import numpy as np
 
 from ...maps.chart import Chart
-from .. import signatures
+from .. import rows
 from ..cases import Samples
 from ..cases.digits import DIGITS
 from ..lowered import Lowered, geometry
 from ..programs.program import Operand, Program
 from ..programs.registers import results as result_names
-from ..signatures import FUNCTIONS, Function
+from ..rows import Function
 from .rounding import Array, Ball, Rounding, long
 
 TABLE = "table"
@@ -55,14 +55,14 @@ class Analysis:
     def __init__(self, chart: Chart, lowered: Lowered, dtypes: Sequence[np.dtype[Any]]) -> None:
         self.chart = chart
         self.lowered = lowered
-        self.programs = {**geometry(), **lowered.own}
+        self.programs = {**geometry(lowered.table), **lowered.own}
         self.rounding = Rounding(tuple(dtypes))
 
     def known(self, samples: Samples) -> Known:
         """What a function returns at samples of its arguments."""
-        row = FUNCTIONS[samples.function]
-        rows = [np.arange(len(group)) for group in samples.arguments]
-        picks = [pick.ravel() for pick in np.meshgrid(*rows, indexing="ij")]
+        row = samples.row
+        counted = [np.arange(len(group)) for group in samples.arguments]
+        picks = [pick.ravel() for pick in np.meshgrid(*counted, indexing="ij")]
         with np.errstate(all="ignore"), mpmath.workdps(DIGITS):
             columns = [
                 [_picked(self.rounding.given(column), pick) for column in zip(*group, strict=True)]
@@ -131,7 +131,7 @@ def require_sharp(known: Known) -> None:
             raise ValueError(f"{known.row.name}: rounding may change too many digits of {array.name}")
 
 
-def parts(row: Function) -> Iterator[tuple[signatures.Array, slice]]:
+def parts(row: Function) -> Iterator[tuple[rows.Array, slice]]:
     """The results of a function, and where they stand among all its components."""
     start = 0
     for array in row.results:

@@ -10,7 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from ..signatures import PUBLIC, Array, Function
+from ..rows import Array, Function, Table
+from ..signatures import POSES
 from .errors import ValidationFailed
 
 
@@ -24,7 +25,7 @@ class Wrong:
     options: Mapping[str, Any] = field(default_factory=dict)
 
 
-def refuse(module: ModuleType) -> int:
+def refuse(module: ModuleType, table: Table = POSES) -> int:
     """Call every public function of a module with wrong arguments; return how many calls were refused as documented.
 
     Raises
@@ -33,7 +34,7 @@ def refuse(module: ModuleType) -> int:
         Naming the function, and what was taken for right.
     """
     count = 0
-    for row in PUBLIC.values():
+    for row in table.public.values():
         function = getattr(module, row.name)
         for wrong in _wrong(row, "out" in inspect.signature(function).parameters):
             try:

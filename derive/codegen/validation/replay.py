@@ -22,12 +22,13 @@ import numpy as np
 from ...maps.chart import Chart
 from ..cases import far, samples
 from ..lowered import lower_chart
-from ..signatures import FUNCTIONS
+from ..rows import Table
+from ..signatures import POSES
 from . import ways
 from .calls import NUMPY, Call, Caller, Library, alone, several
 from .helpers import helpers
 from .known import Analysis, Known, require_sharp
-from .run import loaded
+from .run import loaded, module_of
 from .sample import its_own
 
 FEW = 20
@@ -65,10 +66,11 @@ def replay(
     chart: Chart,
     machinery: Machinery,
     libraries: Sequence[Library] = (NUMPY,),
+    tables: Sequence[Table] = (POSES,),
     *,
     all_ways: bool = True,
 ) -> int:
-    """Call the functions of the module of a chart on floats; return how many calls agree with its formulas.
+    """Call the functions of the modules of a chart on floats; return how many calls agree with its formulas.
 
     Parameters
     ----------
@@ -78,6 +80,8 @@ def replay(
     machinery : Machinery
     libraries : sequence of Library
         Whose arrays are given.
+    tables : sequence of Table
+        A module each.
     all_ways : bool
         Whether to try all that is the same for every chart: once for a package is enough. Else functions are called
         which read its scalars or are its own, one of them in all ways.
@@ -90,30 +94,42 @@ def replay(
     if not libraries:
         return 0
     with loaded(folder) as package:
-        return replay_package(package, chart, machinery, libraries, all_ways=all_ways)
+        return replay_package(package, chart, machinery, libraries, tables, all_ways=all_ways)
 
 
 def replay_package(
-    package: str, chart: Chart, machinery: Machinery, libraries: Sequence[Library], *, all_ways: bool
+    package: str,
+    chart: Chart,
+    machinery: Machinery,
+    libraries: Sequence[Library],
+    tables: Sequence[Table] = (POSES,),
+    *,
+    all_ways: bool,
 ) -> int:
     """The same for a package that can be imported."""
+    return sum(_replay(package, chart, table, machinery, libraries, all_ways) for table in tables)
+
+
+def _replay(
+    package: str, chart: Chart, table: Table, machinery: Machinery, libraries: Sequence[Library], all_ways: bool
+) -> int:
     dtypes = list(dict.fromkeys(dtype for library in libraries for dtype in library.dtypes))
-    lowered = lower_chart(chart)
-    analysis, chosen = Analysis(chart, lowered, dtypes), FUNCTIONS if all_ways else its_own(lowered)
-    found = [analysis.known(group) for group in samples(chart, chosen)]
+    lowered = lower_chart(chart, table)
+    analysis, chosen = Analysis(chart, lowered, dtypes), table.functions if all_ways else its_own(lowered)
+    found = [analysis.known(group) for group in samples(chart, table, chosen)]
     for known in found:
         require_sharp(known)
     with warnings.catch_warnings(), np.errstate(all="warn"):
         warnings.simplefilter("error" if machinery.silent else "ignore", RuntimeWarning)
-        module = importlib.import_module(f"{package}.{chart.name}")
+        module = module_of(package, chart, table)
         few = _number(package, machinery.few) if machinery.few else FEW
         callers = [Caller(module, library) for library in libraries]
         with _small_blocks(package, machinery.block) if machinery.block else nullcontext():
             for caller in callers:
                 _every_function(caller, found, chart, few)
-                _overflow(caller, chart, analysis, chosen, few)
+                _overflow(caller, chart, table, analysis, chosen, few)
                 _ways(caller, found, chart, machinery, few, all_ways)
-        beside = helpers(importlib.import_module(package), module) if all_ways else 0
+        beside = helpers(importlib.import_module(package), module, table) if all_ways else 0
     return beside + sum(caller.count for caller in callers)
 
 
@@ -136,7 +152,7 @@ def _every_function(caller: Caller, found: Sequence[Known], chart: Chart, few: i
             caller.check(replace(first, branch=(known.branch[0] + turns * chart.branches,)))
 
 
-def _overflow(caller: Caller, chart: Chart, analysis: Analysis, chosen: Container[str], few: int) -> None:
+def _overflow(caller: Caller, chart: Chart, table: Table, analysis: Analysis, chosen: Container[str], few: int) -> None:
     """Where forward maps overflow, in another type where x does, results are right or not finite.
 
     The widest type is left out: bounds overflow with it.
@@ -145,7 +161,7 @@ def _overflow(caller: Caller, chart: Chart, analysis: Analysis, chosen: Containe
     for dtype, everywhere in zip(dtypes, (False, True), strict=False):
         largest = float(np.finfo(dtype).max)
         size = BEYOND * mpmath.mpf(math.sqrt(largest) if everywhere else chart.overflow(largest)[1])
-        for known in map(analysis.known, far(chart, size, chosen)):
+        for known in map(analysis.known, far(chart, size, table, chosen)):
             for picks in (alone(known, 0), several(known, few + BLOCK)):
                 call = Call(known, picks, dtype)
                 caller.compare(call, caller.run(call), overflow=True)

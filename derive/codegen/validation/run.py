@@ -20,7 +20,9 @@ from ...maps.chart import Chart
 from ..cases import Batch, batches
 from ..cases.digits import DIGITS
 from ..cases.exact import Expectation
-from ..signatures import FUNCTIONS
+from ..lowered import lower_chart
+from ..rows import Table
+from ..signatures import POSES
 from .errors import ValidationFailed
 from .refusals import refuse
 from .sample import Choose, everything
@@ -30,8 +32,8 @@ Objects: TypeAlias = "np.ndarray[Any, np.dtype[Any]]"
 _serial = itertools.count()
 
 
-def validate(folder: Path, chart: Chart, choose: Choose = everything) -> int:
-    """Check the module of a chart in a folder; return how many function calls were compared.
+def validate(folder: Path, chart: Chart, choose: Choose = everything, tables: Sequence[Table] = (POSES,)) -> int:
+    """Check the modules of a chart in a folder, one for each table; return how many function calls were compared.
 
     ``choose`` leaves out what other charts of the package have shown of its geometry.
 
@@ -41,10 +43,18 @@ def validate(folder: Path, chart: Chart, choose: Choose = everything) -> int:
         Naming the function, the layout and the first component that differs.
     """
     with loaded(folder) as package, mpmath.workdps(DIGITS):
-        module = importlib.import_module(f"{package}.{chart.name}")
-        chosen = choose(batches(chart))
-        compared = sum(_check(module, batch, (-1, 0) if whole else (-1,)) for batch, whole in chosen)
-        return compared + refuse(module)
+        return sum(_validate(module_of(package, chart, table), chart, table, choose) for table in tables)
+
+
+def module_of(package: str, chart: Chart, table: Table) -> ModuleType:
+    """The module of a chart that holds the functions of a table."""
+    return importlib.import_module(".".join(filter(None, (package, table.name, chart.name))))
+
+
+def _validate(module: ModuleType, chart: Chart, table: Table, choose: Choose) -> int:
+    chosen = choose(lower_chart(chart, table), batches(chart, table))
+    compared = sum(_check(module, batch, (-1, 0) if whole else (-1,)) for batch, whole in chosen)
+    return compared + refuse(module, table)
 
 
 NATIVE = "DUALCAY_NATIVE"
@@ -81,7 +91,7 @@ def _check(module: ModuleType, batch: Batch, layouts: Sequence[int]) -> int:
     """
     function = getattr(module, batch.function)
     columns = zip(*(case.arguments for case in batch.cases), strict=True)
-    kinds = FUNCTIONS[batch.function].arguments
+    kinds = batch.row.arguments
     arguments = [_array(rows, array.shape) for rows, array in zip(columns, kinds, strict=True)]
     place = f"{_name(module)}.{batch.function}"
     for axis in layouts:

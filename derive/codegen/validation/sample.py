@@ -13,71 +13,78 @@ from dataclasses import dataclass, field
 from ..cases import Batch
 from ..lowered import Lowered, geometry
 from ..programs.program import Program
-from ..signatures import FUNCTIONS, KERNELS, PUBLIC
+from ..rows import Function, Table
 
 TABLE = "table"
 """The argument of a program that takes a turn, or all returns, of the chart."""
 
 
-Choose = Callable[[Sequence[Batch]], Sequence[tuple[Batch, bool]]]
-"""Which of the batches are executed, and whether in every layout."""
+Choose = Callable[[Lowered, Sequence[Batch]], Sequence[tuple[Batch, bool]]]
+"""Which of the batches of a lowered chart are executed, and whether in every layout."""
 
 
-def everything(given: Sequence[Batch]) -> Sequence[tuple[Batch, bool]]:
+def everything(lowered: Lowered, given: Sequence[Batch]) -> Sequence[tuple[Batch, bool]]:
     """All batches, in every layout."""
     return [(batch, True) for batch in given]
 
 
 @dataclass(frozen=True, slots=True)
 class Seen:
-    """Programs of a geometry that have been executed on all cases; grows as charts are validated."""
+    """Programs of geometries that have been executed on all cases, by table; grows as charts are validated."""
 
-    programs: set[str] = field(default_factory=set)
+    by_table: dict[str, set[str]] = field(default_factory=dict)
+
+    def programs(self, table: Table) -> set[str]:
+        """Those of the geometry of a table."""
+        return self.by_table.setdefault(table.name, set())
 
     def new(self, lowered: Lowered, given: Sequence[Batch]) -> list[tuple[Batch, bool]]:
         """The batches of a lowered chart that are still to be executed, and whether in every layout."""
-        wanted, shown = set(_readers(lowered)), self.programs - lowered.own.keys()
+        programs = self.programs(lowered.table)
+        wanted, shown = set(_readers(lowered)), programs - lowered.own.keys()
         unseen = [bool(_executed(batch, lowered) - shown) for batch in given]
         for batch in given:
-            self.programs.update(_executed(batch, lowered) - lowered.own.keys())
-        return [(batch, new) for batch, new in zip(given, unseen, strict=True) if new or _samples(batch, wanted)]
+            programs.update(_executed(batch, lowered) - lowered.own.keys())
+        pairs = zip(given, unseen, strict=True)
+        return [(batch, new) for batch, new in pairs if new or _samples(batch, wanted, lowered.table)]
 
 
 def its_own(lowered: Lowered) -> set[str]:
     """The functions of a chart that have programs of their own, or read scalars which no other one reads."""
-    return {*_readers(lowered), *(name for name, row in PUBLIC.items() if row.kernel in lowered.own)}
+    return {*_readers(lowered), *(name for name, row in lowered.table.public.items() if row.kernel in lowered.own)}
 
 
-def _samples(batch: Batch, wanted: Set[str]) -> bool:
+def _samples(batch: Batch, wanted: Set[str], table: Table) -> bool:
     """Whether a batch is of a wanted function: on the principal branch, on others where it takes their turns itself."""
-    return batch.function in wanted and (_principal(batch) or _takes_table(batch.function))
+    return batch.function in wanted and (_principal(batch) or _takes_table(batch.row, table))
 
 
 def _principal(batch: Batch) -> bool:
     return not any(batch.branch)
 
 
-def _takes_table(function: str) -> bool:
-    return TABLE in dict(geometry()[FUNCTIONS[function].kernel].inputs)
+def _takes_table(row: Function, table: Table) -> bool:
+    return TABLE in dict(geometry(table)[row.kernel].inputs)
 
 
 def _executed(batch: Batch, lowered: Lowered) -> set[str]:
     """What a call of a function on a branch runs: its program, a turn after it, or nothing at all."""
-    branch = FUNCTIONS[batch.function].branch
-    programs = {FUNCTIONS[batch.function].kernel}
-    if branch and _takes_table(batch.function) and _principal(batch):
+    row, table = batch.row, lowered.table
+    programs = {row.kernel}
+    if row.branch and _takes_table(row, table) and _principal(batch):
         return {f"{batch.function}: v stands"}
-    if branch and not _takes_table(batch.function) and not _principal(batch):
-        programs |= KERNELS.keys() - PUBLIC.keys()
+    if row.branch and not _takes_table(row, table) and not _principal(batch):
+        programs |= table.kernels.keys() - table.public.keys()
     return {name if name in lowered.operations else f"{name}: v stands" for name in programs}
 
 
 def _readers(lowered: Lowered) -> Iterator[str]:
     """Functions that together read every result of every scalar program."""
     read: set[tuple[str, int]] = set()
-    for name in KERNELS:
-        shared = name in PUBLIC and name in lowered.operations and name not in lowered.own
-        found = set(_results(geometry()[name])) if shared else set()
+    table = lowered.table
+    for name in table.kernels:
+        shared = name in table.public and name in lowered.operations and name not in lowered.own
+        found = set(_results(geometry(table)[name])) if shared else set()
         if found - read:
             read |= found
             yield name

@@ -13,8 +13,8 @@ from typing import Any
 
 import numpy as np
 
+from ..rows import Array as Kind
 from ..signatures import CHECK, QUATERNION, SCALAR_FIRST
-from ..signatures import Array as Kind
 from .calls import Call, Caller, several
 from .known import Known
 from .rounding import Array
@@ -105,7 +105,7 @@ def keywords(caller: Caller, known: Known, dtype: np.dtype[Any], few: int) -> No
 def _ordered(arrays: Sequence[Array], kinds: Sequence[Kind], order: Sequence[int], axis: int) -> list[Array]:
     """The arrays, in another order the components of those that are quaternions."""
     return [
-        array.take(order, axis) if kind.shape == QUATERNION.shape else array
+        array.take(order[: kind.size], axis) if kind.name == QUATERNION.name else array
         for array, kind in zip(arrays, kinds, strict=True)
     ]
 

@@ -11,20 +11,23 @@ from pathlib import Path
 import pytest
 
 from derive import about
-from derive.codegen.facts import LICENCE
+from derive.codegen.facts import LICENCE, Facts
+from derive.codegen.lowered import lower_chart
 from derive.codegen.module import companion_texts, notices, shared_texts
 from derive.codegen.targets import TARGETS
 from derive.maps import Cayley
 from derive.output import write
+from derive.proof import prove
 
 ROOT = Path(__file__).parents[3]
 CHART = Cayley(1)
+FACTS = Facts(prove(CHART), lower_chart(CHART))
 
 
 def texts(target: str) -> Iterator[tuple[str, str]]:
     """Files of a package by name, and what may stand in their places."""
     row = TARGETS[target]
-    yield from (shared_texts(row) | companion_texts(CHART, row)).items()
+    yield from (shared_texts(row) | companion_texts(FACTS, row)).items()
     yield from notices([CHART], row).items()
 
 
@@ -44,7 +47,7 @@ def test_every_header_names_the_licence(target: str) -> None:
 
 
 def test_committed_modules_too() -> None:
-    for path in (ROOT / "generated" / "dualcay").glob("*.py"):
+    for path in (ROOT / "generated" / "dualcay").rglob("*.py"):
         assert heads(path.read_text(encoding="utf-8"))[1] == LICENCE
 
 

@@ -16,7 +16,8 @@ import derive
 from derive.codegen import ValidationFailed, build, catalogue, check, compiler, signatures
 from derive.codegen.cases import batches, digits, exact
 from derive.codegen.module import notices
-from derive.codegen.signatures import PUBLIC
+from derive.codegen.rows import Function
+from derive.codegen.signatures import POSES, PUBLIC
 from derive.codegen.targets import TARGETS, python
 from derive.codegen.validation import validate
 from derive.maps import Cayley
@@ -91,19 +92,21 @@ def test_a_wrong_sign_or_factor_in_a_printed_kernel_fails_validation(
 def test_untouched_kernels_pass_and_every_call_is_compared_in_both_layouts(
     package, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ):
-    monkeypatch.setattr("derive.codegen.validation.run.refuse", lambda module: 0)  # wrong calls count by themselves
+    # wrong calls count by themselves
+    monkeypatch.setattr("derive.codegen.validation.run.refuse", lambda module, table: 0)
     files.write(tmp_path, package.texts)
-    for chart in (Cayley(3), Cayley(4)):
+    for chart, tables in ((Cayley(3), NUMPY.tables), (Cayley(4), (POSES,))):
         # each batch in both layouts, and each pose alone
-        assert validate(tmp_path, chart) == sum(2 + len(batch.cases) for batch in batches(chart))
+        compared = sum(2 + len(batch.cases) for table in tables for batch in batches(chart, table))
+        assert validate(tmp_path, chart, tables=tables) == compared
 
 
 @pytest.mark.parametrize("name", PUBLIC)
 def test_a_function_without_an_expectation_is_not_generated(name: str, monkeypatch: pytest.MonkeyPatch):
     for source in (exact, digits):
 
-        def without(chart, original=source.expectations):
-            return (found for found in original(chart) if _function_of(found) != name)
+        def without(*given, original=source.expectations):
+            return (found for found in original(*given) if _function_of(found) != name)
 
         monkeypatch.setattr(source, "expectations", without)
     with pytest.raises(ValueError, match=rf"without an expectation cannot be generated: {name}$"):
@@ -149,13 +152,13 @@ def test_keywords_are_those_of_the_table():
 def bare_interface(keywords: bool) -> str:
     """The functions of the table, with the keywords of its rows or only those of every function."""
 
-    def parameters(row: signatures.Function) -> str:
+    def parameters(row: Function) -> str:
         common = NUMPY.words.keywords if len(row.results) == 1 else ["axis"]
         given = ["self", *(a.name for a in row.arguments), *["branch"] * row.branch]
         return ", ".join([*given, "*", *common, *(row.keywords if keywords else ())])
 
     bare = "".join(f"    def {name}({parameters(row)}): ...\n" for name, row in PUBLIC.items())
-    return f"class {python.CLASS}:\n{bare}"
+    return f"class PoseKernels:\n{bare}"
 
 
 def test_a_failed_proof_writes_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):

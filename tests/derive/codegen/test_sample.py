@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from functools import partial
 from pathlib import Path
 
 import pytest
@@ -12,7 +11,7 @@ from derive.codegen.cases import batches
 from derive.codegen.facts import Facts
 from derive.codegen.lowered import geometry, lower, lower_chart
 from derive.codegen.module import module_name, module_text, shared_texts
-from derive.codegen.signatures import FUNCTIONS, KERNELS
+from derive.codegen.signatures import FUNCTIONS, KERNELS, POSES
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation import Seen, validate
 from derive.maps import Cayley
@@ -39,7 +38,7 @@ def test_every_program_of_the_geometry_runs_and_every_result_of_a_scalar_is_read
     chosen = {n: seen.new(lower_chart(Cayley(n)), given[n]) for n in ORDERS}
     assert all(whole for _, whole in chosen[1])
     assert len(chosen[1]) == len(given[1])
-    assert seen.programs >= KERNELS.keys()
+    assert seen.programs(POSES) >= KERNELS.keys()
     run = {batch.function for batch, _ in chosen[4]}
     read = {
         (call.function, place)
@@ -80,4 +79,4 @@ def test_what_is_wrong_in_any_file_is_noticed_by_some_chart(texts, tmp_path: Pat
 def validate_all(folder: Path) -> None:
     seen = Seen()
     for n in ORDERS:
-        validate(folder, Cayley(n), partial(seen.new, lower_chart(Cayley(n))))
+        validate(folder, Cayley(n), seen.new)

@@ -1,0 +1,221 @@
+"""Rotations alone: the real parts of the functions of poses, and the formulas of the textbooks for n = 1 and n = 2."""
+
+from __future__ import annotations
+
+import importlib
+import pickle
+import re
+from fractions import Fraction
+from types import ModuleType
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+import dualcay.rotation
+from derive import about
+from derive.codegen.rows import Function
+from derive.codegen.signatures import ROTATIONS
+
+MODULES = (*(f"cayley{n}" for n in about.ORDERS), *about.FAMILIES)
+EPS = np.finfo(float).eps
+
+ROUNDINGS = 4096
+"""Units of rounding that two programs of one function may differ by, relative to the largest component: a thousand
+operations at most, of which each moves a result by a few units, away from the singular angles."""
+
+
+def pair(name: str) -> tuple[ModuleType, ModuleType]:
+    """The module of a chart for rotations, and that for poses."""
+    return importlib.import_module(f"dualcay.rotation.{name}"), importlib.import_module(f"dualcay.{name}")
+
+
+def arguments(row: Function, module: ModuleType, shape: tuple[int, ...] = (5,)) -> list[np.ndarray]:
+    """Rotations for what is one, random numbers for everything else."""
+    rng = np.random.default_rng(11)
+    vectors = [module.random(shape, max_angle=2.5, rng=seed) for seed in (1, 2)]
+    made = {"v": vectors[0], "v2": vectors[1], "v1": vectors[0], "R": module.tensor(vectors[0])}
+    made |= {"q": module.quaternion(vectors[0]), "u": Rotation.random(5, rng=rng).as_quat()[..., :3]}
+    return [made[a.name] if a.name in made else rng.uniform(-1, 1, (*shape, *a.shape)) for a in row.arguments]
+
+
+@pytest.mark.parametrize("chart", MODULES)
+def test_they_are_the_real_parts_of_the_functions_of_poses(chart: str) -> None:
+    rotations, poses = pair(chart)
+    for name, row in ROTATIONS.public.items():
+        given = arguments(row, rotations)
+        flat = [tuple(np.moveaxis(a.reshape(5, -1), -1, 0)) for a in given]
+        embedded = row.embedded(flat, np.zeros(5))
+        dual = [
+            np.stack(a, axis=-1).reshape(5, *kind.shape) for a, kind in zip(embedded, row.pose.arguments, strict=True)
+        ]
+        branch = (1,) if row.branch else ()
+        found, expected = (
+            np.concatenate([part.reshape(5, -1) for part in (r if isinstance(r, tuple) else (r,))], axis=-1)
+            for r in (getattr(rotations, name)(*given, *branch), getattr(poses, row.source)(*dual, *branch))
+        )
+        wanted = np.stack(row.part(list(expected.T)), axis=-1)
+        assert np.all(abs(found - wanted) <= ROUNDINGS * EPS * abs(wanted).max(initial=1)), name
+
+
+@pytest.mark.parametrize("chart", MODULES)
+def test_angular_velocity_is_that_of_the_matrix_and_rates_go_back(chart: str) -> None:
+    rotations, _ = pair(chart)
+    v, v_dot = rotations.random(7, max_angle=2.5, rng=3), np.random.default_rng(4).uniform(-1, 1, (7, 3))
+    moved = rotations.tensor(v + 1e-30j * v_dot)  # a complex step: no digits are lost
+    R, R_dot = moved.real, moved.imag / 1e-30
+    omega = rotations.twist(v, v_dot)
+    for matrix, found in ((R_dot @ R.mT, omega), (R.mT @ R_dot, rotations.body_twist(v, v_dot))):
+        vect = np.stack([matrix[:, 2, 1], matrix[:, 0, 2], matrix[:, 1, 0]], axis=-1)
+        np.testing.assert_allclose(found, vect, rtol=0, atol=ROUNDINGS * EPS * abs(vect).max())
+    scale = ROUNDINGS * EPS * abs(v_dot).max() * np.linalg.cond(rotations.tangent(v)).max()
+    np.testing.assert_allclose(rotations.rate(v, omega), v_dot, rtol=0, atol=scale)
+    turned = rotations.tangent(v + 1e-30j * v_dot).imag / 1e-30
+    scale = ROUNDINGS * EPS * abs(turned).max()
+    np.testing.assert_allclose(rotations.tangent_dot(v, v_dot), turned, rtol=0, atol=scale)
+
+
+@pytest.mark.parametrize("chart", ["cayley1", "cayley2", "cayley8", "exponential", "lambert", "breusing", "scaled2"])
+@pytest.mark.parametrize("shape", [(), (3,), (2, 30)])
+def test_laws_of_the_group_in_every_shape_and_layout(chart: str, shape: tuple[int, ...]) -> None:
+    m, _ = pair(chart)
+    v, w = (m.random(shape, max_angle=2, rng=seed) for seed in (5, 6))
+    near = {"rtol": 0, "atol": 1e-12 * max(1, abs(v).max(), abs(w).max())}
+    np.testing.assert_allclose(m.tensor(m.compose(w, v)), m.tensor(w) @ m.tensor(v), rtol=0, atol=1e-12)
+    np.testing.assert_allclose(m.compose(v, m.between(w, v)), w, **near)
+    np.testing.assert_allclose(m.retract(v, m.local(w, v)), w, **near)
+    np.testing.assert_allclose(m.body_retract(v, m.body_local(w, v)), w, **near)
+    np.testing.assert_allclose(m.compose(m.inverse(v), v), np.zeros((*shape, 3)), **near)
+    np.testing.assert_allclose(m.from_tensor(m.tensor(v)), v, **near)
+    angle, axis = m.to_angle_axis(v)
+    assert angle.shape == shape
+    np.testing.assert_allclose(m.from_angle_axis(angle, axis), v, **near)
+    np.testing.assert_allclose(m.angle(v), angle, rtol=0, atol=1e-12)
+    first = np.moveaxis(v, -1, 0)
+    np.testing.assert_array_equal(m.angle(first, axis=0), m.angle(v))
+    np.testing.assert_allclose(m.quaternion(first, axis=0, scalar_first=False)[3], m.quaternion(v)[..., 0], rtol=1e-15)
+    place = np.empty(shape)
+    assert m.angle(v, out=place) is place
+    np.testing.assert_allclose(m.from_angle_axis(*m.to_angle_axis(first, axis=0), axis=0), first, **near)
+
+
+# --- textbook formulas ---------------------------------------------------------------------------------------------
+
+
+def skew(a: np.ndarray) -> np.ndarray:
+    x, y, z = a
+    return np.array([[0 * x, -z, y], [z, 0 * x, -x], [-y, x, 0 * x]])
+
+
+def exact(*numbers: str) -> np.ndarray:
+    return np.array([Fraction(number) for number in numbers], object)
+
+
+SIGMA, OMEGA = exact("1/5", "-2/7", "3/8"), exact("1", "-5/3", "1/2")
+
+
+def test_rates_of_modified_rodrigues_parameters_are_those_of_the_textbooks_exactly() -> None:
+    """σ̇ = ¼ [(1 − σ²) I + 2 [σ×] + 2 σ σᵀ] ω, ω in the body frame: Schaub & Junkins, Analytical Mechanics, MRPs."""
+    m, identity = dualcay.rotation.cayley2, exact(*"100010001").reshape(3, 3)
+    B = (1 - SIGMA @ SIGMA) * identity + 2 * skew(SIGMA) + 2 * np.outer(SIGMA, SIGMA)
+    assert np.all(m.body_rate(SIGMA, OMEGA) == B @ OMEGA / 4)
+    assert np.all(m.body_tangent_inv(SIGMA) == B / 4)
+    assert np.all(m.rate(SIGMA, OMEGA) == B.T @ OMEGA / 4)  # in space the sign of the cross product is the other
+    assert np.all(m.shadow(SIGMA.astype(float)) == pytest.approx(-SIGMA.astype(float) / float(SIGMA @ SIGMA)))
+
+
+def test_rates_of_gibbs_vectors_are_those_of_the_textbooks_exactly() -> None:
+    """ġ = ½ [I + [g×] + g gᵀ] ω, ω in the body frame; Q = I + 2/(1 + g²) ([g×] + [g×]²)."""
+    m, identity = dualcay.rotation.cayley1, exact(*"100010001").reshape(3, 3)
+    B = identity + skew(SIGMA) + np.outer(SIGMA, SIGMA)
+    assert np.all(m.body_rate(SIGMA, OMEGA) == B @ OMEGA / 2)
+    assert np.all(m.rate(SIGMA, OMEGA) == B.T @ OMEGA / 2)
+    Q = identity + 2 / (1 + SIGMA @ SIGMA) * (skew(SIGMA) + skew(SIGMA) @ skew(SIGMA))
+    assert np.all(m.tensor(SIGMA) == Q)
+
+
+def test_vectors_are_those_of_scipy() -> None:
+    turned = Rotation.random(200, rng=7)
+    q, rotvec = turned.as_quat(scalar_first=True), turned.as_rotvec()
+    angle = turned.magnitude()
+    near = {"rtol": 1e-12, "atol": 1e-13}
+    np.testing.assert_allclose(dualcay.rotation.cayley2.from_quaternion(q), turned.as_mrp(), **near)
+    np.testing.assert_allclose(dualcay.rotation.exponential.from_quaternion(q), rotvec, **near)
+    gibbs = rotvec * (np.tan(angle / 2) / angle)[:, np.newaxis]
+    some = angle < 3  # v is infinite at π
+    np.testing.assert_allclose(dualcay.rotation.cayley1.from_quaternion(q)[some], gibbs[some], rtol=1e-11)
+    v = dualcay.rotation.cayley2.random(100, max_angle=5, rng=8)  # beyond π as well
+    of_scipy = Rotation.from_mrp(v)
+    np.testing.assert_allclose(dualcay.rotation.cayley2.tensor(v), of_scipy.as_matrix(), rtol=0, atol=1e-14)
+    np.testing.assert_allclose(dualcay.rotation.cayley2.principal(v), of_scipy.as_mrp(), **near)
+    points = np.random.default_rng(9).uniform(-1, 1, (100, 3))
+    np.testing.assert_allclose(dualcay.rotation.cayley2.transform_point(v, points), of_scipy.apply(points), atol=1e-14)
+    after = Rotation.random(100, rng=10)
+    product = dualcay.rotation.cayley2.compose(after.as_mrp(), v)
+    np.testing.assert_allclose(product, (after * of_scipy).as_mrp(), **near)
+
+
+def test_mrp_rates_are_those_of_a_body_that_turns() -> None:
+    """Central differences of SciPy's MRP, which are off by the step squared, 1e-10, and by rounding over the step."""
+    v, omega, step = np.array([0.2, -0.3, 0.1]), np.array([0.5, 0.7, -0.4]), 1e-5
+    here = Rotation.from_mrp(v)
+    later, sooner = ((here * Rotation.from_rotvec(s * step * omega)).as_mrp() for s in (1, -1))
+    rate = (later - sooner) / (2 * step)
+    np.testing.assert_allclose(dualcay.rotation.cayley2.body_rate(v, omega), rate, atol=1e-9)
+    later, sooner = ((Rotation.from_rotvec(s * step * omega) * here).as_mrp() for s in (1, -1))
+    np.testing.assert_allclose(dualcay.rotation.cayley2.rate(v, omega), (later - sooner) / (2 * step), atol=1e-9)
+
+
+# --- where nothing turns, and the edge ------------------------------------------------------------------------------
+
+
+def test_the_identity_has_no_axis_and_the_edge_no_vector() -> None:
+    m = dualcay.rotation.cayley3
+    angle, axis = m.to_angle_axis(m.identity())
+    assert angle == 0
+    assert np.isnan(axis).all()
+    assert np.isnan(m.shadow(m.identity())).all()
+    assert np.isnan(m.from_quaternion([1.0, 0, 0, 0], branch=1)).all()
+    assert not m.principal(m.identity()).any()
+    assert dualcay.rotation.cayley1.from_quaternion([0.0, 0, 0, 1])[2] == np.inf
+
+
+def test_what_is_no_rotation_is_refused_where_one_asks() -> None:
+    m = dualcay.rotation.cayley2
+    with pytest.raises(ValueError, match=r"^q\[1\] is no unit quaternion: its square is not 1, off by 3"):
+        m.from_quaternion([[1.0, 0, 0, 0], [2.0, 0, 0, 0]], check=True)
+    with pytest.raises(ValueError, match=r"^R is no orthogonal matrix of determinant 1: det Q is not 1, off by 2"):
+        m.from_tensor(-np.eye(3), check=True)
+    with pytest.raises(ValueError, match=r"^u is no unit vector"):
+        m.from_angle_axis(1.0, [1.0, 1, 0], check=True)
+    with pytest.raises(ValueError, match=r"v must have shape \(\.\.\., 3\), got \(6,\)"):
+        m.tensor(np.zeros(6))
+    with pytest.raises(TypeError, match="positional"):
+        m.from_angle_axis(angle=1.0, u=[1.0, 0, 0])
+
+
+# --- the package ----------------------------------------------------------------------------------------------------
+
+
+def test_modules_are_found_listed_pickled_and_told() -> None:
+    assert dir(dualcay.rotation) == sorted(MODULES)
+    assert not {"rotation"} & set(dualcay._modules())
+    m = dualcay.rotation.cayley2
+    assert dir(m) == sorted(m.__all__)
+    assert not {"pose", "from_screw", "to_screw", "transform_line", "from_pose"} & set(m.__all__)
+    assert pickle.loads(pickle.dumps(m.rate)) == m.rate
+    assert pickle.loads(pickle.dumps(m.KERNELS)) is m.KERNELS
+    assert repr(m.KERNELS) == "<RotationKernels of dualcay.rotation.cayley2>"
+    for name in m.__all__:
+        assert not re.search(r"\.\.\., [268]|\bdual\b|\bRe ", getattr(m, name).__doc__), f"{name} tells of poses"
+    with pytest.raises(ImportError, match=r"no cayley6 in 'dualcay.rotation'.*dualcay generate -n 6 -o FOLDER$"):
+        exec("from dualcay.rotation import cayley6")
+
+
+@pytest.mark.parametrize("chart", MODULES)
+def test_scalars_are_those_of_the_module_for_poses(chart: str) -> None:
+    rotations, poses = pair(chart)
+    shared = poses.CHART.functions.items()
+    assert all(rotations.CHART.functions[name] is function for name, function in shared)
+    assert rotations.singular_angles() == poses.singular_angles()
+    assert rotations.ORDER == poses.ORDER
