@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from .lowering import calculus, forward, groups, inverse, kinematics, motion, retraction
+from .lowering import calculus, coordinates, forward, groups, inverse, kinematics, motion, retraction
 from .rows import Array, Function, Recipe, Table
 
 
@@ -34,7 +34,7 @@ def _jacobian(name: str) -> Array:
 V, OMEGA, V_DOT, LINE, SHADOW, MOVED, BACK = map(_dual, ("v", "omega", "v_dot", "line", "v_k", "moved", "v_back"))
 AXIS = replace(LINE, real_name="u")
 OMEGA_DOT, V_DDOT, WRENCH, MOMENTUM = map(_dual, ("omega_dot", "v_ddot", "z", "tau"))
-DELTA, MOVED_V = map(_dual, ("delta", "v_moved"))
+DELTA, MOVED_V, LOGARITHM = map(_dual, ("delta", "v_moved", "w"))
 TENSOR = _tensor("tensor")
 JACOBIAN, BY_V, BY_LINE = map(_jacobian, ("jacobian", "by_v", "by_line"))
 TWO, BY_TWO = (V.called("v2"), V.called("v1")), (_jacobian("by_v2"), _jacobian("by_v1"))
@@ -108,6 +108,8 @@ _ROWS = (
     ),
     Function("to_screw", (V,), (ANGLE, AXIS), inverse.to_screw, exact=False, real=True, rotation="to_angle_axis"),
     Function("angle", (V,), (ANGLE,), inverse.angle, exact=False, real=True),
+    Function("to_exponential", (V,), (LOGARITHM,), coordinates.to_exponential, exact=False, real=True),
+    Function("from_exponential", (LOGARITHM,), (V,), coordinates.from_exponential, exact=False, real=True),
     Function("turn", (V,), (SHADOW,), inverse.turn, exact=False, real=True, public=False),
     Function("shadow", (V,), (SHADOW,), inverse.shadow, exact=False, branch=True, real=True),
     Function("identity_jacobian", (V,), (JACOBIAN,), inverse.identity_jacobian, exact=False, real=True, public=False),

@@ -78,6 +78,8 @@ COVERAGE: Mapping[str, Coverage] = {
     "from_screw": Coverage("50 digits", ("screw",), "tan of a dual angle"),
     "to_screw": Coverage("50 digits", ("screw", "pose"), _BRANCHES),
     "angle": Coverage("50 digits", ("screw", "axis"), "the angle of a length"),
+    "to_exponential": Coverage("50 digits", ("screw", "axis"), "the angle of a length"),
+    "from_exponential": Coverage("50 digits", ("screw",), "tan of a dual angle, whole turns beyond the edge"),
     "shadow": Coverage(
         "50 digits", ("Moebius step", "shadow, even branch", "shadow, odd branch"), "the axis and its sign"
     ),

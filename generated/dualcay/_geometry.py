@@ -2407,6 +2407,100 @@ def angle_blocks(
     m.where(resting, x, own, o1)
 
 
+# operations 31: 9 +, 16 *, 2 /, 1 sqrt, 1 eq, 2 where
+def to_exponential(m: Any, c: Any, v: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    resting = x == 0
+    square = m.where(resting, 1 + x, x)
+    length = m.sqrt(square)
+    own, = c.unfolded(m, x, length)
+    rate, _ = c.rate(m, x)
+    share = m.where(resting, rate, own / length)
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    bend = (rate - share) * y / square
+    return v1 * share, v2 * share, v3 * share, v1o * share + v1 * bend, v2o * share + v2 * bend, v3o * share + v3 * bend
+
+
+def to_exponential_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, *spare = scratch
+    mask1, *spare_masks = masks
+    n0, n1 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    rate, _ = c.rate((k2, k3), (*spare,), (*spare_masks,), x)
+    resting = m.equal(x, n0, mask1)
+    square = m.where(resting, add(n1, x, k3), x, k3)
+    length = sqrt(square, k4)
+    own, = c.unfolded((k5,), (*spare,), (*spare_masks,), x, length)
+    share = m.where(resting, rate, div(own, length, k1), k4)
+    mul(v1, share, o1)
+    mul(v2, share, o2)
+    mul(v3, share, o3)
+    y = add(add(mul(v1, v1o, k1), mul(v2, v2o, k5), k1), mul(v3, v3o, k5), k1)
+    bend = div(mul(sub(rate, share, k2), y, k1), square, k1)
+    add(mul(v1o, share, k2), mul(v1, bend, k3), o4)
+    add(mul(v2o, share, k2), mul(v2, bend, k3), o5)
+    add(mul(v3o, share, k2), mul(v3, bend, k1), o6)
+
+
+# operations 32: 9 +, 16 *, 2 /, 1 sqrt, 1 eq, 3 where
+def from_exponential(m: Any, c: Any, w: Components) -> Result:
+    w1, w2, w3, w1o, w2o, w3o = w
+    v11 = w1 * w1
+    v22 = w2 * w2
+    v33 = w3 * w3
+    x = v11 + v22 + v33
+    resting = x == 0
+    square = m.where(resting, 1 + x, x)
+    length = m.sqrt(square)
+    alpha = m.where(resting, x, length)
+    within, = c.reached(m, alpha)
+    rn, slopen = c.coefficient(m, within)
+    share = m.where(resting, slopen, rn / length)
+    y = w1 * w1o + w2 * w2o + w3 * w3o
+    bend = (slopen - share) * y / square
+    return w1 * share, w2 * share, w3 * share, w1o * share + w1 * bend, w2o * share + w2 * bend, w3o * share + w3 * bend
+
+
+def from_exponential_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, w: Rows
+) -> None:
+    w1, w2, w3, w1o, w2o, w3o = w
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, *spare = scratch
+    mask1, *spare_masks = masks
+    n0, n1 = numbers
+    v11 = mul(w1, w1, k1)
+    v22 = mul(w2, w2, k2)
+    v33 = mul(w3, w3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    resting = m.equal(x, n0, mask1)
+    square = m.where(resting, add(n1, x, k2), x, k2)
+    length = sqrt(square, k3)
+    alpha = m.where(resting, x, length, k1)
+    within, = c.reached((k4,), (*spare,), (*spare_masks,), alpha)
+    rn, slopen = c.coefficient((k1, k5), (*spare,), (*spare_masks,), within)
+    share = m.where(resting, slopen, div(rn, length, k1), k3)
+    mul(w1, share, o1)
+    mul(w2, share, o2)
+    mul(w3, share, o3)
+    y = add(add(mul(w1, w1o, k1), mul(w2, w2o, k4), k1), mul(w3, w3o, k4), k1)
+    bend = div(mul(sub(slopen, share, k4), y, k1), square, k1)
+    add(mul(w1o, share, k2), mul(w1, bend, k4), o4)
+    add(mul(w2o, share, k2), mul(w2, bend, k4), o5)
+    add(mul(w3o, share, k2), mul(w3, bend, k1), o6)
+
+
 # operations 63: 14 +, 24 *, 10 /, 6 abs, 1 sqrt, 2 eq, 6 where
 def turn(m: Any, c: Any, v: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
@@ -8910,6 +9004,28 @@ KERNELS: Mapping[str, Kernel] = {
         masks=2,
         numbers=(0, 1),
         lent=(('pose', 1, 2), ('unfolded', 3, 1)),
+        real=True,
+    ),
+    "to_exponential": Kernel(
+        to_exponential,
+        to_exponential_blocks,
+        (("v", (6,)),),
+        (6,),
+        registers=5,
+        masks=1,
+        numbers=(0, 1),
+        lent=(('unfolded', 0, 0), ('rate', 0, 0)),
+        real=True,
+    ),
+    "from_exponential": Kernel(
+        from_exponential,
+        from_exponential_blocks,
+        (("w", (6,)),),
+        (6,),
+        registers=5,
+        masks=1,
+        numbers=(0, 1),
+        lent=(('reached', 0, 0), ('coefficient', 0, 0)),
         real=True,
     ),
     "turn": Kernel(

@@ -1522,6 +1522,75 @@ class PoseKernels:
         screw = call(self._chart, "to_screw", axis, None, v)
         return (screw[:2, ...], screw[2:, ...]) if axis == 0 else (screw[..., :2], screw[..., 2:])
 
+    def to_exponential(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+        r"""Exponential coordinates α u of v on its own branch: ``v = φ(α) u``, α not folded to [0, π].
+
+        Parameters
+        ----------
+        v : array_like, shape (..., 6)
+            Rodrigues dual vector φ(α) u of this module: real part (dimensionless), then dual part (length unit of the
+            pose).
+        axis : {-1, 0}
+            Where the component axes stand, in arguments and result: last, or first (the fastest).
+        out : ndarray, optional
+            Array for the result, shape (..., 6); it may overlap an argument.
+
+        Returns
+        -------
+        ndarray, shape (..., 6)
+            Rotation vector (rad), then the dual part (length unit of the pose). Smooth in v up to the edge of
+            the chart.
+
+        Raises
+        ------
+        TypeError
+            If v is complex.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> np.allclose(cayley2.from_exponential(cayley2.to_exponential(v)), v)
+        True
+        """
+        return call(self._chart, "to_exponential", axis, out, v)
+
+    def from_exponential(self, w: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+        r"""Vector φ(α) u of exponential coordinates α u, on their branch where the chart reaches it.
+
+        Parameters
+        ----------
+        w : array_like, shape (..., 6)
+            α u: rotation vector (rad), then the dual part (length unit of the pose).
+        axis : {-1, 0}
+            Where the component axes stand, in arguments and result: last, or first (the fastest).
+        out : ndarray, optional
+            Array for the result, shape (..., 6); it may overlap an argument.
+
+        Returns
+        -------
+        ndarray, shape (..., 6)
+            Where α is beyond the edge of the chart, by as few whole turns less as lead back: the nearest vector of the
+            pose that it has. NaN where it has none, infinite at an edge where φ is.
+
+        Raises
+        ------
+        TypeError
+            If w is complex.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay import cayley2
+        >>> v = np.array([0, 0, 0.5, 1, 0, 0.25])
+        >>> from dualcay import exponential
+        >>> w = np.array([0.1, 0.2, 0, 0, 1, 0])
+        >>> np.allclose(cayley2.tensor(cayley2.from_exponential(w)), exponential.tensor(w))
+        True
+        """
+        return call(self._chart, "from_exponential", axis, out, w)
+
     def angle(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Dual angle of v on its own branch, not folded to [0, π]: ``v = φ(α) u``.
 

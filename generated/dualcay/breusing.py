@@ -71,6 +71,8 @@
 #   from_screw: 34: 6 +, 17 *, 7 /, 1 sqrt, 1 tan, 1 lt, 1 where
 #   to_screw: 105: 24 +, 38 *, 12 /, 1 neg, 8 abs, 3 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
 #   angle: 83: 23 +, 28 *, 9 /, 6 abs, 6 sqrt, 1 atan2, 3 eq, 7 where
+#   to_exponential: 65: 19 +, 31 *, 6 /, 5 sqrt, 1 atan2, 1 eq, 2 where
+#   from_exponential: 67: 17 +, 26 *, 10 /, 2 sqrt, 2 tan, 2 atan2, 2 lt, 1 eq, 5 where
 #   turn: 98: 22 +, 38 *, 18 /, 6 abs, 4 sqrt, 1 lt, 2 eq, 7 where
 #   shadow: 137: 34 +, 51 *, 19 /, 1 neg, 6 abs, 6 sqrt, 5 lt, 3 eq, 1 and, 1 or, 10 where
 #   identity_jacobian: 12: 12 +
@@ -123,11 +125,12 @@ __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
     "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
     "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
-    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor",
-    "identity", "interpolate", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot",
-    "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent",
-    "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
-    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_exponential", "from_pose", "from_quaternion",
+    "from_screw", "from_tensor", "identity", "interpolate", "inverse", "local", "pose", "principal", "quaternion",
+    "random", "rate", "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_exponential", "to_screw",
+    "transform_line", "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot",
+    "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 2
@@ -703,6 +706,33 @@ def _unfolded_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Row
     return o1,
 
 
+# operations 14: 5 +, 3 *, 1 /, 1 tan, 2 atan2, 1 lt, 1 where
+def _reached(m: Any, alpha: Any) -> Result:
+    zero = alpha - alpha
+    one = 1 + zero
+    pi = 2 * m.atan2(one, zero)
+    off = alpha - pi
+    last = 2 * m.atan2(m.tan(off / 2), 1) + pi
+    left = 2 * pi - alpha
+    within = m.where(left < 0, last, alpha)
+    return within,
+
+
+def _reached_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
+    o1, = out
+    k1, *_ = scratch
+    mask1, *_ = masks
+    n0, n1, n2 = numbers
+    zero = sub(alpha, alpha, o1)
+    one = add(n1, zero, k1)
+    pi = mul(n2, atan2(one, zero, o1), o1)
+    off = sub(alpha, pi, k1)
+    last = add(mul(n2, atan2(tan(div(off, n2, k1), k1), n1, k1), k1), pi, k1)
+    left = sub(mul(n2, pi, o1), alpha, o1)
+    m.where(m.less(left, n0, mask1), last, alpha, o1)
+    return o1,
+
+
 # operations 35: 8 +, 14 *, 8 /, 3 sqrt, 1 lt, 1 where
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     rr = r * r
@@ -826,12 +856,13 @@ CHART = Chart(
         "direction": Function(_direction, _direction_blocks, 3, 3, (-1, 0, 1, 2, 4, 16)),
         "natural": Function(_natural, _natural_blocks, 2, 3, (-1, 0, 1, 2, 4, 16)),
         "unfolded": Function(_unfolded, _unfolded_blocks, 1, 0, (2, 4)),
+        "reached": Function(_reached, _reached_blocks, 1, 1, (0, 1, 2)),
         "turned": Function(_turned, _turned_blocks, 4, 1, (-1, 0, 1, 2, 4)),
         "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 4, 8)),
     },
     kernels=SHARED,
-    programs="99cedb3a5d2cc9c6",
+    programs="c9f0d5b3ede6f2b4",
 )
 
 KERNELS = PoseKernels(CHART)
@@ -858,6 +889,7 @@ compose = KERNELS.compose
 compose_jacobians = KERNELS.compose_jacobians
 cotangent = KERNELS.cotangent
 cotangent_jacobian = KERNELS.cotangent_jacobian
+from_exponential = KERNELS.from_exponential
 from_pose = KERNELS.from_pose
 from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
@@ -882,6 +914,7 @@ tangent = KERNELS.tangent
 tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
+to_exponential = KERNELS.to_exponential
 to_screw = KERNELS.to_screw
 transform_line = KERNELS.transform_line
 transform_line_jacobians = KERNELS.transform_line_jacobians

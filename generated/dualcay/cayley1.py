@@ -85,6 +85,8 @@
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
 #   to_screw: 75: 18 +, 30 *, 11 /, 6 abs, 1 sqrt, 1 atan2, 2 eq, 6 where
 #   angle: 54: 13 +, 14 *, 8 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
+#   to_exponential: 38: 10 +, 18 *, 4 /, 1 neg, 1 sqrt, 1 atan2, 1 eq, 2 where
+#   from_exponential: 48: 13 +, 19 *, 5 /, 1 sqrt, 2 tan, 2 atan2, 1 lt, 1 eq, 4 where
 #   identity_jacobian: 12: 12 +
 #   compose: 135: 56 +, 71 *, 8 /
 #   between: 141: 56 +, 71 *, 8 /, 6 neg
@@ -134,11 +136,12 @@ __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
     "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
     "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
-    "compose_jacobians", "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_pose", "from_quaternion",
-    "from_screw", "from_tensor", "identity", "interpolate", "inverse", "local", "pose", "principal", "quaternion",
-    "random", "rate", "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian",
-    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
-    "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_exponential", "from_pose",
+    "from_quaternion", "from_screw", "from_tensor", "identity", "interpolate", "inverse", "local", "pose", "principal",
+    "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow",
+    "shadow_jacobian", "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_exponential",
+    "to_screw", "transform_line", "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist",
+    "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 1
@@ -213,6 +216,26 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     copy(o1, o2)
     copy(o4, o5)
     return o1, o2, n0, o4, o5, n0
+
+
+# operations 5: 1 +, 1 *, 2 /, 1 neg
+def _rate(m: Any, x: Any) -> Result:
+    x1 = 1 + x
+    e = 2 / x1
+    ee = 2 * e / x1
+    ey = -ee
+    return e, ey
+
+
+def _rate_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2 = out
+    k1, *_ = scratch
+    n1, n2 = numbers
+    x1 = add(n1, x, o2)
+    e = div(n2, x1, o1)
+    ee = div(mul(n2, e, k1), x1, o2)
+    neg(ee, o2)
+    return o1, o2
 
 
 # operations 0
@@ -328,6 +351,31 @@ def _unfolded_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Row
     o1, = out
     n1, n2 = numbers
     mul(n2, atan2(r, n1, o1), o1)
+    return o1,
+
+
+# operations 11: 3 +, 2 *, 1 /, 1 tan, 2 atan2, 1 lt, 1 where
+def _reached(m: Any, alpha: Any) -> Result:
+    zero = alpha - alpha
+    one = 1 + zero
+    pi = 2 * m.atan2(one, zero)
+    last = 2 * m.atan2(m.tan(alpha / 2), 1)
+    left = pi - alpha
+    within = m.where(left < 0, last, alpha)
+    return within,
+
+
+def _reached_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
+    o1, = out
+    k1, *_ = scratch
+    mask1, *_ = masks
+    n0, n1, n2 = numbers
+    zero = sub(alpha, alpha, o1)
+    one = add(n1, zero, k1)
+    pi = mul(n2, atan2(one, zero, o1), o1)
+    left = sub(pi, alpha, o1)
+    last = mul(n2, atan2(tan(div(alpha, n2, k1), k1), n1, k1), k1)
+    m.where(m.less(left, n0, mask1), last, alpha, o1)
     return o1,
 
 
@@ -1852,6 +1900,7 @@ CHART = Chart(
         "quaternion": Function(_quaternion, _quaternion_blocks, 1, 0, (-1, 1)),
         "pose": Function(_pose, _pose_blocks, 1, 0, (0, 1, 2)),
         "tangent": Function(_tangent, _tangent_blocks, 0, 0, (0, 1, 2)),
+        "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2)),
         "inverse": Function(_inverse, _inverse_blocks, 0, 0, (1,)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 0, 0, (0, 1)),
         "ray": Function(_ray, _ray_blocks, 1, 0, (0, 1, 2)),
@@ -1860,6 +1909,7 @@ CHART = Chart(
         "gain_product": Function(_gain_product, _gain_product_blocks, 0, 0, (1,)),
         "natural": Function(_natural, _natural_blocks, 0, 0, (1, 2)),
         "unfolded": Function(_unfolded, _unfolded_blocks, 0, 0, (1, 2)),
+        "reached": Function(_reached, _reached_blocks, 1, 1, (0, 1, 2)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 2)),
     },
     kernels={
@@ -2019,7 +2069,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="62bd3388ebcf098a",
+    programs="fabd7acbcf25a642",
 )
 
 KERNELS = PoseKernels(CHART)
@@ -2048,6 +2098,7 @@ cotangent = KERNELS.cotangent
 cotangent_jacobian = KERNELS.cotangent_jacobian
 dcay = KERNELS.tangent
 dcay_inv = KERNELS.tangent_inv
+from_exponential = KERNELS.from_exponential
 from_pose = KERNELS.from_pose
 from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
@@ -2072,6 +2123,7 @@ tangent = KERNELS.tangent
 tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
+to_exponential = KERNELS.to_exponential
 to_screw = KERNELS.to_screw
 transform_line = KERNELS.transform_line
 transform_line_jacobians = KERNELS.transform_line_jacobians

@@ -86,6 +86,8 @@
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
 #   to_screw: 86: 21 +, 32 *, 12 /, 7 abs, 1 sqrt, 1 atan2, 2 lt, 2 eq, 8 where
 #   angle: 60: 14 +, 19 *, 8 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
+#   to_exponential: 38: 10 +, 18 *, 4 /, 1 neg, 1 sqrt, 1 atan2, 1 eq, 2 where
+#   from_exponential: 51: 15 +, 20 *, 5 /, 1 sqrt, 2 tan, 2 atan2, 1 lt, 1 eq, 4 where
 #   turn: 70: 16 +, 28 *, 11 /, 6 abs, 1 sqrt, 2 eq, 6 where
 #   shadow: 93: 25 +, 37 *, 12 /, 6 abs, 1 sqrt, 2 lt, 2 eq, 8 where
 #   identity_jacobian: 12: 12 +
@@ -139,11 +141,12 @@ __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
     "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
     "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
-    "compose_jacobians", "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_pose", "from_quaternion",
-    "from_screw", "from_tensor", "identity", "interpolate", "inverse", "local", "pose", "principal", "quaternion",
-    "random", "rate", "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian",
-    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line",
-    "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_exponential", "from_pose",
+    "from_quaternion", "from_screw", "from_tensor", "identity", "interpolate", "inverse", "local", "pose", "principal",
+    "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow",
+    "shadow_jacobian", "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_exponential",
+    "to_screw", "transform_line", "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist",
+    "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 2
@@ -505,6 +508,33 @@ def _unfolded_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Row
     return o1,
 
 
+# operations 14: 5 +, 3 *, 1 /, 1 tan, 2 atan2, 1 lt, 1 where
+def _reached(m: Any, alpha: Any) -> Result:
+    zero = alpha - alpha
+    one = 1 + zero
+    pi = 2 * m.atan2(one, zero)
+    off = alpha - pi
+    last = 2 * m.atan2(m.tan(off / 2), 1) + pi
+    left = 2 * pi - alpha
+    within = m.where(left < 0, last, alpha)
+    return within,
+
+
+def _reached_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
+    o1, = out
+    k1, *_ = scratch
+    mask1, *_ = masks
+    n0, n1, n2 = numbers
+    zero = sub(alpha, alpha, o1)
+    one = add(n1, zero, k1)
+    pi = mul(n2, atan2(one, zero, o1), o1)
+    off = sub(alpha, pi, k1)
+    last = add(mul(n2, atan2(tan(div(off, n2, k1), k1), n1, k1), k1), pi, k1)
+    left = sub(mul(n2, pi, o1), alpha, o1)
+    m.where(m.less(left, n0, mask1), last, alpha, o1)
+    return o1,
+
+
 # operations 7: 2 +, 4 *, 1 /
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     iden = 1 / (cos - r * sin)
@@ -747,6 +777,7 @@ CHART = Chart(
         "direction": Function(_direction, _direction_blocks, 2, 1, (-2, -1, 0, 1, 2, 16)),
         "natural": Function(_natural, _natural_blocks, 1, 1, (-2, -1, 0, 1, 2, 4, 16)),
         "unfolded": Function(_unfolded, _unfolded_blocks, 0, 0, (1, 4)),
+        "reached": Function(_reached, _reached_blocks, 1, 1, (0, 1, 2)),
         "turned": Function(_turned, _turned_blocks, 0, 0, (1,)),
         "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 4)),
@@ -765,7 +796,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="52e0fc06d7e6beed",
+    programs="5fb0e48d97645aa7",
 )
 
 KERNELS = PoseKernels(CHART)
@@ -794,6 +825,7 @@ cotangent = KERNELS.cotangent
 cotangent_jacobian = KERNELS.cotangent_jacobian
 dcay = KERNELS.tangent
 dcay_inv = KERNELS.tangent_inv
+from_exponential = KERNELS.from_exponential
 from_pose = KERNELS.from_pose
 from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
@@ -818,6 +850,7 @@ tangent = KERNELS.tangent
 tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
+to_exponential = KERNELS.to_exponential
 to_screw = KERNELS.to_screw
 transform_line = KERNELS.transform_line
 transform_line_jacobians = KERNELS.transform_line_jacobians

@@ -69,6 +69,8 @@
 #   from_screw: 13: 3 +, 10 *
 #   to_screw: 141: 34 +, 47 *, 23 /, 1 neg, 8 abs, 3 sqrt, 1 tan, 1 atan2, 5 lt, 3 eq, 1 and, 1 or, 13 where
 #   angle: 113: 31 +, 33 *, 22 /, 6 abs, 4 sqrt, 1 tan, 1 lt, 3 eq, 12 where
+#   to_exponential: 33: 11 +, 16 *, 2 /, 1 sqrt, 1 eq, 2 where
+#   from_exponential: 32: 9 +, 16 *, 2 /, 1 sqrt, 1 eq, 3 where
 #   turn: 64: 15 +, 24 *, 10 /, 6 abs, 1 sqrt, 2 eq, 6 where
 #   shadow: 143: 38 +, 48 *, 23 /, 1 neg, 6 abs, 3 sqrt, 1 tan, 5 lt, 3 eq, 1 and, 1 or, 13 where
 #   identity_jacobian: 12: 12 +
@@ -121,11 +123,12 @@ __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
     "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
     "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
-    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor",
-    "identity", "interpolate", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot",
-    "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent",
-    "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
-    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_exponential", "from_pose", "from_quaternion",
+    "from_screw", "from_tensor", "identity", "interpolate", "inverse", "local", "pose", "principal", "quaternion",
+    "random", "rate", "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_exponential", "to_screw",
+    "transform_line", "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot",
+    "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 1
@@ -982,6 +985,17 @@ def _unfolded_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Row
     return o1,
 
 
+# operations 0
+def _reached(m: Any, alpha: Any) -> Result:
+    return alpha,
+
+
+def _reached_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
+    o1, = out
+    copy(alpha, o1)
+    return o1,
+
+
 # operations 1: 1 +
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     alphak = r + sin
@@ -1099,12 +1113,13 @@ CHART = Chart(
         "direction": Function(_direction, _direction_blocks, 5, 3, (-1, 0, 1, 2, 4, 6, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
         "natural": Function(_natural, _natural_blocks, 4, 3, (-1, 0, 1, 2, 4, 6, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
         "unfolded": Function(_unfolded, _unfolded_blocks, 0, 0, ()),
+        "reached": Function(_reached, _reached_blocks, 0, 0, ()),
         "turned": Function(_turned, _turned_blocks, 0, 0, (1,)),
         "beyond": Function(_beyond, _beyond_blocks, 5, 2, (-1, 0, 1, 2, 4, 6, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1,)),
     },
     kernels=SHARED,
-    programs="e9f22103b6923d8c",
+    programs="c0c307c847f929aa",
 )
 
 KERNELS = PoseKernels(CHART)
@@ -1131,6 +1146,7 @@ compose = KERNELS.compose
 compose_jacobians = KERNELS.compose_jacobians
 cotangent = KERNELS.cotangent
 cotangent_jacobian = KERNELS.cotangent_jacobian
+from_exponential = KERNELS.from_exponential
 from_pose = KERNELS.from_pose
 from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
@@ -1155,6 +1171,7 @@ tangent = KERNELS.tangent
 tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
+to_exponential = KERNELS.to_exponential
 to_screw = KERNELS.to_screw
 transform_line = KERNELS.transform_line
 transform_line_jacobians = KERNELS.transform_line_jacobians

@@ -55,6 +55,8 @@
 #   from_screw: 26: 5 +, 14 *, 4 /, 1 tan, 1 lt, 1 where
 #   to_screw: 82: 19 +, 30 *, 11 /, 7 abs, 2 sqrt, 1 atan2, 2 lt, 2 eq, 8 where
 #   angle: 58: 14 +, 14 *, 7 /, 6 abs, 4 sqrt, 1 atan2, 1 lt, 3 eq, 8 where
+#   to_exponential: 41: 11 +, 17 *, 4 /, 3 sqrt, 1 atan2, 1 lt, 1 eq, 3 where
+#   from_exponential: 56: 14 +, 22 *, 7 /, 1 sqrt, 2 tan, 2 atan2, 2 lt, 1 eq, 5 where
 #   identity_jacobian: 12: 12 +
 #   compose: 193: 72 +, 111 *, 6 /, 2 sqrt, 1 lt, 1 where
 #   between: 199: 72 +, 111 *, 6 /, 6 neg, 2 sqrt, 1 lt, 1 where
@@ -102,11 +104,12 @@ __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
     "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
     "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
-    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor",
-    "identity", "interpolate", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot",
-    "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent",
-    "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
-    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_exponential", "from_pose", "from_quaternion",
+    "from_screw", "from_tensor", "identity", "interpolate", "inverse", "local", "pose", "principal", "quaternion",
+    "random", "rate", "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_exponential", "to_screw",
+    "transform_line", "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot",
+    "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 1
@@ -214,6 +217,25 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     sub(sub(hy, mul(n2, hy, o7), o7), mul(h, gy, k1), o7)
     div(mul(n3, hy, k1), cc, o9)
     return o1, n2, o3, o4, o5, o6, o7, o8, o9
+
+
+# operations 4: 1 +, 2 /, 1 sqrt
+def _rate(m: Any, x: Any) -> Result:
+    cc = 1 - x
+    c = m.sqrt(cc)
+    rho = 2 / c
+    rhoy = rho / cc
+    return rho, rhoy
+
+
+def _rate_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2 = out
+    n1, n2 = numbers
+    cc = sub(n1, x, o2)
+    c = sqrt(cc, o1)
+    rho = div(n2, c, o1)
+    div(rho, cc, o2)
+    return o1, o2
 
 
 # operations 0
@@ -346,6 +368,31 @@ def _unfolded_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Row
     n1, n2 = numbers
     c = sqrt(m.where(m.less(x, n1, mask1), sub(n1, x, o1), x, o1), o1)
     mul(n2, atan2(r, c, o1), o1)
+    return o1,
+
+
+# operations 11: 3 +, 2 *, 1 /, 1 tan, 2 atan2, 1 lt, 1 where
+def _reached(m: Any, alpha: Any) -> Result:
+    zero = alpha - alpha
+    one = 1 + zero
+    pi = 2 * m.atan2(one, zero)
+    last = 2 * m.atan2(m.tan(alpha / 2), 1)
+    left = pi - alpha
+    within = m.where(left < 0, last, alpha)
+    return within,
+
+
+def _reached_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
+    o1, = out
+    k1, *_ = scratch
+    mask1, *_ = masks
+    n0, n1, n2 = numbers
+    zero = sub(alpha, alpha, o1)
+    one = add(n1, zero, k1)
+    pi = mul(n2, atan2(one, zero, o1), o1)
+    left = sub(pi, alpha, o1)
+    last = mul(n2, atan2(tan(div(alpha, n2, k1), k1), n1, k1), k1)
+    m.where(m.less(left, n0, mask1), last, alpha, o1)
     return o1,
 
 
@@ -915,6 +962,7 @@ CHART = Chart(
         "pose": Function(_pose, _pose_blocks, 0, 0, (1, 2)),
         "tangent": Function(_tangent, _tangent_blocks, 0, 0, (1, 2, 4)),
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 1, 0, (1, 2, 3, 4)),
+        "rate": Function(_rate, _rate_blocks, 0, 0, (1, 2)),
         "inverse": Function(_inverse, _inverse_blocks, 0, 0, (0,)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 0, 0, (0, 1, 2)),
         "ray": Function(_ray, _ray_blocks, 0, 0, (1, 2)),
@@ -922,6 +970,7 @@ CHART = Chart(
         "gain_product": Function(_gain_product, _gain_product_blocks, 1, 1, (-1, 0, 1)),
         "natural": Function(_natural, _natural_blocks, 0, 1, (-1, 0, 1, 2, 16)),
         "unfolded": Function(_unfolded, _unfolded_blocks, 0, 1, (1, 2)),
+        "reached": Function(_reached, _reached_blocks, 1, 1, (0, 1, 2)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 4)),
     },
     kernels={
@@ -993,7 +1042,7 @@ CHART = Chart(
         real=True,
     ),
     },
-    programs="5a6bcca85d170b0b",
+    programs="de3abfa38029cf8b",
 )
 
 KERNELS = PoseKernels(CHART)
@@ -1020,6 +1069,7 @@ compose = KERNELS.compose
 compose_jacobians = KERNELS.compose_jacobians
 cotangent = KERNELS.cotangent
 cotangent_jacobian = KERNELS.cotangent_jacobian
+from_exponential = KERNELS.from_exponential
 from_pose = KERNELS.from_pose
 from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
@@ -1044,6 +1094,7 @@ tangent = KERNELS.tangent
 tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
+to_exponential = KERNELS.to_exponential
 to_screw = KERNELS.to_screw
 transform_line = KERNELS.transform_line
 transform_line_jacobians = KERNELS.transform_line_jacobians

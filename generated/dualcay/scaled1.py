@@ -55,6 +55,8 @@
 #   from_screw: 20: 4 +, 13 *, 2 /, 1 tan
 #   to_screw: 78: 18 +, 30 *, 14 /, 6 abs, 1 sqrt, 1 atan2, 2 eq, 6 where
 #   angle: 58: 13 +, 14 *, 12 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
+#   to_exponential: 42: 10 +, 18 *, 8 /, 1 neg, 1 sqrt, 1 atan2, 1 eq, 2 where
+#   from_exponential: 50: 13 +, 21 *, 5 /, 1 sqrt, 2 tan, 2 atan2, 1 lt, 1 eq, 4 where
 #   identity_jacobian: 12: 12 +
 #   compose: 201: 74 +, 110 *, 17 /
 #   between: 207: 74 +, 110 *, 17 /, 6 neg
@@ -102,11 +104,12 @@ __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
     "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
     "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
-    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor",
-    "identity", "interpolate", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot",
-    "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent",
-    "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
-    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_exponential", "from_pose", "from_quaternion",
+    "from_screw", "from_tensor", "identity", "interpolate", "inverse", "local", "pose", "principal", "quaternion",
+    "random", "rate", "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_exponential", "to_screw",
+    "transform_line", "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot",
+    "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 1
@@ -198,6 +201,32 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     div(fy, n8, o4)
     div(fy, n16, o5)
     return o1, o2, n0, o4, o5, n0
+
+
+# operations 8: 1 +, 1 *, 5 /, 1 neg
+def _rate(m: Any, x: Any) -> Result:
+    z = x / 4
+    x1 = 1 + z
+    e = 2 / x1
+    rate_v = e / 2
+    ee = 2 * e / x1
+    ey = -ee
+    ratey_v = ey / 8
+    return rate_v, ratey_v
+
+
+def _rate_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+    o1, o2 = out
+    k1, *_ = scratch
+    n1, n2, n4, n8 = numbers
+    z = div(x, n4, o2)
+    x1 = add(n1, z, o2)
+    e = div(n2, x1, o1)
+    ee = div(mul(n2, e, k1), x1, o2)
+    div(e, n2, o1)
+    ey = neg(ee, o2)
+    div(ey, n8, o2)
+    return o1, o2
 
 
 # operations 3: 2 +, 1 /
@@ -344,6 +373,31 @@ def _unfolded_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Row
     o1, = out
     n1, n2 = numbers
     mul(n2, atan2(div(r, n2, o1), n1, o1), o1)
+    return o1,
+
+
+# operations 11: 3 +, 2 *, 1 /, 1 tan, 2 atan2, 1 lt, 1 where
+def _reached(m: Any, alpha: Any) -> Result:
+    zero = alpha - alpha
+    one = 1 + zero
+    pi = 2 * m.atan2(one, zero)
+    last = 2 * m.atan2(m.tan(alpha / 2), 1)
+    left = pi - alpha
+    within = m.where(left < 0, last, alpha)
+    return within,
+
+
+def _reached_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
+    o1, = out
+    k1, *_ = scratch
+    mask1, *_ = masks
+    n0, n1, n2 = numbers
+    zero = sub(alpha, alpha, o1)
+    one = add(n1, zero, k1)
+    pi = mul(n2, atan2(one, zero, o1), o1)
+    left = sub(pi, alpha, o1)
+    last = mul(n2, atan2(tan(div(alpha, n2, k1), k1), n1, k1), k1)
+    m.where(m.less(left, n0, mask1), last, alpha, o1)
     return o1,
 
 
@@ -1553,6 +1607,7 @@ CHART = Chart(
         "quaternion": Function(_quaternion, _quaternion_blocks, 0, 0, (-1, 1, 2, 4, 8)),
         "pose": Function(_pose, _pose_blocks, 0, 0, (0, 1, 2, 4)),
         "tangent": Function(_tangent, _tangent_blocks, 0, 0, (0, 1, 2, 4, 8, 16)),
+        "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2, 4, 8)),
         "inverse": Function(_inverse, _inverse_blocks, 0, 0, (1, 2)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 0, 0, (0, 1, 2)),
         "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 0, 0, (0, 1, 2)),
@@ -1562,6 +1617,7 @@ CHART = Chart(
         "gain_product": Function(_gain_product, _gain_product_blocks, 0, 0, (1, 2)),
         "natural": Function(_natural, _natural_blocks, 0, 0, (1, 2, 4)),
         "unfolded": Function(_unfolded, _unfolded_blocks, 0, 0, (1, 2)),
+        "reached": Function(_reached, _reached_blocks, 1, 1, (0, 1, 2)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 2)),
     },
     kernels={
@@ -1677,7 +1733,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="9dea304862b234fe",
+    programs="b521cedaa1929fad",
 )
 
 KERNELS = PoseKernels(CHART)
@@ -1704,6 +1760,7 @@ compose = KERNELS.compose
 compose_jacobians = KERNELS.compose_jacobians
 cotangent = KERNELS.cotangent
 cotangent_jacobian = KERNELS.cotangent_jacobian
+from_exponential = KERNELS.from_exponential
 from_pose = KERNELS.from_pose
 from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
@@ -1728,6 +1785,7 @@ tangent = KERNELS.tangent
 tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
+to_exponential = KERNELS.to_exponential
 to_screw = KERNELS.to_screw
 transform_line = KERNELS.transform_line
 transform_line_jacobians = KERNELS.transform_line_jacobians

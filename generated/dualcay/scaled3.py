@@ -55,6 +55,8 @@
 #   from_screw: 20: 4 +, 13 *, 2 /, 1 tan
 #   to_screw: 99: 22 +, 33 *, 15 /, 1 neg, 8 abs, 1 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
 #   angle: 69: 15 +, 22 *, 13 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
+#   to_exponential: 42: 10 +, 18 *, 8 /, 1 neg, 1 sqrt, 1 atan2, 1 eq, 2 where
+#   from_exponential: 54: 15 +, 23 *, 5 /, 1 sqrt, 2 tan, 2 atan2, 1 lt, 1 eq, 4 where
 #   turn: 72: 16 +, 29 *, 12 /, 6 abs, 1 sqrt, 2 eq, 6 where
 #   shadow: 107: 26 +, 39 *, 15 /, 1 neg, 7 abs, 1 sqrt, 4 lt, 3 eq, 1 and, 1 or, 9 where
 #   identity_jacobian: 12: 12 +
@@ -106,11 +108,12 @@ __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
     "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
     "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
-    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_pose", "from_quaternion", "from_screw", "from_tensor",
-    "identity", "interpolate", "inverse", "local", "pose", "principal", "quaternion", "random", "rate", "rate_dot",
-    "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent",
-    "tangent_dot", "tangent_inv", "tensor", "to_screw", "transform_line", "transform_line_jacobians", "transform_point",
-    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_exponential", "from_pose", "from_quaternion",
+    "from_screw", "from_tensor", "identity", "interpolate", "inverse", "local", "pose", "principal", "quaternion",
+    "random", "rate", "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_exponential", "to_screw",
+    "transform_line", "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot",
+    "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 3
@@ -696,6 +699,35 @@ def _unfolded_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Row
     return o1,
 
 
+# operations 15: 5 +, 4 *, 1 /, 1 tan, 2 atan2, 1 lt, 1 where
+def _reached(m: Any, alpha: Any) -> Result:
+    zero = alpha - alpha
+    one = 1 + zero
+    pi = 2 * m.atan2(one, zero)
+    pi_by_2 = 2 * pi
+    off = alpha - pi_by_2
+    last = 2 * m.atan2(m.tan(off / 2), 1) + pi_by_2
+    left = 3 * pi - alpha
+    within = m.where(left < 0, last, alpha)
+    return within,
+
+
+def _reached_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
+    o1, = out
+    k1, k2, *_ = scratch
+    mask1, *_ = masks
+    n0, n1, n2, n3 = numbers
+    zero = sub(alpha, alpha, o1)
+    one = add(n1, zero, k1)
+    pi = mul(n2, atan2(one, zero, o1), o1)
+    pi_by_2 = mul(n2, pi, k1)
+    left = sub(mul(n3, pi, o1), alpha, o1)
+    off = sub(alpha, pi_by_2, k2)
+    last = add(mul(n2, atan2(tan(div(off, n2, k2), k2), n1, k2), k2), pi_by_2, k1)
+    m.where(m.less(left, n0, mask1), last, alpha, o1)
+    return o1,
+
+
 # operations 9: 2 +, 5 *, 2 /
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     rt = r / 6
@@ -785,12 +817,13 @@ CHART = Chart(
         "direction": Function(_direction, _direction_blocks, 4, 3, (-1, 0, 1, 3, 6, 16, 36)),
         "natural": Function(_natural, _natural_blocks, 3, 3, (-1, 0, 1, 2, 3, 6, 16, 36)),
         "unfolded": Function(_unfolded, _unfolded_blocks, 0, 0, (1, 6)),
+        "reached": Function(_reached, _reached_blocks, 2, 1, (0, 1, 2, 3)),
         "turned": Function(_turned, _turned_blocks, 0, 0, (1, 6)),
         "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 6)),
     },
     kernels=SHARED,
-    programs="d65289a052ee8cbf",
+    programs="2e399a5a21f6573f",
 )
 
 KERNELS = PoseKernels(CHART)
@@ -817,6 +850,7 @@ compose = KERNELS.compose
 compose_jacobians = KERNELS.compose_jacobians
 cotangent = KERNELS.cotangent
 cotangent_jacobian = KERNELS.cotangent_jacobian
+from_exponential = KERNELS.from_exponential
 from_pose = KERNELS.from_pose
 from_quaternion = KERNELS.from_quaternion
 from_screw = KERNELS.from_screw
@@ -841,6 +875,7 @@ tangent = KERNELS.tangent
 tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
+to_exponential = KERNELS.to_exponential
 to_screw = KERNELS.to_screw
 transform_line = KERNELS.transform_line
 transform_line_jacobians = KERNELS.transform_line_jacobians

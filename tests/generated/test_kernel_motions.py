@@ -211,3 +211,70 @@ def test_times_broadcast_keep_types_and_spoil_their_own_elements_alone(kernels: 
         kernels.interpolate(v1, v2, 0.5j)
     with pytest.raises(ValueError, match="broadcast"):
         kernels.interpolate(v1, v2, np.zeros(3))
+
+
+# --- from chart to chart --------------------------------------------------------------------------------------------
+
+
+def test_exponential_coordinates_and_back(name: str, kernels: ModuleType, oracle: Oracle):
+    """α u of v's own branch, against first principles and for a translation and the identity; to 1e-12 of φ/(α φ′)."""
+    v = np.concatenate([vectors(oracle, *angles_of(name)), [[0, 0, 0, 1.0, -2.0, 0.5]], np.zeros((1, 6))])
+    w = kernels.to_exponential(v)
+    for v_i, w_i in zip(v, w, strict=True):
+        exact = oracle.to_exponential(v_i).astype(float)
+        np.testing.assert_allclose(w_i, exact, rtol=CLOSE, atol=CLOSE * np.abs(exact).max())
+    np.testing.assert_allclose(kernels.from_exponential(w), v, rtol=0, atol=20 * CLOSE * (1 + np.abs(v).max()))
+    np.testing.assert_allclose(np.linalg.norm(w[:-2, :3], axis=-1), kernels.angle(v)[:-2, 0], rtol=CLOSE)
+
+
+def test_charts_hand_a_pose_over_on_its_branch(name: str, kernels: ModuleType, oracle: Oracle):
+    """To all others, where they reach it; else on the nearest branch they have, whole turns off."""
+    v = vectors(oracle, *angles_of(name))
+    for other in NAMES:
+        target = importlib.import_module(f"dualcay.{other}")
+        there = dualcay.convert(v, kernels, target)
+        own, found = kernels.angle(v)[:, 0], target.angle(there)[:, 0]
+        pose = kernels.pose(v)
+        np.testing.assert_allclose(target.pose(there), pose, rtol=0, atol=1e-10 * np.abs(pose).max())
+        reached = own < families_edge(other) * (1 - 1e-9)
+        np.testing.assert_allclose(found[reached], own[reached], rtol=1e-11)
+        turns = (own - found) / (2 * np.pi), (own + found) / (2 * np.pi)  # about v's axis, or about the opposite one
+        assert (np.minimum(*(np.abs(t - np.round(t)) for t in turns)) < 1e-9).all()
+        back = dualcay.convert(there[reached], target, kernels)
+        np.testing.assert_allclose(back, v[reached], rtol=0, atol=1e-10 * (1 + np.abs(v).max()))
+
+
+def test_the_nearest_branch_is_taken():
+    """Of 4.5π: 2.5π before the edge at 3π, π/2 before that at 2π, and half a turn the other way where it is π."""
+    from dualcay import cayley1, cayley2, cayley3, exponential, lambert
+
+    axis = np.array([0.6, 0, 0.8, 0, 5.0, 0])
+    w = exponential.from_screw(np.array([4.5 * np.pi, 0.4]), axis)
+    for target, angle in ((cayley3, 2.5), (cayley2, 0.5), (lambert, 0.5), (cayley1, 0.5)):
+        expected = target.from_screw(np.array([angle * np.pi, 0.4]), axis)
+        np.testing.assert_allclose(dualcay.convert(w, exponential, target), expected, rtol=0, atol=1e-13)
+    half = exponential.from_screw(np.array([1.5 * np.pi, 0.4]), axis)
+    expected = cayley1.from_screw(np.array([-0.5 * np.pi, 0.4]), axis)
+    np.testing.assert_allclose(dualcay.convert(half, exponential, cayley1), expected, rtol=0, atol=1e-13)
+
+
+def test_conversion_keeps_layouts_types_and_says_what_is_wrong():
+    from dualcay import cayley2, cayley3
+
+    v = np.array([[0.1, 0.2, 0.3, 1, 2, 3], [np.nan, 0, 0, 0, 0, 0]], np.float32)
+    out = np.empty((6, 2), np.float32)
+    found = dualcay.convert(v.T, cayley3, cayley2, axis=0, out=out)
+    assert found is out
+    assert np.isfinite(found[:, 0]).all()
+    assert np.isnan(found[:3, 1]).all()
+    np.testing.assert_array_equal(dualcay.convert(v, cayley3, cayley2).T, found)
+    with pytest.raises(TypeError, match=r"target must be a kernel module, as cayley3 is, got 'cayley3'"):
+        dualcay.convert(v, cayley2, "cayley3")
+    with pytest.raises(TypeError, match="v must be real"):
+        dualcay.convert(v * 1j, cayley2, cayley3)
+
+
+def test_the_identity_stays_where_it_is_in_every_chart(kernels: ModuleType):
+    for other in NAMES:
+        target = importlib.import_module(f"dualcay.{other}")
+        np.testing.assert_array_equal(dualcay.convert(np.zeros(6), kernels, target), np.zeros(6))

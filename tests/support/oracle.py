@@ -392,6 +392,17 @@ class Oracle:
         theta, _ = self.half_screw((self.base(dual), *dual))
         return pack((2 * self.order * theta,))
 
+    def to_exponential(self, v: Any) -> np.ndarray:
+        """α u of v's own branch."""
+        dual = self.unpack(v)
+        theta, axis = self.half_screw((self.base(dual), *dual))
+        return pack([2 * self.order * theta * c for c in axis or dual])
+
+    def from_exponential(self, w: Any) -> np.ndarray:
+        """Of the branches of the pose the one nearest w before the edge."""
+        half, axis = self.half_screw(self.step(self.unpack(w)))
+        return pack(self.on_branch(half, axis, 0))
+
     def shadow(self, v: Any, branch: int = 1) -> np.ndarray:
         dual = self.unpack(v)
         alpha, axis = self.reduced(dual)

@@ -25,7 +25,7 @@ from ...maps.sign_tests import orientation
 from ..rows import Table
 from ..signatures import POSES
 from .exact import ALGEBRAIC, Expectation
-from .maps_at import MAPS, Flat, flat
+from .maps_at import MAPS, Flat, flat, reached
 from .point import value
 from .screws import covering, half_turns, steep, translation
 from .vectors import Vectors, is_whole
@@ -206,6 +206,7 @@ def _principal(chart: Vectors, screw: Screw, other: Screw) -> Iterator[Expectati
     yield Expectation("from_quaternion", (tuple(-c for c in (*q.re, *q.du)),), flat(principal))
     product = quaternion_from_screw(other) * q
     vectors = (flat(chart.at(other)), flat(principal))
+    yield from _coordinates(chart, screw)
     yield Expectation("compose", vectors, flat(chart.of_quaternion(product)))
     for name in ("between", "local", "body_local", "retract", "body_retract"):  # any dual vector is a δ
         yield Expectation(name, vectors, MAPS[name](chart, 0, *vectors))
@@ -213,6 +214,16 @@ def _principal(chart: Vectors, screw: Screw, other: Screw) -> Iterator[Expectati
     if all(chart.finite(s, 0, INSIDE) for s in (screw, other)):
         for name in ("compose_jacobians", "between_jacobians", "retract_jacobians", "body_retract_jacobians"):
             yield Expectation(name, vectors, MAPS[name](chart, 0, *vectors))
+
+
+def _coordinates(chart: Vectors, screw: Screw) -> Iterator[Expectation]:
+    """α u of a vector, and back; of angles some turns further on too."""
+    v = flat(chart.at(screw))
+    yield Expectation("to_exponential", (v,), MAPS["to_exponential"](chart, 0, v))
+    for turns in (0, 1, 3):
+        w = screw.axis * (screw.angle + 2 * mpmath.pi * turns)
+        if chart.finite(Screw(reached(chart, screw.angle + 2 * mpmath.pi * turns), screw.axis), 0, INSIDE):
+            yield Expectation("from_exponential", (flat(w),), MAPS["from_exponential"](chart, 0, flat(w)))
 
 
 def _between(chart: Vectors, screw: Screw, other: Screw) -> Iterator[Expectation]:
@@ -238,7 +249,8 @@ def _branch(chart: Vectors, screw: Screw, branch: int) -> Iterator[Expectation]:
     principal = flat(chart.at(screw))
     yield Expectation(f"shadow {branch}", (principal,), v)
     yield Expectation("principal", (v,), principal)
-    yield Expectation("angle", (v,), MAPS["angle"](chart, 0, v))
+    for name in ("angle", "to_exponential"):
+        yield Expectation(name, (v,), MAPS[name](chart, 0, v))
     if screw.angle.re > INSIDE and all(chart.finite(screw, k, INSIDE) for k in (0, branch)):
         yield Expectation(f"shadow_jacobian {branch}", (principal,), MAPS["shadow_jacobian"](chart, branch, principal))
     for name in ("retract", "body_retract") if branch else ():

@@ -57,6 +57,23 @@ def _angle(chart: Vectors, branch: int, v: Flat) -> Flat:
     return angle.re, angle.du
 
 
+def _to_exponential(chart: Vectors, branch: int, v: Flat) -> Flat:
+    length, u = polar(_dual(v))
+    return flat(u * chart.angle(length))
+
+
+def _from_exponential(chart: Vectors, branch: int, w: Flat) -> Flat:
+    angle, u = polar(_dual(w))
+    return flat(u * chart.size(reached(chart, angle)))
+
+
+def reached(chart: Vectors, angle: Dual) -> Dual:
+    """The angle, less whole turns while it is beyond the edge."""
+    while angle.re > chart.edge:
+        angle = angle - 2 * mpmath.pi
+    return angle
+
+
 def _shadow(chart: Vectors, branch: int, v: Flat) -> Flat:
     return flat(chart.shadow(_dual(v), branch))
 
@@ -163,6 +180,8 @@ MAPS: Mapping[str, Callable[..., Flat]] = {
     "from_screw": _from_screw,
     "to_screw": _to_screw,
     "angle": _angle,
+    "to_exponential": _to_exponential,
+    "from_exponential": _from_exponential,
     "shadow": _shadow,
     "principal": _principal,
     "compose": _compose,
@@ -193,8 +212,9 @@ def seeded_arguments(
     for screw, other in zip(screws, [*screws[1:], screws[0]], strict=True):
         v, v2 = (short(flat(chart.at(s))) for s in (screw, other))
         yield "from_screw", None, (short((screw.angle.re, screw.angle.du)), short(flat(screw.axis)))
-        for name in ("to_screw", "angle", "principal"):
+        for name in ("to_screw", "angle", "to_exponential", "principal"):
             yield name, None, (v,)
+        yield "from_exponential", None, (short(flat(screw.axis * screw.angle)),)
         for name in ("compose", "between", "local", "body_local", "compose_jacobians", "between_jacobians"):
             yield name, None, (v2, v)
         yield "interpolate", None, (v, v2, (nearby(draw.uniform(0, 1)),))
@@ -212,6 +232,7 @@ def seeded_arguments(
         yield from _on_branch(screw, branch, v)
         for name, k in (("principal", None), ("to_screw", None), ("angle", None), ("shadow", chart.back(branch))):
             yield name, k, (v_k,)
+        yield "to_exponential", None, (v_k,)
 
 
 def _on_branch(screw: Screw, k: int, v: Flat) -> Iterator[tuple[str, int | None, tuple[Flat, ...]]]:

@@ -7,6 +7,7 @@ inverse      from_quaternion, from_tensor, from_pose, screws, shadows, compose
 calculus     derivatives of the tangent operator and its inverse, by time and by v
 groups       between, adjoint, Jacobians of composition and of moved points and lines
 retraction   steps by the exponential, and the step from one vector to another
+coordinates  exponential coordinates of a vector, and back
 motion       the screw-linear motion between two vectors
 point        a trace that asks a chart for scalars, and v in it: x = v·v, y = v·v°
 real         a trace of rotations alone: of the same recipes the real part

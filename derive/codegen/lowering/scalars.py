@@ -6,8 +6,12 @@ from collections.abc import Callable, Container, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+import sympy
+
 from ...algebra import Quaternion, Vector
 from ...maps.chart import Chart
+from ...maps.lowered_phi import number
+from ...maps.split import plus
 from ..programs.program import Constant, Program
 from ..programs.trace import Trace
 from ..programs.value import Number
@@ -65,6 +69,26 @@ def _beyond(chart: Chart, trace: Trace, arguments: Sequence[Number]) -> tuple[Nu
     return selected, *turn
 
 
+def _reached(chart: Chart, trace: Trace, arguments: Sequence[Number]) -> tuple[Number, ...]:
+    """An angle α ≥ 0, by whole turns less where it is beyond the edge: the nearest of its pose that the chart has."""
+    (angle,) = arguments
+    if chart.edge.is_infinite:
+        return (angle,)
+    zero = trace.name("zero", angle - angle)
+    pi = trace.name("pi", 2 * trace.atan2(1 + zero, zero))
+
+    def beside(value: Number, other: sympy.Expr, name: str) -> Number:
+        """A value and a constant angle: multiples of π to as many digits as numbers have."""
+        share = other / sympy.pi
+        if share.is_Rational:
+            return trace.name(name, value + trace.div(int(share.p) * pi, int(share.q)))
+        return trace.name(name, plus(value, number(other), trace, name))
+
+    off = trace.tan(trace.div(beside(angle, sympy.pi - chart.edge, "off"), 2))
+    last = beside(2 * trace.atan2(off, 1), chart.edge - sympy.pi, "last")
+    return (trace.name("within", trace.where(trace.less(beside(-angle, chart.edge, "left"), 0), last, angle)),)
+
+
 E = ("e0", "e1", "e2", "e3")
 
 SCALARS: Mapping[str, Scalar] = {
@@ -83,6 +107,7 @@ SCALARS: Mapping[str, Scalar] = {
     "direction": Scalar(("x", "y", "r"), ("sign",), lambda c, m, at: (c.direction(at[0], at[1], at[2], m),)),
     "natural": Scalar(("x", "y", "r"), ("angle", "slope", "sign"), lambda c, m, at: c.natural(at[0], at[1], at[2], m)),
     "unfolded": Scalar(("x", "r"), ("own",), lambda c, m, at: (m.name("own", c.unfolded(at[0], at[1], m)),)),
+    "reached": Scalar(("alpha",), ("within",), _reached),
     "turned": Scalar(("r", "cos", "sin"), ("rk", "slope"), lambda c, m, at: c.turned(at[0], at[1:], m)),
     "beyond": Scalar(("x", "table"), ("beyond", "cosine", "sine"), _beyond, truths=("beyond",)),
     "coefficient": Scalar(("alpha",), ("r", "slope"), lambda c, m, at: c.coefficient(at[0], m)),

@@ -1113,6 +1113,86 @@ def angle_blocks(
     m.where(resting, x, own, o1)
 
 
+# operations 14: 3 +, 6 *, 1 /, 1 sqrt, 1 eq, 2 where
+def to_exponential(m: Any, c: Any, v: Components) -> Result:
+    v1, v2, v3 = v
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    resting = x == 0
+    square = m.where(resting, 1 + x, x)
+    length = m.sqrt(square)
+    own, = c.unfolded(m, x, length)
+    rate, _ = c.rate(m, x)
+    share = m.where(resting, rate, own / length)
+    return v1 * share, v2 * share, v3 * share
+
+
+def to_exponential_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
+) -> None:
+    v1, v2, v3 = v
+    o1, o2, o3 = out
+    k1, k2, k3, k4, *spare = scratch
+    mask1, *spare_masks = masks
+    n0, n1 = numbers
+    v11 = mul(v1, v1, k1)
+    v22 = mul(v2, v2, k2)
+    v33 = mul(v3, v3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    rate, _ = c.rate((k2, k3), (*spare,), (*spare_masks,), x)
+    resting = m.equal(x, n0, mask1)
+    square = m.where(resting, add(n1, x, k3), x, k3)
+    length = sqrt(square, k3)
+    own, = c.unfolded((k4,), (*spare,), (*spare_masks,), x, length)
+    share = m.where(resting, rate, div(own, length, k1), k2)
+    mul(v1, share, o1)
+    mul(v2, share, o2)
+    mul(v3, share, o3)
+
+
+# operations 15: 3 +, 6 *, 1 /, 1 sqrt, 1 eq, 3 where
+def from_exponential(m: Any, c: Any, w: Components) -> Result:
+    w1, w2, w3 = w
+    v11 = w1 * w1
+    v22 = w2 * w2
+    v33 = w3 * w3
+    x = v11 + v22 + v33
+    resting = x == 0
+    square = m.where(resting, 1 + x, x)
+    length = m.sqrt(square)
+    alpha = m.where(resting, x, length)
+    within, = c.reached(m, alpha)
+    rn, slopen = c.coefficient(m, within)
+    share = m.where(resting, slopen, rn / length)
+    return w1 * share, w2 * share, w3 * share
+
+
+def from_exponential_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, w: Rows
+) -> None:
+    w1, w2, w3 = w
+    o1, o2, o3 = out
+    k1, k2, k3, k4, *spare = scratch
+    mask1, *spare_masks = masks
+    n0, n1 = numbers
+    v11 = mul(w1, w1, k1)
+    v22 = mul(w2, w2, k2)
+    v33 = mul(w3, w3, k3)
+    x = add(add(v11, v22, k1), v33, k1)
+    resting = m.equal(x, n0, mask1)
+    square = m.where(resting, add(n1, x, k2), x, k2)
+    length = sqrt(square, k2)
+    alpha = m.where(resting, x, length, k1)
+    within, = c.reached((k3,), (*spare,), (*spare_masks,), alpha)
+    rn, slopen = c.coefficient((k1, k4), (*spare,), (*spare_masks,), within)
+    share = m.where(resting, slopen, div(rn, length, k1), k2)
+    mul(w1, share, o1)
+    mul(w2, share, o2)
+    mul(w3, share, o3)
+
+
 # operations 23: 4 +, 7 *, 6 /, 3 abs, 1 sqrt, 1 eq, 1 where
 def turn(m: Any, c: Any, v: Components, table: Components) -> Result:
     v1, v2, v3 = v
@@ -3942,6 +4022,28 @@ KERNELS: Mapping[str, Kernel] = {
         masks=1,
         numbers=(0, 1),
         lent=(('unfolded', 0, 0),),
+        real=True,
+    ),
+    "to_exponential": Kernel(
+        to_exponential,
+        to_exponential_blocks,
+        (("v", (3,)),),
+        (3,),
+        registers=4,
+        masks=1,
+        numbers=(0, 1),
+        lent=(('unfolded', 0, 0), ('rate', 0, 0)),
+        real=True,
+    ),
+    "from_exponential": Kernel(
+        from_exponential,
+        from_exponential_blocks,
+        (("w", (3,)),),
+        (3,),
+        registers=4,
+        masks=1,
+        numbers=(0, 1),
+        lent=(('reached', 0, 0), ('coefficient', 0, 0)),
         real=True,
     ),
     "turn": Kernel(

@@ -1278,6 +1278,74 @@ class RotationKernels:
         found = call(self._chart, "to_angle_axis", axis, None, v)
         return separate(found, axis, (), (3,))
 
+    def to_exponential(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+        r"""Exponential coordinates α u of v on its own branch: ``v = φ(α) u``, α not folded to [0, π].
+
+        Parameters
+        ----------
+        v : array_like, shape (..., 3)
+            Rodrigues vector φ(α) u of this module (dimensionless).
+        axis : {-1, 0}
+            Where the component axes stand, in arguments and result: last, or first (the fastest).
+        out : ndarray, optional
+            Array for the result, shape (..., 3); it may overlap an argument.
+
+        Returns
+        -------
+        ndarray, shape (..., 3)
+            Rotation vector (rad). Smooth in v up to the edge of
+            the chart.
+
+        Raises
+        ------
+        TypeError
+            If v is complex.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay.rotation import cayley2
+        >>> v = np.array([0, 0, 0.5])
+        >>> np.allclose(cayley2.from_exponential(cayley2.to_exponential(v)), v)
+        True
+        """
+        return call(self._chart, "to_exponential", axis, out, v)
+
+    def from_exponential(self, w: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+        r"""Vector φ(α) u of exponential coordinates α u, on their branch where the chart reaches it.
+
+        Parameters
+        ----------
+        w : array_like, shape (..., 3)
+            α u: rotation vector (rad).
+        axis : {-1, 0}
+            Where the component axes stand, in arguments and result: last, or first (the fastest).
+        out : ndarray, optional
+            Array for the result, shape (..., 3); it may overlap an argument.
+
+        Returns
+        -------
+        ndarray, shape (..., 3)
+            Where α is beyond the edge of the chart, by as few whole turns less as lead back: the nearest vector of the
+            rotation that it has. NaN where it has none, infinite at an edge where φ is.
+
+        Raises
+        ------
+        TypeError
+            If w is complex.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from dualcay.rotation import cayley2
+        >>> v = np.array([0, 0, 0.5])
+        >>> from dualcay.rotation import exponential
+        >>> w = np.array([0.1, 0.2, 0])
+        >>> np.allclose(cayley2.tensor(cayley2.from_exponential(w)), exponential.tensor(w))
+        True
+        """
+        return call(self._chart, "from_exponential", axis, out, w)
+
     def angle(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Angle of v on its own branch, not folded to [0, π]: ``v = φ(α) u``.
 

@@ -6,10 +6,10 @@
 #   quaternion 38, tensor 51, transform_point 59, inverse 3, tangent 50, tangent_inv 61, body_tangent 50,
 #       body_tangent_inv 61, twist 60, rate 70, tangent_dot 101, twist_dot 109, rate_dot 143, twist_jacobian
 #       123, rate_jacobian 101, from_quaternion 15, from_tensor 69, from_angle_axis 24, to_angle_axis 65, angle
-#       21, turn 58, shadow 92, identity_jacobian 6, shadow_jacobian 106, principal 56, compose 110, between
-#       113, compose_jacobians 434, between_jacobians 446, retract 197, body_retract 197, retract_jacobians 507,
-#       body_retract_jacobians 509, local 118, body_local 118, interpolate 344, adjoint 51,
-#       transform_point_jacobians 139
+#       21, to_exponential 48, from_exponential 50, turn 58, shadow 92, identity_jacobian 6, shadow_jacobian
+#       106, principal 56, compose 110, between 113, compose_jacobians 434, between_jacobians 446, retract 197,
+#       body_retract 197, retract_jacobians 507, body_retract_jacobians 509, local 118, body_local 118,
+#       interpolate 344, adjoint 51, transform_point_jacobians 139
 r"""Breusing's chart, rotations alone: Rodrigues vectors ``v = sin(α/4)/sqrt(cos(α/4)) u``, the real parts of `breusing`.
 
 The formulas told there hold with real v.
@@ -30,11 +30,11 @@ __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
     "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
     "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
-    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_angle_axis", "from_quaternion", "from_tensor",
-    "identity", "interpolate", "inverse", "local", "principal", "quaternion", "random", "rate", "rate_dot",
-    "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent",
-    "tangent_dot", "tangent_inv", "tensor", "to_angle_axis", "transform_point", "transform_point_jacobians", "twist",
-    "twist_dot", "twist_jacobian",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_angle_axis", "from_exponential", "from_quaternion",
+    "from_tensor", "identity", "interpolate", "inverse", "local", "principal", "quaternion", "random", "rate",
+    "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles",
+    "tangent", "tangent_dot", "tangent_inv", "tensor", "to_angle_axis", "to_exponential", "transform_point",
+    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 2
@@ -79,6 +79,7 @@ compose_jacobians = KERNELS.compose_jacobians
 cotangent = KERNELS.cotangent
 cotangent_jacobian = KERNELS.cotangent_jacobian
 from_angle_axis = KERNELS.from_angle_axis
+from_exponential = KERNELS.from_exponential
 from_quaternion = KERNELS.from_quaternion
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
@@ -101,6 +102,7 @@ tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_angle_axis = KERNELS.to_angle_axis
+to_exponential = KERNELS.to_exponential
 transform_point = KERNELS.transform_point
 transform_point_jacobians = KERNELS.transform_point_jacobians
 twist = KERNELS.twist

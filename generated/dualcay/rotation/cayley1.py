@@ -6,9 +6,9 @@
 #   quaternion 14, tensor 31, transform_point 39, inverse 3, tangent 15, tangent_inv 30, body_tangent 15,
 #       body_tangent_inv 30, twist 28, rate 39, tangent_dot 33, twist_dot 42, rate_dot 82, twist_jacobian 51,
 #       rate_jacobian 31, from_quaternion 4, from_tensor 53, from_angle_axis 8, to_angle_axis 35, angle 12,
-#       identity_jacobian 6, compose 25, between 28, compose_jacobians 309, between_jacobians 321, retract 152,
-#       body_retract 152, retract_jacobians 411, body_retract_jacobians 413, local 78, body_local 78,
-#       interpolate 279, adjoint 31, transform_point_jacobians 119
+#       to_exponential 21, from_exponential 31, identity_jacobian 6, compose 25, between 28, compose_jacobians
+#       309, between_jacobians 321, retract 152, body_retract 152, retract_jacobians 411, body_retract_jacobians
+#       413, local 78, body_local 78, interpolate 279, adjoint 31, transform_point_jacobians 119
 r"""Cayley map of order 1, rotations alone: Rodrigues vectors ``v = tan(α/2) u``, the real parts of `cayley1`.
 
 The formulas told there hold with real v.
@@ -32,11 +32,11 @@ __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
     "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
     "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
-    "compose_jacobians", "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_angle_axis", "from_quaternion",
-    "from_tensor", "identity", "interpolate", "inverse", "local", "principal", "quaternion", "random", "rate",
-    "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles",
-    "tangent", "tangent_dot", "tangent_inv", "tensor", "to_angle_axis", "transform_point", "transform_point_jacobians",
-    "twist", "twist_dot", "twist_jacobian",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_angle_axis", "from_exponential",
+    "from_quaternion", "from_tensor", "identity", "interpolate", "inverse", "local", "principal", "quaternion",
+    "random", "rate", "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_angle_axis", "to_exponential",
+    "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 1
@@ -683,6 +683,7 @@ cotangent_jacobian = KERNELS.cotangent_jacobian
 dcay = KERNELS.tangent
 dcay_inv = KERNELS.tangent_inv
 from_angle_axis = KERNELS.from_angle_axis
+from_exponential = KERNELS.from_exponential
 from_quaternion = KERNELS.from_quaternion
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
@@ -705,6 +706,7 @@ tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_angle_axis = KERNELS.to_angle_axis
+to_exponential = KERNELS.to_exponential
 transform_point = KERNELS.transform_point
 transform_point_jacobians = KERNELS.transform_point_jacobians
 twist = KERNELS.twist

@@ -5,11 +5,11 @@
 # What was proved is told in the module for poses. Operations:
 #   quaternion 16, tensor 37, transform_point 45, inverse 3, tangent 36, tangent_inv 32, body_tangent 36,
 #       body_tangent_inv 32, twist 46, rate 41, tangent_dot 74, twist_dot 82, rate_dot 114, twist_jacobian 96,
-#       rate_jacobian 72, from_quaternion 9, from_tensor 62, from_angle_axis 8, to_angle_axis 46, angle 12, turn
-#       30, shadow 48, identity_jacobian 6, shadow_jacobian 62, principal 28, compose 76, between 79,
-#       compose_jacobians 343, between_jacobians 355, retract 159, body_retract 159, retract_jacobians 426,
-#       body_retract_jacobians 428, local 92, body_local 92, interpolate 293, adjoint 37,
-#       transform_point_jacobians 125
+#       rate_jacobian 72, from_quaternion 9, from_tensor 62, from_angle_axis 8, to_angle_axis 46, angle 12,
+#       to_exponential 21, from_exponential 34, turn 30, shadow 48, identity_jacobian 6, shadow_jacobian 62,
+#       principal 28, compose 76, between 79, compose_jacobians 343, between_jacobians 355, retract 159,
+#       body_retract 159, retract_jacobians 426, body_retract_jacobians 428, local 92, body_local 92,
+#       interpolate 293, adjoint 37, transform_point_jacobians 125
 r"""Cayley map of order 2, rotations alone: Rodrigues vectors ``v = tan(α/4) u``, the real parts of `cayley2`.
 
 The formulas told there hold with real v.
@@ -30,11 +30,11 @@ __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
     "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
     "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
-    "compose_jacobians", "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_angle_axis", "from_quaternion",
-    "from_tensor", "identity", "interpolate", "inverse", "local", "principal", "quaternion", "random", "rate",
-    "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles",
-    "tangent", "tangent_dot", "tangent_inv", "tensor", "to_angle_axis", "transform_point", "transform_point_jacobians",
-    "twist", "twist_dot", "twist_jacobian",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_angle_axis", "from_exponential",
+    "from_quaternion", "from_tensor", "identity", "interpolate", "inverse", "local", "principal", "quaternion",
+    "random", "rate", "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_angle_axis", "to_exponential",
+    "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 2
@@ -81,6 +81,7 @@ cotangent_jacobian = KERNELS.cotangent_jacobian
 dcay = KERNELS.tangent
 dcay_inv = KERNELS.tangent_inv
 from_angle_axis = KERNELS.from_angle_axis
+from_exponential = KERNELS.from_exponential
 from_quaternion = KERNELS.from_quaternion
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
@@ -103,6 +104,7 @@ tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_angle_axis = KERNELS.to_angle_axis
+to_exponential = KERNELS.to_exponential
 transform_point = KERNELS.transform_point
 transform_point_jacobians = KERNELS.transform_point_jacobians
 twist = KERNELS.twist

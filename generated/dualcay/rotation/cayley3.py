@@ -6,10 +6,10 @@
 #   quaternion 25, tensor 41, transform_point 49, inverse 3, tangent 40, tangent_inv 43, body_tangent 40,
 #       body_tangent_inv 43, twist 50, rate 52, tangent_dot 82, twist_dot 90, rate_dot 125, twist_jacobian 104,
 #       rate_jacobian 83, from_quaternion 23, from_tensor 67, from_angle_axis 8, to_angle_axis 56, angle 12,
-#       turn 30, shadow 58, identity_jacobian 6, shadow_jacobian 72, principal 28, compose 96, between 99,
-#       compose_jacobians 382, between_jacobians 394, retract 162, body_retract 162, retract_jacobians 444,
-#       body_retract_jacobians 446, local 98, body_local 98, interpolate 299, adjoint 41,
-#       transform_point_jacobians 129
+#       to_exponential 21, from_exponential 35, turn 30, shadow 58, identity_jacobian 6, shadow_jacobian 72,
+#       principal 28, compose 96, between 99, compose_jacobians 382, between_jacobians 394, retract 162,
+#       body_retract 162, retract_jacobians 444, body_retract_jacobians 446, local 98, body_local 98,
+#       interpolate 299, adjoint 41, transform_point_jacobians 129
 r"""Cayley map of order 3, rotations alone: Rodrigues vectors ``v = tan(α/6) u``, the real parts of `cayley3`.
 
 The formulas told there hold with real v.
@@ -30,11 +30,11 @@ __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
     "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
     "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
-    "compose_jacobians", "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_angle_axis", "from_quaternion",
-    "from_tensor", "identity", "interpolate", "inverse", "local", "principal", "quaternion", "random", "rate",
-    "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles",
-    "tangent", "tangent_dot", "tangent_inv", "tensor", "to_angle_axis", "transform_point", "transform_point_jacobians",
-    "twist", "twist_dot", "twist_jacobian",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_angle_axis", "from_exponential",
+    "from_quaternion", "from_tensor", "identity", "interpolate", "inverse", "local", "principal", "quaternion",
+    "random", "rate", "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_angle_axis", "to_exponential",
+    "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 3
@@ -81,6 +81,7 @@ cotangent_jacobian = KERNELS.cotangent_jacobian
 dcay = KERNELS.tangent
 dcay_inv = KERNELS.tangent_inv
 from_angle_axis = KERNELS.from_angle_axis
+from_exponential = KERNELS.from_exponential
 from_quaternion = KERNELS.from_quaternion
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
@@ -103,6 +104,7 @@ tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_angle_axis = KERNELS.to_angle_axis
+to_exponential = KERNELS.to_exponential
 transform_point = KERNELS.transform_point
 transform_point_jacobians = KERNELS.transform_point_jacobians
 twist = KERNELS.twist

@@ -6,10 +6,10 @@
 #   quaternion 25, tensor 47, transform_point 55, inverse 3, tangent 46, tangent_inv 49, body_tangent 46,
 #       body_tangent_inv 49, twist 56, rate 58, tangent_dot 92, twist_dot 100, rate_dot 131, twist_jacobian 114,
 #       rate_jacobian 89, from_quaternion 14, from_tensor 69, from_angle_axis 8, to_angle_axis 58, angle 12,
-#       turn 30, shadow 60, identity_jacobian 6, shadow_jacobian 74, principal 31, compose 107, between 110,
-#       compose_jacobians 411, between_jacobians 423, retract 171, body_retract 171, retract_jacobians 465,
-#       body_retract_jacobians 467, local 116, body_local 116, interpolate 317, adjoint 47,
-#       transform_point_jacobians 135
+#       to_exponential 21, from_exponential 35, turn 30, shadow 60, identity_jacobian 6, shadow_jacobian 74,
+#       principal 31, compose 107, between 110, compose_jacobians 411, between_jacobians 423, retract 171,
+#       body_retract 171, retract_jacobians 465, body_retract_jacobians 467, local 116, body_local 116,
+#       interpolate 317, adjoint 47, transform_point_jacobians 135
 r"""Cayley map of order 4, rotations alone: Rodrigues vectors ``v = tan(α/8) u``, the real parts of `cayley4`.
 
 The formulas told there hold with real v.
@@ -30,11 +30,11 @@ __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
     "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
     "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
-    "compose_jacobians", "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_angle_axis", "from_quaternion",
-    "from_tensor", "identity", "interpolate", "inverse", "local", "principal", "quaternion", "random", "rate",
-    "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles",
-    "tangent", "tangent_dot", "tangent_inv", "tensor", "to_angle_axis", "transform_point", "transform_point_jacobians",
-    "twist", "twist_dot", "twist_jacobian",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_angle_axis", "from_exponential",
+    "from_quaternion", "from_tensor", "identity", "interpolate", "inverse", "local", "principal", "quaternion",
+    "random", "rate", "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_angle_axis", "to_exponential",
+    "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 4
@@ -81,6 +81,7 @@ cotangent_jacobian = KERNELS.cotangent_jacobian
 dcay = KERNELS.tangent
 dcay_inv = KERNELS.tangent_inv
 from_angle_axis = KERNELS.from_angle_axis
+from_exponential = KERNELS.from_exponential
 from_quaternion = KERNELS.from_quaternion
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
@@ -103,6 +104,7 @@ tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_angle_axis = KERNELS.to_angle_axis
+to_exponential = KERNELS.to_exponential
 transform_point = KERNELS.transform_point
 transform_point_jacobians = KERNELS.transform_point_jacobians
 twist = KERNELS.twist

@@ -6,10 +6,10 @@
 #   quaternion 32, tensor 49, transform_point 57, inverse 3, tangent 48, tangent_inv 58, body_tangent 48,
 #       body_tangent_inv 58, twist 58, rate 67, tangent_dot 97, twist_dot 105, rate_dot 140, twist_jacobian 119,
 #       rate_jacobian 98, from_quaternion 23, from_tensor 67, from_angle_axis 8, to_angle_axis 60, angle 12,
-#       turn 30, shadow 62, identity_jacobian 6, shadow_jacobian 76, principal 31, compose 112, between 115,
-#       compose_jacobians 429, between_jacobians 441, retract 170, body_retract 170, retract_jacobians 475,
-#       body_retract_jacobians 477, local 114, body_local 114, interpolate 315, adjoint 49,
-#       transform_point_jacobians 137
+#       to_exponential 21, from_exponential 35, turn 30, shadow 62, identity_jacobian 6, shadow_jacobian 76,
+#       principal 31, compose 112, between 115, compose_jacobians 429, between_jacobians 441, retract 170,
+#       body_retract 170, retract_jacobians 475, body_retract_jacobians 477, local 114, body_local 114,
+#       interpolate 315, adjoint 49, transform_point_jacobians 137
 r"""Cayley map of order 5, rotations alone: Rodrigues vectors ``v = tan(α/10) u``, the real parts of `cayley5`.
 
 The formulas told there hold with real v.
@@ -30,11 +30,11 @@ __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
     "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
     "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
-    "compose_jacobians", "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_angle_axis", "from_quaternion",
-    "from_tensor", "identity", "interpolate", "inverse", "local", "principal", "quaternion", "random", "rate",
-    "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles",
-    "tangent", "tangent_dot", "tangent_inv", "tensor", "to_angle_axis", "transform_point", "transform_point_jacobians",
-    "twist", "twist_dot", "twist_jacobian",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_angle_axis", "from_exponential",
+    "from_quaternion", "from_tensor", "identity", "interpolate", "inverse", "local", "principal", "quaternion",
+    "random", "rate", "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_angle_axis", "to_exponential",
+    "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 5
@@ -81,6 +81,7 @@ cotangent_jacobian = KERNELS.cotangent_jacobian
 dcay = KERNELS.tangent
 dcay_inv = KERNELS.tangent_inv
 from_angle_axis = KERNELS.from_angle_axis
+from_exponential = KERNELS.from_exponential
 from_quaternion = KERNELS.from_quaternion
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
@@ -103,6 +104,7 @@ tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_angle_axis = KERNELS.to_angle_axis
+to_exponential = KERNELS.to_exponential
 transform_point = KERNELS.transform_point
 transform_point_jacobians = KERNELS.transform_point_jacobians
 twist = KERNELS.twist

@@ -6,10 +6,10 @@
 #   quaternion 44, tensor 63, transform_point 71, inverse 3, tangent 62, tangent_inv 79, body_tangent 62,
 #       body_tangent_inv 79, twist 72, rate 88, tangent_dot 121, twist_dot 129, rate_dot 161, twist_jacobian
 #       143, rate_jacobian 119, from_quaternion 19, from_tensor 74, from_angle_axis 8, to_angle_axis 66, angle
-#       12, turn 30, shadow 68, identity_jacobian 6, shadow_jacobian 82, principal 37, compose 156, between 159,
-#       compose_jacobians 522, between_jacobians 534, retract 193, body_retract 193, retract_jacobians 533,
-#       body_retract_jacobians 535, local 160, body_local 160, interpolate 361, adjoint 63,
-#       transform_point_jacobians 151
+#       12, to_exponential 21, from_exponential 35, turn 30, shadow 68, identity_jacobian 6, shadow_jacobian 82,
+#       principal 37, compose 156, between 159, compose_jacobians 522, between_jacobians 534, retract 193,
+#       body_retract 193, retract_jacobians 533, body_retract_jacobians 535, local 160, body_local 160,
+#       interpolate 361, adjoint 63, transform_point_jacobians 151
 r"""Cayley map of order 8, rotations alone: Rodrigues vectors ``v = tan(α/16) u``, the real parts of `cayley8`.
 
 The formulas told there hold with real v.
@@ -30,11 +30,11 @@ __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
     "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
     "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
-    "compose_jacobians", "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_angle_axis", "from_quaternion",
-    "from_tensor", "identity", "interpolate", "inverse", "local", "principal", "quaternion", "random", "rate",
-    "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles",
-    "tangent", "tangent_dot", "tangent_inv", "tensor", "to_angle_axis", "transform_point", "transform_point_jacobians",
-    "twist", "twist_dot", "twist_jacobian",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_angle_axis", "from_exponential",
+    "from_quaternion", "from_tensor", "identity", "interpolate", "inverse", "local", "principal", "quaternion",
+    "random", "rate", "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian",
+    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_angle_axis", "to_exponential",
+    "transform_point", "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 8
@@ -81,6 +81,7 @@ cotangent_jacobian = KERNELS.cotangent_jacobian
 dcay = KERNELS.tangent
 dcay_inv = KERNELS.tangent_inv
 from_angle_axis = KERNELS.from_angle_axis
+from_exponential = KERNELS.from_exponential
 from_quaternion = KERNELS.from_quaternion
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
@@ -103,6 +104,7 @@ tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_angle_axis = KERNELS.to_angle_axis
+to_exponential = KERNELS.to_exponential
 transform_point = KERNELS.transform_point
 transform_point_jacobians = KERNELS.transform_point_jacobians
 twist = KERNELS.twist

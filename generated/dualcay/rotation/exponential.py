@@ -6,10 +6,10 @@
 #   quaternion 78, tensor 92, transform_point 100, inverse 3, tangent 91, tangent_inv 126, body_tangent 91,
 #       body_tangent_inv 126, twist 101, rate 135, tangent_dot 149, twist_dot 157, rate_dot 208, twist_jacobian
 #       171, rate_jacobian 166, from_quaternion 23, from_tensor 67, from_angle_axis 3, to_angle_axis 101, angle
-#       10, turn 24, shadow 98, identity_jacobian 6, shadow_jacobian 112, principal 84, compose 197, between
-#       200, compose_jacobians 668, between_jacobians 680, retract 206, body_retract 206, retract_jacobians 622,
-#       body_retract_jacobians 624, local 200, body_local 200, interpolate 394, adjoint 92,
-#       transform_point_jacobians 180
+#       10, to_exponential 16, from_exponential 15, turn 24, shadow 98, identity_jacobian 6, shadow_jacobian
+#       112, principal 84, compose 197, between 200, compose_jacobians 668, between_jacobians 680, retract 206,
+#       body_retract 206, retract_jacobians 622, body_retract_jacobians 624, local 200, body_local 200,
+#       interpolate 394, adjoint 92, transform_point_jacobians 180
 r"""Exponential map, rotations alone: Rodrigues vectors ``v = α u``, the real parts of `exponential`.
 
 The formulas told there hold with real v.
@@ -30,11 +30,11 @@ __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
     "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
     "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
-    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_angle_axis", "from_quaternion", "from_tensor",
-    "identity", "interpolate", "inverse", "local", "principal", "quaternion", "random", "rate", "rate_dot",
-    "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent",
-    "tangent_dot", "tangent_inv", "tensor", "to_angle_axis", "transform_point", "transform_point_jacobians", "twist",
-    "twist_dot", "twist_jacobian",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_angle_axis", "from_exponential", "from_quaternion",
+    "from_tensor", "identity", "interpolate", "inverse", "local", "principal", "quaternion", "random", "rate",
+    "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles",
+    "tangent", "tangent_dot", "tangent_inv", "tensor", "to_angle_axis", "to_exponential", "transform_point",
+    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 1
@@ -79,6 +79,7 @@ compose_jacobians = KERNELS.compose_jacobians
 cotangent = KERNELS.cotangent
 cotangent_jacobian = KERNELS.cotangent_jacobian
 from_angle_axis = KERNELS.from_angle_axis
+from_exponential = KERNELS.from_exponential
 from_quaternion = KERNELS.from_quaternion
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
@@ -101,6 +102,7 @@ tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_angle_axis = KERNELS.to_angle_axis
+to_exponential = KERNELS.to_exponential
 transform_point = KERNELS.transform_point
 transform_point_jacobians = KERNELS.transform_point_jacobians
 twist = KERNELS.twist

@@ -6,10 +6,10 @@
 #   quaternion 25, tensor 39, transform_point 47, inverse 3, tangent 38, tangent_inv 51, body_tangent 38,
 #       body_tangent_inv 51, twist 48, rate 60, tangent_dot 80, twist_dot 88, rate_dot 133, twist_jacobian 102,
 #       rate_jacobian 91, from_quaternion 13, from_tensor 67, from_angle_axis 16, to_angle_axis 54, angle 16,
-#       turn 39, shadow 65, identity_jacobian 6, shadow_jacobian 79, principal 37, compose 84, between 87,
-#       compose_jacobians 374, between_jacobians 386, retract 172, body_retract 172, retract_jacobians 460,
-#       body_retract_jacobians 462, local 94, body_local 94, interpolate 307, adjoint 39,
-#       transform_point_jacobians 127
+#       to_exponential 24, from_exponential 42, turn 39, shadow 65, identity_jacobian 6, shadow_jacobian 79,
+#       principal 37, compose 84, between 87, compose_jacobians 374, between_jacobians 386, retract 172,
+#       body_retract 172, retract_jacobians 460, body_retract_jacobians 462, local 94, body_local 94,
+#       interpolate 307, adjoint 39, transform_point_jacobians 127
 r"""Lambert's equal-area projection, rotations alone: Rodrigues vectors ``v = sin(α/4) u``, the real parts of `lambert`.
 
 The formulas told there hold with real v.
@@ -30,11 +30,11 @@ __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
     "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
     "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
-    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_angle_axis", "from_quaternion", "from_tensor",
-    "identity", "interpolate", "inverse", "local", "principal", "quaternion", "random", "rate", "rate_dot",
-    "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent",
-    "tangent_dot", "tangent_inv", "tensor", "to_angle_axis", "transform_point", "transform_point_jacobians", "twist",
-    "twist_dot", "twist_jacobian",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_angle_axis", "from_exponential", "from_quaternion",
+    "from_tensor", "identity", "interpolate", "inverse", "local", "principal", "quaternion", "random", "rate",
+    "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles",
+    "tangent", "tangent_dot", "tangent_inv", "tensor", "to_angle_axis", "to_exponential", "transform_point",
+    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 2
@@ -79,6 +79,7 @@ compose_jacobians = KERNELS.compose_jacobians
 cotangent = KERNELS.cotangent
 cotangent_jacobian = KERNELS.cotangent_jacobian
 from_angle_axis = KERNELS.from_angle_axis
+from_exponential = KERNELS.from_exponential
 from_quaternion = KERNELS.from_quaternion
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
@@ -101,6 +102,7 @@ tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_angle_axis = KERNELS.to_angle_axis
+to_exponential = KERNELS.to_exponential
 transform_point = KERNELS.transform_point
 transform_point_jacobians = KERNELS.transform_point_jacobians
 twist = KERNELS.twist

@@ -6,9 +6,9 @@
 #   quaternion 16, tensor 31, transform_point 39, inverse 3, tangent 30, tangent_inv 14, body_tangent 30,
 #       body_tangent_inv 14, twist 40, rate 26, tangent_dot 68, twist_dot 76, rate_dot 76, twist_jacobian 90,
 #       rate_jacobian 35, from_quaternion 5, from_tensor 61, from_angle_axis 16, to_angle_axis 42, angle 16,
-#       identity_jacobian 6, compose 64, between 67, compose_jacobians 320, between_jacobians 332, retract 166,
-#       body_retract 166, retract_jacobians 428, body_retract_jacobians 430, local 82, body_local 82,
-#       interpolate 295, adjoint 31, transform_point_jacobians 119
+#       to_exponential 24, from_exponential 39, identity_jacobian 6, compose 64, between 67, compose_jacobians
+#       320, between_jacobians 332, retract 166, body_retract 166, retract_jacobians 428, body_retract_jacobians
+#       430, local 82, body_local 82, interpolate 295, adjoint 31, transform_point_jacobians 119
 r"""Orthographic projection, rotations alone: Rodrigues vectors ``v = sin(α/2) u``, the real parts of `orthographic`.
 
 The formulas told there hold with real v.
@@ -32,11 +32,11 @@ __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
     "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
     "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
-    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_angle_axis", "from_quaternion", "from_tensor",
-    "identity", "interpolate", "inverse", "local", "principal", "quaternion", "random", "rate", "rate_dot",
-    "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent",
-    "tangent_dot", "tangent_inv", "tensor", "to_angle_axis", "transform_point", "transform_point_jacobians", "twist",
-    "twist_dot", "twist_jacobian",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_angle_axis", "from_exponential", "from_quaternion",
+    "from_tensor", "identity", "interpolate", "inverse", "local", "principal", "quaternion", "random", "rate",
+    "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles",
+    "tangent", "tangent_dot", "tangent_inv", "tensor", "to_angle_axis", "to_exponential", "transform_point",
+    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 1
@@ -409,6 +409,7 @@ compose_jacobians = KERNELS.compose_jacobians
 cotangent = KERNELS.cotangent
 cotangent_jacobian = KERNELS.cotangent_jacobian
 from_angle_axis = KERNELS.from_angle_axis
+from_exponential = KERNELS.from_exponential
 from_quaternion = KERNELS.from_quaternion
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
@@ -431,6 +432,7 @@ tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_angle_axis = KERNELS.to_angle_axis
+to_exponential = KERNELS.to_exponential
 transform_point = KERNELS.transform_point
 transform_point_jacobians = KERNELS.transform_point_jacobians
 twist = KERNELS.twist

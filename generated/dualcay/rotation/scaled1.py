@@ -6,9 +6,9 @@
 #   quaternion 18, tensor 34, transform_point 42, inverse 3, tangent 18, tangent_inv 21, body_tangent 18,
 #       body_tangent_inv 21, twist 31, rate 41, tangent_dot 38, twist_dot 57, rate_dot 114, twist_jacobian 55,
 #       rate_jacobian 31, from_quaternion 5, from_tensor 54, from_angle_axis 10, to_angle_axis 38, angle 13,
-#       identity_jacobian 6, compose 69, between 72, compose_jacobians 330, between_jacobians 342, retract 161,
-#       body_retract 161, retract_jacobians 425, body_retract_jacobians 427, local 90, body_local 90,
-#       interpolate 294, adjoint 34, transform_point_jacobians 122
+#       to_exponential 25, from_exponential 33, identity_jacobian 6, compose 69, between 72, compose_jacobians
+#       330, between_jacobians 342, retract 161, body_retract 161, retract_jacobians 425, body_retract_jacobians
+#       427, local 90, body_local 90, interpolate 294, adjoint 34, transform_point_jacobians 122
 r"""Normal Rodrigues vector of order 1, rotations alone: Rodrigues vectors ``v = 2 tan(α/2) u``, the real parts of `scaled1`.
 
 The formulas told there hold with real v.
@@ -32,11 +32,11 @@ __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
     "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
     "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
-    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_angle_axis", "from_quaternion", "from_tensor",
-    "identity", "interpolate", "inverse", "local", "principal", "quaternion", "random", "rate", "rate_dot",
-    "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent",
-    "tangent_dot", "tangent_inv", "tensor", "to_angle_axis", "transform_point", "transform_point_jacobians", "twist",
-    "twist_dot", "twist_jacobian",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_angle_axis", "from_exponential", "from_quaternion",
+    "from_tensor", "identity", "interpolate", "inverse", "local", "principal", "quaternion", "random", "rate",
+    "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles",
+    "tangent", "tangent_dot", "tangent_inv", "tensor", "to_angle_axis", "to_exponential", "transform_point",
+    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 1
@@ -684,6 +684,7 @@ compose_jacobians = KERNELS.compose_jacobians
 cotangent = KERNELS.cotangent
 cotangent_jacobian = KERNELS.cotangent_jacobian
 from_angle_axis = KERNELS.from_angle_axis
+from_exponential = KERNELS.from_exponential
 from_quaternion = KERNELS.from_quaternion
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
@@ -706,6 +707,7 @@ tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_angle_axis = KERNELS.to_angle_axis
+to_exponential = KERNELS.to_exponential
 transform_point = KERNELS.transform_point
 transform_point_jacobians = KERNELS.transform_point_jacobians
 twist = KERNELS.twist

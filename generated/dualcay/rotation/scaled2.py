@@ -6,10 +6,10 @@
 #   quaternion 20, tensor 41, transform_point 49, inverse 3, tangent 40, tangent_inv 37, body_tangent 40,
 #       body_tangent_inv 37, twist 50, rate 46, tangent_dot 81, twist_dot 89, rate_dot 119, twist_jacobian 103,
 #       rate_jacobian 77, from_quaternion 10, from_tensor 63, from_angle_axis 10, to_angle_axis 49, angle 13,
-#       turn 32, shadow 52, identity_jacobian 6, shadow_jacobian 66, principal 30, compose 91, between 94,
-#       compose_jacobians 371, between_jacobians 383, retract 169, body_retract 169, retract_jacobians 445,
-#       body_retract_jacobians 447, local 106, body_local 106, interpolate 310, adjoint 41,
-#       transform_point_jacobians 129
+#       to_exponential 25, from_exponential 36, turn 32, shadow 52, identity_jacobian 6, shadow_jacobian 66,
+#       principal 30, compose 91, between 94, compose_jacobians 371, between_jacobians 383, retract 169,
+#       body_retract 169, retract_jacobians 445, body_retract_jacobians 447, local 106, body_local 106,
+#       interpolate 310, adjoint 41, transform_point_jacobians 129
 r"""Normal Rodrigues vector of order 2, rotations alone: Rodrigues vectors ``v = 4 tan(α/4) u``, the real parts of `scaled2`.
 
 The formulas told there hold with real v.
@@ -30,11 +30,11 @@ __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
     "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
     "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
-    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_angle_axis", "from_quaternion", "from_tensor",
-    "identity", "interpolate", "inverse", "local", "principal", "quaternion", "random", "rate", "rate_dot",
-    "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent",
-    "tangent_dot", "tangent_inv", "tensor", "to_angle_axis", "transform_point", "transform_point_jacobians", "twist",
-    "twist_dot", "twist_jacobian",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_angle_axis", "from_exponential", "from_quaternion",
+    "from_tensor", "identity", "interpolate", "inverse", "local", "principal", "quaternion", "random", "rate",
+    "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles",
+    "tangent", "tangent_dot", "tangent_inv", "tensor", "to_angle_axis", "to_exponential", "transform_point",
+    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 2
@@ -79,6 +79,7 @@ compose_jacobians = KERNELS.compose_jacobians
 cotangent = KERNELS.cotangent
 cotangent_jacobian = KERNELS.cotangent_jacobian
 from_angle_axis = KERNELS.from_angle_axis
+from_exponential = KERNELS.from_exponential
 from_quaternion = KERNELS.from_quaternion
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
@@ -101,6 +102,7 @@ tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_angle_axis = KERNELS.to_angle_axis
+to_exponential = KERNELS.to_exponential
 transform_point = KERNELS.transform_point
 transform_point_jacobians = KERNELS.transform_point_jacobians
 twist = KERNELS.twist

@@ -6,10 +6,10 @@
 #   quaternion 29, tensor 45, transform_point 53, inverse 3, tangent 44, tangent_inv 48, body_tangent 44,
 #       body_tangent_inv 48, twist 54, rate 57, tangent_dot 89, twist_dot 97, rate_dot 130, twist_jacobian 111,
 #       rate_jacobian 88, from_quaternion 24, from_tensor 68, from_angle_axis 10, to_angle_axis 59, angle 13,
-#       turn 32, shadow 62, identity_jacobian 6, shadow_jacobian 76, principal 30, compose 107, between 110,
-#       compose_jacobians 406, between_jacobians 418, retract 170, body_retract 170, retract_jacobians 461,
-#       body_retract_jacobians 463, local 108, body_local 108, interpolate 312, adjoint 45,
-#       transform_point_jacobians 133
+#       to_exponential 25, from_exponential 37, turn 32, shadow 62, identity_jacobian 6, shadow_jacobian 76,
+#       principal 30, compose 107, between 110, compose_jacobians 406, between_jacobians 418, retract 170,
+#       body_retract 170, retract_jacobians 461, body_retract_jacobians 463, local 108, body_local 108,
+#       interpolate 312, adjoint 45, transform_point_jacobians 133
 r"""Normal Rodrigues vector of order 3, rotations alone: Rodrigues vectors ``v = 6 tan(α/6) u``, the real parts of `scaled3`.
 
 The formulas told there hold with real v.
@@ -30,11 +30,11 @@ __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
     "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
     "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
-    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_angle_axis", "from_quaternion", "from_tensor",
-    "identity", "interpolate", "inverse", "local", "principal", "quaternion", "random", "rate", "rate_dot",
-    "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent",
-    "tangent_dot", "tangent_inv", "tensor", "to_angle_axis", "transform_point", "transform_point_jacobians", "twist",
-    "twist_dot", "twist_jacobian",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_angle_axis", "from_exponential", "from_quaternion",
+    "from_tensor", "identity", "interpolate", "inverse", "local", "principal", "quaternion", "random", "rate",
+    "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles",
+    "tangent", "tangent_dot", "tangent_inv", "tensor", "to_angle_axis", "to_exponential", "transform_point",
+    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 3
@@ -79,6 +79,7 @@ compose_jacobians = KERNELS.compose_jacobians
 cotangent = KERNELS.cotangent
 cotangent_jacobian = KERNELS.cotangent_jacobian
 from_angle_axis = KERNELS.from_angle_axis
+from_exponential = KERNELS.from_exponential
 from_quaternion = KERNELS.from_quaternion
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
@@ -101,6 +102,7 @@ tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_angle_axis = KERNELS.to_angle_axis
+to_exponential = KERNELS.to_exponential
 transform_point = KERNELS.transform_point
 transform_point_jacobians = KERNELS.transform_point_jacobians
 twist = KERNELS.twist

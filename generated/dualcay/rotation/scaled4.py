@@ -6,10 +6,10 @@
 #   quaternion 29, tensor 51, transform_point 59, inverse 3, tangent 50, tangent_inv 54, body_tangent 50,
 #       body_tangent_inv 54, twist 60, rate 63, tangent_dot 99, twist_dot 107, rate_dot 136, twist_jacobian 121,
 #       rate_jacobian 94, from_quaternion 15, from_tensor 70, from_angle_axis 10, to_angle_axis 61, angle 13,
-#       turn 32, shadow 64, identity_jacobian 6, shadow_jacobian 78, principal 33, compose 118, between 121,
-#       compose_jacobians 435, between_jacobians 447, retract 179, body_retract 179, retract_jacobians 482,
-#       body_retract_jacobians 484, local 126, body_local 126, interpolate 330, adjoint 51,
-#       transform_point_jacobians 139
+#       to_exponential 25, from_exponential 37, turn 32, shadow 64, identity_jacobian 6, shadow_jacobian 78,
+#       principal 33, compose 118, between 121, compose_jacobians 435, between_jacobians 447, retract 179,
+#       body_retract 179, retract_jacobians 482, body_retract_jacobians 484, local 126, body_local 126,
+#       interpolate 330, adjoint 51, transform_point_jacobians 139
 r"""Normal Rodrigues vector of order 4, rotations alone: Rodrigues vectors ``v = 8 tan(α/8) u``, the real parts of `scaled4`.
 
 The formulas told there hold with real v.
@@ -30,11 +30,11 @@ __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
     "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
     "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
-    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_angle_axis", "from_quaternion", "from_tensor",
-    "identity", "interpolate", "inverse", "local", "principal", "quaternion", "random", "rate", "rate_dot",
-    "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent",
-    "tangent_dot", "tangent_inv", "tensor", "to_angle_axis", "transform_point", "transform_point_jacobians", "twist",
-    "twist_dot", "twist_jacobian",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_angle_axis", "from_exponential", "from_quaternion",
+    "from_tensor", "identity", "interpolate", "inverse", "local", "principal", "quaternion", "random", "rate",
+    "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles",
+    "tangent", "tangent_dot", "tangent_inv", "tensor", "to_angle_axis", "to_exponential", "transform_point",
+    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 4
@@ -79,6 +79,7 @@ compose_jacobians = KERNELS.compose_jacobians
 cotangent = KERNELS.cotangent
 cotangent_jacobian = KERNELS.cotangent_jacobian
 from_angle_axis = KERNELS.from_angle_axis
+from_exponential = KERNELS.from_exponential
 from_quaternion = KERNELS.from_quaternion
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
@@ -101,6 +102,7 @@ tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_angle_axis = KERNELS.to_angle_axis
+to_exponential = KERNELS.to_exponential
 transform_point = KERNELS.transform_point
 transform_point_jacobians = KERNELS.transform_point_jacobians
 twist = KERNELS.twist

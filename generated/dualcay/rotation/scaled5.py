@@ -6,10 +6,10 @@
 #   quaternion 36, tensor 53, transform_point 61, inverse 3, tangent 52, tangent_inv 63, body_tangent 52,
 #       body_tangent_inv 63, twist 62, rate 72, tangent_dot 104, twist_dot 112, rate_dot 145, twist_jacobian
 #       126, rate_jacobian 103, from_quaternion 24, from_tensor 68, from_angle_axis 10, to_angle_axis 63, angle
-#       13, turn 32, shadow 66, identity_jacobian 6, shadow_jacobian 80, principal 33, compose 123, between 126,
-#       compose_jacobians 453, between_jacobians 465, retract 178, body_retract 178, retract_jacobians 492,
-#       body_retract_jacobians 494, local 124, body_local 124, interpolate 328, adjoint 53,
-#       transform_point_jacobians 141
+#       13, to_exponential 25, from_exponential 37, turn 32, shadow 66, identity_jacobian 6, shadow_jacobian 80,
+#       principal 33, compose 123, between 126, compose_jacobians 453, between_jacobians 465, retract 178,
+#       body_retract 178, retract_jacobians 492, body_retract_jacobians 494, local 124, body_local 124,
+#       interpolate 328, adjoint 53, transform_point_jacobians 141
 r"""Normal Rodrigues vector of order 5, rotations alone: Rodrigues vectors ``v = 10 tan(α/10) u``, the real parts of `scaled5`.
 
 The formulas told there hold with real v.
@@ -30,11 +30,11 @@ __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
     "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
     "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
-    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_angle_axis", "from_quaternion", "from_tensor",
-    "identity", "interpolate", "inverse", "local", "principal", "quaternion", "random", "rate", "rate_dot",
-    "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent",
-    "tangent_dot", "tangent_inv", "tensor", "to_angle_axis", "transform_point", "transform_point_jacobians", "twist",
-    "twist_dot", "twist_jacobian",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_angle_axis", "from_exponential", "from_quaternion",
+    "from_tensor", "identity", "interpolate", "inverse", "local", "principal", "quaternion", "random", "rate",
+    "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles",
+    "tangent", "tangent_dot", "tangent_inv", "tensor", "to_angle_axis", "to_exponential", "transform_point",
+    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 5
@@ -79,6 +79,7 @@ compose_jacobians = KERNELS.compose_jacobians
 cotangent = KERNELS.cotangent
 cotangent_jacobian = KERNELS.cotangent_jacobian
 from_angle_axis = KERNELS.from_angle_axis
+from_exponential = KERNELS.from_exponential
 from_quaternion = KERNELS.from_quaternion
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
@@ -101,6 +102,7 @@ tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_angle_axis = KERNELS.to_angle_axis
+to_exponential = KERNELS.to_exponential
 transform_point = KERNELS.transform_point
 transform_point_jacobians = KERNELS.transform_point_jacobians
 twist = KERNELS.twist

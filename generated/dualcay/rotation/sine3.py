@@ -6,10 +6,10 @@
 #   quaternion 28, tensor 42, transform_point 50, inverse 3, tangent 41, tangent_inv 57, body_tangent 41,
 #       body_tangent_inv 57, twist 51, rate 66, tangent_dot 86, twist_dot 94, rate_dot 139, twist_jacobian 108,
 #       rate_jacobian 97, from_quaternion 27, from_tensor 71, from_angle_axis 16, to_angle_axis 55, angle 16,
-#       turn 39, shadow 66, identity_jacobian 6, shadow_jacobian 80, principal 37, compose 101, between 104,
-#       compose_jacobians 403, between_jacobians 415, retract 175, body_retract 175, retract_jacobians 472,
-#       body_retract_jacobians 474, local 100, body_local 100, interpolate 313, adjoint 42,
-#       transform_point_jacobians 130
+#       to_exponential 24, from_exponential 43, turn 39, shadow 66, identity_jacobian 6, shadow_jacobian 80,
+#       principal 37, compose 101, between 104, compose_jacobians 403, between_jacobians 415, retract 175,
+#       body_retract 175, retract_jacobians 472, body_retract_jacobians 474, local 100, body_local 100,
+#       interpolate 313, adjoint 42, transform_point_jacobians 130
 r"""Sine chart of order 3, rotations alone: Rodrigues vectors ``v = sin(α/6) u``, the real parts of `sine3`.
 
 The formulas told there hold with real v.
@@ -30,11 +30,11 @@ __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
     "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
     "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
-    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_angle_axis", "from_quaternion", "from_tensor",
-    "identity", "interpolate", "inverse", "local", "principal", "quaternion", "random", "rate", "rate_dot",
-    "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent",
-    "tangent_dot", "tangent_inv", "tensor", "to_angle_axis", "transform_point", "transform_point_jacobians", "twist",
-    "twist_dot", "twist_jacobian",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_angle_axis", "from_exponential", "from_quaternion",
+    "from_tensor", "identity", "interpolate", "inverse", "local", "principal", "quaternion", "random", "rate",
+    "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles",
+    "tangent", "tangent_dot", "tangent_inv", "tensor", "to_angle_axis", "to_exponential", "transform_point",
+    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 3
@@ -79,6 +79,7 @@ compose_jacobians = KERNELS.compose_jacobians
 cotangent = KERNELS.cotangent
 cotangent_jacobian = KERNELS.cotangent_jacobian
 from_angle_axis = KERNELS.from_angle_axis
+from_exponential = KERNELS.from_exponential
 from_quaternion = KERNELS.from_quaternion
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
@@ -101,6 +102,7 @@ tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_angle_axis = KERNELS.to_angle_axis
+to_exponential = KERNELS.to_exponential
 transform_point = KERNELS.transform_point
 transform_point_jacobians = KERNELS.transform_point_jacobians
 twist = KERNELS.twist

@@ -6,10 +6,10 @@
 #   quaternion 32, tensor 46, transform_point 54, inverse 3, tangent 45, tangent_inv 60, body_tangent 45,
 #       body_tangent_inv 60, twist 55, rate 69, tangent_dot 92, twist_dot 100, rate_dot 142, twist_jacobian 114,
 #       rate_jacobian 100, from_quaternion 18, from_tensor 72, from_angle_axis 16, to_angle_axis 57, angle 16,
-#       turn 39, shadow 68, identity_jacobian 6, shadow_jacobian 82, principal 40, compose 103, between 106,
-#       compose_jacobians 416, between_jacobians 428, retract 179, body_retract 179, retract_jacobians 483,
-#       body_retract_jacobians 485, local 108, body_local 108, interpolate 321, adjoint 46,
-#       transform_point_jacobians 134
+#       to_exponential 24, from_exponential 43, turn 39, shadow 68, identity_jacobian 6, shadow_jacobian 82,
+#       principal 40, compose 103, between 106, compose_jacobians 416, between_jacobians 428, retract 179,
+#       body_retract 179, retract_jacobians 483, body_retract_jacobians 485, local 108, body_local 108,
+#       interpolate 321, adjoint 46, transform_point_jacobians 134
 r"""Sine chart of order 4, rotations alone: Rodrigues vectors ``v = sin(α/8) u``, the real parts of `sine4`.
 
 The formulas told there hold with real v.
@@ -30,11 +30,11 @@ __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
     "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
     "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
-    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_angle_axis", "from_quaternion", "from_tensor",
-    "identity", "interpolate", "inverse", "local", "principal", "quaternion", "random", "rate", "rate_dot",
-    "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles", "tangent",
-    "tangent_dot", "tangent_inv", "tensor", "to_angle_axis", "transform_point", "transform_point_jacobians", "twist",
-    "twist_dot", "twist_jacobian",
+    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_angle_axis", "from_exponential", "from_quaternion",
+    "from_tensor", "identity", "interpolate", "inverse", "local", "principal", "quaternion", "random", "rate",
+    "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian", "singular_angles",
+    "tangent", "tangent_dot", "tangent_inv", "tensor", "to_angle_axis", "to_exponential", "transform_point",
+    "transform_point_jacobians", "twist", "twist_dot", "twist_jacobian",
 ]  # fmt: skip
 
 ORDER = 4
@@ -79,6 +79,7 @@ compose_jacobians = KERNELS.compose_jacobians
 cotangent = KERNELS.cotangent
 cotangent_jacobian = KERNELS.cotangent_jacobian
 from_angle_axis = KERNELS.from_angle_axis
+from_exponential = KERNELS.from_exponential
 from_quaternion = KERNELS.from_quaternion
 from_tensor = KERNELS.from_tensor
 identity = KERNELS.identity
@@ -101,6 +102,7 @@ tangent_dot = KERNELS.tangent_dot
 tangent_inv = KERNELS.tangent_inv
 tensor = KERNELS.tensor
 to_angle_axis = KERNELS.to_angle_axis
+to_exponential = KERNELS.to_exponential
 transform_point = KERNELS.transform_point
 transform_point_jacobians = KERNELS.transform_point_jacobians
 twist = KERNELS.twist
