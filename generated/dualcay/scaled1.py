@@ -232,7 +232,8 @@ def _rate_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x
 # operations 3: 2 +, 1 /
 def _inverse(m: Any, x: Any, fe: Any) -> Result:
     one = x - x + 1
-    return 2, one / 2
+    hi = one / 2
+    return 2, hi
 
 
 def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
@@ -246,7 +247,9 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
 # operations 4: 2 +, 1 *, 1 /
 def _tangent_inv(m: Any, x: Any) -> Result:
     one = x - x + 1
-    return 2 * one, one / 2, 0, 0
+    fi = 2 * one
+    hi = one / 2
+    return fi, hi, 0, 0
 
 
 def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
@@ -261,7 +264,8 @@ def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
 # operations 3: 2 +, 1 /
 def _tangent_inv_dot(m: Any, x: Any) -> Result:
     one = x - x + 1
-    return 2, one / 2, 0, 0, 0, 0
+    hi = one / 2
+    return 2, hi, 0, 0, 0, 0
 
 
 def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
@@ -280,7 +284,8 @@ def _ray(m: Any, x: Any) -> Result:
     f_v = r / 2
     g_v = r / 4
     one = x - x + 1
-    return 1, one / 2, 1, f_v, g_v, 0
+    b = one / 2
+    return 1, b, 1, f_v, g_v, 0
 
 
 def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
@@ -1733,7 +1738,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="b521cedaa1929fad",
+    programs="15fe7aaf7318acd2",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -327,7 +327,8 @@ def _inverse(m: Any, x: Any, fe: Any) -> Result:
     fi = p / 2
     fi_v = 4 * fi
     one = x - x + 1
-    return fi_v, one / 4
+    hi = one / 4
+    return fi_v, hi
 
 
 def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
@@ -349,7 +350,9 @@ def _tangent_inv(m: Any, x: Any) -> Result:
     fi = p / 2
     fi_v = 4 * fi
     one = x - x + 1
-    return fi_v, one / 4, -one / 4, 0
+    hi = one / 4
+    fiy = -one / 4
+    return fi_v, hi, fiy, 0
 
 
 def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
@@ -372,7 +375,9 @@ def _tangent_inv_dot(m: Any, x: Any) -> Result:
     fi = p / 2
     fi_v = 4 * fi
     one = x - x + 1
-    return fi_v, one / 4, -one / 4, 0, 0, 0
+    hi = one / 4
+    fiy = -one / 4
+    return fi_v, hi, fiy, 0, 0, 0
 
 
 def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
@@ -401,7 +406,8 @@ def _ray(m: Any, x: Any) -> Result:
     g_v = g / 16
     h_v = g / 64
     one = x - x + 1
-    return p, one / 2, root, f_v, g_v, h_v
+    b = one / 2
+    return p, b, root, f_v, g_v, h_v
 
 
 def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
@@ -852,7 +858,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="5ac4f55553ee05d5",
+    programs="417f86b696b81b64",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -142,8 +142,8 @@ def scalar_program(name: str, chart: Chart, elements: Container[int] = ()) -> Pr
         arguments += trace.inputs(argument, table_names(chart) if argument == "table" else [argument])
     results = row.compute(chart, trace, arguments)
     one = trace.name(trace.free_name("one"), arguments[0] - arguments[0] + 1)
-    outputs = [
-        result * one if isinstance(result, Constant) and (i in elements or result.denominator != 1) else result
-        for i, result in enumerate(results)
-    ]
+    outputs = list(results)
+    for i, (letter, result) in enumerate(zip(row.results, results, strict=True)):
+        if isinstance(result, Constant) and (i in elements or result.denominator != 1):
+            outputs[i] = trace.name(trace.free_name(letter), result * one)
     return trace.program(name, outputs)

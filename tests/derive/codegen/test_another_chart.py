@@ -412,7 +412,7 @@ def test_floats_agree_with_first_principles(kernels: ModuleType, name: str, angl
 
         found = getattr(kernels, name)(*given, *chosen)
         for i in range(len(given[0])):
-            one = [argument[i] for argument in given]
+            one = [np.asarray(argument[i]) for argument in given]
             got = parts(tuple(array[i] for array in found) if isinstance(found, tuple) else found[i])
             exact = parts(function(*one))
             for a, b, size in zip(got, exact, scale(function, one, exact), strict=True):
