@@ -7503,7 +7503,7 @@ def body_local_blocks(
     div(add(sub(mul(rho3, fee, k1), sub(mul(d1, rho2, k3), mul(d2, rho1, k4), k3), k1), mul(d3, hvr, k2), k1), n2, o6)
 
 
-# operations 611: 197 +, 299 *, 45 /, 8 neg, 4 abs, 8 sqrt, 2 tan, 3 atan2, 6 lt, 5 eq, 1 or, 33 where
+# operations 613: 197 +, 299 *, 46 /, 8 neg, 4 abs, 8 sqrt, 2 tan, 3 atan2, 6 lt, 5 eq, 1 or, 34 where
 def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) -> Result:
     a1, a2, a3, a1o, a2o, a3o = a
     b1, b2, b3, b1o, b2o, b3o = b
@@ -7704,11 +7704,12 @@ def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) 
     still = sinet == 0
     angle = m.where(still, sinet, m.where(m.abs(turns) < 1, 0, turns) + halft_by_2)
     rn, slopen = c.coefficient(m, angle)
-    factor = rn / m.where(still, 1 + sinet, sinet)
+    z0s = m.where(still, z0, 1)
+    factor = m.where(still, 2 * slopen / z0s, rn / m.where(still, 1 + sinet, sinet))
     v_1 = m.where(apart, z1 * factor, axis1 * rn)
     v_2 = m.where(apart, z2 * factor, axis2 * rn)
     v_3 = m.where(apart, z3 * factor, axis3 * rn)
-    fe_ = m.where(still, 2 * slopen, factor * z0)
+    fe_ = factor * z0
     v11w = v_1 * v_1
     v22w = v_2 * v_2
     v33w = v_3 * v_3
@@ -7870,11 +7871,14 @@ def interpolate_blocks(
         still, sinet, add(m.where(m.less(absolute(turns, k2), n1, mask3), n0, turns, k2), halft_by_2, k1), k2
     )
     rn, slopen = c.coefficient((k1, k3), (k4, k16, k25, k31, k32, k33, k34, *spare), (mask3, *spare_masks), angle)
-    factor = div(rn, m.where(still, add(n1, sinet, k2), sinet, k2), k2)
-    v_1 = m.where(apart, mul(z1, factor, k4), mul(axis1, rn, k16), o1)
-    v_2 = m.where(apart, mul(z2, factor, k4), mul(axis2, rn, k16), o2)
-    v_3 = m.where(apart, mul(z3, factor, k4), mul(axis3, rn, k1), o3)
-    fe_ = m.where(still, mul(n2, slopen, k1), mul(factor, z0, k2), k1)
+    z0s = m.where(still, z0, n1, k2)
+    factor = m.where(
+        still, div(mul(n2, slopen, k3), z0s, k2), div(rn, m.where(still, add(n1, sinet, k3), sinet, k3), k3), k2
+    )
+    v_1 = m.where(apart, mul(z1, factor, k3), mul(axis1, rn, k4), o1)
+    v_2 = m.where(apart, mul(z2, factor, k3), mul(axis2, rn, k4), o2)
+    v_3 = m.where(apart, mul(z3, factor, k3), mul(axis3, rn, k1), o3)
+    fe_ = mul(factor, z0, k1)
     v11w = mul(v_1, v_1, k2)
     v22w = mul(v_2, v_2, k3)
     v33w = mul(v_3, v_3, k4)

@@ -72,7 +72,7 @@
 #   body_retract_jacobians: 1158: 440 +, 588 *, 95 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 324: 102 +, 162 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 324: 102 +, 162 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   interpolate: 692: 218 +, 336 *, 66 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 6 lt, 5 eq, 1 or, 33 where
+#   interpolate: 694: 218 +, 336 *, 67 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 6 lt, 5 eq, 1 or, 34 where
 #   adjoint: 108: 40 +, 62 *, 6 /
 #   transform_point_jacobians: 238: 100 +, 125 *, 10 /, 3 neg
 #   transform_line_jacobians: 337: 133 +, 188 *, 10 /, 6 neg
@@ -882,7 +882,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 10)),
     },
     kernels=SHARED,
-    programs="36acb40c7e56d49a",
+    programs="f89c0dbe6c2687cd",
 )
 
 KERNELS = PoseKernels(CHART)

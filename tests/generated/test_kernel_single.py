@@ -9,6 +9,7 @@ from types import ModuleType
 import numpy as np
 import pytest
 
+from derive.codegen.signatures import PUBLIC
 from tests.support import sampling
 from tests.support.kernels import ORDERS, load
 from tests.support.signatures import SHAPES, SIGNATURES, assert_nearly_equal, inputs
@@ -63,6 +64,8 @@ def test_one_pose_is_its_batch_element_in_every_regime(kernel: ModuleType, order
         assert_nearly_equal(kernel.to_screw(v[i])[1], axis, 256)
 
 
+BRANCHED = {name for name, row in PUBLIC.items() if row.branch}
+
 SPECIAL = {
     "v": [
         np.zeros(6),
@@ -113,7 +116,7 @@ def test_special_inputs_neither_raise_nor_warn_and_batches_agree(kernel: ModuleT
         # a third argument goes through the same values, the other way
         for rest in zip(*(SPECIAL[kind][:: 1 - 2 * i] for i, kind in enumerate(kinds[1:]))) if kinds[1:] else [()]:
             arguments = [first, *rest]
-            for branch in ({}, {"branch": 1}) if name.startswith("from_") or name == "shadow" else ({},):
+            for branch in ({}, {"branch": 1}) if name in BRANCHED else ({},):
                 single = getattr(kernel, name)(*arguments, **branch)
                 batch = getattr(kernel, name)(*(np.repeat(a[None], 3, axis=0) for a in arguments), **branch)
                 np.testing.assert_array_equal(np.isfinite(single), np.isfinite(batch[1]), str((name, arguments)))

@@ -104,7 +104,7 @@ def _dual_zero(oracle: Oracle) -> Any:
 def arguments(kernels: ModuleType, name: str, v: np.ndarray) -> list[np.ndarray]:
     """What a function is given: v, or what v is the vector of, and a second argument."""
     first = FUNCTIONS[name].arguments[0].name
-    given = {"q": kernels.quaternion, "R": kernels.tensor, "T": kernels.pose}
+    given = {"q": kernels.quaternion, "R": kernels.tensor, "T": kernels.pose, "w": kernels.to_exponential}
     if first == "angle":
         return [np.array(part) for part in kernels.to_screw(v)]
     others = []

@@ -399,9 +399,10 @@ class Oracle:
         return pack([2 * self.order * theta * c for c in axis or dual])
 
     def from_exponential(self, w: Any) -> np.ndarray:
-        """Of the branches of the pose the one nearest w before the edge."""
+        """Of the branches of the pose that whose α u is w, which is before the edge."""
         half, axis = self.half_screw(self.step(self.unpack(w)))
-        return pack(self.on_branch(half, axis, 0))
+        along = sum(float(a.re) * float(b) for a, b in zip(axis or (), w, strict=False))
+        return pack(self.on_branch(half, axis, round((along / 2 - float(half.re)) / np.pi)))
 
     def shadow(self, v: Any, branch: int = 1) -> np.ndarray:
         dual = self.unpack(v)

@@ -78,9 +78,11 @@ class _Followed:
         still = name("still", trace.equal(sine, 0))
         angle = name("angle", where(still, sine, whole + 2 * half))
         size, slope = trace.ask("coefficient", (angle,), "n")
-        factor = name("factor", size / where(still, 1 + sine, sine))
+        # a turn so small that its square is 0 is in the vector part nevertheless
+        least = 2 * slope / name("z0s", where(still, z.scalar, 1))
+        factor = name("factor", where(still, least, size / where(still, 1 + sine, sine)))
         pairs = zip(factor * z.vector, size * self.axis, strict=True)
         re = named(trace, "v_", Vector(*(where(self.apart, one, other) for one, other in pairs)))
-        fi = name("fe", where(still, 2 * slope, factor * z.scalar))
+        fi = name("fe", factor * z.scalar)
         _, hi = trace.ask("inverse", (Point(trace, (*re, 0, 0, 0), "w").x, fi), "w")
         return with_dual(trace, fi, rho, re, hi)

@@ -3346,7 +3346,7 @@ def body_local_blocks(
     mul(z3, gaine, o3)
 
 
-# operations 264: 73 +, 117 *, 19 /, 4 neg, 4 abs, 6 sqrt, 1 tan, 3 atan2, 5 lt, 5 eq, 1 or, 26 where
+# operations 268: 73 +, 118 *, 20 /, 4 neg, 4 abs, 6 sqrt, 1 tan, 3 atan2, 5 lt, 5 eq, 1 or, 28 where
 def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) -> Result:
     a1, a2, a3 = a
     b1, b2, b3 = b
@@ -3444,8 +3444,9 @@ def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) 
     turns = own_ + m.where(apart, -2 * half1, td1 * axis1 + td2 * axis2 + td3 * axis3 - halft_by_2)
     still = sinet == 0
     angle = m.where(still, sinet, m.where(m.abs(turns) < 1, 0, turns) + halft_by_2)
-    rn, _ = c.coefficient(m, angle)
-    factor = rn / m.where(still, 1 + sinet, sinet)
+    rn, slopen = c.coefficient(m, angle)
+    z0s = m.where(still, z0, 1)
+    factor = m.where(still, 2 * slopen / z0s, rn / m.where(still, 1 + sinet, sinet))
     v_1 = m.where(apart, z1 * factor, axis1 * rn)
     v_2 = m.where(apart, z2 * factor, axis2 * rn)
     v_3 = m.where(apart, z3 * factor, axis3 * rn)
@@ -3459,7 +3460,7 @@ def interpolate_blocks(
     b1, b2, b3 = b
     t, = time
     o1, o2, o3 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, *spare = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, *spare = scratch
     mask1, mask2, mask3, *spare_masks = masks
     (
         n_minus_2, n_minus_1, n0, n1, n2, n4, n6, n64, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520,
@@ -3569,12 +3570,13 @@ def interpolate_blocks(
     )
     still = m.equal(sinet, n0, mask1)
     sign1 = m.where(apart, side, n1, k15)
-    halft = atan2(mul(sign1, sinet, k19), mul(sign1, z0, k9), k9)
-    halft_by_2 = mul(n2, halft, k9)
-    ss1 = add(add(mul(bva1, bva1, k19), mul(bva2, bva2, k20), k19), mul(bva3, bva3, k20), k19)
+    halft = atan2(mul(sign1, sinet, k19), mul(sign1, z0, k20), k19)
+    halft_by_2 = mul(n2, halft, k19)
+    z0s = m.where(still, z0, n1, k9)
+    ss1 = add(add(mul(bva1, bva1, k20), mul(bva2, bva2, k21), k20), mul(bva3, bva3, k21), k20)
     still1 = m.equal(ss1, n0, mask2)
     sine1 = m.where(
-        apart, m.where(still1, ss1, mul(side, sqrt(m.where(still1, add(n1, ss1, k20), ss1, k20), k20), k5), k19),
+        apart, m.where(still1, ss1, mul(side, sqrt(m.where(still1, add(n1, ss1, k21), ss1, k21), k21), k5), k20),
         add(add(mul(bva1, axis1, k4), mul(bva2, axis2, k3), k3), mul(bva3, axis3, k4), k3), k4
     )
     half1 = atan2(mul(sign1, sine1, k3), mul(sign1, aa, k2), k2)
@@ -3585,10 +3587,12 @@ def interpolate_blocks(
     angle = m.where(
         still, sinet, add(m.where(m.less(absolute(turns, k2), n1, mask2), n0, turns, k2), halft_by_2, k1), k2
     )
-    rn, _ = c.coefficient(
-        (k1, k3), (k4, k5, k8, k9, k10, k11, k13, k15, k19, k20, *spare), (mask2, *spare_masks), angle
+    rn, slopen = c.coefficient(
+        (k1, k3), (k4, k5, k8, k10, k11, k13, k15, k19, k20, k21, *spare), (mask2, *spare_masks), angle
     )
-    factor = div(rn, m.where(still, add(n1, sinet, k2), sinet, k2), k2)
+    factor = m.where(
+        still, div(mul(n2, slopen, k2), z0s, k2), div(rn, m.where(still, add(n1, sinet, k3), sinet, k3), k3), k2
+    )
     m.where(apart, mul(z1, factor, k3), mul(axis1, rn, k4), o1)
     m.where(apart, mul(z2, factor, k3), mul(axis2, rn, k4), o2)
     m.where(apart, mul(z3, factor, k2), mul(axis3, rn, k1), o3)
@@ -4216,7 +4220,7 @@ KERNELS: Mapping[str, Kernel] = {
         interpolate_blocks,
         (("v1", (3,)), ("v2", (3,)), ("t", ()),),
         (3,),
-        registers=20,
+        registers=21,
         masks=3,
         numbers=(-2, -1, 0, 1, 2, 4, 6, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
         lent=(('ray', 0, 0), ('ray', 0, 0), ('unfolded', 2, 0), ('coefficient', 10, 1)),
