@@ -68,7 +68,7 @@ def inputs(
 def components_first(array: Any, rank: int) -> np.ndarray:
     """The structure-of-arrays form: the last `rank` axes to the front."""
     array = np.asarray(array)
-    return np.ascontiguousarray(np.moveaxis(array, range(-rank, 0), range(rank)))
+    return np.array(np.moveaxis(array, range(-rank, 0), range(rank)), order="C")
 
 
 def components_last(array: Any, rank: int) -> np.ndarray:
