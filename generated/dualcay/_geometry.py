@@ -7686,18 +7686,14 @@ def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) 
     side = m.where(bva1 * a1 + bva2 * a2 + bva3 * a3 < 0, -1, 1)
     ss1 = bva1 * bva1 + bva2 * bva2 + bva3 * bva3
     still1 = ss1 == 0
-    sine1 = (
-        m.where(apart, m.where(still1, ss1, side * m.sqrt(m.where(still1, 1 + ss1, ss1))), bva1 * axis1 + bva2 * axis2
-        + bva3 * axis3)
-    )
+    root1 = m.sqrt(m.where(still1, 1 + ss1, ss1))
+    sine1 = m.where(apart, m.where(still1, ss1, side * root1), bva1 * axis1 + bva2 * axis2 + bva3 * axis3)
     sign1 = m.where(apart, side, 1)
     half1 = m.atan2(sign1 * sine1, sign1 * aa)
     sst = z1 * z1 + z2 * z2 + z3 * z3
     stillt = sst == 0
-    sinet = (
-        m.where(apart, m.where(stillt, sst, side * m.sqrt(m.where(stillt, 1 + sst, sst))), z1 * axis1 + z2 * axis2 + z3
-        * axis3)
-    )
+    roott = m.sqrt(m.where(stillt, 1 + sst, sst))
+    sinet = m.where(apart, m.where(stillt, sst, side * roott), z1 * axis1 + z2 * axis2 + z3 * axis3)
     halft = m.atan2(sign1 * sinet, sign1 * z0)
     halft_by_2 = 2 * halft
     turns = own_ + m.where(apart, -2 * half1, td1 * axis1 + td2 * axis2 + td3 * axis3 - halft_by_2)
@@ -7705,7 +7701,8 @@ def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) 
     angle = m.where(still, sinet, m.where(m.abs(turns) < 1, 0, turns) + halft_by_2)
     rn, slopen = c.coefficient(m, angle)
     z0s = m.where(still, z0, 1)
-    factor = m.where(still, 2 * slopen / z0s, rn / m.where(still, 1 + sinet, sinet))
+    nosine = m.where(still, 1 + sinet, sinet)
+    factor = m.where(still, 2 * slopen / z0s, rn / nosine)
     v_1 = m.where(apart, z1 * factor, axis1 * rn)
     v_2 = m.where(apart, z2 * factor, axis2 * rn)
     v_3 = m.where(apart, z3 * factor, axis3 * rn)
@@ -7832,35 +7829,37 @@ def interpolate_blocks(
     gt = mul(n2, wwt, k19)
     sst = add(add(mul(z1, z1, k21), mul(z2, z2, k22), k21), mul(z3, z3, k22), k21)
     stillt = m.equal(sst, n0, mask1)
+    roott = sqrt(m.where(stillt, add(n1, sst, k22), sst, k22), k22)
     resting = m.equal(xa, n0, mask2)
-    r = sqrt(m.where(resting, add(n1, xa, k22), xa, k22), k22)
-    own, = c.unfolded((k25,), (k26, k27, k31, k32, *spare), (*spare_masks,), xa, r)
+    r = sqrt(m.where(resting, add(n1, xa, k25), xa, k25), k25)
+    own, = c.unfolded((k26,), (k27, k31, k32, *spare), (*spare_masks,), xa, r)
     own_ = m.where(resting, xa, own, k1)
     apart = m.either(
-        resting, m.less(r, add(r, div(add(add(absolute(sub(mul(d2, a3, k25), mul(d3, a2, k26), k25), k25),
-        absolute(sub(mul(d3, a1, k26), mul(d1, a3, k27), k26), k26), k25), absolute(sub(mul(d1, a2, k26), mul(d2, a1,
-        k27), k26), k26), k25), n64, k25), k25), mask3), mask2
+        resting, m.less(r, add(r, div(add(add(absolute(sub(mul(d2, a3, k26), mul(d3, a2, k27), k26), k26),
+        absolute(sub(mul(d3, a1, k27), mul(d1, a3, k31), k27), k27), k26), absolute(sub(mul(d1, a2, k27), mul(d2, a1,
+        k31), k27), k27), k26), n64, k26), k26), mask3), mask2
     )
     side = m.where(
-        m.less(add(add(mul(bva1, a1, k25), mul(bva2, a2, k26), k25), mul(bva3, a3, k26), k25), n0, mask3), n_minus_1,
-        n1, k25
+        m.less(add(add(mul(bva1, a1, k26), mul(bva2, a2, k27), k26), mul(bva3, a3, k27), k26), n0, mask3), n_minus_1,
+        n1, k26
     )
-    axis1 = div(a1, r, k26)
-    axis2 = div(a2, r, k27)
-    axis3 = div(a3, r, k22)
+    axis1 = div(a1, r, k27)
+    axis2 = div(a2, r, k31)
+    axis3 = div(a3, r, k25)
     sinet = m.where(
-        apart, m.where(stillt, sst, mul(side, sqrt(m.where(stillt, add(n1, sst, k31), sst, k31), k31), k31), k21),
-        add(add(mul(z1, axis1, k31), mul(z2, axis2, k32), k31), mul(z3, axis3, k32), k31), k21
+        apart, m.where(stillt, sst, mul(side, roott, k22), k21), add(add(mul(z1, axis1, k22), mul(z2, axis2, k32), k22),
+        mul(z3, axis3, k32), k22), k21
     )
     still = m.equal(sinet, n0, mask1)
-    sign1 = m.where(apart, side, n1, k31)
+    sign1 = m.where(apart, side, n1, k22)
     halft = atan2(mul(sign1, sinet, k32), mul(sign1, z0, k33), k32)
     halft_by_2 = mul(n2, halft, k32)
     ss1 = add(add(mul(bva1, bva1, k33), mul(bva2, bva2, k34), k33), mul(bva3, bva3, k34), k33)
     still1 = m.equal(ss1, n0, mask3)
+    root1 = sqrt(m.where(still1, add(n1, ss1, k34), ss1, k34), k34)
     sine1 = m.where(
-        apart, m.where(still1, ss1, mul(side, sqrt(m.where(still1, add(n1, ss1, k34), ss1, k34), k34), k25), k33),
-        add(add(mul(bva1, axis1, k4), mul(bva2, axis2, k3), k3), mul(bva3, axis3, k4), k3), k4
+        apart, m.where(still1, ss1, mul(side, root1, k26), k33), add(add(mul(bva1, axis1, k4), mul(bva2, axis2, k3),
+        k3), mul(bva3, axis3, k4), k3), k4
     )
     half1 = atan2(mul(sign1, sine1, k3), mul(sign1, aa, k2), k2)
     turns = add(
@@ -7870,14 +7869,13 @@ def interpolate_blocks(
     angle = m.where(
         still, sinet, add(m.where(m.less(absolute(turns, k2), n1, mask3), n0, turns, k2), halft_by_2, k1), k2
     )
-    rn, slopen = c.coefficient((k1, k3), (k4, k16, k25, k31, k32, k33, k34, *spare), (mask3, *spare_masks), angle)
-    z0s = m.where(still, z0, n1, k2)
-    factor = m.where(
-        still, div(mul(n2, slopen, k3), z0s, k2), div(rn, m.where(still, add(n1, sinet, k3), sinet, k3), k3), k2
-    )
-    v_1 = m.where(apart, mul(z1, factor, k3), mul(axis1, rn, k4), o1)
-    v_2 = m.where(apart, mul(z2, factor, k3), mul(axis2, rn, k4), o2)
-    v_3 = m.where(apart, mul(z3, factor, k3), mul(axis3, rn, k1), o3)
+    rn, slopen = c.coefficient((k1, k3), (k4, k16, k22, k26, k32, k33, k34, *spare), (mask3, *spare_masks), angle)
+    nosine = m.where(still, add(n1, sinet, k2), sinet, k2)
+    z0s = m.where(still, z0, n1, k4)
+    factor = m.where(still, div(mul(n2, slopen, k3), z0s, k3), div(rn, nosine, k2), k3)
+    v_1 = m.where(apart, mul(z1, factor, k2), mul(axis1, rn, k4), o1)
+    v_2 = m.where(apart, mul(z2, factor, k2), mul(axis2, rn, k4), o2)
+    v_3 = m.where(apart, mul(z3, factor, k2), mul(axis3, rn, k1), o3)
     fe_ = mul(factor, z0, k1)
     v11w = mul(v_1, v_1, k2)
     v22w = mul(v_2, v_2, k3)
@@ -9205,7 +9203,7 @@ KERNELS: Mapping[str, Kernel] = {
         registers=34,
         masks=3,
         numbers=(-2, -1, 0, 1, 2, 4, 6, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
-        lent=(('ray', 0, 0), ('ray', 0, 0), ('unfolded', 4, 0), ('coefficient', 7, 1), ('inverse', 14, 3)),
+        lent=(('ray', 0, 0), ('ray', 0, 0), ('unfolded', 3, 0), ('coefficient', 7, 1), ('inverse', 14, 3)),
         real=True,
     ),
     "adjoint": Kernel(

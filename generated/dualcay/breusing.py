@@ -862,7 +862,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 4, 8)),
     },
     kernels=SHARED,
-    programs="b577091a4eee16d0",
+    programs="acdac5d0b9160b40",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -2069,7 +2069,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="6d222754b0985da6",
+    programs="99179dd991167ac9",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -796,7 +796,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="cffa3e9c81ca96f0",
+    programs="dc78d5c4f3c48b90",
 )
 
 KERNELS = PoseKernels(CHART)

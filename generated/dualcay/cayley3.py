@@ -736,7 +736,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 6)),
     },
     kernels=SHARED,
-    programs="033b1caa86d21b4d",
+    programs="ff7902cf344b68e0",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -769,7 +769,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 8)),
     },
     kernels=SHARED,
-    programs="cbb7c4a0159af3a9",
+    programs="5abce096b447c416",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -793,7 +793,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 10)),
     },
     kernels=SHARED,
-    programs="ee44e3efefed109e",
+    programs="b5c2e5a2521028b9",
 )
 
 KERNELS = PoseKernels(CHART)

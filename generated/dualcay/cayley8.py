@@ -873,7 +873,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 16)),
     },
     kernels=SHARED,
-    programs="4b1628d9abac1395",
+    programs="ea9d7f0efc68cdde",
 )
 
 KERNELS = PoseKernels(CHART)

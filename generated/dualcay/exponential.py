@@ -1119,7 +1119,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1,)),
     },
     kernels=SHARED,
-    programs="404965e4e7854595",
+    programs="c9fb292ad8fc59e6",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -717,7 +717,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 4, 8)),
     },
     kernels=SHARED,
-    programs="c848c8ca195004fc",
+    programs="b92139d59fd45f6c",
 )
 
 KERNELS = PoseKernels(CHART)

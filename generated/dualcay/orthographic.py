@@ -1042,7 +1042,7 @@ CHART = Chart(
         real=True,
     ),
     },
-    programs="f17d4a04cdf35534",
+    programs="708b41a22c04a94c",
 )
 
 KERNELS = PoseKernels(CHART)

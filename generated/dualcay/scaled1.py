@@ -1738,7 +1738,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="014510981e9cdf06",
+    programs="f9a40f1e3684ff4d",
 )
 
 KERNELS = PoseKernels(CHART)

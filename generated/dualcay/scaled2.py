@@ -858,7 +858,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="cfe43f047ef0d06d",
+    programs="70e65ac1712c42b9",
 )
 
 KERNELS = PoseKernels(CHART)

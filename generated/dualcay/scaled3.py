@@ -823,7 +823,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 6)),
     },
     kernels=SHARED,
-    programs="8391114c863ec97b",
+    programs="20a8994320849fd3",
 )
 
 KERNELS = PoseKernels(CHART)

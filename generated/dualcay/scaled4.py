@@ -850,7 +850,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 8)),
     },
     kernels=SHARED,
-    programs="ae261ee0b82789a7",
+    programs="a8e8366cc47506b5",
 )
 
 KERNELS = PoseKernels(CHART)

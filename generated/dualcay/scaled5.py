@@ -882,7 +882,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 10)),
     },
     kernels=SHARED,
-    programs="f89c0dbe6c2687cd",
+    programs="de8c4b4fb4156375",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -779,7 +779,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 6, 12)),
     },
     kernels=SHARED,
-    programs="22fa13dedc1722b7",
+    programs="2c9e230b4bb6663d",
 )
 
 KERNELS = PoseKernels(CHART)

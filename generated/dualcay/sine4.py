@@ -773,7 +773,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 8, 16)),
     },
     kernels=SHARED,
-    programs="fac6ce4843e13a1f",
+    programs="ca6d88163e853555",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -253,8 +253,11 @@ def _branch(chart: Vectors, screw: Screw, branch: int) -> Iterator[Expectation]:
         yield Expectation(name, (v,), MAPS[name](chart, 0, v))
     if screw.angle.re > INSIDE and all(chart.finite(screw, k, INSIDE) for k in (0, branch)):
         yield Expectation(f"shadow_jacobian {branch}", (principal,), MAPS["shadow_jacobian"](chart, branch, principal))
-    for name in ("retract", "body_retract") if branch else ():
+    for name in ("retract", "body_retract", "retract_jacobians", "body_retract_jacobians") if branch else ():
         yield Expectation(name, (v, SMALL_STEP), MAPS[name](chart, 0, v, SMALL_STEP))
+    if branch:
+        way = v, MAPS["retract"](chart, 0, v, SMALL_STEP), (mpmath.mpf(0.5),)
+        yield Expectation("interpolate", way, MAPS["interpolate"](chart, 0, *way))
 
 
 def _from_rotation(R: Tensor, branch: int, v: Flat) -> Iterator[Expectation]:
@@ -294,6 +297,13 @@ def _far_steps(chart: Vectors, screw: Screw, still: Screw) -> Iterator[Expectati
     for name in ("retract", "body_retract"):
         for given in ((flat(chart.at(screw)), large), (resting, small)):
             yield Expectation(name, given, MAPS[name](chart, 0, *given))
+    for name in ("retract_jacobians", "body_retract_jacobians"):
+        given = flat(chart.at(screw)), large
+        yield Expectation(name, given, MAPS[name](chart, 0, *given))
+    elsewhere = tuple(reversed(resting))
+    for start, end, t in ((resting, (0, 0, 0, *elsewhere[:3]), 0.25), (flat(chart.at(screw)), resting, 12)):
+        given = start, end, (mpmath.mpf(t),)
+        yield Expectation("interpolate", given, MAPS["interpolate"](chart, 0, *given))
     yield Expectation("angle", (resting,), MAPS["angle"](chart, 0, resting))
     yield Expectation("angle", ((mpmath.mpf(0),) * 6,), (mpmath.mpf(0),) * 2)
 
@@ -315,6 +325,7 @@ def _identity(chart: Vectors) -> Iterator[Expectation]:
     for branch in chart.tried:
         if branch:
             yield Expectation(f"shadow {branch}", (identity,), nowhere)
+            yield Expectation(f"shadow_jacobian {branch}", (identity,), 3 * (*nowhere[:3], *identity[:3]) + 3 * nowhere)
             yield Expectation(f"from_quaternion {branch}", ((mpmath.mpf(1), *identity, mpmath.mpf(0)),), nowhere)
             yield Expectation(f"from_tensor {branch}", ((*Tensor.identity(), *(0 * Tensor.identity())),), nowhere)
 

@@ -64,7 +64,8 @@ class _Followed:
         ss = name("ss" + mark, q.vector.dot(q.vector))
         still = name("still" + mark, trace.equal(ss, 0))
         # the root is not taken of 0: its slope there is infinite, and 0 times that is no gradient
-        length = trace.where(still, ss, self.side * trace.sqrt(trace.where(still, 1 + ss, ss)))
+        root = name("root" + mark, trace.sqrt(trace.where(still, 1 + ss, ss)))
+        length = trace.where(still, ss, self.side * root)
         sine = name("sine" + mark, trace.where(self.apart, length, q.vector.dot(self.axis)))
         sign = name("sign" + mark, trace.where(self.apart, self.side, 1))
         return sine, name("half" + mark, trace.atan2(sign * sine, sign * q.scalar))
@@ -80,7 +81,8 @@ class _Followed:
         size, slope = trace.ask("coefficient", (angle,), "n")
         # a turn so small that its square is 0 is in the vector part nevertheless
         least = 2 * slope / name("z0s", where(still, z.scalar, 1))
-        factor = name("factor", where(still, least, size / where(still, 1 + sine, sine)))
+        turned = size / name("nosine", where(still, 1 + sine, sine))
+        factor = name("factor", where(still, least, turned))
         pairs = zip(factor * z.vector, size * self.axis, strict=True)
         re = named(trace, "v_", Vector(*(where(self.apart, one, other) for one, other in pairs)))
         fi = name("fe", factor * z.scalar)

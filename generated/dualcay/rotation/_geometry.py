@@ -3427,18 +3427,14 @@ def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) 
     side = m.where(bva1 * a1 + bva2 * a2 + bva3 * a3 < 0, -1, 1)
     ss1 = bva1 * bva1 + bva2 * bva2 + bva3 * bva3
     still1 = ss1 == 0
-    sine1 = (
-        m.where(apart, m.where(still1, ss1, side * m.sqrt(m.where(still1, 1 + ss1, ss1))), bva1 * axis1 + bva2 * axis2
-        + bva3 * axis3)
-    )
+    root1 = m.sqrt(m.where(still1, 1 + ss1, ss1))
+    sine1 = m.where(apart, m.where(still1, ss1, side * root1), bva1 * axis1 + bva2 * axis2 + bva3 * axis3)
     sign1 = m.where(apart, side, 1)
     half1 = m.atan2(sign1 * sine1, sign1 * aa)
     sst = z1 * z1 + z2 * z2 + z3 * z3
     stillt = sst == 0
-    sinet = (
-        m.where(apart, m.where(stillt, sst, side * m.sqrt(m.where(stillt, 1 + sst, sst))), z1 * axis1 + z2 * axis2 + z3
-        * axis3)
-    )
+    roott = m.sqrt(m.where(stillt, 1 + sst, sst))
+    sinet = m.where(apart, m.where(stillt, sst, side * roott), z1 * axis1 + z2 * axis2 + z3 * axis3)
     halft = m.atan2(sign1 * sinet, sign1 * z0)
     halft_by_2 = 2 * halft
     turns = own_ + m.where(apart, -2 * half1, td1 * axis1 + td2 * axis2 + td3 * axis3 - halft_by_2)
@@ -3446,7 +3442,8 @@ def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) 
     angle = m.where(still, sinet, m.where(m.abs(turns) < 1, 0, turns) + halft_by_2)
     rn, slopen = c.coefficient(m, angle)
     z0s = m.where(still, z0, 1)
-    factor = m.where(still, 2 * slopen / z0s, rn / m.where(still, 1 + sinet, sinet))
+    nosine = m.where(still, 1 + sinet, sinet)
+    factor = m.where(still, 2 * slopen / z0s, rn / nosine)
     v_1 = m.where(apart, z1 * factor, axis1 * rn)
     v_2 = m.where(apart, z2 * factor, axis2 * rn)
     v_3 = m.where(apart, z3 * factor, axis3 * rn)
@@ -3549,12 +3546,13 @@ def interpolate_blocks(
     z0 = sub(mul(st, aa, k12), add(add(mul(wd1, bva1, k9), mul(wd2, bva2, k15), k9), mul(wd3, bva3, k14), k9), k9)
     sst = add(add(mul(z1, z1, k12), mul(z2, z2, k14), k12), mul(z3, z3, k14), k12)
     stillt = m.equal(sst, n0, mask1)
+    roott = sqrt(m.where(stillt, add(n1, sst, k14), sst, k14), k14)
     resting = m.equal(xa, n0, mask2)
-    r = sqrt(m.where(resting, add(n1, xa, k14), xa, k14), k14)
-    own, = c.unfolded((k15,), (k19, k20, *spare), (*spare_masks,), xa, r)
+    r = sqrt(m.where(resting, add(n1, xa, k15), xa, k15), k15)
+    own, = c.unfolded((k19,), (k20, *spare), (*spare_masks,), xa, r)
     apart = m.either(
-        resting, m.less(r, add(r, div(add(add(absolute(sub(mul(d2, a3, k19), mul(d3, a2, k20), k19), k19),
-        absolute(sub(mul(d3, a1, k5), mul(d1, a3, k20), k5), k5), k5), absolute(sub(mul(d1, a2, k6), mul(d2, a1, k7),
+        resting, m.less(r, add(r, div(add(add(absolute(sub(mul(d2, a3, k20), mul(d3, a2, k21), k20), k20),
+        absolute(sub(mul(d3, a1, k5), mul(d1, a3, k21), k5), k5), k5), absolute(sub(mul(d1, a2, k6), mul(d2, a1, k7),
         k6), k6), k5), n64, k5), k5), mask3), mask3
     )
     own_ = m.where(resting, xa, own, k1)
@@ -3563,21 +3561,22 @@ def interpolate_blocks(
     )
     axis1 = div(a1, r, k6)
     axis2 = div(a2, r, k7)
-    axis3 = div(a3, r, k14)
+    axis3 = div(a3, r, k15)
     sinet = m.where(
-        apart, m.where(stillt, sst, mul(side, sqrt(m.where(stillt, add(n1, sst, k15), sst, k15), k15), k15), k12),
-        add(add(mul(z1, axis1, k15), mul(z2, axis2, k19), k15), mul(z3, axis3, k19), k15), k12
+        apart, m.where(stillt, sst, mul(side, roott, k14), k12), add(add(mul(z1, axis1, k14), mul(z2, axis2, k19), k14),
+        mul(z3, axis3, k19), k14), k12
     )
     still = m.equal(sinet, n0, mask1)
-    sign1 = m.where(apart, side, n1, k15)
+    sign1 = m.where(apart, side, n1, k14)
     halft = atan2(mul(sign1, sinet, k19), mul(sign1, z0, k20), k19)
     halft_by_2 = mul(n2, halft, k19)
     z0s = m.where(still, z0, n1, k9)
     ss1 = add(add(mul(bva1, bva1, k20), mul(bva2, bva2, k21), k20), mul(bva3, bva3, k21), k20)
     still1 = m.equal(ss1, n0, mask2)
+    root1 = sqrt(m.where(still1, add(n1, ss1, k21), ss1, k21), k21)
     sine1 = m.where(
-        apart, m.where(still1, ss1, mul(side, sqrt(m.where(still1, add(n1, ss1, k21), ss1, k21), k21), k5), k20),
-        add(add(mul(bva1, axis1, k4), mul(bva2, axis2, k3), k3), mul(bva3, axis3, k4), k3), k4
+        apart, m.where(still1, ss1, mul(side, root1, k5), k20), add(add(mul(bva1, axis1, k4), mul(bva2, axis2, k3), k3),
+        mul(bva3, axis3, k4), k3), k4
     )
     half1 = atan2(mul(sign1, sine1, k3), mul(sign1, aa, k2), k2)
     turns = add(
@@ -3588,13 +3587,12 @@ def interpolate_blocks(
         still, sinet, add(m.where(m.less(absolute(turns, k2), n1, mask2), n0, turns, k2), halft_by_2, k1), k2
     )
     rn, slopen = c.coefficient(
-        (k1, k3), (k4, k5, k8, k10, k11, k13, k15, k19, k20, k21, *spare), (mask2, *spare_masks), angle
+        (k1, k3), (k4, k5, k8, k10, k11, k13, k14, k19, k20, k21, *spare), (mask2, *spare_masks), angle
     )
-    factor = m.where(
-        still, div(mul(n2, slopen, k2), z0s, k2), div(rn, m.where(still, add(n1, sinet, k3), sinet, k3), k3), k2
-    )
-    m.where(apart, mul(z1, factor, k3), mul(axis1, rn, k4), o1)
-    m.where(apart, mul(z2, factor, k3), mul(axis2, rn, k4), o2)
+    nosine = m.where(still, add(n1, sinet, k2), sinet, k2)
+    factor = m.where(still, div(mul(n2, slopen, k3), z0s, k3), div(rn, nosine, k2), k3)
+    m.where(apart, mul(z1, factor, k2), mul(axis1, rn, k4), o1)
+    m.where(apart, mul(z2, factor, k2), mul(axis2, rn, k4), o2)
     m.where(apart, mul(z3, factor, k2), mul(axis3, rn, k1), o3)
 
 
@@ -4223,7 +4221,7 @@ KERNELS: Mapping[str, Kernel] = {
         registers=21,
         masks=3,
         numbers=(-2, -1, 0, 1, 2, 4, 6, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
-        lent=(('ray', 0, 0), ('ray', 0, 0), ('unfolded', 2, 0), ('coefficient', 10, 1)),
+        lent=(('ray', 0, 0), ('ray', 0, 0), ('unfolded', 1, 0), ('coefficient', 10, 1)),
         real=True,
     ),
     "adjoint": Kernel(

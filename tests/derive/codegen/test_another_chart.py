@@ -367,8 +367,12 @@ def arguments(kernels: ModuleType, name: str, v: np.ndarray) -> list[np.ndarray]
     given = {"q": kernels.quaternion, "R": kernels.tensor, "T": kernels.pose}
     if first == "angle":
         return [np.array(part) for part in kernels.to_screw(v)]
-    others = [np.roll(sampling.dual_vectors(name, count=len(v))[:, : a.size], 1) for a in FUNCTIONS[name].arguments[1:]]
-    return [given.get(first, np.array)(v), *([v[::-1]] if first == "v2" else others)]
+    drawn = np.roll(sampling.dual_vectors(name, count=len(v)), 1)
+    others = [
+        v[::-1] if a.name in ("v1", "v2") else drawn[:, : a.size].reshape(-1, *a.shape)
+        for a in FUNCTIONS[name].arguments[1:]
+    ]
+    return [given.get(first, np.array)(v), *others]
 
 
 def scale(function: Any, given: list[np.ndarray], exact: list[Any]) -> list[float]:
