@@ -220,7 +220,8 @@ def _coordinates(chart: Vectors, screw: Screw) -> Iterator[Expectation]:
     """α u of a vector, and back; of angles some turns further on too."""
     v = flat(chart.at(screw))
     yield Expectation("to_exponential", (v,), MAPS["to_exponential"](chart, 0, v))
-    for turns in (0, 1, 3):
+    beyond = 3 if mpmath.isinf(chart.edge) else int(chart.edge / (2 * mpmath.pi)) + 1
+    for turns in (0, 1, beyond):
         w = screw.axis * (screw.angle + 2 * mpmath.pi * turns)
         if chart.finite(Screw(reached(chart, screw.angle + 2 * mpmath.pi * turns), screw.axis), 0, INSIDE):
             yield Expectation("from_exponential", (flat(w),), MAPS["from_exponential"](chart, 0, flat(w)))
@@ -302,8 +303,8 @@ def _far_steps(chart: Vectors, screw: Screw, still: Screw) -> Iterator[Expectati
         yield Expectation(name, given, MAPS[name](chart, 0, *given))
     elsewhere = tuple(reversed(resting))
     for start, end, t in ((resting, (0, 0, 0, *elsewhere[:3]), 0.25), (flat(chart.at(screw)), resting, 12)):
-        given = start, end, (mpmath.mpf(t),)
-        yield Expectation("interpolate", given, MAPS["interpolate"](chart, 0, *given))
+        motion = start, end, (mpmath.mpf(t),)
+        yield Expectation("interpolate", motion, MAPS["interpolate"](chart, 0, *motion))
     yield Expectation("angle", (resting,), MAPS["angle"](chart, 0, resting))
     yield Expectation("angle", ((mpmath.mpf(0),) * 6,), (mpmath.mpf(0),) * 2)
 

@@ -301,8 +301,8 @@ def test_scalars_of_another_phi_are_not_proved(phi: sympy.Expr):
 
 DERIVATIVES = (calculus.rate_dot, calculus.rate_jacobian)
 
-BY_STEPS = ("retract_jacobians", "body_retract_jacobians")
-"""Their errors go with the operators that they are products of: tests/generated/test_kernel_motions.py."""
+BY_STEPS = ("retract_jacobians", "body_retract_jacobians", "interpolate")
+"""Their errors go with the operators and angles that they are made of: tests/generated/test_kernel_motions.py."""
 
 
 # --- kernels --------------------------------------------------------------------------------------------------------
@@ -367,9 +367,10 @@ def arguments(kernels: ModuleType, name: str, v: np.ndarray) -> list[np.ndarray]
     given = {"q": kernels.quaternion, "R": kernels.tensor, "T": kernels.pose}
     if first == "angle":
         return [np.array(part) for part in kernels.to_screw(v)]
-    drawn = np.roll(sampling.dual_vectors(name, count=len(v)), 1)
     others = [
-        v[::-1] if a.name in ("v1", "v2") else drawn[:, : a.size].reshape(-1, *a.shape)
+        v[::-1]
+        if a.name in ("v1", "v2")
+        else np.roll(sampling.dual_vectors(name, count=len(v))[:, : a.size], 1).reshape(-1, *a.shape)
         for a in FUNCTIONS[name].arguments[1:]
     ]
     return [given.get(first, np.array)(v), *others]

@@ -28,6 +28,7 @@ EQUIVALENT = {
     r"\(z32 < 0\) & \(z33 < 0\)": "where e0 = e1 = e2 = 0 the last row has been taken, and its e3 is positive",
     r"still \? \d+ \* (cos|e0)": "it is multiplied by a vector that is 0 there",
     r"/ sign;": "sign is 1 or -1",
+    r"still[1t] = ss[1t] <": "the root of 0 is 0: another number stands in its place for gradients alone",
     r"pose_at\[1[23] \* pose_by\] = \(\w+\)0;": "the same number is stored in both places",
 }
 """Changes that change no result, by their line, and why."""
@@ -205,14 +206,17 @@ def not_the_identity(function, arguments):
         ("from_pose", "from_pose_core", "(z31 < 0) | ((z31 == 0)", "(z31 > 0) | ((z31 == 0)", not_half_turn),
         ("from_pose", "from_pose_core", "best1 = larger1 ? t1 : t0", "best1 = t0", not_steep(growing=True)),
         ("from_pose", "from_pose_core", "larger1 = t0 < t1", "larger1 = t0 < t2", not_steep(growing=False)),
-        ("from_quaternion", "gain_unit_scalars", "(negative ? -1 :", "(negative ? 1 :", not_negative),
+        (
+            "from_quaternion", "gain_unit_scalars",
+            "negative ? (dualcay_real)-1", "negative ? (dualcay_real)1", not_negative,
+        ),
         ("from_quaternion", "gain_unit_scalars", "negative = e0 < 0", "negative = e0 <= 0", not_at_half_turn),
-        ("to_screw", "natural_scalars", "(y < 0)) ? -1", "(y < 0)) ? 1", not_on_branch),
+        ("to_screw", "natural_scalars", "(y < 0)) ? (dualcay_real)-1", "(y < 0)) ? (dualcay_real)1", not_on_branch),
         ("to_screw", "natural_scalars", "fabs(p)", "p", not_on_branch),
         ("to_screw", "natural_scalars", "(q == 0) & (y < 0)", "(q == 0) & (y > 0)", not_undecided),
         ("shadow", "direction_scalars", "(q == 0) & (y < 0)", "(q == 0) & (y > 0)", not_undecided),
         ("shadow", "shadow_core", "ro = still ? scale", "ro = still ? -scale", not_a_translation),
-        ("to_screw", "to_screw_core", "extent == 0 ? 1 : extent", "extent", not_the_identity),
+        ("to_screw", "to_screw_core", "extent == 0 ? (dualcay_real)1 : extent", "extent", not_the_identity),
         ("principal", "beyond_scalars", f"0.{28 * '3'}", f"0.{27 * '3'}4", not_near_a_tie),
         ("compose", "gain_product_scalars", "still = ss == 0", "still = ss < 0", not_two_translations),
     ],
