@@ -256,9 +256,6 @@ def _branch(chart: Vectors, screw: Screw, branch: int) -> Iterator[Expectation]:
         yield Expectation(f"shadow_jacobian {branch}", (principal,), MAPS["shadow_jacobian"](chart, branch, principal))
     for name in ("retract", "body_retract", "retract_jacobians", "body_retract_jacobians") if branch else ():
         yield Expectation(name, (v, SMALL_STEP), MAPS[name](chart, 0, v, SMALL_STEP))
-    if branch:
-        way = v, MAPS["retract"](chart, 0, v, SMALL_STEP), (mpmath.mpf(0.5),)
-        yield Expectation("interpolate", way, MAPS["interpolate"](chart, 0, *way))
 
 
 def _from_rotation(R: Tensor, branch: int, v: Flat) -> Iterator[Expectation]:
@@ -302,7 +299,8 @@ def _far_steps(chart: Vectors, screw: Screw, still: Screw) -> Iterator[Expectati
         given = flat(chart.at(screw)), large
         yield Expectation(name, given, MAPS[name](chart, 0, *given))
     elsewhere = tuple(reversed(resting))
-    for start, end, t in ((resting, (0, 0, 0, *elsewhere[:3]), 0.25), (flat(chart.at(screw)), resting, 12)):
+    v = flat(chart.at(screw))
+    for start, end, t in ((resting, (0, 0, 0, *elsewhere[:3]), 0.25), (v, MAPS["retract"](chart, 0, v, small), 4)):
         motion = start, end, (mpmath.mpf(t),)
         yield Expectation("interpolate", motion, MAPS["interpolate"](chart, 0, *motion))
     yield Expectation("angle", (resting,), MAPS["angle"](chart, 0, resting))
