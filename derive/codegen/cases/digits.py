@@ -240,6 +240,9 @@ def _back(chart: Vectors, screw: Screw, branch: int) -> Iterator[Expectation]:
     v = flat(chart.at(screw, branch))
     yield Expectation("to_screw", (v,), (screw.angle.re, screw.angle.du, *flat(screw.axis)))
     yield Expectation(f"shadow {chart.back(branch)}", (v,), flat(chart.at(screw)))
+    if branch:
+        way = v, MAPS["retract"](chart, 0, v, SMALL_STEP), (mpmath.mpf("0.5"),)
+        yield Expectation("interpolate", way, MAPS["interpolate"](chart, 0, *way))
 
 
 def _branch(chart: Vectors, screw: Screw, branch: int) -> Iterator[Expectation]:
