@@ -9,15 +9,23 @@ TESTED := $(VENV)/.test
 PYTEST := $(RUN) -m pytest -n auto --maxprocesses 4 --dist worksteal
 PIP    := $(RUN) -m pip --disable-pip-version-check install --quiet --quiet --constraint constraints.txt
 
+CHECKS := check-kernels check-errata check-theorems
+
 .DEFAULT_GOAL := generate
-.PHONY: generate check proofs verify show test quick lint types mutants native bench accuracy figures parameterizations clean help
+.PHONY: generate check $(CHECKS) proofs verify show test quick lint types mutants native bench accuracy figures parameterizations clean help
 
 generate: $(READY)  ## derive, prove and write the committed kernels (the default)
 	$(RUN) -m derive generate
 
-check: $(READY)  ## fail if a generated file or page is stale, missing or foreign, or a control does not fail
+check: $(CHECKS)  ## fail if a generated file or page is stale, missing or foreign, or a control does not fail
+
+check-kernels: $(READY)
 	$(RUN) -m derive generate --check
+
+check-errata: $(READY)
 	$(RUN) -m derive verify --format markdown -o docs/errata.md --check
+
+check-theorems: $(READY)
 	$(RUN) -m derive.proof -o docs/theorems.md --check
 
 proofs: $(READY)  ## prove all theorems, see every control fail, and write docs/theorems.md
@@ -30,7 +38,7 @@ show: $(READY)  ## print the formulas of an order: make show N=3
 	$(RUN) -m derive show -n $(or $(N),1-3)
 
 test: $(TESTED)  ## lint, types, stale check, proofs with their controls and all tests
-	$(MAKE) --no-print-directory --jobs=2 lint types check
+	$(MAKE) --no-print-directory --jobs=2 check types lint
 	$(PYTEST)
 
 quick: lint types  ## lint, types and a smoke of every room, in less than a minute

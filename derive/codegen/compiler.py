@@ -164,8 +164,10 @@ def generate_charts(
     chosen = _target(target)
     if output is None and not catalogue.has_place(target):
         raise ValueError(f"name an output folder: only {catalogue.TARGET} kernels have a place, in a checkout")
+    folder, entry = Path(output or catalogue.COMMITTED), notices(charts, chosen)
+    files.refuse(folder, entry | {module_name(chart, chosen): "" for chart in charts}, force)  # before long work
     package = build_charts(charts, chosen, progress)
-    files.write(Path(output or catalogue.COMMITTED), package.texts, force, notices(charts, chosen))
+    files.write(folder, package.texts, force, entry)
     return package
 
 

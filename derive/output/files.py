@@ -90,8 +90,7 @@ def write(
         folder.mkdir(parents=True, exist_ok=True)
         with locked(folder):
             finish(folder)
-            _refuse_what_is_not_ours(folder, texts, force)
-            _refuse_other_targets(folder, texts)
+            refuse(folder, texts, force)
             changed = [name for name, text in texts.items() if _read(folder / name) != text]
             if changed:
                 names = dict.fromkeys((*changed, *(notices or ())))
@@ -100,6 +99,20 @@ def write(
         left = "; half-written until the command runs again" if os.path.exists(folder / READY) else ""
         raise RefusedError(f"cannot write {error.filename or folder}: {error.strerror or error}{left}") from error
     return [folder / name for name in changed]
+
+
+def refuse(folder: Path, texts: Mapping[str, str], force: bool = False) -> None:
+    """Refuse what `write` would because of what is in a folder; nothing is changed.
+
+    Raises
+    ------
+    RefusedError
+        If a file in the way is not a generated one (unless forced), a folder is in the way, or the folder holds kernels
+        of another target than those the texts bear the command of.
+    """
+    if folder.is_dir():
+        _refuse_what_is_not_ours(folder, texts, force)
+        _refuse_other_targets(folder, texts)
 
 
 def _refuse_what_is_not_ours(folder: Path, texts: Iterable[str], force: bool) -> None:

@@ -16,6 +16,8 @@ from contextlib import contextmanager
 from pathlib import Path, PurePath
 from typing import Any
 
+from tests.support.packages import Otherwise, unvalidated
+
 Check = Callable[[], object]
 """Raises where something is wrong."""
 
@@ -157,23 +159,6 @@ def targets() -> Mapping[str, Any]:
 def build(which: Which, target: Any) -> Any:
     """Everything that is emitted for a chart."""
     return importlib.import_module("derive.codegen.compiler").build_charts([chart(which)], target)
-
-
-class Otherwise:
-    """A target with some of its members replaced."""
-
-    def __init__(self, target: Any, **members: Any) -> None:
-        self._target = target
-        self.__dict__.update(members)
-
-    def __getattr__(self, name: str) -> Any:
-        return getattr(self._target, name)
-
-
-def unvalidated(target: Any) -> Any:
-    """A target whose text is not looked at."""
-    nothing = {name: lambda *_: 0 for name in ("validate", "replay", "test")}
-    return Otherwise(target, **nothing)
 
 
 def programs() -> Iterator[tuple[Which | None, str, Any]]:

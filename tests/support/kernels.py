@@ -9,6 +9,8 @@ from collections.abc import Iterable
 from pathlib import Path
 from types import ModuleType
 
+from tests.support import packages
+
 ORDERS = (1, 2, 3, 4, 5, 8)
 
 
@@ -34,6 +36,4 @@ def write(orders: Iterable[int], folder: Path) -> None:
     """Derive, prove and write the kernels of those orders that are not committed."""
     missing = sorted(set(orders) - set(ORDERS))
     if missing:
-        from derive.codegen import generate  # which kernels are tested without
-
-        generate(missing, "numpy", folder)
+        packages.write(missing, "numpy", folder)

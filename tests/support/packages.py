@@ -1,5 +1,42 @@
-"""Orders of the packages of other targets that tests share."""
+"""Packages that tests read or run: their orders, and how they are made where validation is not what is tested."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any
+
 ORDERS = {"array-api": (1, 2, 3, 8), "numba": (1, 2, 3, 4, 8), "c": (1, 2, 3, 8, 16)}
+"""Those of the packages of other targets that tests share."""
+
+
+class Otherwise:
+    """A target with some of its members replaced."""
+
+    def __init__(self, target: Any, **members: Any) -> None:
+        self._target = target
+        self.__dict__.update(members)
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._target, name)
+
+
+def unvalidated(target: Any) -> Any:
+    """A target whose text is not looked at."""
+    nothing = {name: lambda *_: 0 for name in ("validate", "replay", "test")}
+    return Otherwise(target, **nothing)
+
+
+def printed(orders: Iterable[int], target: str) -> Mapping[str, str]:
+    """The files of a package, by name: proved and printed, and not validated."""
+    from derive.codegen import build  # which kernels are tested without
+    from derive.codegen.targets import TARGETS
+
+    return build(orders, unvalidated(TARGETS[target])).texts
+
+
+def write(orders: Iterable[int], target: str, folder: Path) -> None:
+    """Put them into a folder."""
+    from derive.output import files
+
+    files.write(folder, dict(printed(orders, target)))

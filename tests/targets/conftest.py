@@ -10,8 +10,7 @@ from types import ModuleType
 
 import pytest
 
-from derive.codegen import generate
-from tests.support.packages import ORDERS
+from tests.support import packages
 
 
 @pytest.fixture(scope="session")
@@ -20,7 +19,7 @@ def folder(shared: Callable[[str, Callable[[Path], object]], Path]) -> Callable[
 
     def made(target: str) -> Path:
         name = f"generated_{target.replace('-', '_')}"
-        return shared(name, lambda place: generate(ORDERS[target], target, place))
+        return shared(name, lambda place: packages.write(packages.ORDERS[target], target, place))
 
     return made
 

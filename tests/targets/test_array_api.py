@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -25,9 +26,9 @@ LIBRARY = pytest.mark.parametrize("library", LIBRARIES)
 # IEEE results at singular points come with a warning of the library's own, where NumPy computes.
 pytestmark = pytest.mark.filterwarnings("ignore:(invalid value|divide by zero):RuntimeWarning")
 
-REGIMES = ("uniform", "angle 1e-7", "below pi", "translation 1e6", "pure translation", "shadow")
-# jit compiles for every case; of the others each regime tells as much as of the library the text was validated in
-SOME = ("uniform", "pure translation")
+SOME = ("uniform", "pure translation", "shadow")
+"""Regimes that tell as much as all, of a library that computes as the one the text was validated in."""
+REGIMES = (*SOME, "angle 1e-7", "below pi", "translation 1e6")
 SLOW = ("jax.jit", "dask")
 """Where every case is compiled, or planned: one order and type, and one function of each kind, tell as much as all."""
 
@@ -39,7 +40,7 @@ KINDS = {(len(row.arguments), len(row.result)): name for name, row in SIGNATURES
 @pytest.mark.parametrize("name", FUNCTIONS)
 def test_gates_of_the_oracle_hold_in_every_library(array_api, library, name):
     module = Through(array_api(3), library, optimized=True)
-    for regime in REGIMES if library in ("jax", "torch") else SOME:
+    for regime in REGIMES if library == "torch" else SOME:
         Trial(module, 3, regime).check(name)
 
 
@@ -63,7 +64,7 @@ def test_other_orders_agree_with_the_numpy_kernels(array_api, library):
 def test_types_are_kept(array_api, library, dtype):
     order = 3
     module, kernel = Through(array_api(order), library), load(order)
-    for name in KINDS.values() if library in SLOW and dtype != np.float32 else SIGNATURES:
+    for name in SIGNATURES if dtype == np.float32 and library not in SLOW else KINDS.values():
         signature, values = SIGNATURES[name], inputs(kernel, name, order, (4,), dtype)
         if np.dtype(dtype).kind == "c" and not signature.complex:
             with pytest.raises(TypeError, match="must be real"):
@@ -91,7 +92,7 @@ def test_components_first_and_broadcasting(array_api, library):
         assert_nearly_equal(components_last(getattr(module, name)(*first, axis=0), len(result)), last)
         if len(kinds) == 2:
             np.testing.assert_array_equal(getattr(module, name)(values[0], values[1][0, 0])[0, 0], last[0, 0])
-        one = getattr(module, name)(*(a[1, 2] for a in values))
+        one = getattr(module, name)(*(np.asarray(a[1, 2]) for a in values))
         assert_nearly_equal(one, last[1, 2])
 
 
@@ -158,8 +159,7 @@ def test_the_package_imports_no_array_library(array_api):
     assert done.stdout.strip() == "[]"
     for path in folder.glob("*.py"):
         text = path.read_text(encoding="utf-8")
-        assert "import numpy" not in text
-        assert "eval(" not in text
+        assert not re.search(r"^\s*(?:import|from) (?:numpy|jax|torch|dask)|\beval\(", text, re.MULTILINE), path.name
 
 
 def test_cupy(array_api):

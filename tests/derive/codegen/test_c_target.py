@@ -20,6 +20,7 @@ from derive.codegen.targets import TARGETS, c, c99
 from derive.codegen.validation import compiled
 from derive.maps import Cayley
 from derive.output import files
+from tests.support.packages import unvalidated
 
 C = TARGETS["c"]
 
@@ -27,7 +28,7 @@ C = TARGETS["c"]
 @pytest.fixture(scope="module")
 def package():
     assert compiled.compiler(), "these tests need a C compiler: install gcc, or name one in CC"
-    return build([3, 4], C)
+    return build([3, 4], unvalidated(C))
 
 
 # --- printer ------------------------------------------------------------------------------------------------------
@@ -133,14 +134,8 @@ def test_the_package_holds_headers_their_tests_and_a_cmake_project(package):
         assert text.isascii(), name
 
 
-@pytest.fixture
-def without_compiler(monkeypatch):
-    """Texts are the same, and come sooner."""
-    monkeypatch.setenv("CC", "no-such-compiler")
-
-
-def test_the_same_text_comes_out_twice(package, without_compiler):
-    assert build([4, 3], C).texts == package.texts
+def test_the_same_text_comes_out_twice(package):
+    assert build([4, 3], unvalidated(C)).texts == package.texts
 
 
 def test_every_function_has_a_plain_form_and_one_for_rows(package):
@@ -166,7 +161,7 @@ def test_a_function_the_table_does_not_have_or_misses_is_an_error(package, old, 
         C.require_complete({"geometry.h": package.texts["geometry.h"].replace(old, new, 1)})
 
 
-def test_a_folder_is_checked_as_a_whole(tmp_path, package, without_compiler):
+def test_a_folder_is_checked_as_a_whole(tmp_path, package, without_validation):
     generate([3, 4], "c", tmp_path)
     assert check(tmp_path, [3], "c") == []
     (tmp_path / "test_cayley4.c").write_text(package.texts["test_cayley4.c"].replace("0x1", "0x2", 1))
@@ -191,7 +186,7 @@ def test_half_written_headers_do_not_compile_and_say_how_to_finish_them(staged, 
     assert "half-written kernels: finish them with  python -m derive generate -n 3,4 --target c " in errors[0]
 
 
-def test_a_half_written_package_is_stale(staged):
+def test_a_half_written_package_is_stale(staged, without_validation):
     (staged / "dualcay.h").write_text(notices([Cayley(3), Cayley(4)], C)["dualcay.h"])
     assert [(d.path.name, d.kind) for d in check(staged, [3], "c")] == [("dualcay.h", "stale")]
 
@@ -205,34 +200,24 @@ def staged(tmp_path, package):
     return tmp_path
 
 
+def test_what_was_printed_agrees(staged):
+    assert compiled.test(staged, Cayley(3)) > 1000
+
+
+# one of each kind: the text is executed too, where mutants take no compiler (test_c_text)
 @pytest.mark.parametrize(
     ("file", "function", "pattern", "replacement"),
     [
-        ("cayley3.h", "quaternion_scalars", r"3 \* x", "2 * x"),
-        ("cayley3.h", "pose_scalars", r"h = 16 \* r", "h = 8 * r"),
         ("cayley3.h", "pose_scalars", r"q = 3 - x", "q = 3 + x"),
-        ("cayley3.h", "tangent_scalars", r"fy = h - eg", "fy = h + eg"),
         ("cayley3.h", "tangent_scalars", r"\*gy_at = gy", "*gy_at = hy"),
-        ("cayley3.h", "tangent_inv_scalars", r"d = 11 - x", "d = 11 + x"),
         ("cayley3.h", "gain_unit_scalars", r"/ 3\b", "/ 4"),
-        ("cayley3.h", "ray_scalars", r"p = 1 - ", "p = 1 + "),
-        ("cayley3.h", "turned_scalars", r"r \* cos \+ sin", "r * cos - sin"),
-        ("cayley3.h", "turned_scalars", r"iden \* iden", "iden"),
         ("cayley3.h", "natural_scalars", r"2 \* dualcay_atan2", "dualcay_atan2"),
-        ("cayley3.h", "coefficient_scalars", r"/ 6", "/ 3"),
         ("cayley3.h", "beyond_scalars", r"limit1 < limit1 \+", "limit1 < limit1 -"),
-        ("cayley3.h", "beyond_scalars", r"sin1 = DUALCAY_NUMBER\(-", "sin1 = DUALCAY_NUMBER("),
         ("cayley3.h", "step", r"\{DUALCAY_NUMBER\(-0\.5", "{DUALCAY_NUMBER(0.5"),
         ("cayley4.h", "gain_unit_scalars", r"\(1 \+ ", "(1 - "),
-        ("geometry.h", "tensor_core", r"gvv1 - fv3", "gvv1 + fv3"),
-        ("geometry.h", "twist_core", r"w1o \* f", "w2o * f"),
-        ("geometry.h", "twist_core", r"g \* side", "g"),
-        ("geometry.h", "body_twist", r"1, -1, omega", "1, 1, omega"),
-        ("geometry.h", "rate_core", r"\* half", "/ 2"),
+        ("geometry.h", "body_twist", r"1, \(dualcay_real\)-1, omega", "1, 1, omega"),
         ("geometry.h", "body_rate_rows", r"NUMBER\(-0\.5", "NUMBER(0.5"),
-        ("geometry.h", "from_pose_core", r"q32 - q23", "q23 - q32"),
         ("geometry.h", "from_tensor_core", r"/ 2\b", "/ 3"),
-        ("geometry.h", "from_quaternion", r"cos, sin, v, 1", "sin, cos, v, 1"),
         ("geometry.h", "compose_core", r"&ab, &bb", "&bb, &ab"),
         ("geometry.h", "shadow_core", r"sign \* sin", "sin"),
     ],
@@ -272,7 +257,8 @@ def test_every_function_and_branch_has_cases():
         assert branches == ({0, 1, 2} if signature.branch else {None})
 
 
-def test_without_a_compiler_nothing_is_claimed_of_compiled_code(without_compiler, tmp_path):
+def test_without_a_compiler_nothing_is_claimed_of_compiled_code(monkeypatch, tmp_path):
+    monkeypatch.setenv("CC", "no-such-compiler")
     result = CliRunner().invoke(cli, ["generate", "-n", "2", "--target", "c", "-o", str(tmp_path)])
     assert result.exit_code == 0
     assert re.search(r"cayley2\.h\W+\d+\W+\d+\W+\d{3,4}\W+-\s", result.stdout)

@@ -18,6 +18,7 @@ from derive.codegen.validation.c_interpreter import CError, load
 from derive.maps import Cayley
 from derive.output import files
 from tests.support.c_mutants import Excerpts, sample
+from tests.support.packages import unvalidated
 
 C = TARGETS["c"]
 ORDERS = (3, 4)
@@ -37,7 +38,7 @@ EQUIVALENT = {
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
     found = tmp_path_factory.mktemp("c")
-    files.write(found, build(ORDERS, C).texts)
+    files.write(found, build(ORDERS, unvalidated(C)).texts)
     return found
 
 
