@@ -17,8 +17,8 @@ from tests.support import examples
 LONGEST = 120
 
 
-@pytest.fixture(scope="module")
-def package() -> Package:
+@pytest.fixture
+def package(without_validation: None) -> Package:
     """What the example of `generate` makes."""
     names: dict[str, Package] = {}
     assert examples.failures(inspect.getdoc(derive.generate), "generate", names) == ""

@@ -125,11 +125,11 @@ OTHERS = {
         "sinq = sin",
     ),
     "order of a quaternion given": (
-        RUNTIME, r"take\(SCALAR_FIRST, axis\)",
-        "take(SCALAR_LAST, axis)",
+        RUNTIME, r"take\(SCALAR_FIRST\[:size\], axis\)",
+        "take(SCALAR_LAST[:size], axis)",
     ),
     "order of a quaternion returned": (
-        RUNTIME, r"q\.take\(SCALAR_LAST, axis\)",
+        RUNTIME, r"q\.take\(SCALAR_LAST\[:size\], axis\)",
         "q",
     ),
     "a check of what is right": (
