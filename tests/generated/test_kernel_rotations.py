@@ -14,29 +14,15 @@ from scipy.spatial.transform import Rotation
 
 import dualcay.rotation
 from derive import about
-from derive.codegen.rows import Function
 from derive.codegen.signatures import ROTATIONS
+from tests.support.rotations import ROUNDINGS, arguments
 
 MODULES = (*(f"cayley{n}" for n in about.ORDERS), *about.FAMILIES)
 EPS = np.finfo(float).eps
 
-ROUNDINGS = 4096
-"""Units of rounding that two programs of one function may differ by, relative to the largest component: a thousand
-operations at most, of which each moves a result by a few units, away from the singular angles."""
-
-
 def pair(name: str) -> tuple[ModuleType, ModuleType]:
     """The module of a chart for rotations, and that for poses."""
     return importlib.import_module(f"dualcay.rotation.{name}"), importlib.import_module(f"dualcay.{name}")
-
-
-def arguments(row: Function, module: ModuleType, shape: tuple[int, ...] = (5,)) -> list[np.ndarray]:
-    """Rotations for what is one, random numbers for everything else."""
-    rng = np.random.default_rng(11)
-    vectors = [module.random(shape, max_angle=2.5, rng=seed) for seed in (1, 2)]
-    made = {"v": vectors[0], "v2": vectors[1], "v1": vectors[0], "R": module.tensor(vectors[0])}
-    made |= {"q": module.quaternion(vectors[0]), "u": Rotation.random(5, rng=rng).as_quat()[..., :3]}
-    return [made[a.name] if a.name in made else rng.uniform(-1, 1, (*shape, *a.shape)) for a in row.arguments]
 
 
 @pytest.mark.parametrize("chart", MODULES)

@@ -10,6 +10,7 @@ import numpy as np
 
 from ..lowered import Lowered, geometry
 from ..rows import Table
+from ..signatures import POSES, ROTATIONS
 from ..validation import Library, Machinery
 from . import infix, python
 from .target import Data
@@ -35,6 +36,7 @@ class ArrayApi(python.PythonTarget):
 
     name = "array-api"
     words = WORDS
+    tables = (POSES, ROTATIONS)
     machinery = Machinery(out=False, silent=False)
     unproved = "what array libraries do with arrays other than NumPy's arrays of objects; rounding errors"
 

@@ -18,7 +18,7 @@ from ..lowered import Lowered, geometry
 from ..programs.program import Call, Operand, Program, Statement, summary
 from ..programs.registers import results
 from ..rows import Table
-from ..signatures import POSES
+from ..signatures import POSES, ROTATIONS
 from ..validation import Choose, Library, everything
 from . import infix, python
 from .expression import WIDTH
@@ -110,7 +110,7 @@ def _unpacked(program: Program) -> Iterator[str]:
 
 def _call(name: str, program: Program, group: Sequence[int], indent: str, suffix: str) -> str:
     """``(out[0], out[1], …) = pose1((v[0], …), …)``, over several lines."""
-    stored = ", ".join(f"out[{index}{suffix}]" for index in group)
+    stored = ", ".join(f"out[{index}{suffix}]" for index in group) + "," * (len(group) == 1)
     lines = [f"{indent}(", *_wrapped(stored, indent), f"{indent}) = {name}("]
     for argument, names in program.inputs:
         loaded = ", ".join(f"{argument}[{index}{suffix}]" for index in range(len(names)))
@@ -154,6 +154,7 @@ class Numba(python.PythonTarget):
 
     name = "numba"
     words = WORDS
+    tables = (POSES, ROTATIONS)
     unproved = "what Numba and LLVM make of the source, with typed constants and selections; rounding errors"
 
     def shared(self) -> Mapping[str, Data]:
