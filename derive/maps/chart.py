@@ -92,6 +92,9 @@ class Scalars(Protocol):
 class Chart(Protocol):
     """A parameterization of displacements that can be proved and lowered."""
 
+    def __hash__(self) -> int:
+        """Charts do not change: what has been computed of one is kept."""
+
     @property
     def name(self) -> str:
         """An identifier, the name of its module."""

@@ -1,4 +1,4 @@
-"""Kernels of orders that are not committed, written by the command into another folder: the same oracle and gates."""
+"""Kernels of orders that are not committed, in a folder of their own: the same oracle and gates."""
 
 from __future__ import annotations
 
@@ -9,21 +9,15 @@ from types import ModuleType
 
 import pytest
 
-from tests.support import sampling
+from tests.support import packages, sampling
 from tests.support.accuracy import FUNCTIONS, Trial
-from tests.support.command import in_a_process
 
 PACKAGE = "kernels_of_other_orders"
 
 
-def by_the_command(place: Path) -> None:
-    done = in_a_process("generate", "-n", "7,11", "-o", str(place))
-    assert done.returncode == 0, done.stderr
-
-
 @pytest.fixture(scope="module")
 def folder(shared) -> Iterator[Path]:
-    parent = shared(PACKAGE, by_the_command).parent
+    parent = shared(PACKAGE, lambda place: packages.write([7, 11], "numpy", place)).parent
     with pytest.MonkeyPatch.context() as patch:
         patch.syspath_prepend(str(parent))
         yield parent

@@ -13,6 +13,7 @@ import warnings
 from collections.abc import Container, Iterator, Sequence
 from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -113,12 +114,8 @@ def replay_package(
 def _replay(
     package: str, chart: Chart, table: Table, machinery: Machinery, libraries: Sequence[Library], all_ways: bool
 ) -> int:
-    dtypes = list(dict.fromkeys(dtype for library in libraries for dtype in library.dtypes))
-    lowered = lower_chart(chart, table)
-    analysis, chosen = Analysis(chart, lowered, dtypes), table.functions if all_ways else its_own(lowered)
-    found = [analysis.known(group) for group in samples(chart, table, chosen)]
-    for known in found:
-        require_sharp(known)
+    dtypes = tuple(dict.fromkeys(dtype for library in libraries for dtype in library.dtypes))
+    analysis, chosen, found = _analysed(chart, table, dtypes, all_ways)
     with warnings.catch_warnings(), np.errstate(all="warn"):
         warnings.simplefilter("error" if machinery.silent else "ignore", RuntimeWarning)
         module = module_of(package, chart, table)
@@ -128,9 +125,23 @@ def _replay(
             for caller in callers:
                 _every_function(caller, found, chart, few)
                 _overflow(caller, chart, table, analysis, chosen, few)
-                _ways(caller, found, chart, machinery, few, all_ways)
+                # run-time parts do for a further library what they do for the first
+                _ways(caller, found, chart, machinery, few, all_ways and caller is callers[0])
         beside = helpers(importlib.import_module(package), module, table) if all_ways else 0
     return beside + sum(caller.count for caller in callers)
+
+
+@lru_cache(maxsize=2)
+def _analysed(
+    chart: Chart, table: Table, dtypes: tuple[np.dtype[Any], ...], every: bool
+) -> tuple[Analysis, Container[str], Sequence[Known]]:
+    """The functions that are called, and what they return; a package may be replayed again."""
+    lowered = lower_chart(chart, table)
+    analysis, chosen = Analysis(chart, lowered, dtypes), set(table.functions) if every else its_own(lowered)
+    found = [analysis.known(group) for group in samples(chart, table, chosen)]
+    for known in found:
+        require_sharp(known)
+    return analysis, chosen, found
 
 
 def _every_function(caller: Caller, found: Sequence[Known], chart: Chart, few: int) -> None:
