@@ -159,8 +159,9 @@ class Vectors:
     # --- from natural invariants --------------------------------------------------------------------------------
 
     def at(self, screw: Screw, branch: int = 0) -> Vector:
-        """``φ(α + 2πk) u``."""
-        v: Vector = screw.axis * self.size(self._turned(screw, branch))
+        """``φ(α + 2πk) u``; beyond the edge there is none."""
+        angle = self._turned(screw, branch)
+        v: Vector = screw.axis * (self.size(angle) if abs(angle.re) <= self.edge else Dual(mpmath.nan, mpmath.nan))
         return v
 
     def finite(self, screw: Screw, branch: int, least: float) -> bool:

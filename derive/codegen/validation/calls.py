@@ -112,9 +112,9 @@ class Caller:
     ) -> None:
         """Compare the results of a call with what is known: types, shapes, and values within their bounds.
 
-        Where ``spoilt`` says so, by the argument at a position, an element has to be NaN; with ``overflow`` any may be
-        NaN or infinite, none wrong. A
-        ``dtype`` other than the call's is that of an ``out``, into which results are rounded.
+        What is known to be NaN has to be. Where ``spoilt`` says so, by the argument at a position, an element has to be
+        NaN; with ``overflow`` any may be NaN or infinite, none wrong. A ``dtype`` other than the call's is that of an
+        ``out``, into which results are rounded.
         """
         held = dtype or call.dtype
         for (array, part), got in zip(parts(call.row), results, strict=True):
@@ -125,7 +125,7 @@ class Caller:
                 wanted, bound = (a[call.index][..., part] for a in (call.known.results, call.known.bound(call.dtype)))
                 if held != call.dtype:
                     bound = bound + np.finfo(held).eps * abs(wanted)
-                right = abs(rows - wanted) <= bound
+                right = (abs(rows - wanted) <= bound) | (np.isnan(wanted) & np.isnan(rows))
                 if overflow:
                     right |= ~np.isfinite(rows)
                 if spoilt is not None:

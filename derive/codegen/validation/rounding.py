@@ -157,9 +157,10 @@ def exact(ball: Ball) -> Ball:
 
 def long(values: Sequence[Any]) -> Array:
     """Numbers of many digits as the widest floats there are, rounded once."""
-    parts = [mpmath.frexp(_many(value)) for value in values]
+    many = map(_many, values)
+    parts = [mpmath.frexp(value) if mpmath.isfinite(value) else (value, 0) for value in many]
     heads = [float(mantissa) for mantissa, _ in parts]
-    tails = [float(mantissa - head) for (mantissa, _), head in zip(parts, heads, strict=True)]
+    tails = [float(mantissa - head) if mpmath.isfinite(head) else 0.0 for (mantissa, _), head in zip(parts, heads)]
     mantissas = np.array(heads, np.longdouble) + np.array(tails, np.longdouble)
     return np.ldexp(mantissas, [int(exponent) for _, exponent in parts])
 
