@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from functools import partial
+from functools import lru_cache, partial
 from typing import Any
 
 import mpmath
@@ -43,7 +43,8 @@ class Batch:
         return same if self.exact else partial(digits.close, tolerance=self.tolerance)
 
 
-def batches(chart: Chart, table: Table = POSES) -> list[Batch]:
+@lru_cache(maxsize=4)
+def batches(chart: Chart, table: Table = POSES) -> Sequence[Batch]:
     """What every function of the module of a chart must return, by default that of poses.
 
     Raises
@@ -59,7 +60,7 @@ def batches(chart: Chart, table: Table = POSES) -> list[Batch]:
     _require("an expectation", table.public, exactly + closely)
     if algebraic:
         _require("an exact expectation", (name for name, row in table.public.items() if row.exact), exactly)
-    return exactly + closely
+    return (*exactly, *closely)
 
 
 def same(got: Any, expected: Any) -> bool:

@@ -112,7 +112,7 @@ def _inverse(chart: Vectors, table: Table, rows: Mapping[str, Function], draw: r
     for case in digits.restricted(_ties(chart, draw, table), table):
         function, *at = case.function.split()
         tied.setdefault((table.functions[function].source, tuple(map(int, at))), []).append(case)
-    # a branch that begins just below half a turn has nothing but ties, which rounding takes across: none is seeded there
+    # a branch that begins just below half a turn has nothing but ties, which rounding takes across: not replayed
     if unknown := {name for name, _ in tied} - {name for name, _ in given}:
         raise ValueError(f"ties of functions without seeded arguments: {sorted(unknown)}")
     for (name, where), calls in given.items():

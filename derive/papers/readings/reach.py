@@ -52,6 +52,7 @@ class Reach:
         self.components: dict[tuple[int, int, int, int], set[int] | UndecidedSearchError] = {}
         self.supports: dict[tuple[int, int, int], frozenset[int]] = {}
         self.inverses: dict[tuple[int, int], dict[int, int]] = {}
+        self.exponents: dict[tuple[int, int], tuple[Fraction, ...]] = {}
 
     def can(self, i: int, j: int, target: Target) -> bool:
         """Whether a stretch can have a value.
@@ -290,8 +291,11 @@ class Reach:
         return any(self.can(i, g, (root,)) for e in exponents for root in _roots(t, e))
 
     def _exponents(self, i: int, j: int) -> tuple[Fraction, ...]:
-        plain = [Fraction(item.value) for item in self._items(i, j) if item.kind in (int, Fraction)]
-        return tuple({s * e for e in plain for s in (1, -1) if e and s * e != 1 and abs(e) < 10})
+        if (i, j) not in self.exponents:
+            plain = [Fraction(item.value) for item in self._items(i, j) if item.kind in (int, Fraction)]
+            found = {s * e for e in plain for s in (1, -1) if e and s * e != 1 and abs(e) < 10}
+            self.exponents[i, j] = tuple(found)
+        return self.exponents[i, j]
 
     # ---- what is known of a stretch without a target ------------------------------------------------------------
 

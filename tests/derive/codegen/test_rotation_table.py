@@ -74,7 +74,7 @@ def test_a_function_without_an_expectation_is_not_generated(name: str, monkeypat
 
         monkeypatch.setattr(source, "expectations", without)
     with pytest.raises(ValueError, match=rf"without an expectation cannot be generated: {name}$"):
-        batches(Cayley(3), ROTATIONS)
+        batches.__wrapped__(Cayley(3), ROTATIONS)
 
 
 @pytest.fixture(scope="module")

@@ -34,7 +34,11 @@ def test_a_page_that_says_otherwise_is_stale(tmp_path: Path, capsys: pytest.Capt
     assert f"accept with:  python -m derive.proof -o {place}" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("theorem", command.claims(), ids=lambda theorem: theorem.name)
+SAMPLE = 4
+"""One in so many theorems is controlled here, and all of them when the page is made, or compared."""
+
+
+@pytest.mark.parametrize("theorem", command.claims()[::SAMPLE], ids=lambda theorem: theorem.name)
 def test_every_control_is_noticed(theorem: Theorem) -> None:
     scope = "" if theorem.scope == "all n" else f" [{theorem.scope}]"
     known = {proof.name: proof for proof in theorems()}

@@ -51,9 +51,11 @@ def test_compositions_of_low_orders() -> None:
         assert proof.scope == f"n = {order}"
 
 
-@pytest.mark.parametrize("name", ["tensor", "tangent", "tangent_inv"])
-@pytest.mark.parametrize("index", [0, 1, 2])
-@pytest.mark.parametrize("change", ["sign", "factor"])
+@pytest.mark.parametrize(
+    ("name", "index", "change"),
+    [("tensor", 0, "sign"), ("tensor", 2, "factor"), ("tangent", 0, "factor"), ("tangent", 1, "sign"),
+     ("tangent", 2, "sign"), ("tangent_inv", 1, "factor"), ("tangent_inv", 2, "sign")],
+)  # fmt: skip
 def test_a_wrong_coefficient_fails(name: str, index: int, change: str) -> None:
     right = getattr(formulas, name)
 
