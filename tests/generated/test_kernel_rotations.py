@@ -15,7 +15,7 @@ from scipy.spatial.transform import Rotation
 import dualcay.rotation
 from derive import about
 from derive.codegen.signatures import ROTATIONS
-from tests.support.rotations import ROUNDINGS, arguments
+from tests.support.rotation_arguments import ROUNDINGS, arguments
 
 MODULES = (*(f"cayley{n}" for n in about.ORDERS), *about.FAMILIES)
 EPS = np.finfo(float).eps

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from derive.codegen.signatures import ROTATIONS
-from tests.support.rotations import ROUNDINGS, arguments
+from tests.support.rotation_arguments import ROUNDINGS, arguments
 
 EPS = np.finfo(float).eps
 COMPILED = ("tensor", "twist", "compose", "shadow", "from_angle_axis", "to_angle_axis", "rate_jacobian")

@@ -1,0 +1,23 @@
+"""What functions of rotations alone are given, and how far two programs of one of them may be apart."""
+
+from __future__ import annotations
+
+from types import ModuleType
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from derive.codegen.rows import Function
+
+ROUNDINGS = 4096
+"""Units of rounding that two programs of one function may differ by, relative to the largest component: a thousand
+operations at most, of which each moves a result by a few units, away from the singular angles."""
+
+
+def arguments(row: Function, module: ModuleType, shape: tuple[int, ...] = (5,)) -> list[np.ndarray]:
+    """Rotations for what is one, random numbers for everything else."""
+    rng = np.random.default_rng(11)
+    vectors = [module.random(shape, max_angle=2.5, rng=seed) for seed in (1, 2)]
+    made = {"v": vectors[0], "v2": vectors[1], "v1": vectors[0], "R": module.tensor(vectors[0])}
+    made |= {"q": module.quaternion(vectors[0]), "u": Rotation.random(5, rng=rng).as_quat()[..., :3]}
+    return [made[a.name] if a.name in made else rng.uniform(-1, 1, (*shape, *a.shape)) for a in row.arguments]
