@@ -25,9 +25,16 @@ def folder(shared: Callable[[str, Callable[[Path], object]], Path]) -> Callable[
 
 
 @pytest.fixture(scope="session")
-def package(folder: Callable[[str], Path]) -> Iterator[Callable[[str], str]]:
-    """The import name of the package of a target."""
+def package(
+    folder: Callable[[str], Path], tmp_path_factory: pytest.TempPathFactory
+) -> Iterator[Callable[[str], str]]:
+    """The import name of the package of a target.
+
+    What Numba compiles stays in this process: of what two write into one cache at the same time, a loop and the
+    function around it may come from different ones, and crash the next that loads them.
+    """
     with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("numba.config.CACHE_DIR", str(tmp_path_factory.mktemp("numba")))
 
         @functools.cache
         def name(target: str) -> str:
