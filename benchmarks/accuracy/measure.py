@@ -8,26 +8,50 @@ import warnings
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
-from tests.support import cases, kernels, sampling
+from derive.codegen.signatures import POSES, ROTATIONS
+from tests.support import cases, kernels, rotations, sampling
 from tests.support.accuracy import FUNCTIONS, Trial
-from tests.support.cases import DTYPES, Case
+from tests.support.calculus import CALCULUS
+from tests.support.cases import DTYPES, TRIALS, Case
+from tests.support.signatures import RODRIGUES
 
 ORDERS = (1, 2, 3, 4, 5, 6, 7, 8, 16, 32, 64)
 DIGITS = 60
-COUNT = 8  # samples of a regime
+COUNT = 6  # samples of a regime
 PROCESSES = 2
 
 
 @dataclass(frozen=True)
+class Group:
+    """Functions of a table that are measured at the same samples."""
+
+    table: str
+    functions: tuple[str, ...]
+    orders: tuple[int, ...] = ORDERS
+    regimes: tuple[str, ...] = sampling.REGIMES
+    count: int = COUNT
+
+
+FEW, SOME = 3, (1, 2, 3, 8)
+"""Samples and orders of functions whose exact values take long, and of those that run the same programs."""
+
+GROUPS = (
+    Group(POSES.name, FUNCTIONS),
+    Group(POSES.name, CALCULUS, SOME, count=FEW),
+    Group(ROTATIONS.name, rotations.FUNCTIONS, SOME, rotations.REGIMES, FEW),
+)
+
+
+@dataclass(frozen=True)
 class Task:
-    """One call of a worker: all functions in one regime, or some kept cases of one order."""
+    """One call of a worker: a group of functions in one regime, or some kept cases of one order."""
 
     folder: Path
     order: int
+    group: Group = GROUPS[0]
     regime: str = ""
     dtype: str = ""
     seed: int = 0
@@ -46,19 +70,26 @@ class Measurement:
     gates: tuple[float, float]
     case: Case | None  # None where no sample was in range
     left_out: int  # samples whose (1 + v·v)^n overflows
+    table: str = POSES.name
 
     @property
     def inside(self) -> bool:
         return self.regime in sampling.PRINCIPAL
 
 
-def measured(trial: Trial, function: str) -> Measurement | None:
+def vectors(function: str, given: tuple[np.ndarray, ...]) -> tuple[np.ndarray, ...]:
+    """Of what a function was given the vectors of poses."""
+    row = POSES.functions.get(function)
+    both = row is not None and row.arguments[-1].name in RODRIGUES
+    return given if both else given[:1]
+
+
+def measured(trial: Trial, function: str, table: str = POSES.name) -> Measurement | None:
     """The largest errors of a function in a trial, each part on its own; None if it has no samples there."""
     worst, errors, gates, given, left_out = -1.0, [0.0, 0.0], None, None, 0
     for result in getattr(trial, function)():
         gates = result.gates
-        vectors = result.given if function == "compose" else result.given[:1]
-        if not all(sampling.in_range(trial.order, v) for v in vectors):
+        if not all(sampling.in_range(trial.order, v) for v in vectors(function, result.given)):
             left_out += 1
             continue
         # NaN and a lost type are errors without bound.
@@ -71,23 +102,24 @@ def measured(trial: Trial, function: str) -> Measurement | None:
             worst, given = fraction, result.given
     if gates is None:
         return None
-    case = None if given is None else Case.of(trial, function, given, worst)
-    dtype = cases.name_of(trial.dtype)
-    return Measurement(function, trial.order, dtype, trial.regime, (errors[0], errors[1]), gates, case, left_out)
+    case = None if given is None else Case.of(trial, function, given, worst, table)
+    dtype, largest = cases.name_of(trial.dtype), (errors[0], errors[1])
+    return Measurement(function, trial.order, dtype, trial.regime, largest, gates, case, left_out, table)
 
 
 def work(task: Task) -> list[Measurement]:
     """Run in a worker process."""
-    module = kernels.load(task.order, task.folder)
     with warnings.catch_warnings():
         # Overflow shows in the error itself.
         warnings.simplefilter("ignore", RuntimeWarning)
         if task.kept:
-            found = [measured(case.trial(module, DIGITS), case.function) for case in task.kept]
+            modules = ((case, kernels.load(task.order, task.folder, case.table)) for case in task.kept)
+            found = [measured(case.trial(module, DIGITS), case.function, case.table) for case, module in modules]
         else:
-            options: dict[str, Any] = {"digits": DIGITS, "count": COUNT, "seed": task.seed}
-            trial = Trial(module, task.order, task.regime, DTYPES[task.dtype], **options)
-            found = [measured(trial, function) for function in FUNCTIONS]
+            group, options = task.group, {"digits": DIGITS, "count": task.group.count, "seed": task.seed}
+            module = kernels.load(task.order, task.folder, group.table)
+            trial = TRIALS[group.table](module, task.order, task.regime, DTYPES[task.dtype], **options)
+            found = [measured(trial, function, group.table) for function in group.functions]
     return [measurement for measurement in found if measurement is not None]
 
 
@@ -100,9 +132,11 @@ def types() -> list[str]:
 def sample_tasks(folder: Path, seed: int = 0) -> list[Task]:
     """Slow ones first, so that the processes end together."""
     return [
-        Task(folder, order, regime, dtype, seed)
+        Task(folder, order, group, regime, dtype, seed)
         for order in reversed(ORDERS)
-        for regime in sampling.REGIMES
+        for group in GROUPS
+        if order in group.orders
+        for regime in group.regimes
         if sampling.has_regime(order, regime)
         for dtype in types()
     ]

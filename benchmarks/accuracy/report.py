@@ -8,13 +8,19 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from benchmarks.accuracy.measure import COUNT, DIGITS, ORDERS, Measurement, types
-from tests.support.accuracy import FUNCTIONS
+from benchmarks.accuracy.measure import COUNT, DIGITS, FEW, ORDERS, Measurement, types
+from derive.codegen.signatures import POSES, ROTATIONS
+from tests.support import errors, rotations
+from tests.support.calculus import CALCULUS, EVERY
 from tests.support.cases import DTYPES
 from tests.support.sampling import OUTSIDE, PRINCIPAL
 
 # Parts of results that have names, and gates, of their own; other functions show the larger of the two.
-PARTS = {"pose": ("pose: Q", "pose: ρ"), "tensor": ("tensor: Q", "tensor: ρ× Q")}
+PARTS = {
+    "pose": ("pose: Q", "pose: ρ"),
+    "tensor": ("tensor: Q", "tensor: ρ× Q"),
+    "adjoint": ("adjoint: Q", "adjoint: ρ× Q"),
+}
 SHORT = {
     "uniform": "u",
     "angle 1e-12": "a12",
@@ -48,6 +54,10 @@ MEANING = {
     "shadow": "branches past the principal one, angle at least 0.2 from multiples of π",
 }
 
+DERIVED = ("tangent_dot", "twist_dot", "rate_dot", "twist_jacobian", "rate_jacobian", "cotangent_jacobian")
+DERIVATIVES = tuple(name for name in EVERY if name.removeprefix("body_") in DERIVED)
+OTHERS = tuple(name for name in CALCULUS if name not in (*DERIVATIVES, "adjoint"))
+
 # What the gates are called, the rows they hold for, and whether inside the principal range.
 GATES = (
     ("rotation Q", ("pose: Q", "tensor: Q"), True),
@@ -58,7 +68,18 @@ GATES = (
     ("round trip v → pose → v, n ≥ 2", ("round_trip",), True),
     ("Q, ρ, dual quaternion on shadows", ("pose: Q", "pose: ρ", "tensor: Q", "quaternion"), False),
     ("tangent operator on shadows", ("tangent",), False),
+    ("derivatives of T and T⁻¹", DERIVATIVES, True),
+    ("derivatives of T and T⁻¹ on shadows", DERIVATIVES, False),
+    ("other maps and Jacobians, of the condition", OTHERS, True),
+    ("other maps and Jacobians on shadows", OTHERS, False),
 )
+
+TITLES = {POSES.name: "", ROTATIONS.name: ", rotations alone"}
+ROWS = {
+    POSES.name: tuple(row for name in EVERY for row in PARTS.get(name, (name,))),
+    ROTATIONS.name: tuple(ROTATIONS.sources[name].name for name in rotations.FUNCTIONS),
+}
+"""The rows of the tables of both kinds of modules."""
 
 
 @dataclass(frozen=True)
@@ -88,7 +109,11 @@ def split(measurement: Measurement) -> Iterator[Worst]:
     m = measurement
     if m.case is None:
         return
-    if m.function in PARTS:
+    if m.table == ROTATIONS.name:
+        # Their dual parts are none.
+        name = ROTATIONS.sources[m.function].name
+        yield Worst(name, m.order, m.dtype, m.regime, m.errors[0], m.gates[0])
+    elif m.function in PARTS:
         for row, error, gate in zip(PARTS[m.function], m.errors, m.gates, strict=True):
             yield Worst(row, m.order, m.dtype, m.regime, error, gate)
     else:
@@ -96,12 +121,15 @@ def split(measurement: Measurement) -> Iterator[Worst]:
         yield Worst(m.function, m.order, m.dtype, m.regime, max(m.errors), m.gates[0])
 
 
-def table(measurements: Iterable[Measurement]) -> dict[tuple[str, str, bool], dict[int, Worst]]:
-    """The worst by (type, row, inside the principal range) and order."""
-    found: dict[tuple[str, str, bool], dict[int, Worst]] = {}
+Rows = dict[tuple[str, str, str, bool], dict[int, Worst]]
+
+
+def table(measurements: Iterable[Measurement]) -> Rows:
+    """The worst by (table of functions, type, row, inside the principal range) and order."""
+    found: Rows = {}
     for measurement in measurements:
         for worst in split(measurement):
-            row = found.setdefault((worst.dtype, worst.row, measurement.inside), {})
+            row = found.setdefault((measurement.table, worst.dtype, worst.row, measurement.inside), {})
             old = row.get(worst.order)
             # Equal errors by name, so that the order in which workers finish does not show.
             if old is None or (worst.fraction, worst.regime) > (old.fraction, old.regime):
@@ -112,10 +140,11 @@ def table(measurements: Iterable[Measurement]) -> dict[tuple[str, str, bool], di
 def short_of_gate(measurements: Iterable[Measurement]) -> list[str]:
     """A line for every gate that is missed."""
     rows = table(measurements)
-    missed = [worst for row in rows.values() for worst in row.values() if worst.fraction > 1]
-    missed.sort(key=lambda w: (w.row, w.dtype, w.order))
+    missed = [(TITLES[kind], w) for (kind, *_), row in rows.items() for w in row.values() if w.fraction > 1]
+    missed.sort(key=lambda found: (found[0], found[1].row, found[1].dtype, found[1].order))
     return [
-        f"{w.row}, n = {w.order}, {w.dtype}, {w.regime}: {w.error:.3g} eps, gate {w.gate:g} FALLS SHORT" for w in missed
+        f"{w.row}{kind}, n = {w.order}, {w.dtype}, {w.regime}: {w.error:.3g} eps, gate {w.gate:g} FALLS SHORT"
+        for kind, w in missed
     ]
 
 
@@ -134,24 +163,23 @@ def markdown(head: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:
     return ["| " + " | ".join(cells) + " |" for cells in (head, ["---"] * len(head), *rows)] + [""]
 
 
-def row_names() -> list[str]:
-    return [row for function in FUNCTIONS for row in PARTS.get(function, (function,))]
-
-
 def gate_tables(measurements: Sequence[Measurement]) -> Iterator[str]:
-    """One table per type and range."""
+    """One table per kind of module, type and range."""
     rows = table(measurements)
-    for dtype in types():
-        eps = np.finfo(DTYPES[dtype]).eps
-        for inside, title in ((True, "principal range, angle below π"), (False, "at π and beyond")):
-            yield f"### {dtype} (eps = {float(eps):.3g}), {title}"
-            yield ""
-            body = []
-            for name in row_names():
-                row = rows.get((dtype, name, inside), {})
-                if row:
-                    body.append([name, gate_text(row.values()), *(cell(row.get(n)) for n in ORDERS)])
-            yield from markdown(["function", "gate", *(f"n = {n}" for n in ORDERS)], body)
+    for kind, title in TITLES.items():
+        for dtype in types():
+            eps = float(np.finfo(DTYPES[dtype]).eps)
+            for inside, where in ((True, "principal range, angle below π"), (False, "at π and beyond")):
+                found = {name: rows.get((kind, dtype, name, inside), {}) for name in ROWS[kind]}
+                orders = [n for n in ORDERS if any(n in row for row in found.values())]
+                yield f"### {dtype} (eps = {eps:.3g}){title}, {where}"
+                yield ""
+                body = [
+                    [name, gate_text(row.values()), *(cell(row.get(n)) for n in orders)]
+                    for name, row in found.items()
+                    if row
+                ]
+                yield from markdown(["function", "gate", *(f"n = {n}" for n in orders)], body)
 
 
 def summary(measurements: Iterable[Measurement]) -> Iterator[str]:
@@ -161,8 +189,8 @@ def summary(measurements: Iterable[Measurement]) -> Iterator[str]:
     for title, names, inside in GATES:
         own = [
             worst
-            for (_, name, side), row in rows.items()
-            if name in names and side == inside
+            for (kind, _, name, side), row in rows.items()
+            if kind == POSES.name and name in names and side == inside
             for worst in row.values()
             if name != "round_trip" or worst.order > 1
         ]
@@ -230,7 +258,12 @@ def page(measurements: Sequence[Measurement], figures: Sequence[tuple[str, str]]
         "(sum of the norms of the terms it is made of); for inverse maps, shadows and rates outside the principal "
         "range these norms include the condition number from the exact Jacobian. `round_trip` is v → pose → v.",
         "",
-        "Gates on shadows: max(16, 2n); tangent operators and twists there max(40, 10n).",
+        f"Of derivatives, group operations and steps, and of all functions of rotations alone, {FEW} samples at some "
+        "orders; what they are compared with is a product of exact operators, and an error is in eps of the product of "
+        f"their norms and conditions. Their gate in the principal range is {errors.CONDITIONED}.",
+        "",
+        "Gates on shadows: max(16, 2n); tangent operators and twists there max(40, 10n), and their derivatives five "
+        "times that.",
         "",
         *(f"- {line}" for line in verdict(measurements)),
         "",

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from benchmarks.accuracy import curves, measure, report
-from tests.support import cases, errors, sampling
-from tests.support.accuracy import FUNCTIONS, Trial
+from tests.support import cases, errors, rotations, sampling
+from tests.support.accuracy import Trial
+from tests.support.calculus import EVERY
 from tests.support.cases import DTYPES, Case
 from tests.support.kernels import load
 
@@ -40,6 +42,20 @@ def test_a_case_gives_the_error_it_was_kept_for() -> None:
         assert max(again.errors) == pytest.approx(max(found.errors), rel=0.5)
 
 
+def test_cases_of_rotations_are_tried_as_such_and_compete_among_themselves(tmp_path: Path) -> None:
+    trial = rotations.RotationTrial(load(2, table="rotation"), 2, "shadow")
+    found = measure.measured(trial, "twist_jacobian", "rotation")
+    assert found is not None
+    assert found.case is not None
+    assert found.errors[1] == 0 < found.errors[0]
+    cases.write([found.case], 0, tmp_path / "cases.json")
+    (kept,), _ = cases.read(tmp_path / "cases.json")
+    again = measure.measured(kept.trial(load(2, table="rotation")), "twist_jacobian", kept.table)
+    assert again is not None
+    assert again.errors[0] == pytest.approx(found.errors[0], rel=0.5)
+    assert kept.key != replace(kept, table="").key
+
+
 def case(fraction: float, regime: str = "uniform", argument: str = "0x1p+0") -> Case:
     return Case("pose", 2, "float64", regime, ((argument,),), fraction)
 
@@ -50,16 +66,19 @@ def test_only_clearly_worse_cases_are_added_and_none_is_dropped() -> None:
     worse = case(0.6, argument="0x1p+1")
     assert cases.added(kept, [case(0.58, argument="0x1p+2"), worse]) == [*kept, worse]
     assert cases.added(kept, [case(0.9)]) == kept  # the same input measured in another batch
-    outside = case(0.1, regime="shadow")
+    outside = case(0.3, regime="shadow")
     assert cases.added(kept, [outside]) == [*kept, outside]
-    assert cases.added([], [case(1e-40)]) == []
+    assert cases.added([], [case(0.2)]) == []  # far below its gate
 
 
 def measurements(scale: float) -> list[measure.Measurement]:
-    """Of every function in two regimes, the errors this part of the gates."""
+    """Of every function of poses and of rotations in two regimes, the errors this part of the gates."""
     return [
-        measure.Measurement(name, 2, "float64", regime, (scale * gate, 0.0), (gate, gate), case(scale, regime), 3)
-        for name in FUNCTIONS
+        measure.Measurement(
+            name, 2, "float64", regime, (scale * gate, 0.0), (gate, gate), case(scale, regime), 3, table
+        )
+        for table, names in (("", EVERY), ("rotation", rotations.FUNCTIONS))
+        for name in names
         for regime, gate in (("uniform", errors.QUATERNION), ("shadow", 16))
     ]
 
@@ -69,10 +88,13 @@ def test_missed_gates_are_named() -> None:
     assert report.short_of_gate(measurements(0.9)) == []
     found = report.short_of_gate(measurements(1.1))
     assert "quaternion, n = 2, float64, uniform: 4.4 eps, gate 4 FALLS SHORT" in found
+    assert "from_angle_axis, rotations alone, n = 2, float64, shadow: 17.6 eps, gate 16 FALLS SHORT" in found
     page = report.page(measurements(1.1), [("a.png", "A caption. More.")])
     assert all(f"- {line}" in page for line in found)
     assert "**4.4 u**" in page
     assert "(6 left out)" in page
+    assert "### float64 (eps = 2.22e-16), rotations alone, at π and beyond" in page
+    assert "| derivatives of T and T⁻¹ | 4 | 4.4, " in page
     assert "![A caption](a.png)" in page
     assert "out of range, n = 2, float64: 6 poses" in page
     assert "- all gates are met by what is in range" in report.page(measurements(0.9), [])

@@ -17,16 +17,22 @@ from typing import Any
 
 import numpy as np
 
+from derive.codegen.signatures import POSES, ROTATIONS
 from tests.support import sampling
 from tests.support.accuracy import Trial
+from tests.support.calculus import CalculusTrial
 from tests.support.oracle import DIGITS
+from tests.support.rotations import RotationTrial
 
 FILE = Path(__file__).parents[2] / "benchmarks" / "worst_cases.json"
 DTYPES: dict[str, Any] = {"float32": np.float32, "float64": np.float64, "longdouble": np.longdouble}
 WORSE = 1.1  # a case is kept if it is this much worse than those kept before
-NOTHING = 1e-6  # and its error more than this part of what is allowed
+ENOUGH = 0.25  # and its error more than this part of what is allowed: what stays far below guards nothing
 
-Key = tuple[str, int, str, bool]
+TRIALS: dict[str, type[Trial]] = {POSES.name: CalculusTrial, ROTATIONS.name: RotationTrial}
+"""By the table of the functions that are tried."""
+
+Key = tuple[str, str, int, str, bool]
 
 
 def name_of(dtype: Any) -> str:
@@ -59,21 +65,25 @@ class Case:
     regime: str
     arguments: tuple[tuple[str, ...], ...]
     fraction: float
+    table: str = POSES.name
 
     @classmethod
-    def of(cls, trial: Trial, function: str, given: tuple[np.ndarray, ...], fraction: float) -> Case:
+    def of(
+        cls, trial: Trial, function: str, given: tuple[np.ndarray, ...], fraction: float, table: str = POSES.name
+    ) -> Case:
         arguments = tuple(tuple(encode(c) for c in argument) for argument in given)
-        return cls(function, trial.order, name_of(trial.dtype), trial.regime, arguments, float(f"{fraction:.3g}"))
+        fraction = float(f"{fraction:.3g}")
+        return cls(function, trial.order, name_of(trial.dtype), trial.regime, arguments, fraction, table)
 
     @property
     def key(self) -> Key:
         """Cases of one key compete: inside and outside the principal range different errors are allowed."""
-        return self.function, self.order, self.dtype, self.regime in sampling.PRINCIPAL
+        return self.table, self.function, self.order, self.dtype, self.regime in sampling.PRINCIPAL
 
     def trial(self, module: ModuleType, digits: int = DIGITS) -> Trial:
         dtype = DTYPES[self.dtype]
         given = tuple(np.array([[decode(c, dtype) for c in a]], dtype=dtype) for a in self.arguments)
-        return Trial(module, self.order, self.regime, dtype, digits=digits, given=given)
+        return TRIALS[self.table](module, self.order, self.regime, dtype, digits=digits, given=given)
 
 
 def read(path: Path = FILE) -> tuple[list[Case], int]:
@@ -91,7 +101,8 @@ def read(path: Path = FILE) -> tuple[list[Case], int]:
 def write(cases: Iterable[Case], searched: int, path: Path = FILE) -> None:
     """One case a line, in order, so that a change shows as the lines added."""
     ordered = sorted(cases, key=lambda case: (case.key, case.fraction, case.arguments))
-    lines = [json.dumps(vars(case) | {"fraction": str(case.fraction)}) for case in ordered]
+    kept = (vars(case) | {"fraction": str(case.fraction)} for case in ordered)
+    lines = [json.dumps({name: value for name, value in entry.items() if value != ""}) for entry in kept]
     text = f'{{"searched": {searched}, "cases": [\n' + ",\n".join(lines) + "\n]}\n"
     path.write_text(text, encoding="utf-8")
 
@@ -104,7 +115,7 @@ def added(kept: list[Case], found: Iterable[Case]) -> list[Case]:
     known = {(case.key, case.arguments) for case in kept}
     best: dict[Key, Case] = {}
     for case in found:
-        worse = case.fraction > max(NOTHING, WORSE * record.get(case.key, 0.0))
+        worse = case.fraction > max(ENOUGH, WORSE * record.get(case.key, 0.0))
         if worse and (case.key, case.arguments) not in known:
             old = best.get(case.key)
             best[case.key] = case if old is None or case.fraction > old.fraction else old

@@ -34,6 +34,7 @@ DERIVED = 4  # derivatives of T and T⁻¹: a few more of such terms than there,
 RATE = 6  # T⁻¹ ω: three coefficients, three products, summed; measured 2.9
 ROUND_TRIP = 8  # pose and back: its 6 to 10 eps pass through a Jacobian of norm below 1; measured 3.8 (n ≥ 2)
 GENERAL = 20  # any other map, over all regimes: at most two of the above in a chain (10 + 10)
+CONDITIONED = 8  # the rest of the calculus, of its condition: of a chain, what its worst factor allows (6) and one more
 THREE = 30  # derivatives of inverse maps beyond the first pole: T⁻¹, the derivative of T, T⁻¹ in a chain
 
 
@@ -94,12 +95,14 @@ def ratio(difference: float, scale: float) -> float:
 
 def errors(got: Any, exact: Any, scale: Nil, oracle: Oracle) -> tuple[float, float]:
     """(real, dual) error of one result in eps of its type."""
-    eps = float(np.finfo(got.dtype).eps)
-    number = oracle.field.number
-    return tuple(  # type: ignore[return-value]
-        ratio(norm(np.array([number(c) for c in g.flat], dtype=object) - e.ravel()), s) / eps
-        for g, e, s in zip(parts(got), parts(exact), (scale.re, scale.du), strict=True)
-    )
+    re, du = zip(parts(got), parts(exact), (scale.re, scale.du), strict=True)
+    return error(*re, oracle), error(*du, oracle)
+
+
+def error(got: Any, exact: Any, scale: float, oracle: Oracle) -> float:
+    """Of one part, in eps of its type."""
+    found = np.array([oracle.field.number(c) for c in got.flat], dtype=object)
+    return ratio(norm(found - exact.ravel()), scale) / float(np.finfo(got.dtype).eps)
 
 
 def size(a: Any) -> Nil:
@@ -122,6 +125,7 @@ class Scales:
     position: float
     tangent: Nil
     tangent_inv: Nil
+    slope: float  # of the tangent operator: ‖DT‖
     condition: float  # relative condition number of inverting the tangent operator: ‖T⁻¹‖ ‖DT‖ ‖v‖
     near_pole: Nil  # tangent_inv times its condition: T⁻¹ once, its derivative −T⁻¹ DT T⁻¹ twice
 
@@ -147,6 +151,7 @@ def _scales(order: int, vector: tuple[float, ...]) -> Scales:
         position=norm(operator) * size_du,
         tangent=Nil(norm(operator), norm(change) * size_du),
         tangent_inv=Nil(norm(inverted), norm(change_inv) * size_du),
+        slope=norm(change),
         condition=kappa,
         near_pole=Nil(norm(inverted) * (1 + kappa), norm(change_inv) * size_du * (1 + 2 * kappa)),
     )

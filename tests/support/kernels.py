@@ -14,9 +14,9 @@ from tests.support import packages
 ORDERS = (1, 2, 3, 4, 5, 8)
 
 
-def load(order: int, folder: Path | None = None) -> ModuleType:
-    """The committed kernel module of an order; that of another order from a folder that `write` filled."""
-    name = f"dualcay.cayley{order}"
+def load(order: int, folder: Path | None = None, table: str = "") -> ModuleType:
+    """The committed kernel module of an order; that of another order, for poses, from a folder that `write` filled."""
+    name = ".".join(part for part in ("dualcay", table, f"cayley{order}") if part)
     if order in ORDERS:
         return importlib.import_module(name)
     if name not in sys.modules:

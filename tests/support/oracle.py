@@ -404,6 +404,7 @@ class Oracle:
         along = sum(float(a.re) * float(b) for a, b in zip(axis or (), w, strict=False))
         return pack(self.on_branch(half, axis, round((along / 2 - float(half.re)) / np.pi)))
 
+    @remembered
     def shadow(self, v: Any, branch: int = 1) -> np.ndarray:
         dual = self.unpack(v)
         alpha, axis = self.reduced(dual)
@@ -419,33 +420,36 @@ class Oracle:
         """By the twist, which is that of the shadow too: T(v_k) ∂v_k/∂v = T(v)."""
         if branch % self.order == 0:
             return np.eye(6)
-        back = inverse(self.operator(self.unpack(self.shadow(v, branch))))
-        return matrix6(pack(matmul(back, self.operator(self.unpack(v)))))
+        back = inverse(self.operator_by_spin(self.unpack(self.shadow(v, branch))))
+        return matrix6(pack(matmul(back, self.operator_by_spin(self.unpack(v)))))
 
     def principal(self, v: Any) -> np.ndarray:
         alpha, axis = self.reduced(self.unpack(v))
         return pack(self.on_branch(alpha / 2, axis, 0))
 
+    @remembered
     def compose(self, v2: Any, v1: Any) -> np.ndarray:
         return pack(self.vector_of(hamilton(self.unit(self.unpack(v2)), self.unit(self.unpack(v1)))))
 
+    @remembered
     def between(self, v2: Any, v1: Any) -> np.ndarray:
         return pack(self.vector_of(hamilton(conjugate(self.unit(self.unpack(v1))), self.unit(self.unpack(v2)))))
 
     def compose_jacobians(self, v2: Any, v1: Any) -> tuple[np.ndarray, np.ndarray]:
         """By the twist of a product: T(v) v̇ = T(v2) v̇2 + R(v2) T(v1) v̇1."""
         later, sooner = self.unpack(v2), self.unpack(v1)
-        back = inverse(self.operator(self.unpack(self.compose(v2, v1))))
-        turned = matmul(self.rotation(later), self.operator(sooner))
-        return matrix6(pack(matmul(back, self.operator(later)))), matrix6(pack(matmul(back, turned)))
+        back = inverse(self.operator_by_spin(self.unpack(self.compose(v2, v1))))
+        turned = matmul(self.rotation(later), self.operator_by_spin(sooner))
+        return matrix6(pack(matmul(back, self.operator_by_spin(later)))), matrix6(pack(matmul(back, turned)))
 
     def between_jacobians(self, v2: Any, v1: Any) -> tuple[np.ndarray, np.ndarray]:
         """The same of R(v1)ᵀ R(v2)."""
-        back = inverse(self.operator(self.unpack(self.between(v2, v1))))
+        back = inverse(self.operator_by_spin(self.unpack(self.between(v2, v1))))
         back = matmul(back, transpose(self.rotation(self.unpack(v1))))
-        one, other = (matrix6(pack(matmul(back, self.operator(self.unpack(v))))) for v in (v2, v1))
+        one, other = (matrix6(pack(matmul(back, self.operator_by_spin(self.unpack(v))))) for v in (v2, v1))
         return one, -other
 
+    @remembered
     def step(self, delta: Any) -> tuple[Any, ...]:
         """exp(δ/2)."""
         half = tuple(c / 2 for c in delta)
@@ -466,8 +470,12 @@ class Oracle:
         turns = int(self.field.number(round(float((along - half.re) / self.field.pi))))
         return pack(self.on_branch(half, axis, turns))
 
+    @remembered
     def step_operator(self, delta: Any) -> tuple[Any, ...]:
-        """dexp(δ): the twist of exp(δ) as δ moves along the axes, ω = 2 vec(ė e⁻¹)."""
+        """dexp(δ): the twist of exp(δ) as δ moves along the axes, ω = 2 vec(ė e⁻¹); I + skew(δ)/2 of a translation."""
+        if all(a.re == 0 for a in delta):
+            (x, y, z), one = (a / 2 for a in delta), delta[0] * 0 + 1
+            return ((one, -z, y), (z, one, -x), (-y, x, one))
         columns = []
         for place in range(3):
             unit = [Nil(a.re * 0 + (place == i), a.re * 0) for i, a in enumerate(delta)]
@@ -478,8 +486,8 @@ class Oracle:
     def retract_jacobians(self, v: Any, delta: Any, body: bool = False) -> tuple[np.ndarray, np.ndarray]:
         """By the twist of a product: T(w) ẇ = dexp(δ) δ̇ + exp(δ) T(v) v̇, or T(v) v̇ + R(v) dexp(δ) δ̇."""
         here, small = self.unpack(v), self.unpack(delta)
-        back = inverse(self.operator(self.unpack(self.retract(v, delta, body))))
-        by_v, by_delta, q = self.operator(here), self.step_operator(small), self.step(small)
+        back = inverse(self.operator_by_spin(self.unpack(self.retract(v, delta, body))))
+        by_v, by_delta, q = self.operator_by_spin(here), self.step_operator(small), self.step(small)
         if body:
             by_delta = matmul(self.rotation(here), by_delta)
         else:
@@ -512,8 +520,8 @@ class Oracle:
             q = (self.field.cos(gone), *(self.field.sin(gone) * c for c in direction))
             now, u = self.half_screw(hamilton(q, self.unit(here)))
             line = np.array([float(c.re) for c in u or direction])
-            turns = [(np.linalg.norm(2 * (float(now.re) + k * np.pi) * line - at), k) for k in range(-5, 6)]
-            turn = min(turns)[1]
+            turns = [(np.linalg.norm(2 * (float(now.re) + k * np.pi) * line - at), abs(k), k) for k in range(-5, 6)]
+            turn = min(turns)[-1]
             at = 2 * (float(now.re) + turn * np.pi) * line
         return pack(self.on_branch(now, u, turn))
 

@@ -1,0 +1,308 @@
+"""Derivatives and maps of several steps against the oracle, allowed what their exact factors make of roundings.
+
+Such a result is a product of exact dual tensors, or a vector whose exact Jacobian is one: it may be wrong by what a
+unit of rounding in each of its factors, or in its arguments, does to it. The factors are the oracle's.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from tests.support import errors, sampling
+from tests.support.accuracy import FUNCTIONS, Trial
+from tests.support.errors import THREE, through
+from tests.support.nilpotent import Nil, conjugate, hamilton, inverse, matmul, matvec, transpose
+from tests.support.oracle import E, pack
+from tests.support.trial import Result, rounded
+
+Tensor = Any
+
+
+def product(*tensors: Tensor) -> Tensor:
+    """Of dual tensors, the first on the left."""
+    first, *others = tensors
+    for other in others:
+        first = matmul(first, other)
+    return first
+
+
+class CalculusTrial(Trial):
+    """`Trial` with all functions of the table."""
+
+    # ---- exact factors -----------------------------------------------------------------------------------------
+
+    def _operator(self, v: Any) -> Tensor:
+        return self.oracle.operator_by_spin(self.oracle.unpack(v))
+
+    def _rotation(self, v: Any) -> Tensor:
+        return self.oracle.rotation(self.oracle.unpack(v))
+
+    def _step(self, delta: Any) -> tuple[Tensor, Tensor]:
+        """exp(δ) as a dual tensor, and dexp(δ)."""
+        small = self.oracle.unpack(delta)
+        q = self.oracle.step(small)
+        turned = transpose([hamilton(hamilton(q, (0, *e)), conjugate(q))[1:] for e in E])
+        return turned, self.oracle.step_operator(small)
+
+    @property
+    def _gates(self) -> tuple[float, float]:
+        """Inside the principal range 8 eps of the condition; outside as tangent operators, whose products they are."""
+        return self.gates(errors.CONDITIONED, max(THREE, errors.tangent_shadow_gate(self.order)))
+
+    # ---- one operator, or its derivative -----------------------------------------------------------------------
+
+    def adjoint(self) -> Iterator[Result]:
+        outside = errors.shadow_gate(self.order)
+        gates = (errors.ROTATION, errors.GENERAL) if self.inside else (outside, max(errors.GENERAL, outside))
+        return self._forward("adjoint", "tensor", gates)
+
+    def cotangent(self) -> Iterator[Result]:
+        return self._applied("cotangent", "tangent", self._gates)
+
+    def body_cotangent(self) -> Iterator[Result]:
+        return self._applied("body_cotangent", "tangent", self._gates)
+
+    def body_tangent_dot(self) -> Iterator[Result]:
+        return self._derived("body_tangent_dot", lambda slope, _, w: slope * w, self._derived_gates, 1)
+
+    def body_twist_jacobian(self) -> Iterator[Result]:
+        return self._jacobian("body_twist_jacobian")
+
+    def body_cotangent_jacobian(self) -> Iterator[Result]:
+        return self._jacobian("body_cotangent_jacobian")
+
+    def transform_point_jacobians(self) -> Iterator[Result]:
+        """∂(Q r + ρ): by v° it is T, by v that of Q r and that of ρ = T v°; by r it is Q."""
+        points = self.second(sampling.points, "transform_point_jacobians")
+        by_v, by_r = self.module.transform_point_jacobians(self.v, points)
+        for v, r, one, other in zip(self.v, points, by_v, by_r, strict=True):
+            exact = self.oracle.transform_point_jacobians(v, r)
+            local = errors.scales(self.order, v)
+            size = Nil(local.tangent.re, local.tangent.re * errors.norm(r) + local.tangent.du)
+            got, wanted = (np.stack([tensor[:, 3:], tensor[:, :3]]) for tensor in (one, exact[0]))
+            yield Result(got, [wanted], [size], self._gates, (v, r), "by v")
+            got, wanted = (np.stack([tensor, 0 * tensor]) for tensor in (other, exact[1]))
+            yield Result(got, [wanted], [Nil(local.tensor.re, 0.0)], self._gates, (v, r), "by r")
+
+    def transform_line_jacobians(self) -> Iterator[Result]:
+        lines = self.second(sampling.dual_vectors, "transform_line_jacobians")
+        found = self.module.transform_line_jacobians(self.v, lines)
+        for v, line, *got in zip(self.v, lines, *found, strict=True):
+            exact, local = self.oracle.transform_line_jacobians(v, line), errors.scales(self.order, v)
+            sizes = local.tensor * errors.size(line) * local.tangent, local.tensor
+            yield from self._both(got, exact, sizes, (v, line))
+
+    def _both(self, got: Any, exact: Any, sizes: Any, given: tuple[np.ndarray, ...]) -> Iterator[Result]:
+        """Two Jacobians of one function."""
+        for note, *one in zip(("first", "second"), got, exact, sizes, strict=True):
+            matrix, wanted, size = one
+            yield Result(matrix, [wanted], [size], self._gates, given, note)
+
+    # ---- vectors of known Jacobian -----------------------------------------------------------------------------
+
+    def angle(self) -> Iterator[Result]:
+        for v, got in zip(self.v, self.module.angle(self.v), strict=True):
+            n, length, size = self.order, errors.norm(v[:3]), errors.norm(v[3:])
+            turned = Nil(2 * n * math.atan(length), 2 * n / (1 + length**2) * size)
+            yield Result(got, [self.oracle.angle(v)], [turned], self._gates, (v,))
+
+    def to_exponential(self) -> Iterator[Result]:
+        for v, got in zip(self.v, self.module.to_exponential(self.v), strict=True):
+            exact = self.oracle.to_exponential(v)
+            jacobian = product(inverse(self._step(exact)[1]), self._operator(v))
+            yield Result(got, [exact], [self._moved(exact, (jacobian, v))], self._gates, (v,))
+
+    def from_exponential(self) -> Iterator[Result]:
+        given = np.stack([rounded(self.oracle.to_exponential(v), self.dtype) for v in self.v])
+        for v, w, got in zip(self.v, given, self.module.from_exponential(given), strict=True):
+            exact = self.oracle.from_exponential(w)
+            jacobian = product(inverse(self._operator(exact)), self._step(w)[1])
+            yield Result(got, [exact], [self._moved(exact, (jacobian, w))], self._gates, (v,), f"w = {w!r}")
+
+    @staticmethod
+    def _moved(exact: Any, *arguments: tuple[Tensor, Any]) -> Nil:
+        """What a unit of rounding of the result and of each argument, by the Jacobian, comes to."""
+        scale = errors.size(exact)
+        for jacobian, argument in arguments:
+            scale = scale + through(jacobian, errors.size(argument))
+        return scale
+
+    # ---- two poses ---------------------------------------------------------------------------------------------
+
+    def _of_two(self, name: str, jacobians: Any) -> Iterator[Result]:
+        """`jacobians(v2, v1, result)` are exact, but for signs."""
+        for v1 in self.partners():
+            for a, b, got in zip(self.v, v1, getattr(self.module, name)(self.v, v1), strict=True):
+                exact = getattr(self.oracle, name)(a, b)
+                by_a, by_b = jacobians(a, b, exact)
+                yield Result(got, [exact], [self._moved(exact, (by_a, a), (by_b, b))], self._gates, (a, b))
+
+    def between_by(self, a: Any, b: Any, result: Any) -> tuple[Tensor, Tensor]:
+        back = product(inverse(self._operator(result)), transpose(self._rotation(b)))
+        return product(back, self._operator(a)), product(back, self._operator(b))
+
+    def between(self) -> Iterator[Result]:
+        return self._of_two("between", self.between_by)
+
+    def local_by(self, a: Any, b: Any, result: Any) -> tuple[Tensor, Tensor]:
+        turned, operator = self._step(result)
+        back = inverse(operator)
+        return product(back, self._operator(a)), product(back, turned, self._operator(b))
+
+    def local(self) -> Iterator[Result]:
+        return self._of_two("local", self.local_by)
+
+    def body_local_by(self, a: Any, b: Any, result: Any) -> tuple[Tensor, Tensor]:
+        back = product(inverse(self._step(result)[1]), transpose(self._rotation(b)))
+        return product(back, self._operator(a)), product(back, self._operator(b))
+
+    def body_local(self) -> Iterator[Result]:
+        return self._of_two("body_local", self.body_local_by)
+
+    def inverted(self, result: Any, moved: Nil) -> Nil:
+        """Scale of T⁻¹ at a result that is wrong by as much as its own scale allows: there it goes by T⁻¹ DT T⁻¹."""
+        here, back = errors.scales(self.order, result), errors.majorant(inverse(self._operator(result)))
+        return back * (1 + here.condition) + back * back * (here.slope * moved)
+
+    def _jacobians_of_two(self, name: str, jacobians: Any) -> Iterator[Result]:
+        """T⁻¹ [R] T of v = `name` of both, as `jacobians` gives them."""
+        for v1 in self.partners():
+            found = getattr(self.module, f"{name}_jacobians")(self.v, v1)
+            for a, b, *got in zip(self.v, v1, *found, strict=True):
+                result = getattr(self.oracle, name)(a, b)
+                by_a, by_b = jacobians(a, b, result)
+                back = self.inverted(result, self._moved(result, (by_a, a), (by_b, b)))
+                one, other = errors.scales(self.order, a), errors.scales(self.order, b)
+                sizes = back * other.tensor * one.tangent, back * one.tensor * other.tangent
+                exact = getattr(self.oracle, f"{name}_jacobians")(a, b)
+                yield from self._both(got, exact, sizes, (a, b))
+
+    def compose_by(self, a: Any, b: Any, result: Any) -> tuple[Tensor, Tensor]:
+        back = inverse(self._operator(result))
+        return product(back, self._operator(a)), product(back, self._rotation(a), self._operator(b))
+
+    def compose_jacobians(self) -> Iterator[Result]:
+        return self._jacobians_of_two("compose", self.compose_by)
+
+    def between_jacobians(self) -> Iterator[Result]:
+        return self._jacobians_of_two("between", self.between_by)
+
+    def shadow_jacobian(self) -> Iterator[Result]:
+        """T(v_k)⁻¹ T(v), and exactly I for no branch."""
+        for branch in self.branches():
+            if branch and self.regime == "pure translation":
+                continue  # no rotation, no derivative
+            for v, got in zip(self.v, self.module.shadow_jacobian(self.v, branch), strict=True):
+                sides = (branch, -branch) if self.tie else (branch,)
+                there = [self.oracle.shadow(v, k) for k in sides]
+                if all(sampling.in_range(self.order, rounded(w, self.dtype)) for w in there):
+                    exact = [self.oracle.shadow_jacobian(v, k) for k in sides]
+                    sizes = [self._of_branch(v, w) if branch else Nil(math.sqrt(3), 0.0) for w in there]
+                    yield Result(got, exact, sizes, self._gates, (v,), f"branch {branch}")
+
+    def _of_branch(self, v: Any, there: Any) -> Nil:
+        return self.inverted(there, self.shadow_scale(v, there)) * errors.scales(self.order, v).tangent
+
+    # ---- steps and motions -------------------------------------------------------------------------------------
+
+    def _retract_by(self, v: Any, delta: Any, result: Any, body: bool) -> tuple[Tensor, Tensor]:
+        turned, operator = self._step(delta)
+        back = inverse(self._operator(result))
+        if body:
+            return product(back, self._operator(v)), product(back, self._rotation(v), operator)
+        return product(back, turned, self._operator(v)), product(back, operator)
+
+    def _retract(self, name: str) -> Iterator[Result]:
+        steps = self.second(sampling.dual_vectors, name)
+        for v, delta, got in zip(self.v, steps, getattr(self.module, name)(self.v, steps), strict=True):
+            exact = getattr(self.oracle, name)(v, delta)
+            by_v, by_delta = self._retract_by(v, delta, exact, name.startswith("body"))
+            yield Result(got, [exact], [self._moved(exact, (by_v, v), (by_delta, delta))], self._gates, (v, delta))
+
+    def retract(self) -> Iterator[Result]:
+        return self._retract("retract")
+
+    def body_retract(self) -> Iterator[Result]:
+        return self._retract("body_retract")
+
+    def _retract_jacobians(self, name: str) -> Iterator[Result]:
+        steps = self.second(sampling.dual_vectors, name)
+        body = name.startswith("body")
+        found = getattr(self.module, f"{name}_jacobians")(self.v, steps)
+        for v, delta, *got in zip(self.v, steps, *found, strict=True):
+            result, exact = (getattr(self.oracle, of)(v, delta) for of in (name, f"{name}_jacobians"))
+            by_v, by_delta = self._retract_by(v, delta, result, body)
+            back = self.inverted(result, self._moved(result, (by_v, v), (by_delta, delta)))
+            local, (turned, operator) = errors.scales(self.order, v), self._step(delta)
+            dexp, own = errors.majorant(operator), local.tangent
+            if body:
+                sizes = back * own, back * local.tensor * dexp
+            else:
+                sizes = back * errors.majorant(turned) * own, back * dexp
+            yield from self._both(got, exact, sizes, (v, delta))
+
+    def retract_jacobians(self) -> Iterator[Result]:
+        return self._retract_jacobians("retract")
+
+    def body_retract_jacobians(self) -> Iterator[Result]:
+        return self._retract_jacobians("body_retract")
+
+    def interpolate(self) -> Iterator[Result]:
+        """ω = t dexp(tδ) δ̇ + exp(tδ) ω1 + ṫ δ, where dexp(δ) δ̇ = ω2 − exp(δ) ω1.
+
+        Its branch is that of the angle, which is rounded, too. Not about 2π, where the axis may swing round between two
+        steps of the oracle, and the branch it follows is open.
+        """
+        if self.regime == "near 2 pi":
+            return
+        share = self.dtype(0.375)
+        for v2 in self.partners():
+            for a, b, got in zip(self.v, v2, self.module.interpolate(self.v, v2, share), strict=True):
+                exact, delta = self.oracle.interpolate(a, b, share), self.oracle.local(b, a)
+                yield Result(got, [exact], [self._moved_on_the_way(a, b, exact, delta, share)], self._gates, (a, b))
+
+    def _moved_on_the_way(self, a: Any, b: Any, exact: Any, delta: Any, share: Any) -> Nil:
+        (turned, operator), part = self._step(delta), self.oracle.field.number(share)
+        some, way = self._step(part * delta)
+        back = inverse(self._operator(exact))
+        onward = product(back, tuple(tuple(part * c for c in row) for row in way), inverse(operator))
+        by_start = product(back, some, self._operator(a))
+        by_end = product(onward, self._operator(b))
+        by_both = product(onward, turned, self._operator(a))
+        by_time = pack(matvec(back, self.oracle.unpack(part * delta)))
+        by_angle = pack(matvec(back, self.oracle.unpack(self.oracle.to_exponential(exact))))
+        scale = self._moved(exact, (by_start, a), (by_both, a), (by_end, b))
+        return scale + errors.size(by_time) + errors.size(by_angle)
+
+
+CALCULUS = (
+    "adjoint",
+    "cotangent",
+    "body_cotangent",
+    "body_tangent_dot",
+    "body_twist_jacobian",
+    "body_cotangent_jacobian",
+    "angle",
+    "to_exponential",
+    "from_exponential",
+    "between",
+    "local",
+    "body_local",
+    "retract",
+    "body_retract",
+    "interpolate",
+    "compose_jacobians",
+    "between_jacobians",
+    "shadow_jacobian",
+    "retract_jacobians",
+    "body_retract_jacobians",
+    "transform_point_jacobians",
+    "transform_line_jacobians",
+)
+"""The functions that `Trial` has not."""
+
+EVERY = (*FUNCTIONS, *CALCULUS)
