@@ -135,12 +135,14 @@ def shared_geometry(table: Table) -> Data:
 def own_geometry(facts: Facts, lowered: Lowered, known: Mapping[str, Program]) -> Data:
     """What the header of a chart for a table says, but of the scalars that are known already."""
     chart = facts.chart
+    prefix = c_text.prefix(chart, lowered.table)
     decimals = dict(zip(table_names(chart), itertools.chain(*facts.returns), strict=True))
     new = [program for name, program in scalars(lowered).items() if name not in known]
     own = [(program, lowered.table.kernels[name].results) for name, program in lowered.own.items()]
     return {
         "name": chart.name,
-        "prefix": c_text.prefix(chart, lowered.table),
+        "prefix": prefix,
+        "macro": prefix.upper(),
         "branches": chart.branches,
         "singular": facts.singular,
         "aliases": lowered.table.aliases(chart),
