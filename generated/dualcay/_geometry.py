@@ -7503,7 +7503,7 @@ def body_local_blocks(
     div(add(sub(mul(rho3, fee, k1), sub(mul(d1, rho2, k3), mul(d2, rho1, k4), k3), k1), mul(d3, hvr, k2), k1), n2, o6)
 
 
-# operations 613: 197 +, 299 *, 46 /, 8 neg, 4 abs, 8 sqrt, 2 tan, 3 atan2, 6 lt, 5 eq, 1 or, 34 where
+# operations 614: 197 +, 299 *, 46 /, 8 neg, 4 abs, 8 sqrt, 2 tan, 3 atan2, 7 lt, 5 eq, 1 or, 34 where
 def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) -> Result:
     a1, a2, a3, a1o, a2o, a3o = a
     b1, b2, b3, b1o, b2o, b3o = b
@@ -7682,7 +7682,7 @@ def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) 
     axis1 = a1 / r
     axis2 = a2 / r
     axis3 = a3 / r
-    apart = resting | (r < r + (m.abs(d2 * a3 - d3 * a2) + m.abs(d3 * a1 - d1 * a3) + m.abs(d1 * a2 - d2 * a1)) / 64)
+    apart = (own_ < 3) | (r < r + (m.abs(d2 * a3 - d3 * a2) + m.abs(d3 * a1 - d1 * a3) + m.abs(d1 * a2 - d2 * a1)) / 64)
     side = m.where(bva1 * a1 + bva2 * a2 + bva3 * a3 < 0, -1, 1)
     ss1 = bva1 * bva1 + bva2 * bva2 + bva3 * bva3
     still1 = ss1 == 0
@@ -7736,7 +7736,7 @@ def interpolate_blocks(
     ) = scratch
     mask1, mask2, mask3, *spare_masks = masks
     (
-        n_minus_2, n_minus_1, n0, n1, n2, n4, n6, n64, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520,
+        n_minus_2, n_minus_1, n0, n1, n2, n3, n4, n6, n64, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520,
         n3603600,
     ) = numbers
     v11a = mul(a1, a1, k1)
@@ -7835,9 +7835,9 @@ def interpolate_blocks(
     own, = c.unfolded((k26,), (k27, k31, k32, *spare), (*spare_masks,), xa, r)
     own_ = m.where(resting, xa, own, k1)
     apart = m.either(
-        resting, m.less(r, add(r, div(add(add(absolute(sub(mul(d2, a3, k26), mul(d3, a2, k27), k26), k26),
-        absolute(sub(mul(d3, a1, k27), mul(d1, a3, k31), k27), k27), k26), absolute(sub(mul(d1, a2, k27), mul(d2, a1,
-        k31), k27), k27), k26), n64, k26), k26), mask3), mask2
+        m.less(own_, n3, mask2), m.less(r, add(r, div(add(add(absolute(sub(mul(d2, a3, k26), mul(d3, a2, k27), k26),
+        k26), absolute(sub(mul(d3, a1, k27), mul(d1, a3, k31), k27), k27), k26), absolute(sub(mul(d1, a2, k27), mul(d2,
+        a1, k31), k27), k27), k26), n64, k26), k26), mask3), mask2
     )
     side = m.where(
         m.less(add(add(mul(bva1, a1, k26), mul(bva2, a2, k27), k26), mul(bva3, a3, k27), k26), n0, mask3), n_minus_1,
@@ -9202,7 +9202,7 @@ KERNELS: Mapping[str, Kernel] = {
         (6,),
         registers=34,
         masks=3,
-        numbers=(-2, -1, 0, 1, 2, 4, 6, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        numbers=(-2, -1, 0, 1, 2, 3, 4, 6, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
         lent=(('ray', 0, 0), ('ray', 0, 0), ('unfolded', 3, 0), ('coefficient', 7, 1), ('inverse', 14, 3)),
         real=True,
     ),

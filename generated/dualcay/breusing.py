@@ -89,7 +89,7 @@
 #       where
 #   local: 318: 102 +, 162 *, 25 /, 7 neg, 7 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 318: 102 +, 162 *, 25 /, 7 neg, 7 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   interpolate: 703: 222 +, 337 *, 60 /, 8 neg, 4 abs, 17 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 35 where
+#   interpolate: 704: 222 +, 337 *, 60 /, 8 neg, 4 abs, 17 sqrt, 3 tan, 4 atan2, 8 lt, 5 eq, 1 or, 35 where
 #   adjoint: 106: 40 +, 62 *, 2 /, 2 sqrt
 #   transform_point_jacobians: 235: 98 +, 128 *, 4 /, 3 neg, 2 sqrt
 #   transform_line_jacobians: 334: 131 +, 191 *, 4 /, 6 neg, 2 sqrt
@@ -862,7 +862,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 4, 8)),
     },
     kernels=SHARED,
-    programs="acdac5d0b9160b40",
+    programs="ae1b214e1b945d25",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -98,7 +98,7 @@
 #   body_retract_jacobians: 1044: 407 +, 531 *, 71 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 278: 90 +, 138 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 278: 90 +, 138 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   interpolate: 628: 200 +, 303 *, 52 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 6 lt, 5 eq, 1 or, 34 where
+#   interpolate: 629: 200 +, 303 *, 52 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
 #   adjoint: 86: 34 +, 50 *, 2 /
 #   transform_point_jacobians: 134: 58 +, 63 *, 3 /, 10 neg
 #   transform_line_jacobians: 299: 121 +, 168 *, 3 /, 7 neg
@@ -2069,7 +2069,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="99179dd991167ac9",
+    programs="550ef9f8d9a170cb",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -103,7 +103,7 @@
 #   body_retract_jacobians: 1063: 414 +, 541 *, 73 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 292: 94 +, 148 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 292: 94 +, 148 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   interpolate: 644: 205 +, 313 *, 53 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 6 lt, 5 eq, 1 or, 34 where
+#   interpolate: 645: 205 +, 313 *, 53 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
 #   adjoint: 92: 35 +, 55 *, 2 /
 #   transform_point_jacobians: 208: 91 +, 110 *, 3 /, 4 neg
 #   transform_line_jacobians: 307: 124 +, 173 *, 3 /, 7 neg
@@ -796,7 +796,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="dc78d5c4f3c48b90",
+    programs="5076a328f06f511f",
 )
 
 KERNELS = PoseKernels(CHART)

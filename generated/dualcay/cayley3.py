@@ -100,7 +100,7 @@
 #   body_retract_jacobians: 1091: 419 +, 560 *, 76 /, 8 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 298: 94 +, 154 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 298: 94 +, 154 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   interpolate: 656: 207 +, 322 *, 54 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 6 lt, 5 eq, 1 or, 34 where
+#   interpolate: 657: 207 +, 322 *, 54 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
 #   adjoint: 96: 36 +, 58 *, 2 /
 #   transform_point_jacobians: 216: 93 +, 116 *, 3 /, 4 neg
 #   transform_line_jacobians: 315: 126 +, 179 *, 3 /, 7 neg
@@ -736,7 +736,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 6)),
     },
     kernels=SHARED,
-    programs="ff7902cf344b68e0",
+    programs="2b9535f45759d00e",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -100,7 +100,7 @@
 #   body_retract_jacobians: 1119: 433 +, 575 *, 76 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 316: 104 +, 162 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 316: 104 +, 162 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   interpolate: 677: 218 +, 332 *, 54 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 6 lt, 5 eq, 1 or, 34 where
+#   interpolate: 678: 218 +, 332 *, 54 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
 #   adjoint: 102: 39 +, 61 *, 2 /
 #   transform_point_jacobians: 226: 98 +, 122 *, 3 /, 3 neg
 #   transform_line_jacobians: 325: 131 +, 185 *, 3 /, 6 neg
@@ -769,7 +769,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 8)),
     },
     kernels=SHARED,
-    programs="5abce096b447c416",
+    programs="0031a633022f3fbe",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -100,7 +100,7 @@
 #   body_retract_jacobians: 1135: 440 +, 584 *, 76 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 314: 102 +, 162 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 314: 102 +, 162 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   interpolate: 678: 218 +, 333 *, 54 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 6 lt, 5 eq, 1 or, 34 where
+#   interpolate: 679: 218 +, 333 *, 54 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
 #   adjoint: 104: 40 +, 62 *, 2 /
 #   transform_point_jacobians: 231: 100 +, 125 *, 3 /, 3 neg
 #   transform_line_jacobians: 330: 133 +, 188 *, 3 /, 6 neg
@@ -793,7 +793,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 10)),
     },
     kernels=SHARED,
-    programs="b5c2e5a2521028b9",
+    programs="96c8e00e0a70ba6a",
 )
 
 KERNELS = PoseKernels(CHART)

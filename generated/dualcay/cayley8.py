@@ -100,7 +100,7 @@
 #   body_retract_jacobians: 1212: 477 +, 624 *, 76 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 360: 124 +, 186 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 360: 124 +, 186 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   interpolate: 733: 244 +, 362 *, 54 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 6 lt, 5 eq, 1 or, 34 where
+#   interpolate: 734: 244 +, 362 *, 54 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
 #   adjoint: 118: 47 +, 69 *, 2 /
 #   transform_point_jacobians: 255: 112 +, 137 *, 3 /, 3 neg
 #   transform_line_jacobians: 354: 145 +, 200 *, 3 /, 6 neg
@@ -873,7 +873,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 16)),
     },
     kernels=SHARED,
-    programs="ea9d7f0efc68cdde",
+    programs="4a3ca6736bc8b070",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -87,7 +87,7 @@
 #       where
 #   local: 400: 126 +, 178 *, 53 /, 7 neg, 7 sqrt, 3 tan, 1 atan2, 4 lt, 1 eq, 20 where
 #   body_local: 400: 126 +, 178 *, 53 /, 7 neg, 7 sqrt, 3 tan, 1 atan2, 4 lt, 1 eq, 20 where
-#   interpolate: 811: 255 +, 363 *, 95 /, 8 neg, 4 abs, 14 sqrt, 5 tan, 3 atan2, 9 lt, 5 eq, 1 or, 49 where
+#   interpolate: 812: 255 +, 363 *, 95 /, 8 neg, 4 abs, 14 sqrt, 5 tan, 3 atan2, 10 lt, 5 eq, 1 or, 49 where
 #   adjoint: 147: 52 +, 70 *, 16 /, 2 sqrt, 1 tan, 1 lt, 5 where
 #   transform_point_jacobians: 283: 115 +, 135 *, 20 /, 3 neg, 2 sqrt, 1 tan, 1 lt, 6 where
 #   transform_line_jacobians: 382: 148 +, 198 *, 20 /, 6 neg, 2 sqrt, 1 tan, 1 lt, 6 where
@@ -1119,7 +1119,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1,)),
     },
     kernels=SHARED,
-    programs="c9fb292ad8fc59e6",
+    programs="d5655ab91c271496",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -72,7 +72,7 @@
 #   body_retract_jacobians: 1104: 419 +, 560 *, 80 /, 8 neg, 1 abs, 9 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 15 where
 #   local: 294: 94 +, 150 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 294: 94 +, 150 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   interpolate: 661: 207 +, 320 *, 53 /, 8 neg, 4 abs, 12 sqrt, 3 tan, 4 atan2, 8 lt, 5 eq, 1 or, 36 where
+#   interpolate: 662: 207 +, 320 *, 53 /, 8 neg, 4 abs, 12 sqrt, 3 tan, 4 atan2, 9 lt, 5 eq, 1 or, 36 where
 #   adjoint: 94: 36 +, 56 *, 1 /, 1 sqrt
 #   transform_point_jacobians: 214: 93 +, 113 *, 4 /, 3 neg, 1 sqrt
 #   transform_line_jacobians: 313: 126 +, 176 *, 4 /, 6 neg, 1 sqrt
@@ -717,7 +717,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 4, 8)),
     },
     kernels=SHARED,
-    programs="b92139d59fd45f6c",
+    programs="4043e793677c8040",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -68,7 +68,7 @@
 #   body_retract_jacobians: 1063: 412 +, 535 *, 73 /, 7 neg, 1 abs, 8 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 15 where
 #   local: 282: 94 +, 138 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 282: 94 +, 138 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   interpolate: 644: 206 +, 306 *, 52 /, 8 neg, 4 abs, 11 sqrt, 3 tan, 4 atan2, 8 lt, 5 eq, 1 or, 36 where
+#   interpolate: 645: 206 +, 306 *, 52 /, 8 neg, 4 abs, 11 sqrt, 3 tan, 4 atan2, 9 lt, 5 eq, 1 or, 36 where
 #   adjoint: 86: 34 +, 50 *, 1 /, 1 sqrt
 #   transform_point_jacobians: 202: 90 +, 106 *, 2 /, 3 neg, 1 sqrt
 #   transform_line_jacobians: 301: 123 +, 169 *, 2 /, 6 neg, 1 sqrt
@@ -1042,7 +1042,7 @@ CHART = Chart(
         real=True,
     ),
     },
-    programs="708b41a22c04a94c",
+    programs="265e34e148639375",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -68,7 +68,7 @@
 #   body_retract_jacobians: 1063: 411 +, 534 *, 83 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 290: 94 +, 138 *, 33 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 290: 94 +, 138 *, 33 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   interpolate: 646: 206 +, 305 *, 62 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 6 lt, 5 eq, 1 or, 34 where
+#   interpolate: 647: 206 +, 305 *, 62 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
 #   adjoint: 89: 34 +, 50 *, 5 /
 #   transform_point_jacobians: 149: 58 +, 73 *, 8 /, 10 neg
 #   transform_line_jacobians: 304: 121 +, 168 *, 8 /, 7 neg
@@ -1738,7 +1738,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="f9a40f1e3684ff4d",
+    programs="e157fc23873ad1df",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -72,7 +72,7 @@
 #   body_retract_jacobians: 1114: 419 +, 564 *, 95 /, 8 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 308: 94 +, 154 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 308: 94 +, 154 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   interpolate: 672: 207 +, 325 *, 67 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 6 lt, 5 eq, 1 or, 34 where
+#   interpolate: 673: 207 +, 325 *, 67 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
 #   adjoint: 100: 36 +, 58 *, 6 /
 #   transform_point_jacobians: 223: 93 +, 116 *, 10 /, 4 neg
 #   transform_line_jacobians: 322: 126 +, 179 *, 10 /, 7 neg
@@ -823,7 +823,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 6)),
     },
     kernels=SHARED,
-    programs="20a8994320849fd3",
+    programs="75093a65776ad831",
 )
 
 KERNELS = PoseKernels(CHART)

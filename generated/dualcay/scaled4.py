@@ -72,7 +72,7 @@
 #   body_retract_jacobians: 1142: 433 +, 579 *, 95 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 326: 104 +, 162 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 326: 104 +, 162 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   interpolate: 693: 218 +, 335 *, 67 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 6 lt, 5 eq, 1 or, 34 where
+#   interpolate: 694: 218 +, 335 *, 67 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
 #   adjoint: 106: 39 +, 61 *, 6 /
 #   transform_point_jacobians: 233: 98 +, 122 *, 10 /, 3 neg
 #   transform_line_jacobians: 332: 131 +, 185 *, 10 /, 6 neg
@@ -850,7 +850,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 8)),
     },
     kernels=SHARED,
-    programs="a8e8366cc47506b5",
+    programs="56bbbe60fe4d0e2e",
 )
 
 KERNELS = PoseKernels(CHART)

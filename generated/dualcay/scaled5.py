@@ -72,7 +72,7 @@
 #   body_retract_jacobians: 1158: 440 +, 588 *, 95 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 324: 102 +, 162 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 324: 102 +, 162 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   interpolate: 694: 218 +, 336 *, 67 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 6 lt, 5 eq, 1 or, 34 where
+#   interpolate: 695: 218 +, 336 *, 67 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
 #   adjoint: 108: 40 +, 62 *, 6 /
 #   transform_point_jacobians: 238: 100 +, 125 *, 10 /, 3 neg
 #   transform_line_jacobians: 337: 133 +, 188 *, 10 /, 6 neg
@@ -882,7 +882,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 10)),
     },
     kernels=SHARED,
-    programs="de8c4b4fb4156375",
+    programs="ce612311f245b3fb",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -72,7 +72,7 @@
 #   body_retract_jacobians: 1121: 428 +, 567 *, 81 /, 8 neg, 1 abs, 9 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 15 where
 #   local: 300: 98 +, 152 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 300: 98 +, 152 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   interpolate: 669: 212 +, 323 *, 53 /, 8 neg, 4 abs, 12 sqrt, 3 tan, 4 atan2, 8 lt, 5 eq, 1 or, 36 where
+#   interpolate: 670: 212 +, 323 *, 53 /, 8 neg, 4 abs, 12 sqrt, 3 tan, 4 atan2, 9 lt, 5 eq, 1 or, 36 where
 #   adjoint: 97: 38 +, 57 *, 1 /, 1 sqrt
 #   transform_point_jacobians: 220: 96 +, 116 *, 4 /, 3 neg, 1 sqrt
 #   transform_line_jacobians: 319: 129 +, 179 *, 4 /, 6 neg, 1 sqrt
@@ -779,7 +779,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 6, 12)),
     },
     kernels=SHARED,
-    programs="2c9e230b4bb6663d",
+    programs="5d38bdc99bec11e6",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -72,7 +72,7 @@
 #   body_retract_jacobians: 1136: 437 +, 575 *, 80 /, 7 neg, 1 abs, 9 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 15 where
 #   local: 308: 102 +, 156 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 308: 102 +, 156 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   interpolate: 679: 217 +, 328 *, 53 /, 8 neg, 4 abs, 12 sqrt, 3 tan, 4 atan2, 8 lt, 5 eq, 1 or, 36 where
+#   interpolate: 680: 217 +, 328 *, 53 /, 8 neg, 4 abs, 12 sqrt, 3 tan, 4 atan2, 9 lt, 5 eq, 1 or, 36 where
 #   adjoint: 101: 40 +, 59 *, 1 /, 1 sqrt
 #   transform_point_jacobians: 226: 99 +, 119 *, 4 /, 3 neg, 1 sqrt
 #   transform_line_jacobians: 325: 132 +, 182 *, 4 /, 6 neg, 1 sqrt
@@ -773,7 +773,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 8, 16)),
     },
     kernels=SHARED,
-    programs="ca6d88163e853555",
+    programs="0a85c316ea7d0e20",
 )
 
 KERNELS = PoseKernels(CHART)

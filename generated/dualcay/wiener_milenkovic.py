@@ -72,7 +72,7 @@
 #   body_retract_jacobians: 1090: 418 +, 545 *, 91 /, 8 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 306: 98 +, 148 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 306: 98 +, 148 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   interpolate: 666: 211 +, 316 *, 66 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 6 lt, 5 eq, 1 or, 34 where
+#   interpolate: 667: 211 +, 316 *, 66 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
 #   adjoint: 96: 35 +, 55 *, 6 /
 #   transform_point_jacobians: 215: 91 +, 110 *, 10 /, 4 neg
 #   transform_line_jacobians: 314: 124 +, 173 *, 10 /, 7 neg
@@ -858,7 +858,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="70e65ac1712c42b9",
+    programs="163c8336063549b8",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -174,6 +174,17 @@ def test_the_branch_is_followed_over_half_turns_and_on_others(name: str, kernels
         assert (same | shadows | (np.einsum("ij,ij->i", way[:, -1, :3], v2[:, :3]) < 0)).all()
 
 
+@pytest.mark.parametrize(("dtype", "angle"), [(np.float32, 1e-7), (np.float32, 1e-12), (np.float64, 1e-15)])
+def test_the_smallest_motions_go_straight_from_vector_to_vector(kernels: ModuleType, dtype: type, angle: float):
+    """Of angles below rounding of 1: what a motion bends is of the size of their square."""
+    a, b = sampling.dual_vectors("smallest", count=20).astype(dtype).reshape(2, 10, 6)
+    a[:, :3], b[:, :3] = angle * a[:, :3], angle * b[:, :3]
+    t = dtype(0.375)
+    found, straight = kernels.interpolate(a, b, t)[:, :3], (a + t * (b - a))[:, :3]
+    error = np.linalg.norm(found - straight, axis=-1) / np.linalg.norm((abs(a) + abs(b))[:, :3], axis=-1)
+    assert error.max() <= errors.GENERAL * np.finfo(dtype).eps
+
+
 @pytest.mark.parametrize("name", ["cayley3", "cayley8", "exponential"])
 def test_about_one_axis_angles_go_through_whole_turns(kernels: ModuleType):
     """As they do about one axis that is none of the coordinates': the ends are on two sides of 2π."""

@@ -16,6 +16,9 @@ from .inverse import ray
 from .point import Geometry, Point, Scope
 from .retraction import exponential_scalars, logarithm, with_dual
 
+HALF_TURN = 3
+"""From less than half a turn no motion comes to a whole one, for it is the shorter way: its axis may be any."""
+
 OWN_AXIS = 64
 """δ × v, lost beside |v| when divided by this, is below 32 eps of it: two rays and a product are off by some ten."""
 
@@ -54,7 +57,7 @@ class _Followed:
         self.own = name("own", where(resting, start.x, own))
         self.axis = named(trace, "axis", start.re / r)
         across = sum((trace.abs(c) for c in delta.cross(start.re)), start=0)
-        self.apart = name("apart", trace.either(resting, trace.less(r, r + across / OWN_AXIS)))
+        self.apart = name("apart", trace.either(trace.less(self.own, HALF_TURN), trace.less(r, r + across / OWN_AXIS)))
         self.side = name("side", where(trace.less(first.vector.dot(start.re), 0), -1, 1))
         _, self.begun = self._half(first, "1")
 

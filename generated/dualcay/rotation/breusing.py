@@ -9,7 +9,7 @@
 #       21, to_exponential 48, from_exponential 50, turn 58, shadow 92, identity_jacobian 6, shadow_jacobian
 #       106, principal 56, compose 110, between 113, compose_jacobians 434, between_jacobians 446, retract 197,
 #       body_retract 197, retract_jacobians 507, body_retract_jacobians 509, local 118, body_local 118,
-#       interpolate 348, adjoint 51, transform_point_jacobians 139
+#       interpolate 349, adjoint 51, transform_point_jacobians 139
 r"""Breusing's chart, rotations alone: Rodrigues vectors ``v = sin(α/4)/sqrt(cos(α/4)) u``, the real parts of `breusing`.
 
 The formulas told there hold with real v.

@@ -9,7 +9,7 @@
 #       to_exponential 21, from_exponential 34, turn 30, shadow 48, identity_jacobian 6, shadow_jacobian 62,
 #       principal 28, compose 76, between 79, compose_jacobians 343, between_jacobians 355, retract 159,
 #       body_retract 159, retract_jacobians 426, body_retract_jacobians 428, local 92, body_local 92,
-#       interpolate 297, adjoint 37, transform_point_jacobians 125
+#       interpolate 298, adjoint 37, transform_point_jacobians 125
 r"""Cayley map of order 2, rotations alone: Rodrigues vectors ``v = tan(α/4) u``, the real parts of `cayley2`.
 
 The formulas told there hold with real v.

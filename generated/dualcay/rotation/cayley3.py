@@ -9,7 +9,7 @@
 #       to_exponential 21, from_exponential 35, turn 30, shadow 58, identity_jacobian 6, shadow_jacobian 72,
 #       principal 28, compose 96, between 99, compose_jacobians 382, between_jacobians 394, retract 162,
 #       body_retract 162, retract_jacobians 444, body_retract_jacobians 446, local 98, body_local 98,
-#       interpolate 303, adjoint 41, transform_point_jacobians 129
+#       interpolate 304, adjoint 41, transform_point_jacobians 129
 r"""Cayley map of order 3, rotations alone: Rodrigues vectors ``v = tan(α/6) u``, the real parts of `cayley3`.
 
 The formulas told there hold with real v.

@@ -9,7 +9,7 @@
 #       10, to_exponential 16, from_exponential 15, turn 24, shadow 98, identity_jacobian 6, shadow_jacobian
 #       112, principal 84, compose 197, between 200, compose_jacobians 668, between_jacobians 680, retract 206,
 #       body_retract 206, retract_jacobians 622, body_retract_jacobians 624, local 200, body_local 200,
-#       interpolate 398, adjoint 92, transform_point_jacobians 180
+#       interpolate 399, adjoint 92, transform_point_jacobians 180
 r"""Exponential map, rotations alone: Rodrigues vectors ``v = α u``, the real parts of `exponential`.
 
 The formulas told there hold with real v.

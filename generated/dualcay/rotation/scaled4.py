@@ -9,7 +9,7 @@
 #       to_exponential 25, from_exponential 37, turn 32, shadow 64, identity_jacobian 6, shadow_jacobian 78,
 #       principal 33, compose 118, between 121, compose_jacobians 435, between_jacobians 447, retract 179,
 #       body_retract 179, retract_jacobians 482, body_retract_jacobians 484, local 126, body_local 126,
-#       interpolate 334, adjoint 51, transform_point_jacobians 139
+#       interpolate 335, adjoint 51, transform_point_jacobians 139
 r"""Normal Rodrigues vector of order 4, rotations alone: Rodrigues vectors ``v = 8 tan(α/8) u``, the real parts of `scaled4`.
 
 The formulas told there hold with real v.

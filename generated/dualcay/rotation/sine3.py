@@ -9,7 +9,7 @@
 #       to_exponential 24, from_exponential 43, turn 39, shadow 66, identity_jacobian 6, shadow_jacobian 80,
 #       principal 37, compose 101, between 104, compose_jacobians 403, between_jacobians 415, retract 175,
 #       body_retract 175, retract_jacobians 472, body_retract_jacobians 474, local 100, body_local 100,
-#       interpolate 317, adjoint 42, transform_point_jacobians 130
+#       interpolate 318, adjoint 42, transform_point_jacobians 130
 r"""Sine chart of order 3, rotations alone: Rodrigues vectors ``v = sin(α/6) u``, the real parts of `sine3`.
 
 The formulas told there hold with real v.

@@ -9,7 +9,7 @@
 #       to_exponential 24, from_exponential 43, turn 39, shadow 68, identity_jacobian 6, shadow_jacobian 82,
 #       principal 40, compose 103, between 106, compose_jacobians 416, between_jacobians 428, retract 179,
 #       body_retract 179, retract_jacobians 483, body_retract_jacobians 485, local 108, body_local 108,
-#       interpolate 325, adjoint 46, transform_point_jacobians 134
+#       interpolate 326, adjoint 46, transform_point_jacobians 134
 r"""Sine chart of order 4, rotations alone: Rodrigues vectors ``v = sin(α/8) u``, the real parts of `sine4`.
 
 The formulas told there hold with real v.
