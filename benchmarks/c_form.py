@@ -20,8 +20,11 @@ from numpy.typing import NDArray
 
 sys.path.insert(0, str(Path(__file__).parent.parent))
 
-from derive.codegen.signatures import PUBLIC, Function
+from derive.codegen.rows import Table, inside
+from derive.codegen.signatures import POSES, PUBLIC, Function
+from derive.codegen.validation.c_text import prefix
 from derive.codegen.validation.compiled import compiler
+from derive.maps import Cayley
 from tests.support import packages
 
 FLAGS = ("-std=c99", "-O3", "-march=native", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math")
@@ -36,9 +39,10 @@ class CForm:
     Components come first, in arrays (components, N), or last, in (N, components), with ``layout="aos"``.
     """
 
-    def __init__(self, library: Path, real: str) -> None:
+    def __init__(self, library: Path, real: str, table: Table = POSES) -> None:
         self._library = ctypes.CDLL(str(library))
         self._dtype = np.dtype(TYPES[real])
+        self._functions = table.public
 
     def call(
         self, name: str, *arguments: Array, out: Array | tuple[Array, ...], branch: int = 0, layout: str = "rows"
@@ -46,7 +50,8 @@ class CForm:
         """Run a kernel; of a function with two results, ``out`` is a tuple."""
         arrays = (*arguments, *(out if isinstance(out, tuple) else (out,)))
         axis = 0 if layout == "rows" else -1
-        sizes = [array.size for array in (*PUBLIC[name].arguments, *PUBLIC[name].results)]
+        row = self._functions[name]
+        sizes = [array.size for array in (*row.arguments, *row.results)]
         if [array.shape[axis] for array in arrays] != sizes:
             raise ValueError(f"{name} takes {sizes} components on axis {axis}, got {[a.shape for a in arrays]}")
         if not all(array.dtype == self._dtype and array.flags.c_contiguous for array in arrays):
@@ -67,19 +72,19 @@ def load(order: int, real: str = "double") -> CForm | None:
         return CForm(compiled(command, folder, order, real, folder), real)  # a loaded library outlives its file
 
 
-def compiled(command: list[str], headers: Path, order: int, real: str, folder: Path) -> Path:
+def compiled(command: list[str], headers: Path, order: int, real: str, folder: Path, table: Table = POSES) -> Path:
     """The shared library of the kernels of an order, made in a folder from the header in another."""
     source, library = folder / "library.c", folder / "library.so"
-    source.write_text("\n".join(_source(order)) + "\n", encoding="utf-8")
+    source.write_text("\n".join(_source(Cayley(order), table)) + "\n", encoding="utf-8")
     flags = [*FLAGS, f"-DDUALCAY_REAL={real}", f"-I{headers}", "-shared", "-fPIC"]
     subprocess.run([*command, *flags, str(source), "-o", str(library), "-lm"], check=True)
     return library
 
 
-def _source(order: int) -> Iterator[str]:
-    yield f'#include "cayley{order}.h"'
-    for name, signature in PUBLIC.items():
-        yield from _exports(f"dualcay_cayley{order}_{name}", name, signature)
+def _source(chart: Cayley, table: Table) -> Iterator[str]:
+    yield f'#include "{inside(table, f"{chart.name}.h")}"'
+    for name, signature in table.public.items():
+        yield from _exports(f"{prefix(chart, table)}_{name}", name, signature)
 
 
 def _exports(function: str, name: str, signature: Function) -> Iterator[str]:

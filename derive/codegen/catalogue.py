@@ -58,8 +58,8 @@ def charts(
         return [*map(Cayley, given), *named]
     if len(given) > 1:
         raise ValueError(f"n in phi has one value, got {', '.join(map(str, given))}")
-    if name == ROTATIONS.name:
-        raise ValueError(f"{name!r} is the name of the folder of rotations")
+    if name and name.split("_")[0] == ROTATIONS.name:  # in C dualcay_rotation_... are functions of rotations
+        raise ValueError(f"{name!r} is the name of the folder of rotations, or begins as names of its functions do")
     if name in {chart.name for chart in committed()}:
         raise ValueError(f"{name!r} is the name of a committed module")
     return [parameterization(phi, name or "", given[0] if given else None), *named]

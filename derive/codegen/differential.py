@@ -9,8 +9,8 @@ from dataclasses import dataclass
 
 from ..maps.chart import Chart
 from .cases import Case, cases
-from .rows import Array
-from .signatures import FUNCTIONS
+from .rows import Array, Table
+from .signatures import POSES
 
 GATE = 8
 """Largest error, in units of the machine epsilon and of the scale of the result."""
@@ -19,7 +19,7 @@ Rows = tuple[tuple[str, ...], ...]
 
 
 @dataclass(frozen=True, slots=True)
-class Table:
+class Values:
     """An array of a function: its values case by case, and for a result the scales of its parts."""
 
     array: Array
@@ -33,30 +33,30 @@ class Differential:
 
     name: str
     count: int
-    arguments: tuple[Table, ...]
+    arguments: tuple[Values, ...]
     branches: tuple[int, ...]
-    results: tuple[Table, ...]
+    results: tuple[Values, ...]
 
 
-def tables(chart: Chart) -> Iterator[Differential]:
-    """One table per function, in the order of the signatures."""
-    for name, group in itertools.groupby(cases(chart), lambda case: case.function):
+def tables(chart: Chart, table: Table = POSES) -> Iterator[Differential]:
+    """One for each function of a table, by default that of poses, in its order."""
+    for name, group in itertools.groupby(cases(chart, table), lambda case: case.function):
         found = list(group)
-        signature = FUNCTIONS[name]
+        signature = table.functions[name]
         arguments = tuple(
-            Table(array, tuple(_hexadecimal(case.arguments[i]) for case in found))
+            Values(array, tuple(_hexadecimal(case.arguments[i]) for case in found))
             for i, array in enumerate(signature.arguments)
         )
         branches = tuple(case.branch for case in found if case.branch is not None)
         yield Differential(name, len(found), arguments, branches, tuple(_results(signature.results, found)))
 
 
-def _results(arrays: Sequence[Array], found: Sequence[Case]) -> Iterator[Table]:
+def _results(arrays: Sequence[Array], found: Sequence[Case]) -> Iterator[Values]:
     start = scale = 0
     for array in arrays:
         end, last = start + array.size, scale + len(array.parts)
         values = tuple(_hexadecimal(case.result[start:end]) for case in found)
-        yield Table(array, values, tuple(_hexadecimal(case.scales[scale:last]) for case in found))
+        yield Values(array, values, tuple(_hexadecimal(case.scales[scale:last]) for case in found))
         start, scale = end, last
 
 

@@ -112,6 +112,12 @@ def statements(proofs: Iterable[Proof]) -> list[str]:
     return [f"  [{proof.scope}] {proof.name}: {proof.statement}" for proof in proofs]
 
 
+def operations(lowered: Lowered) -> list[str]:
+    """Lines of the header of a module for another table than that of poses."""
+    counts = ", ".join(f"{name} {count.total()}" for name, count in lowered.operations.items())
+    return ["What was proved is told in the module for poses. Operations:", f"  {counts}"]
+
+
 def theorem_lines() -> list[str]:
     """What holds for every order, for the header of the files that all charts share."""
     return ["Proved exactly, for every order n of a Cayley map:", *statements(theorems())]

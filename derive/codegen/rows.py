@@ -215,3 +215,8 @@ class Table:
     def aliases(self, chart: Chart) -> dict[str, str]:
         """Further names in the module of a chart, and the functions they are names of."""
         return {alias: name for name, row in self.public.items() for alias in row.aliases} if chart.cayley else {}
+
+
+def inside(table: Table, name: str) -> str:
+    """A file in the folder of a table."""
+    return f"{table.name}/{name}" if table.name else name

@@ -3,6 +3,8 @@
 
 #include "cayley2.h"
 #include "cayley3.h"
+#include "rotation/cayley2.h"
+#include "rotation/cayley3.h"
 
 #ifdef WITH_GMP
 #include <gmpxx.h>
@@ -27,6 +29,23 @@ static const double V[6] = {0.31, -0.22, 0.17, 1.5, -0.4, 0.9}, W[6] = {-0.3, 0.
         for (int i = 0; i < 6; ++i) \
             for (int k = 0; k < 6; ++k) { \
                 error = larger(error, std::fabs(twist[i].v[k] - jacobian[6 * i + k])); \
+                error = larger(error, std::fabs(back[i].v[k] - (i == k))); \
+            } \
+        return error; \
+    } \
+    /* likewise of rotations, and from_angle_axis(to_angle_axis(v)) */ \
+    static double NAME##_rotations() \
+    { \
+        Jet<3> v[3], w[3], omega[3], angle[1], u[3], back[3]; \
+        double jacobian[9], error = 0; \
+        for (int i = 0; i < 3; ++i) { v[i] = Jet<3>(V[i], i); w[i] = Jet<3>(W[i]); } \
+        dualcay_rotation_##NAME##_twist(v, w, omega); \
+        dualcay_rotation_##NAME##_twist_jacobian(V, W, jacobian); \
+        dualcay_rotation_##NAME##_to_angle_axis(v, angle, u); \
+        dualcay_rotation_##NAME##_from_angle_axis(angle, u, back); \
+        for (int i = 0; i < 3; ++i) \
+            for (int k = 0; k < 3; ++k) { \
+                error = larger(error, std::fabs(omega[i].v[k] - jacobian[3 * i + k])); \
                 error = larger(error, std::fabs(back[i].v[k] - (i == k))); \
             } \
         return error; \
@@ -86,6 +105,7 @@ LAWS(cayley3)
 
 #define REPORT(NAME) \
     std::printf(#NAME " jets %.17g\n" #NAME " complex %.17g\n", NAME##_jets(), NAME##_complex()); \
+    std::printf(#NAME " rotations by jets %.17g\n", NAME##_rotations()); \
     std::printf(#NAME " residues %d\n", NAME##_inverts<Residue>());
 
 int main()

@@ -13,13 +13,16 @@ from pathlib import Path
 import pytest
 
 from derive.codegen.lowered import lower_chart
-from derive.codegen.signatures import KERNELS, PUBLIC
+from derive.codegen.rows import inside
+from derive.codegen.signatures import POSES, ROTATIONS
 from derive.codegen.targets.c import levels
+from derive.codegen.validation.c_text import prefix
 from derive.maps import Cayley
 from tests.support import packages
 
 ROOT = Path(__file__).parents[2]
 ORDERS = packages.ORDERS["c"]
+TABLES = (POSES, ROTATIONS)
 STRICT = ("-Wall", "-Wextra", "-Wshadow", "-Wconversion", "-Wstrict-aliasing", "-Werror", "-pedantic")
 VECTOR = ("-O3", "-march=native", "-fno-math-errno", "-fno-trapping-math")
 REALS = ("float", "double")
@@ -27,7 +30,7 @@ REALS = ("float", "double")
 
 def includes(orders: Sequence[int]) -> str:
     """The headers of some orders."""
-    return "".join(f'#include "cayley{n}.h"\n' for n in orders)
+    return "".join(f'#include "{inside(table, f"cayley{n}.h")}"\n' for n in orders for table in TABLES)
 
 
 INCLUDE_ALL = includes(ORDERS)
@@ -78,9 +81,11 @@ def test_nothing_is_left_of_the_macros_that_geometry_is_told_by(package, tmp_pat
     source = written(tmp_path, "all.c", INCLUDE_ALL)
     left = re.findall(r"^#define (DUALCAY_\w+)", run(tool("gcc"), "-E", "-dM", f"-I{package}", source), re.MULTILINE)
     assert "DUALCAY_CAYLEY16_ORDER" in left
-    told = re.findall(r"\bDUALCAY_(?:NAME|BRANCHES|(?:MATH|OWN)_\w+)", (package / "geometry.h").read_text("utf-8"))
-    assert len(set(told)) == 2 + 2 * len(KERNELS)
-    assert not set(left) & set(told)
+    for table in TABLES:
+        text = (package / inside(table, "geometry.h")).read_text("utf-8")
+        told = re.findall(r"\bDUALCAY_(?:NAME|CHART|BRANCHES|(?:MATH|OWN)_\w+)", text)
+        assert len(set(told)) == 3 + 2 * len(table.kernels)
+        assert not set(left) & set(told)
 
 
 def test_another_real_type_is_refused(package, tmp_path):
@@ -94,7 +99,8 @@ def test_another_real_type_is_refused(package, tmp_path):
 
 
 def test_rational_maps_build_without_any_library(package, tmp_path):
-    calls = "void f(const double *v, double *T) { dualcay_cayley3_pose(v, T); dualcay_cayley8_quaternion(v, T); }\n"
+    called = ("dualcay_cayley3_pose", "dualcay_cayley8_quaternion", "dualcay_rotation_cayley3_tensor")
+    calls = f"void f(const double *v, double *T) {{ {' '.join(f'{name}(v, T);' for name in called)} }}\n"
     source = written(tmp_path, "free.c", INCLUDE_ALL + calls)
     flags = ("-std=c99", "-ffreestanding", "-nostdinc", "-O2", *STRICT, "-DDUALCAY_FREESTANDING")
     stddef = Path(run(tool("gcc"), "-print-file-name=include").strip())
@@ -109,7 +115,8 @@ def test_device_qualifiers_stand_before_every_function(package, tmp_path):
     keywords = ("-D__CUDACC__", "-D__host__=HOST", "-D__device__=DEVICE", "-D__forceinline__=inline")
     text = run(tool("g++"), "-E", "-P", *keywords, f"-I{package}", source)
     functions = re.findall(r"^(.*) (?:void|int) (dualcay_\w+)\(", text, re.MULTILINE)
-    assert len(functions) > 40 * len(ORDERS)
+    for table in TABLES:
+        assert len([name for _, name in functions if name.startswith(prefix(Cayley(8), table))]) > 80
     assert {qualifiers for qualifiers, _ in functions} == {"static inline HOST DEVICE"}
     assert "GCC ivdep" not in text
 
@@ -135,31 +142,38 @@ def test_results_agree_with_exact_ones_in_cpp(package, tmp_path, real):
     assert "calls agree" in run(program)
 
 
-@pytest.mark.parametrize("order", [2, 3, 8])
-def test_loops_over_rows_become_vector_code(package, tmp_path, order):
+@pytest.mark.parametrize(("order", "table", "turns"), [(2, POSES, 3), (3, POSES, 3), (8, POSES, 3), (3, ROTATIONS, 2)])
+def test_loops_over_rows_become_vector_code(package, tmp_path, order, table, turns):
     """All that call neither tan nor atan2, those over turns of the inverse maps among them."""
-    header = (package / "geometry.h").read_text(encoding="utf-8").splitlines()
-    uses = "".join(f"void *use_{name} = (void *)dualcay_cayley{order}_{name}_rows;\n" for name in PUBLIC)
-    source = written(tmp_path, "rows.c", f'#include "cayley{order}.h"\n{uses}')
+    header = (package / inside(table, "geometry.h")).read_text(encoding="utf-8").splitlines()
+    begin = prefix(Cayley(order), table)
+    uses = "".join(f"void *use_{name} = (void *){begin}_{name}_rows;\n" for name in table.public)
+    source = written(tmp_path, "rows.c", f'#include "{inside(table, f"cayley{order}.h")}"\n{uses}')
     # of loops that come out the same, gcc would report one
     flags = ("-std=c99", "-O3", "-mavx2", "-fno-math-errno", "-fno-trapping-math", "-fno-ipa-icf")
     command = (tool("gcc"), *flags, "-fopt-info-vec-optimized", f"-I{package}")
     report = run(*command, "-c", source, "-o", tmp_path / "rows.o")
-    lines = {int(line) for line in re.findall(r"geometry\.h:(\d+):\d+: optimized: loop vectorized", report)}
+    path = re.escape(str(package / inside(table, "geometry.h")))
+    lines = {int(line) for line in re.findall(rf"{path}:(\d+):\d+: optimized: loop vectorized", report)}
     cores = Counter(core for line in lines for core in re.findall(r"DUALCAY_NAME\((\w+)_core\)", header[line]))
-    needed = levels(lower_chart(Cayley(order)))
-    expected = Counter(row.kernel for row in PUBLIC.values() if needed[row.kernel] < 2)
-    assert expected + Counter(turn=3) <= cores
+    needed = levels(lower_chart(Cayley(order), table))
+    expected = Counter(row.kernel for row in table.public.values() if needed[row.kernel] < 2)
+    assert expected + Counter(turn=turns) <= cores
 
 
 def test_the_package_installs_and_the_example_finds_it(package, tmp_path):
-    cmake, prefix = tool("cmake"), tmp_path / "prefix"
+    cmake, place = tool("cmake"), tmp_path / "prefix"
     run(cmake, "-S", package, "-B", tmp_path / "package")
     run(cmake, "--build", tmp_path / "package")
     run(tool("ctest"), "--test-dir", tmp_path / "package")
-    run(cmake, "--install", tmp_path / "package", "--prefix", prefix)
+    run(cmake, "--install", tmp_path / "package", "--prefix", place)
+    installed = {path.relative_to(package) for path in package.rglob("*.h")} - {Path("differential.h")}
+    include = place / "include" / "dualcay"
+    assert {path.relative_to(include) for path in include.rglob("*.h")} == installed
+    source = written(tmp_path, "installed.c", "#include <dualcay/rotation/cayley3.h>\n")
+    run(tool("gcc"), "-fsyntax-only", f"-I{include.parent}", source)
     example = ROOT / "examples" / "c"
-    run(cmake, "-S", example, "-B", tmp_path / "example", f"-DCMAKE_PREFIX_PATH={prefix}", "-DPython3_EXECUTABLE=/none")
+    run(cmake, "-S", example, "-B", tmp_path / "example", f"-DCMAKE_PREFIX_PATH={place}", "-DPython3_EXECUTABLE=/none")
     run(cmake, "--build", tmp_path / "example")
     assert "largest difference" in run(tmp_path / "example" / "screw_motion")
 

@@ -7,6 +7,7 @@ running the programs and the formulas themselves on degrees.
 
 from __future__ import annotations
 
+import importlib
 import random
 import re
 import shutil
@@ -21,19 +22,21 @@ import numpy as np
 import pytest
 import sympy
 
-from derive.codegen.cases.exact import ALGEBRAIC, Formulas
+from derive.codegen.cases.exact import ALGEBRAIC, Formulas, evaluated
 from derive.codegen.facts import Facts
 from derive.codegen.lowered import lower, lower_chart
-from derive.codegen.module import module_name, module_text, shared_texts
-from derive.codegen.signatures import PUBLIC
+from derive.codegen.module import companion_texts, module_name, module_text, shared_texts
+from derive.codegen.rows import Function, Table, inside
 from derive.codegen.targets import TARGETS
 from derive.codegen.targets.c import levels
+from derive.codegen.validation.c_text import prefix
 from derive.maps import Cayley
 from derive.output import files
 from derive.proof import prove
-from tests.support.kernels import load
+from tests.support.packages import Otherwise
 
 HERE = Path(__file__).parent
+C = TARGETS["c"]
 CHARTS = (Cayley(2), Cayley(3))
 COMPILERS = [name for name in ("g++", "clang++") if shutil.which(name)]
 STRICT = ("-std=c++11", "-O0", "-Wall", "-Wextra", "-Wshadow", "-pedantic", "-Werror", "-DDUALCAY_TEMPLATES")
@@ -48,11 +51,12 @@ def headers(shared) -> Path:
     """The headers of the charts, printed and not otherwise looked at."""
 
     def write(place: Path) -> None:
-        target = TARGETS["c"]
+        target = Otherwise(C, companions=C.further)
         texts = dict(shared_texts(target))
         for chart in CHARTS:
             proved = prove(chart)
-            texts[module_name(chart, target)] = module_text(Facts(proved, lower(proved)), target)
+            facts = Facts(proved, lower(proved))
+            texts |= companion_texts(facts, target) | {module_name(chart, target): module_text(facts, target)}
         files.write(place, texts)
 
     return shared("c_scalars", write)
@@ -77,7 +81,7 @@ def gmp() -> list[str]:
 @pytest.mark.parametrize("compiler", COMPILERS)
 def test_jets_complex_numbers_and_rationals(compiler, headers, tmp_path):
     found = laws(built(compiler, HERE / "scalars.cpp", headers, tmp_path / "laws", *gmp()))
-    kinds = {"jets", "complex", "residues", *(["rationals"] if gmp() else [])}
+    kinds = {"jets", "rotations by jets", "complex", "residues", *(["rationals"] if gmp() else [])}
     assert set(found) == {f"{chart.name} {kind}" for chart in CHARTS for kind in kinds}
     for name, value in found.items():
         if name.endswith(("jets", "complex")):
@@ -89,11 +93,13 @@ def test_jets_complex_numbers_and_rationals(compiler, headers, tmp_path):
 def test_a_wrong_sign_is_seen_by_every_law(headers, tmp_path):
     wrong = tmp_path / "headers"
     shutil.copytree(headers, wrong)
-    text = (wrong / "geometry.h").read_text(encoding="utf-8")
-    start = text.index("DUALCAY_NAME(twist_core)(")
-    place = text.index("_at[0] =", text.index("_at[0];", start))
-    store = text.index(" + ", place)
-    (wrong / "geometry.h").write_text(text[:store] + " - " + text[store + 3 :], encoding="utf-8")
+    for table in C.tables:
+        header = wrong / inside(table, "geometry.h")
+        text = header.read_text(encoding="utf-8")
+        start = text.index("DUALCAY_NAME(twist_core)(")
+        place = text.index("_at[0] =", text.index("_at[0];", start))
+        store = text.index(" + ", place)
+        header.write_text(text[:store] + " - " + text[store + 3 :], encoding="utf-8")
     found = laws(built(COMPILERS[0], HERE / "scalars.cpp", wrong, tmp_path / "laws"))
     for name, value in found.items():
         assert value > ROUNDING if name.endswith(("jets", "complex")) else value == 0, name
@@ -201,29 +207,29 @@ def _horner(coefficients: Sequence[int], at: Any) -> Any:
     return value
 
 
-def rational(chart: Cayley) -> list[str]:
-    """Functions of the header that take no root, selection or angle."""
-    needed = levels(lower_chart(chart))
-    return [name for name in ALGEBRAIC if not needed[PUBLIC[name].kernel]]
+def rational(chart: Cayley) -> list[tuple[Table, Function]]:
+    """Functions of the headers that take no root, selection or angle."""
+    needed = {table.name: levels(lower_chart(chart, table)) for table in C.tables}
+    rows = ((table, table.sources[name]) for table in C.tables for name in ALGEBRAIC if name in table.sources)
+    return [(table, row) for table, row in rows if not needed[table.name][row.kernel]]
 
 
-def expected(chart: Cayley, name: str, arguments: Sequence[Sequence[Any]]) -> tuple[Any, ...]:
-    return ALGEBRAIC[name](Formulas(chart, Lifting()), *map(tuple, arguments))
+def expected(chart: Cayley, row: Function, arguments: Sequence[Sequence[Any]]) -> tuple[Any, ...]:
+    return evaluated(row, Formulas(chart, Lifting()), [*map(tuple, arguments)], 0 * arguments[0][0])
 
 
 def dispatcher(folder: Path) -> Path:
     """A program which reads a prime, the number of a function and its arguments, and prints the results."""
-    includes = "".join(f'#include "{chart.name}.h"\n' for chart in CHARTS)
+    includes = "".join(f'#include "{inside(table, chart.name)}.h"\n' for chart in CHARTS for table in C.tables)
     cases, index = [], 0
     for chart in CHARTS:
-        for name in rational(chart):
-            row = PUBLIC[name]
+        for table, row in rational(chart):
             size = sum(array.size for array in row.arguments)
             places = [sum(array.size for array in row.arguments[:i]) for i in range(len(row.arguments))]
             made = [sum(array.size for array in row.results[:i]) for i in range(len(row.results))]
             passed = ", ".join([*(f"given + {at}" for at in places), *(f"made + {at}" for at in made)])
             results = sum(array.size for array in row.results)
-            called = f"dualcay_{chart.name}_{name}({passed})"
+            called = f"{prefix(chart, table)}_{row.name}({passed})"
             cases.append(f"case {index}: read(given, {size}); {called}; show(made, {results}); break;")
             index += 1
     path = folder / "fields.cpp"
@@ -262,7 +268,8 @@ class Query:
 
     chart: Cayley
     index: int
-    name: str
+    table: Table
+    row: Function
     arguments: tuple[tuple[Residue, ...], ...]
 
     @property
@@ -273,13 +280,13 @@ class Query:
 
 def queries(seed: int) -> list[Query]:
     draw = random.Random(seed)
-    named = [(chart, name) for chart in CHARTS for name in rational(chart)]
+    named = [(chart, table, row) for chart in CHARTS for table, row in rational(chart)]
     return [
-        Query(chart, index, name, tuple(
-            tuple(Residue(draw.randrange(prime), prime) for _ in range(array.size)) for array in PUBLIC[name].arguments
+        Query(chart, index, table, row, tuple(
+            tuple(Residue(draw.randrange(prime), prime) for _ in range(array.size)) for array in row.arguments
         ))
         for prime in PRIMES
-        for index, (chart, name) in enumerate(named)
+        for index, (chart, table, row) in enumerate(named)
         for _ in range(POINTS)
     ]  # fmt: skip
 
@@ -290,24 +297,24 @@ def answers(program: Path, asked: Sequence[Query]) -> list[list[int]]:
     return [list(map(int, line.split())) for line in said.splitlines()]
 
 
-def differing(program: Path, asked: Sequence[Query]) -> set[tuple[str, str]]:
+def differing(program: Path, asked: Sequence[Query]) -> set[str]:
     """Functions with an answer that is not the formula's."""
     found = zip(asked, answers(program, asked), strict=True)
     return {
-        (query.chart.name, query.name)
+        f"{prefix(query.chart, query.table)}_{query.row.name}"
         for query, got in found
-        if got != [(0 * query.arguments[0][0] + e).value for e in expected(query.chart, query.name, query.arguments)]
+        if got != [(0 * query.arguments[0][0] + e).value for e in expected(query.chart, query.row, query.arguments)]
     }
 
 
-def degree(chart: Cayley, name: str) -> int:
+def degree(chart: Cayley, table: Table, row: Function) -> int:
     """A bound of the degree of the numerator of the difference between a printed function and its formula."""
-    arguments = [[Degree() for _ in range(array.size)] for array in PUBLIC[name].arguments]
-    kernel = load(chart.order).KERNELS
-    arrays = [np.array(given, object).reshape(array.shape) for given, array in zip(arguments, PUBLIC[name].arguments)]
-    found = getattr(kernel, name)(*arrays)
+    arguments = [[Degree() for _ in range(array.size)] for array in row.arguments]
+    module = importlib.import_module(".".join(filter(None, ("dualcay", table.name, chart.name))))
+    arrays = [np.array(given, object).reshape(array.shape) for given, array in zip(arguments, row.arguments)]
+    found = getattr(module, row.name)(*arrays)
     printed = [_degree(d) for part in (found if isinstance(found, tuple) else (found,)) for d in part.ravel()]
-    formulas = map(_degree, expected(chart, name, arguments))
+    formulas = map(_degree, expected(chart, row, arguments))
     return max(max(a.above + b.below, b.above + a.below) for a, b in zip(printed, formulas, strict=True))
 
 
@@ -316,7 +323,7 @@ def test_rational_functions_are_their_formulas_in_prime_fields(compiler, headers
     program = built(compiler, dispatcher(tmp_path), headers, tmp_path / "fields")
     asked = queries(seed=61)
     assert differing(program, asked) == set()
-    most = max(degree(chart, name) for chart in CHARTS for name in rational(chart))
+    most = max(degree(chart, table, row) for chart in CHARTS for table, row in rational(chart))
     bound = (most / min(PRIMES)) ** (POINTS * len(PRIMES))
     print(f"{compiler}: {len(asked)} calls agree; a wrong function passes with probability below {bound:.0e}")
     assert bound < 1e-60
@@ -330,5 +337,5 @@ def test_a_wrong_coefficient_is_seen_in_a_prime_field(headers, tmp_path):
     assert changed != text
     (wrong / "cayley3.h").write_text(changed, encoding="utf-8")
     found = differing(built(COMPILERS[0], dispatcher(tmp_path), wrong, tmp_path / "fields"), queries(seed=61))
-    assert ("cayley3", "pose") in found
-    assert {name for name, _ in found} == {"cayley3"}
+    assert {"dualcay_cayley3_pose", "dualcay_rotation_cayley3_tensor"} <= found
+    assert all("_cayley3_" in name for name in found)

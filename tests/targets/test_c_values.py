@@ -10,7 +10,7 @@ import pytest
 
 from benchmarks.c_form import TYPES, CForm, compiled
 from derive.codegen.lowered import lower_chart
-from derive.codegen.signatures import PUBLIC
+from derive.codegen.signatures import POSES, PUBLIC, ROTATIONS
 from derive.codegen.validation.compiled import compiler
 from derive.maps import Cayley
 
@@ -46,29 +46,29 @@ def special(rng, size):
     return columns
 
 
-def arguments(name, module, dtype, rng):
+def arguments(name, module, dtype, rng, table=POSES):
     """Arguments of a function, components first: for inverse maps those of proper poses."""
-    v = special(rng, 6)
+    v = special(rng, table.functions["shadow"].results[0].size)
     if name in ("from_quaternion", "from_tensor", "from_pose"):
         made = getattr(module, {"from_quaternion": "quaternion", "from_tensor": "tensor", "from_pose": "pose"}[name])
         return [np.ascontiguousarray(made(v, axis=0).reshape(-1, COUNT), dtype)]
-    arrays = [special(rng, array.size) for array in PUBLIC[name].arguments]
+    arrays = [special(rng, array.size) for array in table.public[name].arguments]
     return [np.ascontiguousarray(array, dtype) for array in arrays]
 
 
-def by_numpy(module, name, arrays, branch):
+def by_numpy(module, name, arrays, branch, table=POSES):
     """The NumPy kernel's result, components first and flat."""
     shaped = [
         array.reshape(*given.shape, COUNT)
-        for array, given in zip(arrays, PUBLIC[name].arguments, strict=True)
+        for array, given in zip(arrays, table.public[name].arguments, strict=True)
     ]
     found = getattr(module, name)(*shaped, *branch, axis=0)
     parts = found if isinstance(found, tuple) else (found,)
     return [part.reshape(-1, COUNT) for part in parts]
 
 
-def by_c(form, name, arrays, branch, layout):
-    size = PUBLIC[name].results
+def by_c(form, name, arrays, branch, layout, table=POSES):
+    size = table.public[name].results
     given = arrays if layout == "rows" else [np.ascontiguousarray(array.T) for array in arrays]
     shapes = [(a.size, COUNT) if layout == "rows" else (COUNT, a.size) for a in size]
     out = tuple(np.empty(shape, arrays[0].dtype) for shape in shapes)
@@ -100,6 +100,20 @@ def test_both_layouts_agree_but_for_rounding(both, name, layout):
         chosen = [branch] if PUBLIC[name].branch else []
         for ours, theirs in zip(found, by_numpy(module, name, arrays, chosen), strict=True):
             assert_close(ours, theirs)
+
+
+def test_rotations_agree_but_for_rounding(folder, tmp_path):
+    """In both layouts. One order: all of them share the scalars of poses, which are compared above."""
+    command = compiler()
+    library = compiled(command, folder("c"), 3, "double", tmp_path, ROTATIONS)
+    form, module = CForm(library, "double", ROTATIONS), importlib.import_module("dualcay.rotation.cayley3")
+    for name, row in ROTATIONS.public.items():
+        arrays = arguments(name, module, np.dtype(np.float64), np.random.default_rng(13), ROTATIONS)
+        for branch, layout in itertools.product((0, 1, 2, -1) if row.branch else (0,), ("rows", "aos")):
+            found = by_c(form, name, arrays, branch, layout, ROTATIONS)
+            expected = by_numpy(module, name, arrays, [branch] if row.branch else [], ROTATIONS)
+            for ours, theirs in zip(found, expected, strict=True):
+                assert_close(ours, theirs)
 
 
 def assert_close(found, expected):

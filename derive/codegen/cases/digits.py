@@ -292,15 +292,16 @@ def _half_turn(chart: Vectors, screw: Screw, branch: int) -> Iterator[Expectatio
 
 
 def _far_steps(chart: Vectors, screw: Screw, still: Screw) -> Iterator[Expectation]:
-    """Steps beyond the series of the exponential, and from a translation."""
-    small, large = (tuple(mpmath.mpf(size * c) for c in (1, -2, 2, 1, 0, 3)) for size in (0.25, 2))
+    """Steps beyond the series of the exponential and where their last terms weigh most, and from a translation."""
+    small, middle, large = (tuple(mpmath.mpf(size * c) for c in (1, -2, 2, 1, 0, 3)) for size in (0.25, 0.8125, 2))
     resting = flat(chart.at(still))
     for name in ("retract", "body_retract"):
         for given in ((flat(chart.at(screw)), large), (resting, small)):
             yield Expectation(name, given, MAPS[name](chart, 0, *given))
     for name in ("retract_jacobians", "body_retract_jacobians"):
-        given = flat(chart.at(screw)), large
-        yield Expectation(name, given, MAPS[name](chart, 0, *given))
+        for delta in (middle, large):
+            given = flat(chart.at(screw)), delta
+            yield Expectation(name, given, MAPS[name](chart, 0, *given))
     elsewhere = tuple(reversed(resting))
     v = flat(chart.at(screw))
     for start, end, t in ((resting, (0, 0, 0, *elsewhere[:3]), 0.25), (v, MAPS["retract"](chart, 0, v, small), 4)):

@@ -22,8 +22,8 @@ from ...algebra import Vector
 from ...maps.chart import Chart
 from ...maps.inverse import polar
 from ..lowered import geometry
-from ..rows import Function
-from ..signatures import FUNCTIONS
+from ..rows import Function, Table
+from ..signatures import POSES
 from .digits import DIGITS
 from .exact import ALGEBRAIC, Flat
 from .maps_at import flat, seeded_arguments
@@ -50,14 +50,16 @@ class Case:
     scales: tuple[float, ...]
 
 
-def cases(chart: Chart) -> list[Case]:
-    """Cases of every function of the module of a chart, in the order of their signatures."""
+def cases(chart: Chart, table: Table = POSES) -> list[Case]:
+    """Cases of every function of the module of a chart, by default that of poses, in the order of their signatures."""
     draw = random.Random(SEED)
     with mpmath.workdps(DIGITS):
         vectors = Vectors(chart)
-        found = [case for _ in range(POINTS) for case in _algebraic(vectors, draw)]
-        found += [_case(vectors, *given) for given in seeded_arguments(vectors, draw, nearby)]
-    names = list(FUNCTIONS)
+        found = [case for _ in range(POINTS) for case in _algebraic(vectors, table, draw)]
+        for source, branch, arguments in seeded_arguments(vectors, draw, nearby):
+            if row := table.sources.get(source):
+                found.append(_case(vectors, row, branch, row.restricted(arguments)))
+    names = list(table.functions)
     return sorted(found, key=lambda case: names.index(case.function))
 
 
@@ -66,17 +68,16 @@ def nearby(value: Any) -> Any:
     return mpmath.mpf(int(mpmath.nint(value * GRID))) / GRID
 
 
-def _algebraic(chart: Vectors, draw: random.Random) -> Iterator[Case]:
+def _algebraic(chart: Vectors, table: Table, draw: random.Random) -> Iterator[Case]:
     """Every algebraic function at one point, Re|v| well below the first pole of the inverse operator."""
     size = chart.component(WIDE * chart.slope(0), chart.first_pole)
-    rows = [tuple(nearby(draw.uniform(-most, most)) for _ in range(6)) for most in (size, 2, 2)]
-    for name in ALGEBRAIC:
-        yield _case(chart, name, None, [row[: array.size] for row, array in zip(rows, FUNCTIONS[name].arguments)])
+    drawn = [tuple(nearby(draw.uniform(-most, most)) for _ in range(6)) for most in (size, 2, 2)]
+    for row in (table.sources[name] for name in ALGEBRAIC if name in table.sources):
+        yield _case(chart, row, None, [given[: array.size] for given, array in zip(drawn, row.arguments)])
 
 
-def _case(chart: Vectors, function: str, branch: int | None, arguments: Sequence[Flat]) -> Case:
+def _case(chart: Vectors, row: Function, branch: int | None, arguments: Sequence[Flat]) -> Case:
     """A call with its result and scales: of an algebraic function dual parts of dual arguments move, else all."""
-    row = FUNCTIONS[function]
     result = value(chart, row, branch, arguments)
 
     def moved(place: int, components: Sequence[int]) -> Flat:
@@ -90,15 +91,16 @@ def _case(chart: Vectors, function: str, branch: int | None, arguments: Sequence
     whole = [moved(i, range(array.size)) for i, array in enumerate(row.arguments) if i and row.exact]
     ways = ([result], single, whole, _by_angle(chart, row, result))
     scales = (float(max(sum(_norm(at(step)) for step in steps) for steps in ways)) for at in _parts(row))
-    return Case(function, branch, tuple(map(_doubles, arguments)), _doubles(result), tuple(scales))
+    return Case(row.name, branch, tuple(map(_doubles, arguments)), _doubles(result), tuple(scales))
 
 
 def _by_angle(chart: Vectors, row: Function, result: Flat) -> list[Flat]:
     """How far a vector goes when its angle does by its own size, for programs that come to it by the angle."""
-    if "coefficient" not in {call.function for call in geometry()[row.kernel].calls} or row.shape != (6,):
+    pose = row.pose or row
+    if "coefficient" not in {call.function for call in geometry()[pose.kernel].calls} or pose.shape != (6,):
         return []
-    extent, axis = polar(Vector.dual(result[:3], result[3:]))
-    there = flat(axis * chart.size(chart.angle(extent) * (1 + STEP)))
+    extent, axis = polar(Vector.dual(result[:3], result[3:] or (mpmath.mpf(0),) * 3))
+    there = row.part(flat(axis * chart.size(chart.angle(extent) * (1 + STEP))))
     return [tuple((b - a) / STEP for a, b in zip(result, there, strict=True))]
 
 

@@ -1,29 +1,31 @@
 """C: headers for C99 and C++, straight-line code that compilers make vector code of.
 
 ``geometry.h`` holds what all charts share and is read once for each: a chart defines its scalars, says in macros what
-geometry cannot know, and includes it. Macros are the chart's name in every name (``DUALCAY_NAME``), its branches, what
-its functions call of ``math.h``, and the functions that are its own.
+geometry cannot know, and includes it. Macros are the chart's name in the names of its functions (``DUALCAY_NAME``) and
+of its scalars (``DUALCAY_CHART``), its branches, what its functions call of ``math.h``, and the functions that are its
+own. That of rotations lies in a folder of its own; a chart's header there takes the scalars of that for poses.
 """
 
 from __future__ import annotations
 
 import itertools
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from ...maps.cayley import EQUATIONS
 from ...maps.chart import Chart
 from .. import differential
-from ..facts import Facts, comment, numbers, theorem_lines
-from ..lowered import Lowered, geometry
+from ..facts import Facts, comment, numbers, operations, theorem_lines
+from ..lowered import Lowered, geometry, lower_chart
 from ..lowering.scalars import SCALARS, table_names
 from ..programs.program import Program
-from ..rows import Array, Function
-from ..signatures import POSES, PUBLIC
+from ..rows import Array, Function, Table, inside
+from ..signatures import POSES, ROTATIONS
 from ..validation import Choose, c_text, compiled, everything
 from . import c99
+from .said import SAID
 from .target import Data, require_functions
 
 GEOMETRY = "geometry.h"
@@ -58,18 +60,18 @@ class Interface:
     rows: Form
 
 
-def interface(row: Function) -> Interface:
-    """The forms of a row of the table."""
+def interface(row: Function, table: Table) -> Interface:
+    """The forms of a row of a table."""
     given, made = ([_named(array) for array in arrays] for arrays in (row.arguments, row.results))
     branch = ["int branch"] if row.branch else []
-    table = [*map(_number, row.constants)] or _components(geometry()[row.kernel], c99.TABLE)
+    constants = [*map(_number, row.constants)] or _components(geometry(table)[row.kernel], c99.TABLE)
     plain = [f"const {c99.REAL} {a.name}[{a.size}]" for a in given], [f"{c99.REAL} {a.name}[{a.size}]" for a in made]
     rows = (
         [f"const {c99.REAL} *{a.name}, size_t {a.name}_stride" for a in given],
         [f"{c99.REAL} *{a.name}, size_t {a.name}_stride" for a in made],
     )
     ones, strides = (
-        c99.filled([*(form.format(a.name) for a in given), *table, *(form.format(a.name) for a in made)])
+        c99.filled([*(form.format(a.name) for a in given), *constants, *(form.format(a.name) for a in made)])
         for form in ("{0}, 1", "{0} + j, {0}_stride")
     )
     return Interface(
@@ -100,11 +102,54 @@ def level(program: Program) -> int:
 def levels(lowered: Lowered) -> dict[str, int]:
     """What every kernel function of a chart needs of ``math.h``, with the scalars that it calls."""
     found = {}
-    for name, shared in geometry().items():
+    for name, shared in geometry(lowered.table).items():
         program = lowered.own.get(name, shared)
         called = [lowered.scalars[call.function] for call in program.calls if call.function in lowered.scalars]
         found[name] = max(map(level, [program, *called]))
     return found
+
+
+def scalars(lowered: Lowered) -> Mapping[str, Program]:
+    """The scalars of a chart, and what stands for others that geometry names."""
+    shared = (program for name, program in geometry(lowered.table).items() if name not in lowered.own)
+    named = {call.function for program in shared for call in program.calls}
+    return {**lowered.scalars, **{name: IDLE[name] for name in sorted(named - lowered.scalars.keys())}}
+
+
+def shared_geometry(table: Table) -> Data:
+    """What the template of a geometry is given."""
+    programs, (v,) = geometry(table), table.sources["shadow"].arguments
+    names = tuple(f"{v.name}{place}" for place in range(1, v.size + 1))
+    copy = Program("copy", ((v.name, names),), (), names)
+    theorems = {"theorems": comment(theorem_lines(), C.comment)} if table is POSES else {}
+    return theorems | {
+        "equations": {name: numbers(found) for name, found in EQUATIONS.items()},
+        "copy": c99.core(copy, [v.called("to")], {}),
+        "cores": {name: c99.core(program, table.kernels[name].results, {}) for name, program in programs.items()},
+        "functions": {name: interface(row, table) for name, row in table.public.items()},
+        "poses": table is POSES,
+        "said": SAID[table.name],
+    }
+
+
+def own_geometry(facts: Facts, lowered: Lowered, known: Mapping[str, Program]) -> Data:
+    """What the header of a chart for a table says, but of the scalars that are known already."""
+    chart = facts.chart
+    prefix = c_text.prefix(chart, lowered.table)
+    decimals = dict(zip(table_names(chart), itertools.chain(*facts.returns), strict=True))
+    new = [program for name, program in scalars(lowered).items() if name not in known]
+    own = [(program, lowered.table.kernels[name].results) for name, program in lowered.own.items()]
+    return {
+        "name": chart.name,
+        "prefix": prefix,
+        "macro": prefix.upper(),
+        "branches": chart.branches,
+        "singular": facts.singular,
+        "aliases": lowered.table.aliases(chart),
+        "levels": levels(lowered),
+        "scalars": [(level(program), c99.scalar(program, decimals)) for program in new],
+        "own": [(level(program), c99.core(program, made, decimals)) for program, made in own],
+    }
 
 
 class C:
@@ -114,58 +159,56 @@ class C:
     extension = "h"
     entry = "dualcay.h"
     comment = "//"
-    tables = (POSES,)
+    tables: Sequence[Table] = (POSES, ROTATIONS)
     unproved = "rounding errors; the compiler, which is tested; code for other compilers or types behind #if"
 
     def shared(self) -> Mapping[str, Data]:
         return {
             "dualcay.h": {},
-            GEOMETRY: {
-                "theorems": comment(theorem_lines(), self.comment),
-                "equations": {name: numbers(found) for name, found in EQUATIONS.items()},
-                "cores": {name: c99.core(program, {}) for name, program in geometry().items()},
-                "functions": {name: interface(row) for name, row in PUBLIC.items()},
-            },
+            **{inside(table, GEOMETRY): shared_geometry(table) for table in self.tables},
             "differential.h": {},
-            "CMakeLists.txt": {},
+            "CMakeLists.txt": {"folders": [table.name or "." for table in self.tables]},
         }
 
     def module(self, facts: Facts) -> Data:
-        chart, lowered = facts.chart, facts.lowered
-        table = dict(zip(table_names(chart), itertools.chain(*facts.returns), strict=True))
-        shared = (program for name, program in geometry().items() if name not in lowered.own)
-        named = {call.function for program in shared for call in program.calls}
-        scalars = [*lowered.scalars.values(), *(IDLE[name] for name in sorted(named - lowered.scalars.keys()))]
         return {
-            "name": chart.name,
-            "macro": f"DUALCAY_{chart.name.upper()}",
-            "order": chart.order,
-            "branches": chart.branches,
+            **own_geometry(facts, facts.lowered, {}),
+            "order": facts.chart.order,
             "domain": facts.domain,
-            "singular": facts.singular,
             "singular_angles": facts.singular_angles,
-            "aliases": POSES.aliases(chart),
-            "levels": levels(lowered),
-            "scalars": [(level(program), c99.scalar(program, table)) for program in scalars],
-            "own": [(level(program), c99.core(program, table)) for program in lowered.own.values()],
             "turns": facts.turns,
         }
 
+    def further(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
+        """The headers of the chart for further tables."""
+        found = {}
+        for table in self.tables[1:]:
+            lowered = lower_chart(facts.chart, table)
+            told = comment(operations(lowered), self.comment)
+            data = {**own_geometry(facts, lowered, scalars(facts.lowered)), "operations": told}
+            found[inside(table, f"{facts.chart.name}.h")] = (inside(table, "chart.h"), data)
+        return found
+
     def companions(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
+        """The headers of the chart for further tables, and the test of all."""
         chart = facts.chart
-        data = {"name": chart.name, "gate": differential.GATE, "functions": list(differential.tables(chart))}
-        return {f"test_{chart.name}.c": ("test_chart.c", data)}
+        tested = [(c_text.prefix(chart, table), [*differential.tables(chart, table)]) for table in self.tables]
+        headers = [inside(table, f"{chart.name}.h") for table in self.tables]
+        test = {"name": chart.name, "gate": differential.GATE, "headers": headers, "tested": tested}
+        return {**self.further(facts), f"test_{chart.name}.c": ("test_chart.c", test)}
 
     def require_complete(self, texts: Mapping[str, str]) -> None:
-        """Both forms of every public function stand in the geometry, and no other."""
-        found = re.findall(r"^DUALCAY_FUNCTION void DUALCAY_NAME\((\w+)\)\(", texts[GEOMETRY], re.MULTILINE)
-        plain, rows = ([name for name in found if name.endswith("_rows") == is_rows] for is_rows in (False, True))
-        require_functions(GEOMETRY, plain, POSES)
-        require_functions(f"{GEOMETRY}, rows", [name.removesuffix("_rows") for name in rows], POSES)
+        """Both forms of every public function stand in the geometry of its table, and no other."""
+        for table in self.tables:
+            where = inside(table, GEOMETRY)
+            found = re.findall(r"^DUALCAY_FUNCTION void DUALCAY_NAME\((\w+)\)\(", texts[where], re.MULTILINE)
+            plain, rows = ([name for name in found if name.endswith("_rows") == is_rows] for is_rows in (False, True))
+            require_functions(where, plain, table)
+            require_functions(f"{where}, rows", [name.removesuffix("_rows") for name in rows], table)
 
     def validate(self, folder: Path, chart: Chart, choose: Choose = everything) -> int:
         """All of it: a header is read anew for each chart, geometry included."""
-        return c_text.validate(folder, chart)
+        return c_text.validate(folder, chart, self.tables)
 
     def replay(self, folder: Path, chart: Chart, all_ways: bool) -> int:
         """Floats are left to the compiled test."""

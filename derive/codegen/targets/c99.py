@@ -1,7 +1,7 @@
 """Print programs as C functions: straight-line code, valid as C99 and as C++.
 
 A kernel function works on components that lie a stride apart; component i of ``v`` is ``v_at[i * v_by]``. What its
-program calls are functions of the chart, which take numbers and write their results where pointers say.
+program calls are functions of the chart (``DUALCAY_CHART``), which take numbers and write results where pointers say.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from ..lowering.scalars import SCALARS
 from ..programs.program import FUNCTIONS, Call, Program, Step, summary
 from ..programs.registers import all_results, results
-from ..signatures import KERNELS
+from ..rows import Array
 from .expression import ARITHMETIC, WIDTH, Dialect, Operator, Text, bracket, fill, renamed
 
 REAL = "dualcay_real"
@@ -63,16 +63,19 @@ C99 = Dialect(
     calls={name: f"dualcay_{name}" for name in FUNCTIONS},
     select=_ternary,
     largest=_EXACT_IN_FLOAT,
+    passed=real,
 )
 """C, where integer constants become the real type exactly beside an operand of it."""
 
 
-def core(program: Program, table: Mapping[str, str]) -> Printed:
+def core(program: Program, made: Sequence[Array], table: Mapping[str, str]) -> Printed:
     """A kernel function: arrays, then the numbers of its table that are not those of a chart, then results.
 
     Parameters
     ----------
     program : Program
+    made : sequence of Array
+        Its results.
     table : mapping
         Decimals of the components of a table that the chart knows.
 
@@ -83,13 +86,13 @@ def core(program: Program, table: Mapping[str, str]) -> Printed:
     """
     program = _lower_case(program)
     arrays = [(argument, names) for argument, names in program.inputs if argument != TABLE]
-    made = KERNELS[program.name].results
     numbers = [name for argument, names in program.inputs if argument == TABLE for name in names if name not in table]
     given = [f"const {REAL} *{argument}_at, size_t {argument}_by" for argument, _ in arrays]
     given += [f"{REAL} {name}" for name in numbers]
     given += [f"{REAL} *{array.name}_at, size_t {array.name}_by" for array in made]
     places = [_component(array.name, index) for array in made for index in range(array.size)]
     read = [f"{argument}_{part}" for argument, _ in arrays for part in ("at", "by")]
+    read += [f"{array.name}_by" for array in made]
     loads = [load for argument, names in arrays for load in _loads(program, argument, names)]
     return _printed(program, given, [*read, *numbers], [*loads, *_constants(program, table)], places)
 
@@ -171,7 +174,7 @@ def _call(call: Call, arguments: str) -> Iterator[str]:
         if places:
             yield f"{_INDENT}{kind} {', '.join(places)};"
     passed = ", ".join([arguments, *(f"&{name}" for name in names)])
-    yield f"{_INDENT}DUALCAY_NAME({call.function}_scalars)({passed});"
+    yield f"{_INDENT}DUALCAY_CHART({call.function}_scalars)({passed});"
 
 
 def _stores(program: Program, places: Sequence[str], truths: Collection[str]) -> Iterator[str]:

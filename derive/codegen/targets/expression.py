@@ -61,6 +61,8 @@ class Dialect:
         Largest magnitude of a constant.
     literal : callable
         How a constant is written.
+    passed : callable
+        How the text of an argument of a call is.
     """
 
     operators: Mapping[str, Operator]
@@ -68,6 +70,7 @@ class Dialect:
     select: Callable[[Text, Text, Text], Text]
     largest: float = float("inf")
     literal: Callable[[int], str] = str
+    passed: Callable[[str], str] = str
 
     def expression(self, step: Step, inlined: Mapping[str, Text]) -> Text:
         """The right-hand side of a step; operands which are inlined are written out."""
@@ -100,7 +103,8 @@ class Dialect:
         assignments: list[tuple[Statement, str]] = []
         for statement in program.statements:
             if isinstance(statement, Call):
-                assignments.append((statement, ", ".join(self.operand(arg, inlined)[0] for arg in statement.args)))
+                given = (self.passed(self.operand(arg, inlined)[0]) for arg in statement.args)
+                assignments.append((statement, ", ".join(given)))
                 continue
             text = self.expression(statement, inlined)
             if statement.inline:

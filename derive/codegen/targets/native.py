@@ -17,7 +17,7 @@ from ..fingerprint import fingerprint
 from ..lowered import geometry
 from ..programs.program import Program
 from ..rows import Function
-from ..signatures import KERNELS
+from ..signatures import KERNELS, POSES
 from . import c99
 from .c import C
 from .target import Data
@@ -100,6 +100,7 @@ class Native(C):
 
     name = "native"
     entry = "meson.build"
+    tables = (POSES,)
     unproved = "rounding errors; the compiler and the loops around proved cores, which are tested"
 
     def shared(self) -> Mapping[str, Data]:

@@ -14,10 +14,10 @@ from ... import about
 from ...maps.cayley import EQUATIONS
 from ...maps.chart import DEFINITIONS, Chart
 from ...maps.named import NUMBERED, SINGLE
-from ..facts import Facts, comment, numbers, theorem_lines
+from ..facts import Facts, comment, numbers, operations, theorem_lines
 from ..lowered import Lowered, lower_chart
 from ..programs.program import Program, summary
-from ..rows import Function, Table
+from ..rows import Function, Table, inside
 from ..signatures import ANGLE, BY_V_OF_POINT, JACOBIAN, POSES, QUATERNION, TENSOR, V
 from ..validation import NUMPY, Choose, Library, Machinery, everything, replay, validate
 from .expression import WIDTH
@@ -145,11 +145,6 @@ class PythonTarget:
         return 0
 
 
-def inside(table: Table, name: str) -> str:
-    """A file in the folder of a table."""
-    return f"{table.name}/{name}" if table.name else name
-
-
 def interface(words: Words, table: Table) -> Data:
     """What the template of the interface of a table is given."""
     theorems = {"theorems": comment(theorem_lines(), "#")} if table is POSES else {}
@@ -186,7 +181,6 @@ def described(facts: Facts, words: Words) -> dict[str, Any]:
 def described_part(facts: Facts, lowered: Lowered, words: Words) -> dict[str, Any]:
     """What the module of a chart for another table says: of the chart what differs from that for poses."""
     chart = facts.chart
-    counts = ", ".join(f"{name} {count.total()}" for name, count in lowered.operations.items())
     return _exports(chart, lowered.table, words) | {
         "name": chart.name,
         "order": chart.order,
@@ -194,7 +188,7 @@ def described_part(facts: Facts, lowered: Lowered, words: Words) -> dict[str, An
         "parameter": chart.parameter,
         "branches": chart.branches,
         "singular": facts.singular,
-        "operations": comment(["What was proved is told in the module for poses. Operations:", f"  {counts}"], "#"),
+        "operations": comment(operations(lowered), "#"),
     }
 
 

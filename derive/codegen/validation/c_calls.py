@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from typing import Any
 
 from ..rows import Function
-from ..signatures import FUNCTIONS
 from .c_interpreter import UNSET, CError, Pointer, Unit
 
 Flat = tuple[Any, ...]
@@ -46,26 +45,26 @@ class Placed:
 
 @dataclass(frozen=True, slots=True)
 class Kernel:
-    """A function of a header, with its signature and perhaps a branch: flat arguments in, the flat result out."""
+    """A function of a header, with its row of a table and perhaps a branch: flat arguments in, the flat result out."""
 
     unit: Unit
     prefix: str
-    name: str
+    row: Function
     branch: tuple[int, ...] = ()
 
     @property
-    def signature(self) -> Function:
-        """Its row in the table of kernel functions."""
-        return FUNCTIONS[self.name]
+    def name(self) -> str:
+        """What it is called in C."""
+        return f"{self.prefix}_{self.row.name}"
 
     def plain(self, arguments: Sequence[Flat]) -> Flat:
         """One value, every array in its own memory."""
         given = [Placed.new([argument]) for argument in arguments]
-        return self._one(given, [_unset(array.size) for array in self.signature.results])
+        return self._one(given, [_unset(array.size) for array in self.row.results])
 
     def shared(self, arguments: Sequence[Flat], start: int) -> Flat:
         """One value, all arrays in one piece of memory: results from ``start`` on, arguments behind their length."""
-        sizes = [array.size for array in self.signature.results]
+        sizes = [array.size for array in self.row.results]
         cells = [UNSET] * sum(sizes) + [c for argument in arguments for c in argument] + [UNSET] * sum(sizes)
         given = _consecutive(cells, sum(sizes), [len(argument) for argument in arguments])
         return self._one(given, _consecutive(cells, start, sizes))
@@ -75,21 +74,19 @@ class Kernel:
         count = len(batch)
         columns = list(zip(*batch, strict=True))
         given = [Placed.new(column, count + i) for i, column in enumerate(columns, 1)]
-        results = [
-            _unset(array.size, count, count + i) for i, array in enumerate(self.signature.results, len(given) + 1)
-        ]
+        results = [_unset(array.size, count, count + i) for i, array in enumerate(self.row.results, len(given) + 1)]
         if over is not None:
             results[0] = _over(given[over], results[0].size)
         passed = [item for array in given for item in (array.pointer, array.stride)]
         made = [item for array in results for item in (array.pointer, array.stride)]
-        self.unit.call(f"{self.prefix}{self.name}_rows", count, *passed, *self.branch, *made)
+        self.unit.call(f"{self.name}_rows", count, *passed, *self.branch, *made)
         for array in results:
             array.require_gaps()
         return [tuple(c for part in parts for c in part) for parts in zip(*(a.rows for a in results), strict=True)]
 
     def _one(self, given: Sequence[Placed], results: Sequence[Placed]) -> Flat:
         pointers = [array.pointer for array in given]
-        self.unit.call(self.prefix + self.name, *pointers, *self.branch, *(array.pointer for array in results))
+        self.unit.call(self.name, *pointers, *self.branch, *(array.pointer for array in results))
         return tuple(c for array in results for c in array.rows[0])
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -15,6 +15,7 @@ from ...maps.chart import Chart
 from ..cases import Batch, batches, digits
 from ..cases.batches import Agree, same
 from ..cases.digits import Decimal
+from ..rows import Table, inside
 from ..signatures import POSES
 from .c_calls import Flat, Kernel
 from .c_interpreter import UNSET, CError, Pointer, Unit, load
@@ -23,8 +24,8 @@ from .errors import ValidationFailed
 SEED = 1863
 
 
-def validate(folder: Path, chart: Chart) -> int:
-    """Interpret the header of a chart; return how many calls equal the formula.
+def validate(folder: Path, chart: Chart, tables: Sequence[Table] = (POSES,)) -> int:
+    """Interpret the headers of a chart, one for each table; return how many calls equal the formula.
 
     Both forms are called: the rational functions on symbols, the others on numbers of 50 digits. On such numbers
     results are then laid over arguments, at every distance and row by row, and must not change by a bit.
@@ -34,49 +35,52 @@ def validate(folder: Path, chart: Chart) -> int:
     ValidationFailed
         Naming the function, or the line that is no C, divides integers, leaves an array, reads what was not written.
     """
-    header = f"{chart.name}.h"
+    headers = [inside(table, f"{chart.name}.h") for table in tables]
     try:
-        unit = load(f'#include "{header}"\n', folder)
+        unit = load("".join(f'#include "{header}"\n' for header in headers), folder)
         _constants(unit, chart)
-        calls = check(unit, chart, batches(chart))
+        for table in tables:
+            _aliases(unit, chart, table)
+        calls = sum(check(unit, chart, batches(chart, table), table) for table in tables)
+        if unit.idle:
+            raise ValidationFailed(f"nothing calls {', '.join(unit.idle)}, so nothing says what they compute")
     except (CError, ValidationFailed) as error:
-        raise ValidationFailed(f"{header}: {error}") from error
-    if unit.idle:
-        raise ValidationFailed(f"{header}: nothing calls {', '.join(unit.idle)}, so nothing says what they compute")
+        raise ValidationFailed(f"{', '.join(headers)}: {error}") from error
     return calls
 
 
-def check(unit: Unit, chart: Chart, given: Sequence[Batch]) -> int:
+def check(unit: Unit, chart: Chart, given: Sequence[Batch], table: Table = POSES) -> int:
     """Compare all forms of the functions with what they must return; how many calls that takes."""
+
+    def kernel(batch: Batch) -> Kernel:
+        """The function of a batch, with its branch; branch 0 where none is given."""
+        default = (0,) if batch.row.branch else ()
+        return Kernel(unit, prefix(chart, table), batch.row, batch.branch or default)
+
     with mpmath.workdps(digits.DIGITS):
-        return sum(_values(_kernel(unit, chart, batch), batch) for batch in given) + sum(
-            _layouts(_kernel(unit, chart, batch), chart, rows) for batch, rows in _samples(given)
+        return sum(_values(kernel(batch), batch) for batch in given) + sum(
+            _layouts(kernel(batch), chart, rows) for batch, rows in _samples(given)
         )
 
 
-def _prefix(chart: Chart) -> str:
-    return f"dualcay_{chart.name}_"
-
-
-def _kernel(unit: Unit, chart: Chart, batch: Batch) -> Kernel:
-    """The function of a batch, with its branch; branch 0 where none is given."""
-    default = (0,) if batch.row.branch else ()
-    return Kernel(unit, _prefix(chart), batch.function, batch.branch or default)
+def prefix(chart: Chart, table: Table) -> str:
+    """What the names of functions begin with, before a further underscore."""
+    return "_".join(filter(None, ("dualcay", table.name, chart.name)))
 
 
 def _values(kernel: Kernel, batch: Batch) -> int:
     """Compare both forms of a function with what it must return."""
     for case in batch.cases:
-        _compare(batch.function, kernel.plain(case.arguments), case.result, batch.agree)
+        _compare(kernel.name, kernel.plain(case.arguments), case.result, batch.agree)
     for row, case in zip(kernel.rows([case.arguments for case in batch.cases]), batch.cases, strict=True):
-        _compare(f"{batch.function}, rows", row, case.result, batch.agree)
+        _compare(f"{kernel.name}, rows", row, case.result, batch.agree)
     return len(batch.cases) + 1
 
 
 def _layouts(kernel: Kernel, chart: Chart, rows: Sequence[tuple[Flat, ...]]) -> int:
     """Lay results over arguments, and choose branches by other integers: not a bit of the plain result may change."""
     expected = [kernel.plain(arguments) for arguments in rows]
-    room = sum(array.size for array in (*kernel.signature.arguments, *kernel.signature.results))
+    room = sum(array.size for array in (*kernel.row.arguments, *kernel.row.results))
     for start in range(room):
         _compare(f"{kernel.name}, overlapping", kernel.shared(rows[-1], start), expected[-1], same)
     ways = (None, *range(len(rows[0])))
@@ -113,19 +117,25 @@ def _drawn(draw: random.Random, size: int) -> Flat:
     return tuple(Decimal(mpmath.mpf(draw.uniform(-0.5, 0.5))) for _ in range(size))
 
 
-def _constants(unit: Unit, chart: Chart) -> None:
-    """What the macros of the header stand for, and the singular angles."""
-    prefix = _prefix(chart)
-    macro = prefix.upper()
-    expected = {f"{macro}ORDER": str(chart.order), f"{macro}SINGULAR_ANGLES": str(len(chart.singular_angles))}
-    named = POSES.aliases(chart).items()
-    expected |= {f"{prefix}{a}{form}": f"{prefix}{b}{form}" for a, b in named for form in ("", "_rows")}
+def _aliases(unit: Unit, chart: Chart, table: Table) -> None:
+    """Further names of functions."""
+    begin, named = prefix(chart, table), table.aliases(chart).items()
+    _macros(unit, {f"{begin}_{a}{form}": f"{begin}_{b}{form}" for a, b in named for form in ("", "_rows")})
+
+
+def _macros(unit: Unit, expected: Mapping[str, str]) -> None:
     for name, text in expected.items():
         if unit.source.expand(name) != text:
             raise ValidationFailed(f"{name} is {unit.source.expand(name)}, not {text}")
-    angles = [UNSET] * len(chart.singular_angles)
-    if unit.call(f"{_prefix(chart)}singular_angles", Pointer.to(angles)) != len(chart.singular_angles):
-        raise ValidationFailed(f"singular_angles does not return {len(chart.singular_angles)}")
+
+
+def _constants(unit: Unit, chart: Chart) -> None:
+    """What the macros of a chart stand for, and its singular angles."""
+    begin, count = prefix(chart, POSES), len(chart.singular_angles)
+    _macros(unit, {f"{begin.upper()}_ORDER": str(chart.order), f"{begin.upper()}_SINGULAR_ANGLES": str(count)})
+    angles = [UNSET] * count
+    if unit.call(f"{begin}_singular_angles", Pointer.to(angles)) != count:
+        raise ValidationFailed(f"singular_angles does not return {count}")
     with mpmath.workdps(digits.DIGITS):
         wanted = [mpmath.mpf(angle.evalf(digits.DIGITS + 5)) for angle in chart.singular_angles]
         _compare("singular_angles", angles, wanted, partial(digits.close, tolerance=digits.tolerance(chart)))

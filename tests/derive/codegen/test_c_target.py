@@ -15,7 +15,8 @@ from derive.codegen.lowered import geometry, lower_chart
 from derive.codegen.lowering.scalars import SCALARS
 from derive.codegen.module import notices
 from derive.codegen.programs.trace import Trace
-from derive.codegen.signatures import KERNELS, PUBLIC
+from derive.codegen.rows import inside
+from derive.codegen.signatures import KERNELS, POSES, ROTATIONS
 from derive.codegen.targets import TARGETS, c, c99
 from derive.codegen.validation import compiled
 from derive.maps import Cayley
@@ -38,11 +39,11 @@ def printed(record, names=("a", "b")):
     """The assignment and store of a program that records one value from two inputs."""
     trace = Trace()
     values = trace.inputs("v", names)
-    return c99.core(trace.program("pose", [record(trace, *values)] + [0] * 15), {}).text
+    return c99.core(trace.program("pose", [record(trace, *values)] + [0] * 15), KERNELS["pose"].results, {}).text
 
 
 def test_components_are_loaded_before_any_result_is_stored():
-    lines = c99.core(geometry()["compose"], {}).text.splitlines()
+    lines = c99.core(geometry()["compose"], KERNELS["compose"].results, {}).text.splitlines()
     loads = [i for i, line in enumerate(lines) if re.search(r"= \w+_at\[", line)]
     stores = [i for i, line in enumerate(lines) if re.match(r"\s+\w+_at\[.*\] =", line)]
     assert len(loads) == 12
@@ -83,9 +84,10 @@ def test_a_call_writes_its_results_into_places_of_their_own():
     trace = Trace()
     (a,) = trace.inputs("v", ["a"])
     large, root, _ = trace.call("f", [a], ["large", "root", "rest"], ["large"])
-    text = c99.core(trace.program("pose", [trace.where(large, root, a)] + [0] * 15), {}).text
+    program = trace.program("pose", [trace.where(large, root, a)] + [0] * 15)
+    text = c99.core(program, KERNELS["pose"].results, {}).text
     assert "    int large;\n    dualcay_real root, large_2;\n" in text
-    assert "    DUALCAY_NAME(f_scalars)(a, &large, &root, &large_2);\n" in text
+    assert "    DUALCAY_CHART(f_scalars)(a, &large, &root, &large_2);\n" in text
 
 
 def test_parameters_that_are_not_read_are_cast_to_void():
@@ -95,17 +97,19 @@ def test_parameters_that_are_not_read_are_cast_to_void():
     assert text == "    (void)x;\n    *sign_at = y;"
 
 
+@pytest.mark.parametrize("table", [POSES, ROTATIONS], ids=["poses", "rotations"])
 @pytest.mark.parametrize("order", [1, 2, 3, 8, 64])
-def test_every_program_prints_with_the_numbers_of_its_row(order):
+def test_every_program_prints_with_the_numbers_of_its_row(order, table):
     chart = Cayley(order)
-    lowered, table = lower_chart(chart), dict.fromkeys(c.table_names(chart), "0")
-    for name, program in (geometry() | lowered.own).items():
-        printed, row = c99.core(program, table).parameters, KERNELS[name]
+    lowered, decimals = lower_chart(chart, table), dict.fromkeys(c.table_names(chart), "0")
+    for name, program in (geometry(table) | lowered.own).items():
+        row = table.kernels[name]
+        printed = c99.core(program, row.results, decimals).parameters
         assert printed.count("const dualcay_real *") == len(row.arguments), name
         assert printed.count("dualcay_real *") == len(row.arguments) + len(row.results), name
         assert len(program.outputs) == sum(array.size for array in row.results), name
     for name, program in lowered.scalars.items():
-        printed, scalar = c99.scalar(program, table).parameters, SCALARS[name]
+        printed, scalar = c99.scalar(program, decimals).parameters, SCALARS[name]
         assert re.findall(r"\*(\w+)_at", printed) == list(scalar.results), name
         assert re.findall(r"dualcay_real (\w+)", printed) == [a for a in scalar.arguments if a != "table"], name
 
@@ -126,7 +130,7 @@ def test_what_a_function_needs_of_the_library_counts_its_scalars():
 def test_the_package_holds_headers_their_tests_and_a_cmake_project(package):
     assert set(package.texts) == {
         "CMakeLists.txt", "dualcay.h", "geometry.h", "differential.h", "cayley3.h", "cayley4.h", "test_cayley3.c",
-        "test_cayley4.c",
+        "test_cayley4.c", "rotation/geometry.h", "rotation/cayley3.h", "rotation/cayley4.h",
     }  # fmt: skip
     for name, text in package.texts.items():
         assert files.MARK.match(text), name
@@ -138,27 +142,39 @@ def test_the_same_text_comes_out_twice(package):
     assert build([4, 3], unvalidated(C)).texts == package.texts
 
 
-def test_every_function_has_a_plain_form_and_one_for_rows(package):
-    for name in PUBLIC:
-        assert f"DUALCAY_FUNCTION void DUALCAY_NAME({name})(" in package.texts["geometry.h"]
-        assert f"DUALCAY_FUNCTION void DUALCAY_NAME({name}_rows)(" in package.texts["geometry.h"]
+@pytest.mark.parametrize(("table", "prefix"), [(POSES, "dualcay"), (ROTATIONS, "dualcay_rotation")])
+def test_every_function_has_a_plain_form_and_one_for_rows(package, table, prefix):
+    geometry = package.texts[inside(table, "geometry.h")]
+    for name in table.public:
+        assert f"DUALCAY_FUNCTION void DUALCAY_NAME({name})(" in geometry
+        assert f"DUALCAY_FUNCTION void DUALCAY_NAME({name}_rows)(" in geometry
     for alias in ("dcay", "dcay_rows", "dcay_inv", "dcay_inv_rows"):
-        assert f"#define dualcay_cayley3_{alias} " in package.texts["cayley3.h"]
+        assert f"#define {prefix}_cayley3_{alias} " in package.texts[inside(table, "cayley3.h")]
+
+
+def test_of_scalars_a_header_of_rotations_holds_those_that_are_new(package):
+    """None here: its functions call the scalars of poses, which the headers of poses define."""
+    text = package.texts["rotation/geometry.h"]
+    called = set(re.findall(r"DUALCAY_CHART\((\w+_scalars)\)", text))
+    assert len(called) > 10
+    assert all(f" dualcay_cayley3_{name}(" in package.texts["cayley3.h"] for name in called)
+    assert "_scalars" not in package.texts["rotation/cayley3.h"]
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "message"),
+    ("file", "old", "new", "message"),
     [
-        ("void DUALCAY_NAME(rate)(", "void DUALCAY_NAME(rated)(", "geometry.h: .*missing: rate; not in it: rated"),
-        ("void DUALCAY_NAME(rate_rows)(", "void DUALCAY_NAME(rows)(", "geometry.h: .*missing: none; not in it: rows"),
-        ("void DUALCAY_NAME(shadow_rows)(", "int DUALCAY_NAME(shadow_rows)(", "rows: .*missing: shadow"),
+        ("geometry.h", "void DUALCAY_NAME(rate)(", "void DUALCAY_NAME(rated)(", "missing: rate; not in it: rated"),
+        ("geometry.h", "void DUALCAY_NAME(rate_rows)(", "void DUALCAY_NAME(rows)(", "missing: none; not in it: rows"),
+        ("geometry.h", "void DUALCAY_NAME(shadow_rows)(", "int DUALCAY_NAME(shadow_rows)(", "rows: .*missing: shadow"),
+        ("rotation/geometry.h", "(rate)(", "(pose)(", "missing: rate; not in it: pose"),
     ],
 )
-def test_a_function_the_table_does_not_have_or_misses_is_an_error(package, old, new, message):
+def test_a_function_the_table_does_not_have_or_misses_is_an_error(package, file, old, new, message):
     C.require_complete(package.texts)
-    assert old in package.texts["geometry.h"]
-    with pytest.raises(ValueError, match=message):
-        C.require_complete({"geometry.h": package.texts["geometry.h"].replace(old, new, 1)})
+    assert old in package.texts[file]
+    with pytest.raises(ValueError, match=rf"^{file}\b.*{message}"):
+        C.require_complete({**package.texts, file: package.texts[file].replace(old, new, 1)})
 
 
 def test_a_folder_is_checked_as_a_whole(tmp_path, package, without_validation):
@@ -171,12 +187,15 @@ def test_a_folder_is_checked_as_a_whole(tmp_path, package, without_validation):
     }  # fmt: skip
 
 
-@pytest.mark.parametrize("first", ["cayley3.h", "geometry.h", "differential.h", "test_cayley3.c"])
+@pytest.mark.parametrize(
+    "first",
+    ["cayley3.h", "geometry.h", "rotation/cayley3.h", "rotation/geometry.h", "differential.h", "test_cayley3.c"],
+)
 def test_half_written_headers_do_not_compile_and_say_how_to_finish_them(staged, first):
     """Whatever is included first, and whichever other files are there."""
     (staged / "dualcay.h").write_text(notices([Cayley(3), Cayley(4)], C)["dualcay.h"])
-    if first != "geometry.h":
-        (staged / "geometry.h").unlink()
+    for name in {"geometry.h", "rotation/geometry.h"} - {first}:
+        (staged / name).unlink()
     source = staged / "user.c"
     source.write_text(f'#include "{first}"\n')
     command = [*compiled.compiler(), "-fsyntax-only", str(source)]
@@ -220,11 +239,14 @@ def test_what_was_printed_agrees(staged):
         ("geometry.h", "from_tensor_core", r"/ 2\b", "/ 3"),
         ("geometry.h", "compose_core", r"&ab, &bb", "&bb, &ab"),
         ("geometry.h", "shadow_core", r"sign \* sin", "sin"),
+        ("rotation/geometry.h", "to_angle_axis_core", r"= s1 /", "= s2 /"),
+        ("rotation/geometry.h", "copy_core", r"= v2;", "= v1;"),
     ],
 )
-def test_a_changed_kernel_fails_validation(staged, file, function, pattern, replacement):
+def test_a_changed_kernel_fails_validation(staged, monkeypatch, file, function, pattern, replacement):
+    monkeypatch.setattr(compiled, "FLAGS", (*compiled.FLAGS, "-O0"))  # what is wrong is so at any optimisation
     header, order = staged / file, 4 if "4" in file else 3
-    name = rf"DUALCAY_NAME\({function}\)" if file == "geometry.h" else f"dualcay_cayley{order}_{function}"
+    name = rf"DUALCAY_NAME\({function}\)" if file.endswith("geometry.h") else f"dualcay_cayley{order}_{function}"
     text = header.read_text(encoding="utf-8")
     start = re.search(rf"^DUALCAY_\w+ void {name}\(", text, re.MULTILINE).end()
     changed, count = re.subn(pattern, replacement, text[start:], count=1)
@@ -249,10 +271,11 @@ def test_what_does_not_compile_fails_validation(staged):
         compiled.test(staged, Cayley(3))
 
 
-def test_every_function_and_branch_has_cases():
-    found = cases(Cayley(3))
-    assert {case.function for case in found} == set(PUBLIC)
-    for name, signature in PUBLIC.items():
+@pytest.mark.parametrize("table", [POSES, ROTATIONS], ids=["poses", "rotations"])
+def test_every_function_and_branch_has_cases(table):
+    found = cases(Cayley(3), table)
+    assert {case.function for case in found} == set(table.public)
+    for name, signature in table.public.items():
         branches = {case.branch for case in found if case.function == name}
         assert branches == ({0, 1, 2} if signature.branch else {None})
 

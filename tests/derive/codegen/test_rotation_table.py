@@ -122,6 +122,7 @@ def test_programs_are_own_where_those_of_poses_are() -> None:
         assert bool(own) == (n == 1)
 
 
-def test_no_phi_takes_the_name_of_the_folder() -> None:
-    with pytest.raises(ValueError, match="'rotation' is the name of the folder of rotations"):
-        catalogue.charts(phi="alpha", name="rotation")
+@pytest.mark.parametrize("name", ["rotation", "rotation_mine"])
+def test_no_phi_takes_the_name_of_the_folder(name: str) -> None:
+    with pytest.raises(ValueError, match=f"'{name}' is the name of the folder of rotations"):
+        catalogue.charts(phi="alpha", name=name)

@@ -41,7 +41,7 @@ class Source:
 
 
 class _Preprocessor(Preprocessor):  # type: ignore[misc]  # pcpp has no type hints
-    """Includes come from one folder, or are those of the C library; every complaint is an error."""
+    """Includes come from one folder and those in it, or are those of the C library; every complaint is an error."""
 
     def __init__(self, folder: Path | None) -> None:
         super().__init__()
@@ -54,7 +54,7 @@ class _Preprocessor(Preprocessor):  # type: ignore[misc]  # pcpp has no type hin
         path = Path(includepath)
         if is_system_include and path.name in SYSTEM:
             return io.StringIO(SYSTEM[path.name])
-        if is_system_include or path.parent != self.folder:
+        if is_system_include or self.folder not in path.resolve().parents:
             raise OSError(f"{path} is outside of {self.folder}")
         return io.StringIO(path.read_text(encoding="utf-8"))
 
