@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from benchmarks import former, kernels
+from benchmarks import former, kernels, peers
 from benchmarks.timing import ROUNDS
 
 
@@ -15,7 +15,13 @@ def main() -> None:
     parser = argparse.ArgumentParser(description="Measure the kernels against peers and against the former release.")
     parser.add_argument("-o", "--output", type=Path, help="also write the tables there, as Markdown")
     output = parser.parse_args().output
-    how = f"Written by `make bench`, NumPy {np.__version__}: medians of {ROUNDS} interleaved rounds."
+    how = (
+        f"Written by `make bench`, NumPy {np.__version__}: medians of {ROUNDS} interleaved rounds, of "
+        f"{kernels.ROUNDS_OF_LARGE} from {kernels.LARGE:,} poses on. SymPy's derivatives, those of JAX in forward mode "
+        "and complex steps are of the maps that our derivatives are of; `called` is JAX without compilation, traced "
+        "at every call. A dash: nothing to compare with, or SymPy derives it for minutes, or computes it in more than "
+        f"{peers.ROOM / 1e9:g} GB."
+    )
     parts = ["# Speed", how]
     for section in (kernels.section, former.section):
         parts.append(section().rstrip())

@@ -20,12 +20,12 @@ from numpy.typing import NDArray
 
 sys.path.insert(0, str(Path(__file__).parent.parent))
 
-from derive.codegen import generate
 from derive.codegen.rows import Table, inside
 from derive.codegen.signatures import POSES, PUBLIC, Function
 from derive.codegen.validation.c_text import prefix
 from derive.codegen.validation.compiled import compiler
 from derive.maps import Cayley
+from tests.support import packages
 
 FLAGS = ("-std=c99", "-O3", "-march=native", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math")
 TYPES = {"double": np.float64, "float": np.float32}
@@ -62,13 +62,13 @@ class CForm:
 
 
 def load(order: int, real: str = "double") -> CForm | None:
-    """Generate and compile the kernels of an order; None where no C compiler is found."""
+    """Print and compile the kernels of an order; None where no C compiler is found."""
     command = compiler()
     if command is None:
         return None
     with tempfile.TemporaryDirectory(prefix="dualcay-c-form-") as build:
         folder = Path(build)
-        generate([order], "c", folder)
+        packages.write([order], "c", folder)
         return CForm(compiled(command, folder, order, real, folder), real)  # a loaded library outlives its file
 
 

@@ -12,18 +12,20 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
+from benchmarks import derivatives
 from benchmarks.peers import (
     INSTALL,
+    ROWS,
     Poses,
     c_form,
     compiled,
     copy_floor,
-    lambdified,
+    lambdify_call,
     load,
     pytransform3d_call,
     scipy_call,
 )  # fmt: skip
-from benchmarks.timing import Call, markdown, medians
+from benchmarks.timing import ROUNDS, Call, markdown, medians
 
 ORDERS = (2, 3)
 SIZES = (1, 100, 10_000, 1_000_000)
@@ -31,8 +33,8 @@ SIZES = (1, 100, 10_000, 1_000_000)
 SCIPY_GATES = {"pose": 5, "quaternion": 20, "from_pose": 7, "from_quaternion": 30, "compose": 15}
 """Times faster than SciPy at 10^4 poses; for ``from_pose`` and later ones at n = 2."""
 
-ROWS = {"pose": 1, "quaternion": 1, "tangent": 1, "rate": 2}
-"""Functions measured on rows, with their number of arguments."""
+LARGE, ROUNDS_OF_LARGE = 1_000_000, 5
+"""From so many poses on one call takes so long that fewer rounds do."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,10 +57,11 @@ def _times(ratio: float) -> str:
     return f"{ratio:.3g} x" if ratio >= 1 else f"1/{1 / ratio:.3g} x"
 
 
-def measured(calls: dict[str, Call | None]) -> dict[str, float]:
-    """Medians by name, of the calls there are."""
+def measured(calls: dict[str, Call | None], size: int, kept: bool = True) -> dict[str, float]:
+    """Medians by name, of the calls there are; ``kept`` to one core."""
     present = {name: call for name, call in calls.items() if call is not None}
-    return dict(zip(present, medians(list(present.values())), strict=True))
+    count = ROUNDS if size < LARGE else ROUNDS_OF_LARGE
+    return dict(zip(present, medians(list(present.values()), count, kept), strict=True))
 
 
 def fresh(module: Any, function: str, poses: Poses) -> Call:
@@ -78,7 +81,7 @@ def against_libraries(module: Any, size: int) -> Iterator[tuple[tuple[str, ...],
             "ours": fresh(module, function, poses),
             "scipy": scipy_call(function, poses),
             "pytransform3d": pytransform3d_call(function, poses),
-        })  # fmt: skip
+        }, size)  # fmt: skip
         gates = []
         where = f"{function}, n = {module.ORDER}, N = {size}"
         exact = function in ("pose", "quaternion") or module.ORDER == 2
@@ -96,24 +99,42 @@ def on_rows(module: Any, size: int) -> Iterator[tuple[tuple[str, ...], list[Gate
     poses = Poses.draw(module, size)
     for function, count in ROWS.items():
         call = getattr(module, function)
-        rows = (poses.v_rows, poses.w_rows)[:count]
+        rows = (poses.v_rows, poses.w_rows, poses.z_rows)[:count]
         out = call(*rows, axis=0)
-        symbolic = lambdified(module.ORDER, function)
-        given = [row for array in rows for row in array]
+        given = {} if isinstance(out, tuple) else {"out": out}  # two results are always new
         times = measured({
-            "ours": partial(call, *rows, axis=0, out=out),
-            "lambdify": partial(symbolic, *given),
+            "ours": partial(call, *rows, axis=0, **given),
+            "lambdify": lambdify_call(module.ORDER, function, rows),
             "C": compiled(module.ORDER, function, rows, out),
             "copy": copy_floor(rows, out),
-        })  # fmt: skip
+        }, size)  # fmt: skip
         where = f"{function}, rows, n = {module.ORDER}, N = {size}"
         gates = []
-        if size >= 10_000:
-            least = 1.3 if size < 1_000_000 else 2.5
+        if "lambdify" in times and size >= 10_000:
+            least = 1.3 if size < LARGE else 2.5
             gates.append(Gate(f"{where}: lambdify(cse=True)", times["lambdify"] / times["ours"], least))
-        if "C" in times and size == 1_000_000:
+        if "C" in times and size == LARGE:
             gates.append(Gate(f"{where}: C form", times["C"] / times["ours"], 1 / 8))
         peers = [_against(times, peer, size) for peer in ("lambdify", "C", "copy")]
+        yield (str(module.ORDER), function, str(size), _per_pose(times["ours"], size), *peers), gates
+
+
+def of_derivatives(module: Any, size: int) -> Iterator[tuple[tuple[str, ...], list[Gate]]]:
+    """Derivatives, components last, into a new array: against JAX in forward mode, and complex steps of kernels."""
+    poses = Poses.draw(module, size)
+    jax = load("jax")
+    for function, count in derivatives.ARGUMENTS.items():
+        given = (poses.v, poses.w, poses.other)[:count]
+        steps = derivatives.stepped(module, function)
+        times = measured({
+            "ours": partial(getattr(module, function), *given),
+            **(derivatives.jax_calls(jax, module.ORDER, function, given) if jax else {}),
+            "steps": partial(steps, *given) if steps else None,
+        }, size, kept=False)  # fmt: skip
+        where = f"{function}, n = {module.ORDER}, N = {size}"
+        timed = [name for name in ("called", "jitted") if name in times and size == 1]
+        gates = [Gate(f"{where}: JAX, {name}", times[name] / times["ours"], 20) for name in timed]
+        peers = [_against(times, peer, size) for peer in ("jitted", "called", "steps")]
         yield (str(module.ORDER), function, str(size), _per_pose(times["ours"], size), *peers), gates
 
 
@@ -134,13 +155,15 @@ def report(orders: Sequence[int], sizes: Sequence[int]) -> tuple[str, list[Gate]
     gates: list[Gate] = []
     tables = []
     head = ("n", "function", "N", "ours, ns per pose")
-    for title, part, peers, smallest in (
-        ("Components last, a new result", against_libraries, ("SciPy RigidTransform", "pytransform3d"), 1),
-        ("Rows, a given result", on_rows, ("lambdify(cse=True)", "C form", "copy floor"), 100),
+    every = range(1, 10**9)
+    for title, part, peers, measured_at in (
+        ("Components last, a new result", against_libraries, ("SciPy RigidTransform", "pytransform3d"), every),
+        ("Rows, a given result", on_rows, ("lambdify(cse=True)", "C form", "copy floor"), every[99:]),
+        ("Derivatives, components last", of_derivatives, ("JAX, jitted", "JAX, called", "complex steps"), (1, 10_000)),
     ):
         rows = []
         for module in modules:
-            for size in (size for size in sizes if size >= smallest):
+            for size in (size for size in sizes if size in measured_at):
                 for row, decided in part(module, size):
                     rows.append(row)
                     gates += decided

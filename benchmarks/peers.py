@@ -11,11 +11,12 @@ from typing import Any
 import numpy as np
 import sympy
 
+from benchmarks import derivatives
 from benchmarks.c_form import load as load_c
 from benchmarks.timing import Call
 from derive.maps import Cayley
 
-INSTALL = {"scipy.spatial.transform": "scipy >= 1.16", "pytransform3d.trajectories": "pytransform3d"}
+INSTALL = {"scipy.spatial.transform": "scipy >= 1.16", "pytransform3d.trajectories": "pytransform3d", "jax": "jax"}
 """What provides the module of a peer."""
 
 
@@ -31,6 +32,7 @@ class Poses:
     q: Any
     v_rows: Any
     w_rows: Any
+    z_rows: Any
 
     @classmethod
     def draw(cls, module: Any, size: int) -> Poses:
@@ -48,7 +50,7 @@ class Poses:
         angle = np.linalg.norm(v[..., :3], axis=-1, keepdims=True)
         v[..., :3] *= np.tan(angle / (2 * module.ORDER)) / angle
         T, q = module.pose(v), module.quaternion(v)
-        rows = [np.ascontiguousarray(a.T) for a in (v, w)]
+        rows = [np.ascontiguousarray(a.T) for a in (v, w, other)]
         return cls(v, w, exponential, other, T, q, *rows)
 
 
@@ -86,19 +88,41 @@ def pytransform3d_call(function: str, poses: Poses) -> Call | None:
     return lambda: trajectories.transforms_from_exponential_coordinates(exponential)
 
 
+COMPONENTS: dict[str, Callable[..., Iterator[sympy.Expr]]] = {
+    "pose": lambda cayley, v: _pose(cayley, v),
+    "quaternion": lambda cayley, v: _parts(cayley.quaternion.matrix(v)),
+    "tangent": lambda cayley, v: _parts(cayley.tangent.matrix(v)),
+    "rate": lambda cayley, v, w: iter(derivatives.applied(cayley.tangent_inv.matrix(v), w)),
+} | derivatives.COMPONENTS
+"""A function's components by SymPy."""
+
+ROWS = {"pose": 1, "quaternion": 1, "tangent": 1, "rate": 2} | derivatives.ARGUMENTS
+"""Functions measured on rows, with their number of arguments."""
+
+DERIVED = {"compose_jacobians": 2}
+"""The largest order at which SymPy derives a function in some ten seconds, where there is one."""
+
+ROOM = 4e9
+"""Bytes that may be used: what SymPy's functions compute on the way they keep to their end."""
+
+
+@cache
 def lambdified(order: int, function: str) -> Callable[..., Any]:
-    """SymPy's ``lambdify(cse=True)`` of a function's components, on six (or twelve) rows."""
-    cayley = Cayley(order)
-    v, w = sympy.symbols("v1:7"), sympy.symbols("w1:7")
-    components = {
-        "pose": lambda: _pose(cayley, v),
-        "quaternion": lambda: _parts(cayley.quaternion.matrix(v)),
-        "tangent": lambda: _parts(cayley.tangent.matrix(v)),
-        "rate": lambda: _applied(cayley.tangent_inv.matrix(v), w),
-    }
-    arguments = (*v, *w) if function == "rate" else v
-    compute: Callable[..., Any] = sympy.lambdify(arguments, list(components[function]()), "numpy", cse=True)
+    """SymPy's ``lambdify(cse=True)`` of a function's components, on six rows for each argument."""
+    symbols = [sympy.symbols(f"{letter}1:7") for letter in "vwz"[: ROWS[function]]]
+    components = COMPONENTS[function](Cayley(order), *symbols)
+    arguments = [symbol for vector in symbols for symbol in vector]
+    compute: Callable[..., Any] = sympy.lambdify(arguments, list(components), "numpy", cse=True)
     return compute
+
+
+def lambdify_call(order: int, function: str, rows: tuple[Any, ...]) -> Call | None:
+    """It on these rows; None where it takes long to derive, or its intermediate values would not fit."""
+    if order > DERIVED.get(function, order):
+        return None
+    compute, given = lambdified(order, function), [row for array in rows for row in array]
+    room: int = compute.__code__.co_nlocals * given[0].nbytes
+    return partial(compute, *given) if room <= ROOM else None
 
 
 def _parts(parts: tuple[sympy.Matrix, sympy.Matrix]) -> Iterator[sympy.Expr]:
@@ -111,19 +135,18 @@ def _pose(cayley: Cayley, v: tuple[sympy.Symbol, ...]) -> Iterator[sympy.Expr]:
     yield from cayley.tangent.matrix(v)[0] * sympy.Matrix(v[3:])
 
 
-def _applied(parts: tuple[sympy.Matrix, sympy.Matrix], w: tuple[sympy.Symbol, ...]) -> Iterator[sympy.Expr]:
-    real, dual = sympy.Matrix(w[:3]), sympy.Matrix(w[3:])
-    yield from parts[0] * real
-    yield from parts[0] * dual + parts[1] * real
-
-
 def compiled(order: int, function: str, rows: tuple[Any, ...], out: Any) -> Call | None:
     """The same program in C on the same rows; None where there is no C compiler."""
     form = c_form(order)
     if form is None:
         return None
     given = [array.reshape(-1, array.shape[-1]) for array in rows]
-    return partial(form.call, function, *given, out=out.reshape(-1, out.shape[-1]))
+    made = tuple(array.reshape(-1, array.shape[-1]) for array in _arrays(out))
+    return partial(form.call, function, *given, out=made)
+
+
+def _arrays(out: Any) -> tuple[Any, ...]:
+    return out if isinstance(out, tuple) else (out,)
 
 
 @cache
@@ -134,7 +157,7 @@ def c_form(order: int) -> Any:
 
 def copy_floor(rows: tuple[Any, ...], out: Any) -> Call:
     """Every row of the result written once, every row of the arguments read."""
-    targets = out.reshape(-1, out.shape[-1])
+    targets = [row for array in _arrays(out) for row in array.reshape(-1, array.shape[-1])]
     sources = np.concatenate(rows)
     pairs = [(target, sources[i % len(sources)]) for i, target in enumerate(targets)]
 

@@ -1,4 +1,4 @@
-"""How everything is timed here: calls in turn, in one process and on one core, by the clock of the processor.
+"""How everything is timed here: calls in turn, in one process, but for JAX on one core, by the clock of the processor.
 
 Times are of the processor, so that other processes count little, and belong to the machine; ratios carry over to within
 some 15 %, those of two forms of the same program (`paired_ratio`) to a few hundredths.
@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 import statistics
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from time import process_time
 
 Call = Callable[[], object]
@@ -19,9 +19,10 @@ SECONDS = 0.02
 """Of one call in one round, at least."""
 
 
-def medians(calls: Sequence[Call]) -> list[float]:
-    """Median seconds of each call."""
-    return [statistics.median(times) for times in rounds(calls)]
+def medians(calls: Sequence[Call], count: int = ROUNDS, kept: bool = True) -> list[float]:
+    """Median seconds of each call; ``kept`` to one core, or not where a library hands work to threads of its own."""
+    with one_core() if kept else nullcontext():
+        return [statistics.median(times) for times in _rounds(calls, count, SECONDS)]
 
 
 def paired_ratio(former: Call, present: Call, count: int = ROUNDS, seconds: float = SECONDS) -> float:
@@ -33,10 +34,14 @@ def paired_ratio(former: Call, present: Call, count: int = ROUNDS, seconds: floa
 def rounds(calls: Sequence[Call], count: int = ROUNDS, seconds: float = SECONDS) -> list[list[float]]:
     """Seconds of each call in every round, one round of all calls after another, forth and back in turn."""
     with one_core():
-        lines = [(call, _repeats(call, seconds), list[float]()) for call in calls]
-        for i in range(count):
-            for call, repeats, times in reversed(lines) if i % 2 else lines:
-                times.append(_seconds(call, repeats))
+        return _rounds(calls, count, seconds)
+
+
+def _rounds(calls: Sequence[Call], count: int, seconds: float) -> list[list[float]]:
+    lines = [(call, _repeats(call, seconds), list[float]()) for call in calls]
+    for i in range(count):
+        for call, repeats, times in reversed(lines) if i % 2 else lines:
+            times.append(_seconds(call, repeats))
     return [times for _, _, times in lines]
 
 

@@ -1,0 +1,160 @@
+"""Derivatives as one has them without the closed forms: by SymPy, by JAX, by complex steps of kernels.
+
+A function here is by its name among the kernels; its arguments are v, and w and z as the function takes them.
+"""
+
+from __future__ import annotations
+
+import importlib
+import sys
+import tempfile
+from collections.abc import Callable, Iterator, Sequence
+from functools import cache, partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import sympy
+
+from benchmarks.timing import Call
+from derive.maps import Cayley
+from derive.maps.polynomials import x
+from tests.support import packages
+
+STEP = 1e-40
+"""Of complex steps: nothing is subtracted, so it may be as small as its square underflows."""
+
+Symbols = Sequence[sympy.Symbol]
+Parts = tuple[sympy.Matrix, sympy.Matrix]
+
+# --- SymPy --------------------------------------------------------------------------------------------------------
+
+
+def applied(parts: Parts, w: Symbols) -> sympy.Matrix:
+    """A dual tensor applied to a dual vector, six components."""
+    real, dual = sympy.Matrix(w[:3]), sympy.Matrix(w[3:])
+    return sympy.Matrix.vstack(parts[0] * real, parts[0] * dual + parts[1] * real)
+
+
+def along(matrix: sympy.Matrix, v: Symbols, rates: Sequence[Any]) -> sympy.Matrix:
+    """The derivative of a matrix as v goes at these rates."""
+    return sum((matrix.diff(c) * rate for c, rate in zip(v, rates, strict=True)), start=matrix * 0)
+
+
+def tangent_dot(cayley: Cayley, v: Symbols, w: Symbols) -> Iterator[sympy.Expr]:
+    for part in cayley.tangent.matrix(v):
+        yield from along(part, v, w)
+
+
+def twist_jacobian(cayley: Cayley, v: Symbols, w: Symbols) -> Iterator[sympy.Expr]:
+    yield from applied(cayley.tangent.matrix(v), w).jacobian(v)
+
+
+def rate_jacobian(cayley: Cayley, v: Symbols, w: Symbols) -> Iterator[sympy.Expr]:
+    yield from applied(cayley.tangent_inv.matrix(v), w).jacobian(v)
+
+
+def rate_dot(cayley: Cayley, v: Symbols, w: Symbols, z: Symbols) -> Iterator[sympy.Expr]:
+    operator = cayley.tangent_inv.matrix(v)
+    rate = applied(operator, w)
+    yield from along(rate, v, list(rate)) + applied(operator, z)
+
+
+def compose_jacobians(cayley: Cayley, v: Symbols, w: Symbols) -> Iterator[sympy.Expr]:
+    """Of tan(atan2(|U|, S)/n) U/|U|, where S + U is the product of both quaternions, and of its derivative."""
+    s, u = quaternion_product(cayley, v[:3], w[:3])
+    length = sympy.sqrt(u.dot(u))
+    real = u * (sympy.tan(sympy.atan2(length, s) / cayley.order) / length)
+    moving, rates = [*v[:3], *w[:3]], [*v[3:], *w[3:]]
+    for given in (v[:3], w[:3]):
+        jacobian = real.jacobian(given)
+        zero, dual = sympy.zeros(3), along(jacobian, moving, rates)
+        yield from sympy.Matrix(sympy.BlockMatrix([[jacobian, zero], [dual, jacobian]]))
+
+
+def quaternion_product(cayley: Cayley, v: Symbols, w: Symbols) -> tuple[sympy.Expr, sympy.Matrix]:
+    """Of p + q v at both, which are not normalized."""
+    one, other = sympy.Matrix(v), sympy.Matrix(w)
+    (p2, q2), (p1, q1) = ([f.subs(x, a.dot(a)) for f in (cayley.p, cayley.q)] for a in (one, other))
+    s = p2 * p1 - q2 * q1 * one.dot(other)
+    return s, p1 * q2 * one + p2 * q1 * other + q2 * q1 * one.cross(other)
+
+
+COMPONENTS: dict[str, Callable[..., Iterator[sympy.Expr]]] = {
+    function.__name__: function
+    for function in (tangent_dot, twist_jacobian, rate_jacobian, rate_dot, compose_jacobians)
+}
+"""What SymPy derives for each function measured."""
+
+ARGUMENTS = {name: 3 if name == "rate_dot" else 2 for name in COMPONENTS}
+"""How many dual vectors each takes."""
+
+# --- complex steps ------------------------------------------------------------------------------------------------
+
+
+def stepped(module: Any, function: str) -> Callable[..., Any] | None:
+    """A derivative by complex steps of the kernels; None of those that choose branches, and take no complex numbers."""
+    name = function.partition("_")[0]
+    whole = getattr(module, name)
+    if function.endswith("_jacobians"):
+        return None
+    if function.endswith("_jacobian"):
+        return partial(_by_columns, whole)
+    if name == "rate":
+        return lambda v, w, z: whole(v + 1j * STEP * whole(v, w), w + 1j * STEP * z).imag / STEP
+    return lambda v, w: whole(v + 1j * STEP * w).imag / STEP
+
+
+def _by_columns(whole: Callable[..., Any], v: Any, w: Any) -> Any:
+    moved = v[..., np.newaxis, :] + 1j * STEP * np.eye(6)
+    return np.swapaxes(whole(moved, w[..., np.newaxis, :]).imag / STEP, -1, -2)
+
+
+# --- JAX ----------------------------------------------------------------------------------------------------------
+
+
+def differentiated(jax: Any, order: int, function: str) -> Callable[..., Any]:
+    """The derivative at one pose by JAX, in forward mode, of our functions as printed for arrays of any library."""
+    module = array_module(order)
+    name = function.partition("_")[0]
+    whole = getattr(module, name)
+    if function.endswith("_jacobians"):
+        made: Callable[..., Any] = jax.jacfwd(whole, argnums=(0, 1))
+    elif function.endswith("_jacobian"):
+        made = jax.jacfwd(whole)
+    elif name == "rate":
+
+        def made(v: Any, w: Any, z: Any) -> Any:
+            return jax.jvp(whole, (v, w), (whole(v, w), z))[1]
+
+    else:
+
+        def made(v: Any, w: Any) -> Any:
+            return jax.jvp(whole, (v,), (w,))[1]
+
+    return made
+
+
+def jax_calls(jax: Any, order: int, function: str, arguments: Sequence[Any]) -> dict[str, Call]:
+    """Compiled; of one pose also traced anew at every call, of many mapped over them."""
+    jax.config.update("jax_enable_x64", True)
+    one = differentiated(jax, order, function)
+    given = [jax.numpy.asarray(a) for a in arguments]
+    single = given[0].ndim == 1
+    fast = jax.jit(one if single else jax.vmap(one))
+    calls: dict[str, Call] = {"jitted": lambda: jax.block_until_ready(fast(*given))}
+    calls["jitted"]()  # which compiles, once
+    return calls | {"called": lambda: jax.block_until_ready(one(*given))} if single else calls
+
+
+@cache
+def array_module(order: int) -> Any:
+    """The kernels of an order for any array library, made once and kept no longer than the process."""
+    with tempfile.TemporaryDirectory(prefix="dualcay-arrays-") as name:
+        folder = Path(name) / f"dualcay_arrays{order}"
+        packages.write([order], "array-api", folder)
+        sys.path.insert(0, name)
+        try:
+            return importlib.import_module(f"{folder.name}.cayley{order}")
+        finally:
+            sys.path.remove(name)

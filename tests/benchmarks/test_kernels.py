@@ -1,0 +1,93 @@
+"""What kernels are timed against computes the same; gates that are missed are named."""
+
+from __future__ import annotations
+
+import importlib
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from benchmarks import derivatives, kernels, peers, timing
+from benchmarks.peers import Poses
+from tests.support.kernels import load
+
+ORDER = 1
+"""At which SymPy derives everything in a second."""
+CLOSE = {"rtol": 1e-12, "atol": 1e-12}
+"""Both are sums of some hundred terms of size 1 to 10, away from poles."""
+FUNCTIONS = tuple(derivatives.ARGUMENTS)
+
+
+def given(function: str, size: int = 20) -> tuple[np.ndarray, ...]:
+    """Vectors about the origin, of which no two make half a turn: there SymPy's composition takes no side."""
+    poses = Poses.draw(load(ORDER), size)
+    return tuple(0.1 * a for a in (poses.v, poses.w, poses.other))[: derivatives.ARGUMENTS[function]]
+
+
+def flat(result: Any) -> np.ndarray:
+    arrays = result if isinstance(result, tuple) else (result,)
+    return np.concatenate([array.reshape(len(array), -1) for array in arrays], axis=-1)
+
+
+@pytest.mark.parametrize("function", FUNCTIONS)
+def test_derivatives_by_sympy_and_by_complex_steps_are_ours(function: str) -> None:
+    arguments = given(function)
+    ours = flat(getattr(load(ORDER), function)(*arguments))
+    found = peers.lambdified(ORDER, function)(*(row for a in arguments for row in a.T))
+    np.testing.assert_allclose(np.stack(np.broadcast_arrays(*found), axis=-1), ours, **CLOSE)
+    steps = derivatives.stepped(load(ORDER), function)
+    assert (steps is None) == (function == "compose_jacobians")
+    if steps:
+        np.testing.assert_allclose(flat(steps(*arguments)), ours, **CLOSE)
+        np.testing.assert_allclose(steps(*(a[0] for a in arguments)).ravel(), ours[0], **CLOSE)
+
+
+def test_jax_differentiates_by_what_the_names_say(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of functions whose derivatives are known: ``v² w``, and its value where two vectors are composed."""
+    jax = pytest.importorskip("jax")
+    square = SimpleNamespace(tangent=lambda v: v * v, twist=lambda v, w: v * v * w)
+    square.rate = square.compose = square.twist
+    monkeypatch.setattr(derivatives, "array_module", lambda _: square)
+    v, w, z = np.arange(1.0, 19).reshape(3, 6)
+    expected = {
+        "tangent_dot": 2 * v * w,
+        "twist_jacobian": np.diag(2 * v * w),
+        "rate_jacobian": np.diag(2 * v * w),
+        "rate_dot": 2 * v * (v * v * w) * w + v * v * z,
+        "compose_jacobians": np.stack([np.diag(2 * v * w), np.diag(v * v)]),
+    }
+    for function in FUNCTIONS:
+        arguments = (v, w, z)[: derivatives.ARGUMENTS[function]]
+        calls = derivatives.jax_calls(jax, ORDER, function, arguments)
+        assert set(calls) == {"jitted", "called"}
+        np.testing.assert_allclose(np.asarray(calls["jitted"]()), expected[function], rtol=1e-14)
+
+
+def test_no_more_is_computed_than_there_is_room_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    rows = tuple(np.ascontiguousarray(a.T) for a in given("rate_jacobian"))
+    assert peers.lambdify_call(ORDER, "rate_jacobian", rows) is not None
+    monkeypatch.setattr(peers, "ROOM", 12 * rows[0][0].nbytes)
+    assert peers.lambdify_call(ORDER, "rate_jacobian", rows) is None
+    assert peers.lambdify_call(3, "compose_jacobians", rows) is None
+
+
+def test_what_falls_short_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    """With clocks of their own: ours takes a unit, JAX 30 units as it is called, 10 compiled."""
+    units = {"ours": 1.0, "called": 30.0, "jitted": 10.0, "steps": 2.0}
+    monkeypatch.setattr(kernels, "measured", lambda calls, *_, **__: {name: units[name] for name in calls})
+    monkeypatch.setattr(derivatives, "jax_calls", lambda *_: {"jitted": int, "called": int})
+    monkeypatch.setattr(kernels, "load", importlib.import_module)
+    found = [gate for _, gates in kernels.of_derivatives(load(ORDER), 1) for gate in gates]
+    assert {gate.what for gate in found if not gate.met} == {f"{f}, n = 1, N = 1: JAX, jitted" for f in FUNCTIONS}
+    assert {gate.what for gate in found if gate.met} == {f"{f}, n = 1, N = 1: JAX, called" for f in FUNCTIONS}
+
+
+def test_rows_are_timed_with_one_result_and_with_two(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(timing, "SECONDS", 1e-5)
+    monkeypatch.setattr(kernels, "ROWS", {"rate_dot": 3, "compose_jacobians": 2})
+    monkeypatch.setattr(kernels, "compiled", lambda *_: None)
+    for row, _ in kernels.on_rows(load(ORDER), 100):
+        assert float(row[3]) > 0
+        assert " x)" in row[4]
