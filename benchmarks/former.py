@@ -62,12 +62,12 @@ class Layout:
     batch: tuple[int, ...]
     rows: bool = False
     gate: float = float("inf")
-    rounds: int = 30
+    rounds: int = 16
 
 
 LAYOUTS = (
     Layout("rows, 10^4", (10_000,), rows=True, gate=1.05),
-    Layout("rows, 10^6", (1_000_000,), rows=True, gate=1.05, rounds=10),
+    Layout("rows, 10^6", (1_000_000,), rows=True, gate=1.05, rounds=6),
     Layout("one pose", (), gate=1.10),
     Layout("last, 10^4", (10_000,)),
     Layout("last, 100", (100,)),

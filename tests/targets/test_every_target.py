@@ -13,10 +13,11 @@ from derive.output import files
 from derive.proof import prove
 
 
+# the headers of the native target are those of C, and its package is built in test_native
 @pytest.mark.smoke
-@pytest.mark.parametrize("target", TARGETS.values(), ids=TARGETS)
-def test_a_module_is_made_and_validated(target, tmp_path):
-    chart, proved = Cayley(3), prove(Cayley(3))
+@pytest.mark.parametrize("name", [name for name in TARGETS if name != "native"])
+def test_a_module_is_made_and_validated(name, tmp_path):
+    target, chart, proved = TARGETS[name], Cayley(3), prove(Cayley(3))
     facts = Facts(proved, lower(proved))
     module = {module_name(chart, target): module_text(facts, target)}
     files.write(tmp_path, {**shared_texts(target), **companion_texts(facts, target), **module})
