@@ -64,10 +64,10 @@ def written(folder: Path, name: str, text: str) -> Path:
 @pytest.mark.parametrize(
     ("standard", "real", "orders"),
     [
-        ("c99", "float", ORDERS[:2]), ("c99", "double", ORDERS[2:3]),
-        ("c17", "float", ORDERS[3:4]), ("c17", "double", ORDERS[4:]),
-        ("c++11", "float", ORDERS[4:]), ("c++11", "double", ORDERS[:2]),
-        ("c++20", "float", ORDERS[2:3]), ("c++20", "double", ORDERS[3:4]),
+        ("c99", "float", ORDERS[:2]), ("c99", "double", ORDERS[2:]),
+        ("c17", "float", ORDERS[2:]), ("c17", "double", ORDERS[:2]),
+        ("c++11", "float", ORDERS[2:]), ("c++11", "double", ORDERS[:2]),
+        ("c++20", "float", ORDERS[:2]), ("c++20", "double", ORDERS[2:]),
     ],
 )  # fmt: skip
 def test_headers_compile_without_a_warning(package, tmp_path, standard, real, orders):
@@ -121,10 +121,10 @@ def test_device_qualifiers_stand_before_every_function(package, tmp_path):
     assert "GCC ivdep" not in text
 
 
-# every order in one of the two types, two of them with products and sums in one rounding: geometry is the same for all
+# every order in one of the two types, two of them as vector code with products and sums in one rounding
 @pytest.mark.parametrize(
     ("order", "real", "flags"),
-    [(n, REALS[i % 2], (*VECTOR, "-ffp-contract=fast") if n in (3, 8) else VECTOR) for i, n in enumerate(ORDERS)],
+    [(n, REALS[i % 2], (*VECTOR, "-ffp-contract=fast") if n in (3, 8) else ("-O0",)) for i, n in enumerate(ORDERS)],
 )
 def test_results_agree_with_exact_ones(package, tmp_path, order, real, flags):
     program = tmp_path / "test"
@@ -142,7 +142,7 @@ def test_results_agree_with_exact_ones_in_cpp(package, tmp_path, real):
     assert "calls agree" in run(program)
 
 
-@pytest.mark.parametrize(("order", "table", "turns"), [(2, POSES, 3), (3, POSES, 3), (8, POSES, 3), (3, ROTATIONS, 2)])
+@pytest.mark.parametrize(("order", "table", "turns"), [(3, POSES, 3), (8, POSES, 3), (3, ROTATIONS, 2)])
 def test_loops_over_rows_become_vector_code(package, tmp_path, order, table, turns):
     """All that call neither tan nor atan2, those over turns of the inverse maps among them."""
     header = (package / inside(table, "geometry.h")).read_text(encoding="utf-8").splitlines()

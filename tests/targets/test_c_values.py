@@ -14,7 +14,7 @@ from derive.codegen.signatures import POSES, PUBLIC, ROTATIONS
 from derive.codegen.validation.compiled import compiler
 from derive.maps import Cayley
 
-ORDERS = (1, 2, 3, 8)
+ORDERS = (1, 3, 8)
 LIBRARY = {"tan", "atan2"}
 """What libraries round differently."""
 

@@ -14,6 +14,7 @@ from __future__ import annotations
 import random
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import mpmath
@@ -50,7 +51,8 @@ class Case:
     scales: tuple[float, ...]
 
 
-def cases(chart: Chart, table: Table = POSES) -> list[Case]:
+@lru_cache(maxsize=4)
+def cases(chart: Chart, table: Table = POSES) -> Sequence[Case]:
     """Cases of every function of the module of a chart, by default that of poses, in the order of their signatures."""
     draw = random.Random(SEED)
     with mpmath.workdps(DIGITS):
@@ -60,7 +62,7 @@ def cases(chart: Chart, table: Table = POSES) -> list[Case]:
             if row := table.sources.get(source):
                 found.append(_case(vectors, row, branch, row.restricted(arguments)))
     names = list(table.functions)
-    return sorted(found, key=lambda case: names.index(case.function))
+    return tuple(sorted(found, key=lambda case: names.index(case.function)))
 
 
 def nearby(value: Any) -> Any:
