@@ -1,4 +1,5 @@
-# `make` derives, proves and emits the kernels; `make test` checks everything. Both set up .venv by themselves.
+# `make` derives, proves and emits the kernels; `make test` checks all, but for what `make thorough` tries besides. They
+# set up .venv by themselves.
 PYTHON ?= python3
 VENV   := .venv
 RUN    := $(VENV)/bin/python
@@ -12,7 +13,7 @@ PIP    := $(RUN) -m pip --disable-pip-version-check install --quiet --quiet --co
 CHECKS := check-kernels check-errata check-theorems
 
 .DEFAULT_GOAL := generate
-.PHONY: generate check $(CHECKS) proofs verify show test quick lint types mutants native bench accuracy figures parameterizations clean help
+.PHONY: generate check $(CHECKS) proofs verify show test thorough quick lint types mutants native bench accuracy figures parameterizations clean help
 
 generate: $(READY)  ## derive, prove and write the committed kernels (the default)
 	$(RUN) -m derive generate
@@ -37,9 +38,12 @@ verify: $(READY)  ## decide every equation of the papers and write docs/errata.m
 show: $(READY)  ## print the formulas of an order: make show N=3
 	$(RUN) -m derive show -n $(or $(N),1-3)
 
-test: $(TESTED)  ## lint, types, stale check, proofs with their controls and all tests
+test: $(TESTED)  ## lint, types, stale check, proofs with their controls and all tests but the thorough ones
 	$(MAKE) --no-print-directory --jobs=2 check types lint
-	$(PYTEST)
+	$(PYTEST) -m "not thorough"
+
+thorough: $(TESTED)  ## tests of compilers, further charts and mutants, which take minutes more
+	$(PYTEST) -m thorough
 
 quick: lint types  ## lint, types and a smoke of every room, in less than a minute
 	$(PYTEST) -m smoke

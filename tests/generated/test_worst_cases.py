@@ -8,6 +8,8 @@ import pytest
 
 from tests.support import cases, kernels
 
+pytestmark = pytest.mark.thorough
+
 KEPT, _ = cases.read()
 ORDERS = sorted({case.order for case in KEPT})
 

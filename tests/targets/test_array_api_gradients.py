@@ -10,6 +10,8 @@ from tests.support import sampling
 from tests.support.kernels import load
 from tests.support.libraries import LIBRARIES, QUICKLY
 
+pytestmark = pytest.mark.thorough
+
 ORDERS = pytest.mark.parametrize("order", [1, 3])
 # geometry is the same for all orders from 2 on, and the gain of a tensor is that of its pose
 ROADS = pytest.mark.parametrize(

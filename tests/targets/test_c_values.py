@@ -14,6 +14,8 @@ from derive.codegen.signatures import POSES, PUBLIC, ROTATIONS
 from derive.codegen.validation.compiled import compiler
 from derive.maps import Cayley
 
+pytestmark = pytest.mark.thorough
+
 ORDERS = (1, 3, 8)
 LIBRARY = {"tan", "atan2"}
 """What libraries round differently."""

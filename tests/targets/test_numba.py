@@ -24,6 +24,8 @@ from tests.support.accuracy import FUNCTIONS, Trial
 from tests.support.kernels import load
 from tests.support.signatures import SIGNATURES, assert_nearly_equal, components_first, components_last, inputs
 
+pytestmark = pytest.mark.thorough
+
 ORDER = 3
 KINDS = {(row.arguments, row.result): name for name, row in SIGNATURES.items() if not name.startswith("dcay")}
 """A function of each kind: loops over columns, which take seconds to compile, are printed as those over last axes."""

@@ -34,6 +34,8 @@ from tests.support import errors, sampling
 from tests.support.oracle import SineOracle
 from tests.support.packages import unvalidated
 
+pytestmark = pytest.mark.thorough
+
 HALF = sympy.Rational(1, 2)
 COSINE = sympy.sqrt(1 - x)
 

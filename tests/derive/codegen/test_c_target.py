@@ -23,6 +23,8 @@ from derive.maps import Cayley
 from derive.output import files
 from tests.support.packages import unvalidated
 
+pytestmark = pytest.mark.thorough
+
 C = TARGETS["c"]
 
 

@@ -21,6 +21,8 @@ from derive.output import files
 from tests.support.c_mutants import Excerpts, sample
 from tests.support.packages import Otherwise, unvalidated
 
+pytestmark = pytest.mark.thorough
+
 C = TARGETS["c"]
 ORDERS = (3, 4)
 PREFIX = "dualcay_cayley3_"

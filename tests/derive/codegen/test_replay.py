@@ -23,6 +23,8 @@ from derive.maps import Cayley
 from derive.output import files
 from tests.support.packages import unvalidated
 
+pytestmark = pytest.mark.thorough
+
 CHART = Cayley(3)
 TARGET = TARGETS["numpy"]
 KERNEL, RUNTIME, INTERFACE, MODULE = "_kernel.py", "_runtime.py", "_interface.py", "cayley3.py"

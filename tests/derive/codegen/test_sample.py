@@ -18,6 +18,8 @@ from derive.maps import Cayley
 from derive.output import files
 from derive.proof import prove
 
+pytestmark = pytest.mark.thorough
+
 ORDERS = (1, 3, 4)
 
 

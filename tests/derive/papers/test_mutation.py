@@ -14,6 +14,8 @@ from derive.papers import PAPERS, Status
 from derive.papers.decide import decide
 from derive.papers.mutation import Score, true_statements, try_mutants
 
+pytestmark = pytest.mark.thorough
+
 ENOUGH = 0.95
 PROCESSES = 2
 CHUNKS = 24
