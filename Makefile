@@ -13,7 +13,7 @@ PIP    := $(RUN) -m pip --disable-pip-version-check install --quiet --quiet --co
 CHECKS := check-kernels check-errata check-theorems
 
 .DEFAULT_GOAL := generate
-.PHONY: generate check $(CHECKS) proofs verify show test thorough quick lint types mutants native bench accuracy figures parameterizations clean help
+.PHONY: generate check $(CHECKS) proofs verify show test thorough quick smoke lint types mutants native bench accuracy figures parameterizations clean help
 
 generate: $(READY)  ## derive, prove and write the committed kernels (the default)
 	$(RUN) -m derive generate
@@ -45,7 +45,10 @@ test: $(TESTED)  ## lint, types, stale check, proofs with their controls and all
 thorough: $(TESTED)  ## tests of compilers, further charts and mutants, which take minutes more
 	$(PYTEST) -m thorough
 
-quick: lint types  ## lint, types and a smoke of every room, in less than a minute
+quick: $(TESTED)  ## lint, types and a smoke of every room, in less than a minute
+	$(MAKE) --no-print-directory --jobs=3 types smoke lint
+
+smoke: $(TESTED)
 	$(PYTEST) -m smoke
 
 lint: $(TESTED)  ## ruff
