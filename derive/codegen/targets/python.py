@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import re
 import textwrap
+from abc import ABC, abstractmethod
 from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -75,7 +76,7 @@ class Printed:
     forms: Any
 
 
-class PythonTarget:
+class PythonTarget(ABC):
     """What the rows of these targets share."""
 
     extension = "py"
@@ -106,13 +107,13 @@ class PythonTarget:
             found[inside(table, INTERFACE)] = interface(self.words, table)
         return found
 
+    @abstractmethod
     def geometry(self, table: Table) -> Data:
         """What the template of a geometry is given."""
-        raise NotImplementedError
 
+    @abstractmethod
     def programs(self, lowered: Lowered, known: Container[str] = ()) -> Data:
         """What the template of a chart is given of its programs, but of the scalars that are known already."""
-        raise NotImplementedError
 
     def module(self, facts: Facts) -> Data:
         return {**described(facts, self.words), **self.programs(facts.lowered)}

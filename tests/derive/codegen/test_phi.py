@@ -10,14 +10,19 @@ import mpmath
 import numpy as np
 import pytest
 
+from derive.algebra import Dual, Vector
 from derive.codegen import generate
+from derive.codegen.cases import samples
+from derive.codegen.cases.vectors import Vectors
 from derive.codegen.catalogue import chart_of, charts, command
 from derive.codegen.facts import Facts
 from derive.codegen.lowered import lower
 from derive.codegen.module import module_name, module_text, shared_texts
 from derive.codegen.signatures import PUBLIC
 from derive.codegen.targets import TARGETS
+from derive.codegen.validation.rounding import long
 from derive.maps import PhiError, parameterization
+from derive.maps.pose import Screw
 from derive.output import files
 from derive.proof import prove
 from tests.support import families
@@ -86,6 +91,20 @@ def test_branches_that_there_are_not_are_nan(kernels: ModuleType):
     np.testing.assert_allclose(kernels.pose(back), kernels.pose(v), rtol=0, atol=1e-12)
     np.testing.assert_allclose(kernels.principal(back), v, rtol=0, atol=1e-12)
     assert kernels.singular_angles() == pytest.approx((2 * np.pi, np.sqrt(40)), rel=1e-15)
+
+
+def test_beyond_a_fold_there_is_no_vector():
+    """Just beyond half a turn: a branch begins there that only half turns are on, and nothing of it is replayed."""
+    chart = parameterization("sin(alpha/2) + alpha/50", "folded_early")
+    at, axis = Vectors(chart), Vector.dual((1, 0, 0), (0, 0, 0))
+    with mpmath.workdps(50):
+        found = [next(iter(at.at(Screw(Dual(mpmath.mpf(angle), mpmath.mpf(0)), axis)).re)) for angle in ("3.2", "3.23")]
+    assert float(found[0]) == pytest.approx(np.sin(1.6) + 0.064, rel=1e-15)
+    assert mpmath.isnan(found[1])
+    assert np.isnan(long(found)[1])
+    replayed = {group.branch for group in samples(chart, chosen=("from_pose", "from_quaternion"))}
+    assert (0,) in replayed
+    assert (-1,) not in replayed
 
 
 def test_complex_steps_go_through_the_origin(kernels: ModuleType):
