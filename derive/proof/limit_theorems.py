@@ -7,8 +7,8 @@ At order n let ``v`` be 2n times the vector and ``ε = 1/(2n)²``. Then ``v = φ
     \varphi' = 1 + \varepsilon\,\varphi^2
 
 so that α is the solution of ``dα/dr = 1/(1 + ε r²)``, ``r = |v|``, which begins at 0. Its right side is analytic in ε
-and r where ``|ε| r² < 1``, that is up to half the edge of the chart, α < nπ/2; so are then its solution, and all maps as
-functions of it. What stands here is their value at ε = 0 and their derivative by ε there: both are found together as
+and r where ``|ε| r² < 1``, that is up to half the edge of the chart, α < nπ/2; so are then its solution and all maps,
+as functions of it. What stands here is their value at ε = 0 and their derivative by ε there, both found together as
 numbers over the dual unit, ``ε² = 0``. So the quaternion, the tensor and T are those of the exponential but for
 ``1/(4 n²)`` times what is stated beside ε, and for terms of order ``1/n⁴``.
 """
