@@ -52,6 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
+    programs="84a205a7cb3473f4",
 )
 
 KERNELS = RotationKernels(CHART)
