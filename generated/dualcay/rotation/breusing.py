@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="84a205a7cb3473f4",
+    programs="6c3b93e4d6f155d4",
 )
 
 KERNELS = RotationKernels(CHART)
