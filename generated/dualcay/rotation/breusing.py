@@ -52,6 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
+    programs="6c3b93e4d6f155d4",
 )
 
 KERNELS = RotationKernels(CHART)
