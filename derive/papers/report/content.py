@@ -97,6 +97,20 @@ def readings(result: Result) -> str:
     return f"{shown} readings, {'none' if not true else 'one' if true == 1 else true} true"
 
 
+def extent(result: Result) -> str:
+    """How the condition of a result is meant: where it is true, where it is true at least, or where it was decided."""
+    if result.status is not Status.HOLDS_IF:
+        return "where"
+    return "if" if result.equation.sharp else "at least where"
+
+
+def domain(result: Result) -> tuple[str, ...]:
+    """The condition that was found, and the domain that the paper states, in one line each."""
+    found = f"{extent(result)} {plain(result.condition)}" if result.condition else ""
+    stated = f"for {plain(result.claimed)}, as stated" if result.claimed else ""
+    return tuple(line for line in (found, stated) if line)
+
+
 def why(result: Result) -> str:
     """One line on what an erratum contradicts."""
     entry = result.equation
