@@ -691,7 +691,6 @@ class PoseKernels:
 
     # --- derivatives of the tangent operator ------------------------------------------------------------------------
 
-
     def tangent_dot(self, v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Time derivative of the tangent operator T of the space frame.
 
@@ -889,6 +888,8 @@ class PoseKernels:
         True
         """
         return call(self._chart, "rate_dot", axis, out, v, omega, omega_dot, table=BODY)
+
+    # --- Jacobians --------------------------------------------------------------------------------------------------
 
     def twist_jacobian(self, v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Derivative of the twist in the space frame by v, v̇ fixed: ``∂(T v̇)/∂v``.
@@ -1162,7 +1163,7 @@ class PoseKernels:
         """
         return call(self._chart, "twist_jacobian", axis, out, v, z, table=SPACE, last="z")
 
-    # --- inverse maps, shadows, composition -------------------------------------------------------------------------
+    # --- branches: shadows ------------------------------------------------------------------------------------------
 
     def shadow(self, v: ArrayLike, branch: int = 1, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Another vector of the same pose, ``v_k = φ(α + 2kπ) u``, CP23 (49).
@@ -1284,6 +1285,8 @@ class PoseKernels:
         True
         """
         return returned(self._chart, v, axis, out)
+
+    # --- inverse maps -----------------------------------------------------------------------------------------------
 
     def from_quaternion(
         self, q: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None,
@@ -1437,6 +1440,8 @@ class PoseKernels:
         if check:
             require(LAWS["from_pose"], T, axis)
         return call_branch(self._chart, "from_pose", branch, axis, out, T)
+
+    # --- screws, exponential coordinates, angles --------------------------------------------------------------------
 
     def from_screw(
         self, angle: ArrayLike, line: ArrayLike, /, *, axis: int = -1, out: Array | None = None, check: bool = False
@@ -1627,6 +1632,8 @@ class PoseKernels:
         """
         return call(self._chart, "angle", axis, out, v)
 
+    # --- composition ------------------------------------------------------------------------------------------------
+
     def compose(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Principal v of ``R(v2) R(v1)``: v1 acts first, CP23 (58).
 
@@ -1660,9 +1667,6 @@ class PoseKernels:
         True
         """
         return call(self._chart, "compose", axis, out, v2, v1)
-
-    # --- group ------------------------------------------------------------------------------------------------------
-
 
     def between(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Principal v of ``R(v1)⁻¹ R(v2)``: what leads from v1 to v2, in the frame of v1.
@@ -1769,6 +1773,8 @@ class PoseKernels:
         """
         found = call(self._chart, "between_jacobians", axis, None, v2, v1)
         return separate(found, axis, (6, 6), (6, 6))
+
+    # --- steps: retract and local -----------------------------------------------------------------------------------
 
     def retract(self, v: ArrayLike, delta: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Vector of ``exp(δ) R(v)``, of its branches the one nearest v: a step of δ in the space frame.
@@ -1987,6 +1993,8 @@ class PoseKernels:
         True
         """
         return call(self._chart, "body_local", axis, out, v2, v1)
+
+    # --- motions, and what moves with them --------------------------------------------------------------------------
 
     def interpolate(self, v1: ArrayLike, v2: ArrayLike, t: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Vector of the screw-linear motion (ScLERP) from v1 at t = 0 to the pose of v2 at t = 1: ``exp(t δ) R(v1)``.

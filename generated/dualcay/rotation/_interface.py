@@ -524,7 +524,6 @@ class RotationKernels:
 
     # --- derivatives of the tangent operator ------------------------------------------------------------------------
 
-
     def tangent_dot(self, v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Time derivative of the tangent operator T of the space frame.
 
@@ -716,6 +715,8 @@ class RotationKernels:
         True
         """
         return call(self._chart, "rate_dot", axis, out, v, omega, omega_dot, table=BODY)
+
+    # --- Jacobians --------------------------------------------------------------------------------------------------
 
     def twist_jacobian(self, v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Derivative of the angular velocity in the space frame by v, v̇ fixed: ``∂(T v̇)/∂v``.
@@ -979,7 +980,7 @@ class RotationKernels:
         """
         return call(self._chart, "twist_jacobian", axis, out, v, z, table=SPACE, last="z")
 
-    # --- inverse maps, shadows, composition -------------------------------------------------------------------------
+    # --- branches: shadows ------------------------------------------------------------------------------------------
 
     def shadow(self, v: ArrayLike, branch: int = 1, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Another vector of the same rotation, ``v_k = φ(α + 2kπ) u``, CP23 (49).
@@ -1099,6 +1100,8 @@ class RotationKernels:
         """
         return returned(self._chart, v, axis, out)
 
+    # --- inverse maps -----------------------------------------------------------------------------------------------
+
     def from_quaternion(
         self, q: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None,
         check: bool = False, scalar_first: bool = True,
@@ -1200,6 +1203,8 @@ class RotationKernels:
         if check:
             require(LAWS["from_tensor"], R, axis)
         return call_branch(self._chart, "from_tensor", branch, axis, out, R)
+
+    # --- screws, exponential coordinates, angles --------------------------------------------------------------------
 
     def from_angle_axis(
         self, angle: ArrayLike, u: ArrayLike, /, *, axis: int = -1, out: Array | None = None, check: bool = False
@@ -1378,6 +1383,8 @@ class RotationKernels:
         """
         return call(self._chart, "angle", axis, out, v)
 
+    # --- composition ------------------------------------------------------------------------------------------------
+
     def compose(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Principal v of ``R(v2) R(v1)``: v1 acts first, CP23 (58).
 
@@ -1411,9 +1418,6 @@ class RotationKernels:
         True
         """
         return call(self._chart, "compose", axis, out, v2, v1)
-
-    # --- group ------------------------------------------------------------------------------------------------------
-
 
     def between(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Principal v of ``R(v1)⁻¹ R(v2)``: what leads from v1 to v2, in the frame of v1.
@@ -1520,6 +1524,8 @@ class RotationKernels:
         """
         found = call(self._chart, "between_jacobians", axis, None, v2, v1)
         return separate(found, axis, (3, 3), (3, 3))
+
+    # --- steps: retract and local -----------------------------------------------------------------------------------
 
     def retract(self, v: ArrayLike, delta: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Vector of ``exp(δ) R(v)``, of its branches the one nearest v: a step of δ in the space frame.
@@ -1734,6 +1740,8 @@ class RotationKernels:
         True
         """
         return call(self._chart, "body_local", axis, out, v2, v1)
+
+    # --- motions, and what moves with them --------------------------------------------------------------------------
 
     def interpolate(self, v1: ArrayLike, v2: ArrayLike, t: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Vector of the turn at a constant rate (SLERP) from v1 at t = 0 to the rotation of v2 at t = 1: ``exp(t δ) R(v1)``.
