@@ -7,9 +7,9 @@ from dataclasses import dataclass
 
 from derive.proof import Proof
 
-from ..equation import Counterexample, Result, Status
 from ..paper import Paper
 from ..readings.search import CAP, COUNTED
+from ..result import Counterexample, Result, Status
 from .plain import plain
 
 MEANING = {
@@ -101,7 +101,7 @@ def extent(result: Result) -> str:
     """How the condition of a result is meant: where it is true, where it is true at least, or where it was decided."""
     if result.status is not Status.HOLDS_IF:
         return "where"
-    return "if" if result.equation.sharp else "at least where"
+    return "if" if result.exact else "at least where"
 
 
 def domain(result: Result) -> tuple[str, ...]:

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 
 from derive.output.tables import WIDTH, Column, Grid
 
-from ..equation import Result, Status
+from ..result import Result, Status
 from .content import MEANING, Chapter, Report, command, domain, example, label, readings
 from .plain import plain
 
