@@ -11,13 +11,14 @@ from pathlib import Path
 import pytest
 from filelock import FileLock
 
-from tests.support import browsers
+from tests.support import browsers, compilers
 
 MISSING = {
     marker: reason
     for marker, found, reason in [
         ("torch", importlib.util.find_spec("torch"), "PyTorch is not installed (extra 'torch')"),
         ("browser", browsers.find(), browsers.MISSING),
+        ("compiler", compilers.find(), compilers.MISSING),
     ]
     if not found
 }

@@ -6,18 +6,17 @@ import hashlib
 from collections.abc import Iterator, Mapping
 
 from .facts import Facts
-from .lowered import geometry
+from .lowered import Lowered, geometry
 from .programs.program import Call, Program, Statement
-from .signatures import KERNELS
 
 DIGITS = 16
 
 
-def fingerprint(facts: Facts) -> str:
-    """Hexadecimal digits of a digest of all that a chart computes: programs, their arrays, the tables of branches."""
-    lowered = facts.lowered
-    lines = [*_lines(geometry()), *_lines(lowered.scalars), *_lines(lowered.own)]
-    lines += [f"{row.name} {row.arguments} {row.results} {row.constants}" for row in KERNELS.values()]
+def fingerprint(facts: Facts, lowered: Lowered) -> str:
+    """Hexadecimal digits of a digest of all that a chart computes for a table: programs, arrays, tables of branches."""
+    lines = [*_lines(geometry(lowered.table)), *_lines(lowered.scalars), *_lines(lowered.own)]
+    rows = lowered.table.kernels.values()
+    lines += [f"{row.name} {row.arguments} {row.results} {row.constants}" for row in rows]
     lines += [f"{facts.turns} {facts.returns}"]
     return hashlib.sha256("\n".join(lines).encode()).hexdigest()[:DIGITS]
 

@@ -1,12 +1,14 @@
 r"""Breusing's chart, the geometric mean of tangent and sine: ``v = sin θ/√(cos θ) u``, θ = α/4.
 
-From ``x = (1 − c²)/c``, ``c = cos θ``:
+From ``x = (1 − c²)/c``, ``c = cos θ``, so that the quaternion is ``c − x + 2 √c v`` over ``1/c = c + x``:
 
 .. math::
-    c = \frac{2}{x + \sqrt{x^2 + 4}} \qquad s = 2 c^2 - 1 \quad w = 2 c^{3/2} \quad
+    c = \frac{2}{x + \sqrt{x^2 + 4}} \qquad s = \frac{c - x}{c + x} \quad w = \frac{2 \sqrt c}{c + x} \quad
     \rho = \frac{8 c^{3/2}}{1 + c^2} \quad h_i = \frac{3}{4 \sqrt c} \quad h = \frac{4 c^{5/2} (3 + 2 c^2)}{1 + c^2}
 
     \frac{dc}{dx} = -\frac{c^2}{1 + c^2}
+
+Over c + x, not times c: so it is a unit quaternion whatever rounding makes of c.
 """
 
 from __future__ import annotations
@@ -50,12 +52,26 @@ class BreusingScalars(DependentScalars):
         return self.m.name("weight", 3 + 2 * self.cc)
 
     @cached_property
+    def _above(self) -> Coefficient:
+        """``c − x``."""
+        return self.m.name("above", self.c - self.x)
+
+    @cached_property
+    def _size(self) -> Coefficient:
+        """``c + x = 1/c``."""
+        return self.m.name("size", self.c + self.x)
+
+    @cached_property
     def s(self) -> Coefficient:
-        return self.m.name("s", 2 * self.cc - 1)
+        return self.m.name("s", self._above / self._size)
 
     @cached_property
     def w(self) -> Coefficient:
-        return self.m.name("w", 2 * (self.c * self._root))
+        return self.m.name("w", 2 * self._root / self._size)
+
+    @property
+    def ray(self) -> tuple[Coefficient, Coefficient, Coefficient]:
+        return self._above, self.m.name("b", 2 * self._root), self._size
 
     @cached_property
     def _root(self) -> Coefficient:
@@ -91,13 +107,13 @@ class BreusingScalars(DependentScalars):
 
     @cached_property
     def g(self) -> Coefficient:
-        """``2 w² = 8 c³``, of fewer roundings."""
-        return self.m.name("g", 8 * (self.c * self.cc))
+        """``2 w² = 8 c/(c + x)²``, of fewer roundings."""
+        return self.m.name("g", 8 * (self.c / (self._size * self._size)))
 
     @cached_property
     def fi(self) -> Coefficient:
-        """``s/w``, a root divided by last."""
-        return self.m.name("fi", self.m.div(self.s, 2 * self.c) / self._root)
+        """``s/w = (c − x)/(2 √c)``."""
+        return self.m.name("fi", self._above / (2 * self._root))
 
     @cached_property
     def hi(self) -> Coefficient:

@@ -25,6 +25,7 @@ components             the componentwise road at one order, from the definition
 at_point               statements about one order, evaluated as printed
 scalars                the scalars of any algebraic chart are its formulas, and those of its φ
 any_phi                theorems on every parameterization v = φ(α) u
+limit_theorems         theorems on what maps tend to as the order grows, and how fast
 instances_of_phi       the formulas of a chart in α are their instances
 proved                 `Proved` and the way to it
 controls               every theorem and every check with one thing wrong, which must fail

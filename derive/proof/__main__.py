@@ -17,6 +17,7 @@ from .displacement_theorems import COMPOSITION_AT
 from .every_order import decided, stated
 from .formulas import Formulas
 from .identity import ALL_ORDERS, Proof
+from .limit_theorems import GROWING_ORDER
 from .page import page, title
 from .proved import proofs
 from .theorem import Theorem
@@ -50,7 +51,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def claims() -> tuple[Theorem, ...]:
     """What is proved once."""
-    return (*stated(Formulas()), *COMPOSITION_AT.values(), *ANY_PHI)
+    return (*stated(Formulas()), *COMPOSITION_AT.values(), *ANY_PHI, *GROWING_ORDER)
 
 
 def at_order(n: int) -> tuple[Proof, ...]:

@@ -156,6 +156,8 @@ class Setting(Evaluation):
 
 
 def _derivative(rates: Mapping[Any, Any], value: Any) -> Any:
+    if isinstance(value, Dual):
+        return Dual(_derivative(rates, value.re), _derivative(rates, value.du))
     return value.derivative(rates) if isinstance(value, Quotient) else 0
 
 

@@ -54,12 +54,12 @@ def backend() -> dict[str, str]:
     dict
         From the names of functions to ``"numpy"``, or to ``"native"`` where the compiled ones of ``dualcay-native``
         run in every module, ``"native in cayley2, cayley3"`` where in some. Numbers that these do not take (complex ones,
-        objects) go to NumPy in any case, as do rotations alone. ``DUALCAY_NATIVE=0`` in the environment switches them off.
+        objects) go to NumPy in any case. ``DUALCAY_NATIVE=0`` in the environment switches them off.
 
     Examples
     --------
-    >>> import dualcay
-    >>> dualcay.backend()["pose"].split(" ")[0] in ("numpy", "native")
+    >>> from dualcay import backend
+    >>> backend()["tensor"].split(" ")[0] in ("numpy", "native")
     True
     """
     from ._interface import PoseKernels

@@ -51,7 +51,7 @@ class Chart:
     kernels : mapping
         Those that all charts share, or with less where they know the chart.
     programs : str
-        A digest of all of them, by which compiled ones are known to be the same; none of such that nothing compiles.
+        A digest of all of them, by which compiled ones are known to be the same.
     """
 
     def __init__(
@@ -63,7 +63,7 @@ class Chart:
         returns: tuple[str, ...],
         functions: Mapping[str, Function],
         kernels: Mapping[str, Kernel],
-        programs: str = "",
+        programs: str,
     ) -> None:
         self.module = module
         self.branches = branches

@@ -48,51 +48,51 @@
 #   [breusing] phi at 0: [phi](alpha -> 0) = 0; [phi](alpha -> -alpha) = -phi
 #
 # Operations:
-#   quaternion: 54: 15 +, 32 *, 4 /, 1 neg, 2 sqrt
-#   tensor: 106: 40 +, 62 *, 2 /, 2 sqrt
-#   pose: 79: 31 +, 44 *, 2 /, 2 sqrt
-#   transform_point: 92: 35 +, 53 *, 2 /, 2 sqrt
-#   transform_line: 131: 50 +, 77 *, 2 /, 2 sqrt
+#   quaternion: 56: 16 +, 31 *, 6 /, 1 neg, 2 sqrt
+#   tensor: 109: 41 +, 61 *, 5 /, 2 sqrt
+#   pose: 82: 32 +, 43 *, 5 /, 2 sqrt
+#   transform_point: 95: 36 +, 52 *, 5 /, 2 sqrt
+#   transform_line: 134: 51 +, 76 *, 5 /, 2 sqrt
 #   inverse: 6: 6 neg
-#   tangent: 121: 45 +, 70 *, 4 /, 2 sqrt
-#   tangent_inv: 108: 38 +, 51 *, 16 /, 1 neg, 2 sqrt
-#   body_tangent: 121: 45 +, 70 *, 4 /, 2 sqrt
-#   body_tangent_inv: 108: 38 +, 51 *, 16 /, 1 neg, 2 sqrt
-#   twist: 155: 56 +, 93 *, 4 /, 2 sqrt
-#   rate: 140: 49 +, 81 *, 7 /, 1 neg, 2 sqrt
-#   tangent_dot: 253: 91 +, 150 *, 10 /, 2 sqrt
-#   twist_dot: 281: 104 +, 167 *, 8 /, 2 sqrt
-#   rate_dot: 389: 150 +, 211 *, 24 /, 2 neg, 2 sqrt
-#   twist_jacobian: 330: 126 +, 193 *, 8 /, 1 neg, 2 sqrt
-#   rate_jacobian: 261: 95 +, 141 *, 21 /, 2 neg, 2 sqrt
+#   tangent: 124: 46 +, 69 *, 7 /, 2 sqrt
+#   tangent_inv: 108: 39 +, 49 *, 17 /, 1 neg, 2 sqrt
+#   body_tangent: 124: 46 +, 69 *, 7 /, 2 sqrt
+#   body_tangent_inv: 108: 39 +, 49 *, 17 /, 1 neg, 2 sqrt
+#   twist: 158: 57 +, 92 *, 7 /, 2 sqrt
+#   rate: 140: 50 +, 79 *, 8 /, 1 neg, 2 sqrt
+#   tangent_dot: 256: 92 +, 149 *, 13 /, 2 sqrt
+#   twist_dot: 284: 105 +, 166 *, 11 /, 2 sqrt
+#   rate_dot: 390: 151 +, 209 *, 26 /, 2 neg, 2 sqrt
+#   twist_jacobian: 333: 127 +, 192 *, 11 /, 1 neg, 2 sqrt
+#   rate_jacobian: 262: 96 +, 139 *, 23 /, 2 neg, 2 sqrt
 #   from_quaternion: 85: 27 +, 42 *, 8 /, 1 neg, 4 sqrt, 1 lt, 2 where
 #   from_tensor: 151: 50 +, 53 *, 12 /, 5 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 115: 35 +, 35 *, 9 /, 5 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 34: 6 +, 17 *, 7 /, 1 sqrt, 1 tan, 1 lt, 1 where
-#   to_screw: 105: 24 +, 38 *, 12 /, 1 neg, 8 abs, 3 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
-#   angle: 83: 23 +, 28 *, 9 /, 6 abs, 6 sqrt, 1 atan2, 3 eq, 7 where
-#   to_exponential: 65: 19 +, 31 *, 6 /, 5 sqrt, 1 atan2, 1 eq, 2 where
+#   to_screw: 106: 25 +, 36 *, 14 /, 1 neg, 8 abs, 3 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
+#   angle: 86: 24 +, 27 *, 12 /, 6 abs, 6 sqrt, 1 atan2, 3 eq, 7 where
+#   to_exponential: 66: 20 +, 30 *, 7 /, 5 sqrt, 1 atan2, 1 eq, 2 where
 #   from_exponential: 67: 17 +, 26 *, 10 /, 2 sqrt, 2 tan, 2 atan2, 2 lt, 1 eq, 5 where
 #   turn: 98: 22 +, 38 *, 18 /, 6 abs, 4 sqrt, 1 lt, 2 eq, 7 where
-#   shadow: 137: 34 +, 51 *, 19 /, 1 neg, 6 abs, 6 sqrt, 5 lt, 3 eq, 1 and, 1 or, 10 where
+#   shadow: 137: 35 +, 48 *, 21 /, 1 neg, 6 abs, 6 sqrt, 5 lt, 3 eq, 1 and, 1 or, 10 where
 #   identity_jacobian: 12: 12 +
-#   shadow_jacobian: 239: 65 +, 108 *, 29 /, 1 neg, 6 abs, 10 sqrt, 5 lt, 3 eq, 1 and, 1 or, 10 where
+#   shadow_jacobian: 241: 68 +, 103 *, 33 /, 1 neg, 6 abs, 10 sqrt, 5 lt, 3 eq, 1 and, 1 or, 10 where
 #   principal: 83: 21 +, 33 *, 15 /, 4 sqrt, 2 lt, 8 where
-#   compose: 249: 85 +, 139 *, 13 /, 1 neg, 8 sqrt, 1 lt, 2 where
-#   between: 255: 85 +, 139 *, 13 /, 7 neg, 8 sqrt, 1 lt, 2 where
-#   compose_jacobians: 1086: 412 +, 585 *, 64 /, 8 neg, 14 sqrt, 1 lt, 2 where
-#   between_jacobians: 1110: 412 +, 585 *, 64 /, 32 neg, 14 sqrt, 1 lt, 2 where
-#   retract: 348: 113 +, 163 *, 36 /, 1 abs, 11 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 13 where
-#   body_retract: 348: 113 +, 163 *, 36 /, 1 abs, 11 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 13 where
-#   retract_jacobians: 1165: 438 +, 592 *, 87 /, 7 neg, 1 abs, 15 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 14 where
-#   body_retract_jacobians: 1165: 438 +, 592 *, 87 /, 7 neg, 1 abs, 15 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 14
+#   compose: 255: 87 +, 137 *, 19 /, 1 neg, 8 sqrt, 1 lt, 2 where
+#   between: 261: 87 +, 137 *, 19 /, 7 neg, 8 sqrt, 1 lt, 2 where
+#   compose_jacobians: 1098: 417 +, 579 *, 77 /, 8 neg, 14 sqrt, 1 lt, 2 where
+#   between_jacobians: 1122: 417 +, 579 *, 77 /, 32 neg, 14 sqrt, 1 lt, 2 where
+#   retract: 351: 114 +, 162 *, 39 /, 1 abs, 11 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 13 where
+#   body_retract: 351: 114 +, 162 *, 39 /, 1 abs, 11 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 13 where
+#   retract_jacobians: 1171: 441 +, 588 *, 94 /, 7 neg, 1 abs, 15 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 14 where
+#   body_retract_jacobians: 1171: 441 +, 588 *, 94 /, 7 neg, 1 abs, 15 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 14
 #       where
-#   local: 318: 102 +, 162 *, 25 /, 7 neg, 7 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   body_local: 318: 102 +, 162 *, 25 /, 7 neg, 7 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   interpolate: 704: 222 +, 337 *, 60 /, 8 neg, 4 abs, 17 sqrt, 3 tan, 4 atan2, 8 lt, 5 eq, 1 or, 35 where
-#   adjoint: 106: 40 +, 62 *, 2 /, 2 sqrt
-#   transform_point_jacobians: 235: 98 +, 128 *, 4 /, 3 neg, 2 sqrt
-#   transform_line_jacobians: 334: 131 +, 191 *, 4 /, 6 neg, 2 sqrt
+#   local: 324: 104 +, 160 *, 31 /, 7 neg, 7 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+#   body_local: 324: 104 +, 160 *, 31 /, 7 neg, 7 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+#   interpolate: 710: 224 +, 335 *, 66 /, 8 neg, 4 abs, 17 sqrt, 3 tan, 4 atan2, 8 lt, 5 eq, 1 or, 35 where
+#   adjoint: 109: 41 +, 61 *, 5 /, 2 sqrt
+#   transform_point_jacobians: 238: 99 +, 127 *, 7 /, 3 neg, 2 sqrt
+#   transform_line_jacobians: 337: 132 +, 190 *, 7 /, 6 neg, 2 sqrt
 r"""Breusing's chart: Rodrigues dual vectors ``v = sin(α/4)/sqrt(cos(α/4)) u`` of rigid displacements.
 
 .. math::
@@ -143,19 +143,20 @@ def __dir__() -> list[str]:
 # --- scalars of x = v·v, of angles and quaternions: plain, and in place -------------------------------------------
 
 
-# operations 30: 8 +, 15 *, 4 /, 1 neg, 2 sqrt
+# operations 32: 9 +, 14 *, 6 /, 1 neg, 2 sqrt
 def _quaternion(m: Any, x: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     c = (below - below + 2) / below
-    cc = c * c
-    cc_by_2 = 2 * cc
-    s = cc_by_2 - 1
+    above = c - x
+    size = c + x
+    s = above / size
     rootc = m.sqrt(c)
-    w = 2 * (c * rootc)
+    w = 2 * rootc / size
+    cc = c * c
     over = 1 / (1 + cc)
     rho = 4 * (w * over)
     sy = -(rho * w / 2)
-    weight = 3 + cc_by_2
+    weight = 3 + 2 * cc
     h = 2 * (c * w) * (weight * over)
     ww = w * w
     wy = s * h / 2 - w * ww
@@ -167,15 +168,16 @@ def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: R
     k1, *_ = scratch
     n1, n2, n3, n4 = numbers
     below = add(x, sqrt(add(mul(x, x, o4), n4, o4), o4), o4)
-    c = div(add(sub(below, below, o3), n2, o3), below, o4)
+    c = div(add(sub(below, below, o1), n2, o1), below, o4)
+    above = sub(c, x, o1)
+    size = add(c, x, o2)
+    s = div(above, size, o1)
+    rootc = sqrt(c, o3)
+    w = div(mul(n2, rootc, o3), size, o2)
     cc = mul(c, c, o3)
-    cc_by_2 = mul(n2, cc, k1)
-    over = div(n1, add(n1, cc, o3), o3)
-    s = sub(cc_by_2, n1, o1)
-    weight = add(n3, cc_by_2, k1)
-    rootc = sqrt(c, o2)
-    w = mul(n2, mul(c, rootc, o2), o2)
-    h = mul(mul(n2, mul(c, w, o4), o4), mul(weight, over, k1), o4)
+    over = div(n1, add(n1, cc, k1), k1)
+    weight = add(n3, mul(n2, cc, o3), o3)
+    h = mul(mul(n2, mul(c, w, o4), o4), mul(weight, over, o3), o4)
     rho = mul(n4, mul(w, over, o3), o3)
     neg(div(mul(rho, w, o3), n2, o3), o3)
     ww = mul(w, w, k1)
@@ -183,18 +185,19 @@ def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: R
     return o1, o2, o3, o4
 
 
-# operations 24: 7 +, 13 *, 2 /, 2 sqrt
+# operations 27: 8 +, 12 *, 5 /, 2 sqrt
 def _pose(m: Any, x: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     c = (below - below + 2) / below
-    cc = c * c
-    cc_by_2 = 2 * cc
-    s = cc_by_2 - 1
+    above = c - x
+    size = c + x
+    s = above / size
     rootc = m.sqrt(c)
-    w = 2 * (c * rootc)
+    w = 2 * rootc / size
     f = 2 * (s * w)
-    g = 8 * (c * cc)
-    weight = 3 + cc_by_2
+    g = 8 * (c / (size * size))
+    cc = c * c
+    weight = 3 + 2 * cc
     over = 1 / (1 + cc)
     h = 2 * (c * w) * (weight * over)
     return f, g, h
@@ -205,32 +208,34 @@ def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x
     k1, k2, k3, *_ = scratch
     n1, n2, n3, n4, n8 = numbers
     below = add(x, sqrt(add(mul(x, x, o3), n4, o3), o3), o3)
-    c = div(add(sub(below, below, k1), n2, k1), below, o3)
-    cc = mul(c, c, k1)
-    cc_by_2 = mul(n2, cc, k2)
-    s = sub(cc_by_2, n1, o1)
-    weight = add(n3, cc_by_2, k2)
-    rootc = sqrt(c, k3)
-    w = mul(n2, mul(c, rootc, k3), k3)
+    c = div(add(sub(below, below, o1), n2, o1), below, o3)
+    above = sub(c, x, o1)
+    size = add(c, x, o2)
+    s = div(above, size, o1)
+    rootc = sqrt(c, k1)
+    w = div(mul(n2, rootc, k1), size, k1)
     mul(n2, mul(s, w, o1), o1)
-    mul(n8, mul(c, cc, o2), o2)
-    over = div(n1, add(n1, cc, k1), k1)
+    mul(n8, div(c, mul(size, size, o2), o2), o2)
+    cc = mul(c, c, k2)
+    weight = add(n3, mul(n2, cc, k3), k3)
+    over = div(n1, add(n1, cc, k2), k2)
     mul(mul(n2, mul(c, w, o3), o3), mul(weight, over, k1), o3)
     return o1, o2, o3
 
 
-# operations 42: 11 +, 25 *, 4 /, 2 sqrt
+# operations 45: 12 +, 24 *, 7 /, 2 sqrt
 def _tangent(m: Any, x: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     c = (below - below + 2) / below
-    cc = c * c
-    cc_by_2 = 2 * cc
-    s = cc_by_2 - 1
+    above = c - x
+    size = c + x
+    s = above / size
     rootc = m.sqrt(c)
-    w = 2 * (c * rootc)
+    w = 2 * rootc / size
     f = 2 * (s * w)
-    g = 8 * (c * cc)
-    weight = 3 + cc_by_2
+    g = 8 * (c / (size * size))
+    cc = c * c
+    weight = 3 + 2 * cc
     over = 1 / (1 + cc)
     h = 2 * (c * w) * (weight * over)
     rho = 4 * (w * over)
@@ -248,39 +253,41 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     k1, k2, *_ = scratch
     n1, n2, n3, n4, n5, n8 = numbers
     below = add(x, sqrt(add(mul(x, x, o2), n4, o2), o2), o2)
-    c = div(add(sub(below, below, o4), n2, o4), below, o2)
-    rootc = sqrt(c, o4)
-    w = mul(n2, mul(c, rootc, o4), o4)
-    cc = mul(c, c, o5)
-    cc_by_2 = mul(n2, cc, o1)
-    weight = add(n3, cc_by_2, o6)
-    s = sub(cc_by_2, n1, o1)
-    f = mul(n2, mul(s, w, o1), o1)
+    c = div(add(sub(below, below, o1), n2, o1), below, o2)
+    rootc = sqrt(c, o1)
+    size = add(c, x, o5)
+    w = div(mul(n2, rootc, o1), size, o1)
+    cc = mul(c, c, o6)
+    weight = add(n3, mul(n2, cc, o4), o4)
     over = div(n1, add(n1, cc, k1), k1)
     h = mul(mul(n2, mul(c, w, o3), o3), mul(weight, over, k2), o3)
-    rho = mul(n4, mul(w, over, o4), o4)
     share = mul(n4, mul(cc, over, k2), k2)
     hgrowth = sub(sub(share, n5, k2), mul(n8, div(cc, weight, o6), o6), o6)
-    decline = mul(n2, mul(c, over, k1), k1)
-    div(mul(mul(h, decline, k1), hgrowth, o6), n2, o6)
-    g = mul(n8, mul(c, cc, o2), o2)
+    decline = mul(n2, mul(c, over, o4), o4)
+    div(mul(mul(h, decline, o4), hgrowth, o6), n2, o6)
+    rho = mul(n4, mul(w, over, o4), o4)
+    above = sub(c, x, k1)
+    s = div(above, size, k1)
+    f = mul(n2, mul(s, w, o1), o1)
+    g = mul(n8, div(c, mul(size, size, o5), o2), o2)
     sub(mul(f, h, o5), mul(g, g, k1), o5)
     sub(h, mul(rho, g, o4), o4)
     return o1, o2, o3, o4, o5, o6
 
 
-# operations 76: 20 +, 46 *, 8 /, 2 sqrt
+# operations 79: 21 +, 45 *, 11 /, 2 sqrt
 def _tangent_dot(m: Any, x: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     c = (below - below + 2) / below
-    cc = c * c
-    cc_by_2 = 2 * cc
-    s = cc_by_2 - 1
+    above = c - x
+    size = c + x
+    s = above / size
     rootc = m.sqrt(c)
-    w = 2 * (c * rootc)
+    w = 2 * rootc / size
     f = 2 * (s * w)
-    g = 8 * (c * cc)
-    weight = 3 + cc_by_2
+    g = 8 * (c / (size * size))
+    cc = c * c
+    weight = 3 + 2 * cc
     over = 1 / (1 + cc)
     h = 2 * (c * w) * (weight * over)
     rho = 4 * (w * over)
@@ -305,33 +312,34 @@ def _tangent_dot(m: Any, x: Any) -> Result:
 
 def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
-    k1, k2, k3, k4, *_ = scratch
+    k1, k2, k3, k4, k5, *_ = scratch
     n_minus_2, n1, n2, n3, n4, n5, n8, n48 = numbers
     below = add(x, sqrt(add(mul(x, x, o2), n4, o2), o2), o2)
-    c = div(add(sub(below, below, o4), n2, o4), below, o2)
-    rootc = sqrt(c, o4)
-    w = mul(n2, mul(c, rootc, o4), o4)
+    c = div(add(sub(below, below, o1), n2, o1), below, o2)
+    rootc = sqrt(c, o1)
+    size = add(c, x, o5)
+    w = div(mul(n2, rootc, o1), size, o1)
     cc = mul(c, c, o9)
-    cc_by_2 = mul(n2, cc, o1)
-    weight = add(n3, cc_by_2, o7)
-    s = sub(cc_by_2, n1, o1)
-    f = mul(n2, mul(s, w, o1), o1)
-    over = div(n1, add(n1, cc, o5), o5)
+    weight = add(n3, mul(n2, cc, o4), o4)
+    over = div(n1, add(n1, cc, o7), o7)
     h = mul(mul(n2, mul(c, w, o3), o3), mul(weight, over, o8), o3)
-    rho = mul(n4, mul(w, over, o4), o4)
     share = mul(n4, mul(cc, over, o8), o8)
     hgrowth = sub(sub(share, n5, k1), mul(n8, div(cc, weight, k2), k2), k1)
     decline = mul(n2, mul(c, over, k2), k2)
-    sharey = mul(n_minus_2, mul(mul(share, over, o5), decline, o5), o5)
-    g = mul(n8, mul(c, cc, o2), o2)
     hy = div(mul(mul(h, decline, o6), hgrowth, o6), n2, o6)
     decliney = mul(mul(decline, decline, k3), sub(div(share, n2, k4), n1, k4), k3)
+    sharey = mul(n_minus_2, mul(mul(share, over, k4), decline, k4), k4)
     div(
-        add(mul(mul(hy, decline, k4), hgrowth, k4), mul(h, add(mul(decliney, hgrowth, k1), mul(decline, add(sharey,
-        mul(n48, div(mul(cc, decline, o9), mul(weight, weight, o7), o9), o9), o9), o9), o9), o9), o9), n2, o9
+        add(mul(mul(hy, decline, k5), hgrowth, k5), mul(h, add(mul(decliney, hgrowth, k1), mul(decline, add(sharey,
+        mul(n48, div(mul(cc, decline, o9), mul(weight, weight, o4), o9), o9), o9), o9), o9), o9), o9), n2, o9
     )
+    rho = mul(n4, mul(w, over, o4), o4)
     rhogrowth = sub(share, n3, o7)
-    rhoy = div(mul(mul(rho, decline, o5), rhogrowth, o7), n2, o7)
+    rhoy = div(mul(mul(rho, decline, o8), rhogrowth, o7), n2, o7)
+    above = sub(c, x, o8)
+    s = div(above, size, o8)
+    f = mul(n2, mul(s, w, o1), o1)
+    g = mul(n8, div(c, mul(size, size, o5), o2), o2)
     gy = sub(mul(f, h, o5), mul(g, g, o8), o5)
     sub(sub(hy, mul(rhoy, g, o7), o7), mul(rho, gy, o8), o7)
     fy = sub(h, mul(rho, g, o4), o4)
@@ -339,12 +347,13 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     return o1, o2, o3, o4, o5, o6, o7, o8, o9
 
 
-# operations 23: 6 +, 12 *, 3 /, 2 sqrt
+# operations 24: 7 +, 11 *, 4 /, 2 sqrt
 def _rate(m: Any, x: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     c = (below - below + 2) / below
     rootc = m.sqrt(c)
-    w = 2 * (c * rootc)
+    size = c + x
+    w = 2 * rootc / size
     cc = c * c
     over = 1 / (1 + cc)
     rho = 4 * (w * over)
@@ -362,7 +371,8 @@ def _rate_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x
     below = add(x, sqrt(add(mul(x, x, o2), n4, o2), o2), o2)
     c = div(add(sub(below, below, o1), n2, o1), below, o2)
     rootc = sqrt(c, o1)
-    w = mul(n2, mul(c, rootc, o1), o1)
+    size = add(c, x, k1)
+    w = div(mul(n2, rootc, o1), size, o1)
     cc = mul(c, c, k1)
     over = div(n1, add(n1, cc, k2), k2)
     rho = mul(n4, mul(w, over, o1), o1)
@@ -394,21 +404,22 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, o2
 
 
-# operations 33: 7 +, 16 *, 7 /, 1 neg, 2 sqrt
+# operations 33: 8 +, 14 *, 8 /, 1 neg, 2 sqrt
 def _tangent_inv(m: Any, x: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     c = (below - below + 2) / below
-    cc = c * c
-    cc_by_2 = 2 * cc
-    s = cc_by_2 - 1
+    above = c - x
     rootc = m.sqrt(c)
-    fi = s / (2 * c) / rootc
+    rootc_by_2 = 2 * rootc
+    fi = above / rootc_by_2
     hi = 3 / (4 * rootc)
-    w = 2 * (c * rootc)
-    weight = 3 + cc_by_2
+    size = c + x
+    w = rootc_by_2 / size
+    cc = c * c
+    weight = 3 + 2 * cc
     over = 1 / (1 + cc)
     h = 2 * (c * w) * (weight * over)
-    g = 8 * (c * cc)
+    g = 8 * (c / (size * size))
     fiy = -(h / g)
     decline = 2 * (c * over)
     hiy = hi * decline / 2
@@ -420,45 +431,48 @@ def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     k1, k2, k3, *_ = scratch
     n1, n2, n3, n4, n8 = numbers
     below = add(x, sqrt(add(mul(x, x, o4), n4, o4), o4), o4)
-    c = div(add(sub(below, below, o3), n2, o3), below, o4)
-    cc = mul(c, c, o3)
-    cc_by_2 = mul(n2, cc, k1)
-    s = sub(cc_by_2, n1, o1)
-    weight = add(n3, cc_by_2, k1)
-    rootc = sqrt(c, k2)
-    div(div(s, mul(n2, c, o2), o1), rootc, o1)
+    c = div(add(sub(below, below, o1), n2, o1), below, o4)
+    above = sub(c, x, o1)
+    rootc = sqrt(c, o2)
+    rootc_by_2 = mul(n2, rootc, o3)
+    div(above, rootc_by_2, o1)
     hi = div(n3, mul(n4, rootc, o2), o2)
-    w = mul(n2, mul(c, rootc, k2), k2)
-    over = div(n1, add(n1, cc, k3), k3)
-    h = mul(mul(n2, mul(c, w, k2), k2), mul(weight, over, k1), k1)
-    g = mul(n8, mul(c, cc, o3), o3)
+    size = add(c, x, k1)
+    w = div(rootc_by_2, size, o3)
+    g = mul(n8, div(c, mul(size, size, k1), k1), k1)
+    cc = mul(c, c, k2)
+    weight = add(n3, mul(n2, cc, k3), k3)
+    over = div(n1, add(n1, cc, k2), k2)
+    h = mul(mul(n2, mul(c, w, o3), o3), mul(weight, over, k3), o3)
     neg(div(h, g, o3), o3)
     decline = mul(n2, mul(c, over, o4), o4)
     div(mul(hi, decline, o4), n2, o4)
     return o1, o2, o3, o4
 
 
-# operations 59: 13 +, 30 *, 12 /, 2 neg, 2 sqrt
+# operations 60: 14 +, 28 *, 14 /, 2 neg, 2 sqrt
 def _tangent_inv_dot(m: Any, x: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     c = (below - below + 2) / below
-    cc = c * c
-    cc_by_2 = 2 * cc
-    s = cc_by_2 - 1
+    above = c - x
     rootc = m.sqrt(c)
-    fi = s / (2 * c) / rootc
+    rootc_by_2 = 2 * rootc
+    fi = above / rootc_by_2
     hi = 3 / (4 * rootc)
-    w = 2 * (c * rootc)
-    weight = 3 + cc_by_2
+    size = c + x
+    w = rootc_by_2 / size
+    cc = c * c
+    weight = 3 + 2 * cc
     over = 1 / (1 + cc)
     h = 2 * (c * w) * (weight * over)
-    g = 8 * (c * cc)
+    g = 8 * (c / (size * size))
     fiy = -(h / g)
     decline = 2 * (c * over)
     hiy = hi * decline / 2
     share = 4 * (cc * over)
     hgrowth = share - 5 - 8 * (cc / weight)
     hy = h * decline * hgrowth / 2
+    s = above / size
     f = 2 * (s * w)
     gy = f * h - g * g
     fiyy = -((hy + fiy * gy) / g)
@@ -473,65 +487,71 @@ def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, mas
     n1, n2, n3, n4, n5, n8 = numbers
     below = add(x, sqrt(add(mul(x, x, o6), n4, o6), o6), o6)
     c = div(add(sub(below, below, o5), n2, o5), below, o6)
-    cc = mul(c, c, o5)
-    cc_by_2 = mul(n2, cc, k1)
-    s = sub(cc_by_2, n1, o3)
-    weight = add(n3, cc_by_2, k1)
-    rootc = sqrt(c, o4)
-    div(div(s, mul(n2, c, o1), o1), rootc, o1)
+    above = sub(c, x, o5)
+    rootc = sqrt(c, o2)
+    rootc_by_2 = mul(n2, rootc, o3)
     hi = div(n3, mul(n4, rootc, o2), o2)
-    w = mul(n2, mul(c, rootc, o4), o4)
-    f = mul(n2, mul(s, w, o3), o3)
-    over = div(n1, add(n1, cc, k2), k2)
-    h = mul(mul(n2, mul(c, w, o4), o4), mul(weight, over, k3), o4)
-    g = mul(n8, mul(c, cc, k3), k3)
+    div(above, rootc_by_2, o1)
+    size = add(c, x, k1)
+    w = div(rootc_by_2, size, o3)
+    s = div(above, size, o5)
+    g = mul(n8, div(c, mul(size, size, k1), k1), k1)
+    f = mul(n2, mul(s, w, o5), o5)
+    cc = mul(c, c, o4)
+    weight = add(n3, mul(n2, cc, k2), k2)
+    over = div(n1, add(n1, cc, k3), k3)
+    h = mul(mul(n2, mul(c, w, o3), o3), mul(weight, over, k4), o3)
     decline = mul(n2, mul(c, over, o6), o6)
-    share = mul(n4, mul(cc, over, k2), k2)
-    hgrowth = sub(sub(share, n5, k4), mul(n8, div(cc, weight, o5), o5), o5)
-    hy = div(mul(mul(h, decline, k1), hgrowth, o5), n2, o5)
-    gy = sub(mul(f, h, k1), mul(g, g, o3), k1)
+    gy = sub(mul(f, h, o5), mul(g, g, k4), o5)
+    share = mul(n4, mul(cc, over, k3), k3)
+    hgrowth = sub(sub(share, n5, k4), mul(n8, div(cc, weight, o4), o4), o4)
+    hy = div(mul(mul(h, decline, k2), hgrowth, o4), n2, o4)
     fiy = neg(div(h, g, o3), o3)
-    neg(div(add(hy, mul(fiy, gy, k1), o5), g, o5), o5)
+    neg(div(add(hy, mul(fiy, gy, o5), o5), g, o5), o5)
     decliney = mul(mul(decline, decline, k1), sub(div(share, n2, o4), n1, o4), k1)
     hiy = div(mul(hi, decline, o4), n2, o4)
     div(add(mul(hiy, decline, o6), mul(hi, decliney, k1), o6), n2, o6)
     return o1, o2, o3, o4, o5, o6
 
 
-# operations 24: 7 +, 13 *, 2 /, 2 sqrt
+# operations 27: 8 +, 12 *, 5 /, 2 sqrt
 def _ray(m: Any, x: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     c = (below - below + 2) / below
-    cc = c * c
-    cc_by_2 = 2 * cc
-    s = cc_by_2 - 1
+    above = c - x
     rootc = m.sqrt(c)
-    w = 2 * (c * rootc)
+    b = 2 * rootc
+    size = c + x
+    s = above / size
+    w = b / size
     f = 2 * (s * w)
-    g = 8 * (c * cc)
-    weight = 3 + cc_by_2
+    g = 8 * (c / (size * size))
+    cc = c * c
+    weight = 3 + 2 * cc
     over = 1 / (1 + cc)
     h = 2 * (c * w) * (weight * over)
-    return s, w, 1, f, g, h
+    return above, b, size, f, g, h
 
 
 def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, _, o4, o5, o6 = out
-    k1, k2, *_ = scratch
+    o1, o2, o3, o4, o5, o6 = out
+    k1, *_ = scratch
     n1, n2, n3, n4, n8 = numbers
-    below = add(x, sqrt(add(mul(x, x, o6), n4, o6), o6), o6)
-    c = div(add(sub(below, below, k1), n2, k1), below, o6)
-    cc = mul(c, c, k1)
-    cc_by_2 = mul(n2, cc, k2)
-    s = sub(cc_by_2, n1, o1)
-    weight = add(n3, cc_by_2, k2)
+    below = add(x, sqrt(add(mul(x, x, o1), n4, o1), o1), o1)
+    c = div(add(sub(below, below, o2), n2, o2), below, o1)
     rootc = sqrt(c, o2)
-    w = mul(n2, mul(c, rootc, o2), o2)
+    b = mul(n2, rootc, o2)
+    size = add(c, x, o3)
+    w = div(b, size, o4)
+    cc = mul(c, c, o6)
+    weight = add(n3, mul(n2, cc, o5), o5)
+    over = div(n1, add(n1, cc, o6), o6)
+    mul(mul(n2, mul(c, w, k1), k1), mul(weight, over, o6), o6)
+    mul(n8, div(c, mul(size, size, o5), o5), o5)
+    above = sub(c, x, o1)
+    s = div(above, size, k1)
     mul(n2, mul(s, w, o4), o4)
-    mul(n8, mul(c, cc, o5), o5)
-    over = div(n1, add(n1, cc, k1), k1)
-    mul(mul(n2, mul(c, w, o6), o6), mul(weight, over, k1), o6)
-    return o1, o2, n1, o4, o5, o6
+    return o1, o2, o3, o4, o5, o6
 
 
 # operations 12: 1 +, 2 *, 3 /, 1 neg, 2 sqrt, 1 lt, 2 where
@@ -608,15 +628,16 @@ def _gain_product_blocks(
     return o1,
 
 
-# operations 28: 8 +, 6 *, 1 /, 1 neg, 2 sqrt, 4 lt, 1 eq, 1 and, 1 or, 3 where
+# operations 28: 9 +, 3 *, 3 /, 1 neg, 2 sqrt, 4 lt, 1 eq, 1 and, 1 or, 3 where
 def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     c = (below - below + 2) / below
     rootc = m.sqrt(c)
-    w = 2 * (c * rootc)
+    size = c + x
+    w = 2 * rootc / size
     kept = m.where(w < 0, 0, 16)
-    cc = c * c
-    s = 2 * cc - 1
+    above = c - x
+    s = above / size
     turned = m.where(kept + s < kept, -w, w)
     one = s - s + 1
     sign = one * m.where((turned < 0) | (w == 0) & (y < 0), -1, 1)
@@ -631,9 +652,10 @@ def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Ro
     below = add(x, sqrt(add(mul(x, x, o1), n4, o1), o1), o1)
     c = div(add(sub(below, below, k1), n2, k1), below, o1)
     rootc = sqrt(c, k1)
-    w = mul(n2, mul(c, rootc, k1), k1)
-    cc = mul(c, c, o1)
-    s = sub(mul(n2, cc, o1), n1, o1)
+    size = add(c, x, k2)
+    w = div(mul(n2, rootc, k1), size, k1)
+    above = sub(c, x, o1)
+    s = div(above, size, o1)
     kept = m.where(m.less(w, n0, mask1), n0, n16, k2)
     turned = m.where(m.less(add(kept, s, k3), kept, mask1), neg(w, k2), w, k2)
     one = add(sub(s, s, o1), n1, o1)
@@ -644,19 +666,21 @@ def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Ro
     return o1,
 
 
-# operations 37: 9 +, 10 *, 2 /, 1 neg, 2 abs, 2 sqrt, 1 atan2, 4 lt, 1 eq, 1 and, 1 or, 3 where
+# operations 38: 10 +, 8 *, 4 /, 1 neg, 2 abs, 2 sqrt, 1 atan2, 4 lt, 1 eq, 1 and, 1 or, 3 where
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     c = (below - below + 2) / below
     rootc = m.sqrt(c)
-    w = 2 * (c * rootc)
+    size = c + x
+    w = 2 * rootc / size
     kept = m.where(w < 0, 0, 16)
-    cc = c * c
-    s = 2 * cc - 1
+    above = c - x
+    s = above / size
     turned = m.where(kept + s < kept, -w, w)
     one = s - s + 1
     sign = one * m.where((turned < 0) | (w == 0) & (y < 0), -1, 1)
     angle = 2 * m.atan2(r * m.abs(w), m.abs(s))
+    cc = c * c
     over = 1 / (1 + cc)
     rho = 4 * (w * over)
     return angle, rho, sign
@@ -670,11 +694,13 @@ def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     below = add(x, sqrt(add(mul(x, x, o2), n4, o2), o2), o2)
     c = div(add(sub(below, below, o1), n2, o1), below, o2)
     rootc = sqrt(c, o1)
-    w = mul(n2, mul(c, rootc, o1), o1)
-    cc = mul(c, c, o2)
+    size = add(c, x, k1)
+    w = div(mul(n2, rootc, o1), size, o1)
     kept = m.where(m.less(w, n0, mask1), n0, n16, o3)
-    s = sub(mul(n2, cc, k1), n1, k1)
+    above = sub(c, x, k2)
+    s = div(above, size, k1)
     turned = m.where(m.less(add(kept, s, k2), kept, mask1), neg(w, o3), w, o3)
+    cc = mul(c, c, o2)
     over = div(n1, add(n1, cc, o2), o2)
     mul(n4, mul(w, over, o2), o2)
     one = add(sub(s, s, k2), n1, k2)
@@ -844,12 +870,12 @@ CHART = Chart(
         "quaternion": Function(_quaternion, _quaternion_blocks, 1, 0, (1, 2, 3, 4)),
         "pose": Function(_pose, _pose_blocks, 3, 0, (1, 2, 3, 4, 8)),
         "tangent": Function(_tangent, _tangent_blocks, 2, 0, (1, 2, 3, 4, 5, 8)),
-        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 4, 0, (-2, 1, 2, 3, 4, 5, 8, 48)),
+        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 5, 0, (-2, 1, 2, 3, 4, 5, 8, 48)),
         "rate": Function(_rate, _rate_blocks, 2, 0, (1, 2, 3, 4)),
         "inverse": Function(_inverse, _inverse_blocks, 1, 0, (2, 3, 4)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 3, 0, (1, 2, 3, 4, 8)),
         "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 4, 0, (1, 2, 3, 4, 5, 8)),
-        "ray": Function(_ray, _ray_blocks, 2, 0, (1, 2, 3, 4, 8)),
+        "ray": Function(_ray, _ray_blocks, 1, 0, (1, 2, 3, 4, 8)),
         "gain_unit": Function(_gain_unit, _gain_unit_blocks, 2, 1, (-1, 0, 1, 2)),
         "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 0, (1, 2)),
         "gain_product": Function(_gain_product, _gain_product_blocks, 3, 1, (-1, 0, 1, 2)),
@@ -862,7 +888,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 4, 8)),
     },
     kernels=SHARED,
-    programs="ae1b214e1b945d25",
+    programs="948f1c678c208012",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -184,13 +184,15 @@ def test_what_is_no_rotation_is_refused_where_one_asks() -> None:
 
 
 def test_modules_are_found_listed_pickled_and_told() -> None:
-    assert dir(dualcay.rotation) == sorted(MODULES)
+    assert dir(dualcay.rotation) == sorted([*MODULES, *dualcay.rotation.__all__])
     assert not {"rotation"} & set(dualcay._modules())
     m = dualcay.rotation.cayley2
     assert dir(m) == sorted(m.__all__)
     assert not {"pose", "from_screw", "to_screw", "transform_line", "from_pose"} & set(m.__all__)
     assert pickle.loads(pickle.dumps(m.rate)) == m.rate
     assert pickle.loads(pickle.dumps(m.KERNELS)) is m.KERNELS
+    functions = {getattr(m, name).__name__ for name in m.__all__}  # aliases once
+    assert dualcay.rotation.backend() == dict.fromkeys(sorted(functions), "numpy")
     assert repr(m.KERNELS) == "<RotationKernels of dualcay.rotation.cayley2>"
     for name in m.__all__:
         assert not re.search(r"\.\.\., [268]|\bdual\b|\bRe ", getattr(m, name).__doc__), f"{name} tells of poses"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from types import ModuleType
 
 import numpy as np
@@ -19,5 +20,6 @@ def arguments(row: Function, module: ModuleType, shape: tuple[int, ...] = (5,)) 
     rng = np.random.default_rng(11)
     vectors = [module.random(shape, max_angle=2.5, rng=seed) for seed in (1, 2)]
     made = {"v": vectors[0], "v2": vectors[1], "v1": vectors[0], "R": module.tensor(vectors[0])}
-    made |= {"q": module.quaternion(vectors[0]), "u": Rotation.random(5, rng=rng).as_quat()[..., :3]}
+    axes = Rotation.random(math.prod(shape), rng=rng).as_quat()[..., :3].reshape(*shape, 3)
+    made |= {"q": module.quaternion(vectors[0]), "u": axes}
     return [made[a.name] if a.name in made else rng.uniform(-1, 1, (*shape, *a.shape)) for a in row.arguments]

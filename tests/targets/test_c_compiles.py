@@ -20,7 +20,7 @@ from derive.codegen.validation.c_text import prefix
 from derive.maps import Cayley
 from tests.support import packages
 
-pytestmark = pytest.mark.thorough
+pytestmark = [pytest.mark.compiler, pytest.mark.thorough]
 
 ROOT = Path(__file__).parents[2]
 ORDERS = packages.ORDERS["c"]

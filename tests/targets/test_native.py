@@ -1,4 +1,7 @@
-"""Compiled NumPy functions beneath the committed kernels: the same results and errors, and none when switched off."""
+"""Compiled NumPy functions beneath the committed kernels: the same results and errors, and none when switched off.
+
+Those of poses and of rotations alone are one distribution.
+"""
 
 from __future__ import annotations
 
@@ -19,32 +22,41 @@ import pytest
 import dualcay
 from derive.codegen.facts import Facts
 from derive.codegen.lowered import lower
-from derive.codegen.module import module_name, module_text, shared_texts
-from derive.codegen.signatures import PUBLIC
+from derive.codegen.module import companion_texts, module_name, module_text, shared_texts
+from derive.codegen.signatures import POSES, PUBLIC, ROTATIONS
 from derive.codegen.targets import TARGETS
-from derive.codegen.validation import NUMPY, compiled, replay_package
+from derive.codegen.validation import NUMPY, replay_package
 from derive.maps import Cayley, family
-from derive.output import files, render
+from derive.output import files
 from derive.proof import prove
 from tests.support.kernels import load
+from tests.support.packages import Otherwise
+from tests.support.rotation_arguments import arguments
 from tests.support.signatures import SIGNATURES, components_first, components_last, inputs
+
+pytestmark = pytest.mark.compiler
 
 CHARTS = (Cayley(2), Cayley(3), family("exponential"))
 # tests of the C target look at vector code, which takes ten times as long to compile
 BUILD = ("-Csetup-args=-Doptimization=0",)
 ROOT = Path(dualcay.__file__).parent
 NAMES = sorted(n for n in PUBLIC.keys() & SIGNATURES.keys() if all(array.shape for array in PUBLIC[n].arguments))
+OF_ROTATIONS = sorted(
+    name
+    for name, row in ROTATIONS.public.items()
+    if len(row.results) == 1 and all(array.shape for array in row.arguments)
+)
 
 
 def build(place: Path) -> None:
     """Make the package of some charts, and install it there."""
     native, source = TARGETS["native"], place / "source"
+    without_test = Otherwise(native, companions=native.further)  # the differential one, which is that of the C target
     texts = dict(shared_texts(native))
     for chart in CHARTS:
         proved = prove(chart)
-        texts[module_name(chart, native)] = module_text(Facts(proved, lower(proved)), native)
-        # of its companions only this: the differential test is that of the C target
-        texts[f"{chart.name}.c"] = render("native/module.c.j2", header="// python -m derive generate", name=chart.name)
+        facts = Facts(proved, lower(proved))
+        texts |= {module_name(chart, native): module_text(facts, native)} | companion_texts(facts, without_test)
     files.write(source, texts)
     path = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
     pip = (sys.executable, "-m", "pip", "install", "--quiet", "--no-build-isolation", "--no-deps", "--no-index", *BUILD)
@@ -57,8 +69,6 @@ def build(place: Path) -> None:
 @pytest.fixture(scope="module")
 def site(shared: Callable[[str, Callable[[Path], object]], Path]) -> Path:
     """Where the package is installed; one build for all processes."""
-    if compiled.compiler() is None:
-        pytest.skip("no C compiler is found: compiled NumPy functions are not built")
     return shared("native", build) / "site"
 
 
@@ -80,7 +90,8 @@ def forget(*names: str) -> None:
 @pytest.fixture(scope="module")
 def package(site: Path) -> Iterator[str]:
     """The name of a package of kernels that found the compiled functions."""
-    dualcay.backend()  # asks for compiled functions in every module, and finds none
+    for kind in (dualcay, dualcay.rotation):
+        kind.backend()  # asks for compiled functions in every module, and finds none
     with pytest.MonkeyPatch.context() as patch:
         patch.syspath_prepend(str(site))
         patch.setenv("DUALCAY_NATIVE", "1")
@@ -93,28 +104,50 @@ def native(package: str) -> Callable[[int], ModuleType]:
     return lambda order: importlib.import_module(f"{package}.cayley{order}")
 
 
-def test_backend_says_where_compiled_functions_run(package):
-    native = sys.modules[package].backend()
-    assert native.keys() == dualcay.backend().keys()
+@pytest.fixture
+def rotations(package: str) -> ModuleType:
+    return importlib.import_module(f"{package}.rotation.cayley3")
+
+
+@pytest.mark.parametrize(("where", "table"), [("", POSES), (".rotation", ROTATIONS)], ids=["poses", "rotations"])
+def test_backend_says_where_compiled_functions_run(package, where, table):
+    native, numpy = (importlib.import_module(f"{name}{where}").backend() for name in (package, "dualcay"))
+    assert native.keys() == numpy.keys()
+    assert set(numpy.values()) == {"numpy"}
     found = {name for name, runs in native.items() if runs == "native in cayley2, cayley3, exponential"}
-    assert found == PUBLIC.keys()
+    assert found == table.public.keys()
     assert {native[name] for name in native.keys() - found} == {"numpy"}
+
+
+def test_every_program_is_compiled(native, rotations):
+    for module in (native(3), rotations):
+        assert module.CHART.native.keys() == module.CHART.kernels.keys()
 
 
 @pytest.mark.parametrize("chart", CHARTS[:2], ids=lambda chart: chart.name)
 def test_the_replay_agrees_in_every_way_a_function_is_called(package, chart):
     """Within bounds of rounding: types, layouts, batches, ``out``, overlaps, branches, threads, refusals."""
-    module = importlib.import_module(f"{package}.{chart.name}")
-    assert module.CHART.native
     machinery = TARGETS["numpy"].machinery
-    assert replay_package(package, chart, machinery, [NUMPY], all_ways=chart.order == 2) > 500
+    for table in (POSES, ROTATIONS):
+        module = importlib.import_module(".".join(filter(None, (package, table.name, chart.name))))
+        assert module.CHART.native
+        assert replay_package(package, chart, machinery, [NUMPY], [table], all_ways=chart.order == 2) > 500
 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_layouts_agree_to_the_digit(native, name):
+    require_one_in_all_layouts(getattr(native(3), name), inputs(load(3), name, 3, (150,)), PUBLIC[name].shape)
+
+
+@pytest.mark.parametrize("name", OF_ROTATIONS)
+def test_layouts_of_rotations_agree_to_the_digit(rotations, name):
+    row = ROTATIONS.public[name]
+    require_one_in_all_layouts(getattr(rotations, name), arguments(row, dualcay.rotation.cayley3, (150,)), row.shape)
+
+
+def require_one_in_all_layouts(function: Callable[..., np.ndarray], values: list[np.ndarray], shape: tuple[int, ...]):
     """Gathered tiles, rows where they are, and single poses run one loop without contraction."""
-    values = inputs(load(3), name, 3, (150,))
-    function, rank = getattr(native(3), name), len(SIGNATURES[name].result)
+    rank = len(shape)
     last = function(*values)
     first = function(*(components_first(a, a.ndim - 1) for a in values), axis=0)
     spread = function(*(np.repeat(a, 2, axis=0)[::2] for a in values))
@@ -199,7 +232,8 @@ def test_other_threads_run_meanwhile(native):
 CALL = """
 import dualcay, numpy
 dualcay.cayley3.pose(numpy.zeros(6))
-print(set(dualcay.backend().values()))
+dualcay.rotation.cayley3.tensor(numpy.zeros(3))
+print({runs for kind in (dualcay, dualcay.rotation) for runs in kind.backend().values()})
 """
 
 

@@ -8,6 +8,7 @@ from importlib.util import find_spec
 
 import numpy as np
 
+from ..facts import Facts
 from ..lowered import Lowered, geometry
 from ..rows import Table
 from ..signatures import POSES, ROTATIONS
@@ -54,7 +55,7 @@ class ArrayApi(python.PythonTarget):
         programs = [python.printed(program, infix.body(program)) for program in geometry(table).values()]
         return {"programs": programs, "rows": table.kernels}
 
-    def programs(self, lowered: Lowered, known: Container[str] = ()) -> Data:
+    def programs(self, facts: Facts, lowered: Lowered, known: Container[str] = ()) -> Data:
         scalars = [
             python.printed(program, infix.body(program, alone=True), python.components(program))
             for name, program in lowered.scalars.items()

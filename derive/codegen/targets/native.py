@@ -1,8 +1,9 @@
 """NumPy functions in C: the headers of the target `c`, and around every core a loop that NumPy calls.
 
-The package is a distribution of its own, ``dualcay-native``, with an extension module for each chart. The modules of
-the target `numpy` check arguments and choose branches; what they would do on arrays, these functions do where they are
-installed. Each takes the numbers of its program's table as a last array.
+The package is a distribution of its own, ``dualcay-native``, with an extension module for each chart, and in a folder
+within one for its rotations alone. The modules of the target `numpy` check arguments and choose branches; what they
+would do on arrays, these functions do where they are installed. Each takes the numbers of its program's table as a last
+array.
 """
 
 from __future__ import annotations
@@ -14,10 +15,11 @@ from dataclasses import dataclass
 from ... import about
 from ..facts import Facts
 from ..fingerprint import fingerprint
-from ..lowered import geometry
+from ..lowered import geometry, lower_chart
 from ..programs.program import Program
-from ..rows import Function
-from ..signatures import KERNELS, POSES
+from ..rows import Function, Table, inside
+from ..signatures import POSES
+from ..validation import c_text
 from . import c99
 from .c import C
 from .target import Data
@@ -26,7 +28,6 @@ PACKAGE = "dualcay_native"
 """Import name of what is built."""
 
 MOST_AXES = 3
-
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,30 +101,40 @@ class Native(C):
 
     name = "native"
     entry = "meson.build"
-    tables = (POSES,)
     unproved = "rounding errors; the compiler and the loops around proved cores, which are tested"
 
     def shared(self) -> Mapping[str, Data]:
         headers = {name: data for name, data in super().shared().items() if name.endswith(".h")}
-        loops = [loop(row, geometry()[name]) for name, row in KERNELS.items()]
-        data = {
-            "loops": loops,
-            "most": max(array.size for each in loops for array in each.operands),
-            "operands": max(len(each.operands) for each in loops),
-            "package": PACKAGE,
-        }
+        loops = {table: [loop(table.kernels[name], p) for name, p in geometry(table).items()] for table in self.tables}
+        every = [each for found in loops.values() for each in found]
+        further = [table.name for table in self.tables if table.name]
         return {
             **headers,
-            "gufuncs.h": data,
-            "__init__.py": {},
-            "meson.build": {"version": about.__version__, "package": PACKAGE},
+            "tiles.h": {"most": max(array.size for each in every for array in each.operands)},
+            **{inside(table, "loops.h"): {"loops": found, "up": _up(table)} for table, found in loops.items()},
+            "gufuncs.h": {"operands": max(len(each.operands) for each in every), "package": PACKAGE},
+            **{inside(table, "__init__.py"): {} for table in self.tables},
+            **{f"{name}/meson.build": {"place": f"{PACKAGE}/{name}"} for name in further},
+            "meson.build": {"version": about.__version__, "place": PACKAGE, "folders": further},
             "meson.options": {},
             "pyproject.toml": {},
         }
 
-    def module(self, facts: Facts) -> Data:
-        return {**super().module(facts), "programs": fingerprint(facts)}
+    def further(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
+        """The headers of the chart for further tables, and the extension modules of all."""
+        found = dict(super().further(facts))
+        for table in self.tables:
+            chart = facts.chart
+            data = {
+                "name": chart.name,
+                "prefix": c_text.prefix(chart, table),
+                "programs": fingerprint(facts, facts.lowered if table is POSES else lower_chart(chart, table)),
+                "up": _up(table),
+            }
+            found[inside(table, f"{chart.name}.c")] = ("module.c", data)
+        return found
 
-    def companions(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
-        name = facts.chart.name
-        return {**super().companions(facts), f"{name}.c": ("module.c", {"name": name})}
+
+def _up(table: Table) -> str:
+    """The way from the folder of a table to that of the package."""
+    return "../" if table.name else ""

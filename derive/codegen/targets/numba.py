@@ -14,6 +14,7 @@ from pathlib import Path
 
 from ...maps.chart import Chart
 from ...output import RefusedError
+from ..facts import Facts
 from ..lowered import Lowered, geometry
 from ..programs.program import Call, Operand, Program, Statement, summary
 from ..programs.registers import results
@@ -173,7 +174,7 @@ class Numba(python.PythonTarget):
         calls = sorted(["prange", *_called(_cores(programs))])
         return {"programs": programs, "rows": table.kernels, "calls": calls}
 
-    def programs(self, lowered: Lowered, known: Container[str] = ()) -> Data:
+    def programs(self, facts: Facts, lowered: Lowered, known: Container[str] = ()) -> Data:
         named = lowered.scalars.items()
         scalars = [python.printed(program, body(program)) for name, program in named if name not in known]
         own = [python.printed(program, parts(program, "_own_", lowered.table)) for program in lowered.own.values()]

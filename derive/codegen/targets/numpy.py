@@ -232,14 +232,17 @@ class Numpy(python.PythonTarget):
         programs = [python.printed(program, two_forms(program)) for program in geometry(table).values()]
         return {"programs": programs, "rows": table.kernels, "calls": _called(programs)}
 
-    def programs(self, lowered: Lowered, known: Container[str] = ()) -> Data:
+    def programs(self, facts: Facts, lowered: Lowered, known: Container[str] = ()) -> Data:
         scalars = [
             python.printed(program, two_scalar_forms(program), python.components(program))
             for name, program in lowered.scalars.items()
             if name not in known
         ]
         own = [python.printed(program, two_forms(program)) for program in lowered.own.values()]
-        return {"calls": _called((*scalars, *own)), "scalars": scalars, "own": own, "rows": lowered.table.kernels}
-
-    def module(self, facts: Facts) -> Data:
-        return {**super().module(facts), "programs": fingerprint(facts)}
+        return {
+            "calls": _called((*scalars, *own)),
+            "scalars": scalars,
+            "own": own,
+            "rows": lowered.table.kernels,
+            "programs": fingerprint(facts, lowered),
+        }

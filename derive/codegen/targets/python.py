@@ -94,10 +94,13 @@ class PythonTarget(ABC):
         option = "" if self.name == about.TARGET else f" --target {self.name}"
         families = "|".join([*SINGLE, *(rf"{stem}[1-9]\d*" for stem in NUMBERED)])
         packages = [table.name for table in self.tables if table.name]
-        modules: Data = {"option": option, "families": families}
-        init = {"version": about.__version__, "target": self.name, "packages": packages, "uncompiled": self.uncompiled}
-        inner = {f"{package}/__init__.py": {**modules, "packages": []} for package in packages}
-        return {self.entry: {**modules, **init}, "__main__.py": {}, "py.typed": {}, **inner}
+        said: Data = {"option": option, "families": families, "target": self.name, "uncompiled": self.uncompiled}
+        inner = {
+            inside(table, self.entry): {**said, "packages": [], "package": table.name, "class": CLASSES[table.name]}
+            for table in self.tables
+        }
+        init = {**inner[self.entry], "version": about.__version__, "packages": packages}
+        return {**inner, self.entry: init, "__main__.py": {}, "py.typed": {}}
 
     def per_table(self) -> Mapping[str, Data]:
         """Geometry and interface of every table, in its folder."""
@@ -112,11 +115,11 @@ class PythonTarget(ABC):
         """What the template of a geometry is given."""
 
     @abstractmethod
-    def programs(self, lowered: Lowered, known: Container[str] = ()) -> Data:
+    def programs(self, facts: Facts, lowered: Lowered, known: Container[str] = ()) -> Data:
         """What the template of a chart is given of its programs, but of the scalars that are known already."""
 
     def module(self, facts: Facts) -> Data:
-        return {**described(facts, self.words), **self.programs(facts.lowered)}
+        return {**described(facts, self.words), **self.programs(facts, facts.lowered)}
 
     def companions(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
         """The modules of the chart for further tables, which take the scalars of that for poses."""
@@ -124,7 +127,7 @@ class PythonTarget(ABC):
         for table in self.tables[1:]:
             lowered = lower_chart(facts.chart, table)
             told = described_part(facts, lowered, self.words)
-            data = {**told, **self.programs(lowered, facts.lowered.scalars)}
+            data = {**told, **self.programs(facts, lowered, facts.lowered.scalars)}
             found[inside(table, f"{facts.chart.name}.py")] = (inside(table, "chart.py"), data)
         return found
 

@@ -16,7 +16,7 @@ import pkgutil
 import re
 from typing import TYPE_CHECKING, Any
 
-__all__: list[str] = []
+__all__ = ["backend"]
 
 
 def _modules() -> list[str]:
@@ -38,5 +38,31 @@ if not TYPE_CHECKING:  # which finds the modules in the folder, and no other nam
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}; {there}")
 
 
+def backend() -> dict[str, str]:
+    """What runs each function of a kernel module, by its name; those of poses ``dualcay.backend`` tells.
+
+    Returns
+    -------
+    dict
+        From the names of functions to ``"numpy"``, or to ``"native"`` where the compiled ones of ``dualcay-native``
+        run in every module, ``"native in cayley2, cayley3"`` where in some. Numbers that these do not take (complex ones,
+        objects) go to NumPy in any case. ``DUALCAY_NATIVE=0`` in the environment switches them off.
+
+    Examples
+    --------
+    >>> from dualcay.rotation import backend
+    >>> backend()["tensor"].split(" ")[0] in ("numpy", "native")
+    True
+    """
+    from ._interface import RotationKernels
+
+    modules = _modules()
+    compiled = [name for name in modules if importlib.import_module(f".{name}", __name__).CHART.native]
+    native = f"native in {', '.join(compiled)}" if len(compiled) < len(modules) else "native"
+    uncompiled = ("singular_angles", "identity", "random")
+    names = [name for name in dir(RotationKernels) if not name.startswith("_")]
+    return {name: native if compiled and name not in uncompiled else "numpy" for name in names}
+
+
 def __dir__() -> list[str]:
-    return _modules()
+    return sorted({*__all__, *_modules()})

@@ -654,6 +654,7 @@ CHART = Chart(
         real=True,
     ),
     },
+    programs="77b6ccffc9fc8eb5",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -52,6 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
+    programs="2c82d485798c352a",
 )
 
 KERNELS = RotationKernels(CHART)

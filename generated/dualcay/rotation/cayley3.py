@@ -52,6 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
+    programs="ce8dffcb1ad3f69c",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -52,6 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
+    programs="9ac94bd626bf7b2f",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -52,6 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
+    programs="218f7b5f1cc122e1",
 )
 
 KERNELS = RotationKernels(CHART)

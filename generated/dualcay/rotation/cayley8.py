@@ -52,6 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
+    programs="4bd13fa6302691f1",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -52,6 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
+    programs="01430cd4e667be3c",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -52,6 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
+    programs="6c2dba035d817f5c",
 )
 
 KERNELS = RotationKernels(CHART)

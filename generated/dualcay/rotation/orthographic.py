@@ -382,6 +382,7 @@ CHART = Chart(
         real=False,
     ),
     },
+    programs="4089b792c531217e",
 )
 
 KERNELS = RotationKernels(CHART)

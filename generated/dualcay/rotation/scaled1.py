@@ -657,6 +657,7 @@ CHART = Chart(
         real=False,
     ),
     },
+    programs="d51d1ecbcaae96b0",
 )
 
 KERNELS = RotationKernels(CHART)

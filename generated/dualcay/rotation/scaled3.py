@@ -52,6 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
+    programs="123f5dcb7acb64f1",
 )
 
 KERNELS = RotationKernels(CHART)

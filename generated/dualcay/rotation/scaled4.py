@@ -52,6 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
+    programs="86719184a7f2f1fa",
 )
 
 KERNELS = RotationKernels(CHART)

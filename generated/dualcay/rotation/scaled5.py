@@ -52,6 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
+    programs="816cd15bcffe0fe5",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -52,6 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
+    programs="71846d7b92fa9d45",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -52,6 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
+    programs="adf3c5624a695832",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -52,6 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
+    programs="3c69d2138e3a9f03",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import mpmath
 import pytest
 import sympy
 
@@ -77,3 +78,17 @@ def test_scalars_of_any_multiple_are_proved(phi: sympy.Expr):
     assert chart is not None
     assert chart.phi == phi
     assert prove(chart).formulas is chart
+
+
+def test_rounding_of_the_cosine_leaves_the_quaternion_of_breusings_chart_a_unit():
+    """To 64 eps, where 2 c² − 1 and 2 √c³ would make of c its error times 8."""
+    for x in (mpmath.mpf("1e-3"), mpmath.mpf(1)):
+        at = family("breusing").scalars(x, PLAIN)
+        off = at.c * (1 + mpmath.mpf("1e-3"))
+        at = family("breusing").scalars(x, PLAIN)
+        at.__dict__["c"] = off
+        a, b, size = at.ray
+        assert abs(a * a + x * b * b - size * size) < 64 * mpmath.eps
+        assert abs(at.s**2 + x * at.w**2 - 1) < 64 * mpmath.eps
+        assert abs(at.f**2 + x * at.g**2 - 2 * at.g) < 64 * mpmath.eps
+        assert abs((2 * off * off - 1) ** 2 + 4 * x * off**3 - 1) > 1e-3

@@ -1,0 +1,99 @@
+r"""Theorems on what Cayley maps tend to as their order grows, at a fixed 2n times their vector, and how fast.
+
+At order n let ``v`` be 2n times the vector and ``ε = 1/(2n)²``. Then ``v = φ(α) u`` with
+
+.. math::
+    \varphi(\alpha) = \frac{\tan(\sqrt\varepsilon\,\alpha)}{\sqrt\varepsilon} \qquad
+    \varphi' = 1 + \varepsilon\,\varphi^2
+
+so that α is the solution of ``dα/dr = 1/(1 + ε r²)``, ``r = |v|``, which begins at 0. Its right side is analytic in ε
+and r where ``|ε| r² < 1``, that is up to half the edge of the chart, α < nπ/2; so are then its solution and all maps,
+as functions of it. What stands here is their value at ε = 0 and their derivative by ε there, both found together as
+numbers over the dual unit, ``ε² = 0``. So the quaternion, the tensor and T are those of the exponential but for
+``1/(4 n²)`` times what is stated beside ε, and for terms of order ``1/n⁴``.
+"""
+
+from __future__ import annotations
+
+import sympy
+
+from .displacement_theorems import DOUBLE_ANGLE, EXPONENTIAL, QUATERNION_EXPONENTIAL, UNIT, circular, pythagoras
+from .marks import I, R, Shifted, alpha, dyad, epsilon, exponential, q_hat, r, rate, skew, structure, u, v
+from .setting import Letters
+from .statement import Equation, Premise, definition
+from .theorem import Determined, Identity, Theorem
+
+SCOPE = "1/(2n)^2 = epsilon, to first order"
+
+HALF = sympy.cos(alpha / 2), sympy.sin(alpha / 2)
+OF_LENGTH = sympy.cos(r / 2), sympy.sin(r / 2)
+SPEED = 1 / (1 + epsilon * r**2)
+"""dα/dr, and what T does along the axis."""
+
+LETTERS = (OF_LENGTH[1], OF_LENGTH[0], r)
+
+
+def _of_length(premise: Premise) -> Premise:
+    """A definition of functions of α as one of the same functions of r."""
+    return Premise(premise.equation.replaced({alpha: r}))
+
+
+def _solution(term: sympy.Expr, start: int, law: sympy.Expr) -> tuple[Premise, ...]:
+    """A function of r by its initial value and its differential equation."""
+    return definition(Shifted(term, r, 0), start), definition(rate(term), law)
+
+
+ANGLE = Theorem(
+    "growing order: angle",
+    (
+        Equation(alpha, r - epsilon * r**3 / 3),
+        Equation(HALF[0], OF_LENGTH[0] + epsilon * r**3 / 6 * OF_LENGTH[1]),
+        Equation(HALF[1], OF_LENGTH[1] - epsilon * r**3 / 6 * OF_LENGTH[0]),
+    ),
+    (
+        *_solution(alpha, 0, SPEED),
+        *_solution(HALF[0], 1, -HALF[1] * SPEED / 2),
+        *_solution(HALF[1], 0, HALF[0] * SPEED / 2),
+        *map(_of_length, circular(alpha / 2)),
+        definition(rate(r), 1),
+    ),
+    Determined(Letters(LETTERS, free=(r,)), Equation(r, sympy.Integer(0))),
+    SCOPE,
+)
+
+T, dexp = structure("T"), structure("dexp")
+f, g, h = sympy.symbols("f g h")
+AT_LENGTH = alpha, r
+LENGTH = sympy.sin(r), sympy.cos(r)
+ROTATION = exponential(r * skew(u))
+ALONG = dyad(u, u)
+
+MAPS = Theorem(
+    "growing order: maps",
+    (
+        Equation(q_hat, exponential(r / 2 * u) * (1 - epsilon * r**3 / 6 * u)),
+        Equation(R, ROTATION * (I - epsilon * r**3 / 3 * skew(u))),
+        Equation(T, dexp - epsilon * r**2 / 3 * (ROTATION + 2 * ALONG)),
+    ),
+    (
+        definition(v, r * u),
+        definition(f, 2 * HALF[1] * HALF[0] / r),
+        definition(g, 2 * HALF[1] ** 2 / r**2),
+        definition(h, (SPEED - f) / r**2),
+        definition(q_hat, HALF[0] + HALF[1] / r * v),
+        definition(R, I + f * skew(v) + g * skew(v) ** 2),
+        definition(T, f * I + g * skew(v) + h * dyad(v, v)),
+        definition(dexp, (LENGTH[0] * I + (1 - LENGTH[1]) * skew(u) + (r - LENGTH[0]) * ALONG) / r),
+        ANGLE.premise(1),
+        ANGLE.premise(2),
+        EXPONENTIAL.premise(0, AT_LENGTH),
+        QUATERNION_EXPONENTIAL.premise(0, AT_LENGTH),
+        *(DOUBLE_ANGLE.premise(place, AT_LENGTH) for place in (0, 1)),
+        pythagoras(r / 2),
+        UNIT,
+    ),
+    Identity(Letters(LETTERS, (u,), (r,))),
+    SCOPE,
+)
+
+GROWING_ORDER = (ANGLE, MAPS)

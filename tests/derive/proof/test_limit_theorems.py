@@ -1,0 +1,70 @@
+"""What Cayley maps tend to as their order grows, and how fast."""
+
+from __future__ import annotations
+
+import mpmath
+import pytest
+import sympy
+
+from derive.algebra import Isotropic, Tensor, Vector
+from derive.algebra.arithmetic import PLAIN
+from derive.maps import family
+from derive.maps.families import alpha
+from derive.proof.controls import controls
+from derive.proof.displacement_theorems import DOUBLE_ANGLE, EXPONENTIAL, QUATERNION_EXPONENTIAL
+from derive.proof.every_order import decided
+from derive.proof.limit_theorems import GROWING_ORDER
+
+RESTING_ON = (DOUBLE_ANGLE, EXPONENTIAL, QUATERNION_EXPONENTIAL)
+
+
+def test_they_are_proved_and_whatever_is_wrong_is_noticed():
+    known = {proof.name: proof for proof in decided([*RESTING_ON, *GROWING_ORDER])}
+    assert {proof.status for proof in known.values()} == {"proved"}
+    found = [*controls(GROWING_ORDER, known)]
+    assert len(found) > 40
+    assert [str(control) for control in found if not control.noticed] == []
+
+
+def test_scaled_charts_are_the_solutions_it_speaks_of():
+    """φ′ = 1 + φ²/(2n)², for every n as a symbol, and φ(0) = 0; the chart of order 3 is an instance."""
+    n = sympy.Symbol("n", positive=True)
+    phi = 2 * n * sympy.tan(alpha / (2 * n))
+    assert sympy.expand(phi.diff(alpha) - 1 - (phi / (2 * n)) ** 2) == 0
+    assert phi.subs(alpha, 0) == 0
+    assert family("scaled3").phi == phi.subs(n, 3)
+
+
+@pytest.mark.parametrize("length", ["0.01", "1.3", "3"])
+def test_the_difference_is_what_is_said(length: str):
+    """Of the scaled charts' own scalars, at n = 1000 and 2000: what is left of it goes with 1/n⁴."""
+    with mpmath.workdps(60):
+        r = mpmath.mpf(length)
+        u = Vector(mpmath.mpf(2) / 7, mpmath.mpf(3) / 7, mpmath.mpf(6) / 7)
+        rotation = _tensor(mpmath.cos(r), mpmath.sin(r), 1 - mpmath.cos(r), u)
+        stated = {
+            "tensor": rotation @ Tensor.skew(u) * (-(r**3) / 3),
+            "tangent": (rotation + 2 * Tensor.dyad(u, u)) * (-r * r / 3),
+        }
+        limits = _maps(family("exponential"), r, u)
+        for name, slope in stated.items():
+            left = []
+            for n in (1000, 2000):
+                epsilon = mpmath.mpf(1) / (4 * n * n)
+                change = (_maps(family(f"scaled{n}"), r, u)[name] - limits[name]) * (1 / epsilon)
+                left.append(max(abs(entry) for entry in change - slope))
+                assert left[-1] < 20 * epsilon * (1 + r * r) ** 3
+            if left[1] > mpmath.mpf(10) ** -12:  # of the exponential, which cuts off 1e-24, divided by ε
+                assert abs(left[0] / left[1] - 4) < 0.001
+
+
+def _maps(chart, r, u):
+    at, v = chart.scalars(r * r, PLAIN), u * r
+    return {
+        "tensor": _tensor(1 - r * r * at.g, at.f, at.g, v),
+        "tangent": _tensor(at.f, at.g, at.h, v),
+    }
+
+
+def _tensor(a, b, c, v):
+    return Isotropic(a, b, c, v.dot(v)).tensor(v)

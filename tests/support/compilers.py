@@ -1,0 +1,16 @@
+"""The C compiler that headers and NumPy functions in C are tried with, found as the toolkit finds it."""
+
+from __future__ import annotations
+
+import os
+import shlex
+import shutil
+
+NAMES = ("cc", "gcc", "clang")
+MISSING = "no C compiler is found (install gcc and g++, or name one in the variable CC)"
+
+
+def find() -> str | None:
+    """The one named in CC, if it is there, else the first that is found."""
+    named = shlex.split(os.environ.get("CC", ""))
+    return next(filter(None, map(shutil.which, named[:1] or NAMES)), None)
