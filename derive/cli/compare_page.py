@@ -49,9 +49,11 @@ Times, measured with them, in nanoseconds for a pose of N, on one core; another 
 The greatest of the singular values and of their inverses, over |α| ≤ A, is M. No φ has a smaller one than
 √(A/2 / sin(A/2)): with 1/φ′ ≤ M it is φ(A) ≥ A/M, and with φ(A)/(2 sin(A/2)) ≤ M it is A/M ≤ 2 M sin(A/2). The angle
 itself, divided by that M, reaches it; with φ′(0) = 1 it is approached by slopes that fall at once to 1/M, and reached
-by none. Of the scaled charts 2n tan(α/2n) the limit n → ∞, the exponential, is best of those tried, with the square of
-that M; odd polynomials go below it. Their coefficients were found by golden sections, M by evaluation at {points}
-angles.
+by none. Of the scaled charts 2n tan(α/2n) the limit n → ∞, the exponential, is best: its M is the square of that, and
+tan θ > θ makes φ(A)/(2 sin(A/2)) larger in any other. Of c sin(α/c) that quotient falls as c gets less, while 1/φ′(A)
+grows; they are the same at c = 4, whatever A is: Lambert's chart times 4, with the singular values 1/cos(α/4) and
+cos(α/4), is the best of sines, M = 1/cos(A/4). Odd polynomials of degree 5 go below it. What is best of sines and
+polynomials was found by golden sections, M by evaluation at {points} angles.
 
 {best}
 """
