@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import argparse
 import importlib
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
@@ -29,9 +29,20 @@ from benchmarks.timing import ROUNDS, Call, markdown, medians
 
 ORDERS = (2, 3)
 SIZES = (1, 100, 10_000, 1_000_000)
+GATED = (1, 10_000)
+"""Numbers of poses that gates of libraries are about."""
 
-SCIPY_GATES = {"pose": 5, "quaternion": 20, "from_pose": 7, "from_quaternion": 30, "compose": 15}
-"""Times faster than SciPy at 10^4 poses; for ``from_pose`` and later ones at n = 2."""
+FAMILIES = ("exponential", "orthographic", "lambert", "breusing", "wiener_milenkovic")
+"""Charts that are measured besides, against libraries."""
+
+OF_ALGEBRAIC = {
+    "pose": (10, 5), "quaternion": (10, 20), "from_pose": (10, 7), "from_quaternion": (10, 30), "compose": (10, 15),
+}  # fmt: skip
+OF_EXPONENTIAL = {"pose": (6, 3), "from_pose": (6, 3)}
+"""By function, how many times faster than SciPy it has to be on one pose and on 10^4."""
+
+FORWARD = ("pose", "quaternion")
+"""What has gates at n ≥ 3 too, where inverse maps take an arc tangent."""
 
 LARGE, ROUNDS_OF_LARGE = 1_000_000, 5
 """From so many poses on one call takes so long that fewer rounds do."""
@@ -73,25 +84,42 @@ def fresh(module: Any, function: str, poses: Poses) -> Call:
     return lambda: call(*arguments)
 
 
+def label(module: Any) -> str:
+    """A chart in tables: of a Cayley map its order."""
+    return chart(module).removeprefix("cayley")
+
+
+def chart(module: Any) -> str:
+    """The name of a module's chart."""
+    return str(module.__name__.rpartition(".")[2])
+
+
+def least_of(module: Any) -> Mapping[str, tuple[float, float]]:
+    """The gates of a chart against SciPy."""
+    if chart(module) == "exponential":
+        return OF_EXPONENTIAL
+    return {name: least for name, least in OF_ALGEBRAIC.items() if module.ORDER <= 2 or name in FORWARD}
+
+
 def against_libraries(module: Any, size: int) -> Iterator[tuple[tuple[str, ...], list[Gate]]]:
     """One line of the table for each function, and the gates it decides."""
     poses = Poses.draw(module, size)
-    for function, least in SCIPY_GATES.items():
+    named = f"n = {label(module)}" if label(module).isdigit() else label(module)
+    for function in OF_ALGEBRAIC:
         times = measured({
             "ours": fresh(module, function, poses),
             "scipy": scipy_call(function, poses),
             "pytransform3d": pytransform3d_call(function, poses),
         }, size)  # fmt: skip
         gates = []
-        where = f"{function}, n = {module.ORDER}, N = {size}"
-        exact = function in ("pose", "quaternion") or module.ORDER == 2
-        if "scipy" in times and exact and size in (1, 10_000):
-            bound = 10 if size == 1 else least
-            gates.append(Gate(f"{where}: SciPy RigidTransform", times["scipy"] / times["ours"], bound))
-        if "pytransform3d" in times and size == 10_000:
+        where = f"{function}, {named}, N = {size}"
+        least = dict(zip(GATED, least_of(module).get(function, ()), strict=False))
+        if "scipy" in times and size in least:
+            gates.append(Gate(f"{where}: SciPy RigidTransform", times["scipy"] / times["ours"], least[size]))
+        if "pytransform3d" in times and size == 10_000 and chart(module) != "exponential":
             gates.append(Gate(f"{where}: pytransform3d", times["pytransform3d"] / times["ours"], 3))
         peers = [_against(times, peer, size) for peer in ("scipy", "pytransform3d")]
-        yield (str(module.ORDER), function, str(size), _per_pose(times["ours"], size), *peers), gates
+        yield (label(module), function, str(size), _per_pose(times["ours"], size), *peers), gates
 
 
 def on_rows(module: Any, size: int) -> Iterator[tuple[tuple[str, ...], list[Gate]]]:
@@ -149,12 +177,13 @@ def _against(times: dict[str, float], peer: str, size: int) -> str:
     return f"{_per_pose(times[peer], size)} ({_times(times[peer] / times['ours'])})"
 
 
-def report(orders: Sequence[int], sizes: Sequence[int]) -> tuple[str, list[Gate]]:
+def report(orders: Sequence[int], sizes: Sequence[int], families: Sequence[str] = FAMILIES) -> tuple[str, list[Gate]]:
     """All tables as Markdown, and all gates."""
     modules = [importlib.import_module(f"dualcay.cayley{order}") for order in orders]
+    further = [importlib.import_module(f"dualcay.{name}") for name in families]
     gates: list[Gate] = []
     tables = []
-    head = ("n", "function", "N", "ours, ns per pose")
+    head = ("n", "function", "N", "ours, ns per pose")  # or the name of a chart that has no order
     every = range(1, 10**9)
     for title, part, peers, measured_at in (
         ("Components last, a new result", against_libraries, ("SciPy RigidTransform", "pytransform3d"), every),
@@ -162,7 +191,7 @@ def report(orders: Sequence[int], sizes: Sequence[int]) -> tuple[str, list[Gate]
         ("Derivatives, components last", of_derivatives, ("JAX, jitted", "JAX, called", "complex steps"), (1, 10_000)),
     ):
         rows = []
-        for module in modules:
+        for module in (*modules, *further) if part is against_libraries else modules:
             for size in (size for size in sizes if size in measured_at):
                 for row, decided in part(module, size):
                     rows.append(row)
@@ -181,9 +210,11 @@ def missing() -> list[str]:
     return names + ([] if c_form(ORDERS[0]) else ["a C compiler"])
 
 
-def section(sizes: Sequence[int] = SIZES) -> str:
+def section(
+    sizes: Sequence[int] = SIZES, orders: Sequence[int] = ORDERS, families: Sequence[str] = FAMILIES
+) -> str:
     """All tables, and what falls short or could not be measured."""
-    text, gates = report(ORDERS, sizes)
+    text, gates = report(orders, sizes, families)
     absent = [f"Not measured, because it is missing: {name}." for name in missing()]
     missed = [gate for gate in gates if not gate.met]
     short = [f"Falls short: {gate.what}, {_times(gate.ratio)} of {_times(gate.least)}." for gate in missed]
@@ -193,7 +224,10 @@ def section(sizes: Sequence[int] = SIZES) -> str:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("-N", type=int, nargs="+", default=SIZES, help="batch sizes")
-    print(section(parser.parse_args().N))
+    parser.add_argument("--orders", type=int, nargs="*", default=ORDERS, help="of Cayley maps")
+    parser.add_argument("--families", nargs="*", default=FAMILIES, help="further charts, beside libraries")
+    chosen = parser.parse_args()
+    print(section(chosen.N, chosen.orders, chosen.families))
 
 
 if __name__ == "__main__":

@@ -36,7 +36,7 @@ class Poses:
 
     @classmethod
     def draw(cls, module: Any, size: int) -> Poses:
-        """Poses of angle up to 3 rad, exponential coordinates likewise; one pose stands alone, without a batch."""
+        """Poses of angle up to 3 rad, v and w of the same as exponential coordinates; one pose stands alone."""
         rng = np.random.default_rng(2011)
         batch = () if size == 1 else (size,)
 
@@ -45,10 +45,8 @@ class Poses:
             direction /= np.linalg.norm(direction, axis=-1, keepdims=True)
             return np.concatenate([direction * rng.uniform(0, 3, (*batch, 1)), rng.uniform(-1, 1, (*batch, 3))], -1)
 
-        exponential, other, w = twist(), twist(), twist()
-        v = exponential.copy()
-        angle = np.linalg.norm(v[..., :3], axis=-1, keepdims=True)
-        v[..., :3] *= np.tan(angle / (2 * module.ORDER)) / angle
+        exponential, other = twist(), twist()
+        v, w = module.from_exponential(exponential), module.from_exponential(other)
         T, q = module.pose(v), module.quaternion(v)
         rows = [np.ascontiguousarray(a.T) for a in (v, w, other)]
         return cls(v, w, exponential, other, T, q, *rows)

@@ -50,7 +50,7 @@ def measurements(folder: Path, bar: Progress) -> list[measure.Measurement]:
 
 @click.command(context_settings={"help_option_names": ["-h", "--help"]})
 @click.option("--search", "seconds", type=float, default=0.0, help="First look for worse inputs, so many seconds.")
-@click.option("--figures-only", is_flag=True, help="Draw the figures and leave the tables.")
+@click.option("--figures-only", is_flag=True, help="Draw the figures, with what is said of them, and leave the tables.")
 def main(seconds: float, figures_only: bool) -> None:
     """Write docs/accuracy.md, its figures and benchmarks/worst_cases.json."""
     console = Console()
@@ -60,6 +60,8 @@ def main(seconds: float, figures_only: bool) -> None:
         DOCS.mkdir(exist_ok=True)
         drawn = figures.draw(DOCS, bar, console)
         if figures_only:
+            page = DOCS / "accuracy.md"
+            page.write_text(report.beside(page.read_text(encoding="utf-8"), drawn), encoding="utf-8")
             return
         if seconds:
             search(folder, seconds, bar)

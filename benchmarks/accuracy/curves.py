@@ -1,8 +1,8 @@
 """Error against angle, ours and other libraries' in doubles: what the figures show.
 
 At every angle the same screws ξ (rotation α u, translation of size one) for all. Forward maps and Jacobians start
-from each map's own vector rounded to doubles, ours from v = tan(α/2n) u, and are compared with the exact map of that
-rounded vector. Inverse maps all start from the same matrix, exp ξ rounded to doubles.
+from each map's own vector rounded to doubles, those of Cayley maps from v = tan(α/2n) u, and are compared with the
+exact map of that rounded vector. Inverse maps all start from the same matrix, exp ξ rounded to doubles.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ import functools
 import multiprocessing
 import warnings
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -37,6 +38,11 @@ Point = dict[tuple[str, str], float]
 @functools.cache
 def libraries() -> list[peers.Peer]:
     return peers.installed()
+
+
+def exponentials() -> list[peers.Peer]:
+    """Ours, then those of libraries."""
+    return [peers.ours(), *libraries()]
 
 
 def screws(panel: str, index: int) -> np.ndarray:
@@ -79,7 +85,7 @@ def forward(xi: np.ndarray, result: Errors) -> None:
     unpack = result.oracle.unpack
     exact = [exponential(unpack(row)) for row in xi]
     allowed = [ExponentialScales(row) for row in xi]
-    for peer in libraries():
+    for peer in exponentials():
         for (tensor, _), scale, got in zip(exact, allowed, peer.exp(xi), strict=True):
             size = Nil(scale.tensor.re, scale.position)
             result.add(("Q", "ρ"), peer.name, got, homogeneous(tensor), size)
@@ -109,7 +115,7 @@ def inverse_maps(xi: np.ndarray, result: Errors) -> None:
     poses = np.stack([rounded(homogeneous(tensor), np.float64) for tensor, _ in pairs])
     given = [(errors.entry_twists(r), np.array(pack(r), dtype=float).reshape(2, 9)) for r, _ in pairs]
     scales = [errors.branch_scale(t, row, *g) for (_, t), row, g in zip(pairs, dual, given, strict=True)]
-    for peer in libraries():
+    for peer in exponentials():
         for row, scale, got in zip(dual, scales, peer.log(poses), strict=True):
             result.add(("log", "log°"), peer.name, got, pack(row), scale)
     for n in ORDERS:
@@ -148,6 +154,40 @@ def curves(report: Callable[[int, int], None]) -> Curves:
             row[index] = error
         report(done, len(tasks))
     return found
+
+
+MAY_BE = 2
+"""Eps that the exponential may be off by where another library is off by less."""
+
+COMPARED = ("Q", "ρ", "log", "log°")
+"""Parts of the exponential map and its logarithm."""
+
+
+@dataclass(frozen=True)
+class Behind:
+    """An angle at which our exponential is off by more than `MAY_BE` and more than the best library."""
+
+    panel: str
+    part: str
+    angle: float
+    error: float
+    library: str
+    least: float
+
+
+def behind(found: Curves) -> list[Behind]:
+    """All of them."""
+    worse = []
+    for (panel, part, name), row in found.items():
+        others = {other: r for (p, q, other), r in found.items() if (p, q) == (panel, part) and other in peers.MAKERS}
+        if name != "exponential" or part not in COMPARED or not others:
+            continue
+        for i, error in enumerate(row):
+            best = min(others, key=lambda other: others[other][i])
+            if error > max(MAY_BE, others[best][i]):
+                angle = float(ANGLES[panel][i])
+                worse.append(Behind(panel, part, angle, float(error), best, float(others[best][i])))
+    return worse
 
 
 def _points(tasks: list[tuple[str, int]]) -> Iterator[tuple[str, int, Point]]:

@@ -24,11 +24,19 @@ STYLES: Styles = {
     "n = 2": ("#0072B2", "s"),
     "n = 3": ("#009E73", "^"),
     "n = 8": ("#000000", "D"),
+    "exponential": ("#8C6BB1", "*"),
     "SciPy": ("#E69F00", "v"),
     "pytransform3d": ("#D55E00", "P"),
     "jaxlie": ("#CC79A7", "X"),
     "pinocchio": ("#7F7F7F", "d"),
 }
+
+
+
+def is_ours(label: str) -> bool:
+    """Whether a curve is of a kernel of this project."""
+    return label not in peers.MAKERS
+
 
 X_AXES = {
     "small": ("rotation angle α", "log"),
@@ -51,7 +59,7 @@ class Picture:
 PICTURES = (
     Picture(
         "accuracy_exponential.png",
-        "From vector to pose: Cayley maps and exponential maps of other libraries",
+        "From vector to pose: Cayley maps, and exponential maps of ours and of other libraries",
         {"Q": "rotation Q", "ρ": "displacement ρ"},
         ("small", "whole"),
         "Forward maps. Ours v → pose, the others' exponential map at the same screws with translations of size one; "
@@ -59,7 +67,7 @@ PICTURES = (
     ),
     Picture(
         "accuracy_logarithm.png",
-        "From pose to vector: inverse Cayley maps and logarithms of other libraries",
+        "From pose to vector: inverse Cayley maps, and logarithms of ours and of other libraries",
         {"log": "rotational part", "log°": "translational part"},
         ("small", "to pi"),
         "Inverse maps. All from the same matrix of doubles; errors over what rounding its entries does to the exact "
@@ -83,7 +91,7 @@ def panel(axes: Axes, found: curves.Curves, name: str, part: str, styles: Styles
     for i, (label, (colour, marker)) in enumerate(styles.items()):
         row = found.get((name, part, label))
         if row is not None:
-            ours = label.startswith("n =")
+            ours = is_ours(label)
             axes.plot(
                 angles,
                 np.where(np.isnan(row), np.nan, np.clip(row, FLOOR, 1e17)),
@@ -116,7 +124,7 @@ def picture(found: curves.Curves, what: Picture, path: Path) -> None:
         row[0].set_ylabel(f"error of {label} (eps)")
     handles = {label: line for axes in grid.flat for line, label in zip(*axes.get_legend_handles_labels(), strict=True)}
     order = [label for label in STYLES if label in handles]
-    names = [f"dualcay, {label}" if label.startswith("n =") else label for label in order]
+    names = [f"dualcay, {label}" if is_ours(label) else label for label in order]
     lines = [handles[label] for label in order]
     figure.legend(lines, names, loc="outside right center", frameon=False, handlelength=3.2)
     figure.suptitle(what.title, fontsize=12)
@@ -131,8 +139,16 @@ def missing(console: Console) -> None:
             console.print(f"{name} is not installed and left out of the figures (extras bench, peers)", highlight=False)
 
 
-def draw(folder: Path, bar: Progress, console: Console) -> Sequence[tuple[str, str]]:
-    """Compute and draw all figures; (file name, caption) of each."""
+@dataclass(frozen=True)
+class Drawn:
+    """(file name, caption) of each figure, and lines about the exponential."""
+
+    captions: Sequence[tuple[str, str]]
+    standing: Sequence[str]
+
+
+def draw(folder: Path, bar: Progress, console: Console) -> Drawn:
+    """Compute and draw all figures."""
     matplotlib.use("Agg")
     missing(console)
     row = bar.add_task("angles", total=sum(map(len, curves.ANGLES.values())))
@@ -141,4 +157,27 @@ def draw(folder: Path, bar: Progress, console: Console) -> Sequence[tuple[str, s
         picture(found, what, folder / what.file)
     used = ", ".join(f"{name} {version}" for name, version in peers.versions().items() if version)
     note = f"Errors below {FLOOR:g} eps are drawn there. Compared: {used}."
-    return [(what.file, f"{what.caption} {note}") for what in PICTURES]
+    captions = [(what.file, f"{what.caption} {note}") for what in PICTURES]
+    return Drawn(captions, standing(found))
+
+
+def standing(found: curves.Curves) -> list[str]:
+    """How our exponential map and logarithm stand beside those of libraries."""
+    largest = {
+        part: max(float(np.nanmax(row)) for (_, p, name), row in found.items() if (p, name) == (part, "exponential"))
+        for part in curves.COMPARED
+    }
+    sizes = ", ".join(f"{part} {error:.2g}" for part, error in largest.items())
+    bound = f"the best of these libraries or {curves.MAY_BE} eps, whichever is larger"
+    said = f"`exponential` is off by at most, in eps: {sizes}."
+    behind = curves.behind(found)
+    if not behind:
+        return [f"{said} At no angle of the figures is it off by more than {bound}."]
+    lines = []
+    for panel, part in dict.fromkeys((b.panel, b.part) for b in behind):
+        here = [b for b in behind if (b.panel, b.part) == (panel, part)]
+        angles, most = [b.angle for b in here], max(here, key=lambda b: b.error - b.least)
+        where = f"{len(here)} of {len(curves.ANGLES[panel])} angles, from {min(angles):.3g} to {max(angles):.3g}"
+        worst = f"most at {most.angle:.3g}: {most.error:.2g} eps, {most.library} {most.least:.2g}"
+        lines.append(f"- {part} at {where}, {worst} FALLS SHORT")
+    return [f"{said} It is off by more than {bound} in", "", *lines]

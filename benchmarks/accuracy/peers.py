@@ -1,4 +1,4 @@
-"""Other libraries' exponential maps of rigid displacements, in double precision: each optional.
+"""Exponential maps of rigid displacements in double precision: ours, and those of other libraries, each optional.
 
 All take and give batches in one convention: screws (N, 6) with the rotation first, homogeneous matrices (N, 4, 4),
 left (space) Jacobians (N, 6, 6) in the order of the screws.
@@ -26,6 +26,23 @@ class Peer:
     jacobian: Map | None = None
     jacobian_inv: Map | None = None
     through_log: bool = False
+
+
+def ours() -> Peer:
+    """Of `dualcay.exponential`."""
+    from dualcay import exponential
+
+    def matrix(operator: Any) -> Map:
+        def jacobian(screws: np.ndarray) -> np.ndarray:
+            re, du = np.moveaxis(operator(screws), -3, 0)
+            return np.block([[re, np.zeros_like(re)], [du, re]])
+
+        return jacobian
+
+    return Peer(
+        "exponential", exponential.pose, exponential.from_pose, matrix(exponential.tangent),
+        matrix(exponential.tangent_inv),
+    )  # fmt: skip
 
 
 # Translation first to rotation first, or back.

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from benchmarks.accuracy.figures import Drawn
 from benchmarks.accuracy.measure import COUNT, DIGITS, FEW, ORDERS, Measurement, types
 from derive.codegen.signatures import POSES, ROTATIONS
 from tests.support import errors, rotations
@@ -243,8 +244,11 @@ def out_of_range(measurements: Sequence[Measurement]) -> Iterator[str]:
     yield from markdown(["type", *(f"n = {n}" for n in ORDERS)], body)
 
 
-def page(measurements: Sequence[Measurement], figures: Sequence[tuple[str, str]]) -> str:
-    """The whole page; `figures` are (file name, caption)."""
+BESIDE = "## Beside other libraries"
+
+
+def page(measurements: Sequence[Measurement], figures: Drawn) -> str:
+    """The whole page."""
     lines = [
         "# Accuracy",
         "",
@@ -278,9 +282,14 @@ def page(measurements: Sequence[Measurement], figures: Sequence[tuple[str, str]]
         "",
         *gate_tables(measurements),
         *out_of_range(measurements),
-        "## Beside other libraries",
-        "",
     ]
-    for name, caption in figures:
+    return beside("\n".join([*lines, BESIDE]), figures)
+
+
+def beside(page: str, figures: Drawn) -> str:
+    """The page with other figures: the last section."""
+    tables, _, _ = page.partition(BESIDE)
+    lines = [f"{tables}{BESIDE}", "", *figures.standing, ""]
+    for name, caption in figures.captions:
         lines += [caption, "", f"![{caption.split('.')[0]}]({name})", ""]
     return "\n".join(lines)

@@ -7,12 +7,14 @@ import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from typing import TYPE_CHECKING
 
 import click
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
-from ..codegen import Difference, Package
+if TYPE_CHECKING:
+    from ..codegen import Difference, Package
 
 SPARSE = 10.0
 """Seconds before the first line of progress where there is no terminal; each pause is then twice as long, up to a

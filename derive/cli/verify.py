@@ -10,14 +10,13 @@ from pathlib import Path
 
 import click
 
-from ..codegen import catalogue
 from ..maps import Cayley
 from ..output import files
 from ..output.tables import columns
 from ..papers import PAPERS, Paper, Status
 from ..papers import verify as decide
 from ..papers.report import FORMATS, Report, as_text
-from ..proof import Proof, proofs, theorems
+from ..proof import Proof, citing, proofs, theorems
 from . import display, options
 
 NEAREST = 3
@@ -84,8 +83,7 @@ def _cited(papers: Sequence[Paper], equations: list[str]) -> set[int]:
 
 def _proofs(orders: tuple[int, ...], cited: set[int] | None, step: Callable[[str], None]) -> Iterator[Proof]:
     """The theorems for all n, those that cite an equation asked for; and everything about the orders asked for."""
-    if cited is None or cited:
-        yield from (proof for proof in theorems() if cited is None or cited & set(proof.equations))
+    yield from theorems() if cited is None else citing(cited)
     for n in orders:
         step(f"proofs at n = {n}")
         yield from proofs(Cayley(n))
@@ -93,7 +91,11 @@ def _proofs(orders: tuple[int, ...], cited: set[int] | None, step: Callable[[str
 
 def _root(output: Path | None) -> str:
     """The way from the report to the sources: none for one on stdout or outside a checkout."""
-    if output is None or not catalogue.is_checkout():
+    if output is None:
+        return ""
+    from ..codegen import catalogue  # all of the generator, which nothing else here needs
+
+    if not catalogue.is_checkout():
         return ""
     return Path(os.path.relpath(catalogue.CHECKOUT, output.resolve().parent)).as_posix()
 

@@ -3,13 +3,16 @@
 =====================  ========================================================================
 numbers                the numbers that formulas are executed on, and the values letters take
 language               how a formula is written down: terms, marks, meaning, execution
-equation               an entry and its result
+equation               an entry
+result                 what came out for it
 paper                  a paper, its sections and the inventory of its text
 condurache_popa_2023   the entries of CP23, a module for each section
 karakilic_2010         those of K10
 readings               all ways to read a display whose marks were lost
 poles                  where the denominators of a formula vanish
+sharp                  whether a condition is sharp, by the denominators
 counterexample         what a false statement comes to at a point
+explore                a statement at seeded points, special ones and poles
 decide                 from an entry to its status
 mutation               mutants of a statement, and how they fare
 witnesses              30-digit values at seeded points, kept beside each paper's package
@@ -27,8 +30,9 @@ from collections.abc import Callable, Iterable, Sequence
 from ..output.listing import Listing
 from . import condurache_popa_2023, karakilic_2010
 from .decide import ORDERS, decide
-from .equation import Equation, Reading, Result, Status, UndecidedError, Verdict, equation
+from .equation import Equation, Reading, UndecidedError, equation
 from .paper import Paper
+from .result import Result, Status, Verdict
 
 PAPERS: tuple[Paper, ...] = (condurache_popa_2023.PAPER, karakilic_2010.PAPER)
 

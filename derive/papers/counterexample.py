@@ -11,12 +11,13 @@ import mpmath
 from derive.algebra import Dual, Structure
 from derive.maps.pose import Pose
 
-from .equation import Counterexample, Equation
+from .equation import Equation
 from .language import values
 from .language.evaluation import Env
 from .language.notation import equal
 from .language.terms import Apply, Term, Trait, latex
 from .numbers.fields import DIGITS
+from .result import Counterexample
 
 SHOWN = 30
 """Digits of a value."""

@@ -2,48 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Sequence
+from dataclasses import replace
 from functools import partial
 from math import lcm
-
-import mpmath
 
 from derive.proof.ratio import NotExactError
 
 from .counterexample import counterexample
-from .equation import Counterexample, Equation, Reading, Result, Status, UndecidedError, Verdict, faithful
+from .equation import Equation, Reading, UndecidedError, faithful
+from .explore import Outcome, explore
 from .language.evaluation import Env
 from .language.notation import over
-from .language.terms import Apply, Letter, Number, Term, Trait, marked, takes_apart, walk
-from .numbers.draw import Draw
+from .language.terms import Apply, Number, Term, Trait, marked, takes_apart, walk
 from .numbers.every_order import EveryOrder
-from .numbers.fields import DIGITS, Decimal60
 from .numbers.generic import Generic, GenericOrder
 from .numbers.kinds import BRANCH, ORDER, SIGN
-from .poles import poles
 from .readings.enumeration import Readings, UnreadableError, read
+from .result import Counterexample, Result, Status, Verdict
+from .sharp import is_sharp
 
 ORDERS = (1, 2, 3, 4, 5)
-GENERIC_POINTS = 2
 SHORT = 1
 """Decimals of the numbers in a counterexample."""
 FOUND = "found among all readings"
-
-
-@dataclass(frozen=True)
-class Outcome:
-    """What a statement was at one point: true, false, or without a value."""
-
-    point: str
-    inside: bool
-    truth: bool | None
-    env: Env
-
-    @property
-    def place(self) -> str:
-        """The point, in words."""
-        return f"{self.point}: {'no value' if self.truth is None else str(self.truth).lower()}"
 
 
 def decide(
@@ -68,6 +50,8 @@ def decide(
         If what the entry says of itself does not fit what is computed.
     """
     lost += entry.lost
+    if (entry.claimed is None) != (entry.stated is None):
+        raise UndecidedError(f"({entry.number}): a claimed domain and the words that state it come together")
     for reading in entry.readings:
         if entry.extract and not faithful(reading.statement, entry.extract, lost):
             raise UndecidedError(f"({entry.number}): a reading does not have the marks of line {entry.line}")
@@ -80,7 +64,9 @@ def decide(
     others = [judge(entry, Reading(statement, FOUND), orders) for statement in found.true] if none_true else []
     known = (*listed, *(other for other in others if other.true))
     verdicts = tuple(sorted(known, key=lambda verdict: not verdict.true))
-    result = partial(Result, paper, entry, verdicts=verdicts, reading_count=found.count, capped=not found.complete)
+    decided = entry.corrected if entry.corrected is not None else verdicts[0].statement
+    result = partial(Result, paper, entry, verdicts=verdicts, reading_count=found.count, capped=not found.complete,
+                     exact=entry.condition is not None and is_sharp(entry.condition, decided))  # fmt: skip
     method = "; ".join(verdict.method for verdict in verdicts)
     if verdicts[0].true and not _speaks_for_a_false_one(entry, listed):
         return result(Status.HOLDS if entry.condition is None else Status.HOLDS_IF, verdicts[0].method)
@@ -136,10 +122,26 @@ def judge(entry: Equation, reading: Reading, orders: Sequence[int]) -> Verdict:
     outside = [outcome for outcome in outcomes if not outcome.inside]
     if not inside or (entry.condition is not None and not outside):
         raise UndecidedError(f"({entry.number}): no point on {'both sides' if inside else 'the inside'} of its domain")
+    beyond = _beyond(entry, reading.statement, outside)
+    method = _method(entry, reading.statement, prove(entry, reading.statement, orders), len(inside))
+    return verdict(True, f"{method}; also true at {beyond.point}" if beyond else method)
+
+
+def _beyond(entry: Equation, statement: Term, outside: Sequence[Outcome]) -> Outcome | None:
+    """A point outside the condition at which a statement happens to be true, for two letters are special there.
+
+    Raises
+    ------
+    UndecidedError
+        If one special letter is enough, for then the condition is too strict; or if the statement has a value where
+        its form says that it has none.
+    """
     for outcome in outside:
-        if outcome.truth is True:
+        if outcome.truth is True and not outcome.pair:
             raise UndecidedError(f"({entry.number}): true outside its condition, at {outcome.place}")
-    return verdict(True, _method(entry, reading.statement, prove(entry, reading.statement, orders), len(inside)))
+        if outcome.truth is not None and entry.condition is not None and is_sharp(entry.condition, statement):
+            raise UndecidedError(f"({entry.number}): its form says no value, but there is one, at {outcome.place}")
+    return next((outcome for outcome in outside if outcome.truth is True), None)
 
 
 def _example(entry: Equation, statement: Term, orders: Sequence[int], failed: Outcome) -> Counterexample:
@@ -158,60 +160,6 @@ def _method(entry: Equation, statement: Term, exact: str | None, points: int) ->
     if any(entry.free(part) for part in marked(Trait.DELICATE, statement)):
         return f"{exact} where letters are generic, {evidence}{supported}"
     return f"{exact}{supported}"
-
-
-def explore(entry: Equation, statement: Term, orders: Sequence[int], digits: int = 30) -> Iterator[Outcome]:
-    """The statement at all points of the entry's claimed domain."""
-    with mpmath.workdps(DIGITS):
-        for label, env in points(entry, statement, orders, digits):
-            if entry.claimed is not None and not _truth(env, entry.claimed):
-                continue
-            inside = entry.condition is None or bool(_truth(env, entry.condition))
-            yield Outcome(label, inside, _truth(env, statement), env)
-
-
-def points(
-    entry: Equation, statement: Term, orders: Sequence[int], digits: int = 30
-) -> Iterator[tuple[str, Env]]:
-    """Seeded environments: all letters generic, each special value of each letter, the entry's own, and poles."""
-    free = entry.free(statement)
-    order = next((letter for letter in free if letter.kind is ORDER), None)
-    others = [letter for letter in free if letter.kind not in (ORDER, BRANCH)]
-    branches = [letter for letter in free if letter.kind is BRANCH]
-    for n in orders if order is not None else (0,):
-        prefix = f"n = {n}, " if order is not None else ""
-        for branch in range((entry.branches or n) if branches else 1):
-            fixed = {**({order: n} if order is not None else {}), **dict.fromkeys(branches, branch)}
-            draw = Draw(f"{entry.number} {n} {branch}", entry.moving, digits)
-            for label, values in _variations(draw, others, entry):
-                yield f"{prefix}{label}", _environment(entry, {**fixed, **values})
-            start = {**fixed, **{letter: letter.kind.generic(draw) for letter in others}}
-            for label, moved in poles(statement, _environment(entry, start)):
-                yield f"{prefix}{label}", _environment(entry, {**start, **moved})
-
-
-def _environment(entry: Equation, values: dict[Letter, object]) -> Env:
-    return Env(Decimal60(), values, entry.definitions, moving=entry.moving)
-
-
-def _variations(draw: Draw, free: Sequence[Letter], entry: Equation) -> Iterator[tuple[str, dict[Letter, object]]]:
-    def generic() -> dict[Letter, object]:
-        return {letter: letter.kind.generic(draw) for letter in free}
-
-    for i in range(GENERIC_POINTS):
-        yield f"generic point {i + 1}", generic()
-    for letter in free:
-        for label, make in letter.kind.special.items():
-            yield f"{letter.name}: {label}", {**generic(), letter: make(draw)}
-    for label, point in (entry.also(draw) if entry.also else {}).items():
-        yield label, {**generic(), **point}
-
-
-def _truth(env: Env, statement: Term) -> bool | None:
-    try:
-        return bool(env.value(statement))
-    except ArithmeticError:  # a pole, a zero divisor, a root of a negative number
-        return None
 
 
 def prove(entry: Equation, statement: Term, orders: Sequence[int]) -> str | None:

@@ -21,11 +21,10 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
-from enum import StrEnum
 from typing import Any
 
 from .language.evaluation import Definition
-from .language.terms import Letter, Term, latex, letters, text
+from .language.terms import Letter, Term, letters, text
 from .numbers.draw import Draw
 
 Points = Callable[[Draw], Mapping[str, Mapping[Letter, Any]]]
@@ -33,15 +32,6 @@ Points = Callable[[Draw], Mapping[str, Mapping[Letter, Any]]]
 
 class UndecidedError(Exception):
     """An entry cannot be given a status: it lacks a condition, a correction, or a faithful reading."""
-
-
-class Status(StrEnum):
-    """What can be said of a printed equation."""
-
-    HOLDS = "holds"
-    HOLDS_IF = "holds-if"
-    ERRATUM = "erratum"
-    AMBIGUOUS = "ambiguous"
 
 
 @dataclass(frozen=True)
@@ -83,10 +73,10 @@ class Equation:
         What the defined letters stand for; all others are free and vary over their kind.
     claimed : Term, optional
         The domain that the paper states; points outside it are not tested.
+    stated : tuple of int and str, optional
+        Line and words that state it, without which none is claimed.
     condition : Term, optional
         The domain that was found.
-    sharp : bool
-        Whether it is true nowhere else; if not, it holds at least there.
     corrected : Term, optional
         What an erratum should say.
     because : Term, optional
@@ -118,8 +108,8 @@ class Equation:
     readings: tuple[Reading, ...]
     where: tuple[Definition, ...] = ()
     claimed: Term | None = None
+    stated: tuple[int, str] | None = None
     condition: Term | None = None
-    sharp: bool = False
     corrected: Term | None = None
     because: Term | None = None
     also: Points | None = field(default=None, compare=False)
@@ -162,171 +152,6 @@ def equation(number: str, title: str, line: int, printed: Term | tuple[Reading, 
     readings = printed if isinstance(printed, tuple) else (Reading(printed),)
     rest["where"] = tuple(rest.get("where", ()))
     return Equation(number, title, line, rest.pop("extract", ""), readings, **rest)
-
-
-@dataclass(frozen=True)
-class Counterexample:
-    """A point at which a statement is false.
-
-    Attributes
-    ----------
-    point : str
-        What is special about it.
-    letters : dict of str to list of str
-        LaTeX of each free letter to the numbers it consists of: real parts, then dual parts.
-    sides : tuple of list of str
-        The numbers that the two sides of the equation that fails consist of; none for a claim in words.
-    """
-
-    point: str
-    letters: Mapping[str, list[str]]
-    sides: tuple[list[str], ...]
-
-    def as_json(self) -> dict[str, Any]:
-        """As plain data."""
-        return {"point": self.point, "letters": dict(self.letters), "sides": list(self.sides)}
-
-
-@dataclass(frozen=True)
-class Verdict:
-    """What came out for one reading.
-
-    Attributes
-    ----------
-    statement, note
-        The reading.
-    true : bool
-        Whether it is true wherever it should be.
-    method : str
-        How that is known.
-    counterexample : Counterexample, optional
-        Of a false one.
-    """
-
-    statement: Term
-    note: str
-    true: bool
-    method: str
-    counterexample: Counterexample | None = None
-
-    @property
-    def latex(self) -> str:
-        """The reading, typeset."""
-        return latex(self.statement)
-
-
-@dataclass(frozen=True)
-class Result:
-    """An equation with its computed status.
-
-    Attributes
-    ----------
-    paper : str
-        Slug of the paper.
-    equation : Equation
-        The entry.
-    status : Status
-    method : str
-    verdicts : tuple of Verdict
-        One for each reading that is listed or was found true; a true one comes first if there is one.
-    reading_count : int
-        How many readings differ, at most `readings.search.CAP`.
-    capped : bool
-        Whether there are more, so that not all were looked at.
-    """
-
-    paper: str
-    equation: Equation
-    status: Status
-    method: str
-    verdicts: tuple[Verdict, ...]
-    reading_count: int = 1
-    capped: bool = False
-
-    @property
-    def printed(self) -> str:
-        """LaTeX of the (first) reading."""
-        return self.verdicts[0].latex
-
-    @property
-    def corrected(self) -> str | None:
-        """LaTeX of the correction of an erratum."""
-        entry = self.equation
-        return latex(entry.corrected) if self.status is Status.ERRATUM and entry.corrected is not None else None
-
-    @property
-    def condition(self) -> str | None:
-        """LaTeX of the domain that was found."""
-        return None if self.equation.condition is None else latex(self.equation.condition)
-
-    @property
-    def claimed(self) -> str | None:
-        """LaTeX of the domain that the paper states."""
-        return None if self.equation.claimed is None else latex(self.equation.claimed)
-
-    @property
-    def counterexample(self) -> Counterexample | None:
-        """Where an erratum fails."""
-        return self.verdicts[0].counterexample if self.status is Status.ERRATUM else None
-
-    @property
-    def section(self) -> str:
-        """The number of the section of the paper, from the module of the entry."""
-        found = re.search(r"/s0?(\d+)(?:_(\d))?", self.equation.source)
-        return ".".join(part for part in found.groups() if part) if found else ""
-
-    @property
-    def anchor(self) -> str:
-        """The name of the entry in pages; it never changes."""
-        return f"{self.paper}-{self.equation.number}"
-
-    def as_json(self) -> dict[str, Any]:
-        """The result as plain data, for ``--format json``."""
-        example = self.counterexample
-        return {
-            "paper": self.paper,
-            "equation": self.equation.number,
-            "title": self.equation.title,
-            "status": str(self.status),
-            "printed": self.printed,
-            "corrected": self.corrected,
-            "claimed": self.claimed,
-            "condition": self.condition,
-            "exact": self.equation.sharp if self.equation.condition is not None else None,
-            "readings": [
-                {"latex": v.latex, "verdict": "true" if v.true else "false", "note": v.note} for v in self.verdicts
-            ],
-            "reading_count": self.reading_count,
-            "capped": self.capped,
-            "counterexample": None if example is None else example.as_json(),
-            "method": self.method,
-            "anchor": self.anchor,
-            "section": self.section,
-            "line": self.equation.line,
-            "source": self.equation.source,
-            "remark": self.equation.remark,
-        }
-
-    def cells(self) -> dict[str, str]:
-        """Its row in a table."""
-        corrected = "" if self.corrected is None else f"$\\displaystyle {self.corrected}$"
-        return {
-            "paper": self.paper,
-            "equation": self.equation.number,
-            "status": str(self.status),
-            "printed": f"$\\displaystyle {self.printed}$",
-            "corrected": corrected,
-            "method": self.method,
-        }
-
-    def __repr__(self) -> str:
-        return f"<Result {self.paper} ({self.equation.number}): {self.status}>"
-
-    def _repr_latex_(self) -> str:
-        body = rf"\text{{({self.equation.number}) {self.status}:}}\quad {self.printed}"
-        if self.corrected is not None:
-            body += rf"\quad\longrightarrow\quad {self.corrected}"
-        return f"$\\displaystyle {body}$"
 
 
 def faithful(reading: Term, extract: str, lost: str) -> bool:

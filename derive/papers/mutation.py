@@ -9,9 +9,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
-from .decide import ORDERS, explore
-from .equation import Equation, Result
+from .decide import ORDERS
+from .equation import Equation
+from .explore import explore
 from .language.terms import Apply, Number, Term, text
+from .result import Result
 
 
 @dataclass(frozen=True)

@@ -15,8 +15,9 @@ import mpmath
 
 from . import PAPERS, Paper
 from .counterexample import is_value, shown, sides
-from .decide import ORDERS, decide, points
+from .decide import ORDERS, decide
 from .equation import Equation
+from .explore import points
 from .language.evaluation import Env
 from .language.terms import Term
 from .mutation import true_statements
@@ -57,10 +58,10 @@ def committed(paper: Paper) -> dict[str, dict[str, Any]]:
 
 def _inside(entry: Equation, statement: Term, orders: Sequence[int]) -> Iterator[tuple[str, Env]]:
     """The seeded points of the claimed domain at which the condition holds."""
-    for label, env in points(entry, statement, orders):
+    for point in points(entry, statement, orders):
         domain = [part for part in (entry.claimed, entry.condition) if part is not None]
-        if all(_holds(lambda part=part, env=env: env.value(part)) for part in domain):  # type: ignore[misc]
-            yield label, env
+        if all(_holds(lambda part=part, env=point.env: env.value(part)) for part in domain):  # type: ignore[misc]
+            yield point.label, point.env
 
 
 def _holds(value: Callable[[], Any]) -> bool:

@@ -39,13 +39,13 @@ page                   all of this as Markdown
 from __future__ import annotations
 
 from .element import Element
-from .every_order import theorems
+from .every_order import citing, theorems
 from .exact import Ring
 from .identity import Proof, decide
 from .proved import ProofFailed, Proved, proofs, prove
 from .scalars import is_algebraic, root_of
 
 __all__ = [
-    "Element", "Proof", "ProofFailed", "Proved", "Ring", "decide", "is_algebraic", "proofs", "prove", "root_of",
-    "theorems",
+    "Element", "Proof", "ProofFailed", "Proved", "Ring", "citing", "decide", "is_algebraic", "proofs", "prove",
+    "root_of", "theorems",
 ]  # fmt: skip

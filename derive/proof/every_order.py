@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Container, Iterable
 from functools import cache
 
 from .calculus_theorems import calculus_theorems
@@ -27,6 +27,19 @@ def decided(claimed: Iterable[Theorem]) -> tuple[Proof, ...]:
     for theorem in claimed:
         known[theorem.name] = theorem.decide(known)
     return tuple(known.values())
+
+
+def citing(numbers: Container[int]) -> tuple[Proof, ...]:
+    """Prove the theorems that claim one of the equations of CP23 with these numbers, and nothing else but what they
+    rest on.
+    """
+    claimed = stated(Formulas())
+    wanted = {t.name for t in claimed if any(n in numbers for equation in t.claim for n in equation.numbers)}
+    needed = set(wanted)
+    for theorem in reversed(claimed):  # each stands after what it rests on
+        if theorem.name in needed:
+            needed |= {premise.theorem for premise in theorem.premises}
+    return tuple(proof for proof in decided(t for t in claimed if t.name in needed) if proof.name in wanted)
 
 
 @cache

@@ -91,3 +91,26 @@ def test_rows_are_timed_with_one_result_and_with_two(monkeypatch: pytest.MonkeyP
     for row, _ in kernels.on_rows(load(ORDER), 100):
         assert float(row[3]) > 0
         assert " x)" in row[4]
+
+
+def test_gates_are_those_of_the_chart(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The exponential has two, a chart of order 3 those of forward maps; ratios that are measured decide."""
+    units = {"ours": 1.0, "scipy": 7.0, "pytransform3d": 2.0}
+    monkeypatch.setattr(kernels, "measured", lambda calls, *_, **__: {k: units[k] for k, call in calls.items() if call})
+    decided = {}
+    for name in ("exponential", "lambert", "sine3"):
+        lines = [*kernels.against_libraries(importlib.import_module(f"dualcay.{name}"), 1)]
+        assert [row[:2] for row, _ in lines] == [(name, function) for function in kernels.OF_ALGEBRAIC]
+        decided[name] = {gate.what.split(",")[0]: gate.met for _, gates in lines for gate in gates}
+    assert decided["exponential"] == {"pose": True, "from_pose": True}
+    assert decided["lambert"] == dict.fromkeys(kernels.OF_ALGEBRAIC, False)
+    assert decided["sine3"] == dict.fromkeys(kernels.FORWARD, False)
+
+
+@pytest.mark.parametrize("name", kernels.FAMILIES)
+def test_vectors_of_a_chart_are_the_poses_that_libraries_are_given(name: str) -> None:
+    """Both of a composition, none beyond the end of the chart; of sin 1.5 the angle is off by 14 roundings."""
+    module = importlib.import_module(f"dualcay.{name}")
+    poses = Poses.draw(module, 5)
+    np.testing.assert_allclose(module.to_exponential(poses.v), poses.exponential, rtol=0, atol=1e-13)
+    np.testing.assert_allclose(module.to_exponential(poses.w), poses.other, rtol=0, atol=1e-13)

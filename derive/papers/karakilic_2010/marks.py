@@ -18,17 +18,17 @@ from ..language.terms import ATOM, LIST, POWER, PRODUCT, RELATION, SUM, Mark, Te
 from .alphabet import i, j
 
 
-def _function(name: str, value: Callable[[Env, Any], Any], sibling: str, exponent: int = 1) -> Mark:
+def _function(name: str, mark: Mark, sibling: str, exponent: int = 1) -> Mark:
     """A function with a capital, or a power of it."""
     shown, power = ("", "") if exponent == 1 else (f"^{exponent}", str(exponent))
     return define(f"K10 {name}{power}", rf"\operatorname{{{{{name}}}}}{shown} {{0}}", f"{name}{power}{{0}}", PRODUCT,
-                  (POWER,), lambda env, a: env.power(value(env, a), exponent), traits=Trait.TRANSCENDENTAL,
+                  (POWER,), lambda env, a: env.power(mark.value(env, a), exponent), traits=mark.traits,
                   changes=(DROPPED, made(sibling)))  # fmt: skip
 
 
-Sin, Cos = _function("Sin", sin.value, "K10 Cos"), _function("Cos", cos.value, "K10 Sin")
-Tan = _function("Tan", tan.value, "cot")
-Tan2, Tan3 = _function("Tan", tan.value, "K10 Tan3", 2), _function("Tan", tan.value, "K10 Tan2", 3)
+Sin, Cos = _function("Sin", sin, "K10 Cos"), _function("Cos", cos, "K10 Sin")
+Tan = _function("Tan", tan, "cot")
+Tan2, Tan3 = _function("Tan", tan, "K10 Tan3", 2), _function("Tan", tan, "K10 Tan2", 3)
 natural = define("K10 natural", "e^{{{0}}}", "e{0}", POWER, (LIST,), lambda env, a: env.field.exp(a),
                  traits=Trait.TRANSCENDENTAL)  # fmt: skip
 length = define("K10 length", r"\left\|{0}\right\|", "|{0}|", ATOM, (LIST,), norm.value, traits=norm.traits)

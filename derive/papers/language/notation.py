@@ -240,15 +240,17 @@ def _over(a: Any, b: Any) -> Any:
     return a / b
 
 
-def _function(name: str, value: Callable[..., Any], *siblings: str) -> Mark:
-    return define(name, rf"\{name} {{0}}", name + " {0}", PRODUCT, (POWER,), value, traits=Trait.TRANSCENDENTAL,
-                  changes=(DROPPED, *map(made, siblings)))  # fmt: skip
+def _function(name: str, value: Callable[..., Any], *siblings: str, traits: Trait = Trait.NONE) -> Mark:
+    return define(name, rf"\{name} {{0}}", name + " {0}", PRODUCT, (POWER,), value,
+                  traits=traits | Trait.TRANSCENDENTAL, changes=(DROPPED, *map(made, siblings)))  # fmt: skip
 
 
 sin = _function("sin", lambda env, a: env.field.sin(a), "cos")
 cos = _function("cos", lambda env, a: env.field.cos(a), "sin")
-tan = _function("tan", lambda env, a: _over(env.field.sin(a), env.field.cos(a)), "cot")
-cot = _function("cot", lambda env, a: _over(env.field.cos(a), env.field.sin(a)), "tan")
+tan = _function("tan", lambda env, a: _over(env.field.sin(a), env.field.cos(a)), "cot",
+                traits=Trait.OVER_COSINE)  # fmt: skip
+cot = _function("cot", lambda env, a: _over(env.field.cos(a), env.field.sin(a)), "tan",
+                traits=Trait.OVER_SINE)  # fmt: skip
 arctan = _function("arctan", lambda env, a: env.field.atan(a))
 
 

@@ -44,6 +44,10 @@ class Trait(Flag):
     """It joins statements: what its parts state is stated."""
     EVENTUAL = auto()
     """It is what its last argument is from some order on."""
+    OVER_COSINE = auto()
+    """It divides by the cosine of its argument."""
+    OVER_SINE = auto()
+    """It divides by the sine of its argument."""
 
 
 @dataclass(frozen=True)

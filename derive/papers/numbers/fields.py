@@ -93,7 +93,10 @@ class Field(ABC):
         if isinstance(exponent, Fraction) and exponent.denominator == 1:
             exponent = int(exponent)
         if isinstance(exponent, int):
-            return integer_power(Quaternion(0, base) if isinstance(base, Vector) else base, exponent)
+            base = Quaternion(0, base) if isinstance(base, Vector) else base
+            if exponent < 0 and self.vanishes(innermost(_size(base))):
+                raise UndefinedError("the inverse of what has none")
+            return integer_power(base, exponent)
         if isinstance(exponent, Fraction) and isinstance(base, Quaternion):
             return self._quaternion_power(base, exponent)
         if isinstance(exponent, Fraction) and exponent.denominator == 2 and not isinstance(base, Structure):
@@ -247,6 +250,11 @@ def innermost(a: Any) -> Any:
     while isinstance(a, Dual):
         a = a.re
     return a
+
+
+def _size(a: Any) -> Any:
+    """What is 0 of something that has no inverse, up to its dual part."""
+    return a.det() if isinstance(a, Tensor) else a.norm2() if isinstance(a, Quaternion) else a
 
 
 def integer_power(base: Any, exponent: int) -> Any:

@@ -2,9 +2,12 @@
 
 ===========  ==================================================================================
 tokens       what survives of a formula, in the order of the page
-items        how two parts are put together again, and what nobody prints
+items        parts that are read one way: value, looks, what they are made of
+combine      how two parts are put together again, and what nobody prints
 search       the table of all readings of a side, by value
-reach        whether a side can have a value, where its readings are too many to list
+targets      what a stretch is asked for, where its readings are too many to list
+stretches    what is known of it without asking: components, and those that are not 0
+reach        whether a side can have a value
 enumeration  from the display of an entry to the number of its readings and the true ones
 ===========  ==================================================================================
 """

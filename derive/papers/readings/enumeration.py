@@ -24,8 +24,9 @@ from ..language.terms import Apply, Letter, Term, Trait, letters, marked, takes_
 from ..numbers.kinds import BRANCH, ORDER, SIGN
 from ..numbers.residues import PRIME, Reduced
 from .items import MEANINGLESS, flat, key
-from .reach import Reach, UndecidedSearchError
+from .reach import Reach
 from .search import CAP, COUNTED, OpenError, Side
+from .targets import UndecidedSearchError
 from .tokens import equations, surviving
 
 ORDER_READ, BRANCH_READ = 7, 3
@@ -210,7 +211,7 @@ class _Chain:
         try:
             reach = Reach(Side(member.side.tokens, self.env, member.side.radicals, member.side.quaternions, LISTED),
                           self._along())  # fmt: skip
-            targets = [reach.target(value) for value in wanted]
+            targets = [reach.stretches.target(value) for value in wanted]
             signed = [t for target in targets for t in (target, tuple(-c % PRIME for c in target))]
             return not any(reach.can(0, len(member.side.tokens), t) for t in signed)
         except (UndecidedSearchError, NotExactError, *MEANINGLESS):

@@ -11,7 +11,8 @@ from collections.abc import Sequence
 from ..language.evaluation import Env
 from ..language.notation import pm
 from ..language.terms import Number
-from .items import WIDEST, Combine, Table, key, leaf
+from .combine import WIDEST, Combine
+from .items import Table, key, leaf
 from .tokens import Place, Token
 
 CAP = 10_000

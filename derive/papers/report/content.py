@@ -7,9 +7,9 @@ from dataclasses import dataclass
 
 from derive.proof import Proof
 
-from ..equation import Counterexample, Result, Status
 from ..paper import Paper
 from ..readings.search import CAP, COUNTED
+from ..result import Counterexample, Result, Status
 from .plain import plain
 
 MEANING = {
@@ -95,6 +95,20 @@ def readings(result: Result) -> str:
     count, true = result.reading_count, sum(verdict.true for verdict in result.verdicts)
     shown = f"{count} or more" if count in (COUNTED, CAP) or result.capped else str(count)
     return f"{shown} readings, {'none' if not true else 'one' if true == 1 else true} true"
+
+
+def extent(result: Result) -> str:
+    """How the condition of a result is meant: where it is true, where it is true at least, or where it was decided."""
+    if result.status is not Status.HOLDS_IF:
+        return "where"
+    return "if" if result.exact else "at least where"
+
+
+def domain(result: Result) -> tuple[str, ...]:
+    """The condition that was found, and the domain that the paper states, in one line each."""
+    found = f"{extent(result)} {plain(result.condition)}" if result.condition else ""
+    stated = f"for {plain(result.claimed)}, as stated" if result.claimed else ""
+    return tuple(line for line in (found, stated) if line)
 
 
 def why(result: Result) -> str:

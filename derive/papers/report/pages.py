@@ -12,7 +12,7 @@ from latex2mathml.converter import convert
 from derive.output import render
 from derive.proof import Proof
 
-from ..equation import Result, Status
+from ..result import Result, Status
 from .content import MEANING, Report, command, example, label, place, readings, why
 from .difference import differing
 

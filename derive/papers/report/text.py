@@ -6,8 +6,8 @@ from collections.abc import Iterable, Iterator
 
 from derive.output.tables import WIDTH, Column, Grid
 
-from ..equation import Result, Status
-from .content import MEANING, Chapter, Report, example, label, readings
+from ..result import Result, Status
+from .content import MEANING, Chapter, Report, command, domain, example, label, readings
 from .plain import plain
 
 NARROWEST = 72
@@ -43,10 +43,12 @@ def errata(chapter: Chapter) -> Grid:
 
 
 def _erratum(result: Result) -> Iterator[tuple[str, ...]]:
-    """A row with both forms, and one with numbers for which they differ."""
-    yield _name(result), plain(result.printed), plain(result.corrected or "")
+    """A row with both forms, how that is known, and numbers for which they differ."""
+    yield _name(result), _lines(plain(result.printed), *domain(result)), plain(result.corrected or "")
+    yield "how it is known", result.method, readings(result)
     if result.counterexample is not None:
-        yield "where they differ", "\n".join(example(result.counterexample)), readings(result)
+        whole = f"in full: {command(result)} --format json"
+        yield "where they differ", "\n".join(example(result.counterexample)), whole
 
 
 def ambiguous(chapter: Chapter) -> Grid:
@@ -54,7 +56,7 @@ def ambiguous(chapter: Chapter) -> Grid:
     rows = (
         (
             "" if i else _name(result),
-            "\n".join(filter(None, (plain(verdict.latex), verdict.note))),
+            _lines(plain(verdict.latex), verdict.note),
             str(verdict.true).lower(),
         )
         for result in chapter.of(Status.AMBIGUOUS)
@@ -64,14 +66,14 @@ def ambiguous(chapter: Chapter) -> Grid:
 
 
 def conditional(chapter: Chapter) -> Grid:
-    """Printed, with its condition."""
-    rows = ((_name(r), plain(r.printed), plain(r.condition or "")) for r in chapter.of(Status.HOLDS_IF))
+    """Printed, with its condition and how it is known."""
+    rows = ((_name(r), plain(r.printed), _lines(*domain(r), r.method)) for r in chapter.of(Status.HOLDS_IF))
     return _grid(chapter, Status.HOLDS_IF, ("equation", "printed", "condition"), rows)
 
 
 def true(chapter: Chapter) -> Grid:
-    """Printed, with how it is known."""
-    rows = ((_name(r), plain(r.printed), r.method) for r in chapter.of(Status.HOLDS))
+    """Printed, with the domain it is stated for, and how it is known."""
+    rows = ((_name(r), plain(r.printed), _lines(*domain(r), r.method)) for r in chapter.of(Status.HOLDS))
     return _grid(chapter, Status.HOLDS, ("equation", "printed", "method"), rows)
 
 
@@ -94,6 +96,10 @@ def _grid(chapter: Chapter, status: Status, headings: tuple[str, str, str], rows
     first, second, third = headings
     last = Column(third, ratio=3 if status is Status.ERRATUM else 2)
     return Grid(title, [Column(first, width=24), Column(second, ratio=3), last], list(rows), NARROWEST, ruled=True)
+
+
+def _lines(*parts: str) -> str:
+    return "\n".join(filter(None, parts))
 
 
 def _name(result: Result) -> str:

@@ -103,6 +103,16 @@ def test_python_interface() -> None:
     assert "longrightarrow" in result._repr_latex_()
 
 
+def test_one_equation_is_decided_alone() -> None:
+    code = ("import sys; from derive.cli import commands; sys.argv[1:] = ['verify', '--eq', '112']; commands.run(); "
+            "print('derive.codegen' in sys.modules)")  # fmt: skip
+    done = in_a_process(code=code)
+    assert "where they differ" in done.stdout
+    assert "refuted at generic point 1: false" in done.stdout
+    assert "proofs" not in done.stdout  # of theorems that say nothing of it
+    assert done.stdout.endswith("False\n")  # kernels, which are most of what there is to load
+
+
 @pytest.mark.parametrize("width", [40, 71, 72, 200])
 def test_the_report_fits_the_screen(monkeypatch, width: int) -> None:
     monkeypatch.setenv("COLUMNS", str(width))

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import dataclasses
+import sys
 
 import pytest
 
-from derive.papers import Reading, Status, UndecidedError, equation
+from derive.papers import PAPERS, Reading, Status, UndecidedError, equation
 from derive.papers.condurache_popa_2023.alphabet import LOST, alpha, u, v
+from derive.papers.condurache_popa_2023.marks import positive
 from derive.papers.decide import decide
-from derive.papers.equation import Equation, Result, faithful
+from derive.papers.equation import Equation, faithful
 from derive.papers.language.claims import defined, unequal
 from derive.papers.language.notation import (
     Re,
@@ -19,6 +21,7 @@ from derive.papers.language.notation import (
     dot,
     equal,
     iff,
+    implies,
     nonzero,
     norm,
     pi,
@@ -31,6 +34,7 @@ from derive.papers.language.notation import (
 )  # fmt: skip
 from derive.papers.language.terms import Letter, latex, text
 from derive.papers.mutation import mutants, try_mutants
+from derive.papers.result import Result
 
 a, b = Letter("a", "dual number"), Letter("b", "dual number")
 w = Letter("w", "dual vector")
@@ -151,7 +155,35 @@ def test_a_condition_that_nothing_violates_is_refused() -> None:
 
 
 def test_points_outside_the_claimed_domain_do_not_count() -> None:
-    assert decided(quotient, claimed=nonzero(Re(b))).status is Status.HOLDS
+    assert decided(quotient, claimed=nonzero(Re(b)), stated=(1, "for Re b ≠ 0")).status is Status.HOLDS
+
+
+def test_a_domain_is_claimed_in_words_of_the_paper_only() -> None:
+    with pytest.raises(UndecidedError, match="words that state it"):
+        decided(quotient, claimed=nonzero(Re(b)))
+
+
+def test_a_sharp_condition_is_known_by_its_denominator() -> None:
+    assert decided(quotient, condition=nonzero(Re(b))).exact
+
+
+def test_what_is_true_for_two_special_letters_is_no_sharp_condition() -> None:
+    result = decided(implies(nonzero(Re(a)), quotient), condition=nonzero(Re(b)))
+    assert result.status is Status.HOLDS_IF
+    assert not result.exact
+    assert result.method.endswith("also true at a: real part 0, b: real part 0")
+
+
+def test_a_value_where_the_form_says_none_is_refused(monkeypatch) -> None:
+    monkeypatch.setattr(sys.modules["derive.papers.decide"], "is_sharp", lambda *_: True)
+    with pytest.raises(UndecidedError, match="its form says no value, but there is one"):
+        decided(equal(norm(a) * norm(a) / norm(a), a), condition=positive(Re(a)))
+
+
+def test_two_letters_are_special_at_once() -> None:
+    (entry,) = (entry for entry in PAPERS[0].entries() if entry.number == "59")
+    with pytest.raises(UndecidedError, match="refuted at n = 1, a_: negative, w: real part 0: no value"):
+        decide("paper", dataclasses.replace(entry, condition=None), LOST)
 
 
 def test_a_domain_that_is_too_strict_is_an_erratum() -> None:
@@ -170,7 +202,8 @@ def test_more_than_an_identity_is_exact_where_letters_are_generic() -> None:
 
 def test_what_leaves_the_exact_fields_is_evidence() -> None:
     statement = equal(root(1 + norm(v)) * root(1 + norm(v)), 1 + norm(v))
-    assert decided(statement, claimed=nonzero(Re(v))).method.startswith("evidence: 60-digit evaluation at ")
+    claimed = {"claimed": nonzero(Re(v)), "stated": (1, "for Re v ≠ 0")}
+    assert decided(statement, **claimed).method.startswith("evidence: 60-digit evaluation at ")
 
 
 def test_a_supporting_identity_must_be_proved() -> None:

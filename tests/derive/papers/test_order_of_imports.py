@@ -9,8 +9,9 @@ from tests.support.imports import ROOT, imported, sources
 
 BASE = ("derive", "papers")
 PACKAGES = tuple(paper.package.rpartition(".")[2] for paper in PAPERS)
-DECIDING = ("readings", "poles", "counterexample", "decide")
-ROOMS = ("numbers", "language", "equation", "paper", *PACKAGES, *DECIDING, "mutation", "report", "", "witnesses")
+DECIDING = ("readings", "poles", "sharp", "counterexample", "explore", "decide")
+ENTRIES = ("equation", "result", "paper")
+ROOMS = ("numbers", "language", *ENTRIES, *PACKAGES, *DECIDING, "mutation", "report", "", "witnesses")
 """Each room or module may import itself and those before it; the empty name is the package itself."""
 
 IN_A_PAPER = ("alphabet", "marks", "meanings", "sections", "inventory")

@@ -7,7 +7,7 @@ import pytest
 import sympy
 
 from derive.maps import polynomials
-from derive.proof import formulas, theorems
+from derive.proof import citing, formulas, theorems
 from derive.proof.controls import controls
 from derive.proof.displacement_theorems import COMPOSITION_AT, DOUBLE_ANGLE, EXPONENTIAL
 from derive.proof.every_order import decided, stated
@@ -42,6 +42,13 @@ def test_everything_is_proved_for_all_orders() -> None:
         assert proof.premises
         assert proof.seconds >= 0
     assert theorems() is proofs
+
+
+@pytest.mark.parametrize("number", [51, 88])
+def test_theorems_about_an_equation_are_proved_without_the_others(number: int) -> None:
+    assert citing({number}) == tuple(proof for proof in theorems() if number in proof.equations)
+    assert citing({number})
+    assert citing({}) == ()
 
 
 def test_compositions_of_low_orders() -> None:

@@ -13,6 +13,7 @@ s07a    the fractional transform of order n, theorems 11 to 14
 s07b    its forms for the orders 1 to 5
 s07c    vectorial parameterizations, theorems 15 to 17
 s07d    five families
+s07e    equations that are named by another number
 s08a    kinematics, theorems 18 and 19
 s08b    tangent operators, theorem 20
 s09a    the orders 1 to 3 written out

@@ -82,7 +82,8 @@ ENTRIES = (
     equation("8", "transposed dual tensor", 75, equal(dot(v1, T_ * v2), dot(v2, transpose(T_) * v1)),
              extract="v _ 1 · T _ v _ 2 = v _ 2 · T _ T v _ 1"),
     equation("9", "determinant", 77, equal(triple(T_ * v1, T_ * v2, T_ * v3), det(T_) * triple(v1, v2, v3)),
-             extract="T _ v _ 1 , T _ v _ 2 , T _ v _ 3 = d e t T _ v _ 1 , v _ 2 , v _ 3", claimed=regular),
+             extract="T _ v _ 1 , T _ v _ 2 , T _ v _ 3 = d e t T _ v _ 1 , v _ 2 , v _ 3", claimed=regular,
+             stated=(76, "R e v _ 1 , v _ 2 , v _ 3 0")),
     equation("10", "skew-symmetric tensor of a vector", 79, equal(skew(a_) * b_, cross(a_, b_)),
              extract="a ~ _ b _ = a _ × b _"),
     equation("skew-symmetric", "what skew-symmetric means", 80, equal(A_, -transpose(A_)), extract="A _ = A _ T",
@@ -102,7 +103,8 @@ ENTRIES = (
              equal(trace(T_), (triple(T_ * v1, v2, v3) + triple(v1, T_ * v2, v3) + triple(v1, v2, T_ * v3))
                    / triple(v1, v2, v3)),
              extract="t r a c e T _ = T _ v _ 1 , v _ 2 , v _ 3 + v _ 1 , T _ v _ 2 , v _ 3 + v _ 1 , v _ 2 , "
-                     "T _ v _ 3 v _ 1 , v _ 2 , v _ 3", claimed=regular),
+                     "T _ v _ 3 v _ 1 , v _ 2 , v _ 3", claimed=regular,
+             stated=(83, "with R e v _ 1 , v _ 2 , v _ 3 0")),
     equation("12", "dyadic product", 85, equal(bracket(dyad(a_, b_)) * v, bracket(dot(v, b_)) * a_),
              extract="a _ b _ v _ = v _ · b _ a _"),
     equation("dyad-product", "product of two dyads", 86,

@@ -142,7 +142,7 @@ NATURAL = (
              extract="u 0 = 1 2 ρ × u + 1 2 cot α 2 u × ρ × u ,   α 0 1 2 ρ × u ,   α = 0",
              where=(*SCREW[:-3], let(moment, motions.moments_of, alpha, u),
                     let(principal, motions.is_principal, alpha)),
-             claimed=principal),
+             claimed=principal, stated=(110, "α = a t a n 2")),
     equation("natural-rotation", "a real dual angle is a rotation", 111, equal(Q * point + rho, point),
              where=(let(R, motions.screw_tensor, turn_only, u), *SCREW[1:]),
              remark="Points of the axis stay where they are."),

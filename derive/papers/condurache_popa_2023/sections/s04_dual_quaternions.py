@@ -6,7 +6,6 @@ from ...equation import Reading, equation
 from ...language.claims import dual_of, orthogonal, real_of, scalar_part, unit_quaternion, vector_part
 from ...language.evaluation import let
 from ...language.notation import (
-    Re,
     both,
     branches,
     conjugate,
@@ -90,7 +89,7 @@ ALGEBRA = (
     equation("quaternion-norm", "norm of a dual quaternion", 125,
              (Reading(equal(norm(any_q), root(any_q * conjugate(any_q))), "with a root"),
               Reading(equal(norm(any_q), any_q * conjugate(any_q)), "without a root")),
-             extract="q ^ _ = q ^ _ q ^ _ *", claimed=nonzero(Re(any_q)),
+             extract="q ^ _ = q ^ _ q ^ _ *",
              remark="Only with the root is the norm of a vector its magnitude (4)."),
     equation("quaternion-submodules", "numbers and vectors as submodules", 125,
              both(equal(couple(lam, 0 * a) * couple(mu, 0 * a), couple(lam * mu, 0 * a)),

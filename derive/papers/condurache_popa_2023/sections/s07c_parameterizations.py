@@ -12,6 +12,7 @@ from ...language.notation import (
     cot,
     equal,
     floor_over,
+    implies,
     nonzero,
     norm,
     pi,
@@ -23,10 +24,11 @@ from ...language.notation import (
     summation,
     tan,
     words,
+    zero,
 )  # fmt: skip
 from ...language.terms import Letter, Number
 from ..alphabet import alpha, n, u, v
-from ..marks import preimage_count
+from ..marks import positive, preimage_count
 from ..meanings import cayley_maps, orders
 from .s07_general_order import POLYNOMIALS, I, R, V, X, a, a_value, finite, k, p, q, q_hat, q_of, w, x
 from .s07a_fractional_transform import FOR_EVERY_N, by_induction, index, target, turned
@@ -54,7 +56,9 @@ THEOREM_15 = (
              equal(caym(v), (a(v) + v)**(n / 2) * (a(v) - v)**(-(n / 2))),
              extract="c a y m n 2 v _ = a v _ + v _ n 2 a v _ v _ n 2", where=MODIFIED,
              fixed_by="line 296: the value as (a + v)ⁿ over its norm",
-             remark="It is the map (46) of v/a; the root of odd order leaves the sign open."),
+             condition=implies(zero(Re(v)), positive(Re(a(v)**n))),
+             remark="It is the map (46) of v/a; the root of odd order leaves the sign open. Where Re v = 0 and "
+             "Re a < 0 it has no value at odd n: a root of a negative number."),
     equation("theorem-15-unit", "the value is a unit quaternion", 296,
              both(equal(caym_v * conjugate(caym_v), 1), equal(norm(caym_v), 1)), where=MODIFIED),
     equation("theorem-15-value", "the value as a power over its norm", 296,
@@ -72,7 +76,7 @@ THEOREM_15 = (
              where=(let(q_hat, orders.screw_quaternion, alpha, u), let(a, cayley_maps.constant, a_value),
                     let(caym_map, cayley_maps.cayley_function_of_growing_scale, n),
                     let(v, cayley_maps.solutions, n, a_value, q_hat)),
-             claimed=finite(turned), corrected=equal(v, a(v) * tan(turned) * u),
+             condition=finite(turned), corrected=equal(v, a(v) * tan(turned) * u),
              remark="Refuted with a(v) = 1 + |v|², where |v| = a(v) tan has two solutions or none on a branch; (60) is "
              "an equation for v, not a formula."),
 )  # fmt: skip
@@ -91,13 +95,13 @@ THEOREM_16 = (
              where=(let(phi_inv, cayley_maps.constant, alpha), let(axis, cayley_maps.direction, v),
                     let(target, orders.screw_quaternion, alpha, axis),
                     let(a, cayley_maps.function_of(cayley_maps.scales), n, target, v)),
-             claimed=finite(turned), condition=both(nonzero(Re(v)), nonzero(Re(sin(turned)))),
+             condition=both(finite(turned), nonzero(Re(v)), nonzero(Re(sin(turned)))),
              remark="Where Re v = 0 the factor is the limit 2n φ′(0) on the principal branch."),
     equation("theorem-16-step", "the same before φ is inverted", 304, equal(a(v), norm(v) * cot(turned)),
              extract="a v _ = v _ c o t α _ + 2 k π 2 n",
              where=(let(axis, cayley_maps.direction, v), let(target, orders.screw_quaternion, alpha, axis),
                     let(a, cayley_maps.function_of(cayley_maps.scales), n, target, v)),
-             claimed=finite(turned), condition=both(nonzero(Re(v)), nonzero(Re(sin(turned)))),
+             condition=both(finite(turned), nonzero(Re(v)), nonzero(Re(sin(turned)))),
              remark="It follows from (60), not from (61)."),
 )  # fmt: skip
 

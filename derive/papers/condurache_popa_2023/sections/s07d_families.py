@@ -9,7 +9,7 @@ from derive.maps.families import breusing, lambert, orthographic
 
 from ...equation import Reading, equation
 from ...language.evaluation import Definition, let
-from ...language.notation import Re, both, cos, cot, equal, exp, norm, pm, root, sin, skew, tan
+from ...language.notation import Re, both, cos, cot, equal, exp, nonzero, norm, pm, root, sin, skew, tan
 from ...language.terms import Letter
 from ..alphabet import alpha, n, u, v, vector
 from ..marks import limit, positive
@@ -147,9 +147,9 @@ FIFTH = (
              equal(R_of(v), I + 2 * P(norm(v)) * Q(norm(v)) * V + 2 * (Q**2)(norm(v)) * V**2),
              extract="R _ v _ = I _ + 2 P n v _ Q n v _ v ~ _ + 2 Q n 2 v _ v ~ _ 2", where=SINES, condition=forward_n),
     equation("sine-P", "P_n by p_n", 340, equal(P(norm(v)), root((1 - x)**n) * p(norm(v) / root(1 - x))),
-             extract="P n v _ = 1 v _ 2 n p n v _ 1 v _ 2", where=SINES, condition=finite(alpha / (2 * n))),
+             extract="P n v _ = 1 v _ 2 n p n v _ 1 v _ 2", where=SINES, condition=nonzero(Re(1 - x))),
     equation("sine-Q", "Q_n by q_n", 340, equal(Q(norm(v)), root((1 - x)**(n - 1)) * q(norm(v) / root(1 - x))),
-             extract="Q n v _ = 1 v _ 2 n 1 q n v _ 1 v _ 2", where=SINES, condition=finite(alpha / (2 * n))),
+             extract="Q n v _ = 1 v _ 2 n 1 q n v _ 1 v _ 2", where=SINES, condition=nonzero(Re(1 - x))),
 )  # fmt: skip
 
 ENTRIES = (*FIRST, *SECOND, *FOURTH, *FIFTH)

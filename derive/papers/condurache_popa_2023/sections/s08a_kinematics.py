@@ -117,6 +117,7 @@ TENSOR = (
     equation("eighteen-equations", "the tensor problems are 18 real equations", 373, equal(equations_in(R), 18)),
 )  # fmt: skip
 
+Theta_read = -(half * (skew(u) + cot(half * alpha) * skew(u)**2))
 QUATERNION = (
     equation("75", "quaternion equation, spatial twist", 376, equal(rate(q_hat), half * omega * q_hat),
              extract="q ^ ˙ _ = 1 2 ω _ q ^ _", where=MOTION, moving=True),
@@ -128,11 +129,15 @@ QUATERNION = (
              extract="α _ ˙ = ω _ · u _ = ω _ B · u _", where=MOTION, moving=True),
     equation("78", "rate of the axis", 383, equal(rate(u), Theta * omega, transpose(Theta) * omega_B),
              extract="u _ ˙ = Θ _ ω _ = Θ _ T ω _ B", where=MOTION, moving=True, condition=nonzero(Re(half_sine)),
-             remark="With Θ from the derivatives; at a full turn the twist does not determine the axis."),
+             because=equal(rate(u), Theta_read * omega),
+             remark="The supporting identity has Θ as line 384 is read; at a full turn the twist does not determine "
+             "the axis."),
     equation("theta", "the dual tensor Θ", 384,
-             (Reading(equal(Theta, -(half * (skew(u) + cot(half * alpha) * skew(u)**2))), "with a minus in front"),
+             (Reading(equal(Theta, Theta_read), "with a minus in front"),
               Reading(equal(Theta, half * (skew(u) + cot(half * alpha) * skew(u)**2)), "without")),
-             extract="Θ _ = 1 2 [ u ~ _ + c o t ( 1 2 α _ ) u ~ _ 2 ]", where=MOTION, condition=nonzero(Re(half_sine))),
+             extract="Θ _ = 1 2 [ u ~ _ + c o t ( 1 2 α _ ) u ~ _ 2 ]", where=MOTION,
+             fixed_by="(78), which is true of Θ with this sign",
+             condition=nonzero(Re(sin(half * alpha)))),
     equation("79", "spatial twist by the natural invariants", 386,
              equal(omega, rate(alpha) * u + sin(alpha) * rate(u) + (1 - cos(alpha)) * cross(u, rate(u))),
              extract="ω _ = α _ ˙ u _ + s i n α _ u _ ˙ + 1 c o s α _ u _ × u _ ˙", where=MOTION, moving=True),

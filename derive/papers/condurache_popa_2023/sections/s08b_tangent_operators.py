@@ -64,7 +64,7 @@ DEXP = (
     equation("82", "tangent tensor dexp", 392,
              equal(dexp, I + half * (sinc**2)(norm(a) / 2) * A + (1 - sinc(norm(a))) * (A**2 / norm(a)**2)),
              extract="d e x p α _ = I + 1 2 s i n c 2 α _ 2 α _ ~ + ( 1 s i n c α _ ) α _ ~ 2 α _ 2", where=EXPONENTIAL,
-             condition=nonzero(Re(alpha)),
+             condition=nonzero(Re(a)),
              remark="Where Re α = 0 the last quotient has no value; dexp is I + α̃/2 + α̃²/6 there."),
     equation("sinc", "sinc by cases", 393,
              equal(sinc(angle), cases((sin(angle) / angle, provided(nonzero(Re(angle)))),
@@ -81,7 +81,8 @@ DEXP = (
     equation("84", "inverse tangent tensor of the exponential", 397,
              equal(dexp_inv, I - half * A + (1 - norm(a) / 2 * cot(norm(a) / 2)) * (A**2 / norm(a)**2)),
              extract="d e x p α _ 1 = I 1 2 α _ ~ + ( 1 α _ 2 c o t α _ 2 ) α _ ~ 2 α _ 2", where=EXPONENTIAL,
-             claimed=nonzero(Re(norm(a) - 2 * pi)), condition=nonzero(Re(half_sine)),
+             claimed=nonzero(Re(norm(a) - 2 * pi)), stated=(396, "if the real part of α _ is different by 2 π"),
+             condition=nonzero(Re(sin(norm(a) / 2))),
              remark="No value at 4π, 6π, …, where dexp is singular, nor at Re α = 0, where it is I − α̃/2 + α̃²/12."),
     equation("85", "kinematic equation of the Euler dual vector, body twist", 399,
              (Reading(equal(rate(a), dexp_inv_T * omega_B), "inverse transpose"),
@@ -115,7 +116,8 @@ RODRIGUES = (
              equal(dcay_inv, p(norm(v)) / (2 * q(norm(v))) * I - half * V
                    + ((1 + x) * q(norm(v)) - n * p(norm(v))) / (2 * n * x * q(norm(v))) * VV),
              extract="d c a y n 1 = p n v _ 2 q n v _ _ I _ 1 2 v ~ _ + 1 + v _ 2 q n v _ n p n v _ 2 n v _ 2 q n v _ "
-             "_ v _ v _", where=CAYLEY, condition=both(nonzero(Re(x)), regular), also=full_turns,
+             "_ v _ v _", where=CAYLEY,
+             condition=both(nonzero(Re(x)), nonzero(Re(q(norm(v))))), also=full_turns,
              remark="Where Re v = 0 the last quotient is 0/0; where Re q_n = 0 dcay_n has no inverse (n ≥ 3)."),
     equation("90", "kinematic equation of the Rodrigues dual vector, spatial twist", 409,
              equal(rate(v), dcay_inv * omega), extract="v ˙ _ = d c a y n 1 ω _", where=CAYLEY, moving=True,

@@ -146,7 +146,8 @@ def solution(number: str, line: int, n: int, restated: bool = False) -> Equation
 SYSTEM = identity - dyad(s, s)
 SOLVED = (
     relation("zero-components", "b* from (14)-(16) where one or two of s1, s2, s3 are 0", 219,
-             nonzero(det(SYSTEM)), where=SCREW, claimed=both(forward, zero(s1 * s2 * s3)),
+             nonzero(det(SYSTEM)), where=SCREW, claimed=zero(s1 * s2 * s3),
+             stated=(219, "If one or two of them are equal to zero"),
              because=equal(det(identity - dyad(turn, turn)), 0),
              corrected=equal(b_star, T * s_star + slope * s),
              remark="(14)-(16) are (I − s ⊗ s) b* = Tan f/2 s*, a singular system: they leave b* free along s. With "
@@ -154,7 +155,7 @@ SOLVED = (
     relation("denominators", "the denominators of (14)-(16)", 219,
              both(*(iff(nonzero(1 - s_n**2), negated(both(zero(s_m), zero(s_o))))
                     for s_n, s_m, s_o in ((s1, s2, s3), (s2, s3, s1), (s3, s1, s2)))), where=ANY,
-             claimed=nonzero(b),
+             condition=nonzero(b),
              because=equal(1 - component(turn, 1)**2, component(turn, 2)**2 + component(turn, 3)**2),
              remark="So they are not zero where no s is."),
     relation("6-expanded", "(6) by components", 223, equal(s1 * b1_ + s2 * b2_ + s3 * b3_, slope),
@@ -162,7 +163,7 @@ SOLVED = (
              condition=forward),
     relation("18", "b1* from (6)", 227, equal(*equations["18"]),
              extract=marks(r"b_1^* = \frac{\frac{f^*}{2}(1 + Tan^2\frac{f}{2}) - s_2b_2^* - s_3b_3^*}{s_1}"),
-             where=SCREW, claimed=nonzero(s1), condition=forward),
+             where=SCREW, claimed=nonzero(s1), stated=(225, "Since $s_1 \\neq 0$"), condition=forward),
     relation("19", "(14) and (18)", 232, equal(*equations["19"]),
              extract=marks(r"s_2 b_2^* + s_3 b_3^* = (1 - s_1^2) \frac{f^*}{2} (1 + Tan^2 \frac{f}{2}) - s_1 s_1^* Tan "
                            r"\frac{f}{2} ."), where=SCREW, condition=forward),

@@ -35,6 +35,7 @@ def step(number: str, line: int, given: Definition, conclusion: str) -> Equation
     """The claim that a numbered equation follows for the unknown."""
     left, right = equations[conclusion]
     return equation(f"step-{conclusion}", f"{number} give ({conclusion})", line, equal(left, right), claimed=general,
+                    stated=(219, r"Now we take $s_1 \neq 0, s_2 \neq 0, s_3 \neq 0$"),
                     where=(*COMPONENTS, given), condition=nonzero(cos(f / 2)), components=True)  # fmt: skip
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ...equation import Reading, equation
 from ...language.evaluation import let
-from ...language.notation import Re, cos, dot, equal, nonzero, zero
+from ...language.notation import Re, cos, dot, equal, implies, nonzero, zero
 from ...language.terms import Letter
 from .. import meanings
 from ..alphabet import hat, marks
@@ -15,11 +15,12 @@ b1_, right_22 = equations["22"]
 RESTATED = (
     relation("conclusion-22", "dual Rodrigues parameter b1*, restated", 256,
              (Reading(equal(b1_, right_22), "with the star of f"),
-              Reading(equal(b1_, right_22.xreplace({f_: f})), "without")),
+              Reading(equal(b1_, right_22.xreplace({f_: f})), "without",
+                      supported_by="line 256 itself, where the other stars are legible")),
              extract=marks(r"b_1^* = s_1^* Tan \frac{f}{2} + s_1 \frac{f}{2} (1 + Tan^2 \frac{f}{2})"),
              where=SCREW, lost="*", condition=forward,
              fixed_by="(22), line 247, and (20), (21) beside it: f*/2",
-             remark="The extraction has f/2; its star is gone."),
+             remark="f/2 as it is legible there is wrong; whether its star was printed cannot be told."),
     solution("20", 259, 2, restated=True),
     solution("21", 262, 3, restated=True),
 )  # fmt: skip
@@ -32,8 +33,9 @@ POSITIONS = (let(f_hat, meanings.dual_number, f, f_), let(after, meanings.turned
 
 LINES = (
     equation("positions", "f̂ is the dual angle of two positions of a line of the body", 265,
-             equal(dot(before, after), cos(f_hat)), where=POSITIONS, claimed=nonzero(1 - cos(f)),
-             condition=zero(Re(dot(before, axis))), also=meanings.crossing_lines(before, axis),
+             equal(dot(before, after), cos(f_hat)), where=POSITIONS,
+             condition=implies(nonzero(1 - cos(f)), zero(Re(dot(before, axis)))),
+             also=meanings.crossing_lines(before, axis),
              because=equal(dot(before, after), cos(f_hat) + (1 - cos(f_hat)) * dot(before, axis)**2),
              remark="Only of lines at right angles to the screw axis. For any other line "
              "l_a · l_b = cos f̂ + (1 − cos f̂)(l_a · ŝ)²."),

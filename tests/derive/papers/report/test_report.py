@@ -13,12 +13,12 @@ import pytest
 from rich.cells import cell_len
 
 from derive.papers import PAPERS, Result, Status, verify
-from derive.papers.equation import Verdict
 from derive.papers.language.terms import Letter
 from derive.papers.report import FORMATS, Report
 from derive.papers.report.content import label
 from derive.papers.report.pages import escape, mathml
 from derive.papers.report.plain import plain
+from derive.papers.result import Verdict
 from derive.proof import theorems
 
 SAMPLE = ("14", "20", "orthogonal", "zero-components", "half-angle", "5")

@@ -1,0 +1,218 @@
+"""How parts of a formula are put together again: every mark that was lost between two parts, or around one.
+
+Nothing is combined that nobody prints. Of numerals no two are multiplied, added or subtracted, a fraction is in lowest
+terms, 1 is neither a factor nor a denominator, none is raised to a power or divides a tensor, and each stands before
+what it multiplies. A number stands before a vector or a tensor unless a function makes it. A tensor is not multiplied
+by a multiple of I nor by one that begins with a numeral, and only a letter is squared. No power is raised to another,
+and nothing wider than `WIDEST` is an argument, an exponent or between norm bars. What has no meaning drops out.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from fractions import Fraction
+from functools import partial
+from itertools import product
+from typing import Any
+
+from derive.algebra import Dual, Quaternion, Structure, Tensor, Vector
+
+from ..language import values
+from ..language.evaluation import Env
+from ..language.notation import dyad, norm, over, root
+from ..language.terms import MARKS, Mark
+from ..numbers.residues import PRIME, Residue
+from .items import (
+    MEANINGLESS,
+    Item,
+    Shape,
+    Table,
+    begins_with_numeral,
+    both_numerals,
+    brackets,
+    by_function,
+    by_kind,
+    is_multiple,
+    is_number,
+    is_one,
+    keep,
+    offer,
+    product_shape,
+)  # fmt: skip
+
+HIGHEST = 64  # beyond any exponent of the papers
+WIDEST = 7  # tokens, as in the argument (α + 2kπ)/2n
+MINUS, TIMES, POWER, AT, NEGATIVE = (MARKS[name] for name in ("minus", "times", "power", "at", "negative"))
+
+
+class Combine:
+    """The ways to put parts together, by the meaning of the marks over an environment; what is new goes to a table."""
+
+    def __init__(self, env: Env, radicals: bool, quaternions: bool) -> None:
+        self.env = env
+        self.radicals = radicals
+        self.quaternions = quaternions
+
+    def beside(self, left: Table, right: Table, found: Table, inner: bool) -> None:
+        """Parts with no mark left between them; the second may be an argument or an exponent if it is `inner`."""
+        for b in right.values():
+            exponent = inner and b.kind in (int, Fraction)
+            for a in left.values():
+                if a.coordinates is not None and b.coordinates is not None:
+                    self._by_coordinates(a, b, found)
+                elif callable(a.value):
+                    if inner:
+                        self._applied(a, b, found)
+                elif not callable(b.value):
+                    self._difference(a, b, found)
+                    self._quotient(a, b, found)
+                    self._product(a, b, found)
+                if exponent and not callable(a.value):
+                    self._power(a, b, found)
+
+    def _by_coordinates(self, a: Item, b: Item, found: Table) -> None:
+        """Difference, quotient and product of things that are residues."""
+        assert a.coordinates is not None
+        assert b.coordinates is not None
+        marks, sum_b = a.marks + b.marks, b.shape is Shape.SUM
+        pair = self._aligned(a, b)
+        if pair is not None:
+            kind, first, second = pair
+            difference = tuple([(s - t) % PRIME for s, t in zip(first, second, strict=True)])
+            offer(found, kind, difference, Shape.SUM, marks + 1 + sum_b, MINUS, (a, b))
+        if b.kind is Residue and b.coordinates[0] and not (a.kind is Tensor and b.shape is Shape.NUMERAL):
+            b.inverse = b.inverse or pow(b.coordinates[0], -1, PRIME)
+            quotient = tuple([s * b.inverse % PRIME for s in a.coordinates])
+            offer(found, a.kind, quotient, Shape.QUOTIENT, marks + 1, over, (a, b))
+        elif b.kind is Quaternion:
+            self._quotient(a, b, found)
+        if a.kind is Residue and b.shape is not Shape.LED:
+            factor = a.coordinates[0]
+            multiple = tuple([factor * t % PRIME for t in b.coordinates])
+            offer(found, b.kind, multiple, product_shape(a), marks + (a.shape is Shape.SUM) + sum_b, TIMES, (a, b))
+        elif a.kind is not Residue:
+            self._product(a, b, found)
+
+    def between(self, mark: Mark, left: Table, right: Table, found: Table) -> None:
+        """Parts with a mark between them that survived."""
+        if mark.name == "plus":
+            self._sums(mark, left, right, found)
+            return
+        for b in right.values():
+            for a in left.values():
+                if not (callable(a.value) or callable(b.value)):
+                    self._made(found, mark, (a, b), Shape.PRODUCT, brackets(a) + brackets(b),
+                               partial(mark.value, self.env, a.value, b.value))  # fmt: skip
+
+    def _sums(self, mark: Mark, left: Table, right: Table, found: Table) -> None:
+        first, second = by_kind(left), by_kind(right)
+        for (kind_a, flat_a), (kind_b, flat_b) in product(first, second):
+            flat = flat_a and flat_b
+            if flat and self._kind_of_sum(kind_a, kind_b) is None:
+                continue
+            for a, b in product(first[kind_a, flat_a], second[kind_b, flat_b]):
+                pair = self._aligned(a, b) if flat else None
+                if both_numerals(a, b):
+                    continue
+                if pair is not None:
+                    total = tuple([(s + t) % PRIME for s, t in zip(pair[1], pair[2], strict=True)])
+                    offer(found, pair[0], total, Shape.SUM, a.marks + b.marks, mark, (a, b))
+                else:
+                    self._made(found, mark, (a, b), Shape.SUM, 0, partial(mark.value, self.env, a.value, b.value))
+
+    def at_one(self, mark: Mark, table: Table, found: Table) -> None:
+        """A part with a mark before or after it that survived."""
+        for a in table.values():
+            self._made(found, mark, (a,), Shape.ATOM, brackets(a), partial(mark.value, self.env, a.value))
+
+    def around(self, table: Table, bars: bool) -> None:
+        """Radicals, and norm bars if asked for, put around what a table has."""
+        for a in list(table.values()):
+            if a.kind in (Vector, Quaternion):
+                if bars:
+                    self._made(table, norm, (a,), Shape.ATOM, 1, partial(values.norm, self.env.field, a.value))
+            elif self.radicals and a.kind in (Residue, Dual) and a.shape in (Shape.SUM, Shape.QUOTIENT, Shape.POWER):
+                self._made(table, root, (a,), Shape.ATOM, 1, partial(self.env.field.sqrt, a.value))
+
+    def opposite(self, table: Table, found: Table) -> None:
+        """A minus in front."""
+        for a in table.values():
+            if not callable(a.value):
+                self._made(found, NEGATIVE, (a,), Shape.SUM, 1 + brackets(a), partial(values.negative, a.value))
+
+    def _applied(self, f: Item, a: Item, found: Table) -> None:
+        if isinstance(a.value, Structure) or is_number(a.value):
+            self._made(found, AT, (f, a), Shape.ATOM, 1, lambda: f.value(a.value))
+        if isinstance(a.value, int) and a.value > 1 and f.mark is None:
+            power = Item(lambda x: self.env.power(f.value(x), a.value), Shape.POWER, 1 + a.marks, POWER, (f, a))
+            found["function", f.parts[0], a.value] = power
+
+    def _difference(self, a: Item, b: Item, found: Table) -> None:
+        if not both_numerals(a, b):
+            self._made(found, MINUS, (a, b), Shape.SUM, 1 + brackets(b),
+                       lambda: values.add(a.value, values.negative(b.value)))  # fmt: skip
+
+    def _quotient(self, a: Item, b: Item, found: Table) -> None:
+        exponent = a.kind is Tensor and b.shape is Shape.NUMERAL
+        divides = is_number(b.value) or isinstance(b.value, Quaternion)
+        reducible = both_numerals(a, b) and math.gcd(a.value, b.value) > 1
+        if divides and not (is_one(b) or exponent or reducible):
+            self._made(found, over, (a, b), Shape.QUOTIENT, 1, lambda: over.value(self.env, a.value, b.value))
+
+    def _power(self, a: Item, b: Item, found: Table) -> None:
+        """Exponents with the sign they have or with a minus that was lost."""
+        if not 0 < abs(b.value) <= HIGHEST or a.shape in (Shape.NUMERAL, Shape.POWER):
+            return
+        for e, exponent in ((b.value, b), (-b.value, Item(-b.value, b.shape, b.marks + 1, NEGATIVE, (b,)))):
+            if e != 1:
+                self._raised(a, e, exponent, found)
+
+    def _raised(self, a: Item, e: int | Fraction, exponent: Item, found: Table) -> None:
+        if isinstance(a.value, Vector | Quaternion) and isinstance(e, int) and e % 2 == 0:
+            length = Item(None, Shape.ATOM, a.marks + 1, norm, (a,))  # its even powers need no root
+            self._made(found, POWER, (length, exponent), Shape.POWER, 1,
+                       lambda: self.env.power(values.square(a.value), e // 2))  # fmt: skip
+        if a.kind is not Tensor or e == -1 or (e == 2 and a.shape is Shape.ATOM):
+            marks = 1 if a.shape is Shape.ATOM else 2
+            self._made(found, POWER, (a, exponent), Shape.POWER, marks, lambda: self.env.power(a.value, e))
+
+    def _product(self, a: Item, b: Item, found: Table) -> None:
+        if is_one(a) or b.shape in (Shape.NUMERAL, Shape.LED):
+            return
+        if isinstance(a.value, Vector | Tensor) and is_number(b.value) and not by_function(b):
+            return
+        if a.kind is b.kind is Tensor and (is_multiple(a) or is_multiple(b) or begins_with_numeral(b)):
+            return
+        shape, marks = product_shape(a), brackets(a) + brackets(b)
+        self._made(found, TIMES, (a, b), shape, marks, lambda: values.multiply(a.value, b.value))
+        if a.kind is b.kind is Vector and {a.shape, b.shape} <= {Shape.ATOM, Shape.SUM}:
+            self._made(found, dyad, (a, b), shape, 1 + marks, lambda: Tensor.dyad(a.value, b.value))
+
+    def _aligned(self, a: Item, b: Item) -> tuple[type, tuple[int, ...], tuple[int, ...]] | None:
+        """Coordinates that can be added: of the same kind, or of numbers and vectors as quaternions."""
+        if a.coordinates is None or b.coordinates is None:
+            return None
+        if a.kind is b.kind:
+            return a.kind, a.coordinates, b.coordinates
+        if self._kind_of_sum(a.kind, b.kind) is None:
+            return None
+        first, second = ((*c, 0, 0, 0) if len(c) == 1 else (0, *c) if len(c) == 3 else c
+                         for c in (a.coordinates, b.coordinates))  # fmt: skip
+        return Quaternion, first, second
+
+    def _kind_of_sum(self, a: type, b: type) -> type | None:
+        """What things of two kinds are added as, if they are."""
+        if a is b:
+            return a
+        return Quaternion if self.quaternions and Tensor not in (a, b) else None
+
+    def _made(
+        self, found: Table, mark: Mark, parts: tuple[Item, ...], shape: Shape, marks: int, value: Callable[[], Any]
+    ) -> None:
+        try:
+            made = value()
+            if is_number(made) or (isinstance(made, Structure) and (self.quaternions or type(made) is not Quaternion)):
+                keep(found, Item(made, shape, marks + sum([p.marks for p in parts]), mark, parts))
+        except MEANINGLESS:
+            return

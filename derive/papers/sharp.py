@@ -1,0 +1,69 @@
+"""Whether a condition is sharp: where it is not fulfilled, a denominator of the formula has the real part 0."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from .language.notation import Re, cos, det, nonzero, over, remark, sin
+from .language.terms import Apply, Number, Term, Trait
+
+
+def is_sharp(condition: Term, statement: Term) -> bool:
+    """Whether a statement has no value where a condition is not fulfilled, as its form shows.
+
+    Each part of the condition has to say that the real part of something is not 0, and that has to stand where the
+    statement divides by it, in a part that is always evaluated. A no means that the form does not show it.
+    """
+    needed = set(_needed(statement))
+    return all(_subject(part) in needed for part in _parts(condition))
+
+
+def _parts(condition: Term) -> Iterator[Term]:
+    if isinstance(condition, Apply) and condition.mark is remark:
+        yield from _parts(condition.arguments[0])
+    elif isinstance(condition, Apply) and Trait.JOINS in condition.mark.traits and not condition.mark.lazy:
+        for part in condition.arguments:
+            yield from _parts(part)
+    else:
+        yield condition
+
+
+def _subject(part: Term) -> Term | None:
+    """What is not to vanish: where it is 0, its real part is."""
+    if not (isinstance(part, Apply) and part.mark is nonzero):
+        return None
+    (subject,) = part.arguments
+    return subject.arguments[0] if isinstance(subject, Apply) and subject.mark is Re else subject
+
+
+def _needed(node: Term) -> Iterator[Term]:
+    """What must have a real part other than 0 for a statement to have a value."""
+    if not isinstance(node, Apply) or (node.mark.lazy and node.mark.name != "power"):
+        return
+    if node.mark is over:
+        yield from _factors(node.arguments[1])
+    elif node.mark.name == "power" and _is_negative(node.arguments[1]):
+        yield det(node.arguments[0])
+        yield from _factors(node.arguments[0])
+    elif Trait.OVER_COSINE in node.mark.traits:
+        yield cos(node.arguments[0])
+    elif Trait.OVER_SINE in node.mark.traits:
+        yield sin(node.arguments[0])
+    for argument in node.arguments:
+        yield from _needed(argument)
+
+
+def _factors(below: Term) -> Iterator[Term]:
+    """A denominator and all of which it is made by products, powers and magnitudes: its real part is 0 if theirs is."""
+    yield below
+    if not isinstance(below, Apply):
+        return
+    if below.mark.name in ("times", "root") or Trait.LENGTH in below.mark.traits:
+        for factor in below.arguments:
+            yield from _factors(factor)
+    elif below.mark.name == "power" and not _is_negative(below.arguments[1]):
+        yield from _factors(below.arguments[0])
+
+
+def _is_negative(exponent: Term) -> bool:
+    return isinstance(exponent, Number) and exponent.value < 0

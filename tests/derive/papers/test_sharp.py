@@ -1,0 +1,51 @@
+"""Whether a condition is sharp is read off the denominators of a statement that are always evaluated."""
+
+from __future__ import annotations
+
+import pytest
+
+from derive.papers.condurache_popa_2023.alphabet import alpha, u, v
+from derive.papers.language.notation import (
+    Re,
+    both,
+    cases,
+    cos,
+    det,
+    equal,
+    nonzero,
+    norm,
+    root,
+    sin,
+    skew,
+    tan,
+)  # fmt: skip
+from derive.papers.language.notation import identity as I
+from derive.papers.language.terms import Letter
+from derive.papers.sharp import is_sharp
+
+a, b, c = (Letter(name, "dual number") for name in "abc")
+
+
+@pytest.mark.parametrize(
+    ("condition", "statement"),
+    [(nonzero(Re(b)), equal(a / b, c)), (nonzero(b), equal(a / b, c)), (nonzero(Re(b)), equal(a / (c * b**2), c)),
+     (both(nonzero(Re(b)), nonzero(Re(c))), equal(a / (c * b), c)), (nonzero(Re(v)), equal(v / norm(v) ** 2, v)),
+     (nonzero(Re(1 - b)), equal(a / root((1 - b) ** 3), a)),
+     (nonzero(Re(cos(alpha / 2))), equal(v, tan(alpha / 2) * u)),
+     (nonzero(Re(b)), equal(b ** (-1), a)), (nonzero(Re(det(I + skew(v)))), equal((I + skew(v)) ** (-1), I))],
+    ids=str,
+)  # fmt: skip
+def test_where_a_denominator_vanishes_there_is_no_value(condition, statement) -> None:
+    assert is_sharp(condition, statement)
+
+
+@pytest.mark.parametrize(
+    ("condition", "statement"),
+    [(nonzero(Re(a)), equal(a / b, c)), (both(nonzero(Re(b)), nonzero(Re(a))), equal(a / b, c)),
+     (nonzero(Re(b)), equal(a / (b + 1), c)),
+     (nonzero(Re(b)), equal(a, cases((a / b, nonzero(Re(b))), (a, equal(a, a))))),
+     (nonzero(Re(sin(alpha / 2))), equal(v, tan(alpha / 2) * u)), (equal(b, 1), equal(a / b, c))],
+    ids=str,
+)  # fmt: skip
+def test_what_the_form_does_not_show_is_not_said(condition, statement) -> None:
+    assert not is_sharp(condition, statement)
