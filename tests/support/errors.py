@@ -53,7 +53,7 @@ def derived_shadow_gate(order: int) -> int:
     return 5 * tangent_shadow_gate(order)
 
 
-PRODUCTS = 4  # of which a slope of a slope of f, g or h is a sum: of its numerator, of e times a slope (twice), of e² times g
+PRODUCTS = 4  # that a slope of a slope of f, g or h is a sum of: its numerator, e times slopes (twice), e² times itself
 
 
 def underflow(v: Any, dtype: Any) -> Nil:
