@@ -84,6 +84,11 @@ def test_what_falls_short_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     assert {gate.what for gate in found if gate.met} == {f"{f}, n = 1, N = 1: JAX, called" for f in FUNCTIONS}
 
 
+def test_a_gate_that_a_copy_of_the_result_misses_is_said_to_be_one() -> None:
+    said = [kernels.Gate("a", *ratios).row()[-1] for ratios in ((1.0, 2.0, 3.0), (1.0, 2.0, 1.5), (2.5, 2.0, 3.0))]
+    assert said == ["SHORT", "SHORT, of a copy 1.5 x", "met"]
+
+
 def test_rows_are_timed_with_one_result_and_with_two(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(timing, "SECONDS", 1e-5)
     monkeypatch.setattr(kernels, "ROWS", {"rate_dot": 3, "compose_jacobians": 2})
