@@ -69,8 +69,9 @@ def differing_sides(result: Result) -> tuple[str, str]:
 def notes(result: Result) -> tuple[str, ...]:
     """What is to be said beside the formula."""
     entry = result.equation
+    said = f"In the paper: “{entry.said}”" if entry.said else ""
     fixed = f"Reading fixed by {entry.fixed_by}." if entry.fixed_by else ""
-    return tuple(note for note in (entry.remark, fixed) if note)
+    return tuple(note for note in (said, entry.remark, fixed) if note)
 
 
 def _proof(proof: Proof) -> dict[str, Any]:
@@ -105,7 +106,7 @@ _SPECIAL = {
     "−": r"$-$", "…": r"\dots{}", "‖": r"$\|$", "⊗": r"$\otimes$", "·": r"$\cdot$", "×": r"$\times$", "±": r"$\pm$",
     "≠": r"$\neq$", "≤": r"$\leq$", "≥": r"$\geq$", "∈": r"$\in$", "→": r"$\to$", "⁻": "$^-$", "°": "$^\\circ$",
     "√": r"$\surd$", "⇒": r"$\Rightarrow$", "˙": r"$\dot{}$", "∞": r"$\infty$", "ᵀ": "$^T$", "½": r"$\frac12$",
-    "′": "$'$", "Φ": r"$\Phi$",
+    "′": "$'$", "“": "``", "”": "''", "–": "--", "Φ": r"$\Phi$",
     "İ": r"\.I",
     "⟨": r"$\langle$", "⟩": r"$\rangle$", "↦": r"$\mapsto$",
     "⇔": r"$\Leftrightarrow$", "∂": r"$\partial$", "∘": r"$\circ$", "Δ": r"$\Delta$", "Σ": r"$\sum$",
