@@ -38,7 +38,7 @@ REASONS = {
         "cayley-quaternion-well-defined": ALSO, "36": ALSO, "norm-of-1-plus-v": ALSO, "38-domain": ALSO, "41": SIGN,
         "44-domain": ALSO, "theorem-11-onto": ALSO, "theorem-12-branches": SIGN,
         "shadow-avoids-singularity": EMPTY, "52": ZERO, "64": ZERO, "71": ZERO, "determinant": ALSO, "99": POINTS,
-        "120": POINTS, "111": SIGN, "118": SIGN, "cayley-onto": ALSO, "cayley-quaternion-onto": ALSO,
+        "120": POINTS, "111": SIGN, "118": SIGN,
         **dict.fromkeys(("39", "40", "45", "sine-P", "sine-Q", "88", "89", "112", "119"), SAME),
         **dict.fromkeys(("theorem-16-factor", "theorem-16-step", "18-axis"), EMPTY),
         **dict.fromkeys(("9", "general-screw", "pure-translation", "pure-rotation", "38", "shadow-vectors"), BEYOND),
