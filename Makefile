@@ -68,7 +68,8 @@ bench: $(VENV)/.bench  ## proof times by order, then kernels against peers and t
 	$(RUN) benchmarks/proofs.py
 	$(RUN) -m benchmarks -o docs/benchmarks.md
 
-parameterizations: $(VENV)/.bench  ## what charts are like: docs/parameterizations.md and its plot
+parameterizations: $(VENV)/.bench  ## what charts are like, measured too: docs/parameterizations.md and its plot
+	$(RUN) -m benchmarks.charts
 	$(RUN) -m derive compare --plot docs/parameterizations.png > /dev/null
 	$(RUN) -m derive compare --format markdown > docs/parameterizations.md
 

@@ -63,13 +63,14 @@ def build(orders: Iterable[int], target: Target, progress: Progress | None = Non
     return build_charts([Cayley(n) for n in sorted(set(orders))], target, progress)
 
 
-def build_charts(charts: Sequence[Chart], target: Target, progress: Progress | None = None) -> Package:
-    """The same for any charts."""
-    report = progress or (lambda line: None)
+def build_charts(
+    charts: Sequence[Chart], target: Target, progress: Progress | None = None, seen: Seen | None = None
+) -> Package:
+    """The same for any charts; ``seen`` is what has been shown of the geometry of the target, and grows."""
+    report, seen = progress or (lambda line: None), Seen() if seen is None else seen
     texts = dict(shared_texts(target))
     with tempfile.TemporaryDirectory() as staging:
         files.write(Path(staging), texts)
-        seen = Seen()
         modules = tuple(_module(chart, target, Path(staging), report, seen) for chart in charts)
     for module in modules:
         texts |= module.companions | {module.name: module.text}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping, Set
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from types import MappingProxyType
 
 from ..maps.chart import Chart
@@ -50,6 +50,7 @@ def lower(proved: Proved) -> Lowered:
     return lower_chart(proved.formulas)
 
 
+@lru_cache(maxsize=8)
 def lower_chart(chart: Chart, table: Table = POSES) -> Lowered:
     """A function of the table has a program of its own where knowing the chart saves operations worth their lines.
 

@@ -21,8 +21,9 @@ from ..algebra.arithmetic import Arithmetic
 from . import stumpff
 from .by_angle import ByAngle
 from .dependent import DependentScalars
+from .edges import DIGITS, Edge, edge_of
 from .families import alpha
-from .inverse_phi import DIGITS, Edge, Guess, Ratio, edge_of, guess, ratio
+from .inverse_phi import Guess, Ratio, guess, ratio
 from .lowered_phi import Lowering, require_known
 from .of_order import of_twice
 from .split import plus, times

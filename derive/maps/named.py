@@ -13,11 +13,11 @@ from typing import TypeAlias
 import sympy
 
 from .breusing import Breusing
+from .edges import edge_of
 from .exponential_chart import Exponential
 from .expressions import PhiError, parity, parsed
 from .families import alpha
 from .general import General
-from .inverse_phi import edge_of
 from .polynomials import require_order
 from .scaled import Scaled
 from .sine import Sine
@@ -48,6 +48,9 @@ SINGLE: Mapping[str, Callable[[], Named]] = {
 }
 """By name."""
 
+SYMBOLIC = ("isochoric",)
+"""Names of `families` without a kernel: their scalars are no functions of x that have names."""
+
 NUMBERED: Mapping[str, Callable[[int], Named]] = {"sine": sine, "scaled": scaled}
 """By what stands before the order in the name."""
 
@@ -65,6 +68,8 @@ def family(name: str) -> Named:
         found = SINGLE[name]()
     elif numbered and numbered[1] in NUMBERED:
         found = NUMBERED[numbered[1]](int(numbered[2]))
+    elif name in SYMBOLIC:
+        raise ValueError(f"{name} is symbolic only, without kernels: derive.maps.families.{name}() has its phi and T")
     else:
         names = ", ".join([*SINGLE, *(f"{stem}N" for stem in NUMBERED)])
         raise ValueError(f"a family is one of {names}, N an order; got {name!r}")

@@ -12,9 +12,9 @@ import sympy
 from ..algebra import Coefficient
 from ..algebra.arithmetic import PLAIN, Arithmetic
 from .chart import DEFINITIONS, Scalars
+from .edges import Edge, angle_of
 from .families import alpha, of_angle
 from .formula import Formula, IsotropicMap, QuaternionMap
-from .inverse_phi import Edge, angle_of
 from .polynomials import x
 
 Map = TypeVar("Map", bound=Formula)

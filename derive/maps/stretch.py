@@ -20,9 +20,6 @@ from .families import alpha, evaluate
 POINTS = 400
 """Angles at which an extremum is looked for."""
 
-ORDERS = range(1, 65)
-"""Orders of scaled charts that are tried."""
-
 ROUNDED = 10**6
 
 
@@ -74,20 +71,29 @@ class Best:
 
 
 def best(angle: float, degrees: Sequence[int] = (3, 5)) -> Iterator[Best]:
-    """With φ′(0) = 1, up to an angle: among 2n tan(α/2n) and α, then among odd polynomials of given degrees."""
-    scaled = {n: _worst(partial(_scaled, n), angle) for n in ORDERS if n * math.pi > angle}
-    order = min(scaled, key=lambda n: scaled[n])
-    exponential = _worst(lambda a: (a, 1.0), angle)
-    if exponential <= scaled[order]:
-        yield Best("2n tan(α/2n), n without bound", "alpha", exponential)
-    else:
-        yield Best("2n tan(α/2n)", f"{2 * order}*tan(alpha/{2 * order})", scaled[order])
+    """With φ′(0) = 1, up to an angle A: among tangents, sines, and odd polynomials of given degrees.
+
+    Of ``φ = 2n tan(α/2n)`` the limit α is best: ``φ(A) > A`` makes ``φ(A)/(2 sin(A/2))`` larger, and of α that is the
+    greatest. Of ``φ = c sin(α/c)`` it falls, and ``1/φ′(A)`` grows, as c gets less: where they are equal is the best,
+    for every A at c = 4. This is Lambert's chart, whose singular values are ``1/cos(α/4)`` and ``cos(α/4)``.
+    """
+    yield Best("2n tan(α/2n), n without bound", "alpha", _worst(lambda a: (a, 1.0), angle))
+    c = _rounded(_golden(lambda c: _worst(partial(_sine, c), angle), 2 / math.pi * angle, 2 * angle + 8))
+    yield Best("c sin(α/c)", f"{_decimal(c)}*sin(alpha/{_decimal(c)})", _worst(partial(_sine, float(c)), angle))
     for degree in degrees:
-        coefficients = [Fraction(round(c * ROUNDED), ROUNDED) for c in _polynomial(angle, (degree - 1) // 2)]
+        coefficients = [_rounded(c) for c in _polynomial(angle, (degree - 1) // 2)]
         text = "alpha" + "".join(
-            f" {'-' if c < 0 else '+'} {float(abs(c))}*alpha**{2 * k + 3}" for k, c in enumerate(coefficients)
+            f" {'-' if c < 0 else '+'} {_decimal(abs(c))}*alpha**{2 * k + 3}" for k, c in enumerate(coefficients)
         )
         yield Best(f"odd polynomials of degree {degree}", text, _of_polynomial([float(c) for c in coefficients], angle))
+
+
+def _rounded(value: float) -> Fraction:
+    return Fraction(round(value * ROUNDED), ROUNDED)
+
+
+def _decimal(value: Fraction) -> str:
+    return str(value if value.denominator == 1 else float(value))
 
 
 def _worst(sized: Callable[[float], tuple[float, float]], angle: float) -> float:
@@ -103,9 +109,8 @@ def _worst(sized: Callable[[float], tuple[float, float]], angle: float) -> float
     return found
 
 
-def _scaled(n: int, angle: float) -> tuple[float, float]:
-    tangent = math.tan(angle / (2 * n))
-    return 2 * n * tangent, 1 + tangent * tangent
+def _sine(c: float, angle: float) -> tuple[float, float]:
+    return c * math.sin(angle / c), math.cos(angle / c)
 
 
 def _of_polynomial(coefficients: Sequence[float], angle: float) -> float:

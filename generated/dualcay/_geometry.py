@@ -1317,7 +1317,7 @@ def twist_dot_blocks(
     )
 
 
-# operations 330: 137 +, 181 *, 12 /
+# operations 229: 94 +, 128 *, 7 /
 def rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = omega
@@ -1335,37 +1335,44 @@ def rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: Compon
     hiyo = hiyy * y
     vw = v1 * w1 + v2 * w2 + v3 * w3
     vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
+    ww = w1 * w1 + w2 * w2 + w3 * w3
+    wwo = 2 * (w1 * w1o + w2 * w2o + w3 * w3o)
     hvw = hi * vw
     hvwo = hi * vwo + hio * vw
-    u1 = (w1 * fi + (w2 * v3 - w3 * v2) * side + v1 * hvw) / 2
-    u1o = (w1 * fio + w1o * fi + (w2 * v3o + w2o * v3 - (w3 * v2o + w3o * v2)) * side + (v1 * hvwo + v1o * hvw)) / 2
-    u2 = (w2 * fi + (w3 * v1 - w1 * v3) * side + v2 * hvw) / 2
-    u2o = (w2 * fio + w2o * fi + (w3 * v1o + w3o * v1 - (w1 * v3o + w1o * v3)) * side + (v2 * hvwo + v2o * hvw)) / 2
-    u3 = (w3 * fi + (w1 * v2 - w2 * v1) * side + v3 * hvw) / 2
-    u3o = (w3 * fio + w3o * fi + (w1 * v2o + w1o * v2 - (w2 * v1o + w2o * v1)) * side + (v3 * hvwo + v3o * hvw)) / 2
-    vu = v1 * u1 + v2 * u2 + v3 * u3
-    vuo = v1 * u1o + v1o * u1 + (v2 * u2o + v2o * u2) + (v3 * u3o + v3o * u3)
-    pull = v1 * z1 + v2 * z2 + v3 * z3 + (u1 * w1 + u2 * w2 + u3 * w3)
+    hs = side / 2
+    fvw = fi * vw
+    fvwo = fi * vwo + fio * vw
+    vu = fvw + hvw * x
+    vuo = fvwo + (hvw * (2 * y) + hvwo * x)
+    pull = 2 * (v1 * z1 + v2 * z2 + v3 * z3 + hvw * vw) + fi * ww
     pullo = (
-        v1 * z1o + v1o * z1 + (v2 * z2o + v2o * z2) + (v3 * z3o + v3o * z3) + (u1 * w1o + u1o * w1 + (u2 * w2o + u2o
-        * w2) + (u3 * w3o + u3o * w3))
+        2 * (v1 * z1o + v1o * z1 + (v2 * z2o + v2o * z2) + (v3 * z3o + v3o * z3) + (hvw * vwo + hvwo * vw)) + (fi * wwo
+        + fio * ww)
     )
-    ft = fiy * vu
-    fto = fiy * vuo + fiyo * vu
+    ft = (fiy * vu + vw + hvw * fi) / 4
+    fto = (fiy * vuo + fiyo * vu + vwo + (hvw * fio + hvwo * fi)) / 4
     ht = hiy * vu
     hto = hiy * vuo + hiyo * vu
-    cvv = hi * pull + ht * vw
-    cvvo = hi * pullo + hio * pull + (ht * vwo + hto * vw)
+    cvv = (hi * pull + ht * vw - ww) / 4
+    cvvo = (hi * pullo + hio * pull + (ht * vwo + hto * vw) - wwo) / 4
+    s1 = z1 + w1 * hvw
+    s1o = z1o + (w1 * hvwo + w1o * hvw)
+    s2 = z2 + w2 * hvw
+    s2o = z2o + (w2 * hvwo + w2o * hvw)
+    s3 = z3 + w3 * hvw
+    s3o = z3o + (w3 * hvwo + w3o * hvw)
+    fih = fi / 2
+    fiho = fio / 2
     return (
-        (z1 * fi + w1 * ft + (z2 * v3 - z3 * v2 + (w2 * u3 - w3 * u2)) * side + v1 * cvv + u1 * hvw) / 2,
-        (z2 * fi + w2 * ft + (z3 * v1 - z1 * v3 + (w3 * u1 - w1 * u3)) * side + v2 * cvv + u2 * hvw) / 2,
-        (z3 * fi + w3 * ft + (z1 * v2 - z2 * v1 + (w1 * u2 - w2 * u1)) * side + v3 * cvv + u3 * hvw) / 2,
-        (z1 * fio + z1o * fi + (w1 * fto + w1o * ft) + (z2 * v3o + z2o * v3 - (z3 * v2o + z3o * v2) + (w2 * u3o + w2o
-        * u3 - (w3 * u2o + w3o * u2))) * side + (v1 * cvvo + v1o * cvv) + (u1 * hvwo + u1o * hvw)) / 2,
-        (z2 * fio + z2o * fi + (w2 * fto + w2o * ft) + (z3 * v1o + z3o * v1 - (z1 * v3o + z1o * v3) + (w3 * u1o + w3o
-        * u1 - (w1 * u3o + w1o * u3))) * side + (v2 * cvvo + v2o * cvv) + (u2 * hvwo + u2o * hvw)) / 2,
-        (z3 * fio + z3o * fi + (w3 * fto + w3o * ft) + (z1 * v2o + z1o * v2 - (z2 * v1o + z2o * v1) + (w1 * u2o + w1o
-        * u2 - (w2 * u1o + w2o * u1))) * side + (v3 * cvvo + v3o * cvv) + (u3 * hvwo + u3o * hvw)) / 2,
+        z1 * fih + w1 * ft + (s2 * v3 - s3 * v2) * hs + v1 * cvv,
+        z2 * fih + w2 * ft + (s3 * v1 - s1 * v3) * hs + v2 * cvv,
+        z3 * fih + w3 * ft + (s1 * v2 - s2 * v1) * hs + v3 * cvv,
+        z1 * fiho + z1o * fih + (w1 * fto + w1o * ft) + (s2 * v3o + s2o * v3 - (s3 * v2o + s3o * v2)) * hs + (v1 * cvvo
+        + v1o * cvv),
+        z2 * fiho + z2o * fih + (w2 * fto + w2o * ft) + (s3 * v1o + s3o * v1 - (s1 * v3o + s1o * v3)) * hs + (v2 * cvvo
+        + v2o * cvv),
+        z3 * fiho + z3o * fih + (w3 * fto + w3o * ft) + (s1 * v2o + s1o * v2 - (s2 * v1o + s2o * v1)) * hs + (v3 * cvvo
+        + v3o * cvv),
     )
 
 
@@ -1377,114 +1384,92 @@ def rate_dot_blocks(
     z1, z2, z3, z1o, z2o, z3o = omega_dot
     side, = table
     o1, o2, o3, o4, o5, o6 = out
-    (
-        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, *spare,
-    ) = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, *spare = scratch
     *spare_masks, = masks
-    n2, = numbers
+    n2, n4 = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
     fi, hi, fiy, hiy, fiyy, hiyy = c.tangent_inv_dot((k2, k3, k4, k5, k6, k7), (*spare,), (*spare_masks,), x)
-    y = add(add(mul(v1, v1o, k1), mul(v2, v2o, k8), k1), mul(v3, v3o, k8), k1)
-    hiyo = mul(hiyy, y, k7)
+    y = add(add(mul(v1, v1o, k8), mul(v2, v2o, k9), k8), mul(v3, v3o, k9), k8)
     fiyo = mul(fiyy, y, k6)
-    hio = mul(hiy, y, k8)
-    fio = mul(fiy, y, k1)
+    hiyo = mul(hiyy, y, k7)
+    fio = mul(fiy, y, k9)
     vwo = add(
-        add(add(mul(v1, w1o, k9), mul(v1o, w1, k10), k9), add(mul(v2, w2o, k10), mul(v2o, w2, k11), k10), k9),
-        add(mul(v3, w3o, k10), mul(v3o, w3, k11), k10), k9
+        add(add(mul(v1, w1o, k10), mul(v1o, w1, k11), k10), add(mul(v2, w2o, k11), mul(v2o, w2, k12), k11), k10),
+        add(mul(v3, w3o, k11), mul(v3o, w3, k12), k11), k10
     )
-    vw = add(add(mul(v1, w1, k10), mul(v2, w2, k11), k10), mul(v3, w3, k11), k10)
-    hvwo = add(mul(hi, vwo, k11), mul(hio, vw, k12), k11)
-    hvw = mul(hi, vw, k12)
-    u1o = div(
-        add(add(add(mul(w1, fio, k13), mul(w1o, fi, k14), k13), mul(sub(add(mul(w2, v3o, k14), mul(w2o, v3, k15), k14),
-        add(mul(w3, v2o, k15), mul(w3o, v2, k16), k15), k14), side, k14), k13), add(mul(v1, hvwo, k14), mul(v1o, hvw,
-        k15), k14), k13), n2, k13
+    vw = add(add(mul(v1, w1, k11), mul(v2, w2, k12), k11), mul(v3, w3, k12), k11)
+    fvwo = add(mul(fi, vwo, k12), mul(fio, vw, k13), k12)
+    hio = mul(hiy, y, k13)
+    hvwo = add(mul(hi, vwo, k14), mul(hio, vw, k15), k14)
+    hvw = mul(hi, vw, k15)
+    vuo = add(fvwo, add(mul(hvw, mul(n2, y, k8), k8), mul(hvwo, x, k16), k8), k8)
+    fvw = mul(fi, vw, k12)
+    vu = add(fvw, mul(hvw, x, k1), k1)
+    fto = div(
+        add(add(add(mul(fiy, vuo, k12), mul(fiyo, vu, k6), k6), vwo, k6), add(mul(hvw, fio, k12), mul(hvwo, fi, k16),
+        k12), k6), n4, k6
     )
-    u2o = div(
-        add(add(add(mul(w2, fio, k14), mul(w2o, fi, k15), k14), mul(sub(add(mul(w3, v1o, k15), mul(w3o, v1, k16), k15),
-        add(mul(w1, v3o, k16), mul(w1o, v3, k17), k16), k15), side, k15), k14), add(mul(v2, hvwo, k15), mul(v2o, hvw,
-        k16), k15), k14), n2, k14
-    )
-    u3o = div(
-        add(add(add(mul(w3, fio, k15), mul(w3o, fi, k16), k15), mul(sub(add(mul(w1, v2o, k16), mul(w1o, v2, k17), k16),
-        add(mul(w2, v1o, k17), mul(w2o, v1, k18), k17), k16), side, k16), k15), add(mul(v3, hvwo, k16), mul(v3o, hvw,
-        k17), k16), k15), n2, k15
-    )
-    u1 = div(
-        add(add(mul(w1, fi, k16), mul(sub(mul(w2, v3, k17), mul(w3, v2, k18), k17), side, k17), k16), mul(v1, hvw, k17),
-        k16), n2, k16
-    )
-    u2 = div(
-        add(add(mul(w2, fi, k17), mul(sub(mul(w3, v1, k18), mul(w1, v3, k19), k18), side, k18), k17), mul(v2, hvw, k18),
-        k17), n2, k17
-    )
-    u3 = div(
-        add(add(mul(w3, fi, k18), mul(sub(mul(w1, v2, k19), mul(w2, v1, k20), k19), side, k19), k18), mul(v3, hvw, k19),
-        k18), n2, k18
-    )
-    pullo = add(
-        add(add(add(mul(v1, z1o, k19), mul(v1o, z1, k20), k19), add(mul(v2, z2o, k20), mul(v2o, z2, k21), k20), k19),
-        add(mul(v3, z3o, k20), mul(v3o, z3, k21), k20), k19), add(add(add(mul(u1, w1o, k20), mul(u1o, w1, k21), k20),
-        add(mul(u2, w2o, k21), mul(u2o, w2, k22), k21), k20), add(mul(u3, w3o, k21), mul(u3o, w3, k22), k21), k20), k19
-    )
-    vuo = add(
-        add(add(mul(v1, u1o, k20), mul(v1o, u1, k21), k20), add(mul(v2, u2o, k21), mul(v2o, u2, k22), k21), k20),
-        add(mul(v3, u3o, k21), mul(v3o, u3, k22), k21), k20
-    )
-    vu = add(add(mul(v1, u1, k21), mul(v2, u2, k22), k21), mul(v3, u3, k22), k21)
-    hto = add(mul(hiy, vuo, k22), mul(hiyo, vu, k7), k7)
-    fto = add(mul(fiy, vuo, k20), mul(fiyo, vu, k6), k6)
+    hto = add(mul(hiy, vuo, k8), mul(hiyo, vu, k7), k7)
     ht = mul(hiy, vu, k5)
-    ft = mul(fiy, vu, k4)
+    ft = div(add(add(mul(fiy, vu, k1), vw, k1), mul(hvw, fi, k4), k1), n4, k1)
+    wwo = mul(n2, add(add(mul(w1, w1o, k4), mul(w2, w2o, k8), k4), mul(w3, w3o, k8), k4), k4)
+    ww = add(add(mul(w1, w1, k8), mul(w2, w2, k12), k8), mul(w3, w3, k12), k8)
+    pullo = add(
+        mul(n2, add(add(add(add(mul(v1, z1o, k12), mul(v1o, z1, k16), k12), add(mul(v2, z2o, k16), mul(v2o, z2, k17),
+        k16), k12), add(mul(v3, z3o, k16), mul(v3o, z3, k17), k16), k12), add(mul(hvw, vwo, k16), mul(hvwo, vw, k17),
+        k16), k12), k12), add(mul(fi, wwo, k16), mul(fio, ww, k17), k16), k12
+    )
+    fiho = div(fio, n2, k9)
     pull = add(
-        add(add(mul(v1, z1, k20), mul(v2, z2, k21), k20), mul(v3, z3, k21), k20), add(add(mul(u1, w1, k21), mul(u2, w2,
-        k22), k21), mul(u3, w3, k22), k21), k20
+        mul(n2, add(add(add(mul(v1, z1, k16), mul(v2, z2, k17), k16), mul(v3, z3, k17), k16), mul(hvw, vw, k17), k16),
+        k16), mul(fi, ww, k17), k16
     )
-    cvvo = add(add(mul(hi, pullo, k19), mul(hio, pull, k8), k8), add(mul(ht, vwo, k9), mul(hto, vw, k7), k7), k7)
-    cvv = add(mul(hi, pull, k3), mul(ht, vw, k5), k3)
-    div(
-        add(add(add(add(add(mul(z3, fio, k5), mul(z3o, fi, k8), k5), add(mul(w3, fto, k8), mul(w3o, ft, k9), k8), k5),
-        mul(add(sub(add(mul(z1, v2o, k8), mul(z1o, v2, k9), k8), add(mul(z2, v1o, k9), mul(z2o, v1, k10), k9), k8),
-        sub(add(mul(w1, u2o, k9), mul(w1o, u2, k10), k9), add(mul(w2, u1o, k10), mul(w2o, u1, k19), k10), k9), k8),
-        side, k8), k5), add(mul(v3, cvvo, k8), mul(v3o, cvv, k9), k8), k5), add(mul(u3, hvwo, k8), mul(u3o, hvw, k9),
-        k8), k5), n2, o6
+    cvvo = div(
+        sub(add(add(mul(hi, pullo, k12), mul(hio, pull, k13), k12), add(mul(ht, vwo, k10), mul(hto, vw, k7), k7), k7),
+        wwo, k4), n4, k4
     )
-    div(
-        add(add(add(add(add(mul(z2, fio, k5), mul(z2o, fi, k8), k5), add(mul(w2, fto, k8), mul(w2o, ft, k9), k8), k5),
-        mul(add(sub(add(mul(z3, v1o, k8), mul(z3o, v1, k9), k8), add(mul(z1, v3o, k9), mul(z1o, v3, k10), k9), k8),
-        sub(add(mul(w3, u1o, k9), mul(w3o, u1, k10), k9), add(mul(w1, u3o, k10), mul(w1o, u3, k19), k10), k9), k8),
-        side, k8), k5), add(mul(v2, cvvo, k8), mul(v2o, cvv, k9), k8), k5), add(mul(u2, hvwo, k8), mul(u2o, hvw, k9),
-        k8), k5), n2, o5
+    cvv = div(sub(add(mul(hi, pull, k3), mul(ht, vw, k5), k3), ww, k3), n4, k3)
+    fih = div(fi, n2, k2)
+    s1o = add(z1o, add(mul(w1, hvwo, k5), mul(w1o, hvw, k7), k5), k5)
+    s2o = add(z2o, add(mul(w2, hvwo, k7), mul(w2o, hvw, k8), k7), k7)
+    s3o = add(z3o, add(mul(w3, hvwo, k8), mul(w3o, hvw, k10), k8), k8)
+    s1 = add(z1, mul(w1, hvw, k10), k10)
+    s2 = add(z2, mul(w2, hvw, k11), k11)
+    s3 = add(z3, mul(w3, hvw, k12), k12)
+    hs = div(side, n2, k13)
+    add(
+        add(add(add(mul(z3, fiho, k14), mul(z3o, fih, k15), k14), add(mul(w3, fto, k15), mul(w3o, ft, k16), k15), k14),
+        mul(sub(add(mul(s1, v2o, k15), mul(s1o, v2, k16), k15), add(mul(s2, v1o, k16), mul(s2o, v1, k17), k16), k15),
+        hs, k15), k14), add(mul(v3, cvvo, k15), mul(v3o, cvv, k16), k15), o6
     )
-    div(
-        add(add(add(add(add(mul(z1, fio, k1), mul(z1o, fi, k5), k1), add(mul(w1, fto, k5), mul(w1o, ft, k6), k5), k1),
-        mul(add(sub(add(mul(z2, v3o, k5), mul(z2o, v3, k6), k5), add(mul(z3, v2o, k6), mul(z3o, v2, k8), k6), k5),
-        sub(add(mul(w2, u3o, k6), mul(w2o, u3, k8), k6), add(mul(w3, u2o, k8), mul(w3o, u2, k9), k8), k6), k5), side,
-        k5), k1), add(mul(v1, cvvo, k5), mul(v1o, cvv, k6), k5), k1), add(mul(u1, hvwo, k5), mul(u1o, hvw, k6), k5),
-        k1), n2, o4
+    add(
+        add(add(add(mul(z2, fiho, k14), mul(z2o, fih, k15), k14), add(mul(w2, fto, k15), mul(w2o, ft, k16), k15), k14),
+        mul(sub(add(mul(s3, v1o, k15), mul(s3o, v1, k16), k15), add(mul(s1, v3o, k16), mul(s1o, v3, k5), k5), k5), hs,
+        k5), k5), add(mul(v2, cvvo, k14), mul(v2o, cvv, k15), k14), o5
     )
-    div(
-        add(add(add(add(mul(z3, fi, k1), mul(w3, ft, k5), k1), mul(add(sub(mul(z1, v2, k5), mul(z2, v1, k6), k5),
-        sub(mul(w1, u2, k6), mul(w2, u1, k7), k6), k5), side, k5), k1), mul(v3, cvv, k5), k1), mul(u3, hvw, k5), k1),
-        n2, o3
+    add(
+        add(add(add(mul(z1, fiho, k5), mul(z1o, fih, k9), k5), add(mul(w1, fto, k6), mul(w1o, ft, k9), k6), k5),
+        mul(sub(add(mul(s2, v3o, k6), mul(s2o, v3, k7), k6), add(mul(s3, v2o, k7), mul(s3o, v2, k8), k7), k6), hs, k6),
+        k5), add(mul(v1, cvvo, k4), mul(v1o, cvv, k6), k4), o4
     )
-    div(
-        add(add(add(add(mul(z2, fi, k1), mul(w2, ft, k5), k1), mul(add(sub(mul(z3, v1, k5), mul(z1, v3, k6), k5),
-        sub(mul(w3, u1, k6), mul(w1, u3, k7), k6), k5), side, k5), k1), mul(v2, cvv, k5), k1), mul(u2, hvw, k5), k1),
-        n2, o2
+    add(
+        add(add(mul(z3, fih, k4), mul(w3, ft, k5), k4), mul(sub(mul(s1, v2, k5), mul(s2, v1, k6), k5), hs, k5), k4),
+        mul(v3, cvv, k5), o3
     )
-    div(
-        add(add(add(add(mul(z1, fi, k1), mul(w1, ft, k2), k1), mul(add(sub(mul(z2, v3, k2), mul(z3, v2, k4), k2),
-        sub(mul(w2, u3, k4), mul(w3, u2, k5), k4), k2), side, k2), k1), mul(v1, cvv, k2), k1), mul(u1, hvw, k2), k1),
-        n2, o1
+    add(
+        add(add(mul(z2, fih, k4), mul(w2, ft, k5), k4), mul(sub(mul(s3, v1, k5), mul(s1, v3, k6), k5), hs, k5), k4),
+        mul(v2, cvv, k5), o2
+    )
+    add(
+        add(add(mul(z1, fih, k2), mul(w1, ft, k1), k1), mul(sub(mul(s2, v3, k2), mul(s3, v2, k4), k2), hs, k2), k1),
+        mul(v1, cvv, k2), o1
     )
 
 
-# operations 254: 106 +, 147 *, 1 neg
+# operations 207: 87 +, 120 *
 def twist_jacobian(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
@@ -1508,42 +1493,37 @@ def twist_jacobian(m: Any, c: Any, v: Components, v_dot: Components, table: Comp
     t2o = v3 * w1o + v3o * w1 - (v1 * w3o + v1o * w3)
     t3 = v1 * w2 - v2 * w1
     t3o = v1 * w2o + v1o * w2 - (v2 * w1o + v2o * w1)
-    gs = gy * side
-    gso = gyo * side
+    gs = g * side
+    gso = go * side
+    fh = fy + h
+    fho = fyo + ho
+    gt = gy * side
+    gto = gyo * side
     ht = hy * vw
     hto = hy * vwo + hyo * vw
-    b1 = w1 * fy + t1 * gs + v1 * ht
-    b1o = w1 * fyo + w1o * fy + (t1 * gso + t1o * gs) + (v1 * hto + v1o * ht)
-    b2 = w2 * fy + t2 * gs + v2 * ht
-    b2o = w2 * fyo + w2o * fy + (t2 * gso + t2o * gs) + (v2 * hto + v2o * ht)
-    b3 = w3 * fy + t3 * gs + v3 * ht
-    b3o = w3 * fyo + w3o * fy + (t3 * gso + t3o * gs) + (v3 * hto + v3o * ht)
-    minus_side = -side
-    sg = g * minus_side
-    sgo = go * minus_side
-    hv1 = v1 * h
-    hv1o = v1 * ho + v1o * h
-    hv2 = v2 * h
-    hv2o = v2 * ho + v2o * h
-    hv3 = v3 * h
-    hv3o = v3 * ho + v3o * h
-    s1 = w1 * sg
-    s1o = w1 * sgo + w1o * sg
-    s2 = w2 * sg
-    s2o = w2 * sgo + w2o * sg
-    s3 = w3 * sg
-    s3o = w3 * sgo + w3o * sg
+    b1 = w1 * fh + t1 * gt + v1 * ht
+    b1o = w1 * fho + w1o * fh + (t1 * gto + t1o * gt) + (v1 * hto + v1o * ht)
+    b2 = w2 * fh + t2 * gt + v2 * ht
+    b2o = w2 * fho + w2o * fh + (t2 * gto + t2o * gt) + (v2 * hto + v2o * ht)
+    b3 = w3 * fh + t3 * gt + v3 * ht
+    b3o = w3 * fho + w3o * fh + (t3 * gto + t3o * gt) + (v3 * hto + v3o * ht)
+    s1 = w1 * gs + t1 * h
+    s1o = w1 * gso + w1o * gs + (t1 * ho + t1o * h)
+    s2 = w2 * gs + t2 * h
+    s2o = w2 * gso + w2o * gs + (t2 * ho + t2o * h)
+    s3 = w3 * gs + t3 * h
+    s3o = w3 * gso + w3o * gs + (t3 * ho + t3o * h)
     ha = h * vw
     hao = h * vwo + ho * vw
-    J11 = b1 * v1 + hv1 * w1 + ha
-    J12 = b1 * v2 + hv1 * w2 - s3
-    J13 = b1 * v3 + hv1 * w3 + s2
-    J21 = b2 * v1 + hv2 * w1 + s3
-    J22 = b2 * v2 + hv2 * w2 + ha
-    J23 = b2 * v3 + hv2 * w3 - s1
-    J31 = b3 * v1 + hv3 * w1 - s2
-    J32 = b3 * v2 + hv3 * w2 + s1
-    J33 = b3 * v3 + hv3 * w3 + ha
+    J11 = b1 * v1 + ha
+    J12 = b1 * v2 + s3
+    J13 = b1 * v3 - s2
+    J21 = b2 * v1 - s3
+    J22 = b2 * v2 + ha
+    J23 = b2 * v3 + s1
+    J31 = b3 * v1 + s2
+    J32 = b3 * v2 - s1
+    J33 = b3 * v3 + ha
     return (
         J11,
         J12,
@@ -1563,21 +1543,21 @@ def twist_jacobian(m: Any, c: Any, v: Components, v_dot: Components, table: Comp
         0,
         0,
         0,
-        b1 * v1o + b1o * v1 + (hv1 * w1o + hv1o * w1) + hao,
-        b1 * v2o + b1o * v2 + (hv1 * w2o + hv1o * w2) - s3o,
-        b1 * v3o + b1o * v3 + (hv1 * w3o + hv1o * w3) + s2o,
+        b1 * v1o + b1o * v1 + hao,
+        b1 * v2o + b1o * v2 + s3o,
+        b1 * v3o + b1o * v3 - s2o,
         J11,
         J12,
         J13,
-        b2 * v1o + b2o * v1 + (hv2 * w1o + hv2o * w1) + s3o,
-        b2 * v2o + b2o * v2 + (hv2 * w2o + hv2o * w2) + hao,
-        b2 * v3o + b2o * v3 + (hv2 * w3o + hv2o * w3) - s1o,
+        b2 * v1o + b2o * v1 - s3o,
+        b2 * v2o + b2o * v2 + hao,
+        b2 * v3o + b2o * v3 + s1o,
         J21,
         J22,
         J23,
-        b3 * v1o + b3o * v1 + (hv3 * w1o + hv3o * w1) - s2o,
-        b3 * v2o + b3o * v2 + (hv3 * w2o + hv3o * w2) + s1o,
-        b3 * v3o + b3o * v3 + (hv3 * w3o + hv3o * w3) + hao,
+        b3 * v1o + b3o * v1 + s2o,
+        b3 * v2o + b3o * v2 - s1o,
+        b3 * v3o + b3o * v3 + hao,
         J31,
         J32,
         J33,
@@ -1594,93 +1574,84 @@ def twist_jacobian_blocks(
         o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
         o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36,
     ) = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, *spare = scratch
+    (
+        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, *spare,
+    ) = scratch
     *spare_masks, = masks
     n0, = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
-    vw = add(add(mul(v1, w1, k2), mul(v2, w2, k3), k2), mul(v3, w3, k3), k2)
-    t1 = sub(mul(v2, w3, k3), mul(v3, w2, k4), k3)
-    minus_side = neg(side, k4)
-    t2 = sub(mul(v3, w1, k5), mul(v1, w3, k6), k5)
-    t3 = sub(mul(v1, w2, k6), mul(v2, w1, k7), k6)
-    y = add(add(mul(v1, v1o, k7), mul(v2, v2o, k8), k7), mul(v3, v3o, k8), k7)
-    vwo = add(
-        add(add(mul(v1, w1o, k8), mul(v1o, w1, k9), k8), add(mul(v2, w2o, k9), mul(v2o, w2, k10), k9), k8), add(mul(v3,
-        w3o, k9), mul(v3o, w3, k10), k9), k8
-    )
-    t1o = sub(add(mul(v2, w3o, k9), mul(v2o, w3, k10), k9), add(mul(v3, w2o, k10), mul(v3o, w2, k11), k10), k9)
-    t2o = sub(add(mul(v3, w1o, k10), mul(v3o, w1, k11), k10), add(mul(v1, w3o, k11), mul(v1o, w3, k12), k11), k10)
-    t3o = sub(add(mul(v1, w2o, k11), mul(v1o, w2, k12), k11), add(mul(v2, w1o, k12), mul(v2o, w1, k13), k12), k11)
     _, g, h, fy, gy, hy, fyy, gyy, hyy = c.tangent_dot(
-        (k12, k13, k14, k15, k16, k17, k18, k19, k20), (*spare,), (*spare_masks,), x
+        (k2, k3, k4, k5, k6, k7, k8, k9, k10), (*spare,), (*spare_masks,), x
     )
-    sg = mul(g, minus_side, k1)
-    hyo = mul(hyy, y, k12)
-    hto = add(mul(hy, vwo, k13), mul(hyo, vw, k12), k12)
-    fyo = mul(fyy, y, k13)
-    gyo = mul(gyy, y, k18)
-    gso = mul(gyo, side, k18)
-    gs = mul(gy, side, k19)
-    go = mul(gy, y, k16)
-    sgo = mul(go, minus_side, k4)
-    ho = mul(hy, y, k7)
-    ht = mul(hy, vw, k16)
+    fh = add(fy, h, k1)
+    gs = mul(g, side, k2)
+    gt = mul(gy, side, k3)
+    vw = add(add(mul(v1, w1, k5), mul(v2, w2, k11), k5), mul(v3, w3, k11), k5)
+    ht = mul(hy, vw, k11)
+    t1 = sub(mul(v2, w3, k12), mul(v3, w2, k13), k12)
+    b1 = add(add(mul(w1, fh, k13), mul(t1, gt, k14), k13), mul(v1, ht, k14), k13)
+    ha = mul(h, vw, k14)
+    add(mul(b1, v1, k15), ha, o1)
+    t3 = sub(mul(v1, w2, k15), mul(v2, w1, k16), k15)
+    s3 = add(mul(w3, gs, k16), mul(t3, h, k17), k16)
+    add(mul(b1, v2, k17), s3, o2)
+    t2 = sub(mul(v3, w1, k17), mul(v1, w3, k18), k17)
+    s2 = add(mul(w2, gs, k18), mul(t2, h, k19), k18)
+    sub(mul(b1, v3, k19), s2, o3)
+    b2 = add(add(mul(w2, fh, k19), mul(t2, gt, k20), k19), mul(v2, ht, k20), k19)
+    sub(mul(b2, v1, k20), s3, o7)
+    add(mul(b2, v2, k16), ha, o8)
+    s1 = add(mul(w1, gs, k16), mul(t1, h, k20), k16)
+    add(mul(b2, v3, k20), s1, o9)
+    b3 = add(add(mul(w3, fh, k20), mul(t3, gt, k21), k20), mul(v3, ht, k21), k20)
+    add(mul(b3, v1, k21), s2, o13)
+    sub(mul(b3, v2, k18), s1, o14)
+    add(mul(b3, v3, k16), ha, o15)
+    y = add(add(mul(v1, v1o, k14), mul(v2, v2o, k16), k14), mul(v3, v3o, k16), k14)
+    fyo = mul(fyy, y, k8)
+    hyo = mul(hyy, y, k10)
+    gyo = mul(gyy, y, k9)
+    gto = mul(gyo, side, k9)
+    go = mul(gy, y, k6)
+    ho = mul(hy, y, k14)
+    fho = add(fyo, ho, k8)
+    gso = mul(go, side, k6)
+    vwo = add(
+        add(add(mul(v1, w1o, k16), mul(v1o, w1, k18), k16), add(mul(v2, w2o, k18), mul(v2o, w2, k21), k18), k16),
+        add(mul(v3, w3o, k18), mul(v3o, w3, k21), k18), k16
+    )
+    hto = add(mul(hy, vwo, k7), mul(hyo, vw, k10), k7)
+    hao = add(mul(h, vwo, k10), mul(ho, vw, k5), k5)
+    t1o = sub(add(mul(v2, w3o, k10), mul(v2o, w3, k16), k10), add(mul(v3, w2o, k16), mul(v3o, w2, k18), k16), k10)
     b1o = add(
-        add(add(mul(w1, fyo, k17), mul(w1o, fy, k20), k17), add(mul(t1, gso, k20), mul(t1o, gs, k9), k9), k9),
-        add(mul(v1, hto, k17), mul(v1o, ht, k20), k17), k9
+        add(add(mul(w1, fho, k16), mul(w1o, fh, k18), k16), add(mul(t1, gto, k18), mul(t1o, gt, k21), k18), k16),
+        add(mul(v1, hto, k18), mul(v1o, ht, k21), k18), k16
     )
-    b1 = add(add(mul(w1, fy, k17), mul(t1, gs, k3), k3), mul(v1, ht, k17), k3)
-    hao = add(mul(h, vwo, k8), mul(ho, vw, k17), k8)
-    ha = mul(h, vw, k2)
-    b2o = add(
-        add(add(mul(w2, fyo, k17), mul(w2o, fy, k20), k17), add(mul(t2, gso, k20), mul(t2o, gs, k10), k10), k10),
-        add(mul(v2, hto, k17), mul(v2o, ht, k20), k17), k10
-    )
+    s1o = add(add(mul(w1, gso, k18), mul(w1o, gs, k21), k18), add(mul(t1, ho, k12), mul(t1o, h, k10), k10), k10)
+    add(add(mul(b1, v1o, k12), mul(b1o, v1, k18), k12), hao, o19)
+    t3o = sub(add(mul(v1, w2o, k12), mul(v1o, w2, k18), k12), add(mul(v2, w1o, k18), mul(v2o, w1, k21), k18), k12)
+    s3o = add(add(mul(w3, gso, k18), mul(w3o, gs, k21), k18), add(mul(t3, ho, k21), mul(t3o, h, k22), k21), k18)
     b3o = add(
-        add(add(mul(w3, fyo, k13), mul(w3o, fy, k17), k13), add(mul(t3, gso, k17), mul(t3o, gs, k11), k11), k11),
-        add(mul(v3, hto, k12), mul(v3o, ht, k13), k12), k11
+        add(add(mul(w3, fho, k21), mul(w3o, fh, k22), k21), add(mul(t3, gto, k15), mul(t3o, gt, k12), k12), k12),
+        add(mul(v3, hto, k15), mul(v3o, ht, k21), k15), k12
     )
-    b2 = add(add(mul(w2, fy, k12), mul(t2, gs, k5), k5), mul(v2, ht, k12), k5)
-    b3 = add(add(mul(w3, fy, k12), mul(t3, gs, k6), k6), mul(v3, ht, k12), k6)
-    hv1 = mul(v1, h, k12)
-    add(add(mul(b1, v1, k13), mul(hv1, w1, k15), k13), ha, o1)
-    s3 = mul(w3, sg, k13)
-    sub(add(mul(b1, v2, k15), mul(hv1, w2, k16), k15), s3, o2)
-    s2 = mul(w2, sg, k15)
-    add(add(mul(b1, v3, k16), mul(hv1, w3, k17), k16), s2, o3)
-    hv2 = mul(v2, h, k16)
-    add(add(mul(b2, v1, k17), mul(hv2, w1, k18), k17), s3, o7)
-    add(add(mul(b2, v2, k13), mul(hv2, w2, k17), k13), ha, o8)
-    s1 = mul(w1, sg, k13)
-    sub(add(mul(b2, v3, k17), mul(hv2, w3, k18), k17), s1, o9)
-    hv3 = mul(v3, h, k17)
-    sub(add(mul(b3, v1, k18), mul(hv3, w1, k19), k18), s2, o13)
-    add(add(mul(b3, v2, k15), mul(hv3, w2, k18), k15), s1, o14)
-    add(add(mul(b3, v3, k13), mul(hv3, w3, k15), k13), ha, o15)
-    hv1o = add(mul(v1, ho, k2), mul(v1o, h, k13), k2)
-    add(
-        add(add(mul(b1, v1o, k13), mul(b1o, v1, k15), k13), add(mul(hv1, w1o, k15), mul(hv1o, w1, k18), k15), k13), hao,
-        o19
+    add(add(mul(b1, v2o, k15), mul(b1o, v2, k21), k15), s3o, o20)
+    sub(add(mul(b3, v2o, k15), mul(b3o, v2, k21), k15), s1o, o32)
+    add(add(mul(b3, v3o, k15), mul(b3o, v3, k21), k15), hao, o33)
+    t2o = sub(add(mul(v3, w1o, k15), mul(v3o, w1, k21), k15), add(mul(v1, w3o, k21), mul(v1o, w3, k22), k21), k15)
+    b2o = add(
+        add(add(mul(w2, fho, k8), mul(w2o, fh, k1), k1), add(mul(t2, gto, k8), mul(t2o, gt, k3), k3), k1), add(mul(v2,
+        hto, k3), mul(v2o, ht, k7), k3), k1
     )
-    s3o = add(mul(w3, sgo, k13), mul(w3o, sg, k15), k13)
-    sub(
-        add(add(mul(b1, v2o, k15), mul(b1o, v2, k18), k15), add(mul(hv1, w2o, k18), mul(hv1o, w2, k19), k18), k15), s3o,
-        o20
-    )
-    s2o = add(mul(w2, sgo, k15), mul(w2o, sg, k18), k15)
-    add(add(add(mul(b1, v3o, k3), mul(b1o, v3, k9), k3), add(mul(hv1, w3o, k9), mul(hv1o, w3, k2), k2), k2), s2o, o21)
-    s1o = add(mul(w1, sgo, k2), mul(w1o, sg, k1), k1)
-    hv2o = add(mul(v2, ho, k2), mul(v2o, h, k3), k2)
-    add(add(add(mul(b2, v1o, k3), mul(b2o, v1, k4), k3), add(mul(hv2, w1o, k4), mul(hv2o, w1, k9), k4), k3), s3o, o25)
-    hv3o = add(mul(v3, ho, k3), mul(v3o, h, k4), k3)
-    sub(add(add(mul(b3, v1o, k4), mul(b3o, v1, k7), k4), add(mul(hv3, w1o, k7), mul(hv3o, w1, k9), k7), k4), s2o, o31)
-    add(add(add(mul(b2, v2o, k4), mul(b2o, v2, k7), k4), add(mul(hv2, w2o, k7), mul(hv2o, w2, k9), k7), k4), hao, o26)
-    sub(add(add(mul(b2, v3o, k4), mul(b2o, v3, k5), k4), add(mul(hv2, w3o, k5), mul(hv2o, w3, k2), k2), k2), s1o, o27)
-    add(add(add(mul(b3, v2o, k2), mul(b3o, v2, k4), k2), add(mul(hv3, w2o, k4), mul(hv3o, w2, k5), k4), k2), s1o, o32)
-    add(add(add(mul(b3, v3o, k1), mul(b3o, v3, k2), k1), add(mul(hv3, w3o, k2), mul(hv3o, w3, k3), k2), k1), hao, o33)
+    s2o = add(add(mul(w2, gso, k3), mul(w2o, gs, k2), k2), add(mul(t2, ho, k3), mul(t2o, h, k4), k3), k2)
+    sub(add(mul(b1, v3o, k3), mul(b1o, v3, k4), k3), s2o, o21)
+    add(add(mul(b3, v1o, k3), mul(b3o, v1, k4), k3), s2o, o31)
+    sub(add(mul(b2, v1o, k2), mul(b2o, v1, k3), k2), s3o, o25)
+    add(add(mul(b2, v2o, k2), mul(b2o, v2, k3), k2), hao, o26)
+    add(add(mul(b2, v3o, k2), mul(b2o, v3, k1), k1), s1o, o27)
     copy(n0, o4)
     copy(n0, o5)
     copy(n0, o6)
@@ -1701,7 +1672,7 @@ def twist_jacobian_blocks(
     copy(o15, o36)
 
 
-# operations 202: 82 +, 111 *, 9 /
+# operations 186: 75 +, 102 *, 9 /
 def rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = omega
@@ -1716,41 +1687,45 @@ def rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Compo
     hio = hiy * y
     fiyo = fiyy * y
     hiyo = hiyy * y
-    hih = hi / 2
-    hiho = hio / 2
     vw = v1 * w1 + v2 * w2 + v3 * w3
     vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
-    ht = hiy * vw
-    hto = hiy * vwo + hiyo * vw
-    b1 = (w1 * fiy + v1 * ht) / 2
-    b1o = (w1 * fiyo + w1o * fiy + (v1 * hto + v1o * ht)) / 2
-    b2 = (w2 * fiy + v2 * ht) / 2
-    b2o = (w2 * fiyo + w2o * fiy + (v2 * hto + v2o * ht)) / 2
-    b3 = (w3 * fiy + v3 * ht) / 2
-    b3o = (w3 * fiyo + w3o * fiy + (v3 * hto + v3o * ht)) / 2
-    hv1 = v1 * hih
-    hv1o = v1 * hiho + v1o * hih
-    hv2 = v2 * hih
-    hv2o = v2 * hiho + v2o * hih
-    hv3 = v3 * hih
-    hv3o = v3 * hiho + v3o * hih
-    s1 = w1 * hs
-    s1o = w1o * hs
-    s2 = w2 * hs
-    s2o = w2o * hs
-    s3 = w3 * hs
-    s3o = w3o * hs
+    fh = (hi + fiy) / 2
+    fho = (hio + fiyo) / 2
+    gt = fiy / 2
+    gto = fiyo / 2
+    ht = hiy * vw / 2
+    hto = (hiy * vwo + hiyo * vw) / 2
+    b1 = w1 * fh + v1 * ht
+    b1o = w1 * fho + w1o * fh + (v1 * hto + v1o * ht)
+    b2 = w2 * fh + v2 * ht
+    b2o = w2 * fho + w2o * fh + (v2 * hto + v2o * ht)
+    b3 = w3 * fh + v3 * ht
+    b3o = w3 * fho + w3o * fh + (v3 * hto + v3o * ht)
+    t1 = w2 * v3 - w3 * v2
+    t1o = w2 * v3o + w2o * v3 - (w3 * v2o + w3o * v2)
+    t2 = w3 * v1 - w1 * v3
+    t2o = w3 * v1o + w3o * v1 - (w1 * v3o + w1o * v3)
+    t3 = w1 * v2 - w2 * v1
+    t3o = w1 * v2o + w1o * v2 - (w2 * v1o + w2o * v1)
+    s1 = w1 * hs - t1 * gt
+    s1o = w1o * hs - (t1 * gto + t1o * gt)
+    s2 = w2 * hs - t2 * gt
+    s2o = w2o * hs - (t2 * gto + t2o * gt)
+    s3 = w3 * hs - t3 * gt
+    s3o = w3o * hs - (t3 * gto + t3o * gt)
+    hih = hi / 2
+    hiho = hio / 2
     ha = hih * vw
     hao = hih * vwo + hiho * vw
-    J11 = b1 * v1 + hv1 * w1 + ha
-    J12 = b1 * v2 + hv1 * w2 - s3
-    J13 = b1 * v3 + hv1 * w3 + s2
-    J21 = b2 * v1 + hv2 * w1 + s3
-    J22 = b2 * v2 + hv2 * w2 + ha
-    J23 = b2 * v3 + hv2 * w3 - s1
-    J31 = b3 * v1 + hv3 * w1 - s2
-    J32 = b3 * v2 + hv3 * w2 + s1
-    J33 = b3 * v3 + hv3 * w3 + ha
+    J11 = v1 * b1 + ha
+    J12 = v1 * b2 - s3
+    J13 = v1 * b3 + s2
+    J21 = v2 * b1 + s3
+    J22 = v2 * b2 + ha
+    J23 = v2 * b3 - s1
+    J31 = v3 * b1 - s2
+    J32 = v3 * b2 + s1
+    J33 = v3 * b3 + ha
     return (
         J11,
         J12,
@@ -1770,21 +1745,21 @@ def rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Compo
         0,
         0,
         0,
-        b1 * v1o + b1o * v1 + (hv1 * w1o + hv1o * w1) + hao,
-        b1 * v2o + b1o * v2 + (hv1 * w2o + hv1o * w2) - s3o,
-        b1 * v3o + b1o * v3 + (hv1 * w3o + hv1o * w3) + s2o,
+        v1 * b1o + v1o * b1 + hao,
+        v1 * b2o + v1o * b2 - s3o,
+        v1 * b3o + v1o * b3 + s2o,
         J11,
         J12,
         J13,
-        b2 * v1o + b2o * v1 + (hv2 * w1o + hv2o * w1) + s3o,
-        b2 * v2o + b2o * v2 + (hv2 * w2o + hv2o * w2) + hao,
-        b2 * v3o + b2o * v3 + (hv2 * w3o + hv2o * w3) - s1o,
+        v2 * b1o + v2o * b1 + s3o,
+        v2 * b2o + v2o * b2 + hao,
+        v2 * b3o + v2o * b3 - s1o,
         J21,
         J22,
         J23,
-        b3 * v1o + b3o * v1 + (hv3 * w1o + hv3o * w1) - s2o,
-        b3 * v2o + b3o * v2 + (hv3 * w2o + hv3o * w2) + s1o,
-        b3 * v3o + b3o * v3 + (hv3 * w3o + hv3o * w3) + hao,
+        v3 * b1o + v3o * b1 - s2o,
+        v3 * b2o + v3o * b2 + s1o,
+        v3 * b3o + v3o * b3 + hao,
         J31,
         J32,
         J33,
@@ -1809,77 +1784,62 @@ def rate_jacobian_blocks(
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
     _, hi, fiy, hiy, fiyy, hiyy = c.tangent_inv_dot((k2, k3, k4, k5, k6, k7), (*spare,), (*spare_masks,), x)
-    hih = div(hi, n2, k1)
-    vw = add(add(mul(v1, w1, k2), mul(v2, w2, k3), k2), mul(v3, w3, k3), k2)
-    ht = mul(hiy, vw, k3)
-    b3 = div(add(mul(w3, fiy, k8), mul(v3, ht, k9), k8), n2, k8)
-    hv3 = mul(v3, hih, k9)
+    fh = div(add(hi, fiy, k1), n2, k1)
+    hih = div(hi, n2, k2)
+    gt = div(fiy, n2, k3)
+    vw = add(add(mul(v1, w1, k4), mul(v2, w2, k8), k4), mul(v3, w3, k8), k4)
+    ht = div(mul(hiy, vw, k8), n2, k8)
+    b3 = add(mul(w3, fh, k9), mul(v3, ht, k10), k9)
     ha = mul(hih, vw, k10)
-    add(add(mul(b3, v3, k11), mul(hv3, w3, k12), k11), ha, o15)
-    hs = div(side, n2, k11)
-    s1 = mul(w1, hs, k12)
-    add(add(mul(b3, v2, k13), mul(hv3, w2, k14), k13), s1, o14)
-    s2 = mul(w2, hs, k13)
-    sub(add(mul(b3, v1, k14), mul(hv3, w1, k15), k14), s2, o13)
-    y = add(add(mul(v1, v1o, k14), mul(v2, v2o, k15), k14), mul(v3, v3o, k15), k14)
-    hiyo = mul(hiyy, y, k7)
+    add(mul(v3, b3, k11), ha, o15)
+    b2 = add(mul(w2, fh, k11), mul(v2, ht, k12), k11)
+    add(mul(v2, b2, k12), ha, o8)
+    hs = div(side, n2, k12)
+    t1 = sub(mul(w2, v3, k13), mul(w3, v2, k14), k13)
+    s1 = sub(mul(w1, hs, k14), mul(t1, gt, k15), k14)
+    add(mul(v3, b2, k15), s1, o14)
+    sub(mul(v2, b3, k15), s1, o9)
+    b1 = add(mul(w1, fh, k14), mul(v1, ht, k15), k14)
+    add(mul(v1, b1, k15), ha, o1)
+    t2 = sub(mul(w3, v1, k10), mul(w1, v3, k15), k10)
+    s2 = sub(mul(w2, hs, k15), mul(t2, gt, k16), k15)
+    sub(mul(v3, b1, k16), s2, o13)
+    add(mul(v1, b3, k16), s2, o3)
+    y = add(add(mul(v1, v1o, k15), mul(v2, v2o, k16), k15), mul(v3, v3o, k16), k15)
     fiyo = mul(fiyy, y, k6)
-    hio = mul(hiy, y, k14)
-    hiho = div(hio, n2, k14)
+    hiyo = mul(hiyy, y, k7)
+    hio = mul(hiy, y, k15)
+    fho = div(add(hio, fiyo, k16), n2, k16)
+    hiho = div(hio, n2, k15)
+    gto = div(fiyo, n2, k6)
     vwo = add(
-        add(add(mul(v1, w1o, k15), mul(v1o, w1, k16), k15), add(mul(v2, w2o, k16), mul(v2o, w2, k17), k16), k15),
-        add(mul(v3, w3o, k16), mul(v3o, w3, k17), k16), k15
+        add(add(mul(v1, w1o, k17), mul(v1o, w1, k18), k17), add(mul(v2, w2o, k18), mul(v2o, w2, k19), k18), k17),
+        add(mul(v3, w3o, k18), mul(v3o, w3, k19), k18), k17
     )
-    hto = add(mul(hiy, vwo, k5), mul(hiyo, vw, k7), k5)
-    hao = add(mul(hih, vwo, k7), mul(hiho, vw, k2), k2)
-    b3o = div(
-        add(add(mul(w3, fiyo, k7), mul(w3o, fiy, k15), k7), add(mul(v3, hto, k15), mul(v3o, ht, k16), k15), k7), n2, k7
-    )
-    hv3o = add(mul(v3, hiho, k15), mul(v3o, hih, k16), k15)
-    add(
-        add(add(mul(b3, v3o, k16), mul(b3o, v3, k17), k16), add(mul(hv3, w3o, k17), mul(hv3o, w3, k18), k17), k16), hao,
-        o33
-    )
-    s1o = mul(w1o, hs, k16)
-    add(
-        add(add(mul(b3, v2o, k17), mul(b3o, v2, k18), k17), add(mul(hv3, w2o, k18), mul(hv3o, w2, k19), k18), k17), s1o,
-        o32
-    )
-    s2o = mul(w2o, hs, k17)
-    sub(add(add(mul(b3, v1o, k8), mul(b3o, v1, k7), k7), add(mul(hv3, w1o, k8), mul(hv3o, w1, k9), k8), k7), s2o, o31)
-    b2 = div(add(mul(w2, fiy, k7), mul(v2, ht, k8), k7), n2, k7)
-    hv2 = mul(v2, hih, k8)
-    sub(add(mul(b2, v3, k9), mul(hv2, w3, k15), k9), s1, o9)
-    add(add(mul(b2, v2, k9), mul(hv2, w2, k12), k9), ha, o8)
-    s3 = mul(w3, hs, k9)
-    add(add(mul(b2, v1, k12), mul(hv2, w1, k15), k12), s3, o7)
-    s3o = mul(w3o, hs, k11)
-    b2o = div(
-        add(add(mul(w2, fiyo, k12), mul(w2o, fiy, k15), k12), add(mul(v2, hto, k15), mul(v2o, ht, k18), k15), k12), n2,
-        k12
-    )
-    b1o = div(
-        add(add(mul(w1, fiyo, k6), mul(w1o, fiy, k15), k6), add(mul(v1, hto, k5), mul(v1o, ht, k15), k5), k5), n2, k5
-    )
-    b1 = div(add(mul(w1, fiy, k4), mul(v1, ht, k3), k3), n2, k3)
-    hv2o = add(mul(v2, hiho, k4), mul(v2o, hih, k6), k4)
-    sub(
-        add(add(mul(b2, v3o, k6), mul(b2o, v3, k15), k6), add(mul(hv2, w3o, k15), mul(hv2o, w3, k18), k15), k6), s1o,
-        o27
-    )
-    add(
-        add(add(mul(b2, v2o, k6), mul(b2o, v2, k15), k6), add(mul(hv2, w2o, k15), mul(hv2o, w2, k16), k15), k6), hao,
-        o26
-    )
-    add(add(add(mul(b2, v1o, k6), mul(b2o, v1, k7), k6), add(mul(hv2, w1o, k7), mul(hv2o, w1, k4), k4), k4), s3o, o25)
-    hv1o = add(mul(v1, hiho, k4), mul(v1o, hih, k6), k4)
-    hv1 = mul(v1, hih, k1)
-    add(add(mul(b1, v3, k6), mul(hv1, w3, k7), k6), s2, o3)
-    sub(add(mul(b1, v2, k6), mul(hv1, w2, k7), k6), s3, o2)
-    add(add(mul(b1, v1, k6), mul(hv1, w1, k7), k6), ha, o1)
-    add(add(add(mul(b1, v3o, k6), mul(b1o, v3, k7), k6), add(mul(hv1, w3o, k7), mul(hv1o, w3, k8), k7), k6), s2o, o21)
-    sub(add(add(mul(b1, v2o, k6), mul(b1o, v2, k7), k6), add(mul(hv1, w2o, k7), mul(hv1o, w2, k8), k7), k6), s3o, o20)
-    add(add(add(mul(b1, v1o, k3), mul(b1o, v1, k5), k3), add(mul(hv1, w1o, k1), mul(hv1o, w1, k4), k1), k1), hao, o19)
+    hto = div(add(mul(hiy, vwo, k5), mul(hiyo, vw, k7), k5), n2, k5)
+    hao = add(mul(hih, vwo, k2), mul(hiho, vw, k4), k2)
+    b3o = add(add(mul(w3, fho, k4), mul(w3o, fh, k7), k4), add(mul(v3, hto, k7), mul(v3o, ht, k15), k7), k4)
+    add(add(mul(v3, b3o, k7), mul(v3o, b3, k15), k7), hao, o33)
+    b2o = add(add(mul(w2, fho, k7), mul(w2o, fh, k15), k7), add(mul(v2, hto, k15), mul(v2o, ht, k17), k15), k7)
+    b1o = add(add(mul(w1, fho, k15), mul(w1o, fh, k1), k1), add(mul(v1, hto, k5), mul(v1o, ht, k8), k5), k1)
+    add(add(mul(v2, b2o, k5), mul(v2o, b2, k8), k5), hao, o26)
+    add(add(mul(v1, b1o, k5), mul(v1o, b1, k8), k5), hao, o19)
+    t1o = sub(add(mul(w2, v3o, k2), mul(w2o, v3, k5), k2), add(mul(w3, v2o, k5), mul(w3o, v2, k8), k5), k2)
+    s1o = sub(mul(w1o, hs, k5), add(mul(t1, gto, k8), mul(t1o, gt, k2), k2), k2)
+    add(add(mul(v3, b2o, k5), mul(v3o, b2, k8), k5), s1o, o32)
+    sub(add(mul(v2, b3o, k5), mul(v2o, b3, k8), k5), s1o, o27)
+    t2o = sub(add(mul(w3, v1o, k2), mul(w3o, v1, k5), k2), add(mul(w1, v3o, k5), mul(w1o, v3, k8), k5), k2)
+    s2o = sub(mul(w2o, hs, k5), add(mul(t2, gto, k8), mul(t2o, gt, k2), k2), k2)
+    add(add(mul(v1, b3o, k4), mul(v1o, b3, k5), k4), s2o, o21)
+    sub(add(mul(v3, b1o, k4), mul(v3o, b1, k5), k4), s2o, o31)
+    t3 = sub(mul(w1, v2, k2), mul(w2, v1, k4), k2)
+    s3 = sub(mul(w3, hs, k4), mul(t3, gt, k5), k4)
+    add(mul(v2, b1, k5), s3, o7)
+    sub(mul(v1, b2, k5), s3, o2)
+    t3o = sub(add(mul(w1, v2o, k4), mul(w1o, v2, k5), k4), add(mul(w2, v1o, k5), mul(w2o, v1, k8), k5), k4)
+    s3o = sub(mul(w3o, hs, k5), add(mul(t3, gto, k2), mul(t3o, gt, k3), k2), k2)
+    add(add(mul(v2, b1o, k1), mul(v2o, b1, k3), k1), s3o, o25)
+    sub(add(mul(v1, b2o, k1), mul(v1o, b2, k3), k1), s3o, o20)
     copy(n0, o4)
     copy(n0, o5)
     copy(n0, o6)
@@ -8914,9 +8874,9 @@ KERNELS: Mapping[str, Kernel] = {
         rate_dot_blocks,
         (("v", (6,)), ("omega", (6,)), ("omega_dot", (6,)),),
         (6,),
-        registers=22,
+        registers=17,
         masks=0,
-        numbers=(2,),
+        numbers=(2, 4),
         lent=(('tangent_inv_dot', 0, 0),),
         real=False,
     ),
@@ -8925,7 +8885,7 @@ KERNELS: Mapping[str, Kernel] = {
         twist_jacobian_blocks,
         (("v", (6,)), ("v_dot", (6,)),),
         (6, 6),
-        registers=20,
+        registers=22,
         masks=0,
         numbers=(0,),
         lent=(('tangent_dot', 0, 0),),

@@ -62,9 +62,9 @@
 #   rate: 140: 50 +, 79 *, 8 /, 1 neg, 2 sqrt
 #   tangent_dot: 256: 92 +, 149 *, 13 /, 2 sqrt
 #   twist_dot: 284: 105 +, 166 *, 11 /, 2 sqrt
-#   rate_dot: 390: 151 +, 209 *, 26 /, 2 neg, 2 sqrt
-#   twist_jacobian: 333: 127 +, 192 *, 11 /, 1 neg, 2 sqrt
-#   rate_jacobian: 262: 96 +, 139 *, 23 /, 2 neg, 2 sqrt
+#   rate_dot: 289: 108 +, 156 *, 21 /, 2 neg, 2 sqrt
+#   twist_jacobian: 286: 108 +, 165 *, 11 /, 2 sqrt
+#   rate_jacobian: 246: 89 +, 130 *, 23 /, 2 neg, 2 sqrt
 #   from_quaternion: 85: 27 +, 42 *, 8 /, 1 neg, 4 sqrt, 1 lt, 2 where
 #   from_tensor: 151: 50 +, 53 *, 12 /, 5 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 115: 35 +, 35 *, 9 /, 5 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -888,7 +888,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 4, 8)),
     },
     kernels=SHARED,
-    programs="948f1c678c208012",
+    programs="3d3cc60bac44c064",
 )
 
 KERNELS = PoseKernels(CHART)

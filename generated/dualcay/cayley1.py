@@ -76,8 +76,8 @@
 #   rate: 109: 44 +, 65 *
 #   tangent_dot: 86: 26 +, 49 *, 4 /, 7 neg
 #   twist_dot: 116: 44 +, 67 *, 4 /, 1 neg
-#   rate_dot: 236: 104 +, 120 *, 12 /
-#   twist_jacobian: 149: 54 +, 89 *, 4 /, 2 neg
+#   rate_dot: 163: 72 +, 80 *, 11 /
+#   twist_jacobian: 148: 54 +, 89 *, 4 /, 1 neg
 #   rate_jacobian: 85: 34 +, 42 *, 9 /
 #   from_quaternion: 64: 22 +, 38 *, 4 /
 #   from_tensor: 125: 42 +, 45 *, 7 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -1045,7 +1045,7 @@ def _own_twist_dot_blocks(
     add(gz3o, sub(add(mul(v1, s2o, k1), mul(v1o, s2, k2), k1), add(mul(v2, s1o, k2), mul(v2o, s1, k3), k2), k1), o6)
 
 
-# operations 236: 104 +, 120 *, 12 /
+# operations 163: 72 +, 80 *, 11 /
 def _own_rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = omega
@@ -1053,27 +1053,29 @@ def _own_rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: C
     side, = table
     vw = v1 * w1 + v2 * w2 + v3 * w3
     vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
-    u1 = (w1 + (w2 * v3 - w3 * v2) * side + v1 * vw) / 2
-    u1o = (w1o + (w2 * v3o + w2o * v3 - (w3 * v2o + w3o * v2)) * side + (v1 * vwo + v1o * vw)) / 2
-    u2 = (w2 + (w3 * v1 - w1 * v3) * side + v2 * vw) / 2
-    u2o = (w2o + (w3 * v1o + w3o * v1 - (w1 * v3o + w1o * v3)) * side + (v2 * vwo + v2o * vw)) / 2
-    u3 = (w3 + (w1 * v2 - w2 * v1) * side + v3 * vw) / 2
-    u3o = (w3o + (w1 * v2o + w1o * v2 - (w2 * v1o + w2o * v1)) * side + (v3 * vwo + v3o * vw)) / 2
-    pull = v1 * z1 + v2 * z2 + v3 * z3 + (u1 * w1 + u2 * w2 + u3 * w3)
-    pullo = (
-        v1 * z1o + v1o * z1 + (v2 * z2o + v2o * z2) + (v3 * z3o + v3o * z3) + (u1 * w1o + u1o * w1 + (u2 * w2o + u2o
-        * w2) + (u3 * w3o + u3o * w3))
-    )
+    ww = w1 * w1 + w2 * w2 + w3 * w3
+    wwo = 2 * (w1 * w1o + w2 * w2o + w3 * w3o)
+    hs = side / 2
+    vw_vwo = vw * vwo
+    pull = 2 * (v1 * z1 + v2 * z2 + v3 * z3 + vw * vw) + ww
+    pullo = 2 * (v1 * z1o + v1o * z1 + (v2 * z2o + v2o * z2) + (v3 * z3o + v3o * z3) + (vw_vwo + vw_vwo)) + wwo
+    ft = (vw + vw) / 4
+    fto = (vwo + vwo) / 4
+    cvv = (pull - ww) / 4
+    cvvo = (pullo - wwo) / 4
+    s1 = z1 + w1 * vw
+    s1o = z1o + (w1 * vwo + w1o * vw)
+    s2 = z2 + w2 * vw
+    s2o = z2o + (w2 * vwo + w2o * vw)
+    s3 = z3 + w3 * vw
+    s3o = z3o + (w3 * vwo + w3o * vw)
     return (
-        (z1 + (z2 * v3 - z3 * v2 + (w2 * u3 - w3 * u2)) * side + v1 * pull + u1 * vw) / 2,
-        (z2 + (z3 * v1 - z1 * v3 + (w3 * u1 - w1 * u3)) * side + v2 * pull + u2 * vw) / 2,
-        (z3 + (z1 * v2 - z2 * v1 + (w1 * u2 - w2 * u1)) * side + v3 * pull + u3 * vw) / 2,
-        (z1o + (z2 * v3o + z2o * v3 - (z3 * v2o + z3o * v2) + (w2 * u3o + w2o * u3 - (w3 * u2o + w3o * u2))) * side
-        + (v1 * pullo + v1o * pull) + (u1 * vwo + u1o * vw)) / 2,
-        (z2o + (z3 * v1o + z3o * v1 - (z1 * v3o + z1o * v3) + (w3 * u1o + w3o * u1 - (w1 * u3o + w1o * u3))) * side
-        + (v2 * pullo + v2o * pull) + (u2 * vwo + u2o * vw)) / 2,
-        (z3o + (z1 * v2o + z1o * v2 - (z2 * v1o + z2o * v1) + (w1 * u2o + w1o * u2 - (w2 * u1o + w2o * u1))) * side
-        + (v3 * pullo + v3o * pull) + (u3 * vwo + u3o * vw)) / 2,
+        z1 / 2 + w1 * ft + (s2 * v3 - s3 * v2) * hs + v1 * cvv,
+        z2 / 2 + w2 * ft + (s3 * v1 - s1 * v3) * hs + v2 * cvv,
+        z3 / 2 + w3 * ft + (s1 * v2 - s2 * v1) * hs + v3 * cvv,
+        z1o / 2 + (w1 * fto + w1o * ft) + (s2 * v3o + s2o * v3 - (s3 * v2o + s3o * v2)) * hs + (v1 * cvvo + v1o * cvv),
+        z2o / 2 + (w2 * fto + w2o * ft) + (s3 * v1o + s3o * v1 - (s1 * v3o + s1o * v3)) * hs + (v2 * cvvo + v2o * cvv),
+        z3o / 2 + (w3 * fto + w3o * ft) + (s1 * v2o + s1o * v2 - (s2 * v1o + s2o * v1)) * hs + (v3 * cvvo + v3o * cvv),
     )
 
 
@@ -1085,70 +1087,65 @@ def _own_rate_dot_blocks(
     z1, z2, z3, z1o, z2o, z3o = omega_dot
     side, = table
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14 = scratch
-    n2, = numbers
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15 = scratch
+    n2, n4 = numbers
     vw = add(add(mul(v1, w1, k1), mul(v2, w2, k2), k1), mul(v3, w3, k2), k1)
-    u1 = div(add(add(w1, mul(sub(mul(w2, v3, k2), mul(w3, v2, k3), k2), side, k2), k2), mul(v1, vw, k3), k2), n2, k2)
-    u2 = div(add(add(w2, mul(sub(mul(w3, v1, k3), mul(w1, v3, k4), k3), side, k3), k3), mul(v2, vw, k4), k3), n2, k3)
-    u3 = div(add(add(w3, mul(sub(mul(w1, v2, k4), mul(w2, v1, k5), k4), side, k4), k4), mul(v3, vw, k5), k4), n2, k4)
+    ww = add(add(mul(w1, w1, k2), mul(w2, w2, k3), k2), mul(w3, w3, k3), k2)
     pull = add(
-        add(add(mul(v1, z1, k5), mul(v2, z2, k6), k5), mul(v3, z3, k6), k5), add(add(mul(u1, w1, k6), mul(u2, w2, k7),
-        k6), mul(u3, w3, k7), k6), k5
+        mul(n2, add(add(add(mul(v1, z1, k3), mul(v2, z2, k4), k3), mul(v3, z3, k4), k3), mul(vw, vw, k4), k3), k3), ww,
+        k3
     )
-    div(
-        add(add(add(z1, mul(add(sub(mul(z2, v3, k6), mul(z3, v2, k7), k6), sub(mul(w2, u3, k7), mul(w3, u2, k8), k7),
-        k6), side, k6), k6), mul(v1, pull, k7), k6), mul(u1, vw, k7), k6), n2, o1
+    cvv = div(sub(pull, ww, k2), n4, k2)
+    ft = div(add(vw, vw, k3), n4, k3)
+    s2 = add(z2, mul(w2, vw, k4), k4)
+    s3 = add(z3, mul(w3, vw, k5), k5)
+    hs = div(side, n2, k6)
+    add(
+        add(add(div(z1, n2, k7), mul(w1, ft, k8), k7), mul(sub(mul(s2, v3, k8), mul(s3, v2, k9), k8), hs, k8), k7),
+        mul(v1, cvv, k8), o1
     )
-    div(
-        add(add(add(z2, mul(add(sub(mul(z3, v1, k6), mul(z1, v3, k7), k6), sub(mul(w3, u1, k7), mul(w1, u3, k8), k7),
-        k6), side, k6), k6), mul(v2, pull, k7), k6), mul(u2, vw, k7), k6), n2, o2
+    s1 = add(z1, mul(w1, vw, k7), k7)
+    add(
+        add(add(div(z2, n2, k8), mul(w2, ft, k9), k8), mul(sub(mul(s3, v1, k9), mul(s1, v3, k10), k9), hs, k9), k8),
+        mul(v2, cvv, k9), o2
     )
-    div(
-        add(add(add(z3, mul(add(sub(mul(z1, v2, k6), mul(z2, v1, k7), k6), sub(mul(w1, u2, k7), mul(w2, u1, k8), k7),
-        k6), side, k6), k6), mul(v3, pull, k7), k6), mul(u3, vw, k7), k6), n2, o3
+    add(
+        add(add(div(z3, n2, k8), mul(w3, ft, k9), k8), mul(sub(mul(s1, v2, k9), mul(s2, v1, k10), k9), hs, k9), k8),
+        mul(v3, cvv, k9), o3
     )
     vwo = add(
-        add(add(mul(v1, w1o, k6), mul(v1o, w1, k7), k6), add(mul(v2, w2o, k7), mul(v2o, w2, k8), k7), k6), add(mul(v3,
-        w3o, k7), mul(v3o, w3, k8), k7), k6
+        add(add(mul(v1, w1o, k8), mul(v1o, w1, k9), k8), add(mul(v2, w2o, k9), mul(v2o, w2, k10), k9), k8), add(mul(v3,
+        w3o, k9), mul(v3o, w3, k10), k9), k8
     )
-    u1o = div(
-        add(add(w1o, mul(sub(add(mul(w2, v3o, k7), mul(w2o, v3, k8), k7), add(mul(w3, v2o, k8), mul(w3o, v2, k9), k8),
-        k7), side, k7), k7), add(mul(v1, vwo, k8), mul(v1o, vw, k9), k8), k7), n2, k7
-    )
-    u2o = div(
-        add(add(w2o, mul(sub(add(mul(w3, v1o, k8), mul(w3o, v1, k9), k8), add(mul(w1, v3o, k9), mul(w1o, v3, k10), k9),
-        k8), side, k8), k8), add(mul(v2, vwo, k9), mul(v2o, vw, k10), k9), k8), n2, k8
-    )
-    u3o = div(
-        add(add(w3o, mul(sub(add(mul(w1, v2o, k9), mul(w1o, v2, k10), k9), add(mul(w2, v1o, k10), mul(w2o, v1, k11),
-        k10), k9), side, k9), k9), add(mul(v3, vwo, k10), mul(v3o, vw, k11), k10), k9), n2, k9
-    )
+    vw_vwo = mul(vw, vwo, k9)
+    wwo = mul(n2, add(add(mul(w1, w1o, k10), mul(w2, w2o, k11), k10), mul(w3, w3o, k11), k10), k10)
     pullo = add(
-        add(add(add(mul(v1, z1o, k10), mul(v1o, z1, k11), k10), add(mul(v2, z2o, k11), mul(v2o, z2, k12), k11), k10),
-        add(mul(v3, z3o, k11), mul(v3o, z3, k12), k11), k10), add(add(add(mul(u1, w1o, k11), mul(u1o, w1, k12), k11),
-        add(mul(u2, w2o, k12), mul(u2o, w2, k13), k12), k11), add(mul(u3, w3o, k12), mul(u3o, w3, k13), k12), k11), k10
+        mul(n2, add(add(add(add(mul(v1, z1o, k11), mul(v1o, z1, k12), k11), add(mul(v2, z2o, k12), mul(v2o, z2, k13),
+        k12), k11), add(mul(v3, z3o, k12), mul(v3o, z3, k13), k12), k11), add(vw_vwo, vw_vwo, k9), k9), k9), wwo, k9
     )
-    div(
-        add(add(add(z1o, mul(add(sub(add(mul(z2, v3o, k11), mul(z2o, v3, k12), k11), add(mul(z3, v2o, k12), mul(z3o, v2,
-        k13), k12), k11), sub(add(mul(w2, u3o, k12), mul(w2o, u3, k13), k12), add(mul(w3, u2o, k13), mul(w3o, u2, k14),
-        k13), k12), k11), side, k11), k11), add(mul(v1, pullo, k12), mul(v1o, pull, k13), k12), k11), add(mul(u1, vwo,
-        k12), mul(u1o, vw, k13), k12), k11), n2, o4
+    cvvo = div(sub(pullo, wwo, k9), n4, k9)
+    fto = div(add(vwo, vwo, k10), n4, k10)
+    s2o = add(z2o, add(mul(w2, vwo, k11), mul(w2o, vw, k12), k11), k11)
+    s3o = add(z3o, add(mul(w3, vwo, k12), mul(w3o, vw, k13), k12), k12)
+    s1o = add(z1o, add(mul(w1, vwo, k8), mul(w1o, vw, k1), k1), k1)
+    add(
+        add(add(div(z1o, n2, k8), add(mul(w1, fto, k13), mul(w1o, ft, k14), k13), k8), mul(sub(add(mul(s2, v3o, k13),
+        mul(s2o, v3, k14), k13), add(mul(s3, v2o, k14), mul(s3o, v2, k15), k14), k13), hs, k13), k8), add(mul(v1, cvvo,
+        k13), mul(v1o, cvv, k14), k13), o4
     )
-    div(
-        add(add(add(z2o, mul(add(sub(add(mul(z3, v1o, k11), mul(z3o, v1, k12), k11), add(mul(z1, v3o, k12), mul(z1o, v3,
-        k13), k12), k11), sub(add(mul(w3, u1o, k12), mul(w3o, u1, k13), k12), add(mul(w1, u3o, k13), mul(w1o, u3, k14),
-        k13), k12), k11), side, k11), k11), add(mul(v2, pullo, k12), mul(v2o, pull, k13), k12), k11), add(mul(u2, vwo,
-        k12), mul(u2o, vw, k13), k12), k11), n2, o5
+    add(
+        add(add(div(z2o, n2, k8), add(mul(w2, fto, k13), mul(w2o, ft, k14), k13), k8), mul(sub(add(mul(s3, v1o, k5),
+        mul(s3o, v1, k12), k5), add(mul(s1, v3o, k12), mul(s1o, v3, k13), k12), k5), hs, k5), k5), add(mul(v2, cvvo,
+        k8), mul(v2o, cvv, k12), k8), o5
     )
-    div(
-        add(add(add(z3o, mul(add(sub(add(mul(z1, v2o, k11), mul(z1o, v2, k12), k11), add(mul(z2, v1o, k12), mul(z2o, v1,
-        k13), k12), k11), sub(add(mul(w1, u2o, k8), mul(w1o, u2, k3), k3), add(mul(w2, u1o, k7), mul(w2o, u1, k2), k2),
-        k2), k2), side, k2), k2), add(mul(v3, pullo, k3), mul(v3o, pull, k5), k3), k2), add(mul(u3, vwo, k3), mul(u3o,
-        vw, k1), k1), k1), n2, o6
+    add(
+        add(add(div(z3o, n2, k5), add(mul(w3, fto, k8), mul(w3o, ft, k3), k3), k3), mul(sub(add(mul(s1, v2o, k5),
+        mul(s1o, v2, k1), k1), add(mul(s2, v1o, k4), mul(s2o, v1, k5), k4), k1), hs, k1), k1), add(mul(v3, cvvo, k3),
+        mul(v3o, cvv, k2), k2), o6
     )
 
 
-# operations 149: 54 +, 89 *, 4 /, 2 neg
+# operations 148: 54 +, 89 *, 4 /, 1 neg
 def _own_twist_jacobian(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
@@ -1175,32 +1172,31 @@ def _own_twist_jacobian(m: Any, c: Any, v: Components, v_dot: Components, table:
     t2o = v3 * w1o + v3o * w1 - (v1 * w3o + v1o * w3)
     t3 = v1 * w2 - v2 * w1
     t3o = v1 * w2o + v1o * w2 - (v2 * w1o + v2o * w1)
-    gs = fy * side
-    gso = fyo * side
-    b1 = w1 * fy + t1 * gs
-    b1o = w1 * fyo + w1o * fy + (t1 * gso + t1o * gs)
-    b2 = w2 * fy + t2 * gs
-    b2o = w2 * fyo + w2o * fy + (t2 * gso + t2o * gs)
-    b3 = w3 * fy + t3 * gs
-    b3o = w3 * fyo + w3o * fy + (t3 * gso + t3o * gs)
-    minus_side = -side
-    sg = r * minus_side
-    sgo = go * minus_side
-    s1 = w1 * sg
-    s1o = w1 * sgo + w1o * sg
-    s2 = w2 * sg
-    s2o = w2 * sgo + w2o * sg
-    s3 = w3 * sg
-    s3o = w3 * sgo + w3o * sg
+    gs = r * side
+    gso = go * side
+    gt = fy * side
+    gto = fyo * side
+    b1 = w1 * fy + t1 * gt
+    b1o = w1 * fyo + w1o * fy + (t1 * gto + t1o * gt)
+    b2 = w2 * fy + t2 * gt
+    b2o = w2 * fyo + w2o * fy + (t2 * gto + t2o * gt)
+    b3 = w3 * fy + t3 * gt
+    b3o = w3 * fyo + w3o * fy + (t3 * gto + t3o * gt)
+    s1 = w1 * gs
+    s1o = w1 * gso + w1o * gs
+    s2 = w2 * gs
+    s2o = w2 * gso + w2o * gs
+    s3 = w3 * gs
+    s3o = w3 * gso + w3o * gs
     J11 = b1 * v1
     J22 = b2 * v2
     J33 = b3 * v3
-    J12 = b1 * v2 - s3
-    J13 = b1 * v3 + s2
-    J21 = b2 * v1 + s3
-    J23 = b2 * v3 - s1
-    J31 = b3 * v1 - s2
-    J32 = b3 * v2 + s1
+    J12 = b1 * v2 + s3
+    J13 = b1 * v3 - s2
+    J21 = b2 * v1 - s3
+    J23 = b2 * v3 + s1
+    J31 = b3 * v1 + s2
+    J32 = b3 * v2 - s1
     return (
         J11,
         J12,
@@ -1221,19 +1217,19 @@ def _own_twist_jacobian(m: Any, c: Any, v: Components, v_dot: Components, table:
         0,
         0,
         b1 * v1o + b1o * v1,
-        b1 * v2o + b1o * v2 - s3o,
-        b1 * v3o + b1o * v3 + s2o,
+        b1 * v2o + b1o * v2 + s3o,
+        b1 * v3o + b1o * v3 - s2o,
         J11,
         J12,
         J13,
-        b2 * v1o + b2o * v1 + s3o,
+        b2 * v1o + b2o * v1 - s3o,
         b2 * v2o + b2o * v2,
-        b2 * v3o + b2o * v3 - s1o,
+        b2 * v3o + b2o * v3 + s1o,
         J21,
         J22,
         J23,
-        b3 * v1o + b3o * v1 - s2o,
-        b3 * v2o + b3o * v2 + s1o,
+        b3 * v1o + b3o * v1 + s2o,
+        b3 * v2o + b3o * v2 - s1o,
         b3 * v3o + b3o * v3,
         J31,
         J32,
@@ -1264,51 +1260,50 @@ def _own_twist_jacobian_blocks(
     eeg = mul(ee, r, k1)
     eg = mul(e, r, k4)
     fy = neg(eg, k4)
+    gs = mul(r, side, k2)
     egy = mul(e, fy, k3)
     fyy = sub(eeg, egy, k1)
-    gs = mul(fy, side, k3)
+    gt = mul(fy, side, k3)
     t3 = sub(mul(v1, w2, k5), mul(v2, w1, k6), k5)
-    b3 = add(mul(w3, fy, k6), mul(t3, gs, k7), k6)
+    b3 = add(mul(w3, fy, k6), mul(t3, gt, k7), k6)
     mul(b3, v3, o15)
-    minus_side = neg(side, k7)
-    sg = mul(r, minus_side, k2)
-    s1 = mul(w1, sg, k8)
-    add(mul(b3, v2, k9), s1, o14)
-    s2 = mul(w2, sg, k9)
-    sub(mul(b3, v1, k10), s2, o13)
-    y = add(add(mul(v1, v1o, k10), mul(v2, v2o, k11), k10), mul(v3, v3o, k11), k10)
+    s1 = mul(w1, gs, k7)
+    sub(mul(b3, v2, k8), s1, o14)
+    s2 = mul(w2, gs, k8)
+    add(mul(b3, v1, k9), s2, o13)
+    y = add(add(mul(v1, v1o, k9), mul(v2, v2o, k10), k9), mul(v3, v3o, k10), k9)
     fyo = mul(fyy, y, k1)
-    go = mul(fy, y, k10)
-    sgo = mul(go, minus_side, k7)
-    gso = mul(fyo, side, k10)
+    go = mul(fy, y, k9)
+    gso = mul(go, side, k9)
+    gto = mul(fyo, side, k10)
     t3o = sub(add(mul(v1, w2o, k11), mul(v1o, w2, k12), k11), add(mul(v2, w1o, k12), mul(v2o, w1, k13), k12), k11)
-    b3o = add(add(mul(w3, fyo, k12), mul(w3o, fy, k13), k12), add(mul(t3, gso, k5), mul(t3o, gs, k11), k5), k5)
+    b3o = add(add(mul(w3, fyo, k12), mul(w3o, fy, k13), k12), add(mul(t3, gto, k5), mul(t3o, gt, k11), k5), k5)
     add(mul(b3, v3o, k11), mul(b3o, v3, k12), o33)
-    s1o = add(mul(w1, sgo, k11), mul(w1o, sg, k12), k11)
-    add(add(mul(b3, v2o, k12), mul(b3o, v2, k13), k12), s1o, o32)
-    s2o = add(mul(w2, sgo, k12), mul(w2o, sg, k13), k12)
-    sub(add(mul(b3, v1o, k6), mul(b3o, v1, k5), k5), s2o, o31)
-    s3o = add(mul(w3, sgo, k5), mul(w3o, sg, k6), k5)
-    s3 = mul(w3, sg, k2)
-    t2 = sub(mul(v3, w1, k6), mul(v1, w3, k7), k6)
-    b2 = add(mul(w2, fy, k7), mul(t2, gs, k13), k7)
-    sub(mul(b2, v3, k13), s1, o9)
+    s1o = add(mul(w1, gso, k11), mul(w1o, gs, k12), k11)
+    sub(add(mul(b3, v2o, k12), mul(b3o, v2, k13), k12), s1o, o32)
+    s2o = add(mul(w2, gso, k12), mul(w2o, gs, k13), k12)
+    add(add(mul(b3, v1o, k6), mul(b3o, v1, k5), k5), s2o, o31)
+    s3o = add(mul(w3, gso, k5), mul(w3o, gs, k6), k5)
+    s3 = mul(w3, gs, k2)
+    t2 = sub(mul(v3, w1, k6), mul(v1, w3, k9), k6)
+    b2 = add(mul(w2, fy, k9), mul(t2, gt, k13), k9)
+    add(mul(b2, v3, k13), s1, o9)
     mul(b2, v2, o8)
-    add(mul(b2, v1, k8), s3, o7)
-    t2o = sub(add(mul(v3, w1o, k8), mul(v3o, w1, k13), k8), add(mul(v1, w3o, k13), mul(v1o, w3, k14), k13), k8)
-    b2o = add(add(mul(w2, fyo, k13), mul(w2o, fy, k14), k13), add(mul(t2, gso, k6), mul(t2o, gs, k8), k6), k6)
-    sub(add(mul(b2, v3o, k8), mul(b2o, v3, k13), k8), s1o, o27)
-    add(mul(b2, v2o, k8), mul(b2o, v2, k11), o26)
-    add(add(mul(b2, v1o, k7), mul(b2o, v1, k6), k6), s3o, o25)
+    sub(mul(b2, v1, k7), s3, o7)
+    t2o = sub(add(mul(v3, w1o, k7), mul(v3o, w1, k13), k7), add(mul(v1, w3o, k13), mul(v1o, w3, k14), k13), k7)
+    b2o = add(add(mul(w2, fyo, k13), mul(w2o, fy, k14), k13), add(mul(t2, gto, k6), mul(t2o, gt, k7), k6), k6)
+    add(add(mul(b2, v3o, k7), mul(b2o, v3, k13), k7), s1o, o27)
+    add(mul(b2, v2o, k7), mul(b2o, v2, k11), o26)
+    sub(add(mul(b2, v1o, k7), mul(b2o, v1, k6), k6), s3o, o25)
     t1 = sub(mul(v2, w3, k6), mul(v3, w2, k7), k6)
-    b1 = add(mul(w1, fy, k7), mul(t1, gs, k8), k7)
-    add(mul(b1, v3, k8), s2, o3)
-    sub(mul(b1, v2, k8), s3, o2)
+    b1 = add(mul(w1, fy, k7), mul(t1, gt, k9), k7)
+    sub(mul(b1, v3, k9), s2, o3)
+    add(mul(b1, v2, k8), s3, o2)
     mul(b1, v1, o1)
     t1o = sub(add(mul(v2, w3o, k2), mul(v2o, w3, k8), k2), add(mul(v3, w2o, k8), mul(v3o, w2, k9), k8), k2)
-    b1o = add(add(mul(w1, fyo, k1), mul(w1o, fy, k4), k1), add(mul(t1, gso, k4), mul(t1o, gs, k2), k2), k1)
-    add(add(mul(b1, v3o, k2), mul(b1o, v3, k3), k2), s2o, o21)
-    sub(add(mul(b1, v2o, k2), mul(b1o, v2, k3), k2), s3o, o20)
+    b1o = add(add(mul(w1, fyo, k1), mul(w1o, fy, k4), k1), add(mul(t1, gto, k4), mul(t1o, gt, k2), k2), k1)
+    sub(add(mul(b1, v3o, k2), mul(b1o, v3, k3), k2), s2o, o21)
+    add(add(mul(b1, v2o, k2), mul(b1o, v2, k3), k2), s3o, o20)
     add(mul(b1, v1o, k2), mul(b1o, v1, k1), o19)
     copy(n0, o4)
     copy(n0, o5)
@@ -1338,12 +1333,12 @@ def _own_rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: 
     hs = side / 2
     vw = v1 * w1 + v2 * w2 + v3 * w3
     vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
-    hv1 = v1 / 2
-    hv1o = v1o / 2
-    hv2 = v2 / 2
-    hv2o = v2o / 2
-    hv3 = v3 / 2
-    hv3o = v3o / 2
+    b1 = w1 / 2
+    b1o = w1o / 2
+    b2 = w2 / 2
+    b2o = w2o / 2
+    b3 = w3 / 2
+    b3o = w3o / 2
     s1 = w1 * hs
     s1o = w1o * hs
     s2 = w2 * hs
@@ -1352,15 +1347,15 @@ def _own_rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: 
     s3o = w3o * hs
     ha = vw / 2
     hao = vwo / 2
-    J11 = hv1 * w1 + ha
-    J12 = hv1 * w2 - s3
-    J13 = hv1 * w3 + s2
-    J21 = hv2 * w1 + s3
-    J22 = hv2 * w2 + ha
-    J23 = hv2 * w3 - s1
-    J31 = hv3 * w1 - s2
-    J32 = hv3 * w2 + s1
-    J33 = hv3 * w3 + ha
+    J11 = v1 * b1 + ha
+    J12 = v1 * b2 - s3
+    J13 = v1 * b3 + s2
+    J21 = v2 * b1 + s3
+    J22 = v2 * b2 + ha
+    J23 = v2 * b3 - s1
+    J31 = v3 * b1 - s2
+    J32 = v3 * b2 + s1
+    J33 = v3 * b3 + ha
     return (
         J11,
         J12,
@@ -1380,21 +1375,21 @@ def _own_rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: 
         0,
         0,
         0,
-        hv1 * w1o + hv1o * w1 + hao,
-        hv1 * w2o + hv1o * w2 - s3o,
-        hv1 * w3o + hv1o * w3 + s2o,
+        v1 * b1o + v1o * b1 + hao,
+        v1 * b2o + v1o * b2 - s3o,
+        v1 * b3o + v1o * b3 + s2o,
         J11,
         J12,
         J13,
-        hv2 * w1o + hv2o * w1 + s3o,
-        hv2 * w2o + hv2o * w2 + hao,
-        hv2 * w3o + hv2o * w3 - s1o,
+        v2 * b1o + v2o * b1 + s3o,
+        v2 * b2o + v2o * b2 + hao,
+        v2 * b3o + v2o * b3 - s1o,
         J21,
         J22,
         J23,
-        hv3 * w1o + hv3o * w1 - s2o,
-        hv3 * w2o + hv3o * w2 + s1o,
-        hv3 * w3o + hv3o * w3 + hao,
+        v3 * b1o + v3o * b1 - s2o,
+        v3 * b2o + v3o * b2 + s1o,
+        v3 * b3o + v3o * b3 + hao,
         J31,
         J32,
         J33,
@@ -1411,46 +1406,46 @@ def _own_rate_jacobian_blocks(
         o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
         o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36,
     ) = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10 = scratch
     n0, n2 = numbers
-    hv1 = div(v1, n2, k1)
+    b1 = div(w1, n2, k1)
     vw = add(add(mul(v1, w1, k2), mul(v2, w2, k3), k2), mul(v3, w3, k3), k2)
     ha = div(vw, n2, k2)
-    add(mul(hv1, w1, k3), ha, o1)
-    hs = div(side, n2, k3)
-    s3 = mul(w3, hs, k4)
-    sub(mul(hv1, w2, k5), s3, o2)
-    s2 = mul(w2, hs, k5)
-    add(mul(hv1, w3, k6), s2, o3)
-    hv2 = div(v2, n2, k6)
-    add(mul(hv2, w1, k7), s3, o7)
-    add(mul(hv2, w2, k4), ha, o8)
-    s1 = mul(w1, hs, k4)
-    sub(mul(hv2, w3, k7), s1, o9)
-    hv3 = div(v3, n2, k7)
-    sub(mul(hv3, w1, k8), s2, o13)
-    add(mul(hv3, w2, k5), s1, o14)
-    add(mul(hv3, w3, k4), ha, o15)
-    hv1o = div(v1o, n2, k2)
+    add(mul(v1, b1, k3), ha, o1)
+    b2 = div(w2, n2, k3)
+    add(mul(v2, b2, k4), ha, o8)
+    hs = div(side, n2, k4)
+    s3 = mul(w3, hs, k5)
+    sub(mul(v1, b2, k6), s3, o2)
+    add(mul(v2, b1, k6), s3, o7)
+    b3 = div(w3, n2, k5)
+    add(mul(v3, b3, k6), ha, o15)
+    s2 = mul(w2, hs, k2)
+    add(mul(v1, b3, k6), s2, o3)
+    sub(mul(v3, b1, k6), s2, o13)
+    s1 = mul(w1, hs, k2)
+    sub(mul(v2, b3, k6), s1, o9)
+    add(mul(v3, b2, k6), s1, o14)
+    b1o = div(w1o, n2, k2)
     vwo = add(
-        add(add(mul(v1, w1o, k4), mul(v1o, w1, k5), k4), add(mul(v2, w2o, k5), mul(v2o, w2, k8), k5), k4), add(mul(v3,
-        w3o, k5), mul(v3o, w3, k8), k5), k4
+        add(add(mul(v1, w1o, k6), mul(v1o, w1, k7), k6), add(mul(v2, w2o, k7), mul(v2o, w2, k8), k7), k6), add(mul(v3,
+        w3o, k7), mul(v3o, w3, k8), k7), k6
     )
-    hao = div(vwo, n2, k4)
-    add(add(mul(hv1, w1o, k5), mul(hv1o, w1, k8), k5), hao, o19)
-    s3o = mul(w3o, hs, k5)
-    sub(add(mul(hv1, w2o, k8), mul(hv1o, w2, k9), k8), s3o, o20)
-    s2o = mul(w2o, hs, k8)
-    add(add(mul(hv1, w3o, k1), mul(hv1o, w3, k2), k1), s2o, o21)
+    hao = div(vwo, n2, k6)
+    add(add(mul(v1, b1o, k7), mul(v1o, b1, k8), k7), hao, o19)
+    b2o = div(w2o, n2, k7)
+    add(add(mul(v2, b2o, k8), mul(v2o, b2, k9), k8), hao, o26)
+    s3o = mul(w3o, hs, k8)
+    sub(add(mul(v1, b2o, k9), mul(v1o, b2, k10), k9), s3o, o20)
+    add(add(mul(v2, b1o, k9), mul(v2o, b1, k10), k9), s3o, o25)
+    b3o = div(w3o, n2, k8)
+    add(add(mul(v3, b3o, k9), mul(v3o, b3, k10), k9), hao, o33)
+    s2o = mul(w2o, hs, k6)
+    sub(add(mul(v3, b1o, k2), mul(v3o, b1, k1), k1), s2o, o31)
+    add(add(mul(v1, b3o, k1), mul(v1o, b3, k2), k1), s2o, o21)
     s1o = mul(w1o, hs, k1)
-    hv2o = div(v2o, n2, k2)
-    add(add(mul(hv2, w1o, k3), mul(hv2o, w1, k9), k3), s3o, o25)
-    add(add(mul(hv2, w2o, k3), mul(hv2o, w2, k5), k3), hao, o26)
-    sub(add(mul(hv2, w3o, k3), mul(hv2o, w3, k2), k2), s1o, o27)
-    hv3o = div(v3o, n2, k2)
-    sub(add(mul(hv3, w1o, k3), mul(hv3o, w1, k5), k3), s2o, o31)
-    add(add(mul(hv3, w2o, k3), mul(hv3o, w2, k5), k3), s1o, o32)
-    add(add(mul(hv3, w3o, k1), mul(hv3o, w3, k2), k1), hao, o33)
+    sub(add(mul(v2, b3o, k2), mul(v2o, b3, k4), k2), s1o, o27)
+    add(add(mul(v3, b2o, k2), mul(v3o, b2, k3), k2), s1o, o32)
     copy(n0, o4)
     copy(n0, o5)
     copy(n0, o6)
@@ -2007,9 +2002,9 @@ CHART = Chart(
         _own_rate_dot_blocks,
         (("v", (6,)), ("omega", (6,)), ("omega_dot", (6,)),),
         (6,),
-        registers=14,
+        registers=15,
         masks=0,
-        numbers=(2,),
+        numbers=(2, 4),
         lent=(),
         real=False,
     ),
@@ -2029,7 +2024,7 @@ CHART = Chart(
         _own_rate_jacobian_blocks,
         (("v", (6,)), ("omega", (6,)),),
         (6, 6),
-        registers=9,
+        registers=10,
         masks=0,
         numbers=(0, 2),
         lent=(),
@@ -2069,7 +2064,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="550ef9f8d9a170cb",
+    programs="e502c3e228db9788",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -70,16 +70,16 @@
 #   transform_line: 117: 45 +, 70 *, 2 /
 #   inverse: 6: 6 neg
 #   tangent: 94: 38 +, 52 *, 3 /, 1 neg
-#   tangent_inv: 79: 34 +, 35 *, 10 /
+#   tangent_inv: 80: 34 +, 35 *, 10 /, 1 neg
 #   body_tangent: 94: 38 +, 52 *, 3 /, 1 neg
-#   body_tangent_inv: 79: 34 +, 35 *, 10 /
+#   body_tangent_inv: 80: 34 +, 35 *, 10 /, 1 neg
 #   twist: 128: 49 +, 75 *, 3 /, 1 neg
-#   rate: 111: 45 +, 65 *, 1 /
+#   rate: 112: 45 +, 65 *, 1 /, 1 neg
 #   tangent_dot: 199: 78 +, 114 *, 6 /, 1 neg
 #   twist_dot: 227: 91 +, 131 *, 4 /, 1 neg
-#   rate_dot: 334: 140 +, 181 *, 13 /
-#   twist_jacobian: 276: 113 +, 157 *, 4 /, 2 neg
-#   rate_jacobian: 151: 61 +, 69 *, 15 /, 6 neg
+#   rate_dot: 234: 97 +, 128 *, 8 /, 1 neg
+#   twist_jacobian: 229: 94 +, 130 *, 4 /, 1 neg
+#   rate_jacobian: 73: 25 +, 33 *, 9 /, 6 neg
 #   from_quaternion: 71: 24 +, 38 *, 5 /, 1 neg, 1 lt, 2 where
 #   from_tensor: 136: 47 +, 49 *, 8 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 100: 32 +, 31 *, 5 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -95,12 +95,12 @@
 #   principal: 55: 15 +, 23 *, 8 /, 1 sqrt, 1 lt, 7 where
 #   compose: 207: 74 +, 120 *, 9 /, 1 neg, 1 lt, 2 where
 #   between: 213: 74 +, 120 *, 9 /, 7 neg, 1 lt, 2 where
-#   compose_jacobians: 961: 383 +, 514 *, 52 /, 9 neg, 1 lt, 2 where
-#   between_jacobians: 985: 383 +, 514 *, 52 /, 33 neg, 1 lt, 2 where
+#   compose_jacobians: 962: 383 +, 514 *, 52 /, 10 neg, 1 lt, 2 where
+#   between_jacobians: 986: 383 +, 514 *, 52 /, 34 neg, 1 lt, 2 where
 #   retract: 302: 100 +, 146 *, 29 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
 #   body_retract: 302: 100 +, 146 *, 29 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
-#   retract_jacobians: 1063: 414 +, 541 *, 73 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
-#   body_retract_jacobians: 1063: 414 +, 541 *, 73 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   retract_jacobians: 1064: 414 +, 541 *, 73 /, 8 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   body_retract_jacobians: 1064: 414 +, 541 *, 73 /, 8 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 292: 94 +, 148 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 292: 94 +, 148 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   interpolate: 645: 205 +, 313 *, 53 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
@@ -321,38 +321,42 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, n1
 
 
-# operations 4: 3 +, 1 /
+# operations 5: 3 +, 1 /, 1 neg
 def _tangent_inv(m: Any, x: Any) -> Result:
     p = 1 - x
     fi = p / 2
     one = x - x + 1
-    return fi, one, -1, 0
+    fiy = -one
+    return fi, one, fiy, 0
 
 
 def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, _, _ = out
-    n_minus_1, n0, n1, n2 = numbers
+    o1, o2, o3, _ = out
+    n0, n1, n2 = numbers
     p = sub(n1, x, o1)
     div(p, n2, o1)
-    add(sub(x, x, o2), n1, o2)
-    return o1, o2, n_minus_1, n0
+    one = add(sub(x, x, o2), n1, o2)
+    neg(one, o3)
+    return o1, o2, o3, n0
 
 
-# operations 4: 3 +, 1 /
+# operations 5: 3 +, 1 /, 1 neg
 def _tangent_inv_dot(m: Any, x: Any) -> Result:
     p = 1 - x
     fi = p / 2
     one = x - x + 1
-    return fi, one, -1, 0, 0, 0
+    fiy = -one
+    return fi, one, fiy, 0, 0, 0
 
 
 def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, _, _, _, _ = out
-    n_minus_1, n0, n1, n2 = numbers
+    o1, o2, o3, _, _, _ = out
+    n0, n1, n2 = numbers
     p = sub(n1, x, o1)
     div(p, n2, o1)
-    add(sub(x, x, o2), n1, o2)
-    return o1, o2, n_minus_1, n0, n0, n0
+    one = add(sub(x, x, o2), n1, o2)
+    neg(one, o3)
+    return o1, o2, o3, n0, n0, n0
 
 
 # operations 11: 3 +, 6 *, 2 /
@@ -587,7 +591,7 @@ def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
 # --- geometry that does with less here than for any chart ---------------------------------------------------------
 
 
-# operations 151: 61 +, 69 *, 15 /, 6 neg
+# operations 73: 25 +, 33 *, 9 /, 6 neg
 def _own_rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = omega
@@ -595,72 +599,60 @@ def _own_rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: 
     hs = side / 2
     vw = v1 * w1 + v2 * w2 + v3 * w3
     vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
-    b1 = -w1 / 2
-    b1o = -w1o / 2
-    b2 = -w2 / 2
-    b2o = -w2o / 2
-    b3 = -w3 / 2
-    b3o = -w3o / 2
-    hv1 = v1 / 2
-    hv1o = v1o / 2
-    hv2 = v2 / 2
-    hv2o = v2o / 2
-    hv3 = v3 / 2
-    hv3o = v3o / 2
-    s1 = w1 * hs
-    s1o = w1o * hs
-    s2 = w2 * hs
-    s2o = w2o * hs
-    s3 = w3 * hs
-    s3o = w3o * hs
+    t1 = w2 * v3 - w3 * v2
+    t1o = w2 * v3o + w2o * v3 - (w3 * v2o + w3o * v2)
+    t2 = w3 * v1 - w1 * v3
+    t2o = w3 * v1o + w3o * v1 - (w1 * v3o + w1o * v3)
+    t3 = w1 * v2 - w2 * v1
+    t3o = w1 * v2o + w1o * v2 - (w2 * v1o + w2o * v1)
+    s1 = w1 * hs + t1 / 2
+    s1o = w1o * hs + t1o / 2
+    s2 = w2 * hs + t2 / 2
+    s2o = w2o * hs + t2o / 2
+    s3 = w3 * hs + t3 / 2
+    s3o = w3o * hs + t3o / 2
     ha = vw / 2
     hao = vwo / 2
-    J11 = b1 * v1 + hv1 * w1 + ha
-    J12 = b1 * v2 + hv1 * w2 - s3
-    J13 = b1 * v3 + hv1 * w3 + s2
-    J21 = b2 * v1 + hv2 * w1 + s3
-    J22 = b2 * v2 + hv2 * w2 + ha
-    J23 = b2 * v3 + hv2 * w3 - s1
-    J31 = b3 * v1 + hv3 * w1 - s2
-    J32 = b3 * v2 + hv3 * w2 + s1
-    J33 = b3 * v3 + hv3 * w3 + ha
+    J12 = -s3
+    J23 = -s1
+    J31 = -s2
     return (
-        J11,
+        ha,
         J12,
-        J13,
+        s2,
         0,
         0,
         0,
-        J21,
-        J22,
+        s3,
+        ha,
         J23,
         0,
         0,
         0,
         J31,
-        J32,
-        J33,
+        s1,
+        ha,
         0,
         0,
         0,
-        b1 * v1o + b1o * v1 + (hv1 * w1o + hv1o * w1) + hao,
-        b1 * v2o + b1o * v2 + (hv1 * w2o + hv1o * w2) - s3o,
-        b1 * v3o + b1o * v3 + (hv1 * w3o + hv1o * w3) + s2o,
-        J11,
+        hao,
+        -s3o,
+        s2o,
+        ha,
         J12,
-        J13,
-        b2 * v1o + b2o * v1 + (hv2 * w1o + hv2o * w1) + s3o,
-        b2 * v2o + b2o * v2 + (hv2 * w2o + hv2o * w2) + hao,
-        b2 * v3o + b2o * v3 + (hv2 * w3o + hv2o * w3) - s1o,
-        J21,
-        J22,
+        s2,
+        s3o,
+        hao,
+        -s1o,
+        s3,
+        ha,
         J23,
-        b3 * v1o + b3o * v1 + (hv3 * w1o + hv3o * w1) - s2o,
-        b3 * v2o + b3o * v2 + (hv3 * w2o + hv3o * w2) + s1o,
-        b3 * v3o + b3o * v3 + (hv3 * w3o + hv3o * w3) + hao,
+        -s2o,
+        s1o,
+        hao,
         J31,
-        J32,
-        J33,
+        s1,
+        ha,
     )
 
 
@@ -674,76 +666,56 @@ def _own_rate_jacobian_blocks(
         o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
         o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36,
     ) = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14 = scratch
+    k1, k2, k3, k4 = scratch
     n0, n2 = numbers
-    b1 = div(neg(w1, k1), n2, k1)
-    hv1 = div(v1, n2, k2)
-    vw = add(add(mul(v1, w1, k3), mul(v2, w2, k4), k3), mul(v3, w3, k4), k3)
-    ha = div(vw, n2, k3)
-    add(add(mul(b1, v1, k4), mul(hv1, w1, k5), k4), ha, o1)
-    hs = div(side, n2, k4)
-    s3 = mul(w3, hs, k5)
-    sub(add(mul(b1, v2, k6), mul(hv1, w2, k7), k6), s3, o2)
-    s2 = mul(w2, hs, k6)
-    add(add(mul(b1, v3, k7), mul(hv1, w3, k8), k7), s2, o3)
-    b2 = div(neg(w2, k7), n2, k7)
-    hv2 = div(v2, n2, k8)
-    add(add(mul(b2, v1, k9), mul(hv2, w1, k10), k9), s3, o7)
-    add(add(mul(b2, v2, k5), mul(hv2, w2, k9), k5), ha, o8)
-    s1 = mul(w1, hs, k5)
-    sub(add(mul(b2, v3, k9), mul(hv2, w3, k10), k9), s1, o9)
-    b3 = div(neg(w3, k9), n2, k9)
-    hv3 = div(v3, n2, k10)
-    sub(add(mul(b3, v1, k11), mul(hv3, w1, k12), k11), s2, o13)
-    add(add(mul(b3, v2, k6), mul(hv3, w2, k11), k6), s1, o14)
-    add(add(mul(b3, v3, k5), mul(hv3, w3, k6), k5), ha, o15)
-    b1o = div(neg(w1o, k3), n2, k3)
-    hv1o = div(v1o, n2, k5)
+    vw = add(add(mul(v1, w1, k1), mul(v2, w2, k2), k1), mul(v3, w3, k2), k1)
+    div(vw, n2, o1)
+    hs = div(side, n2, k1)
+    t3 = sub(mul(w1, v2, k2), mul(w2, v1, k3), k2)
+    s3 = add(mul(w3, hs, k3), div(t3, n2, k2), o7)
+    neg(s3, o2)
+    t2 = sub(mul(w3, v1, k2), mul(w1, v3, k3), k2)
+    s2 = add(mul(w2, hs, k3), div(t2, n2, k2), o3)
+    neg(s2, o13)
+    t1 = sub(mul(w2, v3, k2), mul(w3, v2, k3), k2)
+    s1 = add(mul(w1, hs, k3), div(t1, n2, k2), o14)
+    neg(s1, o9)
     vwo = add(
-        add(add(mul(v1, w1o, k6), mul(v1o, w1, k11), k6), add(mul(v2, w2o, k11), mul(v2o, w2, k12), k11), k6),
-        add(mul(v3, w3o, k11), mul(v3o, w3, k12), k11), k6
+        add(add(mul(v1, w1o, k2), mul(v1o, w1, k3), k2), add(mul(v2, w2o, k3), mul(v2o, w2, k4), k3), k2), add(mul(v3,
+        w3o, k3), mul(v3o, w3, k4), k3), k2
     )
-    hao = div(vwo, n2, k6)
-    add(
-        add(add(mul(b1, v1o, k11), mul(b1o, v1, k12), k11), add(mul(hv1, w1o, k12), mul(hv1o, w1, k13), k12), k11), hao,
-        o19
-    )
-    s3o = mul(w3o, hs, k11)
-    sub(
-        add(add(mul(b1, v2o, k12), mul(b1o, v2, k13), k12), add(mul(hv1, w2o, k13), mul(hv1o, w2, k14), k13), k12), s3o,
-        o20
-    )
-    s2o = mul(w2o, hs, k12)
-    add(add(add(mul(b1, v3o, k1), mul(b1o, v3, k3), k1), add(mul(hv1, w3o, k2), mul(hv1o, w3, k3), k2), k1), s2o, o21)
-    s1o = mul(w1o, hs, k1)
-    b2o = div(neg(w2o, k2), n2, k2)
-    hv2o = div(v2o, n2, k3)
-    add(add(add(mul(b2, v1o, k4), mul(b2o, v1, k5), k4), add(mul(hv2, w1o, k5), mul(hv2o, w1, k13), k5), k4), s3o, o25)
-    add(add(add(mul(b2, v2o, k4), mul(b2o, v2, k5), k4), add(mul(hv2, w2o, k5), mul(hv2o, w2, k11), k5), k4), hao, o26)
-    sub(add(add(mul(b2, v3o, k4), mul(b2o, v3, k2), k2), add(mul(hv2, w3o, k4), mul(hv2o, w3, k3), k3), k2), s1o, o27)
-    b3o = div(neg(w3o, k2), n2, k2)
-    hv3o = div(v3o, n2, k3)
-    sub(add(add(mul(b3, v1o, k4), mul(b3o, v1, k5), k4), add(mul(hv3, w1o, k5), mul(hv3o, w1, k7), k5), k4), s2o, o31)
-    add(add(add(mul(b3, v2o, k4), mul(b3o, v2, k5), k4), add(mul(hv3, w2o, k5), mul(hv3o, w2, k7), k5), k4), s1o, o32)
-    add(add(add(mul(b3, v3o, k1), mul(b3o, v3, k2), k1), add(mul(hv3, w3o, k2), mul(hv3o, w3, k3), k2), k1), hao, o33)
+    div(vwo, n2, o19)
+    t3o = sub(add(mul(w1, v2o, k2), mul(w1o, v2, k3), k2), add(mul(w2, v1o, k3), mul(w2o, v1, k4), k3), k2)
+    s3o = add(mul(w3o, hs, k3), div(t3o, n2, k2), o25)
+    neg(s3o, o20)
+    t2o = sub(add(mul(w3, v1o, k2), mul(w3o, v1, k3), k2), add(mul(w1, v3o, k3), mul(w1o, v3, k4), k3), k2)
+    s2o = add(mul(w2o, hs, k3), div(t2o, n2, k2), o21)
+    neg(s2o, o31)
+    t1o = sub(add(mul(w2, v3o, k2), mul(w2o, v3, k3), k2), add(mul(w3, v2o, k3), mul(w3o, v2, k4), k3), k2)
+    s1o = add(mul(w1o, hs, k1), div(t1o, n2, k2), o32)
+    neg(s1o, o27)
     copy(n0, o4)
     copy(n0, o5)
     copy(n0, o6)
+    copy(o1, o8)
     copy(n0, o10)
     copy(n0, o11)
     copy(n0, o12)
+    copy(o1, o15)
     copy(n0, o16)
     copy(n0, o17)
     copy(n0, o18)
     copy(o1, o22)
     copy(o2, o23)
     copy(o3, o24)
+    copy(o19, o26)
     copy(o7, o28)
-    copy(o8, o29)
+    copy(o1, o29)
     copy(o9, o30)
+    copy(o19, o33)
     copy(o13, o34)
     copy(o14, o35)
-    copy(o15, o36)
+    copy(o1, o36)
 
 
 CHART = Chart(
@@ -768,8 +740,8 @@ CHART = Chart(
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 1, 0, (1, 2, 4)),
         "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2, 4)),
         "inverse": Function(_inverse, _inverse_blocks, 0, 0, (1, 2)),
-        "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 0, 0, (-1, 0, 1, 2)),
-        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 0, 0, (-1, 0, 1, 2)),
+        "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 0, 0, (0, 1, 2)),
+        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 0, 0, (0, 1, 2)),
         "ray": Function(_ray, _ray_blocks, 0, 0, (1, 2, 4)),
         "gain_unit": Function(_gain_unit, _gain_unit_blocks, 1, 1, (-1, 0, 1)),
         "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 0, (1,)),
@@ -789,14 +761,14 @@ CHART = Chart(
         _own_rate_jacobian_blocks,
         (("v", (6,)), ("omega", (6,)),),
         (6, 6),
-        registers=14,
+        registers=4,
         masks=0,
         numbers=(0, 2),
         lent=(),
         real=False,
     ),
     },
-    programs="5076a328f06f511f",
+    programs="69e5627ae99a09ae",
 )
 
 KERNELS = PoseKernels(CHART)

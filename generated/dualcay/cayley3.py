@@ -74,9 +74,9 @@
 #   rate: 122: 46 +, 72 *, 3 /, 1 neg
 #   tangent_dot: 214: 83 +, 124 *, 6 /, 1 neg
 #   twist_dot: 242: 96 +, 141 *, 4 /, 1 neg
-#   rate_dot: 352: 141 +, 193 *, 15 /, 3 neg
-#   twist_jacobian: 291: 118 +, 167 *, 4 /, 2 neg
-#   rate_jacobian: 224: 86 +, 123 *, 12 /, 3 neg
+#   rate_dot: 251: 98 +, 140 *, 10 /, 3 neg
+#   twist_jacobian: 244: 99 +, 140 *, 4 /, 1 neg
+#   rate_jacobian: 208: 79 +, 114 *, 12 /, 3 neg
 #   from_quaternion: 91: 27 +, 46 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   from_tensor: 147: 47 +, 52 *, 10 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_pose: 111: 32 +, 34 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
@@ -736,7 +736,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 6)),
     },
     kernels=SHARED,
-    programs="2b9535f45759d00e",
+    programs="e6125e3351098bee",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -74,9 +74,9 @@
 #   rate: 128: 49 +, 75 *, 3 /, 1 neg
 #   tangent_dot: 228: 90 +, 132 *, 6 /
 #   twist_dot: 256: 103 +, 149 *, 4 /
-#   rate_dot: 363: 146 +, 200 *, 15 /, 2 neg
-#   twist_jacobian: 305: 125 +, 175 *, 4 /, 1 neg
-#   rate_jacobian: 235: 91 +, 130 *, 12 /, 2 neg
+#   rate_dot: 262: 103 +, 147 *, 10 /, 2 neg
+#   twist_jacobian: 258: 106 +, 148 *, 4 /
+#   rate_jacobian: 219: 84 +, 121 *, 12 /, 2 neg
 #   from_quaternion: 85: 28 +, 45 *, 7 /, 1 neg, 1 sqrt, 1 lt, 2 where
 #   from_tensor: 152: 51 +, 57 *, 11 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 116: 36 +, 39 *, 8 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -769,7 +769,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 8)),
     },
     kernels=SHARED,
-    programs="0031a633022f3fbe",
+    programs="e05e262a1023f440",
 )
 
 KERNELS = PoseKernels(CHART)

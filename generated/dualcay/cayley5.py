@@ -74,9 +74,9 @@
 #   rate: 137: 53 +, 80 *, 3 /, 1 neg
 #   tangent_dot: 237: 93 +, 138 *, 6 /
 #   twist_dot: 265: 106 +, 155 *, 4 /
-#   rate_dot: 377: 152 +, 208 *, 16 /, 1 neg
-#   twist_jacobian: 314: 128 +, 181 *, 4 /, 1 neg
-#   rate_jacobian: 249: 97 +, 138 *, 13 /, 1 neg
+#   rate_dot: 276: 109 +, 155 *, 11 /, 1 neg
+#   twist_jacobian: 267: 109 +, 154 *, 4 /
+#   rate_jacobian: 233: 90 +, 129 *, 13 /, 1 neg
 #   from_quaternion: 97: 30 +, 49 *, 7 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   from_tensor: 153: 50 +, 55 *, 10 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_pose: 117: 35 +, 37 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
@@ -793,7 +793,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 10)),
     },
     kernels=SHARED,
-    programs="96c8e00e0a70ba6a",
+    programs="8bce34be54928711",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -74,9 +74,9 @@
 #   rate: 158: 63 +, 91 *, 3 /, 1 neg
 #   tangent_dot: 271: 110 +, 155 *, 6 /
 #   twist_dot: 299: 123 +, 172 *, 4 /
-#   rate_dot: 408: 168 +, 223 *, 16 /, 1 neg
-#   twist_jacobian: 348: 145 +, 198 *, 4 /, 1 neg
-#   rate_jacobian: 280: 113 +, 153 *, 13 /, 1 neg
+#   rate_dot: 307: 125 +, 170 *, 11 /, 1 neg
+#   twist_jacobian: 301: 126 +, 171 *, 4 /
+#   rate_jacobian: 264: 106 +, 144 *, 13 /, 1 neg
 #   from_quaternion: 102: 35 +, 53 *, 8 /, 1 neg, 2 sqrt, 1 lt, 2 where
 #   from_tensor: 169: 58 +, 65 *, 12 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 133: 43 +, 47 *, 9 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -873,7 +873,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 16)),
     },
     kernels=SHARED,
-    programs="4a3ca6736bc8b070",
+    programs="ea3e91d0af602f29",
 )
 
 KERNELS = PoseKernels(CHART)

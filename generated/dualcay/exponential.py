@@ -60,9 +60,9 @@
 #   rate: 205: 72 +, 100 *, 22 /, 1 neg, 2 sqrt, 1 tan, 1 lt, 6 where
 #   tangent_dot: 299: 112 +, 149 *, 27 /, 2 sqrt, 1 tan, 1 lt, 7 where
 #   twist_dot: 327: 125 +, 166 *, 25 /, 2 sqrt, 1 tan, 1 lt, 7 where
-#   rate_dot: 471: 184 +, 234 *, 40 /, 2 neg, 2 sqrt, 1 tan, 1 lt, 7 where
-#   twist_jacobian: 376: 147 +, 192 *, 25 /, 1 neg, 2 sqrt, 1 tan, 1 lt, 7 where
-#   rate_jacobian: 343: 129 +, 164 *, 37 /, 2 neg, 2 sqrt, 1 tan, 1 lt, 7 where
+#   rate_dot: 370: 141 +, 181 *, 35 /, 2 neg, 2 sqrt, 1 tan, 1 lt, 7 where
+#   twist_jacobian: 329: 128 +, 165 *, 25 /, 2 sqrt, 1 tan, 1 lt, 7 where
+#   rate_jacobian: 327: 122 +, 155 *, 37 /, 2 neg, 2 sqrt, 1 tan, 1 lt, 7 where
 #   from_quaternion: 151: 44 +, 67 *, 21 /, 1 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   from_tensor: 207: 64 +, 73 *, 24 /, 3 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 23 where
 #   from_pose: 171: 49 +, 55 *, 21 /, 3 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 23 where
@@ -1119,7 +1119,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1,)),
     },
     kernels=SHARED,
-    programs="d5655ab91c271496",
+    programs="6dd432d0bcd11a1e",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -46,9 +46,9 @@
 #   rate: 130: 46 +, 75 *, 6 /, 2 neg, 1 sqrt
 #   tangent_dot: 215: 82 +, 121 *, 10 /, 1 neg, 1 sqrt
 #   twist_dot: 243: 95 +, 138 *, 8 /, 1 neg, 1 sqrt
-#   rate_dot: 383: 147 +, 205 *, 25 /, 5 neg, 1 sqrt
-#   twist_jacobian: 292: 117 +, 164 *, 8 /, 2 neg, 1 sqrt
-#   rate_jacobian: 255: 92 +, 135 *, 22 /, 5 neg, 1 sqrt
+#   rate_dot: 282: 104 +, 152 *, 20 /, 5 neg, 1 sqrt
+#   twist_jacobian: 245: 98 +, 137 *, 8 /, 1 neg, 1 sqrt
+#   rate_jacobian: 239: 85 +, 126 *, 22 /, 5 neg, 1 sqrt
 #   from_quaternion: 78: 24 +, 42 *, 6 /, 1 neg, 2 sqrt, 1 lt, 2 where
 #   from_tensor: 144: 47 +, 53 *, 10 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 108: 32 +, 35 *, 7 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -717,7 +717,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 4, 8)),
     },
     kernels=SHARED,
-    programs="4043e793677c8040",
+    programs="6ed5dbc57c4dbd28",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -46,9 +46,9 @@
 #   rate: 72: 26 +, 42 *, 2 /, 1 neg, 1 sqrt
 #   tangent_dot: 198: 78 +, 114 *, 5 /, 1 sqrt
 #   twist_dot: 226: 91 +, 131 *, 3 /, 1 sqrt
-#   rate_dot: 219: 84 +, 116 *, 16 /, 2 neg, 1 sqrt
-#   twist_jacobian: 275: 113 +, 157 *, 3 /, 1 neg, 1 sqrt
-#   rate_jacobian: 97: 31 +, 52 *, 11 /, 2 neg, 1 sqrt
+#   rate_dot: 161: 61 +, 84 *, 11 /, 4 neg, 1 sqrt
+#   twist_jacobian: 228: 94 +, 130 *, 3 /, 1 sqrt
+#   rate_jacobian: 141: 52 +, 79 *, 7 /, 2 neg, 1 sqrt
 #   from_quaternion: 48: 15 +, 28 *, 3 /, 1 lt, 1 where
 #   from_tensor: 133: 45 +, 49 *, 7 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 97: 30 +, 31 *, 4 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -615,7 +615,7 @@ def _own_rate_blocks(
     )
 
 
-# operations 219: 84 +, 116 *, 16 /, 2 neg, 1 sqrt
+# operations 161: 61 +, 84 *, 11 /, 4 neg, 1 sqrt
 def _own_rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = omega
@@ -636,26 +636,29 @@ def _own_rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: C
     y = v1 * v1o + v2 * v2o + v3 * v3o
     fio = fiy * y
     fiyo = fiyy * y
-    u1 = (w1 * c + (w2 * v3 - w3 * v2) * side) / 2
-    u1o = (w1 * fio + w1o * c + (w2 * v3o + w2o * v3 - (w3 * v2o + w3o * v2)) * side) / 2
-    u2 = (w2 * c + (w3 * v1 - w1 * v3) * side) / 2
-    u2o = (w2 * fio + w2o * c + (w3 * v1o + w3o * v1 - (w1 * v3o + w1o * v3)) * side) / 2
-    u3 = (w3 * c + (w1 * v2 - w2 * v1) * side) / 2
-    u3o = (w3 * fio + w3o * c + (w1 * v2o + w1o * v2 - (w2 * v1o + w2o * v1)) * side) / 2
-    vu = v1 * u1 + v2 * u2 + v3 * u3
-    vuo = v1 * u1o + v1o * u1 + (v2 * u2o + v2o * u2) + (v3 * u3o + v3o * u3)
-    ft = fiy * vu
-    fto = fiy * vuo + fiyo * vu
+    vw = v1 * w1 + v2 * w2 + v3 * w3
+    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
+    ww = w1 * w1 + w2 * w2 + w3 * w3
+    wwo = 2 * (w1 * w1o + w2 * w2o + w3 * w3o)
+    hs = side / 2
+    fvw = c * vw
+    fvwo = c * vwo + fio * vw
+    ft = (fiy * fvw + vw) / 4
+    fto = (fiy * fvwo + fiyo * fvw + vwo) / 4
+    cvv = -ww / 4
+    cvvo = -wwo / 4
+    fih = c / 2
+    fiho = fio / 2
     return (
-        (z1 * c + w1 * ft + (z2 * v3 - z3 * v2 + (w2 * u3 - w3 * u2)) * side) / 2,
-        (z2 * c + w2 * ft + (z3 * v1 - z1 * v3 + (w3 * u1 - w1 * u3)) * side) / 2,
-        (z3 * c + w3 * ft + (z1 * v2 - z2 * v1 + (w1 * u2 - w2 * u1)) * side) / 2,
-        (z1 * fio + z1o * c + (w1 * fto + w1o * ft) + (z2 * v3o + z2o * v3 - (z3 * v2o + z3o * v2) + (w2 * u3o + w2o
-        * u3 - (w3 * u2o + w3o * u2))) * side) / 2,
-        (z2 * fio + z2o * c + (w2 * fto + w2o * ft) + (z3 * v1o + z3o * v1 - (z1 * v3o + z1o * v3) + (w3 * u1o + w3o
-        * u1 - (w1 * u3o + w1o * u3))) * side) / 2,
-        (z3 * fio + z3o * c + (w3 * fto + w3o * ft) + (z1 * v2o + z1o * v2 - (z2 * v1o + z2o * v1) + (w1 * u2o + w1o
-        * u2 - (w2 * u1o + w2o * u1))) * side) / 2,
+        z1 * fih + w1 * ft + (z2 * v3 - z3 * v2) * hs + v1 * cvv,
+        z2 * fih + w2 * ft + (z3 * v1 - z1 * v3) * hs + v2 * cvv,
+        z3 * fih + w3 * ft + (z1 * v2 - z2 * v1) * hs + v3 * cvv,
+        z1 * fiho + z1o * fih + (w1 * fto + w1o * ft) + (z2 * v3o + z2o * v3 - (z3 * v2o + z3o * v2)) * hs + (v1 * cvvo
+        + v1o * cvv),
+        z2 * fiho + z2o * fih + (w2 * fto + w2o * ft) + (z3 * v1o + z3o * v1 - (z1 * v3o + z1o * v3)) * hs + (v2 * cvvo
+        + v2o * cvv),
+        z3 * fiho + z3o * fih + (w3 * fto + w3o * ft) + (z1 * v2o + z1o * v2 - (z2 * v1o + z2o * v1)) * hs + (v3 * cvvo
+        + v3o * cvv),
     )
 
 
@@ -667,7 +670,7 @@ def _own_rate_dot_blocks(
     z1, z2, z3, z1o, z2o, z3o = omega_dot
     side, = table
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15 = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11 = scratch
     n1, n2, n4 = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
@@ -677,68 +680,59 @@ def _own_rate_dot_blocks(
     c = sqrt(cc, k2)
     h = div(n2, c, k3)
     hy = div(h, cc, k1)
-    fiy = neg(div(h, n2, k4), k4)
-    y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k6), k5), mul(v3, v3o, k6), k5)
-    fio = mul(fiy, y, k6)
-    u1o = div(
-        add(add(mul(w1, fio, k7), mul(w1o, c, k8), k7), mul(sub(add(mul(w2, v3o, k8), mul(w2o, v3, k9), k8), add(mul(w3,
-        v2o, k9), mul(w3o, v2, k10), k9), k8), side, k8), k7), n2, k7
-    )
-    u2o = div(
-        add(add(mul(w2, fio, k8), mul(w2o, c, k9), k8), mul(sub(add(mul(w3, v1o, k9), mul(w3o, v1, k10), k9),
-        add(mul(w1, v3o, k10), mul(w1o, v3, k11), k10), k9), side, k9), k8), n2, k8
-    )
-    u3o = div(
-        add(add(mul(w3, fio, k9), mul(w3o, c, k10), k9), mul(sub(add(mul(w1, v2o, k10), mul(w1o, v2, k11), k10),
-        add(mul(w2, v1o, k11), mul(w2o, v1, k12), k11), k10), side, k10), k9), n2, k9
-    )
-    u1 = div(add(mul(w1, c, k10), mul(sub(mul(w2, v3, k11), mul(w3, v2, k12), k11), side, k11), k10), n2, k10)
-    u2 = div(add(mul(w2, c, k11), mul(sub(mul(w3, v1, k12), mul(w1, v3, k13), k12), side, k12), k11), n2, k11)
-    u3 = div(add(mul(w3, c, k12), mul(sub(mul(w1, v2, k13), mul(w2, v1, k14), k13), side, k13), k12), n2, k12)
-    vuo = add(
-        add(add(mul(v1, u1o, k13), mul(v1o, u1, k14), k13), add(mul(v2, u2o, k14), mul(v2o, u2, k15), k14), k13),
-        add(mul(v3, u3o, k14), mul(v3o, u3, k15), k14), k13
-    )
-    f = mul(n2, c, k14)
-    gy = sub(mul(f, h, k3), n4, k3)
-    fiyy = neg(div(add(hy, mul(fiy, gy, k3), k1), n2, k1), k1)
+    f = mul(n2, c, k4)
+    gy = sub(mul(f, h, k4), n4, k4)
+    fiy = neg(div(h, n2, k3), k3)
+    fiyy = neg(div(add(hy, mul(fiy, gy, k4), k1), n2, k1), k1)
+    y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k5), k4), mul(v3, v3o, k5), k4)
     fiyo = mul(fiyy, y, k1)
-    vu = add(add(mul(v1, u1, k3), mul(v2, u2, k5), k3), mul(v3, u3, k5), k3)
-    fto = add(mul(fiy, vuo, k5), mul(fiyo, vu, k1), k1)
-    ft = mul(fiy, vu, k3)
-    div(
-        add(add(add(mul(z3, fio, k4), mul(z3o, c, k5), k4), add(mul(w3, fto, k5), mul(w3o, ft, k13), k5), k4),
-        mul(add(sub(add(mul(z1, v2o, k5), mul(z1o, v2, k13), k5), add(mul(z2, v1o, k13), mul(z2o, v1, k14), k13), k5),
-        sub(add(mul(w1, u2o, k13), mul(w1o, u2, k14), k13), add(mul(w2, u1o, k14), mul(w2o, u1, k15), k14), k13), k5),
-        side, k5), k4), n2, o6
+    fio = mul(fiy, y, k4)
+    vwo = add(
+        add(add(mul(v1, w1o, k5), mul(v1o, w1, k6), k5), add(mul(v2, w2o, k6), mul(v2o, w2, k7), k6), k5), add(mul(v3,
+        w3o, k6), mul(v3o, w3, k7), k6), k5
     )
-    div(
-        add(add(add(mul(z2, fio, k4), mul(z2o, c, k5), k4), add(mul(w2, fto, k5), mul(w2o, ft, k13), k5), k4),
-        mul(add(sub(add(mul(z3, v1o, k5), mul(z3o, v1, k13), k5), add(mul(z1, v3o, k13), mul(z1o, v3, k14), k13), k5),
-        sub(add(mul(w3, u1o, k7), mul(w3o, u1, k13), k7), add(mul(w1, u3o, k13), mul(w1o, u3, k14), k13), k7), k5),
-        side, k5), k4), n2, o5
+    vw = add(add(mul(v1, w1, k6), mul(v2, w2, k7), k6), mul(v3, w3, k7), k6)
+    fvwo = add(mul(c, vwo, k7), mul(fio, vw, k8), k7)
+    fiho = div(fio, n2, k4)
+    fvw = mul(c, vw, k8)
+    fto = div(add(add(mul(fiy, fvwo, k7), mul(fiyo, fvw, k1), k1), vwo, k1), n4, k1)
+    ft = div(add(mul(fiy, fvw, k3), vw, k3), n4, k3)
+    fih = div(c, n2, k2)
+    hs = div(side, n2, k5)
+    wwo = mul(n2, add(add(mul(w1, w1o, k6), mul(w2, w2o, k7), k6), mul(w3, w3o, k7), k6), k6)
+    cvvo = div(neg(wwo, k6), n4, k6)
+    ww = add(add(mul(w1, w1, k7), mul(w2, w2, k8), k7), mul(w3, w3, k8), k7)
+    cvv = div(neg(ww, k7), n4, k7)
+    add(
+        add(add(add(mul(z3, fiho, k8), mul(z3o, fih, k9), k8), add(mul(w3, fto, k9), mul(w3o, ft, k10), k9), k8),
+        mul(sub(add(mul(z1, v2o, k9), mul(z1o, v2, k10), k9), add(mul(z2, v1o, k10), mul(z2o, v1, k11), k10), k9), hs,
+        k9), k8), add(mul(v3, cvvo, k9), mul(v3o, cvv, k10), k9), o6
     )
-    div(
-        add(add(add(mul(z1, fio, k4), mul(z1o, c, k5), k4), add(mul(w1, fto, k1), mul(w1o, ft, k5), k1), k1),
-        mul(add(sub(add(mul(z2, v3o, k4), mul(z2o, v3, k5), k4), add(mul(z3, v2o, k5), mul(z3o, v2, k6), k5), k4),
-        sub(add(mul(w2, u3o, k5), mul(w2o, u3, k6), k5), add(mul(w3, u2o, k6), mul(w3o, u2, k7), k6), k5), k4), side,
-        k4), k1), n2, o4
+    add(
+        add(add(add(mul(z2, fiho, k8), mul(z2o, fih, k9), k8), add(mul(w2, fto, k9), mul(w2o, ft, k10), k9), k8),
+        mul(sub(add(mul(z3, v1o, k9), mul(z3o, v1, k10), k9), add(mul(z1, v3o, k10), mul(z1o, v3, k11), k10), k9), hs,
+        k9), k8), add(mul(v2, cvvo, k9), mul(v2o, cvv, k10), k9), o5
     )
-    div(
-        add(add(mul(z3, c, k1), mul(w3, ft, k4), k1), mul(add(sub(mul(z1, v2, k4), mul(z2, v1, k5), k4), sub(mul(w1, u2,
-        k5), mul(w2, u1, k6), k5), k4), side, k4), k1), n2, o3
+    add(
+        add(add(add(mul(z1, fiho, k4), mul(z1o, fih, k8), k4), add(mul(w1, fto, k1), mul(w1o, ft, k8), k1), k1),
+        mul(sub(add(mul(z2, v3o, k4), mul(z2o, v3, k8), k4), add(mul(z3, v2o, k8), mul(z3o, v2, k9), k8), k4), hs, k4),
+        k1), add(mul(v1, cvvo, k4), mul(v1o, cvv, k6), k4), o4
     )
-    div(
-        add(add(mul(z2, c, k1), mul(w2, ft, k4), k1), mul(add(sub(mul(z3, v1, k4), mul(z1, v3, k5), k4), sub(mul(w3, u1,
-        k5), mul(w1, u3, k6), k5), k4), side, k4), k1), n2, o2
+    add(
+        add(add(mul(z3, fih, k1), mul(w3, ft, k4), k1), mul(sub(mul(z1, v2, k4), mul(z2, v1, k6), k4), hs, k4), k1),
+        mul(v3, cvv, k4), o3
     )
-    div(
-        add(add(mul(z1, c, k1), mul(w1, ft, k2), k1), mul(add(sub(mul(z2, v3, k2), mul(z3, v2, k3), k2), sub(mul(w2, u3,
-        k3), mul(w3, u2, k4), k3), k2), side, k2), k1), n2, o1
+    add(
+        add(add(mul(z2, fih, k1), mul(w2, ft, k4), k1), mul(sub(mul(z3, v1, k4), mul(z1, v3, k6), k4), hs, k4), k1),
+        mul(v2, cvv, k4), o2
+    )
+    add(
+        add(add(mul(z1, fih, k1), mul(w1, ft, k2), k1), mul(sub(mul(z2, v3, k2), mul(z3, v2, k3), k2), hs, k2), k1),
+        mul(v1, cvv, k2), o1
     )
 
 
-# operations 97: 31 +, 52 *, 11 /, 2 neg, 1 sqrt
+# operations 141: 52 +, 79 *, 7 /, 2 neg, 1 sqrt
 def _own_rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = omega
@@ -758,27 +752,35 @@ def _own_rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: 
     fiyy = -((hy + fiy * gy) / 2)
     y = v1 * v1o + v2 * v2o + v3 * v3o
     fiyo = fiyy * y
-    b1 = w1 * fiy / 2
-    b1o = (w1 * fiyo + w1o * fiy) / 2
-    b2 = w2 * fiy / 2
-    b2o = (w2 * fiyo + w2o * fiy) / 2
-    b3 = w3 * fiy / 2
-    b3o = (w3 * fiyo + w3o * fiy) / 2
-    s1 = w1 * hs
-    s1o = w1o * hs
-    s2 = w2 * hs
-    s2o = w2o * hs
-    s3 = w3 * hs
-    s3o = w3o * hs
-    J11 = b1 * v1
-    J22 = b2 * v2
-    J33 = b3 * v3
-    J12 = b1 * v2 - s3
-    J13 = b1 * v3 + s2
-    J21 = b2 * v1 + s3
-    J23 = b2 * v3 - s1
-    J31 = b3 * v1 - s2
-    J32 = b3 * v2 + s1
+    fh = fiy / 2
+    fho = fiyo / 2
+    b1 = w1 * fh
+    b1o = w1 * fho + w1o * fh
+    b2 = w2 * fh
+    b2o = w2 * fho + w2o * fh
+    b3 = w3 * fh
+    b3o = w3 * fho + w3o * fh
+    t1 = w2 * v3 - w3 * v2
+    t1o = w2 * v3o + w2o * v3 - (w3 * v2o + w3o * v2)
+    t2 = w3 * v1 - w1 * v3
+    t2o = w3 * v1o + w3o * v1 - (w1 * v3o + w1o * v3)
+    t3 = w1 * v2 - w2 * v1
+    t3o = w1 * v2o + w1o * v2 - (w2 * v1o + w2o * v1)
+    s1 = w1 * hs - t1 * fh
+    s1o = w1o * hs - (t1 * fho + t1o * fh)
+    s2 = w2 * hs - t2 * fh
+    s2o = w2o * hs - (t2 * fho + t2o * fh)
+    s3 = w3 * hs - t3 * fh
+    s3o = w3o * hs - (t3 * fho + t3o * fh)
+    J11 = v1 * b1
+    J22 = v2 * b2
+    J33 = v3 * b3
+    J12 = v1 * b2 - s3
+    J13 = v1 * b3 + s2
+    J21 = v2 * b1 + s3
+    J23 = v2 * b3 - s1
+    J31 = v3 * b1 - s2
+    J32 = v3 * b2 + s1
     return (
         J11,
         J12,
@@ -798,21 +800,21 @@ def _own_rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: 
         0,
         0,
         0,
-        b1 * v1o + b1o * v1,
-        b1 * v2o + b1o * v2 - s3o,
-        b1 * v3o + b1o * v3 + s2o,
+        v1 * b1o + v1o * b1,
+        v1 * b2o + v1o * b2 - s3o,
+        v1 * b3o + v1o * b3 + s2o,
         J11,
         J12,
         J13,
-        b2 * v1o + b2o * v1 + s3o,
-        b2 * v2o + b2o * v2,
-        b2 * v3o + b2o * v3 - s1o,
+        v2 * b1o + v2o * b1 + s3o,
+        v2 * b2o + v2o * b2,
+        v2 * b3o + v2o * b3 - s1o,
         J21,
         J22,
         J23,
-        b3 * v1o + b3o * v1 - s2o,
-        b3 * v2o + b3o * v2 + s1o,
-        b3 * v3o + b3o * v3,
+        v3 * b1o + v3o * b1 - s2o,
+        v3 * b2o + v3o * b2 + s1o,
+        v3 * b3o + v3o * b3,
         J31,
         J32,
         J33,
@@ -829,7 +831,7 @@ def _own_rate_jacobian_blocks(
         o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
         o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36,
     ) = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10 = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13 = scratch
     n0, n1, n2, n4 = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
@@ -843,39 +845,47 @@ def _own_rate_jacobian_blocks(
     gy = sub(mul(f, h, k2), n4, k2)
     fiy = neg(div(h, n2, k3), k3)
     fiyy = neg(div(add(hy, mul(fiy, gy, k2), k1), n2, k1), k1)
-    b1 = div(mul(w1, fiy, k2), n2, k2)
-    mul(b1, v1, o1)
-    hs = div(side, n2, k4)
-    s3 = mul(w3, hs, k5)
-    sub(mul(b1, v2, k6), s3, o2)
-    s2 = mul(w2, hs, k6)
-    add(mul(b1, v3, k7), s2, o3)
-    b2 = div(mul(w2, fiy, k7), n2, k7)
-    add(mul(b2, v1, k8), s3, o7)
-    mul(b2, v2, o8)
-    s1 = mul(w1, hs, k5)
-    sub(mul(b2, v3, k8), s1, o9)
-    b3 = div(mul(w3, fiy, k8), n2, k8)
-    sub(mul(b3, v1, k9), s2, o13)
-    add(mul(b3, v2, k6), s1, o14)
-    mul(b3, v3, o15)
-    y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k6), k5), mul(v3, v3o, k6), k5)
+    fh = div(fiy, n2, k2)
+    b3 = mul(w3, fh, k3)
+    mul(v3, b3, o15)
+    b2 = mul(w2, fh, k4)
+    mul(v2, b2, o8)
+    hs = div(side, n2, k5)
+    t1 = sub(mul(w2, v3, k6), mul(w3, v2, k7), k6)
+    s1 = sub(mul(w1, hs, k7), mul(t1, fh, k8), k7)
+    add(mul(v3, b2, k8), s1, o14)
+    sub(mul(v2, b3, k8), s1, o9)
+    b1 = mul(w1, fh, k7)
+    mul(v1, b1, o1)
+    t2 = sub(mul(w3, v1, k8), mul(w1, v3, k9), k8)
+    s2 = sub(mul(w2, hs, k9), mul(t2, fh, k10), k9)
+    sub(mul(v3, b1, k10), s2, o13)
+    add(mul(v1, b3, k10), s2, o3)
+    y = add(add(mul(v1, v1o, k9), mul(v2, v2o, k10), k9), mul(v3, v3o, k10), k9)
     fiyo = mul(fiyy, y, k1)
-    b1o = div(add(mul(w1, fiyo, k5), mul(w1o, fiy, k6), k5), n2, k5)
-    add(mul(b1, v1o, k6), mul(b1o, v1, k9), o19)
-    s3o = mul(w3o, hs, k6)
-    sub(add(mul(b1, v2o, k9), mul(b1o, v2, k10), k9), s3o, o20)
-    s2o = mul(w2o, hs, k9)
-    add(add(mul(b1, v3o, k2), mul(b1o, v3, k5), k2), s2o, o21)
-    s1o = mul(w1o, hs, k2)
-    b2o = div(add(mul(w2, fiyo, k4), mul(w2o, fiy, k5), k4), n2, k4)
-    add(add(mul(b2, v1o, k5), mul(b2o, v1, k10), k5), s3o, o25)
-    b3o = div(add(mul(w3, fiyo, k1), mul(w3o, fiy, k3), k1), n2, k1)
-    sub(add(mul(b3, v1o, k3), mul(b3o, v1, k5), k3), s2o, o31)
-    add(mul(b2, v2o, k3), mul(b2o, v2, k5), o26)
-    sub(add(mul(b2, v3o, k3), mul(b2o, v3, k4), k3), s1o, o27)
-    add(add(mul(b3, v2o, k3), mul(b3o, v2, k4), k3), s1o, o32)
-    add(mul(b3, v3o, k2), mul(b3o, v3, k1), o33)
+    fho = div(fiyo, n2, k1)
+    b3o = add(mul(w3, fho, k9), mul(w3o, fh, k10), k9)
+    add(mul(v3, b3o, k10), mul(v3o, b3, k11), o33)
+    b2o = add(mul(w2, fho, k10), mul(w2o, fh, k11), k10)
+    add(mul(v2, b2o, k11), mul(v2o, b2, k12), o26)
+    t1o = sub(add(mul(w2, v3o, k11), mul(w2o, v3, k12), k11), add(mul(w3, v2o, k12), mul(w3o, v2, k13), k12), k11)
+    s1o = sub(mul(w1o, hs, k12), add(mul(t1, fho, k6), mul(t1o, fh, k11), k6), k6)
+    add(add(mul(v3, b2o, k11), mul(v3o, b2, k12), k11), s1o, o32)
+    sub(add(mul(v2, b3o, k11), mul(v2o, b3, k12), k11), s1o, o27)
+    b1o = add(mul(w1, fho, k6), mul(w1o, fh, k11), k6)
+    add(mul(v1, b1o, k11), mul(v1o, b1, k12), o19)
+    t2o = sub(add(mul(w3, v1o, k11), mul(w3o, v1, k12), k11), add(mul(w1, v3o, k12), mul(w1o, v3, k13), k12), k11)
+    s2o = sub(mul(w2o, hs, k12), add(mul(t2, fho, k8), mul(t2o, fh, k11), k8), k8)
+    add(add(mul(v1, b3o, k9), mul(v1o, b3, k3), k3), s2o, o21)
+    sub(add(mul(v3, b1o, k3), mul(v3o, b1, k9), k3), s2o, o31)
+    t3 = sub(mul(w1, v2, k3), mul(w2, v1, k8), k3)
+    s3 = sub(mul(w3, hs, k8), mul(t3, fh, k9), k8)
+    add(mul(v2, b1, k9), s3, o7)
+    sub(mul(v1, b2, k9), s3, o2)
+    t3o = sub(add(mul(w1, v2o, k8), mul(w1o, v2, k9), k8), add(mul(w2, v1o, k9), mul(w2o, v1, k11), k9), k8)
+    s3o = sub(mul(w3o, hs, k5), add(mul(t3, fho, k1), mul(t3o, fh, k2), k1), k1)
+    add(add(mul(v2, b1o, k2), mul(v2o, b1, k3), k2), s3o, o25)
+    sub(add(mul(v1, b2o, k2), mul(v1o, b2, k3), k2), s3o, o20)
     copy(n0, o4)
     copy(n0, o5)
     copy(n0, o6)
@@ -1013,7 +1023,7 @@ CHART = Chart(
         _own_rate_dot_blocks,
         (("v", (6,)), ("omega", (6,)), ("omega_dot", (6,)),),
         (6,),
-        registers=15,
+        registers=11,
         masks=0,
         numbers=(1, 2, 4),
         lent=(),
@@ -1024,7 +1034,7 @@ CHART = Chart(
         _own_rate_jacobian_blocks,
         (("v", (6,)), ("omega", (6,)),),
         (6, 6),
-        registers=10,
+        registers=13,
         masks=0,
         numbers=(0, 1, 2, 4),
         lent=(),
@@ -1042,7 +1052,7 @@ CHART = Chart(
         real=True,
     ),
     },
-    programs="265e34e148639375",
+    programs="a42f084e12e6d5c0",
 )
 
 KERNELS = PoseKernels(CHART)

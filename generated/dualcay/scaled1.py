@@ -46,8 +46,8 @@
 #   rate: 111: 44 +, 66 *, 1 /
 #   tangent_dot: 97: 27 +, 53 *, 10 /, 7 neg
 #   twist_dot: 159: 57 +, 90 *, 11 /, 1 neg
-#   rate_dot: 333: 139 +, 181 *, 13 /
-#   twist_jacobian: 156: 54 +, 90 *, 10 /, 2 neg
+#   rate_dot: 166: 72 +, 85 *, 9 /
+#   twist_jacobian: 155: 54 +, 90 *, 10 /, 1 neg
 #   rate_jacobian: 85: 34 +, 42 *, 9 /
 #   from_quaternion: 68: 24 +, 39 *, 5 /
 #   from_tensor: 129: 44 +, 46 *, 8 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -259,21 +259,6 @@ def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     mul(n2, one, o1)
     div(one, n2, o2)
     return o1, o2, n0, n0
-
-
-# operations 3: 2 +, 1 /
-def _tangent_inv_dot(m: Any, x: Any) -> Result:
-    one = x - x + 1
-    hi = one / 2
-    return 2, hi, 0, 0, 0, 0
-
-
-def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    _, o2, _, _, _, _ = out
-    n0, n1, n2 = numbers
-    one = add(sub(x, x, o2), n1, o2)
-    div(one, n2, o2)
-    return n2, o2, n0, n0, n0, n0
 
 
 # operations 10: 3 +, 1 *, 6 /
@@ -1083,7 +1068,112 @@ def _own_twist_dot_blocks(
     add(add(mul(z1, f_v, k1), mul(w1, fh, k2), k1), sub(mul(v2, s3, k2), mul(v3, s2, k3), k2), o1)
 
 
-# operations 156: 54 +, 90 *, 10 /, 2 neg
+# operations 166: 72 +, 85 *, 9 /
+def _own_rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: Components, table: Components) -> Result:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    z1, z2, z3, z1o, z2o, z3o = omega_dot
+    side, = table
+    vw = v1 * w1 + v2 * w2 + v3 * w3
+    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
+    ww = w1 * w1 + w2 * w2 + w3 * w3
+    wwo = 2 * (w1 * w1o + w2 * w2o + w3 * w3o)
+    hvw = vw / 2
+    hvwo = vwo / 2
+    hs = side / 2
+    pull = 2 * (v1 * z1 + v2 * z2 + v3 * z3 + hvw * vw) + 2 * ww
+    pullo = (
+        2 * (v1 * z1o + v1o * z1 + (v2 * z2o + v2o * z2) + (v3 * z3o + v3o * z3) + (hvw * vwo + hvwo * vw)) + 2 * wwo
+    )
+    ft = (vw + 2 * hvw) / 4
+    fto = (vwo + 2 * hvwo) / 4
+    cvv = (pull / 2 - ww) / 4
+    cvvo = (pullo / 2 - wwo) / 4
+    s1 = z1 + w1 * hvw
+    s1o = z1o + (w1 * hvwo + w1o * hvw)
+    s2 = z2 + w2 * hvw
+    s2o = z2o + (w2 * hvwo + w2o * hvw)
+    s3 = z3 + w3 * hvw
+    s3o = z3o + (w3 * hvwo + w3o * hvw)
+    return (
+        z1 + w1 * ft + (s2 * v3 - s3 * v2) * hs + v1 * cvv,
+        z2 + w2 * ft + (s3 * v1 - s1 * v3) * hs + v2 * cvv,
+        z3 + w3 * ft + (s1 * v2 - s2 * v1) * hs + v3 * cvv,
+        z1o + (w1 * fto + w1o * ft) + (s2 * v3o + s2o * v3 - (s3 * v2o + s3o * v2)) * hs + (v1 * cvvo + v1o * cvv),
+        z2o + (w2 * fto + w2o * ft) + (s3 * v1o + s3o * v1 - (s1 * v3o + s1o * v3)) * hs + (v2 * cvvo + v2o * cvv),
+        z3o + (w3 * fto + w3o * ft) + (s1 * v2o + s1o * v2 - (s2 * v1o + s2o * v1)) * hs + (v3 * cvvo + v3o * cvv),
+    )
+
+
+def _own_rate_dot_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows, omega_dot: Rows, table: Rows
+) -> None:
+    v1, v2, v3, v1o, v2o, v3o = v
+    w1, w2, w3, w1o, w2o, w3o = omega
+    z1, z2, z3, z1o, z2o, z3o = omega_dot
+    side, = table
+    o1, o2, o3, o4, o5, o6 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15 = scratch
+    n2, n4 = numbers
+    vw = add(add(mul(v1, w1, k1), mul(v2, w2, k2), k1), mul(v3, w3, k2), k1)
+    hvw = div(vw, n2, k2)
+    ww = add(add(mul(w1, w1, k3), mul(w2, w2, k4), k3), mul(w3, w3, k4), k3)
+    pull = add(
+        mul(n2, add(add(add(mul(v1, z1, k4), mul(v2, z2, k5), k4), mul(v3, z3, k5), k4), mul(hvw, vw, k5), k4), k4),
+        mul(n2, ww, k5), k4
+    )
+    cvv = div(sub(div(pull, n2, k4), ww, k3), n4, k3)
+    ft = div(add(vw, mul(n2, hvw, k4), k4), n4, k4)
+    s2 = add(z2, mul(w2, hvw, k5), k5)
+    s3 = add(z3, mul(w3, hvw, k6), k6)
+    hs = div(side, n2, k7)
+    add(
+        add(add(z1, mul(w1, ft, k8), k8), mul(sub(mul(s2, v3, k9), mul(s3, v2, k10), k9), hs, k9), k8), mul(v1, cvv,
+        k9), o1
+    )
+    s1 = add(z1, mul(w1, hvw, k8), k8)
+    add(
+        add(add(z2, mul(w2, ft, k9), k9), mul(sub(mul(s3, v1, k10), mul(s1, v3, k11), k10), hs, k10), k9), mul(v2, cvv,
+        k10), o2
+    )
+    add(
+        add(add(z3, mul(w3, ft, k9), k9), mul(sub(mul(s1, v2, k10), mul(s2, v1, k11), k10), hs, k10), k9), mul(v3, cvv,
+        k10), o3
+    )
+    vwo = add(
+        add(add(mul(v1, w1o, k9), mul(v1o, w1, k10), k9), add(mul(v2, w2o, k10), mul(v2o, w2, k11), k10), k9),
+        add(mul(v3, w3o, k10), mul(v3o, w3, k11), k10), k9
+    )
+    hvwo = div(vwo, n2, k10)
+    wwo = mul(n2, add(add(mul(w1, w1o, k11), mul(w2, w2o, k12), k11), mul(w3, w3o, k12), k11), k11)
+    pullo = add(
+        mul(n2, add(add(add(add(mul(v1, z1o, k12), mul(v1o, z1, k13), k12), add(mul(v2, z2o, k13), mul(v2o, z2, k14),
+        k13), k12), add(mul(v3, z3o, k13), mul(v3o, z3, k14), k13), k12), add(mul(hvw, vwo, k13), mul(hvwo, vw, k1),
+        k1), k1), k1), mul(n2, wwo, k12), k1
+    )
+    cvvo = div(sub(div(pullo, n2, k1), wwo, k1), n4, k1)
+    fto = div(add(vwo, mul(n2, hvwo, k11), k9), n4, k9)
+    s2o = add(z2o, add(mul(w2, hvwo, k11), mul(w2o, hvw, k12), k11), k11)
+    s3o = add(z3o, add(mul(w3, hvwo, k12), mul(w3o, hvw, k13), k12), k12)
+    s1o = add(z1o, add(mul(w1, hvwo, k10), mul(w1o, hvw, k2), k2), k2)
+    add(
+        add(add(z1o, add(mul(w1, fto, k10), mul(w1o, ft, k13), k10), k10), mul(sub(add(mul(s2, v3o, k13), mul(s2o, v3,
+        k14), k13), add(mul(s3, v2o, k14), mul(s3o, v2, k15), k14), k13), hs, k13), k10), add(mul(v1, cvvo, k13),
+        mul(v1o, cvv, k14), k13), o4
+    )
+    add(
+        add(add(z2o, add(mul(w2, fto, k10), mul(w2o, ft, k13), k10), k10), mul(sub(add(mul(s3, v1o, k6), mul(s3o, v1,
+        k12), k6), add(mul(s1, v3o, k12), mul(s1o, v3, k13), k12), k6), hs, k6), k6), add(mul(v2, cvvo, k10), mul(v2o,
+        cvv, k12), k10), o5
+    )
+    add(
+        add(add(z3o, add(mul(w3, fto, k6), mul(w3o, ft, k4), k4), k4), mul(sub(add(mul(s1, v2o, k6), mul(s1o, v2, k2),
+        k2), add(mul(s2, v1o, k5), mul(s2o, v1, k6), k5), k2), hs, k2), k2), add(mul(v3, cvvo, k1), mul(v3o, cvv, k3),
+        k1), o6
+    )
+
+
+# operations 155: 54 +, 90 *, 10 /, 1 neg
 def _own_twist_jacobian(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
@@ -1117,32 +1207,31 @@ def _own_twist_jacobian(m: Any, c: Any, v: Components, v_dot: Components, table:
     t2o = v3 * w1o + v3o * w1 - (v1 * w3o + v1o * w3)
     t3 = v1 * w2 - v2 * w1
     t3o = v1 * w2o + v1o * w2 - (v2 * w1o + v2o * w1)
-    gs = gy_v * side
-    gso = gyo * side
-    b1 = w1 * fy_v + t1 * gs
-    b1o = w1 * fyo + w1o * fy_v + (t1 * gso + t1o * gs)
-    b2 = w2 * fy_v + t2 * gs
-    b2o = w2 * fyo + w2o * fy_v + (t2 * gso + t2o * gs)
-    b3 = w3 * fy_v + t3 * gs
-    b3o = w3 * fyo + w3o * fy_v + (t3 * gso + t3o * gs)
-    minus_side = -side
-    sg = g_v * minus_side
-    sgo = go * minus_side
-    s1 = w1 * sg
-    s1o = w1 * sgo + w1o * sg
-    s2 = w2 * sg
-    s2o = w2 * sgo + w2o * sg
-    s3 = w3 * sg
-    s3o = w3 * sgo + w3o * sg
+    gs = g_v * side
+    gso = go * side
+    gt = gy_v * side
+    gto = gyo * side
+    b1 = w1 * fy_v + t1 * gt
+    b1o = w1 * fyo + w1o * fy_v + (t1 * gto + t1o * gt)
+    b2 = w2 * fy_v + t2 * gt
+    b2o = w2 * fyo + w2o * fy_v + (t2 * gto + t2o * gt)
+    b3 = w3 * fy_v + t3 * gt
+    b3o = w3 * fyo + w3o * fy_v + (t3 * gto + t3o * gt)
+    s1 = w1 * gs
+    s1o = w1 * gso + w1o * gs
+    s2 = w2 * gs
+    s2o = w2 * gso + w2o * gs
+    s3 = w3 * gs
+    s3o = w3 * gso + w3o * gs
     J11 = b1 * v1
     J22 = b2 * v2
     J33 = b3 * v3
-    J12 = b1 * v2 - s3
-    J13 = b1 * v3 + s2
-    J21 = b2 * v1 + s3
-    J23 = b2 * v3 - s1
-    J31 = b3 * v1 - s2
-    J32 = b3 * v2 + s1
+    J12 = b1 * v2 + s3
+    J13 = b1 * v3 - s2
+    J21 = b2 * v1 - s3
+    J23 = b2 * v3 + s1
+    J31 = b3 * v1 + s2
+    J32 = b3 * v2 - s1
     return (
         J11,
         J12,
@@ -1163,19 +1252,19 @@ def _own_twist_jacobian(m: Any, c: Any, v: Components, v_dot: Components, table:
         0,
         0,
         b1 * v1o + b1o * v1,
-        b1 * v2o + b1o * v2 - s3o,
-        b1 * v3o + b1o * v3 + s2o,
+        b1 * v2o + b1o * v2 + s3o,
+        b1 * v3o + b1o * v3 - s2o,
         J11,
         J12,
         J13,
-        b2 * v1o + b2o * v1 + s3o,
+        b2 * v1o + b2o * v1 - s3o,
         b2 * v2o + b2o * v2,
-        b2 * v3o + b2o * v3 - s1o,
+        b2 * v3o + b2o * v3 + s1o,
         J21,
         J22,
         J23,
-        b3 * v1o + b3o * v1 - s2o,
-        b3 * v2o + b3o * v2 + s1o,
+        b3 * v1o + b3o * v1 + s2o,
+        b3 * v2o + b3o * v2 - s1o,
         b3 * v3o + b3o * v3,
         J31,
         J32,
@@ -1208,56 +1297,55 @@ def _own_twist_jacobian_blocks(
     eg = mul(e, r, k4)
     fy = neg(eg, k4)
     g_v = div(r, n4, k2)
+    gs = mul(g_v, side, k2)
     egy = mul(e, fy, k3)
     fyy = sub(eeg, egy, k1)
     fy_v = div(fy, n8, k3)
     gy_v = div(fy, n16, k4)
-    gs = mul(gy_v, side, k5)
+    gt = mul(gy_v, side, k5)
     t3 = sub(mul(v1, w2, k6), mul(v2, w1, k7), k6)
-    b3 = add(mul(w3, fy_v, k7), mul(t3, gs, k8), k7)
+    b3 = add(mul(w3, fy_v, k7), mul(t3, gt, k8), k7)
     mul(b3, v3, o15)
-    minus_side = neg(side, k8)
-    sg = mul(g_v, minus_side, k2)
-    s1 = mul(w1, sg, k9)
-    add(mul(b3, v2, k10), s1, o14)
-    s2 = mul(w2, sg, k10)
-    sub(mul(b3, v1, k11), s2, o13)
-    fyy_v = div(fyy, n32, k11)
+    s1 = mul(w1, gs, k8)
+    sub(mul(b3, v2, k9), s1, o14)
+    s2 = mul(w2, gs, k9)
+    add(mul(b3, v1, k10), s2, o13)
+    fyy_v = div(fyy, n32, k10)
     gyy_v = div(fyy, n64, k1)
-    y = add(add(mul(v1, v1o, k12), mul(v2, v2o, k13), k12), mul(v3, v3o, k13), k12)
-    fyo = mul(fyy_v, y, k11)
+    y = add(add(mul(v1, v1o, k11), mul(v2, v2o, k12), k11), mul(v3, v3o, k12), k11)
+    fyo = mul(fyy_v, y, k10)
     gyo = mul(gyy_v, y, k1)
     go = mul(gy_v, y, k4)
-    sgo = mul(go, minus_side, k4)
-    gso = mul(gyo, side, k1)
-    t3o = sub(add(mul(v1, w2o, k8), mul(v1o, w2, k12), k8), add(mul(v2, w1o, k12), mul(v2o, w1, k13), k12), k8)
-    b3o = add(add(mul(w3, fyo, k12), mul(w3o, fy_v, k13), k12), add(mul(t3, gso, k6), mul(t3o, gs, k8), k6), k6)
-    add(mul(b3, v3o, k8), mul(b3o, v3, k12), o33)
-    s1o = add(mul(w1, sgo, k8), mul(w1o, sg, k12), k8)
-    add(add(mul(b3, v2o, k12), mul(b3o, v2, k13), k12), s1o, o32)
-    s2o = add(mul(w2, sgo, k12), mul(w2o, sg, k13), k12)
-    sub(add(mul(b3, v1o, k7), mul(b3o, v1, k6), k6), s2o, o31)
-    s3o = add(mul(w3, sgo, k4), mul(w3o, sg, k6), k4)
-    s3 = mul(w3, sg, k2)
+    gto = mul(gyo, side, k1)
+    gso = mul(go, side, k4)
+    t3o = sub(add(mul(v1, w2o, k11), mul(v1o, w2, k12), k11), add(mul(v2, w1o, k12), mul(v2o, w1, k13), k12), k11)
+    b3o = add(add(mul(w3, fyo, k12), mul(w3o, fy_v, k13), k12), add(mul(t3, gto, k6), mul(t3o, gt, k11), k6), k6)
+    add(mul(b3, v3o, k11), mul(b3o, v3, k12), o33)
+    s1o = add(mul(w1, gso, k11), mul(w1o, gs, k12), k11)
+    sub(add(mul(b3, v2o, k12), mul(b3o, v2, k13), k12), s1o, o32)
+    s2o = add(mul(w2, gso, k12), mul(w2o, gs, k13), k12)
+    add(add(mul(b3, v1o, k7), mul(b3o, v1, k6), k6), s2o, o31)
+    s3o = add(mul(w3, gso, k4), mul(w3o, gs, k6), k4)
+    s3 = mul(w3, gs, k2)
     t2 = sub(mul(v3, w1, k6), mul(v1, w3, k7), k6)
-    b2 = add(mul(w2, fy_v, k7), mul(t2, gs, k13), k7)
-    sub(mul(b2, v3, k13), s1, o9)
+    b2 = add(mul(w2, fy_v, k7), mul(t2, gt, k13), k7)
+    add(mul(b2, v3, k13), s1, o9)
     mul(b2, v2, o8)
-    add(mul(b2, v1, k9), s3, o7)
-    t2o = sub(add(mul(v3, w1o, k9), mul(v3o, w1, k13), k9), add(mul(v1, w3o, k13), mul(v1o, w3, k14), k13), k9)
-    b2o = add(add(mul(w2, fyo, k13), mul(w2o, fy_v, k14), k13), add(mul(t2, gso, k6), mul(t2o, gs, k9), k6), k6)
-    sub(add(mul(b2, v3o, k9), mul(b2o, v3, k13), k9), s1o, o27)
-    add(mul(b2, v2o, k8), mul(b2o, v2, k9), o26)
-    add(add(mul(b2, v1o, k7), mul(b2o, v1, k6), k6), s3o, o25)
+    sub(mul(b2, v1, k8), s3, o7)
+    t2o = sub(add(mul(v3, w1o, k8), mul(v3o, w1, k13), k8), add(mul(v1, w3o, k13), mul(v1o, w3, k14), k13), k8)
+    b2o = add(add(mul(w2, fyo, k13), mul(w2o, fy_v, k14), k13), add(mul(t2, gto, k6), mul(t2o, gt, k8), k6), k6)
+    add(add(mul(b2, v3o, k8), mul(b2o, v3, k13), k8), s1o, o27)
+    add(mul(b2, v2o, k8), mul(b2o, v2, k11), o26)
+    sub(add(mul(b2, v1o, k7), mul(b2o, v1, k6), k6), s3o, o25)
     t1 = sub(mul(v2, w3, k6), mul(v3, w2, k7), k6)
-    b1 = add(mul(w1, fy_v, k7), mul(t1, gs, k8), k7)
-    add(mul(b1, v3, k8), s2, o3)
-    sub(mul(b1, v2, k8), s3, o2)
+    b1 = add(mul(w1, fy_v, k7), mul(t1, gt, k8), k7)
+    sub(mul(b1, v3, k8), s2, o3)
+    add(mul(b1, v2, k8), s3, o2)
     mul(b1, v1, o1)
     t1o = sub(add(mul(v2, w3o, k2), mul(v2o, w3, k8), k2), add(mul(v3, w2o, k8), mul(v3o, w2, k9), k8), k2)
-    b1o = add(add(mul(w1, fyo, k8), mul(w1o, fy_v, k3), k3), add(mul(t1, gso, k1), mul(t1o, gs, k2), k1), k1)
-    add(add(mul(b1, v3o, k2), mul(b1o, v3, k3), k2), s2o, o21)
-    sub(add(mul(b1, v2o, k2), mul(b1o, v2, k3), k2), s3o, o20)
+    b1o = add(add(mul(w1, fyo, k8), mul(w1o, fy_v, k3), k3), add(mul(t1, gto, k1), mul(t1o, gt, k2), k1), k1)
+    sub(add(mul(b1, v3o, k2), mul(b1o, v3, k3), k2), s2o, o21)
+    add(add(mul(b1, v2o, k2), mul(b1o, v2, k3), k2), s3o, o20)
     add(mul(b1, v1o, k2), mul(b1o, v1, k1), o19)
     copy(n0, o4)
     copy(n0, o5)
@@ -1287,12 +1375,12 @@ def _own_rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: 
     hs = side / 2
     vw = v1 * w1 + v2 * w2 + v3 * w3
     vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
-    hv1 = v1 / 4
-    hv1o = v1o / 4
-    hv2 = v2 / 4
-    hv2o = v2o / 4
-    hv3 = v3 / 4
-    hv3o = v3o / 4
+    b1 = w1 / 4
+    b1o = w1o / 4
+    b2 = w2 / 4
+    b2o = w2o / 4
+    b3 = w3 / 4
+    b3o = w3o / 4
     s1 = w1 * hs
     s1o = w1o * hs
     s2 = w2 * hs
@@ -1301,15 +1389,15 @@ def _own_rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: 
     s3o = w3o * hs
     ha = vw / 4
     hao = vwo / 4
-    J11 = hv1 * w1 + ha
-    J12 = hv1 * w2 - s3
-    J13 = hv1 * w3 + s2
-    J21 = hv2 * w1 + s3
-    J22 = hv2 * w2 + ha
-    J23 = hv2 * w3 - s1
-    J31 = hv3 * w1 - s2
-    J32 = hv3 * w2 + s1
-    J33 = hv3 * w3 + ha
+    J11 = v1 * b1 + ha
+    J12 = v1 * b2 - s3
+    J13 = v1 * b3 + s2
+    J21 = v2 * b1 + s3
+    J22 = v2 * b2 + ha
+    J23 = v2 * b3 - s1
+    J31 = v3 * b1 - s2
+    J32 = v3 * b2 + s1
+    J33 = v3 * b3 + ha
     return (
         J11,
         J12,
@@ -1329,21 +1417,21 @@ def _own_rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: 
         0,
         0,
         0,
-        hv1 * w1o + hv1o * w1 + hao,
-        hv1 * w2o + hv1o * w2 - s3o,
-        hv1 * w3o + hv1o * w3 + s2o,
+        v1 * b1o + v1o * b1 + hao,
+        v1 * b2o + v1o * b2 - s3o,
+        v1 * b3o + v1o * b3 + s2o,
         J11,
         J12,
         J13,
-        hv2 * w1o + hv2o * w1 + s3o,
-        hv2 * w2o + hv2o * w2 + hao,
-        hv2 * w3o + hv2o * w3 - s1o,
+        v2 * b1o + v2o * b1 + s3o,
+        v2 * b2o + v2o * b2 + hao,
+        v2 * b3o + v2o * b3 - s1o,
         J21,
         J22,
         J23,
-        hv3 * w1o + hv3o * w1 - s2o,
-        hv3 * w2o + hv3o * w2 + s1o,
-        hv3 * w3o + hv3o * w3 + hao,
+        v3 * b1o + v3o * b1 - s2o,
+        v3 * b2o + v3o * b2 + s1o,
+        v3 * b3o + v3o * b3 + hao,
         J31,
         J32,
         J33,
@@ -1360,46 +1448,46 @@ def _own_rate_jacobian_blocks(
         o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
         o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36,
     ) = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10 = scratch
     n0, n2, n4 = numbers
-    hv1 = div(v1, n4, k1)
+    b1 = div(w1, n4, k1)
     vw = add(add(mul(v1, w1, k2), mul(v2, w2, k3), k2), mul(v3, w3, k3), k2)
     ha = div(vw, n4, k2)
-    add(mul(hv1, w1, k3), ha, o1)
-    hs = div(side, n2, k3)
-    s3 = mul(w3, hs, k4)
-    sub(mul(hv1, w2, k5), s3, o2)
-    s2 = mul(w2, hs, k5)
-    add(mul(hv1, w3, k6), s2, o3)
-    hv2 = div(v2, n4, k6)
-    add(mul(hv2, w1, k7), s3, o7)
-    add(mul(hv2, w2, k4), ha, o8)
-    s1 = mul(w1, hs, k4)
-    sub(mul(hv2, w3, k7), s1, o9)
-    hv3 = div(v3, n4, k7)
-    sub(mul(hv3, w1, k8), s2, o13)
-    add(mul(hv3, w2, k5), s1, o14)
-    add(mul(hv3, w3, k4), ha, o15)
-    hv1o = div(v1o, n4, k2)
+    add(mul(v1, b1, k3), ha, o1)
+    b2 = div(w2, n4, k3)
+    add(mul(v2, b2, k4), ha, o8)
+    hs = div(side, n2, k4)
+    s3 = mul(w3, hs, k5)
+    sub(mul(v1, b2, k6), s3, o2)
+    add(mul(v2, b1, k6), s3, o7)
+    b3 = div(w3, n4, k5)
+    add(mul(v3, b3, k6), ha, o15)
+    s2 = mul(w2, hs, k2)
+    add(mul(v1, b3, k6), s2, o3)
+    sub(mul(v3, b1, k6), s2, o13)
+    s1 = mul(w1, hs, k2)
+    sub(mul(v2, b3, k6), s1, o9)
+    add(mul(v3, b2, k6), s1, o14)
+    b1o = div(w1o, n4, k2)
     vwo = add(
-        add(add(mul(v1, w1o, k4), mul(v1o, w1, k5), k4), add(mul(v2, w2o, k5), mul(v2o, w2, k8), k5), k4), add(mul(v3,
-        w3o, k5), mul(v3o, w3, k8), k5), k4
+        add(add(mul(v1, w1o, k6), mul(v1o, w1, k7), k6), add(mul(v2, w2o, k7), mul(v2o, w2, k8), k7), k6), add(mul(v3,
+        w3o, k7), mul(v3o, w3, k8), k7), k6
     )
-    hao = div(vwo, n4, k4)
-    add(add(mul(hv1, w1o, k5), mul(hv1o, w1, k8), k5), hao, o19)
-    s3o = mul(w3o, hs, k5)
-    sub(add(mul(hv1, w2o, k8), mul(hv1o, w2, k9), k8), s3o, o20)
-    s2o = mul(w2o, hs, k8)
-    add(add(mul(hv1, w3o, k1), mul(hv1o, w3, k2), k1), s2o, o21)
+    hao = div(vwo, n4, k6)
+    add(add(mul(v1, b1o, k7), mul(v1o, b1, k8), k7), hao, o19)
+    b2o = div(w2o, n4, k7)
+    add(add(mul(v2, b2o, k8), mul(v2o, b2, k9), k8), hao, o26)
+    s3o = mul(w3o, hs, k8)
+    sub(add(mul(v1, b2o, k9), mul(v1o, b2, k10), k9), s3o, o20)
+    add(add(mul(v2, b1o, k9), mul(v2o, b1, k10), k9), s3o, o25)
+    b3o = div(w3o, n4, k8)
+    add(add(mul(v3, b3o, k9), mul(v3o, b3, k10), k9), hao, o33)
+    s2o = mul(w2o, hs, k6)
+    sub(add(mul(v3, b1o, k2), mul(v3o, b1, k1), k1), s2o, o31)
+    add(add(mul(v1, b3o, k1), mul(v1o, b3, k2), k1), s2o, o21)
     s1o = mul(w1o, hs, k1)
-    hv2o = div(v2o, n4, k2)
-    add(add(mul(hv2, w1o, k3), mul(hv2o, w1, k9), k3), s3o, o25)
-    add(add(mul(hv2, w2o, k3), mul(hv2o, w2, k5), k3), hao, o26)
-    sub(add(mul(hv2, w3o, k3), mul(hv2o, w3, k2), k2), s1o, o27)
-    hv3o = div(v3o, n4, k2)
-    sub(add(mul(hv3, w1o, k3), mul(hv3o, w1, k5), k3), s2o, o31)
-    add(add(mul(hv3, w2o, k3), mul(hv3o, w2, k5), k3), s1o, o32)
-    add(add(mul(hv3, w3o, k1), mul(hv3o, w3, k2), k1), hao, o33)
+    sub(add(mul(v2, b3o, k2), mul(v2o, b3, k4), k2), s1o, o27)
+    add(add(mul(v3, b2o, k2), mul(v3o, b2, k3), k2), s1o, o32)
     copy(n0, o4)
     copy(n0, o5)
     copy(n0, o6)
@@ -1615,7 +1703,6 @@ CHART = Chart(
         "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2, 4, 8)),
         "inverse": Function(_inverse, _inverse_blocks, 0, 0, (1, 2)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 0, 0, (0, 1, 2)),
-        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 0, 0, (0, 1, 2)),
         "ray": Function(_ray, _ray_blocks, 0, 0, (0, 1, 2, 4)),
         "gain_unit": Function(_gain_unit, _gain_unit_blocks, 0, 0, (1, 2)),
         "gain_positive": Function(_gain_positive, _gain_positive_blocks, 0, 0, (1, 2)),
@@ -1704,6 +1791,17 @@ CHART = Chart(
         lent=(),
         real=False,
     ),
+        "rate_dot": Kernel(
+        _own_rate_dot,
+        _own_rate_dot_blocks,
+        (("v", (6,)), ("omega", (6,)), ("omega_dot", (6,)),),
+        (6,),
+        registers=15,
+        masks=0,
+        numbers=(2, 4),
+        lent=(),
+        real=False,
+    ),
         "twist_jacobian": Kernel(
         _own_twist_jacobian,
         _own_twist_jacobian_blocks,
@@ -1720,7 +1818,7 @@ CHART = Chart(
         _own_rate_jacobian_blocks,
         (("v", (6,)), ("omega", (6,)),),
         (6, 6),
-        registers=9,
+        registers=10,
         masks=0,
         numbers=(0, 2, 4),
         lent=(),
@@ -1738,7 +1836,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="e157fc23873ad1df",
+    programs="d30226398806b7bb",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -39,16 +39,16 @@
 #   transform_line: 121: 45 +, 70 *, 6 /
 #   inverse: 6: 6 neg
 #   tangent: 101: 38 +, 52 *, 10 /, 1 neg
-#   tangent_inv: 84: 34 +, 36 *, 13 /, 1 neg
+#   tangent_inv: 83: 34 +, 36 *, 12 /, 1 neg
 #   body_tangent: 101: 38 +, 52 *, 10 /, 1 neg
-#   body_tangent_inv: 84: 34 +, 36 *, 13 /, 1 neg
+#   body_tangent_inv: 83: 34 +, 36 *, 12 /, 1 neg
 #   twist: 135: 49 +, 75 *, 10 /, 1 neg
-#   rate: 116: 45 +, 66 *, 4 /, 1 neg
+#   rate: 115: 45 +, 66 *, 3 /, 1 neg
 #   tangent_dot: 209: 78 +, 114 *, 16 /, 1 neg
 #   twist_dot: 237: 91 +, 131 *, 14 /, 1 neg
-#   rate_dot: 339: 140 +, 182 *, 16 /, 1 neg
-#   twist_jacobian: 286: 113 +, 157 *, 14 /, 2 neg
-#   rate_jacobian: 157: 61 +, 69 *, 21 /, 6 neg
+#   rate_dot: 237: 97 +, 129 *, 10 /, 1 neg
+#   twist_jacobian: 239: 94 +, 130 *, 14 /, 1 neg
+#   rate_jacobian: 73: 25 +, 33 *, 9 /, 6 neg
 #   from_quaternion: 77: 26 +, 40 *, 7 /, 1 neg, 1 lt, 2 where
 #   from_tensor: 142: 49 +, 51 *, 10 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 106: 34 +, 33 *, 7 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -64,12 +64,12 @@
 #   principal: 57: 15 +, 24 *, 9 /, 1 sqrt, 1 lt, 7 where
 #   compose: 227: 80 +, 122 *, 21 /, 1 neg, 1 lt, 2 where
 #   between: 233: 80 +, 122 *, 21 /, 7 neg, 1 lt, 2 where
-#   compose_jacobians: 1000: 389 +, 517 *, 81 /, 10 neg, 1 lt, 2 where
-#   between_jacobians: 1024: 389 +, 517 *, 81 /, 34 neg, 1 lt, 2 where
+#   compose_jacobians: 999: 389 +, 517 *, 80 /, 10 neg, 1 lt, 2 where
+#   between_jacobians: 1023: 389 +, 517 *, 80 /, 34 neg, 1 lt, 2 where
 #   retract: 317: 104 +, 149 *, 37 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
 #   body_retract: 317: 104 +, 149 *, 37 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
-#   retract_jacobians: 1090: 418 +, 545 *, 91 /, 8 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
-#   body_retract_jacobians: 1090: 418 +, 545 *, 91 /, 8 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   retract_jacobians: 1089: 418 +, 545 *, 90 /, 8 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   body_retract_jacobians: 1089: 418 +, 545 *, 90 /, 8 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 306: 98 +, 148 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 306: 98 +, 148 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   interpolate: 667: 211 +, 316 *, 66 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
@@ -343,7 +343,7 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, o2
 
 
-# operations 9: 3 +, 1 *, 4 /, 1 neg
+# operations 8: 3 +, 1 *, 3 /, 1 neg
 def _tangent_inv(m: Any, x: Any) -> Result:
     z = x / 16
     p = 1 - z
@@ -351,7 +351,7 @@ def _tangent_inv(m: Any, x: Any) -> Result:
     fi_v = 4 * fi
     one = x - x + 1
     hi = one / 4
-    fiy = -one / 4
+    fiy = -hi
     return fi_v, hi, fiy, 0
 
 
@@ -362,13 +362,13 @@ def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     p = sub(n1, z, o1)
     fi = div(p, n2, o1)
     mul(n4, fi, o1)
-    one = add(sub(x, x, o3), n1, o3)
-    div(one, n4, o2)
-    div(neg(one, o3), n4, o3)
+    one = add(sub(x, x, o2), n1, o2)
+    hi = div(one, n4, o2)
+    neg(hi, o3)
     return o1, o2, o3, n0
 
 
-# operations 9: 3 +, 1 *, 4 /, 1 neg
+# operations 8: 3 +, 1 *, 3 /, 1 neg
 def _tangent_inv_dot(m: Any, x: Any) -> Result:
     z = x / 16
     p = 1 - z
@@ -376,7 +376,7 @@ def _tangent_inv_dot(m: Any, x: Any) -> Result:
     fi_v = 4 * fi
     one = x - x + 1
     hi = one / 4
-    fiy = -one / 4
+    fiy = -hi
     return fi_v, hi, fiy, 0, 0, 0
 
 
@@ -387,9 +387,9 @@ def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, mas
     p = sub(n1, z, o1)
     fi = div(p, n2, o1)
     mul(n4, fi, o1)
-    one = add(sub(x, x, o3), n1, o3)
-    div(one, n4, o2)
-    div(neg(one, o3), n4, o3)
+    one = add(sub(x, x, o2), n1, o2)
+    hi = div(one, n4, o2)
+    neg(hi, o3)
     return o1, o2, o3, n0, n0, n0
 
 
@@ -649,7 +649,7 @@ def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
 # --- geometry that does with less here than for any chart ---------------------------------------------------------
 
 
-# operations 157: 61 +, 69 *, 21 /, 6 neg
+# operations 73: 25 +, 33 *, 9 /, 6 neg
 def _own_rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = omega
@@ -657,72 +657,60 @@ def _own_rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: 
     hs = side / 2
     vw = v1 * w1 + v2 * w2 + v3 * w3
     vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
-    b1 = -w1 / 4 / 2
-    b1o = -w1o / 4 / 2
-    b2 = -w2 / 4 / 2
-    b2o = -w2o / 4 / 2
-    b3 = -w3 / 4 / 2
-    b3o = -w3o / 4 / 2
-    hv1 = v1 / 8
-    hv1o = v1o / 8
-    hv2 = v2 / 8
-    hv2o = v2o / 8
-    hv3 = v3 / 8
-    hv3o = v3o / 8
-    s1 = w1 * hs
-    s1o = w1o * hs
-    s2 = w2 * hs
-    s2o = w2o * hs
-    s3 = w3 * hs
-    s3o = w3o * hs
+    t1 = w2 * v3 - w3 * v2
+    t1o = w2 * v3o + w2o * v3 - (w3 * v2o + w3o * v2)
+    t2 = w3 * v1 - w1 * v3
+    t2o = w3 * v1o + w3o * v1 - (w1 * v3o + w1o * v3)
+    t3 = w1 * v2 - w2 * v1
+    t3o = w1 * v2o + w1o * v2 - (w2 * v1o + w2o * v1)
+    s1 = w1 * hs + t1 / 8
+    s1o = w1o * hs + t1o / 8
+    s2 = w2 * hs + t2 / 8
+    s2o = w2o * hs + t2o / 8
+    s3 = w3 * hs + t3 / 8
+    s3o = w3o * hs + t3o / 8
     ha = vw / 8
     hao = vwo / 8
-    J11 = b1 * v1 + hv1 * w1 + ha
-    J12 = b1 * v2 + hv1 * w2 - s3
-    J13 = b1 * v3 + hv1 * w3 + s2
-    J21 = b2 * v1 + hv2 * w1 + s3
-    J22 = b2 * v2 + hv2 * w2 + ha
-    J23 = b2 * v3 + hv2 * w3 - s1
-    J31 = b3 * v1 + hv3 * w1 - s2
-    J32 = b3 * v2 + hv3 * w2 + s1
-    J33 = b3 * v3 + hv3 * w3 + ha
+    J12 = -s3
+    J23 = -s1
+    J31 = -s2
     return (
-        J11,
+        ha,
         J12,
-        J13,
+        s2,
         0,
         0,
         0,
-        J21,
-        J22,
+        s3,
+        ha,
         J23,
         0,
         0,
         0,
         J31,
-        J32,
-        J33,
+        s1,
+        ha,
         0,
         0,
         0,
-        b1 * v1o + b1o * v1 + (hv1 * w1o + hv1o * w1) + hao,
-        b1 * v2o + b1o * v2 + (hv1 * w2o + hv1o * w2) - s3o,
-        b1 * v3o + b1o * v3 + (hv1 * w3o + hv1o * w3) + s2o,
-        J11,
+        hao,
+        -s3o,
+        s2o,
+        ha,
         J12,
-        J13,
-        b2 * v1o + b2o * v1 + (hv2 * w1o + hv2o * w1) + s3o,
-        b2 * v2o + b2o * v2 + (hv2 * w2o + hv2o * w2) + hao,
-        b2 * v3o + b2o * v3 + (hv2 * w3o + hv2o * w3) - s1o,
-        J21,
-        J22,
+        s2,
+        s3o,
+        hao,
+        -s1o,
+        s3,
+        ha,
         J23,
-        b3 * v1o + b3o * v1 + (hv3 * w1o + hv3o * w1) - s2o,
-        b3 * v2o + b3o * v2 + (hv3 * w2o + hv3o * w2) + s1o,
-        b3 * v3o + b3o * v3 + (hv3 * w3o + hv3o * w3) + hao,
+        -s2o,
+        s1o,
+        hao,
         J31,
-        J32,
-        J33,
+        s1,
+        ha,
     )
 
 
@@ -736,76 +724,56 @@ def _own_rate_jacobian_blocks(
         o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
         o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36,
     ) = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14 = scratch
-    n0, n2, n4, n8 = numbers
-    b1 = div(div(neg(w1, k1), n4, k1), n2, k1)
-    hv1 = div(v1, n8, k2)
-    vw = add(add(mul(v1, w1, k3), mul(v2, w2, k4), k3), mul(v3, w3, k4), k3)
-    ha = div(vw, n8, k3)
-    add(add(mul(b1, v1, k4), mul(hv1, w1, k5), k4), ha, o1)
-    hs = div(side, n2, k4)
-    s3 = mul(w3, hs, k5)
-    sub(add(mul(b1, v2, k6), mul(hv1, w2, k7), k6), s3, o2)
-    s2 = mul(w2, hs, k6)
-    add(add(mul(b1, v3, k7), mul(hv1, w3, k8), k7), s2, o3)
-    b2 = div(div(neg(w2, k7), n4, k7), n2, k7)
-    hv2 = div(v2, n8, k8)
-    add(add(mul(b2, v1, k9), mul(hv2, w1, k10), k9), s3, o7)
-    add(add(mul(b2, v2, k5), mul(hv2, w2, k9), k5), ha, o8)
-    s1 = mul(w1, hs, k5)
-    sub(add(mul(b2, v3, k9), mul(hv2, w3, k10), k9), s1, o9)
-    b3 = div(div(neg(w3, k9), n4, k9), n2, k9)
-    hv3 = div(v3, n8, k10)
-    sub(add(mul(b3, v1, k11), mul(hv3, w1, k12), k11), s2, o13)
-    add(add(mul(b3, v2, k6), mul(hv3, w2, k11), k6), s1, o14)
-    add(add(mul(b3, v3, k5), mul(hv3, w3, k6), k5), ha, o15)
-    b1o = div(div(neg(w1o, k3), n4, k3), n2, k3)
-    hv1o = div(v1o, n8, k5)
+    k1, k2, k3, k4 = scratch
+    n0, n2, n8 = numbers
+    vw = add(add(mul(v1, w1, k1), mul(v2, w2, k2), k1), mul(v3, w3, k2), k1)
+    div(vw, n8, o1)
+    hs = div(side, n2, k1)
+    t3 = sub(mul(w1, v2, k2), mul(w2, v1, k3), k2)
+    s3 = add(mul(w3, hs, k3), div(t3, n8, k2), o7)
+    neg(s3, o2)
+    t2 = sub(mul(w3, v1, k2), mul(w1, v3, k3), k2)
+    s2 = add(mul(w2, hs, k3), div(t2, n8, k2), o3)
+    neg(s2, o13)
+    t1 = sub(mul(w2, v3, k2), mul(w3, v2, k3), k2)
+    s1 = add(mul(w1, hs, k3), div(t1, n8, k2), o14)
+    neg(s1, o9)
     vwo = add(
-        add(add(mul(v1, w1o, k6), mul(v1o, w1, k11), k6), add(mul(v2, w2o, k11), mul(v2o, w2, k12), k11), k6),
-        add(mul(v3, w3o, k11), mul(v3o, w3, k12), k11), k6
+        add(add(mul(v1, w1o, k2), mul(v1o, w1, k3), k2), add(mul(v2, w2o, k3), mul(v2o, w2, k4), k3), k2), add(mul(v3,
+        w3o, k3), mul(v3o, w3, k4), k3), k2
     )
-    hao = div(vwo, n8, k6)
-    add(
-        add(add(mul(b1, v1o, k11), mul(b1o, v1, k12), k11), add(mul(hv1, w1o, k12), mul(hv1o, w1, k13), k12), k11), hao,
-        o19
-    )
-    s3o = mul(w3o, hs, k11)
-    sub(
-        add(add(mul(b1, v2o, k12), mul(b1o, v2, k13), k12), add(mul(hv1, w2o, k13), mul(hv1o, w2, k14), k13), k12), s3o,
-        o20
-    )
-    s2o = mul(w2o, hs, k12)
-    add(add(add(mul(b1, v3o, k1), mul(b1o, v3, k3), k1), add(mul(hv1, w3o, k2), mul(hv1o, w3, k3), k2), k1), s2o, o21)
-    s1o = mul(w1o, hs, k1)
-    b2o = div(div(neg(w2o, k2), n4, k2), n2, k2)
-    hv2o = div(v2o, n8, k3)
-    add(add(add(mul(b2, v1o, k4), mul(b2o, v1, k5), k4), add(mul(hv2, w1o, k5), mul(hv2o, w1, k13), k5), k4), s3o, o25)
-    add(add(add(mul(b2, v2o, k4), mul(b2o, v2, k5), k4), add(mul(hv2, w2o, k5), mul(hv2o, w2, k11), k5), k4), hao, o26)
-    sub(add(add(mul(b2, v3o, k4), mul(b2o, v3, k2), k2), add(mul(hv2, w3o, k4), mul(hv2o, w3, k3), k3), k2), s1o, o27)
-    b3o = div(div(neg(w3o, k2), n4, k2), n2, k2)
-    hv3o = div(v3o, n8, k3)
-    sub(add(add(mul(b3, v1o, k4), mul(b3o, v1, k5), k4), add(mul(hv3, w1o, k5), mul(hv3o, w1, k7), k5), k4), s2o, o31)
-    add(add(add(mul(b3, v2o, k4), mul(b3o, v2, k5), k4), add(mul(hv3, w2o, k5), mul(hv3o, w2, k7), k5), k4), s1o, o32)
-    add(add(add(mul(b3, v3o, k1), mul(b3o, v3, k2), k1), add(mul(hv3, w3o, k2), mul(hv3o, w3, k3), k2), k1), hao, o33)
+    div(vwo, n8, o19)
+    t3o = sub(add(mul(w1, v2o, k2), mul(w1o, v2, k3), k2), add(mul(w2, v1o, k3), mul(w2o, v1, k4), k3), k2)
+    s3o = add(mul(w3o, hs, k3), div(t3o, n8, k2), o25)
+    neg(s3o, o20)
+    t2o = sub(add(mul(w3, v1o, k2), mul(w3o, v1, k3), k2), add(mul(w1, v3o, k3), mul(w1o, v3, k4), k3), k2)
+    s2o = add(mul(w2o, hs, k3), div(t2o, n8, k2), o21)
+    neg(s2o, o31)
+    t1o = sub(add(mul(w2, v3o, k2), mul(w2o, v3, k3), k2), add(mul(w3, v2o, k3), mul(w3o, v2, k4), k3), k2)
+    s1o = add(mul(w1o, hs, k1), div(t1o, n8, k2), o32)
+    neg(s1o, o27)
     copy(n0, o4)
     copy(n0, o5)
     copy(n0, o6)
+    copy(o1, o8)
     copy(n0, o10)
     copy(n0, o11)
     copy(n0, o12)
+    copy(o1, o15)
     copy(n0, o16)
     copy(n0, o17)
     copy(n0, o18)
     copy(o1, o22)
     copy(o2, o23)
     copy(o3, o24)
+    copy(o19, o26)
     copy(o7, o28)
-    copy(o8, o29)
+    copy(o1, o29)
     copy(o9, o30)
+    copy(o19, o33)
     copy(o13, o34)
     copy(o14, o35)
-    copy(o15, o36)
+    copy(o1, o36)
 
 
 CHART = Chart(
@@ -851,14 +819,14 @@ CHART = Chart(
         _own_rate_jacobian_blocks,
         (("v", (6,)), ("omega", (6,)),),
         (6, 6),
-        registers=14,
+        registers=4,
         masks=0,
-        numbers=(0, 2, 4, 8),
+        numbers=(0, 2, 8),
         lent=(),
         real=False,
     ),
     },
-    programs="163c8336063549b8",
+    programs="474aedf762c87f99",
 )
 
 KERNELS = PoseKernels(CHART)

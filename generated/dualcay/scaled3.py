@@ -46,9 +46,9 @@
 #   rate: 127: 46 +, 73 *, 7 /, 1 neg
 #   tangent_dot: 224: 83 +, 124 *, 16 /, 1 neg
 #   twist_dot: 252: 96 +, 141 *, 14 /, 1 neg
-#   rate_dot: 359: 141 +, 194 *, 21 /, 3 neg
-#   twist_jacobian: 301: 118 +, 167 *, 14 /, 2 neg
-#   rate_jacobian: 231: 86 +, 124 *, 18 /, 3 neg
+#   rate_dot: 258: 98 +, 141 *, 16 /, 3 neg
+#   twist_jacobian: 254: 99 +, 140 *, 14 /, 1 neg
+#   rate_jacobian: 215: 79 +, 115 *, 18 /, 3 neg
 #   from_quaternion: 95: 27 +, 48 *, 9 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   from_tensor: 151: 47 +, 54 *, 12 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_pose: 115: 32 +, 36 *, 9 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
@@ -823,7 +823,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 6)),
     },
     kernels=SHARED,
-    programs="75093a65776ad831",
+    programs="0ae86d2cfb3535dc",
 )
 
 KERNELS = PoseKernels(CHART)

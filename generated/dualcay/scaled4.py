@@ -46,9 +46,9 @@
 #   rate: 133: 49 +, 76 *, 7 /, 1 neg
 #   tangent_dot: 238: 90 +, 132 *, 16 /
 #   twist_dot: 266: 103 +, 149 *, 14 /
-#   rate_dot: 370: 146 +, 201 *, 21 /, 2 neg
-#   twist_jacobian: 315: 125 +, 175 *, 14 /, 1 neg
-#   rate_jacobian: 242: 91 +, 131 *, 18 /, 2 neg
+#   rate_dot: 269: 103 +, 148 *, 16 /, 2 neg
+#   twist_jacobian: 268: 106 +, 148 *, 14 /
+#   rate_jacobian: 226: 84 +, 122 *, 18 /, 2 neg
 #   from_quaternion: 89: 28 +, 47 *, 9 /, 1 neg, 1 sqrt, 1 lt, 2 where
 #   from_tensor: 156: 51 +, 59 *, 13 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 120: 36 +, 41 *, 10 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -850,7 +850,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 8)),
     },
     kernels=SHARED,
-    programs="56bbbe60fe4d0e2e",
+    programs="b8b2bb0d02b70184",
 )
 
 KERNELS = PoseKernels(CHART)

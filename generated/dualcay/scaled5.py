@@ -46,9 +46,9 @@
 #   rate: 142: 53 +, 81 *, 7 /, 1 neg
 #   tangent_dot: 247: 93 +, 138 *, 16 /
 #   twist_dot: 275: 106 +, 155 *, 14 /
-#   rate_dot: 384: 152 +, 209 *, 22 /, 1 neg
-#   twist_jacobian: 324: 128 +, 181 *, 14 /, 1 neg
-#   rate_jacobian: 256: 97 +, 139 *, 19 /, 1 neg
+#   rate_dot: 283: 109 +, 156 *, 17 /, 1 neg
+#   twist_jacobian: 277: 109 +, 154 *, 14 /
+#   rate_jacobian: 240: 90 +, 130 *, 19 /, 1 neg
 #   from_quaternion: 101: 30 +, 51 *, 9 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   from_tensor: 157: 50 +, 57 *, 12 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_pose: 121: 35 +, 39 *, 9 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
@@ -882,7 +882,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 10)),
     },
     kernels=SHARED,
-    programs="ce612311f245b3fb",
+    programs="2430a24e4c46c0bf",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -46,9 +46,9 @@
 #   rate: 136: 49 +, 77 *, 7 /, 2 neg, 1 sqrt
 #   tangent_dot: 221: 86 +, 124 *, 10 /, 1 sqrt
 #   twist_dot: 249: 99 +, 141 *, 8 /, 1 sqrt
-#   rate_dot: 395: 152 +, 209 *, 28 /, 5 neg, 1 sqrt
-#   twist_jacobian: 298: 121 +, 167 *, 8 /, 1 neg, 1 sqrt
-#   rate_jacobian: 267: 97 +, 139 *, 25 /, 5 neg, 1 sqrt
+#   rate_dot: 294: 109 +, 156 *, 23 /, 5 neg, 1 sqrt
+#   twist_jacobian: 251: 102 +, 140 *, 8 /, 1 sqrt
+#   rate_jacobian: 251: 90 +, 130 *, 25 /, 5 neg, 1 sqrt
 #   from_quaternion: 94: 27 +, 48 *, 7 /, 1 neg, 2 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   from_tensor: 150: 47 +, 54 *, 10 /, 2 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_pose: 114: 32 +, 36 *, 7 /, 2 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
@@ -779,7 +779,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 6, 12)),
     },
     kernels=SHARED,
-    programs="5d38bdc99bec11e6",
+    programs="e2ab24319b85852a",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -46,9 +46,9 @@
 #   rate: 139: 52 +, 79 *, 6 /, 1 neg, 1 sqrt
 #   tangent_dot: 230: 90 +, 129 *, 10 /, 1 sqrt
 #   twist_dot: 258: 103 +, 146 *, 8 /, 1 sqrt
-#   rate_dot: 397: 155 +, 212 *, 25 /, 4 neg, 1 sqrt
-#   twist_jacobian: 307: 125 +, 172 *, 8 /, 1 neg, 1 sqrt
-#   rate_jacobian: 269: 100 +, 142 *, 22 /, 4 neg, 1 sqrt
+#   rate_dot: 296: 112 +, 159 *, 20 /, 4 neg, 1 sqrt
+#   twist_jacobian: 260: 106 +, 145 *, 8 /, 1 sqrt
+#   rate_jacobian: 253: 93 +, 133 *, 22 /, 4 neg, 1 sqrt
 #   from_quaternion: 87: 27 +, 46 *, 7 /, 1 neg, 3 sqrt, 1 lt, 2 where
 #   from_tensor: 153: 50 +, 57 *, 11 /, 4 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 117: 35 +, 39 *, 8 /, 4 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -773,7 +773,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 8, 16)),
     },
     kernels=SHARED,
-    programs="0a85c316ea7d0e20",
+    programs="5a165e8bb8fbc7b2",
 )
 
 KERNELS = PoseKernels(CHART)

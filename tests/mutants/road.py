@@ -101,12 +101,14 @@ def controls() -> list[str]:
 def validations(everything: bool, around: Around) -> dict[str, Check]:
     """Emission with validation, for all targets and orders, or for NumPy and a few.
 
-    ``around`` is put between the road and the validation that ends it.
+    As in a package, what is the same in all charts is validated in the first that is built here. ``around`` is put
+    between the road and the validation that ends it.
     """
+    shown = {name: importlib.import_module("derive.codegen.validation").Seen() for name in targets()}
 
     def check(name: str, which: Which, target: Any) -> Check:
-        seen = Otherwise(target, validate=around(name, target.validate))
-        return lambda: build(which, seen)
+        watched = Otherwise(target, validate=around(name, target.validate))
+        return lambda: build(which, watched, shown[target.name])
 
     numpy = (*ORDERS, *kinds()) if everything else (*GEOMETRY, *families())
     return {
@@ -156,9 +158,9 @@ def targets() -> Mapping[str, Any]:
     return {name: found[name] for name in sorted(found, key=lambda name: (name == "c", name != "numpy"))}
 
 
-def build(which: Which, target: Any) -> Any:
-    """Everything that is emitted for a chart."""
-    return importlib.import_module("derive.codegen.compiler").build_charts([chart(which)], target)
+def build(which: Which, target: Any, seen: Any = None) -> Any:
+    """Everything that is emitted for a chart; ``seen`` is what has been shown of what it shares with others."""
+    return importlib.import_module("derive.codegen.compiler").build_charts([chart(which)], target, seen=seen)
 
 
 def programs() -> Iterator[tuple[Which | None, str, Any]]:

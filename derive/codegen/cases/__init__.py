@@ -3,6 +3,7 @@
 ======== ========================================================================================
 exact    algebraic functions on symbols (elements of an exact ring), or at numbers
 digits   maps with sqrt, tan and atan2 at seeded screws, to 50 digits
+decimals these numbers, and how near they have to be
 batches  both, for the validation of a text; complete, or an error
 seeded   numbers that a float holds and their results, for languages whose kernels take no others
 floats   results at all combinations of arguments, for calls on arrays of floats

@@ -13,7 +13,7 @@ from ...maps.chart import Chart
 from ...proof import is_algebraic
 from ..rows import Function, Table
 from ..signatures import POSES
-from . import digits, exact
+from . import decimals, digits, exact
 from .exact import Expectation
 
 Agree = Callable[[Any, Any], bool]
@@ -40,7 +40,7 @@ class Batch:
     @property
     def agree(self) -> Agree:
         """What a result has to be to the expected one."""
-        return same if self.exact else partial(digits.close, tolerance=self.tolerance)
+        return same if self.exact else partial(decimals.close, tolerance=self.tolerance)
 
 
 @lru_cache(maxsize=4)
@@ -53,7 +53,7 @@ def batches(chart: Chart, table: Table = POSES) -> Sequence[Batch]:
         If a function of the table has no case, or in an algebraic chart no exact one where its row says so.
     """
     algebraic = is_algebraic(chart)
-    with mpmath.workdps(digits.DIGITS):
+    with mpmath.workdps(decimals.DIGITS):
         exactly = [_batch((case,), table) for case in exact.expectations(chart, table)] if algebraic else []
         close = [*digits.expectations(chart, table), *(() if algebraic else digits.algebraic(chart, table))]
         closely = [_batch(tuple(map(_decimal, batch)), table, chart) for batch in close]
@@ -78,10 +78,10 @@ def _batch(cases: tuple[Expectation, ...], table: Table, chart: Chart | None = N
     """Of exact cases, or of decimal ones of a chart."""
     function, *branch = cases[0].function.split()
     row = table.functions[function]
-    tolerance = digits.tolerance(chart, row.remainder) if chart else None
+    tolerance = decimals.tolerance(chart, row.remainder) if chart else None
     return Batch(row, tuple(map(int, branch)), cases, tolerance)
 
 
 def _decimal(case: Expectation) -> Expectation:
-    arguments = tuple(tuple(map(digits.Decimal, argument)) for argument in case.arguments)
-    return Expectation(case.function, arguments, case.result)
+    arguments = tuple(tuple(map(decimals.Decimal, argument)) for argument in case.arguments)
+    return Expectation(case.function, arguments, lambda: case.result)

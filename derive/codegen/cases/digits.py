@@ -1,13 +1,11 @@
-"""Numbers of 50 digits which kernels take inside object arrays, and seeded cases for the maps that need them."""
+"""Seeded cases of 50 digits, for the maps that no ring holds, and at what decides between branches."""
 
 from __future__ import annotations
 
 import itertools
 import random
 from collections.abc import Iterable, Iterator, Sequence
-from fractions import Fraction
 from functools import lru_cache
-from typing import Any
 
 import mpmath
 
@@ -22,15 +20,15 @@ from ...maps.pose import (
     tensor_from_screw,
 )
 from ...maps.sign_tests import orientation
-from ..rows import Table
+from ..rows import Function, Table
 from ..signatures import POSES
+from .decimals import later
 from .exact import ALGEBRAIC, Expectation
 from .maps_at import MAPS, Flat, flat, reached
 from .point import value
 from .screws import covering, half_turns, steep, translation
 from .vectors import Vectors, is_whole
 
-DIGITS = 50
 SEED = 2011
 
 SMALL = 1e-22
@@ -54,87 +52,8 @@ SMALL_STEP = tuple(mpmath.mpf(c) / 64 for c in (1, -2, 2, 1, 0, 3))
 LATTICE = ((1, 0, 0), (0, -1, 0), (1, 1, 1), (-1, 1, -1), (1, -1, 0))
 """Directions which have, times a power of two, a v·v without rounding: at some of them a chart's scalars vanish."""
 
-CONSTANTS = mpmath.mpf(10) ** -40
-"""What constants of as many digits are off by."""
-
-CONDITION = mpmath.mpf(10) ** 8
-"""What errors of constants and scalars grow by, at most, in the results of the seeded cases."""
-
 SIZES = ("1e-25", "1e-9", "0.003", "0.3", "0.7", "0.97")
 """Angles of seeded vectors, by the first at which something is singular: where scalars are series, and where not."""
-
-
-class Decimal:
-    """A real number of 50 digits: + - * / with exact partners, comparison, ``abs``, ``sqrt``, ``tan``, ``arctan2``."""
-
-    __slots__ = ("value",)
-
-    def __init__(self, value: Any) -> None:
-        self.value = mpmath.mpf(value.numerator) / value.denominator if isinstance(value, int | Fraction) else value
-
-    @staticmethod
-    def _value(other: object) -> Any:
-        if isinstance(other, Decimal):
-            return other.value
-        if isinstance(other, int | Fraction):
-            return Decimal(other).value
-        raise TypeError(f"a kernel mixed a 50-digit number with {type(other).__name__} {other!r}")
-
-    def __add__(self, other: object) -> Decimal:
-        return Decimal(self.value + self._value(other))
-
-    def __sub__(self, other: object) -> Decimal:
-        return Decimal(self.value - self._value(other))
-
-    def __rsub__(self, other: object) -> Decimal:
-        return Decimal(self._value(other) - self.value)
-
-    def __mul__(self, other: object) -> Decimal:
-        return Decimal(self.value * self._value(other))
-
-    def __truediv__(self, other: object) -> Decimal:
-        return Decimal(_quotient(self.value, self._value(other)))
-
-    def __rtruediv__(self, other: object) -> Decimal:
-        return Decimal(_quotient(self._value(other), self.value))
-
-    __radd__, __rmul__ = __add__, __mul__
-
-    def __neg__(self) -> Decimal:
-        return Decimal(-self.value)
-
-    def __lt__(self, other: object) -> bool:
-        return bool(self.value < self._value(other))
-
-    def __gt__(self, other: object) -> bool:
-        return bool(self.value > self._value(other))
-
-    def __eq__(self, other: object) -> bool:
-        return bool(self.value == self._value(other))
-
-    __hash__ = None  # type: ignore[assignment]
-
-    def __repr__(self) -> str:
-        return str(mpmath.nstr(self.value, DIGITS))
-
-    def __abs__(self) -> Decimal:
-        return Decimal(abs(self.value))
-
-    def sqrt(self) -> Decimal:
-        return Decimal(mpmath.sqrt(self.value) if self.value >= 0 else mpmath.nan)
-
-    def tan(self) -> Decimal:
-        return Decimal(mpmath.tan(self.value))
-
-    def arctan2(self, other: object) -> Decimal:
-        return Decimal(mpmath.atan2(self.value, self._value(other)))
-
-
-def _quotient(a: Any, b: Any) -> Any:
-    """The IEEE quotient: a selection computes both sides, and the one not taken may divide by zero."""
-    if b:
-        return a / b
-    return a * mpmath.inf if a else mpmath.nan
 
 
 def near_edge(chart: Vectors) -> float:
@@ -166,7 +85,11 @@ def restricted(cases: Iterable[Expectation], table: Table) -> Iterator[Expectati
             function, arguments = " ".join((row.name, *branch)), row.restricted(case.arguments)
             if (function, arguments) not in seen:
                 seen.add((function, arguments))
-                yield Expectation(function, arguments, row.part(case.result))
+                yield Expectation(function, arguments, later(_part, row, case))
+
+
+def _part(row: Function, case: Expectation) -> Flat:
+    return row.part(case.result)
 
 
 @lru_cache(maxsize=1)
@@ -199,6 +122,12 @@ def _cases(chart: Vectors, draw: random.Random) -> Iterator[Expectation]:
     yield from _near_ties(chart, screws[0])
 
 
+def _by(chart: Vectors, name: str, *arguments: Flat) -> Expectation:
+    """What one of the maps makes of its arguments; a branch stands behind its name."""
+    function, branch = (*name.split(), "0")[:2]
+    return Expectation(name, arguments, later(MAPS[function], chart, int(branch), *arguments))
+
+
 def _principal(chart: Vectors, screw: Screw, other: Screw) -> Iterator[Expectation]:
     principal = chart.at(screw)
     yield Expectation("from_screw", ((screw.angle.re, screw.angle.du), flat(screw.axis)), flat(principal))
@@ -209,22 +138,22 @@ def _principal(chart: Vectors, screw: Screw, other: Screw) -> Iterator[Expectati
     yield from _coordinates(chart, screw)
     yield Expectation("compose", vectors, flat(chart.of_quaternion(product)))
     for name in ("between", "local", "body_local", "retract", "body_retract"):  # any dual vector is a δ
-        yield Expectation(name, vectors, MAPS[name](chart, 0, *vectors))
+        yield _by(chart, name, *vectors)
     yield from _between(chart, screw, other)
     if all(chart.finite(s, 0, INSIDE) for s in (screw, other)):
         for name in ("compose_jacobians", "between_jacobians", "retract_jacobians", "body_retract_jacobians"):
-            yield Expectation(name, vectors, MAPS[name](chart, 0, *vectors))
+            yield _by(chart, name, *vectors)
 
 
 def _coordinates(chart: Vectors, screw: Screw) -> Iterator[Expectation]:
     """α u of a vector, and back; of angles some turns further on too."""
     v = flat(chart.at(screw))
-    yield Expectation("to_exponential", (v,), MAPS["to_exponential"](chart, 0, v))
+    yield _by(chart, "to_exponential", v)
     beyond = 3 if mpmath.isinf(chart.edge) else int(chart.edge / (2 * mpmath.pi)) + 1
     for turns in (0, 1, beyond):
         w = screw.axis * (screw.angle + 2 * mpmath.pi * turns)
         if chart.finite(Screw(reached(chart, screw.angle + 2 * mpmath.pi * turns), screw.axis), 0, INSIDE):
-            yield Expectation("from_exponential", (flat(w),), MAPS["from_exponential"](chart, 0, flat(w)))
+            yield _by(chart, "from_exponential", flat(w))
 
 
 def _between(chart: Vectors, screw: Screw, other: Screw) -> Iterator[Expectation]:
@@ -232,7 +161,7 @@ def _between(chart: Vectors, screw: Screw, other: Screw) -> Iterator[Expectation
     further = Screw(screw.angle / 3, screw.axis)
     for end, t in ((other, "0.3"), (screw, "0.7"), (further, "0.8")):
         given = flat(chart.at(screw)), flat(chart.at(end)), (mpmath.mpf(t),)
-        yield Expectation("interpolate", given, MAPS["interpolate"](chart, 0, *given))
+        yield _by(chart, "interpolate", *given)
 
 
 def _back(chart: Vectors, screw: Screw, branch: int) -> Iterator[Expectation]:
@@ -242,7 +171,7 @@ def _back(chart: Vectors, screw: Screw, branch: int) -> Iterator[Expectation]:
     yield Expectation(f"shadow {chart.back(branch)}", (v,), flat(chart.at(screw)))
     if branch:
         way = v, MAPS["retract"](chart, 0, v, SMALL_STEP), (mpmath.mpf("0.5"),)
-        yield Expectation("interpolate", way, MAPS["interpolate"](chart, 0, *way))
+        yield _by(chart, "interpolate", *way)
 
 
 def _branch(chart: Vectors, screw: Screw, branch: int) -> Iterator[Expectation]:
@@ -254,11 +183,11 @@ def _branch(chart: Vectors, screw: Screw, branch: int) -> Iterator[Expectation]:
     yield Expectation(f"shadow {branch}", (principal,), v)
     yield Expectation("principal", (v,), principal)
     for name in ("angle", "to_exponential"):
-        yield Expectation(name, (v,), MAPS[name](chart, 0, v))
+        yield _by(chart, name, v)
     if screw.angle.re > INSIDE and all(chart.finite(screw, k, INSIDE) for k in (0, branch)):
-        yield Expectation(f"shadow_jacobian {branch}", (principal,), MAPS["shadow_jacobian"](chart, branch, principal))
+        yield _by(chart, f"shadow_jacobian {branch}", principal)
     for name in ("retract", "body_retract", "retract_jacobians", "body_retract_jacobians") if branch else ():
-        yield Expectation(name, (v, SMALL_STEP), MAPS[name](chart, 0, v, SMALL_STEP))
+        yield _by(chart, name, v, SMALL_STEP)
 
 
 def _from_rotation(R: Tensor, branch: int, v: Flat) -> Iterator[Expectation]:
@@ -297,17 +226,17 @@ def _far_steps(chart: Vectors, screw: Screw, still: Screw) -> Iterator[Expectati
     resting = flat(chart.at(still))
     for name in ("retract", "body_retract"):
         for given in ((flat(chart.at(screw)), large), (resting, small)):
-            yield Expectation(name, given, MAPS[name](chart, 0, *given))
+            yield _by(chart, name, *given)
     for name in ("retract_jacobians", "body_retract_jacobians"):
         for delta in (middle, large):
             given = flat(chart.at(screw)), delta
-            yield Expectation(name, given, MAPS[name](chart, 0, *given))
+            yield _by(chart, name, *given)
     elsewhere = tuple(reversed(resting))
     v = flat(chart.at(screw))
     for start, end, t in ((resting, (0, 0, 0, *elsewhere[:3]), 0.25), (v, MAPS["retract"](chart, 0, v, small), 4)):
         motion = start, end, (mpmath.mpf(t),)
-        yield Expectation("interpolate", motion, MAPS["interpolate"](chart, 0, *motion))
-    yield Expectation("angle", (resting,), MAPS["angle"](chart, 0, resting))
+        yield _by(chart, "interpolate", *motion)
+    yield _by(chart, "angle", resting)
     yield Expectation("angle", ((mpmath.mpf(0),) * 6,), (mpmath.mpf(0),) * 2)
 
 
@@ -376,17 +305,4 @@ def algebraic(chart: Chart, table: Table = POSES) -> Iterator[tuple[Expectation,
     for row in (table.sources[name] for name in ALGEBRAIC if name in table.sources):
         sizes = [array.size for array in row.arguments]
         given = [tuple(components[:size] for components, size in zip(rows, sizes)) for rows in points]
-        yield tuple(Expectation(row.name, arguments, value(at, row, None, arguments)) for arguments in given)
-
-
-def tolerance(chart: Chart, remainder: float = 0.0) -> Any:
-    """How far results of 50-digit numbers may be off, by 1 and their own size."""
-    return CONDITION * max(CONSTANTS, mpmath.mpf(chart.remainder), mpmath.mpf(remainder))
-
-
-def close(got: Any, expected: Any, tolerance: Any) -> bool:
-    """Whether a result of 50-digit numbers is the expected one."""
-    value = got.value if isinstance(got, Decimal) else Decimal(got).value
-    if mpmath.isnan(expected):
-        return bool(mpmath.isnan(value))
-    return bool(abs(value - expected) <= tolerance * (1 + abs(expected)))
+        yield tuple(Expectation(row.name, each, later(value, at, row, None, each)) for each in given)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import sympy
@@ -31,13 +32,20 @@ LETTERS = ("v", "w", "z")
 """The symbols that stand for the arguments of a function, in order; those of the first are a vector of the ring."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Expectation:
-    """Arguments of a kernel function and its exact result, both as flat components."""
+    """Arguments of a kernel function and its exact result, both as flat components.
+
+    A result that takes long to compute is given by what computes it, when it is asked for: not all are.
+    """
 
     function: str
     arguments: tuple[Flat, ...]
-    result: Flat
+    given: Flat | Callable[[], Flat]
+
+    @cached_property
+    def result(self) -> Flat:
+        return self.given() if callable(self.given) else self.given
 
 
 @dataclass(frozen=True, slots=True)
@@ -253,7 +261,8 @@ def _on_symbols(chart: Chart, row: Function, *formulas: Formula) -> Expectation:
     names = [[f"{letter}{i + 1}" for i in range(array.size)] for letter, array in zip(LETTERS, row.arguments)]
     ring = Ring(extra=[*names[0][3:], *(name for group in names[1:] for name in group)], root=root)
     arguments = tuple(tuple(map(ring.symbol, group)) for group in names)
-    return Expectation(row.name, arguments, evaluated(row, Formulas(chart, ring), arguments, 0 * arguments[0][0]))
+    zero = 0 * arguments[0][0]
+    return Expectation(row.name, arguments, lambda: evaluated(row, Formulas(chart, ring), arguments, zero))
 
 
 def evaluated(row: Function, at: Formulas, arguments: Sequence[Flat], zero: Any) -> Flat:

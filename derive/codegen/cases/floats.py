@@ -19,6 +19,7 @@ from ...maps.chart import Chart
 from ..rows import Function, Table
 from ..signatures import POSES
 from . import digits, exact
+from .decimals import DIGITS
 from .exact import ALGEBRAIC
 from .maps_at import Flat, seeded_arguments
 from .point import value
@@ -49,7 +50,7 @@ def samples(chart: Chart, table: Table = POSES, chosen: Container[str] | None = 
     """Samples of every chosen public function of the module of a chart, on all branches; exact ties among them."""
     rows = _chosen(table, chosen)
     draw = random.Random(SEED)
-    with mpmath.workdps(digits.DIGITS):
+    with mpmath.workdps(DIGITS):
         at = Vectors(chart)
         vectors, others = list(_vectors(at, draw)), [_drawn(draw, 2, 6) for _ in range(SIDE)]
         return [*_algebraic(at, rows, vectors, others, others[-1:]), *_inverse(at, table, rows, draw)]
@@ -67,7 +68,7 @@ def far(chart: Chart, size: Any, table: Table = POSES, chosen: Container[str] | 
     """
     draw, rows = random.Random(SEED), _chosen(table, chosen)
     # the slope of a turn is a difference of terms that are Re|v|² as large
-    with mpmath.workdps(digits.DIGITS + 2 * int(mpmath.log10(size))):
+    with mpmath.workdps(DIGITS + 2 * int(mpmath.log10(size))):
         v = (*(mpmath.mpf(size) * c for c in _drawn(draw, 1, 3)), *_drawn(draw, 1, 3))
         at = Vectors(chart)
         if not at.reaches(Vector(*v[:3]).magnitude()):

@@ -25,7 +25,7 @@ from ...maps.inverse import polar
 from ..lowered import geometry
 from ..rows import Function, Table
 from ..signatures import POSES
-from .digits import DIGITS
+from .decimals import DIGITS
 from .exact import ALGEBRAIC, Flat
 from .maps_at import flat, seeded_arguments
 from .point import value

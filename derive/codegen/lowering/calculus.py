@@ -15,9 +15,9 @@ from ..programs.program import Program
 from ..programs.value import Number
 from .forward import start
 from .inputs import dual_vector
-from .point import Geometry, Point
+from .point import Geometry
 
-HALF = Fraction(1, 2)
+HALF, QUARTER = Fraction(1, 2), Fraction(1, 4)
 
 
 def tangent_dot(trace: Geometry) -> Program:
@@ -57,49 +57,60 @@ def twist_dot(trace: Geometry) -> Program:
 
 
 def rate_dot(trace: Geometry) -> Program:
-    """``T⁻¹ ω̇ + (d/dt T⁻¹) ω`` with v̇ = T⁻¹ ω."""
+    """``T⁻¹ ω̇ + (d/dt T⁻¹) ω`` at v̇ = T⁻¹ ω, in products of v, ω and ω̇: v̇ itself is in none of them.
+
+    With a = v·ω, s = hi a and 2 v̇ = fi ω + side ω × v + s v it is half of
+    ``fi ω̇ + side (ω̇ + s ω) × v + (fiy b + a + s fi)/2 ω + (hi (2 v·ω̇ + 2 a s + fi ω²) + hiy a b − ω²)/2 v``,
+    where b = 2 v·v̇ = fi a + s v², since side² = 1 and ω × (ω × v) = a ω − ω² v.
+    """
     point, w, z = start(trace), _argument(trace, "omega", "w"), _argument(trace, "omega_dot", "z")
     side = _side(trace)
     fi, hi, fiy, hiy = point.lifted("tangent_inv_dot", ("fi", "hi", "fiy", "hiy"))
-    v, along = point.v, trace.dual("vw", point.v.dot(w))
-    spread = trace.dual("hvw", hi * along)
-    u = trace.dual_vector("u", (fi * w + w.cross(v) * side + spread * v) * HALF)
-    change, pull = trace.dual("vu", v.dot(u)), trace.dual("pull", v.dot(z) + u.dot(w))
-    drift, bend = trace.dual("ft", fiy * change), trace.dual("ht", hiy * change)
-    scale = trace.dual("cvv", hi * pull + bend * along)
-    found = (fi * z + drift * w + (z.cross(v) + w.cross(u)) * side + scale * v + spread * u) * HALF
+    v, along, length = point.v, trace.dual("vw", point.v.dot(w)), trace.dual("ww", _square(w))
+    spread, half = trace.dual("hvw", hi * along), trace.name("hs", side * HALF)
+    change = trace.dual("vu", trace.dual("fvw", fi * along) + spread * Dual(point.x, 2 * point.y))
+    pull = trace.dual("pull", 2 * (v.dot(z) + spread * along) + fi * length)
+    drift = trace.dual("ft", (fiy * change + along + spread * fi) * QUARTER)
+    bend = trace.dual("ht", hiy * change)
+    scale = trace.dual("cvv", (hi * pull + bend * along - length) * QUARTER)
+    turned = trace.dual_vector("s", z + spread * w).cross(v) * half
+    found = trace.dual("fih", fi * HALF) * z + drift * w + turned + scale * v
     return trace.program("rate_dot", (*found.re, *found.du))
 
 
 def twist_jacobian(trace: Geometry) -> Program:
-    """``(fy w + side gy v × w + hy (v·w) v)⊗v + h (v⊗w + (v·w) I) − side g skew(w)``."""
+    """``(fy w + side gy v × w + hy (v·w) v)⊗v + h (v⊗w + (v·w) I) − side g skew(w)``, where v⊗w = w⊗v − skew(v × w)."""
     point, w = start(trace), _argument(trace, "v_dot", "w")
     side = _side(trace)
     g, h, fy, gy, hy = point.lifted("tangent_dot", ("g", "h", "fy", "gy", "hy"))
     v, along = point.v, trace.dual("vw", point.v.dot(w))
-    turned = trace.dual_vector("t", v.cross(w))
-    image = trace.dual_vector("b", fy * w + trace.dual("gs", gy * side) * turned + trace.dual("ht", hy * along) * v)
-    return _jacobian(trace, "twist_jacobian", image, point, h, w, along, trace.dual("sg", g * -side))
+    turned, gs = trace.dual_vector("t", v.cross(w)), trace.dual("gs", g * side)
+    pull, turn, bend = trace.dual("fh", fy + h), trace.dual("gt", gy * side), trace.dual("ht", hy * along)
+    image = trace.dual_vector("b", pull * w + turn * turned + bend * v)
+    s = trace.dual_vector("s", gs * w + h * turned)
+    return _jacobian(trace, "twist_jacobian", Tensor.dyad(image, v), trace.dual("ha", h * along), -s)
 
 
 def rate_jacobian(trace: Geometry) -> Program:
-    """Half of ``(fiy w + hiy (v·w) v)⊗v + hi (v⊗w + (v·w) I) + side skew(w)``."""
+    """Half of ``(fiy w + hiy (v·w) v)⊗v + hi (v⊗w + (v·w) I) + side skew(w)``, where w⊗v = v⊗w − skew(w × v).
+
+    That leaves one dyad, v⊗b, which is 0 where fiy = −hi, as for n = 2.
+    """
     point, w = start(trace), _argument(trace, "omega", "w")
     side = trace.name("hs", _side(trace) * HALF)
     hi, fiy, hiy = point.lifted("tangent_inv_dot", ("hi", "fiy", "hiy"))
-    h, along = trace.dual("hih", hi * HALF), trace.dual("vw", point.v.dot(w))
-    image = trace.dual_vector("b", (fiy * w + trace.dual("ht", hiy * along) * point.v) * HALF)
-    return _jacobian(trace, "rate_jacobian", image, point, h, w, along, side)
+    v, along = point.v, trace.dual("vw", point.v.dot(w))
+    pull, turn = trace.dual("fh", (hi + fiy) * HALF), trace.dual("gt", fiy * HALF)
+    image = trace.dual_vector("b", pull * w + trace.dual("ht", hiy * along * HALF) * v)
+    s = trace.dual_vector("s", side * w - turn * trace.dual_vector("t", w.cross(v)))
+    a = trace.dual("ha", trace.dual("hih", hi * HALF) * along)
+    return _jacobian(trace, "rate_jacobian", Tensor.dyad(v, image), a, s)
 
 
-def _jacobian(
-    trace: Geometry, name: str, image: Vector, point: Point, h: Number, w: Vector, along: Number, turn: Number
-) -> Program:
-    """``image⊗v + h (v⊗w + (v·w) I) + turn skew(w)``."""
-    hv, s = trace.dual_vector("hv", h * point.v), trace.dual_vector("s", turn * w)
-    a = trace.dual("ha", h * along)
+def _jacobian(trace: Geometry, name: str, dyad: Tensor, a: Number, s: Vector) -> Program:
+    """A dyad with ``a I + skew(s)``."""
     spread = Tensor.skew(s) + Tensor(((a, 0, 0), (0, a, 0), (0, 0, a)))
-    return trace.program(name, matrix6(trace, Tensor.dyad(image, point.v) + Tensor.dyad(hv, w) + spread))
+    return trace.program(name, matrix6(trace, dyad + spread))
 
 
 def matrix6(trace: Geometry, tensor: Tensor, letter: str = "J") -> Iterator[Number]:

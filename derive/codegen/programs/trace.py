@@ -132,8 +132,13 @@ class Trace:
         return self.record("mul", a, b) if isinstance(a, Value) and isinstance(b, Value) else self._multiple(a, b)
 
     def _multiple(self, a: Number, b: Number) -> Number:
-        """A constant times a value, the constant first; fractions divide, so that exact types stay exact."""
+        """A constant times a value, the constant first; fractions divide, so that exact types stay exact.
+
+        The sign of one stands outside, where a sum takes it in.
+        """
         constant, value = (b, a) if isinstance(a, Value) else (a, b)
+        if constant.denominator != 1 and constant < 0:
+            return self.neg(self._multiple(-constant, value))
         if constant.denominator != 1:
             return self.div(self.mul(constant.numerator, value), constant.denominator)
         return self.record("mul", constant, value)

@@ -12,9 +12,9 @@ from typing import Any
 import mpmath
 
 from ...maps.chart import Chart
-from ..cases import Batch, batches, digits
+from ..cases import Batch, batches, decimals
 from ..cases.batches import Agree, same
-from ..cases.digits import Decimal
+from ..cases.decimals import Decimal
 from ..rows import Table, inside
 from ..signatures import POSES
 from .c_calls import Flat, Kernel
@@ -57,7 +57,7 @@ def check(unit: Unit, chart: Chart, given: Sequence[Batch], table: Table = POSES
         default = (0,) if batch.row.branch else ()
         return Kernel(unit, prefix(chart, table), batch.row, batch.branch or default)
 
-    with mpmath.workdps(digits.DIGITS):
+    with mpmath.workdps(decimals.DIGITS):
         return sum(_values(kernel(batch), batch) for batch in given) + sum(
             _layouts(kernel(batch), chart, rows) for batch, rows in _samples(given)
         )
@@ -136,9 +136,9 @@ def _constants(unit: Unit, chart: Chart) -> None:
     angles = [UNSET] * count
     if unit.call(f"{begin}_singular_angles", Pointer.to(angles)) != count:
         raise ValidationFailed(f"singular_angles does not return {count}")
-    with mpmath.workdps(digits.DIGITS):
-        wanted = [mpmath.mpf(angle.evalf(digits.DIGITS + 5)) for angle in chart.singular_angles]
-        _compare("singular_angles", angles, wanted, partial(digits.close, tolerance=digits.tolerance(chart)))
+    with mpmath.workdps(decimals.DIGITS):
+        wanted = [mpmath.mpf(angle.evalf(decimals.DIGITS + 5)) for angle in chart.singular_angles]
+        _compare("singular_angles", angles, wanted, partial(decimals.close, tolerance=decimals.tolerance(chart)))
 
 
 def _compare(where: str, found: Sequence[Any], expected: Sequence[Any], agree: Agree) -> None:

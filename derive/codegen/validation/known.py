@@ -12,7 +12,7 @@ import numpy as np
 from ...maps.chart import Chart
 from .. import rows
 from ..cases import Samples
-from ..cases.digits import DIGITS
+from ..cases.decimals import DIGITS
 from ..lowered import Lowered, geometry
 from ..programs.program import Operand, Program
 from ..programs.registers import results as result_names

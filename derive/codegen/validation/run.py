@@ -18,7 +18,7 @@ import numpy as np
 
 from ...maps.chart import Chart
 from ..cases import Batch, batches
-from ..cases.digits import DIGITS
+from ..cases.decimals import DIGITS
 from ..cases.exact import Expectation
 from ..lowered import lower_chart
 from ..rows import Table

@@ -644,7 +644,7 @@ def twist_dot_blocks(
     )
 
 
-# operations 110: 42 +, 62 *, 6 /
+# operations 78: 30 +, 44 *, 4 /
 def rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: Components, table: Components) -> Result:
     v1, v2, v3 = v
     w1, w2, w3 = omega
@@ -656,19 +656,23 @@ def rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: Compon
     x = v11 + v22 + v33
     fi, hi, fiy, hiy = c.tangent_inv(m, x)
     vw = v1 * w1 + v2 * w2 + v3 * w3
+    ww = w1 * w1 + w2 * w2 + w3 * w3
     hvw = hi * vw
-    u1 = (w1 * fi + (w2 * v3 - w3 * v2) * side + v1 * hvw) / 2
-    u2 = (w2 * fi + (w3 * v1 - w1 * v3) * side + v2 * hvw) / 2
-    u3 = (w3 * fi + (w1 * v2 - w2 * v1) * side + v3 * hvw) / 2
-    vu = v1 * u1 + v2 * u2 + v3 * u3
-    pull = v1 * z1 + v2 * z2 + v3 * z3 + (u1 * w1 + u2 * w2 + u3 * w3)
-    ft = fiy * vu
+    hs = side / 2
+    fvw = fi * vw
+    vu = fvw + hvw * x
+    pull = 2 * (v1 * z1 + v2 * z2 + v3 * z3 + hvw * vw) + fi * ww
+    ft = (fiy * vu + vw + hvw * fi) / 4
     ht = hiy * vu
-    cvv = hi * pull + ht * vw
+    cvv = (hi * pull + ht * vw - ww) / 4
+    s1 = z1 + w1 * hvw
+    s2 = z2 + w2 * hvw
+    s3 = z3 + w3 * hvw
+    fih = fi / 2
     return (
-        (z1 * fi + w1 * ft + (z2 * v3 - z3 * v2 + (w2 * u3 - w3 * u2)) * side + v1 * cvv + u1 * hvw) / 2,
-        (z2 * fi + w2 * ft + (z3 * v1 - z1 * v3 + (w3 * u1 - w1 * u3)) * side + v2 * cvv + u2 * hvw) / 2,
-        (z3 * fi + w3 * ft + (z1 * v2 - z2 * v1 + (w1 * u2 - w2 * u1)) * side + v3 * cvv + u3 * hvw) / 2,
+        z1 * fih + w1 * ft + (s2 * v3 - s3 * v2) * hs + v1 * cvv,
+        z2 * fih + w2 * ft + (s3 * v1 - s1 * v3) * hs + v2 * cvv,
+        z3 * fih + w3 * ft + (s1 * v2 - s2 * v1) * hs + v3 * cvv,
     )
 
 
@@ -680,54 +684,46 @@ def rate_dot_blocks(
     z1, z2, z3 = omega_dot
     side, = table
     o1, o2, o3 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, *spare = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, *spare = scratch
     *spare_masks, = masks
-    n2, = numbers
+    n2, n4 = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
     fi, hi, fiy, hiy = c.tangent_inv((k2, k3, k4, k5), (*spare,), (*spare_masks,), x)
-    vw = add(add(mul(v1, w1, k1), mul(v2, w2, k6), k1), mul(v3, w3, k6), k1)
-    hvw = mul(hi, vw, k6)
-    u1 = div(
-        add(add(mul(w1, fi, k7), mul(sub(mul(w2, v3, k8), mul(w3, v2, k9), k8), side, k8), k7), mul(v1, hvw, k8), k7),
-        n2, k7
-    )
-    u2 = div(
-        add(add(mul(w2, fi, k8), mul(sub(mul(w3, v1, k9), mul(w1, v3, k10), k9), side, k9), k8), mul(v2, hvw, k9), k8),
-        n2, k8
-    )
-    u3 = div(
-        add(add(mul(w3, fi, k9), mul(sub(mul(w1, v2, k10), mul(w2, v1, k11), k10), side, k10), k9), mul(v3, hvw, k10),
-        k9), n2, k9
-    )
+    vw = add(add(mul(v1, w1, k6), mul(v2, w2, k7), k6), mul(v3, w3, k7), k6)
+    fvw = mul(fi, vw, k7)
+    hvw = mul(hi, vw, k8)
+    vu = add(fvw, mul(hvw, x, k1), k1)
+    ft = div(add(add(mul(fiy, vu, k4), vw, k4), mul(hvw, fi, k7), k4), n4, k4)
+    ht = mul(hiy, vu, k1)
+    ww = add(add(mul(w1, w1, k5), mul(w2, w2, k7), k5), mul(w3, w3, k7), k5)
     pull = add(
-        add(add(mul(v1, z1, k10), mul(v2, z2, k11), k10), mul(v3, z3, k11), k10), add(add(mul(u1, w1, k11), mul(u2, w2,
-        k12), k11), mul(u3, w3, k12), k11), k10
+        mul(n2, add(add(add(mul(v1, z1, k7), mul(v2, z2, k9), k7), mul(v3, z3, k9), k7), mul(hvw, vw, k9), k7), k7),
+        mul(fi, ww, k9), k7
     )
-    vu = add(add(mul(v1, u1, k11), mul(v2, u2, k12), k11), mul(v3, u3, k12), k11)
-    ht = mul(hiy, vu, k5)
-    cvv = add(mul(hi, pull, k3), mul(ht, vw, k1), k1)
-    ft = mul(fiy, vu, k3)
-    div(
-        add(add(add(add(mul(z1, fi, k4), mul(w1, ft, k5), k4), mul(add(sub(mul(z2, v3, k5), mul(z3, v2, k10), k5),
-        sub(mul(w2, u3, k10), mul(w3, u2, k11), k10), k5), side, k5), k4), mul(v1, cvv, k5), k4), mul(u1, hvw, k5), k4),
-        n2, o1
+    cvv = div(sub(add(mul(hi, pull, k3), mul(ht, vw, k1), k1), ww, k1), n4, k1)
+    fih = div(fi, n2, k2)
+    s2 = add(z2, mul(w2, hvw, k3), k3)
+    s3 = add(z3, mul(w3, hvw, k5), k5)
+    s1 = add(z1, mul(w1, hvw, k6), k6)
+    hs = div(side, n2, k7)
+    add(
+        add(add(mul(z1, fih, k8), mul(w1, ft, k9), k8), mul(sub(mul(s2, v3, k9), mul(s3, v2, k10), k9), hs, k9), k8),
+        mul(v1, cvv, k9), o1
     )
-    div(
-        add(add(add(add(mul(z2, fi, k4), mul(w2, ft, k5), k4), mul(add(sub(mul(z3, v1, k5), mul(z1, v3, k10), k5),
-        sub(mul(w3, u1, k10), mul(w1, u3, k11), k10), k5), side, k5), k4), mul(v2, cvv, k5), k4), mul(u2, hvw, k5), k4),
-        n2, o2
+    add(
+        add(add(mul(z2, fih, k8), mul(w2, ft, k9), k8), mul(sub(mul(s3, v1, k5), mul(s1, v3, k9), k5), hs, k5), k5),
+        mul(v2, cvv, k8), o2
     )
-    div(
-        add(add(add(add(mul(z3, fi, k2), mul(w3, ft, k3), k2), mul(add(sub(mul(z1, v2, k3), mul(z2, v1, k4), k3),
-        sub(mul(w1, u2, k4), mul(w2, u1, k5), k4), k3), side, k3), k2), mul(v3, cvv, k1), k1), mul(u3, hvw, k2), k1),
-        n2, o3
+    add(
+        add(add(mul(z3, fih, k2), mul(w3, ft, k4), k2), mul(sub(mul(s1, v2, k4), mul(s2, v1, k3), k3), hs, k3), k2),
+        mul(v3, cvv, k1), o3
     )
 
 
-# operations 81: 31 +, 49 *, 1 neg
+# operations 66: 26 +, 40 *
 def twist_jacobian(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
     v1, v2, v3 = v
     w1, w2, w3 = v_dot
@@ -741,28 +737,26 @@ def twist_jacobian(m: Any, c: Any, v: Components, v_dot: Components, table: Comp
     t1 = v2 * w3 - v3 * w2
     t2 = v3 * w1 - v1 * w3
     t3 = v1 * w2 - v2 * w1
-    gs = gy * side
+    gs = g * side
+    fh = fy + h
+    gt = gy * side
     ht = hy * vw
-    b1 = w1 * fy + t1 * gs + v1 * ht
-    b2 = w2 * fy + t2 * gs + v2 * ht
-    b3 = w3 * fy + t3 * gs + v3 * ht
-    sg = g * -side
-    hv1 = v1 * h
-    hv2 = v2 * h
-    hv3 = v3 * h
-    s1 = w1 * sg
-    s2 = w2 * sg
-    s3 = w3 * sg
+    b1 = w1 * fh + t1 * gt + v1 * ht
+    b2 = w2 * fh + t2 * gt + v2 * ht
+    b3 = w3 * fh + t3 * gt + v3 * ht
+    s1 = w1 * gs + t1 * h
+    s2 = w2 * gs + t2 * h
+    s3 = w3 * gs + t3 * h
     ha = h * vw
-    J11 = b1 * v1 + hv1 * w1 + ha
-    J12 = b1 * v2 + hv1 * w2 - s3
-    J13 = b1 * v3 + hv1 * w3 + s2
-    J21 = b2 * v1 + hv2 * w1 + s3
-    J22 = b2 * v2 + hv2 * w2 + ha
-    J23 = b2 * v3 + hv2 * w3 - s1
-    J31 = b3 * v1 + hv3 * w1 - s2
-    J32 = b3 * v2 + hv3 * w2 + s1
-    J33 = b3 * v3 + hv3 * w3 + ha
+    J11 = b1 * v1 + ha
+    J12 = b1 * v2 + s3
+    J13 = b1 * v3 - s2
+    J21 = b2 * v1 - s3
+    J22 = b2 * v2 + ha
+    J23 = b2 * v3 + s1
+    J31 = b3 * v1 + s2
+    J32 = b3 * v2 - s1
+    J33 = b3 * v3 + ha
     return J11, J12, J13, J21, J22, J23, J31, J32, J33
 
 
@@ -773,42 +767,40 @@ def twist_jacobian_blocks(
     w1, w2, w3 = v_dot
     side, = table
     o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, *spare = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, *spare = scratch
     *spare_masks, = masks
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
-    vw = add(add(mul(v1, w1, k2), mul(v2, w2, k3), k2), mul(v3, w3, k3), k2)
-    t1 = sub(mul(v2, w3, k3), mul(v3, w2, k4), k3)
-    t2 = sub(mul(v3, w1, k4), mul(v1, w3, k5), k4)
-    t3 = sub(mul(v1, w2, k5), mul(v2, w1, k6), k5)
-    _, g, h, fy, gy, hy = c.tangent((k6, k7, k8, k9, k10, k11), (*spare,), (*spare_masks,), x)
-    gs = mul(gy, side, k1)
+    _, g, h, fy, gy, hy = c.tangent((k2, k3, k4, k5, k6, k7), (*spare,), (*spare_masks,), x)
+    fh = add(fy, h, k1)
+    gt = mul(gy, side, k2)
+    gs = mul(g, side, k3)
+    vw = add(add(mul(v1, w1, k5), mul(v2, w2, k6), k5), mul(v3, w3, k6), k5)
     ht = mul(hy, vw, k6)
-    b1 = add(add(mul(w1, fy, k10), mul(t1, gs, k3), k3), mul(v1, ht, k10), k3)
-    ha = mul(h, vw, k2)
-    sg = mul(g, neg(side, k10), k7)
-    b2 = add(add(mul(w2, fy, k10), mul(t2, gs, k4), k4), mul(v2, ht, k10), k4)
-    b3 = add(add(mul(w3, fy, k9), mul(t3, gs, k1), k1), mul(v3, ht, k5), k1)
-    hv1 = mul(v1, h, k5)
-    add(add(mul(b1, v1, k6), mul(hv1, w1, k9), k6), ha, o1)
-    s3 = mul(w3, sg, k6)
-    sub(add(mul(b1, v2, k9), mul(hv1, w2, k10), k9), s3, o2)
-    s2 = mul(w2, sg, k9)
-    add(add(mul(b1, v3, k3), mul(hv1, w3, k5), k3), s2, o3)
-    s1 = mul(w1, sg, k3)
-    hv2 = mul(v2, h, k5)
-    add(add(mul(b2, v1, k7), mul(hv2, w1, k10), k7), s3, o4)
-    add(add(mul(b2, v2, k6), mul(hv2, w2, k7), k6), ha, o5)
-    sub(add(mul(b2, v3, k4), mul(hv2, w3, k5), k4), s1, o6)
-    hv3 = mul(v3, h, k4)
-    sub(add(mul(b3, v1, k5), mul(hv3, w1, k6), k5), s2, o7)
-    add(add(mul(b3, v2, k5), mul(hv3, w2, k6), k5), s1, o8)
-    add(add(mul(b3, v3, k1), mul(hv3, w3, k3), k1), ha, o9)
+    ha = mul(h, vw, k5)
+    t1 = sub(mul(v2, w3, k7), mul(v3, w2, k8), k7)
+    b1 = add(add(mul(w1, fh, k8), mul(t1, gt, k9), k8), mul(v1, ht, k9), k8)
+    add(mul(b1, v1, k9), ha, o1)
+    s1 = add(mul(w1, gs, k9), mul(t1, h, k7), k7)
+    t3 = sub(mul(v1, w2, k9), mul(v2, w1, k10), k9)
+    s3 = add(mul(w3, gs, k10), mul(t3, h, k11), k10)
+    add(mul(b1, v2, k11), s3, o2)
+    b3 = add(add(mul(w3, fh, k11), mul(t3, gt, k9), k9), mul(v3, ht, k11), k9)
+    sub(mul(b3, v2, k11), s1, o8)
+    add(mul(b3, v3, k11), ha, o9)
+    t2 = sub(mul(v3, w1, k11), mul(v1, w3, k12), k11)
+    b2 = add(add(mul(w2, fh, k1), mul(t2, gt, k2), k1), mul(v2, ht, k2), k1)
+    s2 = add(mul(w2, gs, k2), mul(t2, h, k3), k2)
+    sub(mul(b1, v3, k3), s2, o3)
+    add(mul(b3, v1, k3), s2, o7)
+    sub(mul(b2, v1, k2), s3, o4)
+    add(mul(b2, v2, k2), ha, o5)
+    add(mul(b2, v3, k1), s1, o6)
 
 
-# operations 68: 25 +, 38 *, 5 /
+# operations 63: 23 +, 35 *, 5 /
 def rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
     v1, v2, v3 = v
     w1, w2, w3 = omega
@@ -819,28 +811,30 @@ def rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Compo
     v33 = v3 * v3
     x = v11 + v22 + v33
     _, hi, fiy, hiy = c.tangent_inv(m, x)
-    hih = hi / 2
     vw = v1 * w1 + v2 * w2 + v3 * w3
-    ht = hiy * vw
-    b1 = (w1 * fiy + v1 * ht) / 2
-    b2 = (w2 * fiy + v2 * ht) / 2
-    b3 = (w3 * fiy + v3 * ht) / 2
-    hv1 = v1 * hih
-    hv2 = v2 * hih
-    hv3 = v3 * hih
-    s1 = w1 * hs
-    s2 = w2 * hs
-    s3 = w3 * hs
+    fh = (hi + fiy) / 2
+    gt = fiy / 2
+    ht = hiy * vw / 2
+    b1 = w1 * fh + v1 * ht
+    b2 = w2 * fh + v2 * ht
+    b3 = w3 * fh + v3 * ht
+    t1 = w2 * v3 - w3 * v2
+    t2 = w3 * v1 - w1 * v3
+    t3 = w1 * v2 - w2 * v1
+    s1 = w1 * hs - t1 * gt
+    s2 = w2 * hs - t2 * gt
+    s3 = w3 * hs - t3 * gt
+    hih = hi / 2
     ha = hih * vw
-    J11 = b1 * v1 + hv1 * w1 + ha
-    J12 = b1 * v2 + hv1 * w2 - s3
-    J13 = b1 * v3 + hv1 * w3 + s2
-    J21 = b2 * v1 + hv2 * w1 + s3
-    J22 = b2 * v2 + hv2 * w2 + ha
-    J23 = b2 * v3 + hv2 * w3 - s1
-    J31 = b3 * v1 + hv3 * w1 - s2
-    J32 = b3 * v2 + hv3 * w2 + s1
-    J33 = b3 * v3 + hv3 * w3 + ha
+    J11 = v1 * b1 + ha
+    J12 = v1 * b2 - s3
+    J13 = v1 * b3 + s2
+    J21 = v2 * b1 + s3
+    J22 = v2 * b2 + ha
+    J23 = v2 * b3 - s1
+    J31 = v3 * b1 - s2
+    J32 = v3 * b2 + s1
+    J33 = v3 * b3 + ha
     return J11, J12, J13, J21, J22, J23, J31, J32, J33
 
 
@@ -851,7 +845,7 @@ def rate_jacobian_blocks(
     w1, w2, w3 = omega
     side, = table
     o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, *spare = scratch
+    k1, k2, k3, k4, k5, k6, k7, *spare = scratch
     *spare_masks, = masks
     n2, = numbers
     v11 = mul(v1, v1, k1)
@@ -859,29 +853,31 @@ def rate_jacobian_blocks(
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
     _, hi, fiy, hiy = c.tangent_inv((k2, k3, k4, k5), (*spare,), (*spare_masks,), x)
-    hih = div(hi, n2, k1)
-    vw = add(add(mul(v1, w1, k2), mul(v2, w2, k3), k2), mul(v3, w3, k3), k2)
-    ht = mul(hiy, vw, k3)
+    fh = div(add(hi, fiy, k1), n2, k1)
+    hih = div(hi, n2, k2)
+    gt = div(fiy, n2, k3)
+    vw = add(add(mul(v1, w1, k4), mul(v2, w2, k6), k4), mul(v3, w3, k6), k4)
+    ht = div(mul(hiy, vw, k5), n2, k5)
     ha = mul(hih, vw, k2)
-    b1 = div(add(mul(w1, fiy, k5), mul(v1, ht, k6), k5), n2, k5)
-    hv1 = mul(v1, hih, k6)
-    add(add(mul(b1, v1, k7), mul(hv1, w1, k8), k7), ha, o1)
-    hs = div(side, n2, k7)
-    s3 = mul(w3, hs, k8)
-    sub(add(mul(b1, v2, k9), mul(hv1, w2, k10), k9), s3, o2)
-    s2 = mul(w2, hs, k9)
-    add(add(mul(b1, v3, k5), mul(hv1, w3, k6), k5), s2, o3)
-    s1 = mul(w1, hs, k5)
-    b2 = div(add(mul(w2, fiy, k6), mul(v2, ht, k7), k6), n2, k6)
-    b3 = div(add(mul(w3, fiy, k4), mul(v3, ht, k3), k3), n2, k3)
-    hv2 = mul(v2, hih, k4)
-    add(add(mul(b2, v1, k7), mul(hv2, w1, k10), k7), s3, o4)
-    add(add(mul(b2, v2, k7), mul(hv2, w2, k8), k7), ha, o5)
-    sub(add(mul(b2, v3, k6), mul(hv2, w3, k4), k4), s1, o6)
-    hv3 = mul(v3, hih, k1)
-    sub(add(mul(b3, v1, k4), mul(hv3, w1, k6), k4), s2, o7)
-    add(add(mul(b3, v2, k4), mul(hv3, w2, k6), k4), s1, o8)
-    add(add(mul(b3, v3, k3), mul(hv3, w3, k1), k1), ha, o9)
+    b1 = add(mul(w1, fh, k4), mul(v1, ht, k6), k4)
+    add(mul(v1, b1, k6), ha, o1)
+    b2 = add(mul(w2, fh, k6), mul(v2, ht, k7), k6)
+    b3 = add(mul(w3, fh, k1), mul(v3, ht, k5), k1)
+    add(mul(v2, b2, k5), ha, o5)
+    add(mul(v3, b3, k5), ha, o9)
+    hs = div(side, n2, k2)
+    t3 = sub(mul(w1, v2, k5), mul(w2, v1, k7), k5)
+    s3 = sub(mul(w3, hs, k7), mul(t3, gt, k5), k5)
+    sub(mul(v1, b2, k7), s3, o2)
+    add(mul(v2, b1, k7), s3, o4)
+    t2 = sub(mul(w3, v1, k5), mul(w1, v3, k7), k5)
+    s2 = sub(mul(w2, hs, k7), mul(t2, gt, k5), k5)
+    sub(mul(v3, b1, k4), s2, o7)
+    add(mul(v1, b3, k4), s2, o3)
+    t1 = sub(mul(w2, v3, k4), mul(w3, v2, k5), k4)
+    s1 = sub(mul(w1, hs, k2), mul(t1, gt, k3), k2)
+    sub(mul(v2, b3, k1), s1, o6)
+    add(mul(v3, b2, k1), s1, o8)
 
 
 # operations 3: 3 *
@@ -3943,9 +3939,9 @@ KERNELS: Mapping[str, Kernel] = {
         rate_dot_blocks,
         (("v", (3,)), ("omega", (3,)), ("omega_dot", (3,)),),
         (3,),
-        registers=12,
+        registers=10,
         masks=0,
-        numbers=(2,),
+        numbers=(2, 4),
         lent=(('tangent_inv', 0, 0),),
         real=False,
     ),
@@ -3954,7 +3950,7 @@ KERNELS: Mapping[str, Kernel] = {
         twist_jacobian_blocks,
         (("v", (3,)), ("v_dot", (3,)),),
         (3, 3),
-        registers=11,
+        registers=12,
         masks=0,
         numbers=(),
         lent=(('tangent', 0, 0),),
@@ -3965,7 +3961,7 @@ KERNELS: Mapping[str, Kernel] = {
         rate_jacobian_blocks,
         (("v", (3,)), ("omega", (3,)),),
         (3, 3),
-        registers=10,
+        registers=7,
         masks=0,
         numbers=(2,),
         lent=(('tangent_inv', 0, 0),),

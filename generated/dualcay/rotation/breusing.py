@@ -4,8 +4,8 @@
 #
 # What was proved is told in the module for poses. Operations:
 #   quaternion 40, tensor 54, transform_point 62, inverse 3, tangent 53, tangent_inv 61, body_tangent 53,
-#       body_tangent_inv 61, twist 63, rate 70, tangent_dot 104, twist_dot 112, rate_dot 143, twist_jacobian
-#       126, rate_jacobian 101, from_quaternion 15, from_tensor 69, from_angle_axis 24, to_angle_axis 66, angle
+#       body_tangent_inv 61, twist 63, rate 70, tangent_dot 104, twist_dot 112, rate_dot 111, twist_jacobian
+#       111, rate_jacobian 96, from_quaternion 15, from_tensor 69, from_angle_axis 24, to_angle_axis 66, angle
 #       21, to_exponential 49, from_exponential 50, turn 58, shadow 92, identity_jacobian 6, shadow_jacobian
 #       106, principal 56, compose 116, between 119, compose_jacobians 446, between_jacobians 458, retract 200,
 #       body_retract 200, retract_jacobians 513, body_retract_jacobians 515, local 124, body_local 124,
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="6c3b93e4d6f155d4",
+    programs="5337f90ddf451134",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -4,7 +4,7 @@
 #
 # What was proved is told in the module for poses. Operations:
 #   quaternion 14, tensor 31, transform_point 39, inverse 3, tangent 15, tangent_inv 30, body_tangent 15,
-#       body_tangent_inv 30, twist 28, rate 39, tangent_dot 33, twist_dot 42, rate_dot 82, twist_jacobian 51,
+#       body_tangent_inv 30, twist 28, rate 39, tangent_dot 33, twist_dot 42, rate_dot 80, twist_jacobian 50,
 #       rate_jacobian 31, from_quaternion 4, from_tensor 53, from_angle_axis 8, to_angle_axis 35, angle 12,
 #       to_exponential 21, from_exponential 31, identity_jacobian 6, compose 25, between 28, compose_jacobians
 #       309, between_jacobians 321, retract 152, body_retract 152, retract_jacobians 411, body_retract_jacobians
@@ -280,57 +280,7 @@ def _own_twist_dot_blocks(
     add(gz3, sub(mul(v1, s2, k1), mul(v2, s1, k2), k1), o3)
 
 
-# operations 82: 34 +, 42 *, 6 /
-def _own_rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: Components, table: Components) -> Result:
-    v1, v2, v3 = v
-    w1, w2, w3 = omega
-    z1, z2, z3 = omega_dot
-    side, = table
-    vw = v1 * w1 + v2 * w2 + v3 * w3
-    u1 = (w1 + (w2 * v3 - w3 * v2) * side + v1 * vw) / 2
-    u2 = (w2 + (w3 * v1 - w1 * v3) * side + v2 * vw) / 2
-    u3 = (w3 + (w1 * v2 - w2 * v1) * side + v3 * vw) / 2
-    pull = v1 * z1 + v2 * z2 + v3 * z3 + (u1 * w1 + u2 * w2 + u3 * w3)
-    return (
-        (z1 + (z2 * v3 - z3 * v2 + (w2 * u3 - w3 * u2)) * side + v1 * pull + u1 * vw) / 2,
-        (z2 + (z3 * v1 - z1 * v3 + (w3 * u1 - w1 * u3)) * side + v2 * pull + u2 * vw) / 2,
-        (z3 + (z1 * v2 - z2 * v1 + (w1 * u2 - w2 * u1)) * side + v3 * pull + u3 * vw) / 2,
-    )
-
-
-def _own_rate_dot_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows, omega_dot: Rows, table: Rows
-) -> None:
-    v1, v2, v3 = v
-    w1, w2, w3 = omega
-    z1, z2, z3 = omega_dot
-    side, = table
-    o1, o2, o3 = out
-    k1, k2, k3, k4, k5, k6, k7, k8 = scratch
-    n2, = numbers
-    vw = add(add(mul(v1, w1, k1), mul(v2, w2, k2), k1), mul(v3, w3, k2), k1)
-    u1 = div(add(add(w1, mul(sub(mul(w2, v3, k2), mul(w3, v2, k3), k2), side, k2), k2), mul(v1, vw, k3), k2), n2, k2)
-    u2 = div(add(add(w2, mul(sub(mul(w3, v1, k3), mul(w1, v3, k4), k3), side, k3), k3), mul(v2, vw, k4), k3), n2, k3)
-    u3 = div(add(add(w3, mul(sub(mul(w1, v2, k4), mul(w2, v1, k5), k4), side, k4), k4), mul(v3, vw, k5), k4), n2, k4)
-    pull = add(
-        add(add(mul(v1, z1, k5), mul(v2, z2, k6), k5), mul(v3, z3, k6), k5), add(add(mul(u1, w1, k6), mul(u2, w2, k7),
-        k6), mul(u3, w3, k7), k6), k5
-    )
-    div(
-        add(add(add(z1, mul(add(sub(mul(z2, v3, k6), mul(z3, v2, k7), k6), sub(mul(w2, u3, k7), mul(w3, u2, k8), k7),
-        k6), side, k6), k6), mul(v1, pull, k7), k6), mul(u1, vw, k7), k6), n2, o1
-    )
-    div(
-        add(add(add(z2, mul(add(sub(mul(z3, v1, k6), mul(z1, v3, k7), k6), sub(mul(w3, u1, k7), mul(w1, u3, k8), k7),
-        k6), side, k6), k6), mul(v2, pull, k7), k6), mul(u2, vw, k7), k6), n2, o2
-    )
-    div(
-        add(add(add(z3, mul(add(sub(mul(z1, v2, k6), mul(z2, v1, k7), k6), sub(mul(w1, u2, k3), mul(w2, u1, k2), k2),
-        k2), side, k2), k2), mul(v3, pull, k3), k2), mul(u3, vw, k1), k1), n2, o3
-    )
-
-
-# operations 51: 15 +, 31 *, 3 /, 2 neg
+# operations 50: 15 +, 31 *, 3 /, 1 neg
 def _own_twist_jacobian(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
     v1, v2, v3 = v
     w1, w2, w3 = v_dot
@@ -347,23 +297,23 @@ def _own_twist_jacobian(m: Any, c: Any, v: Components, v_dot: Components, table:
     t1 = v2 * w3 - v3 * w2
     t2 = v3 * w1 - v1 * w3
     t3 = v1 * w2 - v2 * w1
-    gs = fy * side
-    b1 = w1 * fy + t1 * gs
-    b2 = w2 * fy + t2 * gs
-    b3 = w3 * fy + t3 * gs
-    sg = r * -side
-    s1 = w1 * sg
-    s2 = w2 * sg
-    s3 = w3 * sg
+    gs = r * side
+    gt = fy * side
+    b1 = w1 * fy + t1 * gt
+    b2 = w2 * fy + t2 * gt
+    b3 = w3 * fy + t3 * gt
+    s1 = w1 * gs
+    s2 = w2 * gs
+    s3 = w3 * gs
     J11 = b1 * v1
     J22 = b2 * v2
     J33 = b3 * v3
-    J12 = b1 * v2 - s3
-    J13 = b1 * v3 + s2
-    J21 = b2 * v1 + s3
-    J23 = b2 * v3 - s1
-    J31 = b3 * v1 - s2
-    J32 = b3 * v2 + s1
+    J12 = b1 * v2 + s3
+    J13 = b1 * v3 - s2
+    J21 = b2 * v1 - s3
+    J23 = b2 * v3 + s1
+    J31 = b3 * v1 + s2
+    J32 = b3 * v2 - s1
     return J11, J12, J13, J21, J22, J23, J31, J32, J33
 
 
@@ -385,25 +335,25 @@ def _own_twist_jacobian_blocks(
     e = div(n2, N, k1)
     eg = mul(e, r, k1)
     fy = neg(eg, k1)
-    sg = mul(r, neg(side, k3), k2)
-    gs = mul(fy, side, k3)
+    gs = mul(r, side, k2)
+    gt = mul(fy, side, k3)
     t1 = sub(mul(v2, w3, k4), mul(v3, w2, k5), k4)
-    b1 = add(mul(w1, fy, k5), mul(t1, gs, k4), k4)
+    b1 = add(mul(w1, fy, k5), mul(t1, gt, k4), k4)
     mul(b1, v1, o1)
-    s3 = mul(w3, sg, k5)
-    sub(mul(b1, v2, k6), s3, o2)
-    s2 = mul(w2, sg, k6)
-    add(mul(b1, v3, k4), s2, o3)
-    s1 = mul(w1, sg, k2)
+    s3 = mul(w3, gs, k5)
+    add(mul(b1, v2, k6), s3, o2)
+    s2 = mul(w2, gs, k6)
+    sub(mul(b1, v3, k4), s2, o3)
+    s1 = mul(w1, gs, k2)
     t2 = sub(mul(v3, w1, k4), mul(v1, w3, k7), k4)
-    b2 = add(mul(w2, fy, k7), mul(t2, gs, k4), k4)
-    add(mul(b2, v1, k7), s3, o4)
+    b2 = add(mul(w2, fy, k7), mul(t2, gt, k4), k4)
+    sub(mul(b2, v1, k7), s3, o4)
     mul(b2, v2, o5)
-    sub(mul(b2, v3, k4), s1, o6)
+    add(mul(b2, v3, k4), s1, o6)
     t3 = sub(mul(v1, w2, k4), mul(v2, w1, k5), k4)
-    b3 = add(mul(w3, fy, k1), mul(t3, gs, k3), k1)
-    sub(mul(b3, v1, k3), s2, o7)
-    add(mul(b3, v2, k3), s1, o8)
+    b3 = add(mul(w3, fy, k1), mul(t3, gt, k3), k1)
+    add(mul(b3, v1, k3), s2, o7)
+    sub(mul(b3, v2, k3), s1, o8)
     mul(b3, v3, o9)
 
 
@@ -414,22 +364,22 @@ def _own_rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: 
     side, = table
     hs = side / 2
     vw = v1 * w1 + v2 * w2 + v3 * w3
-    hv1 = v1 / 2
-    hv2 = v2 / 2
-    hv3 = v3 / 2
+    b1 = w1 / 2
+    b2 = w2 / 2
+    b3 = w3 / 2
     s1 = w1 * hs
     s2 = w2 * hs
     s3 = w3 * hs
     ha = vw / 2
-    J11 = hv1 * w1 + ha
-    J12 = hv1 * w2 - s3
-    J13 = hv1 * w3 + s2
-    J21 = hv2 * w1 + s3
-    J22 = hv2 * w2 + ha
-    J23 = hv2 * w3 - s1
-    J31 = hv3 * w1 - s2
-    J32 = hv3 * w2 + s1
-    J33 = hv3 * w3 + ha
+    J11 = v1 * b1 + ha
+    J12 = v1 * b2 - s3
+    J13 = v1 * b3 + s2
+    J21 = v2 * b1 + s3
+    J22 = v2 * b2 + ha
+    J23 = v2 * b3 - s1
+    J31 = v3 * b1 - s2
+    J32 = v3 * b2 + s1
+    J33 = v3 * b3 + ha
     return J11, J12, J13, J21, J22, J23, J31, J32, J33
 
 
@@ -442,24 +392,24 @@ def _own_rate_jacobian_blocks(
     o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
     k1, k2, k3, k4, k5, k6 = scratch
     n2, = numbers
-    hv1 = div(v1, n2, k1)
+    b1 = div(w1, n2, k1)
     vw = add(add(mul(v1, w1, k2), mul(v2, w2, k3), k2), mul(v3, w3, k3), k2)
     ha = div(vw, n2, k2)
-    add(mul(hv1, w1, k3), ha, o1)
-    hs = div(side, n2, k3)
-    s3 = mul(w3, hs, k4)
-    sub(mul(hv1, w2, k5), s3, o2)
-    s2 = mul(w2, hs, k5)
-    add(mul(hv1, w3, k1), s2, o3)
+    add(mul(v1, b1, k3), ha, o1)
+    b2 = div(w2, n2, k3)
+    add(mul(v2, b2, k4), ha, o5)
+    hs = div(side, n2, k4)
+    s3 = mul(w3, hs, k5)
+    sub(mul(v1, b2, k6), s3, o2)
+    add(mul(v2, b1, k6), s3, o4)
+    b3 = div(w3, n2, k5)
+    add(mul(v3, b3, k6), ha, o9)
+    s2 = mul(w2, hs, k2)
+    sub(mul(v3, b1, k1), s2, o7)
+    add(mul(v1, b3, k1), s2, o3)
     s1 = mul(w1, hs, k1)
-    hv2 = div(v2, n2, k3)
-    add(mul(hv2, w1, k6), s3, o4)
-    add(mul(hv2, w2, k4), ha, o5)
-    sub(mul(hv2, w3, k3), s1, o6)
-    hv3 = div(v3, n2, k3)
-    sub(mul(hv3, w1, k4), s2, o7)
-    add(mul(hv3, w2, k4), s1, o8)
-    add(mul(hv3, w3, k1), ha, o9)
+    sub(mul(v2, b3, k2), s1, o6)
+    add(mul(v3, b2, k2), s1, o8)
 
 
 # operations 25: 12 +, 12 *, 1 /
@@ -598,17 +548,6 @@ CHART = Chart(
         lent=(),
         real=False,
     ),
-        "rate_dot": Kernel(
-        _own_rate_dot,
-        _own_rate_dot_blocks,
-        (("v", (3,)), ("omega", (3,)), ("omega_dot", (3,)),),
-        (3,),
-        registers=8,
-        masks=0,
-        numbers=(2,),
-        lent=(),
-        real=False,
-    ),
         "twist_jacobian": Kernel(
         _own_twist_jacobian,
         _own_twist_jacobian_blocks,
@@ -654,7 +593,7 @@ CHART = Chart(
         real=True,
     ),
     },
-    programs="77b6ccffc9fc8eb5",
+    programs="ccc811caf9ea7fe4",
 )
 
 KERNELS = RotationKernels(CHART)

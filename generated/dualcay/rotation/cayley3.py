@@ -4,8 +4,8 @@
 #
 # What was proved is told in the module for poses. Operations:
 #   quaternion 25, tensor 41, transform_point 49, inverse 3, tangent 40, tangent_inv 43, body_tangent 40,
-#       body_tangent_inv 43, twist 50, rate 52, tangent_dot 82, twist_dot 90, rate_dot 125, twist_jacobian 104,
-#       rate_jacobian 83, from_quaternion 23, from_tensor 67, from_angle_axis 8, to_angle_axis 56, angle 12,
+#       body_tangent_inv 43, twist 50, rate 52, tangent_dot 82, twist_dot 90, rate_dot 93, twist_jacobian 89,
+#       rate_jacobian 78, from_quaternion 23, from_tensor 67, from_angle_axis 8, to_angle_axis 56, angle 12,
 #       to_exponential 21, from_exponential 35, turn 30, shadow 58, identity_jacobian 6, shadow_jacobian 72,
 #       principal 28, compose 96, between 99, compose_jacobians 382, between_jacobians 394, retract 162,
 #       body_retract 162, retract_jacobians 444, body_retract_jacobians 446, local 98, body_local 98,
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="ce8dffcb1ad3f69c",
+    programs="49f4637c25602845",
 )
 
 KERNELS = RotationKernels(CHART)

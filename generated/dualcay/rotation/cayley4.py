@@ -4,8 +4,8 @@
 #
 # What was proved is told in the module for poses. Operations:
 #   quaternion 25, tensor 47, transform_point 55, inverse 3, tangent 46, tangent_inv 49, body_tangent 46,
-#       body_tangent_inv 49, twist 56, rate 58, tangent_dot 92, twist_dot 100, rate_dot 131, twist_jacobian 114,
-#       rate_jacobian 89, from_quaternion 14, from_tensor 69, from_angle_axis 8, to_angle_axis 58, angle 12,
+#       body_tangent_inv 49, twist 56, rate 58, tangent_dot 92, twist_dot 100, rate_dot 99, twist_jacobian 99,
+#       rate_jacobian 84, from_quaternion 14, from_tensor 69, from_angle_axis 8, to_angle_axis 58, angle 12,
 #       to_exponential 21, from_exponential 35, turn 30, shadow 60, identity_jacobian 6, shadow_jacobian 74,
 #       principal 31, compose 107, between 110, compose_jacobians 411, between_jacobians 423, retract 171,
 #       body_retract 171, retract_jacobians 465, body_retract_jacobians 467, local 116, body_local 116,
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="9ac94bd626bf7b2f",
+    programs="d7558e2f196f68ba",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -4,8 +4,8 @@
 #
 # What was proved is told in the module for poses. Operations:
 #   quaternion 32, tensor 49, transform_point 57, inverse 3, tangent 48, tangent_inv 58, body_tangent 48,
-#       body_tangent_inv 58, twist 58, rate 67, tangent_dot 97, twist_dot 105, rate_dot 140, twist_jacobian 119,
-#       rate_jacobian 98, from_quaternion 23, from_tensor 67, from_angle_axis 8, to_angle_axis 60, angle 12,
+#       body_tangent_inv 58, twist 58, rate 67, tangent_dot 97, twist_dot 105, rate_dot 108, twist_jacobian 104,
+#       rate_jacobian 93, from_quaternion 23, from_tensor 67, from_angle_axis 8, to_angle_axis 60, angle 12,
 #       to_exponential 21, from_exponential 35, turn 30, shadow 62, identity_jacobian 6, shadow_jacobian 76,
 #       principal 31, compose 112, between 115, compose_jacobians 429, between_jacobians 441, retract 170,
 #       body_retract 170, retract_jacobians 475, body_retract_jacobians 477, local 114, body_local 114,
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="218f7b5f1cc122e1",
+    programs="f6426dbdd9123860",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -4,8 +4,8 @@
 #
 # What was proved is told in the module for poses. Operations:
 #   quaternion 44, tensor 63, transform_point 71, inverse 3, tangent 62, tangent_inv 79, body_tangent 62,
-#       body_tangent_inv 79, twist 72, rate 88, tangent_dot 121, twist_dot 129, rate_dot 161, twist_jacobian
-#       143, rate_jacobian 119, from_quaternion 19, from_tensor 74, from_angle_axis 8, to_angle_axis 66, angle
+#       body_tangent_inv 79, twist 72, rate 88, tangent_dot 121, twist_dot 129, rate_dot 129, twist_jacobian
+#       128, rate_jacobian 114, from_quaternion 19, from_tensor 74, from_angle_axis 8, to_angle_axis 66, angle
 #       12, to_exponential 21, from_exponential 35, turn 30, shadow 68, identity_jacobian 6, shadow_jacobian 82,
 #       principal 37, compose 156, between 159, compose_jacobians 522, between_jacobians 534, retract 193,
 #       body_retract 193, retract_jacobians 533, body_retract_jacobians 535, local 160, body_local 160,
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="4bd13fa6302691f1",
+    programs="6a14fe76d5e509f7",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -4,8 +4,8 @@
 #
 # What was proved is told in the module for poses. Operations:
 #   quaternion 78, tensor 92, transform_point 100, inverse 3, tangent 91, tangent_inv 126, body_tangent 91,
-#       body_tangent_inv 126, twist 101, rate 135, tangent_dot 149, twist_dot 157, rate_dot 208, twist_jacobian
-#       171, rate_jacobian 166, from_quaternion 23, from_tensor 67, from_angle_axis 3, to_angle_axis 101, angle
+#       body_tangent_inv 126, twist 101, rate 135, tangent_dot 149, twist_dot 157, rate_dot 176, twist_jacobian
+#       156, rate_jacobian 161, from_quaternion 23, from_tensor 67, from_angle_axis 3, to_angle_axis 101, angle
 #       10, to_exponential 16, from_exponential 15, turn 24, shadow 98, identity_jacobian 6, shadow_jacobian
 #       112, principal 84, compose 197, between 200, compose_jacobians 668, between_jacobians 680, retract 206,
 #       body_retract 206, retract_jacobians 622, body_retract_jacobians 624, local 200, body_local 200,
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="01430cd4e667be3c",
+    programs="40f5eb5f2e8c15c2",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -4,8 +4,8 @@
 #
 # What was proved is told in the module for poses. Operations:
 #   quaternion 25, tensor 39, transform_point 47, inverse 3, tangent 38, tangent_inv 51, body_tangent 38,
-#       body_tangent_inv 51, twist 48, rate 60, tangent_dot 80, twist_dot 88, rate_dot 133, twist_jacobian 102,
-#       rate_jacobian 91, from_quaternion 13, from_tensor 67, from_angle_axis 16, to_angle_axis 54, angle 16,
+#       body_tangent_inv 51, twist 48, rate 60, tangent_dot 80, twist_dot 88, rate_dot 101, twist_jacobian 87,
+#       rate_jacobian 86, from_quaternion 13, from_tensor 67, from_angle_axis 16, to_angle_axis 54, angle 16,
 #       to_exponential 24, from_exponential 42, turn 39, shadow 65, identity_jacobian 6, shadow_jacobian 79,
 #       principal 37, compose 84, between 87, compose_jacobians 374, between_jacobians 386, retract 172,
 #       body_retract 172, retract_jacobians 460, body_retract_jacobians 462, local 94, body_local 94,
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="6c2dba035d817f5c",
+    programs="100eb6786e292750",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -4,8 +4,8 @@
 #
 # What was proved is told in the module for poses. Operations:
 #   quaternion 16, tensor 31, transform_point 39, inverse 3, tangent 30, tangent_inv 14, body_tangent 30,
-#       body_tangent_inv 14, twist 40, rate 26, tangent_dot 68, twist_dot 76, rate_dot 76, twist_jacobian 90,
-#       rate_jacobian 35, from_quaternion 5, from_tensor 61, from_angle_axis 16, to_angle_axis 42, angle 16,
+#       body_tangent_inv 14, twist 40, rate 26, tangent_dot 68, twist_dot 76, rate_dot 58, twist_jacobian 75,
+#       rate_jacobian 48, from_quaternion 5, from_tensor 61, from_angle_axis 16, to_angle_axis 42, angle 16,
 #       to_exponential 24, from_exponential 39, identity_jacobian 6, compose 64, between 67, compose_jacobians
 #       320, between_jacobians 332, retract 166, body_retract 166, retract_jacobians 428, body_retract_jacobians
 #       430, local 82, body_local 82, interpolate 300, adjoint 31, transform_point_jacobians 119
@@ -184,7 +184,7 @@ def _own_rate_blocks(
     mul(add(mul(w3, fis, k1), sub(mul(w1, v2, k2), mul(w2, v1, k3), k2), k1), half, o3)
 
 
-# operations 76: 26 +, 40 *, 8 /, 1 neg, 1 sqrt
+# operations 58: 20 +, 29 *, 6 /, 2 neg, 1 sqrt
 def _own_rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: Components, table: Components) -> Result:
     v1, v2, v3 = v
     w1, w2, w3 = omega
@@ -198,15 +198,17 @@ def _own_rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: C
     c = m.sqrt(cc)
     h = 2 / c
     fiy = -(h / 2)
-    u1 = (w1 * c + (w2 * v3 - w3 * v2) * side) / 2
-    u2 = (w2 * c + (w3 * v1 - w1 * v3) * side) / 2
-    u3 = (w3 * c + (w1 * v2 - w2 * v1) * side) / 2
-    vu = v1 * u1 + v2 * u2 + v3 * u3
-    ft = fiy * vu
+    vw = v1 * w1 + v2 * w2 + v3 * w3
+    ww = w1 * w1 + w2 * w2 + w3 * w3
+    hs = side / 2
+    fvw = c * vw
+    ft = (fiy * fvw + vw) / 4
+    cvv = -ww / 4
+    fih = c / 2
     return (
-        (z1 * c + w1 * ft + (z2 * v3 - z3 * v2 + (w2 * u3 - w3 * u2)) * side) / 2,
-        (z2 * c + w2 * ft + (z3 * v1 - z1 * v3 + (w3 * u1 - w1 * u3)) * side) / 2,
-        (z3 * c + w3 * ft + (z1 * v2 - z2 * v1 + (w1 * u2 - w2 * u1)) * side) / 2,
+        z1 * fih + w1 * ft + (z2 * v3 - z3 * v2) * hs + v1 * cvv,
+        z2 * fih + w2 * ft + (z3 * v1 - z1 * v3) * hs + v2 * cvv,
+        z3 * fih + w3 * ft + (z1 * v2 - z2 * v1) * hs + v3 * cvv,
     )
 
 
@@ -218,36 +220,38 @@ def _own_rate_dot_blocks(
     z1, z2, z3 = omega_dot
     side, = table
     o1, o2, o3 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
-    n1, n2 = numbers
+    k1, k2, k3, k4, k5, k6, k7 = scratch
+    n1, n2, n4 = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
     x = add(add(v11, v22, k1), v33, k1)
     cc = sub(n1, x, k1)
     c = sqrt(cc, k1)
-    u1 = div(add(mul(w1, c, k2), mul(sub(mul(w2, v3, k3), mul(w3, v2, k4), k3), side, k3), k2), n2, k2)
-    u2 = div(add(mul(w2, c, k3), mul(sub(mul(w3, v1, k4), mul(w1, v3, k5), k4), side, k4), k3), n2, k3)
-    u3 = div(add(mul(w3, c, k4), mul(sub(mul(w1, v2, k5), mul(w2, v1, k6), k5), side, k5), k4), n2, k4)
-    vu = add(add(mul(v1, u1, k5), mul(v2, u2, k6), k5), mul(v3, u3, k6), k5)
-    h = div(n2, c, k6)
-    fiy = neg(div(h, n2, k6), k6)
-    ft = mul(fiy, vu, k5)
-    div(
-        add(add(mul(z1, c, k6), mul(w1, ft, k7), k6), mul(add(sub(mul(z2, v3, k7), mul(z3, v2, k8), k7), sub(mul(w2, u3,
-        k8), mul(w3, u2, k9), k8), k7), side, k7), k6), n2, o1
+    h = div(n2, c, k2)
+    fiy = neg(div(h, n2, k2), k2)
+    vw = add(add(mul(v1, w1, k3), mul(v2, w2, k4), k3), mul(v3, w3, k4), k3)
+    fvw = mul(c, vw, k4)
+    ft = div(add(mul(fiy, fvw, k2), vw, k2), n4, k2)
+    fih = div(c, n2, k1)
+    hs = div(side, n2, k3)
+    ww = add(add(mul(w1, w1, k4), mul(w2, w2, k5), k4), mul(w3, w3, k5), k4)
+    cvv = div(neg(ww, k4), n4, k4)
+    add(
+        add(add(mul(z1, fih, k5), mul(w1, ft, k6), k5), mul(sub(mul(z2, v3, k6), mul(z3, v2, k7), k6), hs, k6), k5),
+        mul(v1, cvv, k6), o1
     )
-    div(
-        add(add(mul(z2, c, k6), mul(w2, ft, k7), k6), mul(add(sub(mul(z3, v1, k7), mul(z1, v3, k8), k7), sub(mul(w3, u1,
-        k8), mul(w1, u3, k4), k4), k4), side, k4), k4), n2, o2
+    add(
+        add(add(mul(z2, fih, k5), mul(w2, ft, k6), k5), mul(sub(mul(z3, v1, k6), mul(z1, v3, k7), k6), hs, k6), k5),
+        mul(v2, cvv, k6), o2
     )
-    div(
-        add(add(mul(z3, c, k1), mul(w3, ft, k4), k1), mul(add(sub(mul(z1, v2, k4), mul(z2, v1, k5), k4), sub(mul(w1, u2,
-        k3), mul(w2, u1, k2), k2), k2), side, k2), k1), n2, o3
+    add(
+        add(add(mul(z3, fih, k1), mul(w3, ft, k2), k1), mul(sub(mul(z1, v2, k2), mul(z2, v1, k5), k2), hs, k2), k1),
+        mul(v3, cvv, k2), o3
     )
 
 
-# operations 35: 9 +, 18 *, 6 /, 1 neg, 1 sqrt
+# operations 48: 15 +, 27 *, 4 /, 1 neg, 1 sqrt
 def _own_rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
     v1, v2, v3 = v
     w1, w2, w3 = omega
@@ -261,21 +265,25 @@ def _own_rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: 
     c = m.sqrt(cc)
     h = 2 / c
     fiy = -(h / 2)
-    b1 = w1 * fiy / 2
-    b2 = w2 * fiy / 2
-    b3 = w3 * fiy / 2
-    s1 = w1 * hs
-    s2 = w2 * hs
-    s3 = w3 * hs
-    J11 = b1 * v1
-    J22 = b2 * v2
-    J33 = b3 * v3
-    J12 = b1 * v2 - s3
-    J13 = b1 * v3 + s2
-    J21 = b2 * v1 + s3
-    J23 = b2 * v3 - s1
-    J31 = b3 * v1 - s2
-    J32 = b3 * v2 + s1
+    fh = fiy / 2
+    b1 = w1 * fh
+    b2 = w2 * fh
+    b3 = w3 * fh
+    t1 = w2 * v3 - w3 * v2
+    t2 = w3 * v1 - w1 * v3
+    t3 = w1 * v2 - w2 * v1
+    s1 = w1 * hs - t1 * fh
+    s2 = w2 * hs - t2 * fh
+    s3 = w3 * hs - t3 * fh
+    J11 = v1 * b1
+    J22 = v2 * b2
+    J33 = v3 * b3
+    J12 = v1 * b2 - s3
+    J13 = v1 * b3 + s2
+    J21 = v2 * b1 + s3
+    J23 = v2 * b3 - s1
+    J31 = v3 * b1 - s2
+    J32 = v3 * b2 + s1
     return J11, J12, J13, J21, J22, J23, J31, J32, J33
 
 
@@ -286,7 +294,7 @@ def _own_rate_jacobian_blocks(
     w1, w2, w3 = omega
     side, = table
     o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
-    k1, k2, k3, k4, k5, k6 = scratch
+    k1, k2, k3, k4, k5, k6, k7 = scratch
     n1, n2 = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
@@ -296,22 +304,26 @@ def _own_rate_jacobian_blocks(
     c = sqrt(cc, k1)
     h = div(n2, c, k1)
     fiy = neg(div(h, n2, k1), k1)
-    b1 = div(mul(w1, fiy, k2), n2, k2)
-    mul(b1, v1, o1)
-    hs = div(side, n2, k3)
-    s3 = mul(w3, hs, k4)
-    sub(mul(b1, v2, k5), s3, o2)
-    s2 = mul(w2, hs, k5)
-    add(mul(b1, v3, k2), s2, o3)
-    s1 = mul(w1, hs, k2)
-    b2 = div(mul(w2, fiy, k3), n2, k3)
-    add(mul(b2, v1, k6), s3, o4)
-    mul(b2, v2, o5)
-    sub(mul(b2, v3, k3), s1, o6)
-    b3 = div(mul(w3, fiy, k1), n2, k1)
-    sub(mul(b3, v1, k3), s2, o7)
-    add(mul(b3, v2, k3), s1, o8)
-    mul(b3, v3, o9)
+    fh = div(fiy, n2, k1)
+    b1 = mul(w1, fh, k2)
+    mul(v1, b1, o1)
+    b2 = mul(w2, fh, k3)
+    mul(v2, b2, o5)
+    hs = div(side, n2, k4)
+    t3 = sub(mul(w1, v2, k5), mul(w2, v1, k6), k5)
+    s3 = sub(mul(w3, hs, k6), mul(t3, fh, k5), k5)
+    sub(mul(v1, b2, k6), s3, o2)
+    add(mul(v2, b1, k6), s3, o4)
+    b3 = mul(w3, fh, k5)
+    mul(v3, b3, o9)
+    t2 = sub(mul(w3, v1, k6), mul(w1, v3, k7), k6)
+    s2 = sub(mul(w2, hs, k7), mul(t2, fh, k6), k6)
+    sub(mul(v3, b1, k2), s2, o7)
+    add(mul(v1, b3, k2), s2, o3)
+    t1 = sub(mul(w2, v3, k2), mul(w3, v2, k6), k2)
+    s1 = sub(mul(w1, hs, k4), mul(t1, fh, k1), k1)
+    sub(mul(v2, b3, k2), s1, o6)
+    add(mul(v3, b2, k2), s1, o8)
 
 
 CHART = Chart(
@@ -364,9 +376,9 @@ CHART = Chart(
         _own_rate_dot_blocks,
         (("v", (3,)), ("omega", (3,)), ("omega_dot", (3,)),),
         (3,),
-        registers=9,
+        registers=7,
         masks=0,
-        numbers=(1, 2),
+        numbers=(1, 2, 4),
         lent=(),
         real=False,
     ),
@@ -375,14 +387,14 @@ CHART = Chart(
         _own_rate_jacobian_blocks,
         (("v", (3,)), ("omega", (3,)),),
         (3, 3),
-        registers=6,
+        registers=7,
         masks=0,
         numbers=(1, 2),
         lent=(),
         real=False,
     ),
     },
-    programs="4089b792c531217e",
+    programs="654d1d9e7cac693b",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -4,7 +4,7 @@
 #
 # What was proved is told in the module for poses. Operations:
 #   quaternion 18, tensor 34, transform_point 42, inverse 3, tangent 18, tangent_inv 21, body_tangent 18,
-#       body_tangent_inv 21, twist 31, rate 41, tangent_dot 38, twist_dot 57, rate_dot 114, twist_jacobian 55,
+#       body_tangent_inv 21, twist 31, rate 41, tangent_dot 38, twist_dot 57, rate_dot 61, twist_jacobian 54,
 #       rate_jacobian 31, from_quaternion 5, from_tensor 54, from_angle_axis 10, to_angle_axis 38, angle 13,
 #       to_exponential 25, from_exponential 33, identity_jacobian 6, compose 69, between 72, compose_jacobians
 #       330, between_jacobians 342, retract 161, body_retract 161, retract_jacobians 425, body_retract_jacobians
@@ -408,7 +408,67 @@ def _own_twist_dot_blocks(
     add(add(mul(z3, f_v, k2), mul(w3, fh, k1), k1), sub(mul(v1, s2, k2), mul(v2, s1, k3), k2), o3)
 
 
-# operations 55: 15 +, 31 *, 7 /, 2 neg
+# operations 61: 25 +, 31 *, 5 /
+def _own_rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: Components, table: Components) -> Result:
+    v1, v2, v3 = v
+    w1, w2, w3 = omega
+    z1, z2, z3 = omega_dot
+    side, = table
+    vw = v1 * w1 + v2 * w2 + v3 * w3
+    ww = w1 * w1 + w2 * w2 + w3 * w3
+    hvw = vw / 2
+    hs = side / 2
+    pull = 2 * (v1 * z1 + v2 * z2 + v3 * z3 + hvw * vw) + 2 * ww
+    ft = (vw + 2 * hvw) / 4
+    cvv = (pull / 2 - ww) / 4
+    s1 = z1 + w1 * hvw
+    s2 = z2 + w2 * hvw
+    s3 = z3 + w3 * hvw
+    return (
+        z1 + w1 * ft + (s2 * v3 - s3 * v2) * hs + v1 * cvv,
+        z2 + w2 * ft + (s3 * v1 - s1 * v3) * hs + v2 * cvv,
+        z3 + w3 * ft + (s1 * v2 - s2 * v1) * hs + v3 * cvv,
+    )
+
+
+def _own_rate_dot_blocks(
+    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows, omega_dot: Rows, table: Rows
+) -> None:
+    v1, v2, v3 = v
+    w1, w2, w3 = omega
+    z1, z2, z3 = omega_dot
+    side, = table
+    o1, o2, o3 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
+    n2, n4 = numbers
+    vw = add(add(mul(v1, w1, k1), mul(v2, w2, k2), k1), mul(v3, w3, k2), k1)
+    hvw = div(vw, n2, k2)
+    ww = add(add(mul(w1, w1, k3), mul(w2, w2, k4), k3), mul(w3, w3, k4), k3)
+    pull = add(
+        mul(n2, add(add(add(mul(v1, z1, k4), mul(v2, z2, k5), k4), mul(v3, z3, k5), k4), mul(hvw, vw, k5), k4), k4),
+        mul(n2, ww, k5), k4
+    )
+    cvv = div(sub(div(pull, n2, k4), ww, k3), n4, k3)
+    ft = div(add(vw, mul(n2, hvw, k4), k1), n4, k1)
+    s2 = add(z2, mul(w2, hvw, k4), k4)
+    s3 = add(z3, mul(w3, hvw, k5), k5)
+    s1 = add(z1, mul(w1, hvw, k2), k2)
+    hs = div(side, n2, k6)
+    add(
+        add(add(z1, mul(w1, ft, k7), k7), mul(sub(mul(s2, v3, k8), mul(s3, v2, k9), k8), hs, k8), k7), mul(v1, cvv, k8),
+        o1
+    )
+    add(
+        add(add(z2, mul(w2, ft, k7), k7), mul(sub(mul(s3, v1, k5), mul(s1, v3, k8), k5), hs, k5), k5), mul(v2, cvv, k7),
+        o2
+    )
+    add(
+        add(add(z3, mul(w3, ft, k1), k1), mul(sub(mul(s1, v2, k2), mul(s2, v1, k4), k2), hs, k2), k1), mul(v3, cvv, k2),
+        o3
+    )
+
+
+# operations 54: 15 +, 31 *, 7 /, 1 neg
 def _own_twist_jacobian(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
     v1, v2, v3 = v
     w1, w2, w3 = v_dot
@@ -429,23 +489,23 @@ def _own_twist_jacobian(m: Any, c: Any, v: Components, v_dot: Components, table:
     t1 = v2 * w3 - v3 * w2
     t2 = v3 * w1 - v1 * w3
     t3 = v1 * w2 - v2 * w1
-    gs = gy_v * side
-    b1 = w1 * fy_v + t1 * gs
-    b2 = w2 * fy_v + t2 * gs
-    b3 = w3 * fy_v + t3 * gs
-    sg = g_v * -side
-    s1 = w1 * sg
-    s2 = w2 * sg
-    s3 = w3 * sg
+    gs = g_v * side
+    gt = gy_v * side
+    b1 = w1 * fy_v + t1 * gt
+    b2 = w2 * fy_v + t2 * gt
+    b3 = w3 * fy_v + t3 * gt
+    s1 = w1 * gs
+    s2 = w2 * gs
+    s3 = w3 * gs
     J11 = b1 * v1
     J22 = b2 * v2
     J33 = b3 * v3
-    J12 = b1 * v2 - s3
-    J13 = b1 * v3 + s2
-    J21 = b2 * v1 + s3
-    J23 = b2 * v3 - s1
-    J31 = b3 * v1 - s2
-    J32 = b3 * v2 + s1
+    J12 = b1 * v2 + s3
+    J13 = b1 * v3 - s2
+    J21 = b2 * v1 - s3
+    J23 = b2 * v3 + s1
+    J31 = b3 * v1 + s2
+    J32 = b3 * v2 - s1
     return J11, J12, J13, J21, J22, J23, J31, J32, J33
 
 
@@ -469,27 +529,27 @@ def _own_twist_jacobian_blocks(
     eg = mul(e, r, k1)
     fy = neg(eg, k1)
     g_v = div(r, n4, k2)
-    sg = mul(g_v, neg(side, k3), k2)
+    gs = mul(g_v, side, k2)
     fy_v = div(fy, n8, k3)
     gy_v = div(fy, n16, k1)
-    gs = mul(gy_v, side, k1)
+    gt = mul(gy_v, side, k1)
     t1 = sub(mul(v2, w3, k4), mul(v3, w2, k5), k4)
-    b1 = add(mul(w1, fy_v, k5), mul(t1, gs, k4), k4)
+    b1 = add(mul(w1, fy_v, k5), mul(t1, gt, k4), k4)
     mul(b1, v1, o1)
-    s3 = mul(w3, sg, k5)
-    sub(mul(b1, v2, k6), s3, o2)
-    s2 = mul(w2, sg, k6)
-    add(mul(b1, v3, k4), s2, o3)
-    s1 = mul(w1, sg, k2)
+    s3 = mul(w3, gs, k5)
+    add(mul(b1, v2, k6), s3, o2)
+    s2 = mul(w2, gs, k6)
+    sub(mul(b1, v3, k4), s2, o3)
+    s1 = mul(w1, gs, k2)
     t2 = sub(mul(v3, w1, k4), mul(v1, w3, k7), k4)
-    b2 = add(mul(w2, fy_v, k7), mul(t2, gs, k4), k4)
-    add(mul(b2, v1, k7), s3, o4)
+    b2 = add(mul(w2, fy_v, k7), mul(t2, gt, k4), k4)
+    sub(mul(b2, v1, k7), s3, o4)
     mul(b2, v2, o5)
-    sub(mul(b2, v3, k4), s1, o6)
+    add(mul(b2, v3, k4), s1, o6)
     t3 = sub(mul(v1, w2, k4), mul(v2, w1, k5), k4)
-    b3 = add(mul(w3, fy_v, k3), mul(t3, gs, k1), k1)
-    sub(mul(b3, v1, k3), s2, o7)
-    add(mul(b3, v2, k3), s1, o8)
+    b3 = add(mul(w3, fy_v, k3), mul(t3, gt, k1), k1)
+    add(mul(b3, v1, k3), s2, o7)
+    sub(mul(b3, v2, k3), s1, o8)
     mul(b3, v3, o9)
 
 
@@ -500,22 +560,22 @@ def _own_rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: 
     side, = table
     hs = side / 2
     vw = v1 * w1 + v2 * w2 + v3 * w3
-    hv1 = v1 / 4
-    hv2 = v2 / 4
-    hv3 = v3 / 4
+    b1 = w1 / 4
+    b2 = w2 / 4
+    b3 = w3 / 4
     s1 = w1 * hs
     s2 = w2 * hs
     s3 = w3 * hs
     ha = vw / 4
-    J11 = hv1 * w1 + ha
-    J12 = hv1 * w2 - s3
-    J13 = hv1 * w3 + s2
-    J21 = hv2 * w1 + s3
-    J22 = hv2 * w2 + ha
-    J23 = hv2 * w3 - s1
-    J31 = hv3 * w1 - s2
-    J32 = hv3 * w2 + s1
-    J33 = hv3 * w3 + ha
+    J11 = v1 * b1 + ha
+    J12 = v1 * b2 - s3
+    J13 = v1 * b3 + s2
+    J21 = v2 * b1 + s3
+    J22 = v2 * b2 + ha
+    J23 = v2 * b3 - s1
+    J31 = v3 * b1 - s2
+    J32 = v3 * b2 + s1
+    J33 = v3 * b3 + ha
     return J11, J12, J13, J21, J22, J23, J31, J32, J33
 
 
@@ -528,24 +588,24 @@ def _own_rate_jacobian_blocks(
     o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
     k1, k2, k3, k4, k5, k6 = scratch
     n2, n4 = numbers
-    hv1 = div(v1, n4, k1)
+    b1 = div(w1, n4, k1)
     vw = add(add(mul(v1, w1, k2), mul(v2, w2, k3), k2), mul(v3, w3, k3), k2)
     ha = div(vw, n4, k2)
-    add(mul(hv1, w1, k3), ha, o1)
-    hs = div(side, n2, k3)
-    s3 = mul(w3, hs, k4)
-    sub(mul(hv1, w2, k5), s3, o2)
-    s2 = mul(w2, hs, k5)
-    add(mul(hv1, w3, k1), s2, o3)
+    add(mul(v1, b1, k3), ha, o1)
+    b2 = div(w2, n4, k3)
+    add(mul(v2, b2, k4), ha, o5)
+    hs = div(side, n2, k4)
+    s3 = mul(w3, hs, k5)
+    sub(mul(v1, b2, k6), s3, o2)
+    add(mul(v2, b1, k6), s3, o4)
+    b3 = div(w3, n4, k5)
+    add(mul(v3, b3, k6), ha, o9)
+    s2 = mul(w2, hs, k2)
+    sub(mul(v3, b1, k1), s2, o7)
+    add(mul(v1, b3, k1), s2, o3)
     s1 = mul(w1, hs, k1)
-    hv2 = div(v2, n4, k3)
-    add(mul(hv2, w1, k6), s3, o4)
-    add(mul(hv2, w2, k4), ha, o5)
-    sub(mul(hv2, w3, k3), s1, o6)
-    hv3 = div(v3, n4, k3)
-    sub(mul(hv3, w1, k4), s2, o7)
-    add(mul(hv3, w2, k4), s1, o8)
-    add(mul(hv3, w3, k1), ha, o9)
+    sub(mul(v2, b3, k2), s1, o6)
+    add(mul(v3, b2, k2), s1, o8)
 
 
 CHART = Chart(
@@ -634,6 +694,17 @@ CHART = Chart(
         lent=(),
         real=False,
     ),
+        "rate_dot": Kernel(
+        _own_rate_dot,
+        _own_rate_dot_blocks,
+        (("v", (3,)), ("omega", (3,)), ("omega_dot", (3,)),),
+        (3,),
+        registers=9,
+        masks=0,
+        numbers=(2, 4),
+        lent=(),
+        real=False,
+    ),
         "twist_jacobian": Kernel(
         _own_twist_jacobian,
         _own_twist_jacobian_blocks,
@@ -657,7 +728,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="d51d1ecbcaae96b0",
+    programs="30de14bde6a0d375",
 )
 
 KERNELS = RotationKernels(CHART)

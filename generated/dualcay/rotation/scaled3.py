@@ -4,8 +4,8 @@
 #
 # What was proved is told in the module for poses. Operations:
 #   quaternion 29, tensor 45, transform_point 53, inverse 3, tangent 44, tangent_inv 48, body_tangent 44,
-#       body_tangent_inv 48, twist 54, rate 57, tangent_dot 89, twist_dot 97, rate_dot 130, twist_jacobian 111,
-#       rate_jacobian 88, from_quaternion 24, from_tensor 68, from_angle_axis 10, to_angle_axis 59, angle 13,
+#       body_tangent_inv 48, twist 54, rate 57, tangent_dot 89, twist_dot 97, rate_dot 98, twist_jacobian 96,
+#       rate_jacobian 83, from_quaternion 24, from_tensor 68, from_angle_axis 10, to_angle_axis 59, angle 13,
 #       to_exponential 25, from_exponential 37, turn 32, shadow 62, identity_jacobian 6, shadow_jacobian 76,
 #       principal 30, compose 107, between 110, compose_jacobians 406, between_jacobians 418, retract 170,
 #       body_retract 170, retract_jacobians 461, body_retract_jacobians 463, local 108, body_local 108,
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="123f5dcb7acb64f1",
+    programs="b1e7aaf28f3655c3",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -4,8 +4,8 @@
 #
 # What was proved is told in the module for poses. Operations:
 #   quaternion 29, tensor 51, transform_point 59, inverse 3, tangent 50, tangent_inv 54, body_tangent 50,
-#       body_tangent_inv 54, twist 60, rate 63, tangent_dot 99, twist_dot 107, rate_dot 136, twist_jacobian 121,
-#       rate_jacobian 94, from_quaternion 15, from_tensor 70, from_angle_axis 10, to_angle_axis 61, angle 13,
+#       body_tangent_inv 54, twist 60, rate 63, tangent_dot 99, twist_dot 107, rate_dot 104, twist_jacobian 106,
+#       rate_jacobian 89, from_quaternion 15, from_tensor 70, from_angle_axis 10, to_angle_axis 61, angle 13,
 #       to_exponential 25, from_exponential 37, turn 32, shadow 64, identity_jacobian 6, shadow_jacobian 78,
 #       principal 33, compose 118, between 121, compose_jacobians 435, between_jacobians 447, retract 179,
 #       body_retract 179, retract_jacobians 482, body_retract_jacobians 484, local 126, body_local 126,
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="86719184a7f2f1fa",
+    programs="62e1f5fe81984c18",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -4,8 +4,8 @@
 #
 # What was proved is told in the module for poses. Operations:
 #   quaternion 36, tensor 53, transform_point 61, inverse 3, tangent 52, tangent_inv 63, body_tangent 52,
-#       body_tangent_inv 63, twist 62, rate 72, tangent_dot 104, twist_dot 112, rate_dot 145, twist_jacobian
-#       126, rate_jacobian 103, from_quaternion 24, from_tensor 68, from_angle_axis 10, to_angle_axis 63, angle
+#       body_tangent_inv 63, twist 62, rate 72, tangent_dot 104, twist_dot 112, rate_dot 113, twist_jacobian
+#       111, rate_jacobian 98, from_quaternion 24, from_tensor 68, from_angle_axis 10, to_angle_axis 63, angle
 #       13, to_exponential 25, from_exponential 37, turn 32, shadow 66, identity_jacobian 6, shadow_jacobian 80,
 #       principal 33, compose 123, between 126, compose_jacobians 453, between_jacobians 465, retract 178,
 #       body_retract 178, retract_jacobians 492, body_retract_jacobians 494, local 124, body_local 124,
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="816cd15bcffe0fe5",
+    programs="d436a8f82d111b35",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -4,8 +4,8 @@
 #
 # What was proved is told in the module for poses. Operations:
 #   quaternion 28, tensor 42, transform_point 50, inverse 3, tangent 41, tangent_inv 57, body_tangent 41,
-#       body_tangent_inv 57, twist 51, rate 66, tangent_dot 86, twist_dot 94, rate_dot 139, twist_jacobian 108,
-#       rate_jacobian 97, from_quaternion 27, from_tensor 71, from_angle_axis 16, to_angle_axis 55, angle 16,
+#       body_tangent_inv 57, twist 51, rate 66, tangent_dot 86, twist_dot 94, rate_dot 107, twist_jacobian 93,
+#       rate_jacobian 92, from_quaternion 27, from_tensor 71, from_angle_axis 16, to_angle_axis 55, angle 16,
 #       to_exponential 24, from_exponential 43, turn 39, shadow 66, identity_jacobian 6, shadow_jacobian 80,
 #       principal 37, compose 101, between 104, compose_jacobians 403, between_jacobians 415, retract 175,
 #       body_retract 175, retract_jacobians 472, body_retract_jacobians 474, local 100, body_local 100,
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="71846d7b92fa9d45",
+    programs="23771cc6d08f4174",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -4,8 +4,8 @@
 #
 # What was proved is told in the module for poses. Operations:
 #   quaternion 32, tensor 46, transform_point 54, inverse 3, tangent 45, tangent_inv 60, body_tangent 45,
-#       body_tangent_inv 60, twist 55, rate 69, tangent_dot 92, twist_dot 100, rate_dot 142, twist_jacobian 114,
-#       rate_jacobian 100, from_quaternion 18, from_tensor 72, from_angle_axis 16, to_angle_axis 57, angle 16,
+#       body_tangent_inv 60, twist 55, rate 69, tangent_dot 92, twist_dot 100, rate_dot 110, twist_jacobian 99,
+#       rate_jacobian 95, from_quaternion 18, from_tensor 72, from_angle_axis 16, to_angle_axis 57, angle 16,
 #       to_exponential 24, from_exponential 43, turn 39, shadow 68, identity_jacobian 6, shadow_jacobian 82,
 #       principal 40, compose 103, between 106, compose_jacobians 416, between_jacobians 428, retract 179,
 #       body_retract 179, retract_jacobians 483, body_retract_jacobians 485, local 108, body_local 108,
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="adf3c5624a695832",
+    programs="5781c596975cd82c",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -7,6 +7,9 @@ from pathlib import Path
 
 import pytest
 
+from derive.cli import compared
+from derive.cli.compared import MEASURED, MEASUREMENTS, TIMED, Compared
+from derive.codegen import catalogue
 from tests.support.command import ROOT, dualcay
 
 
@@ -19,12 +22,15 @@ def test_figures_of_some_charts():
     assert found["lambert"]["range"] == 1
     assert found["phi"]["singular_angles"] == pytest.approx([6.283185307, 6.32455532])
     assert found["cayley3"]["operations"]["pose"] < found["phi"]["operations"]["pose"]
+    assert found["phi"]["measured"] is None
+    assert found["lambert"]["measured"] == json.loads(MEASUREMENTS.read_text(encoding="utf-8"))["lambert"]
 
 
 def test_text_fits_a_line():
     done = dualcay("compare", "-n", "1", "--family", "exponential")
     assert done.returncode == 0
     assert "exponential" in done.stdout
+    assert "nanoseconds for a pose of N, as measured" in done.stdout
     assert max(map(len, done.stdout.splitlines())) <= 120
 
 
@@ -51,3 +57,25 @@ def test_refusals_are_usage_errors(arguments: tuple[str, ...], reason: str):
 def test_the_page_is_what_the_command_prints():
     done = dualcay("compare", "--format", "markdown")
     assert done.stdout == (ROOT / "docs" / "parameterizations.md").read_text(encoding="utf-8")
+
+
+def test_every_committed_chart_was_measured_where_it_reaches_and_within_its_gate():
+    for row in map(Compared, catalogue.committed()):
+        found = row.measured
+        assert found is not None, f"{row.chart.name}: make parameterizations"
+        reached = [name for name, stretch in row.stretches.items() if stretch]
+        assert list(found["errors"]) == list(MEASURED)
+        assert list(found["errors"]["pose"]) == list(found["errors"]["tangent"]) == reached
+        assert all(0 < error <= 8 for errors in found["errors"].values() for error in errors.values())
+        assert list(found["nanoseconds"]) == list(TIMED)
+
+
+def test_without_a_checkout_nothing_was_measured(monkeypatch: pytest.MonkeyPatch, tmp_path: Path):
+    monkeypatch.setattr(compared, "MEASUREMENTS", tmp_path / "none.json")
+    compared.measurements.cache_clear()
+    try:
+        chart, *_ = catalogue.charts((2,))
+        assert Compared(chart).measured is None
+        assert compared.errors([Compared(chart)])[1] == compared.times([Compared(chart)])[1] == []
+    finally:
+        compared.measurements.cache_clear()

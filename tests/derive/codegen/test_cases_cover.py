@@ -11,8 +11,8 @@ from typing import Any
 import mpmath
 import pytest
 
-from derive.codegen.cases import digits
-from derive.codegen.cases.digits import Decimal
+from derive.codegen.cases import decimals, digits
+from derive.codegen.cases.decimals import Decimal
 from derive.codegen.cases.exact import Expectation
 from derive.codegen.lowered import Lowered, geometry, lower_chart
 from derive.codegen.programs.program import Call, Program
@@ -70,7 +70,7 @@ class Watched:
 def sides(n: int, some: slice = slice(None)) -> Sides:
     """Of all comparisons, by some cases of each function and branch."""
     watched = Watched(Cayley(n))
-    with mpmath.workdps(digits.DIGITS):
+    with mpmath.workdps(decimals.DIGITS):
         for batch in digits.expectations(watched.chart):
             for case in batch[some]:
                 watched.call(case)

@@ -8,9 +8,9 @@ import sympy
 
 from derive.about import FAMILIES
 from derive.algebra.arithmetic import PLAIN
-from derive.maps import family
+from derive.maps import families, family
 from derive.maps.families import alpha
-from derive.maps.named import recognized
+from derive.maps.named import SYMBOLIC, recognized
 from derive.proof import prove
 
 THIRD = sympy.Rational(1, 3)
@@ -36,6 +36,12 @@ def test_a_name_stands_for_its_phi(name: str, phi: sympy.Expr):
 def test_other_names_are_refused(name: str):
     with pytest.raises(ValueError, match=r"a family is one of .*lambert, .*sineN, .*got "):
         family(name)
+
+
+def test_what_is_symbolic_only_is_said_to_be():
+    with pytest.raises(ValueError, match=r"isochoric is symbolic only.*families.isochoric\(\)"):
+        family("isochoric")
+    assert all(getattr(families, name)().name == name for name in SYMBOLIC)
 
 
 def test_committed_families_exist():

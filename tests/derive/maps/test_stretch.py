@@ -6,8 +6,10 @@ import math
 
 import numpy as np
 import pytest
+import sympy
 
 from derive.maps import Cayley, family, parameterization
+from derive.maps.families import alpha
 from derive.maps.stretch import best, bound, stretch
 from dualcay import cayley2, exponential, lambert
 
@@ -31,14 +33,33 @@ def test_the_second_order_is_conformal():
 
 @pytest.mark.parametrize("angle", [math.pi / 2, math.pi])
 def test_what_is_best_is_above_the_bound_and_can_be_generated(angle: float):
-    """The exponential has the square of the bound, polynomials less; a third degree is enough to see it."""
-    scaled, cubic = best(angle, (3,))
-    assert scaled.phi == "alpha"
-    assert scaled.worst == pytest.approx(bound(angle) ** 2, rel=1e-12)
-    assert bound(angle) < cubic.worst < scaled.worst
-    chart = parameterization(cubic.phi, "cubic")
-    worst = max(stretch(chart.phi, angle * k / 50).worst for k in range(51))
-    assert worst == pytest.approx(cubic.worst, rel=1e-3)
+    """The exponential has the square of the bound, sines and polynomials less; a third degree is enough to see it."""
+    tangent, sine, cubic = best(angle, (3,))
+    assert tangent.phi == "alpha"
+    assert tangent.worst == pytest.approx(bound(angle) ** 2, rel=1e-12)
+    assert bound(angle) < min(sine.worst, cubic.worst)
+    assert max(sine.worst, cubic.worst) < tangent.worst
+    for found in (sine, cubic):
+        chart = parameterization(found.phi, "found")
+        worst = max(stretch(chart.phi, angle * k / 50).worst for k in range(51))
+        assert worst == pytest.approx(found.worst, rel=1e-3)
+
+
+@pytest.mark.parametrize("angle", [0.5, math.pi / 2, math.pi, 5.0])
+def test_lamberts_chart_is_the_best_of_sines(angle: float):
+    """Its singular values are inverse to each other, 1/cos(α/4) along the axis; a little less or more of c is worse."""
+    _, sine = best(angle, ())
+    assert sine.phi == "4*sin(alpha/4)"
+    assert sine.worst == pytest.approx(1 / math.cos(angle / 4), rel=1e-14)
+    at = stretch(4 * family("lambert").phi, angle)
+    assert at.along == pytest.approx(1 / at.across, rel=1e-14)
+    for c in (3.9, 4.1):
+        assert stretch(c * sympy.sin(alpha / sympy.Float(c)), angle).worst > at.worst * 1.0001
+
+
+@pytest.mark.parametrize("n", [2, 3, 8])
+def test_tangents_of_any_order_are_worse_than_the_exponential(n: int):
+    assert stretch(2 * n * sympy.tan(alpha / (2 * n)), 3.0).worst > stretch(alpha, 3.0).worst
 
 
 def test_no_slope_does_better():

@@ -1,0 +1,77 @@
+"""Errors and speed of charts, which ``dualcay compare`` shows: docs/parameterizations.json.
+
+Errors are of seeded vectors at the angles that are shown, against 60 digits: in eps of the size of a result and of its
+condition, the larger one of its parts. Times are of one pose, and of one of many.
+"""
+
+from __future__ import annotations
+
+import importlib
+import json
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from rich.console import Console
+
+from benchmarks.accuracy.__main__ import progress
+from benchmarks.kernels import GATED, fresh, measured
+from benchmarks.peers import Poses
+from derive.cli.compared import ANGLES, MEASURED, MEASUREMENTS, TIMED, Compared
+from derive.codegen import catalogue
+from derive.maps.chart import Chart
+from tests.support import families, oracle
+
+SAMPLES = 6
+
+
+def oracle_of(chart: Chart) -> oracle.Oracle:
+    """First principles of a chart."""
+    if chart.cayley:
+        return oracle.oracle_of(chart.order, families.DIGITS)
+    return families.oracle_of(chart.name)
+
+
+def errors(chart: Chart) -> dict[str, dict[str, float]]:
+    """By function and angle, where the chart reaches it; of a logarithm below half a turn, where a pose has one."""
+    kernels, exact = importlib.import_module(f"dualcay.{chart.name}"), oracle_of(chart)
+    found: dict[str, dict[str, float]] = {name: {} for name in MEASURED}
+    for label, angle in ANGLES.items():
+        if angle >= Compared(chart).edge:
+            continue
+        v = families.vectors(exact, angle, angle, SAMPLES)
+        for name in MEASURED:
+            if name != "from_pose" or angle < np.pi:
+                branch = 0 if name == "from_pose" else None
+                found[name][label] = float(f"{families.worst(kernels, exact, name, v, branch):.2g}")
+    return found
+
+
+def nanoseconds(charts: Sequence[Chart]) -> dict[str, dict[str, dict[str, float]]]:
+    """Of a pose, by chart, function and number of poses; the charts in turn, so that their ratios are right."""
+    kernels = {chart.name: importlib.import_module(f"dualcay.{chart.name}") for chart in charts}
+    found: dict[str, dict[str, dict[str, float]]] = {chart: {name: {} for name in TIMED} for chart in kernels}
+    for size in GATED:
+        poses = {chart: Poses.draw(module, size) for chart, module in kernels.items()}
+        for name in TIMED:
+            times = measured({chart: fresh(module, name, poses[chart]) for chart, module in kernels.items()}, size)
+            for chart, seconds in times.items():
+                found[chart][name][str(size)] = float(f"{seconds / size * 1e9:.3g}")
+    return found
+
+
+def main() -> None:
+    """Measure the committed charts."""
+    console, charts = Console(), catalogue.committed()
+    times = nanoseconds(charts)
+    found: dict[str, Any] = {}
+    with progress(console) as bar:
+        row = bar.add_task("charts", total=len(charts))
+        for chart in charts:
+            found[chart.name] = {"errors": errors(chart), "nanoseconds": times[chart.name]}
+            bar.advance(row)
+    MEASUREMENTS.write_text(json.dumps(found, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,128 @@
+"""Where a φ ends, and the angle of a length before that."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+import mpmath
+import sympy
+
+from .expressions import PhiError
+from .families import alpha, evaluate
+
+DIGITS = 60
+FURTHEST = 4
+"""Where a chart without an edge is cut, in units of π."""
+GRID = 2000
+
+
+@dataclass(frozen=True)
+class Edge:
+    """Where φ ends: at φ′ = 0 (a fold), at a pole, or cut at 4π."""
+
+    angle: sympy.Expr
+    kind: str
+
+
+def edge_of(phi: sympy.Expr) -> Edge:
+    """The first φ′ = 0 or pole of φ.
+
+    Raises
+    ------
+    PhiError
+        If φ does not increase from 0, or is no real number.
+    """
+    slope = phi.diff(alpha)
+    with mpmath.workdps(DIGITS):
+        step = FURTHEST * mpmath.pi / GRID
+        before = real_value(slope, mpmath.mpf(0), phi)
+        if not before > 0:
+            raise PhiError(f"phi'(0) = {mpmath.nstr(before, 5)}, and has to be positive")
+        for k in range(1, GRID + 1):
+            try:
+                now, size = real_value(slope, k * step, phi), real_value(phi, k * step, phi)
+            except (PhiError, ZeroDivisionError):
+                return _pole(phi, (k - 1) * step, k * step)
+            if now <= 0 or size <= 0:
+                jumped = now > 10 * before or size <= 0
+                return _pole(phi, (k - 1) * step, k * step) if jumped else _fold(phi, slope, (k - 1) * step, k * step)
+            before = now
+    return Edge(FURTHEST * sympy.pi, "cut")
+
+
+def real_value(expression: sympy.Expr, at: Any, phi: sympy.Expr) -> Any:
+    """φ, or a derivative of it, at an angle.
+
+    Raises
+    ------
+    PhiError
+        If it is no real number there.
+    """
+    value = evaluate(expression, alpha, at)
+    if isinstance(value, mpmath.mpc):
+        if value.imag != 0:
+            raise PhiError(f"phi = {phi} is no real number at alpha = {mpmath.nstr(at, 5)}")
+        value = value.real
+    return mpmath.mpf(value)
+
+
+def _fold(phi: sympy.Expr, slope: sympy.Expr, low: Any, high: Any) -> Edge:
+    least = mpmath.mpf(10) ** -50
+    root = mpmath.findroot(lambda a: real_value(slope, a, phi), (low, high), solver="anderson", tol=least)
+    return Edge(_named(root), "fold")
+
+
+def _pole(phi: sympy.Expr, low: Any, high: Any) -> Edge:
+    """Where 1/φ changes sign, or φ stops being real."""
+
+    def inside(at: Any) -> bool:
+        try:
+            return bool(real_value(phi, at, phi) > 0)
+        except (PhiError, ZeroDivisionError):
+            return False
+
+    for _ in range(220):
+        middle = (low + high) / 2
+        low, high = (middle, high) if inside(middle) else (low, middle)
+    if not real_value(phi, low, phi) > 10**6:
+        where = f"beyond alpha = {mpmath.nstr(low, 6)}, where it neither turns nor goes to infinity"
+        raise PhiError(f"phi = {phi} is no real number {where}")
+    return Edge(_named(low), "pole")
+
+
+def _named(root: Any) -> sympy.Expr:
+    """A multiple of π or the root of a fraction, where it is one to 40 digits; else a decimal."""
+    for value, make in ((root / mpmath.pi, lambda q: q * sympy.pi), (root**2, sympy.sqrt)):
+        near = Fraction(int(mpmath.nint(value * 5040)), 5040)
+        if abs(value - mpmath.mpf(near.numerator) / near.denominator) < mpmath.mpf(10) ** -40:
+            return make(sympy.Rational(near.numerator, near.denominator))
+    return sympy.Float(mpmath.nstr(root, 50), 50)
+
+
+def _end(phi: sympy.Expr, edge: Edge, size: Any) -> Any:
+    """The edge, or an angle beyond that of a length."""
+    if not edge.angle.is_infinite:
+        return mpmath.mpf(edge.angle.evalf(mpmath.mp.dps + 5))
+    high = mpmath.mpf(1)
+    while real_value(phi, high, phi) <= size:
+        high = 2 * high
+    return high
+
+
+def angle_of(phi: sympy.Expr, edge: Edge, size: Any) -> Any:
+    """φ⁻¹ by Newton's method between bounds, in the working precision."""
+    slope = phi.diff(alpha)
+    low, high = mpmath.mpf(0), _end(phi, edge, size)
+    guess = min(size / evaluate(slope, alpha, low), high / 2)
+    for _ in range(8 * mpmath.mp.prec):
+        miss = real_value(phi, guess, phi) - size
+        low, high = (low, guess) if miss > 0 else (guess, high)
+        better = guess - miss / real_value(slope, guess, phi)
+        if not low <= better <= high:
+            better = (low + high) / 2
+        guess, step = better, abs(better - guess)
+        if step <= 8 * mpmath.eps * better:
+            break
+    return guess
