@@ -34,7 +34,7 @@ from derive.papers.language.notation import (
     zero,
 )  # fmt: skip
 from derive.papers.language.terms import Letter, latex, text
-from derive.papers.mutation import mutants, try_mutants
+from derive.papers.mutation import mutants, trials, try_mutants
 from derive.papers.result import Result
 
 a, b = Letter("a", "dual number"), Letter("b", "dual number")
@@ -234,6 +234,25 @@ def test_every_mutant_of_a_simple_identity_is_killed() -> None:
     score = try_mutants(decided(square_of_sum))
     assert score.survivors == []
     assert score.killed > 10
+
+
+def test_mutants_of_conditions_and_claimed_domains_are_killed() -> None:
+    for domain in ({"condition": nonzero(Re(b))}, {"claimed": nonzero(Re(b)), "stated": (1, "for Re b ≠ 0")}):
+        result = decided(quotient, **domain)
+        changes = [change for change, _ in trials(result.equation, quotient)]
+        assert {f"{next(iter(domain))}", "dropped"} <= {word for change in changes for word in change.split()}
+        assert try_mutants(result).survivors == []
+
+
+def test_a_domain_narrower_than_needed_survives() -> None:
+    score = try_mutants(decided(square_of_sum, claimed=nonzero(Re(b)), stated=(1, "for Re b ≠ 0")))
+    assert "claimed domain dropped" in {survivor.change for survivor in score.survivors}
+
+
+def test_claims_in_words_and_both_ways_of_an_equivalence_are_changed() -> None:
+    changes = {change for change, _ in mutants(iff(zero(a), implies(Letter("claim", "proposition"), nonzero(a))))}
+    assert {"claim negated", "arguments of implies swapped"} <= changes
+    assert {"second part of implies negated", "second part of iff negated"} <= changes
 
 
 def test_a_survivor_is_reported() -> None:

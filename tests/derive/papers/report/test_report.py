@@ -50,11 +50,12 @@ def test_json_has_the_documented_fields(report) -> None:
     data = json.loads(FORMATS["json"](report))
     assert data["schema"] == 2
     fields = {"paper", "equation", "title", "status", "printed", "corrected", "claimed", "condition", "exact"}
-    fields |= {"readings", "reading_count", "capped", "counterexample", "method", "anchor"}
+    fields |= {"stated", "said", "readings", "reading_count", "capped", "counterexample", "method", "anchor"}
     for equation in data["equations"]:
         assert fields <= set(equation)
         assert (equation["corrected"] is not None) == (equation["status"] == "erratum")
         assert equation["condition"] is not None or equation["status"] != "holds-if"
+        assert (equation["claimed"] is None) == (equation["stated"] is None)
         assert (equation["counterexample"] is not None) == (equation["status"] == "erratum")
         assert not (equation["capped"] and equation["status"] == "erratum")
         assert {tuple(reading) for reading in equation["readings"]} == {("latex", "verdict", "note")}
