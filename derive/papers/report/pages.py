@@ -7,8 +7,6 @@ import re
 import unicodedata
 from typing import Any
 
-from latex2mathml.converter import convert
-
 from derive.output import render
 from derive.proof import Proof
 
@@ -91,6 +89,8 @@ _TEXT = re.compile(r"\\text\{([^{}$]*(?:\$[^$]*\$[^{}$]*)+)\}")
 
 def mathml(latex: str) -> str:
     """The formula as MathML, displayed."""
+    from latex2mathml.converter import convert  # long to load, and only one of five formats needs it
+
     return str(convert(_TEXT.sub(_apart, latex), display="block"))
 
 
