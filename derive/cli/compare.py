@@ -46,7 +46,7 @@ def _text(compared: Sequence[Compared]) -> str:
     rows = []
     for row in compared:
         conditions = [number(found.condition if found else None) for found in row.stretches.values()]
-        counts = map(str, row.operations.values())
+        counts = map(number, row.operations.values())
         rows.append([row.chart.name, row.chart.parameter, number(row.edge / math.pi), *conditions, *counts])
     tables = (
         ("condition of Re T by angle, and operations", (headings, rows)),

@@ -63,7 +63,7 @@ def page(compared: Sequence[Compared]) -> str:
     """All of it."""
     return PAGE.format(
         shape="\n".join(_shape(compared)),
-        cost=_table(["chart", *COUNTED], [[row.chart.name, *map(str, row.operations.values())] for row in compared]),
+        cost=_table(["chart", *COUNTED], [[row.chart.name, *map(number, row.operations.values())] for row in compared]),
         errors=_table(*errors(compared)),
         times=_table(*times(compared)),
         points=POINTS,

@@ -11,6 +11,7 @@ from typing import Any, TypeAlias
 
 from ..codegen import catalogue
 from ..codegen.lowered import lower_chart
+from ..maps import PhiError
 from ..maps.chart import Chart
 from ..maps.families import alpha
 from ..maps.stretch import Stretch, stretch
@@ -63,8 +64,12 @@ class Compared:
         return {name: stretch(self.chart.phi, a) if a < self.edge else None for name, a in ANGLES.items()}
 
     @cached_property
-    def operations(self) -> dict[str, int]:
-        found = lower_chart(self.chart).operations
+    def operations(self) -> dict[str, int | None]:
+        """By function; None of a φ that kernels do not compute."""
+        try:
+            found = lower_chart(self.chart).operations
+        except PhiError:
+            return dict.fromkeys(COUNTED)
         return {name: found[name].total() for name in COUNTED}
 
     @property

@@ -9,8 +9,10 @@ from types import ModuleType
 
 import pytest
 
-from tests.support import packages, sampling
+from tests.support import packages, rotations, sampling
 from tests.support.accuracy import FUNCTIONS, Trial
+from tests.support.calculus import CALCULUS, CalculusTrial
+from tests.support.rotations import RotationTrial
 
 PACKAGE = "kernels_of_other_orders"
 
@@ -34,4 +36,17 @@ def test_orders_seven_and_eleven(other: ModuleType, regime: str) -> None:
     assert Path(other.__file__ or "").parent.name == PACKAGE
     trial = Trial(other, order, regime, count=2)
     for name in FUNCTIONS:
+        trial.check(name)
+
+
+@pytest.mark.parametrize("regime", ["below pi", "pure translation", "near 2 pi", "shadow"])
+def test_derivatives_group_operations_and_steps_of_order_seven(folder: Path, regime: str) -> None:
+    trial = CalculusTrial(importlib.import_module(f"{PACKAGE}.cayley7"), 7, regime, count=1)
+    for name in CALCULUS:
+        trial.check(name)
+
+
+def test_rotations_alone_of_order_seven(folder: Path) -> None:
+    trial = RotationTrial(importlib.import_module(f"{PACKAGE}.rotation.cayley7"), 7, "shadow", count=1)
+    for name in rotations.FUNCTIONS:
         trial.check(name)

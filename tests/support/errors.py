@@ -53,6 +53,20 @@ def derived_shadow_gate(order: int) -> int:
     return 5 * tangent_shadow_gate(order)
 
 
+PRODUCTS = 4  # that a slope of a slope of f, g or h is a sum of: its numerator, e times slopes (twice), e² times itself
+
+
+def underflow(v: Any, dtype: Any) -> Nil:
+    """What the derivative of T loses, whatever its gate, where slopes of f, g, h are subnormal: in each of the products
+    that they are sums of half the smallest number of the type. The sums are exact.
+
+    In T slopes stand before up to |v|³; slopes of these, in the dual part, before v·v° besides. For n = 2 they go like
+    |v|⁻⁶ and |v|⁻⁸: in float32 they are subnormal from |v| = 4e6 and 1e5 on, at 1e-6 and 4e-5 from 2π.
+    """
+    lost, length = PRODUCTS / 2 * float(np.finfo(dtype).smallest_subnormal), size(v)
+    return lost * (length + length * length + length * length * length) * Nil(1.0, length.re * length.du)
+
+
 # Agreement of two computed quantities, both within their gates: the sum of the two, rounded up.
 AGREE = 40
 # Central differences of step h: h² from the third derivative and eps/h from the function: 1e-10 at h = 1e-5; times

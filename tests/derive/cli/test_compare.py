@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import json
+import math
 from pathlib import Path
 
 import pytest
 
-from derive.cli import compared
+from derive.cli import compare, compared
 from derive.cli.compared import MEASURED, MEASUREMENTS, TIMED, Compared
 from derive.codegen import catalogue
 from tests.support.command import ROOT, dualcay
@@ -32,6 +33,16 @@ def test_text_fits_a_line():
     assert "exponential" in done.stdout
     assert "nanoseconds for a pose of N, as measured" in done.stdout
     assert max(map(len, done.stdout.splitlines())) <= 120
+
+
+def test_what_no_kernel_computes_is_compared_without_operations():
+    (chart,) = catalogue.charts(phi="4*sinh(alpha/4)", name="mine")
+    row = Compared(chart)
+    assert set(row.operations.values()) == {None}
+    found = row.stretches["π"]
+    assert found is not None
+    assert found.along == pytest.approx(1 / math.cosh(math.pi / 4), rel=1e-12)
+    assert compare.FORMS["text"]([row]).count(" - │") == len(row.operations)
 
 
 def test_a_plot_is_written(tmp_path: Path):
