@@ -72,6 +72,8 @@ def decide(
         return result(Status.HOLDS if entry.condition is None else Status.HOLDS_IF, verdicts[0].method)
     if verdicts[0].true:
         return result(Status.AMBIGUOUS, method)
+    if not (entry.extract or entry.said):
+        raise UndecidedError(f"({entry.number}): an erratum shows the words of the paper")
     if entry.corrected is None:
         raise UndecidedError(f"({entry.number}) is false and has no correction: {verdicts[0].method}")
     if entry.extract and faithful(entry.corrected, entry.extract, lost):

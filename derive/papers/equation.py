@@ -95,6 +95,8 @@ class Equation:
         Further marks that the extraction lost in this display.
     fixed_by : str
         The legible place that decides between readings, where one does.
+    said : str
+        The words of the paper, for a claim that no display makes.
     remark : str
         One sentence for the report.
     source : str
@@ -119,6 +121,7 @@ class Equation:
     components: bool = False
     lost: str = ""
     fixed_by: str = ""
+    said: str = ""
     remark: str = ""
     source: str = ""
 

@@ -1,4 +1,4 @@
-"""Mutants of a statement: one mark changed. A statement that is checked at all must not survive them.
+"""Mutants of a statement or of its domain: one mark changed. What is checked at all must not survive them.
 
 The mutants come from the tree that is printed and executed: integers are raised by one, and every mark says how its
 terms can be changed (`language.changes`). `try_mutants` executes them.
@@ -6,13 +6,16 @@ terms can be changed (`language.changes`). `try_mutants` executes them.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from functools import partial
 
 from .decide import ORDERS
 from .equation import Equation
 from .explore import explore
-from .language.terms import Apply, Number, Term, text
+from .language.notation import negated
+from .language.terms import Apply, Letter, Number, Term, text
+from .numbers.kinds import PROPOSITION
 from .result import Result
 
 
@@ -60,10 +63,33 @@ def try_mutants(result: Result, every: int = 1, orders: Sequence[int] = ORDERS) 
     """
     score = Score()
     for statement in true_statements(result):
-        for i, (change, mutant) in enumerate(mutants(statement)):
+        for i, (_, trial) in enumerate(trials(result.equation, statement, orders)):
             if i % every == len(result.equation.number) % every:
-                score += try_mutant(result.equation, change, mutant, orders)
+                score += trial()
     return score
+
+
+def trials(
+    entry: Equation, statement: Term, orders: Sequence[int] = ORDERS
+) -> Iterator[tuple[str, Callable[[], Score]]]:
+    """What can be changed in a statement of an entry and in its domain, and the way to execute it changed."""
+    for change, mutant in mutants(statement):
+        yield change, partial(try_mutant, entry, change, mutant, orders)
+    for change, changed in domains(entry):
+        yield change, partial(try_domain, changed, change, statement, orders)
+
+
+def try_domain(entry: Equation, change: str, statement: Term, orders: Sequence[int] = ORDERS) -> Score:
+    """Execute a statement on another domain than the one of its entry: true inside, nowhere outside of a condition."""
+    try:
+        outcomes = list(explore(entry, statement, orders))
+    except (TypeError, AttributeError, ValueError, KeyError, IndexError):
+        return Score(meaningless=1)
+    inside = [outcome for outcome in outcomes if outcome.inside]
+    outside = [outcome for outcome in outcomes if not outcome.inside and not outcome.pair]
+    fits = all(o.truth is True for o in inside) and not any(o.truth is True for o in outside)
+    alive = fits and bool(inside) and bool(outside or entry.condition is None)
+    return Score(survivors=[Survivor(entry.number, change, text(statement))]) if alive else Score(killed=1)
 
 
 def try_mutant(entry: Equation, change: str, mutant: Term, orders: Sequence[int] = ORDERS) -> Score:
@@ -73,6 +99,23 @@ def try_mutant(entry: Equation, change: str, mutant: Term, orders: Sequence[int]
     except (TypeError, AttributeError, ValueError, KeyError, IndexError):  # a vector where a number belongs
         return Score(meaningless=1)
     return Score(survivors=[Survivor(entry.number, change, text(mutant))]) if alive else Score(killed=1)
+
+
+def domains(entry: Equation) -> Iterator[tuple[str, Equation]]:
+    """The entry with its condition or the domain that it claims changed, or without it."""
+    if entry.condition is not None:
+        yield "condition dropped", replace(entry, condition=None)
+        for change, mutant in _changed(entry.condition):
+            yield f"condition: {change}", replace(entry, condition=mutant)
+    if entry.claimed is not None:
+        yield "claimed domain dropped", replace(entry, claimed=None)
+        for change, mutant in _changed(entry.claimed):
+            yield f"claimed domain: {change}", replace(entry, claimed=mutant)
+
+
+def _changed(domain: Term) -> Iterator[tuple[str, Term]]:
+    yield "negated", negated(domain)
+    yield from mutants(domain)
 
 
 def mutants(statement: Term) -> Iterator[tuple[str, Term]]:
@@ -87,6 +130,8 @@ def mutants(statement: Term) -> Iterator[tuple[str, Term]]:
 def _mutants(node: Term) -> Iterator[tuple[str, Term]]:
     if isinstance(node, Number):
         yield f"{node.value} raised by 1", Number(node.value + 1)
+    if isinstance(node, Letter) and node.kind is PROPOSITION:
+        yield f"{node.name} negated", negated(node)
     if not isinstance(node, Apply):
         return
     for change in node.mark.changes:

@@ -165,6 +165,7 @@ class Result:
             "section": self.section,
             "line": self.equation.line,
             "source": self.equation.source,
+            "said": self.equation.said,
             "remark": self.equation.remark,
         }
 

@@ -102,7 +102,8 @@ process of its own on a copy of the tree. State: `{state}`.
 
 - **proof**, **validation**, **execution**: killed by what is no test, that is by proofs of the charts with names; by
   emission with validation (n = {orders} and {kinds} for NumPy,
-  n = {others} for the other targets; for maps NumPy alone, n = {some} and all families); by
+  n = {others} for the other targets; for maps NumPy alone, n = {some}, all families and
+  {further}); by
   executing the statement, or all of them, of which docs/errata.md must say the same. **first stage** is their share.
 - **tests**: killed by tests of that room only, but for those listed as left out. Of emission {few} cases of
   each test are run. **kernels**: killed by {few} cases of each test of tests/generated, run on the NumPy kernels that
@@ -128,6 +129,7 @@ def page(results: Sequence[Results], state: str, seed: int, count: int) -> str:
     orders = {"orders": road.ORDERS, "others": road.FEW, "some": road.GEOMETRY}
     listed = {name: ", ".join(map(str, sorted(values))) for name, values in orders.items()}
     listed["kinds"] = ", ".join(road.kinds())
+    listed["further"] = ", ".join(f"φ = {phi}" for phi in road.FURTHER.values())
     rooms = "\n\n".join(map(_section, results))
     return PAGE.format(count=count, seed=seed, state=state, few=FEW, table="\n".join(lines), rooms=rooms, **listed)
 

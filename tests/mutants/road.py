@@ -38,6 +38,9 @@ ORDERS = (*GEOMETRY, 11, 16)
 FEW = (3, 4)
 """Orders of the other targets."""
 
+FURTHER = {"further": "alpha/(1 + alpha**2/40)"}
+"""Charts of φ without a name of their own, as users bring them: what their modules are called, and φ."""
+
 
 def import_all() -> None:
     """Import every module of the toolkit, so that nothing is imported inside of a check."""
@@ -58,7 +61,9 @@ def warm(modules: Sequence[str]) -> None:
 def chart(which: Which) -> Any:
     """The chart of an order or a name."""
     charts = importlib.import_module("derive.codegen.catalogue").charts
-    return charts([which])[0] if isinstance(which, int) else charts((), [which])[0]
+    if isinstance(which, int):
+        return charts([which])[0]
+    return charts(phi=FURTHER[which], name=which)[0] if which in FURTHER else charts((), [which])[0]
 
 
 def label(which: Which) -> str:
@@ -110,7 +115,7 @@ def validations(everything: bool, around: Around) -> dict[str, Check]:
         watched = Otherwise(target, validate=around(name, target.validate))
         return lambda: build(which, watched, shown[target.name])
 
-    numpy = (*ORDERS, *kinds()) if everything else (*GEOMETRY, *families())
+    numpy = (*ORDERS, *kinds()) if everything else (*GEOMETRY, *families(), *FURTHER)
     return {
         f"{name}, {label(which)}": check(f"{name}, {label(which)}", which, target)
         for name, target in targets().items()

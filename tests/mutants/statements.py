@@ -15,7 +15,7 @@ from .python import Edit
 
 @dataclass(frozen=True)
 class Statements:
-    """Every statement of the papers that was found true; one mark changed, it must not be."""
+    """Every statement of the papers that was found true; one mark of it or of its domain changed, it must not be."""
 
     name: str = "statements"
     what: str = "statements of the papers that were found true: by executing them"
@@ -30,7 +30,7 @@ class Statements:
         for paper in importlib.import_module("derive.papers").PAPERS:
             for entry in paper.entries():
                 for k, statement in enumerate(mutation.true_statements(_decided(paper, entry))):
-                    for index, (change, _) in enumerate(mutation.mutants(statement)):
+                    for index, (change, _) in enumerate(mutation.trials(entry, statement)):
                         operator = change.partition(" made ")[0] if " made " in change else change
                         place = f"{paper.short} ({entry.number})"
                         yield Mutant(place, 0, operator, change, (paper.slug, entry.number, k, index))
@@ -49,8 +49,8 @@ class Statements:
         (paper,) = (paper for paper in importlib.import_module("derive.papers").PAPERS if paper.slug == slug)
         (entry,) = (entry for entry in paper.entries() if entry.number == number)
         statement = mutation.true_statements(_decided(paper, entry))[k]
-        change, changed = next(islice(mutation.mutants(statement), index, None))
-        score = mutation.try_mutant(entry, change, changed)
+        _, trial = next(islice(mutation.trials(entry, statement), index, None))
+        score = trial()
         if score.survivors:
             return Fate(SURVIVED, by=score.survivors[0].statement)
         return Fate(MEANINGLESS) if score.meaningless else Fate(KILLED, "execution")

@@ -11,8 +11,9 @@ LOST = "()[]{}_^|/,;.Σ"
 """What lays a formula out. Signs, hats, stars and primes are compared; so are + − · × = ≠ < and all letters."""
 
 _MARKS = (
+    (r"\\mathbf\{\\hat\{r\}\}|\^\{\\mathbf\{r\}\}", ""),  # arrows, which the extraction shows as letters
     (r"\\hat\{(\w)\}", rf"\1{HAT}"),
-    (r"\\(stackrel|overset)\{\\mathbf\{\w\}\}\{(\w)\}", r"\2"),  # an arrow, which the extraction shows as a letter
+    (r"\\(stackrel|overset)\{\\mathbf\{\w\}\}\{(\w)\}", r"\2"),  # likewise
     (r"\\(mathbf|vec)\{([^{}]*)\}", r"\2"),
     (r"\\times", "×"), (r"\\cdot", "·"), (r"\\sum", "Σ"), (r"\\infty", "∞"), (r"\\neq", "≠"),
     (r"\\(begin|end)\{\w+\}|\\(left|right|frac|quad|\W)|[$&\s]", ""),

@@ -18,4 +18,8 @@ SWAPPED = Change("arguments of {} swapped", _swapped)
 DROPPED = Change("{} dropped", lambda term: term.arguments[0])
 SECOND_DROPPED = Change("second part of {} dropped", lambda term: term.arguments[0])
 FIRST_DROPPED = Change("first part of {} dropped", lambda term: term.arguments[1])
+NEGATED = Change("{} negated", lambda term: Apply("negated", term))
+SECOND_NEGATED = Change(
+    "second part of {} negated", lambda term: term.mark(term.arguments[0], Apply("negated", term.arguments[1]))
+)
 MINUEND_DROPPED = Change("first part of {} dropped", lambda term: -term.arguments[1])

@@ -18,7 +18,16 @@ from derive.proof.ratio import NotExactError
 
 from ..numbers.fields import UndefinedError, innermost
 from . import values
-from .changes import DROPPED, FIRST_DROPPED, MINUEND_DROPPED, SECOND_DROPPED, SWAPPED, made
+from .changes import (
+    DROPPED,
+    FIRST_DROPPED,
+    MINUEND_DROPPED,
+    NEGATED,
+    SECOND_DROPPED,
+    SECOND_NEGATED,
+    SWAPPED,
+    made,
+)
 from .terms import ATOM, LIST, MARKS, POWER, PRODUCT, RELATION, SUM, Apply, Change, Letter, Mark, Number, Term, Trait
 
 if TYPE_CHECKING:
@@ -95,16 +104,17 @@ equal = define("equal", " = ", "=", RELATION, (SUM,), _chain)
 both = define("both", r" ;\quad ", ";", LIST, (LIST,), lambda env, *parts: all(parts), traits=Trait.JOINS)
 nonzero = define(
     "nonzero", r"{0} \neq 0", "{0}≠0", RELATION, (SUM,), lambda env, a: not values.equal(env.field, env.now(a), 0),
-    traits=Trait.DELICATE,
+    traits=Trait.DELICATE, changes=(NEGATED,),
 )  # fmt: skip
 negated = define("negated", r"\neg\left({0}\right)", "not {0}", RELATION, (LIST,), lambda env, a: not a,
-                 traits=Trait.DELICATE)  # fmt: skip
+                 traits=Trait.DELICATE, changes=(DROPPED,))  # fmt: skip
 implies = define(
     "implies", r"{0} \Rightarrow {1}", "{0}⇒{1}", LIST, (LIST, LIST),
     lambda env, a, b: not env.value(a) or env.value(b), lazy=True, traits=Trait.DELICATE | Trait.JOINS,
+    changes=(FIRST_DROPPED, SECOND_NEGATED, SWAPPED),
 )  # fmt: skip
 iff = define("iff", r"{0} \Leftrightarrow {1}", "{0}⇔{1}", LIST, (LIST, LIST), lambda env, a, b: a == b,
-             traits=Trait.DELICATE | Trait.JOINS)  # fmt: skip
+             traits=Trait.DELICATE | Trait.JOINS, changes=(SECOND_NEGATED, FIRST_DROPPED))  # fmt: skip
 remark = define("remark", r"{0},\quad {1}", "{0},{1}", LIST, (LIST, LIST), lambda env, statement, words: statement,
                 traits=Trait.JOINS)  # fmt: skip
 
@@ -276,11 +286,11 @@ at = define("at", r"{0}\left({1}\right)", "{0} {1}", ATOM, (ATOM, LIST), lambda 
 
 reaches = define(
     "reaches", r"{0} : \cdot \mapsto {1} \text{{ for some argument}}", "{0}{1}", RELATION, (SUM, SUM),
-    lambda env, f, target: f.reaches(env.field, target) > 0, traits=Trait.DELICATE,
+    lambda env, f, target: f.reaches(env.field, target) > 0, traits=Trait.DELICATE, changes=(NEGATED,),
 )  # fmt: skip
 branches = define(
     "branches", r"\#\, {0}^{{-1}}\left({1}\right) = {2}", "{0}{1}{2}", RELATION, (ATOM, LIST, SUM),
-    lambda env, f, target, n: f.reaches(env.field, target) == n, traits=Trait.DELICATE,
+    lambda env, f, target, n: f.reaches(env.field, target) == n, traits=Trait.DELICATE, changes=(NEGATED,),
 )  # fmt: skip
 """Claims about a letter that stands for a `values.Map`: "onto" is ``reaches(f, q)`` for every q."""
 

@@ -98,6 +98,8 @@ ORDER = Kind("order")
 """n: the orders asked for, or all at once."""
 BRANCH = Kind("branch")
 """k = 0, 1 … n − 1."""
+PROPOSITION = Kind("proposition", apart=True)
+"""What a claim in words says."""
 SIGN = Kind("sign", lambda d: 1, {"−": lambda d: -1})
 """±, for both sides of an equation at once."""
 
@@ -245,7 +247,7 @@ _DEFINED = (
     Kind("number"),
     Kind("function"),
     Kind("map"),
-    Kind("proposition", apart=True),
+    PROPOSITION,
 )
 """What only a definition can say; of a number it is not said whether it is dual."""
 

@@ -15,7 +15,7 @@ from .stretches import Stretches
 from .targets import Target, UndecidedSearchError, inverse, less, ratio, roots, scaled
 from .tokens import Place
 
-ATTEMPTS = 30_000
+ATTEMPTS = 10_000
 """How often a stretch is asked for a value."""
 
 

@@ -17,7 +17,7 @@ from .tokens import Place, Token
 
 CAP = 10_000
 """Distinct readings beyond which no true one is looked for."""
-COUNTED = 300
+COUNTED = 1000
 """Distinct readings beyond which they are not counted: all displays together take most of a report's time."""
 
 

@@ -7,8 +7,6 @@ import re
 import unicodedata
 from typing import Any
 
-from latex2mathml.converter import convert
-
 from derive.output import render
 from derive.proof import Proof
 
@@ -69,8 +67,9 @@ def differing_sides(result: Result) -> tuple[str, str]:
 def notes(result: Result) -> tuple[str, ...]:
     """What is to be said beside the formula."""
     entry = result.equation
+    said = f"In the paper: “{entry.said}”" if entry.said else ""
     fixed = f"Reading fixed by {entry.fixed_by}." if entry.fixed_by else ""
-    return tuple(note for note in (entry.remark, fixed) if note)
+    return tuple(note for note in (said, entry.remark, fixed) if note)
 
 
 def _proof(proof: Proof) -> dict[str, Any]:
@@ -90,6 +89,8 @@ _TEXT = re.compile(r"\\text\{([^{}$]*(?:\$[^$]*\$[^{}$]*)+)\}")
 
 def mathml(latex: str) -> str:
     """The formula as MathML, displayed."""
+    from latex2mathml.converter import convert  # long to load, and only one of five formats needs it
+
     return str(convert(_TEXT.sub(_apart, latex), display="block"))
 
 
@@ -105,7 +106,7 @@ _SPECIAL = {
     "−": r"$-$", "…": r"\dots{}", "‖": r"$\|$", "⊗": r"$\otimes$", "·": r"$\cdot$", "×": r"$\times$", "±": r"$\pm$",
     "≠": r"$\neq$", "≤": r"$\leq$", "≥": r"$\geq$", "∈": r"$\in$", "→": r"$\to$", "⁻": "$^-$", "°": "$^\\circ$",
     "√": r"$\surd$", "⇒": r"$\Rightarrow$", "˙": r"$\dot{}$", "∞": r"$\infty$", "ᵀ": "$^T$", "½": r"$\frac12$",
-    "′": "$'$", "Φ": r"$\Phi$",
+    "′": "$'$", "“": "``", "”": "''", "–": "--", "Φ": r"$\Phi$",
     "İ": r"\.I",
     "⟨": r"$\langle$", "⟩": r"$\rangle$", "↦": r"$\mapsto$",
     "⇔": r"$\Leftrightarrow$", "∂": r"$\partial$", "∘": r"$\circ$", "Δ": r"$\Delta$", "Σ": r"$\sum$",

@@ -6,11 +6,12 @@ import builtins
 import os
 import random
 import re
+from collections.abc import Callable
 
 import pytest
 import sympy
 
-from derive.maps import PhiError, parameterization
+from derive.maps import PhiError, expressions, parameterization
 from derive.maps.expressions import parity, parsed
 from derive.maps.families import alpha
 
@@ -70,6 +71,26 @@ def test_what_is_understood(text: str, expected: sympy.Expr):
 def test_what_is_refused_says_why(text: str, reason: str):
     with pytest.raises(PhiError, match=re.escape(reason)):
         parameterization(text, "mine")
+
+
+AT_LIMITS = [
+    (lambda k: f"alpha**{k}", expressions.EXPONENT),
+    (lambda k: f"alpha**(-{k})", expressions.EXPONENT),
+    (lambda k: f"alpha**(1/{k})", expressions.EXPONENT),
+    (lambda k: f"alpha**(-{expressions.EXPONENT - 1}/{k})", expressions.EXPONENT),
+    (lambda k: "1" * k, expressions.DIGITS),
+    (lambda k: f"1.{'1' * (k - 1)}", expressions.DIGITS),
+    (lambda k: f"1e{k}", expressions.DECIMAL_EXPONENT),
+    (lambda k: f"1e-{k}", expressions.DECIMAL_EXPONENT),
+    (lambda k: "alpha".ljust(k), expressions.LENGTH),
+]
+
+
+@pytest.mark.parametrize(("write", "limit"), AT_LIMITS)
+def test_limits_are_as_stated(write: Callable[[int], str], limit: int):
+    assert parsed(write(limit)) is not None
+    with pytest.raises(PhiError):
+        parsed(write(limit + 1))
 
 
 @pytest.mark.parametrize("name", ["", "a b", "1a", "lambda", "ä", "a-b", "../a"])

@@ -10,6 +10,7 @@ import pytest
 from derive.papers import PAPERS, Reading, Status, UndecidedError, equation
 from derive.papers.condurache_popa_2023.alphabet import LOST, alpha, u, v
 from derive.papers.condurache_popa_2023.marks import positive
+from derive.papers.condurache_popa_2023.meanings import cayley_maps
 from derive.papers.decide import decide
 from derive.papers.equation import Equation, faithful
 from derive.papers.language.claims import defined, unequal
@@ -33,7 +34,7 @@ from derive.papers.language.notation import (
     zero,
 )  # fmt: skip
 from derive.papers.language.terms import Letter, latex, text
-from derive.papers.mutation import mutants, try_mutants
+from derive.papers.mutation import mutants, trials, try_mutants
 from derive.papers.result import Result
 
 a, b = Letter("a", "dual number"), Letter("b", "dual number")
@@ -43,7 +44,8 @@ square_of_sum = equal((a + b) ** 2, a**2 + 2 * (a * b) + b**2)
 
 
 def decided(statement, **rest) -> Result:
-    return decide("paper", equation("1", "title", 1, statement, **rest), LOST)
+    said = "" if "extract" in rest else "in words"
+    return decide("paper", equation("1", "title", 1, statement, said=said, **rest), LOST)
 
 
 def test_an_identity_holds_exactly() -> None:
@@ -116,6 +118,11 @@ def test_an_erratum_has_a_correction_that_is_proved() -> None:
 def test_a_false_equation_without_correction_is_refused() -> None:
     with pytest.raises(UndecidedError, match="false and has no correction"):
         decided(equal((a + b) ** 2, a**2 + b**2))
+
+
+def test_an_erratum_shows_the_words_of_the_paper() -> None:
+    with pytest.raises(UndecidedError, match="shows the words of the paper"):
+        decide("paper", equation("1", "title", 1, equal((a + b) ** 2, a**2 + b**2), corrected=square_of_sum), LOST)
 
 
 def test_a_false_correction_is_refused() -> None:
@@ -229,7 +236,39 @@ def test_every_mutant_of_a_simple_identity_is_killed() -> None:
     assert score.killed > 10
 
 
+def test_mutants_of_conditions_and_claimed_domains_are_killed() -> None:
+    for domain in ({"condition": nonzero(Re(b))}, {"claimed": nonzero(Re(b)), "stated": (1, "for Re b ≠ 0")}):
+        result = decided(quotient, **domain)
+        changes = [change for change, _ in trials(result.equation, quotient)]
+        assert {f"{next(iter(domain))}", "dropped"} <= {word for change in changes for word in change.split()}
+        assert try_mutants(result).survivors == []
+
+
+def test_a_domain_narrower_than_needed_survives() -> None:
+    score = try_mutants(decided(square_of_sum, claimed=nonzero(Re(b)), stated=(1, "for Re b ≠ 0")))
+    assert "claimed domain dropped" in {survivor.change for survivor in score.survivors}
+
+
+def test_claims_in_words_and_both_ways_of_an_equivalence_are_changed() -> None:
+    changes = {change for change, _ in mutants(iff(zero(a), implies(Letter("claim", "proposition"), nonzero(a))))}
+    assert {"claim negated", "arguments of implies swapped"} <= changes
+    assert {"second part of implies negated", "second part of iff negated"} <= changes
+
+
 def test_a_survivor_is_reported() -> None:
     score = try_mutants(decided(equal((a - b) ** 2, (b - a) ** 2)))
     assert {survivor.change for survivor in score.survivors} == {"arguments of minus swapped"}
     assert 0 < score.share < 1
+
+
+# ---- theorems for every order -------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("number", ["50", "55", "88", "89"])
+def test_what_is_said_for_every_order_fails_with_its_theorem(monkeypatch, number: str) -> None:
+    (entry,) = (entry for entry in PAPERS[0].entries() if entry.number == number)
+    monkeypatch.setattr(cayley_maps, "citing", lambda _: ())
+    cayley_maps._proved_among.cache_clear()
+    with pytest.raises(UndecidedError, match="supporting identity is not proved"):
+        decide("paper", entry, LOST)
+    cayley_maps._proved_among.cache_clear()

@@ -25,6 +25,8 @@ POINTS = "another point of the same line, or another vector with the same image"
 ALSO = "the changed statement is true as well"
 EMPTY = "the premise is never fulfilled, or no point lies where the change shows"
 ZERO = "both sides are zero, or the part dropped is"
+SAME = "the changed domain is the same one: of either sign, of a higher power, of tangent or cotangent"
+BEYOND = "it is true beyond the domain that the paper claims"
 ONE = "the part dropped is a factor 1"
 
 REASONS = {
@@ -36,12 +38,21 @@ REASONS = {
         "cayley-quaternion-well-defined": ALSO, "36": ALSO, "norm-of-1-plus-v": ALSO, "38-domain": ALSO, "41": SIGN,
         "44-domain": ALSO, "theorem-11-onto": ALSO, "theorem-12-branches": SIGN,
         "shadow-avoids-singularity": EMPTY, "52": ZERO, "64": ZERO, "71": ZERO, "determinant": ALSO, "99": POINTS,
-        "120": POINTS, "111": SIGN, "118": SIGN, "cayley-onto": ALSO, "cayley-quaternion-onto": ALSO,
+        "120": POINTS, "111": SIGN, "118": SIGN,
+        **dict.fromkeys(("39", "40", "45", "sine-P", "sine-Q", "88", "89", "112", "119"), SAME),
+        **dict.fromkeys(("theorem-16-factor", "theorem-16-step", "18-axis"), EMPTY),
+        **dict.fromkeys(("9", "general-screw", "pure-translation", "pure-rotation", "38", "shadow-vectors"), BEYOND),
+        **{f"corollary-{i}-{kind}": ALSO for i in (1, 2, 3) for kind in ("translation", "general")},
+        "corollary-4-translation": ALSO, "corollary-4-otherwise": ALSO, "84": BEYOND,
     },
     "K10": {
         "dual-number": ALSO, "zero-divisors": ZERO, "ring": ONE, "no-field": ALSO, "extension": ZERO, "module": ONE,
         "degenerate": ZERO, "orthogonal-diagonals": SIGN, "quadratic-form": ZERO, "not-singular": ALSO, "rhombus": SIGN,
         "diagonals": SIGN, "ratio": SIGN, "half-angle": SIGN, "1": SIGN, "14": SIGN, "denominators": SIGN,
+        **dict.fromkeys(("4", "5", "6", "11", "12", "13", "real-parameters", "with-tangents", "15", "16"), SAME),
+        **dict.fromkeys(("6-expanded", *map(str, range(18, 23)), "positions"), SAME),
+        **{f"conclusion-{i}": SAME for i in (20, 21, 22)}, **{f"step-{i}": BEYOND for i in (19, 20, 21, 22)},
+        "zero-components": EMPTY,
     },
 }  # fmt: skip
 """Why mutants of these entries survive."""

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cache
 from typing import Any
 
 from derive.algebra import Quaternion, Tensor, Vector, dual_part, real_part
 from derive.maps import first_principles
 from derive.maps.families import Family, normal_rodrigues, rodrigues, sine
 from derive.papers.numbers.every_order import EveryOrder
-from derive.proof.every_order import theorems
+from derive.proof.every_order import citing
 
 from ...language import values
 from ...language.evaluation import Env
@@ -33,10 +34,15 @@ def quarter(env: Env, k: int) -> int:
     return k // 4
 
 
-def binomial_theorems(env: Env) -> bool:
-    """Whether the binomial sums and the powers of 1 + v are proved for every order, by induction."""
-    proved = {number for proof in theorems() if proof.proved for number in proof.equations}
-    return {51, 52, 53} <= proved
+def proved(*numbers: int) -> Callable[[Env], bool]:
+    """Whether theorems for every order say the same as these equations and are proved, by induction."""
+
+    return lambda env: set(numbers) <= _proved_among(numbers)
+
+
+@cache
+def _proved_among(numbers: tuple[int, ...]) -> frozenset[int]:
+    return frozenset(number for proof in citing(numbers) if proof.proved for number in proof.equations)
 
 
 # ---- the map and its preimages ----------------------------------------------------------------------------------

@@ -131,10 +131,12 @@ CAYLEY = (
     equation("cayley-well-defined", "its values are orthogonal", 162,
              both(nonzero(Re(det(I - V))), orthogonal(cay(V))), where=CAY, because=equal(det(I - V), 1 + x)),
     equation("cayley-onto", "the Cayley transform is onto", 162, reaches(cay_map, R), where=CAY,
-             corrected=implies(nonzero(Re(1 + trace(R))), reaches(cay_map, R)),
+             said="is well defined and onto.",
+             corrected=iff(nonzero(Re(1 + trace(R))), reaches(cay_map, R)),
              because=equal(1 + trace(cay(V)), 4 / (1 + x)),
              remark="Half turns are missed: there 1 + trace R has the real part 0, but never on a Cayley transform."),
     equation("cayley-domain", "where the argument is taken from", 164, orthogonal(V), extract="",
+             said="For any v ~ _ S O _ 3",
              corrected=equal(transpose(V), -V), remark="Printed as SO(3) for so(3)."),
     equation("28", "determinant of the Cayley transform", 165,
              equal(det(cay(V)), det((I + V) * (I - V) ** (-1)), (1 + x) / (1 + x), 1),
@@ -178,6 +180,8 @@ COROLLARY = (
              claimed=unequal(Re(alpha), k * pi, k), stated=(181, "R e α _ k π")),
     equation("rodrigues-domain", "where the Rodrigues dual vector exists", 181,
              iff(remark(unequal(Re(alpha), k * pi, k), words(r"k \in \mathbb{Z}", "kZ")), defined(tan(alpha / 2) * u)),
+             said="exists for the purpose of having c a y b ~ _ = R _ , R _ S O _ 3 , R _ = R _ α _ , u _ and "
+                  "R e α _ k π ,   k Z .",
              corrected=iff(unequal(Re(alpha), (2 * k + 1) * pi, k), defined(tan(alpha / 2) * u)),
              remark="Only odd multiples of π are excluded; at even ones b is there, with real part 0."),
 )  # fmt: skip

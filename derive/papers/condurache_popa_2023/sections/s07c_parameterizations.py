@@ -48,7 +48,7 @@ MODIFIED = (
     *FACTOR, *POLYNOMIALS, let(caym_v, cayley_maps.modified, n, a_value, v),
     let(caym, cayley_maps.function_of(cayley_maps.modified_root), n, a_value, v),
     let(q_of, cayley_maps.function_of(cayley_maps.modified), n, a_value, v),
-    let(R, cayley_maps.modified_tensor, n, a_value, v), let(by_induction, cayley_maps.binomial_theorems),
+    let(R, cayley_maps.modified_tensor, n, a_value, v), let(by_induction, cayley_maps.proved(51, 52, 53)),
 )  # fmt: skip
 
 THEOREM_15 = (
@@ -76,7 +76,8 @@ THEOREM_15 = (
              where=(let(q_hat, orders.screw_quaternion, alpha, u), let(a, cayley_maps.constant, a_value),
                     let(caym_map, cayley_maps.cayley_function_of_growing_scale, n),
                     let(v, cayley_maps.solutions, n, a_value, q_hat)),
-             condition=finite(turned), corrected=equal(v, a(v) * tan(turned) * u),
+             condition=finite(turned), said="the inverse of the mapping Equation (59) contains n branches",
+             corrected=equal(v, a(v) * tan(turned) * u),
              remark="Refuted with a(v) = 1 + |v|², where |v| = a(v) tan has two solutions or none on a branch; (60) is "
              "an equation for v, not a formula."),
 )  # fmt: skip

@@ -15,22 +15,24 @@ from .s07a_fractional_transform import turned
 KNOWN = (*s06_cayley_quaternions.ENTRIES, *s07a_fractional_transform.ENTRIES, *s07c_parameterizations.ENTRIES)
 
 
-def reference(slug: str, title: str, line: int, named: int, meant: int, part: Term, remark: str) -> Equation:
+def reference(slug: str, said: str, line: int, named: int, meant: int, part: Term, remark: str) -> Equation:
     """A sentence that takes something from an equation, which another one displays."""
-    said, right = (
+    wrong, right = (
         proposition(f"({number}) displays it", f"${latex(part)}$ is a part of ({number})") for number in (named, meant)
     )
-    where = (let(said, displays(KNOWN, str(named), part)), let(right, displays(KNOWN, str(meant), part)))
-    return equation(slug, title, line, said, where=where, corrected=right, remark=remark)
+    where = (let(wrong, displays(KNOWN, str(named), part)), let(right, displays(KNOWN, str(meant), part)))
+    return equation(slug, "an equation by its number", line, wrong, where=where, said=said, corrected=right,
+                    remark=remark)  # fmt: skip
 
 
 ENTRIES = (
-    reference("theorem-12-reference", "what the proof of Theorem 12 begins with", 243, 47, 46,
+    reference("theorem-12-reference", "By Equation (47): q ^ _ = 1 + v _ n 2 1 v _ n 2", 243, 47, 46,
               term((1 + v)**(n / 2) * (1 - v)**(-(n / 2))), "Equation (46) is meant; (47) is where the proof arrives."),
-    reference("theorem-13-reference", "where the parameterization of Theorem 13 is obtained", 253, 41, 46, n,
-              "Equation (46) is meant, which has an order n; (41) composes two displacements at n = 2."),
-    reference("theorem-16-reference", "what the proof of Theorem 16 follows from", 304, 61, 60, turned,
+    reference("theorem-13-reference", "the parameterization of a displacement obtained from Equation (41)", 253, 41, 46,
+              n, "Equation (46) is meant, which has an order n; (41) composes two displacements at n = 2."),
+    reference("theorem-16-reference", "According to Equation (61) the following expression is true: a v _ = v _ c o t "
+              "α _ + 2 k π 2 n .", 304, 61, 60, turned,
               "Equation (60) is meant; (61) is what the theorem claims, and has no angle."),
-    reference("corollary-5-reference", "the quaternion of which Corollary 5 is the tensor", 313, 63, 62, q_of,
-              "Equation (62) is meant; (63) is the polynomial p_n."),
+    reference("corollary-5-reference", "The orthogonal dual tensor associated with Equation (63) is:", 313, 63, 62,
+              q_of, "Equation (62) is meant; (63) is the polynomial p_n."),
 )  # fmt: skip

@@ -106,10 +106,17 @@ TENSOR = (
              remark="The last step uses R Rᵀ = I, which it is to prove. A proof: Z = R Rᵀ and Z = I solve the same "
              "linear problem, with derivative ω̃Z − Zω̃ and Z(t₀) = I."),
     equation("72", "R Rᵀ is constant", 365, equal(R * transpose(R), at_start, identity),
-             extract="R _ R _ T = R _ R _ T t 0 = I _", where=(let(at_start, velocities.product_at_start, R_0),)),
+             extract="R _ R _ T = R _ R _ T t 0 = I _",
+             where=(let(at_start, velocities.product_at_start, R_0), let(zero_tensor, velocities.zero_tensor)),
+             because=equal(skew(omega) * identity - identity * skew(omega), zero_tensor),
+             remark="By (71) Z = R Rᵀ solves Ż = ω̃Z − Zω̃ with Z(t₀) = I, and so does Z = I, the supporting identity; "
+             "with a continuous ω a linear problem has one solution."),
     equation("determinant", "the determinant is 1 or −1", 366, equal(det(T * transpose(T)), det(T)**2)),
     equation("73", "R is orthogonal and proper", 367, both(equal(R * transpose(R), identity), equal(det(R), 1)),
-             extract="R _ R _ T = I _ d e t R _ = 1"),
+             extract="R _ R _ T = I _ d e t R _ = 1",
+             because=equal(det(T * transpose(T)), det(T)**2),
+             remark="By (72) and the supporting identity the determinant is 1 or −1; it is continuous and "
+             "begins with 1."),
     equation("body-twist", "dual angular velocity in the body frame", 371, equal(omega_B, transpose(R) * omega),
              extract="ω _ B = R _ T ω _", where=MOTION, moving=True),
     equation("74", "Poisson-Darboux problem, body twist", 372, equal(rate(R), R * skew_B),

@@ -27,6 +27,7 @@ from ...language.terms import Letter
 from ..alphabet import alpha, dual, n, u, v, vector
 from ..marks import equations_in, provided
 from ..meanings import orders, velocities
+from ..meanings.cayley_maps import proved
 from ..meanings.motions import screw_tensor
 from ..meanings.quaternion_maps import multiple
 from .s07_general_order import POLYNOMIALS, VV, I, V, full_turns, p, q, x
@@ -76,6 +77,7 @@ DEXP = (
              remark="At Re |α| = 2kπ, k ≥ 1, dexp has no inverse."),
     equation("dexp-inverse-domain", "where dexp has an inverse", 396,
              implies(nonzero(Re(norm(a) - 2 * pi)), invertible), where=EXPONENTIAL,
+             said="if the real part of α _ is different by 2 π",
              corrected=iff(full_turn, invertible),
              remark="Not at 2π only: also not at 4π, 6π, …"),
     equation("84", "inverse tangent tensor of the exponential", 397,
@@ -96,6 +98,7 @@ CAYLEY = (
     let(q_now, velocities.q_now, n, v),
 )  # fmt: skip
 regular = nonzero(Re(q_now))
+for_every_n = proposition("for every n", "the same for every n, by the differential ring of p_n and q_n")
 
 
 RODRIGUES = (
@@ -110,13 +113,14 @@ RODRIGUES = (
              equal(dcay, 2 * q(norm(v)) * p(norm(v)) / (1 + x)**n * I + 2 * (q**2)(norm(v)) / (1 + x)**n * V
                    + 2 * (n * (1 + x)**(n - 1) - q(norm(v)) * p(norm(v))) / (x * (1 + x)**n) * VV),
              extract="d c a y n = 2 q n v _ p n v _ 1 + v _ 2 n I _ + 2 q n 2 v _ 1 + v _ 2 n v ~ _ + 2 n 1 + v _ 2 n "
-             "1 q n v _ p n v _ v _ 2 1 + v _ 2 n v _ v _", where=CAYLEY, condition=nonzero(Re(x)),
+             "1 q n v _ p n v _ v _ 2 1 + v _ 2 n v _ v _", where=(*CAYLEY, let(for_every_n, proved(88))),
+             because=for_every_n, condition=nonzero(Re(x)),
              remark="Where Re v = 0 the last quotient is 0/0; |v|² divides the bracket as a polynomial."),
     equation("89", "kinematic tensor of order n", 406,
              equal(dcay_inv, p(norm(v)) / (2 * q(norm(v))) * I - half * V
                    + ((1 + x) * q(norm(v)) - n * p(norm(v))) / (2 * n * x * q(norm(v))) * VV),
              extract="d c a y n 1 = p n v _ 2 q n v _ _ I _ 1 2 v ~ _ + 1 + v _ 2 q n v _ n p n v _ 2 n v _ 2 q n v _ "
-             "_ v _ v _", where=CAYLEY,
+             "_ v _ v _", where=(*CAYLEY, let(for_every_n, proved(89))), because=for_every_n,
              condition=both(nonzero(Re(x)), nonzero(Re(q(norm(v))))), also=full_turns,
              remark="Where Re v = 0 the last quotient is 0/0; where Re q_n = 0 dcay_n has no inverse (n ≥ 3)."),
     equation("90", "kinematic equation of the Rodrigues dual vector, spatial twist", 409,

@@ -52,10 +52,12 @@ ENTRIES = (
     equation("six-equations", "(92) contains (126) to (131)", 465,
              both(equal(b_re, tan(angle / 2) * u_re), equal(b_du, shift * bracket(square) * u_du)), where=PARTS,
              condition=finite(angle / 2),
+             said="compacted succinctly includes all six equations presented in [54].",
              corrected=both(equal(b_re, tan(angle / 2) * u_re),
                             equal(b_du, half * shift * bracket(square) * u_re + tan(angle / 2) * u_du))),
     equation("nature-of-95-to-98", "what (95) and (96) are, in this order", 465,
              both(orthogonal(q_hat), unit_quaternion(R)), where=o1.where,
+             said="Equations (95)–(98) present, respectively, the dual orthogonal tensor, dual quaternion",
              corrected=both(unit_quaternion(q_hat), orthogonal(R)),
              remark="Named in the order tensor, quaternion; (95) is the quaternion and (96) the tensor."),
 )  # fmt: skip

@@ -148,6 +148,8 @@ SOLVED = (
     relation("zero-components", "b* from (14)-(16) where one or two of s1, s2, s3 are 0", 219,
              nonzero(det(SYSTEM)), where=SCREW, claimed=zero(s1 * s2 * s3),
              stated=(219, "If one or two of them are equal to zero"),
+             said="If one or two of them are equal to zero then one can obtain the solutions of b_i^* 's from (14), "
+                  "(15), (16).",
              because=equal(det(identity - dyad(turn, turn)), 0),
              corrected=equal(b_star, T * s_star + slope * s),
              remark="(14)-(16) are (I − s ⊗ s) b* = Tan f/2 s*, a singular system: they leave b* free along s. With "

@@ -42,7 +42,7 @@ def test_every_entry_can_be_rendered() -> None:
                     latex = Verdict(term, "", True, "").latex
                     assert "\\" not in mathml(latex), entry.number
                     assert not re.search(r"[\\{}$]", plain(latex)), entry.number
-            for text in (entry.title, entry.remark, entry.fixed_by):
+            for text in (entry.title, entry.remark, entry.fixed_by, entry.said):
                 assert not re.search(r"[^\x00-\u017f]|\[[a-z ]+\]", escape(text)), (entry.number, text)
 
 
@@ -50,11 +50,12 @@ def test_json_has_the_documented_fields(report) -> None:
     data = json.loads(FORMATS["json"](report))
     assert data["schema"] == 2
     fields = {"paper", "equation", "title", "status", "printed", "corrected", "claimed", "condition", "exact"}
-    fields |= {"readings", "reading_count", "capped", "counterexample", "method", "anchor"}
+    fields |= {"stated", "said", "readings", "reading_count", "capped", "counterexample", "method", "anchor"}
     for equation in data["equations"]:
         assert fields <= set(equation)
         assert (equation["corrected"] is not None) == (equation["status"] == "erratum")
         assert equation["condition"] is not None or equation["status"] != "holds-if"
+        assert (equation["claimed"] is None) == (equation["stated"] is None)
         assert (equation["counterexample"] is not None) == (equation["status"] == "erratum")
         assert not (equation["capped"] and equation["status"] == "erratum")
         assert {tuple(reading) for reading in equation["readings"]} == {("latex", "verdict", "note")}
@@ -77,7 +78,18 @@ def test_pages_hold_every_entry_and_nothing_undefined(report, form: str) -> None
     for result in report.results:
         if form != "latex" or result.status is not Status.HOLDS:
             assert result.equation.number in page
+    for proof in report.proofs:
+        assert proof.name in page
+        assert form == "html" or proof.latex in page
     assert "None" not in page
+
+
+def test_words_of_the_paper_are_beside_a_claim_in_words(report) -> None:
+    (said,) = (r.equation.said for r in report.results if r.equation.number == "zero-components")
+    assert said.startswith("If one or two of them are equal to zero")
+    for form in ("markdown", "html"):
+        assert "In the paper: “If one or two of them are equal to zero" in FORMATS[form](report)
+    assert "In the paper: ``If one or two of them" in FORMATS["latex"](report)
 
 
 def test_markdown_links_entries_to_their_sources(report) -> None:

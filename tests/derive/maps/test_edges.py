@@ -1,0 +1,42 @@
+"""Where φ ends: its kind, its exact name, and angles below it."""
+
+from __future__ import annotations
+
+import mpmath
+import pytest
+import sympy
+
+from derive.maps.edges import DIGITS, Edge, angle_of, edge_of
+from derive.maps.families import alpha
+
+EDGES = [
+    (sympy.sin(alpha / 6), Edge(3 * sympy.pi, "fold")),
+    (sympy.sin(3 * alpha / 7), Edge(7 * sympy.pi / 6, "fold")),
+    (alpha / (1 + alpha**2 / 40), Edge(sympy.sqrt(40), "fold")),
+    (sympy.tan(alpha / 6), Edge(3 * sympy.pi, "pole")),
+    (alpha / (3 - alpha**2), Edge(sympy.sqrt(3), "pole")),
+]
+
+
+@pytest.mark.parametrize(("phi", "edge"), EDGES)
+def test_edges_have_exact_names(phi: sympy.Expr, edge: Edge):
+    assert edge_of(phi) == edge
+
+
+def test_an_edge_without_a_name_is_a_decimal():
+    phi = sympy.sin(alpha / 2) + alpha / 50
+    found = edge_of(phi)
+    assert found.kind == "fold"
+    assert isinstance(found.angle, sympy.Float)
+    with mpmath.workdps(DIGITS):  # cos(α/2)/2 + 1/50 = 0
+        assert abs(mpmath.mpf(found.angle) - 2 * mpmath.acos(-mpmath.mpf(1) / 25)) < mpmath.mpf(10) ** -45
+
+
+@pytest.mark.parametrize(("phi", "edge"), [*EDGES, (sympy.sinh(alpha), Edge(sympy.oo, ""))])
+def test_angles_are_found_up_to_the_edge(phi: sympy.Expr, edge: Edge):
+    with mpmath.workdps(DIGITS):
+        end = 5 if edge.angle.is_infinite else mpmath.mpf(edge.angle.evalf(DIGITS + 5))
+        for share in ("1e-20", "0.3", "0.999"):
+            angle = mpmath.mpf(share) * end
+            # at 0.999 of the way to a fold, an eps of |v| moves α by some 1e6 of it
+            assert abs(angle_of(phi, edge, phi.evalf(DIGITS, subs={alpha: angle})) / angle - 1) < mpmath.mpf(10) ** -40
