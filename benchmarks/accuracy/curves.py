@@ -10,7 +10,7 @@ from __future__ import annotations
 import functools
 import multiprocessing
 import warnings
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -193,3 +193,33 @@ def behind(found: Curves) -> list[Behind]:
 def _points(tasks: list[tuple[str, int]]) -> Iterator[tuple[str, int, Point]]:
     with multiprocessing.get_context("spawn").Pool(PROCESSES) as pool:
         yield from pool.imap_unordered(point, tasks, chunksize=4)
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """(file name, caption) of each figure, and lines about the exponential."""
+
+    captions: Sequence[tuple[str, str]]
+    standing: Sequence[str]
+
+
+def standing(found: Curves) -> list[str]:
+    """How our exponential map and logarithm stand beside those of libraries."""
+    largest = {
+        part: max(float(np.nanmax(row)) for (_, p, name), row in found.items() if (p, name) == (part, "exponential"))
+        for part in COMPARED
+    }
+    sizes = ", ".join(f"{part} {error:.2g}" for part, error in largest.items())
+    bound = f"the best of these libraries or {MAY_BE} eps, whichever is larger"
+    said = f"`exponential` is off by at most, in eps: {sizes}."
+    short = behind(found)
+    if not short:
+        return [f"{said} At no angle of the figures is it off by more than {bound}."]
+    lines = []
+    for panel, part in dict.fromkeys((b.panel, b.part) for b in short):
+        here = [b for b in short if (b.panel, b.part) == (panel, part)]
+        angles, most = [b.angle for b in here], max(here, key=lambda b: b.error - b.least)
+        where = f"{len(here)} of {len(ANGLES[panel])} angles, from {min(angles):.3g} to {max(angles):.3g}"
+        worst = f"most at {most.angle:.3g}: {most.error:.2g} eps, {most.library} {most.least:.2g}"
+        lines.append(f"- {part} at {where}, {worst} FALLS SHORT")
+    return [f"{said} It is off by more than {bound} in", "", *lines]

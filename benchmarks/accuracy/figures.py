@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -30,7 +29,6 @@ STYLES: Styles = {
     "jaxlie": ("#CC79A7", "X"),
     "pinocchio": ("#7F7F7F", "d"),
 }
-
 
 
 def is_ours(label: str) -> bool:
@@ -139,15 +137,7 @@ def missing(console: Console) -> None:
             console.print(f"{name} is not installed and left out of the figures (extras bench, peers)", highlight=False)
 
 
-@dataclass(frozen=True)
-class Drawn:
-    """(file name, caption) of each figure, and lines about the exponential."""
-
-    captions: Sequence[tuple[str, str]]
-    standing: Sequence[str]
-
-
-def draw(folder: Path, bar: Progress, console: Console) -> Drawn:
+def draw(folder: Path, bar: Progress, console: Console) -> curves.Drawn:
     """Compute and draw all figures."""
     matplotlib.use("Agg")
     missing(console)
@@ -158,26 +148,4 @@ def draw(folder: Path, bar: Progress, console: Console) -> Drawn:
     used = ", ".join(f"{name} {version}" for name, version in peers.versions().items() if version)
     note = f"Errors below {FLOOR:g} eps are drawn there. Compared: {used}."
     captions = [(what.file, f"{what.caption} {note}") for what in PICTURES]
-    return Drawn(captions, standing(found))
-
-
-def standing(found: curves.Curves) -> list[str]:
-    """How our exponential map and logarithm stand beside those of libraries."""
-    largest = {
-        part: max(float(np.nanmax(row)) for (_, p, name), row in found.items() if (p, name) == (part, "exponential"))
-        for part in curves.COMPARED
-    }
-    sizes = ", ".join(f"{part} {error:.2g}" for part, error in largest.items())
-    bound = f"the best of these libraries or {curves.MAY_BE} eps, whichever is larger"
-    said = f"`exponential` is off by at most, in eps: {sizes}."
-    behind = curves.behind(found)
-    if not behind:
-        return [f"{said} At no angle of the figures is it off by more than {bound}."]
-    lines = []
-    for panel, part in dict.fromkeys((b.panel, b.part) for b in behind):
-        here = [b for b in behind if (b.panel, b.part) == (panel, part)]
-        angles, most = [b.angle for b in here], max(here, key=lambda b: b.error - b.least)
-        where = f"{len(here)} of {len(curves.ANGLES[panel])} angles, from {min(angles):.3g} to {max(angles):.3g}"
-        worst = f"most at {most.angle:.3g}: {most.error:.2g} eps, {most.library} {most.least:.2g}"
-        lines.append(f"- {part} at {where}, {worst} FALLS SHORT")
-    return [f"{said} It is off by more than {bound} in", "", *lines]
+    return curves.Drawn(captions, curves.standing(found))

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from benchmarks.accuracy.figures import Drawn
+from benchmarks.accuracy.curves import Drawn
 from benchmarks.accuracy.measure import COUNT, DIGITS, FEW, ORDERS, Measurement, types
 from derive.codegen.signatures import POSES, ROTATIONS
 from tests.support import errors, rotations

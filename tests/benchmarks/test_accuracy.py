@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 from benchmarks.accuracy import curves, measure, report
-from benchmarks.accuracy.figures import Drawn, standing
 from tests.support import cases, errors, rotations, sampling
 from tests.support.accuracy import Trial
 from tests.support.calculus import EVERY
@@ -90,7 +89,7 @@ def test_missed_gates_are_named() -> None:
     found = report.short_of_gate(measurements(1.1))
     assert "quaternion, n = 2, float64, uniform: 4.4 eps, gate 4 FALLS SHORT" in found
     assert "from_angle_axis, rotations alone, n = 2, float64, shadow: 17.6 eps, gate 16 FALLS SHORT" in found
-    drawn = Drawn([("a.png", "A caption. More.")], ["Standing."])
+    drawn = curves.Drawn([("a.png", "A caption. More.")], ["Standing."])
     page = report.page(measurements(1.1), drawn)
     assert all(f"- {line}" in page for line in found)
     assert "**4.4 u**" in page
@@ -99,8 +98,8 @@ def test_missed_gates_are_named() -> None:
     assert "| derivatives of T and T⁻¹ | 4 | 4.4, " in page
     assert "![A caption](a.png)" in page
     assert "out of range, n = 2, float64: 6 poses" in page
-    assert "- all gates are met by what is in range" in report.page(measurements(0.9), Drawn([], []))
-    other = report.beside(page, Drawn([("b.png", "Another. More.")], ["Elsewhere."]))
+    assert "- all gates are met by what is in range" in report.page(measurements(0.9), curves.Drawn([], []))
+    other = report.beside(page, curves.Drawn([("b.png", "Another. More.")], ["Elsewhere."]))
     assert other.partition(report.BESIDE)[0] == page.partition(report.BESIDE)[0]
     assert other.endswith(f"{report.BESIDE}\n\nElsewhere.\n\nAnother. More.\n\n![Another](b.png)\n")
 
@@ -130,11 +129,11 @@ def test_where_the_exponential_is_behind_is_said() -> None:
     rows = {"exponential": 2.5, "SciPy": 9.0, "jaxlie": 2.6, "n = 2": 0.1}
     found = {("to pi", part, name): np.full(count, size) for name, size in rows.items() for part in curves.COMPARED}
     assert curves.behind(found) == []
-    assert standing(found)[0].endswith("or 2 eps, whichever is larger.")
+    assert curves.standing(found)[0].endswith("or 2 eps, whichever is larger.")
     found["to pi", "log", "jaxlie"][[3, 5]] = 0.5
     found["to pi", "log°", "exponential"][:] = 1.9
     found["to pi", "log°", "jaxlie"][:] = 0.5
     assert [(b.part, b.library, b.least) for b in curves.behind(found)] == [("log", "jaxlie", 0.5)] * 2
-    said = standing(found)
+    said = curves.standing(found)
     assert len(said) == 3
     assert said[2].startswith(f"- log at 2 of {count} angles, from 3.14 to 3.14, most at 3.14: 2.5 eps, jaxlie 0.5")

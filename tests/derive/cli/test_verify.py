@@ -106,7 +106,7 @@ def test_python_interface() -> None:
 def test_one_equation_is_decided_alone() -> None:
     code = ("import sys; from derive.cli import commands; sys.argv[1:] = ['verify', '--eq', '112']; commands.run(); "
             "print('derive.codegen' in sys.modules)")  # fmt: skip
-    done = in_a_process(code=code)
+    done = in_a_process(code=code, COLUMNS="120")
     assert "where they differ" in done.stdout
     assert "refuted at generic point 1: false" in done.stdout
     assert "proofs" not in done.stdout  # of theorems that say nothing of it
