@@ -18,6 +18,8 @@ from tests.mutants.programs import FORMS, Programs
 from tests.mutants.rooms import Files
 from tests.mutants.run import NotControlled, Results, Run
 
+pytestmark = pytest.mark.thorough
+
 THING = "def double(a):\n    return 2 * a\n\n\ndef forgotten(a):\n    return a + 1\n"
 TEST = "from derive.toy.thing import double\n\n\ndef test_double():\n    assert double(3) == 6\n"
 ROOM = Files("toy", "toys: by their tests", ("derive/toy",), Checks("toy", ("derive/toy",), ("tests/derive/toy",)))

@@ -34,7 +34,7 @@ from tests.support.packages import Otherwise
 from tests.support.rotation_arguments import arguments
 from tests.support.signatures import SIGNATURES, components_first, components_last, inputs
 
-pytestmark = pytest.mark.compiler
+pytestmark = [pytest.mark.compiler, pytest.mark.thorough]
 
 CHARTS = (Cayley(2), Cayley(3), family("exponential"))
 # tests of the C target look at vector code, which takes ten times as long to compile
