@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 import re
 import shlex
 import signal
@@ -206,113 +205,6 @@ def test_list_names_what_there_is():
     assert done.returncode == 0
     for word in ("numpy", "committed: 1, 2, 3, 4, 5, 8", "tangent_inv", "transform_line"):
         assert word in done.stdout
-
-
-# --- what only a process shows ------------------------------------------------------------------------------------
-
-
-def test_a_process_ends_with_the_code_and_keeps_its_streams_apart():
-    done = in_a_process("show", "-n", "2", "--what", "tensor", LC_ALL="C.UTF-8")
-    assert (done.returncode, done.stderr) == (0, "")
-    assert "v⊗v" in done.stdout
-    done = in_a_process("show")
-    assert (done.returncode, done.stdout) == (2, "")
-    assert "Missing option '-n'" in done.stderr
-
-
-@pytest.mark.parametrize("place", ["derive.cli.show.show", "derive.cli.run"])
-def test_an_interrupted_process_says_so_in_one_line(place: str):
-    module, _, name = place.rpartition(".")
-    code = (
-        "import importlib, os, signal, sys, time\n"
-        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"  # which jobs in the background are started without
-        f"setattr(importlib.import_module({module!r}), {name!r}, lambda **_: os.kill(os.getpid(), signal.SIGINT))\n"
-        "from derive.__main__ import main\n"
-        "sys.exit(main())"
-    )
-    done = in_a_process("show", "-n", "2", code=code)
-    assert (done.returncode, done.stdout, done.stderr) == (130, "", "dualcay: interrupted\n")
-
-
-@pytest.mark.parametrize("encoding", ["cp1252", ""])
-def test_output_is_utf8_whatever_the_locale(encoding: str):
-    variables = {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0", "PYTHONIOENCODING": encoding}
-    done = in_a_process("show", "-n", "2", "--what", "tensor", **variables)
-    assert (done.returncode, done.stderr) == (0, "")
-    assert "v⊗v" in done.stdout
-
-
-def test_a_folder_whose_name_is_no_utf8_is_printed_as_it_is():
-    name = os.fsdecode(b"k\xff")
-    code = (
-        "import os, sys, derive.cli.generate as module\n"
-        "from derive.codegen import Difference\n"
-        "module.check_folder = lambda folder, *_, **__: [Difference(folder, 'missing')]\n"
-        "from derive.__main__ import main\n"
-        "sys.exit(main())"
-    )
-    done = in_a_process("generate", "--check", "-o", name, code=code, errors="surrogateescape")
-    assert (done.returncode, done.stdout) == (1, f"missing: {name}\n")
-
-
-@pytest.mark.parametrize(
-    "arguments", [["--help"], ["-h"], ["--version"], ["-V"], ["generate", "--help"], ["verify", "--help"]]
-)
-def test_help_and_version_load_nothing_heavy(arguments: list[str]):
-    code = (
-        "import sys\nfrom derive.__main__ import main\ncode = main()\n"
-        "sys.exit(code or any(name in sys.modules for name in ('sympy', 'numpy', 'rich', 'jinja2')))"
-    )
-    assert in_a_process(*arguments, code=code).returncode == 0
-
-
-def test_help_takes_little_more_time_than_python():
-    """Processor time, the least of three runs, since others use the machine too."""
-
-    def least(*command: str) -> float:
-        def once() -> float:
-            before = os.times()
-            subprocess.run([sys.executable, *command], cwd=ROOT, capture_output=True, check=True)
-            after = os.times()
-            return after.children_user + after.children_system - before.children_user - before.children_system
-
-        return min(once() for _ in range(3))
-
-    assert least("-m", "derive", "--help") - least("-c", "pass") < 0.15
-
-
-def test_completion_offers_commands_and_names():
-    code = "import sys; sys.argv[0] = 'dualcay'; from derive.__main__ import main; sys.exit(main())"
-    for words, offered in (("dualcay gen", "plain,generate"), ("dualcay generate --target nu", "plain,numpy")):
-        place = str(len(words.split()) - 1)
-        done = in_a_process(code=code, _DUALCAY_COMPLETE="bash_complete", COMP_WORDS=words, COMP_CWORD=place)
-        assert offered in done.stdout.splitlines()
-
-
-WITHOUT = (
-    "import importlib.util, sys\n"
-    "found = importlib.util.find_spec\n"
-    "importlib.util.find_spec = lambda name, *a: None if name in {missing} else found(name, *a)\n"
-    "from derive.__main__ import main\n"
-    "sys.exit(main())"
-)
-
-
-def test_without_its_libraries_the_command_says_what_to_install():
-    done = in_a_process("list", code=WITHOUT.format(missing=("sympy", "jinja2")))
-    assert done.returncode == 3
-    assert done.stderr == 'dualcay: needs jinja2, sympy: install with  pip install "dualcay[derive]"\n'
-
-
-@pytest.mark.parametrize("arguments", [(), ("--help",), ("-h",), ("generate", "--help"), ("--version",), ("-V",)])
-def test_without_its_libraries_help_and_version_are_there(arguments: tuple[str, ...]):
-    done = in_a_process(*arguments, code=WITHOUT.format(missing=NEEDED))
-    assert (done.returncode, done.stderr) == (0, "")
-    assert done.stdout.startswith("dualcay")
-    assert derive.__version__ in done.stdout
-    version = {"--version", "-V"} & set(arguments)
-    assert ('pip install "dualcay[derive]"' in done.stdout) == (not version)
-    assert done.stdout.count("\n") <= 4
 
 
 # --- what help says before anything is loaded ---------------------------------------------------------------------

@@ -1,0 +1,243 @@
+"""A chart that the toolkit does not know: v = sin(α/6) u, with all that the Protocol of charts asks for."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import mpmath
+import sympy
+
+from derive.algebra import Coefficient, Quaternion
+from derive.algebra.arithmetic import Arithmetic
+from derive.maps import IsotropicMap, QuaternionMap, turns, x
+from derive.maps.families import alpha
+
+HALF = sympy.Rational(1, 2)
+COSINE = sympy.sqrt(1 - x)
+
+
+class SineScalars:
+    """The scalars at x = sin² θ, θ = α/6: q̂ = cos 3θ + u sin 3θ."""
+
+    def __init__(self, x: Coefficient, m: Arithmetic) -> None:
+        self.x, self.m = x, m
+
+    @cached_property
+    def cc(self) -> Coefficient:
+        return self.m.name("cc", 1 - self.x)
+
+    @cached_property
+    def c(self) -> Coefficient:
+        """cos θ."""
+        return self.m.name("c", self.m.sqrt(self.cc))
+
+    @cached_property
+    def p(self) -> Coefficient:
+        return self.m.name("p", 1 - 4 * self.x)
+
+    @cached_property
+    def s(self) -> Coefficient:
+        return self.m.name("s", self.p * self.c)
+
+    @cached_property
+    def w(self) -> Coefficient:
+        return self.m.name("w", 3 - 4 * self.x)
+
+    @cached_property
+    def ww(self) -> Coefficient:
+        return self.m.name("ww", self.w * self.w)
+
+    @cached_property
+    def sy(self) -> Coefficient:
+        return self.m.name("sy", -3 * (self.w / self.c))
+
+    wy = -8
+
+    @cached_property
+    def f(self) -> Coefficient:
+        return self.m.name("f", 2 * (self.s * self.w))
+
+    @cached_property
+    def g(self) -> Coefficient:
+        return self.m.name("g", 2 * self.ww)
+
+    @cached_property
+    def h(self) -> Coefficient:
+        return self.m.name("h", (38 + (32 * self.x - 64) * self.x) / self.c)
+
+    @cached_property
+    def fy(self) -> Coefficient:
+        return self.m.name("fy", 2 * (self.sy * self.w) - 16 * self.s)
+
+    @cached_property
+    def gy(self) -> Coefficient:
+        return self.m.name("gy", -32 * self.w)
+
+    @cached_property
+    def hy(self) -> Coefficient:
+        return self.m.name("hy", self._hcc - 128 * self.c)
+
+    @cached_property
+    def _hcc(self) -> Coefficient:
+        return self.m.name("hcc", self.h / self.cc)
+
+    @cached_property
+    def rate(self) -> Coefficient:
+        return self.m.name("rho", 6 / self.c)
+
+    @cached_property
+    def ratey(self) -> Coefficient:
+        return self.m.name("rhoy", self.rate / self.cc)
+
+    @cached_property
+    def fi(self) -> Coefficient:
+        return self.m.name("fi", self.s / self.w)
+
+    @cached_property
+    def hi(self) -> Coefficient:
+        return self.m.name("hi", self.m.div(8 * (self.c / self.w), 3))
+
+    @cached_property
+    def fiy(self) -> Coefficient:
+        return self.m.name("fiy", -(self.h / self.g))
+
+    @cached_property
+    def hiy(self) -> Coefficient:
+        return self.m.name("hiy", self.m.div(8 * self._turn, 3 * self.ww))
+
+    @cached_property
+    def _turn(self) -> Coefficient:
+        return self.m.name("cw", 8 * self.c - self.w / self.c)
+
+    # --- second slopes --------------------------------------------------------------------------------------------
+
+    gyy = 256
+
+    @cached_property
+    def fyy(self) -> Coefficient:
+        return self.m.name("fyy", 2 * ((24 * self.w - 3 * (self.ww / self.cc)) / self.c) - 32 * self.sy)
+
+    @cached_property
+    def hyy(self) -> Coefficient:
+        return self.m.name("hyy", (self.hy + 2 * self._hcc) / self.cc + 128 / self.c)
+
+    @cached_property
+    def fiyy(self) -> Coefficient:
+        return self.m.name("fiyy", (self.h * self.gy / self.g - self.hy) / self.g)
+
+    @cached_property
+    def hiyy(self) -> Coefficient:
+        bend = 16 * self._turn / self.ww - 1 / (self.c * self.cc)
+        return self.m.name("hiyy", self.m.div(8 * (bend / self.w), 3))
+
+    @property
+    def ray(self) -> tuple[Coefficient, Coefficient, Coefficient]:
+        return self.s, self.w, 1
+
+
+@dataclass(frozen=True)
+class Sine:
+    """v = sin(α/6) u, a chart up to |Re α| = 3π."""
+
+    name = "sine6"
+    selection = ("--phi", "sin(alpha/6)")
+    order = 1
+    title = "Sine of a sixth of the angle"
+    parameter = "sin(α/6)"
+    phi = sympy.sin(alpha / 6)
+    edge = 3 * sympy.pi
+    branches = 3
+    remainder = 0.0
+    singular_angles = (2 * sympy.pi, 3 * sympy.pi)
+    cayley = None
+    letters = ()
+    s, w = (1 - 4 * x) * COSINE, 3 - 4 * x
+    scalars = SineScalars
+
+    def overflow(self, largest: float) -> tuple[str, float]:
+        return "v is no sine", 1.0
+
+    def _formula(self, kind: Any, name: str, *coefficients: sympy.Expr) -> Any:
+        texts = {"domain": "every v with |Re v| < 1", "singular": "v ends at Re alpha = 3*pi", "symbol": name}
+        rest = {"equations": (), "identities": (), "definition": r"\text{of } \sin\tfrac\alpha6", "at": None}
+        return kind(name=name, order=1, coefficients=coefficients, **texts, **rest)
+
+    @cached_property
+    def quaternion(self) -> QuaternionMap:
+        return self._formula(QuaternionMap, "quaternion", self.s, self.w)
+
+    @cached_property
+    def tensor(self) -> IsotropicMap:
+        g = 2 * self.w**2
+        return self._formula(IsotropicMap, "tensor", sympy.expand(1 - x * g), 2 * self.s * self.w, g)
+
+    @cached_property
+    def tangent(self) -> IsotropicMap:
+        h = (38 - 64 * x + 32 * x**2) / COSINE
+        return self._formula(IsotropicMap, "tangent", 2 * self.s * self.w, 2 * self.w**2, h)
+
+    @cached_property
+    def tangent_inv(self) -> IsotropicMap:
+        along = 4 * COSINE / (3 * self.w)
+        return self._formula(IsotropicMap, "tangent_inv", self.s / (2 * self.w), -HALF, along)
+
+    # --- way back, branches -------------------------------------------------------------------------------------
+
+    def coefficient(self, angle: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+        sine, cosine = _of_twice(m.name("t", m.tan(m.div(angle, 12))), m)
+        return m.name("r", sine), m.name("slope", m.div(cosine, 6))
+
+    def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
+        negative = False if positive else m.name("negative", m.less(q.scalar, 0))
+        cosine = m.name("cos", m.where(negative, -q.scalar, q.scalar))
+        square = m.name("ss", q.vector.dot(q.vector))
+        still = m.name("still", m.equal(square, 0))
+        sine = m.name("sin", m.sqrt(m.where(still, cosine, square)))
+        r, _ = _of_twice(m.name("t", m.tan(m.div(m.atan2(sine, cosine), 6))), m)
+        gain = m.where(still, 1, r) / m.where(still, 3 * cosine, sine)
+        return m.name("gain", m.where(negative, -1, 1) * gain)
+
+    def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+        return fi, self.scalars(x, m).hi
+
+    def direction(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
+        at = self.scalars(x, m)
+        turned = m.where(m.less(at.p, 0), m.name("mw", -at.w), at.w)
+        backwards = m.both(m.equal(at.w, 0), m.less(y, 0))
+        return m.name("sign", m.where(m.either(m.less(turned, 0), backwards), -1, 1))
+
+    def natural(
+        self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic
+    ) -> tuple[Coefficient, Coefficient, Coefficient]:
+        at = self.scalars(x, m)
+        s, w = (m.where(m.less(value, 0), -value, value) for value in (at.s, at.w))
+        return m.name("angle", 2 * m.atan2(r * w, s)), m.name("slope", 6 / at.c), self.direction(x, y, r, m)
+
+    def unfolded(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
+        return 6 * m.atan2(r, self.scalars(x, m).c)
+
+    def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+        (cosine, sine), rr = turn, m.name("rr", r * r)
+        c = m.name("c", m.sqrt(m.where(m.less(1, rr), rr, 1 - rr)))
+        further = m.name("further", c * cosine - r * sine)
+        sign = m.name("side", m.where(m.less(further, 0), -1, 1))
+        return m.name("rk", sign * (r * cosine + c * sine)), m.name("slope", sign * further / c)
+
+    def beyond(self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Sequence[Coefficient]]:
+        return turns.beyond(x, table, m)
+
+    def turn(self, branch: int) -> tuple[Any, Any]:
+        return turns.turn(3, branch)
+
+    def returns(self) -> tuple[tuple[Any, Any, Any], ...]:
+        return ((mpmath.mpf(1) / 4, *self.turn(-1)),)
+
+
+def _of_twice(t: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    """Sine and cosine of twice the angle whose tangent is t."""
+    tt = m.name("tt", t * t)
+    below = m.name("below", 1 + tt)
+    return 2 * t / below, (1 - tt) / below
