@@ -58,7 +58,8 @@ def cli() -> None:
               help="What the kernels run on; a folder holds those of one.")  # fmt: skip
 @click.option("-o", "output", type=options.Place(file_okay=False), help="Folder of the package; without, that of the "
               "committed kernels in a checkout.")  # fmt: skip
-@click.option("--check", is_flag=True, help="Write nothing; exit 1 if a file is stale, missing or foreign.")
+@click.option("--check", is_flag=True, help="Prove and print again, but write and execute nothing; exit 1 if a file is "
+              "stale, missing or foreign.")  # fmt: skip
 @click.option("--force", is_flag=True, help="Overwrite files which do not bear the generated header.")
 @options.max_n
 def generate(**given: Any) -> None:

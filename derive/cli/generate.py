@@ -13,8 +13,8 @@ from ..maps import PhiError
 from ..output.tables import Column, Grid, columns
 from . import display, options
 
-STAGES = 4
-"""Lines of progress for each module."""
+WRITTEN, CHECKED = 4, 2
+"""Lines of progress for each module: what is checked is proved and printed, and not executed."""
 
 HEADINGS = ("theorems", "proofs at n", "calls validated", "replayed", "compiled", "lines")
 
@@ -44,7 +44,7 @@ def generate(
         raise click.UsageError(f"name a folder with -o: only {catalogue.TARGET} kernels have a place, in a checkout")
     folder = output or catalogue.COMMITTED
     try:
-        with display.progress(STAGES * len(charts)) as step:
+        with display.progress((CHECKED if check else WRITTEN) * len(charts)) as step:
             if check:
                 found = check_folder(folder, orders, target, step, max_n, families=families, phi=phi, name=name)
             else:

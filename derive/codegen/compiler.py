@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from ..maps import Cayley
@@ -26,16 +26,17 @@ class Module:
     """A kernel module on its way: proved, printed, and how many calls of it were compared with its formula.
 
     ``companions`` are further files by name. ``replayed`` counts the calls on floats that agree, ``tested`` those of
-    compiled code: 0 where the target has none of its own, None where nothing could compile it.
+    compiled code: 0 where the target has none of its own, None where nothing could compile it. A module that is only
+    to be compared with what is on disk is not executed, and all of them are 0.
     """
 
     name: str
     proved: Proved
     text: str
     companions: dict[str, str]
-    validated: int
-    replayed: int
-    tested: int | None
+    validated: int = 0
+    replayed: int = 0
+    tested: int | None = 0
 
     def __repr__(self) -> str:
         return f"<Module {self.name}: {len(self.proved.proofs)} proofs, {self.validated} calls validated>"
@@ -67,30 +68,47 @@ def build_charts(
     charts: Sequence[Chart], target: Target, progress: Progress | None = None, seen: Seen | None = None
 ) -> Package:
     """The same for any charts; ``seen`` is what has been shown of the geometry of the target, and grows."""
-    report, seen = progress or (lambda line: None), Seen() if seen is None else seen
-    texts = dict(shared_texts(target))
+    report, seen = progress or _silent, Seen() if seen is None else seen
+    shared = shared_texts(target)
     with tempfile.TemporaryDirectory() as staging:
-        files.write(Path(staging), texts)
-        modules = tuple(_module(chart, target, Path(staging), report, seen) for chart in charts)
+        files.write(Path(staging), shared)
+        modules = [_executed(_printed(chart, target, report), target, Path(staging), report, seen) for chart in charts]
+    return _package(shared, modules)
+
+
+def print_charts(charts: Sequence[Chart], target: Target, progress: Progress | None = None) -> Package:
+    """Prove and print the modules of charts, and execute nothing: enough to tell whether files are what is printed."""
+    return _package(shared_texts(target), [_printed(chart, target, progress or _silent) for chart in charts])
+
+
+def _silent(line: str) -> None:
+    """What no one is told."""
+
+
+def _package(shared: Mapping[str, str], modules: Sequence[Module]) -> Package:
+    texts = dict(shared)
     for module in modules:
         texts |= module.companions | {module.name: module.text}
-    return Package(texts, modules)
+    return Package(texts, tuple(modules))
 
 
-def _module(chart: Chart, target: Target, staging: Path, report: Progress, seen: Seen) -> Module:
-    """One module; what is the same in all of them is validated and replayed in the first that has it."""
-    first = not seen.by_table
+def _printed(chart: Chart, target: Target, report: Progress) -> Module:
     report(f"{chart.name}: proving")
     name, proved = module_name(chart, target), prove(chart)
     report(f"{chart.name}: emitting")
     facts = Facts(proved, lower(proved))
-    text, companions = module_text(facts, target), companion_texts(facts, target)
-    files.write(staging, companions | {name: text})
+    return Module(name, proved, module_text(facts, target), companion_texts(facts, target))
+
+
+def _executed(module: Module, target: Target, staging: Path, report: Progress, seen: Seen) -> Module:
+    """One module, put on disk; what is the same in all of them is validated and replayed in the first that has it."""
+    chart, first = module.proved.formulas, not seen.by_table
+    files.write(staging, module.companions | {module.name: module.text})
     report(f"{chart.name}: validating")
     validated = target.validate(staging, chart, seen.new)
     report(f"{chart.name}: replaying")
     replayed, tested = target.replay(staging, chart, first), target.test(staging, chart)
-    return Module(name, proved, text, companions, validated, replayed, tested)
+    return replace(module, validated=validated, replayed=replayed, tested=tested)
 
 
 def generate(
@@ -183,10 +201,11 @@ def check(
     phi: str | None = None,
     name: str | None = None,
 ) -> list[files.Difference]:
-    """Regenerate what a folder should hold and compare: files that are missing or stale, then what does not belong.
+    """Print again what a folder should hold and compare: files that are missing or stale, then what does not belong.
 
+    Formulas are proved again; no text is executed, since each was before it was written, and one that differs is stale.
     It should hold the modules of the given orders and families (by default the committed ones), and every further
-    module that bears our header is regenerated by the command in it, unless its order is above the cap.
+    module that bears our header is printed by the command in it, unless its order is above the cap.
     """
     asked = catalogue.charts(orders or (), families, phi, name) or catalogue.committed()
     chosen, wanted = _target(target), {chart.name: chart for chart in asked}
@@ -195,7 +214,7 @@ def check(
     reason = f"is above the cap {cap}, so not compared; raise it with --max-n"
     unmade = {module_name(chart, chosen): f"order {chart.order} {reason}" for chart in above}
     made = [*wanted.values(), *(chart for chart in further.values() if chart not in above)]
-    package = build_charts(made, chosen, progress)
+    package = print_charts(made, chosen, progress)
     return list(files.compare(folder, package.texts, unmade))
 
 

@@ -207,7 +207,7 @@ def test_half_written_headers_do_not_compile_and_say_how_to_finish_them(staged, 
     assert "half-written kernels: finish them with  python -m derive generate -n 3,4 --target c " in errors[0]
 
 
-def test_a_half_written_package_is_stale(staged, without_validation):
+def test_a_half_written_package_is_stale(staged):
     (staged / "dualcay.h").write_text(notices([Cayley(3), Cayley(4)], C)["dualcay.h"])
     assert [(d.path.name, d.kind) for d in check(staged, [3], "c")] == [("dualcay.h", "stale")]
 
