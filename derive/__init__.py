@@ -49,7 +49,7 @@ _HOMES = {
 }
 
 _OWN = {
-    "__init__.py", "__main__.py", "about.py", "front.py",
+    "__init__.py", "__main__.py", "about.py", "front.py", "workers.py",
     "algebra", "cli", "codegen", "maps", "output", "papers", "proof",
 }  # fmt: skip
 """Every module and package of this folder: an installed one may hold those of another distribution too."""

@@ -11,7 +11,7 @@ from tests.support.imports import ROOT, imported, sources
 
 pytestmark = pytest.mark.smoke
 
-ROOMS = ("about", "output", "algebra", "maps", "proof", "papers", "codegen", "front", "cli")
+ROOMS = ("about", "workers", "output", "algebra", "maps", "proof", "papers", "codegen", "front", "cli")
 """Each room of derive may import itself and those before it."""
 
 IN_CODEGEN = (
@@ -61,7 +61,7 @@ def test_kernels_import_numpy_and_the_standard_library_only():
 
 
 def test_the_entry_point_needs_the_standard_library_only():
-    for name in ("__init__.py", "__main__.py", "about.py"):
+    for name in ("__init__.py", "__main__.py", "about.py", "workers.py"):
         outside = {module[0] for module in imported(ROOT / "derive" / name)}
         assert outside <= sys.stdlib_module_names | {"derive"}
 

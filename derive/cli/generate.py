@@ -6,15 +6,18 @@ from pathlib import Path
 
 import click
 
-from ..codegen import Package, catalogue
+from ..codegen import Package, catalogue, generate_charts
 from ..codegen import check as check_folder
-from ..codegen import generate as generate_kernels
 from ..maps import PhiError
 from ..output.tables import Column, Grid, columns
+from ..workers import cores
 from . import display, options
 
 WRITTEN, CHECKED = 4, 2
 """Lines of progress for each module: what is checked is proved and printed, and not executed."""
+
+FEW = 3
+"""Charts that are not worth processes: the first, with all of the geometry, takes as long as the others."""
 
 HEADINGS = ("theorems", "proofs at n", "calls validated", "replayed", "compiled", "lines")
 
@@ -48,9 +51,8 @@ def generate(
             if check:
                 found = check_folder(folder, orders, target, step, max_n, families=families, phi=phi, name=name)
             else:
-                package = generate_kernels(
-                    orders, target, folder, families=families, phi=phi, name=name, force=force, progress=step
-                )
+                processes = cores() if len(charts) > FEW else 1
+                package = generate_charts(charts, target, folder, force=force, progress=step, processes=processes)
     except PhiError as error:
         raise click.BadParameter(str(error), param_hint="--phi") from None
     if not check:

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from copy import deepcopy
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any, cast
 
 from ..maps import Cayley
 from ..maps.chart import Chart
 from ..output import files
 from ..proof import Proved, prove
+from ..workers import workers
 from . import catalogue
 from .facts import Facts
 from .lowered import lower
@@ -19,6 +22,8 @@ from .targets import TARGETS, Target
 from .validation import Seen
 
 Progress = Callable[[str], None]
+Counts = tuple[int, int, int | None]
+"""Calls validated, replayed and tested."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,14 +70,28 @@ def build(orders: Iterable[int], target: Target, progress: Progress | None = Non
 
 
 def build_charts(
-    charts: Sequence[Chart], target: Target, progress: Progress | None = None, seen: Seen | None = None
+    charts: Sequence[Chart],
+    target: Target,
+    progress: Progress | None = None,
+    seen: Seen | None = None,
+    processes: int = 1,
 ) -> Package:
-    """The same for any charts; ``seen`` is what has been shown of the geometry of the target, and grows."""
+    """The same for any charts, executed in so many processes besides this one, or in this one alone.
+
+    ``seen`` is what has been shown of the geometry of the target, and grows.
+    """
+    if processes < 1:
+        raise ValueError(f"processes must be an integer >= 1, got {processes}")
     report, seen = progress or _silent, Seen() if seen is None else seen
     shared = shared_texts(target)
-    with tempfile.TemporaryDirectory() as staging:
-        files.write(Path(staging), shared)
-        modules = [_executed(_printed(chart, target, report), target, Path(staging), report, seen) for chart in charts]
+    with tempfile.TemporaryDirectory() as folder:
+        staging = Path(folder)
+        files.write(staging, shared)
+        printed = (_staged(_printed(chart, target, report), staging) for chart in charts)
+        if min(processes, len(charts)) > 1:
+            modules = _executed_at_once(printed, target, staging, report, seen, min(processes, len(charts)))
+        else:
+            modules = [_executed(module, target, staging, report, seen) for module in printed]
     return _package(shared, modules)
 
 
@@ -100,15 +119,54 @@ def _printed(chart: Chart, target: Target, report: Progress) -> Module:
     return Module(name, proved, module_text(facts, target), companion_texts(facts, target))
 
 
-def _executed(module: Module, target: Target, staging: Path, report: Progress, seen: Seen) -> Module:
-    """One module, put on disk; what is the same in all of them is validated and replayed in the first that has it."""
-    chart, first = module.proved.formulas, not seen.by_table
+def _staged(module: Module, staging: Path) -> Module:
     files.write(staging, module.companions | {module.name: module.text})
+    return module
+
+
+def _executed(module: Module, target: Target, staging: Path, report: Progress, seen: Seen) -> Module:
+    return _counted(module, _execute(module.proved.formulas, target, staging, seen, report))
+
+
+def _executed_at_once(
+    printed: Iterable[Module], target: Target, staging: Path, report: Progress, seen: Seen, processes: int
+) -> list[Module]:
+    """The modules, each executed by the next free process while further ones are printed here.
+
+    What a chart has to show of the geometry is what no earlier one shows, whether or not that one is done yet: nothing
+    is published unless all succeed. So the same calls are made as one after another, whatever the number of processes,
+    and of several that fail the first is told.
+    """
+    begun, modules = [], []
+    with workers(processes) as pool:
+        for module in printed:
+            chart = module.proved.formulas
+            begun.append((module, pool.submit(_execute, _bare(chart), target, staging, deepcopy(seen))))
+            seen.leave(chart, target.tables)
+        for module, counts in begun:
+            report(f"{module.proved.formulas.name}: validating")
+            modules.append(_counted(module, counts.result()))
+            report(f"{module.proved.formulas.name}: replayed")
+    return modules
+
+
+def _bare(chart: Any) -> Chart:
+    """The same chart with nothing computed yet: what its functions keep cannot be sent to another process."""
+    return cast(Chart, replace(chart))
+
+
+def _counted(module: Module, counts: Counts) -> Module:
+    validated, replayed, tested = counts
+    return replace(module, validated=validated, replayed=replayed, tested=tested)
+
+
+def _execute(chart: Chart, target: Target, staging: Path, seen: Seen, report: Progress = _silent) -> Counts:
+    """Execute one module; what is the same in all of them is validated and replayed in the first that has it."""
+    first = not seen.by_table
     report(f"{chart.name}: validating")
     validated = target.validate(staging, chart, seen.new)
     report(f"{chart.name}: replaying")
-    replayed, tested = target.replay(staging, chart, first), target.test(staging, chart)
-    return replace(module, validated=validated, replayed=replayed, tested=tested)
+    return validated, target.replay(staging, chart, first), target.test(staging, chart)
 
 
 def generate(
@@ -121,6 +179,7 @@ def generate(
     name: str | None = None,
     force: bool = False,
     progress: Progress | None = None,
+    processes: int = 1,
 ) -> Package:
     """Write proven kernels of some charts into a folder, as a package that needs NumPy only.
 
@@ -142,6 +201,9 @@ def generate(
         Overwrite files which do not bear the generated header.
     progress : callable, optional
         Called with a line of text before each stage.
+    processes : int
+        How many processes execute what was printed, several charts at once; the result is the same. They are spawned:
+        a script that asks for more than one does it under ``if __name__ == "__main__":``.
 
     Returns
     -------
@@ -158,6 +220,8 @@ def generate(
     RefusedError
         If a file in the way is not a generated one, the folder holds kernels of another target, or it cannot be
         written; nothing is written.
+    ChildProcessError
+        If one of several processes dies; nothing is written.
 
     Examples
     --------
@@ -168,7 +232,7 @@ def generate(
     <Package of cayley1.py: 17 files>
     """
     asked = catalogue.charts(orders or (), families, phi, name) or catalogue.committed()
-    return generate_charts(asked, target, output, force=force, progress=progress)
+    return generate_charts(asked, target, output, force=force, progress=progress, processes=processes)
 
 
 def generate_charts(
@@ -178,6 +242,7 @@ def generate_charts(
     *,
     force: bool = False,
     progress: Progress | None = None,
+    processes: int = 1,
 ) -> Package:
     """The same for charts as they are."""
     chosen = _target(target)
@@ -185,7 +250,7 @@ def generate_charts(
         raise ValueError(f"name an output folder: only {catalogue.TARGET} kernels have a place, in a checkout")
     folder, entry = Path(output or catalogue.COMMITTED), notices(charts, chosen)
     files.refuse(folder, entry | {module_name(chart, chosen): "" for chart in charts}, force)  # before long work
-    package = build_charts(charts, chosen, progress)
+    package = build_charts(charts, chosen, progress, processes=processes)
     files.write(folder, package.texts, force, entry)
     return package
 

@@ -10,8 +10,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence, Set
 from dataclasses import dataclass, field
 
-from ..cases import Batch
-from ..lowered import Lowered, geometry
+from ...maps.chart import Chart
+from ..cases import Batch, batches
+from ..lowered import Lowered, geometry, lower_chart
 from ..programs.program import Program
 from ..rows import Function, Table
 
@@ -47,6 +48,11 @@ class Seen:
             programs.update(_executed(batch, lowered) - lowered.own.keys())
         pairs = zip(given, unseen, strict=True)
         return [(batch, new) for batch, new in pairs if new or _samples(batch, wanted, lowered.table)]
+
+    def leave(self, chart: Chart, tables: Sequence[Table]) -> None:
+        """Leave a chart to another process: all that is new in it is executed there."""
+        for table in tables:
+            self.new(lower_chart(chart, table), batches(chart, table))
 
 
 def its_own(lowered: Lowered) -> set[str]:

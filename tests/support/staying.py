@@ -1,0 +1,15 @@
+"""Work that does not end by itself, for processes that have to; it loads nothing heavy."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+import time
+from pathlib import Path
+
+
+def stay(folder: Path) -> None:
+    """Leave a temporary file, say in the folder which process has left which, and go on."""
+    _, name = tempfile.mkstemp()
+    (folder / str(os.getpid())).write_text(name)
+    time.sleep(60)
