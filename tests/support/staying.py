@@ -9,7 +9,10 @@ from pathlib import Path
 
 
 def stay(folder: Path) -> None:
-    """Leave a temporary file, say in the folder which process has left which, and go on."""
+    """Leave a temporary file, say in the folder which process has left which, and go on; say it if interrupted."""
     _, name = tempfile.mkstemp()
     (folder / str(os.getpid())).write_text(name)
-    time.sleep(60)
+    try:
+        time.sleep(60)
+    except KeyboardInterrupt:
+        (folder / "interrupted").touch()
