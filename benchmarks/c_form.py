@@ -11,7 +11,7 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -72,12 +72,20 @@ def load(order: int, real: str = "double") -> CForm | None:
         return CForm(compiled(command, folder, order, real, folder), real)  # a loaded library outlives its file
 
 
-def compiled(command: list[str], headers: Path, order: int, real: str, folder: Path, table: Table = POSES) -> Path:
+def compiled(
+    command: list[str],
+    headers: Path,
+    order: int,
+    real: str,
+    folder: Path,
+    table: Table = POSES,
+    flags: Sequence[str] = FLAGS,
+) -> Path:
     """The shared library of the kernels of an order, made in a folder from the header in another."""
     source, library = folder / "library.c", folder / "library.so"
     source.write_text("\n".join(_source(Cayley(order), table)) + "\n", encoding="utf-8")
-    flags = [*FLAGS, f"-DDUALCAY_REAL={real}", f"-I{headers}", "-shared", "-fPIC"]
-    subprocess.run([*command, *flags, str(source), "-o", str(library), "-lm"], check=True)
+    options = [*flags, f"-DDUALCAY_REAL={real}", f"-I{headers}", "-shared", "-fPIC"]
+    subprocess.run([*command, *options, str(source), "-o", str(library), "-lm"], check=True)
     return library
 
 

@@ -6,13 +6,9 @@ from types import ModuleType
 
 import pytest
 
-from tests.support.kernels import ORDERS, load
+from tests.support.kernels import ORDERS, load, orders
 
-
-@pytest.fixture(params=ORDERS, ids=lambda n: f"n={n}")
-def order(request: pytest.FixtureRequest) -> int:
-    """Every committed order in turn."""
-    return int(request.param)
+order = orders(ORDERS)
 
 
 @pytest.fixture

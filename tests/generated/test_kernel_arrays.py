@@ -10,10 +10,11 @@ import numpy as np
 import pytest
 
 import dualcay
-from tests.support.kernels import load
+from tests.support.kernels import ALIKE, load, orders
 from tests.support.signatures import SHAPES, SIGNATURES, assert_nearly_equal, components_first, components_last, inputs
 
 FUNCTION = pytest.mark.parametrize("name", SIGNATURES)
+order = orders(ALIKE)
 BATCHES = [(), (1,), (7,), (2, 3), (2, 1, 4)]
 
 

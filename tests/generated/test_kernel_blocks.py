@@ -9,7 +9,10 @@ import numpy as np
 import pytest
 
 from dualcay import _kernel, _runtime
+from tests.support.kernels import ALIKE, orders
 from tests.support.signatures import SIGNATURES, assert_nearly_equal, inputs
+
+order = orders(ALIKE)
 
 
 @pytest.mark.parametrize("batch", [(), (1,), (7,), (0,), (3, 0), (5, 7), (4, 3, 2), (2, 100), (100, 2), (3, 17, 5)])

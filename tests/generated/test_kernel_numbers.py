@@ -9,11 +9,13 @@ import numpy as np
 import pytest
 
 import dualcay
+from tests.support.kernels import ALIKE, load, orders
 from tests.support.nilpotent import Nil, conjugate, exact_field, hamilton, power
 from tests.support.oracle import Oracle, pack
 from tests.support.signatures import SHAPES, SIGNATURES, assert_nearly_equal, components_first, components_last, inputs
 
 FUNCTION = pytest.mark.parametrize("name", SIGNATURES)
+order = orders(ALIKE)
 REAL = [f for f, s in SIGNATURES.items() if not s.complex]
 FORWARD = [f for f, s in SIGNATURES.items() if s.complex]
 
@@ -141,8 +143,6 @@ def test_fractions_give_exact_fractions(kernel: ModuleType, order: int, name: st
 
 @pytest.mark.parametrize("order", [2, 4, 8])
 def test_quaternions_of_even_order_are_rational(order: int) -> None:
-    from tests.support.kernels import load
-
     dual = Oracle(order, field=exact_field()).unpack(V)
     spinor = (Nil(Fraction(1), Fraction(0)), *dual)
     (norm2, *_) = hamilton(spinor, conjugate(spinor))

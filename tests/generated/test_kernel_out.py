@@ -8,9 +8,10 @@ from types import ModuleType
 import numpy as np
 import pytest
 
-from tests.support.kernels import load
+from tests.support.kernels import ALIKE, load, orders
 from tests.support.signatures import SHAPES, SIGNATURES, assert_nearly_equal, components_first, inputs
 
+order = orders(ALIKE)
 FUNCTION = pytest.mark.parametrize("name", SIGNATURES)
 
 

@@ -11,10 +11,11 @@ import pytest
 
 from derive.codegen.signatures import PUBLIC
 from tests.support import sampling
-from tests.support.kernels import ORDERS, load
+from tests.support.kernels import ALIKE, ORDERS, load
 from tests.support.signatures import SHAPES, SIGNATURES, assert_nearly_equal, inputs
 
 FUNCTION = pytest.mark.parametrize("name", SIGNATURES)
+SOME = pytest.mark.parametrize("order", ALIKE, indirect=True, ids=lambda n: f"n={n}")
 
 
 @pytest.fixture(autouse=True)
@@ -24,6 +25,7 @@ def warnings_are_errors() -> Iterator[None]:
         yield
 
 
+@SOME
 @FUNCTION
 @pytest.mark.parametrize("dtype", [np.float32, np.float64, np.longdouble])
 def test_one_pose_is_a_batch_of_one(kernel: ModuleType, order: int, name: str, dtype: type) -> None:
@@ -37,6 +39,7 @@ def test_one_pose_is_a_batch_of_one(kernel: ModuleType, order: int, name: str, d
     assert_nearly_equal(getattr(kernel, name)(*arguments, axis=0), single)
 
 
+@SOME
 @FUNCTION
 def test_lists_and_tuples_of_python_numbers(kernel: ModuleType, order: int, name: str) -> None:
     arguments = inputs(kernel, name, order)

@@ -8,10 +8,22 @@ import sys
 from collections.abc import Iterable
 from pathlib import Path
 from types import ModuleType
+from typing import Any
+
+import pytest
 
 from tests.support import packages
 
 ORDERS = (1, 2, 3, 4, 5, 8)
+
+ALIKE = (1, 2, 5)
+"""Orders that are enough for what all modules do alike, as with arrays of any form: 1 has a geometry of its own, and an
+even one no root. Generation replays each module besides."""
+
+
+def orders(chosen: Iterable[int]) -> Any:
+    """A fixture ``order``: each of some in turn."""
+    return pytest.fixture(params=chosen, ids=lambda n: f"n={n}", name="order")(lambda request: int(request.param))
 
 
 def load(order: int, folder: Path | None = None, table: str = "") -> ModuleType:

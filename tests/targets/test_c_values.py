@@ -8,7 +8,7 @@ import itertools
 import numpy as np
 import pytest
 
-from benchmarks.c_form import TYPES, CForm, compiled
+from benchmarks.c_form import FLAGS, TYPES, CForm, compiled
 from derive.codegen.lowered import lower_chart
 from derive.codegen.signatures import POSES, PUBLIC, ROTATIONS
 from derive.codegen.validation.compiled import compiler
@@ -22,6 +22,9 @@ LIBRARY = {"tan", "atan2"}
 
 COUNT = 300
 
+QUICKLY = (*FLAGS, "-O1")
+"""Values are what is compared; of two levels of optimization the later counts, and to vectorize takes most time."""
+
 
 # geometry is the same for all orders: each in one type
 @pytest.fixture(scope="module", params=zip(ORDERS, itertools.cycle(TYPES)), ids=lambda p: f"{p[0]}-{p[1]}")
@@ -29,7 +32,7 @@ def both(request, folder, shared):
     """The C kernels and the NumPy kernels of an order, and the real type."""
     order, real = request.param
     command = compiler()
-    built = shared(f"c-{order}-{real}", lambda place: compiled(command, folder("c"), order, real, place))
+    built = shared(f"c-{order}-{real}", lambda place: compiled(command, folder("c"), order, real, place, flags=QUICKLY))
     return CForm(built / "library.so", real), importlib.import_module(f"dualcay.cayley{order}"), np.dtype(TYPES[real])
 
 
@@ -106,7 +109,7 @@ def test_both_layouts_agree_but_for_rounding(both, name, layout):
 def test_rotations_agree_but_for_rounding(folder, tmp_path):
     """In both layouts. One order: all of them share the scalars of poses, which are compared above."""
     command = compiler()
-    library = compiled(command, folder("c"), 3, "double", tmp_path, ROTATIONS)
+    library = compiled(command, folder("c"), 3, "double", tmp_path, ROTATIONS, QUICKLY)
     form, module = CForm(library, "double", ROTATIONS), importlib.import_module("dualcay.rotation.cayley3")
     for name, row in ROTATIONS.public.items():
         arrays = arguments(name, module, np.dtype(np.float64), np.random.default_rng(13), ROTATIONS)

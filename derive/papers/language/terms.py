@@ -174,11 +174,12 @@ class Letter(Term):
 
     @property
     def name(self) -> str:
-        return str(self.args[0])
+        name: str = self.args[0].name
+        return name
 
     @property
     def kind(self) -> Kind:
-        return KINDS[str(self.args[1])]
+        return KINDS[self.args[1].name]
 
 
 class Apply(Term):
@@ -193,7 +194,7 @@ class Apply(Term):
 
     @property
     def mark(self) -> Mark:
-        return MARKS[str(self.args[0])]
+        return MARKS[self.args[0].name]
 
     @property
     def arguments(self) -> tuple[Term, ...]:
