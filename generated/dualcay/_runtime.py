@@ -70,10 +70,12 @@ def call(
 
     ``last`` is what the last argument is called, where a kernel serves functions which differ in that.
     """
-    kernel, native = chart.kernels[name], chart.native.get(name)
-    if native is not None and out is None and axis == -1 and _are_plain(kernel, values):
-        made: Array = native(*values, *_numbers(native, values, table)) if table else native(*values)
-        return made
+    native = chart.native.get(name)
+    if native is not None and out is None and axis == -1:
+        made = _directly(native, values, table)
+        if made is not None:
+            return made
+    kernel = chart.kernels[name]
     arguments = (*kernel.arguments[:-1], (last, kernel.arguments[-1][1])) if last else kernel.arguments
     arrays = [as_array(name, value, part, axis, kernel.real) for (name, part), value in zip(arguments, values)]
     if out is None and all(a.dtype == FLOAT and a.ndim == len(part) for a, (_, part) in zip(arrays, arguments)):
@@ -106,18 +108,16 @@ def common_type(values: Sequence[ArrayLike], arrays: Sequence[Array]) -> np.dtyp
     return np.result_type(*(v if type(v) in (int, float) else a for v, a in zip(values, arrays, strict=True)))
 
 
-def _are_plain(kernel: Kernel, values: Sequence[ArrayLike]) -> bool:
-    """Whether values are arrays of float64 as they have to be, all single or all rows of as many: nothing is to be done."""
-    count = None
-    for value, (_, part) in zip(values, kernel.arguments):
+def _directly(native: np.ufunc, values: Sequence[Any], table: tuple[str, ...]) -> Array | None:
+    """The result for arrays of float64, which compiled forms take as they are; None where more is to be done or said."""
+    for value in values:
         if type(value) is not np.ndarray or value.dtype is not FLOAT:
-            return False
-        shape = value.shape
-        found = 0 if shape == part else shape[0] if shape[1:] == part else -1
-        if found < 0 or (count is not None and found != count):
-            return False
-        count = found
-    return True
+            return None
+    try:
+        made: Array = native(*values, *_numbers(native, values, table)) if table else native(*values)
+    except ValueError:  # of shapes, which `call` names
+        return None
+    return made if made.ndim < 3 or made.flags.c_contiguous else made.copy()
 
 
 def _compiled(

@@ -151,7 +151,10 @@ def require_one_in_all_layouts(function: Callable[..., np.ndarray], values: list
     last = function(*values)
     first = function(*(components_first(a, a.ndim - 1) for a in values), axis=0)
     spread = function(*(np.repeat(a, 2, axis=0)[::2] for a in values))
+    turned = function(*(a.reshape(10, 15, *a.shape[1:]).swapaxes(0, 1) for a in values))
     assert last.flags.c_contiguous
+    assert turned.flags.c_contiguous  # NumPy would lay it out as arguments are
+    np.testing.assert_array_equal(turned.swapaxes(0, 1).reshape(last.shape), last)
     np.testing.assert_array_equal(components_last(first, rank), last)
     np.testing.assert_array_equal(spread, last)
     np.testing.assert_array_equal(function(*(a[70] for a in values)), last[70])
