@@ -117,7 +117,7 @@ def _directly(native: np.ufunc, values: Sequence[Any], table: tuple[str, ...]) -
         made: Array = native(*values, *_numbers(native, values, table)) if table else native(*values)
     except ValueError:  # of shapes, which `call` names
         return None
-    return made if made.ndim < 3 or made.flags.c_contiguous else made.copy()
+    return made if made.ndim < 2 or made.flags.c_contiguous else made.copy()
 
 
 def _compiled(
