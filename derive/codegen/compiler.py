@@ -229,7 +229,7 @@ def generate(
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     package = derive.generate([1], output=f"{folder}/kernels")
     >>> package
-    <Package of cayley1.py: 17 files>
+    <Package of cayley1.py: 18 files>
     """
     asked = catalogue.charts(orders or (), families, phi, name) or catalogue.committed()
     return generate_charts(asked, target, output, force=force, progress=progress, processes=processes)

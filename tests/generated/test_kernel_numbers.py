@@ -9,9 +9,10 @@ import numpy as np
 import pytest
 
 import dualcay
+from tests.support.first_principles import pack
 from tests.support.kernels import ALIKE, load, orders
 from tests.support.nilpotent import Nil, conjugate, exact_field, hamilton, power
-from tests.support.oracle import Oracle, pack
+from tests.support.oracle import Oracle
 from tests.support.signatures import SHAPES, SIGNATURES, assert_nearly_equal, components_first, components_last, inputs
 
 FUNCTION = pytest.mark.parametrize("name", SIGNATURES)

@@ -15,8 +15,8 @@ import numpy as np
 from tests.support import errors, sampling
 from tests.support.accuracy import FUNCTIONS, Trial
 from tests.support.errors import THREE, through
+from tests.support.first_principles import E, pack
 from tests.support.nilpotent import Nil, conjugate, hamilton, inverse, matmul, matvec, transpose
-from tests.support.oracle import E, pack
 from tests.support.trial import Result, rounded
 
 Tensor = Any

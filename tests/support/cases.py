@@ -21,7 +21,7 @@ from derive.codegen.signatures import POSES, ROTATIONS
 from tests.support import sampling
 from tests.support.accuracy import Trial
 from tests.support.calculus import CalculusTrial
-from tests.support.oracle import DIGITS
+from tests.support.first_principles import DIGITS
 from tests.support.rotations import RotationTrial
 
 FILE = Path(__file__).parents[2] / "benchmarks" / "worst_cases.json"

@@ -18,8 +18,9 @@ from typing import Any
 
 import numpy as np
 
+from tests.support.first_principles import pack
 from tests.support.nilpotent import Nil, float_field, inverse, matmul, transpose
-from tests.support.oracle import Oracle, pack
+from tests.support.oracle import Oracle
 
 Array = Any  # object arrays of mpmath numbers
 

@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 
 from tests.support.errors import norm
+from tests.support.first_principles import pack
 from tests.support.nilpotent import Nil, dot, inverse, matmul
-from tests.support.oracle import pack
 
 TERMS = 400
 

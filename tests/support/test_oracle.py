@@ -8,9 +8,10 @@ from scipy.spatial.transform import RigidTransform
 
 from tests.support import sampling
 from tests.support.exponential import exponential, skew
+from tests.support.first_principles import pack
 from tests.support.kernels import ORDERS
 from tests.support.nilpotent import Nil, conjugate, hamilton, matmul, power, transpose
-from tests.support.oracle import Oracle, pack
+from tests.support.oracle import Oracle
 
 DIGITS = 1e-40  # of 50: what is left after conditioning
 ORDER = pytest.mark.parametrize("order", ORDERS)

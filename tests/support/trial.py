@@ -9,8 +9,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from tests.support import errors, sampling
+from tests.support.first_principles import DIGITS
 from tests.support.nilpotent import Nil
-from tests.support.oracle import DIGITS, oracle_of
+from tests.support.oracle import oracle_of
 
 
 class Result(NamedTuple):

@@ -27,6 +27,7 @@ ORDERS = packages.ORDERS["c"]
 TABLES = (POSES, ROTATIONS)
 STRICT = ("-Wall", "-Wextra", "-Wshadow", "-Wconversion", "-Wstrict-aliasing", "-Werror", "-pedantic")
 VECTOR = ("-O3", "-march=native", "-fno-math-errno", "-fno-trapping-math")
+SANITIZED = ("-O0", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
 REALS = ("float", "double")
 
 
@@ -126,7 +127,7 @@ def test_device_qualifiers_stand_before_every_function(package, tmp_path):
 # every order in one of the two types, two of them as vector code with products and sums in one rounding
 @pytest.mark.parametrize(
     ("order", "real", "flags"),
-    [(n, REALS[i % 2], (*VECTOR, "-ffp-contract=fast") if n in (3, 8) else ("-O0",)) for i, n in enumerate(ORDERS)],
+    [(n, REALS[i % 2], (*VECTOR, "-ffp-contract=fast") if n in (3, 8) else SANITIZED) for i, n in enumerate(ORDERS)],
 )
 def test_results_agree_with_exact_ones(package, tmp_path, order, real, flags):
     program = tmp_path / "test"
@@ -134,6 +135,17 @@ def test_results_agree_with_exact_ones(package, tmp_path, order, real, flags):
     source = package / f"test_cayley{order}.c"
     run(tool("gcc"), *strict, *flags, f"-DDUALCAY_REAL={real}", source, "-o", program, "-lm")
     assert f"cayley{order}, {real}: " in run(program)
+
+
+def test_a_write_beyond_a_result_is_seen(package, tmp_path):
+    headers = shutil.copytree(package, tmp_path / "package")
+    geometry = headers / "geometry.h"
+    text = geometry.read_text(encoding="utf-8")
+    assert "pose_at[15 * pose_by] = " in text
+    geometry.write_text(text.replace("pose_at[15 * pose_by] = ", "pose_at[16 * pose_by] = "), encoding="utf-8")
+    program = tmp_path / "test"
+    run(tool("gcc"), "-std=c99", *SANITIZED, headers / "test_cayley3.c", "-o", program, "-lm")
+    assert "AddressSanitizer" in subprocess.run([program], capture_output=True, text=True, check=False).stderr
 
 
 @pytest.mark.parametrize("real", REALS)

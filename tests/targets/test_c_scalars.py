@@ -13,8 +13,7 @@ import re
 import shutil
 import subprocess
 from collections.abc import Sequence
-from dataclasses import dataclass, field
-from functools import cache
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -34,6 +33,7 @@ from derive.maps import Cayley
 from derive.output import files
 from derive.proof import prove
 from tests.support.packages import Otherwise
+from tests.support.residues import Degree, Lifting, Residue, degree_of
 
 HERE = Path(__file__).parent
 C = TARGETS["c"]
@@ -108,105 +108,6 @@ def test_a_wrong_sign_is_seen_by_every_law(headers, tmp_path):
 
 
 # --- prime fields -----------------------------------------------------------------------------------------------
-
-
-@dataclass(frozen=True)
-class Residue:
-    """An element of a prime field."""
-
-    value: int
-    prime: int
-
-    def _of(self, other: Any) -> int:
-        if isinstance(other, Residue):
-            return other.value
-        return int(other.numerator * pow(other.denominator, -1, self.prime))
-
-    def _new(self, value: int) -> Residue:
-        return Residue(value % self.prime, self.prime)
-
-    def __add__(self, other: Any) -> Residue:
-        return self._new(self.value + self._of(other))
-
-    def __sub__(self, other: Any) -> Residue:
-        return self._new(self.value - self._of(other))
-
-    def __mul__(self, other: Any) -> Residue:
-        return self._new(self.value * self._of(other))
-
-    def __truediv__(self, other: Any) -> Residue:
-        return self._new(self.value * pow(self._of(other), -1, self.prime))
-
-    def __rsub__(self, other: Any) -> Residue:
-        return -self + other
-
-    def __rtruediv__(self, other: Any) -> Residue:
-        return self._new(self._of(other)) / self
-
-    def __neg__(self) -> Residue:
-        return self._new(-self.value)
-
-    __radd__, __rmul__ = __add__, __mul__
-
-
-@dataclass(frozen=True)
-class Degree:
-    """Bounds of the degrees of numerator and denominator."""
-
-    above: int = 1
-    below: int = 0
-
-    def __add__(self, other: Any) -> Degree:
-        o = _degree(other)
-        return Degree(max(self.above + o.below, o.above + self.below), self.below + o.below)
-
-    def __mul__(self, other: Any) -> Degree:
-        o = _degree(other)
-        return Degree(self.above + o.above, self.below + o.below)
-
-    def __truediv__(self, other: Any) -> Degree:
-        o = _degree(other)
-        return Degree(self.above + o.below, self.below + o.above)
-
-    def __rtruediv__(self, other: Any) -> Degree:
-        return _degree(other) / self
-
-    def __neg__(self) -> Degree:
-        return self
-
-    __radd__ = __sub__ = __rsub__ = __add__
-    __rmul__ = __mul__
-
-
-def _degree(other: Any) -> Degree:
-    return other if isinstance(other, Degree) else Degree(0)
-
-
-@cache
-def _fraction(expression: sympy.Expr, symbol: sympy.Symbol, order: int) -> tuple[list[int], list[int]]:
-    """Coefficients of numerator and denominator of a derivative, the largest power first."""
-    parts = sympy.fraction(sympy.cancel(sympy.diff(expression, symbol, order)))
-    above, below = (sympy.Poly(part, symbol).all_coeffs() for part in parts)
-    whole = sympy.ilcm(*(c.q for c in (*above, *below)))
-    return [int(c * whole) for c in above], [int(c * whole) for c in below]
-
-
-@dataclass
-class Lifting:
-    """Rational functions of one symbol at a number of any kind."""
-
-    largest: int = field(default=0)
-
-    def derivatives(self, expression: sympy.Expr, symbol: sympy.Symbol, at: Any, order: int) -> list[Any]:
-        parts = (_fraction(expression, symbol, k) for k in range(order + 1))
-        return [_horner(above, at) / _horner(below, at) for above, below in parts]
-
-
-def _horner(coefficients: Sequence[int], at: Any) -> Any:
-    value = 0 * at
-    for coefficient in coefficients:
-        value = value * at + coefficient
-    return value
 
 
 def rational(chart: Cayley) -> list[tuple[Table, Function]]:
@@ -315,8 +216,8 @@ def degree(chart: Cayley, table: Table, row: Function) -> int:
     module = importlib.import_module(".".join(filter(None, ("dualcay", table.name, chart.name))))
     arrays = [np.array(given, object).reshape(array.shape) for given, array in zip(arguments, row.arguments)]
     found = getattr(module, row.name)(*arrays)
-    printed = [_degree(d) for part in (found if isinstance(found, tuple) else (found,)) for d in part.ravel()]
-    formulas = map(_degree, expected(chart, row, arguments))
+    printed = [degree_of(d) for part in (found if isinstance(found, tuple) else (found,)) for d in part.ravel()]
+    formulas = map(degree_of, expected(chart, row, arguments))
     return max(max(a.above + b.below, b.above + a.below) for a, b in zip(printed, formulas, strict=True))
 
 

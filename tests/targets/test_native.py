@@ -20,25 +20,18 @@ import numpy as np
 import pytest
 
 import dualcay
-from derive.codegen.facts import Facts
-from derive.codegen.lowered import lower
-from derive.codegen.module import companion_texts, module_name, module_text, shared_texts
 from derive.codegen.signatures import POSES, PUBLIC, ROTATIONS
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation import NUMPY, replay_package
 from derive.maps import Cayley, family
-from derive.output import files
-from derive.proof import prove
 from tests.support.kernels import load
-from tests.support.packages import Otherwise
+from tests.support.native import build
 from tests.support.rotation_arguments import arguments
 from tests.support.signatures import SIGNATURES, components_first, components_last, inputs
 
 pytestmark = [pytest.mark.compiler, pytest.mark.thorough]
 
 CHARTS = (Cayley(2), Cayley(3), family("exponential"))
-# tests of the C target look at vector code, which takes ten times as long to compile
-BUILD = ("-Csetup-args=-Doptimization=0",)
 ROOT = Path(dualcay.__file__).parent
 NAMES = sorted(n for n in PUBLIC.keys() & SIGNATURES.keys() if all(array.shape for array in PUBLIC[n].arguments))
 OF_ROTATIONS = sorted(
@@ -48,28 +41,13 @@ OF_ROTATIONS = sorted(
 )
 
 
-def build(place: Path) -> None:
-    """Make the package of some charts, and install it there."""
-    native, source = TARGETS["native"], place / "source"
-    without_test = Otherwise(native, companions=native.further)  # the differential one, which is that of the C target
-    texts = dict(shared_texts(native))
-    for chart in CHARTS:
-        proved = prove(chart)
-        facts = Facts(proved, lower(proved))
-        texts |= {module_name(chart, native): module_text(facts, native)} | companion_texts(facts, without_test)
-    files.write(source, texts)
-    path = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
-    pip = (sys.executable, "-m", "pip", "install", "--quiet", "--no-build-isolation", "--no-deps", "--no-index", *BUILD)
-    done = subprocess.run(
-        [*pip, "--target", place / "site", source], env={**os.environ, "PATH": path}, capture_output=True, text=True
-    )
-    assert done.returncode == 0, done.stdout + done.stderr
-
-
 @pytest.fixture(scope="module")
 def site(shared: Callable[[str, Callable[[Path], object]], Path]) -> Path:
-    """Where the package is installed; one build for all processes."""
-    return shared("native", build) / "site"
+    """Where the package is installed; one build for all processes.
+
+    Without vector code, which takes ten times as long to compile: tests of the C target look at it.
+    """
+    return shared("native", lambda place: build(place, CHARTS, "optimization=0")) / "site"
 
 
 def kernels(name: str) -> str:

@@ -2,8 +2,9 @@
 
 ========= =======================================================================
 program   assignments, calls, operation counts
-trace     the tracer that records them
 value     traced numbers
+folding   arithmetic of constants and values, constants folded
+trace     the tracer that records what is left
 registers the order of statements and scratch registers by liveness
 ========= =======================================================================
 """

@@ -219,6 +219,7 @@ class Numpy(python.PythonTarget):
         return {
             **self.package(),
             **self.per_table(),
+            "_branches.py": {},
             "_chart.py": {},
             "_checks.py": {"words": WORDS},
             "_kernel.py": {},

@@ -13,20 +13,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from .._branches import call_branch, returned, shifted, shifted_jacobian
 from .._chart import Chart
 from .._checks import ROTATION_LAWS as LAWS
 from .._checks import require
 from .._kernel import Array
-from .._runtime import (
-    call,
-    call_branch,
-    from_scalar_last,
-    returned,
-    separate,
-    shifted,
-    shifted_jacobian,
-    to_scalar_last,
-)
+from .._runtime import call, from_scalar_last, separate, to_scalar_last
 from .._tools import directions
 
 # the side of T: itself, which gives the twist in space, and its transpose, in the body; for T⁻¹ also half the side

@@ -27,7 +27,8 @@ pytestmark = pytest.mark.thorough
 
 CHART = Cayley(3)
 TARGET = TARGETS["numpy"]
-KERNEL, RUNTIME, INTERFACE, MODULE = "_kernel.py", "_runtime.py", "_interface.py", "cayley3.py"
+KERNEL, RUNTIME, BRANCHES = "_kernel.py", "_runtime.py", "_branches.py"
+INTERFACE, MODULE = "_interface.py", "cayley3.py"
 
 
 @pytest.fixture(scope="module")
@@ -103,7 +104,7 @@ OTHERS = {
         "dcay = KERNELS.tangent_inv",
     ),
     "branches below 0": (
-        RUNTIME, r"index %= chart\.branches",
+        BRANCHES, r"index %= chart\.branches",
         "index = abs(index) % chart.branches",
     ),
     "NaN of an element": (

@@ -1,0 +1,38 @@
+"""The package of compiled NumPy functions, of some charts, built and installed in a folder."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from collections.abc import Iterable
+from pathlib import Path
+
+from derive.codegen.facts import Facts
+from derive.codegen.lowered import lower
+from derive.codegen.module import companion_texts, module_name, module_text, shared_texts
+from derive.codegen.targets import TARGETS
+from derive.maps.chart import Chart
+from derive.output import files
+from derive.proof import prove
+from tests.support.packages import Otherwise
+
+
+def build(place: Path, charts: Iterable[Chart], *options: str) -> None:
+    """Make the package, with options of Meson, and install it in the folder ``site`` there."""
+    native, source = TARGETS["native"], place / "source"
+    without_test = Otherwise(native, companions=native.further)  # the differential one, which is that of the C target
+    texts = dict(shared_texts(native))
+    for chart in charts:
+        proved = prove(chart)
+        facts = Facts(proved, lower(proved))
+        texts |= {module_name(chart, native): module_text(facts, native)} | companion_texts(facts, without_test)
+    files.write(source, texts)
+    path = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
+    pip = (sys.executable, "-m", "pip", "install", "--quiet", "--no-build-isolation", "--no-deps", "--no-index")
+    setup = [f"-Csetup-args=-D{option}" for option in options]
+    done = subprocess.run(
+        [*pip, *setup, "--target", place / "site", source],
+        env={**os.environ, "PATH": path}, capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stdout + done.stderr
