@@ -10,7 +10,7 @@ TESTED := $(VENV)/.test
 PYTEST := $(RUN) -m pytest -n auto --maxprocesses 4 --dist worksteal
 PIP    := $(RUN) -m pip --disable-pip-version-check install --quiet --quiet --constraint constraints.txt
 
-CHECKS := check-kernels check-errata check-theorems
+CHECKS := check-errata check-theorems check-kernels
 
 .DEFAULT_GOAL := generate
 .PHONY: generate check $(CHECKS) proofs verify show test thorough quick smoke lint types mutants native bench accuracy figures parameterizations clean help
@@ -39,7 +39,7 @@ show: $(READY)  ## print the formulas of an order: make show N=3
 	$(RUN) -m derive show -n $(or $(N),1-3)
 
 test: $(TESTED)  ## lint, types, stale check, proofs with their controls and all tests but the thorough ones
-	$(MAKE) --no-print-directory --jobs=2 check types lint
+	$(MAKE) --no-print-directory --jobs=2 types check lint
 	$(PYTEST) -m "not thorough"
 
 thorough: $(TESTED)  ## tests of compilers, further charts and mutants, which take minutes more

@@ -12,7 +12,8 @@ import pytest
 
 from derive.papers import PAPERS, Status
 from derive.papers.decide import decide
-from derive.papers.mutation import Score, true_statements, try_mutants
+from derive.papers.equation import Equation
+from derive.papers.mutation import Score, try_mutants
 
 pytestmark = pytest.mark.thorough
 
@@ -67,11 +68,16 @@ def step(paper: str, number: str) -> int:
     return 1 if number in REASONS[paper] else SAMPLE
 
 
+def statement(entry: Equation) -> Equation:
+    """The entry itself, or with its correction in place of what is printed."""
+    return entry if entry.corrected is None else entry.reading(entry.corrected)
+
+
 def _scores(chunk: int) -> dict[tuple[str, str], Score]:
     entries = [(paper, entry) for paper in PAPERS for entry in paper.entries()]
     return {
         (paper.short, entry.number): try_mutants(
-            decide(paper.slug, entry, paper.lost, count=False), step(paper.short, entry.number)
+            decide(paper.slug, statement(entry), paper.lost, count=False), step(paper.short, entry.number)
         )
         for paper, entry in entries[chunk::CHUNKS]
     }
@@ -115,10 +121,8 @@ def test_every_entry_has_something_true(scores) -> None:
 
 @pytest.mark.parametrize("paper", PAPERS, ids=lambda paper: paper.short)
 def test_corrections_hold_in_place_of_what_is_printed(paper) -> None:
-    for entry in paper.entries():
-        if entry.corrected is not None:
-            result = decide(paper.slug, entry, paper.lost)
-            assert result.status is (Status.AMBIGUOUS if result.capped else Status.ERRATUM)
-            assert true_statements(result) == (entry.corrected,)
-            status = decide(paper.slug, entry.reading(entry.corrected), paper.lost, count=False).status
-            assert status is (Status.HOLDS if entry.condition is None else Status.HOLDS_IF), entry.number
+    corrected = [entry for entry in paper.entries() if entry.corrected is not None]
+    assert corrected
+    for entry in corrected:
+        status = decide(paper.slug, statement(entry), paper.lost, count=False).status
+        assert status is (Status.HOLDS if entry.condition is None else Status.HOLDS_IF), entry.number
