@@ -29,6 +29,18 @@ MISSING = {
 os.environ.setdefault("DUALCAY_NATIVE", "0")
 
 
+SELECTED = {"browser", "compiler", "smoke", "thorough", "torch"}
+"""Markers of this project, by which tests are chosen."""
+
+
+def _require_named(items: list[pytest.Item]) -> None:
+    """Every file names the markers its tests bear, or tests that are asked for by one would be passed over."""
+    borne = {(item.path, marker.name) for item in items for marker in item.iter_markers() if marker.name in SELECTED}
+    unnamed = sorted(f"{path}: {name}" for path, name in borne if name not in path.read_text(encoding="utf-8"))
+    if unnamed:
+        raise pytest.UsageError(f"tests bear markers which their files do not name: {', '.join(unnamed)}")
+
+
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
     """Where one marker is asked for, files that do not name it are not loaded: to collect all takes half a minute."""
     marker, name = str(config.option.markexpr), collection_path.name
@@ -37,7 +49,9 @@ def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool 
     return None
 
 
+@pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    _require_named(items)
     left_out = [item for item in items if any(item.get_closest_marker(marker) for marker in MISSING)]
     if left_out:
         config.hook.pytest_deselected(items=left_out)

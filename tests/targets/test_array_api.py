@@ -12,7 +12,6 @@ import numpy as np
 import pytest
 
 import dualcay
-from derive.codegen.signatures import ROTATIONS
 from derive.codegen.targets.array_api import ArrayApi
 from derive.codegen.validation import Library, replay
 from derive.maps import Cayley
@@ -50,10 +49,9 @@ def test_gates_of_the_oracle_hold_in_every_library(array_api, library):
 
 @pytest.mark.thorough
 def test_the_replay_runs_in_jax(folder):
-    """Rotations, in single precision, its own: every shape of an array is compiled. Poses meet gates of the oracle."""
+    """In single precision, its own; every shape of an array is compiled, so one function takes all ways."""
     singles = Library("jax", jax.numpy.asarray, (np.dtype(np.float32),))
-    found = replay(folder("array-api"), Cayley(1), ArrayApi.machinery, [singles], (ROTATIONS,), all_ways=False)
-    assert found > 150
+    assert replay(folder("array-api"), Cayley(1), ArrayApi.machinery, [singles], all_ways=False) > 200
 
 
 @LIBRARY
