@@ -42,7 +42,7 @@ class Knowledge:
     controlling: frozenset[tuple[str, int]]
     controls: Sequence[str]
     left_out: Mapping[str, Sequence[str]]
-    prints: Mapping[str, tuple[str, str]]
+    prints: Mapping[str, road.Prints]
 
     def plan(self, edit: Edit | None) -> dict[str, list[str]]:
         """The checks that reach an edit, by stage, in their order."""
@@ -147,29 +147,50 @@ class Checks:
             for path, content in before.items():
                 path.write_bytes(content)
 
-    def fate(self, edit: Edit | None, knowledge: Knowledge) -> Fate:
-        """What becomes of an edit (None: of the unchanged tree)."""
+    def fate(self, edit: Edit | None, knowledge: Knowledge, former: Fate | None = None) -> Fate:
+        """What becomes of an edit (None: of the unchanged tree); what killed it in another tree is asked first."""
         plan = knowledge.plan(edit)
+        if former and (by := self._asked_again(former, plan)):
+            return Fate(KILLED, former.stage, by)
+        emitted = _Emitted(knowledge, edit) if self.emits else None
         for stage in self.first:
-            if by := _first_error(stage, plan[stage], self.emits):
+            if by := _first_error(stage, plan[stage], self.emits, emitted):
                 return Fate(KILLED, stage, by)
-        try:
-            emitted = road.difference(knowledge.prints) if self.emits and plan["validation"] else None
-        except Exception as error:
-            return Fate(KILLED, "validation", f"another order: {type(error).__name__}")
-        if emitted == "text":
+        if emitted and emitted.differs == "text":
             return Fate(PROSE, by="what is emitted differs in comments, docstrings and layout only")
         if by := suite.first_failure(plan["tests"]):
             return Fate(KILLED, "tests", by)
         if edit and knowledge.controls_only(edit) and _controls() == knowledge.controls:
             return Fate(EQUIVALENT, by="another control of the same theorem, which fails as well")
-        if edit and emitted == "" and knowledge.prints_only(edit):
+        if edit and emitted and emitted.prints_only and not emitted.differs:
             return Fate(EQUIVALENT, by="every emitted text is the same")
-        if self.emits and (edit is None or (emitted == "code" and road.write_kernels(Path("generated", "dualcay")))):
+        if emitted and (edit is None or (emitted.differs and road.write_kernels(Path("generated", "dualcay")))):
             forget("dualcay")
             if by := suite.first_failure(plan["kernels"]):
                 return Fate(KILLED, "kernels", by)
         return Fate(SURVIVED)
+
+    def _asked_again(self, former: Fate, plan: Mapping[str, Sequence[str]]) -> str | None:
+        """What a check says that killed the same mutant before; None if it is not among those that reach it now."""
+        names = [name for name in plan.get(former.stage, ()) if f"{former.by}: ".startswith(f"{name}: ")]
+        if former.stage in self.first:
+            return _first_error(former.stage, names, self.emits)
+        return suite.first_failure(names) if former.stage == "tests" else None
+
+
+class _Emitted:
+    """What is emitted with an edit; the same as without it needs no validation, if the edit is in what makes texts."""
+
+    def __init__(self, knowledge: Knowledge, edit: Edit | None) -> None:
+        self.prints_only = edit is not None and knowledge.prints_only(edit)
+        self.differs = ""
+        self._known = knowledge.prints
+
+    def is_known(self, name: str) -> bool:
+        """Whether the code that a check validates is that of the unchanged tree, and so is the validation."""
+        found = road.difference(name, self._known)
+        self.differs = max(self.differs, found, key=road.DIFFERENCES.index)
+        return self.prints_only and found != "code"
 
 
 def _timed(reach: Reach, name: str, check: road.Check) -> float:
@@ -198,8 +219,8 @@ def _controls() -> Sequence[str]:
         return ()
 
 
-def _first_error(stage: str, names: Sequence[str], everything: bool) -> str | None:
-    """The first of these checks that fails."""
+def _first_error(stage: str, names: Sequence[str], everything: bool, emitted: _Emitted | None = None) -> str | None:
+    """The first of these checks that fails, and is not known to pass."""
     if not names:
         return None
     try:
@@ -208,7 +229,8 @@ def _first_error(stage: str, names: Sequence[str], everything: bool) -> str | No
         return f"import: {type(error).__name__}"
     for name in names:
         try:
-            checks[name]()
+            if not (emitted and emitted.is_known(name)):
+                checks[name]()
         except Exception as error:
             return f"{name}: {type(error).__name__}"
     return None

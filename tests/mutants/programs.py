@@ -197,7 +197,7 @@ class Programs:
     def limit(self, mutant: Mutant | None, knowledge: Any) -> float:
         return 60
 
-    def trial(self, mutant: Mutant | None, knowledge: Any) -> Fate:
+    def trial(self, mutant: Mutant | None, knowledge: Any, former: Fate | None = None) -> Fate:
         which, printer, name, index, form = mutant.site if mutant else (3, "two_forms", "", 0, "")
         pair: list[Program] = []
 

@@ -103,7 +103,7 @@ process of its own on a copy of the tree. State: `{state}`.
 - **proof**, **validation**, **execution**: killed by what is no test, that is by proofs of the charts with names; by
   emission with validation (n = {orders} and {kinds} for NumPy,
   n = {others} for the other targets; for maps NumPy alone, n = {some}, all families and
-  {further}); by
+  {further}; where a change is in what makes texts, not where the emitted code is the same as without it); by
   executing the statement, or all of them, of which docs/errata.md must say the same. **first stage** is their share.
 - **tests**: killed by tests of that room only, but for those listed as left out. Of emission {few} cases of
   each test are run. **kernels**: killed by {few} cases of each test of tests/generated, run on the NumPy kernels that
@@ -111,8 +111,8 @@ process of its own on a copy of the tree. State: `{state}`.
 - **time limit**: stopped after twice the processor time of the checks that reach the change, and 20 s; counted as
   killed.
 - **equivalent**: shown to be so by the run. Programs: of the same value at random points of a prime field, functions
-  and comparisons uninterpreted. Emission: the changed lines make texts and nothing else, and every emitted text is the
-  same, all targets, n = {orders}. Proof: the changed lines make controls (theorems with one thing wrong) and nothing
+  and comparisons uninterpreted. Emission: the changed lines make texts and nothing else, and every text that is
+  validated is the same. Proof: the changed lines make controls (theorems with one thing wrong) and nothing
   else, and as many of the same theorems fail. Python that compiles to the same code is not drawn.
 - **prose**: what is emitted differs in comments, docstrings and layout only; `make check` notices.
 - **no meaning**: statements that combine what has no such operation.

@@ -16,7 +16,7 @@ from contextlib import contextmanager
 from pathlib import Path, PurePath
 from typing import Any
 
-from tests.support.packages import Otherwise, unvalidated
+from tests.support.packages import EXECUTED, Otherwise, unvalidated
 
 Check = Callable[[], object]
 """Raises where something is wrong."""
@@ -32,11 +32,15 @@ COMMITTED = (3, 2, 4, 1, 5, 8)
 GEOMETRY = (3, 4, 2, 1)
 """Orders with which what all charts share is tried."""
 
-ORDERS = (*GEOMETRY, 11, 16)
-"""Orders of NumPy kernels: two more, for which programs are made in another way."""
+ORDERS = (*GEOMETRY, 16)
+"""Orders of NumPy kernels: one more, for which programs are made in another way."""
 
-FEW = (3, 4)
+FEW = (3,)
 """Orders of the other targets."""
+
+Prints = Mapping[str, tuple[str, str]]
+DIFFERENCES = ("", "text", "code")
+"""Of what is emitted: none, in comments, docstrings and layout only, any."""
 
 FURTHER = {"further": "alpha/(1 + alpha**2/40)"}
 """Charts of φ without a name of their own, as users bring them: what their modules are called, and φ."""
@@ -104,23 +108,32 @@ def controls() -> list[str]:
 
 
 def validations(everything: bool, around: Around) -> dict[str, Check]:
-    """Emission with validation, for all targets and orders, or for NumPy and a few.
+    """Emission with validation, of everything or of some NumPy kernels.
 
     As in a package, what is the same in all charts is validated in the first that is built here. ``around`` is put
-    between the road and the validation that ends it.
+    between the road and the execution that ends it.
     """
     shown = {name: importlib.import_module("derive.codegen.validation").Seen() for name in targets()}
 
-    def check(name: str, which: Which, target: Any) -> Check:
-        watched = Otherwise(target, validate=around(name, target.validate))
+    def check(name: str, target: Any, which: Which) -> Check:
+        watched = Otherwise(target, **{part: around(name, getattr(target, part)) for part in EXECUTED})
         return lambda: build(which, watched, shown[target.name])
 
-    numpy = (*ORDERS, *kinds()) if everything else (*GEOMETRY, *families(), *FURTHER)
+    return {name: check(name, targets()[target], which) for name, (target, which) in emissions(everything).items()}
+
+
+def emissions(everything: bool = True) -> dict[str, tuple[str, Which]]:
+    """What is emitted, target and chart, by the name of its validation: everything, or some NumPy kernels.
+
+    Charts that differ most come first.
+    """
+    charts: Mapping[str, Sequence[Which]] = dict.fromkeys(targets(), FEW) if everything else {}
+    orders, others = (ORDERS, ()) if everything else (GEOMETRY, (*FURTHER, *kinds(), *families()))
+    numpy = dict.fromkeys((orders[0], *others, *kinds(), *orders[1:]))
     return {
-        f"{name}, {label(which)}": check(f"{name}, {label(which)}", which, target)
-        for name, target in targets().items()
-        for which in (numpy if name == "numpy" else FEW)
-        if everything or name == "numpy"
+        f"{target}, {label(which)}": (target, which)
+        for target, found in {**charts, "numpy": tuple(numpy)}.items()
+        for which in found
     }
 
 
@@ -198,35 +211,29 @@ def printed_otherwise(
         setattr(module, printer, original)
 
 
-def texts() -> Iterator[tuple[str, Mapping[str, str]]]:
-    """What is emitted, by target and order; cheap ones first."""
-    for which in (*sorted(ORDERS), *kinds()):
-        for name, target in targets().items():
-            yield f"{name}, {label(which)}", build(which, unvalidated(target)).texts
+def texts(name: str) -> Mapping[str, str]:
+    """What the check of this name validates."""
+    target, which = emissions()[name]
+    return build(which, unvalidated(targets()[target])).texts  # type: ignore[no-any-return]
 
 
-def prints() -> dict[str, tuple[str, str]]:
-    """Of everything emitted: a digest of its text, and one of its code."""
-    return {f"{where}: {file}": _digests(file, text) for where, found in texts() for file, text in found.items()}
+def prints() -> dict[str, Prints]:
+    """By check: of every file it validates, a digest of its text and one of its code."""
+    return {
+        name: {file: (_digest(text), _digest(code(file, text))) for file, text in texts(name).items()}
+        for name in emissions()
+    }
 
 
-def difference(expected: Mapping[str, tuple[str, str]]) -> str:
-    """How what is emitted differs from what was expected: "code", "text", or "" for not at all."""
-    found = ""
-    seen = 0
-    for where, emitted in texts():
-        for file, text in emitted.items():
-            seen += 1
-            before, now = expected.get(f"{where}: {file}", ("", "")), _digests(file, text)
-            if before[1] != now[1]:
-                return "code"
-            if before[0] != now[0]:
-                found = "text"
-    return found if seen == len(expected) else "code"
-
-
-def _digests(file: str, text: str) -> tuple[str, str]:
-    return _digest(text), _digest(code(file, text))
+def difference(name: str, expected: Mapping[str, Prints]) -> str:
+    """How what a check validates differs from what was expected; one of `DIFFERENCES`."""
+    emitted, before = texts(name), expected[name]
+    if emitted.keys() != before.keys():
+        return "code"
+    others = {file: text for file, text in emitted.items() if _digest(text) != before[file][0]}
+    if any(_digest(code(file, text)) != before[file][1] for file, text in others.items()):
+        return "code"
+    return "text" if others else ""
 
 
 def _digest(text: str) -> str:

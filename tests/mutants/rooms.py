@@ -45,8 +45,8 @@ class Room(Protocol):
     def limit(self, mutant: Mutant | None, knowledge: Any) -> float:
         """Seconds of processor time a trial may take."""
 
-    def trial(self, mutant: Mutant | None, knowledge: Any) -> Fate:
-        """What becomes of a mutant (None: of the unchanged tree)."""
+    def trial(self, mutant: Mutant | None, knowledge: Any, former: Fate | None = None) -> Fate:
+        """What becomes of a mutant (None: of the unchanged tree), and what did in another tree."""
 
 
 @dataclass(frozen=True)
@@ -95,8 +95,8 @@ class Files:
     def limit(self, mutant: Mutant | None, knowledge: Any) -> float:
         return 20 + 2 * float(knowledge.processor(mutant.site if mutant else None))
 
-    def trial(self, mutant: Mutant | None, knowledge: Any) -> Fate:
-        return self.checks.fate(mutant.site if mutant else None, knowledge)
+    def trial(self, mutant: Mutant | None, knowledge: Any, former: Fate | None = None) -> Fate:
+        return self.checks.fate(mutant.site if mutant else None, knowledge, former)
 
 
 NUMBERS = "tests/derive/papers/test_theorem_numbers.py"

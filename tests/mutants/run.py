@@ -28,12 +28,16 @@ CONTROL = "unchanged"
 
 @dataclass(frozen=True, slots=True)
 class Drawn:
-    """A room ready to be tried: how many mutants there are, the sample, and what trials need to know."""
+    """A room ready to be tried: how many mutants there are, the sample, and what trials need to know.
+
+    ``former`` are fates in other trees: what killed a mutant there is the first to be asked again.
+    """
 
     room: Room
     total: int
     sample: Mapping[str, Mutant]
     knowledge: Any
+    former: Mapping[str, Fate]
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,7 +89,7 @@ class Run:
             for room in rooms:
                 total, chosen = drawn[room.name]
                 known = knowledge[room.checks.name] if room.checks else None
-                yield self._tried(Drawn(room, total, chosen, known), copies)
+                yield self._tried(Drawn(room, total, chosen, known, self._former(room.name)), copies)
 
     # --- what trials need -----------------------------------------------------------------------------------------
 
@@ -117,15 +121,20 @@ class Run:
 
     # --- trials ---------------------------------------------------------------------------------------------------
 
+    def _former(self, room: str) -> dict[str, Fate]:
+        """Of mutants that were killed in other trees, by what; the last time counts."""
+        others = sorted(self.kept.parent.glob(f"*/{room}.jsonl"), key=lambda path: path.stat().st_mtime)
+        entries = (entry for path in others if path.parent != self.kept for entry in _read(path).values())
+        return {entry["key"]: _kept_fate(entry) for entry in entries if entry["kind"] == KILLED}
+
     def _tried(self, drawn: Drawn, copies: list[Copy]) -> Results:
         path = self.kept / f"{drawn.room.name}.jsonl"
-        lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
-        kept = {entry["key"]: entry for entry in map(json.loads, lines)}
+        kept = _read(path)
         trials: dict[str, Mutant | None] = {CONTROL: None, **drawn.sample}
         wanted = [key for key in trials if key not in kept]
         shown = time.monotonic()
         with path.open("a", encoding="utf-8") as file:
-            jobs = [partial(self._start, drawn, trials[key]) for key in wanted]
+            jobs = [partial(self._start, drawn, trials[key], drawn.former.get(key)) for key in wanted]
             for number, outcome in shared(copies, partial(warm, drawn.room), jobs) if jobs else ():
                 fate = _fate(outcome)
                 key = wanted[number]
@@ -138,7 +147,7 @@ class Run:
                     shown = time.monotonic()
                     self.say(self._progress(drawn, kept))
         self.say(self._progress(drawn, kept))
-        return Results(drawn, {k: Fate(kept[k]["kind"], kept[k]["stage"], kept[k]["by"]) for k in drawn.sample})
+        return Results(drawn, {key: _kept_fate(kept[key]) for key in drawn.sample})
 
     @staticmethod
     def _progress(drawn: Drawn, kept: Mapping[str, Mapping[str, Any]]) -> str:
@@ -147,11 +156,11 @@ class Run:
         return f"{drawn.room.name}: {sum(done.values())} of {len(drawn.sample)}: {counts}"
 
     @staticmethod
-    def _start(drawn: Drawn, mutant: Mutant | None, copy: Copy) -> tuple[ExitStack, Child]:
+    def _start(drawn: Drawn, mutant: Mutant | None, former: Fate | None, copy: Copy) -> tuple[ExitStack, Child]:
         room, stack = drawn.room, ExitStack()
         stack.enter_context(copy.changed(room.edit(mutant) if mutant else None))
         limit = room.limit(mutant, drawn.knowledge)
-        return stack, Child(partial(room.trial, mutant, drawn.knowledge), limit)
+        return stack, Child(partial(room.trial, mutant, drawn.knowledge, former), limit)
 
 
 def prepare(checks: Checks, folder: Path) -> Any:
@@ -172,6 +181,16 @@ def warm(room: Room, copy: Copy) -> None:
     """Make ready for trials inside a copy: import what no mutant of the room changes."""
     enter(copy.folder)
     road.warm(room.unchanged)
+
+
+def _read(path: Path) -> dict[str, Mapping[str, Any]]:
+    """What became of mutants, by their names."""
+    lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
+    return {entry["key"]: entry for entry in map(json.loads, lines)}
+
+
+def _kept_fate(entry: Mapping[str, Any]) -> Fate:
+    return Fate(entry["kind"], entry["stage"], entry["by"])
 
 
 def _fate(outcome: Outcome) -> Fate:

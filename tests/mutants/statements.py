@@ -41,7 +41,7 @@ class Statements:
     def limit(self, mutant: Mutant | None, knowledge: Any) -> float:
         return 120
 
-    def trial(self, mutant: Mutant | None, knowledge: Any) -> Fate:
+    def trial(self, mutant: Mutant | None, knowledge: Any, former: Fate | None = None) -> Fate:
         if mutant is None:
             return Fate(SURVIVED)
         mutation = importlib.import_module("derive.papers.mutation")

@@ -78,6 +78,29 @@ def test_a_run_goes_on_where_it_stopped_until_the_tree_changes(tree: Path) -> No
     assert len(list((tree / ".mutants").rglob("toy.jsonl"))) == 2
 
 
+def test_what_killed_a_mutant_before_is_asked_first_and_nothing_else_if_it_still_kills(tree: Path) -> None:
+    last = "tests/derive/toy/test_thing.py::test_last"
+    (tree / "tests/derive/toy/test_thing.py").write_text(
+        TEST + "\n\ndef test_last():\n    test_double()\n", encoding="utf-8"
+    )
+    first = run(tree)
+    assert {fate.by for fate in first.fates.values() if fate.kind == KILLED} == {last.replace("last", "double")}
+    (kept,) = (tree / ".mutants").rglob("toy.jsonl")
+    before = kept.read_text(encoding="utf-8")
+    kept.write_text(before.replace("::test_double", "::test_last"), encoding="utf-8")
+    (tree / "pyproject.toml").write_text('[tool.pytest.ini_options]\npythonpath = [".", "."]\n', encoding="utf-8")
+    again = run(tree)
+    assert {fate.by for fate in again.fates.values() if fate.kind == KILLED} == {last}
+    assert {fate.kind for fate in again.fates.values()} == {fate.kind for fate in first.fates.values()}
+
+
+def test_a_former_verdict_is_not_taken_on_trust(tree: Path) -> None:
+    first = run(tree)
+    (tree / "tests/derive/toy/test_thing.py").write_text(TEST.replace("== 6", "> 0"), encoding="utf-8")
+    alive = [fate.kind for fate in run(tree).fates.values()].count(SURVIVED)
+    assert alive > [fate.kind for fate in first.fates.values()].count(SURVIVED)
+
+
 def test_a_tree_that_fails_its_own_checks_is_refused(tree: Path) -> None:
     (tree / "tests/derive/toy/test_thing.py").write_text(TEST.replace("6", "7"), encoding="utf-8")
     with pytest.raises(NotControlled, match="test_double"):

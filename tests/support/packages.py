@@ -9,6 +9,9 @@ from typing import Any
 ORDERS = {"array-api": (1, 2, 3, 8), "numba": (1, 2, 3, 4, 8), "c": (1, 3, 8, 16)}
 """Those of the packages of other targets that tests share."""
 
+EXECUTED = ("validate", "replay", "test")
+"""The members of a target that execute what is emitted."""
+
 
 class Otherwise:
     """A target with some of its members replaced."""
@@ -23,8 +26,7 @@ class Otherwise:
 
 def unvalidated(target: Any) -> Any:
     """A target whose text is not looked at."""
-    nothing = {name: lambda *_: 0 for name in ("validate", "replay", "test")}
-    return Otherwise(target, **nothing)
+    return Otherwise(target, **{name: lambda *_: 0 for name in EXECUTED})
 
 
 def printed(orders: Iterable[int], target: str) -> Mapping[str, str]:
