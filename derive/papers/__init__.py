@@ -14,6 +14,7 @@ sharp                  whether a condition is sharp, by the denominators
 counterexample         what a false statement comes to at a point
 explore                a statement at seeded points, special ones and poles
 decide                 from an entry to its status
+equivalence            whether a mutant says the same
 mutation               mutants of a statement, and how they fare
 witnesses              30-digit values at seeded points, kept beside each paper's package
 report                 the results as text, JSON, Markdown, HTML and LaTeX

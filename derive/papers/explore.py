@@ -1,12 +1,15 @@
-"""A statement at seeded points: all letters generic, each special value of each letter and of two, and poles."""
+"""A statement at seeded points: letters generic, real, and special one by one and two by two; and poles."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations
+from typing import Any
 
 import mpmath
+
+from derive.algebra import Dual, Structure
 
 from .equation import Equation
 from .language.evaluation import Env
@@ -56,7 +59,7 @@ class Point:
 
 
 def points(entry: Equation, statement: Term, orders: Sequence[int], digits: int = 30) -> Iterator[Point]:
-    """Seeded points: all letters generic, each special value of each letter and of two, the entry's own, and poles."""
+    """Seeded points: letters generic, special, as the entry says, all real; poles; two letters special at once."""
     free = entry.free(statement)
     order = next((letter for letter in free if letter.kind is ORDER), None)
     others = [letter for letter in free if letter.kind not in (ORDER, BRANCH)]
@@ -69,6 +72,8 @@ def points(entry: Equation, statement: Term, orders: Sequence[int], digits: int 
             for label, values in _variations(draw, others, entry):
                 yield Point(f"{prefix}{label}", _environment(entry, {**fixed, **values}))
             start = {**fixed, **{letter: letter.kind.generic(draw) for letter in others}}
+            for values in _all_real(Draw(f"{entry.number} {n} {branch} real", entry.moving, digits), others):
+                yield Point(f"{prefix}all letters real", _environment(entry, {**fixed, **values}))
             for label, moved in poles(statement, _environment(entry, start)):
                 yield Point(f"{prefix}{label}", _environment(entry, {**start, **moved}))
             for label, values in _pairs(draw, others):
@@ -89,6 +94,20 @@ def _variations(draw: Draw, free: Sequence[Letter], entry: Equation) -> Iterator
         yield f"{letter.name}: {label}", {**generic(), letter: make(draw)}
     for label, point in (entry.also(draw) if entry.also else {}).items():
         yield label, {**generic(), **point}
+
+
+def _all_real(draw: Draw, free: Sequence[Letter]) -> Iterator[dict[Letter, object]]:
+    """All letters without their dual parts, if any has one."""
+    values = {letter: letter.kind.generic(draw) for letter in free}
+    if any(isinstance(value, Dual | Structure) for value in values.values()):
+        yield {letter: _real(value) for letter, value in values.items()}
+
+
+def _real(value: Any) -> Any:
+    """The same without its dual part."""
+    if isinstance(value, Structure):
+        return value.map(_real)  # type: ignore[attr-defined]
+    return Dual(value.re, 0 * value.du) if isinstance(value, Dual) else value
 
 
 def _pairs(draw: Draw, free: Sequence[Letter]) -> Iterator[tuple[str, dict[Letter, object]]]:

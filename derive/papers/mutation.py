@@ -12,11 +12,15 @@ from functools import partial
 
 from .decide import ORDERS
 from .equation import Equation
+from .equivalence import equivalent
 from .explore import explore
-from .language.notation import negated
+from .language.notation import both, negated
 from .language.terms import Apply, Letter, Number, Term, text
 from .numbers.kinds import PROPOSITION
 from .result import Result
+
+UNCOMBINABLE = (TypeError, AttributeError, ValueError, KeyError, IndexError)
+"""What combining things raises that have no such operation."""
 
 
 @dataclass(frozen=True)
@@ -30,11 +34,24 @@ class Survivor:
 
 @dataclass
 class Score:
-    """How the mutants of some entries fared; those that combine things which have no such operation do not count."""
+    """How the mutants of some entries fared.
+
+    Attributes
+    ----------
+    killed : int
+        Those that are false somewhere, or true outside of their condition.
+    meaningless : int
+        Those that do not count: they combine things which have no such operation, or are equivalent.
+    survivors : list of Survivor
+        Those that are as true as what they were made from, and say something else.
+    equivalent : list of Survivor
+        Those that say the same as what they were made from, see `equivalence`.
+    """
 
     killed: int = 0
     meaningless: int = 0
     survivors: list[Survivor] = field(default_factory=list)
+    equivalent: list[Survivor] = field(default_factory=list)
 
     @property
     def share(self) -> float:
@@ -43,8 +60,8 @@ class Score:
         return self.killed / tried if tried else 1.0
 
     def __add__(self, other: Score) -> Score:
-        survivors = [*self.survivors, *other.survivors]
-        return Score(self.killed + other.killed, self.meaningless + other.meaningless, survivors)
+        survivors, same = [*self.survivors, *other.survivors], [*self.equivalent, *other.equivalent]
+        return Score(self.killed + other.killed, self.meaningless + other.meaningless, survivors, same)
 
 
 def true_statements(result: Result) -> tuple[Term, ...]:
@@ -74,34 +91,55 @@ def trials(
 ) -> Iterator[tuple[str, Callable[[], Score]]]:
     """What can be changed in a statement of an entry and in its domain, and the way to execute it changed."""
     for change, mutant in mutants(statement):
-        yield change, partial(try_mutant, entry, change, mutant, orders)
+        yield change, partial(try_mutant, entry, change, statement, mutant, orders)
     for change, changed in domains(entry):
-        yield change, partial(try_domain, changed, change, statement, orders)
+        yield change, partial(try_domain, entry, changed, change, statement, orders)
 
 
-def try_domain(entry: Equation, change: str, statement: Term, orders: Sequence[int] = ORDERS) -> Score:
+def try_domain(
+    entry: Equation, changed: Equation, change: str, statement: Term, orders: Sequence[int] = ORDERS
+) -> Score:
     """Execute a statement on another domain than the one of its entry: true inside, nowhere outside of a condition."""
     inside = outside = 0
     try:
-        for outcome in explore(entry, statement, orders):
+        for outcome in explore(changed, statement, orders):
             if outcome.inside or not outcome.pair:
                 if (outcome.truth is True) is not outcome.inside:
                     return Score(killed=1)
                 inside += outcome.inside
                 outside += not outcome.inside
-    except (TypeError, AttributeError, ValueError, KeyError, IndexError):
+    except UNCOMBINABLE:
         return Score(meaningless=1)
-    alive = inside and (outside or entry.condition is None)
-    return Score(survivors=[Survivor(entry.number, change, text(statement))]) if alive else Score(killed=1)
+    if not inside or not (outside or changed.condition is None):
+        return Score(killed=1)
+    return _alive(entry, change, statement, _domain(entry), _domain(changed), orders)
 
 
-def try_mutant(entry: Equation, change: str, mutant: Term, orders: Sequence[int] = ORDERS) -> Score:
+def try_mutant(
+    entry: Equation, change: str, statement: Term, mutant: Term, orders: Sequence[int] = ORDERS
+) -> Score:
     """Execute one mutant of a statement of an entry."""
     try:
         alive = all(outcome.truth is True for outcome in explore(entry, mutant, orders) if outcome.inside)
-    except (TypeError, AttributeError, ValueError, KeyError, IndexError):  # a vector where a number belongs
+    except UNCOMBINABLE:  # a vector where a number belongs
         return Score(meaningless=1)
-    return Score(survivors=[Survivor(entry.number, change, text(mutant))]) if alive else Score(killed=1)
+    return _alive(entry, change, mutant, statement, mutant, orders) if alive else Score(killed=1)
+
+
+def _alive(
+    entry: Equation, change: str, shown: Term, before: Term, after: Term, orders: Sequence[int]
+) -> Score:
+    """What no execution kills says the same as before, or survives."""
+    survivor = Survivor(entry.number, change, text(shown))
+    if equivalent(entry, before, after, orders):
+        return Score(meaningless=1, equivalent=[survivor])
+    return Score(survivors=[survivor])
+
+
+def _domain(entry: Equation) -> Term:
+    """Condition and claimed domain as one."""
+    nothing = both()
+    return both(*(nothing if part is None else part for part in (entry.condition, entry.claimed)))
 
 
 def domains(entry: Equation) -> Iterator[tuple[str, Equation]]:
@@ -118,7 +156,7 @@ def domains(entry: Equation) -> Iterator[tuple[str, Equation]]:
 
 def _changed(domain: Term) -> Iterator[tuple[str, Term]]:
     yield "negated", negated(domain)
-    yield from mutants(domain)
+    yield from (found for found in mutants(domain) if found[1] != negated(domain))
 
 
 def mutants(statement: Term) -> Iterator[tuple[str, Term]]:

@@ -73,7 +73,8 @@ def _compare(env: Env, relation: Callable[[Any, Any], bool], *sides: Any) -> boo
 
 
 at_least = define("K10 at least", r" \geq ", "≥", RELATION, (SUM,), lambda env, *a: _compare(env, operator.ge, *a))
-ordered = define("K10 ordered", " < ", "<", RELATION, (SUM,), lambda env, *a: _compare(env, operator.lt, *a))
+ordered = define("K10 ordered", " < ", "<", RELATION, (SUM,), lambda env, *a: _compare(env, operator.lt, *a),
+                 traits=Trait.ASCENDS)  # fmt: skip
 
 
 def _provided(env: Env, statement: Term, condition: Term) -> bool:

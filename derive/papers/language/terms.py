@@ -48,6 +48,8 @@ class Trait(Flag):
     """It divides by the cosine of its argument."""
     OVER_SINE = auto()
     """It divides by the sine of its argument."""
+    ASCENDS = auto()
+    """It says that each argument is less than the next."""
 
 
 @dataclass(frozen=True)

@@ -26,6 +26,7 @@ from ..numbers.residues import PRIME, Residue
 from .items import (
     MEANINGLESS,
     Item,
+    OpenError,
     Shape,
     Table,
     begins_with_numeral,
@@ -49,8 +50,9 @@ MINUS, TIMES, POWER, AT, NEGATIVE = (MARKS[name] for name in ("minus", "times", 
 class Combine:
     """The ways to put parts together, by the meaning of the marks over an environment; what is new goes to a table."""
 
-    def __init__(self, env: Env, radicals: bool, quaternions: bool) -> None:
+    def __init__(self, env: Env, radicals: bool, quaternions: bool, cap: int) -> None:
         self.env = env
+        self.cap = cap
         self.radicals = radicals
         self.quaternions = quaternions
 
@@ -70,6 +72,11 @@ class Combine:
                     self._product(a, b, found)
                 if exponent and not callable(a.value):
                     self._power(a, b, found)
+            self._require_few(found)
+
+    def _require_few(self, found: Table) -> None:
+        if len(found) > self.cap:
+            raise OpenError
 
     def _by_coordinates(self, a: Item, b: Item, found: Table) -> None:
         """Difference, quotient and product of things that are residues."""
@@ -120,6 +127,7 @@ class Combine:
                     offer(found, pair[0], total, Shape.SUM, a.marks + b.marks, mark, (a, b))
                 else:
                     self._made(found, mark, (a, b), Shape.SUM, 0, partial(mark.value, self.env, a.value, b.value))
+            self._require_few(found)
 
     def at_one(self, mark: Mark, table: Table, found: Table) -> None:
         """A part with a mark before or after it that survived."""

@@ -23,9 +23,9 @@ from ..language.notation import both, equal, pm, root
 from ..language.terms import Apply, Letter, Term, Trait, letters, marked, takes_apart, walk
 from ..numbers.kinds import BRANCH, ORDER, SIGN
 from ..numbers.residues import PRIME, Reduced
-from .items import MEANINGLESS, flat, key
+from .items import MEANINGLESS, OpenError, flat, key
 from .reach import Reach
-from .search import CAP, COUNTED, OpenError, Side
+from .search import CAP, COUNTED, Side
 from .targets import UndecidedSearchError
 from .tokens import equations, surviving
 

@@ -17,6 +17,10 @@ MEANINGLESS = (ArithmeticError, TypeError, AttributeError, ValueError, KeyError,
 """What combining things raises that have no such operation, or no value."""
 
 
+class OpenError(Exception):
+    """There are more readings than the cap."""
+
+
 class Shape(Enum):
     """How a part looks, as far as it matters for what may stand beside it."""
 

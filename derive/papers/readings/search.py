@@ -12,17 +12,13 @@ from ..language.evaluation import Env
 from ..language.notation import pm
 from ..language.terms import Number
 from .combine import WIDEST, Combine
-from .items import Table, key, leaf
+from .items import OpenError, Table, key, leaf
 from .tokens import Place, Token
 
 CAP = 10_000
 """Distinct readings beyond which no true one is looked for."""
 COUNTED = 1000
 """Distinct readings beyond which they are not counted: all displays together take most of a report's time."""
-
-
-class OpenError(Exception):
-    """There are more readings than the cap."""
 
 
 class Side:
@@ -45,7 +41,7 @@ class Side:
         self.radicals, self.quaternions = radicals, quaternions
         self.either = bool(tokens) and tokens[0].mark is pm
         self.tokens = tuple(tokens[1:] if self.either else tokens)
-        self.combine = Combine(env, radicals, quaternions)
+        self.combine = Combine(env, radicals, quaternions, cap)
         self.env = env
         self.cap = cap
         self.tables: dict[tuple[int, int], Table | None] = {}

@@ -14,8 +14,8 @@ from derive.algebra import Quaternion, Tensor, Vector
 
 from ..language.terms import Number
 from ..numbers.residues import PRIME, Residue, residue
-from .items import Item, Shape
-from .search import OpenError, Side
+from .items import Item, OpenError, Shape
+from .search import Side
 from .targets import Target, UndecidedSearchError, inverse
 from .tokens import Place
 

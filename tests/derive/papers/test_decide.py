@@ -255,9 +255,16 @@ def test_claims_in_words_and_both_ways_of_an_equivalence_are_changed() -> None:
     assert {"second part of implies negated", "second part of iff negated"} <= changes
 
 
-def test_a_survivor_is_reported() -> None:
+def test_what_says_the_same_is_no_survivor() -> None:
     score = try_mutants(decided(equal((a - b) ** 2, (b - a) ** 2)))
-    assert {survivor.change for survivor in score.survivors} == {"arguments of minus swapped"}
+    assert {mutant.change for mutant in score.equivalent} == {"arguments of minus swapped"}
+    assert score.survivors == []
+
+
+def test_a_survivor_is_reported() -> None:
+    score = try_mutants(decided(nonzero(2 + a * a)))
+    assert "first part of plus dropped" not in {survivor.change for survivor in score.survivors}
+    assert {survivor.change for survivor in score.survivors} >= {"2 raised by 1"}
     assert 0 < score.share < 1
 
 

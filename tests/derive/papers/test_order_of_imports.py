@@ -11,7 +11,9 @@ BASE = ("derive", "papers")
 PACKAGES = tuple(paper.package.rpartition(".")[2] for paper in PAPERS)
 DECIDING = ("readings", "poles", "sharp", "counterexample", "explore", "decide")
 ENTRIES = ("equation", "result", "paper")
-ROOMS = ("numbers", "language", *ENTRIES, *PACKAGES, *DECIDING, "mutation", "report", "", "witnesses")
+ROOMS = (
+    "numbers", "language", *ENTRIES, *PACKAGES, *DECIDING, "equivalence", "mutation", "report", "", "witnesses",
+)  # fmt: skip
 """Each room or module may import itself and those before it; the empty name is the package itself."""
 
 IN_A_PAPER = ("alphabet", "marks", "meanings", "sections", "inventory")
