@@ -50,6 +50,8 @@ def decide(
         If what the entry says of itself does not fit what is computed.
     """
     lost += entry.lost
+    if entry.argument and entry.because is None:
+        raise UndecidedError(f"({entry.number}): an argument leads on from an identity that is proved")
     if (entry.claimed is None) != (entry.stated is None):
         raise UndecidedError(f"({entry.number}): a claimed domain and the words that state it come together")
     for reading in entry.readings:
@@ -157,6 +159,8 @@ def _method(entry: Equation, statement: Term, exact: str | None, points: int) ->
     """How a true statement is known. What is more than an identity can still fail where letters are special."""
     evidence = f"60-digit evaluation at {points} seeded points"
     supported = ", with a supporting identity proved exactly" if entry.because not in (None, statement) else ""
+    if exact is None and entry.argument:
+        return f"proved by the argument in {entry.argument} from identities proved exactly; {evidence} besides"
     if exact is None:
         return f"evidence: {evidence}{supported}"
     if any(entry.free(part) for part in marked(Trait.DELICATE, statement)):

@@ -81,6 +81,8 @@ class Equation:
         What an erratum should say.
     because : Term, optional
         An identity that proves what the points alone only show: that a missed element is missed.
+    argument : str
+        Where the words stand that lead from that identity to the statement at all points: then it is proved.
     also : callable, optional
         Further points: from a `numbers.draw.Draw` to values of free letters, by name.
     moving : bool
@@ -114,6 +116,7 @@ class Equation:
     condition: Term | None = None
     corrected: Term | None = None
     because: Term | None = None
+    argument: str = ""
     also: Points | None = field(default=None, compare=False)
     moving: bool = False
     orders: tuple[int, ...] | None = None

@@ -38,7 +38,7 @@ from ...language.terms import Letter, Number
 from ...numbers.draw import Draw
 from ..alphabet import alpha, n, u, v, vector
 from ..marks import no_less, positive, preimage_count, tends
-from ..meanings import cayley_maps, orders
+from ..meanings import cayley_maps, orders, preimages
 from ..meanings.quaternion_maps import lift
 from .s07_general_order import CAYLEY, POLYNOMIALS, I, R, V, X, finite, full_turns, k, p, q, q_hat, x
 
@@ -49,6 +49,7 @@ target = Letter("target", "unit quaternion", r"\underline{\hat{\mathbf{q}}}", "q
 scalar = Letter("q_0", "number", r"\underline{q}", "q")
 s_1, s_2 = (Letter(f"q_0 of order {i}", "number", rf"\underline{{q}}^{{(n={i})}}", "q") for i in (1, 2))
 by_induction = proposition("binomial sums for every n", "the binomial sums and powers of 1 + v, by induction on n")
+by_roots = proposition("preimages counted by roots", "the identities of the roots of $F_n$, by induction on n")
 image = Letter("image", "quaternion", r"\mathrm{cay}_{\frac{n}{2}} \underline{\mathbf{v}}_k", "cayvk")
 v_0, v_k = vector("v_0", text="v0"), vector("v_k", text="vk")
 r_0, r_k = (Letter(f"r_{i}", "number", rf"\underline{{v}}_{i}", f"v{i}") for i in "0k")
@@ -65,7 +66,12 @@ is_rotation, is_translation, is_screw = (
     for name in ("pure rotation", "pure translation", "general screw displacement")
 )
 
-ONTO = (let(cay, cayley_maps.cayley_function, n), let(cay_counted, cayley_maps.counted_cayley_function, n),
+STEP = (let(p_next, cayley_maps.next_p, n), let(q_next, cayley_maps.next_q, n),
+        let(p_1, orders.at_order(1, orders.p)), let(q_1, orders.at_order(1, orders.q)))  # fmt: skip
+step = both(equal(p_next(X), p(X) - X**2 * q(X)), equal(q_next(X), q(X) + p(X)), equal(p_1(X), 1), equal(q_1(X), 1))
+ARGUMENT = "meanings/preimages, for every n,"
+ONTO = (*POLYNOMIALS, *STEP, let(by_roots, preimages.counted_by_roots),
+        let(cay, cayley_maps.cayley_function, n), let(cay_counted, cayley_maps.counted_cayley_function, n),
         let(scalar, cayley_maps.scalar, target),
         let(s_1, cayley_maps.scalar_of(1), v), let(s_2, cayley_maps.scalar_of(2), v))  # fmt: skip
 FOR_EVERY_N = "For every n by induction with Pascal's rule, the supporting identity."
@@ -98,8 +104,8 @@ FRACTIONAL = (
              both(equal(cay_v * conjugate(cay_v), 1), equal(norm(cay_v), 1)),
              where=(let(cay_v, orders.cayley, n, v),)),
     equation("theorem-11-onto", "the transform is onto the unit quaternions", 235, reaches(cay, target), where=ONTO,
-             because=both(equal(s_1 * root(1 + x), 1), equal((1 + s_2) * (1 + x), 2)),
-             said="are well defined and onto.",
+             because=both(by_roots, step, equal(s_1 * root(1 + x), 1), equal((1 + s_2) * (1 + x), 2)),
+             argument=ARGUMENT, said="are well defined and onto.",
              corrected=both(implies(no_less(n, 3), reaches(cay, target)),
                             implies(equal(n, 2), iff(reaches(cay, target), nonzero(Re(1 + scalar)))),
                             implies(equal(n, 1), iff(reaches(cay, target), positive(Re(scalar))))),
@@ -113,7 +119,7 @@ FRACTIONAL = (
              remark="Executed with the principal root; the other branches are (49)."),
     equation("theorem-12-branches", "the inverse has n branches", 240, branches(cay_counted, target, n), where=ONTO,
              said="is a multi-valued function with n branches",
-             corrected=implies(several, both_signs),
+             corrected=implies(several, both_signs), because=both(by_roots, step), argument=ARGUMENT,
              remark="n vectors belong to q and −q together: for even n only n/2 of them to q. A branch is infinite "
              "where Re q² = (−1)ⁿ, and a translation has infinitely many preimages on the branches k ≠ 0."),
     equation("theorem-12-preimages", "every branch is mapped back to q", 240, equal(image, q_hat),
@@ -203,11 +209,9 @@ POLYNOMIAL = (
              both(equal(p_next(X), p(X) - X**2 * q(X)), equal(q_next(X), q(X) + q(X)), equal(p_1(X), 1),
                   equal(q_1(X), 1)),
              extract="p n + 1 X = p n X X 2 q n X q n + 1 X = q n X + q n X p 1 X = 1 , q 1 X = 1",
-             where=(*POLYNOMIALS, let(p_next, cayley_maps.next_p, n), let(q_next, cayley_maps.next_q, n),
-                    let(p_1, orders.at_order(1, orders.p)), let(q_1, orders.at_order(1, orders.q))),
+             where=(*POLYNOMIALS, *STEP),
              remark="Contradicts (52): q₂ would be 2q₁ = 2 by chance, and q₃ would be 4.",
-             corrected=both(equal(p_next(X), p(X) - X**2 * q(X)), equal(q_next(X), q(X) + p(X)), equal(p_1(X), 1),
-                            equal(q_1(X), 1))),
+             corrected=step),
     equation("57", "orthogonal dual tensor of order n", 279,
              equal(R, I + 2 * p(norm(v)) * q(norm(v)) / (1 + x)**n * V + 2 * (q**2)(norm(v)) / (1 + x)**n * V**2),
              extract="R _ = I _ + 2 p n v _ q n v _ 1 + v _ 2 n v ~ _ + 2 q n 2 v _ 1 + v _ 2 n v ~ _ 2", where=CAYLEY),

@@ -105,7 +105,11 @@ SECOND = (
              corrected=equal(R_of(v), I + 4 * root(1 - x) * (1 - 2 * x) * V + 8 * (1 - x) * V**2)),
 )  # fmt: skip
 
-BREUSING = (*family(cayley_maps.member(breusing()), two), let(x_breusing, cayley_maps.square_of_breusing, c))
+w_two = vector("w of order 2", "w", "w")
+image_two = Letter("image of w", "quaternion", r"\mathrm{cay} \underline{\mathbf{w}}", "cayw")
+BREUSING = (*family(cayley_maps.member(breusing()), two), let(x_breusing, cayley_maps.square_of_breusing, c),
+            let(w_two, cayley_maps.rodrigues_vector, two.letter, alpha, u),
+            let(image_two, orders.cayley, two.letter, w_two))  # fmt: skip
 ANY_FACTOR = (two, let(a, cayley_maps.constant, a_value),
               let(q_of, cayley_maps.function_of(cayley_maps.modified), two.letter, a_value, v),
               let(R_of, cayley_maps.function_of(cayley_maps.modified_tensor), two.letter, a_value, v))  # fmt: skip
@@ -117,9 +121,13 @@ FOURTH = (
              extract="v _ = t a n α _ 4 c o t α _ 4 u _ , a v _ = 4 + v _ 4 v _ 2 2", where=BREUSING,
              condition=forward_4,
              corrected=both(equal(v, sin(alpha / 4) / root(cos(alpha / 4)) * u), factor),
-             because=equal(4 + x_breusing**2, (x_breusing + 2 * c)**2),
+             because=both(equal(c * x_breusing, 1 - c**2), equal(4 + x_breusing**2, (x_breusing + 2 * c)**2),
+                          equal(cos(alpha / 4) * tan(alpha / 4), sin(alpha / 4)), equal(w_two, tan(alpha / 4) * u),
+                          equal(image_two, screw)),
+             argument="the remark",
              remark="For 0 < Re α < 2π it is √(tan(α/4) sin(α/4)) u, the geometric mean; tan · cot = 1. With "
-             "c = cos(α/4) and |v|² = (1 − c²)/c, the inner root of a² = c is exact; that identity supports it."),
+             "c = cos(α/4) > 0 and x = |v|² = (1 − c²)/c the inner root is x + 2c, for its square is 4 + x² and it is "
+             "c + 1/c > 0; so a² = c and v/a = sin(α/4)/c u = tan(α/4) u, whose Cayley map of order 2 is q."),
     equation("breusing-quaternion", "their unit dual quaternion", 334,
              equal(pm(q_of(v)), ((a**2)(v) - x) / (a(v)**2 + x) + 2 * a(v) / (a(v)**2 + x) * v),
              extract="± q _ ^ v _ = a 2 v _ v _ 2 a v _ 2 + v _ 2 + 2 a v _ a v _ 2 + v _ 2 v _", where=ANY_FACTOR,

@@ -1,0 +1,70 @@
+"""The number of preimages of the map of order n rests on roots of a polynomial, and a wrong one is noticed."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+from itertools import pairwise
+
+import pytest
+import sympy
+
+from derive.papers import PAPERS, UndecidedError
+from derive.papers.condurache_popa_2023.alphabet import LOST
+from derive.papers.condurache_popa_2023.meanings import preimages
+from derive.papers.decide import decide
+from derive.proof.ratio import Ratio
+
+ENTRIES = {entry.number: entry for entry in PAPERS[0].entries()}
+THEOREMS = ("theorem-11-onto", "theorem-12-branches")
+QUATERNIONS = [(Fraction(3, 5), Fraction(4, 5)), (Fraction(-12, 13), Fraction(5, 13)), (Fraction(0), Fraction(-1))]
+"""Scalar part and coefficient of the vector part."""
+
+
+@pytest.mark.smoke
+def test_every_identity_holds() -> None:
+    assert preimages.counted_by_roots(None)
+
+
+@pytest.mark.parametrize(
+    "step",
+    [lambda F, G, t: (F + 2 * t * G, G - t * F), lambda F, G, t: (F + t * G, G + t * F),
+     lambda F, G, t: (F + G, G - F), lambda F, G, t: (F + t * t * G, G - t * F)],
+)  # fmt: skip
+def test_an_identity_fails_for_other_polynomials(step) -> None:
+    assert not all(preimages._identities(step).values())
+
+
+@pytest.mark.parametrize("number", [*THEOREMS, "breusing-vector"])
+def test_the_theorem_is_proved_and_not_only_tried(number: str) -> None:
+    assert "proved by the argument in" in decide("paper", ENTRIES[number], LOST, count=False).method
+
+
+@pytest.mark.parametrize("number", THEOREMS)
+def test_it_fails_with_its_identities(monkeypatch, number: str) -> None:
+    def wrong(F: Ratio, G: Ratio, t: Ratio) -> tuple[Ratio, Ratio]:
+        return F + t * G, G + t * F
+
+    monkeypatch.setattr(preimages, "next_parts", wrong)
+    with pytest.raises(UndecidedError, match="supporting identity is not proved"):
+        decide("paper", ENTRIES[number], LOST)
+
+
+def test_an_argument_needs_an_identity() -> None:
+    with pytest.raises(UndecidedError, match="an argument leads on from an identity"):
+        decide("paper", replace(ENTRIES["theorem-12-branches"], because=None), LOST)
+
+
+@pytest.mark.parametrize(("c", "s"), QUATERNIONS)
+def test_real_roots_are_as_many_as_said_by_another_engine(c: Fraction, s: Fraction) -> None:
+    """By Sturm sequences of SymPy, and the signs of G there."""
+    t = sympy.Symbol("t")
+    F, G = sympy.Integer(0) - sympy.Rational(s), sympy.Integer(0) + sympy.Rational(c)
+    for n in range(1, 9):
+        F, G = (sympy.expand(part) for part in preimages.next_parts(F, G, t))
+        infinite = c * c - s * s == (-1) ** n
+        polynomial = sympy.Poly(F, t)
+        assert polynomial.degree() == n - infinite
+        assert polynomial.count_roots() == n - infinite
+        at_zero = [G.subs(t, root.evalf(30)) > 0 for root in polynomial.real_roots()]
+        assert all(first is not second for first, second in pairwise(at_zero))
