@@ -124,8 +124,8 @@ def against_libraries(module: Any, size: int) -> Iterator[tuple[tuple[str, ...],
             gates.append(Gate(f"{where}: SciPy RigidTransform", times["scipy"] / times["ours"], least[size]))
         if "pytransform3d" in times and size == 10_000 and chart(module) != "exponential":
             gates.append(Gate(f"{where}: pytransform3d", times["pytransform3d"] / times["ours"], 3))
-        peers = [_against(times, peer, size) for peer in ("scipy", "pytransform3d")]
-        yield (label(module), function, str(size), _per_pose(times["ours"], size), *peers), gates
+        peers = [against(times, peer, size) for peer in ("scipy", "pytransform3d")]
+        yield (label(module), function, str(size), per_pose(times["ours"], size), *peers), gates
 
 
 def on_rows(module: Any, size: int) -> Iterator[tuple[tuple[str, ...], list[Gate]]]:
@@ -150,8 +150,8 @@ def on_rows(module: Any, size: int) -> Iterator[tuple[tuple[str, ...], list[Gate
             gates.append(Gate(f"{where}: lambdify(cse=True)", ratio, least, largest))
         if "C" in times and size == LARGE:
             gates.append(Gate(f"{where}: C form", times["C"] / times["ours"], 1 / 8))
-        peers = [_against(times, peer, size) for peer in ("lambdify", "C", "copy")]
-        yield (str(module.ORDER), function, str(size), _per_pose(times["ours"], size), *peers), gates
+        peers = [against(times, peer, size) for peer in ("lambdify", "C", "copy")]
+        yield (str(module.ORDER), function, str(size), per_pose(times["ours"], size), *peers), gates
 
 
 def of_derivatives(module: Any, size: int) -> Iterator[tuple[tuple[str, ...], list[Gate]]]:
@@ -169,19 +169,20 @@ def of_derivatives(module: Any, size: int) -> Iterator[tuple[tuple[str, ...], li
         where = f"{function}, n = {module.ORDER}, N = {size}"
         timed = [name for name in ("called", "jitted") if name in times and size == 1]
         gates = [Gate(f"{where}: JAX, {name}", times[name] / times["ours"], 20) for name in timed]
-        peers = [_against(times, peer, size) for peer in ("jitted", "called", "steps")]
-        yield (str(module.ORDER), function, str(size), _per_pose(times["ours"], size), *peers), gates
+        peers = [against(times, peer, size) for peer in ("jitted", "called", "steps")]
+        yield (str(module.ORDER), function, str(size), per_pose(times["ours"], size), *peers), gates
 
 
-def _per_pose(seconds: float, size: int) -> str:
+def per_pose(seconds: float, size: int) -> str:
+    """Nanoseconds of one."""
     return f"{seconds / size * 1e9:.1f}"
 
 
-def _against(times: dict[str, float], peer: str, size: int) -> str:
+def against(times: dict[str, float], peer: str, size: int) -> str:
     """A peer's time and how many times ours it is."""
     if peer not in times:
         return "–"
-    return f"{_per_pose(times[peer], size)} ({_times(times[peer] / times['ours'])})"
+    return f"{per_pose(times[peer], size)} ({_times(times[peer] / times['ours'])})"
 
 
 def report(orders: Sequence[int], sizes: Sequence[int], families: Sequence[str] = FAMILIES) -> tuple[str, list[Gate]]:

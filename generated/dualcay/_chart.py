@@ -14,6 +14,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from ._kernel import Kernel, Result, constants
+from ._native import Compiled
 from ._native import functions as native_functions
 from ._selection import Selection
 
@@ -78,7 +79,7 @@ class Chart:
         self._scratch: dict[Kernel, tuple[int, int]] = {}
 
     @cached_property
-    def native(self) -> Mapping[str, np.ufunc]:
+    def native(self) -> Mapping[str, Compiled]:
         """The compiled functions that run instead of kernels, by name."""
         return native_functions(self.module, self.programs)
 

@@ -12,7 +12,8 @@ from __future__ import annotations
 import importlib
 import os
 import warnings
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -21,7 +22,14 @@ PACKAGE = "dualcay_native"
 _warned: list[str] = []
 
 
-def functions(module: str, programs: str) -> Mapping[str, np.ufunc]:
+class Compiled(NamedTuple):
+    """A compiled function: for any arrays, and ``directly`` for float64 as it mostly comes, None where it does not."""
+
+    function: np.ufunc
+    directly: Callable[..., Any]
+
+
+def functions(module: str, programs: str) -> Mapping[str, Compiled]:
     """Those of a kernel module, by the names of its programs, whose digest is given; none where nothing is installed."""
     if os.environ.get("DUALCAY_NATIVE") == "0":
         return {}
@@ -35,10 +43,10 @@ def functions(module: str, programs: str) -> Mapping[str, np.ufunc]:
     except Exception as error:  # whatever another build of Python or NumPy makes of it
         _warn(f"{name} cannot be loaded: {error}")
         return {}
-    if programs != found.PROGRAMS:
+    if programs != found.PROGRAMS or not hasattr(found, "DIRECT"):
         _warn(f"{name} was built of other programs than {module} holds: install what the same version generates")
         return {}
-    return {name: function for name, function in vars(found).items() if isinstance(function, np.ufunc)}
+    return {name: Compiled(getattr(found, name), directly) for name, directly in found.DIRECT.items()}
 
 
 def _warn(reason: str) -> None:

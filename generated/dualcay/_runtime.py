@@ -21,6 +21,7 @@ from numpy.typing import ArrayLike
 
 from ._chart import Chart
 from ._kernel import Array, Kernel, Result, Shape, run
+from ._native import Compiled
 
 FEW = 20
 """Largest batch that runs pose by pose: above it the calls of NumPy cost less than Python's arithmetic."""
@@ -78,7 +79,7 @@ def call(
     arguments = (*kernel.arguments[:-1], (last, kernel.arguments[-1][1])) if last else kernel.arguments
     arrays = [as_array(name, value, part, axis, kernel.real) for (name, part), value in zip(arguments, values)]
     if out is None and all(a.dtype == FLOAT and a.ndim == len(part) for a, (_, part) in zip(arrays, arguments)):
-        alone = native(*arrays, *_numbers(native, arrays, table)) if native else _alone(kernel, chart, arrays, table)
+        alone = _directly(native, arrays, table) if native else _alone(kernel, chart, arrays, table)
         if alone is not None:
             return alone
     dtype = arrays[0].dtype if len(arrays) == 1 else common_type(values, arrays)
@@ -107,27 +108,21 @@ def common_type(values: Sequence[ArrayLike], arrays: Sequence[Array]) -> np.dtyp
     return np.result_type(*(v if type(v) in (int, float) else a for v, a in zip(values, arrays, strict=True)))
 
 
-def _directly(native: np.ufunc, values: Sequence[Any], table: tuple[str, ...]) -> Array | None:
-    """The result for arrays of float64, which compiled forms take as they are; None where more is to be done or said."""
-    for value in values:
-        if type(value) is not np.ndarray or value.dtype is not FLOAT:
-            return None
-    try:
-        made: Array = native(*values, *_numbers(native, values, table)) if table else native(*values)
-    except ValueError:  # of shapes, which `call` names
-        return None
-    return made if made.ndim < 2 or made.flags.c_contiguous else made.copy()
+def _directly(native: Compiled, values: Sequence[Any], table: tuple[str, ...]) -> Array | None:
+    """The result for arrays of float64 which the compiled form takes as they are; None where more is to be done or said."""
+    made: Array | None = native.directly(*values, *_numbers(native, values, table)) if table else native.directly(*values)
+    return made
 
 
 def _compiled(
-    native: np.ufunc, kernel: Kernel, arrays: Sequence[Array], result: Array, axis: int, table: tuple[str, ...]
+    native: Compiled, kernel: Kernel, arrays: Sequence[Array], result: Array, axis: int, table: tuple[str, ...]
 ) -> None:
     """Run the compiled form, whose component axes are the last ones."""
     numbers = _numbers(native, arrays, table, np.result_type(*arrays))
     if axis == 0:
         arrays = [_components_last(array, part) for array, (_, part) in zip(arrays, kernel.arguments)]
         result = _components_last(result, kernel.shape)
-    native(*arrays, *numbers, out=result)
+    native.function(*arrays, *numbers, out=result)
 
 
 def _components_last(array: Array, part: Shape) -> Array:
@@ -135,10 +130,10 @@ def _components_last(array: Array, part: Shape) -> Array:
 
 
 def _numbers(
-    native: np.ufunc, arrays: Sequence[Any], table: tuple[str, ...], dtype: np.dtype[Any] = FLOAT
+    native: Compiled, arrays: Sequence[Any], table: tuple[str, ...], dtype: np.dtype[Any] = FLOAT
 ) -> tuple[Array, ...]:
     """The array of its table, where a compiled form does not hold it itself."""
-    return (_table(table, dtype),) if native.nin > len(arrays) else ()
+    return (_table(table, dtype),) if native.function.nin > len(arrays) else ()
 
 
 @cache

@@ -1,13 +1,17 @@
-"""The package of compiled NumPy functions, of some charts, built and installed in a folder."""
+"""The package of compiled NumPy functions, of some charts: built and installed in a folder, and found by kernels."""
 
 from __future__ import annotations
 
+import importlib.util
 import os
 import subprocess
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
+from unittest.mock import patch
 
+import dualcay
 from derive.codegen.facts import Facts
 from derive.codegen.lowered import lower
 from derive.codegen.module import companion_texts, module_name, module_text, shared_texts
@@ -36,3 +40,21 @@ def build(place: Path, charts: Iterable[Chart], *options: str) -> None:
         env={**os.environ, "PATH": path}, capture_output=True, text=True, check=False,
     )  # fmt: skip
     assert done.returncode == 0, done.stdout + done.stderr
+
+
+@contextmanager
+def found(name: str, site: Path) -> Iterator[str]:
+    """The committed package of kernels under another name, which finds the compiled functions of a folder."""
+    for kind in (dualcay, dualcay.rotation):
+        kind.backend()  # asks for compiled functions in every module, and finds none
+    with patch.object(sys, "path", [str(site), *sys.path]), patch.dict(os.environ, DUALCAY_NATIVE="1"):
+        root = Path(dualcay.__file__).parent
+        places = [str(root)]
+        spec = importlib.util.spec_from_file_location(name, root / "__init__.py", submodule_search_locations=places)
+        assert spec is not None
+        assert spec.loader is not None
+        sys.modules[name] = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(sys.modules[name])
+        yield name
+    for loaded in [key for key in sys.modules if key.split(".")[0] in (name, "dualcay_native")]:
+        del sys.modules[loaded]

@@ -6,8 +6,8 @@ Those of poses and of rotations alone are one distribution.
 from __future__ import annotations
 
 import importlib
-import importlib.util
 import os
+import re
 import subprocess
 import sys
 import threading
@@ -25,7 +25,7 @@ from derive.codegen.targets import TARGETS
 from derive.codegen.validation import NUMPY, replay_package
 from derive.maps import Cayley, family
 from tests.support.kernels import load
-from tests.support.native import build
+from tests.support.native import build, found
 from tests.support.rotation_arguments import arguments
 from tests.support.signatures import SIGNATURES, components_first, components_last, inputs
 
@@ -50,31 +50,11 @@ def site(shared: Callable[[str, Callable[[Path], object]], Path]) -> Path:
     return shared("native", lambda place: build(place, CHARTS, "optimization=0")) / "site"
 
 
-def kernels(name: str) -> str:
-    """The committed package under another name, which has asked for no compiled functions yet."""
-    spec = importlib.util.spec_from_file_location(name, ROOT / "__init__.py", submodule_search_locations=[str(ROOT)])
-    assert spec is not None
-    assert spec.loader is not None
-    sys.modules[name] = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(sys.modules[name])
-    return name
-
-
-def forget(*names: str) -> None:
-    for loaded in [key for key in sys.modules if key.split(".")[0] in names]:
-        del sys.modules[loaded]
-
-
 @pytest.fixture(scope="module")
 def package(site: Path) -> Iterator[str]:
     """The name of a package of kernels that found the compiled functions."""
-    for kind in (dualcay, dualcay.rotation):
-        kind.backend()  # asks for compiled functions in every module, and finds none
-    with pytest.MonkeyPatch.context() as patch:
-        patch.syspath_prepend(str(site))
-        patch.setenv("DUALCAY_NATIVE", "1")
-        yield kernels("dualcay_on_native")
-    forget("dualcay_on_native", "dualcay_native")
+    with found("dualcay_on_native", site) as name:
+        yield name
 
 
 @pytest.fixture
@@ -136,6 +116,39 @@ def require_one_in_all_layouts(function: Callable[..., np.ndarray], values: list
     np.testing.assert_array_equal(components_last(first, rank), last)
     np.testing.assert_array_equal(spread, last)
     np.testing.assert_array_equal(function(*(a[70] for a in values)), last[70])
+
+
+@pytest.mark.parametrize("name", ["pose", "compose", "from_pose", "rate"])
+def test_the_direct_way_is_taken_by_plain_arrays_and_agrees_to_the_digit(native, name):
+    """Any batch of aligned float64, or one beside a batch; everything else is refused, in silence."""
+    function, directly = native(3).CHART.native[name]
+    values = inputs(load(3), name, 3, (12,))
+    parts = [array.shape for array in PUBLIC[name].arguments]
+    table = [np.arange(1.0, 1 + int(size)) for size in re.findall(r"[0-9]+", function.signature.split("->")[0])[-1:]]
+    table = table if function.nin > len(values) else []
+    for batch in ((), (1,), (12,), (3, 4), (0,), (2, 0), (1, 12, 1)):
+        given = [*(np.resize(a, batch + part) for a, part in zip(values, parts, strict=True)), *table]
+        np.testing.assert_array_equal(directly(*given), function(*given))
+        assert directly(*given).flags.c_contiguous
+    spread = [*(a[::2] for a in values), *table]
+    np.testing.assert_array_equal(directly(*spread), function(*spread))
+    refused = [
+        [a.astype(np.float32) for a in values], [a.tolist() for a in values], [a[..., :-1] for a in values],
+        [a.astype(a.dtype.newbyteorder()) for a in values], [a.reshape(3, 4, *a.shape[1:])[:, ::2] for a in values],
+        [np.frombuffer(b"-" + a.tobytes(), offset=1).reshape(a.shape) for a in values], values[1:], [*values, *values],
+        [np.ma.array(a) for a in values],
+    ]  # fmt: skip
+    assert [directly(*given, *table) for given in refused] == [None] * len(refused)
+
+
+def test_the_direct_way_takes_one_beside_a_batch_and_no_two_batches(native):
+    function, directly = native(2).CHART.native["compose"]
+    v, w = inputs(load(2), "compose", 3, (12,))
+    for given in ((v, w[0]), (v[0], w), (v.reshape(3, 4, 6), w[0])):
+        np.testing.assert_array_equal(directly(*given), function(*given))
+    for given in ((v, w[:5]), (v, w[:1]), (v, w[:, np.newaxis]), (v.reshape(3, 4, 6), w)):
+        assert directly(*given) is None
+        np.testing.assert_array_equal(native(2).compose(v[:5], w[:1]), function(v[:5], w[:1]))
 
 
 def test_results_that_overlap_arguments_are_those_of_results_that_do_not(native):
@@ -203,7 +216,7 @@ def test_other_threads_run_meanwhile(native):
     thread = threading.Thread(target=count)
     thread.start()
     before = counted[0]
-    native(3).CHART.native["compose"](v, v, out=out)
+    native(3).CHART.native["compose"].function(v, v, out=out)
     after = counted[0]
     done.set()
     thread.join()

@@ -25,8 +25,9 @@ import numpy as np
 from dualcay_native import cayley3
 from dualcay_native.rotation import cayley3 as rotations
 
-draw, called = np.random.default_rng(3), 0
-for function in (f for module in (cayley3, rotations) for f in vars(module).values() if isinstance(f, np.ufunc)):
+functions = [(getattr(m, name), directly) for m in (cayley3, rotations) for name, directly in m.DIRECT.items()]
+draw, called, direct = np.random.default_rng(3), 0, 0
+for function, directly in functions:
     parts = re.findall(r"[(]([^)]*)[)]", function.signature)
     *arguments, result = [tuple(map(int, re.findall(r"[0-9]+", part))) for part in parts]
     for shape in ((), (1,), (63,), (2, 65), (0,)):  # around the size of a tile
@@ -36,7 +37,10 @@ for function in (f for module in (cayley3, rotations) for f in vars(module).valu
                 for order in "CF":
                     function(*given, out=np.empty(shape + result, dtype, order))
                     called += 1
-print(called)
+                direct += directly(*given) is not None
+            if 0 not in shape:
+                direct += directly(values[0], *(value[(0,) * len(shape)] for value in values[1:])) is not None
+print(called, direct)
 """
 
 
@@ -51,5 +55,7 @@ def test_no_access_is_out_of_bounds(shared: Callable[[str, Callable[[Path], obje
     }  # fmt: skip
     done = subprocess.run([sys.executable, "-c", CALLS], env=environment, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr[-3000:]
-    assert int(done.stdout) > 90 * len(KERNELS)
+    called, direct = map(int, done.stdout.split())
+    assert called > 90 * len(KERNELS)
+    assert direct > 10 * len(KERNELS)
     assert "runtime error" not in done.stderr

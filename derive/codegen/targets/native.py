@@ -110,9 +110,13 @@ class Native(C):
         further = [table.name for table in self.tables if table.name]
         return {
             **headers,
-            "tiles.h": {"most": max(array.size for each in every for array in each.operands)},
+            "tiles.h": {
+                "most": max(array.size for each in every for array in each.operands),
+                "operands": max(len(each.operands) for each in every),
+            },
+            "direct.h": {},
             **{inside(table, "loops.h"): {"loops": found, "up": _up(table)} for table, found in loops.items()},
-            "gufuncs.h": {"operands": max(len(each.operands) for each in every), "package": PACKAGE},
+            "gufuncs.h": {"package": PACKAGE},
             **{inside(table, "__init__.py"): {} for table in self.tables},
             **{f"{name}/meson.build": {"place": f"{PACKAGE}/{name}"} for name in further},
             "meson.build": {"version": about.__version__, "place": PACKAGE, "folders": further},

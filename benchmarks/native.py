@@ -1,0 +1,145 @@
+"""Compiled functions beneath the kernels, against libraries and against a loop in C over the same arrays.
+
+Run ``python -m benchmarks.native`` from the checkout. The package is generated and compiled for it, in minutes.
+"""
+
+from __future__ import annotations
+
+import importlib
+import sys
+import tempfile
+import threading
+import time
+from collections.abc import Iterator, Sequence
+from functools import partial
+from pathlib import Path
+from statistics import median
+from typing import Any
+
+import numpy as np
+
+from benchmarks.kernels import Gate, against, label, measured, per_pose
+from benchmarks.peers import Poses, c_form, pytransform3d_call, scipy_call
+from benchmarks.timing import Call, markdown
+from derive.maps import Cayley
+from tests.support.native import build, found
+
+ORDERS = (2, 3)
+SIZES = (1, 10, 100, 1_000, 10_000, 1_000_000)
+FUNCTIONS = {
+    "pose": ("v",), "quaternion": ("v",), "tangent": ("v",), "rate": ("v", "w"), "from_pose": ("T",),
+    "compose": ("w", "v"),
+}  # fmt: skip
+"""What is measured, and what of the poses it takes."""
+
+COMPARED = ("pose", "quaternion", "from_pose", "compose")
+"""Of those, what libraries have."""
+
+SMALL = 1_000
+LEAST = {"SciPy RigidTransform": (20, 12), "pytransform3d": (10, 6)}
+"""How many times faster than a library up to so many poses, and beyond."""
+
+ALONE = 1.2e-6
+"""Seconds of a call on one pose."""
+
+LOOP = 1 / 1.15
+"""The time of a C loop to ours, at least, from 10^4 poses on."""
+
+THREADED = 10_000
+THREADS, LINEAR = 2, 1.8
+"""How much more so many threads do in the same time, at least, each with poses of its own."""
+
+
+def rows(numpy: Any, native: Any, size: int) -> Iterator[tuple[tuple[str, ...], list[Gate]]]:
+    """One line of the table for each function, and the gates it decides."""
+    poses = Poses.draw(numpy, size)
+    for function, names in FUNCTIONS.items():
+        arguments = [getattr(poses, name) for name in names]
+        made = getattr(numpy, function)(*arguments)
+        compared = function in COMPARED
+        times = measured({
+            "ours": partial(getattr(native, function), *arguments),
+            "numpy": partial(getattr(numpy, function), *arguments),
+            "SciPy RigidTransform": scipy_call(function, poses) if compared else None,
+            "pytransform3d": pytransform3d_call(function, poses),
+            "given": partial(getattr(native, function), *arguments, out=np.empty_like(made)),
+            "C": loop(numpy.ORDER, function, arguments, made) if size > 1 else None,
+        }, size)  # fmt: skip
+        where = f"{function}, n = {label(numpy)}, N = {size}"
+        gates = [
+            Gate(f"{where}: {peer}", times[peer] / times["ours"], least[size > SMALL])
+            for peer, least in LEAST.items()
+            if peer in times
+        ]
+        if size == 1:
+            gates.append(Gate(f"{where}: {ALONE * 1e6:g} µs", ALONE / times["ours"], 1))
+        if "C" in times and size > SMALL:
+            gates.append(Gate(f"{where}: C loop, given result", times["C"] / times["given"], LOOP))
+        peers = [against(times, peer, size) for peer in ("numpy", *LEAST)]
+        given = [per_pose(times[name], size) if name in times else "–" for name in ("given", "C")]
+        yield (label(numpy), function, str(size), per_pose(times["ours"], size), *peers, *given), gates
+
+
+def loop(order: int, function: str, arguments: Sequence[Any], made: Any) -> Call | None:
+    """A loop in C over the same arrays, pose after pose; None where there is no C compiler."""
+    form = c_form(order)
+    if form is None:
+        return None
+    given = [a.reshape(len(a), -1) for a in arguments]
+    return partial(form.call, function, *given, out=np.empty_like(made).reshape(len(made), -1), layout="aos")
+
+
+def threaded(native: Any, rounds: int = 9, repeats: int = 200) -> Gate:
+    """How much more poses several threads make than one, by the clock: calls let go of the interpreter's lock."""
+    poses = [Poses.draw(native, THREADED).v for _ in range(THREADS)]
+    results = [native.pose(v) for v in poses]
+
+    def work(index: int) -> None:
+        for _ in range(repeats):
+            native.pose(poses[index], out=results[index])
+
+    def seconds(count: int) -> float:
+        threads = [threading.Thread(target=work, args=(index,)) for index in range(count)]
+        start = time.perf_counter()
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        return (time.perf_counter() - start) / count
+
+    ratio = median(seconds(1) / seconds(THREADS) for _ in range(rounds))
+    return Gate(f"pose, n = {label(native)}, N = {THREADED}: {THREADS} threads against one", ratio, LINEAR)
+
+
+def section(sizes: Sequence[int] = SIZES, orders: Sequence[int] = ORDERS) -> str:
+    """The tables and what falls short, or a line that says why nothing was measured."""
+    with tempfile.TemporaryDirectory(prefix="dualcay-native-") as folder:
+        try:
+            build(Path(folder), map(Cayley, orders))
+        except AssertionError as error:
+            return f"Compiled functions were not measured, for they could not be built: {error}\n"
+        with found("dualcay_native_measured", Path(folder, "site")) as package:
+            return _section(package, sizes, orders)
+
+
+def _section(package: str, sizes: Sequence[int], orders: Sequence[int]) -> str:
+    lines, gates = [], list[Gate]()
+    for order in orders:
+        pair = [importlib.import_module(f"{name}.cayley{order}") for name in ("dualcay", package)]
+        for size in sizes:
+            for row, decided in rows(*pair, size):
+                lines.append(row)
+                gates += decided
+        gates.append(threaded(pair[1]))
+    head = ("n", "function", "N", "ours, ns per pose", "NumPy kernels", *LEAST, "given result", "C loop")
+    short = [f"Falls short: {', '.join(gate.row()[:2])} of {gate.row()[2]}." for gate in gates if not gate.met]
+    return "\n".join([
+        markdown("Compiled functions", head, lines),
+        markdown("Gates of compiled functions", ("ours", "times faster", "gate", ""), [gate.row() for gate in gates]),
+        *(short or ["Every gate of compiled functions is met."]),
+        "",
+    ])  # fmt: skip
+
+
+if __name__ == "__main__":
+    sys.stdout.write(section())

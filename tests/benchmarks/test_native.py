@@ -1,0 +1,53 @@
+"""Compiled functions are timed beside what they replace; sections of the page that are not measured are kept."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import pytest
+
+from benchmarks import __main__ as command
+from benchmarks import native, timing
+from tests.support.kernels import load
+
+
+@pytest.fixture
+def hasty(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(timing, "SECONDS", 1e-6)
+
+
+@pytest.mark.usefixtures("hasty")
+def test_every_function_has_a_line_and_gates_of_its_size(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(native, "c_form", lambda order: None)
+    for size in (1, 3):
+        lines = list(native.rows(load(2), load(2), size))
+        assert [line[1] for line, _ in lines] == list(native.FUNCTIONS)
+        assert {len(line) for line, _ in lines} == {9}
+        alone = [gate for _, gates in lines for gate in gates if gate.what.endswith("1.2 µs")]
+        assert len(alone) == (len(native.FUNCTIONS) if size == 1 else 0)
+
+
+def test_threads_are_timed_against_one() -> None:
+    gate = native.threaded(load(1), rounds=1, repeats=1)
+    assert gate.ratio > 0
+    assert "2 threads against one" in gate.what
+
+
+def test_a_section_that_is_not_measured_stays(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    page = tmp_path / "speed.md"
+    texts = {"kernels": "## One\n\nfirst", "native": "## Two\n\nsecond", "former": "## Three"}
+
+    def measure(*names: str) -> str:
+        sections = {name: lambda text=text: f"{text}\n" for name, text in texts.items()}  # type: ignore[misc]
+        monkeypatch.setattr(command, "SECTIONS", sections)
+        monkeypatch.setattr(sys, "argv", ["benchmarks", "-o", str(page), *(["--section", *names] if names else [])])
+        command.main()
+        return page.read_text(encoding="utf-8")
+
+    whole = measure()
+    assert [whole.index(text) for text in texts.values()] == sorted(whole.index(text) for text in texts.values())
+    texts["native"] = "## Two\n\nanew"
+    assert measure("native") == whole.replace("second", "anew")
+    texts["kernels"] = "## One\n\nother"
+    assert measure("native") == whole.replace("second", "anew")
