@@ -48,6 +48,8 @@ class Residue:
         return NotImplemented if value is None else Residue(f(self.value, value) % PRIME)
 
     def __add__(self, other: Any) -> Residue:
+        if self.angle is None and type(other) is Residue:
+            return Residue((self.value + other.value) % PRIME)
         total = self._with(other, lambda a, b: a + b)
         if self.angle is not None and isinstance(other, Residue) and other.angle is not None:
             names = {**self.angle, **other.angle}
@@ -65,6 +67,8 @@ class Residue:
         return self
 
     def __sub__(self, other: Any) -> Residue:
+        if self.angle is None and type(other) is Residue:
+            return Residue((self.value - other.value) % PRIME)
         if self.angle is None:
             return self._with(other, lambda a, b: a - b)
         return self.__add__(-other)
@@ -73,6 +77,8 @@ class Residue:
         return (-self).__add__(other)
 
     def __mul__(self, other: Any) -> Residue:
+        if type(other) is Residue:
+            return Residue(self.value * other.value % PRIME)
         product = self._with(other, lambda a, b: a * b)
         if self.angle is not None and isinstance(other, int | Fraction):
             product.angle = {name: c * other for name, c in self.angle.items()}

@@ -146,7 +146,10 @@ class Combine:
     def opposite(self, table: Table, found: Table) -> None:
         """A minus in front."""
         for a in table.values():
-            if not callable(a.value):
+            if a.coordinates is not None:
+                opposite = tuple([-c % PRIME for c in a.coordinates])
+                offer(found, a.kind, opposite, Shape.SUM, a.marks + 1 + brackets(a), NEGATIVE, (a,))
+            elif not callable(a.value):
                 self._made(found, NEGATIVE, (a,), Shape.SUM, 1 + brackets(a), partial(values.negative, a.value))
 
     def _applied(self, f: Item, a: Item, found: Table) -> None:

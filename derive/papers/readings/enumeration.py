@@ -23,7 +23,7 @@ from ..language.notation import both, equal, pm, root
 from ..language.terms import Apply, Letter, Term, Trait, letters, marked, takes_apart, walk
 from ..numbers.kinds import BRANCH, ORDER, SIGN
 from ..numbers.residues import PRIME, Reduced
-from .items import MEANINGLESS, OpenError, flat, key
+from .items import MEANINGLESS, OpenError, Table, flat, key
 from .reach import Reach
 from .search import CAP, COUNTED, Side
 from .targets import UndecidedSearchError
@@ -136,14 +136,14 @@ class _Member:
         self.value = env.now(env.value(bare))
         self.fixed = len(tokens) == 1 + self.either or isinstance(self.value, values.Solution | values.Either)
         self.side = Side(tokens, env, radicals, not isinstance(self.value, Tensor), cap)
-        self.table: dict[Any, Term] | None = None
+        self.table: Table | None = None
 
     def list(self) -> None:
         """Look up all readings; there is no table beyond the cap."""
         if self.fixed:
             return
         try:
-            self.table = {k: item.term for k, item in self.side.readings().items()}
+            self.table = self.side.readings()
         except OpenError:
             return
         if key(self.value) not in self.table:
@@ -158,7 +158,8 @@ class _Member:
         """The reading with that value."""
         if self.fixed or self.table is None:
             return self.term
-        return pm(self.table[k]) if self.either else self.table[k]
+        term = self.table[k].term
+        return pm(term) if self.either else term
 
 
 class _Chain:
@@ -223,7 +224,7 @@ class _Chain:
             return []
         if member.fixed or member.table is None:
             return [member.value]
-        return [self.env.now(self.env.value(term)) for term in member.table.values()]
+        return [self.env.now(self.env.value(item.term)) for item in member.table.values()]
 
     def _along(self) -> int:
         """The length of the vector that the others are along."""

@@ -128,7 +128,7 @@ def is_number(a: Any) -> bool:
 
 
 def offer(
-    found: Table, kind: type, value: tuple[int, ...], shape: Shape, marks: int, mark: Mark, parts: tuple[Item, Item]
+    found: Table, kind: type, value: tuple[int, ...], shape: Shape, marks: int, mark: Mark, parts: tuple[Item, ...]
 ) -> None:
     known = found.get((kind, value, shape))
     if known is None or marks < known.marks:

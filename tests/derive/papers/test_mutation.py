@@ -42,7 +42,8 @@ REASONS = {
     },
     "K10": {
         "no-field": ALSO, "extension": ZERO, "degenerate": ZERO, "quadratic-form": ZERO, "not-singular": ALSO,
-        "half-angle": EMPTY, "14": EMPTY, **{f"step-{i}": BEYOND for i in (19, 20, 21, 22)}, "zero-components": EMPTY,
+        **dict.fromkeys(("half-angle", "14", "15", "16", "zero-components"), EMPTY),
+        **{f"step-{i}": BEYOND for i in (19, 20, 21, 22)},
     },
 }  # fmt: skip
 """Why mutants of these entries survive."""
