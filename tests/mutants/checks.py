@@ -21,6 +21,7 @@ FEW = 2
 LONG, LONG_FIXTURE = 5.0, 30.0
 """Seconds of processor time: a longer test is left out of trials."""
 
+TESTS = "tests"
 VALIDATING = "validating"
 CONTROLLING = "controls of proofs"
 COMMENT = {".py.j2": "# one more comment\n", ".h.j2": "// one more comment\n"}
@@ -73,7 +74,7 @@ class Knowledge:
 
 @dataclass(frozen=True)
 class Checks:
-    """A first stage that is no test, then tests; inside a copy of the tree.
+    """Stages, one of which are tests; inside a copy of the tree.
 
     Attributes
     ----------
@@ -81,8 +82,8 @@ class Checks:
         Folders whose lines are watched.
     tests : tuple of str
         Files and folders of tests.
-    first : tuple of str
-        Names of the stages that are no tests, of those in `road`.
+    stages : tuple of str
+        In their order: "tests", and what is no test, of those in `road`.
     emits : bool
         Whether what is watched decides what is emitted: survivors are compared by that, and the tests of kernels run
         on it.
@@ -93,7 +94,7 @@ class Checks:
     name: str
     watched: tuple[str, ...]
     tests: tuple[str, ...]
-    first: tuple[str, ...] = ()
+    stages: tuple[str, ...] = (TESTS,)
     emits: bool = False
     controlled: bool = False
 
@@ -105,7 +106,7 @@ class Checks:
         reach = Reach(folder, [f"{source}/*" for source in self.watched])
         with reach.open():
             road.import_all()
-            first = {stage: self._first_stage(stage, reach) for stage in self.first}
+            first = {stage: self._first_stage(stage, reach) for stage in self.stages if stage != TESTS}
             with reach.by(CONTROLLING):
                 controls = road.controls() if self.controlled else ()
             tests = suite.run_all(self.tests, reach, few=FEW if self.emits else None)
@@ -116,8 +117,8 @@ class Checks:
             "takes long": [*tests.longer(LONG, LONG_FIXTURE), *kernels.longer(LONG, LONG_FIXTURE)],
         }
         out = {name for names in left_out.values() for name in names}
-        seconds = {**first, "tests": tests.without(out), "kernels": kernels.without(out)}
-        if not seconds["tests"]:
+        seconds = {**first, TESTS: tests.without(out), "kernels": kernels.without(out)}
+        if not seconds[TESTS]:
             raise RuntimeError(f"no test of {', '.join(self.tests)} can be used: {left_out}")
         table = reach.table([name for stage in seconds.values() for name in stage])
         setups, apart = tests.setups + kernels.setups, _apart(reach, set().union(*first.values()))
@@ -153,13 +154,11 @@ class Checks:
         if former and (by := self._asked_again(former, plan)):
             return Fate(KILLED, former.stage, by)
         emitted = _Emitted(knowledge, edit) if self.emits else None
-        for stage in self.first:
-            if by := _first_error(stage, plan[stage], self.emits, emitted):
+        for stage in self.stages:
+            if stage == TESTS and emitted and emitted.differs == "text":
+                return Fate(PROSE, by="what is emitted differs in comments, docstrings and layout only")
+            if by := self._first_failure(stage, plan[stage], emitted):
                 return Fate(KILLED, stage, by)
-        if emitted and emitted.differs == "text":
-            return Fate(PROSE, by="what is emitted differs in comments, docstrings and layout only")
-        if by := suite.first_failure(plan["tests"]):
-            return Fate(KILLED, "tests", by)
         if edit and knowledge.controls_only(edit) and _controls() == knowledge.controls:
             return Fate(EQUIVALENT, by="another control of the same theorem, which fails as well")
         if edit and emitted and emitted.prints_only and not emitted.differs:
@@ -173,9 +172,10 @@ class Checks:
     def _asked_again(self, former: Fate, plan: Mapping[str, Sequence[str]]) -> str | None:
         """What a check says that killed the same mutant before; None if it is not among those that reach it now."""
         names = [name for name in plan.get(former.stage, ()) if f"{former.by}: ".startswith(f"{name}: ")]
-        if former.stage in self.first:
-            return _first_error(former.stage, names, self.emits)
-        return suite.first_failure(names) if former.stage == "tests" else None
+        return self._first_failure(former.stage, names) if former.stage in self.stages else None
+
+    def _first_failure(self, stage: str, names: Sequence[str], emitted: _Emitted | None = None) -> str | None:
+        return suite.first_failure(names) if stage == TESTS else _first_error(stage, names, self.emits, emitted)
 
 
 class _Emitted:

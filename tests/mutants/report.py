@@ -54,7 +54,7 @@ def score(results: Results) -> Score:
 
 HEAD = (
     "room", "mutants", "tried", "proof", "validation", "execution", "tests", "kernels", "crash", "time limit",
-    "equivalent", "prose", "no meaning", "survive", "first stage", "killed",
+    "equivalent", "prose", "no meaning", "survive", "no test", "killed",
 )  # fmt: skip
 
 
@@ -104,7 +104,8 @@ process of its own on a copy of the tree. State: `{state}`.
   emission with validation (n = {orders} and {kinds} for NumPy,
   n = {others} for the other targets; for maps NumPy alone, n = {some}, all families and
   {further}; where a change is in what makes texts, not where the emitted code is the same as without it); by
-  executing the statement, or all of them, of which docs/errata.md must say the same. **first stage** is their share.
+  executing the statement, or all of them, of which docs/errata.md must say the same. **no test** is
+  their share; of maps tests run before emission, which takes longer.
 - **tests**: killed by tests of that room only, but for those listed as left out. Of emission {few} cases of
   each test are run. **kernels**: killed by {few} cases of each test of tests/generated, run on the NumPy kernels that
   the mutant emits. **crash**: the process died.

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from . import road
-from .checks import Checks
+from .checks import TESTS, Checks
 from .mutant import Fate, Mutant
 from .programs import Programs
 from .python import Edit, python_mutants, same_code
@@ -100,17 +100,17 @@ class Files:
 
 
 NUMBERS = "tests/derive/papers/test_theorem_numbers.py"
-PROOF = Checks("proof", ("derive/proof",), ("tests/derive/proof", NUMBERS), first=("proof",), controlled=True)
-MAPS = Checks("maps", ("derive/maps",), ("tests/derive/maps", NUMBERS), first=("proof", "validation"))
+PROOF = Checks("proof", ("derive/proof",), ("tests/derive/proof", NUMBERS), ("proof", TESTS), controlled=True)
+MAPS = Checks("maps", ("derive/maps",), ("tests/derive/maps", NUMBERS), ("proof", TESTS, "validation"))
 TARGETS = ("tests/targets/test_array_api.py", "tests/targets/test_numba.py")
 EMISSION = Checks(
     "emission",
     ("derive/codegen", "derive/output", "templates"),
     ("tests/derive/codegen", "tests/derive/output", "tests/derive/papers/report/test_report.py", *TARGETS),
-    first=("validation",),
+    ("validation", TESTS),
     emits=True,
 )
-PAPERS = Checks("papers", ("derive/papers",), ("tests/derive/papers",), first=("execution",))
+PAPERS = Checks("papers", ("derive/papers",), ("tests/derive/papers",), ("execution", TESTS))
 
 ROOMS: Mapping[str, Room] = {
     room.name: room
@@ -125,8 +125,8 @@ ROOMS: Mapping[str, Room] = {
         ),
         Files(
             "maps",
-            "derive/maps: by proofs of committed orders and NumPy kernels of some, then by tests/derive/maps and of "
-            "equation numbers",
+            "derive/maps: by proofs of committed orders, by tests/derive/maps and of equation numbers, then by NumPy "
+            "kernels of some charts",
             ("derive/maps",),
             MAPS,
             ("derive.algebra", "derive.output"),

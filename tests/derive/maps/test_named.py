@@ -8,7 +8,7 @@ import sympy
 
 from derive.about import FAMILIES
 from derive.algebra.arithmetic import PLAIN
-from derive.maps import families, family
+from derive.maps import families, family, parameterization
 from derive.maps.families import alpha
 from derive.maps.named import SYMBOLIC, recognized
 from derive.proof import prove
@@ -98,3 +98,11 @@ def test_rounding_of_the_cosine_leaves_the_quaternion_of_breusings_chart_a_unit(
         assert abs(at.s**2 + x * at.w**2 - 1) < 64 * mpmath.eps
         assert abs(at.f**2 + x * at.g**2 - 2 * at.g) < 64 * mpmath.eps
         assert abs((2 * off * off - 1) ** 2 + 4 * x * off**3 - 1) > 1e-3
+
+
+def test_operators_are_singular_at_whole_turns_and_at_the_edge():
+    two_pi = 2 * sympy.pi
+    assert family("exponential").singular_angles == (two_pi, 2 * two_pi)
+    assert family("sine4").singular_angles == (two_pi, 2 * two_pi)
+    assert parameterization("alpha/(1 + alpha**2/60)", "wide").singular_angles == (two_pi, sympy.sqrt(60))
+    assert parameterization("alpha/(1 + alpha**2/20)", "narrow").singular_angles == (sympy.sqrt(20),)

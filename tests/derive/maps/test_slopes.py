@@ -24,13 +24,13 @@ PHI = {
     "pole": "tan(alpha/5) + alpha/20",
     "cut": "alpha + alpha**3/100",
     "turning": "alpha/(1 + alpha**2/40)",
-    "arc": "atan(alpha/2)",
+    "arc": "atan(10*alpha/17)",
     "root": "alpha*sqrt(1 + alpha**2/50)",
     "power": "alpha/(1 + alpha**2/9)**(3/2)",
     "halves": "alpha*acos(alpha**2/500)",
     "arcsine": "asin(alpha/20) + alpha",
 }
-"""A φ of every kind of edge, and of every function that kernels may take of it."""
+"""A φ of every kind of edge, and of every function that kernels may take of it; that of "arc" has a pole near 0."""
 
 SHARES = ("1e-5", "0.1", "0.3", "0.9")
 """Of the edge, or of three quarters of a turn where there is none or it is further."""
