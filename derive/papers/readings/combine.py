@@ -22,7 +22,7 @@ from ..language.evaluation import Env
 from ..language.notation import dyad, norm, over, root
 from ..language.terms import MARKS, Mark
 from ..numbers.residues import PRIME, Residue
-from .coordinates import EXACT, NUMBERS, Coordinates, inverse, plus, scale, times
+from .coordinates import EXACT, NUMBERS, Coordinates, inner, inverse, made, plus, scale, times
 from .items import (
     MEANINGLESS,
     Item,
@@ -62,14 +62,14 @@ class Combine:
             for a in left.values():
                 if a.coordinates and b.coordinates and not (exact and a.kind in EXACT):
                     self._by_coordinates(a, b, found)
-                elif callable(a.value):
+                elif a.function:
                     if inner:
                         self._applied(a, b, found)
-                elif not callable(b.value):
+                elif not b.function:
                     self._difference(a, b, found)
                     self._quotient(a, b, found)
                     self._product(a, b, found)
-                if exponent and not callable(a.value):
+                if exponent and not a.function:
                     self._power(a, b, found)
             self._require_few(found)
 
@@ -136,7 +136,7 @@ class Combine:
             return
         for b in right.values():
             for a in left.values():
-                if not (callable(a.value) or callable(b.value)):
+                if not (a.function or b.function):
                     self._made(found, mark, (a, b), Shape.PRODUCT, brackets(a) + brackets(b),
                                partial(mark.value, self.env, a.value, b.value))  # fmt: skip
 
@@ -147,7 +147,7 @@ class Combine:
                     total = plus(a.kind, a.coordinates, b.kind, b.coordinates)
                     if total is not None:
                         self._offer(found, total, Shape.SUM, a.marks + b.marks, mark, (a, b))
-                elif not (both_numerals(a, b) or callable(a.value) or callable(b.value)):
+                elif not (both_numerals(a, b) or a.function or b.function):
                     self._made(found, mark, (a, b), Shape.SUM, 0, partial(mark.value, self.env, a.value, b.value))
             self._require_few(found)
 
@@ -161,9 +161,17 @@ class Combine:
         for a in list(table.values()):
             if a.kind in (Vector, Quaternion):
                 if bars:
-                    self._made(table, norm, (a,), Shape.ATOM, 1, partial(values.norm, self.env.field, a.value))
+                    self._made(table, norm, (a,), Shape.ATOM, 1, partial(self._norm, a))
             elif self.radicals and a.kind in (Residue, Dual) and a.shape in (Shape.SUM, Shape.QUOTIENT, Shape.POWER):
                 self._made(table, root, (a,), Shape.ATOM, 1, partial(self.env.field.sqrt, a.value))
+
+    def _norm(self, a: Item) -> Any:
+        """The root of the square, where that has one."""
+        c = a.coordinates
+        square = None if c is None else times(inner, a.kind, c, a.kind, c)
+        if square is None or square[1][0] == 0:
+            return values.norm(self.env.field, a.value)
+        return self.env.field.sqrt(made(*square))
 
     def opposite(self, table: Table, found: Table) -> None:
         """A minus in front."""
@@ -171,7 +179,7 @@ class Combine:
             if a.coordinates and a.kind not in EXACT:
                 opposite = tuple([-c % PRIME for c in a.coordinates])
                 offer(found, a.kind, opposite, Shape.SUM, a.marks + 1 + brackets(a), NEGATIVE, (a,))
-            elif not callable(a.value):
+            elif not a.function:
                 self._made(found, NEGATIVE, (a,), Shape.SUM, 1 + brackets(a), partial(values.negative, a.value))
 
     def _applied(self, f: Item, a: Item, found: Table) -> None:
@@ -235,8 +243,8 @@ class Combine:
         self, found: Table, mark: Mark, parts: tuple[Item, ...], shape: Shape, marks: int, value: Callable[[], Any]
     ) -> None:
         try:
-            made = value()
-            if is_number(made) or (isinstance(made, Structure) and (self.quaternions or type(made) is not Quaternion)):
-                keep(found, Item(made, shape, marks + sum([p.marks for p in parts]), mark, parts))
+            new = value()
+            if is_number(new) or (isinstance(new, Structure) and (self.quaternions or type(new) is not Quaternion)):
+                keep(found, Item(new, shape, marks + sum([p.marks for p in parts]), mark, parts))
         except MEANINGLESS:
             return

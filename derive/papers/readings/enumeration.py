@@ -132,7 +132,7 @@ class _Member:
     def __init__(self, term: Term, env: Env, lost: str, radicals: bool, cap: int) -> None:
         tokens = surviving(term, lost)
         bare = term.arguments[0] if isinstance(term, Apply) and term.mark is pm else term
-        self.term, self.either = term, bare is not term
+        self.term, self.either, self.env = term, bare is not term, env
         self.value = env.now(env.value(bare))
         self.fixed = len(tokens) == 1 + self.either or isinstance(self.value, values.Solution | values.Either)
         self.side = Side(tokens, env, radicals, not isinstance(self.value, Tensor), cap)
@@ -153,6 +153,13 @@ class _Member:
     def count(self) -> int:
         """How many readings it has."""
         return 1 if self.fixed else self.side.cap if self.table is None else len(self.table)
+
+    def at(self, k: Any) -> Any:
+        """The value with that key."""
+        if self.table is None:
+            return self.value
+        value = self.env.now(self.table[k].value)
+        return values.Either(value, values.negative(value)) if self.either else value
 
     def reading(self, k: Any) -> Term:
         """The reading with that value."""
@@ -184,12 +191,14 @@ class _Chain:
         if not tables:
             return [None] if all(self._agree(a.value, b.value) for a, b in pairwise(self.fixed)) else []
         shared = [k for k in tables[0] if all(k in table for table in tables[1:])]
-        return [k for k in shared if all(self._fits(member.value, k, self.read[0]) for member in self.fixed)]
-
-    def _fits(self, given: Any, k: Any, member: _Member) -> bool:
-        if isinstance(given, values.Solution | values.Either):
-            return self._agree(given, self.env.now(self.env.value(member.reading(k))))
-        return k in (key(given), *((key(values.negative(given)),) if self.either else ()))
+        for given in [member.value for member in self.fixed]:
+            if isinstance(given, values.Solution | values.Either):
+                shared = [k for k in shared if self._agree(given, self.read[0].at(k))]
+            else:
+                signed = [given, values.negative(given)] if self.either else [given]
+                wanted = [key(value) for value in signed]
+                shared = [k for k in shared if k in wanted]
+        return shared
 
     def _agree(self, a: Any, b: Any) -> bool:
         try:
@@ -224,7 +233,7 @@ class _Chain:
             return []
         if member.fixed or member.table is None:
             return [member.value]
-        return [self.env.now(self.env.value(item.term)) for item in member.table.values()]
+        return [self.env.now(item.value) for item in member.table.values()]
 
     def _along(self) -> int:
         """The length of the vector that the others are along."""

@@ -43,15 +43,20 @@ class Item:
         Of the value.
     coordinates : tuple of int, optional
         The residues of a value that needs nothing else: no derivative in time, no angle.
+    function : bool
+        Whether the value is one.
+    inverse : tuple of int, optional
+        The coordinates of the inverse, once it was asked for.
     """
 
-    __slots__ = ("_value", "coordinates", "inverse", "kind", "mark", "marks", "parts", "shape")
+    __slots__ = ("_value", "coordinates", "function", "inverse", "kind", "mark", "marks", "parts", "shape")
 
     def __init__(self, value: Any, shape: Shape, marks: int, mark: Mark | None, parts: tuple[Any, ...],
                  kind: type | None = None, c: Coordinates | None = None) -> None:  # fmt: skip
         self._value, self.shape, self.marks, self.mark, self.parts = value, shape, marks, mark, parts
         self.kind = kind or type(value)
         self.coordinates = c or coordinates(value)
+        self.function = self.coordinates is None and callable(value)
         self.inverse: Coordinates | None = None
 
     @property
@@ -65,6 +70,15 @@ class Item:
     def dual(self) -> bool:
         """Whether the coordinates are those of a dual value."""
         return self.coordinates is not None and len(self.coordinates) > SIZES[self.kind]
+
+    @property
+    def key(self) -> tuple[Any, ...]:
+        """That of the value."""
+        if self.coordinates is None:
+            return key(self.value)
+        n, c = SIZES[self.kind], self.coordinates
+        flat = c if len(c) == n else tuple([(re, du) if du else re for re, du in zip(c[:n], c[n:], strict=True)])
+        return (*flat, 0, 0, 0) if n == 1 else (0, *flat) if n == 3 else flat
 
     @property
     def term(self) -> Term:
@@ -120,7 +134,7 @@ def offer(
 
 
 def keep(found: Table, item: Item) -> None:
-    value = item.coordinates or key(item.value)
+    value = item.coordinates or item.key
     known = found.get((item.kind, value, item.shape))
     if known is None or item.marks < known.marks:
         found[item.kind, value, item.shape] = item

@@ -54,8 +54,8 @@ class Side:
             self.combine.opposite(table, signed)
         found: Table = {}
         for item in sorted(signed.values(), key=lambda item: item.marks):
-            if not callable(item.value):
-                found.setdefault(key(self.env.now(item.value)), item)
+            if not item.function:
+                found.setdefault(key(self.env.now(item.value)) if self.env.moving else item.key, item)
         if len(found) > self.cap:
             raise OpenError
         return found
