@@ -30,10 +30,14 @@ def coordinates(value: Any) -> Coordinates | None:
     """Those of a value that needs nothing else: no derivative in time, and no angle as a number."""
     if SIZES.get(type(value)) is None or (type(value) in NUMBERS and _is_angle(value)):
         return None
-    parts = list(value) if isinstance(value, Structure) else [value]
+    parts = _parts(value)
     layers = (real_part, dual_part) if any(isinstance(part, Dual) for part in parts) else (real_part,)
     found = [residue(layer(part)) for layer in layers for part in parts]
     return None if None in found else tuple(found)  # type: ignore[arg-type]
+
+
+def _parts(value: Any) -> list[Any]:
+    return list(value) if isinstance(value, Structure) else [value]  # type: ignore[call-overload]
 
 
 def _is_angle(value: Any) -> bool:
@@ -150,7 +154,7 @@ def _units(f: Product, kind_a: type, kind_b: type) -> tuple[type, Rows] | None:
         made = {(i, j): f(_unit(kind_a, i), _unit(kind_b, j)) for i, j in product(range(n), range(m))}
     except MeaninglessError:
         return None
-    found = {where: list(value) if isinstance(value, Structure) else [value] for where, value in made.items()}
+    found = {where: _parts(value) for where, value in made.items()}
     kind = type(made[0, 0])
     rows = [tuple((*where, c[k]) for where, c in found.items() if c[k]) for k in range(SIZES[kind])]
     return kind, tuple(rows)
