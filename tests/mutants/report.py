@@ -113,7 +113,8 @@ process of its own on a copy of the tree. State: `{state}`.
 - **equivalent**: shown to be so by the run. Programs: of the same value at random points of a prime field, functions
   and comparisons uninterpreted. Emission: the changed lines make texts and nothing else, and every text that is
   validated is the same. Proof: the changed lines make controls (theorems with one thing wrong) and nothing
-  else, and as many of the same theorems fail. Python that compiles to the same code is not drawn.
+  else, and as many of the same theorems fail. Statements: decided exactly to say the same. Python that compiles to the
+  same code is not drawn.
 - **prose**: what is emitted differs in comments, docstrings and layout only; `make check` notices.
 - **no meaning**: statements that combine what has no such operation.
 - **killed** is the share among all but equivalent, prose and meaningless ones.

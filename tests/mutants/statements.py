@@ -9,7 +9,7 @@ from itertools import islice
 from pathlib import Path
 from typing import Any
 
-from .mutant import KILLED, MEANINGLESS, SURVIVED, Fate, Mutant
+from .mutant import EQUIVALENT, KILLED, MEANINGLESS, SURVIVED, Fate, Mutant
 from .python import Edit
 
 
@@ -53,6 +53,8 @@ class Statements:
         score = trial()
         if score.survivors:
             return Fate(SURVIVED, by=score.survivors[0].statement)
+        if score.equivalent:
+            return Fate(EQUIVALENT, by="decided exactly: it says the same")
         return Fate(MEANINGLESS) if score.meaningless else Fate(KILLED, "execution")
 
 

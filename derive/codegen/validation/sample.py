@@ -1,8 +1,9 @@
 """What of a further chart is executed: geometry that another chart of the package has shown to be right only as needed.
 
 Geometry is the same for all charts and stands once in a package. Whichever chart runs a program of it first runs it on
-all cases; of a later chart as many functions are run as read every result of its own scalars, and all that it has
-programs of its own for. So what a chart costs does not grow with the number of functions.
+all cases; of a later chart as many functions are run as read every result of its own scalars, all that it has programs
+of its own for, and those that it says have nothing to do. So what a chart costs does not grow with the number of
+functions.
 """
 
 from __future__ import annotations
@@ -42,7 +43,7 @@ class Seen:
     def new(self, lowered: Lowered, given: Sequence[Batch]) -> list[tuple[Batch, bool]]:
         """The batches of a lowered chart that are still to be executed, and whether in every layout."""
         programs = self.programs(lowered.table)
-        wanted, shown = set(_readers(lowered)), programs - lowered.own.keys()
+        wanted, shown = {*_readers(lowered), *_standing(lowered)}, programs - lowered.own.keys()
         unseen = [bool(_executed(batch, lowered) - shown) for batch in given]
         for batch in given:
             programs.update(_executed(batch, lowered) - lowered.own.keys())
@@ -94,6 +95,11 @@ def _readers(lowered: Lowered) -> Iterator[str]:
         if found - read:
             read |= found
             yield name
+
+
+def _standing(lowered: Lowered) -> Set[str]:
+    """Functions that have nothing to do for this chart: v is its own result."""
+    return {name for name, row in lowered.table.public.items() if row.kernel not in lowered.operations}
 
 
 def _results(program: Program) -> Iterator[tuple[str, int]]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import nullcontext
 from pathlib import Path
 
 import pytest
@@ -14,7 +15,7 @@ from derive.codegen.module import module_name, module_text, shared_texts
 from derive.codegen.signatures import FUNCTIONS, KERNELS, POSES
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation import Seen, validate
-from derive.maps import Cayley
+from derive.maps import Cayley, family
 from derive.output import files
 from derive.proof import prove
 
@@ -76,6 +77,24 @@ def test_what_is_wrong_in_any_file_is_noticed_by_some_chart(texts, tmp_path: Pat
     files.write(tmp_path, {**texts, file: texts[file].replace(old, new)})
     with pytest.raises(ValidationFailed):
         validate_all(tmp_path)
+
+
+def test_that_a_chart_has_nothing_to_do_is_not_shown_by_another_one(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    """Of sin(α/2) every v is principal; of sin(α/4), were it said so, some would stand that should go back."""
+    target, charts = TARGETS["numpy"], [family("orthographic"), family("lambert")]
+    for returns in (None, lambda chart: ()):
+        with monkeypatch.context() as patch:
+            if returns:
+                patch.setattr(type(charts[1]), "returns", returns)
+            lower_chart.cache_clear()
+            proved = map(prove, charts)
+            modules = {module_name(p.formulas, target): module_text(Facts(p, lower(p)), target) for p in proved}
+            files.write(tmp_path, {**shared_texts(target), **modules})
+            seen = Seen()
+            validate(tmp_path, charts[0], seen.new)
+            with pytest.raises(ValidationFailed, match=r"lambert\.principal") if returns else nullcontext():
+                validate(tmp_path, charts[1], seen.new)
+    lower_chart.cache_clear()
 
 
 def validate_all(folder: Path) -> None:

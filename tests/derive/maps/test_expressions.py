@@ -63,6 +63,7 @@ def test_what_is_understood(text: str, expected: sympy.Expr):
         ("cos(alpha)", "not odd by its structure"),
         ("exp(alpha) - 1", "not odd by its structure"),
         ("alpha + 1", "not odd by its structure"),
+        ("alpha*(alpha + 1)**2", "not odd by its structure"),
         ("alpha**3", "phi'(0) = 0"),
         ("-alpha", "phi'(0) = -1"),
         ("alpha*sqrt(alpha**2 - 1)", "no real number"),

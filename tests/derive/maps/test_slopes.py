@@ -1,0 +1,89 @@
+"""Scalars of every chart at numbers: slopes are derivatives, and all of them belong to one φ, near v = 0 and beyond.
+
+Proofs know the formulas beyond, and those near v = 0 by what their polynomials approximate: here both are evaluated.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+import mpmath
+import pytest
+import sympy
+
+from derive.about import FAMILIES
+from derive.algebra.arithmetic import PLAIN
+from derive.codegen.catalogue import charts
+from derive.maps.chart import Chart
+from derive.maps.families import alpha
+from derive.proof.scalars import BENDS, SLOPES, VALUES
+
+PHI = {
+    "fold": "alpha*cos(alpha/9)**3",
+    "pole": "tan(alpha/5) + alpha/20",
+    "cut": "alpha + alpha**3/100",
+    "turning": "alpha/(1 + alpha**2/40)",
+    "arc": "atan(alpha/2)",
+    "root": "alpha*sqrt(1 + alpha**2/50)",
+    "power": "alpha/(1 + alpha**2/9)**(3/2)",
+    "halves": "alpha*acos(alpha**2/500)",
+    "arcsine": "asin(alpha/20) + alpha",
+}
+"""A φ of every kind of edge, and of every function that kernels may take of it."""
+
+SHARES = ("1e-5", "0.1", "0.3", "0.9")
+"""Of the edge, or of three quarters of a turn where there is none or it is further."""
+
+TOLERANCE = 1e-11
+"""Polynomials approximate to 1e-17 or better, with a step of 1e-3 at least between their nodes; two slopes of that."""
+
+
+@cache
+def chart(name: str) -> Chart:
+    if name in PHI:
+        return charts(phi=PHI[name], name=name)[0]
+    return charts([int(name)])[0] if name.isdigit() else charts((), [name])[0]
+
+
+def squares(of: Any) -> list[mpmath.mpf]:
+    """Values of x = v·v, 0 the first."""
+    end = mpmath.mpf(sympy.Min(of.edge, 3 * sympy.pi / 2).evalf(40))
+    return [mpmath.mpf(0), *(length(of, mpmath.mpf(share) * end) ** 2 for share in SHARES)]
+
+
+def length(of: Any, angle: mpmath.mpf) -> mpmath.mpf:
+    return mpmath.mpf(of.phi.xreplace({alpha: sympy.Float(str(angle), 45)}).evalf(45))
+
+
+def at(of: Chart, name: str, x: mpmath.mpf) -> mpmath.mpf:
+    return mpmath.mpf(getattr(of.scalars(x, PLAIN), name))
+
+
+def close(found: mpmath.mpf, expected: mpmath.mpf) -> bool:
+    return bool(abs(found - expected) <= TOLERANCE * (1 + abs(expected)))
+
+
+@pytest.mark.parametrize("name", ["3", "8", "11", "16", *FAMILIES, *PHI])
+def test_slopes_are_twice_the_derivatives(name: str) -> None:
+    of = chart(name)
+    pairs = [*zip(SLOPES, VALUES, strict=True), *zip(BENDS, SLOPES[2:], strict=True), ("ratey", "rate")]
+    with mpmath.workdps(40):
+        for x in squares(of):
+            for slope, value in pairs:
+                expected = 2 * mpmath.diff(lambda y, value=value: at(of, value, y), x, h=mpmath.mpf("1e-9"))
+                assert close(at(of, slope, x), expected), (slope, x)
+
+
+@pytest.mark.parametrize("name", PHI)
+def test_scalars_are_those_of_the_angle(name: str) -> None:
+    of: Any = chart(name)
+    with mpmath.workdps(40):
+        for x in squares(of)[1:]:
+            r = mpmath.sqrt(x)
+            angle = mpmath.mpf(of.scalars(x, PLAIN).angle_of(r))
+            assert close(length(of, angle) / r, mpmath.mpf(1))
+            assert close(at(of, "s", x), mpmath.cos(angle / 2))
+            assert close(at(of, "f", x), mpmath.sin(angle) / r)
+            slope = mpmath.mpf(of.phi.diff(alpha).xreplace({alpha: sympy.Float(str(angle), 45)}).evalf(45))
+            assert close(at(of, "rate", x), 1 / slope)
