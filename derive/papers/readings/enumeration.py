@@ -63,6 +63,19 @@ class UnreadableError(Exception):
     """The display is no chain of equations between values of the field."""
 
 
+@contextmanager
+def _collector_paused() -> Iterator[None]:
+    """No looking for cycles: parts of a formula make none, and looking takes a third of the time of a search."""
+    enabled = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if enabled:
+            gc.enable()
+
+
+@_collector_paused()
 def read(entry: Equation, lost: str, search: bool = True) -> Readings:
     """All readings of the display of an entry.
 
@@ -82,8 +95,7 @@ def read(entry: Equation, lost: str, search: bool = True) -> Readings:
         raise UnreadableError(entry.number)
     try:
         env = _environment(entry, statement)
-        with _collector_paused():
-            found = [_Chain(chain, env, lost, _has_root(entry), CAP) for chain in chains]
+        found = [_Chain(chain, env, lost, _has_root(entry)) for chain in chains]
     except (NotExactError, *MEANINGLESS) as error:
         raise UnreadableError(f"{entry.number}: {error}") from error
     count = reduce(lambda product, chain: min(CAP, product * chain.count), found, 1)
@@ -92,18 +104,6 @@ def read(entry: Equation, lost: str, search: bool = True) -> Readings:
         return Readings(count, all(chain.listed for chain in found), (both(*true) if len(true) > 1 else true[0],))
     listed = all(chain.listed for chain in found)
     return Readings(count, listed or (search and any(chain.impossible() for chain in found)), ())
-
-
-@contextmanager
-def _collector_paused() -> Iterator[None]:
-    """No looking for cycles: parts of a formula make none, and looking takes a third of the time of a search."""
-    enabled = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if enabled:
-            gc.enable()
 
 
 def _environment(entry: Equation, statement: Term) -> Env:
@@ -142,13 +142,13 @@ def _has_root(entry: Equation) -> bool:
 class _Member:
     """A side: a single letter with its value, or one with marks to put in."""
 
-    def __init__(self, term: Term, env: Env, lost: str, radicals: bool, cap: int) -> None:
+    def __init__(self, term: Term, env: Env, lost: str, radicals: bool) -> None:
         tokens = surviving(term, lost)
         bare = term.arguments[0] if isinstance(term, Apply) and term.mark is pm else term
         self.term, self.either, self.env = term, bare is not term, env
         self.value = env.now(env.value(bare))
         self.fixed = len(tokens) == 1 + self.either or isinstance(self.value, values.Solution | values.Either)
-        self.side = Side(tokens, env, radicals, not isinstance(self.value, Tensor), cap)
+        self.side = Side(tokens, env, radicals, not isinstance(self.value, Tensor))
         self.table: Table | None = None
 
     def list(self) -> None:
@@ -185,9 +185,9 @@ class _Member:
 class _Chain:
     """Sides that should be equal."""
 
-    def __init__(self, sides: Sequence[Term], env: Env, lost: str, radicals: bool, cap: int) -> None:
+    def __init__(self, sides: Sequence[Term], env: Env, lost: str, radicals: bool) -> None:
         self.env = env
-        self.members = [_Member(side, env, lost, radicals, cap) for side in sides]
+        self.members = [_Member(side, env, lost, radicals) for side in sides]
         for member in self.members:
             member.list()
         self.fixed = [member for member in self.members if member.fixed]
