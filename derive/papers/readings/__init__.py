@@ -3,6 +3,7 @@
 ===========  ==================================================================================
 tokens       what survives of a formula, in the order of the page
 items        parts that are read one way: value, looks, what they are made of
+coordinates  values as residues, and the algebra of those
 combine      how two parts are put together again, and what nobody prints
 search       the table of all readings of a side, by value
 targets      what a stretch is asked for, where its readings are too many to list

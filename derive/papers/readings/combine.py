@@ -13,7 +13,6 @@ import math
 from collections.abc import Callable
 from fractions import Fraction
 from functools import partial
-from itertools import product
 from typing import Any
 
 from derive.algebra import Dual, Quaternion, Structure, Tensor, Vector
@@ -23,6 +22,7 @@ from ..language.evaluation import Env
 from ..language.notation import dyad, norm, over, root
 from ..language.terms import MARKS, Mark
 from ..numbers.residues import PRIME, Residue
+from .coordinates import EXACT, NUMBERS, Coordinates, inner, inverse, made, plus, scale, times
 from .items import (
     MEANINGLESS,
     Item,
@@ -33,7 +33,6 @@ from .items import (
     both_numerals,
     brackets,
     by_function,
-    by_kind,
     is_multiple,
     is_number,
     is_one,
@@ -59,18 +58,18 @@ class Combine:
     def beside(self, left: Table, right: Table, found: Table, inner: bool) -> None:
         """Parts with no mark left between them; the second may be an argument or an exponent if it is `inner`."""
         for b in right.values():
-            exponent = inner and b.kind in (int, Fraction)
+            exponent, exact = inner and b.kind in EXACT, b.kind in EXACT
             for a in left.values():
-                if a.coordinates is not None and b.coordinates is not None:
+                if a.coordinates and b.coordinates and not (exact and a.kind in EXACT):
                     self._by_coordinates(a, b, found)
-                elif callable(a.value):
+                elif a.function:
                     if inner:
                         self._applied(a, b, found)
-                elif not callable(b.value):
+                elif not b.function:
                     self._difference(a, b, found)
                     self._quotient(a, b, found)
                     self._product(a, b, found)
-                if exponent and not callable(a.value):
+                if exponent and not a.function:
                     self._power(a, b, found)
             self._require_few(found)
 
@@ -83,23 +82,52 @@ class Combine:
         assert a.coordinates is not None
         assert b.coordinates is not None
         marks, sum_b = a.marks + b.marks, b.shape is Shape.SUM
-        pair = self._aligned(a, b)
-        if pair is not None:
-            kind, first, second = pair
-            difference = tuple([(s - t) % PRIME for s, t in zip(first, second, strict=True)])
-            offer(found, kind, difference, Shape.SUM, marks + 1 + sum_b, MINUS, (a, b))
-        if b.kind is Residue and b.coordinates[0] and not (a.kind is Tensor and b.shape is Shape.NUMERAL):
-            b.inverse = b.inverse or pow(b.coordinates[0], -1, PRIME)
-            quotient = tuple([s * b.inverse % PRIME for s in a.coordinates])
-            offer(found, a.kind, quotient, Shape.QUOTIENT, marks + 1, over, (a, b))
-        elif b.kind is Quaternion:
-            self._quotient(a, b, found)
-        if a.kind is Residue and b.shape is not Shape.LED:
-            factor = a.coordinates[0]
-            multiple = tuple([factor * t % PRIME for t in b.coordinates])
-            offer(found, b.kind, multiple, product_shape(a), marks + (a.shape is Shape.SUM) + sum_b, TIMES, (a, b))
-        elif a.kind is not Residue:
-            self._product(a, b, found)
+        difference = plus(a.kind, a.coordinates, b.kind, b.coordinates, -1)
+        if difference is not None:
+            self._offer(found, difference, Shape.SUM, marks + 1 + sum_b, MINUS, (a, b))
+        quotient = self._divided(a, b)
+        if quotient is not None:
+            self._offer(found, quotient, Shape.QUOTIENT, marks + 1, over, (a, b))
+        if not self._is_product(a, b):
+            return
+        marks += sum_b + (a.shape is Shape.SUM)
+        multiple = self._multiplied(a, b)
+        if multiple is not None:
+            self._offer(found, multiple, product_shape(a), marks, TIMES, (a, b))
+        if self._is_dyad(a, b):
+            dyadic = times(Tensor.dyad, Vector, a.coordinates, Vector, b.coordinates)
+            assert dyadic is not None
+            self._offer(found, dyadic, product_shape(a), 1 + marks, dyad, (a, b))
+
+    @staticmethod
+    def _multiplied(a: Item, b: Item) -> tuple[type, Coordinates] | None:
+        assert a.coordinates is not None
+        assert b.coordinates is not None
+        if a.kind in NUMBERS:
+            return scale(a.coordinates, b.kind, b.coordinates)
+        if b.kind in NUMBERS:
+            return scale(b.coordinates, a.kind, a.coordinates)
+        return times(values.multiply, a.kind, a.coordinates, b.kind, b.coordinates)
+
+    @staticmethod
+    def _divided(a: Item, b: Item) -> tuple[type, Coordinates] | None:
+        assert a.coordinates is not None
+        assert b.coordinates is not None
+        if b.kind in (Vector, Tensor) or is_one(b) or (a.kind is Tensor and b.shape is Shape.NUMERAL):
+            return None
+        b.inverse = b.inverse or inverse(b.kind, b.coordinates)
+        if b.inverse is None:
+            return None
+        if b.kind is not Quaternion:
+            return scale(b.inverse, a.kind, a.coordinates)
+        if a.kind in NUMBERS:
+            return scale(a.coordinates, Quaternion, b.inverse)
+        return times(values.multiply, a.kind, a.coordinates, Quaternion, b.inverse)
+
+    def _offer(self, found: Table, value: tuple[type, Coordinates], shape: Shape, marks: int, mark: Mark,
+               parts: tuple[Item, ...]) -> None:  # fmt: skip
+        if self.quaternions or value[0] is not Quaternion:
+            offer(found, *value, shape, marks, mark, parts)
 
     def between(self, mark: Mark, left: Table, right: Table, found: Table) -> None:
         """Parts with a mark between them that survived."""
@@ -108,24 +136,18 @@ class Combine:
             return
         for b in right.values():
             for a in left.values():
-                if not (callable(a.value) or callable(b.value)):
+                if not (a.function or b.function):
                     self._made(found, mark, (a, b), Shape.PRODUCT, brackets(a) + brackets(b),
                                partial(mark.value, self.env, a.value, b.value))  # fmt: skip
 
     def _sums(self, mark: Mark, left: Table, right: Table, found: Table) -> None:
-        first, second = by_kind(left), by_kind(right)
-        for (kind_a, flat_a), (kind_b, flat_b) in product(first, second):
-            flat = flat_a and flat_b
-            if flat and self._kind_of_sum(kind_a, kind_b) is None:
-                continue
-            for a, b in product(first[kind_a, flat_a], second[kind_b, flat_b]):
-                pair = self._aligned(a, b) if flat else None
-                if both_numerals(a, b):
-                    continue
-                if pair is not None:
-                    total = tuple([(s + t) % PRIME for s, t in zip(pair[1], pair[2], strict=True)])
-                    offer(found, pair[0], total, Shape.SUM, a.marks + b.marks, mark, (a, b))
-                else:
+        for a in left.values():
+            for b in right.values():
+                if a.coordinates and b.coordinates and not (a.kind in EXACT and b.kind in EXACT):
+                    total = plus(a.kind, a.coordinates, b.kind, b.coordinates)
+                    if total is not None:
+                        self._offer(found, total, Shape.SUM, a.marks + b.marks, mark, (a, b))
+                elif not (both_numerals(a, b) or a.function or b.function):
                     self._made(found, mark, (a, b), Shape.SUM, 0, partial(mark.value, self.env, a.value, b.value))
             self._require_few(found)
 
@@ -139,17 +161,25 @@ class Combine:
         for a in list(table.values()):
             if a.kind in (Vector, Quaternion):
                 if bars:
-                    self._made(table, norm, (a,), Shape.ATOM, 1, partial(values.norm, self.env.field, a.value))
+                    self._made(table, norm, (a,), Shape.ATOM, 1, partial(self._norm, a))
             elif self.radicals and a.kind in (Residue, Dual) and a.shape in (Shape.SUM, Shape.QUOTIENT, Shape.POWER):
                 self._made(table, root, (a,), Shape.ATOM, 1, partial(self.env.field.sqrt, a.value))
+
+    def _norm(self, a: Item) -> Any:
+        """The root of the square, where that has one."""
+        c = a.coordinates
+        square = None if c is None else times(inner, a.kind, c, a.kind, c)
+        if square is None or square[1][0] == 0:
+            return values.norm(self.env.field, a.value)
+        return self.env.field.sqrt(made(*square))
 
     def opposite(self, table: Table, found: Table) -> None:
         """A minus in front."""
         for a in table.values():
-            if a.coordinates is not None:
+            if a.coordinates and a.kind not in EXACT:
                 opposite = tuple([-c % PRIME for c in a.coordinates])
                 offer(found, a.kind, opposite, Shape.SUM, a.marks + 1 + brackets(a), NEGATIVE, (a,))
-            elif not callable(a.value):
+            elif not a.function:
                 self._made(found, NEGATIVE, (a,), Shape.SUM, 1 + brackets(a), partial(values.negative, a.value))
 
     def _applied(self, f: Item, a: Item, found: Table) -> None:
@@ -189,41 +219,32 @@ class Combine:
             self._made(found, POWER, (a, exponent), Shape.POWER, marks, lambda: self.env.power(a.value, e))
 
     def _product(self, a: Item, b: Item, found: Table) -> None:
-        if is_one(a) or b.shape in (Shape.NUMERAL, Shape.LED):
-            return
-        if isinstance(a.value, Vector | Tensor) and is_number(b.value) and not by_function(b):
-            return
-        if a.kind is b.kind is Tensor and (is_multiple(a) or is_multiple(b) or begins_with_numeral(b)):
+        if not self._is_product(a, b):
             return
         shape, marks = product_shape(a), brackets(a) + brackets(b)
         self._made(found, TIMES, (a, b), shape, marks, lambda: values.multiply(a.value, b.value))
-        if a.kind is b.kind is Vector and {a.shape, b.shape} <= {Shape.ATOM, Shape.SUM}:
+        if self._is_dyad(a, b):
             self._made(found, dyad, (a, b), shape, 1 + marks, lambda: Tensor.dyad(a.value, b.value))
 
-    def _aligned(self, a: Item, b: Item) -> tuple[type, tuple[int, ...], tuple[int, ...]] | None:
-        """Coordinates that can be added: of the same kind, or of numbers and vectors as quaternions."""
-        if a.coordinates is None or b.coordinates is None:
-            return None
-        if a.kind is b.kind:
-            return a.kind, a.coordinates, b.coordinates
-        if self._kind_of_sum(a.kind, b.kind) is None:
-            return None
-        first, second = ((*c, 0, 0, 0) if len(c) == 1 else (0, *c) if len(c) == 3 else c
-                         for c in (a.coordinates, b.coordinates))  # fmt: skip
-        return Quaternion, first, second
+    @staticmethod
+    def _is_product(a: Item, b: Item) -> bool:
+        """Whether anybody prints one beside the other."""
+        if is_one(a) or b.shape in (Shape.NUMERAL, Shape.LED):
+            return False
+        if a.kind in (Vector, Tensor) and b.kind in NUMBERS and not by_function(b):
+            return False
+        return not (a.kind is b.kind is Tensor and (is_multiple(a) or is_multiple(b) or begins_with_numeral(b)))
 
-    def _kind_of_sum(self, a: type, b: type) -> type | None:
-        """What things of two kinds are added as, if they are."""
-        if a is b:
-            return a
-        return Quaternion if self.quaternions and Tensor not in (a, b) else None
+    @staticmethod
+    def _is_dyad(a: Item, b: Item) -> bool:
+        return a.kind is b.kind is Vector and {a.shape, b.shape} <= {Shape.ATOM, Shape.SUM}
 
     def _made(
         self, found: Table, mark: Mark, parts: tuple[Item, ...], shape: Shape, marks: int, value: Callable[[], Any]
     ) -> None:
         try:
-            made = value()
-            if is_number(made) or (isinstance(made, Structure) and (self.quaternions or type(made) is not Quaternion)):
-                keep(found, Item(made, shape, marks + sum([p.marks for p in parts]), mark, parts))
+            new = value()
+            if is_number(new) or (isinstance(new, Structure) and (self.quaternions or type(new) is not Quaternion)):
+                keep(found, Item(new, shape, marks + sum([p.marks for p in parts]), mark, parts))
         except MEANINGLESS:
             return

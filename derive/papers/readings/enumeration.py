@@ -7,7 +7,9 @@ like any other reading.
 
 from __future__ import annotations
 
+import gc
 from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import reduce
 from itertools import pairwise
@@ -25,7 +27,7 @@ from ..numbers.kinds import BRANCH, ORDER, SIGN
 from ..numbers.residues import PRIME, Reduced
 from .items import MEANINGLESS, OpenError, Table, flat, key
 from .reach import Reach
-from .search import CAP, COUNTED, Side
+from .search import CAP, Side
 from .targets import UndecidedSearchError
 from .tokens import equations, surviving
 
@@ -61,6 +63,19 @@ class UnreadableError(Exception):
     """The display is no chain of equations between values of the field."""
 
 
+@contextmanager
+def _collector_paused() -> Iterator[None]:
+    """No looking for cycles: parts of a formula make none, and looking takes a third of the time of a search."""
+    enabled = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if enabled:
+            gc.enable()
+
+
+@_collector_paused()
 def read(entry: Equation, lost: str, search: bool = True) -> Readings:
     """All readings of the display of an entry.
 
@@ -80,9 +95,7 @@ def read(entry: Equation, lost: str, search: bool = True) -> Readings:
         raise UnreadableError(entry.number)
     try:
         env = _environment(entry, statement)
-        found = [_Chain(chain, env, lost, _has_root(entry), COUNTED) for chain in chains]
-        if search and not any(chain.impossible() for chain in found) and not all(chain.listed for chain in found):
-            found = [_Chain(chain, env, lost, _has_root(entry), CAP) for chain in chains]
+        found = [_Chain(chain, env, lost, _has_root(entry)) for chain in chains]
     except (NotExactError, *MEANINGLESS) as error:
         raise UnreadableError(f"{entry.number}: {error}") from error
     count = reduce(lambda product, chain: min(CAP, product * chain.count), found, 1)
@@ -129,13 +142,13 @@ def _has_root(entry: Equation) -> bool:
 class _Member:
     """A side: a single letter with its value, or one with marks to put in."""
 
-    def __init__(self, term: Term, env: Env, lost: str, radicals: bool, cap: int) -> None:
+    def __init__(self, term: Term, env: Env, lost: str, radicals: bool) -> None:
         tokens = surviving(term, lost)
         bare = term.arguments[0] if isinstance(term, Apply) and term.mark is pm else term
-        self.term, self.either = term, bare is not term
+        self.term, self.either, self.env = term, bare is not term, env
         self.value = env.now(env.value(bare))
         self.fixed = len(tokens) == 1 + self.either or isinstance(self.value, values.Solution | values.Either)
-        self.side = Side(tokens, env, radicals, not isinstance(self.value, Tensor), cap)
+        self.side = Side(tokens, env, radicals, not isinstance(self.value, Tensor))
         self.table: Table | None = None
 
     def list(self) -> None:
@@ -154,6 +167,13 @@ class _Member:
         """How many readings it has."""
         return 1 if self.fixed else self.side.cap if self.table is None else len(self.table)
 
+    def at(self, k: Any) -> Any:
+        """The value with that key."""
+        if self.table is None:
+            return self.value
+        value = self.env.now(self.table[k].value)
+        return values.Either(value, values.negative(value)) if self.either else value
+
     def reading(self, k: Any) -> Term:
         """The reading with that value."""
         if self.fixed or self.table is None:
@@ -165,9 +185,9 @@ class _Member:
 class _Chain:
     """Sides that should be equal."""
 
-    def __init__(self, sides: Sequence[Term], env: Env, lost: str, radicals: bool, cap: int) -> None:
+    def __init__(self, sides: Sequence[Term], env: Env, lost: str, radicals: bool) -> None:
         self.env = env
-        self.members = [_Member(side, env, lost, radicals, cap) for side in sides]
+        self.members = [_Member(side, env, lost, radicals) for side in sides]
         for member in self.members:
             member.list()
         self.fixed = [member for member in self.members if member.fixed]
@@ -184,12 +204,14 @@ class _Chain:
         if not tables:
             return [None] if all(self._agree(a.value, b.value) for a, b in pairwise(self.fixed)) else []
         shared = [k for k in tables[0] if all(k in table for table in tables[1:])]
-        return [k for k in shared if all(self._fits(member.value, k, self.read[0]) for member in self.fixed)]
-
-    def _fits(self, given: Any, k: Any, member: _Member) -> bool:
-        if isinstance(given, values.Solution | values.Either):
-            return self._agree(given, self.env.now(self.env.value(member.reading(k))))
-        return k in (key(given), *((key(values.negative(given)),) if self.either else ()))
+        for given in [member.value for member in self.fixed]:
+            if isinstance(given, values.Solution | values.Either):
+                shared = [k for k in shared if self._agree(given, self.read[0].at(k))]
+            else:
+                signed = [given, values.negative(given)] if self.either else [given]
+                wanted = [key(value) for value in signed]
+                shared = [k for k in shared if k in wanted]
+        return shared
 
     def _agree(self, a: Any, b: Any) -> bool:
         try:
@@ -224,7 +246,7 @@ class _Chain:
             return []
         if member.fixed or member.table is None:
             return [member.value]
-        return [self.env.now(self.env.value(item.term)) for item in member.table.values()]
+        return [self.env.now(item.value) for item in member.table.values()]
 
     def _along(self) -> int:
         """The length of the vector that the others are along."""

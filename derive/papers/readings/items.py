@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from enum import Enum, auto
+from enum import IntEnum, auto
 from fractions import Fraction
 from typing import Any
 
-from derive.algebra import Dual, Quaternion, Structure, Tensor, Vector
+from derive.algebra import Dual, Quaternion, Tensor, Vector
 
-from ..language import values
 from ..language.terms import Apply, Mark, Term
 from ..numbers.residues import Residue, residue
+from .coordinates import SIZES, Coordinates, coordinates, made
 from .tokens import INSERTED
 
 MEANINGLESS = (ArithmeticError, TypeError, AttributeError, ValueError, KeyError, IndexError)
@@ -21,7 +21,7 @@ class OpenError(Exception):
     """There are more readings than the cap."""
 
 
-class Shape(Enum):
+class Shape(IntEnum):
     """How a part looks, as far as it matters for what may stand beside it."""
 
     NUMERAL = auto()
@@ -34,10 +34,6 @@ class Shape(Enum):
     SUM = auto()
 
 
-SIZES = {Residue: 1, Vector: 3, Quaternion: 4, Tensor: 9}
-"""How many coordinates the things have that are added and multiplied by numbers as residues."""
-
-
 class Item:
     """A part read one way: its value, its looks, how many marks were put in, and what it is made of.
 
@@ -46,24 +42,43 @@ class Item:
     kind : type
         Of the value.
     coordinates : tuple of int, optional
-        The residues of a value that needs nothing else: no dual part, no angle, no exactness as an exponent.
+        The residues of a value that needs nothing else: no derivative in time, no angle.
+    function : bool
+        Whether the value is one.
+    inverse : tuple of int, optional
+        The coordinates of the inverse, once it was asked for.
     """
 
-    __slots__ = ("_value", "coordinates", "inverse", "kind", "mark", "marks", "parts", "shape")
+    __slots__ = ("_value", "coordinates", "function", "inverse", "kind", "mark", "marks", "parts", "shape")
 
     def __init__(self, value: Any, shape: Shape, marks: int, mark: Mark | None, parts: tuple[Any, ...],
-                 kind: type | None = None, coordinates: tuple[int, ...] | None = None) -> None:  # fmt: skip
+                 kind: type | None = None, c: Coordinates | None = None) -> None:  # fmt: skip
         self._value, self.shape, self.marks, self.mark, self.parts = value, shape, marks, mark, parts
         self.kind = kind or type(value)
-        self.coordinates = coordinates or _coordinates(value)
-        self.inverse = 0
+        self.coordinates = c or coordinates(value)
+        self.function = self.coordinates is None and callable(value)
+        self.inverse: Coordinates | None = None
 
     @property
     def value(self) -> Any:
         """The value, made of its coordinates when it is asked for."""
         if self._value is None and self.coordinates is not None:
-            self._value = _structure(self.kind, self.coordinates)
+            self._value = made(self.kind, self.coordinates)
         return self._value
+
+    @property
+    def dual(self) -> bool:
+        """Whether the coordinates are those of a dual value."""
+        return self.coordinates is not None and len(self.coordinates) > SIZES[self.kind]
+
+    @property
+    def key(self) -> tuple[Any, ...]:
+        """That of the value."""
+        if self.coordinates is None:
+            return key(self.value)
+        n, c = SIZES[self.kind], self.coordinates
+        flat = c if len(c) == n else tuple([(re, du) if du else re for re, du in zip(c[:n], c[n:], strict=True)])
+        return (*flat, 0, 0, 0) if n == 1 else (0, *flat) if n == 3 else flat
 
     @property
     def term(self) -> Term:
@@ -81,23 +96,6 @@ Table = dict[Any, Item]
 def leaf(term: Term, value: Any, numeral: bool) -> Item:
     """A letter or a numeral."""
     return Item(value, Shape.NUMERAL if numeral else Shape.ATOM, 0, None, (term,))
-
-
-def _coordinates(value: Any) -> tuple[int, ...] | None:
-    if isinstance(value, Residue):
-        return (value.value,) if value.angle is None else None
-    parts = list(values.coefficients(value)) if isinstance(value, Structure) else [None]
-    residues = tuple(residue(part) for part in parts)
-    return None if len(residues) != SIZES.get(type(value)) or None in residues else residues  # type: ignore[return-value]
-
-
-def _structure(kind: type, coordinates: tuple[int, ...]) -> Any:
-    parts = [Residue(c) for c in coordinates]
-    if kind is Residue:
-        return parts[0]
-    if kind is Tensor:
-        return Tensor.from_entries(parts)
-    return Vector(*parts) if kind is Vector else Quaternion(parts[0], Vector(*parts[1:]))
 
 
 def key(value: Any) -> tuple[Any, ...]:
@@ -128,7 +126,7 @@ def is_number(a: Any) -> bool:
 
 
 def offer(
-    found: Table, kind: type, value: tuple[int, ...], shape: Shape, marks: int, mark: Mark, parts: tuple[Item, ...]
+    found: Table, kind: type, value: Coordinates, shape: Shape, marks: int, mark: Mark, parts: tuple[Item, ...]
 ) -> None:
     known = found.get((kind, value, shape))
     if known is None or marks < known.marks:
@@ -136,21 +134,10 @@ def offer(
 
 
 def keep(found: Table, item: Item) -> None:
-    value = item.coordinates
-    if value is None:
-        value = item.value if item.kind in (int, Fraction) else key(item.value)
+    value = item.coordinates or item.key
     known = found.get((item.kind, value, item.shape))
     if known is None or item.marks < known.marks:
         found[item.kind, value, item.shape] = item
-
-
-def by_kind(table: Table) -> dict[tuple[type, bool], list[Item]]:
-    """What can be added, by kind, and whether it has coordinates."""
-    kinds: dict[tuple[type, bool], list[Item]] = {}
-    for item in table.values():
-        if item.coordinates is not None or not callable(item.value):
-            kinds.setdefault((item.kind, item.coordinates is not None), []).append(item)
-    return kinds
 
 
 def both_numerals(a: Item, b: Item) -> bool:
@@ -164,7 +151,7 @@ def is_one(a: Item) -> bool:
 def is_multiple(a: Item) -> bool:
     """Of the identity."""
     c = a.coordinates
-    return c is not None and c[0] == c[4] == c[8] and not any(c[1:4] + c[5:8])
+    return c is not None and len(c) == SIZES[Tensor] and c[0] == c[4] == c[8] and not any(c[1:4] + c[5:8])
 
 
 def begins_with_numeral(a: Item) -> bool:

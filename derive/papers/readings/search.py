@@ -1,6 +1,6 @@
 """All readings of one side of an equation: a table of the values that each stretch of its tokens can have.
 
-Longer stretches are put together from shorter ones, by `items.Combine`. Readings with the same value are one; the one
+Longer stretches are put together from shorter ones, by `combine.Combine`. Readings with the same value are one; the one
 with fewest added marks stands for it. A table that grows beyond the cap is left open.
 """
 
@@ -16,9 +16,7 @@ from .items import OpenError, Table, key, leaf
 from .tokens import Place, Token
 
 CAP = 10_000
-"""Distinct readings beyond which no true one is looked for."""
-COUNTED = 1000
-"""Distinct readings beyond which they are not counted: all displays together take most of a report's time."""
+"""Distinct readings beyond which they are not counted, and no true one is looked for one by one."""
 
 
 class Side:
@@ -54,8 +52,8 @@ class Side:
             self.combine.opposite(table, signed)
         found: Table = {}
         for item in sorted(signed.values(), key=lambda item: item.marks):
-            if not callable(item.value):
-                found.setdefault(key(self.env.now(item.value)), item)
+            if not item.function:
+                found.setdefault(key(self.env.now(item.value)) if self.env.moving else item.key, item)
         if len(found) > self.cap:
             raise OpenError
         return found

@@ -71,7 +71,7 @@ class Stretches:
             return None if number is None else (number,)
         if n == 2 and number is not None:
             return (number, 0)
-        if n == 2 and item.coordinates is not None and item.kind in (Vector, Quaternion):
+        if n == 2 and not item.dual and item.coordinates is not None and item.kind in (Vector, Quaternion):
             scalar, c1, c2, c3 = (0, *item.coordinates) if item.kind is Vector else item.coordinates
             if c2 or c3:
                 raise UndecidedSearchError("more than one direction")
@@ -79,7 +79,7 @@ class Stretches:
         return None
 
     def _triple(self, item: Item) -> Target:
-        if item.coordinates is None:
+        if item.coordinates is None or item.dual:
             raise UndecidedSearchError("a dual tensor")
         c = item.coordinates
         if any((c[1], c[2], c[3], c[6])) or c[4] != c[8] or (c[5] + c[7]) % PRIME:

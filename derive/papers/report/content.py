@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from derive.proof import Proof
 
 from ..paper import Paper
-from ..readings.search import CAP, COUNTED
+from ..readings.search import CAP
 from ..result import Counterexample, Result, Status
 from .plain import plain
 
@@ -93,7 +93,7 @@ def readings(result: Result) -> str:
     if not result.equation.extract or result.reading_count <= 1:
         return ""
     count, true = result.reading_count, sum(verdict.true for verdict in result.verdicts)
-    shown = f"{count} or more" if count in (COUNTED, CAP) or result.capped else str(count)
+    shown = f"{count} or more" if count == CAP or result.capped else str(count)
     return f"{shown} readings, {'none' if not true else 'one' if true == 1 else true} true"
 
 
