@@ -136,17 +136,3 @@ def test_the_former_release_has_the_orders_compared() -> None:
         pass
     with contextlib.suppress(former.Missing), former.former() as folder:  # it is missing in a source archive
         assert all((folder / f"cayley{order}.py").is_file() for order in former.ORDERS)
-
-
-def test_the_page_holds_both_sections(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    page = importlib.import_module("benchmarks.__main__")
-    monkeypatch.setattr(page.kernels, "section", lambda: "## Gates\n")
-    monkeypatch.setattr(page.former, "section", lambda: "## Against the former release\n")
-    monkeypatch.setattr("sys.argv", ["benchmarks", "-o", str(tmp_path / "docs" / "page.md")])
-    page.main()
-    text = (tmp_path / "docs" / "page.md").read_text(encoding="utf-8")
-    assert text.startswith("# Speed\n")
-    assert text.endswith("\n\n## Gates\n\n## Against the former release\n")
-    assert "## Against the former release" in capsys.readouterr().out

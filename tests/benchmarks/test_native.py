@@ -34,8 +34,10 @@ def test_threads_are_timed_against_one() -> None:
     assert "2 threads against one" in gate.what
 
 
-def test_a_section_that_is_not_measured_stays(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    page = tmp_path / "speed.md"
+def test_the_page_holds_all_sections_and_keeps_those_that_are_not_measured(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    page = tmp_path / "docs" / "speed.md"
     texts = {"kernels": "## One\n\nfirst", "native": "## Two\n\nsecond", "former": "## Three"}
 
     def measure(*names: str) -> str:
@@ -46,6 +48,8 @@ def test_a_section_that_is_not_measured_stays(tmp_path: Path, monkeypatch: pytes
         return page.read_text(encoding="utf-8")
 
     whole = measure()
+    assert whole.startswith("# Speed\n")
+    assert texts["former"] in capsys.readouterr().out
     assert [whole.index(text) for text in texts.values()] == sorted(whole.index(text) for text in texts.values())
     texts["native"] = "## Two\n\nanew"
     assert measure("native") == whole.replace("second", "anew")

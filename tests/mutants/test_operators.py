@@ -138,6 +138,6 @@ def test_a_statement_of_a_paper_with_one_mark_changed() -> None:
     paper = PAPERS[1]
     (entry,) = (entry for entry in paper.entries() if entry.number == "1")
     (statement, *_) = true_statements(decide(paper.slug, entry, paper.lost))
-    scores = [try_mutant(entry, change, mutant) for change, mutant in mutants(statement)]
+    scores = [try_mutant(entry, change, statement, mutant) for change, mutant in mutants(statement)]
     assert all(score.killed + score.meaningless + len(score.survivors) == 1 for score in scores)
     assert sum(score.killed for score in scores)
