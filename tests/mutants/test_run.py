@@ -18,7 +18,8 @@ from tests.mutants.programs import FORMS, Programs
 from tests.mutants.rooms import Files
 from tests.mutants.run import NotControlled, Results, Run
 
-pytestmark = pytest.mark.thorough
+# another test of this process may have imported JAX, which warns of every fork; what is forked here does without it
+pytestmark = [pytest.mark.thorough, pytest.mark.filterwarnings("ignore:os.fork:RuntimeWarning")]
 
 THING = "def double(a):\n    return 2 * a\n\n\ndef forgotten(a):\n    return a + 1\n"
 TEST = "from derive.toy.thing import double\n\n\ndef test_double():\n    assert double(3) == 6\n"
