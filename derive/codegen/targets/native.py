@@ -113,6 +113,7 @@ class Native(C):
             "tiles.h": {
                 "most": max(array.size for each in every for array in each.operands),
                 "operands": max(len(each.operands) for each in every),
+                "axes": MOST_AXES,
             },
             "direct.h": {},
             **{inside(table, "loops.h"): {"loops": found, "up": _up(table)} for table, found in loops.items()},
