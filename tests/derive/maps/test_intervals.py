@@ -42,7 +42,8 @@ def test_the_least_of_a_circle_is_below_all_of_it_and_not_by_much(text: str):
 @pytest.mark.parametrize(
     "text",
     ["tan(2*alpha)", "asin(alpha)", "alpha*acos(alpha**2)", "atan(alpha)", "tanh(2*alpha)", "alpha*sqrt(1 + alpha**2)",
-     "alpha/(1 + alpha**2)", "alpha*log(1 + alpha**2)", "alpha/(1 - 3*alpha**2/2 + 9*alpha**4/10)", "sin(3*alpha)"],
+     "alpha/(1 + alpha**2)", "alpha*log(1 + alpha**2)", "alpha/(1 - 3*alpha**2/2 + 9*alpha**4/10)", "sin(3*alpha)",
+     "alpha + alpha/(100*(4*alpha**2 - 1)**2)"],
 )  # fmt: skip
 def test_what_is_not_analytic_or_turns_back_inside_has_no_bound(text: str):
     assert intervals.smallest(parsed(text), RADIUS) is None
