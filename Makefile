@@ -13,7 +13,7 @@ PIP    := $(RUN) -m pip --disable-pip-version-check install --quiet --quiet --co
 CHECKS := check-errata check-theorems check-kernels
 
 .DEFAULT_GOAL := generate
-.PHONY: generate check $(CHECKS) proofs verify show test thorough quick smoke lint types mutants native bench accuracy figures parameterizations clean help
+.PHONY: generate check $(CHECKS) proofs verify show test thorough test-native quick smoke lint types mutants native bench accuracy figures parameterizations clean help
 
 generate: $(READY)  ## derive, prove and write the committed kernels (the default)
 	$(RUN) -m derive generate
@@ -44,6 +44,13 @@ test: $(TESTED)  ## lint, types, stale check, proofs with their controls and all
 
 thorough: $(TESTED)  ## tests of compilers, further charts and mutants, which take minutes more
 	$(PYTEST) -m thorough
+
+# Tests which kernels that NumPy runs have passed, beneath which the compiled ones of all committed charts stand here.
+test-native: $(TESTED)  ## the tests of kernels once more, on compiled functions of all committed charts
+	rm -rf build/test-native
+	$(RUN) -m tests.support.native build/test-native
+	DUALCAY_NATIVE=1 PYTHONPATH=build/test-native/site $(PYTEST) -m "not thorough" tests/generated \
+	    --ignore tests/generated/test_the_tests.py --ignore tests/generated/test_kernel_other_orders.py
 
 quick: $(TESTED)  ## lint, types and a smoke of every room, in less than a minute
 	$(MAKE) --no-print-directory --jobs=3 types smoke lint

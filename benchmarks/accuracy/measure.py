@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from derive.codegen.signatures import POSES, ROTATIONS
-from tests.support import cases, kernels, rotations, sampling
+from tests.support import cases, kernels, ranges, rotations, sampling
 from tests.support.accuracy import FUNCTIONS, Trial
 from tests.support.calculus import CALCULUS
 from tests.support.cases import DTYPES, TRIALS, Case
@@ -69,7 +69,7 @@ class Measurement:
     errors: tuple[float, float]
     gates: tuple[float, float]
     case: Case | None  # None where no sample was in range
-    left_out: int  # samples whose (1 + v·v)^n overflows
+    left_out: int  # samples where powers of 1 + v·v overflow
     table: str = POSES.name
 
     @property
@@ -89,7 +89,7 @@ def measured(trial: Trial, function: str, table: str = POSES.name) -> Measuremen
     worst, errors, gates, given, left_out = -1.0, [0.0, 0.0], None, None, 0
     for result in getattr(trial, function)():
         gates = result.gates
-        if not all(sampling.in_range(trial.order, v) for v in vectors(function, result.given)):
+        if not all(ranges.in_range(trial.order, v) for v in vectors(function, result.given)):
             left_out += 1
             continue
         # NaN and a lost type are errors without bound.

@@ -11,9 +11,11 @@ import numpy as np
 from benchmarks.accuracy.curves import Drawn
 from benchmarks.accuracy.measure import COUNT, DIGITS, FEW, ORDERS, Measurement, types
 from derive.codegen.signatures import POSES, ROTATIONS
+from derive.maps.evaluation import HORNER_LIMIT
 from tests.support import errors, rotations
 from tests.support.calculus import CALCULUS, EVERY
 from tests.support.cases import DTYPES
+from tests.support.ranges import largest
 from tests.support.sampling import OUTSIDE, PRINCIPAL
 
 # Parts of results that have names, and gates, of their own; other functions show the larger of the two.
@@ -205,7 +207,7 @@ def summary(measurements: Iterable[Measurement]) -> Iterator[str]:
 
 
 def left_out(measurements: Iterable[Measurement]) -> dict[tuple[str, int], int]:
-    """How many poses of a type and order were left out because p² + x q² overflows."""
+    """How many poses of a type and order were left out because powers of 1 + x overflow."""
     counts: dict[tuple[str, int], int] = {}
     for m in measurements:
         if m.function == "pose" and m.left_out:
@@ -222,22 +224,22 @@ def verdict(measurements: Sequence[Measurement]) -> list[str]:
 
 
 def out_of_range(measurements: Sequence[Measurement]) -> Iterator[str]:
-    """Where p² + x q² overflows, and the samples left out for it."""
+    """Where powers of 1 + x overflow, and the samples left out for it."""
     counts = left_out(measurements)
     yield "## Range"
     yield ""
     yield (
-        "The kernels compute p² + x q² = (1 + |v|²)ⁿ in the type they are given. Where that overflows, results are "
-        "NaN, so those samples are left out above. Largest |v| by the type's exponents, and samples left out:"
+        f"Up to n = {HORNER_LIMIT} the kernels compute p² + x q² = (1 + |v|²)ⁿ in the type they are given, from there on "
+        "(1 + |v|²)³, for powers are divided out along the way. Where that overflows, results are NaN. Largest |v|, "
+        "and samples left out above:"
     )
     yield ""
     body = []
     for dtype in types():
         limits = []
         for n in ORDERS:
-            exponent = (np.finfo(DTYPES[dtype]).maxexp - math.log2(4 * n)) / n
-            size = exponent / 2 * math.log10(2)
-            limit = f"{math.sqrt(2**exponent - 1):.3g}" if size < 4 else f"1e{math.floor(size)}"
+            size = largest(n, DTYPES[dtype])
+            limit = f"{size:.3g}" if size < 1e4 else f"1e{math.floor(np.log10(size))}"
             left = counts.get((dtype, n), 0)
             limits.append(limit + (f" ({left} left out)" if left else ""))
         body.append([dtype, *limits])

@@ -19,6 +19,7 @@ from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import Arithmetic
 from . import closed_forms, polynomials, turns, way_back
 from .cayley_scalars import CayleyScalars
+from .evaluation import HORNER_LIMIT
 from .families import alpha
 from .formula import LATEX_ORDER, IsotropicMap, QuaternionMap
 from .polynomials import FIELD, rational, require_order, x
@@ -206,7 +207,8 @@ class Cayley:
         return self
 
     def overflow(self, largest: float) -> tuple[str, float]:
-        return f"(1 + x)^{self.order} overflows", largest ** (0.5 / self.order)
+        power = self.order if self.order <= HORNER_LIMIT else 3
+        return f"(1 + x)^{power} overflows", largest ** (0.5 / power)
 
     @property
     def letters(self) -> tuple[tuple[str, sympy.Expr], ...]:

@@ -1,4 +1,8 @@
-"""p_n, q_n and the brackets c_n, d_n of CP23 (88) and (89) at one x, with two derivatives, named when asked for."""
+"""p_n, q_n and the brackets c_n, d_n of CP23 (88) and (89) at one x, with two derivatives, named when asked for.
+
+Those of the chain are divided by one power of 1 + x: p, q and d, which scalars take in quotients only, by the power
+⌊n/2⌋, and c, as p² and x q² are, by its square.
+"""
 
 from __future__ import annotations
 
@@ -26,7 +30,17 @@ class CayleyPolynomials:
 
     @cached_property
     def _chain(self) -> dict[int, tuple[Jet, Jet]]:
-        return chain(self.order, self.x, self.m)
+        return chain(self.order, self.x, self._shrinking, self.m)
+
+    @cached_property
+    def _beyond_one(self) -> Coefficient:
+        return self.m.name("x1", 1 + self.x)
+
+    @cached_property
+    def _shrinking(self) -> Coefficient:
+        """``1/(1 + x)``, and NaN, not 0, where its cube overflows: slopes would be finite and wrong."""
+        cube = self.m.name("x3", self._beyond_one * self._beyond_one * self._beyond_one)
+        return self.m.name("u", self.m.div(cube, cube) / self._beyond_one)
 
     @cached_property
     def _jets(self) -> tuple[Jet, Jet]:

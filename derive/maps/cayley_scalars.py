@@ -8,8 +8,8 @@ in which c_n and d_n are the brackets of CP23 (88) and (89) divided by x. One so
 give the formulas, ``Fraction`` and mpmath numbers values, `Dual` numbers dual values, traced numbers programs.
 A slope, marked y, is ``2 d/dx``: the factor of ``v · v°`` in the dual part, since ``x° = 2 v · v°``. Slopes of slopes
 are marked yy; with ``e = 2n/(1 + x)``, the slope of N over N, no division by x is left in any of them.
-N is written ``p² + x q²``, whose rounding error does not grow with n, and ``(N/N)/N`` stands for 1/N: NaN where N has
-overflowed and 1/N would be finite and wrong. Only x is needed, never |v|: a pure translation is no special case.
+N is written ``p² + x q²``, whose rounding error does not grow with n, and ``(N/N)/N`` stands for 1/N, where powers of
+1 + x are not divided out before: NaN where N has overflowed and 1/N would be finite and wrong. Only x is needed, never |v|: a pure translation is no special case.
 """
 
 from __future__ import annotations
@@ -42,7 +42,8 @@ class CayleyScalars(CayleyPolynomials):
         if self.order % 2:
             return self.m.name("root", self.m.sqrt(self.norm))
         p, q = self._half
-        return self.m.name("root", p * p + self.x * (q * q))
+        root = p * p + self.x * (q * q)
+        return self.m.name("root", root if self._expanded or self.order % 4 == 0 else root * self._shrinking)
 
     @cached_property
     def _half(self) -> tuple[Coefficient, Coefficient]:
@@ -54,27 +55,25 @@ class CayleyScalars(CayleyPolynomials):
         first, second = self._chain[half]
         return first.value, second.value
 
-    def _reciprocal(self, norm: Coefficient) -> Coefficient:
-        return self.m.div(norm, norm) / norm
+    def _over(self, numerator: int, norm: Coefficient) -> Coefficient:
+        if self._expanded:
+            return numerator * (self.m.div(norm, norm) / norm)
+        return self.m.div(numerator, norm)
 
     @cached_property
     def _twice_inverse_norm(self) -> Coefficient:
-        return self.m.name("r", 2 * self._reciprocal(self.norm))
+        return self.m.name("r", self._over(2, self.norm))
 
     @cached_property
     def _growth(self) -> Coefficient:
         """``2 N′/N = 2n/(1 + x)``."""
         return self.m.name("e", 2 * self.order / self._beyond_one)
 
-    @cached_property
-    def _beyond_one(self) -> Coefficient:
-        return self.m.name("x1", 1 + self.x)
-
     # --- q̂ = s + w v, CP23 (50), (55) -------------------------------------------------------------------------
 
     @cached_property
     def _inverse_root(self) -> Coefficient:
-        return self.m.name("r", self._reciprocal(self.root))
+        return self.m.name("r", self._over(1, self.root))
 
     @cached_property
     def s(self) -> Coefficient:

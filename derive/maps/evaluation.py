@@ -1,4 +1,7 @@
-"""Evaluate p_n, q_n and their derivatives without losing digits: Horner's rule, or the pair chain by squaring."""
+"""Evaluate p_n, q_n and their derivatives without losing digits: Horner's rule, or the pair chain by squaring.
+
+The chain divides by powers of 1 + x along the way: any order then overflows no sooner than the third does.
+"""
 
 from __future__ import annotations
 
@@ -71,19 +74,23 @@ def horner(polynomial: Any, x: Coefficient) -> Coefficient:
     return value
 
 
-def chain(order: int, x: Coefficient, m: Arithmetic) -> dict[int, tuple[Jet, Jet]]:
-    """Jets of (p_k, q_k) for every k on the way from 1 to ``order`` by doubling and stepping.
+def chain(order: int, x: Coefficient, shrinking: Coefficient, m: Arithmetic) -> dict[int, tuple[Jet, Jet]]:
+    """Jets of (p_k, q_k) over ``(1 + x)^⌊k/2⌋`` for every k on the way from 1 to ``order`` by doubling and stepping.
 
-    ``p_2k = p² − x q²``, ``q_2k = 2 p q``; ``p_(k+1) = p − x q``, ``q_(k+1) = p + q``: no alternating sums.
+    ``p_2k = p² − x q²``, ``q_2k = 2 p q``; ``p_(k+1) = p − x q``, ``q_(k+1) = p + q``: no alternating sums. Derivatives are
+    those of p_k and q_k, divided alike. Where k is odd, the squares are divided once more, by ``1/(1 + x)``.
     """
-    argument, two = Jet(x, 1), Jet(2)
+    argument, two, shrink = Jet(x, 1), Jet(2), Jet(shrinking)
     k, p, q = 1, Jet(1), Jet(1)
     pairs = {1: (p, q)}
     for bit in bin(order)[3:]:
         pp, qq = p.square().named(m, f"p{k}p{k}"), q.square().named(m, f"q{k}q{k}")
         xqq = (argument * qq).named(m, f"xq{k}q{k}")
+        odd = k % 2
         k *= 2
         p, q = pp - xqq, two * (p * q)
+        if odd:
+            p, q = p * shrink, q * shrink
         pairs[k] = p, q = p.named(m, f"p{k}"), q.named(m, f"q{k}")
         if bit == "1":
             k += 1

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType
 
+import numpy as np
 import pytest
 
 from tests.support import packages, rotations, sampling
@@ -50,3 +51,15 @@ def test_rotations_alone_of_order_seven(folder: Path) -> None:
     trial = RotationTrial(importlib.import_module(f"{PACKAGE}.rotation.cayley7"), 7, "shadow", count=1)
     for name in rotations.FUNCTIONS:
         trial.check(name)
+
+
+@pytest.mark.parametrize(("dtype", "size"), [(np.float32, 5e5), (np.float64, 5e49)])
+def test_order_eleven_goes_as_far_as_the_third_power_of_one_plus_x(folder: Path, dtype: type, size: float) -> None:
+    """Its eleventh overflows at |v| = 57 and 1e14. Errors are within the gate of shadows, 10 n eps; then there is NaN."""
+    module = importlib.import_module(f"{PACKAGE}.cayley11")
+    v = (size * sampling.dual_vectors("far", np.float64, 5)).astype(dtype)
+    for name in ("quaternion", "pose", "tensor", "tangent", "tangent_inv"):
+        function = getattr(module, name)
+        exact = function(v.astype(np.longdouble))
+        assert np.abs(function(v) - exact).max() <= 110 * np.finfo(dtype).eps * np.abs(exact).max()
+        assert np.isnan(function(100 * v)).any(axis=tuple(range(1, exact.ndim))).all()

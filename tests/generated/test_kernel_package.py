@@ -6,6 +6,7 @@ import importlib
 import os
 import subprocess
 import sys
+from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -13,7 +14,7 @@ from mypy import api
 
 import dualcay
 from derive import about
-from tests.support.kernels import ORDERS, load
+from tests.support.kernels import BACKENDS, ORDERS, load
 
 MODULES = sorted([*(f"cayley{order}" for order in ORDERS), *about.FAMILIES])
 
@@ -35,7 +36,8 @@ def test_a_module_lists_what_users_call(order: int) -> None:
 
 def test_backend_says_what_runs_each_function() -> None:
     functions = {getattr(load(3), name).__name__ for name in load(3).__all__}  # aliases once
-    assert dualcay.backend() == dict.fromkeys(sorted(functions), "numpy")
+    assert list(dualcay.backend()) == sorted(functions)
+    assert set(dualcay.backend().values()) == BACKENDS
 
 
 @pytest.mark.parametrize(("name", "option"), [("cayley6", "-n 6"), ("sine77", "--family sine77")])
@@ -55,11 +57,11 @@ def test_a_name_that_is_no_module_is_refused_with_those_that_are() -> None:
 def test_the_package_run_says_what_it_is() -> None:
     root = Path(dualcay.__file__).parents[1]
     done = subprocess.run([sys.executable, "-m", "dualcay"], cwd=root, capture_output=True, text=True, check=True)
-    count = len(dualcay.backend())
+    counts = Counter(dualcay.backend().values())
     assert done.stdout.splitlines() == [
         f"dualcay {about.__version__}",
         f"modules  {', '.join(MODULES)}",
-        f"backend  numpy: {count} functions",
+        *(f"backend  {name}: {count} functions" for name, count in counts.items()),
     ]
     assert done.stderr == ""
 

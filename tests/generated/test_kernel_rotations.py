@@ -15,6 +15,7 @@ from scipy.spatial.transform import Rotation
 import dualcay.rotation
 from derive import about
 from derive.codegen.signatures import ROTATIONS
+from tests.support.kernels import BACKENDS
 from tests.support.rotation_arguments import ROUNDINGS, arguments
 
 MODULES = (*(f"cayley{n}" for n in about.ORDERS), *about.FAMILIES)
@@ -192,7 +193,8 @@ def test_modules_are_found_listed_pickled_and_told() -> None:
     assert pickle.loads(pickle.dumps(m.rate)) == m.rate
     assert pickle.loads(pickle.dumps(m.KERNELS)) is m.KERNELS
     functions = {getattr(m, name).__name__ for name in m.__all__}  # aliases once
-    assert dualcay.rotation.backend() == dict.fromkeys(sorted(functions), "numpy")
+    assert list(dualcay.rotation.backend()) == sorted(functions)
+    assert set(dualcay.rotation.backend().values()) == BACKENDS
     assert repr(m.KERNELS) == "<RotationKernels of dualcay.rotation.cayley2>"
     for name in m.__all__:
         assert not re.search(r"\.\.\., [268]|\bdual\b|\bRe ", getattr(m, name).__doc__), f"{name} tells of poses"

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from tests.support import errors, sampling
+from tests.support import errors, ranges, sampling
 from tests.support.accuracy import FUNCTIONS, Trial
 from tests.support.errors import THREE, through
 from tests.support.first_principles import E, pack
@@ -199,7 +199,7 @@ class CalculusTrial(Trial):
             for v, got in zip(self.v, self.module.shadow_jacobian(self.v, branch), strict=True):
                 sides = (branch, -branch) if self.tie else (branch,)
                 there = [self.oracle.shadow(v, k) for k in sides]
-                if all(sampling.in_range(self.order, rounded(w, self.dtype)) for w in there):
+                if all(ranges.in_range(self.order, rounded(w, self.dtype)) for w in there):
                     exact = [self.oracle.shadow_jacobian(v, k) for k in sides]
                     sizes = [self._of_branch(v, w) if branch else Nil(math.sqrt(3), 0.0) for w in there]
                     yield Result(got, exact, sizes, self._gates, (v,), f"branch {branch}")

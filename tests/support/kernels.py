@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import importlib.util
+import os
 import sys
 from collections.abc import Iterable
 from pathlib import Path
@@ -19,6 +20,9 @@ ORDERS = (1, 2, 3, 4, 5, 8)
 ALIKE = (1, 2, 5)
 """Orders that are enough for what all modules do alike, as with arrays of any form: 1 has a geometry of its own, and an
 even one no root. Generation replays each module besides."""
+
+BACKENDS = {"native", "numpy"} if os.environ.get("DUALCAY_NATIVE") == "1" else {"numpy"}
+"""What runs functions of the committed charts in these tests: compiled ones too, where the environment says so."""
 
 
 def orders(chosen: Iterable[int]) -> Any:

@@ -1,4 +1,7 @@
-"""The package of compiled NumPy functions, of some charts: built and installed in a folder, and found by kernels."""
+"""The package of compiled NumPy functions, of some charts: built and installed in a folder, and found by kernels.
+
+Run with a folder, it builds that of all committed charts there.
+"""
 
 from __future__ import annotations
 
@@ -12,6 +15,7 @@ from pathlib import Path
 from unittest.mock import patch
 
 import dualcay
+from derive.codegen import catalogue
 from derive.codegen.facts import Facts
 from derive.codegen.lowered import lower
 from derive.codegen.module import companion_texts, module_name, module_text, shared_texts
@@ -20,6 +24,10 @@ from derive.maps.chart import Chart
 from derive.output import files
 from derive.proof import prove
 from tests.support.packages import Otherwise
+
+
+PLAIN = "optimization=0"
+"""Without vector code, which takes ten times as long to compile: tests of the C target look at it."""
 
 
 def build(place: Path, charts: Iterable[Chart], *options: str) -> None:
@@ -58,3 +66,7 @@ def found(name: str, site: Path) -> Iterator[str]:
         yield name
     for loaded in [key for key in sys.modules if key.split(".")[0] in (name, "dualcay_native")]:
         del sys.modules[loaded]
+
+
+if __name__ == "__main__":
+    build(Path(sys.argv[1]), catalogue.committed(), PLAIN)

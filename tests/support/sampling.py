@@ -112,12 +112,6 @@ def poses(order: int, regime: str, dtype: type = np.float64, count: int = COUNT,
     return _filled(np.concatenate([tangent * axis, dual], axis=-1), rng, dtype)
 
 
-def in_range(order: int, v: np.ndarray) -> bool:
-    """Whether (1 + v·v)^n, with the factors that stand beside it, is a number of v's type."""
-    exponent = order * np.log2(1 + float(v[:3] @ v[:3])) + np.log2(4 * order)
-    return bool(exponent < np.finfo(v.dtype).maxexp)
-
-
 def dual_vectors(key: str, dtype: type = np.float64, count: int = COUNT, seed: int = 0) -> np.ndarray:
     """Twists, rates, lines: six normal numbers a row."""
     rng = generator(key, np.dtype(dtype).name, seed=seed)

@@ -26,6 +26,9 @@ ROOT = Path(__file__).parents[2]
 ORDERS = packages.ORDERS["c"]
 TABLES = (POSES, ROTATIONS)
 STRICT = ("-Wall", "-Wextra", "-Wshadow", "-Wconversion", "-Wstrict-aliasing", "-Werror", "-pedantic")
+FAMILIES = [("gcc", "g++"), *([("clang", "clang++")] if shutil.which("clang++") else [])]
+"""Compilers of C and of C++, both of one making."""
+
 VECTOR = ("-O3", "-march=native", "-fno-math-errno", "-fno-trapping-math")
 SANITIZED = ("-O0", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
 REALS = ("float", "double")
@@ -64,6 +67,7 @@ def written(folder: Path, name: str, text: str) -> Path:
 
 
 # every order in a dialect, both types of numbers in each
+@pytest.mark.parametrize("compilers", FAMILIES, ids=lambda pair: pair[0])
 @pytest.mark.parametrize(
     ("standard", "real", "orders"),
     [
@@ -73,9 +77,9 @@ def written(folder: Path, name: str, text: str) -> Path:
         ("c++20", "float", ORDERS[:2]), ("c++20", "double", ORDERS[2:]),
     ],
 )  # fmt: skip
-def test_headers_compile_without_a_warning(package, tmp_path, standard, real, orders):
-    name = "g++" if "++" in standard else "gcc"
-    source = written(tmp_path, "some.c" if name == "gcc" else "some.cpp", includes(orders))
+def test_headers_compile_without_a_warning(package, tmp_path, standard, real, orders, compilers):
+    name = compilers["++" in standard]
+    source = written(tmp_path, "some.cpp" if "++" in standard else "some.c", includes(orders))
     flags = (f"-std={standard}", *STRICT, "-O2", f"-DDUALCAY_REAL={real}", f"-I{package}")
     run(tool(name), *flags, "-c", source, "-o", tmp_path / "some.o")
 
@@ -124,16 +128,20 @@ def test_device_qualifiers_stand_before_every_function(package, tmp_path):
     assert "GCC ivdep" not in text
 
 
-# every order in one of the two types, two of them as vector code with products and sums in one rounding
+# every order in one of the two types, two of them as vector code with products and sums in one rounding, by every compiler
 @pytest.mark.parametrize(
-    ("order", "real", "flags"),
-    [(n, REALS[i % 2], (*VECTOR, "-ffp-contract=fast") if n in (3, 8) else SANITIZED) for i, n in enumerate(ORDERS)],
+    ("compiler", "order", "real", "flags"),
+    [
+        (compiler, n, REALS[i % 2], (*VECTOR, "-ffp-contract=fast") if n in (3, 8) else SANITIZED)
+        for i, n in enumerate(ORDERS)
+        for compiler, _ in (FAMILIES if n in (3, 8) else FAMILIES[:1])
+    ],
 )
-def test_results_agree_with_exact_ones(package, tmp_path, order, real, flags):
+def test_results_agree_with_exact_ones(package, tmp_path, compiler, order, real, flags):
     program = tmp_path / "test"
     strict = ("-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic")
     source = package / f"test_cayley{order}.c"
-    run(tool("gcc"), *strict, *flags, f"-DDUALCAY_REAL={real}", source, "-o", program, "-lm")
+    run(tool(compiler), *strict, *flags, f"-DDUALCAY_REAL={real}", source, "-o", program, "-lm")
     assert f"cayley{order}, {real}: " in run(program)
 
 
@@ -148,11 +156,12 @@ def test_a_write_beyond_a_result_is_seen(package, tmp_path):
     assert "AddressSanitizer" in subprocess.run([program], capture_output=True, text=True, check=False).stderr
 
 
+@pytest.mark.parametrize("compilers", FAMILIES, ids=lambda pair: pair[1])
 @pytest.mark.parametrize("real", REALS)
-def test_results_agree_with_exact_ones_in_cpp(package, tmp_path, real):
+def test_results_agree_with_exact_ones_in_cpp(package, tmp_path, real, compilers):
     program = tmp_path / "test"
     flags = ("-std=c++17", "-Wall", "-Wextra", "-Werror", "-pedantic", "-O2", f"-DDUALCAY_REAL={real}")
-    run(tool("g++"), *flags, "-x", "c++", package / "test_cayley3.c", "-o", program)
+    run(tool(compilers[1]), *flags, "-x", "c++", package / "test_cayley3.c", "-o", program)
     assert "calls agree" in run(program)
 
 

@@ -25,7 +25,7 @@ from derive.codegen.targets import TARGETS
 from derive.codegen.validation import NUMPY, replay_package
 from derive.maps import Cayley, family
 from tests.support.kernels import load
-from tests.support.native import build, found
+from tests.support.native import PLAIN, build, found
 from tests.support.rotation_arguments import arguments
 from tests.support.signatures import SIGNATURES, components_first, components_last, inputs
 
@@ -43,11 +43,8 @@ OF_ROTATIONS = sorted(
 
 @pytest.fixture(scope="module")
 def site(shared: Callable[[str, Callable[[Path], object]], Path]) -> Path:
-    """Where the package is installed; one build for all processes.
-
-    Without vector code, which takes ten times as long to compile: tests of the C target look at it.
-    """
-    return shared("native", lambda place: build(place, CHARTS, "optimization=0")) / "site"
+    """Where the package is installed; one build for all processes."""
+    return shared("native", lambda place: build(place, CHARTS, PLAIN)) / "site"
 
 
 @pytest.fixture(scope="module")

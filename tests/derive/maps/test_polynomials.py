@@ -10,7 +10,9 @@ import pytest
 import sympy
 
 from derive.algebra import Dual
+from derive.algebra.arithmetic import PLAIN
 from derive.maps import polynomials
+from derive.maps.evaluation import HORNER_LIMIT, chain, horner
 from derive.maps.polynomials import FIELD, RING, RING_X, rational, x
 
 ORDERS = [*range(1, 17), 31, 64]
@@ -129,3 +131,15 @@ def test_what_is_no_integer_is_refused(n) -> None:
 
 def test_other_integers_are_taken() -> None:
     assert polynomials.require_order(np.int64(3)) == polynomials.require_order(sympy.Integer(3)) == 3
+
+
+@pytest.mark.parametrize("n", [HORNER_LIMIT + 1, 10, 12, 14, 16, 23, 64])
+def test_the_chain_divides_by_a_power_of_one_plus_x(n: int) -> None:
+    """The polynomials, and their derivatives by the same power."""
+    at = Fraction(3, 7)
+    for order, pair in chain(n, at, 1 / (1 + at), PLAIN).items():
+        for jet, polynomial in zip(pair, polynomials.ring_pair(order), strict=True):
+            derivative = polynomial
+            for found in (jet.value, jet.first, 2 * jet.half_second, 6 * jet.sixth_third):
+                assert found == horner(derivative, at) / (1 + at) ** (order // 2)
+                derivative = derivative.diff(RING_X)
