@@ -32,6 +32,12 @@ KINDS = {(row.arguments, row.result): name for name, row in SIGNATURES.items() i
 REGIMES = [r for r in sampling.REGIMES if r != "identity"]
 
 
+@pytest.fixture
+def inside(package):
+    """What makes a kernel a function for compiled code."""
+    return importlib.import_module(package("numba")).compiled
+
+
 @pytest.mark.parametrize("name", FUNCTIONS)
 def test_gates_of_the_oracle_hold(compiled, name):
     for regime in REGIMES:
@@ -211,3 +217,37 @@ def test_without_numba_the_import_says_what_is_missing(package):
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert f"ImportError: {name} is compiled by Numba, which is not installed: pip install numba" in done.stderr
+
+
+@pytest.mark.parametrize("name", ["pose", "rate", "body_twist", "from_pose", "compose", "interpolate"])
+def test_kernels_are_called_pose_by_pose(compiled, inside, name):
+    values, kernel = inputs(load(ORDER), name, ORDER, (4,)), inside(getattr(compiled(ORDER), name))
+    expected = getattr(load(ORDER), name)(*values)
+    found = np.empty((4, expected[0].size))
+    for i in range(4):
+        assert kernel(*(np.ravel(value[i]) for value in values), found[i]) is None
+    assert_nearly_equal(found.reshape(expected.shape), expected, eps=40)
+
+
+def test_code_that_numba_compiles_calls_kernels(compiled, inside):
+    """Those of space and of body twists are one kernel, with constants of their own."""
+    rate, twist = inside(compiled(ORDER).rate), inside(compiled(ORDER).body_twist)
+
+    @njit
+    def both(v, omega, v_dot, back):
+        for i in range(len(v)):
+            rate(v[i], omega[i], v_dot[i])
+            twist(v[i], v_dot[i], back[i])
+
+    for dtype, eps in ((np.float64, 40), (np.float32, 40)):
+        v, omega = inputs(load(ORDER), "rate", ORDER, (4,), dtype)
+        v_dot, back = np.empty_like(v), np.empty_like(v)
+        both(v, omega, v_dot, back)
+        assert_nearly_equal(v_dot, load(ORDER).rate(v, omega), eps=eps)
+        assert_nearly_equal(back, load(ORDER).body_twist(v, v_dot), eps=eps)
+
+
+def test_what_is_no_kernel_is_not_compiled_into_code(compiled, inside):
+    for other in (np.tan, compiled(ORDER).shadow, compiled(ORDER).principal, compiled(ORDER).singular_angles, 3):
+        with pytest.raises(TypeError, match=r"expected a function .* that is a kernel, as cayley3\.pose, got"):
+            inside(other)

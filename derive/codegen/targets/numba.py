@@ -137,6 +137,11 @@ def _cores(printed: Iterable[python.Printed]) -> list[str]:
     return [part.body for program in printed for part in program.forms]
 
 
+def _shared(table: Table) -> dict[str, tuple[str, tuple[str, ...]]]:
+    """Functions that run a kernel with constants of their own, and these."""
+    return {name: (row.kernel, row.constants) for name, row in sorted(table.public.items()) if row.constants}
+
+
 WORDS = python.Words(
     value="ArrayLike",
     array_like="array_like",
@@ -165,6 +170,7 @@ class Numba(python.PythonTarget):
             "_chart.py": {},
             "_checks.py": {"words": WORDS},
             "_compiled.py": {},
+            "_inside.py": {"shared": {name: found for table in self.tables for name, found in _shared(table).items()}},
             "_runtime.py": {},
             "_tools.py": {},
         }
