@@ -7,10 +7,12 @@ from pathlib import Path
 
 import numpy as np
 
-from benchmarks import former, kernels, native, peers
+from benchmarks import former, kernels, libraries, native, peers
 from benchmarks.timing import ROUNDS
 
-SECTIONS = {"kernels": kernels.section, "native": native.section, "former": former.section}
+SECTIONS = {
+    "kernels": kernels.section, "native": native.section, "libraries": libraries.section, "former": former.section,
+}  # fmt: skip
 
 
 def main() -> None:

@@ -11,7 +11,8 @@ import tempfile
 import threading
 import time
 from collections.abc import Iterator, Sequence
-from functools import partial
+from contextlib import contextmanager
+from functools import cache, partial
 from pathlib import Path
 from statistics import median
 from typing import Any
@@ -21,10 +22,13 @@ import numpy as np
 from benchmarks.kernels import Gate, against, label, measured, per_pose
 from benchmarks.peers import Poses, c_form, pytransform3d_call, scipy_call
 from benchmarks.timing import Call, markdown
-from derive.maps import Cayley
+from derive.maps import Cayley, family
 from tests.support.native import build, found
 
 ORDERS = (2, 3)
+CHARTS = (*map(Cayley, ORDERS), family("exponential"))
+"""What is built, for this section and others."""
+
 SIZES = (1, 10, 100, 1_000, 10_000, 1_000_000)
 FUNCTIONS = {
     "pose": ("v",), "quaternion": ("v",), "tangent": ("v",), "rate": ("v", "w"), "from_pose": ("T",),
@@ -111,15 +115,34 @@ def threaded(native: Any, rounds: int = 9, repeats: int = 200) -> Gate:
     return Gate(f"pose, n = {label(native)}, N = {THREADED}: {THREADS} threads against one", ratio, LINEAR)
 
 
+@contextmanager
+def compiled() -> Iterator[str]:
+    """The name of a package of kernels that finds compiled functions of the charts.
+
+    Raises
+    ------
+    AssertionError
+        If they could not be built, with what was said.
+    """
+    with found("dualcay_native_measured", Path(_built().name, "site")) as package:
+        yield package
+
+
+@cache
+def _built() -> tempfile.TemporaryDirectory[str]:
+    """Built once, in a folder that goes when the process does."""
+    folder = tempfile.TemporaryDirectory(prefix="dualcay-native-")
+    build(Path(folder.name), CHARTS)
+    return folder
+
+
 def section(sizes: Sequence[int] = SIZES, orders: Sequence[int] = ORDERS) -> str:
     """The tables and what falls short, or a line that says why nothing was measured."""
-    with tempfile.TemporaryDirectory(prefix="dualcay-native-") as folder:
-        try:
-            build(Path(folder), map(Cayley, orders))
-        except AssertionError as error:
-            return f"Compiled functions were not measured, for they could not be built: {error}\n"
-        with found("dualcay_native_measured", Path(folder, "site")) as package:
+    try:
+        with compiled() as package:
             return _section(package, sizes, orders)
+    except AssertionError as error:
+        return f"Compiled functions were not measured, for they could not be built: {error}\n"
 
 
 def _section(package: str, sizes: Sequence[int], orders: Sequence[int]) -> str:

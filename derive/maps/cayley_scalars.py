@@ -9,7 +9,8 @@ give the formulas, ``Fraction`` and mpmath numbers values, `Dual` numbers dual v
 A slope, marked y, is ``2 d/dx``: the factor of ``v · v°`` in the dual part, since ``x° = 2 v · v°``. Slopes of slopes
 are marked yy; with ``e = 2n/(1 + x)``, the slope of N over N, no division by x is left in any of them.
 N is written ``p² + x q²``, whose rounding error does not grow with n, and ``(N/N)/N`` stands for 1/N, where powers of
-1 + x are not divided out before: NaN where N has overflowed and 1/N would be finite and wrong. Only x is needed, never |v|: a pure translation is no special case.
+1 + x are not divided out before: NaN where N has overflowed and 1/N would be finite and wrong. Only x is needed, never
+|v|: a pure translation is no special case.
 """
 
 from __future__ import annotations

@@ -77,8 +77,8 @@ def horner(polynomial: Any, x: Coefficient) -> Coefficient:
 def chain(order: int, x: Coefficient, shrinking: Coefficient, m: Arithmetic) -> dict[int, tuple[Jet, Jet]]:
     """Jets of (p_k, q_k) over ``(1 + x)^⌊k/2⌋`` for every k on the way from 1 to ``order`` by doubling and stepping.
 
-    ``p_2k = p² − x q²``, ``q_2k = 2 p q``; ``p_(k+1) = p − x q``, ``q_(k+1) = p + q``: no alternating sums. Derivatives are
-    those of p_k and q_k, divided alike. Where k is odd, the squares are divided once more, by ``1/(1 + x)``.
+    ``p_2k = p² − x q²``, ``q_2k = 2 p q``; ``p_(k+1) = p − x q``, ``q_(k+1) = p + q``: no alternating sums. Derivatives
+    are those of p_k and q_k, divided alike. Where k is odd, the squares are divided once more, by 1 + x.
     """
     argument, two, shrink = Jet(x, 1), Jet(2), Jet(shrinking)
     k, p, q = 1, Jet(1), Jet(1)

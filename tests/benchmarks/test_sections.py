@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import sys
+from contextlib import nullcontext
 from pathlib import Path
 
 import pytest
 
 from benchmarks import __main__ as command
-from benchmarks import native, timing
+from benchmarks import libraries, native, timing
 from tests.support.kernels import load
 
 
@@ -32,6 +33,25 @@ def test_threads_are_timed_against_one() -> None:
     gate = native.threaded(load(1), rounds=1, repeats=1)
     assert gate.ratio > 0
     assert "2 threads against one" in gate.what
+
+
+@pytest.mark.usefixtures("hasty")
+def test_libraries_have_lines_a_picture_and_words_where_they_are_faster(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(libraries, "compiled", lambda: nullcontext("dualcay"))
+    monkeypatch.setattr(libraries, "_numba", lambda folder: {})
+    monkeypatch.setattr(libraries, "LIBRARIES", {name: libraries.LIBRARIES[name] for name in ("SciPy", "SymForce")})
+    text = libraries.section((1, 3), tmp_path / "lines.png")
+    assert "](lines.png)" in text
+    assert (tmp_path / "lines.png").read_bytes().startswith(b"\x89PNG")
+    for title in libraries.TITLES.values():
+        table = text.partition(f"## {title.capitalize()}")[2].partition("\n\n## ")[0]
+        assert table.count("\n| NumPy, n = 2 |") == table.count("\n| SciPy |") == 1
+    found = {"NumPy, exponential": {1: 2.0, 3: 3.0}, "SciPy": {1: 4.0, 3: 1.0}}
+    assert list(libraries.faster("pose", found, ["NumPy"])) == [
+        "- pose: SciPy is faster than NumPy, exponential at N = 3 (3 x)."
+    ]
 
 
 def test_the_page_holds_all_sections_and_keeps_those_that_are_not_measured(

@@ -55,7 +55,7 @@ def test_rotations_alone_of_order_seven(folder: Path) -> None:
 
 @pytest.mark.parametrize(("dtype", "size"), [(np.float32, 5e5), (np.float64, 5e49)])
 def test_order_eleven_goes_as_far_as_the_third_power_of_one_plus_x(folder: Path, dtype: type, size: float) -> None:
-    """Its eleventh overflows at |v| = 57 and 1e14. Errors are within the gate of shadows, 10 n eps; then there is NaN."""
+    """Its eleventh overflows at |v| = 57 and 1e14. Errors keep within the gate of shadows, 10 n eps; then NaN."""
     module = importlib.import_module(f"{PACKAGE}.cayley11")
     v = (size * sampling.dual_vectors("far", np.float64, 5)).astype(dtype)
     for name in ("quaternion", "pose", "tensor", "tangent", "tangent_inv"):

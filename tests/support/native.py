@@ -25,7 +25,6 @@ from derive.output import files
 from derive.proof import prove
 from tests.support.packages import Otherwise
 
-
 PLAIN = "optimization=0"
 """Without vector code, which takes ten times as long to compile: tests of the C target look at it."""
 

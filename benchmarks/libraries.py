@@ -1,0 +1,227 @@
+"""Poses from vectors, vectors from poses, and products, from one to a million, beside every library that is installed.
+
+All libraries take exponential coordinates, so our exponential chart does what they do, and n = 2 the same for another
+vector. SymForce's vector of a pose is that of its rotation and the translation as it is, which is less work. What has
+no function of arrays is called in a loop, up to some thousand poses. The plot is docs/benchmarks.png.
+"""
+
+from __future__ import annotations
+
+import importlib
+import sys
+import tempfile
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from benchmarks.kernels import measured, per_pose
+from benchmarks.native import compiled
+from benchmarks.peers import Poses, load, scipy_call
+from benchmarks.timing import Call, markdown
+from derive.codegen import generate
+from derive.maps import Cayley, family
+from derive.maps.chart import Chart
+
+PLOT = Path(__file__).parents[1] / "docs" / "benchmarks.png"
+SIZES = (1, 10, 100, 1_000, 10_000, 100_000, 1_000_000)
+LOOPED = 1_000
+"""The most poses for what is called in a loop."""
+
+FUNCTIONS = {"pose": ("v",), "from_pose": ("T",), "compose": ("w", "v")}
+CHARTS = (Cayley(2), family("exponential"))
+TITLES = {"pose": "vector to pose", "from_pose": "pose to vector", "compose": "product of two vectors"}
+
+Lines = dict[str, dict[int, float]]
+"""Seconds by the name of a line and the number of poses."""
+
+SWAP = np.array([3, 4, 5, 0, 1, 2])
+"""Translation first to rotation first, or back."""
+
+
+def ours(packages: Mapping[str, str], function: str, size: int) -> Iterator[tuple[str, Call]]:
+    """Calls of every chart in every form."""
+    for chart in CHARTS:
+        poses = Poses.draw(importlib.import_module(f"dualcay.{chart.name}"), size)
+        arguments = [getattr(poses, name) for name in FUNCTIONS[function]]
+        for form, package in packages.items():
+            kernel = getattr(importlib.import_module(f"{package}.{chart.name}"), function)
+            yield f"{form}, {label(chart)}", partial(kernel, *arguments)
+
+
+def label(chart: Chart) -> str:
+    """What a chart is called here."""
+    return f"n = {chart.order}" if chart.cayley else chart.name
+
+
+def libraries(function: str, size: int) -> Iterator[tuple[str, Call | None]]:
+    """Calls of libraries, on the same poses."""
+    poses = Poses.draw(importlib.import_module("dualcay.exponential"), size)
+    for name, make in LIBRARIES.items():
+        yield name, make(function, poses)
+
+
+def _pytransform3d(function: str, poses: Poses) -> Call | None:
+    trajectories = load("pytransform3d.trajectories")
+    if trajectories is None or function == "compose":
+        return None
+    if function == "pose":
+        return partial(trajectories.transforms_from_exponential_coordinates, np.atleast_2d(poses.exponential))
+    return partial(trajectories.exponential_coordinates_from_transforms, poses.T.reshape(-1, 4, 4))
+
+
+def _jaxlie(function: str, poses: Poses) -> Call | None:
+    """Compiled, on arrays that are JAX's already."""
+    if load("jaxlie") is None:
+        return None
+    import jax
+    from jaxlie import SE3
+
+    jax.config.update("jax_enable_x64", True)
+    maps: dict[str, tuple[Callable[..., Any], tuple[Any, ...]]] = {
+        "pose": (lambda e: SE3.exp(e).as_matrix(), (poses.exponential[..., SWAP],)),
+        "from_pose": (lambda T: SE3.from_matrix(T).log(), (poses.T,)),
+        "compose": (
+            lambda a, b: (SE3.exp(a) @ SE3.exp(b)).log(), (poses.other[..., SWAP], poses.exponential[..., SWAP]),
+        ),
+    }  # fmt: skip
+    compute, given = jax.jit(maps[function][0]), [jax.numpy.asarray(array) for array in maps[function][1]]
+    return lambda: compute(*given).block_until_ready()
+
+
+def _looped(count: int, one: Callable[..., object], *arrays: Any) -> Call | None:
+    """Pose by pose, as long as they are few."""
+    if arrays[0].ndim == count:
+        return lambda: one(*arrays)
+    return (lambda: [one(*each) for each in zip(*arrays, strict=True)]) if len(arrays[0]) <= LOOPED else None
+
+
+def _pinocchio(function: str, poses: Poses) -> Call | None:
+    pin = load("pinocchio")
+    if pin is None:
+        return None
+    first, second = poses.other[..., SWAP], poses.exponential[..., SWAP]
+    if function == "pose":
+        return _looped(1, lambda e: pin.exp6(e).homogeneous, second)
+    if function == "from_pose":
+        return _looped(2, lambda T: pin.log6(T).vector, poses.T)
+    return _looped(1, lambda a, b: pin.log6(pin.exp6(a) * pin.exp6(b)).vector, first, second)
+
+
+def _symforce(function: str, poses: Poses) -> Call | None:
+    sym = load("sym")
+    if sym is None or function == "from_pose":  # it makes no pose of a matrix
+        return None
+    make = sym.Pose3.from_tangent
+    if function == "pose":
+        return _looped(1, lambda e: make(e).to_homogenous_matrix(), poses.exponential)
+    return _looped(1, lambda a, b: make(a).compose(make(b)).to_tangent(), poses.other, poses.exponential)
+
+
+LIBRARIES: Mapping[str, Callable[[str, Poses], Call | None]] = {
+    "SciPy": scipy_call, "pytransform3d": _pytransform3d, "jaxlie, jitted": _jaxlie, "pinocchio": _pinocchio,
+    "SymForce": _symforce,
+}  # fmt: skip
+
+FLOOR = "copying the result"
+
+
+def lines(packages: Mapping[str, str], function: str, sizes: Sequence[int]) -> Lines:
+    """Every line of a function."""
+    found: Lines = {}
+    for size in sizes:
+        calls: dict[str, Call | None] = dict(ours(packages, function, size))
+        calls |= dict(libraries(function, size))
+        results = [call() for call in calls.values() if call]  # the first call of some compiles
+        made: Any = results[0]
+        calls[FLOOR] = partial(np.copyto, np.empty_like(made), made)
+        for name, seconds in measured(calls, size).items():
+            found.setdefault(name, {})[size] = seconds
+    return found
+
+
+# --- what is said ---------------------------------------------------------------------------------------------------
+
+
+def table(function: str, found: Lines, sizes: Sequence[int]) -> str:
+    """Nanoseconds of one pose."""
+    head = ("", *(f"N = {size:,}" for size in sizes))
+    body = [(name, *(per_pose(at[n], n) if n in at else "–" for n in sizes)) for name, at in found.items()]
+    return markdown(f"{TITLES[function].capitalize()} ({function}), ns per pose", head, body)
+
+
+def faster(function: str, found: Lines, forms: Sequence[str]) -> Iterator[str]:
+    """Where a library is faster than the exponential chart in one of its forms, in words."""
+    for form in forms:
+        mine = found[f"{form}, exponential"]
+        for name in LIBRARIES:
+            where = [size for size, seconds in found.get(name, {}).items() if seconds < mine[size]]
+            if where:
+                times = ", ".join(f"N = {size:,} ({mine[size] / found[name][size]:.2g} x)" for size in where)
+                yield f"- {function}: {name} is faster than {form}, exponential at {times}."
+
+
+def draw(every: Mapping[str, Lines], path: Path) -> None:
+    """The picture, where matplotlib is installed."""
+    figure = load("matplotlib.figure")
+    if figure is None:
+        return
+    made = figure.Figure(figsize=(13, 5.2), layout="constrained")
+    panels = made.subplots(1, len(every), sharey=True)
+    for axes, (function, found) in zip(panels, every.items(), strict=True):
+        for name, at in found.items():
+            colour, style, mark = LOOKS[name]
+            each = [seconds / size * 1e9 for size, seconds in at.items()]
+            axes.loglog(list(at), each, style, color=colour, marker=mark, ms=5, label=name)
+        axes.set(title=TITLES[function], xlabel="poses in a call")
+        axes.grid(alpha=0.25)
+    panels[0].set_ylabel("ns per pose")
+    known = {line.get_label(): line for axes in panels for line in axes.get_lines()}
+    made.legend([known[name] for name in LOOKS if name in known], [name for name in LOOKS if name in known],
+                loc="outside lower center", ncols=6, frameon=False)  # fmt: skip
+    made.savefig(path, dpi=110, metadata={"Software": None})
+
+
+BLUE, GREEN, RED = "#0072B2", "#009E73", "#D55E00"
+LOOKS = {
+    "NumPy, n = 2": (BLUE, "-", "o"), "NumPy, exponential": (BLUE, "--", "o"),
+    "Numba, n = 2": (GREEN, "-", "s"), "Numba, exponential": (GREEN, "--", "s"),
+    "compiled, n = 2": (RED, "-", "^"), "compiled, exponential": (RED, "--", "^"),
+    "SciPy": ("#E69F00", ":", "v"), "pytransform3d": ("#8C510A", ":", "P"), "jaxlie, jitted": ("#CC79A7", ":", "X"),
+    "pinocchio": ("#7F7F7F", ":", "d"), "SymForce": ("#000000", ":", "*"), FLOOR: ("#BBBBBB", "-", ""),
+}  # fmt: skip
+"""Colour, line and mark: ours by form and chart, libraries dotted."""
+
+
+def section(sizes: Sequence[int] = SIZES, plot: Path = PLOT) -> str:
+    """Tables, the picture, and where a library is faster."""
+    with tempfile.TemporaryDirectory(prefix="dualcay-numba-") as folder, compiled() as native:
+        packages = {"NumPy": "dualcay", **_numba(Path(folder)), "compiled": native}
+        every = {function: lines(packages, function, sizes) for function in FUNCTIONS}
+    draw(every, plot)
+    words = [line for function, found in every.items() for line in faster(function, found, list(packages))]
+    missing = [name for name in LIBRARIES if not any(name in found for found in every.values())]
+    return "\n".join([
+        "## Beside other libraries, from one pose to a million", "",
+        f"![ns per pose against poses in a call]({plot.name})", "",
+        "Our exponential chart takes the vectors that libraries take, n = 2 others of the same poses; SymForce's leave "
+        "the translation as it is. Pinocchio and SymForce are called pose by pose.",
+        *([f"Not installed: {', '.join(missing)}."] if missing else []), "",
+        *(table(function, found, sizes) for function, found in every.items()),
+        "Where a library is faster than the same map of ours:", "", *(words or ["- nowhere."]), "",
+    ])  # fmt: skip
+
+
+def _numba(folder: Path) -> dict[str, str]:
+    """A package of the charts that Numba compiles, where it is installed."""
+    if load("numba") is None:
+        return {}
+    generate([2], "numba", folder / "dualcay_numba_measured", families=["exponential"])
+    sys.path.insert(0, str(folder))
+    return {"Numba": "dualcay_numba_measured"}
+
+
+if __name__ == "__main__":
+    sys.stdout.write(section())
