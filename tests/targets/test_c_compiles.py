@@ -128,7 +128,7 @@ def test_device_qualifiers_stand_before_every_function(package, tmp_path):
     assert "GCC ivdep" not in text
 
 
-# every order in one of the two types, two of them by every compiler, as vector code with products and sums in one rounding
+# every order in one of the two types; two of them by every compiler, as vector code with sums of products rounded once
 @pytest.mark.parametrize(
     ("compiler", "order", "real", "flags"),
     [
