@@ -110,6 +110,7 @@ EMISSION = Checks(
     ("validation", TESTS),
     emits=True,
 )
+VALIDATION = ("derive/codegen/cases", "derive/codegen/validation")
 PAPERS = Checks("papers", ("derive/papers",), ("tests/derive/papers",), ("execution", TESTS))
 
 ROOMS: Mapping[str, Room] = {
@@ -133,8 +134,18 @@ ROOMS: Mapping[str, Room] = {
         ),
         Files(
             "codegen",
-            "derive/codegen, derive/output: by emission with validation, then by their tests and those of kernels",
+            "derive/codegen but for its checks, derive/output: by emission with validation, then by their tests and those "
+            "of kernels",
             ("derive/codegen", "derive/output"),
+            EMISSION,
+            ("derive.proof",),
+            lambda: VALIDATION,
+        ),
+        Files(
+            "validation",
+            "the cases and checks of emission, which a mutant weakens: the same, on a mutant that finds fault with what is "
+            "right, or by tests which break what they guard",
+            VALIDATION,
             EMISSION,
             ("derive.proof",),
         ),

@@ -101,6 +101,8 @@ def test_printing_keeps_the_order_of_evaluation():
         (a - (b - a), "v1 - (v2 - v1)"),
         (a / (a * b), "v1 / (v1 * v2)"),
         (-(a + b) * a, "-(v1 + v2) * v1"),
+        (a / Fraction(2, 3), "3 * v1 / 2"),
+        (Fraction(2, 3) / a, "2 / (3 * v1)"),
         (trace.where(trace.both(trace.less(a, b), trace.equal(a, 0)), a, b), "m.where((v1 < v2) & (v1 == 0), v1, v2)"),
     ]:
         assert infix.body(trace.program("f", (value,))).splitlines()[-1] == f"    return {text},"
