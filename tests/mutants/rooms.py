@@ -134,8 +134,8 @@ ROOMS: Mapping[str, Room] = {
         ),
         Files(
             "codegen",
-            "derive/codegen but for its checks, derive/output: by emission with validation, then by their tests and those "
-            "of kernels",
+            "derive/codegen but for its checks, derive/output: by emission with validation, then by their tests and "
+            "those of kernels",
             ("derive/codegen", "derive/output"),
             EMISSION,
             ("derive.proof",),
@@ -143,8 +143,7 @@ ROOMS: Mapping[str, Room] = {
         ),
         Files(
             "validation",
-            "the cases and checks of emission, which a mutant weakens: the same, on a mutant that finds fault with what is "
-            "right, or by tests which break what they guard",
+            "cases and checks of emission: by finding fault with what is right, then by tests that break what is guarded",
             VALIDATION,
             EMISSION,
             ("derive.proof",),
