@@ -27,7 +27,8 @@ from derive.codegen.validation.compiled import compiler
 from derive.maps import Cayley
 from tests.support import packages
 
-FLAGS = ("-std=c99", "-O3", "-march=native", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math")
+FLAGS = ("-std=c99", "-O3", "-march=native", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math",
+         "-DDUALCAY_SIMD_MATH")  # fmt: skip
 TYPES = {"double": np.float64, "float": np.float32}
 
 Array = NDArray[Any]

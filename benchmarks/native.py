@@ -11,7 +11,7 @@ import tempfile
 import threading
 import time
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from functools import cache, partial
 from pathlib import Path
 from statistics import median
@@ -136,18 +136,19 @@ def _built() -> tempfile.TemporaryDirectory[str]:
     return folder
 
 
-def section(sizes: Sequence[int] = SIZES, orders: Sequence[int] = ORDERS) -> str:
+def section(sizes: Sequence[int] = SIZES) -> str:
     """The tables and what falls short, or a line that says why nothing was measured."""
-    try:
-        with compiled() as package:
-            return _section(package, sizes, orders)
-    except AssertionError as error:
-        return f"Compiled functions were not measured, for they could not be built: {error}\n"
+    with ExitStack() as stack:
+        try:
+            package = stack.enter_context(compiled())
+        except AssertionError as error:
+            return f"Compiled functions were not measured, for they could not be built: {error}\n"
+        return _section(package, sizes)
 
 
-def _section(package: str, sizes: Sequence[int], orders: Sequence[int]) -> str:
+def _section(package: str, sizes: Sequence[int]) -> str:
     lines, gates = [], list[Gate]()
-    for order in orders:
+    for order in ORDERS:
         pair = [importlib.import_module(f"{name}.cayley{order}") for name in ("dualcay", package)]
         for size in sizes:
             for row, decided in rows(*pair, size):

@@ -229,9 +229,9 @@ def out_of_range(measurements: Sequence[Measurement]) -> Iterator[str]:
     yield "## Range"
     yield ""
     yield (
-        f"Up to n = {HORNER_LIMIT} the kernels compute p² + x q² = (1 + |v|²)ⁿ in the type they are given, from there "
-        "on (1 + |v|²)³, for powers are divided out along the way. Where that overflows, results are NaN. Largest "
-        "|v|, and samples left out above:"
+        f"Up to n = {HORNER_LIMIT} the kernels compute p² + x q² = (1 + |v|²)ⁿ in the type they are given, for larger "
+        "n (1 + |v|²)⁴: they divide powers out along the way. Where that overflows, results are NaN. Largest |v|, "
+        "and samples left out of the tables above:"
     )
     yield ""
     body = []

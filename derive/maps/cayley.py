@@ -207,7 +207,7 @@ class Cayley:
         return self
 
     def overflow(self, largest: float) -> tuple[str, float]:
-        power = self.order if self.order <= HORNER_LIMIT else 3
+        power = self.order if self.order <= HORNER_LIMIT else 4
         return f"(1 + x)^{power} overflows", largest ** (0.5 / power)
 
     @property

@@ -38,9 +38,10 @@ class CayleyPolynomials:
 
     @cached_property
     def _shrinking(self) -> Coefficient:
-        """``1/(1 + x)``, and NaN, not 0, where its cube overflows: slopes would be finite and wrong."""
-        cube = self.m.name("x3", self._beyond_one * self._beyond_one * self._beyond_one)
-        return self.m.name("u", self.m.div(cube, cube) / self._beyond_one)
+        """``1/(1 + x)``, and NaN where its fourth power, as slopes of slopes have it, would be 0 and they wrong."""
+        square = self.m.name("x2", self._beyond_one * self._beyond_one)
+        fourth = self.m.name("x4", square * square)
+        return self.m.name("u", self.m.div(fourth, fourth) / self._beyond_one)
 
     @cached_property
     def _jets(self) -> tuple[Jet, Jet]:

@@ -1,6 +1,6 @@
 """Evaluate p_n, q_n and their derivatives without losing digits: Horner's rule, or the pair chain by squaring.
 
-The chain divides by powers of 1 + x along the way: any order then overflows no sooner than the third does.
+The chain divides by powers of 1 + x along the way: any order then overflows no sooner than the fourth does.
 """
 
 from __future__ import annotations

@@ -41,7 +41,8 @@ def test_libraries_have_lines_a_picture_and_words_where_they_are_faster(
 ) -> None:
     monkeypatch.setattr(libraries, "compiled", lambda: nullcontext("dualcay"))
     monkeypatch.setattr(libraries, "_numba", lambda folder: {})
-    monkeypatch.setattr(libraries, "LIBRARIES", {name: libraries.LIBRARIES[name] for name in ("SciPy", "SymForce")})
+    few = {name: libraries.LIBRARIES[name] for name in ("SciPy", "pytransform3d")}
+    monkeypatch.setattr(libraries, "LIBRARIES", few)
     text = libraries.section((1, 3), tmp_path / "lines.png")
     assert "](lines.png)" in text
     assert (tmp_path / "lines.png").read_bytes().startswith(b"\x89PNG")

@@ -143,7 +143,7 @@ ROOMS: Mapping[str, Room] = {
         ),
         Files(
             "validation",
-            "cases and checks of emission: by finding fault with what is right, then by tests that break what is guarded",
+            "cases and checks of emission: by finding fault with what is right, or by tests",
             VALIDATION,
             EMISSION,
             ("derive.proof",),

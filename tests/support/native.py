@@ -9,10 +9,12 @@ import importlib.util
 import os
 import subprocess
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from unittest.mock import patch
+
+import numpy as np
 
 import dualcay
 from derive.codegen import catalogue
@@ -24,13 +26,14 @@ from derive.maps.chart import Chart
 from derive.output import files
 from derive.proof import prove
 from tests.support.packages import Otherwise
+from tests.support.signatures import components_first, components_last
 
 PLAIN = "optimization=0"
 """Without vector code, which takes ten times as long to compile: tests of the C target look at it."""
 
 
-def build(place: Path, charts: Iterable[Chart], *options: str) -> None:
-    """Make the package, with options of Meson, and install it in the folder ``site`` there."""
+def build(place: Path, charts: Iterable[Chart], *options: str, only: str = "") -> None:
+    """Make the package, of one table or all, with options of Meson, and install it in the folder ``site`` there."""
     native, source = TARGETS["native"], place / "source"
     without_test = Otherwise(native, companions=native.further)  # the differential one, which is that of the C target
     texts = dict(shared_texts(native))
@@ -38,6 +41,9 @@ def build(place: Path, charts: Iterable[Chart], *options: str) -> None:
         proved = prove(chart)
         facts = Facts(proved, lower(proved))
         texts |= {module_name(chart, native): module_text(facts, native)} | companion_texts(facts, without_test)
+    modules = (name for name in texts if name.endswith(".c"))
+    for name in [name for name in modules if only and not name.startswith(f"{only}/")]:
+        del texts[name]
     files.write(source, texts)
     path = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
     pip = (sys.executable, "-m", "pip", "install", "--quiet", "--no-build-isolation", "--no-deps", "--no-index")
@@ -65,6 +71,21 @@ def found(name: str, site: Path) -> Iterator[str]:
         yield name
     for loaded in [key for key in sys.modules if key.split(".")[0] in (name, "dualcay_native")]:
         del sys.modules[loaded]
+
+
+def require_one_in_all_layouts(function: Callable[..., np.ndarray], values: list[np.ndarray], shape: tuple[int, ...]):
+    """Gathered tiles, rows where they are, and single poses run one loop without contraction."""
+    rank = len(shape)
+    last = function(*values)
+    first = function(*(components_first(a, a.ndim - 1) for a in values), axis=0)
+    spread = function(*(np.repeat(a, 2, axis=0)[::2] for a in values))
+    turned = function(*(a.reshape(10, 15, *a.shape[1:]).swapaxes(0, 1) for a in values))
+    assert last.flags.c_contiguous
+    assert turned.flags.c_contiguous  # NumPy would lay it out as arguments are
+    np.testing.assert_array_equal(turned.swapaxes(0, 1).reshape(last.shape), last)
+    np.testing.assert_array_equal(components_last(first, rank), last)
+    np.testing.assert_array_equal(spread, last)
+    np.testing.assert_array_equal(function(*(a[70] for a in values)), last[70])
 
 
 if __name__ == "__main__":

@@ -25,9 +25,9 @@ from derive.codegen.targets import TARGETS
 from derive.codegen.validation import NUMPY, replay_package
 from derive.maps import Cayley, family
 from tests.support.kernels import load
-from tests.support.native import PLAIN, build, found
+from tests.support.native import PLAIN, build, found, require_one_in_all_layouts
 from tests.support.rotation_arguments import arguments
-from tests.support.signatures import SIGNATURES, components_first, components_last, inputs
+from tests.support.signatures import SIGNATURES, inputs
 
 pytestmark = [pytest.mark.compiler, pytest.mark.thorough]
 
@@ -98,21 +98,6 @@ def test_layouts_agree_to_the_digit(native, name):
 def test_layouts_of_rotations_agree_to_the_digit(rotations, name):
     row = ROTATIONS.public[name]
     require_one_in_all_layouts(getattr(rotations, name), arguments(row, dualcay.rotation.cayley3, (150,)), row.shape)
-
-
-def require_one_in_all_layouts(function: Callable[..., np.ndarray], values: list[np.ndarray], shape: tuple[int, ...]):
-    """Gathered tiles, rows where they are, and single poses run one loop without contraction."""
-    rank = len(shape)
-    last = function(*values)
-    first = function(*(components_first(a, a.ndim - 1) for a in values), axis=0)
-    spread = function(*(np.repeat(a, 2, axis=0)[::2] for a in values))
-    turned = function(*(a.reshape(10, 15, *a.shape[1:]).swapaxes(0, 1) for a in values))
-    assert last.flags.c_contiguous
-    assert turned.flags.c_contiguous  # NumPy would lay it out as arguments are
-    np.testing.assert_array_equal(turned.swapaxes(0, 1).reshape(last.shape), last)
-    np.testing.assert_array_equal(components_last(first, rank), last)
-    np.testing.assert_array_equal(spread, last)
-    np.testing.assert_array_equal(function(*(a[70] for a in values)), last[70])
 
 
 @pytest.mark.parametrize("name", ["pose", "compose", "from_pose", "rate"])

@@ -248,6 +248,24 @@ def test_code_that_numba_compiles_calls_kernels(compiled, inside):
 
 
 def test_what_is_no_kernel_is_not_compiled_into_code(compiled, inside):
-    for other in (np.tan, compiled(ORDER).shadow, compiled(ORDER).principal, compiled(ORDER).singular_angles, 3):
+    module = compiled(ORDER)
+    for other in (np.tan, module.shadow, module.principal, module.singular_angles, load(ORDER).pose, 3):
         with pytest.raises(TypeError, match=r"expected a function .* that is a kernel, as cayley3\.pose, got"):
             inside(other)
+
+
+def test_a_kernel_called_pose_by_pose_writes_no_further_than_its_result(compiled, inside):
+    pose, v = inside(compiled(ORDER).pose), np.zeros(6)
+    memory = np.zeros((8, 16))
+    for given in ((v, memory[0].reshape(4, 4)), (v, memory[0, :15]), (v, memory[:2].ravel()), (v[:5], memory[0])):
+        with pytest.raises(ValueError, match="expected arrays of one axis with 6, 16 components"):
+            pose(*given)
+    assert not memory.any()
+
+
+@pytest.mark.parametrize("dtype", [">f4", ">f8"])
+def test_numbers_of_the_other_byte_order_are_turned(compiled, dtype):
+    v = sampling.poses(ORDER, "uniform").astype(dtype)
+    got = compiled(ORDER).pose(v)
+    assert got.dtype == np.dtype(dtype).newbyteorder("=")
+    np.testing.assert_array_equal(got, compiled(ORDER).pose(v.astype(got.dtype)))
