@@ -105,6 +105,16 @@ def test_roots_of_quaternions_are_principal() -> None:
         assert half.scalar.re > 0
 
 
+def test_roots_for_every_order_are_of_unit_quaternions_of_the_angle() -> None:
+    field = EveryOrder()
+    cosine, sine, zero = field.cos(field.psi), field.sin(field.psi), field.psi - field.psi
+    root = field.power(Quaternion(cosine, Vector(sine, zero, zero)), 1 / field.n)
+    assert field.same(root.norm2(), 1)
+    for other in (Quaternion(cosine, Vector(2 * sine, zero, zero)), Quaternion(sine, Vector(cosine, zero, zero))):
+        with pytest.raises(NotExactError, match="roots of quaternions other than"):
+            field.power(other, 1 / field.n)
+
+
 def test_vectors_beside_numbers_make_quaternions() -> None:
     field = Decimal60()
     assert field.power(Vector(1, 2, 3), 2) == Quaternion(-14, Vector(0, 0, 0))

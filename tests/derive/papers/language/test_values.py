@@ -1,0 +1,23 @@
+"""When values of statements are equal, and what is shown of them."""
+
+from __future__ import annotations
+
+from derive.algebra import Tensor, Vector
+from derive.maps.pose import Pose
+from derive.papers.counterexample import shown
+from derive.papers.language.values import equal
+from derive.papers.numbers.fields import Decimal60
+
+IDENTITY = Tensor(((1, 0, 0), (0, 1, 0), (0, 0, 1)))
+TURNED = Tensor(((0, -1, 0), (1, 0, 0), (0, 0, 1)))
+
+
+def test_poses_are_equal_by_rotation_and_by_displacement() -> None:
+    field, pose = Decimal60(), Pose(IDENTITY, Vector(1, 2, 3))
+    assert equal(field, pose, Pose(IDENTITY, Vector(1, 2, 3)))
+    assert not equal(field, pose, Pose(IDENTITY, Vector(1, 2, 4)))
+    assert not equal(field, pose, Pose(TURNED, Vector(1, 2, 3)))
+
+
+def test_all_of_a_pose_is_shown() -> None:
+    assert [float(text) for text in shown(Pose(TURNED, Vector(4, 5, 6)))] == [0, -1, 0, 1, 0, 0, 0, 0, 1, 4, 5, 6]
