@@ -45,7 +45,7 @@ test: $(TESTED)  ## lint, types, stale check, proofs with their controls and all
 thorough: $(TESTED)  ## tests of compilers, further charts and mutants, which take minutes more
 	$(PYTEST) -m thorough
 
-# Tests which kernels that NumPy runs have passed, beneath which the compiled ones of all committed charts stand here.
+# Left out is what makes kernels of its own, beneath which nothing compiled is installed.
 test-native: $(TESTED)  ## the tests of kernels once more, on compiled functions of all committed charts
 	rm -rf build/test-native
 	$(RUN) -m tests.support.native build/test-native

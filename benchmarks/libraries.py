@@ -18,9 +18,10 @@ from typing import Any
 
 import numpy as np
 
+from benchmarks.accuracy.peers import SWAP
 from benchmarks.kernels import measured, per_pose
 from benchmarks.native import compiled
-from benchmarks.peers import Poses, load, scipy_call
+from benchmarks.peers import Poses, load, pytransform3d_call, scipy_call
 from benchmarks.timing import Call, markdown
 from derive.codegen import generate
 from derive.maps import Cayley, family
@@ -37,9 +38,6 @@ TITLES = {"pose": "vector to pose", "from_pose": "pose to vector", "compose": "p
 
 Lines = dict[str, dict[int, float]]
 """Seconds by the name of a line and the number of poses."""
-
-SWAP = np.array([3, 4, 5, 0, 1, 2])
-"""Translation first to rotation first, or back."""
 
 
 def _swapped(screws: Any) -> Any:
@@ -72,13 +70,13 @@ def _pytransform3d(function: str, poses: Poses) -> Call | None:
     trajectories = load("pytransform3d.trajectories")
     if trajectories is None:
         return None
+    if function == "pose":
+        return pytransform3d_call(function, poses)
     exp = trajectories.transforms_from_exponential_coordinates
     log = trajectories.exponential_coordinates_from_transforms
-    first, second = np.atleast_2d(poses.exponential), np.atleast_2d(poses.other)
-    if function == "pose":
-        return partial(exp, first)
     if function == "from_pose":
         return partial(log, poses.T.reshape(-1, 4, 4))
+    first, second = np.atleast_2d(poses.exponential), np.atleast_2d(poses.other)
     return lambda: log(trajectories.concat_many_to_many(exp(first), exp(second)))
 
 

@@ -19,7 +19,7 @@ from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import Arithmetic
 from . import closed_forms, polynomials, turns, way_back
 from .cayley_scalars import CayleyScalars
-from .evaluation import HORNER_LIMIT
+from .evaluation import CHAIN_POWER, HORNER_LIMIT
 from .families import alpha
 from .formula import LATEX_ORDER, IsotropicMap, QuaternionMap
 from .polynomials import FIELD, rational, require_order, x
@@ -207,7 +207,7 @@ class Cayley:
         return self
 
     def overflow(self, largest: float) -> tuple[str, float]:
-        power = self.order if self.order <= HORNER_LIMIT else 4
+        power = self.order if self.order <= HORNER_LIMIT else CHAIN_POWER
         return f"(1 + x)^{power} overflows", largest ** (0.5 / power)
 
     @property

@@ -38,7 +38,7 @@ class CayleyPolynomials:
 
     @cached_property
     def _shrinking(self) -> Coefficient:
-        """``1/(1 + x)``, and NaN where its fourth power, as slopes of slopes have it, would be 0 and they wrong."""
+        """``1/(1 + x)``, and NaN where `CHAIN_POWER` of it would be 0, and slopes of slopes finite and wrong."""
         square = self.m.name("x2", self._beyond_one * self._beyond_one)
         fourth = self.m.name("x4", square * square)
         return self.m.name("u", self.m.div(fourth, fourth) / self._beyond_one)

@@ -14,6 +14,9 @@ from ..algebra.arithmetic import Arithmetic
 HORNER_LIMIT = 8
 """Largest order evaluated by Horner's rule: above, cancellation between its large alternating coefficients shows."""
 
+CHAIN_POWER = 4
+"""The power of 1 + x that the chain needs as a number: slopes of slopes are made with one over it."""
+
 
 @dataclass(frozen=True, slots=True)
 class Jet:

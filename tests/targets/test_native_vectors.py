@@ -19,6 +19,7 @@ from tests.support.rotation_arguments import arguments
 
 pytestmark = [pytest.mark.compiler, pytest.mark.thorough]
 
+CHARTS = (Cayley(3),)
 NAMES = ("from_quaternion", "compose", "local", "to_exponential", "interpolate", "rate", "tensor")
 """Functions of angles, and two of none."""
 
@@ -26,8 +27,7 @@ NAMES = ("from_quaternion", "compose", "local", "to_exponential", "interpolate",
 @pytest.fixture(scope="module")
 def site(shared: Callable[[str, Callable[[Path], object]], Path]) -> Path:
     """Rotations alone: what compiles in half a minute."""
-    make = lambda place: build(place, [Cayley(3)], "optimization=3", only="rotation")  # noqa: E731
-    return shared("native_vectors", make) / "site"
+    return shared("native_vectors", lambda place: build(place, CHARTS, "optimization=3", only="rotation")) / "site"
 
 
 @pytest.fixture(scope="module")
