@@ -98,6 +98,11 @@ class Checks:
     emits: bool = False
     controlled: bool = False
 
+    @property
+    def deciding(self) -> tuple[str, ...]:
+        """All tests that may run."""
+        return (*self.tests, *KERNELS) if self.emits else self.tests
+
     def prepare(self, folder: Path) -> Knowledge:
         """Run everything once on the unchanged tree, and watch."""
         commented = isolated(lambda: self._commented(folder)) if self.emits else []
@@ -110,11 +115,12 @@ class Checks:
             with reach.by(CONTROLLING):
                 controls = road.controls() if self.controlled else ()
             tests = suite.run_all(self.tests, reach, few=FEW if self.emits else None)
+        long = [*tests.longer(LONG, LONG_FIXTURE), *kernels.longer(LONG, LONG_FIXTURE)]
         left_out = {
-            "fails unchanged": [*tests.failed, *kernels.failed],
-            "fails for one more comment in what is emitted": sorted(set(commented) - set(tests.failed)),
+            "takes long": long,
+            "fails unchanged": sorted({*tests.failed, *kernels.failed} - {*long}),
+            "fails for one more comment in what is emitted": sorted(set(commented) - {*tests.failed}),
             "starts a program of its own": sorted(reach.starters & tests.seconds.keys()),
-            "takes long": [*tests.longer(LONG, LONG_FIXTURE), *kernels.longer(LONG, LONG_FIXTURE)],
         }
         out = {name for names in left_out.values() for name in names}
         seconds = {**first, TESTS: tests.without(out), "kernels": kernels.without(out)}

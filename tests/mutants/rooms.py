@@ -31,7 +31,7 @@ class Room(Protocol):
 
     @property
     def checks(self) -> Checks | None:
-        """What has to look at the unchanged tree first."""
+        """What has to look at the unchanged tree first; its tests decide, too."""
 
     def edit(self, mutant: Mutant) -> Edit | None:
         """What is changed on disk before the trial."""

@@ -64,16 +64,20 @@ class Run:
     root : Path
         The working tree.
     cache : Path
-        Where results are kept, in a folder named by the digest of the tree.
+        Where results are kept, in folders named by the digest of what decides.
     seed, count, jobs : int
         Of the sample, its size in each room, and how many processes at once.
     """
 
     def __init__(self, root: Path, cache: Path, seed: int, count: int, jobs: int, say: Say) -> None:
         self.root, self.seed, self.count, self.jobs, self.say = root, seed, count, jobs, say
-        self.state = digest(root)
-        self.kept = cache / self.state
-        self.kept.mkdir(parents=True, exist_ok=True)
+        self.cache = cache
+
+    def kept(self, checks: Checks | None) -> Path:
+        """Where results are kept for what decides these checks."""
+        folder = self.cache / digest(self.root, checks.deciding if checks else ())
+        folder.mkdir(parents=True, exist_ok=True)
+        return folder
 
     @contextmanager
     def copies(self) -> Iterator[list[Copy]]:
@@ -89,46 +93,49 @@ class Run:
             for room in rooms:
                 total, chosen = drawn[room.name]
                 known = knowledge[room.checks.name] if room.checks else None
-                yield self._tried(Drawn(room, total, chosen, known, self._former(room.name)), copies)
+                yield self._tried(Drawn(room, total, chosen, known, self._former(room)), copies)
 
     # --- what trials need -----------------------------------------------------------------------------------------
 
     def _prepared(self, checks: Mapping[str, Checks], copies: list[Copy]) -> dict[str, Any]:
-        jobs = {name: partial(prepare, checks[name]) for name in checks}
-        return self._kept("checks", jobs, copies)
+        jobs = {self.kept(of) / f"checks-{name}.pickle": partial(prepare, of) for name, of in checks.items()}
+        return dict(zip(checks, self._values(jobs, copies)))
 
     def _drawn(self, rooms: list[Room], copies: list[Copy]) -> dict[str, Any]:
-        jobs = {room.name: partial(draw, room, self.seed, self.count) for room in rooms}
-        return self._kept(f"sample-{self.seed}-{self.count}", jobs, copies)
+        jobs = {
+            self.kept(room.checks) / f"sample-{self.seed}-{self.count}-{room.name}.pickle": partial(
+                draw, room, self.seed, self.count
+            )
+            for room in rooms
+        }
+        return dict(zip((room.name for room in rooms), self._values(jobs, copies)))
 
-    def _kept(self, kind: str, jobs: Mapping[str, Callable[[Path], Any]], copies: list[Copy]) -> dict[str, Any]:
-        """Values of jobs, each done once for a tree."""
-        paths = {name: self.kept / f"{kind}-{name}.pickle" for name in jobs}
-        found = {name: pickle.loads(path.read_bytes()) for name, path in paths.items() if path.exists()}
-        missing = [name for name in jobs if name not in found]
+    def _values(self, jobs: Mapping[Path, Callable[[Path], Any]], copies: list[Copy]) -> list[Any]:
+        """Values of jobs, each kept in a file of its own."""
+        missing = [path for path in jobs if not path.exists()]
 
-        def start(name: str, copy: Copy) -> tuple[ExitStack, Child]:
-            return ExitStack(), Child(partial(jobs[name], copy.folder))
+        def start(path: Path, copy: Copy) -> tuple[ExitStack, Child]:
+            return ExitStack(), Child(partial(jobs[path], copy.folder))
 
-        for number, outcome in outcomes([partial(start, name) for name in missing], copies):
-            name = missing[number]
+        for number, outcome in outcomes([partial(start, path) for path in missing], copies):
+            path = missing[number]
             if outcome.how != "done":
-                raise NotControlled(f"{name}: {outcome.how}\n{outcome.value}")
-            found[name] = outcome.value
-            paths[name].write_bytes(pickle.dumps(outcome.value))
-            self.say(f"{kind} of {name}: {outcome.seconds:.0f} s")
-        return found
+                raise NotControlled(f"{path.stem}: {outcome.how}\n{outcome.value}")
+            path.write_bytes(pickle.dumps(outcome.value))
+            self.say(f"{path.stem}: {outcome.seconds:.0f} s")
+        return [pickle.loads(path.read_bytes()) for path in jobs]
 
     # --- trials ---------------------------------------------------------------------------------------------------
 
-    def _former(self, room: str) -> dict[str, Fate]:
+    def _former(self, room: Room) -> dict[str, Fate]:
         """Of mutants that were killed in other trees, by what; the last time counts."""
-        others = sorted(self.kept.parent.glob(f"*/{room}.jsonl"), key=lambda path: path.stat().st_mtime)
-        entries = (entry for path in others if path.parent != self.kept for entry in _read(path).values())
+        others = sorted(self.cache.glob(f"*/{room.name}.jsonl"), key=lambda path: path.stat().st_mtime)
+        now = self.kept(room.checks)
+        entries = (entry for path in others if path.parent != now for entry in _read(path).values())
         return {entry["key"]: _kept_fate(entry) for entry in entries if entry["kind"] == KILLED}
 
     def _tried(self, drawn: Drawn, copies: list[Copy]) -> Results:
-        path = self.kept / f"{drawn.room.name}.jsonl"
+        path = self.kept(drawn.room.checks) / f"{drawn.room.name}.jsonl"
         kept = _read(path)
         trials: dict[str, Mutant | None] = {CONTROL: None, **drawn.sample}
         wanted = [key for key in trials if key not in kept]

@@ -16,7 +16,10 @@ import pytest
 from .reach import Reach
 
 PATIENCE = 600
-"""Seconds on the clock after which a test or a fixture is given up."""
+"""Seconds of processor time after which a fixture is given up."""
+
+BORED = 40
+"""The same of a watched test, which is much longer than one that may take part."""
 
 QUIET = (
     "-q", "--tb=no", "-p", "no:cacheprovider", "-p", "no:terminalreporter", "-p", "no:unraisableexception",
@@ -128,7 +131,7 @@ class _Recorded:
 
     @pytest.hookimpl(wrapper=True)
     def pytest_fixture_setup(self, fixturedef: Any) -> Iterator[None]:
-        with self.reach.by(f"fixture {fixturedef.argname}"), _alarm():
+        with self.reach.by(f"fixture {fixturedef.argname}"), _alarm(PATIENCE):
             return (yield)
 
     @pytest.hookimpl(wrapper=True)
@@ -139,24 +142,26 @@ class _Recorded:
 
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_call(self) -> Iterator[None]:
-        with _alarm():
+        with _alarm(BORED):
             return (yield)
 
 
 class _alarm:
-    """Raises where it stands after a while."""
+    """Raises where it stands after so many seconds of processor time; inside of another one, that goes on later."""
+
+    def __init__(self, seconds: float) -> None:
+        self.seconds = seconds
 
     def __enter__(self) -> None:
-        self.before = signal.signal(signal.SIGALRM, self._late)
-        signal.alarm(PATIENCE)
+        self.before = signal.signal(signal.SIGPROF, self._late)
+        self.left, _ = signal.setitimer(signal.ITIMER_PROF, self.seconds)
 
     def __exit__(self, *_: object) -> None:
-        signal.alarm(0)
-        signal.signal(signal.SIGALRM, self.before)
+        signal.signal(signal.SIGPROF, self.before)
+        signal.setitimer(signal.ITIMER_PROF, self.left)
 
-    @staticmethod
-    def _late(number: int, frame: FrameType | None) -> None:
-        raise TimeoutError(f"longer than {PATIENCE} s")
+    def _late(self, number: int, frame: FrameType | None) -> None:
+        raise TimeoutError(f"longer than {self.seconds} s")
 
 
 def first_failure(names: Sequence[str]) -> str | None:

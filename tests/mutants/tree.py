@@ -14,12 +14,17 @@ from pathlib import Path
 
 from .python import Edit
 
-DECIDING = ("derive", "templates", "generated", "tests", "docs/theorems.md", "docs/errata.md", "pyproject.toml")
-"""What decides the fate of a mutant: results are kept until one of these files changes."""
+DECIDING = (
+    "derive", "templates", "generated", "tests/support", ":(glob)tests/**/conftest.py", "tests/mutants",
+    ":(exclude)tests/mutants/fates", ":(exclude)tests/mutants/record.py", ":(exclude)tests/mutants/report.py",
+    ":(exclude)tests/mutants/run.py", ":(exclude)tests/mutants/__main__.py", ":(exclude)tests/mutants/test_*",
+    "docs/theorems.md", "docs/errata.md", "pyproject.toml",
+)  # fmt: skip
+"""What decides the fate of a mutant, besides the tests of its room: results are kept until one of these changes."""
 
 SEEN = (
-    *DECIDING, "benchmarks", "docs", "examples", "Makefile", "README.md", "CHANGELOG.md", "CITATION.cff",
-    "CONTRIBUTING.md", "SECURITY.md",
+    "derive", "templates", "generated", "tests", "pyproject.toml", "benchmarks", "docs", "examples", "Makefile",
+    "README.md", "CHANGELOG.md", "CITATION.cff", "CONTRIBUTING.md", "SECURITY.md",
 )  # fmt: skip
 """What checks may read."""
 
@@ -34,10 +39,10 @@ def files(root: Path, names: tuple[str, ...]) -> list[Path]:
     return sorted(root / name for name in set(listed) if name and (root / name).is_file())
 
 
-def digest(root: Path) -> str:
-    """Of every file that decides."""
+def digest(root: Path, tests: tuple[str, ...]) -> str:
+    """Of every file that decides, these tests among them."""
     total = hashlib.sha256(sys.version.encode())
-    for path in files(root, DECIDING):
+    for path in files(root, (*DECIDING, *tests)):
         total.update(f"{path.relative_to(root)}\0{hashlib.sha256(path.read_bytes()).hexdigest()}\n".encode())
     return total.hexdigest()[:16]
 
