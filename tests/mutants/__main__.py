@@ -13,12 +13,15 @@ reach      which checks reach which lines
 tree       copies of the working tree
 child      forked processes with limits
 run        sample, trials, kept results
+record     what became of a sample, kept with the sources
 report     table and page
 ========== ====================================================================================================
 
 A mutant of a file is written into a copy of the tree; a forked process imports the toolkit from there, runs the checks
-that reach the changed lines, and says which one failed. Results are kept in ``.mutants`` under a digest of the tree, so
-that a run that was stopped goes on, and the next one on the same tree shows its figures at once.
+that reach the changed lines, and says which one failed. Results are kept in ``.mutants`` under a digest of what
+decides them, so that a run that was stopped goes on, and the next one on the same tree shows its figures at once. What
+became of each mutant is recorded with the sources: rooms can be measured one by one, and what killed a mutant is asked
+first the next time, by everybody.
 """
 
 from __future__ import annotations
@@ -31,9 +34,9 @@ import time
 from collections.abc import Sequence
 from pathlib import Path
 
-from . import report
+from . import record, report
 from .rooms import ROOMS
-from .run import NotControlled, Results, Run
+from .run import NotControlled, Run
 
 ROOT = Path(__file__).parent.parent.parent
 PAGE = "docs/assurance.md"
@@ -56,21 +59,20 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
     for library in WARM:
         importlib.import_module(library)
-    run = Run(ROOT, ROOT / ".mutants", options.seed, options.sample, options.jobs, say)
-    results: list[Results] = []
+    run = Run(ROOT, ROOT / ".mutants", _state(), options.seed, options.sample, options.jobs, say)
+    scores = []
     try:
         for found in run.rooms([ROOMS[name] for name in options.room]):
-            results.append(found)
-            for mutant, _ in report.survivors(found):
-                print(f"{found.room.name}: {mutant.where}: {mutant.operator}: {mutant.change}")
+            found.write(ROOT)
+            scores.append(report.score(found))
+            for trial in found.survivors:
+                print(f"{found.room}: {trial.where}: {trial.operator}: {trial.change}")
     except NotControlled as error:
         print(error, file=sys.stderr)
         return 3
-    scores = [report.score(found) for found in results]
     print("\n" + report.plain(report.rows(scores)))
-    if len(results) == len(ROOMS):
-        text = report.page(results, _state(), options.seed, options.sample)
-        (ROOT / options.output).write_text(text, encoding="utf-8")
+    known = [kept for name in ROOMS if (kept := record.read(ROOT, name))]
+    (ROOT / options.output).write_text(report.page(known), encoding="utf-8")
     short = [s.name for s in scores if s.share < options.floor.get(s.name, options.floor.get("", 0.0))]
     if short:
         print(f"below the floor: {', '.join(short)}", file=sys.stderr)
@@ -84,7 +86,7 @@ def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument("--seed", type=int, default=SEED, help="of the sample (%(default)s)")
     parser.add_argument("--jobs", type=int, default=2, help="processes at once (%(default)s)")
     parser.add_argument("--floor", type=_floor, default={}, help="least per cent: 95, or proof=80,maps=90")
-    parser.add_argument("-o", "--output", default=PAGE, help="page, written when all rooms run (%(default)s)")
+    parser.add_argument("-o", "--output", default=PAGE, help="page of all rooms that were ever measured (%(default)s)")
     return parser.parse_args(arguments)
 
 

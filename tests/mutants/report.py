@@ -8,8 +8,9 @@ from dataclasses import dataclass
 
 from . import road
 from .checks import FEW
-from .mutant import EQUIVALENT, KILLED, MEANINGLESS, PROSE, SURVIVED, TIMEOUT, Fate, Mutant
-from .run import Results
+from .mutant import EQUIVALENT, KILLED, MEANINGLESS, PROSE, SURVIVED, TIMEOUT
+from .record import Record
+from .rooms import ROOMS, Room
 
 STAGES = ("proof", "validation", "execution", "tests", "kernels", "crash")
 FIRST = ("proof", "validation", "execution")
@@ -44,12 +45,12 @@ class Score:
         return 100 * count / self.counted if self.counted else 100.0
 
 
-def score(results: Results) -> Score:
+def score(record: Record) -> Score:
     """Count the fates of a room."""
-    fates = results.fates.values()
+    fates = [trial.fate for trial in record.trials.values()]
     killed = Counter(fate.stage for fate in fates if fate.kind == KILLED)
     others = Counter(fate.kind for fate in fates if fate.kind != KILLED)
-    return Score(results.room.name, results.drawn.total, len(results.fates), killed, others)
+    return Score(record.room, record.total, len(fates), killed, others)
 
 
 HEAD = (
@@ -78,25 +79,13 @@ def plain(table: Sequence[Sequence[str]]) -> str:
     return "\n".join("  ".join(cell.rjust(w) for cell, w in zip(row, widths)).rstrip() for row in (HEAD, *table))
 
 
-def survivors(results: Results) -> list[tuple[Mutant, Fate]]:
-    """Mutants that no check kills and no command shows to be equivalent, by their place."""
-    alive = [(results.drawn.sample[key], fate) for key, fate in results.fates.items() if fate.kind == SURVIVED]
-    return sorted(alive, key=lambda pair: (pair[0].place, pair[0].line, pair[0].operator, pair[0].change))
-
-
-def left_out(results: Results) -> list[str]:
-    """Tests that could not take part, with the reason."""
-    found = getattr(results.drawn.knowledge, "left_out", {})
-    return [f"{name} ({why})" for why, names in found.items() for name in names]
-
-
 PAGE = """# Assurance
 
 Written by `make mutants`: change that, not this page.
 
 How many wrong programs, proofs, maps, printers, templates and statements the checks would notice. A mutant is one
-small change. Of each room {count} are drawn (seed {seed}) among all that the listed operators make; each is tried in a
-process of its own on a copy of the tree. State: `{state}`.
+small change. Of each room a sample is drawn among all that the listed operators make; each mutant is tried in a process
+of its own on a copy of the tree. Rooms may be measured one by one, each at the state that its section names.
 
 {table}
 
@@ -124,38 +113,34 @@ process of its own on a copy of the tree. State: `{state}`.
 """
 
 
-def page(results: Sequence[Results], state: str, seed: int, count: int) -> str:
+def page(records: Sequence[Record], known: Mapping[str, Room] = ROOMS) -> str:
     """The page of figures."""
-    table = rows(map(score, results))
+    table = rows(map(score, records))
     lines = ["| " + " | ".join(cells) + " |" for cells in (HEAD, ("---",) * len(HEAD), *table)]
     orders = {"orders": road.ORDERS, "others": road.FEW, "some": road.GEOMETRY}
     listed = {name: ", ".join(map(str, sorted(values))) for name, values in orders.items()}
     listed["kinds"] = ", ".join(road.kinds())
     listed["further"] = ", ".join(f"φ = {phi}" for phi in road.FURTHER.values())
-    rooms = "\n\n".join(map(_section, results))
-    return PAGE.format(count=count, seed=seed, state=state, few=FEW, table="\n".join(lines), rooms=rooms, **listed)
+    rooms = "\n\n".join(_section(record, known[record.room].what) for record in records)
+    return PAGE.format(few=FEW, table="\n".join(lines), rooms=rooms, **listed)
 
 
-def _section(results: Results) -> str:
-    found = survivors(results)
-    lines = [f"## {results.room.name}", "", f"{results.room.what[0].upper()}{results.room.what[1:]}.", ""]
-    if missing := left_out(results):
-        lines += ["Left out:", "", *(f"- {name}" for name in missing), ""]
-    lines += _operators(results)
+def _section(record: Record, what: str) -> str:
+    found = record.survivors
+    lines = [f"## {record.room}", "", f"{what[0].upper()}{what[1:]}. Seed {record.seed}, state `{record.state}`.", ""]
+    if missing := [f"- {name} ({why})" for why, names in record.left_out.items() for name in names]:
+        lines += ["Left out:", "", *missing, ""]
+    lines += _operators(record)
     if not found:
         return "\n".join([*lines, "No survivor."])
     lines += [f"{len(found)} survive:", "", "| where | operator | change |", "| --- | --- | --- |"]
-    return "\n".join(lines + [f"| {m.where} | {m.operator} | {_code(m.change)} |" for m, _ in found])
+    return "\n".join(lines + [f"| {m.where} | {m.operator} | {_code(m.change)} |" for m in found])
 
 
-def _operators(results: Results) -> list[str]:
+def _operators(record: Record) -> list[str]:
     """Killed of tried, by operator."""
-    tried: Counter[str] = Counter()
-    alive: Counter[str] = Counter()
-    for key, fate in results.fates.items():
-        operator = results.drawn.sample[key].operator
-        tried[operator] += 1
-        alive[operator] += fate.kind == SURVIVED
+    tried = Counter(trial.operator for trial in record.trials.values())
+    alive = Counter(trial.operator for trial in record.survivors)
     parts = ", ".join(f"{name} {count - alive[name]}/{count}" for name, count in sorted(tried.items()))
     return [f"Operators, noticed of tried: {parts}.", ""]
 

@@ -19,6 +19,7 @@ from . import road
 from .checks import Checks
 from .child import Child, Outcome, outcomes, shared
 from .mutant import KILLED, SURVIVED, TIMEOUT, Fate, Mutant, keyed, sample
+from .record import Record, Trial, read
 from .rooms import Room
 from .tree import Copy, digest, enter
 
@@ -40,18 +41,6 @@ class Drawn:
     former: Mapping[str, Fate]
 
 
-@dataclass(frozen=True, slots=True)
-class Results:
-    """Fates of the sample of a room."""
-
-    drawn: Drawn
-    fates: Mapping[str, Fate]
-
-    @property
-    def room(self) -> Room:
-        return self.drawn.room
-
-
 class NotControlled(Exception):
     """The unchanged tree does not survive its own checks, so that killing says nothing."""
 
@@ -65,13 +54,15 @@ class Run:
         The working tree.
     cache : Path
         Where results are kept, in folders named by the digest of what decides.
+    state : str
+        The commit, and whether the tree differs from it.
     seed, count, jobs : int
         Of the sample, its size in each room, and how many processes at once.
     """
 
-    def __init__(self, root: Path, cache: Path, seed: int, count: int, jobs: int, say: Say) -> None:
-        self.root, self.seed, self.count, self.jobs, self.say = root, seed, count, jobs, say
-        self.cache = cache
+    def __init__(self, root: Path, cache: Path, state: str, seed: int, count: int, jobs: int, say: Say) -> None:
+        self.root, self.cache, self.state, self.say = root, cache, state, say
+        self.seed, self.count, self.jobs = seed, count, jobs
 
     def kept(self, checks: Checks | None) -> Path:
         """Where results are kept for what decides these checks."""
@@ -85,7 +76,7 @@ class Run:
         with tempfile.TemporaryDirectory(prefix="mutants-") as folder:
             yield [Copy(self.root, Path(folder) / str(slot)) for slot in range(self.jobs)]
 
-    def rooms(self, rooms: list[Room]) -> Iterator[Results]:
+    def rooms(self, rooms: list[Room]) -> Iterator[Record]:
         """Prepare all rooms, then try them one after the other."""
         with self.copies() as copies:
             knowledge = self._prepared({checks.name: checks for room in rooms if (checks := room.checks)}, copies)
@@ -128,13 +119,14 @@ class Run:
     # --- trials ---------------------------------------------------------------------------------------------------
 
     def _former(self, room: Room) -> dict[str, Fate]:
-        """Of mutants that were killed in other trees, by what; the last time counts."""
+        """Of mutants that were killed in other trees, by what; the last time here counts more than the record."""
+        record, now = read(self.root, room.name), self.kept(room.checks)
         others = sorted(self.cache.glob(f"*/{room.name}.jsonl"), key=lambda path: path.stat().st_mtime)
-        now = self.kept(room.checks)
         entries = (entry for path in others if path.parent != now for entry in _read(path).values())
-        return {entry["key"]: _kept_fate(entry) for entry in entries if entry["kind"] == KILLED}
+        here = {entry["key"]: _kept_fate(entry) for entry in entries if entry["kind"] == KILLED}
+        return {**(record.killers if record else {}), **here}
 
-    def _tried(self, drawn: Drawn, copies: list[Copy]) -> Results:
+    def _tried(self, drawn: Drawn, copies: list[Copy]) -> Record:
         path = self.kept(drawn.room.checks) / f"{drawn.room.name}.jsonl"
         kept = _read(path)
         trials: dict[str, Mutant | None] = {CONTROL: None, **drawn.sample}
@@ -154,7 +146,12 @@ class Run:
                     shown = time.monotonic()
                     self.say(self._progress(drawn, kept))
         self.say(self._progress(drawn, kept))
-        return Results(drawn, {key: _kept_fate(kept[key]) for key in drawn.sample})
+        return self._record(drawn, {key: _kept_fate(kept[key]) for key in drawn.sample})
+
+    def _record(self, drawn: Drawn, fates: Mapping[str, Fate]) -> Record:
+        left_out = {why: list(names) for why, names in getattr(drawn.knowledge, "left_out", {}).items() if names}
+        trials = {key: _trial(mutant, fates[key]) for key, mutant in drawn.sample.items()}
+        return Record(drawn.room.name, self.state, self.seed, drawn.total, left_out, trials)
 
     @staticmethod
     def _progress(drawn: Drawn, kept: Mapping[str, Mapping[str, Any]]) -> str:
@@ -194,6 +191,11 @@ def _read(path: Path) -> dict[str, Mapping[str, Any]]:
     """What became of mutants, by their names."""
     lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
     return {entry["key"]: entry for entry in map(json.loads, lines)}
+
+
+def _trial(mutant: Mutant, fate: Fate) -> Trial:
+    shown = (mutant.where, mutant.change) if fate.kind == SURVIVED else ()
+    return Trial(mutant.operator, fate, *shown)
 
 
 def _kept_fate(entry: Mapping[str, Any]) -> Fate:

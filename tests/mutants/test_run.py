@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import subprocess
 from contextlib import ExitStack
 from pathlib import Path
@@ -15,8 +16,9 @@ from tests.mutants.checks import Checks
 from tests.mutants.child import Child, isolated, outcomes
 from tests.mutants.mutant import KILLED, SURVIVED, Fate
 from tests.mutants.programs import FORMS, Programs
+from tests.mutants.record import Record, read
 from tests.mutants.rooms import Files
-from tests.mutants.run import NotControlled, Results, Run
+from tests.mutants.run import NotControlled, Run
 
 # another test of this process may have imported JAX, which warns of every fork; what is forked here does without it
 pytestmark = [pytest.mark.thorough, pytest.mark.filterwarnings("ignore:os.fork:RuntimeWarning")]
@@ -44,23 +46,25 @@ def tree(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def run(tree: Path, count: int = 100) -> Results:
-    (results,) = Run(tree, tree / ".mutants", seed=1, count=count, jobs=2, say=lambda line: None).rooms([ROOM])
-    return results
+def run(tree: Path, count: int = 100) -> Record:
+    (record,) = Run(tree, tree / ".mutants", "here", seed=1, count=count, jobs=2, say=lambda line: None).rooms([ROOM])
+    return record
+
+
+def killers(record: Record) -> set[str]:
+    return {fate.by for fate in record.killers.values()}
 
 
 def test_killed_ones_are_killed_and_survivors_survive(tree: Path) -> None:
-    results = run(tree)
-    fates = {mutant.where + " " + mutant.change: results.fates[key] for key, mutant in results.drawn.sample.items()}
-    assert fates["derive/toy/thing.py:2 2 → 3"] == Fate(KILLED, "tests", "tests/derive/toy/test_thing.py::test_double")
-    assert fates["derive/toy/thing.py:6 a + 1 → a - 1"] == Fate(SURVIVED)
-    assert {fate.kind for where, fate in fates.items() if ":2 " in where} == {KILLED}
-    assert {fate.kind for where, fate in fates.items() if ":6 " in where} == {SURVIVED}
+    record = run(tree)
+    assert set(record.killers.values()) == {Fate(KILLED, "tests", "tests/derive/toy/test_thing.py::test_double")}
+    assert {trial.where for trial in record.survivors} == {"derive/toy/thing.py:6"}
+    assert "a + 1 → a - 1" in {trial.change for trial in record.survivors}
     assert (tree / "derive/toy/thing.py").read_text(encoding="utf-8") == THING
-    score = report.score(results)
+    score = report.score(record)
     assert (score.killed["tests"], score.others[SURVIVED]) == (6, 5)
     assert score.share == pytest.approx(100 * 6 / 11)
-    page = report.page([results], "here", 1, 100)
+    page = report.page([record], {ROOM.name: ROOM})
     assert "| derive/toy/thing.py:6 | arithmetic operation | `a + 1 → a - 1` |" in page
     assert "5 survive" in page
 
@@ -70,12 +74,12 @@ def test_a_run_goes_on_where_it_stopped_until_the_tree_changes(tree: Path) -> No
     (kept,) = (tree / ".mutants").rglob("toy.jsonl")
     lines = kept.read_text(encoding="utf-8").splitlines()
     kept.write_text("\n".join(lines[:3]) + "\n", encoding="utf-8")
-    assert run(tree, 4).fates == first.fates
+    assert run(tree, 4) == first
     again = kept.read_text(encoding="utf-8").splitlines()
     assert again[:3] == lines[:3]
     assert len(again) == len(lines)
     (tree / "tests/derive/toy/test_thing.py").write_text(TEST + "\n# changed\n", encoding="utf-8")
-    assert run(tree, 4).fates == first.fates
+    assert run(tree, 4) == first
     assert len(list((tree / ".mutants").rglob("toy.jsonl"))) == 2
 
 
@@ -85,21 +89,35 @@ def test_what_killed_a_mutant_before_is_asked_first_and_nothing_else_if_it_still
         TEST + "\n\ndef test_last():\n    test_double()\n", encoding="utf-8"
     )
     first = run(tree)
-    assert {fate.by for fate in first.fates.values() if fate.kind == KILLED} == {last.replace("last", "double")}
+    assert killers(first) == {last.replace("last", "double")}
     (kept,) = (tree / ".mutants").rglob("toy.jsonl")
     before = kept.read_text(encoding="utf-8")
     kept.write_text(before.replace("::test_double", "::test_last"), encoding="utf-8")
     (tree / "pyproject.toml").write_text('[tool.pytest.ini_options]\npythonpath = [".", "."]\n', encoding="utf-8")
     again = run(tree)
-    assert {fate.by for fate in again.fates.values() if fate.kind == KILLED} == {last}
-    assert {fate.kind for fate in again.fates.values()} == {fate.kind for fate in first.fates.values()}
+    assert killers(again) == {last}
+    assert again.survivors == first.survivors
+
+
+def test_a_record_is_read_as_it_was_written_and_says_what_to_ask_first_elsewhere(tree: Path) -> None:
+    last = "tests/derive/toy/test_thing.py::test_last"
+    (tree / "tests/derive/toy/test_thing.py").write_text(
+        TEST + "\n\ndef test_last():\n    test_double()\n", encoding="utf-8"
+    )
+    first = run(tree)
+    first.write(tree)
+    assert read(tree, "toy") == first
+    (kept,) = (tree / "tests/mutants/fates").iterdir()
+    kept.write_text(kept.read_text(encoding="utf-8").replace("::test_double", "::test_last"), encoding="utf-8")
+    shutil.rmtree(tree / ".mutants")
+    assert killers(run(tree)) == {last}
+    assert read(tree, "attic") is None
 
 
 def test_a_former_verdict_is_not_taken_on_trust(tree: Path) -> None:
     first = run(tree)
     (tree / "tests/derive/toy/test_thing.py").write_text(TEST.replace("== 6", "> 0"), encoding="utf-8")
-    alive = [fate.kind for fate in run(tree).fates.values()].count(SURVIVED)
-    assert alive > [fate.kind for fate in first.fates.values()].count(SURVIVED)
+    assert len(run(tree).survivors) > len(first.survivors)
 
 
 def test_a_tree_that_fails_its_own_checks_is_refused(tree: Path) -> None:
