@@ -12,16 +12,16 @@ suite      tests, chosen and in order, inside this process
 reach      which checks reach which lines
 tree       copies of the working tree
 child      forked processes with limits
-run        sample, trials, kept results
+run        sample and trials
+past       what is known from before, and stands
 record     what became of a sample, kept with the sources
 report     table and page
 ========== ====================================================================================================
 
 A mutant of a file is written into a copy of the tree; a forked process imports the toolkit from there, runs the checks
-that reach the changed lines, and says which one failed. Results are kept in ``.mutants`` under a digest of what
-decides them, so that a run that was stopped goes on, and the next one on the same tree shows its figures at once. What
-became of each mutant is recorded with the sources: rooms can be measured one by one, and what killed a mutant is asked
-first the next time, by everybody.
+that reach the changed lines, and says which one failed. Results are kept in ``.mutants``, so that a run that was stopped
+goes on, and recorded in ``fates``, with the sources: a fate stands as long as what decided it is the same, rooms can be
+measured one by one, and where something else has changed, what killed a mutant is asked first.
 """
 
 from __future__ import annotations

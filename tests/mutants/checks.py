@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +12,7 @@ from .child import isolated
 from .mutant import EQUIVALENT, KILLED, PROSE, SURVIVED, Fate
 from .python import Edit
 from .reach import Reach, Table
-from .tree import forget
+from .tree import Deciding, deciding, forget
 
 KERNELS = ("tests/generated",)
 FEW = 2
@@ -22,6 +22,7 @@ LONG, LONG_FIXTURE = 5.0, 30.0
 """Seconds of processor time: a longer test is left out of trials."""
 
 TESTS = "tests"
+TEMPLATES = "templates"
 VALIDATING = "validating"
 CONTROLLING = "controls of proofs"
 COMMENT = {".py.j2": "# one more comment\n", ".h.j2": "// one more comment\n"}
@@ -89,6 +90,10 @@ class Checks:
         on it.
     controlled : bool
         Whether what is watched also makes controls of proofs: survivors are compared by those.
+    few : int, optional
+        Cases of each test that are run; all by default.
+    later : bool
+        Whether these are files of tests that changed since a mutant survived all others.
     """
 
     name: str
@@ -97,15 +102,22 @@ class Checks:
     stages: tuple[str, ...] = (TESTS,)
     emits: bool = False
     controlled: bool = False
+    few: int | None = None
+    later: bool = False
 
     @property
-    def deciding(self) -> tuple[str, ...]:
-        """All tests that may run."""
-        return (*self.tests, *KERNELS) if self.emits else self.tests
+    def deciding(self) -> Callable[[Path], Deciding]:
+        """What decides, in a tree; tests of kernels decide all fates."""
+        return lambda root: deciding(root, self.tests, KERNELS if self.emits else ())
+
+    def again(self, tests: tuple[str, ...]) -> Checks:
+        """The same for mutants that survive all but these files of tests."""
+        name = f"{self.name}-again"
+        return replace(self, name=name, tests=tests, stages=(TESTS,), emits=False, controlled=False, later=True)
 
     def prepare(self, folder: Path) -> Knowledge:
         """Run everything once on the unchanged tree, and watch."""
-        commented = isolated(lambda: self._commented(folder)) if self.emits else []
+        commented = isolated(lambda: self._commented(folder)) if TEMPLATES in self.watched else []
         kernels = isolated(lambda: suite.run_all(KERNELS, few=FEW)) if self.emits else suite.Times()
         prints = isolated(road.prints) if self.emits else {}
         reach = Reach(folder, [f"{source}/*" for source in self.watched])
@@ -114,7 +126,7 @@ class Checks:
             first = {stage: self._first_stage(stage, reach) for stage in self.stages if stage != TESTS}
             with reach.by(CONTROLLING):
                 controls = road.controls() if self.controlled else ()
-            tests = suite.run_all(self.tests, reach, few=FEW if self.emits else None)
+            tests = suite.run_all(self.tests, reach, few=self.few)
         long = [*tests.longer(LONG, LONG_FIXTURE), *kernels.longer(LONG, LONG_FIXTURE)]
         left_out = {
             "takes long": long,
@@ -124,7 +136,7 @@ class Checks:
         }
         out = {name for names in left_out.values() for name in names}
         seconds = {**first, TESTS: tests.without(out), "kernels": kernels.without(out)}
-        if not seconds[TESTS]:
+        if not (seconds[TESTS] or self.later):
             raise RuntimeError(f"no test of {', '.join(self.tests)} can be used: {left_out}")
         table = reach.table([name for stage in seconds.values() for name in stage])
         setups, apart = tests.setups + kernels.setups, _apart(reach, set().union(*first.values()))
@@ -144,12 +156,12 @@ class Checks:
     def _commented(self, folder: Path) -> list[str]:
         """Tests that fail for one more comment in every template: they would kill whatever changes a byte."""
         before = {}
-        for path in sorted((folder / "templates").rglob("*.j2")):
+        for path in sorted((folder / TEMPLATES).rglob("*.j2")):
             if comment := COMMENT.get("".join(path.suffixes[-2:])):
                 before[path] = path.read_bytes()
                 path.write_bytes(before[path] + comment.encode())
         try:
-            return suite.run_all(self.tests, few=FEW).failed
+            return suite.run_all(self.tests, few=self.few).failed
         finally:
             for path, content in before.items():
                 path.write_bytes(content)

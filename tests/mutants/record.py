@@ -10,7 +10,9 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from .mutant import KILLED, SURVIVED, Fate
+from .mutant import SURVIVED, Fate
+from .past import Past
+from .tree import Deciding
 
 FOLDER = "tests/mutants/fates"
 
@@ -35,6 +37,8 @@ class Record:
         The commit, and whether the tree differed from it.
     seed, total : int
         Of the sample; how many mutants there are.
+    deciding : Deciding
+        What decided.
     left_out : mapping
         Tests that could not take part, by reason.
     trials : mapping
@@ -45,13 +49,14 @@ class Record:
     state: str
     seed: int
     total: int
+    deciding: Deciding
     left_out: Mapping[str, list[str]]
     trials: Mapping[str, Trial]
 
     @property
-    def killers(self) -> dict[str, Fate]:
-        """What killed those that were killed."""
-        return {key: trial.fate for key, trial in self.trials.items() if trial.fate.kind == KILLED}
+    def past(self) -> Past:
+        """What it says of another tree."""
+        return Past(self.deciding, self.left_out, {key: trial.fate for key, trial in self.trials.items()})
 
     @property
     def survivors(self) -> list[Trial]:
@@ -61,7 +66,8 @@ class Record:
 
     def write(self, root: Path) -> None:
         """Into the file of the room."""
-        head = {name: getattr(self, name) for name in ("room", "state", "seed", "total", "left_out")}
+        head = {"room": self.room, "state": self.state, "seed": self.seed, "total": self.total,
+                "deciding": asdict(self.deciding), "left_out": self.left_out}  # fmt: skip
         lines = [head, *({"key": key, **_line(self.trials[key])} for key in sorted(self.trials))]
         path = _path(root, self.room)
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -74,6 +80,7 @@ def read(root: Path, room: str) -> Record | None:
     if not path.exists():
         return None
     head, *lines = map(json.loads, path.read_text(encoding="utf-8").splitlines())
+    head["deciding"] = Deciding(**head["deciding"])
     return Record(**head, trials={line.pop("key"): Trial(fate=Fate(**line.pop("fate")), **line) for line in lines})
 
 

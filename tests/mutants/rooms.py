@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Protocol
 
 from . import road
-from .checks import TESTS, Checks
+from .checks import FEW, TEMPLATES, TESTS, Checks
 from .mutant import Fate, Mutant
 from .programs import Programs
 from .python import Edit, python_mutants, same_code
@@ -68,6 +68,10 @@ class Files:
     unchanged: tuple[str, ...] = ()
     apart: Callable[[], tuple[str, ...]] = tuple
 
+    def again(self, tests: tuple[str, ...]) -> Files:
+        """The same for mutants that survive all but these files of tests."""
+        return replace(self, checks=self.checks.again(tests))
+
     def edit(self, mutant: Mutant) -> Edit | None:
         return mutant.site  # type: ignore[no-any-return]
 
@@ -105,10 +109,11 @@ MAPS = Checks("maps", ("derive/maps",), ("tests/derive/maps", NUMBERS), ("proof"
 TARGETS = ("tests/targets/test_array_api.py", "tests/targets/test_numba.py")
 EMISSION = Checks(
     "emission",
-    ("derive/codegen", "derive/output", "templates"),
+    ("derive/codegen", "derive/output", TEMPLATES),
     ("tests/derive/codegen", "tests/derive/output", "tests/derive/papers/report/test_report.py", *TARGETS),
     ("validation", TESTS),
     emits=True,
+    few=FEW,
 )
 VALIDATION = ("derive/codegen/cases", "derive/codegen/validation")
 PAPERS = Checks("papers", ("derive/papers",), ("tests/derive/papers",), ("execution", TESTS))

@@ -2,43 +2,69 @@
 
 from __future__ import annotations
 
-import json
 import pickle
 import tempfile
 import time
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from functools import partial
 from itertools import islice
 from pathlib import Path
 from typing import Any
 
-from . import road
+from . import past, road
 from .checks import Checks
 from .child import Child, Outcome, outcomes, shared
 from .mutant import KILLED, SURVIVED, TIMEOUT, Fate, Mutant, keyed, sample
+from .past import Known, known
 from .record import Record, Trial, read
-from .rooms import Room
-from .tree import Copy, digest, enter
+from .rooms import Files, Room
+from .tree import Copy, Deciding, deciding, enter
 
 Say = Callable[[str], None]
 CONTROL = "unchanged"
 
 
-@dataclass(frozen=True, slots=True)
-class Drawn:
-    """A room ready to be tried: how many mutants there are, the sample, and what trials need to know.
+@dataclass(frozen=True)
+class Part:
+    """Mutants of a room that are tried in the same way."""
 
-    ``former`` are fates in other trees: what killed a mutant there is the first to be asked again.
-    """
+    room: Room
+    mutants: Mapping[str, Mutant]
+
+    @property
+    def trials(self) -> dict[str, Mutant | None]:
+        """The unchanged tree, and the mutants."""
+        return {f"{CONTROL} by {len(tests)} files" if (tests := self._tests) else CONTROL: None, **self.mutants}
+
+    @property
+    def _tests(self) -> tuple[str, ...]:
+        checks = self.room.checks
+        return checks.tests if checks and checks.later else ()
+
+
+@dataclass(frozen=True)
+class Work:
+    """What there is to do in a room: mutants, how many there are, what is known of them, and what has to be tried."""
 
     room: Room
     total: int
     sample: Mapping[str, Mutant]
-    knowledge: Any
-    former: Mapping[str, Fate]
+    deciding: Deciding
+    known: Known
+
+    @property
+    def parts(self) -> list[Part]:
+        """What nothing is known of, by all checks; what survived before, by the tests that have changed."""
+        before = self.known
+        left = {key: m for key, m in self.sample.items() if key not in before.settled and key not in before.alive}
+        again = {key: m for key, m in self.sample.items() if key in before.alive}
+        parts = [Part(self.room, left)] if left else []
+        if again and isinstance(self.room, Files):
+            parts.append(Part(self.room.again(self.known.changed), again))
+        return parts
 
 
 class NotControlled(Exception):
@@ -64,9 +90,13 @@ class Run:
         self.root, self.cache, self.state, self.say = root, cache, state, say
         self.seed, self.count, self.jobs = seed, count, jobs
 
-    def kept(self, checks: Checks | None) -> Path:
-        """Where results are kept for what decides these checks."""
-        folder = self.cache / digest(self.root, checks.deciding if checks else ())
+    def deciding(self, checks: Checks | None) -> Deciding:
+        """What decides the fates of mutants that these have to kill."""
+        return checks.deciding(self.root) if checks else deciding(self.root, ())
+
+    def folder(self, found: Deciding) -> Path:
+        """Where results are kept for what decides."""
+        folder = self.cache / found.name
         folder.mkdir(parents=True, exist_ok=True)
         return folder
 
@@ -79,27 +109,34 @@ class Run:
     def rooms(self, rooms: list[Room]) -> Iterator[Record]:
         """Prepare all rooms, then try them one after the other."""
         with self.copies() as copies:
-            knowledge = self._prepared({checks.name: checks for room in rooms if (checks := room.checks)}, copies)
-            drawn = self._drawn(rooms, copies)
-            for room in rooms:
-                total, chosen = drawn[room.name]
-                known = knowledge[room.checks.name] if room.checks else None
-                yield self._tried(Drawn(room, total, chosen, known, self._former(room)), copies)
+            works = [self._work(room, *drawn) for room, drawn in zip(rooms, self._drawn(rooms, copies))]
+            checks = {part.room.checks for work in works for part in work.parts} - {None}
+            knowledge = self._prepared(sorted(checks, key=str), copies)
+            for work in works:
+                yield self._tried(work, knowledge, copies)
 
     # --- what trials need -----------------------------------------------------------------------------------------
 
-    def _prepared(self, checks: Mapping[str, Checks], copies: list[Copy]) -> dict[str, Any]:
-        jobs = {self.kept(of) / f"checks-{name}.pickle": partial(prepare, of) for name, of in checks.items()}
-        return dict(zip(checks, self._values(jobs, copies)))
-
-    def _drawn(self, rooms: list[Room], copies: list[Copy]) -> dict[str, Any]:
+    def _drawn(self, rooms: list[Room], copies: list[Copy]) -> list[Any]:
+        name = f"sample-{self.seed}-{self.count}"
         jobs = {
-            self.kept(room.checks) / f"sample-{self.seed}-{self.count}-{room.name}.pickle": partial(
+            self.folder(self.deciding(room.checks)) / f"{name}-{room.name}.pickle": partial(
                 draw, room, self.seed, self.count
             )
             for room in rooms
         }
-        return dict(zip((room.name for room in rooms), self._values(jobs, copies)))
+        return self._values(jobs, copies)
+
+    def _work(self, room: Room, total: int, chosen: Mapping[str, Mutant]) -> Work:
+        now = self.deciding(room.checks)
+        here = sorted(self.cache.glob(f"*/{room.name}.jsonl"), key=lambda path: path.stat().st_mtime)
+        record = read(self.root, room.name)
+        pasts = [*([record.past] if record else []), *(found for path in here if (found := past.read(path)))]
+        return Work(room, total, chosen, now, known(pasts, now))
+
+    def _prepared(self, checks: Sequence[Checks], copies: list[Copy]) -> dict[Checks, Any]:
+        jobs = {self.folder(self.deciding(of)) / f"checks-{of.name}.pickle": partial(prepare, of) for of in checks}
+        return dict(zip(checks, self._values(jobs, copies)))
 
     def _values(self, jobs: Mapping[Path, Callable[[Path], Any]], copies: list[Copy]) -> list[Any]:
         """Values of jobs, each kept in a file of its own."""
@@ -118,53 +155,52 @@ class Run:
 
     # --- trials ---------------------------------------------------------------------------------------------------
 
-    def _former(self, room: Room) -> dict[str, Fate]:
-        """Of mutants that were killed in other trees, by what; the last time here counts more than the record."""
-        record, now = read(self.root, room.name), self.kept(room.checks)
-        others = sorted(self.cache.glob(f"*/{room.name}.jsonl"), key=lambda path: path.stat().st_mtime)
-        entries = (entry for path in others if path.parent != now for entry in _read(path).values())
-        here = {entry["key"]: _kept_fate(entry) for entry in entries if entry["kind"] == KILLED}
-        return {**(record.killers if record else {}), **here}
-
-    def _tried(self, drawn: Drawn, copies: list[Copy]) -> Record:
-        path = self.kept(drawn.room.checks) / f"{drawn.room.name}.jsonl"
-        kept = _read(path)
-        trials: dict[str, Mutant | None] = {CONTROL: None, **drawn.sample}
-        wanted = [key for key in trials if key not in kept]
+    def _tried(self, work: Work, knowledge: Mapping[Checks, Any], copies: list[Copy]) -> Record:
+        name, fates, left_out = work.room.name, dict(work.known.settled), work.known.left_out
+        parts = [(part, knowledge[part.room.checks] if part.room.checks else None) for part in work.parts]
+        for _, needed in parts:
+            for why, names in needed.left_out.items() if needed else ():
+                left_out[why] = sorted({*left_out.get(why, ()), *names})
+        path = self.folder(work.deciding) / f"{name}.jsonl"
+        if not path.exists():
+            past.write_head(path, work.deciding, left_out)
         shown = time.monotonic()
         with path.open("a", encoding="utf-8") as file:
-            jobs = [partial(self._start, drawn, trials[key], drawn.former.get(key)) for key in wanted]
-            for number, outcome in shared(copies, partial(warm, drawn.room), jobs) if jobs else ():
-                fate = _fate(outcome)
-                key = wanted[number]
-                if key == CONTROL and fate.kind != SURVIVED:
-                    raise NotControlled(f"{drawn.room.name}: the unchanged tree fails {fate.stage}: {fate.by}")
-                kept[key] = {"key": key, "seconds": outcome.seconds, **asdict(fate)}
-                file.write(json.dumps(kept[key]) + "\n")
-                file.flush()
-                if time.monotonic() - shown > 10:
-                    shown = time.monotonic()
-                    self.say(self._progress(drawn, kept))
-        self.say(self._progress(drawn, kept))
-        return self._record(drawn, {key: _kept_fate(kept[key]) for key in drawn.sample})
+            for part, needed in parts:
+                for key, fate, seconds in self._fates(part, needed, work.known, copies):
+                    fates[key] = fate
+                    file.write(past.line(key, fate, seconds))
+                    file.flush()
+                    if time.monotonic() - shown > 10:
+                        shown = time.monotonic()
+                        self.say(_progress(work, fates))
+        self.say(_progress(work, fates))
+        trials = {key: _trial(mutant, fates[key]) for key, mutant in work.sample.items()}
+        told = {why: list(names) for why, names in left_out.items() if names}
+        return Record(name, self.state, self.seed, work.total, work.deciding, told, trials)
 
-    def _record(self, drawn: Drawn, fates: Mapping[str, Fate]) -> Record:
-        left_out = {why: list(names) for why, names in getattr(drawn.knowledge, "left_out", {}).items() if names}
-        trials = {key: _trial(mutant, fates[key]) for key, mutant in drawn.sample.items()}
-        return Record(drawn.room.name, self.state, self.seed, drawn.total, left_out, trials)
+    def _fates(self, part: Part, needed: Any, before: Known, copies: list[Copy]) -> Iterator[tuple[str, Fate, float]]:
+        """Of a part, as they are found; what was tried before the run was stopped is not tried again."""
+        trials = {key: mutant for key, mutant in part.trials.items() if key not in before.settled}
+        former = {} if part.room.checks and part.room.checks.later else before.former
+        jobs = [partial(_start, part.room, mutant, needed, former.get(key)) for key, mutant in trials.items()]
+        for number, outcome in shared(copies, partial(warm, part.room), jobs):
+            key, fate = list(trials)[number], _fate(outcome)
+            if trials[key] is None and fate.kind != SURVIVED:
+                raise NotControlled(f"{part.room.name}: the unchanged tree fails {fate.stage}: {fate.by}")
+            yield key, fate, outcome.seconds
 
-    @staticmethod
-    def _progress(drawn: Drawn, kept: Mapping[str, Mapping[str, Any]]) -> str:
-        done = Counter(str(kept[key]["kind"]) for key in drawn.sample if key in kept)
-        counts = ", ".join(f"{count} {kind}" for kind, count in sorted(done.items()))
-        return f"{drawn.room.name}: {sum(done.values())} of {len(drawn.sample)}: {counts}"
 
-    @staticmethod
-    def _start(drawn: Drawn, mutant: Mutant | None, former: Fate | None, copy: Copy) -> tuple[ExitStack, Child]:
-        room, stack = drawn.room, ExitStack()
-        stack.enter_context(copy.changed(room.edit(mutant) if mutant else None))
-        limit = room.limit(mutant, drawn.knowledge)
-        return stack, Child(partial(room.trial, mutant, drawn.knowledge, former), limit)
+def _start(room: Room, mutant: Mutant | None, needed: Any, former: Fate | None, copy: Copy) -> tuple[ExitStack, Child]:
+    stack = ExitStack()
+    stack.enter_context(copy.changed(room.edit(mutant) if mutant else None))
+    return stack, Child(partial(room.trial, mutant, needed, former), room.limit(mutant, needed))
+
+
+def _progress(work: Work, fates: Mapping[str, Fate]) -> str:
+    done = Counter(fates[key].kind for key in work.sample if key in fates)
+    counts = ", ".join(f"{count} {kind}" for kind, count in sorted(done.items()))
+    return f"{work.room.name}: {sum(done.values())} of {len(work.sample)}: {counts}"
 
 
 def prepare(checks: Checks, folder: Path) -> Any:
@@ -187,19 +223,9 @@ def warm(room: Room, copy: Copy) -> None:
     road.warm(room.unchanged)
 
 
-def _read(path: Path) -> dict[str, Mapping[str, Any]]:
-    """What became of mutants, by their names."""
-    lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
-    return {entry["key"]: entry for entry in map(json.loads, lines)}
-
-
 def _trial(mutant: Mutant, fate: Fate) -> Trial:
     shown = (mutant.where, mutant.change) if fate.kind == SURVIVED else ()
     return Trial(mutant.operator, fate, *shown)
-
-
-def _kept_fate(entry: Mapping[str, Any]) -> Fate:
-    return Fate(entry["kind"], entry["stage"], entry["by"])
 
 
 def _fate(outcome: Outcome) -> Fate:

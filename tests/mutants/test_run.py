@@ -15,16 +15,19 @@ from tests.mutants.__main__ import main
 from tests.mutants.checks import Checks
 from tests.mutants.child import Child, isolated, outcomes
 from tests.mutants.mutant import KILLED, SURVIVED, Fate
+from tests.mutants.past import Past, known
 from tests.mutants.programs import FORMS, Programs
 from tests.mutants.record import Record, read
 from tests.mutants.rooms import Files
 from tests.mutants.run import NotControlled, Run
+from tests.mutants.tree import Deciding
 
 # another test of this process may have imported JAX, which warns of every fork; what is forked here does without it
 pytestmark = [pytest.mark.thorough, pytest.mark.filterwarnings("ignore:os.fork:RuntimeWarning")]
 
 THING = "def double(a):\n    return 2 * a\n\n\ndef forgotten(a):\n    return a + 1\n"
 TEST = "from derive.toy.thing import double\n\n\ndef test_double():\n    assert double(3) == 6\n"
+MORE = "from derive.toy.thing import forgotten\n\n\ndef test_forgotten():\n    assert forgotten(3) == 4\n"
 ROOM = Files("toy", "toys: by their tests", ("derive/toy",), Checks("toy", ("derive/toy",), ("tests/derive/toy",)))
 
 
@@ -52,12 +55,12 @@ def run(tree: Path, count: int = 100) -> Record:
 
 
 def killers(record: Record) -> set[str]:
-    return {fate.by for fate in record.killers.values()}
+    return {trial.fate.by for trial in record.trials.values() if trial.fate.kind == KILLED}
 
 
 def test_killed_ones_are_killed_and_survivors_survive(tree: Path) -> None:
     record = run(tree)
-    assert set(record.killers.values()) == {Fate(KILLED, "tests", "tests/derive/toy/test_thing.py::test_double")}
+    assert killers(record) == {"tests/derive/toy/test_thing.py::test_double"}
     assert {trial.where for trial in record.survivors} == {"derive/toy/thing.py:6"}
     assert "a + 1 → a - 1" in {trial.change for trial in record.survivors}
     assert (tree / "derive/toy/thing.py").read_text(encoding="utf-8") == THING
@@ -79,8 +82,35 @@ def test_a_run_goes_on_where_it_stopped_until_the_tree_changes(tree: Path) -> No
     assert again[:3] == lines[:3]
     assert len(again) == len(lines)
     (tree / "tests/derive/toy/test_thing.py").write_text(TEST + "\n# changed\n", encoding="utf-8")
-    assert run(tree, 4) == first
+    assert run(tree, 4).trials == first.trials
     assert len(list((tree / ".mutants").rglob("toy.jsonl"))) == 2
+
+
+def test_a_new_file_of_tests_is_asked_of_survivors_alone_and_other_fates_stand(tree: Path) -> None:
+    first = run(tree)
+    (tree / "tests/derive/toy/test_more.py").write_text(MORE, encoding="utf-8")
+    second = run(tree)
+    assert killers(second) == {*killers(first), "tests/derive/toy/test_more.py::test_forgotten"}
+    assert not second.survivors
+    kept = max((tree / ".mutants").rglob("toy.jsonl"), key=lambda path: path.stat().st_mtime)
+    tried = kept.read_text(encoding="utf-8").splitlines()[1:]
+    assert len(tried) == len(first.survivors) + 1, "they, and the unchanged tree"
+    assert run(tree) == second
+
+
+def test_a_fate_stands_as_long_as_what_decided_it_is_the_same() -> None:
+    before = Deciding("base", {"tests/test_a.py": "1", "tests/test_b.py": "1"})
+    killed = {"a": Fate(KILLED, "tests", "tests/test_a.py::test"), "b": Fate(KILLED, "tests", "tests/test_b.py::test"),
+              "proved": Fate(KILLED, "proof", "n = 1"), "alive": Fate(SURVIVED)}  # fmt: skip
+    past = Past(before, {"takes long": ["tests/test_a.py::long", "tests/test_b.py::long"]}, killed)
+    found = known([past], Deciding("base", {"tests/test_a.py": "1", "tests/test_b.py": "2", "tests/test_c.py": "1"}))
+    assert (found.settled.keys(), found.alive) == ({"a", "proved"}, {"alive"})
+    assert found.changed == ("tests/test_b.py", "tests/test_c.py")
+    assert found.left_out == {"takes long": ["tests/test_a.py::long"]}
+    assert known([past], before).settled == killed
+    elsewhere = known([past], Deciding("other", before.tests))
+    assert (elsewhere.settled, elsewhere.alive, elsewhere.former.keys()) == ({}, set(), {"a", "b", "proved"})
+    assert known([past], Deciding("base", {})).settled.keys() == {"proved", "alive"}, "fewer tests kill no more"
 
 
 def test_what_killed_a_mutant_before_is_asked_first_and_nothing_else_if_it_still_kills(tree: Path) -> None:

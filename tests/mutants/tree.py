@@ -8,19 +8,21 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 
 from .python import Edit
 
+VERSION = 1
+"""Counted up when mutants are tried in another way, so that what was found before has to be found again."""
+
 DECIDING = (
-    "derive", "templates", "generated", "tests/support", ":(glob)tests/**/conftest.py", "tests/mutants",
-    ":(exclude)tests/mutants/fates", ":(exclude)tests/mutants/record.py", ":(exclude)tests/mutants/report.py",
-    ":(exclude)tests/mutants/run.py", ":(exclude)tests/mutants/__main__.py", ":(exclude)tests/mutants/test_*",
-    "docs/theorems.md", "docs/errata.md", "pyproject.toml",
+    "derive", "templates", "generated", "tests/support", ":(glob)tests/**/conftest.py", "docs/theorems.md",
+    "docs/errata.md", "pyproject.toml",
 )  # fmt: skip
-"""What decides the fate of a mutant, besides the tests of its room: results are kept until one of these changes."""
+"""What decides the fate of every mutant; the tests of its room do besides."""
 
 SEEN = (
     "derive", "templates", "generated", "tests", "pyproject.toml", "benchmarks", "docs", "examples", "Makefile",
@@ -39,12 +41,38 @@ def files(root: Path, names: tuple[str, ...]) -> list[Path]:
     return sorted(root / name for name in set(listed) if name and (root / name).is_file())
 
 
-def digest(root: Path, tests: tuple[str, ...]) -> str:
-    """Of every file that decides, these tests among them."""
-    total = hashlib.sha256(sys.version.encode())
-    for path in files(root, (*DECIDING, *tests)):
-        total.update(f"{path.relative_to(root)}\0{hashlib.sha256(path.read_bytes()).hexdigest()}\n".encode())
-    return total.hexdigest()[:16]
+@dataclass(frozen=True, slots=True)
+class Deciding:
+    """What decides fates, by digests: all but the tests of a room in one, and each file of tests."""
+
+    base: str
+    tests: Mapping[str, str]
+
+    @property
+    def name(self) -> str:
+        """Of all of it."""
+        return _digest([self.base, *(f"{file}\0{found}" for file, found in sorted(self.tests.items()))])
+
+    def changed(self, before: Deciding) -> tuple[str, ...]:
+        """Files of tests that are new or otherwise than before."""
+        return tuple(sorted(file for file, found in self.tests.items() if before.tests.get(file) != found))
+
+
+def deciding(root: Path, tests: tuple[str, ...], further: tuple[str, ...] = ()) -> Deciding:
+    """What decides, if these are the tests; what is no test in their folders, and further files, decide all fates."""
+    listed = files(root, tests) if tests else []
+    chosen = [path for path in listed if path.name.startswith("test_")]
+    others = sorted({*files(root, (*DECIDING, *further)), *listed} - {*chosen})
+    base = _digest([str(VERSION), sys.version, *(f"{path.relative_to(root)}\0{_of(path)}" for path in others)])
+    return Deciding(base, {str(path.relative_to(root)): _of(path) for path in chosen})
+
+
+def _of(path: Path) -> str:
+    return hashlib.sha256(path.read_bytes()).hexdigest()[:16]
+
+
+def _digest(lines: Iterable[str]) -> str:
+    return hashlib.sha256("\n".join(lines).encode()).hexdigest()[:16]
 
 
 class Copy:
