@@ -19,9 +19,9 @@ report     table and page
 ========== ====================================================================================================
 
 A mutant of a file is written into a copy of the tree; a forked process imports the toolkit from there, runs the checks
-that reach the changed lines, and says which one failed. Results are kept in ``.mutants``, so that a run that was stopped
-goes on, and recorded in ``fates``, with the sources: a fate stands as long as what decided it is the same, rooms can be
-measured one by one, and where something else has changed, what killed a mutant is asked first.
+that reach the changed lines, and says which one failed. Results are kept in ``.mutants``, so that a run that was
+stopped goes on, and recorded in ``fates``, with the sources: a fate stands as long as what decided it is the same,
+rooms can be measured one by one, and where something else has changed, what killed a mutant is asked first.
 """
 
 from __future__ import annotations
