@@ -1,0 +1,44 @@
+"""Cases of validation are those that were written down: fewer or weaker ones would still let all that is right pass."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import pytest
+
+from derive.codegen.signatures import ROTATIONS
+from tests.support import tried
+
+
+def changed(kind: str, table: str) -> Mapping[str, tuple[str | None, str | None]]:
+    """What is tried otherwise than was written down."""
+    known, found = tried.committed()[f"{kind} of {table}"], tried.tried(kind, table)
+    names = sorted(known.keys() | found.keys())
+    return {name: (known.get(name), found.get(name)) for name in names if known.get(name) != found.get(name)}
+
+
+MEANT = "if the change is meant: python -m tests.support.tried"
+
+
+def test_a_text_is_executed_on_what_was_written_down() -> None:
+    for table in tried.TABLES:
+        assert not changed("batches", table), MEANT
+
+
+def test_poses_are_called_with_what_was_written_down() -> None:
+    assert not changed("cases", "poses"), MEANT
+
+
+def test_rotations_are_called_with_what_was_written_down() -> None:
+    assert not changed("cases", "rotations"), MEANT
+
+
+def test_arrays_are_filled_with_what_was_written_down() -> None:
+    for table in tried.TABLES:
+        assert not changed("samples", table), MEANT
+
+
+def test_another_number_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
+    first, *others = tried.cases(tried.EDGED, ROTATIONS)
+    monkeypatch.setattr(tried, "cases", lambda chart, table: others)
+    assert changed("cases", "rotations").keys() == {f"{tried.EDGED.name}.{first.function}"}
