@@ -21,6 +21,12 @@ from .module import companion_texts, module_name, module_text, notices, shared_t
 from .targets import TARGETS, Target
 from .validation import Seen
 
+HEAVY = 8
+"""The highest order whose chart shows the geometry itself: exact elements are polynomials of many times its degree."""
+
+LIGHT = Cayley(3)
+"""The chart that shows it elsewhere: the lowest order in which no scalar is simpler than in all others."""
+
 Progress = Callable[[str], None]
 Counts = tuple[int, int, int | None]
 """Calls validated, replayed and tested."""
@@ -164,9 +170,19 @@ def _execute(chart: Chart, target: Target, staging: Path, seen: Seen, report: Pr
     """Execute one module; what is the same in all of them is validated and replayed in the first that has it."""
     first = not seen.by_table
     report(f"{chart.name}: validating")
+    if first and chart.order > HEAVY:
+        _show_geometry(target, seen)
     validated = target.validate(staging, chart, seen.new)
     report(f"{chart.name}: replaying")
     return validated, target.replay(staging, chart, first), target.test(staging, chart)
+
+
+def _show_geometry(target: Target, seen: Seen) -> None:
+    """Execute the geometry in a chart of low order, which is not published."""
+    module = _printed(LIGHT, target, _silent)
+    with tempfile.TemporaryDirectory() as folder:
+        files.write(Path(folder), {**shared_texts(target), **module.companions, module.name: module.text})
+        target.validate(Path(folder), LIGHT, seen.new)
 
 
 def generate(

@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 from derive.codegen import ValidationFailed, generate_charts
-from derive.codegen.compiler import build_charts
+from derive.codegen.compiler import HEAVY, LIGHT, build_charts
 from derive.maps import Cayley
 from tests.support.command import ROOT
 from tests.support.counting import Counting, Dying
@@ -29,6 +29,18 @@ def test_results_are_those_of_one_process():
     assert counts[0] == counts[1]
     assert [replayed for _, _, replayed, _ in counts[0]] == [2, 1]
     assert len(lines) == len(set(lines)) == 4 * len(CHARTS)
+
+
+@pytest.mark.parametrize("processes", [1, 2])
+def test_the_geometry_of_high_orders_is_shown_in_a_low_one_that_is_not_published(processes):
+    high, higher = Cayley(HEAVY + 1), Cayley(HEAVY + 2)
+    alone = build_charts([high, higher], Counting(), processes=processes)
+    beside = build_charts([LIGHT, high, higher], Counting())
+    assert [m.validated for m in alone.modules] == [m.validated for m in beside.modules[1:]]
+    assert [m.replayed for m in alone.modules] == [2, 1]
+    assert beside.texts.keys() - alone.texts.keys() == {f"{LIGHT.name}.py", f"rotation/{LIGHT.name}.py"}
+    with pytest.raises(ValidationFailed, match=LIGHT.name):
+        build_charts([Cayley(HEAVY + 1)], Counting((LIGHT.name,)), processes=processes)
 
 
 @pytest.mark.parametrize("processes", [1, 2])
