@@ -8,6 +8,7 @@ programs   operators on straight-line programs; their validation; equality in a 
 statements mutants of the papers' statements
 rooms      where mutants are made and which checks should kill them, in stages
 road       the checks that are no tests: proofs, validation, comparison of what is emitted
+texts      what emitted texts say but for comments, layout and names of variables
 suite      tests, chosen and in order, inside this process
 reach      which checks reach which lines
 tree       copies of the working tree

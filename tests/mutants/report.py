@@ -105,7 +105,8 @@ of its own on a copy of the tree. Rooms may be measured one by one, each at the 
   validated is the same. Proof: the changed lines make controls (theorems with one thing wrong) and nothing
   else, and as many of the same theorems fail. Statements: decided exactly to say the same. Python that compiles to the
   same code is not drawn.
-- **prose**: what is emitted differs in comments, docstrings and layout only; `make check` notices.
+- **prose**: what is emitted differs in comments, docstrings, layout and names of variables only; `make check`
+  notices.
 - **no meaning**: statements that combine what has no such operation.
 - **killed** is the share among all but equivalent, prose and meaningless ones.
 

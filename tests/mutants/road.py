@@ -5,18 +5,18 @@ This module alone knows how the toolkit is called; it is imported inside a copy 
 
 from __future__ import annotations
 
-import ast
 import hashlib
 import importlib
 import pkgutil
-import re
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from pathlib import Path, PurePath
+from pathlib import Path
 from typing import Any
 
 from tests.support.packages import EXECUTED, Otherwise, unvalidated
+
+from .texts import code
 
 Check = Callable[[], object]
 """Raises where something is wrong."""
@@ -40,7 +40,7 @@ FEW = (3,)
 
 Prints = Mapping[str, tuple[str, str]]
 DIFFERENCES = ("", "text", "code")
-"""Of what is emitted: none, in comments, docstrings and layout only, any."""
+"""Of what is emitted: none, in comments, docstrings, layout and names of variables only, any."""
 
 FURTHER = {"further": "alpha/(1 + alpha**2/40)"}
 """Charts of φ without a name of their own, as users bring them: what their modules are called, and φ."""
@@ -238,25 +238,6 @@ def difference(name: str, expected: Mapping[str, Prints]) -> str:
 
 def _digest(text: str) -> str:
     return hashlib.sha256(text.encode()).hexdigest()
-
-
-def code(file: str, text: str) -> str:
-    """A file without its comments, docstrings and blanks."""
-    suffix = PurePath(file).suffix
-    if suffix == ".py":
-        tree = ast.parse(text)
-        for node in ast.walk(tree):
-            body = getattr(node, "body", None)
-            if isinstance(body, list):
-                node.body = [s for s in body if not _is_text(s)] or [ast.Pass()]  # type: ignore[attr-defined]
-        return ast.dump(tree)
-    if suffix in (".h", ".c"):
-        return " ".join(re.sub(r"//.*|/\*[\s\S]*?\*/", "", text).split())
-    return text
-
-
-def _is_text(statement: ast.stmt) -> bool:
-    return isinstance(statement, ast.Expr) and isinstance(statement.value, ast.Constant)
 
 
 def write_kernels(folder: Path) -> bool:

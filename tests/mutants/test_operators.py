@@ -13,6 +13,7 @@ from tests.mutants.mutant import Mutant, keyed, sample
 from tests.mutants.programs import program_mutants, same_value
 from tests.mutants.python import OPERATORS, python_mutants, same_code
 from tests.mutants.templates import template_mutants
+from tests.mutants.texts import code
 
 pytestmark = pytest.mark.smoke
 
@@ -141,3 +142,35 @@ def test_a_statement_of_a_paper_with_one_mark_changed() -> None:
     scores = [try_mutant(entry, change, statement, mutant) for change, mutant in mutants(statement)]
     assert all(score.killed + score.meaningless + len(score.survivors) == 1 for score in scores)
     assert sum(score.killed for score in scores)
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "same"),
+    [
+        ("a, b = v; return a - b", "c, d = v; return c - d", True),
+        ("a, b = v; return a - b", "a, b = v; return b - a", False),
+        ("a = v; b = a; return a", "a = v; a = a; return a", False),
+        ("return v", "return w", False),
+        ("a = v; return lambda: a", "b = v; return lambda: b", False),
+        ("'Text.'; return v  # so", "return v", True),
+    ],
+)
+def test_python_is_the_same_but_for_names_of_variables_comments_and_docstrings(before, after, same) -> None:
+    assert (code("a.py", f"def f(v, w): {before}\n") == code("a.py", f"def f(v, w): {after}\n")) == same
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "same"),
+    [
+        ("int a = n; // so\n return a;", "int b = n;\n return b;", True),
+        ("int a = n; return a;", "int a = n; return n;", False),
+        ("int a = n; return tan(a);", "int a = n; return sin(a);", False),
+        ("int a = n; int b = a; return a;", "int a = n; int b = a; return b;", False),
+    ],
+)
+def test_c_is_the_same_but_for_names_of_variables_comments_and_layout(before, after, same) -> None:
+    assert (code("a.h", f"int f(int n) {{\n{before}\n}}\n") == code("a.h", f"int f(int n) {{ {after}\n}}\n")) == same
+
+
+def test_other_texts_are_the_same_to_the_byte() -> None:
+    assert code("CMakeLists.txt", "a  b") != code("CMakeLists.txt", "a b")
