@@ -174,7 +174,7 @@ class Checks:
         emitted = _Emitted(knowledge, edit) if self.emits else None
         for stage in self.stages:
             if stage == TESTS and emitted and emitted.differs == "text":
-                return Fate(PROSE, by="what is emitted differs in comments, docstrings, layout and names of variables only")
+                return Fate(PROSE, by="what is emitted is the same but for comments, layout and names of variables")
             if by := self._first_failure(stage, plan[stage], emitted):
                 return Fate(KILLED, stage, by)
         if edit and knowledge.controls_only(edit) and _controls() == knowledge.controls:
