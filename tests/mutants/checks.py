@@ -21,6 +21,9 @@ FEW = 2
 LONG, LONG_FIXTURE = 5.0, 30.0
 """Seconds of processor time: a longer test is left out of trials."""
 
+SLOWER = 20.0
+"""Seconds of processor time that a check which is no test may take more than it did while it was watched."""
+
 TESTS = "tests"
 TEMPLATES = "templates"
 VALIDATING = "validating"
@@ -169,13 +172,13 @@ class Checks:
     def fate(self, edit: Edit | None, knowledge: Knowledge, former: Fate | None = None) -> Fate:
         """What becomes of an edit (None: of the unchanged tree); what killed it in another tree is asked first."""
         plan = knowledge.plan(edit)
-        if former and (by := self._asked_again(former, plan)):
+        if former and (by := self._asked_again(former, plan, knowledge)):
             return Fate(KILLED, former.stage, by)
         emitted = _Emitted(knowledge, edit) if self.emits else None
         for stage in self.stages:
             if stage == TESTS and emitted and emitted.differs == "text":
                 return Fate(PROSE, by="what is emitted is the same but for comments, layout and names of variables")
-            if by := self._first_failure(stage, plan[stage], emitted):
+            if by := self._first_failure(stage, plan[stage], knowledge, emitted):
                 return Fate(KILLED, stage, by)
         if edit and knowledge.controls_only(edit) and _controls() == knowledge.controls:
             return Fate(EQUIVALENT, by="another control of the same theorem, which fails as well")
@@ -187,13 +190,18 @@ class Checks:
                 return Fate(KILLED, "kernels", by)
         return Fate(SURVIVED)
 
-    def _asked_again(self, former: Fate, plan: Mapping[str, Sequence[str]]) -> str | None:
+    def _asked_again(self, former: Fate, plan: Mapping[str, Sequence[str]], knowledge: Knowledge) -> str | None:
         """What a check says that killed the same mutant before; None if it is not among those that reach it now."""
         names = [name for name in plan.get(former.stage, ()) if f"{former.by}: ".startswith(f"{name}: ")]
-        return self._first_failure(former.stage, names) if former.stage in self.stages else None
+        return self._first_failure(former.stage, names, knowledge) if former.stage in self.stages else None
 
-    def _first_failure(self, stage: str, names: Sequence[str], emitted: _Emitted | None = None) -> str | None:
-        return suite.first_failure(names) if stage == TESTS else _first_error(stage, names, self.emits, emitted)
+    def _first_failure(
+        self, stage: str, names: Sequence[str], knowledge: Knowledge, emitted: _Emitted | None = None
+    ) -> str | None:
+        if stage == TESTS:
+            return suite.first_failure(names)
+        limits = {name: SLOWER + knowledge.seconds[stage][name] for name in names}
+        return _first_error(stage, limits, self.emits, emitted)
 
 
 class _Emitted:
@@ -237,18 +245,21 @@ def _controls() -> Sequence[str]:
         return ()
 
 
-def _first_error(stage: str, names: Sequence[str], everything: bool, emitted: _Emitted | None = None) -> str | None:
-    """The first of these checks that fails, and is not known to pass."""
-    if not names:
+def _first_error(
+    stage: str, limits: Mapping[str, float], everything: bool, emitted: _Emitted | None = None
+) -> str | None:
+    """The first of these checks that fails, or takes longer than it may, and is not known to pass."""
+    if not limits:
         return None
     try:
         checks = road.first_stage(stage, everything)
     except Exception as error:
         return f"import: {type(error).__name__}"
-    for name in names:
+    for name, limit in limits.items():
         try:
-            if not (emitted and emitted.is_known(name)):
-                checks[name]()
+            with suite.limited(limit):
+                if not (emitted and emitted.is_known(name)):
+                    checks[name]()
         except Exception as error:
             return f"{name}: {type(error).__name__}"
     return None

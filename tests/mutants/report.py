@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from . import road
-from .checks import FEW
+from .checks import FEW, SLOWER
 from .mutant import EQUIVALENT, KILLED, MEANINGLESS, PROSE, SURVIVED, TIMEOUT
 from .record import Record
 from .rooms import ROOMS, Room
@@ -99,7 +99,7 @@ of its own on a copy of the tree. Rooms may be measured one by one, each at the 
   each test are run. **kernels**: killed by {few} cases of each test of tests/generated, run on the NumPy kernels that
   the mutant emits. **crash**: the process died.
 - **time limit**: stopped after twice the processor time of the checks that reach the change, and 20 s; counted as
-  killed.
+  killed. What is no test fails besides if it takes {slower} s longer than it did.
 - **equivalent**: shown to be so by the run. Programs: of the same value at random points of a prime field, functions
   and comparisons uninterpreted. Emission: the changed lines make texts and nothing else, and every text that is
   validated is the same. Proof: the changed lines make controls (theorems with one thing wrong) and nothing
@@ -123,7 +123,7 @@ def page(records: Sequence[Record], known: Mapping[str, Room] = ROOMS) -> str:
     listed["kinds"] = ", ".join(road.kinds())
     listed["further"] = ", ".join(f"φ = {phi}" for phi in road.FURTHER.values())
     rooms = "\n\n".join(_section(record, known[record.room].what) for record in records)
-    return PAGE.format(few=FEW, table="\n".join(lines), rooms=rooms, **listed)
+    return PAGE.format(few=FEW, slower=round(SLOWER), table="\n".join(lines), rooms=rooms, **listed)
 
 
 def _section(record: Record, what: str) -> str:

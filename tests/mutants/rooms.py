@@ -106,16 +106,19 @@ class Files:
 NUMBERS = "tests/derive/papers/test_theorem_numbers.py"
 PROOF = Checks("proof", ("derive/proof",), ("tests/derive/proof", NUMBERS), ("proof", TESTS), controlled=True)
 MAPS = Checks("maps", ("derive/maps",), ("tests/derive/maps", NUMBERS), ("proof", TESTS, "validation"))
+REPORT = "derive/papers/report/test_report.py"
 EMISSION = Checks(
     "emission",
     ("derive/codegen", "derive/output", TEMPLATES),
-    ("tests/derive/codegen", "tests/derive/output", "tests/derive/papers/report/test_report.py", "tests/targets"),
+    tuple(f"tests/{name}" for name in ("derive/codegen", "derive/output", "derive/cli", "targets", REPORT)),
     ("validation", TESTS),
     emits=True,
     few=FEW,
 )
 VALIDATION = ("derive/codegen/cases", "derive/codegen/validation")
-PAPERS = Checks("papers", ("derive/papers",), ("tests/derive/papers",), ("execution", TESTS))
+PAPERS = Checks(
+    "papers", ("derive/papers",), ("tests/derive/papers", "tests/derive/cli/test_verify.py"), ("execution", TESTS)
+)
 
 ROOMS: Mapping[str, Room] = {
     room.name: room

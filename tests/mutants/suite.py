@@ -131,7 +131,7 @@ class _Recorded:
 
     @pytest.hookimpl(wrapper=True)
     def pytest_fixture_setup(self, fixturedef: Any) -> Iterator[None]:
-        with self.reach.by(f"fixture {fixturedef.argname}"), _alarm(PATIENCE):
+        with self.reach.by(f"fixture {fixturedef.argname}"), limited(PATIENCE):
             return (yield)
 
     @pytest.hookimpl(wrapper=True)
@@ -142,11 +142,11 @@ class _Recorded:
 
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_call(self) -> Iterator[None]:
-        with _alarm(BORED):
+        with limited(BORED):
             return (yield)
 
 
-class _alarm:
+class limited:
     """Raises where it stands after so many seconds of processor time; inside of another one, that goes on later."""
 
     def __init__(self, seconds: float) -> None:
