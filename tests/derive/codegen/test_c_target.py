@@ -139,6 +139,8 @@ def test_the_package_holds_headers_their_tests_and_a_cmake_project(texts):
         assert files.MARK.match(text), name
         assert not re.search(r"\s\n", text.replace("\n\n", "\n").replace("\n\n", "\n")), name
         assert text.isascii(), name
+    for text in (text for name, text in texts.items() if name.endswith(("geometry.h", "cayley3.h"))):
+        assert not re.search(r"^[^/]*\b[A-Z]\b", text, re.MULTILINE), "where other people's macros are"
 
 
 def test_the_same_text_comes_out_twice(texts):
