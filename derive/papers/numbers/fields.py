@@ -10,6 +10,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
+from functools import reduce
 from typing import Any
 
 import mpmath
@@ -264,9 +265,10 @@ def integer_power(base: Any, exponent: int) -> Any:
         return integer_power(inverse, -exponent)
     if exponent == 0:
         return Tensor.identity() if isinstance(base, Tensor) else 1
-    half = integer_power(base, exponent // 2) if exponent > 1 else None
-    square = base if half is None else _product(half, half)
-    return _product(square, base) if half is not None and exponent % 2 else square
+    if exponent == 1:
+        return base
+    half = integer_power(base, exponent // 2)
+    return reduce(_product, (half, half, base) if exponent % 2 else (half, half))
 
 
 def _product(a: Any, b: Any) -> Any:
