@@ -137,7 +137,8 @@ def test_residues_have_reciprocals_but_for_zero_and_sines_of_angles_alone() -> N
 # ---- what fields have and what they refuse ---------------------------------------------------------------------------
 
 ZEROS = {"0": mpmath.mpf(0), "ε": Dual(mpmath.mpf(0), mpmath.mpf(1)), "vector": Vector(0, 0, 0),
-         "tensor": Tensor.dyad(Vector(1, 2, 3), Vector(1, 0, 0)), "quaternion": Quaternion(0, Vector(0, 0, 0))}  # fmt: skip
+         "tensor": Tensor.dyad(Vector(1, 2, 3), Vector(1, 0, 0)),
+         "quaternion": Quaternion(0, Vector(0, 0, 0))}  # fmt: skip
 
 
 class Bare(Field):

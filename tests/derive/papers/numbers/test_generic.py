@@ -57,6 +57,10 @@ def test_a_frame_along_real_parts_leaves_dual_parts_free(make) -> None:
     assert not any(zeros(found[t].du) + zeros(found[v].du))
     square = found[u1].dot(found[u1])
     assert (square.re, square.du) == (1, 0)
+    found = make([u1, u2, u3], dual=True, moving=False).values
+    assert [zeros(found[u].re) for u in (u1, u2)] == [[False, True, True], [False, True, False]]
+    assert all(found[u].dot(found[u]) == Dual(1, 0) for u in (u1, u2, u3))
+    assert not any(zeros(found[u2].du) + zeros(found[u3].du))
 
 
 def test_magnitudes_of_the_first_vector_are_tangents() -> None:

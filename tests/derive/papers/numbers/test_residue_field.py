@@ -105,6 +105,17 @@ def test_sines_and_cosines_add_up(field: Residues, i: int, j: int, k: int) -> No
     assert cos(-one) == cos(one) == cos(0 + one) == cos(one + 0) == cos(+one)
 
 
+def test_tangents_of_half_a_part_are_positive(field: Residues) -> None:
+    """And so are the cosine of the whole and what the tangent of an angle needs a root of."""
+    for part in (field.symbol("a") / 4, field.symbol("b") / 2, Residues((), {"c": 1}).symbol("c")):
+        inside = Residues((), {"a": 4, "b": 2, "c": 1})
+        half = inside.sin(part) / (1 + inside.cos(part))
+        assert is_square(half.value)
+        assert is_square((1 - half * half).value)
+        assert is_square((1 + half * half).value)
+        assert is_square(inside.cos(part).value)
+
+
 def test_quarter_turns_are_where_they_are(field: Residues) -> None:
     turns = [(field.cos(k * field.pi / 2), field.sin(k * field.pi / 2)) for k in range(-1, 6)]
     assert turns == [(0, -1), (1, 0), (0, 1), (-1, 0), (0, -1), (1, 0), (0, 1)]
