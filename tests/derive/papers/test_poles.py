@@ -26,7 +26,8 @@ def environment() -> Env:
 @pytest.mark.parametrize(
     ("below", "found"),
     [(1 - a, {a: 1}), (a * a - 4, {a: 2}), (1 - x, {x: 1}), (1 - norm(v), {v: 1}), (1 + a, {}),
-     (a - b, {a: START * 9 / 5, b: START}), (a**4 - a, {a: 1}), (r - 1, {}), (a - 10, {}), (a * (a - 1) * (a - 2), {a: 1})],
+     (a - b, {a: START * 9 / 5, b: START}), (a**4 - a, {a: 1}), (r - 1, {}), (a - 10, {}),
+     (a * (a - 1) * (a - 2), {a: 1})],
 )  # fmt: skip
 def test_a_denominator_vanishes_at_a_multiple_of_a_letter(below, found) -> None:
     with mpmath.workdps(DIGITS):
