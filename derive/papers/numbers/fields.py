@@ -87,7 +87,7 @@ class Field(ABC):
         return self.sqrt(square)
 
     def _vanishes(self, a: Any) -> bool:
-        return bool(a == 0) if isinstance(a, Dual) else self.same(a, 0)
+        return bool(a == 0) if isinstance(a, Dual) else self.vanishes(a)
 
     def power(self, base: Any, exponent: Any) -> Any:
         """Integer powers of anything with a product; roots of numbers; other powers in the subclasses."""
