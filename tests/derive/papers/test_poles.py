@@ -42,6 +42,13 @@ def test_a_denominator_vanishes_at_a_multiple_of_a_letter(below, found) -> None:
             assert abs(innermost(below_there)) < mpmath.mpf(10) ** -50
 
 
+@pytest.mark.parametrize(("multiple", "found"), [("0.1", []), ("0.13", [a]), ("4.95", [a]), ("5.05", [])])
+def test_multiples_from_an_eighth_to_five_are_looked_at(multiple: str, found) -> None:
+    with mpmath.workdps(DIGITS):
+        far = {a: Dual(START, START), r: START * mpmath.mpf(multiple)}
+        assert [letter for _, moved in poles(equal(1 / (a - r), b), Env(Decimal60(), far)) for letter in moved] == found
+
+
 def test_letters_with_a_definition_are_not_moved() -> None:
     with mpmath.workdps(DIGITS):
         assert [list(moved) for _, moved in poles(equal(1 / y, b), environment())] == []

@@ -5,7 +5,7 @@ from __future__ import annotations
 import mpmath
 import pytest
 
-from derive.algebra import Quaternion, Tensor, Vector, real_part
+from derive.algebra import Dual, Quaternion, Tensor, Vector, real_part
 from derive.papers.language.terms import Letter
 from derive.papers.numbers.draw import Draw
 from derive.papers.numbers.fields import DIGITS, Decimal60
@@ -119,3 +119,26 @@ def test_a_singular_tensor_has_no_inverse() -> None:
         value = KINDS["tensor"].special["singular"](Draw("s"))
         assert Decimal60().same(value.det().re, 0)
         assert not Decimal60().same(KINDS["tensor"].generic(Draw("s")).det().re, 0)
+
+
+# ---- constants, and what takes dual numbers apart --------------------------------------------------------------------
+
+
+def test_constants_have_their_values() -> None:
+    field = Decimal60()
+    values = {kind.name: kind.value(field) for kind in KINDS.values() if kind.value is not None}
+    assert values == {"dual unit": Dual(0, 1), "identity": Tensor.identity(), "π": mpmath.mpf(mpmath.pi), "words": None}
+    assert {kind.name for kind in KINDS.values() if not kind.varies} == {*values, "∞", "index"}
+
+
+def test_parts_of_what_is_dual_take_it_apart() -> None:
+    apart = {kind.name for kind in KINDS.values() if kind.apart}
+    real = {name for name in KINDS if name.startswith("real")}
+    assert apart == {*real, "proposition", "line", "dual unit"}
+
+
+def test_exact_values_have_as_many_numbers_as_said() -> None:
+    for kind in EXACT:
+        point = Generic([Letter("a", kind.name)], dual=False, moving=False, framed=False)
+        declared = {name for name in point.field.functions.names if name[:1] == "a" and name[1:].isdecimal()}
+        assert len(declared) == kind.size
