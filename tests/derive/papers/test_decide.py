@@ -230,6 +230,12 @@ def test_trigonometry_is_exact() -> None:
     assert decided(equal(sin(alpha) ** 2 + cos(alpha) ** 2, 1)).method == "exact"
 
 
+@pytest.mark.parametrize("parts", [2, 3, 5, 6, 8])
+def test_parts_of_angles_are_exact_as_they_occur(parts: int) -> None:
+    part = alpha / parts
+    assert decided(equal(2 * (sin(part) * cos(part)), sin(2 * alpha / parts))).method == "exact"
+
+
 # ---- mutants ------------------------------------------------------------------------------------------------------
 
 

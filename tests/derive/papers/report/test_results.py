@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import pytest
 
 from derive.papers import PAPERS, Equation, Reading, Result, Status, equation
@@ -20,7 +22,7 @@ from derive.papers.report.content import (
     why,
 )  # fmt: skip
 from derive.papers.report.pages import notes
-from derive.papers.report.text import ambiguous, conditional, errata, true
+from derive.papers.report.text import ambiguous, as_text, conditional, errata, true
 from derive.papers.result import Counterexample, Verdict
 
 a, b = Letter("a", "dual number"), Letter("b", "dual number")
@@ -173,6 +175,16 @@ def test_other_tables_have_a_row_for_each_entry_or_reading() -> None:
     assert list(map(tuple, conditional(chapter(IF)).rows)) == [("(7)\ntitle", "a = b", "if Re b ≠ 0\nexact")]
     assert list(map(tuple, true(chapter(result())).rows)) == [("(7)\ntitle", "a = b", "exact")]
     assert ambiguous(chapter(unclear)).title.startswith("CP23, ambiguous: ")
+
+
+def test_a_text_has_a_table_for_each_status_and_for_proofs() -> None:
+    proof = SimpleNamespace(scope="all orders", status="proved", statement="a = a")
+    alone, proved = (as_text(Report.of(PAPERS, [IF, ERRATUM], proofs)) for proofs in ((), (proof,)))
+    heads = [line.strip() for line in alone.splitlines() if line.strip().startswith(("CP23, ", "equations", "proofs"))]
+    assert [head.split(":")[0] for head in heads] == ["equations decided", "CP23, erratum", "CP23, holds-if"]
+    assert proved.startswith(alone)
+    rest = proved.removeprefix(alone)
+    assert all(part in rest for part in ("proofs", "all orders", "proved", "a = a"))
 
 
 def test_results_are_sorted_by_paper() -> None:
