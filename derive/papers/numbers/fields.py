@@ -182,10 +182,10 @@ class Decimal60(Field):
         return super().power(base, exponent)
 
     def _sin(self, a: Any) -> Any:
-        return _chopped(mpmath.sin(a))
+        return chopped(mpmath.sin(a))
 
     def _cos(self, a: Any) -> Any:
-        return _chopped(mpmath.cos(a))
+        return chopped(mpmath.cos(a))
 
     def _exp(self, a: Any) -> Any:
         return mpmath.exp(a)
@@ -201,7 +201,7 @@ class Decimal60(Field):
         return mpmath.atan2(y, x)
 
     def _sqrt(self, a: Any) -> Any:
-        a = _chopped(a)
+        a = chopped(a)
         if a < 0:
             raise UndefinedError("square root of a negative number")
         return mpmath.sqrt(a)
@@ -280,5 +280,6 @@ def one_over(a: Any) -> Any:
     return Fraction(1) / a if isinstance(a, int | Fraction) else 1 / a
 
 
-def _chopped(a: Any) -> Any:
+def chopped(a: Any) -> Any:
+    """A plain number of 60 digits, or 0 for what rounding makes of it."""
     return mpmath.mpf(0) if abs(a) < _NOTHING else a
