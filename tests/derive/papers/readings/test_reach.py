@@ -108,6 +108,15 @@ def test_numbers_beside_vectors_are_found(tokens, few: int, readings) -> None:
         assert not reach.can(*whole, ((target[0] + 5) % PRIME, target[1])), text(reading)
 
 
+def test_two_long_parts_of_a_sum_are_found_one_by_one() -> None:
+    reach = Reach(side((a, b, I, plus, c, d, v, tilde), 2), ALONG)
+    assert reach.stretches.listed(0, 3, 3) is reach.stretches.listed(4, 8, 3) is None
+    target = reach.stretches.target(reach.stretches.side.env.value(a * b * I + c * d * skew(v)))
+    assert reach.can(0, 8, target)
+    for k in (0, 1):
+        assert not reach.can(0, 8, tuple(7 * x % PRIME if k == m else x for m, x in enumerate(target)))
+
+
 # ---- what is known of stretches --------------------------------------------------------------------------------------
 
 
