@@ -39,20 +39,20 @@ FREE = {"number": "dual number"}
 """What stands for letters that only a definition has a value for, once that is forgotten."""
 NUMBERS = (Ratio, Residue, Dual, int, Fraction)
 FIXED = (ORDER, BRANCH, SIGN)
+Pair = tuple[Term, Term]
+"""A part of a formula before and after the change."""
 Comparison = Callable[[Env, Term, Term], bool]
 
 
-def equivalent(entry: Equation, before: Term, after: Term, orders: Sequence[int]) -> bool:
+def equivalent(entry: Equation, changed: Pair, orders: Sequence[int]) -> bool:
     """Whether a changed statement or domain of an entry says the same as it did."""
-    return any(
-        _everywhere(entry, first, second, orders, comparison)
-        for first, second, comparison in reversed(list(_compared(before, after)))
-    )
+    return any(_everywhere(entry, pair, orders, comparison) for pair, comparison in reversed(list(_compared(changed))))
 
 
-def _compared(before: Term, after: Term, joined: bool = True) -> Iterator[tuple[Term, Term, Comparison]]:
+def _compared(pair: Pair, joined: bool = True) -> Iterator[tuple[Pair, Comparison]]:
     """The parts in which two formulas differ, the widest first, with what makes them the same."""
-    yield before, after, _same
+    yield pair, _same
+    before, after = pair
     if not (isinstance(before, Apply) and isinstance(after, Apply) and before.args[0] == after.args[0]):
         return
     if len(before.arguments) != len(after.arguments):
@@ -60,40 +60,38 @@ def _compared(before: Term, after: Term, joined: bool = True) -> Iterator[tuple[
     different = [(a, b) for a, b in zip(before.arguments, after.arguments, strict=True) if a != b]
     if len(different) != 1:
         return
-    ((first, second),) = different
+    (inside,) = different
     traits = before.mark.traits
     if Trait.LENGTH in traits:
-        yield first, second, _opposite
+        yield inside, _opposite
     elif joined and Trait.ASCENDS in traits and len(before.arguments) == 2 and before.arguments[0] == Number(0):
-        yield first, second, _same_sign
+        yield inside, _same_sign
     elif before.mark is nonzero:
-        yield first, second, _vanish_together if joined else _opposite
+        yield inside, _vanish_together if joined else _opposite
     elif before.mark is equal and len(before.arguments) == 2 and Number(0) in before.arguments:
-        yield first, second, _opposite
+        yield inside, _opposite
     joined &= Trait.JOINS in traits and not before.mark.lazy and before.mark.name != "iff"
-    yield from _compared(first, second, joined)
+    yield from _compared(inside, joined)
 
 
-def _everywhere(entry: Equation, a: Term, b: Term, orders: Sequence[int], comparison: Comparison) -> bool:
+def _everywhere(entry: Equation, pair: Pair, orders: Sequence[int], comparison: Comparison) -> bool:
     """Whether a comparison holds at generic values of all letters, at each order and branch."""
-    if marked(Trait.DELICATE, a, b):  # what is so at generic values need not be so at others
+    if marked(Trait.DELICATE, *pair):  # what is so at generic values need not be so at others
         return False
     try:
-        if comparison is _same and not all(_same(env, a, b) for env in _environments(entry, a, b, orders, Reduced)):
+        if comparison is _same and not all(_same(env, *pair) for env in _environments(entry, pair, orders, Reduced)):
             return False
     except MEANINGLESS:
         pass  # residues refute; they do not decide
     try:
-        return all(comparison(env, a, b) for env in _environments(entry, a, b, orders, Generic))
+        return all(comparison(env, *pair) for env in _environments(entry, pair, orders, Generic))
     except MEANINGLESS:  # not exact, or no value
         return False
 
 
-def _environments(
-    entry: Equation, a: Term, b: Term, orders: Sequence[int], make: Callable[..., Generic]
-) -> Iterator[Env]:
+def _environments(entry: Equation, pair: Pair, orders: Sequence[int], make: Callable[..., Generic]) -> Iterator[Env]:
     functions = {f: d for f, d in entry.definitions.items() if f.kind is KINDS["function"]}
-    mentioned = dict.fromkeys((*letters(a), *letters(b)))
+    mentioned = dict.fromkeys(letter for part in pair for letter in letters(part))
     needed = dict.fromkeys(x for f in mentioned if f in functions for x in functions[f].arguments)
     free = [x for x in {**mentioned, **needed} if x not in functions and x.kind.varies]
     order = next((x for x in free if x.kind is ORDER), None)
@@ -101,7 +99,7 @@ def _environments(
     stand_ins = {x: Letter(x.name, FREE.get(x.kind.name, x.kind.name)) for x in free if x.kind not in FIXED}
     for n in orders if order is not None else (0,):
         for k in range((entry.branches or n) if branch is not None else 1):
-            point = make(stand_ins.values(), takes_apart(a, b), entry.moving, 4 * n or STEPS,
+            point = make(stand_ins.values(), takes_apart(*pair), entry.moving, 4 * n or STEPS,
                          framed=not entry.components)  # fmt: skip
             fixed = {x: {ORDER: n, BRANCH: k, SIGN: 1}[x.kind] for x in free if x.kind in FIXED}
             known = {x: point.values[stand_in] for x, stand_in in stand_ins.items()}

@@ -12,7 +12,7 @@ from functools import partial
 
 from .decide import ORDERS
 from .equation import Equation
-from .equivalence import equivalent
+from .equivalence import Pair, equivalent
 from .explore import explore
 from .language.notation import both, negated
 from .language.terms import Apply, Letter, Number, Term, text
@@ -112,7 +112,7 @@ def try_domain(
         return Score(meaningless=1)
     if not inside or not (outside or changed.condition is None):
         return Score(killed=1)
-    return _alive(entry, change, statement, _domain(entry), _domain(changed), orders)
+    return _alive(entry, change, statement, (_domain(entry), _domain(changed)), orders)
 
 
 def try_mutant(
@@ -123,15 +123,13 @@ def try_mutant(
         alive = all(outcome.truth is True for outcome in explore(entry, mutant, orders) if outcome.inside)
     except UNCOMBINABLE:  # a vector where a number belongs
         return Score(meaningless=1)
-    return _alive(entry, change, mutant, statement, mutant, orders) if alive else Score(killed=1)
+    return _alive(entry, change, mutant, (statement, mutant), orders) if alive else Score(killed=1)
 
 
-def _alive(
-    entry: Equation, change: str, shown: Term, before: Term, after: Term, orders: Sequence[int]
-) -> Score:
+def _alive(entry: Equation, change: str, shown: Term, changed: Pair, orders: Sequence[int]) -> Score:
     """What no execution kills says the same as before, or survives."""
     survivor = Survivor(entry.number, change, text(shown))
-    if equivalent(entry, before, after, orders):
+    if equivalent(entry, changed, orders):
         return Score(meaningless=1, equivalent=[survivor])
     return Score(survivors=[survivor])
 

@@ -45,7 +45,7 @@ def _unequal(env: Env, a: Term, multiple: Term, index: Term) -> bool:
     return not env.field.same(turns, round(float(turns)))
 
 
-unequal = define("unequal", r"{0} \neq {1}", "{0}≠{1}", RELATION, (SUM, SUM, ATOM), _unequal,
+unequal = define("unequal", r"{0} \neq {1}", "{0}≠{1}", RELATION, (SUM,), _unequal,
                  lazy=True, traits=Trait.DELICATE, changes=(NEGATED,))  # fmt: skip
 """``unequal(Re(alpha), 2 * k * pi, k)``: for no integer k equal."""
 

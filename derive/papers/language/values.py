@@ -166,8 +166,6 @@ def equal(field: Field, a: Any, b: Any) -> bool:
         return equal(field, a.first, b) or equal(field, a.second, b)
     if isinstance(b, Either):
         return equal(field, a, b.first) or equal(field, a, b.second)
-    if isinstance(a, bool) and isinstance(b, bool):
-        return a == b
     if type(a) is not type(b) and (isinstance(a, Structure) or isinstance(b, Structure)):
         a, b = quaternion(a), quaternion(b)
     return all(field.same(s, t) for s, t in _pairs(a, b))

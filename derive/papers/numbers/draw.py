@@ -11,6 +11,8 @@ import mpmath
 
 from derive.algebra import Dual, Quaternion, Tensor, Vector
 
+from .fields import chopped
+
 
 class Draw:
     """Seeded 60-digit numbers.
@@ -69,13 +71,9 @@ class Draw:
         """A unit dual quaternion with that half angle (real part) about a random screw axis."""
         angle = Dual(mpmath.mpf(half_angle), self.signed())
         s, c = angle.apply(mpmath.sin, mpmath.cos), angle.apply(mpmath.cos, lambda a: -mpmath.sin(a))
-        s, c = (a.apply(_chop, lambda _: 1) for a in (s, c))
-        s, c = Dual(s.re, _chop(s.du)), Dual(c.re, _chop(c.du))
+        s, c = (a.apply(chopped, lambda _: 1) for a in (s, c))
+        s, c = Dual(s.re, chopped(s.du)), Dual(c.re, chopped(c.du))
         return Quaternion(c, self.unit() * s)
-
-
-def _chop(a: Any) -> Any:
-    return mpmath.mpf(0) if abs(a) < mpmath.mpf(10) ** -55 else a
 
 
 def sphere(s: Any, t: Any) -> Vector:

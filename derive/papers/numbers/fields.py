@@ -10,6 +10,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
+from functools import reduce
 from typing import Any
 
 import mpmath
@@ -86,7 +87,7 @@ class Field(ABC):
         return self.sqrt(square)
 
     def _vanishes(self, a: Any) -> bool:
-        return bool(a == 0) if isinstance(a, Dual) else self.same(a, 0)
+        return bool(a == 0) if isinstance(a, Dual) else self.vanishes(a)
 
     def power(self, base: Any, exponent: Any) -> Any:
         """Integer powers of anything with a product; roots of numbers; other powers in the subclasses."""
@@ -181,10 +182,10 @@ class Decimal60(Field):
         return super().power(base, exponent)
 
     def _sin(self, a: Any) -> Any:
-        return _chopped(mpmath.sin(a))
+        return chopped(mpmath.sin(a))
 
     def _cos(self, a: Any) -> Any:
-        return _chopped(mpmath.cos(a))
+        return chopped(mpmath.cos(a))
 
     def _exp(self, a: Any) -> Any:
         return mpmath.exp(a)
@@ -200,7 +201,7 @@ class Decimal60(Field):
         return mpmath.atan2(y, x)
 
     def _sqrt(self, a: Any) -> Any:
-        a = _chopped(a)
+        a = chopped(a)
         if a < 0:
             raise UndefinedError("square root of a negative number")
         return mpmath.sqrt(a)
@@ -264,9 +265,10 @@ def integer_power(base: Any, exponent: int) -> Any:
         return integer_power(inverse, -exponent)
     if exponent == 0:
         return Tensor.identity() if isinstance(base, Tensor) else 1
-    half = integer_power(base, exponent // 2) if exponent > 1 else None
-    square = base if half is None else _product(half, half)
-    return _product(square, base) if half is not None and exponent % 2 else square
+    if exponent == 1:
+        return base
+    half = integer_power(base, exponent // 2)
+    return reduce(_product, (half, half, base) if exponent % 2 else (half, half))
 
 
 def _product(a: Any, b: Any) -> Any:
@@ -278,5 +280,6 @@ def one_over(a: Any) -> Any:
     return Fraction(1) / a if isinstance(a, int | Fraction) else 1 / a
 
 
-def _chopped(a: Any) -> Any:
+def chopped(a: Any) -> Any:
+    """A plain number of 60 digits, or 0 for what rounding makes of it."""
     return mpmath.mpf(0) if abs(a) < _NOTHING else a

@@ -94,7 +94,7 @@ class Combine:
         multiple = self._multiplied(a, b)
         if multiple is not None:
             self._offer(found, multiple, product_shape(a), marks, TIMES, (a, b))
-        if self._is_dyad(a, b):
+        if self._in_dyad(a) and self._in_dyad(b):
             dyadic = times(Tensor.dyad, Vector, a.coordinates, Vector, b.coordinates)
             assert dyadic is not None
             self._offer(found, dyadic, product_shape(a), 1 + marks, dyad, (a, b))
@@ -223,7 +223,7 @@ class Combine:
             return
         shape, marks = product_shape(a), brackets(a) + brackets(b)
         self._made(found, TIMES, (a, b), shape, marks, lambda: values.multiply(a.value, b.value))
-        if self._is_dyad(a, b):
+        if self._in_dyad(a) and self._in_dyad(b):
             self._made(found, dyad, (a, b), shape, 1 + marks, lambda: Tensor.dyad(a.value, b.value))
 
     @staticmethod
@@ -236,8 +236,8 @@ class Combine:
         return not (a.kind is b.kind is Tensor and (is_multiple(a) or is_multiple(b) or begins_with_numeral(b)))
 
     @staticmethod
-    def _is_dyad(a: Item, b: Item) -> bool:
-        return a.kind is b.kind is Vector and {a.shape, b.shape} <= {Shape.ATOM, Shape.SUM}
+    def _in_dyad(a: Item) -> bool:
+        return a.kind is Vector and a.shape in (Shape.ATOM, Shape.SUM)
 
     def _made(
         self, found: Table, mark: Mark, parts: tuple[Item, ...], shape: Shape, marks: int, value: Callable[[], Any]

@@ -92,10 +92,10 @@ class Side:
             return
         between = token.place is Place.BETWEEN
         right = (g + 1, j) if between else (g, j)
-        if right[0] < right[1] and self.table(i, g) and self.table(*right):
+        if right[0] < right[1] and (first := self.table(i, g)):
             if between and token.mark is not None:
-                self.combine.between(token.mark, self.table(i, g), self.table(*right), found)
+                self.combine.between(token.mark, first, self.table(*right), found)
             else:
-                self.combine.beside(self.table(i, g), self.table(*right), found, inner=j - g <= WIDEST)
+                self.combine.beside(first, self.table(*right), found, inner=j - g <= WIDEST)
         if len(found) > self.cap:
             raise OpenError

@@ -45,8 +45,9 @@ def equations(statement: Term) -> tuple[tuple[Term, ...], ...]:
 
 def _sequence(side: Term) -> Term:
     """What a limit is taken of: a sequence that is constant is its own limit at every order."""
-    eventual = isinstance(side, Apply) and Trait.EVENTUAL in side.mark.traits
-    return side.arguments[-1] if eventual else side
+    if isinstance(side, Apply) and Trait.EVENTUAL in side.mark.traits:
+        *_, side = side.arguments
+    return side
 
 
 def surviving(side: Term, lost: str) -> tuple[Token, ...]:

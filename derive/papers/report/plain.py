@@ -17,6 +17,7 @@ _ACCENTS = {"\\hat": "\u0302", "\\tilde": "\u0303", "\\dot": "\u0307", "\\vec": 
 _SIGNS = {
     "\\varepsilon": "ε", "\\pi": "π", "\\alpha": "α", "\\theta": "θ", "\\Theta": "Θ", "\\omega": "ω", "\\rho": "ρ",
     "\\sigma": "σ", "\\tau": "τ", "\\psi": "ψ", "\\phi": "φ", "\\varphi": "φ", "\\beta": "β", "\\lambda": "λ",
+    "\\mu": "μ", "\\Delta": "Δ", "\\Phi": "Φ",
     "\\otimes": "⊗", "\\cdot": "·", "\\times": "×", "\\pm": "±", "\\mp": "∓", "\\neq": "≠", "\\geq": "≥", "\\leq": "≤",
     "\\in": "∈", "\\Rightarrow": "⇒", "\\Leftrightarrow": "⇔", "\\neg": "not ", "\\mapsto": "↦", "\\to": "→",
     "\\sum": "Σ", "\\infty": "∞", "\\langle": "⟨", "\\rangle": "⟩", "\\lfloor": "⌊", "\\rfloor": "⌋", "\\angle": "∠",
@@ -48,7 +49,7 @@ def _part(token: str, tokens: Iterator[str]) -> str:
         return _sequence(tokens)
     if token in ("^", "_"):
         return _script(_argument(tokens), token)
-    if token == "\\frac":
+    if token in ("\\frac", "\\tfrac"):
         above, below = _argument(tokens), _argument(tokens)
         return f"{_grouped(above)}/{_grouped(below)}"
     if token == "\\binom":

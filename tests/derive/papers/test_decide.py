@@ -95,6 +95,14 @@ def test_a_true_reading_is_enough() -> None:
     assert [r["verdict"] for r in result.as_json()["readings"]] == ["true", "false"]
 
 
+def test_readings_that_are_not_counted_are_not_said_to_be_all() -> None:
+    entry = equation("1", "title", 1, equal(a, b - (b - a)), extract="a = b b a")
+    counted, listed = (decide("paper", entry, LOST, count=count) for count in (True, False))
+    assert (counted.capped, counted.reading_count > 1) == (False, True)
+    assert (listed.capped, listed.reading_count) == (True, 1)
+    assert counted.status is listed.status is Status.HOLDS
+
+
 def test_a_claim_in_words_that_can_be_understood_both_ways_is_ambiguous() -> None:
     readings = (Reading(equal((a - b) * b, a * b - b**2)), Reading(equal(a - b * b, a * b - b**2)))
     assert decided(readings).status is Status.AMBIGUOUS
@@ -220,6 +228,12 @@ def test_a_supporting_identity_must_be_proved() -> None:
 
 def test_trigonometry_is_exact() -> None:
     assert decided(equal(sin(alpha) ** 2 + cos(alpha) ** 2, 1)).method == "exact"
+
+
+@pytest.mark.parametrize("parts", [2, 3, 5, 6, 8])
+def test_parts_of_angles_are_exact_as_they_occur(parts: int) -> None:
+    part = alpha / parts
+    assert decided(equal(2 * (sin(part) * cos(part)), sin(2 * alpha / parts))).method == "exact"
 
 
 # ---- mutants ------------------------------------------------------------------------------------------------------

@@ -39,7 +39,7 @@ t, zero = tan(angle / 2), Number(0)
 
 
 def same(before: Term, after: Term) -> bool:
-    return equivalent(ENTRY, before, after, ORDERS)
+    return equivalent(ENTRY, (before, after), ORDERS)
 
 
 @pytest.mark.smoke
@@ -50,7 +50,9 @@ def same(before: Term, after: Term) -> bool:
      (nonzero(Re(a)), nonzero(Re(1 / a))), (nonzero(Re(det(I - skew(v)))), nonzero(Re(det(I + skew(v))))),
      (both(ordered(zero, t), nonzero(a)), both(ordered(zero, cot(angle / 2)), nonzero(a))),
      (equal(u, pm(a * v)), equal(u, pm(-a * v))), (equal(a, cos(alpha / 2)), equal(a, cos(-alpha / 2))),
-     (equal(a, (-Number(1)) ** n), equal(a, (-Number(1)) ** (n + 2)))],
+     (equal(a, (-Number(1)) ** n), equal(a, (-Number(1)) ** (n + 2))),
+     (nonzero(cos(alpha)), nonzero(cos(alpha) ** 2)), (nonzero(tan(alpha)), nonzero(tan(alpha) ** 3)),
+     (nonzero(a - b), nonzero(b - a)), (ordered(zero, t), ordered(zero, t**3))],
     ids=str,
 )  # fmt: skip
 def test_the_same_is_said_in_other_words(before: Term, after: Term) -> None:
@@ -66,7 +68,8 @@ def test_the_same_is_said_in_other_words(before: Term, after: Term) -> None:
      (implies(nonzero(Re(a)), nonzero(b)), implies(nonzero(Re(1 / a)), nonzero(b))),
      (equal(b, cases((a, nonzero(Re(a))), (a, equal(a, 0)))), equal(b, cases((a, nonzero(Re(a))), (b, equal(a, 0))))),
      (equal(a, sin(alpha / 2)), equal(a, sin(-alpha / 2))), (equal(u, pm(v) + w), equal(u, pm(v) - w)),
-     (nonzero(tan(alpha / 2)), nonzero(sin(alpha / 2))),
+     (nonzero(tan(alpha / 2)), nonzero(sin(alpha / 2))), (nonzero(cos(alpha)), nonzero(tan(alpha))),
+     (nonzero(sin(alpha)), nonzero(1 - cos(alpha))),
      (equal(a, (-Number(1)) ** n), equal(a, (-Number(1)) ** (n + 1)))],
     ids=str,
 )  # fmt: skip

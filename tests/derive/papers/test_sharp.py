@@ -10,14 +10,18 @@ from derive.papers.language.notation import (
     both,
     cases,
     cos,
+    cot,
     det,
     equal,
+    implies,
     nonzero,
     norm,
+    remark,
     root,
     sin,
     skew,
     tan,
+    words,
 )  # fmt: skip
 from derive.papers.language.notation import identity as I
 from derive.papers.language.terms import Letter
@@ -28,7 +32,10 @@ a, b, c = (Letter(name, "dual number") for name in "abc")
 
 @pytest.mark.parametrize(
     ("condition", "statement"),
-    [(nonzero(Re(b)), equal(a / b, c)), (nonzero(b), equal(a / b, c)), (nonzero(Re(b)), equal(a / (c * b**2), c)),
+    [(nonzero(Re(b)), equal(a / b, c)), (nonzero(b), equal(a / b, c)),
+     (remark(nonzero(Re(b)), words("", "")), equal(a / b, c)),
+     (nonzero(Re(b)), both(equal(a, c), equal(c, a / (2 / b)))), (nonzero(Re(sin(alpha))), equal(a, cot(alpha))),
+     (nonzero(Re(b)), equal(a / (b**2 * c), c)), (nonzero(Re(b)), equal(a / (c * b**2), c)),
      (both(nonzero(Re(b)), nonzero(Re(c))), equal(a / (c * b), c)), (nonzero(Re(v)), equal(v / norm(v) ** 2, v)),
      (nonzero(Re(1 - b)), equal(a / root((1 - b) ** 3), a)),
      (nonzero(Re(cos(alpha / 2))), equal(v, tan(alpha / 2) * u)),
@@ -41,7 +48,8 @@ def test_where_a_denominator_vanishes_there_is_no_value(condition, statement) ->
 
 @pytest.mark.parametrize(
     ("condition", "statement"),
-    [(nonzero(Re(a)), equal(a / b, c)), (both(nonzero(Re(b)), nonzero(Re(a))), equal(a / b, c)),
+    [(nonzero(Re(a)), equal(a / b, c)), (implies(nonzero(Re(b)), nonzero(Re(b))), equal(a / b, c)),
+     (remark(nonzero(Re(a)), words("", "")), equal(a / b, c)), (both(nonzero(Re(b)), nonzero(Re(a))), equal(a / b, c)),
      (nonzero(Re(b)), equal(a / (b + 1), c)),
      (nonzero(Re(b)), equal(a, cases((a / b, nonzero(Re(b))), (a, equal(a, a))))),
      (nonzero(Re(sin(alpha / 2))), equal(v, tan(alpha / 2) * u)), (equal(b, 1), equal(a / b, c))],

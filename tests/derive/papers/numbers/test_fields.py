@@ -132,3 +132,110 @@ def test_residues_have_reciprocals_but_for_zero_and_sines_of_angles_alone() -> N
     for other in (x, 5, Fraction(1, 2)):
         with pytest.raises(NotExactError, match="no rational multiple of an angle"):
             field.sin(other)
+
+
+# ---- what fields have and what they refuse ---------------------------------------------------------------------------
+
+ZEROS = {"0": mpmath.mpf(0), "ε": Dual(mpmath.mpf(0), mpmath.mpf(1)), "vector": Vector(0, 0, 0),
+         "tensor": Tensor.dyad(Vector(1, 2, 3), Vector(1, 0, 0)),
+         "quaternion": Quaternion(0, Vector(0, 0, 0))}  # fmt: skip
+
+
+class Bare(Field):
+    """A field without functions."""
+
+    name = "bare"
+
+    def same(self, a: object, b: object) -> bool:
+        return a == b
+
+
+@pytest.mark.parametrize("exponent", [-1, -2, Fraction(-3)])
+@pytest.mark.parametrize("base", ZEROS.values(), ids=ZEROS)
+def test_what_has_no_inverse_has_no_negative_power(base, exponent) -> None:
+    with pytest.raises(UndefinedError, match="the inverse of what has none"):
+        Decimal60().power(base, exponent)
+    assert Decimal60().power(base, 1) is not None
+
+
+@pytest.mark.parametrize(
+    ("call", "what"),
+    [(lambda f: f.sin(1), "sine"), (lambda f: f.cos(1), "cosine"), (lambda f: f.exp(1), "exponential"),
+     (lambda f: f.log(1), "logarithm"), (lambda f: f.atan(1), "arc tangent"), (lambda f: f.atan2(1, 1), "arc tangent"),
+     (lambda f: f.sqrt(1), "square root"), (lambda f: f.pi, "π"), (lambda f: f.negligible([0]), "an infinite sum"),
+     (lambda f: f.power(2, Fraction(1, 3)), "2 to the power"), (lambda f: f.power(2, "n"), "2 to the power 'n'")],
+)  # fmt: skip
+def test_a_field_refuses_what_it_does_not_have(call, what: str) -> None:
+    with pytest.raises(NotExactError, match=f"^{what}"):
+        call(Bare())
+
+
+@pytest.mark.parametrize("exponent", [Fraction(1, 3), Fraction(2, 3), Fraction(3, 2), Fraction(-1, 2), Fraction(5, 4)])
+def test_powers_of_quaternions_are_those_of_their_roots(exponent: Fraction) -> None:
+    with mpmath.workdps(DIGITS):
+        field, q = Decimal60(), Draw("powers").quaternion(mpmath.mpf("0.4")) * mpmath.mpf(2)
+        power = field.power(q, exponent)
+        whole, other = integer_power(power, exponent.denominator), integer_power(q, exponent.numerator)
+        assert all(field.same(a.re, b.re) and field.same(a.du, b.du) for a, b in zip(whole, other, strict=True))
+
+
+def test_powers_of_numbers_beside_dual_vectors_are_those_of_translations() -> None:
+    with mpmath.workdps(DIGITS):
+        field, zero = Decimal60(), mpmath.mpf(0)
+        q = Quaternion(Dual(mpmath.mpf(4), zero), Vector(*(Dual(zero, mpmath.mpf(c)) for c in (1, 2, 3))))
+        half = field.power(q, Fraction(3, 2))
+        assert all(field.same(a.re, b.re) and field.same(a.du, b.du)
+                   for a, b in zip(half * half, q * q * q, strict=True))  # fmt: skip
+        with pytest.raises(UndefinedError, match="a power of a negative number"):
+            field.power(-q, Fraction(1, 2))
+
+
+@pytest.mark.parametrize(
+    ("call", "inverse", "slope"),
+    [(Field.exp, Field.log, lambda a: mpmath.exp(a)), (Field.log, Field.exp, lambda a: 1 / a),
+     (Field.sqrt, lambda field, a: field.power(a, 2), lambda a: 1 / (2 * mpmath.sqrt(a))),
+     (lambda field, a: field.power(a, Fraction(1, 3)), lambda field, a: field.power(a, 3),
+      lambda a: 1 / (3 * mpmath.cbrt(a) ** 2))],
+)  # fmt: skip
+def test_functions_of_dual_numbers_have_their_derivatives(call, inverse, slope) -> None:
+    with mpmath.workdps(DIGITS):
+        field, a = Decimal60(), Dual(mpmath.mpf("0.7"), mpmath.mpf("0.3"))
+        value = call(field, a)
+        assert field.same(value.du, a.du * slope(a.re))
+        back = inverse(field, value)
+        assert field.same(back.re, a.re)
+        assert field.same(back.du, a.du)
+
+
+def test_magnitudes_of_vectors_without_real_part_are_dual() -> None:
+    with mpmath.workdps(DIGITS):
+        field, zero = Decimal60(), mpmath.mpf(0)
+        v = Vector(*(Dual(zero, mpmath.mpf(c)) for c in (1, 2, 2)))
+        assert field.magnitude(v) == Dual(0, 3)
+        w = Vector(*(Dual(mpmath.mpf(c), mpmath.mpf(c)) for c in (1, 2, 2)))
+        assert field.magnitude(w) == Dual(3, 3)
+        assert field.sqrt(Dual(zero, zero)) == 0
+        assert field.magnitude(Vector(3, 0, 4)) == 5
+
+
+def test_what_rounding_leaves_is_nothing() -> None:
+    with mpmath.workdps(DIGITS):
+        field, small = Decimal60(), mpmath.mpf(10) ** -56
+        assert field.vanishes(5 * small)
+        assert not field.vanishes(20 * small)
+        assert field.negligible([small, -small])
+        assert not field.negligible([small, 100 * small])
+        assert field.sin(field.pi) == 0 == field.cos(field.pi / 2) == field.sqrt(-small)
+        assert field.same(mpmath.mpf(10) ** 20, mpmath.mpf(10) ** 20 + mpmath.mpf(10) ** -26)
+        assert not field.same(mpmath.mpf(1), 1 + mpmath.mpf(10) ** -40)
+        with pytest.raises(UndefinedError, match="logarithm of a number that is not positive"):
+            field.log(mpmath.mpf(0))
+
+
+def test_the_angle_of_a_point_may_have_one_dual_coordinate() -> None:
+    with mpmath.workdps(DIGITS):
+        field, one = Decimal60(), mpmath.mpf(1)
+        for y, x, slope in ((Dual(one, one), 2 * one, "0.4"), (one, Dual(2 * one, one), "-0.2")):
+            angle = field.atan2(y, x)
+            assert field.same(angle.re, mpmath.atan2(1, 2))
+            assert field.same(angle.du, mpmath.mpf(slope))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import mpmath
 import pytest
 
+from derive.algebra import Dual, Quaternion, Tensor, Vector, real_part
 from derive.papers.language.terms import Letter
 from derive.papers.numbers.draw import Draw
 from derive.papers.numbers.fields import DIGITS, Decimal60
@@ -49,3 +50,95 @@ def test_only_drawn_kinds_are_exact_and_those_without_either_are_refused() -> No
         KINDS["map"].generic(Draw("s"))
     with pytest.raises(NotExactError, match="no generic map"):
         Generic([Letter("f", "map")], False, False)
+
+
+# ---- special values --------------------------------------------------------------------------------------------------
+
+PI = 3.14159265358979
+BEYOND, TURNED = (-0.999, -0.1), (-0.999, 2.999)
+SPECIAL = {
+    "sign": {"−": (-1, -1)},
+    "real": {"0": (0, 0), "negative": (-0.9, -0.2)},
+    "real angle": {"0": (0, 0), "π/2": (PI / 2, PI / 2), "π": (PI, PI), "beyond π": (3.2, 6.2), "2π": (2 * PI, 2 * PI),
+                   "negative": (-0.9, -0.2)},
+    "real vector": {"0": (0, 0)},
+    "rotation": {"identity": (3, 3), "half turn": (-1, -1), "beyond a half turn": TURNED},
+    "dual number": {"real part 0": (0, 0), "0": (0, 0), "negative": (-0.9, -0.2), "real": (0.2, 0.9)},
+    "argument": {"real part 0": (0, 0), "negative": (-0.9, -0.2)},
+    "scale": {"negative": (-2, -0.5)},
+    "angle": {"0": (0, 0), "real part 0": (0, 0), "real part π": (PI, PI), "real part 2π": (2 * PI, 2 * PI),
+              "real part 3π": (3 * PI, 3 * PI), "real part 4π": (4 * PI, 4 * PI), "beyond a half turn": (3.2, 6.2),
+              "negative": (-2.8, -0.3)},
+    "dual vector": {"real part 0": (0, 0), "0": (0, 0), "real": (0.1, 3)},
+    "quaternion": {"real part 0": (0, 0)},
+    "unit quaternion": {"1": (1, 1), "−1": (-1, -1), "half turn": (0, 0), "beyond a half turn": BEYOND},
+    "tensor": {"singular": (-10, 10)},
+    "orthogonal tensor": {"translation": (3, 3), "identity": (3, 3), "half turn": (-1, -1),
+                          "beyond a half turn": TURNED},
+}  # fmt: skip
+"""Between which bounds their size lies."""
+REAL = {("angle", "0"), ("dual number", "0"), ("dual number", "real"), ("dual vector", "0"), ("dual vector", "real"),
+        ("orthogonal tensor", "identity")}  # fmt: skip
+"""Those of dual kinds without a dual part."""
+FUNCTIONS = {"smooth function"}
+
+
+def size(value):
+    """A number as it is, the square of a vector, the scalar part of a quaternion, the trace of a tensor."""
+    if isinstance(value, Vector):
+        value = value.dot(value)
+    return real_part(
+        value.scalar if isinstance(value, Quaternion) else value.trace() if isinstance(value, Tensor) else value
+    )
+
+
+def coefficients(value):
+    return list(value) if isinstance(value, Vector | Quaternion | Tensor) else [value]
+
+
+def test_every_special_value_is_described() -> None:
+    described = {name: list(cases) for name, cases in SPECIAL.items()}
+    assert described == {k.name: list(k.special) for k in KINDS.values() if k.special and k.name not in FUNCTIONS}
+
+
+@pytest.mark.parametrize(("name", "label"), [(name, label) for name, cases in SPECIAL.items() for label in cases])
+def test_special_values_are_what_they_are_called(name: str, label: str) -> None:
+    low, high = SPECIAL[name][label]
+    with mpmath.workdps(DIGITS):
+        for seed in "abcde":
+            value = KINDS[name].special[label](Draw(seed))
+            assert low - 1e-12 <= size(value) <= high + 1e-12
+            duals = [a.du for a in coefficients(value) if hasattr(a, "du")]
+            generic = coefficients(KINDS[name].generic(Draw(seed)))
+            assert bool(duals) == any(hasattr(a, "du") for a in generic)
+            assert not duals or any(duals) is ((name, label) not in REAL)
+
+
+def test_a_singular_tensor_has_no_inverse() -> None:
+    with mpmath.workdps(DIGITS):
+        value = KINDS["tensor"].special["singular"](Draw("s"))
+        assert Decimal60().same(value.det().re, 0)
+        assert not Decimal60().same(KINDS["tensor"].generic(Draw("s")).det().re, 0)
+
+
+# ---- constants, and what takes dual numbers apart --------------------------------------------------------------------
+
+
+def test_constants_have_their_values() -> None:
+    field = Decimal60()
+    values = {kind.name: kind.value(field) for kind in KINDS.values() if kind.value is not None}
+    assert values == {"dual unit": Dual(0, 1), "identity": Tensor.identity(), "π": mpmath.mpf(mpmath.pi), "words": None}
+    assert {kind.name for kind in KINDS.values() if not kind.varies} == {*values, "∞", "index"}
+
+
+def test_parts_of_what_is_dual_take_it_apart() -> None:
+    apart = {kind.name for kind in KINDS.values() if kind.apart}
+    real = {name for name in KINDS if name.startswith("real")}
+    assert apart == {*real, "proposition", "line", "dual unit"}
+
+
+def test_exact_values_have_as_many_numbers_as_said() -> None:
+    for kind in EXACT:
+        point = Generic([Letter("a", kind.name)], dual=False, moving=False, framed=False)
+        declared = {name for name in point.field.functions.names if name[:1] == "a" and name[1:].isdecimal()}
+        assert len(declared) == kind.size

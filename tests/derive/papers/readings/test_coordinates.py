@@ -57,6 +57,27 @@ def test_operations_are_those_of_the_objects(first, second) -> None:
         assert (kind_b, inverse(kind_b, b)) == by_objects(values.divide, Residue(1), object_b)
 
 
+@pytest.mark.parametrize(("kind", "layers"), KINDS)
+def test_an_item_has_the_key_of_its_value(kind: type, layers: int) -> None:
+    for zeros in ((), (0,), range(SIZES[kind], 2 * SIZES[kind])):
+        c = tuple(0 if k in zeros else x for k, x in enumerate(drawn(kind, layers, 3)))
+        value = made(kind, c)
+        assert items.Item(value, items.Shape.ATOM, 0, None, ()).key == items.key(value)
+        assert items.Item(None, items.Shape.ATOM, 0, None, (), kind, c).value == value
+    one, other = drawn(kind, layers, 4), drawn(kind, layers, 5)
+    for k in range(len(one)):
+        assert items.key(made(kind, one)) != items.key(made(kind, (*one[:k], other[k], *one[k + 1 :])))
+
+
+def test_numbers_and_vectors_have_keys_of_quaternions() -> None:
+    assert items.key(Residue(3)) == items.key(3) == items.key(Dual(3, 0)) == (3, 0, 0, 0)
+    assert items.key(Vector(1, 2, Dual(3, 4))) == (0, 1, 2, (3, 4))
+    assert items.key(Quaternion(5, Vector(1, 2, 3))) == (5, 1, 2, 3)
+    assert items.key(Tensor.identity()) == (1, 0, 0, 0, 1, 0, 0, 0, 1)
+    with pytest.raises(TypeError, match="no number"):
+        items.key("a")
+
+
 def test_what_has_no_inverse_has_none() -> None:
     assert inverse(Dual, (0, 3)) is inverse(Residue, (0,)) is inverse(Quaternion, (0, 0, 0, 0)) is None
 

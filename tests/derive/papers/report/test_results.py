@@ -1,0 +1,196 @@
+"""What is said of one result: as data, in a notebook, in a row of a table, and in words."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+
+import pytest
+
+from derive.papers import PAPERS, Equation, Reading, Result, Status, equation
+from derive.papers.language.notation import Re, equal, nonzero
+from derive.papers.language.terms import Letter
+from derive.papers.readings.search import CAP
+from derive.papers.report.content import (
+    Report,
+    command,
+    domain,
+    example,
+    extent,
+    label,
+    place,
+    readings,
+    why,
+)  # fmt: skip
+from derive.papers.report.pages import notes
+from derive.papers.report.text import ambiguous, as_text, conditional, errata, true
+from derive.papers.result import Counterexample, Verdict
+
+a, b = Letter("a", "dual number"), Letter("b", "dual number")
+SHOWN = Counterexample("generic point 1", {"a": ["0.5", "-0.25"], r"\alpha": ["2"]}, (["0.5", "3"], ["0.5", "4"]))
+SOURCE = "derive/papers/condurache_popa_2023/sections/s09a_orders_1_to_3.py"
+
+
+def entry(number: str = "7", **rest: object) -> Equation:
+    given = {"extract": "a = b", "said": "words", "remark": "A sign is missing. More.", "source": SOURCE, **rest}
+    return equation(number, "title", 3, equal(a, b), **given)
+
+
+def result(status: Status = Status.HOLDS, number: str = "7", **rest: object) -> Result:
+    verdicts = (Verdict(equal(a, b), "note", status is not Status.ERRATUM, "method",
+                        SHOWN if status is Status.ERRATUM else None),)  # fmt: skip
+    of_result = {name: rest.pop(name) for name in ("verdicts", "reading_count", "capped", "exact") if name in rest}
+    given = {"verdicts": verdicts, **of_result}
+    return Result(PAPERS[0].slug, entry(number, **rest), status, "exact", **given)
+
+
+ERRATUM = result(Status.ERRATUM, corrected=equal(a, -b), claimed=nonzero(a), stated=(2, "for a ≠ 0"), reading_count=12)
+IF = result(Status.HOLDS_IF, condition=nonzero(Re(b)), corrected=None, exact=True)
+
+
+def test_data_of_an_erratum() -> None:
+    assert ERRATUM.as_json() == {
+        "paper": "condurache-popa-2023", "equation": "7", "title": "title", "status": "erratum",
+        "printed": "a = b", "corrected": "a = -b", "claimed": r"a \neq 0", "stated": "for a ≠ 0",
+        "condition": None, "exact": None, "readings": [{"latex": "a = b", "verdict": "false", "note": "note"}],
+        "reading_count": 12, "capped": False,
+        "counterexample": {"point": "generic point 1", "letters": {"a": ["0.5", "-0.25"], r"\alpha": ["2"]},
+                           "sides": [["0.5", "3"], ["0.5", "4"]]},
+        "method": "exact", "anchor": "condurache-popa-2023-7", "section": "9", "line": 3, "source": SOURCE,
+        "said": "words", "remark": "A sign is missing. More.",
+    }  # fmt: skip
+
+
+def test_data_of_others_have_no_correction_and_no_counterexample() -> None:
+    found = IF.as_json()
+    assert (found["corrected"], found["counterexample"], found["claimed"], found["stated"]) == (None,) * 4
+    assert (found["condition"], found["exact"], found["status"]) == (r"\operatorname{Re} b \neq 0", True, "holds-if")
+    unclear = result(Status.AMBIGUOUS, corrected=equal(a, -b), capped=True, exact=True).as_json()
+    assert (unclear["corrected"], unclear["exact"], unclear["capped"]) == (None, None, True)
+
+
+def test_in_a_notebook_the_correction_is_beside_what_is_printed() -> None:
+    assert ERRATUM._repr_latex_() == (
+        r"$\displaystyle \text{(7) erratum:}\quad a = b\quad\longrightarrow\quad a = -b$"
+    )  # fmt: skip
+    assert IF._repr_latex_() == r"$\displaystyle \text{(7) holds-if:}\quad a = b$"
+    assert repr(IF) == "<Result condurache-popa-2023 (7): holds-if>"
+
+
+def test_a_row_of_a_table() -> None:
+    row = {"paper": "condurache-popa-2023", "equation": "7", "printed": r"$\displaystyle a = b$", "method": "exact"}
+    assert ERRATUM.cells() == {**row, "status": "erratum", "corrected": r"$\displaystyle a = -b$"}
+    assert IF.cells() == {**row, "status": "holds-if", "corrected": ""}
+
+
+@pytest.mark.parametrize(
+    ("source", "section"),
+    [(SOURCE, "9"), ("derive/papers/x/sections/s12_2_more.py", "12.2"), ("derive/papers/x/sections/s10_end.py", "10"),
+     ("", "")],
+)  # fmt: skip
+def test_the_section_is_that_of_the_module(source: str, section: str) -> None:
+    assert result(source=source).section == section
+
+
+# ---- in words --------------------------------------------------------------------------------------------------------
+
+
+def test_how_an_entry_is_cited() -> None:
+    named = result(number="half-angle")
+    assert (label(IF), label(named)) == ("(7)", "half-angle")
+    assert (place(IF), place(named)) == ("section 9, equation (7)", "section 9")
+    assert command(named) == "dualcay verify --paper condurache-popa-2023 --eq half-angle"
+    assert (why(IF), why(result(remark=""))) == ("A sign is missing.", "title.")
+
+
+@pytest.mark.parametrize(
+    ("count", "capped", "truths", "said"),
+    [(1, False, [True], ""), (2, False, [True], "2 readings, one true"), (5, False, [False], "5 readings, none true"),
+     (5, True, [True, True], "5 or more readings, 2 true"),
+     (CAP, False, [False, False], f"{CAP} or more readings, none true"),
+     (CAP - 1, False, [True, False], f"{CAP - 1} readings, one true")],
+)  # fmt: skip
+def test_how_many_readings_there_are(count: int, capped: bool, truths: list[bool], said: str) -> None:
+    verdicts = tuple(Verdict(equal(a, b), "", truth, "") for truth in truths)
+    assert readings(result(verdicts=verdicts, reading_count=count, capped=capped)) == said
+    assert readings(result(verdicts=verdicts, reading_count=count, extract="")) == ""
+
+
+def test_domains_are_found_or_stated() -> None:
+    both = {"condition": nonzero(Re(b)), "claimed": nonzero(a), "stated": (1, "x")}
+    assert domain(result(Status.HOLDS_IF, **both)) == ("at least where Re b ≠ 0", "for a ≠ 0, as stated")
+    assert domain(IF) == ("if Re b ≠ 0",)
+    assert domain(ERRATUM) == ("for a ≠ 0, as stated",)
+    assert domain(result()) == ()
+    assert domain(result(Status.ERRATUM, **both))[0] == "where Re b ≠ 0"
+    assert extent(IF) == "if"
+
+
+@pytest.mark.parametrize(
+    ("letters", "sides", "lines"),
+    [({"a": ["0.5", "-0.25"], r"\alpha": ["2"]}, (["0.5", "3"], ["0.5", "4"]),
+      ("a = 0.5 + ε -0.25", "α = 2", "number 2 of 2: left 3, right 4")),
+     ({"v": list("123456")}, (["1"], ["2"]), ("v = (1, 2, 3) + ε (4, 5, 6)", "left 1, right 2")),
+     ({"q": list("12345678")}, (), ("q = (1, 2, 3, 4) + ε (5, 6, 7, 8)", "the point: the statement is false")),
+     ({"v": list("123")}, (["1"], []), ("v = (1, 2, 3)", "the point: the statement is false")),
+     ({}, (["0.12345678901234"], ["0.12345678991234"]), ("left 0.1234567890, right 0.1234567899",)),
+     ({}, (["0.12345678901234", "7"], ["0.12345678991234", "8"]), ("number 2 of 2: left 7, right 8",)),
+     ({"a": ["0.12345678901234"]}, (["1"], ["1"]), ("a = 0.1234567890", "left 1, right 1"))],
+)  # fmt: skip
+def test_a_counterexample_in_lines(letters, sides, lines) -> None:
+    assert example(Counterexample("the point", letters, sides)) == lines
+
+
+def test_notes_are_the_words_the_remark_and_the_place() -> None:
+    full = result(fixed_by="line 9")
+    assert notes(full) == ("In the paper: “words”", "A sign is missing. More.", "Reading fixed by line 9.")
+    assert notes(result(said="", remark="")) == ()
+
+
+# ---- tables ----------------------------------------------------------------------------------------------------------
+
+
+def chapter(*results: Result):
+    (found,) = Report.of(PAPERS, results, ()).chapters
+    return found
+
+
+def test_an_erratum_has_three_rows() -> None:
+    grid = errata(chapter(ERRATUM))
+    assert [column.heading for column in grid.columns] == ["equation", "printed", "corrected"]
+    first, second, third = grid.rows
+    assert tuple(first) == ("(7)\ntitle", "a = b\nfor a ≠ 0, as stated", "a = -b")
+    assert tuple(second) == ("how it is known", "exact", "12 readings, none true")
+    assert tuple(third) == (
+        "where they differ", "a = 0.5 + ε -0.25\nα = 2\nnumber 2 of 2: left 3, right 4",
+        "in full: dualcay verify --paper condurache-popa-2023 --eq 7 --format json",
+    )  # fmt: skip
+
+
+def test_other_tables_have_a_row_for_each_entry_or_reading() -> None:
+    others = (Verdict(equal(a, b), "one", True, ""), Verdict(equal(b, a), "", False, ""))
+    unclear = result(Status.AMBIGUOUS, verdicts=others)
+    assert list(map(tuple, ambiguous(chapter(unclear)).rows)) == [
+        ("(7)\ntitle", "a = b\none", "true"), ("", "b = a", "false"),
+    ]  # fmt: skip
+    assert list(map(tuple, conditional(chapter(IF)).rows)) == [("(7)\ntitle", "a = b", "if Re b ≠ 0\nexact")]
+    assert list(map(tuple, true(chapter(result())).rows)) == [("(7)\ntitle", "a = b", "exact")]
+    assert ambiguous(chapter(unclear)).title.startswith("CP23, ambiguous: ")
+
+
+def test_a_text_has_a_table_for_each_status_and_for_proofs() -> None:
+    proof = SimpleNamespace(scope="all orders", status="proved", statement="a = a")
+    alone, proved = (as_text(Report.of(PAPERS, [IF, ERRATUM], proofs)) for proofs in ((), (proof,)))
+    heads = [line.strip() for line in alone.splitlines() if line.strip().startswith(("CP23, ", "equations", "proofs"))]
+    assert [head.split(":")[0] for head in heads] == ["equations decided", "CP23, erratum", "CP23, holds-if"]
+    assert proved.startswith(alone)
+    rest = proved.removeprefix(alone)
+    assert all(part in rest for part in ("proofs", "all orders", "proved", "a = a"))
+
+
+def test_results_are_sorted_by_paper() -> None:
+    report = Report.of(PAPERS, [IF, result(number="8")], (), "..")
+    assert [r.equation.number for r in report.results] == ["7", "8"]
+    assert [c.paper.slug for c in report.chapters] == [PAPERS[0].slug]
+    assert report.link(IF) == f"../{SOURCE}"
+    assert Report.of(PAPERS, [IF], ()).link(IF) == ""
+    assert Reading(equal(a, b)).note == ""

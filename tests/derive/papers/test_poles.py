@@ -1,0 +1,66 @@
+"""Denominators of a formula are found, and the multiples of their letters at which they vanish."""
+
+from __future__ import annotations
+
+import mpmath
+import pytest
+
+from derive.algebra import Dual, Vector
+from derive.papers.language.evaluation import Env, let
+from derive.papers.language.notation import equal, norm, over
+from derive.papers.language.terms import Letter, Number, text
+from derive.papers.numbers.fields import DIGITS, Decimal60, innermost
+from derive.papers.poles import denominators, poles
+
+a, b, x = Letter("a", "dual number"), Letter("b", "dual number"), Letter("x", "argument")
+v, r, y = Letter("v", "dual vector"), Letter("r", "real"), Letter("y", "number")
+START = mpmath.mpf(9) / 20
+VALUES = {a: Dual(START, START), b: Dual(START * 9 / 5, START), x: Dual(START, START), r: START,
+          v: Vector(Dual(START, START), Dual(0 * START, START), Dual(0 * START, START))}  # fmt: skip
+
+
+def environment() -> Env:
+    return Env(Decimal60(), dict(VALUES), {y: let(y, lambda env, a: 1 - a, a)})
+
+
+@pytest.mark.parametrize(
+    ("below", "found"),
+    [(1 - a, {a: 1}), (a * a - 4, {a: 2}), (1 - x, {x: 1}), (1 - norm(v), {v: 1}), (1 + a, {}),
+     (a - b, {a: START * 9 / 5, b: START}), (a**4 - a, {a: 1}), (r - 1, {}), (a - 10, {}),
+     (a * (a - 1) * (a - 2), {a: 1})],
+)  # fmt: skip
+def test_a_denominator_vanishes_at_a_multiple_of_a_letter(below, found) -> None:
+    with mpmath.workdps(DIGITS):
+        result = list(poles(equal(1 / below, b), environment()))
+        assert [(label, *moved) for label, moved in result] == [
+            (f"{text(below)} has the real part 0", x) for x in found
+        ]
+        for (_, moved), at in zip(result, found.values(), strict=True):
+            ((letter, value),) = moved.items()
+            assert abs(innermost(value.c1 if letter is v else value) - at) < mpmath.mpf(10) ** -50
+            below_there = Env(Decimal60(), {**VALUES, **moved}).value(below)
+            assert abs(innermost(below_there)) < mpmath.mpf(10) ** -50
+
+
+@pytest.mark.parametrize(("multiple", "found"), [("0.1", []), ("0.13", [a]), ("4.95", [a]), ("5.05", [])])
+def test_multiples_from_an_eighth_to_five_are_looked_at(multiple: str, found) -> None:
+    with mpmath.workdps(DIGITS):
+        far = {a: Dual(START, START), r: START * mpmath.mpf(multiple)}
+        assert [letter for _, moved in poles(equal(1 / (a - r), b), Env(Decimal60(), far)) for letter in moved] == found
+
+
+def test_letters_with_a_definition_are_not_moved() -> None:
+    with mpmath.workdps(DIGITS):
+        assert [list(moved) for _, moved in poles(equal(1 / y, b), environment())] == []
+
+
+def test_a_denominator_without_a_value_has_no_pole() -> None:
+    with mpmath.workdps(DIGITS):
+        assert list(poles(equal(1 / (1 / (a - a)), b), environment())) == []
+
+
+def test_mere_numerals_are_no_denominators() -> None:
+    found = denominators(equal(a / 2, over(1, 1 - a / (b + 1)) + over(a, Number(3))))
+    assert [text(below) for below in found] == ["1-a/b+1", "b+1"]
+    assert list(denominators(equal(a * b, 2))) == []
+    assert len(list(poles(equal(1 / (1 - a), 2 / (1 - a)), environment()))) == 1
