@@ -23,7 +23,7 @@ from ..algebra.arithmetic import Arithmetic
 from .dependent import DependentScalars, divided
 from .evaluation import horner
 from .families import alpha
-from .of_order import OfOrder
+from .of_order import OfOrder, of_twice
 from .polynomials import RING, RING_X, ring_pair
 
 
@@ -145,6 +145,18 @@ class SineScalars(DependentScalars):
         return self.m.div(change - self.order * self.over(rest, -2), self._below)
 
 
+class SineAtAngle(SineScalars):
+    """The same where f_i and cos θ are known."""
+
+    hi, hiy = DependentScalars.hi, DependentScalars.hiy  # made of f_i: T⁻¹ along the axis is φ′, whatever f_i is
+
+    def __init__(self, chart: Sine, x: Coefficient, fi: Coefficient, cosine: Coefficient, m: Arithmetic) -> None:
+        super().__init__(chart.order, chart.scale, x, m)
+        self.fi = fi
+        self.c = m.name("c", cosine)
+        self.cc = m.name("cc", self.c * self.c)
+
+
 @dataclass(frozen=True)
 class Sine(OfOrder):
     """v = K sin(α/2n) u, up to |Re α| = nπ."""
@@ -168,6 +180,10 @@ class Sine(OfOrder):
 
     def scalars(self, x: Coefficient, m: Arithmetic) -> SineScalars:
         return SineScalars(self.order, self.scale, x, m)
+
+    def at_angle(self, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> SineAtAngle:
+        _, cosine = of_twice(m.name("t", m.tan(m.div(angle, 4 * self.order))), m)
+        return SineAtAngle(self, x, fi, m.abs(cosine), m)  # on by 2nπ it is the opposite
 
     def sized(
         self, sine: Coefficient, cosine: Coefficient, m: Arithmetic, mark: str = ""
