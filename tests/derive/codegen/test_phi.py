@@ -25,7 +25,7 @@ from derive.maps import PhiError, parameterization
 from derive.maps.pose import Screw
 from derive.output import files
 from derive.proof import prove
-from tests.support import families
+from tests.support import families, sampling
 from tests.support.oracle import Oracle
 
 TEXT = "alpha/(1 + alpha**2/40)"
@@ -79,6 +79,15 @@ def test_no_band_of_angles_loses_digits(kernels: ModuleType, oracle: Oracle, reg
     v = families.vectors(oracle, *regime, 1)
     for function in ("tangent", "pose", "tangent_inv"):
         assert families.worst(kernels, oracle, function, v) <= GATE, function
+
+
+@pytest.mark.parametrize("angle", [5.5, 6.2, 6.28])
+def test_steps_next_to_the_fold_lose_nothing(kernels: ModuleType, oracle: Oracle, angle: float):
+    """The oracle counts no turns: so steps are short beside what is left to 2π."""
+    steps = sampling.dual_vectors(f"steps at {angle}", count=1)
+    v, delta = families.vectors(oracle, angle, angle, 1), steps * np.array([0.3 * (6.2832 - angle)] * 3 + [1] * 3)
+    for function in families.STEPS:
+        assert families.worst_of(kernels, oracle, function, [v, delta]) <= GATE, function
 
 
 def test_branches_that_there_are_not_are_nan(kernels: ModuleType):
