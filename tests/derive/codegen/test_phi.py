@@ -9,6 +9,7 @@ from types import ModuleType
 import mpmath
 import numpy as np
 import pytest
+import sympy
 
 from derive.algebra import Dual, Vector
 from derive.codegen import generate
@@ -22,6 +23,7 @@ from derive.codegen.signatures import PUBLIC
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation.rounding import long
 from derive.maps import PhiError, parameterization
+from derive.maps.families import alpha
 from derive.maps.pose import Screw
 from derive.output import files
 from derive.proof import prove
@@ -157,12 +159,16 @@ def test_the_command_is_read_back():
 @pytest.mark.parametrize(
     ("phi", "name", "reason"),
     [
-        ("sinh(alpha/4)", "mine", "kernels compute no sinh"),
+        (alpha * sympy.cot(1 + alpha**2), "mine", "kernels compute no cot"),
+        ("log(1 + alpha)", "mine", "not odd by its structure"),
+        ("sinh(alpha)*tanh(alpha)", "mine", "not odd by its structure"),
+        ("alpha*exp(-1/alpha**2)", "mine", "divides by zero at alpha = 0"),
+        ("sin(alpha)**2/alpha", "mine", "divides by zero at alpha = 0"),
         ("alpha/2", "cayley3", "is the name of a committed module"),
         ("alpha/2", "lambert", "is the name of a committed module"),
     ],
 )
-def test_refusals_write_nothing(tmp_path: Path, phi: str, name: str, reason: str):
+def test_refusals_write_nothing(tmp_path: Path, phi: str | sympy.Expr, name: str, reason: str):
     with pytest.raises((PhiError, ValueError), match=reason):
         generate(target="numpy", output=tmp_path / "none", phi=phi, name=name)
     assert not (tmp_path / "none").exists()
