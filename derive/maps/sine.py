@@ -70,18 +70,21 @@ class SineScalars(DependentScalars):
         return self.m.name("c", self.m.sqrt(self.cc))
 
     def _at(self, name: str, polynomial: Any) -> Coefficient:
-        return self.m.name(name, horner(polynomial, self.y))
+        return self.m.name(name, self._value(polynomial))
+
+    def _value(self, polynomial: Any) -> Coefficient:
+        return horner(polynomial, self.y)
 
     def _with_root(self, value: Coefficient, odd: bool) -> Coefficient:
         return self.c * value if odd else value
 
     @cached_property
     def s(self) -> Coefficient:
-        return self.m.name("s", self._with_root(horner(self.S, self.y), self.odd))
+        return self.m.name("s", self._with_root(self._value(self.S), self.odd))
 
     @cached_property
     def w(self) -> Coefficient:
-        return self.m.name("w", self.over(self._with_root(horner(self.W, self.y), not self.odd), 1))
+        return self.m.name("w", self.over(self._with_root(self._value(self.W), not self.odd), 1))
 
     @cached_property
     def rate(self) -> Coefficient:
@@ -93,7 +96,7 @@ class SineScalars(DependentScalars):
 
     @cached_property
     def h(self) -> Coefficient:
-        return self.m.name("h", self.over(horner(self.H, self.y) / self.c, 3))
+        return self.m.name("h", self.over(self._value(self.H) / self.c, 3))
 
     @cached_property
     def hy(self) -> Coefficient:
@@ -155,6 +158,10 @@ class SineAtAngle(SineScalars):
         self.fi = fi
         self.c = m.name("c", cosine)
         self.cc = m.name("cc", self.c * self.c)
+
+    def _value(self, polynomial: Any) -> Coefficient:
+        """In powers of cos² θ, of which next to the edge one term counts."""
+        return horner(polynomial.compose(RING_X, 1 - RING_X), self.cc)
 
 
 @dataclass(frozen=True)

@@ -58,7 +58,7 @@ def test_all_regimes_are_met_by_every_function():
     assert len(met) == len(REGIMES) * len(PUBLIC)
 
 
-@pytest.mark.parametrize("left", [0.2, 3e-2, 3e-3, 1e-4])
+@pytest.mark.parametrize("left", [0.2, 0.1, 3e-2, 3e-3, 1e-4])
 @pytest.mark.parametrize("name", FOLDED)
 def test_steps_next_to_an_edge_where_phi_has_no_slope_lose_nothing(name: str, kernels: ModuleType, left: float):
     """With a share of the way to the edge left; x says little of the angle there, and T is all but singular."""

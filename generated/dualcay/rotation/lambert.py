@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="132ca7402475f8c3",
+    programs="9f569e146fc52796",
 )
 
 KERNELS = RotationKernels(CHART)

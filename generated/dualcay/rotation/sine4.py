@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="6223730b99fe1b0a",
+    programs="4196fd4f9f4b6890",
 )
 
 KERNELS = RotationKernels(CHART)
