@@ -5,7 +5,7 @@ tensor or quaternion into a dual one, with ``.re`` and ``.du`` its parts.
 
 ========== ============================================================================
 dual       `Dual`: ``a + ε a°``, its inverse, powers, magnitude and ``f(a) + ε a° f'(a)``
-functions  sin, cos, tan, cot, atan, atan2, sqrt of plain and dual numbers
+functions  sin, cos, tan, cot, atan, atan2, sqrt, expm1, log1p and others of plain and dual numbers
 vector     `Vector`: sum, multiple, dot, cross, magnitude
 tensor     `Tensor`: skew, dyad, vect, trace, det, transpose, product, inverse
 quaternion `Quaternion`: product, conjugate, norm, inverse, sandwich

@@ -82,6 +82,17 @@ def log(value: Coefficient) -> Coefficient:
     return lift(value, namespace(value).log, lambda a: 1 / a)
 
 
+def expm1(value: Coefficient) -> Coefficient:
+    """Return the exponential less 1, right to the last digit near 0; of numbers, for SymPy has no such function."""
+    library = namespace(value)
+    return lift(value, library.expm1, library.exp)
+
+
+def log1p(value: Coefficient) -> Coefficient:
+    """Return the logarithm of 1 and a number, right to the last digit near 0; of numbers like `expm1`."""
+    return lift(value, namespace(value).log1p, lambda a: 1 / (1 + a))
+
+
 def sinh(value: Coefficient) -> Coefficient:
     """Return the hyperbolic sine."""
     library = namespace(value)

@@ -228,6 +228,9 @@ class Cayley:
         at = self.scalars(x, m)
         return at.fi, at.hi
 
+    def at_angle(self, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> CayleyScalars:
+        return self.scalars(x, m)
+
     def direction(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         return turns.direction(self.order, self.scalars(x, m), y, r, m)
 

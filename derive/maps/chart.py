@@ -171,6 +171,12 @@ class Chart(Protocol):
         there. For others that at x is: the derivative of a gain loses digits where v is small.
         """
 
+    def at_angle(self, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> Scalars:
+        """Scalars of T⁻¹ at ``v = φ(α) u`` of a known angle, `fi` as in `back`.
+
+        Where φ′ = 0 is near, x says little of the angle: what a rounding of v changes grows with 1/φ′.
+        """
+
     def direction(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         """1 or −1: the axis of the principal angle is that times ``v/|v|``, where ``v = r u``, r ≥ 0."""
 

@@ -37,7 +37,10 @@ def edge_of(phi: sympy.Expr) -> Edge:
     slope = phi.diff(alpha)
     with mpmath.workdps(DIGITS):
         step = FURTHEST * mpmath.pi / GRID
-        before = real_value(slope, mpmath.mpf(0), phi)
+        try:
+            before = real_value(slope, mpmath.mpf(0), phi)
+        except ZeroDivisionError:
+            raise PhiError(f"phi = {phi} divides by zero at alpha = 0") from None
         if not before > 0:
             raise PhiError(f"phi'(0) = {mpmath.nstr(before, 5)}, and has to be positive")
         for k in range(1, GRID + 1):

@@ -203,6 +203,17 @@ class GeneralScalars(DependentScalars):
         return self._select("hyy", self._hyy_near, change / self._square)
 
 
+class GeneralAtAngle(GeneralScalars):
+    """The same where f_i and α are known."""
+
+    def __init__(self, chart: General, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> None:
+        super().__init__(chart, x, m)
+        self.fi = fi
+        # of what is near some angle where all is regular
+        beside = plus(angle - angle, chart.far.edge / 2, m, "beside")
+        self.far_angle = m.name("far", m.where(self.is_near, beside, m.abs(angle)))
+
+
 @dataclass(frozen=True)
 class General(ByAngle):
     """v = φ(α) u up to the first φ′ = 0 or pole of φ, at most to 4π."""
@@ -248,6 +259,11 @@ class General(ByAngle):
 
     def scalars(self, x: Coefficient, m: Arithmetic) -> GeneralScalars:
         return GeneralScalars(self, x, m)
+
+    def at_angle(self, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> DependentScalars:
+        if self._edge.kind == "fold":
+            return GeneralAtAngle(self, x, fi, angle, m)
+        return super().at_angle(x, fi, angle, m)
 
     def own_angle(self, at: GeneralScalars, r: Coefficient) -> Coefficient:
         return at.angle_of(r)

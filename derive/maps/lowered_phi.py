@@ -1,4 +1,8 @@
-"""φ and its derivatives as arithmetic at an angle: sines by the tangent of a quarter, arcs by atan2."""
+"""φ and its derivatives as arithmetic at an angle.
+
+Sines are made of the tangent of a quarter, arcs of atan2, exponentials of e^a − 1 and logarithms of log(1 + a): none
+loses digits near 0, and those of hyperbolic functions none on either side of it.
+"""
 
 from __future__ import annotations
 
@@ -29,7 +33,10 @@ def number(expression: sympy.Expr) -> Any:
         return mpmath.mpf(expression.evalf(DIGITS))
 
 
-KNOWN = (sympy.sin, sympy.cos, sympy.tan, sympy.asin, sympy.acos, sympy.atan)
+KNOWN = (
+    sympy.sin, sympy.cos, sympy.tan, sympy.asin, sympy.acos, sympy.atan,
+    sympy.sinh, sympy.cosh, sympy.tanh, sympy.exp, sympy.log,
+)  # fmt: skip
 
 
 def require_known(phi: sympy.Expr) -> None:
@@ -47,6 +54,7 @@ class Lowering:
         self.prefix = prefix
         self._known: dict[sympy.Expr, Coefficient] = {alpha: angle}
         self._pairs: dict[sympy.Expr, tuple[Coefficient, Coefficient]] = {}
+        self._hyperbolics: dict[sympy.Expr, tuple[Coefficient, Coefficient]] = {}
         self._count = 0
 
     def at(self, expression: sympy.Expr) -> Coefficient:
@@ -117,6 +125,11 @@ class Lowering:
             sympy.asin: lambda e: m.atan2(self.at(e), self._other(e)),
             sympy.acos: lambda e: m.atan2(self._other(e), self.at(e)),
             sympy.atan: lambda e: m.atan2(self.at(e), 1),
+            sympy.sinh: lambda e: self._hyperbolic(e)[0],
+            sympy.cosh: lambda e: self._hyperbolic(e)[1],
+            sympy.tanh: self._tanh,
+            sympy.exp: self._exp,
+            sympy.log: self._log,
         }
 
     def _other(self, e: sympy.Expr) -> Coefficient:
@@ -131,6 +144,44 @@ class Lowering:
             sine, cosine = (m.name(self._name(), value) for value in of_twice(quarter, scope))
             self._pairs[argument] = 2 * (sine * cosine), 1 - 2 * (sine * sine)
         return self._pairs[argument]
+
+
+    def _named(self, value: Coefficient) -> Coefficient:
+        return self.m.name(self._name(), value)
+
+    def _side(self, argument: sympy.Expr) -> tuple[Coefficient, Any]:
+        """The size of a value, and whether it is below 0: a selection, which unlike a size has a slope at 0."""
+        m, a = self.m, self.at(argument)
+        below = self._named(m.less(a, 0))
+        return self._named(m.where(below, -a, a)), below
+
+    def _exp(self, argument: sympy.Expr) -> Coefficient:
+        """By E = e^|a| − 1: ``1 + E``, below 0 one over that."""
+        m, (size, below) = self.m, self._side(argument)
+        power = self._named(1 + m.expm1(size))
+        return m.where(below, 1, power) / m.where(below, power, 1)
+
+    def _hyperbolic(self, argument: sympy.Expr) -> tuple[Coefficient, Coefficient]:
+        """Hyperbolic sine and cosine by E = e^|a| − 1: ``(E + E/(1 + E))/2``, and ``1 + E/2 E/(1 + E)``."""
+        if argument not in self._hyperbolics:
+            m, (size, below) = self.m, self._side(argument)
+            more = self._named(m.expm1(size))
+            less = self._named(more / (1 + more))
+            sine = self._named(m.div(more + less, 2))
+            self._hyperbolics[argument] = m.where(below, -sine, sine), 1 + m.div(more * less, 2)
+        return self._hyperbolics[argument]
+
+    def _tanh(self, argument: sympy.Expr) -> Coefficient:
+        """By E = e^(−2|a|) − 1, which does not overflow: ``−E/(2 + E)``."""
+        size, below = self._side(argument)
+        less = self._named(self.m.expm1(-2 * size))
+        return self.m.where(below, less, -less) / (2 + less)
+
+    def _log(self, argument: sympy.Expr) -> Coefficient:
+        """``log(1 + (a − 1))``; below a half, where that loses digits, ``−log(1 + (1 − a)/a)``."""
+        m, a, beside = self.m, self.at(argument), self.at(argument - 1)
+        small = self._named(m.less(2 * a, 1))
+        return m.where(small, -1, 1) * m.log1p(m.where(small, -beside, beside) / m.where(small, a, 1))
 
 
 class _Prefixed:

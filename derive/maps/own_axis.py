@@ -20,6 +20,12 @@ class OwnAxis(Parameterized):
     def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         return fi, self.scalars(x, m).hi
 
+    def at_angle(self, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> DependentScalars:
+        """With the f_i given, of which h_i is made: then T⁻¹ along the axis is φ′, whatever f_i is off by."""
+        at = self.scalars(x, m)
+        at.fi = fi
+        return at
+
     def direction(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         """The sign of sin α on v; where it is 0 at half a turn that of w, at a whole one that of the translation."""
         return self._direction(self.scalars(x, m), y, m)

@@ -115,6 +115,9 @@ class Scaled(Parameterized):
         at = self.scalars(x, m)
         return at.fi, at.hi
 
+    def at_angle(self, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> Scalars:
+        return self.scalars(x, m)
+
     def direction(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         tangent = divided(r, self.scale, m)
         return turns.direction(self.order, self._inner(x, m), y, tangent, m)

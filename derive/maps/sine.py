@@ -23,7 +23,7 @@ from ..algebra.arithmetic import Arithmetic
 from .dependent import DependentScalars, divided
 from .evaluation import horner
 from .families import alpha
-from .of_order import OfOrder
+from .of_order import OfOrder, of_twice
 from .polynomials import RING, RING_X, ring_pair
 
 
@@ -70,18 +70,21 @@ class SineScalars(DependentScalars):
         return self.m.name("c", self.m.sqrt(self.cc))
 
     def _at(self, name: str, polynomial: Any) -> Coefficient:
-        return self.m.name(name, horner(polynomial, self.y))
+        return self.m.name(name, self._value(polynomial))
+
+    def _value(self, polynomial: Any) -> Coefficient:
+        return horner(polynomial, self.y)
 
     def _with_root(self, value: Coefficient, odd: bool) -> Coefficient:
         return self.c * value if odd else value
 
     @cached_property
     def s(self) -> Coefficient:
-        return self.m.name("s", self._with_root(horner(self.S, self.y), self.odd))
+        return self.m.name("s", self._with_root(self._value(self.S), self.odd))
 
     @cached_property
     def w(self) -> Coefficient:
-        return self.m.name("w", self.over(self._with_root(horner(self.W, self.y), not self.odd), 1))
+        return self.m.name("w", self.over(self._with_root(self._value(self.W), not self.odd), 1))
 
     @cached_property
     def rate(self) -> Coefficient:
@@ -93,7 +96,7 @@ class SineScalars(DependentScalars):
 
     @cached_property
     def h(self) -> Coefficient:
-        return self.m.name("h", self.over(horner(self.H, self.y) / self.c, 3))
+        return self.m.name("h", self.over(self._value(self.H) / self.c, 3))
 
     @cached_property
     def hy(self) -> Coefficient:
@@ -145,6 +148,22 @@ class SineScalars(DependentScalars):
         return self.m.div(change - self.order * self.over(rest, -2), self._below)
 
 
+class SineAtAngle(SineScalars):
+    """The same where f_i and cos θ are known."""
+
+    hi, hiy = DependentScalars.hi, DependentScalars.hiy  # made of f_i: T⁻¹ along the axis is φ′, whatever f_i is
+
+    def __init__(self, chart: Sine, x: Coefficient, fi: Coefficient, cosine: Coefficient, m: Arithmetic) -> None:
+        super().__init__(chart.order, chart.scale, x, m)
+        self.fi = fi
+        self.c = m.name("c", cosine)
+        self.cc = m.name("cc", self.c * self.c)
+
+    def _value(self, polynomial: Any) -> Coefficient:
+        """In powers of cos² θ, of which next to the edge one term counts."""
+        return horner(polynomial.compose(RING_X, 1 - RING_X), self.cc)
+
+
 @dataclass(frozen=True)
 class Sine(OfOrder):
     """v = K sin(α/2n) u, up to |Re α| = nπ."""
@@ -168,6 +187,10 @@ class Sine(OfOrder):
 
     def scalars(self, x: Coefficient, m: Arithmetic) -> SineScalars:
         return SineScalars(self.order, self.scale, x, m)
+
+    def at_angle(self, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> SineAtAngle:
+        _, cosine = of_twice(m.name("t", m.tan(m.div(angle, 4 * self.order))), m)
+        return SineAtAngle(self, x, fi, m.abs(cosine), m)  # on by 2nπ it is the opposite
 
     def sized(
         self, sine: Coefficient, cosine: Coefficient, m: Arithmetic, mark: str = ""

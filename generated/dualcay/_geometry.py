@@ -4953,7 +4953,7 @@ def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v22w = v_2 * v_2
     v33w = v_3 * v_3
     xw = v11w + v22w + v33w
-    _, hiw = c.inverse(m, xw, fe)
+    _, hiw = c.inverse_at(m, xw, fe, angle)
     hvr = hiw * (v_1 * rho1 + v_2 * rho2 + v_3 * rho3)
     return (
         v_1,
@@ -5034,31 +5034,31 @@ def retract_blocks(
     turns = add(sub(own_, folded, k8), mul(n2, atan2(tan(div(sub(folded, own_, k7), n2, k7), k7), n1, k7), k7), k7)
     angle = add(folded, m.where(m.less(absolute(turns, k8), n1, mask2), n0, turns, k8), k3)
     rn, slopen = c.coefficient((k7, k8), (k9, k10, k11, k12, k13, k17, k21, k22, *spare), (mask2, *spare_masks), angle)
-    z0s = m.where(still, z0, length, k3)
-    factor = m.where(still, div(mul(n2, slopen, k8), z0s, k3), div(rn, length, k4), k3)
+    z0s = m.where(still, z0, length, k9)
+    factor = m.where(still, div(mul(n2, slopen, k8), z0s, k8), div(rn, length, k4), k7)
     v_1 = mul(z1, factor, o1)
     v_2 = mul(z2, factor, o2)
     v_3 = mul(z3, factor, o3)
-    fe = mul(factor, z0, k3)
-    v11w = mul(v_1, v_1, k4)
-    v22w = mul(v_2, v_2, k5)
-    v33w = mul(v_3, v_3, k7)
-    xw = add(add(v11w, v22w, k4), v33w, k4)
-    _, hiw = c.inverse(
-        (k5, k7), (k8, k9, k10, k11, k12, k13, k17, k18, k19, k20, k21, k22, *spare), (mask1, mask2, *spare_masks), xw,
-        fe
+    fe = mul(factor, z0, k4)
+    v11w = mul(v_1, v_1, k5)
+    v22w = mul(v_2, v_2, k7)
+    v33w = mul(v_3, v_3, k8)
+    xw = add(add(v11w, v22w, k5), v33w, k5)
+    _, hiw = c.inverse_at(
+        (k7, k8), (k9, k10, k11, k12, k13, k17, k18, k19, k20, k21, k22, *spare), (mask1, mask2, *spare_masks), xw, fe,
+        angle
     )
-    yd = add(add(mul(d1, d1o, k4), mul(d2, d2o, k5), k4), mul(d3, d3o, k5), k4)
+    yd = add(add(mul(d1, d1o, k3), mul(d2, d2o, k5), k3), mul(d3, d3o, k5), k3)
     alongd = mul(hd, yd, k1)
-    gv3 = mul(v3, g, k4)
+    gv3 = mul(v3, g, k3)
     gv1 = mul(v1, g, k5)
-    gv2 = mul(v2, g, k8)
+    gv2 = mul(v2, g, k7)
     y = add(add(mul(v1, v1o, k9), mul(v2, v2o, k10), k9), mul(v3, v3o, k10), k9)
     along = mul(h, y, k9)
     rhob2 = add(add(mul(v2o, f, k10), sub(mul(gv3, v1o, k11), mul(gv1, v3o, k12), k11), k10), mul(v2, along, k11), k10)
-    rhob1 = add(add(mul(v1o, f, k11), sub(mul(gv2, v3o, k12), mul(gv3, v2o, k4), k4), k4), mul(v1, along, k11), k4)
-    rhob3 = add(add(mul(v3o, f, k11), sub(mul(gv1, v2o, k5), mul(gv2, v1o, k8), k5), k5), mul(v3, along, k8), k5)
-    v_rhob3 = sub(mul(d1, rhob2, k8), mul(d2, rhob1, k9), k8)
+    rhob1 = add(add(mul(v1o, f, k11), sub(mul(gv2, v3o, k12), mul(gv3, v2o, k3), k3), k3), mul(v1, along, k11), k3)
+    rhob3 = add(add(mul(v3o, f, k11), sub(mul(gv1, v2o, k5), mul(gv2, v1o, k7), k5), k5), mul(v3, along, k7), k5)
+    v_rhob3 = sub(mul(d1, rhob2, k7), mul(d2, rhob1, k9), k7)
     gv_rhob3 = mul(v_rhob3, gd, k9)
     v_rhob2 = sub(mul(d3, rhob1, k11), mul(d1, rhob3, k12), k11)
     gv_rhob2 = mul(v_rhob2, gd, k12)
@@ -5066,9 +5066,9 @@ def retract_blocks(
     gvd3 = mul(d3, gd, k14)
     v_rhob1 = sub(mul(d2, rhob3, k15), mul(d3, rhob2, k16), k15)
     rho1 = add(
-        add(rhob1, add(mul(v_rhob1, fd, k16), sub(mul(d2, gv_rhob3, k17), mul(d3, gv_rhob2, k18), k17), k16), k4),
+        add(rhob1, add(mul(v_rhob1, fd, k16), sub(mul(d2, gv_rhob3, k17), mul(d3, gv_rhob2, k18), k17), k16), k3),
         add(add(mul(d1o, fd, k16), sub(mul(gvd2, d3o, k17), mul(gvd3, d2o, k18), k17), k16), mul(d1, alongd, k17), k16),
-        k4
+        k3
     )
     gv_rhob1 = mul(v_rhob1, gd, k15)
     gvd1 = mul(d1, gd, k2)
@@ -5078,13 +5078,13 @@ def retract_blocks(
         k9
     )
     rho3 = add(
-        add(rhob3, add(mul(v_rhob3, fd, k8), sub(mul(d1, gv_rhob2, k10), mul(d2, gv_rhob1, k11), k10), k8), k5),
-        add(add(mul(d3o, fd, k6), sub(mul(gvd1, d2o, k2), mul(gvd2, d1o, k8), k2), k2), mul(d3, alongd, k1), k1), k1
+        add(rhob3, add(mul(v_rhob3, fd, k7), sub(mul(d1, gv_rhob2, k10), mul(d2, gv_rhob1, k11), k10), k7), k5),
+        add(add(mul(d3o, fd, k6), sub(mul(gvd1, d2o, k2), mul(gvd2, d1o, k7), k2), k2), mul(d3, alongd, k1), k1), k1
     )
     hvr = mul(hiw, add(add(mul(v_1, rho1, k2), mul(v_2, rho2, k5), k2), mul(v_3, rho3, k5), k2), k2)
     div(add(sub(mul(rho1, fe, k5), sub(mul(v_2, rho3, k6), mul(v_3, rho2, k7), k6), k5), mul(v_1, hvr, k6), k5), n2, o4)
     div(add(sub(mul(rho2, fe, k5), sub(mul(v_3, rho1, k6), mul(v_1, rho3, k7), k6), k5), mul(v_2, hvr, k6), k5), n2, o5)
-    div(add(sub(mul(rho3, fe, k1), sub(mul(v_1, rho2, k3), mul(v_2, rho1, k4), k3), k1), mul(v_3, hvr, k2), k1), n2, o6)
+    div(add(sub(mul(rho3, fe, k1), sub(mul(v_1, rho2, k4), mul(v_2, rho1, k3), k3), k1), mul(v_3, hvr, k2), k1), n2, o6)
 
 
 # operations 282: 95 +, 138 *, 24 /, 1 abs, 4 sqrt, 2 tan, 2 atan2, 2 lt, 2 eq, 12 where
@@ -5177,7 +5177,7 @@ def body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v22w = v_2 * v_2
     v33w = v_3 * v_3
     xw = v11w + v22w + v33w
-    _, hiw = c.inverse(m, xw, fe)
+    _, hiw = c.inverse_at(m, xw, fe, angle)
     hvr = hiw * (v_1 * rho1 + v_2 * rho2 + v_3 * rho3)
     return (
         v_1,
@@ -5258,27 +5258,27 @@ def body_retract_blocks(
     turns = add(sub(own_, folded, k8), mul(n2, atan2(tan(div(sub(folded, own_, k7), n2, k7), k7), n1, k7), k7), k7)
     angle = add(folded, m.where(m.less(absolute(turns, k8), n1, mask2), n0, turns, k8), k3)
     rn, slopen = c.coefficient((k7, k8), (k9, k10, k11, k12, k13, k17, k21, k22, *spare), (mask2, *spare_masks), angle)
-    z0s = m.where(still, z0, length, k3)
-    factor = m.where(still, div(mul(n2, slopen, k8), z0s, k3), div(rn, length, k4), k3)
+    z0s = m.where(still, z0, length, k9)
+    factor = m.where(still, div(mul(n2, slopen, k8), z0s, k8), div(rn, length, k4), k7)
     v_1 = mul(z1, factor, o1)
     v_2 = mul(z2, factor, o2)
     v_3 = mul(z3, factor, o3)
-    fe = mul(factor, z0, k3)
-    v11w = mul(v_1, v_1, k4)
-    v22w = mul(v_2, v_2, k5)
-    v33w = mul(v_3, v_3, k7)
-    xw = add(add(v11w, v22w, k4), v33w, k4)
-    _, hiw = c.inverse(
-        (k5, k7), (k8, k9, k10, k11, k12, k13, k17, k18, k19, k20, k21, k22, *spare), (mask1, mask2, *spare_masks), xw,
-        fe
+    fe = mul(factor, z0, k4)
+    v11w = mul(v_1, v_1, k5)
+    v22w = mul(v_2, v_2, k7)
+    v33w = mul(v_3, v_3, k8)
+    xw = add(add(v11w, v22w, k5), v33w, k5)
+    _, hiw = c.inverse_at(
+        (k7, k8), (k9, k10, k11, k12, k13, k17, k18, k19, k20, k21, k22, *spare), (mask1, mask2, *spare_masks), xw, fe,
+        angle
     )
-    yd = add(add(mul(d1, d1o, k4), mul(d2, d2o, k5), k4), mul(d3, d3o, k5), k4)
+    yd = add(add(mul(d1, d1o, k3), mul(d2, d2o, k5), k3), mul(d3, d3o, k5), k3)
     alongd = mul(hd, yd, k1)
-    gvd1 = mul(d1, gd, k4)
+    gvd1 = mul(d1, gd, k3)
     gvd2 = mul(d2, gd, k5)
     gvd3 = mul(d3, gd, k2)
-    rhob3 = add(add(mul(d3o, fd, k8), sub(mul(gvd1, d2o, k9), mul(gvd2, d1o, k10), k9), k8), mul(d3, alongd, k9), k8)
-    rhob2 = add(add(mul(d2o, fd, k9), sub(mul(gvd3, d1o, k10), mul(gvd1, d3o, k4), k4), k4), mul(d2, alongd, k9), k4)
+    rhob3 = add(add(mul(d3o, fd, k7), sub(mul(gvd1, d2o, k9), mul(gvd2, d1o, k10), k9), k7), mul(d3, alongd, k9), k7)
+    rhob2 = add(add(mul(d2o, fd, k9), sub(mul(gvd3, d1o, k10), mul(gvd1, d3o, k3), k3), k3), mul(d2, alongd, k9), k3)
     rhob1 = add(add(mul(d1o, fd, k6), sub(mul(gvd2, d3o, k5), mul(gvd3, d2o, k2), k2), k2), mul(d1, alongd, k1), k1)
     v_rhob1 = sub(mul(v2, rhob3, k2), mul(v3, rhob2, k5), k2)
     v_rhob3 = sub(mul(v1, rhob2, k5), mul(v2, rhob1, k6), k5)
@@ -5296,12 +5296,12 @@ def body_retract_blocks(
     gv_rhob1 = mul(v_rhob1, g, k2)
     gv1 = mul(v1, g, k15)
     rho2 = add(
-        add(rhob2, add(mul(v_rhob2, f, k9), sub(mul(v3, gv_rhob1, k16), mul(v1, gv_rhob3, k6), k6), k6), k4),
-        add(add(mul(v2o, f, k6), sub(mul(gv3, v1o, k9), mul(gv1, v3o, k12), k9), k6), mul(v2, along, k9), k6), k4
+        add(rhob2, add(mul(v_rhob2, f, k9), sub(mul(v3, gv_rhob1, k16), mul(v1, gv_rhob3, k6), k6), k6), k3),
+        add(add(mul(v2o, f, k6), sub(mul(gv3, v1o, k9), mul(gv1, v3o, k12), k9), k6), mul(v2, along, k9), k6), k3
     )
     rho3 = add(
         add(rhob3, add(mul(v_rhob3, f, k5), sub(mul(v1, gv_rhob2, k6), mul(v2, gv_rhob1, k2), k2), k2), k2),
-        add(add(mul(v3o, f, k5), sub(mul(gv1, v2o, k6), mul(gv2, v1o, k8), k6), k5), mul(v3, along, k6), k5), k2
+        add(add(mul(v3o, f, k5), sub(mul(gv1, v2o, k6), mul(gv2, v1o, k7), k6), k5), mul(v3, along, k6), k5), k2
     )
     hvr = mul(hiw, add(add(mul(v_1, rho1, k5), mul(v_2, rho2, k6), k5), mul(v_3, rho3, k6), k5), k5)
     div(add(sub(mul(rho1, fe, k6), sub(mul(v_2, rho3, k7), mul(v_3, rho2, k8), k7), k6), mul(v_1, hvr, k7), k6), n2, o4)
@@ -5403,12 +5403,11 @@ def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Resul
     v22w = v_2 * v_2
     v33w = v_3 * v_3
     xw = v11w + v22w + v33w
-    _, hiw = c.inverse(m, xw, fe)
-    hvr = hiw * (v_1 * rho1 + v_2 * rho2 + v_3 * rho3)
-    w4 = (rho1 * fe - (v_2 * rho3 - v_3 * rho2) + v_1 * hvr) / 2
-    w5 = (rho2 * fe - (v_3 * rho1 - v_1 * rho3) + v_2 * hvr) / 2
-    w6 = (rho3 * fe - (v_1 * rho2 - v_2 * rho1) + v_3 * hvr) / 2
-    fin, hin, fiyn, hiyn = c.tangent_inv(m, xw)
+    fin, hin, fiyn, hiyn = c.tangent_inv_at(m, xw, fe, angle)
+    hvr = hin * (v_1 * rho1 + v_2 * rho2 + v_3 * rho3)
+    w4 = (rho1 * fin - (v_2 * rho3 - v_3 * rho2) + v_1 * hvr) / 2
+    w5 = (rho2 * fin - (v_3 * rho1 - v_1 * rho3) + v_2 * hvr) / 2
+    w6 = (rho3 * fin - (v_1 * rho2 - v_2 * rho1) + v_3 * hvr) / 2
     yn = v_1 * w4 + v_2 * w5 + v_3 * w6
     fion = fiyn * yn
     hion = hiyn * yn
@@ -5753,140 +5752,139 @@ def retract_jacobians_blocks(
     )
     angle = add(folded, m.where(m.less(absolute(turns, k17), n1, mask3), n0, turns, k17), k14)
     rn, slopen = c.coefficient((k16, k17), (k18, k28, k29, k33, k34, *spare), (mask3, *spare_masks), angle)
-    z0s = m.where(still, z0, length, k14)
-    factor = m.where(still, div(mul(n2, slopen, k17), z0s, k14), div(rn, length, k15), k14)
+    z0s = m.where(still, z0, length, k18)
+    factor = m.where(still, div(mul(n2, slopen, k17), z0s, k17), div(rn, length, k15), k16)
     v_1 = mul(z1, factor, k15)
-    v_2 = mul(z2, factor, k16)
-    v_3 = mul(z3, factor, k17)
+    v_2 = mul(z2, factor, k17)
+    v_3 = mul(z3, factor, k18)
     fe = mul(factor, z0, k11)
-    v11w = mul(v_1, v_1, k14)
-    v22w = mul(v_2, v_2, k18)
-    v33w = mul(v_3, v_3, k28)
-    xw = add(add(v11w, v22w, k14), v33w, k14)
-    fin, hin, fiyn, hiyn = c.tangent_inv(
-        (k18, k28, k29, k30), (k31, k32, k33, k34, *spare), (mask2, mask3, *spare_masks), xw
+    v11w = mul(v_1, v_1, k16)
+    v22w = mul(v_2, v_2, k28)
+    v33w = mul(v_3, v_3, k29)
+    xw = add(add(v11w, v22w, k16), v33w, k16)
+    fin, hin, fiyn, hiyn = c.tangent_inv_at(
+        (k28, k29, k30, k31), (k32, k33, k34, *spare), (mask2, mask3, *spare_masks), xw, fe, angle
     )
-    _, hiw = c.inverse((k31, k32), (k33, k34, *spare), (mask2, mask3, *spare_masks), xw, fe)
-    cvn3 = mul(v_3, hin, k14)
-    I33 = add(fin, mul(cvn3, v_3, k31), k31)
-    cvn1 = mul(v_1, hin, k33)
-    d13n = mul(cvn1, v_3, k34)
-    sn2 = neg(v_2, k35)
-    I31 = sub(d13n, sn2, k36)
-    I13 = add(d13n, sn2, k34)
-    cvn2 = mul(v_2, hin, k35)
-    d23n = mul(cvn2, v_3, k37)
-    sn1 = neg(v_1, k38)
-    I32 = add(d23n, sn1, k39)
-    I23 = sub(d23n, sn1, k37)
-    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k38), k38), n4, k38), div(sub(n1, fd, k40), xxd, k40), k38)
+    cvn3 = mul(v_3, hin, k11)
+    I33 = add(fin, mul(cvn3, v_3, k14), k14)
+    cvn1 = mul(v_1, hin, k16)
+    d13n = mul(cvn1, v_3, k32)
+    sn2 = neg(v_2, k33)
+    I31 = sub(d13n, sn2, k34)
+    I13 = add(d13n, sn2, k32)
+    cvn2 = mul(v_2, hin, k33)
+    d23n = mul(cvn2, v_3, k35)
+    sn1 = neg(v_1, k36)
+    I32 = add(d23n, sn1, k37)
+    I23 = sub(d23n, sn1, k35)
+    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k36), k36), n4, k36), div(sub(n1, fd, k38), xxd, k38), k36)
     c4d = div(mul(C3d, add(n1, C1d, k8), k8), n8, k8)
-    cvd1 = mul(d1, hd, k40)
-    d13d = mul(cvd1, d3, k41)
-    gvd2 = mul(d2, gd, k42)
-    D13 = add(d13d, gvd2, k43)
-    D31 = sub(d13d, gvd2, k41)
-    cvd2 = mul(d2, hd, k44)
-    d23d = mul(cvd2, d3, k45)
-    gvd1 = mul(d1, gd, k46)
-    D23 = sub(d23d, gvd1, k47)
-    D32 = add(d23d, gvd1, k45)
-    cvd3 = mul(d3, hd, k48)
-    D33 = add(fd, mul(cvd3, d3, k49), k49)
-    div(add(add(mul(I31, D13, k50), mul(I32, D23, k51), k50), mul(I33, D33, k51), k50), n2, o51)
-    d12d = mul(cvd1, d2, k50)
-    gvd3 = mul(d3, gd, k51)
-    D12 = sub(d12d, gvd3, k52)
-    D21 = add(d12d, gvd3, k50)
-    D22 = add(fd, mul(cvd2, d2, k53), k53)
-    div(add(add(mul(I31, D12, k54), mul(I32, D22, k55), k54), mul(I33, D32, k55), k54), n2, o50)
-    D11 = add(fd, mul(cvd1, d1, k54), k54)
-    div(add(add(mul(I31, D11, k55), mul(I32, D21, k56), k55), mul(I33, D31, k56), k55), n2, o49)
-    yd = add(add(mul(d1, d1o, k55), mul(d2, d2o, k56), k55), mul(d3, d3o, k56), k55)
-    alongd = mul(hd, yd, k56)
+    cvd1 = mul(d1, hd, k38)
+    d13d = mul(cvd1, d3, k39)
+    gvd2 = mul(d2, gd, k40)
+    D13 = add(d13d, gvd2, k41)
+    D31 = sub(d13d, gvd2, k39)
+    cvd2 = mul(d2, hd, k42)
+    d23d = mul(cvd2, d3, k43)
+    gvd1 = mul(d1, gd, k44)
+    D23 = sub(d23d, gvd1, k45)
+    D32 = add(d23d, gvd1, k43)
+    cvd3 = mul(d3, hd, k46)
+    D33 = add(fd, mul(cvd3, d3, k47), k47)
+    div(add(add(mul(I31, D13, k48), mul(I32, D23, k49), k48), mul(I33, D33, k49), k48), n2, o51)
+    d12d = mul(cvd1, d2, k48)
+    gvd3 = mul(d3, gd, k49)
+    D12 = sub(d12d, gvd3, k50)
+    D21 = add(d12d, gvd3, k48)
+    D22 = add(fd, mul(cvd2, d2, k51), k51)
+    div(add(add(mul(I31, D12, k52), mul(I32, D22, k53), k52), mul(I33, D32, k53), k52), n2, o50)
+    D11 = add(fd, mul(cvd1, d1, k52), k52)
+    div(add(add(mul(I31, D11, k53), mul(I32, D21, k54), k53), mul(I33, D31, k54), k53), n2, o49)
+    yd = add(add(mul(d1, d1o, k53), mul(d2, d2o, k54), k53), mul(d3, d3o, k54), k53)
+    alongd = mul(hd, yd, k54)
     rhod1 = add(
-        add(mul(d1o, fd, k57), sub(mul(gvd2, d3o, k58), mul(gvd3, d2o, k59), k58), k57), mul(d1, alongd, k58), k57
+        add(mul(d1o, fd, k55), sub(mul(gvd2, d3o, k56), mul(gvd3, d2o, k57), k56), k55), mul(d1, alongd, k56), k55
     )
     rhod2 = add(
-        add(mul(d2o, fd, k58), sub(mul(gvd3, d1o, k51), mul(gvd1, d3o, k59), k51), k51), mul(d2, alongd, k58), k51
+        add(mul(d2o, fd, k56), sub(mul(gvd3, d1o, k49), mul(gvd1, d3o, k57), k49), k49), mul(d2, alongd, k56), k49
     )
     rhod3 = add(
-        add(mul(d3o, fd, k58), sub(mul(gvd1, d2o, k59), mul(gvd2, d1o, k60), k59), k58), mul(d3, alongd, k56), k56
+        add(mul(d3o, fd, k56), sub(mul(gvd1, d2o, k57), mul(gvd2, d1o, k58), k57), k56), mul(d3, alongd, k54), k54
     )
-    gvvd3 = mul(gvd2, d3, k42)
-    gvp3 = mul(v3, gp, k58)
-    gvp1 = mul(v1, gp, k59)
+    gvvd3 = mul(gvd2, d3, k40)
+    gvp3 = mul(v3, gp, k56)
+    gvp1 = mul(v1, gp, k57)
     gvp2 = mul(v2, gp, k21)
-    yp = add(add(mul(v1, v1o, k60), mul(v2, v2o, k61), k60), mul(v3, v3o, k61), k60)
+    yp = add(add(mul(v1, v1o, k58), mul(v2, v2o, k59), k58), mul(v3, v3o, k59), k58)
     alongp = mul(hp, yp, k22)
     hoF = mul(hyF, yp, k27)
     goF = mul(gyF, yp, k26)
     foF = mul(fyF, yp, k25)
     rhob2 = add(
-        add(mul(v2o, fp, k60), sub(mul(gvp3, v1o, k61), mul(gvp1, v3o, k62), k61), k60), mul(v2, alongp, k61), k60
+        add(mul(v2o, fp, k58), sub(mul(gvp3, v1o, k59), mul(gvp1, v3o, k60), k59), k58), mul(v2, alongp, k59), k58
     )
     rhob1 = add(
-        add(mul(v1o, fp, k61), sub(mul(gvp2, v3o, k62), mul(gvp3, v2o, k58), k58), k58), mul(v1, alongp, k61), k58
+        add(mul(v1o, fp, k59), sub(mul(gvp2, v3o, k60), mul(gvp3, v2o, k56), k56), k56), mul(v1, alongp, k59), k56
     )
     rhob3 = add(
-        add(mul(v3o, fp, k20), sub(mul(gvp1, v2o, k59), mul(gvp2, v1o, k21), k21), k20), mul(v3, alongp, k21), k20
+        add(mul(v3o, fp, k20), sub(mul(gvp1, v2o, k57), mul(gvp2, v1o, k21), k21), k20), mul(v3, alongp, k21), k20
     )
     v_rhob3 = sub(mul(d1, rhob2, k21), mul(d2, rhob1, k22), k21)
     gv_rhob3 = mul(v_rhob3, gd, k22)
-    v_rhob2 = sub(mul(d3, rhob1, k59), mul(d1, rhob3, k61), k59)
-    gv_rhob2 = mul(v_rhob2, gd, k61)
-    v_rhob1 = sub(mul(d2, rhob3, k62), mul(d3, rhob2, k63), k62)
+    v_rhob2 = sub(mul(d3, rhob1, k57), mul(d1, rhob3, k59), k57)
+    gv_rhob2 = mul(v_rhob2, gd, k59)
+    v_rhob1 = sub(mul(d2, rhob3, k60), mul(d3, rhob2, k61), k60)
     rho1 = add(
-        add(rhob1, add(mul(v_rhob1, fd, k63), sub(mul(d2, gv_rhob3, k64), mul(d3, gv_rhob2, k65), k64), k63), k58),
-        rhod1, k58
+        add(rhob1, add(mul(v_rhob1, fd, k61), sub(mul(d2, gv_rhob3, k62), mul(d3, gv_rhob2, k63), k62), k61), k56),
+        rhod1, k56
     )
-    gv_rhob1 = mul(v_rhob1, gd, k62)
+    gv_rhob1 = mul(v_rhob1, gd, k60)
     rho2 = add(
-        add(rhob2, add(mul(v_rhob2, fd, k59), sub(mul(d3, gv_rhob1, k63), mul(d1, gv_rhob3, k22), k22), k22), k22),
+        add(rhob2, add(mul(v_rhob2, fd, k57), sub(mul(d3, gv_rhob1, k61), mul(d1, gv_rhob3, k22), k22), k22), k22),
         rhod2, k22
     )
     rho3 = add(
-        add(rhob3, add(mul(v_rhob3, fd, k21), sub(mul(d1, gv_rhob2, k59), mul(d2, gv_rhob1, k60), k59), k21), k20),
+        add(rhob3, add(mul(v_rhob3, fd, k21), sub(mul(d1, gv_rhob2, k57), mul(d2, gv_rhob1, k58), k57), k21), k20),
         rhod3, k20
     )
-    hvr = mul(hiw, add(add(mul(v_1, rho1, k21), mul(v_2, rho2, k59), k21), mul(v_3, rho3, k59), k21), k21)
+    hvr = mul(hin, add(add(mul(v_1, rho1, k21), mul(v_2, rho2, k57), k21), mul(v_3, rho3, k57), k21), k21)
     w4 = div(
-        add(sub(mul(rho1, fe, k32), sub(mul(v_2, rho3, k59), mul(v_3, rho2, k60), k59), k32), mul(v_1, hvr, k59), k32),
-        n2, k32
+        add(sub(mul(rho1, fin, k57), sub(mul(v_2, rho3, k58), mul(v_3, rho2, k59), k58), k57), mul(v_1, hvr, k58), k57),
+        n2, k57
     )
     w5 = div(
-        add(sub(mul(rho2, fe, k59), sub(mul(v_3, rho1, k60), mul(v_1, rho3, k61), k60), k59), mul(v_2, hvr, k60), k59),
-        n2, k59
+        add(sub(mul(rho2, fin, k58), sub(mul(v_3, rho1, k59), mul(v_1, rho3, k60), k59), k58), mul(v_2, hvr, k59), k58),
+        n2, k58
     )
     w6 = div(
-        add(sub(mul(rho3, fe, k11), sub(mul(v_1, rho2, k20), mul(v_2, rho1, k22), k20), k11), mul(v_3, hvr, k20), k11),
-        n2, k11
+        add(sub(mul(rho3, fin, k20), sub(mul(v_1, rho2, k22), mul(v_2, rho1, k56), k22), k20), mul(v_3, hvr, k21), k20),
+        n2, k20
     )
-    yn = add(add(mul(v_1, w4, k20), mul(v_2, w5, k21), k20), mul(v_3, w6, k21), k20)
-    fion = mul(fiyn, yn, k21)
-    hion = mul(hiyn, yn, k20)
-    cvon3 = add(mul(w6, hin, k22), mul(v_3, hion, k29), k22)
-    I33o = add(fion, add(mul(cvn3, w6, k14), mul(cvon3, v_3, k22), k14), k14)
-    cvon1 = add(mul(w4, hin, k22), mul(v_1, hion, k29), k22)
-    cvon2 = add(mul(w5, hin, k28), mul(v_2, hion, k20), k20)
-    d13on = add(mul(cvn1, w6, k28), mul(cvon1, v_3, k29), k28)
-    son2 = neg(w5, k29)
-    I31o = sub(d13on, son2, k30)
-    I13o = add(d13on, son2, k28)
-    d23on = add(mul(cvn2, w6, k29), mul(cvon2, v_3, k58), k29)
-    sn3 = neg(v_3, k17)
-    I22o = add(fion, add(mul(cvn2, w5, k58), mul(cvon2, v_2, k20), k20), k20)
-    I22 = add(fin, mul(cvn2, v_2, k35), k35)
+    yn = add(add(mul(v_1, w4, k21), mul(v_2, w5, k22), k21), mul(v_3, w6, k22), k21)
+    fion = mul(fiyn, yn, k22)
+    hion = mul(hiyn, yn, k21)
+    cvon3 = add(mul(w6, hin, k30), mul(v_3, hion, k31), k30)
+    I33o = add(fion, add(mul(cvn3, w6, k11), mul(cvon3, v_3, k30), k11), k11)
+    cvon1 = add(mul(w4, hin, k30), mul(v_1, hion, k31), k30)
+    cvon2 = add(mul(w5, hin, k29), mul(v_2, hion, k21), k21)
+    d13on = add(mul(cvn1, w6, k29), mul(cvon1, v_3, k31), k29)
+    son2 = neg(w5, k31)
+    I31o = sub(d13on, son2, k56)
+    I13o = add(d13on, son2, k29)
+    d23on = add(mul(cvn2, w6, k31), mul(cvon2, v_3, k59), k31)
+    sn3 = neg(v_3, k18)
+    I22o = add(fion, add(mul(cvn2, w5, k59), mul(cvon2, v_2, k21), k21), k21)
+    I22 = add(fin, mul(cvn2, v_2, k33), k33)
     d12on = add(mul(cvn1, w5, k58), mul(cvon1, v_2, k59), k58)
-    I11o = add(fion, add(mul(cvn1, w4, k59), mul(cvon1, v_1, k22), k22), k21)
+    I11o = add(fion, add(mul(cvn1, w4, k59), mul(cvon1, v_1, k30), k30), k22)
     I11 = add(fin, mul(cvn1, v_1, k15), k15)
     d12n = mul(cvn1, v_2, k16)
-    son1 = neg(w4, k18)
-    son3 = neg(w6, k11)
-    I32o = add(d23on, son1, k22)
-    I23o = sub(d23on, son1, k18)
-    CC3d = mul(C3d, C3d, k29)
-    C4d = div(sub(sub(mul(n4, C3d, k32), C2d, k32), mul(n2, mul(zd, CC3d, k5), k5), k5), mul(n2, C01d, k10), k5)
+    son1 = neg(w4, k17)
+    son3 = neg(w6, k20)
+    I32o = add(d23on, son1, k28)
+    I23o = sub(d23on, son1, k17)
+    CC3d = mul(C3d, C3d, k30)
+    C4d = div(sub(sub(mul(n4, C3d, k31), C2d, k31), mul(n2, mul(zd, CC3d, k5), k5), k5), mul(n2, C01d, k10), k5)
     c5d = div(add(add(C5d, C4d, k4), mul(C2d, C3d, k5), k4), n16, k4)
     hyd = m.where(neard, sub(mul(n3, c5d, k4), c4d, k4), div(sub(gd, mul(n3, hd, k5), k5), xxd, k5), k4)
     hod = mul(hyd, yd, k4)
@@ -5901,45 +5899,45 @@ def retract_jacobians_blocks(
     cvod3 = add(mul(d3o, hd, k10), mul(d3, hod, k4), k4)
     fyd = sub(hd, gd, k10)
     fod = mul(fyd, yd, k10)
-    D33o = add(fod, add(mul(cvd3, d3o, k29), mul(cvod3, d3, k4), k4), k4)
-    d23od = add(mul(cvd2, d3o, k29), mul(cvod2, d3, k32), k29)
-    D22o = add(fod, add(mul(cvd2, d2o, k32), mul(cvod2, d2, k8), k8), k8)
-    D11o = add(fod, add(mul(cvd1, d1o, k32), mul(cvod1, d1, k33), k32), k10)
-    d12od = add(mul(cvd1, d2o, k32), mul(cvod1, d2, k5), k5)
-    gvod1 = add(mul(d1o, gd, k32), mul(d1, god, k33), k32)
+    D33o = add(fod, add(mul(cvd3, d3o, k30), mul(cvod3, d3, k4), k4), k4)
+    d23od = add(mul(cvd2, d3o, k30), mul(cvod2, d3, k31), k30)
+    D22o = add(fod, add(mul(cvd2, d2o, k31), mul(cvod2, d2, k8), k8), k8)
+    D11o = add(fod, add(mul(cvd1, d1o, k31), mul(cvod1, d1, k36), k31), k10)
+    d12od = add(mul(cvd1, d2o, k31), mul(cvod1, d2, k5), k5)
+    gvod1 = add(mul(d1o, gd, k31), mul(d1, god, k36), k31)
     gvod3 = add(mul(d3o, gd, k12), mul(d3, god, k7), k7)
     D23o = sub(d23od, gvod1, k12)
-    D32o = add(d23od, gvod1, k29)
+    D32o = add(d23od, gvod1, k30)
     div(
-        add(add(add(mul(I31, D13o, k32), mul(I31o, D13, k33), k32), add(mul(I32, D23o, k33), mul(I32o, D23, k38), k33),
-        k32), add(mul(I33, D33o, k33), mul(I33o, D33, k38), k33), k32), n2, o69
+        add(add(add(mul(I31, D13o, k31), mul(I31o, D13, k36), k31), add(mul(I32, D23o, k36), mul(I32o, D23, k38), k36),
+        k31), add(mul(I33, D33o, k36), mul(I33o, D33, k38), k36), k31), n2, o69
     )
-    D12o = sub(d12od, gvod3, k32)
+    D12o = sub(d12od, gvod3, k31)
     D21o = add(d12od, gvod3, k5)
     div(
-        add(add(add(mul(I31, D12o, k7), mul(I31o, D12, k33), k7), add(mul(I32, D22o, k33), mul(I32o, D22, k38), k33),
-        k7), add(mul(I33, D32o, k33), mul(I33o, D32, k38), k33), k7), n2, o68
+        add(add(add(mul(I31, D12o, k7), mul(I31o, D12, k36), k7), add(mul(I32, D22o, k36), mul(I32o, D22, k38), k36),
+        k7), add(mul(I33, D32o, k36), mul(I33o, D32, k38), k36), k7), n2, o68
     )
     div(
-        add(add(add(mul(I31, D11o, k7), mul(I31o, D11, k33), k7), add(mul(I32, D21o, k33), mul(I32o, D21, k38), k33),
-        k7), add(mul(I33, D31o, k33), mul(I33o, D31, k38), k33), k7), n2, o67
+        add(add(add(mul(I31, D11o, k7), mul(I31o, D11, k36), k7), add(mul(I32, D21o, k36), mul(I32o, D21, k38), k36),
+        k7), add(mul(I33, D31o, k36), mul(I33o, D31, k38), k36), k7), n2, o67
     )
     I21 = add(d12n, sn3, k7)
     I12 = sub(d12n, sn3, k16)
-    div(add(add(mul(I21, D13, k17), mul(I22, D23, k33), k17), mul(I23, D33, k33), k17), n2, o45)
-    div(add(add(mul(I21, D12, k17), mul(I22, D22, k33), k17), mul(I23, D32, k33), k17), n2, o44)
-    div(add(add(mul(I21, D11, k17), mul(I22, D21, k33), k17), mul(I23, D31, k33), k17), n2, o43)
-    div(add(add(mul(I11, D13, k17), mul(I12, D23, k33), k17), mul(I13, D33, k33), k17), n2, o39)
-    div(add(add(mul(I11, D12, k17), mul(I12, D22, k33), k17), mul(I13, D32, k33), k17), n2, o38)
-    div(add(add(mul(I11, D11, k17), mul(I12, D21, k33), k17), mul(I13, D31, k33), k17), n2, o37)
-    I21o = add(d12on, son3, k17)
-    I12o = sub(d12on, son3, k11)
+    div(add(add(mul(I21, D13, k18), mul(I22, D23, k36), k18), mul(I23, D33, k36), k18), n2, o45)
+    div(add(add(mul(I21, D12, k18), mul(I22, D22, k36), k18), mul(I23, D32, k36), k18), n2, o44)
+    div(add(add(mul(I21, D11, k18), mul(I22, D21, k36), k18), mul(I23, D31, k36), k18), n2, o43)
+    div(add(add(mul(I11, D13, k18), mul(I12, D23, k36), k18), mul(I13, D33, k36), k18), n2, o39)
+    div(add(add(mul(I11, D12, k18), mul(I12, D22, k36), k18), mul(I13, D32, k36), k18), n2, o38)
+    div(add(add(mul(I11, D11, k18), mul(I12, D21, k36), k18), mul(I13, D31, k36), k18), n2, o37)
+    I21o = add(d12on, son3, k18)
+    I12o = sub(d12on, son3, k20)
     div(
-        add(add(add(mul(I21, D13o, k33), mul(I21o, D13, k38), k33), add(mul(I22, D23o, k38), mul(I22o, D23, k40), k38),
-        k33), add(mul(I23, D33o, k38), mul(I23o, D33, k40), k38), k33), n2, o63
+        add(add(add(mul(I21, D13o, k36), mul(I21o, D13, k38), k36), add(mul(I22, D23o, k38), mul(I22o, D23, k42), k38),
+        k36), add(mul(I23, D33o, k38), mul(I23o, D33, k42), k38), k36), n2, o63
     )
     div(
-        add(add(add(mul(I11, D13o, k9), mul(I11o, D13, k33), k9), add(mul(I12, D23o, k12), mul(I12o, D23, k33), k12),
+        add(add(add(mul(I11, D13o, k9), mul(I11o, D13, k36), k9), add(mul(I12, D23o, k12), mul(I12o, D23, k36), k12),
         k9), add(mul(I13, D33o, k4), mul(I13o, D33, k12), k4), k4), n2, o57
     )
     div(
@@ -5970,42 +5968,42 @@ def retract_jacobians_blocks(
     cvF1 = mul(v1, hF, k6)
     d13F = mul(cvF1, v3, k12)
     gvF2 = mul(v2, gF, k13)
-    F13 = add(d13F, gvF2, k29)
+    F13 = add(d13F, gvF2, k30)
     F31 = sub(d13F, gvF2, k12)
     cvF2 = mul(v2, hF, k13)
-    d23F = mul(cvF2, v3, k32)
-    gvF1 = mul(v1, gF, k33)
+    d23F = mul(cvF2, v3, k31)
+    gvF1 = mul(v1, gF, k36)
     F23 = sub(d23F, gvF1, k38)
-    F32 = add(d23F, gvF1, k32)
-    cvF3 = mul(v3, hF, k33)
-    F33 = add(fF, mul(cvF3, v3, k40), k40)
-    RT13 = add(add(mul(Qd11, F13, k41), mul(Qd12, F23, k43), k41), mul(Qd13, F33, k43), k41)
-    Qd23 = sub(gvvd3, fvd1, k43)
+    F32 = add(d23F, gvF1, k31)
+    cvF3 = mul(v3, hF, k36)
+    F33 = add(fF, mul(cvF3, v3, k39), k39)
+    RT13 = add(add(mul(Qd11, F13, k41), mul(Qd12, F23, k42), k41), mul(Qd13, F33, k42), k41)
+    Qd23 = sub(gvvd3, fvd1, k42)
     Qd32 = add(gvvd3, fvd1, k9)
-    RT23 = add(add(mul(Qd21, F13, k42), mul(Qd22, F23, k44), k42), mul(Qd23, F33, k44), k42)
-    RT33 = add(add(mul(Qd31, F13, k44), mul(Qd32, F23, k45), k44), mul(Qd33, F33, k45), k44)
-    div(add(add(mul(I31, RT13, k45), mul(I32, RT23, k46), k45), mul(I33, RT33, k46), k45), n2, o15)
-    div(add(add(mul(I21, RT13, k45), mul(I22, RT23, k46), k45), mul(I23, RT33, k46), k45), n2, o9)
-    div(add(add(mul(I11, RT13, k45), mul(I12, RT23, k46), k45), mul(I13, RT33, k46), k45), n2, o3)
-    d12F = mul(cvF1, v2, k45)
-    gvF3 = mul(v3, gF, k46)
-    F12 = sub(d12F, gvF3, k47)
-    F21 = add(d12F, gvF3, k45)
-    F22 = add(fF, mul(cvF2, v2, k46), k46)
-    F11 = add(fF, mul(cvF1, v1, k48), k19)
-    RT12 = add(add(mul(Qd11, F12, k48), mul(Qd12, F22, k49), k48), mul(Qd13, F32, k49), k48)
-    RT22 = add(add(mul(Qd21, F12, k49), mul(Qd22, F22, k50), k49), mul(Qd23, F32, k50), k49)
-    RT32 = add(add(mul(Qd31, F12, k50), mul(Qd32, F22, k52), k50), mul(Qd33, F32, k52), k50)
-    div(add(add(mul(I31, RT12, k52), mul(I32, RT22, k53), k52), mul(I33, RT32, k53), k52), n2, o14)
-    div(add(add(mul(I21, RT12, k52), mul(I22, RT22, k53), k52), mul(I23, RT32, k53), k52), n2, o8)
-    div(add(add(mul(I11, RT12, k52), mul(I12, RT22, k53), k52), mul(I13, RT32, k53), k52), n2, o2)
-    RT11 = add(add(mul(Qd11, F11, k52), mul(Qd12, F21, k53), k52), mul(Qd13, F31, k53), k52)
-    RT21 = add(add(mul(Qd21, F11, k53), mul(Qd22, F21, k54), k53), mul(Qd23, F31, k54), k53)
-    RT31 = add(add(mul(Qd31, F11, k54), mul(Qd32, F21, k55), k54), mul(Qd33, F31, k55), k54)
-    div(add(add(mul(I31, RT11, k55), mul(I32, RT21, k58), k55), mul(I33, RT31, k58), k55), n2, o13)
-    div(add(add(mul(I21, RT11, k55), mul(I22, RT21, k58), k55), mul(I23, RT31, k58), k55), n2, o7)
-    div(add(add(mul(I11, RT11, k55), mul(I12, RT21, k58), k55), mul(I13, RT31, k58), k55), n2, o1)
-    R11o = sub(mul(Qd31, rhod2, k55), mul(Qd21, rhod3, k58), k55)
+    RT23 = add(add(mul(Qd21, F13, k40), mul(Qd22, F23, k43), k40), mul(Qd23, F33, k43), k40)
+    RT33 = add(add(mul(Qd31, F13, k43), mul(Qd32, F23, k44), k43), mul(Qd33, F33, k44), k43)
+    div(add(add(mul(I31, RT13, k44), mul(I32, RT23, k45), k44), mul(I33, RT33, k45), k44), n2, o15)
+    div(add(add(mul(I21, RT13, k44), mul(I22, RT23, k45), k44), mul(I23, RT33, k45), k44), n2, o9)
+    div(add(add(mul(I11, RT13, k44), mul(I12, RT23, k45), k44), mul(I13, RT33, k45), k44), n2, o3)
+    d12F = mul(cvF1, v2, k44)
+    gvF3 = mul(v3, gF, k45)
+    F12 = sub(d12F, gvF3, k46)
+    F21 = add(d12F, gvF3, k44)
+    F22 = add(fF, mul(cvF2, v2, k45), k45)
+    F11 = add(fF, mul(cvF1, v1, k47), k19)
+    RT12 = add(add(mul(Qd11, F12, k47), mul(Qd12, F22, k48), k47), mul(Qd13, F32, k48), k47)
+    RT22 = add(add(mul(Qd21, F12, k48), mul(Qd22, F22, k50), k48), mul(Qd23, F32, k50), k48)
+    RT32 = add(add(mul(Qd31, F12, k50), mul(Qd32, F22, k51), k50), mul(Qd33, F32, k51), k50)
+    div(add(add(mul(I31, RT12, k51), mul(I32, RT22, k52), k51), mul(I33, RT32, k52), k51), n2, o14)
+    div(add(add(mul(I21, RT12, k51), mul(I22, RT22, k52), k51), mul(I23, RT32, k52), k51), n2, o8)
+    div(add(add(mul(I11, RT12, k51), mul(I12, RT22, k52), k51), mul(I13, RT32, k52), k51), n2, o2)
+    RT11 = add(add(mul(Qd11, F11, k51), mul(Qd12, F21, k52), k51), mul(Qd13, F31, k52), k51)
+    RT21 = add(add(mul(Qd21, F11, k52), mul(Qd22, F21, k53), k52), mul(Qd23, F31, k53), k52)
+    RT31 = add(add(mul(Qd31, F11, k53), mul(Qd32, F21, k57), k53), mul(Qd33, F31, k57), k53)
+    div(add(add(mul(I31, RT11, k57), mul(I32, RT21, k58), k57), mul(I33, RT31, k58), k57), n2, o13)
+    div(add(add(mul(I21, RT11, k57), mul(I22, RT21, k58), k57), mul(I23, RT31, k58), k57), n2, o7)
+    div(add(add(mul(I11, RT11, k57), mul(I12, RT21, k58), k57), mul(I13, RT31, k58), k57), n2, o1)
+    R11o = sub(mul(Qd31, rhod2, k57), mul(Qd21, rhod3, k58), k57)
     R12o = sub(mul(Qd32, rhod2, k58), mul(Qd22, rhod3, k59), k58)
     R13o = sub(mul(Qd33, rhod2, k59), mul(Qd23, rhod3, k60), k59)
     cvoF1 = add(mul(v1o, hF, k60), mul(v1, hoF, k61), k60)
@@ -6016,49 +6014,49 @@ def retract_jacobians_blocks(
     cvoF2 = add(mul(v2o, hF, k62), mul(v2, hoF, k64), k62)
     cvoF3 = add(mul(v3o, hF, k24), mul(v3, hoF, k27), k24)
     F33o = add(foF, add(mul(cvF3, v3o, k27), mul(cvoF3, v3, k24), k24), k24)
-    d23oF = add(mul(cvF2, v3o, k27), mul(cvoF2, v3, k33), k27)
-    F22o = add(foF, add(mul(cvF2, v2o, k13), mul(cvoF2, v2, k33), k13), k13)
-    F11o = add(foF, add(mul(cvF1, v1o, k33), mul(cvoF1, v1, k62), k33), k25)
-    d12oF = add(mul(cvF1, v2o, k6), mul(cvoF1, v2, k33), k6)
-    gvoF1 = add(mul(v1o, gF, k33), mul(v1, goF, k60), k33)
+    d23oF = add(mul(cvF2, v3o, k27), mul(cvoF2, v3, k36), k27)
+    F22o = add(foF, add(mul(cvF2, v2o, k13), mul(cvoF2, v2, k36), k13), k13)
+    F11o = add(foF, add(mul(cvF1, v1o, k36), mul(cvoF1, v1, k62), k36), k25)
+    d12oF = add(mul(cvF1, v2o, k6), mul(cvoF1, v2, k36), k6)
+    gvoF1 = add(mul(v1o, gF, k36), mul(v1, goF, k60), k36)
     gvoF3 = add(mul(v3o, gF, k23), mul(v3, goF, k26), k23)
     F23o = sub(d23oF, gvoF1, k26)
     F32o = add(d23oF, gvoF1, k27)
     RT13o = add(
-        add(add(mul(Qd11, F13o, k33), mul(R11o, F13, k60), k33), add(mul(Qd12, F23o, k60), mul(R12o, F23, k62), k60),
-        k33), add(mul(Qd13, F33o, k60), mul(R13o, F33, k62), k60), k33
+        add(add(mul(Qd11, F13o, k36), mul(R11o, F13, k60), k36), add(mul(Qd12, F23o, k60), mul(R12o, F23, k62), k60),
+        k36), add(mul(Qd13, F33o, k60), mul(R13o, F33, k62), k60), k36
     )
     R21o = sub(mul(Qd11, rhod3, k60), mul(Qd31, rhod1, k62), k60)
     R22o = sub(mul(Qd12, rhod3, k62), mul(Qd32, rhod1, k64), k62)
-    R23o = sub(mul(Qd13, rhod3, k56), mul(Qd33, rhod1, k64), k56)
+    R23o = sub(mul(Qd13, rhod3, k54), mul(Qd33, rhod1, k64), k54)
     RT23o = add(
         add(add(mul(Qd21, F13o, k64), mul(R21o, F13, k65), k64), add(mul(Qd22, F23o, k65), mul(R22o, F23, k66), k65),
         k64), add(mul(Qd23, F33o, k65), mul(R23o, F33, k66), k65), k64
     )
     R31o = sub(mul(Qd21, rhod1, k65), mul(Qd11, rhod2, k66), k65)
     R32o = sub(mul(Qd22, rhod1, k66), mul(Qd12, rhod2, k67), k66)
-    R33o = sub(mul(Qd23, rhod1, k57), mul(Qd13, rhod2, k51), k51)
+    R33o = sub(mul(Qd23, rhod1, k55), mul(Qd13, rhod2, k49), k49)
     RT33o = add(
-        add(add(mul(Qd31, F13o, k57), mul(R31o, F13, k29), k29), add(mul(Qd32, F23o, k26), mul(R32o, F23, k38), k26),
-        k26), add(mul(Qd33, F33o, k24), mul(R33o, F33, k29), k24), k24
+        add(add(mul(Qd31, F13o, k55), mul(R31o, F13, k30), k30), add(mul(Qd32, F23o, k26), mul(R32o, F23, k38), k26),
+        k26), add(mul(Qd33, F33o, k24), mul(R33o, F33, k30), k24), k24
     )
     div(
-        add(add(add(mul(I31, RT13o, k26), mul(I31o, RT13, k29), k26), add(mul(I32, RT23o, k29), mul(I32o, RT23, k38),
-        k29), k26), add(mul(I33, RT33o, k29), mul(I33o, RT33, k38), k29), k26), n2, o33
+        add(add(add(mul(I31, RT13o, k26), mul(I31o, RT13, k30), k26), add(mul(I32, RT23o, k30), mul(I32o, RT23, k38),
+        k30), k26), add(mul(I33, RT33o, k30), mul(I33o, RT33, k38), k30), k26), n2, o33
     )
     div(
-        add(add(add(mul(I21, RT13o, k26), mul(I21o, RT13, k29), k26), add(mul(I22, RT23o, k29), mul(I22o, RT23, k38),
-        k29), k26), add(mul(I23, RT33o, k29), mul(I23o, RT33, k38), k29), k26), n2, o27
+        add(add(add(mul(I21, RT13o, k26), mul(I21o, RT13, k30), k26), add(mul(I22, RT23o, k30), mul(I22o, RT23, k38),
+        k30), k26), add(mul(I23, RT33o, k30), mul(I23o, RT33, k38), k30), k26), n2, o27
     )
     div(
-        add(add(add(mul(I11, RT13o, k26), mul(I11o, RT13, k29), k26), add(mul(I12, RT23o, k29), mul(I12o, RT23, k33),
-        k29), k26), add(mul(I13, RT33o, k24), mul(I13o, RT33, k29), k24), k24), n2, o21
+        add(add(add(mul(I11, RT13o, k26), mul(I11o, RT13, k30), k26), add(mul(I12, RT23o, k30), mul(I12o, RT23, k36),
+        k30), k26), add(mul(I13, RT33o, k24), mul(I13o, RT33, k30), k24), k24), n2, o21
     )
     F12o = sub(d12oF, gvoF3, k24)
     F21o = add(d12oF, gvoF3, k6)
     RT12o = add(
-        add(add(mul(Qd11, F12o, k23), mul(R11o, F12, k26), k23), add(mul(Qd12, F22o, k26), mul(R12o, F22, k29), k26),
-        k23), add(mul(Qd13, F32o, k26), mul(R13o, F32, k29), k26), k23
+        add(add(mul(Qd11, F12o, k23), mul(R11o, F12, k26), k23), add(mul(Qd12, F22o, k26), mul(R12o, F22, k30), k26),
+        k23), add(mul(Qd13, F32o, k26), mul(R13o, F32, k30), k26), k23
     )
     RT11o = add(
         add(add(mul(Qd11, F11o, k2), mul(R11o, F11, k26), k2), add(mul(Qd12, F21o, k8), mul(R12o, F21, k26), k8), k2),
@@ -6236,12 +6234,11 @@ def body_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> 
     v22w = v_2 * v_2
     v33w = v_3 * v_3
     xw = v11w + v22w + v33w
-    _, hiw = c.inverse(m, xw, fe)
-    hvr = hiw * (v_1 * rho1 + v_2 * rho2 + v_3 * rho3)
-    w4 = (rho1 * fe - (v_2 * rho3 - v_3 * rho2) + v_1 * hvr) / 2
-    w5 = (rho2 * fe - (v_3 * rho1 - v_1 * rho3) + v_2 * hvr) / 2
-    w6 = (rho3 * fe - (v_1 * rho2 - v_2 * rho1) + v_3 * hvr) / 2
-    fin, hin, fiyn, hiyn = c.tangent_inv(m, xw)
+    fin, hin, fiyn, hiyn = c.tangent_inv_at(m, xw, fe, angle)
+    hvr = hin * (v_1 * rho1 + v_2 * rho2 + v_3 * rho3)
+    w4 = (rho1 * fin - (v_2 * rho3 - v_3 * rho2) + v_1 * hvr) / 2
+    w5 = (rho2 * fin - (v_3 * rho1 - v_1 * rho3) + v_2 * hvr) / 2
+    w6 = (rho3 * fin - (v_1 * rho2 - v_2 * rho1) + v_3 * hvr) / 2
     yn = v_1 * w4 + v_2 * w5 + v_3 * w6
     fion = fiyn * yn
     hion = hiyn * yn
@@ -6516,7 +6513,7 @@ def body_retract_jacobians_blocks(
     (
         k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
         k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, k35, k36, k37, k38, k39, k40, k41, k42, k43, k44, k45, k46,
-        k47, k48, k49, k50, k51, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61, k62, k63, *spare,
+        k47, k48, k49, k50, k51, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61, *spare,
     ) = scratch
     mask1, mask2, *spare_masks = masks
     n0, n1, n2, n3, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
@@ -6563,71 +6560,71 @@ def body_retract_jacobians_blocks(
     gd = mul(n2, wwd, k9)
     hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k20), k20), n4, k20), div(sub(n1, fd, k21), xxd, k21), k20)
     c4d = div(mul(C3d, add(n1, C1d, k5), k5), n8, k5)
-    cvd1 = mul(d1, hd, k21)
-    d13d = mul(cvd1, d3, k22)
-    gvd2 = mul(d2, gd, k23)
-    D13 = add(d13d, gvd2, k24)
-    D31 = sub(d13d, gvd2, k22)
-    cvd2 = mul(d2, hd, k25)
-    d23d = mul(cvd2, d3, k26)
-    gvd1 = mul(d1, gd, k27)
-    D23 = sub(d23d, gvd1, k28)
-    D32 = add(d23d, gvd1, k26)
-    cvd3 = mul(d3, hd, k29)
-    D33 = add(fd, mul(cvd3, d3, k30), k30)
-    d12d = mul(cvd1, d2, k31)
-    gvd3 = mul(d3, gd, k32)
-    D12 = sub(d12d, gvd3, k33)
-    D21 = add(d12d, gvd3, k31)
-    D22 = add(fd, mul(cvd2, d2, k34), k34)
-    D11 = add(fd, mul(cvd1, d1, k35), k35)
-    yd = add(add(mul(d1, d1o, k36), mul(d2, d2o, k37), k36), mul(d3, d3o, k37), k36)
-    alongd = mul(hd, yd, k37)
+    yd = add(add(mul(d1, d1o, k21), mul(d2, d2o, k22), k21), mul(d3, d3o, k22), k21)
+    alongd = mul(hd, yd, k22)
+    gvd1 = mul(d1, gd, k23)
+    gvd2 = mul(d2, gd, k24)
     rhob3 = add(
-        add(mul(d3o, fd, k38), sub(mul(gvd1, d2o, k39), mul(gvd2, d1o, k40), k39), k38), mul(d3, alongd, k39), k38
+        add(mul(d3o, fd, k25), sub(mul(gvd1, d2o, k26), mul(gvd2, d1o, k27), k26), k25), mul(d3, alongd, k26), k25
     )
+    gvd3 = mul(d3, gd, k26)
     rhob2 = add(
-        add(mul(d2o, fd, k39), sub(mul(gvd3, d1o, k40), mul(gvd1, d3o, k27), k27), k27), mul(d2, alongd, k39), k27
+        add(mul(d2o, fd, k27), sub(mul(gvd3, d1o, k28), mul(gvd1, d3o, k29), k28), k27), mul(d2, alongd, k28), k27
     )
     rhob1 = add(
-        add(mul(d1o, fd, k39), sub(mul(gvd2, d3o, k23), mul(gvd3, d2o, k32), k23), k23), mul(d1, alongd, k32), k23
+        add(mul(d1o, fd, k28), sub(mul(gvd2, d3o, k29), mul(gvd3, d2o, k30), k29), k28), mul(d1, alongd, k22), k22
     )
-    gyd = sub(mul(fd, hd, k19), mul(gd, gd, k32), k19)
+    v_rhob1 = sub(mul(v2, rhob3, k28), mul(v3, rhob2, k29), k28)
+    v_rhob3 = sub(mul(v1, rhob2, k29), mul(v2, rhob1, k30), k29)
+    v_rhob2 = sub(mul(v3, rhob1, k30), mul(v1, rhob3, k31), k30)
+    yp = add(add(mul(v1, v1o, k31), mul(v2, v2o, k32), k31), mul(v3, v3o, k32), k31)
+    cvd1 = mul(d1, hd, k32)
+    D11 = add(fd, mul(cvd1, d1, k33), k33)
+    d12d = mul(cvd1, d2, k34)
+    D21 = add(d12d, gvd3, k35)
+    D12 = sub(d12d, gvd3, k26)
+    d13d = mul(cvd1, d3, k34)
+    D31 = sub(d13d, gvd2, k36)
+    D13 = add(d13d, gvd2, k24)
+    cvd2 = mul(d2, hd, k34)
+    D22 = add(fd, mul(cvd2, d2, k37), k37)
+    d23d = mul(cvd2, d3, k38)
+    D32 = add(d23d, gvd1, k39)
+    D23 = sub(d23d, gvd1, k23)
+    cvd3 = mul(d3, hd, k38)
+    D33 = add(fd, mul(cvd3, d3, k40), k40)
+    gyd = sub(mul(fd, hd, k19), mul(gd, gd, k41), k19)
     god = mul(gyd, yd, k19)
-    v_rhob1 = sub(mul(v2, rhob3, k32), mul(v3, rhob2, k37), k32)
-    v_rhob3 = sub(mul(v1, rhob2, k37), mul(v2, rhob1, k39), k37)
-    v_rhob2 = sub(mul(v3, rhob1, k39), mul(v1, rhob3, k40), k39)
-    yp = add(add(mul(v1, v1o, k40), mul(v2, v2o, k41), k40), mul(v3, v3o, k41), k40)
     CC3d = mul(C3d, C3d, k41)
     C4d = div(sub(sub(mul(n4, C3d, k42), C2d, k42), mul(n2, mul(zd, CC3d, k2), k2), k2), mul(n2, C01d, k7), k2)
     c5d = div(add(add(C5d, C4d, k1), mul(C2d, C3d, k2), k1), n16, k1)
     hyd = m.where(neard, sub(mul(n3, c5d, k1), c4d, k1), div(sub(gd, mul(n3, hd, k2), k2), xxd, k2), k1)
     hod = mul(hyd, yd, k1)
     cvod1 = add(mul(d1o, hd, k2), mul(d1, hod, k3), k2)
-    d13od = add(mul(cvd1, d3o, k3), mul(cvod1, d3, k4), k3)
-    gvod2 = add(mul(d2o, gd, k4), mul(d2, god, k5), k4)
-    D13o = add(d13od, gvod2, k5)
-    D31o = sub(d13od, gvod2, k3)
-    cvod2 = add(mul(d2o, hd, k4), mul(d2, hod, k6), k4)
-    cvod3 = add(mul(d3o, hd, k6), mul(d3, hod, k1), k1)
-    fyd = sub(hd, gd, k6)
-    fod = mul(fyd, yd, k6)
-    D33o = add(fod, add(mul(cvd3, d3o, k7), mul(cvod3, d3, k1), k1), k1)
-    d23od = add(mul(cvd2, d3o, k7), mul(cvod2, d3, k20), k7)
-    D22o = add(fod, add(mul(cvd2, d2o, k20), mul(cvod2, d2, k4), k4), k4)
-    D11o = add(fod, add(mul(cvd1, d1o, k20), mul(cvod1, d1, k25), k20), k6)
-    d12od = add(mul(cvd1, d2o, k20), mul(cvod1, d2, k2), k2)
-    gvod1 = add(mul(d1o, gd, k20), mul(d1, god, k21), k20)
-    gvod3 = add(mul(d3o, gd, k9), mul(d3, god, k19), k9)
-    D23o = sub(d23od, gvod1, k19)
-    D32o = add(d23od, gvod1, k7)
-    D12o = sub(d12od, gvod3, k20)
-    D21o = add(d12od, gvod3, k2)
-    ap, bp, _, fp, gp, hp = c.ray((k9, k21, k25, k29, k36, k41), (k42, *spare), (mask1, *spare_masks), xp)
+    fyd = sub(hd, gd, k3)
+    fod = mul(fyd, yd, k3)
+    D11o = add(fod, add(mul(cvd1, d1o, k4), mul(cvod1, d1, k5), k4), k4)
+    d12od = add(mul(cvd1, d2o, k5), mul(cvod1, d2, k6), k5)
+    d13od = add(mul(cvd1, d3o, k6), mul(cvod1, d3, k2), k2)
+    gvod3 = add(mul(d3o, gd, k6), mul(d3, god, k7), k6)
+    D21o = add(d12od, gvod3, k7)
+    D12o = sub(d12od, gvod3, k5)
+    gvod2 = add(mul(d2o, gd, k6), mul(d2, god, k21), k6)
+    gvod1 = add(mul(d1o, gd, k9), mul(d1, god, k19), k9)
+    D31o = sub(d13od, gvod2, k19)
+    D13o = add(d13od, gvod2, k2)
+    cvod2 = add(mul(d2o, hd, k6), mul(d2, hod, k21), k6)
+    cvod3 = add(mul(d3o, hd, k20), mul(d3, hod, k1), k1)
+    D33o = add(fod, add(mul(cvd3, d3o, k20), mul(cvod3, d3, k1), k1), k1)
+    D22o = add(fod, add(mul(cvd2, d2o, k20), mul(cvod2, d2, k21), k20), k3)
+    d23od = add(mul(cvd2, d3o, k20), mul(cvod2, d3, k6), k6)
+    D32o = add(d23od, gvod1, k20)
+    D23o = sub(d23od, gvod1, k6)
+    ap, bp, _, fp, gp, hp = c.ray((k9, k21, k32, k34, k38, k41), (k42, *spare), (mask1, *spare_masks), xp)
+    alongp = mul(hp, yp, k32)
     Qp11 = sub(n1, mul(gp, x23p, k14), k14)
     Qp22 = sub(n1, mul(gp, x13p, k13), k13)
     Qp33 = sub(n1, mul(gp, x12p, k15), k15)
-    alongp = mul(hp, yp, k25)
     bvp1 = mul(v1, bp, k41)
     bvp2 = mul(v2, bp, k42)
     bvp3 = mul(v3, bp, k21)
@@ -6647,300 +6644,302 @@ def body_retract_jacobians_blocks(
         sub(own_, folded, k12), mul(n2, atan2(tan(div(sub(folded, own_, k11), n2, k11), k11), n1, k11), k11), k11
     )
     angle = add(folded, m.where(m.less(absolute(turns, k12), n1, mask2), n0, turns, k12), k9)
-    rn, slopen = c.coefficient((k11, k12), (k17, k18, k21, k41, k42, k46, k47, *spare), (mask2, *spare_masks), angle)
-    z0s = m.where(still, z0, length, k9)
-    factor = m.where(still, div(mul(n2, slopen, k12), z0s, k9), div(rn, length, k10), k9)
-    v_1 = mul(z1, factor, k10)
-    v_2 = mul(z2, factor, k11)
-    v_3 = mul(z3, factor, k12)
-    fe = mul(factor, z0, k8)
-    v11w = mul(v_1, v_1, k9)
-    v22w = mul(v_2, v_2, k17)
-    v33w = mul(v_3, v_3, k18)
-    xw = add(add(v11w, v22w, k9), v33w, k9)
-    sn2 = neg(v_2, k17)
-    sn1 = neg(v_1, k18)
-    gvp1 = mul(v1, gp, k21)
-    gvvp1 = mul(gvp1, v2, k41)
-    fvp3 = mul(v3, fp, k42)
-    Qp12 = sub(gvvp1, fvp3, k43)
-    Qp21 = add(gvvp1, fvp3, k41)
-    gvvp2 = mul(gvp1, v3, k42)
-    fvp2 = mul(v2, fp, k44)
-    Qp13 = add(gvvp2, fvp2, k45)
-    Qp31 = sub(gvvp2, fvp2, k42)
-    RD13 = add(add(mul(Qp11, D13, k44), mul(Qp12, D23, k46), k44), mul(Qp13, D33, k46), k44)
-    gvp2 = mul(v2, gp, k46)
-    gvvp3 = mul(gvp2, v3, k47)
-    fvp1 = mul(v1, fp, k48)
-    Qp23 = sub(gvvp3, fvp1, k49)
-    Qp32 = add(gvvp3, fvp1, k47)
-    RD23 = add(add(mul(Qp21, D13, k48), mul(Qp22, D23, k50), k48), mul(Qp23, D33, k50), k48)
-    RD33 = add(add(mul(Qp31, D13, k50), mul(Qp32, D23, k51), k50), mul(Qp33, D33, k51), k50)
-    RD12 = add(add(mul(Qp11, D12, k51), mul(Qp12, D22, k52), k51), mul(Qp13, D32, k52), k51)
-    RD22 = add(add(mul(Qp21, D12, k52), mul(Qp22, D22, k53), k52), mul(Qp23, D32, k53), k52)
-    RD32 = add(add(mul(Qp31, D12, k53), mul(Qp32, D22, k54), k53), mul(Qp33, D32, k54), k53)
-    RD11 = add(add(mul(Qp11, D11, k54), mul(Qp12, D21, k55), k54), mul(Qp13, D31, k55), k54)
-    RD21 = add(add(mul(Qp21, D11, k55), mul(Qp22, D21, k56), k55), mul(Qp23, D31, k56), k55)
-    RD31 = add(add(mul(Qp31, D11, k56), mul(Qp32, D21, k57), k56), mul(Qp33, D31, k57), k56)
-    _, hiw = c.inverse((k57, k58), (*spare,), (mask1, mask2, *spare_masks), xw, fe)
-    gv_rhob3 = mul(v_rhob3, gp, k57)
-    gv_rhob2 = mul(v_rhob2, gp, k59)
-    gvp3 = mul(v3, gp, k60)
-    gv_rhob1 = mul(v_rhob1, gp, k36)
+    z0s = m.where(still, z0, length, k11)
+    gv_rhob3 = mul(v_rhob3, gp, k12)
+    gv_rhob2 = mul(v_rhob2, gp, k17)
+    gvp2 = mul(v2, gp, k18)
+    gvp3 = mul(v3, gp, k21)
     rhop1 = add(
-        add(mul(v1o, fp, k61), sub(mul(gvp2, v3o, k62), mul(gvp3, v2o, k63), k62), k61), mul(v1, alongp, k62), k61
+        add(mul(v1o, fp, k41), sub(mul(gvp2, v3o, k42), mul(gvp3, v2o, k46), k42), k41), mul(v1, alongp, k42), k41
     )
     rho1 = add(
-        add(rhob1, add(mul(v_rhob1, fp, k32), sub(mul(v2, gv_rhob3, k62), mul(v3, gv_rhob2, k63), k62), k32), k23),
-        rhop1, k23
+        add(rhob1, add(mul(v_rhob1, fp, k42), sub(mul(v2, gv_rhob3, k46), mul(v3, gv_rhob2, k47), k46), k42), k22),
+        rhop1, k22
     )
+    gv_rhob1 = mul(v_rhob1, gp, k28)
+    gvp1 = mul(v1, gp, k38)
     rhop2 = add(
-        add(mul(v2o, fp, k32), sub(mul(gvp3, v1o, k60), mul(gvp1, v3o, k62), k60), k32), mul(v2, alongp, k60), k32
+        add(mul(v2o, fp, k42), sub(mul(gvp3, v1o, k21), mul(gvp1, v3o, k46), k21), k21), mul(v2, alongp, k42), k21
     )
     rho2 = add(
-        add(rhob2, add(mul(v_rhob2, fp, k39), sub(mul(v3, gv_rhob1, k60), mul(v1, gv_rhob3, k57), k57), k39), k27),
-        rhop2, k27
+        add(rhob2, add(mul(v_rhob2, fp, k30), sub(mul(v3, gv_rhob1, k42), mul(v1, gv_rhob3, k12), k12), k12), k12),
+        rhop2, k12
     )
     rhop3 = add(
-        add(mul(v3o, fp, k39), sub(mul(gvp1, v2o, k21), mul(gvp2, v1o, k46), k21), k21), mul(v3, alongp, k25), k21
+        add(mul(v3o, fp, k27), sub(mul(gvp1, v2o, k30), mul(gvp2, v1o, k42), k30), k27), mul(v3, alongp, k30), k27
     )
     rho3 = add(
-        add(rhob3, add(mul(v_rhob3, fp, k25), sub(mul(v1, gv_rhob2, k29), mul(v2, gv_rhob1, k36), k29), k25), k25),
-        rhop3, k25
+        add(rhob3, add(mul(v_rhob3, fp, k29), sub(mul(v1, gv_rhob2, k17), mul(v2, gv_rhob1, k28), k17), k17), k17),
+        rhop3, k17
     )
-    hvr = mul(hiw, add(add(mul(v_1, rho1, k29), mul(v_2, rho2, k36), k29), mul(v_3, rho3, k36), k29), k29)
-    w4 = div(
-        add(sub(mul(rho1, fe, k36), sub(mul(v_2, rho3, k37), mul(v_3, rho2, k38), k37), k36), mul(v_1, hvr, k37), k36),
-        n2, k36
+    gvvp3 = mul(gvp2, v3, k18)
+    gvvp1 = mul(gvp1, v2, k25)
+    gvvp2 = mul(gvp1, v3, k28)
+    fvp3 = mul(v3, fp, k29)
+    Qp12 = sub(gvvp1, fvp3, k30)
+    Qp21 = add(gvvp1, fvp3, k25)
+    fvp2 = mul(v2, fp, k29)
+    fvp1 = mul(v1, fp, k32)
+    Qp13 = add(gvvp2, fvp2, k34)
+    Qp31 = sub(gvvp2, fvp2, k28)
+    RD11 = add(add(mul(Qp11, D11, k29), mul(Qp12, D21, k38), k29), mul(Qp13, D31, k38), k29)
+    Qp23 = sub(gvvp3, fvp1, k38)
+    Qp32 = add(gvvp3, fvp1, k18)
+    RD21 = add(add(mul(Qp21, D11, k32), mul(Qp22, D21, k42), k32), mul(Qp23, D31, k42), k32)
+    RD31 = add(add(mul(Qp31, D11, k42), mul(Qp32, D21, k46), k42), mul(Qp33, D31, k46), k42)
+    RD12 = add(add(mul(Qp11, D12, k46), mul(Qp12, D22, k47), k46), mul(Qp13, D32, k47), k46)
+    RD22 = add(add(mul(Qp21, D12, k47), mul(Qp22, D22, k48), k47), mul(Qp23, D32, k48), k47)
+    RD32 = add(add(mul(Qp31, D12, k48), mul(Qp32, D22, k49), k48), mul(Qp33, D32, k49), k48)
+    RD13 = add(add(mul(Qp11, D13, k49), mul(Qp12, D23, k50), k49), mul(Qp13, D33, k50), k49)
+    RD23 = add(add(mul(Qp21, D13, k50), mul(Qp22, D23, k51), k50), mul(Qp23, D33, k51), k50)
+    RD33 = add(add(mul(Qp31, D13, k51), mul(Qp32, D23, k52), k51), mul(Qp33, D33, k52), k51)
+    R11o = sub(mul(Qp31, rhop2, k52), mul(Qp21, rhop3, k53), k52)
+    R12o = sub(mul(Qp32, rhop2, k53), mul(Qp22, rhop3, k54), k53)
+    R13o = sub(mul(Qp33, rhop2, k54), mul(Qp23, rhop3, k55), k54)
+    RD11o = add(
+        add(add(mul(Qp11, D11o, k55), mul(R11o, D11, k56), k55), add(mul(Qp12, D21o, k56), mul(R12o, D21, k57), k56),
+        k55), add(mul(Qp13, D31o, k56), mul(R13o, D31, k57), k56), k55
     )
-    w5 = div(
-        add(sub(mul(rho2, fe, k37), sub(mul(v_3, rho1, k38), mul(v_1, rho3, k39), k38), k37), mul(v_2, hvr, k38), k37),
-        n2, k37
+    R21o = sub(mul(Qp11, rhop3, k56), mul(Qp31, rhop1, k57), k56)
+    R22o = sub(mul(Qp12, rhop3, k57), mul(Qp32, rhop1, k58), k57)
+    R23o = sub(mul(Qp13, rhop3, k27), mul(Qp33, rhop1, k58), k27)
+    RD21o = add(
+        add(add(mul(Qp21, D11o, k58), mul(R21o, D11, k59), k58), add(mul(Qp22, D21o, k59), mul(R22o, D21, k60), k59),
+        k58), add(mul(Qp23, D31o, k59), mul(R23o, D31, k60), k59), k58
     )
-    w6 = div(
-        add(sub(mul(rho3, fe, k8), sub(mul(v_1, rho2, k25), mul(v_2, rho1, k23), k23), k8), mul(v_3, hvr, k23), k8), n2,
-        k8
-    )
-    yn = add(add(mul(v_1, w4, k23), mul(v_2, w5, k25), k23), mul(v_3, w6, k25), k23)
-    son2 = neg(w5, k25)
-    son1 = neg(w4, k27)
-    R11o = sub(mul(Qp31, rhop2, k29), mul(Qp21, rhop3, k38), k29)
-    R12o = sub(mul(Qp32, rhop2, k38), mul(Qp22, rhop3, k39), k38)
-    R13o = sub(mul(Qp33, rhop2, k39), mul(Qp23, rhop3, k46), k39)
-    RD13o = add(
-        add(add(mul(Qp11, D13o, k46), mul(R11o, D13, k57), k46), add(mul(Qp12, D23o, k57), mul(R12o, D23, k58), k57),
-        k46), add(mul(Qp13, D33o, k57), mul(R13o, D33, k58), k57), k46
-    )
-    R21o = sub(mul(Qp11, rhop3, k57), mul(Qp31, rhop1, k58), k57)
-    R22o = sub(mul(Qp12, rhop3, k58), mul(Qp32, rhop1, k59), k58)
-    R23o = sub(mul(Qp13, rhop3, k21), mul(Qp33, rhop1, k59), k21)
-    RD23o = add(
-        add(add(mul(Qp21, D13o, k59), mul(R21o, D13, k60), k59), add(mul(Qp22, D23o, k60), mul(R22o, D23, k62), k60),
-        k59), add(mul(Qp23, D33o, k60), mul(R23o, D33, k62), k60), k59
-    )
-    R31o = sub(mul(Qp21, rhop1, k60), mul(Qp11, rhop2, k62), k60)
-    R32o = sub(mul(Qp22, rhop1, k62), mul(Qp12, rhop2, k63), k62)
-    R33o = sub(mul(Qp23, rhop1, k61), mul(Qp13, rhop2, k32), k32)
-    RD33o = add(
-        add(add(mul(Qp31, D13o, k5), mul(R31o, D13, k24), k5), add(mul(Qp32, D23o, k19), mul(R32o, D23, k24), k19), k5),
-        add(mul(Qp33, D33o, k1), mul(R33o, D33, k19), k1), k1
+    R31o = sub(mul(Qp21, rhop1, k59), mul(Qp11, rhop2, k60), k59)
+    R32o = sub(mul(Qp22, rhop1, k60), mul(Qp12, rhop2, k61), k60)
+    R33o = sub(mul(Qp23, rhop1, k41), mul(Qp13, rhop2, k21), k21)
+    RD31o = add(
+        add(add(mul(Qp31, D11o, k4), mul(R31o, D11, k33), k4), add(mul(Qp32, D21o, k7), mul(R32o, D21, k33), k7), k4),
+        add(mul(Qp33, D31o, k7), mul(R33o, D31, k19), k7), k4
     )
     RD12o = add(
-        add(add(mul(Qp11, D12o, k5), mul(R11o, D12, k19), k5), add(mul(Qp12, D22o, k19), mul(R12o, D22, k24), k19), k5),
-        add(mul(Qp13, D32o, k19), mul(R13o, D32, k24), k19), k5
+        add(add(mul(Qp11, D12o, k7), mul(R11o, D12, k19), k7), add(mul(Qp12, D22o, k19), mul(R12o, D22, k33), k19), k7),
+        add(mul(Qp13, D32o, k19), mul(R13o, D32, k33), k19), k7
     )
-    RD11o = add(
-        add(add(mul(Qp11, D11o, k14), mul(R11o, D11, k19), k14), add(mul(Qp12, D21o, k19), mul(R12o, D21, k24), k19),
-        k14), add(mul(Qp13, D31o, k19), mul(R13o, D31, k24), k19), k14
+    RD13o = add(
+        add(add(mul(Qp11, D13o, k14), mul(R11o, D13, k19), k14), add(mul(Qp12, D23o, k19), mul(R12o, D23, k30), k19),
+        k14), add(mul(Qp13, D33o, k19), mul(R13o, D33, k30), k19), k14
     )
     RD22o = add(
-        add(add(mul(Qp21, D12o, k19), mul(R21o, D12, k24), k19), add(mul(Qp22, D22o, k24), mul(R22o, D22, k28), k24),
-        k19), add(mul(Qp23, D32o, k24), mul(R23o, D32, k28), k24), k19
+        add(add(mul(Qp21, D12o, k19), mul(R21o, D12, k30), k19), add(mul(Qp22, D22o, k30), mul(R22o, D22, k33), k30),
+        k19), add(mul(Qp23, D32o, k30), mul(R23o, D32, k33), k30), k19
     )
     RD32o = add(
-        add(add(mul(Qp31, D12o, k20), mul(R31o, D12, k24), k20), add(mul(Qp32, D22o, k4), mul(R32o, D22, k24), k4), k4),
-        add(mul(Qp33, D32o, k7), mul(R33o, D32, k20), k7), k4
+        add(add(mul(Qp31, D12o, k5), mul(R31o, D12, k26), k5), add(mul(Qp32, D22o, k3), mul(R32o, D22, k26), k3), k3),
+        add(mul(Qp33, D32o, k5), mul(R33o, D32, k20), k5), k3
     )
-    RD21o = add(
-        add(add(mul(Qp21, D11o, k7), mul(R21o, D11, k20), k7), add(mul(Qp22, D21o, k13), mul(R22o, D21, k20), k13), k7),
-        add(mul(Qp23, D31o, k13), mul(R23o, D31, k20), k13), k7
+    RD23o = add(
+        add(add(mul(Qp21, D13o, k5), mul(R21o, D13, k20), k5), add(mul(Qp22, D23o, k13), mul(R22o, D23, k20), k13), k5),
+        add(mul(Qp23, D33o, k13), mul(R23o, D33, k20), k13), k5
     )
-    RD31o = add(
-        add(add(mul(Qp31, D11o, k6), mul(R31o, D11, k13), k6), add(mul(Qp32, D21o, k2), mul(R32o, D21, k13), k2), k2),
-        add(mul(Qp33, D31o, k3), mul(R33o, D31, k6), k3), k2
+    RD33o = add(
+        add(add(mul(Qp31, D13o, k2), mul(R31o, D13, k13), k2), add(mul(Qp32, D23o, k6), mul(R32o, D23, k13), k6), k2),
+        add(mul(Qp33, D33o, k1), mul(R33o, D33, k6), k1), k1
     )
-    sn3 = neg(v_3, k3)
-    son3 = neg(w6, k6)
-    fin, hin, fiyn, hiyn = c.tangent_inv(
-        (k13, k15, k20, k21), (k22, k24, k26, k28, k29, k30, k31, k32, k33, k34, k35, k38, k39, k41, k42, k43, k45, k47,
-        k49, k57, k58, k60, k61, k62, k63, *spare), (mask1, mask2, *spare_masks), xw
+    rn, slopen = c.coefficient(
+        (k2, k6), (k13, k15, k18, k20, k21, k23, k24, k25, k26, k27, k28, k30, k33, k34, k35, k36, k37, k38, k39, k40,
+        k41, k52, k53, k54, k56, k57, k59, k60, k61, *spare), (mask2, *spare_masks), angle
     )
-    fion = mul(fiyn, yn, k9)
-    hion = mul(hiyn, yn, k20)
-    cvn3 = mul(v_3, hin, k21)
-    I33 = add(fin, mul(cvn3, v_3, k22), k22)
-    cvn1 = mul(v_1, hin, k23)
-    d13n = mul(cvn1, v_3, k24)
-    I31 = sub(d13n, sn2, k26)
-    I13 = add(d13n, sn2, k17)
+    factor = m.where(still, div(mul(n2, slopen, k6), z0s, k6), div(rn, length, k2), k6)
+    v_1 = mul(z1, factor, k2)
+    v_2 = mul(z2, factor, k10)
+    v_3 = mul(z3, factor, k11)
+    fe = mul(factor, z0, k6)
+    v11w = mul(v_1, v_1, k8)
+    v22w = mul(v_2, v_2, k13)
+    v33w = mul(v_3, v_3, k15)
+    xw = add(add(v11w, v22w, k8), v33w, k8)
+    fin, hin, fiyn, hiyn = c.tangent_inv_at(
+        (k13, k15, k18, k20), (k21, k23, k24, k25, k26, k27, k28, k30, k33, k34, k35, k36, k37, k38, k39, k40, k41, k43,
+        k44, k45, k52, k53, k54, k56, k57, k59, k60, k61, *spare), (mask1, mask2, *spare_masks), xw, fe, angle
+    )
+    cvn1 = mul(v_1, hin, k6)
+    I11 = add(fin, mul(cvn1, v_1, k8), k8)
+    d12n = mul(cvn1, v_2, k9)
+    sn3 = neg(v_3, k21)
+    I12 = sub(d12n, sn3, k23)
+    I21 = add(d12n, sn3, k9)
+    d13n = mul(cvn1, v_3, k21)
+    sn2 = neg(v_2, k24)
+    I13 = add(d13n, sn2, k25)
+    I31 = sub(d13n, sn2, k21)
+    div(add(add(mul(I11, RD11, k24), mul(I12, RD21, k26), k24), mul(I13, RD31, k26), k24), n2, o37)
+    div(add(add(mul(I11, RD12, k24), mul(I12, RD22, k26), k24), mul(I13, RD32, k26), k24), n2, o38)
+    div(add(add(mul(I11, RD13, k24), mul(I12, RD23, k26), k24), mul(I13, RD33, k26), k24), n2, o39)
     cvn2 = mul(v_2, hin, k24)
-    d23n = mul(cvn2, v_3, k28)
-    I32 = add(d23n, sn1, k29)
-    I23 = sub(d23n, sn1, k18)
-    div(add(add(mul(I31, RD13, k28), mul(I32, RD23, k30), k28), mul(I33, RD33, k30), k28), n2, o51)
-    div(add(add(mul(I31, RD12, k28), mul(I32, RD22, k30), k28), mul(I33, RD32, k30), k28), n2, o50)
-    div(add(add(mul(I31, RD11, k28), mul(I32, RD21, k30), k28), mul(I33, RD31, k30), k28), n2, o49)
-    cvon3 = add(mul(w6, hin, k28), mul(v_3, hion, k30), k28)
-    I33o = add(fion, add(mul(cvn3, w6, k21), mul(cvon3, v_3, k28), k21), k21)
-    cvon1 = add(mul(w4, hin, k28), mul(v_1, hion, k30), k28)
-    cvon2 = add(mul(w5, hin, k15), mul(v_2, hion, k20), k15)
-    I11o = add(fion, add(mul(cvn1, w4, k20), mul(cvon1, v_1, k30), k20), k20)
-    I22o = add(fion, add(mul(cvn2, w5, k30), mul(cvon2, v_2, k31), k30), k9)
-    d23on = add(mul(cvn2, w6, k30), mul(cvon2, v_3, k15), k15)
-    d13on = add(mul(cvn1, w6, k8), mul(cvon1, v_3, k12), k8)
-    d12on = add(mul(cvn1, w5, k12), mul(cvon1, v_2, k28), k12)
-    I22 = add(fin, mul(cvn2, v_2, k24), k24)
-    I11 = add(fin, mul(cvn1, v_1, k10), k10)
-    d12n = mul(cvn1, v_2, k11)
-    I31o = sub(d13on, son2, k13)
-    I13o = add(d13on, son2, k8)
-    I32o = add(d23on, son1, k23)
-    I23o = sub(d23on, son1, k15)
+    I22 = add(fin, mul(cvn2, v_2, k26), k26)
+    d23n = mul(cvn2, v_3, k27)
+    sn1 = neg(v_1, k28)
+    I23 = sub(d23n, sn1, k30)
+    I32 = add(d23n, sn1, k27)
+    div(add(add(mul(I21, RD11, k28), mul(I22, RD21, k33), k28), mul(I23, RD31, k33), k28), n2, o43)
+    div(add(add(mul(I21, RD12, k28), mul(I22, RD22, k33), k28), mul(I23, RD32, k33), k28), n2, o44)
+    div(add(add(mul(I21, RD13, k28), mul(I22, RD23, k33), k28), mul(I23, RD33, k33), k28), n2, o45)
+    cvn3 = mul(v_3, hin, k28)
+    I33 = add(fin, mul(cvn3, v_3, k33), k33)
+    div(add(add(mul(I31, RD11, k34), mul(I32, RD21, k35), k34), mul(I33, RD31, k35), k34), n2, o49)
+    div(add(add(mul(I31, RD12, k34), mul(I32, RD22, k35), k34), mul(I33, RD32, k35), k34), n2, o50)
+    div(add(add(mul(I31, RD13, k34), mul(I32, RD23, k35), k34), mul(I33, RD33, k35), k34), n2, o51)
+    hvr = mul(hin, add(add(mul(v_1, rho1, k34), mul(v_2, rho2, k35), k34), mul(v_3, rho3, k35), k34), k34)
+    w4 = div(
+        add(sub(mul(rho1, fin, k35), sub(mul(v_2, rho3, k36), mul(v_3, rho2, k37), k36), k35), mul(v_1, hvr, k36), k35),
+        n2, k35
+    )
+    w5 = div(
+        add(sub(mul(rho2, fin, k36), sub(mul(v_3, rho1, k37), mul(v_1, rho3, k38), k37), k36), mul(v_2, hvr, k37), k36),
+        n2, k36
+    )
+    w6 = div(
+        add(sub(mul(rho3, fin, k13), sub(mul(v_1, rho2, k12), mul(v_2, rho1, k17), k12), k12), mul(v_3, hvr, k13), k12),
+        n2, k12
+    )
+    yn = add(add(mul(v_1, w4, k13), mul(v_2, w5, k17), k13), mul(v_3, w6, k17), k13)
+    fion = mul(fiyn, yn, k17)
+    hion = mul(hiyn, yn, k13)
+    cvon1 = add(mul(w4, hin, k18), mul(v_1, hion, k20), k18)
+    I11o = add(fion, add(mul(cvn1, w4, k20), mul(cvon1, v_1, k2), k2), k2)
+    son1 = neg(w4, k20)
+    d12on = add(mul(cvn1, w5, k22), mul(cvon1, v_2, k34), k22)
+    d13on = add(mul(cvn1, w6, k6), mul(cvon1, v_3, k18), k6)
+    son3 = neg(w6, k18)
+    I12o = sub(d12on, son3, k34)
+    I21o = add(d12on, son3, k18)
+    son2 = neg(w5, k22)
+    I13o = add(d13on, son2, k35)
+    I31o = sub(d13on, son2, k6)
     div(
-        add(add(add(mul(I31, RD13o, k25), mul(I31o, RD13, k27), k25), add(mul(I32, RD23o, k27), mul(I32o, RD23, k28),
-        k27), k25), add(mul(I33, RD33o, k27), mul(I33o, RD33, k28), k27), k25), n2, o69
+        add(add(add(mul(I11, RD11o, k22), mul(I11o, RD11, k37), k22), add(mul(I12, RD21o, k37), mul(I12o, RD21, k38),
+        k37), k22), add(mul(I13, RD31o, k37), mul(I13o, RD31, k38), k37), k22), n2, o55
     )
     div(
-        add(add(add(mul(I31, RD12o, k25), mul(I31o, RD12, k27), k25), add(mul(I32, RD22o, k27), mul(I32o, RD22, k28),
-        k27), k25), add(mul(I33, RD32o, k27), mul(I33o, RD32, k28), k27), k25), n2, o68
+        add(add(add(mul(I11, RD12o, k22), mul(I11o, RD12, k37), k22), add(mul(I12, RD22o, k37), mul(I12o, RD22, k38),
+        k37), k22), add(mul(I13, RD32o, k37), mul(I13o, RD32, k38), k37), k22), n2, o56
     )
     div(
-        add(add(add(mul(I31, RD11o, k25), mul(I31o, RD11, k27), k25), add(mul(I32, RD21o, k27), mul(I32o, RD21, k28),
-        k27), k25), add(mul(I33, RD31o, k27), mul(I33o, RD31, k28), k27), k25), n2, o67
+        add(add(add(mul(I11, RD13o, k22), mul(I11o, RD13, k37), k22), add(mul(I12, RD23o, k37), mul(I12o, RD23, k38),
+        k37), k22), add(mul(I13, RD33o, k37), mul(I13o, RD33, k38), k37), k22), n2, o57
     )
-    I21 = add(d12n, sn3, k25)
-    I12 = sub(d12n, sn3, k3)
-    div(add(add(mul(I21, RD13, k11), mul(I22, RD23, k27), k11), mul(I23, RD33, k27), k11), n2, o45)
-    div(add(add(mul(I21, RD12, k11), mul(I22, RD22, k27), k11), mul(I23, RD32, k27), k11), n2, o44)
-    div(add(add(mul(I21, RD11, k11), mul(I22, RD21, k27), k11), mul(I23, RD31, k27), k11), n2, o43)
-    div(add(add(mul(I11, RD13, k11), mul(I12, RD23, k27), k11), mul(I13, RD33, k27), k11), n2, o39)
-    div(add(add(mul(I11, RD12, k11), mul(I12, RD22, k27), k11), mul(I13, RD32, k27), k11), n2, o38)
-    div(add(add(mul(I11, RD11, k11), mul(I12, RD21, k27), k11), mul(I13, RD31, k27), k11), n2, o37)
-    I21o = add(d12on, son3, k11)
-    I12o = sub(d12on, son3, k6)
+    cvon2 = add(mul(w5, hin, k22), mul(v_2, hion, k37), k22)
+    I22o = add(fion, add(mul(cvn2, w5, k36), mul(cvon2, v_2, k10), k10), k10)
+    d23on = add(mul(cvn2, w6, k24), mul(cvon2, v_3, k22), k22)
+    cvon3 = add(mul(w6, hin, k15), mul(v_3, hion, k13), k13)
+    I33o = add(fion, add(mul(cvn3, w6, k12), mul(cvon3, v_3, k11), k11), k11)
+    I23o = sub(d23on, son1, k12)
+    I32o = add(d23on, son1, k13)
     div(
-        add(add(add(mul(I21, RD13o, k12), mul(I21o, RD13, k27), k12), add(mul(I22, RD23o, k27), mul(I22o, RD23, k28),
-        k27), k12), add(mul(I23, RD33o, k27), mul(I23o, RD33, k28), k27), k12), n2, o63
+        add(add(add(mul(I21, RD11o, k15), mul(I21o, RD11, k17), k15), add(mul(I22, RD21o, k17), mul(I22o, RD21, k20),
+        k17), k15), add(mul(I23, RD31o, k17), mul(I23o, RD31, k20), k17), k15), n2, o61
     )
     div(
-        add(add(add(mul(I11, RD13o, k12), mul(I11o, RD13, k27), k12), add(mul(I12, RD23o, k27), mul(I12o, RD23, k28),
-        k27), k12), add(mul(I13, RD33o, k1), mul(I13o, RD33, k27), k1), k1), n2, o57
+        add(add(add(mul(I31, RD11o, k15), mul(I31o, RD11, k17), k15), add(mul(I32, RD21o, k17), mul(I32o, RD21, k20),
+        k17), k15), add(mul(I33, RD31o, k4), mul(I33o, RD31, k17), k4), k4), n2, o67
     )
     div(
-        add(add(add(mul(I21, RD12o, k1), mul(I21o, RD12, k12), k1), add(mul(I22, RD22o, k12), mul(I22o, RD22, k27),
-        k12), k1), add(mul(I23, RD32o, k12), mul(I23o, RD32, k27), k12), k1), n2, o62
+        add(add(add(mul(I21, RD12o, k4), mul(I21o, RD12, k15), k4), add(mul(I22, RD22o, k15), mul(I22o, RD22, k17),
+        k15), k4), add(mul(I23, RD32o, k15), mul(I23o, RD32, k17), k15), k4), n2, o62
     )
     div(
-        add(add(add(mul(I11, RD12o, k1), mul(I11o, RD12, k5), k1), add(mul(I12, RD22o, k5), mul(I12o, RD22, k12), k5),
-        k1), add(mul(I13, RD32o, k4), mul(I13o, RD32, k5), k4), k1), n2, o56
+        add(add(add(mul(I31, RD12o, k4), mul(I31o, RD12, k7), k4), add(mul(I32, RD22o, k7), mul(I32o, RD22, k15), k7),
+        k4), add(mul(I33, RD32o, k3), mul(I33o, RD32, k7), k3), k3), n2, o68
     )
     div(
-        add(add(add(mul(I21, RD11o, k1), mul(I21o, RD11, k4), k1), add(mul(I22, RD21o, k4), mul(I22o, RD21, k5), k4),
-        k1), add(mul(I23, RD31o, k4), mul(I23o, RD31, k5), k4), k1), n2, o61
+        add(add(add(mul(I21, RD13o, k3), mul(I21o, RD13, k4), k3), add(mul(I22, RD23o, k4), mul(I22o, RD23, k7), k4),
+        k3), add(mul(I23, RD33o, k4), mul(I23o, RD33, k7), k4), k3), n2, o63
     )
     div(
-        add(add(add(mul(I11, RD11o, k1), mul(I11o, RD11, k4), k1), add(mul(I12, RD21o, k4), mul(I12o, RD21, k5), k4),
-        k1), add(mul(I13, RD31o, k2), mul(I13o, RD31, k4), k2), k1), n2, o55
+        add(add(add(mul(I31, RD13o, k3), mul(I31o, RD13, k4), k3), add(mul(I32, RD23o, k4), mul(I32o, RD23, k5), k4),
+        k3), add(mul(I33, RD33o, k1), mul(I33o, RD33, k4), k1), k1), n2, o69
     )
     fF, gF, hF, fyF, gyF, hyF = c.tangent(
-        (k1, k2, k4, k5, k7, k12), (k14, k19, k27, k28, k30, k31, k32, k33, k34, k35, k36, k37, k38, k39, k41, k42, k43,
-        k44, k45, k46, k47, k48, k49, k50, k51, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61, k62, k63, *spare),
-        (mask1, mask2, *spare_masks), xp
+        (k1, k3, k4, k5, k7, k14), (k15, k17, k19, k20, k22, k24, k28, k29, k32, k36, k37, k38, k39, k40, k41, k42, k43,
+        k44, k45, k46, k47, k48, k49, k50, k51, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61, *spare), (mask1,
+        mask2, *spare_masks), xp
     )
-    hoF = mul(hyF, yp, k12)
-    goF = mul(gyF, yp, k7)
+    hoF = mul(hyF, yp, k14)
     foF = mul(fyF, yp, k5)
-    cvF1 = mul(v1, hF, k14)
-    d13F = mul(cvF1, v3, k16)
-    gvF2 = mul(v2, gF, k19)
-    F13 = add(d13F, gvF2, k27)
-    F31 = sub(d13F, gvF2, k16)
-    cvF2 = mul(v2, hF, k19)
-    d23F = mul(cvF2, v3, k28)
-    gvF1 = mul(v1, gF, k30)
-    F23 = sub(d23F, gvF1, k31)
-    F32 = add(d23F, gvF1, k28)
-    cvF3 = mul(v3, hF, k30)
-    F33 = add(fF, mul(cvF3, v3, k32), k32)
-    div(add(add(mul(I31, F13, k33), mul(I32, F23, k34), k33), mul(I33, F33, k34), k33), n2, o15)
-    div(add(add(mul(I21, F13, k33), mul(I22, F23, k34), k33), mul(I23, F33, k34), k33), n2, o9)
-    div(add(add(mul(I11, F13, k33), mul(I12, F23, k34), k33), mul(I13, F33, k34), k33), n2, o3)
-    d12F = mul(cvF1, v2, k33)
-    gvF3 = mul(v3, gF, k34)
-    F12 = sub(d12F, gvF3, k35)
-    F21 = add(d12F, gvF3, k33)
-    F22 = add(fF, mul(cvF2, v2, k34), k34)
-    div(add(add(mul(I31, F12, k36), mul(I32, F22, k37), k36), mul(I33, F32, k37), k36), n2, o14)
-    F11 = add(fF, mul(cvF1, v1, k36), k1)
-    div(add(add(mul(I31, F11, k36), mul(I32, F21, k37), k36), mul(I33, F31, k37), k36), n2, o13)
-    div(add(add(mul(I21, F12, k36), mul(I22, F22, k37), k36), mul(I23, F32, k37), k36), n2, o8)
-    div(add(add(mul(I21, F11, k36), mul(I22, F21, k37), k36), mul(I23, F31, k37), k36), n2, o7)
-    div(add(add(mul(I11, F12, k36), mul(I12, F22, k37), k36), mul(I13, F32, k37), k36), n2, o2)
-    div(add(add(mul(I11, F11, k36), mul(I12, F21, k37), k36), mul(I13, F31, k37), k36), n2, o1)
+    goF = mul(gyF, yp, k7)
+    cvF1 = mul(v1, hF, k15)
+    F11 = add(fF, mul(cvF1, v1, k16), k16)
+    d12F = mul(cvF1, v2, k17)
+    gvF3 = mul(v3, gF, k19)
+    F21 = add(d12F, gvF3, k20)
+    F12 = sub(d12F, gvF3, k17)
+    d13F = mul(cvF1, v3, k19)
+    gvF2 = mul(v2, gF, k22)
+    F31 = sub(d13F, gvF2, k24)
+    F13 = add(d13F, gvF2, k19)
+    div(add(add(mul(I11, F11, k22), mul(I12, F21, k28), k22), mul(I13, F31, k28), k22), n2, o1)
+    div(add(add(mul(I21, F11, k22), mul(I22, F21, k28), k22), mul(I23, F31, k28), k22), n2, o7)
+    div(add(add(mul(I31, F11, k22), mul(I32, F21, k28), k22), mul(I33, F31, k28), k22), n2, o13)
+    cvF2 = mul(v2, hF, k22)
+    F22 = add(fF, mul(cvF2, v2, k28), k28)
+    d23F = mul(cvF2, v3, k29)
+    gvF1 = mul(v1, gF, k31)
+    F32 = add(d23F, gvF1, k32)
+    F23 = sub(d23F, gvF1, k29)
+    div(add(add(mul(I11, F12, k31), mul(I12, F22, k36), k31), mul(I13, F32, k36), k31), n2, o2)
+    div(add(add(mul(I21, F12, k31), mul(I22, F22, k36), k31), mul(I23, F32, k36), k31), n2, o8)
+    div(add(add(mul(I31, F12, k31), mul(I32, F22, k36), k31), mul(I33, F32, k36), k31), n2, o14)
+    cvF3 = mul(v3, hF, k31)
+    F33 = add(fF, mul(cvF3, v3, k36), k1)
+    div(add(add(mul(I11, F13, k36), mul(I12, F23, k37), k36), mul(I13, F33, k37), k36), n2, o3)
+    div(add(add(mul(I21, F13, k36), mul(I22, F23, k37), k36), mul(I23, F33, k37), k36), n2, o9)
+    div(add(add(mul(I31, F13, k36), mul(I32, F23, k37), k36), mul(I33, F33, k37), k36), n2, o15)
     cvoF1 = add(mul(v1o, hF, k36), mul(v1, hoF, k37), k36)
-    d13oF = add(mul(cvF1, v3o, k37), mul(cvoF1, v3, k38), k37)
-    gvoF2 = add(mul(v2o, gF, k38), mul(v2, goF, k39), k38)
-    F13o = add(d13oF, gvoF2, k39)
-    F31o = sub(d13oF, gvoF2, k37)
-    cvoF2 = add(mul(v2o, hF, k38), mul(v2, hoF, k40), k38)
-    cvoF3 = add(mul(v3o, hF, k4), mul(v3, hoF, k12), k4)
-    F33o = add(foF, add(mul(cvF3, v3o, k12), mul(cvoF3, v3, k4), k4), k4)
-    d23oF = add(mul(cvF2, v3o, k12), mul(cvoF2, v3, k30), k12)
-    F22o = add(foF, add(mul(cvF2, v2o, k19), mul(cvoF2, v2, k30), k19), k19)
-    F11o = add(foF, add(mul(cvF1, v1o, k30), mul(cvoF1, v1, k38), k30), k5)
-    d12oF = add(mul(cvF1, v2o, k14), mul(cvoF1, v2, k30), k14)
-    gvoF1 = add(mul(v1o, gF, k30), mul(v1, goF, k36), k30)
-    gvoF3 = add(mul(v3o, gF, k2), mul(v3, goF, k7), k2)
-    F23o = sub(d23oF, gvoF1, k7)
-    F32o = add(d23oF, gvoF1, k12)
+    F11o = add(foF, add(mul(cvF1, v1o, k37), mul(cvoF1, v1, k38), k37), k37)
+    d12oF = add(mul(cvF1, v2o, k38), mul(cvoF1, v2, k39), k38)
+    d13oF = add(mul(cvF1, v3o, k15), mul(cvoF1, v3, k36), k15)
+    gvoF3 = add(mul(v3o, gF, k36), mul(v3, goF, k39), k36)
+    F21o = add(d12oF, gvoF3, k39)
+    F12o = sub(d12oF, gvoF3, k36)
+    gvoF2 = add(mul(v2o, gF, k38), mul(v2, goF, k40), k38)
+    gvoF1 = add(mul(v1o, gF, k3), mul(v1, goF, k7), k3)
+    F31o = sub(d13oF, gvoF2, k7)
+    F13o = add(d13oF, gvoF2, k15)
     div(
-        add(add(add(mul(I31, F13o, k30), mul(I31o, F13, k36), k30), add(mul(I32, F23o, k36), mul(I32o, F23, k38), k36),
-        k30), add(mul(I33, F33o, k36), mul(I33o, F33, k38), k36), k30), n2, o33
+        add(add(add(mul(I11, F11o, k38), mul(I11o, F11, k40), k38), add(mul(I12, F21o, k40), mul(I12o, F21, k41), k40),
+        k38), add(mul(I13, F31o, k40), mul(I13o, F31, k41), k40), k38), n2, o19
     )
     div(
-        add(add(add(mul(I21, F13o, k30), mul(I21o, F13, k36), k30), add(mul(I22, F23o, k36), mul(I22o, F23, k38), k36),
-        k30), add(mul(I23, F33o, k36), mul(I23o, F33, k38), k36), k30), n2, o27
+        add(add(add(mul(I21, F11o, k38), mul(I21o, F11, k40), k38), add(mul(I22, F21o, k40), mul(I22o, F21, k41), k40),
+        k38), add(mul(I23, F31o, k40), mul(I23o, F31, k41), k40), k38), n2, o25
     )
     div(
-        add(add(add(mul(I11, F13o, k30), mul(I11o, F13, k27), k27), add(mul(I12, F23o, k7), mul(I12o, F23, k30), k7),
-        k7), add(mul(I13, F33o, k4), mul(I13o, F33, k27), k4), k4), n2, o21
+        add(add(add(mul(I31, F11o, k37), mul(I31o, F11, k16), k16), add(mul(I32, F21o, k37), mul(I32o, F21, k20), k20),
+        k16), add(mul(I33, F31o, k7), mul(I33o, F31, k20), k7), k7), n2, o31
     )
-    F12o = sub(d12oF, gvoF3, k4)
-    F21o = add(d12oF, gvoF3, k2)
+    cvoF2 = add(mul(v2o, hF, k7), mul(v2, hoF, k16), k7)
+    cvoF3 = add(mul(v3o, hF, k4), mul(v3, hoF, k14), k4)
+    F33o = add(foF, add(mul(cvF3, v3o, k14), mul(cvoF3, v3, k4), k4), k4)
+    F22o = add(foF, add(mul(cvF2, v2o, k14), mul(cvoF2, v2, k16), k14), k5)
+    d23oF = add(mul(cvF2, v3o, k14), mul(cvoF2, v3, k7), k7)
+    F32o = add(d23oF, gvoF1, k14)
+    F23o = sub(d23oF, gvoF1, k3)
     div(
-        add(add(add(mul(I31, F12o, k7), mul(I31o, F12, k14), k7), add(mul(I32, F22o, k14), mul(I32o, F22, k27), k14),
-        k7), add(mul(I33, F32o, k14), mul(I33o, F32, k27), k14), k7), n2, o32
-    )
-    div(
-        add(add(add(mul(I31, F11o, k7), mul(I31o, F11, k13), k7), add(mul(I32, F21o, k13), mul(I32o, F21, k14), k13),
-        k7), add(mul(I33, F31o, k13), mul(I33o, F31, k14), k13), k7), n2, o31
-    )
-    div(
-        add(add(add(mul(I21, F12o, k7), mul(I21o, F12, k13), k7), add(mul(I22, F22o, k13), mul(I22o, F22, k14), k13),
-        k7), add(mul(I23, F32o, k13), mul(I23o, F32, k14), k13), k7), n2, o26
+        add(add(add(mul(I11, F12o, k7), mul(I11o, F12, k16), k7), add(mul(I12, F22o, k16), mul(I12o, F22, k20), k16),
+        k7), add(mul(I13, F32o, k16), mul(I13o, F32, k20), k16), k7), n2, o20
     )
     div(
-        add(add(add(mul(I21, F11o, k7), mul(I21o, F11, k11), k7), add(mul(I22, F21o, k11), mul(I22o, F21, k9), k9), k7),
-        add(mul(I23, F31o, k9), mul(I23o, F31, k11), k9), k7), n2, o25
+        add(add(add(mul(I11, F13o, k7), mul(I11o, F13, k2), k2), add(mul(I12, F23o, k7), mul(I12o, F23, k8), k7), k2),
+        add(mul(I13, F33o, k7), mul(I13o, F33, k8), k7), k2), n2, o21
     )
     div(
-        add(add(add(mul(I11, F12o, k4), mul(I11o, F12, k7), k4), add(mul(I12, F22o, k7), mul(I12o, F22, k9), k7), k4),
-        add(mul(I13, F32o, k7), mul(I13o, F32, k9), k7), k4), n2, o20
+        add(add(add(mul(I21, F12o, k2), mul(I21o, F12, k7), k2), add(mul(I22, F22o, k7), mul(I22o, F22, k8), k7), k2),
+        add(mul(I23, F32o, k7), mul(I23o, F32, k8), k7), k2), n2, o26
     )
     div(
-        add(add(add(mul(I11, F11o, k4), mul(I11o, F11, k1), k1), add(mul(I12, F21o, k2), mul(I12o, F21, k3), k2), k1),
-        add(mul(I13, F31o, k2), mul(I13o, F31, k3), k2), k1), n2, o19
+        add(add(add(mul(I21, F13o, k2), mul(I21o, F13, k7), k2), add(mul(I22, F23o, k7), mul(I22o, F23, k8), k7), k2),
+        add(mul(I23, F33o, k7), mul(I23o, F33, k8), k7), k2), n2, o27
+    )
+    div(
+        add(add(add(mul(I31, F12o, k2), mul(I31o, F12, k7), k2), add(mul(I32, F22o, k5), mul(I32o, F22, k7), k5), k2),
+        add(mul(I33, F32o, k5), mul(I33o, F32, k7), k5), k2), n2, o32
+    )
+    div(
+        add(add(add(mul(I31, F13o, k2), mul(I31o, F13, k5), k2), add(mul(I32, F23o, k3), mul(I32o, F23, k5), k3), k2),
+        add(mul(I33, F33o, k3), mul(I33o, F33, k1), k1), k1), n2, o33
     )
     copy(n0, o4)
     copy(n0, o5)
@@ -7671,7 +7670,7 @@ def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) 
     v22w = v_2 * v_2
     v33w = v_3 * v_3
     xw = v11w + v22w + v33w
-    _, hiw = c.inverse(m, xw, fe_)
+    _, hiw = c.inverse_at(m, xw, fe_, angle)
     hvr_ = hiw * (v_1 * rho1 + v_2 * rho2 + v_3 * rho3)
     return (
         v_1,
@@ -7830,28 +7829,28 @@ def interpolate_blocks(
         still, sinet, add(m.where(m.less(absolute(turns, k2), n1, mask3), n0, turns, k2), halft_by_2, k1), k2
     )
     rn, slopen = c.coefficient((k1, k3), (k4, k16, k22, k26, k32, k33, k34, *spare), (mask3, *spare_masks), angle)
-    nosine = m.where(still, add(n1, sinet, k2), sinet, k2)
-    z0s = m.where(still, z0, n1, k4)
-    factor = m.where(still, div(mul(n2, slopen, k3), z0s, k3), div(rn, nosine, k2), k3)
-    v_1 = m.where(apart, mul(z1, factor, k2), mul(axis1, rn, k4), o1)
-    v_2 = m.where(apart, mul(z2, factor, k2), mul(axis2, rn, k4), o2)
-    v_3 = m.where(apart, mul(z3, factor, k2), mul(axis3, rn, k1), o3)
+    nosine = m.where(still, add(n1, sinet, k4), sinet, k4)
+    z0s = m.where(still, z0, n1, k16)
+    factor = m.where(still, div(mul(n2, slopen, k3), z0s, k3), div(rn, nosine, k4), k3)
+    v_1 = m.where(apart, mul(z1, factor, k4), mul(axis1, rn, k16), o1)
+    v_2 = m.where(apart, mul(z2, factor, k4), mul(axis2, rn, k16), o2)
+    v_3 = m.where(apart, mul(z3, factor, k4), mul(axis3, rn, k1), o3)
     fe_ = mul(factor, z0, k1)
-    v11w = mul(v_1, v_1, k2)
-    v22w = mul(v_2, v_2, k3)
-    v33w = mul(v_3, v_3, k4)
-    xw = add(add(v11w, v22w, k2), v33w, k2)
-    _, hiw = c.inverse(
-        (k3, k4), (k16, k21, k22, k23, k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, *spare), (mask1, mask2, mask3,
-        *spare_masks), xw, fe_
+    v11w = mul(v_1, v_1, k3)
+    v22w = mul(v_2, v_2, k4)
+    v33w = mul(v_3, v_3, k16)
+    xw = add(add(v11w, v22w, k3), v33w, k3)
+    _, hiw = c.inverse_at(
+        (k4, k16), (k21, k22, k23, k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, *spare), (mask1, mask2, mask3,
+        *spare_masks), xw, fe_, angle
     )
     v11e = mul(d1, d1, k2)
     v22e = mul(d2, d2, k3)
-    v33e = mul(d3, d3, k16)
+    v33e = mul(d3, d3, k4)
     xe = add(add(v11e, v22e, k2), v33e, k2)
     neare = m.less(xe, n6, mask1)
-    ze = div(m.where(neare, xe, sub(xe, xe, k3), k16), n4, k3)
-    xxe = m.where(neare, add(n6, xe, k16), xe, k16)
+    ze = div(m.where(neare, xe, sub(xe, xe, k3), k4), n4, k3)
+    xxe = m.where(neare, add(n6, xe, k4), xe, k4)
     C7e = div(
         div(sub(n72, mul(ze, div(sub(n3603600, mul(ze, sub(n32760, mul(ze, sub(n210, mul(ze, div(sub(n93024, mul(ze,
         sub(n342, mul(ze, div(sub(n212520, mul(ze, sub(n506, ze, k2), k2), k2), n212520, k2), k2), k2), k2), k2),
@@ -7871,13 +7870,13 @@ def interpolate_blocks(
     se = m.where(neare, C0e, div(sub(n1, tte, k26), belowe, k26), k3)
     we = m.where(neare, div(C1e, n2, k26), div(div(mul(n2, te, k25), belowe, k25), alphae, k23), k25)
     fe = mul(n2, mul(se, we, k23), k23)
-    he = m.where(neare, div(add(C3e, mul(C1e, C2e, k21), k2), n4, k2), div(sub(n1, fe, k21), xxe, k16), k2)
+    he = m.where(neare, div(add(C3e, mul(C1e, C2e, k21), k2), n4, k2), div(sub(n1, fe, k21), xxe, k4), k2)
     fie = div(se, we, k3)
-    wwe = mul(we, we, k16)
-    ge = mul(n2, wwe, k16)
+    wwe = mul(we, we, k4)
+    ge = mul(n2, wwe, k4)
     hie = sub(ge, mul(fie, he, k2), k2)
     gva3 = mul(a3, ga, k3)
-    gva1 = mul(a1, ga, k16)
+    gva1 = mul(a1, ga, k4)
     ya = add(add(mul(a1, a1o, k21), mul(a2, a2o, k22), k21), mul(a3, a3o, k22), k21)
     alonga = mul(ha, ya, k7)
     rhoa2 = add(
@@ -7885,19 +7884,17 @@ def interpolate_blocks(
     )
     gva2 = mul(a2, ga, k22)
     rhoa1 = add(add(mul(a1o, fa, k23), sub(mul(gva2, a3o, k25), mul(gva3, a2o, k3), k3), k3), mul(a1, alonga, k23), k3)
-    rhoa3 = add(
-        add(mul(a3o, fa, k23), sub(mul(gva1, a2o, k16), mul(gva2, a1o, k22), k16), k16), mul(a3, alonga, k7), k7
-    )
+    rhoa3 = add(add(mul(a3o, fa, k23), sub(mul(gva1, a2o, k4), mul(gva2, a1o, k22), k4), k4), mul(a3, alonga, k7), k4)
     minus_fa = neg(fa, k5)
-    v_rhoa3 = sub(mul(a1, rhoa2, k16), mul(a2, rhoa1, k22), k16)
+    v_rhoa3 = sub(mul(a1, rhoa2, k7), mul(a2, rhoa1, k22), k7)
     v_rhoa2 = sub(mul(a3, rhoa1, k22), mul(a1, rhoa3, k23), k22)
     gv_rhoa2 = mul(v_rhoa2, ga, k23)
     v_rhoa1 = sub(mul(a2, rhoa3, k25), mul(a3, rhoa2, k26), k25)
     gv_rhoa1 = mul(v_rhoa1, ga, k26)
     gv_rhoa3 = mul(v_rhoa3, ga, k6)
     back3 = neg(
-        add(rhoa3, add(mul(v_rhoa3, minus_fa, k16), sub(mul(a1, gv_rhoa2, k27), mul(a2, gv_rhoa1, k28), k27), k16),
-        k16), k16
+        add(rhoa3, add(mul(v_rhoa3, minus_fa, k7), sub(mul(a1, gv_rhoa2, k27), mul(a2, gv_rhoa1, k28), k27), k7), k7),
+        k7
     )
     back2 = neg(
         add(rhoa2, add(mul(v_rhoa2, minus_fa, k22), sub(mul(a3, gv_rhoa1, k26), mul(a1, gv_rhoa3, k27), k26), k22),
@@ -7929,17 +7926,16 @@ def interpolate_blocks(
     )
     way3 = add(
         add(back3, add(mul(v_back3, fb, k23), sub(mul(b1, gv_back2, k25), mul(b2, gv_back1, k6), k6), k6), k6),
-        add(add(mul(b3o, fb, k13), sub(mul(gvb1, b2o, k14), mul(gvb2, b1o, k16), k14), k13), mul(b3, alongb, k14), k13),
-        k6
+        add(add(mul(b3o, fb, k7), sub(mul(gvb1, b2o, k13), mul(gvb2, b1o, k14), k13), k7), mul(b3, alongb, k13), k7), k6
     )
-    hvr = mul(hie, add(add(mul(d1, way1, k13), mul(d2, way2, k14), k13), mul(d3, way3, k14), k13), k2)
+    hvr = mul(hie, add(add(mul(d1, way1, k7), mul(d2, way2, k13), k7), mul(d3, way3, k13), k7), k2)
     td4 = mul(
-        t, div(add(sub(mul(way1, fee, k13), sub(mul(d2, way3, k14), mul(d3, way2, k15), k14), k13), mul(d1, hvr, k14),
-        k13), n2, k13), k13
+        t, div(add(sub(mul(way1, fee, k7), sub(mul(d2, way3, k13), mul(d3, way2, k14), k13), k7), mul(d1, hvr, k13),
+        k7), n2, k7), k7
     )
     td5 = mul(
-        t, div(add(sub(mul(way2, fee, k14), sub(mul(d3, way1, k15), mul(d1, way3, k16), k15), k14), mul(d2, hvr, k15),
-        k14), n2, k14), k14
+        t, div(add(sub(mul(way2, fee, k13), sub(mul(d3, way1, k14), mul(d1, way3, k15), k14), k13), mul(d2, hvr, k14),
+        k13), n2, k13), k13
     )
     td6 = mul(
         t, div(add(sub(mul(way3, fee, k6), sub(mul(d1, way2, k8), mul(d2, way1, k5), k5), k5), mul(d3, hvr, k2), k2),
@@ -7952,25 +7948,25 @@ def interpolate_blocks(
     v_moved2 = sub(mul(td3, rhoa1, k10), mul(td1, rhoa3, k11), k10)
     gv_moved2 = mul(v_moved2, gt, k11)
     gvt2 = mul(td2, gt, k12)
-    gvt3 = mul(td3, gt, k15)
-    v_moved1 = sub(mul(td2, rhoa3, k16), mul(td3, rhoa2, k17), k16)
+    gvt3 = mul(td3, gt, k14)
+    v_moved1 = sub(mul(td2, rhoa3, k15), mul(td3, rhoa2, k17), k15)
     rho1 = add(
         add(rhoa1, add(mul(v_moved1, ft, k17), sub(mul(td2, gv_moved3, k22), mul(td3, gv_moved2, k23), k22), k17), k3),
         add(add(mul(td4, ft, k17), sub(mul(gvt2, td6, k22), mul(gvt3, td5, k23), k22), k17), mul(td1, alongt, k22),
         k17), k3
     )
-    gv_moved1 = mul(v_moved1, gt, k16)
+    gv_moved1 = mul(v_moved1, gt, k15)
     gvt1 = mul(td1, gt, k17)
     rho2 = add(
         add(rhoa2, add(mul(v_moved2, ft, k10), sub(mul(td3, gv_moved1, k19), mul(td1, gv_moved3, k8), k8), k8), k8),
-        add(add(mul(td5, ft, k10), sub(mul(gvt3, td4, k15), mul(gvt1, td6, k19), k15), k10), mul(td2, alongt, k15),
+        add(add(mul(td5, ft, k10), sub(mul(gvt3, td4, k14), mul(gvt1, td6, k19), k14), k10), mul(td2, alongt, k14),
         k10), k8
     )
     rho3 = add(
-        add(rhoa3, add(mul(v_moved3, ft, k6), sub(mul(td1, gv_moved2, k9), mul(td2, gv_moved1, k10), k9), k6), k6),
-        add(add(mul(td6, ft, k2), sub(mul(gvt1, td5, k7), mul(gvt2, td4, k9), k7), k2), mul(td3, alongt, k5), k2), k2
+        add(rhoa3, add(mul(v_moved3, ft, k6), sub(mul(td1, gv_moved2, k9), mul(td2, gv_moved1, k10), k9), k6), k4),
+        add(add(mul(td6, ft, k2), sub(mul(gvt1, td5, k6), mul(gvt2, td4, k7), k6), k2), mul(td3, alongt, k5), k2), k2
     )
-    hvr_ = mul(hiw, add(add(mul(v_1, rho1, k5), mul(v_2, rho2, k6), k5), mul(v_3, rho3, k6), k5), k4)
+    hvr_ = mul(hiw, add(add(mul(v_1, rho1, k4), mul(v_2, rho2, k5), k4), mul(v_3, rho3, k5), k4), k4)
     div(
         add(sub(mul(rho1, fe_, k5), sub(mul(v_2, rho3, k6), mul(v_3, rho2, k7), k6), k5), mul(v_1, hvr_, k6), k5), n2,
         o4
@@ -9097,7 +9093,7 @@ KERNELS: Mapping[str, Kernel] = {
         registers=22,
         masks=2,
         numbers=(0, 1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
-        lent=(('ray', 0, 0), ('unfolded', 7, 0), ('coefficient', 8, 1), ('inverse', 12, 2)),
+        lent=(('ray', 0, 0), ('unfolded', 7, 0), ('coefficient', 8, 1), ('inverse_at', 11, 2)),
         real=True,
     ),
     "body_retract": Kernel(
@@ -9108,7 +9104,7 @@ KERNELS: Mapping[str, Kernel] = {
         registers=22,
         masks=2,
         numbers=(0, 1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
-        lent=(('ray', 0, 0), ('unfolded', 7, 0), ('coefficient', 8, 1), ('inverse', 12, 2)),
+        lent=(('ray', 0, 0), ('unfolded', 7, 0), ('coefficient', 8, 1), ('inverse_at', 11, 2)),
         real=True,
     ),
     "retract_jacobians": Kernel(
@@ -9119,7 +9115,7 @@ KERNELS: Mapping[str, Kernel] = {
         registers=67,
         masks=3,
         numbers=(0, 1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
-        lent=(('ray', 0, 0), ('unfolded', 4, 0), ('coefficient', 5, 1), ('inverse', 2, 2), ('tangent_inv', 4, 2), ('tangent', 0, 0)),
+        lent=(('ray', 0, 0), ('unfolded', 4, 0), ('coefficient', 5, 1), ('tangent_inv_at', 3, 2), ('tangent', 0, 0)),
         real=True,
     ),
     "body_retract_jacobians": Kernel(
@@ -9127,10 +9123,10 @@ KERNELS: Mapping[str, Kernel] = {
         body_retract_jacobians_blocks,
         (("v", (6,)), ("delta", (6,)),),
         (72,),
-        registers=63,
+        registers=61,
         masks=2,
         numbers=(0, 1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
-        lent=(('ray', 1, 1), ('unfolded', 0, 0), ('coefficient', 7, 1), ('inverse', 0, 2), ('tangent_inv', 25, 2), ('tangent', 37, 2)),
+        lent=(('ray', 1, 1), ('unfolded', 0, 0), ('coefficient', 29, 1), ('tangent_inv_at', 28, 2), ('tangent', 35, 2)),
         real=True,
     ),
     "local": Kernel(
@@ -9163,7 +9159,7 @@ KERNELS: Mapping[str, Kernel] = {
         registers=34,
         masks=3,
         numbers=(-2, -1, 0, 1, 2, 3, 4, 6, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
-        lent=(('ray', 0, 0), ('ray', 0, 0), ('unfolded', 3, 0), ('coefficient', 7, 1), ('inverse', 14, 3)),
+        lent=(('ray', 0, 0), ('ray', 0, 0), ('unfolded', 3, 0), ('coefficient', 7, 1), ('inverse_at', 13, 3)),
         real=True,
     ),
     "adjoint": Kernel(

@@ -38,7 +38,7 @@ LINE = 64
 
 # what the in-place forms call; each returns the array it wrote, its last argument
 add, sub, mul, div, neg = np.add, np.subtract, np.multiply, np.divide, np.negative
-absolute, sqrt, tan, atan2 = np.absolute, np.sqrt, np.tan, np.arctan2
+absolute, sqrt, tan, atan2, expm1, log1p = np.absolute, np.sqrt, np.tan, np.arctan2, np.expm1, np.log1p
 
 
 def copy(value: Array, out: Array) -> None:

@@ -41,6 +41,8 @@ class Floats:
     sqrt = staticmethod(math.sqrt)
     tan = staticmethod(math.tan)
     atan2 = staticmethod(math.atan2)
+    expm1 = staticmethod(math.expm1)
+    log1p = staticmethod(math.log1p)
 
     @staticmethod
     def where(condition: Any, a: Any, b: Any) -> Any:
@@ -48,12 +50,14 @@ class Floats:
 
 
 class Objects:
-    """Functions on numbers of any other kind, which are asked for their own ``sqrt``, ``tan`` and ``arctan2``."""
+    """Functions on numbers of any other kind, which are asked for their own ``sqrt``, ``tan`` and the like."""
 
     abs = staticmethod(abs)
     sqrt = staticmethod(np.sqrt)
     tan = staticmethod(np.tan)
     atan2 = staticmethod(np.arctan2)
+    expm1 = staticmethod(np.expm1)
+    log1p = staticmethod(np.log1p)
     where = staticmethod(Floats.where)
 
 

@@ -84,8 +84,8 @@
 #   between_jacobians: 1122: 417 +, 579 *, 77 /, 32 neg, 14 sqrt, 1 lt, 2 where
 #   retract: 351: 114 +, 162 *, 39 /, 1 abs, 11 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 13 where
 #   body_retract: 351: 114 +, 162 *, 39 /, 1 abs, 11 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 13 where
-#   retract_jacobians: 1171: 441 +, 588 *, 94 /, 7 neg, 1 abs, 15 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 14 where
-#   body_retract_jacobians: 1171: 441 +, 588 *, 94 /, 7 neg, 1 abs, 15 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 14
+#   retract_jacobians: 1159: 436 +, 586 *, 91 /, 7 neg, 1 abs, 13 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 14 where
+#   body_retract_jacobians: 1159: 436 +, 586 *, 91 /, 7 neg, 1 abs, 13 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 14
 #       where
 #   local: 324: 104 +, 160 *, 31 /, 7 neg, 7 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 324: 104 +, 160 *, 31 /, 7 neg, 7 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
@@ -402,6 +402,68 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     div(n3, mul(n4, rootc, o2), o2)
     copy(fe, o1)
     return o1, o2
+
+
+# operations 10: 4 +, 2 *, 2 /, 2 sqrt
+def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
+    below = x + m.sqrt(x * x + 4)
+    c = (below - below + 2) / below
+    rootc = m.sqrt(c)
+    hi = 3 / (4 * rootc)
+    return fe, hi
+
+
+def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
+    o1, o2 = out
+    k1, *_ = scratch
+    n2, n3, n4 = numbers
+    below = add(x, sqrt(add(mul(x, x, o2), n4, o2), o2), o2)
+    c = div(add(sub(below, below, k1), n2, k1), below, o2)
+    rootc = sqrt(c, o2)
+    div(n3, mul(n4, rootc, o2), o2)
+    copy(fe, o1)
+    return o1, o2
+
+
+# operations 31: 7 +, 14 *, 7 /, 1 neg, 2 sqrt
+def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
+    below = x + m.sqrt(x * x + 4)
+    c = (below - below + 2) / below
+    rootc = m.sqrt(c)
+    hi = 3 / (4 * rootc)
+    size = c + x
+    w = 2 * rootc / size
+    cc = c * c
+    weight = 3 + 2 * cc
+    over = 1 / (1 + cc)
+    h = 2 * (c * w) * (weight * over)
+    g = 8 * (c / (size * size))
+    fiy = -(h / g)
+    decline = 2 * (c * over)
+    hiy = hi * decline / 2
+    return fe, hi, fiy, hiy
+
+
+def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
+    o1, o2, o3, o4 = out
+    k1, k2, k3, *_ = scratch
+    n1, n2, n3, n4, n8 = numbers
+    below = add(x, sqrt(add(mul(x, x, o4), n4, o4), o4), o4)
+    c = div(add(sub(below, below, o3), n2, o3), below, o4)
+    rootc = sqrt(c, o3)
+    hi = div(n3, mul(n4, rootc, o2), o2)
+    size = add(c, x, k1)
+    w = div(mul(n2, rootc, o3), size, o3)
+    g = mul(n8, div(c, mul(size, size, k1), k1), k1)
+    cc = mul(c, c, k2)
+    weight = add(n3, mul(n2, cc, k3), k3)
+    over = div(n1, add(n1, cc, k2), k2)
+    h = mul(mul(n2, mul(c, w, o3), o3), mul(weight, over, k3), o3)
+    neg(div(h, g, o3), o3)
+    decline = mul(n2, mul(c, over, o4), o4)
+    div(mul(hi, decline, o4), n2, o4)
+    copy(fe, o1)
+    return o1, o2, o3, o4
 
 
 # operations 33: 8 +, 14 *, 8 /, 1 neg, 2 sqrt
@@ -873,6 +935,8 @@ CHART = Chart(
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 5, 0, (-2, 1, 2, 3, 4, 5, 8, 48)),
         "rate": Function(_rate, _rate_blocks, 2, 0, (1, 2, 3, 4)),
         "inverse": Function(_inverse, _inverse_blocks, 1, 0, (2, 3, 4)),
+        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 1, 0, (2, 3, 4)),
+        "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 3, 0, (1, 2, 3, 4, 8)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 3, 0, (1, 2, 3, 4, 8)),
         "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 4, 0, (1, 2, 3, 4, 5, 8)),
         "ray": Function(_ray, _ray_blocks, 1, 0, (1, 2, 3, 4, 8)),
@@ -888,7 +952,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 4, 8)),
     },
     kernels=SHARED,
-    programs="3d3cc60bac44c064",
+    programs="069b71805b095562",
 )
 
 KERNELS = PoseKernels(CHART)

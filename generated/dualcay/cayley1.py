@@ -94,8 +94,8 @@
 #   between_jacobians: 945: 370 +, 493 *, 50 /, 32 neg
 #   retract: 293: 97 +, 141 *, 28 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
 #   body_retract: 293: 97 +, 141 *, 28 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
-#   retract_jacobians: 1044: 407 +, 531 *, 71 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
-#   body_retract_jacobians: 1044: 407 +, 531 *, 71 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   retract_jacobians: 1042: 405 +, 531 *, 71 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   body_retract_jacobians: 1042: 405 +, 531 *, 71 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 278: 90 +, 138 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 278: 90 +, 138 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   interpolate: 629: 200 +, 303 *, 52 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
@@ -246,6 +246,26 @@ def _inverse(m: Any, x: Any, fe: Any) -> Result:
 def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
     n1, = numbers
     return n1, n1
+
+
+# operations 0
+def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
+    return 1, 1
+
+
+def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
+    n1, = numbers
+    return n1, n1
+
+
+# operations 0
+def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
+    return 1, 1, 0, 0
+
+
+def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
+    n0, n1 = numbers
+    return n1, n1, n0, n0
 
 
 # operations 2: 2 +
@@ -1897,6 +1917,8 @@ CHART = Chart(
         "tangent": Function(_tangent, _tangent_blocks, 0, 0, (0, 1, 2)),
         "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2)),
         "inverse": Function(_inverse, _inverse_blocks, 0, 0, (1,)),
+        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 0, 0, (1,)),
+        "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 0, 0, (0, 1)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 0, 0, (0, 1)),
         "ray": Function(_ray, _ray_blocks, 1, 0, (0, 1, 2)),
         "gain_unit": Function(_gain_unit, _gain_unit_blocks, 0, 0, (1,)),
@@ -2064,7 +2086,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="e502c3e228db9788",
+    programs="72a617beb6e4bd26",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -96,8 +96,8 @@
 #   between_jacobians: 1038: 391 +, 546 *, 57 /, 34 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   retract: 311: 102 +, 152 *, 30 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
 #   body_retract: 311: 102 +, 152 *, 30 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
-#   retract_jacobians: 1091: 419 +, 560 *, 76 /, 8 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
-#   body_retract_jacobians: 1091: 419 +, 560 *, 76 /, 8 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   retract_jacobians: 1083: 416 +, 557 *, 74 /, 8 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   body_retract_jacobians: 1083: 416 +, 557 *, 74 /, 8 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 298: 94 +, 154 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 298: 94 +, 154 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   interpolate: 657: 207 +, 322 *, 54 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
@@ -356,6 +356,61 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     diq = mul(d, iq, o2)
     div(diq, n3, o2)
     return o1, o2
+
+
+# operations 8: 3 +, 3 *, 2 /
+def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
+    p = 1 - 3 * x
+    q = 3 - x
+    iq = 1 / q
+    fi = p * iq
+    d = 11 - x
+    diq = d * iq
+    hi = diq / 3
+    return fi, hi
+
+
+def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
+    o1, o2 = out
+    k1, *_ = scratch
+    n1, n3, n11 = numbers
+    p = sub(n1, mul(n3, x, o1), o1)
+    q = sub(n3, x, o2)
+    iq = div(n1, q, o2)
+    mul(p, iq, o1)
+    d = sub(n11, x, k1)
+    diq = mul(d, iq, o2)
+    div(diq, n3, o2)
+    return o1, o2
+
+
+# operations 15: 4 +, 7 *, 3 /, 1 neg
+def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
+    p = 1 - 3 * x
+    q = 3 - x
+    iq = 1 / q
+    fi = p * iq
+    d = 11 - x
+    diq = d * iq
+    hi = diq / 3
+    fiy = -(16 * (iq * iq))
+    hiy = (2 * diq - 2) * iq / 3
+    return fi, hi, fiy, hiy
+
+
+def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
+    o1, o2, o3, o4 = out
+    n1, n2, n3, n11, n16 = numbers
+    p = sub(n1, mul(n3, x, o1), o1)
+    q = sub(n3, x, o3)
+    iq = div(n1, q, o3)
+    mul(p, iq, o1)
+    d = sub(n11, x, o4)
+    diq = mul(d, iq, o4)
+    div(diq, n3, o2)
+    div(mul(sub(mul(n2, diq, o4), n2, o4), iq, o4), n3, o4)
+    neg(mul(n16, mul(iq, iq, o3), o3), o3)
+    return o1, o2, o3, o4
 
 
 # operations 15: 4 +, 7 *, 3 /, 1 neg
@@ -721,6 +776,8 @@ CHART = Chart(
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 2, 0, (-4, 1, 2, 3, 6, 8, 16)),
         "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2, 6)),
         "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 3, 11)),
+        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 1, 0, (1, 3, 11)),
+        "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 0, 0, (1, 2, 3, 11, 16)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 0, 0, (1, 2, 3, 11, 16)),
         "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 1, 0, (1, 2, 3, 4, 11, 16, 64)),
         "ray": Function(_ray, _ray_blocks, 0, 0, (1, 2, 3, 16)),
@@ -736,7 +793,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 6)),
     },
     kernels=SHARED,
-    programs="e6125e3351098bee",
+    programs="258a3e7eceb42b3a",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -96,8 +96,8 @@
 #   between_jacobians: 1078: 415 +, 570 *, 57 /, 32 neg, 1 sqrt, 1 lt, 2 where
 #   retract: 323: 108 +, 158 *, 30 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
 #   body_retract: 323: 108 +, 158 *, 30 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
-#   retract_jacobians: 1119: 433 +, 575 *, 76 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
-#   body_retract_jacobians: 1119: 433 +, 575 *, 76 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   retract_jacobians: 1108: 429 +, 570 *, 74 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   body_retract_jacobians: 1108: 429 +, 570 *, 74 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 316: 104 +, 162 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 316: 104 +, 162 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   interpolate: 678: 218 +, 332 *, 54 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
@@ -373,6 +373,66 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     diq = mul(d, iq, o2)
     div(diq, n4, o2)
     return o1, o2
+
+
+# operations 11: 4 +, 5 *, 2 /
+def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
+    p = (x - 6) * x + 1
+    q = 4 - 4 * x
+    iq = 1 / q
+    fi = p * iq
+    d = 24 - 8 * x
+    diq = d * iq
+    hi = diq / 4
+    return fi, hi
+
+
+def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
+    o1, o2 = out
+    k1, *_ = scratch
+    n1, n4, n6, n8, n24 = numbers
+    p = add(mul(sub(x, n6, o1), x, o1), n1, o1)
+    q = sub(n4, mul(n4, x, o2), o2)
+    iq = div(n1, q, o2)
+    mul(p, iq, o1)
+    d = sub(n24, mul(n8, x, k1), k1)
+    diq = mul(d, iq, o2)
+    div(diq, n4, o2)
+    return o1, o2
+
+
+# operations 21: 7 +, 10 *, 3 /, 1 neg
+def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
+    p = (x - 6) * x + 1
+    q = 4 - 4 * x
+    iq = 1 / q
+    fi = p * iq
+    x_by_8 = 8 * x
+    d = 24 - x_by_8
+    diq = d * iq
+    hi = diq / 4
+    c = (x_by_8 - 16) * x + 40
+    fiy = -(c * (iq * iq))
+    hiy = (8 * diq - 16) * iq / 4
+    return fi, hi, fiy, hiy
+
+
+def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
+    o1, o2, o3, o4 = out
+    k1, *_ = scratch
+    n1, n4, n6, n8, n16, n24, n40 = numbers
+    p = add(mul(sub(x, n6, o1), x, o1), n1, o1)
+    q = sub(n4, mul(n4, x, o4), o4)
+    iq = div(n1, q, o4)
+    mul(p, iq, o1)
+    x_by_8 = mul(n8, x, o3)
+    d = sub(n24, x_by_8, o2)
+    diq = mul(d, iq, o2)
+    c = add(mul(sub(x_by_8, n16, o3), x, o3), n40, o3)
+    neg(mul(c, mul(iq, iq, k1), o3), o3)
+    div(mul(sub(mul(n8, diq, k1), n16, k1), iq, o4), n4, o4)
+    div(diq, n4, o2)
+    return o1, o2, o3, o4
 
 
 # operations 21: 7 +, 10 *, 3 /, 1 neg
@@ -754,6 +814,8 @@ CHART = Chart(
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 3, 0, (-16, 1, 2, 4, 6, 8, 16, 40)),
         "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2, 8)),
         "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 4, 6, 8, 24)),
+        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 1, 0, (1, 4, 6, 8, 24)),
+        "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 1, 0, (1, 4, 6, 8, 16, 24, 40)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 1, 0, (1, 4, 6, 8, 16, 24, 40)),
         "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 2, 0, (-4, 1, 2, 4, 6, 8, 16, 24, 40)),
         "ray": Function(_ray, _ray_blocks, 1, 0, (1, 2, 4, 6, 8, 16, 40)),
@@ -769,7 +831,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 8)),
     },
     kernels=SHARED,
-    programs="e05e262a1023f440",
+    programs="b3cdc5986925f6b6",
 )
 
 KERNELS = PoseKernels(CHART)

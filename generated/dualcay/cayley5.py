@@ -96,8 +96,8 @@
 #   between_jacobians: 1105: 423 +, 583 *, 57 /, 32 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   retract: 325: 109 +, 159 *, 30 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
 #   body_retract: 325: 109 +, 159 *, 30 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
-#   retract_jacobians: 1135: 440 +, 584 *, 76 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
-#   body_retract_jacobians: 1135: 440 +, 584 *, 76 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   retract_jacobians: 1121: 434 +, 578 *, 74 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   body_retract_jacobians: 1121: 434 +, 578 *, 74 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 314: 102 +, 162 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 314: 102 +, 162 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   interpolate: 679: 218 +, 333 *, 54 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
@@ -381,6 +381,70 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     diq = mul(d, iq, o2)
     div(diq, n5, o2)
     return o1, o2
+
+
+# operations 14: 6 +, 6 *, 2 /
+def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
+    p = (5 * x - 10) * x + 1
+    q = (x - 10) * x + 5
+    iq = 1 / q
+    fi = p * iq
+    d = (x - 34) * x + 45
+    diq = d * iq
+    hi = diq / 5
+    return fi, hi
+
+
+def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
+    o1, o2 = out
+    k1, *_ = scratch
+    n1, n5, n10, n34, n45 = numbers
+    p = add(mul(sub(mul(n5, x, o1), n10, o1), x, o1), n1, o1)
+    q = add(mul(sub(x, n10, o2), x, o2), n5, o2)
+    iq = div(n1, q, o2)
+    mul(p, iq, o1)
+    d = add(mul(sub(x, n34, k1), x, k1), n45, k1)
+    diq = mul(d, iq, o2)
+    div(diq, n5, o2)
+    return o1, o2
+
+
+# operations 30: 11 +, 15 *, 3 /, 1 neg
+def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
+    p = (5 * x - 10) * x + 1
+    q = (x - 10) * x + 5
+    iq = 1 / q
+    fi = p * iq
+    d = (x - 34) * x + 45
+    diq = d * iq
+    hi = diq / 5
+    c = (80 * x - 96) * x + 80
+    fiy = -(c * (iq * iq))
+    x_by_2 = 2 * x
+    dd = x_by_2 - 34
+    dq = x_by_2 - 10
+    hiy = (2 * dd - 2 * dq * diq) * iq / 5
+    return fi, hi, fiy, hiy
+
+
+def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
+    o1, o2, o3, o4 = out
+    k1, *_ = scratch
+    n1, n2, n5, n10, n34, n45, n80, n96 = numbers
+    d = add(mul(sub(x, n34, o2), x, o2), n45, o2)
+    q = add(mul(sub(x, n10, o1), x, o1), n5, o1)
+    iq = div(n1, q, o1)
+    diq = mul(d, iq, o2)
+    x_by_2 = mul(n2, x, o4)
+    dd = sub(x_by_2, n34, o3)
+    dq = sub(x_by_2, n10, o4)
+    div(mul(sub(mul(n2, dd, o3), mul(mul(n2, dq, o4), diq, o4), o4), iq, o4), n5, o4)
+    div(diq, n5, o2)
+    c = add(mul(sub(mul(n80, x, o3), n96, o3), x, o3), n80, o3)
+    neg(mul(c, mul(iq, iq, k1), o3), o3)
+    p = add(mul(sub(mul(n5, x, k1), n10, k1), x, k1), n1, k1)
+    mul(p, iq, o1)
+    return o1, o2, o3, o4
 
 
 # operations 30: 11 +, 15 *, 3 /, 1 neg
@@ -778,6 +842,8 @@ CHART = Chart(
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 4, 0, (1, 2, 4, 5, 8, 10, 80, 96, 160)),
         "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2, 10)),
         "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 5, 10, 34, 45)),
+        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 1, 0, (1, 5, 10, 34, 45)),
+        "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 1, 0, (1, 2, 5, 10, 34, 45, 80, 96)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 1, 0, (1, 2, 5, 10, 34, 45, 80, 96)),
         "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 2, 0, (1, 2, 4, 5, 10, 34, 45, 80, 96, 160)),
         "ray": Function(_ray, _ray_blocks, 1, 0, (1, 2, 5, 10, 80, 96)),
@@ -793,7 +859,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 10)),
     },
     kernels=SHARED,
-    programs="8bce34be54928711",
+    programs="9b017dacdc15ab9a",
 )
 
 KERNELS = PoseKernels(CHART)

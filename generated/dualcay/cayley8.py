@@ -96,8 +96,8 @@
 #   between_jacobians: 1227: 484 +, 648 *, 58 /, 32 neg, 2 sqrt, 1 lt, 2 where
 #   retract: 357: 124 +, 176 *, 30 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
 #   body_retract: 357: 124 +, 176 *, 30 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
-#   retract_jacobians: 1212: 477 +, 624 *, 76 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
-#   body_retract_jacobians: 1212: 477 +, 624 *, 76 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   retract_jacobians: 1189: 467 +, 613 *, 74 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   body_retract_jacobians: 1189: 467 +, 613 *, 74 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 360: 124 +, 186 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 360: 124 +, 186 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   interpolate: 734: 244 +, 362 *, 54 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
@@ -409,6 +409,75 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     diq = mul(d, iq, o2)
     div(diq, n8, o2)
     return o1, o2
+
+
+# operations 23: 10 +, 11 *, 2 /
+def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
+    p = (((x - 28) * x + 70) * x - 28) * x + 1
+    q = ((56 - 8 * x) * x - 56) * x + 8
+    iq = 1 / q
+    fi = p * iq
+    d = ((272 - 16 * x) * x - 560) * x + 176
+    diq = d * iq
+    hi = diq / 8
+    return fi, hi
+
+
+def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
+    o1, o2 = out
+    k1, *_ = scratch
+    n1, n8, n16, n28, n56, n70, n176, n272, n560 = numbers
+    p = add(mul(sub(mul(add(mul(sub(x, n28, o1), x, o1), n70, o1), x, o1), n28, o1), x, o1), n1, o1)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, o2), o2), x, o2), n56, o2), x, o2), n8, o2)
+    iq = div(n1, q, o2)
+    mul(p, iq, o1)
+    d = add(mul(sub(mul(sub(n272, mul(n16, x, k1), k1), x, k1), n560, k1), x, k1), n176, k1)
+    diq = mul(d, iq, o2)
+    div(diq, n8, o2)
+    return o1, o2
+
+
+# operations 51: 21 +, 26 *, 3 /, 1 neg
+def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
+    p = (((x - 28) * x + 70) * x - 28) * x + 1
+    q = ((56 - 8 * x) * x - 56) * x + 8
+    iq = 1 / q
+    fi = p * iq
+    x_by_16 = 16 * x
+    d = ((272 - x_by_16) * x - 560) * x + 176
+    diq = d * iq
+    hi = diq / 8
+    c = (((((x_by_16 - 224) * x + 2352) * x - 5440) * x + 6000) * x - 2016) * x + 336
+    fiy = -(c * (iq * iq))
+    dd = (544 - 48 * x) * x - 560
+    dq = (112 - 24 * x) * x - 56
+    hiy = (2 * dd - 2 * dq * diq) * iq / 8
+    return fi, hi, fiy, hiy
+
+
+def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
+    o1, o2, o3, o4 = out
+    k1, *_ = scratch
+    (
+        n1, n2, n8, n16, n24, n28, n48, n56, n70, n112, n176, n224, n272, n336, n544, n560, n2016, n2352, n5440, n6000,
+    ) = numbers
+    x_by_16 = mul(n16, x, o3)
+    d = add(mul(sub(mul(sub(n272, x_by_16, o2), x, o2), n560, o2), x, o2), n176, o2)
+    c = add(
+        mul(sub(mul(add(mul(sub(mul(add(mul(sub(x_by_16, n224, o3), x, o3), n2352, o3), x, o3), n5440, o3), x, o3),
+        n6000, o3), x, o3), n2016, o3), x, o3), n336, o3
+    )
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, o1), o1), x, o1), n56, o1), x, o1), n8, o1)
+    iq = div(n1, q, o1)
+    diq = mul(d, iq, o2)
+    neg(mul(c, mul(iq, iq, o4), o3), o3)
+    dd = sub(mul(sub(n544, mul(n48, x, o4), o4), x, o4), n560, o4)
+    dq = sub(mul(sub(n112, mul(n24, x, k1), k1), x, k1), n56, k1)
+    div(mul(sub(mul(n2, dd, o4), mul(mul(n2, dq, k1), diq, k1), o4), iq, o4), n8, o4)
+    div(diq, n8, o2)
+    p = add(mul(sub(mul(add(mul(sub(x, n28, k1), x, k1), n70, k1), x, k1), n28, k1), x, k1), n1, k1)
+    mul(p, iq, o1)
+    return o1, o2, o3, o4
 
 
 # operations 51: 21 +, 26 *, 3 /, 1 neg
@@ -858,6 +927,8 @@ CHART = Chart(
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 7, 0, (1, 2, 4, 8, 16, 24, 28, 48, 56, 70, 96, 112, 224, 336, 480, 1120, 2016, 2352, 4480, 5440, 6000, 9408, 12000, 16320, 28224, 32640)),
         "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2, 16)),
         "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 8, 16, 28, 56, 70, 176, 272, 560)),
+        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 1, 0, (1, 8, 16, 28, 56, 70, 176, 272, 560)),
+        "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 1, 0, (1, 2, 8, 16, 24, 28, 48, 56, 70, 112, 176, 224, 272, 336, 544, 560, 2016, 2352, 5440, 6000)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 1, 0, (1, 2, 8, 16, 24, 28, 48, 56, 70, 112, 176, 224, 272, 336, 544, 560, 2016, 2352, 5440, 6000)),
         "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 2, 0, (1, 2, 4, 8, 16, 24, 28, 48, 56, 70, 96, 112, 176, 224, 272, 336, 544, 560, 1120, 2016, 2352, 5440, 6000, 9408, 12000, 16320)),
         "ray": Function(_ray, _ray_blocks, 1, 0, (1, 2, 4, 6, 8, 16, 28, 56, 70, 224, 336, 2016, 2352, 5440, 6000)),
@@ -873,7 +944,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 16)),
     },
     kernels=SHARED,
-    programs="ea3e91d0af602f29",
+    programs="3c1202a50485a4d8",
 )
 
 KERNELS = PoseKernels(CHART)

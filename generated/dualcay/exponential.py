@@ -80,14 +80,14 @@
 #   between: 400: 126 +, 178 *, 53 /, 7 neg, 7 sqrt, 3 tan, 1 atan2, 4 lt, 1 eq, 20 where
 #   compose_jacobians: 1392: 510 +, 657 *, 151 /, 8 neg, 13 sqrt, 6 tan, 1 atan2, 7 lt, 1 eq, 38 where
 #   between_jacobians: 1416: 510 +, 657 *, 151 /, 32 neg, 13 sqrt, 6 tan, 1 atan2, 7 lt, 1 eq, 38 where
-#   retract: 415: 134 +, 181 *, 57 /, 1 abs, 8 sqrt, 4 tan, 2 atan2, 4 lt, 2 eq, 22 where
-#   body_retract: 415: 134 +, 181 *, 57 /, 1 abs, 8 sqrt, 4 tan, 2 atan2, 4 lt, 2 eq, 22 where
-#   retract_jacobians: 1345: 499 +, 636 *, 139 /, 7 neg, 1 abs, 12 sqrt, 6 tan, 2 atan2, 6 lt, 2 eq, 35 where
-#   body_retract_jacobians: 1345: 499 +, 636 *, 139 /, 7 neg, 1 abs, 12 sqrt, 6 tan, 2 atan2, 6 lt, 2 eq, 35
+#   retract: 414: 134 +, 181 *, 56 /, 1 abs, 8 sqrt, 4 tan, 2 atan2, 4 lt, 2 eq, 22 where
+#   body_retract: 414: 134 +, 181 *, 56 /, 1 abs, 8 sqrt, 4 tan, 2 atan2, 4 lt, 2 eq, 22 where
+#   retract_jacobians: 1276: 479 +, 614 *, 121 /, 7 neg, 1 abs, 10 sqrt, 5 tan, 2 atan2, 5 lt, 2 eq, 30 where
+#   body_retract_jacobians: 1276: 479 +, 614 *, 121 /, 7 neg, 1 abs, 10 sqrt, 5 tan, 2 atan2, 5 lt, 2 eq, 30
 #       where
 #   local: 400: 126 +, 178 *, 53 /, 7 neg, 7 sqrt, 3 tan, 1 atan2, 4 lt, 1 eq, 20 where
 #   body_local: 400: 126 +, 178 *, 53 /, 7 neg, 7 sqrt, 3 tan, 1 atan2, 4 lt, 1 eq, 20 where
-#   interpolate: 812: 255 +, 363 *, 95 /, 8 neg, 4 abs, 14 sqrt, 5 tan, 3 atan2, 10 lt, 5 eq, 1 or, 49 where
+#   interpolate: 811: 255 +, 363 *, 94 /, 8 neg, 4 abs, 14 sqrt, 5 tan, 3 atan2, 10 lt, 5 eq, 1 or, 49 where
 #   adjoint: 147: 52 +, 70 *, 16 /, 2 sqrt, 1 tan, 1 lt, 5 where
 #   transform_point_jacobians: 283: 115 +, 135 *, 20 /, 3 neg, 2 sqrt, 1 tan, 1 lt, 6 where
 #   transform_line_jacobians: 382: 148 +, 198 *, 20 /, 6 neg, 2 sqrt, 1 tan, 1 lt, 6 where
@@ -513,6 +513,152 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     sub(g, mul(fi, h, o2), o2)
     copy(fe, o1)
     return o1, o2
+
+
+# operations 67: 20 +, 22 *, 16 /, 2 sqrt, 1 tan, 1 lt, 5 where
+def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
+    near = x < 6
+    z = m.where(near, x, x - x) / 4
+    C7 = (
+        (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
+        / 93024)))) / 3603600)) / 72 / 5040
+    )
+    C5 = (1 - 120 * (z * C7)) / 120
+    C3 = (1 - 6 * (z * C5)) / 6
+    C1 = 1 - z * C3
+    xx = m.where(near, 6 + x, x)
+    alpha = m.sqrt(xx)
+    t = m.tan(alpha / 4)
+    tt = t * t
+    below = 1 + tt
+    w = m.where(near, C1 / 2, 2 * t / below / alpha)
+    ww = w * w
+    g = 2 * ww
+    CC1 = C1 * C1
+    C0 = m.sqrt(1 - z * CC1)
+    C01 = 1 + C0
+    C2 = CC1 / C01
+    s = m.where(near, C0, (1 - tt) / below)
+    f = 2 * (s * w)
+    h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
+    hi = g - fe * h
+    return fe, hi
+
+
+def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
+    o1, o2 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, *_ = scratch
+    mask1, *_ = masks
+    n1, n2, n4, n6, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    near = m.less(x, n6, mask1)
+    z = div(m.where(near, x, sub(x, x, o2), k1), n4, o2)
+    C7 = div(
+        div(sub(n72, mul(z, div(sub(n3603600, mul(z, sub(n32760, mul(z, sub(n210, mul(z, div(sub(n93024, mul(z,
+        sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, k1), k1), k1), n212520, k1), k1), k1), k1), k1), n93024,
+        k1), k1), k1), k1), k1), k1), k1), n3603600, k1), k1), k1), n72, k1), n5040, k1
+    )
+    C5 = div(sub(n1, mul(n120, mul(z, C7, k1), k1), k1), n120, k1)
+    C3 = div(sub(n1, mul(n6, mul(z, C5, k1), k1), k1), n6, k1)
+    C1 = sub(n1, mul(z, C3, k2), k2)
+    CC1 = mul(C1, C1, k3)
+    C0 = sqrt(sub(n1, mul(z, CC1, o2), o2), o2)
+    C01 = add(n1, C0, k4)
+    C2 = div(CC1, C01, k3)
+    xx = m.where(near, add(n6, x, k4), x, k4)
+    alpha = sqrt(xx, k5)
+    t = tan(div(alpha, n4, k6), k6)
+    tt = mul(t, t, k7)
+    below = add(n1, tt, k8)
+    s = m.where(near, C0, div(sub(n1, tt, k7), below, k7), o2)
+    w = m.where(near, div(C1, n2, k7), div(div(mul(n2, t, k6), below, k6), alpha, k5), k6)
+    f = mul(n2, mul(s, w, o2), o2)
+    h = m.where(near, div(add(C3, mul(C1, C2, k2), k1), n4, k1), div(sub(n1, f, o2), xx, o2), k1)
+    ww = mul(w, w, o2)
+    g = mul(n2, ww, o2)
+    sub(g, mul(fe, h, k1), o2)
+    copy(fe, o1)
+    return o1, o2
+
+
+# operations 97: 30 +, 35 *, 21 /, 1 neg, 2 sqrt, 1 tan, 1 lt, 6 where
+def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
+    near = x < 6
+    z = m.where(near, x, x - x) / 4
+    C7 = (
+        (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
+        / 93024)))) / 3603600)) / 72 / 5040
+    )
+    C5 = (1 - 120 * (z * C7)) / 120
+    C3 = (1 - 6 * (z * C5)) / 6
+    C1 = 1 - z * C3
+    xx = m.where(near, 6 + x, x)
+    alpha = m.sqrt(xx)
+    t = m.tan(alpha / 4)
+    tt = t * t
+    below = 1 + tt
+    w = m.where(near, C1 / 2, 2 * t / below / alpha)
+    ww = w * w
+    g = 2 * ww
+    CC1 = C1 * C1
+    C0 = m.sqrt(1 - z * CC1)
+    C01 = 1 + C0
+    C2 = CC1 / C01
+    s = m.where(near, C0, (1 - tt) / below)
+    f = 2 * (s * w)
+    h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
+    hi = g - fe * h
+    fiy = -(h / g)
+    gy = f * h - g * g
+    CC3 = C3 * C3
+    C4 = (4 * C3 - C2 - 2 * (z * CC3)) / (2 * C01)
+    c5 = (C5 + C4 + C2 * C3) / 16
+    c4 = C3 * (1 + C1) / 8
+    hy = m.where(near, 3 * c5 - c4, (g - 3 * h) / xx)
+    hiy = gy - fiy * h - fe * hy
+    return fe, hi, fiy, hiy
+
+
+def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
+    o1, o2, o3, o4 = out
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, *_ = scratch
+    mask1, *_ = masks
+    n1, n2, n3, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    near = m.less(x, n6, mask1)
+    z = div(m.where(near, x, sub(x, x, o4), o3), n4, o4)
+    C7 = div(
+        div(sub(n72, mul(z, div(sub(n3603600, mul(z, sub(n32760, mul(z, sub(n210, mul(z, div(sub(n93024, mul(z,
+        sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, o3), o3), o3), n212520, o3), o3), o3), o3), o3), n93024,
+        o3), o3), o3), o3), o3), o3), o3), n3603600, o3), o3), o3), n72, o3), n5040, o3
+    )
+    C5 = div(sub(n1, mul(n120, mul(z, C7, o3), o3), o3), n120, o3)
+    C3 = div(sub(n1, mul(n6, mul(z, C5, o2), o2), o2), n6, o2)
+    C1 = sub(n1, mul(z, C3, k1), k1)
+    CC1 = mul(C1, C1, k2)
+    C0 = sqrt(sub(n1, mul(z, CC1, k3), k3), k3)
+    C01 = add(n1, C0, k4)
+    C2 = div(CC1, C01, k2)
+    xx = m.where(near, add(n6, x, k5), x, k5)
+    alpha = sqrt(xx, k6)
+    t = tan(div(alpha, n4, k7), k7)
+    tt = mul(t, t, k8)
+    below = add(n1, tt, k9)
+    s = m.where(near, C0, div(sub(n1, tt, k8), below, k8), k3)
+    w = m.where(near, div(C1, n2, k8), div(div(mul(n2, t, k7), below, k7), alpha, k6), k7)
+    f = mul(n2, mul(s, w, k3), k3)
+    ww = mul(w, w, k6)
+    g = mul(n2, ww, k6)
+    h = m.where(near, div(add(C3, mul(C1, C2, k7), k7), n4, k7), div(sub(n1, f, k8), xx, k8), k7)
+    gy = sub(mul(f, h, k3), mul(g, g, k8), k3)
+    c4 = div(mul(C3, add(n1, C1, k1), k1), n8, k1)
+    CC3 = mul(C3, C3, k8)
+    C4 = div(sub(sub(mul(n4, C3, k9), C2, k9), mul(n2, mul(z, CC3, o4), o4), o4), mul(n2, C01, k4), o4)
+    c5 = div(add(add(C5, C4, o4), mul(C2, C3, o3), o4), n16, o4)
+    hy = m.where(near, sub(mul(n3, c5, o4), c4, o4), div(sub(g, mul(n3, h, o3), o3), xx, o3), o4)
+    fiy = neg(div(h, g, o3), o3)
+    sub(sub(gy, mul(fiy, h, o2), o2), mul(fe, hy, o4), o4)
+    sub(g, mul(fe, h, o2), o2)
+    copy(fe, o1)
+    return o1, o2, o3, o4
 
 
 # operations 98: 30 +, 35 *, 22 /, 1 neg, 2 sqrt, 1 tan, 1 lt, 6 where
@@ -1104,6 +1250,8 @@ CHART = Chart(
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 5, 1, (1, 2, 3, 4, 5, 6, 7, 8, 15, 16, 32, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
         "rate": Function(_rate, _rate_blocks, 0, 0, (0, 1)),
         "inverse": Function(_inverse, _inverse_blocks, 8, 1, (1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
+        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 8, 1, (1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
+        "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 9, 1, (1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 9, 1, (1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
         "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 9, 1, (1, 2, 3, 4, 5, 6, 7, 8, 15, 16, 32, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
         "ray": Function(_ray, _ray_blocks, 4, 1, (1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
@@ -1119,7 +1267,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1,)),
     },
     kernels=SHARED,
-    programs="6dd432d0bcd11a1e",
+    programs="b8b7bc024e9397ca",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -66,13 +66,13 @@
 #   between: 224: 74 +, 127 *, 9 /, 7 neg, 4 sqrt, 1 lt, 2 where
 #   compose_jacobians: 1003: 388 +, 537 *, 59 /, 9 neg, 7 sqrt, 1 lt, 2 where
 #   between_jacobians: 1027: 388 +, 537 *, 59 /, 33 neg, 7 sqrt, 1 lt, 2 where
-#   retract: 318: 102 +, 152 *, 30 /, 1 abs, 7 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 14 where
-#   body_retract: 318: 102 +, 152 *, 30 /, 1 abs, 7 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 14 where
-#   retract_jacobians: 1104: 419 +, 560 *, 80 /, 8 neg, 1 abs, 9 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 15 where
-#   body_retract_jacobians: 1104: 419 +, 560 *, 80 /, 8 neg, 1 abs, 9 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 15 where
+#   retract: 331: 105 +, 157 *, 34 /, 2 abs, 6 sqrt, 4 tan, 3 atan2, 4 lt, 2 eq, 14 where
+#   body_retract: 331: 105 +, 157 *, 34 /, 2 abs, 6 sqrt, 4 tan, 3 atan2, 4 lt, 2 eq, 14 where
+#   retract_jacobians: 1114: 424 +, 563 *, 83 /, 7 neg, 2 abs, 7 sqrt, 4 tan, 3 atan2, 4 lt, 2 eq, 15 where
+#   body_retract_jacobians: 1114: 424 +, 563 *, 83 /, 7 neg, 2 abs, 7 sqrt, 4 tan, 3 atan2, 4 lt, 2 eq, 15 where
 #   local: 294: 94 +, 150 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 294: 94 +, 150 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   interpolate: 662: 207 +, 320 *, 53 /, 8 neg, 4 abs, 12 sqrt, 3 tan, 4 atan2, 9 lt, 5 eq, 1 or, 36 where
+#   interpolate: 675: 210 +, 325 *, 57 /, 8 neg, 5 abs, 11 sqrt, 4 tan, 4 atan2, 9 lt, 5 eq, 1 or, 36 where
 #   adjoint: 94: 36 +, 56 *, 1 /, 1 sqrt
 #   transform_point_jacobians: 214: 93 +, 113 *, 4 /, 3 neg, 1 sqrt
 #   transform_line_jacobians: 313: 126 +, 176 *, 4 /, 6 neg, 1 sqrt
@@ -303,6 +303,90 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     div(n2, below, o2)
     copy(fe, o1)
     return o1, o2
+
+
+# operations 18: 4 +, 7 *, 5 /, 1 abs, 1 tan
+def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
+    t = m.tan(angle / 8)
+    tt = t * t
+    below = 1 + tt
+    c = m.abs((1 - tt) / below)
+    cc = c * c
+    w = 2 * c
+    ww = w * w
+    g = 2 * ww
+    h = (8 * cc + 4) / c
+    rho = 4 / c
+    hi = (g - fe * h) / rho
+    return fe, hi
+
+
+def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
+    o1, o2 = out
+    k1, k2, *_ = scratch
+    n1, n2, n4, n8 = numbers
+    t = tan(div(angle, n8, o2), o2)
+    tt = mul(t, t, o2)
+    below = add(n1, tt, k1)
+    c = absolute(div(sub(n1, tt, o2), below, o2), o2)
+    w = mul(n2, c, k1)
+    ww = mul(w, w, k1)
+    g = mul(n2, ww, k1)
+    cc = mul(c, c, k2)
+    h = div(add(mul(n8, cc, k2), n4, k2), c, k2)
+    rho = div(n4, c, o2)
+    div(sub(g, mul(fe, h, k2), k1), rho, o2)
+    copy(fe, o1)
+    return o1, o2
+
+
+# operations 38: 10 +, 15 *, 10 /, 1 neg, 1 abs, 1 tan
+def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
+    t = m.tan(angle / 8)
+    tt = t * t
+    below = 1 + tt
+    c = m.abs((1 - tt) / below)
+    cc = c * c
+    w = 2 * c
+    ww = w * w
+    g = 2 * ww
+    h = (8 * cc + 4) / c
+    rho = 4 / c
+    hi = (g - fe * h) / rho
+    fiy = -(h / g)
+    s = 2 * cc - 1
+    f = 2 * (s * w)
+    gy = f * h - g * g
+    hy = -16 / c + h / cc
+    rhoy = rho / cc
+    hiy = (gy - fiy * h - fe * hy - hi * rhoy) / rho
+    return fe, hi, fiy, hiy
+
+
+def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
+    o1, o2, o3, o4 = out
+    k1, k2, k3, k4, k5, *_ = scratch
+    n_minus_16, n1, n2, n4, n8 = numbers
+    t = tan(div(angle, n8, o4), o4)
+    tt = mul(t, t, o4)
+    below = add(n1, tt, k1)
+    c = absolute(div(sub(n1, tt, o4), below, o4), o4)
+    cc = mul(c, c, k1)
+    s = sub(mul(n2, cc, k2), n1, k2)
+    w = mul(n2, c, o2)
+    f = mul(n2, mul(s, w, k2), k2)
+    ww = mul(w, w, o2)
+    g = mul(n2, ww, o2)
+    h = div(add(mul(n8, cc, k3), n4, k3), c, k3)
+    gy = sub(mul(f, h, k2), mul(g, g, o3), k2)
+    fiy = neg(div(h, g, o3), o3)
+    hy = add(div(n_minus_16, c, k4), div(h, cc, k5), k4)
+    rho = div(n4, c, o4)
+    hi = div(sub(g, mul(fe, h, k5), o2), rho, o2)
+    rhoy = div(rho, cc, k1)
+    div(sub(sub(sub(gy, mul(fiy, h, k3), k2), mul(fe, hy, k3), k2), mul(hi, rhoy, k1), k1), rho, o4)
+    copy(fe, o1)
+    return o1, o2, o3, o4
 
 
 # operations 23: 4 +, 10 *, 6 /, 2 neg, 1 sqrt
@@ -702,6 +786,8 @@ CHART = Chart(
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 1, 0, (-16, 1, 2, 3, 4, 8, 12)),
         "rate": Function(_rate, _rate_blocks, 0, 0, (1, 4)),
         "inverse": Function(_inverse, _inverse_blocks, 0, 0, (1, 2)),
+        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 2, 0, (1, 2, 4, 8)),
+        "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 5, 0, (-16, 1, 2, 4, 8)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 2, 0, (1, 2, 8, 12)),
         "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 4, 0, (-16, 1, 2, 3, 4, 8, 12)),
         "ray": Function(_ray, _ray_blocks, 0, 0, (1, 2, 8, 12)),
@@ -717,7 +803,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 4, 8)),
     },
     kernels=SHARED,
-    programs="6ed5dbc57c4dbd28",
+    programs="7936a048de71f966",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -62,13 +62,13 @@
 #   between: 199: 72 +, 111 *, 6 /, 6 neg, 2 sqrt, 1 lt, 1 where
 #   compose_jacobians: 936: 377 +, 497 *, 48 /, 7 neg, 5 sqrt, 1 lt, 1 where
 #   between_jacobians: 960: 377 +, 497 *, 48 /, 31 neg, 5 sqrt, 1 lt, 1 where
-#   retract: 307: 101 +, 144 *, 29 /, 1 abs, 6 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 14 where
-#   body_retract: 307: 101 +, 144 *, 29 /, 1 abs, 6 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 14 where
-#   retract_jacobians: 1063: 412 +, 535 *, 73 /, 7 neg, 1 abs, 8 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 15 where
-#   body_retract_jacobians: 1063: 412 +, 535 *, 73 /, 7 neg, 1 abs, 8 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 15 where
+#   retract: 318: 104 +, 146 *, 33 /, 2 abs, 6 sqrt, 4 tan, 3 atan2, 4 lt, 2 eq, 14 where
+#   body_retract: 318: 104 +, 146 *, 33 /, 2 abs, 6 sqrt, 4 tan, 3 atan2, 4 lt, 2 eq, 14 where
+#   retract_jacobians: 1083: 418 +, 543 *, 78 /, 7 neg, 2 abs, 7 sqrt, 4 tan, 3 atan2, 4 lt, 2 eq, 15 where
+#   body_retract_jacobians: 1083: 418 +, 543 *, 78 /, 7 neg, 2 abs, 7 sqrt, 4 tan, 3 atan2, 4 lt, 2 eq, 15 where
 #   local: 282: 94 +, 138 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 282: 94 +, 138 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   interpolate: 645: 206 +, 306 *, 52 /, 8 neg, 4 abs, 11 sqrt, 3 tan, 4 atan2, 9 lt, 5 eq, 1 or, 36 where
+#   interpolate: 656: 209 +, 308 *, 56 /, 8 neg, 5 abs, 11 sqrt, 4 tan, 4 atan2, 9 lt, 5 eq, 1 or, 36 where
 #   adjoint: 86: 34 +, 50 *, 1 /, 1 sqrt
 #   transform_point_jacobians: 202: 90 +, 106 *, 2 /, 3 neg, 1 sqrt
 #   transform_line_jacobians: 301: 123 +, 169 *, 2 /, 6 neg, 1 sqrt
@@ -248,6 +248,68 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     n0, = numbers
     copy(fe, o1)
     return o1, n0
+
+
+# operations 11: 3 +, 2 *, 4 /, 1 abs, 1 tan
+def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
+    t = m.tan(angle / 4)
+    tt = t * t
+    below = 1 + tt
+    c = m.abs((1 - tt) / below)
+    h = 2 / c
+    hi = (2 - fe * h) / h
+    return fe, hi
+
+
+def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
+    o1, o2 = out
+    k1, *_ = scratch
+    n1, n2, n4 = numbers
+    t = tan(div(angle, n4, o2), o2)
+    tt = mul(t, t, o2)
+    below = add(n1, tt, k1)
+    c = absolute(div(sub(n1, tt, o2), below, o2), o2)
+    h = div(n2, c, o2)
+    div(sub(n2, mul(fe, h, k1), k1), h, o2)
+    copy(fe, o1)
+    return o1, o2
+
+
+# operations 25: 7 +, 8 *, 7 /, 1 neg, 1 abs, 1 tan
+def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
+    t = m.tan(angle / 4)
+    tt = t * t
+    below = 1 + tt
+    c = m.abs((1 - tt) / below)
+    cc = c * c
+    h = 2 / c
+    hi = (2 - fe * h) / h
+    fiy = -(h / 2)
+    f = 2 * c
+    gy = f * h - 4
+    hy = h / cc
+    hiy = (gy - fiy * h - fe * hy - hi * hy) / h
+    return fe, hi, fiy, hiy
+
+
+def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
+    o1, o2, o3, o4 = out
+    k1, k2, k3, *_ = scratch
+    n1, n2, n4 = numbers
+    t = tan(div(angle, n4, o4), o4)
+    tt = mul(t, t, o4)
+    below = add(n1, tt, k1)
+    c = absolute(div(sub(n1, tt, o4), below, o4), o4)
+    h = div(n2, c, k1)
+    hi = div(sub(n2, mul(fe, h, o2), o2), h, o2)
+    fiy = neg(div(h, n2, o3), o3)
+    f = mul(n2, c, k2)
+    gy = sub(mul(f, h, k2), n4, k2)
+    cc = mul(c, c, o4)
+    hy = div(h, cc, o4)
+    div(sub(sub(sub(gy, mul(fiy, h, k3), k2), mul(fe, hy, k3), k2), mul(hi, hy, o4), o4), h, o4)
+    copy(fe, o1)
+    return o1, o2, o3, o4
 
 
 # operations 5: 1 +, 2 /, 1 neg, 1 sqrt
@@ -974,6 +1036,8 @@ CHART = Chart(
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 1, 0, (1, 2, 3, 4)),
         "rate": Function(_rate, _rate_blocks, 0, 0, (1, 2)),
         "inverse": Function(_inverse, _inverse_blocks, 0, 0, (0,)),
+        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 1, 0, (1, 2, 4)),
+        "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 3, 0, (1, 2, 4)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 0, 0, (0, 1, 2)),
         "ray": Function(_ray, _ray_blocks, 0, 0, (1, 2)),
         "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 0, (1,)),
@@ -1052,7 +1116,7 @@ CHART = Chart(
         real=True,
     ),
     },
-    programs="a42f084e12e6d5c0",
+    programs="71fee9dcd1ae1df9",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -64,8 +64,8 @@
 #   between_jacobians: 973: 376 +, 495 *, 70 /, 32 neg
 #   retract: 305: 101 +, 143 *, 34 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
 #   body_retract: 305: 101 +, 143 *, 34 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
-#   retract_jacobians: 1063: 411 +, 534 *, 83 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
-#   body_retract_jacobians: 1063: 411 +, 534 *, 83 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   retract_jacobians: 1059: 409 +, 533 *, 82 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   body_retract_jacobians: 1059: 409 +, 533 *, 82 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 290: 94 +, 138 *, 33 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 290: 94 +, 138 *, 33 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   interpolate: 647: 206 +, 305 *, 62 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
@@ -242,6 +242,36 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     one = add(sub(x, x, o2), n1, o2)
     div(one, n2, o2)
     return n2, o2
+
+
+# operations 3: 2 +, 1 /
+def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
+    one = x - x + 1
+    hi = one / 2
+    return 2, hi
+
+
+def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
+    _, o2 = out
+    n1, n2 = numbers
+    one = add(sub(x, x, o2), n1, o2)
+    div(one, n2, o2)
+    return n2, o2
+
+
+# operations 3: 2 +, 1 /
+def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
+    one = x - x + 1
+    hi = one / 2
+    return 2, hi, 0, 0
+
+
+def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
+    _, o2, _, _ = out
+    n0, n1, n2 = numbers
+    one = add(sub(x, x, o2), n1, o2)
+    div(one, n2, o2)
+    return n2, o2, n0, n0
 
 
 # operations 4: 2 +, 1 *, 1 /
@@ -1702,6 +1732,8 @@ CHART = Chart(
         "tangent": Function(_tangent, _tangent_blocks, 0, 0, (0, 1, 2, 4, 8, 16)),
         "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2, 4, 8)),
         "inverse": Function(_inverse, _inverse_blocks, 0, 0, (1, 2)),
+        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 0, 0, (1, 2)),
+        "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 0, 0, (0, 1, 2)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 0, 0, (0, 1, 2)),
         "ray": Function(_ray, _ray_blocks, 0, 0, (0, 1, 2, 4)),
         "gain_unit": Function(_gain_unit, _gain_unit_blocks, 0, 0, (1, 2)),
@@ -1836,7 +1868,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="d30226398806b7bb",
+    programs="de486df82b1b255f",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -68,8 +68,8 @@
 #   between_jacobians: 1023: 389 +, 517 *, 80 /, 34 neg, 1 lt, 2 where
 #   retract: 317: 104 +, 149 *, 37 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
 #   body_retract: 317: 104 +, 149 *, 37 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
-#   retract_jacobians: 1089: 418 +, 545 *, 90 /, 8 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
-#   body_retract_jacobians: 1089: 418 +, 545 *, 90 /, 8 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   retract_jacobians: 1082: 415 +, 544 *, 87 /, 8 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   body_retract_jacobians: 1082: 415 +, 544 *, 87 /, 8 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 306: 98 +, 148 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 306: 98 +, 148 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   interpolate: 667: 211 +, 316 *, 66 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
@@ -341,6 +341,54 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     one = add(sub(x, x, o2), n1, o2)
     div(one, n4, o2)
     return o1, o2
+
+
+# operations 7: 3 +, 1 *, 3 /
+def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
+    z = x / 16
+    p = 1 - z
+    fi = p / 2
+    fi_v = 4 * fi
+    one = x - x + 1
+    hi = one / 4
+    return fi_v, hi
+
+
+def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
+    o1, o2 = out
+    n1, n2, n4, n16 = numbers
+    z = div(x, n16, o1)
+    p = sub(n1, z, o1)
+    fi = div(p, n2, o1)
+    mul(n4, fi, o1)
+    one = add(sub(x, x, o2), n1, o2)
+    div(one, n4, o2)
+    return o1, o2
+
+
+# operations 8: 3 +, 1 *, 3 /, 1 neg
+def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
+    z = x / 16
+    p = 1 - z
+    fi = p / 2
+    fi_v = 4 * fi
+    one = x - x + 1
+    hi = one / 4
+    fiy = -hi
+    return fi_v, hi, fiy, 0
+
+
+def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
+    o1, o2, o3, _ = out
+    n0, n1, n2, n4, n16 = numbers
+    z = div(x, n16, o1)
+    p = sub(n1, z, o1)
+    fi = div(p, n2, o1)
+    mul(n4, fi, o1)
+    one = add(sub(x, x, o2), n1, o2)
+    hi = div(one, n4, o2)
+    neg(hi, o3)
+    return o1, o2, o3, n0
 
 
 # operations 8: 3 +, 1 *, 3 /, 1 neg
@@ -798,6 +846,8 @@ CHART = Chart(
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 0, 0, (1, 2, 4, 16, 64, 256, 1024, 4096, 16384)),
         "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2, 4, 16, 64)),
         "inverse": Function(_inverse, _inverse_blocks, 0, 0, (1, 2, 4, 16)),
+        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 0, 0, (1, 2, 4, 16)),
+        "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 0, 0, (0, 1, 2, 4, 16)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 0, 0, (0, 1, 2, 4, 16)),
         "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 0, 0, (0, 1, 2, 4, 16)),
         "ray": Function(_ray, _ray_blocks, 0, 0, (1, 2, 4, 16, 64)),
@@ -826,7 +876,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="474aedf762c87f99",
+    programs="6a86487e471afdd4",
 )
 
 KERNELS = PoseKernels(CHART)

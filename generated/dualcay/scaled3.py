@@ -68,8 +68,8 @@
 #   between_jacobians: 1071: 391 +, 549 *, 87 /, 34 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   retract: 322: 102 +, 155 *, 38 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
 #   body_retract: 322: 102 +, 155 *, 38 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
-#   retract_jacobians: 1114: 419 +, 564 *, 95 /, 8 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
-#   body_retract_jacobians: 1114: 419 +, 564 *, 95 /, 8 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   retract_jacobians: 1103: 416 +, 560 *, 91 /, 8 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   body_retract_jacobians: 1103: 416 +, 560 *, 91 /, 8 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 308: 94 +, 154 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 308: 94 +, 154 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   interpolate: 673: 207 +, 325 *, 67 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
@@ -389,6 +389,77 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     hi = div(diq, n3, o2)
     div(hi, n6, o2)
     return o1, o2
+
+
+# operations 11: 3 +, 4 *, 4 /
+def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
+    z = x / 36
+    p = 1 - 3 * z
+    q = 3 - z
+    iq = 1 / q
+    fi = p * iq
+    fi_v = 6 * fi
+    d = 11 - z
+    diq = d * iq
+    hi = diq / 3
+    hi_v = hi / 6
+    return fi_v, hi_v
+
+
+def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
+    o1, o2 = out
+    k1, *_ = scratch
+    n1, n3, n6, n11, n36 = numbers
+    z = div(x, n36, o2)
+    p = sub(n1, mul(n3, z, o1), o1)
+    q = sub(n3, z, k1)
+    iq = div(n1, q, k1)
+    fi = mul(p, iq, o1)
+    mul(n6, fi, o1)
+    d = sub(n11, z, o2)
+    diq = mul(d, iq, o2)
+    hi = div(diq, n3, o2)
+    div(hi, n6, o2)
+    return o1, o2
+
+
+# operations 20: 4 +, 8 *, 7 /, 1 neg
+def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
+    z = x / 36
+    p = 1 - 3 * z
+    q = 3 - z
+    iq = 1 / q
+    fi = p * iq
+    fi_v = 6 * fi
+    d = 11 - z
+    diq = d * iq
+    hi = diq / 3
+    hi_v = hi / 6
+    fiy = -(16 * (iq * iq))
+    fiy_v = fiy / 6
+    hiy = (2 * diq - 2) * iq / 3
+    hiy_v = hiy / 216
+    return fi_v, hi_v, fiy_v, hiy_v
+
+
+def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
+    o1, o2, o3, o4 = out
+    n1, n2, n3, n6, n11, n16, n36, n216 = numbers
+    z = div(x, n36, o4)
+    p = sub(n1, mul(n3, z, o1), o1)
+    q = sub(n3, z, o3)
+    iq = div(n1, q, o3)
+    fi = mul(p, iq, o1)
+    mul(n6, fi, o1)
+    d = sub(n11, z, o4)
+    diq = mul(d, iq, o4)
+    hi = div(diq, n3, o2)
+    div(hi, n6, o2)
+    hiy = div(mul(sub(mul(n2, diq, o4), n2, o4), iq, o4), n3, o4)
+    fiy = neg(mul(n16, mul(iq, iq, o3), o3), o3)
+    div(fiy, n6, o3)
+    div(hiy, n216, o4)
+    return o1, o2, o3, o4
 
 
 # operations 20: 4 +, 8 *, 7 /, 1 neg
@@ -808,6 +879,8 @@ CHART = Chart(
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 3, 0, (-4, 1, 2, 3, 6, 8, 16, 36, 216, 1296, 7776, 46656, 279936)),
         "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2, 6, 36, 216)),
         "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 3, 6, 11, 36)),
+        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 1, 0, (1, 3, 6, 11, 36)),
+        "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 0, 0, (1, 2, 3, 6, 11, 16, 36, 216)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 0, 0, (1, 2, 3, 6, 11, 16, 36, 216)),
         "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 0, 0, (1, 2, 3, 4, 6, 11, 16, 36, 64, 216, 7776)),
         "ray": Function(_ray, _ray_blocks, 0, 0, (1, 2, 3, 6, 16, 36, 216)),
@@ -823,7 +896,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 6)),
     },
     kernels=SHARED,
-    programs="0ae86d2cfb3535dc",
+    programs="38f595e4c7ead781",
 )
 
 KERNELS = PoseKernels(CHART)

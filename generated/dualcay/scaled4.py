@@ -68,8 +68,8 @@
 #   between_jacobians: 1111: 415 +, 573 *, 87 /, 32 neg, 1 sqrt, 1 lt, 2 where
 #   retract: 334: 108 +, 161 *, 38 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
 #   body_retract: 334: 108 +, 161 *, 38 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
-#   retract_jacobians: 1142: 433 +, 579 *, 95 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
-#   body_retract_jacobians: 1142: 433 +, 579 *, 95 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   retract_jacobians: 1128: 429 +, 573 *, 91 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   body_retract_jacobians: 1128: 429 +, 573 *, 91 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 326: 104 +, 162 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 326: 104 +, 162 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   interpolate: 694: 218 +, 335 *, 67 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
@@ -405,6 +405,82 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     hi = div(diq, n4, o2)
     div(hi, n8, o2)
     return o1, o2
+
+
+# operations 14: 4 +, 6 *, 4 /
+def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
+    z = x / 64
+    p = (z - 6) * z + 1
+    q = 4 - 4 * z
+    iq = 1 / q
+    fi = p * iq
+    fi_v = 8 * fi
+    d = 24 - 8 * z
+    diq = d * iq
+    hi = diq / 4
+    hi_v = hi / 8
+    return fi_v, hi_v
+
+
+def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
+    o1, o2 = out
+    k1, *_ = scratch
+    n1, n4, n6, n8, n24, n64 = numbers
+    z = div(x, n64, o2)
+    p = add(mul(sub(z, n6, o1), z, o1), n1, o1)
+    q = sub(n4, mul(n4, z, k1), k1)
+    iq = div(n1, q, k1)
+    fi = mul(p, iq, o1)
+    mul(n8, fi, o1)
+    d = sub(n24, mul(n8, z, o2), o2)
+    diq = mul(d, iq, o2)
+    hi = div(diq, n4, o2)
+    div(hi, n8, o2)
+    return o1, o2
+
+
+# operations 26: 7 +, 11 *, 7 /, 1 neg
+def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
+    z = x / 64
+    p = (z - 6) * z + 1
+    q = 4 - 4 * z
+    iq = 1 / q
+    fi = p * iq
+    fi_v = 8 * fi
+    z_by_8 = 8 * z
+    d = 24 - z_by_8
+    diq = d * iq
+    hi = diq / 4
+    hi_v = hi / 8
+    c = (z_by_8 - 16) * z + 40
+    fiy = -(c * (iq * iq))
+    fiy_v = fiy / 8
+    hiy = (8 * diq - 16) * iq / 4
+    hiy_v = hiy / 512
+    return fi_v, hi_v, fiy_v, hiy_v
+
+
+def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
+    o1, o2, o3, o4 = out
+    k1, *_ = scratch
+    n1, n4, n6, n8, n16, n24, n40, n64, n512 = numbers
+    z = div(x, n64, o3)
+    p = add(mul(sub(z, n6, o1), z, o1), n1, o1)
+    q = sub(n4, mul(n4, z, o4), o4)
+    iq = div(n1, q, o4)
+    fi = mul(p, iq, o1)
+    mul(n8, fi, o1)
+    z_by_8 = mul(n8, z, o2)
+    c = add(mul(sub(z_by_8, n16, k1), z, o3), n40, o3)
+    d = sub(n24, z_by_8, o2)
+    diq = mul(d, iq, o2)
+    fiy = neg(mul(c, mul(iq, iq, k1), o3), o3)
+    div(fiy, n8, o3)
+    hiy = div(mul(sub(mul(n8, diq, k1), n16, k1), iq, o4), n4, o4)
+    hi = div(diq, n4, o2)
+    div(hi, n8, o2)
+    div(hiy, n512, o4)
+    return o1, o2, o3, o4
 
 
 # operations 26: 7 +, 11 *, 7 /, 1 neg
@@ -835,6 +911,8 @@ CHART = Chart(
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 3, 0, (-16, 1, 2, 4, 6, 8, 16, 40, 64, 512, 4096, 32768, 262144, 2097152)),
         "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2, 8, 64, 512)),
         "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 4, 6, 8, 24, 64)),
+        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 1, 0, (1, 4, 6, 8, 24, 64)),
+        "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 1, 0, (1, 4, 6, 8, 16, 24, 40, 64, 512)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 1, 0, (1, 4, 6, 8, 16, 24, 40, 64, 512)),
         "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 3, 0, (-4, 1, 2, 4, 6, 8, 16, 24, 40, 64, 512, 32768)),
         "ray": Function(_ray, _ray_blocks, 2, 0, (1, 2, 4, 6, 8, 16, 40, 64, 512)),
@@ -850,7 +928,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 8)),
     },
     kernels=SHARED,
-    programs="b8b2bb0d02b70184",
+    programs="9fe232cf75d1eabc",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -68,8 +68,8 @@
 #   between_jacobians: 1138: 423 +, 586 *, 87 /, 32 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   retract: 336: 109 +, 162 *, 38 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
 #   body_retract: 336: 109 +, 162 *, 38 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
-#   retract_jacobians: 1158: 440 +, 588 *, 95 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
-#   body_retract_jacobians: 1158: 440 +, 588 *, 95 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   retract_jacobians: 1141: 434 +, 581 *, 91 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
+#   body_retract_jacobians: 1141: 434 +, 581 *, 91 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 324: 102 +, 162 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 324: 102 +, 162 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   interpolate: 695: 218 +, 336 *, 67 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
@@ -413,6 +413,86 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     hi = div(diq, n5, o2)
     div(hi, n10, o2)
     return o1, o2
+
+
+# operations 17: 6 +, 7 *, 4 /
+def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
+    z = x / 100
+    p = (5 * z - 10) * z + 1
+    q = (z - 10) * z + 5
+    iq = 1 / q
+    fi = p * iq
+    fi_v = 10 * fi
+    d = (z - 34) * z + 45
+    diq = d * iq
+    hi = diq / 5
+    hi_v = hi / 10
+    return fi_v, hi_v
+
+
+def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
+    o1, o2 = out
+    k1, k2, *_ = scratch
+    n1, n5, n10, n34, n45, n100 = numbers
+    z = div(x, n100, o2)
+    p = add(mul(sub(mul(n5, z, o1), n10, o1), z, o1), n1, o1)
+    q = add(mul(sub(z, n10, k1), z, k1), n5, k1)
+    iq = div(n1, q, k1)
+    fi = mul(p, iq, o1)
+    mul(n10, fi, o1)
+    d = add(mul(sub(z, n34, k2), z, o2), n45, o2)
+    diq = mul(d, iq, o2)
+    hi = div(diq, n5, o2)
+    div(hi, n10, o2)
+    return o1, o2
+
+
+# operations 35: 11 +, 16 *, 7 /, 1 neg
+def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
+    z = x / 100
+    p = (5 * z - 10) * z + 1
+    q = (z - 10) * z + 5
+    iq = 1 / q
+    fi = p * iq
+    fi_v = 10 * fi
+    d = (z - 34) * z + 45
+    diq = d * iq
+    hi = diq / 5
+    hi_v = hi / 10
+    c = (80 * z - 96) * z + 80
+    fiy = -(c * (iq * iq))
+    fiy_v = fiy / 10
+    z_by_2 = 2 * z
+    dd = z_by_2 - 34
+    dq = z_by_2 - 10
+    hiy = (2 * dd - 2 * dq * diq) * iq / 5
+    hiy_v = hiy / 1000
+    return fi_v, hi_v, fiy_v, hiy_v
+
+
+def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
+    o1, o2, o3, o4 = out
+    k1, k2, *_ = scratch
+    n1, n2, n5, n10, n34, n45, n80, n96, n100, n1000 = numbers
+    z = div(x, n100, o1)
+    d = add(mul(sub(z, n34, o2), z, o2), n45, o2)
+    q = add(mul(sub(z, n10, k1), z, k1), n5, k1)
+    iq = div(n1, q, k1)
+    diq = mul(d, iq, o2)
+    z_by_2 = mul(n2, z, o4)
+    dd = sub(z_by_2, n34, o3)
+    dq = sub(z_by_2, n10, o4)
+    hiy = div(mul(sub(mul(n2, dd, o3), mul(mul(n2, dq, o4), diq, o4), o4), iq, o4), n5, o4)
+    div(hiy, n1000, o4)
+    hi = div(diq, n5, o2)
+    div(hi, n10, o2)
+    c = add(mul(sub(mul(n80, z, o3), n96, o3), z, o3), n80, o3)
+    fiy = neg(mul(c, mul(iq, iq, k2), o3), o3)
+    div(fiy, n10, o3)
+    p = add(mul(sub(mul(n5, z, k2), n10, k2), z, o1), n1, o1)
+    fi = mul(p, iq, o1)
+    mul(n10, fi, o1)
+    return o1, o2, o3, o4
 
 
 # operations 35: 11 +, 16 *, 7 /, 1 neg
@@ -867,6 +947,8 @@ CHART = Chart(
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 5, 0, (1, 2, 4, 5, 8, 10, 80, 96, 100, 160, 1000, 10000, 100000, 1000000, 10000000)),
         "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2, 10, 100, 1000)),
         "inverse": Function(_inverse, _inverse_blocks, 2, 0, (1, 5, 10, 34, 45, 100)),
+        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 2, 0, (1, 5, 10, 34, 45, 100)),
+        "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 2, 0, (1, 2, 5, 10, 34, 45, 80, 96, 100, 1000)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 2, 0, (1, 2, 5, 10, 34, 45, 80, 96, 100, 1000)),
         "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 3, 0, (1, 2, 4, 5, 10, 34, 45, 80, 96, 100, 160, 1000, 100000)),
         "ray": Function(_ray, _ray_blocks, 1, 0, (1, 2, 5, 10, 80, 96, 100, 1000)),
@@ -882,7 +964,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 10)),
     },
     kernels=SHARED,
-    programs="2430a24e4c46c0bf",
+    programs="9f035a2d3a58de57",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -66,13 +66,13 @@
 #   between: 243: 81 +, 133 *, 9 /, 7 neg, 4 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   compose_jacobians: 1040: 404 +, 551 *, 60 /, 9 neg, 7 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   between_jacobians: 1064: 404 +, 551 *, 60 /, 33 neg, 7 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   retract: 323: 105 +, 154 *, 30 /, 1 abs, 7 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 14 where
-#   body_retract: 323: 105 +, 154 *, 30 /, 1 abs, 7 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 14 where
-#   retract_jacobians: 1121: 428 +, 567 *, 81 /, 8 neg, 1 abs, 9 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 15 where
-#   body_retract_jacobians: 1121: 428 +, 567 *, 81 /, 8 neg, 1 abs, 9 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 15 where
+#   retract: 336: 108 +, 159 *, 34 /, 2 abs, 6 sqrt, 4 tan, 3 atan2, 4 lt, 2 eq, 14 where
+#   body_retract: 336: 108 +, 159 *, 34 /, 2 abs, 6 sqrt, 4 tan, 3 atan2, 4 lt, 2 eq, 14 where
+#   retract_jacobians: 1127: 430 +, 570 *, 83 /, 7 neg, 2 abs, 7 sqrt, 4 tan, 3 atan2, 4 lt, 2 eq, 15 where
+#   body_retract_jacobians: 1127: 430 +, 570 *, 83 /, 7 neg, 2 abs, 7 sqrt, 4 tan, 3 atan2, 4 lt, 2 eq, 15 where
 #   local: 300: 98 +, 152 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 300: 98 +, 152 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   interpolate: 670: 212 +, 323 *, 53 /, 8 neg, 4 abs, 12 sqrt, 3 tan, 4 atan2, 9 lt, 5 eq, 1 or, 36 where
+#   interpolate: 683: 215 +, 328 *, 57 /, 8 neg, 5 abs, 11 sqrt, 4 tan, 4 atan2, 9 lt, 5 eq, 1 or, 36 where
 #   adjoint: 97: 38 +, 57 *, 1 /, 1 sqrt
 #   transform_point_jacobians: 220: 96 +, 116 *, 4 /, 3 neg, 1 sqrt
 #   transform_line_jacobians: 319: 129 +, 179 *, 4 /, 6 neg, 1 sqrt
@@ -318,6 +318,94 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     div(mul(n8, c, o2), below, o2)
     copy(fe, o1)
     return o1, o2
+
+
+# operations 20: 5 +, 8 *, 5 /, 1 abs, 1 tan
+def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
+    t = m.tan(angle / 12)
+    tt = t * t
+    below = 1 + tt
+    c = m.abs((1 - tt) / below)
+    cc = c * c
+    w = 4 * cc - 1
+    ww = w * w
+    g = 2 * ww
+    h = (32 * cc * cc + 6) / c
+    rho = 6 / c
+    hi = (g - fe * h) / rho
+    return fe, hi
+
+
+def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
+    o1, o2 = out
+    k1, k2, k3, *_ = scratch
+    n1, n2, n4, n6, n12, n32 = numbers
+    t = tan(div(angle, n12, o2), o2)
+    tt = mul(t, t, o2)
+    below = add(n1, tt, k1)
+    c = absolute(div(sub(n1, tt, o2), below, o2), o2)
+    cc = mul(c, c, k1)
+    w = sub(mul(n4, cc, k2), n1, k2)
+    ww = mul(w, w, k2)
+    g = mul(n2, ww, k2)
+    h = div(add(mul(mul(n32, cc, k3), cc, k1), n6, k1), c, k1)
+    rho = div(n6, c, o2)
+    div(sub(g, mul(fe, h, k1), k1), rho, o2)
+    copy(fe, o1)
+    return o1, o2
+
+
+# operations 42: 11 +, 18 *, 10 /, 1 neg, 1 abs, 1 tan
+def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
+    t = m.tan(angle / 12)
+    tt = t * t
+    below = 1 + tt
+    c = m.abs((1 - tt) / below)
+    cc = c * c
+    cc_by_4 = 4 * cc
+    w = cc_by_4 - 1
+    ww = w * w
+    g = 2 * ww
+    h = (32 * cc * cc + 6) / c
+    rho = 6 / c
+    hi = (g - fe * h) / rho
+    fiy = -(h / g)
+    s = c * (cc_by_4 - 3)
+    f = 2 * (s * w)
+    gy = f * h - g * g
+    dH = -64 * cc
+    hy = 2 * dH / c + h / cc
+    rhoy = rho / cc
+    hiy = (gy - fiy * h - fe * hy - hi * rhoy) / rho
+    return fe, hi, fiy, hiy
+
+
+def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
+    o1, o2, o3, o4 = out
+    k1, k2, k3, k4, k5, *_ = scratch
+    n_minus_64, n1, n2, n3, n4, n6, n12, n32 = numbers
+    t = tan(div(angle, n12, o4), o4)
+    tt = mul(t, t, o4)
+    below = add(n1, tt, k1)
+    c = absolute(div(sub(n1, tt, o4), below, o4), o4)
+    cc = mul(c, c, k1)
+    cc_by_4 = mul(n4, cc, k2)
+    w = sub(cc_by_4, n1, o3)
+    s = mul(c, sub(cc_by_4, n3, k2), k2)
+    f = mul(n2, mul(s, w, k2), k2)
+    ww = mul(w, w, o3)
+    g = mul(n2, ww, o3)
+    h = div(add(mul(mul(n32, cc, k3), cc, k3), n6, k3), c, k3)
+    gy = sub(mul(f, h, k2), mul(g, g, k4), k2)
+    rho = div(n6, c, k4)
+    hi = div(sub(g, mul(fe, h, o2), o2), rho, o2)
+    fiy = neg(div(h, g, o3), o3)
+    dH = mul(n_minus_64, cc, k5)
+    hy = add(div(mul(n2, dH, k5), c, o4), div(h, cc, k5), o4)
+    rhoy = div(rho, cc, k1)
+    div(sub(sub(sub(gy, mul(fiy, h, k3), k2), mul(fe, hy, o4), o4), mul(hi, rhoy, k1), o4), rho, o4)
+    copy(fe, o1)
+    return o1, o2, o3, o4
 
 
 # operations 29: 7 +, 12 *, 7 /, 2 neg, 1 sqrt
@@ -764,6 +852,8 @@ CHART = Chart(
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 1, 0, (1, 2, 3, 4, 6, 32, 38, 64, 256)),
         "rate": Function(_rate, _rate_blocks, 0, 0, (1, 6)),
         "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 3, 4, 8)),
+        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 3, 0, (1, 2, 4, 6, 12, 32)),
+        "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 5, 0, (-64, 1, 2, 3, 4, 6, 12, 32)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 3, 0, (1, 2, 3, 4, 8, 32, 38, 64)),
         "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 7, 0, (1, 2, 3, 4, 6, 8, 32, 38, 64)),
         "ray": Function(_ray, _ray_blocks, 0, 0, (1, 2, 3, 4, 32, 38, 64)),
@@ -779,7 +869,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 6, 12)),
     },
     kernels=SHARED,
-    programs="e2ab24319b85852a",
+    programs="4a88f4d1133bfd4d",
 )
 
 KERNELS = PoseKernels(CHART)

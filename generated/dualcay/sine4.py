@@ -66,13 +66,13 @@
 #   between: 247: 85 +, 137 *, 10 /, 7 neg, 5 sqrt, 1 lt, 2 where
 #   compose_jacobians: 1059: 417 +, 563 *, 60 /, 8 neg, 8 sqrt, 1 lt, 2 where
 #   between_jacobians: 1083: 417 +, 563 *, 60 /, 32 neg, 8 sqrt, 1 lt, 2 where
-#   retract: 329: 108 +, 157 *, 30 /, 1 abs, 7 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 14 where
-#   body_retract: 329: 108 +, 157 *, 30 /, 1 abs, 7 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 14 where
-#   retract_jacobians: 1136: 437 +, 575 *, 80 /, 7 neg, 1 abs, 9 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 15 where
-#   body_retract_jacobians: 1136: 437 +, 575 *, 80 /, 7 neg, 1 abs, 9 sqrt, 3 tan, 3 atan2, 4 lt, 2 eq, 15 where
+#   retract: 344: 112 +, 163 *, 34 /, 2 abs, 6 sqrt, 4 tan, 3 atan2, 4 lt, 2 eq, 14 where
+#   body_retract: 344: 112 +, 163 *, 34 /, 2 abs, 6 sqrt, 4 tan, 3 atan2, 4 lt, 2 eq, 14 where
+#   retract_jacobians: 1145: 440 +, 578 *, 83 /, 7 neg, 2 abs, 7 sqrt, 4 tan, 3 atan2, 4 lt, 2 eq, 15 where
+#   body_retract_jacobians: 1145: 440 +, 578 *, 83 /, 7 neg, 2 abs, 7 sqrt, 4 tan, 3 atan2, 4 lt, 2 eq, 15 where
 #   local: 308: 102 +, 156 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 308: 102 +, 156 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   interpolate: 680: 217 +, 328 *, 53 /, 8 neg, 4 abs, 12 sqrt, 3 tan, 4 atan2, 9 lt, 5 eq, 1 or, 36 where
+#   interpolate: 695: 221 +, 334 *, 57 /, 8 neg, 5 abs, 11 sqrt, 4 tan, 4 atan2, 9 lt, 5 eq, 1 or, 36 where
 #   adjoint: 101: 40 +, 59 *, 1 /, 1 sqrt
 #   transform_point_jacobians: 226: 99 +, 119 *, 4 /, 3 neg, 1 sqrt
 #   transform_line_jacobians: 325: 132 +, 182 *, 4 /, 6 neg, 1 sqrt
@@ -322,6 +322,94 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     div(B, below, o2)
     copy(fe, o1)
     return o1, o2
+
+
+# operations 24: 7 +, 10 *, 5 /, 1 abs, 1 tan
+def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
+    t = m.tan(angle / 16)
+    tt = t * t
+    below = 1 + tt
+    c = m.abs((1 - tt) / below)
+    cc = c * c
+    w = c * (8 * cc - 4)
+    ww = w * w
+    g = 2 * ww
+    h = (((128 * cc - 64) * cc + 16) * cc + 8) / c
+    rho = 8 / c
+    hi = (g - fe * h) / rho
+    return fe, hi
+
+
+def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
+    o1, o2 = out
+    k1, k2, *_ = scratch
+    n1, n2, n4, n8, n16, n64, n128 = numbers
+    t = tan(div(angle, n16, o2), o2)
+    tt = mul(t, t, o2)
+    below = add(n1, tt, k1)
+    c = absolute(div(sub(n1, tt, o2), below, o2), o2)
+    cc = mul(c, c, k1)
+    h = div(add(mul(add(mul(sub(mul(n128, cc, k2), n64, k2), cc, k2), n16, k2), cc, k2), n8, k2), c, k2)
+    w = mul(c, sub(mul(n8, cc, k1), n4, k1), k1)
+    ww = mul(w, w, k1)
+    g = mul(n2, ww, k1)
+    rho = div(n8, c, o2)
+    div(sub(g, mul(fe, h, k2), k1), rho, o2)
+    copy(fe, o1)
+    return o1, o2
+
+
+# operations 50: 16 +, 21 *, 10 /, 1 neg, 1 abs, 1 tan
+def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
+    t = m.tan(angle / 16)
+    tt = t * t
+    below = 1 + tt
+    c = m.abs((1 - tt) / below)
+    cc = c * c
+    cc_by_8 = 8 * cc
+    w = c * (cc_by_8 - 4)
+    ww = w * w
+    g = 2 * ww
+    h = (((128 * cc - 64) * cc + 16) * cc + 8) / c
+    rho = 8 / c
+    hi = (g - fe * h) / rho
+    fiy = -(h / g)
+    s = (cc_by_8 - 8) * cc + 1
+    f = 2 * (s * w)
+    gy = f * h - g * g
+    dH = (128 - 384 * cc) * cc - 16
+    hy = 2 * dH / c + h / cc
+    rhoy = rho / cc
+    hiy = (gy - fiy * h - fe * hy - hi * rhoy) / rho
+    return fe, hi, fiy, hiy
+
+
+def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
+    o1, o2, o3, o4 = out
+    k1, k2, k3, k4, k5, *_ = scratch
+    n1, n2, n4, n8, n16, n64, n128, n384 = numbers
+    t = tan(div(angle, n16, o4), o4)
+    tt = mul(t, t, o4)
+    below = add(n1, tt, k1)
+    c = absolute(div(sub(n1, tt, o4), below, o4), o4)
+    cc = mul(c, c, k1)
+    h = div(add(mul(add(mul(sub(mul(n128, cc, k2), n64, k2), cc, k2), n16, k2), cc, k2), n8, k2), c, k2)
+    cc_by_8 = mul(n8, cc, k3)
+    w = mul(c, sub(cc_by_8, n4, o3), o3)
+    s = add(mul(sub(cc_by_8, n8, k3), cc, k3), n1, k3)
+    f = mul(n2, mul(s, w, k3), k3)
+    ww = mul(w, w, o3)
+    g = mul(n2, ww, o3)
+    gy = sub(mul(f, h, k3), mul(g, g, k4), k3)
+    rho = div(n8, c, k4)
+    hi = div(sub(g, mul(fe, h, o2), o2), rho, o2)
+    fiy = neg(div(h, g, o3), o3)
+    dH = sub(mul(sub(n128, mul(n384, cc, k5), k5), cc, k5), n16, k5)
+    hy = add(div(mul(n2, dH, k5), c, o4), div(h, cc, k5), o4)
+    rhoy = div(rho, cc, k1)
+    div(sub(sub(sub(gy, mul(fiy, h, k2), k2), mul(fe, hy, o4), o4), mul(hi, rhoy, k1), o4), rho, o4)
+    copy(fe, o1)
+    return o1, o2, o3, o4
 
 
 # operations 32: 10 +, 14 *, 6 /, 1 neg, 1 sqrt
@@ -758,6 +846,8 @@ CHART = Chart(
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 1, 0, (1, 2, 3, 4, 8, 88, 128, 272, 320, 384, 640, 768)),
         "rate": Function(_rate, _rate_blocks, 0, 0, (1, 8)),
         "inverse": Function(_inverse, _inverse_blocks, 2, 0, (1, 4, 8, 20, 24)),
+        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 2, 0, (1, 2, 4, 8, 16, 64, 128)),
+        "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 5, 0, (1, 2, 4, 8, 16, 64, 128, 384)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 2, 0, (-48, 1, 2, 4, 8, 20, 24, 88, 128, 272, 320)),
         "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 4, 0, (-48, 1, 2, 3, 4, 8, 20, 24, 88, 128, 272, 320, 384, 640)),
         "ray": Function(_ray, _ray_blocks, 0, 0, (1, 2, 4, 8, 88, 128, 272, 320)),
@@ -773,7 +863,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 8, 16)),
     },
     kernels=SHARED,
-    programs="5a165e8bb8fbc7b2",
+    programs="88f633e31392ab5e",
 )
 
 KERNELS = PoseKernels(CHART)

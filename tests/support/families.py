@@ -14,7 +14,7 @@ import numpy as np
 
 from derive.codegen.signatures import FUNCTIONS
 from tests.support import errors, sampling
-from tests.support.nilpotent import dot
+from tests.support.nilpotent import dot, inverse
 from tests.support.oracle import Oracle, SineOracle
 
 
@@ -79,6 +79,9 @@ ORACLES = {
 DIGITS = 60
 VECTORS = ("v1", "v2", "delta")
 """Arguments, beside the first, that are vectors of the chart or near the identity."""
+BY_STEPS = ("retract_jacobians", "body_retract_jacobians")
+"""Products of operators."""
+STEPS = ("retract", "body_retract", *BY_STEPS)
 
 
 @functools.cache
@@ -130,6 +133,22 @@ def scale(function: Any, given: list[np.ndarray], exact: list[Any]) -> list[floa
     return sizes
 
 
+def scale_of_factors(oracle: Oracle, name: str, v: np.ndarray, delta: np.ndarray) -> list[float]:
+    """How far T(v')⁻¹ R T(v) and T(v')⁻¹ R' dexp(δ) go when their factors are rounded.
+
+    Each is computed for itself, so each is off by a rounding of its own norm. Where a factor is all but singular, at
+    whole turns and at an edge with φ′ = 0, their product is not: it is near I, and so is that of moved arguments.
+    """
+    body = name.startswith("body")
+    result = (oracle.body_retract if body else oracle.retract)(v, delta)
+    back = errors.majorant(inverse(oracle.operator_by_spin(oracle.unpack(result))))
+    here, step = oracle.unpack(v), oracle.unpack(delta)
+    turned = errors.size(oracle.tensor(v)) if body else errors.majorant(ExponentialOracle(1, DIGITS).rotation(step))
+    own, dexp = errors.majorant(oracle.operator_by_spin(here)), errors.majorant(oracle.step_operator(step))
+    products = (back * own, back * turned * dexp) if body else (back * turned * own, back * dexp)
+    return [float(part) for product in products for part in (product.re, product.du)]
+
+
 def parts(result: Any) -> list[Any]:
     """Real and dual part of a result; those of each where there are several; a moved point as it is."""
     if isinstance(result, tuple):
@@ -139,19 +158,25 @@ def parts(result: Any) -> list[Any]:
 
 def worst(kernels: ModuleType, oracle: Oracle, name: str, v: np.ndarray, branch: int | None = None) -> float:
     """The largest error of a function at vectors, in eps of the scale of each part of its result."""
-    chosen = () if branch is None else (branch,)
-    given = arguments(kernels, name, v)
+    return worst_of(kernels, oracle, name, arguments(kernels, name, v), *(() if branch is None else (branch,)))
+
+
+def worst_of(kernels: ModuleType, oracle: Oracle, name: str, given: list[np.ndarray], *chosen: int) -> float:
+    """The same of arguments, and of a branch where there is one."""
 
     def function(*values: Any) -> Any:
         return getattr(oracle, name)(*values, *chosen)
 
     found = getattr(kernels, name)(*given, *chosen)
     largest = 0.0
-    for i in range(len(v)):
+    for i in range(len(given[0])):
         one = [np.asarray(argument[i]) for argument in given]
         got = parts(tuple(array[i] for array in found) if isinstance(found, tuple) else found[i])
         exact = parts(function(*one))
-        for a, b, size in zip(got, exact, scale(function, one, exact), strict=True):
+        sizes = scale(function, one, exact)
+        if name in BY_STEPS:
+            sizes = [a + b for a, b in zip(sizes, scale_of_factors(oracle, name, *one), strict=True)]
+        for a, b, size in zip(got, exact, sizes, strict=True):
             error = errors.norm(b - a.astype(object)) / np.finfo(float).eps
             largest = max(largest, float(error / size) if error else 0.0)
     return largest

@@ -90,6 +90,15 @@ class Field:
     def cos(self, a: Any) -> Any:
         return Nil(self.cos(a.re), -a.du * self.sin(a.re)) if isinstance(a, Nil) else self._functions.cos(a)
 
+    def exp(self, a: Any) -> Any:
+        if isinstance(a, Nil):
+            power = self.exp(a.re)
+            return Nil(power, a.du * power)
+        return self._functions.exp(a)
+
+    def log(self, a: Any) -> Any:
+        return Nil(self.log(a.re), a.du / a.re) if isinstance(a, Nil) else self._functions.log(a)
+
     def atan2(self, y: Any, x: Any) -> Any:
         if isinstance(y, Nil):
             return Nil(self.atan2(y.re, x.re), (x.re * y.du - y.re * x.du) / (x.re * x.re + y.re * y.re))

@@ -203,6 +203,9 @@ class Sine:
     def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         return fi, self.scalars(x, m).hi
 
+    def at_angle(self, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> SineScalars:
+        return self.scalars(x, m)
+
     def direction(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         at = self.scalars(x, m)
         turned = m.where(m.less(at.p, 0), m.name("mw", -at.w), at.w)

@@ -21,7 +21,7 @@ CONDITION = mpmath.mpf(10) ** 8
 
 
 class Decimal:
-    """A real number of 50 digits: + - * / with exact partners, comparison, ``abs``, ``sqrt``, ``tan``, ``arctan2``."""
+    """A real number of 50 digits: + - * / with exact partners, comparison, ``abs`` and the functions of kernels."""
 
     __slots__ = ("value",)
 
@@ -84,6 +84,12 @@ class Decimal:
 
     def arctan2(self, other: object) -> Decimal:
         return Decimal(mpmath.atan2(self.value, self._value(other)))
+
+    def expm1(self) -> Decimal:
+        return Decimal(mpmath.expm1(self.value))
+
+    def log1p(self) -> Decimal:
+        return Decimal(mpmath.log1p(self.value) if self.value > -1 else mpmath.nan)
 
 
 def _quotient(a: Any, b: Any) -> Any:

@@ -85,7 +85,8 @@ def _by_factors(trace: Geometry, second: Sequence[Number], first: Sequence[Numbe
     """Derivatives of a product by its factors."""
     after, before = Point(trace, second, "b"), Point(trace, first, "a")
     found = [trace.name(f"w{i}", c) for i, c in enumerate(product(trace, after, before), 1)]
-    back = operator_tensor(twice_inverse(Point(trace, found, "w")), "I")
+    at = Point(trace, found, "w")
+    back = operator_tensor(twice_inverse(at, at.scalars("tangent_inv")), "I")
     T2, T1 = (tangent_at(trace, v, mark) for v, mark in ((second, "S"), (first, "F")))
     R = named_tensor(trace, "R", dual_tensor(after, *after.scalars("ray")[3:]))
     return (back @ T2) * HALF, (back @ named_tensor(trace, "RT", R @ T1)) * HALF
@@ -96,9 +97,9 @@ def tangent_at(trace: Geometry, v: Sequence[Number], mark: str) -> Tensor:
     return operator_tensor(tangent_operator(Point(trace, v, mark)), mark)
 
 
-def twice_inverse(point: Point) -> Operator:
-    """2 T⁻¹; what it is multiplied with is halved in the end."""
-    fi, hi, fiy, hiy = point.scalars("tangent_inv")
+def twice_inverse(point: Point, scalars: Sequence[Number]) -> Operator:
+    """2 T⁻¹ of f_i, h_i and their slopes; what it is multiplied with is halved in the end."""
+    fi, hi, fiy, hiy = scalars
     fio, hio = (point.name(letter, slope * point.y) for letter, slope in (("fio", fiy), ("hio", hiy)))
     s, so = (named(point.trace, letter + point.mark, -part) for letter, part in (("s", point.re), ("so", point.du)))
     return Operator(point, fi, fio, s, so, hi, hio)

@@ -6,8 +6,9 @@ The exponential's own scalars are traced in place: they are the same in every ch
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
-from ...algebra import Quaternion, Vector
+from ...algebra import Quaternion, Tensor, Vector
 from ...maps.dependent import DependentScalars
 from ...maps.exponential_chart import Exponential
 from ..programs.program import Program
@@ -25,12 +26,12 @@ EXPONENTIAL = Exponential()
 
 def retract(trace: Geometry) -> Program:
     """R = exp(δ) R(v)."""
-    return trace.program("retract", _retracted(start(trace), step(trace), body=False))
+    return trace.program("retract", _vector(trace, _retracted(start(trace), step(trace), body=False)))
 
 
 def body_retract(trace: Geometry) -> Program:
     """R = R(v) exp(δ)."""
-    return trace.program("body_retract", _retracted(start(trace), step(trace), body=True))
+    return trace.program("body_retract", _vector(trace, _retracted(start(trace), step(trace), body=True)))
 
 
 def step(trace: Geometry) -> Point:
@@ -38,8 +39,28 @@ def step(trace: Geometry) -> Point:
     return Point(trace, dual_vector(trace, "delta", "d"), "d")
 
 
-def _retracted(point: Point, delta: Point, body: bool) -> tuple[Number, ...]:
-    """The vector of the product on the branch nearest v."""
+@dataclass(frozen=True, slots=True)
+class _Placed:
+    """A displacement on a branch: Re v, what it is of the vector of a quaternion, of which scalar, its angle, and ρ."""
+
+    re: Vector
+    fi: Number
+    alpha: Number
+    rho: Vector
+
+
+def _vector(trace: Geometry, placed: _Placed) -> tuple[Number, ...]:
+    """With v° = Re(T)⁻¹ rho."""
+    _, hi = trace.ask("inverse_at", (_square(trace, placed.re), placed.fi, placed.alpha), "w")
+    return with_dual(trace, placed.fi, placed.rho, placed.re, hi)
+
+
+def _square(trace: Geometry, re: Vector) -> Number:
+    return Point(trace, (*re, 0, 0, 0), "w").x
+
+
+def _retracted(point: Point, delta: Point, body: bool) -> _Placed:
+    """The product on the branch nearest v."""
     trace, at = point.trace, exponential_scalars(delta)
     small = (Quaternion(at.s, named(trace, "wd", at.w * delta.re)), (at.f, at.g), translation(delta, at.f, at.g, at.h))
     turned, _, (f, g, h) = ray(trace, point)
@@ -51,7 +72,7 @@ def _retracted(point: Point, delta: Point, body: bool) -> tuple[Number, ...]:
     return _nearest(trace, point, e, named(trace, "rho", moved + shift))
 
 
-def _nearest(trace: Geometry, point: Point, e: Quaternion, rho: Vector) -> tuple[Number, ...]:
+def _nearest(trace: Geometry, point: Point, e: Quaternion, rho: Vector) -> _Placed:
     """φ(α) u of a quaternion, α within π of what v's own angle is along u."""
     scope = Scope(trace, "")  # whose names avoid those of a chart
     ss = scope.name("ss", e.vector.dot(e.vector))
@@ -69,15 +90,7 @@ def _nearest(trace: Geometry, point: Point, e: Quaternion, rho: Vector) -> tuple
     size, slope = trace.ask("coefficient", (alpha,), "n")
     rest = 2 * slope / scope.name("z0s", trace.where(still, e.scalar, length))
     factor = scope.name("factor", trace.where(still, rest, size / length))
-    return _placed(trace, factor, e, rho)
-
-
-def _placed(trace: Geometry, factor: Number, e: Quaternion, rho: Vector) -> tuple[Number, ...]:
-    """v = factor · vec e, v° = Re(T)⁻¹ rho."""
-    re = named(trace, "v_", factor * e.vector)
-    fi = trace.name("fe", factor * e.scalar)
-    _, hi = trace.ask("inverse", (Point(trace, (*re, 0, 0, 0), "w").x, fi), "w")
-    return with_dual(trace, fi, rho, re, hi)
+    return _Placed(named(trace, "v_", factor * e.vector), trace.name("fe", factor * e.scalar), alpha, rho)
 
 
 def with_dual(trace: Geometry, fi: Number, rho: Vector, re: Vector, hi: Number) -> tuple[Number, ...]:
@@ -103,8 +116,7 @@ def body_retract_jacobians(trace: Geometry) -> Program:
 
 def _by_step(trace: Geometry, name: str, body: bool) -> Program:
     point, delta = Point(trace, dual_vector(trace, "v", "v"), "p"), step(trace)
-    found = [trace.name(f"w{i}", c) for i, c in enumerate(_retracted(point, delta, body), 1)]
-    back = operator_tensor(twice_inverse(Point(trace, found, "n")), "I")
+    back = _twice_inverse(trace, _retracted(point, delta, body))
     at = exponential_scalars(delta)
     dexp = operator_tensor(operator_of(delta, (at.f, at.g, at.h, at.fy, at.gy, at.hy)), "D")
     T = tangent_at(trace, (*point.re, *point.du), "F")
@@ -116,6 +128,14 @@ def _by_step(trace: Geometry, name: str, body: bool) -> Program:
         T = named_tensor(trace, "RT", R @ T)
     by_v, by_delta = (back @ T) * HALF, (back @ dexp) * HALF
     return trace.program(name, (*matrix6(trace, by_v, "V"), *matrix6(trace, by_delta, "S")))
+
+
+def _twice_inverse(trace: Geometry, placed: _Placed) -> Tensor:
+    """2 T⁻¹ where a displacement is placed."""
+    fi, hi, fiy, hiy = trace.ask("tangent_inv_at", (_square(trace, placed.re), placed.fi, placed.alpha), "n")
+    vector = with_dual(trace, fi, placed.rho, placed.re, hi)
+    found = Point(trace, [trace.name(f"w{i}", c) for i, c in enumerate(vector, 1)], "n")
+    return operator_tensor(twice_inverse(found, (fi, hi, fiy, hiy)), "I")
 
 
 def local(trace: Geometry) -> Program:

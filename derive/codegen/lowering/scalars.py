@@ -64,6 +64,17 @@ def _quaternion(e: Sequence[Number]) -> Quaternion:
     return Quaternion(e[0], Vector(*e[1:4]))
 
 
+def _at_angle(*results: str) -> Scalar:
+    """Scalars of T⁻¹ at a known angle."""
+
+    def compute(chart: Chart, trace: Trace, arguments: Sequence[Number]) -> tuple[Number, ...]:
+        x, fe, angle = arguments
+        at = chart.at_angle(x, fe, angle, trace)
+        return tuple(getattr(at, name) for name in results)
+
+    return Scalar(("x", "fe", "angle"), results, compute)
+
+
 def _beyond(chart: Chart, trace: Trace, arguments: Sequence[Number]) -> tuple[Number, ...]:
     selected, turn = chart.beyond(arguments[0], arguments[1:], trace)
     return selected, *turn
@@ -98,6 +109,8 @@ SCALARS: Mapping[str, Scalar] = {
     "tangent_dot": _of_x("f", "g", "h", "fy", "gy", "hy", "fyy", "gyy", "hyy"),
     "rate": _of_x("rate", "ratey"),
     "inverse": Scalar(("x", "fe"), ("fi", "hi"), lambda c, m, at: c.back(at[0], at[1], m)),
+    "inverse_at": _at_angle("fi", "hi"),
+    "tangent_inv_at": _at_angle("fi", "hi", "fiy", "hiy"),
     "tangent_inv": _of_x("fi", "hi", "fiy", "hiy"),
     "tangent_inv_dot": _of_x("fi", "hi", "fiy", "hiy", "fiyy", "hiyy"),
     "ray": Scalar(("x",), ("a", "b", "size", "f", "g", "h"), _ray),

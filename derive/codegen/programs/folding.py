@@ -113,6 +113,12 @@ class Folding(ABC):
     def atan2(self, a: Number, b: Number) -> Number:
         return self.record("atan2", a, b)
 
+    def expm1(self, a: Number) -> Number:
+        return self.record("expm1", a)
+
+    def log1p(self, a: Number) -> Number:
+        return self.record("log1p", a)
+
     def less(self, a: Number, b: Number) -> Number:
         if not isinstance(a, Value) and not isinstance(b, Value):
             return bool(a < b)

@@ -12,7 +12,7 @@ Operand = str | int | Fraction
 
 
 ARITHMETIC = ("add", "sub", "mul", "div", "neg")
-FUNCTIONS = ("abs", "sqrt", "tan", "atan2")
+FUNCTIONS = ("abs", "sqrt", "tan", "atan2", "expm1", "log1p")
 SELECTION = ("lt", "eq", "and", "or", "where")
 
 

@@ -29,7 +29,7 @@ from .said import SAID
 from .target import Data, require_functions
 
 GEOMETRY = "geometry.h"
-LEVELS = {"abs": 1, "sqrt": 1, "tan": 2, "atan2": 2}
+LEVELS = {"abs": 1, "sqrt": 1, "tan": 2, "atan2": 2, "expm1": 2, "log1p": 2}
 """What an operation needs of ``math.h``: nothing is 0, what becomes vector code 1, what does not 2."""
 
 NAMES = {"R": "tensor", "T": "pose"}

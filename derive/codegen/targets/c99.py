@@ -128,11 +128,18 @@ def _printed(
 
 
 def _lower_case(program: Program) -> Program:
-    """Capital letters are where other people's macros are (N, I, R1); a trailing underscore keeps names apart."""
+    """Capital letters are where other people's macros are (N, I, R1); trailing underscores keep names apart."""
     names = {name for _, parts in program.inputs for name in parts}
     names |= {name for statement in program.statements for name in results(statement)}
-    new = {name: name.lower() for name in names if name != name.lower()}
-    lowered = renamed(program, {name: f"{lower}_" if lower in names else lower for name, lower in new.items()})
+    taken = {name for name in names if name == name.lower()}
+    new: dict[str, str] = {}
+    for name in sorted(names - taken):
+        lower = name.lower()
+        while lower in taken:
+            lower += "_"
+        taken.add(lower)
+        new[name] = lower
+    lowered = renamed(program, new)
     inputs = tuple((argument.lower(), parts) for argument, parts in lowered.inputs)
     return Program(lowered.name, inputs, lowered.statements, lowered.outputs)
 

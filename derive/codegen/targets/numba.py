@@ -130,7 +130,8 @@ def _wrapped(text: str, indent: str) -> list[str]:
 def _called(texts: Iterable[str]) -> list[str]:
     """The functions of ``_compiled`` in some texts."""
     text = "".join(texts)
-    return sorted(name for name in ("atan2", "number", "sqrt", "tan", "where") if re.search(rf"\b{name}\(", text))
+    names = ("atan2", "expm1", "log1p", "number", "sqrt", "tan", "where")
+    return [name for name in names if re.search(rf"\b{name}\(", text)]
 
 
 def _cores(printed: Iterable[python.Printed]) -> list[str]:

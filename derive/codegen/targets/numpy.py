@@ -27,8 +27,8 @@ from .target import Data
 
 _FUNCTIONS = {
     "add": "add", "sub": "sub", "mul": "mul", "div": "div", "neg": "neg", "abs": "absolute", "sqrt": "sqrt",
-    "tan": "tan", "atan2": "atan2", "lt": "m.less", "eq": "m.equal", "and": "m.both", "or": "m.either",
-    "where": "m.where",
+    "tan": "tan", "atan2": "atan2", "expm1": "expm1", "log1p": "log1p", "lt": "m.less", "eq": "m.equal",
+    "and": "m.both", "or": "m.either", "where": "m.where",
 }  # fmt: skip
 
 

@@ -27,7 +27,7 @@ from ..programs.program import Call, Operand, Program
 Array: TypeAlias = NDArray[Any]
 
 FUNCTION_UNITS = 8
-"""Units of roundoff in tan and atan2: NumPy's vectorized ones keep within 4 units in the last place."""
+"""Units of roundoff in tan, atan2, expm1 and log1p: NumPy's vectorized ones keep within 4 units in the last place."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,6 +108,17 @@ class Rounding:
         clear = (along > 0) & ((b.value >= 0) | (y > a.error) | (a.error == 0))
         error = np.where(clear, np.arctan2(across, along), np.inf)
         return self._rounded(np.arctan2(a.value, b.value), error, FUNCTION_UNITS)
+
+    def expm1(self, a: Ball) -> Ball:
+        """e^(a + e) − e^a = e^a (e^e − 1)."""
+        value = np.expm1(a.value)
+        return self._rounded(value, (1 + value) * np.expm1(a.error), FUNCTION_UNITS)
+
+    def log1p(self, a: Ball) -> Ball:
+        """log(1 + a) − log(1 + a − e) = −log(1 − e/(1 + a))."""
+        share = a.error / (1 + a.value)
+        error = np.where(share < 1, -np.log1p(-np.minimum(share, 1)), np.inf)
+        return self._rounded(np.log1p(a.value), error, FUNCTION_UNITS)
 
     @staticmethod
     def where(condition: Array, a: Ball, b: Ball) -> Ball:

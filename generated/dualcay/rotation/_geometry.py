@@ -2442,7 +2442,7 @@ def body_retract_blocks(
     mul(z3, factor, o3)
 
 
-# operations 394: 139 +, 188 *, 39 /, 3 neg, 1 abs, 4 sqrt, 2 tan, 2 atan2, 2 lt, 2 eq, 12 where
+# operations 395: 139 +, 189 *, 39 /, 3 neg, 1 abs, 4 sqrt, 2 tan, 2 atan2, 2 lt, 2 eq, 12 where
 def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v1, v2, v3 = v
     d1, d2, d3 = delta
@@ -2509,11 +2509,12 @@ def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Resul
     v_1 = z1 * factor
     v_2 = z2 * factor
     v_3 = z3 * factor
+    fe = factor * z0
     v11w = v_1 * v_1
     v22w = v_2 * v_2
     v33w = v_3 * v_3
     xw = v11w + v22w + v33w
-    fin, hin, _, _ = c.tangent_inv(m, xw)
+    fin, hin, _, _ = c.tangent_inv_at(m, xw, fe, angle)
     sn1 = -v_1
     sn2 = -v_2
     sn3 = -v_3
@@ -2680,7 +2681,6 @@ def retract_jacobians_blocks(
     still = m.equal(ss, n0, mask1)
     length = sqrt(m.where(still, add(n1, ss, k7), ss, k7), k7)
     folded = mul(n2, atan2(m.where(still, ss, length, k6), z0, k6), k6)
-    z0s = m.where(still, z0, length, k8)
     resting = m.equal(xp, n0, mask2)
     r = sqrt(m.where(resting, add(n1, xp, k10), xp, k10), k10)
     own, = c.unfolded((k11,), (k12, k14, k15, k19, k20, k24, k25, *spare), (*spare_masks,), xp, r)
@@ -2695,31 +2695,33 @@ def retract_jacobians_blocks(
     rn, slopen = c.coefficient(
         (k10, k11), (k12, k13, k14, k15, k19, k20, k24, k25, *spare), (mask2, *spare_masks), angle
     )
-    factor = m.where(still, div(mul(n2, slopen, k6), z0s, k6), div(rn, length, k7), k6)
+    z0s = m.where(still, z0, length, k12)
+    factor = m.where(still, div(mul(n2, slopen, k11), z0s, k11), div(rn, length, k7), k10)
     v_1 = mul(z1, factor, k7)
-    v_2 = mul(z2, factor, k8)
-    v_3 = mul(z3, factor, k6)
+    v_2 = mul(z2, factor, k11)
+    v_3 = mul(z3, factor, k12)
+    fe = mul(factor, z0, k8)
     v11w = mul(v_1, v_1, k10)
-    v22w = mul(v_2, v_2, k11)
-    v33w = mul(v_3, v_3, k12)
+    v22w = mul(v_2, v_2, k13)
+    v33w = mul(v_3, v_3, k14)
     xw = add(add(v11w, v22w, k10), v33w, k10)
-    fin, hin, _, _ = c.tangent_inv(
-        (k11, k12, k13, k14), (k15, k19, k20, k21, k22, k23, k24, k25, *spare), (mask1, mask2, *spare_masks), xw
+    fin, hin, _, _ = c.tangent_inv_at(
+        (k13, k14, k15, k19), (k20, k21, k22, k23, k24, k25, *spare), (mask1, mask2, *spare_masks), xw, fe, angle
     )
-    cvn3 = mul(v_3, hin, k10)
-    I33 = add(fin, mul(cvn3, v_3, k10), k10)
-    cvn1 = mul(v_1, hin, k13)
-    cvn2 = mul(v_2, hin, k12)
+    cvn3 = mul(v_3, hin, k6)
+    I33 = add(fin, mul(cvn3, v_3, k6), k6)
+    cvn1 = mul(v_1, hin, k8)
+    cvn2 = mul(v_2, hin, k10)
     d13n = mul(cvn1, v_3, k14)
     sn2 = neg(v_2, k15)
     I31 = sub(d13n, sn2, k19)
     I13 = add(d13n, sn2, k14)
     d23n = mul(cvn2, v_3, k15)
-    I22 = add(fin, mul(cvn2, v_2, k12), k12)
-    d12n = mul(cvn1, v_2, k8)
-    I11 = add(fin, mul(cvn1, v_1, k13), k11)
+    I22 = add(fin, mul(cvn2, v_2, k10), k10)
+    d12n = mul(cvn1, v_2, k11)
+    I11 = add(fin, mul(cvn1, v_1, k8), k8)
     sn1 = neg(v_1, k7)
-    sn3 = neg(v_3, k6)
+    sn3 = neg(v_3, k12)
     I32 = add(d23n, sn1, k13)
     I23 = sub(d23n, sn1, k7)
     cvd1 = mul(d1, hd, k15)
@@ -2745,23 +2747,23 @@ def retract_jacobians_blocks(
     div(add(add(mul(I31, D12, k27), mul(I32, D22, k29), k27), mul(I33, D32, k29), k27), n2, o17)
     div(add(add(mul(I31, D11, k27), mul(I32, D21, k29), k27), mul(I33, D31, k29), k27), n2, o16)
     I21 = add(d12n, sn3, k27)
-    I12 = sub(d12n, sn3, k6)
-    div(add(add(mul(I21, D13, k8), mul(I22, D23, k29), k8), mul(I23, D33, k29), k8), n2, o15)
-    div(add(add(mul(I11, D13, k8), mul(I12, D23, k22), k8), mul(I13, D33, k4), k4), n2, o12)
-    div(add(add(mul(I21, D12, k4), mul(I22, D22, k8), k4), mul(I23, D32, k8), k4), n2, o14)
-    div(add(add(mul(I11, D12, k4), mul(I12, D22, k8), k4), mul(I13, D32, k8), k4), n2, o11)
-    div(add(add(mul(I21, D11, k4), mul(I22, D21, k8), k4), mul(I23, D31, k8), k4), n2, o13)
+    I12 = sub(d12n, sn3, k11)
+    div(add(add(mul(I21, D13, k12), mul(I22, D23, k29), k12), mul(I23, D33, k29), k12), n2, o15)
+    div(add(add(mul(I11, D13, k12), mul(I12, D23, k22), k12), mul(I13, D33, k4), k4), n2, o12)
+    div(add(add(mul(I21, D12, k4), mul(I22, D22, k12), k4), mul(I23, D32, k12), k4), n2, o14)
+    div(add(add(mul(I11, D12, k4), mul(I12, D22, k12), k4), mul(I13, D32, k12), k4), n2, o11)
+    div(add(add(mul(I21, D11, k4), mul(I22, D21, k12), k4), mul(I23, D31, k12), k4), n2, o13)
     div(add(add(mul(I11, D11, k4), mul(I12, D21, k5), k4), mul(I13, D31, k5), k4), n2, o10)
     gvvd1 = mul(gvd1, d2, k4)
     gvvd2 = mul(gvd1, d3, k5)
-    fvd3 = mul(d3, fd, k8)
+    fvd3 = mul(d3, fd, k12)
     Qd12 = sub(gvvd1, fvd3, k15)
     Qd21 = add(gvvd1, fvd3, k4)
-    fvd2 = mul(d2, fd, k8)
+    fvd2 = mul(d2, fd, k12)
     fvd1 = mul(d1, fd, k9)
     Qd13 = add(gvvd2, fvd2, k20)
     Qd31 = sub(gvvd2, fvd2, k5)
-    cvF1 = mul(v1, hF, k8)
+    cvF1 = mul(v1, hF, k12)
     d13F = mul(cvF1, v3, k22)
     gvF2 = mul(v2, gF, k23)
     F13 = add(d13F, gvF2, k24)
@@ -2772,7 +2774,7 @@ def retract_jacobians_blocks(
     d23F = mul(cvF2, v3, k25)
     F22 = add(fF, mul(cvF2, v2, k23), k23)
     F11 = add(fF, mul(cvF1, v1, k26), k16)
-    d12F = mul(cvF1, v2, k8)
+    d12F = mul(cvF1, v2, k12)
     gvF1 = mul(v1, gF, k26)
     gvF3 = mul(v3, gF, k17)
     F23 = sub(d23F, gvF1, k28)
@@ -2786,7 +2788,7 @@ def retract_jacobians_blocks(
     div(add(add(mul(I21, RT13, k24), mul(I22, RT23, k28), k24), mul(I23, RT33, k28), k24), n2, o6)
     div(add(add(mul(I11, RT13, k24), mul(I12, RT23, k21), k21), mul(I13, RT33, k18), k18), n2, o3)
     F12 = sub(d12F, gvF3, k18)
-    F21 = add(d12F, gvF3, k8)
+    F21 = add(d12F, gvF3, k12)
     RT12 = add(add(mul(Qd11, F12, k17), mul(Qd12, F22, k21), k17), mul(Qd13, F32, k21), k17)
     RT11 = add(add(mul(Qd11, F11, k2), mul(Qd12, F21, k15), k2), mul(Qd13, F31, k15), k2)
     RT22 = add(add(mul(Qd21, F12, k15), mul(Qd22, F22, k20), k15), mul(Qd23, F32, k20), k15)
@@ -2801,7 +2803,7 @@ def retract_jacobians_blocks(
     div(add(add(mul(I11, RT11, k2), mul(I12, RT21, k1), k1), mul(I13, RT31, k2), k1), n2, o1)
 
 
-# operations 396: 139 +, 190 *, 39 /, 3 neg, 1 abs, 4 sqrt, 2 tan, 2 atan2, 2 lt, 2 eq, 12 where
+# operations 397: 139 +, 191 *, 39 /, 3 neg, 1 abs, 4 sqrt, 2 tan, 2 atan2, 2 lt, 2 eq, 12 where
 def body_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v1, v2, v3 = v
     d1, d2, d3 = delta
@@ -2870,11 +2872,12 @@ def body_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> 
     v_1 = z1 * factor
     v_2 = z2 * factor
     v_3 = z3 * factor
+    fe = factor * z0
     v11w = v_1 * v_1
     v22w = v_2 * v_2
     v33w = v_3 * v_3
     xw = v11w + v22w + v33w
-    fin, hin, _, _ = c.tangent_inv(m, xw)
+    fin, hin, _, _ = c.tangent_inv_at(m, xw, fe, angle)
     sn1 = -v_1
     sn2 = -v_2
     sn3 = -v_3
@@ -3041,7 +3044,6 @@ def body_retract_jacobians_blocks(
     still = m.equal(ss, n0, mask1)
     length = sqrt(m.where(still, add(n1, ss, k4), ss, k4), k4)
     folded = mul(n2, atan2(m.where(still, ss, length, k3), z0, k3), k3)
-    z0s = m.where(still, z0, length, k5)
     resting = m.equal(xp, n0, mask2)
     r = sqrt(m.where(resting, add(n1, xp, k7), xp, k7), k7)
     own, = c.unfolded((k8,), (k9, k14, k15, k21, k22, k26, k27, *spare), (*spare_masks,), xp, r)
@@ -3052,28 +3054,30 @@ def body_retract_jacobians_blocks(
     turns = add(sub(own_, folded, k8), mul(n2, atan2(tan(div(sub(folded, own_, k7), n2, k7), k7), n1, k7), k7), k7)
     angle = add(folded, m.where(m.less(absolute(turns, k8), n1, mask2), n0, turns, k8), k3)
     rn, slopen = c.coefficient((k7, k8), (k9, k13, k14, k15, k21, k22, k26, k27, *spare), (mask2, *spare_masks), angle)
-    factor = m.where(still, div(mul(n2, slopen, k3), z0s, k3), div(rn, length, k4), k3)
+    z0s = m.where(still, z0, length, k9)
+    factor = m.where(still, div(mul(n2, slopen, k8), z0s, k8), div(rn, length, k4), k7)
     v_1 = mul(z1, factor, k4)
-    v_2 = mul(z2, factor, k5)
-    v_3 = mul(z3, factor, k3)
+    v_2 = mul(z2, factor, k8)
+    v_3 = mul(z3, factor, k9)
+    fe = mul(factor, z0, k5)
     v11w = mul(v_1, v_1, k7)
-    v22w = mul(v_2, v_2, k8)
-    v33w = mul(v_3, v_3, k9)
+    v22w = mul(v_2, v_2, k13)
+    v33w = mul(v_3, v_3, k14)
     xw = add(add(v11w, v22w, k7), v33w, k7)
-    fin, hin, _, _ = c.tangent_inv(
-        (k8, k9, k13, k14), (k15, k21, k22, k23, k24, k25, k26, k27, *spare), (mask1, mask2, *spare_masks), xw
+    fin, hin, _, _ = c.tangent_inv_at(
+        (k13, k14, k15, k21), (k22, k23, k24, k25, k26, k27, *spare), (mask1, mask2, *spare_masks), xw, fe, angle
     )
-    cvn1 = mul(v_1, hin, k7)
-    I11 = add(fin, mul(cvn1, v_1, k13), k13)
+    cvn1 = mul(v_1, hin, k3)
+    I11 = add(fin, mul(cvn1, v_1, k5), k5)
     sn1 = neg(v_1, k4)
-    d12n = mul(cvn1, v_2, k14)
-    d13n = mul(cvn1, v_3, k7)
+    d12n = mul(cvn1, v_2, k7)
+    d13n = mul(cvn1, v_3, k3)
     sn3 = neg(v_3, k15)
     I12 = sub(d12n, sn3, k21)
-    I21 = add(d12n, sn3, k14)
+    I21 = add(d12n, sn3, k7)
     sn2 = neg(v_2, k15)
     I13 = add(d13n, sn2, k22)
-    I31 = sub(d13n, sn2, k7)
+    I31 = sub(d13n, sn2, k3)
     cvF1 = mul(v1, hF, k15)
     F11 = add(fF, mul(cvF1, v1, k23), k23)
     d12F = mul(cvF1, v2, k24)
@@ -3096,29 +3100,29 @@ def body_retract_jacobians_blocks(
     div(add(add(mul(I11, F12, k25), mul(I12, F22, k29), k25), mul(I13, F32, k29), k25), n2, o2)
     div(add(add(mul(I11, F13, k25), mul(I12, F23, k29), k25), mul(I13, F33, k29), k25), n2, o3)
     cvn2 = mul(v_2, hin, k25)
-    I22 = add(fin, mul(cvn2, v_2, k5), k5)
+    I22 = add(fin, mul(cvn2, v_2, k8), k8)
     d23n = mul(cvn2, v_3, k25)
-    cvn3 = mul(v_3, hin, k9)
-    I33 = add(fin, mul(cvn3, v_3, k3), k3)
-    I23 = sub(d23n, sn1, k8)
+    cvn3 = mul(v_3, hin, k14)
+    I33 = add(fin, mul(cvn3, v_3, k9), k9)
+    I23 = sub(d23n, sn1, k13)
     I32 = add(d23n, sn1, k4)
-    div(add(add(mul(I21, F11, k9), mul(I22, F21, k25), k9), mul(I23, F31, k25), k9), n2, o4)
-    div(add(add(mul(I31, F11, k9), mul(I32, F21, k23), k9), mul(I33, F31, k23), k9), n2, o7)
-    div(add(add(mul(I21, F12, k9), mul(I22, F22, k23), k9), mul(I23, F32, k23), k9), n2, o5)
-    div(add(add(mul(I31, F12, k9), mul(I32, F22, k16), k9), mul(I33, F32, k16), k9), n2, o8)
-    div(add(add(mul(I21, F13, k9), mul(I22, F23, k16), k9), mul(I23, F33, k16), k9), n2, o6)
-    div(add(add(mul(I31, F13, k9), mul(I32, F23, k15), k9), mul(I33, F33, k15), k9), n2, o9)
-    cvd1 = mul(d1, hd, k9)
+    div(add(add(mul(I21, F11, k14), mul(I22, F21, k25), k14), mul(I23, F31, k25), k14), n2, o4)
+    div(add(add(mul(I31, F11, k14), mul(I32, F21, k23), k14), mul(I33, F31, k23), k14), n2, o7)
+    div(add(add(mul(I21, F12, k14), mul(I22, F22, k23), k14), mul(I23, F32, k23), k14), n2, o5)
+    div(add(add(mul(I31, F12, k14), mul(I32, F22, k16), k14), mul(I33, F32, k16), k14), n2, o8)
+    div(add(add(mul(I21, F13, k14), mul(I22, F23, k16), k14), mul(I23, F33, k16), k14), n2, o6)
+    div(add(add(mul(I31, F13, k14), mul(I32, F23, k15), k14), mul(I33, F33, k15), k14), n2, o9)
+    cvd1 = mul(d1, hd, k14)
     D11 = add(fd, mul(cvd1, d1, k15), k15)
     d12d = mul(cvd1, d2, k16)
-    d13d = mul(cvd1, d3, k9)
+    d13d = mul(cvd1, d3, k14)
     gvd3 = mul(d3, gd, k19)
     D21 = add(d12d, gvd3, k20)
     D12 = sub(d12d, gvd3, k16)
     gvd2 = mul(d2, gd, k19)
     gvd1 = mul(d1, gd, k2)
     D31 = sub(d13d, gvd2, k23)
-    D13 = add(d13d, gvd2, k9)
+    D13 = add(d13d, gvd2, k14)
     gvp1 = mul(v1, gp, k19)
     gvp2 = mul(v2, gp, k18)
     gvvp3 = mul(gvp2, v3, k18)
@@ -3151,13 +3155,13 @@ def body_retract_jacobians_blocks(
     RD22 = add(add(mul(Qp21, D12, k20), mul(Qp22, D22, k23), k20), mul(Qp23, D32, k23), k20)
     RD32 = add(add(mul(Qp31, D12, k16), mul(Qp32, D22, k6), k6), mul(Qp33, D32, k16), k6)
     RD23 = add(add(mul(Qp21, D13, k16), mul(Qp22, D23, k10), k10), mul(Qp23, D33, k16), k10)
-    RD33 = add(add(mul(Qp31, D13, k9), mul(Qp32, D23, k2), k2), mul(Qp33, D33, k1), k1)
-    div(add(add(mul(I11, RD12, k2), mul(I12, RD22, k9), k2), mul(I13, RD32, k9), k2), n2, o11)
-    div(add(add(mul(I11, RD13, k2), mul(I12, RD23, k9), k2), mul(I13, RD33, k9), k2), n2, o12)
-    div(add(add(mul(I21, RD12, k2), mul(I22, RD22, k9), k2), mul(I23, RD32, k9), k2), n2, o14)
+    RD33 = add(add(mul(Qp31, D13, k14), mul(Qp32, D23, k2), k2), mul(Qp33, D33, k1), k1)
+    div(add(add(mul(I11, RD12, k2), mul(I12, RD22, k12), k2), mul(I13, RD32, k12), k2), n2, o11)
+    div(add(add(mul(I11, RD13, k2), mul(I12, RD23, k5), k2), mul(I13, RD33, k5), k2), n2, o12)
+    div(add(add(mul(I21, RD12, k2), mul(I22, RD22, k5), k2), mul(I23, RD32, k5), k2), n2, o14)
     div(add(add(mul(I21, RD13, k2), mul(I22, RD23, k5), k2), mul(I23, RD33, k5), k2), n2, o15)
     div(add(add(mul(I31, RD12, k2), mul(I32, RD22, k5), k2), mul(I33, RD32, k5), k2), n2, o17)
-    div(add(add(mul(I31, RD13, k2), mul(I32, RD23, k4), k2), mul(I33, RD33, k1), k1), n2, o18)
+    div(add(add(mul(I31, RD13, k2), mul(I32, RD23, k3), k2), mul(I33, RD33, k1), k1), n2, o18)
 
 
 # operations 70: 18 +, 38 *, 1 /, 4 neg, 1 sqrt, 1 atan2, 1 lt, 1 eq, 5 where
@@ -4173,7 +4177,7 @@ KERNELS: Mapping[str, Kernel] = {
         registers=30,
         masks=2,
         numbers=(0, 1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
-        lent=(('ray', 0, 0), ('unfolded', 7, 0), ('coefficient', 8, 1), ('tangent_inv', 8, 2), ('pose', 1, 0)),
+        lent=(('ray', 0, 0), ('unfolded', 7, 0), ('coefficient', 8, 1), ('tangent_inv_at', 6, 2), ('pose', 1, 0)),
         real=True,
     ),
     "body_retract_jacobians": Kernel(
@@ -4184,7 +4188,7 @@ KERNELS: Mapping[str, Kernel] = {
         registers=29,
         masks=2,
         numbers=(0, 1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
-        lent=(('ray', 0, 0), ('unfolded', 7, 0), ('coefficient', 8, 1), ('tangent_inv', 8, 2), ('pose', 0, 0)),
+        lent=(('ray', 0, 0), ('unfolded', 7, 0), ('coefficient', 8, 1), ('tangent_inv_at', 6, 2), ('pose', 0, 0)),
         real=True,
     ),
     "local": Kernel(

@@ -8,7 +8,7 @@
 #       rate_jacobian 28, from_quaternion 9, from_tensor 62, from_angle_axis 8, to_angle_axis 46, angle 12,
 #       to_exponential 21, from_exponential 34, turn 30, shadow 48, identity_jacobian 6, shadow_jacobian 62,
 #       principal 28, compose 76, between 79, compose_jacobians 344, between_jacobians 356, retract 159,
-#       body_retract 159, retract_jacobians 427, body_retract_jacobians 429, local 92, body_local 92,
+#       body_retract 159, retract_jacobians 425, body_retract_jacobians 427, local 92, body_local 92,
 #       interpolate 298, adjoint 37, transform_point_jacobians 125
 r"""Cayley map of order 2, rotations alone: Rodrigues vectors ``v = tan(α/4) u``, the real parts of `cayley2`.
 
@@ -113,7 +113,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="54f222e0b9f31ce7",
+    programs="b4cb4552091ebb81",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -8,7 +8,7 @@
 #       rate_jacobian 84, from_quaternion 14, from_tensor 69, from_angle_axis 8, to_angle_axis 58, angle 12,
 #       to_exponential 21, from_exponential 35, turn 30, shadow 60, identity_jacobian 6, shadow_jacobian 74,
 #       principal 31, compose 107, between 110, compose_jacobians 411, between_jacobians 423, retract 171,
-#       body_retract 171, retract_jacobians 465, body_retract_jacobians 467, local 116, body_local 116,
+#       body_retract 171, retract_jacobians 466, body_retract_jacobians 468, local 116, body_local 116,
 #       interpolate 322, adjoint 47, transform_point_jacobians 135
 r"""Cayley map of order 4, rotations alone: Rodrigues vectors ``v = tan(α/8) u``, the real parts of `cayley4`.
 
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="d7558e2f196f68ba",
+    programs="e933f8192f0556e7",
 )
 
 KERNELS = RotationKernels(CHART)

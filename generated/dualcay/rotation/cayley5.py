@@ -8,7 +8,7 @@
 #       rate_jacobian 93, from_quaternion 23, from_tensor 67, from_angle_axis 8, to_angle_axis 60, angle 12,
 #       to_exponential 21, from_exponential 35, turn 30, shadow 62, identity_jacobian 6, shadow_jacobian 76,
 #       principal 31, compose 112, between 115, compose_jacobians 429, between_jacobians 441, retract 170,
-#       body_retract 170, retract_jacobians 475, body_retract_jacobians 477, local 114, body_local 114,
+#       body_retract 170, retract_jacobians 476, body_retract_jacobians 478, local 114, body_local 114,
 #       interpolate 320, adjoint 49, transform_point_jacobians 137
 r"""Cayley map of order 5, rotations alone: Rodrigues vectors ``v = tan(α/10) u``, the real parts of `cayley5`.
 
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="f6426dbdd9123860",
+    programs="c29a585f826db897",
 )
 
 KERNELS = RotationKernels(CHART)

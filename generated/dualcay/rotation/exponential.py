@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="40f5eb5f2e8c15c2",
+    programs="12c5035abad65af5",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -8,7 +8,7 @@
 #       rate_jacobian 86, from_quaternion 13, from_tensor 67, from_angle_axis 16, to_angle_axis 54, angle 16,
 #       to_exponential 24, from_exponential 42, turn 39, shadow 65, identity_jacobian 6, shadow_jacobian 79,
 #       principal 37, compose 84, between 87, compose_jacobians 374, between_jacobians 386, retract 172,
-#       body_retract 172, retract_jacobians 460, body_retract_jacobians 462, local 94, body_local 94,
+#       body_retract 172, retract_jacobians 476, body_retract_jacobians 478, local 94, body_local 94,
 #       interpolate 312, adjoint 39, transform_point_jacobians 127
 r"""Lambert's equal-area projection, rotations alone: Rodrigues vectors ``v = sin(α/4) u``, the real parts of `lambert`.
 
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="100eb6786e292750",
+    programs="9f569e146fc52796",
 )
 
 KERNELS = RotationKernels(CHART)

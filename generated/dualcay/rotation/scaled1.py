@@ -728,7 +728,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="30de14bde6a0d375",
+    programs="1d56a89d811c7e70",
 )
 
 KERNELS = RotationKernels(CHART)

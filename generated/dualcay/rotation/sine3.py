@@ -8,7 +8,7 @@
 #       rate_jacobian 92, from_quaternion 27, from_tensor 71, from_angle_axis 16, to_angle_axis 55, angle 16,
 #       to_exponential 24, from_exponential 43, turn 39, shadow 66, identity_jacobian 6, shadow_jacobian 80,
 #       principal 37, compose 101, between 104, compose_jacobians 403, between_jacobians 415, retract 175,
-#       body_retract 175, retract_jacobians 472, body_retract_jacobians 474, local 100, body_local 100,
+#       body_retract 175, retract_jacobians 486, body_retract_jacobians 488, local 100, body_local 100,
 #       interpolate 318, adjoint 42, transform_point_jacobians 130
 r"""Sine chart of order 3, rotations alone: Rodrigues vectors ``v = sin(α/6) u``, the real parts of `sine3`.
 
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="23771cc6d08f4174",
+    programs="e41132e0a1c6ba05",
 )
 
 KERNELS = RotationKernels(CHART)

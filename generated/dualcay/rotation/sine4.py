@@ -8,7 +8,7 @@
 #       rate_jacobian 95, from_quaternion 18, from_tensor 72, from_angle_axis 16, to_angle_axis 57, angle 16,
 #       to_exponential 24, from_exponential 43, turn 39, shadow 68, identity_jacobian 6, shadow_jacobian 82,
 #       principal 40, compose 103, between 106, compose_jacobians 416, between_jacobians 428, retract 179,
-#       body_retract 179, retract_jacobians 483, body_retract_jacobians 485, local 108, body_local 108,
+#       body_retract 179, retract_jacobians 502, body_retract_jacobians 504, local 108, body_local 108,
 #       interpolate 326, adjoint 46, transform_point_jacobians 134
 r"""Sine chart of order 4, rotations alone: Rodrigues vectors ``v = sin(α/8) u``, the real parts of `sine4`.
 
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="5781c596975cd82c",
+    programs="4196fd4f9f4b6890",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -77,6 +77,11 @@ def test_names_are_lower_case_and_stay_apart():
     assert "const dualcay_real m = t1_ - t1;" in text
 
 
+def test_names_that_differ_in_capitals_alone_stay_apart():
+    text = printed(lambda t, a, b: t.name("C4S", a * b) + t.name("c4S", a + b) * t.name("c4s_", a - b))
+    assert {"c4s = a * b", "c4s__ = a + b", "c4s_ = a - b"} <= set(re.findall(r"dualcay_real (\w+ = .*);", text))
+
+
 def test_constants_which_a_float_would_round_are_refused():
     assert str(2**24) in printed(lambda t, a, b: 2**24 * a)
     with pytest.raises(ValueError, match="beyond 16777216"):

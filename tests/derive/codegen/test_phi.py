@@ -9,6 +9,7 @@ from types import ModuleType
 import mpmath
 import numpy as np
 import pytest
+import sympy
 
 from derive.algebra import Dual, Vector
 from derive.codegen import generate
@@ -22,10 +23,11 @@ from derive.codegen.signatures import PUBLIC
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation.rounding import long
 from derive.maps import PhiError, parameterization
+from derive.maps.families import alpha
 from derive.maps.pose import Screw
 from derive.output import files
 from derive.proof import prove
-from tests.support import families
+from tests.support import families, sampling
 from tests.support.oracle import Oracle
 
 TEXT = "alpha/(1 + alpha**2/40)"
@@ -79,6 +81,15 @@ def test_no_band_of_angles_loses_digits(kernels: ModuleType, oracle: Oracle, reg
     v = families.vectors(oracle, *regime, 1)
     for function in ("tangent", "pose", "tangent_inv"):
         assert families.worst(kernels, oracle, function, v) <= GATE, function
+
+
+@pytest.mark.parametrize("angle", [5.9, 6.2, 6.27])
+def test_steps_next_to_the_fold_lose_nothing(kernels: ModuleType, oracle: Oracle, angle: float):
+    """The oracle counts no turns: so steps are short beside what is left to 2π."""
+    steps = sampling.dual_vectors(f"steps at {angle}", count=4)
+    v, delta = families.vectors(oracle, angle, angle, 4), steps * np.array([0.3 * (6.2832 - angle)] * 3 + [1] * 3)
+    for function in families.STEPS:
+        assert families.worst_of(kernels, oracle, function, [v, delta]) <= GATE, function
 
 
 def test_branches_that_there_are_not_are_nan(kernels: ModuleType):
@@ -148,12 +159,16 @@ def test_the_command_is_read_back():
 @pytest.mark.parametrize(
     ("phi", "name", "reason"),
     [
-        ("sinh(alpha/4)", "mine", "kernels compute no sinh"),
+        (alpha * sympy.cot(1 + alpha**2), "mine", "kernels compute no cot"),
+        ("log(1 + alpha)", "mine", "not odd by its structure"),
+        ("sinh(alpha)*tanh(alpha)", "mine", "not odd by its structure"),
+        ("alpha*exp(-1/alpha**2)", "mine", "divides by zero at alpha = 0"),
+        ("sin(alpha)**2/alpha", "mine", "divides by zero at alpha = 0"),
         ("alpha/2", "cayley3", "is the name of a committed module"),
         ("alpha/2", "lambert", "is the name of a committed module"),
     ],
 )
-def test_refusals_write_nothing(tmp_path: Path, phi: str, name: str, reason: str):
+def test_refusals_write_nothing(tmp_path: Path, phi: str | sympy.Expr, name: str, reason: str):
     with pytest.raises((PhiError, ValueError), match=reason):
         generate(target="numpy", output=tmp_path / "none", phi=phi, name=name)
     assert not (tmp_path / "none").exists()

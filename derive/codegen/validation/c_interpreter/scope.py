@@ -18,6 +18,8 @@ LIBRARY: Mapping[str, tuple[int, Callable[..., Any]]] = {
     "sqrt": (1, lambda a: a.sqrt()),
     "tan": (1, lambda a: a.tan()),
     "atan2": (2, lambda a, b: a.arctan2(b)),
+    "expm1": (1, lambda a: a.expm1()),
+    "log1p": (1, lambda a: a.log1p()),
 }
 """Functions of the C library, with the number of their arguments, by methods of the number type."""
 

@@ -1,0 +1,103 @@
+"""φ with exponentials, logarithms and hyperbolic functions: kernels against first principles, on floats."""
+
+from __future__ import annotations
+
+import importlib
+from types import ModuleType
+
+import mpmath
+import numpy as np
+import pytest
+import sympy
+
+from derive.algebra.arithmetic import PLAIN
+from derive.codegen.facts import Facts
+from derive.codegen.lowered import lower
+from derive.codegen.module import module_name, module_text, shared_texts
+from derive.codegen.signatures import PUBLIC
+from derive.codegen.targets import TARGETS
+from derive.maps import parameterization
+from derive.maps.families import alpha, evaluate
+from derive.maps.lowered_phi import Lowering
+from derive.output import files
+from derive.proof import prove
+from tests.support import families
+from tests.support.of_square import OfSquare, Share, series
+
+PHI: dict[str, tuple[str, Share]] = {
+    "hyper": ("2*sinh(alpha/2)", lambda field, u: series(u / 4, 1)),
+    "flat": ("10*tanh(alpha/10)", lambda field, u: series(u / 100, 1) / series(u / 100, 0)),
+    "bell": ("alpha*exp(-alpha**2/100)", lambda field, u: field.exp(-u / 100)),
+    "slow": ("alpha*(1 + log(1 + alpha**2/10))", lambda field, u: 1 + field.log(1 + u / 10)),
+}
+"""By name: φ, and φ/α as a function of α²."""
+
+REGIMES = ((1e-300, 1e-290), (1e-9, 1e-5), (1e-3, 0.1), (1.2, 1.4), (0.3, 3.1), (3.2, 6.0))
+"""Angles; the last but two meets the hand-over. The oracle counts no turns."""
+GATE = 8
+
+
+@pytest.fixture(scope="module", params=["hyper", *(pytest.param(n, marks=pytest.mark.thorough) for n in list(PHI)[1:])])
+def name(request: pytest.FixtureRequest) -> str:
+    return str(request.param)
+
+
+@pytest.fixture(scope="module")
+def kernels(name: str, tmp_path_factory: pytest.TempPathFactory) -> ModuleType:
+    """As printed; generated ones are validated besides."""
+    target, proved = TARGETS["numpy"], prove(parameterization(PHI[name][0], name))
+    folder = tmp_path_factory.mktemp("phi")
+    text = {module_name(proved.formulas, target): module_text(Facts(proved, lower(proved)), target)}
+    files.write(folder / f"with_{name}", {**shared_texts(target), **text})
+    with pytest.MonkeyPatch.context() as patch:
+        patch.syspath_prepend(folder)
+        return importlib.import_module(f"with_{name}.{name}")
+
+
+@pytest.fixture(scope="module")
+def oracle(name: str) -> OfSquare:
+    return OfSquare(PHI[name][1])
+
+
+def test_every_function_agrees_with_first_principles(kernels: ModuleType, oracle: OfSquare):
+    """Each in one regime of angles, the next function in the next."""
+    for place, function in enumerate(PUBLIC):
+        low, high = REGIMES[place % len(REGIMES)]
+        if function in ("to_screw", "angle") and high < 1e-200:
+            low, high = REGIMES[1]
+        v = families.vectors(oracle, low, high, 1)
+        branch = 0 if PUBLIC[function].branch else None
+        assert families.worst(kernels, oracle, function, v, branch) <= GATE, (function, low, high)
+
+
+@pytest.mark.parametrize("regime", REGIMES)
+def test_no_band_of_angles_loses_digits(kernels: ModuleType, oracle: OfSquare, regime: tuple[float, float]):
+    v = families.vectors(oracle, *regime, 1)
+    for function in ("tangent", "pose", "tangent_inv", "from_pose"):
+        assert families.worst(kernels, oracle, function, v) <= GATE, function
+
+
+DIGITS = 350
+"""Of 1 + 1e-300."""
+ARGUMENTS = (-30.0, -3.0, -0.4, -1e-9, 1e-300, 1e-9, 0.4, 3.0, 30.0)
+
+
+@pytest.mark.parametrize(
+    ("function", "arguments", "units"),
+    [
+        (sympy.sinh(alpha), ARGUMENTS, 4),
+        (sympy.cosh(alpha), ARGUMENTS, 4),
+        (sympy.tanh(alpha), (*ARGUMENTS, 800.0), 4),
+        (sympy.exp(alpha), ARGUMENTS, 4),
+        (sympy.log(1 + alpha), (-0.9, -0.4, -1e-9, 1e-300, 1e-9, 0.4, 3.0, 1e9), 8),
+        (sympy.log(alpha), (1e-300, 1e-9, 0.3, 0.7, 3.0, 1e300), 4),
+    ],
+    ids=str,
+)
+def test_functions_are_right_to_the_last_digits(function: sympy.Expr, arguments: tuple[float, ...], units: int):
+    """On floats, near 0 and on either side of it, in eps."""
+    for a in arguments:
+        got = Lowering(a, PLAIN, "f").at(function)
+        with mpmath.workdps(DIGITS):
+            exact = evaluate(function, alpha, mpmath.mpf(a))
+            assert abs(got - exact) <= units * np.finfo(float).eps * abs(exact), (a, got, exact)

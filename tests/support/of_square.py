@@ -1,0 +1,69 @@
+"""The oracle of a φ by ``φ/α`` as a function of α²: analytic at 0, so that no root loses nilpotent parts there."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import mpmath
+
+from tests.support.families import DIGITS, angle_by_tangent
+from tests.support.nilpotent import Field, Nil, dot
+from tests.support.oracle import Oracle
+
+Share = Callable[[Field, Any], Any]
+
+TERMS = 90
+"""Of series in α² up to (4π)², to 60 digits: 158^90/180! is 1e-131."""
+NESTED = 4
+"""Nilpotent parts in each other: those of dual numbers, and of derivatives."""
+
+
+class OfSquare(Oracle):
+    """v = α share(α²) u, α² from x by Newton's method; for nilpotent parts with the slope at what is real."""
+
+    def __init__(self, share: Share) -> None:
+        super().__init__(1, DIGITS)
+        self.share = share
+
+    def square(self, x: Any) -> Any:
+        """α² of v·v."""
+        real, one = _real(x), self.field.number(1)
+        with mpmath.workdps(DIGITS):
+            found = mpmath.findroot(lambda u: self._x(u) / real - 1 if real else u, self._guess(real))
+        slope = self._x(Nil(one * found, one)).du
+        u = x * 0 + found
+        for _ in range(NESTED):
+            u = u - (self._x(u) - x) / slope
+        return u
+
+    def _x(self, u: Any) -> Any:
+        share = self.share(self.field, u)
+        return u * share * share
+
+    def _guess(self, x: Any) -> Any:
+        """By doubling: x grows with α²."""
+        u = x / self._x(x * 0 + 1e-30) * 1e-30 if x else x
+        while self._x(u) < x:
+            u = u * 2
+        return u
+
+    def base(self, v: Any) -> Any:
+        u = self.square(dot(v, v))
+        return angle_by_tangent(self.field, u) * self.share(self.field, u)
+
+    def size(self, theta: Any) -> Any:
+        alpha = 2 * theta
+        return alpha * self.share(self.field, alpha * alpha)
+
+
+def _real(number: Any) -> Any:
+    return _real(number.re) if isinstance(number, Nil) else number
+
+
+def series(u: Any, first: int) -> Any:
+    """``Σ u^k/(2k + first)!``: cosh √u for 0, sinh √u/√u for 1."""
+    total = u * 0
+    for k in range(TERMS, 0, -1):
+        total = (total + 1) * u / ((2 * k + first) * (2 * k + first - 1))
+    return total + 1
