@@ -952,7 +952,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 4, 8)),
     },
     kernels=SHARED,
-    programs="069b71805b095562",
+    programs="63679156051fbc75",
 )
 
 KERNELS = PoseKernels(CHART)

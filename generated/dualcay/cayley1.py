@@ -2086,7 +2086,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="72a617beb6e4bd26",
+    programs="d91cd6b098edaedd",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -800,7 +800,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="f338dcb8bc880d5b",
+    programs="5759fd7abbf22555",
 )
 
 KERNELS = PoseKernels(CHART)

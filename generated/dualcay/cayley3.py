@@ -793,7 +793,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 6)),
     },
     kernels=SHARED,
-    programs="258a3e7eceb42b3a",
+    programs="9fe10d362756469c",
 )
 
 KERNELS = PoseKernels(CHART)

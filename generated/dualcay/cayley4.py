@@ -831,7 +831,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 8)),
     },
     kernels=SHARED,
-    programs="b3cdc5986925f6b6",
+    programs="1e9d352ab44bd920",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -859,7 +859,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 10)),
     },
     kernels=SHARED,
-    programs="9b017dacdc15ab9a",
+    programs="6e714e9cb1559be9",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -944,7 +944,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 16)),
     },
     kernels=SHARED,
-    programs="3c1202a50485a4d8",
+    programs="8a4d0098fe76b889",
 )
 
 KERNELS = PoseKernels(CHART)

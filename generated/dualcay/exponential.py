@@ -1267,7 +1267,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1,)),
     },
     kernels=SHARED,
-    programs="b8b7bc024e9397ca",
+    programs="e0201e77e8737a92",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -803,7 +803,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 4, 8)),
     },
     kernels=SHARED,
-    programs="7936a048de71f966",
+    programs="10f09b9fc51fa9a5",
 )
 
 KERNELS = PoseKernels(CHART)

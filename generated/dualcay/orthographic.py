@@ -1116,7 +1116,7 @@ CHART = Chart(
         real=True,
     ),
     },
-    programs="71fee9dcd1ae1df9",
+    programs="3454a6eb30c68b3c",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -1868,7 +1868,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="de486df82b1b255f",
+    programs="1c47f8ace0218260",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -896,7 +896,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 6)),
     },
     kernels=SHARED,
-    programs="38f595e4c7ead781",
+    programs="c04248d2a4bdce78",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -928,7 +928,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 8)),
     },
     kernels=SHARED,
-    programs="9fe232cf75d1eabc",
+    programs="bb385da478797ff0",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -964,7 +964,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 10)),
     },
     kernels=SHARED,
-    programs="9f035a2d3a58de57",
+    programs="be73996131257f54",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -869,7 +869,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 6, 12)),
     },
     kernels=SHARED,
-    programs="4a88f4d1133bfd4d",
+    programs="1e42df87b4c0ec28",
 )
 
 KERNELS = PoseKernels(CHART)

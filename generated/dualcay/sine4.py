@@ -863,7 +863,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 8, 16)),
     },
     kernels=SHARED,
-    programs="88f633e31392ab5e",
+    programs="a10a08b7c1f7a4ca",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -876,7 +876,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="6a86487e471afdd4",
+    programs="6d9b5436d610ba83",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -153,17 +153,17 @@ def body_local(trace: Geometry) -> Program:
 def _quotient(trace: Geometry, second: Sequence[Number], first: Sequence[Number]) -> tuple[Number, ...]:
     """The exponential's vector of a product."""
     after, before = Point(trace, second, "b"), Point(trace, first, "a")
-    ray2, size2, (f, g, h) = ray(trace, after)
-    ray1, size1, coefficients = ray(trace, before)
+    ray2, _, (f, g, h) = ray(trace, after)
+    ray1, _, coefficients = ray(trace, before)
     e = Quaternion.from_components(trace.name(f"z{i}", c) for i, c in enumerate(ray2 * ray1))
     moved = rotate(after, f, g, named(trace, "rhoa", translation(before, *coefficients)), "rho")
-    return logarithm(trace, e, named(trace, "rho", moved + translation(after, f, g, h)), size2 * size1)
+    return logarithm(trace, e, named(trace, "rho", moved + translation(after, f, g, h)))
 
 
-def logarithm(trace: Geometry, e: Quaternion, rho: Vector, size: Number) -> tuple[Number, ...]:
-    """The exponential's vector of a quaternion times a size."""
+def logarithm(trace: Geometry, e: Quaternion, rho: Vector) -> tuple[Number, ...]:
+    """The exponential's vector of a positive multiple of a quaternion: by its angle, however large the multiple is."""
     scope = Scope(trace, "e")
-    factor = EXPONENTIAL.gain(e, trace.name("size", size), scope)
+    factor = EXPONENTIAL.gain(e, 1, scope)
     re = named(trace, "d", factor * e.vector)
     at = EXPONENTIAL.scalars(Point(trace, (*re, 0, 0, 0), "e").x, scope)
     return with_dual(trace, scope.name("fe", factor * e.scalar), rho, re, at.hi)

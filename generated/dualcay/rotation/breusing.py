@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="df42be9b86a6c72b",
+    programs="8550594c9dbf6191",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -593,7 +593,7 @@ CHART = Chart(
         real=True,
     ),
     },
-    programs="1ec4dba332740ba0",
+    programs="56d86cf7fa6c18d1",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -113,7 +113,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="b4cb4552091ebb81",
+    programs="cd538f1b48ae34d1",
 )
 
 KERNELS = RotationKernels(CHART)

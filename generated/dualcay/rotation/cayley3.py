@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="50377aed19e74d9d",
+    programs="edce2b42e39d8e4b",
 )
 
 KERNELS = RotationKernels(CHART)

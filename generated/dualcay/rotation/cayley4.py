@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="e933f8192f0556e7",
+    programs="1c5d22027a8302ee",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="c29a585f826db897",
+    programs="1fe77addc96eb9d8",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="d24b45faee04a40c",
+    programs="7bf6361269d00fb2",
 )
 
 KERNELS = RotationKernels(CHART)

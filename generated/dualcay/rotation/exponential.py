@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="12c5035abad65af5",
+    programs="3df77d856069465b",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="9f569e146fc52796",
+    programs="e6d6776c0b80f07d",
 )
 
 KERNELS = RotationKernels(CHART)

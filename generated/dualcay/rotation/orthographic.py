@@ -394,7 +394,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="b211a4d7afe4077e",
+    programs="46cf7577b5242ab4",
 )
 
 KERNELS = RotationKernels(CHART)

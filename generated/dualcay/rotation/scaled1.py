@@ -728,7 +728,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="1d56a89d811c7e70",
+    programs="de2ea0fc07c96450",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="b14211c5120fe072",
+    programs="6e6dc00cd0b8c00d",
 )
 
 KERNELS = RotationKernels(CHART)

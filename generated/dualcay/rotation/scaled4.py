@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="b03d2f0a1009d656",
+    programs="77707c14e8683caa",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="0ee7bc1958be70be",
+    programs="41c610371df30084",
 )
 
 KERNELS = RotationKernels(CHART)

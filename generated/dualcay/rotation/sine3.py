@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="e41132e0a1c6ba05",
+    programs="72f6fb3e92e0cce6",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="4196fd4f9f4b6890",
+    programs="02d57e8a8d58525e",
 )
 
 KERNELS = RotationKernels(CHART)

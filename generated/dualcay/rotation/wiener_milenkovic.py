@@ -113,7 +113,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="314ac71955337a36",
+    programs="bda869ec60729aba",
 )
 
 KERNELS = RotationKernels(CHART)
