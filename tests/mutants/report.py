@@ -123,6 +123,9 @@ def page(records: Sequence[Record], known: Mapping[str, Room] = ROOMS) -> str:
     listed["kinds"] = ", ".join(road.kinds())
     listed["further"] = ", ".join(f"φ = {phi}" for phi in road.FURTHER.values())
     rooms = "\n\n".join(_section(record, known[record.room].what) for record in records)
+    measured = {record.room for record in records}
+    if missing := [name for name in known if name not in measured]:
+        rooms += f"\n\nNever measured: {', '.join(missing)}."
     return PAGE.format(few=FEW, slower=round(SLOWER), table="\n".join(lines), rooms=rooms, **listed)
 
 

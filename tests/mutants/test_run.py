@@ -70,6 +70,8 @@ def test_killed_ones_are_killed_and_survivors_survive(tree: Path) -> None:
     page = report.page([record], {ROOM.name: ROOM})
     assert "| derive/toy/thing.py:6 | arithmetic operation | `a + 1 → a - 1` |" in page
     assert "5 survive" in page
+    assert "Never measured" not in page
+    assert "Never measured: attic." in report.page([record], {ROOM.name: ROOM, "attic": ROOM})
 
 
 def test_a_run_goes_on_where_it_stopped_until_the_tree_changes(tree: Path) -> None:
