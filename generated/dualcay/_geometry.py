@@ -4953,7 +4953,7 @@ def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v22w = v_2 * v_2
     v33w = v_3 * v_3
     xw = v11w + v22w + v33w
-    _, hiw = c.inverse_at(m, xw, fe, angle)
+    hiw, = c.inverse_at(m, xw, fe, angle)
     hvr = hiw * (v_1 * rho1 + v_2 * rho2 + v_3 * rho3)
     return (
         v_1,
@@ -5044,21 +5044,21 @@ def retract_blocks(
     v22w = mul(v_2, v_2, k7)
     v33w = mul(v_3, v_3, k8)
     xw = add(add(v11w, v22w, k5), v33w, k5)
-    _, hiw = c.inverse_at(
-        (k7, k8), (k9, k10, k11, k12, k13, k17, k18, k19, k20, k21, k22, *spare), (mask1, mask2, *spare_masks), xw, fe,
+    hiw, = c.inverse_at(
+        (k7,), (k8, k9, k10, k11, k12, k13, k17, k18, k19, k20, k21, k22, *spare), (mask1, mask2, *spare_masks), xw, fe,
         angle
     )
     yd = add(add(mul(d1, d1o, k3), mul(d2, d2o, k5), k3), mul(d3, d3o, k5), k3)
     alongd = mul(hd, yd, k1)
     gv3 = mul(v3, g, k3)
     gv1 = mul(v1, g, k5)
-    gv2 = mul(v2, g, k7)
+    gv2 = mul(v2, g, k8)
     y = add(add(mul(v1, v1o, k9), mul(v2, v2o, k10), k9), mul(v3, v3o, k10), k9)
     along = mul(h, y, k9)
     rhob2 = add(add(mul(v2o, f, k10), sub(mul(gv3, v1o, k11), mul(gv1, v3o, k12), k11), k10), mul(v2, along, k11), k10)
     rhob1 = add(add(mul(v1o, f, k11), sub(mul(gv2, v3o, k12), mul(gv3, v2o, k3), k3), k3), mul(v1, along, k11), k3)
-    rhob3 = add(add(mul(v3o, f, k11), sub(mul(gv1, v2o, k5), mul(gv2, v1o, k7), k5), k5), mul(v3, along, k7), k5)
-    v_rhob3 = sub(mul(d1, rhob2, k7), mul(d2, rhob1, k9), k7)
+    rhob3 = add(add(mul(v3o, f, k11), sub(mul(gv1, v2o, k5), mul(gv2, v1o, k8), k5), k5), mul(v3, along, k8), k5)
+    v_rhob3 = sub(mul(d1, rhob2, k8), mul(d2, rhob1, k9), k8)
     gv_rhob3 = mul(v_rhob3, gd, k9)
     v_rhob2 = sub(mul(d3, rhob1, k11), mul(d1, rhob3, k12), k11)
     gv_rhob2 = mul(v_rhob2, gd, k12)
@@ -5078,8 +5078,8 @@ def retract_blocks(
         k9
     )
     rho3 = add(
-        add(rhob3, add(mul(v_rhob3, fd, k7), sub(mul(d1, gv_rhob2, k10), mul(d2, gv_rhob1, k11), k10), k7), k5),
-        add(add(mul(d3o, fd, k6), sub(mul(gvd1, d2o, k2), mul(gvd2, d1o, k7), k2), k2), mul(d3, alongd, k1), k1), k1
+        add(rhob3, add(mul(v_rhob3, fd, k8), sub(mul(d1, gv_rhob2, k10), mul(d2, gv_rhob1, k11), k10), k8), k5),
+        add(add(mul(d3o, fd, k6), sub(mul(gvd1, d2o, k2), mul(gvd2, d1o, k8), k2), k2), mul(d3, alongd, k1), k1), k1
     )
     hvr = mul(hiw, add(add(mul(v_1, rho1, k2), mul(v_2, rho2, k5), k2), mul(v_3, rho3, k5), k2), k2)
     div(add(sub(mul(rho1, fe, k5), sub(mul(v_2, rho3, k6), mul(v_3, rho2, k7), k6), k5), mul(v_1, hvr, k6), k5), n2, o4)
@@ -5177,7 +5177,7 @@ def body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v22w = v_2 * v_2
     v33w = v_3 * v_3
     xw = v11w + v22w + v33w
-    _, hiw = c.inverse_at(m, xw, fe, angle)
+    hiw, = c.inverse_at(m, xw, fe, angle)
     hvr = hiw * (v_1 * rho1 + v_2 * rho2 + v_3 * rho3)
     return (
         v_1,
@@ -5268,8 +5268,8 @@ def body_retract_blocks(
     v22w = mul(v_2, v_2, k7)
     v33w = mul(v_3, v_3, k8)
     xw = add(add(v11w, v22w, k5), v33w, k5)
-    _, hiw = c.inverse_at(
-        (k7, k8), (k9, k10, k11, k12, k13, k17, k18, k19, k20, k21, k22, *spare), (mask1, mask2, *spare_masks), xw, fe,
+    hiw, = c.inverse_at(
+        (k7,), (k8, k9, k10, k11, k12, k13, k17, k18, k19, k20, k21, k22, *spare), (mask1, mask2, *spare_masks), xw, fe,
         angle
     )
     yd = add(add(mul(d1, d1o, k3), mul(d2, d2o, k5), k3), mul(d3, d3o, k5), k3)
@@ -5277,7 +5277,7 @@ def body_retract_blocks(
     gvd1 = mul(d1, gd, k3)
     gvd2 = mul(d2, gd, k5)
     gvd3 = mul(d3, gd, k2)
-    rhob3 = add(add(mul(d3o, fd, k7), sub(mul(gvd1, d2o, k9), mul(gvd2, d1o, k10), k9), k7), mul(d3, alongd, k9), k7)
+    rhob3 = add(add(mul(d3o, fd, k8), sub(mul(gvd1, d2o, k9), mul(gvd2, d1o, k10), k9), k8), mul(d3, alongd, k9), k8)
     rhob2 = add(add(mul(d2o, fd, k9), sub(mul(gvd3, d1o, k10), mul(gvd1, d3o, k3), k3), k3), mul(d2, alongd, k9), k3)
     rhob1 = add(add(mul(d1o, fd, k6), sub(mul(gvd2, d3o, k5), mul(gvd3, d2o, k2), k2), k2), mul(d1, alongd, k1), k1)
     v_rhob1 = sub(mul(v2, rhob3, k2), mul(v3, rhob2, k5), k2)
@@ -5301,7 +5301,7 @@ def body_retract_blocks(
     )
     rho3 = add(
         add(rhob3, add(mul(v_rhob3, f, k5), sub(mul(v1, gv_rhob2, k6), mul(v2, gv_rhob1, k2), k2), k2), k2),
-        add(add(mul(v3o, f, k5), sub(mul(gv1, v2o, k6), mul(gv2, v1o, k7), k6), k5), mul(v3, along, k6), k5), k2
+        add(add(mul(v3o, f, k5), sub(mul(gv1, v2o, k6), mul(gv2, v1o, k8), k6), k5), mul(v3, along, k6), k5), k2
     )
     hvr = mul(hiw, add(add(mul(v_1, rho1, k5), mul(v_2, rho2, k6), k5), mul(v_3, rho3, k6), k5), k5)
     div(add(sub(mul(rho1, fe, k6), sub(mul(v_2, rho3, k7), mul(v_3, rho2, k8), k7), k6), mul(v_1, hvr, k7), k6), n2, o4)
@@ -7670,7 +7670,7 @@ def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) 
     v22w = v_2 * v_2
     v33w = v_3 * v_3
     xw = v11w + v22w + v33w
-    _, hiw = c.inverse_at(m, xw, fe_, angle)
+    hiw, = c.inverse_at(m, xw, fe_, angle)
     hvr_ = hiw * (v_1 * rho1 + v_2 * rho2 + v_3 * rho3)
     return (
         v_1,
@@ -7840,17 +7840,17 @@ def interpolate_blocks(
     v22w = mul(v_2, v_2, k4)
     v33w = mul(v_3, v_3, k16)
     xw = add(add(v11w, v22w, k3), v33w, k3)
-    _, hiw = c.inverse_at(
-        (k4, k16), (k21, k22, k23, k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, *spare), (mask1, mask2, mask3,
+    hiw, = c.inverse_at(
+        (k4,), (k16, k21, k22, k23, k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, *spare), (mask1, mask2, mask3,
         *spare_masks), xw, fe_, angle
     )
     v11e = mul(d1, d1, k2)
     v22e = mul(d2, d2, k3)
-    v33e = mul(d3, d3, k4)
+    v33e = mul(d3, d3, k16)
     xe = add(add(v11e, v22e, k2), v33e, k2)
     neare = m.less(xe, n6, mask1)
-    ze = div(m.where(neare, xe, sub(xe, xe, k3), k4), n4, k3)
-    xxe = m.where(neare, add(n6, xe, k4), xe, k4)
+    ze = div(m.where(neare, xe, sub(xe, xe, k3), k16), n4, k3)
+    xxe = m.where(neare, add(n6, xe, k16), xe, k16)
     C7e = div(
         div(sub(n72, mul(ze, div(sub(n3603600, mul(ze, sub(n32760, mul(ze, sub(n210, mul(ze, div(sub(n93024, mul(ze,
         sub(n342, mul(ze, div(sub(n212520, mul(ze, sub(n506, ze, k2), k2), k2), n212520, k2), k2), k2), k2), k2),
@@ -7870,13 +7870,13 @@ def interpolate_blocks(
     se = m.where(neare, C0e, div(sub(n1, tte, k26), belowe, k26), k3)
     we = m.where(neare, div(C1e, n2, k26), div(div(mul(n2, te, k25), belowe, k25), alphae, k23), k25)
     fe = mul(n2, mul(se, we, k23), k23)
-    he = m.where(neare, div(add(C3e, mul(C1e, C2e, k21), k2), n4, k2), div(sub(n1, fe, k21), xxe, k4), k2)
+    he = m.where(neare, div(add(C3e, mul(C1e, C2e, k21), k2), n4, k2), div(sub(n1, fe, k21), xxe, k16), k2)
     fie = div(se, we, k3)
-    wwe = mul(we, we, k4)
-    ge = mul(n2, wwe, k4)
+    wwe = mul(we, we, k16)
+    ge = mul(n2, wwe, k16)
     hie = sub(ge, mul(fie, he, k2), k2)
     gva3 = mul(a3, ga, k3)
-    gva1 = mul(a1, ga, k4)
+    gva1 = mul(a1, ga, k16)
     ya = add(add(mul(a1, a1o, k21), mul(a2, a2o, k22), k21), mul(a3, a3o, k22), k21)
     alonga = mul(ha, ya, k7)
     rhoa2 = add(
@@ -7884,17 +7884,19 @@ def interpolate_blocks(
     )
     gva2 = mul(a2, ga, k22)
     rhoa1 = add(add(mul(a1o, fa, k23), sub(mul(gva2, a3o, k25), mul(gva3, a2o, k3), k3), k3), mul(a1, alonga, k23), k3)
-    rhoa3 = add(add(mul(a3o, fa, k23), sub(mul(gva1, a2o, k4), mul(gva2, a1o, k22), k4), k4), mul(a3, alonga, k7), k4)
+    rhoa3 = add(
+        add(mul(a3o, fa, k23), sub(mul(gva1, a2o, k16), mul(gva2, a1o, k22), k16), k16), mul(a3, alonga, k7), k7
+    )
     minus_fa = neg(fa, k5)
-    v_rhoa3 = sub(mul(a1, rhoa2, k7), mul(a2, rhoa1, k22), k7)
+    v_rhoa3 = sub(mul(a1, rhoa2, k16), mul(a2, rhoa1, k22), k16)
     v_rhoa2 = sub(mul(a3, rhoa1, k22), mul(a1, rhoa3, k23), k22)
     gv_rhoa2 = mul(v_rhoa2, ga, k23)
     v_rhoa1 = sub(mul(a2, rhoa3, k25), mul(a3, rhoa2, k26), k25)
     gv_rhoa1 = mul(v_rhoa1, ga, k26)
     gv_rhoa3 = mul(v_rhoa3, ga, k6)
     back3 = neg(
-        add(rhoa3, add(mul(v_rhoa3, minus_fa, k7), sub(mul(a1, gv_rhoa2, k27), mul(a2, gv_rhoa1, k28), k27), k7), k7),
-        k7
+        add(rhoa3, add(mul(v_rhoa3, minus_fa, k16), sub(mul(a1, gv_rhoa2, k27), mul(a2, gv_rhoa1, k28), k27), k16),
+        k16), k16
     )
     back2 = neg(
         add(rhoa2, add(mul(v_rhoa2, minus_fa, k22), sub(mul(a3, gv_rhoa1, k26), mul(a1, gv_rhoa3, k27), k26), k22),
@@ -7926,16 +7928,17 @@ def interpolate_blocks(
     )
     way3 = add(
         add(back3, add(mul(v_back3, fb, k23), sub(mul(b1, gv_back2, k25), mul(b2, gv_back1, k6), k6), k6), k6),
-        add(add(mul(b3o, fb, k7), sub(mul(gvb1, b2o, k13), mul(gvb2, b1o, k14), k13), k7), mul(b3, alongb, k13), k7), k6
+        add(add(mul(b3o, fb, k13), sub(mul(gvb1, b2o, k14), mul(gvb2, b1o, k16), k14), k13), mul(b3, alongb, k14), k13),
+        k6
     )
-    hvr = mul(hie, add(add(mul(d1, way1, k7), mul(d2, way2, k13), k7), mul(d3, way3, k13), k7), k2)
+    hvr = mul(hie, add(add(mul(d1, way1, k13), mul(d2, way2, k14), k13), mul(d3, way3, k14), k13), k2)
     td4 = mul(
-        t, div(add(sub(mul(way1, fee, k7), sub(mul(d2, way3, k13), mul(d3, way2, k14), k13), k7), mul(d1, hvr, k13),
-        k7), n2, k7), k7
+        t, div(add(sub(mul(way1, fee, k13), sub(mul(d2, way3, k14), mul(d3, way2, k15), k14), k13), mul(d1, hvr, k14),
+        k13), n2, k13), k13
     )
     td5 = mul(
-        t, div(add(sub(mul(way2, fee, k13), sub(mul(d3, way1, k14), mul(d1, way3, k15), k14), k13), mul(d2, hvr, k14),
-        k13), n2, k13), k13
+        t, div(add(sub(mul(way2, fee, k14), sub(mul(d3, way1, k15), mul(d1, way3, k16), k15), k14), mul(d2, hvr, k15),
+        k14), n2, k14), k14
     )
     td6 = mul(
         t, div(add(sub(mul(way3, fee, k6), sub(mul(d1, way2, k8), mul(d2, way1, k5), k5), k5), mul(d3, hvr, k2), k2),
@@ -7948,25 +7951,25 @@ def interpolate_blocks(
     v_moved2 = sub(mul(td3, rhoa1, k10), mul(td1, rhoa3, k11), k10)
     gv_moved2 = mul(v_moved2, gt, k11)
     gvt2 = mul(td2, gt, k12)
-    gvt3 = mul(td3, gt, k14)
-    v_moved1 = sub(mul(td2, rhoa3, k15), mul(td3, rhoa2, k17), k15)
+    gvt3 = mul(td3, gt, k15)
+    v_moved1 = sub(mul(td2, rhoa3, k16), mul(td3, rhoa2, k17), k16)
     rho1 = add(
         add(rhoa1, add(mul(v_moved1, ft, k17), sub(mul(td2, gv_moved3, k22), mul(td3, gv_moved2, k23), k22), k17), k3),
         add(add(mul(td4, ft, k17), sub(mul(gvt2, td6, k22), mul(gvt3, td5, k23), k22), k17), mul(td1, alongt, k22),
         k17), k3
     )
-    gv_moved1 = mul(v_moved1, gt, k15)
+    gv_moved1 = mul(v_moved1, gt, k16)
     gvt1 = mul(td1, gt, k17)
     rho2 = add(
         add(rhoa2, add(mul(v_moved2, ft, k10), sub(mul(td3, gv_moved1, k19), mul(td1, gv_moved3, k8), k8), k8), k8),
-        add(add(mul(td5, ft, k10), sub(mul(gvt3, td4, k14), mul(gvt1, td6, k19), k14), k10), mul(td2, alongt, k14),
+        add(add(mul(td5, ft, k10), sub(mul(gvt3, td4, k15), mul(gvt1, td6, k19), k15), k10), mul(td2, alongt, k15),
         k10), k8
     )
     rho3 = add(
-        add(rhoa3, add(mul(v_moved3, ft, k6), sub(mul(td1, gv_moved2, k9), mul(td2, gv_moved1, k10), k9), k6), k4),
-        add(add(mul(td6, ft, k2), sub(mul(gvt1, td5, k6), mul(gvt2, td4, k7), k6), k2), mul(td3, alongt, k5), k2), k2
+        add(rhoa3, add(mul(v_moved3, ft, k6), sub(mul(td1, gv_moved2, k9), mul(td2, gv_moved1, k10), k9), k6), k6),
+        add(add(mul(td6, ft, k2), sub(mul(gvt1, td5, k7), mul(gvt2, td4, k9), k7), k2), mul(td3, alongt, k5), k2), k2
     )
-    hvr_ = mul(hiw, add(add(mul(v_1, rho1, k4), mul(v_2, rho2, k5), k4), mul(v_3, rho3, k5), k4), k4)
+    hvr_ = mul(hiw, add(add(mul(v_1, rho1, k5), mul(v_2, rho2, k6), k5), mul(v_3, rho3, k6), k5), k4)
     div(
         add(sub(mul(rho1, fe_, k5), sub(mul(v_2, rho3, k6), mul(v_3, rho2, k7), k6), k5), mul(v_1, hvr_, k6), k5), n2,
         o4
@@ -9093,7 +9096,7 @@ KERNELS: Mapping[str, Kernel] = {
         registers=22,
         masks=2,
         numbers=(0, 1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
-        lent=(('ray', 0, 0), ('unfolded', 7, 0), ('coefficient', 8, 1), ('inverse_at', 11, 2)),
+        lent=(('ray', 0, 0), ('unfolded', 7, 0), ('coefficient', 8, 1), ('inverse_at', 12, 2)),
         real=True,
     ),
     "body_retract": Kernel(
@@ -9104,7 +9107,7 @@ KERNELS: Mapping[str, Kernel] = {
         registers=22,
         masks=2,
         numbers=(0, 1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
-        lent=(('ray', 0, 0), ('unfolded', 7, 0), ('coefficient', 8, 1), ('inverse_at', 11, 2)),
+        lent=(('ray', 0, 0), ('unfolded', 7, 0), ('coefficient', 8, 1), ('inverse_at', 12, 2)),
         real=True,
     ),
     "retract_jacobians": Kernel(
@@ -9159,7 +9162,7 @@ KERNELS: Mapping[str, Kernel] = {
         registers=34,
         masks=3,
         numbers=(-2, -1, 0, 1, 2, 3, 4, 6, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
-        lent=(('ray', 0, 0), ('ray', 0, 0), ('unfolded', 3, 0), ('coefficient', 7, 1), ('inverse_at', 13, 3)),
+        lent=(('ray', 0, 0), ('ray', 0, 0), ('unfolded', 3, 0), ('coefficient', 7, 1), ('inverse_at', 14, 3)),
         real=True,
     ),
     "adjoint": Kernel(

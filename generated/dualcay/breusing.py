@@ -410,19 +410,18 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     c = (below - below + 2) / below
     rootc = m.sqrt(c)
     hi = 3 / (4 * rootc)
-    return fe, hi
+    return hi,
 
 
 def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, o2 = out
+    o1, = out
     k1, *_ = scratch
     n2, n3, n4 = numbers
-    below = add(x, sqrt(add(mul(x, x, o2), n4, o2), o2), o2)
-    c = div(add(sub(below, below, k1), n2, k1), below, o2)
-    rootc = sqrt(c, o2)
-    div(n3, mul(n4, rootc, o2), o2)
-    copy(fe, o1)
-    return o1, o2
+    below = add(x, sqrt(add(mul(x, x, o1), n4, o1), o1), o1)
+    c = div(add(sub(below, below, k1), n2, k1), below, o1)
+    rootc = sqrt(c, o1)
+    div(n3, mul(n4, rootc, o1), o1)
+    return o1,
 
 
 # operations 31: 7 +, 14 *, 7 /, 1 neg, 2 sqrt
@@ -952,7 +951,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 4, 8)),
     },
     kernels=SHARED,
-    programs="63679156051fbc75",
+    programs="64c44ed2ed88e7ff",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -250,12 +250,12 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
 
 # operations 0
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    return 1, 1
+    return 1,
 
 
 def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
     n1, = numbers
-    return n1, n1
+    return n1,
 
 
 # operations 0
@@ -2086,7 +2086,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="d91cd6b098edaedd",
+    programs="78bc5b74a0c4a5ed",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -97,13 +97,13 @@
 #   between: 213: 74 +, 120 *, 9 /, 7 neg, 1 lt, 2 where
 #   compose_jacobians: 962: 383 +, 514 *, 52 /, 10 neg, 1 lt, 2 where
 #   between_jacobians: 986: 383 +, 514 *, 52 /, 34 neg, 1 lt, 2 where
-#   retract: 302: 100 +, 146 *, 29 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
-#   body_retract: 302: 100 +, 146 *, 29 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   retract: 300: 99 +, 146 *, 28 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   body_retract: 300: 99 +, 146 *, 28 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
 #   retract_jacobians: 1059: 411 +, 541 *, 72 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   body_retract_jacobians: 1059: 411 +, 541 *, 72 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 292: 94 +, 148 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 292: 94 +, 148 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   interpolate: 645: 205 +, 313 *, 53 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
+#   interpolate: 643: 204 +, 313 *, 52 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
 #   adjoint: 92: 35 +, 55 *, 2 /
 #   transform_point_jacobians: 208: 91 +, 110 *, 3 /, 4 neg
 #   transform_line_jacobians: 307: 124 +, 173 *, 3 /, 7 neg
@@ -321,19 +321,14 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, n1
 
 
-# operations 2: 1 +, 1 /
+# operations 0
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    p = 1 - x
-    fi = p / 2
-    return fi, 1
+    return 1,
 
 
 def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, _ = out
-    n1, n2 = numbers
-    p = sub(n1, x, o1)
-    div(p, n2, o1)
-    return o1, n1
+    n1, = numbers
+    return n1,
 
 
 # operations 2: 1 +, 1 /
@@ -770,7 +765,7 @@ CHART = Chart(
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 1, 0, (1, 2, 4)),
         "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2, 4)),
         "inverse": Function(_inverse, _inverse_blocks, 0, 0, (1, 2)),
-        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 0, 0, (1, 2)),
+        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 0, 0, (1,)),
         "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 0, 0, (-1, 0, 1, 2)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 0, 0, (0, 1, 2)),
         "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 0, 0, (0, 1, 2)),
@@ -800,7 +795,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="5759fd7abbf22555",
+    programs="e85f6705da9637b9",
 )
 
 KERNELS = PoseKernels(CHART)

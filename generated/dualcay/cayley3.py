@@ -94,13 +94,13 @@
 #   between: 239: 77 +, 133 *, 12 /, 7 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   compose_jacobians: 1014: 391 +, 546 *, 57 /, 10 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   between_jacobians: 1038: 391 +, 546 *, 57 /, 34 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   retract: 311: 102 +, 152 *, 30 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
-#   body_retract: 311: 102 +, 152 *, 30 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   retract: 308: 101 +, 150 *, 30 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   body_retract: 308: 101 +, 150 *, 30 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
 #   retract_jacobians: 1083: 416 +, 557 *, 74 /, 8 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   body_retract_jacobians: 1083: 416 +, 557 *, 74 /, 8 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 298: 94 +, 154 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 298: 94 +, 154 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   interpolate: 657: 207 +, 322 *, 54 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
+#   interpolate: 654: 206 +, 320 *, 54 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
 #   adjoint: 96: 36 +, 58 *, 2 /
 #   transform_point_jacobians: 216: 93 +, 116 *, 3 /, 4 neg
 #   transform_line_jacobians: 315: 126 +, 179 *, 3 /, 7 neg
@@ -358,30 +358,26 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, o2
 
 
-# operations 8: 3 +, 3 *, 2 /
+# operations 5: 2 +, 1 *, 2 /
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    p = 1 - 3 * x
+    d = 11 - x
     q = 3 - x
     iq = 1 / q
-    fi = p * iq
-    d = 11 - x
     diq = d * iq
     hi = diq / 3
-    return fi, hi
+    return hi,
 
 
 def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, o2 = out
+    o1, = out
     k1, *_ = scratch
     n1, n3, n11 = numbers
-    p = sub(n1, mul(n3, x, o1), o1)
-    q = sub(n3, x, o2)
-    iq = div(n1, q, o2)
-    mul(p, iq, o1)
-    d = sub(n11, x, k1)
-    diq = mul(d, iq, o2)
-    div(diq, n3, o2)
-    return o1, o2
+    d = sub(n11, x, o1)
+    q = sub(n3, x, k1)
+    iq = div(n1, q, k1)
+    diq = mul(d, iq, o1)
+    div(diq, n3, o1)
+    return o1,
 
 
 # operations 15: 4 +, 7 *, 3 /, 1 neg
@@ -793,7 +789,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 6)),
     },
     kernels=SHARED,
-    programs="9fe10d362756469c",
+    programs="f05d67b5d2d310cb",
 )
 
 KERNELS = PoseKernels(CHART)

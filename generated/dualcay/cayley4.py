@@ -94,13 +94,13 @@
 #   between: 253: 88 +, 142 *, 12 /, 7 neg, 1 sqrt, 1 lt, 2 where
 #   compose_jacobians: 1054: 415 +, 570 *, 57 /, 8 neg, 1 sqrt, 1 lt, 2 where
 #   between_jacobians: 1078: 415 +, 570 *, 57 /, 32 neg, 1 sqrt, 1 lt, 2 where
-#   retract: 323: 108 +, 158 *, 30 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
-#   body_retract: 323: 108 +, 158 *, 30 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   retract: 319: 106 +, 156 *, 30 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   body_retract: 319: 106 +, 156 *, 30 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
 #   retract_jacobians: 1108: 429 +, 570 *, 74 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   body_retract_jacobians: 1108: 429 +, 570 *, 74 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 316: 104 +, 162 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 316: 104 +, 162 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   interpolate: 678: 218 +, 332 *, 54 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
+#   interpolate: 674: 216 +, 330 *, 54 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
 #   adjoint: 102: 39 +, 61 *, 2 /
 #   transform_point_jacobians: 226: 98 +, 122 *, 3 /, 3 neg
 #   transform_line_jacobians: 325: 131 +, 185 *, 3 /, 6 neg
@@ -375,30 +375,26 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, o2
 
 
-# operations 11: 4 +, 5 *, 2 /
+# operations 7: 2 +, 3 *, 2 /
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    p = (x - 6) * x + 1
+    d = 24 - 8 * x
     q = 4 - 4 * x
     iq = 1 / q
-    fi = p * iq
-    d = 24 - 8 * x
     diq = d * iq
     hi = diq / 4
-    return fi, hi
+    return hi,
 
 
 def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, o2 = out
+    o1, = out
     k1, *_ = scratch
-    n1, n4, n6, n8, n24 = numbers
-    p = add(mul(sub(x, n6, o1), x, o1), n1, o1)
-    q = sub(n4, mul(n4, x, o2), o2)
-    iq = div(n1, q, o2)
-    mul(p, iq, o1)
-    d = sub(n24, mul(n8, x, k1), k1)
-    diq = mul(d, iq, o2)
-    div(diq, n4, o2)
-    return o1, o2
+    n1, n4, n8, n24 = numbers
+    d = sub(n24, mul(n8, x, o1), o1)
+    q = sub(n4, mul(n4, x, k1), k1)
+    iq = div(n1, q, k1)
+    diq = mul(d, iq, o1)
+    div(diq, n4, o1)
+    return o1,
 
 
 # operations 21: 7 +, 10 *, 3 /, 1 neg
@@ -814,7 +810,7 @@ CHART = Chart(
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 3, 0, (-16, 1, 2, 4, 6, 8, 16, 40)),
         "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2, 8)),
         "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 4, 6, 8, 24)),
-        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 1, 0, (1, 4, 6, 8, 24)),
+        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 1, 0, (1, 4, 8, 24)),
         "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 1, 0, (1, 4, 6, 8, 16, 24, 40)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 1, 0, (1, 4, 6, 8, 16, 24, 40)),
         "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 2, 0, (-4, 1, 2, 4, 6, 8, 16, 24, 40)),
@@ -831,7 +827,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 8)),
     },
     kernels=SHARED,
-    programs="1e9d352ab44bd920",
+    programs="dd5065f1013c8601",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -94,13 +94,13 @@
 #   between: 261: 88 +, 144 *, 12 /, 7 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   compose_jacobians: 1081: 423 +, 583 *, 57 /, 8 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   between_jacobians: 1105: 423 +, 583 *, 57 /, 32 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   retract: 325: 109 +, 159 *, 30 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
-#   body_retract: 325: 109 +, 159 *, 30 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   retract: 320: 107 +, 156 *, 30 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   body_retract: 320: 107 +, 156 *, 30 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
 #   retract_jacobians: 1121: 434 +, 578 *, 74 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   body_retract_jacobians: 1121: 434 +, 578 *, 74 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 314: 102 +, 162 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 314: 102 +, 162 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   interpolate: 679: 218 +, 333 *, 54 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
+#   interpolate: 674: 216 +, 330 *, 54 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
 #   adjoint: 104: 40 +, 62 *, 2 /
 #   transform_point_jacobians: 231: 100 +, 125 *, 3 /, 3 neg
 #   transform_line_jacobians: 330: 133 +, 188 *, 3 /, 6 neg
@@ -383,30 +383,26 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, o2
 
 
-# operations 14: 6 +, 6 *, 2 /
+# operations 9: 4 +, 3 *, 2 /
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    p = (5 * x - 10) * x + 1
+    d = (x - 34) * x + 45
     q = (x - 10) * x + 5
     iq = 1 / q
-    fi = p * iq
-    d = (x - 34) * x + 45
     diq = d * iq
     hi = diq / 5
-    return fi, hi
+    return hi,
 
 
 def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, o2 = out
+    o1, = out
     k1, *_ = scratch
     n1, n5, n10, n34, n45 = numbers
-    p = add(mul(sub(mul(n5, x, o1), n10, o1), x, o1), n1, o1)
-    q = add(mul(sub(x, n10, o2), x, o2), n5, o2)
-    iq = div(n1, q, o2)
-    mul(p, iq, o1)
-    d = add(mul(sub(x, n34, k1), x, k1), n45, k1)
-    diq = mul(d, iq, o2)
-    div(diq, n5, o2)
-    return o1, o2
+    d = add(mul(sub(x, n34, o1), x, o1), n45, o1)
+    q = add(mul(sub(x, n10, k1), x, k1), n5, k1)
+    iq = div(n1, q, k1)
+    diq = mul(d, iq, o1)
+    div(diq, n5, o1)
+    return o1,
 
 
 # operations 30: 11 +, 15 *, 3 /, 1 neg
@@ -859,7 +855,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 10)),
     },
     kernels=SHARED,
-    programs="6e714e9cb1559be9",
+    programs="394d579cbe3eb0ed",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -94,13 +94,13 @@
 #   between: 314: 115 +, 174 *, 13 /, 7 neg, 2 sqrt, 1 lt, 2 where
 #   compose_jacobians: 1203: 484 +, 648 *, 58 /, 8 neg, 2 sqrt, 1 lt, 2 where
 #   between_jacobians: 1227: 484 +, 648 *, 58 /, 32 neg, 2 sqrt, 1 lt, 2 where
-#   retract: 357: 124 +, 176 *, 30 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
-#   body_retract: 357: 124 +, 176 *, 30 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   retract: 349: 120 +, 172 *, 30 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   body_retract: 349: 120 +, 172 *, 30 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
 #   retract_jacobians: 1189: 467 +, 613 *, 74 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   body_retract_jacobians: 1189: 467 +, 613 *, 74 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 360: 124 +, 186 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 360: 124 +, 186 *, 25 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   interpolate: 734: 244 +, 362 *, 54 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
+#   interpolate: 726: 240 +, 358 *, 54 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
 #   adjoint: 118: 47 +, 69 *, 2 /
 #   transform_point_jacobians: 255: 112 +, 137 *, 3 /, 3 neg
 #   transform_line_jacobians: 354: 145 +, 200 *, 3 /, 6 neg
@@ -411,30 +411,26 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, o2
 
 
-# operations 23: 10 +, 11 *, 2 /
+# operations 15: 6 +, 7 *, 2 /
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    p = (((x - 28) * x + 70) * x - 28) * x + 1
+    d = ((272 - 16 * x) * x - 560) * x + 176
     q = ((56 - 8 * x) * x - 56) * x + 8
     iq = 1 / q
-    fi = p * iq
-    d = ((272 - 16 * x) * x - 560) * x + 176
     diq = d * iq
     hi = diq / 8
-    return fi, hi
+    return hi,
 
 
 def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, o2 = out
+    o1, = out
     k1, *_ = scratch
-    n1, n8, n16, n28, n56, n70, n176, n272, n560 = numbers
-    p = add(mul(sub(mul(add(mul(sub(x, n28, o1), x, o1), n70, o1), x, o1), n28, o1), x, o1), n1, o1)
-    q = add(mul(sub(mul(sub(n56, mul(n8, x, o2), o2), x, o2), n56, o2), x, o2), n8, o2)
-    iq = div(n1, q, o2)
-    mul(p, iq, o1)
-    d = add(mul(sub(mul(sub(n272, mul(n16, x, k1), k1), x, k1), n560, k1), x, k1), n176, k1)
-    diq = mul(d, iq, o2)
-    div(diq, n8, o2)
-    return o1, o2
+    n1, n8, n16, n56, n176, n272, n560 = numbers
+    d = add(mul(sub(mul(sub(n272, mul(n16, x, o1), o1), x, o1), n560, o1), x, o1), n176, o1)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, k1), k1), x, k1), n56, k1), x, k1), n8, k1)
+    iq = div(n1, q, k1)
+    diq = mul(d, iq, o1)
+    div(diq, n8, o1)
+    return o1,
 
 
 # operations 51: 21 +, 26 *, 3 /, 1 neg
@@ -927,7 +923,7 @@ CHART = Chart(
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 7, 0, (1, 2, 4, 8, 16, 24, 28, 48, 56, 70, 96, 112, 224, 336, 480, 1120, 2016, 2352, 4480, 5440, 6000, 9408, 12000, 16320, 28224, 32640)),
         "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2, 16)),
         "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 8, 16, 28, 56, 70, 176, 272, 560)),
-        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 1, 0, (1, 8, 16, 28, 56, 70, 176, 272, 560)),
+        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 1, 0, (1, 8, 16, 56, 176, 272, 560)),
         "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 1, 0, (1, 2, 8, 16, 24, 28, 48, 56, 70, 112, 176, 224, 272, 336, 544, 560, 2016, 2352, 5440, 6000)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 1, 0, (1, 2, 8, 16, 24, 28, 48, 56, 70, 112, 176, 224, 272, 336, 544, 560, 2016, 2352, 5440, 6000)),
         "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 2, 0, (1, 2, 4, 8, 16, 24, 28, 48, 56, 70, 96, 112, 176, 224, 272, 336, 544, 560, 1120, 2016, 2352, 5440, 6000, 9408, 12000, 16320)),
@@ -944,7 +940,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 16)),
     },
     kernels=SHARED,
-    programs="8a4d0098fe76b889",
+    programs="cecb49427c714256",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -542,16 +542,16 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     f = 2 * (s * w)
     h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
     hi = g - fe * h
-    return fe, hi
+    return hi,
 
 
 def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, o2 = out
+    o1, = out
     k1, k2, k3, k4, k5, k6, k7, k8, *_ = scratch
     mask1, *_ = masks
     n1, n2, n4, n6, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
     near = m.less(x, n6, mask1)
-    z = div(m.where(near, x, sub(x, x, o2), k1), n4, o2)
+    z = div(m.where(near, x, sub(x, x, o1), k1), n4, o1)
     C7 = div(
         div(sub(n72, mul(z, div(sub(n3603600, mul(z, sub(n32760, mul(z, sub(n210, mul(z, div(sub(n93024, mul(z,
         sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, k1), k1), k1), n212520, k1), k1), k1), k1), k1), n93024,
@@ -561,7 +561,7 @@ def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: R
     C3 = div(sub(n1, mul(n6, mul(z, C5, k1), k1), k1), n6, k1)
     C1 = sub(n1, mul(z, C3, k2), k2)
     CC1 = mul(C1, C1, k3)
-    C0 = sqrt(sub(n1, mul(z, CC1, o2), o2), o2)
+    C0 = sqrt(sub(n1, mul(z, CC1, o1), o1), o1)
     C01 = add(n1, C0, k4)
     C2 = div(CC1, C01, k3)
     xx = m.where(near, add(n6, x, k4), x, k4)
@@ -569,15 +569,14 @@ def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: R
     t = tan(div(alpha, n4, k6), k6)
     tt = mul(t, t, k7)
     below = add(n1, tt, k8)
-    s = m.where(near, C0, div(sub(n1, tt, k7), below, k7), o2)
+    s = m.where(near, C0, div(sub(n1, tt, k7), below, k7), o1)
     w = m.where(near, div(C1, n2, k7), div(div(mul(n2, t, k6), below, k6), alpha, k5), k6)
-    f = mul(n2, mul(s, w, o2), o2)
-    h = m.where(near, div(add(C3, mul(C1, C2, k2), k1), n4, k1), div(sub(n1, f, o2), xx, o2), k1)
-    ww = mul(w, w, o2)
-    g = mul(n2, ww, o2)
-    sub(g, mul(fe, h, k1), o2)
-    copy(fe, o1)
-    return o1, o2
+    f = mul(n2, mul(s, w, o1), o1)
+    h = m.where(near, div(add(C3, mul(C1, C2, k2), k1), n4, k1), div(sub(n1, f, o1), xx, o1), k1)
+    ww = mul(w, w, o1)
+    g = mul(n2, ww, o1)
+    sub(g, mul(fe, h, k1), o1)
+    return o1,
 
 
 # operations 97: 30 +, 35 *, 21 /, 1 neg, 2 sqrt, 1 tan, 1 lt, 6 where
@@ -1267,7 +1266,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1,)),
     },
     kernels=SHARED,
-    programs="e0201e77e8737a92",
+    programs="62f5d0b9eaa20173",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -318,26 +318,25 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     h = (8 * cc + 4) / c
     rho = 4 / c
     hi = (g - fe * h) / rho
-    return fe, hi
+    return hi,
 
 
 def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, o2 = out
+    o1, = out
     k1, k2, *_ = scratch
     n1, n2, n4, n8 = numbers
-    t = tan(div(angle, n8, o2), o2)
-    tt = mul(t, t, o2)
+    t = tan(div(angle, n8, o1), o1)
+    tt = mul(t, t, o1)
     below = add(n1, tt, k1)
-    c = absolute(div(sub(n1, tt, o2), below, o2), o2)
+    c = absolute(div(sub(n1, tt, o1), below, o1), o1)
     w = mul(n2, c, k1)
     ww = mul(w, w, k1)
     g = mul(n2, ww, k1)
     cc = mul(c, c, k2)
     h = div(add(mul(n8, cc, k2), n4, k2), c, k2)
-    rho = div(n4, c, o2)
-    div(sub(g, mul(fe, h, k2), k1), rho, o2)
-    copy(fe, o1)
-    return o1, o2
+    rho = div(n4, c, o1)
+    div(sub(g, mul(fe, h, k2), k1), rho, o1)
+    return o1,
 
 
 # operations 38: 10 +, 15 *, 10 /, 1 neg, 1 abs, 1 tan
@@ -803,7 +802,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 4, 8)),
     },
     kernels=SHARED,
-    programs="10f09b9fc51fa9a5",
+    programs="c15adf547c0c52f8",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -258,21 +258,20 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     c = m.abs((1 - tt) / below)
     h = 2 / c
     hi = (2 - fe * h) / h
-    return fe, hi
+    return hi,
 
 
 def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, o2 = out
+    o1, = out
     k1, *_ = scratch
     n1, n2, n4 = numbers
-    t = tan(div(angle, n4, o2), o2)
-    tt = mul(t, t, o2)
+    t = tan(div(angle, n4, o1), o1)
+    tt = mul(t, t, o1)
     below = add(n1, tt, k1)
-    c = absolute(div(sub(n1, tt, o2), below, o2), o2)
-    h = div(n2, c, o2)
-    div(sub(n2, mul(fe, h, k1), k1), h, o2)
-    copy(fe, o1)
-    return o1, o2
+    c = absolute(div(sub(n1, tt, o1), below, o1), o1)
+    h = div(n2, c, o1)
+    div(sub(n2, mul(fe, h, k1), k1), h, o1)
+    return o1,
 
 
 # operations 25: 7 +, 8 *, 7 /, 1 neg, 1 abs, 1 tan
@@ -1116,7 +1115,7 @@ CHART = Chart(
         real=True,
     ),
     },
-    programs="3454a6eb30c68b3c",
+    programs="b5069662fffdcaa2",
 )
 
 KERNELS = PoseKernels(CHART)

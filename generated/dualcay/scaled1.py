@@ -248,15 +248,15 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     one = x - x + 1
     hi = one / 2
-    return 2, hi
+    return hi,
 
 
 def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    _, o2 = out
+    o1, = out
     n1, n2 = numbers
-    one = add(sub(x, x, o2), n1, o2)
-    div(one, n2, o2)
-    return n2, o2
+    one = add(sub(x, x, o1), n1, o1)
+    div(one, n2, o1)
+    return o1,
 
 
 # operations 3: 2 +, 1 /
@@ -1868,7 +1868,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="1c47f8ace0218260",
+    programs="d9149e175d197910",
 )
 
 KERNELS = PoseKernels(CHART)

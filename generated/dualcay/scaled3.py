@@ -66,13 +66,13 @@
 #   between: 253: 77 +, 135 *, 24 /, 7 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   compose_jacobians: 1047: 391 +, 549 *, 87 /, 10 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   between_jacobians: 1071: 391 +, 549 *, 87 /, 34 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   retract: 322: 102 +, 155 *, 38 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
-#   body_retract: 322: 102 +, 155 *, 38 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   retract: 318: 101 +, 152 *, 38 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   body_retract: 318: 101 +, 152 *, 38 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
 #   retract_jacobians: 1103: 416 +, 560 *, 91 /, 8 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   body_retract_jacobians: 1103: 416 +, 560 *, 91 /, 8 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 308: 94 +, 154 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 308: 94 +, 154 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   interpolate: 673: 207 +, 325 *, 67 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
+#   interpolate: 669: 206 +, 322 *, 67 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
 #   adjoint: 100: 36 +, 58 *, 6 /
 #   transform_point_jacobians: 223: 93 +, 116 *, 10 /, 4 neg
 #   transform_line_jacobians: 322: 126 +, 179 *, 10 /, 7 neg
@@ -391,36 +391,30 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, o2
 
 
-# operations 11: 3 +, 4 *, 4 /
+# operations 7: 2 +, 1 *, 4 /
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     z = x / 36
-    p = 1 - 3 * z
+    d = 11 - z
     q = 3 - z
     iq = 1 / q
-    fi = p * iq
-    fi_v = 6 * fi
-    d = 11 - z
     diq = d * iq
     hi = diq / 3
     hi_v = hi / 6
-    return fi_v, hi_v
+    return hi_v,
 
 
 def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, o2 = out
+    o1, = out
     k1, *_ = scratch
     n1, n3, n6, n11, n36 = numbers
-    z = div(x, n36, o2)
-    p = sub(n1, mul(n3, z, o1), o1)
-    q = sub(n3, z, k1)
-    iq = div(n1, q, k1)
-    fi = mul(p, iq, o1)
-    mul(n6, fi, o1)
-    d = sub(n11, z, o2)
-    diq = mul(d, iq, o2)
-    hi = div(diq, n3, o2)
-    div(hi, n6, o2)
-    return o1, o2
+    z = div(x, n36, o1)
+    d = sub(n11, z, k1)
+    q = sub(n3, z, o1)
+    iq = div(n1, q, o1)
+    diq = mul(d, iq, o1)
+    hi = div(diq, n3, o1)
+    div(hi, n6, o1)
+    return o1,
 
 
 # operations 20: 4 +, 8 *, 7 /, 1 neg
@@ -896,7 +890,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 6)),
     },
     kernels=SHARED,
-    programs="c04248d2a4bdce78",
+    programs="fd5e80fb5bbad890",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -66,13 +66,13 @@
 #   between: 267: 88 +, 144 *, 24 /, 7 neg, 1 sqrt, 1 lt, 2 where
 #   compose_jacobians: 1087: 415 +, 573 *, 87 /, 8 neg, 1 sqrt, 1 lt, 2 where
 #   between_jacobians: 1111: 415 +, 573 *, 87 /, 32 neg, 1 sqrt, 1 lt, 2 where
-#   retract: 334: 108 +, 161 *, 38 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
-#   body_retract: 334: 108 +, 161 *, 38 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   retract: 329: 106 +, 158 *, 38 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   body_retract: 329: 106 +, 158 *, 38 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
 #   retract_jacobians: 1128: 429 +, 573 *, 91 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   body_retract_jacobians: 1128: 429 +, 573 *, 91 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 326: 104 +, 162 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 326: 104 +, 162 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   interpolate: 694: 218 +, 335 *, 67 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
+#   interpolate: 689: 216 +, 332 *, 67 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
 #   adjoint: 106: 39 +, 61 *, 6 /
 #   transform_point_jacobians: 233: 98 +, 122 *, 10 /, 3 neg
 #   transform_line_jacobians: 332: 131 +, 185 *, 10 /, 6 neg
@@ -407,36 +407,30 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, o2
 
 
-# operations 14: 4 +, 6 *, 4 /
+# operations 9: 2 +, 3 *, 4 /
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     z = x / 64
-    p = (z - 6) * z + 1
+    d = 24 - 8 * z
     q = 4 - 4 * z
     iq = 1 / q
-    fi = p * iq
-    fi_v = 8 * fi
-    d = 24 - 8 * z
     diq = d * iq
     hi = diq / 4
     hi_v = hi / 8
-    return fi_v, hi_v
+    return hi_v,
 
 
 def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, o2 = out
+    o1, = out
     k1, *_ = scratch
-    n1, n4, n6, n8, n24, n64 = numbers
-    z = div(x, n64, o2)
-    p = add(mul(sub(z, n6, o1), z, o1), n1, o1)
-    q = sub(n4, mul(n4, z, k1), k1)
-    iq = div(n1, q, k1)
-    fi = mul(p, iq, o1)
-    mul(n8, fi, o1)
-    d = sub(n24, mul(n8, z, o2), o2)
-    diq = mul(d, iq, o2)
-    hi = div(diq, n4, o2)
-    div(hi, n8, o2)
-    return o1, o2
+    n1, n4, n8, n24, n64 = numbers
+    z = div(x, n64, o1)
+    d = sub(n24, mul(n8, z, k1), k1)
+    q = sub(n4, mul(n4, z, o1), o1)
+    iq = div(n1, q, o1)
+    diq = mul(d, iq, o1)
+    hi = div(diq, n4, o1)
+    div(hi, n8, o1)
+    return o1,
 
 
 # operations 26: 7 +, 11 *, 7 /, 1 neg
@@ -911,7 +905,7 @@ CHART = Chart(
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 3, 0, (-16, 1, 2, 4, 6, 8, 16, 40, 64, 512, 4096, 32768, 262144, 2097152)),
         "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2, 8, 64, 512)),
         "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 4, 6, 8, 24, 64)),
-        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 1, 0, (1, 4, 6, 8, 24, 64)),
+        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 1, 0, (1, 4, 8, 24, 64)),
         "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 1, 0, (1, 4, 6, 8, 16, 24, 40, 64, 512)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 1, 0, (1, 4, 6, 8, 16, 24, 40, 64, 512)),
         "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 3, 0, (-4, 1, 2, 4, 6, 8, 16, 24, 40, 64, 512, 32768)),
@@ -928,7 +922,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 8)),
     },
     kernels=SHARED,
-    programs="bb385da478797ff0",
+    programs="1d32c9f95aa39787",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -66,13 +66,13 @@
 #   between: 275: 88 +, 146 *, 24 /, 7 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   compose_jacobians: 1114: 423 +, 586 *, 87 /, 8 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   between_jacobians: 1138: 423 +, 586 *, 87 /, 32 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   retract: 336: 109 +, 162 *, 38 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
-#   body_retract: 336: 109 +, 162 *, 38 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   retract: 330: 107 +, 158 *, 38 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   body_retract: 330: 107 +, 158 *, 38 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
 #   retract_jacobians: 1141: 434 +, 581 *, 91 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   body_retract_jacobians: 1141: 434 +, 581 *, 91 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 324: 102 +, 162 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 324: 102 +, 162 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   interpolate: 695: 218 +, 336 *, 67 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
+#   interpolate: 689: 216 +, 332 *, 67 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
 #   adjoint: 108: 40 +, 62 *, 6 /
 #   transform_point_jacobians: 238: 100 +, 125 *, 10 /, 3 neg
 #   transform_line_jacobians: 337: 133 +, 188 *, 10 /, 6 neg
@@ -415,36 +415,30 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, o2
 
 
-# operations 17: 6 +, 7 *, 4 /
+# operations 11: 4 +, 3 *, 4 /
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     z = x / 100
-    p = (5 * z - 10) * z + 1
+    d = (z - 34) * z + 45
     q = (z - 10) * z + 5
     iq = 1 / q
-    fi = p * iq
-    fi_v = 10 * fi
-    d = (z - 34) * z + 45
     diq = d * iq
     hi = diq / 5
     hi_v = hi / 10
-    return fi_v, hi_v
+    return hi_v,
 
 
 def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, o2 = out
+    o1, = out
     k1, k2, *_ = scratch
     n1, n5, n10, n34, n45, n100 = numbers
-    z = div(x, n100, o2)
-    p = add(mul(sub(mul(n5, z, o1), n10, o1), z, o1), n1, o1)
-    q = add(mul(sub(z, n10, k1), z, k1), n5, k1)
-    iq = div(n1, q, k1)
-    fi = mul(p, iq, o1)
-    mul(n10, fi, o1)
-    d = add(mul(sub(z, n34, k2), z, o2), n45, o2)
-    diq = mul(d, iq, o2)
-    hi = div(diq, n5, o2)
-    div(hi, n10, o2)
-    return o1, o2
+    z = div(x, n100, o1)
+    d = add(mul(sub(z, n34, k1), z, k1), n45, k1)
+    q = add(mul(sub(z, n10, k2), z, o1), n5, o1)
+    iq = div(n1, q, o1)
+    diq = mul(d, iq, o1)
+    hi = div(diq, n5, o1)
+    div(hi, n10, o1)
+    return o1,
 
 
 # operations 35: 11 +, 16 *, 7 /, 1 neg
@@ -964,7 +958,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 10)),
     },
     kernels=SHARED,
-    programs="be73996131257f54",
+    programs="ffa780ab2ae5c23a",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -333,26 +333,25 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     h = (32 * cc * cc + 6) / c
     rho = 6 / c
     hi = (g - fe * h) / rho
-    return fe, hi
+    return hi,
 
 
 def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, o2 = out
+    o1, = out
     k1, k2, k3, *_ = scratch
     n1, n2, n4, n6, n12, n32 = numbers
-    t = tan(div(angle, n12, o2), o2)
-    tt = mul(t, t, o2)
+    t = tan(div(angle, n12, o1), o1)
+    tt = mul(t, t, o1)
     below = add(n1, tt, k1)
-    c = absolute(div(sub(n1, tt, o2), below, o2), o2)
+    c = absolute(div(sub(n1, tt, o1), below, o1), o1)
     cc = mul(c, c, k1)
     w = sub(mul(n4, cc, k2), n1, k2)
     ww = mul(w, w, k2)
     g = mul(n2, ww, k2)
     h = div(add(mul(mul(n32, cc, k3), cc, k1), n6, k1), c, k1)
-    rho = div(n6, c, o2)
-    div(sub(g, mul(fe, h, k1), k1), rho, o2)
-    copy(fe, o1)
-    return o1, o2
+    rho = div(n6, c, o1)
+    div(sub(g, mul(fe, h, k1), k1), rho, o1)
+    return o1,
 
 
 # operations 42: 11 +, 18 *, 10 /, 1 neg, 1 abs, 1 tan
@@ -869,7 +868,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 6, 12)),
     },
     kernels=SHARED,
-    programs="1e42df87b4c0ec28",
+    programs="f886c4da612cb8d1",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -337,26 +337,25 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     h = (((128 * cc - 64) * cc + 16) * cc + 8) / c
     rho = 8 / c
     hi = (g - fe * h) / rho
-    return fe, hi
+    return hi,
 
 
 def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, o2 = out
+    o1, = out
     k1, k2, *_ = scratch
     n1, n2, n4, n8, n16, n64, n128 = numbers
-    t = tan(div(angle, n16, o2), o2)
-    tt = mul(t, t, o2)
+    t = tan(div(angle, n16, o1), o1)
+    tt = mul(t, t, o1)
     below = add(n1, tt, k1)
-    c = absolute(div(sub(n1, tt, o2), below, o2), o2)
+    c = absolute(div(sub(n1, tt, o1), below, o1), o1)
     cc = mul(c, c, k1)
     h = div(add(mul(add(mul(sub(mul(n128, cc, k2), n64, k2), cc, k2), n16, k2), cc, k2), n8, k2), c, k2)
     w = mul(c, sub(mul(n8, cc, k1), n4, k1), k1)
     ww = mul(w, w, k1)
     g = mul(n2, ww, k1)
-    rho = div(n8, c, o2)
-    div(sub(g, mul(fe, h, k2), k1), rho, o2)
-    copy(fe, o1)
-    return o1, o2
+    rho = div(n8, c, o1)
+    div(sub(g, mul(fe, h, k2), k1), rho, o1)
+    return o1,
 
 
 # operations 50: 16 +, 21 *, 10 /, 1 neg, 1 abs, 1 tan
@@ -863,7 +862,7 @@ CHART = Chart(
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 8, 16)),
     },
     kernels=SHARED,
-    programs="a10a08b7c1f7a4ca",
+    programs="2ac49f787a9d1ebc",
 )
 
 KERNELS = PoseKernels(CHART)

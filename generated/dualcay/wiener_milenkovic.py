@@ -66,13 +66,13 @@
 #   between: 233: 80 +, 122 *, 21 /, 7 neg, 1 lt, 2 where
 #   compose_jacobians: 999: 389 +, 517 *, 80 /, 10 neg, 1 lt, 2 where
 #   between_jacobians: 1023: 389 +, 517 *, 80 /, 34 neg, 1 lt, 2 where
-#   retract: 317: 104 +, 149 *, 37 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
-#   body_retract: 317: 104 +, 149 *, 37 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   retract: 313: 103 +, 148 *, 35 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
+#   body_retract: 313: 103 +, 148 *, 35 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
 #   retract_jacobians: 1082: 415 +, 544 *, 87 /, 8 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   body_retract_jacobians: 1082: 415 +, 544 *, 87 /, 8 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
 #   local: 306: 98 +, 148 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
 #   body_local: 306: 98 +, 148 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   interpolate: 667: 211 +, 316 *, 66 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
+#   interpolate: 663: 210 +, 315 *, 64 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
 #   adjoint: 96: 35 +, 55 *, 6 /
 #   transform_point_jacobians: 215: 91 +, 110 *, 10 /, 4 neg
 #   transform_line_jacobians: 314: 124 +, 173 *, 10 /, 7 neg
@@ -343,27 +343,19 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, o2
 
 
-# operations 7: 3 +, 1 *, 3 /
+# operations 3: 2 +, 1 /
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    z = x / 16
-    p = 1 - z
-    fi = p / 2
-    fi_v = 4 * fi
     one = x - x + 1
     hi = one / 4
-    return fi_v, hi
+    return hi,
 
 
 def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, o2 = out
-    n1, n2, n4, n16 = numbers
-    z = div(x, n16, o1)
-    p = sub(n1, z, o1)
-    fi = div(p, n2, o1)
-    mul(n4, fi, o1)
-    one = add(sub(x, x, o2), n1, o2)
-    div(one, n4, o2)
-    return o1, o2
+    o1, = out
+    n1, n4 = numbers
+    one = add(sub(x, x, o1), n1, o1)
+    div(one, n4, o1)
+    return o1,
 
 
 # operations 8: 3 +, 1 *, 3 /, 1 neg
@@ -846,7 +838,7 @@ CHART = Chart(
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 0, 0, (1, 2, 4, 16, 64, 256, 1024, 4096, 16384)),
         "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2, 4, 16, 64)),
         "inverse": Function(_inverse, _inverse_blocks, 0, 0, (1, 2, 4, 16)),
-        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 0, 0, (1, 2, 4, 16)),
+        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 0, 0, (1, 4)),
         "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 0, 0, (0, 1, 2, 4, 16)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 0, 0, (0, 1, 2, 4, 16)),
         "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 0, 0, (0, 1, 2, 4, 16)),
@@ -876,7 +868,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="6d9b5436d610ba83",
+    programs="02e7c23bc7a666c4",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -89,5 +89,5 @@ class _Followed:
         pairs = zip(factor * z.vector, size * self.axis, strict=True)
         re = named(trace, "v_", Vector(*(where(self.apart, one, other) for one, other in pairs)))
         fi = name("fe", factor * z.scalar)
-        _, hi = trace.ask("inverse_at", (Point(trace, (*re, 0, 0, 0), "w").x, fi, angle), "w")
+        (hi,) = trace.ask("inverse_at", (Point(trace, (*re, 0, 0, 0), "w").x, fi, angle), "w")
         return with_dual(trace, fi, rho, re, hi)

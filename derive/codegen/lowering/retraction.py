@@ -51,7 +51,7 @@ class _Placed:
 
 def _vector(trace: Geometry, placed: _Placed) -> tuple[Number, ...]:
     """With v° = Re(T)⁻¹ rho."""
-    _, hi = trace.ask("inverse_at", (_square(trace, placed.re), placed.fi, placed.alpha), "w")
+    (hi,) = trace.ask("inverse_at", (_square(trace, placed.re), placed.fi, placed.alpha), "w")
     return with_dual(trace, placed.fi, placed.rho, placed.re, hi)
 
 

@@ -109,7 +109,7 @@ SCALARS: Mapping[str, Scalar] = {
     "tangent_dot": _of_x("f", "g", "h", "fy", "gy", "hy", "fyy", "gyy", "hyy"),
     "rate": _of_x("rate", "ratey"),
     "inverse": Scalar(("x", "fe"), ("fi", "hi"), lambda c, m, at: c.back(at[0], at[1], m)),
-    "inverse_at": _at_angle("fi", "hi"),
+    "inverse_at": _at_angle("hi"),
     "tangent_inv_at": _at_angle("fi", "hi", "fiy", "hiy"),
     "tangent_inv": _of_x("fi", "hi", "fiy", "hiy"),
     "tangent_inv_dot": _of_x("fi", "hi", "fiy", "hiy", "fiyy", "hiyy"),
