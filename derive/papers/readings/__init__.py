@@ -7,6 +7,7 @@ coordinates  values as residues, and the algebra of those
 combine      how two parts are put together again, and what nobody prints
 search       the table of all readings of a side, by value
 targets      what a stretch is asked for, where its readings are too many to list
+lists        the values of a stretch, where they can be listed
 stretches    what is known of it without asking: components, and those that are not 0
 reach        whether a side can have a value
 enumeration  from the display of an entry to the number of its readings and the true ones

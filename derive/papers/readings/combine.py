@@ -64,7 +64,7 @@ class Combine:
                     self._by_coordinates(a, b, found)
                 elif a.function:
                     if inner:
-                        self._applied(a, b, found)
+                        self.applied(a, b, found)
                 elif not b.function:
                     self._difference(a, b, found)
                     self._quotient(a, b, found)
@@ -182,7 +182,8 @@ class Combine:
             elif not a.function:
                 self._made(found, NEGATIVE, (a,), Shape.SUM, 1 + brackets(a), partial(values.negative, a.value))
 
-    def _applied(self, f: Item, a: Item, found: Table) -> None:
+    def applied(self, f: Item, a: Item, found: Table) -> None:
+        """A function at an argument, and its power where that is a numeral."""
         if isinstance(a.value, Structure) or is_number(a.value):
             self._made(found, AT, (f, a), Shape.ATOM, 1, lambda: f.value(a.value))
         if isinstance(a.value, int) and a.value > 1 and f.mark is None:

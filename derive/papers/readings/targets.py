@@ -41,9 +41,30 @@ def ratio(t: Target, b: Target) -> Iterator[int]:
             yield f
 
 
+def times(a: Target, b: Target, square: int) -> Target:
+    """A product of pairs; the vector's own square is ``-square``, so that they are a field."""
+    return ((a[0] * b[0] - square * a[1] * b[1]) % PRIME, (a[0] * b[1] + a[1] * b[0]) % PRIME)
+
+
+def reciprocal(a: Target, square: int) -> Target:
+    """Of a pair that is not 0."""
+    return scaled(inverse((a[0] * a[0] + square * a[1] * a[1]) % PRIME), (a[0], -a[1]))
+
+
+def power(a: Target, e: int, square: int) -> Target:
+    """Of a pair that is not 0."""
+    base: Target = a if e > 0 else reciprocal(a, square)
+    result: Target = (1, 0)
+    for bit in bin(abs(e))[2:]:
+        result = times(result, result, square)
+        result = times(result, base, square) if bit == "1" else result
+    return result
+
+
 def roots(t: int, e: Fraction) -> Iterator[int]:
     """Every a with ``a^e = t``; (PRIME − 1)/2 is a prime, so odd roots are unique."""
     if t == 0:
+        yield from (0,) * (e > 0)
         return
     number = pow(t, e.denominator, PRIME) if e > 0 else pow(inverse(t), e.denominator, PRIME)
     m, known = abs(e.numerator), [number]

@@ -24,6 +24,8 @@ I = Letter("I", "identity")
 plus, tilde = Token(mark=MARKS["plus"], place=Place.BETWEEN), Token(mark=skew, place=Place.AFTER)
 one, two, three = Number(1), Number(2), Number(3)
 POINT = Reduced([v, a, b, c, d], dual=False, moving=False)
+SHORT = 0
+"""No stretch is so short that all its values are known."""
 ALONG = POINT.values[v].c1.value
 """The vector lies along the first axis."""
 
@@ -46,7 +48,7 @@ LISTED = [
     ((a, b, c), 1), ((a, b, c, d), 3), ((a, b, c, d), 16), ((a, two, b), 1), ((a, two, three, b), 20),
     ((a, b, plus, c, d), 3), ((a, b, plus, c, d), 8), ((a, plus, b, two, c), 1), ((a, b, two, plus, c), 1),
     ((a, plus, b, plus, two, c), 1), ((two, a, plus, three, b), 3), ((one, a, b), 1), ((a, a, b), 1), ((a, a, b), 3),
-    ((a, plus, b, plus, c, plus, v), 1), ((a, I, v, tilde), 2), ((a, b, I, v, tilde), 3),
+    ((a, I, v, tilde), 2), ((a, b, I, v, tilde), 3),
     ((a, I, plus, b, v, tilde), 1), ((I, plus, a, b, v, tilde), 1), ((I, plus, a, b, v, tilde), 4),
     ((a, b, I, plus, v, tilde), 1), ((a, I, plus, v, tilde), 1), ((I, plus, v, tilde, a), 1),
     ((I, plus, a, v, tilde, b), 1), ((two, a, I, plus, v, tilde, b), 1), ((two, a, I, plus, v, tilde, b), 5),
@@ -58,7 +60,7 @@ LISTED = [
 
 @pytest.mark.parametrize(("tokens", "few"), LISTED)
 def test_what_is_listed_is_found_where_it_is_not(tokens, few: int) -> None:
-    known, reach = Stretches(side(tokens), ALONG), Reach(side(tokens, few), ALONG)
+    known, reach = Stretches(side(tokens), ALONG), Reach(side(tokens, few), ALONG, SHORT)
     opened = [span for span in spans(known) if reach.stretches.listed(*span) is None]
     assert opened
     for i, j, n in opened:
@@ -72,7 +74,7 @@ def test_what_is_listed_is_found_where_it_is_not(tokens, few: int) -> None:
 
 @pytest.mark.parametrize(("tokens", "few"), LISTED)
 def test_components_are_those_of_the_values(tokens, few: int) -> None:
-    known, stretches = Stretches(side(tokens), ALONG), Stretches(side(tokens, few), ALONG)
+    known, stretches = Stretches(side(tokens), ALONG), Stretches(side(tokens, few), ALONG, SHORT)
     for i, j, n in spans(known):
         values = known.listed(i, j, n)
         assert values is not None
@@ -97,7 +99,7 @@ QUATERNIONS = [
 
 @pytest.mark.parametrize(("tokens", "few", "readings"), QUATERNIONS)
 def test_numbers_beside_vectors_are_found(tokens, few: int, readings) -> None:
-    reach = Reach(side(tokens, few), ALONG)
+    reach = Reach(side(tokens, few), ALONG, SHORT)
     whole = (0, len(reach.stretches.side.tokens))
     assert reach.stretches.listed(*whole, 2) is None
     for reading in readings:
@@ -109,7 +111,7 @@ def test_numbers_beside_vectors_are_found(tokens, few: int, readings) -> None:
 
 
 def test_two_long_parts_of_a_sum_are_found_one_by_one() -> None:
-    reach = Reach(side((a, b, I, plus, c, d, v, tilde), 2), ALONG)
+    reach = Reach(side((a, b, I, plus, c, d, v, tilde), 2), ALONG, SHORT)
     assert reach.stretches.listed(0, 3, 3) is reach.stretches.listed(4, 8, 3) is None
     target = reach.stretches.target(reach.stretches.side.env.value(a * b * I + c * d * skew(v)))
     assert reach.can(0, 8, target)
@@ -122,10 +124,10 @@ def test_two_long_parts_of_a_sum_are_found_one_by_one() -> None:
 
 @pytest.mark.parametrize(
     ("tokens", "few", "n"),
-    [((a, I, v, tilde), 2, 3), ((a, b, I, v, tilde), 3, 3), ((a, v, b), 5, 2)],
+    [((a, I, v, tilde), 2, 3), ((a, b, I, v, tilde), 3, 3)],
 )
 def test_components_are_known_where_one_factor_is_a_multiple_of_the_unit(tokens, few: int, n: int) -> None:
-    stretches = Stretches(side(tokens, few), ALONG)
+    stretches = Stretches(side(tokens, few), ALONG, SHORT)
     whole = (0, len(tokens))
     assert stretches.listed(*whole, n) is None
     assert None not in [stretches.listed_component(*whole, k, n) for k in range(n)]
@@ -172,16 +174,16 @@ def test_the_shorter_of_two_stretches_is_asked_first(monkeypatch) -> None:
 
 def test_two_long_stretches_of_one_sum_are_not_decided() -> None:
     with pytest.raises(UndecidedSearchError, match="two long stretches with the same components"):
-        Reach(side((a, b, plus, c, d), 1), ALONG).can(0, 5, (7,))
+        Reach(side((a, b, plus, c, d), 1), ALONG, SHORT).can(0, 5, (7,))
 
 
 def test_a_long_stretch_with_another_mark_is_not_decided() -> None:
     with pytest.raises(UndecidedSearchError, match="a long stretch with dot"):
-        Reach(side((a, b, Token(mark=dot, place=Place.BETWEEN), c, d), 1), ALONG).can(0, 5, (7,))
+        Reach(side((a, b, Token(mark=dot, place=Place.BETWEEN), c, d), 1), ALONG, SHORT).can(0, 5, (7,))
 
 
 def test_a_search_that_takes_too_long_is_given_up() -> None:
-    reach = Reach(side((a, b, c), 1), ALONG)
+    reach = Reach(side((a, b, c), 1), ALONG, SHORT)
     reach.left = 1
     with pytest.raises(UndecidedSearchError, match="too many stretches"):
         reach.can(0, 3, (7,))
