@@ -37,12 +37,14 @@ def test_text_fits_a_line():
 
 def test_what_no_kernel_computes_is_compared_without_operations(monkeypatch):
     monkeypatch.setenv("COLUMNS", "120")  # narrower screens have lines in place of a table
-    (chart,) = catalogue.charts(phi="4*sinh(alpha/4)", name="mine")
+    (chart,) = catalogue.charts(phi="alpha*(5 + tan(pi/2 - 1 - alpha**2/100))", name="mine")  # its cotangent, to SymPy
     row = Compared(chart)
     assert set(row.operations.values()) == {None}
     found = row.stretches["π"]
     assert found is not None
-    assert found.along == pytest.approx(1 / math.cosh(math.pi / 4), rel=1e-12)
+    inside = 1 + math.pi**2 / 100
+    slope = 5 + 1 / math.tan(inside) - math.pi**2 / 50 / math.sin(inside) ** 2
+    assert found.along == pytest.approx(1 / slope, rel=1e-12)
     assert compare.FORMS["text"]([row]).count(" - │") == len(row.operations)
 
 
