@@ -225,7 +225,7 @@ def _far_steps(chart: Vectors, screw: Screw, still: Screw) -> Iterator[Expectati
     small, middle, large = (tuple(mpmath.mpf(size * c) for c in (1, -2, 2, 1, 0, 3)) for size in (0.25, 0.8125, 2))
     resting = flat(chart.at(still))
     for name in ("retract", "body_retract"):
-        for given in ((flat(chart.at(screw)), large), (resting, small)):
+        for given in ((flat(chart.at(screw)), middle), (flat(chart.at(screw)), large), (resting, small)):
             yield _by(chart, name, *given)
     for name in ("retract_jacobians", "body_retract_jacobians"):
         for delta in (middle, large):
