@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
@@ -34,11 +34,11 @@ class Known:
     ``former`` is what killed a mutant at any time, to be asked first. ``left_out`` is of the other files.
     """
 
-    settled: dict[str, Fate] = field(default_factory=dict)
-    alive: set[str] = field(default_factory=set)
-    changed: tuple[str, ...] = ()
-    former: dict[str, Fate] = field(default_factory=dict)
-    left_out: dict[str, list[str]] = field(default_factory=dict)
+    settled: Mapping[str, Fate]
+    alive: frozenset[str]
+    changed: tuple[str, ...]
+    former: Mapping[str, Fate]
+    left_out: Mapping[str, list[str]]
 
 
 def known(pasts: Sequence[Past], now: Deciding) -> Known:
@@ -57,7 +57,7 @@ def known(pasts: Sequence[Past], now: Deciding) -> Known:
     alive = {key: files for key, files in alive.items() if key not in settled}
     changed = {file for files in alive.values() for file in files}
     left_out = _without(of_use[-1].left_out, changed) if of_use else {}
-    return Known(settled, {*alive}, tuple(sorted(changed)), former, left_out)
+    return Known(settled, frozenset(alive), tuple(sorted(changed)), former, left_out)
 
 
 def _stands(fate: Fate, before: Deciding, now: Deciding) -> bool:

@@ -156,7 +156,7 @@ class Run:
     # --- trials ---------------------------------------------------------------------------------------------------
 
     def _tried(self, work: Work, knowledge: Mapping[Checks, Any], copies: list[Copy]) -> Record:
-        name, fates, left_out = work.room.name, dict(work.known.settled), work.known.left_out
+        name, fates, left_out = work.room.name, dict(work.known.settled), dict(work.known.left_out)
         parts = [(part, knowledge[part.room.checks] if part.room.checks else None) for part in work.parts]
         for _, needed in parts:
             for why, names in needed.left_out.items() if needed else ():
