@@ -145,7 +145,6 @@ class Lowering:
             self._pairs[argument] = 2 * (sine * cosine), 1 - 2 * (sine * sine)
         return self._pairs[argument]
 
-
     def _named(self, value: Coefficient) -> Coefficient:
         return self.m.name(self._name(), value)
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 import dataclasses
 import hashlib
 import random
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import partial
 from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -27,6 +28,8 @@ DROPPED = {"neg": (0,), "abs": (0,), "sqrt": (0,), "tan": (0,), "where": (1, 2)}
 MASKS = ("lt", "eq", "and", "or")
 PRIME = (1 << 61) - 1
 POINTS = 3
+MOST = 1024
+"""Ways that the comparisons of two programs may go, if all of them are to be tried."""
 
 Changed = tuple[str, str, "Program"]
 """Operator, change in words, and the changed program."""
@@ -120,21 +123,33 @@ def _with_statements(program: Program, statements: Sequence[Statement]) -> Progr
 
 
 def same_value(first: Program, second: Program) -> bool:
-    """Whether two programs agree whatever square root, tangent, arc tangent and comparisons may be.
+    """Whether two programs agree whatever square root, tangent, arc tangent may be, and whichever way comparisons go.
 
-    They are evaluated at random points of a prime field, those functions as hashes of their arguments: programs that
-    differ agree by chance with a probability below 1e-50.
+    They are evaluated at random points of a prime field, those functions as hashes of their arguments, with every
+    comparison true and false in turn: programs that differ agree by chance with a probability below 1e-50. Where there
+    are too many comparisons for that, they have not been shown to agree.
     """
     draw = random.Random(PRIME)
     for _ in range(POINTS):
         point = {name: draw.randrange(1, PRIME) for _, group in first.inputs for name in group}
-        if evaluated(first, point) != evaluated(second, point):
-            return False
+        ways: list[dict[Hashable, bool]] = [{}]
+        for count, way in enumerate(ways):  # which grows as comparisons are met
+            decide = partial(_decided, way, ways)
+            if count == MOST or evaluated(first, point, decide) != evaluated(second, point, decide):
+                return False
     return True
 
 
-def evaluated(program: Program, point: Mapping[str, int]) -> list[int]:
-    """The outputs at a point of the prime field."""
+def _decided(way: dict[Hashable, bool], ways: list[dict[Hashable, bool]], comparison: Hashable) -> bool:
+    """How a comparison goes on one of the ways; one that is met first is true, and false on another way."""
+    if comparison not in way:
+        ways.append({**way, comparison: False})
+        way[comparison] = True
+    return way[comparison]
+
+
+def evaluated(program: Program, point: Mapping[str, int], decide: Callable[[Hashable], bool]) -> list[int]:
+    """The outputs at a point of the prime field, when comparisons go as is decided."""
     values: dict[str, int] = dict(point)
 
     def value(operand: Operand) -> int:
@@ -146,14 +161,15 @@ def evaluated(program: Program, point: Mapping[str, int]) -> list[int]:
     for statement in program.statements:
         args = [value(arg) for arg in statement.args]
         if hasattr(statement, "op"):
-            values[statement.name] = _operation(statement.op, args)
+            values[statement.name] = _operation(statement.op, args, decide)
         else:
             for i, name in enumerate(statement.names):
-                values[name] = _operation(f"{statement.function} {i}", args)
+                called = f"{statement.function} {i}", tuple(args)
+                values[name] = decide(called) if name in statement.truths else _hashed(*called)
     return [value(output) for output in program.outputs]
 
 
-def _operation(op: str, args: list[int]) -> int:
+def _operation(op: str, args: list[int], decide: Callable[[Hashable], bool]) -> int:
     if op == "add":
         return (args[0] + args[1]) % PRIME
     if op == "sub":
@@ -164,11 +180,17 @@ def _operation(op: str, args: list[int]) -> int:
         return args[0] * pow(args[1], -1, PRIME) % PRIME
     if op == "neg":
         return -args[0] % PRIME
-    if op == "where" and args[1] == args[2]:
-        return args[1]
-    if op in ("eq", "and", "or"):
-        args = sorted(args)
-    return int.from_bytes(hashlib.sha256(repr((op, args)).encode()).digest()[:7], "big")
+    if op == "where":
+        return args[1] if args[0] else args[2]
+    if op in ("and", "or"):
+        return all(args) if op == "and" else any(args)
+    if op in ("eq", "lt"):
+        return decide((op, tuple(sorted(args) if op == "eq" else args)))
+    return _hashed(op, tuple(args))
+
+
+def _hashed(function: str, args: tuple[int, ...]) -> int:
+    return int.from_bytes(hashlib.sha256(repr((function, args)).encode()).digest()[:7], "big")
 
 
 @dataclass(frozen=True)
@@ -213,7 +235,7 @@ class Programs:
         except Exception as error:
             return Fate(KILLED, "validation", type(error).__name__)
         if pair and same_value(*pair):
-            return Fate(EQUIVALENT, by="equal in a prime field, functions and comparisons uninterpreted")
+            return Fate(EQUIVALENT, by="equal in a prime field, functions uninterpreted, whichever way comparisons go")
         return Fate(SURVIVED)
 
 

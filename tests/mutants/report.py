@@ -101,8 +101,8 @@ of its own on a copy of the tree. Rooms may be measured one by one, each at the 
 - **time limit**: stopped after twice the processor time of the checks that reach the change, and 20 s; counted as
   killed. What is no test fails besides if it takes {slower} s longer than it did.
 - **equivalent**: shown to be so by the run. Programs: of the same value at random points of a prime field, functions
-  and comparisons uninterpreted. Emission: the changed lines make texts and nothing else, and every text that is
-  validated is the same. Proof: the changed lines make controls (theorems with one thing wrong) and nothing
+  uninterpreted, whichever way comparisons go. Emission: the changed lines make texts and nothing else, and every text
+  that is validated is the same. Proof: the changed lines make controls (theorems with one thing wrong) and nothing
   else, and as many of the same theorems fail. Statements: decided exactly to say the same. Python that compiles to the
   same code is not drawn.
 - **prose**: what is emitted differs in comments, docstrings, layout and names of variables only; `make check`

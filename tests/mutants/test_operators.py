@@ -123,6 +123,17 @@ def test_equal_programs_are_seen_to_be_equal_whatever_functions_mean() -> None:
     )
 
 
+def test_programs_are_equal_where_they_differ_only_in_what_is_never_selected() -> None:
+    guarded = ("still", "eq", ("v1", 0)), ("safe", "where", ("still", 1, "v1"))
+    share, chosen = ("share", "div", ("v2", "safe")), ("r", "where", ("still", 0, "share"))
+    found = program(*guarded, share, chosen, outputs=("r",))
+    other_guard = program(guarded[0], ("safe", "where", ("still", "v2", "v1")), share, chosen, outputs=("r",))
+    other_side = program(*guarded, share, ("r", "where", ("still", "share", 0)), outputs=("r",))
+    assert same_value(found, other_guard)
+    assert not same_value(found, other_side)
+    assert not same_value(found, program(*guarded, share, outputs=("share",)))
+
+
 def test_a_sample_changes_little_when_mutants_come_and_go() -> None:
     many = [Mutant("a.py", line, "sign", f"-x{line % 50} → x{line % 50}", None) for line in range(100)]
     first, fewer = sample(keyed(many), 1, 20), sample(keyed(many[1:]), 1, 20)

@@ -69,7 +69,7 @@ def translation(source: random.Random) -> Screw:
 def half_turns(source: random.Random) -> Iterator[Screw]:
     """Screws at half a turn: the first component of the axis which is not 0 is each of the three, of both signs."""
     draw = Draw(source)
-    for axis in ((-3, 6, 2), (3, -2, 6), (0, -3, 4), (0, 0, -1)):
+    for axis in ((-3, 6, 2), (4, 3, 0), (3, -2, 6), (0, -3, 4), (0, 0, -1)):
         u = Vector(*map(mpmath.mpf, axis))
         yield _screw(draw, +mpmath.pi, u)
 
