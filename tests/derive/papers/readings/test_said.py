@@ -29,7 +29,7 @@ APPLIED = [
     (f, a, b), (a, f, b, v), (f, n, a, v), (v, f, two, a), (f, two, n, v), (f, n, plus, two, v), (bars, v, a),
     (bars, a, b, v), (a, bars, v, two), (I, f, a, v, tilde), (I, bars, v, v, tilde), (I, v, tilde, f, n, two),
     (a, b, plus, I, v, tilde), (a, b, n, v), (a, b, c, v), (a, v, b, c), (a, v, star), (I, a, v, one, transposed),
-    (I, v, v, v), (I, a, b, one), (I, plus, a, v, b, v), (I, plus, v, v, two), (I, v, v, a, one),
+    (I, v, v, v), (I, a, v, v, v), (I, a, b, one), (I, plus, a, v, b, v), (I, plus, v, v, two), (I, v, v, a, one),
 ]  # fmt: skip
 """Functions, a mark before what it is of or behind it, and further products and powers."""
 
@@ -114,7 +114,7 @@ SAID = {
     "I norm v v skew": "992 564168f136c5", "I v skew f n 2": "2032 2dfed61bca98",
     "a b plus I v skew": "488 c75735966325", "a b n v": "4320 57d9302c71de", "a b c v": "3536 f66602f332d9",
     "a v b c": "3952 083b09eed055", "a v conjugate": "704 635bf0f7748d", "I a v 1 transpose": "1704 fca37c7e7384",
-    "I v v v": "2536 ee7e3a1ee397", "I a b 1": "1000 60a937ea6b0d",
+    "I v v v": "2536 ee7e3a1ee397", "I a v v v": "6280 8eb5d7ca33f9", "I a b 1": "1000 60a937ea6b0d",
     "I plus a v b v": "2104 0fcef1821e9e", "I plus v v 2": "1112 fdb71eb36868", "I v v a 1": "5232 e01335334c77",
 }  # fmt: skip
 
