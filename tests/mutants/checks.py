@@ -19,7 +19,10 @@ FEW = 2
 """Cases of each test, where kernels are emitted."""
 
 LONG, LONG_FIXTURE = 5.0, 30.0
-"""Seconds of processor time: a longer test is left out of trials."""
+"""Seconds of processor time: a longer test, or one with a longer fixture, is left out of trials."""
+
+LONG_AGAIN, LONG_FIXTURE_AGAIN = 40.0, 240.0
+"""The same where only what survived all else is tried."""
 
 SLOWER = 20.0
 """Seconds of processor time that a check which is no test may take more than it did while it was watched."""
@@ -130,7 +133,8 @@ class Checks:
             with reach.by(CONTROLLING):
                 controls = road.controls() if self.controlled else ()
             tests = suite.run_all(self.tests, reach, few=self.few)
-        long = [*tests.longer(LONG, LONG_FIXTURE), *kernels.longer(LONG, LONG_FIXTURE)]
+        longest = (LONG_AGAIN, LONG_FIXTURE_AGAIN) if self.later else (LONG, LONG_FIXTURE)
+        long = [*tests.longer(*longest), *kernels.longer(*longest)]
         left_out = {
             "takes long": long,
             "fails unchanged": sorted({*tests.failed, *kernels.failed} - {*long}),

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import importlib
+
+import numpy as np
 import pytest
 
 from derive.codegen.facts import Facts
@@ -32,3 +35,13 @@ def require_validated(name, folder):
     module = {module_name(chart, target): module_text(facts, target)}
     files.write(folder, {**shared_texts(target), **companion_texts(facts, target), **module})
     assert target.validate(folder, chart) > 100
+
+
+@pytest.mark.parametrize(("target", "out"), [("numba", (None,)), ("array-api", ())])
+def test_of_each_half_of_a_quaternion_the_scalar_may_stand_last(package, target, out):
+    runtime = importlib.import_module(f"{package(target)}._runtime")
+    for last, first in (([1, 2, 3, 0], [0, 1, 2, 3]), ([1, 2, 3, 0, 5, 6, 7, 4], [0, 1, 2, 3, 4, 5, 6, 7])):
+        size = len(last)
+        found = runtime.from_scalar_last(np.array(last, float), -1, size)
+        assert np.asarray(found).tolist() == first
+        assert np.asarray(runtime.to_scalar_last(found, size, -1, *out)).tolist() == last
