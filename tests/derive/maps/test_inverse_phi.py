@@ -1,0 +1,49 @@
+"""φ⁻¹ near 0 and beyond: what is fitted is as near as it says, and by what it was fitted before."""
+
+from __future__ import annotations
+
+import mpmath
+import pytest
+
+from derive.maps import parameterization
+from derive.maps.edges import DIGITS, angle_of, edge_of
+from derive.maps.general import General
+
+FITTED = {
+    "alpha/(1 + alpha**2/40)": "21 47/32 2.98e-19 fold 3",
+    "2*sinh(alpha/2)": "20 7/16 2.85e-19 cut 5",
+    "alpha + alpha**3/20": "22 7/16 3.12e-19 cut 4",
+    "tan(alpha/5) + alpha/10": "18 5/32 1.03e-18 pole 3",
+}
+"""Degree near 0, limit of x, remainder; the way beyond, and Newton's steps there."""
+
+
+@pytest.fixture(scope="module", params=list(FITTED))
+def phi(request: pytest.FixtureRequest) -> str:
+    return str(request.param)
+
+
+@pytest.fixture(scope="module")
+def chart(phi: str) -> General:
+    found = parameterization(phi, "of_user")
+    assert isinstance(found, General)
+    return found
+
+
+def test_it_is_fitted_as_before(phi, chart) -> None:
+    near, far = chart.near, chart.far
+    degree = len(near.polynomials[0].levels[0]) - 1
+    assert f"{degree} {near.limit} {near.remainder:.3g} {far.kind} {far.steps}" == FITTED[phi]
+
+
+def test_near_0_the_ratio_and_its_derivatives_are_within_the_remainder(chart) -> None:
+    def ratio(x):
+        return angle_of(chart.phi, edge_of(chart.phi), mpmath.sqrt(x)) / mpmath.sqrt(x)
+
+    limit = mpmath.mpf(chart.near.limit.numerator) / chart.near.limit.denominator
+    with mpmath.workdps(2 * DIGITS):
+        for share in ("0.05", "0.5", "0.97"):
+            x = limit * mpmath.mpf(share)
+            exact = mpmath.taylor(ratio, x, len(chart.near.polynomials) - 1)
+            for k, polynomial in enumerate(chart.near.polynomials):
+                assert abs(polynomial.value(x) - exact[k] * mpmath.factorial(k)) <= chart.near.remainder
