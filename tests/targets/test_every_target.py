@@ -45,3 +45,10 @@ def test_of_each_half_of_a_quaternion_the_scalar_may_stand_last(package, target,
         found = runtime.from_scalar_last(np.array(last, float), -1, size)
         assert np.asarray(found).tolist() == first
         assert np.asarray(runtime.to_scalar_last(found, size, -1, *out)).tolist() == last
+
+
+@pytest.mark.parametrize("table", ["", ".rotation"])
+@pytest.mark.parametrize("target", ["numba", "array-api"])
+def test_a_module_shows_what_it_offers(package, target, table):
+    module = importlib.import_module(f"{package(target)}{table}.cayley3")
+    assert sorted(dir(module)) == sorted(module.__all__)
