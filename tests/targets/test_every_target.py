@@ -10,6 +10,7 @@ import pytest
 from derive.codegen.facts import Facts
 from derive.codegen.lowered import lower
 from derive.codegen.module import companion_texts, module_name, module_text, shared_texts
+from derive.codegen.signatures import PUBLIC
 from derive.codegen.targets import TARGETS
 from derive.maps import Cayley
 from derive.output import files
@@ -47,8 +48,13 @@ def test_of_each_half_of_a_quaternion_the_scalar_may_stand_last(package, target,
         assert np.asarray(runtime.to_scalar_last(found, size, -1, *out)).tolist() == last
 
 
-@pytest.mark.parametrize("table", ["", ".rotation"])
 @pytest.mark.parametrize("target", ["numba", "array-api"])
-def test_a_module_shows_what_it_offers(package, target, table):
-    module = importlib.import_module(f"{package(target)}{table}.cayley3")
-    assert sorted(dir(module)) == sorted(module.__all__)
+def test_a_module_shows_what_it_offers(package, target):
+    for table in ("", ".rotation"):
+        module = importlib.import_module(f"{package(target)}{table}.cayley3")
+        assert sorted(dir(module)) == sorted(module.__all__)
+
+
+def test_inside_compiled_code_functions_of_one_kernel_have_constants_of_their_own(package):
+    shared = importlib.import_module(f"{package('numba')}._inside").SHARED
+    assert shared == {name: (row.kernel, row.constants) for name, row in PUBLIC.items() if row.constants}
