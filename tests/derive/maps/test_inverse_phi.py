@@ -1,4 +1,4 @@
-"""φ⁻¹ near 0 and beyond: what is fitted is as near as it says, and by what it was fitted before."""
+"""Any φ at 0, and φ⁻¹ near 0 and beyond: what is fitted is as near as it says, by what it was fitted before."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import pytest
 
 from derive.maps import parameterization
 from derive.maps.edges import DIGITS, angle_of, edge_of
+from derive.maps.families import Family
 from derive.maps.general import General
 
 FITTED = {
@@ -47,3 +48,8 @@ def test_near_0_the_ratio_and_its_derivatives_are_within_the_remainder(chart) ->
             exact = mpmath.taylor(ratio, x, len(chart.near.polynomials) - 1)
             for k, polynomial in enumerate(chart.near.polynomials):
                 assert abs(polynomial.value(x) - exact[k] * mpmath.factorial(k)) <= chart.near.remainder
+
+
+def test_limits_are_the_first_coefficients_of_the_series(chart) -> None:
+    of_series = Family("of user", 1, chart.phi, chart.scale, "").series(1)
+    assert chart.limits == tuple(tuple(coefficients[0] for coefficients in part) for part in of_series)
