@@ -20,22 +20,19 @@ def changed(kind: str, table: str) -> Mapping[str, tuple[str | None, str | None]
 MEANT = "if the change is meant: python -m tests.support.tried"
 
 
-def test_a_text_is_executed_on_what_was_written_down() -> None:
-    for table in tried.TABLES:
-        assert not changed("batches", table), MEANT
+@pytest.mark.parametrize("table", tried.TABLES)
+def test_a_text_is_executed_on_what_was_written_down(table: str) -> None:
+    assert not changed("batches", table), MEANT
 
 
-def test_poses_are_called_with_what_was_written_down() -> None:
-    assert not changed("cases", "poses"), MEANT
+@pytest.mark.parametrize("table", tried.TABLES)
+def test_functions_are_called_with_what_was_written_down(table: str) -> None:
+    assert not changed("cases", table), MEANT
 
 
-def test_rotations_are_called_with_what_was_written_down() -> None:
-    assert not changed("cases", "rotations"), MEANT
-
-
-def test_arrays_are_filled_with_what_was_written_down() -> None:
-    for table in tried.TABLES:
-        assert not changed("samples", table), MEANT
+@pytest.mark.parametrize("table", tried.TABLES)
+def test_arrays_are_filled_with_what_was_written_down(table: str) -> None:
+    assert not changed("samples", table), MEANT
 
 
 def test_another_number_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
