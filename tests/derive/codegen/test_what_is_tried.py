@@ -3,10 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from pathlib import Path
 
 import pytest
 
-from derive.codegen.signatures import ROTATIONS
+import dualcay
+from derive.codegen.signatures import POSES, ROTATIONS
+from derive.codegen.targets import TARGETS
+from derive.codegen.validation import replay
+from derive.codegen.validation.run import validate
+from derive.codegen.validation.sample import Seen
+from derive.maps import Cayley, family
 from tests.support import tried
 
 
@@ -39,3 +46,21 @@ def test_another_number_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
     first, *others = tried.cases(tried.EDGED, ROTATIONS)
     monkeypatch.setattr(tried, "cases", lambda chart, table: others)
     assert changed("cases", "rotations").keys() == {f"{tried.EDGED.name}.{first.function}"}
+
+
+CALLS = {("cayley3", POSES): (1091, 6849), ("cayley3", ROTATIONS): (984, 6238),
+         ("orthographic", POSES): (717, 732), ("orthographic", ROTATIONS): (647, 709)}  # fmt: skip
+"""Calls that are compared exactly, and on floats, of a first chart and of a further one."""
+
+
+def test_kernels_are_called_as_often_as_was_written_down() -> None:
+    folder, seen = Path(dualcay.__file__).parent, Seen()
+    found = {
+        (chart.name, table): (
+            validate(folder, chart, seen.new, [table]),
+            replay(folder, chart, TARGETS["numpy"].machinery, tables=[table], all_ways=chart.cayley),
+        )
+        for chart in (Cayley(3), family("orthographic"))
+        for table in (POSES, ROTATIONS)
+    }
+    assert found == CALLS
