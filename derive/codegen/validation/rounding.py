@@ -112,7 +112,7 @@ class Rounding:
     def expm1(self, a: Ball) -> Ball:
         """e^(a + e) − e^a = e^a (e^e − 1)."""
         value = np.expm1(a.value)
-        return self._rounded(value, ((2) + value) * np.expm1(a.error), FUNCTION_UNITS)
+        return self._rounded(value, (1 + value) * np.expm1(a.error), FUNCTION_UNITS)
 
     def log1p(self, a: Ball) -> Ball:
         """log(1 + a) − log(1 + a − e) = −log(1 − e/(1 + a))."""
