@@ -21,6 +21,7 @@ from derive.papers.readings.tokens import Place, Token
 v = Letter("v", "dual vector")
 a, b, c, d = (Letter(name, "dual number") for name in "abcd")
 I = Letter("I", "identity")
+n, f = Letter("n", "order"), Letter("f", "function")
 plus, tilde = Token(mark=MARKS["plus"], place=Place.BETWEEN), Token(mark=skew, place=Place.AFTER)
 one, two, three = Number(1), Number(2), Number(3)
 POINT = Reduced([v, a, b, c, d], dual=False, moving=False)
@@ -32,7 +33,7 @@ ALONG = POINT.values[v].c1.value
 
 def side(tokens: tuple[Term | Token, ...], cap: int = 10_000) -> Side:
     """What has I is a tensor, so that numbers and vectors make no quaternions."""
-    env = Env(POINT.field, dict(POINT.values), {}, POINT.dual, POINT.moving)
+    env = Env(POINT.field, {**POINT.values, n: 7, f: lambda x: x * x + 1}, {}, POINT.dual, POINT.moving)
     marks = [token if isinstance(token, Token) else Token(token) for token in tokens]
     return Side(marks, env, radicals=False, quaternions=I not in tokens, cap=cap)
 

@@ -10,19 +10,16 @@ from collections.abc import Iterator
 
 import pytest
 
-from derive.papers.language.evaluation import Env
 from derive.papers.language.notation import norm
-from derive.papers.language.terms import MARKS, Letter
+from derive.papers.language.terms import MARKS
 from derive.papers.numbers.residues import PRIME
 from derive.papers.readings.reach import Reach
-from derive.papers.readings.search import Side
 from derive.papers.readings.stretches import Stretches
 from derive.papers.readings.targets import Target, UndecidedSearchError, scaled
 from derive.papers.readings.tokens import Place, Token
 from tests.derive.papers.readings.test_no_is_final import DISPLAYS, name, values
-from tests.derive.papers.readings.test_reach import ALONG, LISTED, POINT, I, a, b, c, one, plus, tilde, two, v
+from tests.derive.papers.readings.test_reach import ALONG, LISTED, I, a, b, c, f, n, one, plus, side, tilde, two, v
 
-n, f = Letter("n", "order"), Letter("f", "function")
 bars = Token(mark=norm, place=Place.BEFORE)
 star, transposed = (Token(mark=MARKS[mark], place=Place.AFTER) for mark in ("conjugate", "transpose"))
 APPLIED = [
@@ -37,12 +34,6 @@ ALL = {name(tokens): tokens for tokens in (*DISPLAYS, *(tokens for tokens, _ in 
 MOST = 24
 """Values of a stretch that are tried: the first and the last of them, and as many wrong ones of each kind."""
 SHORT = 2
-
-
-def side(tokens, cap: int) -> Side:
-    env = Env(POINT.field, {**POINT.values, n: 7, f: lambda x: x * x + 1}, {}, POINT.dual, POINT.moving)
-    marks = [token if isinstance(token, Token) else Token(token) for token in tokens]
-    return Side(marks, env, radicals=False, quaternions=I not in tokens, cap=cap)
 
 
 def tried(found: dict[Target, None]) -> Iterator[Target]:
