@@ -79,11 +79,6 @@ def test_every_program_is_compiled(native, rotations):
         assert module.CHART.native.keys() == module.CHART.kernels.keys()
 
 
-def test_every_function_has_a_direct_way_of_its_own(native):
-    ways = {name: directly.__name__ for name, (_, directly) in native(3).CHART.native.items()}
-    assert ways == {name: name for name in ways}
-
-
 @pytest.mark.parametrize("chart", CHARTS[:2], ids=lambda chart: chart.name)
 def test_the_replay_agrees_in_every_way_a_function_is_called(package, chart):
     """Within bounds of rounding: types, layouts, batches, ``out``, overlaps, branches, threads, refusals."""
