@@ -20,9 +20,10 @@ import sympy
 
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
+from . import next_to_pole
 from .dependent import DependentScalars
 from .families import alpha
-from .of_order import OfOrder
+from .of_order import OfOrder, of_twice
 
 
 def cosine(x: Coefficient, m: Arithmetic) -> Coefficient:
@@ -187,6 +188,14 @@ class Breusing(OfOrder):
     ) -> tuple[Coefficient, Coefficient]:
         inverse = m.name(f"iroot{mark}", m.div(1, m.sqrt(cosine)))
         return sine * inverse, m.div((1 + cosine * cosine) / cosine * inverse, 2)
+
+    def coefficient_of(
+        self, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic
+    ) -> tuple[Coefficient, Coefficient]:
+        next_to, rest, side = next_to_pole.sides(self.order, angle, sine, cosine, m)
+        of_rest = of_twice(m.name("t", m.tan(m.div(rest, 4 * self.order))), m)
+        first, second = (m.name(f"{letter}rest", value) for letter, value in zip("sc", of_rest, strict=True))
+        return self._folded(side * m.where(next_to, second, first), m.where(next_to, first, second), m)
 
     def cosine(self, x: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         c = cosine(x, m)

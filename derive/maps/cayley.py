@@ -17,7 +17,7 @@ import sympy
 
 from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import Arithmetic
-from . import closed_forms, polynomials, turns, way_back
+from . import closed_forms, next_to_pole, polynomials, turns, way_back
 from .cayley_scalars import CayleyScalars
 from .evaluation import CHAIN_POWER, HORNER_LIMIT
 from .families import alpha
@@ -219,6 +219,14 @@ class Cayley:
 
     def coefficient(self, angle: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         r = m.name("r", m.tan(m.div(angle, 2 * self.order)))
+        return r, m.name("slope", m.div(1 + r * r, 2 * self.order))
+
+    def coefficient_of(
+        self, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic
+    ) -> tuple[Coefficient, Coefficient]:
+        next_to, rest, side = next_to_pole.sides(self.order, angle, sine, cosine, m)
+        t = m.name("t", m.tan(m.div(rest, 2 * self.order)))
+        r = m.name("r", side * m.where(next_to, 1, t) / m.where(next_to, t, 1))
         return r, m.name("slope", m.div(1 + r * r, 2 * self.order))
 
     def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:

@@ -161,6 +161,14 @@ class Chart(Protocol):
     def coefficient(self, angle: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         """φ and φ′ at an angle: ``v = φ(α) u``."""
 
+    def coefficient_of(
+        self, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic
+    ) -> tuple[Coefficient, Coefficient]:
+        """The same of a quaternion: at an angle, sine ≥ 0 and cosine of whose half are known but for length and sign.
+
+        Next to a pole of φ these say how far it is from there, which the angle, rounded, does not.
+        """
+
     def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
         """The factor in ``v = gain · vec q`` for a quaternion of norm `size`; `positive` says that its scalar is."""
 

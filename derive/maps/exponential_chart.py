@@ -47,11 +47,31 @@ class ExponentialScalars(DependentScalars):
         return self.m.name("xx", self.m.where(self._near, stumpff.LIMIT + self.x, self.x))
 
     @cached_property
+    def _angle(self) -> Coefficient:
+        """α of what is far."""
+        return self.m.name("alpha", self.m.sqrt(self._square))
+
+    @cached_property
     def _trigonometry(self) -> tuple[Coefficient, Coefficient]:
         """Cosine of α/2, and sine of it over α."""
-        angle = self.m.name("alpha", self.m.sqrt(self._square))
-        sine, cosine = of_twice(self.m.name("t", self.m.tan(self.m.div(angle, 4))), self.m)
-        return cosine, sine / angle
+        sine, cosine = of_twice(self.m.name("t", self.m.tan(self.m.div(self._angle, 4))), self.m)
+        return cosine, sine / self._angle
+
+    @cached_property
+    def _turned(self) -> tuple[Coefficient, Coefficient]:
+        """sin α and ``1 − cos α``; what rounding took from the root, up to 2 eps, is put back."""
+        t = self.m.name("thalf", self.m.tan(self.m.div(self._angle, 2)))
+        tt = self.m.name("tthalf", t * t)
+        below = self.m.name("belowhalf", 1 + tt)
+        sine, versine = self.m.name("sine", 2 * t / below), self.m.name("versine", 2 * tt / below)
+        return sine + self._lost * (1 - versine), versine + self._lost * sine
+
+    @cached_property
+    def _lost(self) -> Coefficient:
+        """``(α² − root²)/2α``, the difference by terms that are exact in a first turn: ``root − 4`` and multiples."""
+        beside = self.m.name("beside", self._angle - 4)
+        left = (self._square - 16) - 8 * beside - beside * beside
+        return self.m.name("lost", left / (2 * self._angle))
 
     @cached_property
     def s(self) -> Coefficient:
@@ -60,6 +80,15 @@ class ExponentialScalars(DependentScalars):
     @cached_property
     def w(self) -> Coefficient:
         return self.m.name("w", self.m.where(self._near, self.m.div(self._half.c1, 2), self._trigonometry[1]))
+
+    @cached_property
+    def f(self) -> Coefficient:
+        return self.m.name("f", self.m.where(self._near, self._half.c0 * self._half.c1, self._turned[0] / self._angle))
+
+    @cached_property
+    def g(self) -> Coefficient:
+        near = self.m.div(self._half.square, 2)
+        return self.m.name("g", self.m.where(self._near, near, self._turned[1] / self._square))
 
     @cached_property
     def h(self) -> Coefficient:

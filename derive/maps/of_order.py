@@ -51,7 +51,9 @@ class OfOrder(OwnAxis):
 
     def coefficient(self, angle: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         """Of the angle brought into (−nπ, nπ]: on by 2nπ sine and cosine of θ are the opposite ones."""
-        sine, cosine = of_twice(m.name("t", m.tan(m.div(angle, 4 * self.order))), m)
+        return self._folded(*of_twice(m.name("t", m.tan(m.div(angle, 4 * self.order))), m), m)
+
+    def _folded(self, sine: Coefficient, cosine: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         further = m.name("further", cosine)
         side = m.name("side", m.where(m.less(further, 0), -1, 1))
         r, slope = self.sized(m.name("sin", side * sine), m.name("cos", side * further), m)

@@ -47,6 +47,14 @@ class Parameterized(ABC):
     @abstractmethod
     def scalars(self, x: Coefficient, m: Arithmetic) -> Scalars: ...
 
+    @abstractmethod
+    def coefficient(self, angle: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]: ...
+
+    def coefficient_of(
+        self, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic
+    ) -> tuple[Coefficient, Coefficient]:
+        return self.coefficient(angle, m)
+
     @property
     def algebraic(self) -> bool:
         """Whether its formulas hold no other root than one sqrt(1 + x/k), k an integer."""

@@ -108,6 +108,12 @@ class Scaled(Parameterized):
         t, slope = Cayley(self.order).coefficient(angle, m)
         return self._times(t, m, "v"), self._times(slope, m, "v_slope")
 
+    def coefficient_of(
+        self, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic
+    ) -> tuple[Coefficient, Coefficient]:
+        t, slope = Cayley(self.order).coefficient_of(angle, sine, cosine, m)
+        return self._times(t, m, "v"), self._times(slope, m, "v_slope")
+
     def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
         return self._times(way_back.gain(self.order, q, size, m, positive), m, "gain")
 

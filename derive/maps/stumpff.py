@@ -75,12 +75,13 @@ class HalfAngle:
         return self.m.name("C1", 1 - self.zeta * self.c3)
 
     @cached_property
-    def _square(self) -> Coefficient:
+    def square(self) -> Coefficient:
+        """``c₁²``."""
         return self.m.name("CC1", self.c1 * self.c1)
 
     @cached_property
     def c0(self) -> Coefficient:
-        return self.m.name("C0", self.m.sqrt(1 - self.zeta * self._square))
+        return self.m.name("C0", self.m.sqrt(1 - self.zeta * self.square))
 
     @cached_property
     def _beside(self) -> Coefficient:
@@ -89,7 +90,7 @@ class HalfAngle:
     @cached_property
     def c2(self) -> Coefficient:
         """``c₁²/(1 + c₀)``, by sin² + cos² = 1."""
-        return self.m.name("C2", self._square / self._beside)
+        return self.m.name("C2", self.square / self._beside)
 
     @cached_property
     def _cube(self) -> Coefficient:

@@ -4857,7 +4857,7 @@ def between_jacobians_blocks(
     copy(o51, o72)
 
 
-# operations 282: 95 +, 138 *, 24 /, 1 abs, 4 sqrt, 2 tan, 2 atan2, 2 lt, 2 eq, 12 where
+# operations 309: 103 +, 143 *, 31 /, 1 neg, 1 abs, 4 sqrt, 3 tan, 2 atan2, 3 lt, 2 eq, 16 where
 def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     d1, d2, d3, d1o, d2o, d3o = delta
@@ -4886,9 +4886,15 @@ def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     wd1 = d1 * wd
     wd2 = d2 * wd
     wd3 = d3 * wd
-    fd = 2 * (sd * wd)
-    wwd = wd * wd
-    gd = 2 * wwd
+    thalfd = m.tan(alphad / 2)
+    tthalfd = thalfd * thalfd
+    belowhalfd = 1 + tthalfd
+    sined = 2 * thalfd / belowhalfd
+    versined = 2 * tthalfd / belowhalfd
+    besided = alphad - 4
+    lostd = (xxd - 16 - 8 * besided - besided * besided) / (2 * alphad)
+    fd = m.where(neard, C0d * C1d, (sined + lostd * (1 - versined)) / alphad)
+    gd = m.where(neard, CC1d / 2, (versined + lostd * sined) / xxd)
     C01d = 1 + C0d
     C2d = CC1d / C01d
     hd = m.where(neard, (C3d + C1d * C2d) / 4, (1 - fd) / xxd)
@@ -4939,10 +4945,13 @@ def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     r = m.sqrt(m.where(resting, 1 + x, x))
     own, = c.unfolded(m, x, r)
     own_ = m.where(resting, 0, own / r) * (v1 * z1 + v2 * z2 + v3 * z3) / length
-    folded = 2 * m.atan2(m.where(still, ss, length), z0)
+    sine = m.where(still, ss, length)
+    falling = z0 < 0
+    cosine = m.where(falling, -z0, z0)
+    folded = m.where(falling, -2, 2) * m.atan2(sine, cosine)
     turns = own_ - folded + 2 * m.atan2(m.tan((folded - own_) / 2), 1)
     angle = folded + m.where(m.abs(turns) < 1, 0, turns)
-    rn, slopen = c.coefficient(m, angle)
+    rn, slopen = c.coefficient_of(m, angle, sine, z0)
     z0s = m.where(still, z0, length)
     factor = m.where(still, 2 * slopen / z0s, rn / length)
     v_1 = z1 * factor
@@ -4972,10 +4981,13 @@ def retract_blocks(
     d1, d2, d3, d1o, d2o, d3o = delta
     o1, o2, o3, o4, o5, o6 = out
     (
-        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, *spare,
+        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23,
+        *spare,
     ) = scratch
-    mask1, mask2, *spare_masks = masks
-    n0, n1, n2, n4, n6, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    mask1, mask2, mask3, *spare_masks = masks
+    (
+        n_minus_2, n0, n1, n2, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600,
+    ) = numbers
     v11d = mul(d1, d1, k1)
     v22d = mul(d2, d2, k2)
     v33d = mul(d3, d3, k3)
@@ -4997,69 +5009,84 @@ def retract_blocks(
     td = tan(div(alphad, n4, k7), k7)
     ttd = mul(td, td, k8)
     belowd = add(n1, ttd, k9)
-    wd = m.where(neard, div(C1d, n2, k10), div(div(mul(n2, td, k7), belowd, k7), alphad, k6), k7)
-    sd = m.where(neard, C0d, div(sub(n1, ttd, k6), belowd, k6), k8)
-    C01d = add(n1, C0d, k2)
-    C2d = div(CC1d, C01d, k2)
-    wd1 = mul(d1, wd, k5)
-    wd2 = mul(d2, wd, k6)
-    wd3 = mul(d3, wd, k9)
-    v11 = mul(v1, v1, k10)
-    v22 = mul(v2, v2, k11)
-    v33 = mul(v3, v3, k12)
-    x = add(add(v11, v22, k10), v33, k10)
-    a, b, _, f, g, h = c.ray((k11, k12, k13, k14, k15, k16), (*spare,), (*spare_masks,), x)
-    bv1 = mul(v1, b, k13)
-    bv3 = mul(v3, b, k17)
-    bv2 = mul(v2, b, k12)
-    z1 = add(add(mul(bv1, sd, k18), mul(wd1, a, k19), k18), sub(mul(wd2, bv3, k19), mul(wd3, bv2, k20), k19), k18)
-    z2 = add(add(mul(bv2, sd, k19), mul(wd2, a, k20), k19), sub(mul(wd3, bv1, k20), mul(wd1, bv3, k21), k20), k19)
-    z3 = add(add(mul(bv3, sd, k20), mul(wd3, a, k21), k20), sub(mul(wd1, bv2, k21), mul(wd2, bv1, k22), k21), k20)
-    z0 = sub(mul(sd, a, k11), add(add(mul(wd1, bv1, k5), mul(wd2, bv2, k6), k5), mul(wd3, bv3, k6), k5), k5)
-    fd = mul(n2, mul(sd, wd, k6), k6)
-    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k2), k1), n4, k1), div(sub(n1, fd, k2), xxd, k2), k1)
-    wwd = mul(wd, wd, k2)
-    gd = mul(n2, wwd, k2)
-    ss = add(add(mul(z1, z1, k3), mul(z2, z2, k4), k3), mul(z3, z3, k4), k3)
-    still = m.equal(ss, n0, mask1)
-    length = sqrt(m.where(still, add(n1, ss, k4), ss, k4), k4)
-    folded = mul(n2, atan2(m.where(still, ss, length, k3), z0, k3), k3)
-    resting = m.equal(x, n0, mask2)
-    r = sqrt(m.where(resting, add(n1, x, k7), x, k7), k7)
-    own, = c.unfolded((k8,), (k9, k11, k12, k13, k17, k21, k22, *spare), (*spare_masks,), x, r)
+    sd = m.where(neard, C0d, div(sub(n1, ttd, k8), belowd, k8), k10)
+    wd = m.where(neard, div(C1d, n2, k8), div(div(mul(n2, td, k7), belowd, k7), alphad, k7), k8)
+    wd1 = mul(d1, wd, k7)
+    wd2 = mul(d2, wd, k9)
+    wd3 = mul(d3, wd, k8)
+    v11 = mul(v1, v1, k11)
+    v22 = mul(v2, v2, k12)
+    v33 = mul(v3, v3, k13)
+    x = add(add(v11, v22, k11), v33, k11)
+    a, b, _, f, g, h = c.ray((k12, k13, k14, k15, k16, k17), (*spare,), (*spare_masks,), x)
+    bv1 = mul(v1, b, k14)
+    bv3 = mul(v3, b, k18)
+    bv2 = mul(v2, b, k13)
+    z1 = add(add(mul(bv1, sd, k19), mul(wd1, a, k20), k19), sub(mul(wd2, bv3, k20), mul(wd3, bv2, k21), k20), k19)
+    z2 = add(add(mul(bv2, sd, k20), mul(wd2, a, k21), k20), sub(mul(wd3, bv1, k21), mul(wd1, bv3, k22), k21), k20)
+    z3 = add(add(mul(bv3, sd, k21), mul(wd3, a, k22), k21), sub(mul(wd1, bv2, k22), mul(wd2, bv1, k23), k22), k21)
+    z0 = sub(mul(sd, a, k10), add(add(mul(wd1, bv1, k7), mul(wd2, bv2, k9), k7), mul(wd3, bv3, k8), k7), k7)
+    ss = add(add(mul(z1, z1, k8), mul(z2, z2, k9), k8), mul(z3, z3, k9), k8)
+    still = m.equal(ss, n0, mask2)
+    length = sqrt(m.where(still, add(n1, ss, k9), ss, k9), k9)
+    sine = m.where(still, ss, length, k8)
+    resting = m.equal(x, n0, mask3)
+    r = sqrt(m.where(resting, add(n1, x, k10), x, k10), k10)
+    own, = c.unfolded((k12,), (k13, k14, k18, k22, k23, *spare), (*spare_masks,), x, r)
     own_ = div(
-        mul(m.where(resting, n0, div(own, r, k7), k8), add(add(mul(v1, z1, k7), mul(v2, z2, k9), k7), mul(v3, z3, k9),
-        k7), k7), length, k7
+        mul(m.where(resting, n0, div(own, r, k10), k11), add(add(mul(v1, z1, k10), mul(v2, z2, k12), k10), mul(v3, z3,
+        k12), k10), k10), length, k10
     )
-    turns = add(sub(own_, folded, k8), mul(n2, atan2(tan(div(sub(folded, own_, k7), n2, k7), k7), n1, k7), k7), k7)
-    angle = add(folded, m.where(m.less(absolute(turns, k8), n1, mask2), n0, turns, k8), k3)
-    rn, slopen = c.coefficient((k7, k8), (k9, k10, k11, k12, k13, k17, k21, k22, *spare), (mask2, *spare_masks), angle)
-    z0s = m.where(still, z0, length, k9)
-    factor = m.where(still, div(mul(n2, slopen, k8), z0s, k8), div(rn, length, k4), k7)
+    falling = m.less(z0, n0, mask3)
+    cosine = m.where(falling, neg(z0, k11), z0, k11)
+    folded = mul(m.where(falling, n_minus_2, n2, k12), atan2(sine, cosine, k11), k11)
+    turns = add(
+        sub(own_, folded, k12), mul(n2, atan2(tan(div(sub(folded, own_, k10), n2, k10), k10), n1, k10), k10), k10
+    )
+    angle = add(folded, m.where(m.less(absolute(turns, k12), n1, mask3), n0, turns, k12), k10)
+    rn, slopen = c.coefficient_of((k11, k12), (k13, k14, k18, k22, k23, *spare), (mask3, *spare_masks), angle, sine, z0)
+    z0s = m.where(still, z0, length, k8)
+    factor = m.where(still, div(mul(n2, slopen, k12), z0s, k8), div(rn, length, k9), k8)
     v_1 = mul(z1, factor, o1)
     v_2 = mul(z2, factor, o2)
     v_3 = mul(z3, factor, o3)
-    fe = mul(factor, z0, k4)
-    v11w = mul(v_1, v_1, k5)
-    v22w = mul(v_2, v_2, k7)
-    v33w = mul(v_3, v_3, k8)
-    xw = add(add(v11w, v22w, k5), v33w, k5)
+    fe = mul(factor, z0, k7)
+    v11w = mul(v_1, v_1, k8)
+    v22w = mul(v_2, v_2, k9)
+    v33w = mul(v_3, v_3, k11)
+    xw = add(add(v11w, v22w, k8), v33w, k8)
     hiw, = c.inverse_at(
-        (k7,), (k8, k9, k10, k11, k12, k13, k17, k18, k19, k20, k21, k22, *spare), (mask1, mask2, *spare_masks), xw, fe,
-        angle
+        (k9,), (k11, k12, k13, k14, k18, k19, k20, k21, k22, k23, *spare), (mask2, mask3, *spare_masks), xw, fe, angle
     )
-    yd = add(add(mul(d1, d1o, k3), mul(d2, d2o, k5), k3), mul(d3, d3o, k5), k3)
+    C01d = add(n1, C0d, k8)
+    C2d = div(CC1d, C01d, k8)
+    besided = sub(alphad, n4, k10)
+    lostd = div(
+        sub(sub(sub(xxd, n16, k11), mul(n8, besided, k12), k11), mul(besided, besided, k10), k10), mul(n2, alphad, k11),
+        k10
+    )
+    thalfd = tan(div(alphad, n2, k11), k11)
+    tthalfd = mul(thalfd, thalfd, k12)
+    belowhalfd = add(n1, tthalfd, k13)
+    versined = div(mul(n2, tthalfd, k12), belowhalfd, k12)
+    sined = div(mul(n2, thalfd, k11), belowhalfd, k11)
+    fd = m.where(
+        neard, mul(C0d, C1d, k2), div(add(sined, mul(lostd, sub(n1, versined, k13), k13), k13), alphad, k6), k2
+    )
+    gd = m.where(neard, div(CC1d, n2, k5), div(add(versined, mul(lostd, sined, k6), k6), xxd, k6), k5)
+    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k4), k1), n4, k1), div(sub(n1, fd, k4), xxd, k3), k1)
+    yd = add(add(mul(d1, d1o, k3), mul(d2, d2o, k4), k3), mul(d3, d3o, k4), k3)
     alongd = mul(hd, yd, k1)
     gv3 = mul(v3, g, k3)
-    gv1 = mul(v1, g, k5)
-    gv2 = mul(v2, g, k8)
-    y = add(add(mul(v1, v1o, k9), mul(v2, v2o, k10), k9), mul(v3, v3o, k10), k9)
-    along = mul(h, y, k9)
+    gv1 = mul(v1, g, k4)
+    gv2 = mul(v2, g, k6)
+    y = add(add(mul(v1, v1o, k8), mul(v2, v2o, k10), k8), mul(v3, v3o, k10), k8)
+    along = mul(h, y, k8)
     rhob2 = add(add(mul(v2o, f, k10), sub(mul(gv3, v1o, k11), mul(gv1, v3o, k12), k11), k10), mul(v2, along, k11), k10)
     rhob1 = add(add(mul(v1o, f, k11), sub(mul(gv2, v3o, k12), mul(gv3, v2o, k3), k3), k3), mul(v1, along, k11), k3)
-    rhob3 = add(add(mul(v3o, f, k11), sub(mul(gv1, v2o, k5), mul(gv2, v1o, k8), k5), k5), mul(v3, along, k8), k5)
-    v_rhob3 = sub(mul(d1, rhob2, k8), mul(d2, rhob1, k9), k8)
-    gv_rhob3 = mul(v_rhob3, gd, k9)
+    rhob3 = add(add(mul(v3o, f, k11), sub(mul(gv1, v2o, k4), mul(gv2, v1o, k6), k4), k4), mul(v3, along, k6), k4)
+    v_rhob3 = sub(mul(d1, rhob2, k6), mul(d2, rhob1, k8), k6)
+    gv_rhob3 = mul(v_rhob3, gd, k8)
     v_rhob2 = sub(mul(d3, rhob1, k11), mul(d1, rhob3, k12), k11)
     gv_rhob2 = mul(v_rhob2, gd, k12)
     gvd2 = mul(d2, gd, k13)
@@ -5071,23 +5098,23 @@ def retract_blocks(
         k3
     )
     gv_rhob1 = mul(v_rhob1, gd, k15)
-    gvd1 = mul(d1, gd, k2)
+    gvd1 = mul(d1, gd, k5)
     rho2 = add(
-        add(rhob2, add(mul(v_rhob2, fd, k11), sub(mul(d3, gv_rhob1, k16), mul(d1, gv_rhob3, k9), k9), k9), k9),
+        add(rhob2, add(mul(v_rhob2, fd, k11), sub(mul(d3, gv_rhob1, k16), mul(d1, gv_rhob3, k8), k8), k8), k8),
         add(add(mul(d2o, fd, k10), sub(mul(gvd3, d1o, k11), mul(gvd1, d3o, k14), k11), k10), mul(d2, alongd, k11), k10),
-        k9
+        k8
     )
     rho3 = add(
-        add(rhob3, add(mul(v_rhob3, fd, k8), sub(mul(d1, gv_rhob2, k10), mul(d2, gv_rhob1, k11), k10), k8), k5),
-        add(add(mul(d3o, fd, k6), sub(mul(gvd1, d2o, k2), mul(gvd2, d1o, k8), k2), k2), mul(d3, alongd, k1), k1), k1
+        add(rhob3, add(mul(v_rhob3, fd, k6), sub(mul(d1, gv_rhob2, k10), mul(d2, gv_rhob1, k11), k10), k6), k4),
+        add(add(mul(d3o, fd, k2), sub(mul(gvd1, d2o, k5), mul(gvd2, d1o, k6), k5), k2), mul(d3, alongd, k1), k1), k1
     )
-    hvr = mul(hiw, add(add(mul(v_1, rho1, k2), mul(v_2, rho2, k5), k2), mul(v_3, rho3, k5), k2), k2)
-    div(add(sub(mul(rho1, fe, k5), sub(mul(v_2, rho3, k6), mul(v_3, rho2, k7), k6), k5), mul(v_1, hvr, k6), k5), n2, o4)
-    div(add(sub(mul(rho2, fe, k5), sub(mul(v_3, rho1, k6), mul(v_1, rho3, k7), k6), k5), mul(v_2, hvr, k6), k5), n2, o5)
+    hvr = mul(hiw, add(add(mul(v_1, rho1, k2), mul(v_2, rho2, k4), k2), mul(v_3, rho3, k4), k2), k2)
+    div(add(sub(mul(rho1, fe, k4), sub(mul(v_2, rho3, k5), mul(v_3, rho2, k6), k5), k4), mul(v_1, hvr, k5), k4), n2, o4)
+    div(add(sub(mul(rho2, fe, k4), sub(mul(v_3, rho1, k5), mul(v_1, rho3, k6), k5), k4), mul(v_2, hvr, k5), k4), n2, o5)
     div(add(sub(mul(rho3, fe, k1), sub(mul(v_1, rho2, k4), mul(v_2, rho1, k3), k3), k1), mul(v_3, hvr, k2), k1), n2, o6)
 
 
-# operations 282: 95 +, 138 *, 24 /, 1 abs, 4 sqrt, 2 tan, 2 atan2, 2 lt, 2 eq, 12 where
+# operations 309: 103 +, 143 *, 31 /, 1 neg, 1 abs, 4 sqrt, 3 tan, 2 atan2, 3 lt, 2 eq, 16 where
 def body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     d1, d2, d3, d1o, d2o, d3o = delta
@@ -5116,9 +5143,15 @@ def body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     wd1 = d1 * wd
     wd2 = d2 * wd
     wd3 = d3 * wd
-    fd = 2 * (sd * wd)
-    wwd = wd * wd
-    gd = 2 * wwd
+    thalfd = m.tan(alphad / 2)
+    tthalfd = thalfd * thalfd
+    belowhalfd = 1 + tthalfd
+    sined = 2 * thalfd / belowhalfd
+    versined = 2 * tthalfd / belowhalfd
+    besided = alphad - 4
+    lostd = (xxd - 16 - 8 * besided - besided * besided) / (2 * alphad)
+    fd = m.where(neard, C0d * C1d, (sined + lostd * (1 - versined)) / alphad)
+    gd = m.where(neard, CC1d / 2, (versined + lostd * sined) / xxd)
     C01d = 1 + C0d
     C2d = CC1d / C01d
     hd = m.where(neard, (C3d + C1d * C2d) / 4, (1 - fd) / xxd)
@@ -5163,10 +5196,13 @@ def body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     r = m.sqrt(m.where(resting, 1 + x, x))
     own, = c.unfolded(m, x, r)
     own_ = m.where(resting, 0, own / r) * (v1 * z1 + v2 * z2 + v3 * z3) / length
-    folded = 2 * m.atan2(m.where(still, ss, length), z0)
+    sine = m.where(still, ss, length)
+    falling = z0 < 0
+    cosine = m.where(falling, -z0, z0)
+    folded = m.where(falling, -2, 2) * m.atan2(sine, cosine)
     turns = own_ - folded + 2 * m.atan2(m.tan((folded - own_) / 2), 1)
     angle = folded + m.where(m.abs(turns) < 1, 0, turns)
-    rn, slopen = c.coefficient(m, angle)
+    rn, slopen = c.coefficient_of(m, angle, sine, z0)
     z0s = m.where(still, z0, length)
     factor = m.where(still, 2 * slopen / z0s, rn / length)
     v_1 = z1 * factor
@@ -5196,10 +5232,13 @@ def body_retract_blocks(
     d1, d2, d3, d1o, d2o, d3o = delta
     o1, o2, o3, o4, o5, o6 = out
     (
-        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, *spare,
+        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23,
+        *spare,
     ) = scratch
-    mask1, mask2, *spare_masks = masks
-    n0, n1, n2, n4, n6, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    mask1, mask2, mask3, *spare_masks = masks
+    (
+        n_minus_2, n0, n1, n2, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600,
+    ) = numbers
     v11d = mul(d1, d1, k1)
     v22d = mul(d2, d2, k2)
     v33d = mul(d3, d3, k3)
@@ -5221,95 +5260,110 @@ def body_retract_blocks(
     td = tan(div(alphad, n4, k7), k7)
     ttd = mul(td, td, k8)
     belowd = add(n1, ttd, k9)
-    wd = m.where(neard, div(C1d, n2, k10), div(div(mul(n2, td, k7), belowd, k7), alphad, k6), k7)
-    sd = m.where(neard, C0d, div(sub(n1, ttd, k6), belowd, k6), k8)
-    C01d = add(n1, C0d, k2)
-    C2d = div(CC1d, C01d, k2)
-    wd1 = mul(d1, wd, k5)
-    wd3 = mul(d3, wd, k6)
-    wd2 = mul(d2, wd, k9)
-    v11 = mul(v1, v1, k10)
-    v22 = mul(v2, v2, k11)
-    v33 = mul(v3, v3, k12)
-    x = add(add(v11, v22, k10), v33, k10)
-    a, b, _, f, g, h = c.ray((k11, k12, k13, k14, k15, k16), (*spare,), (*spare_masks,), x)
-    bv1 = mul(v1, b, k13)
-    bv2 = mul(v2, b, k17)
-    bv3 = mul(v3, b, k12)
-    z1 = add(add(mul(wd1, a, k18), mul(bv1, sd, k19), k18), sub(mul(bv2, wd3, k19), mul(bv3, wd2, k20), k19), k18)
-    z2 = add(add(mul(wd2, a, k19), mul(bv2, sd, k20), k19), sub(mul(bv3, wd1, k20), mul(bv1, wd3, k21), k20), k19)
-    z3 = add(add(mul(wd3, a, k20), mul(bv3, sd, k21), k20), sub(mul(bv1, wd2, k21), mul(bv2, wd1, k22), k21), k20)
-    z0 = sub(mul(a, sd, k11), add(add(mul(bv1, wd1, k5), mul(bv2, wd2, k9), k5), mul(bv3, wd3, k6), k5), k5)
-    fd = mul(n2, mul(sd, wd, k6), k6)
-    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k2), k1), n4, k1), div(sub(n1, fd, k2), xxd, k2), k1)
-    wwd = mul(wd, wd, k2)
-    gd = mul(n2, wwd, k2)
-    ss = add(add(mul(z1, z1, k3), mul(z2, z2, k4), k3), mul(z3, z3, k4), k3)
-    still = m.equal(ss, n0, mask1)
-    length = sqrt(m.where(still, add(n1, ss, k4), ss, k4), k4)
-    folded = mul(n2, atan2(m.where(still, ss, length, k3), z0, k3), k3)
-    resting = m.equal(x, n0, mask2)
-    r = sqrt(m.where(resting, add(n1, x, k7), x, k7), k7)
-    own, = c.unfolded((k8,), (k9, k11, k12, k13, k17, k21, k22, *spare), (*spare_masks,), x, r)
+    sd = m.where(neard, C0d, div(sub(n1, ttd, k8), belowd, k8), k10)
+    wd = m.where(neard, div(C1d, n2, k8), div(div(mul(n2, td, k7), belowd, k7), alphad, k7), k8)
+    wd1 = mul(d1, wd, k7)
+    wd3 = mul(d3, wd, k9)
+    wd2 = mul(d2, wd, k8)
+    v11 = mul(v1, v1, k11)
+    v22 = mul(v2, v2, k12)
+    v33 = mul(v3, v3, k13)
+    x = add(add(v11, v22, k11), v33, k11)
+    a, b, _, f, g, h = c.ray((k12, k13, k14, k15, k16, k17), (*spare,), (*spare_masks,), x)
+    bv1 = mul(v1, b, k14)
+    bv2 = mul(v2, b, k18)
+    bv3 = mul(v3, b, k13)
+    z1 = add(add(mul(wd1, a, k19), mul(bv1, sd, k20), k19), sub(mul(bv2, wd3, k20), mul(bv3, wd2, k21), k20), k19)
+    z2 = add(add(mul(wd2, a, k20), mul(bv2, sd, k21), k20), sub(mul(bv3, wd1, k21), mul(bv1, wd3, k22), k21), k20)
+    z3 = add(add(mul(wd3, a, k21), mul(bv3, sd, k22), k21), sub(mul(bv1, wd2, k22), mul(bv2, wd1, k23), k22), k21)
+    z0 = sub(mul(a, sd, k10), add(add(mul(bv1, wd1, k7), mul(bv2, wd2, k8), k7), mul(bv3, wd3, k8), k7), k7)
+    ss = add(add(mul(z1, z1, k8), mul(z2, z2, k9), k8), mul(z3, z3, k9), k8)
+    still = m.equal(ss, n0, mask2)
+    length = sqrt(m.where(still, add(n1, ss, k9), ss, k9), k9)
+    sine = m.where(still, ss, length, k8)
+    resting = m.equal(x, n0, mask3)
+    r = sqrt(m.where(resting, add(n1, x, k10), x, k10), k10)
+    own, = c.unfolded((k12,), (k13, k14, k18, k22, k23, *spare), (*spare_masks,), x, r)
     own_ = div(
-        mul(m.where(resting, n0, div(own, r, k7), k8), add(add(mul(v1, z1, k7), mul(v2, z2, k9), k7), mul(v3, z3, k9),
-        k7), k7), length, k7
+        mul(m.where(resting, n0, div(own, r, k10), k11), add(add(mul(v1, z1, k10), mul(v2, z2, k12), k10), mul(v3, z3,
+        k12), k10), k10), length, k10
     )
-    turns = add(sub(own_, folded, k8), mul(n2, atan2(tan(div(sub(folded, own_, k7), n2, k7), k7), n1, k7), k7), k7)
-    angle = add(folded, m.where(m.less(absolute(turns, k8), n1, mask2), n0, turns, k8), k3)
-    rn, slopen = c.coefficient((k7, k8), (k9, k10, k11, k12, k13, k17, k21, k22, *spare), (mask2, *spare_masks), angle)
-    z0s = m.where(still, z0, length, k9)
-    factor = m.where(still, div(mul(n2, slopen, k8), z0s, k8), div(rn, length, k4), k7)
+    falling = m.less(z0, n0, mask3)
+    cosine = m.where(falling, neg(z0, k11), z0, k11)
+    folded = mul(m.where(falling, n_minus_2, n2, k12), atan2(sine, cosine, k11), k11)
+    turns = add(
+        sub(own_, folded, k12), mul(n2, atan2(tan(div(sub(folded, own_, k10), n2, k10), k10), n1, k10), k10), k10
+    )
+    angle = add(folded, m.where(m.less(absolute(turns, k12), n1, mask3), n0, turns, k12), k10)
+    rn, slopen = c.coefficient_of((k11, k12), (k13, k14, k18, k22, k23, *spare), (mask3, *spare_masks), angle, sine, z0)
+    z0s = m.where(still, z0, length, k8)
+    factor = m.where(still, div(mul(n2, slopen, k12), z0s, k8), div(rn, length, k9), k8)
     v_1 = mul(z1, factor, o1)
     v_2 = mul(z2, factor, o2)
     v_3 = mul(z3, factor, o3)
-    fe = mul(factor, z0, k4)
-    v11w = mul(v_1, v_1, k5)
-    v22w = mul(v_2, v_2, k7)
-    v33w = mul(v_3, v_3, k8)
-    xw = add(add(v11w, v22w, k5), v33w, k5)
+    fe = mul(factor, z0, k7)
+    v11w = mul(v_1, v_1, k8)
+    v22w = mul(v_2, v_2, k9)
+    v33w = mul(v_3, v_3, k11)
+    xw = add(add(v11w, v22w, k8), v33w, k8)
     hiw, = c.inverse_at(
-        (k7,), (k8, k9, k10, k11, k12, k13, k17, k18, k19, k20, k21, k22, *spare), (mask1, mask2, *spare_masks), xw, fe,
-        angle
+        (k9,), (k11, k12, k13, k14, k18, k19, k20, k21, k22, k23, *spare), (mask2, mask3, *spare_masks), xw, fe, angle
     )
-    yd = add(add(mul(d1, d1o, k3), mul(d2, d2o, k5), k3), mul(d3, d3o, k5), k3)
+    C01d = add(n1, C0d, k8)
+    C2d = div(CC1d, C01d, k8)
+    besided = sub(alphad, n4, k10)
+    lostd = div(
+        sub(sub(sub(xxd, n16, k11), mul(n8, besided, k12), k11), mul(besided, besided, k10), k10), mul(n2, alphad, k11),
+        k10
+    )
+    thalfd = tan(div(alphad, n2, k11), k11)
+    tthalfd = mul(thalfd, thalfd, k12)
+    belowhalfd = add(n1, tthalfd, k13)
+    versined = div(mul(n2, tthalfd, k12), belowhalfd, k12)
+    sined = div(mul(n2, thalfd, k11), belowhalfd, k11)
+    fd = m.where(
+        neard, mul(C0d, C1d, k2), div(add(sined, mul(lostd, sub(n1, versined, k13), k13), k13), alphad, k6), k2
+    )
+    gd = m.where(neard, div(CC1d, n2, k5), div(add(versined, mul(lostd, sined, k6), k6), xxd, k6), k5)
+    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k4), k1), n4, k1), div(sub(n1, fd, k4), xxd, k3), k1)
+    yd = add(add(mul(d1, d1o, k3), mul(d2, d2o, k4), k3), mul(d3, d3o, k4), k3)
     alongd = mul(hd, yd, k1)
     gvd1 = mul(d1, gd, k3)
-    gvd2 = mul(d2, gd, k5)
-    gvd3 = mul(d3, gd, k2)
-    rhob3 = add(add(mul(d3o, fd, k8), sub(mul(gvd1, d2o, k9), mul(gvd2, d1o, k10), k9), k8), mul(d3, alongd, k9), k8)
-    rhob2 = add(add(mul(d2o, fd, k9), sub(mul(gvd3, d1o, k10), mul(gvd1, d3o, k3), k3), k3), mul(d2, alongd, k9), k3)
-    rhob1 = add(add(mul(d1o, fd, k6), sub(mul(gvd2, d3o, k5), mul(gvd3, d2o, k2), k2), k2), mul(d1, alongd, k1), k1)
-    v_rhob1 = sub(mul(v2, rhob3, k2), mul(v3, rhob2, k5), k2)
-    v_rhob3 = sub(mul(v1, rhob2, k5), mul(v2, rhob1, k6), k5)
-    gv_rhob3 = mul(v_rhob3, g, k6)
-    v_rhob2 = sub(mul(v3, rhob1, k9), mul(v1, rhob3, k10), k9)
+    gvd2 = mul(d2, gd, k4)
+    gvd3 = mul(d3, gd, k5)
+    rhob3 = add(add(mul(d3o, fd, k6), sub(mul(gvd1, d2o, k8), mul(gvd2, d1o, k10), k8), k6), mul(d3, alongd, k8), k6)
+    rhob2 = add(add(mul(d2o, fd, k8), sub(mul(gvd3, d1o, k10), mul(gvd1, d3o, k3), k3), k3), mul(d2, alongd, k8), k3)
+    rhob1 = add(add(mul(d1o, fd, k2), sub(mul(gvd2, d3o, k4), mul(gvd3, d2o, k5), k4), k2), mul(d1, alongd, k1), k1)
+    v_rhob1 = sub(mul(v2, rhob3, k2), mul(v3, rhob2, k4), k2)
+    v_rhob3 = sub(mul(v1, rhob2, k4), mul(v2, rhob1, k5), k4)
+    gv_rhob3 = mul(v_rhob3, g, k5)
+    v_rhob2 = sub(mul(v3, rhob1, k8), mul(v1, rhob3, k10), k8)
     gv_rhob2 = mul(v_rhob2, g, k10)
     gv2 = mul(v2, g, k11)
     gv3 = mul(v3, g, k12)
-    y = add(add(mul(v1, v1o, k13), mul(v2, v2o, k17), k13), mul(v3, v3o, k17), k13)
+    y = add(add(mul(v1, v1o, k13), mul(v2, v2o, k14), k13), mul(v3, v3o, k14), k13)
     along = mul(h, y, k13)
     rho1 = add(
-        add(rhob1, add(mul(v_rhob1, f, k16), sub(mul(v2, gv_rhob3, k17), mul(v3, gv_rhob2, k18), k17), k16), k1),
-        add(add(mul(v1o, f, k16), sub(mul(gv2, v3o, k17), mul(gv3, v2o, k18), k17), k16), mul(v1, along, k17), k16), k1
+        add(rhob1, add(mul(v_rhob1, f, k14), sub(mul(v2, gv_rhob3, k17), mul(v3, gv_rhob2, k18), k17), k14), k1),
+        add(add(mul(v1o, f, k14), sub(mul(gv2, v3o, k17), mul(gv3, v2o, k18), k17), k14), mul(v1, along, k17), k14), k1
     )
     gv_rhob1 = mul(v_rhob1, g, k2)
-    gv1 = mul(v1, g, k15)
+    gv1 = mul(v1, g, k14)
     rho2 = add(
-        add(rhob2, add(mul(v_rhob2, f, k9), sub(mul(v3, gv_rhob1, k16), mul(v1, gv_rhob3, k6), k6), k6), k3),
-        add(add(mul(v2o, f, k6), sub(mul(gv3, v1o, k9), mul(gv1, v3o, k12), k9), k6), mul(v2, along, k9), k6), k3
+        add(rhob2, add(mul(v_rhob2, f, k8), sub(mul(v3, gv_rhob1, k16), mul(v1, gv_rhob3, k5), k5), k5), k3),
+        add(add(mul(v2o, f, k5), sub(mul(gv3, v1o, k8), mul(gv1, v3o, k12), k8), k5), mul(v2, along, k8), k5), k3
     )
     rho3 = add(
-        add(rhob3, add(mul(v_rhob3, f, k5), sub(mul(v1, gv_rhob2, k6), mul(v2, gv_rhob1, k2), k2), k2), k2),
-        add(add(mul(v3o, f, k5), sub(mul(gv1, v2o, k6), mul(gv2, v1o, k8), k6), k5), mul(v3, along, k6), k5), k2
+        add(rhob3, add(mul(v_rhob3, f, k4), sub(mul(v1, gv_rhob2, k5), mul(v2, gv_rhob1, k2), k2), k2), k2),
+        add(add(mul(v3o, f, k4), sub(mul(gv1, v2o, k5), mul(gv2, v1o, k6), k5), k4), mul(v3, along, k5), k4), k2
     )
-    hvr = mul(hiw, add(add(mul(v_1, rho1, k5), mul(v_2, rho2, k6), k5), mul(v_3, rho3, k6), k5), k5)
-    div(add(sub(mul(rho1, fe, k6), sub(mul(v_2, rho3, k7), mul(v_3, rho2, k8), k7), k6), mul(v_1, hvr, k7), k6), n2, o4)
-    div(add(sub(mul(rho2, fe, k6), sub(mul(v_3, rho1, k7), mul(v_1, rho3, k8), k7), k6), mul(v_2, hvr, k7), k6), n2, o5)
+    hvr = mul(hiw, add(add(mul(v_1, rho1, k4), mul(v_2, rho2, k5), k4), mul(v_3, rho3, k5), k4), k4)
+    div(add(sub(mul(rho1, fe, k5), sub(mul(v_2, rho3, k6), mul(v_3, rho2, k8), k6), k5), mul(v_1, hvr, k6), k5), n2, o4)
+    div(add(sub(mul(rho2, fe, k5), sub(mul(v_3, rho1, k6), mul(v_1, rho3, k8), k6), k5), mul(v_2, hvr, k6), k5), n2, o5)
     div(add(sub(mul(rho3, fe, k2), sub(mul(v_1, rho2, k3), mul(v_2, rho1, k1), k1), k1), mul(v_3, hvr, k2), k1), n2, o6)
 
 
-# operations 1024: 402 +, 526 *, 64 /, 6 neg, 1 abs, 4 sqrt, 2 tan, 2 atan2, 2 lt, 2 eq, 13 where
+# operations 1051: 410 +, 531 *, 71 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 2 atan2, 3 lt, 2 eq, 17 where
 def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     d1, d2, d3, d1o, d2o, d3o = delta
@@ -5339,9 +5393,15 @@ def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Resul
     wd1 = d1 * wd
     wd2 = d2 * wd
     wd3 = d3 * wd
-    fd = 2 * (sd * wd)
-    wwd = wd * wd
-    gd = 2 * wwd
+    thalfd = m.tan(alphad / 2)
+    tthalfd = thalfd * thalfd
+    belowhalfd = 1 + tthalfd
+    sined = 2 * thalfd / belowhalfd
+    versined = 2 * tthalfd / belowhalfd
+    besided = alphad - 4
+    lostd = (xxd - 16 - 8 * besided - besided * besided) / (2 * alphad)
+    fd = m.where(neard, C0d * C1d, (sined + lostd * (1 - versined)) / alphad)
+    gd = m.where(neard, CC1d / 2, (versined + lostd * sined) / xxd)
     C01d = 1 + C0d
     C2d = CC1d / C01d
     hd = m.where(neard, (C3d + C1d * C2d) / 4, (1 - fd) / xxd)
@@ -5389,10 +5449,13 @@ def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Resul
     r = m.sqrt(m.where(resting, 1 + xp, xp))
     own, = c.unfolded(m, xp, r)
     own_ = m.where(resting, 0, own / r) * (v1 * z1 + v2 * z2 + v3 * z3) / length
-    folded = 2 * m.atan2(m.where(still, ss, length), z0)
+    sine = m.where(still, ss, length)
+    falling = z0 < 0
+    cosine = m.where(falling, -z0, z0)
+    folded = m.where(falling, -2, 2) * m.atan2(sine, cosine)
     turns = own_ - folded + 2 * m.atan2(m.tan((folded - own_) / 2), 1)
     angle = folded + m.where(m.abs(turns) < 1, 0, turns)
-    rn, slopen = c.coefficient(m, angle)
+    rn, slopen = c.coefficient_of(m, angle, sine, z0)
     z0s = m.where(still, z0, length)
     factor = m.where(still, 2 * slopen / z0s, rn / length)
     v_1 = z1 * factor
@@ -5685,7 +5748,10 @@ def retract_jacobians_blocks(
         k47, k48, k49, k50, k51, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61, k62, k63, k64, k65, k66, k67, *spare,
     ) = scratch
     mask1, mask2, mask3, *spare_masks = masks
-    n0, n1, n2, n3, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    (
+        n_minus_2, n0, n1, n2, n3, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520,
+        n3603600,
+    ) = numbers
     v11d = mul(d1, d1, k1)
     v22d = mul(d2, d2, k2)
     x12d = add(v11d, v22d, k3)
@@ -5710,13 +5776,11 @@ def retract_jacobians_blocks(
     td = tan(div(alphad, n4, k12), k12)
     ttd = mul(td, td, k13)
     belowd = add(n1, ttd, k14)
-    wd = m.where(neard, div(C1d, n2, k15), div(div(mul(n2, td, k12), belowd, k12), alphad, k11), k12)
-    sd = m.where(neard, C0d, div(sub(n1, ttd, k11), belowd, k11), k13)
-    C01d = add(n1, C0d, k10)
-    C2d = div(CC1d, C01d, k9)
-    wd1 = mul(d1, wd, k11)
+    sd = m.where(neard, C0d, div(sub(n1, ttd, k13), belowd, k13), k15)
+    wd = m.where(neard, div(C1d, n2, k13), div(div(mul(n2, td, k12), belowd, k12), alphad, k12), k13)
+    wd1 = mul(d1, wd, k12)
     wd2 = mul(d2, wd, k14)
-    wd3 = mul(d3, wd, k15)
+    wd3 = mul(d3, wd, k13)
     v11p = mul(v1, v1, k16)
     v22p = mul(v2, v2, k17)
     v33p = mul(v3, v3, k18)
@@ -5729,55 +5793,71 @@ def retract_jacobians_blocks(
     z1 = add(add(mul(bvp1, sd, k30), mul(wd1, ap, k31), k30), sub(mul(wd2, bvp3, k31), mul(wd3, bvp2, k32), k31), k30)
     z2 = add(add(mul(bvp2, sd, k31), mul(wd2, ap, k32), k31), sub(mul(wd3, bvp1, k32), mul(wd1, bvp3, k33), k32), k31)
     z3 = add(add(mul(bvp3, sd, k32), mul(wd3, ap, k33), k32), sub(mul(wd1, bvp2, k33), mul(wd2, bvp1, k34), k33), k32)
-    z0 = sub(mul(sd, ap, k17), add(add(mul(wd1, bvp1, k11), mul(wd2, bvp2, k14), k11), mul(wd3, bvp3, k14), k11), k11)
-    fd = mul(n2, mul(sd, wd, k13), k13)
-    wwd = mul(wd, wd, k12)
-    gd = mul(n2, wwd, k12)
+    z0 = sub(mul(sd, ap, k15), add(add(mul(wd1, bvp1, k12), mul(wd2, bvp2, k14), k12), mul(wd3, bvp3, k13), k12), k12)
+    ss = add(add(mul(z1, z1, k13), mul(z2, z2, k14), k13), mul(z3, z3, k14), k13)
+    still = m.equal(ss, n0, mask2)
+    length = sqrt(m.where(still, add(n1, ss, k14), ss, k14), k14)
+    sine = m.where(still, ss, length, k13)
+    resting = m.equal(xp, n0, mask3)
+    r = sqrt(m.where(resting, add(n1, xp, k15), xp, k15), k15)
+    own, = c.unfolded((k17,), (k18, k28, k29, k33, k34, *spare), (*spare_masks,), xp, r)
+    own_ = div(
+        mul(m.where(resting, n0, div(own, r, k15), k16), add(add(mul(v1, z1, k15), mul(v2, z2, k17), k15), mul(v3, z3,
+        k17), k15), k15), length, k15
+    )
+    falling = m.less(z0, n0, mask3)
+    cosine = m.where(falling, neg(z0, k16), z0, k16)
+    folded = mul(m.where(falling, n_minus_2, n2, k17), atan2(sine, cosine, k16), k16)
+    turns = add(
+        sub(own_, folded, k17), mul(n2, atan2(tan(div(sub(folded, own_, k15), n2, k15), k15), n1, k15), k15), k15
+    )
+    angle = add(folded, m.where(m.less(absolute(turns, k17), n1, mask3), n0, turns, k17), k15)
+    rn, slopen = c.coefficient_of((k16, k17), (k18, k28, k29, k33, k34, *spare), (mask3, *spare_masks), angle, sine, z0)
+    z0s = m.where(still, z0, length, k13)
+    factor = m.where(still, div(mul(n2, slopen, k17), z0s, k13), div(rn, length, k14), k13)
+    v_1 = mul(z1, factor, k14)
+    v_2 = mul(z2, factor, k16)
+    v_3 = mul(z3, factor, k17)
+    fe = mul(factor, z0, k12)
+    v11w = mul(v_1, v_1, k13)
+    v22w = mul(v_2, v_2, k18)
+    v33w = mul(v_3, v_3, k28)
+    xw = add(add(v11w, v22w, k13), v33w, k13)
+    fin, hin, fiyn, hiyn = c.tangent_inv_at(
+        (k18, k28, k29, k30), (k31, k32, k33, k34, *spare), (mask2, mask3, *spare_masks), xw, fe, angle
+    )
+    cvn3 = mul(v_3, hin, k12)
+    I33 = add(fin, mul(cvn3, v_3, k13), k13)
+    cvn1 = mul(v_1, hin, k15)
+    d13n = mul(cvn1, v_3, k31)
+    sn2 = neg(v_2, k32)
+    I31 = sub(d13n, sn2, k33)
+    I13 = add(d13n, sn2, k31)
+    cvn2 = mul(v_2, hin, k32)
+    d23n = mul(cvn2, v_3, k34)
+    sn1 = neg(v_1, k35)
+    I32 = add(d23n, sn1, k36)
+    I23 = sub(d23n, sn1, k34)
+    C01d = add(n1, C0d, k35)
+    C2d = div(CC1d, C01d, k37)
+    besided = sub(alphad, n4, k38)
+    lostd = div(
+        sub(sub(sub(xxd, n16, k39), mul(n8, besided, k40), k39), mul(besided, besided, k38), k38), mul(n2, alphad, k39),
+        k38
+    )
+    thalfd = tan(div(alphad, n2, k39), k39)
+    tthalfd = mul(thalfd, thalfd, k40)
+    belowhalfd = add(n1, tthalfd, k41)
+    versined = div(mul(n2, tthalfd, k40), belowhalfd, k40)
+    sined = div(mul(n2, thalfd, k39), belowhalfd, k39)
+    fd = m.where(
+        neard, mul(C0d, C1d, k10), div(add(sined, mul(lostd, sub(n1, versined, k41), k41), k41), alphad, k11), k10
+    )
+    gd = m.where(neard, div(CC1d, n2, k9), div(add(versined, mul(lostd, sined, k11), k11), xxd, k11), k9)
     Qd11 = sub(n1, mul(gd, x23d, k2), k2)
     Qd22 = sub(n1, mul(gd, x13d, k1), k1)
     Qd33 = sub(n1, mul(gd, x12d, k3), k3)
-    ss = add(add(mul(z1, z1, k14), mul(z2, z2, k15), k14), mul(z3, z3, k15), k14)
-    still = m.equal(ss, n0, mask2)
-    length = sqrt(m.where(still, add(n1, ss, k15), ss, k15), k15)
-    folded = mul(n2, atan2(m.where(still, ss, length, k14), z0, k14), k14)
-    resting = m.equal(xp, n0, mask3)
-    r = sqrt(m.where(resting, add(n1, xp, k17), xp, k17), k17)
-    own, = c.unfolded((k18,), (k28, k29, k33, k34, *spare), (*spare_masks,), xp, r)
-    own_ = div(
-        mul(m.where(resting, n0, div(own, r, k16), k17), add(add(mul(v1, z1, k16), mul(v2, z2, k18), k16), mul(v3, z3,
-        k18), k16), k16), length, k16
-    )
-    turns = add(
-        sub(own_, folded, k17), mul(n2, atan2(tan(div(sub(folded, own_, k16), n2, k16), k16), n1, k16), k16), k16
-    )
-    angle = add(folded, m.where(m.less(absolute(turns, k17), n1, mask3), n0, turns, k17), k14)
-    rn, slopen = c.coefficient((k16, k17), (k18, k28, k29, k33, k34, *spare), (mask3, *spare_masks), angle)
-    z0s = m.where(still, z0, length, k18)
-    factor = m.where(still, div(mul(n2, slopen, k17), z0s, k17), div(rn, length, k15), k16)
-    v_1 = mul(z1, factor, k15)
-    v_2 = mul(z2, factor, k17)
-    v_3 = mul(z3, factor, k18)
-    fe = mul(factor, z0, k11)
-    v11w = mul(v_1, v_1, k16)
-    v22w = mul(v_2, v_2, k28)
-    v33w = mul(v_3, v_3, k29)
-    xw = add(add(v11w, v22w, k16), v33w, k16)
-    fin, hin, fiyn, hiyn = c.tangent_inv_at(
-        (k28, k29, k30, k31), (k32, k33, k34, *spare), (mask2, mask3, *spare_masks), xw, fe, angle
-    )
-    cvn3 = mul(v_3, hin, k11)
-    I33 = add(fin, mul(cvn3, v_3, k14), k14)
-    cvn1 = mul(v_1, hin, k16)
-    d13n = mul(cvn1, v_3, k32)
-    sn2 = neg(v_2, k33)
-    I31 = sub(d13n, sn2, k34)
-    I13 = add(d13n, sn2, k32)
-    cvn2 = mul(v_2, hin, k33)
-    d23n = mul(cvn2, v_3, k35)
-    sn1 = neg(v_1, k36)
-    I32 = add(d23n, sn1, k37)
-    I23 = sub(d23n, sn1, k35)
-    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k36), k36), n4, k36), div(sub(n1, fd, k38), xxd, k38), k36)
+    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k11), k11), n4, k11), div(sub(n1, fd, k38), xxd, k38), k11)
     c4d = div(mul(C3d, add(n1, C1d, k8), k8), n8, k8)
     cvd1 = mul(d1, hd, k38)
     d13d = mul(cvd1, d3, k39)
@@ -5863,28 +5943,28 @@ def retract_jacobians_blocks(
     yn = add(add(mul(v_1, w4, k21), mul(v_2, w5, k22), k21), mul(v_3, w6, k22), k21)
     fion = mul(fiyn, yn, k22)
     hion = mul(hiyn, yn, k21)
-    cvon3 = add(mul(w6, hin, k30), mul(v_3, hion, k31), k30)
-    I33o = add(fion, add(mul(cvn3, w6, k11), mul(cvon3, v_3, k30), k11), k11)
-    cvon1 = add(mul(w4, hin, k30), mul(v_1, hion, k31), k30)
-    cvon2 = add(mul(w5, hin, k29), mul(v_2, hion, k21), k21)
-    d13on = add(mul(cvn1, w6, k29), mul(cvon1, v_3, k31), k29)
-    son2 = neg(w5, k31)
+    cvon3 = add(mul(w6, hin, k29), mul(v_3, hion, k30), k29)
+    I33o = add(fion, add(mul(cvn3, w6, k12), mul(cvon3, v_3, k29), k12), k12)
+    cvon1 = add(mul(w4, hin, k29), mul(v_1, hion, k30), k29)
+    cvon2 = add(mul(w5, hin, k28), mul(v_2, hion, k21), k21)
+    d13on = add(mul(cvn1, w6, k28), mul(cvon1, v_3, k30), k28)
+    son2 = neg(w5, k30)
     I31o = sub(d13on, son2, k56)
-    I13o = add(d13on, son2, k29)
-    d23on = add(mul(cvn2, w6, k31), mul(cvon2, v_3, k59), k31)
-    sn3 = neg(v_3, k18)
+    I13o = add(d13on, son2, k28)
+    d23on = add(mul(cvn2, w6, k30), mul(cvon2, v_3, k59), k30)
+    sn3 = neg(v_3, k17)
     I22o = add(fion, add(mul(cvn2, w5, k59), mul(cvon2, v_2, k21), k21), k21)
-    I22 = add(fin, mul(cvn2, v_2, k33), k33)
+    I22 = add(fin, mul(cvn2, v_2, k32), k32)
     d12on = add(mul(cvn1, w5, k58), mul(cvon1, v_2, k59), k58)
-    I11o = add(fion, add(mul(cvn1, w4, k59), mul(cvon1, v_1, k30), k30), k22)
-    I11 = add(fin, mul(cvn1, v_1, k15), k15)
-    d12n = mul(cvn1, v_2, k16)
-    son1 = neg(w4, k17)
-    son3 = neg(w6, k20)
-    I32o = add(d23on, son1, k28)
-    I23o = sub(d23on, son1, k17)
-    CC3d = mul(C3d, C3d, k30)
-    C4d = div(sub(sub(mul(n4, C3d, k31), C2d, k31), mul(n2, mul(zd, CC3d, k5), k5), k5), mul(n2, C01d, k10), k5)
+    I11o = add(fion, add(mul(cvn1, w4, k59), mul(cvon1, v_1, k29), k29), k22)
+    I11 = add(fin, mul(cvn1, v_1, k14), k14)
+    d12n = mul(cvn1, v_2, k15)
+    son1 = neg(w4, k16)
+    son3 = neg(w6, k18)
+    I32o = add(d23on, son1, k20)
+    I23o = sub(d23on, son1, k16)
+    CC3d = mul(C3d, C3d, k29)
+    C4d = div(sub(sub(mul(n4, C3d, k30), C2d, k30), mul(n2, mul(zd, CC3d, k5), k5), k5), mul(n2, C01d, k29), k5)
     c5d = div(add(add(C5d, C4d, k4), mul(C2d, C3d, k5), k4), n16, k4)
     hyd = m.where(neard, sub(mul(n3, c5d, k4), c4d, k4), div(sub(gd, mul(n3, hd, k5), k5), xxd, k5), k4)
     hod = mul(hyd, yd, k4)
@@ -5892,57 +5972,57 @@ def retract_jacobians_blocks(
     d13od = add(mul(cvd1, d3o, k6), mul(cvod1, d3, k7), k6)
     gyd = sub(mul(fd, hd, k7), mul(gd, gd, k8), k7)
     god = mul(gyd, yd, k7)
-    gvod2 = add(mul(d2o, gd, k8), mul(d2, god, k9), k8)
-    D13o = add(d13od, gvod2, k9)
+    gvod2 = add(mul(d2o, gd, k8), mul(d2, god, k29), k8)
+    D13o = add(d13od, gvod2, k29)
     D31o = sub(d13od, gvod2, k6)
-    cvod2 = add(mul(d2o, hd, k8), mul(d2, hod, k10), k8)
-    cvod3 = add(mul(d3o, hd, k10), mul(d3, hod, k4), k4)
-    fyd = sub(hd, gd, k10)
-    fod = mul(fyd, yd, k10)
+    cvod2 = add(mul(d2o, hd, k8), mul(d2, hod, k30), k8)
+    cvod3 = add(mul(d3o, hd, k30), mul(d3, hod, k4), k4)
+    fyd = sub(hd, gd, k11)
+    fod = mul(fyd, yd, k11)
     D33o = add(fod, add(mul(cvd3, d3o, k30), mul(cvod3, d3, k4), k4), k4)
-    d23od = add(mul(cvd2, d3o, k30), mul(cvod2, d3, k31), k30)
-    D22o = add(fod, add(mul(cvd2, d2o, k31), mul(cvod2, d2, k8), k8), k8)
-    D11o = add(fod, add(mul(cvd1, d1o, k31), mul(cvod1, d1, k36), k31), k10)
-    d12od = add(mul(cvd1, d2o, k31), mul(cvod1, d2, k5), k5)
-    gvod1 = add(mul(d1o, gd, k31), mul(d1, god, k36), k31)
-    gvod3 = add(mul(d3o, gd, k12), mul(d3, god, k7), k7)
-    D23o = sub(d23od, gvod1, k12)
+    d23od = add(mul(cvd2, d3o, k30), mul(cvod2, d3, k35), k30)
+    D22o = add(fod, add(mul(cvd2, d2o, k35), mul(cvod2, d2, k8), k8), k8)
+    D11o = add(fod, add(mul(cvd1, d1o, k35), mul(cvod1, d1, k37), k35), k11)
+    d12od = add(mul(cvd1, d2o, k35), mul(cvod1, d2, k5), k5)
+    gvod1 = add(mul(d1o, gd, k35), mul(d1, god, k37), k35)
+    gvod3 = add(mul(d3o, gd, k9), mul(d3, god, k7), k7)
+    D23o = sub(d23od, gvod1, k9)
     D32o = add(d23od, gvod1, k30)
     div(
-        add(add(add(mul(I31, D13o, k31), mul(I31o, D13, k36), k31), add(mul(I32, D23o, k36), mul(I32o, D23, k38), k36),
-        k31), add(mul(I33, D33o, k36), mul(I33o, D33, k38), k36), k31), n2, o69
+        add(add(add(mul(I31, D13o, k35), mul(I31o, D13, k37), k35), add(mul(I32, D23o, k37), mul(I32o, D23, k38), k37),
+        k35), add(mul(I33, D33o, k37), mul(I33o, D33, k38), k37), k35), n2, o69
     )
-    D12o = sub(d12od, gvod3, k31)
+    D12o = sub(d12od, gvod3, k35)
     D21o = add(d12od, gvod3, k5)
     div(
-        add(add(add(mul(I31, D12o, k7), mul(I31o, D12, k36), k7), add(mul(I32, D22o, k36), mul(I32o, D22, k38), k36),
-        k7), add(mul(I33, D32o, k36), mul(I33o, D32, k38), k36), k7), n2, o68
+        add(add(add(mul(I31, D12o, k7), mul(I31o, D12, k37), k7), add(mul(I32, D22o, k37), mul(I32o, D22, k38), k37),
+        k7), add(mul(I33, D32o, k37), mul(I33o, D32, k38), k37), k7), n2, o68
     )
     div(
-        add(add(add(mul(I31, D11o, k7), mul(I31o, D11, k36), k7), add(mul(I32, D21o, k36), mul(I32o, D21, k38), k36),
-        k7), add(mul(I33, D31o, k36), mul(I33o, D31, k38), k36), k7), n2, o67
+        add(add(add(mul(I31, D11o, k7), mul(I31o, D11, k37), k7), add(mul(I32, D21o, k37), mul(I32o, D21, k38), k37),
+        k7), add(mul(I33, D31o, k37), mul(I33o, D31, k38), k37), k7), n2, o67
     )
     I21 = add(d12n, sn3, k7)
-    I12 = sub(d12n, sn3, k16)
-    div(add(add(mul(I21, D13, k18), mul(I22, D23, k36), k18), mul(I23, D33, k36), k18), n2, o45)
-    div(add(add(mul(I21, D12, k18), mul(I22, D22, k36), k18), mul(I23, D32, k36), k18), n2, o44)
-    div(add(add(mul(I21, D11, k18), mul(I22, D21, k36), k18), mul(I23, D31, k36), k18), n2, o43)
-    div(add(add(mul(I11, D13, k18), mul(I12, D23, k36), k18), mul(I13, D33, k36), k18), n2, o39)
-    div(add(add(mul(I11, D12, k18), mul(I12, D22, k36), k18), mul(I13, D32, k36), k18), n2, o38)
-    div(add(add(mul(I11, D11, k18), mul(I12, D21, k36), k18), mul(I13, D31, k36), k18), n2, o37)
-    I21o = add(d12on, son3, k18)
-    I12o = sub(d12on, son3, k20)
+    I12 = sub(d12n, sn3, k15)
+    div(add(add(mul(I21, D13, k17), mul(I22, D23, k37), k17), mul(I23, D33, k37), k17), n2, o45)
+    div(add(add(mul(I21, D12, k17), mul(I22, D22, k37), k17), mul(I23, D32, k37), k17), n2, o44)
+    div(add(add(mul(I21, D11, k17), mul(I22, D21, k37), k17), mul(I23, D31, k37), k17), n2, o43)
+    div(add(add(mul(I11, D13, k17), mul(I12, D23, k37), k17), mul(I13, D33, k37), k17), n2, o39)
+    div(add(add(mul(I11, D12, k17), mul(I12, D22, k37), k17), mul(I13, D32, k37), k17), n2, o38)
+    div(add(add(mul(I11, D11, k17), mul(I12, D21, k37), k17), mul(I13, D31, k37), k17), n2, o37)
+    I21o = add(d12on, son3, k17)
+    I12o = sub(d12on, son3, k18)
     div(
-        add(add(add(mul(I21, D13o, k36), mul(I21o, D13, k38), k36), add(mul(I22, D23o, k38), mul(I22o, D23, k42), k38),
-        k36), add(mul(I23, D33o, k38), mul(I23o, D33, k42), k38), k36), n2, o63
+        add(add(add(mul(I21, D13o, k37), mul(I21o, D13, k38), k37), add(mul(I22, D23o, k38), mul(I22o, D23, k42), k38),
+        k37), add(mul(I23, D33o, k38), mul(I23o, D33, k42), k38), k37), n2, o63
     )
     div(
-        add(add(add(mul(I11, D13o, k9), mul(I11o, D13, k36), k9), add(mul(I12, D23o, k12), mul(I12o, D23, k36), k12),
-        k9), add(mul(I13, D33o, k4), mul(I13o, D33, k12), k4), k4), n2, o57
+        add(add(add(mul(I11, D13o, k29), mul(I11o, D13, k37), k29), add(mul(I12, D23o, k9), mul(I12o, D23, k37), k9),
+        k9), add(mul(I13, D33o, k4), mul(I13o, D33, k29), k4), k4), n2, o57
     )
     div(
-        add(add(add(mul(I21, D12o, k4), mul(I21o, D12, k9), k4), add(mul(I22, D22o, k9), mul(I22o, D22, k12), k9), k4),
-        add(mul(I23, D32o, k9), mul(I23o, D32, k12), k9), k4), n2, o62
+        add(add(add(mul(I21, D12o, k4), mul(I21o, D12, k9), k4), add(mul(I22, D22o, k9), mul(I22o, D22, k29), k9), k4),
+        add(mul(I23, D32o, k9), mul(I23o, D32, k29), k9), k4), n2, o62
     )
     div(
         add(add(add(mul(I11, D12o, k4), mul(I11o, D12, k9), k4), add(mul(I12, D22o, k8), mul(I12o, D22, k9), k8), k4),
@@ -5966,16 +6046,16 @@ def retract_jacobians_blocks(
     Qd13 = add(gvvd2, fvd2, k10)
     Qd31 = sub(gvvd2, fvd2, k5)
     cvF1 = mul(v1, hF, k6)
-    d13F = mul(cvF1, v3, k12)
-    gvF2 = mul(v2, gF, k13)
+    d13F = mul(cvF1, v3, k11)
+    gvF2 = mul(v2, gF, k29)
     F13 = add(d13F, gvF2, k30)
-    F31 = sub(d13F, gvF2, k12)
-    cvF2 = mul(v2, hF, k13)
-    d23F = mul(cvF2, v3, k31)
-    gvF1 = mul(v1, gF, k36)
+    F31 = sub(d13F, gvF2, k11)
+    cvF2 = mul(v2, hF, k29)
+    d23F = mul(cvF2, v3, k35)
+    gvF1 = mul(v1, gF, k37)
     F23 = sub(d23F, gvF1, k38)
-    F32 = add(d23F, gvF1, k31)
-    cvF3 = mul(v3, hF, k36)
+    F32 = add(d23F, gvF1, k35)
+    cvF3 = mul(v3, hF, k37)
     F33 = add(fF, mul(cvF3, v3, k39), k39)
     RT13 = add(add(mul(Qd11, F13, k41), mul(Qd12, F23, k42), k41), mul(Qd13, F33, k42), k41)
     Qd23 = sub(gvvd3, fvd1, k42)
@@ -6014,17 +6094,17 @@ def retract_jacobians_blocks(
     cvoF2 = add(mul(v2o, hF, k62), mul(v2, hoF, k64), k62)
     cvoF3 = add(mul(v3o, hF, k24), mul(v3, hoF, k27), k24)
     F33o = add(foF, add(mul(cvF3, v3o, k27), mul(cvoF3, v3, k24), k24), k24)
-    d23oF = add(mul(cvF2, v3o, k27), mul(cvoF2, v3, k36), k27)
-    F22o = add(foF, add(mul(cvF2, v2o, k13), mul(cvoF2, v2, k36), k13), k13)
-    F11o = add(foF, add(mul(cvF1, v1o, k36), mul(cvoF1, v1, k62), k36), k25)
-    d12oF = add(mul(cvF1, v2o, k6), mul(cvoF1, v2, k36), k6)
-    gvoF1 = add(mul(v1o, gF, k36), mul(v1, goF, k60), k36)
+    d23oF = add(mul(cvF2, v3o, k27), mul(cvoF2, v3, k37), k27)
+    F22o = add(foF, add(mul(cvF2, v2o, k29), mul(cvoF2, v2, k37), k29), k29)
+    F11o = add(foF, add(mul(cvF1, v1o, k37), mul(cvoF1, v1, k62), k37), k25)
+    d12oF = add(mul(cvF1, v2o, k6), mul(cvoF1, v2, k37), k6)
+    gvoF1 = add(mul(v1o, gF, k37), mul(v1, goF, k60), k37)
     gvoF3 = add(mul(v3o, gF, k23), mul(v3, goF, k26), k23)
     F23o = sub(d23oF, gvoF1, k26)
     F32o = add(d23oF, gvoF1, k27)
     RT13o = add(
-        add(add(mul(Qd11, F13o, k36), mul(R11o, F13, k60), k36), add(mul(Qd12, F23o, k60), mul(R12o, F23, k62), k60),
-        k36), add(mul(Qd13, F33o, k60), mul(R13o, F33, k62), k60), k36
+        add(add(mul(Qd11, F13o, k37), mul(R11o, F13, k60), k37), add(mul(Qd12, F23o, k60), mul(R12o, F23, k62), k60),
+        k37), add(mul(Qd13, F33o, k60), mul(R13o, F33, k62), k60), k37
     )
     R21o = sub(mul(Qd11, rhod3, k60), mul(Qd31, rhod1, k62), k60)
     R22o = sub(mul(Qd12, rhod3, k62), mul(Qd32, rhod1, k64), k62)
@@ -6049,7 +6129,7 @@ def retract_jacobians_blocks(
         k30), k26), add(mul(I23, RT33o, k30), mul(I23o, RT33, k38), k30), k26), n2, o27
     )
     div(
-        add(add(add(mul(I11, RT13o, k26), mul(I11o, RT13, k30), k26), add(mul(I12, RT23o, k30), mul(I12o, RT23, k36),
+        add(add(add(mul(I11, RT13o, k26), mul(I11o, RT13, k30), k26), add(mul(I12, RT23o, k30), mul(I12o, RT23, k37),
         k30), k26), add(mul(I13, RT33o, k24), mul(I13o, RT33, k30), k24), k24), n2, o21
     )
     F12o = sub(d12oF, gvoF3, k24)
@@ -6067,12 +6147,12 @@ def retract_jacobians_blocks(
         add(mul(Qd23, F32o, k10), mul(R23o, F32, k26), k10), k8
     )
     RT32o = add(
-        add(add(mul(Qd31, F12o, k10), mul(R31o, F12, k24), k10), add(mul(Qd32, F22o, k13), mul(R32o, F22, k24), k13),
-        k10), add(mul(Qd33, F32o, k13), mul(R33o, F32, k24), k13), k10
+        add(add(mul(Qd31, F12o, k10), mul(R31o, F12, k24), k10), add(mul(Qd32, F22o, k24), mul(R32o, F22, k26), k24),
+        k10), add(mul(Qd33, F32o, k24), mul(R33o, F32, k26), k24), k10
     )
     RT21o = add(
-        add(add(mul(Qd21, F11o, k4), mul(R21o, F11, k13), k4), add(mul(Qd22, F21o, k1), mul(R22o, F21, k13), k1), k1),
-        add(mul(Qd23, F31o, k4), mul(R23o, F31, k13), k4), k1
+        add(add(mul(Qd21, F11o, k4), mul(R21o, F11, k24), k4), add(mul(Qd22, F21o, k1), mul(R22o, F21, k24), k1), k1),
+        add(mul(Qd23, F31o, k4), mul(R23o, F31, k24), k4), k1
     )
     RT31o = add(
         add(add(mul(Qd31, F11o, k4), mul(R31o, F11, k5), k4), add(mul(Qd32, F21o, k5), mul(R32o, F21, k6), k5), k4),
@@ -6140,7 +6220,7 @@ def retract_jacobians_blocks(
     copy(o51, o72)
 
 
-# operations 1024: 402 +, 526 *, 64 /, 6 neg, 1 abs, 4 sqrt, 2 tan, 2 atan2, 2 lt, 2 eq, 13 where
+# operations 1051: 410 +, 531 *, 71 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 2 atan2, 3 lt, 2 eq, 17 where
 def body_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     d1, d2, d3, d1o, d2o, d3o = delta
@@ -6169,9 +6249,15 @@ def body_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> 
     wd1 = d1 * wd
     wd2 = d2 * wd
     wd3 = d3 * wd
-    fd = 2 * (sd * wd)
-    wwd = wd * wd
-    gd = 2 * wwd
+    thalfd = m.tan(alphad / 2)
+    tthalfd = thalfd * thalfd
+    belowhalfd = 1 + tthalfd
+    sined = 2 * thalfd / belowhalfd
+    versined = 2 * tthalfd / belowhalfd
+    besided = alphad - 4
+    lostd = (xxd - 16 - 8 * besided - besided * besided) / (2 * alphad)
+    fd = m.where(neard, C0d * C1d, (sined + lostd * (1 - versined)) / alphad)
+    gd = m.where(neard, CC1d / 2, (versined + lostd * sined) / xxd)
     C01d = 1 + C0d
     C2d = CC1d / C01d
     hd = m.where(neard, (C3d + C1d * C2d) / 4, (1 - fd) / xxd)
@@ -6220,10 +6306,13 @@ def body_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> 
     r = m.sqrt(m.where(resting, 1 + xp, xp))
     own, = c.unfolded(m, xp, r)
     own_ = m.where(resting, 0, own / r) * (v1 * z1 + v2 * z2 + v3 * z3) / length
-    folded = 2 * m.atan2(m.where(still, ss, length), z0)
+    sine = m.where(still, ss, length)
+    falling = z0 < 0
+    cosine = m.where(falling, -z0, z0)
+    folded = m.where(falling, -2, 2) * m.atan2(sine, cosine)
     turns = own_ - folded + 2 * m.atan2(m.tan((folded - own_) / 2), 1)
     angle = folded + m.where(m.abs(turns) < 1, 0, turns)
-    rn, slopen = c.coefficient(m, angle)
+    rn, slopen = c.coefficient_of(m, angle, sine, z0)
     z0s = m.where(still, z0, length)
     factor = m.where(still, 2 * slopen / z0s, rn / length)
     v_1 = z1 * factor
@@ -6513,10 +6602,14 @@ def body_retract_jacobians_blocks(
     (
         k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
         k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, k35, k36, k37, k38, k39, k40, k41, k42, k43, k44, k45, k46,
-        k47, k48, k49, k50, k51, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61, *spare,
+        k47, k48, k49, k50, k51, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61, k62, k63, k64, k65, k66, k67, k68,
+        k69, *spare,
     ) = scratch
     mask1, mask2, *spare_masks = masks
-    n0, n1, n2, n3, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    (
+        n_minus_2, n0, n1, n2, n3, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520,
+        n3603600,
+    ) = numbers
     v11d = mul(d1, d1, k1)
     v22d = mul(d2, d2, k2)
     v33d = mul(d3, d3, k3)
@@ -6538,13 +6631,11 @@ def body_retract_jacobians_blocks(
     td = tan(div(alphad, n4, k9), k9)
     ttd = mul(td, td, k10)
     belowd = add(n1, ttd, k11)
-    wd = m.where(neard, div(C1d, n2, k12), div(div(mul(n2, td, k9), belowd, k9), alphad, k8), k9)
-    sd = m.where(neard, C0d, div(sub(n1, ttd, k8), belowd, k8), k10)
-    C01d = add(n1, C0d, k7)
-    C2d = div(CC1d, C01d, k6)
-    wd1 = mul(d1, wd, k8)
+    sd = m.where(neard, C0d, div(sub(n1, ttd, k10), belowd, k10), k12)
+    wd = m.where(neard, div(C1d, n2, k10), div(div(mul(n2, td, k9), belowd, k9), alphad, k9), k10)
+    wd1 = mul(d1, wd, k9)
     wd3 = mul(d3, wd, k11)
-    wd2 = mul(d2, wd, k12)
+    wd2 = mul(d2, wd, k10)
     v11p = mul(v1, v1, k13)
     v22p = mul(v2, v2, k14)
     x12p = add(v11p, v22p, k15)
@@ -6555,10 +6646,23 @@ def body_retract_jacobians_blocks(
     resting = m.equal(xp, n0, mask2)
     r = sqrt(m.where(resting, add(n1, xp, k17), xp, k17), k17)
     own, = c.unfolded((k18,), (*spare,), (*spare_masks,), xp, r)
-    fd = mul(n2, mul(sd, wd, k19), k19)
-    wwd = mul(wd, wd, k9)
-    gd = mul(n2, wwd, k9)
-    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k20), k20), n4, k20), div(sub(n1, fd, k21), xxd, k21), k20)
+    C01d = add(n1, C0d, k19)
+    C2d = div(CC1d, C01d, k20)
+    besided = sub(alphad, n4, k21)
+    lostd = div(
+        sub(sub(sub(xxd, n16, k22), mul(n8, besided, k23), k22), mul(besided, besided, k21), k21), mul(n2, alphad, k22),
+        k21
+    )
+    thalfd = tan(div(alphad, n2, k22), k22)
+    tthalfd = mul(thalfd, thalfd, k23)
+    belowhalfd = add(n1, tthalfd, k24)
+    versined = div(mul(n2, tthalfd, k23), belowhalfd, k23)
+    sined = div(mul(n2, thalfd, k22), belowhalfd, k22)
+    fd = m.where(
+        neard, mul(C0d, C1d, k7), div(add(sined, mul(lostd, sub(n1, versined, k24), k24), k24), alphad, k8), k7
+    )
+    gd = m.where(neard, div(CC1d, n2, k6), div(add(versined, mul(lostd, sined, k8), k8), xxd, k8), k6)
+    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k8), k8), n4, k8), div(sub(n1, fd, k21), xxd, k21), k8)
     c4d = div(mul(C3d, add(n1, C1d, k5), k5), n8, k5)
     yd = add(add(mul(d1, d1o, k21), mul(d2, d2o, k22), k21), mul(d3, d3o, k22), k21)
     alongd = mul(hd, yd, k22)
@@ -6593,10 +6697,10 @@ def body_retract_jacobians_blocks(
     D23 = sub(d23d, gvd1, k23)
     cvd3 = mul(d3, hd, k38)
     D33 = add(fd, mul(cvd3, d3, k40), k40)
-    gyd = sub(mul(fd, hd, k19), mul(gd, gd, k41), k19)
-    god = mul(gyd, yd, k19)
+    gyd = sub(mul(fd, hd, k7), mul(gd, gd, k41), k7)
+    god = mul(gyd, yd, k7)
     CC3d = mul(C3d, C3d, k41)
-    C4d = div(sub(sub(mul(n4, C3d, k42), C2d, k42), mul(n2, mul(zd, CC3d, k2), k2), k2), mul(n2, C01d, k7), k2)
+    C4d = div(sub(sub(mul(n4, C3d, k42), C2d, k42), mul(n2, mul(zd, CC3d, k2), k2), k2), mul(n2, C01d, k19), k2)
     c5d = div(add(add(C5d, C4d, k1), mul(C2d, C3d, k2), k1), n16, k1)
     hyd = m.where(neard, sub(mul(n3, c5d, k1), c4d, k1), div(sub(gd, mul(n3, hd, k2), k2), xxd, k2), k1)
     hod = mul(hyd, yd, k1)
@@ -6604,23 +6708,23 @@ def body_retract_jacobians_blocks(
     fyd = sub(hd, gd, k3)
     fod = mul(fyd, yd, k3)
     D11o = add(fod, add(mul(cvd1, d1o, k4), mul(cvod1, d1, k5), k4), k4)
-    d12od = add(mul(cvd1, d2o, k5), mul(cvod1, d2, k6), k5)
-    d13od = add(mul(cvd1, d3o, k6), mul(cvod1, d3, k2), k2)
-    gvod3 = add(mul(d3o, gd, k6), mul(d3, god, k7), k6)
-    D21o = add(d12od, gvod3, k7)
+    d12od = add(mul(cvd1, d2o, k5), mul(cvod1, d2, k19), k5)
+    d13od = add(mul(cvd1, d3o, k19), mul(cvod1, d3, k2), k2)
+    gvod3 = add(mul(d3o, gd, k19), mul(d3, god, k20), k19)
+    D21o = add(d12od, gvod3, k20)
     D12o = sub(d12od, gvod3, k5)
-    gvod2 = add(mul(d2o, gd, k6), mul(d2, god, k21), k6)
-    gvod1 = add(mul(d1o, gd, k9), mul(d1, god, k19), k9)
-    D31o = sub(d13od, gvod2, k19)
+    gvod2 = add(mul(d2o, gd, k19), mul(d2, god, k21), k19)
+    gvod1 = add(mul(d1o, gd, k6), mul(d1, god, k7), k6)
+    D31o = sub(d13od, gvod2, k7)
     D13o = add(d13od, gvod2, k2)
-    cvod2 = add(mul(d2o, hd, k6), mul(d2, hod, k21), k6)
-    cvod3 = add(mul(d3o, hd, k20), mul(d3, hod, k1), k1)
-    D33o = add(fod, add(mul(cvd3, d3o, k20), mul(cvod3, d3, k1), k1), k1)
-    D22o = add(fod, add(mul(cvd2, d2o, k20), mul(cvod2, d2, k21), k20), k3)
-    d23od = add(mul(cvd2, d3o, k20), mul(cvod2, d3, k6), k6)
-    D32o = add(d23od, gvod1, k20)
+    cvod2 = add(mul(d2o, hd, k19), mul(d2, hod, k21), k19)
+    cvod3 = add(mul(d3o, hd, k8), mul(d3, hod, k1), k1)
+    D33o = add(fod, add(mul(cvd3, d3o, k8), mul(cvod3, d3, k1), k1), k1)
+    D22o = add(fod, add(mul(cvd2, d2o, k8), mul(cvod2, d2, k21), k8), k3)
+    d23od = add(mul(cvd2, d3o, k8), mul(cvod2, d3, k19), k8)
+    D32o = add(d23od, gvod1, k19)
     D23o = sub(d23od, gvod1, k6)
-    ap, bp, _, fp, gp, hp = c.ray((k9, k21, k32, k34, k38, k41), (k42, *spare), (mask1, *spare_masks), xp)
+    ap, bp, _, fp, gp, hp = c.ray((k8, k21, k32, k34, k38, k41), (k42, *spare), (mask1, *spare_masks), xp)
     alongp = mul(hp, yp, k32)
     Qp11 = sub(n1, mul(gp, x23p, k14), k14)
     Qp22 = sub(n1, mul(gp, x13p, k13), k13)
@@ -6631,7 +6735,7 @@ def body_retract_jacobians_blocks(
     z1 = add(add(mul(wd1, ap, k43), mul(bvp1, sd, k44), k43), sub(mul(bvp2, wd3, k44), mul(bvp3, wd2, k45), k44), k43)
     z2 = add(add(mul(wd2, ap, k44), mul(bvp2, sd, k45), k44), sub(mul(bvp3, wd1, k45), mul(bvp1, wd3, k46), k45), k44)
     z3 = add(add(mul(wd3, ap, k45), mul(bvp3, sd, k46), k45), sub(mul(bvp1, wd2, k46), mul(bvp2, wd1, k47), k46), k45)
-    z0 = sub(mul(ap, sd, k9), add(add(mul(bvp1, wd1, k8), mul(bvp2, wd2, k10), k8), mul(bvp3, wd3, k10), k8), k8)
+    z0 = sub(mul(ap, sd, k8), add(add(mul(bvp1, wd1, k9), mul(bvp2, wd2, k10), k9), mul(bvp3, wd3, k10), k9), k8)
     ss = add(add(mul(z1, z1, k9), mul(z2, z2, k10), k9), mul(z3, z3, k10), k9)
     still = m.equal(ss, n0, mask1)
     length = sqrt(m.where(still, add(n1, ss, k10), ss, k10), k10)
@@ -6639,306 +6743,307 @@ def body_retract_jacobians_blocks(
         mul(m.where(resting, n0, div(own, r, k11), k12), add(add(mul(v1, z1, k11), mul(v2, z2, k17), k11), mul(v3, z3,
         k17), k11), k11), length, k11
     )
-    folded = mul(n2, atan2(m.where(still, ss, length, k9), z0, k9), k9)
+    sine = m.where(still, ss, length, k9)
+    falling = m.less(z0, n0, mask2)
+    cosine = m.where(falling, neg(z0, k12), z0, k12)
+    folded = mul(m.where(falling, n_minus_2, n2, k17), atan2(sine, cosine, k12), k12)
     turns = add(
-        sub(own_, folded, k12), mul(n2, atan2(tan(div(sub(folded, own_, k11), n2, k11), k11), n1, k11), k11), k11
+        sub(own_, folded, k17), mul(n2, atan2(tan(div(sub(folded, own_, k11), n2, k11), k11), n1, k11), k11), k11
     )
-    angle = add(folded, m.where(m.less(absolute(turns, k12), n1, mask2), n0, turns, k12), k9)
-    z0s = m.where(still, z0, length, k11)
-    gv_rhob3 = mul(v_rhob3, gp, k12)
-    gv_rhob2 = mul(v_rhob2, gp, k17)
-    gvp2 = mul(v2, gp, k18)
-    gvp3 = mul(v3, gp, k21)
+    angle = add(folded, m.where(m.less(absolute(turns, k17), n1, mask2), n0, turns, k17), k11)
+    rn, slopen = c.coefficient_of(
+        (k12, k17), (k18, k21, k41, k42, k46, k47, *spare), (mask2, *spare_masks), angle, sine, z0
+    )
+    z0s = m.where(still, z0, length, k9)
+    factor = m.where(still, div(mul(n2, slopen, k17), z0s, k9), div(rn, length, k10), k9)
+    v_1 = mul(z1, factor, k10)
+    v_2 = mul(z2, factor, k12)
+    v_3 = mul(z3, factor, k17)
+    fe = mul(factor, z0, k8)
+    v11w = mul(v_1, v_1, k9)
+    v22w = mul(v_2, v_2, k18)
+    v33w = mul(v_3, v_3, k21)
+    xw = add(add(v11w, v22w, k9), v33w, k9)
+    fin, hin, fiyn, hiyn = c.tangent_inv_at(
+        (k18, k21, k41, k42), (k43, k44, k45, k46, k47, *spare), (mask1, mask2, *spare_masks), xw, fe, angle
+    )
+    cvn1 = mul(v_1, hin, k8)
+    I11 = add(fin, mul(cvn1, v_1, k9), k9)
+    d12n = mul(cvn1, v_2, k11)
+    sn3 = neg(v_3, k43)
+    I12 = sub(d12n, sn3, k44)
+    I21 = add(d12n, sn3, k11)
+    d13n = mul(cvn1, v_3, k43)
+    sn2 = neg(v_2, k45)
+    I13 = add(d13n, sn2, k46)
+    I31 = sub(d13n, sn2, k43)
+    cvn2 = mul(v_2, hin, k45)
+    I22 = add(fin, mul(cvn2, v_2, k47), k47)
+    d23n = mul(cvn2, v_3, k48)
+    sn1 = neg(v_1, k49)
+    I23 = sub(d23n, sn1, k50)
+    I32 = add(d23n, sn1, k48)
+    cvn3 = mul(v_3, hin, k49)
+    I33 = add(fin, mul(cvn3, v_3, k51), k51)
+    gv_rhob3 = mul(v_rhob3, gp, k52)
+    gv_rhob2 = mul(v_rhob2, gp, k53)
+    gvp2 = mul(v2, gp, k54)
+    gvp3 = mul(v3, gp, k55)
     rhop1 = add(
-        add(mul(v1o, fp, k41), sub(mul(gvp2, v3o, k42), mul(gvp3, v2o, k46), k42), k41), mul(v1, alongp, k42), k41
+        add(mul(v1o, fp, k56), sub(mul(gvp2, v3o, k57), mul(gvp3, v2o, k58), k57), k56), mul(v1, alongp, k57), k56
     )
     rho1 = add(
-        add(rhob1, add(mul(v_rhob1, fp, k42), sub(mul(v2, gv_rhob3, k46), mul(v3, gv_rhob2, k47), k46), k42), k22),
+        add(rhob1, add(mul(v_rhob1, fp, k57), sub(mul(v2, gv_rhob3, k58), mul(v3, gv_rhob2, k59), k58), k57), k22),
         rhop1, k22
     )
     gv_rhob1 = mul(v_rhob1, gp, k28)
     gvp1 = mul(v1, gp, k38)
     rhop2 = add(
-        add(mul(v2o, fp, k42), sub(mul(gvp3, v1o, k21), mul(gvp1, v3o, k46), k21), k21), mul(v2, alongp, k42), k21
+        add(mul(v2o, fp, k57), sub(mul(gvp3, v1o, k55), mul(gvp1, v3o, k58), k55), k55), mul(v2, alongp, k57), k55
     )
     rho2 = add(
-        add(rhob2, add(mul(v_rhob2, fp, k30), sub(mul(v3, gv_rhob1, k42), mul(v1, gv_rhob3, k12), k12), k12), k12),
-        rhop2, k12
+        add(rhob2, add(mul(v_rhob2, fp, k30), sub(mul(v3, gv_rhob1, k57), mul(v1, gv_rhob3, k52), k52), k30), k27),
+        rhop2, k27
     )
     rhop3 = add(
-        add(mul(v3o, fp, k27), sub(mul(gvp1, v2o, k30), mul(gvp2, v1o, k42), k30), k27), mul(v3, alongp, k30), k27
+        add(mul(v3o, fp, k30), sub(mul(gvp1, v2o, k52), mul(gvp2, v1o, k57), k52), k30), mul(v3, alongp, k32), k30
     )
     rho3 = add(
-        add(rhob3, add(mul(v_rhob3, fp, k29), sub(mul(v1, gv_rhob2, k17), mul(v2, gv_rhob1, k28), k17), k17), k17),
-        rhop3, k17
+        add(rhob3, add(mul(v_rhob3, fp, k29), sub(mul(v1, gv_rhob2, k32), mul(v2, gv_rhob1, k28), k28), k28), k25),
+        rhop3, k25
     )
-    gvvp3 = mul(gvp2, v3, k18)
-    gvvp1 = mul(gvp1, v2, k25)
-    gvvp2 = mul(gvp1, v3, k28)
+    gvvp3 = mul(gvp2, v3, k28)
+    hvr = mul(hin, add(add(mul(v_1, rho1, k29), mul(v_2, rho2, k32), k29), mul(v_3, rho3, k32), k29), k29)
+    w4 = div(
+        add(sub(mul(rho1, fin, k32), sub(mul(v_2, rho3, k52), mul(v_3, rho2, k53), k52), k32), mul(v_1, hvr, k52), k32),
+        n2, k32
+    )
+    w5 = div(
+        add(sub(mul(rho2, fin, k52), sub(mul(v_3, rho1, k53), mul(v_1, rho3, k54), k53), k52), mul(v_2, hvr, k53), k52),
+        n2, k52
+    )
+    w6 = div(
+        add(sub(mul(rho3, fin, k18), sub(mul(v_1, rho2, k25), mul(v_2, rho1, k22), k22), k18), mul(v_3, hvr, k22), k18),
+        n2, k18
+    )
+    yn = add(add(mul(v_1, w4, k22), mul(v_2, w5, k25), k22), mul(v_3, w6, k25), k22)
+    fion = mul(fiyn, yn, k25)
+    hion = mul(hiyn, yn, k22)
+    cvon1 = add(mul(w4, hin, k27), mul(v_1, hion, k29), k27)
+    I11o = add(fion, add(mul(cvn1, w4, k29), mul(cvon1, v_1, k10), k10), k10)
+    son1 = neg(w4, k29)
+    d12on = add(mul(cvn1, w5, k32), mul(cvon1, v_2, k41), k32)
+    d13on = add(mul(cvn1, w6, k8), mul(cvon1, v_3, k27), k8)
+    son3 = neg(w6, k27)
+    I12o = sub(d12on, son3, k41)
+    I21o = add(d12on, son3, k27)
+    son2 = neg(w5, k32)
+    I13o = add(d13on, son2, k42)
+    I31o = sub(d13on, son2, k8)
+    cvon2 = add(mul(w5, hin, k32), mul(v_2, hion, k53), k32)
+    I22o = add(fion, add(mul(cvn2, w5, k52), mul(cvon2, v_2, k12), k12), k12)
+    d23on = add(mul(cvn2, w6, k45), mul(cvon2, v_3, k32), k32)
+    cvon3 = add(mul(w6, hin, k21), mul(v_3, hion, k22), k21)
+    I33o = add(fion, add(mul(cvn3, w6, k18), mul(cvon3, v_3, k17), k17), k17)
+    I23o = sub(d23on, son1, k18)
+    I32o = add(d23on, son1, k21)
+    gvvp1 = mul(gvp1, v2, k22)
+    gvvp2 = mul(gvp1, v3, k25)
     fvp3 = mul(v3, fp, k29)
-    Qp12 = sub(gvvp1, fvp3, k30)
-    Qp21 = add(gvvp1, fvp3, k25)
+    Qp12 = sub(gvvp1, fvp3, k32)
+    Qp21 = add(gvvp1, fvp3, k22)
     fvp2 = mul(v2, fp, k29)
-    fvp1 = mul(v1, fp, k32)
-    Qp13 = add(gvvp2, fvp2, k34)
-    Qp31 = sub(gvvp2, fvp2, k28)
-    RD11 = add(add(mul(Qp11, D11, k29), mul(Qp12, D21, k38), k29), mul(Qp13, D31, k38), k29)
-    Qp23 = sub(gvvp3, fvp1, k38)
-    Qp32 = add(gvvp3, fvp1, k18)
-    RD21 = add(add(mul(Qp21, D11, k32), mul(Qp22, D21, k42), k32), mul(Qp23, D31, k42), k32)
-    RD31 = add(add(mul(Qp31, D11, k42), mul(Qp32, D21, k46), k42), mul(Qp33, D31, k46), k42)
-    RD12 = add(add(mul(Qp11, D12, k46), mul(Qp12, D22, k47), k46), mul(Qp13, D32, k47), k46)
-    RD22 = add(add(mul(Qp21, D12, k47), mul(Qp22, D22, k48), k47), mul(Qp23, D32, k48), k47)
-    RD32 = add(add(mul(Qp31, D12, k48), mul(Qp32, D22, k49), k48), mul(Qp33, D32, k49), k48)
-    RD13 = add(add(mul(Qp11, D13, k49), mul(Qp12, D23, k50), k49), mul(Qp13, D33, k50), k49)
-    RD23 = add(add(mul(Qp21, D13, k50), mul(Qp22, D23, k51), k50), mul(Qp23, D33, k51), k50)
-    RD33 = add(add(mul(Qp31, D13, k51), mul(Qp32, D23, k52), k51), mul(Qp33, D33, k52), k51)
-    R11o = sub(mul(Qp31, rhop2, k52), mul(Qp21, rhop3, k53), k52)
-    R12o = sub(mul(Qp32, rhop2, k53), mul(Qp22, rhop3, k54), k53)
-    R13o = sub(mul(Qp33, rhop2, k54), mul(Qp23, rhop3, k55), k54)
+    fvp1 = mul(v1, fp, k34)
+    Qp13 = add(gvvp2, fvp2, k38)
+    Qp31 = sub(gvvp2, fvp2, k25)
+    RD11 = add(add(mul(Qp11, D11, k29), mul(Qp12, D21, k45), k29), mul(Qp13, D31, k45), k29)
+    Qp23 = sub(gvvp3, fvp1, k45)
+    Qp32 = add(gvvp3, fvp1, k28)
+    RD21 = add(add(mul(Qp21, D11, k34), mul(Qp22, D21, k49), k34), mul(Qp23, D31, k49), k34)
+    RD31 = add(add(mul(Qp31, D11, k49), mul(Qp32, D21, k52), k49), mul(Qp33, D31, k52), k49)
+    div(add(add(mul(I11, RD11, k52), mul(I12, RD21, k53), k52), mul(I13, RD31, k53), k52), n2, o37)
+    div(add(add(mul(I21, RD11, k52), mul(I22, RD21, k53), k52), mul(I23, RD31, k53), k52), n2, o43)
+    div(add(add(mul(I31, RD11, k52), mul(I32, RD21, k53), k52), mul(I33, RD31, k53), k52), n2, o49)
+    RD12 = add(add(mul(Qp11, D12, k52), mul(Qp12, D22, k53), k52), mul(Qp13, D32, k53), k52)
+    RD22 = add(add(mul(Qp21, D12, k53), mul(Qp22, D22, k54), k53), mul(Qp23, D32, k54), k53)
+    RD32 = add(add(mul(Qp31, D12, k54), mul(Qp32, D22, k57), k54), mul(Qp33, D32, k57), k54)
+    div(add(add(mul(I11, RD12, k57), mul(I12, RD22, k58), k57), mul(I13, RD32, k58), k57), n2, o38)
+    div(add(add(mul(I21, RD12, k57), mul(I22, RD22, k58), k57), mul(I23, RD32, k58), k57), n2, o44)
+    div(add(add(mul(I31, RD12, k57), mul(I32, RD22, k58), k57), mul(I33, RD32, k58), k57), n2, o50)
+    RD13 = add(add(mul(Qp11, D13, k57), mul(Qp12, D23, k58), k57), mul(Qp13, D33, k58), k57)
+    RD23 = add(add(mul(Qp21, D13, k58), mul(Qp22, D23, k59), k58), mul(Qp23, D33, k59), k58)
+    RD33 = add(add(mul(Qp31, D13, k59), mul(Qp32, D23, k60), k59), mul(Qp33, D33, k60), k59)
+    div(add(add(mul(I11, RD13, k60), mul(I12, RD23, k61), k60), mul(I13, RD33, k61), k60), n2, o39)
+    div(add(add(mul(I21, RD13, k60), mul(I22, RD23, k61), k60), mul(I23, RD33, k61), k60), n2, o45)
+    div(add(add(mul(I31, RD13, k60), mul(I32, RD23, k61), k60), mul(I33, RD33, k61), k60), n2, o51)
+    R11o = sub(mul(Qp31, rhop2, k60), mul(Qp21, rhop3, k61), k60)
+    R12o = sub(mul(Qp32, rhop2, k61), mul(Qp22, rhop3, k62), k61)
+    R13o = sub(mul(Qp33, rhop2, k62), mul(Qp23, rhop3, k63), k62)
     RD11o = add(
-        add(add(mul(Qp11, D11o, k55), mul(R11o, D11, k56), k55), add(mul(Qp12, D21o, k56), mul(R12o, D21, k57), k56),
-        k55), add(mul(Qp13, D31o, k56), mul(R13o, D31, k57), k56), k55
+        add(add(mul(Qp11, D11o, k63), mul(R11o, D11, k64), k63), add(mul(Qp12, D21o, k64), mul(R12o, D21, k65), k64),
+        k63), add(mul(Qp13, D31o, k64), mul(R13o, D31, k65), k64), k63
     )
-    R21o = sub(mul(Qp11, rhop3, k56), mul(Qp31, rhop1, k57), k56)
-    R22o = sub(mul(Qp12, rhop3, k57), mul(Qp32, rhop1, k58), k57)
-    R23o = sub(mul(Qp13, rhop3, k27), mul(Qp33, rhop1, k58), k27)
+    R21o = sub(mul(Qp11, rhop3, k64), mul(Qp31, rhop1, k65), k64)
+    R22o = sub(mul(Qp12, rhop3, k65), mul(Qp32, rhop1, k66), k65)
+    R23o = sub(mul(Qp13, rhop3, k30), mul(Qp33, rhop1, k66), k30)
     RD21o = add(
-        add(add(mul(Qp21, D11o, k58), mul(R21o, D11, k59), k58), add(mul(Qp22, D21o, k59), mul(R22o, D21, k60), k59),
-        k58), add(mul(Qp23, D31o, k59), mul(R23o, D31, k60), k59), k58
+        add(add(mul(Qp21, D11o, k66), mul(R21o, D11, k67), k66), add(mul(Qp22, D21o, k67), mul(R22o, D21, k68), k67),
+        k66), add(mul(Qp23, D31o, k67), mul(R23o, D31, k68), k67), k66
     )
-    R31o = sub(mul(Qp21, rhop1, k59), mul(Qp11, rhop2, k60), k59)
-    R32o = sub(mul(Qp22, rhop1, k60), mul(Qp12, rhop2, k61), k60)
-    R33o = sub(mul(Qp23, rhop1, k41), mul(Qp13, rhop2, k21), k21)
+    R31o = sub(mul(Qp21, rhop1, k67), mul(Qp11, rhop2, k68), k67)
+    R32o = sub(mul(Qp22, rhop1, k68), mul(Qp12, rhop2, k69), k68)
+    R33o = sub(mul(Qp23, rhop1, k56), mul(Qp13, rhop2, k55), k55)
     RD31o = add(
-        add(add(mul(Qp31, D11o, k4), mul(R31o, D11, k33), k4), add(mul(Qp32, D21o, k7), mul(R32o, D21, k33), k7), k4),
-        add(mul(Qp33, D31o, k7), mul(R33o, D31, k19), k7), k4
+        add(add(mul(Qp31, D11o, k4), mul(R31o, D11, k33), k4), add(mul(Qp32, D21o, k20), mul(R32o, D21, k33), k20), k4),
+        add(mul(Qp33, D31o, k7), mul(R33o, D31, k20), k7), k4
+    )
+    div(
+        add(add(add(mul(I11, RD11o, k7), mul(I11o, RD11, k20), k7), add(mul(I12, RD21o, k20), mul(I12o, RD21, k33),
+        k20), k7), add(mul(I13, RD31o, k20), mul(I13o, RD31, k33), k20), k7), n2, o55
+    )
+    div(
+        add(add(add(mul(I21, RD11o, k7), mul(I21o, RD11, k20), k7), add(mul(I22, RD21o, k20), mul(I22o, RD21, k33),
+        k20), k7), add(mul(I23, RD31o, k20), mul(I23o, RD31, k33), k20), k7), n2, o61
+    )
+    div(
+        add(add(add(mul(I31, RD11o, k7), mul(I31o, RD11, k20), k7), add(mul(I32, RD21o, k20), mul(I32o, RD21, k29),
+        k20), k7), add(mul(I33, RD31o, k4), mul(I33o, RD31, k20), k4), k4), n2, o67
     )
     RD12o = add(
-        add(add(mul(Qp11, D12o, k7), mul(R11o, D12, k19), k7), add(mul(Qp12, D22o, k19), mul(R12o, D22, k33), k19), k7),
-        add(mul(Qp13, D32o, k19), mul(R13o, D32, k33), k19), k7
+        add(add(mul(Qp11, D12o, k4), mul(R11o, D12, k7), k4), add(mul(Qp12, D22o, k7), mul(R12o, D22, k20), k7), k4),
+        add(mul(Qp13, D32o, k7), mul(R13o, D32, k20), k7), k4
     )
     RD13o = add(
-        add(add(mul(Qp11, D13o, k14), mul(R11o, D13, k19), k14), add(mul(Qp12, D23o, k19), mul(R12o, D23, k30), k19),
-        k14), add(mul(Qp13, D33o, k19), mul(R13o, D33, k30), k19), k14
+        add(add(mul(Qp11, D13o, k7), mul(R11o, D13, k14), k7), add(mul(Qp12, D23o, k14), mul(R12o, D23, k20), k14), k7),
+        add(mul(Qp13, D33o, k14), mul(R13o, D33, k20), k14), k7
     )
     RD22o = add(
-        add(add(mul(Qp21, D12o, k19), mul(R21o, D12, k30), k19), add(mul(Qp22, D22o, k30), mul(R22o, D22, k33), k30),
-        k19), add(mul(Qp23, D32o, k30), mul(R23o, D32, k33), k30), k19
+        add(add(mul(Qp21, D12o, k14), mul(R21o, D12, k20), k14), add(mul(Qp22, D22o, k20), mul(R22o, D22, k29), k20),
+        k14), add(mul(Qp23, D32o, k20), mul(R23o, D32, k29), k20), k14
     )
     RD32o = add(
-        add(add(mul(Qp31, D12o, k5), mul(R31o, D12, k26), k5), add(mul(Qp32, D22o, k3), mul(R32o, D22, k26), k3), k3),
-        add(mul(Qp33, D32o, k5), mul(R33o, D32, k20), k5), k3
+        add(add(mul(Qp31, D12o, k5), mul(R31o, D12, k20), k5), add(mul(Qp32, D22o, k3), mul(R32o, D22, k20), k3), k3),
+        add(mul(Qp33, D32o, k5), mul(R33o, D32, k19), k5), k3
     )
     RD23o = add(
-        add(add(mul(Qp21, D13o, k5), mul(R21o, D13, k20), k5), add(mul(Qp22, D23o, k13), mul(R22o, D23, k20), k13), k5),
-        add(mul(Qp23, D33o, k13), mul(R23o, D33, k20), k13), k5
+        add(add(mul(Qp21, D13o, k5), mul(R21o, D13, k19), k5), add(mul(Qp22, D23o, k13), mul(R22o, D23, k19), k13), k5),
+        add(mul(Qp23, D33o, k13), mul(R23o, D33, k19), k13), k5
     )
     RD33o = add(
         add(add(mul(Qp31, D13o, k2), mul(R31o, D13, k13), k2), add(mul(Qp32, D23o, k6), mul(R32o, D23, k13), k6), k2),
         add(mul(Qp33, D33o, k1), mul(R33o, D33, k6), k1), k1
     )
-    rn, slopen = c.coefficient(
-        (k2, k6), (k13, k15, k18, k20, k21, k23, k24, k25, k26, k27, k28, k30, k33, k34, k35, k36, k37, k38, k39, k40,
-        k41, k52, k53, k54, k56, k57, k59, k60, k61, *spare), (mask2, *spare_masks), angle
-    )
-    factor = m.where(still, div(mul(n2, slopen, k6), z0s, k6), div(rn, length, k2), k6)
-    v_1 = mul(z1, factor, k2)
-    v_2 = mul(z2, factor, k10)
-    v_3 = mul(z3, factor, k11)
-    fe = mul(factor, z0, k6)
-    v11w = mul(v_1, v_1, k8)
-    v22w = mul(v_2, v_2, k13)
-    v33w = mul(v_3, v_3, k15)
-    xw = add(add(v11w, v22w, k8), v33w, k8)
-    fin, hin, fiyn, hiyn = c.tangent_inv_at(
-        (k13, k15, k18, k20), (k21, k23, k24, k25, k26, k27, k28, k30, k33, k34, k35, k36, k37, k38, k39, k40, k41, k43,
-        k44, k45, k52, k53, k54, k56, k57, k59, k60, k61, *spare), (mask1, mask2, *spare_masks), xw, fe, angle
-    )
-    cvn1 = mul(v_1, hin, k6)
-    I11 = add(fin, mul(cvn1, v_1, k8), k8)
-    d12n = mul(cvn1, v_2, k9)
-    sn3 = neg(v_3, k21)
-    I12 = sub(d12n, sn3, k23)
-    I21 = add(d12n, sn3, k9)
-    d13n = mul(cvn1, v_3, k21)
-    sn2 = neg(v_2, k24)
-    I13 = add(d13n, sn2, k25)
-    I31 = sub(d13n, sn2, k21)
-    div(add(add(mul(I11, RD11, k24), mul(I12, RD21, k26), k24), mul(I13, RD31, k26), k24), n2, o37)
-    div(add(add(mul(I11, RD12, k24), mul(I12, RD22, k26), k24), mul(I13, RD32, k26), k24), n2, o38)
-    div(add(add(mul(I11, RD13, k24), mul(I12, RD23, k26), k24), mul(I13, RD33, k26), k24), n2, o39)
-    cvn2 = mul(v_2, hin, k24)
-    I22 = add(fin, mul(cvn2, v_2, k26), k26)
-    d23n = mul(cvn2, v_3, k27)
-    sn1 = neg(v_1, k28)
-    I23 = sub(d23n, sn1, k30)
-    I32 = add(d23n, sn1, k27)
-    div(add(add(mul(I21, RD11, k28), mul(I22, RD21, k33), k28), mul(I23, RD31, k33), k28), n2, o43)
-    div(add(add(mul(I21, RD12, k28), mul(I22, RD22, k33), k28), mul(I23, RD32, k33), k28), n2, o44)
-    div(add(add(mul(I21, RD13, k28), mul(I22, RD23, k33), k28), mul(I23, RD33, k33), k28), n2, o45)
-    cvn3 = mul(v_3, hin, k28)
-    I33 = add(fin, mul(cvn3, v_3, k33), k33)
-    div(add(add(mul(I31, RD11, k34), mul(I32, RD21, k35), k34), mul(I33, RD31, k35), k34), n2, o49)
-    div(add(add(mul(I31, RD12, k34), mul(I32, RD22, k35), k34), mul(I33, RD32, k35), k34), n2, o50)
-    div(add(add(mul(I31, RD13, k34), mul(I32, RD23, k35), k34), mul(I33, RD33, k35), k34), n2, o51)
-    hvr = mul(hin, add(add(mul(v_1, rho1, k34), mul(v_2, rho2, k35), k34), mul(v_3, rho3, k35), k34), k34)
-    w4 = div(
-        add(sub(mul(rho1, fin, k35), sub(mul(v_2, rho3, k36), mul(v_3, rho2, k37), k36), k35), mul(v_1, hvr, k36), k35),
-        n2, k35
-    )
-    w5 = div(
-        add(sub(mul(rho2, fin, k36), sub(mul(v_3, rho1, k37), mul(v_1, rho3, k38), k37), k36), mul(v_2, hvr, k37), k36),
-        n2, k36
-    )
-    w6 = div(
-        add(sub(mul(rho3, fin, k13), sub(mul(v_1, rho2, k12), mul(v_2, rho1, k17), k12), k12), mul(v_3, hvr, k13), k12),
-        n2, k12
-    )
-    yn = add(add(mul(v_1, w4, k13), mul(v_2, w5, k17), k13), mul(v_3, w6, k17), k13)
-    fion = mul(fiyn, yn, k17)
-    hion = mul(hiyn, yn, k13)
-    cvon1 = add(mul(w4, hin, k18), mul(v_1, hion, k20), k18)
-    I11o = add(fion, add(mul(cvn1, w4, k20), mul(cvon1, v_1, k2), k2), k2)
-    son1 = neg(w4, k20)
-    d12on = add(mul(cvn1, w5, k22), mul(cvon1, v_2, k34), k22)
-    d13on = add(mul(cvn1, w6, k6), mul(cvon1, v_3, k18), k6)
-    son3 = neg(w6, k18)
-    I12o = sub(d12on, son3, k34)
-    I21o = add(d12on, son3, k18)
-    son2 = neg(w5, k22)
-    I13o = add(d13on, son2, k35)
-    I31o = sub(d13on, son2, k6)
     div(
-        add(add(add(mul(I11, RD11o, k22), mul(I11o, RD11, k37), k22), add(mul(I12, RD21o, k37), mul(I12o, RD21, k38),
-        k37), k22), add(mul(I13, RD31o, k37), mul(I13o, RD31, k38), k37), k22), n2, o55
+        add(add(add(mul(I11, RD12o, k2), mul(I11o, RD12, k6), k2), add(mul(I12, RD22o, k6), mul(I12o, RD22, k13), k6),
+        k2), add(mul(I13, RD32o, k6), mul(I13o, RD32, k13), k6), k2), n2, o56
     )
     div(
-        add(add(add(mul(I11, RD12o, k22), mul(I11o, RD12, k37), k22), add(mul(I12, RD22o, k37), mul(I12o, RD22, k38),
-        k37), k22), add(mul(I13, RD32o, k37), mul(I13o, RD32, k38), k37), k22), n2, o56
+        add(add(add(mul(I11, RD13o, k2), mul(I11o, RD13, k6), k2), add(mul(I12, RD23o, k6), mul(I12o, RD23, k13), k6),
+        k2), add(mul(I13, RD33o, k6), mul(I13o, RD33, k13), k6), k2), n2, o57
     )
     div(
-        add(add(add(mul(I11, RD13o, k22), mul(I11o, RD13, k37), k22), add(mul(I12, RD23o, k37), mul(I12o, RD23, k38),
-        k37), k22), add(mul(I13, RD33o, k37), mul(I13o, RD33, k38), k37), k22), n2, o57
-    )
-    cvon2 = add(mul(w5, hin, k22), mul(v_2, hion, k37), k22)
-    I22o = add(fion, add(mul(cvn2, w5, k36), mul(cvon2, v_2, k10), k10), k10)
-    d23on = add(mul(cvn2, w6, k24), mul(cvon2, v_3, k22), k22)
-    cvon3 = add(mul(w6, hin, k15), mul(v_3, hion, k13), k13)
-    I33o = add(fion, add(mul(cvn3, w6, k12), mul(cvon3, v_3, k11), k11), k11)
-    I23o = sub(d23on, son1, k12)
-    I32o = add(d23on, son1, k13)
-    div(
-        add(add(add(mul(I21, RD11o, k15), mul(I21o, RD11, k17), k15), add(mul(I22, RD21o, k17), mul(I22o, RD21, k20),
-        k17), k15), add(mul(I23, RD31o, k17), mul(I23o, RD31, k20), k17), k15), n2, o61
+        add(add(add(mul(I21, RD12o, k2), mul(I21o, RD12, k6), k2), add(mul(I22, RD22o, k6), mul(I22o, RD22, k13), k6),
+        k2), add(mul(I23, RD32o, k6), mul(I23o, RD32, k13), k6), k2), n2, o62
     )
     div(
-        add(add(add(mul(I31, RD11o, k15), mul(I31o, RD11, k17), k15), add(mul(I32, RD21o, k17), mul(I32o, RD21, k20),
-        k17), k15), add(mul(I33, RD31o, k4), mul(I33o, RD31, k17), k4), k4), n2, o67
+        add(add(add(mul(I31, RD12o, k2), mul(I31o, RD12, k4), k2), add(mul(I32, RD22o, k4), mul(I32o, RD22, k6), k4),
+        k2), add(mul(I33, RD32o, k3), mul(I33o, RD32, k4), k3), k2), n2, o68
     )
     div(
-        add(add(add(mul(I21, RD12o, k4), mul(I21o, RD12, k15), k4), add(mul(I22, RD22o, k15), mul(I22o, RD22, k17),
-        k15), k4), add(mul(I23, RD32o, k15), mul(I23o, RD32, k17), k15), k4), n2, o62
+        add(add(add(mul(I21, RD13o, k2), mul(I21o, RD13, k3), k2), add(mul(I22, RD23o, k3), mul(I22o, RD23, k4), k3),
+        k2), add(mul(I23, RD33o, k3), mul(I23o, RD33, k4), k3), k2), n2, o63
     )
     div(
-        add(add(add(mul(I31, RD12o, k4), mul(I31o, RD12, k7), k4), add(mul(I32, RD22o, k7), mul(I32o, RD22, k15), k7),
-        k4), add(mul(I33, RD32o, k3), mul(I33o, RD32, k7), k3), k3), n2, o68
-    )
-    div(
-        add(add(add(mul(I21, RD13o, k3), mul(I21o, RD13, k4), k3), add(mul(I22, RD23o, k4), mul(I22o, RD23, k7), k4),
-        k3), add(mul(I23, RD33o, k4), mul(I23o, RD33, k7), k4), k3), n2, o63
-    )
-    div(
-        add(add(add(mul(I31, RD13o, k3), mul(I31o, RD13, k4), k3), add(mul(I32, RD23o, k4), mul(I32o, RD23, k5), k4),
-        k3), add(mul(I33, RD33o, k1), mul(I33o, RD33, k4), k1), k1), n2, o69
+        add(add(add(mul(I31, RD13o, k2), mul(I31o, RD13, k3), k2), add(mul(I32, RD23o, k3), mul(I32o, RD23, k4), k3),
+        k2), add(mul(I33, RD33o, k1), mul(I33o, RD33, k3), k1), k1), n2, o69
     )
     fF, gF, hF, fyF, gyF, hyF = c.tangent(
-        (k1, k3, k4, k5, k7, k14), (k15, k17, k19, k20, k22, k24, k28, k29, k32, k36, k37, k38, k39, k40, k41, k42, k43,
-        k44, k45, k46, k47, k48, k49, k50, k51, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61, *spare), (mask1,
-        mask2, *spare_masks), xp
+        (k1, k2, k3, k4, k5, k6), (k7, k13, k14, k15, k19, k20, k22, k23, k24, k25, k26, k28, k29, k30, k32, k33, k34,
+        k35, k36, k37, k38, k39, k40, k45, k49, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61, k62, k63, k64, k65,
+        k66, k67, k68, k69, *spare), (mask1, mask2, *spare_masks), xp
     )
-    hoF = mul(hyF, yp, k14)
-    foF = mul(fyF, yp, k5)
-    goF = mul(gyF, yp, k7)
-    cvF1 = mul(v1, hF, k15)
-    F11 = add(fF, mul(cvF1, v1, k16), k16)
-    d12F = mul(cvF1, v2, k17)
-    gvF3 = mul(v3, gF, k19)
-    F21 = add(d12F, gvF3, k20)
-    F12 = sub(d12F, gvF3, k17)
-    d13F = mul(cvF1, v3, k19)
-    gvF2 = mul(v2, gF, k22)
-    F31 = sub(d13F, gvF2, k24)
-    F13 = add(d13F, gvF2, k19)
-    div(add(add(mul(I11, F11, k22), mul(I12, F21, k28), k22), mul(I13, F31, k28), k22), n2, o1)
-    div(add(add(mul(I21, F11, k22), mul(I22, F21, k28), k22), mul(I23, F31, k28), k22), n2, o7)
-    div(add(add(mul(I31, F11, k22), mul(I32, F21, k28), k22), mul(I33, F31, k28), k22), n2, o13)
-    cvF2 = mul(v2, hF, k22)
-    F22 = add(fF, mul(cvF2, v2, k28), k28)
-    d23F = mul(cvF2, v3, k29)
-    gvF1 = mul(v1, gF, k31)
-    F32 = add(d23F, gvF1, k32)
-    F23 = sub(d23F, gvF1, k29)
-    div(add(add(mul(I11, F12, k31), mul(I12, F22, k36), k31), mul(I13, F32, k36), k31), n2, o2)
-    div(add(add(mul(I21, F12, k31), mul(I22, F22, k36), k31), mul(I23, F32, k36), k31), n2, o8)
-    div(add(add(mul(I31, F12, k31), mul(I32, F22, k36), k31), mul(I33, F32, k36), k31), n2, o14)
-    cvF3 = mul(v3, hF, k31)
-    F33 = add(fF, mul(cvF3, v3, k36), k1)
-    div(add(add(mul(I11, F13, k36), mul(I12, F23, k37), k36), mul(I13, F33, k37), k36), n2, o3)
-    div(add(add(mul(I21, F13, k36), mul(I22, F23, k37), k36), mul(I23, F33, k37), k36), n2, o9)
-    div(add(add(mul(I31, F13, k36), mul(I32, F23, k37), k36), mul(I33, F33, k37), k36), n2, o15)
-    cvoF1 = add(mul(v1o, hF, k36), mul(v1, hoF, k37), k36)
-    F11o = add(foF, add(mul(cvF1, v1o, k37), mul(cvoF1, v1, k38), k37), k37)
-    d12oF = add(mul(cvF1, v2o, k38), mul(cvoF1, v2, k39), k38)
-    d13oF = add(mul(cvF1, v3o, k15), mul(cvoF1, v3, k36), k15)
-    gvoF3 = add(mul(v3o, gF, k36), mul(v3, goF, k39), k36)
-    F21o = add(d12oF, gvoF3, k39)
-    F12o = sub(d12oF, gvoF3, k36)
-    gvoF2 = add(mul(v2o, gF, k38), mul(v2, goF, k40), k38)
-    gvoF1 = add(mul(v1o, gF, k3), mul(v1, goF, k7), k3)
-    F31o = sub(d13oF, gvoF2, k7)
-    F13o = add(d13oF, gvoF2, k15)
+    hoF = mul(hyF, yp, k6)
+    foF = mul(fyF, yp, k4)
+    goF = mul(gyF, yp, k5)
+    cvF1 = mul(v1, hF, k7)
+    F11 = add(fF, mul(cvF1, v1, k13), k13)
+    d12F = mul(cvF1, v2, k14)
+    gvF3 = mul(v3, gF, k15)
+    F21 = add(d12F, gvF3, k16)
+    F12 = sub(d12F, gvF3, k14)
+    d13F = mul(cvF1, v3, k15)
+    gvF2 = mul(v2, gF, k19)
+    F31 = sub(d13F, gvF2, k20)
+    F13 = add(d13F, gvF2, k15)
+    div(add(add(mul(I11, F11, k19), mul(I12, F21, k22), k19), mul(I13, F31, k22), k19), n2, o1)
+    div(add(add(mul(I21, F11, k19), mul(I22, F21, k22), k19), mul(I23, F31, k22), k19), n2, o7)
+    div(add(add(mul(I31, F11, k19), mul(I32, F21, k22), k19), mul(I33, F31, k22), k19), n2, o13)
+    cvF2 = mul(v2, hF, k19)
+    F22 = add(fF, mul(cvF2, v2, k22), k22)
+    d23F = mul(cvF2, v3, k23)
+    gvF1 = mul(v1, gF, k24)
+    F32 = add(d23F, gvF1, k25)
+    F23 = sub(d23F, gvF1, k23)
+    div(add(add(mul(I11, F12, k24), mul(I12, F22, k26), k24), mul(I13, F32, k26), k24), n2, o2)
+    div(add(add(mul(I21, F12, k24), mul(I22, F22, k26), k24), mul(I23, F32, k26), k24), n2, o8)
+    div(add(add(mul(I31, F12, k24), mul(I32, F22, k26), k24), mul(I33, F32, k26), k24), n2, o14)
+    cvF3 = mul(v3, hF, k24)
+    F33 = add(fF, mul(cvF3, v3, k26), k1)
+    div(add(add(mul(I11, F13, k26), mul(I12, F23, k28), k26), mul(I13, F33, k28), k26), n2, o3)
+    div(add(add(mul(I21, F13, k26), mul(I22, F23, k28), k26), mul(I23, F33, k28), k26), n2, o9)
+    div(add(add(mul(I31, F13, k26), mul(I32, F23, k28), k26), mul(I33, F33, k28), k26), n2, o15)
+    cvoF1 = add(mul(v1o, hF, k26), mul(v1, hoF, k28), k26)
+    F11o = add(foF, add(mul(cvF1, v1o, k28), mul(cvoF1, v1, k29), k28), k28)
+    d12oF = add(mul(cvF1, v2o, k29), mul(cvoF1, v2, k30), k29)
+    d13oF = add(mul(cvF1, v3o, k7), mul(cvoF1, v3, k26), k7)
+    gvoF3 = add(mul(v3o, gF, k26), mul(v3, goF, k30), k26)
+    F21o = add(d12oF, gvoF3, k30)
+    F12o = sub(d12oF, gvoF3, k26)
+    gvoF2 = add(mul(v2o, gF, k29), mul(v2, goF, k31), k29)
+    gvoF1 = add(mul(v1o, gF, k2), mul(v1, goF, k5), k2)
+    F31o = sub(d13oF, gvoF2, k5)
+    F13o = add(d13oF, gvoF2, k7)
     div(
-        add(add(add(mul(I11, F11o, k38), mul(I11o, F11, k40), k38), add(mul(I12, F21o, k40), mul(I12o, F21, k41), k40),
-        k38), add(mul(I13, F31o, k40), mul(I13o, F31, k41), k40), k38), n2, o19
-    )
-    div(
-        add(add(add(mul(I21, F11o, k38), mul(I21o, F11, k40), k38), add(mul(I22, F21o, k40), mul(I22o, F21, k41), k40),
-        k38), add(mul(I23, F31o, k40), mul(I23o, F31, k41), k40), k38), n2, o25
+        add(add(add(mul(I11, F11o, k29), mul(I11o, F11, k31), k29), add(mul(I12, F21o, k31), mul(I12o, F21, k32), k31),
+        k29), add(mul(I13, F31o, k31), mul(I13o, F31, k32), k31), k29), n2, o19
     )
     div(
-        add(add(add(mul(I31, F11o, k37), mul(I31o, F11, k16), k16), add(mul(I32, F21o, k37), mul(I32o, F21, k20), k20),
-        k16), add(mul(I33, F31o, k7), mul(I33o, F31, k20), k7), k7), n2, o31
-    )
-    cvoF2 = add(mul(v2o, hF, k7), mul(v2, hoF, k16), k7)
-    cvoF3 = add(mul(v3o, hF, k4), mul(v3, hoF, k14), k4)
-    F33o = add(foF, add(mul(cvF3, v3o, k14), mul(cvoF3, v3, k4), k4), k4)
-    F22o = add(foF, add(mul(cvF2, v2o, k14), mul(cvoF2, v2, k16), k14), k5)
-    d23oF = add(mul(cvF2, v3o, k14), mul(cvoF2, v3, k7), k7)
-    F32o = add(d23oF, gvoF1, k14)
-    F23o = sub(d23oF, gvoF1, k3)
-    div(
-        add(add(add(mul(I11, F12o, k7), mul(I11o, F12, k16), k7), add(mul(I12, F22o, k16), mul(I12o, F22, k20), k16),
-        k7), add(mul(I13, F32o, k16), mul(I13o, F32, k20), k16), k7), n2, o20
+        add(add(add(mul(I21, F11o, k29), mul(I21o, F11, k31), k29), add(mul(I22, F21o, k31), mul(I22o, F21, k32), k31),
+        k29), add(mul(I23, F31o, k31), mul(I23o, F31, k32), k31), k29), n2, o25
     )
     div(
-        add(add(add(mul(I11, F13o, k7), mul(I11o, F13, k2), k2), add(mul(I12, F23o, k7), mul(I12o, F23, k8), k7), k2),
-        add(mul(I13, F33o, k7), mul(I13o, F33, k8), k7), k2), n2, o21
+        add(add(add(mul(I31, F11o, k28), mul(I31o, F11, k13), k13), add(mul(I32, F21o, k28), mul(I32o, F21, k16), k16),
+        k13), add(mul(I33, F31o, k5), mul(I33o, F31, k16), k5), k5), n2, o31
+    )
+    cvoF2 = add(mul(v2o, hF, k5), mul(v2, hoF, k13), k5)
+    cvoF3 = add(mul(v3o, hF, k3), mul(v3, hoF, k6), k3)
+    F33o = add(foF, add(mul(cvF3, v3o, k6), mul(cvoF3, v3, k3), k3), k3)
+    F22o = add(foF, add(mul(cvF2, v2o, k6), mul(cvoF2, v2, k13), k6), k4)
+    d23oF = add(mul(cvF2, v3o, k6), mul(cvoF2, v3, k5), k5)
+    F32o = add(d23oF, gvoF1, k6)
+    F23o = sub(d23oF, gvoF1, k2)
+    div(
+        add(add(add(mul(I11, F12o, k5), mul(I11o, F12, k13), k5), add(mul(I12, F22o, k13), mul(I12o, F22, k16), k13),
+        k5), add(mul(I13, F32o, k13), mul(I13o, F32, k16), k13), k5), n2, o20
     )
     div(
-        add(add(add(mul(I21, F12o, k2), mul(I21o, F12, k7), k2), add(mul(I22, F22o, k7), mul(I22o, F22, k8), k7), k2),
-        add(mul(I23, F32o, k7), mul(I23o, F32, k8), k7), k2), n2, o26
+        add(add(add(mul(I11, F13o, k5), mul(I11o, F13, k9), k5), add(mul(I12, F23o, k9), mul(I12o, F23, k10), k9), k5),
+        add(mul(I13, F33o, k9), mul(I13o, F33, k10), k9), k5), n2, o21
     )
     div(
-        add(add(add(mul(I21, F13o, k2), mul(I21o, F13, k7), k2), add(mul(I22, F23o, k7), mul(I22o, F23, k8), k7), k2),
-        add(mul(I23, F33o, k7), mul(I23o, F33, k8), k7), k2), n2, o27
+        add(add(add(mul(I21, F12o, k5), mul(I21o, F12, k9), k5), add(mul(I22, F22o, k9), mul(I22o, F22, k10), k9), k5),
+        add(mul(I23, F32o, k9), mul(I23o, F32, k10), k9), k5), n2, o26
     )
     div(
-        add(add(add(mul(I31, F12o, k2), mul(I31o, F12, k7), k2), add(mul(I32, F22o, k5), mul(I32o, F22, k7), k5), k2),
-        add(mul(I33, F32o, k5), mul(I33o, F32, k7), k5), k2), n2, o32
+        add(add(add(mul(I21, F13o, k5), mul(I21o, F13, k9), k5), add(mul(I22, F23o, k9), mul(I22o, F23, k10), k9), k5),
+        add(mul(I23, F33o, k9), mul(I23o, F33, k10), k9), k5), n2, o27
     )
     div(
-        add(add(add(mul(I31, F13o, k2), mul(I31o, F13, k5), k2), add(mul(I32, F23o, k3), mul(I32o, F23, k5), k3), k2),
+        add(add(add(mul(I31, F12o, k5), mul(I31o, F12, k9), k5), add(mul(I32, F22o, k4), mul(I32o, F22, k9), k4), k4),
+        add(mul(I33, F32o, k5), mul(I33o, F32, k6), k5), k4), n2, o32
+    )
+    div(
+        add(add(add(mul(I31, F13o, k4), mul(I31o, F13, k5), k4), add(mul(I32, F23o, k2), mul(I32o, F23, k5), k2), k2),
         add(mul(I33, F33o, k3), mul(I33o, F33, k1), k1), k1), n2, o33
     )
     copy(n0, o4)
@@ -6979,7 +7084,7 @@ def body_retract_jacobians_blocks(
     copy(o51, o72)
 
 
-# operations 270: 88 +, 136 *, 21 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+# operations 293: 96 +, 141 *, 28 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
 def local(m: Any, c: Any, b: Components, a: Components) -> Result:
     b1, b2, b3, b1o, b2o, b3o = b
     a1, a2, a3, a1o, a2o, a3o = a
@@ -7055,21 +7160,27 @@ def local(m: Any, c: Any, b: Components, a: Components) -> Result:
     C5e = (1 - 120 * (ze * C7e)) / 120
     C3e = (1 - 6 * (ze * C5e)) / 6
     C1e = 1 - ze * C3e
+    CC1e = C1e * C1e
     xxe = m.where(neare, 6 + xe, xe)
     alphae = m.sqrt(xxe)
+    thalfe = m.tan(alphae / 2)
+    tthalfe = thalfe * thalfe
+    belowhalfe = 1 + tthalfe
+    sinee = 2 * thalfe / belowhalfe
+    versinee = 2 * tthalfe / belowhalfe
+    besidee = alphae - 4
+    loste = (xxe - 16 - 8 * besidee - besidee * besidee) / (2 * alphae)
+    ge = m.where(neare, CC1e / 2, (versinee + loste * sinee) / xxe)
+    C0e = m.sqrt(1 - ze * CC1e)
     te = m.tan(alphae / 4)
     tte = te * te
     belowe = 1 + tte
-    we = m.where(neare, C1e / 2, 2 * te / belowe / alphae)
-    wwe = we * we
-    ge = 2 * wwe
-    CC1e = C1e * C1e
-    C0e = m.sqrt(1 - ze * CC1e)
     se = m.where(neare, C0e, (1 - tte) / belowe)
+    we = m.where(neare, C1e / 2, 2 * te / belowe / alphae)
     fie = se / we
     C01e = 1 + C0e
     C2e = CC1e / C01e
-    fe = 2 * (se * we)
+    fe = m.where(neare, C0e * C1e, (sinee + loste * (1 - versinee)) / alphae)
     he = m.where(neare, (C3e + C1e * C2e) / 4, (1 - fe) / xxe)
     hie = ge - fie * he
     hvr = hie * (d1 * rho1 + d2 * rho2 + d3 * rho3)
@@ -7093,7 +7204,9 @@ def local_blocks(
         k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, *spare,
     ) = scratch
     mask1, mask2, *spare_masks = masks
-    n_minus_1, n0, n1, n2, n4, n6, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    (
+        n_minus_1, n0, n1, n2, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600,
+    ) = numbers
     minus_a1 = neg(a1, k1)
     v11a = mul(minus_a1, minus_a1, k2)
     minus_a2 = neg(a2, k3)
@@ -7155,18 +7268,29 @@ def local_blocks(
     CC1e = mul(C1e, C1e, k12)
     C0e = sqrt(sub(n1, mul(ze, CC1e, k6), k6), k6)
     C01e = add(n1, C0e, k13)
-    C2e = div(CC1e, C01e, k12)
-    alphae = sqrt(xxe, k13)
-    te = tan(div(alphae, n4, k17), k17)
-    tte = mul(te, te, k18)
-    belowe = add(n1, tte, k19)
-    se = m.where(neare, C0e, div(sub(n1, tte, k18), belowe, k18), k6)
-    we = m.where(neare, div(C1e, n2, k18), div(div(mul(n2, te, k17), belowe, k17), alphae, k13), k17)
-    fe = mul(n2, mul(se, we, k13), k13)
-    he = m.where(neare, div(add(C3e, mul(C1e, C2e, k11), k4), n4, k4), div(sub(n1, fe, k11), xxe, k7), k4)
+    C2e = div(CC1e, C01e, k13)
+    alphae = sqrt(xxe, k17)
+    besidee = sub(alphae, n4, k18)
+    loste = div(
+        sub(sub(sub(xxe, n16, k19), mul(n8, besidee, k20), k19), mul(besidee, besidee, k18), k18), mul(n2, alphae, k19),
+        k18
+    )
+    thalfe = tan(div(alphae, n2, k19), k19)
+    tthalfe = mul(thalfe, thalfe, k20)
+    belowhalfe = add(n1, tthalfe, k21)
+    versinee = div(mul(n2, tthalfe, k20), belowhalfe, k20)
+    sinee = div(mul(n2, thalfe, k19), belowhalfe, k19)
+    ge = m.where(neare, div(CC1e, n2, k12), div(add(versinee, mul(loste, sinee, k21), k21), xxe, k21), k12)
+    fe = m.where(
+        neare, mul(C0e, C1e, k21), div(add(sinee, mul(loste, sub(n1, versinee, k20), k18), k18), alphae, k18), k19
+    )
+    he = m.where(neare, div(add(C3e, mul(C1e, C2e, k13), k4), n4, k4), div(sub(n1, fe, k13), xxe, k7), k4)
+    te = tan(div(alphae, n4, k7), k7)
+    tte = mul(te, te, k13)
+    belowe = add(n1, tte, k18)
+    we = m.where(neare, div(C1e, n2, k11), div(div(mul(n2, te, k7), belowe, k7), alphae, k7), k11)
+    se = m.where(neare, C0e, div(sub(n1, tte, k7), belowe, k7), k6)
     fie = div(se, we, k6)
-    wwe = mul(we, we, k7)
-    ge = mul(n2, wwe, k7)
     hie = sub(ge, mul(fie, he, k4), k4)
     minus_a4 = neg(a1o, k6)
     minus_a5 = neg(a2o, k7)
@@ -7218,7 +7342,7 @@ def local_blocks(
     div(add(sub(mul(rho3, fee, k2), sub(mul(d1, rho2, k3), mul(d2, rho1, k1), k1), k1), mul(d3, hvr, k2), k1), n2, o6)
 
 
-# operations 270: 88 +, 136 *, 21 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
+# operations 293: 96 +, 141 *, 28 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
 def body_local(m: Any, c: Any, a: Components, b: Components) -> Result:
     a1, a2, a3, a1o, a2o, a3o = a
     b1, b2, b3, b1o, b2o, b3o = b
@@ -7303,21 +7427,27 @@ def body_local(m: Any, c: Any, a: Components, b: Components) -> Result:
     C5e = (1 - 120 * (ze * C7e)) / 120
     C3e = (1 - 6 * (ze * C5e)) / 6
     C1e = 1 - ze * C3e
+    CC1e = C1e * C1e
     xxe = m.where(neare, 6 + xe, xe)
     alphae = m.sqrt(xxe)
+    thalfe = m.tan(alphae / 2)
+    tthalfe = thalfe * thalfe
+    belowhalfe = 1 + tthalfe
+    sinee = 2 * thalfe / belowhalfe
+    versinee = 2 * tthalfe / belowhalfe
+    besidee = alphae - 4
+    loste = (xxe - 16 - 8 * besidee - besidee * besidee) / (2 * alphae)
+    ge = m.where(neare, CC1e / 2, (versinee + loste * sinee) / xxe)
+    C0e = m.sqrt(1 - ze * CC1e)
     te = m.tan(alphae / 4)
     tte = te * te
     belowe = 1 + tte
-    we = m.where(neare, C1e / 2, 2 * te / belowe / alphae)
-    wwe = we * we
-    ge = 2 * wwe
-    CC1e = C1e * C1e
-    C0e = m.sqrt(1 - ze * CC1e)
     se = m.where(neare, C0e, (1 - tte) / belowe)
+    we = m.where(neare, C1e / 2, 2 * te / belowe / alphae)
     fie = se / we
     C01e = 1 + C0e
     C2e = CC1e / C01e
-    fe = 2 * (se * we)
+    fe = m.where(neare, C0e * C1e, (sinee + loste * (1 - versinee)) / alphae)
     he = m.where(neare, (C3e + C1e * C2e) / 4, (1 - fe) / xxe)
     hie = ge - fie * he
     hvr = hie * (d1 * rho1 + d2 * rho2 + d3 * rho3)
@@ -7342,7 +7472,9 @@ def body_local_blocks(
         *spare,
     ) = scratch
     mask1, mask2, *spare_masks = masks
-    n_minus_1, n0, n1, n2, n4, n6, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    (
+        n_minus_1, n0, n1, n2, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600,
+    ) = numbers
     v11a = mul(a1, a1, k1)
     v22a = mul(a2, a2, k2)
     v33a = mul(a3, a3, k3)
@@ -7404,18 +7536,29 @@ def body_local_blocks(
     CC1e = mul(C1e, C1e, k12)
     C0e = sqrt(sub(n1, mul(ze, CC1e, k3), k3), k3)
     C01e = add(n1, C0e, k13)
-    C2e = div(CC1e, C01e, k12)
-    alphae = sqrt(xxe, k13)
-    te = tan(div(alphae, n4, k17), k17)
-    tte = mul(te, te, k18)
-    belowe = add(n1, tte, k19)
-    se = m.where(neare, C0e, div(sub(n1, tte, k18), belowe, k18), k3)
-    we = m.where(neare, div(C1e, n2, k18), div(div(mul(n2, te, k17), belowe, k17), alphae, k13), k17)
-    fe = mul(n2, mul(se, we, k13), k13)
-    he = m.where(neare, div(add(C3e, mul(C1e, C2e, k10), k2), n4, k2), div(sub(n1, fe, k10), xxe, k8), k2)
+    C2e = div(CC1e, C01e, k13)
+    alphae = sqrt(xxe, k17)
+    besidee = sub(alphae, n4, k18)
+    loste = div(
+        sub(sub(sub(xxe, n16, k19), mul(n8, besidee, k20), k19), mul(besidee, besidee, k18), k18), mul(n2, alphae, k19),
+        k18
+    )
+    thalfe = tan(div(alphae, n2, k19), k19)
+    tthalfe = mul(thalfe, thalfe, k20)
+    belowhalfe = add(n1, tthalfe, k21)
+    versinee = div(mul(n2, tthalfe, k20), belowhalfe, k20)
+    sinee = div(mul(n2, thalfe, k19), belowhalfe, k19)
+    ge = m.where(neare, div(CC1e, n2, k12), div(add(versinee, mul(loste, sinee, k21), k21), xxe, k21), k12)
+    fe = m.where(
+        neare, mul(C0e, C1e, k21), div(add(sinee, mul(loste, sub(n1, versinee, k20), k18), k18), alphae, k18), k19
+    )
+    he = m.where(neare, div(add(C3e, mul(C1e, C2e, k13), k2), n4, k2), div(sub(n1, fe, k13), xxe, k8), k2)
+    te = tan(div(alphae, n4, k8), k8)
+    tte = mul(te, te, k13)
+    belowe = add(n1, tte, k18)
+    we = m.where(neare, div(C1e, n2, k10), div(div(mul(n2, te, k8), belowe, k8), alphae, k8), k10)
+    se = m.where(neare, C0e, div(sub(n1, tte, k8), belowe, k8), k3)
     fie = div(se, we, k3)
-    wwe = mul(we, we, k8)
-    ge = mul(n2, wwe, k8)
     hie = sub(ge, mul(fie, he, k2), k2)
     gva1 = mul(a1, ga, k3)
     gva2 = mul(a2, ga, k8)
@@ -7462,7 +7605,7 @@ def body_local_blocks(
     div(add(sub(mul(rho3, fee, k1), sub(mul(d1, rho2, k3), mul(d2, rho1, k4), k3), k1), mul(d3, hvr, k2), k1), n2, o6)
 
 
-# operations 614: 197 +, 299 *, 46 /, 8 neg, 4 abs, 8 sqrt, 2 tan, 3 atan2, 7 lt, 5 eq, 1 or, 34 where
+# operations 660: 213 +, 309 *, 60 /, 8 neg, 4 abs, 8 sqrt, 4 tan, 3 atan2, 7 lt, 5 eq, 1 or, 38 where
 def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) -> Result:
     a1, a2, a3, a1o, a2o, a3o = a
     b1, b2, b3, b1o, b2o, b3o = b
@@ -7552,21 +7695,27 @@ def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) 
     C5e = (1 - 120 * (ze * C7e)) / 120
     C3e = (1 - 6 * (ze * C5e)) / 6
     C1e = 1 - ze * C3e
+    CC1e = C1e * C1e
     xxe = m.where(neare, 6 + xe, xe)
     alphae = m.sqrt(xxe)
+    thalfe = m.tan(alphae / 2)
+    tthalfe = thalfe * thalfe
+    belowhalfe = 1 + tthalfe
+    sinee = 2 * thalfe / belowhalfe
+    versinee = 2 * tthalfe / belowhalfe
+    besidee = alphae - 4
+    loste = (xxe - 16 - 8 * besidee - besidee * besidee) / (2 * alphae)
+    ge = m.where(neare, CC1e / 2, (versinee + loste * sinee) / xxe)
+    C0e = m.sqrt(1 - ze * CC1e)
     te = m.tan(alphae / 4)
     tte = te * te
     belowe = 1 + tte
-    we = m.where(neare, C1e / 2, 2 * te / belowe / alphae)
-    wwe = we * we
-    ge = 2 * wwe
-    CC1e = C1e * C1e
-    C0e = m.sqrt(1 - ze * CC1e)
     se = m.where(neare, C0e, (1 - tte) / belowe)
+    we = m.where(neare, C1e / 2, 2 * te / belowe / alphae)
     fie = se / we
     C01e = 1 + C0e
     C2e = CC1e / C01e
-    fe = 2 * (se * we)
+    fe = m.where(neare, C0e * C1e, (sinee + loste * (1 - versinee)) / alphae)
     he = m.where(neare, (C3e + C1e * C2e) / 4, (1 - fe) / xxe)
     hie = ge - fie * he
     hvr = hie * (d1 * way1 + d2 * way2 + d3 * way3)
@@ -7605,9 +7754,15 @@ def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) 
     z1 = bva1 * st + wd1 * aa + (wd2 * bva3 - wd3 * bva2)
     z2 = bva2 * st + wd2 * aa + (wd3 * bva1 - wd1 * bva3)
     z3 = bva3 * st + wd3 * aa + (wd1 * bva2 - wd2 * bva1)
-    ft = 2 * (st * wt)
-    wwt = wt * wt
-    gt = 2 * wwt
+    thalft = m.tan(alphat / 2)
+    tthalft = thalft * thalft
+    belowhalft = 1 + tthalft
+    sinet = 2 * thalft / belowhalft
+    versinet = 2 * tthalft / belowhalft
+    besidet = alphat - 4
+    lostt = (xxt - 16 - 8 * besidet - besidet * besidet) / (2 * alphat)
+    ft = m.where(neart, C0t * C1t, (sinet + lostt * (1 - versinet)) / alphat)
+    gt = m.where(neart, CC1t / 2, (versinet + lostt * sinet) / xxt)
     v_moved1 = td2 * rhoa3 - td3 * rhoa2
     v_moved2 = td3 * rhoa1 - td1 * rhoa3
     v_moved3 = td1 * rhoa2 - td2 * rhoa1
@@ -7652,15 +7807,15 @@ def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) 
     sst = z1 * z1 + z2 * z2 + z3 * z3
     stillt = sst == 0
     roott = m.sqrt(m.where(stillt, 1 + sst, sst))
-    sinet = m.where(apart, m.where(stillt, sst, side * roott), z1 * axis1 + z2 * axis2 + z3 * axis3)
-    halft = m.atan2(sign1 * sinet, sign1 * z0)
+    sinet_ = m.where(apart, m.where(stillt, sst, side * roott), z1 * axis1 + z2 * axis2 + z3 * axis3)
+    halft = m.atan2(sign1 * sinet_, sign1 * z0)
     halft_by_2 = 2 * halft
     turns = own_ + m.where(apart, -2 * half1, td1 * axis1 + td2 * axis2 + td3 * axis3 - halft_by_2)
-    still = sinet == 0
-    angle = m.where(still, sinet, m.where(m.abs(turns) < 1, 0, turns) + halft_by_2)
+    still = sinet_ == 0
+    angle = m.where(still, sinet_, m.where(m.abs(turns) < 1, 0, turns) + halft_by_2)
     rn, slopen = c.coefficient(m, angle)
     z0s = m.where(still, z0, 1)
-    nosine = m.where(still, 1 + sinet, sinet)
+    nosine = m.where(still, 1 + sinet_, sinet_)
     factor = m.where(still, 2 * slopen / z0s, rn / nosine)
     v_1 = m.where(apart, z1 * factor, axis1 * rn)
     v_2 = m.where(apart, z2 * factor, axis2 * rn)
@@ -7691,12 +7846,12 @@ def interpolate_blocks(
     o1, o2, o3, o4, o5, o6 = out
     (
         k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
-        k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, *spare,
+        k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, k35, k36, k37, *spare,
     ) = scratch
-    mask1, mask2, mask3, *spare_masks = masks
+    mask1, mask2, mask3, mask4, *spare_masks = masks
     (
-        n_minus_2, n_minus_1, n0, n1, n2, n3, n4, n6, n64, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520,
-        n3603600,
+        n_minus_2, n_minus_1, n0, n1, n2, n3, n4, n6, n8, n16, n64, n72, n120, n210, n342, n506, n5040, n32760, n93024,
+        n212520, n3603600,
     ) = numbers
     v11a = mul(a1, a1, k1)
     v22a = mul(a2, a2, k2)
@@ -7771,53 +7926,47 @@ def interpolate_blocks(
     tt = tan(div(alphat, n4, k25), k25)
     ttt = mul(tt, tt, k26)
     belowt = add(n1, ttt, k27)
-    wt = m.where(neart, div(C1t, n2, k28), div(div(mul(n2, tt, k25), belowt, k25), alphat, k24), k25)
-    st = m.where(neart, C0t, div(sub(n1, ttt, k24), belowt, k24), k26)
-    C01t = add(n1, C0t, k19)
-    C2t = div(CC1t, C01t, k19)
-    wd1 = mul(td1, wt, k23)
-    wd2 = mul(td2, wt, k24)
-    wd3 = mul(td3, wt, k27)
-    z1 = add(add(mul(bva1, st, k28), mul(wd1, aa, k29), k28), sub(mul(wd2, bva3, k29), mul(wd3, bva2, k30), k29), k28)
-    z2 = add(add(mul(bva2, st, k29), mul(wd2, aa, k30), k29), sub(mul(wd3, bva1, k30), mul(wd1, bva3, k31), k30), k29)
-    z3 = add(add(mul(bva3, st, k30), mul(wd3, aa, k31), k30), sub(mul(wd1, bva2, k31), mul(wd2, bva1, k32), k31), k30)
-    z0 = sub(mul(st, aa, k31), add(add(mul(wd1, bva1, k23), mul(wd2, bva2, k24), k23), mul(wd3, bva3, k24), k23), k23)
-    ft = mul(n2, mul(st, wt, k24), k24)
-    ht = m.where(neart, div(add(C3t, mul(C1t, C2t, k19), k17), n4, k17), div(sub(n1, ft, k19), xxt, k19), k17)
-    wwt = mul(wt, wt, k19)
-    gt = mul(n2, wwt, k19)
-    sst = add(add(mul(z1, z1, k21), mul(z2, z2, k22), k21), mul(z3, z3, k22), k21)
-    stillt = m.equal(sst, n0, mask1)
-    roott = sqrt(m.where(stillt, add(n1, sst, k22), sst, k22), k22)
-    resting = m.equal(xa, n0, mask2)
-    r = sqrt(m.where(resting, add(n1, xa, k25), xa, k25), k25)
-    own, = c.unfolded((k26,), (k27, k31, k32, *spare), (*spare_masks,), xa, r)
+    st = m.where(neart, C0t, div(sub(n1, ttt, k26), belowt, k26), k28)
+    wt = m.where(neart, div(C1t, n2, k26), div(div(mul(n2, tt, k25), belowt, k25), alphat, k25), k26)
+    wd1 = mul(td1, wt, k25)
+    wd2 = mul(td2, wt, k27)
+    wd3 = mul(td3, wt, k26)
+    z1 = add(add(mul(bva1, st, k29), mul(wd1, aa, k30), k29), sub(mul(wd2, bva3, k30), mul(wd3, bva2, k31), k30), k29)
+    z2 = add(add(mul(bva2, st, k30), mul(wd2, aa, k31), k30), sub(mul(wd3, bva1, k31), mul(wd1, bva3, k32), k31), k30)
+    z3 = add(add(mul(bva3, st, k31), mul(wd3, aa, k32), k31), sub(mul(wd1, bva2, k32), mul(wd2, bva1, k33), k32), k31)
+    z0 = sub(mul(st, aa, k28), add(add(mul(wd1, bva1, k25), mul(wd2, bva2, k27), k25), mul(wd3, bva3, k26), k25), k25)
+    sst = add(add(mul(z1, z1, k26), mul(z2, z2, k27), k26), mul(z3, z3, k27), k26)
+    stillt = m.equal(sst, n0, mask2)
+    roott = sqrt(m.where(stillt, add(n1, sst, k27), sst, k27), k27)
+    resting = m.equal(xa, n0, mask3)
+    r = sqrt(m.where(resting, add(n1, xa, k28), xa, k28), k28)
+    own, = c.unfolded((k32,), (k33, *spare), (*spare_masks,), xa, r)
     own_ = m.where(resting, xa, own, k1)
     apart = m.either(
-        m.less(own_, n3, mask2), m.less(r, add(r, div(add(add(absolute(sub(mul(d2, a3, k26), mul(d3, a2, k27), k26),
-        k26), absolute(sub(mul(d3, a1, k27), mul(d1, a3, k31), k27), k27), k26), absolute(sub(mul(d1, a2, k27), mul(d2,
-        a1, k31), k27), k27), k26), n64, k26), k26), mask3), mask2
+        m.less(own_, n3, mask3), m.less(r, add(r, div(add(add(absolute(sub(mul(d2, a3, k32), mul(d3, a2, k33), k32),
+        k32), absolute(sub(mul(d3, a1, k33), mul(d1, a3, k34), k33), k33), k32), absolute(sub(mul(d1, a2, k33), mul(d2,
+        a1, k34), k33), k33), k32), n64, k32), k32), mask4), mask3
     )
     side = m.where(
-        m.less(add(add(mul(bva1, a1, k26), mul(bva2, a2, k27), k26), mul(bva3, a3, k27), k26), n0, mask3), n_minus_1,
-        n1, k26
+        m.less(add(add(mul(bva1, a1, k32), mul(bva2, a2, k33), k32), mul(bva3, a3, k33), k32), n0, mask4), n_minus_1,
+        n1, k32
     )
-    axis1 = div(a1, r, k27)
-    axis2 = div(a2, r, k31)
-    axis3 = div(a3, r, k25)
-    sinet = m.where(
-        apart, m.where(stillt, sst, mul(side, roott, k22), k21), add(add(mul(z1, axis1, k22), mul(z2, axis2, k32), k22),
-        mul(z3, axis3, k32), k22), k21
+    axis1 = div(a1, r, k33)
+    axis2 = div(a2, r, k34)
+    axis3 = div(a3, r, k28)
+    sinet_ = m.where(
+        apart, m.where(stillt, sst, mul(side, roott, k27), k26), add(add(mul(z1, axis1, k27), mul(z2, axis2, k35), k27),
+        mul(z3, axis3, k35), k27), k26
     )
-    still = m.equal(sinet, n0, mask1)
-    sign1 = m.where(apart, side, n1, k22)
-    halft = atan2(mul(sign1, sinet, k32), mul(sign1, z0, k33), k32)
-    halft_by_2 = mul(n2, halft, k32)
-    ss1 = add(add(mul(bva1, bva1, k33), mul(bva2, bva2, k34), k33), mul(bva3, bva3, k34), k33)
-    still1 = m.equal(ss1, n0, mask3)
-    root1 = sqrt(m.where(still1, add(n1, ss1, k34), ss1, k34), k34)
+    still = m.equal(sinet_, n0, mask2)
+    sign1 = m.where(apart, side, n1, k27)
+    halft = atan2(mul(sign1, sinet_, k35), mul(sign1, z0, k36), k35)
+    halft_by_2 = mul(n2, halft, k35)
+    ss1 = add(add(mul(bva1, bva1, k36), mul(bva2, bva2, k37), k36), mul(bva3, bva3, k37), k36)
+    still1 = m.equal(ss1, n0, mask4)
+    root1 = sqrt(m.where(still1, add(n1, ss1, k37), ss1, k37), k37)
     sine1 = m.where(
-        apart, m.where(still1, ss1, mul(side, root1, k26), k33), add(add(mul(bva1, axis1, k4), mul(bva2, axis2, k3),
+        apart, m.where(still1, ss1, mul(side, root1, k32), k36), add(add(mul(bva1, axis1, k4), mul(bva2, axis2, k3),
         k3), mul(bva3, axis3, k4), k3), k4
     )
     half1 = atan2(mul(sign1, sine1, k3), mul(sign1, aa, k2), k2)
@@ -7826,10 +7975,10 @@ def interpolate_blocks(
         mul(td3, axis3, k4), k3), halft_by_2, k3), k2), k1
     )
     angle = m.where(
-        still, sinet, add(m.where(m.less(absolute(turns, k2), n1, mask3), n0, turns, k2), halft_by_2, k1), k2
+        still, sinet_, add(m.where(m.less(absolute(turns, k2), n1, mask4), n0, turns, k2), halft_by_2, k1), k2
     )
-    rn, slopen = c.coefficient((k1, k3), (k4, k16, k22, k26, k32, k33, k34, *spare), (mask3, *spare_masks), angle)
-    nosine = m.where(still, add(n1, sinet, k4), sinet, k4)
+    rn, slopen = c.coefficient((k1, k3), (k4, k16, k27, k32, k35, k36, k37, *spare), (mask4, *spare_masks), angle)
+    nosine = m.where(still, add(n1, sinet_, k4), sinet_, k4)
     z0s = m.where(still, z0, n1, k16)
     factor = m.where(still, div(mul(n2, slopen, k3), z0s, k3), div(rn, nosine, k4), k3)
     v_1 = m.where(apart, mul(z1, factor, k4), mul(axis1, rn, k16), o1)
@@ -7841,14 +7990,14 @@ def interpolate_blocks(
     v33w = mul(v_3, v_3, k16)
     xw = add(add(v11w, v22w, k3), v33w, k3)
     hiw, = c.inverse_at(
-        (k4,), (k16, k21, k22, k23, k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, *spare), (mask1, mask2, mask3,
+        (k4,), (k16, k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, k35, k36, k37, *spare), (mask2, mask3, mask4,
         *spare_masks), xw, fe_, angle
     )
     v11e = mul(d1, d1, k2)
     v22e = mul(d2, d2, k3)
     v33e = mul(d3, d3, k16)
     xe = add(add(v11e, v22e, k2), v33e, k2)
-    neare = m.less(xe, n6, mask1)
+    neare = m.less(xe, n6, mask2)
     ze = div(m.where(neare, xe, sub(xe, xe, k3), k16), n4, k3)
     xxe = m.where(neare, add(n6, xe, k16), xe, k16)
     C7e = div(
@@ -7858,76 +8007,87 @@ def interpolate_blocks(
     )
     C5e = div(sub(n1, mul(n120, mul(ze, C7e, k2), k2), k2), n120, k2)
     C3e = div(sub(n1, mul(n6, mul(ze, C5e, k2), k2), k2), n6, k2)
-    C1e = sub(n1, mul(ze, C3e, k21), k21)
-    CC1e = mul(C1e, C1e, k22)
+    C1e = sub(n1, mul(ze, C3e, k25), k25)
+    CC1e = mul(C1e, C1e, k26)
     C0e = sqrt(sub(n1, mul(ze, CC1e, k3), k3), k3)
-    C01e = add(n1, C0e, k23)
-    C2e = div(CC1e, C01e, k22)
-    alphae = sqrt(xxe, k23)
-    te = tan(div(alphae, n4, k25), k25)
-    tte = mul(te, te, k26)
-    belowe = add(n1, tte, k27)
-    se = m.where(neare, C0e, div(sub(n1, tte, k26), belowe, k26), k3)
-    we = m.where(neare, div(C1e, n2, k26), div(div(mul(n2, te, k25), belowe, k25), alphae, k23), k25)
-    fe = mul(n2, mul(se, we, k23), k23)
-    he = m.where(neare, div(add(C3e, mul(C1e, C2e, k21), k2), n4, k2), div(sub(n1, fe, k21), xxe, k16), k2)
+    C01e = add(n1, C0e, k27)
+    C2e = div(CC1e, C01e, k27)
+    alphae = sqrt(xxe, k28)
+    besidee = sub(alphae, n4, k29)
+    loste = div(
+        sub(sub(sub(xxe, n16, k30), mul(n8, besidee, k31), k30), mul(besidee, besidee, k29), k29), mul(n2, alphae, k30),
+        k29
+    )
+    thalfe = tan(div(alphae, n2, k30), k30)
+    tthalfe = mul(thalfe, thalfe, k31)
+    belowhalfe = add(n1, tthalfe, k32)
+    versinee = div(mul(n2, tthalfe, k31), belowhalfe, k31)
+    sinee = div(mul(n2, thalfe, k30), belowhalfe, k30)
+    ge = m.where(neare, div(CC1e, n2, k26), div(add(versinee, mul(loste, sinee, k32), k32), xxe, k32), k26)
+    fe = m.where(
+        neare, mul(C0e, C1e, k32), div(add(sinee, mul(loste, sub(n1, versinee, k31), k29), k29), alphae, k29), k30
+    )
+    he = m.where(neare, div(add(C3e, mul(C1e, C2e, k27), k2), n4, k2), div(sub(n1, fe, k27), xxe, k16), k2)
+    te = tan(div(alphae, n4, k16), k16)
+    tte = mul(te, te, k27)
+    belowe = add(n1, tte, k29)
+    we = m.where(neare, div(C1e, n2, k25), div(div(mul(n2, te, k16), belowe, k16), alphae, k16), k25)
+    se = m.where(neare, C0e, div(sub(n1, tte, k16), belowe, k16), k3)
     fie = div(se, we, k3)
-    wwe = mul(we, we, k16)
-    ge = mul(n2, wwe, k16)
     hie = sub(ge, mul(fie, he, k2), k2)
     gva3 = mul(a3, ga, k3)
     gva1 = mul(a1, ga, k16)
-    ya = add(add(mul(a1, a1o, k21), mul(a2, a2o, k22), k21), mul(a3, a3o, k22), k21)
+    ya = add(add(mul(a1, a1o, k25), mul(a2, a2o, k26), k25), mul(a3, a3o, k26), k25)
     alonga = mul(ha, ya, k7)
     rhoa2 = add(
-        add(mul(a2o, fa, k21), sub(mul(gva3, a1o, k22), mul(gva1, a3o, k23), k22), k21), mul(a2, alonga, k22), k21
+        add(mul(a2o, fa, k25), sub(mul(gva3, a1o, k26), mul(gva1, a3o, k27), k26), k25), mul(a2, alonga, k26), k25
     )
-    gva2 = mul(a2, ga, k22)
-    rhoa1 = add(add(mul(a1o, fa, k23), sub(mul(gva2, a3o, k25), mul(gva3, a2o, k3), k3), k3), mul(a1, alonga, k23), k3)
+    gva2 = mul(a2, ga, k26)
+    rhoa1 = add(add(mul(a1o, fa, k27), sub(mul(gva2, a3o, k28), mul(gva3, a2o, k3), k3), k3), mul(a1, alonga, k27), k3)
     rhoa3 = add(
-        add(mul(a3o, fa, k23), sub(mul(gva1, a2o, k16), mul(gva2, a1o, k22), k16), k16), mul(a3, alonga, k7), k7
+        add(mul(a3o, fa, k27), sub(mul(gva1, a2o, k16), mul(gva2, a1o, k26), k16), k16), mul(a3, alonga, k7), k7
     )
     minus_fa = neg(fa, k5)
-    v_rhoa3 = sub(mul(a1, rhoa2, k16), mul(a2, rhoa1, k22), k16)
-    v_rhoa2 = sub(mul(a3, rhoa1, k22), mul(a1, rhoa3, k23), k22)
-    gv_rhoa2 = mul(v_rhoa2, ga, k23)
-    v_rhoa1 = sub(mul(a2, rhoa3, k25), mul(a3, rhoa2, k26), k25)
-    gv_rhoa1 = mul(v_rhoa1, ga, k26)
+    v_rhoa3 = sub(mul(a1, rhoa2, k16), mul(a2, rhoa1, k26), k16)
+    v_rhoa2 = sub(mul(a3, rhoa1, k26), mul(a1, rhoa3, k27), k26)
+    gv_rhoa2 = mul(v_rhoa2, ga, k27)
+    v_rhoa1 = sub(mul(a2, rhoa3, k28), mul(a3, rhoa2, k29), k28)
+    gv_rhoa1 = mul(v_rhoa1, ga, k29)
     gv_rhoa3 = mul(v_rhoa3, ga, k6)
     back3 = neg(
-        add(rhoa3, add(mul(v_rhoa3, minus_fa, k16), sub(mul(a1, gv_rhoa2, k27), mul(a2, gv_rhoa1, k28), k27), k16),
+        add(rhoa3, add(mul(v_rhoa3, minus_fa, k16), sub(mul(a1, gv_rhoa2, k30), mul(a2, gv_rhoa1, k31), k30), k16),
         k16), k16
     )
     back2 = neg(
-        add(rhoa2, add(mul(v_rhoa2, minus_fa, k22), sub(mul(a3, gv_rhoa1, k26), mul(a1, gv_rhoa3, k27), k26), k22),
-        k22), k22
+        add(rhoa2, add(mul(v_rhoa2, minus_fa, k26), sub(mul(a3, gv_rhoa1, k29), mul(a1, gv_rhoa3, k30), k29), k26),
+        k26), k26
     )
     back1 = neg(
-        add(rhoa1, add(mul(v_rhoa1, minus_fa, k5), sub(mul(a2, gv_rhoa3, k6), mul(a3, gv_rhoa2, k23), k6), k5), k5), k5
+        add(rhoa1, add(mul(v_rhoa1, minus_fa, k5), sub(mul(a2, gv_rhoa3, k6), mul(a3, gv_rhoa2, k27), k6), k5), k5), k5
     )
-    v_back1 = sub(mul(b2, back3, k6), mul(b3, back2, k23), k6)
-    v_back3 = sub(mul(b1, back2, k23), mul(b2, back1, k25), k23)
-    gv_back3 = mul(v_back3, gb, k25)
-    v_back2 = sub(mul(b3, back1, k26), mul(b1, back3, k27), k26)
-    gv_back2 = mul(v_back2, gb, k27)
-    gvb2 = mul(b2, gb, k28)
-    gvb3 = mul(b3, gb, k29)
-    yb = add(add(mul(b1, b1o, k30), mul(b2, b2o, k31), k30), mul(b3, b3o, k31), k30)
+    v_back1 = sub(mul(b2, back3, k6), mul(b3, back2, k27), k6)
+    v_back3 = sub(mul(b1, back2, k27), mul(b2, back1, k28), k27)
+    gv_back3 = mul(v_back3, gb, k28)
+    v_back2 = sub(mul(b3, back1, k29), mul(b1, back3, k30), k29)
+    gv_back2 = mul(v_back2, gb, k30)
+    gvb2 = mul(b2, gb, k31)
+    gvb3 = mul(b3, gb, k32)
+    yb = add(add(mul(b1, b1o, k33), mul(b2, b2o, k34), k33), mul(b3, b3o, k34), k33)
     alongb = mul(hb, yb, k15)
     way1 = add(
-        add(back1, add(mul(v_back1, fb, k30), sub(mul(b2, gv_back3, k31), mul(b3, gv_back2, k32), k31), k30), k5),
-        add(add(mul(b1o, fb, k30), sub(mul(gvb2, b3o, k31), mul(gvb3, b2o, k32), k31), k30), mul(b1, alongb, k31), k30),
+        add(back1, add(mul(v_back1, fb, k33), sub(mul(b2, gv_back3, k34), mul(b3, gv_back2, k35), k34), k33), k5),
+        add(add(mul(b1o, fb, k33), sub(mul(gvb2, b3o, k34), mul(gvb3, b2o, k35), k34), k33), mul(b1, alongb, k34), k33),
         k5
     )
     gv_back1 = mul(v_back1, gb, k6)
     gvb1 = mul(b1, gb, k14)
     way2 = add(
-        add(back2, add(mul(v_back2, fb, k26), sub(mul(b3, gv_back1, k30), mul(b1, gv_back3, k25), k25), k25), k22),
-        add(add(mul(b2o, fb, k25), sub(mul(gvb3, b1o, k26), mul(gvb1, b3o, k29), k26), k25), mul(b2, alongb, k26), k25),
-        k22
+        add(back2, add(mul(v_back2, fb, k29), sub(mul(b3, gv_back1, k33), mul(b1, gv_back3, k28), k28), k28), k26),
+        add(add(mul(b2o, fb, k28), sub(mul(gvb3, b1o, k29), mul(gvb1, b3o, k32), k29), k28), mul(b2, alongb, k29), k28),
+        k26
     )
     way3 = add(
-        add(back3, add(mul(v_back3, fb, k23), sub(mul(b1, gv_back2, k25), mul(b2, gv_back1, k6), k6), k6), k6),
+        add(back3, add(mul(v_back3, fb, k27), sub(mul(b1, gv_back2, k28), mul(b2, gv_back1, k6), k6), k6), k6),
         add(add(mul(b3o, fb, k13), sub(mul(gvb1, b2o, k14), mul(gvb2, b1o, k16), k14), k13), mul(b3, alongb, k14), k13),
         k6
     )
@@ -7945,28 +8105,45 @@ def interpolate_blocks(
         n2, k2), k2
     )
     yt = add(add(mul(td1, td4, k5), mul(td2, td5, k6), k5), mul(td3, td6, k6), k5)
+    C01t = add(n1, C0t, k6)
+    C2t = div(CC1t, C01t, k6)
+    besidet = sub(alphat, n4, k8)
+    lostt = div(
+        sub(sub(sub(xxt, n16, k10), mul(n8, besidet, k11), k10), mul(besidet, besidet, k8), k8), mul(n2, alphat, k10),
+        k8
+    )
+    thalft = tan(div(alphat, n2, k10), k10)
+    tthalft = mul(thalft, thalft, k11)
+    belowhalft = add(n1, tthalft, k12)
+    versinet = div(mul(n2, tthalft, k11), belowhalft, k11)
+    sinet = div(mul(n2, thalft, k10), belowhalft, k10)
+    ft = m.where(
+        neart, mul(C0t, C1t, k12), div(add(sinet, mul(lostt, sub(n1, versinet, k15), k15), k15), alphat, k15), k12
+    )
+    gt = m.where(neart, div(CC1t, n2, k15), div(add(versinet, mul(lostt, sinet, k8), k8), xxt, k8), k10)
+    ht = m.where(neart, div(add(C3t, mul(C1t, C2t, k6), k6), n4, k6), div(sub(n1, ft, k8), xxt, k8), k6)
     alongt = mul(ht, yt, k5)
     v_moved3 = sub(mul(td1, rhoa2, k6), mul(td2, rhoa1, k8), k6)
     gv_moved3 = mul(v_moved3, gt, k8)
-    v_moved2 = sub(mul(td3, rhoa1, k10), mul(td1, rhoa3, k11), k10)
-    gv_moved2 = mul(v_moved2, gt, k11)
-    gvt2 = mul(td2, gt, k12)
-    gvt3 = mul(td3, gt, k15)
-    v_moved1 = sub(mul(td2, rhoa3, k16), mul(td3, rhoa2, k17), k16)
+    v_moved2 = sub(mul(td3, rhoa1, k11), mul(td1, rhoa3, k15), k11)
+    gv_moved2 = mul(v_moved2, gt, k15)
+    gvt2 = mul(td2, gt, k16)
+    gvt3 = mul(td3, gt, k17)
+    v_moved1 = sub(mul(td2, rhoa3, k19), mul(td3, rhoa2, k21), k19)
     rho1 = add(
-        add(rhoa1, add(mul(v_moved1, ft, k17), sub(mul(td2, gv_moved3, k22), mul(td3, gv_moved2, k23), k22), k17), k3),
-        add(add(mul(td4, ft, k17), sub(mul(gvt2, td6, k22), mul(gvt3, td5, k23), k22), k17), mul(td1, alongt, k22),
-        k17), k3
+        add(rhoa1, add(mul(v_moved1, ft, k21), sub(mul(td2, gv_moved3, k22), mul(td3, gv_moved2, k23), k22), k21), k3),
+        add(add(mul(td4, ft, k21), sub(mul(gvt2, td6, k22), mul(gvt3, td5, k23), k22), k21), mul(td1, alongt, k22),
+        k21), k3
     )
-    gv_moved1 = mul(v_moved1, gt, k16)
-    gvt1 = mul(td1, gt, k17)
+    gv_moved1 = mul(v_moved1, gt, k19)
+    gvt1 = mul(td1, gt, k10)
     rho2 = add(
-        add(rhoa2, add(mul(v_moved2, ft, k10), sub(mul(td3, gv_moved1, k19), mul(td1, gv_moved3, k8), k8), k8), k8),
-        add(add(mul(td5, ft, k10), sub(mul(gvt3, td4, k15), mul(gvt1, td6, k19), k15), k10), mul(td2, alongt, k15),
-        k10), k8
+        add(rhoa2, add(mul(v_moved2, ft, k11), sub(mul(td3, gv_moved1, k21), mul(td1, gv_moved3, k8), k8), k8), k8),
+        add(add(mul(td5, ft, k11), sub(mul(gvt3, td4, k17), mul(gvt1, td6, k21), k17), k11), mul(td2, alongt, k17),
+        k11), k8
     )
     rho3 = add(
-        add(rhoa3, add(mul(v_moved3, ft, k6), sub(mul(td1, gv_moved2, k9), mul(td2, gv_moved1, k10), k9), k6), k6),
+        add(rhoa3, add(mul(v_moved3, ft, k6), sub(mul(td1, gv_moved2, k9), mul(td2, gv_moved1, k11), k9), k6), k6),
         add(add(mul(td6, ft, k2), sub(mul(gvt1, td5, k7), mul(gvt2, td4, k9), k7), k2), mul(td3, alongt, k5), k2), k2
     )
     hvr_ = mul(hiw, add(add(mul(v_1, rho1, k5), mul(v_2, rho2, k6), k5), mul(v_3, rho3, k6), k5), k4)
@@ -9093,10 +9270,10 @@ KERNELS: Mapping[str, Kernel] = {
         retract_blocks,
         (("v", (6,)), ("delta", (6,)),),
         (6,),
-        registers=22,
-        masks=2,
-        numbers=(0, 1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
-        lent=(('ray', 0, 0), ('unfolded', 7, 0), ('coefficient', 8, 1), ('inverse_at', 12, 2)),
+        registers=23,
+        masks=3,
+        numbers=(-2, 0, 1, 2, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        lent=(('ray', 0, 0), ('unfolded', 5, 0), ('coefficient_of', 5, 1), ('inverse_at', 10, 2)),
         real=True,
     ),
     "body_retract": Kernel(
@@ -9104,10 +9281,10 @@ KERNELS: Mapping[str, Kernel] = {
         body_retract_blocks,
         (("v", (6,)), ("delta", (6,)),),
         (6,),
-        registers=22,
-        masks=2,
-        numbers=(0, 1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
-        lent=(('ray', 0, 0), ('unfolded', 7, 0), ('coefficient', 8, 1), ('inverse_at', 12, 2)),
+        registers=23,
+        masks=3,
+        numbers=(-2, 0, 1, 2, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        lent=(('ray', 0, 0), ('unfolded', 5, 0), ('coefficient_of', 5, 1), ('inverse_at', 10, 2)),
         real=True,
     ),
     "retract_jacobians": Kernel(
@@ -9117,8 +9294,8 @@ KERNELS: Mapping[str, Kernel] = {
         (72,),
         registers=67,
         masks=3,
-        numbers=(0, 1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
-        lent=(('ray', 0, 0), ('unfolded', 4, 0), ('coefficient', 5, 1), ('tangent_inv_at', 3, 2), ('tangent', 0, 0)),
+        numbers=(-2, 0, 1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        lent=(('ray', 0, 0), ('unfolded', 5, 0), ('coefficient_of', 5, 1), ('tangent_inv_at', 4, 2), ('tangent', 0, 0)),
         real=True,
     ),
     "body_retract_jacobians": Kernel(
@@ -9126,10 +9303,10 @@ KERNELS: Mapping[str, Kernel] = {
         body_retract_jacobians_blocks,
         (("v", (6,)), ("delta", (6,)),),
         (72,),
-        registers=61,
+        registers=69,
         masks=2,
-        numbers=(0, 1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
-        lent=(('ray', 1, 1), ('unfolded', 0, 0), ('coefficient', 29, 1), ('tangent_inv_at', 28, 2), ('tangent', 35, 2)),
+        numbers=(-2, 0, 1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        lent=(('ray', 1, 1), ('unfolded', 0, 0), ('coefficient_of', 6, 1), ('tangent_inv_at', 5, 2), ('tangent', 43, 2)),
         real=True,
     ),
     "local": Kernel(
@@ -9139,7 +9316,7 @@ KERNELS: Mapping[str, Kernel] = {
         (6,),
         registers=22,
         masks=2,
-        numbers=(-1, 0, 1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        numbers=(-1, 0, 1, 2, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
         lent=(('ray', 0, 0), ('ray', 0, 0)),
         real=True,
     ),
@@ -9150,7 +9327,7 @@ KERNELS: Mapping[str, Kernel] = {
         (6,),
         registers=24,
         masks=2,
-        numbers=(-1, 0, 1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        numbers=(-1, 0, 1, 2, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
         lent=(('ray', 0, 0), ('ray', 0, 0)),
         real=True,
     ),
@@ -9159,10 +9336,10 @@ KERNELS: Mapping[str, Kernel] = {
         interpolate_blocks,
         (("v1", (6,)), ("v2", (6,)), ("t", ()),),
         (6,),
-        registers=34,
-        masks=3,
-        numbers=(-2, -1, 0, 1, 2, 3, 4, 6, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
-        lent=(('ray', 0, 0), ('ray', 0, 0), ('unfolded', 3, 0), ('coefficient', 7, 1), ('inverse_at', 14, 3)),
+        registers=37,
+        masks=4,
+        numbers=(-2, -1, 0, 1, 2, 3, 4, 6, 8, 16, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        lent=(('ray', 0, 0), ('ray', 0, 0), ('unfolded', 1, 0), ('coefficient', 7, 1), ('inverse_at', 14, 3)),
         real=True,
     ),
     "adjoint": Kernel(

@@ -82,14 +82,14 @@
 #   between: 261: 87 +, 137 *, 19 /, 7 neg, 8 sqrt, 1 lt, 2 where
 #   compose_jacobians: 1098: 417 +, 579 *, 77 /, 8 neg, 14 sqrt, 1 lt, 2 where
 #   between_jacobians: 1122: 417 +, 579 *, 77 /, 32 neg, 14 sqrt, 1 lt, 2 where
-#   retract: 351: 114 +, 162 *, 39 /, 1 abs, 11 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 13 where
-#   body_retract: 351: 114 +, 162 *, 39 /, 1 abs, 11 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 13 where
-#   retract_jacobians: 1159: 436 +, 586 *, 91 /, 7 neg, 1 abs, 13 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 14 where
-#   body_retract_jacobians: 1159: 436 +, 586 *, 91 /, 7 neg, 1 abs, 13 sqrt, 3 tan, 3 atan2, 3 lt, 2 eq, 14
+#   retract: 397: 123 +, 169 *, 46 /, 4 neg, 3 abs, 11 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
+#   body_retract: 397: 123 +, 169 *, 46 /, 4 neg, 3 abs, 11 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
+#   retract_jacobians: 1205: 445 +, 593 *, 98 /, 11 neg, 3 abs, 13 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 25 where
+#   body_retract_jacobians: 1205: 445 +, 593 *, 98 /, 11 neg, 3 abs, 13 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 25
 #       where
-#   local: 324: 104 +, 160 *, 31 /, 7 neg, 7 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   body_local: 324: 104 +, 160 *, 31 /, 7 neg, 7 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   interpolate: 710: 224 +, 335 *, 66 /, 8 neg, 4 abs, 17 sqrt, 3 tan, 4 atan2, 8 lt, 5 eq, 1 or, 35 where
+#   local: 347: 112 +, 165 *, 38 /, 7 neg, 7 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
+#   body_local: 347: 112 +, 165 *, 38 /, 7 neg, 7 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
+#   interpolate: 756: 240 +, 345 *, 80 /, 8 neg, 4 abs, 17 sqrt, 5 tan, 4 atan2, 8 lt, 5 eq, 1 or, 39 where
 #   adjoint: 109: 41 +, 61 *, 5 /, 2 sqrt
 #   transform_point_jacobians: 238: 99 +, 127 *, 7 /, 3 neg, 2 sqrt
 #   transform_line_jacobians: 337: 132 +, 190 *, 7 /, 6 neg, 2 sqrt
@@ -912,6 +912,60 @@ def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     return o1, o2
 
 
+# operations 40: 4 +, 9 *, 7 /, 3 neg, 2 abs, 1 sqrt, 1 tan, 1 atan2, 4 lt, 8 where
+def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
+    backwards = alpha < 0
+    size = m.abs(alpha)
+    nextto = m.abs(size - 6) < 1
+    falling = cosine < 0
+    ahead = m.where(falling, sine, -sine)
+    rest = m.where(nextto, 2 * m.atan2(m.where(backwards, -ahead, ahead), m.where(falling, -cosine, cosine)), size)
+    sideof = m.where(backwards, -1, 1)
+    t = m.tan(rest / 8)
+    tt = t * t
+    below = 1 + tt
+    srest = 2 * t / below
+    crest = (1 - tt) / below
+    further = m.where(nextto, srest, crest)
+    side = m.where(further < 0, -1, 1)
+    sin = side * (sideof * m.where(nextto, crest, srest))
+    cos = side * further
+    iroot = 1 / m.sqrt(cos)
+    r = sin * iroot
+    slope = (1 + cos * cos) / cos * iroot / 2 / 4
+    return r, slope
+
+
+def _coefficient_of_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any, sine: Any, cosine: Any) -> Result:
+    o1, o2 = out
+    k1, k2, k3, *_ = scratch
+    mask1, mask2, mask3, *_ = masks
+    n_minus_1, n0, n1, n2, n4, n6, n8 = numbers
+    size = absolute(alpha, o1)
+    nextto = m.less(absolute(sub(size, n6, o2), o2), n1, mask1)
+    backwards = m.less(alpha, n0, mask2)
+    falling = m.less(cosine, n0, mask3)
+    ahead = m.where(falling, sine, neg(sine, o2), k1)
+    rest = m.where(
+        nextto, mul(n2, atan2(m.where(backwards, neg(ahead, o2), ahead, o2), m.where(falling, neg(cosine, k1), cosine,
+        k1), o2), o2), size, o2
+    )
+    t = tan(div(rest, n8, o1), o1)
+    sideof = m.where(backwards, n_minus_1, n1, o2)
+    tt = mul(t, t, k1)
+    below = add(n1, tt, k2)
+    crest = div(sub(n1, tt, k1), below, k1)
+    srest = div(mul(n2, t, o1), below, o1)
+    further = m.where(nextto, srest, crest, k2)
+    side = m.where(m.less(further, n0, mask2), n_minus_1, n1, k3)
+    sin = mul(side, mul(sideof, m.where(nextto, crest, srest, k1), o1), o1)
+    cos = mul(side, further, o2)
+    iroot = div(n1, sqrt(cos, k1), k1)
+    mul(sin, iroot, o1)
+    div(div(mul(div(add(n1, mul(cos, cos, k2), k2), cos, o2), iroot, o2), n2, o2), n4, o2)
+    return o1, o2
+
+
 CHART = Chart(
     __name__,
     branches=2,
@@ -949,9 +1003,10 @@ CHART = Chart(
         "turned": Function(_turned, _turned_blocks, 4, 1, (-1, 0, 1, 2, 4)),
         "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 4, 8)),
+        "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 3, 3, (-1, 0, 1, 2, 4, 6, 8)),
     },
     kernels=SHARED,
-    programs="64c44ed2ed88e7ff",
+    programs="7b8cd841cb7d436e",
 )
 
 KERNELS = PoseKernels(CHART)

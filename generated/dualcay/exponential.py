@@ -46,29 +46,29 @@
 #   [exponential] phi at 0: [phi](alpha -> 0) = 0; [phi](alpha -> -alpha) = -phi
 #
 # Operations:
-#   quaternion: 94: 27 +, 39 *, 18 /, 1 neg, 2 sqrt, 1 tan, 1 lt, 5 where
-#   tensor: 147: 52 +, 70 *, 16 /, 2 sqrt, 1 tan, 1 lt, 5 where
-#   pose: 120: 43 +, 52 *, 16 /, 2 sqrt, 1 tan, 1 lt, 5 where
-#   transform_point: 133: 47 +, 61 *, 16 /, 2 sqrt, 1 tan, 1 lt, 5 where
-#   transform_line: 172: 62 +, 85 *, 16 /, 2 sqrt, 1 tan, 1 lt, 5 where
+#   quaternion: 114: 34 +, 45 *, 23 /, 1 neg, 2 sqrt, 2 tan, 1 lt, 6 where
+#   tensor: 158: 58 +, 73 *, 18 /, 2 sqrt, 1 tan, 1 lt, 5 where
+#   pose: 131: 49 +, 55 *, 18 /, 2 sqrt, 1 tan, 1 lt, 5 where
+#   transform_point: 144: 53 +, 64 *, 18 /, 2 sqrt, 1 tan, 1 lt, 5 where
+#   transform_line: 183: 68 +, 88 *, 18 /, 2 sqrt, 1 tan, 1 lt, 5 where
 #   inverse: 6: 6 neg
-#   tangent: 169: 62 +, 77 *, 20 /, 2 sqrt, 1 tan, 1 lt, 6 where
-#   tangent_inv: 173: 61 +, 70 *, 31 /, 1 neg, 2 sqrt, 1 tan, 1 lt, 6 where
-#   body_tangent: 169: 62 +, 77 *, 20 /, 2 sqrt, 1 tan, 1 lt, 6 where
-#   body_tangent_inv: 173: 61 +, 70 *, 31 /, 1 neg, 2 sqrt, 1 tan, 1 lt, 6 where
-#   twist: 203: 73 +, 100 *, 20 /, 2 sqrt, 1 tan, 1 lt, 6 where
-#   rate: 205: 72 +, 100 *, 22 /, 1 neg, 2 sqrt, 1 tan, 1 lt, 6 where
-#   tangent_dot: 299: 112 +, 149 *, 27 /, 2 sqrt, 1 tan, 1 lt, 7 where
-#   twist_dot: 327: 125 +, 166 *, 25 /, 2 sqrt, 1 tan, 1 lt, 7 where
-#   rate_dot: 370: 141 +, 181 *, 35 /, 2 neg, 2 sqrt, 1 tan, 1 lt, 7 where
-#   twist_jacobian: 329: 128 +, 165 *, 25 /, 2 sqrt, 1 tan, 1 lt, 7 where
-#   rate_jacobian: 327: 122 +, 155 *, 37 /, 2 neg, 2 sqrt, 1 tan, 1 lt, 7 where
-#   from_quaternion: 151: 44 +, 67 *, 21 /, 1 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   from_tensor: 207: 64 +, 73 *, 24 /, 3 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 23 where
-#   from_pose: 171: 49 +, 55 *, 21 /, 3 sqrt, 1 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 23 where
+#   tangent: 180: 68 +, 80 *, 22 /, 2 sqrt, 1 tan, 1 lt, 6 where
+#   tangent_inv: 196: 69 +, 75 *, 38 /, 1 neg, 2 sqrt, 2 tan, 1 lt, 8 where
+#   body_tangent: 180: 68 +, 80 *, 22 /, 2 sqrt, 1 tan, 1 lt, 6 where
+#   body_tangent_inv: 196: 69 +, 75 *, 38 /, 1 neg, 2 sqrt, 2 tan, 1 lt, 8 where
+#   twist: 214: 79 +, 103 *, 22 /, 2 sqrt, 1 tan, 1 lt, 6 where
+#   rate: 228: 80 +, 105 *, 29 /, 1 neg, 2 sqrt, 2 tan, 1 lt, 8 where
+#   tangent_dot: 310: 118 +, 152 *, 29 /, 2 sqrt, 1 tan, 1 lt, 7 where
+#   twist_dot: 338: 131 +, 169 *, 27 /, 2 sqrt, 1 tan, 1 lt, 7 where
+#   rate_dot: 393: 149 +, 186 *, 42 /, 2 neg, 2 sqrt, 2 tan, 1 lt, 9 where
+#   twist_jacobian: 340: 134 +, 168 *, 27 /, 2 sqrt, 1 tan, 1 lt, 7 where
+#   rate_jacobian: 350: 130 +, 160 *, 44 /, 2 neg, 2 sqrt, 2 tan, 1 lt, 9 where
+#   from_quaternion: 174: 52 +, 72 *, 28 /, 1 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
+#   from_tensor: 230: 72 +, 78 *, 31 /, 3 sqrt, 2 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 25 where
+#   from_pose: 194: 57 +, 60 *, 28 /, 3 sqrt, 2 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 25 where
 #   from_screw: 13: 3 +, 10 *
 #   to_screw: 141: 34 +, 47 *, 23 /, 1 neg, 8 abs, 3 sqrt, 1 tan, 1 atan2, 5 lt, 3 eq, 1 and, 1 or, 13 where
-#   angle: 113: 31 +, 33 *, 22 /, 6 abs, 4 sqrt, 1 tan, 1 lt, 3 eq, 12 where
+#   angle: 124: 37 +, 36 *, 24 /, 6 abs, 4 sqrt, 1 tan, 1 lt, 3 eq, 12 where
 #   to_exponential: 33: 11 +, 16 *, 2 /, 1 sqrt, 1 eq, 2 where
 #   from_exponential: 32: 9 +, 16 *, 2 /, 1 sqrt, 1 eq, 3 where
 #   turn: 64: 15 +, 24 *, 10 /, 6 abs, 1 sqrt, 2 eq, 6 where
@@ -76,21 +76,21 @@
 #   identity_jacobian: 12: 12 +
 #   shadow_jacobian: 203: 61 +, 81 *, 27 /, 1 neg, 6 abs, 3 sqrt, 1 tan, 5 lt, 3 eq, 1 and, 1 or, 13 where
 #   principal: 111: 31 +, 39 *, 20 /, 4 sqrt, 1 tan, 1 atan2, 3 lt, 12 where
-#   compose: 394: 126 +, 178 *, 53 /, 1 neg, 7 sqrt, 3 tan, 1 atan2, 4 lt, 1 eq, 20 where
-#   between: 400: 126 +, 178 *, 53 /, 7 neg, 7 sqrt, 3 tan, 1 atan2, 4 lt, 1 eq, 20 where
-#   compose_jacobians: 1392: 510 +, 657 *, 151 /, 8 neg, 13 sqrt, 6 tan, 1 atan2, 7 lt, 1 eq, 38 where
-#   between_jacobians: 1416: 510 +, 657 *, 151 /, 32 neg, 13 sqrt, 6 tan, 1 atan2, 7 lt, 1 eq, 38 where
-#   retract: 414: 134 +, 181 *, 56 /, 1 abs, 8 sqrt, 4 tan, 2 atan2, 4 lt, 2 eq, 22 where
-#   body_retract: 414: 134 +, 181 *, 56 /, 1 abs, 8 sqrt, 4 tan, 2 atan2, 4 lt, 2 eq, 22 where
-#   retract_jacobians: 1276: 479 +, 614 *, 121 /, 7 neg, 1 abs, 10 sqrt, 5 tan, 2 atan2, 5 lt, 2 eq, 30 where
-#   body_retract_jacobians: 1276: 479 +, 614 *, 121 /, 7 neg, 1 abs, 10 sqrt, 5 tan, 2 atan2, 5 lt, 2 eq, 30
+#   compose: 463: 150 +, 193 *, 74 /, 1 neg, 7 sqrt, 6 tan, 1 atan2, 4 lt, 1 eq, 26 where
+#   between: 469: 150 +, 193 *, 74 /, 7 neg, 7 sqrt, 6 tan, 1 atan2, 4 lt, 1 eq, 26 where
+#   compose_jacobians: 1506: 554 +, 683 *, 183 /, 8 neg, 13 sqrt, 10 tan, 1 atan2, 7 lt, 1 eq, 46 where
+#   between_jacobians: 1530: 554 +, 683 *, 183 /, 32 neg, 13 sqrt, 10 tan, 1 atan2, 7 lt, 1 eq, 46 where
+#   retract: 475: 156 +, 194 *, 72 /, 1 neg, 1 abs, 8 sqrt, 6 tan, 2 atan2, 5 lt, 2 eq, 28 where
+#   body_retract: 475: 156 +, 194 *, 72 /, 1 neg, 1 abs, 8 sqrt, 6 tan, 2 atan2, 5 lt, 2 eq, 28 where
+#   retract_jacobians: 1348: 507 +, 630 *, 139 /, 8 neg, 1 abs, 10 sqrt, 7 tan, 2 atan2, 6 lt, 2 eq, 36 where
+#   body_retract_jacobians: 1348: 507 +, 630 *, 139 /, 8 neg, 1 abs, 10 sqrt, 7 tan, 2 atan2, 6 lt, 2 eq, 36
 #       where
-#   local: 400: 126 +, 178 *, 53 /, 7 neg, 7 sqrt, 3 tan, 1 atan2, 4 lt, 1 eq, 20 where
-#   body_local: 400: 126 +, 178 *, 53 /, 7 neg, 7 sqrt, 3 tan, 1 atan2, 4 lt, 1 eq, 20 where
-#   interpolate: 811: 255 +, 363 *, 94 /, 8 neg, 4 abs, 14 sqrt, 5 tan, 3 atan2, 10 lt, 5 eq, 1 or, 49 where
-#   adjoint: 147: 52 +, 70 *, 16 /, 2 sqrt, 1 tan, 1 lt, 5 where
-#   transform_point_jacobians: 283: 115 +, 135 *, 20 /, 3 neg, 2 sqrt, 1 tan, 1 lt, 6 where
-#   transform_line_jacobians: 382: 148 +, 198 *, 20 /, 6 neg, 2 sqrt, 1 tan, 1 lt, 6 where
+#   local: 469: 150 +, 193 *, 74 /, 7 neg, 7 sqrt, 6 tan, 1 atan2, 4 lt, 1 eq, 26 where
+#   body_local: 469: 150 +, 193 *, 74 /, 7 neg, 7 sqrt, 6 tan, 1 atan2, 4 lt, 1 eq, 26 where
+#   interpolate: 914: 293 +, 386 *, 124 /, 8 neg, 4 abs, 14 sqrt, 9 tan, 3 atan2, 10 lt, 5 eq, 1 or, 57 where
+#   adjoint: 158: 58 +, 73 *, 18 /, 2 sqrt, 1 tan, 1 lt, 5 where
+#   transform_point_jacobians: 294: 121 +, 138 *, 22 /, 3 neg, 2 sqrt, 1 tan, 1 lt, 6 where
+#   transform_line_jacobians: 393: 154 +, 201 *, 22 /, 6 neg, 2 sqrt, 1 tan, 1 lt, 6 where
 r"""Exponential map: Rodrigues dual vectors ``v = α u`` of rigid displacements.
 
 .. math::
@@ -141,7 +141,7 @@ def __dir__() -> list[str]:
 # --- scalars of x = v·v, of angles and quaternions: plain, and in place -------------------------------------------
 
 
-# operations 70: 20 +, 22 *, 18 /, 1 neg, 2 sqrt, 1 tan, 1 lt, 5 where
+# operations 90: 27 +, 28 *, 23 /, 1 neg, 2 sqrt, 2 tan, 1 lt, 6 where
 def _quaternion(m: Any, x: Any) -> Result:
     near = x < 6
     z = m.where(near, x, x - x) / 4
@@ -164,7 +164,14 @@ def _quaternion(m: Any, x: Any) -> Result:
     sy = -(w / 2)
     C01 = 1 + C0
     C2 = CC1 / C01
-    f = 2 * (s * w)
+    thalf = m.tan(alpha / 2)
+    tthalf = thalf * thalf
+    belowhalf = 1 + tthalf
+    sine = 2 * thalf / belowhalf
+    versine = 2 * tthalf / belowhalf
+    beside = alpha - 4
+    lost = (xx - 16 - 8 * beside - beside * beside) / (2 * alpha)
+    f = m.where(near, C0 * C1, (sine + lost * (1 - versine)) / alpha)
     h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
     ww = w * w
     wy = s * h / 2 - w * ww
@@ -173,9 +180,9 @@ def _quaternion(m: Any, x: Any) -> Result:
 
 def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3, o4 = out
-    k1, k2, k3, k4, k5, *_ = scratch
+    k1, k2, k3, k4, k5, k6, *_ = scratch
     mask1, *_ = masks
-    n1, n2, n4, n6, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    n1, n2, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
     near = m.less(x, n6, mask1)
     z = div(m.where(near, x, sub(x, x, o1), o4), n4, o1)
     C7 = div(
@@ -185,27 +192,34 @@ def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: R
     )
     C5 = div(sub(n1, mul(n120, mul(z, C7, o4), o4), o4), n120, o4)
     C3 = div(sub(n1, mul(n6, mul(z, C5, o4), o4), o4), n6, o4)
-    C1 = sub(n1, mul(z, C3, o3), o3)
-    CC1 = mul(C1, C1, k1)
+    C1 = sub(n1, mul(z, C3, o2), o2)
+    CC1 = mul(C1, C1, o3)
     C0 = sqrt(sub(n1, mul(z, CC1, o1), o1), o1)
-    C01 = add(n1, C0, k2)
-    C2 = div(CC1, C01, k1)
-    xx = m.where(near, add(n6, x, k2), x, k2)
-    alpha = sqrt(xx, k3)
-    t = tan(div(alpha, n4, o2), o2)
-    tt = mul(t, t, k4)
-    below = add(n1, tt, k5)
-    s = m.where(near, C0, div(sub(n1, tt, k4), below, k4), o1)
-    w = m.where(near, div(C1, n2, k4), div(div(mul(n2, t, o2), below, o2), alpha, k3), o2)
-    f = mul(n2, mul(s, w, k3), k3)
+    C01 = add(n1, C0, k1)
+    C2 = div(CC1, C01, o3)
+    xx = m.where(near, add(n6, x, k1), x, k1)
+    alpha = sqrt(xx, k2)
+    beside = sub(alpha, n4, k3)
+    lost = div(sub(sub(sub(xx, n16, k4), mul(n8, beside, k5), k4), mul(beside, beside, k3), k3), mul(n2, alpha, k4), k3)
+    thalf = tan(div(alpha, n2, k4), k4)
+    tthalf = mul(thalf, thalf, k5)
+    belowhalf = add(n1, tthalf, k6)
+    versine = div(mul(n2, tthalf, k5), belowhalf, k5)
+    sine = div(mul(n2, thalf, k4), belowhalf, k4)
+    f = m.where(near, mul(C0, C1, k6), div(add(sine, mul(lost, sub(n1, versine, k5), k3), k3), alpha, k3), k4)
     h = m.where(near, div(add(C3, mul(C1, C2, o3), o4), n4, o4), div(sub(n1, f, o3), xx, o3), o4)
+    t = tan(div(alpha, n4, o3), o3)
+    tt = mul(t, t, k1)
+    below = add(n1, tt, k3)
+    w = m.where(near, div(C1, n2, o2), div(div(mul(n2, t, o3), below, o3), alpha, o3), o2)
+    s = m.where(near, C0, div(sub(n1, tt, o3), below, o3), o1)
     ww = mul(w, w, o3)
     sub(div(mul(s, h, o4), n2, o4), mul(w, ww, o3), o4)
     neg(div(w, n2, o3), o3)
     return o1, o2, o3, o4
 
 
-# operations 65: 19 +, 21 *, 16 /, 2 sqrt, 1 tan, 1 lt, 5 where
+# operations 76: 25 +, 24 *, 18 /, 2 sqrt, 1 tan, 1 lt, 5 where
 def _pose(m: Any, x: Any) -> Result:
     near = x < 6
     z = m.where(near, x, x - x) / 4
@@ -220,14 +234,15 @@ def _pose(m: Any, x: Any) -> Result:
     C0 = m.sqrt(1 - z * CC1)
     xx = m.where(near, 6 + x, x)
     alpha = m.sqrt(xx)
-    t = m.tan(alpha / 4)
-    tt = t * t
-    below = 1 + tt
-    s = m.where(near, C0, (1 - tt) / below)
-    w = m.where(near, C1 / 2, 2 * t / below / alpha)
-    f = 2 * (s * w)
-    ww = w * w
-    g = 2 * ww
+    thalf = m.tan(alpha / 2)
+    tthalf = thalf * thalf
+    belowhalf = 1 + tthalf
+    sine = 2 * thalf / belowhalf
+    versine = 2 * tthalf / belowhalf
+    beside = alpha - 4
+    lost = (xx - 16 - 8 * beside - beside * beside) / (2 * alpha)
+    f = m.where(near, C0 * C1, (sine + lost * (1 - versine)) / alpha)
+    g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
     C01 = 1 + C0
     C2 = CC1 / C01
     h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
@@ -236,38 +251,39 @@ def _pose(m: Any, x: Any) -> Result:
 
 def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3 = out
-    k1, k2, k3, k4, k5, k6, *_ = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8, *_ = scratch
     mask1, *_ = masks
-    n1, n2, n4, n6, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    n1, n2, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
     near = m.less(x, n6, mask1)
-    z = div(m.where(near, x, sub(x, x, o1), o3), n4, o1)
+    z = div(m.where(near, x, sub(x, x, o3), k1), n4, o3)
     C7 = div(
         div(sub(n72, mul(z, div(sub(n3603600, mul(z, sub(n32760, mul(z, sub(n210, mul(z, div(sub(n93024, mul(z,
-        sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, o3), o3), o3), n212520, o3), o3), o3), o3), o3), n93024,
-        o3), o3), o3), o3), o3), o3), o3), n3603600, o3), o3), o3), n72, o3), n5040, o3
+        sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, k1), k1), k1), n212520, k1), k1), k1), k1), k1), n93024,
+        k1), k1), k1), k1), k1), k1), k1), n3603600, k1), k1), k1), n72, k1), n5040, k1
     )
-    C5 = div(sub(n1, mul(n120, mul(z, C7, o3), o3), o3), n120, o3)
-    C3 = div(sub(n1, mul(n6, mul(z, C5, o3), o3), o3), n6, o3)
-    C1 = sub(n1, mul(z, C3, o2), o2)
-    CC1 = mul(C1, C1, k1)
-    C0 = sqrt(sub(n1, mul(z, CC1, o1), o1), o1)
-    C01 = add(n1, C0, k2)
-    C2 = div(CC1, C01, k1)
-    xx = m.where(near, add(n6, x, k2), x, k2)
-    alpha = sqrt(xx, k3)
-    t = tan(div(alpha, n4, k4), k4)
-    tt = mul(t, t, k5)
-    below = add(n1, tt, k6)
-    s = m.where(near, C0, div(sub(n1, tt, k5), below, k5), o1)
-    w = m.where(near, div(C1, n2, k5), div(div(mul(n2, t, k4), below, k4), alpha, k3), k4)
-    f = mul(n2, mul(s, w, o1), o1)
-    m.where(near, div(add(C3, mul(C1, C2, o2), o3), n4, o3), div(sub(n1, f, o2), xx, o2), o3)
-    ww = mul(w, w, o2)
-    mul(n2, ww, o2)
+    C5 = div(sub(n1, mul(n120, mul(z, C7, k1), k1), k1), n120, k1)
+    C3 = div(sub(n1, mul(n6, mul(z, C5, k1), k1), k1), n6, k1)
+    C1 = sub(n1, mul(z, C3, k2), k2)
+    CC1 = mul(C1, C1, k3)
+    C0 = sqrt(sub(n1, mul(z, CC1, o3), o3), o3)
+    xx = m.where(near, add(n6, x, k4), x, k4)
+    alpha = sqrt(xx, o2)
+    beside = sub(alpha, n4, k5)
+    lost = div(sub(sub(sub(xx, n16, k6), mul(n8, beside, k7), k6), mul(beside, beside, k5), k5), mul(n2, alpha, k6), k5)
+    thalf = tan(div(alpha, n2, k6), k6)
+    tthalf = mul(thalf, thalf, k7)
+    belowhalf = add(n1, tthalf, o1)
+    versine = div(mul(n2, tthalf, k7), belowhalf, k7)
+    sine = div(mul(n2, thalf, k6), belowhalf, k6)
+    f = m.where(near, mul(C0, C1, o1), div(add(sine, mul(lost, sub(n1, versine, k8), k8), k8), alpha, o2), o1)
+    m.where(near, div(CC1, n2, o2), div(add(versine, mul(lost, sine, k5), k5), xx, k5), o2)
+    C01 = add(n1, C0, o3)
+    C2 = div(CC1, C01, o3)
+    m.where(near, div(add(C3, mul(C1, C2, o3), o3), n4, o3), div(sub(n1, f, k1), xx, k1), o3)
     return o1, o2, o3
 
 
-# operations 90: 28 +, 32 *, 20 /, 2 sqrt, 1 tan, 1 lt, 6 where
+# operations 101: 34 +, 35 *, 22 /, 2 sqrt, 1 tan, 1 lt, 6 where
 def _tangent(m: Any, x: Any) -> Result:
     near = x < 6
     z = m.where(near, x, x - x) / 4
@@ -282,14 +298,15 @@ def _tangent(m: Any, x: Any) -> Result:
     C0 = m.sqrt(1 - z * CC1)
     xx = m.where(near, 6 + x, x)
     alpha = m.sqrt(xx)
-    t = m.tan(alpha / 4)
-    tt = t * t
-    below = 1 + tt
-    s = m.where(near, C0, (1 - tt) / below)
-    w = m.where(near, C1 / 2, 2 * t / below / alpha)
-    f = 2 * (s * w)
-    ww = w * w
-    g = 2 * ww
+    thalf = m.tan(alpha / 2)
+    tthalf = thalf * thalf
+    belowhalf = 1 + tthalf
+    sine = 2 * thalf / belowhalf
+    versine = 2 * tthalf / belowhalf
+    beside = alpha - 4
+    lost = (xx - 16 - 8 * beside - beside * beside) / (2 * alpha)
+    f = m.where(near, C0 * C1, (sine + lost * (1 - versine)) / alpha)
+    g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
     C01 = 1 + C0
     C2 = CC1 / C01
     h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
@@ -305,7 +322,7 @@ def _tangent(m: Any, x: Any) -> Result:
 
 def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, *_ = scratch
+    k1, k2, k3, k4, k5, k6, *_ = scratch
     mask1, *_ = masks
     n1, n2, n3, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
     near = m.less(x, n6, mask1)
@@ -317,33 +334,34 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     )
     C5 = div(sub(n1, mul(n120, mul(z, C7, o5), o5), o5), n120, o5)
     C3 = div(sub(n1, mul(n6, mul(z, C5, o4), o4), o4), n6, o4)
-    C1 = sub(n1, mul(z, C3, o2), o2)
-    CC1 = mul(C1, C1, o3)
+    C1 = sub(n1, mul(z, C3, k1), k1)
+    CC1 = mul(C1, C1, o2)
     C0 = sqrt(sub(n1, mul(z, CC1, o1), o1), o1)
-    C01 = add(n1, C0, k1)
-    C2 = div(CC1, C01, o3)
-    CC3 = mul(C3, C3, k2)
-    C4 = div(sub(sub(mul(n4, C3, k3), C2, k3), mul(n2, mul(z, CC3, o6), o6), o6), mul(n2, C01, k1), o6)
+    C01 = add(n1, C0, o3)
+    C2 = div(CC1, C01, k2)
+    CC3 = mul(C3, C3, k3)
+    C4 = div(sub(sub(mul(n4, C3, k4), C2, k4), mul(n2, mul(z, CC3, o6), o6), o6), mul(n2, C01, o3), o6)
     c5 = div(add(add(C5, C4, o6), mul(C2, C3, o5), o6), n16, o6)
     xx = m.where(near, add(n6, x, o5), x, o5)
-    alpha = sqrt(xx, k1)
-    t = tan(div(alpha, n4, k2), k2)
-    tt = mul(t, t, k3)
-    below = add(n1, tt, k4)
-    s = m.where(near, C0, div(sub(n1, tt, k3), below, k3), o1)
-    w = m.where(near, div(C1, n2, k3), div(div(mul(n2, t, k2), below, k2), alpha, k1), k2)
-    f = mul(n2, mul(s, w, o1), o1)
-    h = m.where(near, div(add(C3, mul(C1, C2, o3), o3), n4, o3), div(sub(n1, f, k1), xx, k1), o3)
-    c4 = div(mul(C3, add(n1, C1, o2), o4), n8, o4)
-    ww = mul(w, w, o2)
-    g = mul(n2, ww, o2)
+    alpha = sqrt(xx, o3)
+    beside = sub(alpha, n4, k3)
+    lost = div(sub(sub(sub(xx, n16, k4), mul(n8, beside, k5), k4), mul(beside, beside, k3), k3), mul(n2, alpha, k4), k3)
+    thalf = tan(div(alpha, n2, k4), k4)
+    tthalf = mul(thalf, thalf, k5)
+    belowhalf = add(n1, tthalf, k6)
+    versine = div(mul(n2, tthalf, k5), belowhalf, k5)
+    sine = div(mul(n2, thalf, k4), belowhalf, k4)
+    f = m.where(near, mul(C0, C1, o1), div(add(sine, mul(lost, sub(n1, versine, k6), k6), k6), alpha, o3), o1)
+    g = m.where(near, div(CC1, n2, o2), div(add(versine, mul(lost, sine, o3), o3), xx, o3), o2)
+    h = m.where(near, div(add(C3, mul(C1, C2, o3), o3), n4, o3), div(sub(n1, f, k2), xx, k2), o3)
+    c4 = div(mul(C3, add(n1, C1, k1), o4), n8, o4)
     m.where(near, sub(mul(n3, c5, o6), c4, o6), div(sub(g, mul(n3, h, o4), o4), xx, o5), o6)
     sub(mul(f, h, o5), mul(g, g, o4), o5)
     sub(h, g, o4)
     return o1, o2, o3, o4, o5, o6
 
 
-# operations 122: 41 +, 45 *, 25 /, 2 sqrt, 1 tan, 1 lt, 7 where
+# operations 133: 47 +, 48 *, 27 /, 2 sqrt, 1 tan, 1 lt, 7 where
 def _tangent_dot(m: Any, x: Any) -> Result:
     near = x < 6
     z = m.where(near, x, x - x) / 4
@@ -358,14 +376,15 @@ def _tangent_dot(m: Any, x: Any) -> Result:
     C0 = m.sqrt(1 - z * CC1)
     xx = m.where(near, 6 + x, x)
     alpha = m.sqrt(xx)
-    t = m.tan(alpha / 4)
-    tt = t * t
-    below = 1 + tt
-    s = m.where(near, C0, (1 - tt) / below)
-    w = m.where(near, C1 / 2, 2 * t / below / alpha)
-    f = 2 * (s * w)
-    ww = w * w
-    g = 2 * ww
+    thalf = m.tan(alpha / 2)
+    tthalf = thalf * thalf
+    belowhalf = 1 + tthalf
+    sine = 2 * thalf / belowhalf
+    versine = 2 * tthalf / belowhalf
+    beside = alpha - 4
+    lost = (xx - 16 - 8 * beside - beside * beside) / (2 * alpha)
+    f = m.where(near, C0 * C1, (sine + lost * (1 - versine)) / alpha)
+    g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
     C01 = 1 + C0
     C2 = CC1 / C01
     h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
@@ -386,7 +405,7 @@ def _tangent_dot(m: Any, x: Any) -> Result:
 
 def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
-    k1, k2, k3, k4, k5, *_ = scratch
+    k1, k2, k3, k4, k5, k6, k7, *_ = scratch
     mask1, *_ = masks
     (
         n1, n2, n3, n4, n5, n6, n7, n8, n15, n16, n32, n64, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520,
@@ -402,26 +421,27 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     C5 = div(sub(n1, mul(n120, mul(z, C7, o8), o8), o8), n120, o8)
     C3 = div(sub(n1, mul(n6, mul(z, C5, o7), o7), o7), n6, o7)
     C1 = sub(n1, mul(z, C3, o6), o6)
-    CC1 = mul(C1, C1, k1)
+    CC1 = mul(C1, C1, o2)
     C0 = sqrt(sub(n1, mul(z, CC1, o1), o1), o1)
-    C01 = add(n1, C0, k2)
-    C2 = div(CC1, C01, k1)
+    C01 = add(n1, C0, k1)
+    C2 = div(CC1, C01, k2)
     CC3 = mul(C3, C3, k3)
-    C4 = div(sub(sub(mul(n4, C3, k4), C2, k4), mul(n2, mul(z, CC3, o9), o9), o9), mul(n2, C01, k2), o9)
-    C6 = div(sub(sub(add(mul(n4, C5, k2), mul(n2, CC3, k4), k2), C4, k2), mul(n2, mul(C2, C4, k4), k4), k2), n4, k2)
+    C4 = div(sub(sub(mul(n4, C3, k4), C2, k4), mul(n2, mul(z, CC3, o9), o9), o9), mul(n2, C01, k1), o9)
+    C6 = div(sub(sub(add(mul(n4, C5, k1), mul(n2, CC3, k4), k1), C4, k1), mul(n2, mul(C2, C4, k4), k4), k1), n4, k1)
     c6 = div(add(mul(n2, C5, k4), CC3, k3), n32, k3)
     xx = m.where(near, add(n6, x, k4), x, k4)
-    alpha = sqrt(xx, o2)
-    t = tan(div(alpha, n4, o3), o3)
-    tt = mul(t, t, o5)
-    below = add(n1, tt, k5)
-    s = m.where(near, C0, div(sub(n1, tt, o5), below, o5), o1)
-    w = m.where(near, div(C1, n2, o5), div(div(mul(n2, t, o3), below, o3), alpha, o2), o3)
-    f = mul(n2, mul(s, w, o1), o1)
-    ww = mul(w, w, o2)
-    g = mul(n2, ww, o2)
+    alpha = sqrt(xx, o3)
+    beside = sub(alpha, n4, o5)
+    lost = div(sub(sub(sub(xx, n16, k5), mul(n8, beside, k6), k5), mul(beside, beside, o5), o5), mul(n2, alpha, k5), o5)
+    thalf = tan(div(alpha, n2, k5), k5)
+    tthalf = mul(thalf, thalf, k6)
+    belowhalf = add(n1, tthalf, k7)
+    versine = div(mul(n2, tthalf, k6), belowhalf, k6)
+    sine = div(mul(n2, thalf, k5), belowhalf, k5)
+    f = m.where(near, mul(C0, C1, o1), div(add(sine, mul(lost, sub(n1, versine, k7), k7), k7), alpha, o3), o1)
+    g = m.where(near, div(CC1, n2, o2), div(add(versine, mul(lost, sine, o3), o3), xx, o3), o2)
     h = m.where(near, div(add(C3, mul(C1, C2, o3), o3), n4, o3), div(sub(n1, f, o5), xx, o5), o3)
-    c5 = div(add(add(C5, C4, o5), mul(C2, C3, k1), k1), n16, k1)
+    c5 = div(add(add(C5, C4, o5), mul(C2, C3, k2), k2), n16, k2)
     c4 = div(mul(C3, add(n1, C1, o6), o6), n8, o6)
     hy = m.where(near, sub(mul(n3, c5, o5), c4, o6), div(sub(g, mul(n3, h, o5), o5), xx, o5), o6)
     gy = sub(mul(f, h, o5), mul(g, g, k5), o5)
@@ -448,7 +468,7 @@ def _rate_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x
     return o1, n0
 
 
-# operations 68: 20 +, 22 *, 17 /, 2 sqrt, 1 tan, 1 lt, 5 where
+# operations 91: 28 +, 27 *, 24 /, 2 sqrt, 2 tan, 1 lt, 7 where
 def _inverse(m: Any, x: Any, fe: Any) -> Result:
     near = x < 6
     z = m.where(near, x, x - x) / 4
@@ -459,21 +479,27 @@ def _inverse(m: Any, x: Any, fe: Any) -> Result:
     C5 = (1 - 120 * (z * C7)) / 120
     C3 = (1 - 6 * (z * C5)) / 6
     C1 = 1 - z * C3
+    CC1 = C1 * C1
     xx = m.where(near, 6 + x, x)
     alpha = m.sqrt(xx)
+    thalf = m.tan(alpha / 2)
+    tthalf = thalf * thalf
+    belowhalf = 1 + tthalf
+    sine = 2 * thalf / belowhalf
+    versine = 2 * tthalf / belowhalf
+    beside = alpha - 4
+    lost = (xx - 16 - 8 * beside - beside * beside) / (2 * alpha)
+    g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
+    C0 = m.sqrt(1 - z * CC1)
     t = m.tan(alpha / 4)
     tt = t * t
     below = 1 + tt
-    w = m.where(near, C1 / 2, 2 * t / below / alpha)
-    ww = w * w
-    g = 2 * ww
-    CC1 = C1 * C1
-    C0 = m.sqrt(1 - z * CC1)
     s = m.where(near, C0, (1 - tt) / below)
+    w = m.where(near, C1 / 2, 2 * t / below / alpha)
     fi = s / w
     C01 = 1 + C0
     C2 = CC1 / C01
-    f = 2 * (s * w)
+    f = m.where(near, C0 * C1, (sine + lost * (1 - versine)) / alpha)
     h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
     hi = g - fi * h
     return fe, hi
@@ -481,9 +507,9 @@ def _inverse(m: Any, x: Any, fe: Any) -> Result:
 
 def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
     o1, o2 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, *_ = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, *_ = scratch
     mask1, *_ = masks
-    n1, n2, n4, n6, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    n1, n2, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
     near = m.less(x, n6, mask1)
     z = div(m.where(near, x, sub(x, x, o2), k1), n4, o2)
     C7 = div(
@@ -497,25 +523,31 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     CC1 = mul(C1, C1, k3)
     C0 = sqrt(sub(n1, mul(z, CC1, o2), o2), o2)
     C01 = add(n1, C0, k4)
-    C2 = div(CC1, C01, k3)
-    xx = m.where(near, add(n6, x, k4), x, k4)
-    alpha = sqrt(xx, k5)
-    t = tan(div(alpha, n4, k6), k6)
-    tt = mul(t, t, k7)
-    below = add(n1, tt, k8)
-    s = m.where(near, C0, div(sub(n1, tt, k7), below, k7), o2)
-    w = m.where(near, div(C1, n2, k7), div(div(mul(n2, t, k6), below, k6), alpha, k5), k6)
-    f = mul(n2, mul(s, w, k5), k5)
-    h = m.where(near, div(add(C3, mul(C1, C2, k2), k1), n4, k1), div(sub(n1, f, k2), xx, k2), k1)
+    C2 = div(CC1, C01, k4)
+    xx = m.where(near, add(n6, x, k5), x, k5)
+    alpha = sqrt(xx, k6)
+    beside = sub(alpha, n4, k7)
+    lost = div(sub(sub(sub(xx, n16, k8), mul(n8, beside, k9), k8), mul(beside, beside, k7), k7), mul(n2, alpha, k8), k7)
+    thalf = tan(div(alpha, n2, k8), k8)
+    tthalf = mul(thalf, thalf, k9)
+    belowhalf = add(n1, tthalf, k10)
+    versine = div(mul(n2, tthalf, k9), belowhalf, k9)
+    sine = div(mul(n2, thalf, k8), belowhalf, k8)
+    g = m.where(near, div(CC1, n2, k3), div(add(versine, mul(lost, sine, k10), k10), xx, k10), k3)
+    f = m.where(near, mul(C0, C1, k10), div(add(sine, mul(lost, sub(n1, versine, k9), k7), k7), alpha, k7), k8)
+    h = m.where(near, div(add(C3, mul(C1, C2, k4), k1), n4, k1), div(sub(n1, f, k4), xx, k4), k1)
+    t = tan(div(alpha, n4, k4), k4)
+    tt = mul(t, t, k5)
+    below = add(n1, tt, k7)
+    w = m.where(near, div(C1, n2, k2), div(div(mul(n2, t, k4), below, k4), alpha, k4), k2)
+    s = m.where(near, C0, div(sub(n1, tt, k4), below, k4), o2)
     fi = div(s, w, o2)
-    ww = mul(w, w, k2)
-    g = mul(n2, ww, k2)
     sub(g, mul(fi, h, o2), o2)
     copy(fe, o1)
     return o1, o2
 
 
-# operations 67: 20 +, 22 *, 16 /, 2 sqrt, 1 tan, 1 lt, 5 where
+# operations 78: 26 +, 25 *, 18 /, 2 sqrt, 1 tan, 1 lt, 5 where
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     near = x < 6
     z = m.where(near, x, x - x) / 4
@@ -526,20 +558,21 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     C5 = (1 - 120 * (z * C7)) / 120
     C3 = (1 - 6 * (z * C5)) / 6
     C1 = 1 - z * C3
+    CC1 = C1 * C1
     xx = m.where(near, 6 + x, x)
     alpha = m.sqrt(xx)
-    t = m.tan(alpha / 4)
-    tt = t * t
-    below = 1 + tt
-    w = m.where(near, C1 / 2, 2 * t / below / alpha)
-    ww = w * w
-    g = 2 * ww
-    CC1 = C1 * C1
+    thalf = m.tan(alpha / 2)
+    tthalf = thalf * thalf
+    belowhalf = 1 + tthalf
+    sine = 2 * thalf / belowhalf
+    versine = 2 * tthalf / belowhalf
+    beside = alpha - 4
+    lost = (xx - 16 - 8 * beside - beside * beside) / (2 * alpha)
+    g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
     C0 = m.sqrt(1 - z * CC1)
     C01 = 1 + C0
     C2 = CC1 / C01
-    s = m.where(near, C0, (1 - tt) / below)
-    f = 2 * (s * w)
+    f = m.where(near, C0 * C1, (sine + lost * (1 - versine)) / alpha)
     h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
     hi = g - fe * h
     return hi,
@@ -547,9 +580,9 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 
 def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
     o1, = out
-    k1, k2, k3, k4, k5, k6, k7, k8, *_ = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, *_ = scratch
     mask1, *_ = masks
-    n1, n2, n4, n6, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    n1, n2, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
     near = m.less(x, n6, mask1)
     z = div(m.where(near, x, sub(x, x, o1), k1), n4, o1)
     C7 = div(
@@ -563,23 +596,24 @@ def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: R
     CC1 = mul(C1, C1, k3)
     C0 = sqrt(sub(n1, mul(z, CC1, o1), o1), o1)
     C01 = add(n1, C0, k4)
-    C2 = div(CC1, C01, k3)
-    xx = m.where(near, add(n6, x, k4), x, k4)
-    alpha = sqrt(xx, k5)
-    t = tan(div(alpha, n4, k6), k6)
-    tt = mul(t, t, k7)
-    below = add(n1, tt, k8)
-    s = m.where(near, C0, div(sub(n1, tt, k7), below, k7), o1)
-    w = m.where(near, div(C1, n2, k7), div(div(mul(n2, t, k6), below, k6), alpha, k5), k6)
-    f = mul(n2, mul(s, w, o1), o1)
+    C2 = div(CC1, C01, k4)
+    xx = m.where(near, add(n6, x, k5), x, k5)
+    alpha = sqrt(xx, k6)
+    beside = sub(alpha, n4, k7)
+    lost = div(sub(sub(sub(xx, n16, k8), mul(n8, beside, k9), k8), mul(beside, beside, k7), k7), mul(n2, alpha, k8), k7)
+    thalf = tan(div(alpha, n2, k8), k8)
+    tthalf = mul(thalf, thalf, k9)
+    belowhalf = add(n1, tthalf, k10)
+    versine = div(mul(n2, tthalf, k9), belowhalf, k9)
+    sine = div(mul(n2, thalf, k8), belowhalf, k8)
+    f = m.where(near, mul(C0, C1, o1), div(add(sine, mul(lost, sub(n1, versine, k10), k10), k10), alpha, k6), o1)
     h = m.where(near, div(add(C3, mul(C1, C2, k2), k1), n4, k1), div(sub(n1, f, o1), xx, o1), k1)
-    ww = mul(w, w, o1)
-    g = mul(n2, ww, o1)
+    g = m.where(near, div(CC1, n2, o1), div(add(versine, mul(lost, sine, k2), k2), xx, k2), o1)
     sub(g, mul(fe, h, k1), o1)
     return o1,
 
 
-# operations 97: 30 +, 35 *, 21 /, 1 neg, 2 sqrt, 1 tan, 1 lt, 6 where
+# operations 108: 36 +, 38 *, 23 /, 1 neg, 2 sqrt, 1 tan, 1 lt, 6 where
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     near = x < 6
     z = m.where(near, x, x - x) / 4
@@ -590,20 +624,21 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     C5 = (1 - 120 * (z * C7)) / 120
     C3 = (1 - 6 * (z * C5)) / 6
     C1 = 1 - z * C3
+    CC1 = C1 * C1
     xx = m.where(near, 6 + x, x)
     alpha = m.sqrt(xx)
-    t = m.tan(alpha / 4)
-    tt = t * t
-    below = 1 + tt
-    w = m.where(near, C1 / 2, 2 * t / below / alpha)
-    ww = w * w
-    g = 2 * ww
-    CC1 = C1 * C1
+    thalf = m.tan(alpha / 2)
+    tthalf = thalf * thalf
+    belowhalf = 1 + tthalf
+    sine = 2 * thalf / belowhalf
+    versine = 2 * tthalf / belowhalf
+    beside = alpha - 4
+    lost = (xx - 16 - 8 * beside - beside * beside) / (2 * alpha)
+    g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
     C0 = m.sqrt(1 - z * CC1)
     C01 = 1 + C0
     C2 = CC1 / C01
-    s = m.where(near, C0, (1 - tt) / below)
-    f = 2 * (s * w)
+    f = m.where(near, C0 * C1, (sine + lost * (1 - versine)) / alpha)
     h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
     hi = g - fe * h
     fiy = -(h / g)
@@ -619,48 +654,51 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 
 def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
     o1, o2, o3, o4 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, *_ = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, *_ = scratch
     mask1, *_ = masks
     n1, n2, n3, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
     near = m.less(x, n6, mask1)
-    z = div(m.where(near, x, sub(x, x, o4), o3), n4, o4)
+    z = div(m.where(near, x, sub(x, x, o4), k1), n4, o4)
     C7 = div(
         div(sub(n72, mul(z, div(sub(n3603600, mul(z, sub(n32760, mul(z, sub(n210, mul(z, div(sub(n93024, mul(z,
-        sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, o3), o3), o3), n212520, o3), o3), o3), o3), o3), n93024,
-        o3), o3), o3), o3), o3), o3), o3), n3603600, o3), o3), o3), n72, o3), n5040, o3
+        sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, k1), k1), k1), n212520, k1), k1), k1), k1), k1), n93024,
+        k1), k1), k1), k1), k1), k1), k1), n3603600, k1), k1), k1), n72, k1), n5040, k1
     )
-    C5 = div(sub(n1, mul(n120, mul(z, C7, o3), o3), o3), n120, o3)
-    C3 = div(sub(n1, mul(n6, mul(z, C5, o2), o2), o2), n6, o2)
-    C1 = sub(n1, mul(z, C3, k1), k1)
-    CC1 = mul(C1, C1, k2)
-    C0 = sqrt(sub(n1, mul(z, CC1, k3), k3), k3)
-    C01 = add(n1, C0, k4)
-    C2 = div(CC1, C01, k2)
-    xx = m.where(near, add(n6, x, k5), x, k5)
-    alpha = sqrt(xx, k6)
-    t = tan(div(alpha, n4, k7), k7)
-    tt = mul(t, t, k8)
-    below = add(n1, tt, k9)
-    s = m.where(near, C0, div(sub(n1, tt, k8), below, k8), k3)
-    w = m.where(near, div(C1, n2, k8), div(div(mul(n2, t, k7), below, k7), alpha, k6), k7)
-    f = mul(n2, mul(s, w, k3), k3)
-    ww = mul(w, w, k6)
-    g = mul(n2, ww, k6)
-    h = m.where(near, div(add(C3, mul(C1, C2, k7), k7), n4, k7), div(sub(n1, f, k8), xx, k8), k7)
-    gy = sub(mul(f, h, k3), mul(g, g, k8), k3)
-    c4 = div(mul(C3, add(n1, C1, k1), k1), n8, k1)
-    CC3 = mul(C3, C3, k8)
-    C4 = div(sub(sub(mul(n4, C3, k9), C2, k9), mul(n2, mul(z, CC3, o4), o4), o4), mul(n2, C01, k4), o4)
-    c5 = div(add(add(C5, C4, o4), mul(C2, C3, o3), o4), n16, o4)
-    hy = m.where(near, sub(mul(n3, c5, o4), c4, o4), div(sub(g, mul(n3, h, o3), o3), xx, o3), o4)
-    fiy = neg(div(h, g, o3), o3)
-    sub(sub(gy, mul(fiy, h, o2), o2), mul(fe, hy, o4), o4)
+    C5 = div(sub(n1, mul(n120, mul(z, C7, k1), k1), k1), n120, k1)
+    C3 = div(sub(n1, mul(n6, mul(z, C5, k2), k2), k2), n6, k2)
+    C1 = sub(n1, mul(z, C3, k3), k3)
+    CC1 = mul(C1, C1, k4)
+    C0 = sqrt(sub(n1, mul(z, CC1, k5), k5), k5)
+    C01 = add(n1, C0, k6)
+    C2 = div(CC1, C01, k7)
+    xx = m.where(near, add(n6, x, k8), x, k8)
+    alpha = sqrt(xx, k9)
+    beside = sub(alpha, n4, o2)
+    lost = div(
+        sub(sub(sub(xx, n16, o3), mul(n8, beside, k10), o3), mul(beside, beside, o2), o2), mul(n2, alpha, o3), o2
+    )
+    thalf = tan(div(alpha, n2, o3), o3)
+    tthalf = mul(thalf, thalf, k10)
+    belowhalf = add(n1, tthalf, k11)
+    versine = div(mul(n2, tthalf, k10), belowhalf, k10)
+    sine = div(mul(n2, thalf, o3), belowhalf, o3)
+    f = m.where(near, mul(C0, C1, k5), div(add(sine, mul(lost, sub(n1, versine, k11), k11), k11), alpha, k9), k5)
+    g = m.where(near, div(CC1, n2, k4), div(add(versine, mul(lost, sine, k9), k9), xx, k9), k4)
+    h = m.where(near, div(add(C3, mul(C1, C2, k9), k9), n4, k9), div(sub(n1, f, o2), xx, o2), k9)
+    gy = sub(mul(f, h, k5), mul(g, g, o2), k5)
+    c4 = div(mul(C3, add(n1, C1, k3), k3), n8, k3)
     sub(g, mul(fe, h, o2), o2)
+    fiy = neg(div(h, g, o3), o3)
+    CC3 = mul(C3, C3, k10)
+    C4 = div(sub(sub(mul(n4, C3, k11), C2, k11), mul(n2, mul(z, CC3, o4), o4), o4), mul(n2, C01, k6), o4)
+    c5 = div(add(add(C5, C4, o4), mul(C2, C3, k1), o4), n16, o4)
+    hy = m.where(near, sub(mul(n3, c5, o4), c4, o4), div(sub(g, mul(n3, h, k1), k1), xx, k1), o4)
+    sub(sub(gy, mul(fiy, h, k1), k1), mul(fe, hy, o4), o4)
     copy(fe, o1)
     return o1, o2, o3, o4
 
 
-# operations 98: 30 +, 35 *, 22 /, 1 neg, 2 sqrt, 1 tan, 1 lt, 6 where
+# operations 121: 38 +, 40 *, 29 /, 1 neg, 2 sqrt, 2 tan, 1 lt, 8 where
 def _tangent_inv(m: Any, x: Any) -> Result:
     near = x < 6
     z = m.where(near, x, x - x) / 4
@@ -681,11 +719,17 @@ def _tangent_inv(m: Any, x: Any) -> Result:
     s = m.where(near, C0, (1 - tt) / below)
     w = m.where(near, C1 / 2, 2 * t / below / alpha)
     fi = s / w
-    ww = w * w
-    g = 2 * ww
+    thalf = m.tan(alpha / 2)
+    tthalf = thalf * thalf
+    belowhalf = 1 + tthalf
+    sine = 2 * thalf / belowhalf
+    versine = 2 * tthalf / belowhalf
+    beside = alpha - 4
+    lost = (xx - 16 - 8 * beside - beside * beside) / (2 * alpha)
+    g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
     C01 = 1 + C0
     C2 = CC1 / C01
-    f = 2 * (s * w)
+    f = m.where(near, C0 * C1, (sine + lost * (1 - versine)) / alpha)
     h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
     hi = g - fi * h
     fiy = -(h / g)
@@ -701,7 +745,7 @@ def _tangent_inv(m: Any, x: Any) -> Result:
 
 def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3, o4 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, *_ = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, *_ = scratch
     mask1, *_ = masks
     n1, n2, n3, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
     near = m.less(x, n6, mask1)
@@ -712,37 +756,43 @@ def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
         o3), o3), o3), o3), o3), o3), o3), n3603600, o3), o3), o3), n72, o3), n5040, o3
     )
     C5 = div(sub(n1, mul(n120, mul(z, C7, o3), o3), o3), n120, o3)
-    C3 = div(sub(n1, mul(n6, mul(z, C5, o2), o2), o2), n6, o2)
-    C1 = sub(n1, mul(z, C3, k1), k1)
-    CC1 = mul(C1, C1, k2)
-    C0 = sqrt(sub(n1, mul(z, CC1, o1), o1), o1)
+    C3 = div(sub(n1, mul(n6, mul(z, C5, o1), o1), o1), n6, o1)
+    C1 = sub(n1, mul(z, C3, o2), o2)
+    CC1 = mul(C1, C1, k1)
+    C0 = sqrt(sub(n1, mul(z, CC1, k2), k2), k2)
     C01 = add(n1, C0, k3)
-    C2 = div(CC1, C01, k2)
-    xx = m.where(near, add(n6, x, k4), x, k4)
-    alpha = sqrt(xx, k5)
-    t = tan(div(alpha, n4, k6), k6)
-    tt = mul(t, t, k7)
-    below = add(n1, tt, k8)
-    s = m.where(near, C0, div(sub(n1, tt, k7), below, k7), o1)
-    w = m.where(near, div(C1, n2, k7), div(div(mul(n2, t, k6), below, k6), alpha, k5), k6)
-    f = mul(n2, mul(s, w, k5), k5)
-    fi = div(s, w, o1)
-    ww = mul(w, w, k6)
-    g = mul(n2, ww, k6)
-    h = m.where(near, div(add(C3, mul(C1, C2, k7), k7), n4, k7), div(sub(n1, f, k8), xx, k8), k7)
-    gy = sub(mul(f, h, k5), mul(g, g, k8), k5)
-    c4 = div(mul(C3, add(n1, C1, k1), k1), n8, k1)
-    CC3 = mul(C3, C3, k8)
-    C4 = div(sub(sub(mul(n4, C3, k9), C2, k9), mul(n2, mul(z, CC3, o4), o4), o4), mul(n2, C01, k3), o4)
+    C2 = div(CC1, C01, k4)
+    xx = m.where(near, add(n6, x, k5), x, k5)
+    alpha = sqrt(xx, k6)
+    beside = sub(alpha, n4, k7)
+    lost = div(sub(sub(sub(xx, n16, k8), mul(n8, beside, k9), k8), mul(beside, beside, k7), k7), mul(n2, alpha, k8), k7)
+    thalf = tan(div(alpha, n2, k8), k8)
+    tthalf = mul(thalf, thalf, k9)
+    belowhalf = add(n1, tthalf, k10)
+    versine = div(mul(n2, tthalf, k9), belowhalf, k9)
+    sine = div(mul(n2, thalf, k8), belowhalf, k8)
+    g = m.where(near, div(CC1, n2, k1), div(add(versine, mul(lost, sine, k10), k10), xx, k10), k1)
+    f = m.where(near, mul(C0, C1, k10), div(add(sine, mul(lost, sub(n1, versine, k9), k7), k7), alpha, k7), k8)
+    h = m.where(near, div(add(C3, mul(C1, C2, k7), k7), n4, k7), div(sub(n1, f, k9), xx, k9), k7)
+    gy = sub(mul(f, h, k8), mul(g, g, k9), k8)
+    CC3 = mul(C3, C3, k9)
+    C4 = div(sub(sub(mul(n4, C3, k10), C2, k10), mul(n2, mul(z, CC3, o4), o4), o4), mul(n2, C01, k3), o4)
     c5 = div(add(add(C5, C4, o4), mul(C2, C3, o3), o4), n16, o4)
+    c4 = div(mul(C3, add(n1, C1, o3), o3), n8, o3)
     hy = m.where(near, sub(mul(n3, c5, o4), c4, o4), div(sub(g, mul(n3, h, o3), o3), xx, o3), o4)
     fiy = neg(div(h, g, o3), o3)
+    t = tan(div(alpha, n4, o1), o1)
+    tt = mul(t, t, k3)
+    below = add(n1, tt, k4)
+    w = m.where(near, div(C1, n2, o2), div(div(mul(n2, t, o1), below, o1), alpha, o1), o2)
+    s = m.where(near, C0, div(sub(n1, tt, o1), below, o1), k2)
+    fi = div(s, w, o1)
     sub(sub(gy, mul(fiy, h, o2), o2), mul(fi, hy, o4), o4)
     sub(g, mul(fi, h, o2), o2)
     return o1, o2, o3, o4
 
 
-# operations 141: 47 +, 53 *, 28 /, 2 neg, 2 sqrt, 1 tan, 1 lt, 7 where
+# operations 164: 55 +, 58 *, 35 /, 2 neg, 2 sqrt, 2 tan, 1 lt, 9 where
 def _tangent_inv_dot(m: Any, x: Any) -> Result:
     near = x < 6
     z = m.where(near, x, x - x) / 4
@@ -763,11 +813,17 @@ def _tangent_inv_dot(m: Any, x: Any) -> Result:
     s = m.where(near, C0, (1 - tt) / below)
     w = m.where(near, C1 / 2, 2 * t / below / alpha)
     fi = s / w
-    ww = w * w
-    g = 2 * ww
+    thalf = m.tan(alpha / 2)
+    tthalf = thalf * thalf
+    belowhalf = 1 + tthalf
+    sine = 2 * thalf / belowhalf
+    versine = 2 * tthalf / belowhalf
+    beside = alpha - 4
+    lost = (xx - 16 - 8 * beside - beside * beside) / (2 * alpha)
+    g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
     C01 = 1 + C0
     C2 = CC1 / C01
-    f = 2 * (s * w)
+    f = m.where(near, C0 * C1, (sine + lost * (1 - versine)) / alpha)
     h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
     hi = g - fi * h
     fiy = -(h / g)
@@ -790,7 +846,7 @@ def _tangent_inv_dot(m: Any, x: Any) -> Result:
 
 def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, *_ = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, *_ = scratch
     mask1, *_ = masks
     (
         n1, n2, n3, n4, n5, n6, n7, n8, n15, n16, n32, n64, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520,
@@ -805,31 +861,31 @@ def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, mas
     )
     C5 = div(sub(n1, mul(n120, mul(z, C7, o3), o3), o3), n120, o3)
     C3 = div(sub(n1, mul(n6, mul(z, C5, o5), o5), o5), n6, o5)
-    C1 = sub(n1, mul(z, C3, o2), o2)
-    CC1 = mul(C1, C1, k1)
-    C0 = sqrt(sub(n1, mul(z, CC1, o1), o1), o1)
+    C1 = sub(n1, mul(z, C3, o1), o1)
+    CC1 = mul(C1, C1, o2)
+    C0 = sqrt(sub(n1, mul(z, CC1, k1), k1), k1)
     C01 = add(n1, C0, k2)
-    C2 = div(CC1, C01, k1)
-    CC3 = mul(C3, C3, k3)
-    C4 = div(sub(sub(mul(n4, C3, k4), C2, k4), mul(n2, mul(z, CC3, o6), o6), o6), mul(n2, C01, k2), o6)
-    C6 = div(sub(sub(add(mul(n4, C5, k2), mul(n2, CC3, k4), k2), C4, k2), mul(n2, mul(C2, C4, k4), k4), k2), n4, k2)
-    c6 = div(add(mul(n2, C5, k4), CC3, k3), n32, k3)
-    xx = m.where(near, add(n6, x, k4), x, k4)
-    alpha = sqrt(xx, k5)
-    t = tan(div(alpha, n4, k6), k6)
-    tt = mul(t, t, k7)
-    below = add(n1, tt, k8)
-    s = m.where(near, C0, div(sub(n1, tt, k7), below, k7), o1)
-    w = m.where(near, div(C1, n2, k7), div(div(mul(n2, t, k6), below, k6), alpha, k5), k6)
-    f = mul(n2, mul(s, w, k5), k5)
-    fi = div(s, w, o1)
-    ww = mul(w, w, k6)
-    g = mul(n2, ww, k6)
-    h = m.where(near, div(add(C3, mul(C1, C2, k7), k7), n4, k7), div(sub(n1, f, k8), xx, k8), k7)
-    c5 = div(add(add(C5, C4, k8), mul(C2, C3, k1), k1), n16, k1)
-    c4 = div(mul(C3, add(n1, C1, o2), o2), n8, o2)
-    hy = m.where(near, sub(mul(n3, c5, k8), c4, o2), div(sub(g, mul(n3, h, k8), k8), xx, k8), o2)
-    gy = sub(mul(f, h, k8), mul(g, g, k9), k8)
+    C2 = div(CC1, C01, k3)
+    CC3 = mul(C3, C3, k4)
+    C4 = div(sub(sub(mul(n4, C3, k5), C2, k5), mul(n2, mul(z, CC3, o6), o6), o6), mul(n2, C01, k2), o6)
+    C6 = div(sub(sub(add(mul(n4, C5, k2), mul(n2, CC3, k5), k2), C4, k2), mul(n2, mul(C2, C4, k5), k5), k2), n4, k2)
+    c6 = div(add(mul(n2, C5, k5), CC3, k4), n32, k4)
+    xx = m.where(near, add(n6, x, k5), x, k5)
+    alpha = sqrt(xx, k6)
+    beside = sub(alpha, n4, k7)
+    lost = div(sub(sub(sub(xx, n16, k8), mul(n8, beside, k9), k8), mul(beside, beside, k7), k7), mul(n2, alpha, k8), k7)
+    thalf = tan(div(alpha, n2, k8), k8)
+    tthalf = mul(thalf, thalf, k9)
+    belowhalf = add(n1, tthalf, k10)
+    versine = div(mul(n2, tthalf, k9), belowhalf, k9)
+    sine = div(mul(n2, thalf, k8), belowhalf, k8)
+    g = m.where(near, div(CC1, n2, o2), div(add(versine, mul(lost, sine, k10), k10), xx, k10), o2)
+    f = m.where(near, mul(C0, C1, k10), div(add(sine, mul(lost, sub(n1, versine, k9), k7), k7), alpha, k7), k8)
+    h = m.where(near, div(add(C3, mul(C1, C2, k7), k7), n4, k7), div(sub(n1, f, k9), xx, k9), k7)
+    c5 = div(add(add(C5, C4, k9), mul(C2, C3, k3), k3), n16, k3)
+    gy = sub(mul(f, h, k9), mul(g, g, k10), k9)
+    c4 = div(mul(C3, add(n1, C1, k10), k10), n8, k10)
+    hy = m.where(near, sub(mul(n3, c5, k11), c4, k10), div(sub(g, mul(n3, h, k11), k11), xx, k11), k10)
     hyy = m.where(
         near, add(sub(mul(n15, div(add(add(add(C7, C6, o4), mul(C3, C4, o6), o6), div(C5, n2, o4), o6), n64, o6), o6),
         mul(n7, c6, o4), o6), c5, o6), div(sub(gy, mul(n5, hy, o4), o4), xx, o4), o6
@@ -838,13 +894,19 @@ def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, mas
     gyy = sub(add(mul(fy, h, o4), mul(f, hy, o3), o4), mul(n2, mul(g, gy, o3), o3), o4)
     fiy = neg(div(h, g, o3), o3)
     fiyy = neg(div(add(hy, mul(fiy, gy, o5), o5), g, o5), o5)
+    t = tan(div(alpha, n4, k2), k2)
+    tt = mul(t, t, k3)
+    below = add(n1, tt, k4)
+    w = m.where(near, div(C1, n2, o1), div(div(mul(n2, t, k2), below, k2), alpha, k2), o1)
+    s = m.where(near, C0, div(sub(n1, tt, k2), below, k2), k1)
+    fi = div(s, w, o1)
     sub(gyy, add(add(mul(fiyy, h, k1), mul(n2, mul(fiy, hy, k2), k2), k1), mul(fi, hyy, o6), o6), o6)
-    sub(sub(gy, mul(fiy, h, o4), o4), mul(fi, hy, o2), o4)
-    sub(g, mul(fi, h, o2), o2)
+    sub(sub(gy, mul(fiy, h, o4), o4), mul(fi, hy, k1), o4)
+    sub(g, mul(fi, h, k1), o2)
     return o1, o2, o3, o4, o5, o6
 
 
-# operations 65: 19 +, 21 *, 16 /, 2 sqrt, 1 tan, 1 lt, 5 where
+# operations 88: 27 +, 26 *, 23 /, 2 sqrt, 2 tan, 1 lt, 7 where
 def _ray(m: Any, x: Any) -> Result:
     near = x < 6
     z = m.where(near, x, x - x) / 4
@@ -864,9 +926,15 @@ def _ray(m: Any, x: Any) -> Result:
     below = 1 + tt
     s = m.where(near, C0, (1 - tt) / below)
     w = m.where(near, C1 / 2, 2 * t / below / alpha)
-    f = 2 * (s * w)
-    ww = w * w
-    g = 2 * ww
+    thalf = m.tan(alpha / 2)
+    tthalf = thalf * thalf
+    belowhalf = 1 + tthalf
+    sine = 2 * thalf / belowhalf
+    versine = 2 * tthalf / belowhalf
+    beside = alpha - 4
+    lost = (xx - 16 - 8 * beside - beside * beside) / (2 * alpha)
+    f = m.where(near, C0 * C1, (sine + lost * (1 - versine)) / alpha)
+    g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
     C01 = 1 + C0
     C2 = CC1 / C01
     h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
@@ -875,9 +943,9 @@ def _ray(m: Any, x: Any) -> Result:
 
 def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, _, o4, o5, o6 = out
-    k1, k2, k3, k4, *_ = scratch
+    k1, k2, k3, k4, k5, k6, *_ = scratch
     mask1, *_ = masks
-    n1, n2, n4, n6, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    n1, n2, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
     near = m.less(x, n6, mask1)
     z = div(m.where(near, x, sub(x, x, o1), o6), n4, o1)
     C7 = div(
@@ -887,22 +955,28 @@ def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x:
     )
     C5 = div(sub(n1, mul(n120, mul(z, C7, o6), o6), o6), n120, o6)
     C3 = div(sub(n1, mul(n6, mul(z, C5, o6), o6), o6), n6, o6)
-    C1 = sub(n1, mul(z, C3, o5), o5)
-    CC1 = mul(C1, C1, k1)
+    C1 = sub(n1, mul(z, C3, o2), o2)
+    CC1 = mul(C1, C1, o5)
     C0 = sqrt(sub(n1, mul(z, CC1, o1), o1), o1)
-    C01 = add(n1, C0, k2)
+    C01 = add(n1, C0, k1)
     C2 = div(CC1, C01, k1)
     xx = m.where(near, add(n6, x, k2), x, k2)
-    alpha = sqrt(xx, o4)
-    t = tan(div(alpha, n4, o2), o2)
-    tt = mul(t, t, k3)
+    alpha = sqrt(xx, k3)
+    beside = sub(alpha, n4, k4)
+    lost = div(sub(sub(sub(xx, n16, o4), mul(n8, beside, k5), o4), mul(beside, beside, k4), k4), mul(n2, alpha, o4), k4)
+    thalf = tan(div(alpha, n2, o4), o4)
+    tthalf = mul(thalf, thalf, k5)
+    belowhalf = add(n1, tthalf, k6)
+    versine = div(mul(n2, tthalf, k5), belowhalf, k5)
+    sine = div(mul(n2, thalf, o4), belowhalf, o4)
+    m.where(near, div(CC1, n2, o5), div(add(versine, mul(lost, sine, k6), k6), xx, k6), o5)
+    f = m.where(near, mul(C0, C1, k6), div(add(sine, mul(lost, sub(n1, versine, k5), k4), k4), alpha, k4), o4)
+    m.where(near, div(add(C3, mul(C1, C2, k1), o6), n4, o6), div(sub(n1, f, k1), xx, k1), o6)
+    t = tan(div(alpha, n4, k1), k1)
+    tt = mul(t, t, k2)
     below = add(n1, tt, k4)
-    s = m.where(near, C0, div(sub(n1, tt, k3), below, k3), o1)
-    w = m.where(near, div(C1, n2, k3), div(div(mul(n2, t, o2), below, o2), alpha, o4), o2)
-    f = mul(n2, mul(s, w, o4), o4)
-    m.where(near, div(add(C3, mul(C1, C2, o5), o6), n4, o6), div(sub(n1, f, o5), xx, o5), o6)
-    ww = mul(w, w, o5)
-    mul(n2, ww, o5)
+    m.where(near, div(C1, n2, o2), div(div(mul(n2, t, k1), below, k1), alpha, k1), o2)
+    m.where(near, C0, div(sub(n1, tt, k1), below, k1), o1)
     return o1, o2, n1, o4, o5, o6
 
 
@@ -1228,6 +1302,18 @@ def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     return o1, n1
 
 
+# operations 0
+def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
+    return alpha, 1
+
+
+def _coefficient_of_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any, sine: Any, cosine: Any) -> Result:
+    o1, _ = out
+    n1, = numbers
+    copy(alpha, o1)
+    return o1, n1
+
+
 CHART = Chart(
     __name__,
     branches=0,
@@ -1243,17 +1329,17 @@ CHART = Chart(
         "0.0",
     ),
     functions={
-        "quaternion": Function(_quaternion, _quaternion_blocks, 5, 1, (1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
-        "pose": Function(_pose, _pose_blocks, 6, 1, (1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
-        "tangent": Function(_tangent, _tangent_blocks, 4, 1, (1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
-        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 5, 1, (1, 2, 3, 4, 5, 6, 7, 8, 15, 16, 32, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
+        "quaternion": Function(_quaternion, _quaternion_blocks, 6, 1, (1, 2, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
+        "pose": Function(_pose, _pose_blocks, 8, 1, (1, 2, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
+        "tangent": Function(_tangent, _tangent_blocks, 6, 1, (1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
+        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 7, 1, (1, 2, 3, 4, 5, 6, 7, 8, 15, 16, 32, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
         "rate": Function(_rate, _rate_blocks, 0, 0, (0, 1)),
-        "inverse": Function(_inverse, _inverse_blocks, 8, 1, (1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
-        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 8, 1, (1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
-        "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 9, 1, (1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
-        "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 9, 1, (1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
-        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 9, 1, (1, 2, 3, 4, 5, 6, 7, 8, 15, 16, 32, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
-        "ray": Function(_ray, _ray_blocks, 4, 1, (1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
+        "inverse": Function(_inverse, _inverse_blocks, 10, 1, (1, 2, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
+        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 10, 1, (1, 2, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
+        "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 11, 1, (1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
+        "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 10, 1, (1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
+        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 11, 1, (1, 2, 3, 4, 5, 6, 7, 8, 15, 16, 32, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
+        "ray": Function(_ray, _ray_blocks, 6, 1, (1, 2, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
         "gain_unit": Function(_gain_unit, _gain_unit_blocks, 4, 2, (-1, 0, 1, 2)),
         "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 1, (0, 2)),
         "gain_product": Function(_gain_product, _gain_product_blocks, 4, 2, (-1, 0, 1, 2)),
@@ -1264,9 +1350,10 @@ CHART = Chart(
         "turned": Function(_turned, _turned_blocks, 0, 0, (1,)),
         "beyond": Function(_beyond, _beyond_blocks, 5, 2, (-1, 0, 1, 2, 4, 6, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1,)),
+        "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 0, 0, (1,)),
     },
     kernels=SHARED,
-    programs="62f5d0b9eaa20173",
+    programs="04695e0ed591e7bc",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -62,13 +62,13 @@
 #   between: 199: 72 +, 111 *, 6 /, 6 neg, 2 sqrt, 1 lt, 1 where
 #   compose_jacobians: 936: 377 +, 497 *, 48 /, 7 neg, 5 sqrt, 1 lt, 1 where
 #   between_jacobians: 960: 377 +, 497 *, 48 /, 31 neg, 5 sqrt, 1 lt, 1 where
-#   retract: 318: 104 +, 146 *, 33 /, 2 abs, 6 sqrt, 4 tan, 3 atan2, 4 lt, 2 eq, 14 where
-#   body_retract: 318: 104 +, 146 *, 33 /, 2 abs, 6 sqrt, 4 tan, 3 atan2, 4 lt, 2 eq, 14 where
-#   retract_jacobians: 1083: 418 +, 543 *, 78 /, 7 neg, 2 abs, 7 sqrt, 4 tan, 3 atan2, 4 lt, 2 eq, 15 where
-#   body_retract_jacobians: 1083: 418 +, 543 *, 78 /, 7 neg, 2 abs, 7 sqrt, 4 tan, 3 atan2, 4 lt, 2 eq, 15 where
-#   local: 282: 94 +, 138 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   body_local: 282: 94 +, 138 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   interpolate: 656: 209 +, 308 *, 56 /, 8 neg, 5 abs, 11 sqrt, 4 tan, 4 atan2, 9 lt, 5 eq, 1 or, 36 where
+#   retract: 345: 112 +, 151 *, 40 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 5 lt, 2 eq, 18 where
+#   body_retract: 345: 112 +, 151 *, 40 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 5 lt, 2 eq, 18 where
+#   retract_jacobians: 1110: 426 +, 548 *, 85 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 5 lt, 2 eq, 19 where
+#   body_retract_jacobians: 1110: 426 +, 548 *, 85 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 5 lt, 2 eq, 19 where
+#   local: 305: 102 +, 143 *, 30 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
+#   body_local: 305: 102 +, 143 *, 30 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
+#   interpolate: 702: 225 +, 318 *, 70 /, 8 neg, 5 abs, 11 sqrt, 6 tan, 4 atan2, 9 lt, 5 eq, 1 or, 40 where
 #   adjoint: 86: 34 +, 50 *, 1 /, 1 sqrt
 #   transform_point_jacobians: 202: 90 +, 106 *, 2 /, 3 neg, 1 sqrt
 #   transform_line_jacobians: 301: 123 +, 169 *, 2 /, 6 neg, 1 sqrt
@@ -471,6 +471,35 @@ def _coefficient(m: Any, alpha: Any) -> Result:
 
 
 def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
+    o1, o2 = out
+    k1, k2, *_ = scratch
+    mask1, *_ = masks
+    n_minus_1, n0, n1, n2, n4 = numbers
+    t = tan(div(alpha, n4, o1), o1)
+    tt = mul(t, t, o2)
+    below = add(n1, tt, k1)
+    further = div(sub(n1, tt, o2), below, o2)
+    side = m.where(m.less(further, n0, mask1), n_minus_1, n1, k2)
+    mul(side, div(mul(n2, t, o1), below, o1), o1)
+    cos = mul(side, further, o2)
+    div(cos, n2, o2)
+    return o1, o2
+
+
+# operations 13: 2 +, 4 *, 4 /, 1 tan, 1 lt, 1 where
+def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
+    t = m.tan(alpha / 4)
+    tt = t * t
+    below = 1 + tt
+    further = (1 - tt) / below
+    side = m.where(further < 0, -1, 1)
+    sin = side * (2 * t / below)
+    cos = side * further
+    slope = cos / 2
+    return sin, slope
+
+
+def _coefficient_of_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any, sine: Any, cosine: Any) -> Result:
     o1, o2 = out
     k1, k2, *_ = scratch
     mask1, *_ = masks
@@ -1045,6 +1074,7 @@ CHART = Chart(
         "unfolded": Function(_unfolded, _unfolded_blocks, 0, 1, (1, 2)),
         "reached": Function(_reached, _reached_blocks, 1, 1, (0, 1, 2)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 4)),
+        "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 2, 1, (-1, 0, 1, 2, 4)),
     },
     kernels={
         **SHARED,
@@ -1115,7 +1145,7 @@ CHART = Chart(
         real=True,
     ),
     },
-    programs="b5069662fffdcaa2",
+    programs="f80d0557aa253b8e",
 )
 
 KERNELS = PoseKernels(CHART)

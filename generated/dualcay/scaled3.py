@@ -66,13 +66,14 @@
 #   between: 253: 77 +, 135 *, 24 /, 7 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   compose_jacobians: 1047: 391 +, 549 *, 87 /, 10 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   between_jacobians: 1071: 391 +, 549 *, 87 /, 34 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   retract: 318: 101 +, 152 *, 38 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
-#   body_retract: 318: 101 +, 152 *, 38 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
-#   retract_jacobians: 1103: 416 +, 560 *, 91 /, 8 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
-#   body_retract_jacobians: 1103: 416 +, 560 *, 91 /, 8 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
-#   local: 308: 94 +, 154 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   body_local: 308: 94 +, 154 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   interpolate: 669: 206 +, 322 *, 67 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
+#   retract: 360: 110 +, 159 *, 46 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 21 where
+#   body_retract: 360: 110 +, 159 *, 46 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 21 where
+#   retract_jacobians: 1145: 425 +, 567 *, 99 /, 10 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22 where
+#   body_retract_jacobians: 1145: 425 +, 567 *, 99 /, 10 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22
+#       where
+#   local: 331: 102 +, 159 *, 42 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
+#   body_local: 331: 102 +, 159 *, 42 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
+#   interpolate: 715: 222 +, 332 *, 81 /, 8 neg, 4 abs, 8 sqrt, 5 tan, 4 atan2, 7 lt, 5 eq, 1 or, 38 where
 #   adjoint: 100: 36 +, 58 *, 6 /
 #   transform_point_jacobians: 223: 93 +, 116 *, 10 /, 4 neg
 #   transform_line_jacobians: 322: 126 +, 179 *, 10 /, 7 neg
@@ -850,6 +851,39 @@ def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     return o1, o2
 
 
+# operations 22: 2 +, 5 *, 3 /, 1 neg, 2 abs, 1 tan, 1 atan2, 2 lt, 5 where
+def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
+    backwards = alpha < 0
+    size = m.abs(alpha)
+    nextto = m.abs(size - 9) < 1
+    rest = m.where(nextto, 2 * m.atan2(m.where(backwards, -cosine, cosine), sine), size)
+    sideof = m.where(backwards, -1, 1)
+    t = m.tan(rest / 6)
+    r = sideof * m.where(nextto, 1, t) / m.where(nextto, t, 1)
+    slope = (1 + r * r) / 6
+    v = 6 * r
+    v_slope = 6 * slope
+    return v, v_slope
+
+
+def _coefficient_of_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any, sine: Any, cosine: Any) -> Result:
+    o1, o2 = out
+    k1, *_ = scratch
+    mask1, mask2, *_ = masks
+    n_minus_1, n0, n1, n2, n6, n9 = numbers
+    size = absolute(alpha, o2)
+    nextto = m.less(absolute(sub(size, n9, o1), o1), n1, mask1)
+    backwards = m.less(alpha, n0, mask2)
+    rest = m.where(nextto, mul(n2, atan2(m.where(backwards, neg(cosine, o1), cosine, o1), sine, o1), o1), size, o1)
+    t = tan(div(rest, n6, o2), o2)
+    sideof = m.where(backwards, n_minus_1, n1, o1)
+    r = div(mul(sideof, m.where(nextto, n1, t, k1), o1), m.where(nextto, t, n1, o2), o2)
+    mul(n6, r, o1)
+    slope = div(add(n1, mul(r, r, o2), o2), n6, o2)
+    mul(n6, slope, o2)
+    return o1, o2
+
+
 CHART = Chart(
     __name__,
     branches=3,
@@ -888,9 +922,10 @@ CHART = Chart(
         "turned": Function(_turned, _turned_blocks, 0, 0, (1, 6)),
         "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 6)),
+        "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 1, 2, (-1, 0, 1, 2, 6, 9)),
     },
     kernels=SHARED,
-    programs="fd5e80fb5bbad890",
+    programs="03b88e9e53bcbf50",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -66,13 +66,14 @@
 #   between: 267: 88 +, 144 *, 24 /, 7 neg, 1 sqrt, 1 lt, 2 where
 #   compose_jacobians: 1087: 415 +, 573 *, 87 /, 8 neg, 1 sqrt, 1 lt, 2 where
 #   between_jacobians: 1111: 415 +, 573 *, 87 /, 32 neg, 1 sqrt, 1 lt, 2 where
-#   retract: 329: 106 +, 158 *, 38 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
-#   body_retract: 329: 106 +, 158 *, 38 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
-#   retract_jacobians: 1128: 429 +, 573 *, 91 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
-#   body_retract_jacobians: 1128: 429 +, 573 *, 91 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
-#   local: 326: 104 +, 162 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   body_local: 326: 104 +, 162 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   interpolate: 689: 216 +, 332 *, 67 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
+#   retract: 376: 115 +, 165 *, 46 /, 4 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 6 lt, 2 eq, 23 where
+#   body_retract: 376: 115 +, 165 *, 46 /, 4 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 6 lt, 2 eq, 23 where
+#   retract_jacobians: 1175: 438 +, 580 *, 99 /, 11 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 6 lt, 2 eq, 24 where
+#   body_retract_jacobians: 1175: 438 +, 580 *, 99 /, 11 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 6 lt, 2 eq, 24
+#       where
+#   local: 349: 112 +, 167 *, 42 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
+#   body_local: 349: 112 +, 167 *, 42 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
+#   interpolate: 735: 232 +, 342 *, 81 /, 8 neg, 4 abs, 8 sqrt, 5 tan, 4 atan2, 7 lt, 5 eq, 1 or, 38 where
 #   adjoint: 106: 39 +, 61 *, 6 /
 #   transform_point_jacobians: 233: 98 +, 122 *, 10 /, 3 neg
 #   transform_line_jacobians: 332: 131 +, 185 *, 10 /, 6 neg
@@ -878,6 +879,46 @@ def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     return o1, o2
 
 
+# operations 27: 2 +, 5 *, 3 /, 3 neg, 2 abs, 1 tan, 1 atan2, 3 lt, 7 where
+def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
+    backwards = alpha < 0
+    size = m.abs(alpha)
+    nextto = m.abs(size - 13) < 1
+    falling = cosine < 0
+    ahead = m.where(falling, sine, -sine)
+    rest = m.where(nextto, 2 * m.atan2(m.where(backwards, -ahead, ahead), m.where(falling, -cosine, cosine)), size)
+    sideof = m.where(backwards, -1, 1)
+    t = m.tan(rest / 8)
+    r = sideof * m.where(nextto, 1, t) / m.where(nextto, t, 1)
+    slope = (1 + r * r) / 8
+    v = 8 * r
+    v_slope = 8 * slope
+    return v, v_slope
+
+
+def _coefficient_of_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any, sine: Any, cosine: Any) -> Result:
+    o1, o2 = out
+    k1, *_ = scratch
+    mask1, mask2, mask3, *_ = masks
+    n_minus_1, n0, n1, n2, n8, n13 = numbers
+    size = absolute(alpha, o2)
+    nextto = m.less(absolute(sub(size, n13, o1), o1), n1, mask1)
+    backwards = m.less(alpha, n0, mask2)
+    falling = m.less(cosine, n0, mask3)
+    ahead = m.where(falling, sine, neg(sine, o1), k1)
+    rest = m.where(
+        nextto, mul(n2, atan2(m.where(backwards, neg(ahead, o1), ahead, o1), m.where(falling, neg(cosine, k1), cosine,
+        k1), o1), o1), size, o1
+    )
+    t = tan(div(rest, n8, o2), o2)
+    sideof = m.where(backwards, n_minus_1, n1, o1)
+    r = div(mul(sideof, m.where(nextto, n1, t, k1), o1), m.where(nextto, t, n1, o2), o2)
+    mul(n8, r, o1)
+    slope = div(add(n1, mul(r, r, o2), o2), n8, o2)
+    mul(n8, slope, o2)
+    return o1, o2
+
+
 CHART = Chart(
     __name__,
     branches=4,
@@ -920,9 +961,10 @@ CHART = Chart(
         "turned": Function(_turned, _turned_blocks, 0, 0, (1, 8)),
         "beyond": Function(_beyond, _beyond_blocks, 0, 2, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 8)),
+        "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 1, 3, (-1, 0, 1, 2, 8, 13)),
     },
     kernels=SHARED,
-    programs="1d32c9f95aa39787",
+    programs="a5d0a41144458221",
 )
 
 KERNELS = PoseKernels(CHART)

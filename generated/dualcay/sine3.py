@@ -66,13 +66,13 @@
 #   between: 243: 81 +, 133 *, 9 /, 7 neg, 4 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   compose_jacobians: 1040: 404 +, 551 *, 60 /, 9 neg, 7 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   between_jacobians: 1064: 404 +, 551 *, 60 /, 33 neg, 7 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   retract: 336: 108 +, 159 *, 34 /, 2 abs, 6 sqrt, 4 tan, 3 atan2, 4 lt, 2 eq, 14 where
-#   body_retract: 336: 108 +, 159 *, 34 /, 2 abs, 6 sqrt, 4 tan, 3 atan2, 4 lt, 2 eq, 14 where
-#   retract_jacobians: 1127: 430 +, 570 *, 83 /, 7 neg, 2 abs, 7 sqrt, 4 tan, 3 atan2, 4 lt, 2 eq, 15 where
-#   body_retract_jacobians: 1127: 430 +, 570 *, 83 /, 7 neg, 2 abs, 7 sqrt, 4 tan, 3 atan2, 4 lt, 2 eq, 15 where
-#   local: 300: 98 +, 152 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   body_local: 300: 98 +, 152 *, 23 /, 7 neg, 5 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   interpolate: 683: 215 +, 328 *, 57 /, 8 neg, 5 abs, 11 sqrt, 4 tan, 4 atan2, 9 lt, 5 eq, 1 or, 36 where
+#   retract: 363: 116 +, 164 *, 41 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 5 lt, 2 eq, 18 where
+#   body_retract: 363: 116 +, 164 *, 41 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 5 lt, 2 eq, 18 where
+#   retract_jacobians: 1154: 438 +, 575 *, 90 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 5 lt, 2 eq, 19 where
+#   body_retract_jacobians: 1154: 438 +, 575 *, 90 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 5 lt, 2 eq, 19 where
+#   local: 323: 106 +, 157 *, 30 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
+#   body_local: 323: 106 +, 157 *, 30 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
+#   interpolate: 729: 231 +, 338 *, 71 /, 8 neg, 5 abs, 11 sqrt, 6 tan, 4 atan2, 9 lt, 5 eq, 1 or, 40 where
 #   adjoint: 97: 38 +, 57 *, 1 /, 1 sqrt
 #   transform_point_jacobians: 220: 96 +, 116 *, 4 /, 3 neg, 1 sqrt
 #   transform_line_jacobians: 319: 129 +, 179 *, 4 /, 6 neg, 1 sqrt
@@ -828,6 +828,35 @@ def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     return o1, o2
 
 
+# operations 13: 2 +, 4 *, 4 /, 1 tan, 1 lt, 1 where
+def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
+    t = m.tan(alpha / 12)
+    tt = t * t
+    below = 1 + tt
+    further = (1 - tt) / below
+    side = m.where(further < 0, -1, 1)
+    sin = side * (2 * t / below)
+    cos = side * further
+    slope = cos / 6
+    return sin, slope
+
+
+def _coefficient_of_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any, sine: Any, cosine: Any) -> Result:
+    o1, o2 = out
+    k1, k2, *_ = scratch
+    mask1, *_ = masks
+    n_minus_1, n0, n1, n2, n6, n12 = numbers
+    t = tan(div(alpha, n12, o1), o1)
+    tt = mul(t, t, o2)
+    below = add(n1, tt, k1)
+    further = div(sub(n1, tt, o2), below, o2)
+    side = m.where(m.less(further, n0, mask1), n_minus_1, n1, k2)
+    mul(side, div(mul(n2, t, o1), below, o1), o1)
+    cos = mul(side, further, o2)
+    div(cos, n6, o2)
+    return o1, o2
+
+
 CHART = Chart(
     __name__,
     branches=3,
@@ -866,9 +895,10 @@ CHART = Chart(
         "turned": Function(_turned, _turned_blocks, 2, 1, (-1, 0, 1)),
         "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 6, 12)),
+        "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 2, 1, (-1, 0, 1, 2, 6, 12)),
     },
     kernels=SHARED,
-    programs="f886c4da612cb8d1",
+    programs="fdade04615658dc5",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -66,13 +66,14 @@
 #   between: 233: 80 +, 122 *, 21 /, 7 neg, 1 lt, 2 where
 #   compose_jacobians: 999: 389 +, 517 *, 80 /, 10 neg, 1 lt, 2 where
 #   between_jacobians: 1023: 389 +, 517 *, 80 /, 34 neg, 1 lt, 2 where
-#   retract: 313: 103 +, 148 *, 35 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
-#   body_retract: 313: 103 +, 148 *, 35 /, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 12 where
-#   retract_jacobians: 1082: 415 +, 544 *, 87 /, 8 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
-#   body_retract_jacobians: 1082: 415 +, 544 *, 87 /, 8 neg, 1 abs, 4 sqrt, 3 tan, 3 atan2, 2 lt, 2 eq, 13 where
-#   local: 306: 98 +, 148 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   body_local: 306: 98 +, 148 *, 35 /, 7 neg, 3 sqrt, 1 tan, 1 atan2, 2 lt, 1 eq, 10 where
-#   interpolate: 663: 210 +, 315 *, 64 /, 8 neg, 4 abs, 8 sqrt, 3 tan, 4 atan2, 7 lt, 5 eq, 1 or, 34 where
+#   retract: 360: 112 +, 155 *, 43 /, 4 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 6 lt, 2 eq, 23 where
+#   body_retract: 360: 112 +, 155 *, 43 /, 4 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 6 lt, 2 eq, 23 where
+#   retract_jacobians: 1129: 424 +, 551 *, 95 /, 12 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 6 lt, 2 eq, 24 where
+#   body_retract_jacobians: 1129: 424 +, 551 *, 95 /, 12 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 6 lt, 2 eq, 24
+#       where
+#   local: 329: 106 +, 153 *, 42 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
+#   body_local: 329: 106 +, 153 *, 42 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
+#   interpolate: 709: 226 +, 325 *, 78 /, 8 neg, 4 abs, 8 sqrt, 5 tan, 4 atan2, 7 lt, 5 eq, 1 or, 38 where
 #   adjoint: 96: 35 +, 55 *, 6 /
 #   transform_point_jacobians: 215: 91 +, 110 *, 10 /, 4 neg
 #   transform_line_jacobians: 314: 124 +, 173 *, 10 /, 7 neg
@@ -686,6 +687,46 @@ def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     return o1, o2
 
 
+# operations 27: 2 +, 5 *, 3 /, 3 neg, 2 abs, 1 tan, 1 atan2, 3 lt, 7 where
+def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
+    backwards = alpha < 0
+    size = m.abs(alpha)
+    nextto = m.abs(size - 6) < 1
+    falling = cosine < 0
+    ahead = m.where(falling, sine, -sine)
+    rest = m.where(nextto, 2 * m.atan2(m.where(backwards, -ahead, ahead), m.where(falling, -cosine, cosine)), size)
+    sideof = m.where(backwards, -1, 1)
+    t = m.tan(rest / 4)
+    r = sideof * m.where(nextto, 1, t) / m.where(nextto, t, 1)
+    slope = (1 + r * r) / 4
+    v = 4 * r
+    v_slope = 4 * slope
+    return v, v_slope
+
+
+def _coefficient_of_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any, sine: Any, cosine: Any) -> Result:
+    o1, o2 = out
+    k1, *_ = scratch
+    mask1, mask2, mask3, *_ = masks
+    n_minus_1, n0, n1, n2, n4, n6 = numbers
+    size = absolute(alpha, o2)
+    nextto = m.less(absolute(sub(size, n6, o1), o1), n1, mask1)
+    backwards = m.less(alpha, n0, mask2)
+    falling = m.less(cosine, n0, mask3)
+    ahead = m.where(falling, sine, neg(sine, o1), k1)
+    rest = m.where(
+        nextto, mul(n2, atan2(m.where(backwards, neg(ahead, o1), ahead, o1), m.where(falling, neg(cosine, k1), cosine,
+        k1), o1), o1), size, o1
+    )
+    t = tan(div(rest, n4, o2), o2)
+    sideof = m.where(backwards, n_minus_1, n1, o1)
+    r = div(mul(sideof, m.where(nextto, n1, t, k1), o1), m.where(nextto, t, n1, o2), o2)
+    mul(n4, r, o1)
+    slope = div(add(n1, mul(r, r, o2), o2), n4, o2)
+    mul(n4, slope, o2)
+    return o1, o2
+
+
 # --- geometry that does with less here than for any chart ---------------------------------------------------------
 
 
@@ -853,6 +894,7 @@ CHART = Chart(
         "turned": Function(_turned, _turned_blocks, 0, 0, (1, 4)),
         "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 4)),
+        "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 1, 3, (-1, 0, 1, 2, 4, 6)),
     },
     kernels={
         **SHARED,
@@ -868,7 +910,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="02e7c23bc7a666c4",
+    programs="2bcbf4c3a022604b",
 )
 
 KERNELS = PoseKernels(CHART)

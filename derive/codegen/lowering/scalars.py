@@ -124,6 +124,9 @@ SCALARS: Mapping[str, Scalar] = {
     "turned": Scalar(("r", "cos", "sin"), ("rk", "slope"), lambda c, m, at: c.turned(at[0], at[1:], m)),
     "beyond": Scalar(("x", "table"), ("beyond", "cosine", "sine"), _beyond, truths=("beyond",)),
     "coefficient": Scalar(("alpha",), ("r", "slope"), lambda c, m, at: c.coefficient(at[0], m)),
+    "coefficient_of": Scalar(
+        ("alpha", "sine", "cosine"), ("r", "slope"), lambda c, m, at: c.coefficient_of(at[0], at[1], at[2], m)
+    ),
 }
 """By name; arguments a, b and size of a ray are those of `Scalars.ray`, turns and tables those of `Chart`."""
 

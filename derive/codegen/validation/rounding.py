@@ -73,12 +73,12 @@ class Rounding:
         return self._rounded(a.value - b.value, a.error + b.error)
 
     def mul(self, a: Ball, b: Ball) -> Ball:
-        error = a.error * abs(b.value) + abs(a.value) * b.error + a.error * b.error
+        error = _times(a.error, b.value) + _times(b.error, a.value) + _times(a.error, b.error)
         return self._rounded(a.value * b.value, error)
 
     def div(self, a: Ball, b: Ball) -> Ball:
         value, least = a.value / b.value, abs(b.value) - b.error
-        return self._rounded(value, np.where(least > 0, (a.error + abs(value) * b.error) / least, np.inf))
+        return self._rounded(value, np.where(least > 0, (a.error + _times(b.error, value)) / least, np.inf))
 
     @staticmethod
     def neg(a: Ball) -> Ball:
@@ -159,6 +159,11 @@ class Rounding:
                 found = self.operation(statement.op)(*arguments)
                 known[statement.name] = exact(found) if statement.name in program.corrected else found
         return [read(output) for output in program.outputs]
+
+
+def _times(error: Array, value: Array) -> Array:
+    """An error beside a factor: 0 times what may be anything, next to a pole, is 0."""
+    return np.where(value == 0, 0, error * abs(value))
 
 
 def exact(ball: Ball) -> Ball:

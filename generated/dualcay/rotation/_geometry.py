@@ -2186,7 +2186,7 @@ def between_jacobians_blocks(
     div(add(add(mul(I11, RT11, k3), mul(I12, RT21, k2), k2), mul(I13, RT31, k1), k1), n2, o1)
 
 
-# operations 141: 42 +, 57 *, 18 /, 1 abs, 4 sqrt, 2 tan, 2 atan2, 2 lt, 2 eq, 11 where
+# operations 145: 42 +, 57 *, 18 /, 1 neg, 1 abs, 4 sqrt, 2 tan, 2 atan2, 3 lt, 2 eq, 13 where
 def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v1, v2, v3 = v
     d1, d2, d3 = delta
@@ -2234,10 +2234,13 @@ def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     r = m.sqrt(m.where(resting, 1 + x, x))
     own, = c.unfolded(m, x, r)
     own_ = m.where(resting, 0, own / r) * (v1 * z1 + v2 * z2 + v3 * z3) / length
-    folded = 2 * m.atan2(m.where(still, ss, length), z0)
+    sine = m.where(still, ss, length)
+    falling = z0 < 0
+    cosine = m.where(falling, -z0, z0)
+    folded = m.where(falling, -2, 2) * m.atan2(sine, cosine)
     turns = own_ - folded + 2 * m.atan2(m.tan((folded - own_) / 2), 1)
     angle = folded + m.where(m.abs(turns) < 1, 0, turns)
-    rn, slopen = c.coefficient(m, angle)
+    rn, slopen = c.coefficient_of(m, angle, sine, z0)
     z0s = m.where(still, z0, length)
     factor = m.where(still, 2 * slopen / z0s, rn / length)
     v_1 = z1 * factor
@@ -2254,7 +2257,7 @@ def retract_blocks(
     o1, o2, o3 = out
     k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, *spare = scratch
     mask1, mask2, *spare_masks = masks
-    n0, n1, n2, n4, n6, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    n_minus_2, n0, n1, n2, n4, n6, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
     v11d = mul(d1, d1, k1)
     v22d = mul(d2, d2, k2)
     v33d = mul(d3, d3, k3)
@@ -2296,8 +2299,7 @@ def retract_blocks(
     ss = add(add(mul(z1, z1, k2), mul(z2, z2, k3), k2), mul(z3, z3, k3), k2)
     still = m.equal(ss, n0, mask1)
     length = sqrt(m.where(still, add(n1, ss, k3), ss, k3), k3)
-    folded = mul(n2, atan2(m.where(still, ss, length, k2), z0, k2), k2)
-    z0s = m.where(still, z0, length, k1)
+    sine = m.where(still, ss, length, k2)
     resting = m.equal(x, n0, mask2)
     r = sqrt(m.where(resting, add(n1, x, k4), x, k4), k4)
     own, = c.unfolded((k6,), (k7, k8, k9, k13, k14, *spare), (*spare_masks,), x, r)
@@ -2305,16 +2307,20 @@ def retract_blocks(
         mul(m.where(resting, n0, div(own, r, k4), k5), add(add(mul(v1, z1, k4), mul(v2, z2, k6), k4), mul(v3, z3, k6),
         k4), k4), length, k4
     )
-    turns = add(sub(own_, folded, k5), mul(n2, atan2(tan(div(sub(folded, own_, k4), n2, k4), k4), n1, k4), k4), k4)
-    angle = add(folded, m.where(m.less(absolute(turns, k5), n1, mask2), n0, turns, k5), k2)
-    rn, slopen = c.coefficient((k4, k5), (k6, k7, k8, k9, k13, k14, *spare), (mask2, *spare_masks), angle)
+    falling = m.less(z0, n0, mask2)
+    cosine = m.where(falling, neg(z0, k5), z0, k5)
+    folded = mul(m.where(falling, n_minus_2, n2, k6), atan2(sine, cosine, k5), k5)
+    turns = add(sub(own_, folded, k6), mul(n2, atan2(tan(div(sub(folded, own_, k4), n2, k4), k4), n1, k4), k4), k4)
+    angle = add(folded, m.where(m.less(absolute(turns, k6), n1, mask2), n0, turns, k6), k4)
+    rn, slopen = c.coefficient_of((k5, k6), (k7, k8, k9, k13, k14, *spare), (mask2, *spare_masks), angle, sine, z0)
+    z0s = m.where(still, z0, length, k1)
     factor = m.where(still, div(mul(n2, slopen, k2), z0s, k1), div(rn, length, k2), k1)
     mul(z1, factor, o1)
     mul(z2, factor, o2)
     mul(z3, factor, o3)
 
 
-# operations 141: 42 +, 57 *, 18 /, 1 abs, 4 sqrt, 2 tan, 2 atan2, 2 lt, 2 eq, 11 where
+# operations 145: 42 +, 57 *, 18 /, 1 neg, 1 abs, 4 sqrt, 2 tan, 2 atan2, 3 lt, 2 eq, 13 where
 def body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v1, v2, v3 = v
     d1, d2, d3 = delta
@@ -2362,10 +2368,13 @@ def body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     r = m.sqrt(m.where(resting, 1 + x, x))
     own, = c.unfolded(m, x, r)
     own_ = m.where(resting, 0, own / r) * (v1 * z1 + v2 * z2 + v3 * z3) / length
-    folded = 2 * m.atan2(m.where(still, ss, length), z0)
+    sine = m.where(still, ss, length)
+    falling = z0 < 0
+    cosine = m.where(falling, -z0, z0)
+    folded = m.where(falling, -2, 2) * m.atan2(sine, cosine)
     turns = own_ - folded + 2 * m.atan2(m.tan((folded - own_) / 2), 1)
     angle = folded + m.where(m.abs(turns) < 1, 0, turns)
-    rn, slopen = c.coefficient(m, angle)
+    rn, slopen = c.coefficient_of(m, angle, sine, z0)
     z0s = m.where(still, z0, length)
     factor = m.where(still, 2 * slopen / z0s, rn / length)
     v_1 = z1 * factor
@@ -2382,7 +2391,7 @@ def body_retract_blocks(
     o1, o2, o3 = out
     k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, *spare = scratch
     mask1, mask2, *spare_masks = masks
-    n0, n1, n2, n4, n6, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    n_minus_2, n0, n1, n2, n4, n6, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
     v11d = mul(d1, d1, k1)
     v22d = mul(d2, d2, k2)
     v33d = mul(d3, d3, k3)
@@ -2424,8 +2433,7 @@ def body_retract_blocks(
     ss = add(add(mul(z1, z1, k2), mul(z2, z2, k3), k2), mul(z3, z3, k3), k2)
     still = m.equal(ss, n0, mask1)
     length = sqrt(m.where(still, add(n1, ss, k3), ss, k3), k3)
-    folded = mul(n2, atan2(m.where(still, ss, length, k2), z0, k2), k2)
-    z0s = m.where(still, z0, length, k1)
+    sine = m.where(still, ss, length, k2)
     resting = m.equal(x, n0, mask2)
     r = sqrt(m.where(resting, add(n1, x, k4), x, k4), k4)
     own, = c.unfolded((k6,), (k7, k8, k9, k13, k14, *spare), (*spare_masks,), x, r)
@@ -2433,16 +2441,20 @@ def body_retract_blocks(
         mul(m.where(resting, n0, div(own, r, k4), k5), add(add(mul(v1, z1, k4), mul(v2, z2, k6), k4), mul(v3, z3, k6),
         k4), k4), length, k4
     )
-    turns = add(sub(own_, folded, k5), mul(n2, atan2(tan(div(sub(folded, own_, k4), n2, k4), k4), n1, k4), k4), k4)
-    angle = add(folded, m.where(m.less(absolute(turns, k5), n1, mask2), n0, turns, k5), k2)
-    rn, slopen = c.coefficient((k4, k5), (k6, k7, k8, k9, k13, k14, *spare), (mask2, *spare_masks), angle)
+    falling = m.less(z0, n0, mask2)
+    cosine = m.where(falling, neg(z0, k5), z0, k5)
+    folded = mul(m.where(falling, n_minus_2, n2, k6), atan2(sine, cosine, k5), k5)
+    turns = add(sub(own_, folded, k6), mul(n2, atan2(tan(div(sub(folded, own_, k4), n2, k4), k4), n1, k4), k4), k4)
+    angle = add(folded, m.where(m.less(absolute(turns, k6), n1, mask2), n0, turns, k6), k4)
+    rn, slopen = c.coefficient_of((k5, k6), (k7, k8, k9, k13, k14, *spare), (mask2, *spare_masks), angle, sine, z0)
+    z0s = m.where(still, z0, length, k1)
     factor = m.where(still, div(mul(n2, slopen, k2), z0s, k1), div(rn, length, k2), k1)
     mul(z1, factor, o1)
     mul(z2, factor, o2)
     mul(z3, factor, o3)
 
 
-# operations 395: 139 +, 189 *, 39 /, 3 neg, 1 abs, 4 sqrt, 2 tan, 2 atan2, 2 lt, 2 eq, 12 where
+# operations 422: 147 +, 194 *, 46 /, 4 neg, 1 abs, 4 sqrt, 3 tan, 2 atan2, 3 lt, 2 eq, 16 where
 def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v1, v2, v3 = v
     d1, d2, d3 = delta
@@ -2472,9 +2484,15 @@ def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Resul
     wd1 = d1 * wd
     wd2 = d2 * wd
     wd3 = d3 * wd
-    fd = 2 * (sd * wd)
-    wwd = wd * wd
-    gd = 2 * wwd
+    thalfd = m.tan(alphad / 2)
+    tthalfd = thalfd * thalfd
+    belowhalfd = 1 + tthalfd
+    sined = 2 * thalfd / belowhalfd
+    versined = 2 * tthalfd / belowhalfd
+    besided = alphad - 4
+    lostd = (xxd - 16 - 8 * besided - besided * besided) / (2 * alphad)
+    fd = m.where(neard, C0d * C1d, (sined + lostd * (1 - versined)) / alphad)
+    gd = m.where(neard, CC1d / 2, (versined + lostd * sined) / xxd)
     C01d = 1 + C0d
     C2d = CC1d / C01d
     hd = m.where(neard, (C3d + C1d * C2d) / 4, (1 - fd) / xxd)
@@ -2500,10 +2518,13 @@ def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Resul
     r = m.sqrt(m.where(resting, 1 + xp, xp))
     own, = c.unfolded(m, xp, r)
     own_ = m.where(resting, 0, own / r) * (v1 * z1 + v2 * z2 + v3 * z3) / length
-    folded = 2 * m.atan2(m.where(still, ss, length), z0)
+    sine = m.where(still, ss, length)
+    falling = z0 < 0
+    cosine = m.where(falling, -z0, z0)
+    folded = m.where(falling, -2, 2) * m.atan2(sine, cosine)
     turns = own_ - folded + 2 * m.atan2(m.tan((folded - own_) / 2), 1)
     angle = folded + m.where(m.abs(turns) < 1, 0, turns)
-    rn, slopen = c.coefficient(m, angle)
+    rn, slopen = c.coefficient_of(m, angle, sine, z0)
     z0s = m.where(still, z0, length)
     factor = m.where(still, 2 * slopen / z0s, rn / length)
     v_1 = z1 * factor
@@ -2624,8 +2645,10 @@ def retract_jacobians_blocks(
         k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
         k25, k26, k27, k28, k29, k30, *spare,
     ) = scratch
-    mask1, mask2, *spare_masks = masks
-    n0, n1, n2, n4, n6, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    mask1, mask2, mask3, *spare_masks = masks
+    (
+        n_minus_2, n0, n1, n2, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600,
+    ) = numbers
     v11d = mul(d1, d1, k1)
     v22d = mul(d2, d2, k2)
     x12d = add(v11d, v22d, k3)
@@ -2650,149 +2673,161 @@ def retract_jacobians_blocks(
     td = tan(div(alphad, n4, k10), k10)
     ttd = mul(td, td, k11)
     belowd = add(n1, ttd, k12)
-    wd = m.where(neard, div(C1d, n2, k13), div(div(mul(n2, td, k10), belowd, k10), alphad, k9), k10)
-    sd = m.where(neard, C0d, div(sub(n1, ttd, k9), belowd, k9), k11)
-    C01d = add(n1, C0d, k5)
-    C2d = div(CC1d, C01d, k5)
-    wd1 = mul(d1, wd, k8)
-    wd2 = mul(d2, wd, k9)
-    wd3 = mul(d3, wd, k12)
-    v11p = mul(v1, v1, k13)
-    v22p = mul(v2, v2, k14)
-    v33p = mul(v3, v3, k15)
-    xp = add(add(v11p, v22p, k13), v33p, k13)
-    ap, bp, _, _, _, _ = c.ray((k14, k15, k16, k17, k18, k19), (*spare,), (*spare_masks,), xp)
-    fF, gF, hF = c.pose((k16, k17, k18), (k19, *spare), (*spare_masks,), xp)
-    bvp1 = mul(v1, bp, k19)
-    bvp3 = mul(v3, bp, k20)
-    bvp2 = mul(v2, bp, k15)
-    z1 = add(add(mul(bvp1, sd, k21), mul(wd1, ap, k22), k21), sub(mul(wd2, bvp3, k22), mul(wd3, bvp2, k23), k22), k21)
-    z2 = add(add(mul(bvp2, sd, k22), mul(wd2, ap, k23), k22), sub(mul(wd3, bvp1, k23), mul(wd1, bvp3, k24), k23), k22)
-    z3 = add(add(mul(bvp3, sd, k23), mul(wd3, ap, k24), k23), sub(mul(wd1, bvp2, k24), mul(wd2, bvp1, k25), k24), k23)
-    z0 = sub(mul(sd, ap, k14), add(add(mul(wd1, bvp1, k8), mul(wd2, bvp2, k9), k8), mul(wd3, bvp3, k9), k8), k8)
-    fd = mul(n2, mul(sd, wd, k9), k9)
-    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k5), k4), n4, k4), div(sub(n1, fd, k5), xxd, k5), k4)
-    wwd = mul(wd, wd, k5)
-    gd = mul(n2, wwd, k5)
+    sd = m.where(neard, C0d, div(sub(n1, ttd, k11), belowd, k11), k13)
+    wd = m.where(neard, div(C1d, n2, k11), div(div(mul(n2, td, k10), belowd, k10), alphad, k10), k11)
+    wd1 = mul(d1, wd, k10)
+    wd2 = mul(d2, wd, k12)
+    wd3 = mul(d3, wd, k11)
+    v11p = mul(v1, v1, k14)
+    v22p = mul(v2, v2, k15)
+    v33p = mul(v3, v3, k16)
+    xp = add(add(v11p, v22p, k14), v33p, k14)
+    ap, bp, _, _, _, _ = c.ray((k15, k16, k17, k18, k19, k20), (*spare,), (*spare_masks,), xp)
+    fF, gF, hF = c.pose((k17, k18, k19), (k20, *spare), (*spare_masks,), xp)
+    bvp1 = mul(v1, bp, k20)
+    bvp3 = mul(v3, bp, k21)
+    bvp2 = mul(v2, bp, k16)
+    z1 = add(add(mul(bvp1, sd, k22), mul(wd1, ap, k23), k22), sub(mul(wd2, bvp3, k23), mul(wd3, bvp2, k24), k23), k22)
+    z2 = add(add(mul(bvp2, sd, k23), mul(wd2, ap, k24), k23), sub(mul(wd3, bvp1, k24), mul(wd1, bvp3, k25), k24), k23)
+    z3 = add(add(mul(bvp3, sd, k24), mul(wd3, ap, k25), k24), sub(mul(wd1, bvp2, k25), mul(wd2, bvp1, k26), k25), k24)
+    z0 = sub(mul(sd, ap, k13), add(add(mul(wd1, bvp1, k10), mul(wd2, bvp2, k12), k10), mul(wd3, bvp3, k11), k10), k10)
+    ss = add(add(mul(z1, z1, k11), mul(z2, z2, k12), k11), mul(z3, z3, k12), k11)
+    still = m.equal(ss, n0, mask2)
+    length = sqrt(m.where(still, add(n1, ss, k12), ss, k12), k12)
+    sine = m.where(still, ss, length, k11)
+    resting = m.equal(xp, n0, mask3)
+    r = sqrt(m.where(resting, add(n1, xp, k13), xp, k13), k13)
+    own, = c.unfolded((k15,), (k16, k20, k21, k25, k26, *spare), (*spare_masks,), xp, r)
+    own_ = div(
+        mul(m.where(resting, n0, div(own, r, k13), k14), add(add(mul(v1, z1, k13), mul(v2, z2, k15), k13), mul(v3, z3,
+        k15), k13), k13), length, k13
+    )
+    falling = m.less(z0, n0, mask3)
+    cosine = m.where(falling, neg(z0, k14), z0, k14)
+    folded = mul(m.where(falling, n_minus_2, n2, k15), atan2(sine, cosine, k14), k14)
+    turns = add(
+        sub(own_, folded, k15), mul(n2, atan2(tan(div(sub(folded, own_, k13), n2, k13), k13), n1, k13), k13), k13
+    )
+    angle = add(folded, m.where(m.less(absolute(turns, k15), n1, mask3), n0, turns, k15), k13)
+    rn, slopen = c.coefficient_of((k14, k15), (k16, k20, k21, k25, k26, *spare), (mask3, *spare_masks), angle, sine, z0)
+    z0s = m.where(still, z0, length, k11)
+    factor = m.where(still, div(mul(n2, slopen, k15), z0s, k11), div(rn, length, k12), k11)
+    v_1 = mul(z1, factor, k12)
+    v_2 = mul(z2, factor, k14)
+    v_3 = mul(z3, factor, k15)
+    fe = mul(factor, z0, k10)
+    v11w = mul(v_1, v_1, k11)
+    v22w = mul(v_2, v_2, k16)
+    v33w = mul(v_3, v_3, k20)
+    xw = add(add(v11w, v22w, k11), v33w, k11)
+    fin, hin, _, _ = c.tangent_inv_at(
+        (k16, k20, k21, k22), (k23, k24, k25, k26, *spare), (mask2, mask3, *spare_masks), xw, fe, angle
+    )
+    cvn3 = mul(v_3, hin, k10)
+    I33 = add(fin, mul(cvn3, v_3, k10), k10)
+    cvn1 = mul(v_1, hin, k11)
+    cvn2 = mul(v_2, hin, k13)
+    d13n = mul(cvn1, v_3, k20)
+    sn2 = neg(v_2, k21)
+    I31 = sub(d13n, sn2, k22)
+    I13 = add(d13n, sn2, k20)
+    d23n = mul(cvn2, v_3, k21)
+    I22 = add(fin, mul(cvn2, v_2, k13), k13)
+    d12n = mul(cvn1, v_2, k14)
+    I11 = add(fin, mul(cvn1, v_1, k11), k11)
+    sn1 = neg(v_1, k12)
+    sn3 = neg(v_3, k15)
+    I32 = add(d23n, sn1, k16)
+    I23 = sub(d23n, sn1, k12)
+    C01d = add(n1, C0d, k21)
+    C2d = div(CC1d, C01d, k21)
+    besided = sub(alphad, n4, k23)
+    lostd = div(
+        sub(sub(sub(xxd, n16, k24), mul(n8, besided, k25), k24), mul(besided, besided, k23), k23), mul(n2, alphad, k24),
+        k23
+    )
+    thalfd = tan(div(alphad, n2, k24), k24)
+    tthalfd = mul(thalfd, thalfd, k25)
+    belowhalfd = add(n1, tthalfd, k26)
+    versined = div(mul(n2, tthalfd, k25), belowhalfd, k25)
+    sined = div(mul(n2, thalfd, k24), belowhalfd, k24)
+    fd = m.where(
+        neard, mul(C0d, C1d, k5), div(add(sined, mul(lostd, sub(n1, versined, k26), k26), k26), alphad, k9), k5
+    )
+    gd = m.where(neard, div(CC1d, n2, k8), div(add(versined, mul(lostd, sined, k9), k9), xxd, k9), k8)
+    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k7), k4), n4, k4), div(sub(n1, fd, k7), xxd, k6), k4)
     Qd11 = sub(n1, mul(gd, x23d, k2), k2)
     Qd22 = sub(n1, mul(gd, x13d, k1), k1)
     Qd33 = sub(n1, mul(gd, x12d, k3), k3)
-    ss = add(add(mul(z1, z1, k6), mul(z2, z2, k7), k6), mul(z3, z3, k7), k6)
-    still = m.equal(ss, n0, mask1)
-    length = sqrt(m.where(still, add(n1, ss, k7), ss, k7), k7)
-    folded = mul(n2, atan2(m.where(still, ss, length, k6), z0, k6), k6)
-    resting = m.equal(xp, n0, mask2)
-    r = sqrt(m.where(resting, add(n1, xp, k10), xp, k10), k10)
-    own, = c.unfolded((k11,), (k12, k14, k15, k19, k20, k24, k25, *spare), (*spare_masks,), xp, r)
-    own_ = div(
-        mul(m.where(resting, n0, div(own, r, k10), k11), add(add(mul(v1, z1, k10), mul(v2, z2, k12), k10), mul(v3, z3,
-        k12), k10), k10), length, k10
-    )
-    turns = add(
-        sub(own_, folded, k11), mul(n2, atan2(tan(div(sub(folded, own_, k10), n2, k10), k10), n1, k10), k10), k10
-    )
-    angle = add(folded, m.where(m.less(absolute(turns, k11), n1, mask2), n0, turns, k11), k6)
-    rn, slopen = c.coefficient(
-        (k10, k11), (k12, k13, k14, k15, k19, k20, k24, k25, *spare), (mask2, *spare_masks), angle
-    )
-    z0s = m.where(still, z0, length, k12)
-    factor = m.where(still, div(mul(n2, slopen, k11), z0s, k11), div(rn, length, k7), k10)
-    v_1 = mul(z1, factor, k7)
-    v_2 = mul(z2, factor, k11)
-    v_3 = mul(z3, factor, k12)
-    fe = mul(factor, z0, k8)
-    v11w = mul(v_1, v_1, k10)
-    v22w = mul(v_2, v_2, k13)
-    v33w = mul(v_3, v_3, k14)
-    xw = add(add(v11w, v22w, k10), v33w, k10)
-    fin, hin, _, _ = c.tangent_inv_at(
-        (k13, k14, k15, k19), (k20, k21, k22, k23, k24, k25, *spare), (mask1, mask2, *spare_masks), xw, fe, angle
-    )
-    cvn3 = mul(v_3, hin, k6)
-    I33 = add(fin, mul(cvn3, v_3, k6), k6)
-    cvn1 = mul(v_1, hin, k8)
-    cvn2 = mul(v_2, hin, k10)
-    d13n = mul(cvn1, v_3, k14)
-    sn2 = neg(v_2, k15)
-    I31 = sub(d13n, sn2, k19)
-    I13 = add(d13n, sn2, k14)
-    d23n = mul(cvn2, v_3, k15)
-    I22 = add(fin, mul(cvn2, v_2, k10), k10)
-    d12n = mul(cvn1, v_2, k11)
-    I11 = add(fin, mul(cvn1, v_1, k8), k8)
-    sn1 = neg(v_1, k7)
-    sn3 = neg(v_3, k12)
-    I32 = add(d23n, sn1, k13)
-    I23 = sub(d23n, sn1, k7)
-    cvd1 = mul(d1, hd, k15)
-    d13d = mul(cvd1, d3, k20)
-    gvd2 = mul(d2, gd, k21)
-    D13 = add(d13d, gvd2, k22)
-    D31 = sub(d13d, gvd2, k20)
-    gvvd3 = mul(gvd2, d3, k21)
+    cvd1 = mul(d1, hd, k6)
+    d13d = mul(cvd1, d3, k7)
+    gvd2 = mul(d2, gd, k9)
+    D13 = add(d13d, gvd2, k21)
+    D31 = sub(d13d, gvd2, k7)
+    gvvd3 = mul(gvd2, d3, k9)
     cvd2 = mul(d2, hd, k23)
     cvd3 = mul(d3, hd, k4)
     D33 = add(fd, mul(cvd3, d3, k4), k4)
     d23d = mul(cvd2, d3, k24)
     D22 = add(fd, mul(cvd2, d2, k23), k23)
     gvd1 = mul(d1, gd, k25)
-    gvd3 = mul(d3, gd, k5)
+    gvd3 = mul(d3, gd, k8)
     D23 = sub(d23d, gvd1, k26)
     div(add(add(mul(I31, D13, k27), mul(I32, D23, k28), k27), mul(I33, D33, k28), k27), n2, o18)
     D32 = add(d23d, gvd1, k24)
     d12d = mul(cvd1, d2, k27)
-    D11 = add(fd, mul(cvd1, d1, k15), k15)
+    D11 = add(fd, mul(cvd1, d1, k6), k6)
     D12 = sub(d12d, gvd3, k28)
-    D21 = add(d12d, gvd3, k5)
+    D21 = add(d12d, gvd3, k8)
     div(add(add(mul(I31, D12, k27), mul(I32, D22, k29), k27), mul(I33, D32, k29), k27), n2, o17)
     div(add(add(mul(I31, D11, k27), mul(I32, D21, k29), k27), mul(I33, D31, k29), k27), n2, o16)
     I21 = add(d12n, sn3, k27)
-    I12 = sub(d12n, sn3, k11)
-    div(add(add(mul(I21, D13, k12), mul(I22, D23, k29), k12), mul(I23, D33, k29), k12), n2, o15)
-    div(add(add(mul(I11, D13, k12), mul(I12, D23, k22), k12), mul(I13, D33, k4), k4), n2, o12)
-    div(add(add(mul(I21, D12, k4), mul(I22, D22, k12), k4), mul(I23, D32, k12), k4), n2, o14)
-    div(add(add(mul(I11, D12, k4), mul(I12, D22, k12), k4), mul(I13, D32, k12), k4), n2, o11)
-    div(add(add(mul(I21, D11, k4), mul(I22, D21, k12), k4), mul(I23, D31, k12), k4), n2, o13)
-    div(add(add(mul(I11, D11, k4), mul(I12, D21, k5), k4), mul(I13, D31, k5), k4), n2, o10)
+    I12 = sub(d12n, sn3, k14)
+    div(add(add(mul(I21, D13, k15), mul(I22, D23, k29), k15), mul(I23, D33, k29), k15), n2, o15)
+    div(add(add(mul(I11, D13, k15), mul(I12, D23, k21), k15), mul(I13, D33, k4), k4), n2, o12)
+    div(add(add(mul(I21, D12, k4), mul(I22, D22, k15), k4), mul(I23, D32, k15), k4), n2, o14)
+    div(add(add(mul(I11, D12, k4), mul(I12, D22, k15), k4), mul(I13, D32, k15), k4), n2, o11)
+    div(add(add(mul(I21, D11, k4), mul(I22, D21, k15), k4), mul(I23, D31, k15), k4), n2, o13)
+    div(add(add(mul(I11, D11, k4), mul(I12, D21, k6), k4), mul(I13, D31, k6), k4), n2, o10)
     gvvd1 = mul(gvd1, d2, k4)
-    gvvd2 = mul(gvd1, d3, k5)
-    fvd3 = mul(d3, fd, k12)
-    Qd12 = sub(gvvd1, fvd3, k15)
+    gvvd2 = mul(gvd1, d3, k6)
+    fvd3 = mul(d3, fd, k7)
+    Qd12 = sub(gvvd1, fvd3, k8)
     Qd21 = add(gvvd1, fvd3, k4)
-    fvd2 = mul(d2, fd, k12)
-    fvd1 = mul(d1, fd, k9)
-    Qd13 = add(gvvd2, fvd2, k20)
-    Qd31 = sub(gvvd2, fvd2, k5)
-    cvF1 = mul(v1, hF, k12)
-    d13F = mul(cvF1, v3, k22)
+    fvd2 = mul(d2, fd, k7)
+    fvd1 = mul(d1, fd, k5)
+    Qd13 = add(gvvd2, fvd2, k15)
+    Qd31 = sub(gvvd2, fvd2, k6)
+    cvF1 = mul(v1, hF, k7)
+    d13F = mul(cvF1, v3, k21)
     gvF2 = mul(v2, gF, k23)
     F13 = add(d13F, gvF2, k24)
-    F31 = sub(d13F, gvF2, k22)
+    F31 = sub(d13F, gvF2, k21)
     cvF2 = mul(v2, hF, k23)
-    cvF3 = mul(v3, hF, k18)
-    F33 = add(fF, mul(cvF3, v3, k18), k18)
+    cvF3 = mul(v3, hF, k19)
+    F33 = add(fF, mul(cvF3, v3, k19), k19)
     d23F = mul(cvF2, v3, k25)
     F22 = add(fF, mul(cvF2, v2, k23), k23)
-    F11 = add(fF, mul(cvF1, v1, k26), k16)
-    d12F = mul(cvF1, v2, k12)
+    F11 = add(fF, mul(cvF1, v1, k26), k17)
+    d12F = mul(cvF1, v2, k7)
     gvF1 = mul(v1, gF, k26)
-    gvF3 = mul(v3, gF, k17)
+    gvF3 = mul(v3, gF, k18)
     F23 = sub(d23F, gvF1, k28)
     F32 = add(d23F, gvF1, k25)
     RT13 = add(add(mul(Qd11, F13, k26), mul(Qd12, F23, k29), k26), mul(Qd13, F33, k29), k26)
     Qd23 = sub(gvvd3, fvd1, k29)
-    Qd32 = add(gvvd3, fvd1, k9)
-    RT23 = add(add(mul(Qd21, F13, k21), mul(Qd22, F23, k30), k21), mul(Qd23, F33, k30), k21)
-    RT33 = add(add(mul(Qd31, F13, k24), mul(Qd32, F23, k28), k24), mul(Qd33, F33, k18), k18)
+    Qd32 = add(gvvd3, fvd1, k5)
+    RT23 = add(add(mul(Qd21, F13, k9), mul(Qd22, F23, k30), k9), mul(Qd23, F33, k30), k9)
+    RT33 = add(add(mul(Qd31, F13, k24), mul(Qd32, F23, k28), k24), mul(Qd33, F33, k19), k19)
     div(add(add(mul(I31, RT13, k24), mul(I32, RT23, k28), k24), mul(I33, RT33, k28), k24), n2, o9)
     div(add(add(mul(I21, RT13, k24), mul(I22, RT23, k28), k24), mul(I23, RT33, k28), k24), n2, o6)
-    div(add(add(mul(I11, RT13, k24), mul(I12, RT23, k21), k21), mul(I13, RT33, k18), k18), n2, o3)
-    F12 = sub(d12F, gvF3, k18)
-    F21 = add(d12F, gvF3, k12)
-    RT12 = add(add(mul(Qd11, F12, k17), mul(Qd12, F22, k21), k17), mul(Qd13, F32, k21), k17)
-    RT11 = add(add(mul(Qd11, F11, k2), mul(Qd12, F21, k15), k2), mul(Qd13, F31, k15), k2)
-    RT22 = add(add(mul(Qd21, F12, k15), mul(Qd22, F22, k20), k15), mul(Qd23, F32, k20), k15)
-    RT32 = add(add(mul(Qd31, F12, k18), mul(Qd32, F22, k20), k18), mul(Qd33, F32, k20), k18)
+    div(add(add(mul(I11, RT13, k24), mul(I12, RT23, k9), k9), mul(I13, RT33, k19), k9), n2, o3)
+    F12 = sub(d12F, gvF3, k9)
+    F21 = add(d12F, gvF3, k7)
+    RT12 = add(add(mul(Qd11, F12, k18), mul(Qd12, F22, k19), k18), mul(Qd13, F32, k19), k18)
+    RT11 = add(add(mul(Qd11, F11, k2), mul(Qd12, F21, k8), k2), mul(Qd13, F31, k8), k2)
+    RT22 = add(add(mul(Qd21, F12, k8), mul(Qd22, F22, k15), k8), mul(Qd23, F32, k15), k8)
+    RT32 = add(add(mul(Qd31, F12, k9), mul(Qd32, F22, k15), k9), mul(Qd33, F32, k15), k9)
     RT21 = add(add(mul(Qd21, F11, k4), mul(Qd22, F21, k1), k1), mul(Qd23, F31, k4), k1)
     RT31 = add(add(mul(Qd31, F11, k4), mul(Qd32, F21, k5), k4), mul(Qd33, F31, k3), k3)
     div(add(add(mul(I31, RT12, k4), mul(I32, RT22, k5), k4), mul(I33, RT32, k5), k4), n2, o8)
@@ -2803,7 +2838,7 @@ def retract_jacobians_blocks(
     div(add(add(mul(I11, RT11, k2), mul(I12, RT21, k1), k1), mul(I13, RT31, k2), k1), n2, o1)
 
 
-# operations 397: 139 +, 191 *, 39 /, 3 neg, 1 abs, 4 sqrt, 2 tan, 2 atan2, 2 lt, 2 eq, 12 where
+# operations 424: 147 +, 196 *, 46 /, 4 neg, 1 abs, 4 sqrt, 3 tan, 2 atan2, 3 lt, 2 eq, 16 where
 def body_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v1, v2, v3 = v
     d1, d2, d3 = delta
@@ -2832,9 +2867,15 @@ def body_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> 
     wd1 = d1 * wd
     wd2 = d2 * wd
     wd3 = d3 * wd
-    fd = 2 * (sd * wd)
-    wwd = wd * wd
-    gd = 2 * wwd
+    thalfd = m.tan(alphad / 2)
+    tthalfd = thalfd * thalfd
+    belowhalfd = 1 + tthalfd
+    sined = 2 * thalfd / belowhalfd
+    versined = 2 * tthalfd / belowhalfd
+    besided = alphad - 4
+    lostd = (xxd - 16 - 8 * besided - besided * besided) / (2 * alphad)
+    fd = m.where(neard, C0d * C1d, (sined + lostd * (1 - versined)) / alphad)
+    gd = m.where(neard, CC1d / 2, (versined + lostd * sined) / xxd)
     C01d = 1 + C0d
     C2d = CC1d / C01d
     hd = m.where(neard, (C3d + C1d * C2d) / 4, (1 - fd) / xxd)
@@ -2863,10 +2904,13 @@ def body_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> 
     r = m.sqrt(m.where(resting, 1 + xp, xp))
     own, = c.unfolded(m, xp, r)
     own_ = m.where(resting, 0, own / r) * (v1 * z1 + v2 * z2 + v3 * z3) / length
-    folded = 2 * m.atan2(m.where(still, ss, length), z0)
+    sine = m.where(still, ss, length)
+    falling = z0 < 0
+    cosine = m.where(falling, -z0, z0)
+    folded = m.where(falling, -2, 2) * m.atan2(sine, cosine)
     turns = own_ - folded + 2 * m.atan2(m.tan((folded - own_) / 2), 1)
     angle = folded + m.where(m.abs(turns) < 1, 0, turns)
-    rn, slopen = c.coefficient(m, angle)
+    rn, slopen = c.coefficient_of(m, angle, sine, z0)
     z0s = m.where(still, z0, length)
     factor = m.where(still, 2 * slopen / z0s, rn / length)
     v_1 = z1 * factor
@@ -2985,10 +3029,12 @@ def body_retract_jacobians_blocks(
     o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
     (
         k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
-        k25, k26, k27, k28, k29, *spare,
+        k25, k26, k27, k28, k29, k30, k31, k32, *spare,
     ) = scratch
-    mask1, mask2, *spare_masks = masks
-    n0, n1, n2, n4, n6, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    mask1, mask2, mask3, *spare_masks = masks
+    (
+        n_minus_2, n0, n1, n2, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600,
+    ) = numbers
     v11d = mul(d1, d1, k1)
     v22d = mul(d2, d2, k2)
     v33d = mul(d3, d3, k3)
@@ -3010,157 +3056,173 @@ def body_retract_jacobians_blocks(
     td = tan(div(alphad, n4, k7), k7)
     ttd = mul(td, td, k8)
     belowd = add(n1, ttd, k9)
-    wd = m.where(neard, div(C1d, n2, k10), div(div(mul(n2, td, k7), belowd, k7), alphad, k6), k7)
-    sd = m.where(neard, C0d, div(sub(n1, ttd, k6), belowd, k6), k8)
-    C01d = add(n1, C0d, k2)
-    C2d = div(CC1d, C01d, k2)
-    wd1 = mul(d1, wd, k5)
-    wd3 = mul(d3, wd, k6)
-    wd2 = mul(d2, wd, k9)
-    v11p = mul(v1, v1, k10)
-    v22p = mul(v2, v2, k11)
-    x12p = add(v11p, v22p, k12)
-    v33p = mul(v3, v3, k13)
-    x23p = add(v22p, v33p, k11)
-    x13p = add(v11p, v33p, k10)
-    xp = add(x12p, v33p, k13)
-    ap, bp, _, fp, gp, _ = c.ray((k14, k15, k16, k17, k18, k19), (*spare,), (*spare_masks,), xp)
-    fF, gF, hF = c.pose((k16, k19, k20), (*spare,), (*spare_masks,), xp)
-    Qp11 = sub(n1, mul(gp, x23p, k11), k11)
-    Qp22 = sub(n1, mul(gp, x13p, k10), k10)
-    Qp33 = sub(n1, mul(gp, x12p, k12), k12)
-    bvp1 = mul(v1, bp, k21)
-    bvp2 = mul(v2, bp, k22)
-    bvp3 = mul(v3, bp, k15)
-    z1 = add(add(mul(wd1, ap, k23), mul(bvp1, sd, k24), k23), sub(mul(bvp2, wd3, k24), mul(bvp3, wd2, k25), k24), k23)
-    z2 = add(add(mul(wd2, ap, k24), mul(bvp2, sd, k25), k24), sub(mul(bvp3, wd1, k25), mul(bvp1, wd3, k26), k25), k24)
-    z3 = add(add(mul(wd3, ap, k25), mul(bvp3, sd, k26), k25), sub(mul(bvp1, wd2, k26), mul(bvp2, wd1, k27), k26), k25)
-    z0 = sub(mul(ap, sd, k14), add(add(mul(bvp1, wd1, k5), mul(bvp2, wd2, k9), k5), mul(bvp3, wd3, k6), k5), k5)
-    fd = mul(n2, mul(sd, wd, k6), k6)
-    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k2), k1), n4, k1), div(sub(n1, fd, k2), xxd, k2), k1)
-    wwd = mul(wd, wd, k2)
-    gd = mul(n2, wwd, k2)
-    ss = add(add(mul(z1, z1, k3), mul(z2, z2, k4), k3), mul(z3, z3, k4), k3)
-    still = m.equal(ss, n0, mask1)
-    length = sqrt(m.where(still, add(n1, ss, k4), ss, k4), k4)
-    folded = mul(n2, atan2(m.where(still, ss, length, k3), z0, k3), k3)
-    resting = m.equal(xp, n0, mask2)
-    r = sqrt(m.where(resting, add(n1, xp, k7), xp, k7), k7)
-    own, = c.unfolded((k8,), (k9, k14, k15, k21, k22, k26, k27, *spare), (*spare_masks,), xp, r)
+    sd = m.where(neard, C0d, div(sub(n1, ttd, k8), belowd, k8), k10)
+    wd = m.where(neard, div(C1d, n2, k8), div(div(mul(n2, td, k7), belowd, k7), alphad, k7), k8)
+    wd1 = mul(d1, wd, k7)
+    wd3 = mul(d3, wd, k9)
+    wd2 = mul(d2, wd, k8)
+    v11p = mul(v1, v1, k11)
+    v22p = mul(v2, v2, k12)
+    x12p = add(v11p, v22p, k13)
+    v33p = mul(v3, v3, k14)
+    x23p = add(v22p, v33p, k12)
+    x13p = add(v11p, v33p, k11)
+    xp = add(x12p, v33p, k14)
+    ap, bp, _, fp, gp, _ = c.ray((k15, k16, k17, k18, k19, k20), (*spare,), (*spare_masks,), xp)
+    fF, gF, hF = c.pose((k17, k20, k21), (*spare,), (*spare_masks,), xp)
+    Qp11 = sub(n1, mul(gp, x23p, k12), k12)
+    Qp22 = sub(n1, mul(gp, x13p, k11), k11)
+    Qp33 = sub(n1, mul(gp, x12p, k13), k13)
+    bvp1 = mul(v1, bp, k22)
+    bvp2 = mul(v2, bp, k23)
+    bvp3 = mul(v3, bp, k16)
+    z1 = add(add(mul(wd1, ap, k24), mul(bvp1, sd, k25), k24), sub(mul(bvp2, wd3, k25), mul(bvp3, wd2, k26), k25), k24)
+    z2 = add(add(mul(wd2, ap, k25), mul(bvp2, sd, k26), k25), sub(mul(bvp3, wd1, k26), mul(bvp1, wd3, k27), k26), k25)
+    z3 = add(add(mul(wd3, ap, k26), mul(bvp3, sd, k27), k26), sub(mul(bvp1, wd2, k27), mul(bvp2, wd1, k28), k27), k26)
+    z0 = sub(mul(ap, sd, k10), add(add(mul(bvp1, wd1, k7), mul(bvp2, wd2, k8), k7), mul(bvp3, wd3, k8), k7), k7)
+    ss = add(add(mul(z1, z1, k8), mul(z2, z2, k9), k8), mul(z3, z3, k9), k8)
+    still = m.equal(ss, n0, mask2)
+    length = sqrt(m.where(still, add(n1, ss, k9), ss, k9), k9)
+    sine = m.where(still, ss, length, k8)
+    resting = m.equal(xp, n0, mask3)
+    r = sqrt(m.where(resting, add(n1, xp, k10), xp, k10), k10)
+    own, = c.unfolded((k15,), (k16, k22, k23, k27, k28, *spare), (*spare_masks,), xp, r)
     own_ = div(
-        mul(m.where(resting, n0, div(own, r, k7), k8), add(add(mul(v1, z1, k7), mul(v2, z2, k9), k7), mul(v3, z3, k9),
-        k7), k7), length, k7
+        mul(m.where(resting, n0, div(own, r, k10), k14), add(add(mul(v1, z1, k10), mul(v2, z2, k15), k10), mul(v3, z3,
+        k15), k10), k10), length, k10
     )
-    turns = add(sub(own_, folded, k8), mul(n2, atan2(tan(div(sub(folded, own_, k7), n2, k7), k7), n1, k7), k7), k7)
-    angle = add(folded, m.where(m.less(absolute(turns, k8), n1, mask2), n0, turns, k8), k3)
-    rn, slopen = c.coefficient((k7, k8), (k9, k13, k14, k15, k21, k22, k26, k27, *spare), (mask2, *spare_masks), angle)
-    z0s = m.where(still, z0, length, k9)
-    factor = m.where(still, div(mul(n2, slopen, k8), z0s, k8), div(rn, length, k4), k7)
-    v_1 = mul(z1, factor, k4)
-    v_2 = mul(z2, factor, k8)
-    v_3 = mul(z3, factor, k9)
-    fe = mul(factor, z0, k5)
-    v11w = mul(v_1, v_1, k7)
-    v22w = mul(v_2, v_2, k13)
-    v33w = mul(v_3, v_3, k14)
-    xw = add(add(v11w, v22w, k7), v33w, k7)
+    falling = m.less(z0, n0, mask3)
+    cosine = m.where(falling, neg(z0, k14), z0, k14)
+    folded = mul(m.where(falling, n_minus_2, n2, k15), atan2(sine, cosine, k14), k14)
+    turns = add(
+        sub(own_, folded, k15), mul(n2, atan2(tan(div(sub(folded, own_, k10), n2, k10), k10), n1, k10), k10), k10
+    )
+    angle = add(folded, m.where(m.less(absolute(turns, k15), n1, mask3), n0, turns, k15), k10)
+    rn, slopen = c.coefficient_of((k14, k15), (k16, k22, k23, k27, k28, *spare), (mask3, *spare_masks), angle, sine, z0)
+    z0s = m.where(still, z0, length, k8)
+    factor = m.where(still, div(mul(n2, slopen, k15), z0s, k8), div(rn, length, k9), k8)
+    v_1 = mul(z1, factor, k9)
+    v_2 = mul(z2, factor, k14)
+    v_3 = mul(z3, factor, k15)
+    fe = mul(factor, z0, k7)
+    v11w = mul(v_1, v_1, k8)
+    v22w = mul(v_2, v_2, k16)
+    v33w = mul(v_3, v_3, k22)
+    xw = add(add(v11w, v22w, k8), v33w, k8)
     fin, hin, _, _ = c.tangent_inv_at(
-        (k13, k14, k15, k21), (k22, k23, k24, k25, k26, k27, *spare), (mask1, mask2, *spare_masks), xw, fe, angle
+        (k16, k22, k23, k24), (k25, k26, k27, k28, *spare), (mask2, mask3, *spare_masks), xw, fe, angle
     )
-    cvn1 = mul(v_1, hin, k3)
-    I11 = add(fin, mul(cvn1, v_1, k5), k5)
-    sn1 = neg(v_1, k4)
-    d12n = mul(cvn1, v_2, k7)
-    d13n = mul(cvn1, v_3, k3)
-    sn3 = neg(v_3, k15)
-    I12 = sub(d12n, sn3, k21)
-    I21 = add(d12n, sn3, k7)
-    sn2 = neg(v_2, k15)
-    I13 = add(d13n, sn2, k22)
-    I31 = sub(d13n, sn2, k3)
-    cvF1 = mul(v1, hF, k15)
-    F11 = add(fF, mul(cvF1, v1, k23), k23)
-    d12F = mul(cvF1, v2, k24)
-    d13F = mul(cvF1, v3, k15)
-    gvF3 = mul(v3, gF, k25)
-    F21 = add(d12F, gvF3, k26)
-    F12 = sub(d12F, gvF3, k24)
-    gvF2 = mul(v2, gF, k25)
-    gvF1 = mul(v1, gF, k19)
-    F31 = sub(d13F, gvF2, k27)
-    F13 = add(d13F, gvF2, k15)
-    div(add(add(mul(I11, F11, k25), mul(I12, F21, k28), k25), mul(I13, F31, k28), k25), n2, o1)
-    cvF2 = mul(v2, hF, k25)
-    cvF3 = mul(v3, hF, k20)
-    F33 = add(fF, mul(cvF3, v3, k20), k20)
-    F22 = add(fF, mul(cvF2, v2, k28), k16)
-    d23F = mul(cvF2, v3, k25)
-    F32 = add(d23F, gvF1, k28)
-    F23 = sub(d23F, gvF1, k19)
-    div(add(add(mul(I11, F12, k25), mul(I12, F22, k29), k25), mul(I13, F32, k29), k25), n2, o2)
-    div(add(add(mul(I11, F13, k25), mul(I12, F23, k29), k25), mul(I13, F33, k29), k25), n2, o3)
-    cvn2 = mul(v_2, hin, k25)
-    I22 = add(fin, mul(cvn2, v_2, k8), k8)
-    d23n = mul(cvn2, v_3, k25)
-    cvn3 = mul(v_3, hin, k14)
-    I33 = add(fin, mul(cvn3, v_3, k9), k9)
-    I23 = sub(d23n, sn1, k13)
-    I32 = add(d23n, sn1, k4)
-    div(add(add(mul(I21, F11, k14), mul(I22, F21, k25), k14), mul(I23, F31, k25), k14), n2, o4)
-    div(add(add(mul(I31, F11, k14), mul(I32, F21, k23), k14), mul(I33, F31, k23), k14), n2, o7)
-    div(add(add(mul(I21, F12, k14), mul(I22, F22, k23), k14), mul(I23, F32, k23), k14), n2, o5)
-    div(add(add(mul(I31, F12, k14), mul(I32, F22, k16), k14), mul(I33, F32, k16), k14), n2, o8)
-    div(add(add(mul(I21, F13, k14), mul(I22, F23, k16), k14), mul(I23, F33, k16), k14), n2, o6)
-    div(add(add(mul(I31, F13, k14), mul(I32, F23, k15), k14), mul(I33, F33, k15), k14), n2, o9)
-    cvd1 = mul(d1, hd, k14)
-    D11 = add(fd, mul(cvd1, d1, k15), k15)
-    d12d = mul(cvd1, d2, k16)
-    d13d = mul(cvd1, d3, k14)
-    gvd3 = mul(d3, gd, k19)
+    cvn1 = mul(v_1, hin, k7)
+    I11 = add(fin, mul(cvn1, v_1, k8), k8)
+    sn1 = neg(v_1, k9)
+    d12n = mul(cvn1, v_2, k10)
+    d13n = mul(cvn1, v_3, k7)
+    sn3 = neg(v_3, k23)
+    I12 = sub(d12n, sn3, k24)
+    I21 = add(d12n, sn3, k10)
+    sn2 = neg(v_2, k23)
+    I13 = add(d13n, sn2, k25)
+    I31 = sub(d13n, sn2, k7)
+    cvF1 = mul(v1, hF, k23)
+    F11 = add(fF, mul(cvF1, v1, k26), k26)
+    d12F = mul(cvF1, v2, k27)
+    d13F = mul(cvF1, v3, k23)
+    gvF3 = mul(v3, gF, k28)
+    F21 = add(d12F, gvF3, k29)
+    F12 = sub(d12F, gvF3, k27)
+    gvF2 = mul(v2, gF, k28)
+    gvF1 = mul(v1, gF, k20)
+    F31 = sub(d13F, gvF2, k30)
+    F13 = add(d13F, gvF2, k23)
+    div(add(add(mul(I11, F11, k28), mul(I12, F21, k31), k28), mul(I13, F31, k31), k28), n2, o1)
+    cvF2 = mul(v2, hF, k28)
+    cvF3 = mul(v3, hF, k21)
+    F33 = add(fF, mul(cvF3, v3, k21), k21)
+    F22 = add(fF, mul(cvF2, v2, k31), k17)
+    d23F = mul(cvF2, v3, k28)
+    F32 = add(d23F, gvF1, k31)
+    F23 = sub(d23F, gvF1, k20)
+    div(add(add(mul(I11, F12, k28), mul(I12, F22, k32), k28), mul(I13, F32, k32), k28), n2, o2)
+    div(add(add(mul(I11, F13, k28), mul(I12, F23, k32), k28), mul(I13, F33, k32), k28), n2, o3)
+    cvn2 = mul(v_2, hin, k28)
+    I22 = add(fin, mul(cvn2, v_2, k14), k14)
+    d23n = mul(cvn2, v_3, k28)
+    cvn3 = mul(v_3, hin, k22)
+    I33 = add(fin, mul(cvn3, v_3, k15), k15)
+    I23 = sub(d23n, sn1, k16)
+    I32 = add(d23n, sn1, k9)
+    div(add(add(mul(I21, F11, k22), mul(I22, F21, k28), k22), mul(I23, F31, k28), k22), n2, o4)
+    div(add(add(mul(I31, F11, k22), mul(I32, F21, k26), k22), mul(I33, F31, k26), k22), n2, o7)
+    div(add(add(mul(I21, F12, k22), mul(I22, F22, k26), k22), mul(I23, F32, k26), k22), n2, o5)
+    div(add(add(mul(I31, F12, k22), mul(I32, F22, k17), k17), mul(I33, F32, k22), k17), n2, o8)
+    div(add(add(mul(I21, F13, k17), mul(I22, F23, k22), k17), mul(I23, F33, k22), k17), n2, o6)
+    div(add(add(mul(I31, F13, k17), mul(I32, F23, k20), k17), mul(I33, F33, k20), k17), n2, o9)
+    C01d = add(n1, C0d, k17)
+    C2d = div(CC1d, C01d, k17)
+    besided = sub(alphad, n4, k20)
+    lostd = div(
+        sub(sub(sub(xxd, n16, k21), mul(n8, besided, k22), k21), mul(besided, besided, k20), k20), mul(n2, alphad, k21),
+        k20
+    )
+    thalfd = tan(div(alphad, n2, k21), k21)
+    tthalfd = mul(thalfd, thalfd, k22)
+    belowhalfd = add(n1, tthalfd, k23)
+    versined = div(mul(n2, tthalfd, k22), belowhalfd, k22)
+    sined = div(mul(n2, thalfd, k21), belowhalfd, k21)
+    fd = m.where(
+        neard, mul(C0d, C1d, k2), div(add(sined, mul(lostd, sub(n1, versined, k23), k23), k23), alphad, k6), k2
+    )
+    gd = m.where(neard, div(CC1d, n2, k5), div(add(versined, mul(lostd, sined, k6), k6), xxd, k6), k5)
+    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k4), k1), n4, k1), div(sub(n1, fd, k4), xxd, k3), k1)
+    cvd1 = mul(d1, hd, k3)
+    D11 = add(fd, mul(cvd1, d1, k4), k4)
+    d12d = mul(cvd1, d2, k6)
+    d13d = mul(cvd1, d3, k3)
+    gvd3 = mul(d3, gd, k17)
     D21 = add(d12d, gvd3, k20)
-    D12 = sub(d12d, gvd3, k16)
-    gvd2 = mul(d2, gd, k19)
-    gvd1 = mul(d1, gd, k2)
-    D31 = sub(d13d, gvd2, k23)
-    D13 = add(d13d, gvd2, k14)
-    gvp1 = mul(v1, gp, k19)
-    gvp2 = mul(v2, gp, k18)
-    gvvp3 = mul(gvp2, v3, k18)
-    gvvp1 = mul(gvp1, v2, k24)
-    gvvp2 = mul(gvp1, v3, k19)
-    fvp3 = mul(v3, fp, k25)
+    D12 = sub(d12d, gvd3, k6)
+    gvd2 = mul(d2, gd, k17)
+    gvd1 = mul(d1, gd, k5)
+    D31 = sub(d13d, gvd2, k21)
+    D13 = add(d13d, gvd2, k3)
+    gvp1 = mul(v1, gp, k17)
+    gvp2 = mul(v2, gp, k19)
+    gvvp3 = mul(gvp2, v3, k19)
+    gvvp1 = mul(gvp1, v2, k22)
+    gvvp2 = mul(gvp1, v3, k17)
+    fvp3 = mul(v3, fp, k23)
     Qp12 = sub(gvvp1, fvp3, k26)
-    Qp21 = add(gvvp1, fvp3, k24)
-    fvp2 = mul(v2, fp, k25)
-    fvp1 = mul(v1, fp, k17)
+    Qp21 = add(gvvp1, fvp3, k22)
+    fvp2 = mul(v2, fp, k23)
+    fvp1 = mul(v1, fp, k18)
     Qp13 = add(gvvp2, fvp2, k27)
-    Qp31 = sub(gvvp2, fvp2, k19)
-    RD11 = add(add(mul(Qp11, D11, k25), mul(Qp12, D21, k28), k25), mul(Qp13, D31, k28), k25)
+    Qp31 = sub(gvvp2, fvp2, k17)
+    RD11 = add(add(mul(Qp11, D11, k23), mul(Qp12, D21, k28), k23), mul(Qp13, D31, k28), k23)
     Qp23 = sub(gvvp3, fvp1, k28)
-    Qp32 = add(gvvp3, fvp1, k17)
-    RD21 = add(add(mul(Qp21, D11, k18), mul(Qp22, D21, k29), k18), mul(Qp23, D31, k29), k18)
-    RD31 = add(add(mul(Qp31, D11, k15), mul(Qp32, D21, k20), k15), mul(Qp33, D31, k20), k15)
-    div(add(add(mul(I11, RD11, k20), mul(I12, RD21, k23), k20), mul(I13, RD31, k23), k20), n2, o10)
-    div(add(add(mul(I21, RD11, k20), mul(I22, RD21, k23), k20), mul(I23, RD31, k23), k20), n2, o13)
-    div(add(add(mul(I31, RD11, k20), mul(I32, RD21, k18), k18), mul(I33, RD31, k15), k15), n2, o16)
-    cvd2 = mul(d2, hd, k15)
+    Qp32 = add(gvvp3, fvp1, k18)
+    RD21 = add(add(mul(Qp21, D11, k19), mul(Qp22, D21, k29), k19), mul(Qp23, D31, k29), k19)
+    RD31 = add(add(mul(Qp31, D11, k4), mul(Qp32, D21, k20), k4), mul(Qp33, D31, k20), k4)
+    div(add(add(mul(I11, RD11, k20), mul(I12, RD21, k21), k20), mul(I13, RD31, k21), k20), n2, o10)
+    div(add(add(mul(I21, RD11, k20), mul(I22, RD21, k21), k20), mul(I23, RD31, k21), k20), n2, o13)
+    div(add(add(mul(I31, RD11, k20), mul(I32, RD21, k19), k19), mul(I33, RD31, k4), k4), n2, o16)
+    cvd2 = mul(d2, hd, k4)
     cvd3 = mul(d3, hd, k1)
     D33 = add(fd, mul(cvd3, d3, k1), k1)
-    D22 = add(fd, mul(cvd2, d2, k18), k6)
-    d23d = mul(cvd2, d3, k15)
-    D32 = add(d23d, gvd1, k18)
-    D23 = sub(d23d, gvd1, k2)
-    RD12 = add(add(mul(Qp11, D12, k15), mul(Qp12, D22, k20), k15), mul(Qp13, D32, k20), k15)
-    RD13 = add(add(mul(Qp11, D13, k11), mul(Qp12, D23, k20), k11), mul(Qp13, D33, k20), k11)
-    RD22 = add(add(mul(Qp21, D12, k20), mul(Qp22, D22, k23), k20), mul(Qp23, D32, k23), k20)
-    RD32 = add(add(mul(Qp31, D12, k16), mul(Qp32, D22, k6), k6), mul(Qp33, D32, k16), k6)
-    RD23 = add(add(mul(Qp21, D13, k16), mul(Qp22, D23, k10), k10), mul(Qp23, D33, k16), k10)
-    RD33 = add(add(mul(Qp31, D13, k14), mul(Qp32, D23, k2), k2), mul(Qp33, D33, k1), k1)
-    div(add(add(mul(I11, RD12, k2), mul(I12, RD22, k12), k2), mul(I13, RD32, k12), k2), n2, o11)
-    div(add(add(mul(I11, RD13, k2), mul(I12, RD23, k5), k2), mul(I13, RD33, k5), k2), n2, o12)
-    div(add(add(mul(I21, RD12, k2), mul(I22, RD22, k5), k2), mul(I23, RD32, k5), k2), n2, o14)
-    div(add(add(mul(I21, RD13, k2), mul(I22, RD23, k5), k2), mul(I23, RD33, k5), k2), n2, o15)
-    div(add(add(mul(I31, RD12, k2), mul(I32, RD22, k5), k2), mul(I33, RD32, k5), k2), n2, o17)
+    D22 = add(fd, mul(cvd2, d2, k19), k2)
+    d23d = mul(cvd2, d3, k4)
+    D32 = add(d23d, gvd1, k19)
+    D23 = sub(d23d, gvd1, k4)
+    RD12 = add(add(mul(Qp11, D12, k5), mul(Qp12, D22, k20), k5), mul(Qp13, D32, k20), k5)
+    RD13 = add(add(mul(Qp11, D13, k12), mul(Qp12, D23, k20), k12), mul(Qp13, D33, k20), k12)
+    RD22 = add(add(mul(Qp21, D12, k20), mul(Qp22, D22, k21), k20), mul(Qp23, D32, k21), k20)
+    RD32 = add(add(mul(Qp31, D12, k6), mul(Qp32, D22, k2), k2), mul(Qp33, D32, k6), k2)
+    RD23 = add(add(mul(Qp21, D13, k6), mul(Qp22, D23, k11), k6), mul(Qp23, D33, k11), k6)
+    RD33 = add(add(mul(Qp31, D13, k3), mul(Qp32, D23, k4), k3), mul(Qp33, D33, k1), k1)
+    div(add(add(mul(I11, RD12, k3), mul(I12, RD22, k4), k3), mul(I13, RD32, k4), k3), n2, o11)
+    div(add(add(mul(I11, RD13, k3), mul(I12, RD23, k4), k3), mul(I13, RD33, k4), k3), n2, o12)
+    div(add(add(mul(I21, RD12, k3), mul(I22, RD22, k4), k3), mul(I23, RD32, k4), k3), n2, o14)
+    div(add(add(mul(I21, RD13, k3), mul(I22, RD23, k4), k3), mul(I23, RD33, k4), k3), n2, o15)
+    div(add(add(mul(I31, RD12, k3), mul(I32, RD22, k4), k3), mul(I33, RD32, k2), k2), n2, o17)
     div(add(add(mul(I31, RD13, k2), mul(I32, RD23, k3), k2), mul(I33, RD33, k1), k1), n2, o18)
 
 
@@ -3434,15 +3496,15 @@ def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) 
     sst = z1 * z1 + z2 * z2 + z3 * z3
     stillt = sst == 0
     roott = m.sqrt(m.where(stillt, 1 + sst, sst))
-    sinet = m.where(apart, m.where(stillt, sst, side * roott), z1 * axis1 + z2 * axis2 + z3 * axis3)
-    halft = m.atan2(sign1 * sinet, sign1 * z0)
+    sinet_ = m.where(apart, m.where(stillt, sst, side * roott), z1 * axis1 + z2 * axis2 + z3 * axis3)
+    halft = m.atan2(sign1 * sinet_, sign1 * z0)
     halft_by_2 = 2 * halft
     turns = own_ + m.where(apart, -2 * half1, td1 * axis1 + td2 * axis2 + td3 * axis3 - halft_by_2)
-    still = sinet == 0
-    angle = m.where(still, sinet, m.where(m.abs(turns) < 1, 0, turns) + halft_by_2)
+    still = sinet_ == 0
+    angle = m.where(still, sinet_, m.where(m.abs(turns) < 1, 0, turns) + halft_by_2)
     rn, slopen = c.coefficient(m, angle)
     z0s = m.where(still, z0, 1)
-    nosine = m.where(still, 1 + sinet, sinet)
+    nosine = m.where(still, 1 + sinet_, sinet_)
     factor = m.where(still, 2 * slopen / z0s, rn / nosine)
     v_1 = m.where(apart, z1 * factor, axis1 * rn)
     v_2 = m.where(apart, z2 * factor, axis2 * rn)
@@ -3562,13 +3624,13 @@ def interpolate_blocks(
     axis1 = div(a1, r, k6)
     axis2 = div(a2, r, k7)
     axis3 = div(a3, r, k15)
-    sinet = m.where(
+    sinet_ = m.where(
         apart, m.where(stillt, sst, mul(side, roott, k14), k12), add(add(mul(z1, axis1, k14), mul(z2, axis2, k19), k14),
         mul(z3, axis3, k19), k14), k12
     )
-    still = m.equal(sinet, n0, mask1)
+    still = m.equal(sinet_, n0, mask1)
     sign1 = m.where(apart, side, n1, k14)
-    halft = atan2(mul(sign1, sinet, k19), mul(sign1, z0, k20), k19)
+    halft = atan2(mul(sign1, sinet_, k19), mul(sign1, z0, k20), k19)
     halft_by_2 = mul(n2, halft, k19)
     z0s = m.where(still, z0, n1, k9)
     ss1 = add(add(mul(bva1, bva1, k20), mul(bva2, bva2, k21), k20), mul(bva3, bva3, k21), k20)
@@ -3584,12 +3646,12 @@ def interpolate_blocks(
         mul(td3, axis3, k4), k3), halft_by_2, k3), k2), k1
     )
     angle = m.where(
-        still, sinet, add(m.where(m.less(absolute(turns, k2), n1, mask3), n0, turns, k2), halft_by_2, k1), k2
+        still, sinet_, add(m.where(m.less(absolute(turns, k2), n1, mask3), n0, turns, k2), halft_by_2, k1), k2
     )
     rn, slopen = c.coefficient(
         (k1, k3), (k4, k5, k8, k10, k11, k13, k14, k19, k20, k21, *spare), (mask3, *spare_masks), angle
     )
-    nosine = m.where(still, add(n1, sinet, k2), sinet, k2)
+    nosine = m.where(still, add(n1, sinet_, k2), sinet_, k2)
     factor = m.where(still, div(mul(n2, slopen, k3), z0s, k3), div(rn, nosine, k2), k3)
     m.where(apart, mul(z1, factor, k2), mul(axis1, rn, k4), o1)
     m.where(apart, mul(z2, factor, k2), mul(axis2, rn, k4), o2)
@@ -4154,8 +4216,8 @@ KERNELS: Mapping[str, Kernel] = {
         (3,),
         registers=14,
         masks=2,
-        numbers=(0, 1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
-        lent=(('ray', 0, 1), ('unfolded', 5, 0), ('coefficient', 6, 1)),
+        numbers=(-2, 0, 1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        lent=(('ray', 0, 1), ('unfolded', 5, 0), ('coefficient_of', 5, 1)),
         real=True,
     ),
     "body_retract": Kernel(
@@ -4165,8 +4227,8 @@ KERNELS: Mapping[str, Kernel] = {
         (3,),
         registers=14,
         masks=2,
-        numbers=(0, 1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
-        lent=(('ray', 0, 1), ('unfolded', 5, 0), ('coefficient', 6, 1)),
+        numbers=(-2, 0, 1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        lent=(('ray', 0, 1), ('unfolded', 5, 0), ('coefficient_of', 5, 1)),
         real=True,
     ),
     "retract_jacobians": Kernel(
@@ -4175,9 +4237,9 @@ KERNELS: Mapping[str, Kernel] = {
         (("v", (3,)), ("delta", (3,)),),
         (18,),
         registers=30,
-        masks=2,
-        numbers=(0, 1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
-        lent=(('ray', 0, 0), ('unfolded', 7, 0), ('coefficient', 8, 1), ('tangent_inv_at', 6, 2), ('pose', 1, 0)),
+        masks=3,
+        numbers=(-2, 0, 1, 2, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        lent=(('ray', 0, 0), ('unfolded', 5, 0), ('coefficient_of', 5, 1), ('tangent_inv_at', 4, 2), ('pose', 1, 0)),
         real=True,
     ),
     "body_retract_jacobians": Kernel(
@@ -4185,10 +4247,10 @@ KERNELS: Mapping[str, Kernel] = {
         body_retract_jacobians_blocks,
         (("v", (3,)), ("delta", (3,)),),
         (18,),
-        registers=29,
-        masks=2,
-        numbers=(0, 1, 2, 4, 6, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
-        lent=(('ray', 0, 0), ('unfolded', 7, 0), ('coefficient', 8, 1), ('tangent_inv_at', 6, 2), ('pose', 0, 0)),
+        registers=32,
+        masks=3,
+        numbers=(-2, 0, 1, 2, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        lent=(('ray', 0, 0), ('unfolded', 5, 0), ('coefficient_of', 5, 1), ('tangent_inv_at', 4, 2), ('pose', 0, 0)),
         real=True,
     ),
     "local": Kernel(

@@ -7,8 +7,8 @@
 #       body_tangent_inv 51, twist 48, rate 60, tangent_dot 80, twist_dot 88, rate_dot 101, twist_jacobian 87,
 #       rate_jacobian 86, from_quaternion 13, from_tensor 67, from_angle_axis 16, to_angle_axis 54, angle 16,
 #       to_exponential 24, from_exponential 42, turn 39, shadow 65, identity_jacobian 6, shadow_jacobian 79,
-#       principal 37, compose 84, between 87, compose_jacobians 374, between_jacobians 386, retract 172,
-#       body_retract 172, retract_jacobians 476, body_retract_jacobians 478, local 94, body_local 94,
+#       principal 37, compose 84, between 87, compose_jacobians 374, between_jacobians 386, retract 176,
+#       body_retract 176, retract_jacobians 503, body_retract_jacobians 505, local 94, body_local 94,
 #       interpolate 312, adjoint 39, transform_point_jacobians 127
 r"""Lambert's equal-area projection, rotations alone: Rodrigues vectors ``v = sin(α/4) u``, the real parts of `lambert`.
 
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="e6d6776c0b80f07d",
+    programs="13a0dc990bfc35ed",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -7,8 +7,8 @@
 #       body_tangent_inv 57, twist 51, rate 66, tangent_dot 86, twist_dot 94, rate_dot 107, twist_jacobian 93,
 #       rate_jacobian 92, from_quaternion 27, from_tensor 71, from_angle_axis 16, to_angle_axis 55, angle 16,
 #       to_exponential 24, from_exponential 43, turn 39, shadow 66, identity_jacobian 6, shadow_jacobian 80,
-#       principal 37, compose 101, between 104, compose_jacobians 403, between_jacobians 415, retract 175,
-#       body_retract 175, retract_jacobians 486, body_retract_jacobians 488, local 100, body_local 100,
+#       principal 37, compose 101, between 104, compose_jacobians 403, between_jacobians 415, retract 179,
+#       body_retract 179, retract_jacobians 513, body_retract_jacobians 515, local 100, body_local 100,
 #       interpolate 318, adjoint 42, transform_point_jacobians 130
 r"""Sine chart of order 3, rotations alone: Rodrigues vectors ``v = sin(α/6) u``, the real parts of `sine3`.
 
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="72f6fb3e92e0cce6",
+    programs="dacf709697be1b48",
 )
 
 KERNELS = RotationKernels(CHART)
