@@ -14,15 +14,13 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
-from typing import TYPE_CHECKING, Any, TypeAlias
+from types import SimpleNamespace
+from typing import Any, Protocol, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ._selection import Selection, selection
-
-if TYPE_CHECKING:
-    from ._chart import Chart
 
 Array: TypeAlias = NDArray[Any]
 Components: TypeAlias = Sequence[Any]
@@ -64,6 +62,14 @@ class Kernel:
     numbers: tuple[int, ...]
     lent: tuple[tuple[str, int, int], ...]
     real: bool
+
+
+class Chart(Protocol):
+    """What a kernel that runs asks of its chart."""
+
+    def in_place(self, selection: Selection, dtype: np.dtype[Any]) -> SimpleNamespace: ...
+
+    def scratch(self, kernel: Kernel) -> tuple[int, int]: ...
 
 
 class Scratch:

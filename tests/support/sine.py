@@ -190,6 +190,11 @@ class Sine:
         sine, cosine = _of_twice(m.name("t", m.tan(m.div(angle, 12))), m)
         return m.name("r", sine), m.name("slope", m.div(cosine, 6))
 
+    def coefficient_of(
+        self, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic
+    ) -> tuple[Coefficient, Coefficient]:
+        return self.coefficient(angle, m)
+
     def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
         negative = False if positive else m.name("negative", m.less(q.scalar, 0))
         cosine = m.name("cos", m.where(negative, -q.scalar, q.scalar))
