@@ -16,9 +16,6 @@ from tests.support import families, sampling
 GATE = 8
 """Eps of the size and condition of a result: `make accuracy` found half of it."""
 
-FOLDED = ("orthographic", "lambert", "sine3", "sine4")
-"""Families that end where φ′ = 0."""
-
 REGIMES = ((1e-300, 1e-290), (1e-9, 1e-5), (1e-3, 0.1), (0.3, 3.1), (0.9, 0.99999))
 """Angles; the last are shares of the edge."""
 
@@ -59,9 +56,13 @@ def test_all_regimes_are_met_by_every_function():
 
 
 @pytest.mark.parametrize("left", [0.2, 0.1, 3e-2, 3e-3, 1e-4])
-@pytest.mark.parametrize("name", FOLDED)
-def test_steps_next_to_an_edge_where_phi_has_no_slope_lose_nothing(name: str, kernels: ModuleType, left: float):
-    """With a share of the way to the edge left; x says little of the angle there, and T is all but singular."""
+@pytest.mark.parametrize("name", [name for name in FAMILIES if name != "exponential"])
+def test_steps_next_to_an_edge_lose_nothing(name: str, kernels: ModuleType, left: float):
+    """With a share of the way to the edge left.
+
+    Where φ′ = 0, x says little of the angle there, and T is all but singular. At a pole it is the angle, as it is
+    rounded, that says little of v: steps by it were off by 2 eps over the share, that is 2e4 eps.
+    """
     oracle = families.oracle_of(name)
     angle, steps = families.edge_of(name) * (1 - left), sampling.dual_vectors(f"{name} {left}", count=2)
     v, delta = families.vectors(oracle, angle, angle, 2), steps * np.array([left] * 3 + [1] * 3)
