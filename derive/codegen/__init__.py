@@ -13,6 +13,7 @@ facts        what a module says besides its programs
 targets      the languages: a printer and a template folder each
 catalogue    what is committed, and the commands that make it
 module       the texts of a package, through the templates
+package      a module with its texts, and a package of them
 compiler     the road: prove, lower, print, write, validate, publish
 ============ ==============================================================================
 
@@ -20,7 +21,8 @@ A module imports only from those above it.
 """
 
 from ..output import Difference, RefusedError
-from .compiler import Module, Package, build, check, generate, generate_charts
+from .compiler import build, check, generate, generate_charts
+from .package import Module, Package
 from .validation import ValidationFailed
 
 __all__ = [

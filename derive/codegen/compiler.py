@@ -3,21 +3,22 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from copy import deepcopy
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, cast
 
 from ..maps import Cayley
 from ..maps.chart import Chart
 from ..output import files
-from ..proof import Proved, prove
+from ..proof import prove
 from ..workers import workers
 from . import catalogue
 from .facts import Facts
 from .lowered import lower
 from .module import companion_texts, module_name, module_text, notices, shared_texts
+from .package import Counts, Module, Package
 from .targets import TARGETS, Target
 from .validation import Seen
 
@@ -28,40 +29,6 @@ LIGHT = Cayley(3)
 """The chart that shows it elsewhere: the lowest order in which no scalar is simpler than in all others."""
 
 Progress = Callable[[str], None]
-Counts = tuple[int, int, int | None]
-"""Calls validated, replayed and tested."""
-
-
-@dataclass(frozen=True, slots=True)
-class Module:
-    """A kernel module on its way: proved, printed, and how many calls of it were compared with its formula.
-
-    ``companions`` are further files by name. ``replayed`` counts the calls on floats that agree, ``tested`` those of
-    compiled code: 0 where the target has none of its own, None where nothing could compile it. A module that is only
-    to be compared with what is on disk is not executed, and all of them are 0.
-    """
-
-    name: str
-    proved: Proved
-    text: str
-    companions: dict[str, str]
-    validated: int = 0
-    replayed: int = 0
-    tested: int | None = 0
-
-    def __repr__(self) -> str:
-        return f"<Module {self.name}: {len(self.proved.proofs)} proofs, {self.validated} calls validated>"
-
-
-@dataclass(frozen=True, slots=True)
-class Package:
-    """All files of a package of kernels, by name, and the modules among them."""
-
-    texts: dict[str, str]
-    modules: tuple[Module, ...]
-
-    def __repr__(self) -> str:
-        return f"<Package of {', '.join(module.name for module in self.modules)}: {len(self.texts)} files>"
 
 
 def build(orders: Iterable[int], target: Target, progress: Progress | None = None) -> Package:
@@ -98,23 +65,17 @@ def build_charts(
             modules = _executed_at_once(printed, target, staging, report, seen, min(processes, len(charts)))
         else:
             modules = [_executed(module, target, staging, report, seen) for module in printed]
-    return _package(shared, modules)
+    return Package.of(shared, modules)
 
 
 def print_charts(charts: Sequence[Chart], target: Target, progress: Progress | None = None) -> Package:
     """Prove and print the modules of charts, and execute nothing: enough to tell whether files are what is printed."""
-    return _package(shared_texts(target), [_printed(chart, target, progress or _silent) for chart in charts])
+    printed = [_printed(chart, target, progress or _silent) for chart in charts]
+    return Package.of(shared_texts(target), printed)
 
 
 def _silent(line: str) -> None:
     """What no one is told."""
-
-
-def _package(shared: Mapping[str, str], modules: Sequence[Module]) -> Package:
-    texts = dict(shared)
-    for module in modules:
-        texts |= module.companions | {module.name: module.text}
-    return Package(texts, tuple(modules))
 
 
 def _printed(chart: Chart, target: Target, report: Progress) -> Module:
@@ -126,12 +87,12 @@ def _printed(chart: Chart, target: Target, report: Progress) -> Module:
 
 
 def _staged(module: Module, staging: Path) -> Module:
-    files.write(staging, module.companions | {module.name: module.text})
+    files.write(staging, module.texts)
     return module
 
 
 def _executed(module: Module, target: Target, staging: Path, report: Progress, seen: Seen) -> Module:
-    return _counted(module, _execute(module.proved.formulas, target, staging, seen, report))
+    return module.counted(_execute(module.proved.formulas, target, staging, seen, report))
 
 
 def _executed_at_once(
@@ -151,7 +112,7 @@ def _executed_at_once(
             seen.leave(chart, target.tables)
         for module, counts in begun:
             report(f"{module.proved.formulas.name}: validating")
-            modules.append(_counted(module, counts.result()))
+            modules.append(module.counted(counts.result()))
             report(f"{module.proved.formulas.name}: replayed")
     return modules
 
@@ -159,11 +120,6 @@ def _executed_at_once(
 def _bare(chart: Any) -> Chart:
     """The same chart with nothing computed yet: what its functions keep cannot be sent to another process."""
     return cast(Chart, replace(chart))
-
-
-def _counted(module: Module, counts: Counts) -> Module:
-    validated, replayed, tested = counts
-    return replace(module, validated=validated, replayed=replayed, tested=tested)
 
 
 def _execute(chart: Chart, target: Target, staging: Path, seen: Seen, report: Progress = _silent) -> Counts:
@@ -181,7 +137,7 @@ def _show_geometry(target: Target, seen: Seen) -> None:
     """Execute the geometry in a chart of low order, which is not published."""
     module = _printed(LIGHT, target, _silent)
     with tempfile.TemporaryDirectory() as folder:
-        files.write(Path(folder), {**shared_texts(target), **module.companions, module.name: module.text})
+        files.write(Path(folder), {**shared_texts(target), **module.texts})
         target.validate(Path(folder), LIGHT, seen.new)
 
 

@@ -32,7 +32,7 @@ _PRINTED = {1: 95, 2: 102, 3: 109, 4: 116, 5: 122}
 
 
 @dataclass(frozen=True)
-class Cayley:
+class Cayley(turns.InTurns):
     """The Cayley map of order n, ``v = tan(α/2n) u``.
 
     Parameters
@@ -93,11 +93,6 @@ class Cayley:
     def d(self) -> sympy.Expr:
         """``[(1+x) q − n p]/x``, the bracket of dcay_n⁻¹."""
         return polynomials.d(self.order)
-
-    @property
-    def singular_angles(self) -> tuple[sympy.Expr, ...]:
-        """Re α > 0 where dcay_n loses rank (2πk), then where v is infinite (nπ)."""
-        return polynomials.singular_angles(self.order)
 
     @property
     def poles(self) -> tuple[sympy.Expr, ...]:
@@ -195,14 +190,6 @@ class Cayley:
         return sympy.tan(alpha / (2 * self.order))
 
     @property
-    def edge(self) -> sympy.Expr:
-        return self.order * sympy.pi
-
-    @property
-    def branches(self) -> int:
-        return self.order
-
-    @property
     def cayley(self) -> Cayley:
         return self
 
@@ -252,14 +239,6 @@ class Cayley:
 
     def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         return turns.turned(r, turn, m)
-
-    def beyond(
-        self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic
-    ) -> tuple[Any, Sequence[Coefficient]]:
-        return turns.beyond(x, table, m)
-
-    def turn(self, branch: int) -> tuple[Any, Any]:
-        return turns.turn(self.order, branch)
 
     def returns(self) -> tuple[tuple[Any, Any, Any], ...]:
         return tuple(turns.returns(self.order))

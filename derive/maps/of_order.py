@@ -14,13 +14,13 @@ import sympy
 
 from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import Arithmetic
-from . import polynomials, turns
+from . import turns
 from .families import alpha
 from .own_axis import OwnAxis
 from .way_back import has_ladder
 
 
-class OfOrder(OwnAxis):
+class OfOrder(turns.InTurns, OwnAxis):
     """A chart v = φ(α) u of order n, φ a function of θ = α/2n with its edge at θ = π/2."""
 
     @abstractmethod
@@ -36,18 +36,6 @@ class OfOrder(OwnAxis):
     @abstractmethod
     def factor(self, cosine: Coefficient, m: Arithmetic) -> Coefficient:
         """φ/sin θ."""
-
-    @property
-    def edge(self) -> sympy.Expr:
-        return self.order * sympy.pi
-
-    @property
-    def branches(self) -> int:
-        return self.order
-
-    @property
-    def singular_angles(self) -> tuple[sympy.Expr, ...]:
-        return polynomials.singular_angles(self.order)
 
     def coefficient(self, angle: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         """Of the angle brought into (−nπ, nπ]: on by 2nπ sine and cosine of θ are the opposite ones."""
@@ -103,14 +91,6 @@ class OfOrder(OwnAxis):
         _, before = self.sized(s, c, m)
         after, slope = self.sized(m.name("sk", side * (s * cosine + c * sine)), m.name("ck", side * further), m, "k")
         return m.name("rk", after), m.name("slope", m.div(slope, before))
-
-    def beyond(
-        self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic
-    ) -> tuple[Any, Sequence[Coefficient]]:
-        return turns.beyond(x, table, m)
-
-    def turn(self, branch: int) -> tuple[Any, Any]:
-        return turns.turn(self.order, branch)
 
     def returns(self) -> tuple[tuple[Any, Any, Any], ...]:
         return tuple((self._square((2 * j - 1) * sympy.pi), *self.turn(-j)) for j in range(1, self.order // 2 + 1))

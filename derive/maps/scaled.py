@@ -16,7 +16,7 @@ import sympy
 
 from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import Arithmetic
-from . import polynomials, turns, way_back
+from . import turns, way_back
 from .cayley import Cayley
 from .cayley_scalars import CayleyScalars
 from .chart import Scalars
@@ -57,7 +57,7 @@ class ScaledScalars:
 
 
 @dataclass(frozen=True)
-class Scaled(Parameterized):
+class Scaled(turns.InTurns, Parameterized):
     """v = K tan(α/2n) u, up to |Re α| = nπ."""
 
     name: str
@@ -73,18 +73,6 @@ class Scaled(Parameterized):
     @property
     def algebraic(self) -> bool:
         return (self.scale**2).denominator == 1
-
-    @property
-    def edge(self) -> sympy.Expr:
-        return self.order * sympy.pi
-
-    @property
-    def branches(self) -> int:
-        return self.order
-
-    @property
-    def singular_angles(self) -> tuple[sympy.Expr, ...]:
-        return polynomials.singular_angles(self.order)
 
     def overflow(self, largest: float) -> tuple[str, float]:
         reason, most = Cayley(self.order).overflow(largest)
@@ -141,14 +129,6 @@ class Scaled(Parameterized):
     def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         rk, slope = turns.turned(m.name("rt", divided(r, self.scale, m)), turn, m)
         return self._times(rk, m, "rv"), slope
-
-    def beyond(
-        self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic
-    ) -> tuple[Any, Sequence[Coefficient]]:
-        return turns.beyond(x, table, m)
-
-    def turn(self, branch: int) -> tuple[Any, Any]:
-        return turns.turn(self.order, branch)
 
     def returns(self) -> tuple[tuple[Any, Any, Any], ...]:
         square = self.scale**2

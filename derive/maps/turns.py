@@ -10,9 +10,11 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 import mpmath
+import sympy
 
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
+from . import polynomials
 from .cayley_scalars import CayleyScalars
 
 NOISE = 16
@@ -86,3 +88,30 @@ def returns(n: int) -> Iterator[tuple[Any, Any, Any]]:
     for j in range(1, n // 2 + 1):
         half = mpmath.mpf(2 * j - 1) / (2 * n)
         yield ((mpmath.sinpi(half) / mpmath.cospi(half)) ** 2, *turn(n, -j))
+
+
+class InTurns:
+    """A chart of order n, up to |Re α| = nπ; from each of its n branches to the next θ turns by π/n."""
+
+    order: int
+
+    @property
+    def edge(self) -> sympy.Expr:
+        return self.order * sympy.pi
+
+    @property
+    def branches(self) -> int:
+        return self.order
+
+    @property
+    def singular_angles(self) -> tuple[sympy.Expr, ...]:
+        """Re α > 0 where T loses rank (2πk), then the edge, where v or T is infinite (nπ)."""
+        return polynomials.singular_angles(self.order)
+
+    def beyond(
+        self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic
+    ) -> tuple[Any, Sequence[Coefficient]]:
+        return beyond(x, table, m)
+
+    def turn(self, branch: int) -> tuple[Any, Any]:
+        return turn(self.order, branch)
