@@ -22,13 +22,10 @@ def sides(n: int, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m:
 
     ``sine >= 0`` and cosine are those of α/2 but for their length and a common sign.
     """
-    backwards = m.name("backwards", m.less(angle, 0))
+    side = m.name("sideof", m.where(m.less(angle, 0), -1, 1))
     size = m.name("size", m.abs(angle))
     next_to = m.name("nextto", m.less(m.abs(size - round(n * math.pi)), 1))
-    if n % 2:
-        rest = m.atan2(m.where(backwards, -cosine, cosine), sine)
-    else:
-        falling = m.name("falling", m.less(cosine, 0))
-        ahead = m.name("ahead", m.where(falling, sine, -sine))
-        rest = m.atan2(m.where(backwards, -ahead, ahead), m.where(falling, -cosine, cosine))
-    return next_to, m.name("rest", m.where(next_to, 2 * rest, size)), m.name("sideof", m.where(backwards, -1, 1))
+    above, below = (cosine, sine) if n % 2 else (-sine, cosine)
+    divisor = m.name("divisor", m.where(next_to, below, 1))
+    left = 2 * side * m.atan2(above / divisor, 1)
+    return next_to, m.name("rest", m.where(next_to, left, size)), side

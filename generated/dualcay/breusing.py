@@ -82,10 +82,10 @@
 #   between: 261: 87 +, 137 *, 19 /, 7 neg, 8 sqrt, 1 lt, 2 where
 #   compose_jacobians: 1098: 417 +, 579 *, 77 /, 8 neg, 14 sqrt, 1 lt, 2 where
 #   between_jacobians: 1122: 417 +, 579 *, 77 /, 32 neg, 14 sqrt, 1 lt, 2 where
-#   retract: 397: 123 +, 169 *, 46 /, 4 neg, 3 abs, 11 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
-#   body_retract: 397: 123 +, 169 *, 46 /, 4 neg, 3 abs, 11 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
-#   retract_jacobians: 1205: 445 +, 593 *, 98 /, 11 neg, 3 abs, 13 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 25 where
-#   body_retract_jacobians: 1205: 445 +, 593 *, 98 /, 11 neg, 3 abs, 13 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 25
+#   retract: 394: 123 +, 170 *, 47 /, 2 neg, 3 abs, 11 sqrt, 4 tan, 4 atan2, 6 lt, 2 eq, 22 where
+#   body_retract: 394: 123 +, 170 *, 47 /, 2 neg, 3 abs, 11 sqrt, 4 tan, 4 atan2, 6 lt, 2 eq, 22 where
+#   retract_jacobians: 1202: 445 +, 594 *, 99 /, 9 neg, 3 abs, 13 sqrt, 4 tan, 4 atan2, 6 lt, 2 eq, 23 where
+#   body_retract_jacobians: 1202: 445 +, 594 *, 99 /, 9 neg, 3 abs, 13 sqrt, 4 tan, 4 atan2, 6 lt, 2 eq, 23
 #       where
 #   local: 347: 112 +, 165 *, 38 /, 7 neg, 7 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
 #   body_local: 347: 112 +, 165 *, 38 /, 7 neg, 7 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
@@ -912,15 +912,13 @@ def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     return o1, o2
 
 
-# operations 40: 4 +, 9 *, 7 /, 3 neg, 2 abs, 1 sqrt, 1 tan, 1 atan2, 4 lt, 8 where
+# operations 37: 4 +, 10 *, 8 /, 1 neg, 2 abs, 1 sqrt, 1 tan, 1 atan2, 3 lt, 6 where
 def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
-    backwards = alpha < 0
+    sideof = m.where(alpha < 0, -1, 1)
     size = m.abs(alpha)
     nextto = m.abs(size - 6) < 1
-    falling = cosine < 0
-    ahead = m.where(falling, sine, -sine)
-    rest = m.where(nextto, 2 * m.atan2(m.where(backwards, -ahead, ahead), m.where(falling, -cosine, cosine)), size)
-    sideof = m.where(backwards, -1, 1)
+    divisor = m.where(nextto, cosine, 1)
+    rest = m.where(nextto, 2 * sideof * m.atan2(-sine / divisor, 1), size)
     t = m.tan(rest / 8)
     tt = t * t
     below = 1 + tt
@@ -939,19 +937,14 @@ def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
 def _coefficient_of_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any, sine: Any, cosine: Any) -> Result:
     o1, o2 = out
     k1, k2, k3, *_ = scratch
-    mask1, mask2, mask3, *_ = masks
+    mask1, mask2, *_ = masks
     n_minus_1, n0, n1, n2, n4, n6, n8 = numbers
     size = absolute(alpha, o1)
     nextto = m.less(absolute(sub(size, n6, o2), o2), n1, mask1)
-    backwards = m.less(alpha, n0, mask2)
-    falling = m.less(cosine, n0, mask3)
-    ahead = m.where(falling, sine, neg(sine, o2), k1)
-    rest = m.where(
-        nextto, mul(n2, atan2(m.where(backwards, neg(ahead, o2), ahead, o2), m.where(falling, neg(cosine, k1), cosine,
-        k1), o2), o2), size, o2
-    )
+    sideof = m.where(m.less(alpha, n0, mask2), n_minus_1, n1, o2)
+    divisor = m.where(nextto, cosine, n1, k1)
+    rest = m.where(nextto, mul(mul(n2, sideof, k2), atan2(div(neg(sine, k3), divisor, k1), n1, k1), k1), size, k1)
     t = tan(div(rest, n8, o1), o1)
-    sideof = m.where(backwards, n_minus_1, n1, o2)
     tt = mul(t, t, k1)
     below = add(n1, tt, k2)
     crest = div(sub(n1, tt, k1), below, k1)
@@ -1003,10 +996,10 @@ CHART = Chart(
         "turned": Function(_turned, _turned_blocks, 4, 1, (-1, 0, 1, 2, 4)),
         "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 4, 8)),
-        "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 3, 3, (-1, 0, 1, 2, 4, 6, 8)),
+        "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 3, 2, (-1, 0, 1, 2, 4, 6, 8)),
     },
     kernels=SHARED,
-    programs="7b8cd841cb7d436e",
+    programs="aa2d8f3a0d389136",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -94,11 +94,10 @@
 #   between: 239: 77 +, 133 *, 12 /, 7 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   compose_jacobians: 1014: 391 +, 546 *, 57 /, 10 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   between_jacobians: 1038: 391 +, 546 *, 57 /, 34 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   retract: 350: 110 +, 157 *, 38 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 21 where
-#   body_retract: 350: 110 +, 157 *, 38 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 21 where
-#   retract_jacobians: 1125: 425 +, 564 *, 82 /, 10 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22 where
-#   body_retract_jacobians: 1125: 425 +, 564 *, 82 /, 10 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22
-#       where
+#   retract: 351: 110 +, 158 *, 39 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 21 where
+#   body_retract: 351: 110 +, 158 *, 39 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 21 where
+#   retract_jacobians: 1126: 425 +, 565 *, 83 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22 where
+#   body_retract_jacobians: 1126: 425 +, 565 *, 83 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22 where
 #   local: 321: 102 +, 159 *, 32 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
 #   body_local: 321: 102 +, 159 *, 32 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
 #   interpolate: 700: 222 +, 330 *, 68 /, 8 neg, 4 abs, 8 sqrt, 5 tan, 4 atan2, 7 lt, 5 eq, 1 or, 38 where
@@ -750,13 +749,13 @@ def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     return o1, o2
 
 
-# operations 20: 2 +, 3 *, 3 /, 1 neg, 2 abs, 1 tan, 1 atan2, 2 lt, 5 where
+# operations 21: 2 +, 4 *, 4 /, 2 abs, 1 tan, 1 atan2, 2 lt, 5 where
 def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
-    backwards = alpha < 0
+    sideof = m.where(alpha < 0, -1, 1)
     size = m.abs(alpha)
     nextto = m.abs(size - 9) < 1
-    rest = m.where(nextto, 2 * m.atan2(m.where(backwards, -cosine, cosine), sine), size)
-    sideof = m.where(backwards, -1, 1)
+    divisor = m.where(nextto, sine, 1)
+    rest = m.where(nextto, 2 * sideof * m.atan2(cosine / divisor, 1), size)
     t = m.tan(rest / 6)
     r = sideof * m.where(nextto, 1, t) / m.where(nextto, t, 1)
     slope = (1 + r * r) / 6
@@ -765,15 +764,15 @@ def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
 
 def _coefficient_of_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any, sine: Any, cosine: Any) -> Result:
     o1, o2 = out
-    k1, *_ = scratch
+    k1, k2, *_ = scratch
     mask1, mask2, *_ = masks
     n_minus_1, n0, n1, n2, n6, n9 = numbers
     size = absolute(alpha, o1)
     nextto = m.less(absolute(sub(size, n9, o2), o2), n1, mask1)
-    backwards = m.less(alpha, n0, mask2)
-    rest = m.where(nextto, mul(n2, atan2(m.where(backwards, neg(cosine, o2), cosine, o2), sine, o2), o2), size, o2)
+    sideof = m.where(m.less(alpha, n0, mask2), n_minus_1, n1, o2)
+    divisor = m.where(nextto, sine, n1, k1)
+    rest = m.where(nextto, mul(mul(n2, sideof, k2), atan2(div(cosine, divisor, k1), n1, k1), k1), size, k1)
     t = tan(div(rest, n6, o1), o1)
-    sideof = m.where(backwards, n_minus_1, n1, o2)
     r = div(mul(sideof, m.where(nextto, n1, t, k1), o2), m.where(nextto, t, n1, o1), o1)
     div(add(n1, mul(r, r, o2), o2), n6, o2)
     return o1, o2
@@ -817,10 +816,10 @@ CHART = Chart(
         "turned": Function(_turned, _turned_blocks, 0, 0, (1,)),
         "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 6)),
-        "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 1, 2, (-1, 0, 1, 2, 6, 9)),
+        "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 2, 2, (-1, 0, 1, 2, 6, 9)),
     },
     kernels=SHARED,
-    programs="4bdea9f74bcf3352",
+    programs="d8f24809eab57ae4",
 )
 
 KERNELS = PoseKernels(CHART)

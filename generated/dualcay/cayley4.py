@@ -94,11 +94,10 @@
 #   between: 253: 88 +, 142 *, 12 /, 7 neg, 1 sqrt, 1 lt, 2 where
 #   compose_jacobians: 1054: 415 +, 570 *, 57 /, 8 neg, 1 sqrt, 1 lt, 2 where
 #   between_jacobians: 1078: 415 +, 570 *, 57 /, 32 neg, 1 sqrt, 1 lt, 2 where
-#   retract: 366: 115 +, 163 *, 38 /, 4 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 6 lt, 2 eq, 23 where
-#   body_retract: 366: 115 +, 163 *, 38 /, 4 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 6 lt, 2 eq, 23 where
-#   retract_jacobians: 1155: 438 +, 577 *, 82 /, 11 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 6 lt, 2 eq, 24 where
-#   body_retract_jacobians: 1155: 438 +, 577 *, 82 /, 11 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 6 lt, 2 eq, 24
-#       where
+#   retract: 363: 115 +, 164 *, 39 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 21 where
+#   body_retract: 363: 115 +, 164 *, 39 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 21 where
+#   retract_jacobians: 1152: 438 +, 578 *, 83 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22 where
+#   body_retract_jacobians: 1152: 438 +, 578 *, 83 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22 where
 #   local: 339: 112 +, 167 *, 32 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
 #   body_local: 339: 112 +, 167 *, 32 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
 #   interpolate: 720: 232 +, 340 *, 68 /, 8 neg, 4 abs, 8 sqrt, 5 tan, 4 atan2, 7 lt, 5 eq, 1 or, 38 where
@@ -784,15 +783,13 @@ def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     return o1, o2
 
 
-# operations 25: 2 +, 3 *, 3 /, 3 neg, 2 abs, 1 tan, 1 atan2, 3 lt, 7 where
+# operations 22: 2 +, 4 *, 4 /, 1 neg, 2 abs, 1 tan, 1 atan2, 2 lt, 5 where
 def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
-    backwards = alpha < 0
+    sideof = m.where(alpha < 0, -1, 1)
     size = m.abs(alpha)
     nextto = m.abs(size - 13) < 1
-    falling = cosine < 0
-    ahead = m.where(falling, sine, -sine)
-    rest = m.where(nextto, 2 * m.atan2(m.where(backwards, -ahead, ahead), m.where(falling, -cosine, cosine)), size)
-    sideof = m.where(backwards, -1, 1)
+    divisor = m.where(nextto, cosine, 1)
+    rest = m.where(nextto, 2 * sideof * m.atan2(-sine / divisor, 1), size)
     t = m.tan(rest / 8)
     r = sideof * m.where(nextto, 1, t) / m.where(nextto, t, 1)
     slope = (1 + r * r) / 8
@@ -801,20 +798,15 @@ def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
 
 def _coefficient_of_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any, sine: Any, cosine: Any) -> Result:
     o1, o2 = out
-    k1, *_ = scratch
-    mask1, mask2, mask3, *_ = masks
+    k1, k2, k3, *_ = scratch
+    mask1, mask2, *_ = masks
     n_minus_1, n0, n1, n2, n8, n13 = numbers
     size = absolute(alpha, o1)
     nextto = m.less(absolute(sub(size, n13, o2), o2), n1, mask1)
-    backwards = m.less(alpha, n0, mask2)
-    falling = m.less(cosine, n0, mask3)
-    ahead = m.where(falling, sine, neg(sine, o2), k1)
-    rest = m.where(
-        nextto, mul(n2, atan2(m.where(backwards, neg(ahead, o2), ahead, o2), m.where(falling, neg(cosine, k1), cosine,
-        k1), o2), o2), size, o2
-    )
+    sideof = m.where(m.less(alpha, n0, mask2), n_minus_1, n1, o2)
+    divisor = m.where(nextto, cosine, n1, k1)
+    rest = m.where(nextto, mul(mul(n2, sideof, k2), atan2(div(neg(sine, k3), divisor, k1), n1, k1), k1), size, k1)
     t = tan(div(rest, n8, o1), o1)
-    sideof = m.where(backwards, n_minus_1, n1, o2)
     r = div(mul(sideof, m.where(nextto, n1, t, k1), o2), m.where(nextto, t, n1, o1), o1)
     div(add(n1, mul(r, r, o2), o2), n8, o2)
     return o1, o2
@@ -862,10 +854,10 @@ CHART = Chart(
         "turned": Function(_turned, _turned_blocks, 0, 0, (1,)),
         "beyond": Function(_beyond, _beyond_blocks, 0, 2, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 8)),
-        "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 1, 3, (-1, 0, 1, 2, 8, 13)),
+        "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 3, 2, (-1, 0, 1, 2, 8, 13)),
     },
     kernels=SHARED,
-    programs="24a7c60370265c98",
+    programs="19016155487812c2",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -94,10 +94,10 @@
 #   between: 261: 88 +, 144 *, 12 /, 7 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   compose_jacobians: 1081: 423 +, 583 *, 57 /, 8 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   between_jacobians: 1105: 423 +, 583 *, 57 /, 32 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   retract: 362: 116 +, 163 *, 38 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 21 where
-#   body_retract: 362: 116 +, 163 *, 38 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 21 where
-#   retract_jacobians: 1163: 443 +, 585 *, 82 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22 where
-#   body_retract_jacobians: 1163: 443 +, 585 *, 82 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22 where
+#   retract: 363: 116 +, 164 *, 39 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 21 where
+#   body_retract: 363: 116 +, 164 *, 39 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 21 where
+#   retract_jacobians: 1164: 443 +, 586 *, 83 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22 where
+#   body_retract_jacobians: 1164: 443 +, 586 *, 83 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22 where
 #   local: 337: 110 +, 167 *, 32 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
 #   body_local: 337: 110 +, 167 *, 32 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
 #   interpolate: 720: 232 +, 340 *, 68 /, 8 neg, 4 abs, 8 sqrt, 5 tan, 4 atan2, 7 lt, 5 eq, 1 or, 38 where
@@ -810,13 +810,13 @@ def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     return o1, o2
 
 
-# operations 20: 2 +, 3 *, 3 /, 1 neg, 2 abs, 1 tan, 1 atan2, 2 lt, 5 where
+# operations 21: 2 +, 4 *, 4 /, 2 abs, 1 tan, 1 atan2, 2 lt, 5 where
 def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
-    backwards = alpha < 0
+    sideof = m.where(alpha < 0, -1, 1)
     size = m.abs(alpha)
     nextto = m.abs(size - 16) < 1
-    rest = m.where(nextto, 2 * m.atan2(m.where(backwards, -cosine, cosine), sine), size)
-    sideof = m.where(backwards, -1, 1)
+    divisor = m.where(nextto, sine, 1)
+    rest = m.where(nextto, 2 * sideof * m.atan2(cosine / divisor, 1), size)
     t = m.tan(rest / 10)
     r = sideof * m.where(nextto, 1, t) / m.where(nextto, t, 1)
     slope = (1 + r * r) / 10
@@ -825,15 +825,15 @@ def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
 
 def _coefficient_of_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any, sine: Any, cosine: Any) -> Result:
     o1, o2 = out
-    k1, *_ = scratch
+    k1, k2, *_ = scratch
     mask1, mask2, *_ = masks
     n_minus_1, n0, n1, n2, n10, n16 = numbers
     size = absolute(alpha, o1)
     nextto = m.less(absolute(sub(size, n16, o2), o2), n1, mask1)
-    backwards = m.less(alpha, n0, mask2)
-    rest = m.where(nextto, mul(n2, atan2(m.where(backwards, neg(cosine, o2), cosine, o2), sine, o2), o2), size, o2)
+    sideof = m.where(m.less(alpha, n0, mask2), n_minus_1, n1, o2)
+    divisor = m.where(nextto, sine, n1, k1)
+    rest = m.where(nextto, mul(mul(n2, sideof, k2), atan2(div(cosine, divisor, k1), n1, k1), k1), size, k1)
     t = tan(div(rest, n10, o1), o1)
-    sideof = m.where(backwards, n_minus_1, n1, o2)
     r = div(mul(sideof, m.where(nextto, n1, t, k1), o2), m.where(nextto, t, n1, o1), o1)
     div(add(n1, mul(r, r, o2), o2), n10, o2)
     return o1, o2
@@ -882,10 +882,10 @@ CHART = Chart(
         "turned": Function(_turned, _turned_blocks, 0, 0, (1,)),
         "beyond": Function(_beyond, _beyond_blocks, 0, 2, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 10)),
-        "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 1, 2, (-1, 0, 1, 2, 10, 16)),
+        "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 2, 2, (-1, 0, 1, 2, 10, 16)),
     },
     kernels=SHARED,
-    programs="6ae3dea69e8e78c4",
+    programs="b893a10a249cf259",
 )
 
 KERNELS = PoseKernels(CHART)

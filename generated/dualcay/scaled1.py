@@ -62,10 +62,10 @@
 #   between: 207: 74 +, 110 *, 17 /, 6 neg
 #   compose_jacobians: 949: 376 +, 495 *, 70 /, 8 neg
 #   between_jacobians: 973: 376 +, 495 *, 70 /, 32 neg
-#   retract: 347: 110 +, 150 *, 42 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 21 where
-#   body_retract: 347: 110 +, 150 *, 42 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 21 where
-#   retract_jacobians: 1101: 418 +, 540 *, 90 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22 where
-#   body_retract_jacobians: 1101: 418 +, 540 *, 90 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22 where
+#   retract: 348: 110 +, 151 *, 43 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 21 where
+#   body_retract: 348: 110 +, 151 *, 43 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 21 where
+#   retract_jacobians: 1102: 418 +, 541 *, 91 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22 where
+#   body_retract_jacobians: 1102: 418 +, 541 *, 91 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22 where
 #   local: 313: 102 +, 143 *, 40 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
 #   body_local: 313: 102 +, 143 *, 40 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
 #   interpolate: 693: 222 +, 315 *, 76 /, 8 neg, 4 abs, 8 sqrt, 5 tan, 4 atan2, 7 lt, 5 eq, 1 or, 38 where
@@ -440,13 +440,13 @@ def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     return o1, o2
 
 
-# operations 22: 2 +, 5 *, 3 /, 1 neg, 2 abs, 1 tan, 1 atan2, 2 lt, 5 where
+# operations 23: 2 +, 6 *, 4 /, 2 abs, 1 tan, 1 atan2, 2 lt, 5 where
 def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
-    backwards = alpha < 0
+    sideof = m.where(alpha < 0, -1, 1)
     size = m.abs(alpha)
     nextto = m.abs(size - 3) < 1
-    rest = m.where(nextto, 2 * m.atan2(m.where(backwards, -cosine, cosine), sine), size)
-    sideof = m.where(backwards, -1, 1)
+    divisor = m.where(nextto, sine, 1)
+    rest = m.where(nextto, 2 * sideof * m.atan2(cosine / divisor, 1), size)
     t = m.tan(rest / 2)
     r = sideof * m.where(nextto, 1, t) / m.where(nextto, t, 1)
     slope = (1 + r * r) / 2
@@ -457,15 +457,15 @@ def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
 
 def _coefficient_of_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any, sine: Any, cosine: Any) -> Result:
     o1, o2 = out
-    k1, *_ = scratch
+    k1, k2, *_ = scratch
     mask1, mask2, *_ = masks
     n_minus_1, n0, n1, n2, n3 = numbers
     size = absolute(alpha, o2)
     nextto = m.less(absolute(sub(size, n3, o1), o1), n1, mask1)
-    backwards = m.less(alpha, n0, mask2)
-    rest = m.where(nextto, mul(n2, atan2(m.where(backwards, neg(cosine, o1), cosine, o1), sine, o1), o1), size, o1)
+    sideof = m.where(m.less(alpha, n0, mask2), n_minus_1, n1, o1)
+    divisor = m.where(nextto, sine, n1, k1)
+    rest = m.where(nextto, mul(mul(n2, sideof, k2), atan2(div(cosine, divisor, k1), n1, k1), k1), size, k1)
     t = tan(div(rest, n2, o2), o2)
-    sideof = m.where(backwards, n_minus_1, n1, o1)
     r = div(mul(sideof, m.where(nextto, n1, t, k1), o1), m.where(nextto, t, n1, o2), o2)
     mul(n2, r, o1)
     slope = div(add(n1, mul(r, r, o2), o2), n2, o2)
@@ -1776,7 +1776,7 @@ CHART = Chart(
         "unfolded": Function(_unfolded, _unfolded_blocks, 0, 0, (1, 2)),
         "reached": Function(_reached, _reached_blocks, 1, 1, (0, 1, 2)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 2)),
-        "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 1, 2, (-1, 0, 1, 2, 3)),
+        "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 2, 2, (-1, 0, 1, 2, 3)),
     },
     kernels={
         **SHARED,
@@ -1902,7 +1902,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="cd1644eb37f52b3e",
+    programs="0ba7eec17d7a9974",
 )
 
 KERNELS = PoseKernels(CHART)

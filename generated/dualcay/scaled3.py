@@ -66,10 +66,10 @@
 #   between: 253: 77 +, 135 *, 24 /, 7 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   compose_jacobians: 1047: 391 +, 549 *, 87 /, 10 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   between_jacobians: 1071: 391 +, 549 *, 87 /, 34 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   retract: 360: 110 +, 159 *, 46 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 21 where
-#   body_retract: 360: 110 +, 159 *, 46 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 21 where
-#   retract_jacobians: 1145: 425 +, 567 *, 99 /, 10 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22 where
-#   body_retract_jacobians: 1145: 425 +, 567 *, 99 /, 10 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22
+#   retract: 361: 110 +, 160 *, 47 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 21 where
+#   body_retract: 361: 110 +, 160 *, 47 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 21 where
+#   retract_jacobians: 1146: 425 +, 568 *, 100 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22 where
+#   body_retract_jacobians: 1146: 425 +, 568 *, 100 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22
 #       where
 #   local: 331: 102 +, 159 *, 42 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
 #   body_local: 331: 102 +, 159 *, 42 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
@@ -851,13 +851,13 @@ def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     return o1, o2
 
 
-# operations 22: 2 +, 5 *, 3 /, 1 neg, 2 abs, 1 tan, 1 atan2, 2 lt, 5 where
+# operations 23: 2 +, 6 *, 4 /, 2 abs, 1 tan, 1 atan2, 2 lt, 5 where
 def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
-    backwards = alpha < 0
+    sideof = m.where(alpha < 0, -1, 1)
     size = m.abs(alpha)
     nextto = m.abs(size - 9) < 1
-    rest = m.where(nextto, 2 * m.atan2(m.where(backwards, -cosine, cosine), sine), size)
-    sideof = m.where(backwards, -1, 1)
+    divisor = m.where(nextto, sine, 1)
+    rest = m.where(nextto, 2 * sideof * m.atan2(cosine / divisor, 1), size)
     t = m.tan(rest / 6)
     r = sideof * m.where(nextto, 1, t) / m.where(nextto, t, 1)
     slope = (1 + r * r) / 6
@@ -868,15 +868,15 @@ def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
 
 def _coefficient_of_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any, sine: Any, cosine: Any) -> Result:
     o1, o2 = out
-    k1, *_ = scratch
+    k1, k2, *_ = scratch
     mask1, mask2, *_ = masks
     n_minus_1, n0, n1, n2, n6, n9 = numbers
     size = absolute(alpha, o2)
     nextto = m.less(absolute(sub(size, n9, o1), o1), n1, mask1)
-    backwards = m.less(alpha, n0, mask2)
-    rest = m.where(nextto, mul(n2, atan2(m.where(backwards, neg(cosine, o1), cosine, o1), sine, o1), o1), size, o1)
+    sideof = m.where(m.less(alpha, n0, mask2), n_minus_1, n1, o1)
+    divisor = m.where(nextto, sine, n1, k1)
+    rest = m.where(nextto, mul(mul(n2, sideof, k2), atan2(div(cosine, divisor, k1), n1, k1), k1), size, k1)
     t = tan(div(rest, n6, o2), o2)
-    sideof = m.where(backwards, n_minus_1, n1, o1)
     r = div(mul(sideof, m.where(nextto, n1, t, k1), o1), m.where(nextto, t, n1, o2), o2)
     mul(n6, r, o1)
     slope = div(add(n1, mul(r, r, o2), o2), n6, o2)
@@ -922,10 +922,10 @@ CHART = Chart(
         "turned": Function(_turned, _turned_blocks, 0, 0, (1, 6)),
         "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
         "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 6)),
-        "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 1, 2, (-1, 0, 1, 2, 6, 9)),
+        "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 2, 2, (-1, 0, 1, 2, 6, 9)),
     },
     kernels=SHARED,
-    programs="03b88e9e53bcbf50",
+    programs="bed511b128a99cdf",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -49,6 +49,9 @@ NEAR_TIE = mpmath.mpf(10) ** -30
 SMALL_STEP = tuple(mpmath.mpf(c) / 64 for c in (1, -2, 2, 1, 0, 3))
 """A displacement that leads from a vector to one of its own branch."""
 
+SHORT_OF_POLE = mpmath.mpf(1) / 64
+"""What is left of the way to the edge before a step of this kind, which one way leads over it."""
+
 LATTICE = ((1, 0, 0), (0, -1, 0), (1, 1, 1), (-1, 1, -1), (1, -1, 0))
 """Directions which have, times a power of two, a v·v without rounding: at some of them a chart's scalars vanish."""
 
@@ -119,6 +122,7 @@ def _cases(chart: Vectors, draw: random.Random) -> Iterator[Expectation]:
         if chart.finite(screw, 0, near_edge(chart)):
             yield from _from_rotation(tensor_from_screw(screw), 0, flat(chart.at(screw)))
     yield from _far_steps(chart, screws[0], still)
+    yield from _steps_to_pole(chart, screws[0])
     yield from _near_ties(chart, screws[0])
 
 
@@ -238,6 +242,16 @@ def _far_steps(chart: Vectors, screw: Screw, still: Screw) -> Iterator[Expectati
         yield _by(chart, "interpolate", *motion)
     yield _by(chart, "angle", resting)
     yield Expectation("angle", ((mpmath.mpf(0),) * 6,), (mpmath.mpf(0),) * 2)
+
+
+def _steps_to_pole(chart: Vectors, screw: Screw) -> Iterator[Expectation]:
+    """Steps that end next to the edge, where φ has a pole there: before it, and behind."""
+    if mpmath.isinf(chart.edge) or chart.is_folded:
+        return
+    v = chart.at(Screw(Dual(chart.edge - SHORT_OF_POLE, screw.angle.du), screw.axis))
+    for name in ("retract", "body_retract"):
+        for given in ((flat(v), SMALL_STEP), (flat(-v), SMALL_STEP)):
+            yield _by(chart, name, *given)
 
 
 def _near_ties(chart: Vectors, screw: Screw) -> Iterator[Expectation]:

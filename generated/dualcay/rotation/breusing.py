@@ -7,8 +7,8 @@
 #       body_tangent_inv 61, twist 63, rate 70, tangent_dot 104, twist_dot 112, rate_dot 111, twist_jacobian
 #       111, rate_jacobian 96, from_quaternion 15, from_tensor 69, from_angle_axis 24, to_angle_axis 66, angle
 #       21, to_exponential 49, from_exponential 50, turn 58, shadow 92, identity_jacobian 6, shadow_jacobian
-#       106, principal 56, compose 116, between 119, compose_jacobians 446, between_jacobians 458, retract 223,
-#       body_retract 223, retract_jacobians 558, body_retract_jacobians 560, local 124, body_local 124,
+#       106, principal 56, compose 116, between 119, compose_jacobians 446, between_jacobians 458, retract 220,
+#       body_retract 220, retract_jacobians 555, body_retract_jacobians 557, local 124, body_local 124,
 #       interpolate 355, adjoint 54, transform_point_jacobians 142
 r"""Breusing's chart, rotations alone: Rodrigues vectors ``v = sin(α/4)/sqrt(cos(α/4)) u``, the real parts of `breusing`.
 
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="aa01eb6243af6967",
+    programs="f419c6713053c9b2",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -7,8 +7,8 @@
 #       body_tangent_inv 33, twist 46, rate 42, tangent_dot 74, twist_dot 82, rate_dot 83, twist_jacobian 81,
 #       rate_jacobian 28, from_quaternion 9, from_tensor 62, from_angle_axis 8, to_angle_axis 46, angle 12,
 #       to_exponential 21, from_exponential 34, turn 30, shadow 48, identity_jacobian 6, shadow_jacobian 62,
-#       principal 28, compose 76, between 79, compose_jacobians 344, between_jacobians 356, retract 183,
-#       body_retract 183, retract_jacobians 472, body_retract_jacobians 474, local 92, body_local 92,
+#       principal 28, compose 76, between 79, compose_jacobians 344, between_jacobians 356, retract 180,
+#       body_retract 180, retract_jacobians 469, body_retract_jacobians 471, local 92, body_local 92,
 #       interpolate 298, adjoint 37, transform_point_jacobians 125
 r"""Cayley map of order 2, rotations alone: Rodrigues vectors ``v = tan(α/4) u``, the real parts of `cayley2`.
 
@@ -113,7 +113,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="39d43742a98bbd20",
+    programs="47d6bc72cc277e9a",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -7,8 +7,8 @@
 #       body_tangent_inv 43, twist 50, rate 52, tangent_dot 82, twist_dot 90, rate_dot 93, twist_jacobian 89,
 #       rate_jacobian 78, from_quaternion 23, from_tensor 67, from_angle_axis 8, to_angle_axis 56, angle 12,
 #       to_exponential 21, from_exponential 35, turn 30, shadow 58, identity_jacobian 6, shadow_jacobian 72,
-#       principal 28, compose 96, between 99, compose_jacobians 382, between_jacobians 394, retract 181,
-#       body_retract 181, retract_jacobians 487, body_retract_jacobians 489, local 98, body_local 98,
+#       principal 28, compose 96, between 99, compose_jacobians 382, between_jacobians 394, retract 182,
+#       body_retract 182, retract_jacobians 488, body_retract_jacobians 490, local 98, body_local 98,
 #       interpolate 304, adjoint 41, transform_point_jacobians 129
 r"""Cayley map of order 3, rotations alone: Rodrigues vectors ``v = tan(α/6) u``, the real parts of `cayley3`.
 
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="eec97cc9572bd5a7",
+    programs="bad503aafd2732d8",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -7,8 +7,8 @@
 #       body_tangent_inv 49, twist 56, rate 58, tangent_dot 92, twist_dot 100, rate_dot 99, twist_jacobian 99,
 #       rate_jacobian 84, from_quaternion 14, from_tensor 69, from_angle_axis 8, to_angle_axis 58, angle 12,
 #       to_exponential 21, from_exponential 35, turn 30, shadow 60, identity_jacobian 6, shadow_jacobian 74,
-#       principal 31, compose 107, between 110, compose_jacobians 411, between_jacobians 423, retract 195,
-#       body_retract 195, retract_jacobians 513, body_retract_jacobians 515, local 116, body_local 116,
+#       principal 31, compose 107, between 110, compose_jacobians 411, between_jacobians 423, retract 192,
+#       body_retract 192, retract_jacobians 510, body_retract_jacobians 512, local 116, body_local 116,
 #       interpolate 322, adjoint 47, transform_point_jacobians 135
 r"""Cayley map of order 4, rotations alone: Rodrigues vectors ``v = tan(α/8) u``, the real parts of `cayley4`.
 
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="434a6088223cbc03",
+    programs="f29d2dc10e75b97c",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -7,8 +7,8 @@
 #       body_tangent_inv 36, twist 50, rate 45, tangent_dot 81, twist_dot 89, rate_dot 86, twist_jacobian 88,
 #       rate_jacobian 28, from_quaternion 10, from_tensor 63, from_angle_axis 10, to_angle_axis 49, angle 13,
 #       to_exponential 25, from_exponential 36, turn 32, shadow 52, identity_jacobian 6, shadow_jacobian 66,
-#       principal 30, compose 91, between 94, compose_jacobians 370, between_jacobians 382, retract 193,
-#       body_retract 193, retract_jacobians 492, body_retract_jacobians 494, local 106, body_local 106,
+#       principal 30, compose 91, between 94, compose_jacobians 370, between_jacobians 382, retract 190,
+#       body_retract 190, retract_jacobians 489, body_retract_jacobians 491, local 106, body_local 106,
 #       interpolate 315, adjoint 41, transform_point_jacobians 129
 r"""Normal Rodrigues vector of order 2, rotations alone: Rodrigues vectors ``v = 4 tan(α/4) u``, the real parts of `scaled2`.
 
@@ -113,7 +113,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="94015d379cc2e03b",
+    programs="ae2dc9c772c22666",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -7,8 +7,8 @@
 #       body_tangent_inv 48, twist 54, rate 57, tangent_dot 89, twist_dot 97, rate_dot 98, twist_jacobian 96,
 #       rate_jacobian 83, from_quaternion 24, from_tensor 68, from_angle_axis 10, to_angle_axis 59, angle 13,
 #       to_exponential 25, from_exponential 37, turn 32, shadow 62, identity_jacobian 6, shadow_jacobian 76,
-#       principal 30, compose 107, between 110, compose_jacobians 406, between_jacobians 418, retract 189,
-#       body_retract 189, retract_jacobians 504, body_retract_jacobians 506, local 108, body_local 108,
+#       principal 30, compose 107, between 110, compose_jacobians 406, between_jacobians 418, retract 190,
+#       body_retract 190, retract_jacobians 505, body_retract_jacobians 507, local 108, body_local 108,
 #       interpolate 317, adjoint 45, transform_point_jacobians 133
 r"""Normal Rodrigues vector of order 3, rotations alone: Rodrigues vectors ``v = 6 tan(α/6) u``, the real parts of `scaled3`.
 
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="6313cfd91e8b2809",
+    programs="010182c677b9ff15",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -7,8 +7,8 @@
 #       body_tangent_inv 54, twist 60, rate 63, tangent_dot 99, twist_dot 107, rate_dot 104, twist_jacobian 106,
 #       rate_jacobian 89, from_quaternion 15, from_tensor 70, from_angle_axis 10, to_angle_axis 61, angle 13,
 #       to_exponential 25, from_exponential 37, turn 32, shadow 64, identity_jacobian 6, shadow_jacobian 78,
-#       principal 33, compose 118, between 121, compose_jacobians 435, between_jacobians 447, retract 203,
-#       body_retract 203, retract_jacobians 530, body_retract_jacobians 532, local 126, body_local 126,
+#       principal 33, compose 118, between 121, compose_jacobians 435, between_jacobians 447, retract 200,
+#       body_retract 200, retract_jacobians 527, body_retract_jacobians 529, local 126, body_local 126,
 #       interpolate 335, adjoint 51, transform_point_jacobians 139
 r"""Normal Rodrigues vector of order 4, rotations alone: Rodrigues vectors ``v = 8 tan(α/8) u``, the real parts of `scaled4`.
 
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="50ecf563bc84b131",
+    programs="9c315f2af51c0160",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -38,6 +38,9 @@ EQUIVALENT = {
     r"rotation_\w+_shadow_jacobian_core: const int still = total <": "the same",
     r"rotation_\w+retract_core: .*(factor|z0s) = still \?": "it is multiplied by a vector that is 0 there",
     r"angle_core: const int resting = x <": "of v = 0 the angle that is computed is 0 too: it is chosen for gradients",
+    r"const dualcay_real z\w* = \(near\w* \? x": "what is far is no argument of the series, but some number",
+    r"const int near\w* = x\w* < ": "next to the limit both sides are right",
+    r"\* \(50\d - z\w*\)": "the last terms of the series: less than a condition makes of what is cut off",
     r"_scalars\(.*&\w+_(3, &\w+_2|5, &\w+_4)\b": "results that nothing reads change places",
 }
 """Changes that change no result, by their function and line, and why."""
