@@ -163,7 +163,7 @@ def _coordinates(chart: Vectors, screw: Screw) -> Iterator[Expectation]:
 def _between(chart: Vectors, screw: Screw, other: Screw) -> Iterator[Expectation]:
     """Some of the way; about the same axis too, and there through whole turns."""
     further = Screw(screw.angle / 3, screw.axis)
-    for end, t in ((other, "0.3"), (screw, "0.7"), (further, "0.8")):
+    for end, t in ((other, "0.3"), (screw, "0.7"), (further, "0.8"), (further, "-3.5")):
         given = flat(chart.at(screw)), flat(chart.at(end)), (mpmath.mpf(t),)
         yield _by(chart, "interpolate", *given)
 

@@ -141,9 +141,9 @@ class Vectors:
         """An even function of α and its derivatives by x; terms may cancel near 0, so more digits are taken."""
         key = mpmath.mp.prec, expression, square, order
         if key not in self._values:
-            angle, digits = self.angle(mpmath.sqrt(square)), mpmath.mp.dps
-            with mpmath.workdps(digits + CANCELLED * max(order, 1)):
-                at = max(angle, mpmath.mpf(10) ** (-digits // 2 - 5))  # an even function: off by the square of that
+            angle, least = self.angle(mpmath.sqrt(square)), mpmath.sqrt(mpmath.eps)
+            with mpmath.workdps(mpmath.mp.dps + CANCELLED * max(order, 1)):
+                at = max(angle, least)  # an even function: off by the square of that
                 found = []
                 for _ in range(order + 1):
                     found.append(evaluate(expression, alpha, at))

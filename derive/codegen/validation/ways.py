@@ -44,9 +44,10 @@ def broadcasting(caller: Caller, known: Known, dtype: np.dtype[Any], few: int) -
     """Arguments whose batch axes are missing or of length 1, any two of them, up to a few poses and beyond."""
     length = -(-(few + 1) // 3)
     for width, axis in itertools.product((2, length), (-1, 0)):
-        shapes = ((), (width,), (1, width), (3, 1), (3, width))
+        whole = (3, width)
+        shapes = ((), (width,), (1, width), (3, 1), whole)
         for chosen in itertools.product(shapes, repeat=len(known.shape)):
-            if sum(shape != shapes[-1] for shape in chosen) > 2:
+            if sum(shape != whole for shape in chosen) > 2:
                 continue
             picks = (_pick(shape, count) for shape, count in zip(chosen, known.shape, strict=True))
             caller.check(Call(known, tuple(picks), dtype, axis))
