@@ -7605,7 +7605,7 @@ def body_local_blocks(
     div(add(sub(mul(rho3, fee, k1), sub(mul(d1, rho2, k3), mul(d2, rho1, k4), k3), k1), mul(d3, hvr, k2), k1), n2, o6)
 
 
-# operations 660: 213 +, 309 *, 60 /, 8 neg, 4 abs, 8 sqrt, 4 tan, 3 atan2, 7 lt, 5 eq, 1 or, 38 where
+# operations 667: 216 +, 309 *, 60 /, 8 neg, 7 abs, 8 sqrt, 4 tan, 3 atan2, 7 lt, 5 eq, 2 or, 38 where
 def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) -> Result:
     a1, a2, a3, a1o, a2o, a3o = a
     b1, b2, b3, b1o, b2o, b3o = b
@@ -7796,7 +7796,10 @@ def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) 
     axis1 = a1 / r
     axis2 = a2 / r
     axis3 = a3 / r
-    apart = (own_ < 3) | (r < r + (m.abs(d2 * a3 - d3 * a2) + m.abs(d3 * a1 - d1 * a3) + m.abs(d1 * a2 - d2 * a1)) / 64)
+    apart = (
+        resting | (own_ + m.abs(td1) + m.abs(td2) + m.abs(td3) < 6) | (r < r + (m.abs(d2 * a3 - d3 * a2) + m.abs(d3 * a1
+        - d1 * a3) + m.abs(d1 * a2 - d2 * a1)) / 64)
+    )
     side = m.where(bva1 * a1 + bva2 * a2 + bva3 * a3 < 0, -1, 1)
     ss1 = bva1 * bva1 + bva2 * bva2 + bva3 * bva3
     still1 = ss1 == 0
@@ -7850,7 +7853,7 @@ def interpolate_blocks(
     ) = scratch
     mask1, mask2, mask3, mask4, *spare_masks = masks
     (
-        n_minus_2, n_minus_1, n0, n1, n2, n3, n4, n6, n8, n16, n64, n72, n120, n210, n342, n506, n5040, n32760, n93024,
+        n_minus_2, n_minus_1, n0, n1, n2, n4, n6, n8, n16, n64, n72, n120, n210, n342, n506, n5040, n32760, n93024,
         n212520, n3603600,
     ) = numbers
     v11a = mul(a1, a1, k1)
@@ -7943,9 +7946,10 @@ def interpolate_blocks(
     own, = c.unfolded((k32,), (k33, *spare), (*spare_masks,), xa, r)
     own_ = m.where(resting, xa, own, k1)
     apart = m.either(
-        m.less(own_, n3, mask3), m.less(r, add(r, div(add(add(absolute(sub(mul(d2, a3, k32), mul(d3, a2, k33), k32),
-        k32), absolute(sub(mul(d3, a1, k33), mul(d1, a3, k34), k33), k33), k32), absolute(sub(mul(d1, a2, k33), mul(d2,
-        a1, k34), k33), k33), k32), n64, k32), k32), mask4), mask3
+        m.either(resting, m.less(add(add(add(own_, absolute(td1, k32), k32), absolute(td2, k33), k32), absolute(td3,
+        k33), k32), n6, mask4), mask3), m.less(r, add(r, div(add(add(absolute(sub(mul(d2, a3, k32), mul(d3, a2, k33),
+        k32), k32), absolute(sub(mul(d3, a1, k33), mul(d1, a3, k34), k33), k33), k32), absolute(sub(mul(d1, a2, k33),
+        mul(d2, a1, k34), k33), k33), k32), n64, k32), k32), mask4), mask3
     )
     side = m.where(
         m.less(add(add(mul(bva1, a1, k32), mul(bva2, a2, k33), k32), mul(bva3, a3, k33), k32), n0, mask4), n_minus_1,
@@ -9338,7 +9342,7 @@ KERNELS: Mapping[str, Kernel] = {
         (6,),
         registers=37,
         masks=4,
-        numbers=(-2, -1, 0, 1, 2, 3, 4, 6, 8, 16, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        numbers=(-2, -1, 0, 1, 2, 4, 6, 8, 16, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
         lent=(('ray', 0, 0), ('ray', 0, 0), ('unfolded', 1, 0), ('coefficient', 7, 1), ('inverse_at', 14, 3)),
         real=True,
     ),

@@ -89,7 +89,7 @@
 #       where
 #   local: 347: 112 +, 165 *, 38 /, 7 neg, 7 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
 #   body_local: 347: 112 +, 165 *, 38 /, 7 neg, 7 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
-#   interpolate: 756: 240 +, 345 *, 80 /, 8 neg, 4 abs, 17 sqrt, 5 tan, 4 atan2, 8 lt, 5 eq, 1 or, 39 where
+#   interpolate: 763: 243 +, 345 *, 80 /, 8 neg, 7 abs, 17 sqrt, 5 tan, 4 atan2, 8 lt, 5 eq, 2 or, 39 where
 #   adjoint: 109: 41 +, 61 *, 5 /, 2 sqrt
 #   transform_point_jacobians: 238: 99 +, 127 *, 7 /, 3 neg, 2 sqrt
 #   transform_line_jacobians: 337: 132 +, 190 *, 7 /, 6 neg, 2 sqrt
@@ -999,7 +999,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 3, 2, (-1, 0, 1, 2, 4, 6, 8)),
     },
     kernels=SHARED,
-    programs="aa2d8f3a0d389136",
+    programs="0aa571d15633992e",
 )
 
 KERNELS = PoseKernels(CHART)

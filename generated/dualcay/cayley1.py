@@ -98,7 +98,7 @@
 #   body_retract_jacobians: 1085: 414 +, 539 *, 80 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22 where
 #   local: 301: 98 +, 143 *, 32 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
 #   body_local: 301: 98 +, 143 *, 32 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
-#   interpolate: 675: 216 +, 313 *, 66 /, 8 neg, 4 abs, 8 sqrt, 5 tan, 4 atan2, 7 lt, 5 eq, 1 or, 38 where
+#   interpolate: 682: 219 +, 313 *, 66 /, 8 neg, 7 abs, 8 sqrt, 5 tan, 4 atan2, 7 lt, 5 eq, 2 or, 38 where
 #   adjoint: 86: 34 +, 50 *, 2 /
 #   transform_point_jacobians: 134: 58 +, 63 *, 3 /, 10 neg
 #   transform_line_jacobians: 299: 121 +, 168 *, 3 /, 7 neg
@@ -2116,7 +2116,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="dc43749496296c40",
+    programs="36e092c41804e431",
 )
 
 KERNELS = PoseKernels(CHART)

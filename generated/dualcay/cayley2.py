@@ -103,7 +103,7 @@
 #   body_retract_jacobians: 1103: 420 +, 549 *, 81 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22 where
 #   local: 315: 102 +, 153 *, 32 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
 #   body_local: 315: 102 +, 153 *, 32 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
-#   interpolate: 689: 220 +, 323 *, 66 /, 8 neg, 4 abs, 8 sqrt, 5 tan, 4 atan2, 7 lt, 5 eq, 1 or, 38 where
+#   interpolate: 696: 223 +, 323 *, 66 /, 8 neg, 7 abs, 8 sqrt, 5 tan, 4 atan2, 7 lt, 5 eq, 2 or, 38 where
 #   adjoint: 92: 35 +, 55 *, 2 /
 #   transform_point_jacobians: 208: 91 +, 110 *, 3 /, 4 neg
 #   transform_line_jacobians: 307: 124 +, 173 *, 3 /, 7 neg
@@ -825,7 +825,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="370ad19f67f71596",
+    programs="777b7847157d231a",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -100,7 +100,7 @@
 #   body_retract_jacobians: 1164: 443 +, 586 *, 83 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22 where
 #   local: 337: 110 +, 167 *, 32 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
 #   body_local: 337: 110 +, 167 *, 32 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
-#   interpolate: 720: 232 +, 340 *, 68 /, 8 neg, 4 abs, 8 sqrt, 5 tan, 4 atan2, 7 lt, 5 eq, 1 or, 38 where
+#   interpolate: 727: 235 +, 340 *, 68 /, 8 neg, 7 abs, 8 sqrt, 5 tan, 4 atan2, 7 lt, 5 eq, 2 or, 38 where
 #   adjoint: 104: 40 +, 62 *, 2 /
 #   transform_point_jacobians: 231: 100 +, 125 *, 3 /, 3 neg
 #   transform_line_jacobians: 330: 133 +, 188 *, 3 /, 6 neg
@@ -885,7 +885,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 2, 2, (-1, 0, 1, 2, 10, 16)),
     },
     kernels=SHARED,
-    programs="b893a10a249cf259",
+    programs="8af12a02dc856ef8",
 )
 
 KERNELS = PoseKernels(CHART)

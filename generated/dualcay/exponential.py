@@ -87,7 +87,7 @@
 #       where
 #   local: 469: 150 +, 193 *, 74 /, 7 neg, 7 sqrt, 6 tan, 1 atan2, 4 lt, 1 eq, 26 where
 #   body_local: 469: 150 +, 193 *, 74 /, 7 neg, 7 sqrt, 6 tan, 1 atan2, 4 lt, 1 eq, 26 where
-#   interpolate: 914: 293 +, 386 *, 124 /, 8 neg, 4 abs, 14 sqrt, 9 tan, 3 atan2, 10 lt, 5 eq, 1 or, 57 where
+#   interpolate: 921: 296 +, 386 *, 124 /, 8 neg, 7 abs, 14 sqrt, 9 tan, 3 atan2, 10 lt, 5 eq, 2 or, 57 where
 #   adjoint: 158: 58 +, 73 *, 18 /, 2 sqrt, 1 tan, 1 lt, 5 where
 #   transform_point_jacobians: 294: 121 +, 138 *, 22 /, 3 neg, 2 sqrt, 1 tan, 1 lt, 6 where
 #   transform_line_jacobians: 393: 154 +, 201 *, 22 /, 6 neg, 2 sqrt, 1 tan, 1 lt, 6 where
@@ -1353,7 +1353,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 0, 0, (1,)),
     },
     kernels=SHARED,
-    programs="04695e0ed591e7bc",
+    programs="8ede0229265d491a",
 )
 
 KERNELS = PoseKernels(CHART)

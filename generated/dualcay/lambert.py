@@ -72,7 +72,7 @@
 #   body_retract_jacobians: 1141: 432 +, 568 *, 90 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 5 lt, 2 eq, 19 where
 #   local: 317: 102 +, 155 *, 30 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
 #   body_local: 317: 102 +, 155 *, 30 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
-#   interpolate: 721: 226 +, 335 *, 71 /, 8 neg, 5 abs, 11 sqrt, 6 tan, 4 atan2, 9 lt, 5 eq, 1 or, 40 where
+#   interpolate: 728: 229 +, 335 *, 71 /, 8 neg, 8 abs, 11 sqrt, 6 tan, 4 atan2, 9 lt, 5 eq, 2 or, 40 where
 #   adjoint: 94: 36 +, 56 *, 1 /, 1 sqrt
 #   transform_point_jacobians: 214: 93 +, 113 *, 4 /, 3 neg, 1 sqrt
 #   transform_line_jacobians: 313: 126 +, 176 *, 4 /, 6 neg, 1 sqrt
@@ -832,7 +832,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 2, 1, (-1, 0, 1, 2, 4, 8)),
     },
     kernels=SHARED,
-    programs="b8b0bdc64110e73c",
+    programs="8af9f917829f7c4f",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -68,7 +68,7 @@
 #   body_retract_jacobians: 1110: 426 +, 548 *, 85 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 5 lt, 2 eq, 19 where
 #   local: 305: 102 +, 143 *, 30 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
 #   body_local: 305: 102 +, 143 *, 30 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
-#   interpolate: 702: 225 +, 318 *, 70 /, 8 neg, 5 abs, 11 sqrt, 6 tan, 4 atan2, 9 lt, 5 eq, 1 or, 40 where
+#   interpolate: 709: 228 +, 318 *, 70 /, 8 neg, 8 abs, 11 sqrt, 6 tan, 4 atan2, 9 lt, 5 eq, 2 or, 40 where
 #   adjoint: 86: 34 +, 50 *, 1 /, 1 sqrt
 #   transform_point_jacobians: 202: 90 +, 106 *, 2 /, 3 neg, 1 sqrt
 #   transform_line_jacobians: 301: 123 +, 169 *, 2 /, 6 neg, 1 sqrt
@@ -1145,7 +1145,7 @@ CHART = Chart(
         real=True,
     ),
     },
-    programs="f80d0557aa253b8e",
+    programs="e5122512f92013c2",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -68,7 +68,7 @@
 #   body_retract_jacobians: 1102: 418 +, 541 *, 91 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22 where
 #   local: 313: 102 +, 143 *, 40 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
 #   body_local: 313: 102 +, 143 *, 40 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
-#   interpolate: 693: 222 +, 315 *, 76 /, 8 neg, 4 abs, 8 sqrt, 5 tan, 4 atan2, 7 lt, 5 eq, 1 or, 38 where
+#   interpolate: 700: 225 +, 315 *, 76 /, 8 neg, 7 abs, 8 sqrt, 5 tan, 4 atan2, 7 lt, 5 eq, 2 or, 38 where
 #   adjoint: 89: 34 +, 50 *, 5 /
 #   transform_point_jacobians: 149: 58 +, 73 *, 8 /, 10 neg
 #   transform_line_jacobians: 304: 121 +, 168 *, 8 /, 7 neg
@@ -1902,7 +1902,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="0ba7eec17d7a9974",
+    programs="e3540579e0697a31",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -73,7 +73,7 @@
 #       where
 #   local: 329: 106 +, 153 *, 42 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
 #   body_local: 329: 106 +, 153 *, 42 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
-#   interpolate: 709: 226 +, 325 *, 78 /, 8 neg, 4 abs, 8 sqrt, 5 tan, 4 atan2, 7 lt, 5 eq, 1 or, 38 where
+#   interpolate: 716: 229 +, 325 *, 78 /, 8 neg, 7 abs, 8 sqrt, 5 tan, 4 atan2, 7 lt, 5 eq, 2 or, 38 where
 #   adjoint: 96: 35 +, 55 *, 6 /
 #   transform_point_jacobians: 215: 91 +, 110 *, 10 /, 4 neg
 #   transform_line_jacobians: 314: 124 +, 173 *, 10 /, 7 neg
@@ -903,7 +903,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="fa9ef09adf3bcaad",
+    programs="e0e447d45fe9073e",
 )
 
 KERNELS = PoseKernels(CHART)

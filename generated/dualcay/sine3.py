@@ -72,7 +72,7 @@
 #   body_retract_jacobians: 1154: 438 +, 575 *, 90 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 5 lt, 2 eq, 19 where
 #   local: 323: 106 +, 157 *, 30 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
 #   body_local: 323: 106 +, 157 *, 30 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
-#   interpolate: 729: 231 +, 338 *, 71 /, 8 neg, 5 abs, 11 sqrt, 6 tan, 4 atan2, 9 lt, 5 eq, 1 or, 40 where
+#   interpolate: 736: 234 +, 338 *, 71 /, 8 neg, 8 abs, 11 sqrt, 6 tan, 4 atan2, 9 lt, 5 eq, 2 or, 40 where
 #   adjoint: 97: 38 +, 57 *, 1 /, 1 sqrt
 #   transform_point_jacobians: 220: 96 +, 116 *, 4 /, 3 neg, 1 sqrt
 #   transform_line_jacobians: 319: 129 +, 179 *, 4 /, 6 neg, 1 sqrt
@@ -898,7 +898,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 2, 1, (-1, 0, 1, 2, 6, 12)),
     },
     kernels=SHARED,
-    programs="fdade04615658dc5",
+    programs="60bdd2e21b08ed5c",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -72,7 +72,7 @@
 #   body_retract_jacobians: 1172: 448 +, 583 *, 90 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 5 lt, 2 eq, 19 where
 #   local: 331: 110 +, 161 *, 30 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
 #   body_local: 331: 110 +, 161 *, 30 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
-#   interpolate: 741: 237 +, 344 *, 71 /, 8 neg, 5 abs, 11 sqrt, 6 tan, 4 atan2, 9 lt, 5 eq, 1 or, 40 where
+#   interpolate: 748: 240 +, 344 *, 71 /, 8 neg, 8 abs, 11 sqrt, 6 tan, 4 atan2, 9 lt, 5 eq, 2 or, 40 where
 #   adjoint: 101: 40 +, 59 *, 1 /, 1 sqrt
 #   transform_point_jacobians: 226: 99 +, 119 *, 4 /, 3 neg, 1 sqrt
 #   transform_line_jacobians: 325: 132 +, 182 *, 4 /, 6 neg, 1 sqrt
@@ -892,7 +892,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 2, 1, (-1, 0, 1, 2, 8, 16)),
     },
     kernels=SHARED,
-    programs="8f912dda32412d1d",
+    programs="84332cad34b0ebc8",
 )
 
 KERNELS = PoseKernels(CHART)

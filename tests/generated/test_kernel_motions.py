@@ -158,6 +158,18 @@ def test_motions_are_screws_of_constant_pitch_and_the_shorter_way(name: str, ker
     np.testing.assert_allclose(way[:, 0], v1, rtol=1e-11, atol=1e-11)
 
 
+@pytest.mark.parametrize("angle", [0.4, 2.0, 4.0, 7.5])
+def test_about_the_own_axis_a_motion_goes_on_through_whole_turns(angle: float):
+    """Of the exponential ξ goes on in a line, back and forth as far as one likes; to 1e-12, no whole turn being near."""
+    from dualcay import exponential
+
+    xi = np.array([2.0, -3.0, 6.0, 0.5, 1.5, -1.0]) / 7
+    t = np.arange(-20.0, 21.0)
+    way = exponential.interpolate(angle * xi, (angle + 0.9) * xi, t)
+    expected = (angle + 0.9 * t)[:, None] * xi
+    np.testing.assert_allclose(way, expected, rtol=1e-12, atol=1e-12)
+
+
 def test_the_branch_is_followed_over_half_turns_and_on_others(name: str, kernels: ModuleType, oracle: Oracle):
     """In fine steps α u goes on by little; at the end v2 is reached, or a shadow of another angle or side."""
     edge = families_edge(name)

@@ -188,7 +188,9 @@ class Sine:
 
     def coefficient(self, angle: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         sine, cosine = _of_twice(m.name("t", m.tan(m.div(angle, 12))), m)
-        return m.name("r", sine), m.name("slope", m.div(cosine, 6))
+        further = m.name("further", cosine)
+        side = m.name("side", m.where(m.less(further, 0), -1, 1))  # beyond the edge from the opposite side
+        return m.name("r", side * sine), m.name("slope", m.div(side * further, 6))
 
     def coefficient_of(
         self, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic

@@ -16,8 +16,8 @@ from .inverse import ray
 from .point import Geometry, Point, Scope
 from .retraction import exponential_scalars, logarithm, with_dual
 
-HALF_TURN = 3
-"""From less than half a turn no motion comes to a whole one, for it is the shorter way: its axis may be any."""
+WHOLE_TURN = 6
+"""A motion that does not go so far comes to no whole turn: its axis may be any."""
 
 OWN_AXIS = 64
 """δ × v, lost beside |v| when divided by this, is below 32 eps of it: two rays and a product are off by some ten."""
@@ -40,15 +40,16 @@ def interpolate(trace: Geometry) -> Program:
     z = Quaternion.from_components(trace.name(f"z{i}", c) for i, c in enumerate(small * first))
     moved = rotate(step, at.f, at.g, rho1, "moved")
     rho = named(trace, "rho", moved + translation(step, at.f, at.g, at.h))
-    followed = _Followed(trace, before, first, Vector(*delta[:3]))
-    return trace.program("interpolate", followed.vector(z, step.re, rho))
+    followed = _Followed(trace, before, first, Vector(*delta[:3]), step.re)
+    return trace.program("interpolate", followed.vector(z, rho))
 
 
 class _Followed:
-    """The branch of a start, of whose ray the quaternion goes on about an axis."""
+    """The branch of a start, of whose ray the quaternion goes on about the axis of δ, a step gone."""
 
-    def __init__(self, trace: Geometry, start: Point, first: Quaternion, delta: Vector) -> None:
+    def __init__(self, trace: Geometry, start: Point, first: Quaternion, delta: Vector, gone: Vector) -> None:
         self.trace = trace
+        self.gone = gone
         self.scope = Scope(trace, "")  # whose names avoid those of a chart
         name, where = self.scope.name, trace.where
         resting = name("resting", trace.equal(start.x, 0))
@@ -56,8 +57,10 @@ class _Followed:
         (own,) = trace.ask("unfolded", (start.x, r))
         self.own = name("own", where(resting, start.x, own))
         self.axis = named(trace, "axis", start.re / r)
-        across = sum((trace.abs(c) for c in delta.cross(start.re)), start=0)
-        self.apart = name("apart", trace.either(trace.less(self.own, HALF_TURN), trace.less(r, r + across / OWN_AXIS)))
+        furthest = sum(map(trace.abs, gone), start=self.own)
+        inside = trace.either(resting, trace.less(furthest, WHOLE_TURN))
+        across = sum(map(trace.abs, delta.cross(start.re)), start=0)
+        self.apart = name("apart", trace.either(inside, trace.less(r, r + across / OWN_AXIS)))
         self.side = name("side", where(trace.less(first.vector.dot(start.re), 0), -1, 1))
         _, self.begun = self._half(first, "1")
 
@@ -73,11 +76,11 @@ class _Followed:
         sign = name("sign" + mark, trace.where(self.apart, self.side, 1))
         return sine, name("half" + mark, trace.atan2(sign * sine, sign * q.scalar))
 
-    def vector(self, z: Quaternion, gone: Vector, rho: Vector) -> tuple[Number, ...]:
-        """Where the quaternion is z, a step gone."""
+    def vector(self, z: Quaternion, rho: Vector) -> tuple[Number, ...]:
+        """Where the quaternion is z."""
         trace, name, where = self.trace, self.scope.name, self.trace.where
         sine, half = self._half(z, "t")
-        turns = name("turns", self.own + where(self.apart, -2 * self.begun, gone.dot(self.axis) - 2 * half))
+        turns = name("turns", self.own + where(self.apart, -2 * self.begun, self.gone.dot(self.axis) - 2 * half))
         whole = where(trace.less(trace.abs(turns), 1), 0, turns)  # a multiple of 2π, but for rounding
         still = name("still", trace.equal(sine, 0))
         angle = name("angle", where(still, sine, whole + 2 * half))

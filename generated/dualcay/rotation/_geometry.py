@@ -3408,7 +3408,7 @@ def body_local_blocks(
     mul(z3, gaine, o3)
 
 
-# operations 269: 73 +, 118 *, 20 /, 4 neg, 4 abs, 6 sqrt, 1 tan, 3 atan2, 6 lt, 5 eq, 1 or, 28 where
+# operations 276: 76 +, 118 *, 20 /, 4 neg, 7 abs, 6 sqrt, 1 tan, 3 atan2, 6 lt, 5 eq, 2 or, 28 where
 def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) -> Result:
     a1, a2, a3 = a
     b1, b2, b3 = b
@@ -3485,7 +3485,10 @@ def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) 
     axis1 = a1 / r
     axis2 = a2 / r
     axis3 = a3 / r
-    apart = (own_ < 3) | (r < r + (m.abs(d2 * a3 - d3 * a2) + m.abs(d3 * a1 - d1 * a3) + m.abs(d1 * a2 - d2 * a1)) / 64)
+    apart = (
+        resting | (own_ + m.abs(td1) + m.abs(td2) + m.abs(td3) < 6) | (r < r + (m.abs(d2 * a3 - d3 * a2) + m.abs(d3 * a1
+        - d1 * a3) + m.abs(d1 * a2 - d2 * a1)) / 64)
+    )
     side = m.where(bva1 * a1 + bva2 * a2 + bva3 * a3 < 0, -1, 1)
     ss1 = bva1 * bva1 + bva2 * bva2 + bva3 * bva3
     still1 = ss1 == 0
@@ -3522,7 +3525,7 @@ def interpolate_blocks(
     k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, *spare = scratch
     mask1, mask2, mask3, *spare_masks = masks
     (
-        n_minus_2, n_minus_1, n0, n1, n2, n3, n4, n6, n64, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520,
+        n_minus_2, n_minus_1, n0, n1, n2, n4, n6, n64, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520,
         n3603600,
     ) = numbers
     v11a = mul(a1, a1, k1)
@@ -3614,9 +3617,10 @@ def interpolate_blocks(
     own, = c.unfolded((k19,), (k20, *spare), (*spare_masks,), xa, r)
     own_ = m.where(resting, xa, own, k1)
     apart = m.either(
-        m.less(own_, n3, mask2), m.less(r, add(r, div(add(add(absolute(sub(mul(d2, a3, k19), mul(d3, a2, k20), k19),
-        k19), absolute(sub(mul(d3, a1, k5), mul(d1, a3, k20), k5), k5), k5), absolute(sub(mul(d1, a2, k6), mul(d2, a1,
-        k7), k6), k6), k5), n64, k5), k5), mask3), mask2
+        m.either(resting, m.less(add(add(add(own_, absolute(td1, k19), k19), absolute(td2, k20), k19), absolute(td3,
+        k20), k19), n6, mask3), mask2), m.less(r, add(r, div(add(add(absolute(sub(mul(d2, a3, k19), mul(d3, a2, k20),
+        k19), k19), absolute(sub(mul(d3, a1, k5), mul(d1, a3, k20), k5), k5), k5), absolute(sub(mul(d1, a2, k6), mul(d2,
+        a1, k7), k6), k6), k5), n64, k5), k5), mask3), mask2
     )
     side = m.where(
         m.less(add(add(mul(bva1, a1, k5), mul(bva2, a2, k6), k5), mul(bva3, a3, k6), k5), n0, mask3), n_minus_1, n1, k5
@@ -4282,7 +4286,7 @@ KERNELS: Mapping[str, Kernel] = {
         (3,),
         registers=21,
         masks=3,
-        numbers=(-2, -1, 0, 1, 2, 3, 4, 6, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        numbers=(-2, -1, 0, 1, 2, 4, 6, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
         lent=(('ray', 0, 0), ('ray', 0, 0), ('unfolded', 1, 0), ('coefficient', 10, 1)),
         real=True,
     ),

@@ -9,7 +9,7 @@
 #       21, to_exponential 49, from_exponential 50, turn 58, shadow 92, identity_jacobian 6, shadow_jacobian
 #       106, principal 56, compose 116, between 119, compose_jacobians 446, between_jacobians 458, retract 220,
 #       body_retract 220, retract_jacobians 555, body_retract_jacobians 557, local 124, body_local 124,
-#       interpolate 355, adjoint 54, transform_point_jacobians 142
+#       interpolate 362, adjoint 54, transform_point_jacobians 142
 r"""Breusing's chart, rotations alone: Rodrigues vectors ``v = sin(α/4)/sqrt(cos(α/4)) u``, the real parts of `breusing`.
 
 The formulas told there hold with real v.
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="f419c6713053c9b2",
+    programs="d5a5d549650a7023",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -9,7 +9,7 @@
 #       to_exponential 21, from_exponential 34, turn 30, shadow 48, identity_jacobian 6, shadow_jacobian 62,
 #       principal 28, compose 76, between 79, compose_jacobians 344, between_jacobians 356, retract 180,
 #       body_retract 180, retract_jacobians 469, body_retract_jacobians 471, local 92, body_local 92,
-#       interpolate 298, adjoint 37, transform_point_jacobians 125
+#       interpolate 305, adjoint 37, transform_point_jacobians 125
 r"""Cayley map of order 2, rotations alone: Rodrigues vectors ``v = tan(α/4) u``, the real parts of `cayley2`.
 
 The formulas told there hold with real v.
@@ -113,7 +113,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="47d6bc72cc277e9a",
+    programs="f017b1c3c9fb699c",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -9,7 +9,7 @@
 #       10, to_exponential 16, from_exponential 15, turn 24, shadow 98, identity_jacobian 6, shadow_jacobian
 #       112, principal 84, compose 243, between 246, compose_jacobians 759, between_jacobians 771, retract 233,
 #       body_retract 233, retract_jacobians 694, body_retract_jacobians 696, local 246, body_local 246,
-#       interpolate 445, adjoint 103, transform_point_jacobians 191
+#       interpolate 452, adjoint 103, transform_point_jacobians 191
 r"""Exponential map, rotations alone: Rodrigues vectors ``v = α u``, the real parts of `exponential`.
 
 The formulas told there hold with real v.
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="cdc5bd20781943d2",
+    programs="ae2677e4934e9c73",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -8,7 +8,7 @@
 #       rate_jacobian 48, from_quaternion 5, from_tensor 61, from_angle_axis 16, to_angle_axis 42, angle 16,
 #       to_exponential 24, from_exponential 39, identity_jacobian 6, compose 64, between 67, compose_jacobians
 #       320, between_jacobians 332, retract 170, body_retract 170, retract_jacobians 476, body_retract_jacobians
-#       478, local 82, body_local 82, interpolate 300, adjoint 31, transform_point_jacobians 119
+#       478, local 82, body_local 82, interpolate 307, adjoint 31, transform_point_jacobians 119
 r"""Orthographic projection, rotations alone: Rodrigues vectors ``v = sin(α/2) u``, the real parts of `orthographic`.
 
 The formulas told there hold with real v.
@@ -394,7 +394,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="a15a4ebcf4fcff71",
+    programs="b1c124d2b9f9b0ac",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -9,7 +9,7 @@
 #       to_exponential 25, from_exponential 37, turn 32, shadow 62, identity_jacobian 6, shadow_jacobian 76,
 #       principal 30, compose 107, between 110, compose_jacobians 406, between_jacobians 418, retract 190,
 #       body_retract 190, retract_jacobians 505, body_retract_jacobians 507, local 108, body_local 108,
-#       interpolate 317, adjoint 45, transform_point_jacobians 133
+#       interpolate 324, adjoint 45, transform_point_jacobians 133
 r"""Normal Rodrigues vector of order 3, rotations alone: Rodrigues vectors ``v = 6 tan(α/6) u``, the real parts of `scaled3`.
 
 The formulas told there hold with real v.
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="010182c677b9ff15",
+    programs="ac58e47026ace764",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -9,7 +9,7 @@
 #       to_exponential 24, from_exponential 43, turn 39, shadow 68, identity_jacobian 6, shadow_jacobian 82,
 #       principal 40, compose 103, between 106, compose_jacobians 416, between_jacobians 428, retract 183,
 #       body_retract 183, retract_jacobians 529, body_retract_jacobians 531, local 108, body_local 108,
-#       interpolate 326, adjoint 46, transform_point_jacobians 134
+#       interpolate 333, adjoint 46, transform_point_jacobians 134
 r"""Sine chart of order 4, rotations alone: Rodrigues vectors ``v = sin(α/8) u``, the real parts of `sine4`.
 
 The formulas told there hold with real v.
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="0e4cdee6bdf0d863",
+    programs="a5cdff3b29377649",
 )
 
 KERNELS = RotationKernels(CHART)
