@@ -160,7 +160,7 @@ def test_motions_are_screws_of_constant_pitch_and_the_shorter_way(name: str, ker
 
 @pytest.mark.parametrize("angle", [0.4, 2.0, 4.0, 7.5])
 def test_about_the_own_axis_a_motion_goes_on_through_whole_turns(angle: float):
-    """Of the exponential ξ goes on in a line, back and forth as far as one likes; to 1e-12, no whole turn being near."""
+    """Of the exponential ξ goes on in a line, back and forth however far; to 1e-12, for no whole turn is near."""
     from dualcay import exponential
 
     xi = np.array([2.0, -3.0, 6.0, 0.5, 1.5, -1.0]) / 7
