@@ -188,6 +188,15 @@ def test_loops_over_rows_become_vector_code(package, tmp_path, order, table, tur
     assert expected + Counter(turn=turns) <= cores
 
 
+@pytest.mark.parametrize(("minor", "asked"), [(34, False), (35, True)])
+def test_vector_functions_are_asked_for_where_the_library_has_them(package, tmp_path, minor, asked):
+    """libmvec of glibc 2.35 is the first with tan and atan2 on several numbers."""
+    text = f"#include <math.h>\n#undef __GLIBC_MINOR__\n#define __GLIBC_MINOR__ {minor}\n"
+    source = written(tmp_path, "asked.c", text + '#include "dualcay.h"\n')
+    command = (tool("gcc"), "-std=c99", "-DDUALCAY_SIMD_MATH", f"-I{package}", "-E", "-dM", source)
+    assert ("#define DUALCAY_SIMD " in run(*command)) == asked
+
+
 def test_the_package_installs_and_the_example_finds_it(package, tmp_path):
     cmake, place = tool("cmake"), tmp_path / "prefix"
     run(cmake, "-S", package, "-B", tmp_path / "package")

@@ -27,6 +27,15 @@ OPERATIONS: Mapping[str, Callable[..., Any]] = {
 }  # fmt: skip
 COMPARISONS = ("lt", "eq")
 
+
+def test_directions_of_the_lattice_differ_and_have_one_to_three_components():
+    """Of each kind a chart needs some: |v| = 1, √2, √3, with both signs."""
+    squares = sorted(sum(c * c for c in u) for u in digits.LATTICE)
+    assert squares == [1, 1, 2, 3, 3]
+    assert len({frozenset((u, tuple(-c for c in u))) for u in digits.LATTICE}) == len(squares)
+    assert {c for u in digits.LATTICE for c in u} == {-1, 0, 1}
+
+
 Sides = Mapping[tuple[str, str], set[bool]]
 """By program and name of a comparison: the sides it was seen to take."""
 

@@ -210,6 +210,16 @@ def test_check_regenerates_a_module_outside_the_catalogue_by_its_header(package,
     assert [(d.path.name, d.kind) for d in found] == [("cayley3.py", "missing"), ("cayley4.py", "stale")]
 
 
+def test_a_module_whose_header_names_another_target_is_no_module_of_the_folder(package, tmp_path: Path):
+    """It would be compared with what it does not claim to be."""
+    files.write(tmp_path, package.texts)
+    path = tmp_path / "cayley4.py"
+    text = path.read_text()
+    path.write_text(text.replace("-n 4 --target numpy", "-n 4 --target numba"))
+    assert path.read_text() != text
+    assert [(d.path.name, d.kind) for d in check(tmp_path, orders=[3])] == [("cayley4.py", "foreign")]
+
+
 def test_without_a_folder_nothing_is_written_but_in_a_checkout(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     """As the command refuses it: an installed toolkit must not write beside itself."""
     with pytest.raises(ValueError, match="name an output folder: only numpy kernels have a place, in a checkout"):

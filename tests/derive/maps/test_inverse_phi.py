@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import mpmath
 import pytest
+import sympy
 
+from derive.algebra.arithmetic import PLAIN
 from derive.maps import parameterization
 from derive.maps.edges import DIGITS, angle_of, edge_of
-from derive.maps.families import Family
+from derive.maps.families import Family, alpha
 from derive.maps.general import General
 
 FITTED = {
@@ -53,3 +55,15 @@ def test_near_0_the_ratio_and_its_derivatives_are_within_the_remainder(chart) ->
 def test_limits_are_the_first_coefficients_of_the_series(chart) -> None:
     of_series = Family("of user", 1, chart.phi, chart.scale, "").series(1)
     assert chart.limits == tuple(tuple(coefficients[0] for coefficients in part) for part in of_series)
+
+
+def test_at_a_known_angle_next_to_a_fold_no_digit_is_lost() -> None:
+    """To 4 eps. From x, of which a rounding moves the angle by its root, 1e-6 before the fold h_i is off by 1e-9."""
+    chart = parameterization("alpha/(1 + alpha**2/40)", "of_user")
+    angle = float(40**0.5) - 1e-6
+    at = {alpha: sympy.Float(angle, DIGITS)}
+    size, fi, _, hi = (c.subs(at).evalf(DIGITS) for c in (chart.phi, *chart.tangent_inv.coefficients))
+    x, exact = float(size**2), float(2 * hi)
+    known = chart.at_angle(x, float(2 * fi), angle, PLAIN)
+    assert known.hi == pytest.approx(exact, rel=1e-15)
+    assert chart.scalars(x, PLAIN).hi != pytest.approx(exact, rel=1e-9)
