@@ -63,15 +63,17 @@ class ExponentialScalars(DependentScalars):
         t = self.m.name("thalf", self.m.tan(self.m.div(self._angle, 2)))
         tt = self.m.name("tthalf", t * t)
         below = self.m.name("belowhalf", 1 + tt)
-        sine, versine = self.m.name("sine", 2 * t / below), self.m.name("versine", 2 * tt / below)
+        sine = self.m.name("sine", 2 * t / below)
+        # next to half a turn the slope of 2 tt over that is a difference of terms as large as t
+        versine = self.m.name("versine", self.m.where(self.m.less(tt, 16), 2 * tt / below, 2 - 2 / below))
         return sine + self._lost * (1 - versine), versine + self._lost * sine
 
     @cached_property
     def _lost(self) -> Coefficient:
-        """``(α² − root²)/2α``, the difference by terms that are exact in a first turn: ``root − 4`` and multiples."""
+        """``(α² − root²)/2α``, the difference by terms that are exact up to α = 8; beyond nothing is put back."""
         beside = self.m.name("beside", self._angle - 4)
-        left = (self._square - 16) - 8 * beside - beside * beside
-        return self.m.name("lost", left / (2 * self._angle))
+        left = self.m.name("left", (self._square - 16) - 8 * beside - beside * beside)
+        return self.m.name("lost", self.m.where(self.m.less(self._angle, 8), left, 0) / (2 * self._angle))
 
     @cached_property
     def s(self) -> Coefficient:

@@ -4857,7 +4857,7 @@ def between_jacobians_blocks(
     copy(o51, o72)
 
 
-# operations 309: 103 +, 143 *, 31 /, 1 neg, 1 abs, 4 sqrt, 3 tan, 2 atan2, 3 lt, 2 eq, 16 where
+# operations 315: 104 +, 143 *, 32 /, 1 neg, 1 abs, 4 sqrt, 3 tan, 2 atan2, 5 lt, 2 eq, 18 where
 def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     d1, d2, d3, d1o, d2o, d3o = delta
@@ -4890,9 +4890,10 @@ def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     tthalfd = thalfd * thalfd
     belowhalfd = 1 + tthalfd
     sined = 2 * thalfd / belowhalfd
-    versined = 2 * tthalfd / belowhalfd
+    versined = m.where(tthalfd < 16, 2 * tthalfd / belowhalfd, 2 - 2 / belowhalfd)
     besided = alphad - 4
-    lostd = (xxd - 16 - 8 * besided - besided * besided) / (2 * alphad)
+    leftd = xxd - 16 - 8 * besided - besided * besided
+    lostd = m.where(alphad < 8, leftd, 0) / (2 * alphad)
     fd = m.where(neard, C0d * C1d, (sined + lostd * (1 - versined)) / alphad)
     gd = m.where(neard, CC1d / 2, (versined + lostd * sined) / xxd)
     C01d = 1 + C0d
@@ -5060,16 +5061,17 @@ def retract_blocks(
     )
     C01d = add(n1, C0d, k8)
     C2d = div(CC1d, C01d, k8)
-    besided = sub(alphad, n4, k10)
-    lostd = div(
-        sub(sub(sub(xxd, n16, k11), mul(n8, besided, k12), k11), mul(besided, besided, k10), k10), mul(n2, alphad, k11),
-        k10
+    thalfd = tan(div(alphad, n2, k10), k10)
+    tthalfd = mul(thalfd, thalfd, k11)
+    belowhalfd = add(n1, tthalfd, k12)
+    versined = m.where(
+        m.less(tthalfd, n16, mask2), div(mul(n2, tthalfd, k11), belowhalfd, k11), sub(n2, div(n2, belowhalfd, k13),
+        k13), k11
     )
-    thalfd = tan(div(alphad, n2, k11), k11)
-    tthalfd = mul(thalfd, thalfd, k12)
-    belowhalfd = add(n1, tthalfd, k13)
-    versined = div(mul(n2, tthalfd, k12), belowhalfd, k12)
-    sined = div(mul(n2, thalfd, k11), belowhalfd, k11)
+    sined = div(mul(n2, thalfd, k10), belowhalfd, k10)
+    besided = sub(alphad, n4, k12)
+    leftd = sub(sub(sub(xxd, n16, k13), mul(n8, besided, k14), k13), mul(besided, besided, k12), k12)
+    lostd = div(m.where(m.less(alphad, n8, mask2), leftd, n0, k12), mul(n2, alphad, k13), k12)
     fd = m.where(
         neard, mul(C0d, C1d, k2), div(add(sined, mul(lostd, sub(n1, versined, k13), k13), k13), alphad, k6), k2
     )
@@ -5114,7 +5116,7 @@ def retract_blocks(
     div(add(sub(mul(rho3, fe, k1), sub(mul(v_1, rho2, k4), mul(v_2, rho1, k3), k3), k1), mul(v_3, hvr, k2), k1), n2, o6)
 
 
-# operations 309: 103 +, 143 *, 31 /, 1 neg, 1 abs, 4 sqrt, 3 tan, 2 atan2, 3 lt, 2 eq, 16 where
+# operations 315: 104 +, 143 *, 32 /, 1 neg, 1 abs, 4 sqrt, 3 tan, 2 atan2, 5 lt, 2 eq, 18 where
 def body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     d1, d2, d3, d1o, d2o, d3o = delta
@@ -5147,9 +5149,10 @@ def body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     tthalfd = thalfd * thalfd
     belowhalfd = 1 + tthalfd
     sined = 2 * thalfd / belowhalfd
-    versined = 2 * tthalfd / belowhalfd
+    versined = m.where(tthalfd < 16, 2 * tthalfd / belowhalfd, 2 - 2 / belowhalfd)
     besided = alphad - 4
-    lostd = (xxd - 16 - 8 * besided - besided * besided) / (2 * alphad)
+    leftd = xxd - 16 - 8 * besided - besided * besided
+    lostd = m.where(alphad < 8, leftd, 0) / (2 * alphad)
     fd = m.where(neard, C0d * C1d, (sined + lostd * (1 - versined)) / alphad)
     gd = m.where(neard, CC1d / 2, (versined + lostd * sined) / xxd)
     C01d = 1 + C0d
@@ -5311,16 +5314,17 @@ def body_retract_blocks(
     )
     C01d = add(n1, C0d, k8)
     C2d = div(CC1d, C01d, k8)
-    besided = sub(alphad, n4, k10)
-    lostd = div(
-        sub(sub(sub(xxd, n16, k11), mul(n8, besided, k12), k11), mul(besided, besided, k10), k10), mul(n2, alphad, k11),
-        k10
+    thalfd = tan(div(alphad, n2, k10), k10)
+    tthalfd = mul(thalfd, thalfd, k11)
+    belowhalfd = add(n1, tthalfd, k12)
+    versined = m.where(
+        m.less(tthalfd, n16, mask2), div(mul(n2, tthalfd, k11), belowhalfd, k11), sub(n2, div(n2, belowhalfd, k13),
+        k13), k11
     )
-    thalfd = tan(div(alphad, n2, k11), k11)
-    tthalfd = mul(thalfd, thalfd, k12)
-    belowhalfd = add(n1, tthalfd, k13)
-    versined = div(mul(n2, tthalfd, k12), belowhalfd, k12)
-    sined = div(mul(n2, thalfd, k11), belowhalfd, k11)
+    sined = div(mul(n2, thalfd, k10), belowhalfd, k10)
+    besided = sub(alphad, n4, k12)
+    leftd = sub(sub(sub(xxd, n16, k13), mul(n8, besided, k14), k13), mul(besided, besided, k12), k12)
+    lostd = div(m.where(m.less(alphad, n8, mask2), leftd, n0, k12), mul(n2, alphad, k13), k12)
     fd = m.where(
         neard, mul(C0d, C1d, k2), div(add(sined, mul(lostd, sub(n1, versined, k13), k13), k13), alphad, k6), k2
     )
@@ -5363,7 +5367,7 @@ def body_retract_blocks(
     div(add(sub(mul(rho3, fe, k2), sub(mul(v_1, rho2, k3), mul(v_2, rho1, k1), k1), k1), mul(v_3, hvr, k2), k1), n2, o6)
 
 
-# operations 1051: 410 +, 531 *, 71 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 2 atan2, 3 lt, 2 eq, 17 where
+# operations 1057: 411 +, 531 *, 72 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 2 atan2, 5 lt, 2 eq, 19 where
 def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     d1, d2, d3, d1o, d2o, d3o = delta
@@ -5397,9 +5401,10 @@ def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Resul
     tthalfd = thalfd * thalfd
     belowhalfd = 1 + tthalfd
     sined = 2 * thalfd / belowhalfd
-    versined = 2 * tthalfd / belowhalfd
+    versined = m.where(tthalfd < 16, 2 * tthalfd / belowhalfd, 2 - 2 / belowhalfd)
     besided = alphad - 4
-    lostd = (xxd - 16 - 8 * besided - besided * besided) / (2 * alphad)
+    leftd = xxd - 16 - 8 * besided - besided * besided
+    lostd = m.where(alphad < 8, leftd, 0) / (2 * alphad)
     fd = m.where(neard, C0d * C1d, (sined + lostd * (1 - versined)) / alphad)
     gd = m.where(neard, CC1d / 2, (versined + lostd * sined) / xxd)
     C01d = 1 + C0d
@@ -5840,16 +5845,17 @@ def retract_jacobians_blocks(
     I23 = sub(d23n, sn1, k34)
     C01d = add(n1, C0d, k35)
     C2d = div(CC1d, C01d, k37)
-    besided = sub(alphad, n4, k38)
-    lostd = div(
-        sub(sub(sub(xxd, n16, k39), mul(n8, besided, k40), k39), mul(besided, besided, k38), k38), mul(n2, alphad, k39),
-        k38
+    thalfd = tan(div(alphad, n2, k38), k38)
+    tthalfd = mul(thalfd, thalfd, k39)
+    belowhalfd = add(n1, tthalfd, k40)
+    versined = m.where(
+        m.less(tthalfd, n16, mask2), div(mul(n2, tthalfd, k39), belowhalfd, k39), sub(n2, div(n2, belowhalfd, k41),
+        k41), k39
     )
-    thalfd = tan(div(alphad, n2, k39), k39)
-    tthalfd = mul(thalfd, thalfd, k40)
-    belowhalfd = add(n1, tthalfd, k41)
-    versined = div(mul(n2, tthalfd, k40), belowhalfd, k40)
-    sined = div(mul(n2, thalfd, k39), belowhalfd, k39)
+    sined = div(mul(n2, thalfd, k38), belowhalfd, k38)
+    besided = sub(alphad, n4, k40)
+    leftd = sub(sub(sub(xxd, n16, k41), mul(n8, besided, k42), k41), mul(besided, besided, k40), k40)
+    lostd = div(m.where(m.less(alphad, n8, mask2), leftd, n0, k40), mul(n2, alphad, k41), k40)
     fd = m.where(
         neard, mul(C0d, C1d, k10), div(add(sined, mul(lostd, sub(n1, versined, k41), k41), k41), alphad, k11), k10
     )
@@ -6220,7 +6226,7 @@ def retract_jacobians_blocks(
     copy(o51, o72)
 
 
-# operations 1051: 410 +, 531 *, 71 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 2 atan2, 3 lt, 2 eq, 17 where
+# operations 1057: 411 +, 531 *, 72 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 2 atan2, 5 lt, 2 eq, 19 where
 def body_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     d1, d2, d3, d1o, d2o, d3o = delta
@@ -6253,9 +6259,10 @@ def body_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> 
     tthalfd = thalfd * thalfd
     belowhalfd = 1 + tthalfd
     sined = 2 * thalfd / belowhalfd
-    versined = 2 * tthalfd / belowhalfd
+    versined = m.where(tthalfd < 16, 2 * tthalfd / belowhalfd, 2 - 2 / belowhalfd)
     besided = alphad - 4
-    lostd = (xxd - 16 - 8 * besided - besided * besided) / (2 * alphad)
+    leftd = xxd - 16 - 8 * besided - besided * besided
+    lostd = m.where(alphad < 8, leftd, 0) / (2 * alphad)
     fd = m.where(neard, C0d * C1d, (sined + lostd * (1 - versined)) / alphad)
     gd = m.where(neard, CC1d / 2, (versined + lostd * sined) / xxd)
     C01d = 1 + C0d
@@ -6605,7 +6612,7 @@ def body_retract_jacobians_blocks(
         k47, k48, k49, k50, k51, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61, k62, k63, k64, k65, k66, k67, k68,
         k69, *spare,
     ) = scratch
-    mask1, mask2, *spare_masks = masks
+    mask1, mask2, mask3, *spare_masks = masks
     (
         n_minus_2, n0, n1, n2, n3, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520,
         n3603600,
@@ -6648,16 +6655,17 @@ def body_retract_jacobians_blocks(
     own, = c.unfolded((k18,), (*spare,), (*spare_masks,), xp, r)
     C01d = add(n1, C0d, k19)
     C2d = div(CC1d, C01d, k20)
-    besided = sub(alphad, n4, k21)
-    lostd = div(
-        sub(sub(sub(xxd, n16, k22), mul(n8, besided, k23), k22), mul(besided, besided, k21), k21), mul(n2, alphad, k22),
-        k21
+    thalfd = tan(div(alphad, n2, k21), k21)
+    tthalfd = mul(thalfd, thalfd, k22)
+    belowhalfd = add(n1, tthalfd, k23)
+    versined = m.where(
+        m.less(tthalfd, n16, mask3), div(mul(n2, tthalfd, k22), belowhalfd, k22), sub(n2, div(n2, belowhalfd, k24),
+        k24), k22
     )
-    thalfd = tan(div(alphad, n2, k22), k22)
-    tthalfd = mul(thalfd, thalfd, k23)
-    belowhalfd = add(n1, tthalfd, k24)
-    versined = div(mul(n2, tthalfd, k23), belowhalfd, k23)
-    sined = div(mul(n2, thalfd, k22), belowhalfd, k22)
+    sined = div(mul(n2, thalfd, k21), belowhalfd, k21)
+    besided = sub(alphad, n4, k23)
+    leftd = sub(sub(sub(xxd, n16, k24), mul(n8, besided, k25), k24), mul(besided, besided, k23), k23)
+    lostd = div(m.where(m.less(alphad, n8, mask3), leftd, n0, k23), mul(n2, alphad, k24), k23)
     fd = m.where(
         neard, mul(C0d, C1d, k7), div(add(sined, mul(lostd, sub(n1, versined, k24), k24), k24), alphad, k8), k7
     )
@@ -6724,7 +6732,7 @@ def body_retract_jacobians_blocks(
     d23od = add(mul(cvd2, d3o, k8), mul(cvod2, d3, k19), k8)
     D32o = add(d23od, gvod1, k19)
     D23o = sub(d23od, gvod1, k6)
-    ap, bp, _, fp, gp, hp = c.ray((k8, k21, k32, k34, k38, k41), (k42, *spare), (mask1, *spare_masks), xp)
+    ap, bp, _, fp, gp, hp = c.ray((k8, k21, k32, k34, k38, k41), (k42, *spare), (mask1, mask3, *spare_masks), xp)
     alongp = mul(hp, yp, k32)
     Qp11 = sub(n1, mul(gp, x23p, k14), k14)
     Qp22 = sub(n1, mul(gp, x13p, k13), k13)
@@ -6752,7 +6760,7 @@ def body_retract_jacobians_blocks(
     )
     angle = add(folded, m.where(m.less(absolute(turns, k17), n1, mask2), n0, turns, k17), k11)
     rn, slopen = c.coefficient_of(
-        (k12, k17), (k18, k21, k41, k42, k46, k47, *spare), (mask2, *spare_masks), angle, sine, z0
+        (k12, k17), (k18, k21, k41, k42, k46, k47, *spare), (mask2, mask3, *spare_masks), angle, sine, z0
     )
     z0s = m.where(still, z0, length, k9)
     factor = m.where(still, div(mul(n2, slopen, k17), z0s, k9), div(rn, length, k10), k9)
@@ -6765,7 +6773,7 @@ def body_retract_jacobians_blocks(
     v33w = mul(v_3, v_3, k21)
     xw = add(add(v11w, v22w, k9), v33w, k9)
     fin, hin, fiyn, hiyn = c.tangent_inv_at(
-        (k18, k21, k41, k42), (k43, k44, k45, k46, k47, *spare), (mask1, mask2, *spare_masks), xw, fe, angle
+        (k18, k21, k41, k42), (k43, k44, k45, k46, k47, *spare), (mask1, mask2, mask3, *spare_masks), xw, fe, angle
     )
     cvn1 = mul(v_1, hin, k8)
     I11 = add(fin, mul(cvn1, v_1, k9), k9)
@@ -6960,7 +6968,7 @@ def body_retract_jacobians_blocks(
     fF, gF, hF, fyF, gyF, hyF = c.tangent(
         (k1, k2, k3, k4, k5, k6), (k7, k13, k14, k15, k19, k20, k22, k23, k24, k25, k26, k28, k29, k30, k32, k33, k34,
         k35, k36, k37, k38, k39, k40, k45, k49, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61, k62, k63, k64, k65,
-        k66, k67, k68, k69, *spare), (mask1, mask2, *spare_masks), xp
+        k66, k67, k68, k69, *spare), (mask1, mask2, mask3, *spare_masks), xp
     )
     hoF = mul(hyF, yp, k6)
     foF = mul(fyF, yp, k4)
@@ -7084,7 +7092,7 @@ def body_retract_jacobians_blocks(
     copy(o51, o72)
 
 
-# operations 293: 96 +, 141 *, 28 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
+# operations 299: 97 +, 141 *, 29 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
 def local(m: Any, c: Any, b: Components, a: Components) -> Result:
     b1, b2, b3, b1o, b2o, b3o = b
     a1, a2, a3, a1o, a2o, a3o = a
@@ -7167,9 +7175,10 @@ def local(m: Any, c: Any, b: Components, a: Components) -> Result:
     tthalfe = thalfe * thalfe
     belowhalfe = 1 + tthalfe
     sinee = 2 * thalfe / belowhalfe
-    versinee = 2 * tthalfe / belowhalfe
+    versinee = m.where(tthalfe < 16, 2 * tthalfe / belowhalfe, 2 - 2 / belowhalfe)
     besidee = alphae - 4
-    loste = (xxe - 16 - 8 * besidee - besidee * besidee) / (2 * alphae)
+    lefte = xxe - 16 - 8 * besidee - besidee * besidee
+    loste = m.where(alphae < 8, lefte, 0) / (2 * alphae)
     ge = m.where(neare, CC1e / 2, (versinee + loste * sinee) / xxe)
     C0e = m.sqrt(1 - ze * CC1e)
     te = m.tan(alphae / 4)
@@ -7270,19 +7279,20 @@ def local_blocks(
     C01e = add(n1, C0e, k13)
     C2e = div(CC1e, C01e, k13)
     alphae = sqrt(xxe, k17)
-    besidee = sub(alphae, n4, k18)
-    loste = div(
-        sub(sub(sub(xxe, n16, k19), mul(n8, besidee, k20), k19), mul(besidee, besidee, k18), k18), mul(n2, alphae, k19),
-        k18
+    thalfe = tan(div(alphae, n2, k18), k18)
+    tthalfe = mul(thalfe, thalfe, k19)
+    belowhalfe = add(n1, tthalfe, k20)
+    versinee = m.where(
+        m.less(tthalfe, n16, mask2), div(mul(n2, tthalfe, k19), belowhalfe, k19), sub(n2, div(n2, belowhalfe, k21),
+        k21), k19
     )
-    thalfe = tan(div(alphae, n2, k19), k19)
-    tthalfe = mul(thalfe, thalfe, k20)
-    belowhalfe = add(n1, tthalfe, k21)
-    versinee = div(mul(n2, tthalfe, k20), belowhalfe, k20)
-    sinee = div(mul(n2, thalfe, k19), belowhalfe, k19)
+    sinee = div(mul(n2, thalfe, k18), belowhalfe, k18)
+    besidee = sub(alphae, n4, k20)
+    lefte = sub(sub(sub(xxe, n16, k21), mul(n8, besidee, k22), k21), mul(besidee, besidee, k20), k20)
+    loste = div(m.where(m.less(alphae, n8, mask2), lefte, n0, k20), mul(n2, alphae, k21), k20)
     ge = m.where(neare, div(CC1e, n2, k12), div(add(versinee, mul(loste, sinee, k21), k21), xxe, k21), k12)
     fe = m.where(
-        neare, mul(C0e, C1e, k21), div(add(sinee, mul(loste, sub(n1, versinee, k20), k18), k18), alphae, k18), k19
+        neare, mul(C0e, C1e, k21), div(add(sinee, mul(loste, sub(n1, versinee, k19), k19), k18), alphae, k18), k19
     )
     he = m.where(neare, div(add(C3e, mul(C1e, C2e, k13), k4), n4, k4), div(sub(n1, fe, k13), xxe, k7), k4)
     te = tan(div(alphae, n4, k7), k7)
@@ -7342,7 +7352,7 @@ def local_blocks(
     div(add(sub(mul(rho3, fee, k2), sub(mul(d1, rho2, k3), mul(d2, rho1, k1), k1), k1), mul(d3, hvr, k2), k1), n2, o6)
 
 
-# operations 293: 96 +, 141 *, 28 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
+# operations 299: 97 +, 141 *, 29 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
 def body_local(m: Any, c: Any, a: Components, b: Components) -> Result:
     a1, a2, a3, a1o, a2o, a3o = a
     b1, b2, b3, b1o, b2o, b3o = b
@@ -7434,9 +7444,10 @@ def body_local(m: Any, c: Any, a: Components, b: Components) -> Result:
     tthalfe = thalfe * thalfe
     belowhalfe = 1 + tthalfe
     sinee = 2 * thalfe / belowhalfe
-    versinee = 2 * tthalfe / belowhalfe
+    versinee = m.where(tthalfe < 16, 2 * tthalfe / belowhalfe, 2 - 2 / belowhalfe)
     besidee = alphae - 4
-    loste = (xxe - 16 - 8 * besidee - besidee * besidee) / (2 * alphae)
+    lefte = xxe - 16 - 8 * besidee - besidee * besidee
+    loste = m.where(alphae < 8, lefte, 0) / (2 * alphae)
     ge = m.where(neare, CC1e / 2, (versinee + loste * sinee) / xxe)
     C0e = m.sqrt(1 - ze * CC1e)
     te = m.tan(alphae / 4)
@@ -7538,19 +7549,20 @@ def body_local_blocks(
     C01e = add(n1, C0e, k13)
     C2e = div(CC1e, C01e, k13)
     alphae = sqrt(xxe, k17)
-    besidee = sub(alphae, n4, k18)
-    loste = div(
-        sub(sub(sub(xxe, n16, k19), mul(n8, besidee, k20), k19), mul(besidee, besidee, k18), k18), mul(n2, alphae, k19),
-        k18
+    thalfe = tan(div(alphae, n2, k18), k18)
+    tthalfe = mul(thalfe, thalfe, k19)
+    belowhalfe = add(n1, tthalfe, k20)
+    versinee = m.where(
+        m.less(tthalfe, n16, mask2), div(mul(n2, tthalfe, k19), belowhalfe, k19), sub(n2, div(n2, belowhalfe, k21),
+        k21), k19
     )
-    thalfe = tan(div(alphae, n2, k19), k19)
-    tthalfe = mul(thalfe, thalfe, k20)
-    belowhalfe = add(n1, tthalfe, k21)
-    versinee = div(mul(n2, tthalfe, k20), belowhalfe, k20)
-    sinee = div(mul(n2, thalfe, k19), belowhalfe, k19)
+    sinee = div(mul(n2, thalfe, k18), belowhalfe, k18)
+    besidee = sub(alphae, n4, k20)
+    lefte = sub(sub(sub(xxe, n16, k21), mul(n8, besidee, k22), k21), mul(besidee, besidee, k20), k20)
+    loste = div(m.where(m.less(alphae, n8, mask2), lefte, n0, k20), mul(n2, alphae, k21), k20)
     ge = m.where(neare, div(CC1e, n2, k12), div(add(versinee, mul(loste, sinee, k21), k21), xxe, k21), k12)
     fe = m.where(
-        neare, mul(C0e, C1e, k21), div(add(sinee, mul(loste, sub(n1, versinee, k20), k18), k18), alphae, k18), k19
+        neare, mul(C0e, C1e, k21), div(add(sinee, mul(loste, sub(n1, versinee, k19), k19), k18), alphae, k18), k19
     )
     he = m.where(neare, div(add(C3e, mul(C1e, C2e, k13), k2), n4, k2), div(sub(n1, fe, k13), xxe, k8), k2)
     te = tan(div(alphae, n4, k8), k8)
@@ -7605,7 +7617,7 @@ def body_local_blocks(
     div(add(sub(mul(rho3, fee, k1), sub(mul(d1, rho2, k3), mul(d2, rho1, k4), k3), k1), mul(d3, hvr, k2), k1), n2, o6)
 
 
-# operations 667: 216 +, 309 *, 60 /, 8 neg, 7 abs, 8 sqrt, 4 tan, 3 atan2, 7 lt, 5 eq, 2 or, 38 where
+# operations 692: 218 +, 313 *, 65 /, 8 neg, 7 abs, 9 sqrt, 4 tan, 3 atan2, 13 lt, 5 eq, 1 and, 3 or, 43 where
 def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) -> Result:
     a1, a2, a3, a1o, a2o, a3o = a
     b1, b2, b3, b1o, b2o, b3o = b
@@ -7702,9 +7714,10 @@ def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) 
     tthalfe = thalfe * thalfe
     belowhalfe = 1 + tthalfe
     sinee = 2 * thalfe / belowhalfe
-    versinee = 2 * tthalfe / belowhalfe
+    versinee = m.where(tthalfe < 16, 2 * tthalfe / belowhalfe, 2 - 2 / belowhalfe)
     besidee = alphae - 4
-    loste = (xxe - 16 - 8 * besidee - besidee * besidee) / (2 * alphae)
+    lefte = xxe - 16 - 8 * besidee - besidee * besidee
+    loste = m.where(alphae < 8, lefte, 0) / (2 * alphae)
     ge = m.where(neare, CC1e / 2, (versinee + loste * sinee) / xxe)
     C0e = m.sqrt(1 - ze * CC1e)
     te = m.tan(alphae / 4)
@@ -7758,9 +7771,10 @@ def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) 
     tthalft = thalft * thalft
     belowhalft = 1 + tthalft
     sinet = 2 * thalft / belowhalft
-    versinet = 2 * tthalft / belowhalft
+    versinet = m.where(tthalft < 16, 2 * tthalft / belowhalft, 2 - 2 / belowhalft)
     besidet = alphat - 4
-    lostt = (xxt - 16 - 8 * besidet - besidet * besidet) / (2 * alphat)
+    leftt = xxt - 16 - 8 * besidet - besidet * besidet
+    lostt = m.where(alphat < 8, leftt, 0) / (2 * alphat)
     ft = m.where(neart, C0t * C1t, (sinet + lostt * (1 - versinet)) / alphat)
     gt = m.where(neart, CC1t / 2, (versinet + lostt * sinet) / xxt)
     v_moved1 = td2 * rhoa3 - td3 * rhoa2
@@ -7793,12 +7807,18 @@ def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) 
     r = m.sqrt(m.where(resting, 1 + xa, xa))
     own, = c.unfolded(m, xa, r)
     own_ = m.where(resting, xa, own)
-    axis1 = a1 / r
-    axis2 = a2 / r
-    axis3 = a3 / r
+    along1 = a1 / r
+    along2 = a2 / r
+    along3 = a3 / r
+    unit = m.sqrt(m.where(resting, r, along1 * along1 + along2 * along2 + along3 * along3))
+    axis1 = along1 / unit
+    axis2 = along2 / unit
+    axis3 = along3 / unit
+    gone = td1 * axis1 + td2 * axis2 + td3 * axis3
+    end = m.abs(own_ + gone)
     apart = (
-        resting | (own_ + m.abs(td1) + m.abs(td2) + m.abs(td3) < 6) | (r < r + (m.abs(d2 * a3 - d3 * a2) + m.abs(d3 * a1
-        - d1 * a3) + m.abs(d1 * a2 - d2 * a1)) / 64)
+        (own_ < 3) & (resting | (25 * end < 157)) | (r < r + (m.abs(d2 * a3 - d3 * a2) + m.abs(d3 * a1 - d1 * a3)
+        + m.abs(d1 * a2 - d2 * a1)) / 64)
     )
     side = m.where(bva1 * a1 + bva2 * a2 + bva3 * a3 < 0, -1, 1)
     ss1 = bva1 * bva1 + bva2 * bva2 + bva3 * bva3
@@ -7813,16 +7833,17 @@ def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) 
     sinet_ = m.where(apart, m.where(stillt, sst, side * roott), z1 * axis1 + z2 * axis2 + z3 * axis3)
     halft = m.atan2(sign1 * sinet_, sign1 * z0)
     halft_by_2 = 2 * halft
-    turns = own_ + m.where(apart, -2 * half1, td1 * axis1 + td2 * axis2 + td3 * axis3 - halft_by_2)
+    turns = own_ + m.where(apart, -2 * half1, gone - halft_by_2)
     still = sinet_ == 0
     angle = m.where(still, sinet_, m.where(m.abs(turns) < 1, 0, turns) + halft_by_2)
     rn, slopen = c.coefficient(m, angle)
     z0s = m.where(still, z0, 1)
     nosine = m.where(still, 1 + sinet_, sinet_)
     factor = m.where(still, 2 * slopen / z0s, rn / nosine)
-    v_1 = m.where(apart, z1 * factor, axis1 * rn)
-    v_2 = m.where(apart, z2 * factor, axis2 * rn)
-    v_3 = m.where(apart, z3 * factor, axis3 * rn)
+    clear = apart | (m.abs(z0) < m.abs(sinet_))
+    v_1 = m.where(clear, z1 * factor, axis1 * rn)
+    v_2 = m.where(clear, z2 * factor, axis2 * rn)
+    v_3 = m.where(clear, z3 * factor, axis3 * rn)
     fe_ = factor * z0
     v11w = v_1 * v_1
     v22w = v_2 * v_2
@@ -7849,12 +7870,12 @@ def interpolate_blocks(
     o1, o2, o3, o4, o5, o6 = out
     (
         k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
-        k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, k35, k36, k37, *spare,
+        k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, k35, k36, k37, k38, *spare,
     ) = scratch
-    mask1, mask2, mask3, mask4, *spare_masks = masks
+    mask1, mask2, mask3, mask4, mask5, *spare_masks = masks
     (
-        n_minus_2, n_minus_1, n0, n1, n2, n4, n6, n8, n16, n64, n72, n120, n210, n342, n506, n5040, n32760, n93024,
-        n212520, n3603600,
+        n_minus_2, n_minus_1, n0, n1, n2, n3, n4, n6, n8, n16, n25, n64, n72, n120, n157, n210, n342, n506, n5040,
+        n32760, n93024, n212520, n3603600,
     ) = numbers
     v11a = mul(a1, a1, k1)
     v22a = mul(a2, a2, k2)
@@ -7945,57 +7966,66 @@ def interpolate_blocks(
     r = sqrt(m.where(resting, add(n1, xa, k28), xa, k28), k28)
     own, = c.unfolded((k32,), (k33, *spare), (*spare_masks,), xa, r)
     own_ = m.where(resting, xa, own, k1)
+    along1 = div(a1, r, k32)
+    along2 = div(a2, r, k33)
+    along3 = div(a3, r, k34)
+    unit = sqrt(
+        m.where(resting, r, add(add(mul(along1, along1, k35), mul(along2, along2, k36), k35), mul(along3, along3, k36),
+        k35), k36), k35
+    )
+    axis1 = div(along1, unit, k32)
+    axis2 = div(along2, unit, k33)
+    axis3 = div(along3, unit, k34)
+    gone = add(add(mul(td1, axis1, k35), mul(td2, axis2, k36), k35), mul(td3, axis3, k36), k35)
+    end = absolute(add(own_, gone, k36), k36)
     apart = m.either(
-        m.either(resting, m.less(add(add(add(own_, absolute(td1, k32), k32), absolute(td2, k33), k32), absolute(td3,
-        k33), k32), n6, mask4), mask3), m.less(r, add(r, div(add(add(absolute(sub(mul(d2, a3, k32), mul(d3, a2, k33),
-        k32), k32), absolute(sub(mul(d3, a1, k33), mul(d1, a3, k34), k33), k33), k32), absolute(sub(mul(d1, a2, k33),
-        mul(d2, a1, k34), k33), k33), k32), n64, k32), k32), mask4), mask3
+        m.both(m.less(own_, n3, mask4), m.either(resting, m.less(mul(n25, end, k36), n157, mask5), mask3), mask3),
+        m.less(r, add(r, div(add(add(absolute(sub(mul(d2, a3, k36), mul(d3, a2, k37), k36), k36), absolute(sub(mul(d3,
+        a1, k37), mul(d1, a3, k38), k37), k37), k36), absolute(sub(mul(d1, a2, k37), mul(d2, a1, k38), k37), k37), k36),
+        n64, k36), k36), mask4), mask3
     )
     side = m.where(
-        m.less(add(add(mul(bva1, a1, k32), mul(bva2, a2, k33), k32), mul(bva3, a3, k33), k32), n0, mask4), n_minus_1,
-        n1, k32
+        m.less(add(add(mul(bva1, a1, k28), mul(bva2, a2, k36), k28), mul(bva3, a3, k36), k28), n0, mask4), n_minus_1,
+        n1, k28
     )
-    axis1 = div(a1, r, k33)
-    axis2 = div(a2, r, k34)
-    axis3 = div(a3, r, k28)
     sinet_ = m.where(
-        apart, m.where(stillt, sst, mul(side, roott, k27), k26), add(add(mul(z1, axis1, k27), mul(z2, axis2, k35), k27),
-        mul(z3, axis3, k35), k27), k26
+        apart, m.where(stillt, sst, mul(side, roott, k27), k26), add(add(mul(z1, axis1, k27), mul(z2, axis2, k36), k27),
+        mul(z3, axis3, k36), k27), k26
     )
     still = m.equal(sinet_, n0, mask2)
     sign1 = m.where(apart, side, n1, k27)
-    halft = atan2(mul(sign1, sinet_, k35), mul(sign1, z0, k36), k35)
-    halft_by_2 = mul(n2, halft, k35)
-    ss1 = add(add(mul(bva1, bva1, k36), mul(bva2, bva2, k37), k36), mul(bva3, bva3, k37), k36)
+    halft = atan2(mul(sign1, sinet_, k36), mul(sign1, z0, k37), k36)
+    halft_by_2 = mul(n2, halft, k36)
+    ss1 = add(add(mul(bva1, bva1, k37), mul(bva2, bva2, k38), k37), mul(bva3, bva3, k38), k37)
     still1 = m.equal(ss1, n0, mask4)
-    root1 = sqrt(m.where(still1, add(n1, ss1, k37), ss1, k37), k37)
+    root1 = sqrt(m.where(still1, add(n1, ss1, k38), ss1, k38), k38)
     sine1 = m.where(
-        apart, m.where(still1, ss1, mul(side, root1, k32), k36), add(add(mul(bva1, axis1, k4), mul(bva2, axis2, k3),
+        apart, m.where(still1, ss1, mul(side, root1, k28), k37), add(add(mul(bva1, axis1, k4), mul(bva2, axis2, k3),
         k3), mul(bva3, axis3, k4), k3), k4
     )
     half1 = atan2(mul(sign1, sine1, k3), mul(sign1, aa, k2), k2)
-    turns = add(
-        own_, m.where(apart, mul(n_minus_2, half1, k2), sub(add(add(mul(td1, axis1, k3), mul(td2, axis2, k4), k3),
-        mul(td3, axis3, k4), k3), halft_by_2, k3), k2), k1
-    )
+    turns = add(own_, m.where(apart, mul(n_minus_2, half1, k2), sub(gone, halft_by_2, k3), k2), k1)
     angle = m.where(
         still, sinet_, add(m.where(m.less(absolute(turns, k2), n1, mask4), n0, turns, k2), halft_by_2, k1), k2
     )
-    rn, slopen = c.coefficient((k1, k3), (k4, k16, k27, k32, k35, k36, k37, *spare), (mask4, *spare_masks), angle)
+    rn, slopen = c.coefficient(
+        (k1, k3), (k4, k16, k27, k28, k35, k36, k37, k38, *spare), (mask4, mask5, *spare_masks), angle
+    )
+    clear = m.either(apart, m.less(absolute(z0, k4), absolute(sinet_, k16), mask4), mask3)
     nosine = m.where(still, add(n1, sinet_, k4), sinet_, k4)
     z0s = m.where(still, z0, n1, k16)
     factor = m.where(still, div(mul(n2, slopen, k3), z0s, k3), div(rn, nosine, k4), k3)
-    v_1 = m.where(apart, mul(z1, factor, k4), mul(axis1, rn, k16), o1)
-    v_2 = m.where(apart, mul(z2, factor, k4), mul(axis2, rn, k16), o2)
-    v_3 = m.where(apart, mul(z3, factor, k4), mul(axis3, rn, k1), o3)
+    v_1 = m.where(clear, mul(z1, factor, k4), mul(axis1, rn, k16), o1)
+    v_2 = m.where(clear, mul(z2, factor, k4), mul(axis2, rn, k16), o2)
+    v_3 = m.where(clear, mul(z3, factor, k4), mul(axis3, rn, k1), o3)
     fe_ = mul(factor, z0, k1)
     v11w = mul(v_1, v_1, k3)
     v22w = mul(v_2, v_2, k4)
     v33w = mul(v_3, v_3, k16)
     xw = add(add(v11w, v22w, k3), v33w, k3)
     hiw, = c.inverse_at(
-        (k4,), (k16, k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, k35, k36, k37, *spare), (mask2, mask3, mask4,
-        *spare_masks), xw, fe_, angle
+        (k4,), (k16, k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, k35, k36, k37, k38, *spare), (mask2, mask3,
+        mask4, mask5, *spare_masks), xw, fe_, angle
     )
     v11e = mul(d1, d1, k2)
     v22e = mul(d2, d2, k3)
@@ -8017,19 +8047,20 @@ def interpolate_blocks(
     C01e = add(n1, C0e, k27)
     C2e = div(CC1e, C01e, k27)
     alphae = sqrt(xxe, k28)
-    besidee = sub(alphae, n4, k29)
-    loste = div(
-        sub(sub(sub(xxe, n16, k30), mul(n8, besidee, k31), k30), mul(besidee, besidee, k29), k29), mul(n2, alphae, k30),
-        k29
+    thalfe = tan(div(alphae, n2, k29), k29)
+    tthalfe = mul(thalfe, thalfe, k30)
+    belowhalfe = add(n1, tthalfe, k31)
+    versinee = m.where(
+        m.less(tthalfe, n16, mask3), div(mul(n2, tthalfe, k30), belowhalfe, k30), sub(n2, div(n2, belowhalfe, k32),
+        k32), k30
     )
-    thalfe = tan(div(alphae, n2, k30), k30)
-    tthalfe = mul(thalfe, thalfe, k31)
-    belowhalfe = add(n1, tthalfe, k32)
-    versinee = div(mul(n2, tthalfe, k31), belowhalfe, k31)
-    sinee = div(mul(n2, thalfe, k30), belowhalfe, k30)
+    sinee = div(mul(n2, thalfe, k29), belowhalfe, k29)
+    besidee = sub(alphae, n4, k31)
+    lefte = sub(sub(sub(xxe, n16, k32), mul(n8, besidee, k33), k32), mul(besidee, besidee, k31), k31)
+    loste = div(m.where(m.less(alphae, n8, mask3), lefte, n0, k31), mul(n2, alphae, k32), k31)
     ge = m.where(neare, div(CC1e, n2, k26), div(add(versinee, mul(loste, sinee, k32), k32), xxe, k32), k26)
     fe = m.where(
-        neare, mul(C0e, C1e, k32), div(add(sinee, mul(loste, sub(n1, versinee, k31), k29), k29), alphae, k29), k30
+        neare, mul(C0e, C1e, k32), div(add(sinee, mul(loste, sub(n1, versinee, k30), k30), k29), alphae, k29), k30
     )
     he = m.where(neare, div(add(C3e, mul(C1e, C2e, k27), k2), n4, k2), div(sub(n1, fe, k27), xxe, k16), k2)
     te = tan(div(alphae, n4, k16), k16)
@@ -8111,16 +8142,17 @@ def interpolate_blocks(
     yt = add(add(mul(td1, td4, k5), mul(td2, td5, k6), k5), mul(td3, td6, k6), k5)
     C01t = add(n1, C0t, k6)
     C2t = div(CC1t, C01t, k6)
-    besidet = sub(alphat, n4, k8)
-    lostt = div(
-        sub(sub(sub(xxt, n16, k10), mul(n8, besidet, k11), k10), mul(besidet, besidet, k8), k8), mul(n2, alphat, k10),
-        k8
+    thalft = tan(div(alphat, n2, k8), k8)
+    tthalft = mul(thalft, thalft, k10)
+    belowhalft = add(n1, tthalft, k11)
+    versinet = m.where(
+        m.less(tthalft, n16, mask2), div(mul(n2, tthalft, k10), belowhalft, k10), sub(n2, div(n2, belowhalft, k12),
+        k12), k10
     )
-    thalft = tan(div(alphat, n2, k10), k10)
-    tthalft = mul(thalft, thalft, k11)
-    belowhalft = add(n1, tthalft, k12)
-    versinet = div(mul(n2, tthalft, k11), belowhalft, k11)
-    sinet = div(mul(n2, thalft, k10), belowhalft, k10)
+    sinet = div(mul(n2, thalft, k8), belowhalft, k8)
+    besidet = sub(alphat, n4, k11)
+    leftt = sub(sub(sub(xxt, n16, k12), mul(n8, besidet, k15), k12), mul(besidet, besidet, k11), k11)
+    lostt = div(m.where(m.less(alphat, n8, mask2), leftt, n0, k11), mul(n2, alphat, k12), k11)
     ft = m.where(
         neart, mul(C0t, C1t, k12), div(add(sinet, mul(lostt, sub(n1, versinet, k15), k15), k15), alphat, k15), k12
     )
@@ -9308,9 +9340,9 @@ KERNELS: Mapping[str, Kernel] = {
         (("v", (6,)), ("delta", (6,)),),
         (72,),
         registers=69,
-        masks=2,
+        masks=3,
         numbers=(-2, 0, 1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
-        lent=(('ray', 1, 1), ('unfolded', 0, 0), ('coefficient_of', 6, 1), ('tangent_inv_at', 5, 2), ('tangent', 43, 2)),
+        lent=(('ray', 1, 2), ('unfolded', 0, 0), ('coefficient_of', 6, 2), ('tangent_inv_at', 5, 3), ('tangent', 43, 3)),
         real=True,
     ),
     "local": Kernel(
@@ -9340,10 +9372,10 @@ KERNELS: Mapping[str, Kernel] = {
         interpolate_blocks,
         (("v1", (6,)), ("v2", (6,)), ("t", ()),),
         (6,),
-        registers=37,
-        masks=4,
-        numbers=(-2, -1, 0, 1, 2, 4, 6, 8, 16, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
-        lent=(('ray', 0, 0), ('ray', 0, 0), ('unfolded', 1, 0), ('coefficient', 7, 1), ('inverse_at', 14, 3)),
+        registers=38,
+        masks=5,
+        numbers=(-2, -1, 0, 1, 2, 3, 4, 6, 8, 16, 25, 64, 72, 120, 157, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        lent=(('ray', 0, 0), ('ray', 0, 0), ('unfolded', 1, 0), ('coefficient', 8, 2), ('inverse_at', 15, 4)),
         real=True,
     ),
     "adjoint": Kernel(

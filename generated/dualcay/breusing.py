@@ -82,14 +82,15 @@
 #   between: 261: 87 +, 137 *, 19 /, 7 neg, 8 sqrt, 1 lt, 2 where
 #   compose_jacobians: 1098: 417 +, 579 *, 77 /, 8 neg, 14 sqrt, 1 lt, 2 where
 #   between_jacobians: 1122: 417 +, 579 *, 77 /, 32 neg, 14 sqrt, 1 lt, 2 where
-#   retract: 394: 123 +, 170 *, 47 /, 2 neg, 3 abs, 11 sqrt, 4 tan, 4 atan2, 6 lt, 2 eq, 22 where
-#   body_retract: 394: 123 +, 170 *, 47 /, 2 neg, 3 abs, 11 sqrt, 4 tan, 4 atan2, 6 lt, 2 eq, 22 where
-#   retract_jacobians: 1202: 445 +, 594 *, 99 /, 9 neg, 3 abs, 13 sqrt, 4 tan, 4 atan2, 6 lt, 2 eq, 23 where
-#   body_retract_jacobians: 1202: 445 +, 594 *, 99 /, 9 neg, 3 abs, 13 sqrt, 4 tan, 4 atan2, 6 lt, 2 eq, 23
+#   retract: 400: 124 +, 170 *, 48 /, 2 neg, 3 abs, 11 sqrt, 4 tan, 4 atan2, 8 lt, 2 eq, 24 where
+#   body_retract: 400: 124 +, 170 *, 48 /, 2 neg, 3 abs, 11 sqrt, 4 tan, 4 atan2, 8 lt, 2 eq, 24 where
+#   retract_jacobians: 1208: 446 +, 594 *, 100 /, 9 neg, 3 abs, 13 sqrt, 4 tan, 4 atan2, 8 lt, 2 eq, 25 where
+#   body_retract_jacobians: 1208: 446 +, 594 *, 100 /, 9 neg, 3 abs, 13 sqrt, 4 tan, 4 atan2, 8 lt, 2 eq, 25
 #       where
-#   local: 347: 112 +, 165 *, 38 /, 7 neg, 7 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
-#   body_local: 347: 112 +, 165 *, 38 /, 7 neg, 7 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
-#   interpolate: 763: 243 +, 345 *, 80 /, 8 neg, 7 abs, 17 sqrt, 5 tan, 4 atan2, 8 lt, 5 eq, 2 or, 39 where
+#   local: 353: 113 +, 165 *, 39 /, 7 neg, 7 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
+#   body_local: 353: 113 +, 165 *, 39 /, 7 neg, 7 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
+#   interpolate: 788: 245 +, 349 *, 85 /, 8 neg, 7 abs, 18 sqrt, 5 tan, 4 atan2, 14 lt, 5 eq, 1 and, 3 or, 44
+#       where
 #   adjoint: 109: 41 +, 61 *, 5 /, 2 sqrt
 #   transform_point_jacobians: 238: 99 +, 127 *, 7 /, 3 neg, 2 sqrt
 #   transform_line_jacobians: 337: 132 +, 190 *, 7 /, 6 neg, 2 sqrt
@@ -999,7 +1000,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 3, 2, (-1, 0, 1, 2, 4, 6, 8)),
     },
     kernels=SHARED,
-    programs="0aa571d15633992e",
+    programs="3f41d8e74b13e5f8",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -92,13 +92,14 @@
 #   between: 141: 56 +, 71 *, 8 /, 6 neg
 #   compose_jacobians: 921: 370 +, 493 *, 50 /, 8 neg
 #   between_jacobians: 945: 370 +, 493 *, 50 /, 32 neg
-#   retract: 336: 106 +, 149 *, 37 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 21 where
-#   body_retract: 336: 106 +, 149 *, 37 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 21 where
-#   retract_jacobians: 1085: 414 +, 539 *, 80 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22 where
-#   body_retract_jacobians: 1085: 414 +, 539 *, 80 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22 where
-#   local: 301: 98 +, 143 *, 32 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
-#   body_local: 301: 98 +, 143 *, 32 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
-#   interpolate: 682: 219 +, 313 *, 66 /, 8 neg, 7 abs, 8 sqrt, 5 tan, 4 atan2, 7 lt, 5 eq, 2 or, 38 where
+#   retract: 342: 107 +, 149 *, 38 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   body_retract: 342: 107 +, 149 *, 38 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   retract_jacobians: 1091: 415 +, 539 *, 81 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
+#   body_retract_jacobians: 1091: 415 +, 539 *, 81 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
+#   local: 307: 99 +, 143 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
+#   body_local: 307: 99 +, 143 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
+#   interpolate: 707: 221 +, 317 *, 71 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 13 lt, 5 eq, 1 and, 3 or, 43
+#       where
 #   adjoint: 86: 34 +, 50 *, 2 /
 #   transform_point_jacobians: 134: 58 +, 63 *, 3 /, 10 neg
 #   transform_line_jacobians: 299: 121 +, 168 *, 3 /, 7 neg
@@ -2116,7 +2117,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="36e092c41804e431",
+    programs="7b6ea9e8f81fc195",
 )
 
 KERNELS = PoseKernels(CHART)

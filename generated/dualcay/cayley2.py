@@ -97,13 +97,14 @@
 #   between: 213: 74 +, 120 *, 9 /, 7 neg, 1 lt, 2 where
 #   compose_jacobians: 962: 383 +, 514 *, 52 /, 10 neg, 1 lt, 2 where
 #   between_jacobians: 986: 383 +, 514 *, 52 /, 34 neg, 1 lt, 2 where
-#   retract: 344: 108 +, 154 *, 37 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 21 where
-#   body_retract: 344: 108 +, 154 *, 37 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 21 where
-#   retract_jacobians: 1103: 420 +, 549 *, 81 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22 where
-#   body_retract_jacobians: 1103: 420 +, 549 *, 81 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22 where
-#   local: 315: 102 +, 153 *, 32 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
-#   body_local: 315: 102 +, 153 *, 32 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
-#   interpolate: 696: 223 +, 323 *, 66 /, 8 neg, 7 abs, 8 sqrt, 5 tan, 4 atan2, 7 lt, 5 eq, 2 or, 38 where
+#   retract: 350: 109 +, 154 *, 38 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   body_retract: 350: 109 +, 154 *, 38 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   retract_jacobians: 1109: 421 +, 549 *, 82 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
+#   body_retract_jacobians: 1109: 421 +, 549 *, 82 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
+#   local: 321: 103 +, 153 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
+#   body_local: 321: 103 +, 153 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
+#   interpolate: 721: 225 +, 327 *, 71 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 13 lt, 5 eq, 1 and, 3 or, 43
+#       where
 #   adjoint: 92: 35 +, 55 *, 2 /
 #   transform_point_jacobians: 208: 91 +, 110 *, 3 /, 4 neg
 #   transform_line_jacobians: 307: 124 +, 173 *, 3 /, 7 neg
@@ -825,7 +826,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="777b7847157d231a",
+    programs="1187b1dbfe18aa35",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -94,13 +94,14 @@
 #   between: 253: 88 +, 142 *, 12 /, 7 neg, 1 sqrt, 1 lt, 2 where
 #   compose_jacobians: 1054: 415 +, 570 *, 57 /, 8 neg, 1 sqrt, 1 lt, 2 where
 #   between_jacobians: 1078: 415 +, 570 *, 57 /, 32 neg, 1 sqrt, 1 lt, 2 where
-#   retract: 363: 115 +, 164 *, 39 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 21 where
-#   body_retract: 363: 115 +, 164 *, 39 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 21 where
-#   retract_jacobians: 1152: 438 +, 578 *, 83 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22 where
-#   body_retract_jacobians: 1152: 438 +, 578 *, 83 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22 where
-#   local: 339: 112 +, 167 *, 32 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
-#   body_local: 339: 112 +, 167 *, 32 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
-#   interpolate: 727: 235 +, 340 *, 68 /, 8 neg, 7 abs, 8 sqrt, 5 tan, 4 atan2, 7 lt, 5 eq, 2 or, 38 where
+#   retract: 369: 116 +, 164 *, 40 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   body_retract: 369: 116 +, 164 *, 40 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   retract_jacobians: 1158: 439 +, 578 *, 84 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
+#   body_retract_jacobians: 1158: 439 +, 578 *, 84 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
+#   local: 345: 113 +, 167 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
+#   body_local: 345: 113 +, 167 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
+#   interpolate: 752: 237 +, 344 *, 73 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 13 lt, 5 eq, 1 and, 3 or, 43
+#       where
 #   adjoint: 102: 39 +, 61 *, 2 /
 #   transform_point_jacobians: 226: 98 +, 122 *, 3 /, 3 neg
 #   transform_line_jacobians: 325: 131 +, 185 *, 3 /, 6 neg
@@ -857,7 +858,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 3, 2, (-1, 0, 1, 2, 8, 13)),
     },
     kernels=SHARED,
-    programs="58d14f2a4827c4f7",
+    programs="862ef3bd48ccb351",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -94,13 +94,14 @@
 #   between: 261: 88 +, 144 *, 12 /, 7 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   compose_jacobians: 1081: 423 +, 583 *, 57 /, 8 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   between_jacobians: 1105: 423 +, 583 *, 57 /, 32 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   retract: 363: 116 +, 164 *, 39 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 21 where
-#   body_retract: 363: 116 +, 164 *, 39 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 21 where
-#   retract_jacobians: 1164: 443 +, 586 *, 83 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22 where
-#   body_retract_jacobians: 1164: 443 +, 586 *, 83 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22 where
-#   local: 337: 110 +, 167 *, 32 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
-#   body_local: 337: 110 +, 167 *, 32 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
-#   interpolate: 727: 235 +, 340 *, 68 /, 8 neg, 7 abs, 8 sqrt, 5 tan, 4 atan2, 7 lt, 5 eq, 2 or, 38 where
+#   retract: 369: 117 +, 164 *, 40 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   body_retract: 369: 117 +, 164 *, 40 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   retract_jacobians: 1170: 444 +, 586 *, 84 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
+#   body_retract_jacobians: 1170: 444 +, 586 *, 84 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
+#   local: 343: 111 +, 167 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
+#   body_local: 343: 111 +, 167 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
+#   interpolate: 752: 237 +, 344 *, 73 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 13 lt, 5 eq, 1 and, 3 or, 43
+#       where
 #   adjoint: 104: 40 +, 62 *, 2 /
 #   transform_point_jacobians: 231: 100 +, 125 *, 3 /, 3 neg
 #   transform_line_jacobians: 330: 133 +, 188 *, 3 /, 6 neg
@@ -885,7 +886,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 2, 2, (-1, 0, 1, 2, 10, 16)),
     },
     kernels=SHARED,
-    programs="8af12a02dc856ef8",
+    programs="9987ec5d73610fde",
 )
 
 KERNELS = PoseKernels(CHART)

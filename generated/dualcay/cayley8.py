@@ -94,13 +94,14 @@
 #   between: 314: 115 +, 174 *, 13 /, 7 neg, 2 sqrt, 1 lt, 2 where
 #   compose_jacobians: 1203: 484 +, 648 *, 58 /, 8 neg, 2 sqrt, 1 lt, 2 where
 #   between_jacobians: 1227: 484 +, 648 *, 58 /, 32 neg, 2 sqrt, 1 lt, 2 where
-#   retract: 393: 129 +, 180 *, 39 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 21 where
-#   body_retract: 393: 129 +, 180 *, 39 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 21 where
-#   retract_jacobians: 1233: 476 +, 621 *, 83 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22 where
-#   body_retract_jacobians: 1233: 476 +, 621 *, 83 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22 where
-#   local: 383: 132 +, 191 *, 32 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
-#   body_local: 383: 132 +, 191 *, 32 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
-#   interpolate: 779: 259 +, 368 *, 68 /, 8 neg, 7 abs, 8 sqrt, 5 tan, 4 atan2, 7 lt, 5 eq, 2 or, 38 where
+#   retract: 399: 130 +, 180 *, 40 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   body_retract: 399: 130 +, 180 *, 40 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   retract_jacobians: 1239: 477 +, 621 *, 84 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
+#   body_retract_jacobians: 1239: 477 +, 621 *, 84 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
+#   local: 389: 133 +, 191 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
+#   body_local: 389: 133 +, 191 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
+#   interpolate: 804: 261 +, 372 *, 73 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 13 lt, 5 eq, 1 and, 3 or, 43
+#       where
 #   adjoint: 118: 47 +, 69 *, 2 /
 #   transform_point_jacobians: 255: 112 +, 137 *, 3 /, 3 neg
 #   transform_line_jacobians: 354: 145 +, 200 *, 3 /, 6 neg
@@ -970,7 +971,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 3, 2, (-1, 0, 1, 2, 16, 25)),
     },
     kernels=SHARED,
-    programs="7d02073f81ce98d2",
+    programs="88460c4c948818f8",
 )
 
 KERNELS = PoseKernels(CHART)

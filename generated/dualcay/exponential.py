@@ -46,29 +46,29 @@
 #   [exponential] phi at 0: [phi](alpha -> 0) = 0; [phi](alpha -> -alpha) = -phi
 #
 # Operations:
-#   quaternion: 114: 34 +, 45 *, 23 /, 1 neg, 2 sqrt, 2 tan, 1 lt, 6 where
-#   tensor: 158: 58 +, 73 *, 18 /, 2 sqrt, 1 tan, 1 lt, 5 where
-#   pose: 131: 49 +, 55 *, 18 /, 2 sqrt, 1 tan, 1 lt, 5 where
-#   transform_point: 144: 53 +, 64 *, 18 /, 2 sqrt, 1 tan, 1 lt, 5 where
-#   transform_line: 183: 68 +, 88 *, 18 /, 2 sqrt, 1 tan, 1 lt, 5 where
+#   quaternion: 120: 35 +, 45 *, 24 /, 1 neg, 2 sqrt, 2 tan, 3 lt, 8 where
+#   tensor: 164: 59 +, 73 *, 19 /, 2 sqrt, 1 tan, 3 lt, 7 where
+#   pose: 137: 50 +, 55 *, 19 /, 2 sqrt, 1 tan, 3 lt, 7 where
+#   transform_point: 150: 54 +, 64 *, 19 /, 2 sqrt, 1 tan, 3 lt, 7 where
+#   transform_line: 189: 69 +, 88 *, 19 /, 2 sqrt, 1 tan, 3 lt, 7 where
 #   inverse: 6: 6 neg
-#   tangent: 180: 68 +, 80 *, 22 /, 2 sqrt, 1 tan, 1 lt, 6 where
-#   tangent_inv: 196: 69 +, 75 *, 38 /, 1 neg, 2 sqrt, 2 tan, 1 lt, 8 where
-#   body_tangent: 180: 68 +, 80 *, 22 /, 2 sqrt, 1 tan, 1 lt, 6 where
-#   body_tangent_inv: 196: 69 +, 75 *, 38 /, 1 neg, 2 sqrt, 2 tan, 1 lt, 8 where
-#   twist: 214: 79 +, 103 *, 22 /, 2 sqrt, 1 tan, 1 lt, 6 where
-#   rate: 228: 80 +, 105 *, 29 /, 1 neg, 2 sqrt, 2 tan, 1 lt, 8 where
-#   tangent_dot: 310: 118 +, 152 *, 29 /, 2 sqrt, 1 tan, 1 lt, 7 where
-#   twist_dot: 338: 131 +, 169 *, 27 /, 2 sqrt, 1 tan, 1 lt, 7 where
-#   rate_dot: 393: 149 +, 186 *, 42 /, 2 neg, 2 sqrt, 2 tan, 1 lt, 9 where
-#   twist_jacobian: 340: 134 +, 168 *, 27 /, 2 sqrt, 1 tan, 1 lt, 7 where
-#   rate_jacobian: 350: 130 +, 160 *, 44 /, 2 neg, 2 sqrt, 2 tan, 1 lt, 9 where
-#   from_quaternion: 174: 52 +, 72 *, 28 /, 1 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
-#   from_tensor: 230: 72 +, 78 *, 31 /, 3 sqrt, 2 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 25 where
-#   from_pose: 194: 57 +, 60 *, 28 /, 3 sqrt, 2 tan, 1 atan2, 8 lt, 4 eq, 3 and, 3 or, 25 where
+#   tangent: 186: 69 +, 80 *, 23 /, 2 sqrt, 1 tan, 3 lt, 8 where
+#   tangent_inv: 202: 70 +, 75 *, 39 /, 1 neg, 2 sqrt, 2 tan, 3 lt, 10 where
+#   body_tangent: 186: 69 +, 80 *, 23 /, 2 sqrt, 1 tan, 3 lt, 8 where
+#   body_tangent_inv: 202: 70 +, 75 *, 39 /, 1 neg, 2 sqrt, 2 tan, 3 lt, 10 where
+#   twist: 220: 80 +, 103 *, 23 /, 2 sqrt, 1 tan, 3 lt, 8 where
+#   rate: 234: 81 +, 105 *, 30 /, 1 neg, 2 sqrt, 2 tan, 3 lt, 10 where
+#   tangent_dot: 316: 119 +, 152 *, 30 /, 2 sqrt, 1 tan, 3 lt, 9 where
+#   twist_dot: 344: 132 +, 169 *, 28 /, 2 sqrt, 1 tan, 3 lt, 9 where
+#   rate_dot: 399: 150 +, 186 *, 43 /, 2 neg, 2 sqrt, 2 tan, 3 lt, 11 where
+#   twist_jacobian: 346: 135 +, 168 *, 28 /, 2 sqrt, 1 tan, 3 lt, 9 where
+#   rate_jacobian: 356: 131 +, 160 *, 45 /, 2 neg, 2 sqrt, 2 tan, 3 lt, 11 where
+#   from_quaternion: 180: 53 +, 72 *, 29 /, 1 neg, 3 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
+#   from_tensor: 236: 73 +, 78 *, 32 /, 3 sqrt, 2 tan, 1 atan2, 10 lt, 4 eq, 3 and, 3 or, 27 where
+#   from_pose: 200: 58 +, 60 *, 29 /, 3 sqrt, 2 tan, 1 atan2, 10 lt, 4 eq, 3 and, 3 or, 27 where
 #   from_screw: 13: 3 +, 10 *
 #   to_screw: 141: 34 +, 47 *, 23 /, 1 neg, 8 abs, 3 sqrt, 1 tan, 1 atan2, 5 lt, 3 eq, 1 and, 1 or, 13 where
-#   angle: 124: 37 +, 36 *, 24 /, 6 abs, 4 sqrt, 1 tan, 1 lt, 3 eq, 12 where
+#   angle: 130: 38 +, 36 *, 25 /, 6 abs, 4 sqrt, 1 tan, 3 lt, 3 eq, 14 where
 #   to_exponential: 33: 11 +, 16 *, 2 /, 1 sqrt, 1 eq, 2 where
 #   from_exponential: 32: 9 +, 16 *, 2 /, 1 sqrt, 1 eq, 3 where
 #   turn: 64: 15 +, 24 *, 10 /, 6 abs, 1 sqrt, 2 eq, 6 where
@@ -76,21 +76,22 @@
 #   identity_jacobian: 12: 12 +
 #   shadow_jacobian: 203: 61 +, 81 *, 27 /, 1 neg, 6 abs, 3 sqrt, 1 tan, 5 lt, 3 eq, 1 and, 1 or, 13 where
 #   principal: 111: 31 +, 39 *, 20 /, 4 sqrt, 1 tan, 1 atan2, 3 lt, 12 where
-#   compose: 463: 150 +, 193 *, 74 /, 1 neg, 7 sqrt, 6 tan, 1 atan2, 4 lt, 1 eq, 26 where
-#   between: 469: 150 +, 193 *, 74 /, 7 neg, 7 sqrt, 6 tan, 1 atan2, 4 lt, 1 eq, 26 where
-#   compose_jacobians: 1506: 554 +, 683 *, 183 /, 8 neg, 13 sqrt, 10 tan, 1 atan2, 7 lt, 1 eq, 46 where
-#   between_jacobians: 1530: 554 +, 683 *, 183 /, 32 neg, 13 sqrt, 10 tan, 1 atan2, 7 lt, 1 eq, 46 where
-#   retract: 475: 156 +, 194 *, 72 /, 1 neg, 1 abs, 8 sqrt, 6 tan, 2 atan2, 5 lt, 2 eq, 28 where
-#   body_retract: 475: 156 +, 194 *, 72 /, 1 neg, 1 abs, 8 sqrt, 6 tan, 2 atan2, 5 lt, 2 eq, 28 where
-#   retract_jacobians: 1348: 507 +, 630 *, 139 /, 8 neg, 1 abs, 10 sqrt, 7 tan, 2 atan2, 6 lt, 2 eq, 36 where
-#   body_retract_jacobians: 1348: 507 +, 630 *, 139 /, 8 neg, 1 abs, 10 sqrt, 7 tan, 2 atan2, 6 lt, 2 eq, 36
+#   compose: 481: 153 +, 193 *, 77 /, 1 neg, 7 sqrt, 6 tan, 1 atan2, 10 lt, 1 eq, 32 where
+#   between: 487: 153 +, 193 *, 77 /, 7 neg, 7 sqrt, 6 tan, 1 atan2, 10 lt, 1 eq, 32 where
+#   compose_jacobians: 1542: 560 +, 683 *, 189 /, 8 neg, 13 sqrt, 10 tan, 1 atan2, 19 lt, 1 eq, 58 where
+#   between_jacobians: 1566: 560 +, 683 *, 189 /, 32 neg, 13 sqrt, 10 tan, 1 atan2, 19 lt, 1 eq, 58 where
+#   retract: 493: 159 +, 194 *, 75 /, 1 neg, 1 abs, 8 sqrt, 6 tan, 2 atan2, 11 lt, 2 eq, 34 where
+#   body_retract: 493: 159 +, 194 *, 75 /, 1 neg, 1 abs, 8 sqrt, 6 tan, 2 atan2, 11 lt, 2 eq, 34 where
+#   retract_jacobians: 1372: 511 +, 630 *, 143 /, 8 neg, 1 abs, 10 sqrt, 7 tan, 2 atan2, 14 lt, 2 eq, 44 where
+#   body_retract_jacobians: 1372: 511 +, 630 *, 143 /, 8 neg, 1 abs, 10 sqrt, 7 tan, 2 atan2, 14 lt, 2 eq, 44
 #       where
-#   local: 469: 150 +, 193 *, 74 /, 7 neg, 7 sqrt, 6 tan, 1 atan2, 4 lt, 1 eq, 26 where
-#   body_local: 469: 150 +, 193 *, 74 /, 7 neg, 7 sqrt, 6 tan, 1 atan2, 4 lt, 1 eq, 26 where
-#   interpolate: 921: 296 +, 386 *, 124 /, 8 neg, 7 abs, 14 sqrt, 9 tan, 3 atan2, 10 lt, 5 eq, 2 or, 57 where
-#   adjoint: 158: 58 +, 73 *, 18 /, 2 sqrt, 1 tan, 1 lt, 5 where
-#   transform_point_jacobians: 294: 121 +, 138 *, 22 /, 3 neg, 2 sqrt, 1 tan, 1 lt, 6 where
-#   transform_line_jacobians: 393: 154 +, 201 *, 22 /, 6 neg, 2 sqrt, 1 tan, 1 lt, 6 where
+#   local: 487: 153 +, 193 *, 77 /, 7 neg, 7 sqrt, 6 tan, 1 atan2, 10 lt, 1 eq, 32 where
+#   body_local: 487: 153 +, 193 *, 77 /, 7 neg, 7 sqrt, 6 tan, 1 atan2, 10 lt, 1 eq, 32 where
+#   interpolate: 964: 301 +, 390 *, 132 /, 8 neg, 7 abs, 15 sqrt, 9 tan, 3 atan2, 22 lt, 5 eq, 1 and, 3 or, 68
+#       where
+#   adjoint: 164: 59 +, 73 *, 19 /, 2 sqrt, 1 tan, 3 lt, 7 where
+#   transform_point_jacobians: 300: 122 +, 138 *, 23 /, 3 neg, 2 sqrt, 1 tan, 3 lt, 8 where
+#   transform_line_jacobians: 399: 155 +, 201 *, 23 /, 6 neg, 2 sqrt, 1 tan, 3 lt, 8 where
 r"""Exponential map: Rodrigues dual vectors ``v = α u`` of rigid displacements.
 
 .. math::
@@ -141,7 +142,7 @@ def __dir__() -> list[str]:
 # --- scalars of x = v·v, of angles and quaternions: plain, and in place -------------------------------------------
 
 
-# operations 90: 27 +, 28 *, 23 /, 1 neg, 2 sqrt, 2 tan, 1 lt, 6 where
+# operations 96: 28 +, 28 *, 24 /, 1 neg, 2 sqrt, 2 tan, 3 lt, 8 where
 def _quaternion(m: Any, x: Any) -> Result:
     near = x < 6
     z = m.where(near, x, x - x) / 4
@@ -168,9 +169,10 @@ def _quaternion(m: Any, x: Any) -> Result:
     tthalf = thalf * thalf
     belowhalf = 1 + tthalf
     sine = 2 * thalf / belowhalf
-    versine = 2 * tthalf / belowhalf
+    versine = m.where(tthalf < 16, 2 * tthalf / belowhalf, 2 - 2 / belowhalf)
     beside = alpha - 4
-    lost = (xx - 16 - 8 * beside - beside * beside) / (2 * alpha)
+    left = xx - 16 - 8 * beside - beside * beside
+    lost = m.where(alpha < 8, left, 0) / (2 * alpha)
     f = m.where(near, C0 * C1, (sine + lost * (1 - versine)) / alpha)
     h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
     ww = w * w
@@ -180,9 +182,9 @@ def _quaternion(m: Any, x: Any) -> Result:
 
 def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3, o4 = out
-    k1, k2, k3, k4, k5, k6, *_ = scratch
-    mask1, *_ = masks
-    n1, n2, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    k1, k2, k3, k4, k5, k6, k7, *_ = scratch
+    mask1, mask2, *_ = masks
+    n0, n1, n2, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
     near = m.less(x, n6, mask1)
     z = div(m.where(near, x, sub(x, x, o1), o4), n4, o1)
     C7 = div(
@@ -199,14 +201,17 @@ def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: R
     C2 = div(CC1, C01, o3)
     xx = m.where(near, add(n6, x, k1), x, k1)
     alpha = sqrt(xx, k2)
-    beside = sub(alpha, n4, k3)
-    lost = div(sub(sub(sub(xx, n16, k4), mul(n8, beside, k5), k4), mul(beside, beside, k3), k3), mul(n2, alpha, k4), k3)
-    thalf = tan(div(alpha, n2, k4), k4)
-    tthalf = mul(thalf, thalf, k5)
-    belowhalf = add(n1, tthalf, k6)
-    versine = div(mul(n2, tthalf, k5), belowhalf, k5)
-    sine = div(mul(n2, thalf, k4), belowhalf, k4)
-    f = m.where(near, mul(C0, C1, k6), div(add(sine, mul(lost, sub(n1, versine, k5), k3), k3), alpha, k3), k4)
+    thalf = tan(div(alpha, n2, k3), k3)
+    tthalf = mul(thalf, thalf, k4)
+    belowhalf = add(n1, tthalf, k5)
+    versine = m.where(
+        m.less(tthalf, n16, mask2), div(mul(n2, tthalf, k4), belowhalf, k4), sub(n2, div(n2, belowhalf, k6), k6), k4
+    )
+    sine = div(mul(n2, thalf, k3), belowhalf, k3)
+    beside = sub(alpha, n4, k5)
+    left = sub(sub(sub(xx, n16, k6), mul(n8, beside, k7), k6), mul(beside, beside, k5), k5)
+    lost = div(m.where(m.less(alpha, n8, mask2), left, n0, k5), mul(n2, alpha, k6), k5)
+    f = m.where(near, mul(C0, C1, k6), div(add(sine, mul(lost, sub(n1, versine, k4), k4), k3), alpha, k3), k4)
     h = m.where(near, div(add(C3, mul(C1, C2, o3), o4), n4, o4), div(sub(n1, f, o3), xx, o3), o4)
     t = tan(div(alpha, n4, o3), o3)
     tt = mul(t, t, k1)
@@ -219,7 +224,7 @@ def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: R
     return o1, o2, o3, o4
 
 
-# operations 76: 25 +, 24 *, 18 /, 2 sqrt, 1 tan, 1 lt, 5 where
+# operations 82: 26 +, 24 *, 19 /, 2 sqrt, 1 tan, 3 lt, 7 where
 def _pose(m: Any, x: Any) -> Result:
     near = x < 6
     z = m.where(near, x, x - x) / 4
@@ -238,9 +243,10 @@ def _pose(m: Any, x: Any) -> Result:
     tthalf = thalf * thalf
     belowhalf = 1 + tthalf
     sine = 2 * thalf / belowhalf
-    versine = 2 * tthalf / belowhalf
+    versine = m.where(tthalf < 16, 2 * tthalf / belowhalf, 2 - 2 / belowhalf)
     beside = alpha - 4
-    lost = (xx - 16 - 8 * beside - beside * beside) / (2 * alpha)
+    left = xx - 16 - 8 * beside - beside * beside
+    lost = m.where(alpha < 8, left, 0) / (2 * alpha)
     f = m.where(near, C0 * C1, (sine + lost * (1 - versine)) / alpha)
     g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
     C01 = 1 + C0
@@ -252,8 +258,8 @@ def _pose(m: Any, x: Any) -> Result:
 def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3 = out
     k1, k2, k3, k4, k5, k6, k7, k8, *_ = scratch
-    mask1, *_ = masks
-    n1, n2, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    mask1, mask2, *_ = masks
+    n0, n1, n2, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
     near = m.less(x, n6, mask1)
     z = div(m.where(near, x, sub(x, x, o3), k1), n4, o3)
     C7 = div(
@@ -268,13 +274,16 @@ def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x
     C0 = sqrt(sub(n1, mul(z, CC1, o3), o3), o3)
     xx = m.where(near, add(n6, x, k4), x, k4)
     alpha = sqrt(xx, o2)
-    beside = sub(alpha, n4, k5)
-    lost = div(sub(sub(sub(xx, n16, k6), mul(n8, beside, k7), k6), mul(beside, beside, k5), k5), mul(n2, alpha, k6), k5)
-    thalf = tan(div(alpha, n2, k6), k6)
-    tthalf = mul(thalf, thalf, k7)
-    belowhalf = add(n1, tthalf, o1)
-    versine = div(mul(n2, tthalf, k7), belowhalf, k7)
-    sine = div(mul(n2, thalf, k6), belowhalf, k6)
+    thalf = tan(div(alpha, n2, k5), k5)
+    tthalf = mul(thalf, thalf, k6)
+    belowhalf = add(n1, tthalf, k7)
+    versine = m.where(
+        m.less(tthalf, n16, mask2), div(mul(n2, tthalf, k6), belowhalf, k6), sub(n2, div(n2, belowhalf, o1), o1), k6
+    )
+    sine = div(mul(n2, thalf, k5), belowhalf, k5)
+    beside = sub(alpha, n4, k7)
+    left = sub(sub(sub(xx, n16, o1), mul(n8, beside, k8), o1), mul(beside, beside, k7), k7)
+    lost = div(m.where(m.less(alpha, n8, mask2), left, n0, k7), mul(n2, alpha, o1), k7)
     f = m.where(near, mul(C0, C1, o1), div(add(sine, mul(lost, sub(n1, versine, k8), k8), k8), alpha, o2), o1)
     m.where(near, div(CC1, n2, o2), div(add(versine, mul(lost, sine, k5), k5), xx, k5), o2)
     C01 = add(n1, C0, o3)
@@ -283,7 +292,7 @@ def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x
     return o1, o2, o3
 
 
-# operations 101: 34 +, 35 *, 22 /, 2 sqrt, 1 tan, 1 lt, 6 where
+# operations 107: 35 +, 35 *, 23 /, 2 sqrt, 1 tan, 3 lt, 8 where
 def _tangent(m: Any, x: Any) -> Result:
     near = x < 6
     z = m.where(near, x, x - x) / 4
@@ -302,9 +311,10 @@ def _tangent(m: Any, x: Any) -> Result:
     tthalf = thalf * thalf
     belowhalf = 1 + tthalf
     sine = 2 * thalf / belowhalf
-    versine = 2 * tthalf / belowhalf
+    versine = m.where(tthalf < 16, 2 * tthalf / belowhalf, 2 - 2 / belowhalf)
     beside = alpha - 4
-    lost = (xx - 16 - 8 * beside - beside * beside) / (2 * alpha)
+    left = xx - 16 - 8 * beside - beside * beside
+    lost = m.where(alpha < 8, left, 0) / (2 * alpha)
     f = m.where(near, C0 * C1, (sine + lost * (1 - versine)) / alpha)
     g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
     C01 = 1 + C0
@@ -322,9 +332,9 @@ def _tangent(m: Any, x: Any) -> Result:
 
 def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, *_ = scratch
-    mask1, *_ = masks
-    n1, n2, n3, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    k1, k2, k3, k4, k5, k6, k7, *_ = scratch
+    mask1, mask2, *_ = masks
+    n0, n1, n2, n3, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
     near = m.less(x, n6, mask1)
     z = div(m.where(near, x, sub(x, x, o6), o5), n4, o6)
     C7 = div(
@@ -344,13 +354,16 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     c5 = div(add(add(C5, C4, o6), mul(C2, C3, o5), o6), n16, o6)
     xx = m.where(near, add(n6, x, o5), x, o5)
     alpha = sqrt(xx, o3)
-    beside = sub(alpha, n4, k3)
-    lost = div(sub(sub(sub(xx, n16, k4), mul(n8, beside, k5), k4), mul(beside, beside, k3), k3), mul(n2, alpha, k4), k3)
-    thalf = tan(div(alpha, n2, k4), k4)
-    tthalf = mul(thalf, thalf, k5)
-    belowhalf = add(n1, tthalf, k6)
-    versine = div(mul(n2, tthalf, k5), belowhalf, k5)
-    sine = div(mul(n2, thalf, k4), belowhalf, k4)
+    thalf = tan(div(alpha, n2, k3), k3)
+    tthalf = mul(thalf, thalf, k4)
+    belowhalf = add(n1, tthalf, k5)
+    versine = m.where(
+        m.less(tthalf, n16, mask2), div(mul(n2, tthalf, k4), belowhalf, k4), sub(n2, div(n2, belowhalf, k6), k6), k4
+    )
+    sine = div(mul(n2, thalf, k3), belowhalf, k3)
+    beside = sub(alpha, n4, k5)
+    left = sub(sub(sub(xx, n16, k6), mul(n8, beside, k7), k6), mul(beside, beside, k5), k5)
+    lost = div(m.where(m.less(alpha, n8, mask2), left, n0, k5), mul(n2, alpha, k6), k5)
     f = m.where(near, mul(C0, C1, o1), div(add(sine, mul(lost, sub(n1, versine, k6), k6), k6), alpha, o3), o1)
     g = m.where(near, div(CC1, n2, o2), div(add(versine, mul(lost, sine, o3), o3), xx, o3), o2)
     h = m.where(near, div(add(C3, mul(C1, C2, o3), o3), n4, o3), div(sub(n1, f, k2), xx, k2), o3)
@@ -361,7 +374,7 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, o2, o3, o4, o5, o6
 
 
-# operations 133: 47 +, 48 *, 27 /, 2 sqrt, 1 tan, 1 lt, 7 where
+# operations 139: 48 +, 48 *, 28 /, 2 sqrt, 1 tan, 3 lt, 9 where
 def _tangent_dot(m: Any, x: Any) -> Result:
     near = x < 6
     z = m.where(near, x, x - x) / 4
@@ -380,9 +393,10 @@ def _tangent_dot(m: Any, x: Any) -> Result:
     tthalf = thalf * thalf
     belowhalf = 1 + tthalf
     sine = 2 * thalf / belowhalf
-    versine = 2 * tthalf / belowhalf
+    versine = m.where(tthalf < 16, 2 * tthalf / belowhalf, 2 - 2 / belowhalf)
     beside = alpha - 4
-    lost = (xx - 16 - 8 * beside - beside * beside) / (2 * alpha)
+    left = xx - 16 - 8 * beside - beside * beside
+    lost = m.where(alpha < 8, left, 0) / (2 * alpha)
     f = m.where(near, C0 * C1, (sine + lost * (1 - versine)) / alpha)
     g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
     C01 = 1 + C0
@@ -405,52 +419,55 @@ def _tangent_dot(m: Any, x: Any) -> Result:
 
 def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
-    k1, k2, k3, k4, k5, k6, k7, *_ = scratch
-    mask1, *_ = masks
+    k1, k2, k3, k4, k5, k6, k7, k8, *_ = scratch
+    mask1, mask2, *_ = masks
     (
-        n1, n2, n3, n4, n5, n6, n7, n8, n15, n16, n32, n64, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520,
-        n3603600,
+        n0, n1, n2, n3, n4, n5, n6, n7, n8, n15, n16, n32, n64, n72, n120, n210, n342, n506, n5040, n32760, n93024,
+        n212520, n3603600,
     ) = numbers
     near = m.less(x, n6, mask1)
-    z = div(m.where(near, x, sub(x, x, o9), o4), n4, o9)
+    z = div(m.where(near, x, sub(x, x, o9), o7), n4, o9)
     C7 = div(
         div(sub(n72, mul(z, div(sub(n3603600, mul(z, sub(n32760, mul(z, sub(n210, mul(z, div(sub(n93024, mul(z,
-        sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, o4), o4), o4), n212520, o4), o4), o4), o4), o4), n93024,
-        o4), o4), o4), o4), o4), o4), o4), n3603600, o4), o4), o4), n72, o4), n5040, o4
+        sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, o7), o7), o7), n212520, o7), o7), o7), o7), o7), n93024,
+        o7), o7), o7), o7), o7), o7), o7), n3603600, o7), o7), o7), n72, o7), n5040, o7
     )
-    C5 = div(sub(n1, mul(n120, mul(z, C7, o8), o8), o8), n120, o8)
-    C3 = div(sub(n1, mul(n6, mul(z, C5, o7), o7), o7), n6, o7)
+    C5 = div(sub(n1, mul(n120, mul(z, C7, k1), k1), k1), n120, k1)
+    C3 = div(sub(n1, mul(n6, mul(z, C5, k2), k2), k2), n6, k2)
     C1 = sub(n1, mul(z, C3, o6), o6)
-    CC1 = mul(C1, C1, o2)
-    C0 = sqrt(sub(n1, mul(z, CC1, o1), o1), o1)
-    C01 = add(n1, C0, k1)
-    C2 = div(CC1, C01, k2)
-    CC3 = mul(C3, C3, k3)
-    C4 = div(sub(sub(mul(n4, C3, k4), C2, k4), mul(n2, mul(z, CC3, o9), o9), o9), mul(n2, C01, k1), o9)
-    C6 = div(sub(sub(add(mul(n4, C5, k1), mul(n2, CC3, k4), k1), C4, k1), mul(n2, mul(C2, C4, k4), k4), k1), n4, k1)
-    c6 = div(add(mul(n2, C5, k4), CC3, k3), n32, k3)
-    xx = m.where(near, add(n6, x, k4), x, k4)
-    alpha = sqrt(xx, o3)
-    beside = sub(alpha, n4, o5)
-    lost = div(sub(sub(sub(xx, n16, k5), mul(n8, beside, k6), k5), mul(beside, beside, o5), o5), mul(n2, alpha, k5), o5)
-    thalf = tan(div(alpha, n2, k5), k5)
-    tthalf = mul(thalf, thalf, k6)
-    belowhalf = add(n1, tthalf, k7)
-    versine = div(mul(n2, tthalf, k6), belowhalf, k6)
-    sine = div(mul(n2, thalf, k5), belowhalf, k5)
-    f = m.where(near, mul(C0, C1, o1), div(add(sine, mul(lost, sub(n1, versine, k7), k7), k7), alpha, o3), o1)
-    g = m.where(near, div(CC1, n2, o2), div(add(versine, mul(lost, sine, o3), o3), xx, o3), o2)
-    h = m.where(near, div(add(C3, mul(C1, C2, o3), o3), n4, o3), div(sub(n1, f, o5), xx, o5), o3)
-    c5 = div(add(add(C5, C4, o5), mul(C2, C3, k2), k2), n16, k2)
-    c4 = div(mul(C3, add(n1, C1, o6), o6), n8, o6)
-    hy = m.where(near, sub(mul(n3, c5, o5), c4, o6), div(sub(g, mul(n3, h, o5), o5), xx, o5), o6)
-    gy = sub(mul(f, h, o5), mul(g, g, k5), o5)
-    m.where(
-        near, add(sub(mul(n15, div(add(add(add(C7, C6, o4), mul(C3, C4, o9), o9), div(C5, n2, o4), o9), n64, o9), o9),
-        mul(n7, c6, o4), o9), c5, o9), div(sub(gy, mul(n5, hy, o4), o4), xx, o4), o9
+    CC1 = mul(C1, C1, k3)
+    C0 = sqrt(sub(n1, mul(z, CC1, k4), k4), k4)
+    xx = m.where(near, add(n6, x, k5), x, k5)
+    alpha = sqrt(xx, o2)
+    thalf = tan(div(alpha, n2, o3), o3)
+    tthalf = mul(thalf, thalf, o4)
+    belowhalf = add(n1, tthalf, o5)
+    versine = m.where(
+        m.less(tthalf, n16, mask2), div(mul(n2, tthalf, o4), belowhalf, o4), sub(n2, div(n2, belowhalf, o1), o1), o4
     )
+    sine = div(mul(n2, thalf, o3), belowhalf, o3)
+    beside = sub(alpha, n4, o5)
+    left = sub(sub(sub(xx, n16, o1), mul(n8, beside, k6), o1), mul(beside, beside, o5), o5)
+    lost = div(m.where(m.less(alpha, n8, mask2), left, n0, o5), mul(n2, alpha, o1), o5)
+    f = m.where(near, mul(C0, C1, o1), div(add(sine, mul(lost, sub(n1, versine, k6), k6), k6), alpha, o2), o1)
+    g = m.where(near, div(CC1, n2, o2), div(add(versine, mul(lost, sine, o3), o3), xx, o3), o2)
+    C01 = add(n1, C0, k4)
+    C2 = div(CC1, C01, k3)
+    h = m.where(near, div(add(C3, mul(C1, C2, o3), o3), n4, o3), div(sub(n1, f, o4), xx, o4), o3)
+    c4 = div(mul(C3, add(n1, C1, o6), o6), n8, o6)
     fy = sub(h, g, o4)
-    sub(add(mul(fy, h, o8), mul(f, hy, o7), o8), mul(n2, mul(g, gy, o7), o7), o8)
+    gy = sub(mul(f, h, o5), mul(g, g, k6), o5)
+    CC3 = mul(C3, C3, k6)
+    C4 = div(sub(sub(mul(n4, C3, o8), C2, o8), mul(n2, mul(z, CC3, o9), o9), o9), mul(n2, C01, k4), o9)
+    c5 = div(add(add(C5, C4, k4), mul(C2, C3, o8), k4), n16, k4)
+    hy = m.where(near, sub(mul(n3, c5, o8), c4, o6), div(sub(g, mul(n3, h, o8), o8), xx, o8), o6)
+    sub(add(mul(fy, h, o8), mul(f, hy, k7), o8), mul(n2, mul(g, gy, k7), k7), o8)
+    C6 = div(sub(sub(add(mul(n4, C5, k7), mul(n2, CC3, k8), k7), C4, k7), mul(n2, mul(C2, C4, k3), k3), k3), n4, k3)
+    c6 = div(add(mul(n2, C5, k7), CC3, k6), n32, k6)
+    m.where(
+        near, add(sub(mul(n15, div(add(add(add(C7, C6, o7), mul(C3, C4, o9), o9), div(C5, n2, o7), o9), n64, o9), o9),
+        mul(n7, c6, o7), o9), c5, o9), div(sub(gy, mul(n5, hy, o7), o7), xx, o7), o9
+    )
     sub(hy, gy, o7)
     return o1, o2, o3, o4, o5, o6, o7, o8, o9
 
@@ -468,7 +485,7 @@ def _rate_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x
     return o1, n0
 
 
-# operations 91: 28 +, 27 *, 24 /, 2 sqrt, 2 tan, 1 lt, 7 where
+# operations 97: 29 +, 27 *, 25 /, 2 sqrt, 2 tan, 3 lt, 9 where
 def _inverse(m: Any, x: Any, fe: Any) -> Result:
     near = x < 6
     z = m.where(near, x, x - x) / 4
@@ -486,9 +503,10 @@ def _inverse(m: Any, x: Any, fe: Any) -> Result:
     tthalf = thalf * thalf
     belowhalf = 1 + tthalf
     sine = 2 * thalf / belowhalf
-    versine = 2 * tthalf / belowhalf
+    versine = m.where(tthalf < 16, 2 * tthalf / belowhalf, 2 - 2 / belowhalf)
     beside = alpha - 4
-    lost = (xx - 16 - 8 * beside - beside * beside) / (2 * alpha)
+    left = xx - 16 - 8 * beside - beside * beside
+    lost = m.where(alpha < 8, left, 0) / (2 * alpha)
     g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
     C0 = m.sqrt(1 - z * CC1)
     t = m.tan(alpha / 4)
@@ -507,9 +525,9 @@ def _inverse(m: Any, x: Any, fe: Any) -> Result:
 
 def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
     o1, o2 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, *_ = scratch
-    mask1, *_ = masks
-    n1, n2, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, *_ = scratch
+    mask1, mask2, *_ = masks
+    n0, n1, n2, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
     near = m.less(x, n6, mask1)
     z = div(m.where(near, x, sub(x, x, o2), k1), n4, o2)
     C7 = div(
@@ -526,15 +544,18 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     C2 = div(CC1, C01, k4)
     xx = m.where(near, add(n6, x, k5), x, k5)
     alpha = sqrt(xx, k6)
-    beside = sub(alpha, n4, k7)
-    lost = div(sub(sub(sub(xx, n16, k8), mul(n8, beside, k9), k8), mul(beside, beside, k7), k7), mul(n2, alpha, k8), k7)
-    thalf = tan(div(alpha, n2, k8), k8)
-    tthalf = mul(thalf, thalf, k9)
-    belowhalf = add(n1, tthalf, k10)
-    versine = div(mul(n2, tthalf, k9), belowhalf, k9)
-    sine = div(mul(n2, thalf, k8), belowhalf, k8)
+    thalf = tan(div(alpha, n2, k7), k7)
+    tthalf = mul(thalf, thalf, k8)
+    belowhalf = add(n1, tthalf, k9)
+    versine = m.where(
+        m.less(tthalf, n16, mask2), div(mul(n2, tthalf, k8), belowhalf, k8), sub(n2, div(n2, belowhalf, k10), k10), k8
+    )
+    sine = div(mul(n2, thalf, k7), belowhalf, k7)
+    beside = sub(alpha, n4, k9)
+    left = sub(sub(sub(xx, n16, k10), mul(n8, beside, k11), k10), mul(beside, beside, k9), k9)
+    lost = div(m.where(m.less(alpha, n8, mask2), left, n0, k9), mul(n2, alpha, k10), k9)
     g = m.where(near, div(CC1, n2, k3), div(add(versine, mul(lost, sine, k10), k10), xx, k10), k3)
-    f = m.where(near, mul(C0, C1, k10), div(add(sine, mul(lost, sub(n1, versine, k9), k7), k7), alpha, k7), k8)
+    f = m.where(near, mul(C0, C1, k10), div(add(sine, mul(lost, sub(n1, versine, k8), k8), k7), alpha, k7), k8)
     h = m.where(near, div(add(C3, mul(C1, C2, k4), k1), n4, k1), div(sub(n1, f, k4), xx, k4), k1)
     t = tan(div(alpha, n4, k4), k4)
     tt = mul(t, t, k5)
@@ -547,7 +568,7 @@ def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, o2
 
 
-# operations 78: 26 +, 25 *, 18 /, 2 sqrt, 1 tan, 1 lt, 5 where
+# operations 84: 27 +, 25 *, 19 /, 2 sqrt, 1 tan, 3 lt, 7 where
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     near = x < 6
     z = m.where(near, x, x - x) / 4
@@ -565,9 +586,10 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     tthalf = thalf * thalf
     belowhalf = 1 + tthalf
     sine = 2 * thalf / belowhalf
-    versine = 2 * tthalf / belowhalf
+    versine = m.where(tthalf < 16, 2 * tthalf / belowhalf, 2 - 2 / belowhalf)
     beside = alpha - 4
-    lost = (xx - 16 - 8 * beside - beside * beside) / (2 * alpha)
+    left = xx - 16 - 8 * beside - beside * beside
+    lost = m.where(alpha < 8, left, 0) / (2 * alpha)
     g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
     C0 = m.sqrt(1 - z * CC1)
     C01 = 1 + C0
@@ -580,9 +602,9 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 
 def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
     o1, = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, *_ = scratch
-    mask1, *_ = masks
-    n1, n2, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, *_ = scratch
+    mask1, mask2, *_ = masks
+    n0, n1, n2, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
     near = m.less(x, n6, mask1)
     z = div(m.where(near, x, sub(x, x, o1), k1), n4, o1)
     C7 = div(
@@ -599,13 +621,16 @@ def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: R
     C2 = div(CC1, C01, k4)
     xx = m.where(near, add(n6, x, k5), x, k5)
     alpha = sqrt(xx, k6)
-    beside = sub(alpha, n4, k7)
-    lost = div(sub(sub(sub(xx, n16, k8), mul(n8, beside, k9), k8), mul(beside, beside, k7), k7), mul(n2, alpha, k8), k7)
-    thalf = tan(div(alpha, n2, k8), k8)
-    tthalf = mul(thalf, thalf, k9)
-    belowhalf = add(n1, tthalf, k10)
-    versine = div(mul(n2, tthalf, k9), belowhalf, k9)
-    sine = div(mul(n2, thalf, k8), belowhalf, k8)
+    thalf = tan(div(alpha, n2, k7), k7)
+    tthalf = mul(thalf, thalf, k8)
+    belowhalf = add(n1, tthalf, k9)
+    versine = m.where(
+        m.less(tthalf, n16, mask2), div(mul(n2, tthalf, k8), belowhalf, k8), sub(n2, div(n2, belowhalf, k10), k10), k8
+    )
+    sine = div(mul(n2, thalf, k7), belowhalf, k7)
+    beside = sub(alpha, n4, k9)
+    left = sub(sub(sub(xx, n16, k10), mul(n8, beside, k11), k10), mul(beside, beside, k9), k9)
+    lost = div(m.where(m.less(alpha, n8, mask2), left, n0, k9), mul(n2, alpha, k10), k9)
     f = m.where(near, mul(C0, C1, o1), div(add(sine, mul(lost, sub(n1, versine, k10), k10), k10), alpha, k6), o1)
     h = m.where(near, div(add(C3, mul(C1, C2, k2), k1), n4, k1), div(sub(n1, f, o1), xx, o1), k1)
     g = m.where(near, div(CC1, n2, o1), div(add(versine, mul(lost, sine, k2), k2), xx, k2), o1)
@@ -613,7 +638,7 @@ def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: R
     return o1,
 
 
-# operations 108: 36 +, 38 *, 23 /, 1 neg, 2 sqrt, 1 tan, 1 lt, 6 where
+# operations 114: 37 +, 38 *, 24 /, 1 neg, 2 sqrt, 1 tan, 3 lt, 8 where
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     near = x < 6
     z = m.where(near, x, x - x) / 4
@@ -631,9 +656,10 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     tthalf = thalf * thalf
     belowhalf = 1 + tthalf
     sine = 2 * thalf / belowhalf
-    versine = 2 * tthalf / belowhalf
+    versine = m.where(tthalf < 16, 2 * tthalf / belowhalf, 2 - 2 / belowhalf)
     beside = alpha - 4
-    lost = (xx - 16 - 8 * beside - beside * beside) / (2 * alpha)
+    left = xx - 16 - 8 * beside - beside * beside
+    lost = m.where(alpha < 8, left, 0) / (2 * alpha)
     g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
     C0 = m.sqrt(1 - z * CC1)
     C01 = 1 + C0
@@ -654,9 +680,9 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 
 def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
     o1, o2, o3, o4 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, *_ = scratch
-    mask1, *_ = masks
-    n1, n2, n3, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, *_ = scratch
+    mask1, mask2, *_ = masks
+    n0, n1, n2, n3, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
     near = m.less(x, n6, mask1)
     z = div(m.where(near, x, sub(x, x, o4), k1), n4, o4)
     C7 = div(
@@ -673,15 +699,16 @@ def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, mask
     C2 = div(CC1, C01, k7)
     xx = m.where(near, add(n6, x, k8), x, k8)
     alpha = sqrt(xx, k9)
-    beside = sub(alpha, n4, o2)
-    lost = div(
-        sub(sub(sub(xx, n16, o3), mul(n8, beside, k10), o3), mul(beside, beside, o2), o2), mul(n2, alpha, o3), o2
+    thalf = tan(div(alpha, n2, o2), o2)
+    tthalf = mul(thalf, thalf, o3)
+    belowhalf = add(n1, tthalf, k10)
+    versine = m.where(
+        m.less(tthalf, n16, mask2), div(mul(n2, tthalf, o3), belowhalf, o3), sub(n2, div(n2, belowhalf, k11), k11), o3
     )
-    thalf = tan(div(alpha, n2, o3), o3)
-    tthalf = mul(thalf, thalf, k10)
-    belowhalf = add(n1, tthalf, k11)
-    versine = div(mul(n2, tthalf, k10), belowhalf, k10)
-    sine = div(mul(n2, thalf, o3), belowhalf, o3)
+    sine = div(mul(n2, thalf, o2), belowhalf, o2)
+    beside = sub(alpha, n4, k10)
+    left = sub(sub(sub(xx, n16, k11), mul(n8, beside, k12), k11), mul(beside, beside, k10), k10)
+    lost = div(m.where(m.less(alpha, n8, mask2), left, n0, k10), mul(n2, alpha, k11), k10)
     f = m.where(near, mul(C0, C1, k5), div(add(sine, mul(lost, sub(n1, versine, k11), k11), k11), alpha, k9), k5)
     g = m.where(near, div(CC1, n2, k4), div(add(versine, mul(lost, sine, k9), k9), xx, k9), k4)
     h = m.where(near, div(add(C3, mul(C1, C2, k9), k9), n4, k9), div(sub(n1, f, o2), xx, o2), k9)
@@ -698,7 +725,7 @@ def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, mask
     return o1, o2, o3, o4
 
 
-# operations 121: 38 +, 40 *, 29 /, 1 neg, 2 sqrt, 2 tan, 1 lt, 8 where
+# operations 127: 39 +, 40 *, 30 /, 1 neg, 2 sqrt, 2 tan, 3 lt, 10 where
 def _tangent_inv(m: Any, x: Any) -> Result:
     near = x < 6
     z = m.where(near, x, x - x) / 4
@@ -723,9 +750,10 @@ def _tangent_inv(m: Any, x: Any) -> Result:
     tthalf = thalf * thalf
     belowhalf = 1 + tthalf
     sine = 2 * thalf / belowhalf
-    versine = 2 * tthalf / belowhalf
+    versine = m.where(tthalf < 16, 2 * tthalf / belowhalf, 2 - 2 / belowhalf)
     beside = alpha - 4
-    lost = (xx - 16 - 8 * beside - beside * beside) / (2 * alpha)
+    left = xx - 16 - 8 * beside - beside * beside
+    lost = m.where(alpha < 8, left, 0) / (2 * alpha)
     g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
     C01 = 1 + C0
     C2 = CC1 / C01
@@ -745,9 +773,9 @@ def _tangent_inv(m: Any, x: Any) -> Result:
 
 def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3, o4 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, *_ = scratch
-    mask1, *_ = masks
-    n1, n2, n3, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, *_ = scratch
+    mask1, mask2, *_ = masks
+    n0, n1, n2, n3, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
     near = m.less(x, n6, mask1)
     z = div(m.where(near, x, sub(x, x, o4), o3), n4, o4)
     C7 = div(
@@ -764,15 +792,18 @@ def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     C2 = div(CC1, C01, k4)
     xx = m.where(near, add(n6, x, k5), x, k5)
     alpha = sqrt(xx, k6)
-    beside = sub(alpha, n4, k7)
-    lost = div(sub(sub(sub(xx, n16, k8), mul(n8, beside, k9), k8), mul(beside, beside, k7), k7), mul(n2, alpha, k8), k7)
-    thalf = tan(div(alpha, n2, k8), k8)
-    tthalf = mul(thalf, thalf, k9)
-    belowhalf = add(n1, tthalf, k10)
-    versine = div(mul(n2, tthalf, k9), belowhalf, k9)
-    sine = div(mul(n2, thalf, k8), belowhalf, k8)
+    thalf = tan(div(alpha, n2, k7), k7)
+    tthalf = mul(thalf, thalf, k8)
+    belowhalf = add(n1, tthalf, k9)
+    versine = m.where(
+        m.less(tthalf, n16, mask2), div(mul(n2, tthalf, k8), belowhalf, k8), sub(n2, div(n2, belowhalf, k10), k10), k8
+    )
+    sine = div(mul(n2, thalf, k7), belowhalf, k7)
+    beside = sub(alpha, n4, k9)
+    left = sub(sub(sub(xx, n16, k10), mul(n8, beside, k11), k10), mul(beside, beside, k9), k9)
+    lost = div(m.where(m.less(alpha, n8, mask2), left, n0, k9), mul(n2, alpha, k10), k9)
     g = m.where(near, div(CC1, n2, k1), div(add(versine, mul(lost, sine, k10), k10), xx, k10), k1)
-    f = m.where(near, mul(C0, C1, k10), div(add(sine, mul(lost, sub(n1, versine, k9), k7), k7), alpha, k7), k8)
+    f = m.where(near, mul(C0, C1, k10), div(add(sine, mul(lost, sub(n1, versine, k8), k8), k7), alpha, k7), k8)
     h = m.where(near, div(add(C3, mul(C1, C2, k7), k7), n4, k7), div(sub(n1, f, k9), xx, k9), k7)
     gy = sub(mul(f, h, k8), mul(g, g, k9), k8)
     CC3 = mul(C3, C3, k9)
@@ -792,7 +823,7 @@ def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     return o1, o2, o3, o4
 
 
-# operations 164: 55 +, 58 *, 35 /, 2 neg, 2 sqrt, 2 tan, 1 lt, 9 where
+# operations 170: 56 +, 58 *, 36 /, 2 neg, 2 sqrt, 2 tan, 3 lt, 11 where
 def _tangent_inv_dot(m: Any, x: Any) -> Result:
     near = x < 6
     z = m.where(near, x, x - x) / 4
@@ -817,9 +848,10 @@ def _tangent_inv_dot(m: Any, x: Any) -> Result:
     tthalf = thalf * thalf
     belowhalf = 1 + tthalf
     sine = 2 * thalf / belowhalf
-    versine = 2 * tthalf / belowhalf
+    versine = m.where(tthalf < 16, 2 * tthalf / belowhalf, 2 - 2 / belowhalf)
     beside = alpha - 4
-    lost = (xx - 16 - 8 * beside - beside * beside) / (2 * alpha)
+    left = xx - 16 - 8 * beside - beside * beside
+    lost = m.where(alpha < 8, left, 0) / (2 * alpha)
     g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
     C01 = 1 + C0
     C2 = CC1 / C01
@@ -847,10 +879,10 @@ def _tangent_inv_dot(m: Any, x: Any) -> Result:
 def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3, o4, o5, o6 = out
     k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, *_ = scratch
-    mask1, *_ = masks
+    mask1, mask2, *_ = masks
     (
-        n1, n2, n3, n4, n5, n6, n7, n8, n15, n16, n32, n64, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520,
-        n3603600,
+        n0, n1, n2, n3, n4, n5, n6, n7, n8, n15, n16, n32, n64, n72, n120, n210, n342, n506, n5040, n32760, n93024,
+        n212520, n3603600,
     ) = numbers
     near = m.less(x, n6, mask1)
     z = div(m.where(near, x, sub(x, x, o6), o4), n4, o6)
@@ -872,15 +904,18 @@ def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, mas
     c6 = div(add(mul(n2, C5, k5), CC3, k4), n32, k4)
     xx = m.where(near, add(n6, x, k5), x, k5)
     alpha = sqrt(xx, k6)
-    beside = sub(alpha, n4, k7)
-    lost = div(sub(sub(sub(xx, n16, k8), mul(n8, beside, k9), k8), mul(beside, beside, k7), k7), mul(n2, alpha, k8), k7)
-    thalf = tan(div(alpha, n2, k8), k8)
-    tthalf = mul(thalf, thalf, k9)
-    belowhalf = add(n1, tthalf, k10)
-    versine = div(mul(n2, tthalf, k9), belowhalf, k9)
-    sine = div(mul(n2, thalf, k8), belowhalf, k8)
+    thalf = tan(div(alpha, n2, k7), k7)
+    tthalf = mul(thalf, thalf, k8)
+    belowhalf = add(n1, tthalf, k9)
+    versine = m.where(
+        m.less(tthalf, n16, mask2), div(mul(n2, tthalf, k8), belowhalf, k8), sub(n2, div(n2, belowhalf, k10), k10), k8
+    )
+    sine = div(mul(n2, thalf, k7), belowhalf, k7)
+    beside = sub(alpha, n4, k9)
+    left = sub(sub(sub(xx, n16, k10), mul(n8, beside, k11), k10), mul(beside, beside, k9), k9)
+    lost = div(m.where(m.less(alpha, n8, mask2), left, n0, k9), mul(n2, alpha, k10), k9)
     g = m.where(near, div(CC1, n2, o2), div(add(versine, mul(lost, sine, k10), k10), xx, k10), o2)
-    f = m.where(near, mul(C0, C1, k10), div(add(sine, mul(lost, sub(n1, versine, k9), k7), k7), alpha, k7), k8)
+    f = m.where(near, mul(C0, C1, k10), div(add(sine, mul(lost, sub(n1, versine, k8), k8), k7), alpha, k7), k8)
     h = m.where(near, div(add(C3, mul(C1, C2, k7), k7), n4, k7), div(sub(n1, f, k9), xx, k9), k7)
     c5 = div(add(add(C5, C4, k9), mul(C2, C3, k3), k3), n16, k3)
     gy = sub(mul(f, h, k9), mul(g, g, k10), k9)
@@ -906,7 +941,7 @@ def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, mas
     return o1, o2, o3, o4, o5, o6
 
 
-# operations 88: 27 +, 26 *, 23 /, 2 sqrt, 2 tan, 1 lt, 7 where
+# operations 94: 28 +, 26 *, 24 /, 2 sqrt, 2 tan, 3 lt, 9 where
 def _ray(m: Any, x: Any) -> Result:
     near = x < 6
     z = m.where(near, x, x - x) / 4
@@ -930,9 +965,10 @@ def _ray(m: Any, x: Any) -> Result:
     tthalf = thalf * thalf
     belowhalf = 1 + tthalf
     sine = 2 * thalf / belowhalf
-    versine = 2 * tthalf / belowhalf
+    versine = m.where(tthalf < 16, 2 * tthalf / belowhalf, 2 - 2 / belowhalf)
     beside = alpha - 4
-    lost = (xx - 16 - 8 * beside - beside * beside) / (2 * alpha)
+    left = xx - 16 - 8 * beside - beside * beside
+    lost = m.where(alpha < 8, left, 0) / (2 * alpha)
     f = m.where(near, C0 * C1, (sine + lost * (1 - versine)) / alpha)
     g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
     C01 = 1 + C0
@@ -943,9 +979,9 @@ def _ray(m: Any, x: Any) -> Result:
 
 def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, _, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, *_ = scratch
-    mask1, *_ = masks
-    n1, n2, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    k1, k2, k3, k4, k5, k6, k7, *_ = scratch
+    mask1, mask2, *_ = masks
+    n0, n1, n2, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
     near = m.less(x, n6, mask1)
     z = div(m.where(near, x, sub(x, x, o1), o6), n4, o1)
     C7 = div(
@@ -962,15 +998,18 @@ def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x:
     C2 = div(CC1, C01, k1)
     xx = m.where(near, add(n6, x, k2), x, k2)
     alpha = sqrt(xx, k3)
-    beside = sub(alpha, n4, k4)
-    lost = div(sub(sub(sub(xx, n16, o4), mul(n8, beside, k5), o4), mul(beside, beside, k4), k4), mul(n2, alpha, o4), k4)
-    thalf = tan(div(alpha, n2, o4), o4)
-    tthalf = mul(thalf, thalf, k5)
-    belowhalf = add(n1, tthalf, k6)
-    versine = div(mul(n2, tthalf, k5), belowhalf, k5)
-    sine = div(mul(n2, thalf, o4), belowhalf, o4)
+    thalf = tan(div(alpha, n2, k4), k4)
+    tthalf = mul(thalf, thalf, o4)
+    belowhalf = add(n1, tthalf, k5)
+    versine = m.where(
+        m.less(tthalf, n16, mask2), div(mul(n2, tthalf, o4), belowhalf, o4), sub(n2, div(n2, belowhalf, k6), k6), o4
+    )
+    sine = div(mul(n2, thalf, k4), belowhalf, k4)
+    beside = sub(alpha, n4, k5)
+    left = sub(sub(sub(xx, n16, k6), mul(n8, beside, k7), k6), mul(beside, beside, k5), k5)
+    lost = div(m.where(m.less(alpha, n8, mask2), left, n0, k5), mul(n2, alpha, k6), k5)
     m.where(near, div(CC1, n2, o5), div(add(versine, mul(lost, sine, k6), k6), xx, k6), o5)
-    f = m.where(near, mul(C0, C1, k6), div(add(sine, mul(lost, sub(n1, versine, k5), k4), k4), alpha, k4), o4)
+    f = m.where(near, mul(C0, C1, k6), div(add(sine, mul(lost, sub(n1, versine, o4), o4), k4), alpha, k4), o4)
     m.where(near, div(add(C3, mul(C1, C2, k1), o6), n4, o6), div(sub(n1, f, k1), xx, k1), o6)
     t = tan(div(alpha, n4, k1), k1)
     tt = mul(t, t, k2)
@@ -1329,17 +1368,17 @@ CHART = Chart(
         "0.0",
     ),
     functions={
-        "quaternion": Function(_quaternion, _quaternion_blocks, 6, 1, (1, 2, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
-        "pose": Function(_pose, _pose_blocks, 8, 1, (1, 2, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
-        "tangent": Function(_tangent, _tangent_blocks, 6, 1, (1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
-        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 7, 1, (1, 2, 3, 4, 5, 6, 7, 8, 15, 16, 32, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
+        "quaternion": Function(_quaternion, _quaternion_blocks, 7, 2, (0, 1, 2, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
+        "pose": Function(_pose, _pose_blocks, 8, 2, (0, 1, 2, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
+        "tangent": Function(_tangent, _tangent_blocks, 7, 2, (0, 1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
+        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 8, 2, (0, 1, 2, 3, 4, 5, 6, 7, 8, 15, 16, 32, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
         "rate": Function(_rate, _rate_blocks, 0, 0, (0, 1)),
-        "inverse": Function(_inverse, _inverse_blocks, 10, 1, (1, 2, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
-        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 10, 1, (1, 2, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
-        "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 11, 1, (1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
-        "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 10, 1, (1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
-        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 11, 1, (1, 2, 3, 4, 5, 6, 7, 8, 15, 16, 32, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
-        "ray": Function(_ray, _ray_blocks, 6, 1, (1, 2, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
+        "inverse": Function(_inverse, _inverse_blocks, 11, 2, (0, 1, 2, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
+        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 11, 2, (0, 1, 2, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
+        "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 12, 2, (0, 1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
+        "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 11, 2, (0, 1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
+        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 11, 2, (0, 1, 2, 3, 4, 5, 6, 7, 8, 15, 16, 32, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
+        "ray": Function(_ray, _ray_blocks, 7, 2, (0, 1, 2, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
         "gain_unit": Function(_gain_unit, _gain_unit_blocks, 4, 2, (-1, 0, 1, 2)),
         "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 1, (0, 2)),
         "gain_product": Function(_gain_product, _gain_product_blocks, 4, 2, (-1, 0, 1, 2)),
@@ -1353,7 +1392,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 0, 0, (1,)),
     },
     kernels=SHARED,
-    programs="8ede0229265d491a",
+    programs="d0de8e2eee53d896",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -66,13 +66,14 @@
 #   between: 224: 74 +, 127 *, 9 /, 7 neg, 4 sqrt, 1 lt, 2 where
 #   compose_jacobians: 1003: 388 +, 537 *, 59 /, 9 neg, 7 sqrt, 1 lt, 2 where
 #   between_jacobians: 1027: 388 +, 537 *, 59 /, 33 neg, 7 sqrt, 1 lt, 2 where
-#   retract: 358: 113 +, 162 *, 41 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 5 lt, 2 eq, 18 where
-#   body_retract: 358: 113 +, 162 *, 41 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 5 lt, 2 eq, 18 where
-#   retract_jacobians: 1141: 432 +, 568 *, 90 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 5 lt, 2 eq, 19 where
-#   body_retract_jacobians: 1141: 432 +, 568 *, 90 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 5 lt, 2 eq, 19 where
-#   local: 317: 102 +, 155 *, 30 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
-#   body_local: 317: 102 +, 155 *, 30 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
-#   interpolate: 728: 229 +, 335 *, 71 /, 8 neg, 8 abs, 11 sqrt, 6 tan, 4 atan2, 9 lt, 5 eq, 2 or, 40 where
+#   retract: 364: 114 +, 162 *, 42 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 20 where
+#   body_retract: 364: 114 +, 162 *, 42 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 20 where
+#   retract_jacobians: 1147: 433 +, 568 *, 91 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 21 where
+#   body_retract_jacobians: 1147: 433 +, 568 *, 91 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 21 where
+#   local: 323: 103 +, 155 *, 31 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
+#   body_local: 323: 103 +, 155 *, 31 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
+#   interpolate: 753: 231 +, 339 *, 76 /, 8 neg, 8 abs, 12 sqrt, 6 tan, 4 atan2, 15 lt, 5 eq, 1 and, 3 or, 45
+#       where
 #   adjoint: 94: 36 +, 56 *, 1 /, 1 sqrt
 #   transform_point_jacobians: 214: 93 +, 113 *, 4 /, 3 neg, 1 sqrt
 #   transform_line_jacobians: 313: 126 +, 176 *, 4 /, 6 neg, 1 sqrt
@@ -832,7 +833,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 2, 1, (-1, 0, 1, 2, 4, 8)),
     },
     kernels=SHARED,
-    programs="8af9f917829f7c4f",
+    programs="bbc8643ef3515d39",
 )
 
 KERNELS = PoseKernels(CHART)

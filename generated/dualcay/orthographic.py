@@ -62,13 +62,14 @@
 #   between: 199: 72 +, 111 *, 6 /, 6 neg, 2 sqrt, 1 lt, 1 where
 #   compose_jacobians: 936: 377 +, 497 *, 48 /, 7 neg, 5 sqrt, 1 lt, 1 where
 #   between_jacobians: 960: 377 +, 497 *, 48 /, 31 neg, 5 sqrt, 1 lt, 1 where
-#   retract: 345: 112 +, 151 *, 40 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 5 lt, 2 eq, 18 where
-#   body_retract: 345: 112 +, 151 *, 40 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 5 lt, 2 eq, 18 where
-#   retract_jacobians: 1110: 426 +, 548 *, 85 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 5 lt, 2 eq, 19 where
-#   body_retract_jacobians: 1110: 426 +, 548 *, 85 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 5 lt, 2 eq, 19 where
-#   local: 305: 102 +, 143 *, 30 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
-#   body_local: 305: 102 +, 143 *, 30 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
-#   interpolate: 709: 228 +, 318 *, 70 /, 8 neg, 8 abs, 11 sqrt, 6 tan, 4 atan2, 9 lt, 5 eq, 2 or, 40 where
+#   retract: 351: 113 +, 151 *, 41 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 20 where
+#   body_retract: 351: 113 +, 151 *, 41 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 20 where
+#   retract_jacobians: 1116: 427 +, 548 *, 86 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 21 where
+#   body_retract_jacobians: 1116: 427 +, 548 *, 86 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 21 where
+#   local: 311: 103 +, 143 *, 31 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
+#   body_local: 311: 103 +, 143 *, 31 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
+#   interpolate: 734: 230 +, 322 *, 75 /, 8 neg, 8 abs, 12 sqrt, 6 tan, 4 atan2, 15 lt, 5 eq, 1 and, 3 or, 45
+#       where
 #   adjoint: 86: 34 +, 50 *, 1 /, 1 sqrt
 #   transform_point_jacobians: 202: 90 +, 106 *, 2 /, 3 neg, 1 sqrt
 #   transform_line_jacobians: 301: 123 +, 169 *, 2 /, 6 neg, 1 sqrt
@@ -1145,7 +1146,7 @@ CHART = Chart(
         real=True,
     ),
     },
-    programs="e5122512f92013c2",
+    programs="297719e483973491",
 )
 
 KERNELS = PoseKernels(CHART)

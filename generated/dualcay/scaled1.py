@@ -62,13 +62,14 @@
 #   between: 207: 74 +, 110 *, 17 /, 6 neg
 #   compose_jacobians: 949: 376 +, 495 *, 70 /, 8 neg
 #   between_jacobians: 973: 376 +, 495 *, 70 /, 32 neg
-#   retract: 348: 110 +, 151 *, 43 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 21 where
-#   body_retract: 348: 110 +, 151 *, 43 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 21 where
-#   retract_jacobians: 1102: 418 +, 541 *, 91 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22 where
-#   body_retract_jacobians: 1102: 418 +, 541 *, 91 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22 where
-#   local: 313: 102 +, 143 *, 40 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
-#   body_local: 313: 102 +, 143 *, 40 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
-#   interpolate: 700: 225 +, 315 *, 76 /, 8 neg, 7 abs, 8 sqrt, 5 tan, 4 atan2, 7 lt, 5 eq, 2 or, 38 where
+#   retract: 354: 111 +, 151 *, 44 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   body_retract: 354: 111 +, 151 *, 44 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   retract_jacobians: 1108: 419 +, 541 *, 92 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
+#   body_retract_jacobians: 1108: 419 +, 541 *, 92 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
+#   local: 319: 103 +, 143 *, 41 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
+#   body_local: 319: 103 +, 143 *, 41 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
+#   interpolate: 725: 227 +, 319 *, 81 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 13 lt, 5 eq, 1 and, 3 or, 43
+#       where
 #   adjoint: 89: 34 +, 50 *, 5 /
 #   transform_point_jacobians: 149: 58 +, 73 *, 8 /, 10 neg
 #   transform_line_jacobians: 304: 121 +, 168 *, 8 /, 7 neg
@@ -1902,7 +1903,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="e3540579e0697a31",
+    programs="736935e6a78d95f2",
 )
 
 KERNELS = PoseKernels(CHART)

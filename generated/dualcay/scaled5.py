@@ -66,14 +66,15 @@
 #   between: 275: 88 +, 146 *, 24 /, 7 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   compose_jacobians: 1114: 423 +, 586 *, 87 /, 8 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   between_jacobians: 1138: 423 +, 586 *, 87 /, 32 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   retract: 373: 116 +, 166 *, 47 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 21 where
-#   body_retract: 373: 116 +, 166 *, 47 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 21 where
-#   retract_jacobians: 1184: 443 +, 589 *, 100 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22 where
-#   body_retract_jacobians: 1184: 443 +, 589 *, 100 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22
+#   retract: 379: 117 +, 166 *, 48 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   body_retract: 379: 117 +, 166 *, 48 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   retract_jacobians: 1190: 444 +, 589 *, 101 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
+#   body_retract_jacobians: 1190: 444 +, 589 *, 101 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24
 #       where
-#   local: 347: 110 +, 167 *, 42 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
-#   body_local: 347: 110 +, 167 *, 42 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
-#   interpolate: 742: 235 +, 342 *, 81 /, 8 neg, 7 abs, 8 sqrt, 5 tan, 4 atan2, 7 lt, 5 eq, 2 or, 38 where
+#   local: 353: 111 +, 167 *, 43 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
+#   body_local: 353: 111 +, 167 *, 43 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
+#   interpolate: 767: 237 +, 346 *, 86 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 13 lt, 5 eq, 1 and, 3 or, 43
+#       where
 #   adjoint: 108: 40 +, 62 *, 6 /
 #   transform_point_jacobians: 238: 100 +, 125 *, 10 /, 3 neg
 #   transform_line_jacobians: 337: 133 +, 188 *, 10 /, 6 neg
@@ -993,7 +994,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 2, 2, (-1, 0, 1, 2, 10, 16)),
     },
     kernels=SHARED,
-    programs="5690cc342d8b88c7",
+    programs="684b11da7aa50f5f",
 )
 
 KERNELS = PoseKernels(CHART)

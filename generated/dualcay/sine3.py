@@ -66,13 +66,14 @@
 #   between: 243: 81 +, 133 *, 9 /, 7 neg, 4 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   compose_jacobians: 1040: 404 +, 551 *, 60 /, 9 neg, 7 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   between_jacobians: 1064: 404 +, 551 *, 60 /, 33 neg, 7 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   retract: 363: 116 +, 164 *, 41 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 5 lt, 2 eq, 18 where
-#   body_retract: 363: 116 +, 164 *, 41 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 5 lt, 2 eq, 18 where
-#   retract_jacobians: 1154: 438 +, 575 *, 90 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 5 lt, 2 eq, 19 where
-#   body_retract_jacobians: 1154: 438 +, 575 *, 90 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 5 lt, 2 eq, 19 where
-#   local: 323: 106 +, 157 *, 30 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
-#   body_local: 323: 106 +, 157 *, 30 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
-#   interpolate: 736: 234 +, 338 *, 71 /, 8 neg, 8 abs, 11 sqrt, 6 tan, 4 atan2, 9 lt, 5 eq, 2 or, 40 where
+#   retract: 369: 117 +, 164 *, 42 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 20 where
+#   body_retract: 369: 117 +, 164 *, 42 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 20 where
+#   retract_jacobians: 1160: 439 +, 575 *, 91 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 21 where
+#   body_retract_jacobians: 1160: 439 +, 575 *, 91 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 21 where
+#   local: 329: 107 +, 157 *, 31 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
+#   body_local: 329: 107 +, 157 *, 31 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
+#   interpolate: 761: 236 +, 342 *, 76 /, 8 neg, 8 abs, 12 sqrt, 6 tan, 4 atan2, 15 lt, 5 eq, 1 and, 3 or, 45
+#       where
 #   adjoint: 97: 38 +, 57 *, 1 /, 1 sqrt
 #   transform_point_jacobians: 220: 96 +, 116 *, 4 /, 3 neg, 1 sqrt
 #   transform_line_jacobians: 319: 129 +, 179 *, 4 /, 6 neg, 1 sqrt
@@ -898,7 +899,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 2, 1, (-1, 0, 1, 2, 6, 12)),
     },
     kernels=SHARED,
-    programs="60bdd2e21b08ed5c",
+    programs="a7c5a42bb2aa9908",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -66,13 +66,14 @@
 #   between: 247: 85 +, 137 *, 10 /, 7 neg, 5 sqrt, 1 lt, 2 where
 #   compose_jacobians: 1059: 417 +, 563 *, 60 /, 8 neg, 8 sqrt, 1 lt, 2 where
 #   between_jacobians: 1083: 417 +, 563 *, 60 /, 32 neg, 8 sqrt, 1 lt, 2 where
-#   retract: 371: 120 +, 168 *, 41 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 5 lt, 2 eq, 18 where
-#   body_retract: 371: 120 +, 168 *, 41 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 5 lt, 2 eq, 18 where
-#   retract_jacobians: 1172: 448 +, 583 *, 90 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 5 lt, 2 eq, 19 where
-#   body_retract_jacobians: 1172: 448 +, 583 *, 90 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 5 lt, 2 eq, 19 where
-#   local: 331: 110 +, 161 *, 30 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
-#   body_local: 331: 110 +, 161 *, 30 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
-#   interpolate: 748: 240 +, 344 *, 71 /, 8 neg, 8 abs, 11 sqrt, 6 tan, 4 atan2, 9 lt, 5 eq, 2 or, 40 where
+#   retract: 377: 121 +, 168 *, 42 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 20 where
+#   body_retract: 377: 121 +, 168 *, 42 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 20 where
+#   retract_jacobians: 1178: 449 +, 583 *, 91 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 21 where
+#   body_retract_jacobians: 1178: 449 +, 583 *, 91 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 21 where
+#   local: 337: 111 +, 161 *, 31 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
+#   body_local: 337: 111 +, 161 *, 31 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
+#   interpolate: 773: 242 +, 348 *, 76 /, 8 neg, 8 abs, 12 sqrt, 6 tan, 4 atan2, 15 lt, 5 eq, 1 and, 3 or, 45
+#       where
 #   adjoint: 101: 40 +, 59 *, 1 /, 1 sqrt
 #   transform_point_jacobians: 226: 99 +, 119 *, 4 /, 3 neg, 1 sqrt
 #   transform_line_jacobians: 325: 132 +, 182 *, 4 /, 6 neg, 1 sqrt
@@ -892,7 +893,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 2, 1, (-1, 0, 1, 2, 8, 16)),
     },
     kernels=SHARED,
-    programs="84332cad34b0ebc8",
+    programs="05605cefb3b32539",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -66,14 +66,15 @@
 #   between: 233: 80 +, 122 *, 21 /, 7 neg, 1 lt, 2 where
 #   compose_jacobians: 999: 389 +, 517 *, 80 /, 10 neg, 1 lt, 2 where
 #   between_jacobians: 1023: 389 +, 517 *, 80 /, 34 neg, 1 lt, 2 where
-#   retract: 357: 112 +, 156 *, 44 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 21 where
-#   body_retract: 357: 112 +, 156 *, 44 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 21 where
-#   retract_jacobians: 1126: 424 +, 552 *, 96 /, 10 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22 where
-#   body_retract_jacobians: 1126: 424 +, 552 *, 96 /, 10 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 5 lt, 2 eq, 22
+#   retract: 363: 113 +, 156 *, 45 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   body_retract: 363: 113 +, 156 *, 45 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   retract_jacobians: 1132: 425 +, 552 *, 97 /, 10 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
+#   body_retract_jacobians: 1132: 425 +, 552 *, 97 /, 10 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24
 #       where
-#   local: 329: 106 +, 153 *, 42 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
-#   body_local: 329: 106 +, 153 *, 42 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 2 lt, 1 eq, 12 where
-#   interpolate: 716: 229 +, 325 *, 78 /, 8 neg, 7 abs, 8 sqrt, 5 tan, 4 atan2, 7 lt, 5 eq, 2 or, 38 where
+#   local: 335: 107 +, 153 *, 43 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
+#   body_local: 335: 107 +, 153 *, 43 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
+#   interpolate: 741: 231 +, 329 *, 83 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 13 lt, 5 eq, 1 and, 3 or, 43
+#       where
 #   adjoint: 96: 35 +, 55 *, 6 /
 #   transform_point_jacobians: 215: 91 +, 110 *, 10 /, 4 neg
 #   transform_line_jacobians: 314: 124 +, 173 *, 10 /, 7 neg
@@ -903,7 +904,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="e0e447d45fe9073e",
+    programs="c0de5aaa8a77b306",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -146,6 +146,30 @@ def test_the_exponential_goes_round_many_times(turns: float):
     np.testing.assert_allclose(exponential.pose(v)[:3, :3], expected, rtol=0, atol=8 * np.finfo(float).eps * 7 * turns)
 
 
+@pytest.mark.parametrize("dtype", [np.float32, np.float64, np.longdouble])
+def test_however_large_the_angle_a_rotation_is_one(dtype: type):
+    """R Rᵀ = I to 16 eps of the type, where α itself is off by many turns."""
+    from dualcay import exponential
+
+    sizes = 10.0 ** np.arange(0, 0.9 * np.log10(np.finfo(dtype).max) / 2)
+    v = np.zeros((len(sizes), 6), dtype)
+    v[:, :3] = sizes.astype(dtype)[:, None] * np.array([2, -3, 6], dtype) / 7
+    R = exponential.tensor(v)[:, 0]
+    off = abs(R @ R.swapaxes(1, 2) - np.eye(3, dtype=dtype)).max(axis=(1, 2))
+    assert (off <= 16 * np.finfo(dtype).eps).all()
+
+
+@pytest.mark.parametrize("left", [0.0, 1e-12, 1e-8, -1e-4, 1e-2, 2.0])
+def test_slopes_next_to_half_a_turn(left: float):
+    """Complex steps of the rotation, where tan(α/2) has a pole: dR = ω × R, to 64 eps of ω."""
+    from dualcay import exponential
+
+    v, v_dot = (math.pi - left) * np.array([2, -3, 6, 0, 0, 0]) / 7, np.array([1.0, 2, 3, 0, 0, 0])
+    R, dR = exponential.tensor(v)[0], exponential.tensor(v + 1e-40j * v_dot)[0].imag / 1e-40
+    omega = exponential.twist(v, v_dot)[:3]
+    np.testing.assert_allclose(dR, np.cross(omega, R.T).T, rtol=0, atol=64 * np.finfo(float).eps * abs(omega).max())
+
+
 def test_both_sides_of_the_hand_over_agree():
     """Within what is cut off and 8 eps: the scalars change by no more from one float to the next one."""
     from dualcay import exponential

@@ -170,6 +170,16 @@ def test_about_the_own_axis_a_motion_goes_on_through_whole_turns(angle: float):
     np.testing.assert_allclose(way, expected, rtol=1e-12, atol=1e-12)
 
 
+@pytest.mark.parametrize(("dtype", "size"), [(np.float32, 1e-22), (np.float64, 1e-161)])
+def test_a_start_whose_square_is_subnormal_has_an_axis_nevertheless(dtype: type, size: float):
+    """To 16 eps: as from a start a little larger."""
+    from dualcay import cayley2
+
+    u, end = np.array([1, 2, 2, 0, 0, 0], dtype) / 3, dtype(0.4)
+    tiny, small = (cayley2.interpolate(dtype(s) * u, end * u, dtype(5)) for s in (size, 1e10 * size))
+    np.testing.assert_allclose(tiny, small, rtol=16 * np.finfo(dtype).eps)
+
+
 def test_the_branch_is_followed_over_half_turns_and_on_others(name: str, kernels: ModuleType, oracle: Oracle):
     """In fine steps α u goes on by little; at the end v2 is reached, or a shadow of another angle or side."""
     edge = families_edge(name)

@@ -130,6 +130,31 @@ def test_shadows_and_screws(array_api, order, jacobians):
         assert np.isfinite(jacobians(lambda v, part=part: module.to_screw(v)[part], at)).all()
 
 
+@JACOBIANS
+def test_steps_of_half_a_turn_and_more(array_api, jacobians):
+    """Where tan(|δ|/2) is as large as numbers allow, and where it is 0: by δ the closed form T(v')⁻¹ dexp(δ)."""
+    module, v = array_api(3), np.repeat(samples(3, "uniform"), 3, axis=0)
+    third = np.pi / 3
+    delta = np.array([[0, 0, np.pi, 0.1, 0.2, 0.3], [-third, 2 * third, 2 * third, 1, 2, 3], [0, 5, 0, 1, 0, 0]])
+    closed = load(3).retract_jacobians(v, delta)[1]
+    for got, expected in zip(jacobians(lambda d, at: module.retract(at, d), delta, v), closed, strict=True):
+        assert_equal_derivatives(got, expected, 2000)
+
+
+@JACOBIANS
+def test_motions_past_a_whole_turn(array_api, jacobians):
+    """About the own axis, from which the start moves away: n = 1 has one branch, so nothing is singular there.
+
+    To 1e-8, beside central differences over 1e-6 of what has derivatives of some ten.
+    """
+    module, kernel = array_api(1), load(1)
+    at, end = np.array([0, 0, 0.1, 0.3, 0.2, 0.1]), np.array([0, 0, 2, 0, 0, 0.0])
+    (found,) = jacobians(lambda v: module.interpolate(v, end, 4.0), at[None])
+    step = 1e-6 * np.eye(6)
+    expected = (kernel.interpolate(at + step, end, 4.0) - kernel.interpolate(at - step, end, 4.0)).T / 2e-6
+    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-8 * abs(expected).max())
+
+
 def test_vmap_and_jit_agree_with_batches(array_api):
     LIBRARIES["jax"]()
     import jax

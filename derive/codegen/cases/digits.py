@@ -163,7 +163,7 @@ def _coordinates(chart: Vectors, screw: Screw) -> Iterator[Expectation]:
 def _between(chart: Vectors, screw: Screw, other: Screw) -> Iterator[Expectation]:
     """Some of the way; about the same axis too, and there through whole turns."""
     further = Screw(screw.angle / 3, screw.axis)
-    for end, t in ((other, "0.3"), (screw, "0.7"), (further, "0.8"), (further, "-3.5")):
+    for end, t in ((other, "0.3"), (screw, "0.7"), (further, "0.8"), (further, "-4.3")):
         given = flat(chart.at(screw)), flat(chart.at(end)), (mpmath.mpf(t),)
         yield _by(chart, "interpolate", *given)
 
@@ -226,13 +226,13 @@ def _half_turn(chart: Vectors, screw: Screw, branch: int) -> Iterator[Expectatio
 
 def _far_steps(chart: Vectors, screw: Screw, still: Screw) -> Iterator[Expectation]:
     """Steps beyond the series of the exponential and where their last terms weigh most, and from a translation."""
-    small, middle, large = (tuple(mpmath.mpf(size * c) for c in (1, -2, 2, 1, 0, 3)) for size in (0.25, 0.8125, 2))
+    small, *large = (tuple(mpmath.mpf(size * c) for c in (1, -2, 2, 1, 0, 3)) for size in (0.25, 0.8125, 2, 3))
     resting = flat(chart.at(still))
     for name in ("retract", "body_retract"):
-        for given in ((flat(chart.at(screw)), middle), (flat(chart.at(screw)), large), (resting, small)):
+        for given in (*((flat(chart.at(screw)), delta) for delta in large), (resting, small)):
             yield _by(chart, name, *given)
     for name in ("retract_jacobians", "body_retract_jacobians"):
-        for delta in (middle, large):
+        for delta in large:
             given = flat(chart.at(screw)), delta
             yield _by(chart, name, *given)
     elsewhere = tuple(reversed(resting))

@@ -16,8 +16,8 @@ from .inverse import ray
 from .point import Geometry, Point, Scope
 from .retraction import exponential_scalars, logarithm, with_dual
 
-WHOLE_TURN = 6
-"""A motion that does not go so far comes to no whole turn: its axis may be any."""
+HALF_TURN = 3
+"""A motion that begins before, and ends before a whole turn, comes to none: its axis may be any."""
 
 OWN_AXIS = 64
 """δ × v, lost beside |v| when divided by this, is below 32 eps of it: two rays and a product are off by some ten."""
@@ -49,16 +49,19 @@ class _Followed:
 
     def __init__(self, trace: Geometry, start: Point, first: Quaternion, delta: Vector, gone: Vector) -> None:
         self.trace = trace
-        self.gone = gone
         self.scope = Scope(trace, "")  # whose names avoid those of a chart
         name, where = self.scope.name, trace.where
         resting = name("resting", trace.equal(start.x, 0))
         r = name("r", trace.sqrt(where(resting, 1 + start.x, start.x)))
         (own,) = trace.ask("unfolded", (start.x, r))
         self.own = name("own", where(resting, start.x, own))
-        self.axis = named(trace, "axis", start.re / r)
-        furthest = sum(map(trace.abs, gone), start=self.own)
-        inside = trace.either(resting, trace.less(furthest, WHOLE_TURN))
+        along = named(trace, "along", start.re / r)
+        # once more: where the square of v is subnormal, its root has few digits
+        unit = name("unit", trace.sqrt(where(resting, r, along.dot(along))))
+        self.axis = named(trace, "axis", along / unit)
+        self.gone = name("gone", gone.dot(self.axis))
+        end = name("end", trace.abs(self.own + self.gone))
+        inside = trace.both(trace.less(self.own, HALF_TURN), trace.either(resting, trace.less(25 * end, 157)))
         across = sum(map(trace.abs, delta.cross(start.re)), start=0)
         self.apart = name("apart", trace.either(inside, trace.less(r, r + across / OWN_AXIS)))
         self.side = name("side", where(trace.less(first.vector.dot(start.re), 0), -1, 1))
@@ -80,7 +83,7 @@ class _Followed:
         """Where the quaternion is z."""
         trace, name, where = self.trace, self.scope.name, self.trace.where
         sine, half = self._half(z, "t")
-        turns = name("turns", self.own + where(self.apart, -2 * self.begun, self.gone.dot(self.axis) - 2 * half))
+        turns = name("turns", self.own + where(self.apart, -2 * self.begun, self.gone - 2 * half))
         whole = where(trace.less(trace.abs(turns), 1), 0, turns)  # a multiple of 2π, but for rounding
         still = name("still", trace.equal(sine, 0))
         angle = name("angle", where(still, sine, whole + 2 * half))
@@ -89,8 +92,10 @@ class _Followed:
         least = 2 * slope / name("z0s", where(still, z.scalar, 1))
         turned = size / name("nosine", where(still, 1 + sine, sine))
         factor = name("factor", where(still, least, turned))
+        # next to whole turns v1's own axis; elsewhere that of z is as good, and its slope is the motion's
+        clear = name("clear", trace.either(self.apart, trace.less(trace.abs(z.scalar), trace.abs(sine))))
         pairs = zip(factor * z.vector, size * self.axis, strict=True)
-        re = named(trace, "v_", Vector(*(where(self.apart, one, other) for one, other in pairs)))
+        re = named(trace, "v_", Vector(*(where(clear, one, other) for one, other in pairs)))
         fi = name("fe", factor * z.scalar)
         (hi,) = trace.ask("inverse_at", (Point(trace, (*re, 0, 0, 0), "w").x, fi, angle), "w")
         return with_dual(trace, fi, rho, re, hi)

@@ -2454,7 +2454,7 @@ def body_retract_blocks(
     mul(z3, factor, o3)
 
 
-# operations 422: 147 +, 194 *, 46 /, 4 neg, 1 abs, 4 sqrt, 3 tan, 2 atan2, 3 lt, 2 eq, 16 where
+# operations 428: 148 +, 194 *, 47 /, 4 neg, 1 abs, 4 sqrt, 3 tan, 2 atan2, 5 lt, 2 eq, 18 where
 def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v1, v2, v3 = v
     d1, d2, d3 = delta
@@ -2488,9 +2488,10 @@ def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Resul
     tthalfd = thalfd * thalfd
     belowhalfd = 1 + tthalfd
     sined = 2 * thalfd / belowhalfd
-    versined = 2 * tthalfd / belowhalfd
+    versined = m.where(tthalfd < 16, 2 * tthalfd / belowhalfd, 2 - 2 / belowhalfd)
     besided = alphad - 4
-    lostd = (xxd - 16 - 8 * besided - besided * besided) / (2 * alphad)
+    leftd = xxd - 16 - 8 * besided - besided * besided
+    lostd = m.where(alphad < 8, leftd, 0) / (2 * alphad)
     fd = m.where(neard, C0d * C1d, (sined + lostd * (1 - versined)) / alphad)
     gd = m.where(neard, CC1d / 2, (versined + lostd * sined) / xxd)
     C01d = 1 + C0d
@@ -2741,16 +2742,17 @@ def retract_jacobians_blocks(
     I23 = sub(d23n, sn1, k12)
     C01d = add(n1, C0d, k21)
     C2d = div(CC1d, C01d, k21)
-    besided = sub(alphad, n4, k23)
-    lostd = div(
-        sub(sub(sub(xxd, n16, k24), mul(n8, besided, k25), k24), mul(besided, besided, k23), k23), mul(n2, alphad, k24),
-        k23
+    thalfd = tan(div(alphad, n2, k23), k23)
+    tthalfd = mul(thalfd, thalfd, k24)
+    belowhalfd = add(n1, tthalfd, k25)
+    versined = m.where(
+        m.less(tthalfd, n16, mask2), div(mul(n2, tthalfd, k24), belowhalfd, k24), sub(n2, div(n2, belowhalfd, k26),
+        k26), k24
     )
-    thalfd = tan(div(alphad, n2, k24), k24)
-    tthalfd = mul(thalfd, thalfd, k25)
-    belowhalfd = add(n1, tthalfd, k26)
-    versined = div(mul(n2, tthalfd, k25), belowhalfd, k25)
-    sined = div(mul(n2, thalfd, k24), belowhalfd, k24)
+    sined = div(mul(n2, thalfd, k23), belowhalfd, k23)
+    besided = sub(alphad, n4, k25)
+    leftd = sub(sub(sub(xxd, n16, k26), mul(n8, besided, k27), k26), mul(besided, besided, k25), k25)
+    lostd = div(m.where(m.less(alphad, n8, mask2), leftd, n0, k25), mul(n2, alphad, k26), k25)
     fd = m.where(
         neard, mul(C0d, C1d, k5), div(add(sined, mul(lostd, sub(n1, versined, k26), k26), k26), alphad, k9), k5
     )
@@ -2838,7 +2840,7 @@ def retract_jacobians_blocks(
     div(add(add(mul(I11, RT11, k2), mul(I12, RT21, k1), k1), mul(I13, RT31, k2), k1), n2, o1)
 
 
-# operations 424: 147 +, 196 *, 46 /, 4 neg, 1 abs, 4 sqrt, 3 tan, 2 atan2, 3 lt, 2 eq, 16 where
+# operations 430: 148 +, 196 *, 47 /, 4 neg, 1 abs, 4 sqrt, 3 tan, 2 atan2, 5 lt, 2 eq, 18 where
 def body_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v1, v2, v3 = v
     d1, d2, d3 = delta
@@ -2871,9 +2873,10 @@ def body_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> 
     tthalfd = thalfd * thalfd
     belowhalfd = 1 + tthalfd
     sined = 2 * thalfd / belowhalfd
-    versined = 2 * tthalfd / belowhalfd
+    versined = m.where(tthalfd < 16, 2 * tthalfd / belowhalfd, 2 - 2 / belowhalfd)
     besided = alphad - 4
-    lostd = (xxd - 16 - 8 * besided - besided * besided) / (2 * alphad)
+    leftd = xxd - 16 - 8 * besided - besided * besided
+    lostd = m.where(alphad < 8, leftd, 0) / (2 * alphad)
     fd = m.where(neard, C0d * C1d, (sined + lostd * (1 - versined)) / alphad)
     gd = m.where(neard, CC1d / 2, (versined + lostd * sined) / xxd)
     C01d = 1 + C0d
@@ -3159,16 +3162,17 @@ def body_retract_jacobians_blocks(
     div(add(add(mul(I31, F13, k17), mul(I32, F23, k20), k17), mul(I33, F33, k20), k17), n2, o9)
     C01d = add(n1, C0d, k17)
     C2d = div(CC1d, C01d, k17)
-    besided = sub(alphad, n4, k20)
-    lostd = div(
-        sub(sub(sub(xxd, n16, k21), mul(n8, besided, k22), k21), mul(besided, besided, k20), k20), mul(n2, alphad, k21),
-        k20
+    thalfd = tan(div(alphad, n2, k20), k20)
+    tthalfd = mul(thalfd, thalfd, k21)
+    belowhalfd = add(n1, tthalfd, k22)
+    versined = m.where(
+        m.less(tthalfd, n16, mask2), div(mul(n2, tthalfd, k21), belowhalfd, k21), sub(n2, div(n2, belowhalfd, k23),
+        k23), k21
     )
-    thalfd = tan(div(alphad, n2, k21), k21)
-    tthalfd = mul(thalfd, thalfd, k22)
-    belowhalfd = add(n1, tthalfd, k23)
-    versined = div(mul(n2, tthalfd, k22), belowhalfd, k22)
-    sined = div(mul(n2, thalfd, k21), belowhalfd, k21)
+    sined = div(mul(n2, thalfd, k20), belowhalfd, k20)
+    besided = sub(alphad, n4, k22)
+    leftd = sub(sub(sub(xxd, n16, k23), mul(n8, besided, k26), k23), mul(besided, besided, k22), k22)
+    lostd = div(m.where(m.less(alphad, n8, mask2), leftd, n0, k22), mul(n2, alphad, k23), k22)
     fd = m.where(
         neard, mul(C0d, C1d, k2), div(add(sined, mul(lostd, sub(n1, versined, k23), k23), k23), alphad, k6), k2
     )
@@ -3408,7 +3412,7 @@ def body_local_blocks(
     mul(z3, gaine, o3)
 
 
-# operations 276: 76 +, 118 *, 20 /, 4 neg, 7 abs, 6 sqrt, 1 tan, 3 atan2, 6 lt, 5 eq, 2 or, 28 where
+# operations 289: 76 +, 122 *, 23 /, 4 neg, 7 abs, 7 sqrt, 1 tan, 3 atan2, 8 lt, 5 eq, 1 and, 3 or, 29 where
 def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) -> Result:
     a1, a2, a3 = a
     b1, b2, b3 = b
@@ -3482,12 +3486,18 @@ def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) 
     r = m.sqrt(m.where(resting, 1 + xa, xa))
     own, = c.unfolded(m, xa, r)
     own_ = m.where(resting, xa, own)
-    axis1 = a1 / r
-    axis2 = a2 / r
-    axis3 = a3 / r
+    along1 = a1 / r
+    along2 = a2 / r
+    along3 = a3 / r
+    unit = m.sqrt(m.where(resting, r, along1 * along1 + along2 * along2 + along3 * along3))
+    axis1 = along1 / unit
+    axis2 = along2 / unit
+    axis3 = along3 / unit
+    gone = td1 * axis1 + td2 * axis2 + td3 * axis3
+    end = m.abs(own_ + gone)
     apart = (
-        resting | (own_ + m.abs(td1) + m.abs(td2) + m.abs(td3) < 6) | (r < r + (m.abs(d2 * a3 - d3 * a2) + m.abs(d3 * a1
-        - d1 * a3) + m.abs(d1 * a2 - d2 * a1)) / 64)
+        (own_ < 3) & (resting | (25 * end < 157)) | (r < r + (m.abs(d2 * a3 - d3 * a2) + m.abs(d3 * a1 - d1 * a3)
+        + m.abs(d1 * a2 - d2 * a1)) / 64)
     )
     side = m.where(bva1 * a1 + bva2 * a2 + bva3 * a3 < 0, -1, 1)
     ss1 = bva1 * bva1 + bva2 * bva2 + bva3 * bva3
@@ -3502,16 +3512,17 @@ def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) 
     sinet_ = m.where(apart, m.where(stillt, sst, side * roott), z1 * axis1 + z2 * axis2 + z3 * axis3)
     halft = m.atan2(sign1 * sinet_, sign1 * z0)
     halft_by_2 = 2 * halft
-    turns = own_ + m.where(apart, -2 * half1, td1 * axis1 + td2 * axis2 + td3 * axis3 - halft_by_2)
+    turns = own_ + m.where(apart, -2 * half1, gone - halft_by_2)
     still = sinet_ == 0
     angle = m.where(still, sinet_, m.where(m.abs(turns) < 1, 0, turns) + halft_by_2)
     rn, slopen = c.coefficient(m, angle)
     z0s = m.where(still, z0, 1)
     nosine = m.where(still, 1 + sinet_, sinet_)
     factor = m.where(still, 2 * slopen / z0s, rn / nosine)
-    v_1 = m.where(apart, z1 * factor, axis1 * rn)
-    v_2 = m.where(apart, z2 * factor, axis2 * rn)
-    v_3 = m.where(apart, z3 * factor, axis3 * rn)
+    clear = apart | (m.abs(z0) < m.abs(sinet_))
+    v_1 = m.where(clear, z1 * factor, axis1 * rn)
+    v_2 = m.where(clear, z2 * factor, axis2 * rn)
+    v_3 = m.where(clear, z3 * factor, axis3 * rn)
     return v_1, v_2, v_3
 
 
@@ -3522,144 +3533,153 @@ def interpolate_blocks(
     b1, b2, b3 = b
     t, = time
     o1, o2, o3 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, *spare = scratch
-    mask1, mask2, mask3, *spare_masks = masks
     (
-        n_minus_2, n_minus_1, n0, n1, n2, n4, n6, n64, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520,
-        n3603600,
+        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, *spare,
+    ) = scratch
+    mask1, mask2, mask3, mask4, *spare_masks = masks
+    (
+        n_minus_2, n_minus_1, n0, n1, n2, n3, n4, n6, n25, n64, n72, n120, n157, n210, n342, n506, n5040, n32760,
+        n93024, n212520, n3603600,
     ) = numbers
     v11a = mul(a1, a1, k1)
     v22a = mul(a2, a2, k2)
     v33a = mul(a3, a3, k3)
     xa = add(add(v11a, v22a, k1), v33a, k1)
-    aa, ba, _, _, _, _ = c.ray((k2, k3, k4, k5, k6, k7), (*spare,), (*spare_masks,), xa)
-    bva1 = mul(a1, ba, k4)
-    minus_bva1 = neg(bva1, k5)
-    v11b = mul(b1, b1, k6)
-    v22b = mul(b2, b2, k7)
-    v33b = mul(b3, b3, k8)
-    xb = add(add(v11b, v22b, k6), v33b, k6)
-    ab, bb, _, _, _, _ = c.ray((k7, k8, k9, k10, k11, k12), (*spare,), (*spare_masks,), xb)
-    bvb1 = mul(b1, bb, k6)
-    bvb2 = mul(b2, bb, k9)
-    bvb3 = mul(b3, bb, k8)
-    bva3 = mul(a3, ba, k10)
-    bva2 = mul(a2, ba, k3)
-    minus_bva3 = neg(bva3, k11)
-    minus_bva2 = neg(bva2, k12)
+    v11b = mul(b1, b1, k2)
+    v22b = mul(b2, b2, k3)
+    v33b = mul(b3, b3, k4)
+    xb = add(add(v11b, v22b, k2), v33b, k2)
+    ab, bb, _, _, _, _ = c.ray((k3, k4, k5, k6, k7, k8), (*spare,), (*spare_masks,), xb)
+    bvb1 = mul(b1, bb, k2)
+    bvb2 = mul(b2, bb, k5)
+    bvb3 = mul(b3, bb, k4)
+    resting = m.equal(xa, n0, mask1)
+    r = sqrt(m.where(resting, add(n1, xa, k6), xa, k6), k6)
+    along1 = div(a1, r, k7)
+    along2 = div(a2, r, k8)
+    along3 = div(a3, r, k9)
+    unit = sqrt(
+        m.where(resting, r, add(add(mul(along1, along1, k10), mul(along2, along2, k11), k10), mul(along3, along3, k11),
+        k10), k11), k10
+    )
+    axis1 = div(along1, unit, k7)
+    axis2 = div(along2, unit, k8)
+    axis3 = div(along3, unit, k9)
+    own, = c.unfolded((k10,), (k11, *spare), (*spare_masks,), xa, r)
+    own_ = m.where(resting, xa, own, k11)
+    aa, ba, _, _, _, _ = c.ray((k10, k12, k13, k14, k15, k16), (*spare,), (*spare_masks,), xa)
+    bva1 = mul(a1, ba, k1)
+    minus_bva1 = neg(bva1, k13)
+    bva3 = mul(a3, ba, k14)
+    bva2 = mul(a2, ba, k12)
+    minus_bva3 = neg(bva3, k15)
+    minus_bva2 = neg(bva2, k16)
     e1 = add(
-        add(mul(minus_bva1, ab, k13), mul(bvb1, aa, k14), k13), sub(mul(bvb2, minus_bva3, k14), mul(bvb3, minus_bva2,
-        k15), k14), k13
+        add(mul(minus_bva1, ab, k17), mul(bvb1, aa, k18), k17), sub(mul(bvb2, minus_bva3, k18), mul(bvb3, minus_bva2,
+        k19), k18), k17
     )
     e2 = add(
-        add(mul(minus_bva2, ab, k14), mul(bvb2, aa, k15), k14), sub(mul(bvb3, minus_bva1, k15), mul(bvb1, minus_bva3,
-        k16), k15), k14
+        add(mul(minus_bva2, ab, k18), mul(bvb2, aa, k19), k18), sub(mul(bvb3, minus_bva1, k19), mul(bvb1, minus_bva3,
+        k20), k19), k18
     )
     e3 = add(
-        add(mul(minus_bva3, ab, k15), mul(bvb3, aa, k16), k15), sub(mul(bvb1, minus_bva2, k16), mul(bvb2, minus_bva1,
-        k17), k16), k15
+        add(mul(minus_bva3, ab, k19), mul(bvb3, aa, k20), k19), sub(mul(bvb1, minus_bva2, k20), mul(bvb2, minus_bva1,
+        k21), k20), k19
     )
     e0 = sub(
-        mul(ab, aa, k7), add(add(mul(bvb1, minus_bva1, k5), mul(bvb2, minus_bva2, k6), k5), mul(bvb3, minus_bva3, k6),
-        k5), k5
+        mul(ab, aa, k3), add(add(mul(bvb1, minus_bva1, k2), mul(bvb2, minus_bva2, k5), k2), mul(bvb3, minus_bva3, k4),
+        k2), k2
     )
-    sse = add(add(mul(e1, e1, k6), mul(e2, e2, k7), k6), mul(e3, e3, k7), k6)
-    stille = m.equal(sse, n0, mask1)
-    negativee = m.less(e0, n0, mask2)
-    cose = m.where(negativee, neg(e0, k7), e0, k7)
-    sine = sqrt(m.where(stille, cose, sse, k5), k5)
-    anglee = mul(n2, atan2(sine, cose, k6), k6)
+    sse = add(add(mul(e1, e1, k3), mul(e2, e2, k4), k3), mul(e3, e3, k4), k3)
+    stille = m.equal(sse, n0, mask2)
+    negativee = m.less(e0, n0, mask3)
+    cose = m.where(negativee, neg(e0, k4), e0, k4)
+    sine = sqrt(m.where(stille, cose, sse, k2), k2)
+    anglee = mul(n2, atan2(sine, cose, k3), k3)
     gaine = mul(
-        m.where(negativee, n_minus_1, n1, k8), div(m.where(stille, mul(n2, cose, k9), anglee, k9), m.where(stille,
-        mul(cose, cose, k6), sine, k6), k5), k5
+        m.where(negativee, n_minus_1, n1, k5), div(m.where(stille, mul(n2, cose, k13), anglee, k13), m.where(stille,
+        mul(cose, cose, k3), sine, k3), k2), k2
     )
-    d1 = mul(e1, gaine, k6)
-    d2 = mul(e2, gaine, k7)
-    d3 = mul(e3, gaine, k5)
-    td1 = mul(t, d1, k8)
-    v11t = mul(td1, td1, k9)
-    td2 = mul(t, d2, k11)
-    v22t = mul(td2, td2, k12)
-    td3 = mul(t, d3, k13)
-    v33t = mul(td3, td3, k14)
-    xt = add(add(v11t, v22t, k9), v33t, k9)
-    neart = m.less(xt, n6, mask1)
-    zt = div(m.where(neart, xt, sub(xt, xt, k12), k14), n4, k12)
-    xxt = m.where(neart, add(n6, xt, k14), xt, k14)
-    alphat = sqrt(xxt, k9)
+    d1 = mul(e1, gaine, k3)
+    d2 = mul(e2, gaine, k4)
+    d3 = mul(e3, gaine, k2)
+    td1 = mul(t, d1, k5)
+    v11t = mul(td1, td1, k13)
+    td2 = mul(t, d2, k15)
+    v22t = mul(td2, td2, k16)
+    td3 = mul(t, d3, k17)
+    v33t = mul(td3, td3, k18)
+    xt = add(add(v11t, v22t, k13), v33t, k13)
+    neart = m.less(xt, n6, mask2)
+    zt = div(m.where(neart, xt, sub(xt, xt, k16), k18), n4, k16)
+    xxt = m.where(neart, add(n6, xt, k18), xt, k18)
+    alphat = sqrt(xxt, k13)
     C7t = div(
         div(sub(n72, mul(zt, div(sub(n3603600, mul(zt, sub(n32760, mul(zt, sub(n210, mul(zt, div(sub(n93024, mul(zt,
-        sub(n342, mul(zt, div(sub(n212520, mul(zt, sub(n506, zt, k14), k14), k14), n212520, k14), k14), k14), k14),
-        k14), n93024, k14), k14), k14), k14), k14), k14), k14), n3603600, k14), k14), k14), n72, k14), n5040, k14
+        sub(n342, mul(zt, div(sub(n212520, mul(zt, sub(n506, zt, k18), k18), k18), n212520, k18), k18), k18), k18),
+        k18), n93024, k18), k18), k18), k18), k18), k18), k18), n3603600, k18), k18), k18), n72, k18), n5040, k18
     )
-    C5t = div(sub(n1, mul(n120, mul(zt, C7t, k14), k14), k14), n120, k14)
-    C3t = div(sub(n1, mul(n6, mul(zt, C5t, k14), k14), k14), n6, k14)
-    C1t = sub(n1, mul(zt, C3t, k14), k14)
-    CC1t = mul(C1t, C1t, k15)
-    C0t = sqrt(sub(n1, mul(zt, CC1t, k12), k12), k12)
-    tt = tan(div(alphat, n4, k15), k15)
-    ttt = mul(tt, tt, k16)
-    belowt = add(n1, ttt, k17)
-    wt = m.where(neart, div(C1t, n2, k14), div(div(mul(n2, tt, k15), belowt, k15), alphat, k9), k14)
-    st = m.where(neart, C0t, div(sub(n1, ttt, k9), belowt, k9), k12)
-    wd1 = mul(td1, wt, k9)
+    C5t = div(sub(n1, mul(n120, mul(zt, C7t, k18), k18), k18), n120, k18)
+    C3t = div(sub(n1, mul(n6, mul(zt, C5t, k18), k18), k18), n6, k18)
+    C1t = sub(n1, mul(zt, C3t, k18), k18)
+    CC1t = mul(C1t, C1t, k19)
+    C0t = sqrt(sub(n1, mul(zt, CC1t, k16), k16), k16)
+    tt = tan(div(alphat, n4, k19), k19)
+    ttt = mul(tt, tt, k20)
+    belowt = add(n1, ttt, k21)
+    wt = m.where(neart, div(C1t, n2, k18), div(div(mul(n2, tt, k19), belowt, k19), alphat, k13), k18)
+    st = m.where(neart, C0t, div(sub(n1, ttt, k13), belowt, k13), k16)
+    wd1 = mul(td1, wt, k13)
+    gone = add(add(mul(td1, axis1, k5), mul(td2, axis2, k19), k5), mul(td3, axis3, k19), k5)
     wd2 = mul(td2, wt, k15)
-    wd3 = mul(td3, wt, k14)
-    z1 = add(add(mul(bva1, st, k16), mul(wd1, aa, k17), k16), sub(mul(wd2, bva3, k17), mul(wd3, bva2, k18), k17), k16)
-    z2 = add(add(mul(bva2, st, k17), mul(wd2, aa, k18), k17), sub(mul(wd3, bva1, k18), mul(wd1, bva3, k19), k18), k17)
-    z3 = add(add(mul(bva3, st, k18), mul(wd3, aa, k19), k18), sub(mul(wd1, bva2, k19), mul(wd2, bva1, k20), k19), k18)
-    z0 = sub(mul(st, aa, k12), add(add(mul(wd1, bva1, k9), mul(wd2, bva2, k15), k9), mul(wd3, bva3, k14), k9), k9)
-    sst = add(add(mul(z1, z1, k12), mul(z2, z2, k14), k12), mul(z3, z3, k14), k12)
-    stillt = m.equal(sst, n0, mask1)
-    roott = sqrt(m.where(stillt, add(n1, sst, k14), sst, k14), k14)
-    resting = m.equal(xa, n0, mask2)
-    r = sqrt(m.where(resting, add(n1, xa, k15), xa, k15), k15)
-    own, = c.unfolded((k19,), (k20, *spare), (*spare_masks,), xa, r)
-    own_ = m.where(resting, xa, own, k1)
+    wd3 = mul(td3, wt, k17)
+    z1 = add(add(mul(bva1, st, k18), mul(wd1, aa, k19), k18), sub(mul(wd2, bva3, k19), mul(wd3, bva2, k20), k19), k18)
+    z2 = add(add(mul(bva2, st, k19), mul(wd2, aa, k20), k19), sub(mul(wd3, bva1, k20), mul(wd1, bva3, k21), k20), k19)
+    z3 = add(add(mul(bva3, st, k20), mul(wd3, aa, k21), k20), sub(mul(wd1, bva2, k21), mul(wd2, bva1, k22), k21), k20)
+    z0 = sub(mul(st, aa, k16), add(add(mul(wd1, bva1, k13), mul(wd2, bva2, k15), k13), mul(wd3, bva3, k15), k13), k13)
+    sst = add(add(mul(z1, z1, k15), mul(z2, z2, k16), k15), mul(z3, z3, k16), k15)
+    stillt = m.equal(sst, n0, mask2)
+    roott = sqrt(m.where(stillt, add(n1, sst, k16), sst, k16), k16)
+    end = absolute(add(own_, gone, k17), k17)
     apart = m.either(
-        m.either(resting, m.less(add(add(add(own_, absolute(td1, k19), k19), absolute(td2, k20), k19), absolute(td3,
-        k20), k19), n6, mask3), mask2), m.less(r, add(r, div(add(add(absolute(sub(mul(d2, a3, k19), mul(d3, a2, k20),
-        k19), k19), absolute(sub(mul(d3, a1, k5), mul(d1, a3, k20), k5), k5), k5), absolute(sub(mul(d1, a2, k6), mul(d2,
-        a1, k7), k6), k6), k5), n64, k5), k5), mask3), mask2
+        m.both(m.less(own_, n3, mask3), m.either(resting, m.less(mul(n25, end, k17), n157, mask4), mask1), mask1),
+        m.less(r, add(r, div(add(add(absolute(sub(mul(d2, a3, k17), mul(d3, a2, k21), k17), k17), absolute(sub(mul(d3,
+        a1, k2), mul(d1, a3, k21), k2), k2), k2), absolute(sub(mul(d1, a2, k3), mul(d2, a1, k4), k3), k3), k2), n64,
+        k2), k2), mask3), mask1
     )
     side = m.where(
-        m.less(add(add(mul(bva1, a1, k5), mul(bva2, a2, k6), k5), mul(bva3, a3, k6), k5), n0, mask3), n_minus_1, n1, k5
+        m.less(add(add(mul(bva1, a1, k2), mul(bva2, a2, k3), k2), mul(bva3, a3, k3), k2), n0, mask3), n_minus_1, n1, k2
     )
-    axis1 = div(a1, r, k6)
-    axis2 = div(a2, r, k7)
-    axis3 = div(a3, r, k15)
     sinet_ = m.where(
-        apart, m.where(stillt, sst, mul(side, roott, k14), k12), add(add(mul(z1, axis1, k14), mul(z2, axis2, k19), k14),
-        mul(z3, axis3, k19), k14), k12
+        apart, m.where(stillt, sst, mul(side, roott, k3), k4), add(add(mul(z1, axis1, k3), mul(z2, axis2, k6), k3),
+        mul(z3, axis3, k6), k3), k4
     )
-    still = m.equal(sinet_, n0, mask1)
-    sign1 = m.where(apart, side, n1, k14)
-    halft = atan2(mul(sign1, sinet_, k19), mul(sign1, z0, k20), k19)
-    halft_by_2 = mul(n2, halft, k19)
-    z0s = m.where(still, z0, n1, k9)
-    ss1 = add(add(mul(bva1, bva1, k20), mul(bva2, bva2, k21), k20), mul(bva3, bva3, k21), k20)
+    still = m.equal(sinet_, n0, mask2)
+    sign1 = m.where(apart, side, n1, k3)
+    halft = atan2(mul(sign1, sinet_, k6), mul(sign1, z0, k15), k6)
+    halft_by_2 = mul(n2, halft, k6)
+    ss1 = add(add(mul(bva1, bva1, k15), mul(bva2, bva2, k16), k15), mul(bva3, bva3, k16), k15)
     still1 = m.equal(ss1, n0, mask3)
-    root1 = sqrt(m.where(still1, add(n1, ss1, k21), ss1, k21), k21)
+    root1 = sqrt(m.where(still1, add(n1, ss1, k16), ss1, k16), k16)
     sine1 = m.where(
-        apart, m.where(still1, ss1, mul(side, root1, k5), k20), add(add(mul(bva1, axis1, k4), mul(bva2, axis2, k3), k3),
-        mul(bva3, axis3, k4), k3), k4
+        apart, m.where(still1, ss1, mul(side, root1, k2), k15), add(add(mul(bva1, axis1, k1), mul(bva2, axis2, k2), k1),
+        mul(bva3, axis3, k2), k1), k2
     )
-    half1 = atan2(mul(sign1, sine1, k3), mul(sign1, aa, k2), k2)
-    turns = add(
-        own_, m.where(apart, mul(n_minus_2, half1, k2), sub(add(add(mul(td1, axis1, k3), mul(td2, axis2, k4), k3),
-        mul(td3, axis3, k4), k3), halft_by_2, k3), k2), k1
-    )
+    half1 = atan2(mul(sign1, sine1, k1), mul(sign1, aa, k2), k1)
+    turns = add(own_, m.where(apart, mul(n_minus_2, half1, k1), sub(gone, halft_by_2, k2), k1), k1)
     angle = m.where(
         still, sinet_, add(m.where(m.less(absolute(turns, k2), n1, mask3), n0, turns, k2), halft_by_2, k1), k2
     )
+    clear = m.either(apart, m.less(absolute(z0, k1), absolute(sinet_, k3), mask3), mask1)
+    nosine = m.where(still, add(n1, sinet_, k1), sinet_, k1)
+    z0s = m.where(still, z0, n1, k3)
     rn, slopen = c.coefficient(
-        (k1, k3), (k4, k5, k8, k10, k11, k13, k14, k19, k20, k21, *spare), (mask3, *spare_masks), angle
+        (k4, k5), (k6, k10, k11, k12, k13, k14, k15, k16, k17, k21, k22, *spare), (mask3, mask4, *spare_masks), angle
     )
-    nosine = m.where(still, add(n1, sinet_, k2), sinet_, k2)
-    factor = m.where(still, div(mul(n2, slopen, k3), z0s, k3), div(rn, nosine, k2), k3)
-    m.where(apart, mul(z1, factor, k2), mul(axis1, rn, k4), o1)
-    m.where(apart, mul(z2, factor, k2), mul(axis2, rn, k4), o2)
-    m.where(apart, mul(z3, factor, k2), mul(axis3, rn, k1), o3)
+    factor = m.where(still, div(mul(n2, slopen, k2), z0s, k2), div(rn, nosine, k1), k2)
+    m.where(clear, mul(z1, factor, k1), mul(axis1, rn, k3), o1)
+    m.where(clear, mul(z2, factor, k1), mul(axis2, rn, k3), o2)
+    m.where(clear, mul(z3, factor, k1), mul(axis3, rn, k2), o3)
 
 
 # operations 27: 13 +, 14 *
@@ -4284,10 +4304,10 @@ KERNELS: Mapping[str, Kernel] = {
         interpolate_blocks,
         (("v1", (3,)), ("v2", (3,)), ("t", ()),),
         (3,),
-        registers=21,
-        masks=3,
-        numbers=(-2, -1, 0, 1, 2, 4, 6, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
-        lent=(('ray', 0, 0), ('ray', 0, 0), ('unfolded', 1, 0), ('coefficient', 10, 1)),
+        registers=22,
+        masks=4,
+        numbers=(-2, -1, 0, 1, 2, 3, 4, 6, 25, 64, 72, 120, 157, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
+        lent=(('ray', 0, 0), ('ray', 0, 0), ('unfolded', 1, 0), ('coefficient', 11, 2)),
         real=True,
     ),
     "adjoint": Kernel(

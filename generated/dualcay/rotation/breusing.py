@@ -8,8 +8,8 @@
 #       111, rate_jacobian 96, from_quaternion 15, from_tensor 69, from_angle_axis 24, to_angle_axis 66, angle
 #       21, to_exponential 49, from_exponential 50, turn 58, shadow 92, identity_jacobian 6, shadow_jacobian
 #       106, principal 56, compose 116, between 119, compose_jacobians 446, between_jacobians 458, retract 220,
-#       body_retract 220, retract_jacobians 555, body_retract_jacobians 557, local 124, body_local 124,
-#       interpolate 362, adjoint 54, transform_point_jacobians 142
+#       body_retract 220, retract_jacobians 561, body_retract_jacobians 563, local 124, body_local 124,
+#       interpolate 375, adjoint 54, transform_point_jacobians 142
 r"""Breusing's chart, rotations alone: Rodrigues vectors ``v = sin(α/4)/sqrt(cos(α/4)) u``, the real parts of `breusing`.
 
 The formulas told there hold with real v.
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="d5a5d549650a7023",
+    programs="5d635cc18ee3fec1",
 )
 
 KERNELS = RotationKernels(CHART)

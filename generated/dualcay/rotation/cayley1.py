@@ -7,8 +7,8 @@
 #       body_tangent_inv 30, twist 28, rate 39, tangent_dot 33, twist_dot 42, rate_dot 80, twist_jacobian 50,
 #       rate_jacobian 31, from_quaternion 4, from_tensor 53, from_angle_axis 8, to_angle_axis 35, angle 12,
 #       to_exponential 21, from_exponential 31, identity_jacobian 6, compose 25, between 28, compose_jacobians
-#       309, between_jacobians 321, retract 172, body_retract 172, retract_jacobians 453, body_retract_jacobians
-#       455, local 78, body_local 78, interpolate 291, adjoint 31, transform_point_jacobians 119
+#       309, between_jacobians 321, retract 172, body_retract 172, retract_jacobians 459, body_retract_jacobians
+#       461, local 78, body_local 78, interpolate 304, adjoint 31, transform_point_jacobians 119
 r"""Cayley map of order 1, rotations alone: Rodrigues vectors ``v = tan(α/2) u``, the real parts of `cayley1`.
 
 The formulas told there hold with real v.
@@ -593,7 +593,7 @@ CHART = Chart(
         real=True,
     ),
     },
-    programs="85017e06dcccfbfb",
+    programs="1f3b558654636475",
 )
 
 KERNELS = RotationKernels(CHART)

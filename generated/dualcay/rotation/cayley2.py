@@ -8,8 +8,8 @@
 #       rate_jacobian 28, from_quaternion 9, from_tensor 62, from_angle_axis 8, to_angle_axis 46, angle 12,
 #       to_exponential 21, from_exponential 34, turn 30, shadow 48, identity_jacobian 6, shadow_jacobian 62,
 #       principal 28, compose 76, between 79, compose_jacobians 344, between_jacobians 356, retract 180,
-#       body_retract 180, retract_jacobians 469, body_retract_jacobians 471, local 92, body_local 92,
-#       interpolate 305, adjoint 37, transform_point_jacobians 125
+#       body_retract 180, retract_jacobians 475, body_retract_jacobians 477, local 92, body_local 92,
+#       interpolate 318, adjoint 37, transform_point_jacobians 125
 r"""Cayley map of order 2, rotations alone: Rodrigues vectors ``v = tan(α/4) u``, the real parts of `cayley2`.
 
 The formulas told there hold with real v.
@@ -113,7 +113,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="f017b1c3c9fb699c",
+    programs="8227a3f0e7c11ca0",
 )
 
 KERNELS = RotationKernels(CHART)

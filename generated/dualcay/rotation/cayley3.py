@@ -8,8 +8,8 @@
 #       rate_jacobian 78, from_quaternion 23, from_tensor 67, from_angle_axis 8, to_angle_axis 56, angle 12,
 #       to_exponential 21, from_exponential 35, turn 30, shadow 58, identity_jacobian 6, shadow_jacobian 72,
 #       principal 28, compose 96, between 99, compose_jacobians 382, between_jacobians 394, retract 182,
-#       body_retract 182, retract_jacobians 488, body_retract_jacobians 490, local 98, body_local 98,
-#       interpolate 311, adjoint 41, transform_point_jacobians 129
+#       body_retract 182, retract_jacobians 494, body_retract_jacobians 496, local 98, body_local 98,
+#       interpolate 324, adjoint 41, transform_point_jacobians 129
 r"""Cayley map of order 3, rotations alone: Rodrigues vectors ``v = tan(α/6) u``, the real parts of `cayley3`.
 
 The formulas told there hold with real v.
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="731184bbb8b0fff1",
+    programs="4b0c3c1402cda136",
 )
 
 KERNELS = RotationKernels(CHART)

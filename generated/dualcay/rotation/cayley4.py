@@ -8,8 +8,8 @@
 #       rate_jacobian 84, from_quaternion 14, from_tensor 69, from_angle_axis 8, to_angle_axis 58, angle 12,
 #       to_exponential 21, from_exponential 35, turn 30, shadow 60, identity_jacobian 6, shadow_jacobian 74,
 #       principal 31, compose 107, between 110, compose_jacobians 411, between_jacobians 423, retract 192,
-#       body_retract 192, retract_jacobians 510, body_retract_jacobians 512, local 116, body_local 116,
-#       interpolate 329, adjoint 47, transform_point_jacobians 135
+#       body_retract 192, retract_jacobians 516, body_retract_jacobians 518, local 116, body_local 116,
+#       interpolate 342, adjoint 47, transform_point_jacobians 135
 r"""Cayley map of order 4, rotations alone: Rodrigues vectors ``v = tan(α/8) u``, the real parts of `cayley4`.
 
 The formulas told there hold with real v.
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="05122c616fabe8c3",
+    programs="4428f403104994be",
 )
 
 KERNELS = RotationKernels(CHART)

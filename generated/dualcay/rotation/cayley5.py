@@ -8,8 +8,8 @@
 #       rate_jacobian 93, from_quaternion 23, from_tensor 67, from_angle_axis 8, to_angle_axis 60, angle 12,
 #       to_exponential 21, from_exponential 35, turn 30, shadow 62, identity_jacobian 6, shadow_jacobian 76,
 #       principal 31, compose 112, between 115, compose_jacobians 429, between_jacobians 441, retract 190,
-#       body_retract 190, retract_jacobians 519, body_retract_jacobians 521, local 114, body_local 114,
-#       interpolate 327, adjoint 49, transform_point_jacobians 137
+#       body_retract 190, retract_jacobians 525, body_retract_jacobians 527, local 114, body_local 114,
+#       interpolate 340, adjoint 49, transform_point_jacobians 137
 r"""Cayley map of order 5, rotations alone: Rodrigues vectors ``v = tan(α/10) u``, the real parts of `cayley5`.
 
 The formulas told there hold with real v.
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="7270c9b24024157b",
+    programs="f4477591443e2cec",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -8,8 +8,8 @@
 #       128, rate_jacobian 114, from_quaternion 19, from_tensor 74, from_angle_axis 8, to_angle_axis 66, angle
 #       12, to_exponential 21, from_exponential 35, turn 30, shadow 68, identity_jacobian 6, shadow_jacobian 82,
 #       principal 37, compose 156, between 159, compose_jacobians 522, between_jacobians 534, retract 214,
-#       body_retract 214, retract_jacobians 578, body_retract_jacobians 580, local 160, body_local 160,
-#       interpolate 373, adjoint 63, transform_point_jacobians 151
+#       body_retract 214, retract_jacobians 584, body_retract_jacobians 586, local 160, body_local 160,
+#       interpolate 386, adjoint 63, transform_point_jacobians 151
 r"""Cayley map of order 8, rotations alone: Rodrigues vectors ``v = tan(α/16) u``, the real parts of `cayley8`.
 
 The formulas told there hold with real v.
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="d859da64636105f4",
+    programs="7dc4c11c1af795b3",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -8,8 +8,8 @@
 #       rate_jacobian 86, from_quaternion 13, from_tensor 67, from_angle_axis 16, to_angle_axis 54, angle 16,
 #       to_exponential 24, from_exponential 42, turn 39, shadow 65, identity_jacobian 6, shadow_jacobian 79,
 #       principal 37, compose 84, between 87, compose_jacobians 374, between_jacobians 386, retract 176,
-#       body_retract 176, retract_jacobians 503, body_retract_jacobians 505, local 94, body_local 94,
-#       interpolate 319, adjoint 39, transform_point_jacobians 127
+#       body_retract 176, retract_jacobians 509, body_retract_jacobians 511, local 94, body_local 94,
+#       interpolate 332, adjoint 39, transform_point_jacobians 127
 r"""Lambert's equal-area projection, rotations alone: Rodrigues vectors ``v = sin(α/4) u``, the real parts of `lambert`.
 
 The formulas told there hold with real v.
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="b964f07461ab6db8",
+    programs="30b4fd81e62f8790",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -7,8 +7,8 @@
 #       body_tangent_inv 14, twist 40, rate 26, tangent_dot 68, twist_dot 76, rate_dot 58, twist_jacobian 75,
 #       rate_jacobian 48, from_quaternion 5, from_tensor 61, from_angle_axis 16, to_angle_axis 42, angle 16,
 #       to_exponential 24, from_exponential 39, identity_jacobian 6, compose 64, between 67, compose_jacobians
-#       320, between_jacobians 332, retract 170, body_retract 170, retract_jacobians 476, body_retract_jacobians
-#       478, local 82, body_local 82, interpolate 307, adjoint 31, transform_point_jacobians 119
+#       320, between_jacobians 332, retract 170, body_retract 170, retract_jacobians 482, body_retract_jacobians
+#       484, local 82, body_local 82, interpolate 320, adjoint 31, transform_point_jacobians 119
 r"""Orthographic projection, rotations alone: Rodrigues vectors ``v = sin(α/2) u``, the real parts of `orthographic`.
 
 The formulas told there hold with real v.
@@ -394,7 +394,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="b1c124d2b9f9b0ac",
+    programs="e7042f7e16b420f8",
 )
 
 KERNELS = RotationKernels(CHART)

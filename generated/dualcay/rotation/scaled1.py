@@ -7,8 +7,8 @@
 #       body_tangent_inv 21, twist 31, rate 41, tangent_dot 38, twist_dot 57, rate_dot 61, twist_jacobian 54,
 #       rate_jacobian 31, from_quaternion 5, from_tensor 54, from_angle_axis 10, to_angle_axis 38, angle 13,
 #       to_exponential 25, from_exponential 33, identity_jacobian 6, compose 69, between 72, compose_jacobians
-#       330, between_jacobians 342, retract 181, body_retract 181, retract_jacobians 468, body_retract_jacobians
-#       470, local 90, body_local 90, interpolate 306, adjoint 34, transform_point_jacobians 122
+#       330, between_jacobians 342, retract 181, body_retract 181, retract_jacobians 474, body_retract_jacobians
+#       476, local 90, body_local 90, interpolate 319, adjoint 34, transform_point_jacobians 122
 r"""Normal Rodrigues vector of order 1, rotations alone: Rodrigues vectors ``v = 2 tan(α/2) u``, the real parts of `scaled1`.
 
 The formulas told there hold with real v.
@@ -728,7 +728,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="c42180aba6b1f894",
+    programs="db3d07a13eac0e08",
 )
 
 KERNELS = RotationKernels(CHART)

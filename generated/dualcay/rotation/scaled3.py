@@ -8,8 +8,8 @@
 #       rate_jacobian 83, from_quaternion 24, from_tensor 68, from_angle_axis 10, to_angle_axis 59, angle 13,
 #       to_exponential 25, from_exponential 37, turn 32, shadow 62, identity_jacobian 6, shadow_jacobian 76,
 #       principal 30, compose 107, between 110, compose_jacobians 406, between_jacobians 418, retract 190,
-#       body_retract 190, retract_jacobians 505, body_retract_jacobians 507, local 108, body_local 108,
-#       interpolate 324, adjoint 45, transform_point_jacobians 133
+#       body_retract 190, retract_jacobians 511, body_retract_jacobians 513, local 108, body_local 108,
+#       interpolate 337, adjoint 45, transform_point_jacobians 133
 r"""Normal Rodrigues vector of order 3, rotations alone: Rodrigues vectors ``v = 6 tan(α/6) u``, the real parts of `scaled3`.
 
 The formulas told there hold with real v.
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="ac58e47026ace764",
+    programs="a480972edddd294a",
 )
 
 KERNELS = RotationKernels(CHART)

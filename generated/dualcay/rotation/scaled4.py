@@ -8,8 +8,8 @@
 #       rate_jacobian 89, from_quaternion 15, from_tensor 70, from_angle_axis 10, to_angle_axis 61, angle 13,
 #       to_exponential 25, from_exponential 37, turn 32, shadow 64, identity_jacobian 6, shadow_jacobian 78,
 #       principal 33, compose 118, between 121, compose_jacobians 435, between_jacobians 447, retract 200,
-#       body_retract 200, retract_jacobians 527, body_retract_jacobians 529, local 126, body_local 126,
-#       interpolate 342, adjoint 51, transform_point_jacobians 139
+#       body_retract 200, retract_jacobians 533, body_retract_jacobians 535, local 126, body_local 126,
+#       interpolate 355, adjoint 51, transform_point_jacobians 139
 r"""Normal Rodrigues vector of order 4, rotations alone: Rodrigues vectors ``v = 8 tan(α/8) u``, the real parts of `scaled4`.
 
 The formulas told there hold with real v.
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="77b2be1c18dace98",
+    programs="31c0c56a0b1dfcc0",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -8,8 +8,8 @@
 #       111, rate_jacobian 98, from_quaternion 24, from_tensor 68, from_angle_axis 10, to_angle_axis 63, angle
 #       13, to_exponential 25, from_exponential 37, turn 32, shadow 66, identity_jacobian 6, shadow_jacobian 80,
 #       principal 33, compose 123, between 126, compose_jacobians 453, between_jacobians 465, retract 198,
-#       body_retract 198, retract_jacobians 536, body_retract_jacobians 538, local 124, body_local 124,
-#       interpolate 340, adjoint 53, transform_point_jacobians 141
+#       body_retract 198, retract_jacobians 542, body_retract_jacobians 544, local 124, body_local 124,
+#       interpolate 353, adjoint 53, transform_point_jacobians 141
 r"""Normal Rodrigues vector of order 5, rotations alone: Rodrigues vectors ``v = 10 tan(α/10) u``, the real parts of `scaled5`.
 
 The formulas told there hold with real v.
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="3a0d99f7cc49980d",
+    programs="6521bbb9153f8423",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -8,8 +8,8 @@
 #       rate_jacobian 92, from_quaternion 27, from_tensor 71, from_angle_axis 16, to_angle_axis 55, angle 16,
 #       to_exponential 24, from_exponential 43, turn 39, shadow 66, identity_jacobian 6, shadow_jacobian 80,
 #       principal 37, compose 101, between 104, compose_jacobians 403, between_jacobians 415, retract 179,
-#       body_retract 179, retract_jacobians 513, body_retract_jacobians 515, local 100, body_local 100,
-#       interpolate 325, adjoint 42, transform_point_jacobians 130
+#       body_retract 179, retract_jacobians 519, body_retract_jacobians 521, local 100, body_local 100,
+#       interpolate 338, adjoint 42, transform_point_jacobians 130
 r"""Sine chart of order 3, rotations alone: Rodrigues vectors ``v = sin(α/6) u``, the real parts of `sine3`.
 
 The formulas told there hold with real v.
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="4167c3ac0dd2d033",
+    programs="680afac6e333a975",
 )
 
 KERNELS = RotationKernels(CHART)

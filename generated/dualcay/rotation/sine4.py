@@ -8,8 +8,8 @@
 #       rate_jacobian 95, from_quaternion 18, from_tensor 72, from_angle_axis 16, to_angle_axis 57, angle 16,
 #       to_exponential 24, from_exponential 43, turn 39, shadow 68, identity_jacobian 6, shadow_jacobian 82,
 #       principal 40, compose 103, between 106, compose_jacobians 416, between_jacobians 428, retract 183,
-#       body_retract 183, retract_jacobians 529, body_retract_jacobians 531, local 108, body_local 108,
-#       interpolate 333, adjoint 46, transform_point_jacobians 134
+#       body_retract 183, retract_jacobians 535, body_retract_jacobians 537, local 108, body_local 108,
+#       interpolate 346, adjoint 46, transform_point_jacobians 134
 r"""Sine chart of order 4, rotations alone: Rodrigues vectors ``v = sin(α/8) u``, the real parts of `sine4`.
 
 The formulas told there hold with real v.
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="a5cdff3b29377649",
+    programs="0a25e2aa5daf65bc",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -8,8 +8,8 @@
 #       rate_jacobian 28, from_quaternion 10, from_tensor 63, from_angle_axis 10, to_angle_axis 49, angle 13,
 #       to_exponential 25, from_exponential 36, turn 32, shadow 52, identity_jacobian 6, shadow_jacobian 66,
 #       principal 30, compose 91, between 94, compose_jacobians 370, between_jacobians 382, retract 190,
-#       body_retract 190, retract_jacobians 489, body_retract_jacobians 491, local 106, body_local 106,
-#       interpolate 322, adjoint 41, transform_point_jacobians 129
+#       body_retract 190, retract_jacobians 495, body_retract_jacobians 497, local 106, body_local 106,
+#       interpolate 335, adjoint 41, transform_point_jacobians 129
 r"""Wiener-Milenkovic vector, rotations alone: Rodrigues vectors ``v = 4 tan(α/4) u``, the real parts of `wiener_milenkovic`.
 
 The formulas told there hold with real v.
@@ -113,7 +113,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="7672b6639f804f14",
+    programs="a95d9debf7e1dbd5",
 )
 
 KERNELS = RotationKernels(CHART)
