@@ -79,6 +79,16 @@ def test_every_program_is_compiled(native, rotations):
         assert module.CHART.native.keys() == module.CHART.kernels.keys()
 
 
+def test_functions_are_made_once_however_often_they_are_imported(native):
+    """NumPy holds on to tables of an extension module, which it must not make anew."""
+    native(3).pose(np.zeros(6))
+    name = "dualcay_native.cayley3"
+    first = sys.modules.pop(name)
+    again = importlib.import_module(name)
+    assert again is not first
+    assert again.pose is first.pose
+
+
 @pytest.mark.parametrize("chart", CHARTS[:2], ids=lambda chart: chart.name)
 def test_the_replay_agrees_in_every_way_a_function_is_called(package, chart):
     """Within bounds of rounding: types, layouts, batches, ``out``, overlaps, branches, threads, refusals."""
