@@ -70,10 +70,18 @@ class ExponentialScalars(DependentScalars):
 
     @cached_property
     def _lost(self) -> Coefficient:
-        """``(α² − root²)/2α``, the difference by terms that are exact up to α = 8; beyond nothing is put back."""
+        """``(α² − root²)/2α``."""
+        return self.m.name("lost", self._left / (2 * self._angle))
+
+    @property
+    def _left(self) -> Coefficient:
+        """That difference, by terms that are exact up to α = 8; beyond nothing is put back."""
         beside = self.m.name("beside", self._angle - 4)
         left = self.m.name("left", (self._square - 16) - 8 * beside - beside * beside)
-        return self.m.name("lost", self.m.where(self.m.less(self._angle, 8), left, 0) / (2 * self._angle))
+        return self._bounded(left)
+
+    def _bounded(self, left: Coefficient) -> Coefficient:
+        return self.m.where(self.m.less(self._angle, 8), left, 0)
 
     @cached_property
     def s(self) -> Coefficient:
@@ -105,6 +113,13 @@ class ExponentialScalars(DependentScalars):
     def hyy(self) -> Coefficient:
         near = 15 * self._whole.c7 - 7 * self._whole.c6 + self._whole.c5
         return self.m.name("hyy", self.m.where(self._near, near, (self.gy - 5 * self.hy) / self._square))
+
+
+class PrincipalScalars(ExponentialScalars):
+    """The same up to half a turn, where a logarithm is."""
+
+    def _bounded(self, left: Coefficient) -> Coefficient:
+        return left
 
 
 @dataclass(frozen=True)

@@ -7092,7 +7092,7 @@ def body_retract_jacobians_blocks(
     copy(o51, o72)
 
 
-# operations 299: 97 +, 141 *, 29 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
+# operations 297: 97 +, 141 *, 29 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
 def local(m: Any, c: Any, b: Components, a: Components) -> Result:
     b1, b2, b3, b1o, b2o, b3o = b
     a1, a2, a3, a1o, a2o, a3o = a
@@ -7178,7 +7178,7 @@ def local(m: Any, c: Any, b: Components, a: Components) -> Result:
     versinee = m.where(tthalfe < 16, 2 * tthalfe / belowhalfe, 2 - 2 / belowhalfe)
     besidee = alphae - 4
     lefte = xxe - 16 - 8 * besidee - besidee * besidee
-    loste = m.where(alphae < 8, lefte, 0) / (2 * alphae)
+    loste = lefte / (2 * alphae)
     ge = m.where(neare, CC1e / 2, (versinee + loste * sinee) / xxe)
     C0e = m.sqrt(1 - ze * CC1e)
     te = m.tan(alphae / 4)
@@ -7289,7 +7289,7 @@ def local_blocks(
     sinee = div(mul(n2, thalfe, k18), belowhalfe, k18)
     besidee = sub(alphae, n4, k20)
     lefte = sub(sub(sub(xxe, n16, k21), mul(n8, besidee, k22), k21), mul(besidee, besidee, k20), k20)
-    loste = div(m.where(m.less(alphae, n8, mask2), lefte, n0, k20), mul(n2, alphae, k21), k20)
+    loste = div(lefte, mul(n2, alphae, k21), k20)
     ge = m.where(neare, div(CC1e, n2, k12), div(add(versinee, mul(loste, sinee, k21), k21), xxe, k21), k12)
     fe = m.where(
         neare, mul(C0e, C1e, k21), div(add(sinee, mul(loste, sub(n1, versinee, k19), k19), k18), alphae, k18), k19
@@ -7352,7 +7352,7 @@ def local_blocks(
     div(add(sub(mul(rho3, fee, k2), sub(mul(d1, rho2, k3), mul(d2, rho1, k1), k1), k1), mul(d3, hvr, k2), k1), n2, o6)
 
 
-# operations 299: 97 +, 141 *, 29 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
+# operations 297: 97 +, 141 *, 29 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
 def body_local(m: Any, c: Any, a: Components, b: Components) -> Result:
     a1, a2, a3, a1o, a2o, a3o = a
     b1, b2, b3, b1o, b2o, b3o = b
@@ -7447,7 +7447,7 @@ def body_local(m: Any, c: Any, a: Components, b: Components) -> Result:
     versinee = m.where(tthalfe < 16, 2 * tthalfe / belowhalfe, 2 - 2 / belowhalfe)
     besidee = alphae - 4
     lefte = xxe - 16 - 8 * besidee - besidee * besidee
-    loste = m.where(alphae < 8, lefte, 0) / (2 * alphae)
+    loste = lefte / (2 * alphae)
     ge = m.where(neare, CC1e / 2, (versinee + loste * sinee) / xxe)
     C0e = m.sqrt(1 - ze * CC1e)
     te = m.tan(alphae / 4)
@@ -7559,7 +7559,7 @@ def body_local_blocks(
     sinee = div(mul(n2, thalfe, k18), belowhalfe, k18)
     besidee = sub(alphae, n4, k20)
     lefte = sub(sub(sub(xxe, n16, k21), mul(n8, besidee, k22), k21), mul(besidee, besidee, k20), k20)
-    loste = div(m.where(m.less(alphae, n8, mask2), lefte, n0, k20), mul(n2, alphae, k21), k20)
+    loste = div(lefte, mul(n2, alphae, k21), k20)
     ge = m.where(neare, div(CC1e, n2, k12), div(add(versinee, mul(loste, sinee, k21), k21), xxe, k21), k12)
     fe = m.where(
         neare, mul(C0e, C1e, k21), div(add(sinee, mul(loste, sub(n1, versinee, k19), k19), k18), alphae, k18), k19
@@ -7617,7 +7617,7 @@ def body_local_blocks(
     div(add(sub(mul(rho3, fee, k1), sub(mul(d1, rho2, k3), mul(d2, rho1, k4), k3), k1), mul(d3, hvr, k2), k1), n2, o6)
 
 
-# operations 692: 218 +, 313 *, 65 /, 8 neg, 7 abs, 9 sqrt, 4 tan, 3 atan2, 13 lt, 5 eq, 1 and, 3 or, 43 where
+# operations 690: 218 +, 313 *, 65 /, 8 neg, 7 abs, 9 sqrt, 4 tan, 3 atan2, 12 lt, 5 eq, 1 and, 3 or, 42 where
 def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) -> Result:
     a1, a2, a3, a1o, a2o, a3o = a
     b1, b2, b3, b1o, b2o, b3o = b
@@ -7717,7 +7717,7 @@ def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) 
     versinee = m.where(tthalfe < 16, 2 * tthalfe / belowhalfe, 2 - 2 / belowhalfe)
     besidee = alphae - 4
     lefte = xxe - 16 - 8 * besidee - besidee * besidee
-    loste = m.where(alphae < 8, lefte, 0) / (2 * alphae)
+    loste = lefte / (2 * alphae)
     ge = m.where(neare, CC1e / 2, (versinee + loste * sinee) / xxe)
     C0e = m.sqrt(1 - ze * CC1e)
     te = m.tan(alphae / 4)
@@ -8057,7 +8057,7 @@ def interpolate_blocks(
     sinee = div(mul(n2, thalfe, k29), belowhalfe, k29)
     besidee = sub(alphae, n4, k31)
     lefte = sub(sub(sub(xxe, n16, k32), mul(n8, besidee, k33), k32), mul(besidee, besidee, k31), k31)
-    loste = div(m.where(m.less(alphae, n8, mask3), lefte, n0, k31), mul(n2, alphae, k32), k31)
+    loste = div(lefte, mul(n2, alphae, k32), k31)
     ge = m.where(neare, div(CC1e, n2, k26), div(add(versinee, mul(loste, sinee, k32), k32), xxe, k32), k26)
     fe = m.where(
         neare, mul(C0e, C1e, k32), div(add(sinee, mul(loste, sub(n1, versinee, k30), k30), k29), alphae, k29), k30

@@ -87,9 +87,9 @@
 #   retract_jacobians: 1208: 446 +, 594 *, 100 /, 9 neg, 3 abs, 13 sqrt, 4 tan, 4 atan2, 8 lt, 2 eq, 25 where
 #   body_retract_jacobians: 1208: 446 +, 594 *, 100 /, 9 neg, 3 abs, 13 sqrt, 4 tan, 4 atan2, 8 lt, 2 eq, 25
 #       where
-#   local: 353: 113 +, 165 *, 39 /, 7 neg, 7 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
-#   body_local: 353: 113 +, 165 *, 39 /, 7 neg, 7 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
-#   interpolate: 788: 245 +, 349 *, 85 /, 8 neg, 7 abs, 18 sqrt, 5 tan, 4 atan2, 14 lt, 5 eq, 1 and, 3 or, 44
+#   local: 351: 113 +, 165 *, 39 /, 7 neg, 7 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   body_local: 351: 113 +, 165 *, 39 /, 7 neg, 7 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   interpolate: 786: 245 +, 349 *, 85 /, 8 neg, 7 abs, 18 sqrt, 5 tan, 4 atan2, 13 lt, 5 eq, 1 and, 3 or, 43
 #       where
 #   adjoint: 109: 41 +, 61 *, 5 /, 2 sqrt
 #   transform_point_jacobians: 238: 99 +, 127 *, 7 /, 3 neg, 2 sqrt
@@ -1000,7 +1000,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 3, 2, (-1, 0, 1, 2, 4, 6, 8)),
     },
     kernels=SHARED,
-    programs="3f41d8e74b13e5f8",
+    programs="6f56c935be73b5b0",
 )
 
 KERNELS = PoseKernels(CHART)

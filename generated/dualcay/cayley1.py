@@ -96,9 +96,9 @@
 #   body_retract: 342: 107 +, 149 *, 38 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
 #   retract_jacobians: 1091: 415 +, 539 *, 81 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
 #   body_retract_jacobians: 1091: 415 +, 539 *, 81 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
-#   local: 307: 99 +, 143 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
-#   body_local: 307: 99 +, 143 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
-#   interpolate: 707: 221 +, 317 *, 71 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 13 lt, 5 eq, 1 and, 3 or, 43
+#   local: 305: 99 +, 143 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   body_local: 305: 99 +, 143 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   interpolate: 705: 221 +, 317 *, 71 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 12 lt, 5 eq, 1 and, 3 or, 42
 #       where
 #   adjoint: 86: 34 +, 50 *, 2 /
 #   transform_point_jacobians: 134: 58 +, 63 *, 3 /, 10 neg
@@ -2117,7 +2117,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="7b6ea9e8f81fc195",
+    programs="d1a26c2de8c175ff",
 )
 
 KERNELS = PoseKernels(CHART)

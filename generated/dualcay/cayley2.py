@@ -101,9 +101,9 @@
 #   body_retract: 350: 109 +, 154 *, 38 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
 #   retract_jacobians: 1109: 421 +, 549 *, 82 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
 #   body_retract_jacobians: 1109: 421 +, 549 *, 82 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
-#   local: 321: 103 +, 153 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
-#   body_local: 321: 103 +, 153 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
-#   interpolate: 721: 225 +, 327 *, 71 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 13 lt, 5 eq, 1 and, 3 or, 43
+#   local: 319: 103 +, 153 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   body_local: 319: 103 +, 153 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   interpolate: 719: 225 +, 327 *, 71 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 12 lt, 5 eq, 1 and, 3 or, 42
 #       where
 #   adjoint: 92: 35 +, 55 *, 2 /
 #   transform_point_jacobians: 208: 91 +, 110 *, 3 /, 4 neg
@@ -826,7 +826,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="1187b1dbfe18aa35",
+    programs="8c6bfd7d42477089",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -98,9 +98,9 @@
 #   body_retract: 357: 111 +, 158 *, 40 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
 #   retract_jacobians: 1132: 426 +, 565 *, 84 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
 #   body_retract_jacobians: 1132: 426 +, 565 *, 84 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
-#   local: 327: 103 +, 159 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
-#   body_local: 327: 103 +, 159 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
-#   interpolate: 732: 227 +, 334 *, 73 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 13 lt, 5 eq, 1 and, 3 or, 43
+#   local: 325: 103 +, 159 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   body_local: 325: 103 +, 159 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   interpolate: 730: 227 +, 334 *, 73 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 12 lt, 5 eq, 1 and, 3 or, 42
 #       where
 #   adjoint: 96: 36 +, 58 *, 2 /
 #   transform_point_jacobians: 216: 93 +, 116 *, 3 /, 4 neg
@@ -820,7 +820,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 2, 2, (-1, 0, 1, 2, 6, 9)),
     },
     kernels=SHARED,
-    programs="254116c464e522ec",
+    programs="527209bfbab4ef2b",
 )
 
 KERNELS = PoseKernels(CHART)

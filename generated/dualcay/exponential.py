@@ -85,9 +85,9 @@
 #   retract_jacobians: 1372: 511 +, 630 *, 143 /, 8 neg, 1 abs, 10 sqrt, 7 tan, 2 atan2, 14 lt, 2 eq, 44 where
 #   body_retract_jacobians: 1372: 511 +, 630 *, 143 /, 8 neg, 1 abs, 10 sqrt, 7 tan, 2 atan2, 14 lt, 2 eq, 44
 #       where
-#   local: 487: 153 +, 193 *, 77 /, 7 neg, 7 sqrt, 6 tan, 1 atan2, 10 lt, 1 eq, 32 where
-#   body_local: 487: 153 +, 193 *, 77 /, 7 neg, 7 sqrt, 6 tan, 1 atan2, 10 lt, 1 eq, 32 where
-#   interpolate: 964: 301 +, 390 *, 132 /, 8 neg, 7 abs, 15 sqrt, 9 tan, 3 atan2, 22 lt, 5 eq, 1 and, 3 or, 68
+#   local: 485: 153 +, 193 *, 77 /, 7 neg, 7 sqrt, 6 tan, 1 atan2, 9 lt, 1 eq, 31 where
+#   body_local: 485: 153 +, 193 *, 77 /, 7 neg, 7 sqrt, 6 tan, 1 atan2, 9 lt, 1 eq, 31 where
+#   interpolate: 962: 301 +, 390 *, 132 /, 8 neg, 7 abs, 15 sqrt, 9 tan, 3 atan2, 21 lt, 5 eq, 1 and, 3 or, 67
 #       where
 #   adjoint: 164: 59 +, 73 *, 19 /, 2 sqrt, 1 tan, 3 lt, 7 where
 #   transform_point_jacobians: 300: 122 +, 138 *, 23 /, 3 neg, 2 sqrt, 1 tan, 3 lt, 8 where
@@ -1392,7 +1392,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 0, 0, (1,)),
     },
     kernels=SHARED,
-    programs="d0de8e2eee53d896",
+    programs="03f524fc5ea9ae66",
 )
 
 KERNELS = PoseKernels(CHART)

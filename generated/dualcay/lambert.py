@@ -70,9 +70,9 @@
 #   body_retract: 364: 114 +, 162 *, 42 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 20 where
 #   retract_jacobians: 1147: 433 +, 568 *, 91 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 21 where
 #   body_retract_jacobians: 1147: 433 +, 568 *, 91 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 21 where
-#   local: 323: 103 +, 155 *, 31 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
-#   body_local: 323: 103 +, 155 *, 31 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
-#   interpolate: 753: 231 +, 339 *, 76 /, 8 neg, 8 abs, 12 sqrt, 6 tan, 4 atan2, 15 lt, 5 eq, 1 and, 3 or, 45
+#   local: 321: 103 +, 155 *, 31 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   body_local: 321: 103 +, 155 *, 31 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   interpolate: 751: 231 +, 339 *, 76 /, 8 neg, 8 abs, 12 sqrt, 6 tan, 4 atan2, 14 lt, 5 eq, 1 and, 3 or, 44
 #       where
 #   adjoint: 94: 36 +, 56 *, 1 /, 1 sqrt
 #   transform_point_jacobians: 214: 93 +, 113 *, 4 /, 3 neg, 1 sqrt
@@ -833,7 +833,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 2, 1, (-1, 0, 1, 2, 4, 8)),
     },
     kernels=SHARED,
-    programs="bbc8643ef3515d39",
+    programs="ffecf0d56a8733ca",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -66,9 +66,9 @@
 #   body_retract: 354: 111 +, 151 *, 44 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
 #   retract_jacobians: 1108: 419 +, 541 *, 92 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
 #   body_retract_jacobians: 1108: 419 +, 541 *, 92 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
-#   local: 319: 103 +, 143 *, 41 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
-#   body_local: 319: 103 +, 143 *, 41 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
-#   interpolate: 725: 227 +, 319 *, 81 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 13 lt, 5 eq, 1 and, 3 or, 43
+#   local: 317: 103 +, 143 *, 41 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   body_local: 317: 103 +, 143 *, 41 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   interpolate: 723: 227 +, 319 *, 81 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 12 lt, 5 eq, 1 and, 3 or, 42
 #       where
 #   adjoint: 89: 34 +, 50 *, 5 /
 #   transform_point_jacobians: 149: 58 +, 73 *, 8 /, 10 neg
@@ -1903,7 +1903,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="736935e6a78d95f2",
+    programs="09ee2665bf58c915",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -71,9 +71,9 @@
 #   retract_jacobians: 1132: 425 +, 552 *, 97 /, 10 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
 #   body_retract_jacobians: 1132: 425 +, 552 *, 97 /, 10 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24
 #       where
-#   local: 335: 107 +, 153 *, 43 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
-#   body_local: 335: 107 +, 153 *, 43 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
-#   interpolate: 741: 231 +, 329 *, 83 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 13 lt, 5 eq, 1 and, 3 or, 43
+#   local: 333: 107 +, 153 *, 43 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   body_local: 333: 107 +, 153 *, 43 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   interpolate: 739: 231 +, 329 *, 83 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 12 lt, 5 eq, 1 and, 3 or, 42
 #       where
 #   adjoint: 96: 35 +, 55 *, 6 /
 #   transform_point_jacobians: 215: 91 +, 110 *, 10 /, 4 neg
@@ -904,7 +904,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="c0de5aaa8a77b306",
+    programs="90ce78e64cf4d58d",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from ...algebra import Quaternion, Tensor, Vector
 from ...maps.dependent import DependentScalars
-from ...maps.exponential_chart import Exponential
+from ...maps.exponential_chart import Exponential, PrincipalScalars
 from ..programs.program import Program
 from ..programs.value import Number
 from .calculus import HALF, matrix6
@@ -170,5 +170,5 @@ def logarithm(trace: Geometry, e: Quaternion, rho: Vector) -> tuple[Number, ...]
     scope = Scope(trace, "e")
     factor = EXPONENTIAL.gain(e, 1, scope)
     re = named(trace, "d", factor * e.vector)
-    at = EXPONENTIAL.scalars(Point(trace, (*re, 0, 0, 0), "e").x, scope)
+    at = PrincipalScalars(Point(trace, (*re, 0, 0, 0), "e").x, scope)
     return with_dual(trace, scope.name("fe", factor * e.scalar), rho, re, at.hi)

@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="5d635cc18ee3fec1",
+    programs="9fe5561985234d1d",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -593,7 +593,7 @@ CHART = Chart(
         real=True,
     ),
     },
-    programs="1f3b558654636475",
+    programs="339f3a5155243ec4",
 )
 
 KERNELS = RotationKernels(CHART)

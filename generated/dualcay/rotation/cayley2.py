@@ -113,7 +113,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="8227a3f0e7c11ca0",
+    programs="e7cd886ebb831ec8",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="4b0c3c1402cda136",
+    programs="9aa0af4749ce9c48",
 )
 
 KERNELS = RotationKernels(CHART)

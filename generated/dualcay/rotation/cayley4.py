@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="4428f403104994be",
+    programs="c0fa69fb9cd7c587",
 )
 
 KERNELS = RotationKernels(CHART)

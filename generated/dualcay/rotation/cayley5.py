@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="f4477591443e2cec",
+    programs="9b74f23892bc3622",
 )
 
 KERNELS = RotationKernels(CHART)

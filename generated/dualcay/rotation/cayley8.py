@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="7dc4c11c1af795b3",
+    programs="eee1d9f023f9ba8d",
 )
 
 KERNELS = RotationKernels(CHART)

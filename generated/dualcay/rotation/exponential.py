@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="7c7390fc0238c9e3",
+    programs="db58961511b99251",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="30b4fd81e62f8790",
+    programs="8214b07d74d54daf",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -394,7 +394,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="e7042f7e16b420f8",
+    programs="f21db75303b228cb",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -728,7 +728,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="db3d07a13eac0e08",
+    programs="ab63f8a6ab395d4d",
 )
 
 KERNELS = RotationKernels(CHART)

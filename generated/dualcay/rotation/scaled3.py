@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="a480972edddd294a",
+    programs="06979e096a1a9d04",
 )
 
 KERNELS = RotationKernels(CHART)

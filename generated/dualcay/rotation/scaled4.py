@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="31c0c56a0b1dfcc0",
+    programs="88a2d5a6c4b6dbb9",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="6521bbb9153f8423",
+    programs="1f03f4729e579639",
 )
 
 KERNELS = RotationKernels(CHART)

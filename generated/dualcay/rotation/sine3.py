@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="680afac6e333a975",
+    programs="f2ef0aed4827c37d",
 )
 
 KERNELS = RotationKernels(CHART)

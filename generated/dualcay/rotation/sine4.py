@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="0a25e2aa5daf65bc",
+    programs="ab28e3daff6511b8",
 )
 
 KERNELS = RotationKernels(CHART)

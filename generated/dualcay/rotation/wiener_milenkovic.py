@@ -113,7 +113,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="a95d9debf7e1dbd5",
+    programs="da2c350416f5e899",
 )
 
 KERNELS = RotationKernels(CHART)
