@@ -41,6 +41,8 @@ EQUIVALENT = {
     r"const dualcay_real z\w* = \(near\w* \? x": "what is far is no argument of the series, but some number",
     r"const int near\w* = x\w* < ": "next to the limit both sides are right",
     r"\* \(50\d - z\w*\)": "the last terms of the series: less than a condition makes of what is cut off",
+    r"const dualcay_real versine\w* = tthalf\w* ": "either is 1 - cos alpha; their slopes differ in digits",
+    r"const dualcay_real lost\w* = ": "what rounding took: of exact elements nothing",
     r"_scalars\(.*&\w+_(3, &\w+_2|5, &\w+_4)\b": "results that nothing reads change places",
 }
 """Changes that change no result, by their function and line, and why."""
