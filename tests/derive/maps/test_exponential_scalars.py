@@ -42,7 +42,7 @@ def worst(kind: type[ExponentialScalars]) -> float:
 
 @pytest.mark.parametrize("kind", [ExponentialScalars, PrincipalScalars])
 def test_a_rounded_root_costs_nothing(kind: type[ExponentialScalars]) -> None:
-    """Within 2 eps: tangent, sum, quotient, correction, quotient, half each; what the angle lost, 2 eps, is not in it."""
+    """Within 2 eps: tangent, sum, quotient, correction, quotient, half each; the 2 eps of the angle are not in it."""
     assert worst(kind) <= 2
 
 
