@@ -61,7 +61,7 @@ def test_steps_next_to_an_edge_lose_nothing(name: str, kernels: ModuleType, left
     """With a share of the way to the edge left.
 
     Where φ′ = 0, x says little of the angle there, and T is all but singular. At a pole it is the angle, as it is
-    rounded, that says little of v: steps by it were off by 2 eps over the share, that is 2e4 eps.
+    rounded, that says little of v: steps by it are off by 0.2 eps over the share.
     """
     oracle = families.oracle_of(name)
     angle, steps = families.edge_of(name) * (1 - left), sampling.dual_vectors(f"{name} {left}", count=2)

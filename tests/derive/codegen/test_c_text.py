@@ -38,11 +38,11 @@ EQUIVALENT = {
     r"rotation_\w+_shadow_jacobian_core: const int still = total <": "the same",
     r"rotation_\w+retract_core: .*(factor|z0s) = still \?": "it is multiplied by a vector that is 0 there",
     r"angle_core: const int resting = x <": "of v = 0 the angle that is computed is 0 too: it is chosen for gradients",
-    r"const dualcay_real z\w* = \(near\w* \? x": "what is far is no argument of the series, but some number",
-    r"const int near\w* = x\w* < ": "next to the limit both sides are right",
-    r"\* \(50\d - z\w*\)": "the last terms of the series: less than a condition makes of what is cut off",
-    r"const dualcay_real versine\w* = tthalf\w* ": "either is 1 - cos alpha; their slopes differ in digits",
-    r"const dualcay_real lost\w* = ": "what rounding took: of exact elements nothing",
+    r"const dualcay_real z\w = \(near\w \? (x\w) : \1 \+ \1\) / 4;": "what is far goes into no series",
+    r"const int near\w = x\w < [57];": "next to the limit both sides are right",
+    r"\* \(50[57] - z\w\)": "the last terms of the series: less than a condition makes of what is cut off",
+    r"versine(\w) = tthalf\1 [<>]=? 1[567] \? 2 \* tthalf\1 / belowhalf\1 : 2 - 2 / belowhalf\1;": "both are 1 - cos",
+    r"lost(\w) = (\(alpha\1 [<>]=? [789] \? -?left\1 : \(\w+\)0\)|-?left\1) / \(": "rounding takes nothing here",
     r"_scalars\(.*&\w+_(3, &\w+_2|5, &\w+_4)\b": "results that nothing reads change places",
 }
 """Changes that change no result, by their function and line, and why."""

@@ -27,15 +27,6 @@ OPERATIONS: Mapping[str, Callable[..., Any]] = {
 }  # fmt: skip
 COMPARISONS = ("lt", "eq")
 
-
-def test_directions_of_the_lattice_differ_and_have_one_to_three_components():
-    """Of each kind a chart needs some: |v| = 1, √2, √3, with both signs."""
-    squares = sorted(sum(c * c for c in u) for u in digits.LATTICE)
-    assert squares == [1, 1, 2, 3, 3]
-    assert len({frozenset((u, tuple(-c for c in u))) for u in digits.LATTICE}) == len(squares)
-    assert {c for u in digits.LATTICE for c in u} == {-1, 0, 1}
-
-
 Sides = Mapping[tuple[str, str], set[bool]]
 """By program and name of a comparison: the sides it was seen to take."""
 
@@ -101,3 +92,11 @@ def test_every_comparison_is_seen_both_ways(n: int) -> None:
 
 def test_with_fewer_cases_some_are_not() -> None:
     assert len(one_sided(sides(3, slice(1)))) > 5
+
+
+def test_directions_of_the_lattice_differ_and_have_one_to_three_components():
+    """Of each kind a chart needs some: |v| = 1, √2, √3, with both signs."""
+    squares = sorted(sum(c * c for c in u) for u in digits.LATTICE)
+    assert squares == [1, 1, 2, 3, 3]
+    assert len({frozenset((u, tuple(-c for c in u))) for u in digits.LATTICE}) == len(squares)
+    assert {c for u in digits.LATTICE for c in u} == {-1, 0, 1}
