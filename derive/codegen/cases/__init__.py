@@ -10,6 +10,7 @@ floats   results at all combinations of arguments, for calls on arrays of floats
 point    numbers in place of the symbols of formulas
 vectors  φ(α + 2πk) u of a chart and the way back to α and u, from φ alone
 maps_at  by these, inverse maps, screws, shadows and composition at given numbers
+steps    far steps and motions, and steps next to a pole, to 50 digits
 screws   seeded screws on which every side of every selection is taken
 ======== ========================================================================================
 """

@@ -27,6 +27,7 @@ from .exact import ALGEBRAIC, Expectation
 from .maps_at import MAPS, Flat, flat, reached
 from .point import value
 from .screws import covering, half_turns, steep, translation
+from .steps import SMALL_STEP, by, far_steps, steps_to_pole
 from .vectors import Vectors, is_whole
 
 SEED = 2011
@@ -45,12 +46,6 @@ INSIDE = 0.1
 
 NEAR_TIE = mpmath.mpf(10) ** -30
 """Angle between a vector and the limit of its branch."""
-
-SMALL_STEP = tuple(mpmath.mpf(c) / 64 for c in (1, -2, 2, 1, 0, 3))
-"""A displacement that leads from a vector to one of its own branch."""
-
-SHORT_OF_POLE = mpmath.mpf(1) / 64
-"""What is left of the way to the edge before a step of this kind, which one way leads over it."""
 
 LATTICE = ((1, 0, 0), (0, -1, 0), (1, 1, 1), (-1, 1, -1), (1, -1, 0))
 """Directions which have, times a power of two, a v·v without rounding: at some of them a chart's scalars vanish."""
@@ -121,15 +116,9 @@ def _cases(chart: Vectors, draw: random.Random) -> Iterator[Expectation]:
     for screw in steep(draw, small, 1 / 3):
         if chart.finite(screw, 0, near_edge(chart)):
             yield from _from_rotation(tensor_from_screw(screw), 0, flat(chart.at(screw)))
-    yield from _far_steps(chart, screws[0], still)
-    yield from _steps_to_pole(chart, screws[0])
+    yield from far_steps(chart, screws[0], still)
+    yield from steps_to_pole(chart, screws[0])
     yield from _near_ties(chart, screws[0])
-
-
-def _by(chart: Vectors, name: str, *arguments: Flat) -> Expectation:
-    """What one of the maps makes of its arguments; a branch stands behind its name."""
-    function, branch = (*name.split(), "0")[:2]
-    return Expectation(name, arguments, later(MAPS[function], chart, int(branch), *arguments))
 
 
 def _principal(chart: Vectors, screw: Screw, other: Screw) -> Iterator[Expectation]:
@@ -142,22 +131,22 @@ def _principal(chart: Vectors, screw: Screw, other: Screw) -> Iterator[Expectati
     yield from _coordinates(chart, screw)
     yield Expectation("compose", vectors, flat(chart.of_quaternion(product)))
     for name in ("between", "local", "body_local", "retract", "body_retract"):  # any dual vector is a δ
-        yield _by(chart, name, *vectors)
+        yield by(chart, name, *vectors)
     yield from _between(chart, screw, other)
     if all(chart.finite(s, 0, INSIDE) for s in (screw, other)):
         for name in ("compose_jacobians", "between_jacobians", "retract_jacobians", "body_retract_jacobians"):
-            yield _by(chart, name, *vectors)
+            yield by(chart, name, *vectors)
 
 
 def _coordinates(chart: Vectors, screw: Screw) -> Iterator[Expectation]:
     """α u of a vector, and back; of angles some turns further on too."""
     v = flat(chart.at(screw))
-    yield _by(chart, "to_exponential", v)
+    yield by(chart, "to_exponential", v)
     beyond = 3 if mpmath.isinf(chart.edge) else int(chart.edge / (2 * mpmath.pi)) + 1
     for turns in (0, 1, beyond):
         w = screw.axis * (screw.angle + 2 * mpmath.pi * turns)
         if chart.finite(Screw(reached(chart, screw.angle + 2 * mpmath.pi * turns), screw.axis), 0, INSIDE):
-            yield _by(chart, "from_exponential", flat(w))
+            yield by(chart, "from_exponential", flat(w))
 
 
 def _between(chart: Vectors, screw: Screw, other: Screw) -> Iterator[Expectation]:
@@ -165,7 +154,7 @@ def _between(chart: Vectors, screw: Screw, other: Screw) -> Iterator[Expectation
     further = Screw(screw.angle / 3, screw.axis)
     for end, t in ((other, "0.3"), (screw, "0.7"), (further, "0.8"), (further, "-4.3")):
         given = flat(chart.at(screw)), flat(chart.at(end)), (mpmath.mpf(t),)
-        yield _by(chart, "interpolate", *given)
+        yield by(chart, "interpolate", *given)
 
 
 def _back(chart: Vectors, screw: Screw, branch: int) -> Iterator[Expectation]:
@@ -175,7 +164,7 @@ def _back(chart: Vectors, screw: Screw, branch: int) -> Iterator[Expectation]:
     yield Expectation(f"shadow {chart.back(branch)}", (v,), flat(chart.at(screw)))
     if branch:
         way = v, MAPS["retract"](chart, 0, v, SMALL_STEP), (mpmath.mpf("0.5"),)
-        yield _by(chart, "interpolate", *way)
+        yield by(chart, "interpolate", *way)
 
 
 def _branch(chart: Vectors, screw: Screw, branch: int) -> Iterator[Expectation]:
@@ -187,11 +176,11 @@ def _branch(chart: Vectors, screw: Screw, branch: int) -> Iterator[Expectation]:
     yield Expectation(f"shadow {branch}", (principal,), v)
     yield Expectation("principal", (v,), principal)
     for name in ("angle", "to_exponential"):
-        yield _by(chart, name, v)
+        yield by(chart, name, v)
     if screw.angle.re > INSIDE and all(chart.finite(screw, k, INSIDE) for k in (0, branch)):
-        yield _by(chart, f"shadow_jacobian {branch}", principal)
+        yield by(chart, f"shadow_jacobian {branch}", principal)
     for name in ("retract", "body_retract", "retract_jacobians", "body_retract_jacobians") if branch else ():
-        yield _by(chart, name, v, SMALL_STEP)
+        yield by(chart, name, v, SMALL_STEP)
 
 
 def _from_rotation(R: Tensor, branch: int, v: Flat) -> Iterator[Expectation]:
@@ -222,36 +211,6 @@ def _half_turn(chart: Vectors, screw: Screw, branch: int) -> Iterator[Expectatio
     R = tensor_from_pose(Pose(Tensor.dyad(u, u) * 2 - Tensor.identity(), d * u + 2 * u.cross(moment)))
     positive = screw if orientation(*u) > 0 else opposite
     yield from _from_rotation(R, branch, flat(chart.at(positive, branch)))
-
-
-def _far_steps(chart: Vectors, screw: Screw, still: Screw) -> Iterator[Expectation]:
-    """Steps beyond the series of the exponential and where their last terms weigh most, and from a translation."""
-    small, *large = (tuple(mpmath.mpf(size * c) for c in (1, -2, 2, 1, 0, 3)) for size in (0.25, 0.8125, 2, 3))
-    resting = flat(chart.at(still))
-    for name in ("retract", "body_retract"):
-        for given in (*((flat(chart.at(screw)), delta) for delta in large), (resting, small)):
-            yield _by(chart, name, *given)
-    for name in ("retract_jacobians", "body_retract_jacobians"):
-        for delta in large:
-            given = flat(chart.at(screw)), delta
-            yield _by(chart, name, *given)
-    elsewhere = tuple(reversed(resting))
-    v = flat(chart.at(screw))
-    for start, end, t in ((resting, (0, 0, 0, *elsewhere[:3]), 0.25), (v, MAPS["retract"](chart, 0, v, small), 4)):
-        motion = start, end, (mpmath.mpf(t),)
-        yield _by(chart, "interpolate", *motion)
-    yield _by(chart, "angle", resting)
-    yield Expectation("angle", ((mpmath.mpf(0),) * 6,), (mpmath.mpf(0),) * 2)
-
-
-def _steps_to_pole(chart: Vectors, screw: Screw) -> Iterator[Expectation]:
-    """Steps that end next to the edge, where φ has a pole there: before it, and behind."""
-    if mpmath.isinf(chart.edge) or chart.is_folded:
-        return
-    v = chart.at(Screw(Dual(chart.edge - SHORT_OF_POLE, screw.angle.du), screw.axis))
-    for name in ("retract", "body_retract"):
-        for given in ((flat(v), SMALL_STEP), (flat(-v), SMALL_STEP)):
-            yield _by(chart, name, *given)
 
 
 def _near_ties(chart: Vectors, screw: Screw) -> Iterator[Expectation]:
