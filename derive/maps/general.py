@@ -19,14 +19,15 @@ import sympy
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
 from . import stumpff
+from .angle_ratio import Ratio, ratio
 from .by_angle import ByAngle
 from .dependent import DependentScalars
 from .edges import DIGITS, Edge, edge_of
 from .families import alpha
-from .inverse_phi import Guess, Ratio, guess, ratio
+from .first_guess import Guess, guess
 from .lowered_phi import Lowering, require_known
 from .of_order import of_twice
-from .split import plus, times
+from .split import plus
 
 
 class GeneralScalars(DependentScalars):
@@ -270,23 +271,12 @@ class General(ByAngle):
 
     def far_angle(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         """By Newton's method from the first guess."""
-        angle = m.name("guess", self._guess(x, r, m))
+        angle = m.name("guess", self.far.lowered(x, r, m))
         slope = self.phi.diff(alpha)
         for step in range(self.far.steps):
             at = Lowering(m.corrected(angle), m, f"newton{step}_")
             angle = m.name(f"alpha{step}", angle - m.div(at.at(self.phi) - r, at.at(slope)))
         return angle
-
-    def _guess(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
-        far = self.far
-        if far.kind == "cut":
-            return far.polynomial.at(r, m, "first")
-        share = m.name("share", times(1 / far.size, x, m, "ratio"))
-        if far.kind == "fold":
-            z = m.name("z", m.sqrt(m.where(m.less(share, 1), 1 - share, share)))
-        else:
-            z = m.name("z", m.div(1, m.sqrt(1 + share)))
-        return plus(-(z * far.polynomial.at(z, m, "first")), far.edge, m, "fromedge")
 
     def sized(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> tuple[Coefficient, Coefficient]:
         """NaN beyond the edge, where the root is none."""

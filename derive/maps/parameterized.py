@@ -12,6 +12,7 @@ import sympy
 from ..algebra import Coefficient
 from ..algebra.arithmetic import PLAIN, Arithmetic
 from .chart import DEFINITIONS, Scalars
+from .closed_inverse import closed_inverse
 from .edges import Edge, angle_of
 from .families import alpha, of_angle
 from .formula import Formula, IsotropicMap, QuaternionMap
@@ -87,6 +88,11 @@ class Parameterized(ABC):
         sixth, bend = sympy.Rational(1, 6), 2 * third / first
         tangent = 1 / first, 1 / (2 * first**2), (sixth - bend) / first**3
         return tangent, (first, -sympy.Rational(1, 2), bend / first + sixth / (2 * first))
+
+    @property
+    def closed_inverse(self) -> sympy.Expr | None:
+        """φ⁻¹ as an expression in `families.alpha`, which is |v| in it; None where SymPy has none."""
+        return closed_inverse(self.phi)
 
     def inverse(self, size: Any) -> Any:
         """φ⁻¹ of a length below `range`, in the working precision of mpmath: Newton's method between bounds."""

@@ -30,7 +30,7 @@ class OfSquare(Oracle):
         """α² of v·v."""
         real, one = _real(x), self.field.number(1)
         with mpmath.workdps(DIGITS):
-            found = mpmath.findroot(lambda u: self._x(u) / real - 1 if real else u, self._guess(real))
+            found = mpmath.findroot(lambda u: self._x(u) / real - 1, self._bounds(real)) if real else real
         slope = self._x(Nil(one * found, one)).du
         u = x * 0 + found
         for _ in range(NESTED):
@@ -41,12 +41,14 @@ class OfSquare(Oracle):
         share = self.share(self.field, u)
         return u * share * share
 
-    def _guess(self, x: Any) -> Any:
-        """By doubling: x grows with α²."""
-        u = x / self._x(x * 0 + 1e-30) * 1e-30 if x else x
-        while self._x(u) < x:
+    def _bounds(self, x: Any) -> tuple[Any, Any]:
+        """By doubling and halving: x grows with α²."""
+        u = x / self._x(x * 0 + 1e-30) * 1e-30
+        while self._x(u) > x:
+            u = u / 2
+        while self._x(2 * u) < x:
             u = u * 2
-        return u
+        return u, 2 * u
 
     def base(self, v: Any) -> Any:
         u = self.square(dot(v, v))

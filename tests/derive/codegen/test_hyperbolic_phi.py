@@ -28,6 +28,9 @@ PHI: dict[str, tuple[str, Share]] = {
     "hyper": ("2*sinh(alpha/2)", lambda field, u: series(u / 4, 1)),
     "flat": ("10*tanh(alpha/10)", lambda field, u: series(u / 100, 1) / series(u / 100, 0)),
     "bell": ("alpha*exp(-alpha**2/100)", lambda field, u: field.exp(-u / 100)),
+    "steep": ("alpha + alpha**3", lambda field, u: 1 + u),
+    "bounded": ("alpha/sqrt(1 + alpha**2/40)", lambda field, u: 1 / field.sqrt(1 + u / 40)),
+    "wavy": ("alpha + 9*sin(alpha)/10", lambda field, u: 1 + series(-u, 1) * 9 / 10),
     "slow": ("alpha*(1 + log(1 + alpha**2/10))", lambda field, u: 1 + field.log(1 + u / 10)),
 }
 """By name: φ, and φ/α as a function of α²."""
@@ -37,7 +40,14 @@ REGIMES = ((1e-300, 1e-290), (1e-9, 1e-5), (1e-3, 0.1), (1.2, 1.4), (0.3, 3.1), 
 GATE = 8
 
 
-@pytest.fixture(scope="module", params=["hyper", *(pytest.param(n, marks=pytest.mark.thorough) for n in list(PHI)[1:])])
+QUICK = ("steep", "bounded")
+"""What they are divided by is no series, which the oracle sums."""
+
+
+@pytest.fixture(
+    scope="module",
+    params=[pytest.param(name, marks=[] if name in QUICK else pytest.mark.thorough) for name in PHI],
+)
 def name(request: pytest.FixtureRequest) -> str:
     return str(request.param)
 

@@ -1,0 +1,113 @@
+"""Any φ at 0, and φ⁻¹ near 0 and beyond: what is fitted is as near as it says, by what it was fitted before."""
+
+from __future__ import annotations
+
+import re
+
+import mpmath
+import pytest
+import sympy
+
+from derive.algebra.arithmetic import PLAIN
+from derive.maps import PhiError, first_guess, parameterization
+from derive.maps.edges import DIGITS, angle_of, edge_of
+from derive.maps.families import Family, alpha
+from derive.maps.first_guess import Fitted, Guarded, Guess
+from derive.maps.general import General
+
+FITTED = {
+    "alpha/(1 + alpha**2/40)": "21 47/32 2.99e-19 Fold 3",
+    "2*sinh(alpha/2)": "19 7/16 2.72e-19 Closed 1",
+    "alpha + alpha**3/20": "21 7/16 2.99e-19 Length 4",
+    "alpha + alpha**3": "23 7/256 3.26e-19 Logarithm 4",
+    "alpha + 9*sin(alpha)/10": "21 91/64 5.67e-19 Guarded 4",
+    "tan(alpha/5) + alpha/10": "16 5/32 2.77e-19 Pole 3",
+}
+"""Degree near 0, limit of x, remainder; the guess beyond, and Newton's steps from it."""
+
+
+@pytest.fixture(scope="module", params=list(FITTED))
+def phi(request: pytest.FixtureRequest) -> str:
+    return str(request.param)
+
+
+@pytest.fixture(scope="module")
+def chart(phi: str) -> General:
+    found = parameterization(phi, "of_user")
+    assert isinstance(found, General)
+    return found
+
+
+def test_it_is_fitted_as_before(phi, chart) -> None:
+    near, far = chart.near, chart.far
+    degree = len(near.polynomials[0].levels[0]) - 1
+    assert f"{degree} {near.limit} {near.remainder:.3g} {_called(far)} {far.steps}" == FITTED[phi]
+
+
+def _called(guess: Guess) -> str:
+    return type(guess.variable if isinstance(guess, Fitted) else guess).__name__
+
+
+def test_near_0_the_ratio_and_its_derivatives_are_within_the_remainder(chart) -> None:
+    def ratio(x):
+        return angle_of(chart.phi, edge_of(chart.phi), mpmath.sqrt(x)) / mpmath.sqrt(x)
+
+    limit = mpmath.mpf(chart.near.limit.numerator) / chart.near.limit.denominator
+    with mpmath.workdps(2 * DIGITS):
+        for share in ("0.05", "0.5", "0.97"):
+            x = limit * mpmath.mpf(share)
+            exact = mpmath.taylor(ratio, x, len(chart.near.polynomials) - 1)
+            for k, polynomial in enumerate(chart.near.polynomials):
+                off = abs(polynomial.value(x) - exact[k] * mpmath.factorial(k))
+                assert off * limit**k <= chart.near.remainder * chart.limits[0][0], k
+
+
+@pytest.mark.parametrize("phi", ["1/40*sinh(alpha)", "40*(sin(alpha/2) + alpha/50)"])
+def test_units_of_v_make_no_difference(phi) -> None:
+    scaled, alone = (parameterization(text, "of_user") for text in (phi, phi.partition("*")[2]))
+    assert scaled.near.remainder == pytest.approx(alone.near.remainder, rel=1)
+    assert (type(scaled.far), scaled.far.steps) == (type(alone.far), alone.far.steps)
+
+
+@pytest.mark.parametrize(("phi", "reason"), [
+    ("1e-6*sinh(alpha)", "too small near 0, 8.13e-8: take a multiple of it"),
+    ("1e6*sinh(alpha)", "too large near 0, 8.13e+4: take a multiple of it"),
+    ("sinh(30*alpha)", "nothing proves that the inverse of phi = sinh(30*alpha) is analytic near 0"),
+])  # fmt: skip
+def test_what_is_not_fitted_near_0_is_refused(phi, reason) -> None:
+    with pytest.raises(PhiError, match=re.escape(reason)):
+        _ = parameterization(phi, "of_user").near
+
+
+def test_without_bounds_a_wavy_phi_is_not_inverted(monkeypatch) -> None:
+    """Its slope falls to a tenth: from what is fitted Newton's method runs away."""
+    monkeypatch.setattr(first_guess, "GUARDED", ())
+    with pytest.raises(PhiError, match=re.escape("alpha + 9*sin(alpha)/10 is not inverted near alpha = ")):
+        _ = parameterization("alpha + 9*sin(alpha)/10", "of_user").far
+
+
+def test_bounds_lead_back_from_any_start() -> None:
+    """Numbers as they come, at the float next to the root too: where it is met, no bound throws it away."""
+    chart = parameterization("alpha + 9*sin(alpha)/10", "of_user")
+    assert isinstance(chart.far, Guarded)
+    for angle in (2.0, 3.1, 3.2, 6.0, 9.5, 12.5):
+        size = float(chart.phi.subs(alpha, angle))
+        found = chart.far_angle(size * size, size, PLAIN)
+        assert found == pytest.approx(angle, rel=8e-16 / float(chart.phi.diff(alpha).subs(alpha, angle)))
+
+
+def test_limits_are_the_first_coefficients_of_the_series(chart) -> None:
+    of_series = Family("of user", 1, chart.phi, chart.scale, "").series(1)
+    assert chart.limits == tuple(tuple(coefficients[0] for coefficients in part) for part in of_series)
+
+
+def test_at_a_known_angle_next_to_a_fold_no_digit_is_lost() -> None:
+    """To 4 eps. From x, of which a rounding moves the angle by its root, 1e-6 before the fold h_i is off by 1e-9."""
+    chart = parameterization("alpha/(1 + alpha**2/40)", "of_user")
+    angle = float(40**0.5) - 1e-6
+    at = {alpha: sympy.Float(angle, DIGITS)}
+    size, fi, _, hi = (c.subs(at).evalf(DIGITS) for c in (chart.phi, *chart.tangent_inv.coefficients))
+    x, exact = float(size**2), float(2 * hi)
+    known = chart.at_angle(x, float(2 * fi), angle, PLAIN)
+    assert known.hi == pytest.approx(exact, rel=1e-15)
+    assert chart.scalars(x, PLAIN).hi != pytest.approx(exact, rel=1e-9)

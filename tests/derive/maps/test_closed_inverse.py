@@ -1,0 +1,53 @@
+"""φ⁻¹ in closed form leads back from a length to its angle, up to the edge; where there is none, none is found."""
+
+from __future__ import annotations
+
+import mpmath
+import pytest
+import sympy
+
+from derive.maps import parameterization
+from derive.maps.closed_inverse import closed_inverse
+from derive.maps.edges import DIGITS, real_value
+from derive.maps.families import alpha
+
+INVERSES = {
+    "3*sin(alpha/5)": "5*asin(alpha/3)",
+    "tan(alpha/7)/2": "7*atan(2*alpha)",
+    "2*sinh(alpha/2)": "2*asinh(alpha/2)",
+    "10*tanh(alpha/10)": "10*atanh(alpha/10)",
+    "asin(alpha/20)": "20*sin(alpha)",
+    "atan(alpha/3)": "3*tan(alpha)",
+    "sin(tan(alpha/8))": "8*atan(asin(alpha))",
+    "alpha/(1 + alpha**2/40)": None,
+    "alpha/(1 - alpha**2/40)": None,
+    "alpha/sqrt(1 + alpha**2/40)": None,
+    "alpha*sqrt(1 + alpha**2)": None,
+    "alpha*sqrt((1 + alpha**2)/(3 + alpha**2))": None,
+}
+"""By φ; what the root of a quadratic looks like is not said."""
+
+
+@pytest.mark.parametrize("phi", list(INVERSES))
+def test_it_leads_back_up_to_the_edge(phi: str) -> None:
+    chart = parameterization(phi, "of_user")
+    inverse = chart.closed_inverse
+    assert INVERSES[phi] in (None, str(inverse))
+    with mpmath.workdps(DIGITS):
+        end = min(mpmath.mpf(chart.edge.evalf(DIGITS)), 4 * mpmath.pi)
+        for share in ("1e-9", "0.1", "0.5", "0.9", "0.999"):
+            angle = end * mpmath.mpf(share)
+            size = real_value(chart.phi, angle, chart.phi)
+            found = inverse.subs(alpha, sympy.Float(size, DIGITS)).evalf(DIGITS)
+            assert abs(mpmath.mpf(found) / angle - 1) < mpmath.mpf(10) ** (6 - DIGITS), share
+
+
+@pytest.mark.parametrize(
+    "phi", ["alpha + sin(alpha)/2", "alpha*cosh(alpha)", "alpha + alpha**3", "sin(alpha + alpha**3)"]
+)
+def test_where_there_is_none_none_is_found(phi: str) -> None:
+    assert closed_inverse(parameterization(phi, "of_user").phi) is None
+
+
+def test_of_the_angle_itself_it_is_the_length() -> None:
+    assert closed_inverse(alpha) == alpha
