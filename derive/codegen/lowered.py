@@ -11,7 +11,7 @@ from types import MappingProxyType
 from ..maps.chart import Chart
 from ..proof import Proved
 from .lowering.scalars import scalar_program, scalar_programs
-from .programs.program import Call, Program
+from .programs.program import Call, Program, Step
 from .rows import Table
 from .signatures import POSES, ROTATIONS
 
@@ -96,7 +96,9 @@ def _divided(
     """
     known, divided = dict(given), set[Result]()
     for statement in program.statements:
-        made_of = [known.get(arg) if isinstance(arg, str) else set[Result]() for arg in statement.args]
+        selects = isinstance(statement, Step) and statement.op == "where"
+        values = statement.args[1:] if selects else statement.args  # whatever is asked, integers are selected
+        made_of = [known.get(arg) if isinstance(arg, str) else set[Result]() for arg in values]
         if isinstance(statement, Call):
             called = scalars[statement.function]
             names = [name for _, group in called.inputs for name in group]

@@ -201,5 +201,5 @@ class Breusing(OfOrder):
         c = cosine(x, m)
         return c, m.name("sigma", m.sqrt(c))
 
-    def factor(self, cosine: Coefficient, m: Arithmetic) -> Coefficient:
-        return m.div(1, m.sqrt(cosine))
+    def factor(self, cosine: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+        return 1, m.sqrt(cosine)

@@ -34,8 +34,8 @@ class OfOrder(turns.InTurns, OwnAxis):
         """cos θ and ``σ = sin θ/|v|`` at x."""
 
     @abstractmethod
-    def factor(self, cosine: Coefficient, m: Arithmetic) -> Coefficient:
-        """φ/sin θ."""
+    def factor(self, cosine: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+        """φ/sin θ, above and below."""
 
     def coefficient(self, angle: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         """Of the angle brought into (−nπ, nπ]: on by 2nπ sine and cosine of θ are the opposite ones."""
@@ -55,26 +55,32 @@ class OfOrder(turns.InTurns, OwnAxis):
         cosine = m.name("cos", m.where(negative, -q.scalar, q.scalar))
         sign = m.where(negative, -1, 1)
         found = self._by_halves if has_ladder(self.order) else self._by_angle
-        return m.name("gain", sign * found(q, cosine, size, m))
+        above, below = found(q, cosine, size, m)
+        return m.name("gain", m.div(sign * above, below))
 
-    def _by_halves(self, q: Quaternion, cosine: Coefficient, size: Coefficient, m: Arithmetic) -> Coefficient:
+    def _by_halves(
+        self, q: Quaternion, cosine: Coefficient, size: Coefficient, m: Arithmetic
+    ) -> tuple[Coefficient, Coefficient]:
         below = size
         c = cosine if self.order == 1 else m.name("cos0", m.div(cosine, size))
         for step in range(1, self.order.bit_length()):
             c = m.name(f"cos{step}", m.sqrt(m.div(1 + c, 2)))
             below = below * (2 * c)
-        return m.div(self.factor(c, m), below)
+        above, root = self.factor(c, m)
+        return above, below * root
 
-    def _by_angle(self, q: Quaternion, cosine: Coefficient, size: Coefficient, m: Arithmetic) -> Coefficient:
+    def _by_angle(
+        self, q: Quaternion, cosine: Coefficient, size: Coefficient, m: Arithmetic
+    ) -> tuple[Coefficient, Coefficient]:
         square = m.name("ss", q.vector.dot(q.vector))
         still = m.name("still", m.equal(square, 0))
         # the root is not taken of 0: its slope there is infinite, and 0 times that is no gradient
         sine = m.name("sin", m.sqrt(m.where(still, cosine, square)))
         t = m.name("t", m.tan(m.div(m.atan2(sine, cosine), 2 * self.order)))
         of_angle, cos = of_twice(t, m)
-        above = of_angle * self.factor(m.name("costheta", cos), m)
-        at_rest = self.factor(1, m)
-        return m.where(still, at_rest, above) / m.where(still, self.order * cosine, sine)
+        above, below = self.factor(m.name("costheta", cos), m)
+        at_rest, _ = self.factor(1, m)
+        return m.where(still, at_rest, of_angle * above), m.where(still, self.order * cosine, sine * below)
 
     # --- branches ---------------------------------------------------------------------------------------------------
 

@@ -202,8 +202,8 @@ class Sine(OfOrder):
         y = m.name("z", divided(x, self.scale**2, m))
         return m.name("c", m.sqrt(m.where(m.less(y, 1), 1 - y, y))), divided(1, self.scale, m)
 
-    def factor(self, cosine: Coefficient, m: Arithmetic) -> Coefficient:
-        return self._scaled(1, m)
+    def factor(self, cosine: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+        return self._scaled(1, m), 1
 
     def _scaled(self, value: Coefficient, m: Arithmetic) -> Coefficient:
         return divided(value, 1 / self.scale, m)

@@ -65,9 +65,9 @@
 #   rate_dot: 289: 108 +, 156 *, 21 /, 2 neg, 2 sqrt
 #   twist_jacobian: 286: 108 +, 165 *, 11 /, 2 sqrt
 #   rate_jacobian: 246: 89 +, 130 *, 23 /, 2 neg, 2 sqrt
-#   from_quaternion: 85: 27 +, 42 *, 8 /, 1 neg, 4 sqrt, 1 lt, 2 where
-#   from_tensor: 151: 50 +, 53 *, 12 /, 5 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
-#   from_pose: 115: 35 +, 35 *, 9 /, 5 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_quaternion: 84: 27 +, 42 *, 7 /, 1 neg, 4 sqrt, 1 lt, 2 where
+#   from_tensor: 151: 50 +, 54 *, 11 /, 5 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_pose: 115: 35 +, 36 *, 8 /, 5 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 34: 6 +, 17 *, 7 /, 1 sqrt, 1 tan, 1 lt, 1 where
 #   to_screw: 106: 25 +, 36 *, 14 /, 1 neg, 8 abs, 3 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
 #   angle: 86: 24 +, 27 *, 12 /, 6 abs, 6 sqrt, 1 atan2, 3 eq, 7 where
@@ -78,10 +78,10 @@
 #   identity_jacobian: 12: 12 +
 #   shadow_jacobian: 241: 68 +, 103 *, 33 /, 1 neg, 6 abs, 10 sqrt, 5 lt, 3 eq, 1 and, 1 or, 10 where
 #   principal: 83: 21 +, 33 *, 15 /, 4 sqrt, 2 lt, 8 where
-#   compose: 255: 87 +, 137 *, 19 /, 1 neg, 8 sqrt, 1 lt, 2 where
-#   between: 261: 87 +, 137 *, 19 /, 7 neg, 8 sqrt, 1 lt, 2 where
-#   compose_jacobians: 1098: 417 +, 579 *, 77 /, 8 neg, 14 sqrt, 1 lt, 2 where
-#   between_jacobians: 1122: 417 +, 579 *, 77 /, 32 neg, 14 sqrt, 1 lt, 2 where
+#   compose: 254: 87 +, 137 *, 18 /, 1 neg, 8 sqrt, 1 lt, 2 where
+#   between: 260: 87 +, 137 *, 18 /, 7 neg, 8 sqrt, 1 lt, 2 where
+#   compose_jacobians: 1097: 417 +, 579 *, 76 /, 8 neg, 14 sqrt, 1 lt, 2 where
+#   between_jacobians: 1121: 417 +, 579 *, 76 /, 32 neg, 14 sqrt, 1 lt, 2 where
 #   retract: 400: 124 +, 170 *, 48 /, 2 neg, 3 abs, 11 sqrt, 4 tan, 4 atan2, 8 lt, 2 eq, 24 where
 #   body_retract: 400: 124 +, 170 *, 48 /, 2 neg, 3 abs, 11 sqrt, 4 tan, 4 atan2, 8 lt, 2 eq, 24 where
 #   retract_jacobians: 1208: 446 +, 594 *, 100 /, 9 neg, 3 abs, 13 sqrt, 4 tan, 4 atan2, 8 lt, 2 eq, 25 where
@@ -616,12 +616,12 @@ def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x:
     return o1, o2, o3, o4, o5, o6
 
 
-# operations 12: 1 +, 2 *, 3 /, 1 neg, 2 sqrt, 1 lt, 2 where
+# operations 11: 1 +, 2 *, 2 /, 1 neg, 2 sqrt, 1 lt, 2 where
 def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     negative = e0 < 0
     cos = m.where(negative, -e0, e0)
     cos1 = m.sqrt((1 + cos) / 2)
-    gain = m.where(negative, -1, 1) * (1 / m.sqrt(cos1) / (2 * cos1))
+    gain = m.where(negative, -1, 1) / (2 * cos1 * m.sqrt(cos1))
     return gain,
 
 
@@ -635,16 +635,16 @@ def _gain_unit_blocks(
     negative = m.less(e0, n0, mask1)
     cos = m.where(negative, neg(e0, o1), e0, o1)
     cos1 = sqrt(div(add(n1, cos, o1), n2, o1), o1)
-    mul(m.where(negative, n_minus_1, n1, k1), div(div(n1, sqrt(cos1, k2), k2), mul(n2, cos1, o1), o1), o1)
+    div(m.where(negative, n_minus_1, n1, k1), mul(mul(n2, cos1, k2), sqrt(cos1, o1), o1), o1)
     return o1,
 
 
-# operations 17: 4 +, 6 *, 4 /, 3 sqrt
+# operations 17: 4 +, 7 *, 3 /, 3 sqrt
 def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
     cos0 = e0 / size
     cos1 = m.sqrt((1 + cos0) / 2)
-    gain = 1 / m.sqrt(cos1) / (size * (2 * cos1))
+    gain = 1 / (size * (2 * cos1) * m.sqrt(cos1))
     return gain,
 
 
@@ -657,18 +657,18 @@ def _gain_positive_blocks(
     size = sqrt(add(mul(e0, e0, o1), add(add(mul(e1, e1, k1), mul(e2, e2, k2), k1), mul(e3, e3, k2), k1), o1), o1)
     cos0 = div(e0, size, k1)
     cos1 = sqrt(div(add(n1, cos0, k1), n2, k1), k1)
-    div(div(n1, sqrt(cos1, k2), k2), mul(size, mul(n2, cos1, k1), o1), o1)
+    div(n1, mul(mul(size, mul(n2, cos1, k2), o1), sqrt(cos1, k1), o1), o1)
     return o1,
 
 
-# operations 15: 1 +, 4 *, 4 /, 1 neg, 2 sqrt, 1 lt, 2 where
+# operations 14: 1 +, 4 *, 3 /, 1 neg, 2 sqrt, 1 lt, 2 where
 def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
     size = size2 * size1
     negative = e0 < 0
     cos = m.where(negative, -e0, e0)
     cos0 = cos / size
     cos1 = m.sqrt((1 + cos0) / 2)
-    gain = m.where(negative, -1, 1) * (1 / m.sqrt(cos1) / (size * (2 * cos1)))
+    gain = m.where(negative, -1, 1) / (size * (2 * cos1) * m.sqrt(cos1))
     return gain,
 
 
@@ -684,9 +684,7 @@ def _gain_product_blocks(
     size = mul(size2, size1, k1)
     cos0 = div(cos, size, o1)
     cos1 = sqrt(div(add(n1, cos0, o1), n2, o1), o1)
-    mul(
-        m.where(negative, n_minus_1, n1, k2), div(div(n1, sqrt(cos1, k3), k3), mul(size, mul(n2, cos1, o1), o1), o1), o1
-    )
+    div(m.where(negative, n_minus_1, n1, k2), mul(mul(size, mul(n2, cos1, k3), k1), sqrt(cos1, o1), o1), o1)
     return o1,
 
 
@@ -1000,7 +998,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 3, 2, (-1, 0, 1, 2, 4, 6, 8)),
     },
     kernels=SHARED,
-    programs="6f56c935be73b5b0",
+    programs="5cc49a5f9e281b94",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -49,7 +49,7 @@
 #   rate_dot: 282: 104 +, 152 *, 20 /, 5 neg, 1 sqrt
 #   twist_jacobian: 245: 98 +, 137 *, 8 /, 1 neg, 1 sqrt
 #   rate_jacobian: 239: 85 +, 126 *, 22 /, 5 neg, 1 sqrt
-#   from_quaternion: 78: 24 +, 42 *, 6 /, 1 neg, 2 sqrt, 1 lt, 2 where
+#   from_quaternion: 77: 24 +, 41 *, 6 /, 1 neg, 2 sqrt, 1 lt, 2 where
 #   from_tensor: 144: 47 +, 53 *, 10 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 108: 32 +, 35 *, 7 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 26: 5 +, 14 *, 4 /, 1 tan, 1 lt, 1 where
@@ -62,10 +62,10 @@
 #   identity_jacobian: 12: 12 +
 #   shadow_jacobian: 174: 47 +, 74 *, 19 /, 1 neg, 6 abs, 5 sqrt, 6 lt, 3 eq, 1 and, 1 or, 11 where
 #   principal: 64: 16 +, 26 *, 8 /, 2 sqrt, 3 lt, 9 where
-#   compose: 218: 74 +, 127 *, 9 /, 1 neg, 4 sqrt, 1 lt, 2 where
-#   between: 224: 74 +, 127 *, 9 /, 7 neg, 4 sqrt, 1 lt, 2 where
-#   compose_jacobians: 1003: 388 +, 537 *, 59 /, 9 neg, 7 sqrt, 1 lt, 2 where
-#   between_jacobians: 1027: 388 +, 537 *, 59 /, 33 neg, 7 sqrt, 1 lt, 2 where
+#   compose: 217: 74 +, 126 *, 9 /, 1 neg, 4 sqrt, 1 lt, 2 where
+#   between: 223: 74 +, 126 *, 9 /, 7 neg, 4 sqrt, 1 lt, 2 where
+#   compose_jacobians: 1002: 388 +, 536 *, 59 /, 9 neg, 7 sqrt, 1 lt, 2 where
+#   between_jacobians: 1026: 388 +, 536 *, 59 /, 33 neg, 7 sqrt, 1 lt, 2 where
 #   retract: 364: 114 +, 162 *, 42 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 20 where
 #   body_retract: 364: 114 +, 162 *, 42 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 20 where
 #   retract_jacobians: 1147: 433 +, 568 *, 91 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 21 where
@@ -508,12 +508,12 @@ def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x:
     return o1, o2, n1, o4, o5, o6
 
 
-# operations 10: 1 +, 2 *, 2 /, 1 neg, 1 sqrt, 1 lt, 2 where
+# operations 9: 1 +, 1 *, 2 /, 1 neg, 1 sqrt, 1 lt, 2 where
 def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     negative = e0 < 0
     cos = m.where(negative, -e0, e0)
     cos1 = m.sqrt((1 + cos) / 2)
-    gain = m.where(negative, -1, 1) * (1 / (2 * cos1))
+    gain = m.where(negative, -1, 1) / (2 * cos1)
     return gain,
 
 
@@ -527,7 +527,7 @@ def _gain_unit_blocks(
     negative = m.less(e0, n0, mask1)
     cos = m.where(negative, neg(e0, o1), e0, o1)
     cos1 = sqrt(div(add(n1, cos, o1), n2, o1), o1)
-    mul(m.where(negative, n_minus_1, n1, k1), div(n1, mul(n2, cos1, o1), o1), o1)
+    div(m.where(negative, n_minus_1, n1, k1), mul(n2, cos1, o1), o1)
     return o1,
 
 
@@ -553,14 +553,14 @@ def _gain_positive_blocks(
     return o1,
 
 
-# operations 13: 1 +, 4 *, 3 /, 1 neg, 1 sqrt, 1 lt, 2 where
+# operations 12: 1 +, 3 *, 3 /, 1 neg, 1 sqrt, 1 lt, 2 where
 def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
     size = size2 * size1
     negative = e0 < 0
     cos = m.where(negative, -e0, e0)
     cos0 = cos / size
     cos1 = m.sqrt((1 + cos0) / 2)
-    gain = m.where(negative, -1, 1) * (1 / (size * (2 * cos1)))
+    gain = m.where(negative, -1, 1) / (size * (2 * cos1))
     return gain,
 
 
@@ -576,7 +576,7 @@ def _gain_product_blocks(
     size = mul(size2, size1, k1)
     cos0 = div(cos, size, o1)
     cos1 = sqrt(div(add(n1, cos0, o1), n2, o1), o1)
-    mul(m.where(negative, n_minus_1, n1, k2), div(n1, mul(size, mul(n2, cos1, o1), o1), o1), o1)
+    div(m.where(negative, n_minus_1, n1, k2), mul(size, mul(n2, cos1, o1), o1), o1)
     return o1,
 
 
@@ -833,7 +833,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 2, 1, (-1, 0, 1, 2, 4, 8)),
     },
     kernels=SHARED,
-    programs="ffecf0d56a8733ca",
+    programs="cd1813850a028bf7",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -58,10 +58,10 @@
 #   to_exponential: 41: 11 +, 17 *, 4 /, 3 sqrt, 1 atan2, 1 lt, 1 eq, 3 where
 #   from_exponential: 56: 14 +, 22 *, 7 /, 1 sqrt, 2 tan, 2 atan2, 2 lt, 1 eq, 5 where
 #   identity_jacobian: 12: 12 +
-#   compose: 193: 72 +, 111 *, 6 /, 2 sqrt, 1 lt, 1 where
-#   between: 199: 72 +, 111 *, 6 /, 6 neg, 2 sqrt, 1 lt, 1 where
-#   compose_jacobians: 936: 377 +, 497 *, 48 /, 7 neg, 5 sqrt, 1 lt, 1 where
-#   between_jacobians: 960: 377 +, 497 *, 48 /, 31 neg, 5 sqrt, 1 lt, 1 where
+#   compose: 192: 72 +, 110 *, 6 /, 2 sqrt, 1 lt, 1 where
+#   between: 198: 72 +, 110 *, 6 /, 6 neg, 2 sqrt, 1 lt, 1 where
+#   compose_jacobians: 935: 377 +, 496 *, 48 /, 7 neg, 5 sqrt, 1 lt, 1 where
+#   between_jacobians: 959: 377 +, 496 *, 48 /, 31 neg, 5 sqrt, 1 lt, 1 where
 #   retract: 351: 113 +, 151 *, 41 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 20 where
 #   body_retract: 351: 113 +, 151 *, 41 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 20 where
 #   retract_jacobians: 1116: 427 +, 548 *, 86 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 21 where
@@ -370,11 +370,11 @@ def _gain_positive_blocks(
     return o1,
 
 
-# operations 5: 2 *, 1 /, 1 lt, 1 where
+# operations 4: 1 *, 1 /, 1 lt, 1 where
 def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
     size = size2 * size1
     negative = e0 < 0
-    gain = m.where(negative, -1, 1) * (1 / size)
+    gain = m.where(negative, -1, 1) / size
     return gain,
 
 
@@ -387,7 +387,7 @@ def _gain_product_blocks(
     n_minus_1, n0, n1 = numbers
     negative = m.less(e0, n0, mask1)
     size = mul(size2, size1, o1)
-    mul(m.where(negative, n_minus_1, n1, k1), div(n1, size, o1), o1)
+    div(m.where(negative, n_minus_1, n1, k1), size, o1)
     return o1,
 
 
@@ -1146,7 +1146,7 @@ CHART = Chart(
         real=True,
     ),
     },
-    programs="630836a49074e9dd",
+    programs="5d3d636ff02b2cff",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -548,7 +548,7 @@ def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     t = m.tan(m.atan2(sin, cos) / 6)
     tt = t * t
     below = 1 + tt
-    gain = m.where(negative, -1, 1) * (m.where(still, 1, 2 * t / below) / m.where(still, 3 * cos, sin))
+    gain = m.where(negative, -1, 1) * m.where(still, 1, 2 * t / below) / m.where(still, 3 * cos, sin)
     return gain,
 
 
@@ -567,9 +567,9 @@ def _gain_unit_blocks(
     t = tan(div(atan2(sin, cos, k2), n6, k2), k2)
     tt = mul(t, t, k3)
     below = add(n1, tt, k3)
-    mul(
-        m.where(negative, n_minus_1, n1, k4), div(m.where(still, n1, div(mul(n2, t, k2), below, k2), k3), m.where(still,
-        mul(n3, cos, k1), sin, k1), o1), o1
+    div(
+        mul(m.where(negative, n_minus_1, n1, k4), m.where(still, n1, div(mul(n2, t, k2), below, k2), k3), k2),
+        m.where(still, mul(n3, cos, k1), sin, k1), o1
     )
     return o1,
 
@@ -613,7 +613,7 @@ def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1:
     t = m.tan(m.atan2(sin, cos) / 6)
     tt = t * t
     below = 1 + tt
-    gain = m.where(negative, -1, 1) * (m.where(still, 1, 2 * t / below) / m.where(still, 3 * cos, sin))
+    gain = m.where(negative, -1, 1) * m.where(still, 1, 2 * t / below) / m.where(still, 3 * cos, sin)
     return gain,
 
 
@@ -632,9 +632,9 @@ def _gain_product_blocks(
     t = tan(div(atan2(sin, cos, k2), n6, k2), k2)
     tt = mul(t, t, k3)
     below = add(n1, tt, k3)
-    mul(
-        m.where(negative, n_minus_1, n1, k4), div(m.where(still, n1, div(mul(n2, t, k2), below, k2), k3), m.where(still,
-        mul(n3, cos, k1), sin, k1), o1), o1
+    div(
+        mul(m.where(negative, n_minus_1, n1, k4), m.where(still, n1, div(mul(n2, t, k2), below, k2), k3), k2),
+        m.where(still, mul(n3, cos, k1), sin, k1), o1
     )
     return o1,
 
@@ -899,7 +899,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 2, 1, (-1, 0, 1, 2, 6, 12)),
     },
     kernels=SHARED,
-    programs="605e06795485420b",
+    programs="22b4cf0f90294528",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -49,7 +49,7 @@
 #   rate_dot: 296: 112 +, 159 *, 20 /, 4 neg, 1 sqrt
 #   twist_jacobian: 260: 106 +, 145 *, 8 /, 1 sqrt
 #   rate_jacobian: 253: 93 +, 133 *, 22 /, 4 neg, 1 sqrt
-#   from_quaternion: 87: 27 +, 46 *, 7 /, 1 neg, 3 sqrt, 1 lt, 2 where
+#   from_quaternion: 86: 27 +, 45 *, 7 /, 1 neg, 3 sqrt, 1 lt, 2 where
 #   from_tensor: 153: 50 +, 57 *, 11 /, 4 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 117: 35 +, 39 *, 8 /, 4 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 26: 5 +, 14 *, 4 /, 1 tan, 1 lt, 1 where
@@ -62,10 +62,10 @@
 #   identity_jacobian: 12: 12 +
 #   shadow_jacobian: 177: 49 +, 75 *, 19 /, 1 neg, 6 abs, 5 sqrt, 6 lt, 3 eq, 1 and, 1 or, 11 where
 #   principal: 67: 16 +, 26 *, 8 /, 2 sqrt, 4 lt, 11 where
-#   compose: 241: 85 +, 137 *, 10 /, 1 neg, 5 sqrt, 1 lt, 2 where
-#   between: 247: 85 +, 137 *, 10 /, 7 neg, 5 sqrt, 1 lt, 2 where
-#   compose_jacobians: 1059: 417 +, 563 *, 60 /, 8 neg, 8 sqrt, 1 lt, 2 where
-#   between_jacobians: 1083: 417 +, 563 *, 60 /, 32 neg, 8 sqrt, 1 lt, 2 where
+#   compose: 240: 85 +, 136 *, 10 /, 1 neg, 5 sqrt, 1 lt, 2 where
+#   between: 246: 85 +, 136 *, 10 /, 7 neg, 5 sqrt, 1 lt, 2 where
+#   compose_jacobians: 1058: 417 +, 562 *, 60 /, 8 neg, 8 sqrt, 1 lt, 2 where
+#   between_jacobians: 1082: 417 +, 562 *, 60 /, 32 neg, 8 sqrt, 1 lt, 2 where
 #   retract: 377: 121 +, 168 *, 42 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 20 where
 #   body_retract: 377: 121 +, 168 *, 42 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 20 where
 #   retract_jacobians: 1178: 449 +, 583 *, 91 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 21 where
@@ -543,13 +543,13 @@ def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x:
     return o1, o2, n1, o4, o5, o6
 
 
-# operations 15: 2 +, 4 *, 3 /, 1 neg, 2 sqrt, 1 lt, 2 where
+# operations 14: 2 +, 3 *, 3 /, 1 neg, 2 sqrt, 1 lt, 2 where
 def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     negative = e0 < 0
     cos = m.where(negative, -e0, e0)
     cos1 = m.sqrt((1 + cos) / 2)
     cos2 = m.sqrt((1 + cos1) / 2)
-    gain = m.where(negative, -1, 1) * (1 / (2 * cos1 * (2 * cos2)))
+    gain = m.where(negative, -1, 1) / (2 * cos1 * (2 * cos2))
     return gain,
 
 
@@ -564,7 +564,7 @@ def _gain_unit_blocks(
     cos = m.where(negative, neg(e0, o1), e0, o1)
     cos1 = sqrt(div(add(n1, cos, o1), n2, o1), o1)
     cos2 = sqrt(div(add(n1, cos1, k1), n2, k1), k1)
-    mul(m.where(negative, n_minus_1, n1, k2), div(n1, mul(mul(n2, cos1, o1), mul(n2, cos2, k1), o1), o1), o1)
+    div(m.where(negative, n_minus_1, n1, k2), mul(mul(n2, cos1, o1), mul(n2, cos2, k1), o1), o1)
     return o1,
 
 
@@ -592,7 +592,7 @@ def _gain_positive_blocks(
     return o1,
 
 
-# operations 18: 2 +, 6 *, 4 /, 1 neg, 2 sqrt, 1 lt, 2 where
+# operations 17: 2 +, 5 *, 4 /, 1 neg, 2 sqrt, 1 lt, 2 where
 def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
     size = size2 * size1
     negative = e0 < 0
@@ -600,7 +600,7 @@ def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1:
     cos0 = cos / size
     cos1 = m.sqrt((1 + cos0) / 2)
     cos2 = m.sqrt((1 + cos1) / 2)
-    gain = m.where(negative, -1, 1) * (1 / (size * (2 * cos1) * (2 * cos2)))
+    gain = m.where(negative, -1, 1) / (size * (2 * cos1) * (2 * cos2))
     return gain,
 
 
@@ -617,10 +617,7 @@ def _gain_product_blocks(
     cos0 = div(cos, size, o1)
     cos1 = sqrt(div(add(n1, cos0, o1), n2, o1), o1)
     cos2 = sqrt(div(add(n1, cos1, k2), n2, k2), k2)
-    mul(
-        m.where(negative, n_minus_1, n1, k3), div(n1, mul(mul(size, mul(n2, cos1, o1), o1), mul(n2, cos2, k1), o1), o1),
-        o1
-    )
+    div(m.where(negative, n_minus_1, n1, k3), mul(mul(size, mul(n2, cos1, o1), o1), mul(n2, cos2, k1), o1), o1)
     return o1,
 
 
@@ -893,7 +890,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 2, 1, (-1, 0, 1, 2, 8, 16)),
     },
     kernels=SHARED,
-    programs="d01b554d462c03c1",
+    programs="de1aae4cbadd3695",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -5,9 +5,9 @@
 # What was proved is told in the module for poses. Operations:
 #   quaternion 40, tensor 54, transform_point 62, inverse 3, tangent 53, tangent_inv 61, body_tangent 53,
 #       body_tangent_inv 61, twist 63, rate 70, tangent_dot 104, twist_dot 112, rate_dot 111, twist_jacobian
-#       111, rate_jacobian 96, from_quaternion 15, from_tensor 69, from_angle_axis 24, to_angle_axis 66, angle
+#       111, rate_jacobian 96, from_quaternion 14, from_tensor 69, from_angle_axis 24, to_angle_axis 66, angle
 #       21, to_exponential 49, from_exponential 50, turn 58, shadow 92, identity_jacobian 6, shadow_jacobian
-#       106, principal 56, compose 116, between 119, compose_jacobians 446, between_jacobians 458, retract 220,
+#       106, principal 56, compose 115, between 118, compose_jacobians 445, between_jacobians 457, retract 220,
 #       body_retract 220, retract_jacobians 561, body_retract_jacobians 563, local 124, body_local 124,
 #       interpolate 375, adjoint 54, transform_point_jacobians 142
 r"""Breusing's chart, rotations alone: Rodrigues vectors ``v = sin(α/4)/sqrt(cos(α/4)) u``, the real parts of `breusing`.
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="9fe5561985234d1d",
+    programs="7ba2d9781f1b5f6d",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -5,9 +5,9 @@
 # What was proved is told in the module for poses. Operations:
 #   quaternion 25, tensor 39, transform_point 47, inverse 3, tangent 38, tangent_inv 51, body_tangent 38,
 #       body_tangent_inv 51, twist 48, rate 60, tangent_dot 80, twist_dot 88, rate_dot 101, twist_jacobian 87,
-#       rate_jacobian 86, from_quaternion 13, from_tensor 67, from_angle_axis 16, to_angle_axis 54, angle 16,
+#       rate_jacobian 86, from_quaternion 12, from_tensor 67, from_angle_axis 16, to_angle_axis 54, angle 16,
 #       to_exponential 24, from_exponential 42, turn 39, shadow 65, identity_jacobian 6, shadow_jacobian 79,
-#       principal 37, compose 84, between 87, compose_jacobians 374, between_jacobians 386, retract 176,
+#       principal 37, compose 83, between 86, compose_jacobians 373, between_jacobians 385, retract 176,
 #       body_retract 176, retract_jacobians 509, body_retract_jacobians 511, local 94, body_local 94,
 #       interpolate 332, adjoint 39, transform_point_jacobians 127
 r"""Lambert's equal-area projection, rotations alone: Rodrigues vectors ``v = sin(α/4) u``, the real parts of `lambert`.
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="8214b07d74d54daf",
+    programs="fd45ca32541addd4",
 )
 
 KERNELS = RotationKernels(CHART)

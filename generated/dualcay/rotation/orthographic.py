@@ -6,8 +6,8 @@
 #   quaternion 16, tensor 31, transform_point 39, inverse 3, tangent 30, tangent_inv 14, body_tangent 30,
 #       body_tangent_inv 14, twist 40, rate 26, tangent_dot 68, twist_dot 76, rate_dot 58, twist_jacobian 75,
 #       rate_jacobian 48, from_quaternion 5, from_tensor 61, from_angle_axis 16, to_angle_axis 42, angle 16,
-#       to_exponential 24, from_exponential 39, identity_jacobian 6, compose 64, between 67, compose_jacobians
-#       320, between_jacobians 332, retract 170, body_retract 170, retract_jacobians 482, body_retract_jacobians
+#       to_exponential 24, from_exponential 39, identity_jacobian 6, compose 63, between 66, compose_jacobians
+#       319, between_jacobians 331, retract 170, body_retract 170, retract_jacobians 482, body_retract_jacobians
 #       484, local 82, body_local 82, interpolate 320, adjoint 31, transform_point_jacobians 119
 r"""Orthographic projection, rotations alone: Rodrigues vectors ``v = sin(α/2) u``, the real parts of `orthographic`.
 
@@ -394,7 +394,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="f21db75303b228cb",
+    programs="87db74f065af84ba",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="f2ef0aed4827c37d",
+    programs="d05038410bd0cc3c",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -5,9 +5,9 @@
 # What was proved is told in the module for poses. Operations:
 #   quaternion 32, tensor 46, transform_point 54, inverse 3, tangent 45, tangent_inv 60, body_tangent 45,
 #       body_tangent_inv 60, twist 55, rate 69, tangent_dot 92, twist_dot 100, rate_dot 110, twist_jacobian 99,
-#       rate_jacobian 95, from_quaternion 18, from_tensor 72, from_angle_axis 16, to_angle_axis 57, angle 16,
+#       rate_jacobian 95, from_quaternion 17, from_tensor 72, from_angle_axis 16, to_angle_axis 57, angle 16,
 #       to_exponential 24, from_exponential 43, turn 39, shadow 68, identity_jacobian 6, shadow_jacobian 82,
-#       principal 40, compose 103, between 106, compose_jacobians 416, between_jacobians 428, retract 183,
+#       principal 40, compose 102, between 105, compose_jacobians 415, between_jacobians 427, retract 183,
 #       body_retract 183, retract_jacobians 535, body_retract_jacobians 537, local 108, body_local 108,
 #       interpolate 346, adjoint 46, transform_point_jacobians 134
 r"""Sine chart of order 4, rotations alone: Rodrigues vectors ``v = sin(α/8) u``, the real parts of `sine4`.
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="ab28e3daff6511b8",
+    programs="ad0dbe950eac3ee7",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -64,6 +64,13 @@ def test_the_version_stands_in_the_header_of_one_file(target: str) -> None:
 
 
 @pytest.mark.parametrize("target", TARGETS)
+def test_rotations_have_a_geometry_and_a_module_for_each_chart(target: str) -> None:
+    row = TARGETS[target]
+    assert any(name.startswith("rotation/") and "geometry" in name for name in shared_texts(row))
+    assert any(name.startswith("rotation/") and "cayley1" in name for name in companion_texts(FACTS, row))
+
+
+@pytest.mark.parametrize("target", TARGETS)
 def test_a_release_changes_one_file(target: str, monkeypatch: pytest.MonkeyPatch) -> None:
     before = dict(shared_texts(TARGETS[target]))
     monkeypatch.setattr(about, "__version__", "99.1.2")

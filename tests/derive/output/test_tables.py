@@ -21,6 +21,13 @@ def test_a_table_that_does_not_fit_is_lines_with_all_its_cells() -> None:
     assert WORDS.text(49).startswith("words\nfirst of all\n  a statement: word word")
 
 
+def test_cells_are_printed_as_they_are() -> None:
+    """Brackets are no styles and colons no pictures."""
+    cells = "[bold]R[1:2][/bold]", ":rocket:"
+    text = Grid("[red]title[/red]", [Column("a"), Column("b")], [cells]).text(80)
+    assert all(cell in text for cell in (*cells, "[red]title[/red]"))
+
+
 def test_a_table_is_ruled_from_the_least_width_on() -> None:
     ruled = {width for width in range(10, 60) if "━" in WORDS.text(width)}
     assert ruled == set(range(50, 60))
