@@ -147,10 +147,10 @@ def _table(texts: tuple[str, ...], dtype: np.dtype[Any]) -> Array:
 
 def _single(arrays: Sequence[Array], arguments: Sequence[tuple[str, Shape]]) -> bool:
     """Whether they are of one pose, in float64; a loop, which costs a third of ``all``."""
+    single = True
     for array, (_, part) in zip(arrays, arguments):
-        if array.ndim != len(part) or array.dtype != FLOAT:
-            return False
-    return True
+        single = single and array.ndim == len(part) and array.dtype == FLOAT
+    return single
 
 
 def _alone(kernel: Kernel, chart: Chart, arrays: Sequence[Array], table: tuple[str, ...]) -> Array | None:
