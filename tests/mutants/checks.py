@@ -19,15 +19,16 @@ FEW = 2
 """Cases of each test, where kernels are emitted."""
 
 LONG, LONG_FIXTURE = 5.0, 30.0
-"""Seconds of processor time: a longer test, or one with a longer fixture, is left out of trials."""
+"""Seconds of processor time: a longer test, or one with a longer fixture, is asked of what survives all else."""
 
-LONG_AGAIN, LONG_FIXTURE_AGAIN = 40.0, 240.0
-"""The same where only what survived all else is tried."""
+TOO_LONG, TOO_LONG_FIXTURE = 40.0, 240.0
+"""The same of what is left out of trials."""
 
 SLOWER = 20.0
 """Seconds of processor time that a check which is no test may take more than it did while it was watched."""
 
 TESTS = "tests"
+LAST = "long tests"
 TEMPLATES = "templates"
 VALIDATING = "validating"
 CONTROLLING = "controls of proofs"
@@ -133,17 +134,18 @@ class Checks:
             with reach.by(CONTROLLING):
                 controls = road.controls() if self.controlled else ()
             tests = suite.run_all(self.tests, reach, few=self.few)
-        longest = (LONG_AGAIN, LONG_FIXTURE_AGAIN) if self.later else (LONG, LONG_FIXTURE)
-        long = [*tests.longer(*longest), *kernels.longer(*longest)]
+        too_long = [*tests.longer(TOO_LONG, TOO_LONG_FIXTURE), *kernels.longer(LONG, LONG_FIXTURE)]
         left_out = {
-            "takes long": long,
-            "fails unchanged": sorted({*tests.failed, *kernels.failed} - {*long}),
+            "takes long": too_long,
+            "fails unchanged": sorted({*tests.failed, *kernels.failed} - {*too_long}),
             "fails for one more comment in what is emitted": sorted(set(commented) - {*tests.failed}),
             "starts a program of its own": sorted(reach.starters & tests.seconds.keys()),
         }
         out = {name for names in left_out.values() for name in names}
-        seconds = {**first, TESTS: tests.without(out), "kernels": kernels.without(out)}
-        if not (seconds[TESTS] or self.later):
+        long = {*tests.longer(LONG, LONG_FIXTURE)}
+        quick, last = tests.without(out | long), tests.without(out | tests.seconds.keys() - long)
+        seconds = {**first, TESTS: quick, "kernels": kernels.without(out), LAST: last}
+        if not (quick or last or self.later):
             raise RuntimeError(f"no test of {', '.join(self.tests)} can be used: {left_out}")
         table = reach.table([name for stage in seconds.values() for name in stage])
         setups, apart = tests.setups + kernels.setups, _apart(reach, set().union(*first.values()))
@@ -192,11 +194,14 @@ class Checks:
             forget("dualcay")
             if by := suite.first_failure(plan["kernels"]):
                 return Fate(KILLED, "kernels", by)
+        if by := suite.first_failure(plan[LAST]):
+            return Fate(KILLED, TESTS, by)
         return Fate(SURVIVED)
 
     def _asked_again(self, former: Fate, plan: Mapping[str, Sequence[str]], knowledge: Knowledge) -> str | None:
         """What a check says that killed the same mutant before; None if it is not among those that reach it now."""
-        names = [name for name in plan.get(former.stage, ()) if f"{former.by}: ".startswith(f"{name}: ")]
+        planned = (*plan.get(former.stage, ()), *(plan[LAST] if former.stage == TESTS else ()))
+        names = [name for name in planned if f"{former.by}: ".startswith(f"{name}: ")]
         return self._first_failure(former.stage, names, knowledge) if former.stage in self.stages else None
 
     def _first_failure(

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from . import road
-from .checks import FEW, LONG, LONG_AGAIN, SLOWER
+from .checks import FEW, LONG, SLOWER, TOO_LONG
 from .mutant import EQUIVALENT, KILLED, MEANINGLESS, PROSE, SURVIVED, TIMEOUT
 from .record import Record
 from .rooms import ROOMS, Room
@@ -96,9 +96,9 @@ of its own on a copy of the tree. Rooms may be measured one by one, each at the 
   executing the statement, or all of them, of which docs/errata.md must say the same. **no test** is
   their share; of maps tests run before emission, which takes longer.
 - **tests**: killed by tests of that room only, but for those listed as left out. Of emission {few} cases of
-  each test are run. What survives is tried again by the files of tests that have changed since, then with tests of up
-  to {again} s of processor time, not {long}. **kernels**: killed by {few} cases of each test of tests/generated, run on
-  the NumPy kernels that the mutant emits. **crash**: the process died.
+  each test are run. Tests of {long} to {most} s of processor time are asked of what survives all else, and files of
+  tests that have changed since of what survived before. **kernels**: killed by {few} cases of each test of
+  tests/generated, run on the NumPy kernels that the mutant emits. **crash**: the process died.
 - **time limit**: stopped after twice the processor time of the checks that reach the change, and 20 s; counted as
   killed. What is no test fails besides if it takes {slower} s longer than it did.
 - **equivalent**: shown to be so by the run. Programs: of the same value at random points of a prime field, functions
@@ -127,7 +127,7 @@ def page(records: Sequence[Record], known: Mapping[str, Room] = ROOMS) -> str:
     measured = {record.room for record in records}
     if missing := [name for name in known if name not in measured]:
         rooms += f"\n\nNever measured: {', '.join(missing)}."
-    seconds = {"slower": round(SLOWER), "long": round(LONG), "again": round(LONG_AGAIN)}
+    seconds = {"slower": round(SLOWER), "long": round(LONG), "most": round(TOO_LONG)}
     return PAGE.format(few=FEW, table="\n".join(lines), rooms=rooms, **seconds, **listed)
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.mutants import report
+from tests.mutants import checks, report
 from tests.mutants.__main__ import main
 from tests.mutants.checks import Checks
 from tests.mutants.child import Child, isolated, outcomes
@@ -72,6 +72,17 @@ def test_killed_ones_are_killed_and_survivors_survive(tree: Path) -> None:
     assert "5 survive" in page
     assert "Never measured" not in page
     assert "Never measured: attic." in report.page([record], {ROOM.name: ROOM, "attic": ROOM})
+
+
+def test_long_tests_are_asked_last_and_longer_ones_left_out(tree: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    quick = run(tree)
+    monkeypatch.setattr(checks, "LONG", -1.0)
+    shutil.rmtree(tree / ".mutants")
+    assert run(tree).trials == quick.trials
+    monkeypatch.setattr(checks, "TOO_LONG", -1.0)
+    shutil.rmtree(tree / ".mutants")
+    with pytest.raises(NotControlled, match=r"no test .* can be used: .*takes long.*test_thing\.py::test_double"):
+        run(tree)
 
 
 def test_a_run_goes_on_where_it_stopped_until_the_tree_changes(tree: Path) -> None:

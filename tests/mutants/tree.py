@@ -15,7 +15,7 @@ from pathlib import Path
 
 from .python import Edit
 
-VERSION = 1
+VERSION = 2
 """Counted up when mutants are tried in another way, so that what was found before has to be found again."""
 
 DECIDING = (

@@ -77,6 +77,8 @@ def test_backend_says_where_compiled_functions_run(package, where, table):
 def test_every_program_is_compiled(native, rotations):
     for module in (native(3), rotations):
         assert module.CHART.native.keys() == module.CHART.kernels.keys()
+        for name, compiled in module.CHART.native.items():
+            assert compiled.function.__name__ == compiled.directly.__name__ == name
 
 
 def test_functions_are_made_once_however_often_they_are_imported(native):

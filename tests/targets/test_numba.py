@@ -247,6 +247,13 @@ def test_code_that_numba_compiles_calls_kernels(compiled, inside):
         assert_nearly_equal(back, load(ORDER).body_twist(v, v_dot), eps=eps)
 
 
+def test_what_is_asked_for_twice_is_compiled_once(compiled, inside):
+    """Of one kernel with other constants each is its own."""
+    module = compiled(ORDER)
+    assert inside(module.twist) is inside(module.twist)
+    assert inside(module.twist) is not inside(module.body_twist)
+
+
 def test_what_is_no_kernel_is_not_compiled_into_code(compiled, inside):
     module = compiled(ORDER)
     for other in (np.tan, module.shadow, module.principal, module.singular_angles, load(ORDER).pose, 3):
