@@ -29,13 +29,13 @@ WRONG: dict[str, tuple[str, Any, str]] = {
     "an infinite entry": ("from_pose", np.where(np.eye(4) > 0, np.inf, 0), "off by (inf|nan) "),
     "a quaternion of zeros": ("from_quaternion", np.zeros(8), "the square of its real part is not 1, off by 1 "),
     "a quaternion not of length 1": ("from_quaternion", [0, 0, 0, 1.1, 0, 0, 0, 0], "not 1, off by 0.21 "),
-    "a dual part along the real one": ("from_quaternion", [*TURNED, *TURNED], "not perpendicular to its real part"),
+    "a dual part along the real one": ("from_quaternion", [*TURNED, *TURNED], "to its real part, off by 0.42 "),
     "a tensor of zeros": ("from_tensor", np.zeros((2, 3, 3)), "Q Qᵀ is not I"),
     "a reflection of a tensor": ("from_tensor", [-np.eye(3), np.zeros((3, 3))], "det Q is not 1, off by 2 "),
-    "a dual part that stretches": ("from_tensor", [np.eye(3), np.eye(3)], "its dual part times Qᵀ is not skew"),
+    "a dual part that stretches": ("from_tensor", [np.eye(3), np.eye(3)], "times Qᵀ is not skew, off by 0.5 "),
     "a moment alone": ("from_screw", [0, 0, 0, 0, 0, 1], "the square of its direction is not 1, off by 1 "),
     "a direction of length 2": ("from_screw", [0, 2, 0, 0, 0, 1], "the square of its direction is not 1, off by 3 "),
-    "a moment along the direction": ("from_screw", [0, 0, 1, 0, 0, 1], "its moment is not perpendicular"),
+    "a moment along the direction": ("from_screw", [0, 0, 1, 0, 0, 1], "perpendicular to its direction, off by 0.5 "),
 }
 
 

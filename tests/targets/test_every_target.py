@@ -55,6 +55,14 @@ def test_a_module_shows_what_it_offers(package, target):
         assert sorted(dir(module)) == sorted(module.__all__)
 
 
+@pytest.mark.parametrize("target", ["numba", "array-api"])
+def test_where_there_is_one_branch_too_what_is_complex_has_no_principal_one(package, target):
+    module = importlib.import_module(f"{package(target)}.cayley1")
+    assert not module.CHART.returns
+    with pytest.raises(TypeError, match="v must be real"):
+        module.principal(np.full(6, 0.1 + 0j))
+
+
 def test_inside_compiled_code_functions_of_one_kernel_have_constants_of_their_own(package):
     shared = importlib.import_module(f"{package('numba')}._inside").SHARED
     assert shared == {name: (row.kernel, row.constants) for name, row in PUBLIC.items() if row.constants}

@@ -231,13 +231,6 @@ def test_without_a_folder_nothing_is_written_but_in_a_checkout(tmp_path: Path, m
     assert not any(tmp_path.iterdir())
 
 
-def test_who_names_no_chart_asks_for_the_committed_ones(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
-    asked = []
-    monkeypatch.setattr(compiler, "generate_charts", lambda charts, *others, **options: asked.extend(charts))
-    derive.generate(output=tmp_path)
-    assert asked == catalogue.committed()
-
-
 def test_bad_orders_and_targets_are_refused(tmp_path: Path):
     with pytest.raises(ValueError, match="order n must be an integer >= 1, got 0"):
         derive.generate([0], output=tmp_path / "k")

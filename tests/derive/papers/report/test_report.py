@@ -46,6 +46,12 @@ def test_every_entry_can_be_rendered() -> None:
                 assert not re.search(r"[^\x00-\u017f]|\[[a-z ]+\]", escape(text)), (entry.number, text)
 
 
+@pytest.mark.parametrize("name", ["markdown", "html", "latex"])
+def test_proofs_have_a_part_of_their_own_where_there_are_any(report, name) -> None:
+    assert ("Proofs" in FORMATS[name](report)) is True
+    assert ("Proofs" in FORMATS[name](replace(report, proofs=()))) is False
+
+
 def test_json_has_the_documented_fields(report) -> None:
     data = json.loads(FORMATS["json"](report))
     assert data["schema"] == 2
