@@ -106,11 +106,11 @@ class Files:
 NUMBERS = "tests/derive/papers/test_theorem_numbers.py"
 PROOF = Checks("proof", ("derive/proof",), ("tests/derive/proof", NUMBERS), ("proof", TESTS), controlled=True)
 MAPS = Checks("maps", ("derive/maps",), ("tests/derive/maps", NUMBERS), ("proof", TESTS, "validation"))
-REPORT, WORKERS = "derive/papers/report/test_report.py", "derive/test_workers.py"
+REPORT = "derive/papers/report/test_report.py"
 EMISSION = Checks(
     "emission",
     ("derive/codegen", "derive/output", TEMPLATES),
-    tuple(f"tests/{name}" for name in ("derive/codegen", "derive/output", "derive/cli", "targets", REPORT, WORKERS)),
+    tuple(f"tests/{name}" for name in ("derive/codegen", "derive/output", "derive/cli", "targets", REPORT)),
     ("validation", TESTS),
     emits=True,
     few=FEW,
