@@ -18,9 +18,10 @@ from derive.maps.general import General
 FITTED = {
     "alpha/(1 + alpha**2/40)": "21 47/32 2.99e-19 Fold 3",
     "2*sinh(alpha/2)": "19 7/16 2.72e-19 Closed 1",
+    "10*tanh(alpha/10)": "14 53/32 4.07e-19 Closed 1",
     "alpha + alpha**3/20": "21 7/16 2.99e-19 Length 4",
     "alpha + alpha**3": "23 7/256 3.26e-19 Logarithm 4",
-    "alpha + 9*sin(alpha)/10": "21 91/64 5.67e-19 Guarded 4",
+    "alpha + 9*sin(alpha)/10": "21 91/64 5.67e-19 Guarded by 4 4",
     "tan(alpha/5) + alpha/10": "16 5/32 2.77e-19 Pole 3",
 }
 """Degree near 0, limit of x, remainder; the guess beyond, and Newton's steps from it."""
@@ -45,7 +46,8 @@ def test_it_is_fitted_as_before(phi, chart) -> None:
 
 
 def _called(guess: Guess) -> str:
-    return type(guess.variable if isinstance(guess, Fitted) else guess).__name__
+    name = type(guess.variable if isinstance(guess, Fitted) else guess).__name__
+    return f"{name} by {guess.count}" if isinstance(guess, Guarded) else name
 
 
 def test_near_0_the_ratio_and_its_derivatives_are_within_the_remainder(chart) -> None:
@@ -94,6 +96,14 @@ def test_bounds_lead_back_from_any_start() -> None:
         size = float(chart.phi.subs(alpha, angle))
         found = chart.far_angle(size * size, size, PLAIN)
         assert found == pytest.approx(angle, rel=8e-16 / float(chart.phi.diff(alpha).subs(alpha, angle)))
+
+
+@pytest.mark.parametrize("phi", ["10*tanh(alpha/10)", "alpha/sqrt(1 + alpha**2/40)"])
+def test_beyond_the_edge_nothing_is_raised(phi) -> None:
+    """Where the closed form is no real number."""
+    chart = parameterization(phi, "of_user")
+    size = 1.5 * float(chart.phi.subs(alpha, 1000))
+    assert isinstance(chart.far_angle(size * size, size, PLAIN), float)
 
 
 def test_limits_are_the_first_coefficients_of_the_series(chart) -> None:
