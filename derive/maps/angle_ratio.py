@@ -1,10 +1,11 @@
 r"""From |v| back to the angle near v = 0, for any φ: ``a(x) = α/|v|``.
 
-It is a polynomial that interpolates it, with a remainder that is proved. On the circle |α| = R let φ be at
-least ``√m`` in size, and ``Re φ/(φ′(0) α) > 0``; then (the minimum principle) φ has no other zero inside, so that for
-|x| < m just one pair ±α inside has ``φ² = x`` (Rouché): a is analytic there, and at most ``R/√m``. What interpolation
-at N + 1 Chebyshev points misses on [0, X] is then at most ``4 R/√m ρ^(−N)/(ρ − 1)``, with the ellipse of foci 0 and X
-and sum ρ of half axes (over half their distance) inside |x| < m. Sizes on the circle are those of `intervals`.
+In its place stands a polynomial that interpolates it, with a remainder that is proved, in units of a(0) and of X. On
+the circle |α| = R let φ be at least ``√m`` in size, and ``Re φ/(φ′(0) α) > 0``; then (the minimum principle) φ has no
+other zero inside, so that for |x| < m just one pair ±α inside has ``φ² = x`` (Rouché): a is analytic there, and at most
+``R/√m``. What interpolation at N + 1 Chebyshev points misses on [0, X] is then at most ``4 R/√m ρ^(−N)/(ρ − 1)``, with
+the ellipse of foci 0 and X and sum ρ of half axes (over half their distance) inside |x| < m. Sizes on the circle are
+those of `intervals`.
 """
 
 from __future__ import annotations

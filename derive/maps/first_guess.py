@@ -28,6 +28,11 @@ CONVERGED = mpmath.mpf(10) ** -30
 MOST_STEPS = 7
 
 
+def _share(x: Coefficient, size: Any, m: Arithmetic) -> Coefficient:
+    """x over that of some angle."""
+    return m.name("share", times(1 / size, x, m, "ratio"))
+
+
 @dataclass(frozen=True)
 class Guess(ABC):
     """An angle near φ⁻¹(r), and how many of Newton's steps lead from it to the root; the edge as a number."""
@@ -60,8 +65,7 @@ class Closed(Guess):
     def lowered(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         """Beyond the edge some other angle: logarithms and roots end there."""
         if mpmath.isfinite(self.size):
-            share = m.name("share", times(1 / self.size, x, m, "ratio"))
-            r = m.name("shorter", m.where(m.less(share, 1), r, r - r))
+            r = m.name("shorter", m.where(m.less(_share(x, self.size, m), 1), r, r - r))
         return Lowering(r, m, "first_").at(self.inverse)
 
 
@@ -87,7 +91,7 @@ class Fold:
     from_edge = True
 
     def of(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
-        share = m.name("share", times(1 / self.size, x, m, "ratio"))
+        share = _share(x, self.size, m)
         return m.sqrt(m.where(m.less(share, 1), 1 - share, share))
 
     def back(self, z: Any) -> Any:
@@ -102,8 +106,7 @@ class Pole:
     from_edge = True
 
     def of(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
-        share = m.name("share", times(1 / self.size, x, m, "ratio"))
-        return m.div(1, m.sqrt(1 + share))
+        return m.div(1, m.sqrt(1 + _share(x, self.size, m)))
 
     def back(self, z: Any) -> Any:
         return self.size * (1 / (z * z) - 1)

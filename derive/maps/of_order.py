@@ -79,8 +79,11 @@ class OfOrder(turns.InTurns, OwnAxis):
         t = m.name("t", m.tan(m.div(m.atan2(sine, cosine), 2 * self.order)))
         of_angle, cos = of_twice(t, m)
         above, below = self.factor(m.name("costheta", cos), m)
-        at_rest, _ = self.factor(1, m)
-        return m.where(still, at_rest, of_angle * above), m.where(still, self.order * cosine, sine * below)
+        at_rest, below_rest = self.factor(1, m)
+        return (
+            m.where(still, at_rest, of_angle * above),
+            m.where(still, self.order * cosine * below_rest, sine * below),
+        )
 
     # --- branches ---------------------------------------------------------------------------------------------------
 

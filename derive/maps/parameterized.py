@@ -91,7 +91,7 @@ class Parameterized(ABC):
 
     @property
     def closed_inverse(self) -> sympy.Expr | None:
-        """φ⁻¹ as an expression in `families.alpha`, which is |v| in it; None where SymPy has none."""
+        """φ⁻¹ as an expression in `families.alpha`, which is |v| in it; None where none is found."""
         return closed_inverse(self.phi)
 
     def inverse(self, size: Any) -> Any:

@@ -1,4 +1,7 @@
-"""φ with exponentials, logarithms and hyperbolic functions: kernels against first principles, on floats."""
+"""φ with exponentials, logarithms and hyperbolic functions, and others that are inverted otherwise.
+
+Kernels against first principles, on floats.
+"""
 
 from __future__ import annotations
 

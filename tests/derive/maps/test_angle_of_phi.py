@@ -66,6 +66,7 @@ def test_near_0_the_ratio_and_its_derivatives_are_within_the_remainder(chart) ->
 
 @pytest.mark.parametrize("phi", ["1/40*sinh(alpha)", "40*(sin(alpha/2) + alpha/50)"])
 def test_units_of_v_make_no_difference(phi) -> None:
+    """Of remainders less than a factor of two: limits are rounded down by up to a quarter."""
     scaled, alone = (parameterization(text, "of_user") for text in (phi, phi.partition("*")[2]))
     assert scaled.near.remainder == pytest.approx(alone.near.remainder, rel=1)
     assert (type(scaled.far), scaled.far.steps) == (type(alone.far), alone.far.steps)
@@ -89,7 +90,7 @@ def test_without_bounds_a_wavy_phi_is_not_inverted(monkeypatch) -> None:
 
 
 def test_bounds_lead_back_from_any_start() -> None:
-    """Numbers as they come, at the float next to the root too: where it is met, no bound throws it away."""
+    """Floats, to 4 eps of the length: where the root is met, no bound throws it away."""
     chart = parameterization("alpha + 9*sin(alpha)/10", "of_user")
     assert isinstance(chart.far, Guarded)
     for angle in (2.0, 3.1, 3.2, 6.0, 9.5, 12.5):
