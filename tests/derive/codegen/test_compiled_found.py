@@ -1,0 +1,54 @@
+"""What NumPy kernels do with an installed package of compiled functions: loaded from the template, nothing is built."""
+
+from __future__ import annotations
+
+import sys
+from types import ModuleType, SimpleNamespace
+
+import pytest
+
+from derive.codegen.module import shared_texts
+from derive.codegen.targets import TARGETS
+
+MODULE, COMPILED = "dualcay.cayley3", "dualcay_native.cayley3"
+
+
+@pytest.fixture
+def native(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
+    """The module that looks for them, as it is emitted, which has not warned yet."""
+    monkeypatch.delenv("DUALCAY_NATIVE", raising=False)
+    module = ModuleType("dualcay._native")
+    module.__package__ = "dualcay"
+    monkeypatch.setitem(sys.modules, module.__name__, module)
+    exec(shared_texts(TARGETS["numpy"])["_native.py"], vars(module))
+    return module
+
+
+def test_what_holds_the_same_programs_is_taken(native: ModuleType, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, COMPILED, SimpleNamespace(PROGRAMS="these", DIRECT={"pose": None}, pose=max))
+    assert native.functions(MODULE, "these") == {"pose": (max, None)}
+    monkeypatch.setenv("DUALCAY_NATIVE", "0")
+    assert native.functions(MODULE, "these") == {}
+
+
+@pytest.mark.parametrize(
+    "found",
+    [SimpleNamespace(PROGRAMS="others", DIRECT={"pose": None}, pose=max), SimpleNamespace(PROGRAMS="these", pose=max)],
+    ids=["others", "of a former release"],
+)
+def test_what_holds_others_is_left_aside_with_one_warning(
+    found: SimpleNamespace, native: ModuleType, monkeypatch: pytest.MonkeyPatch, recwarn: pytest.WarningsRecorder
+) -> None:
+    monkeypatch.setitem(sys.modules, COMPILED, found)
+    assert native.functions(MODULE, "these") == native.functions(MODULE, "these") == {}
+    (warned,) = recwarn
+    assert warned.category is RuntimeWarning
+    assert str(warned.message) == (
+        f"{COMPILED} was built of other programs than {MODULE} holds: install what the same version generates; "
+        "NumPy runs instead"
+    )
+
+
+def test_nothing_installed_is_no_reason_to_warn(native: ModuleType, recwarn: pytest.WarningsRecorder) -> None:
+    assert native.functions("dualcay.nothing", "these") == {}
+    assert not recwarn
