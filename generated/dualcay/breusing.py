@@ -65,9 +65,9 @@
 #   rate_dot: 289: 108 +, 156 *, 21 /, 2 neg, 2 sqrt
 #   twist_jacobian: 286: 108 +, 165 *, 11 /, 2 sqrt
 #   rate_jacobian: 246: 89 +, 130 *, 23 /, 2 neg, 2 sqrt
-#   from_quaternion: 84: 27 +, 42 *, 7 /, 1 neg, 4 sqrt, 1 lt, 2 where
-#   from_tensor: 151: 50 +, 54 *, 11 /, 5 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
-#   from_pose: 115: 35 +, 36 *, 8 /, 5 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_quaternion: 81: 25 +, 42 *, 6 /, 1 neg, 4 sqrt, 1 lt, 2 where
+#   from_tensor: 148: 48 +, 54 *, 10 /, 5 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
+#   from_pose: 112: 33 +, 36 *, 7 /, 5 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 34: 6 +, 17 *, 7 /, 1 sqrt, 1 tan, 1 lt, 1 where
 #   to_screw: 106: 25 +, 36 *, 14 /, 1 neg, 8 abs, 3 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
 #   angle: 86: 24 +, 27 *, 12 /, 6 abs, 6 sqrt, 1 atan2, 3 eq, 7 where
@@ -78,10 +78,10 @@
 #   identity_jacobian: 12: 12 +
 #   shadow_jacobian: 241: 68 +, 103 *, 33 /, 1 neg, 6 abs, 10 sqrt, 5 lt, 3 eq, 1 and, 1 or, 10 where
 #   principal: 83: 21 +, 33 *, 15 /, 4 sqrt, 2 lt, 8 where
-#   compose: 254: 87 +, 137 *, 18 /, 1 neg, 8 sqrt, 1 lt, 2 where
-#   between: 260: 87 +, 137 *, 18 /, 7 neg, 8 sqrt, 1 lt, 2 where
-#   compose_jacobians: 1097: 417 +, 579 *, 76 /, 8 neg, 14 sqrt, 1 lt, 2 where
-#   between_jacobians: 1121: 417 +, 579 *, 76 /, 32 neg, 14 sqrt, 1 lt, 2 where
+#   compose: 251: 85 +, 137 *, 17 /, 1 neg, 8 sqrt, 1 lt, 2 where
+#   between: 257: 85 +, 137 *, 17 /, 7 neg, 8 sqrt, 1 lt, 2 where
+#   compose_jacobians: 1094: 415 +, 579 *, 75 /, 8 neg, 14 sqrt, 1 lt, 2 where
+#   between_jacobians: 1118: 415 +, 579 *, 75 /, 32 neg, 14 sqrt, 1 lt, 2 where
 #   retract: 400: 124 +, 170 *, 48 /, 2 neg, 3 abs, 11 sqrt, 4 tan, 4 atan2, 8 lt, 2 eq, 24 where
 #   body_retract: 400: 124 +, 170 *, 48 /, 2 neg, 3 abs, 11 sqrt, 4 tan, 4 atan2, 8 lt, 2 eq, 24 where
 #   retract_jacobians: 1208: 446 +, 594 *, 100 /, 9 neg, 3 abs, 13 sqrt, 4 tan, 4 atan2, 8 lt, 2 eq, 25 where
@@ -384,23 +384,16 @@ def _rate_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x
     return o1, o2
 
 
-# operations 10: 4 +, 2 *, 2 /, 2 sqrt
+# operations 7: 2 +, 2 *, 1 /, 2 sqrt
 def _inverse(m: Any, x: Any, fe: Any) -> Result:
-    below = x + m.sqrt(x * x + 4)
-    c = (below - below + 2) / below
-    rootc = m.sqrt(c)
-    hi = 3 / (4 * rootc)
+    hi = m.sqrt(9 * (x + m.sqrt(x * x + 4)) / 32)
     return fe, hi
 
 
 def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
     o1, o2 = out
-    k1, *_ = scratch
-    n2, n3, n4 = numbers
-    below = add(x, sqrt(add(mul(x, x, o2), n4, o2), o2), o2)
-    c = div(add(sub(below, below, k1), n2, k1), below, o2)
-    rootc = sqrt(c, o2)
-    div(n3, mul(n4, rootc, o2), o2)
+    n4, n9, n32 = numbers
+    sqrt(div(mul(n9, add(x, sqrt(add(mul(x, x, o2), n4, o2), o2), o2), o2), n32, o2), o2)
     copy(fe, o1)
     return o1, o2
 
@@ -979,7 +972,7 @@ CHART = Chart(
         "tangent": Function(_tangent, _tangent_blocks, 2, 0, (1, 2, 3, 4, 5, 8)),
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 5, 0, (-2, 1, 2, 3, 4, 5, 8, 48)),
         "rate": Function(_rate, _rate_blocks, 2, 0, (1, 2, 3, 4)),
-        "inverse": Function(_inverse, _inverse_blocks, 1, 0, (2, 3, 4)),
+        "inverse": Function(_inverse, _inverse_blocks, 0, 0, (4, 9, 32)),
         "inverse_at": Function(_inverse_at, _inverse_at_blocks, 1, 0, (2, 3, 4)),
         "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 3, 0, (1, 2, 3, 4, 8)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 3, 0, (1, 2, 3, 4, 8)),
@@ -998,7 +991,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 3, 2, (-1, 0, 1, 2, 4, 6, 8)),
     },
     kernels=SHARED,
-    programs="5cc49a5f9e281b94",
+    programs="6f25131e0dc5d1d1",
 )
 
 KERNELS = PoseKernels(CHART)
