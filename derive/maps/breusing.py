@@ -26,9 +26,14 @@ from .families import alpha
 from .of_order import OfOrder, of_twice
 
 
+def twice_secant(x: Coefficient, m: Arithmetic) -> Coefficient:
+    """``2/cos θ`` at x; where x² overflows infinite."""
+    return m.name("below", x + m.sqrt(x * x + 4))
+
+
 def cosine(x: Coefficient, m: Arithmetic) -> Coefficient:
     """cos θ at x; where x² overflows NaN, not 0."""
-    below = m.name("below", x + m.sqrt(x * x + 4))
+    below = twice_secant(x, m)
     return m.name("c", (below - below + 2) / below)
 
 
@@ -199,7 +204,7 @@ class Breusing(OfOrder):
 
     def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         """``h_i = ¾ √(1/c)``, of fewer operations; what a quaternion leads to never overflows."""
-        return fi, m.name("hi", m.sqrt(m.div(9 * (x + m.sqrt(x * x + 4)), 32)))
+        return fi, m.name("hi", m.sqrt(m.div(9 * twice_secant(x, m), 32)))
 
     def cosine(self, x: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         c = cosine(x, m)

@@ -386,14 +386,16 @@ def _rate_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x
 
 # operations 7: 2 +, 2 *, 1 /, 2 sqrt
 def _inverse(m: Any, x: Any, fe: Any) -> Result:
-    hi = m.sqrt(9 * (x + m.sqrt(x * x + 4)) / 32)
+    below = x + m.sqrt(x * x + 4)
+    hi = m.sqrt(9 * below / 32)
     return fe, hi
 
 
 def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
     o1, o2 = out
     n4, n9, n32 = numbers
-    sqrt(div(mul(n9, add(x, sqrt(add(mul(x, x, o2), n4, o2), o2), o2), o2), n32, o2), o2)
+    below = add(x, sqrt(add(mul(x, x, o2), n4, o2), o2), o2)
+    sqrt(div(mul(n9, below, o2), n32, o2), o2)
     copy(fe, o1)
     return o1, o2
 
@@ -991,7 +993,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 3, 2, (-1, 0, 1, 2, 4, 6, 8)),
     },
     kernels=SHARED,
-    programs="6f25131e0dc5d1d1",
+    programs="a88714d05973d638",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -11,6 +11,7 @@ from derive.codegen.module import shared_texts
 from derive.codegen.targets import TARGETS
 
 MODULE, COMPILED = "dualcay.cayley3", "dualcay_native.cayley3"
+OTHER, OTHER_COMPILED = "dualcay.cayley2", "dualcay_native.cayley2"
 
 
 @pytest.fixture
@@ -39,8 +40,9 @@ def test_what_holds_the_same_programs_is_taken(native: ModuleType, monkeypatch: 
 def test_what_holds_others_is_left_aside_with_one_warning(
     found: SimpleNamespace, native: ModuleType, monkeypatch: pytest.MonkeyPatch, recwarn: pytest.WarningsRecorder
 ) -> None:
-    monkeypatch.setitem(sys.modules, COMPILED, found)
-    assert native.functions(MODULE, "these") == native.functions(MODULE, "these") == {}
+    for name in (COMPILED, OTHER_COMPILED):
+        monkeypatch.setitem(sys.modules, name, found)
+    assert native.functions(MODULE, "these") == native.functions(OTHER, "these") == {}
     (warned,) = recwarn
     assert warned.category is RuntimeWarning
     assert str(warned.message) == (
