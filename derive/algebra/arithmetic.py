@@ -25,6 +25,9 @@ class Arithmetic(Protocol):
     def corrected(self, value: Coefficient, /) -> Coefficient:
         """Return the value, a named one, whose rounding is corrected afterwards: by a step of Newton's method."""
 
+    def rounded_off(self, value: Coefficient, /) -> Coefficient:
+        """Return what rounding took from a sum, where its terms are known; else 0."""
+
     def div(self, a: Coefficient, b: Coefficient, /) -> Coefficient:
         """Return a/b, exact where both are exact."""
 
@@ -59,6 +62,10 @@ class Plain:
     @staticmethod
     def corrected(value: Coefficient) -> Coefficient:
         return value
+
+    @staticmethod
+    def rounded_off(value: Coefficient) -> Coefficient:
+        return 0
 
     @staticmethod
     def name_rest(letter: str) -> None:

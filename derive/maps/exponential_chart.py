@@ -70,15 +70,18 @@ class ExponentialScalars(DependentScalars):
 
     @cached_property
     def _lost(self) -> Coefficient:
-        """``(α² − root²)/2α``."""
+        """``(α² − root²)/2α``, where α² is not rounded."""
         return self.m.name("lost", self._left / (2 * self._angle))
 
     @property
     def _left(self) -> Coefficient:
-        """That difference, by terms that are exact up to α = 8; beyond nothing is put back."""
+        """That difference, by terms that are exact up to α = 8.
+
+        Beyond nothing is put back: what is lost there may be no small turn, and R would not stay a rotation.
+        """
         beside = self.m.name("beside", self._angle - 4)
-        left = self.m.name("left", (self._square - 16) - 8 * beside - beside * beside)
-        return self._bounded(left)
+        left = (self._square - 16) - 8 * beside - beside * beside
+        return self._bounded(self.m.name("left", left + self.m.rounded_off(self.x)))
 
     def _bounded(self, left: Coefficient) -> Coefficient:
         return self.m.where(self.m.less(self._angle, 8), left, 0)

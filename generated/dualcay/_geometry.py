@@ -51,17 +51,16 @@ def quaternion_blocks(
     add(mul(v3o, w, k2), mul(v3, wo, k1), o8)
 
 
-# operations 82: 33 +, 49 *
+# operations 81: 32 +, 49 *
 def tensor(m: Any, c: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    x12 = v11 + v22
-    x = x12 + v33
-    f, g, h = c.pose(m, x)
+    f, g, h = c.pose(m, v11, v22, v33)
     x23 = v22 + v33
     x13 = v11 + v33
+    x12 = v11 + v22
     fv1 = v1 * f
     fv2 = v2 * f
     fv3 = v3 * f
@@ -117,14 +116,13 @@ def tensor_blocks(
     n1, = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
-    x12 = add(v11, v22, k3)
-    v33 = mul(v3, v3, k4)
-    x23 = add(v22, v33, k2)
-    x13 = add(v11, v33, k1)
-    x = add(x12, v33, k4)
-    f, g, h = c.pose((k5, k6, k7), (*spare,), (*spare_masks,), x)
-    Q11 = sub(n1, mul(g, x23, k2), o1)
-    Q22 = sub(n1, mul(g, x13, k1), o5)
+    v33 = mul(v3, v3, k3)
+    f, g, h = c.pose((k4, k5, k6), (*spare,), (*spare_masks,), v11, v22, v33)
+    x23 = add(v22, v33, k7)
+    Q11 = sub(n1, mul(g, x23, k7), o1)
+    x13 = add(v11, v33, k3)
+    Q22 = sub(n1, mul(g, x13, k3), o5)
+    x12 = add(v11, v22, k1)
     Q33 = sub(n1, mul(g, x12, k1), o9)
     gv1 = mul(v1, g, k1)
     gvv1 = mul(gv1, v2, k2)
@@ -137,15 +135,15 @@ def tensor_blocks(
     Q31 = sub(gvv2, fv2, o7)
     gv2 = mul(v2, g, k2)
     gv3 = mul(v3, g, k3)
-    gvv3 = mul(gv2, v3, k4)
-    fv1 = mul(v1, f, k6)
+    gvv3 = mul(gv2, v3, k5)
+    fv1 = mul(v1, f, k7)
     Q23 = sub(gvv3, fv1, o6)
     Q32 = add(gvv3, fv1, o8)
-    y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k6), k4), mul(v3, v3o, k6), k4)
-    along = mul(h, y, k4)
+    y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k7), k5), mul(v3, v3o, k7), k5)
+    along = mul(h, y, k5)
     rho2 = add(add(mul(v2o, f, k6), sub(mul(gv3, v1o, k7), mul(gv1, v3o, k8), k7), k6), mul(v2, along, k7), k6)
     rho3 = add(add(mul(v3o, f, k7), sub(mul(gv1, v2o, k1), mul(gv2, v1o, k8), k1), k1), mul(v3, along, k7), k1)
-    rho1 = add(add(mul(v1o, f, k5), sub(mul(gv2, v3o, k2), mul(gv3, v2o, k3), k2), k2), mul(v1, along, k3), k2)
+    rho1 = add(add(mul(v1o, f, k4), sub(mul(gv2, v3o, k2), mul(gv3, v2o, k3), k2), k2), mul(v1, along, k3), k2)
     sub(mul(Q31, rho2, k3), mul(Q21, rho3, k4), o10)
     sub(mul(Q32, rho2, k3), mul(Q22, rho3, k4), o11)
     sub(mul(Q33, rho2, k3), mul(Q23, rho3, k4), o12)
@@ -157,17 +155,16 @@ def tensor_blocks(
     sub(mul(Q23, rho1, k1), mul(Q13, rho2, k2), o18)
 
 
-# operations 55: 24 +, 31 *
+# operations 54: 23 +, 31 *
 def pose(m: Any, c: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    x12 = v11 + v22
-    x = x12 + v33
-    f, g, h = c.pose(m, x)
+    f, g, h = c.pose(m, v11, v22, v33)
     x23 = v22 + v33
     x13 = v11 + v33
+    x12 = v11 + v22
     fv1 = v1 * f
     fv2 = v2 * f
     fv3 = v3 * f
@@ -209,14 +206,13 @@ def pose_blocks(
     n0, n1 = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
-    x12 = add(v11, v22, k3)
-    v33 = mul(v3, v3, k4)
-    x23 = add(v22, v33, k2)
-    x13 = add(v11, v33, k1)
-    x = add(x12, v33, k4)
-    f, g, h = c.pose((k5, k6, k7), (*spare,), (*spare_masks,), x)
-    sub(n1, mul(g, x23, k2), o1)
-    sub(n1, mul(g, x13, k1), o6)
+    v33 = mul(v3, v3, k3)
+    f, g, h = c.pose((k4, k5, k6), (*spare,), (*spare_masks,), v11, v22, v33)
+    x23 = add(v22, v33, k7)
+    sub(n1, mul(g, x23, k7), o1)
+    x13 = add(v11, v33, k3)
+    sub(n1, mul(g, x13, k3), o6)
+    x12 = add(v11, v22, k1)
     sub(n1, mul(g, x12, k1), o11)
     gv1 = mul(v1, g, k1)
     gvv1 = mul(gv1, v2, k2)
@@ -229,8 +225,8 @@ def pose_blocks(
     sub(gvv2, fv2, o9)
     gv2 = mul(v2, g, k2)
     gv3 = mul(v3, g, k3)
-    y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k6), k4), mul(v3, v3o, k6), k4)
-    along = mul(h, y, k4)
+    y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k7), k5), mul(v3, v3o, k7), k5)
+    along = mul(h, y, k5)
     add(add(mul(v1o, f, k6), sub(mul(gv2, v3o, k7), mul(gv3, v2o, k8), k7), k6), mul(v1, along, k7), o4)
     add(add(mul(v2o, f, k6), sub(mul(gv3, v1o, k3), mul(gv1, v3o, k7), k3), k3), mul(v2, along, k6), o8)
     add(add(mul(v3o, f, k3), sub(mul(gv1, v2o, k1), mul(gv2, v1o, k6), k1), k1), mul(v3, along, k3), o12)
@@ -244,15 +240,14 @@ def pose_blocks(
     copy(n1, o16)
 
 
-# operations 68: 28 +, 40 *
+# operations 66: 26 +, 40 *
 def transform_point(m: Any, c: Any, v: Components, r: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     r1, r2, r3 = r
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    x = v11 + v22 + v33
-    f, g, h = c.pose(m, x)
+    f, g, h = c.pose(m, v11, v22, v33)
     v_r1 = v2 * r3 - v3 * r2
     v_r2 = v3 * r1 - v1 * r3
     v_r3 = v1 * r2 - v2 * r1
@@ -282,42 +277,40 @@ def transform_point_blocks(
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    f, g, h = c.pose((k2, k3, k4), (*spare,), (*spare_masks,), x)
-    v_r3 = sub(mul(v1, r2, k1), mul(v2, r1, k5), k1)
-    gv_r3 = mul(v_r3, g, k5)
-    v_r2 = sub(mul(v3, r1, k6), mul(v1, r3, k7), k6)
+    f, g, h = c.pose((k4, k5, k6), (*spare,), (*spare_masks,), v11, v22, v33)
+    v_r3 = sub(mul(v1, r2, k1), mul(v2, r1, k2), k1)
+    gv_r3 = mul(v_r3, g, k2)
+    v_r2 = sub(mul(v3, r1, k3), mul(v1, r3, k7), k3)
     gv_r2 = mul(v_r2, g, k7)
     gv2 = mul(v2, g, k8)
     gv3 = mul(v3, g, k9)
     y = add(add(mul(v1, v1o, k10), mul(v2, v2o, k11), k10), mul(v3, v3o, k11), k10)
-    along = mul(h, y, k4)
+    along = mul(h, y, k6)
     v_r1 = sub(mul(v2, r3, k10), mul(v3, r2, k11), k10)
     add(
         add(r1, add(mul(v_r1, f, k11), sub(mul(v2, gv_r3, k12), mul(v3, gv_r2, k13), k12), k11), k11), add(add(mul(v1o,
         f, k12), sub(mul(gv2, v3o, k13), mul(gv3, v2o, k14), k13), k12), mul(v1, along, k13), k12), o1
     )
     gv_r1 = mul(v_r1, g, k10)
-    gv1 = mul(v1, g, k3)
+    gv1 = mul(v1, g, k5)
     add(
-        add(r2, add(mul(v_r2, f, k6), sub(mul(v3, gv_r1, k11), mul(v1, gv_r3, k5), k5), k5), k5), add(add(mul(v2o, f,
-        k6), sub(mul(gv3, v1o, k9), mul(gv1, v3o, k11), k9), k6), mul(v2, along, k9), k6), o2
+        add(r2, add(mul(v_r2, f, k3), sub(mul(v3, gv_r1, k11), mul(v1, gv_r3, k2), k2), k2), k2), add(add(mul(v2o, f,
+        k3), sub(mul(gv3, v1o, k9), mul(gv1, v3o, k11), k9), k3), mul(v2, along, k9), k3), o2
     )
     add(
-        add(r3, add(mul(v_r3, f, k1), sub(mul(v1, gv_r2, k5), mul(v2, gv_r1, k6), k5), k1), k1), add(add(mul(v3o, f,
-        k2), sub(mul(gv1, v2o, k3), mul(gv2, v1o, k5), k3), k2), mul(v3, along, k3), k2), o3
+        add(r3, add(mul(v_r3, f, k1), sub(mul(v1, gv_r2, k2), mul(v2, gv_r1, k3), k2), k1), k1), add(add(mul(v3o, f,
+        k2), sub(mul(gv1, v2o, k3), mul(gv2, v1o, k4), k3), k2), mul(v3, along, k3), k2), o3
     )
 
 
-# operations 107: 43 +, 64 *
+# operations 105: 41 +, 64 *
 def transform_line(m: Any, c: Any, v: Components, line: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     l1, l2, l3, m1, m2, m3 = line
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    x = v11 + v22 + v33
-    f, g, h = c.pose(m, x)
+    f, g, h = c.pose(m, v11, v22, v33)
     v_l1 = v2 * l3 - v3 * l2
     v_l2 = v3 * l1 - v1 * l3
     v_l3 = v1 * l2 - v2 * l1
@@ -362,26 +355,25 @@ def transform_line_blocks(
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    f, g, h = c.pose((k2, k3, k4), (*spare,), (*spare_masks,), x)
-    v_l3 = sub(mul(v1, l2, k1), mul(v2, l1, k5), k1)
-    gv_l3 = mul(v_l3, g, k5)
-    v_l2 = sub(mul(v3, l1, k6), mul(v1, l3, k7), k6)
+    f, g, h = c.pose((k4, k5, k6), (*spare,), (*spare_masks,), v11, v22, v33)
+    v_l3 = sub(mul(v1, l2, k1), mul(v2, l1, k2), k1)
+    gv_l3 = mul(v_l3, g, k2)
+    v_l2 = sub(mul(v3, l1, k3), mul(v1, l3, k7), k3)
     gv_l2 = mul(v_l2, g, k7)
     v_l1 = sub(mul(v2, l3, k8), mul(v3, l2, k9), k8)
     Ql1 = add(l1, add(mul(v_l1, f, k9), sub(mul(v2, gv_l3, k10), mul(v3, gv_l2, k11), k10), k9), o1)
     gv_l1 = mul(v_l1, g, k8)
-    Ql2 = add(l2, add(mul(v_l2, f, k6), sub(mul(v3, gv_l1, k9), mul(v1, gv_l3, k5), k5), k5), o2)
-    Ql3 = add(l3, add(mul(v_l3, f, k1), sub(mul(v1, gv_l2, k5), mul(v2, gv_l1, k6), k5), k1), o3)
+    Ql2 = add(l2, add(mul(v_l2, f, k3), sub(mul(v3, gv_l1, k9), mul(v1, gv_l3, k2), k2), k2), o2)
+    Ql3 = add(l3, add(mul(v_l3, f, k1), sub(mul(v1, gv_l2, k2), mul(v2, gv_l1, k3), k2), k1), o3)
     gv3 = mul(v3, g, k1)
-    gv1 = mul(v1, g, k5)
-    y = add(add(mul(v1, v1o, k6), mul(v2, v2o, k7), k6), mul(v3, v3o, k7), k6)
-    along = mul(h, y, k4)
+    gv1 = mul(v1, g, k2)
+    y = add(add(mul(v1, v1o, k3), mul(v2, v2o, k7), k3), mul(v3, v3o, k7), k3)
+    along = mul(h, y, k3)
     rho2 = add(add(mul(v2o, f, k6), sub(mul(gv3, v1o, k7), mul(gv1, v3o, k8), k7), k6), mul(v2, along, k7), k6)
     gv2 = mul(v2, g, k7)
-    rho3 = add(add(mul(v3o, f, k8), sub(mul(gv1, v2o, k5), mul(gv2, v1o, k9), k5), k5), mul(v3, along, k8), k5)
-    rho1 = add(add(mul(v1o, f, k8), sub(mul(gv2, v3o, k7), mul(gv3, v2o, k1), k1), k1), mul(v1, along, k4), k1)
-    v_m3 = sub(mul(v1, m2, k4), mul(v2, m1, k7), k4)
+    rho3 = add(add(mul(v3o, f, k8), sub(mul(gv1, v2o, k2), mul(gv2, v1o, k9), k2), k2), mul(v3, along, k8), k2)
+    rho1 = add(add(mul(v1o, f, k8), sub(mul(gv2, v3o, k7), mul(gv3, v2o, k1), k1), k1), mul(v1, along, k3), k1)
+    v_m3 = sub(mul(v1, m2, k3), mul(v2, m1, k7), k3)
     gv_m3 = mul(v_m3, g, k7)
     v_m2 = sub(mul(v3, m1, k8), mul(v1, m3, k9), k8)
     gv_m2 = mul(v_m2, g, k9)
@@ -390,13 +382,13 @@ def transform_line_blocks(
         add(m1, add(mul(v_m1, f, k11), sub(mul(v2, gv_m3, k12), mul(v3, gv_m2, k13), k12), k11), k11), sub(mul(rho2,
         Ql3, k12), mul(rho3, Ql2, k13), k12), o4
     )
-    gv_m1 = mul(v_m1, g, k3)
+    gv_m1 = mul(v_m1, g, k5)
     add(
         add(m2, add(mul(v_m2, f, k8), sub(mul(v3, gv_m1, k10), mul(v1, gv_m3, k7), k7), k7), k7), sub(mul(rho3, Ql1,
-        k5), mul(rho1, Ql3, k8), k5), o5
+        k2), mul(rho1, Ql3, k8), k2), o5
     )
     add(
-        add(m3, add(mul(v_m3, f, k2), sub(mul(v1, gv_m2, k4), mul(v2, gv_m1, k3), k3), k2), k2), sub(mul(rho1, Ql2, k1),
+        add(m3, add(mul(v_m3, f, k2), sub(mul(v1, gv_m2, k3), mul(v2, gv_m1, k4), k3), k2), k2), sub(mul(rho1, Ql2, k1),
         mul(rho2, Ql1, k3), k1), o6
     )
 
@@ -420,14 +412,13 @@ def inverse_blocks(
     neg(v3o, o6)
 
 
-# operations 79: 34 +, 45 *
+# operations 77: 32 +, 45 *
 def tangent(m: Any, c: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    x = v11 + v22 + v33
-    f, g, h, fy, gy, hy = c.tangent(m, x)
+    f, g, h, fy, gy, hy = c.tangent(m, v11, v22, v33)
     y = v1 * v1o + v2 * v2o + v3 * v3o
     fo = fy * y
     go = gy * y
@@ -482,35 +473,34 @@ def tangent_blocks(
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    f, g, h, fy, gy, hy = c.tangent((k2, k3, k4, k5, k6, k7), (*spare,), (*spare_masks,), x)
-    y = add(add(mul(v1, v1o, k1), mul(v2, v2o, k8), k1), mul(v3, v3o, k8), k1)
-    ho = mul(hy, y, k7)
-    fo = mul(fy, y, k5)
+    f, g, h, fy, gy, hy = c.tangent((k4, k5, k6, k7, k8, k9), (*spare,), (*spare_masks,), v11, v22, v33)
+    y = add(add(mul(v1, v1o, k1), mul(v2, v2o, k2), k1), mul(v3, v3o, k2), k1)
+    ho = mul(hy, y, k2)
+    fo = mul(fy, y, k3)
     go = mul(gy, y, k1)
-    cvo3 = add(mul(v3o, h, k6), mul(v3, ho, k8), k6)
+    cvo3 = add(mul(v3o, h, k7), mul(v3, ho, k8), k7)
     cv3 = mul(v3, h, k8)
-    add(fo, add(mul(cv3, v3o, k9), mul(cvo3, v3, k6), k6), o18)
-    add(f, mul(cv3, v3, k6), o9)
-    cvo2 = add(mul(v2o, h, k6), mul(v2, ho, k8), k6)
-    cvo1 = add(mul(v1o, h, k8), mul(v1, ho, k7), k7)
+    add(fo, add(mul(cv3, v3o, k9), mul(cvo3, v3, k7), k7), o18)
+    add(f, mul(cv3, v3, k7), o9)
+    cvo2 = add(mul(v2o, h, k7), mul(v2, ho, k8), k7)
+    cvo1 = add(mul(v1o, h, k8), mul(v1, ho, k2), k2)
     cv2 = mul(v2, h, k8)
-    cv1 = mul(v1, h, k4)
+    cv1 = mul(v1, h, k6)
     add(fo, add(mul(cv2, v2o, k9), mul(cvo2, v2, k10), k9), o14)
     add(fo, add(mul(cv1, v1o, k9), mul(cvo1, v1, k10), k9), o10)
-    d23o = add(mul(cv2, v3o, k5), mul(cvo2, v3, k6), k5)
-    add(f, mul(cv2, v2, k6), o5)
-    add(f, mul(cv1, v1, k6), o1)
-    d23 = mul(cv2, v3, k2)
-    gvo1 = add(mul(v1o, g, k6), mul(v1, go, k8), k6)
+    d23o = add(mul(cv2, v3o, k3), mul(cvo2, v3, k7), k3)
+    add(f, mul(cv2, v2, k7), o5)
+    add(f, mul(cv1, v1, k7), o1)
+    d23 = mul(cv2, v3, k4)
+    gvo1 = add(mul(v1o, g, k7), mul(v1, go, k8), k7)
     add(d23o, gvo1, o17)
     sub(d23o, gvo1, o15)
-    d13o = add(mul(cv1, v3o, k5), mul(cvo1, v3, k6), k5)
-    d12o = add(mul(cv1, v2o, k6), mul(cvo1, v2, k7), k6)
+    d13o = add(mul(cv1, v3o, k3), mul(cvo1, v3, k7), k3)
+    d12o = add(mul(cv1, v2o, k7), mul(cvo1, v2, k2), k2)
     gvo2 = add(mul(v2o, g, k7), mul(v2, go, k8), k7)
     sub(d13o, gvo2, o16)
     add(d13o, gvo2, o12)
-    gvo3 = add(mul(v3o, g, k5), mul(v3, go, k1), k1)
+    gvo3 = add(mul(v3o, g, k3), mul(v3, go, k1), k1)
     add(d12o, gvo3, o13)
     sub(d12o, gvo3, o11)
     gv1 = mul(v1, g, k1)
@@ -518,7 +508,7 @@ def tangent_blocks(
     sub(d23, gv1, o6)
     d13 = mul(cv1, v3, k1)
     d12 = mul(cv1, v2, k2)
-    gv2 = mul(v2, g, k4)
+    gv2 = mul(v2, g, k3)
     sub(d13, gv2, o7)
     add(d13, gv2, o3)
     gv3 = mul(v3, g, k1)
@@ -637,14 +627,13 @@ def tangent_inv_blocks(
     sub(d12, s3, o2)
 
 
-# operations 79: 34 +, 45 *
+# operations 77: 32 +, 45 *
 def body_tangent(m: Any, c: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    x = v11 + v22 + v33
-    f, g, h, fy, gy, hy = c.tangent(m, x)
+    f, g, h, fy, gy, hy = c.tangent(m, v11, v22, v33)
     y = v1 * v1o + v2 * v2o + v3 * v3o
     fo = fy * y
     go = gy * y
@@ -699,35 +688,34 @@ def body_tangent_blocks(
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    f, g, h, fy, gy, hy = c.tangent((k2, k3, k4, k5, k6, k7), (*spare,), (*spare_masks,), x)
-    y = add(add(mul(v1, v1o, k1), mul(v2, v2o, k8), k1), mul(v3, v3o, k8), k1)
-    ho = mul(hy, y, k7)
-    fo = mul(fy, y, k5)
+    f, g, h, fy, gy, hy = c.tangent((k4, k5, k6, k7, k8, k9), (*spare,), (*spare_masks,), v11, v22, v33)
+    y = add(add(mul(v1, v1o, k1), mul(v2, v2o, k2), k1), mul(v3, v3o, k2), k1)
+    ho = mul(hy, y, k2)
+    fo = mul(fy, y, k3)
     go = mul(gy, y, k1)
-    cvo3 = add(mul(v3o, h, k6), mul(v3, ho, k8), k6)
+    cvo3 = add(mul(v3o, h, k7), mul(v3, ho, k8), k7)
     cv3 = mul(v3, h, k8)
-    add(fo, add(mul(cv3, v3o, k9), mul(cvo3, v3, k6), k6), o18)
-    add(f, mul(cv3, v3, k6), o9)
-    cvo2 = add(mul(v2o, h, k6), mul(v2, ho, k8), k6)
-    cvo1 = add(mul(v1o, h, k8), mul(v1, ho, k7), k7)
+    add(fo, add(mul(cv3, v3o, k9), mul(cvo3, v3, k7), k7), o18)
+    add(f, mul(cv3, v3, k7), o9)
+    cvo2 = add(mul(v2o, h, k7), mul(v2, ho, k8), k7)
+    cvo1 = add(mul(v1o, h, k8), mul(v1, ho, k2), k2)
     cv2 = mul(v2, h, k8)
-    cv1 = mul(v1, h, k4)
+    cv1 = mul(v1, h, k6)
     add(fo, add(mul(cv2, v2o, k9), mul(cvo2, v2, k10), k9), o14)
     add(fo, add(mul(cv1, v1o, k9), mul(cvo1, v1, k10), k9), o10)
-    d23o = add(mul(cv2, v3o, k5), mul(cvo2, v3, k6), k5)
-    add(f, mul(cv2, v2, k6), o5)
-    add(f, mul(cv1, v1, k6), o1)
-    d23 = mul(cv2, v3, k2)
-    gvo1 = add(mul(v1o, g, k6), mul(v1, go, k8), k6)
+    d23o = add(mul(cv2, v3o, k3), mul(cvo2, v3, k7), k3)
+    add(f, mul(cv2, v2, k7), o5)
+    add(f, mul(cv1, v1, k7), o1)
+    d23 = mul(cv2, v3, k4)
+    gvo1 = add(mul(v1o, g, k7), mul(v1, go, k8), k7)
     sub(d23o, gvo1, o17)
     add(d23o, gvo1, o15)
-    d13o = add(mul(cv1, v3o, k5), mul(cvo1, v3, k6), k5)
-    d12o = add(mul(cv1, v2o, k6), mul(cvo1, v2, k7), k6)
+    d13o = add(mul(cv1, v3o, k3), mul(cvo1, v3, k7), k3)
+    d12o = add(mul(cv1, v2o, k7), mul(cvo1, v2, k2), k2)
     gvo2 = add(mul(v2o, g, k7), mul(v2, go, k8), k7)
     add(d13o, gvo2, o16)
     sub(d13o, gvo2, o12)
-    gvo3 = add(mul(v3o, g, k5), mul(v3, go, k1), k1)
+    gvo3 = add(mul(v3o, g, k3), mul(v3, go, k1), k1)
     sub(d12o, gvo3, o13)
     add(d12o, gvo3, o11)
     gv1 = mul(v1, g, k1)
@@ -735,7 +723,7 @@ def body_tangent_blocks(
     add(d23, gv1, o6)
     d13 = mul(cv1, v3, k1)
     d12 = mul(cv1, v2, k2)
-    gv2 = mul(v2, g, k4)
+    gv2 = mul(v2, g, k3)
     add(d13, gv2, o7)
     sub(d13, gv2, o3)
     gv3 = mul(v3, g, k1)
@@ -854,7 +842,7 @@ def body_tangent_inv_blocks(
     add(d12, s3, o2)
 
 
-# operations 113: 45 +, 68 *
+# operations 111: 43 +, 68 *
 def twist(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
@@ -862,8 +850,7 @@ def twist(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    x = v11 + v22 + v33
-    f, g, h, fy, gy, hy = c.tangent(m, x)
+    f, g, h, fy, gy, hy = c.tangent(m, v11, v22, v33)
     y = v1 * v1o + v2 * v2o + v3 * v3o
     fo = fy * y
     go = gy * y
@@ -901,21 +888,20 @@ def twist_blocks(
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    vw = add(add(mul(v1, w1, k2), mul(v2, w2, k3), k2), mul(v3, w3, k3), k2)
-    y = add(add(mul(v1, v1o, k3), mul(v2, v2o, k4), k3), mul(v3, v3o, k4), k3)
-    f, g, h, fy, gy, hy = c.tangent((k4, k5, k6, k7, k8, k9), (*spare,), (*spare_masks,), x)
+    vw = add(add(mul(v1, w1, k4), mul(v2, w2, k5), k4), mul(v3, w3, k5), k4)
+    y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k6), k5), mul(v3, v3o, k6), k5)
+    f, g, h, fy, gy, hy = c.tangent((k6, k7, k8, k9, k10, k11), (*spare,), (*spare_masks,), v11, v22, v33)
     gs = mul(g, side, k1)
-    go = mul(gy, y, k5)
-    gso = mul(go, side, k5)
-    ho = mul(hy, y, k8)
-    fo = mul(fy, y, k3)
+    go = mul(gy, y, k2)
+    gso = mul(go, side, k2)
+    ho = mul(hy, y, k3)
+    fo = mul(fy, y, k5)
     cvwo = add(
         mul(h, add(add(add(mul(v1o, w1, k7), mul(v2o, w2, k9), k7), mul(v3o, w3, k9), k7), add(add(mul(v1, w1o, k9),
-        mul(v2, w2o, k10), k9), mul(v3, w3o, k10), k9), k7), k7), mul(ho, vw, k8), k7
+        mul(v2, w2o, k10), k9), mul(v3, w3o, k10), k9), k7), k7), mul(ho, vw, k3), k3
     )
-    cvw = mul(h, vw, k2)
-    gv2 = mul(v2, gs, k6)
+    cvw = mul(h, vw, k4)
+    gv2 = mul(v2, gs, k7)
     gv3 = mul(v3, gs, k8)
     add(add(mul(w1, f, k9), sub(mul(gv2, w3, k10), mul(gv3, w2, k11), k10), k9), mul(v1, cvw, k10), o1)
     gv1 = mul(v1, gs, k9)
@@ -923,18 +909,18 @@ def twist_blocks(
     add(add(mul(w3, f, k10), sub(mul(gv1, w2, k11), mul(gv2, w1, k12), k11), k10), mul(v3, cvw, k11), o3)
     gvo2 = add(mul(v2o, gs, k10), mul(v2, gso, k11), k10)
     gvo3 = add(mul(v3o, gs, k11), mul(v3, gso, k12), k11)
-    gvo1 = add(mul(v1o, gs, k1), mul(v1, gso, k5), k1)
+    gvo1 = add(mul(v1o, gs, k1), mul(v1, gso, k2), k1)
     add(
-        add(add(add(mul(w1o, f, k5), mul(w1, fo, k12), k5), sub(mul(gv2, w3o, k12), mul(gv3, w2o, k13), k12), k5),
-        sub(mul(gvo2, w3, k12), mul(gvo3, w2, k13), k12), k5), add(mul(v1o, cvw, k12), mul(v1, cvwo, k13), k12), o4
+        add(add(add(mul(w1o, f, k2), mul(w1, fo, k12), k2), sub(mul(gv2, w3o, k12), mul(gv3, w2o, k13), k12), k2),
+        sub(mul(gvo2, w3, k12), mul(gvo3, w2, k13), k12), k2), add(mul(v1o, cvw, k12), mul(v1, cvwo, k13), k12), o4
     )
     add(
-        add(add(add(mul(w2o, f, k5), mul(w2, fo, k12), k5), sub(mul(gv3, w1o, k8), mul(gv1, w3o, k12), k8), k5),
-        sub(mul(gvo3, w1, k8), mul(gvo1, w3, k11), k8), k5), add(mul(v2o, cvw, k8), mul(v2, cvwo, k11), k8), o5
+        add(add(add(mul(w2o, f, k2), mul(w2, fo, k12), k2), sub(mul(gv3, w1o, k8), mul(gv1, w3o, k12), k8), k2),
+        sub(mul(gvo3, w1, k8), mul(gvo1, w3, k11), k8), k2), add(mul(v2o, cvw, k8), mul(v2, cvwo, k11), k8), o5
     )
     add(
-        add(add(add(mul(w3o, f, k4), mul(w3, fo, k3), k3), sub(mul(gv1, w2o, k4), mul(gv2, w1o, k5), k4), k3),
-        sub(mul(gvo1, w2, k1), mul(gvo2, w1, k4), k1), k1), add(mul(v3o, cvw, k2), mul(v3, cvwo, k3), k2), o6
+        add(add(add(mul(w3o, f, k2), mul(w3, fo, k5), k2), sub(mul(gv1, w2o, k5), mul(gv2, w1o, k6), k5), k2),
+        sub(mul(gvo1, w2, k1), mul(gvo2, w1, k5), k1), k1), add(mul(v3o, cvw, k2), mul(v3, cvwo, k3), k2), o6
     )
 
 
@@ -1010,7 +996,7 @@ def rate_blocks(
     )
 
 
-# operations 177: 71 +, 104 *, 2 /
+# operations 175: 69 +, 104 *, 2 /
 def tangent_dot(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
@@ -1018,8 +1004,7 @@ def tangent_dot(m: Any, c: Any, v: Components, v_dot: Components, table: Compone
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    x = v11 + v22 + v33
-    _, g, h, fy, gy, hy, fyy, gyy, hyy = c.tangent_dot(m, x)
+    _, g, h, fy, gy, hy, fyy, gyy, hyy = c.tangent_dot(m, v11, v22, v33)
     y = v1 * v1o + v2 * v2o + v3 * v3o
     go = gy * y
     ho = hy * y
@@ -1099,29 +1084,28 @@ def tangent_dot_blocks(
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    vw = add(add(mul(v1, w1, k2), mul(v2, w2, k3), k2), mul(v3, w3, k3), k2)
-    y = add(add(mul(v1, v1o, k3), mul(v2, v2o, k4), k3), mul(v3, v3o, k4), k3)
+    vw = add(add(mul(v1, w1, k4), mul(v2, w2, k5), k4), mul(v3, w3, k5), k4)
+    y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k6), k5), mul(v3, v3o, k6), k5)
     vwo = add(
-        add(add(mul(v1, w1o, k4), mul(v1o, w1, k5), k4), add(mul(v2, w2o, k5), mul(v2o, w2, k6), k5), k4), add(mul(v3,
-        w3o, k5), mul(v3o, w3, k6), k5), k4
+        add(add(mul(v1, w1o, k6), mul(v1o, w1, k7), k6), add(mul(v2, w2o, k7), mul(v2o, w2, k8), k7), k6), add(mul(v3,
+        w3o, k7), mul(v3o, w3, k8), k7), k6
     )
     _, g, h, fy, gy, hy, fyy, gyy, hyy = c.tangent_dot(
-        (k5, k6, k7, k8, k9, k10, k11, k12, k13), (*spare,), (*spare_masks,), x
+        (k7, k8, k9, k10, k11, k12, k13, k14, k15), (*spare,), (*spare_masks,), v11, v22, v33
     )
     hyo = mul(hyy, y, k1)
-    hto = div(add(mul(hy, vwo, k5), mul(hyo, vw, k1), k1), n2, k1)
-    fyo = mul(fyy, y, k5)
-    fto = add(mul(fy, vwo, k11), mul(fyo, vw, k5), k5)
-    ft = mul(fy, vw, k8)
-    gyo = mul(gyy, y, k11)
-    gto = add(mul(gy, vwo, k4), mul(gyo, vw, k11), k4)
-    ht = div(mul(hy, vw, k11), n2, k11)
-    gt = mul(gy, vw, k2)
+    hto = div(add(mul(hy, vwo, k2), mul(hyo, vw, k1), k1), n2, k1)
+    fyo = mul(fyy, y, k2)
+    fto = add(mul(fy, vwo, k3), mul(fyo, vw, k2), k2)
+    ft = mul(fy, vw, k3)
+    gyo = mul(gyy, y, k7)
+    gto = add(mul(gy, vwo, k6), mul(gyo, vw, k7), k6)
+    ht = div(mul(hy, vw, k7), n2, k7)
+    gt = mul(gy, vw, k4)
     ho = mul(hy, y, k10)
-    go = mul(gy, y, k3)
-    hw1 = mul(w1, h, k9)
-    b1 = add(mul(v1, ht, k12), hw1, k9)
+    go = mul(gy, y, k5)
+    hw1 = mul(w1, h, k11)
+    b1 = add(mul(v1, ht, k12), hw1, k11)
     add(ft, mul(n2, mul(v1, b1, k12), k12), o1)
     hw2 = mul(w2, h, k12)
     b2 = add(mul(v2, ht, k13), hw2, k12)
@@ -1134,43 +1118,43 @@ def tangent_dot_blocks(
     hw3 = mul(w3, h, k13)
     b3 = add(mul(v3, ht, k14), hw3, k13)
     add(ft, mul(n2, mul(v3, b3, k14), k14), o9)
-    d13 = add(mul(v1, b3, k8), mul(b1, v3, k14), k8)
+    d13 = add(mul(v1, b3, k3), mul(b1, v3, k14), k3)
     gw2 = mul(w2, g, k14)
     s2 = mul(add(mul(v2, gt, k15), gw2, k14), side, k14)
     add(d13, s2, o3)
     sub(d13, s2, o7)
-    d23 = add(mul(v2, b3, k8), mul(b2, v3, k14), k8)
+    d23 = add(mul(v2, b3, k3), mul(b2, v3, k14), k3)
     gw1 = mul(w1, g, k14)
     s1 = mul(add(mul(v1, gt, k15), gw1, k14), side, k14)
     sub(d23, s1, o6)
     add(d23, s1, o8)
-    hw1o = add(mul(w1, ho, k8), mul(w1o, h, k14), k8)
-    b1o = add(add(mul(v1, hto, k14), mul(v1o, ht, k15), k14), hw1o, k8)
+    hw1o = add(mul(w1, ho, k3), mul(w1o, h, k14), k3)
+    b1o = add(add(mul(v1, hto, k14), mul(v1o, ht, k15), k14), hw1o, k3)
     add(fto, mul(n2, add(mul(v1, b1o, k14), mul(v1o, b1, k15), k14), k14), o10)
     hw2o = add(mul(w2, ho, k14), mul(w2o, h, k15), k14)
-    hw3o = add(mul(w3, ho, k10), mul(w3o, h, k7), k7)
+    hw3o = add(mul(w3, ho, k10), mul(w3o, h, k9), k9)
     b2o = add(add(mul(v2, hto, k10), mul(v2o, ht, k15), k10), hw2o, k10)
-    b3o = add(add(mul(v3, hto, k1), mul(v3o, ht, k11), k1), hw3o, k1)
-    add(fto, mul(n2, add(mul(v2, b2o, k7), mul(v2o, b2, k11), k7), k7), o14)
-    add(fto, mul(n2, add(mul(v3, b3o, k7), mul(v3o, b3, k11), k7), k7), o18)
-    d12o = add(add(mul(v1, b2o, k5), mul(v1o, b2, k7), k5), add(mul(b1, v2o, k7), mul(b1o, v2, k11), k7), k5)
-    d13o = add(add(mul(v1, b3o, k7), mul(v1o, b3, k11), k7), add(mul(b1, v3o, k9), mul(b1o, v3, k8), k8), k7)
-    d23o = add(add(mul(v2, b3o, k1), mul(v2o, b3, k8), k1), add(mul(b2, v3o, k8), mul(b2o, v3, k9), k8), k1)
-    gw3o = add(mul(w3, go, k8), mul(w3o, g, k9), k8)
-    s3o = mul(add(add(mul(v3, gto, k9), mul(v3o, gt, k10), k9), gw3o, k8), side, k8)
+    b3o = add(add(mul(v3, hto, k1), mul(v3o, ht, k7), k1), hw3o, k1)
+    add(fto, mul(n2, add(mul(v2, b2o, k7), mul(v2o, b2, k9), k7), k7), o14)
+    add(fto, mul(n2, add(mul(v3, b3o, k7), mul(v3o, b3, k9), k7), k7), o18)
+    d12o = add(add(mul(v1, b2o, k2), mul(v1o, b2, k7), k2), add(mul(b1, v2o, k7), mul(b1o, v2, k9), k7), k2)
+    d13o = add(add(mul(v1, b3o, k7), mul(v1o, b3, k9), k7), add(mul(b1, v3o, k9), mul(b1o, v3, k3), k3), k3)
+    d23o = add(add(mul(v2, b3o, k1), mul(v2o, b3, k7), k1), add(mul(b2, v3o, k7), mul(b2o, v3, k9), k7), k1)
+    gw3o = add(mul(w3, go, k7), mul(w3o, g, k9), k7)
+    s3o = mul(add(add(mul(v3, gto, k9), mul(v3o, gt, k10), k9), gw3o, k7), side, k7)
     sub(d12o, s3o, o11)
     add(d12o, s3o, o13)
-    gw2o = add(mul(w2, go, k5), mul(w2o, g, k8), k5)
-    gw1o = add(mul(w1, go, k3), mul(w1o, g, k6), k3)
-    s2o = mul(add(add(mul(v2, gto, k6), mul(v2o, gt, k8), k6), gw2o, k5), side, k5)
-    s1o = mul(add(add(mul(v1, gto, k4), mul(v1o, gt, k2), k2), gw1o, k2), side, k2)
+    gw2o = add(mul(w2, go, k2), mul(w2o, g, k7), k2)
+    gw1o = add(mul(w1, go, k5), mul(w1o, g, k7), k5)
+    s2o = mul(add(add(mul(v2, gto, k7), mul(v2o, gt, k8), k7), gw2o, k2), side, k2)
+    s1o = mul(add(add(mul(v1, gto, k6), mul(v1o, gt, k4), k4), gw1o, k4), side, k4)
     add(d13o, s2o, o12)
     sub(d13o, s2o, o16)
     sub(d23o, s1o, o15)
     add(d23o, s1o, o17)
 
 
-# operations 205: 84 +, 121 *
+# operations 203: 82 +, 121 *
 def twist_dot(m: Any, c: Any, v: Components, v_dot: Components, v_ddot: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
@@ -1179,8 +1163,7 @@ def twist_dot(m: Any, c: Any, v: Components, v_dot: Components, v_ddot: Componen
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    x = v11 + v22 + v33
-    f, g, h, fy, gy, hy, fyy, gyy, hyy = c.tangent_dot(m, x)
+    f, g, h, fy, gy, hy, fyy, gyy, hyy = c.tangent_dot(m, v11, v22, v33)
     y = v1 * v1o + v2 * v2o + v3 * v3o
     fo = fy * y
     go = gy * y
@@ -1241,64 +1224,63 @@ def twist_dot_blocks(
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    vw = add(add(mul(v1, w1, k2), mul(v2, w2, k3), k2), mul(v3, w3, k3), k2)
+    vw = add(add(mul(v1, w1, k4), mul(v2, w2, k5), k4), mul(v3, w3, k5), k4)
     pull = add(
-        add(add(mul(v1, z1, k3), mul(v2, z2, k4), k3), mul(v3, z3, k4), k3), add(add(mul(w1, w1, k4), mul(w2, w2, k5),
-        k4), mul(w3, w3, k5), k4), k3
+        add(add(mul(v1, z1, k5), mul(v2, z2, k6), k5), mul(v3, z3, k6), k5), add(add(mul(w1, w1, k6), mul(w2, w2, k7),
+        k6), mul(w3, w3, k7), k6), k5
     )
-    y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k5), k4), mul(v3, v3o, k5), k4)
+    y = add(add(mul(v1, v1o, k6), mul(v2, v2o, k7), k6), mul(v3, v3o, k7), k6)
     vwo = add(
-        add(add(mul(v1, w1o, k5), mul(v1o, w1, k6), k5), add(mul(v2, w2o, k6), mul(v2o, w2, k7), k6), k5), add(mul(v3,
-        w3o, k6), mul(v3o, w3, k7), k6), k5
+        add(add(mul(v1, w1o, k7), mul(v1o, w1, k8), k7), add(mul(v2, w2o, k8), mul(v2o, w2, k9), k8), k7), add(mul(v3,
+        w3o, k8), mul(v3o, w3, k9), k8), k7
     )
     pullo = add(
-        add(add(add(mul(v1, z1o, k6), mul(v1o, z1, k7), k6), add(mul(v2, z2o, k7), mul(v2o, z2, k8), k7), k6),
-        add(mul(v3, z3o, k7), mul(v3o, z3, k8), k7), k6), mul(n2, add(add(mul(w1, w1o, k7), mul(w2, w2o, k8), k7),
-        mul(w3, w3o, k8), k7), k7), k6
+        add(add(add(mul(v1, z1o, k8), mul(v1o, z1, k9), k8), add(mul(v2, z2o, k9), mul(v2o, z2, k10), k9), k8),
+        add(mul(v3, z3o, k9), mul(v3o, z3, k10), k9), k8), mul(n2, add(add(mul(w1, w1o, k9), mul(w2, w2o, k10), k9),
+        mul(w3, w3o, k10), k9), k9), k8
     )
     f, g, h, fy, gy, hy, fyy, gyy, hyy = c.tangent_dot(
-        (k7, k8, k9, k10, k11, k12, k13, k14, k15), (*spare,), (*spare_masks,), x
+        (k9, k10, k11, k12, k13, k14, k15, k16, k17), (*spare,), (*spare_masks,), v11, v22, v33
     )
     gyo = mul(gyy, y, k1)
-    gto = add(mul(gy, vwo, k14), mul(gyo, vw, k1), k1)
-    hyo = mul(hyy, y, k14)
-    hto = add(mul(hy, vwo, k15), mul(hyo, vw, k14), k14)
-    fyo = mul(fyy, y, k13)
+    gto = add(mul(gy, vwo, k2), mul(gyo, vw, k1), k1)
+    hyo = mul(hyy, y, k2)
+    hto = add(mul(hy, vwo, k3), mul(hyo, vw, k2), k2)
+    fyo = mul(fyy, y, k3)
     fyh = add(fy, h, k15)
-    fo = mul(fy, y, k10)
+    fo = mul(fy, y, k12)
     fh = mul(fyh, vw, k16)
     gt = mul(gy, vw, k17)
-    go = mul(gy, y, k11)
-    ho = mul(hy, y, k4)
-    ht = mul(hy, vw, k12)
-    cvvo = add(add(mul(h, pullo, k6), mul(ho, pull, k18), k6), add(mul(ht, vwo, k18), mul(hto, vw, k14), k14), k6)
-    cvv = add(mul(h, pull, k3), mul(ht, vw, k9), k3)
-    fyho = add(fyo, ho, k4)
-    fho = add(mul(fyh, vwo, k5), mul(fyho, vw, k2), k2)
-    gz3 = add(mul(z3, g, k4), mul(w3, gt, k5), k4)
+    go = mul(gy, y, k13)
+    ho = mul(hy, y, k6)
+    ht = mul(hy, vw, k14)
+    cvvo = add(add(mul(h, pullo, k8), mul(ho, pull, k18), k8), add(mul(ht, vwo, k18), mul(hto, vw, k2), k2), k2)
+    cvv = add(mul(h, pull, k5), mul(ht, vw, k8), k5)
+    fyho = add(fyo, ho, k3)
+    fho = add(mul(fyh, vwo, k6), mul(fyho, vw, k3), k3)
+    gz3 = add(mul(z3, g, k4), mul(w3, gt, k6), k4)
     s3 = mul(gz3, side, k4)
-    gz2 = add(mul(z2, g, k5), mul(w2, gt, k9), k5)
-    s2 = mul(gz2, side, k5)
+    gz2 = add(mul(z2, g, k6), mul(w2, gt, k7), k6)
+    s2 = mul(gz2, side, k6)
     add(
-        add(add(mul(z1, f, k9), mul(w1, fh, k12), k9), sub(mul(v2, s3, k12), mul(v3, s2, k13), k12), k9), mul(v1, cvv,
-        k12), o1
+        add(add(mul(z1, f, k7), mul(w1, fh, k8), k7), sub(mul(v2, s3, k8), mul(v3, s2, k11), k8), k7), mul(v1, cvv, k8),
+        o1
     )
-    gz1 = add(mul(z1, g, k9), mul(w1, gt, k12), k9)
-    s1 = mul(gz1, side, k9)
+    gz1 = add(mul(z1, g, k7), mul(w1, gt, k8), k7)
+    s1 = mul(gz1, side, k7)
     add(
-        add(add(mul(z2, f, k12), mul(w2, fh, k13), k12), sub(mul(v3, s1, k13), mul(v1, s3, k14), k13), k12), mul(v2,
-        cvv, k13), o2
+        add(add(mul(z2, f, k8), mul(w2, fh, k11), k8), sub(mul(v3, s1, k11), mul(v1, s3, k14), k11), k8), mul(v2, cvv,
+        k11), o2
     )
     add(
-        add(add(mul(z3, f, k12), mul(w3, fh, k13), k12), sub(mul(v1, s2, k13), mul(v2, s1, k14), k13), k12), mul(v3,
-        cvv, k13), o3
+        add(add(mul(z3, f, k8), mul(w3, fh, k11), k8), sub(mul(v1, s2, k11), mul(v2, s1, k14), k11), k8), mul(v3, cvv,
+        k11), o3
     )
-    gz3o = add(add(mul(z3, go, k12), mul(z3o, g, k13), k12), add(mul(w3, gto, k13), mul(w3o, gt, k14), k13), k12)
-    s3o = mul(gz3o, side, k12)
-    gz2o = add(add(mul(z2, go, k13), mul(z2o, g, k14), k13), add(mul(w2, gto, k14), mul(w2o, gt, k15), k14), k13)
-    gz1o = add(add(mul(z1, go, k11), mul(z1o, g, k8), k8), add(mul(w1, gto, k1), mul(w1o, gt, k11), k1), k1)
-    s2o = mul(gz2o, side, k8)
+    gz3o = add(add(mul(z3, go, k8), mul(z3o, g, k11), k8), add(mul(w3, gto, k11), mul(w3o, gt, k14), k11), k8)
+    s3o = mul(gz3o, side, k8)
+    gz2o = add(add(mul(z2, go, k11), mul(z2o, g, k14), k11), add(mul(w2, gto, k14), mul(w2o, gt, k15), k14), k11)
+    gz1o = add(add(mul(z1, go, k13), mul(z1o, g, k10), k10), add(mul(w1, gto, k1), mul(w1o, gt, k13), k1), k1)
+    s2o = mul(gz2o, side, k10)
     add(
         add(add(add(mul(z1, fo, k11), mul(z1o, f, k13), k11), add(mul(w1, fho, k13), mul(w1o, fh, k14), k13), k11),
         sub(add(mul(v2, s3o, k13), mul(v2o, s3, k14), k13), add(mul(v3, s2o, k14), mul(v3o, s2, k15), k14), k13), k11),
@@ -1307,12 +1289,12 @@ def twist_dot_blocks(
     s1o = mul(gz1o, side, k1)
     add(
         add(add(add(mul(z2, fo, k11), mul(z2o, f, k13), k11), add(mul(w2, fho, k13), mul(w2o, fh, k14), k13), k11),
-        sub(add(mul(v3, s1o, k13), mul(v3o, s1, k14), k13), add(mul(v1, s3o, k12), mul(v1o, s3, k4), k4), k4), k4),
-        add(mul(v2, cvvo, k11), mul(v2o, cvv, k12), k11), o5
+        sub(add(mul(v3, s1o, k13), mul(v3o, s1, k14), k13), add(mul(v1, s3o, k8), mul(v1o, s3, k4), k4), k4), k4),
+        add(mul(v2, cvvo, k8), mul(v2o, cvv, k11), k8), o5
     )
     add(
-        add(add(add(mul(z3, fo, k4), mul(z3o, f, k7), k4), add(mul(w3, fho, k2), mul(w3o, fh, k7), k2), k2),
-        sub(add(mul(v1, s2o, k4), mul(v1o, s2, k5), k4), add(mul(v2, s1o, k1), mul(v2o, s1, k5), k1), k1), k1),
+        add(add(add(mul(z3, fo, k4), mul(z3o, f, k8), k4), add(mul(w3, fho, k3), mul(w3o, fh, k8), k3), k3),
+        sub(add(mul(v1, s2o, k4), mul(v1o, s2, k6), k4), add(mul(v2, s1o, k1), mul(v2o, s1, k6), k1), k1), k1),
         add(mul(v3, cvvo, k2), mul(v3o, cvv, k3), k2), o6
     )
 
@@ -1469,7 +1451,7 @@ def rate_dot_blocks(
     )
 
 
-# operations 207: 87 +, 120 *
+# operations 205: 85 +, 120 *
 def twist_jacobian(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
@@ -1477,8 +1459,7 @@ def twist_jacobian(m: Any, c: Any, v: Components, v_dot: Components, table: Comp
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    x = v11 + v22 + v33
-    _, g, h, fy, gy, hy, fyy, gyy, hyy = c.tangent_dot(m, x)
+    _, g, h, fy, gy, hy, fyy, gyy, hyy = c.tangent_dot(m, v11, v22, v33)
     y = v1 * v1o + v2 * v2o + v3 * v3o
     go = gy * y
     ho = hy * y
@@ -1582,16 +1563,15 @@ def twist_jacobian_blocks(
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
     _, g, h, fy, gy, hy, fyy, gyy, hyy = c.tangent_dot(
-        (k2, k3, k4, k5, k6, k7, k8, k9, k10), (*spare,), (*spare_masks,), x
+        (k4, k5, k6, k7, k8, k9, k10, k11, k12), (*spare,), (*spare_masks,), v11, v22, v33
     )
     fh = add(fy, h, k1)
     gs = mul(g, side, k2)
     gt = mul(gy, side, k3)
-    vw = add(add(mul(v1, w1, k5), mul(v2, w2, k11), k5), mul(v3, w3, k11), k5)
-    ht = mul(hy, vw, k11)
-    t1 = sub(mul(v2, w3, k12), mul(v3, w2, k13), k12)
+    vw = add(add(mul(v1, w1, k4), mul(v2, w2, k5), k4), mul(v3, w3, k5), k4)
+    ht = mul(hy, vw, k5)
+    t1 = sub(mul(v2, w3, k7), mul(v3, w2, k13), k7)
     b1 = add(add(mul(w1, fh, k13), mul(t1, gt, k14), k13), mul(v1, ht, k14), k13)
     ha = mul(h, vw, k14)
     add(mul(b1, v1, k15), ha, o1)
@@ -1611,26 +1591,26 @@ def twist_jacobian_blocks(
     sub(mul(b3, v2, k18), s1, o14)
     add(mul(b3, v3, k16), ha, o15)
     y = add(add(mul(v1, v1o, k14), mul(v2, v2o, k16), k14), mul(v3, v3o, k16), k14)
-    fyo = mul(fyy, y, k8)
-    hyo = mul(hyy, y, k10)
-    gyo = mul(gyy, y, k9)
-    gto = mul(gyo, side, k9)
-    go = mul(gy, y, k6)
+    fyo = mul(fyy, y, k10)
+    hyo = mul(hyy, y, k12)
+    gyo = mul(gyy, y, k11)
+    gto = mul(gyo, side, k11)
+    go = mul(gy, y, k8)
     ho = mul(hy, y, k14)
-    fho = add(fyo, ho, k8)
-    gso = mul(go, side, k6)
+    fho = add(fyo, ho, k10)
+    gso = mul(go, side, k8)
     vwo = add(
         add(add(mul(v1, w1o, k16), mul(v1o, w1, k18), k16), add(mul(v2, w2o, k18), mul(v2o, w2, k21), k18), k16),
         add(mul(v3, w3o, k18), mul(v3o, w3, k21), k18), k16
     )
-    hto = add(mul(hy, vwo, k7), mul(hyo, vw, k10), k7)
-    hao = add(mul(h, vwo, k10), mul(ho, vw, k5), k5)
-    t1o = sub(add(mul(v2, w3o, k10), mul(v2o, w3, k16), k10), add(mul(v3, w2o, k16), mul(v3o, w2, k18), k16), k10)
+    hto = add(mul(hy, vwo, k9), mul(hyo, vw, k12), k9)
+    hao = add(mul(h, vwo, k12), mul(ho, vw, k4), k4)
+    t1o = sub(add(mul(v2, w3o, k12), mul(v2o, w3, k16), k12), add(mul(v3, w2o, k16), mul(v3o, w2, k18), k16), k12)
     b1o = add(
         add(add(mul(w1, fho, k16), mul(w1o, fh, k18), k16), add(mul(t1, gto, k18), mul(t1o, gt, k21), k18), k16),
         add(mul(v1, hto, k18), mul(v1o, ht, k21), k18), k16
     )
-    s1o = add(add(mul(w1, gso, k18), mul(w1o, gs, k21), k18), add(mul(t1, ho, k12), mul(t1o, h, k10), k10), k10)
+    s1o = add(add(mul(w1, gso, k18), mul(w1o, gs, k21), k18), add(mul(t1, ho, k7), mul(t1o, h, k12), k7), k7)
     add(add(mul(b1, v1o, k12), mul(b1o, v1, k18), k12), hao, o19)
     t3o = sub(add(mul(v1, w2o, k12), mul(v1o, w2, k18), k12), add(mul(v2, w1o, k18), mul(v2o, w1, k21), k18), k12)
     s3o = add(add(mul(w3, gso, k18), mul(w3o, gs, k21), k18), add(mul(t3, ho, k21), mul(t3o, h, k22), k21), k18)
@@ -1643,12 +1623,12 @@ def twist_jacobian_blocks(
     add(add(mul(b3, v3o, k15), mul(b3o, v3, k21), k15), hao, o33)
     t2o = sub(add(mul(v3, w1o, k15), mul(v3o, w1, k21), k15), add(mul(v1, w3o, k21), mul(v1o, w3, k22), k21), k15)
     b2o = add(
-        add(add(mul(w2, fho, k8), mul(w2o, fh, k1), k1), add(mul(t2, gto, k8), mul(t2o, gt, k3), k3), k1), add(mul(v2,
-        hto, k3), mul(v2o, ht, k7), k3), k1
+        add(add(mul(w2, fho, k10), mul(w2o, fh, k1), k1), add(mul(t2, gto, k10), mul(t2o, gt, k3), k3), k1), add(mul(v2,
+        hto, k3), mul(v2o, ht, k5), k3), k1
     )
-    s2o = add(add(mul(w2, gso, k3), mul(w2o, gs, k2), k2), add(mul(t2, ho, k3), mul(t2o, h, k4), k3), k2)
-    sub(add(mul(b1, v3o, k3), mul(b1o, v3, k4), k3), s2o, o21)
-    add(add(mul(b3, v1o, k3), mul(b3o, v1, k4), k3), s2o, o31)
+    s2o = add(add(mul(w2, gso, k3), mul(w2o, gs, k2), k2), add(mul(t2, ho, k3), mul(t2o, h, k5), k3), k2)
+    sub(add(mul(b1, v3o, k3), mul(b1o, v3, k5), k3), s2o, o21)
+    add(add(mul(b3, v1o, k3), mul(b3o, v1, k5), k3), s2o, o31)
     sub(add(mul(b2, v1o, k2), mul(b2o, v1, k3), k2), s3o, o25)
     add(add(mul(b2, v2o, k2), mul(b2o, v2, k3), k2), hao, o26)
     add(add(mul(b2, v3o, k2), mul(b2o, v3, k1), k1), s1o, o27)
@@ -2322,8 +2302,8 @@ def angle(m: Any, c: Any, v: Components) -> Result:
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
+    f, _, h = c.pose(m, v11, v22, v33)
     x = v11 + v22 + v33
-    f, _, h = c.pose(m, x)
     resting = x == 0
     rown = m.sqrt(m.where(resting, 1 + x, x))
     own, = c.unfolded(m, x, rown)
@@ -2335,7 +2315,7 @@ def angle_blocks(
 ) -> None:
     v1, v2, v3, v1o, v2o, v3o = v
     o1, o2 = out
-    k1, k2, k3, k4, k5, k6, *spare = scratch
+    k1, k2, k3, k4, k5, k6, k7, *spare = scratch
     mask1, mask2, *spare_masks = masks
     n0, n1 = numbers
     total = add(add(absolute(v1, k1), absolute(v2, k2), k1), absolute(v3, k2), k1)
@@ -2358,12 +2338,12 @@ def angle_blocks(
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k3)
     v33 = mul(v3, v3, k4)
+    f, _, h = c.pose((k5, k6, k7), (*spare,), (mask1, mask2, *spare_masks), v11, v22, v33)
     x = add(add(v11, v22, k1), v33, k1)
-    f, _, h = c.pose((k3, k4, k5), (k6, *spare), (mask1, mask2, *spare_masks), x)
-    mul(ro, add(f, mul(x, h, k4), k3), o2)
+    mul(ro, add(f, mul(x, h, k3), k3), o2)
     resting = m.equal(x, n0, mask1)
     rown = sqrt(m.where(resting, add(n1, x, k2), x, k2), k2)
-    own, = c.unfolded((k3,), (k4, k5, k6, *spare), (mask2, *spare_masks), x, rown)
+    own, = c.unfolded((k3,), (k4, k5, k6, k7, *spare), (mask2, *spare_masks), x, rown)
     m.where(resting, x, own, o1)
 
 
@@ -3428,7 +3408,7 @@ def compose_jacobians(m: Any, c: Any, b: Components, a: Components) -> Result:
     I31o = d13ow - sow2
     I32o = d23ow + sow1
     I33o = fiow + (cvw3 * w6 + cvow3 * v3)
-    fS, gS, hS, fyS, gyS, hyS = c.tangent(m, xb)
+    fS, gS, hS, fyS, gyS, hyS = c.tangent(m, v11b, v22b, v33b)
     foS = fyS * yb
     goS = gyS * yb
     hoS = hyS * yb
@@ -3468,7 +3448,7 @@ def compose_jacobians(m: Any, c: Any, b: Components, a: Components) -> Result:
     S31o = d13oS - gvoS2
     S32o = d23oS + gvoS1
     S33o = foS + (cvS3 * b3o + cvoS3 * b3)
-    fF, gF, hF, fyF, gyF, hyF = c.tangent(m, xa)
+    fF, gF, hF, fyF, gyF, hyF = c.tangent(m, v11a, v22a, v33a)
     foF = fyF * ya
     goF = gyF * ya
     hoF = hyF * ya
@@ -3660,7 +3640,8 @@ def compose_jacobians_blocks(
     (
         k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
         k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, k35, k36, k37, k38, k39, k40, k41, k42, k43, k44, k45, k46,
-        k47, k48, k49, k50, k51, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61, k62, k63, k64, k65, k66, k67, *spare,
+        k47, k48, k49, k50, k51, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61, k62, k63, k64, k65, k66, k67, k68,
+        k69, *spare,
     ) = scratch
     *spare_masks, = masks
     n0, n1, n2 = numbers
@@ -3668,382 +3649,382 @@ def compose_jacobians_blocks(
     v22b = mul(b2, b2, k2)
     x12b = add(v11b, v22b, k3)
     v33b = mul(b3, b3, k4)
+    fS, gS, hS, fyS, gyS, hyS = c.tangent((k5, k6, k7, k8, k9, k10), (*spare,), (*spare_masks,), v11b, v22b, v33b)
     x23b = add(v22b, v33b, k2)
     x13b = add(v11b, v33b, k1)
     xb = add(x12b, v33b, k4)
-    v11a = mul(a1, a1, k5)
-    v22a = mul(a2, a2, k6)
-    v33a = mul(a3, a3, k7)
-    xa = add(add(v11a, v22a, k5), v33a, k5)
-    ya = add(add(mul(a1, a1o, k6), mul(a2, a2o, k7), k6), mul(a3, a3o, k7), k6)
-    yb = add(add(mul(b1, b1o, k7), mul(b2, b2o, k8), k7), mul(b3, b3o, k8), k7)
-    ab, bb, sizeb, fb, gb, hb = c.ray((k8, k9, k10, k11, k12, k13), (*spare,), (*spare_masks,), xb)
+    ab, bb, sizeb, fb, gb, hb = c.ray((k11, k12, k13, k14, k15, k16), (*spare,), (*spare_masks,), xb)
     Qb11 = sub(n1, mul(gb, x23b, k2), k2)
     Qb22 = sub(n1, mul(gb, x13b, k1), k1)
     Qb33 = sub(n1, mul(gb, x12b, k3), k3)
-    alongb = mul(hb, yb, k13)
-    bvb1 = mul(b1, bb, k14)
-    bvb2 = mul(b2, bb, k15)
-    bvb3 = mul(b3, bb, k9)
-    gvb1 = mul(b1, gb, k16)
-    gvvb1 = mul(gvb1, b2, k17)
-    fvb3 = mul(b3, fb, k18)
-    Qb12 = sub(gvvb1, fvb3, k19)
-    Qb21 = add(gvvb1, fvb3, k17)
-    gvvb2 = mul(gvb1, b3, k18)
-    fvb2 = mul(b2, fb, k20)
-    Qb13 = add(gvvb2, fvb2, k21)
-    Qb31 = sub(gvvb2, fvb2, k18)
-    gvb2 = mul(b2, gb, k20)
-    gvvb3 = mul(gvb2, b3, k22)
-    fvb1 = mul(b1, fb, k23)
-    Qb23 = sub(gvvb3, fvb1, k24)
-    Qb32 = add(gvvb3, fvb1, k22)
-    gvb3 = mul(b3, gb, k23)
-    rhob1 = add(
-        add(mul(b1o, fb, k25), sub(mul(gvb2, b3o, k26), mul(gvb3, b2o, k27), k26), k25), mul(b1, alongb, k26), k25
-    )
-    rhob2 = add(
-        add(mul(b2o, fb, k26), sub(mul(gvb3, b1o, k23), mul(gvb1, b3o, k27), k23), k23), mul(b2, alongb, k26), k23
-    )
-    rhob3 = add(
-        add(mul(b3o, fb, k26), sub(mul(gvb1, b2o, k16), mul(gvb2, b1o, k20), k16), k16), mul(b3, alongb, k13), k13
-    )
-    R11o = sub(mul(Qb31, rhob2, k16), mul(Qb21, rhob3, k20), k16)
-    R12o = sub(mul(Qb32, rhob2, k20), mul(Qb22, rhob3, k26), k20)
-    R13o = sub(mul(Qb33, rhob2, k26), mul(Qb23, rhob3, k27), k26)
-    R21o = sub(mul(Qb11, rhob3, k27), mul(Qb31, rhob1, k28), k27)
-    R22o = sub(mul(Qb12, rhob3, k28), mul(Qb32, rhob1, k29), k28)
-    R23o = sub(mul(Qb13, rhob3, k29), mul(Qb33, rhob1, k30), k29)
-    R31o = sub(mul(Qb21, rhob1, k30), mul(Qb11, rhob2, k31), k30)
-    R32o = sub(mul(Qb22, rhob1, k31), mul(Qb12, rhob2, k32), k31)
-    R33o = sub(mul(Qb23, rhob1, k32), mul(Qb13, rhob2, k33), k32)
-    fS, gS, hS, fyS, gyS, hyS = c.tangent((k33, k34, k35, k36, k37, k38), (*spare,), (*spare_masks,), xb)
-    hoS = mul(hyS, yb, k4)
-    goS = mul(gyS, yb, k37)
-    foS = mul(fyS, yb, k7)
-    cvS1 = mul(b1, hS, k36)
-    d13S = mul(cvS1, b3, k38)
-    gvS2 = mul(b2, gS, k39)
-    S13 = add(d13S, gvS2, k40)
-    S31 = sub(d13S, gvS2, k38)
-    cvS2 = mul(b2, hS, k39)
-    d23S = mul(cvS2, b3, k41)
-    gvS1 = mul(b1, gS, k42)
-    S23 = sub(d23S, gvS1, k43)
-    S32 = add(d23S, gvS1, k41)
-    cvS3 = mul(b3, hS, k42)
-    S33 = add(fS, mul(cvS3, b3, k44), k44)
-    d12S = mul(cvS1, b2, k45)
-    gvS3 = mul(b3, gS, k46)
-    S12 = sub(d12S, gvS3, k47)
-    S21 = add(d12S, gvS3, k45)
-    S22 = add(fS, mul(cvS2, b2, k46), k46)
-    S11 = add(fS, mul(cvS1, b1, k48), k33)
-    cvoS1 = add(mul(b1o, hS, k48), mul(b1, hoS, k49), k48)
-    d13oS = add(mul(cvS1, b3o, k49), mul(cvoS1, b3, k50), k49)
-    gvoS2 = add(mul(b2o, gS, k50), mul(b2, goS, k51), k50)
-    S13o = add(d13oS, gvoS2, k51)
-    S31o = sub(d13oS, gvoS2, k49)
-    cvoS2 = add(mul(b2o, hS, k50), mul(b2, hoS, k52), k50)
-    cvoS3 = add(mul(b3o, hS, k35), mul(b3, hoS, k4), k4)
-    S33o = add(foS, add(mul(cvS3, b3o, k35), mul(cvoS3, b3, k4), k4), k4)
-    d23oS = add(mul(cvS2, b3o, k35), mul(cvoS2, b3, k42), k35)
-    S22o = add(foS, add(mul(cvS2, b2o, k39), mul(cvoS2, b2, k42), k39), k39)
-    S11o = add(foS, add(mul(cvS1, b1o, k42), mul(cvoS1, b1, k50), k42), k7)
-    d12oS = add(mul(cvS1, b2o, k36), mul(cvoS1, b2, k42), k36)
-    gvoS1 = add(mul(b1o, gS, k42), mul(b1, goS, k48), k42)
-    gvoS3 = add(mul(b3o, gS, k34), mul(b3, goS, k37), k34)
-    S23o = sub(d23oS, gvoS1, k37)
-    S32o = add(d23oS, gvoS1, k35)
-    S12o = sub(d12oS, gvoS3, k42)
-    S21o = add(d12oS, gvoS3, k34)
-    aa, ba, sizea, fa, ga, ha = c.ray((k36, k48, k50, k52, k53, k54), (*spare,), (*spare_masks,), xa)
-    alonga = mul(ha, ya, k54)
-    bva1 = mul(a1, ba, k55)
-    bva2 = mul(a2, ba, k56)
-    bva3 = mul(a3, ba, k48)
+    v11a = mul(a1, a1, k4)
+    v22a = mul(a2, a2, k17)
+    v33a = mul(a3, a3, k18)
+    fF, gF, hF, fyF, gyF, hyF = c.tangent((k19, k20, k21, k22, k23, k24), (*spare,), (*spare_masks,), v11a, v22a, v33a)
+    xa = add(add(v11a, v22a, k4), v33a, k4)
+    aa, ba, sizea, fa, ga, ha = c.ray((k17, k18, k25, k26, k27, k28), (*spare,), (*spare_masks,), xa)
+    bvb1 = mul(b1, bb, k4)
+    bva1 = mul(a1, ba, k29)
+    bvb2 = mul(b2, bb, k30)
+    bvb3 = mul(b3, bb, k12)
+    bva2 = mul(a2, ba, k31)
+    bva3 = mul(a3, ba, k18)
     z0 = sub(
-        mul(ab, aa, k57), add(add(mul(bvb1, bva1, k58), mul(bvb2, bva2, k59), k58), mul(bvb3, bva3, k59), k58), k57
+        mul(ab, aa, k32), add(add(mul(bvb1, bva1, k33), mul(bvb2, bva2, k34), k33), mul(bvb3, bva3, k34), k33), k32
     )
     z1 = add(
-        add(mul(bva1, ab, k58), mul(bvb1, aa, k59), k58), sub(mul(bvb2, bva3, k59), mul(bvb3, bva2, k60), k59), k58
+        add(mul(bva1, ab, k33), mul(bvb1, aa, k34), k33), sub(mul(bvb2, bva3, k34), mul(bvb3, bva2, k35), k34), k33
     )
     z2 = add(
-        add(mul(bva2, ab, k59), mul(bvb2, aa, k60), k59), sub(mul(bvb3, bva1, k60), mul(bvb1, bva3, k61), k60), k59
+        add(mul(bva2, ab, k34), mul(bvb2, aa, k35), k34), sub(mul(bvb3, bva1, k35), mul(bvb1, bva3, k36), k35), k34
     )
-    z3 = add(add(mul(bva3, ab, k8), mul(bvb3, aa, k9), k8), sub(mul(bvb1, bva2, k9), mul(bvb2, bva1, k14), k9), k8)
+    z3 = add(add(mul(bva3, ab, k11), mul(bvb3, aa, k12), k11), sub(mul(bvb1, bva2, k4), mul(bvb2, bva1, k12), k4), k4)
     gain, = c.gain_product(
-        (k9,), (k14, k15, k36, k48, k55, k56, k60, k61, *spare), (*spare_masks,), z0, z1, z2, z3, sizeb, sizea
+        (k11,), (k12, k17, k18, k29, k30, k31, k35, k36, *spare), (*spare_masks,), z0, z1, z2, z3, sizeb, sizea
     )
-    v1 = mul(z1, gain, k10)
-    v2 = mul(z2, gain, k14)
-    v3 = mul(z3, gain, k8)
-    fe = mul(gain, z0, k9)
-    v11 = mul(v1, v1, k15)
-    v22 = mul(v2, v2, k36)
-    v33 = mul(v3, v3, k48)
-    x = add(add(v11, v22, k15), v33, k15)
+    v1 = mul(z1, gain, k12)
+    v2 = mul(z2, gain, k13)
+    v3 = mul(z3, gain, k4)
+    fe = mul(gain, z0, k11)
+    v11 = mul(v1, v1, k17)
+    v22 = mul(v2, v2, k18)
+    v33 = mul(v3, v3, k25)
+    x = add(add(v11, v22, k17), v33, k17)
+    fiw, hiw, fiyw, hiyw = c.tangent_inv(
+        (k18, k25, k29, k30), (k31, k32, k33, k34, k35, k36, *spare), (*spare_masks,), x
+    )
+    fi, hi = c.inverse((k31, k32), (k33, k34, k35, k36, *spare), (*spare_masks,), x, fe)
+    cvw1 = mul(v1, hiw, k11)
+    I11 = add(fiw, mul(cvw1, v1, k17), k17)
+    d12w = mul(cvw1, v2, k33)
+    sw3 = neg(v3, k34)
+    I12 = sub(d12w, sw3, k35)
+    I21 = add(d12w, sw3, k33)
+    d13w = mul(cvw1, v3, k34)
     sw2 = neg(v2, k36)
-    sw1 = neg(v1, k48)
-    fi, hi = c.inverse((k50, k55), (k56, k57, k58, k59, k60, k61, *spare), (*spare_masks,), x, fe)
-    gva1 = mul(a1, ga, k9)
-    gva2 = mul(a2, ga, k56)
-    gva3 = mul(a3, ga, k53)
+    I13 = add(d13w, sw2, k37)
+    I31 = sub(d13w, sw2, k34)
+    cvS1 = mul(b1, hS, k36)
+    S11 = add(fS, mul(cvS1, b1, k38), k38)
+    d12S = mul(cvS1, b2, k39)
+    gvS3 = mul(b3, gS, k40)
+    S21 = add(d12S, gvS3, k41)
+    S12 = sub(d12S, gvS3, k39)
+    d13S = mul(cvS1, b3, k40)
+    gvS2 = mul(b2, gS, k42)
+    S31 = sub(d13S, gvS2, k43)
+    S13 = add(d13S, gvS2, k40)
+    div(add(add(mul(I11, S11, k42), mul(I12, S21, k44), k42), mul(I13, S31, k44), k42), n2, o1)
+    cvS2 = mul(b2, hS, k42)
+    S22 = add(fS, mul(cvS2, b2, k44), k44)
+    d23S = mul(cvS2, b3, k45)
+    gvS1 = mul(b1, gS, k46)
+    S32 = add(d23S, gvS1, k47)
+    S23 = sub(d23S, gvS1, k45)
+    div(add(add(mul(I11, S12, k46), mul(I12, S22, k48), k46), mul(I13, S32, k48), k46), n2, o2)
+    cvS3 = mul(b3, hS, k46)
+    S33 = add(fS, mul(cvS3, b3, k48), k5)
+    div(add(add(mul(I11, S13, k48), mul(I12, S23, k49), k48), mul(I13, S33, k49), k48), n2, o3)
+    cvw2 = mul(v2, hiw, k48)
+    I22 = add(fiw, mul(cvw2, v2, k49), k49)
+    d23w = mul(cvw2, v3, k50)
+    sw1 = neg(v1, k51)
+    I23 = sub(d23w, sw1, k52)
+    I32 = add(d23w, sw1, k50)
+    div(add(add(mul(I21, S11, k51), mul(I22, S21, k53), k51), mul(I23, S31, k53), k51), n2, o7)
+    div(add(add(mul(I21, S12, k51), mul(I22, S22, k53), k51), mul(I23, S32, k53), k51), n2, o8)
+    div(add(add(mul(I21, S13, k51), mul(I22, S23, k53), k51), mul(I23, S33, k53), k51), n2, o9)
+    cvw3 = mul(v3, hiw, k51)
+    I33 = add(fiw, mul(cvw3, v3, k53), k18)
+    div(add(add(mul(I31, S11, k53), mul(I32, S21, k54), k53), mul(I33, S31, k54), k53), n2, o13)
+    div(add(add(mul(I31, S12, k53), mul(I32, S22, k54), k53), mul(I33, S32, k54), k53), n2, o14)
+    div(add(add(mul(I31, S13, k53), mul(I32, S23, k54), k53), mul(I33, S33, k54), k53), n2, o15)
+    gva1 = mul(a1, ga, k53)
+    gva2 = mul(a2, ga, k54)
+    gva3 = mul(a3, ga, k27)
+    ya = add(add(mul(a1, a1o, k55), mul(a2, a2o, k56), k55), mul(a3, a3o, k56), k55)
+    alonga = mul(ha, ya, k28)
+    hoF = mul(hyF, ya, k24)
+    foF = mul(fyF, ya, k22)
+    goF = mul(gyF, ya, k23)
     rhoa3 = add(
-        add(mul(a3o, fa, k57), sub(mul(gva1, a2o, k58), mul(gva2, a1o, k59), k58), k57), mul(a3, alonga, k58), k57
+        add(mul(a3o, fa, k55), sub(mul(gva1, a2o, k56), mul(gva2, a1o, k57), k56), k55), mul(a3, alonga, k56), k55
     )
-    rhoa2 = add(add(mul(a2o, fa, k58), sub(mul(gva3, a1o, k59), mul(gva1, a3o, k9), k9), k9), mul(a2, alonga, k58), k9)
+    rhoa2 = add(
+        add(mul(a2o, fa, k56), sub(mul(gva3, a1o, k57), mul(gva1, a3o, k53), k53), k53), mul(a2, alonga, k56), k53
+    )
     rhoa1 = add(
-        add(mul(a1o, fa, k52), sub(mul(gva2, a3o, k56), mul(gva3, a2o, k53), k53), k52), mul(a1, alonga, k53), k52
+        add(mul(a1o, fa, k26), sub(mul(gva2, a3o, k54), mul(gva3, a2o, k27), k27), k26), mul(a1, alonga, k27), k26
     )
-    v_rho1 = sub(mul(b2, rhoa3, k53), mul(b3, rhoa2, k54), k53)
-    v_rho3 = sub(mul(b1, rhoa2, k54), mul(b2, rhoa1, k56), k54)
-    gv_rho3 = mul(v_rho3, gb, k56)
-    v_rho2 = sub(mul(b3, rhoa1, k58), mul(b1, rhoa3, k59), k58)
-    gv_rho2 = mul(v_rho2, gb, k59)
+    v_rho1 = sub(mul(b2, rhoa3, k27), mul(b3, rhoa2, k28), k27)
+    v_rho3 = sub(mul(b1, rhoa2, k28), mul(b2, rhoa1, k54), k28)
+    gv_rho3 = mul(v_rho3, gb, k54)
+    v_rho2 = sub(mul(b3, rhoa1, k56), mul(b1, rhoa3, k57), k56)
+    gv_rho2 = mul(v_rho2, gb, k57)
+    gvb2 = mul(b2, gb, k58)
+    gvb3 = mul(b3, gb, k59)
+    yb = add(add(mul(b1, b1o, k60), mul(b2, b2o, k61), k60), mul(b3, b3o, k61), k60)
+    alongb = mul(hb, yb, k16)
+    hoS = mul(hyS, yb, k10)
+    foS = mul(fyS, yb, k8)
+    goS = mul(gyS, yb, k9)
+    rhob1 = add(
+        add(mul(b1o, fb, k60), sub(mul(gvb2, b3o, k61), mul(gvb3, b2o, k62), k61), k60), mul(b1, alongb, k61), k60
+    )
     rho1 = add(
-        add(rhoa1, add(mul(v_rho1, fb, k60), sub(mul(b2, gv_rho3, k61), mul(b3, gv_rho2, k62), k61), k60), k52), rhob1,
-        k25
+        add(rhoa1, add(mul(v_rho1, fb, k61), sub(mul(b2, gv_rho3, k62), mul(b3, gv_rho2, k63), k62), k61), k26), rhob1,
+        k26
     )
-    gv_rho1 = mul(v_rho1, gb, k12)
+    gv_rho1 = mul(v_rho1, gb, k27)
+    gvb1 = mul(b1, gb, k15)
+    rhob2 = add(
+        add(mul(b2o, fb, k61), sub(mul(gvb3, b1o, k59), mul(gvb1, b3o, k62), k59), k59), mul(b2, alongb, k61), k59
+    )
     rho2 = add(
-        add(rhoa2, add(mul(v_rho2, fb, k52), sub(mul(b3, gv_rho1, k53), mul(b1, gv_rho3, k56), k53), k52), k9), rhob2,
-        k9
+        add(rhoa2, add(mul(v_rho2, fb, k56), sub(mul(b3, gv_rho1, k61), mul(b1, gv_rho3, k54), k54), k54), k53), rhob2,
+        k53
+    )
+    rhob3 = add(
+        add(mul(b3o, fb, k54), sub(mul(gvb1, b2o, k56), mul(gvb2, b1o, k61), k56), k54), mul(b3, alongb, k16), k16
     )
     rho3 = add(
-        add(rhoa3, add(mul(v_rho3, fb, k11), sub(mul(b1, gv_rho2, k23), mul(b2, gv_rho1, k12), k12), k11), k11), rhob3,
-        k11
+        add(rhoa3, add(mul(v_rho3, fb, k28), sub(mul(b1, gv_rho2, k54), mul(b2, gv_rho1, k27), k27), k27), k27), rhob3,
+        k27
     )
-    hvr = mul(hi, add(add(mul(v1, rho1, k12), mul(v2, rho2, k13), k12), mul(v3, rho3, k13), k12), k12)
+    hvr = mul(hi, add(add(mul(v1, rho1, k28), mul(v2, rho2, k54), k28), mul(v3, rho3, k54), k28), k28)
+    gvvb3 = mul(gvb2, b3, k32)
     w4 = div(
-        add(sub(mul(rho1, fi, k13), sub(mul(v2, rho3, k23), mul(v3, rho2, k52), k23), k13), mul(v1, hvr, k23), k13), n2,
-        k13
+        add(sub(mul(rho1, fi, k54), sub(mul(v2, rho3, k55), mul(v3, rho2, k56), k55), k54), mul(v1, hvr, k55), k54), n2,
+        k54
     )
     w5 = div(
-        add(sub(mul(rho2, fi, k23), sub(mul(v3, rho1, k52), mul(v1, rho3, k53), k52), k23), mul(v2, hvr, k52), k23), n2,
-        k23
+        add(sub(mul(rho2, fi, k55), sub(mul(v3, rho1, k56), mul(v1, rho3, k57), k56), k55), mul(v2, hvr, k56), k55), n2,
+        k55
     )
     w6 = div(
-        add(sub(mul(rho3, fi, k11), sub(mul(v1, rho2, k9), mul(v2, rho1, k25), k9), k9), mul(v3, hvr, k11), k9), n2, k9
+        add(sub(mul(rho3, fi, k27), sub(mul(v1, rho2, k31), mul(v2, rho1, k26), k26), k26), mul(v3, hvr, k27), k26), n2,
+        k26
     )
-    yw = add(add(mul(v1, w4, k11), mul(v2, w5, k12), k11), mul(v3, w6, k12), k11)
-    sow2 = neg(w5, k12)
-    sow1 = neg(w4, k25)
-    sw3 = neg(v3, k50)
-    sow3 = neg(w6, k52)
-    fiw, hiw, fiyw, hiyw = c.tangent_inv(
-        (k53, k54, k55, k56), (k57, k58, k59, k60, k61, k62, *spare), (*spare_masks,), x
-    )
-    fiow = mul(fiyw, yw, k15)
-    hiow = mul(hiyw, yw, k11)
-    cvw3 = mul(v3, hiw, k55)
-    I33 = add(fiw, mul(cvw3, v3, k56), k56)
-    cvw1 = mul(v1, hiw, k57)
-    d13w = mul(cvw1, v3, k58)
-    I31 = sub(d13w, sw2, k59)
-    I13 = add(d13w, sw2, k36)
-    cvw2 = mul(v2, hiw, k58)
-    d23w = mul(cvw2, v3, k60)
-    I32 = add(d23w, sw1, k61)
-    I23 = sub(d23w, sw1, k48)
-    div(add(add(mul(I31, S13, k60), mul(I32, S23, k62), k60), mul(I33, S33, k62), k60), n2, o15)
-    div(add(add(mul(I31, S12, k60), mul(I32, S22, k62), k60), mul(I33, S32, k62), k60), n2, o14)
-    div(add(add(mul(I31, S11, k60), mul(I32, S21, k62), k60), mul(I33, S31, k62), k60), n2, o13)
-    cvow3 = add(mul(w6, hiw, k60), mul(v3, hiow, k62), k60)
-    I33o = add(fiow, add(mul(cvw3, w6, k55), mul(cvow3, v3, k60), k55), k55)
-    cvow1 = add(mul(w4, hiw, k60), mul(v1, hiow, k62), k60)
-    cvow2 = add(mul(w5, hiw, k54), mul(v2, hiow, k11), k11)
-    I11o = add(fiow, add(mul(cvw1, w4, k13), mul(cvow1, v1, k54), k13), k13)
-    I22o = add(fiow, add(mul(cvw2, w5, k54), mul(cvow2, v2, k62), k54), k15)
-    d23ow = add(mul(cvw2, w6, k54), mul(cvow2, v3, k11), k11)
-    d13ow = add(mul(cvw1, w6, k9), mul(cvow1, v3, k8), k8)
-    d12ow = add(mul(cvw1, w5, k9), mul(cvow1, v2, k23), k9)
-    I22 = add(fiw, mul(cvw2, v2, k23), k23)
-    I11 = add(fiw, mul(cvw1, v1, k10), k10)
-    d12w = mul(cvw1, v2, k14)
-    I31o = sub(d13ow, sow2, k53)
-    I13o = add(d13ow, sow2, k8)
-    I32o = add(d23ow, sow1, k12)
-    I23o = sub(d23ow, sow1, k11)
+    yw = add(add(mul(v1, w4, k27), mul(v2, w5, k28), k27), mul(v3, w6, k28), k27)
+    fiow = mul(fiyw, yw, k28)
+    hiow = mul(hiyw, yw, k27)
+    cvow1 = add(mul(w4, hiw, k29), mul(v1, hiow, k30), k29)
+    I11o = add(fiow, add(mul(cvw1, w4, k30), mul(cvow1, v1, k12), k12), k12)
+    sow1 = neg(w4, k30)
+    d12ow = add(mul(cvw1, w5, k31), mul(cvow1, v2, k53), k31)
+    d13ow = add(mul(cvw1, w6, k11), mul(cvow1, v3, k29), k11)
+    sow3 = neg(w6, k29)
+    I12o = sub(d12ow, sow3, k53)
+    I21o = add(d12ow, sow3, k29)
+    sow2 = neg(w5, k31)
+    I13o = add(d13ow, sow2, k54)
+    I31o = sub(d13ow, sow2, k11)
+    cvoS1 = add(mul(b1o, hS, k31), mul(b1, hoS, k56), k31)
+    S11o = add(foS, add(mul(cvS1, b1o, k56), mul(cvoS1, b1, k57), k56), k56)
+    d12oS = add(mul(cvS1, b2o, k57), mul(cvoS1, b2, k58), k57)
+    d13oS = add(mul(cvS1, b3o, k36), mul(cvoS1, b3, k31), k31)
+    gvoS3 = add(mul(b3o, gS, k36), mul(b3, goS, k58), k36)
+    S21o = add(d12oS, gvoS3, k58)
+    S12o = sub(d12oS, gvoS3, k36)
+    gvoS2 = add(mul(b2o, gS, k57), mul(b2, goS, k61), k57)
+    gvoS1 = add(mul(b1o, gS, k6), mul(b1, goS, k9), k6)
+    S31o = sub(d13oS, gvoS2, k9)
+    S13o = add(d13oS, gvoS2, k31)
     div(
-        add(add(add(mul(I31, S13o, k25), mul(I31o, S13, k54), k25), add(mul(I32, S23o, k54), mul(I32o, S23, k57), k54),
-        k25), add(mul(I33, S33o, k54), mul(I33o, S33, k57), k54), k25), n2, o33
+        add(add(add(mul(I11, S11o, k57), mul(I11o, S11, k61), k57), add(mul(I12, S21o, k61), mul(I12o, S21, k62), k61),
+        k57), add(mul(I13, S31o, k61), mul(I13o, S31, k62), k61), k57), n2, o19
+    )
+    cvoS2 = add(mul(b2o, hS, k57), mul(b2, hoS, k61), k57)
+    cvoS3 = add(mul(b3o, hS, k7), mul(b3, hoS, k10), k7)
+    S33o = add(foS, add(mul(cvS3, b3o, k10), mul(cvoS3, b3, k7), k7), k7)
+    S22o = add(foS, add(mul(cvS2, b2o, k10), mul(cvoS2, b2, k46), k10), k8)
+    d23oS = add(mul(cvS2, b3o, k10), mul(cvoS2, b3, k42), k10)
+    S32o = add(d23oS, gvoS1, k42)
+    S23o = sub(d23oS, gvoS1, k6)
+    div(
+        add(add(add(mul(I11, S12o, k10), mul(I11o, S12, k46), k10), add(mul(I12, S22o, k46), mul(I12o, S22, k57), k46),
+        k10), add(mul(I13, S32o, k46), mul(I13o, S32, k57), k46), k10), n2, o20
     )
     div(
-        add(add(add(mul(I31, S12o, k25), mul(I31o, S12, k54), k25), add(mul(I32, S22o, k54), mul(I32o, S22, k57), k54),
-        k25), add(mul(I33, S32o, k54), mul(I33o, S32, k57), k54), k25), n2, o32
+        add(add(add(mul(I11, S13o, k10), mul(I11o, S13, k46), k10), add(mul(I12, S23o, k46), mul(I12o, S23, k57), k46),
+        k10), add(mul(I13, S33o, k46), mul(I13o, S33, k57), k46), k10), n2, o21
+    )
+    cvow2 = add(mul(w5, hiw, k10), mul(v2, hiow, k46), k10)
+    I22o = add(fiow, add(mul(cvw2, w5, k46), mul(cvow2, v2, k13), k13), k13)
+    d23ow = add(mul(cvw2, w6, k46), mul(cvow2, v3, k10), k10)
+    cvow3 = add(mul(w6, hiw, k25), mul(v3, hiow, k27), k25)
+    I33o = add(fiow, add(mul(cvw3, w6, k26), mul(cvow3, v3, k4), k4), k4)
+    I23o = sub(d23ow, sow1, k25)
+    I32o = add(d23ow, sow1, k10)
+    div(
+        add(add(add(mul(I21, S11o, k26), mul(I21o, S11, k27), k26), add(mul(I22, S21o, k27), mul(I22o, S21, k28), k27),
+        k26), add(mul(I23, S31o, k27), mul(I23o, S31, k28), k27), k26), n2, o25
     )
     div(
-        add(add(add(mul(I31, S11o, k25), mul(I31o, S11, k54), k25), add(mul(I32, S21o, k54), mul(I32o, S21, k57), k54),
-        k25), add(mul(I33, S31o, k54), mul(I33o, S31, k57), k54), k25), n2, o31
-    )
-    I21 = add(d12w, sw3, k25)
-    I12 = sub(d12w, sw3, k14)
-    div(add(add(mul(I21, S13, k50), mul(I22, S23, k54), k50), mul(I23, S33, k54), k50), n2, o9)
-    div(add(add(mul(I21, S12, k50), mul(I22, S22, k54), k50), mul(I23, S32, k54), k50), n2, o8)
-    div(add(add(mul(I21, S11, k50), mul(I22, S21, k54), k50), mul(I23, S31, k54), k50), n2, o7)
-    div(add(add(mul(I11, S13, k50), mul(I12, S23, k54), k50), mul(I13, S33, k54), k50), n2, o3)
-    div(add(add(mul(I11, S12, k50), mul(I12, S22, k54), k50), mul(I13, S32, k54), k50), n2, o2)
-    div(add(add(mul(I11, S11, k50), mul(I12, S21, k54), k50), mul(I13, S31, k54), k50), n2, o1)
-    I21o = add(d12ow, sow3, k50)
-    I12o = sub(d12ow, sow3, k9)
-    div(
-        add(add(add(mul(I21, S13o, k52), mul(I21o, S13, k54), k52), add(mul(I22, S23o, k54), mul(I22o, S23, k57), k54),
-        k52), add(mul(I23, S33o, k54), mul(I23o, S33, k57), k54), k52), n2, o27
+        add(add(add(mul(I31, S11o, k26), mul(I31o, S11, k27), k26), add(mul(I32, S21o, k27), mul(I32o, S21, k28), k27),
+        k26), add(mul(I33, S31o, k9), mul(I33o, S31, k27), k9), k9), n2, o31
     )
     div(
-        add(add(add(mul(I11, S13o, k51), mul(I11o, S13, k40), k40), add(mul(I12, S23o, k37), mul(I12o, S23, k43), k37),
-        k37), add(mul(I13, S33o, k4), mul(I13o, S33, k40), k4), k4), n2, o21
+        add(add(add(mul(I21, S12o, k9), mul(I21o, S12, k26), k9), add(mul(I22, S22o, k26), mul(I22o, S22, k27), k26),
+        k9), add(mul(I23, S32o, k26), mul(I23o, S32, k27), k26), k9), n2, o26
     )
     div(
-        add(add(add(mul(I21, S12o, k4), mul(I21o, S12, k37), k4), add(mul(I22, S22o, k37), mul(I22o, S22, k40), k37),
-        k4), add(mul(I23, S32o, k37), mul(I23o, S32, k40), k37), k4), n2, o26
+        add(add(add(mul(I31, S12o, k9), mul(I31o, S12, k26), k9), add(mul(I32, S22o, k8), mul(I32o, S22, k26), k8), k8),
+        add(mul(I33, S32o, k9), mul(I33o, S32, k26), k9), k8), n2, o32
     )
     div(
-        add(add(add(mul(I11, S12o, k4), mul(I11o, S12, k37), k4), add(mul(I12, S22o, k37), mul(I12o, S22, k39), k37),
-        k4), add(mul(I13, S32o, k35), mul(I13o, S32, k37), k35), k4), n2, o20
+        add(add(add(mul(I21, S13o, k8), mul(I21o, S13, k9), k8), add(mul(I22, S23o, k9), mul(I22o, S23, k26), k9), k8),
+        add(mul(I23, S33o, k9), mul(I23o, S33, k26), k9), k8), n2, o27
     )
     div(
-        add(add(add(mul(I21, S11o, k4), mul(I21o, S11, k35), k4), add(mul(I22, S21o, k35), mul(I22o, S21, k37), k35),
-        k4), add(mul(I23, S31o, k35), mul(I23o, S31, k37), k35), k4), n2, o25
+        add(add(add(mul(I31, S13o, k8), mul(I31o, S13, k9), k8), add(mul(I32, S23o, k6), mul(I32o, S23, k9), k6), k6),
+        add(mul(I33, S33o, k7), mul(I33o, S33, k5), k5), k5), n2, o33
     )
-    div(
-        add(add(add(mul(I11, S11o, k4), mul(I11o, S11, k7), k4), add(mul(I12, S21o, k7), mul(I12o, S21, k33), k7), k4),
-        add(mul(I13, S31o, k7), mul(I13o, S31, k33), k7), k4), n2, o19
-    )
-    fF, gF, hF, fyF, gyF, hyF = c.tangent(
-        (k4, k7, k33, k34, k35, k37), (k38, k39, k40, k41, k42, k43, k44, k45, k46, k47, k49, k51, k52, k54, k57, k58,
-        k60, k62, *spare), (*spare_masks,), xa
-    )
-    hoF = mul(hyF, ya, k5)
-    goF = mul(gyF, ya, k35)
-    foF = mul(fyF, ya, k6)
-    cvF1 = mul(a1, hF, k34)
-    d13F = mul(cvF1, a3, k37)
-    gvF2 = mul(a2, gF, k38)
-    F13 = add(d13F, gvF2, k39)
-    F31 = sub(d13F, gvF2, k37)
-    cvF2 = mul(a2, hF, k38)
-    d23F = mul(cvF2, a3, k40)
-    gvF1 = mul(a1, gF, k41)
-    F23 = sub(d23F, gvF1, k42)
-    F32 = add(d23F, gvF1, k40)
-    cvF3 = mul(a3, hF, k41)
-    F33 = add(fF, mul(cvF3, a3, k43), k43)
-    RT13 = add(add(mul(Qb11, F13, k44), mul(Qb12, F23, k45), k44), mul(Qb13, F33, k45), k44)
-    RT23 = add(add(mul(Qb21, F13, k45), mul(Qb22, F23, k46), k45), mul(Qb23, F33, k46), k45)
-    RT33 = add(add(mul(Qb31, F13, k46), mul(Qb32, F23, k47), k46), mul(Qb33, F33, k47), k46)
-    div(add(add(mul(I31, RT13, k47), mul(I32, RT23, k49), k47), mul(I33, RT33, k49), k47), n2, o51)
-    div(add(add(mul(I21, RT13, k47), mul(I22, RT23, k49), k47), mul(I23, RT33, k49), k47), n2, o45)
-    div(add(add(mul(I11, RT13, k47), mul(I12, RT23, k49), k47), mul(I13, RT33, k49), k47), n2, o39)
-    d12F = mul(cvF1, a2, k47)
-    gvF3 = mul(a3, gF, k49)
-    F12 = sub(d12F, gvF3, k51)
-    F21 = add(d12F, gvF3, k47)
-    F22 = add(fF, mul(cvF2, a2, k49), k49)
-    F11 = add(fF, mul(cvF1, a1, k52), k4)
-    RT12 = add(add(mul(Qb11, F12, k52), mul(Qb12, F22, k54), k52), mul(Qb13, F32, k54), k52)
-    RT22 = add(add(mul(Qb21, F12, k54), mul(Qb22, F22, k57), k54), mul(Qb23, F32, k57), k54)
-    RT32 = add(add(mul(Qb31, F12, k57), mul(Qb32, F22, k58), k57), mul(Qb33, F32, k58), k57)
-    div(add(add(mul(I31, RT12, k58), mul(I32, RT22, k60), k58), mul(I33, RT32, k60), k58), n2, o50)
-    div(add(add(mul(I21, RT12, k58), mul(I22, RT22, k60), k58), mul(I23, RT32, k60), k58), n2, o44)
-    div(add(add(mul(I11, RT12, k58), mul(I12, RT22, k60), k58), mul(I13, RT32, k60), k58), n2, o38)
-    RT11 = add(add(mul(Qb11, F11, k58), mul(Qb12, F21, k60), k58), mul(Qb13, F31, k60), k58)
-    RT21 = add(add(mul(Qb21, F11, k60), mul(Qb22, F21, k62), k60), mul(Qb23, F31, k62), k60)
-    RT31 = add(add(mul(Qb31, F11, k62), mul(Qb32, F21, k63), k62), mul(Qb33, F31, k63), k62)
-    div(add(add(mul(I31, RT11, k63), mul(I32, RT21, k64), k63), mul(I33, RT31, k64), k63), n2, o49)
-    div(add(add(mul(I21, RT11, k63), mul(I22, RT21, k64), k63), mul(I23, RT31, k64), k63), n2, o43)
-    div(add(add(mul(I11, RT11, k63), mul(I12, RT21, k64), k63), mul(I13, RT31, k64), k63), n2, o37)
-    cvoF1 = add(mul(a1o, hF, k63), mul(a1, hoF, k64), k63)
-    d13oF = add(mul(cvF1, a3o, k64), mul(cvoF1, a3, k65), k64)
-    gvoF2 = add(mul(a2o, gF, k65), mul(a2, goF, k66), k65)
-    F13o = add(d13oF, gvoF2, k66)
-    F31o = sub(d13oF, gvoF2, k64)
-    cvoF2 = add(mul(a2o, hF, k65), mul(a2, hoF, k67), k65)
-    cvoF3 = add(mul(a3o, hF, k33), mul(a3, hoF, k5), k5)
-    F33o = add(foF, add(mul(cvF3, a3o, k33), mul(cvoF3, a3, k5), k5), k5)
-    d23oF = add(mul(cvF2, a3o, k33), mul(cvoF2, a3, k41), k33)
-    F22o = add(foF, add(mul(cvF2, a2o, k38), mul(cvoF2, a2, k41), k38), k38)
-    F11o = add(foF, add(mul(cvF1, a1o, k41), mul(cvoF1, a1, k65), k41), k6)
-    d12oF = add(mul(cvF1, a2o, k34), mul(cvoF1, a2, k41), k34)
-    gvoF1 = add(mul(a1o, gF, k41), mul(a1, goF, k63), k41)
-    gvoF3 = add(mul(a3o, gF, k7), mul(a3, goF, k35), k7)
-    F23o = sub(d23oF, gvoF1, k35)
-    F32o = add(d23oF, gvoF1, k33)
-    RT13o = add(
-        add(add(mul(Qb11, F13o, k41), mul(R11o, F13, k63), k41), add(mul(Qb12, F23o, k63), mul(R12o, F23, k65), k63),
-        k41), add(mul(Qb13, F33o, k63), mul(R13o, F33, k65), k63), k41
-    )
-    RT23o = add(
-        add(add(mul(Qb21, F13o, k63), mul(R21o, F13, k65), k63), add(mul(Qb22, F23o, k65), mul(R22o, F23, k67), k65),
-        k63), add(mul(Qb23, F33o, k65), mul(R23o, F33, k67), k65), k63
-    )
-    RT33o = add(
-        add(add(mul(Qb31, F13o, k65), mul(R31o, F13, k39), k39), add(mul(Qb32, F23o, k35), mul(R32o, F23, k42), k35),
-        k35), add(mul(Qb33, F33o, k5), mul(R33o, F33, k39), k5), k5
-    )
-    div(
-        add(add(add(mul(I31, RT13o, k35), mul(I31o, RT13, k39), k35), add(mul(I32, RT23o, k39), mul(I32o, RT23, k42),
-        k39), k35), add(mul(I33, RT33o, k39), mul(I33o, RT33, k42), k39), k35), n2, o69
-    )
-    div(
-        add(add(add(mul(I21, RT13o, k35), mul(I21o, RT13, k39), k35), add(mul(I22, RT23o, k39), mul(I22o, RT23, k42),
-        k39), k35), add(mul(I23, RT33o, k39), mul(I23o, RT33, k42), k39), k35), n2, o63
-    )
-    div(
-        add(add(add(mul(I11, RT13o, k35), mul(I11o, RT13, k39), k35), add(mul(I12, RT23o, k39), mul(I12o, RT23, k41),
-        k39), k35), add(mul(I13, RT33o, k5), mul(I13o, RT33, k39), k5), k5), n2, o57
-    )
-    F12o = sub(d12oF, gvoF3, k5)
-    F21o = add(d12oF, gvoF3, k7)
-    RT12o = add(
-        add(add(mul(Qb11, F12o, k34), mul(R11o, F12, k35), k34), add(mul(Qb12, F22o, k35), mul(R12o, F22, k39), k35),
-        k34), add(mul(Qb13, F32o, k35), mul(R13o, F32, k39), k35), k34
-    )
+    cvF1 = mul(a1, hF, k5)
+    F11 = add(fF, mul(cvF1, a1, k6), k6)
+    gvvb1 = mul(gvb1, b2, k7)
+    gvvb2 = mul(gvb1, b3, k8)
+    fvb3 = mul(b3, fb, k9)
+    Qb12 = sub(gvvb1, fvb3, k15)
+    Qb21 = add(gvvb1, fvb3, k7)
+    d12F = mul(cvF1, a2, k9)
+    gvF3 = mul(a3, gF, k26)
+    F21 = add(d12F, gvF3, k27)
+    F12 = sub(d12F, gvF3, k9)
+    fvb2 = mul(b2, fb, k26)
+    fvb1 = mul(b1, fb, k14)
+    Qb13 = add(gvvb2, fvb2, k28)
+    Qb31 = sub(gvvb2, fvb2, k8)
+    d13F = mul(cvF1, a3, k26)
+    gvF2 = mul(a2, gF, k30)
+    F31 = sub(d13F, gvF2, k31)
+    F13 = add(d13F, gvF2, k26)
+    RT11 = add(add(mul(Qb11, F11, k30), mul(Qb12, F21, k36), k30), mul(Qb13, F31, k36), k30)
+    Qb23 = sub(gvvb3, fvb1, k36)
+    Qb32 = add(gvvb3, fvb1, k14)
+    RT21 = add(add(mul(Qb21, F11, k32), mul(Qb22, F21, k38), k32), mul(Qb23, F31, k38), k32)
+    RT31 = add(add(mul(Qb31, F11, k38), mul(Qb32, F21, k39), k38), mul(Qb33, F31, k39), k38)
+    div(add(add(mul(I11, RT11, k39), mul(I12, RT21, k40), k39), mul(I13, RT31, k40), k39), n2, o37)
+    div(add(add(mul(I21, RT11, k39), mul(I22, RT21, k40), k39), mul(I23, RT31, k40), k39), n2, o43)
+    div(add(add(mul(I31, RT11, k39), mul(I32, RT21, k40), k39), mul(I33, RT31, k40), k39), n2, o49)
+    cvF2 = mul(a2, hF, k39)
+    F22 = add(fF, mul(cvF2, a2, k40), k40)
+    d23F = mul(cvF2, a3, k41)
+    gvF1 = mul(a1, gF, k42)
+    F32 = add(d23F, gvF1, k43)
+    F23 = sub(d23F, gvF1, k41)
+    RT12 = add(add(mul(Qb11, F12, k42), mul(Qb12, F22, k44), k42), mul(Qb13, F32, k44), k42)
+    RT22 = add(add(mul(Qb21, F12, k44), mul(Qb22, F22, k45), k44), mul(Qb23, F32, k45), k44)
+    RT32 = add(add(mul(Qb31, F12, k45), mul(Qb32, F22, k46), k45), mul(Qb33, F32, k46), k45)
+    div(add(add(mul(I11, RT12, k46), mul(I12, RT22, k47), k46), mul(I13, RT32, k47), k46), n2, o38)
+    div(add(add(mul(I21, RT12, k46), mul(I22, RT22, k47), k46), mul(I23, RT32, k47), k46), n2, o44)
+    div(add(add(mul(I31, RT12, k46), mul(I32, RT22, k47), k46), mul(I33, RT32, k47), k46), n2, o50)
+    cvF3 = mul(a3, hF, k46)
+    F33 = add(fF, mul(cvF3, a3, k47), k19)
+    RT13 = add(add(mul(Qb11, F13, k47), mul(Qb12, F23, k48), k47), mul(Qb13, F33, k48), k47)
+    RT23 = add(add(mul(Qb21, F13, k48), mul(Qb22, F23, k51), k48), mul(Qb23, F33, k51), k48)
+    RT33 = add(add(mul(Qb31, F13, k51), mul(Qb32, F23, k55), k51), mul(Qb33, F33, k55), k51)
+    div(add(add(mul(I11, RT13, k55), mul(I12, RT23, k56), k55), mul(I13, RT33, k56), k55), n2, o39)
+    div(add(add(mul(I21, RT13, k55), mul(I22, RT23, k56), k55), mul(I23, RT33, k56), k55), n2, o45)
+    div(add(add(mul(I31, RT13, k55), mul(I32, RT23, k56), k55), mul(I33, RT33, k56), k55), n2, o51)
+    R11o = sub(mul(Qb31, rhob2, k55), mul(Qb21, rhob3, k56), k55)
+    R12o = sub(mul(Qb32, rhob2, k56), mul(Qb22, rhob3, k57), k56)
+    R13o = sub(mul(Qb33, rhob2, k57), mul(Qb23, rhob3, k58), k57)
+    cvoF1 = add(mul(a1o, hF, k58), mul(a1, hoF, k61), k58)
+    F11o = add(foF, add(mul(cvF1, a1o, k61), mul(cvoF1, a1, k62), k61), k61)
+    d12oF = add(mul(cvF1, a2o, k62), mul(cvoF1, a2, k63), k62)
+    d13oF = add(mul(cvF1, a3o, k5), mul(cvoF1, a3, k58), k5)
+    gvoF3 = add(mul(a3o, gF, k58), mul(a3, goF, k63), k58)
+    F21o = add(d12oF, gvoF3, k63)
+    F12o = sub(d12oF, gvoF3, k58)
+    gvoF2 = add(mul(a2o, gF, k62), mul(a2, goF, k64), k62)
+    gvoF1 = add(mul(a1o, gF, k20), mul(a1, goF, k23), k20)
+    F31o = sub(d13oF, gvoF2, k23)
+    F13o = add(d13oF, gvoF2, k5)
     RT11o = add(
-        add(add(mul(Qb11, F11o, k2), mul(R11o, F11, k16), k2), add(mul(Qb12, F21o, k16), mul(R12o, F21, k19), k16), k2),
-        add(mul(Qb13, F31o, k16), mul(R13o, F31, k19), k16), k2
+        add(add(mul(Qb11, F11o, k62), mul(R11o, F11, k64), k62), add(mul(Qb12, F21o, k64), mul(R12o, F21, k65), k64),
+        k62), add(mul(Qb13, F31o, k64), mul(R13o, F31, k65), k64), k62
+    )
+    R21o = sub(mul(Qb11, rhob3, k64), mul(Qb31, rhob1, k65), k64)
+    R22o = sub(mul(Qb12, rhob3, k65), mul(Qb32, rhob1, k66), k65)
+    R23o = sub(mul(Qb13, rhob3, k16), mul(Qb33, rhob1, k66), k16)
+    RT21o = add(
+        add(add(mul(Qb21, F11o, k66), mul(R21o, F11, k67), k66), add(mul(Qb22, F21o, k67), mul(R22o, F21, k68), k67),
+        k66), add(mul(Qb23, F31o, k67), mul(R23o, F31, k68), k67), k66
+    )
+    R31o = sub(mul(Qb21, rhob1, k67), mul(Qb11, rhob2, k68), k67)
+    R32o = sub(mul(Qb22, rhob1, k68), mul(Qb12, rhob2, k69), k68)
+    R33o = sub(mul(Qb23, rhob1, k60), mul(Qb13, rhob2, k59), k59)
+    RT31o = add(
+        add(add(mul(Qb31, F11o, k60), mul(R31o, F11, k6), k6), add(mul(Qb32, F21o, k60), mul(R32o, F21, k27), k27), k6),
+        add(mul(Qb33, F31o, k23), mul(R33o, F31, k27), k23), k6
+    )
+    div(
+        add(add(add(mul(I11, RT11o, k23), mul(I11o, RT11, k27), k23), add(mul(I12, RT21o, k27), mul(I12o, RT21, k31),
+        k27), k23), add(mul(I13, RT31o, k27), mul(I13o, RT31, k31), k27), k23), n2, o55
+    )
+    div(
+        add(add(add(mul(I21, RT11o, k23), mul(I21o, RT11, k27), k23), add(mul(I22, RT21o, k27), mul(I22o, RT21, k31),
+        k27), k23), add(mul(I23, RT31o, k27), mul(I23o, RT31, k31), k27), k23), n2, o61
+    )
+    div(
+        add(add(add(mul(I31, RT11o, k23), mul(I31o, RT11, k27), k23), add(mul(I32, RT21o, k27), mul(I32o, RT21, k30),
+        k27), k23), add(mul(I33, RT31o, k6), mul(I33o, RT31, k27), k6), k6), n2, o67
+    )
+    cvoF2 = add(mul(a2o, hF, k6), mul(a2, hoF, k23), k6)
+    cvoF3 = add(mul(a3o, hF, k21), mul(a3, hoF, k23), k21)
+    F33o = add(foF, add(mul(cvF3, a3o, k23), mul(cvoF3, a3, k21), k21), k21)
+    F22o = add(foF, add(mul(cvF2, a2o, k23), mul(cvoF2, a2, k24), k23), k22)
+    d23oF = add(mul(cvF2, a3o, k23), mul(cvoF2, a3, k6), k6)
+    F32o = add(d23oF, gvoF1, k23)
+    F23o = sub(d23oF, gvoF1, k6)
+    RT12o = add(
+        add(add(mul(Qb11, F12o, k20), mul(R11o, F12, k24), k20), add(mul(Qb12, F22o, k24), mul(R12o, F22, k27), k24),
+        k20), add(mul(Qb13, F32o, k24), mul(R13o, F32, k27), k24), k20
+    )
+    RT13o = add(
+        add(add(mul(Qb11, F13o, k2), mul(R11o, F13, k24), k2), add(mul(Qb12, F23o, k15), mul(R12o, F23, k24), k15), k2),
+        add(mul(Qb13, F33o, k15), mul(R13o, F33, k24), k15), k2
     )
     RT22o = add(
-        add(add(mul(Qb21, F12o, k16), mul(R21o, F12, k19), k16), add(mul(Qb22, F22o, k19), mul(R22o, F22, k20), k19),
-        k16), add(mul(Qb23, F32o, k19), mul(R23o, F32, k20), k19), k16
+        add(add(mul(Qb21, F12o, k15), mul(R21o, F12, k24), k15), add(mul(Qb22, F22o, k24), mul(R22o, F22, k27), k24),
+        k15), add(mul(Qb23, F32o, k24), mul(R23o, F32, k27), k24), k15
     )
     RT32o = add(
-        add(add(mul(Qb31, F12o, k5), mul(R31o, F12, k19), k5), add(mul(Qb32, F22o, k19), mul(R32o, F22, k20), k19), k5),
-        add(mul(Qb33, F32o, k19), mul(R33o, F32, k20), k19), k5
+        add(add(mul(Qb31, F12o, k24), mul(R31o, F12, k9), k9), add(mul(Qb32, F22o, k22), mul(R32o, F22, k24), k22), k9),
+        add(mul(Qb33, F32o, k22), mul(R33o, F32, k23), k22), k9
     )
-    RT21o = add(
-        add(add(mul(Qb21, F11o, k17), mul(R21o, F11, k19), k17), add(mul(Qb22, F21o, k1), mul(R22o, F21, k19), k1), k1),
-        add(mul(Qb23, F31o, k17), mul(R23o, F31, k19), k17), k1
+    RT23o = add(
+        add(add(mul(Qb21, F13o, k7), mul(R21o, F13, k22), k7), add(mul(Qb22, F23o, k1), mul(R22o, F23, k22), k1), k1),
+        add(mul(Qb23, F33o, k7), mul(R23o, F33, k16), k7), k1
     )
-    RT31o = add(
-        add(add(mul(Qb31, F11o, k6), mul(R31o, F11, k4), k4), add(mul(Qb32, F21o, k6), mul(R32o, F21, k7), k6), k4),
-        add(mul(Qb33, F31o, k3), mul(R33o, F31, k6), k3), k3
-    )
-    div(
-        add(add(add(mul(I31, RT12o, k4), mul(I31o, RT12, k6), k4), add(mul(I32, RT22o, k6), mul(I32o, RT22, k7), k6),
-        k4), add(mul(I33, RT32o, k6), mul(I33o, RT32, k7), k6), k4), n2, o68
+    RT33o = add(
+        add(add(mul(Qb31, F13o, k5), mul(R31o, F13, k7), k5), add(mul(Qb32, F23o, k6), mul(R32o, F23, k7), k6), k5),
+        add(mul(Qb33, F33o, k3), mul(R33o, F33, k6), k3), k3
     )
     div(
-        add(add(add(mul(I31, RT11o, k4), mul(I31o, RT11, k6), k4), add(mul(I32, RT21o, k6), mul(I32o, RT21, k7), k6),
-        k4), add(mul(I33, RT31o, k6), mul(I33o, RT31, k7), k6), k4), n2, o67
+        add(add(add(mul(I11, RT12o, k5), mul(I11o, RT12, k6), k5), add(mul(I12, RT22o, k6), mul(I12o, RT22, k7), k6),
+        k5), add(mul(I13, RT32o, k6), mul(I13o, RT32, k7), k6), k5), n2, o56
     )
     div(
-        add(add(add(mul(I21, RT12o, k4), mul(I21o, RT12, k6), k4), add(mul(I22, RT22o, k6), mul(I22o, RT22, k7), k6),
-        k4), add(mul(I23, RT32o, k6), mul(I23o, RT32, k7), k6), k4), n2, o62
+        add(add(add(mul(I11, RT13o, k5), mul(I11o, RT13, k6), k5), add(mul(I12, RT23o, k6), mul(I12o, RT23, k7), k6),
+        k5), add(mul(I13, RT33o, k6), mul(I13o, RT33, k7), k6), k5), n2, o57
     )
     div(
-        add(add(add(mul(I21, RT11o, k4), mul(I21o, RT11, k6), k4), add(mul(I22, RT21o, k6), mul(I22o, RT21, k7), k6),
-        k4), add(mul(I23, RT31o, k6), mul(I23o, RT31, k7), k6), k4), n2, o61
+        add(add(add(mul(I21, RT12o, k5), mul(I21o, RT12, k6), k5), add(mul(I22, RT22o, k6), mul(I22o, RT22, k7), k6),
+        k5), add(mul(I23, RT32o, k6), mul(I23o, RT32, k7), k6), k5), n2, o62
     )
     div(
-        add(add(add(mul(I11, RT12o, k4), mul(I11o, RT12, k6), k4), add(mul(I12, RT22o, k6), mul(I12o, RT22, k7), k6),
-        k4), add(mul(I13, RT32o, k5), mul(I13o, RT32, k6), k5), k4), n2, o56
+        add(add(add(mul(I21, RT13o, k5), mul(I21o, RT13, k6), k5), add(mul(I22, RT23o, k6), mul(I22o, RT23, k7), k6),
+        k5), add(mul(I23, RT33o, k6), mul(I23o, RT33, k7), k6), k5), n2, o63
     )
     div(
-        add(add(add(mul(I11, RT11o, k2), mul(I11o, RT11, k4), k2), add(mul(I12, RT21o, k1), mul(I12o, RT21, k4), k1),
-        k1), add(mul(I13, RT31o, k2), mul(I13o, RT31, k3), k2), k1), n2, o55
+        add(add(add(mul(I31, RT12o, k5), mul(I31o, RT12, k6), k5), add(mul(I32, RT22o, k6), mul(I32o, RT22, k7), k6),
+        k5), add(mul(I33, RT32o, k6), mul(I33o, RT32, k7), k6), k5), n2, o68
+    )
+    div(
+        add(add(add(mul(I31, RT13o, k2), mul(I31o, RT13, k5), k2), add(mul(I32, RT23o, k1), mul(I32o, RT23, k5), k1),
+        k1), add(mul(I33, RT33o, k2), mul(I33o, RT33, k3), k2), k1), n2, o69
     )
     copy(n0, o4)
     copy(n0, o5)
@@ -4193,7 +4174,7 @@ def between_jacobians(m: Any, c: Any, a: Components, b: Components) -> Result:
     I31o = d13ow - sow2
     I32o = d23ow + sow1
     I33o = fiow + (cvw3 * w6 + cvow3 * v3)
-    fS, gS, hS, fyS, gyS, hyS = c.tangent(m, xb)
+    fS, gS, hS, fyS, gyS, hyS = c.tangent(m, v11b, v22b, v33b)
     foS = fyS * yb
     goS = gyS * yb
     hoS = hyS * yb
@@ -4233,7 +4214,7 @@ def between_jacobians(m: Any, c: Any, a: Components, b: Components) -> Result:
     S31o = d13oS - gvoS2
     S32o = d23oS + gvoS1
     S33o = foS + (cvS3 * minus_b6 + cvoS3 * minus_b3)
-    fF, gF, hF, fyF, gyF, hyF = c.tangent(m, xa)
+    fF, gF, hF, fyF, gyF, hyF = c.tangent(m, v11a, v22a, v33a)
     foF = fyF * ya
     goF = gyF * ya
     hoF = hyF * ya
@@ -4436,24 +4417,24 @@ def between_jacobians_blocks(
     x12b = add(v11b, v22b, k5)
     minus_b3 = neg(b3, k6)
     v33b = mul(minus_b3, minus_b3, k7)
+    fS, gS, hS, fyS, gyS, hyS = c.tangent((k8, k9, k10, k11, k12, k13), (*spare,), (*spare_masks,), v11b, v22b, v33b)
     x23b = add(v22b, v33b, k4)
     x13b = add(v11b, v33b, k2)
     xb = add(x12b, v33b, k7)
-    ab, bb, sizeb, fb, gb, hb = c.ray((k8, k9, k10, k11, k12, k13), (*spare,), (*spare_masks,), xb)
-    fS, gS, hS, fyS, gyS, hyS = c.tangent((k14, k15, k16, k17, k18, k19), (*spare,), (*spare_masks,), xb)
+    ab, bb, sizeb, fb, gb, hb = c.ray((k14, k15, k16, k17, k18, k19), (*spare,), (*spare_masks,), xb)
     Qb11 = sub(n1, mul(gb, x23b, k4), k4)
     Qb22 = sub(n1, mul(gb, x13b, k2), k2)
     Qb33 = sub(n1, mul(gb, x12b, k5), k5)
     v11a = mul(a1, a1, k7)
     v22a = mul(a2, a2, k20)
     v33a = mul(a3, a3, k21)
+    fF, gF, hF, fyF, gyF, hyF = c.tangent((k22, k23, k24, k25, k26, k27), (*spare,), (*spare_masks,), v11a, v22a, v33a)
     xa = add(add(v11a, v22a, k7), v33a, k7)
-    aa, ba, sizea, fa, ga, ha = c.ray((k20, k21, k22, k23, k24, k25), (*spare,), (*spare_masks,), xa)
-    fF, gF, hF, fyF, gyF, hyF = c.tangent((k26, k27, k28, k29, k30, k31), (*spare,), (*spare_masks,), xa)
+    aa, ba, sizea, fa, ga, ha = c.ray((k20, k21, k28, k29, k30, k31), (*spare,), (*spare_masks,), xa)
     bvb1 = mul(minus_b1, bb, k7)
     bva1 = mul(a1, ba, k32)
     bvb2 = mul(minus_b2, bb, k33)
-    bvb3 = mul(minus_b3, bb, k9)
+    bvb3 = mul(minus_b3, bb, k15)
     bva2 = mul(a2, ba, k34)
     bva3 = mul(a3, ba, k21)
     z0 = sub(
@@ -4465,23 +4446,23 @@ def between_jacobians_blocks(
     z2 = add(
         add(mul(bva2, ab, k37), mul(bvb2, aa, k38), k37), sub(mul(bvb3, bva1, k38), mul(bvb1, bva3, k39), k38), k37
     )
-    z3 = add(add(mul(bva3, ab, k8), mul(bvb3, aa, k9), k8), sub(mul(bvb1, bva2, k7), mul(bvb2, bva1, k9), k7), k7)
+    z3 = add(add(mul(bva3, ab, k14), mul(bvb3, aa, k15), k14), sub(mul(bvb1, bva2, k7), mul(bvb2, bva1, k15), k7), k7)
     gain, = c.gain_product(
-        (k8,), (k9, k20, k21, k32, k33, k34, k38, k39, *spare), (*spare_masks,), z0, z1, z2, z3, sizeb, sizea
+        (k14,), (k15, k20, k21, k32, k33, k34, k38, k39, *spare), (*spare_masks,), z0, z1, z2, z3, sizeb, sizea
     )
-    v1 = mul(z1, gain, k9)
-    v2 = mul(z2, gain, k10)
+    v1 = mul(z1, gain, k15)
+    v2 = mul(z2, gain, k16)
     v3 = mul(z3, gain, k7)
-    fe = mul(gain, z0, k8)
+    fe = mul(gain, z0, k14)
     v11 = mul(v1, v1, k20)
     v22 = mul(v2, v2, k21)
-    v33 = mul(v3, v3, k22)
+    v33 = mul(v3, v3, k28)
     x = add(add(v11, v22, k20), v33, k20)
     fiw, hiw, fiyw, hiyw = c.tangent_inv(
-        (k21, k22, k32, k33), (k34, k35, k36, k37, k38, k39, *spare), (*spare_masks,), x
+        (k21, k28, k32, k33), (k34, k35, k36, k37, k38, k39, *spare), (*spare_masks,), x
     )
     fi, hi = c.inverse((k34, k35), (k36, k37, k38, k39, *spare), (*spare_masks,), x, fe)
-    cvw3 = mul(v3, hiw, k8)
+    cvw3 = mul(v3, hiw, k14)
     I33 = add(fiw, mul(cvw3, v3, k20), k20)
     cvw1 = mul(v1, hiw, k36)
     d13w = mul(cvw1, v3, k37)
@@ -4512,16 +4493,16 @@ def between_jacobians_blocks(
     S21 = add(d12S, gvS3, k50)
     S22 = add(fS, mul(cvS2, minus_b2, k51), k51)
     neg(div(add(add(mul(I31, S12, k53), mul(I32, S22, k54), k53), mul(I33, S32, k54), k53), n2, k53), o50)
-    S11 = add(fS, mul(cvS1, minus_b1, k53), k14)
+    S11 = add(fS, mul(cvS1, minus_b1, k53), k8)
     neg(div(add(add(mul(I31, S11, k53), mul(I32, S21, k54), k53), mul(I33, S31, k54), k53), n2, k53), o49)
     gva1 = mul(a1, ga, k53)
     gva2 = mul(a2, ga, k54)
-    gva3 = mul(a3, ga, k24)
+    gva3 = mul(a3, ga, k30)
     ya = add(add(mul(a1, a1o, k55), mul(a2, a2o, k56), k55), mul(a3, a3o, k56), k55)
-    alonga = mul(ha, ya, k25)
-    hoF = mul(hyF, ya, k31)
-    goF = mul(gyF, ya, k30)
-    foF = mul(fyF, ya, k29)
+    alonga = mul(ha, ya, k31)
+    hoF = mul(hyF, ya, k27)
+    goF = mul(gyF, ya, k26)
+    foF = mul(fyF, ya, k25)
     rhoa3 = add(
         add(mul(a3o, fa, k55), sub(mul(gva1, a2o, k56), mul(gva2, a1o, k57), k56), k55), mul(a3, alonga, k56), k55
     )
@@ -4529,10 +4510,10 @@ def between_jacobians_blocks(
         add(mul(a2o, fa, k56), sub(mul(gva3, a1o, k57), mul(gva1, a3o, k53), k53), k53), mul(a2, alonga, k56), k53
     )
     rhoa1 = add(
-        add(mul(a1o, fa, k23), sub(mul(gva2, a3o, k54), mul(gva3, a2o, k24), k24), k23), mul(a1, alonga, k24), k23
+        add(mul(a1o, fa, k29), sub(mul(gva2, a3o, k54), mul(gva3, a2o, k30), k30), k29), mul(a1, alonga, k30), k29
     )
-    v_rho1 = sub(mul(minus_b2, rhoa3, k24), mul(minus_b3, rhoa2, k25), k24)
-    v_rho3 = sub(mul(minus_b1, rhoa2, k25), mul(minus_b2, rhoa1, k54), k25)
+    v_rho1 = sub(mul(minus_b2, rhoa3, k30), mul(minus_b3, rhoa2, k31), k30)
+    v_rho3 = sub(mul(minus_b1, rhoa2, k31), mul(minus_b2, rhoa1, k54), k31)
     gv_rho3 = mul(v_rho3, gb, k54)
     v_rho2 = sub(mul(minus_b3, rhoa1, k56), mul(minus_b1, rhoa3, k57), k56)
     gv_rho2 = mul(v_rho2, gb, k57)
@@ -4540,10 +4521,10 @@ def between_jacobians_blocks(
     minus_b5 = neg(b2o, k59)
     minus_b6 = neg(b3o, k60)
     yb = add(add(mul(minus_b1, minus_b4, k61), mul(minus_b2, minus_b5, k62), k61), mul(minus_b3, minus_b6, k62), k61)
-    alongb = mul(hb, yb, k13)
-    hoS = mul(hyS, yb, k19)
-    goS = mul(gyS, yb, k18)
-    foS = mul(fyS, yb, k17)
+    alongb = mul(hb, yb, k19)
+    hoS = mul(hyS, yb, k13)
+    goS = mul(gyS, yb, k12)
+    foS = mul(fyS, yb, k11)
     gvb2 = mul(minus_b2, gb, k61)
     gvb3 = mul(minus_b3, gb, k62)
     rhob1 = add(
@@ -4552,10 +4533,10 @@ def between_jacobians_blocks(
     )
     rho1 = add(
         add(rhoa1, add(mul(v_rho1, fb, k64), sub(mul(minus_b2, gv_rho3, k65), mul(minus_b3, gv_rho2, k66), k65), k64),
-        k23), rhob1, k23
+        k29), rhob1, k29
     )
-    gv_rho1 = mul(v_rho1, gb, k24)
-    gvb1 = mul(minus_b1, gb, k12)
+    gv_rho1 = mul(v_rho1, gb, k30)
+    gvb1 = mul(minus_b1, gb, k18)
     rhob2 = add(
         add(mul(minus_b5, fb, k64), sub(mul(gvb3, minus_b4, k62), mul(gvb1, minus_b6, k65), k62), k62), mul(minus_b2,
         alongb, k64), k62
@@ -4566,13 +4547,13 @@ def between_jacobians_blocks(
     )
     rhob3 = add(
         add(mul(minus_b6, fb, k54), sub(mul(gvb1, minus_b5, k56), mul(gvb2, minus_b4, k64), k56), k54), mul(minus_b3,
-        alongb, k13), k13
+        alongb, k19), k19
     )
     rho3 = add(
-        add(rhoa3, add(mul(v_rho3, fb, k25), sub(mul(minus_b1, gv_rho2, k54), mul(minus_b2, gv_rho1, k24), k24), k24),
-        k24), rhob3, k24
+        add(rhoa3, add(mul(v_rho3, fb, k31), sub(mul(minus_b1, gv_rho2, k54), mul(minus_b2, gv_rho1, k30), k30), k30),
+        k30), rhob3, k30
     )
-    hvr = mul(hi, add(add(mul(v1, rho1, k25), mul(v2, rho2, k54), k25), mul(v3, rho3, k54), k25), k25)
+    hvr = mul(hi, add(add(mul(v1, rho1, k31), mul(v2, rho2, k54), k31), mul(v3, rho3, k54), k31), k31)
     gvvb3 = mul(gvb2, minus_b3, k35)
     w4 = div(
         add(sub(mul(rho1, fi, k54), sub(mul(v2, rho3, k55), mul(v3, rho2, k56), k55), k54), mul(v1, hvr, k55), k54), n2,
@@ -4583,30 +4564,30 @@ def between_jacobians_blocks(
         k55
     )
     w6 = div(
-        add(sub(mul(rho3, fi, k24), sub(mul(v1, rho2, k34), mul(v2, rho1, k23), k23), k23), mul(v3, hvr, k24), k23), n2,
-        k23
+        add(sub(mul(rho3, fi, k30), sub(mul(v1, rho2, k34), mul(v2, rho1, k29), k29), k29), mul(v3, hvr, k30), k29), n2,
+        k29
     )
-    yw = add(add(mul(v1, w4, k24), mul(v2, w5, k25), k24), mul(v3, w6, k25), k24)
-    fiow = mul(fiyw, yw, k25)
-    hiow = mul(hiyw, yw, k24)
+    yw = add(add(mul(v1, w4, k30), mul(v2, w5, k31), k30), mul(v3, w6, k31), k30)
+    fiow = mul(fiyw, yw, k31)
+    hiow = mul(hiyw, yw, k30)
     cvow3 = add(mul(w6, hiw, k32), mul(v3, hiow, k33), k32)
-    I33o = add(fiow, add(mul(cvw3, w6, k8), mul(cvow3, v3, k32), k8), k8)
+    I33o = add(fiow, add(mul(cvw3, w6, k14), mul(cvow3, v3, k32), k14), k14)
     cvow1 = add(mul(w4, hiw, k32), mul(v1, hiow, k33), k32)
-    cvow2 = add(mul(w5, hiw, k22), mul(v2, hiow, k24), k22)
-    d13ow = add(mul(cvw1, w6, k24), mul(cvow1, v3, k33), k24)
+    cvow2 = add(mul(w5, hiw, k28), mul(v2, hiow, k30), k28)
+    d13ow = add(mul(cvw1, w6, k30), mul(cvow1, v3, k33), k30)
     sow2 = neg(w5, k33)
     I31o = sub(d13ow, sow2, k34)
-    I13o = add(d13ow, sow2, k24)
+    I13o = add(d13ow, sow2, k30)
     d23ow = add(mul(cvw2, w6, k33), mul(cvow2, v3, k53), k33)
     sw3 = neg(v3, k7)
-    I22o = add(fiow, add(mul(cvw2, w5, k53), mul(cvow2, v2, k22), k22), k22)
+    I22o = add(fiow, add(mul(cvw2, w5, k53), mul(cvow2, v2, k28), k28), k28)
     I22 = add(fiw, mul(cvw2, v2, k38), k38)
     d12ow = add(mul(cvw1, w5, k53), mul(cvow1, v2, k55), k53)
-    I11o = add(fiow, add(mul(cvw1, w4, k55), mul(cvow1, v1, k32), k32), k25)
-    I11 = add(fiw, mul(cvw1, v1, k9), k9)
-    d12w = mul(cvw1, v2, k10)
+    I11o = add(fiow, add(mul(cvw1, w4, k55), mul(cvow1, v1, k32), k32), k31)
+    I11 = add(fiw, mul(cvw1, v1, k15), k15)
+    d12w = mul(cvw1, v2, k16)
     sow1 = neg(w4, k21)
-    sow3 = neg(w6, k23)
+    sow3 = neg(w6, k29)
     I32o = add(d23ow, sow1, k32)
     I23o = sub(d23ow, sow1, k21)
     cvoS1 = add(mul(minus_b4, hS, k33), mul(minus_b1, hoS, k36), k33)
@@ -4615,23 +4596,23 @@ def between_jacobians_blocks(
     S13o = add(d13oS, gvoS2, k55)
     S31o = sub(d13oS, gvoS2, k36)
     cvoS2 = add(mul(minus_b5, hS, k54), mul(minus_b2, hoS, k56), k54)
-    cvoS3 = add(mul(minus_b6, hS, k16), mul(minus_b3, hoS, k19), k16)
-    S33o = add(foS, add(mul(cvS3, minus_b6, k19), mul(cvoS3, minus_b3, k16), k16), k16)
-    d23oS = add(mul(cvS2, minus_b6, k19), mul(cvoS2, minus_b3, k47), k19)
+    cvoS3 = add(mul(minus_b6, hS, k10), mul(minus_b3, hoS, k13), k10)
+    S33o = add(foS, add(mul(cvS3, minus_b6, k13), mul(cvoS3, minus_b3, k10), k10), k10)
+    d23oS = add(mul(cvS2, minus_b6, k13), mul(cvoS2, minus_b3, k47), k13)
     S22o = add(foS, add(mul(cvS2, minus_b5, k44), mul(cvoS2, minus_b2, k47), k44), k44)
     d12oS = add(mul(cvS1, minus_b5, k47), mul(cvoS1, minus_b2, k54), k47)
-    S11o = add(foS, add(mul(cvS1, minus_b4, k41), mul(cvoS1, minus_b1, k33), k33), k17)
+    S11o = add(foS, add(mul(cvS1, minus_b4, k41), mul(cvoS1, minus_b1, k33), k33), k11)
     gvoS1 = add(mul(minus_b4, gS, k33), mul(minus_b1, goS, k41), k33)
-    gvoS3 = add(mul(minus_b6, gS, k15), mul(minus_b3, goS, k18), k15)
+    gvoS3 = add(mul(minus_b6, gS, k9), mul(minus_b3, goS, k12), k9)
     fvb1 = mul(minus_b1, fb, k1)
-    S23o = sub(d23oS, gvoS1, k18)
-    S32o = add(d23oS, gvoS1, k19)
+    S23o = sub(d23oS, gvoS1, k12)
+    S32o = add(d23oS, gvoS1, k13)
     neg(
         div(add(add(add(mul(I31, S13o, k33), mul(I31o, S13, k41), k33), add(mul(I32, S23o, k41), mul(I32o, S23, k54),
         k41), k33), add(mul(I33, S33o, k41), mul(I33o, S33, k54), k41), k33), n2, k33), o69
     )
     S12o = sub(d12oS, gvoS3, k33)
-    S21o = add(d12oS, gvoS3, k15)
+    S21o = add(d12oS, gvoS3, k9)
     neg(
         div(add(add(add(mul(I31, S12o, k41), mul(I31o, S12, k47), k41), add(mul(I32, S22o, k47), mul(I32o, S22, k54),
         k47), k41), add(mul(I33, S32o, k47), mul(I33o, S32, k54), k47), k41), n2, k41), o68
@@ -4642,55 +4623,55 @@ def between_jacobians_blocks(
     )
     I21 = add(d12w, sw3, k41)
     I12 = sub(d12w, sw3, k7)
-    neg(div(add(add(mul(I21, S13, k10), mul(I22, S23, k47), k10), mul(I23, S33, k47), k10), n2, k10), o45)
-    neg(div(add(add(mul(I21, S12, k10), mul(I22, S22, k47), k10), mul(I23, S32, k47), k10), n2, k10), o44)
-    neg(div(add(add(mul(I21, S11, k10), mul(I22, S21, k47), k10), mul(I23, S31, k47), k10), n2, k10), o43)
-    neg(div(add(add(mul(I11, S13, k10), mul(I12, S23, k47), k10), mul(I13, S33, k47), k10), n2, k10), o39)
-    neg(div(add(add(mul(I11, S12, k10), mul(I12, S22, k47), k10), mul(I13, S32, k47), k10), n2, k10), o38)
-    neg(div(add(add(mul(I11, S11, k10), mul(I12, S21, k47), k10), mul(I13, S31, k47), k10), n2, k10), o37)
-    I21o = add(d12ow, sow3, k10)
-    I12o = sub(d12ow, sow3, k23)
+    neg(div(add(add(mul(I21, S13, k16), mul(I22, S23, k47), k16), mul(I23, S33, k47), k16), n2, k16), o45)
+    neg(div(add(add(mul(I21, S12, k16), mul(I22, S22, k47), k16), mul(I23, S32, k47), k16), n2, k16), o44)
+    neg(div(add(add(mul(I21, S11, k16), mul(I22, S21, k47), k16), mul(I23, S31, k47), k16), n2, k16), o43)
+    neg(div(add(add(mul(I11, S13, k16), mul(I12, S23, k47), k16), mul(I13, S33, k47), k16), n2, k16), o39)
+    neg(div(add(add(mul(I11, S12, k16), mul(I12, S22, k47), k16), mul(I13, S32, k47), k16), n2, k16), o38)
+    neg(div(add(add(mul(I11, S11, k16), mul(I12, S21, k47), k16), mul(I13, S31, k47), k16), n2, k16), o37)
+    I21o = add(d12ow, sow3, k16)
+    I12o = sub(d12ow, sow3, k29)
     neg(
         div(add(add(add(mul(I21, S13o, k47), mul(I21o, S13, k53), k47), add(mul(I22, S23o, k53), mul(I22o, S23, k54),
         k53), k47), add(mul(I23, S33o, k53), mul(I23o, S33, k54), k53), k47), n2, k47), o63
     )
     neg(
-        div(add(add(add(mul(I11, S13o, k47), mul(I11o, S13, k45), k45), add(mul(I12, S23o, k18), mul(I12o, S23, k47),
-        k18), k18), add(mul(I13, S33o, k16), mul(I13o, S33, k45), k16), k16), n2, k16), o57
+        div(add(add(add(mul(I11, S13o, k47), mul(I11o, S13, k45), k45), add(mul(I12, S23o, k12), mul(I12o, S23, k47),
+        k12), k12), add(mul(I13, S33o, k10), mul(I13o, S33, k45), k10), k10), n2, k10), o57
     )
     neg(
-        div(add(add(add(mul(I21, S12o, k16), mul(I21o, S12, k18), k16), add(mul(I22, S22o, k18), mul(I22o, S22, k45),
-        k18), k16), add(mul(I23, S32o, k18), mul(I23o, S32, k45), k18), k16), n2, k16), o62
+        div(add(add(add(mul(I21, S12o, k10), mul(I21o, S12, k12), k10), add(mul(I22, S22o, k12), mul(I22o, S22, k45),
+        k12), k10), add(mul(I23, S32o, k12), mul(I23o, S32, k45), k12), k10), n2, k10), o62
     )
     neg(
-        div(add(add(add(mul(I11, S12o, k16), mul(I11o, S12, k18), k16), add(mul(I12, S22o, k18), mul(I12o, S22, k33),
-        k18), k16), add(mul(I13, S32o, k18), mul(I13o, S32, k19), k18), k16), n2, k16), o56
+        div(add(add(add(mul(I11, S12o, k10), mul(I11o, S12, k12), k10), add(mul(I12, S22o, k12), mul(I12o, S22, k33),
+        k12), k10), add(mul(I13, S32o, k12), mul(I13o, S32, k13), k12), k10), n2, k10), o56
     )
     neg(
-        div(add(add(add(mul(I21, S11o, k16), mul(I21o, S11, k18), k16), add(mul(I22, S21o, k18), mul(I22o, S21, k19),
-        k18), k16), add(mul(I23, S31o, k18), mul(I23o, S31, k19), k18), k16), n2, k16), o61
+        div(add(add(add(mul(I21, S11o, k10), mul(I21o, S11, k12), k10), add(mul(I22, S21o, k12), mul(I22o, S21, k13),
+        k12), k10), add(mul(I23, S31o, k12), mul(I23o, S31, k13), k12), k10), n2, k10), o61
     )
     neg(
-        div(add(add(add(mul(I11, S11o, k16), mul(I11o, S11, k14), k14), add(mul(I12, S21o, k15), mul(I12o, S21, k16),
-        k15), k14), add(mul(I13, S31o, k15), mul(I13o, S31, k16), k15), k14), n2, k14), o55
+        div(add(add(add(mul(I11, S11o, k10), mul(I11o, S11, k8), k8), add(mul(I12, S21o, k9), mul(I12o, S21, k10), k9),
+        k8), add(mul(I13, S31o, k9), mul(I13o, S31, k10), k9), k8), n2, k8), o55
     )
-    cvF1 = mul(a1, hF, k14)
-    d13F = mul(cvF1, a3, k15)
-    gvF2 = mul(a2, gF, k16)
-    F13 = add(d13F, gvF2, k17)
-    F31 = sub(d13F, gvF2, k15)
-    gvvb1 = mul(gvb1, minus_b2, k16)
+    cvF1 = mul(a1, hF, k8)
+    d13F = mul(cvF1, a3, k9)
+    gvF2 = mul(a2, gF, k10)
+    F13 = add(d13F, gvF2, k11)
+    F31 = sub(d13F, gvF2, k9)
+    gvvb1 = mul(gvb1, minus_b2, k10)
     gvvb2 = mul(gvb1, minus_b3, k12)
     fvb3 = mul(minus_b3, fb, k6)
     fvb2 = mul(minus_b2, fb, k3)
-    Qb12 = sub(gvvb1, fvb3, k11)
+    Qb12 = sub(gvvb1, fvb3, k13)
     Qb21 = add(gvvb1, fvb3, k6)
-    cvF2 = mul(a2, hF, k16)
-    d23F = mul(cvF2, a3, k18)
-    gvF1 = mul(a1, gF, k19)
+    cvF2 = mul(a2, hF, k10)
+    d23F = mul(cvF2, a3, k17)
+    gvF1 = mul(a1, gF, k18)
     F23 = sub(d23F, gvF1, k33)
-    F32 = add(d23F, gvF1, k18)
-    Qb13 = add(gvvb2, fvb2, k19)
+    F32 = add(d23F, gvF1, k17)
+    Qb13 = add(gvvb2, fvb2, k18)
     Qb31 = sub(gvvb2, fvb2, k3)
     cvF3 = mul(a3, hF, k12)
     F33 = add(fF, mul(cvF3, a3, k36), k36)
@@ -4707,7 +4688,7 @@ def between_jacobians_blocks(
     F12 = sub(d12F, gvF3, k48)
     F21 = add(d12F, gvF3, k46)
     F22 = add(fF, mul(cvF2, a2, k47), k47)
-    F11 = add(fF, mul(cvF1, a1, k49), k26)
+    F11 = add(fF, mul(cvF1, a1, k49), k22)
     RT12 = add(add(mul(Qb11, F12, k49), mul(Qb12, F22, k50), k49), mul(Qb13, F32, k50), k49)
     RT22 = add(add(mul(Qb21, F12, k50), mul(Qb22, F22, k51), k50), mul(Qb23, F32, k51), k50)
     RT32 = add(add(mul(Qb31, F12, k51), mul(Qb32, F22, k52), k51), mul(Qb33, F32, k52), k51)
@@ -4729,23 +4710,23 @@ def between_jacobians_blocks(
     F13o = add(d13oF, gvoF2, k61)
     F31o = sub(d13oF, gvoF2, k59)
     cvoF2 = add(mul(a2o, hF, k60), mul(a2, hoF, k64), k60)
-    cvoF3 = add(mul(a3o, hF, k28), mul(a3, hoF, k31), k28)
-    F33o = add(foF, add(mul(cvF3, a3o, k12), mul(cvoF3, a3, k28), k12), k12)
-    d23oF = add(mul(cvF2, a3o, k28), mul(cvoF2, a3, k31), k28)
-    F22o = add(foF, add(mul(cvF2, a2o, k16), mul(cvoF2, a2, k31), k16), k16)
-    F11o = add(foF, add(mul(cvF1, a1o, k31), mul(cvoF1, a1, k60), k31), k29)
-    d12oF = add(mul(cvF1, a2o, k14), mul(cvoF1, a2, k31), k14)
-    gvoF1 = add(mul(a1o, gF, k31), mul(a1, goF, k58), k31)
-    gvoF3 = add(mul(a3o, gF, k27), mul(a3, goF, k30), k27)
-    F23o = sub(d23oF, gvoF1, k30)
-    F32o = add(d23oF, gvoF1, k28)
+    cvoF3 = add(mul(a3o, hF, k24), mul(a3, hoF, k27), k24)
+    F33o = add(foF, add(mul(cvF3, a3o, k12), mul(cvoF3, a3, k24), k12), k12)
+    d23oF = add(mul(cvF2, a3o, k24), mul(cvoF2, a3, k27), k24)
+    F22o = add(foF, add(mul(cvF2, a2o, k10), mul(cvoF2, a2, k27), k10), k10)
+    F11o = add(foF, add(mul(cvF1, a1o, k27), mul(cvoF1, a1, k60), k27), k25)
+    d12oF = add(mul(cvF1, a2o, k8), mul(cvoF1, a2, k27), k8)
+    gvoF1 = add(mul(a1o, gF, k27), mul(a1, goF, k58), k27)
+    gvoF3 = add(mul(a3o, gF, k23), mul(a3, goF, k26), k23)
+    F23o = sub(d23oF, gvoF1, k26)
+    F32o = add(d23oF, gvoF1, k24)
     RT13o = add(
-        add(add(mul(Qb11, F13o, k31), mul(R11o, F13, k58), k31), add(mul(Qb12, F23o, k58), mul(R12o, F23, k60), k58),
-        k31), add(mul(Qb13, F33o, k58), mul(R13o, F33, k60), k58), k31
+        add(add(mul(Qb11, F13o, k27), mul(R11o, F13, k58), k27), add(mul(Qb12, F23o, k58), mul(R12o, F23, k60), k58),
+        k27), add(mul(Qb13, F33o, k58), mul(R13o, F33, k60), k58), k27
     )
     R21o = sub(mul(Qb11, rhob3, k58), mul(Qb31, rhob1, k60), k58)
     R22o = sub(mul(Qb12, rhob3, k60), mul(Qb32, rhob1, k64), k60)
-    R23o = sub(mul(Qb13, rhob3, k13), mul(Qb33, rhob1, k64), k13)
+    R23o = sub(mul(Qb13, rhob3, k19), mul(Qb33, rhob1, k64), k19)
     RT23o = add(
         add(add(mul(Qb21, F13o, k64), mul(R21o, F13, k65), k64), add(mul(Qb22, F23o, k65), mul(R22o, F23, k66), k65),
         k64), add(mul(Qb23, F33o, k65), mul(R23o, F33, k66), k65), k64
@@ -4754,42 +4735,42 @@ def between_jacobians_blocks(
     R32o = sub(mul(Qb22, rhob1, k66), mul(Qb12, rhob2, k67), k66)
     R33o = sub(mul(Qb23, rhob1, k63), mul(Qb13, rhob2, k62), k62)
     RT33o = add(
-        add(add(mul(Qb31, F13o, k61), mul(R31o, F13, k17), k17), add(mul(Qb32, F23o, k30), mul(R32o, F23, k33), k30),
-        k17), add(mul(Qb33, F33o, k12), mul(R33o, F33, k30), k12), k12
+        add(add(mul(Qb31, F13o, k61), mul(R31o, F13, k11), k11), add(mul(Qb32, F23o, k26), mul(R32o, F23, k33), k26),
+        k11), add(mul(Qb33, F33o, k12), mul(R33o, F33, k26), k12), k11
     )
     div(
-        add(add(add(mul(I31, RT13o, k17), mul(I31o, RT13, k30), k17), add(mul(I32, RT23o, k30), mul(I32o, RT23, k33),
-        k30), k17), add(mul(I33, RT33o, k30), mul(I33o, RT33, k33), k30), k17), n2, o33
+        add(add(add(mul(I31, RT13o, k12), mul(I31o, RT13, k26), k12), add(mul(I32, RT23o, k26), mul(I32o, RT23, k33),
+        k26), k12), add(mul(I33, RT33o, k26), mul(I33o, RT33, k33), k26), k12), n2, o33
     )
     div(
-        add(add(add(mul(I21, RT13o, k17), mul(I21o, RT13, k30), k17), add(mul(I22, RT23o, k30), mul(I22o, RT23, k33),
-        k30), k17), add(mul(I23, RT33o, k30), mul(I23o, RT33, k33), k30), k17), n2, o27
+        add(add(add(mul(I21, RT13o, k12), mul(I21o, RT13, k26), k12), add(mul(I22, RT23o, k26), mul(I22o, RT23, k33),
+        k26), k12), add(mul(I23, RT33o, k26), mul(I23o, RT33, k33), k26), k12), n2, o27
     )
     div(
-        add(add(add(mul(I11, RT13o, k17), mul(I11o, RT13, k30), k17), add(mul(I12, RT23o, k30), mul(I12o, RT23, k31),
-        k30), k17), add(mul(I13, RT33o, k12), mul(I13o, RT33, k30), k12), k12), n2, o21
+        add(add(add(mul(I11, RT13o, k12), mul(I11o, RT13, k26), k12), add(mul(I12, RT23o, k26), mul(I12o, RT23, k27),
+        k26), k12), add(mul(I13, RT33o, k11), mul(I13o, RT33, k26), k11), k11), n2, o21
     )
-    F12o = sub(d12oF, gvoF3, k12)
-    F21o = add(d12oF, gvoF3, k14)
+    F12o = sub(d12oF, gvoF3, k11)
+    F21o = add(d12oF, gvoF3, k8)
     RT12o = add(
-        add(add(mul(Qb11, F12o, k17), mul(R11o, F12, k27), k17), add(mul(Qb12, F22o, k27), mul(R12o, F22, k30), k27),
-        k17), add(mul(Qb13, F32o, k27), mul(R13o, F32, k30), k27), k17
+        add(add(mul(Qb11, F12o, k12), mul(R11o, F12, k23), k12), add(mul(Qb12, F22o, k23), mul(R12o, F22, k26), k23),
+        k12), add(mul(Qb13, F32o, k23), mul(R13o, F32, k26), k23), k12
     )
     RT11o = add(
-        add(add(mul(Qb11, F11o, k4), mul(R11o, F11, k27), k4), add(mul(Qb12, F21o, k11), mul(R12o, F21, k27), k11), k4),
-        add(mul(Qb13, F31o, k11), mul(R13o, F31, k19), k11), k4
+        add(add(mul(Qb11, F11o, k4), mul(R11o, F11, k23), k4), add(mul(Qb12, F21o, k13), mul(R12o, F21, k23), k13), k4),
+        add(mul(Qb13, F31o, k13), mul(R13o, F31, k18), k13), k4
     )
     RT22o = add(
-        add(add(mul(Qb21, F12o, k11), mul(R21o, F12, k19), k11), add(mul(Qb22, F22o, k19), mul(R22o, F22, k27), k19),
-        k11), add(mul(Qb23, F32o, k19), mul(R23o, F32, k27), k19), k11
+        add(add(mul(Qb21, F12o, k13), mul(R21o, F12, k18), k13), add(mul(Qb22, F22o, k18), mul(R22o, F22, k23), k18),
+        k13), add(mul(Qb23, F32o, k18), mul(R23o, F32, k23), k18), k13
     )
     RT32o = add(
-        add(add(mul(Qb31, F12o, k12), mul(R31o, F12, k19), k12), add(mul(Qb32, F22o, k16), mul(R32o, F22, k19), k16),
-        k12), add(mul(Qb33, F32o, k16), mul(R33o, F32, k18), k16), k12
+        add(add(mul(Qb31, F12o, k11), mul(R31o, F12, k18), k11), add(mul(Qb32, F22o, k10), mul(R32o, F22, k18), k10),
+        k10), add(mul(Qb33, F32o, k11), mul(R33o, F32, k17), k11), k10
     )
     RT21o = add(
-        add(add(mul(Qb21, F11o, k6), mul(R21o, F11, k16), k6), add(mul(Qb22, F21o, k2), mul(R22o, F21, k16), k2), k2),
-        add(mul(Qb23, F31o, k6), mul(R23o, F31, k13), k6), k2
+        add(add(mul(Qb21, F11o, k6), mul(R21o, F11, k11), k6), add(mul(Qb22, F21o, k2), mul(R22o, F21, k11), k2), k2),
+        add(mul(Qb23, F31o, k6), mul(R23o, F31, k11), k6), k2
     )
     RT31o = add(
         add(add(mul(Qb31, F11o, k3), mul(R31o, F11, k6), k3), add(mul(Qb32, F21o, k1), mul(R32o, F21, k6), k1), k1),
@@ -4857,14 +4838,15 @@ def between_jacobians_blocks(
     copy(o51, o72)
 
 
-# operations 315: 104 +, 143 *, 32 /, 1 neg, 1 abs, 4 sqrt, 3 tan, 2 atan2, 5 lt, 2 eq, 18 where
+# operations 327: 116 +, 143 *, 32 /, 1 neg, 1 abs, 4 sqrt, 3 tan, 2 atan2, 5 lt, 2 eq, 18 where
 def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     d1, d2, d3, d1o, d2o, d3o = delta
     v11d = d1 * d1
     v22d = d2 * d2
     v33d = d3 * d3
-    xd = v11d + v22d + v33d
+    part = v11d + v22d
+    xd = part + v33d
     neard = xd < 6
     zd = m.where(neard, xd, xd - xd) / 4
     C7d = (
@@ -4892,7 +4874,12 @@ def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     sined = 2 * thalfd / belowhalfd
     versined = m.where(tthalfd < 16, 2 * tthalfd / belowhalfd, 2 - 2 / belowhalfd)
     besided = alphad - 4
-    leftd = xxd - 16 - 8 * besided - besided * besided
+    v33d_in = xd - part
+    v22d_in = part - v11d
+    leftd = (
+        xxd - 16 - 8 * besided - besided * besided + (v11d - (part - v22d_in) + (v22d - v22d_in) + (part - (xd
+        - v33d_in) + (v33d - v33d_in)))
+    )
     lostd = m.where(alphad < 8, leftd, 0) / (2 * alphad)
     fd = m.where(neard, C0d * C1d, (sined + lostd * (1 - versined)) / alphad)
     gd = m.where(neard, CC1d / 2, (versined + lostd * sined) / xxd)
@@ -4982,7 +4969,7 @@ def retract_blocks(
     d1, d2, d3, d1o, d2o, d3o = delta
     o1, o2, o3, o4, o5, o6 = out
     (
-        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23,
+        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
         *spare,
     ) = scratch
     mask1, mask2, mask3, *spare_masks = masks
@@ -4991,139 +4978,148 @@ def retract_blocks(
     ) = numbers
     v11d = mul(d1, d1, k1)
     v22d = mul(d2, d2, k2)
-    v33d = mul(d3, d3, k3)
-    xd = add(add(v11d, v22d, k1), v33d, k1)
+    part = add(v11d, v22d, k3)
+    v33d = mul(d3, d3, k4)
+    xd = add(part, v33d, k5)
     neard = m.less(xd, n6, mask1)
-    zd = div(m.where(neard, xd, sub(xd, xd, k2), k3), n4, k2)
-    xxd = m.where(neard, add(n6, xd, k3), xd, k3)
+    zd = div(m.where(neard, xd, sub(xd, xd, k6), k7), n4, k6)
     C7d = div(
         div(sub(n72, mul(zd, div(sub(n3603600, mul(zd, sub(n32760, mul(zd, sub(n210, mul(zd, div(sub(n93024, mul(zd,
-        sub(n342, mul(zd, div(sub(n212520, mul(zd, sub(n506, zd, k1), k1), k1), n212520, k1), k1), k1), k1), k1),
-        n93024, k1), k1), k1), k1), k1), k1), k1), n3603600, k1), k1), k1), n72, k1), n5040, k1
+        sub(n342, mul(zd, div(sub(n212520, mul(zd, sub(n506, zd, k7), k7), k7), n212520, k7), k7), k7), k7), k7),
+        n93024, k7), k7), k7), k7), k7), k7), k7), n3603600, k7), k7), k7), n72, k7), n5040, k7
     )
-    C5d = div(sub(n1, mul(n120, mul(zd, C7d, k1), k1), k1), n120, k1)
-    C3d = div(sub(n1, mul(n6, mul(zd, C5d, k1), k1), k1), n6, k1)
-    C1d = sub(n1, mul(zd, C3d, k4), k4)
-    CC1d = mul(C1d, C1d, k5)
-    C0d = sqrt(sub(n1, mul(zd, CC1d, k2), k2), k2)
-    alphad = sqrt(xxd, k6)
-    td = tan(div(alphad, n4, k7), k7)
-    ttd = mul(td, td, k8)
-    belowd = add(n1, ttd, k9)
-    sd = m.where(neard, C0d, div(sub(n1, ttd, k8), belowd, k8), k10)
-    wd = m.where(neard, div(C1d, n2, k8), div(div(mul(n2, td, k7), belowd, k7), alphad, k7), k8)
-    wd1 = mul(d1, wd, k7)
-    wd2 = mul(d2, wd, k9)
-    wd3 = mul(d3, wd, k8)
-    v11 = mul(v1, v1, k11)
-    v22 = mul(v2, v2, k12)
-    v33 = mul(v3, v3, k13)
-    x = add(add(v11, v22, k11), v33, k11)
-    a, b, _, f, g, h = c.ray((k12, k13, k14, k15, k16, k17), (*spare,), (*spare_masks,), x)
-    bv1 = mul(v1, b, k14)
-    bv3 = mul(v3, b, k18)
-    bv2 = mul(v2, b, k13)
-    z1 = add(add(mul(bv1, sd, k19), mul(wd1, a, k20), k19), sub(mul(wd2, bv3, k20), mul(wd3, bv2, k21), k20), k19)
-    z2 = add(add(mul(bv2, sd, k20), mul(wd2, a, k21), k20), sub(mul(wd3, bv1, k21), mul(wd1, bv3, k22), k21), k20)
-    z3 = add(add(mul(bv3, sd, k21), mul(wd3, a, k22), k21), sub(mul(wd1, bv2, k22), mul(wd2, bv1, k23), k22), k21)
-    z0 = sub(mul(sd, a, k10), add(add(mul(wd1, bv1, k7), mul(wd2, bv2, k9), k7), mul(wd3, bv3, k8), k7), k7)
-    ss = add(add(mul(z1, z1, k8), mul(z2, z2, k9), k8), mul(z3, z3, k9), k8)
-    still = m.equal(ss, n0, mask2)
-    length = sqrt(m.where(still, add(n1, ss, k9), ss, k9), k9)
-    sine = m.where(still, ss, length, k8)
-    resting = m.equal(x, n0, mask3)
-    r = sqrt(m.where(resting, add(n1, x, k10), x, k10), k10)
-    own, = c.unfolded((k12,), (k13, k14, k18, k22, k23, *spare), (*spare_masks,), x, r)
+    C5d = div(sub(n1, mul(n120, mul(zd, C7d, k7), k7), k7), n120, k7)
+    C3d = div(sub(n1, mul(n6, mul(zd, C5d, k7), k7), k7), n6, k7)
+    C1d = sub(n1, mul(zd, C3d, k8), k8)
+    CC1d = mul(C1d, C1d, k9)
+    C0d = sqrt(sub(n1, mul(zd, CC1d, k6), k6), k6)
+    xxd = m.where(neard, add(n6, xd, k10), xd, k10)
+    alphad = sqrt(xxd, k11)
+    td = tan(div(alphad, n4, k12), k12)
+    ttd = mul(td, td, k13)
+    belowd = add(n1, ttd, k14)
+    sd = m.where(neard, C0d, div(sub(n1, ttd, k13), belowd, k13), k15)
+    wd = m.where(neard, div(C1d, n2, k13), div(div(mul(n2, td, k12), belowd, k12), alphad, k12), k13)
+    wd1 = mul(d1, wd, k12)
+    wd2 = mul(d2, wd, k14)
+    wd3 = mul(d3, wd, k13)
+    v11 = mul(v1, v1, k16)
+    v22 = mul(v2, v2, k17)
+    v33 = mul(v3, v3, k18)
+    x = add(add(v11, v22, k16), v33, k16)
+    resting = m.equal(x, n0, mask2)
+    r = sqrt(m.where(resting, add(n1, x, k17), x, k17), k17)
+    own, = c.unfolded((k18,), (*spare,), (*spare_masks,), x, r)
+    C01d = add(n1, C0d, k19)
+    C2d = div(CC1d, C01d, k19)
+    besided = sub(alphad, n4, k20)
+    v33d_in = sub(xd, part, k21)
+    v22d_in = sub(part, v11d, k22)
+    leftd = add(
+        sub(sub(sub(xxd, n16, k23), mul(n8, besided, k24), k23), mul(besided, besided, k20), k20), add(add(sub(v11d,
+        sub(part, v22d_in, k23), k1), sub(v22d, v22d_in, k2), k1), add(sub(part, sub(xd, v33d_in, k2), k2), sub(v33d,
+        v33d_in, k3), k2), k1), k1
+    )
+    lostd = div(m.where(m.less(alphad, n8, mask3), leftd, n0, k1), mul(n2, alphad, k2), k1)
+    thalfd = tan(div(alphad, n2, k2), k2)
+    tthalfd = mul(thalfd, thalfd, k3)
+    belowhalfd = add(n1, tthalfd, k4)
+    versined = m.where(
+        m.less(tthalfd, n16, mask3), div(mul(n2, tthalfd, k3), belowhalfd, k3), sub(n2, div(n2, belowhalfd, k5), k5), k3
+    )
+    sined = div(mul(n2, thalfd, k2), belowhalfd, k2)
+    fd = m.where(neard, mul(C0d, C1d, k4), div(add(sined, mul(lostd, sub(n1, versined, k5), k5), k5), alphad, k5), k4)
+    gd = m.where(neard, div(CC1d, n2, k5), div(add(versined, mul(lostd, sined, k1), k1), xxd, k1), k2)
+    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k1), k1), n4, k1), div(sub(n1, fd, k3), xxd, k3), k1)
+    yd = add(add(mul(d1, d1o, k3), mul(d2, d2o, k5), k3), mul(d3, d3o, k5), k3)
+    alongd = mul(hd, yd, k1)
+    y = add(add(mul(v1, v1o, k3), mul(v2, v2o, k5), k3), mul(v3, v3o, k5), k3)
+    gvd2 = mul(d2, gd, k5)
+    gvd3 = mul(d3, gd, k6)
+    gvd1 = mul(d1, gd, k7)
+    a, b, _, f, g, h = c.ray(
+        (k8, k9, k10, k11, k19, k20), (k21, k22, k23, k24, *spare), (mask1, mask3, *spare_masks), x
+    )
+    along = mul(h, y, k3)
+    bv1 = mul(v1, b, k10)
+    bv3 = mul(v3, b, k16)
+    bv2 = mul(v2, b, k9)
+    z1 = add(add(mul(bv1, sd, k20), mul(wd1, a, k21), k20), sub(mul(wd2, bv3, k21), mul(wd3, bv2, k22), k21), k20)
+    z2 = add(add(mul(bv2, sd, k21), mul(wd2, a, k22), k21), sub(mul(wd3, bv1, k22), mul(wd1, bv3, k23), k22), k21)
+    z3 = add(add(mul(bv3, sd, k22), mul(wd3, a, k23), k22), sub(mul(wd1, bv2, k23), mul(wd2, bv1, k24), k23), k22)
+    z0 = sub(mul(sd, a, k8), add(add(mul(wd1, bv1, k10), mul(wd2, bv2, k9), k9), mul(wd3, bv3, k10), k9), k8)
+    ss = add(add(mul(z1, z1, k9), mul(z2, z2, k10), k9), mul(z3, z3, k10), k9)
+    still = m.equal(ss, n0, mask1)
+    length = sqrt(m.where(still, add(n1, ss, k10), ss, k10), k10)
     own_ = div(
-        mul(m.where(resting, n0, div(own, r, k10), k11), add(add(mul(v1, z1, k10), mul(v2, z2, k12), k10), mul(v3, z3,
-        k12), k10), k10), length, k10
+        mul(m.where(resting, n0, div(own, r, k12), k13), add(add(mul(v1, z1, k12), mul(v2, z2, k14), k12), mul(v3, z3,
+        k14), k12), k12), length, k12
     )
-    falling = m.less(z0, n0, mask3)
-    cosine = m.where(falling, neg(z0, k11), z0, k11)
-    folded = mul(m.where(falling, n_minus_2, n2, k12), atan2(sine, cosine, k11), k11)
+    sine = m.where(still, ss, length, k9)
+    falling = m.less(z0, n0, mask2)
+    cosine = m.where(falling, neg(z0, k13), z0, k13)
+    folded = mul(m.where(falling, n_minus_2, n2, k14), atan2(sine, cosine, k13), k13)
     turns = add(
-        sub(own_, folded, k12), mul(n2, atan2(tan(div(sub(folded, own_, k10), n2, k10), k10), n1, k10), k10), k10
+        sub(own_, folded, k14), mul(n2, atan2(tan(div(sub(folded, own_, k12), n2, k12), k12), n1, k12), k12), k12
     )
-    angle = add(folded, m.where(m.less(absolute(turns, k12), n1, mask3), n0, turns, k12), k10)
-    rn, slopen = c.coefficient_of((k11, k12), (k13, k14, k18, k22, k23, *spare), (mask3, *spare_masks), angle, sine, z0)
-    z0s = m.where(still, z0, length, k8)
-    factor = m.where(still, div(mul(n2, slopen, k12), z0s, k8), div(rn, length, k9), k8)
+    angle = add(folded, m.where(m.less(absolute(turns, k14), n1, mask2), n0, turns, k14), k12)
+    rn, slopen = c.coefficient_of(
+        (k13, k14), (k15, k16, k17, k18, k23, k24, *spare), (mask2, mask3, *spare_masks), angle, sine, z0
+    )
+    z0s = m.where(still, z0, length, k9)
+    factor = m.where(still, div(mul(n2, slopen, k14), z0s, k9), div(rn, length, k10), k9)
     v_1 = mul(z1, factor, o1)
     v_2 = mul(z2, factor, o2)
     v_3 = mul(z3, factor, o3)
-    fe = mul(factor, z0, k7)
-    v11w = mul(v_1, v_1, k8)
-    v22w = mul(v_2, v_2, k9)
-    v33w = mul(v_3, v_3, k11)
-    xw = add(add(v11w, v22w, k8), v33w, k8)
+    fe = mul(factor, z0, k8)
+    v11w = mul(v_1, v_1, k9)
+    v22w = mul(v_2, v_2, k10)
+    v33w = mul(v_3, v_3, k13)
+    xw = add(add(v11w, v22w, k9), v33w, k9)
     hiw, = c.inverse_at(
-        (k9,), (k11, k12, k13, k14, k18, k19, k20, k21, k22, k23, *spare), (mask2, mask3, *spare_masks), xw, fe, angle
+        (k10,), (k13, k14, k15, k16, k17, k18, k20, k21, k22, k23, k24, *spare), (mask1, mask2, mask3, *spare_masks),
+        xw, fe, angle
     )
-    C01d = add(n1, C0d, k8)
-    C2d = div(CC1d, C01d, k8)
-    thalfd = tan(div(alphad, n2, k10), k10)
-    tthalfd = mul(thalfd, thalfd, k11)
-    belowhalfd = add(n1, tthalfd, k12)
-    versined = m.where(
-        m.less(tthalfd, n16, mask2), div(mul(n2, tthalfd, k11), belowhalfd, k11), sub(n2, div(n2, belowhalfd, k13),
-        k13), k11
-    )
-    sined = div(mul(n2, thalfd, k10), belowhalfd, k10)
-    besided = sub(alphad, n4, k12)
-    leftd = sub(sub(sub(xxd, n16, k13), mul(n8, besided, k14), k13), mul(besided, besided, k12), k12)
-    lostd = div(m.where(m.less(alphad, n8, mask2), leftd, n0, k12), mul(n2, alphad, k13), k12)
-    fd = m.where(
-        neard, mul(C0d, C1d, k2), div(add(sined, mul(lostd, sub(n1, versined, k13), k13), k13), alphad, k6), k2
-    )
-    gd = m.where(neard, div(CC1d, n2, k5), div(add(versined, mul(lostd, sined, k6), k6), xxd, k6), k5)
-    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k4), k1), n4, k1), div(sub(n1, fd, k4), xxd, k3), k1)
-    yd = add(add(mul(d1, d1o, k3), mul(d2, d2o, k4), k3), mul(d3, d3o, k4), k3)
-    alongd = mul(hd, yd, k1)
-    gv3 = mul(v3, g, k3)
-    gv1 = mul(v1, g, k4)
-    gv2 = mul(v2, g, k6)
-    y = add(add(mul(v1, v1o, k8), mul(v2, v2o, k10), k8), mul(v3, v3o, k10), k8)
-    along = mul(h, y, k8)
-    rhob2 = add(add(mul(v2o, f, k10), sub(mul(gv3, v1o, k11), mul(gv1, v3o, k12), k11), k10), mul(v2, along, k11), k10)
-    rhob1 = add(add(mul(v1o, f, k11), sub(mul(gv2, v3o, k12), mul(gv3, v2o, k3), k3), k3), mul(v1, along, k11), k3)
-    rhob3 = add(add(mul(v3o, f, k11), sub(mul(gv1, v2o, k4), mul(gv2, v1o, k6), k4), k4), mul(v3, along, k6), k4)
-    v_rhob3 = sub(mul(d1, rhob2, k6), mul(d2, rhob1, k8), k6)
-    gv_rhob3 = mul(v_rhob3, gd, k8)
-    v_rhob2 = sub(mul(d3, rhob1, k11), mul(d1, rhob3, k12), k11)
-    gv_rhob2 = mul(v_rhob2, gd, k12)
-    gvd2 = mul(d2, gd, k13)
-    gvd3 = mul(d3, gd, k14)
-    v_rhob1 = sub(mul(d2, rhob3, k15), mul(d3, rhob2, k16), k15)
+    gv3 = mul(v3, g, k9)
+    gv1 = mul(v1, g, k12)
+    gv2 = mul(v2, g, k13)
+    rhob2 = add(add(mul(v2o, f, k14), sub(mul(gv3, v1o, k15), mul(gv1, v3o, k16), k15), k14), mul(v2, along, k15), k14)
+    rhob1 = add(add(mul(v1o, f, k15), sub(mul(gv2, v3o, k16), mul(gv3, v2o, k9), k9), k9), mul(v1, along, k15), k9)
+    rhob3 = add(add(mul(v3o, f, k11), sub(mul(gv1, v2o, k12), mul(gv2, v1o, k13), k12), k11), mul(v3, along, k3), k3)
+    v_rhob3 = sub(mul(d1, rhob2, k11), mul(d2, rhob1, k12), k11)
+    gv_rhob3 = mul(v_rhob3, gd, k12)
+    v_rhob2 = sub(mul(d3, rhob1, k13), mul(d1, rhob3, k15), k13)
+    gv_rhob2 = mul(v_rhob2, gd, k15)
+    v_rhob1 = sub(mul(d2, rhob3, k16), mul(d3, rhob2, k17), k16)
     rho1 = add(
-        add(rhob1, add(mul(v_rhob1, fd, k16), sub(mul(d2, gv_rhob3, k17), mul(d3, gv_rhob2, k18), k17), k16), k3),
-        add(add(mul(d1o, fd, k16), sub(mul(gvd2, d3o, k17), mul(gvd3, d2o, k18), k17), k16), mul(d1, alongd, k17), k16),
-        k3
+        add(rhob1, add(mul(v_rhob1, fd, k17), sub(mul(d2, gv_rhob3, k18), mul(d3, gv_rhob2, k19), k18), k17), k9),
+        add(add(mul(d1o, fd, k17), sub(mul(gvd2, d3o, k18), mul(gvd3, d2o, k19), k18), k17), mul(d1, alongd, k18), k17),
+        k9
     )
-    gv_rhob1 = mul(v_rhob1, gd, k15)
-    gvd1 = mul(d1, gd, k5)
+    gv_rhob1 = mul(v_rhob1, gd, k2)
     rho2 = add(
-        add(rhob2, add(mul(v_rhob2, fd, k11), sub(mul(d3, gv_rhob1, k16), mul(d1, gv_rhob3, k8), k8), k8), k8),
-        add(add(mul(d2o, fd, k10), sub(mul(gvd3, d1o, k11), mul(gvd1, d3o, k14), k11), k10), mul(d2, alongd, k11), k10),
-        k8
+        add(rhob2, add(mul(v_rhob2, fd, k13), sub(mul(d3, gv_rhob1, k16), mul(d1, gv_rhob3, k12), k12), k12), k12),
+        add(add(mul(d2o, fd, k13), sub(mul(gvd3, d1o, k6), mul(gvd1, d3o, k14), k6), k6), mul(d2, alongd, k13), k6), k6
     )
     rho3 = add(
-        add(rhob3, add(mul(v_rhob3, fd, k6), sub(mul(d1, gv_rhob2, k10), mul(d2, gv_rhob1, k11), k10), k6), k4),
-        add(add(mul(d3o, fd, k2), sub(mul(gvd1, d2o, k5), mul(gvd2, d1o, k6), k5), k2), mul(d3, alongd, k1), k1), k1
+        add(rhob3, add(mul(v_rhob3, fd, k11), sub(mul(d1, gv_rhob2, k12), mul(d2, gv_rhob1, k2), k2), k2), k2),
+        add(add(mul(d3o, fd, k3), sub(mul(gvd1, d2o, k4), mul(gvd2, d1o, k5), k4), k3), mul(d3, alongd, k1), k1), k1
     )
-    hvr = mul(hiw, add(add(mul(v_1, rho1, k2), mul(v_2, rho2, k4), k2), mul(v_3, rho3, k4), k2), k2)
-    div(add(sub(mul(rho1, fe, k4), sub(mul(v_2, rho3, k5), mul(v_3, rho2, k6), k5), k4), mul(v_1, hvr, k5), k4), n2, o4)
-    div(add(sub(mul(rho2, fe, k4), sub(mul(v_3, rho1, k5), mul(v_1, rho3, k6), k5), k4), mul(v_2, hvr, k5), k4), n2, o5)
-    div(add(sub(mul(rho3, fe, k1), sub(mul(v_1, rho2, k4), mul(v_2, rho1, k3), k3), k1), mul(v_3, hvr, k2), k1), n2, o6)
+    hvr = mul(hiw, add(add(mul(v_1, rho1, k2), mul(v_2, rho2, k3), k2), mul(v_3, rho3, k3), k2), k2)
+    div(add(sub(mul(rho1, fe, k3), sub(mul(v_2, rho3, k4), mul(v_3, rho2, k5), k4), k3), mul(v_1, hvr, k4), k3), n2, o4)
+    div(add(sub(mul(rho2, fe, k3), sub(mul(v_3, rho1, k4), mul(v_1, rho3, k5), k4), k3), mul(v_2, hvr, k4), k3), n2, o5)
+    div(add(sub(mul(rho3, fe, k1), sub(mul(v_1, rho2, k3), mul(v_2, rho1, k4), k3), k1), mul(v_3, hvr, k2), k1), n2, o6)
 
 
-# operations 315: 104 +, 143 *, 32 /, 1 neg, 1 abs, 4 sqrt, 3 tan, 2 atan2, 5 lt, 2 eq, 18 where
+# operations 327: 116 +, 143 *, 32 /, 1 neg, 1 abs, 4 sqrt, 3 tan, 2 atan2, 5 lt, 2 eq, 18 where
 def body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     d1, d2, d3, d1o, d2o, d3o = delta
     v11d = d1 * d1
     v22d = d2 * d2
     v33d = d3 * d3
-    xd = v11d + v22d + v33d
+    part = v11d + v22d
+    xd = part + v33d
     neard = xd < 6
     zd = m.where(neard, xd, xd - xd) / 4
     C7d = (
@@ -5151,7 +5147,12 @@ def body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     sined = 2 * thalfd / belowhalfd
     versined = m.where(tthalfd < 16, 2 * tthalfd / belowhalfd, 2 - 2 / belowhalfd)
     besided = alphad - 4
-    leftd = xxd - 16 - 8 * besided - besided * besided
+    v33d_in = xd - part
+    v22d_in = part - v11d
+    leftd = (
+        xxd - 16 - 8 * besided - besided * besided + (v11d - (part - v22d_in) + (v22d - v22d_in) + (part - (xd
+        - v33d_in) + (v33d - v33d_in)))
+    )
     lostd = m.where(alphad < 8, leftd, 0) / (2 * alphad)
     fd = m.where(neard, C0d * C1d, (sined + lostd * (1 - versined)) / alphad)
     gd = m.where(neard, CC1d / 2, (versined + lostd * sined) / xxd)
@@ -5235,7 +5236,7 @@ def body_retract_blocks(
     d1, d2, d3, d1o, d2o, d3o = delta
     o1, o2, o3, o4, o5, o6 = out
     (
-        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23,
+        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
         *spare,
     ) = scratch
     mask1, mask2, mask3, *spare_masks = masks
@@ -5244,138 +5245,147 @@ def body_retract_blocks(
     ) = numbers
     v11d = mul(d1, d1, k1)
     v22d = mul(d2, d2, k2)
-    v33d = mul(d3, d3, k3)
-    xd = add(add(v11d, v22d, k1), v33d, k1)
+    part = add(v11d, v22d, k3)
+    v33d = mul(d3, d3, k4)
+    xd = add(part, v33d, k5)
     neard = m.less(xd, n6, mask1)
-    zd = div(m.where(neard, xd, sub(xd, xd, k2), k3), n4, k2)
-    xxd = m.where(neard, add(n6, xd, k3), xd, k3)
+    zd = div(m.where(neard, xd, sub(xd, xd, k6), k7), n4, k6)
     C7d = div(
         div(sub(n72, mul(zd, div(sub(n3603600, mul(zd, sub(n32760, mul(zd, sub(n210, mul(zd, div(sub(n93024, mul(zd,
-        sub(n342, mul(zd, div(sub(n212520, mul(zd, sub(n506, zd, k1), k1), k1), n212520, k1), k1), k1), k1), k1),
-        n93024, k1), k1), k1), k1), k1), k1), k1), n3603600, k1), k1), k1), n72, k1), n5040, k1
+        sub(n342, mul(zd, div(sub(n212520, mul(zd, sub(n506, zd, k7), k7), k7), n212520, k7), k7), k7), k7), k7),
+        n93024, k7), k7), k7), k7), k7), k7), k7), n3603600, k7), k7), k7), n72, k7), n5040, k7
     )
-    C5d = div(sub(n1, mul(n120, mul(zd, C7d, k1), k1), k1), n120, k1)
-    C3d = div(sub(n1, mul(n6, mul(zd, C5d, k1), k1), k1), n6, k1)
-    C1d = sub(n1, mul(zd, C3d, k4), k4)
-    CC1d = mul(C1d, C1d, k5)
-    C0d = sqrt(sub(n1, mul(zd, CC1d, k2), k2), k2)
-    alphad = sqrt(xxd, k6)
-    td = tan(div(alphad, n4, k7), k7)
-    ttd = mul(td, td, k8)
-    belowd = add(n1, ttd, k9)
-    sd = m.where(neard, C0d, div(sub(n1, ttd, k8), belowd, k8), k10)
-    wd = m.where(neard, div(C1d, n2, k8), div(div(mul(n2, td, k7), belowd, k7), alphad, k7), k8)
-    wd1 = mul(d1, wd, k7)
-    wd3 = mul(d3, wd, k9)
-    wd2 = mul(d2, wd, k8)
-    v11 = mul(v1, v1, k11)
-    v22 = mul(v2, v2, k12)
-    v33 = mul(v3, v3, k13)
-    x = add(add(v11, v22, k11), v33, k11)
-    a, b, _, f, g, h = c.ray((k12, k13, k14, k15, k16, k17), (*spare,), (*spare_masks,), x)
-    bv1 = mul(v1, b, k14)
-    bv2 = mul(v2, b, k18)
-    bv3 = mul(v3, b, k13)
-    z1 = add(add(mul(wd1, a, k19), mul(bv1, sd, k20), k19), sub(mul(bv2, wd3, k20), mul(bv3, wd2, k21), k20), k19)
-    z2 = add(add(mul(wd2, a, k20), mul(bv2, sd, k21), k20), sub(mul(bv3, wd1, k21), mul(bv1, wd3, k22), k21), k20)
-    z3 = add(add(mul(wd3, a, k21), mul(bv3, sd, k22), k21), sub(mul(bv1, wd2, k22), mul(bv2, wd1, k23), k22), k21)
-    z0 = sub(mul(a, sd, k10), add(add(mul(bv1, wd1, k7), mul(bv2, wd2, k8), k7), mul(bv3, wd3, k8), k7), k7)
-    ss = add(add(mul(z1, z1, k8), mul(z2, z2, k9), k8), mul(z3, z3, k9), k8)
-    still = m.equal(ss, n0, mask2)
-    length = sqrt(m.where(still, add(n1, ss, k9), ss, k9), k9)
-    sine = m.where(still, ss, length, k8)
-    resting = m.equal(x, n0, mask3)
-    r = sqrt(m.where(resting, add(n1, x, k10), x, k10), k10)
-    own, = c.unfolded((k12,), (k13, k14, k18, k22, k23, *spare), (*spare_masks,), x, r)
+    C5d = div(sub(n1, mul(n120, mul(zd, C7d, k7), k7), k7), n120, k7)
+    C3d = div(sub(n1, mul(n6, mul(zd, C5d, k7), k7), k7), n6, k7)
+    C1d = sub(n1, mul(zd, C3d, k8), k8)
+    CC1d = mul(C1d, C1d, k9)
+    C0d = sqrt(sub(n1, mul(zd, CC1d, k6), k6), k6)
+    xxd = m.where(neard, add(n6, xd, k10), xd, k10)
+    alphad = sqrt(xxd, k11)
+    td = tan(div(alphad, n4, k12), k12)
+    ttd = mul(td, td, k13)
+    belowd = add(n1, ttd, k14)
+    sd = m.where(neard, C0d, div(sub(n1, ttd, k13), belowd, k13), k15)
+    wd = m.where(neard, div(C1d, n2, k13), div(div(mul(n2, td, k12), belowd, k12), alphad, k12), k13)
+    wd1 = mul(d1, wd, k12)
+    wd3 = mul(d3, wd, k14)
+    wd2 = mul(d2, wd, k13)
+    v11 = mul(v1, v1, k16)
+    v22 = mul(v2, v2, k17)
+    v33 = mul(v3, v3, k18)
+    x = add(add(v11, v22, k16), v33, k16)
+    resting = m.equal(x, n0, mask2)
+    r = sqrt(m.where(resting, add(n1, x, k17), x, k17), k17)
+    own, = c.unfolded((k18,), (*spare,), (*spare_masks,), x, r)
+    C01d = add(n1, C0d, k19)
+    C2d = div(CC1d, C01d, k19)
+    besided = sub(alphad, n4, k20)
+    v33d_in = sub(xd, part, k21)
+    v22d_in = sub(part, v11d, k22)
+    leftd = add(
+        sub(sub(sub(xxd, n16, k23), mul(n8, besided, k24), k23), mul(besided, besided, k20), k20), add(add(sub(v11d,
+        sub(part, v22d_in, k23), k1), sub(v22d, v22d_in, k2), k1), add(sub(part, sub(xd, v33d_in, k2), k2), sub(v33d,
+        v33d_in, k3), k2), k1), k1
+    )
+    lostd = div(m.where(m.less(alphad, n8, mask3), leftd, n0, k1), mul(n2, alphad, k2), k1)
+    thalfd = tan(div(alphad, n2, k2), k2)
+    tthalfd = mul(thalfd, thalfd, k3)
+    belowhalfd = add(n1, tthalfd, k4)
+    versined = m.where(
+        m.less(tthalfd, n16, mask3), div(mul(n2, tthalfd, k3), belowhalfd, k3), sub(n2, div(n2, belowhalfd, k5), k5), k3
+    )
+    sined = div(mul(n2, thalfd, k2), belowhalfd, k2)
+    fd = m.where(neard, mul(C0d, C1d, k4), div(add(sined, mul(lostd, sub(n1, versined, k5), k5), k5), alphad, k5), k4)
+    gd = m.where(neard, div(CC1d, n2, k5), div(add(versined, mul(lostd, sined, k1), k1), xxd, k1), k2)
+    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k1), k1), n4, k1), div(sub(n1, fd, k3), xxd, k3), k1)
+    yd = add(add(mul(d1, d1o, k3), mul(d2, d2o, k5), k3), mul(d3, d3o, k5), k3)
+    alongd = mul(hd, yd, k1)
+    gvd1 = mul(d1, gd, k3)
+    gvd2 = mul(d2, gd, k5)
+    gvd3 = mul(d3, gd, k2)
+    rhob3 = add(add(mul(d3o, fd, k6), sub(mul(gvd1, d2o, k7), mul(gvd2, d1o, k8), k7), k6), mul(d3, alongd, k7), k6)
+    rhob2 = add(add(mul(d2o, fd, k7), sub(mul(gvd3, d1o, k8), mul(gvd1, d3o, k3), k3), k3), mul(d2, alongd, k7), k3)
+    rhob1 = add(add(mul(d1o, fd, k4), sub(mul(gvd2, d3o, k5), mul(gvd3, d2o, k2), k2), k2), mul(d1, alongd, k1), k1)
+    v_rhob1 = sub(mul(v2, rhob3, k2), mul(v3, rhob2, k4), k2)
+    v_rhob3 = sub(mul(v1, rhob2, k4), mul(v2, rhob1, k5), k4)
+    v_rhob2 = sub(mul(v3, rhob1, k5), mul(v1, rhob3, k7), k5)
+    y = add(add(mul(v1, v1o, k7), mul(v2, v2o, k8), k7), mul(v3, v3o, k8), k7)
+    a, b, _, f, g, h = c.ray(
+        (k8, k9, k10, k11, k19, k20), (k21, k22, k23, k24, *spare), (mask1, mask3, *spare_masks), x
+    )
+    along = mul(h, y, k7)
+    bv1 = mul(v1, b, k10)
+    bv2 = mul(v2, b, k16)
+    bv3 = mul(v3, b, k9)
+    z1 = add(add(mul(wd1, a, k20), mul(bv1, sd, k21), k20), sub(mul(bv2, wd3, k21), mul(bv3, wd2, k22), k21), k20)
+    z2 = add(add(mul(wd2, a, k21), mul(bv2, sd, k22), k21), sub(mul(bv3, wd1, k22), mul(bv1, wd3, k23), k22), k21)
+    z3 = add(add(mul(wd3, a, k22), mul(bv3, sd, k23), k22), sub(mul(bv1, wd2, k23), mul(bv2, wd1, k24), k23), k22)
+    z0 = sub(mul(a, sd, k8), add(add(mul(bv1, wd1, k10), mul(bv2, wd2, k12), k10), mul(bv3, wd3, k9), k9), k8)
+    ss = add(add(mul(z1, z1, k9), mul(z2, z2, k10), k9), mul(z3, z3, k10), k9)
+    still = m.equal(ss, n0, mask1)
+    length = sqrt(m.where(still, add(n1, ss, k10), ss, k10), k10)
     own_ = div(
-        mul(m.where(resting, n0, div(own, r, k10), k11), add(add(mul(v1, z1, k10), mul(v2, z2, k12), k10), mul(v3, z3,
-        k12), k10), k10), length, k10
+        mul(m.where(resting, n0, div(own, r, k12), k13), add(add(mul(v1, z1, k12), mul(v2, z2, k14), k12), mul(v3, z3,
+        k14), k12), k12), length, k12
     )
-    falling = m.less(z0, n0, mask3)
-    cosine = m.where(falling, neg(z0, k11), z0, k11)
-    folded = mul(m.where(falling, n_minus_2, n2, k12), atan2(sine, cosine, k11), k11)
+    sine = m.where(still, ss, length, k9)
+    falling = m.less(z0, n0, mask2)
+    cosine = m.where(falling, neg(z0, k13), z0, k13)
+    folded = mul(m.where(falling, n_minus_2, n2, k14), atan2(sine, cosine, k13), k13)
     turns = add(
-        sub(own_, folded, k12), mul(n2, atan2(tan(div(sub(folded, own_, k10), n2, k10), k10), n1, k10), k10), k10
+        sub(own_, folded, k14), mul(n2, atan2(tan(div(sub(folded, own_, k12), n2, k12), k12), n1, k12), k12), k12
     )
-    angle = add(folded, m.where(m.less(absolute(turns, k12), n1, mask3), n0, turns, k12), k10)
-    rn, slopen = c.coefficient_of((k11, k12), (k13, k14, k18, k22, k23, *spare), (mask3, *spare_masks), angle, sine, z0)
-    z0s = m.where(still, z0, length, k8)
-    factor = m.where(still, div(mul(n2, slopen, k12), z0s, k8), div(rn, length, k9), k8)
+    angle = add(folded, m.where(m.less(absolute(turns, k14), n1, mask2), n0, turns, k14), k12)
+    rn, slopen = c.coefficient_of(
+        (k13, k14), (k15, k16, k17, k18, k23, k24, *spare), (mask2, mask3, *spare_masks), angle, sine, z0
+    )
+    z0s = m.where(still, z0, length, k9)
+    factor = m.where(still, div(mul(n2, slopen, k14), z0s, k9), div(rn, length, k10), k9)
     v_1 = mul(z1, factor, o1)
     v_2 = mul(z2, factor, o2)
     v_3 = mul(z3, factor, o3)
-    fe = mul(factor, z0, k7)
-    v11w = mul(v_1, v_1, k8)
-    v22w = mul(v_2, v_2, k9)
-    v33w = mul(v_3, v_3, k11)
-    xw = add(add(v11w, v22w, k8), v33w, k8)
+    fe = mul(factor, z0, k8)
+    v11w = mul(v_1, v_1, k9)
+    v22w = mul(v_2, v_2, k10)
+    v33w = mul(v_3, v_3, k13)
+    xw = add(add(v11w, v22w, k9), v33w, k9)
     hiw, = c.inverse_at(
-        (k9,), (k11, k12, k13, k14, k18, k19, k20, k21, k22, k23, *spare), (mask2, mask3, *spare_masks), xw, fe, angle
+        (k10,), (k13, k14, k15, k16, k17, k18, k20, k21, k22, k23, k24, *spare), (mask1, mask2, mask3, *spare_masks),
+        xw, fe, angle
     )
-    C01d = add(n1, C0d, k8)
-    C2d = div(CC1d, C01d, k8)
-    thalfd = tan(div(alphad, n2, k10), k10)
-    tthalfd = mul(thalfd, thalfd, k11)
-    belowhalfd = add(n1, tthalfd, k12)
-    versined = m.where(
-        m.less(tthalfd, n16, mask2), div(mul(n2, tthalfd, k11), belowhalfd, k11), sub(n2, div(n2, belowhalfd, k13),
-        k13), k11
-    )
-    sined = div(mul(n2, thalfd, k10), belowhalfd, k10)
-    besided = sub(alphad, n4, k12)
-    leftd = sub(sub(sub(xxd, n16, k13), mul(n8, besided, k14), k13), mul(besided, besided, k12), k12)
-    lostd = div(m.where(m.less(alphad, n8, mask2), leftd, n0, k12), mul(n2, alphad, k13), k12)
-    fd = m.where(
-        neard, mul(C0d, C1d, k2), div(add(sined, mul(lostd, sub(n1, versined, k13), k13), k13), alphad, k6), k2
-    )
-    gd = m.where(neard, div(CC1d, n2, k5), div(add(versined, mul(lostd, sined, k6), k6), xxd, k6), k5)
-    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k4), k1), n4, k1), div(sub(n1, fd, k4), xxd, k3), k1)
-    yd = add(add(mul(d1, d1o, k3), mul(d2, d2o, k4), k3), mul(d3, d3o, k4), k3)
-    alongd = mul(hd, yd, k1)
-    gvd1 = mul(d1, gd, k3)
-    gvd2 = mul(d2, gd, k4)
-    gvd3 = mul(d3, gd, k5)
-    rhob3 = add(add(mul(d3o, fd, k6), sub(mul(gvd1, d2o, k8), mul(gvd2, d1o, k10), k8), k6), mul(d3, alongd, k8), k6)
-    rhob2 = add(add(mul(d2o, fd, k8), sub(mul(gvd3, d1o, k10), mul(gvd1, d3o, k3), k3), k3), mul(d2, alongd, k8), k3)
-    rhob1 = add(add(mul(d1o, fd, k2), sub(mul(gvd2, d3o, k4), mul(gvd3, d2o, k5), k4), k2), mul(d1, alongd, k1), k1)
-    v_rhob1 = sub(mul(v2, rhob3, k2), mul(v3, rhob2, k4), k2)
-    v_rhob3 = sub(mul(v1, rhob2, k4), mul(v2, rhob1, k5), k4)
-    gv_rhob3 = mul(v_rhob3, g, k5)
-    v_rhob2 = sub(mul(v3, rhob1, k8), mul(v1, rhob3, k10), k8)
-    gv_rhob2 = mul(v_rhob2, g, k10)
-    gv2 = mul(v2, g, k11)
-    gv3 = mul(v3, g, k12)
-    y = add(add(mul(v1, v1o, k13), mul(v2, v2o, k14), k13), mul(v3, v3o, k14), k13)
-    along = mul(h, y, k13)
+    gv_rhob3 = mul(v_rhob3, g, k9)
+    gv_rhob2 = mul(v_rhob2, g, k12)
+    gv2 = mul(v2, g, k13)
+    gv3 = mul(v3, g, k14)
     rho1 = add(
-        add(rhob1, add(mul(v_rhob1, f, k14), sub(mul(v2, gv_rhob3, k17), mul(v3, gv_rhob2, k18), k17), k14), k1),
-        add(add(mul(v1o, f, k14), sub(mul(gv2, v3o, k17), mul(gv3, v2o, k18), k17), k14), mul(v1, along, k17), k14), k1
+        add(rhob1, add(mul(v_rhob1, f, k15), sub(mul(v2, gv_rhob3, k16), mul(v3, gv_rhob2, k17), k16), k15), k1),
+        add(add(mul(v1o, f, k15), sub(mul(gv2, v3o, k16), mul(gv3, v2o, k17), k16), k15), mul(v1, along, k16), k15), k1
     )
     gv_rhob1 = mul(v_rhob1, g, k2)
-    gv1 = mul(v1, g, k14)
+    gv1 = mul(v1, g, k15)
     rho2 = add(
-        add(rhob2, add(mul(v_rhob2, f, k8), sub(mul(v3, gv_rhob1, k16), mul(v1, gv_rhob3, k5), k5), k5), k3),
-        add(add(mul(v2o, f, k5), sub(mul(gv3, v1o, k8), mul(gv1, v3o, k12), k8), k5), mul(v2, along, k8), k5), k3
+        add(rhob2, add(mul(v_rhob2, f, k5), sub(mul(v3, gv_rhob1, k16), mul(v1, gv_rhob3, k9), k9), k5), k3),
+        add(add(mul(v2o, f, k5), sub(mul(gv3, v1o, k9), mul(gv1, v3o, k14), k9), k5), mul(v2, along, k9), k5), k3
     )
     rho3 = add(
         add(rhob3, add(mul(v_rhob3, f, k4), sub(mul(v1, gv_rhob2, k5), mul(v2, gv_rhob1, k2), k2), k2), k2),
         add(add(mul(v3o, f, k4), sub(mul(gv1, v2o, k5), mul(gv2, v1o, k6), k5), k4), mul(v3, along, k5), k4), k2
     )
     hvr = mul(hiw, add(add(mul(v_1, rho1, k4), mul(v_2, rho2, k5), k4), mul(v_3, rho3, k5), k4), k4)
-    div(add(sub(mul(rho1, fe, k5), sub(mul(v_2, rho3, k6), mul(v_3, rho2, k8), k6), k5), mul(v_1, hvr, k6), k5), n2, o4)
-    div(add(sub(mul(rho2, fe, k5), sub(mul(v_3, rho1, k6), mul(v_1, rho3, k8), k6), k5), mul(v_2, hvr, k6), k5), n2, o5)
+    div(add(sub(mul(rho1, fe, k5), sub(mul(v_2, rho3, k6), mul(v_3, rho2, k7), k6), k5), mul(v_1, hvr, k6), k5), n2, o4)
+    div(add(sub(mul(rho2, fe, k5), sub(mul(v_3, rho1, k6), mul(v_1, rho3, k7), k6), k5), mul(v_2, hvr, k6), k5), n2, o5)
     div(add(sub(mul(rho3, fe, k2), sub(mul(v_1, rho2, k3), mul(v_2, rho1, k1), k1), k1), mul(v_3, hvr, k2), k1), n2, o6)
 
 
-# operations 1057: 411 +, 531 *, 72 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 2 atan2, 5 lt, 2 eq, 19 where
+# operations 1069: 423 +, 531 *, 72 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 2 atan2, 5 lt, 2 eq, 19 where
 def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     d1, d2, d3, d1o, d2o, d3o = delta
     v11d = d1 * d1
     v22d = d2 * d2
     v33d = d3 * d3
-    x12d = v11d + v22d
-    xd = x12d + v33d
+    part = v11d + v22d
+    xd = part + v33d
     neard = xd < 6
     zd = m.where(neard, xd, xd - xd) / 4
     C7d = (
@@ -5403,7 +5413,12 @@ def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Resul
     sined = 2 * thalfd / belowhalfd
     versined = m.where(tthalfd < 16, 2 * tthalfd / belowhalfd, 2 - 2 / belowhalfd)
     besided = alphad - 4
-    leftd = xxd - 16 - 8 * besided - besided * besided
+    v33d_in = xd - part
+    v22d_in = part - v11d
+    leftd = (
+        xxd - 16 - 8 * besided - besided * besided + (v11d - (part - v22d_in) + (v22d - v22d_in) + (part - (xd
+        - v33d_in) + (v33d - v33d_in)))
+    )
     lostd = m.where(alphad < 8, leftd, 0) / (2 * alphad)
     fd = m.where(neard, C0d * C1d, (sined + lostd * (1 - versined)) / alphad)
     gd = m.where(neard, CC1d / 2, (versined + lostd * sined) / xxd)
@@ -5558,7 +5573,7 @@ def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Resul
     D31o = d13od - gvod2
     D32o = d23od + gvod1
     D33o = fod + (cvd3 * d3o + cvod3 * d3)
-    fF, gF, hF, fyF, gyF, hyF = c.tangent(m, xp)
+    fF, gF, hF, fyF, gyF, hyF = c.tangent(m, v11p, v22p, v33p)
     foF = fyF * yp
     goF = gyF * yp
     hoF = hyF * yp
@@ -5614,7 +5629,7 @@ def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Resul
     Qd23 = gvvd3 - fvd1
     Qd31 = gvvd2 - fvd2
     Qd32 = gvvd3 + fvd1
-    Qd33 = 1 - gd * x12d
+    Qd33 = 1 - gd * part
     R11o = Qd31 * rhod2 - Qd21 * rhod3
     R12o = Qd32 * rhod2 - Qd22 * rhod3
     R13o = Qd33 * rhod2 - Qd23 * rhod3
@@ -5759,117 +5774,123 @@ def retract_jacobians_blocks(
     ) = numbers
     v11d = mul(d1, d1, k1)
     v22d = mul(d2, d2, k2)
-    x12d = add(v11d, v22d, k3)
+    part = add(v11d, v22d, k3)
     v33d = mul(d3, d3, k4)
-    x23d = add(v22d, v33d, k2)
-    x13d = add(v11d, v33d, k1)
-    xd = add(x12d, v33d, k4)
+    xd = add(part, v33d, k5)
     neard = m.less(xd, n6, mask1)
-    zd = div(m.where(neard, xd, sub(xd, xd, k5), k6), n4, k5)
-    xxd = m.where(neard, add(n6, xd, k6), xd, k6)
+    zd = div(m.where(neard, xd, sub(xd, xd, k6), k7), n4, k6)
     C7d = div(
         div(sub(n72, mul(zd, div(sub(n3603600, mul(zd, sub(n32760, mul(zd, sub(n210, mul(zd, div(sub(n93024, mul(zd,
-        sub(n342, mul(zd, div(sub(n212520, mul(zd, sub(n506, zd, k4), k4), k4), n212520, k4), k4), k4), k4), k4),
-        n93024, k4), k4), k4), k4), k4), k4), k4), n3603600, k4), k4), k4), n72, k4), n5040, k4
+        sub(n342, mul(zd, div(sub(n212520, mul(zd, sub(n506, zd, k7), k7), k7), n212520, k7), k7), k7), k7), k7),
+        n93024, k7), k7), k7), k7), k7), k7), k7), n3603600, k7), k7), k7), n72, k7), n5040, k7
     )
-    C5d = div(sub(n1, mul(n120, mul(zd, C7d, k4), k4), k4), n120, k4)
-    C3d = div(sub(n1, mul(n6, mul(zd, C5d, k7), k7), k7), n6, k7)
-    C1d = sub(n1, mul(zd, C3d, k8), k8)
-    CC1d = mul(C1d, C1d, k9)
-    C0d = sqrt(sub(n1, mul(zd, CC1d, k10), k10), k10)
-    alphad = sqrt(xxd, k11)
-    td = tan(div(alphad, n4, k12), k12)
-    ttd = mul(td, td, k13)
-    belowd = add(n1, ttd, k14)
-    sd = m.where(neard, C0d, div(sub(n1, ttd, k13), belowd, k13), k15)
-    wd = m.where(neard, div(C1d, n2, k13), div(div(mul(n2, td, k12), belowd, k12), alphad, k12), k13)
-    wd1 = mul(d1, wd, k12)
-    wd2 = mul(d2, wd, k14)
-    wd3 = mul(d3, wd, k13)
-    v11p = mul(v1, v1, k16)
-    v22p = mul(v2, v2, k17)
-    v33p = mul(v3, v3, k18)
-    xp = add(add(v11p, v22p, k16), v33p, k16)
-    ap, bp, _, fp, gp, hp = c.ray((k17, k18, k19, k20, k21, k22), (*spare,), (*spare_masks,), xp)
-    fF, gF, hF, fyF, gyF, hyF = c.tangent((k19, k23, k24, k25, k26, k27), (*spare,), (*spare_masks,), xp)
-    bvp1 = mul(v1, bp, k28)
-    bvp3 = mul(v3, bp, k29)
-    bvp2 = mul(v2, bp, k18)
-    z1 = add(add(mul(bvp1, sd, k30), mul(wd1, ap, k31), k30), sub(mul(wd2, bvp3, k31), mul(wd3, bvp2, k32), k31), k30)
-    z2 = add(add(mul(bvp2, sd, k31), mul(wd2, ap, k32), k31), sub(mul(wd3, bvp1, k32), mul(wd1, bvp3, k33), k32), k31)
-    z3 = add(add(mul(bvp3, sd, k32), mul(wd3, ap, k33), k32), sub(mul(wd1, bvp2, k33), mul(wd2, bvp1, k34), k33), k32)
-    z0 = sub(mul(sd, ap, k15), add(add(mul(wd1, bvp1, k12), mul(wd2, bvp2, k14), k12), mul(wd3, bvp3, k13), k12), k12)
-    ss = add(add(mul(z1, z1, k13), mul(z2, z2, k14), k13), mul(z3, z3, k14), k13)
+    C5d = div(sub(n1, mul(n120, mul(zd, C7d, k7), k7), k7), n120, k7)
+    C3d = div(sub(n1, mul(n6, mul(zd, C5d, k8), k8), k8), n6, k8)
+    C1d = sub(n1, mul(zd, C3d, k9), k9)
+    CC1d = mul(C1d, C1d, k10)
+    C0d = sqrt(sub(n1, mul(zd, CC1d, k11), k11), k11)
+    xxd = m.where(neard, add(n6, xd, k12), xd, k12)
+    alphad = sqrt(xxd, k13)
+    td = tan(div(alphad, n4, k14), k14)
+    ttd = mul(td, td, k15)
+    belowd = add(n1, ttd, k16)
+    sd = m.where(neard, C0d, div(sub(n1, ttd, k15), belowd, k15), k17)
+    wd = m.where(neard, div(C1d, n2, k15), div(div(mul(n2, td, k14), belowd, k14), alphad, k14), k15)
+    wd1 = mul(d1, wd, k14)
+    wd2 = mul(d2, wd, k16)
+    wd3 = mul(d3, wd, k15)
+    v11p = mul(v1, v1, k18)
+    v22p = mul(v2, v2, k19)
+    v33p = mul(v3, v3, k20)
+    fF, gF, hF, fyF, gyF, hyF = c.tangent((k21, k22, k23, k24, k25, k26), (*spare,), (*spare_masks,), v11p, v22p, v33p)
+    xp = add(add(v11p, v22p, k18), v33p, k18)
+    ap, bp, _, fp, gp, hp = c.ray((k19, k20, k27, k28, k29, k30), (*spare,), (*spare_masks,), xp)
+    bvp1 = mul(v1, bp, k27)
+    bvp3 = mul(v3, bp, k31)
+    bvp2 = mul(v2, bp, k20)
+    z1 = add(add(mul(bvp1, sd, k32), mul(wd1, ap, k33), k32), sub(mul(wd2, bvp3, k33), mul(wd3, bvp2, k34), k33), k32)
+    z2 = add(add(mul(bvp2, sd, k33), mul(wd2, ap, k34), k33), sub(mul(wd3, bvp1, k34), mul(wd1, bvp3, k35), k34), k33)
+    z3 = add(add(mul(bvp3, sd, k34), mul(wd3, ap, k35), k34), sub(mul(wd1, bvp2, k35), mul(wd2, bvp1, k36), k35), k34)
+    z0 = sub(mul(sd, ap, k17), add(add(mul(wd1, bvp1, k14), mul(wd2, bvp2, k16), k14), mul(wd3, bvp3, k15), k14), k14)
+    ss = add(add(mul(z1, z1, k15), mul(z2, z2, k16), k15), mul(z3, z3, k16), k15)
     still = m.equal(ss, n0, mask2)
-    length = sqrt(m.where(still, add(n1, ss, k14), ss, k14), k14)
-    sine = m.where(still, ss, length, k13)
+    length = sqrt(m.where(still, add(n1, ss, k16), ss, k16), k16)
+    sine = m.where(still, ss, length, k15)
     resting = m.equal(xp, n0, mask3)
-    r = sqrt(m.where(resting, add(n1, xp, k15), xp, k15), k15)
-    own, = c.unfolded((k17,), (k18, k28, k29, k33, k34, *spare), (*spare_masks,), xp, r)
+    r = sqrt(m.where(resting, add(n1, xp, k17), xp, k17), k17)
+    own, = c.unfolded((k19,), (k20, k27, k31, k35, k36, *spare), (*spare_masks,), xp, r)
     own_ = div(
-        mul(m.where(resting, n0, div(own, r, k15), k16), add(add(mul(v1, z1, k15), mul(v2, z2, k17), k15), mul(v3, z3,
-        k17), k15), k15), length, k15
+        mul(m.where(resting, n0, div(own, r, k17), k18), add(add(mul(v1, z1, k17), mul(v2, z2, k19), k17), mul(v3, z3,
+        k19), k17), k17), length, k17
     )
     falling = m.less(z0, n0, mask3)
-    cosine = m.where(falling, neg(z0, k16), z0, k16)
-    folded = mul(m.where(falling, n_minus_2, n2, k17), atan2(sine, cosine, k16), k16)
+    cosine = m.where(falling, neg(z0, k18), z0, k18)
+    folded = mul(m.where(falling, n_minus_2, n2, k19), atan2(sine, cosine, k18), k18)
     turns = add(
-        sub(own_, folded, k17), mul(n2, atan2(tan(div(sub(folded, own_, k15), n2, k15), k15), n1, k15), k15), k15
+        sub(own_, folded, k19), mul(n2, atan2(tan(div(sub(folded, own_, k17), n2, k17), k17), n1, k17), k17), k17
     )
-    angle = add(folded, m.where(m.less(absolute(turns, k17), n1, mask3), n0, turns, k17), k15)
-    rn, slopen = c.coefficient_of((k16, k17), (k18, k28, k29, k33, k34, *spare), (mask3, *spare_masks), angle, sine, z0)
-    z0s = m.where(still, z0, length, k13)
-    factor = m.where(still, div(mul(n2, slopen, k17), z0s, k13), div(rn, length, k14), k13)
-    v_1 = mul(z1, factor, k14)
-    v_2 = mul(z2, factor, k16)
-    v_3 = mul(z3, factor, k17)
-    fe = mul(factor, z0, k12)
-    v11w = mul(v_1, v_1, k13)
-    v22w = mul(v_2, v_2, k18)
-    v33w = mul(v_3, v_3, k28)
-    xw = add(add(v11w, v22w, k13), v33w, k13)
+    angle = add(folded, m.where(m.less(absolute(turns, k19), n1, mask3), n0, turns, k19), k17)
+    rn, slopen = c.coefficient_of((k18, k19), (k20, k27, k31, k35, k36, *spare), (mask3, *spare_masks), angle, sine, z0)
+    z0s = m.where(still, z0, length, k15)
+    factor = m.where(still, div(mul(n2, slopen, k19), z0s, k15), div(rn, length, k16), k15)
+    v_1 = mul(z1, factor, k16)
+    v_2 = mul(z2, factor, k18)
+    v_3 = mul(z3, factor, k19)
+    fe = mul(factor, z0, k14)
+    v11w = mul(v_1, v_1, k15)
+    v22w = mul(v_2, v_2, k20)
+    v33w = mul(v_3, v_3, k27)
+    xw = add(add(v11w, v22w, k15), v33w, k15)
     fin, hin, fiyn, hiyn = c.tangent_inv_at(
-        (k18, k28, k29, k30), (k31, k32, k33, k34, *spare), (mask2, mask3, *spare_masks), xw, fe, angle
+        (k20, k27, k31, k32), (k33, k34, k35, k36, *spare), (mask2, mask3, *spare_masks), xw, fe, angle
     )
-    cvn3 = mul(v_3, hin, k12)
-    I33 = add(fin, mul(cvn3, v_3, k13), k13)
-    cvn1 = mul(v_1, hin, k15)
-    d13n = mul(cvn1, v_3, k31)
-    sn2 = neg(v_2, k32)
-    I31 = sub(d13n, sn2, k33)
-    I13 = add(d13n, sn2, k31)
-    cvn2 = mul(v_2, hin, k32)
-    d23n = mul(cvn2, v_3, k34)
-    sn1 = neg(v_1, k35)
-    I32 = add(d23n, sn1, k36)
-    I23 = sub(d23n, sn1, k34)
-    C01d = add(n1, C0d, k35)
-    C2d = div(CC1d, C01d, k37)
-    thalfd = tan(div(alphad, n2, k38), k38)
-    tthalfd = mul(thalfd, thalfd, k39)
-    belowhalfd = add(n1, tthalfd, k40)
-    versined = m.where(
-        m.less(tthalfd, n16, mask2), div(mul(n2, tthalfd, k39), belowhalfd, k39), sub(n2, div(n2, belowhalfd, k41),
-        k41), k39
-    )
-    sined = div(mul(n2, thalfd, k38), belowhalfd, k38)
+    cvn3 = mul(v_3, hin, k14)
+    I33 = add(fin, mul(cvn3, v_3, k15), k15)
+    cvn1 = mul(v_1, hin, k17)
+    d13n = mul(cvn1, v_3, k33)
+    sn2 = neg(v_2, k34)
+    I31 = sub(d13n, sn2, k35)
+    I13 = add(d13n, sn2, k33)
+    cvn2 = mul(v_2, hin, k34)
+    d23n = mul(cvn2, v_3, k36)
+    sn1 = neg(v_1, k37)
+    I32 = add(d23n, sn1, k38)
+    I23 = sub(d23n, sn1, k36)
+    C01d = add(n1, C0d, k37)
+    C2d = div(CC1d, C01d, k39)
     besided = sub(alphad, n4, k40)
-    leftd = sub(sub(sub(xxd, n16, k41), mul(n8, besided, k42), k41), mul(besided, besided, k40), k40)
-    lostd = div(m.where(m.less(alphad, n8, mask2), leftd, n0, k40), mul(n2, alphad, k41), k40)
-    fd = m.where(
-        neard, mul(C0d, C1d, k10), div(add(sined, mul(lostd, sub(n1, versined, k41), k41), k41), alphad, k11), k10
+    v33d_in = sub(xd, part, k41)
+    v22d_in = sub(part, v11d, k42)
+    leftd = add(
+        sub(sub(sub(xxd, n16, k43), mul(n8, besided, k44), k43), mul(besided, besided, k40), k40), add(add(sub(v11d,
+        sub(part, v22d_in, k43), k43), sub(v22d, v22d_in, k42), k42), add(sub(part, sub(xd, v33d_in, k5), k5), sub(v33d,
+        v33d_in, k41), k5), k5), k5
     )
-    gd = m.where(neard, div(CC1d, n2, k9), div(add(versined, mul(lostd, sined, k11), k11), xxd, k11), k9)
+    lostd = div(m.where(m.less(alphad, n8, mask2), leftd, n0, k5), mul(n2, alphad, k40), k5)
+    x23d = add(v22d, v33d, k2)
+    x13d = add(v11d, v33d, k1)
+    thalfd = tan(div(alphad, n2, k4), k4)
+    tthalfd = mul(thalfd, thalfd, k40)
+    belowhalfd = add(n1, tthalfd, k41)
+    versined = m.where(
+        m.less(tthalfd, n16, mask2), div(mul(n2, tthalfd, k40), belowhalfd, k40), sub(n2, div(n2, belowhalfd, k42),
+        k42), k40
+    )
+    sined = div(mul(n2, thalfd, k4), belowhalfd, k4)
+    fd = m.where(
+        neard, mul(C0d, C1d, k11), div(add(sined, mul(lostd, sub(n1, versined, k41), k41), k41), alphad, k13), k11
+    )
+    gd = m.where(neard, div(CC1d, n2, k10), div(add(versined, mul(lostd, sined, k4), k4), xxd, k4), k5)
     Qd11 = sub(n1, mul(gd, x23d, k2), k2)
     Qd22 = sub(n1, mul(gd, x13d, k1), k1)
-    Qd33 = sub(n1, mul(gd, x12d, k3), k3)
-    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k11), k11), n4, k11), div(sub(n1, fd, k38), xxd, k38), k11)
-    c4d = div(mul(C3d, add(n1, C1d, k8), k8), n8, k8)
-    cvd1 = mul(d1, hd, k38)
-    d13d = mul(cvd1, d3, k39)
+    Qd33 = sub(n1, mul(gd, part, k3), k3)
+    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k4), k4), n4, k4), div(sub(n1, fd, k10), xxd, k10), k4)
+    c4d = div(mul(C3d, add(n1, C1d, k9), k9), n8, k9)
+    cvd1 = mul(d1, hd, k10)
+    d13d = mul(cvd1, d3, k13)
     gvd2 = mul(d2, gd, k40)
     D13 = add(d13d, gvd2, k41)
-    D31 = sub(d13d, gvd2, k39)
+    D31 = sub(d13d, gvd2, k13)
     cvd2 = mul(d2, hd, k42)
     d23d = mul(cvd2, d3, k43)
     gvd1 = mul(d1, gd, k44)
@@ -5900,12 +5921,12 @@ def retract_jacobians_blocks(
     gvvd3 = mul(gvd2, d3, k40)
     gvp3 = mul(v3, gp, k56)
     gvp1 = mul(v1, gp, k57)
-    gvp2 = mul(v2, gp, k21)
+    gvp2 = mul(v2, gp, k29)
     yp = add(add(mul(v1, v1o, k58), mul(v2, v2o, k59), k58), mul(v3, v3o, k59), k58)
-    alongp = mul(hp, yp, k22)
-    hoF = mul(hyF, yp, k27)
-    goF = mul(gyF, yp, k26)
-    foF = mul(fyF, yp, k25)
+    alongp = mul(hp, yp, k30)
+    hoF = mul(hyF, yp, k26)
+    goF = mul(gyF, yp, k25)
+    foF = mul(fyF, yp, k24)
     rhob2 = add(
         add(mul(v2o, fp, k58), sub(mul(gvp3, v1o, k59), mul(gvp1, v3o, k60), k59), k58), mul(v2, alongp, k59), k58
     )
@@ -5913,10 +5934,10 @@ def retract_jacobians_blocks(
         add(mul(v1o, fp, k59), sub(mul(gvp2, v3o, k60), mul(gvp3, v2o, k56), k56), k56), mul(v1, alongp, k59), k56
     )
     rhob3 = add(
-        add(mul(v3o, fp, k20), sub(mul(gvp1, v2o, k57), mul(gvp2, v1o, k21), k21), k20), mul(v3, alongp, k21), k20
+        add(mul(v3o, fp, k28), sub(mul(gvp1, v2o, k57), mul(gvp2, v1o, k29), k29), k28), mul(v3, alongp, k29), k28
     )
-    v_rhob3 = sub(mul(d1, rhob2, k21), mul(d2, rhob1, k22), k21)
-    gv_rhob3 = mul(v_rhob3, gd, k22)
+    v_rhob3 = sub(mul(d1, rhob2, k29), mul(d2, rhob1, k30), k29)
+    gv_rhob3 = mul(v_rhob3, gd, k30)
     v_rhob2 = sub(mul(d3, rhob1, k57), mul(d1, rhob3, k59), k57)
     gv_rhob2 = mul(v_rhob2, gd, k59)
     v_rhob1 = sub(mul(d2, rhob3, k60), mul(d3, rhob2, k61), k60)
@@ -5926,14 +5947,14 @@ def retract_jacobians_blocks(
     )
     gv_rhob1 = mul(v_rhob1, gd, k60)
     rho2 = add(
-        add(rhob2, add(mul(v_rhob2, fd, k57), sub(mul(d3, gv_rhob1, k61), mul(d1, gv_rhob3, k22), k22), k22), k22),
-        rhod2, k22
+        add(rhob2, add(mul(v_rhob2, fd, k57), sub(mul(d3, gv_rhob1, k61), mul(d1, gv_rhob3, k30), k30), k30), k30),
+        rhod2, k30
     )
     rho3 = add(
-        add(rhob3, add(mul(v_rhob3, fd, k21), sub(mul(d1, gv_rhob2, k57), mul(d2, gv_rhob1, k58), k57), k21), k20),
-        rhod3, k20
+        add(rhob3, add(mul(v_rhob3, fd, k29), sub(mul(d1, gv_rhob2, k57), mul(d2, gv_rhob1, k58), k57), k29), k28),
+        rhod3, k28
     )
-    hvr = mul(hin, add(add(mul(v_1, rho1, k21), mul(v_2, rho2, k57), k21), mul(v_3, rho3, k57), k21), k21)
+    hvr = mul(hin, add(add(mul(v_1, rho1, k29), mul(v_2, rho2, k57), k29), mul(v_3, rho3, k57), k29), k29)
     w4 = div(
         add(sub(mul(rho1, fin, k57), sub(mul(v_2, rho3, k58), mul(v_3, rho2, k59), k58), k57), mul(v_1, hvr, k58), k57),
         n2, k57
@@ -5943,129 +5964,129 @@ def retract_jacobians_blocks(
         n2, k58
     )
     w6 = div(
-        add(sub(mul(rho3, fin, k20), sub(mul(v_1, rho2, k22), mul(v_2, rho1, k56), k22), k20), mul(v_3, hvr, k21), k20),
-        n2, k20
+        add(sub(mul(rho3, fin, k28), sub(mul(v_1, rho2, k30), mul(v_2, rho1, k56), k30), k28), mul(v_3, hvr, k29), k28),
+        n2, k28
     )
-    yn = add(add(mul(v_1, w4, k21), mul(v_2, w5, k22), k21), mul(v_3, w6, k22), k21)
-    fion = mul(fiyn, yn, k22)
-    hion = mul(hiyn, yn, k21)
-    cvon3 = add(mul(w6, hin, k29), mul(v_3, hion, k30), k29)
-    I33o = add(fion, add(mul(cvn3, w6, k12), mul(cvon3, v_3, k29), k12), k12)
-    cvon1 = add(mul(w4, hin, k29), mul(v_1, hion, k30), k29)
-    cvon2 = add(mul(w5, hin, k28), mul(v_2, hion, k21), k21)
-    d13on = add(mul(cvn1, w6, k28), mul(cvon1, v_3, k30), k28)
-    son2 = neg(w5, k30)
+    yn = add(add(mul(v_1, w4, k29), mul(v_2, w5, k30), k29), mul(v_3, w6, k30), k29)
+    fion = mul(fiyn, yn, k30)
+    hion = mul(hiyn, yn, k29)
+    cvon3 = add(mul(w6, hin, k31), mul(v_3, hion, k32), k31)
+    I33o = add(fion, add(mul(cvn3, w6, k14), mul(cvon3, v_3, k31), k14), k14)
+    cvon1 = add(mul(w4, hin, k31), mul(v_1, hion, k32), k31)
+    cvon2 = add(mul(w5, hin, k27), mul(v_2, hion, k29), k27)
+    d13on = add(mul(cvn1, w6, k29), mul(cvon1, v_3, k32), k29)
+    son2 = neg(w5, k32)
     I31o = sub(d13on, son2, k56)
-    I13o = add(d13on, son2, k28)
-    d23on = add(mul(cvn2, w6, k30), mul(cvon2, v_3, k59), k30)
-    sn3 = neg(v_3, k17)
-    I22o = add(fion, add(mul(cvn2, w5, k59), mul(cvon2, v_2, k21), k21), k21)
-    I22 = add(fin, mul(cvn2, v_2, k32), k32)
+    I13o = add(d13on, son2, k29)
+    d23on = add(mul(cvn2, w6, k32), mul(cvon2, v_3, k59), k32)
+    sn3 = neg(v_3, k19)
+    I22o = add(fion, add(mul(cvn2, w5, k59), mul(cvon2, v_2, k27), k27), k27)
+    I22 = add(fin, mul(cvn2, v_2, k34), k34)
     d12on = add(mul(cvn1, w5, k58), mul(cvon1, v_2, k59), k58)
-    I11o = add(fion, add(mul(cvn1, w4, k59), mul(cvon1, v_1, k29), k29), k22)
-    I11 = add(fin, mul(cvn1, v_1, k14), k14)
-    d12n = mul(cvn1, v_2, k15)
-    son1 = neg(w4, k16)
-    son3 = neg(w6, k18)
-    I32o = add(d23on, son1, k20)
-    I23o = sub(d23on, son1, k16)
-    CC3d = mul(C3d, C3d, k29)
-    C4d = div(sub(sub(mul(n4, C3d, k30), C2d, k30), mul(n2, mul(zd, CC3d, k5), k5), k5), mul(n2, C01d, k29), k5)
-    c5d = div(add(add(C5d, C4d, k4), mul(C2d, C3d, k5), k4), n16, k4)
-    hyd = m.where(neard, sub(mul(n3, c5d, k4), c4d, k4), div(sub(gd, mul(n3, hd, k5), k5), xxd, k5), k4)
-    hod = mul(hyd, yd, k4)
-    cvod1 = add(mul(d1o, hd, k5), mul(d1, hod, k6), k5)
-    d13od = add(mul(cvd1, d3o, k6), mul(cvod1, d3, k7), k6)
-    gyd = sub(mul(fd, hd, k7), mul(gd, gd, k8), k7)
-    god = mul(gyd, yd, k7)
-    gvod2 = add(mul(d2o, gd, k8), mul(d2, god, k29), k8)
-    D13o = add(d13od, gvod2, k29)
-    D31o = sub(d13od, gvod2, k6)
-    cvod2 = add(mul(d2o, hd, k8), mul(d2, hod, k30), k8)
-    cvod3 = add(mul(d3o, hd, k30), mul(d3, hod, k4), k4)
-    fyd = sub(hd, gd, k11)
-    fod = mul(fyd, yd, k11)
-    D33o = add(fod, add(mul(cvd3, d3o, k30), mul(cvod3, d3, k4), k4), k4)
-    d23od = add(mul(cvd2, d3o, k30), mul(cvod2, d3, k35), k30)
-    D22o = add(fod, add(mul(cvd2, d2o, k35), mul(cvod2, d2, k8), k8), k8)
-    D11o = add(fod, add(mul(cvd1, d1o, k35), mul(cvod1, d1, k37), k35), k11)
-    d12od = add(mul(cvd1, d2o, k35), mul(cvod1, d2, k5), k5)
-    gvod1 = add(mul(d1o, gd, k35), mul(d1, god, k37), k35)
-    gvod3 = add(mul(d3o, gd, k9), mul(d3, god, k7), k7)
-    D23o = sub(d23od, gvod1, k9)
-    D32o = add(d23od, gvod1, k30)
+    I11o = add(fion, add(mul(cvn1, w4, k59), mul(cvon1, v_1, k31), k31), k30)
+    I11 = add(fin, mul(cvn1, v_1, k16), k16)
+    d12n = mul(cvn1, v_2, k17)
+    son1 = neg(w4, k18)
+    son3 = neg(w6, k20)
+    I32o = add(d23on, son1, k28)
+    I23o = sub(d23on, son1, k18)
+    gyd = sub(mul(fd, hd, k31), mul(gd, gd, k32), k31)
+    god = mul(gyd, yd, k31)
+    gvod2 = add(mul(d2o, gd, k32), mul(d2, god, k57), k32)
+    CC3d = mul(C3d, C3d, k57)
+    C4d = div(sub(sub(mul(n4, C3d, k59), C2d, k59), mul(n2, mul(zd, CC3d, k6), k6), k6), mul(n2, C01d, k37), k6)
+    c5d = div(add(add(C5d, C4d, k6), mul(C2d, C3d, k7), k6), n16, k6)
+    hyd = m.where(neard, sub(mul(n3, c5d, k6), c4d, k6), div(sub(gd, mul(n3, hd, k7), k7), xxd, k7), k6)
+    hod = mul(hyd, yd, k6)
+    cvod1 = add(mul(d1o, hd, k7), mul(d1, hod, k8), k7)
+    d13od = add(mul(cvd1, d3o, k8), mul(cvod1, d3, k9), k8)
+    D13o = add(d13od, gvod2, k9)
+    D31o = sub(d13od, gvod2, k8)
+    gvod1 = add(mul(d1o, gd, k12), mul(d1, god, k32), k12)
+    gvod3 = add(mul(d3o, gd, k32), mul(d3, god, k31), k31)
+    fyd = sub(hd, gd, k5)
+    fod = mul(fyd, yd, k5)
+    cvod2 = add(mul(d2o, hd, k32), mul(d2, hod, k37), k32)
+    cvod3 = add(mul(d3o, hd, k4), mul(d3, hod, k6), k4)
+    D33o = add(fod, add(mul(cvd3, d3o, k6), mul(cvod3, d3, k4), k4), k4)
+    d23od = add(mul(cvd2, d3o, k6), mul(cvod2, d3, k37), k6)
+    D22o = add(fod, add(mul(cvd2, d2o, k37), mul(cvod2, d2, k32), k32), k32)
+    D11o = add(fod, add(mul(cvd1, d1o, k37), mul(cvod1, d1, k39), k37), k5)
+    d12od = add(mul(cvd1, d2o, k10), mul(cvod1, d2, k7), k7)
+    D23o = sub(d23od, gvod1, k10)
+    D32o = add(d23od, gvod1, k6)
     div(
-        add(add(add(mul(I31, D13o, k35), mul(I31o, D13, k37), k35), add(mul(I32, D23o, k37), mul(I32o, D23, k38), k37),
-        k35), add(mul(I33, D33o, k37), mul(I33o, D33, k38), k37), k35), n2, o69
+        add(add(add(mul(I31, D13o, k12), mul(I31o, D13, k37), k12), add(mul(I32, D23o, k37), mul(I32o, D23, k39), k37),
+        k12), add(mul(I33, D33o, k37), mul(I33o, D33, k39), k37), k12), n2, o69
     )
-    D12o = sub(d12od, gvod3, k35)
-    D21o = add(d12od, gvod3, k5)
+    D12o = sub(d12od, gvod3, k12)
+    D21o = add(d12od, gvod3, k7)
     div(
-        add(add(add(mul(I31, D12o, k7), mul(I31o, D12, k37), k7), add(mul(I32, D22o, k37), mul(I32o, D22, k38), k37),
-        k7), add(mul(I33, D32o, k37), mul(I33o, D32, k38), k37), k7), n2, o68
-    )
-    div(
-        add(add(add(mul(I31, D11o, k7), mul(I31o, D11, k37), k7), add(mul(I32, D21o, k37), mul(I32o, D21, k38), k37),
-        k7), add(mul(I33, D31o, k37), mul(I33o, D31, k38), k37), k7), n2, o67
-    )
-    I21 = add(d12n, sn3, k7)
-    I12 = sub(d12n, sn3, k15)
-    div(add(add(mul(I21, D13, k17), mul(I22, D23, k37), k17), mul(I23, D33, k37), k17), n2, o45)
-    div(add(add(mul(I21, D12, k17), mul(I22, D22, k37), k17), mul(I23, D32, k37), k17), n2, o44)
-    div(add(add(mul(I21, D11, k17), mul(I22, D21, k37), k17), mul(I23, D31, k37), k17), n2, o43)
-    div(add(add(mul(I11, D13, k17), mul(I12, D23, k37), k17), mul(I13, D33, k37), k17), n2, o39)
-    div(add(add(mul(I11, D12, k17), mul(I12, D22, k37), k17), mul(I13, D32, k37), k17), n2, o38)
-    div(add(add(mul(I11, D11, k17), mul(I12, D21, k37), k17), mul(I13, D31, k37), k17), n2, o37)
-    I21o = add(d12on, son3, k17)
-    I12o = sub(d12on, son3, k18)
-    div(
-        add(add(add(mul(I21, D13o, k37), mul(I21o, D13, k38), k37), add(mul(I22, D23o, k38), mul(I22o, D23, k42), k38),
-        k37), add(mul(I23, D33o, k38), mul(I23o, D33, k42), k38), k37), n2, o63
+        add(add(add(mul(I31, D12o, k31), mul(I31o, D12, k37), k31), add(mul(I32, D22o, k37), mul(I32o, D22, k39), k37),
+        k31), add(mul(I33, D32o, k37), mul(I33o, D32, k39), k37), k31), n2, o68
     )
     div(
-        add(add(add(mul(I11, D13o, k29), mul(I11o, D13, k37), k29), add(mul(I12, D23o, k9), mul(I12o, D23, k37), k9),
-        k9), add(mul(I13, D33o, k4), mul(I13o, D33, k29), k4), k4), n2, o57
+        add(add(add(mul(I31, D11o, k31), mul(I31o, D11, k37), k31), add(mul(I32, D21o, k37), mul(I32o, D21, k39), k37),
+        k31), add(mul(I33, D31o, k37), mul(I33o, D31, k39), k37), k31), n2, o67
+    )
+    I21 = add(d12n, sn3, k31)
+    I12 = sub(d12n, sn3, k17)
+    div(add(add(mul(I21, D13, k19), mul(I22, D23, k37), k19), mul(I23, D33, k37), k19), n2, o45)
+    div(add(add(mul(I21, D12, k19), mul(I22, D22, k37), k19), mul(I23, D32, k37), k19), n2, o44)
+    div(add(add(mul(I21, D11, k19), mul(I22, D21, k37), k19), mul(I23, D31, k37), k19), n2, o43)
+    div(add(add(mul(I11, D13, k19), mul(I12, D23, k37), k19), mul(I13, D33, k37), k19), n2, o39)
+    div(add(add(mul(I11, D12, k19), mul(I12, D22, k37), k19), mul(I13, D32, k37), k19), n2, o38)
+    div(add(add(mul(I11, D11, k19), mul(I12, D21, k37), k19), mul(I13, D31, k37), k19), n2, o37)
+    I21o = add(d12on, son3, k19)
+    I12o = sub(d12on, son3, k20)
+    div(
+        add(add(add(mul(I21, D13o, k37), mul(I21o, D13, k39), k37), add(mul(I22, D23o, k39), mul(I22o, D23, k42), k39),
+        k37), add(mul(I23, D33o, k39), mul(I23o, D33, k42), k39), k37), n2, o63
     )
     div(
-        add(add(add(mul(I21, D12o, k4), mul(I21o, D12, k9), k4), add(mul(I22, D22o, k9), mul(I22o, D22, k29), k9), k4),
-        add(mul(I23, D32o, k9), mul(I23o, D32, k29), k9), k4), n2, o62
+        add(add(add(mul(I11, D13o, k9), mul(I11o, D13, k37), k9), add(mul(I12, D23o, k10), mul(I12o, D23, k37), k10),
+        k9), add(mul(I13, D33o, k4), mul(I13o, D33, k10), k4), k4), n2, o57
     )
     div(
-        add(add(add(mul(I11, D12o, k4), mul(I11o, D12, k9), k4), add(mul(I12, D22o, k8), mul(I12o, D22, k9), k8), k4),
-        add(mul(I13, D32o, k8), mul(I13o, D32, k9), k8), k4), n2, o56
+        add(add(add(mul(I21, D12o, k4), mul(I21o, D12, k9), k4), add(mul(I22, D22o, k9), mul(I22o, D22, k10), k9), k4),
+        add(mul(I23, D32o, k9), mul(I23o, D32, k10), k9), k4), n2, o62
     )
     div(
-        add(add(add(mul(I21, D11o, k4), mul(I21o, D11, k8), k4), add(mul(I22, D21o, k8), mul(I22o, D21, k9), k8), k4),
-        add(mul(I23, D31o, k8), mul(I23o, D31, k9), k8), k4), n2, o61
+        add(add(add(mul(I11, D12o, k4), mul(I11o, D12, k9), k4), add(mul(I12, D22o, k9), mul(I12o, D22, k10), k9), k4),
+        add(mul(I13, D32o, k6), mul(I13o, D32, k9), k6), k4), n2, o56
     )
     div(
-        add(add(add(mul(I11, D11o, k4), mul(I11o, D11, k8), k4), add(mul(I12, D21o, k5), mul(I12o, D21, k8), k5), k4),
+        add(add(add(mul(I21, D11o, k4), mul(I21o, D11, k6), k4), add(mul(I22, D21o, k6), mul(I22o, D21, k9), k6), k4),
+        add(mul(I23, D31o, k6), mul(I23o, D31, k9), k6), k4), n2, o61
+    )
+    div(
+        add(add(add(mul(I11, D11o, k4), mul(I11o, D11, k5), k4), add(mul(I12, D21o, k5), mul(I12o, D21, k6), k5), k4),
         add(mul(I13, D31o, k5), mul(I13o, D31, k6), k5), k4), n2, o55
     )
     gvvd1 = mul(gvd1, d2, k4)
     gvvd2 = mul(gvd1, d3, k5)
     fvd3 = mul(d3, fd, k6)
-    Qd12 = sub(gvvd1, fvd3, k8)
+    Qd12 = sub(gvvd1, fvd3, k7)
     Qd21 = add(gvvd1, fvd3, k4)
     fvd2 = mul(d2, fd, k6)
-    fvd1 = mul(d1, fd, k9)
-    Qd13 = add(gvvd2, fvd2, k10)
+    fvd1 = mul(d1, fd, k8)
+    Qd13 = add(gvvd2, fvd2, k9)
     Qd31 = sub(gvvd2, fvd2, k5)
     cvF1 = mul(v1, hF, k6)
-    d13F = mul(cvF1, v3, k11)
-    gvF2 = mul(v2, gF, k29)
-    F13 = add(d13F, gvF2, k30)
-    F31 = sub(d13F, gvF2, k11)
-    cvF2 = mul(v2, hF, k29)
-    d23F = mul(cvF2, v3, k35)
-    gvF1 = mul(v1, gF, k37)
-    F23 = sub(d23F, gvF1, k38)
-    F32 = add(d23F, gvF1, k35)
-    cvF3 = mul(v3, hF, k37)
+    d13F = mul(cvF1, v3, k10)
+    gvF2 = mul(v2, gF, k11)
+    F13 = add(d13F, gvF2, k12)
+    F31 = sub(d13F, gvF2, k10)
+    cvF2 = mul(v2, hF, k11)
+    d23F = mul(cvF2, v3, k13)
+    gvF1 = mul(v1, gF, k32)
+    F23 = sub(d23F, gvF1, k37)
+    F32 = add(d23F, gvF1, k13)
+    cvF3 = mul(v3, hF, k32)
     F33 = add(fF, mul(cvF3, v3, k39), k39)
     RT13 = add(add(mul(Qd11, F13, k41), mul(Qd12, F23, k42), k41), mul(Qd13, F33, k42), k41)
     Qd23 = sub(gvvd3, fvd1, k42)
-    Qd32 = add(gvvd3, fvd1, k9)
+    Qd32 = add(gvvd3, fvd1, k8)
     RT23 = add(add(mul(Qd21, F13, k40), mul(Qd22, F23, k43), k40), mul(Qd23, F33, k43), k40)
     RT33 = add(add(mul(Qd31, F13, k43), mul(Qd32, F23, k44), k43), mul(Qd33, F33, k44), k43)
     div(add(add(mul(I31, RT13, k44), mul(I32, RT23, k45), k44), mul(I33, RT33, k45), k44), n2, o15)
@@ -6076,7 +6097,7 @@ def retract_jacobians_blocks(
     F12 = sub(d12F, gvF3, k46)
     F21 = add(d12F, gvF3, k44)
     F22 = add(fF, mul(cvF2, v2, k45), k45)
-    F11 = add(fF, mul(cvF1, v1, k47), k19)
+    F11 = add(fF, mul(cvF1, v1, k47), k21)
     RT12 = add(add(mul(Qd11, F12, k47), mul(Qd12, F22, k48), k47), mul(Qd13, F32, k48), k47)
     RT22 = add(add(mul(Qd21, F12, k48), mul(Qd22, F22, k50), k48), mul(Qd23, F32, k50), k48)
     RT32 = add(add(mul(Qd31, F12, k50), mul(Qd32, F22, k51), k50), mul(Qd33, F32, k51), k50)
@@ -6098,19 +6119,19 @@ def retract_jacobians_blocks(
     F13o = add(d13oF, gvoF2, k63)
     F31o = sub(d13oF, gvoF2, k61)
     cvoF2 = add(mul(v2o, hF, k62), mul(v2, hoF, k64), k62)
-    cvoF3 = add(mul(v3o, hF, k24), mul(v3, hoF, k27), k24)
-    F33o = add(foF, add(mul(cvF3, v3o, k27), mul(cvoF3, v3, k24), k24), k24)
-    d23oF = add(mul(cvF2, v3o, k27), mul(cvoF2, v3, k37), k27)
-    F22o = add(foF, add(mul(cvF2, v2o, k29), mul(cvoF2, v2, k37), k29), k29)
-    F11o = add(foF, add(mul(cvF1, v1o, k37), mul(cvoF1, v1, k62), k37), k25)
-    d12oF = add(mul(cvF1, v2o, k6), mul(cvoF1, v2, k37), k6)
-    gvoF1 = add(mul(v1o, gF, k37), mul(v1, goF, k60), k37)
-    gvoF3 = add(mul(v3o, gF, k23), mul(v3, goF, k26), k23)
-    F23o = sub(d23oF, gvoF1, k26)
-    F32o = add(d23oF, gvoF1, k27)
+    cvoF3 = add(mul(v3o, hF, k23), mul(v3, hoF, k26), k23)
+    F33o = add(foF, add(mul(cvF3, v3o, k26), mul(cvoF3, v3, k23), k23), k23)
+    d23oF = add(mul(cvF2, v3o, k26), mul(cvoF2, v3, k32), k26)
+    F22o = add(foF, add(mul(cvF2, v2o, k11), mul(cvoF2, v2, k32), k11), k11)
+    F11o = add(foF, add(mul(cvF1, v1o, k32), mul(cvoF1, v1, k62), k32), k24)
+    d12oF = add(mul(cvF1, v2o, k6), mul(cvoF1, v2, k32), k6)
+    gvoF1 = add(mul(v1o, gF, k32), mul(v1, goF, k60), k32)
+    gvoF3 = add(mul(v3o, gF, k22), mul(v3, goF, k25), k22)
+    F23o = sub(d23oF, gvoF1, k25)
+    F32o = add(d23oF, gvoF1, k26)
     RT13o = add(
-        add(add(mul(Qd11, F13o, k37), mul(R11o, F13, k60), k37), add(mul(Qd12, F23o, k60), mul(R12o, F23, k62), k60),
-        k37), add(mul(Qd13, F33o, k60), mul(R13o, F33, k62), k60), k37
+        add(add(mul(Qd11, F13o, k32), mul(R11o, F13, k60), k32), add(mul(Qd12, F23o, k60), mul(R12o, F23, k62), k60),
+        k32), add(mul(Qd13, F33o, k60), mul(R13o, F33, k62), k60), k32
     )
     R21o = sub(mul(Qd11, rhod3, k60), mul(Qd31, rhod1, k62), k60)
     R22o = sub(mul(Qd12, rhod3, k62), mul(Qd32, rhod1, k64), k62)
@@ -6123,42 +6144,42 @@ def retract_jacobians_blocks(
     R32o = sub(mul(Qd22, rhod1, k66), mul(Qd12, rhod2, k67), k66)
     R33o = sub(mul(Qd23, rhod1, k55), mul(Qd13, rhod2, k49), k49)
     RT33o = add(
-        add(add(mul(Qd31, F13o, k55), mul(R31o, F13, k30), k30), add(mul(Qd32, F23o, k26), mul(R32o, F23, k38), k26),
-        k26), add(mul(Qd33, F33o, k24), mul(R33o, F33, k30), k24), k24
+        add(add(mul(Qd31, F13o, k55), mul(R31o, F13, k12), k12), add(mul(Qd32, F23o, k25), mul(R32o, F23, k37), k25),
+        k12), add(mul(Qd33, F33o, k23), mul(R33o, F33, k25), k23), k12
     )
     div(
-        add(add(add(mul(I31, RT13o, k26), mul(I31o, RT13, k30), k26), add(mul(I32, RT23o, k30), mul(I32o, RT23, k38),
-        k30), k26), add(mul(I33, RT33o, k30), mul(I33o, RT33, k38), k30), k26), n2, o33
+        add(add(add(mul(I31, RT13o, k23), mul(I31o, RT13, k25), k23), add(mul(I32, RT23o, k25), mul(I32o, RT23, k37),
+        k25), k23), add(mul(I33, RT33o, k25), mul(I33o, RT33, k37), k25), k23), n2, o33
     )
     div(
-        add(add(add(mul(I21, RT13o, k26), mul(I21o, RT13, k30), k26), add(mul(I22, RT23o, k30), mul(I22o, RT23, k38),
-        k30), k26), add(mul(I23, RT33o, k30), mul(I23o, RT33, k38), k30), k26), n2, o27
+        add(add(add(mul(I21, RT13o, k23), mul(I21o, RT13, k25), k23), add(mul(I22, RT23o, k25), mul(I22o, RT23, k37),
+        k25), k23), add(mul(I23, RT33o, k25), mul(I23o, RT33, k37), k25), k23), n2, o27
     )
     div(
-        add(add(add(mul(I11, RT13o, k26), mul(I11o, RT13, k30), k26), add(mul(I12, RT23o, k30), mul(I12o, RT23, k37),
-        k30), k26), add(mul(I13, RT33o, k24), mul(I13o, RT33, k30), k24), k24), n2, o21
+        add(add(add(mul(I11, RT13o, k23), mul(I11o, RT13, k25), k23), add(mul(I12, RT23o, k25), mul(I12o, RT23, k32),
+        k25), k23), add(mul(I13, RT33o, k12), mul(I13o, RT33, k25), k12), k12), n2, o21
     )
-    F12o = sub(d12oF, gvoF3, k24)
+    F12o = sub(d12oF, gvoF3, k12)
     F21o = add(d12oF, gvoF3, k6)
     RT12o = add(
-        add(add(mul(Qd11, F12o, k23), mul(R11o, F12, k26), k23), add(mul(Qd12, F22o, k26), mul(R12o, F22, k30), k26),
-        k23), add(mul(Qd13, F32o, k26), mul(R13o, F32, k30), k26), k23
+        add(add(mul(Qd11, F12o, k22), mul(R11o, F12, k23), k22), add(mul(Qd12, F22o, k23), mul(R12o, F22, k25), k23),
+        k22), add(mul(Qd13, F32o, k23), mul(R13o, F32, k25), k23), k22
     )
     RT11o = add(
-        add(add(mul(Qd11, F11o, k2), mul(R11o, F11, k26), k2), add(mul(Qd12, F21o, k8), mul(R12o, F21, k26), k8), k2),
-        add(mul(Qd13, F31o, k8), mul(R13o, F31, k10), k8), k2
+        add(add(mul(Qd11, F11o, k2), mul(R11o, F11, k23), k2), add(mul(Qd12, F21o, k7), mul(R12o, F21, k23), k7), k2),
+        add(mul(Qd13, F31o, k7), mul(R13o, F31, k9), k7), k2
     )
     RT22o = add(
-        add(add(mul(Qd21, F12o, k8), mul(R21o, F12, k10), k8), add(mul(Qd22, F22o, k10), mul(R22o, F22, k26), k10), k8),
-        add(mul(Qd23, F32o, k10), mul(R23o, F32, k26), k10), k8
+        add(add(mul(Qd21, F12o, k7), mul(R21o, F12, k9), k7), add(mul(Qd22, F22o, k9), mul(R22o, F22, k23), k9), k7),
+        add(mul(Qd23, F32o, k9), mul(R23o, F32, k23), k9), k7
     )
     RT32o = add(
-        add(add(mul(Qd31, F12o, k10), mul(R31o, F12, k24), k10), add(mul(Qd32, F22o, k24), mul(R32o, F22, k26), k24),
-        k10), add(mul(Qd33, F32o, k24), mul(R33o, F32, k26), k24), k10
+        add(add(mul(Qd31, F12o, k9), mul(R31o, F12, k12), k9), add(mul(Qd32, F22o, k11), mul(R32o, F22, k12), k11), k9),
+        add(mul(Qd33, F32o, k11), mul(R33o, F32, k12), k11), k9
     )
     RT21o = add(
-        add(add(mul(Qd21, F11o, k4), mul(R21o, F11, k24), k4), add(mul(Qd22, F21o, k1), mul(R22o, F21, k24), k1), k1),
-        add(mul(Qd23, F31o, k4), mul(R23o, F31, k24), k4), k1
+        add(add(mul(Qd21, F11o, k4), mul(R21o, F11, k11), k4), add(mul(Qd22, F21o, k1), mul(R22o, F21, k11), k1), k1),
+        add(mul(Qd23, F31o, k4), mul(R23o, F31, k11), k4), k1
     )
     RT31o = add(
         add(add(mul(Qd31, F11o, k4), mul(R31o, F11, k5), k4), add(mul(Qd32, F21o, k5), mul(R32o, F21, k6), k5), k4),
@@ -6226,14 +6247,15 @@ def retract_jacobians_blocks(
     copy(o51, o72)
 
 
-# operations 1057: 411 +, 531 *, 72 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 2 atan2, 5 lt, 2 eq, 19 where
+# operations 1069: 423 +, 531 *, 72 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 2 atan2, 5 lt, 2 eq, 19 where
 def body_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     d1, d2, d3, d1o, d2o, d3o = delta
     v11d = d1 * d1
     v22d = d2 * d2
     v33d = d3 * d3
-    xd = v11d + v22d + v33d
+    part = v11d + v22d
+    xd = part + v33d
     neard = xd < 6
     zd = m.where(neard, xd, xd - xd) / 4
     C7d = (
@@ -6261,7 +6283,12 @@ def body_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> 
     sined = 2 * thalfd / belowhalfd
     versined = m.where(tthalfd < 16, 2 * tthalfd / belowhalfd, 2 - 2 / belowhalfd)
     besided = alphad - 4
-    leftd = xxd - 16 - 8 * besided - besided * besided
+    v33d_in = xd - part
+    v22d_in = part - v11d
+    leftd = (
+        xxd - 16 - 8 * besided - besided * besided + (v11d - (part - v22d_in) + (v22d - v22d_in) + (part - (xd
+        - v33d_in) + (v33d - v33d_in)))
+    )
     lostd = m.where(alphad < 8, leftd, 0) / (2 * alphad)
     fd = m.where(neard, C0d * C1d, (sined + lostd * (1 - versined)) / alphad)
     gd = m.where(neard, CC1d / 2, (versined + lostd * sined) / xxd)
@@ -6417,7 +6444,7 @@ def body_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> 
     D31o = d13od - gvod2
     D32o = d23od + gvod1
     D33o = fod + (cvd3 * d3o + cvod3 * d3)
-    fF, gF, hF, fyF, gyF, hyF = c.tangent(m, xp)
+    fF, gF, hF, fyF, gyF, hyF = c.tangent(m, v11p, v22p, v33p)
     foF = fyF * yp
     goF = gyF * yp
     hoF = hyF * yp
@@ -6610,7 +6637,7 @@ def body_retract_jacobians_blocks(
         k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
         k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, k35, k36, k37, k38, k39, k40, k41, k42, k43, k44, k45, k46,
         k47, k48, k49, k50, k51, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61, k62, k63, k64, k65, k66, k67, k68,
-        k69, *spare,
+        k69, k70, *spare,
     ) = scratch
     mask1, mask2, mask3, *spare_masks = masks
     (
@@ -6619,440 +6646,438 @@ def body_retract_jacobians_blocks(
     ) = numbers
     v11d = mul(d1, d1, k1)
     v22d = mul(d2, d2, k2)
-    v33d = mul(d3, d3, k3)
-    xd = add(add(v11d, v22d, k1), v33d, k1)
+    part = add(v11d, v22d, k3)
+    v33d = mul(d3, d3, k4)
+    xd = add(part, v33d, k5)
     neard = m.less(xd, n6, mask1)
-    zd = div(m.where(neard, xd, sub(xd, xd, k2), k3), n4, k2)
-    xxd = m.where(neard, add(n6, xd, k3), xd, k3)
+    zd = div(m.where(neard, xd, sub(xd, xd, k6), k7), n4, k6)
     C7d = div(
         div(sub(n72, mul(zd, div(sub(n3603600, mul(zd, sub(n32760, mul(zd, sub(n210, mul(zd, div(sub(n93024, mul(zd,
-        sub(n342, mul(zd, div(sub(n212520, mul(zd, sub(n506, zd, k1), k1), k1), n212520, k1), k1), k1), k1), k1),
-        n93024, k1), k1), k1), k1), k1), k1), k1), n3603600, k1), k1), k1), n72, k1), n5040, k1
+        sub(n342, mul(zd, div(sub(n212520, mul(zd, sub(n506, zd, k7), k7), k7), n212520, k7), k7), k7), k7), k7),
+        n93024, k7), k7), k7), k7), k7), k7), k7), n3603600, k7), k7), k7), n72, k7), n5040, k7
     )
-    C5d = div(sub(n1, mul(n120, mul(zd, C7d, k1), k1), k1), n120, k1)
-    C3d = div(sub(n1, mul(n6, mul(zd, C5d, k4), k4), k4), n6, k4)
-    C1d = sub(n1, mul(zd, C3d, k5), k5)
-    CC1d = mul(C1d, C1d, k6)
-    C0d = sqrt(sub(n1, mul(zd, CC1d, k7), k7), k7)
-    alphad = sqrt(xxd, k8)
-    td = tan(div(alphad, n4, k9), k9)
-    ttd = mul(td, td, k10)
-    belowd = add(n1, ttd, k11)
-    sd = m.where(neard, C0d, div(sub(n1, ttd, k10), belowd, k10), k12)
-    wd = m.where(neard, div(C1d, n2, k10), div(div(mul(n2, td, k9), belowd, k9), alphad, k9), k10)
-    wd1 = mul(d1, wd, k9)
-    wd3 = mul(d3, wd, k11)
-    wd2 = mul(d2, wd, k10)
-    v11p = mul(v1, v1, k13)
-    v22p = mul(v2, v2, k14)
-    x12p = add(v11p, v22p, k15)
-    v33p = mul(v3, v3, k16)
-    x23p = add(v22p, v33p, k14)
-    x13p = add(v11p, v33p, k13)
-    xp = add(x12p, v33p, k16)
-    resting = m.equal(xp, n0, mask2)
+    C5d = div(sub(n1, mul(n120, mul(zd, C7d, k7), k7), k7), n120, k7)
+    C3d = div(sub(n1, mul(n6, mul(zd, C5d, k8), k8), k8), n6, k8)
+    C1d = sub(n1, mul(zd, C3d, k9), k9)
+    CC1d = mul(C1d, C1d, k10)
+    C0d = sqrt(sub(n1, mul(zd, CC1d, k11), k11), k11)
+    xxd = m.where(neard, add(n6, xd, k12), xd, k12)
+    alphad = sqrt(xxd, k13)
+    td = tan(div(alphad, n4, k14), k14)
+    ttd = mul(td, td, k15)
+    belowd = add(n1, ttd, k16)
+    sd = m.where(neard, C0d, div(sub(n1, ttd, k15), belowd, k15), k17)
+    wd = m.where(neard, div(C1d, n2, k15), div(div(mul(n2, td, k14), belowd, k14), alphad, k14), k15)
+    wd1 = mul(d1, wd, k14)
+    wd3 = mul(d3, wd, k16)
+    wd2 = mul(d2, wd, k15)
+    v11p = mul(v1, v1, k18)
+    v22p = mul(v2, v2, k19)
+    x12p = add(v11p, v22p, k20)
+    v33p = mul(v3, v3, k21)
+    fF, gF, hF, fyF, gyF, hyF = c.tangent((k22, k23, k24, k25, k26, k27), (*spare,), (*spare_masks,), v11p, v22p, v33p)
+    x23p = add(v22p, v33p, k19)
+    x13p = add(v11p, v33p, k18)
+    xp = add(x12p, v33p, k21)
+    ap, bp, _, fp, gp, hp = c.ray((k28, k29, k30, k31, k32, k33), (*spare,), (*spare_masks,), xp)
+    Qp11 = sub(n1, mul(gp, x23p, k19), k19)
+    Qp22 = sub(n1, mul(gp, x13p, k18), k18)
+    Qp33 = sub(n1, mul(gp, x12p, k20), k20)
+    bvp1 = mul(v1, bp, k30)
+    bvp2 = mul(v2, bp, k34)
+    bvp3 = mul(v3, bp, k29)
+    z1 = add(add(mul(wd1, ap, k35), mul(bvp1, sd, k36), k35), sub(mul(bvp2, wd3, k36), mul(bvp3, wd2, k37), k36), k35)
+    z2 = add(add(mul(wd2, ap, k36), mul(bvp2, sd, k37), k36), sub(mul(bvp3, wd1, k37), mul(bvp1, wd3, k38), k37), k36)
+    z3 = add(add(mul(wd3, ap, k37), mul(bvp3, sd, k38), k37), sub(mul(bvp1, wd2, k38), mul(bvp2, wd1, k39), k38), k37)
+    z0 = sub(mul(ap, sd, k17), add(add(mul(bvp1, wd1, k14), mul(bvp2, wd2, k15), k14), mul(bvp3, wd3, k15), k14), k14)
+    ss = add(add(mul(z1, z1, k15), mul(z2, z2, k16), k15), mul(z3, z3, k16), k15)
+    still = m.equal(ss, n0, mask2)
+    length = sqrt(m.where(still, add(n1, ss, k16), ss, k16), k16)
+    sine = m.where(still, ss, length, k15)
+    resting = m.equal(xp, n0, mask3)
     r = sqrt(m.where(resting, add(n1, xp, k17), xp, k17), k17)
-    own, = c.unfolded((k18,), (*spare,), (*spare_masks,), xp, r)
-    C01d = add(n1, C0d, k19)
-    C2d = div(CC1d, C01d, k20)
-    thalfd = tan(div(alphad, n2, k21), k21)
-    tthalfd = mul(thalfd, thalfd, k22)
-    belowhalfd = add(n1, tthalfd, k23)
+    own, = c.unfolded((k28,), (k29, k30, k34, k38, k39, *spare), (*spare_masks,), xp, r)
+    own_ = div(
+        mul(m.where(resting, n0, div(own, r, k17), k21), add(add(mul(v1, z1, k17), mul(v2, z2, k28), k17), mul(v3, z3,
+        k28), k17), k17), length, k17
+    )
+    falling = m.less(z0, n0, mask3)
+    cosine = m.where(falling, neg(z0, k21), z0, k21)
+    folded = mul(m.where(falling, n_minus_2, n2, k28), atan2(sine, cosine, k21), k21)
+    turns = add(
+        sub(own_, folded, k28), mul(n2, atan2(tan(div(sub(folded, own_, k17), n2, k17), k17), n1, k17), k17), k17
+    )
+    angle = add(folded, m.where(m.less(absolute(turns, k28), n1, mask3), n0, turns, k28), k17)
+    rn, slopen = c.coefficient_of((k21, k28), (k29, k30, k34, k38, k39, *spare), (mask3, *spare_masks), angle, sine, z0)
+    z0s = m.where(still, z0, length, k15)
+    factor = m.where(still, div(mul(n2, slopen, k28), z0s, k15), div(rn, length, k16), k15)
+    v_1 = mul(z1, factor, k16)
+    v_2 = mul(z2, factor, k21)
+    v_3 = mul(z3, factor, k28)
+    fe = mul(factor, z0, k14)
+    v11w = mul(v_1, v_1, k15)
+    v22w = mul(v_2, v_2, k29)
+    v33w = mul(v_3, v_3, k30)
+    xw = add(add(v11w, v22w, k15), v33w, k15)
+    fin, hin, fiyn, hiyn = c.tangent_inv_at(
+        (k29, k30, k34, k35), (k36, k37, k38, k39, *spare), (mask2, mask3, *spare_masks), xw, fe, angle
+    )
+    cvn1 = mul(v_1, hin, k14)
+    I11 = add(fin, mul(cvn1, v_1, k15), k15)
+    d12n = mul(cvn1, v_2, k17)
+    sn3 = neg(v_3, k36)
+    I12 = sub(d12n, sn3, k37)
+    I21 = add(d12n, sn3, k17)
+    d13n = mul(cvn1, v_3, k36)
+    sn2 = neg(v_2, k38)
+    I13 = add(d13n, sn2, k39)
+    I31 = sub(d13n, sn2, k36)
+    cvF1 = mul(v1, hF, k38)
+    F11 = add(fF, mul(cvF1, v1, k40), k40)
+    d12F = mul(cvF1, v2, k41)
+    gvF3 = mul(v3, gF, k42)
+    F21 = add(d12F, gvF3, k43)
+    F12 = sub(d12F, gvF3, k41)
+    d13F = mul(cvF1, v3, k42)
+    gvF2 = mul(v2, gF, k44)
+    F31 = sub(d13F, gvF2, k45)
+    F13 = add(d13F, gvF2, k42)
+    div(add(add(mul(I11, F11, k44), mul(I12, F21, k46), k44), mul(I13, F31, k46), k44), n2, o1)
+    cvF2 = mul(v2, hF, k44)
+    F22 = add(fF, mul(cvF2, v2, k46), k46)
+    d23F = mul(cvF2, v3, k47)
+    gvF1 = mul(v1, gF, k48)
+    F32 = add(d23F, gvF1, k49)
+    F23 = sub(d23F, gvF1, k47)
+    div(add(add(mul(I11, F12, k48), mul(I12, F22, k50), k48), mul(I13, F32, k50), k48), n2, o2)
+    cvF3 = mul(v3, hF, k48)
+    F33 = add(fF, mul(cvF3, v3, k50), k22)
+    div(add(add(mul(I11, F13, k50), mul(I12, F23, k51), k50), mul(I13, F33, k51), k50), n2, o3)
+    cvn2 = mul(v_2, hin, k50)
+    I22 = add(fin, mul(cvn2, v_2, k51), k51)
+    d23n = mul(cvn2, v_3, k52)
+    sn1 = neg(v_1, k53)
+    I23 = sub(d23n, sn1, k54)
+    I32 = add(d23n, sn1, k52)
+    div(add(add(mul(I21, F11, k53), mul(I22, F21, k55), k53), mul(I23, F31, k55), k53), n2, o7)
+    div(add(add(mul(I21, F12, k53), mul(I22, F22, k55), k53), mul(I23, F32, k55), k53), n2, o8)
+    div(add(add(mul(I21, F13, k53), mul(I22, F23, k55), k53), mul(I23, F33, k55), k53), n2, o9)
+    cvn3 = mul(v_3, hin, k53)
+    I33 = add(fin, mul(cvn3, v_3, k55), k55)
+    div(add(add(mul(I31, F11, k56), mul(I32, F21, k57), k56), mul(I33, F31, k57), k56), n2, o13)
+    div(add(add(mul(I31, F12, k56), mul(I32, F22, k57), k56), mul(I33, F32, k57), k56), n2, o14)
+    div(add(add(mul(I31, F13, k56), mul(I32, F23, k57), k56), mul(I33, F33, k57), k56), n2, o15)
+    C01d = add(n1, C0d, k56)
+    C2d = div(CC1d, C01d, k57)
+    besided = sub(alphad, n4, k58)
+    v33d_in = sub(xd, part, k59)
+    v22d_in = sub(part, v11d, k60)
+    leftd = add(
+        sub(sub(sub(xxd, n16, k61), mul(n8, besided, k62), k61), mul(besided, besided, k58), k58), add(add(sub(v11d,
+        sub(part, v22d_in, k61), k1), sub(v22d, v22d_in, k2), k1), add(sub(part, sub(xd, v33d_in, k2), k2), sub(v33d,
+        v33d_in, k3), k2), k1), k1
+    )
+    lostd = div(m.where(m.less(alphad, n8, mask2), leftd, n0, k1), mul(n2, alphad, k2), k1)
+    thalfd = tan(div(alphad, n2, k2), k2)
+    tthalfd = mul(thalfd, thalfd, k3)
+    belowhalfd = add(n1, tthalfd, k4)
     versined = m.where(
-        m.less(tthalfd, n16, mask3), div(mul(n2, tthalfd, k22), belowhalfd, k22), sub(n2, div(n2, belowhalfd, k24),
-        k24), k22
+        m.less(tthalfd, n16, mask2), div(mul(n2, tthalfd, k3), belowhalfd, k3), sub(n2, div(n2, belowhalfd, k5), k5), k3
     )
-    sined = div(mul(n2, thalfd, k21), belowhalfd, k21)
-    besided = sub(alphad, n4, k23)
-    leftd = sub(sub(sub(xxd, n16, k24), mul(n8, besided, k25), k24), mul(besided, besided, k23), k23)
-    lostd = div(m.where(m.less(alphad, n8, mask3), leftd, n0, k23), mul(n2, alphad, k24), k23)
-    fd = m.where(
-        neard, mul(C0d, C1d, k7), div(add(sined, mul(lostd, sub(n1, versined, k24), k24), k24), alphad, k8), k7
-    )
-    gd = m.where(neard, div(CC1d, n2, k6), div(add(versined, mul(lostd, sined, k8), k8), xxd, k8), k6)
-    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k8), k8), n4, k8), div(sub(n1, fd, k21), xxd, k21), k8)
-    c4d = div(mul(C3d, add(n1, C1d, k5), k5), n8, k5)
-    yd = add(add(mul(d1, d1o, k21), mul(d2, d2o, k22), k21), mul(d3, d3o, k22), k21)
-    alongd = mul(hd, yd, k22)
-    gvd1 = mul(d1, gd, k23)
-    gvd2 = mul(d2, gd, k24)
+    sined = div(mul(n2, thalfd, k2), belowhalfd, k2)
+    fd = m.where(neard, mul(C0d, C1d, k4), div(add(sined, mul(lostd, sub(n1, versined, k5), k5), k5), alphad, k5), k4)
+    gd = m.where(neard, div(CC1d, n2, k5), div(add(versined, mul(lostd, sined, k1), k1), xxd, k1), k2)
+    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k1), k1), n4, k1), div(sub(n1, fd, k3), xxd, k3), k1)
+    c4d = div(mul(C3d, add(n1, C1d, k3), k3), n8, k3)
+    yd = add(add(mul(d1, d1o, k5), mul(d2, d2o, k9), k5), mul(d3, d3o, k9), k5)
+    alongd = mul(hd, yd, k9)
+    gvd1 = mul(d1, gd, k10)
+    gvd2 = mul(d2, gd, k11)
     rhob3 = add(
-        add(mul(d3o, fd, k25), sub(mul(gvd1, d2o, k26), mul(gvd2, d1o, k27), k26), k25), mul(d3, alongd, k26), k25
+        add(mul(d3o, fd, k13), sub(mul(gvd1, d2o, k58), mul(gvd2, d1o, k59), k58), k13), mul(d3, alongd, k58), k13
     )
-    gvd3 = mul(d3, gd, k26)
+    gvd3 = mul(d3, gd, k58)
     rhob2 = add(
-        add(mul(d2o, fd, k27), sub(mul(gvd3, d1o, k28), mul(gvd1, d3o, k29), k28), k27), mul(d2, alongd, k28), k27
+        add(mul(d2o, fd, k59), sub(mul(gvd3, d1o, k60), mul(gvd1, d3o, k61), k60), k59), mul(d2, alongd, k60), k59
     )
     rhob1 = add(
-        add(mul(d1o, fd, k28), sub(mul(gvd2, d3o, k29), mul(gvd3, d2o, k30), k29), k28), mul(d1, alongd, k22), k22
+        add(mul(d1o, fd, k60), sub(mul(gvd2, d3o, k61), mul(gvd3, d2o, k62), k61), k60), mul(d1, alongd, k9), k9
     )
-    v_rhob1 = sub(mul(v2, rhob3, k28), mul(v3, rhob2, k29), k28)
-    v_rhob3 = sub(mul(v1, rhob2, k29), mul(v2, rhob1, k30), k29)
-    v_rhob2 = sub(mul(v3, rhob1, k30), mul(v1, rhob3, k31), k30)
-    yp = add(add(mul(v1, v1o, k31), mul(v2, v2o, k32), k31), mul(v3, v3o, k32), k31)
-    cvd1 = mul(d1, hd, k32)
-    D11 = add(fd, mul(cvd1, d1, k33), k33)
-    d12d = mul(cvd1, d2, k34)
-    D21 = add(d12d, gvd3, k35)
-    D12 = sub(d12d, gvd3, k26)
-    d13d = mul(cvd1, d3, k34)
-    D31 = sub(d13d, gvd2, k36)
-    D13 = add(d13d, gvd2, k24)
-    cvd2 = mul(d2, hd, k34)
-    D22 = add(fd, mul(cvd2, d2, k37), k37)
-    d23d = mul(cvd2, d3, k38)
-    D32 = add(d23d, gvd1, k39)
-    D23 = sub(d23d, gvd1, k23)
-    cvd3 = mul(d3, hd, k38)
-    D33 = add(fd, mul(cvd3, d3, k40), k40)
-    gyd = sub(mul(fd, hd, k7), mul(gd, gd, k41), k7)
-    god = mul(gyd, yd, k7)
-    CC3d = mul(C3d, C3d, k41)
-    C4d = div(sub(sub(mul(n4, C3d, k42), C2d, k42), mul(n2, mul(zd, CC3d, k2), k2), k2), mul(n2, C01d, k19), k2)
-    c5d = div(add(add(C5d, C4d, k1), mul(C2d, C3d, k2), k1), n16, k1)
-    hyd = m.where(neard, sub(mul(n3, c5d, k1), c4d, k1), div(sub(gd, mul(n3, hd, k2), k2), xxd, k2), k1)
-    hod = mul(hyd, yd, k1)
-    cvod1 = add(mul(d1o, hd, k2), mul(d1, hod, k3), k2)
-    fyd = sub(hd, gd, k3)
-    fod = mul(fyd, yd, k3)
-    D11o = add(fod, add(mul(cvd1, d1o, k4), mul(cvod1, d1, k5), k4), k4)
-    d12od = add(mul(cvd1, d2o, k5), mul(cvod1, d2, k19), k5)
-    d13od = add(mul(cvd1, d3o, k19), mul(cvod1, d3, k2), k2)
-    gvod3 = add(mul(d3o, gd, k19), mul(d3, god, k20), k19)
-    D21o = add(d12od, gvod3, k20)
-    D12o = sub(d12od, gvod3, k5)
-    gvod2 = add(mul(d2o, gd, k19), mul(d2, god, k21), k19)
-    gvod1 = add(mul(d1o, gd, k6), mul(d1, god, k7), k6)
-    D31o = sub(d13od, gvod2, k7)
-    D13o = add(d13od, gvod2, k2)
-    cvod2 = add(mul(d2o, hd, k19), mul(d2, hod, k21), k19)
-    cvod3 = add(mul(d3o, hd, k8), mul(d3, hod, k1), k1)
-    D33o = add(fod, add(mul(cvd3, d3o, k8), mul(cvod3, d3, k1), k1), k1)
-    D22o = add(fod, add(mul(cvd2, d2o, k8), mul(cvod2, d2, k21), k8), k3)
-    d23od = add(mul(cvd2, d3o, k8), mul(cvod2, d3, k19), k8)
-    D32o = add(d23od, gvod1, k19)
-    D23o = sub(d23od, gvod1, k6)
-    ap, bp, _, fp, gp, hp = c.ray((k8, k21, k32, k34, k38, k41), (k42, *spare), (mask1, mask3, *spare_masks), xp)
-    alongp = mul(hp, yp, k32)
-    Qp11 = sub(n1, mul(gp, x23p, k14), k14)
-    Qp22 = sub(n1, mul(gp, x13p, k13), k13)
-    Qp33 = sub(n1, mul(gp, x12p, k15), k15)
-    bvp1 = mul(v1, bp, k41)
-    bvp2 = mul(v2, bp, k42)
-    bvp3 = mul(v3, bp, k21)
-    z1 = add(add(mul(wd1, ap, k43), mul(bvp1, sd, k44), k43), sub(mul(bvp2, wd3, k44), mul(bvp3, wd2, k45), k44), k43)
-    z2 = add(add(mul(wd2, ap, k44), mul(bvp2, sd, k45), k44), sub(mul(bvp3, wd1, k45), mul(bvp1, wd3, k46), k45), k44)
-    z3 = add(add(mul(wd3, ap, k45), mul(bvp3, sd, k46), k45), sub(mul(bvp1, wd2, k46), mul(bvp2, wd1, k47), k46), k45)
-    z0 = sub(mul(ap, sd, k8), add(add(mul(bvp1, wd1, k9), mul(bvp2, wd2, k10), k9), mul(bvp3, wd3, k10), k9), k8)
-    ss = add(add(mul(z1, z1, k9), mul(z2, z2, k10), k9), mul(z3, z3, k10), k9)
-    still = m.equal(ss, n0, mask1)
-    length = sqrt(m.where(still, add(n1, ss, k10), ss, k10), k10)
-    own_ = div(
-        mul(m.where(resting, n0, div(own, r, k11), k12), add(add(mul(v1, z1, k11), mul(v2, z2, k17), k11), mul(v3, z3,
-        k17), k11), k11), length, k11
-    )
-    sine = m.where(still, ss, length, k9)
-    falling = m.less(z0, n0, mask2)
-    cosine = m.where(falling, neg(z0, k12), z0, k12)
-    folded = mul(m.where(falling, n_minus_2, n2, k17), atan2(sine, cosine, k12), k12)
-    turns = add(
-        sub(own_, folded, k17), mul(n2, atan2(tan(div(sub(folded, own_, k11), n2, k11), k11), n1, k11), k11), k11
-    )
-    angle = add(folded, m.where(m.less(absolute(turns, k17), n1, mask2), n0, turns, k17), k11)
-    rn, slopen = c.coefficient_of(
-        (k12, k17), (k18, k21, k41, k42, k46, k47, *spare), (mask2, mask3, *spare_masks), angle, sine, z0
-    )
-    z0s = m.where(still, z0, length, k9)
-    factor = m.where(still, div(mul(n2, slopen, k17), z0s, k9), div(rn, length, k10), k9)
-    v_1 = mul(z1, factor, k10)
-    v_2 = mul(z2, factor, k12)
-    v_3 = mul(z3, factor, k17)
-    fe = mul(factor, z0, k8)
-    v11w = mul(v_1, v_1, k9)
-    v22w = mul(v_2, v_2, k18)
-    v33w = mul(v_3, v_3, k21)
-    xw = add(add(v11w, v22w, k9), v33w, k9)
-    fin, hin, fiyn, hiyn = c.tangent_inv_at(
-        (k18, k21, k41, k42), (k43, k44, k45, k46, k47, *spare), (mask1, mask2, mask3, *spare_masks), xw, fe, angle
-    )
-    cvn1 = mul(v_1, hin, k8)
-    I11 = add(fin, mul(cvn1, v_1, k9), k9)
-    d12n = mul(cvn1, v_2, k11)
-    sn3 = neg(v_3, k43)
-    I12 = sub(d12n, sn3, k44)
-    I21 = add(d12n, sn3, k11)
-    d13n = mul(cvn1, v_3, k43)
-    sn2 = neg(v_2, k45)
-    I13 = add(d13n, sn2, k46)
-    I31 = sub(d13n, sn2, k43)
-    cvn2 = mul(v_2, hin, k45)
-    I22 = add(fin, mul(cvn2, v_2, k47), k47)
-    d23n = mul(cvn2, v_3, k48)
-    sn1 = neg(v_1, k49)
-    I23 = sub(d23n, sn1, k50)
-    I32 = add(d23n, sn1, k48)
-    cvn3 = mul(v_3, hin, k49)
-    I33 = add(fin, mul(cvn3, v_3, k51), k51)
-    gv_rhob3 = mul(v_rhob3, gp, k52)
-    gv_rhob2 = mul(v_rhob2, gp, k53)
-    gvp2 = mul(v2, gp, k54)
-    gvp3 = mul(v3, gp, k55)
+    v_rhob1 = sub(mul(v2, rhob3, k60), mul(v3, rhob2, k61), k60)
+    v_rhob3 = sub(mul(v1, rhob2, k61), mul(v2, rhob1, k62), k61)
+    gv_rhob3 = mul(v_rhob3, gp, k62)
+    v_rhob2 = sub(mul(v3, rhob1, k63), mul(v1, rhob3, k64), k63)
+    gv_rhob2 = mul(v_rhob2, gp, k64)
+    gvp2 = mul(v2, gp, k65)
+    gvp3 = mul(v3, gp, k66)
+    yp = add(add(mul(v1, v1o, k67), mul(v2, v2o, k68), k67), mul(v3, v3o, k68), k67)
+    alongp = mul(hp, yp, k33)
+    hoF = mul(hyF, yp, k27)
+    foF = mul(fyF, yp, k25)
+    goF = mul(gyF, yp, k26)
     rhop1 = add(
-        add(mul(v1o, fp, k56), sub(mul(gvp2, v3o, k57), mul(gvp3, v2o, k58), k57), k56), mul(v1, alongp, k57), k56
+        add(mul(v1o, fp, k67), sub(mul(gvp2, v3o, k68), mul(gvp3, v2o, k69), k68), k67), mul(v1, alongp, k68), k67
     )
     rho1 = add(
-        add(rhob1, add(mul(v_rhob1, fp, k57), sub(mul(v2, gv_rhob3, k58), mul(v3, gv_rhob2, k59), k58), k57), k22),
-        rhop1, k22
+        add(rhob1, add(mul(v_rhob1, fp, k68), sub(mul(v2, gv_rhob3, k69), mul(v3, gv_rhob2, k70), k69), k68), k9),
+        rhop1, k9
     )
-    gv_rhob1 = mul(v_rhob1, gp, k28)
-    gvp1 = mul(v1, gp, k38)
+    gv_rhob1 = mul(v_rhob1, gp, k60)
+    gvp1 = mul(v1, gp, k32)
     rhop2 = add(
-        add(mul(v2o, fp, k57), sub(mul(gvp3, v1o, k55), mul(gvp1, v3o, k58), k55), k55), mul(v2, alongp, k57), k55
+        add(mul(v2o, fp, k68), sub(mul(gvp3, v1o, k66), mul(gvp1, v3o, k69), k66), k66), mul(v2, alongp, k68), k66
     )
     rho2 = add(
-        add(rhob2, add(mul(v_rhob2, fp, k30), sub(mul(v3, gv_rhob1, k57), mul(v1, gv_rhob3, k52), k52), k30), k27),
-        rhop2, k27
+        add(rhob2, add(mul(v_rhob2, fp, k63), sub(mul(v3, gv_rhob1, k68), mul(v1, gv_rhob3, k62), k62), k62), k59),
+        rhop2, k59
     )
     rhop3 = add(
-        add(mul(v3o, fp, k30), sub(mul(gvp1, v2o, k52), mul(gvp2, v1o, k57), k52), k30), mul(v3, alongp, k32), k30
+        add(mul(v3o, fp, k62), sub(mul(gvp1, v2o, k63), mul(gvp2, v1o, k68), k63), k62), mul(v3, alongp, k33), k33
     )
     rho3 = add(
-        add(rhob3, add(mul(v_rhob3, fp, k29), sub(mul(v1, gv_rhob2, k32), mul(v2, gv_rhob1, k28), k28), k28), k25),
-        rhop3, k25
+        add(rhob3, add(mul(v_rhob3, fp, k61), sub(mul(v1, gv_rhob2, k62), mul(v2, gv_rhob1, k60), k60), k60), k13),
+        rhop3, k13
     )
-    gvvp3 = mul(gvp2, v3, k28)
-    hvr = mul(hin, add(add(mul(v_1, rho1, k29), mul(v_2, rho2, k32), k29), mul(v_3, rho3, k32), k29), k29)
+    gvvp3 = mul(gvp2, v3, k60)
+    hvr = mul(hin, add(add(mul(v_1, rho1, k61), mul(v_2, rho2, k62), k61), mul(v_3, rho3, k62), k61), k61)
     w4 = div(
-        add(sub(mul(rho1, fin, k32), sub(mul(v_2, rho3, k52), mul(v_3, rho2, k53), k52), k32), mul(v_1, hvr, k52), k32),
-        n2, k32
+        add(sub(mul(rho1, fin, k62), sub(mul(v_2, rho3, k63), mul(v_3, rho2, k64), k63), k62), mul(v_1, hvr, k63), k62),
+        n2, k62
     )
     w5 = div(
-        add(sub(mul(rho2, fin, k52), sub(mul(v_3, rho1, k53), mul(v_1, rho3, k54), k53), k52), mul(v_2, hvr, k53), k52),
-        n2, k52
+        add(sub(mul(rho2, fin, k63), sub(mul(v_3, rho1, k64), mul(v_1, rho3, k65), k64), k63), mul(v_2, hvr, k64), k63),
+        n2, k63
     )
     w6 = div(
-        add(sub(mul(rho3, fin, k18), sub(mul(v_1, rho2, k25), mul(v_2, rho1, k22), k22), k18), mul(v_3, hvr, k22), k18),
-        n2, k18
+        add(sub(mul(rho3, fin, k13), sub(mul(v_1, rho2, k29), mul(v_2, rho1, k9), k9), k9), mul(v_3, hvr, k13), k9), n2,
+        k9
     )
-    yn = add(add(mul(v_1, w4, k22), mul(v_2, w5, k25), k22), mul(v_3, w6, k25), k22)
-    fion = mul(fiyn, yn, k25)
-    hion = mul(hiyn, yn, k22)
-    cvon1 = add(mul(w4, hin, k27), mul(v_1, hion, k29), k27)
-    I11o = add(fion, add(mul(cvn1, w4, k29), mul(cvon1, v_1, k10), k10), k10)
-    son1 = neg(w4, k29)
-    d12on = add(mul(cvn1, w5, k32), mul(cvon1, v_2, k41), k32)
-    d13on = add(mul(cvn1, w6, k8), mul(cvon1, v_3, k27), k8)
-    son3 = neg(w6, k27)
-    I12o = sub(d12on, son3, k41)
-    I21o = add(d12on, son3, k27)
-    son2 = neg(w5, k32)
-    I13o = add(d13on, son2, k42)
-    I31o = sub(d13on, son2, k8)
-    cvon2 = add(mul(w5, hin, k32), mul(v_2, hion, k53), k32)
-    I22o = add(fion, add(mul(cvn2, w5, k52), mul(cvon2, v_2, k12), k12), k12)
-    d23on = add(mul(cvn2, w6, k45), mul(cvon2, v_3, k32), k32)
-    cvon3 = add(mul(w6, hin, k21), mul(v_3, hion, k22), k21)
-    I33o = add(fion, add(mul(cvn3, w6, k18), mul(cvon3, v_3, k17), k17), k17)
-    I23o = sub(d23on, son1, k18)
-    I32o = add(d23on, son1, k21)
-    gvvp1 = mul(gvp1, v2, k22)
-    gvvp2 = mul(gvp1, v3, k25)
-    fvp3 = mul(v3, fp, k29)
+    yn = add(add(mul(v_1, w4, k13), mul(v_2, w5, k29), k13), mul(v_3, w6, k29), k13)
+    fion = mul(fiyn, yn, k29)
+    hion = mul(hiyn, yn, k13)
+    cvon1 = add(mul(w4, hin, k34), mul(v_1, hion, k35), k34)
+    I11o = add(fion, add(mul(cvn1, w4, k35), mul(cvon1, v_1, k16), k16), k16)
+    son1 = neg(w4, k35)
+    d12on = add(mul(cvn1, w5, k59), mul(cvon1, v_2, k61), k59)
+    d13on = add(mul(cvn1, w6, k14), mul(cvon1, v_3, k34), k14)
+    son3 = neg(w6, k34)
+    I12o = sub(d12on, son3, k61)
+    I21o = add(d12on, son3, k34)
+    son2 = neg(w5, k59)
+    I13o = add(d13on, son2, k62)
+    I31o = sub(d13on, son2, k14)
+    cvoF1 = add(mul(v1o, hF, k59), mul(v1, hoF, k64), k59)
+    F11o = add(foF, add(mul(cvF1, v1o, k64), mul(cvoF1, v1, k65), k64), k64)
+    d12oF = add(mul(cvF1, v2o, k65), mul(cvoF1, v2, k68), k65)
+    d13oF = add(mul(cvF1, v3o, k38), mul(cvoF1, v3, k59), k38)
+    gvoF3 = add(mul(v3o, gF, k59), mul(v3, goF, k68), k59)
+    F21o = add(d12oF, gvoF3, k68)
+    F12o = sub(d12oF, gvoF3, k59)
+    gvoF2 = add(mul(v2o, gF, k65), mul(v2, goF, k69), k65)
+    gvoF1 = add(mul(v1o, gF, k23), mul(v1, goF, k26), k23)
+    F31o = sub(d13oF, gvoF2, k26)
+    F13o = add(d13oF, gvoF2, k38)
+    div(
+        add(add(add(mul(I11, F11o, k65), mul(I11o, F11, k69), k65), add(mul(I12, F21o, k69), mul(I12o, F21, k70), k69),
+        k65), add(mul(I13, F31o, k69), mul(I13o, F31, k70), k69), k65), n2, o19
+    )
+    cvoF2 = add(mul(v2o, hF, k65), mul(v2, hoF, k69), k65)
+    cvoF3 = add(mul(v3o, hF, k24), mul(v3, hoF, k27), k24)
+    F33o = add(foF, add(mul(cvF3, v3o, k27), mul(cvoF3, v3, k24), k24), k24)
+    F22o = add(foF, add(mul(cvF2, v2o, k27), mul(cvoF2, v2, k48), k27), k25)
+    d23oF = add(mul(cvF2, v3o, k27), mul(cvoF2, v3, k44), k27)
+    F32o = add(d23oF, gvoF1, k44)
+    F23o = sub(d23oF, gvoF1, k23)
+    div(
+        add(add(add(mul(I11, F12o, k27), mul(I11o, F12, k48), k27), add(mul(I12, F22o, k48), mul(I12o, F22, k65), k48),
+        k27), add(mul(I13, F32o, k48), mul(I13o, F32, k65), k48), k27), n2, o20
+    )
+    div(
+        add(add(add(mul(I11, F13o, k27), mul(I11o, F13, k48), k27), add(mul(I12, F23o, k48), mul(I12o, F23, k65), k48),
+        k27), add(mul(I13, F33o, k48), mul(I13o, F33, k65), k48), k27), n2, o21
+    )
+    cvon2 = add(mul(w5, hin, k27), mul(v_2, hion, k48), k27)
+    I22o = add(fion, add(mul(cvn2, w5, k48), mul(cvon2, v_2, k21), k21), k21)
+    d23on = add(mul(cvn2, w6, k48), mul(cvon2, v_3, k27), k27)
+    cvon3 = add(mul(w6, hin, k30), mul(v_3, hion, k13), k13)
+    I33o = add(fion, add(mul(cvn3, w6, k9), mul(cvon3, v_3, k13), k9), k9)
+    I23o = sub(d23on, son1, k13)
+    I32o = add(d23on, son1, k27)
+    div(
+        add(add(add(mul(I21, F11o, k28), mul(I21o, F11, k29), k28), add(mul(I22, F21o, k29), mul(I22o, F21, k30), k29),
+        k28), add(mul(I23, F31o, k29), mul(I23o, F31, k30), k29), k28), n2, o25
+    )
+    div(
+        add(add(add(mul(I31, F11o, k28), mul(I31o, F11, k29), k28), add(mul(I32, F21o, k29), mul(I32o, F21, k30), k29),
+        k28), add(mul(I33, F31o, k26), mul(I33o, F31, k29), k26), k26), n2, o31
+    )
+    div(
+        add(add(add(mul(I21, F12o, k26), mul(I21o, F12, k28), k26), add(mul(I22, F22o, k28), mul(I22o, F22, k29), k28),
+        k26), add(mul(I23, F32o, k28), mul(I23o, F32, k29), k28), k26), n2, o26
+    )
+    div(
+        add(add(add(mul(I31, F12o, k26), mul(I31o, F12, k28), k26), add(mul(I32, F22o, k25), mul(I32o, F22, k28), k25),
+        k25), add(mul(I33, F32o, k26), mul(I33o, F32, k28), k26), k25), n2, o32
+    )
+    div(
+        add(add(add(mul(I21, F13o, k25), mul(I21o, F13, k26), k25), add(mul(I22, F23o, k26), mul(I22o, F23, k28), k26),
+        k25), add(mul(I23, F33o, k26), mul(I23o, F33, k28), k26), k25), n2, o27
+    )
+    div(
+        add(add(add(mul(I31, F13o, k25), mul(I31o, F13, k26), k25), add(mul(I32, F23o, k23), mul(I32o, F23, k26), k23),
+        k23), add(mul(I33, F33o, k24), mul(I33o, F33, k22), k22), k22), n2, o33
+    )
+    cvd1 = mul(d1, hd, k22)
+    D11 = add(fd, mul(cvd1, d1, k23), k23)
+    d12d = mul(cvd1, d2, k24)
+    D21 = add(d12d, gvd3, k25)
+    D12 = sub(d12d, gvd3, k24)
+    d13d = mul(cvd1, d3, k26)
+    D31 = sub(d13d, gvd2, k28)
+    D13 = add(d13d, gvd2, k11)
+    gvvp1 = mul(gvp1, v2, k26)
+    gvvp2 = mul(gvp1, v3, k29)
+    fvp3 = mul(v3, fp, k30)
     Qp12 = sub(gvvp1, fvp3, k32)
-    Qp21 = add(gvvp1, fvp3, k22)
-    fvp2 = mul(v2, fp, k29)
-    fvp1 = mul(v1, fp, k34)
-    Qp13 = add(gvvp2, fvp2, k38)
-    Qp31 = sub(gvvp2, fvp2, k25)
-    RD11 = add(add(mul(Qp11, D11, k29), mul(Qp12, D21, k45), k29), mul(Qp13, D31, k45), k29)
-    Qp23 = sub(gvvp3, fvp1, k45)
-    Qp32 = add(gvvp3, fvp1, k28)
-    RD21 = add(add(mul(Qp21, D11, k34), mul(Qp22, D21, k49), k34), mul(Qp23, D31, k49), k34)
-    RD31 = add(add(mul(Qp31, D11, k49), mul(Qp32, D21, k52), k49), mul(Qp33, D31, k52), k49)
-    div(add(add(mul(I11, RD11, k52), mul(I12, RD21, k53), k52), mul(I13, RD31, k53), k52), n2, o37)
-    div(add(add(mul(I21, RD11, k52), mul(I22, RD21, k53), k52), mul(I23, RD31, k53), k52), n2, o43)
-    div(add(add(mul(I31, RD11, k52), mul(I32, RD21, k53), k52), mul(I33, RD31, k53), k52), n2, o49)
-    RD12 = add(add(mul(Qp11, D12, k52), mul(Qp12, D22, k53), k52), mul(Qp13, D32, k53), k52)
-    RD22 = add(add(mul(Qp21, D12, k53), mul(Qp22, D22, k54), k53), mul(Qp23, D32, k54), k53)
-    RD32 = add(add(mul(Qp31, D12, k54), mul(Qp32, D22, k57), k54), mul(Qp33, D32, k57), k54)
-    div(add(add(mul(I11, RD12, k57), mul(I12, RD22, k58), k57), mul(I13, RD32, k58), k57), n2, o38)
-    div(add(add(mul(I21, RD12, k57), mul(I22, RD22, k58), k57), mul(I23, RD32, k58), k57), n2, o44)
-    div(add(add(mul(I31, RD12, k57), mul(I32, RD22, k58), k57), mul(I33, RD32, k58), k57), n2, o50)
-    RD13 = add(add(mul(Qp11, D13, k57), mul(Qp12, D23, k58), k57), mul(Qp13, D33, k58), k57)
-    RD23 = add(add(mul(Qp21, D13, k58), mul(Qp22, D23, k59), k58), mul(Qp23, D33, k59), k58)
-    RD33 = add(add(mul(Qp31, D13, k59), mul(Qp32, D23, k60), k59), mul(Qp33, D33, k60), k59)
-    div(add(add(mul(I11, RD13, k60), mul(I12, RD23, k61), k60), mul(I13, RD33, k61), k60), n2, o39)
-    div(add(add(mul(I21, RD13, k60), mul(I22, RD23, k61), k60), mul(I23, RD33, k61), k60), n2, o45)
-    div(add(add(mul(I31, RD13, k60), mul(I32, RD23, k61), k60), mul(I33, RD33, k61), k60), n2, o51)
-    R11o = sub(mul(Qp31, rhop2, k60), mul(Qp21, rhop3, k61), k60)
-    R12o = sub(mul(Qp32, rhop2, k61), mul(Qp22, rhop3, k62), k61)
-    R13o = sub(mul(Qp33, rhop2, k62), mul(Qp23, rhop3, k63), k62)
+    Qp21 = add(gvvp1, fvp3, k26)
+    fvp2 = mul(v2, fp, k30)
+    fvp1 = mul(v1, fp, k31)
+    Qp13 = add(gvvp2, fvp2, k35)
+    Qp31 = sub(gvvp2, fvp2, k29)
+    RD11 = add(add(mul(Qp11, D11, k30), mul(Qp12, D21, k38), k30), mul(Qp13, D31, k38), k30)
+    Qp23 = sub(gvvp3, fvp1, k38)
+    Qp32 = add(gvvp3, fvp1, k31)
+    RD21 = add(add(mul(Qp21, D11, k40), mul(Qp22, D21, k41), k40), mul(Qp23, D31, k41), k40)
+    RD31 = add(add(mul(Qp31, D11, k41), mul(Qp32, D21, k42), k41), mul(Qp33, D31, k42), k41)
+    div(add(add(mul(I11, RD11, k42), mul(I12, RD21, k43), k42), mul(I13, RD31, k43), k42), n2, o37)
+    div(add(add(mul(I21, RD11, k42), mul(I22, RD21, k43), k42), mul(I23, RD31, k43), k42), n2, o43)
+    div(add(add(mul(I31, RD11, k42), mul(I32, RD21, k43), k42), mul(I33, RD31, k43), k42), n2, o49)
+    cvd2 = mul(d2, hd, k42)
+    D22 = add(fd, mul(cvd2, d2, k43), k43)
+    d23d = mul(cvd2, d3, k44)
+    D32 = add(d23d, gvd1, k45)
+    D23 = sub(d23d, gvd1, k10)
+    RD12 = add(add(mul(Qp11, D12, k44), mul(Qp12, D22, k46), k44), mul(Qp13, D32, k46), k44)
+    RD22 = add(add(mul(Qp21, D12, k46), mul(Qp22, D22, k47), k46), mul(Qp23, D32, k47), k46)
+    RD32 = add(add(mul(Qp31, D12, k47), mul(Qp32, D22, k48), k47), mul(Qp33, D32, k48), k47)
+    div(add(add(mul(I11, RD12, k48), mul(I12, RD22, k49), k48), mul(I13, RD32, k49), k48), n2, o38)
+    div(add(add(mul(I21, RD12, k48), mul(I22, RD22, k49), k48), mul(I23, RD32, k49), k48), n2, o44)
+    div(add(add(mul(I31, RD12, k48), mul(I32, RD22, k49), k48), mul(I33, RD32, k49), k48), n2, o50)
+    cvd3 = mul(d3, hd, k48)
+    D33 = add(fd, mul(cvd3, d3, k49), k49)
+    gyd = sub(mul(fd, hd, k4), mul(gd, gd, k50), k4)
+    god = mul(gyd, yd, k4)
+    RD13 = add(add(mul(Qp11, D13, k50), mul(Qp12, D23, k53), k50), mul(Qp13, D33, k53), k50)
+    RD23 = add(add(mul(Qp21, D13, k53), mul(Qp22, D23, k58), k53), mul(Qp23, D33, k58), k53)
+    RD33 = add(add(mul(Qp31, D13, k58), mul(Qp32, D23, k59), k58), mul(Qp33, D33, k59), k58)
+    div(add(add(mul(I11, RD13, k59), mul(I12, RD23, k60), k59), mul(I13, RD33, k60), k59), n2, o39)
+    div(add(add(mul(I21, RD13, k59), mul(I22, RD23, k60), k59), mul(I23, RD33, k60), k59), n2, o45)
+    div(add(add(mul(I31, RD13, k59), mul(I32, RD23, k60), k59), mul(I33, RD33, k60), k59), n2, o51)
+    CC3d = mul(C3d, C3d, k59)
+    C4d = div(sub(sub(mul(n4, C3d, k60), C2d, k60), mul(n2, mul(zd, CC3d, k6), k6), k6), mul(n2, C01d, k56), k6)
+    c5d = div(add(add(C5d, C4d, k6), mul(C2d, C3d, k7), k6), n16, k6)
+    hyd = m.where(neard, sub(mul(n3, c5d, k6), c4d, k3), div(sub(gd, mul(n3, hd, k6), k6), xxd, k6), k3)
+    hod = mul(hyd, yd, k3)
+    cvod1 = add(mul(d1o, hd, k6), mul(d1, hod, k7), k6)
+    fyd = sub(hd, gd, k7)
+    fod = mul(fyd, yd, k5)
+    D11o = add(fod, add(mul(cvd1, d1o, k7), mul(cvod1, d1, k8), k7), k7)
+    gvod3 = add(mul(d3o, gd, k8), mul(d3, god, k12), k8)
+    d12od = add(mul(cvd1, d2o, k12), mul(cvod1, d2, k56), k12)
+    d13od = add(mul(cvd1, d3o, k22), mul(cvod1, d3, k6), k6)
+    D21o = add(d12od, gvod3, k22)
+    D12o = sub(d12od, gvod3, k8)
+    gvod2 = add(mul(d2o, gd, k12), mul(d2, god, k56), k12)
+    gvod1 = add(mul(d1o, gd, k2), mul(d1, god, k4), k2)
+    D31o = sub(d13od, gvod2, k4)
+    D13o = add(d13od, gvod2, k6)
+    R11o = sub(mul(Qp31, rhop2, k12), mul(Qp21, rhop3, k56), k12)
+    R12o = sub(mul(Qp32, rhop2, k56), mul(Qp22, rhop3, k57), k56)
+    R13o = sub(mul(Qp33, rhop2, k57), mul(Qp23, rhop3, k59), k57)
     RD11o = add(
-        add(add(mul(Qp11, D11o, k63), mul(R11o, D11, k64), k63), add(mul(Qp12, D21o, k64), mul(R12o, D21, k65), k64),
-        k63), add(mul(Qp13, D31o, k64), mul(R13o, D31, k65), k64), k63
+        add(add(mul(Qp11, D11o, k59), mul(R11o, D11, k60), k59), add(mul(Qp12, D21o, k60), mul(R12o, D21, k63), k60),
+        k59), add(mul(Qp13, D31o, k60), mul(R13o, D31, k63), k60), k59
     )
-    R21o = sub(mul(Qp11, rhop3, k64), mul(Qp31, rhop1, k65), k64)
-    R22o = sub(mul(Qp12, rhop3, k65), mul(Qp32, rhop1, k66), k65)
-    R23o = sub(mul(Qp13, rhop3, k30), mul(Qp33, rhop1, k66), k30)
+    R21o = sub(mul(Qp11, rhop3, k60), mul(Qp31, rhop1, k63), k60)
+    R22o = sub(mul(Qp12, rhop3, k63), mul(Qp32, rhop1, k64), k63)
+    R23o = sub(mul(Qp13, rhop3, k33), mul(Qp33, rhop1, k64), k33)
     RD21o = add(
-        add(add(mul(Qp21, D11o, k66), mul(R21o, D11, k67), k66), add(mul(Qp22, D21o, k67), mul(R22o, D21, k68), k67),
-        k66), add(mul(Qp23, D31o, k67), mul(R23o, D31, k68), k67), k66
+        add(add(mul(Qp21, D11o, k64), mul(R21o, D11, k65), k64), add(mul(Qp22, D21o, k65), mul(R22o, D21, k68), k65),
+        k64), add(mul(Qp23, D31o, k65), mul(R23o, D31, k68), k65), k64
     )
-    R31o = sub(mul(Qp21, rhop1, k67), mul(Qp11, rhop2, k68), k67)
+    R31o = sub(mul(Qp21, rhop1, k65), mul(Qp11, rhop2, k68), k65)
     R32o = sub(mul(Qp22, rhop1, k68), mul(Qp12, rhop2, k69), k68)
-    R33o = sub(mul(Qp23, rhop1, k56), mul(Qp13, rhop2, k55), k55)
+    R33o = sub(mul(Qp23, rhop1, k67), mul(Qp13, rhop2, k66), k66)
     RD31o = add(
-        add(add(mul(Qp31, D11o, k4), mul(R31o, D11, k33), k4), add(mul(Qp32, D21o, k20), mul(R32o, D21, k33), k20), k4),
-        add(mul(Qp33, D31o, k7), mul(R33o, D31, k20), k7), k4
+        add(add(mul(Qp31, D11o, k7), mul(R31o, D11, k23), k7), add(mul(Qp32, D21o, k22), mul(R32o, D21, k23), k22), k7),
+        add(mul(Qp33, D31o, k4), mul(R33o, D31, k22), k4), k4
     )
     div(
-        add(add(add(mul(I11, RD11o, k7), mul(I11o, RD11, k20), k7), add(mul(I12, RD21o, k20), mul(I12o, RD21, k33),
-        k20), k7), add(mul(I13, RD31o, k20), mul(I13o, RD31, k33), k20), k7), n2, o55
+        add(add(add(mul(I11, RD11o, k7), mul(I11o, RD11, k22), k7), add(mul(I12, RD21o, k22), mul(I12o, RD21, k23),
+        k22), k7), add(mul(I13, RD31o, k22), mul(I13o, RD31, k23), k22), k7), n2, o55
     )
     div(
-        add(add(add(mul(I21, RD11o, k7), mul(I21o, RD11, k20), k7), add(mul(I22, RD21o, k20), mul(I22o, RD21, k33),
-        k20), k7), add(mul(I23, RD31o, k20), mul(I23o, RD31, k33), k20), k7), n2, o61
+        add(add(add(mul(I21, RD11o, k7), mul(I21o, RD11, k22), k7), add(mul(I22, RD21o, k22), mul(I22o, RD21, k23),
+        k22), k7), add(mul(I23, RD31o, k22), mul(I23o, RD31, k23), k22), k7), n2, o61
     )
     div(
-        add(add(add(mul(I31, RD11o, k7), mul(I31o, RD11, k20), k7), add(mul(I32, RD21o, k20), mul(I32o, RD21, k29),
-        k20), k7), add(mul(I33, RD31o, k4), mul(I33o, RD31, k20), k4), k4), n2, o67
+        add(add(add(mul(I31, RD11o, k7), mul(I31o, RD11, k22), k7), add(mul(I32, RD21o, k22), mul(I32o, RD21, k23),
+        k22), k7), add(mul(I33, RD31o, k4), mul(I33o, RD31, k22), k4), k4), n2, o67
     )
+    cvod2 = add(mul(d2o, hd, k4), mul(d2, hod, k7), k4)
+    cvod3 = add(mul(d3o, hd, k1), mul(d3, hod, k3), k1)
+    D33o = add(fod, add(mul(cvd3, d3o, k3), mul(cvod3, d3, k1), k1), k1)
+    D22o = add(fod, add(mul(cvd2, d2o, k3), mul(cvod2, d2, k7), k3), k3)
+    d23od = add(mul(cvd2, d3o, k5), mul(cvod2, d3, k4), k4)
+    D32o = add(d23od, gvod1, k5)
+    D23o = sub(d23od, gvod1, k2)
     RD12o = add(
-        add(add(mul(Qp11, D12o, k4), mul(R11o, D12, k7), k4), add(mul(Qp12, D22o, k7), mul(R12o, D22, k20), k7), k4),
-        add(mul(Qp13, D32o, k7), mul(R13o, D32, k20), k7), k4
+        add(add(mul(Qp11, D12o, k4), mul(R11o, D12, k7), k4), add(mul(Qp12, D22o, k7), mul(R12o, D22, k22), k7), k4),
+        add(mul(Qp13, D32o, k7), mul(R13o, D32, k22), k7), k4
     )
     RD13o = add(
-        add(add(mul(Qp11, D13o, k7), mul(R11o, D13, k14), k7), add(mul(Qp12, D23o, k14), mul(R12o, D23, k20), k14), k7),
-        add(mul(Qp13, D33o, k14), mul(R13o, D33, k20), k14), k7
+        add(add(mul(Qp11, D13o, k7), mul(R11o, D13, k12), k7), add(mul(Qp12, D23o, k12), mul(R12o, D23, k19), k12), k7),
+        add(mul(Qp13, D33o, k12), mul(R13o, D33, k19), k12), k7
     )
     RD22o = add(
-        add(add(mul(Qp21, D12o, k14), mul(R21o, D12, k20), k14), add(mul(Qp22, D22o, k20), mul(R22o, D22, k29), k20),
-        k14), add(mul(Qp23, D32o, k20), mul(R23o, D32, k29), k20), k14
+        add(add(mul(Qp21, D12o, k12), mul(R21o, D12, k19), k12), add(mul(Qp22, D22o, k19), mul(R22o, D22, k22), k19),
+        k12), add(mul(Qp23, D32o, k19), mul(R23o, D32, k22), k19), k12
     )
     RD32o = add(
-        add(add(mul(Qp31, D12o, k5), mul(R31o, D12, k20), k5), add(mul(Qp32, D22o, k3), mul(R32o, D22, k20), k3), k3),
-        add(mul(Qp33, D32o, k5), mul(R33o, D32, k19), k5), k3
+        add(add(mul(Qp31, D12o, k8), mul(R31o, D12, k19), k8), add(mul(Qp32, D22o, k3), mul(R32o, D22, k19), k3), k3),
+        add(mul(Qp33, D32o, k5), mul(R33o, D32, k8), k5), k3
     )
     RD23o = add(
-        add(add(mul(Qp21, D13o, k5), mul(R21o, D13, k19), k5), add(mul(Qp22, D23o, k13), mul(R22o, D23, k19), k13), k5),
-        add(mul(Qp23, D33o, k13), mul(R23o, D33, k19), k13), k5
+        add(add(mul(Qp21, D13o, k5), mul(R21o, D13, k8), k5), add(mul(Qp22, D23o, k8), mul(R22o, D23, k18), k8), k5),
+        add(mul(Qp23, D33o, k8), mul(R23o, D33, k18), k8), k5
     )
     RD33o = add(
-        add(add(mul(Qp31, D13o, k2), mul(R31o, D13, k13), k2), add(mul(Qp32, D23o, k6), mul(R32o, D23, k13), k6), k2),
+        add(add(mul(Qp31, D13o, k6), mul(R31o, D13, k8), k6), add(mul(Qp32, D23o, k2), mul(R32o, D23, k8), k2), k2),
         add(mul(Qp33, D33o, k1), mul(R33o, D33, k6), k1), k1
     )
     div(
-        add(add(add(mul(I11, RD12o, k2), mul(I11o, RD12, k6), k2), add(mul(I12, RD22o, k6), mul(I12o, RD22, k13), k6),
-        k2), add(mul(I13, RD32o, k6), mul(I13o, RD32, k13), k6), k2), n2, o56
+        add(add(add(mul(I11, RD12o, k2), mul(I11o, RD12, k6), k2), add(mul(I12, RD22o, k6), mul(I12o, RD22, k8), k6),
+        k2), add(mul(I13, RD32o, k6), mul(I13o, RD32, k8), k6), k2), n2, o56
     )
     div(
-        add(add(add(mul(I11, RD13o, k2), mul(I11o, RD13, k6), k2), add(mul(I12, RD23o, k6), mul(I12o, RD23, k13), k6),
-        k2), add(mul(I13, RD33o, k6), mul(I13o, RD33, k13), k6), k2), n2, o57
+        add(add(add(mul(I11, RD13o, k2), mul(I11o, RD13, k6), k2), add(mul(I12, RD23o, k6), mul(I12o, RD23, k8), k6),
+        k2), add(mul(I13, RD33o, k6), mul(I13o, RD33, k8), k6), k2), n2, o57
     )
     div(
-        add(add(add(mul(I21, RD12o, k2), mul(I21o, RD12, k6), k2), add(mul(I22, RD22o, k6), mul(I22o, RD22, k13), k6),
-        k2), add(mul(I23, RD32o, k6), mul(I23o, RD32, k13), k6), k2), n2, o62
+        add(add(add(mul(I21, RD12o, k2), mul(I21o, RD12, k6), k2), add(mul(I22, RD22o, k6), mul(I22o, RD22, k8), k6),
+        k2), add(mul(I23, RD32o, k6), mul(I23o, RD32, k8), k6), k2), n2, o62
+    )
+    div(
+        add(add(add(mul(I21, RD13o, k2), mul(I21o, RD13, k6), k2), add(mul(I22, RD23o, k6), mul(I22o, RD23, k8), k6),
+        k2), add(mul(I23, RD33o, k6), mul(I23o, RD33, k8), k6), k2), n2, o63
     )
     div(
         add(add(add(mul(I31, RD12o, k2), mul(I31o, RD12, k4), k2), add(mul(I32, RD22o, k4), mul(I32o, RD22, k6), k4),
         k2), add(mul(I33, RD32o, k3), mul(I33o, RD32, k4), k3), k2), n2, o68
     )
     div(
-        add(add(add(mul(I21, RD13o, k2), mul(I21o, RD13, k3), k2), add(mul(I22, RD23o, k3), mul(I22o, RD23, k4), k3),
-        k2), add(mul(I23, RD33o, k3), mul(I23o, RD33, k4), k3), k2), n2, o63
-    )
-    div(
         add(add(add(mul(I31, RD13o, k2), mul(I31o, RD13, k3), k2), add(mul(I32, RD23o, k3), mul(I32o, RD23, k4), k3),
         k2), add(mul(I33, RD33o, k1), mul(I33o, RD33, k3), k1), k1), n2, o69
-    )
-    fF, gF, hF, fyF, gyF, hyF = c.tangent(
-        (k1, k2, k3, k4, k5, k6), (k7, k13, k14, k15, k19, k20, k22, k23, k24, k25, k26, k28, k29, k30, k32, k33, k34,
-        k35, k36, k37, k38, k39, k40, k45, k49, k52, k53, k54, k55, k56, k57, k58, k59, k60, k61, k62, k63, k64, k65,
-        k66, k67, k68, k69, *spare), (mask1, mask2, mask3, *spare_masks), xp
-    )
-    hoF = mul(hyF, yp, k6)
-    foF = mul(fyF, yp, k4)
-    goF = mul(gyF, yp, k5)
-    cvF1 = mul(v1, hF, k7)
-    F11 = add(fF, mul(cvF1, v1, k13), k13)
-    d12F = mul(cvF1, v2, k14)
-    gvF3 = mul(v3, gF, k15)
-    F21 = add(d12F, gvF3, k16)
-    F12 = sub(d12F, gvF3, k14)
-    d13F = mul(cvF1, v3, k15)
-    gvF2 = mul(v2, gF, k19)
-    F31 = sub(d13F, gvF2, k20)
-    F13 = add(d13F, gvF2, k15)
-    div(add(add(mul(I11, F11, k19), mul(I12, F21, k22), k19), mul(I13, F31, k22), k19), n2, o1)
-    div(add(add(mul(I21, F11, k19), mul(I22, F21, k22), k19), mul(I23, F31, k22), k19), n2, o7)
-    div(add(add(mul(I31, F11, k19), mul(I32, F21, k22), k19), mul(I33, F31, k22), k19), n2, o13)
-    cvF2 = mul(v2, hF, k19)
-    F22 = add(fF, mul(cvF2, v2, k22), k22)
-    d23F = mul(cvF2, v3, k23)
-    gvF1 = mul(v1, gF, k24)
-    F32 = add(d23F, gvF1, k25)
-    F23 = sub(d23F, gvF1, k23)
-    div(add(add(mul(I11, F12, k24), mul(I12, F22, k26), k24), mul(I13, F32, k26), k24), n2, o2)
-    div(add(add(mul(I21, F12, k24), mul(I22, F22, k26), k24), mul(I23, F32, k26), k24), n2, o8)
-    div(add(add(mul(I31, F12, k24), mul(I32, F22, k26), k24), mul(I33, F32, k26), k24), n2, o14)
-    cvF3 = mul(v3, hF, k24)
-    F33 = add(fF, mul(cvF3, v3, k26), k1)
-    div(add(add(mul(I11, F13, k26), mul(I12, F23, k28), k26), mul(I13, F33, k28), k26), n2, o3)
-    div(add(add(mul(I21, F13, k26), mul(I22, F23, k28), k26), mul(I23, F33, k28), k26), n2, o9)
-    div(add(add(mul(I31, F13, k26), mul(I32, F23, k28), k26), mul(I33, F33, k28), k26), n2, o15)
-    cvoF1 = add(mul(v1o, hF, k26), mul(v1, hoF, k28), k26)
-    F11o = add(foF, add(mul(cvF1, v1o, k28), mul(cvoF1, v1, k29), k28), k28)
-    d12oF = add(mul(cvF1, v2o, k29), mul(cvoF1, v2, k30), k29)
-    d13oF = add(mul(cvF1, v3o, k7), mul(cvoF1, v3, k26), k7)
-    gvoF3 = add(mul(v3o, gF, k26), mul(v3, goF, k30), k26)
-    F21o = add(d12oF, gvoF3, k30)
-    F12o = sub(d12oF, gvoF3, k26)
-    gvoF2 = add(mul(v2o, gF, k29), mul(v2, goF, k31), k29)
-    gvoF1 = add(mul(v1o, gF, k2), mul(v1, goF, k5), k2)
-    F31o = sub(d13oF, gvoF2, k5)
-    F13o = add(d13oF, gvoF2, k7)
-    div(
-        add(add(add(mul(I11, F11o, k29), mul(I11o, F11, k31), k29), add(mul(I12, F21o, k31), mul(I12o, F21, k32), k31),
-        k29), add(mul(I13, F31o, k31), mul(I13o, F31, k32), k31), k29), n2, o19
-    )
-    div(
-        add(add(add(mul(I21, F11o, k29), mul(I21o, F11, k31), k29), add(mul(I22, F21o, k31), mul(I22o, F21, k32), k31),
-        k29), add(mul(I23, F31o, k31), mul(I23o, F31, k32), k31), k29), n2, o25
-    )
-    div(
-        add(add(add(mul(I31, F11o, k28), mul(I31o, F11, k13), k13), add(mul(I32, F21o, k28), mul(I32o, F21, k16), k16),
-        k13), add(mul(I33, F31o, k5), mul(I33o, F31, k16), k5), k5), n2, o31
-    )
-    cvoF2 = add(mul(v2o, hF, k5), mul(v2, hoF, k13), k5)
-    cvoF3 = add(mul(v3o, hF, k3), mul(v3, hoF, k6), k3)
-    F33o = add(foF, add(mul(cvF3, v3o, k6), mul(cvoF3, v3, k3), k3), k3)
-    F22o = add(foF, add(mul(cvF2, v2o, k6), mul(cvoF2, v2, k13), k6), k4)
-    d23oF = add(mul(cvF2, v3o, k6), mul(cvoF2, v3, k5), k5)
-    F32o = add(d23oF, gvoF1, k6)
-    F23o = sub(d23oF, gvoF1, k2)
-    div(
-        add(add(add(mul(I11, F12o, k5), mul(I11o, F12, k13), k5), add(mul(I12, F22o, k13), mul(I12o, F22, k16), k13),
-        k5), add(mul(I13, F32o, k13), mul(I13o, F32, k16), k13), k5), n2, o20
-    )
-    div(
-        add(add(add(mul(I11, F13o, k5), mul(I11o, F13, k9), k5), add(mul(I12, F23o, k9), mul(I12o, F23, k10), k9), k5),
-        add(mul(I13, F33o, k9), mul(I13o, F33, k10), k9), k5), n2, o21
-    )
-    div(
-        add(add(add(mul(I21, F12o, k5), mul(I21o, F12, k9), k5), add(mul(I22, F22o, k9), mul(I22o, F22, k10), k9), k5),
-        add(mul(I23, F32o, k9), mul(I23o, F32, k10), k9), k5), n2, o26
-    )
-    div(
-        add(add(add(mul(I21, F13o, k5), mul(I21o, F13, k9), k5), add(mul(I22, F23o, k9), mul(I22o, F23, k10), k9), k5),
-        add(mul(I23, F33o, k9), mul(I23o, F33, k10), k9), k5), n2, o27
-    )
-    div(
-        add(add(add(mul(I31, F12o, k5), mul(I31o, F12, k9), k5), add(mul(I32, F22o, k4), mul(I32o, F22, k9), k4), k4),
-        add(mul(I33, F32o, k5), mul(I33o, F32, k6), k5), k4), n2, o32
-    )
-    div(
-        add(add(add(mul(I31, F13o, k4), mul(I31o, F13, k5), k4), add(mul(I32, F23o, k2), mul(I32o, F23, k5), k2), k2),
-        add(mul(I33, F33o, k3), mul(I33o, F33, k1), k1), k1), n2, o33
     )
     copy(n0, o4)
     copy(n0, o5)
@@ -7092,7 +7117,7 @@ def body_retract_jacobians_blocks(
     copy(o51, o72)
 
 
-# operations 297: 97 +, 141 *, 29 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+# operations 309: 109 +, 141 *, 29 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
 def local(m: Any, c: Any, b: Components, a: Components) -> Result:
     b1, b2, b3, b1o, b2o, b3o = b
     a1, a2, a3, a1o, a2o, a3o = a
@@ -7157,7 +7182,8 @@ def local(m: Any, c: Any, b: Components, a: Components) -> Result:
     v11e = d1 * d1
     v22e = d2 * d2
     v33e = d3 * d3
-    xe = v11e + v22e + v33e
+    part = v11e + v22e
+    xe = part + v33e
     fee = gaine * z0
     neare = xe < 6
     ze = m.where(neare, xe, xe - xe) / 4
@@ -7177,7 +7203,12 @@ def local(m: Any, c: Any, b: Components, a: Components) -> Result:
     sinee = 2 * thalfe / belowhalfe
     versinee = m.where(tthalfe < 16, 2 * tthalfe / belowhalfe, 2 - 2 / belowhalfe)
     besidee = alphae - 4
-    lefte = xxe - 16 - 8 * besidee - besidee * besidee
+    v33e_in = xe - part
+    v22e_in = part - v11e
+    lefte = (
+        xxe - 16 - 8 * besidee - besidee * besidee + (v11e - (part - v22e_in) + (v22e - v22e_in) + (part - (xe
+        - v33e_in) + (v33e - v33e_in)))
+    )
     loste = lefte / (2 * alphae)
     ge = m.where(neare, CC1e / 2, (versinee + loste * sinee) / xxe)
     C0e = m.sqrt(1 - ze * CC1e)
@@ -7210,7 +7241,8 @@ def local_blocks(
     a1, a2, a3, a1o, a2o, a3o = a
     o1, o2, o3, o4, o5, o6 = out
     (
-        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, *spare,
+        k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
+        k25, k26, k27, *spare,
     ) = scratch
     mask1, mask2, *spare_masks = masks
     (
@@ -7261,45 +7293,50 @@ def local_blocks(
     fee = mul(gaine, z0, k2)
     v11e = mul(d1, d1, k4)
     v22e = mul(d2, d2, k6)
-    v33e = mul(d3, d3, k7)
-    xe = add(add(v11e, v22e, k4), v33e, k4)
+    part = add(v11e, v22e, k7)
+    v33e = mul(d3, d3, k11)
+    xe = add(part, v33e, k12)
     neare = m.less(xe, n6, mask1)
-    ze = div(m.where(neare, xe, sub(xe, xe, k6), k7), n4, k6)
-    xxe = m.where(neare, add(n6, xe, k7), xe, k7)
+    ze = div(m.where(neare, xe, sub(xe, xe, k13), k17), n4, k13)
     C7e = div(
         div(sub(n72, mul(ze, div(sub(n3603600, mul(ze, sub(n32760, mul(ze, sub(n210, mul(ze, div(sub(n93024, mul(ze,
-        sub(n342, mul(ze, div(sub(n212520, mul(ze, sub(n506, ze, k4), k4), k4), n212520, k4), k4), k4), k4), k4),
-        n93024, k4), k4), k4), k4), k4), k4), k4), n3603600, k4), k4), k4), n72, k4), n5040, k4
+        sub(n342, mul(ze, div(sub(n212520, mul(ze, sub(n506, ze, k17), k17), k17), n212520, k17), k17), k17), k17),
+        k17), n93024, k17), k17), k17), k17), k17), k17), k17), n3603600, k17), k17), k17), n72, k17), n5040, k17
     )
-    C5e = div(sub(n1, mul(n120, mul(ze, C7e, k4), k4), k4), n120, k4)
-    C3e = div(sub(n1, mul(n6, mul(ze, C5e, k4), k4), k4), n6, k4)
-    C1e = sub(n1, mul(ze, C3e, k11), k11)
-    CC1e = mul(C1e, C1e, k12)
-    C0e = sqrt(sub(n1, mul(ze, CC1e, k6), k6), k6)
-    C01e = add(n1, C0e, k13)
-    C2e = div(CC1e, C01e, k13)
-    alphae = sqrt(xxe, k17)
-    thalfe = tan(div(alphae, n2, k18), k18)
-    tthalfe = mul(thalfe, thalfe, k19)
-    belowhalfe = add(n1, tthalfe, k20)
+    C5e = div(sub(n1, mul(n120, mul(ze, C7e, k17), k17), k17), n120, k17)
+    C3e = div(sub(n1, mul(n6, mul(ze, C5e, k17), k17), k17), n6, k17)
+    C1e = sub(n1, mul(ze, C3e, k18), k18)
+    CC1e = mul(C1e, C1e, k19)
+    C0e = sqrt(sub(n1, mul(ze, CC1e, k13), k13), k13)
+    C01e = add(n1, C0e, k20)
+    C2e = div(CC1e, C01e, k20)
+    xxe = m.where(neare, add(n6, xe, k21), xe, k21)
+    alphae = sqrt(xxe, k22)
+    besidee = sub(alphae, n4, k23)
+    v33e_in = sub(xe, part, k24)
+    v22e_in = sub(part, v11e, k25)
+    lefte = add(
+        sub(sub(sub(xxe, n16, k26), mul(n8, besidee, k27), k26), mul(besidee, besidee, k23), k23), add(add(sub(v11e,
+        sub(part, v22e_in, k26), k4), sub(v22e, v22e_in, k6), k4), add(sub(part, sub(xe, v33e_in, k6), k6), sub(v33e,
+        v33e_in, k7), k6), k4), k4
+    )
+    loste = div(lefte, mul(n2, alphae, k6), k4)
+    thalfe = tan(div(alphae, n2, k6), k6)
+    tthalfe = mul(thalfe, thalfe, k7)
+    belowhalfe = add(n1, tthalfe, k11)
     versinee = m.where(
-        m.less(tthalfe, n16, mask2), div(mul(n2, tthalfe, k19), belowhalfe, k19), sub(n2, div(n2, belowhalfe, k21),
-        k21), k19
+        m.less(tthalfe, n16, mask2), div(mul(n2, tthalfe, k7), belowhalfe, k7), sub(n2, div(n2, belowhalfe, k12), k12),
+        k7
     )
-    sinee = div(mul(n2, thalfe, k18), belowhalfe, k18)
-    besidee = sub(alphae, n4, k20)
-    lefte = sub(sub(sub(xxe, n16, k21), mul(n8, besidee, k22), k21), mul(besidee, besidee, k20), k20)
-    loste = div(lefte, mul(n2, alphae, k21), k20)
-    ge = m.where(neare, div(CC1e, n2, k12), div(add(versinee, mul(loste, sinee, k21), k21), xxe, k21), k12)
-    fe = m.where(
-        neare, mul(C0e, C1e, k21), div(add(sinee, mul(loste, sub(n1, versinee, k19), k19), k18), alphae, k18), k19
-    )
-    he = m.where(neare, div(add(C3e, mul(C1e, C2e, k13), k4), n4, k4), div(sub(n1, fe, k13), xxe, k7), k4)
-    te = tan(div(alphae, n4, k7), k7)
-    tte = mul(te, te, k13)
-    belowe = add(n1, tte, k18)
-    we = m.where(neare, div(C1e, n2, k11), div(div(mul(n2, te, k7), belowe, k7), alphae, k7), k11)
-    se = m.where(neare, C0e, div(sub(n1, tte, k7), belowe, k7), k6)
+    sinee = div(mul(n2, thalfe, k6), belowhalfe, k6)
+    ge = m.where(neare, div(CC1e, n2, k11), div(add(versinee, mul(loste, sinee, k12), k12), xxe, k12), k11)
+    fe = m.where(neare, mul(C0e, C1e, k12), div(add(sinee, mul(loste, sub(n1, versinee, k7), k4), k4), alphae, k4), k6)
+    he = m.where(neare, div(add(C3e, mul(C1e, C2e, k4), k4), n4, k4), div(sub(n1, fe, k6), xxe, k6), k4)
+    te = tan(div(alphae, n4, k6), k6)
+    tte = mul(te, te, k7)
+    belowe = add(n1, tte, k12)
+    we = m.where(neare, div(C1e, n2, k17), div(div(mul(n2, te, k6), belowe, k6), alphae, k6), k17)
+    se = m.where(neare, C0e, div(sub(n1, tte, k6), belowe, k6), k7)
     fie = div(se, we, k6)
     hie = sub(ge, mul(fie, he, k4), k4)
     minus_a4 = neg(a1o, k6)
@@ -7352,7 +7389,7 @@ def local_blocks(
     div(add(sub(mul(rho3, fee, k2), sub(mul(d1, rho2, k3), mul(d2, rho1, k1), k1), k1), mul(d3, hvr, k2), k1), n2, o6)
 
 
-# operations 297: 97 +, 141 *, 29 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+# operations 309: 109 +, 141 *, 29 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
 def body_local(m: Any, c: Any, a: Components, b: Components) -> Result:
     a1, a2, a3, a1o, a2o, a3o = a
     b1, b2, b3, b1o, b2o, b3o = b
@@ -7426,7 +7463,8 @@ def body_local(m: Any, c: Any, a: Components, b: Components) -> Result:
     v11e = d1 * d1
     v22e = d2 * d2
     v33e = d3 * d3
-    xe = v11e + v22e + v33e
+    part = v11e + v22e
+    xe = part + v33e
     fee = gaine * z0
     neare = xe < 6
     ze = m.where(neare, xe, xe - xe) / 4
@@ -7446,7 +7484,12 @@ def body_local(m: Any, c: Any, a: Components, b: Components) -> Result:
     sinee = 2 * thalfe / belowhalfe
     versinee = m.where(tthalfe < 16, 2 * tthalfe / belowhalfe, 2 - 2 / belowhalfe)
     besidee = alphae - 4
-    lefte = xxe - 16 - 8 * besidee - besidee * besidee
+    v33e_in = xe - part
+    v22e_in = part - v11e
+    lefte = (
+        xxe - 16 - 8 * besidee - besidee * besidee + (v11e - (part - v22e_in) + (v22e - v22e_in) + (part - (xe
+        - v33e_in) + (v33e - v33e_in)))
+    )
     loste = lefte / (2 * alphae)
     ge = m.where(neare, CC1e / 2, (versinee + loste * sinee) / xxe)
     C0e = m.sqrt(1 - ze * CC1e)
@@ -7480,7 +7523,7 @@ def body_local_blocks(
     o1, o2, o3, o4, o5, o6 = out
     (
         k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
-        *spare,
+        k25, k26, k27, *spare,
     ) = scratch
     mask1, mask2, *spare_masks = masks
     (
@@ -7531,45 +7574,50 @@ def body_local_blocks(
     fee = mul(gaine, z0, k1)
     v11e = mul(d1, d1, k2)
     v22e = mul(d2, d2, k3)
-    v33e = mul(d3, d3, k8)
-    xe = add(add(v11e, v22e, k2), v33e, k2)
+    part = add(v11e, v22e, k8)
+    v33e = mul(d3, d3, k10)
+    xe = add(part, v33e, k12)
     neare = m.less(xe, n6, mask1)
-    ze = div(m.where(neare, xe, sub(xe, xe, k3), k8), n4, k3)
-    xxe = m.where(neare, add(n6, xe, k8), xe, k8)
+    ze = div(m.where(neare, xe, sub(xe, xe, k13), k17), n4, k13)
     C7e = div(
         div(sub(n72, mul(ze, div(sub(n3603600, mul(ze, sub(n32760, mul(ze, sub(n210, mul(ze, div(sub(n93024, mul(ze,
-        sub(n342, mul(ze, div(sub(n212520, mul(ze, sub(n506, ze, k2), k2), k2), n212520, k2), k2), k2), k2), k2),
-        n93024, k2), k2), k2), k2), k2), k2), k2), n3603600, k2), k2), k2), n72, k2), n5040, k2
+        sub(n342, mul(ze, div(sub(n212520, mul(ze, sub(n506, ze, k17), k17), k17), n212520, k17), k17), k17), k17),
+        k17), n93024, k17), k17), k17), k17), k17), k17), k17), n3603600, k17), k17), k17), n72, k17), n5040, k17
     )
-    C5e = div(sub(n1, mul(n120, mul(ze, C7e, k2), k2), k2), n120, k2)
-    C3e = div(sub(n1, mul(n6, mul(ze, C5e, k2), k2), k2), n6, k2)
-    C1e = sub(n1, mul(ze, C3e, k10), k10)
-    CC1e = mul(C1e, C1e, k12)
-    C0e = sqrt(sub(n1, mul(ze, CC1e, k3), k3), k3)
-    C01e = add(n1, C0e, k13)
-    C2e = div(CC1e, C01e, k13)
-    alphae = sqrt(xxe, k17)
-    thalfe = tan(div(alphae, n2, k18), k18)
-    tthalfe = mul(thalfe, thalfe, k19)
-    belowhalfe = add(n1, tthalfe, k20)
+    C5e = div(sub(n1, mul(n120, mul(ze, C7e, k17), k17), k17), n120, k17)
+    C3e = div(sub(n1, mul(n6, mul(ze, C5e, k17), k17), k17), n6, k17)
+    C1e = sub(n1, mul(ze, C3e, k18), k18)
+    CC1e = mul(C1e, C1e, k19)
+    C0e = sqrt(sub(n1, mul(ze, CC1e, k13), k13), k13)
+    C01e = add(n1, C0e, k20)
+    C2e = div(CC1e, C01e, k20)
+    xxe = m.where(neare, add(n6, xe, k21), xe, k21)
+    alphae = sqrt(xxe, k22)
+    besidee = sub(alphae, n4, k23)
+    v33e_in = sub(xe, part, k24)
+    v22e_in = sub(part, v11e, k25)
+    lefte = add(
+        sub(sub(sub(xxe, n16, k26), mul(n8, besidee, k27), k26), mul(besidee, besidee, k23), k23), add(add(sub(v11e,
+        sub(part, v22e_in, k26), k2), sub(v22e, v22e_in, k3), k2), add(sub(part, sub(xe, v33e_in, k3), k3), sub(v33e,
+        v33e_in, k8), k3), k2), k2
+    )
+    loste = div(lefte, mul(n2, alphae, k3), k2)
+    thalfe = tan(div(alphae, n2, k3), k3)
+    tthalfe = mul(thalfe, thalfe, k8)
+    belowhalfe = add(n1, tthalfe, k10)
     versinee = m.where(
-        m.less(tthalfe, n16, mask2), div(mul(n2, tthalfe, k19), belowhalfe, k19), sub(n2, div(n2, belowhalfe, k21),
-        k21), k19
+        m.less(tthalfe, n16, mask2), div(mul(n2, tthalfe, k8), belowhalfe, k8), sub(n2, div(n2, belowhalfe, k12), k12),
+        k8
     )
-    sinee = div(mul(n2, thalfe, k18), belowhalfe, k18)
-    besidee = sub(alphae, n4, k20)
-    lefte = sub(sub(sub(xxe, n16, k21), mul(n8, besidee, k22), k21), mul(besidee, besidee, k20), k20)
-    loste = div(lefte, mul(n2, alphae, k21), k20)
-    ge = m.where(neare, div(CC1e, n2, k12), div(add(versinee, mul(loste, sinee, k21), k21), xxe, k21), k12)
-    fe = m.where(
-        neare, mul(C0e, C1e, k21), div(add(sinee, mul(loste, sub(n1, versinee, k19), k19), k18), alphae, k18), k19
-    )
-    he = m.where(neare, div(add(C3e, mul(C1e, C2e, k13), k2), n4, k2), div(sub(n1, fe, k13), xxe, k8), k2)
-    te = tan(div(alphae, n4, k8), k8)
-    tte = mul(te, te, k13)
-    belowe = add(n1, tte, k18)
-    we = m.where(neare, div(C1e, n2, k10), div(div(mul(n2, te, k8), belowe, k8), alphae, k8), k10)
-    se = m.where(neare, C0e, div(sub(n1, tte, k8), belowe, k8), k3)
+    sinee = div(mul(n2, thalfe, k3), belowhalfe, k3)
+    ge = m.where(neare, div(CC1e, n2, k10), div(add(versinee, mul(loste, sinee, k12), k12), xxe, k12), k10)
+    fe = m.where(neare, mul(C0e, C1e, k12), div(add(sinee, mul(loste, sub(n1, versinee, k8), k2), k2), alphae, k2), k3)
+    he = m.where(neare, div(add(C3e, mul(C1e, C2e, k2), k2), n4, k2), div(sub(n1, fe, k3), xxe, k3), k2)
+    te = tan(div(alphae, n4, k3), k3)
+    tte = mul(te, te, k8)
+    belowe = add(n1, tte, k12)
+    we = m.where(neare, div(C1e, n2, k17), div(div(mul(n2, te, k3), belowe, k3), alphae, k3), k17)
+    se = m.where(neare, C0e, div(sub(n1, tte, k3), belowe, k3), k8)
     fie = div(se, we, k3)
     hie = sub(ge, mul(fie, he, k2), k2)
     gva1 = mul(a1, ga, k3)
@@ -7617,7 +7665,7 @@ def body_local_blocks(
     div(add(sub(mul(rho3, fee, k1), sub(mul(d1, rho2, k3), mul(d2, rho1, k4), k3), k1), mul(d3, hvr, k2), k1), n2, o6)
 
 
-# operations 690: 218 +, 313 *, 65 /, 8 neg, 7 abs, 9 sqrt, 4 tan, 3 atan2, 12 lt, 5 eq, 1 and, 3 or, 42 where
+# operations 714: 242 +, 313 *, 65 /, 8 neg, 7 abs, 9 sqrt, 4 tan, 3 atan2, 12 lt, 5 eq, 1 and, 3 or, 42 where
 def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) -> Result:
     a1, a2, a3, a1o, a2o, a3o = a
     b1, b2, b3, b1o, b2o, b3o = b
@@ -7696,7 +7744,8 @@ def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) 
     v11e = d1 * d1
     v22e = d2 * d2
     v33e = d3 * d3
-    xe = v11e + v22e + v33e
+    part = v11e + v22e
+    xe = part + v33e
     fee = gaine * e0
     neare = xe < 6
     ze = m.where(neare, xe, xe - xe) / 4
@@ -7716,7 +7765,12 @@ def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) 
     sinee = 2 * thalfe / belowhalfe
     versinee = m.where(tthalfe < 16, 2 * tthalfe / belowhalfe, 2 - 2 / belowhalfe)
     besidee = alphae - 4
-    lefte = xxe - 16 - 8 * besidee - besidee * besidee
+    v33e_in = xe - part
+    v22e_in = part - v11e
+    lefte = (
+        xxe - 16 - 8 * besidee - besidee * besidee + (v11e - (part - v22e_in) + (v22e - v22e_in) + (part - (xe
+        - v33e_in) + (v33e - v33e_in)))
+    )
     loste = lefte / (2 * alphae)
     ge = m.where(neare, CC1e / 2, (versinee + loste * sinee) / xxe)
     C0e = m.sqrt(1 - ze * CC1e)
@@ -7741,7 +7795,8 @@ def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) 
     v11t = td1 * td1
     v22t = td2 * td2
     v33t = td3 * td3
-    xt = v11t + v22t + v33t
+    part_ = v11t + v22t
+    xt = part_ + v33t
     neart = xt < 6
     zt = m.where(neart, xt, xt - xt) / 4
     C7t = (
@@ -7773,7 +7828,12 @@ def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) 
     sinet = 2 * thalft / belowhalft
     versinet = m.where(tthalft < 16, 2 * tthalft / belowhalft, 2 - 2 / belowhalft)
     besidet = alphat - 4
-    leftt = xxt - 16 - 8 * besidet - besidet * besidet
+    v33t_in = xt - part_
+    v22t_in = part_ - v11t
+    leftt = (
+        xxt - 16 - 8 * besidet - besidet * besidet + (v11t - (part_ - v22t_in) + (v22t - v22t_in) + (part_ - (xt
+        - v33t_in) + (v33t - v33t_in)))
+    )
     lostt = m.where(alphat < 8, leftt, 0) / (2 * alphat)
     ft = m.where(neart, C0t * C1t, (sinet + lostt * (1 - versinet)) / alphat)
     gt = m.where(neart, CC1t / 2, (versinet + lostt * sinet) / xxt)
@@ -7870,7 +7930,7 @@ def interpolate_blocks(
     o1, o2, o3, o4, o5, o6 = out
     (
         k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
-        k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, k35, k36, k37, k38, *spare,
+        k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, k35, k36, k37, k38, k39, k40, k41, k42, k43, *spare,
     ) = scratch
     mask1, mask2, mask3, mask4, mask5, *spare_masks = masks
     (
@@ -7930,77 +7990,78 @@ def interpolate_blocks(
     v11t = mul(td1, td1, k17)
     td2 = mul(t, d2, k18)
     v22t = mul(td2, td2, k19)
-    td3 = mul(t, d3, k20)
-    v33t = mul(td3, td3, k21)
-    xt = add(add(v11t, v22t, k17), v33t, k17)
+    part_ = add(v11t, v22t, k20)
+    td3 = mul(t, d3, k21)
+    v33t = mul(td3, td3, k22)
+    xt = add(part_, v33t, k23)
     neart = m.less(xt, n6, mask1)
-    zt = div(m.where(neart, xt, sub(xt, xt, k19), k21), n4, k19)
-    xxt = m.where(neart, add(n6, xt, k21), xt, k21)
+    zt = div(m.where(neart, xt, sub(xt, xt, k24), k25), n4, k24)
     C7t = div(
         div(sub(n72, mul(zt, div(sub(n3603600, mul(zt, sub(n32760, mul(zt, sub(n210, mul(zt, div(sub(n93024, mul(zt,
-        sub(n342, mul(zt, div(sub(n212520, mul(zt, sub(n506, zt, k17), k17), k17), n212520, k17), k17), k17), k17),
-        k17), n93024, k17), k17), k17), k17), k17), k17), k17), n3603600, k17), k17), k17), n72, k17), n5040, k17
+        sub(n342, mul(zt, div(sub(n212520, mul(zt, sub(n506, zt, k25), k25), k25), n212520, k25), k25), k25), k25),
+        k25), n93024, k25), k25), k25), k25), k25), k25), k25), n3603600, k25), k25), k25), n72, k25), n5040, k25
     )
-    C5t = div(sub(n1, mul(n120, mul(zt, C7t, k17), k17), k17), n120, k17)
-    C3t = div(sub(n1, mul(n6, mul(zt, C5t, k17), k17), k17), n6, k17)
-    C1t = sub(n1, mul(zt, C3t, k22), k22)
-    CC1t = mul(C1t, C1t, k23)
-    C0t = sqrt(sub(n1, mul(zt, CC1t, k19), k19), k19)
-    alphat = sqrt(xxt, k24)
-    tt = tan(div(alphat, n4, k25), k25)
-    ttt = mul(tt, tt, k26)
-    belowt = add(n1, ttt, k27)
-    st = m.where(neart, C0t, div(sub(n1, ttt, k26), belowt, k26), k28)
-    wt = m.where(neart, div(C1t, n2, k26), div(div(mul(n2, tt, k25), belowt, k25), alphat, k25), k26)
-    wd1 = mul(td1, wt, k25)
-    wd2 = mul(td2, wt, k27)
-    wd3 = mul(td3, wt, k26)
-    z1 = add(add(mul(bva1, st, k29), mul(wd1, aa, k30), k29), sub(mul(wd2, bva3, k30), mul(wd3, bva2, k31), k30), k29)
-    z2 = add(add(mul(bva2, st, k30), mul(wd2, aa, k31), k30), sub(mul(wd3, bva1, k31), mul(wd1, bva3, k32), k31), k30)
-    z3 = add(add(mul(bva3, st, k31), mul(wd3, aa, k32), k31), sub(mul(wd1, bva2, k32), mul(wd2, bva1, k33), k32), k31)
-    z0 = sub(mul(st, aa, k28), add(add(mul(wd1, bva1, k25), mul(wd2, bva2, k27), k25), mul(wd3, bva3, k26), k25), k25)
-    sst = add(add(mul(z1, z1, k26), mul(z2, z2, k27), k26), mul(z3, z3, k27), k26)
+    C5t = div(sub(n1, mul(n120, mul(zt, C7t, k25), k25), k25), n120, k25)
+    C3t = div(sub(n1, mul(n6, mul(zt, C5t, k25), k25), k25), n6, k25)
+    C1t = sub(n1, mul(zt, C3t, k26), k26)
+    CC1t = mul(C1t, C1t, k27)
+    C0t = sqrt(sub(n1, mul(zt, CC1t, k24), k24), k24)
+    xxt = m.where(neart, add(n6, xt, k28), xt, k28)
+    alphat = sqrt(xxt, k29)
+    tt = tan(div(alphat, n4, k30), k30)
+    ttt = mul(tt, tt, k31)
+    belowt = add(n1, ttt, k32)
+    st = m.where(neart, C0t, div(sub(n1, ttt, k31), belowt, k31), k33)
+    wt = m.where(neart, div(C1t, n2, k31), div(div(mul(n2, tt, k30), belowt, k30), alphat, k30), k31)
+    wd1 = mul(td1, wt, k30)
+    wd2 = mul(td2, wt, k32)
+    wd3 = mul(td3, wt, k31)
+    z1 = add(add(mul(bva1, st, k34), mul(wd1, aa, k35), k34), sub(mul(wd2, bva3, k35), mul(wd3, bva2, k36), k35), k34)
+    z2 = add(add(mul(bva2, st, k35), mul(wd2, aa, k36), k35), sub(mul(wd3, bva1, k36), mul(wd1, bva3, k37), k36), k35)
+    z3 = add(add(mul(bva3, st, k36), mul(wd3, aa, k37), k36), sub(mul(wd1, bva2, k37), mul(wd2, bva1, k38), k37), k36)
+    z0 = sub(mul(st, aa, k33), add(add(mul(wd1, bva1, k30), mul(wd2, bva2, k32), k30), mul(wd3, bva3, k31), k30), k30)
+    sst = add(add(mul(z1, z1, k31), mul(z2, z2, k32), k31), mul(z3, z3, k32), k31)
     stillt = m.equal(sst, n0, mask2)
-    roott = sqrt(m.where(stillt, add(n1, sst, k27), sst, k27), k27)
+    roott = sqrt(m.where(stillt, add(n1, sst, k32), sst, k32), k32)
     resting = m.equal(xa, n0, mask3)
-    r = sqrt(m.where(resting, add(n1, xa, k28), xa, k28), k28)
-    own, = c.unfolded((k32,), (k33, *spare), (*spare_masks,), xa, r)
+    r = sqrt(m.where(resting, add(n1, xa, k33), xa, k33), k33)
+    own, = c.unfolded((k37,), (k38, *spare), (*spare_masks,), xa, r)
     own_ = m.where(resting, xa, own, k1)
-    along1 = div(a1, r, k32)
-    along2 = div(a2, r, k33)
-    along3 = div(a3, r, k34)
+    along1 = div(a1, r, k37)
+    along2 = div(a2, r, k38)
+    along3 = div(a3, r, k39)
     unit = sqrt(
-        m.where(resting, r, add(add(mul(along1, along1, k35), mul(along2, along2, k36), k35), mul(along3, along3, k36),
-        k35), k36), k35
+        m.where(resting, r, add(add(mul(along1, along1, k40), mul(along2, along2, k41), k40), mul(along3, along3, k41),
+        k40), k41), k40
     )
-    axis1 = div(along1, unit, k32)
-    axis2 = div(along2, unit, k33)
-    axis3 = div(along3, unit, k34)
-    gone = add(add(mul(td1, axis1, k35), mul(td2, axis2, k36), k35), mul(td3, axis3, k36), k35)
-    end = absolute(add(own_, gone, k36), k36)
+    axis1 = div(along1, unit, k37)
+    axis2 = div(along2, unit, k38)
+    axis3 = div(along3, unit, k39)
+    gone = add(add(mul(td1, axis1, k40), mul(td2, axis2, k41), k40), mul(td3, axis3, k41), k40)
+    end = absolute(add(own_, gone, k41), k41)
     apart = m.either(
-        m.both(m.less(own_, n3, mask4), m.either(resting, m.less(mul(n25, end, k36), n157, mask5), mask3), mask3),
-        m.less(r, add(r, div(add(add(absolute(sub(mul(d2, a3, k36), mul(d3, a2, k37), k36), k36), absolute(sub(mul(d3,
-        a1, k37), mul(d1, a3, k38), k37), k37), k36), absolute(sub(mul(d1, a2, k37), mul(d2, a1, k38), k37), k37), k36),
-        n64, k36), k36), mask4), mask3
+        m.both(m.less(own_, n3, mask4), m.either(resting, m.less(mul(n25, end, k41), n157, mask5), mask3), mask3),
+        m.less(r, add(r, div(add(add(absolute(sub(mul(d2, a3, k41), mul(d3, a2, k42), k41), k41), absolute(sub(mul(d3,
+        a1, k42), mul(d1, a3, k43), k42), k42), k41), absolute(sub(mul(d1, a2, k42), mul(d2, a1, k43), k42), k42), k41),
+        n64, k41), k41), mask4), mask3
     )
     side = m.where(
-        m.less(add(add(mul(bva1, a1, k28), mul(bva2, a2, k36), k28), mul(bva3, a3, k36), k28), n0, mask4), n_minus_1,
-        n1, k28
+        m.less(add(add(mul(bva1, a1, k33), mul(bva2, a2, k41), k33), mul(bva3, a3, k41), k33), n0, mask4), n_minus_1,
+        n1, k33
     )
     sinet_ = m.where(
-        apart, m.where(stillt, sst, mul(side, roott, k27), k26), add(add(mul(z1, axis1, k27), mul(z2, axis2, k36), k27),
-        mul(z3, axis3, k36), k27), k26
+        apart, m.where(stillt, sst, mul(side, roott, k32), k31), add(add(mul(z1, axis1, k32), mul(z2, axis2, k41), k32),
+        mul(z3, axis3, k41), k32), k31
     )
     still = m.equal(sinet_, n0, mask2)
-    sign1 = m.where(apart, side, n1, k27)
-    halft = atan2(mul(sign1, sinet_, k36), mul(sign1, z0, k37), k36)
-    halft_by_2 = mul(n2, halft, k36)
-    ss1 = add(add(mul(bva1, bva1, k37), mul(bva2, bva2, k38), k37), mul(bva3, bva3, k38), k37)
+    sign1 = m.where(apart, side, n1, k32)
+    halft = atan2(mul(sign1, sinet_, k41), mul(sign1, z0, k42), k41)
+    halft_by_2 = mul(n2, halft, k41)
+    ss1 = add(add(mul(bva1, bva1, k42), mul(bva2, bva2, k43), k42), mul(bva3, bva3, k43), k42)
     still1 = m.equal(ss1, n0, mask4)
-    root1 = sqrt(m.where(still1, add(n1, ss1, k38), ss1, k38), k38)
+    root1 = sqrt(m.where(still1, add(n1, ss1, k43), ss1, k43), k43)
     sine1 = m.where(
-        apart, m.where(still1, ss1, mul(side, root1, k28), k37), add(add(mul(bva1, axis1, k4), mul(bva2, axis2, k3),
+        apart, m.where(still1, ss1, mul(side, root1, k33), k42), add(add(mul(bva1, axis1, k4), mul(bva2, axis2, k3),
         k3), mul(bva3, axis3, k4), k3), k4
     )
     half1 = atan2(mul(sign1, sine1, k3), mul(sign1, aa, k2), k2)
@@ -8009,7 +8070,7 @@ def interpolate_blocks(
         still, sinet_, add(m.where(m.less(absolute(turns, k2), n1, mask4), n0, turns, k2), halft_by_2, k1), k2
     )
     rn, slopen = c.coefficient(
-        (k1, k3), (k4, k16, k27, k28, k35, k36, k37, k38, *spare), (mask4, mask5, *spare_masks), angle
+        (k1, k3), (k4, k16, k32, k33, k40, k41, k42, k43, *spare), (mask4, mask5, *spare_masks), angle
     )
     clear = m.either(apart, m.less(absolute(z0, k4), absolute(sinet_, k16), mask4), mask3)
     nosine = m.where(still, add(n1, sinet_, k4), sinet_, k4)
@@ -8024,105 +8085,110 @@ def interpolate_blocks(
     v33w = mul(v_3, v_3, k16)
     xw = add(add(v11w, v22w, k3), v33w, k3)
     hiw, = c.inverse_at(
-        (k4,), (k16, k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, k35, k36, k37, k38, *spare), (mask2, mask3,
+        (k4,), (k16, k30, k31, k32, k33, k34, k35, k36, k37, k38, k39, k40, k41, k42, k43, *spare), (mask2, mask3,
         mask4, mask5, *spare_masks), xw, fe_, angle
     )
     v11e = mul(d1, d1, k2)
     v22e = mul(d2, d2, k3)
-    v33e = mul(d3, d3, k16)
-    xe = add(add(v11e, v22e, k2), v33e, k2)
+    part = add(v11e, v22e, k16)
+    v33e = mul(d3, d3, k30)
+    xe = add(part, v33e, k31)
     neare = m.less(xe, n6, mask2)
-    ze = div(m.where(neare, xe, sub(xe, xe, k3), k16), n4, k3)
-    xxe = m.where(neare, add(n6, xe, k16), xe, k16)
+    ze = div(m.where(neare, xe, sub(xe, xe, k32), k33), n4, k32)
     C7e = div(
         div(sub(n72, mul(ze, div(sub(n3603600, mul(ze, sub(n32760, mul(ze, sub(n210, mul(ze, div(sub(n93024, mul(ze,
-        sub(n342, mul(ze, div(sub(n212520, mul(ze, sub(n506, ze, k2), k2), k2), n212520, k2), k2), k2), k2), k2),
-        n93024, k2), k2), k2), k2), k2), k2), k2), n3603600, k2), k2), k2), n72, k2), n5040, k2
+        sub(n342, mul(ze, div(sub(n212520, mul(ze, sub(n506, ze, k33), k33), k33), n212520, k33), k33), k33), k33),
+        k33), n93024, k33), k33), k33), k33), k33), k33), k33), n3603600, k33), k33), k33), n72, k33), n5040, k33
     )
-    C5e = div(sub(n1, mul(n120, mul(ze, C7e, k2), k2), k2), n120, k2)
-    C3e = div(sub(n1, mul(n6, mul(ze, C5e, k2), k2), k2), n6, k2)
-    C1e = sub(n1, mul(ze, C3e, k25), k25)
-    CC1e = mul(C1e, C1e, k26)
-    C0e = sqrt(sub(n1, mul(ze, CC1e, k3), k3), k3)
-    C01e = add(n1, C0e, k27)
-    C2e = div(CC1e, C01e, k27)
-    alphae = sqrt(xxe, k28)
-    thalfe = tan(div(alphae, n2, k29), k29)
-    tthalfe = mul(thalfe, thalfe, k30)
-    belowhalfe = add(n1, tthalfe, k31)
+    C5e = div(sub(n1, mul(n120, mul(ze, C7e, k33), k33), k33), n120, k33)
+    C3e = div(sub(n1, mul(n6, mul(ze, C5e, k33), k33), k33), n6, k33)
+    C1e = sub(n1, mul(ze, C3e, k34), k34)
+    CC1e = mul(C1e, C1e, k35)
+    C0e = sqrt(sub(n1, mul(ze, CC1e, k32), k32), k32)
+    C01e = add(n1, C0e, k36)
+    C2e = div(CC1e, C01e, k36)
+    xxe = m.where(neare, add(n6, xe, k37), xe, k37)
+    alphae = sqrt(xxe, k38)
+    besidee = sub(alphae, n4, k39)
+    v33e_in = sub(xe, part, k40)
+    v22e_in = sub(part, v11e, k41)
+    lefte = add(
+        sub(sub(sub(xxe, n16, k42), mul(n8, besidee, k43), k42), mul(besidee, besidee, k39), k39), add(add(sub(v11e,
+        sub(part, v22e_in, k42), k2), sub(v22e, v22e_in, k3), k2), add(sub(part, sub(xe, v33e_in, k3), k3), sub(v33e,
+        v33e_in, k16), k3), k2), k2
+    )
+    loste = div(lefte, mul(n2, alphae, k3), k2)
+    thalfe = tan(div(alphae, n2, k3), k3)
+    tthalfe = mul(thalfe, thalfe, k16)
+    belowhalfe = add(n1, tthalfe, k30)
     versinee = m.where(
-        m.less(tthalfe, n16, mask3), div(mul(n2, tthalfe, k30), belowhalfe, k30), sub(n2, div(n2, belowhalfe, k32),
-        k32), k30
+        m.less(tthalfe, n16, mask3), div(mul(n2, tthalfe, k16), belowhalfe, k16), sub(n2, div(n2, belowhalfe, k31),
+        k31), k16
     )
-    sinee = div(mul(n2, thalfe, k29), belowhalfe, k29)
-    besidee = sub(alphae, n4, k31)
-    lefte = sub(sub(sub(xxe, n16, k32), mul(n8, besidee, k33), k32), mul(besidee, besidee, k31), k31)
-    loste = div(lefte, mul(n2, alphae, k32), k31)
-    ge = m.where(neare, div(CC1e, n2, k26), div(add(versinee, mul(loste, sinee, k32), k32), xxe, k32), k26)
-    fe = m.where(
-        neare, mul(C0e, C1e, k32), div(add(sinee, mul(loste, sub(n1, versinee, k30), k30), k29), alphae, k29), k30
-    )
-    he = m.where(neare, div(add(C3e, mul(C1e, C2e, k27), k2), n4, k2), div(sub(n1, fe, k27), xxe, k16), k2)
-    te = tan(div(alphae, n4, k16), k16)
-    tte = mul(te, te, k27)
-    belowe = add(n1, tte, k29)
-    we = m.where(neare, div(C1e, n2, k25), div(div(mul(n2, te, k16), belowe, k16), alphae, k16), k25)
-    se = m.where(neare, C0e, div(sub(n1, tte, k16), belowe, k16), k3)
+    sinee = div(mul(n2, thalfe, k3), belowhalfe, k3)
+    ge = m.where(neare, div(CC1e, n2, k30), div(add(versinee, mul(loste, sinee, k31), k31), xxe, k31), k30)
+    fe = m.where(neare, mul(C0e, C1e, k31), div(add(sinee, mul(loste, sub(n1, versinee, k16), k2), k2), alphae, k2), k3)
+    he = m.where(neare, div(add(C3e, mul(C1e, C2e, k2), k2), n4, k2), div(sub(n1, fe, k3), xxe, k3), k2)
+    te = tan(div(alphae, n4, k3), k3)
+    tte = mul(te, te, k16)
+    belowe = add(n1, tte, k31)
+    we = m.where(neare, div(C1e, n2, k33), div(div(mul(n2, te, k3), belowe, k3), alphae, k3), k33)
+    se = m.where(neare, C0e, div(sub(n1, tte, k3), belowe, k3), k16)
     fie = div(se, we, k3)
     hie = sub(ge, mul(fie, he, k2), k2)
     gva3 = mul(a3, ga, k3)
     gva1 = mul(a1, ga, k16)
-    ya = add(add(mul(a1, a1o, k25), mul(a2, a2o, k26), k25), mul(a3, a3o, k26), k25)
+    ya = add(add(mul(a1, a1o, k30), mul(a2, a2o, k31), k30), mul(a3, a3o, k31), k30)
     alonga = mul(ha, ya, k7)
     rhoa2 = add(
-        add(mul(a2o, fa, k25), sub(mul(gva3, a1o, k26), mul(gva1, a3o, k27), k26), k25), mul(a2, alonga, k26), k25
+        add(mul(a2o, fa, k30), sub(mul(gva3, a1o, k31), mul(gva1, a3o, k32), k31), k30), mul(a2, alonga, k31), k30
     )
-    gva2 = mul(a2, ga, k26)
-    rhoa1 = add(add(mul(a1o, fa, k27), sub(mul(gva2, a3o, k28), mul(gva3, a2o, k3), k3), k3), mul(a1, alonga, k27), k3)
+    gva2 = mul(a2, ga, k31)
+    rhoa1 = add(add(mul(a1o, fa, k32), sub(mul(gva2, a3o, k33), mul(gva3, a2o, k3), k3), k3), mul(a1, alonga, k32), k3)
     rhoa3 = add(
-        add(mul(a3o, fa, k27), sub(mul(gva1, a2o, k16), mul(gva2, a1o, k26), k16), k16), mul(a3, alonga, k7), k7
+        add(mul(a3o, fa, k32), sub(mul(gva1, a2o, k16), mul(gva2, a1o, k31), k16), k16), mul(a3, alonga, k7), k7
     )
     minus_fa = neg(fa, k5)
-    v_rhoa3 = sub(mul(a1, rhoa2, k16), mul(a2, rhoa1, k26), k16)
-    v_rhoa2 = sub(mul(a3, rhoa1, k26), mul(a1, rhoa3, k27), k26)
-    gv_rhoa2 = mul(v_rhoa2, ga, k27)
-    v_rhoa1 = sub(mul(a2, rhoa3, k28), mul(a3, rhoa2, k29), k28)
-    gv_rhoa1 = mul(v_rhoa1, ga, k29)
+    v_rhoa3 = sub(mul(a1, rhoa2, k16), mul(a2, rhoa1, k31), k16)
+    v_rhoa2 = sub(mul(a3, rhoa1, k31), mul(a1, rhoa3, k32), k31)
+    gv_rhoa2 = mul(v_rhoa2, ga, k32)
+    v_rhoa1 = sub(mul(a2, rhoa3, k33), mul(a3, rhoa2, k34), k33)
+    gv_rhoa1 = mul(v_rhoa1, ga, k34)
     gv_rhoa3 = mul(v_rhoa3, ga, k6)
     back3 = neg(
-        add(rhoa3, add(mul(v_rhoa3, minus_fa, k16), sub(mul(a1, gv_rhoa2, k30), mul(a2, gv_rhoa1, k31), k30), k16),
+        add(rhoa3, add(mul(v_rhoa3, minus_fa, k16), sub(mul(a1, gv_rhoa2, k35), mul(a2, gv_rhoa1, k36), k35), k16),
         k16), k16
     )
     back2 = neg(
-        add(rhoa2, add(mul(v_rhoa2, minus_fa, k26), sub(mul(a3, gv_rhoa1, k29), mul(a1, gv_rhoa3, k30), k29), k26),
-        k26), k26
+        add(rhoa2, add(mul(v_rhoa2, minus_fa, k31), sub(mul(a3, gv_rhoa1, k34), mul(a1, gv_rhoa3, k35), k34), k31),
+        k31), k31
     )
     back1 = neg(
-        add(rhoa1, add(mul(v_rhoa1, minus_fa, k5), sub(mul(a2, gv_rhoa3, k6), mul(a3, gv_rhoa2, k27), k6), k5), k5), k5
+        add(rhoa1, add(mul(v_rhoa1, minus_fa, k5), sub(mul(a2, gv_rhoa3, k6), mul(a3, gv_rhoa2, k32), k6), k5), k5), k5
     )
-    v_back1 = sub(mul(b2, back3, k6), mul(b3, back2, k27), k6)
-    v_back3 = sub(mul(b1, back2, k27), mul(b2, back1, k28), k27)
-    gv_back3 = mul(v_back3, gb, k28)
-    v_back2 = sub(mul(b3, back1, k29), mul(b1, back3, k30), k29)
-    gv_back2 = mul(v_back2, gb, k30)
-    gvb2 = mul(b2, gb, k31)
-    gvb3 = mul(b3, gb, k32)
-    yb = add(add(mul(b1, b1o, k33), mul(b2, b2o, k34), k33), mul(b3, b3o, k34), k33)
+    v_back1 = sub(mul(b2, back3, k6), mul(b3, back2, k32), k6)
+    v_back3 = sub(mul(b1, back2, k32), mul(b2, back1, k33), k32)
+    gv_back3 = mul(v_back3, gb, k33)
+    v_back2 = sub(mul(b3, back1, k34), mul(b1, back3, k35), k34)
+    gv_back2 = mul(v_back2, gb, k35)
+    gvb2 = mul(b2, gb, k36)
+    gvb3 = mul(b3, gb, k37)
+    yb = add(add(mul(b1, b1o, k38), mul(b2, b2o, k39), k38), mul(b3, b3o, k39), k38)
     alongb = mul(hb, yb, k15)
     way1 = add(
-        add(back1, add(mul(v_back1, fb, k33), sub(mul(b2, gv_back3, k34), mul(b3, gv_back2, k35), k34), k33), k5),
-        add(add(mul(b1o, fb, k33), sub(mul(gvb2, b3o, k34), mul(gvb3, b2o, k35), k34), k33), mul(b1, alongb, k34), k33),
+        add(back1, add(mul(v_back1, fb, k38), sub(mul(b2, gv_back3, k39), mul(b3, gv_back2, k40), k39), k38), k5),
+        add(add(mul(b1o, fb, k38), sub(mul(gvb2, b3o, k39), mul(gvb3, b2o, k40), k39), k38), mul(b1, alongb, k39), k38),
         k5
     )
     gv_back1 = mul(v_back1, gb, k6)
     gvb1 = mul(b1, gb, k14)
     way2 = add(
-        add(back2, add(mul(v_back2, fb, k29), sub(mul(b3, gv_back1, k33), mul(b1, gv_back3, k28), k28), k28), k26),
-        add(add(mul(b2o, fb, k28), sub(mul(gvb3, b1o, k29), mul(gvb1, b3o, k32), k29), k28), mul(b2, alongb, k29), k28),
-        k26
+        add(back2, add(mul(v_back2, fb, k34), sub(mul(b3, gv_back1, k38), mul(b1, gv_back3, k33), k33), k33), k31),
+        add(add(mul(b2o, fb, k33), sub(mul(gvb3, b1o, k34), mul(gvb1, b3o, k37), k34), k33), mul(b2, alongb, k34), k33),
+        k31
     )
     way3 = add(
-        add(back3, add(mul(v_back3, fb, k27), sub(mul(b1, gv_back2, k28), mul(b2, gv_back1, k6), k6), k6), k6),
+        add(back3, add(mul(v_back3, fb, k32), sub(mul(b1, gv_back2, k33), mul(b2, gv_back1, k6), k6), k6), k6),
         add(add(mul(b3o, fb, k13), sub(mul(gvb1, b2o, k14), mul(gvb2, b1o, k16), k14), k13), mul(b3, alongb, k14), k13),
         k6
     )
@@ -8142,17 +8208,23 @@ def interpolate_blocks(
     yt = add(add(mul(td1, td4, k5), mul(td2, td5, k6), k5), mul(td3, td6, k6), k5)
     C01t = add(n1, C0t, k6)
     C2t = div(CC1t, C01t, k6)
-    thalft = tan(div(alphat, n2, k8), k8)
-    tthalft = mul(thalft, thalft, k10)
-    belowhalft = add(n1, tthalft, k11)
-    versinet = m.where(
-        m.less(tthalft, n16, mask2), div(mul(n2, tthalft, k10), belowhalft, k10), sub(n2, div(n2, belowhalft, k12),
-        k12), k10
+    besidet = sub(alphat, n4, k8)
+    v33t_in = sub(xt, part_, k10)
+    v22t_in = sub(part_, v11t, k11)
+    leftt = add(
+        sub(sub(sub(xxt, n16, k12), mul(n8, besidet, k15), k12), mul(besidet, besidet, k8), k8), add(add(sub(v11t,
+        sub(part_, v22t_in, k12), k12), sub(v22t, v22t_in, k11), k11), add(sub(part_, sub(xt, v33t_in, k12), k12),
+        sub(v33t, v33t_in, k10), k10), k10), k8
     )
-    sinet = div(mul(n2, thalft, k8), belowhalft, k8)
-    besidet = sub(alphat, n4, k11)
-    leftt = sub(sub(sub(xxt, n16, k12), mul(n8, besidet, k15), k12), mul(besidet, besidet, k11), k11)
-    lostt = div(m.where(m.less(alphat, n8, mask2), leftt, n0, k11), mul(n2, alphat, k12), k11)
+    lostt = div(m.where(m.less(alphat, n8, mask2), leftt, n0, k8), mul(n2, alphat, k10), k8)
+    thalft = tan(div(alphat, n2, k10), k10)
+    tthalft = mul(thalft, thalft, k11)
+    belowhalft = add(n1, tthalft, k12)
+    versinet = m.where(
+        m.less(tthalft, n16, mask2), div(mul(n2, tthalft, k11), belowhalft, k11), sub(n2, div(n2, belowhalft, k15),
+        k15), k11
+    )
+    sinet = div(mul(n2, thalft, k10), belowhalft, k10)
     ft = m.where(
         neart, mul(C0t, C1t, k12), div(add(sinet, mul(lostt, sub(n1, versinet, k15), k15), k15), alphat, k15), k12
     )
@@ -8165,17 +8237,17 @@ def interpolate_blocks(
     gv_moved2 = mul(v_moved2, gt, k15)
     gvt2 = mul(td2, gt, k16)
     gvt3 = mul(td3, gt, k17)
-    v_moved1 = sub(mul(td2, rhoa3, k19), mul(td3, rhoa2, k21), k19)
+    v_moved1 = sub(mul(td2, rhoa3, k19), mul(td3, rhoa2, k20), k19)
     rho1 = add(
-        add(rhoa1, add(mul(v_moved1, ft, k21), sub(mul(td2, gv_moved3, k22), mul(td3, gv_moved2, k23), k22), k21), k3),
-        add(add(mul(td4, ft, k21), sub(mul(gvt2, td6, k22), mul(gvt3, td5, k23), k22), k21), mul(td1, alongt, k22),
-        k21), k3
+        add(rhoa1, add(mul(v_moved1, ft, k20), sub(mul(td2, gv_moved3, k22), mul(td3, gv_moved2, k23), k22), k20), k3),
+        add(add(mul(td4, ft, k20), sub(mul(gvt2, td6, k22), mul(gvt3, td5, k23), k22), k20), mul(td1, alongt, k22),
+        k20), k3
     )
     gv_moved1 = mul(v_moved1, gt, k19)
     gvt1 = mul(td1, gt, k10)
     rho2 = add(
-        add(rhoa2, add(mul(v_moved2, ft, k11), sub(mul(td3, gv_moved1, k21), mul(td1, gv_moved3, k8), k8), k8), k8),
-        add(add(mul(td5, ft, k11), sub(mul(gvt3, td4, k17), mul(gvt1, td6, k21), k17), k11), mul(td2, alongt, k17),
+        add(rhoa2, add(mul(v_moved2, ft, k11), sub(mul(td3, gv_moved1, k20), mul(td1, gv_moved3, k8), k8), k8), k8),
+        add(add(mul(td5, ft, k11), sub(mul(gvt3, td4, k17), mul(gvt1, td6, k20), k17), k11), mul(td2, alongt, k17),
         k11), k8
     )
     rho3 = add(
@@ -8197,17 +8269,16 @@ def interpolate_blocks(
     )
 
 
-# operations 82: 33 +, 49 *
+# operations 81: 32 +, 49 *
 def adjoint(m: Any, c: Any, v: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    x12 = v11 + v22
-    x = x12 + v33
-    f, g, h = c.pose(m, x)
+    f, g, h = c.pose(m, v11, v22, v33)
     x23 = v22 + v33
     x13 = v11 + v33
+    x12 = v11 + v22
     fv1 = v1 * f
     fv2 = v2 * f
     fv3 = v3 * f
@@ -8284,14 +8355,13 @@ def adjoint_blocks(
     n0, n1 = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
-    x12 = add(v11, v22, k3)
-    v33 = mul(v3, v3, k4)
-    x23 = add(v22, v33, k2)
-    x13 = add(v11, v33, k1)
-    x = add(x12, v33, k4)
-    f, g, h = c.pose((k5, k6, k7), (*spare,), (*spare_masks,), x)
-    Q11 = sub(n1, mul(g, x23, k2), o1)
-    Q22 = sub(n1, mul(g, x13, k1), o8)
+    v33 = mul(v3, v3, k3)
+    f, g, h = c.pose((k4, k5, k6), (*spare,), (*spare_masks,), v11, v22, v33)
+    x23 = add(v22, v33, k7)
+    Q11 = sub(n1, mul(g, x23, k7), o1)
+    x13 = add(v11, v33, k3)
+    Q22 = sub(n1, mul(g, x13, k3), o8)
+    x12 = add(v11, v22, k1)
     Q33 = sub(n1, mul(g, x12, k1), o15)
     gv1 = mul(v1, g, k1)
     gvv1 = mul(gv1, v2, k2)
@@ -8304,15 +8374,15 @@ def adjoint_blocks(
     Q31 = sub(gvv2, fv2, o13)
     gv2 = mul(v2, g, k2)
     gv3 = mul(v3, g, k3)
-    gvv3 = mul(gv2, v3, k4)
-    fv1 = mul(v1, f, k6)
+    gvv3 = mul(gv2, v3, k5)
+    fv1 = mul(v1, f, k7)
     Q23 = sub(gvv3, fv1, o9)
     Q32 = add(gvv3, fv1, o14)
-    y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k6), k4), mul(v3, v3o, k6), k4)
-    along = mul(h, y, k4)
+    y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k7), k5), mul(v3, v3o, k7), k5)
+    along = mul(h, y, k5)
     rho2 = add(add(mul(v2o, f, k6), sub(mul(gv3, v1o, k7), mul(gv1, v3o, k8), k7), k6), mul(v2, along, k7), k6)
     rho3 = add(add(mul(v3o, f, k7), sub(mul(gv1, v2o, k1), mul(gv2, v1o, k8), k1), k1), mul(v3, along, k7), k1)
-    rho1 = add(add(mul(v1o, f, k5), sub(mul(gv2, v3o, k2), mul(gv3, v2o, k3), k2), k2), mul(v1, along, k3), k2)
+    rho1 = add(add(mul(v1o, f, k4), sub(mul(gv2, v3o, k2), mul(gv3, v2o, k3), k2), k2), mul(v1, along, k3), k2)
     sub(mul(Q31, rho2, k3), mul(Q21, rho3, k4), o19)
     sub(mul(Q32, rho2, k3), mul(Q22, rho3, k4), o20)
     sub(mul(Q33, rho2, k3), mul(Q23, rho3, k4), o21)
@@ -8342,16 +8412,14 @@ def adjoint_blocks(
     copy(o15, o36)
 
 
-# operations 193: 87 +, 103 *, 3 neg
+# operations 192: 86 +, 103 *, 3 neg
 def transform_point_jacobians(m: Any, c: Any, v: Components, r: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     r1, r2, r3 = r
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    x12 = v11 + v22
-    x = x12 + v33
-    f, g, h, fy, gy, hy = c.tangent(m, x)
+    f, g, h, fy, gy, hy = c.tangent(m, v11, v22, v33)
     gv1 = v1 * g
     gv2 = v2 * g
     gv3 = v3 * g
@@ -8407,6 +8475,7 @@ def transform_point_jacobians(m: Any, c: Any, v: Components, r: Components) -> R
     minus_moved2 = -moved2
     x23 = v22 + v33
     x13 = v11 + v33
+    x12 = v11 + v22
     fv1 = v1 * f
     fv2 = v2 * f
     fv3 = v3 * f
@@ -8458,87 +8527,86 @@ def transform_point_jacobians_blocks(
     n1, = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
-    x12 = add(v11, v22, k3)
-    v33 = mul(v3, v3, k4)
-    x23 = add(v22, v33, k2)
-    x13 = add(v11, v33, k1)
-    x = add(x12, v33, k4)
-    f, g, h, fy, gy, hy = c.tangent((k5, k6, k7, k8, k9, k10), (*spare,), (*spare_masks,), x)
-    sub(n1, mul(g, x23, k2), o19)
+    v33 = mul(v3, v3, k3)
+    v_r2 = sub(mul(v3, r1, k4), mul(v1, r3, k5), k4)
+    v_r1 = sub(mul(v2, r3, k5), mul(v3, r2, k6), k5)
+    y = add(add(mul(v1, v1o, k6), mul(v2, v2o, k7), k6), mul(v3, v3o, k7), k6)
+    v_r3 = sub(mul(v1, r2, k7), mul(v2, r1, k8), k7)
+    x23 = add(v22, v33, k8)
+    x13 = add(v11, v33, k9)
+    x12 = add(v11, v22, k10)
+    f, g, h, fy, gy, hy = c.tangent((k11, k12, k13, k14, k15, k16), (*spare,), (*spare_masks,), v11, v22, v33)
+    sub(n1, mul(g, x23, k1), o19)
     sub(n1, mul(g, x13, k1), o23)
     sub(n1, mul(g, x12, k1), o27)
-    v_r2 = sub(mul(v3, r1, k1), mul(v1, r3, k2), k1)
-    gv_r2 = mul(v_r2, g, k2)
-    v_r1 = sub(mul(v2, r3, k3), mul(v3, r2, k4), k3)
-    gv_r1 = mul(v_r1, g, k4)
-    gv1 = mul(v1, g, k11)
-    gv2 = mul(v2, g, k12)
-    y = add(add(mul(v1, v1o, k13), mul(v2, v2o, k14), k13), mul(v3, v3o, k14), k13)
-    ho = mul(hy, y, k10)
-    fo = mul(fy, y, k8)
-    go = mul(gy, y, k9)
-    along = mul(h, y, k13)
-    v_r3 = sub(mul(v1, r2, k14), mul(v2, r1, k15), k14)
+    ho = mul(hy, y, k1)
+    fo = mul(fy, y, k2)
+    go = mul(gy, y, k3)
+    along = mul(h, y, k6)
+    gv_r2 = mul(v_r2, g, k8)
+    gv_r1 = mul(v_r1, g, k9)
+    gv1 = mul(v1, g, k10)
+    gv2 = mul(v2, g, k14)
     moved3 = add(
         add(r3, add(mul(v_r3, f, k15), sub(mul(v1, gv_r2, k16), mul(v2, gv_r1, k17), k16), k15), k15), add(add(mul(v3o,
         f, k16), sub(mul(gv1, v2o, k17), mul(gv2, v1o, k18), k17), k16), mul(v3, along, k17), k16), k15
     )
-    gv_r3 = mul(v_r3, g, k14)
+    gv_r3 = mul(v_r3, g, k7)
     minus_moved3 = neg(moved3, k16)
     gv3 = mul(v3, g, k17)
     moved2 = add(
-        add(r2, add(mul(v_r2, f, k1), sub(mul(v3, gv_r1, k4), mul(v1, gv_r3, k18), k4), k1), k1), add(add(mul(v2o, f,
-        k4), sub(mul(gv3, v1o, k18), mul(gv1, v3o, k19), k18), k4), mul(v2, along, k18), k4), k1
+        add(r2, add(mul(v_r2, f, k4), sub(mul(v3, gv_r1, k9), mul(v1, gv_r3, k18), k9), k4), k4), add(add(mul(v2o, f,
+        k9), sub(mul(gv3, v1o, k18), mul(gv1, v3o, k19), k18), k9), mul(v2, along, k18), k9), k4
     )
     moved1 = add(
-        add(r1, add(mul(v_r1, f, k3), sub(mul(v2, gv_r3, k4), mul(v3, gv_r2, k2), k2), k2), k2), add(add(mul(v1o, f,
-        k3), sub(mul(gv2, v3o, k4), mul(gv3, v2o, k14), k4), k3), mul(v1, along, k4), k3), k2
+        add(r1, add(mul(v_r1, f, k5), sub(mul(v2, gv_r3, k7), mul(v3, gv_r2, k8), k7), k5), k5), add(add(mul(v1o, f,
+        k7), sub(mul(gv2, v3o, k8), mul(gv3, v2o, k9), k8), k7), mul(v1, along, k6), k6), k5
     )
-    cvo1 = add(mul(v1o, h, k3), mul(v1, ho, k4), k3)
-    cv1 = mul(v1, h, k4)
-    T11 = add(f, mul(cv1, v1, k13), o4)
-    T11o = add(fo, add(mul(cv1, v1o, k13), mul(cvo1, v1, k14), k13), k13)
-    d12 = mul(cv1, v2, k14)
+    cvo1 = add(mul(v1o, h, k6), mul(v1, ho, k7), k6)
+    cv1 = mul(v1, h, k7)
+    T11 = add(f, mul(cv1, v1, k8), o4)
+    T11o = add(fo, add(mul(cv1, v1o, k8), mul(cvo1, v1, k9), k8), k8)
+    d12 = mul(cv1, v2, k9)
     T21 = add(d12, gv3, o10)
     T12 = sub(d12, gv3, o5)
-    d13 = mul(cv1, v3, k14)
+    d13 = mul(cv1, v3, k9)
     T31 = sub(d13, gv2, o16)
     sub(T11o, add(mul(minus_moved3, T21, k17), mul(moved2, T31, k18), k17), o1)
     T13 = add(d13, gv2, o6)
-    gvv3 = mul(gv2, v3, k12)
-    d12o = add(mul(cv1, v2o, k13), mul(cvo1, v2, k14), k13)
-    d13o = add(mul(cv1, v3o, k4), mul(cvo1, v3, k3), k3)
-    gvo3 = add(mul(v3o, g, k4), mul(v3, go, k14), k4)
+    gvv3 = mul(gv2, v3, k8)
+    d12o = add(mul(cv1, v2o, k9), mul(cvo1, v2, k14), k9)
+    d13o = add(mul(cv1, v3o, k7), mul(cvo1, v3, k6), k6)
+    gvo3 = add(mul(v3o, g, k7), mul(v3, go, k14), k7)
     T12o = sub(d12o, gvo3, k14)
-    T21o = add(d12o, gvo3, k4)
-    cv2 = mul(v2, h, k13)
+    T21o = add(d12o, gvo3, k7)
+    cv2 = mul(v2, h, k9)
     T22 = add(f, mul(cv2, v2, k17), o11)
     d23 = mul(cv2, v3, k17)
     T32 = add(d23, gv1, o17)
     sub(T12o, add(mul(minus_moved3, T22, k18), mul(moved2, T32, k19), k18), o2)
     T23 = sub(d23, gv1, o12)
     gvo2 = add(mul(v2o, g, k14), mul(v2, go, k17), k14)
-    gvo1 = add(mul(v1o, g, k6), mul(v1, go, k9), k6)
-    T13o = add(d13o, gvo2, k9)
-    T31o = sub(d13o, gvo2, k3)
+    gvo1 = add(mul(v1o, g, k12), mul(v1, go, k3), k3)
+    T13o = add(d13o, gvo2, k12)
+    T31o = sub(d13o, gvo2, k6)
     cv3 = mul(v3, h, k14)
     T33 = add(f, mul(cv3, v3, k17), o18)
     sub(T13o, add(mul(minus_moved3, T23, k16), mul(moved2, T33, k17), k16), o3)
-    minus_moved2 = neg(moved2, k1)
-    sub(T31o, add(mul(minus_moved2, T11, k9), mul(moved1, T21, k16), k9), o13)
-    minus_moved1 = neg(moved1, k3)
-    sub(T21o, add(mul(moved3, T11, k9), mul(minus_moved1, T31, k16), k9), o7)
-    cvo2 = add(mul(v2o, h, k4), mul(v2, ho, k9), k4)
-    cvo3 = add(mul(v3o, h, k7), mul(v3, ho, k9), k7)
-    T33o = add(fo, add(mul(cv3, v3o, k9), mul(cvo3, v3, k7), k7), k7)
-    sub(T33o, add(mul(minus_moved2, T13, k9), mul(moved1, T23, k10), k9), o15)
-    T22o = add(fo, add(mul(cv2, v2o, k7), mul(cvo2, v2, k9), k7), k7)
-    sub(T22o, add(mul(moved3, T12, k8), mul(minus_moved1, T32, k9), k8), o8)
-    d23o = add(mul(cv2, v3o, k7), mul(cvo2, v3, k4), k4)
-    T23o = sub(d23o, gvo1, k7)
-    sub(T23o, add(mul(moved3, T13, k8), mul(minus_moved1, T33, k3), k3), o9)
-    T32o = add(d23o, gvo1, k3)
-    sub(T32o, add(mul(minus_moved2, T12, k1), mul(moved1, T22, k2), k1), o14)
+    minus_moved2 = neg(moved2, k4)
+    sub(T31o, add(mul(minus_moved2, T11, k12), mul(moved1, T21, k16), k12), o13)
+    minus_moved1 = neg(moved1, k6)
+    sub(T21o, add(mul(moved3, T11, k12), mul(minus_moved1, T31, k16), k12), o7)
+    cvo2 = add(mul(v2o, h, k7), mul(v2, ho, k12), k7)
+    cvo3 = add(mul(v3o, h, k12), mul(v3, ho, k1), k1)
+    T33o = add(fo, add(mul(cv3, v3o, k12), mul(cvo3, v3, k1), k1), k1)
+    sub(T33o, add(mul(minus_moved2, T13, k12), mul(moved1, T23, k13), k12), o15)
+    T22o = add(fo, add(mul(cv2, v2o, k1), mul(cvo2, v2, k12), k1), k1)
+    sub(T22o, add(mul(moved3, T12, k2), mul(minus_moved1, T32, k12), k2), o8)
+    d23o = add(mul(cv2, v3o, k1), mul(cvo2, v3, k2), k1)
+    T23o = sub(d23o, gvo1, k2)
+    sub(T23o, add(mul(moved3, T13, k7), mul(minus_moved1, T33, k6), k6), o9)
+    T32o = add(d23o, gvo1, k1)
+    sub(T32o, add(mul(minus_moved2, T12, k2), mul(moved1, T22, k3), k2), o14)
     gvv1 = mul(gv1, v2, k1)
     gvv2 = mul(gv1, v3, k2)
     fv3 = mul(v3, f, k3)
@@ -8552,18 +8620,17 @@ def transform_point_jacobians_blocks(
     add(gvv3, fv1, o26)
 
 
-# operations 292: 120 +, 166 *, 6 neg
+# operations 291: 119 +, 166 *, 6 neg
 def transform_line_jacobians(m: Any, c: Any, v: Components, line: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     l1, l2, l3, m1, m2, m3 = line
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    x12 = v11 + v22
-    x = x12 + v33
-    f, g, h, fy, gy, hy = c.tangent(m, x)
+    f, g, h, fy, gy, hy = c.tangent(m, v11, v22, v33)
     x23 = v22 + v33
     x13 = v11 + v33
+    x12 = v11 + v22
     fv1 = v1 * f
     fv2 = v2 * f
     fv3 = v3 * f
@@ -8748,14 +8815,13 @@ def transform_line_jacobians_blocks(
     n0, n1 = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
-    x12 = add(v11, v22, k3)
-    v33 = mul(v3, v3, k4)
+    v33 = mul(v3, v3, k3)
+    f, g, h, fy, gy, hy = c.tangent((k4, k5, k6, k7, k8, k9), (*spare,), (*spare_masks,), v11, v22, v33)
+    x12 = add(v11, v22, k10)
+    Q33 = sub(n1, mul(g, x12, k10), o51)
     x13 = add(v11, v33, k1)
-    x23 = add(v22, v33, k2)
-    x = add(x12, v33, k4)
-    f, g, h, fy, gy, hy = c.tangent((k5, k6, k7, k8, k9, k10), (*spare,), (*spare_masks,), x)
-    Q33 = sub(n1, mul(g, x12, k3), o51)
     Q22 = sub(n1, mul(g, x13, k1), o44)
+    x23 = add(v22, v33, k1)
     Q11 = sub(n1, mul(g, x23, k1), o37)
     gv2 = mul(v2, g, k1)
     gvv3 = mul(gv2, v3, k2)
@@ -8764,19 +8830,19 @@ def transform_line_jacobians_blocks(
     Q23 = sub(gvv3, fv1, o45)
     gv1 = mul(v1, g, k2)
     gvv2 = mul(gv1, v3, k3)
-    fv2 = mul(v2, f, k4)
+    fv2 = mul(v2, f, k10)
     Q31 = sub(gvv2, fv2, o49)
     Q13 = add(gvv2, fv2, o39)
     gv3 = mul(v3, g, k3)
-    y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k11), k4), mul(v3, v3o, k11), k4)
-    ho = mul(hy, y, k10)
-    go = mul(gy, y, k9)
-    fo = mul(fy, y, k8)
-    along = mul(h, y, k4)
+    y = add(add(mul(v1, v1o, k10), mul(v2, v2o, k11), k10), mul(v3, v3o, k11), k10)
+    ho = mul(hy, y, k9)
+    go = mul(gy, y, k8)
+    fo = mul(fy, y, k7)
+    along = mul(h, y, k10)
     rho1 = add(add(mul(v1o, f, k11), sub(mul(gv2, v3o, k12), mul(gv3, v2o, k13), k12), k11), mul(v1, along, k12), k11)
     rho2 = add(add(mul(v2o, f, k12), sub(mul(gv3, v1o, k13), mul(gv1, v3o, k14), k13), k12), mul(v2, along, k13), k12)
     R33o = sub(mul(Q23, rho1, k13), mul(Q13, rho2, k14), o69)
-    rho3 = add(add(mul(v3o, f, k13), sub(mul(gv1, v2o, k14), mul(gv2, v1o, k15), k14), k13), mul(v3, along, k4), k4)
+    rho3 = add(add(mul(v3o, f, k13), sub(mul(gv1, v2o, k14), mul(gv2, v1o, k15), k14), k13), mul(v3, along, k10), k10)
     R23o = sub(mul(Q13, rho3, k13), mul(Q33, rho1, k14), o63)
     R21o = sub(mul(Q11, rho3, k13), mul(Q31, rho1, k14), o61)
     R13o = sub(mul(Q33, rho2, k13), mul(Q23, rho3, k14), o57)
@@ -8788,8 +8854,8 @@ def transform_line_jacobians_blocks(
     R32o = sub(mul(Q22, rho1, k13), mul(Q12, rho2, k14), o68)
     R31o = sub(mul(Q21, rho1, k13), mul(Q11, rho2, k14), o67)
     R22o = sub(mul(Q12, rho3, k13), mul(Q32, rho1, k11), o62)
-    R11o = sub(mul(Q31, rho2, k11), mul(Q21, rho3, k4), o55)
-    moved2 = add(add(mul(Q21, l1, k4), mul(Q22, l2, k11), k4), mul(Q23, l3, k11), k4)
+    R11o = sub(mul(Q31, rho2, k11), mul(Q21, rho3, k10), o55)
+    moved2 = add(add(mul(Q21, l1, k10), mul(Q22, l2, k11), k10), mul(Q23, l3, k11), k10)
     moved1 = add(add(mul(Q11, l1, k11), mul(Q12, l2, k12), k11), mul(Q13, l3, k12), k11)
     minus_moved1 = neg(moved1, k12)
     cv1 = mul(v1, h, k13)
@@ -8823,24 +8889,24 @@ def transform_line_jacobians_blocks(
     T13o = add(d13o, gvo2, k26)
     T31o = sub(d13o, gvo2, k24)
     cvo2 = add(mul(v2o, h, k25), mul(v2, ho, k27), k25)
-    cvo3 = add(mul(v3o, h, k27), mul(v3, ho, k10), k10)
-    cv3 = mul(v3, h, k7)
-    T33 = add(f, mul(cv3, v3, k27), k5)
-    T33o = add(fo, add(mul(cv3, v3o, k7), mul(cvo3, v3, k10), k7), k7)
-    d23o = add(mul(cv2, v3o, k10), mul(cvo2, v3, k27), k10)
+    cvo3 = add(mul(v3o, h, k27), mul(v3, ho, k9), k9)
+    cv3 = mul(v3, h, k6)
+    T33 = add(f, mul(cv3, v3, k27), k4)
+    T33o = add(fo, add(mul(cv3, v3o, k6), mul(cvo3, v3, k9), k6), k6)
+    d23o = add(mul(cv2, v3o, k9), mul(cvo2, v3, k27), k9)
     T22o = add(fo, add(mul(cv2, v2o, k14), mul(cvo2, v2, k25), k14), k14)
-    T11o = add(fo, add(mul(cv1, v1o, k25), mul(cvo1, v1, k27), k25), k8)
+    T11o = add(fo, add(mul(cv1, v1o, k25), mul(cvo1, v1, k27), k25), k7)
     d12o = add(mul(cv1, v2o, k13), mul(cvo1, v2, k23), k13)
     gvo1 = add(mul(v1o, g, k23), mul(v1, go, k25), k23)
-    gvo3 = add(mul(v3o, g, k6), mul(v3, go, k9), k6)
-    T23o = sub(d23o, gvo1, k9)
-    T32o = add(d23o, gvo1, k10)
+    gvo3 = add(mul(v3o, g, k5), mul(v3, go, k8), k5)
+    T23o = sub(d23o, gvo1, k8)
+    T32o = add(d23o, gvo1, k9)
     add(
         add(mul(moved2, T13o, k23), mul(moved2o, T13, k25), k23), add(mul(minus_moved1, T23o, k25), mul(minus_moved1o,
         T23, k27), k25), o33
     )
     T12o = sub(d12o, gvo3, k23)
-    T21o = add(d12o, gvo3, k6)
+    T21o = add(d12o, gvo3, k5)
     add(
         add(mul(moved2, T12o, k13), mul(moved2o, T12, k25), k13), add(mul(minus_moved1, T22o, k25), mul(minus_moved1o,
         T22, k27), k25), o32
@@ -8849,7 +8915,7 @@ def transform_line_jacobians_blocks(
         add(mul(moved2, T11o, k13), mul(moved2o, T11, k25), k13), add(mul(minus_moved1, T21o, k12), mul(minus_moved1o,
         T21, k22), k12), o31
     )
-    minus_moved2 = neg(moved2, k4)
+    minus_moved2 = neg(moved2, k10)
     minus_moved2o = neg(moved2o, k12)
     moved3 = add(add(mul(Q31, l1, k13), mul(Q32, l2, k20), k13), mul(Q33, l3, k20), k13)
     add(mul(moved3, T23, k20), mul(minus_moved2, T33, k22), o3)
@@ -8864,21 +8930,21 @@ def transform_line_jacobians_blocks(
         add(mul(Q33, m3, k25), mul(R33o, l3, k27), k25), k22
     )
     add(
-        add(mul(moved3, T23o, k9), mul(moved3o, T23, k17), k9), add(mul(minus_moved2, T33o, k17), mul(minus_moved2o,
+        add(mul(moved3, T23o, k8), mul(moved3o, T23, k17), k8), add(mul(minus_moved2, T33o, k17), mul(minus_moved2o,
         T33, k25), k17), o21
     )
     add(
-        add(mul(moved3, T22o, k9), mul(moved3o, T22, k14), k9), add(mul(minus_moved2, T32o, k14), mul(minus_moved2o,
+        add(mul(moved3, T22o, k8), mul(moved3o, T22, k14), k8), add(mul(minus_moved2, T32o, k14), mul(minus_moved2o,
         T32, k16), k14), o20
     )
     add(
-        add(mul(moved3, T21o, k6), mul(moved3o, T21, k3), k3), add(mul(minus_moved2, T31o, k4), mul(minus_moved2o, T31,
-        k6), k4), o19
+        add(mul(moved3, T21o, k5), mul(moved3o, T21, k3), k3), add(mul(minus_moved2, T31o, k5), mul(minus_moved2o, T31,
+        k8), k5), o19
     )
     minus_moved3o = neg(moved3o, k3)
     add(
-        add(mul(minus_moved3, T13o, k4), mul(minus_moved3o, T13, k6), k4), add(mul(moved1, T33o, k6), mul(moved1o, T33,
-        k5), k5), o27
+        add(mul(minus_moved3, T13o, k5), mul(minus_moved3o, T13, k8), k5), add(mul(moved1, T33o, k6), mul(moved1o, T33,
+        k4), k4), o27
     )
     add(
         add(mul(minus_moved3, T12o, k4), mul(minus_moved3o, T12, k5), k4), add(mul(moved1, T32o, k5), mul(moved1o, T32,
@@ -9174,10 +9240,10 @@ KERNELS: Mapping[str, Kernel] = {
         angle_blocks,
         (("v", (6,)),),
         (2,),
-        registers=6,
+        registers=7,
         masks=2,
         numbers=(0, 1),
-        lent=(('pose', 1, 2), ('unfolded', 3, 1)),
+        lent=(('pose', 0, 2), ('unfolded', 4, 1)),
         real=True,
     ),
     "to_exponential": Kernel(
@@ -9284,10 +9350,10 @@ KERNELS: Mapping[str, Kernel] = {
         compose_jacobians_blocks,
         (("v2", (6,)), ("v1", (6,)),),
         (72,),
-        registers=67,
+        registers=69,
         masks=0,
         numbers=(0, 1, 2),
-        lent=(('ray', 0, 0), ('ray', 0, 0), ('gain_product', 8, 0), ('inverse', 6, 0), ('tangent_inv', 6, 0), ('tangent', 0, 0), ('tangent', 18, 0)),
+        lent=(('ray', 0, 0), ('ray', 0, 0), ('gain_product', 8, 0), ('inverse', 4, 0), ('tangent_inv', 6, 0), ('tangent', 0, 0), ('tangent', 0, 0)),
         real=True,
     ),
     "between_jacobians": Kernel(
@@ -9306,10 +9372,10 @@ KERNELS: Mapping[str, Kernel] = {
         retract_blocks,
         (("v", (6,)), ("delta", (6,)),),
         (6,),
-        registers=23,
+        registers=24,
         masks=3,
         numbers=(-2, 0, 1, 2, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
-        lent=(('ray', 0, 0), ('unfolded', 5, 0), ('coefficient_of', 5, 1), ('inverse_at', 10, 2)),
+        lent=(('ray', 4, 2), ('unfolded', 0, 0), ('coefficient_of', 6, 2), ('inverse_at', 11, 3)),
         real=True,
     ),
     "body_retract": Kernel(
@@ -9317,10 +9383,10 @@ KERNELS: Mapping[str, Kernel] = {
         body_retract_blocks,
         (("v", (6,)), ("delta", (6,)),),
         (6,),
-        registers=23,
+        registers=24,
         masks=3,
         numbers=(-2, 0, 1, 2, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
-        lent=(('ray', 0, 0), ('unfolded', 5, 0), ('coefficient_of', 5, 1), ('inverse_at', 10, 2)),
+        lent=(('ray', 4, 2), ('unfolded', 0, 0), ('coefficient_of', 6, 2), ('inverse_at', 11, 3)),
         real=True,
     ),
     "retract_jacobians": Kernel(
@@ -9339,10 +9405,10 @@ KERNELS: Mapping[str, Kernel] = {
         body_retract_jacobians_blocks,
         (("v", (6,)), ("delta", (6,)),),
         (72,),
-        registers=69,
+        registers=70,
         masks=3,
         numbers=(-2, 0, 1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
-        lent=(('ray', 1, 2), ('unfolded', 0, 0), ('coefficient_of', 6, 2), ('tangent_inv_at', 5, 3), ('tangent', 43, 3)),
+        lent=(('ray', 0, 0), ('unfolded', 5, 0), ('coefficient_of', 5, 1), ('tangent_inv_at', 4, 2), ('tangent', 0, 0)),
         real=True,
     ),
     "local": Kernel(
@@ -9350,7 +9416,7 @@ KERNELS: Mapping[str, Kernel] = {
         local_blocks,
         (("v2", (6,)), ("v1", (6,)),),
         (6,),
-        registers=22,
+        registers=27,
         masks=2,
         numbers=(-1, 0, 1, 2, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
         lent=(('ray', 0, 0), ('ray', 0, 0)),
@@ -9361,7 +9427,7 @@ KERNELS: Mapping[str, Kernel] = {
         body_local_blocks,
         (("v2", (6,)), ("v1", (6,)),),
         (6,),
-        registers=24,
+        registers=27,
         masks=2,
         numbers=(-1, 0, 1, 2, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
         lent=(('ray', 0, 0), ('ray', 0, 0)),
@@ -9372,7 +9438,7 @@ KERNELS: Mapping[str, Kernel] = {
         interpolate_blocks,
         (("v1", (6,)), ("v2", (6,)), ("t", ()),),
         (6,),
-        registers=38,
+        registers=43,
         masks=5,
         numbers=(-2, -1, 0, 1, 2, 3, 4, 6, 8, 16, 25, 64, 72, 120, 157, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
         lent=(('ray', 0, 0), ('ray', 0, 0), ('unfolded', 1, 0), ('coefficient', 8, 2), ('inverse_at', 15, 4)),

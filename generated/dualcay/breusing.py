@@ -49,8 +49,8 @@
 #
 # Operations:
 #   quaternion: 56: 16 +, 31 *, 6 /, 1 neg, 2 sqrt
-#   tensor: 109: 41 +, 61 *, 5 /, 2 sqrt
-#   pose: 82: 32 +, 43 *, 5 /, 2 sqrt
+#   tensor: 110: 42 +, 61 *, 5 /, 2 sqrt
+#   pose: 83: 33 +, 43 *, 5 /, 2 sqrt
 #   transform_point: 95: 36 +, 52 *, 5 /, 2 sqrt
 #   transform_line: 134: 51 +, 76 *, 5 /, 2 sqrt
 #   inverse: 6: 6 neg
@@ -70,7 +70,7 @@
 #   from_pose: 112: 33 +, 36 *, 7 /, 5 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 34: 6 +, 17 *, 7 /, 1 sqrt, 1 tan, 1 lt, 1 where
 #   to_screw: 106: 25 +, 36 *, 14 /, 1 neg, 8 abs, 3 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
-#   angle: 86: 24 +, 27 *, 12 /, 6 abs, 6 sqrt, 1 atan2, 3 eq, 7 where
+#   angle: 88: 26 +, 27 *, 12 /, 6 abs, 6 sqrt, 1 atan2, 3 eq, 7 where
 #   to_exponential: 66: 20 +, 30 *, 7 /, 5 sqrt, 1 atan2, 1 eq, 2 where
 #   from_exponential: 67: 17 +, 26 *, 10 /, 2 sqrt, 2 tan, 2 atan2, 2 lt, 1 eq, 5 where
 #   turn: 98: 22 +, 38 *, 18 /, 6 abs, 4 sqrt, 1 lt, 2 eq, 7 where
@@ -80,20 +80,20 @@
 #   principal: 83: 21 +, 33 *, 15 /, 4 sqrt, 2 lt, 8 where
 #   compose: 251: 85 +, 137 *, 17 /, 1 neg, 8 sqrt, 1 lt, 2 where
 #   between: 257: 85 +, 137 *, 17 /, 7 neg, 8 sqrt, 1 lt, 2 where
-#   compose_jacobians: 1094: 415 +, 579 *, 75 /, 8 neg, 14 sqrt, 1 lt, 2 where
-#   between_jacobians: 1118: 415 +, 579 *, 75 /, 32 neg, 14 sqrt, 1 lt, 2 where
-#   retract: 400: 124 +, 170 *, 48 /, 2 neg, 3 abs, 11 sqrt, 4 tan, 4 atan2, 8 lt, 2 eq, 24 where
-#   body_retract: 400: 124 +, 170 *, 48 /, 2 neg, 3 abs, 11 sqrt, 4 tan, 4 atan2, 8 lt, 2 eq, 24 where
-#   retract_jacobians: 1208: 446 +, 594 *, 100 /, 9 neg, 3 abs, 13 sqrt, 4 tan, 4 atan2, 8 lt, 2 eq, 25 where
-#   body_retract_jacobians: 1208: 446 +, 594 *, 100 /, 9 neg, 3 abs, 13 sqrt, 4 tan, 4 atan2, 8 lt, 2 eq, 25
+#   compose_jacobians: 1098: 419 +, 579 *, 75 /, 8 neg, 14 sqrt, 1 lt, 2 where
+#   between_jacobians: 1122: 419 +, 579 *, 75 /, 32 neg, 14 sqrt, 1 lt, 2 where
+#   retract: 412: 136 +, 170 *, 48 /, 2 neg, 3 abs, 11 sqrt, 4 tan, 4 atan2, 8 lt, 2 eq, 24 where
+#   body_retract: 412: 136 +, 170 *, 48 /, 2 neg, 3 abs, 11 sqrt, 4 tan, 4 atan2, 8 lt, 2 eq, 24 where
+#   retract_jacobians: 1222: 460 +, 594 *, 100 /, 9 neg, 3 abs, 13 sqrt, 4 tan, 4 atan2, 8 lt, 2 eq, 25 where
+#   body_retract_jacobians: 1222: 460 +, 594 *, 100 /, 9 neg, 3 abs, 13 sqrt, 4 tan, 4 atan2, 8 lt, 2 eq, 25
 #       where
-#   local: 351: 113 +, 165 *, 39 /, 7 neg, 7 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-#   body_local: 351: 113 +, 165 *, 39 /, 7 neg, 7 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-#   interpolate: 786: 245 +, 349 *, 85 /, 8 neg, 7 abs, 18 sqrt, 5 tan, 4 atan2, 13 lt, 5 eq, 1 and, 3 or, 43
+#   local: 363: 125 +, 165 *, 39 /, 7 neg, 7 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   body_local: 363: 125 +, 165 *, 39 /, 7 neg, 7 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   interpolate: 810: 269 +, 349 *, 85 /, 8 neg, 7 abs, 18 sqrt, 5 tan, 4 atan2, 13 lt, 5 eq, 1 and, 3 or, 43
 #       where
-#   adjoint: 109: 41 +, 61 *, 5 /, 2 sqrt
-#   transform_point_jacobians: 238: 99 +, 127 *, 7 /, 3 neg, 2 sqrt
-#   transform_line_jacobians: 337: 132 +, 190 *, 7 /, 6 neg, 2 sqrt
+#   adjoint: 110: 42 +, 61 *, 5 /, 2 sqrt
+#   transform_point_jacobians: 239: 100 +, 127 *, 7 /, 3 neg, 2 sqrt
+#   transform_line_jacobians: 338: 133 +, 190 *, 7 /, 6 neg, 2 sqrt
 r"""Breusing's chart: Rodrigues dual vectors ``v = sin(α/4)/sqrt(cos(α/4)) u`` of rigid displacements.
 
 .. math::
@@ -186,8 +186,9 @@ def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: R
     return o1, o2, o3, o4
 
 
-# operations 27: 8 +, 12 *, 5 /, 2 sqrt
-def _pose(m: Any, x: Any) -> Result:
+# operations 29: 10 +, 12 *, 5 /, 2 sqrt
+def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     below = x + m.sqrt(x * x + 4)
     c = (below - below + 2) / below
     above = c - x
@@ -204,10 +205,11 @@ def _pose(m: Any, x: Any) -> Result:
     return f, g, h
 
 
-def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3 = out
     k1, k2, k3, *_ = scratch
     n1, n2, n3, n4, n8 = numbers
+    x = add(add(v11, v22, o2), v33, o2)
     below = add(x, sqrt(add(mul(x, x, o3), n4, o3), o3), o3)
     c = div(add(sub(below, below, o1), n2, o1), below, o3)
     above = sub(c, x, o1)
@@ -224,8 +226,9 @@ def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x
     return o1, o2, o3
 
 
-# operations 45: 12 +, 24 *, 7 /, 2 sqrt
-def _tangent(m: Any, x: Any) -> Result:
+# operations 47: 14 +, 24 *, 7 /, 2 sqrt
+def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     below = x + m.sqrt(x * x + 4)
     c = (below - below + 2) / below
     above = c - x
@@ -249,35 +252,37 @@ def _tangent(m: Any, x: Any) -> Result:
     return f, g, h, fy, gy, hy
 
 
-def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, *_ = scratch
+    k1, k2, k3, k4, *_ = scratch
     n1, n2, n3, n4, n5, n8 = numbers
-    below = add(x, sqrt(add(mul(x, x, o2), n4, o2), o2), o2)
-    c = div(add(sub(below, below, o1), n2, o1), below, o2)
-    rootc = sqrt(c, o1)
-    size = add(c, x, o5)
-    w = div(mul(n2, rootc, o1), size, o1)
-    cc = mul(c, c, o6)
-    weight = add(n3, mul(n2, cc, o4), o4)
-    over = div(n1, add(n1, cc, k1), k1)
-    h = mul(mul(n2, mul(c, w, o3), o3), mul(weight, over, k2), o3)
-    share = mul(n4, mul(cc, over, k2), k2)
-    hgrowth = sub(sub(share, n5, k2), mul(n8, div(cc, weight, o6), o6), o6)
-    decline = mul(n2, mul(c, over, o4), o4)
-    div(mul(mul(h, decline, o4), hgrowth, o6), n2, o6)
-    rho = mul(n4, mul(w, over, o4), o4)
-    above = sub(c, x, k1)
-    s = div(above, size, k1)
+    x = add(add(v11, v22, o2), v33, o2)
+    below = add(x, sqrt(add(mul(x, x, o6), n4, o6), o6), o6)
+    c = div(add(sub(below, below, o1), n2, o1), below, o6)
+    above = sub(c, x, o1)
+    size = add(c, x, o2)
+    s = div(above, size, o1)
+    rootc = sqrt(c, o4)
+    w = div(mul(n2, rootc, o4), size, o4)
     f = mul(n2, mul(s, w, o1), o1)
-    g = mul(n8, div(c, mul(size, size, o5), o2), o2)
-    sub(mul(f, h, o5), mul(g, g, k1), o5)
+    g = mul(n8, div(c, mul(size, size, o2), o2), o2)
+    cc = mul(c, c, k1)
+    weight = add(n3, mul(n2, cc, k2), k2)
+    over = div(n1, add(n1, cc, k3), k3)
+    h = mul(mul(n2, mul(c, w, o3), o3), mul(weight, over, o5), o3)
+    rho = mul(n4, mul(w, over, o4), o4)
     sub(h, mul(rho, g, o4), o4)
+    sub(mul(f, h, o5), mul(g, g, k4), o5)
+    decline = mul(n2, mul(c, over, o6), o6)
+    share = mul(n4, mul(cc, over, k3), k3)
+    hgrowth = sub(sub(share, n5, k3), mul(n8, div(cc, weight, k1), k1), k1)
+    div(mul(mul(h, decline, o6), hgrowth, o6), n2, o6)
     return o1, o2, o3, o4, o5, o6
 
 
-# operations 79: 21 +, 45 *, 11 /, 2 sqrt
-def _tangent_dot(m: Any, x: Any) -> Result:
+# operations 81: 23 +, 45 *, 11 /, 2 sqrt
+def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     below = x + m.sqrt(x * x + 4)
     c = (below - below + 2) / below
     above = c - x
@@ -311,36 +316,37 @@ def _tangent_dot(m: Any, x: Any) -> Result:
     return f, g, h, fy, gy, hy, fyy, gyy, hyy
 
 
-def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
-    k1, k2, k3, k4, k5, *_ = scratch
+    k1, k2, k3, k4, *_ = scratch
     n_minus_2, n1, n2, n3, n4, n5, n8, n48 = numbers
-    below = add(x, sqrt(add(mul(x, x, o2), n4, o2), o2), o2)
-    c = div(add(sub(below, below, o1), n2, o1), below, o2)
-    rootc = sqrt(c, o1)
-    size = add(c, x, o5)
-    w = div(mul(n2, rootc, o1), size, o1)
+    x = add(add(v11, v22, o1), v33, o1)
+    below = add(x, sqrt(add(mul(x, x, o7), n4, o7), o7), o7)
+    c = div(add(sub(below, below, o4), n2, o4), below, o7)
+    rootc = sqrt(c, o4)
+    size = add(c, x, o2)
+    w = div(mul(n2, rootc, o4), size, o4)
+    above = sub(c, x, o1)
+    s = div(above, size, o1)
+    f = mul(n2, mul(s, w, o1), o1)
+    g = mul(n8, div(c, mul(size, size, o2), o2), o2)
     cc = mul(c, c, o9)
-    weight = add(n3, mul(n2, cc, o4), o4)
-    over = div(n1, add(n1, cc, o7), o7)
-    h = mul(mul(n2, mul(c, w, o3), o3), mul(weight, over, o8), o3)
-    share = mul(n4, mul(cc, over, o8), o8)
-    hgrowth = sub(sub(share, n5, k1), mul(n8, div(cc, weight, k2), k2), k1)
-    decline = mul(n2, mul(c, over, k2), k2)
+    weight = add(n3, mul(n2, cc, o5), o5)
+    over = div(n1, add(n1, cc, o8), o8)
+    h = mul(mul(n2, mul(c, w, o3), o3), mul(weight, over, k1), o3)
+    decline = mul(n2, mul(c, over, o7), o7)
+    rho = mul(n4, mul(w, over, o4), o4)
+    share = mul(n4, mul(cc, over, k1), k1)
+    sharey = mul(n_minus_2, mul(mul(share, over, o8), decline, o8), o8)
+    hgrowth = sub(sub(share, n5, k2), mul(n8, div(cc, weight, o6), o6), k2)
     hy = div(mul(mul(h, decline, o6), hgrowth, o6), n2, o6)
     decliney = mul(mul(decline, decline, k3), sub(div(share, n2, k4), n1, k4), k3)
-    sharey = mul(n_minus_2, mul(mul(share, over, k4), decline, k4), k4)
     div(
-        add(mul(mul(hy, decline, k5), hgrowth, k5), mul(h, add(mul(decliney, hgrowth, k1), mul(decline, add(sharey,
-        mul(n48, div(mul(cc, decline, o9), mul(weight, weight, o4), o9), o9), o9), o9), o9), o9), o9), n2, o9
+        add(mul(mul(hy, decline, k4), hgrowth, k4), mul(h, add(mul(decliney, hgrowth, k2), mul(decline, add(sharey,
+        mul(n48, div(mul(cc, decline, o9), mul(weight, weight, o5), o9), o9), o9), o9), o9), o9), o9), n2, o9
     )
-    rho = mul(n4, mul(w, over, o4), o4)
-    rhogrowth = sub(share, n3, o7)
-    rhoy = div(mul(mul(rho, decline, o8), rhogrowth, o7), n2, o7)
-    above = sub(c, x, o8)
-    s = div(above, size, o8)
-    f = mul(n2, mul(s, w, o1), o1)
-    g = mul(n8, div(c, mul(size, size, o5), o2), o2)
+    rhogrowth = sub(share, n3, o5)
+    rhoy = div(mul(mul(rho, decline, o7), rhogrowth, o7), n2, o7)
     gy = sub(mul(f, h, o5), mul(g, g, o8), o5)
     sub(sub(hy, mul(rhoy, g, o7), o7), mul(rho, gy, o8), o7)
     fy = sub(h, mul(rho, g, o4), o4)
@@ -971,8 +977,8 @@ CHART = Chart(
     functions={
         "quaternion": Function(_quaternion, _quaternion_blocks, 1, 0, (1, 2, 3, 4)),
         "pose": Function(_pose, _pose_blocks, 3, 0, (1, 2, 3, 4, 8)),
-        "tangent": Function(_tangent, _tangent_blocks, 2, 0, (1, 2, 3, 4, 5, 8)),
-        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 5, 0, (-2, 1, 2, 3, 4, 5, 8, 48)),
+        "tangent": Function(_tangent, _tangent_blocks, 4, 0, (1, 2, 3, 4, 5, 8)),
+        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 4, 0, (-2, 1, 2, 3, 4, 5, 8, 48)),
         "rate": Function(_rate, _rate_blocks, 2, 0, (1, 2, 3, 4)),
         "inverse": Function(_inverse, _inverse_blocks, 0, 0, (4, 9, 32)),
         "inverse_at": Function(_inverse_at, _inverse_at_blocks, 1, 0, (2, 3, 4)),
@@ -993,7 +999,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 3, 2, (-1, 0, 1, 2, 4, 6, 8)),
     },
     kernels=SHARED,
-    programs="a88714d05973d638",
+    programs="3de97184c643962e",
 )
 
 KERNELS = PoseKernels(CHART)

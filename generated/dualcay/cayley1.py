@@ -63,7 +63,7 @@
 #
 # Operations:
 #   quaternion: 30: 8 +, 18 *, 3 /, 1 sqrt
-#   tensor: 86: 34 +, 50 *, 2 /
+#   tensor: 87: 35 +, 50 *, 2 /
 #   pose: 44: 20 +, 22 *, 2 /
 #   transform_point: 72: 29 +, 41 *, 2 /
 #   transform_line: 111: 44 +, 65 *, 2 /
@@ -84,25 +84,25 @@
 #   from_pose: 89: 27 +, 27 *, 4 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
 #   to_screw: 75: 18 +, 30 *, 11 /, 6 abs, 1 sqrt, 1 atan2, 2 eq, 6 where
-#   angle: 54: 13 +, 14 *, 8 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
+#   angle: 56: 15 +, 14 *, 8 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
 #   to_exponential: 38: 10 +, 18 *, 4 /, 1 neg, 1 sqrt, 1 atan2, 1 eq, 2 where
 #   from_exponential: 48: 13 +, 19 *, 5 /, 1 sqrt, 2 tan, 2 atan2, 1 lt, 1 eq, 4 where
 #   identity_jacobian: 12: 12 +
 #   compose: 135: 56 +, 71 *, 8 /
 #   between: 141: 56 +, 71 *, 8 /, 6 neg
-#   compose_jacobians: 921: 370 +, 493 *, 50 /, 8 neg
-#   between_jacobians: 945: 370 +, 493 *, 50 /, 32 neg
-#   retract: 342: 107 +, 149 *, 38 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
-#   body_retract: 342: 107 +, 149 *, 38 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
-#   retract_jacobians: 1091: 415 +, 539 *, 81 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
-#   body_retract_jacobians: 1091: 415 +, 539 *, 81 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
-#   local: 305: 99 +, 143 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-#   body_local: 305: 99 +, 143 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-#   interpolate: 705: 221 +, 317 *, 71 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 12 lt, 5 eq, 1 and, 3 or, 42
+#   compose_jacobians: 925: 374 +, 493 *, 50 /, 8 neg
+#   between_jacobians: 949: 374 +, 493 *, 50 /, 32 neg
+#   retract: 354: 119 +, 149 *, 38 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   body_retract: 354: 119 +, 149 *, 38 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   retract_jacobians: 1105: 429 +, 539 *, 81 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
+#   body_retract_jacobians: 1105: 429 +, 539 *, 81 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
+#   local: 317: 111 +, 143 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   body_local: 317: 111 +, 143 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   interpolate: 729: 245 +, 317 *, 71 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 12 lt, 5 eq, 1 and, 3 or, 42
 #       where
-#   adjoint: 86: 34 +, 50 *, 2 /
+#   adjoint: 87: 35 +, 50 *, 2 /
 #   transform_point_jacobians: 134: 58 +, 63 *, 3 /, 10 neg
-#   transform_line_jacobians: 299: 121 +, 168 *, 3 /, 7 neg
+#   transform_line_jacobians: 300: 122 +, 168 *, 3 /, 7 neg
 r"""Cayley map of order 1: Rodrigues dual vectors ``v = tan(α/2) u`` of rigid displacements.
 
 .. math::
@@ -179,25 +179,28 @@ def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: R
     return o1, o2, o3, o4
 
 
-# operations 4: 1 +, 1 *, 2 /
-def _pose(m: Any, x: Any) -> Result:
+# operations 6: 3 +, 1 *, 2 /
+def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     N = 1 + x
     r = 2 * (N / N / N)
     return r, r, 0
 
 
-def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, _ = out
     k1, *_ = scratch
     n0, n1, n2 = numbers
+    x = add(add(v11, v22, o1), v33, o1)
     N = add(n1, x, o1)
     mul(n2, div(div(N, N, k1), N, o1), o1)
     copy(o1, o2)
     return o1, o2, n0
 
 
-# operations 7: 1 +, 2 *, 3 /, 1 neg
-def _tangent(m: Any, x: Any) -> Result:
+# operations 9: 3 +, 2 *, 3 /, 1 neg
+def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     N = 1 + x
     r = 2 * (N / N / N)
     e = 2 / N
@@ -206,9 +209,10 @@ def _tangent(m: Any, x: Any) -> Result:
     return r, r, 0, fy, fy, 0
 
 
-def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, _, o4, o5, _ = out
     n0, n1, n2 = numbers
+    x = add(add(v11, v22, o4), v33, o4)
     N = add(n1, x, o4)
     r = mul(n2, div(div(N, N, o1), N, o1), o1)
     e = div(n2, N, o4)
@@ -2117,7 +2121,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="d1a26c2de8c175ff",
+    programs="aad1daaae7d0a3fd",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -64,8 +64,8 @@
 #
 # Operations:
 #   quaternion: 32: 9 +, 20 *, 3 /
-#   tensor: 92: 35 +, 55 *, 2 /
-#   pose: 65: 26 +, 37 *, 2 /
+#   tensor: 93: 36 +, 55 *, 2 /
+#   pose: 66: 27 +, 37 *, 2 /
 #   transform_point: 78: 30 +, 46 *, 2 /
 #   transform_line: 117: 45 +, 70 *, 2 /
 #   inverse: 6: 6 neg
@@ -85,7 +85,7 @@
 #   from_pose: 100: 32 +, 31 *, 5 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
 #   to_screw: 86: 21 +, 32 *, 12 /, 7 abs, 1 sqrt, 1 atan2, 2 lt, 2 eq, 8 where
-#   angle: 60: 14 +, 19 *, 8 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
+#   angle: 62: 16 +, 19 *, 8 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
 #   to_exponential: 38: 10 +, 18 *, 4 /, 1 neg, 1 sqrt, 1 atan2, 1 eq, 2 where
 #   from_exponential: 51: 15 +, 20 *, 5 /, 1 sqrt, 2 tan, 2 atan2, 1 lt, 1 eq, 4 where
 #   turn: 70: 16 +, 28 *, 11 /, 6 abs, 1 sqrt, 2 eq, 6 where
@@ -95,19 +95,19 @@
 #   principal: 55: 15 +, 23 *, 8 /, 1 sqrt, 1 lt, 7 where
 #   compose: 207: 74 +, 120 *, 9 /, 1 neg, 1 lt, 2 where
 #   between: 213: 74 +, 120 *, 9 /, 7 neg, 1 lt, 2 where
-#   compose_jacobians: 962: 383 +, 514 *, 52 /, 10 neg, 1 lt, 2 where
-#   between_jacobians: 986: 383 +, 514 *, 52 /, 34 neg, 1 lt, 2 where
-#   retract: 350: 109 +, 154 *, 38 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
-#   body_retract: 350: 109 +, 154 *, 38 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
-#   retract_jacobians: 1109: 421 +, 549 *, 82 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
-#   body_retract_jacobians: 1109: 421 +, 549 *, 82 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
-#   local: 319: 103 +, 153 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-#   body_local: 319: 103 +, 153 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-#   interpolate: 719: 225 +, 327 *, 71 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 12 lt, 5 eq, 1 and, 3 or, 42
+#   compose_jacobians: 966: 387 +, 514 *, 52 /, 10 neg, 1 lt, 2 where
+#   between_jacobians: 990: 387 +, 514 *, 52 /, 34 neg, 1 lt, 2 where
+#   retract: 362: 121 +, 154 *, 38 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   body_retract: 362: 121 +, 154 *, 38 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   retract_jacobians: 1123: 435 +, 549 *, 82 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
+#   body_retract_jacobians: 1123: 435 +, 549 *, 82 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
+#   local: 331: 115 +, 153 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   body_local: 331: 115 +, 153 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   interpolate: 743: 249 +, 327 *, 71 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 12 lt, 5 eq, 1 and, 3 or, 42
 #       where
-#   adjoint: 92: 35 +, 55 *, 2 /
-#   transform_point_jacobians: 208: 91 +, 110 *, 3 /, 4 neg
-#   transform_line_jacobians: 307: 124 +, 173 *, 3 /, 7 neg
+#   adjoint: 93: 36 +, 55 *, 2 /
+#   transform_point_jacobians: 209: 92 +, 110 *, 3 /, 4 neg
+#   transform_line_jacobians: 308: 125 +, 173 *, 3 /, 7 neg
 r"""Cayley map of order 2: Rodrigues dual vectors ``v = tan(α/4) u`` of rigid displacements.
 
 .. math::
@@ -186,8 +186,9 @@ def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: R
     return o1, o2, o3, o4
 
 
-# operations 10: 2 +, 6 *, 2 /
-def _pose(m: Any, x: Any) -> Result:
+# operations 12: 4 +, 6 *, 2 /
+def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     p = 1 - x
     N = p * p + 4 * x
     r = 2 * (N / N / N)
@@ -196,12 +197,13 @@ def _pose(m: Any, x: Any) -> Result:
     return f, g, g
 
 
-def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3 = out
     k1, *_ = scratch
     n1, n2, n4 = numbers
+    x = add(add(v11, v22, o2), v33, o2)
     p = sub(n1, x, o1)
-    N = add(mul(p, p, o2), mul(n4, x, k1), o2)
+    N = add(mul(p, p, k1), mul(n4, x, o2), o2)
     r = mul(n2, div(div(N, N, k1), N, o2), o2)
     mul(mul(n2, p, o1), r, o1)
     mul(n4, r, o2)
@@ -209,8 +211,9 @@ def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x
     return o1, o2, o3
 
 
-# operations 15: 4 +, 7 *, 3 /, 1 neg
-def _tangent(m: Any, x: Any) -> Result:
+# operations 17: 6 +, 7 *, 3 /, 1 neg
+def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     p = 1 - x
     N = p * p + 4 * x
     r = 2 * (N / N / N)
@@ -224,12 +227,13 @@ def _tangent(m: Any, x: Any) -> Result:
     return f, g, g, fy, gy, gy
 
 
-def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3, o4, o5, o6 = out
     n1, n2, n4 = numbers
+    x = add(add(v11, v22, o5), v33, o5)
     p = sub(n1, x, o1)
-    N = add(mul(p, p, o2), mul(n4, x, o5), o2)
-    r = mul(n2, div(div(N, N, o5), N, o2), o2)
+    N = add(mul(p, p, o2), mul(n4, x, o4), o2)
+    r = mul(n2, div(div(N, N, o4), N, o2), o2)
     mul(mul(n2, p, o1), r, o1)
     g = mul(n4, r, o2)
     x1 = add(n1, x, o5)
@@ -242,8 +246,9 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, o2, o3, o4, o5, o6
 
 
-# operations 22: 7 +, 10 *, 4 /, 1 neg
-def _tangent_dot(m: Any, x: Any) -> Result:
+# operations 24: 9 +, 10 *, 4 /, 1 neg
+def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     p = 1 - x
     N = p * p + 4 * x
     r = 2 * (N / N / N)
@@ -262,13 +267,14 @@ def _tangent_dot(m: Any, x: Any) -> Result:
     return f, g, g, fy, gy, gy, fyy, gyy, gyy
 
 
-def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
     k1, *_ = scratch
     n1, n2, n4 = numbers
+    x = add(add(v11, v22, o8), v33, o8)
     p = sub(n1, x, o1)
-    N = add(mul(p, p, o2), mul(n4, x, o8), o2)
-    r = mul(n2, div(div(N, N, o8), N, o2), o2)
+    N = add(mul(p, p, o2), mul(n4, x, k1), o2)
+    r = mul(n2, div(div(N, N, k1), N, o2), o2)
     mul(mul(n2, p, o1), r, o1)
     g = mul(n4, r, o2)
     x1 = add(n1, x, o8)
@@ -826,7 +832,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="8c6bfd7d42477089",
+    programs="4c179d8ea42e30b0",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -61,8 +61,8 @@
 #
 # Operations:
 #   quaternion: 41: 12 +, 25 *, 3 /, 1 sqrt
-#   tensor: 96: 36 +, 58 *, 2 /
-#   pose: 69: 27 +, 40 *, 2 /
+#   tensor: 97: 37 +, 58 *, 2 /
+#   pose: 70: 28 +, 40 *, 2 /
 #   transform_point: 82: 31 +, 49 *, 2 /
 #   transform_line: 121: 46 +, 73 *, 2 /
 #   inverse: 6: 6 neg
@@ -82,7 +82,7 @@
 #   from_pose: 111: 32 +, 34 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
 #   to_screw: 96: 22 +, 33 *, 12 /, 1 neg, 8 abs, 1 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
-#   angle: 64: 15 +, 22 *, 8 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
+#   angle: 66: 17 +, 22 *, 8 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
 #   to_exponential: 38: 10 +, 18 *, 4 /, 1 neg, 1 sqrt, 1 atan2, 1 eq, 2 where
 #   from_exponential: 52: 15 +, 21 *, 5 /, 1 sqrt, 2 tan, 2 atan2, 1 lt, 1 eq, 4 where
 #   turn: 70: 16 +, 28 *, 11 /, 6 abs, 1 sqrt, 2 eq, 6 where
@@ -92,19 +92,19 @@
 #   principal: 55: 15 +, 23 *, 8 /, 1 sqrt, 1 lt, 7 where
 #   compose: 233: 77 +, 133 *, 12 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   between: 239: 77 +, 133 *, 12 /, 7 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   compose_jacobians: 1014: 391 +, 546 *, 57 /, 10 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   between_jacobians: 1038: 391 +, 546 *, 57 /, 34 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   retract: 357: 111 +, 158 *, 40 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
-#   body_retract: 357: 111 +, 158 *, 40 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
-#   retract_jacobians: 1132: 426 +, 565 *, 84 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
-#   body_retract_jacobians: 1132: 426 +, 565 *, 84 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
-#   local: 325: 103 +, 159 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-#   body_local: 325: 103 +, 159 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-#   interpolate: 730: 227 +, 334 *, 73 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 12 lt, 5 eq, 1 and, 3 or, 42
+#   compose_jacobians: 1018: 395 +, 546 *, 57 /, 10 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   between_jacobians: 1042: 395 +, 546 *, 57 /, 34 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   retract: 369: 123 +, 158 *, 40 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   body_retract: 369: 123 +, 158 *, 40 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   retract_jacobians: 1146: 440 +, 565 *, 84 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
+#   body_retract_jacobians: 1146: 440 +, 565 *, 84 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
+#   local: 337: 115 +, 159 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   body_local: 337: 115 +, 159 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   interpolate: 754: 251 +, 334 *, 73 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 12 lt, 5 eq, 1 and, 3 or, 42
 #       where
-#   adjoint: 96: 36 +, 58 *, 2 /
-#   transform_point_jacobians: 216: 93 +, 116 *, 3 /, 4 neg
-#   transform_line_jacobians: 315: 126 +, 179 *, 3 /, 7 neg
+#   adjoint: 97: 37 +, 58 *, 2 /
+#   transform_point_jacobians: 217: 94 +, 116 *, 3 /, 4 neg
+#   transform_line_jacobians: 316: 127 +, 179 *, 3 /, 7 neg
 r"""Cayley map of order 3: Rodrigues dual vectors ``v = tan(α/6) u`` of rigid displacements.
 
 .. math::
@@ -190,8 +190,9 @@ def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: R
     return o1, o2, o3, o4
 
 
-# operations 14: 3 +, 9 *, 2 /
-def _pose(m: Any, x: Any) -> Result:
+# operations 16: 5 +, 9 *, 2 /
+def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     p = 1 - 3 * x
     q = 3 - x
     qq = q * q
@@ -203,23 +204,25 @@ def _pose(m: Any, x: Any) -> Result:
     return f, g, h
 
 
-def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3 = out
     k1, k2, *_ = scratch
     n1, n2, n3, n16 = numbers
+    x = add(add(v11, v22, o3), v33, o3)
     q = sub(n3, x, o1)
     qq = mul(q, q, o2)
-    p = sub(n1, mul(n3, x, o3), o3)
-    N = add(mul(p, p, k1), mul(x, qq, k2), k1)
-    r = mul(n2, div(div(N, N, k2), N, k1), k1)
+    p = sub(n1, mul(n3, x, k1), k1)
+    N = add(mul(p, p, k2), mul(x, qq, o3), o3)
+    r = mul(n2, div(div(N, N, k2), N, o3), o3)
     mul(mul(p, q, o1), r, o1)
     mul(qq, r, o2)
     mul(n16, r, o3)
     return o1, o2, o3
 
 
-# operations 23: 6 +, 13 *, 3 /, 1 neg
-def _tangent(m: Any, x: Any) -> Result:
+# operations 25: 8 +, 13 *, 3 /, 1 neg
+def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     p = 1 - 3 * x
     q = 3 - x
     qq = q * q
@@ -238,29 +241,31 @@ def _tangent(m: Any, x: Any) -> Result:
     return f, g, h, fy, gy, hy
 
 
-def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3, o4, o5, o6 = out
     n_minus_4, n1, n2, n3, n6, n16 = numbers
+    x = add(add(v11, v22, o6), v33, o6)
     q = sub(n3, x, o5)
     qq = mul(q, q, o2)
     p = sub(n1, mul(n3, x, o1), o1)
-    N = add(mul(p, p, o3), mul(x, qq, o6), o3)
-    r = mul(n2, div(div(N, N, o6), N, o3), o3)
+    N = add(mul(p, p, o3), mul(x, qq, o4), o3)
+    r = mul(n2, div(div(N, N, o4), N, o3), o3)
     mul(mul(p, q, o1), r, o1)
     g = mul(qq, r, o2)
-    qr = mul(n_minus_4, mul(q, r, o5), o5)
-    h = mul(n16, r, o3)
     x1 = add(n1, x, o6)
     e = div(n6, x1, o6)
     eg = mul(e, g, o4)
+    qr = mul(n_minus_4, mul(q, r, o5), o5)
+    h = mul(n16, r, o3)
     sub(qr, eg, o5)
     sub(h, eg, o4)
     neg(mul(e, h, o6), o6)
     return o1, o2, o3, o4, o5, o6
 
 
-# operations 37: 12 +, 20 *, 4 /, 1 neg
-def _tangent_dot(m: Any, x: Any) -> Result:
+# operations 39: 14 +, 20 *, 4 /, 1 neg
+def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     p = 1 - 3 * x
     q = 3 - x
     qq = q * q
@@ -285,10 +290,11 @@ def _tangent_dot(m: Any, x: Any) -> Result:
     return f, g, h, fy, gy, hy, fyy, gyy, hyy
 
 
-def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
     k1, k2, *_ = scratch
     n_minus_4, n1, n2, n3, n6, n8, n16 = numbers
+    x = add(add(v11, v22, o9), v33, o9)
     q = sub(n3, x, o8)
     qq = mul(q, q, o2)
     p = sub(n1, mul(n3, x, o1), o1)
@@ -296,9 +302,9 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     r = mul(n2, div(div(N, N, o3), N, o6), o6)
     mul(mul(p, q, o1), r, o1)
     g = mul(qq, r, o2)
+    x1 = add(n1, x, o9)
     qr = mul(n_minus_4, mul(q, r, o8), o8)
     h = mul(n16, r, o3)
-    x1 = add(n1, x, o9)
     e = div(n6, x1, o7)
     ee = div(mul(n2, e, o5), x1, o9)
     eg = mul(e, g, o5)
@@ -820,7 +826,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 2, 2, (-1, 0, 1, 2, 6, 9)),
     },
     kernels=SHARED,
-    programs="527209bfbab4ef2b",
+    programs="4bad99e9aa999b0e",
 )
 
 KERNELS = PoseKernels(CHART)

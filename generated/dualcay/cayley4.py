@@ -61,8 +61,8 @@
 #
 # Operations:
 #   quaternion: 41: 14 +, 24 *, 3 /
-#   tensor: 102: 39 +, 61 *, 2 /
-#   pose: 75: 30 +, 43 *, 2 /
+#   tensor: 103: 40 +, 61 *, 2 /
+#   pose: 76: 31 +, 43 *, 2 /
 #   transform_point: 88: 34 +, 52 *, 2 /
 #   transform_line: 127: 49 +, 76 *, 2 /
 #   inverse: 6: 6 neg
@@ -82,7 +82,7 @@
 #   from_pose: 116: 36 +, 39 *, 8 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
 #   to_screw: 98: 23 +, 34 *, 12 /, 1 neg, 8 abs, 1 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
-#   angle: 70: 18 +, 25 *, 8 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
+#   angle: 72: 20 +, 25 *, 8 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
 #   to_exponential: 38: 10 +, 18 *, 4 /, 1 neg, 1 sqrt, 1 atan2, 1 eq, 2 where
 #   from_exponential: 52: 15 +, 21 *, 5 /, 1 sqrt, 2 tan, 2 atan2, 1 lt, 1 eq, 4 where
 #   turn: 70: 16 +, 28 *, 11 /, 6 abs, 1 sqrt, 2 eq, 6 where
@@ -92,19 +92,19 @@
 #   principal: 58: 15 +, 23 *, 8 /, 1 sqrt, 2 lt, 9 where
 #   compose: 247: 88 +, 142 *, 12 /, 1 neg, 1 sqrt, 1 lt, 2 where
 #   between: 253: 88 +, 142 *, 12 /, 7 neg, 1 sqrt, 1 lt, 2 where
-#   compose_jacobians: 1054: 415 +, 570 *, 57 /, 8 neg, 1 sqrt, 1 lt, 2 where
-#   between_jacobians: 1078: 415 +, 570 *, 57 /, 32 neg, 1 sqrt, 1 lt, 2 where
-#   retract: 369: 116 +, 164 *, 40 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
-#   body_retract: 369: 116 +, 164 *, 40 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
-#   retract_jacobians: 1158: 439 +, 578 *, 84 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
-#   body_retract_jacobians: 1158: 439 +, 578 *, 84 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
-#   local: 343: 113 +, 167 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-#   body_local: 343: 113 +, 167 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-#   interpolate: 750: 237 +, 344 *, 73 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 12 lt, 5 eq, 1 and, 3 or, 42
+#   compose_jacobians: 1058: 419 +, 570 *, 57 /, 8 neg, 1 sqrt, 1 lt, 2 where
+#   between_jacobians: 1082: 419 +, 570 *, 57 /, 32 neg, 1 sqrt, 1 lt, 2 where
+#   retract: 381: 128 +, 164 *, 40 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   body_retract: 381: 128 +, 164 *, 40 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   retract_jacobians: 1172: 453 +, 578 *, 84 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
+#   body_retract_jacobians: 1172: 453 +, 578 *, 84 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
+#   local: 355: 125 +, 167 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   body_local: 355: 125 +, 167 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   interpolate: 774: 261 +, 344 *, 73 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 12 lt, 5 eq, 1 and, 3 or, 42
 #       where
-#   adjoint: 102: 39 +, 61 *, 2 /
-#   transform_point_jacobians: 226: 98 +, 122 *, 3 /, 3 neg
-#   transform_line_jacobians: 325: 131 +, 185 *, 3 /, 6 neg
+#   adjoint: 103: 40 +, 61 *, 2 /
+#   transform_point_jacobians: 227: 99 +, 122 *, 3 /, 3 neg
+#   transform_line_jacobians: 326: 132 +, 185 *, 3 /, 6 neg
 r"""Cayley map of order 4: Rodrigues dual vectors ``v = tan(α/8) u`` of rigid displacements.
 
 .. math::
@@ -190,8 +190,9 @@ def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: R
     return o1, o2, o3, o4
 
 
-# operations 20: 6 +, 12 *, 2 /
-def _pose(m: Any, x: Any) -> Result:
+# operations 22: 8 +, 12 *, 2 /
+def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     p = (x - 6) * x + 1
     q = 4 - 4 * x
     qq = q * q
@@ -204,24 +205,26 @@ def _pose(m: Any, x: Any) -> Result:
     return f, g, h
 
 
-def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3 = out
-    k1, k2, *_ = scratch
+    k1, k2, k3, *_ = scratch
     n1, n2, n4, n6, n8, n16, n40 = numbers
-    q = sub(n4, mul(n4, x, o1), o1)
-    qq = mul(q, q, o2)
-    p = add(mul(sub(x, n6, o3), x, o3), n1, o3)
-    N = add(mul(p, p, k1), mul(x, qq, k2), k1)
-    r = mul(n2, div(div(N, N, k2), N, k1), k1)
+    x = add(add(v11, v22, o3), v33, o3)
+    p = add(mul(sub(x, n6, o1), x, o1), n1, o1)
+    q = sub(n4, mul(n4, x, o2), o2)
+    qq = mul(q, q, k1)
+    N = add(mul(p, p, k2), mul(x, qq, k3), k2)
+    r = mul(n2, div(div(N, N, k3), N, k2), k2)
     mul(mul(p, q, o1), r, o1)
     mul(qq, r, o2)
-    c = add(mul(sub(mul(n8, x, o3), n16, o3), x, o3), n40, o3)
+    c = add(mul(sub(mul(n8, x, k1), n16, k1), x, o3), n40, o3)
     mul(c, r, o3)
     return o1, o2, o3
 
 
-# operations 33: 11 +, 19 *, 3 /
-def _tangent(m: Any, x: Any) -> Result:
+# operations 35: 13 +, 19 *, 3 /
+def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     p = (x - 6) * x + 1
     q = 4 - 4 * x
     qq = q * q
@@ -243,13 +246,14 @@ def _tangent(m: Any, x: Any) -> Result:
     return f, g, h, fy, gy, hy
 
 
-def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3, o4, o5, o6 = out
     k1, *_ = scratch
     n_minus_16, n1, n2, n4, n6, n8, n16, n40 = numbers
+    x = add(add(v11, v22, o4), v33, o4)
+    p = add(mul(sub(x, n6, o1), x, o1), n1, o1)
     q = sub(n4, mul(n4, x, o5), o5)
     qq = mul(q, q, o2)
-    p = add(mul(sub(x, n6, o1), x, o1), n1, o1)
     N = add(mul(p, p, o3), mul(x, qq, o6), o3)
     r = mul(n2, div(div(N, N, o6), N, o3), o3)
     g = mul(qq, r, o2)
@@ -257,7 +261,7 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     qr = mul(n_minus_16, mul(q, r, o5), o5)
     dc = sub(mul(n16, x, o6), n16, o6)
     cr = mul(mul(n2, dc, o6), r, o6)
-    c = add(mul(sub(mul(n8, x, o4), n16, o4), x, o4), n40, o4)
+    c = add(mul(sub(mul(n8, x, k1), n16, k1), x, k1), n40, k1)
     h = mul(c, r, o3)
     x1 = add(n1, x, o4)
     e = div(n8, x1, o4)
@@ -268,8 +272,9 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, o2, o3, o4, o5, o6
 
 
-# operations 51: 19 +, 28 *, 4 /
-def _tangent_dot(m: Any, x: Any) -> Result:
+# operations 53: 21 +, 28 *, 4 /
+def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     p = (x - 6) * x + 1
     q = 4 - 4 * x
     qq = q * q
@@ -298,15 +303,16 @@ def _tangent_dot(m: Any, x: Any) -> Result:
     return f, g, h, fy, gy, hy, fyy, gyy, hyy
 
 
-def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
     k1, k2, k3, *_ = scratch
     n_minus_16, n1, n2, n4, n6, n8, n16, n40 = numbers
+    x = add(add(v11, v22, o7), v33, o7)
+    p = add(mul(sub(x, n6, o1), x, o1), n1, o1)
     q = sub(n4, mul(n4, x, o8), o8)
     qq = mul(q, q, o2)
-    p = add(mul(sub(x, n6, o1), x, o1), n1, o1)
-    N = add(mul(p, p, o7), mul(x, qq, o9), o7)
-    r = mul(n2, div(div(N, N, o9), N, o7), o7)
+    N = add(mul(p, p, k1), mul(x, qq, o9), k1)
+    r = mul(n2, div(div(N, N, o9), N, k1), k1)
     g = mul(qq, r, o2)
     mul(mul(p, q, o1), r, o1)
     qr = mul(n_minus_16, mul(q, r, o8), o8)
@@ -314,19 +320,19 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     cr = mul(mul(n2, dc, o9), r, o9)
     c = add(mul(sub(mul(n8, x, o3), n16, o3), x, o3), n40, o3)
     h = mul(c, r, o3)
-    r_by_16 = mul(n16, r, o7)
-    x1 = add(n1, x, k1)
+    x1 = add(n1, x, o7)
+    r_by_16 = mul(n16, r, k1)
     e = div(n8, x1, k2)
-    ee = div(mul(n2, e, o6), x1, k1)
+    ee = div(mul(n2, e, o6), x1, o7)
     hy = sub(cr, mul(e, h, o6), o6)
     add(sub(mul(n4, r_by_16, o5), mul(e, add(hy, cr, o9), o9), o9), mul(ee, h, o5), o9)
-    eeg = mul(ee, g, k1)
+    eeg = mul(ee, g, o7)
     eg = mul(e, g, o5)
     sub(h, eg, o4)
     gy = sub(qr, eg, o5)
     egy = mul(e, gy, k3)
-    add(sub(mul(n8, r_by_16, o7), add(egy, mul(e, qr, o8), o8), o8), eeg, o8)
-    add(sub(hy, egy, o7), eeg, o7)
+    add(sub(mul(n8, r_by_16, k1), add(egy, mul(e, qr, o8), o8), o8), eeg, o8)
+    add(sub(hy, egy, k1), eeg, o7)
     return o1, o2, o3, o4, o5, o6, o7, o8, o9
 
 
@@ -835,7 +841,7 @@ CHART = Chart(
     ),
     functions={
         "quaternion": Function(_quaternion, _quaternion_blocks, 0, 0, (-4, 1, 4, 6, 8)),
-        "pose": Function(_pose, _pose_blocks, 2, 0, (1, 2, 4, 6, 8, 16, 40)),
+        "pose": Function(_pose, _pose_blocks, 3, 0, (1, 2, 4, 6, 8, 16, 40)),
         "tangent": Function(_tangent, _tangent_blocks, 1, 0, (-16, 1, 2, 4, 6, 8, 16, 40)),
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 3, 0, (-16, 1, 2, 4, 6, 8, 16, 40)),
         "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2, 8)),
@@ -858,7 +864,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 3, 2, (-1, 0, 1, 2, 8, 13)),
     },
     kernels=SHARED,
-    programs="302ff7bd72c9a783",
+    programs="f187e3984fba07e9",
 )
 
 KERNELS = PoseKernels(CHART)

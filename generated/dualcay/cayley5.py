@@ -61,8 +61,8 @@
 #
 # Operations:
 #   quaternion: 48: 15 +, 29 *, 3 /, 1 sqrt
-#   tensor: 104: 40 +, 62 *, 2 /
-#   pose: 77: 31 +, 44 *, 2 /
+#   tensor: 105: 41 +, 62 *, 2 /
+#   pose: 78: 32 +, 44 *, 2 /
 #   transform_point: 90: 35 +, 53 *, 2 /
 #   transform_line: 129: 50 +, 77 *, 2 /
 #   inverse: 6: 6 neg
@@ -82,7 +82,7 @@
 #   from_pose: 117: 35 +, 37 *, 7 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
 #   to_screw: 100: 24 +, 35 *, 12 /, 1 neg, 8 abs, 1 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
-#   angle: 72: 19 +, 26 *, 8 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
+#   angle: 74: 21 +, 26 *, 8 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
 #   to_exponential: 38: 10 +, 18 *, 4 /, 1 neg, 1 sqrt, 1 atan2, 1 eq, 2 where
 #   from_exponential: 52: 15 +, 21 *, 5 /, 1 sqrt, 2 tan, 2 atan2, 1 lt, 1 eq, 4 where
 #   turn: 70: 16 +, 28 *, 11 /, 6 abs, 1 sqrt, 2 eq, 6 where
@@ -92,19 +92,19 @@
 #   principal: 58: 15 +, 23 *, 8 /, 1 sqrt, 2 lt, 9 where
 #   compose: 255: 88 +, 144 *, 12 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   between: 261: 88 +, 144 *, 12 /, 7 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   compose_jacobians: 1081: 423 +, 583 *, 57 /, 8 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   between_jacobians: 1105: 423 +, 583 *, 57 /, 32 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   retract: 369: 117 +, 164 *, 40 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
-#   body_retract: 369: 117 +, 164 *, 40 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
-#   retract_jacobians: 1170: 444 +, 586 *, 84 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
-#   body_retract_jacobians: 1170: 444 +, 586 *, 84 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
-#   local: 341: 111 +, 167 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-#   body_local: 341: 111 +, 167 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-#   interpolate: 750: 237 +, 344 *, 73 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 12 lt, 5 eq, 1 and, 3 or, 42
+#   compose_jacobians: 1085: 427 +, 583 *, 57 /, 8 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   between_jacobians: 1109: 427 +, 583 *, 57 /, 32 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   retract: 381: 129 +, 164 *, 40 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   body_retract: 381: 129 +, 164 *, 40 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   retract_jacobians: 1184: 458 +, 586 *, 84 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
+#   body_retract_jacobians: 1184: 458 +, 586 *, 84 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
+#   local: 353: 123 +, 167 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   body_local: 353: 123 +, 167 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   interpolate: 774: 261 +, 344 *, 73 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 12 lt, 5 eq, 1 and, 3 or, 42
 #       where
-#   adjoint: 104: 40 +, 62 *, 2 /
-#   transform_point_jacobians: 231: 100 +, 125 *, 3 /, 3 neg
-#   transform_line_jacobians: 330: 133 +, 188 *, 3 /, 6 neg
+#   adjoint: 105: 41 +, 62 *, 2 /
+#   transform_point_jacobians: 232: 101 +, 125 *, 3 /, 3 neg
+#   transform_line_jacobians: 331: 134 +, 188 *, 3 /, 6 neg
 r"""Cayley map of order 5: Rodrigues dual vectors ``v = tan(α/10) u`` of rigid displacements.
 
 .. math::
@@ -193,8 +193,9 @@ def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: R
     return o1, o2, o3, o4
 
 
-# operations 22: 7 +, 13 *, 2 /
-def _pose(m: Any, x: Any) -> Result:
+# operations 24: 9 +, 13 *, 2 /
+def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     p = (5 * x - 10) * x + 1
     q = (x - 10) * x + 5
     qq = q * q
@@ -207,24 +208,26 @@ def _pose(m: Any, x: Any) -> Result:
     return f, g, h
 
 
-def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3 = out
-    k1, k2, *_ = scratch
+    k1, k2, k3, *_ = scratch
     n1, n2, n5, n10, n80, n96 = numbers
+    x = add(add(v11, v22, o3), v33, o3)
     q = add(mul(sub(x, n10, o1), x, o1), n5, o1)
     qq = mul(q, q, o2)
-    p = add(mul(sub(mul(n5, x, o3), n10, o3), x, o3), n1, o3)
-    N = add(mul(p, p, k1), mul(x, qq, k2), k1)
-    r = mul(n2, div(div(N, N, k2), N, k1), k1)
+    p = add(mul(sub(mul(n5, x, k1), n10, k1), x, k1), n1, k1)
+    N = add(mul(p, p, k2), mul(x, qq, k3), k2)
+    r = mul(n2, div(div(N, N, k3), N, k2), k2)
     mul(mul(p, q, o1), r, o1)
     mul(qq, r, o2)
-    c = add(mul(sub(mul(n80, x, o3), n96, o3), x, o3), n80, o3)
+    c = add(mul(sub(mul(n80, x, k1), n96, k1), x, o3), n80, o3)
     mul(c, r, o3)
     return o1, o2, o3
 
 
-# operations 38: 13 +, 22 *, 3 /
-def _tangent(m: Any, x: Any) -> Result:
+# operations 40: 15 +, 22 *, 3 /
+def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     p = (5 * x - 10) * x + 1
     q = (x - 10) * x + 5
     qq = q * q
@@ -247,34 +250,36 @@ def _tangent(m: Any, x: Any) -> Result:
     return f, g, h, fy, gy, hy
 
 
-def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3, o4, o5, o6 = out
     k1, k2, k3, *_ = scratch
     n1, n2, n4, n5, n10, n80, n96, n160 = numbers
-    q = add(mul(sub(x, n10, o5), x, o5), n5, o5)
+    x = add(add(v11, v22, o5), v33, o5)
+    q = add(mul(sub(x, n10, o4), x, o4), n5, o4)
     qq = mul(q, q, o2)
     p = add(mul(sub(mul(n5, x, o1), n10, o1), x, o1), n1, o1)
-    N = add(mul(p, p, o6), mul(x, qq, o3), o6)
-    r = mul(n2, div(div(N, N, o3), N, o6), o6)
-    mul(mul(p, q, o1), r, o1)
+    N = add(mul(p, p, k1), mul(x, qq, o6), k1)
+    r = mul(n2, div(div(N, N, o6), N, k1), k1)
     g = mul(qq, r, o2)
+    mul(mul(p, q, o1), r, o1)
+    dc = sub(mul(n160, x, o6), n96, o6)
+    cr = mul(mul(n2, dc, o6), r, o6)
     c = add(mul(sub(mul(n80, x, o3), n96, o3), x, o3), n80, o3)
     h = mul(c, r, o3)
-    x1 = add(n1, x, k1)
-    e = div(n10, x1, k1)
+    x1 = add(n1, x, k2)
+    e = div(n10, x1, k2)
+    sub(cr, mul(e, h, k3), o6)
     eg = mul(e, g, k2)
-    sub(h, eg, o4)
-    dq = sub(mul(n2, x, k3), n10, k3)
-    qr = mul(mul(n4, dq, k3), mul(q, r, o5), o5)
+    dq = sub(mul(n2, x, o5), n10, o5)
+    qr = mul(mul(n4, dq, o5), mul(q, r, o4), o5)
     sub(qr, eg, o5)
-    dc = sub(mul(n160, x, k2), n96, k2)
-    cr = mul(mul(n2, dc, k2), r, o6)
-    sub(cr, mul(e, h, k1), o6)
+    sub(h, eg, o4)
     return o1, o2, o3, o4, o5, o6
 
 
-# operations 60: 22 +, 34 *, 4 /
-def _tangent_dot(m: Any, x: Any) -> Result:
+# operations 62: 24 +, 34 *, 4 /
+def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     p = (5 * x - 10) * x + 1
     q = (x - 10) * x + 5
     qq = q * q
@@ -303,37 +308,38 @@ def _tangent_dot(m: Any, x: Any) -> Result:
     return f, g, h, fy, gy, hy, fyy, gyy, hyy
 
 
-def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
-    k1, k2, k3, k4, *_ = scratch
+    k1, k2, k3, k4, k5, *_ = scratch
     n1, n2, n4, n5, n8, n10, n80, n96, n160 = numbers
+    x = add(add(v11, v22, o9), v33, o9)
     q = add(mul(sub(x, n10, o8), x, o8), n5, o8)
     qq = mul(q, q, o2)
     p = add(mul(sub(mul(n5, x, o1), n10, o1), x, o1), n1, o1)
-    N = add(mul(p, p, o9), mul(x, qq, o3), o9)
-    r = mul(n2, div(div(N, N, o3), N, o9), o9)
+    N = add(mul(p, p, o7), mul(x, qq, o3), o7)
+    r = mul(n2, div(div(N, N, o3), N, o7), o7)
     mul(mul(p, q, o1), r, o1)
     g = mul(qq, r, o2)
     c = add(mul(sub(mul(n80, x, o3), n96, o3), x, o3), n80, o3)
     h = mul(c, r, o3)
-    x1 = add(n1, x, o7)
-    e = div(n10, x1, k1)
-    ee = div(mul(n2, e, o5), x1, o7)
+    x1 = add(n1, x, k1)
+    e = div(n10, x1, k2)
+    ee = div(mul(n2, e, o5), x1, k1)
     eg = mul(e, g, o5)
-    eeg = mul(ee, g, k2)
+    eeg = mul(ee, g, k3)
     sub(h, eg, o4)
-    dq = sub(mul(n2, x, k3), n10, k3)
-    qr = mul(mul(n4, dq, o6), mul(q, r, k4), o6)
+    dq = sub(mul(n2, x, o6), n10, o6)
+    dc = sub(mul(n160, x, o9), n96, o9)
+    cr = mul(mul(n2, dc, o9), r, o9)
+    qr = mul(mul(n4, dq, k4), mul(q, r, k5), k4)
     gy = sub(qr, eg, o5)
-    egy = mul(e, gy, k4)
+    egy = mul(e, gy, k5)
     add(
-        sub(mul(n8, mul(add(mul(n2, q, o8), mul(dq, dq, k3), o8), r, o8), o8), add(egy, mul(e, qr, k3), k3), o8), eeg,
+        sub(mul(n8, mul(add(mul(n2, q, o8), mul(dq, dq, o6), o8), r, o8), o8), add(egy, mul(e, qr, o6), o6), o8), eeg,
         o8
     )
-    dc = sub(mul(n160, x, k3), n96, k3)
-    cr = mul(mul(n2, dc, k3), r, k3)
     hy = sub(cr, mul(e, h, o6), o6)
-    add(sub(mul(n4, mul(n160, r, o9), o9), mul(e, add(hy, cr, k3), k1), o9), mul(ee, h, o7), o9)
+    add(sub(mul(n4, mul(n160, r, o7), o7), mul(e, add(hy, cr, o9), o9), o9), mul(ee, h, o7), o9)
     add(sub(hy, egy, o7), eeg, o7)
     return o1, o2, o3, o4, o5, o6, o7, o8, o9
 
@@ -863,9 +869,9 @@ CHART = Chart(
     ),
     functions={
         "quaternion": Function(_quaternion, _quaternion_blocks, 1, 0, (-5, 1, 2, 5, 10)),
-        "pose": Function(_pose, _pose_blocks, 2, 0, (1, 2, 5, 10, 80, 96)),
+        "pose": Function(_pose, _pose_blocks, 3, 0, (1, 2, 5, 10, 80, 96)),
         "tangent": Function(_tangent, _tangent_blocks, 3, 0, (1, 2, 4, 5, 10, 80, 96, 160)),
-        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 4, 0, (1, 2, 4, 5, 8, 10, 80, 96, 160)),
+        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 5, 0, (1, 2, 4, 5, 8, 10, 80, 96, 160)),
         "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2, 10)),
         "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 5, 10, 34, 45)),
         "inverse_at": Function(_inverse_at, _inverse_at_blocks, 1, 0, (1, 5, 10, 34, 45)),
@@ -886,7 +892,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 2, 2, (-1, 0, 1, 2, 10, 16)),
     },
     kernels=SHARED,
-    programs="ca2ecbdf78fa5410",
+    programs="7d58654f59eed7d7",
 )
 
 KERNELS = PoseKernels(CHART)

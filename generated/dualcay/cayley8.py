@@ -61,8 +61,8 @@
 #
 # Operations:
 #   quaternion: 60: 22 +, 35 *, 3 /
-#   tensor: 118: 47 +, 69 *, 2 /
-#   pose: 91: 38 +, 51 *, 2 /
+#   tensor: 119: 48 +, 69 *, 2 /
+#   pose: 92: 39 +, 51 *, 2 /
 #   transform_point: 104: 42 +, 60 *, 2 /
 #   transform_line: 143: 57 +, 84 *, 2 /
 #   inverse: 6: 6 neg
@@ -82,7 +82,7 @@
 #   from_pose: 133: 43 +, 47 *, 9 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 18: 4 +, 11 *, 2 /, 1 tan
 #   to_screw: 106: 27 +, 38 *, 12 /, 1 neg, 8 abs, 1 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
-#   angle: 86: 26 +, 33 *, 8 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
+#   angle: 88: 28 +, 33 *, 8 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
 #   to_exponential: 38: 10 +, 18 *, 4 /, 1 neg, 1 sqrt, 1 atan2, 1 eq, 2 where
 #   from_exponential: 52: 15 +, 21 *, 5 /, 1 sqrt, 2 tan, 2 atan2, 1 lt, 1 eq, 4 where
 #   turn: 70: 16 +, 28 *, 11 /, 6 abs, 1 sqrt, 2 eq, 6 where
@@ -92,19 +92,19 @@
 #   principal: 64: 15 +, 23 *, 8 /, 1 sqrt, 4 lt, 13 where
 #   compose: 308: 115 +, 174 *, 13 /, 1 neg, 2 sqrt, 1 lt, 2 where
 #   between: 314: 115 +, 174 *, 13 /, 7 neg, 2 sqrt, 1 lt, 2 where
-#   compose_jacobians: 1203: 484 +, 648 *, 58 /, 8 neg, 2 sqrt, 1 lt, 2 where
-#   between_jacobians: 1227: 484 +, 648 *, 58 /, 32 neg, 2 sqrt, 1 lt, 2 where
-#   retract: 399: 130 +, 180 *, 40 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
-#   body_retract: 399: 130 +, 180 *, 40 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
-#   retract_jacobians: 1239: 477 +, 621 *, 84 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
-#   body_retract_jacobians: 1239: 477 +, 621 *, 84 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
-#   local: 387: 133 +, 191 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-#   body_local: 387: 133 +, 191 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-#   interpolate: 802: 261 +, 372 *, 73 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 12 lt, 5 eq, 1 and, 3 or, 42
+#   compose_jacobians: 1207: 488 +, 648 *, 58 /, 8 neg, 2 sqrt, 1 lt, 2 where
+#   between_jacobians: 1231: 488 +, 648 *, 58 /, 32 neg, 2 sqrt, 1 lt, 2 where
+#   retract: 411: 142 +, 180 *, 40 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   body_retract: 411: 142 +, 180 *, 40 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   retract_jacobians: 1253: 491 +, 621 *, 84 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
+#   body_retract_jacobians: 1253: 491 +, 621 *, 84 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
+#   local: 399: 145 +, 191 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   body_local: 399: 145 +, 191 *, 33 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   interpolate: 826: 285 +, 372 *, 73 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 12 lt, 5 eq, 1 and, 3 or, 42
 #       where
-#   adjoint: 118: 47 +, 69 *, 2 /
-#   transform_point_jacobians: 255: 112 +, 137 *, 3 /, 3 neg
-#   transform_line_jacobians: 354: 145 +, 200 *, 3 /, 6 neg
+#   adjoint: 119: 48 +, 69 *, 2 /
+#   transform_point_jacobians: 256: 113 +, 137 *, 3 /, 3 neg
+#   transform_line_jacobians: 355: 146 +, 200 *, 3 /, 6 neg
 r"""Cayley map of order 8: Rodrigues dual vectors ``v = tan(α/16) u`` of rigid displacements.
 
 .. math::
@@ -193,8 +193,9 @@ def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: R
     return o1, o2, o3, o4
 
 
-# operations 36: 14 +, 20 *, 2 /
-def _pose(m: Any, x: Any) -> Result:
+# operations 38: 16 +, 20 *, 2 /
+def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     p = (((x - 28) * x + 70) * x - 28) * x + 1
     q = ((56 - 8 * x) * x - 56) * x + 8
     qq = q * q
@@ -207,27 +208,29 @@ def _pose(m: Any, x: Any) -> Result:
     return f, g, h
 
 
-def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3 = out
-    k1, k2, *_ = scratch
+    k1, k2, k3, *_ = scratch
     n1, n2, n8, n16, n28, n56, n70, n224, n336, n2016, n2352, n5440, n6000 = numbers
-    q = add(mul(sub(mul(sub(n56, mul(n8, x, o1), o1), x, o1), n56, o1), x, o1), n8, o1)
-    qq = mul(q, q, o2)
-    p = add(mul(sub(mul(add(mul(sub(x, n28, o3), x, o3), n70, o3), x, o3), n28, o3), x, o3), n1, o3)
-    N = add(mul(p, p, k1), mul(x, qq, k2), k1)
-    r = mul(n2, div(div(N, N, k2), N, k1), k1)
+    x = add(add(v11, v22, o3), v33, o3)
+    p = add(mul(sub(mul(add(mul(sub(x, n28, o1), x, o1), n70, o1), x, o1), n28, o1), x, o1), n1, o1)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, o2), o2), x, o2), n56, o2), x, o2), n8, o2)
+    qq = mul(q, q, k1)
+    N = add(mul(p, p, k2), mul(x, qq, k3), k2)
+    r = mul(n2, div(div(N, N, k3), N, k2), k2)
     mul(mul(p, q, o1), r, o1)
     mul(qq, r, o2)
     c = add(
-        mul(sub(mul(add(mul(sub(mul(add(mul(sub(mul(n16, x, o3), n224, o3), x, o3), n2352, o3), x, o3), n5440, o3), x,
-        o3), n6000, o3), x, o3), n2016, o3), x, o3), n336, o3
+        mul(sub(mul(add(mul(sub(mul(add(mul(sub(mul(n16, x, k1), n224, k1), x, k1), n2352, k1), x, k1), n5440, k1), x,
+        k1), n6000, k1), x, k1), n2016, k1), x, o3), n336, o3
     )
     mul(c, r, o3)
     return o1, o2, o3
 
 
-# operations 62: 25 +, 34 *, 3 /
-def _tangent(m: Any, x: Any) -> Result:
+# operations 64: 27 +, 34 *, 3 /
+def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     p = (((x - 28) * x + 70) * x - 28) * x + 1
     q = ((56 - 8 * x) * x - 56) * x + 8
     qq = q * q
@@ -250,43 +253,45 @@ def _tangent(m: Any, x: Any) -> Result:
     return f, g, h, fy, gy, hy
 
 
-def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3, o4, o5, o6 = out
     k1, k2, k3, *_ = scratch
     (
         n1, n2, n4, n8, n16, n24, n28, n56, n70, n96, n112, n224, n336, n1120, n2016, n2352, n5440, n6000, n9408,
         n12000, n16320,
     ) = numbers
-    q = add(mul(sub(mul(sub(n56, mul(n8, x, o5), o5), x, o5), n56, o5), x, o5), n8, o5)
-    qq = mul(q, q, o2)
+    x = add(add(v11, v22, o5), v33, o5)
     p = add(mul(sub(mul(add(mul(sub(x, n28, o1), x, o1), n70, o1), x, o1), n28, o1), x, o1), n1, o1)
-    N = add(mul(p, p, o6), mul(x, qq, o3), o6)
-    r = mul(n2, div(div(N, N, o3), N, o6), o6)
-    mul(mul(p, q, o1), r, o1)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, o4), o4), x, o4), n56, o4), x, o4), n8, o4)
+    qq = mul(q, q, o2)
+    N = add(mul(p, p, k1), mul(x, qq, o6), k1)
+    r = mul(n2, div(div(N, N, o6), N, k1), k1)
     g = mul(qq, r, o2)
+    mul(mul(p, q, o1), r, o1)
+    dc = sub(
+        mul(add(mul(sub(mul(add(mul(sub(mul(n96, x, o6), n1120, o6), x, o6), n9408, o6), x, o6), n16320, o6), x, o6),
+        n12000, o6), x, o6), n2016, o6
+    )
+    cr = mul(mul(n2, dc, o6), r, o6)
     c = add(
         mul(sub(mul(add(mul(sub(mul(add(mul(sub(mul(n16, x, o3), n224, o3), x, o3), n2352, o3), x, o3), n5440, o3), x,
         o3), n6000, o3), x, o3), n2016, o3), x, o3), n336, o3
     )
     h = mul(c, r, o3)
-    x1 = add(n1, x, k1)
-    e = div(n16, x1, k1)
+    x1 = add(n1, x, k2)
+    e = div(n16, x1, k2)
+    sub(cr, mul(e, h, k3), o6)
     eg = mul(e, g, k2)
-    sub(h, eg, o4)
-    dq = sub(mul(sub(n112, mul(n24, x, k3), k3), x, k3), n56, k3)
-    qr = mul(mul(n4, dq, k3), mul(q, r, o5), o5)
+    dq = sub(mul(sub(n112, mul(n24, x, k3), k3), x, o5), n56, o5)
+    qr = mul(mul(n4, dq, o5), mul(q, r, o4), o5)
     sub(qr, eg, o5)
-    dc = sub(
-        mul(add(mul(sub(mul(add(mul(sub(mul(n96, x, k2), n1120, k2), x, k2), n9408, k2), x, k2), n16320, k2), x, k2),
-        n12000, k2), x, k2), n2016, k2
-    )
-    cr = mul(mul(n2, dc, k2), r, o6)
-    sub(cr, mul(e, h, k1), o6)
+    sub(h, eg, o4)
     return o1, o2, o3, o4, o5, o6
 
 
-# operations 94: 39 +, 51 *, 4 /
-def _tangent_dot(m: Any, x: Any) -> Result:
+# operations 96: 41 +, 51 *, 4 /
+def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     p = (((x - 28) * x + 70) * x - 28) * x + 1
     q = ((56 - 8 * x) * x - 56) * x + 8
     qq = q * q
@@ -317,16 +322,17 @@ def _tangent_dot(m: Any, x: Any) -> Result:
     return f, g, h, fy, gy, hy, fyy, gyy, hyy
 
 
-def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
-    k1, k2, k3, k4, k5, k6, k7, *_ = scratch
+    k1, k2, k3, k4, k5, k6, *_ = scratch
     (
         n1, n2, n4, n8, n16, n24, n28, n48, n56, n70, n96, n112, n224, n336, n480, n1120, n2016, n2352, n4480, n5440,
         n6000, n9408, n12000, n16320, n28224, n32640,
     ) = numbers
-    q = add(mul(sub(mul(sub(n56, mul(n8, x, o8), o8), x, o8), n56, o8), x, o8), n8, o8)
-    qq = mul(q, q, o2)
+    x = add(add(v11, v22, o8), v33, o8)
     p = add(mul(sub(mul(add(mul(sub(x, n28, o1), x, o1), n70, o1), x, o1), n28, o1), x, o1), n1, o1)
+    q = add(mul(sub(mul(sub(n56, mul(n8, x, o7), o7), x, o7), n56, o7), x, o7), n8, o7)
+    qq = mul(q, q, o2)
     N = add(mul(p, p, k1), mul(x, qq, o9), k1)
     r = mul(n2, div(div(N, N, o9), N, k1), k1)
     g = mul(qq, r, o2)
@@ -354,15 +360,15 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     eg = mul(e, g, o5)
     sub(h, eg, o4)
     dq = sub(mul(sub(n112, mul(n24, x, k4), k4), x, k4), n56, k4)
+    ddq = sub(n112, mul(n48, x, o8), o8)
     qr = mul(mul(n4, dq, k5), mul(q, r, k6), k5)
     gy = sub(qr, eg, o5)
     egy = mul(e, gy, k6)
-    add(sub(hy, egy, o7), eeg, o7)
-    ddq = sub(n112, mul(n48, x, k7), k7)
     add(
-        sub(mul(n8, mul(add(mul(q, ddq, o8), mul(dq, dq, k4), o8), r, o8), o8), add(egy, mul(e, qr, k1), k1), o8), eeg,
+        sub(mul(n8, mul(add(mul(q, ddq, o8), mul(dq, dq, o7), o8), r, o8), o8), add(egy, mul(e, qr, o7), o7), o8), eeg,
         o8
     )
+    add(sub(hy, egy, o7), eeg, o7)
     return o1, o2, o3, o4, o5, o6, o7, o8, o9
 
 
@@ -948,9 +954,9 @@ CHART = Chart(
     ),
     functions={
         "quaternion": Function(_quaternion, _quaternion_blocks, 1, 0, (-8, 1, 2, 4, 6, 8, 24, 28, 56, 70, 112)),
-        "pose": Function(_pose, _pose_blocks, 2, 0, (1, 2, 8, 16, 28, 56, 70, 224, 336, 2016, 2352, 5440, 6000)),
+        "pose": Function(_pose, _pose_blocks, 3, 0, (1, 2, 8, 16, 28, 56, 70, 224, 336, 2016, 2352, 5440, 6000)),
         "tangent": Function(_tangent, _tangent_blocks, 3, 0, (1, 2, 4, 8, 16, 24, 28, 56, 70, 96, 112, 224, 336, 1120, 2016, 2352, 5440, 6000, 9408, 12000, 16320)),
-        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 7, 0, (1, 2, 4, 8, 16, 24, 28, 48, 56, 70, 96, 112, 224, 336, 480, 1120, 2016, 2352, 4480, 5440, 6000, 9408, 12000, 16320, 28224, 32640)),
+        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 6, 0, (1, 2, 4, 8, 16, 24, 28, 48, 56, 70, 96, 112, 224, 336, 480, 1120, 2016, 2352, 4480, 5440, 6000, 9408, 12000, 16320, 28224, 32640)),
         "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2, 16)),
         "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 8, 16, 28, 56, 70, 176, 272, 560)),
         "inverse_at": Function(_inverse_at, _inverse_at_blocks, 1, 0, (1, 8, 16, 56, 176, 272, 560)),
@@ -971,7 +977,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 3, 2, (-1, 0, 1, 2, 16, 25)),
     },
     kernels=SHARED,
-    programs="ddca98d00d0daf93",
+    programs="6b5f64f5569053ce",
 )
 
 KERNELS = PoseKernels(CHART)

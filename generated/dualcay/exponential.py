@@ -47,28 +47,28 @@
 #
 # Operations:
 #   quaternion: 120: 35 +, 45 *, 24 /, 1 neg, 2 sqrt, 2 tan, 3 lt, 8 where
-#   tensor: 164: 59 +, 73 *, 19 /, 2 sqrt, 1 tan, 3 lt, 7 where
-#   pose: 137: 50 +, 55 *, 19 /, 2 sqrt, 1 tan, 3 lt, 7 where
-#   transform_point: 150: 54 +, 64 *, 19 /, 2 sqrt, 1 tan, 3 lt, 7 where
-#   transform_line: 189: 69 +, 88 *, 19 /, 2 sqrt, 1 tan, 3 lt, 7 where
+#   tensor: 177: 72 +, 73 *, 19 /, 2 sqrt, 1 tan, 3 lt, 7 where
+#   pose: 150: 63 +, 55 *, 19 /, 2 sqrt, 1 tan, 3 lt, 7 where
+#   transform_point: 162: 66 +, 64 *, 19 /, 2 sqrt, 1 tan, 3 lt, 7 where
+#   transform_line: 201: 81 +, 88 *, 19 /, 2 sqrt, 1 tan, 3 lt, 7 where
 #   inverse: 6: 6 neg
-#   tangent: 186: 69 +, 80 *, 23 /, 2 sqrt, 1 tan, 3 lt, 8 where
+#   tangent: 198: 81 +, 80 *, 23 /, 2 sqrt, 1 tan, 3 lt, 8 where
 #   tangent_inv: 202: 70 +, 75 *, 39 /, 1 neg, 2 sqrt, 2 tan, 3 lt, 10 where
-#   body_tangent: 186: 69 +, 80 *, 23 /, 2 sqrt, 1 tan, 3 lt, 8 where
+#   body_tangent: 198: 81 +, 80 *, 23 /, 2 sqrt, 1 tan, 3 lt, 8 where
 #   body_tangent_inv: 202: 70 +, 75 *, 39 /, 1 neg, 2 sqrt, 2 tan, 3 lt, 10 where
-#   twist: 220: 80 +, 103 *, 23 /, 2 sqrt, 1 tan, 3 lt, 8 where
+#   twist: 232: 92 +, 103 *, 23 /, 2 sqrt, 1 tan, 3 lt, 8 where
 #   rate: 234: 81 +, 105 *, 30 /, 1 neg, 2 sqrt, 2 tan, 3 lt, 10 where
-#   tangent_dot: 316: 119 +, 152 *, 30 /, 2 sqrt, 1 tan, 3 lt, 9 where
-#   twist_dot: 344: 132 +, 169 *, 28 /, 2 sqrt, 1 tan, 3 lt, 9 where
+#   tangent_dot: 328: 131 +, 152 *, 30 /, 2 sqrt, 1 tan, 3 lt, 9 where
+#   twist_dot: 356: 144 +, 169 *, 28 /, 2 sqrt, 1 tan, 3 lt, 9 where
 #   rate_dot: 399: 150 +, 186 *, 43 /, 2 neg, 2 sqrt, 2 tan, 3 lt, 11 where
-#   twist_jacobian: 346: 135 +, 168 *, 28 /, 2 sqrt, 1 tan, 3 lt, 9 where
+#   twist_jacobian: 358: 147 +, 168 *, 28 /, 2 sqrt, 1 tan, 3 lt, 9 where
 #   rate_jacobian: 356: 131 +, 160 *, 45 /, 2 neg, 2 sqrt, 2 tan, 3 lt, 11 where
 #   from_quaternion: 180: 53 +, 72 *, 29 /, 1 neg, 3 sqrt, 2 tan, 1 atan2, 4 lt, 1 eq, 14 where
 #   from_tensor: 236: 73 +, 78 *, 32 /, 3 sqrt, 2 tan, 1 atan2, 10 lt, 4 eq, 3 and, 3 or, 27 where
 #   from_pose: 200: 58 +, 60 *, 29 /, 3 sqrt, 2 tan, 1 atan2, 10 lt, 4 eq, 3 and, 3 or, 27 where
 #   from_screw: 13: 3 +, 10 *
 #   to_screw: 141: 34 +, 47 *, 23 /, 1 neg, 8 abs, 3 sqrt, 1 tan, 1 atan2, 5 lt, 3 eq, 1 and, 1 or, 13 where
-#   angle: 130: 38 +, 36 *, 25 /, 6 abs, 4 sqrt, 1 tan, 3 lt, 3 eq, 14 where
+#   angle: 144: 52 +, 36 *, 25 /, 6 abs, 4 sqrt, 1 tan, 3 lt, 3 eq, 14 where
 #   to_exponential: 33: 11 +, 16 *, 2 /, 1 sqrt, 1 eq, 2 where
 #   from_exponential: 32: 9 +, 16 *, 2 /, 1 sqrt, 1 eq, 3 where
 #   turn: 64: 15 +, 24 *, 10 /, 6 abs, 1 sqrt, 2 eq, 6 where
@@ -78,20 +78,20 @@
 #   principal: 111: 31 +, 39 *, 20 /, 4 sqrt, 1 tan, 1 atan2, 3 lt, 12 where
 #   compose: 481: 153 +, 193 *, 77 /, 1 neg, 7 sqrt, 6 tan, 1 atan2, 10 lt, 1 eq, 32 where
 #   between: 487: 153 +, 193 *, 77 /, 7 neg, 7 sqrt, 6 tan, 1 atan2, 10 lt, 1 eq, 32 where
-#   compose_jacobians: 1542: 560 +, 683 *, 189 /, 8 neg, 13 sqrt, 10 tan, 1 atan2, 19 lt, 1 eq, 58 where
-#   between_jacobians: 1566: 560 +, 683 *, 189 /, 32 neg, 13 sqrt, 10 tan, 1 atan2, 19 lt, 1 eq, 58 where
-#   retract: 493: 159 +, 194 *, 75 /, 1 neg, 1 abs, 8 sqrt, 6 tan, 2 atan2, 11 lt, 2 eq, 34 where
-#   body_retract: 493: 159 +, 194 *, 75 /, 1 neg, 1 abs, 8 sqrt, 6 tan, 2 atan2, 11 lt, 2 eq, 34 where
-#   retract_jacobians: 1372: 511 +, 630 *, 143 /, 8 neg, 1 abs, 10 sqrt, 7 tan, 2 atan2, 14 lt, 2 eq, 44 where
-#   body_retract_jacobians: 1372: 511 +, 630 *, 143 /, 8 neg, 1 abs, 10 sqrt, 7 tan, 2 atan2, 14 lt, 2 eq, 44
+#   compose_jacobians: 1570: 588 +, 683 *, 189 /, 8 neg, 13 sqrt, 10 tan, 1 atan2, 19 lt, 1 eq, 58 where
+#   between_jacobians: 1594: 588 +, 683 *, 189 /, 32 neg, 13 sqrt, 10 tan, 1 atan2, 19 lt, 1 eq, 58 where
+#   retract: 505: 171 +, 194 *, 75 /, 1 neg, 1 abs, 8 sqrt, 6 tan, 2 atan2, 11 lt, 2 eq, 34 where
+#   body_retract: 505: 171 +, 194 *, 75 /, 1 neg, 1 abs, 8 sqrt, 6 tan, 2 atan2, 11 lt, 2 eq, 34 where
+#   retract_jacobians: 1398: 537 +, 630 *, 143 /, 8 neg, 1 abs, 10 sqrt, 7 tan, 2 atan2, 14 lt, 2 eq, 44 where
+#   body_retract_jacobians: 1398: 537 +, 630 *, 143 /, 8 neg, 1 abs, 10 sqrt, 7 tan, 2 atan2, 14 lt, 2 eq, 44
 #       where
-#   local: 485: 153 +, 193 *, 77 /, 7 neg, 7 sqrt, 6 tan, 1 atan2, 9 lt, 1 eq, 31 where
-#   body_local: 485: 153 +, 193 *, 77 /, 7 neg, 7 sqrt, 6 tan, 1 atan2, 9 lt, 1 eq, 31 where
-#   interpolate: 962: 301 +, 390 *, 132 /, 8 neg, 7 abs, 15 sqrt, 9 tan, 3 atan2, 21 lt, 5 eq, 1 and, 3 or, 67
+#   local: 497: 165 +, 193 *, 77 /, 7 neg, 7 sqrt, 6 tan, 1 atan2, 9 lt, 1 eq, 31 where
+#   body_local: 497: 165 +, 193 *, 77 /, 7 neg, 7 sqrt, 6 tan, 1 atan2, 9 lt, 1 eq, 31 where
+#   interpolate: 986: 325 +, 390 *, 132 /, 8 neg, 7 abs, 15 sqrt, 9 tan, 3 atan2, 21 lt, 5 eq, 1 and, 3 or, 67
 #       where
-#   adjoint: 164: 59 +, 73 *, 19 /, 2 sqrt, 1 tan, 3 lt, 7 where
-#   transform_point_jacobians: 300: 122 +, 138 *, 23 /, 3 neg, 2 sqrt, 1 tan, 3 lt, 8 where
-#   transform_line_jacobians: 399: 155 +, 201 *, 23 /, 6 neg, 2 sqrt, 1 tan, 3 lt, 8 where
+#   adjoint: 177: 72 +, 73 *, 19 /, 2 sqrt, 1 tan, 3 lt, 7 where
+#   transform_point_jacobians: 313: 135 +, 138 *, 23 /, 3 neg, 2 sqrt, 1 tan, 3 lt, 8 where
+#   transform_line_jacobians: 412: 168 +, 201 *, 23 /, 6 neg, 2 sqrt, 1 tan, 3 lt, 8 where
 r"""Exponential map: Rodrigues dual vectors ``v = α u`` of rigid displacements.
 
 .. math::
@@ -224,8 +224,10 @@ def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: R
     return o1, o2, o3, o4
 
 
-# operations 82: 26 +, 24 *, 19 /, 2 sqrt, 1 tan, 3 lt, 7 where
-def _pose(m: Any, x: Any) -> Result:
+# operations 96: 40 +, 24 *, 19 /, 2 sqrt, 1 tan, 3 lt, 7 where
+def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    part = v11 + v22
+    x = part + v33
     near = x < 6
     z = m.where(near, x, x - x) / 4
     C7 = (
@@ -245,7 +247,12 @@ def _pose(m: Any, x: Any) -> Result:
     sine = 2 * thalf / belowhalf
     versine = m.where(tthalf < 16, 2 * tthalf / belowhalf, 2 - 2 / belowhalf)
     beside = alpha - 4
-    left = xx - 16 - 8 * beside - beside * beside
+    v33_in = x - part
+    v22_in = part - v11
+    left = (
+        xx - 16 - 8 * beside - beside * beside + (v11 - (part - v22_in) + (v22 - v22_in) + (part - (x - v33_in) + (v33
+        - v33_in)))
+    )
     lost = m.where(alpha < 8, left, 0) / (2 * alpha)
     f = m.where(near, C0 * C1, (sine + lost * (1 - versine)) / alpha)
     g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
@@ -255,45 +262,55 @@ def _pose(m: Any, x: Any) -> Result:
     return f, g, h
 
 
-def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, *_ = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, *_ = scratch
     mask1, mask2, *_ = masks
     n0, n1, n2, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    part = add(v11, v22, o3)
+    x = add(part, v33, o2)
     near = m.less(x, n6, mask1)
-    z = div(m.where(near, x, sub(x, x, o3), k1), n4, o3)
+    z = div(m.where(near, x, sub(x, x, k1), k2), n4, k1)
     C7 = div(
         div(sub(n72, mul(z, div(sub(n3603600, mul(z, sub(n32760, mul(z, sub(n210, mul(z, div(sub(n93024, mul(z,
-        sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, k1), k1), k1), n212520, k1), k1), k1), k1), k1), n93024,
-        k1), k1), k1), k1), k1), k1), k1), n3603600, k1), k1), k1), n72, k1), n5040, k1
+        sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, k2), k2), k2), n212520, k2), k2), k2), k2), k2), n93024,
+        k2), k2), k2), k2), k2), k2), k2), n3603600, k2), k2), k2), n72, k2), n5040, k2
     )
-    C5 = div(sub(n1, mul(n120, mul(z, C7, k1), k1), k1), n120, k1)
-    C3 = div(sub(n1, mul(n6, mul(z, C5, k1), k1), k1), n6, k1)
-    C1 = sub(n1, mul(z, C3, k2), k2)
-    CC1 = mul(C1, C1, k3)
-    C0 = sqrt(sub(n1, mul(z, CC1, o3), o3), o3)
-    xx = m.where(near, add(n6, x, k4), x, k4)
-    alpha = sqrt(xx, o2)
-    thalf = tan(div(alpha, n2, k5), k5)
-    tthalf = mul(thalf, thalf, k6)
-    belowhalf = add(n1, tthalf, k7)
-    versine = m.where(
-        m.less(tthalf, n16, mask2), div(mul(n2, tthalf, k6), belowhalf, k6), sub(n2, div(n2, belowhalf, o1), o1), k6
-    )
-    sine = div(mul(n2, thalf, k5), belowhalf, k5)
+    C5 = div(sub(n1, mul(n120, mul(z, C7, k2), k2), k2), n120, k2)
+    C3 = div(sub(n1, mul(n6, mul(z, C5, k2), k2), k2), n6, k2)
+    C1 = sub(n1, mul(z, C3, k3), k3)
+    CC1 = mul(C1, C1, k4)
+    C0 = sqrt(sub(n1, mul(z, CC1, k1), k1), k1)
+    xx = m.where(near, add(n6, x, k5), x, k5)
+    alpha = sqrt(xx, k6)
     beside = sub(alpha, n4, k7)
-    left = sub(sub(sub(xx, n16, o1), mul(n8, beside, k8), o1), mul(beside, beside, k7), k7)
-    lost = div(m.where(m.less(alpha, n8, mask2), left, n0, k7), mul(n2, alpha, o1), k7)
-    f = m.where(near, mul(C0, C1, o1), div(add(sine, mul(lost, sub(n1, versine, k8), k8), k8), alpha, o2), o1)
-    m.where(near, div(CC1, n2, o2), div(add(versine, mul(lost, sine, k5), k5), xx, k5), o2)
+    v33_in = sub(x, part, o1)
+    v22_in = sub(part, v11, k8)
+    left = add(
+        sub(sub(sub(xx, n16, k9), mul(n8, beside, k10), k9), mul(beside, beside, k7), k7), add(add(sub(v11, sub(part,
+        v22_in, k9), k9), sub(v22, v22_in, k8), k8), add(sub(part, sub(x, v33_in, o2), o3), sub(v33, v33_in, o2), o3),
+        o3), o3
+    )
+    lost = div(m.where(m.less(alpha, n8, mask2), left, n0, o3), mul(n2, alpha, o2), o3)
+    thalf = tan(div(alpha, n2, o2), o2)
+    tthalf = mul(thalf, thalf, k7)
+    belowhalf = add(n1, tthalf, o1)
+    versine = m.where(
+        m.less(tthalf, n16, mask2), div(mul(n2, tthalf, k7), belowhalf, k7), sub(n2, div(n2, belowhalf, k8), k8), k7
+    )
+    sine = div(mul(n2, thalf, o2), belowhalf, o2)
+    f = m.where(near, mul(C0, C1, o1), div(add(sine, mul(lost, sub(n1, versine, k8), k8), k8), alpha, k6), o1)
+    m.where(near, div(CC1, n2, k6), div(add(versine, mul(lost, sine, o3), o3), xx, o3), o2)
     C01 = add(n1, C0, o3)
     C2 = div(CC1, C01, o3)
     m.where(near, div(add(C3, mul(C1, C2, o3), o3), n4, o3), div(sub(n1, f, k1), xx, k1), o3)
     return o1, o2, o3
 
 
-# operations 107: 35 +, 35 *, 23 /, 2 sqrt, 1 tan, 3 lt, 8 where
-def _tangent(m: Any, x: Any) -> Result:
+# operations 121: 49 +, 35 *, 23 /, 2 sqrt, 1 tan, 3 lt, 8 where
+def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    part = v11 + v22
+    x = part + v33
     near = x < 6
     z = m.where(near, x, x - x) / 4
     C7 = (
@@ -313,7 +330,12 @@ def _tangent(m: Any, x: Any) -> Result:
     sine = 2 * thalf / belowhalf
     versine = m.where(tthalf < 16, 2 * tthalf / belowhalf, 2 - 2 / belowhalf)
     beside = alpha - 4
-    left = xx - 16 - 8 * beside - beside * beside
+    v33_in = x - part
+    v22_in = part - v11
+    left = (
+        xx - 16 - 8 * beside - beside * beside + (v11 - (part - v22_in) + (v22 - v22_in) + (part - (x - v33_in) + (v33
+        - v33_in)))
+    )
     lost = m.where(alpha < 8, left, 0) / (2 * alpha)
     f = m.where(near, C0 * C1, (sine + lost * (1 - versine)) / alpha)
     g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
@@ -330,52 +352,62 @@ def _tangent(m: Any, x: Any) -> Result:
     return f, g, h, fy, gy, hy
 
 
-def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, *_ = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, *_ = scratch
     mask1, mask2, *_ = masks
     n0, n1, n2, n3, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
+    part = add(v11, v22, o6)
+    x = add(part, v33, o2)
     near = m.less(x, n6, mask1)
-    z = div(m.where(near, x, sub(x, x, o6), o5), n4, o6)
+    z = div(m.where(near, x, sub(x, x, k1), k2), n4, k1)
     C7 = div(
         div(sub(n72, mul(z, div(sub(n3603600, mul(z, sub(n32760, mul(z, sub(n210, mul(z, div(sub(n93024, mul(z,
-        sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, o5), o5), o5), n212520, o5), o5), o5), o5), o5), n93024,
-        o5), o5), o5), o5), o5), o5), o5), n3603600, o5), o5), o5), n72, o5), n5040, o5
+        sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, k2), k2), k2), n212520, k2), k2), k2), k2), k2), n93024,
+        k2), k2), k2), k2), k2), k2), k2), n3603600, k2), k2), k2), n72, k2), n5040, k2
     )
-    C5 = div(sub(n1, mul(n120, mul(z, C7, o5), o5), o5), n120, o5)
-    C3 = div(sub(n1, mul(n6, mul(z, C5, o4), o4), o4), n6, o4)
-    C1 = sub(n1, mul(z, C3, k1), k1)
-    CC1 = mul(C1, C1, o2)
-    C0 = sqrt(sub(n1, mul(z, CC1, o1), o1), o1)
-    C01 = add(n1, C0, o3)
-    C2 = div(CC1, C01, k2)
-    CC3 = mul(C3, C3, k3)
-    C4 = div(sub(sub(mul(n4, C3, k4), C2, k4), mul(n2, mul(z, CC3, o6), o6), o6), mul(n2, C01, o3), o6)
-    c5 = div(add(add(C5, C4, o6), mul(C2, C3, o5), o6), n16, o6)
-    xx = m.where(near, add(n6, x, o5), x, o5)
-    alpha = sqrt(xx, o3)
-    thalf = tan(div(alpha, n2, k3), k3)
-    tthalf = mul(thalf, thalf, k4)
-    belowhalf = add(n1, tthalf, k5)
+    C5 = div(sub(n1, mul(n120, mul(z, C7, k2), k2), k2), n120, k2)
+    C3 = div(sub(n1, mul(n6, mul(z, C5, k3), k3), k3), n6, k3)
+    C1 = sub(n1, mul(z, C3, k4), k4)
+    CC1 = mul(C1, C1, k5)
+    C0 = sqrt(sub(n1, mul(z, CC1, o3), o3), o3)
+    xx = m.where(near, add(n6, x, k6), x, k6)
+    alpha = sqrt(xx, o5)
+    beside = sub(alpha, n4, o4)
+    v33_in = sub(x, part, o1)
+    v22_in = sub(part, v11, k7)
+    left = add(
+        sub(sub(sub(xx, n16, k8), mul(n8, beside, k9), k8), mul(beside, beside, o4), o4), add(add(sub(v11, sub(part,
+        v22_in, k8), k8), sub(v22, v22_in, k7), k7), add(sub(part, sub(x, v33_in, o2), o6), sub(v33, v33_in, o2), o6),
+        o6), o6
+    )
+    lost = div(m.where(m.less(alpha, n8, mask2), left, n0, o6), mul(n2, alpha, o2), o6)
+    thalf = tan(div(alpha, n2, o2), o2)
+    tthalf = mul(thalf, thalf, o4)
+    belowhalf = add(n1, tthalf, o1)
     versine = m.where(
-        m.less(tthalf, n16, mask2), div(mul(n2, tthalf, k4), belowhalf, k4), sub(n2, div(n2, belowhalf, k6), k6), k4
+        m.less(tthalf, n16, mask2), div(mul(n2, tthalf, o4), belowhalf, o4), sub(n2, div(n2, belowhalf, k7), k7), o4
     )
-    sine = div(mul(n2, thalf, k3), belowhalf, k3)
-    beside = sub(alpha, n4, k5)
-    left = sub(sub(sub(xx, n16, k6), mul(n8, beside, k7), k6), mul(beside, beside, k5), k5)
-    lost = div(m.where(m.less(alpha, n8, mask2), left, n0, k5), mul(n2, alpha, k6), k5)
-    f = m.where(near, mul(C0, C1, o1), div(add(sine, mul(lost, sub(n1, versine, k6), k6), k6), alpha, o3), o1)
-    g = m.where(near, div(CC1, n2, o2), div(add(versine, mul(lost, sine, o3), o3), xx, o3), o2)
-    h = m.where(near, div(add(C3, mul(C1, C2, o3), o3), n4, o3), div(sub(n1, f, k2), xx, k2), o3)
-    c4 = div(mul(C3, add(n1, C1, k1), o4), n8, o4)
-    m.where(near, sub(mul(n3, c5, o6), c4, o6), div(sub(g, mul(n3, h, o4), o4), xx, o5), o6)
+    sine = div(mul(n2, thalf, o2), belowhalf, o2)
+    f = m.where(near, mul(C0, C1, o1), div(add(sine, mul(lost, sub(n1, versine, k7), k7), k7), alpha, o5), o1)
+    g = m.where(near, div(CC1, n2, o5), div(add(versine, mul(lost, sine, o6), o6), xx, o6), o2)
+    C01 = add(n1, C0, o6)
+    C2 = div(CC1, C01, k5)
+    h = m.where(near, div(add(C3, mul(C1, C2, o3), o3), n4, o3), div(sub(n1, f, o5), xx, o5), o3)
     sub(mul(f, h, o5), mul(g, g, o4), o5)
+    c4 = div(mul(C3, add(n1, C1, k4), k4), n8, k4)
     sub(h, g, o4)
+    CC3 = mul(C3, C3, k7)
+    C4 = div(sub(sub(mul(n4, C3, k8), C2, k8), mul(n2, mul(z, CC3, k1), k1), k1), mul(n2, C01, o6), o6)
+    c5 = div(add(add(C5, C4, o6), mul(C2, C3, k1), o6), n16, o6)
+    m.where(near, sub(mul(n3, c5, o6), c4, o6), div(sub(g, mul(n3, h, k1), k1), xx, k1), o6)
     return o1, o2, o3, o4, o5, o6
 
 
-# operations 139: 48 +, 48 *, 28 /, 2 sqrt, 1 tan, 3 lt, 9 where
-def _tangent_dot(m: Any, x: Any) -> Result:
+# operations 153: 62 +, 48 *, 28 /, 2 sqrt, 1 tan, 3 lt, 9 where
+def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    part = v11 + v22
+    x = part + v33
     near = x < 6
     z = m.where(near, x, x - x) / 4
     C7 = (
@@ -395,7 +427,12 @@ def _tangent_dot(m: Any, x: Any) -> Result:
     sine = 2 * thalf / belowhalf
     versine = m.where(tthalf < 16, 2 * tthalf / belowhalf, 2 - 2 / belowhalf)
     beside = alpha - 4
-    left = xx - 16 - 8 * beside - beside * beside
+    v33_in = x - part
+    v22_in = part - v11
+    left = (
+        xx - 16 - 8 * beside - beside * beside + (v11 - (part - v22_in) + (v22 - v22_in) + (part - (x - v33_in) + (v33
+        - v33_in)))
+    )
     lost = m.where(alpha < 8, left, 0) / (2 * alpha)
     f = m.where(near, C0 * C1, (sine + lost * (1 - versine)) / alpha)
     g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
@@ -417,7 +454,7 @@ def _tangent_dot(m: Any, x: Any) -> Result:
     return f, g, h, fy, gy, hy, fyy, gyy, hyy
 
 
-def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
     k1, k2, k3, k4, k5, k6, k7, k8, *_ = scratch
     mask1, mask2, *_ = masks
@@ -425,48 +462,56 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
         n0, n1, n2, n3, n4, n5, n6, n7, n8, n15, n16, n32, n64, n72, n120, n210, n342, n506, n5040, n32760, n93024,
         n212520, n3603600,
     ) = numbers
+    part = add(v11, v22, o9)
+    x = add(part, v33, o2)
     near = m.less(x, n6, mask1)
-    z = div(m.where(near, x, sub(x, x, o9), o7), n4, o9)
+    z = div(m.where(near, x, sub(x, x, o7), k1), n4, o7)
     C7 = div(
         div(sub(n72, mul(z, div(sub(n3603600, mul(z, sub(n32760, mul(z, sub(n210, mul(z, div(sub(n93024, mul(z,
-        sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, o7), o7), o7), n212520, o7), o7), o7), o7), o7), n93024,
-        o7), o7), o7), o7), o7), o7), o7), n3603600, o7), o7), o7), n72, o7), n5040, o7
+        sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, k1), k1), k1), n212520, k1), k1), k1), k1), k1), n93024,
+        k1), k1), k1), k1), k1), k1), k1), n3603600, k1), k1), k1), n72, k1), n5040, k1
     )
-    C5 = div(sub(n1, mul(n120, mul(z, C7, k1), k1), k1), n120, k1)
-    C3 = div(sub(n1, mul(n6, mul(z, C5, k2), k2), k2), n6, k2)
+    C5 = div(sub(n1, mul(n120, mul(z, C7, k2), k2), k2), n120, k2)
+    C3 = div(sub(n1, mul(n6, mul(z, C5, k3), k3), k3), n6, k3)
     C1 = sub(n1, mul(z, C3, o6), o6)
-    CC1 = mul(C1, C1, k3)
-    C0 = sqrt(sub(n1, mul(z, CC1, k4), k4), k4)
+    CC1 = mul(C1, C1, k4)
+    C0 = sqrt(sub(n1, mul(z, CC1, o3), o3), o3)
     xx = m.where(near, add(n6, x, k5), x, k5)
-    alpha = sqrt(xx, o2)
-    thalf = tan(div(alpha, n2, o3), o3)
-    tthalf = mul(thalf, thalf, o4)
-    belowhalf = add(n1, tthalf, o5)
-    versine = m.where(
-        m.less(tthalf, n16, mask2), div(mul(n2, tthalf, o4), belowhalf, o4), sub(n2, div(n2, belowhalf, o1), o1), o4
-    )
-    sine = div(mul(n2, thalf, o3), belowhalf, o3)
+    alpha = sqrt(xx, o4)
     beside = sub(alpha, n4, o5)
-    left = sub(sub(sub(xx, n16, o1), mul(n8, beside, k6), o1), mul(beside, beside, o5), o5)
-    lost = div(m.where(m.less(alpha, n8, mask2), left, n0, o5), mul(n2, alpha, o1), o5)
-    f = m.where(near, mul(C0, C1, o1), div(add(sine, mul(lost, sub(n1, versine, k6), k6), k6), alpha, o2), o1)
-    g = m.where(near, div(CC1, n2, o2), div(add(versine, mul(lost, sine, o3), o3), xx, o3), o2)
-    C01 = add(n1, C0, k4)
-    C2 = div(CC1, C01, k3)
+    v33_in = sub(x, part, o1)
+    v22_in = sub(part, v11, k6)
+    left = add(
+        sub(sub(sub(xx, n16, o8), mul(n8, beside, k7), o8), mul(beside, beside, o5), o5), add(add(sub(v11, sub(part,
+        v22_in, o8), o8), sub(v22, v22_in, k6), k6), add(sub(part, sub(x, v33_in, o2), o9), sub(v33, v33_in, o2), o9),
+        o9), o9
+    )
+    lost = div(m.where(m.less(alpha, n8, mask2), left, n0, o9), mul(n2, alpha, o2), o9)
+    thalf = tan(div(alpha, n2, o2), o2)
+    tthalf = mul(thalf, thalf, o5)
+    belowhalf = add(n1, tthalf, o1)
+    versine = m.where(
+        m.less(tthalf, n16, mask2), div(mul(n2, tthalf, o5), belowhalf, o5), sub(n2, div(n2, belowhalf, k6), k6), o5
+    )
+    sine = div(mul(n2, thalf, o2), belowhalf, o2)
+    f = m.where(near, mul(C0, C1, o1), div(add(sine, mul(lost, sub(n1, versine, k6), k6), k6), alpha, o4), o1)
+    g = m.where(near, div(CC1, n2, o4), div(add(versine, mul(lost, sine, o9), o9), xx, o9), o2)
+    C01 = add(n1, C0, o9)
+    C2 = div(CC1, C01, k4)
     h = m.where(near, div(add(C3, mul(C1, C2, o3), o3), n4, o3), div(sub(n1, f, o4), xx, o4), o3)
     c4 = div(mul(C3, add(n1, C1, o6), o6), n8, o6)
     fy = sub(h, g, o4)
     gy = sub(mul(f, h, o5), mul(g, g, k6), o5)
     CC3 = mul(C3, C3, k6)
-    C4 = div(sub(sub(mul(n4, C3, o8), C2, o8), mul(n2, mul(z, CC3, o9), o9), o9), mul(n2, C01, k4), o9)
-    c5 = div(add(add(C5, C4, k4), mul(C2, C3, o8), k4), n16, k4)
+    C4 = div(sub(sub(mul(n4, C3, o8), C2, o8), mul(n2, mul(z, CC3, o7), o7), o7), mul(n2, C01, o9), o9)
+    c5 = div(add(add(C5, C4, o7), mul(C2, C3, o8), o7), n16, o7)
     hy = m.where(near, sub(mul(n3, c5, o8), c4, o6), div(sub(g, mul(n3, h, o8), o8), xx, o8), o6)
     sub(add(mul(fy, h, o8), mul(f, hy, k7), o8), mul(n2, mul(g, gy, k7), k7), o8)
-    C6 = div(sub(sub(add(mul(n4, C5, k7), mul(n2, CC3, k8), k7), C4, k7), mul(n2, mul(C2, C4, k3), k3), k3), n4, k3)
+    C6 = div(sub(sub(add(mul(n4, C5, k7), mul(n2, CC3, k8), k7), C4, k7), mul(n2, mul(C2, C4, k4), k4), k4), n4, k4)
     c6 = div(add(mul(n2, C5, k7), CC3, k6), n32, k6)
     m.where(
-        near, add(sub(mul(n15, div(add(add(add(C7, C6, o7), mul(C3, C4, o9), o9), div(C5, n2, o7), o9), n64, o9), o9),
-        mul(n7, c6, o7), o9), c5, o9), div(sub(gy, mul(n5, hy, o7), o7), xx, o7), o9
+        near, add(sub(mul(n15, div(add(add(add(C7, C6, k1), mul(C3, C4, o9), o9), div(C5, n2, k1), o9), n64, o9), o9),
+        mul(n7, c6, k1), o9), c5, o9), div(sub(gy, mul(n5, hy, o7), o7), xx, o7), o9
     )
     sub(hy, gy, o7)
     return o1, o2, o3, o4, o5, o6, o7, o8, o9
@@ -1369,8 +1414,8 @@ CHART = Chart(
     ),
     functions={
         "quaternion": Function(_quaternion, _quaternion_blocks, 7, 2, (0, 1, 2, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
-        "pose": Function(_pose, _pose_blocks, 8, 2, (0, 1, 2, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
-        "tangent": Function(_tangent, _tangent_blocks, 7, 2, (0, 1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
+        "pose": Function(_pose, _pose_blocks, 10, 2, (0, 1, 2, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
+        "tangent": Function(_tangent, _tangent_blocks, 9, 2, (0, 1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 8, 2, (0, 1, 2, 3, 4, 5, 6, 7, 8, 15, 16, 32, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
         "rate": Function(_rate, _rate_blocks, 0, 0, (0, 1)),
         "inverse": Function(_inverse, _inverse_blocks, 11, 2, (0, 1, 2, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
@@ -1392,7 +1437,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 0, 0, (1,)),
     },
     kernels=SHARED,
-    programs="03f524fc5ea9ae66",
+    programs="f23cbc638aed059c",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -33,8 +33,8 @@
 #
 # Operations:
 #   quaternion: 41: 11 +, 24 *, 4 /, 1 neg, 1 sqrt
-#   tensor: 94: 36 +, 56 *, 1 /, 1 sqrt
-#   pose: 67: 27 +, 38 *, 1 /, 1 sqrt
+#   tensor: 95: 37 +, 56 *, 1 /, 1 sqrt
+#   pose: 68: 28 +, 38 *, 1 /, 1 sqrt
 #   transform_point: 80: 31 +, 47 *, 1 /, 1 sqrt
 #   transform_line: 119: 46 +, 71 *, 1 /, 1 sqrt
 #   inverse: 6: 6 neg
@@ -54,7 +54,7 @@
 #   from_pose: 108: 32 +, 35 *, 7 /, 3 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 26: 5 +, 14 *, 4 /, 1 tan, 1 lt, 1 where
 #   to_screw: 94: 20 +, 33 *, 11 /, 1 neg, 8 abs, 2 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
-#   angle: 66: 16 +, 20 *, 7 /, 6 abs, 4 sqrt, 1 atan2, 1 lt, 3 eq, 8 where
+#   angle: 68: 18 +, 20 *, 7 /, 6 abs, 4 sqrt, 1 atan2, 1 lt, 3 eq, 8 where
 #   to_exponential: 41: 11 +, 17 *, 4 /, 3 sqrt, 1 atan2, 1 lt, 1 eq, 3 where
 #   from_exponential: 59: 16 +, 23 *, 7 /, 1 sqrt, 2 tan, 2 atan2, 2 lt, 1 eq, 5 where
 #   turn: 79: 17 +, 31 *, 11 /, 6 abs, 2 sqrt, 2 lt, 2 eq, 8 where
@@ -64,19 +64,19 @@
 #   principal: 64: 16 +, 26 *, 8 /, 2 sqrt, 3 lt, 9 where
 #   compose: 217: 74 +, 126 *, 9 /, 1 neg, 4 sqrt, 1 lt, 2 where
 #   between: 223: 74 +, 126 *, 9 /, 7 neg, 4 sqrt, 1 lt, 2 where
-#   compose_jacobians: 1002: 388 +, 536 *, 59 /, 9 neg, 7 sqrt, 1 lt, 2 where
-#   between_jacobians: 1026: 388 +, 536 *, 59 /, 33 neg, 7 sqrt, 1 lt, 2 where
-#   retract: 364: 114 +, 162 *, 42 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 20 where
-#   body_retract: 364: 114 +, 162 *, 42 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 20 where
-#   retract_jacobians: 1147: 433 +, 568 *, 91 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 21 where
-#   body_retract_jacobians: 1147: 433 +, 568 *, 91 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 21 where
-#   local: 321: 103 +, 155 *, 31 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-#   body_local: 321: 103 +, 155 *, 31 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-#   interpolate: 751: 231 +, 339 *, 76 /, 8 neg, 8 abs, 12 sqrt, 6 tan, 4 atan2, 14 lt, 5 eq, 1 and, 3 or, 44
+#   compose_jacobians: 1006: 392 +, 536 *, 59 /, 9 neg, 7 sqrt, 1 lt, 2 where
+#   between_jacobians: 1030: 392 +, 536 *, 59 /, 33 neg, 7 sqrt, 1 lt, 2 where
+#   retract: 376: 126 +, 162 *, 42 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 20 where
+#   body_retract: 376: 126 +, 162 *, 42 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 20 where
+#   retract_jacobians: 1161: 447 +, 568 *, 91 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 21 where
+#   body_retract_jacobians: 1161: 447 +, 568 *, 91 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 21 where
+#   local: 333: 115 +, 155 *, 31 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   body_local: 333: 115 +, 155 *, 31 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   interpolate: 775: 255 +, 339 *, 76 /, 8 neg, 8 abs, 12 sqrt, 6 tan, 4 atan2, 14 lt, 5 eq, 1 and, 3 or, 44
 #       where
-#   adjoint: 94: 36 +, 56 *, 1 /, 1 sqrt
-#   transform_point_jacobians: 214: 93 +, 113 *, 4 /, 3 neg, 1 sqrt
-#   transform_line_jacobians: 313: 126 +, 176 *, 4 /, 6 neg, 1 sqrt
+#   adjoint: 95: 37 +, 56 *, 1 /, 1 sqrt
+#   transform_point_jacobians: 215: 94 +, 113 *, 4 /, 3 neg, 1 sqrt
+#   transform_line_jacobians: 314: 127 +, 176 *, 4 /, 6 neg, 1 sqrt
 r"""Lambert's equal-area projection: Rodrigues dual vectors ``v = sin(α/4) u`` of rigid displacements.
 
 .. math::
@@ -157,8 +157,9 @@ def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: R
     return o1, o2, o3, o4
 
 
-# operations 12: 3 +, 7 *, 1 /, 1 sqrt
-def _pose(m: Any, x: Any) -> Result:
+# operations 14: 5 +, 7 *, 1 /, 1 sqrt
+def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     s = 1 - 2 * x
     cc = 1 - x
     c = m.sqrt(cc)
@@ -170,23 +171,24 @@ def _pose(m: Any, x: Any) -> Result:
     return f, g, h
 
 
-def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3 = out
-    k1, *_ = scratch
     n1, n2, n8, n12 = numbers
+    x = add(add(v11, v22, o3), v33, o3)
     s = sub(n1, mul(n2, x, o1), o1)
-    cc = sub(n1, x, o3)
-    c = sqrt(cc, o3)
+    cc = sub(n1, x, o2)
+    c = sqrt(cc, o2)
+    div(sub(n12, mul(n8, x, o3), o3), c, o3)
     w = mul(n2, c, o2)
     mul(n2, mul(s, w, o1), o1)
     ww = mul(w, w, o2)
     mul(n2, ww, o2)
-    div(sub(n12, mul(n8, x, k1), k1), c, o3)
     return o1, o2, o3
 
 
-# operations 21: 6 +, 10 *, 4 /, 1 sqrt
-def _tangent(m: Any, x: Any) -> Result:
+# operations 23: 8 +, 10 *, 4 /, 1 sqrt
+def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     s = 1 - 2 * x
     cc = 1 - x
     c = m.sqrt(cc)
@@ -202,27 +204,29 @@ def _tangent(m: Any, x: Any) -> Result:
     return f, g, h, fy, gy, hy
 
 
-def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3, o4, o5, o6 = out
     k1, *_ = scratch
     n_minus_16, n1, n2, n4, n8, n12 = numbers
+    x = add(add(v11, v22, o3), v33, o3)
     s = sub(n1, mul(n2, x, o1), o1)
     cc = sub(n1, x, o6)
     c = sqrt(cc, o4)
+    h = div(sub(n12, mul(n8, x, o3), o3), c, o3)
+    add(div(n_minus_16, c, o2), div(h, cc, o6), o6)
     w = mul(n2, c, o2)
     f = mul(n2, mul(s, w, o1), o1)
     ww = mul(w, w, o2)
     g = mul(n2, ww, o2)
-    h = div(sub(n12, mul(n8, x, o3), o3), c, o3)
-    sub(mul(f, h, o5), mul(g, g, k1), o5)
-    add(div(n_minus_16, c, k1), div(h, cc, o6), o6)
     rho = div(n4, c, o4)
     sub(h, mul(rho, g, o4), o4)
+    sub(mul(f, h, o5), mul(g, g, k1), o5)
     return o1, o2, o3, o4, o5, o6
 
 
-# operations 38: 11 +, 17 *, 8 /, 1 neg, 1 sqrt
-def _tangent_dot(m: Any, x: Any) -> Result:
+# operations 40: 13 +, 17 *, 8 /, 1 neg, 1 sqrt
+def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     s = 1 - 2 * x
     cc = 1 - x
     c = m.sqrt(cc)
@@ -242,16 +246,17 @@ def _tangent_dot(m: Any, x: Any) -> Result:
     return f, g, h, fy, gy, hy, fyy, gyy, hyy
 
 
-def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
     k1, *_ = scratch
     n_minus_16, n1, n2, n3, n4, n8, n12 = numbers
+    x = add(add(v11, v22, o1), v33, o1)
     cc = sub(n1, x, o7)
     c = sqrt(cc, o4)
     h = div(sub(n12, mul(n8, x, o3), o3), c, o3)
-    hy = add(div(n_minus_16, c, o6), div(h, cc, o9), o6)
-    add(div(neg(div(n_minus_16, cc, o9), o9), c, o9), div(mul(n3, hy, o1), cc, o1), o9)
     s = sub(n1, mul(n2, x, o1), o1)
+    hy = add(div(n_minus_16, c, o6), div(h, cc, o9), o6)
+    add(div(neg(div(n_minus_16, cc, o9), o9), c, o9), div(mul(n3, hy, o2), cc, o2), o9)
     w = mul(n2, c, o2)
     f = mul(n2, mul(s, w, o1), o1)
     ww = mul(w, w, o2)
@@ -810,7 +815,7 @@ CHART = Chart(
     ),
     functions={
         "quaternion": Function(_quaternion, _quaternion_blocks, 1, 0, (1, 2, 4, 8, 12)),
-        "pose": Function(_pose, _pose_blocks, 1, 0, (1, 2, 8, 12)),
+        "pose": Function(_pose, _pose_blocks, 0, 0, (1, 2, 8, 12)),
         "tangent": Function(_tangent, _tangent_blocks, 1, 0, (-16, 1, 2, 4, 8, 12)),
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 1, 0, (-16, 1, 2, 3, 4, 8, 12)),
         "rate": Function(_rate, _rate_blocks, 0, 0, (1, 4)),
@@ -833,7 +838,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 2, 1, (-1, 0, 1, 2, 4, 8)),
     },
     kernels=SHARED,
-    programs="cd1813850a028bf7",
+    programs="3d9763b231b2dc04",
 )
 
 KERNELS = PoseKernels(CHART)

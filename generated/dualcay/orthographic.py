@@ -33,8 +33,8 @@
 #
 # Operations:
 #   quaternion: 32: 9 +, 18 *, 3 /, 1 neg, 1 sqrt
-#   tensor: 86: 34 +, 50 *, 1 /, 1 sqrt
-#   pose: 59: 25 +, 32 *, 1 /, 1 sqrt
+#   tensor: 87: 35 +, 50 *, 1 /, 1 sqrt
+#   pose: 60: 26 +, 32 *, 1 /, 1 sqrt
 #   transform_point: 72: 29 +, 41 *, 1 /, 1 sqrt
 #   transform_line: 111: 44 +, 65 *, 1 /, 1 sqrt
 #   inverse: 6: 6 neg
@@ -54,25 +54,25 @@
 #   from_pose: 97: 30 +, 31 *, 4 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 26: 5 +, 14 *, 4 /, 1 tan, 1 lt, 1 where
 #   to_screw: 82: 19 +, 30 *, 11 /, 7 abs, 2 sqrt, 1 atan2, 2 lt, 2 eq, 8 where
-#   angle: 58: 14 +, 14 *, 7 /, 6 abs, 4 sqrt, 1 atan2, 1 lt, 3 eq, 8 where
+#   angle: 60: 16 +, 14 *, 7 /, 6 abs, 4 sqrt, 1 atan2, 1 lt, 3 eq, 8 where
 #   to_exponential: 41: 11 +, 17 *, 4 /, 3 sqrt, 1 atan2, 1 lt, 1 eq, 3 where
 #   from_exponential: 56: 14 +, 22 *, 7 /, 1 sqrt, 2 tan, 2 atan2, 2 lt, 1 eq, 5 where
 #   identity_jacobian: 12: 12 +
 #   compose: 192: 72 +, 110 *, 6 /, 2 sqrt, 1 lt, 1 where
 #   between: 198: 72 +, 110 *, 6 /, 6 neg, 2 sqrt, 1 lt, 1 where
-#   compose_jacobians: 935: 377 +, 496 *, 48 /, 7 neg, 5 sqrt, 1 lt, 1 where
-#   between_jacobians: 959: 377 +, 496 *, 48 /, 31 neg, 5 sqrt, 1 lt, 1 where
-#   retract: 351: 113 +, 151 *, 41 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 20 where
-#   body_retract: 351: 113 +, 151 *, 41 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 20 where
-#   retract_jacobians: 1116: 427 +, 548 *, 86 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 21 where
-#   body_retract_jacobians: 1116: 427 +, 548 *, 86 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 21 where
-#   local: 309: 103 +, 143 *, 31 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-#   body_local: 309: 103 +, 143 *, 31 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-#   interpolate: 732: 230 +, 322 *, 75 /, 8 neg, 8 abs, 12 sqrt, 6 tan, 4 atan2, 14 lt, 5 eq, 1 and, 3 or, 44
+#   compose_jacobians: 939: 381 +, 496 *, 48 /, 7 neg, 5 sqrt, 1 lt, 1 where
+#   between_jacobians: 963: 381 +, 496 *, 48 /, 31 neg, 5 sqrt, 1 lt, 1 where
+#   retract: 363: 125 +, 151 *, 41 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 20 where
+#   body_retract: 363: 125 +, 151 *, 41 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 20 where
+#   retract_jacobians: 1130: 441 +, 548 *, 86 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 21 where
+#   body_retract_jacobians: 1130: 441 +, 548 *, 86 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 21 where
+#   local: 321: 115 +, 143 *, 31 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   body_local: 321: 115 +, 143 *, 31 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   interpolate: 756: 254 +, 322 *, 75 /, 8 neg, 8 abs, 12 sqrt, 6 tan, 4 atan2, 14 lt, 5 eq, 1 and, 3 or, 44
 #       where
-#   adjoint: 86: 34 +, 50 *, 1 /, 1 sqrt
-#   transform_point_jacobians: 202: 90 +, 106 *, 2 /, 3 neg, 1 sqrt
-#   transform_line_jacobians: 301: 123 +, 169 *, 2 /, 6 neg, 1 sqrt
+#   adjoint: 87: 35 +, 50 *, 1 /, 1 sqrt
+#   transform_point_jacobians: 203: 91 +, 106 *, 2 /, 3 neg, 1 sqrt
+#   transform_line_jacobians: 302: 124 +, 169 *, 2 /, 6 neg, 1 sqrt
 r"""Orthographic projection: Rodrigues dual vectors ``v = sin(α/2) u`` of rigid displacements.
 
 .. math::
@@ -144,8 +144,9 @@ def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: R
     return o1, n1, o3, o4
 
 
-# operations 4: 1 +, 1 *, 1 /, 1 sqrt
-def _pose(m: Any, x: Any) -> Result:
+# operations 6: 3 +, 1 *, 1 /, 1 sqrt
+def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     cc = 1 - x
     c = m.sqrt(cc)
     f = 2 * c
@@ -153,9 +154,10 @@ def _pose(m: Any, x: Any) -> Result:
     return f, 2, h
 
 
-def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, _, o3 = out
     n1, n2 = numbers
+    x = add(add(v11, v22, o3), v33, o3)
     cc = sub(n1, x, o3)
     c = sqrt(cc, o3)
     mul(n2, c, o1)
@@ -163,8 +165,9 @@ def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x
     return o1, n2, o3
 
 
-# operations 9: 3 +, 3 *, 2 /, 1 sqrt
-def _tangent(m: Any, x: Any) -> Result:
+# operations 11: 5 +, 3 *, 2 /, 1 sqrt
+def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     cc = 1 - x
     c = m.sqrt(cc)
     f = 2 * c
@@ -175,9 +178,10 @@ def _tangent(m: Any, x: Any) -> Result:
     return f, 2, h, fy, gy, hy
 
 
-def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, _, o3, o4, o5, o6 = out
     n1, n2, n4 = numbers
+    x = add(add(v11, v22, o6), v33, o6)
     cc = sub(n1, x, o6)
     c = sqrt(cc, o3)
     f = mul(n2, c, o1)
@@ -188,8 +192,9 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, n2, o3, o4, o5, o6
 
 
-# operations 21: 7 +, 10 *, 3 /, 1 sqrt
-def _tangent_dot(m: Any, x: Any) -> Result:
+# operations 23: 9 +, 10 *, 3 /, 1 sqrt
+def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     cc = 1 - x
     c = m.sqrt(cc)
     f = 2 * c
@@ -203,10 +208,11 @@ def _tangent_dot(m: Any, x: Any) -> Result:
     return f, 2, h, fy, gy, hy, fyy, gyy, hyy
 
 
-def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, _, o3, o4, o5, o6, o7, o8, o9 = out
     k1, *_ = scratch
     n1, n2, n3, n4 = numbers
+    x = add(add(v11, v22, o9), v33, o9)
     cc = sub(n1, x, o9)
     c = sqrt(cc, o3)
     f = mul(n2, c, o1)
@@ -1146,7 +1152,7 @@ CHART = Chart(
         real=True,
     ),
     },
-    programs="5d3d636ff02b2cff",
+    programs="607bc00134e70aab",
 )
 
 KERNELS = PoseKernels(CHART)

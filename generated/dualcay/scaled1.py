@@ -33,8 +33,8 @@
 #
 # Operations:
 #   quaternion: 34: 8 +, 18 *, 7 /, 1 sqrt
-#   tensor: 89: 34 +, 50 *, 5 /
-#   pose: 62: 25 +, 32 *, 5 /
+#   tensor: 90: 35 +, 50 *, 5 /
+#   pose: 63: 26 +, 32 *, 5 /
 #   transform_point: 75: 29 +, 41 *, 5 /
 #   transform_line: 114: 44 +, 65 *, 5 /
 #   inverse: 6: 6 neg
@@ -54,25 +54,25 @@
 #   from_pose: 93: 29 +, 28 *, 5 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 20: 4 +, 13 *, 2 /, 1 tan
 #   to_screw: 78: 18 +, 30 *, 14 /, 6 abs, 1 sqrt, 1 atan2, 2 eq, 6 where
-#   angle: 58: 13 +, 14 *, 12 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
+#   angle: 60: 15 +, 14 *, 12 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
 #   to_exponential: 42: 10 +, 18 *, 8 /, 1 neg, 1 sqrt, 1 atan2, 1 eq, 2 where
 #   from_exponential: 50: 13 +, 21 *, 5 /, 1 sqrt, 2 tan, 2 atan2, 1 lt, 1 eq, 4 where
 #   identity_jacobian: 12: 12 +
 #   compose: 201: 74 +, 110 *, 17 /
 #   between: 207: 74 +, 110 *, 17 /, 6 neg
-#   compose_jacobians: 949: 376 +, 495 *, 70 /, 8 neg
-#   between_jacobians: 973: 376 +, 495 *, 70 /, 32 neg
-#   retract: 354: 111 +, 151 *, 44 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
-#   body_retract: 354: 111 +, 151 *, 44 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
-#   retract_jacobians: 1108: 419 +, 541 *, 92 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
-#   body_retract_jacobians: 1108: 419 +, 541 *, 92 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
-#   local: 317: 103 +, 143 *, 41 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-#   body_local: 317: 103 +, 143 *, 41 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-#   interpolate: 723: 227 +, 319 *, 81 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 12 lt, 5 eq, 1 and, 3 or, 42
+#   compose_jacobians: 953: 380 +, 495 *, 70 /, 8 neg
+#   between_jacobians: 977: 380 +, 495 *, 70 /, 32 neg
+#   retract: 366: 123 +, 151 *, 44 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   body_retract: 366: 123 +, 151 *, 44 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   retract_jacobians: 1122: 433 +, 541 *, 92 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
+#   body_retract_jacobians: 1122: 433 +, 541 *, 92 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
+#   local: 329: 115 +, 143 *, 41 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   body_local: 329: 115 +, 143 *, 41 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   interpolate: 747: 251 +, 319 *, 81 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 12 lt, 5 eq, 1 and, 3 or, 42
 #       where
-#   adjoint: 89: 34 +, 50 *, 5 /
+#   adjoint: 90: 35 +, 50 *, 5 /
 #   transform_point_jacobians: 149: 58 +, 73 *, 8 /, 10 neg
-#   transform_line_jacobians: 304: 121 +, 168 *, 8 /, 7 neg
+#   transform_line_jacobians: 305: 122 +, 168 *, 8 /, 7 neg
 r"""Normal Rodrigues vector of order 1: Rodrigues dual vectors ``v = 2 tan(α/2) u`` of rigid displacements.
 
 .. math::
@@ -152,8 +152,9 @@ def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: R
     return o1, o2, o3, o4
 
 
-# operations 7: 1 +, 1 *, 5 /
-def _pose(m: Any, x: Any) -> Result:
+# operations 9: 3 +, 1 *, 5 /
+def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     z = x / 4
     N = 1 + z
     r = 2 * (N / N / N)
@@ -162,9 +163,10 @@ def _pose(m: Any, x: Any) -> Result:
     return f_v, g_v, 0
 
 
-def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, _ = out
     n0, n1, n2, n4 = numbers
+    x = add(add(v11, v22, o2), v33, o2)
     z = div(x, n4, o2)
     N = add(n1, z, o2)
     r = mul(n2, div(div(N, N, o1), N, o2), o2)
@@ -173,8 +175,9 @@ def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x
     return o1, o2, n0
 
 
-# operations 12: 1 +, 2 *, 8 /, 1 neg
-def _tangent(m: Any, x: Any) -> Result:
+# operations 14: 3 +, 2 *, 8 /, 1 neg
+def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     z = x / 4
     N = 1 + z
     r = 2 * (N / N / N)
@@ -188,9 +191,10 @@ def _tangent(m: Any, x: Any) -> Result:
     return f_v, g_v, 0, fy_v, gy_v, 0
 
 
-def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, _, o4, o5, _ = out
     n0, n1, n2, n4, n8, n16 = numbers
+    x = add(add(v11, v22, o5), v33, o5)
     z = div(x, n4, o5)
     N = add(n1, z, o5)
     r = mul(n2, div(div(N, N, o2), N, o2), o2)
@@ -1903,7 +1907,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="09ee2665bf58c915",
+    programs="292ece69e2dc6070",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -33,8 +33,8 @@
 #
 # Operations:
 #   quaternion: 36: 9 +, 20 *, 7 /
-#   tensor: 96: 35 +, 55 *, 6 /
-#   pose: 69: 26 +, 37 *, 6 /
+#   tensor: 97: 36 +, 55 *, 6 /
+#   pose: 70: 27 +, 37 *, 6 /
 #   transform_point: 82: 30 +, 46 *, 6 /
 #   transform_line: 121: 45 +, 70 *, 6 /
 #   inverse: 6: 6 neg
@@ -54,7 +54,7 @@
 #   from_pose: 106: 34 +, 33 *, 7 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 20: 4 +, 13 *, 2 /, 1 tan
 #   to_screw: 89: 21 +, 32 *, 15 /, 7 abs, 1 sqrt, 1 atan2, 2 lt, 2 eq, 8 where
-#   angle: 65: 14 +, 19 *, 13 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
+#   angle: 67: 16 +, 19 *, 13 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
 #   to_exponential: 42: 10 +, 18 *, 8 /, 1 neg, 1 sqrt, 1 atan2, 1 eq, 2 where
 #   from_exponential: 53: 15 +, 22 *, 5 /, 1 sqrt, 2 tan, 2 atan2, 1 lt, 1 eq, 4 where
 #   turn: 72: 16 +, 29 *, 12 /, 6 abs, 1 sqrt, 2 eq, 6 where
@@ -64,20 +64,20 @@
 #   principal: 57: 15 +, 24 *, 9 /, 1 sqrt, 1 lt, 7 where
 #   compose: 227: 80 +, 122 *, 21 /, 1 neg, 1 lt, 2 where
 #   between: 233: 80 +, 122 *, 21 /, 7 neg, 1 lt, 2 where
-#   compose_jacobians: 999: 389 +, 517 *, 80 /, 10 neg, 1 lt, 2 where
-#   between_jacobians: 1023: 389 +, 517 *, 80 /, 34 neg, 1 lt, 2 where
-#   retract: 363: 113 +, 156 *, 45 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
-#   body_retract: 363: 113 +, 156 *, 45 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
-#   retract_jacobians: 1132: 425 +, 552 *, 97 /, 10 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
-#   body_retract_jacobians: 1132: 425 +, 552 *, 97 /, 10 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24
+#   compose_jacobians: 1003: 393 +, 517 *, 80 /, 10 neg, 1 lt, 2 where
+#   between_jacobians: 1027: 393 +, 517 *, 80 /, 34 neg, 1 lt, 2 where
+#   retract: 375: 125 +, 156 *, 45 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   body_retract: 375: 125 +, 156 *, 45 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   retract_jacobians: 1146: 439 +, 552 *, 97 /, 10 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
+#   body_retract_jacobians: 1146: 439 +, 552 *, 97 /, 10 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24
 #       where
-#   local: 333: 107 +, 153 *, 43 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-#   body_local: 333: 107 +, 153 *, 43 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-#   interpolate: 739: 231 +, 329 *, 83 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 12 lt, 5 eq, 1 and, 3 or, 42
+#   local: 345: 119 +, 153 *, 43 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   body_local: 345: 119 +, 153 *, 43 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   interpolate: 763: 255 +, 329 *, 83 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 12 lt, 5 eq, 1 and, 3 or, 42
 #       where
-#   adjoint: 96: 35 +, 55 *, 6 /
-#   transform_point_jacobians: 215: 91 +, 110 *, 10 /, 4 neg
-#   transform_line_jacobians: 314: 124 +, 173 *, 10 /, 7 neg
+#   adjoint: 97: 36 +, 55 *, 6 /
+#   transform_point_jacobians: 216: 92 +, 110 *, 10 /, 4 neg
+#   transform_line_jacobians: 315: 125 +, 173 *, 10 /, 7 neg
 r"""Normal Rodrigues vector of order 2: Rodrigues dual vectors ``v = 4 tan(α/4) u`` of rigid displacements.
 
 .. math::
@@ -161,8 +161,9 @@ def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: R
     return o1, o2, o3, o4
 
 
-# operations 14: 2 +, 6 *, 6 /
-def _pose(m: Any, x: Any) -> Result:
+# operations 16: 4 +, 6 *, 6 /
+def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     z = x / 16
     p = 1 - z
     N = p * p + 4 * z
@@ -175,9 +176,10 @@ def _pose(m: Any, x: Any) -> Result:
     return f_v, g_v, h_v
 
 
-def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3 = out
     n1, n2, n4, n16, n64 = numbers
+    x = add(add(v11, v22, o3), v33, o3)
     z = div(x, n16, o3)
     p = sub(n1, z, o1)
     N = add(mul(p, p, o2), mul(n4, z, o3), o3)
@@ -190,8 +192,9 @@ def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x
     return o1, o2, o3
 
 
-# operations 22: 4 +, 7 *, 10 /, 1 neg
-def _tangent(m: Any, x: Any) -> Result:
+# operations 24: 6 +, 7 *, 10 /, 1 neg
+def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     z = x / 16
     p = 1 - z
     N = p * p + 4 * z
@@ -212,9 +215,10 @@ def _tangent(m: Any, x: Any) -> Result:
     return f_v, g_v, h_v, fy_v, gy_v, hy_v
 
 
-def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3, o4, o5, o6 = out
     n1, n2, n4, n16, n64, n256, n1024 = numbers
+    x = add(add(v11, v22, o6), v33, o6)
     z = div(x, n16, o6)
     p = sub(n1, z, o1)
     N = add(mul(p, p, o4), mul(n4, z, o2), o4)
@@ -235,8 +239,9 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, o2, o3, o4, o5, o6
 
 
-# operations 32: 7 +, 10 *, 14 /, 1 neg
-def _tangent_dot(m: Any, x: Any) -> Result:
+# operations 34: 9 +, 10 *, 14 /, 1 neg
+def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     z = x / 16
     p = 1 - z
     N = p * p + 4 * z
@@ -265,9 +270,10 @@ def _tangent_dot(m: Any, x: Any) -> Result:
     return f_v, g_v, h_v, fy_v, gy_v, hy_v, fyy_v, gyy_v, hyy_v
 
 
-def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
     n1, n2, n4, n16, n64, n256, n1024, n4096, n16384 = numbers
+    x = add(add(v11, v22, o9), v33, o9)
     z = div(x, n16, o9)
     p = sub(n1, z, o1)
     N = add(mul(p, p, o4), mul(n4, z, o2), o4)
@@ -904,7 +910,7 @@ CHART = Chart(
         real=False,
     ),
     },
-    programs="90ce78e64cf4d58d",
+    programs="5d364c1b6faf1468",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -33,8 +33,8 @@
 #
 # Operations:
 #   quaternion: 45: 12 +, 25 *, 7 /, 1 sqrt
-#   tensor: 100: 36 +, 58 *, 6 /
-#   pose: 73: 27 +, 40 *, 6 /
+#   tensor: 101: 37 +, 58 *, 6 /
+#   pose: 74: 28 +, 40 *, 6 /
 #   transform_point: 86: 31 +, 49 *, 6 /
 #   transform_line: 125: 46 +, 73 *, 6 /
 #   inverse: 6: 6 neg
@@ -54,7 +54,7 @@
 #   from_pose: 115: 32 +, 36 *, 9 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_screw: 20: 4 +, 13 *, 2 /, 1 tan
 #   to_screw: 99: 22 +, 33 *, 15 /, 1 neg, 8 abs, 1 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
-#   angle: 69: 15 +, 22 *, 13 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
+#   angle: 71: 17 +, 22 *, 13 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
 #   to_exponential: 42: 10 +, 18 *, 8 /, 1 neg, 1 sqrt, 1 atan2, 1 eq, 2 where
 #   from_exponential: 54: 15 +, 23 *, 5 /, 1 sqrt, 2 tan, 2 atan2, 1 lt, 1 eq, 4 where
 #   turn: 72: 16 +, 29 *, 12 /, 6 abs, 1 sqrt, 2 eq, 6 where
@@ -64,20 +64,20 @@
 #   principal: 57: 15 +, 24 *, 9 /, 1 sqrt, 1 lt, 7 where
 #   compose: 247: 77 +, 135 *, 24 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   between: 253: 77 +, 135 *, 24 /, 7 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   compose_jacobians: 1047: 391 +, 549 *, 87 /, 10 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   between_jacobians: 1071: 391 +, 549 *, 87 /, 34 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   retract: 367: 111 +, 160 *, 48 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
-#   body_retract: 367: 111 +, 160 *, 48 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
-#   retract_jacobians: 1152: 426 +, 568 *, 101 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
-#   body_retract_jacobians: 1152: 426 +, 568 *, 101 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24
+#   compose_jacobians: 1051: 395 +, 549 *, 87 /, 10 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   between_jacobians: 1075: 395 +, 549 *, 87 /, 34 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   retract: 379: 123 +, 160 *, 48 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   body_retract: 379: 123 +, 160 *, 48 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   retract_jacobians: 1166: 440 +, 568 *, 101 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
+#   body_retract_jacobians: 1166: 440 +, 568 *, 101 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24
 #       where
-#   local: 335: 103 +, 159 *, 43 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-#   body_local: 335: 103 +, 159 *, 43 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-#   interpolate: 745: 227 +, 336 *, 86 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 12 lt, 5 eq, 1 and, 3 or, 42
+#   local: 347: 115 +, 159 *, 43 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   body_local: 347: 115 +, 159 *, 43 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   interpolate: 769: 251 +, 336 *, 86 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 12 lt, 5 eq, 1 and, 3 or, 42
 #       where
-#   adjoint: 100: 36 +, 58 *, 6 /
-#   transform_point_jacobians: 223: 93 +, 116 *, 10 /, 4 neg
-#   transform_line_jacobians: 322: 126 +, 179 *, 10 /, 7 neg
+#   adjoint: 101: 37 +, 58 *, 6 /
+#   transform_point_jacobians: 224: 94 +, 116 *, 10 /, 4 neg
+#   transform_line_jacobians: 323: 127 +, 179 *, 10 /, 7 neg
 r"""Normal Rodrigues vector of order 3: Rodrigues dual vectors ``v = 6 tan(α/6) u`` of rigid displacements.
 
 .. math::
@@ -170,8 +170,9 @@ def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: R
     return o1, o2, o3, o4
 
 
-# operations 18: 3 +, 9 *, 6 /
-def _pose(m: Any, x: Any) -> Result:
+# operations 20: 5 +, 9 *, 6 /
+def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     z = x / 36
     p = 1 - 3 * z
     q = 3 - z
@@ -187,10 +188,11 @@ def _pose(m: Any, x: Any) -> Result:
     return f_v, g_v, h_v
 
 
-def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3 = out
     k1, k2, *_ = scratch
     n1, n2, n3, n6, n16, n36, n216 = numbers
+    x = add(add(v11, v22, o3), v33, o3)
     z = div(x, n36, o3)
     q = sub(n3, z, o1)
     qq = mul(q, q, o2)
@@ -206,8 +208,9 @@ def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x
     return o1, o2, o3
 
 
-# operations 30: 6 +, 13 *, 10 /, 1 neg
-def _tangent(m: Any, x: Any) -> Result:
+# operations 32: 8 +, 13 *, 10 /, 1 neg
+def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     z = x / 36
     p = 1 - 3 * z
     q = 3 - z
@@ -233,9 +236,10 @@ def _tangent(m: Any, x: Any) -> Result:
     return f_v, g_v, h_v, fy_v, gy_v, hy_v
 
 
-def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3, o4, o5, o6 = out
     n_minus_4, n1, n2, n3, n6, n16, n36, n216, n1296, n7776 = numbers
+    x = add(add(v11, v22, o6), v33, o6)
     z = div(x, n36, o6)
     q = sub(n3, z, o5)
     qq = mul(q, q, o4)
@@ -261,8 +265,9 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, o2, o3, o4, o5, o6
 
 
-# operations 47: 12 +, 20 *, 14 /, 1 neg
-def _tangent_dot(m: Any, x: Any) -> Result:
+# operations 49: 14 +, 20 *, 14 /, 1 neg
+def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     z = x / 36
     p = 1 - 3 * z
     q = 3 - z
@@ -297,10 +302,11 @@ def _tangent_dot(m: Any, x: Any) -> Result:
     return f_v, g_v, h_v, fy_v, gy_v, hy_v, fyy_v, gyy_v, hyy_v
 
 
-def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
     k1, k2, k3, *_ = scratch
     n_minus_4, n1, n2, n3, n6, n8, n16, n36, n216, n1296, n7776, n46656, n279936 = numbers
+    x = add(add(v11, v22, o9), v33, o9)
     z = div(x, n36, o9)
     q = sub(n3, z, o8)
     qq = mul(q, q, o7)
@@ -926,7 +932,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 2, 2, (-1, 0, 1, 2, 6, 9)),
     },
     kernels=SHARED,
-    programs="897aa8848bb966c4",
+    programs="c35305e0429f87a4",
 )
 
 KERNELS = PoseKernels(CHART)

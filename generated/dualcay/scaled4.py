@@ -33,8 +33,8 @@
 #
 # Operations:
 #   quaternion: 45: 14 +, 24 *, 7 /
-#   tensor: 106: 39 +, 61 *, 6 /
-#   pose: 79: 30 +, 43 *, 6 /
+#   tensor: 107: 40 +, 61 *, 6 /
+#   pose: 80: 31 +, 43 *, 6 /
 #   transform_point: 92: 34 +, 52 *, 6 /
 #   transform_line: 131: 49 +, 76 *, 6 /
 #   inverse: 6: 6 neg
@@ -54,7 +54,7 @@
 #   from_pose: 120: 36 +, 41 *, 10 /, 2 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 20: 4 +, 13 *, 2 /, 1 tan
 #   to_screw: 101: 23 +, 34 *, 15 /, 1 neg, 8 abs, 1 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
-#   angle: 75: 18 +, 25 *, 13 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
+#   angle: 77: 20 +, 25 *, 13 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
 #   to_exponential: 42: 10 +, 18 *, 8 /, 1 neg, 1 sqrt, 1 atan2, 1 eq, 2 where
 #   from_exponential: 54: 15 +, 23 *, 5 /, 1 sqrt, 2 tan, 2 atan2, 1 lt, 1 eq, 4 where
 #   turn: 72: 16 +, 29 *, 12 /, 6 abs, 1 sqrt, 2 eq, 6 where
@@ -64,20 +64,20 @@
 #   principal: 60: 15 +, 24 *, 9 /, 1 sqrt, 2 lt, 9 where
 #   compose: 261: 88 +, 144 *, 24 /, 1 neg, 1 sqrt, 1 lt, 2 where
 #   between: 267: 88 +, 144 *, 24 /, 7 neg, 1 sqrt, 1 lt, 2 where
-#   compose_jacobians: 1087: 415 +, 573 *, 87 /, 8 neg, 1 sqrt, 1 lt, 2 where
-#   between_jacobians: 1111: 415 +, 573 *, 87 /, 32 neg, 1 sqrt, 1 lt, 2 where
-#   retract: 379: 116 +, 166 *, 48 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
-#   body_retract: 379: 116 +, 166 *, 48 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
-#   retract_jacobians: 1178: 439 +, 581 *, 101 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
-#   body_retract_jacobians: 1178: 439 +, 581 *, 101 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24
+#   compose_jacobians: 1091: 419 +, 573 *, 87 /, 8 neg, 1 sqrt, 1 lt, 2 where
+#   between_jacobians: 1115: 419 +, 573 *, 87 /, 32 neg, 1 sqrt, 1 lt, 2 where
+#   retract: 391: 128 +, 166 *, 48 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   body_retract: 391: 128 +, 166 *, 48 /, 2 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   retract_jacobians: 1192: 453 +, 581 *, 101 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
+#   body_retract_jacobians: 1192: 453 +, 581 *, 101 /, 9 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24
 #       where
-#   local: 353: 113 +, 167 *, 43 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-#   body_local: 353: 113 +, 167 *, 43 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-#   interpolate: 765: 237 +, 346 *, 86 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 12 lt, 5 eq, 1 and, 3 or, 42
+#   local: 365: 125 +, 167 *, 43 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   body_local: 365: 125 +, 167 *, 43 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   interpolate: 789: 261 +, 346 *, 86 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 12 lt, 5 eq, 1 and, 3 or, 42
 #       where
-#   adjoint: 106: 39 +, 61 *, 6 /
-#   transform_point_jacobians: 233: 98 +, 122 *, 10 /, 3 neg
-#   transform_line_jacobians: 332: 131 +, 185 *, 10 /, 6 neg
+#   adjoint: 107: 40 +, 61 *, 6 /
+#   transform_point_jacobians: 234: 99 +, 122 *, 10 /, 3 neg
+#   transform_line_jacobians: 333: 132 +, 185 *, 10 /, 6 neg
 r"""Normal Rodrigues vector of order 4: Rodrigues dual vectors ``v = 8 tan(α/8) u`` of rigid displacements.
 
 .. math::
@@ -169,8 +169,9 @@ def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: R
     return o1, o2, o3, o4
 
 
-# operations 24: 6 +, 12 *, 6 /
-def _pose(m: Any, x: Any) -> Result:
+# operations 26: 8 +, 12 *, 6 /
+def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     z = x / 64
     p = (z - 6) * z + 1
     q = 4 - 4 * z
@@ -187,10 +188,11 @@ def _pose(m: Any, x: Any) -> Result:
     return f_v, g_v, h_v
 
 
-def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3 = out
     k1, k2, k3, *_ = scratch
     n1, n2, n4, n6, n8, n16, n40, n64, n512 = numbers
+    x = add(add(v11, v22, o3), v33, o3)
     z = div(x, n64, o3)
     p = add(mul(sub(z, n6, o1), z, o1), n1, o1)
     q = sub(n4, mul(n4, z, o2), o2)
@@ -207,8 +209,9 @@ def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x
     return o1, o2, o3
 
 
-# operations 40: 11 +, 19 *, 10 /
-def _tangent(m: Any, x: Any) -> Result:
+# operations 42: 13 +, 19 *, 10 /
+def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     z = x / 64
     p = (z - 6) * z + 1
     q = 4 - 4 * z
@@ -237,10 +240,11 @@ def _tangent(m: Any, x: Any) -> Result:
     return f_v, g_v, h_v, fy_v, gy_v, hy_v
 
 
-def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3, o4, o5, o6 = out
     k1, *_ = scratch
     n_minus_16, n1, n2, n4, n6, n8, n16, n40, n64, n512, n4096, n32768 = numbers
+    x = add(add(v11, v22, o4), v33, o4)
     z = div(x, n64, o4)
     p = add(mul(sub(z, n6, o1), z, o1), n1, o1)
     q = sub(n4, mul(n4, z, o5), o5)
@@ -269,8 +273,9 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, o2, o3, o4, o5, o6
 
 
-# operations 61: 19 +, 28 *, 14 /
-def _tangent_dot(m: Any, x: Any) -> Result:
+# operations 63: 21 +, 28 *, 14 /
+def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     z = x / 64
     p = (z - 6) * z + 1
     q = 4 - 4 * z
@@ -309,10 +314,11 @@ def _tangent_dot(m: Any, x: Any) -> Result:
     return f_v, g_v, h_v, fy_v, gy_v, hy_v, fyy_v, gyy_v, hyy_v
 
 
-def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
     k1, k2, k3, *_ = scratch
     n_minus_16, n1, n2, n4, n6, n8, n16, n40, n64, n512, n4096, n32768, n262144, n2097152 = numbers
+    x = add(add(v11, v22, o7), v33, o7)
     z = div(x, n64, o7)
     p = add(mul(sub(z, n6, o1), z, o1), n1, o1)
     q = sub(n4, mul(n4, z, o8), o8)
@@ -958,7 +964,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 3, 2, (-1, 0, 1, 2, 8, 13)),
     },
     kernels=SHARED,
-    programs="a49c14658082bd3b",
+    programs="f370e355b11d1123",
 )
 
 KERNELS = PoseKernels(CHART)

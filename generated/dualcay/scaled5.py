@@ -33,8 +33,8 @@
 #
 # Operations:
 #   quaternion: 52: 15 +, 29 *, 7 /, 1 sqrt
-#   tensor: 108: 40 +, 62 *, 6 /
-#   pose: 81: 31 +, 44 *, 6 /
+#   tensor: 109: 41 +, 62 *, 6 /
+#   pose: 82: 32 +, 44 *, 6 /
 #   transform_point: 94: 35 +, 53 *, 6 /
 #   transform_line: 133: 50 +, 77 *, 6 /
 #   inverse: 6: 6 neg
@@ -54,7 +54,7 @@
 #   from_pose: 121: 35 +, 39 *, 9 /, 1 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_screw: 20: 4 +, 13 *, 2 /, 1 tan
 #   to_screw: 103: 24 +, 35 *, 15 /, 1 neg, 8 abs, 1 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
-#   angle: 77: 19 +, 26 *, 13 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
+#   angle: 79: 21 +, 26 *, 13 /, 6 abs, 2 sqrt, 1 atan2, 3 eq, 7 where
 #   to_exponential: 42: 10 +, 18 *, 8 /, 1 neg, 1 sqrt, 1 atan2, 1 eq, 2 where
 #   from_exponential: 54: 15 +, 23 *, 5 /, 1 sqrt, 2 tan, 2 atan2, 1 lt, 1 eq, 4 where
 #   turn: 72: 16 +, 29 *, 12 /, 6 abs, 1 sqrt, 2 eq, 6 where
@@ -64,20 +64,20 @@
 #   principal: 60: 15 +, 24 *, 9 /, 1 sqrt, 2 lt, 9 where
 #   compose: 269: 88 +, 146 *, 24 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   between: 275: 88 +, 146 *, 24 /, 7 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   compose_jacobians: 1114: 423 +, 586 *, 87 /, 8 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   between_jacobians: 1138: 423 +, 586 *, 87 /, 32 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   retract: 379: 117 +, 166 *, 48 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
-#   body_retract: 379: 117 +, 166 *, 48 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
-#   retract_jacobians: 1190: 444 +, 589 *, 101 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
-#   body_retract_jacobians: 1190: 444 +, 589 *, 101 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24
+#   compose_jacobians: 1118: 427 +, 586 *, 87 /, 8 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   between_jacobians: 1142: 427 +, 586 *, 87 /, 32 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   retract: 391: 129 +, 166 *, 48 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   body_retract: 391: 129 +, 166 *, 48 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
+#   retract_jacobians: 1204: 458 +, 589 *, 101 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24 where
+#   body_retract_jacobians: 1204: 458 +, 589 *, 101 /, 8 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 24
 #       where
-#   local: 351: 111 +, 167 *, 43 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-#   body_local: 351: 111 +, 167 *, 43 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-#   interpolate: 765: 237 +, 346 *, 86 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 12 lt, 5 eq, 1 and, 3 or, 42
+#   local: 363: 123 +, 167 *, 43 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   body_local: 363: 123 +, 167 *, 43 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   interpolate: 789: 261 +, 346 *, 86 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 12 lt, 5 eq, 1 and, 3 or, 42
 #       where
-#   adjoint: 108: 40 +, 62 *, 6 /
-#   transform_point_jacobians: 238: 100 +, 125 *, 10 /, 3 neg
-#   transform_line_jacobians: 337: 133 +, 188 *, 10 /, 6 neg
+#   adjoint: 109: 41 +, 62 *, 6 /
+#   transform_point_jacobians: 239: 101 +, 125 *, 10 /, 3 neg
+#   transform_line_jacobians: 338: 134 +, 188 *, 10 /, 6 neg
 r"""Normal Rodrigues vector of order 5: Rodrigues dual vectors ``v = 10 tan(α/10) u`` of rigid displacements.
 
 .. math::
@@ -172,8 +172,9 @@ def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: R
     return o1, o2, o3, o4
 
 
-# operations 26: 7 +, 13 *, 6 /
-def _pose(m: Any, x: Any) -> Result:
+# operations 28: 9 +, 13 *, 6 /
+def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     z = x / 100
     p = (5 * z - 10) * z + 1
     q = (z - 10) * z + 5
@@ -190,10 +191,11 @@ def _pose(m: Any, x: Any) -> Result:
     return f_v, g_v, h_v
 
 
-def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3 = out
     k1, k2, k3, *_ = scratch
     n1, n2, n5, n10, n80, n96, n100, n1000 = numbers
+    x = add(add(v11, v22, o3), v33, o3)
     z = div(x, n100, o3)
     q = add(mul(sub(z, n10, o1), z, o1), n5, o1)
     qq = mul(q, q, o2)
@@ -210,8 +212,9 @@ def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x
     return o1, o2, o3
 
 
-# operations 45: 13 +, 22 *, 10 /
-def _tangent(m: Any, x: Any) -> Result:
+# operations 47: 15 +, 22 *, 10 /
+def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     z = x / 100
     p = (5 * z - 10) * z + 1
     q = (z - 10) * z + 5
@@ -241,10 +244,11 @@ def _tangent(m: Any, x: Any) -> Result:
     return f_v, g_v, h_v, fy_v, gy_v, hy_v
 
 
-def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3, o4, o5, o6 = out
     k1, k2, k3, *_ = scratch
     n1, n2, n4, n5, n10, n80, n96, n100, n160, n1000, n10000, n100000 = numbers
+    x = add(add(v11, v22, o5), v33, o5)
     z = div(x, n100, o5)
     q = add(mul(sub(z, n10, o4), z, o4), n5, o4)
     qq = mul(q, q, o2)
@@ -274,8 +278,9 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, o2, o3, o4, o5, o6
 
 
-# operations 70: 22 +, 34 *, 14 /
-def _tangent_dot(m: Any, x: Any) -> Result:
+# operations 72: 24 +, 34 *, 14 /
+def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     z = x / 100
     p = (5 * z - 10) * z + 1
     q = (z - 10) * z + 5
@@ -314,10 +319,11 @@ def _tangent_dot(m: Any, x: Any) -> Result:
     return f_v, g_v, h_v, fy_v, gy_v, hy_v, fyy_v, gyy_v, hyy_v
 
 
-def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
     k1, k2, k3, k4, k5, *_ = scratch
     n1, n2, n4, n5, n8, n10, n80, n96, n100, n160, n1000, n10000, n100000, n1000000, n10000000 = numbers
+    x = add(add(v11, v22, o8), v33, o8)
     z = div(x, n100, o8)
     q = add(mul(sub(z, n10, o7), z, o7), n5, o7)
     qq = mul(q, q, o2)
@@ -994,7 +1000,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 2, 2, (-1, 0, 1, 2, 10, 16)),
     },
     kernels=SHARED,
-    programs="0c74a0ec322db50d",
+    programs="5bf25fde9fb9f1fb",
 )
 
 KERNELS = PoseKernels(CHART)

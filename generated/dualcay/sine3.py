@@ -33,8 +33,8 @@
 #
 # Operations:
 #   quaternion: 44: 13 +, 25 *, 4 /, 1 neg, 1 sqrt
-#   tensor: 97: 38 +, 57 *, 1 /, 1 sqrt
-#   pose: 70: 29 +, 39 *, 1 /, 1 sqrt
+#   tensor: 98: 39 +, 57 *, 1 /, 1 sqrt
+#   pose: 71: 30 +, 39 *, 1 /, 1 sqrt
 #   transform_point: 83: 33 +, 48 *, 1 /, 1 sqrt
 #   transform_line: 122: 48 +, 72 *, 1 /, 1 sqrt
 #   inverse: 6: 6 neg
@@ -54,7 +54,7 @@
 #   from_pose: 114: 32 +, 36 *, 7 /, 2 sqrt, 1 tan, 1 atan2, 7 lt, 4 eq, 3 and, 3 or, 18 where
 #   from_screw: 26: 5 +, 14 *, 4 /, 1 tan, 1 lt, 1 where
 #   to_screw: 95: 21 +, 33 *, 11 /, 1 neg, 8 abs, 2 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
-#   angle: 69: 18 +, 21 *, 7 /, 6 abs, 4 sqrt, 1 atan2, 1 lt, 3 eq, 8 where
+#   angle: 71: 20 +, 21 *, 7 /, 6 abs, 4 sqrt, 1 atan2, 1 lt, 3 eq, 8 where
 #   to_exponential: 41: 11 +, 17 *, 4 /, 3 sqrt, 1 atan2, 1 lt, 1 eq, 3 where
 #   from_exponential: 60: 16 +, 24 *, 7 /, 1 sqrt, 2 tan, 2 atan2, 2 lt, 1 eq, 5 where
 #   turn: 79: 17 +, 31 *, 11 /, 6 abs, 2 sqrt, 2 lt, 2 eq, 8 where
@@ -64,19 +64,19 @@
 #   principal: 64: 16 +, 26 *, 8 /, 2 sqrt, 3 lt, 9 where
 #   compose: 237: 81 +, 133 *, 9 /, 1 neg, 4 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 #   between: 243: 81 +, 133 *, 9 /, 7 neg, 4 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   compose_jacobians: 1040: 404 +, 551 *, 60 /, 9 neg, 7 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   between_jacobians: 1064: 404 +, 551 *, 60 /, 33 neg, 7 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
-#   retract: 369: 117 +, 164 *, 42 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 20 where
-#   body_retract: 369: 117 +, 164 *, 42 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 20 where
-#   retract_jacobians: 1160: 439 +, 575 *, 91 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 21 where
-#   body_retract_jacobians: 1160: 439 +, 575 *, 91 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 21 where
-#   local: 327: 107 +, 157 *, 31 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-#   body_local: 327: 107 +, 157 *, 31 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-#   interpolate: 759: 236 +, 342 *, 76 /, 8 neg, 8 abs, 12 sqrt, 6 tan, 4 atan2, 14 lt, 5 eq, 1 and, 3 or, 44
+#   compose_jacobians: 1044: 408 +, 551 *, 60 /, 9 neg, 7 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   between_jacobians: 1068: 408 +, 551 *, 60 /, 33 neg, 7 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+#   retract: 381: 129 +, 164 *, 42 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 20 where
+#   body_retract: 381: 129 +, 164 *, 42 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 20 where
+#   retract_jacobians: 1174: 453 +, 575 *, 91 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 21 where
+#   body_retract_jacobians: 1174: 453 +, 575 *, 91 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 21 where
+#   local: 339: 119 +, 157 *, 31 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   body_local: 339: 119 +, 157 *, 31 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   interpolate: 783: 260 +, 342 *, 76 /, 8 neg, 8 abs, 12 sqrt, 6 tan, 4 atan2, 14 lt, 5 eq, 1 and, 3 or, 44
 #       where
-#   adjoint: 97: 38 +, 57 *, 1 /, 1 sqrt
-#   transform_point_jacobians: 220: 96 +, 116 *, 4 /, 3 neg, 1 sqrt
-#   transform_line_jacobians: 319: 129 +, 179 *, 4 /, 6 neg, 1 sqrt
+#   adjoint: 98: 39 +, 57 *, 1 /, 1 sqrt
+#   transform_point_jacobians: 221: 97 +, 116 *, 4 /, 3 neg, 1 sqrt
+#   transform_line_jacobians: 320: 130 +, 179 *, 4 /, 6 neg, 1 sqrt
 r"""Sine chart of order 3: Rodrigues dual vectors ``v = sin(α/6) u`` of rigid displacements.
 
 .. math::
@@ -159,8 +159,9 @@ def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: R
     return o1, o2, o3, o4
 
 
-# operations 15: 5 +, 8 *, 1 /, 1 sqrt
-def _pose(m: Any, x: Any) -> Result:
+# operations 17: 7 +, 8 *, 1 /, 1 sqrt
+def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     x_by_4 = 4 * x
     cc = 1 - x
     c = m.sqrt(cc)
@@ -173,24 +174,26 @@ def _pose(m: Any, x: Any) -> Result:
     return f, g, h
 
 
-def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3 = out
     k1, *_ = scratch
     n1, n2, n3, n4, n32, n38, n64 = numbers
-    cc = sub(n1, x, o3)
-    c = sqrt(cc, o3)
+    x = add(add(v11, v22, o3), v33, o3)
+    cc = sub(n1, x, o1)
+    c = sqrt(cc, o1)
     x_by_4 = mul(n4, x, o2)
-    s = mul(c, sub(n1, x_by_4, o1), o1)
+    div(add(mul(sub(mul(n32, x, k1), n64, k1), x, o3), n38, o3), c, o3)
+    s = mul(c, sub(n1, x_by_4, k1), o1)
     w = sub(n3, x_by_4, o2)
     mul(n2, mul(s, w, o1), o1)
     ww = mul(w, w, o2)
     mul(n2, ww, o2)
-    div(add(mul(sub(mul(n32, x, k1), n64, k1), x, k1), n38, k1), c, o3)
     return o1, o2, o3
 
 
-# operations 27: 9 +, 13 *, 4 /, 1 sqrt
-def _tangent(m: Any, x: Any) -> Result:
+# operations 29: 11 +, 13 *, 4 /, 1 sqrt
+def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     x_by_4 = 4 * x
     cc = 1 - x
     c = m.sqrt(cc)
@@ -208,15 +211,16 @@ def _tangent(m: Any, x: Any) -> Result:
     return f, g, h, fy, gy, hy
 
 
-def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3, o4, o5, o6 = out
     k1, *_ = scratch
     n1, n2, n3, n4, n6, n32, n38, n64 = numbers
-    dH = sub(mul(n64, x, o6), n64, o6)
-    cc = sub(n1, x, o2)
+    x = add(add(v11, v22, o2), v33, o2)
+    cc = sub(n1, x, o6)
     c = sqrt(cc, o4)
     h = div(add(mul(sub(mul(n32, x, o3), n64, o3), x, o3), n38, o3), c, o3)
-    add(div(mul(n2, dH, o6), c, o6), div(h, cc, o2), o6)
+    dH = sub(mul(n64, x, o1), n64, o1)
+    add(div(mul(n2, dH, o1), c, o1), div(h, cc, o6), o6)
     x_by_4 = mul(n4, x, o2)
     s = mul(c, sub(n1, x_by_4, o1), o1)
     w = sub(n3, x_by_4, o2)
@@ -229,8 +233,9 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, o2, o3, o4, o5, o6
 
 
-# operations 44: 15 +, 20 *, 8 /, 1 sqrt
-def _tangent_dot(m: Any, x: Any) -> Result:
+# operations 46: 17 +, 20 *, 8 /, 1 sqrt
+def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     x_by_4 = 4 * x
     cc = 1 - x
     c = m.sqrt(cc)
@@ -253,18 +258,19 @@ def _tangent_dot(m: Any, x: Any) -> Result:
     return f, g, h, fy, gy, hy, fyy, gyy, hyy
 
 
-def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
     k1, *_ = scratch
     n1, n2, n3, n4, n6, n32, n38, n64, n256 = numbers
-    dH = sub(mul(n64, x, o9), n64, o9)
-    dH_by_2 = mul(n2, dH, o9)
+    x = add(add(v11, v22, o2), v33, o2)
     cc = sub(n1, x, o7)
     c = sqrt(cc, o4)
     h = div(add(mul(sub(mul(n32, x, o3), n64, o3), x, o3), n38, o3), c, o3)
-    hy = add(div(dH_by_2, c, o6), div(h, cc, o2), o6)
-    add(div(sub(n256, div(dH_by_2, cc, o9), o9), c, o9), div(mul(n3, hy, o2), cc, o2), o9)
+    dH = sub(mul(n64, x, o9), n64, o9)
+    dH_by_2 = mul(n2, dH, o9)
     x_by_4 = mul(n4, x, o2)
+    hy = add(div(dH_by_2, c, o6), div(h, cc, o1), o6)
+    add(div(sub(n256, div(dH_by_2, cc, o9), o9), c, o9), div(mul(n3, hy, o1), cc, o1), o9)
     s = mul(c, sub(n1, x_by_4, o1), o1)
     w = sub(n3, x_by_4, o2)
     f = mul(n2, mul(s, w, o1), o1)
@@ -899,7 +905,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 2, 1, (-1, 0, 1, 2, 6, 12)),
     },
     kernels=SHARED,
-    programs="22b4cf0f90294528",
+    programs="3e1e0ff7d233c46d",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -33,8 +33,8 @@
 #
 # Operations:
 #   quaternion: 48: 15 +, 27 *, 4 /, 1 neg, 1 sqrt
-#   tensor: 101: 40 +, 59 *, 1 /, 1 sqrt
-#   pose: 74: 31 +, 41 *, 1 /, 1 sqrt
+#   tensor: 102: 41 +, 59 *, 1 /, 1 sqrt
+#   pose: 75: 32 +, 41 *, 1 /, 1 sqrt
 #   transform_point: 87: 35 +, 50 *, 1 /, 1 sqrt
 #   transform_line: 126: 50 +, 74 *, 1 /, 1 sqrt
 #   inverse: 6: 6 neg
@@ -54,7 +54,7 @@
 #   from_pose: 117: 35 +, 39 *, 8 /, 4 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 26: 5 +, 14 *, 4 /, 1 tan, 1 lt, 1 where
 #   to_screw: 97: 22 +, 34 *, 11 /, 1 neg, 8 abs, 2 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
-#   angle: 73: 20 +, 23 *, 7 /, 6 abs, 4 sqrt, 1 atan2, 1 lt, 3 eq, 8 where
+#   angle: 75: 22 +, 23 *, 7 /, 6 abs, 4 sqrt, 1 atan2, 1 lt, 3 eq, 8 where
 #   to_exponential: 41: 11 +, 17 *, 4 /, 3 sqrt, 1 atan2, 1 lt, 1 eq, 3 where
 #   from_exponential: 60: 16 +, 24 *, 7 /, 1 sqrt, 2 tan, 2 atan2, 2 lt, 1 eq, 5 where
 #   turn: 79: 17 +, 31 *, 11 /, 6 abs, 2 sqrt, 2 lt, 2 eq, 8 where
@@ -64,19 +64,19 @@
 #   principal: 67: 16 +, 26 *, 8 /, 2 sqrt, 4 lt, 11 where
 #   compose: 240: 85 +, 136 *, 10 /, 1 neg, 5 sqrt, 1 lt, 2 where
 #   between: 246: 85 +, 136 *, 10 /, 7 neg, 5 sqrt, 1 lt, 2 where
-#   compose_jacobians: 1058: 417 +, 562 *, 60 /, 8 neg, 8 sqrt, 1 lt, 2 where
-#   between_jacobians: 1082: 417 +, 562 *, 60 /, 32 neg, 8 sqrt, 1 lt, 2 where
-#   retract: 377: 121 +, 168 *, 42 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 20 where
-#   body_retract: 377: 121 +, 168 *, 42 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 20 where
-#   retract_jacobians: 1178: 449 +, 583 *, 91 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 21 where
-#   body_retract_jacobians: 1178: 449 +, 583 *, 91 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 21 where
-#   local: 335: 111 +, 161 *, 31 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-#   body_local: 335: 111 +, 161 *, 31 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-#   interpolate: 771: 242 +, 348 *, 76 /, 8 neg, 8 abs, 12 sqrt, 6 tan, 4 atan2, 14 lt, 5 eq, 1 and, 3 or, 44
+#   compose_jacobians: 1062: 421 +, 562 *, 60 /, 8 neg, 8 sqrt, 1 lt, 2 where
+#   between_jacobians: 1086: 421 +, 562 *, 60 /, 32 neg, 8 sqrt, 1 lt, 2 where
+#   retract: 389: 133 +, 168 *, 42 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 20 where
+#   body_retract: 389: 133 +, 168 *, 42 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 20 where
+#   retract_jacobians: 1192: 463 +, 583 *, 91 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 21 where
+#   body_retract_jacobians: 1192: 463 +, 583 *, 91 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 21 where
+#   local: 347: 123 +, 161 *, 31 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   body_local: 347: 123 +, 161 *, 31 /, 7 neg, 5 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   interpolate: 795: 266 +, 348 *, 76 /, 8 neg, 8 abs, 12 sqrt, 6 tan, 4 atan2, 14 lt, 5 eq, 1 and, 3 or, 44
 #       where
-#   adjoint: 101: 40 +, 59 *, 1 /, 1 sqrt
-#   transform_point_jacobians: 226: 99 +, 119 *, 4 /, 3 neg, 1 sqrt
-#   transform_line_jacobians: 325: 132 +, 182 *, 4 /, 6 neg, 1 sqrt
+#   adjoint: 102: 41 +, 59 *, 1 /, 1 sqrt
+#   transform_point_jacobians: 227: 100 +, 119 *, 4 /, 3 neg, 1 sqrt
+#   transform_line_jacobians: 326: 133 +, 182 *, 4 /, 6 neg, 1 sqrt
 r"""Sine chart of order 4: Rodrigues dual vectors ``v = sin(α/8) u`` of rigid displacements.
 
 .. math::
@@ -159,8 +159,9 @@ def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: R
     return o1, o2, o3, o4
 
 
-# operations 19: 7 +, 10 *, 1 /, 1 sqrt
-def _pose(m: Any, x: Any) -> Result:
+# operations 21: 9 +, 10 *, 1 /, 1 sqrt
+def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     x_by_8 = 8 * x
     s = (x_by_8 - 8) * x + 1
     cc = 1 - x
@@ -173,24 +174,26 @@ def _pose(m: Any, x: Any) -> Result:
     return f, g, h
 
 
-def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3 = out
-    k1, *_ = scratch
+    k1, k2, *_ = scratch
     n1, n2, n4, n8, n88, n128, n272, n320 = numbers
-    cc = sub(n1, x, o3)
-    c = sqrt(cc, o3)
-    x_by_8 = mul(n8, x, o1)
-    w = mul(c, sub(n4, x_by_8, o2), o2)
+    x = add(add(v11, v22, o3), v33, o3)
+    x_by_8 = mul(n8, x, o2)
     s = add(mul(sub(x_by_8, n8, o1), x, o1), n1, o1)
+    cc = sub(n1, x, k1)
+    c = sqrt(cc, k1)
+    w = mul(c, sub(n4, x_by_8, o2), o2)
+    div(add(mul(sub(mul(sub(n320, mul(n128, x, k2), k2), x, k2), n272, k2), x, o3), n88, o3), c, o3)
     mul(n2, mul(s, w, o1), o1)
     ww = mul(w, w, o2)
     mul(n2, ww, o2)
-    div(add(mul(sub(mul(sub(n320, mul(n128, x, k1), k1), x, k1), n272, k1), x, k1), n88, k1), c, o3)
     return o1, o2, o3
 
 
-# operations 33: 12 +, 16 *, 4 /, 1 sqrt
-def _tangent(m: Any, x: Any) -> Result:
+# operations 35: 14 +, 16 *, 4 /, 1 sqrt
+def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     x_by_8 = 8 * x
     s = (x_by_8 - 8) * x + 1
     cc = 1 - x
@@ -208,18 +211,19 @@ def _tangent(m: Any, x: Any) -> Result:
     return f, g, h, fy, gy, hy
 
 
-def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3, o4, o5, o6 = out
     k1, *_ = scratch
     n1, n2, n4, n8, n88, n128, n272, n320, n384, n640 = numbers
-    dH = sub(mul(sub(n640, mul(n384, x, o6), o6), x, o6), n272, o6)
-    cc = sub(n1, x, o1)
+    x = add(add(v11, v22, o1), v33, o1)
+    cc = sub(n1, x, o6)
     c = sqrt(cc, o4)
     h = div(add(mul(sub(mul(sub(n320, mul(n128, x, o3), o3), x, o3), n272, o3), x, o3), n88, o3), c, o3)
-    add(div(mul(n2, dH, o6), c, o6), div(h, cc, o1), o6)
-    x_by_8 = mul(n8, x, o1)
+    dH = sub(mul(sub(n640, mul(n384, x, o2), o2), x, o2), n272, o2)
+    add(div(mul(n2, dH, o2), c, o2), div(h, cc, o6), o6)
+    x_by_8 = mul(n8, x, o2)
+    s = add(mul(sub(x_by_8, n8, o5), x, o1), n1, o1)
     w = mul(c, sub(n4, x_by_8, o2), o2)
-    s = add(mul(sub(x_by_8, n8, o1), x, o1), n1, o1)
     f = mul(n2, mul(s, w, o1), o1)
     ww = mul(w, w, o2)
     g = mul(n2, ww, o2)
@@ -229,8 +233,9 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, o2, o3, o4, o5, o6
 
 
-# operations 53: 19 +, 25 *, 8 /, 1 sqrt
-def _tangent_dot(m: Any, x: Any) -> Result:
+# operations 55: 21 +, 25 *, 8 /, 1 sqrt
+def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
     x_by_8 = 8 * x
     s = (x_by_8 - 8) * x + 1
     cc = 1 - x
@@ -254,21 +259,22 @@ def _tangent_dot(m: Any, x: Any) -> Result:
     return f, g, h, fy, gy, hy, fyy, gyy, hyy
 
 
-def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
+def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
     k1, *_ = scratch
     n1, n2, n3, n4, n8, n88, n128, n272, n320, n384, n640, n768 = numbers
-    dH = sub(mul(sub(n640, mul(n384, x, o9), o9), x, o9), n272, o9)
-    dH_by_2 = mul(n2, dH, o9)
+    x = add(add(v11, v22, o1), v33, o1)
     cc = sub(n1, x, o7)
     c = sqrt(cc, o4)
     h = div(add(mul(sub(mul(sub(n320, mul(n128, x, o3), o3), x, o3), n272, o3), x, o3), n88, o3), c, o3)
-    hy = add(div(dH_by_2, c, o6), div(h, cc, o1), o6)
-    ddH = sub(n640, mul(n768, x, o1), o1)
-    add(div(sub(mul(n4, ddH, o1), div(dH_by_2, cc, o9), o9), c, o9), div(mul(n3, hy, o1), cc, o1), o9)
-    x_by_8 = mul(n8, x, o1)
+    dH = sub(mul(sub(n640, mul(n384, x, o9), o9), x, o9), n272, o9)
+    dH_by_2 = mul(n2, dH, o9)
+    hy = add(div(dH_by_2, c, o6), div(h, cc, o2), o6)
+    ddH = sub(n640, mul(n768, x, o2), o2)
+    add(div(sub(mul(n4, ddH, o2), div(dH_by_2, cc, o9), o9), c, o9), div(mul(n3, hy, o2), cc, o2), o9)
+    x_by_8 = mul(n8, x, o2)
+    s = add(mul(sub(x_by_8, n8, o5), x, o1), n1, o1)
     w = mul(c, sub(n4, x_by_8, o2), o2)
-    s = add(mul(sub(x_by_8, n8, o1), x, o1), n1, o1)
     f = mul(n2, mul(s, w, o1), o1)
     ww = mul(w, w, o2)
     g = mul(n2, ww, o2)
@@ -867,7 +873,7 @@ CHART = Chart(
     ),
     functions={
         "quaternion": Function(_quaternion, _quaternion_blocks, 1, 0, (1, 2, 4, 8, 88, 128, 272, 320)),
-        "pose": Function(_pose, _pose_blocks, 1, 0, (1, 2, 4, 8, 88, 128, 272, 320)),
+        "pose": Function(_pose, _pose_blocks, 2, 0, (1, 2, 4, 8, 88, 128, 272, 320)),
         "tangent": Function(_tangent, _tangent_blocks, 1, 0, (1, 2, 4, 8, 88, 128, 272, 320, 384, 640)),
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 1, 0, (1, 2, 3, 4, 8, 88, 128, 272, 320, 384, 640, 768)),
         "rate": Function(_rate, _rate_blocks, 0, 0, (1, 8)),
@@ -890,7 +896,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 2, 1, (-1, 0, 1, 2, 8, 16)),
     },
     kernels=SHARED,
-    programs="de1aae4cbadd3695",
+    programs="5e1e04e48bb14200",
 )
 
 KERNELS = PoseKernels(CHART)

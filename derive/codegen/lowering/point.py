@@ -10,7 +10,7 @@ from ...algebra import Dual, Vector
 from ...maps.chart import Chart
 from ..programs.trace import Trace
 from ..programs.value import Number
-from .scalars import SCALARS, table_names
+from .scalars import SCALARS, SQUARES, table_names
 
 
 class Geometry(Trace):
@@ -114,4 +114,5 @@ class Point:
 
     def scalars(self, function: str) -> tuple[Number, ...]:
         """The results of a scalar program at x."""
-        return self.trace.ask(function, (self.x,), self.mark)
+        of_squares = SCALARS[function].arguments == SQUARES
+        return self.trace.ask(function, self.squares if of_squares else (self.x,), self.mark)

@@ -12,7 +12,7 @@ from ...maps.chart import Chart
 from ..programs.program import Call, Program, Statement
 from ..programs.value import Number
 from .point import Geometry
-from .scalars import SCALARS
+from .scalars import SCALARS, SQUARES
 
 TABLE = "table"
 """The argument that holds constants: it has no dual part."""
@@ -65,7 +65,7 @@ def narrowed(statement: Statement) -> Statement:
     fitting = (
         name
         for name, other in SCALARS.items()
-        if other.arguments == row.arguments == ("x",) and read.keys() <= set(other.results)
+        if other.arguments == row.arguments in (("x",), SQUARES) and read.keys() <= set(other.results)
     )
     function = min(fitting, key=lambda name: len(SCALARS[name].results), default=statement.function)
     names = tuple(read.get(result, "_") for result in SCALARS[function].results)

@@ -32,14 +32,22 @@ class Scalar:
     truths: tuple[str, ...] = ()
 
 
-def _of_x(*results: str) -> Scalar:
+SQUARES = ("v11", "v22", "v33")
+"""The terms of x: of their sum alone nothing tells what rounding took."""
+
+
+def _of_x(*results: str, arguments: tuple[str, ...] = ("x",)) -> Scalar:
     """Scalars at x by their letters."""
 
-    def compute(chart: Chart, trace: Trace, arguments: Sequence[Number]) -> tuple[Number, ...]:
-        at = chart.scalars(arguments[0], trace)
+    def compute(chart: Chart, trace: Trace, terms: Sequence[Number]) -> tuple[Number, ...]:
+        at = chart.scalars(trace.name("x", sum(terms)), trace)
         return tuple(getattr(at, name) for name in results)
 
-    return Scalar(("x",), results, compute)
+    return Scalar(arguments, results, compute)
+
+
+def _of_squares(*results: str) -> Scalar:
+    return _of_x(*results, arguments=SQUARES)
 
 
 def _ray(chart: Chart, trace: Trace, arguments: Sequence[Number]) -> tuple[Number, ...]:
@@ -104,9 +112,9 @@ E = ("e0", "e1", "e2", "e3")
 
 SCALARS: Mapping[str, Scalar] = {
     "quaternion": _of_x("s", "w", "sy", "wy"),
-    "pose": _of_x("f", "g", "h"),
-    "tangent": _of_x("f", "g", "h", "fy", "gy", "hy"),
-    "tangent_dot": _of_x("f", "g", "h", "fy", "gy", "hy", "fyy", "gyy", "hyy"),
+    "pose": _of_squares("f", "g", "h"),
+    "tangent": _of_squares("f", "g", "h", "fy", "gy", "hy"),
+    "tangent_dot": _of_squares("f", "g", "h", "fy", "gy", "hy", "fyy", "gyy", "hyy"),
     "rate": _of_x("rate", "ratey"),
     "inverse": Scalar(("x", "fe"), ("fi", "hi"), lambda c, m, at: c.back(at[0], at[1], m)),
     "inverse_at": _at_angle("hi"),

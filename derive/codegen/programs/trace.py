@@ -75,6 +75,17 @@ class Trace(Folding):
             self._corrected.add(value.index)
         return value
 
+    def rounded_off(self, value: Number) -> Number:
+        """What rounding took from a sum: two terms, and what their rounded sum holds of each, tell it exactly."""
+        node = self._nodes[value.index] if isinstance(value, Value) else None
+        if node is None or node.op != "add":
+            return 0
+        first, second = map(self._operand, node.args)
+        whole = self.name(self.free_name("part"), value)
+        letter = isinstance(second, Value) and self._names.get(second.index)
+        share = self.name(self.free_name(f"{letter or 'second'}_in"), whole - first)
+        return self.rounded_off(first) + self.rounded_off(second) + ((first - (whole - share)) + (second - share))
+
     def name_rest(self, letter: str) -> None:
         """From now on values that are used more than once and have no name get this letter and a number."""
         self._rest = letter

@@ -43,17 +43,16 @@ def quaternion_blocks(
     mul(v3, w, o4)
 
 
-# operations 27: 13 +, 14 *
+# operations 26: 12 +, 14 *
 def tensor(m: Any, c: Any, v: Components) -> Result:
     v1, v2, v3 = v
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    x12 = v11 + v22
-    x = x12 + v33
-    f, g, _ = c.pose(m, x)
+    f, g, _ = c.pose(m, v11, v22, v33)
     x23 = v22 + v33
     x13 = v11 + v33
+    x12 = v11 + v22
     fv1 = v1 * f
     fv2 = v2 * f
     fv3 = v3 * f
@@ -79,26 +78,25 @@ def tensor_blocks(
 ) -> None:
     v1, v2, v3 = v
     o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
-    k1, k2, k3, k4, k5, k6, k7, *spare = scratch
+    k1, k2, k3, k4, k5, k6, *spare = scratch
     *spare_masks, = masks
     n1, = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
-    x12 = add(v11, v22, k3)
-    v33 = mul(v3, v3, k4)
-    x23 = add(v22, v33, k2)
-    x13 = add(v11, v33, k1)
-    x = add(x12, v33, k4)
-    f, g, _ = c.pose((k5, k6, k7), (*spare,), (*spare_masks,), x)
-    sub(n1, mul(g, x23, k2), o1)
-    sub(n1, mul(g, x13, k1), o5)
+    v33 = mul(v3, v3, k3)
+    f, g, _ = c.pose((k4, k5, k6), (*spare,), (*spare_masks,), v11, v22, v33)
+    x23 = add(v22, v33, k6)
+    sub(n1, mul(g, x23, k6), o1)
+    x13 = add(v11, v33, k3)
+    sub(n1, mul(g, x13, k3), o5)
+    x12 = add(v11, v22, k1)
     sub(n1, mul(g, x12, k1), o9)
     gv1 = mul(v1, g, k1)
     gv2 = mul(v2, g, k2)
     gvv3 = mul(gv2, v3, k2)
     gvv1 = mul(gv1, v2, k3)
     gvv2 = mul(gv1, v3, k1)
-    fv3 = mul(v3, f, k4)
+    fv3 = mul(v3, f, k5)
     sub(gvv1, fv3, o2)
     add(gvv1, fv3, o4)
     fv2 = mul(v2, f, k3)
@@ -109,15 +107,14 @@ def tensor_blocks(
     add(gvv3, fv1, o8)
 
 
-# operations 35: 14 +, 21 *
+# operations 33: 12 +, 21 *
 def transform_point(m: Any, c: Any, v: Components, r: Components) -> Result:
     v1, v2, v3 = v
     r1, r2, r3 = r
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    x = v11 + v22 + v33
-    f, g, _ = c.pose(m, x)
+    f, g, _ = c.pose(m, v11, v22, v33)
     v_r1 = v2 * r3 - v3 * r2
     v_r2 = v3 * r1 - v1 * r3
     v_r3 = v1 * r2 - v2 * r1
@@ -142,16 +139,15 @@ def transform_point_blocks(
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    f, g, _ = c.pose((k2, k3, k4), (*spare,), (*spare_masks,), x)
-    v_r3 = sub(mul(v1, r2, k1), mul(v2, r1, k4), k1)
-    gv_r3 = mul(v_r3, g, k4)
-    v_r2 = sub(mul(v3, r1, k5), mul(v1, r3, k6), k5)
+    f, g, _ = c.pose((k4, k5, k6), (*spare,), (*spare_masks,), v11, v22, v33)
+    v_r3 = sub(mul(v1, r2, k1), mul(v2, r1, k2), k1)
+    gv_r3 = mul(v_r3, g, k2)
+    v_r2 = sub(mul(v3, r1, k3), mul(v1, r3, k6), k3)
     gv_r2 = mul(v_r2, g, k6)
     v_r1 = sub(mul(v2, r3, k7), mul(v3, r2, k8), k7)
     add(r1, add(mul(v_r1, f, k8), sub(mul(v2, gv_r3, k9), mul(v3, gv_r2, k10), k9), k8), o1)
-    gv_r1 = mul(v_r1, g, k3)
-    add(r2, add(mul(v_r2, f, k5), sub(mul(v3, gv_r1, k7), mul(v1, gv_r3, k4), k4), k4), o2)
+    gv_r1 = mul(v_r1, g, k5)
+    add(r2, add(mul(v_r2, f, k3), sub(mul(v3, gv_r1, k7), mul(v1, gv_r3, k2), k2), k2), o2)
     add(r3, add(mul(v_r3, f, k1), sub(mul(v1, gv_r2, k2), mul(v2, gv_r1, k3), k2), k1), o3)
 
 
@@ -171,14 +167,13 @@ def inverse_blocks(
     neg(v3, o3)
 
 
-# operations 26: 11 +, 15 *
+# operations 24: 9 +, 15 *
 def tangent(m: Any, c: Any, v: Components) -> Result:
     v1, v2, v3 = v
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    x = v11 + v22 + v33
-    f, g, h = c.pose(m, x)
+    f, g, h = c.pose(m, v11, v22, v33)
     gv1 = v1 * g
     gv2 = v2 * g
     gv3 = v3 * g
@@ -196,31 +191,30 @@ def tangent_blocks(
 ) -> None:
     v1, v2, v3 = v
     o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
-    k1, k2, k3, k4, k5, *spare = scratch
+    k1, k2, k3, k4, k5, k6, *spare = scratch
     *spare_masks, = masks
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    f, g, h = c.pose((k2, k3, k4), (*spare,), (*spare_masks,), x)
+    f, g, h = c.pose((k4, k5, k6), (*spare,), (*spare_masks,), v11, v22, v33)
+    cv1 = mul(v1, h, k1)
+    add(f, mul(cv1, v1, k2), o1)
+    d12 = mul(cv1, v2, k2)
+    d13 = mul(cv1, v3, k1)
+    gv3 = mul(v3, g, k3)
+    sub(d12, gv3, o2)
+    add(d12, gv3, o4)
+    gv2 = mul(v2, g, k2)
+    add(d13, gv2, o3)
+    sub(d13, gv2, o7)
+    gv1 = mul(v1, g, k1)
+    cv2 = mul(v2, h, k2)
+    add(f, mul(cv2, v2, k3), o5)
+    d23 = mul(cv2, v3, k2)
+    sub(d23, gv1, o6)
+    add(d23, gv1, o8)
     cv3 = mul(v3, h, k1)
     add(f, mul(cv3, v3, k1), o9)
-    cv2 = mul(v2, h, k1)
-    cv1 = mul(v1, h, k4)
-    add(f, mul(cv2, v2, k5), o5)
-    add(f, mul(cv1, v1, k5), o1)
-    d23 = mul(cv2, v3, k1)
-    gv1 = mul(v1, g, k2)
-    add(d23, gv1, o8)
-    sub(d23, gv1, o6)
-    d13 = mul(cv1, v3, k1)
-    d12 = mul(cv1, v2, k2)
-    gv2 = mul(v2, g, k4)
-    sub(d13, gv2, o7)
-    add(d13, gv2, o3)
-    gv3 = mul(v3, g, k1)
-    add(d12, gv3, o4)
-    sub(d12, gv3, o2)
 
 
 # operations 28: 11 +, 12 *, 5 /
@@ -280,14 +274,13 @@ def tangent_inv_blocks(
     add(d23, s1, o8)
 
 
-# operations 26: 11 +, 15 *
+# operations 24: 9 +, 15 *
 def body_tangent(m: Any, c: Any, v: Components) -> Result:
     v1, v2, v3 = v
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    x = v11 + v22 + v33
-    f, g, h = c.pose(m, x)
+    f, g, h = c.pose(m, v11, v22, v33)
     gv1 = v1 * g
     gv2 = v2 * g
     gv3 = v3 * g
@@ -305,31 +298,30 @@ def body_tangent_blocks(
 ) -> None:
     v1, v2, v3 = v
     o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
-    k1, k2, k3, k4, k5, *spare = scratch
+    k1, k2, k3, k4, k5, k6, *spare = scratch
     *spare_masks, = masks
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    f, g, h = c.pose((k2, k3, k4), (*spare,), (*spare_masks,), x)
+    f, g, h = c.pose((k4, k5, k6), (*spare,), (*spare_masks,), v11, v22, v33)
+    cv1 = mul(v1, h, k1)
+    add(f, mul(cv1, v1, k2), o1)
+    d12 = mul(cv1, v2, k2)
+    d13 = mul(cv1, v3, k1)
+    gv3 = mul(v3, g, k3)
+    add(d12, gv3, o2)
+    sub(d12, gv3, o4)
+    gv2 = mul(v2, g, k2)
+    sub(d13, gv2, o3)
+    add(d13, gv2, o7)
+    gv1 = mul(v1, g, k1)
+    cv2 = mul(v2, h, k2)
+    add(f, mul(cv2, v2, k3), o5)
+    d23 = mul(cv2, v3, k2)
+    add(d23, gv1, o6)
+    sub(d23, gv1, o8)
     cv3 = mul(v3, h, k1)
     add(f, mul(cv3, v3, k1), o9)
-    cv2 = mul(v2, h, k1)
-    cv1 = mul(v1, h, k4)
-    add(f, mul(cv2, v2, k5), o5)
-    add(f, mul(cv1, v1, k5), o1)
-    d23 = mul(cv2, v3, k1)
-    gv1 = mul(v1, g, k2)
-    sub(d23, gv1, o8)
-    add(d23, gv1, o6)
-    d13 = mul(cv1, v3, k1)
-    d12 = mul(cv1, v2, k2)
-    gv2 = mul(v2, g, k4)
-    add(d13, gv2, o7)
-    sub(d13, gv2, o3)
-    gv3 = mul(v3, g, k1)
-    sub(d12, gv3, o4)
-    add(d12, gv3, o2)
 
 
 # operations 28: 11 +, 12 *, 5 /
@@ -389,7 +381,7 @@ def body_tangent_inv_blocks(
     sub(d23, s1, o8)
 
 
-# operations 36: 13 +, 23 *
+# operations 34: 11 +, 23 *
 def twist(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
     v1, v2, v3 = v
     w1, w2, w3 = v_dot
@@ -397,8 +389,7 @@ def twist(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    x = v11 + v22 + v33
-    f, g, h = c.pose(m, x)
+    f, g, h = c.pose(m, v11, v22, v33)
     gs = g * side
     gv1 = v1 * gs
     gv2 = v2 * gs
@@ -424,17 +415,16 @@ def twist_blocks(
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    f, g, h = c.pose((k2, k3, k4), (*spare,), (*spare_masks,), x)
+    f, g, h = c.pose((k4, k5, k6), (*spare,), (*spare_masks,), v11, v22, v33)
     gs = mul(g, side, k1)
-    gv2 = mul(v2, gs, k3)
-    gv3 = mul(v3, gs, k5)
+    gv2 = mul(v2, gs, k2)
+    gv3 = mul(v3, gs, k3)
     gv1 = mul(v1, gs, k1)
-    vw = add(add(mul(v1, w1, k6), mul(v2, w2, k7), k6), mul(v3, w3, k7), k6)
-    cvw = mul(h, vw, k4)
+    vw = add(add(mul(v1, w1, k5), mul(v2, w2, k7), k5), mul(v3, w3, k7), k5)
+    cvw = mul(h, vw, k5)
     add(add(mul(w1, f, k6), sub(mul(gv2, w3, k7), mul(gv3, w2, k8), k7), k6), mul(v1, cvw, k7), o1)
-    add(add(mul(w2, f, k6), sub(mul(gv3, w1, k5), mul(gv1, w3, k7), k5), k5), mul(v2, cvw, k6), o2)
-    add(add(mul(w3, f, k2), sub(mul(gv1, w2, k1), mul(gv2, w1, k3), k1), k1), mul(v3, cvw, k2), o3)
+    add(add(mul(w2, f, k6), sub(mul(gv3, w1, k3), mul(gv1, w3, k7), k3), k3), mul(v2, cvw, k6), o2)
+    add(add(mul(w3, f, k3), sub(mul(gv1, w2, k1), mul(gv2, w1, k2), k1), k1), mul(v3, cvw, k2), o3)
 
 
 # operations 37: 13 +, 24 *
@@ -481,7 +471,7 @@ def rate_blocks(
     mul(add(add(mul(w3, fis, k1), sub(mul(w1, v2, k3), mul(w2, v1, k4), k3), k1), mul(v3, cvw, k2), k1), half, o3)
 
 
-# operations 59: 22 +, 36 *, 1 /
+# operations 57: 20 +, 36 *, 1 /
 def tangent_dot(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
     v1, v2, v3 = v
     w1, w2, w3 = v_dot
@@ -489,8 +479,7 @@ def tangent_dot(m: Any, c: Any, v: Components, v_dot: Components, table: Compone
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    x = v11 + v22 + v33
-    _, g, h, fy, gy, hy = c.tangent(m, x)
+    _, g, h, fy, gy, hy = c.tangent(m, v11, v22, v33)
     vw = v1 * w1 + v2 * w2 + v3 * w3
     gt = gy * vw
     gw1 = w1 * g
@@ -530,36 +519,35 @@ def tangent_dot_blocks(
     w1, w2, w3 = v_dot
     side, = table
     o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, *spare = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, *spare = scratch
     *spare_masks, = masks
     n2, = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    _, g, h, fy, gy, hy = c.tangent((k2, k3, k4, k5, k6, k7), (*spare,), (*spare_masks,), x)
+    _, g, h, fy, gy, hy = c.tangent((k4, k5, k6, k7, k8, k9), (*spare,), (*spare_masks,), v11, v22, v33)
     vw = add(add(mul(v1, w1, k1), mul(v2, w2, k2), k1), mul(v3, w3, k2), k1)
     ht = div(mul(hy, vw, k2), n2, k2)
-    ft = mul(fy, vw, k5)
+    ft = mul(fy, vw, k3)
     gt = mul(gy, vw, k1)
-    hw1 = mul(w1, h, k6)
-    b1 = add(mul(v1, ht, k7), hw1, k6)
+    hw1 = mul(w1, h, k4)
+    b1 = add(mul(v1, ht, k7), hw1, k4)
     add(ft, mul(n2, mul(v1, b1, k7), k7), o1)
     hw2 = mul(w2, h, k7)
     b2 = add(mul(v2, ht, k8), hw2, k7)
-    hw3 = mul(w3, h, k4)
+    hw3 = mul(w3, h, k6)
     b3 = add(mul(v3, ht, k2), hw3, k2)
-    add(ft, mul(n2, mul(v2, b2, k4), k4), o5)
-    add(ft, mul(n2, mul(v3, b3, k4), k4), o9)
-    d12 = add(mul(v1, b2, k4), mul(b1, v2, k5), k4)
-    d13 = add(mul(v1, b3, k5), mul(b1, v3, k6), k5)
+    add(ft, mul(n2, mul(v2, b2, k6), k6), o5)
+    add(ft, mul(n2, mul(v3, b3, k6), k6), o9)
+    d12 = add(mul(v1, b2, k3), mul(b1, v2, k6), k3)
+    d13 = add(mul(v1, b3, k6), mul(b1, v3, k4), k4)
     d23 = add(mul(v2, b3, k2), mul(b2, v3, k6), k2)
     gw3 = mul(w3, g, k6)
     s3 = mul(add(mul(v3, gt, k7), gw3, k6), side, k6)
     sub(d12, s3, o2)
     add(d12, s3, o4)
-    gw2 = mul(w2, g, k4)
-    s2 = mul(add(mul(v2, gt, k6), gw2, k4), side, k4)
+    gw2 = mul(w2, g, k3)
+    s2 = mul(add(mul(v2, gt, k6), gw2, k3), side, k3)
     add(d13, s2, o3)
     sub(d13, s2, o7)
     gw1 = mul(w1, g, k3)
@@ -568,7 +556,7 @@ def tangent_dot_blocks(
     add(d23, s1, o8)
 
 
-# operations 67: 26 +, 41 *
+# operations 65: 24 +, 41 *
 def twist_dot(m: Any, c: Any, v: Components, v_dot: Components, v_ddot: Components, table: Components) -> Result:
     v1, v2, v3 = v
     w1, w2, w3 = v_dot
@@ -577,8 +565,7 @@ def twist_dot(m: Any, c: Any, v: Components, v_dot: Components, v_ddot: Componen
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    x = v11 + v22 + v33
-    f, g, h, fy, gy, hy = c.tangent(m, x)
+    f, g, h, fy, gy, hy = c.tangent(m, v11, v22, v33)
     vw = v1 * w1 + v2 * w2 + v3 * w3
     gt = gy * vw
     gz1 = z1 * g + w1 * gt
@@ -607,39 +594,38 @@ def twist_dot_blocks(
     z1, z2, z3 = v_ddot
     side, = table
     o1, o2, o3 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, *spare = scratch
+    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, *spare = scratch
     *spare_masks, = masks
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    vw = add(add(mul(v1, w1, k2), mul(v2, w2, k3), k2), mul(v3, w3, k3), k2)
-    pull = add(
-        add(add(mul(v1, z1, k3), mul(v2, z2, k4), k3), mul(v3, z3, k4), k3), add(add(mul(w1, w1, k4), mul(w2, w2, k5),
-        k4), mul(w3, w3, k5), k4), k3
-    )
-    f, g, h, fy, gy, hy = c.tangent((k4, k5, k6, k7, k8, k9), (*spare,), (*spare_masks,), x)
+    f, g, h, fy, gy, hy = c.tangent((k4, k5, k6, k7, k8, k9), (*spare,), (*spare_masks,), v11, v22, v33)
     fyh = add(fy, h, k1)
+    vw = add(add(mul(v1, w1, k2), mul(v2, w2, k3), k2), mul(v3, w3, k3), k2)
     fh = mul(fyh, vw, k1)
-    gt = mul(gy, vw, k7)
-    ht = mul(hy, vw, k8)
-    cvv = add(mul(h, pull, k3), mul(ht, vw, k2), k2)
-    gz3 = add(mul(z3, g, k3), mul(w3, gt, k6), k3)
-    s3 = mul(gz3, side, k3)
-    gz2 = add(mul(z2, g, k6), mul(w2, gt, k8), k6)
-    gz1 = add(mul(z1, g, k5), mul(w1, gt, k7), k5)
-    s2 = mul(gz2, side, k6)
+    gt = mul(gy, vw, k3)
+    ht = mul(hy, vw, k7)
+    gz3 = add(mul(z3, g, k8), mul(w3, gt, k9), k8)
+    s3 = mul(gz3, side, k8)
+    gz2 = add(mul(z2, g, k9), mul(w2, gt, k10), k9)
+    gz1 = add(mul(z1, g, k5), mul(w1, gt, k3), k3)
+    s2 = mul(gz2, side, k5)
+    s1 = mul(gz1, side, k3)
+    pull = add(
+        add(add(mul(v1, z1, k9), mul(v2, z2, k10), k9), mul(v3, z3, k10), k9), add(add(mul(w1, w1, k10), mul(w2, w2,
+        k11), k10), mul(w3, w3, k11), k10), k9
+    )
+    cvv = add(mul(h, pull, k6), mul(ht, vw, k2), k2)
     add(
-        add(add(mul(z1, f, k7), mul(w1, fh, k8), k7), sub(mul(v2, s3, k8), mul(v3, s2, k9), k8), k7), mul(v1, cvv, k8),
+        add(add(mul(z1, f, k6), mul(w1, fh, k7), k6), sub(mul(v2, s3, k7), mul(v3, s2, k9), k7), k6), mul(v1, cvv, k7),
         o1
     )
-    s1 = mul(gz1, side, k5)
     add(
-        add(add(mul(z2, f, k7), mul(w2, fh, k8), k7), sub(mul(v3, s1, k8), mul(v1, s3, k3), k3), k3), mul(v2, cvv, k7),
+        add(add(mul(z2, f, k6), mul(w2, fh, k7), k6), sub(mul(v3, s1, k7), mul(v1, s3, k8), k7), k6), mul(v2, cvv, k7),
         o2
     )
     add(
-        add(add(mul(z3, f, k3), mul(w3, fh, k1), k1), sub(mul(v1, s2, k3), mul(v2, s1, k4), k3), k1), mul(v3, cvv, k2),
+        add(add(mul(z3, f, k4), mul(w3, fh, k1), k1), sub(mul(v1, s2, k4), mul(v2, s1, k3), k3), k1), mul(v3, cvv, k2),
         o3
     )
 
@@ -723,7 +709,7 @@ def rate_dot_blocks(
     )
 
 
-# operations 66: 26 +, 40 *
+# operations 64: 24 +, 40 *
 def twist_jacobian(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
     v1, v2, v3 = v
     w1, w2, w3 = v_dot
@@ -731,8 +717,7 @@ def twist_jacobian(m: Any, c: Any, v: Components, v_dot: Components, table: Comp
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    x = v11 + v22 + v33
-    _, g, h, fy, gy, hy = c.tangent(m, x)
+    _, g, h, fy, gy, hy = c.tangent(m, v11, v22, v33)
     vw = v1 * w1 + v2 * w2 + v3 * w3
     t1 = v2 * w3 - v3 * w2
     t2 = v3 * w1 - v1 * w3
@@ -772,14 +757,13 @@ def twist_jacobian_blocks(
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
     v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    _, g, h, fy, gy, hy = c.tangent((k2, k3, k4, k5, k6, k7), (*spare,), (*spare_masks,), x)
+    _, g, h, fy, gy, hy = c.tangent((k4, k5, k6, k7, k8, k9), (*spare,), (*spare_masks,), v11, v22, v33)
     fh = add(fy, h, k1)
     gt = mul(gy, side, k2)
     gs = mul(g, side, k3)
-    vw = add(add(mul(v1, w1, k5), mul(v2, w2, k6), k5), mul(v3, w3, k6), k5)
-    ht = mul(hy, vw, k6)
-    ha = mul(h, vw, k5)
+    vw = add(add(mul(v1, w1, k4), mul(v2, w2, k5), k4), mul(v3, w3, k5), k4)
+    ht = mul(hy, vw, k5)
+    ha = mul(h, vw, k4)
     t1 = sub(mul(v2, w3, k7), mul(v3, w2, k8), k7)
     b1 = add(add(mul(w1, fh, k8), mul(t1, gt, k9), k8), mul(v1, ht, k9), k8)
     add(mul(b1, v1, k9), ha, o1)
@@ -1644,7 +1628,7 @@ def compose_jacobians(m: Any, c: Any, b: Components, a: Components) -> Result:
     I31 = d13w - sw2
     I32 = d23w + sw1
     I33 = fiw + cvw3 * v3
-    fS, gS, hS = c.pose(m, xb)
+    fS, gS, hS = c.pose(m, v11b, v22b, v33b)
     gvS1 = b1 * gS
     gvS2 = b2 * gS
     gvS3 = b3 * gS
@@ -1663,7 +1647,7 @@ def compose_jacobians(m: Any, c: Any, b: Components, a: Components) -> Result:
     S31 = d13S - gvS2
     S32 = d23S + gvS1
     S33 = fS + cvS3 * b3
-    fF, gF, hF = c.pose(m, xa)
+    fF, gF, hF = c.pose(m, v11a, v22a, v33a)
     gvF1 = a1 * gF
     gvF2 = a2 * gF
     gvF3 = a3 * gF
@@ -1745,23 +1729,23 @@ def compose_jacobians_blocks(
     v22b = mul(b2, b2, k2)
     x12b = add(v11b, v22b, k3)
     v33b = mul(b3, b3, k4)
+    fS, gS, hS = c.pose((k5, k6, k7), (*spare,), (*spare_masks,), v11b, v22b, v33b)
     x23b = add(v22b, v33b, k2)
     x13b = add(v11b, v33b, k1)
     xb = add(x12b, v33b, k4)
-    ab, bb, sizeb, fb, gb, _ = c.ray((k5, k6, k7, k8, k9, k10), (*spare,), (*spare_masks,), xb)
-    fS, gS, hS = c.pose((k10, k11, k12), (*spare,), (*spare_masks,), xb)
+    ab, bb, sizeb, fb, gb, _ = c.ray((k8, k9, k10, k11, k12, k13), (*spare,), (*spare_masks,), xb)
     Qb11 = sub(n1, mul(gb, x23b, k2), k2)
     Qb22 = sub(n1, mul(gb, x13b, k1), k1)
     Qb33 = sub(n1, mul(gb, x12b, k3), k3)
     bvb1 = mul(b1, bb, k4)
     bvb2 = mul(b2, bb, k13)
-    bvb3 = mul(b3, bb, k6)
+    bvb3 = mul(b3, bb, k9)
     v11a = mul(a1, a1, k14)
     v22a = mul(a2, a2, k15)
     v33a = mul(a3, a3, k16)
+    fF, gF, hF = c.pose((k17, k18, k19), (*spare,), (*spare_masks,), v11a, v22a, v33a)
     xa = add(add(v11a, v22a, k14), v33a, k14)
-    aa, ba, sizea, _, _, _ = c.ray((k15, k16, k17, k18, k19, k20), (*spare,), (*spare_masks,), xa)
-    fF, gF, hF = c.pose((k18, k19, k20), (*spare,), (*spare_masks,), xa)
+    aa, ba, sizea, _, _, _ = c.ray((k15, k16, k20, k21, k22, k23), (*spare,), (*spare_masks,), xa)
     bva1 = mul(a1, ba, k14)
     bva2 = mul(a2, ba, k21)
     bva3 = mul(a3, ba, k16)
@@ -1774,77 +1758,77 @@ def compose_jacobians_blocks(
     z2 = add(
         add(mul(bva2, ab, k24), mul(bvb2, aa, k25), k24), sub(mul(bvb3, bva1, k25), mul(bvb1, bva3, k26), k25), k24
     )
-    z3 = add(add(mul(bva3, ab, k5), mul(bvb3, aa, k6), k5), sub(mul(bvb1, bva2, k4), mul(bvb2, bva1, k6), k4), k4)
+    z3 = add(add(mul(bva3, ab, k8), mul(bvb3, aa, k9), k8), sub(mul(bvb1, bva2, k4), mul(bvb2, bva1, k9), k4), k4)
     gain, = c.gain_product(
-        (k5,), (k6, k13, k14, k15, k16, k21, k25, k26, *spare), (*spare_masks,), z0, z1, z2, z3, sizeb, sizea
+        (k8,), (k9, k13, k14, k15, k16, k21, k25, k26, *spare), (*spare_masks,), z0, z1, z2, z3, sizeb, sizea
     )
-    v1 = mul(z1, gain, k6)
-    v2 = mul(z2, gain, k7)
+    v1 = mul(z1, gain, k9)
+    v2 = mul(z2, gain, k10)
     v3 = mul(z3, gain, k4)
-    v11 = mul(v1, v1, k5)
+    v11 = mul(v1, v1, k8)
     v22 = mul(v2, v2, k13)
     v33 = mul(v3, v3, k14)
-    x = add(add(v11, v22, k5), v33, k5)
+    x = add(add(v11, v22, k8), v33, k8)
     fiw, hiw, _, _ = c.tangent_inv(
-        (k13, k14, k15, k16), (k17, k21, k22, k23, k24, k25, k26, *spare), (*spare_masks,), x
+        (k13, k14, k15, k16), (k20, k21, k22, k23, k24, k25, k26, *spare), (*spare_masks,), x
     )
-    cvw1 = mul(v1, hiw, k5)
+    cvw1 = mul(v1, hiw, k8)
     I11 = add(fiw, mul(cvw1, v1, k15), k15)
-    sw1 = neg(v1, k6)
+    sw1 = neg(v1, k9)
     d12w = mul(cvw1, v2, k16)
-    d13w = mul(cvw1, v3, k5)
-    sw3 = neg(v3, k17)
+    d13w = mul(cvw1, v3, k8)
+    sw3 = neg(v3, k20)
     I12 = sub(d12w, sw3, k21)
     I21 = add(d12w, sw3, k16)
-    sw2 = neg(v2, k17)
+    sw2 = neg(v2, k20)
     I13 = add(d13w, sw2, k22)
-    I31 = sub(d13w, sw2, k5)
-    cvS1 = mul(b1, hS, k17)
+    I31 = sub(d13w, sw2, k8)
+    cvS1 = mul(b1, hS, k20)
     S11 = add(fS, mul(cvS1, b1, k23), k23)
     d12S = mul(cvS1, b2, k24)
-    d13S = mul(cvS1, b3, k17)
+    d13S = mul(cvS1, b3, k20)
     gvS3 = mul(b3, gS, k25)
     S21 = add(d12S, gvS3, k26)
     S12 = sub(d12S, gvS3, k24)
     gvS2 = mul(b2, gS, k25)
-    gvS1 = mul(b1, gS, k11)
+    gvS1 = mul(b1, gS, k6)
     S31 = sub(d13S, gvS2, k27)
-    S13 = add(d13S, gvS2, k17)
+    S13 = add(d13S, gvS2, k20)
     div(add(add(mul(I11, S11, k25), mul(I12, S21, k28), k25), mul(I13, S31, k28), k25), n2, o1)
     cvS2 = mul(b2, hS, k25)
-    cvS3 = mul(b3, hS, k12)
-    S33 = add(fS, mul(cvS3, b3, k12), k12)
-    S22 = add(fS, mul(cvS2, b2, k28), k10)
+    cvS3 = mul(b3, hS, k7)
+    S33 = add(fS, mul(cvS3, b3, k7), k7)
+    S22 = add(fS, mul(cvS2, b2, k28), k5)
     d23S = mul(cvS2, b3, k25)
     S32 = add(d23S, gvS1, k28)
-    S23 = sub(d23S, gvS1, k11)
+    S23 = sub(d23S, gvS1, k6)
     div(add(add(mul(I11, S12, k25), mul(I12, S22, k29), k25), mul(I13, S32, k29), k25), n2, o2)
     div(add(add(mul(I11, S13, k25), mul(I12, S23, k29), k25), mul(I13, S33, k29), k25), n2, o3)
     cvw2 = mul(v2, hiw, k25)
-    I22 = add(fiw, mul(cvw2, v2, k7), k7)
+    I22 = add(fiw, mul(cvw2, v2, k10), k10)
     d23w = mul(cvw2, v3, k25)
     cvw3 = mul(v3, hiw, k14)
     I33 = add(fiw, mul(cvw3, v3, k4), k4)
     I23 = sub(d23w, sw1, k13)
-    I32 = add(d23w, sw1, k6)
+    I32 = add(d23w, sw1, k9)
     div(add(add(mul(I21, S11, k14), mul(I22, S21, k25), k14), mul(I23, S31, k25), k14), n2, o4)
     div(add(add(mul(I31, S11, k14), mul(I32, S21, k23), k14), mul(I33, S31, k23), k14), n2, o7)
     div(add(add(mul(I21, S12, k14), mul(I22, S22, k23), k14), mul(I23, S32, k23), k14), n2, o5)
-    div(add(add(mul(I31, S12, k14), mul(I32, S22, k10), k10), mul(I33, S32, k14), k10), n2, o8)
-    div(add(add(mul(I21, S13, k10), mul(I22, S23, k14), k10), mul(I23, S33, k14), k10), n2, o6)
-    div(add(add(mul(I31, S13, k10), mul(I32, S23, k11), k10), mul(I33, S33, k11), k10), n2, o9)
-    gvb1 = mul(b1, gb, k10)
-    gvb2 = mul(b2, gb, k9)
-    gvvb3 = mul(gvb2, b3, k9)
-    gvvb1 = mul(gvb1, b2, k11)
-    gvvb2 = mul(gvb1, b3, k10)
+    div(add(add(mul(I31, S12, k14), mul(I32, S22, k5), k5), mul(I33, S32, k14), k5), n2, o8)
+    div(add(add(mul(I21, S13, k5), mul(I22, S23, k14), k5), mul(I23, S33, k14), k5), n2, o6)
+    div(add(add(mul(I31, S13, k5), mul(I32, S23, k6), k5), mul(I33, S33, k6), k5), n2, o9)
+    gvb1 = mul(b1, gb, k5)
+    gvb2 = mul(b2, gb, k6)
+    gvvb3 = mul(gvb2, b3, k6)
+    gvvb1 = mul(gvb1, b2, k7)
+    gvvb2 = mul(gvb1, b3, k5)
     fvb3 = mul(b3, fb, k12)
     Qb12 = sub(gvvb1, fvb3, k14)
-    Qb21 = add(gvvb1, fvb3, k11)
+    Qb21 = add(gvvb1, fvb3, k7)
     fvb2 = mul(b2, fb, k12)
-    fvb1 = mul(b1, fb, k8)
-    Qb13 = add(gvvb2, fvb2, k17)
-    Qb31 = sub(gvvb2, fvb2, k10)
+    fvb1 = mul(b1, fb, k11)
+    Qb13 = add(gvvb2, fvb2, k20)
+    Qb31 = sub(gvvb2, fvb2, k5)
     cvF1 = mul(a1, hF, k12)
     F11 = add(fF, mul(cvF1, a1, k23), k23)
     d12F = mul(cvF1, a2, k24)
@@ -1853,35 +1837,35 @@ def compose_jacobians_blocks(
     F21 = add(d12F, gvF3, k26)
     F12 = sub(d12F, gvF3, k24)
     gvF2 = mul(a2, gF, k25)
-    gvF1 = mul(a1, gF, k19)
+    gvF1 = mul(a1, gF, k18)
     F31 = sub(d13F, gvF2, k27)
     F13 = add(d13F, gvF2, k12)
     RT11 = add(add(mul(Qb11, F11, k25), mul(Qb12, F21, k28), k25), mul(Qb13, F31, k28), k25)
     Qb23 = sub(gvvb3, fvb1, k28)
-    Qb32 = add(gvvb3, fvb1, k8)
-    RT21 = add(add(mul(Qb21, F11, k9), mul(Qb22, F21, k29), k9), mul(Qb23, F31, k29), k9)
+    Qb32 = add(gvvb3, fvb1, k6)
+    RT21 = add(add(mul(Qb21, F11, k11), mul(Qb22, F21, k29), k11), mul(Qb23, F31, k29), k11)
     RT31 = add(add(mul(Qb31, F11, k23), mul(Qb32, F21, k26), k23), mul(Qb33, F31, k26), k23)
     div(add(add(mul(I11, RT11, k26), mul(I12, RT21, k27), k26), mul(I13, RT31, k27), k26), n2, o10)
     div(add(add(mul(I21, RT11, k26), mul(I22, RT21, k27), k26), mul(I23, RT31, k27), k26), n2, o13)
-    div(add(add(mul(I31, RT11, k25), mul(I32, RT21, k9), k9), mul(I33, RT31, k23), k9), n2, o16)
-    cvF2 = mul(a2, hF, k9)
-    cvF3 = mul(a3, hF, k20)
-    F33 = add(fF, mul(cvF3, a3, k20), k20)
-    F22 = add(fF, mul(cvF2, a2, k23), k18)
-    d23F = mul(cvF2, a3, k9)
+    div(add(add(mul(I31, RT11, k25), mul(I32, RT21, k11), k11), mul(I33, RT31, k23), k11), n2, o16)
+    cvF2 = mul(a2, hF, k11)
+    cvF3 = mul(a3, hF, k19)
+    F33 = add(fF, mul(cvF3, a3, k19), k19)
+    F22 = add(fF, mul(cvF2, a2, k23), k17)
+    d23F = mul(cvF2, a3, k11)
     F32 = add(d23F, gvF1, k23)
-    F23 = sub(d23F, gvF1, k9)
-    RT12 = add(add(mul(Qb11, F12, k19), mul(Qb12, F22, k25), k19), mul(Qb13, F32, k25), k19)
+    F23 = sub(d23F, gvF1, k11)
+    RT12 = add(add(mul(Qb11, F12, k18), mul(Qb12, F22, k25), k18), mul(Qb13, F32, k25), k18)
     RT13 = add(add(mul(Qb11, F13, k2), mul(Qb12, F23, k14), k2), mul(Qb13, F33, k14), k2)
-    RT22 = add(add(mul(Qb21, F12, k14), mul(Qb22, F22, k17), k14), mul(Qb23, F32, k17), k14)
-    RT32 = add(add(mul(Qb31, F12, k17), mul(Qb32, F22, k18), k17), mul(Qb33, F32, k18), k17)
-    RT23 = add(add(mul(Qb21, F13, k11), mul(Qb22, F23, k1), k1), mul(Qb23, F33, k11), k1)
-    RT33 = add(add(mul(Qb31, F13, k10), mul(Qb32, F23, k8), k8), mul(Qb33, F33, k3), k3)
-    div(add(add(mul(I11, RT12, k8), mul(I12, RT22, k9), k8), mul(I13, RT32, k9), k8), n2, o11)
-    div(add(add(mul(I11, RT13, k8), mul(I12, RT23, k9), k8), mul(I13, RT33, k9), k8), n2, o12)
-    div(add(add(mul(I21, RT12, k8), mul(I22, RT22, k9), k8), mul(I23, RT32, k9), k8), n2, o14)
-    div(add(add(mul(I21, RT13, k8), mul(I22, RT23, k7), k7), mul(I23, RT33, k8), k7), n2, o15)
-    div(add(add(mul(I31, RT12, k7), mul(I32, RT22, k8), k7), mul(I33, RT32, k8), k7), n2, o17)
+    RT22 = add(add(mul(Qb21, F12, k14), mul(Qb22, F22, k20), k14), mul(Qb23, F32, k20), k14)
+    RT32 = add(add(mul(Qb31, F12, k20), mul(Qb32, F22, k17), k17), mul(Qb33, F32, k20), k17)
+    RT23 = add(add(mul(Qb21, F13, k7), mul(Qb22, F23, k1), k1), mul(Qb23, F33, k7), k1)
+    RT33 = add(add(mul(Qb31, F13, k5), mul(Qb32, F23, k6), k5), mul(Qb33, F33, k3), k3)
+    div(add(add(mul(I11, RT12, k5), mul(I12, RT22, k6), k5), mul(I13, RT32, k6), k5), n2, o11)
+    div(add(add(mul(I11, RT13, k5), mul(I12, RT23, k6), k5), mul(I13, RT33, k6), k5), n2, o12)
+    div(add(add(mul(I21, RT12, k5), mul(I22, RT22, k6), k5), mul(I23, RT32, k6), k5), n2, o14)
+    div(add(add(mul(I21, RT13, k5), mul(I22, RT23, k6), k5), mul(I23, RT33, k6), k5), n2, o15)
+    div(add(add(mul(I31, RT12, k5), mul(I32, RT22, k6), k5), mul(I33, RT32, k6), k5), n2, o17)
     div(add(add(mul(I31, RT13, k2), mul(I32, RT23, k1), k1), mul(I33, RT33, k2), k1), n2, o18)
 
 
@@ -1942,7 +1926,7 @@ def between_jacobians(m: Any, c: Any, a: Components, b: Components) -> Result:
     I31 = d13w - sw2
     I32 = d23w + sw1
     I33 = fiw + cvw3 * v3
-    fS, gS, hS = c.pose(m, xb)
+    fS, gS, hS = c.pose(m, v11b, v22b, v33b)
     gvS1 = minus_b1 * gS
     gvS2 = minus_b2 * gS
     gvS3 = minus_b3 * gS
@@ -1961,7 +1945,7 @@ def between_jacobians(m: Any, c: Any, a: Components, b: Components) -> Result:
     S31 = d13S - gvS2
     S32 = d23S + gvS1
     S33 = fS + cvS3 * minus_b3
-    fF, gF, hF = c.pose(m, xa)
+    fF, gF, hF = c.pose(m, v11a, v22a, v33a)
     gvF1 = a1 * gF
     gvF2 = a2 * gF
     gvF3 = a3 * gF
@@ -2046,23 +2030,23 @@ def between_jacobians_blocks(
     x12b = add(v11b, v22b, k5)
     minus_b3 = neg(b3, k6)
     v33b = mul(minus_b3, minus_b3, k7)
+    fS, gS, hS = c.pose((k8, k9, k10), (*spare,), (*spare_masks,), v11b, v22b, v33b)
     x23b = add(v22b, v33b, k4)
     x13b = add(v11b, v33b, k2)
     xb = add(x12b, v33b, k7)
-    ab, bb, sizeb, fb, gb, _ = c.ray((k8, k9, k10, k11, k12, k13), (*spare,), (*spare_masks,), xb)
-    fS, gS, hS = c.pose((k13, k14, k15), (*spare,), (*spare_masks,), xb)
+    ab, bb, sizeb, fb, gb, _ = c.ray((k11, k12, k13, k14, k15, k16), (*spare,), (*spare_masks,), xb)
     Qb11 = sub(n1, mul(gb, x23b, k4), k4)
     Qb22 = sub(n1, mul(gb, x13b, k2), k2)
     Qb33 = sub(n1, mul(gb, x12b, k5), k5)
     bvb1 = mul(minus_b1, bb, k7)
     bvb2 = mul(minus_b2, bb, k16)
-    bvb3 = mul(minus_b3, bb, k9)
+    bvb3 = mul(minus_b3, bb, k12)
     v11a = mul(a1, a1, k17)
     v22a = mul(a2, a2, k18)
     v33a = mul(a3, a3, k19)
+    fF, gF, hF = c.pose((k20, k21, k22), (*spare,), (*spare_masks,), v11a, v22a, v33a)
     xa = add(add(v11a, v22a, k17), v33a, k17)
-    aa, ba, sizea, _, _, _ = c.ray((k18, k19, k20, k21, k22, k23), (*spare,), (*spare_masks,), xa)
-    fF, gF, hF = c.pose((k21, k22, k23), (*spare,), (*spare_masks,), xa)
+    aa, ba, sizea, _, _, _ = c.ray((k18, k19, k23, k24, k25, k26), (*spare,), (*spare_masks,), xa)
     bva1 = mul(a1, ba, k17)
     bva2 = mul(a2, ba, k24)
     bva3 = mul(a3, ba, k19)
@@ -2075,107 +2059,107 @@ def between_jacobians_blocks(
     z2 = add(
         add(mul(bva2, ab, k27), mul(bvb2, aa, k28), k27), sub(mul(bvb3, bva1, k28), mul(bvb1, bva3, k29), k28), k27
     )
-    z3 = add(add(mul(bva3, ab, k8), mul(bvb3, aa, k9), k8), sub(mul(bvb1, bva2, k7), mul(bvb2, bva1, k9), k7), k7)
+    z3 = add(add(mul(bva3, ab, k11), mul(bvb3, aa, k12), k11), sub(mul(bvb1, bva2, k7), mul(bvb2, bva1, k12), k7), k7)
     gain, = c.gain_product(
-        (k8,), (k9, k16, k17, k18, k19, k24, k28, k29, *spare), (*spare_masks,), z0, z1, z2, z3, sizeb, sizea
+        (k11,), (k12, k16, k17, k18, k19, k24, k28, k29, *spare), (*spare_masks,), z0, z1, z2, z3, sizeb, sizea
     )
-    v1 = mul(z1, gain, k9)
-    v2 = mul(z2, gain, k10)
+    v1 = mul(z1, gain, k12)
+    v2 = mul(z2, gain, k13)
     v3 = mul(z3, gain, k7)
-    v11 = mul(v1, v1, k8)
+    v11 = mul(v1, v1, k11)
     v22 = mul(v2, v2, k16)
     v33 = mul(v3, v3, k17)
-    x = add(add(v11, v22, k8), v33, k8)
+    x = add(add(v11, v22, k11), v33, k11)
     fiw, hiw, _, _ = c.tangent_inv(
-        (k16, k17, k18, k19), (k20, k24, k25, k26, k27, k28, k29, *spare), (*spare_masks,), x
+        (k16, k17, k18, k19), (k23, k24, k25, k26, k27, k28, k29, *spare), (*spare_masks,), x
     )
-    cvw3 = mul(v3, hiw, k8)
-    I33 = add(fiw, mul(cvw3, v3, k8), k8)
+    cvw3 = mul(v3, hiw, k11)
+    I33 = add(fiw, mul(cvw3, v3, k11), k11)
     cvw1 = mul(v1, hiw, k18)
     cvw2 = mul(v2, hiw, k17)
     d13w = mul(cvw1, v3, k19)
-    sw2 = neg(v2, k20)
+    sw2 = neg(v2, k23)
     I31 = sub(d13w, sw2, k24)
     I13 = add(d13w, sw2, k19)
-    d23w = mul(cvw2, v3, k20)
+    d23w = mul(cvw2, v3, k23)
     I22 = add(fiw, mul(cvw2, v2, k17), k17)
-    d12w = mul(cvw1, v2, k10)
+    d12w = mul(cvw1, v2, k13)
     I11 = add(fiw, mul(cvw1, v1, k18), k16)
-    sw1 = neg(v1, k9)
+    sw1 = neg(v1, k12)
     sw3 = neg(v3, k7)
     I32 = add(d23w, sw1, k18)
-    I23 = sub(d23w, sw1, k9)
-    cvS1 = mul(minus_b1, hS, k20)
+    I23 = sub(d23w, sw1, k12)
+    cvS1 = mul(minus_b1, hS, k23)
     d13S = mul(cvS1, minus_b3, k25)
     gvS2 = mul(minus_b2, gS, k26)
     S13 = add(d13S, gvS2, k27)
     S31 = sub(d13S, gvS2, k25)
     cvS2 = mul(minus_b2, hS, k26)
-    cvS3 = mul(minus_b3, hS, k15)
-    S33 = add(fS, mul(cvS3, minus_b3, k15), k15)
+    cvS3 = mul(minus_b3, hS, k10)
+    S33 = add(fS, mul(cvS3, minus_b3, k10), k10)
     d23S = mul(cvS2, minus_b3, k28)
     S22 = add(fS, mul(cvS2, minus_b2, k26), k26)
-    S11 = add(fS, mul(cvS1, minus_b1, k29), k13)
-    d12S = mul(cvS1, minus_b2, k20)
+    S11 = add(fS, mul(cvS1, minus_b1, k29), k8)
+    d12S = mul(cvS1, minus_b2, k23)
     gvS1 = mul(minus_b1, gS, k29)
-    gvS3 = mul(minus_b3, gS, k14)
+    gvS3 = mul(minus_b3, gS, k9)
     S23 = sub(d23S, gvS1, k30)
     S32 = add(d23S, gvS1, k28)
     neg(div(add(add(mul(I31, S13, k29), mul(I32, S23, k31), k29), mul(I33, S33, k31), k29), n2, k29), o18)
     S12 = sub(d12S, gvS3, k29)
-    S21 = add(d12S, gvS3, k14)
-    neg(div(add(add(mul(I31, S12, k20), mul(I32, S22, k31), k20), mul(I33, S32, k31), k20), n2, k20), o17)
-    neg(div(add(add(mul(I31, S11, k20), mul(I32, S21, k31), k20), mul(I33, S31, k31), k20), n2, k20), o16)
-    I21 = add(d12w, sw3, k20)
+    S21 = add(d12S, gvS3, k9)
+    neg(div(add(add(mul(I31, S12, k23), mul(I32, S22, k31), k23), mul(I33, S32, k31), k23), n2, k23), o17)
+    neg(div(add(add(mul(I31, S11, k23), mul(I32, S21, k31), k23), mul(I33, S31, k31), k23), n2, k23), o16)
+    I21 = add(d12w, sw3, k23)
     I12 = sub(d12w, sw3, k7)
-    neg(div(add(add(mul(I21, S13, k10), mul(I22, S23, k31), k10), mul(I23, S33, k31), k10), n2, k10), o15)
-    neg(div(add(add(mul(I11, S13, k10), mul(I12, S23, k27), k10), mul(I13, S33, k15), k10), n2, k10), o12)
-    neg(div(add(add(mul(I21, S12, k10), mul(I22, S22, k15), k10), mul(I23, S32, k15), k10), n2, k10), o14)
-    neg(div(add(add(mul(I11, S12, k10), mul(I12, S22, k15), k10), mul(I13, S32, k15), k10), n2, k10), o11)
-    neg(div(add(add(mul(I21, S11, k10), mul(I22, S21, k15), k10), mul(I23, S31, k15), k10), n2, k10), o13)
-    neg(div(add(add(mul(I11, S11, k10), mul(I12, S21, k13), k10), mul(I13, S31, k13), k10), n2, k10), o10)
-    gvb1 = mul(minus_b1, gb, k10)
-    gvb2 = mul(minus_b2, gb, k12)
-    gvvb3 = mul(gvb2, minus_b3, k12)
+    neg(div(add(add(mul(I21, S13, k13), mul(I22, S23, k31), k13), mul(I23, S33, k31), k13), n2, k13), o15)
+    neg(div(add(add(mul(I11, S13, k13), mul(I12, S23, k27), k13), mul(I13, S33, k10), k10), n2, k10), o12)
+    neg(div(add(add(mul(I21, S12, k10), mul(I22, S22, k13), k10), mul(I23, S32, k13), k10), n2, k10), o14)
+    neg(div(add(add(mul(I11, S12, k10), mul(I12, S22, k13), k10), mul(I13, S32, k13), k10), n2, k10), o11)
+    neg(div(add(add(mul(I21, S11, k10), mul(I22, S21, k13), k10), mul(I23, S31, k13), k10), n2, k10), o13)
+    neg(div(add(add(mul(I11, S11, k8), mul(I12, S21, k9), k8), mul(I13, S31, k9), k8), n2, k8), o10)
+    gvb1 = mul(minus_b1, gb, k8)
+    gvb2 = mul(minus_b2, gb, k9)
+    gvvb3 = mul(gvb2, minus_b3, k9)
     fvb1 = mul(minus_b1, fb, k1)
-    gvvb1 = mul(gvb1, minus_b2, k13)
-    gvvb2 = mul(gvb1, minus_b3, k10)
+    gvvb1 = mul(gvb1, minus_b2, k10)
+    gvvb2 = mul(gvb1, minus_b3, k8)
     fvb3 = mul(minus_b3, fb, k6)
     fvb2 = mul(minus_b2, fb, k3)
-    Qb12 = sub(gvvb1, fvb3, k11)
+    Qb12 = sub(gvvb1, fvb3, k13)
     Qb21 = add(gvvb1, fvb3, k6)
-    Qb13 = add(gvvb2, fvb2, k13)
+    Qb13 = add(gvvb2, fvb2, k10)
     Qb31 = sub(gvvb2, fvb2, k3)
-    cvF1 = mul(a1, hF, k10)
+    cvF1 = mul(a1, hF, k8)
     d13F = mul(cvF1, a3, k14)
     gvF2 = mul(a2, gF, k15)
     F13 = add(d13F, gvF2, k25)
     F31 = sub(d13F, gvF2, k14)
     cvF2 = mul(a2, hF, k15)
-    cvF3 = mul(a3, hF, k23)
-    F33 = add(fF, mul(cvF3, a3, k23), k23)
+    cvF3 = mul(a3, hF, k22)
+    F33 = add(fF, mul(cvF3, a3, k22), k22)
     d23F = mul(cvF2, a3, k26)
     F22 = add(fF, mul(cvF2, a2, k15), k15)
-    F11 = add(fF, mul(cvF1, a1, k27), k21)
-    d12F = mul(cvF1, a2, k10)
+    F11 = add(fF, mul(cvF1, a1, k27), k20)
+    d12F = mul(cvF1, a2, k8)
     gvF1 = mul(a1, gF, k27)
-    gvF3 = mul(a3, gF, k22)
+    gvF3 = mul(a3, gF, k21)
     F23 = sub(d23F, gvF1, k28)
     F32 = add(d23F, gvF1, k26)
     RT13 = add(add(mul(Qb11, F13, k27), mul(Qb12, F23, k29), k27), mul(Qb13, F33, k29), k27)
     Qb23 = sub(gvvb3, fvb1, k29)
     Qb32 = add(gvvb3, fvb1, k1)
-    RT23 = add(add(mul(Qb21, F13, k12), mul(Qb22, F23, k30), k12), mul(Qb23, F33, k30), k12)
-    RT33 = add(add(mul(Qb31, F13, k25), mul(Qb32, F23, k28), k25), mul(Qb33, F33, k23), k23)
+    RT23 = add(add(mul(Qb21, F13, k9), mul(Qb22, F23, k30), k9), mul(Qb23, F33, k30), k9)
+    RT33 = add(add(mul(Qb31, F13, k25), mul(Qb32, F23, k28), k25), mul(Qb33, F33, k22), k22)
     div(add(add(mul(I31, RT13, k25), mul(I32, RT23, k28), k25), mul(I33, RT33, k28), k25), n2, o9)
     div(add(add(mul(I21, RT13, k25), mul(I22, RT23, k28), k25), mul(I23, RT33, k28), k25), n2, o6)
-    div(add(add(mul(I11, RT13, k25), mul(I12, RT23, k12), k12), mul(I13, RT33, k23), k12), n2, o3)
-    F12 = sub(d12F, gvF3, k12)
-    F21 = add(d12F, gvF3, k10)
-    RT12 = add(add(mul(Qb11, F12, k22), mul(Qb12, F22, k23), k22), mul(Qb13, F32, k23), k22)
-    RT11 = add(add(mul(Qb11, F11, k4), mul(Qb12, F21, k11), k4), mul(Qb13, F31, k11), k4)
-    RT22 = add(add(mul(Qb21, F12, k11), mul(Qb22, F22, k13), k11), mul(Qb23, F32, k13), k11)
-    RT32 = add(add(mul(Qb31, F12, k12), mul(Qb32, F22, k13), k12), mul(Qb33, F32, k13), k12)
+    div(add(add(mul(I11, RT13, k25), mul(I12, RT23, k9), k9), mul(I13, RT33, k22), k9), n2, o3)
+    F12 = sub(d12F, gvF3, k9)
+    F21 = add(d12F, gvF3, k8)
+    RT12 = add(add(mul(Qb11, F12, k21), mul(Qb12, F22, k22), k21), mul(Qb13, F32, k22), k21)
+    RT11 = add(add(mul(Qb11, F11, k4), mul(Qb12, F21, k13), k4), mul(Qb13, F31, k10), k4)
+    RT22 = add(add(mul(Qb21, F12, k10), mul(Qb22, F22, k13), k10), mul(Qb23, F32, k13), k10)
+    RT32 = add(add(mul(Qb31, F12, k9), mul(Qb32, F22, k13), k9), mul(Qb33, F32, k13), k9)
     RT21 = add(add(mul(Qb21, F11, k6), mul(Qb22, F21, k2), k2), mul(Qb23, F31, k6), k2)
     RT31 = add(add(mul(Qb31, F11, k3), mul(Qb32, F21, k1), k1), mul(Qb33, F31, k3), k1)
     div(add(add(mul(I31, RT12, k3), mul(I32, RT22, k5), k3), mul(I33, RT32, k5), k3), n2, o8)
@@ -2193,7 +2177,8 @@ def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v11d = d1 * d1
     v22d = d2 * d2
     v33d = d3 * d3
-    xd = v11d + v22d + v33d
+    part = v11d + v22d
+    xd = part + v33d
     neard = xd < 6
     zd = m.where(neard, xd, xd - xd) / 4
     C7d = (
@@ -2260,8 +2245,9 @@ def retract_blocks(
     n_minus_2, n0, n1, n2, n4, n6, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
     v11d = mul(d1, d1, k1)
     v22d = mul(d2, d2, k2)
-    v33d = mul(d3, d3, k3)
-    xd = add(add(v11d, v22d, k1), v33d, k1)
+    part = add(v11d, v22d, k1)
+    v33d = mul(d3, d3, k2)
+    xd = add(part, v33d, k1)
     neard = m.less(xd, n6, mask1)
     zd = div(m.where(neard, xd, sub(xd, xd, k2), k3), n4, k2)
     xxd = m.where(neard, add(n6, xd, k3), xd, k3)
@@ -2327,7 +2313,8 @@ def body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v11d = d1 * d1
     v22d = d2 * d2
     v33d = d3 * d3
-    xd = v11d + v22d + v33d
+    part = v11d + v22d
+    xd = part + v33d
     neard = xd < 6
     zd = m.where(neard, xd, xd - xd) / 4
     C7d = (
@@ -2394,8 +2381,9 @@ def body_retract_blocks(
     n_minus_2, n0, n1, n2, n4, n6, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
     v11d = mul(d1, d1, k1)
     v22d = mul(d2, d2, k2)
-    v33d = mul(d3, d3, k3)
-    xd = add(add(v11d, v22d, k1), v33d, k1)
+    part = add(v11d, v22d, k1)
+    v33d = mul(d3, d3, k2)
+    xd = add(part, v33d, k1)
     neard = m.less(xd, n6, mask1)
     zd = div(m.where(neard, xd, sub(xd, xd, k2), k3), n4, k2)
     xxd = m.where(neard, add(n6, xd, k3), xd, k3)
@@ -2454,15 +2442,15 @@ def body_retract_blocks(
     mul(z3, factor, o3)
 
 
-# operations 428: 148 +, 194 *, 47 /, 4 neg, 1 abs, 4 sqrt, 3 tan, 2 atan2, 5 lt, 2 eq, 18 where
+# operations 440: 160 +, 194 *, 47 /, 4 neg, 1 abs, 4 sqrt, 3 tan, 2 atan2, 5 lt, 2 eq, 18 where
 def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v1, v2, v3 = v
     d1, d2, d3 = delta
     v11d = d1 * d1
     v22d = d2 * d2
     v33d = d3 * d3
-    x12d = v11d + v22d
-    xd = x12d + v33d
+    part = v11d + v22d
+    xd = part + v33d
     neard = xd < 6
     zd = m.where(neard, xd, xd - xd) / 4
     C7d = (
@@ -2490,7 +2478,12 @@ def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Resul
     sined = 2 * thalfd / belowhalfd
     versined = m.where(tthalfd < 16, 2 * tthalfd / belowhalfd, 2 - 2 / belowhalfd)
     besided = alphad - 4
-    leftd = xxd - 16 - 8 * besided - besided * besided
+    v33d_in = xd - part
+    v22d_in = part - v11d
+    leftd = (
+        xxd - 16 - 8 * besided - besided * besided + (v11d - (part - v22d_in) + (v22d - v22d_in) + (part - (xd
+        - v33d_in) + (v33d - v33d_in)))
+    )
     lostd = m.where(alphad < 8, leftd, 0) / (2 * alphad)
     fd = m.where(neard, C0d * C1d, (sined + lostd * (1 - versined)) / alphad)
     gd = m.where(neard, CC1d / 2, (versined + lostd * sined) / xxd)
@@ -2570,7 +2563,7 @@ def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Resul
     D31 = d13d - gvd2
     D32 = d23d + gvd1
     D33 = fd + cvd3 * d3
-    fF, gF, hF = c.pose(m, xp)
+    fF, gF, hF = c.pose(m, v11p, v22p, v33p)
     gvF1 = v1 * gF
     gvF2 = v2 * gF
     gvF3 = v3 * gF
@@ -2605,7 +2598,7 @@ def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Resul
     Qd23 = gvvd3 - fvd1
     Qd31 = gvvd2 - fvd2
     Qd32 = gvvd3 + fvd1
-    Qd33 = 1 - gd * x12d
+    Qd33 = 1 - gd * part
     RT11 = Qd11 * F11 + Qd12 * F21 + Qd13 * F31
     RT12 = Qd11 * F12 + Qd12 * F22 + Qd13 * F32
     RT13 = Qd11 * F13 + Qd12 * F23 + Qd13 * F33
@@ -2652,184 +2645,190 @@ def retract_jacobians_blocks(
     ) = numbers
     v11d = mul(d1, d1, k1)
     v22d = mul(d2, d2, k2)
-    x12d = add(v11d, v22d, k3)
+    part = add(v11d, v22d, k3)
     v33d = mul(d3, d3, k4)
-    x23d = add(v22d, v33d, k2)
-    x13d = add(v11d, v33d, k1)
-    xd = add(x12d, v33d, k4)
+    xd = add(part, v33d, k5)
     neard = m.less(xd, n6, mask1)
-    zd = div(m.where(neard, xd, sub(xd, xd, k5), k6), n4, k5)
-    xxd = m.where(neard, add(n6, xd, k6), xd, k6)
+    zd = div(m.where(neard, xd, sub(xd, xd, k6), k7), n4, k6)
     C7d = div(
         div(sub(n72, mul(zd, div(sub(n3603600, mul(zd, sub(n32760, mul(zd, sub(n210, mul(zd, div(sub(n93024, mul(zd,
-        sub(n342, mul(zd, div(sub(n212520, mul(zd, sub(n506, zd, k4), k4), k4), n212520, k4), k4), k4), k4), k4),
-        n93024, k4), k4), k4), k4), k4), k4), k4), n3603600, k4), k4), k4), n72, k4), n5040, k4
+        sub(n342, mul(zd, div(sub(n212520, mul(zd, sub(n506, zd, k7), k7), k7), n212520, k7), k7), k7), k7), k7),
+        n93024, k7), k7), k7), k7), k7), k7), k7), n3603600, k7), k7), k7), n72, k7), n5040, k7
     )
-    C5d = div(sub(n1, mul(n120, mul(zd, C7d, k4), k4), k4), n120, k4)
-    C3d = div(sub(n1, mul(n6, mul(zd, C5d, k4), k4), k4), n6, k4)
-    C1d = sub(n1, mul(zd, C3d, k7), k7)
-    CC1d = mul(C1d, C1d, k8)
-    C0d = sqrt(sub(n1, mul(zd, CC1d, k5), k5), k5)
-    alphad = sqrt(xxd, k9)
-    td = tan(div(alphad, n4, k10), k10)
-    ttd = mul(td, td, k11)
-    belowd = add(n1, ttd, k12)
-    sd = m.where(neard, C0d, div(sub(n1, ttd, k11), belowd, k11), k13)
-    wd = m.where(neard, div(C1d, n2, k11), div(div(mul(n2, td, k10), belowd, k10), alphad, k10), k11)
-    wd1 = mul(d1, wd, k10)
-    wd2 = mul(d2, wd, k12)
-    wd3 = mul(d3, wd, k11)
-    v11p = mul(v1, v1, k14)
-    v22p = mul(v2, v2, k15)
-    v33p = mul(v3, v3, k16)
-    xp = add(add(v11p, v22p, k14), v33p, k14)
-    ap, bp, _, _, _, _ = c.ray((k15, k16, k17, k18, k19, k20), (*spare,), (*spare_masks,), xp)
-    fF, gF, hF = c.pose((k17, k18, k19), (k20, *spare), (*spare_masks,), xp)
-    bvp1 = mul(v1, bp, k20)
-    bvp3 = mul(v3, bp, k21)
-    bvp2 = mul(v2, bp, k16)
-    z1 = add(add(mul(bvp1, sd, k22), mul(wd1, ap, k23), k22), sub(mul(wd2, bvp3, k23), mul(wd3, bvp2, k24), k23), k22)
-    z2 = add(add(mul(bvp2, sd, k23), mul(wd2, ap, k24), k23), sub(mul(wd3, bvp1, k24), mul(wd1, bvp3, k25), k24), k23)
-    z3 = add(add(mul(bvp3, sd, k24), mul(wd3, ap, k25), k24), sub(mul(wd1, bvp2, k25), mul(wd2, bvp1, k26), k25), k24)
-    z0 = sub(mul(sd, ap, k13), add(add(mul(wd1, bvp1, k10), mul(wd2, bvp2, k12), k10), mul(wd3, bvp3, k11), k10), k10)
-    ss = add(add(mul(z1, z1, k11), mul(z2, z2, k12), k11), mul(z3, z3, k12), k11)
+    C5d = div(sub(n1, mul(n120, mul(zd, C7d, k7), k7), k7), n120, k7)
+    C3d = div(sub(n1, mul(n6, mul(zd, C5d, k7), k7), k7), n6, k7)
+    C1d = sub(n1, mul(zd, C3d, k8), k8)
+    CC1d = mul(C1d, C1d, k9)
+    C0d = sqrt(sub(n1, mul(zd, CC1d, k6), k6), k6)
+    xxd = m.where(neard, add(n6, xd, k10), xd, k10)
+    alphad = sqrt(xxd, k11)
+    td = tan(div(alphad, n4, k12), k12)
+    ttd = mul(td, td, k13)
+    belowd = add(n1, ttd, k14)
+    sd = m.where(neard, C0d, div(sub(n1, ttd, k13), belowd, k13), k15)
+    wd = m.where(neard, div(C1d, n2, k13), div(div(mul(n2, td, k12), belowd, k12), alphad, k12), k13)
+    wd1 = mul(d1, wd, k12)
+    wd2 = mul(d2, wd, k14)
+    wd3 = mul(d3, wd, k13)
+    v11p = mul(v1, v1, k16)
+    v22p = mul(v2, v2, k17)
+    v33p = mul(v3, v3, k18)
+    fF, gF, hF = c.pose((k19, k20, k21), (*spare,), (*spare_masks,), v11p, v22p, v33p)
+    xp = add(add(v11p, v22p, k16), v33p, k16)
+    ap, bp, _, _, _, _ = c.ray((k17, k18, k22, k23, k24, k25), (*spare,), (*spare_masks,), xp)
+    bvp1 = mul(v1, bp, k22)
+    bvp3 = mul(v3, bp, k23)
+    bvp2 = mul(v2, bp, k18)
+    z1 = add(add(mul(bvp1, sd, k24), mul(wd1, ap, k25), k24), sub(mul(wd2, bvp3, k25), mul(wd3, bvp2, k26), k25), k24)
+    z2 = add(add(mul(bvp2, sd, k25), mul(wd2, ap, k26), k25), sub(mul(wd3, bvp1, k26), mul(wd1, bvp3, k27), k26), k25)
+    z3 = add(add(mul(bvp3, sd, k26), mul(wd3, ap, k27), k26), sub(mul(wd1, bvp2, k27), mul(wd2, bvp1, k28), k27), k26)
+    z0 = sub(mul(sd, ap, k15), add(add(mul(wd1, bvp1, k12), mul(wd2, bvp2, k14), k12), mul(wd3, bvp3, k13), k12), k12)
+    ss = add(add(mul(z1, z1, k13), mul(z2, z2, k14), k13), mul(z3, z3, k14), k13)
     still = m.equal(ss, n0, mask2)
-    length = sqrt(m.where(still, add(n1, ss, k12), ss, k12), k12)
-    sine = m.where(still, ss, length, k11)
+    length = sqrt(m.where(still, add(n1, ss, k14), ss, k14), k14)
+    sine = m.where(still, ss, length, k13)
     resting = m.equal(xp, n0, mask3)
-    r = sqrt(m.where(resting, add(n1, xp, k13), xp, k13), k13)
-    own, = c.unfolded((k15,), (k16, k20, k21, k25, k26, *spare), (*spare_masks,), xp, r)
+    r = sqrt(m.where(resting, add(n1, xp, k15), xp, k15), k15)
+    own, = c.unfolded((k17,), (k18, k22, k23, k27, k28, *spare), (*spare_masks,), xp, r)
     own_ = div(
-        mul(m.where(resting, n0, div(own, r, k13), k14), add(add(mul(v1, z1, k13), mul(v2, z2, k15), k13), mul(v3, z3,
-        k15), k13), k13), length, k13
+        mul(m.where(resting, n0, div(own, r, k15), k16), add(add(mul(v1, z1, k15), mul(v2, z2, k17), k15), mul(v3, z3,
+        k17), k15), k15), length, k15
     )
     falling = m.less(z0, n0, mask3)
-    cosine = m.where(falling, neg(z0, k14), z0, k14)
-    folded = mul(m.where(falling, n_minus_2, n2, k15), atan2(sine, cosine, k14), k14)
+    cosine = m.where(falling, neg(z0, k16), z0, k16)
+    folded = mul(m.where(falling, n_minus_2, n2, k17), atan2(sine, cosine, k16), k16)
     turns = add(
-        sub(own_, folded, k15), mul(n2, atan2(tan(div(sub(folded, own_, k13), n2, k13), k13), n1, k13), k13), k13
+        sub(own_, folded, k17), mul(n2, atan2(tan(div(sub(folded, own_, k15), n2, k15), k15), n1, k15), k15), k15
     )
-    angle = add(folded, m.where(m.less(absolute(turns, k15), n1, mask3), n0, turns, k15), k13)
-    rn, slopen = c.coefficient_of((k14, k15), (k16, k20, k21, k25, k26, *spare), (mask3, *spare_masks), angle, sine, z0)
-    z0s = m.where(still, z0, length, k11)
-    factor = m.where(still, div(mul(n2, slopen, k15), z0s, k11), div(rn, length, k12), k11)
-    v_1 = mul(z1, factor, k12)
-    v_2 = mul(z2, factor, k14)
-    v_3 = mul(z3, factor, k15)
-    fe = mul(factor, z0, k10)
-    v11w = mul(v_1, v_1, k11)
-    v22w = mul(v_2, v_2, k16)
-    v33w = mul(v_3, v_3, k20)
-    xw = add(add(v11w, v22w, k11), v33w, k11)
+    angle = add(folded, m.where(m.less(absolute(turns, k17), n1, mask3), n0, turns, k17), k15)
+    rn, slopen = c.coefficient_of((k16, k17), (k18, k22, k23, k27, k28, *spare), (mask3, *spare_masks), angle, sine, z0)
+    z0s = m.where(still, z0, length, k13)
+    factor = m.where(still, div(mul(n2, slopen, k17), z0s, k13), div(rn, length, k14), k13)
+    v_1 = mul(z1, factor, k14)
+    v_2 = mul(z2, factor, k16)
+    v_3 = mul(z3, factor, k17)
+    fe = mul(factor, z0, k12)
+    v11w = mul(v_1, v_1, k13)
+    v22w = mul(v_2, v_2, k18)
+    v33w = mul(v_3, v_3, k22)
+    xw = add(add(v11w, v22w, k13), v33w, k13)
     fin, hin, _, _ = c.tangent_inv_at(
-        (k16, k20, k21, k22), (k23, k24, k25, k26, *spare), (mask2, mask3, *spare_masks), xw, fe, angle
+        (k18, k22, k23, k24), (k25, k26, k27, k28, *spare), (mask2, mask3, *spare_masks), xw, fe, angle
     )
-    cvn3 = mul(v_3, hin, k10)
-    I33 = add(fin, mul(cvn3, v_3, k10), k10)
-    cvn1 = mul(v_1, hin, k11)
-    cvn2 = mul(v_2, hin, k13)
-    d13n = mul(cvn1, v_3, k20)
-    sn2 = neg(v_2, k21)
-    I31 = sub(d13n, sn2, k22)
-    I13 = add(d13n, sn2, k20)
-    d23n = mul(cvn2, v_3, k21)
-    I22 = add(fin, mul(cvn2, v_2, k13), k13)
-    d12n = mul(cvn1, v_2, k14)
-    I11 = add(fin, mul(cvn1, v_1, k11), k11)
-    sn1 = neg(v_1, k12)
-    sn3 = neg(v_3, k15)
-    I32 = add(d23n, sn1, k16)
-    I23 = sub(d23n, sn1, k12)
-    C01d = add(n1, C0d, k21)
-    C2d = div(CC1d, C01d, k21)
-    thalfd = tan(div(alphad, n2, k23), k23)
-    tthalfd = mul(thalfd, thalfd, k24)
-    belowhalfd = add(n1, tthalfd, k25)
-    versined = m.where(
-        m.less(tthalfd, n16, mask2), div(mul(n2, tthalfd, k24), belowhalfd, k24), sub(n2, div(n2, belowhalfd, k26),
-        k26), k24
-    )
-    sined = div(mul(n2, thalfd, k23), belowhalfd, k23)
+    cvn3 = mul(v_3, hin, k12)
+    I33 = add(fin, mul(cvn3, v_3, k12), k12)
+    cvn1 = mul(v_1, hin, k13)
+    cvn2 = mul(v_2, hin, k15)
+    d13n = mul(cvn1, v_3, k22)
+    sn2 = neg(v_2, k23)
+    I31 = sub(d13n, sn2, k24)
+    I13 = add(d13n, sn2, k22)
+    d23n = mul(cvn2, v_3, k23)
+    I22 = add(fin, mul(cvn2, v_2, k15), k15)
+    d12n = mul(cvn1, v_2, k16)
+    I11 = add(fin, mul(cvn1, v_1, k13), k13)
+    sn1 = neg(v_1, k14)
+    sn3 = neg(v_3, k17)
+    I32 = add(d23n, sn1, k18)
+    I23 = sub(d23n, sn1, k14)
+    C01d = add(n1, C0d, k23)
+    C2d = div(CC1d, C01d, k23)
     besided = sub(alphad, n4, k25)
-    leftd = sub(sub(sub(xxd, n16, k26), mul(n8, besided, k27), k26), mul(besided, besided, k25), k25)
-    lostd = div(m.where(m.less(alphad, n8, mask2), leftd, n0, k25), mul(n2, alphad, k26), k25)
-    fd = m.where(
-        neard, mul(C0d, C1d, k5), div(add(sined, mul(lostd, sub(n1, versined, k26), k26), k26), alphad, k9), k5
+    v33d_in = sub(xd, part, k26)
+    v22d_in = sub(part, v11d, k27)
+    leftd = add(
+        sub(sub(sub(xxd, n16, k28), mul(n8, besided, k29), k28), mul(besided, besided, k25), k25), add(add(sub(v11d,
+        sub(part, v22d_in, k28), k28), sub(v22d, v22d_in, k27), k27), add(sub(part, sub(xd, v33d_in, k5), k5), sub(v33d,
+        v33d_in, k26), k5), k5), k5
     )
-    gd = m.where(neard, div(CC1d, n2, k8), div(add(versined, mul(lostd, sined, k9), k9), xxd, k9), k8)
-    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k7), k4), n4, k4), div(sub(n1, fd, k7), xxd, k6), k4)
+    lostd = div(m.where(m.less(alphad, n8, mask2), leftd, n0, k5), mul(n2, alphad, k25), k5)
+    x23d = add(v22d, v33d, k2)
+    x13d = add(v11d, v33d, k1)
+    thalfd = tan(div(alphad, n2, k4), k4)
+    tthalfd = mul(thalfd, thalfd, k25)
+    belowhalfd = add(n1, tthalfd, k26)
+    versined = m.where(
+        m.less(tthalfd, n16, mask2), div(mul(n2, tthalfd, k25), belowhalfd, k25), sub(n2, div(n2, belowhalfd, k27),
+        k27), k25
+    )
+    sined = div(mul(n2, thalfd, k4), belowhalfd, k4)
+    fd = m.where(
+        neard, mul(C0d, C1d, k6), div(add(sined, mul(lostd, sub(n1, versined, k26), k26), k26), alphad, k11), k6
+    )
+    gd = m.where(neard, div(CC1d, n2, k9), div(add(versined, mul(lostd, sined, k4), k4), xxd, k4), k5)
+    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k4), k4), n4, k4), div(sub(n1, fd, k7), xxd, k7), k4)
     Qd11 = sub(n1, mul(gd, x23d, k2), k2)
     Qd22 = sub(n1, mul(gd, x13d, k1), k1)
-    Qd33 = sub(n1, mul(gd, x12d, k3), k3)
-    cvd1 = mul(d1, hd, k6)
-    d13d = mul(cvd1, d3, k7)
+    Qd33 = sub(n1, mul(gd, part, k3), k3)
+    cvd1 = mul(d1, hd, k7)
+    d13d = mul(cvd1, d3, k8)
     gvd2 = mul(d2, gd, k9)
-    D13 = add(d13d, gvd2, k21)
-    D31 = sub(d13d, gvd2, k7)
+    D13 = add(d13d, gvd2, k10)
+    D31 = sub(d13d, gvd2, k8)
     gvvd3 = mul(gvd2, d3, k9)
-    cvd2 = mul(d2, hd, k23)
+    cvd2 = mul(d2, hd, k11)
     cvd3 = mul(d3, hd, k4)
     D33 = add(fd, mul(cvd3, d3, k4), k4)
-    d23d = mul(cvd2, d3, k24)
-    D22 = add(fd, mul(cvd2, d2, k23), k23)
+    d23d = mul(cvd2, d3, k23)
+    D22 = add(fd, mul(cvd2, d2, k11), k11)
     gvd1 = mul(d1, gd, k25)
-    gvd3 = mul(d3, gd, k8)
+    gvd3 = mul(d3, gd, k5)
     D23 = sub(d23d, gvd1, k26)
     div(add(add(mul(I31, D13, k27), mul(I32, D23, k28), k27), mul(I33, D33, k28), k27), n2, o18)
-    D32 = add(d23d, gvd1, k24)
+    D32 = add(d23d, gvd1, k23)
     d12d = mul(cvd1, d2, k27)
-    D11 = add(fd, mul(cvd1, d1, k6), k6)
+    D11 = add(fd, mul(cvd1, d1, k7), k7)
     D12 = sub(d12d, gvd3, k28)
-    D21 = add(d12d, gvd3, k8)
+    D21 = add(d12d, gvd3, k5)
     div(add(add(mul(I31, D12, k27), mul(I32, D22, k29), k27), mul(I33, D32, k29), k27), n2, o17)
     div(add(add(mul(I31, D11, k27), mul(I32, D21, k29), k27), mul(I33, D31, k29), k27), n2, o16)
     I21 = add(d12n, sn3, k27)
-    I12 = sub(d12n, sn3, k14)
-    div(add(add(mul(I21, D13, k15), mul(I22, D23, k29), k15), mul(I23, D33, k29), k15), n2, o15)
-    div(add(add(mul(I11, D13, k15), mul(I12, D23, k21), k15), mul(I13, D33, k4), k4), n2, o12)
-    div(add(add(mul(I21, D12, k4), mul(I22, D22, k15), k4), mul(I23, D32, k15), k4), n2, o14)
-    div(add(add(mul(I11, D12, k4), mul(I12, D22, k15), k4), mul(I13, D32, k15), k4), n2, o11)
-    div(add(add(mul(I21, D11, k4), mul(I22, D21, k15), k4), mul(I23, D31, k15), k4), n2, o13)
-    div(add(add(mul(I11, D11, k4), mul(I12, D21, k6), k4), mul(I13, D31, k6), k4), n2, o10)
+    I12 = sub(d12n, sn3, k16)
+    div(add(add(mul(I21, D13, k17), mul(I22, D23, k29), k17), mul(I23, D33, k29), k17), n2, o15)
+    div(add(add(mul(I11, D13, k10), mul(I12, D23, k17), k10), mul(I13, D33, k4), k4), n2, o12)
+    div(add(add(mul(I21, D12, k4), mul(I22, D22, k10), k4), mul(I23, D32, k10), k4), n2, o14)
+    div(add(add(mul(I11, D12, k4), mul(I12, D22, k10), k4), mul(I13, D32, k10), k4), n2, o11)
+    div(add(add(mul(I21, D11, k4), mul(I22, D21, k10), k4), mul(I23, D31, k10), k4), n2, o13)
+    div(add(add(mul(I11, D11, k4), mul(I12, D21, k5), k4), mul(I13, D31, k5), k4), n2, o10)
     gvvd1 = mul(gvd1, d2, k4)
-    gvvd2 = mul(gvd1, d3, k6)
+    gvvd2 = mul(gvd1, d3, k5)
     fvd3 = mul(d3, fd, k7)
     Qd12 = sub(gvvd1, fvd3, k8)
     Qd21 = add(gvvd1, fvd3, k4)
     fvd2 = mul(d2, fd, k7)
-    fvd1 = mul(d1, fd, k5)
-    Qd13 = add(gvvd2, fvd2, k15)
-    Qd31 = sub(gvvd2, fvd2, k6)
+    fvd1 = mul(d1, fd, k6)
+    Qd13 = add(gvvd2, fvd2, k10)
+    Qd31 = sub(gvvd2, fvd2, k5)
     cvF1 = mul(v1, hF, k7)
-    d13F = mul(cvF1, v3, k21)
-    gvF2 = mul(v2, gF, k23)
-    F13 = add(d13F, gvF2, k24)
-    F31 = sub(d13F, gvF2, k21)
-    cvF2 = mul(v2, hF, k23)
-    cvF3 = mul(v3, hF, k19)
-    F33 = add(fF, mul(cvF3, v3, k19), k19)
+    d13F = mul(cvF1, v3, k11)
+    gvF2 = mul(v2, gF, k17)
+    F13 = add(d13F, gvF2, k23)
+    F31 = sub(d13F, gvF2, k11)
+    cvF2 = mul(v2, hF, k17)
+    cvF3 = mul(v3, hF, k21)
+    F33 = add(fF, mul(cvF3, v3, k21), k21)
     d23F = mul(cvF2, v3, k25)
-    F22 = add(fF, mul(cvF2, v2, k23), k23)
-    F11 = add(fF, mul(cvF1, v1, k26), k17)
+    F22 = add(fF, mul(cvF2, v2, k17), k17)
+    F11 = add(fF, mul(cvF1, v1, k26), k19)
     d12F = mul(cvF1, v2, k7)
     gvF1 = mul(v1, gF, k26)
-    gvF3 = mul(v3, gF, k18)
+    gvF3 = mul(v3, gF, k20)
     F23 = sub(d23F, gvF1, k28)
     F32 = add(d23F, gvF1, k25)
     RT13 = add(add(mul(Qd11, F13, k26), mul(Qd12, F23, k29), k26), mul(Qd13, F33, k29), k26)
     Qd23 = sub(gvvd3, fvd1, k29)
-    Qd32 = add(gvvd3, fvd1, k5)
+    Qd32 = add(gvvd3, fvd1, k6)
     RT23 = add(add(mul(Qd21, F13, k9), mul(Qd22, F23, k30), k9), mul(Qd23, F33, k30), k9)
-    RT33 = add(add(mul(Qd31, F13, k24), mul(Qd32, F23, k28), k24), mul(Qd33, F33, k19), k19)
-    div(add(add(mul(I31, RT13, k24), mul(I32, RT23, k28), k24), mul(I33, RT33, k28), k24), n2, o9)
-    div(add(add(mul(I21, RT13, k24), mul(I22, RT23, k28), k24), mul(I23, RT33, k28), k24), n2, o6)
-    div(add(add(mul(I11, RT13, k24), mul(I12, RT23, k9), k9), mul(I13, RT33, k19), k9), n2, o3)
+    RT33 = add(add(mul(Qd31, F13, k23), mul(Qd32, F23, k28), k23), mul(Qd33, F33, k21), k21)
+    div(add(add(mul(I31, RT13, k23), mul(I32, RT23, k28), k23), mul(I33, RT33, k28), k23), n2, o9)
+    div(add(add(mul(I21, RT13, k23), mul(I22, RT23, k28), k23), mul(I23, RT33, k28), k23), n2, o6)
+    div(add(add(mul(I11, RT13, k23), mul(I12, RT23, k9), k9), mul(I13, RT33, k21), k9), n2, o3)
     F12 = sub(d12F, gvF3, k9)
     F21 = add(d12F, gvF3, k7)
-    RT12 = add(add(mul(Qd11, F12, k18), mul(Qd12, F22, k19), k18), mul(Qd13, F32, k19), k18)
+    RT12 = add(add(mul(Qd11, F12, k20), mul(Qd12, F22, k21), k20), mul(Qd13, F32, k21), k20)
     RT11 = add(add(mul(Qd11, F11, k2), mul(Qd12, F21, k8), k2), mul(Qd13, F31, k8), k2)
-    RT22 = add(add(mul(Qd21, F12, k8), mul(Qd22, F22, k15), k8), mul(Qd23, F32, k15), k8)
-    RT32 = add(add(mul(Qd31, F12, k9), mul(Qd32, F22, k15), k9), mul(Qd33, F32, k15), k9)
+    RT22 = add(add(mul(Qd21, F12, k8), mul(Qd22, F22, k10), k8), mul(Qd23, F32, k10), k8)
+    RT32 = add(add(mul(Qd31, F12, k9), mul(Qd32, F22, k10), k9), mul(Qd33, F32, k10), k9)
     RT21 = add(add(mul(Qd21, F11, k4), mul(Qd22, F21, k1), k1), mul(Qd23, F31, k4), k1)
     RT31 = add(add(mul(Qd31, F11, k4), mul(Qd32, F21, k5), k4), mul(Qd33, F31, k3), k3)
     div(add(add(mul(I31, RT12, k4), mul(I32, RT22, k5), k4), mul(I33, RT32, k5), k4), n2, o8)
@@ -2840,14 +2839,15 @@ def retract_jacobians_blocks(
     div(add(add(mul(I11, RT11, k2), mul(I12, RT21, k1), k1), mul(I13, RT31, k2), k1), n2, o1)
 
 
-# operations 430: 148 +, 196 *, 47 /, 4 neg, 1 abs, 4 sqrt, 3 tan, 2 atan2, 5 lt, 2 eq, 18 where
+# operations 442: 160 +, 196 *, 47 /, 4 neg, 1 abs, 4 sqrt, 3 tan, 2 atan2, 5 lt, 2 eq, 18 where
 def body_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v1, v2, v3 = v
     d1, d2, d3 = delta
     v11d = d1 * d1
     v22d = d2 * d2
     v33d = d3 * d3
-    xd = v11d + v22d + v33d
+    part = v11d + v22d
+    xd = part + v33d
     neard = xd < 6
     zd = m.where(neard, xd, xd - xd) / 4
     C7d = (
@@ -2875,7 +2875,12 @@ def body_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> 
     sined = 2 * thalfd / belowhalfd
     versined = m.where(tthalfd < 16, 2 * tthalfd / belowhalfd, 2 - 2 / belowhalfd)
     besided = alphad - 4
-    leftd = xxd - 16 - 8 * besided - besided * besided
+    v33d_in = xd - part
+    v22d_in = part - v11d
+    leftd = (
+        xxd - 16 - 8 * besided - besided * besided + (v11d - (part - v22d_in) + (v22d - v22d_in) + (part - (xd
+        - v33d_in) + (v33d - v33d_in)))
+    )
     lostd = m.where(alphad < 8, leftd, 0) / (2 * alphad)
     fd = m.where(neard, C0d * C1d, (sined + lostd * (1 - versined)) / alphad)
     gd = m.where(neard, CC1d / 2, (versined + lostd * sined) / xxd)
@@ -2958,7 +2963,7 @@ def body_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> 
     D31 = d13d - gvd2
     D32 = d23d + gvd1
     D33 = fd + cvd3 * d3
-    fF, gF, hF = c.pose(m, xp)
+    fF, gF, hF = c.pose(m, v11p, v22p, v33p)
     gvF1 = v1 * gF
     gvF2 = v2 * gF
     gvF3 = v3 * gF
@@ -3032,7 +3037,7 @@ def body_retract_jacobians_blocks(
     o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
     (
         k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, k21, k22, k23, k24,
-        k25, k26, k27, k28, k29, k30, k31, k32, *spare,
+        k25, k26, k27, k28, k29, k30, k31, k32, k33, k34, *spare,
     ) = scratch
     mask1, mask2, mask3, *spare_masks = masks
     (
@@ -3040,194 +3045,198 @@ def body_retract_jacobians_blocks(
     ) = numbers
     v11d = mul(d1, d1, k1)
     v22d = mul(d2, d2, k2)
-    v33d = mul(d3, d3, k3)
-    xd = add(add(v11d, v22d, k1), v33d, k1)
+    part = add(v11d, v22d, k3)
+    v33d = mul(d3, d3, k4)
+    xd = add(part, v33d, k5)
     neard = m.less(xd, n6, mask1)
-    zd = div(m.where(neard, xd, sub(xd, xd, k2), k3), n4, k2)
-    xxd = m.where(neard, add(n6, xd, k3), xd, k3)
+    zd = div(m.where(neard, xd, sub(xd, xd, k6), k7), n4, k6)
     C7d = div(
         div(sub(n72, mul(zd, div(sub(n3603600, mul(zd, sub(n32760, mul(zd, sub(n210, mul(zd, div(sub(n93024, mul(zd,
-        sub(n342, mul(zd, div(sub(n212520, mul(zd, sub(n506, zd, k1), k1), k1), n212520, k1), k1), k1), k1), k1),
-        n93024, k1), k1), k1), k1), k1), k1), k1), n3603600, k1), k1), k1), n72, k1), n5040, k1
+        sub(n342, mul(zd, div(sub(n212520, mul(zd, sub(n506, zd, k7), k7), k7), n212520, k7), k7), k7), k7), k7),
+        n93024, k7), k7), k7), k7), k7), k7), k7), n3603600, k7), k7), k7), n72, k7), n5040, k7
     )
-    C5d = div(sub(n1, mul(n120, mul(zd, C7d, k1), k1), k1), n120, k1)
-    C3d = div(sub(n1, mul(n6, mul(zd, C5d, k1), k1), k1), n6, k1)
-    C1d = sub(n1, mul(zd, C3d, k4), k4)
-    CC1d = mul(C1d, C1d, k5)
-    C0d = sqrt(sub(n1, mul(zd, CC1d, k2), k2), k2)
-    alphad = sqrt(xxd, k6)
-    td = tan(div(alphad, n4, k7), k7)
-    ttd = mul(td, td, k8)
-    belowd = add(n1, ttd, k9)
-    sd = m.where(neard, C0d, div(sub(n1, ttd, k8), belowd, k8), k10)
-    wd = m.where(neard, div(C1d, n2, k8), div(div(mul(n2, td, k7), belowd, k7), alphad, k7), k8)
-    wd1 = mul(d1, wd, k7)
-    wd3 = mul(d3, wd, k9)
-    wd2 = mul(d2, wd, k8)
-    v11p = mul(v1, v1, k11)
-    v22p = mul(v2, v2, k12)
-    x12p = add(v11p, v22p, k13)
-    v33p = mul(v3, v3, k14)
-    x23p = add(v22p, v33p, k12)
-    x13p = add(v11p, v33p, k11)
-    xp = add(x12p, v33p, k14)
-    ap, bp, _, fp, gp, _ = c.ray((k15, k16, k17, k18, k19, k20), (*spare,), (*spare_masks,), xp)
-    fF, gF, hF = c.pose((k17, k20, k21), (*spare,), (*spare_masks,), xp)
-    Qp11 = sub(n1, mul(gp, x23p, k12), k12)
-    Qp22 = sub(n1, mul(gp, x13p, k11), k11)
-    Qp33 = sub(n1, mul(gp, x12p, k13), k13)
-    bvp1 = mul(v1, bp, k22)
-    bvp2 = mul(v2, bp, k23)
-    bvp3 = mul(v3, bp, k16)
-    z1 = add(add(mul(wd1, ap, k24), mul(bvp1, sd, k25), k24), sub(mul(bvp2, wd3, k25), mul(bvp3, wd2, k26), k25), k24)
-    z2 = add(add(mul(wd2, ap, k25), mul(bvp2, sd, k26), k25), sub(mul(bvp3, wd1, k26), mul(bvp1, wd3, k27), k26), k25)
-    z3 = add(add(mul(wd3, ap, k26), mul(bvp3, sd, k27), k26), sub(mul(bvp1, wd2, k27), mul(bvp2, wd1, k28), k27), k26)
-    z0 = sub(mul(ap, sd, k10), add(add(mul(bvp1, wd1, k7), mul(bvp2, wd2, k8), k7), mul(bvp3, wd3, k8), k7), k7)
-    ss = add(add(mul(z1, z1, k8), mul(z2, z2, k9), k8), mul(z3, z3, k9), k8)
+    C5d = div(sub(n1, mul(n120, mul(zd, C7d, k7), k7), k7), n120, k7)
+    C3d = div(sub(n1, mul(n6, mul(zd, C5d, k7), k7), k7), n6, k7)
+    C1d = sub(n1, mul(zd, C3d, k8), k8)
+    CC1d = mul(C1d, C1d, k9)
+    C0d = sqrt(sub(n1, mul(zd, CC1d, k6), k6), k6)
+    xxd = m.where(neard, add(n6, xd, k10), xd, k10)
+    alphad = sqrt(xxd, k11)
+    td = tan(div(alphad, n4, k12), k12)
+    ttd = mul(td, td, k13)
+    belowd = add(n1, ttd, k14)
+    sd = m.where(neard, C0d, div(sub(n1, ttd, k13), belowd, k13), k15)
+    wd = m.where(neard, div(C1d, n2, k13), div(div(mul(n2, td, k12), belowd, k12), alphad, k12), k13)
+    wd1 = mul(d1, wd, k12)
+    wd3 = mul(d3, wd, k14)
+    wd2 = mul(d2, wd, k13)
+    v11p = mul(v1, v1, k16)
+    v22p = mul(v2, v2, k17)
+    x12p = add(v11p, v22p, k18)
+    v33p = mul(v3, v3, k19)
+    fF, gF, hF = c.pose((k20, k21, k22), (*spare,), (*spare_masks,), v11p, v22p, v33p)
+    x23p = add(v22p, v33p, k17)
+    x13p = add(v11p, v33p, k16)
+    xp = add(x12p, v33p, k19)
+    ap, bp, _, fp, gp, _ = c.ray((k23, k24, k25, k26, k27, k28), (*spare,), (*spare_masks,), xp)
+    Qp11 = sub(n1, mul(gp, x23p, k17), k17)
+    Qp22 = sub(n1, mul(gp, x13p, k16), k16)
+    Qp33 = sub(n1, mul(gp, x12p, k18), k18)
+    bvp1 = mul(v1, bp, k25)
+    bvp2 = mul(v2, bp, k28)
+    bvp3 = mul(v3, bp, k24)
+    z1 = add(add(mul(wd1, ap, k29), mul(bvp1, sd, k30), k29), sub(mul(bvp2, wd3, k30), mul(bvp3, wd2, k31), k30), k29)
+    z2 = add(add(mul(wd2, ap, k30), mul(bvp2, sd, k31), k30), sub(mul(bvp3, wd1, k31), mul(bvp1, wd3, k32), k31), k30)
+    z3 = add(add(mul(wd3, ap, k31), mul(bvp3, sd, k32), k31), sub(mul(bvp1, wd2, k32), mul(bvp2, wd1, k33), k32), k31)
+    z0 = sub(mul(ap, sd, k15), add(add(mul(bvp1, wd1, k12), mul(bvp2, wd2, k13), k12), mul(bvp3, wd3, k13), k12), k12)
+    ss = add(add(mul(z1, z1, k13), mul(z2, z2, k14), k13), mul(z3, z3, k14), k13)
     still = m.equal(ss, n0, mask2)
-    length = sqrt(m.where(still, add(n1, ss, k9), ss, k9), k9)
-    sine = m.where(still, ss, length, k8)
+    length = sqrt(m.where(still, add(n1, ss, k14), ss, k14), k14)
+    sine = m.where(still, ss, length, k13)
     resting = m.equal(xp, n0, mask3)
-    r = sqrt(m.where(resting, add(n1, xp, k10), xp, k10), k10)
-    own, = c.unfolded((k15,), (k16, k22, k23, k27, k28, *spare), (*spare_masks,), xp, r)
+    r = sqrt(m.where(resting, add(n1, xp, k15), xp, k15), k15)
+    own, = c.unfolded((k23,), (k24, k25, k28, k32, k33, *spare), (*spare_masks,), xp, r)
     own_ = div(
-        mul(m.where(resting, n0, div(own, r, k10), k14), add(add(mul(v1, z1, k10), mul(v2, z2, k15), k10), mul(v3, z3,
-        k15), k10), k10), length, k10
+        mul(m.where(resting, n0, div(own, r, k15), k19), add(add(mul(v1, z1, k15), mul(v2, z2, k23), k15), mul(v3, z3,
+        k23), k15), k15), length, k15
     )
     falling = m.less(z0, n0, mask3)
-    cosine = m.where(falling, neg(z0, k14), z0, k14)
-    folded = mul(m.where(falling, n_minus_2, n2, k15), atan2(sine, cosine, k14), k14)
+    cosine = m.where(falling, neg(z0, k19), z0, k19)
+    folded = mul(m.where(falling, n_minus_2, n2, k23), atan2(sine, cosine, k19), k19)
     turns = add(
-        sub(own_, folded, k15), mul(n2, atan2(tan(div(sub(folded, own_, k10), n2, k10), k10), n1, k10), k10), k10
+        sub(own_, folded, k23), mul(n2, atan2(tan(div(sub(folded, own_, k15), n2, k15), k15), n1, k15), k15), k15
     )
-    angle = add(folded, m.where(m.less(absolute(turns, k15), n1, mask3), n0, turns, k15), k10)
-    rn, slopen = c.coefficient_of((k14, k15), (k16, k22, k23, k27, k28, *spare), (mask3, *spare_masks), angle, sine, z0)
-    z0s = m.where(still, z0, length, k8)
-    factor = m.where(still, div(mul(n2, slopen, k15), z0s, k8), div(rn, length, k9), k8)
-    v_1 = mul(z1, factor, k9)
-    v_2 = mul(z2, factor, k14)
-    v_3 = mul(z3, factor, k15)
-    fe = mul(factor, z0, k7)
-    v11w = mul(v_1, v_1, k8)
-    v22w = mul(v_2, v_2, k16)
-    v33w = mul(v_3, v_3, k22)
-    xw = add(add(v11w, v22w, k8), v33w, k8)
+    angle = add(folded, m.where(m.less(absolute(turns, k23), n1, mask3), n0, turns, k23), k15)
+    rn, slopen = c.coefficient_of((k19, k23), (k24, k25, k28, k32, k33, *spare), (mask3, *spare_masks), angle, sine, z0)
+    z0s = m.where(still, z0, length, k13)
+    factor = m.where(still, div(mul(n2, slopen, k23), z0s, k13), div(rn, length, k14), k13)
+    v_1 = mul(z1, factor, k14)
+    v_2 = mul(z2, factor, k19)
+    v_3 = mul(z3, factor, k23)
+    fe = mul(factor, z0, k12)
+    v11w = mul(v_1, v_1, k13)
+    v22w = mul(v_2, v_2, k24)
+    v33w = mul(v_3, v_3, k25)
+    xw = add(add(v11w, v22w, k13), v33w, k13)
     fin, hin, _, _ = c.tangent_inv_at(
-        (k16, k22, k23, k24), (k25, k26, k27, k28, *spare), (mask2, mask3, *spare_masks), xw, fe, angle
+        (k24, k25, k28, k29), (k30, k31, k32, k33, *spare), (mask2, mask3, *spare_masks), xw, fe, angle
     )
-    cvn1 = mul(v_1, hin, k7)
-    I11 = add(fin, mul(cvn1, v_1, k8), k8)
-    sn1 = neg(v_1, k9)
-    d12n = mul(cvn1, v_2, k10)
-    d13n = mul(cvn1, v_3, k7)
-    sn3 = neg(v_3, k23)
-    I12 = sub(d12n, sn3, k24)
-    I21 = add(d12n, sn3, k10)
-    sn2 = neg(v_2, k23)
+    cvn3 = mul(v_3, hin, k12)
+    I33 = add(fin, mul(cvn3, v_3, k12), k12)
+    cvn1 = mul(v_1, hin, k13)
+    cvn2 = mul(v_2, hin, k15)
+    d13n = mul(cvn1, v_3, k25)
+    sn2 = neg(v_2, k28)
+    I31 = sub(d13n, sn2, k29)
     I13 = add(d13n, sn2, k25)
-    I31 = sub(d13n, sn2, k7)
-    cvF1 = mul(v1, hF, k23)
-    F11 = add(fF, mul(cvF1, v1, k26), k26)
-    d12F = mul(cvF1, v2, k27)
-    d13F = mul(cvF1, v3, k23)
-    gvF3 = mul(v3, gF, k28)
-    F21 = add(d12F, gvF3, k29)
-    F12 = sub(d12F, gvF3, k27)
-    gvF2 = mul(v2, gF, k28)
-    gvF1 = mul(v1, gF, k20)
-    F31 = sub(d13F, gvF2, k30)
-    F13 = add(d13F, gvF2, k23)
-    div(add(add(mul(I11, F11, k28), mul(I12, F21, k31), k28), mul(I13, F31, k31), k28), n2, o1)
-    cvF2 = mul(v2, hF, k28)
-    cvF3 = mul(v3, hF, k21)
-    F33 = add(fF, mul(cvF3, v3, k21), k21)
-    F22 = add(fF, mul(cvF2, v2, k31), k17)
-    d23F = mul(cvF2, v3, k28)
-    F32 = add(d23F, gvF1, k31)
-    F23 = sub(d23F, gvF1, k20)
-    div(add(add(mul(I11, F12, k28), mul(I12, F22, k32), k28), mul(I13, F32, k32), k28), n2, o2)
-    div(add(add(mul(I11, F13, k28), mul(I12, F23, k32), k28), mul(I13, F33, k32), k28), n2, o3)
-    cvn2 = mul(v_2, hin, k28)
-    I22 = add(fin, mul(cvn2, v_2, k14), k14)
     d23n = mul(cvn2, v_3, k28)
-    cvn3 = mul(v_3, hin, k22)
-    I33 = add(fin, mul(cvn3, v_3, k15), k15)
-    I23 = sub(d23n, sn1, k16)
-    I32 = add(d23n, sn1, k9)
-    div(add(add(mul(I21, F11, k22), mul(I22, F21, k28), k22), mul(I23, F31, k28), k22), n2, o4)
-    div(add(add(mul(I31, F11, k22), mul(I32, F21, k26), k22), mul(I33, F31, k26), k22), n2, o7)
-    div(add(add(mul(I21, F12, k22), mul(I22, F22, k26), k22), mul(I23, F32, k26), k22), n2, o5)
-    div(add(add(mul(I31, F12, k22), mul(I32, F22, k17), k17), mul(I33, F32, k22), k17), n2, o8)
-    div(add(add(mul(I21, F13, k17), mul(I22, F23, k22), k17), mul(I23, F33, k22), k17), n2, o6)
-    div(add(add(mul(I31, F13, k17), mul(I32, F23, k20), k17), mul(I33, F33, k20), k17), n2, o9)
-    C01d = add(n1, C0d, k17)
-    C2d = div(CC1d, C01d, k17)
-    thalfd = tan(div(alphad, n2, k20), k20)
-    tthalfd = mul(thalfd, thalfd, k21)
-    belowhalfd = add(n1, tthalfd, k22)
+    I22 = add(fin, mul(cvn2, v_2, k15), k15)
+    d12n = mul(cvn1, v_2, k19)
+    I11 = add(fin, mul(cvn1, v_1, k13), k13)
+    sn1 = neg(v_1, k14)
+    sn3 = neg(v_3, k23)
+    I32 = add(d23n, sn1, k24)
+    I23 = sub(d23n, sn1, k14)
+    C01d = add(n1, C0d, k28)
+    C2d = div(CC1d, C01d, k28)
+    besided = sub(alphad, n4, k30)
+    v33d_in = sub(xd, part, k31)
+    v22d_in = sub(part, v11d, k32)
+    leftd = add(
+        sub(sub(sub(xxd, n16, k33), mul(n8, besided, k34), k33), mul(besided, besided, k30), k30), add(add(sub(v11d,
+        sub(part, v22d_in, k33), k1), sub(v22d, v22d_in, k2), k1), add(sub(part, sub(xd, v33d_in, k2), k2), sub(v33d,
+        v33d_in, k3), k2), k1), k1
+    )
+    lostd = div(m.where(m.less(alphad, n8, mask2), leftd, n0, k1), mul(n2, alphad, k2), k1)
+    thalfd = tan(div(alphad, n2, k2), k2)
+    tthalfd = mul(thalfd, thalfd, k3)
+    belowhalfd = add(n1, tthalfd, k4)
     versined = m.where(
-        m.less(tthalfd, n16, mask2), div(mul(n2, tthalfd, k21), belowhalfd, k21), sub(n2, div(n2, belowhalfd, k23),
-        k23), k21
+        m.less(tthalfd, n16, mask2), div(mul(n2, tthalfd, k3), belowhalfd, k3), sub(n2, div(n2, belowhalfd, k5), k5), k3
     )
-    sined = div(mul(n2, thalfd, k20), belowhalfd, k20)
-    besided = sub(alphad, n4, k22)
-    leftd = sub(sub(sub(xxd, n16, k23), mul(n8, besided, k26), k23), mul(besided, besided, k22), k22)
-    lostd = div(m.where(m.less(alphad, n8, mask2), leftd, n0, k22), mul(n2, alphad, k23), k22)
-    fd = m.where(
-        neard, mul(C0d, C1d, k2), div(add(sined, mul(lostd, sub(n1, versined, k23), k23), k23), alphad, k6), k2
-    )
-    gd = m.where(neard, div(CC1d, n2, k5), div(add(versined, mul(lostd, sined, k6), k6), xxd, k6), k5)
-    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k4), k1), n4, k1), div(sub(n1, fd, k4), xxd, k3), k1)
+    sined = div(mul(n2, thalfd, k2), belowhalfd, k2)
+    fd = m.where(neard, mul(C0d, C1d, k4), div(add(sined, mul(lostd, sub(n1, versined, k5), k5), k5), alphad, k5), k4)
+    gd = m.where(neard, div(CC1d, n2, k5), div(add(versined, mul(lostd, sined, k1), k1), xxd, k1), k2)
+    hd = m.where(neard, div(add(C3d, mul(C1d, C2d, k1), k1), n4, k1), div(sub(n1, fd, k3), xxd, k3), k1)
     cvd1 = mul(d1, hd, k3)
-    D11 = add(fd, mul(cvd1, d1, k4), k4)
-    d12d = mul(cvd1, d2, k6)
-    d13d = mul(cvd1, d3, k3)
-    gvd3 = mul(d3, gd, k17)
-    D21 = add(d12d, gvd3, k20)
-    D12 = sub(d12d, gvd3, k6)
-    gvd2 = mul(d2, gd, k17)
-    gvd1 = mul(d1, gd, k5)
-    D31 = sub(d13d, gvd2, k21)
-    D13 = add(d13d, gvd2, k3)
-    gvp1 = mul(v1, gp, k17)
-    gvp2 = mul(v2, gp, k19)
-    gvvp3 = mul(gvp2, v3, k19)
-    gvvp1 = mul(gvp1, v2, k22)
-    gvvp2 = mul(gvp1, v3, k17)
-    fvp3 = mul(v3, fp, k23)
-    Qp12 = sub(gvvp1, fvp3, k26)
-    Qp21 = add(gvvp1, fvp3, k22)
-    fvp2 = mul(v2, fp, k23)
-    fvp1 = mul(v1, fp, k18)
-    Qp13 = add(gvvp2, fvp2, k27)
-    Qp31 = sub(gvvp2, fvp2, k17)
-    RD11 = add(add(mul(Qp11, D11, k23), mul(Qp12, D21, k28), k23), mul(Qp13, D31, k28), k23)
-    Qp23 = sub(gvvp3, fvp1, k28)
-    Qp32 = add(gvvp3, fvp1, k18)
-    RD21 = add(add(mul(Qp21, D11, k19), mul(Qp22, D21, k29), k19), mul(Qp23, D31, k29), k19)
-    RD31 = add(add(mul(Qp31, D11, k4), mul(Qp32, D21, k20), k4), mul(Qp33, D31, k20), k4)
-    div(add(add(mul(I11, RD11, k20), mul(I12, RD21, k21), k20), mul(I13, RD31, k21), k20), n2, o10)
-    div(add(add(mul(I21, RD11, k20), mul(I22, RD21, k21), k20), mul(I23, RD31, k21), k20), n2, o13)
-    div(add(add(mul(I31, RD11, k20), mul(I32, RD21, k19), k19), mul(I33, RD31, k4), k4), n2, o16)
-    cvd2 = mul(d2, hd, k4)
+    d13d = mul(cvd1, d3, k5)
+    gvd2 = mul(d2, gd, k6)
+    D13 = add(d13d, gvd2, k7)
+    D31 = sub(d13d, gvd2, k5)
+    cvd2 = mul(d2, hd, k6)
     cvd3 = mul(d3, hd, k1)
     D33 = add(fd, mul(cvd3, d3, k1), k1)
-    D22 = add(fd, mul(cvd2, d2, k19), k2)
-    d23d = mul(cvd2, d3, k4)
-    D32 = add(d23d, gvd1, k19)
-    D23 = sub(d23d, gvd1, k4)
-    RD12 = add(add(mul(Qp11, D12, k5), mul(Qp12, D22, k20), k5), mul(Qp13, D32, k20), k5)
-    RD13 = add(add(mul(Qp11, D13, k12), mul(Qp12, D23, k20), k12), mul(Qp13, D33, k20), k12)
-    RD22 = add(add(mul(Qp21, D12, k20), mul(Qp22, D22, k21), k20), mul(Qp23, D32, k21), k20)
-    RD32 = add(add(mul(Qp31, D12, k6), mul(Qp32, D22, k2), k2), mul(Qp33, D32, k6), k2)
-    RD23 = add(add(mul(Qp21, D13, k6), mul(Qp22, D23, k11), k6), mul(Qp23, D33, k11), k6)
-    RD33 = add(add(mul(Qp31, D13, k3), mul(Qp32, D23, k4), k3), mul(Qp33, D33, k1), k1)
-    div(add(add(mul(I11, RD12, k3), mul(I12, RD22, k4), k3), mul(I13, RD32, k4), k3), n2, o11)
-    div(add(add(mul(I11, RD13, k3), mul(I12, RD23, k4), k3), mul(I13, RD33, k4), k3), n2, o12)
-    div(add(add(mul(I21, RD12, k3), mul(I22, RD22, k4), k3), mul(I23, RD32, k4), k3), n2, o14)
-    div(add(add(mul(I21, RD13, k3), mul(I22, RD23, k4), k3), mul(I23, RD33, k4), k3), n2, o15)
-    div(add(add(mul(I31, RD12, k3), mul(I32, RD22, k4), k3), mul(I33, RD32, k2), k2), n2, o17)
-    div(add(add(mul(I31, RD13, k2), mul(I32, RD23, k3), k2), mul(I33, RD33, k1), k1), n2, o18)
+    d23d = mul(cvd2, d3, k8)
+    D22 = add(fd, mul(cvd2, d2, k6), k6)
+    D11 = add(fd, mul(cvd1, d1, k9), k4)
+    d12d = mul(cvd1, d2, k3)
+    gvd1 = mul(d1, gd, k9)
+    gvd3 = mul(d3, gd, k2)
+    D23 = sub(d23d, gvd1, k10)
+    D32 = add(d23d, gvd1, k8)
+    gvp1 = mul(v1, gp, k9)
+    gvp2 = mul(v2, gp, k11)
+    gvvp3 = mul(gvp2, v3, k11)
+    gvvp1 = mul(gvp1, v2, k27)
+    gvvp2 = mul(gvp1, v3, k9)
+    fvp3 = mul(v3, fp, k28)
+    Qp12 = sub(gvvp1, fvp3, k30)
+    Qp21 = add(gvvp1, fvp3, k27)
+    fvp2 = mul(v2, fp, k28)
+    fvp1 = mul(v1, fp, k26)
+    Qp13 = add(gvvp2, fvp2, k31)
+    Qp31 = sub(gvvp2, fvp2, k9)
+    RD13 = add(add(mul(Qp11, D13, k28), mul(Qp12, D23, k32), k28), mul(Qp13, D33, k32), k28)
+    Qp23 = sub(gvvp3, fvp1, k32)
+    Qp32 = add(gvvp3, fvp1, k11)
+    RD23 = add(add(mul(Qp21, D13, k26), mul(Qp22, D23, k33), k26), mul(Qp23, D33, k33), k26)
+    RD33 = add(add(mul(Qp31, D13, k7), mul(Qp32, D23, k10), k7), mul(Qp33, D33, k1), k1)
+    div(add(add(mul(I31, RD13, k7), mul(I32, RD23, k10), k7), mul(I33, RD33, k10), k7), n2, o18)
+    D12 = sub(d12d, gvd3, k7)
+    D21 = add(d12d, gvd3, k2)
+    RD12 = add(add(mul(Qp11, D12, k3), mul(Qp12, D22, k10), k3), mul(Qp13, D32, k10), k3)
+    RD11 = add(add(mul(Qp11, D11, k10), mul(Qp12, D21, k17), k10), mul(Qp13, D31, k17), k10)
+    RD22 = add(add(mul(Qp21, D12, k17), mul(Qp22, D22, k30), k17), mul(Qp23, D32, k30), k17)
+    RD32 = add(add(mul(Qp31, D12, k7), mul(Qp32, D22, k6), k6), mul(Qp33, D32, k7), k6)
+    RD21 = add(add(mul(Qp21, D11, k7), mul(Qp22, D21, k8), k7), mul(Qp23, D31, k8), k7)
+    RD31 = add(add(mul(Qp31, D11, k4), mul(Qp32, D21, k2), k2), mul(Qp33, D31, k4), k2)
+    div(add(add(mul(I31, RD12, k4), mul(I32, RD22, k5), k4), mul(I33, RD32, k5), k4), n2, o17)
+    div(add(add(mul(I31, RD11, k4), mul(I32, RD21, k5), k4), mul(I33, RD31, k5), k4), n2, o16)
+    I21 = add(d12n, sn3, k4)
+    I12 = sub(d12n, sn3, k5)
+    div(add(add(mul(I21, RD13, k8), mul(I22, RD23, k9), k8), mul(I23, RD33, k9), k8), n2, o15)
+    div(add(add(mul(I11, RD13, k8), mul(I12, RD23, k9), k8), mul(I13, RD33, k1), k1), n2, o12)
+    div(add(add(mul(I21, RD12, k1), mul(I22, RD22, k8), k1), mul(I23, RD32, k8), k1), n2, o14)
+    div(add(add(mul(I11, RD12, k1), mul(I12, RD22, k3), k1), mul(I13, RD32, k3), k1), n2, o11)
+    div(add(add(mul(I21, RD11, k1), mul(I22, RD21, k3), k1), mul(I23, RD31, k3), k1), n2, o13)
+    div(add(add(mul(I11, RD11, k1), mul(I12, RD21, k3), k1), mul(I13, RD31, k2), k1), n2, o10)
+    cvF1 = mul(v1, hF, k1)
+    d13F = mul(cvF1, v3, k2)
+    gvF2 = mul(v2, gF, k3)
+    F13 = add(d13F, gvF2, k6)
+    F31 = sub(d13F, gvF2, k2)
+    cvF2 = mul(v2, hF, k3)
+    cvF3 = mul(v3, hF, k7)
+    F33 = add(fF, mul(cvF3, v3, k7), k7)
+    d23F = mul(cvF2, v3, k8)
+    F22 = add(fF, mul(cvF2, v2, k3), k3)
+    F11 = add(fF, mul(cvF1, v1, k9), k9)
+    d12F = mul(cvF1, v2, k1)
+    gvF1 = mul(v1, gF, k10)
+    gvF3 = mul(v3, gF, k11)
+    F23 = sub(d23F, gvF1, k16)
+    F32 = add(d23F, gvF1, k8)
+    div(add(add(mul(I31, F13, k10), mul(I32, F23, k17), k10), mul(I33, F33, k17), k10), n2, o9)
+    div(add(add(mul(I21, F13, k10), mul(I22, F23, k17), k10), mul(I23, F33, k17), k10), n2, o6)
+    div(add(add(mul(I11, F13, k6), mul(I12, F23, k10), k6), mul(I13, F33, k7), k6), n2, o3)
+    F12 = sub(d12F, gvF3, k6)
+    F21 = add(d12F, gvF3, k1)
+    div(add(add(mul(I31, F12, k7), mul(I32, F22, k10), k7), mul(I33, F32, k10), k7), n2, o8)
+    div(add(add(mul(I31, F11, k7), mul(I32, F21, k10), k7), mul(I33, F31, k10), k7), n2, o7)
+    div(add(add(mul(I21, F12, k7), mul(I22, F22, k10), k7), mul(I23, F32, k10), k7), n2, o5)
+    div(add(add(mul(I21, F11, k4), mul(I22, F21, k7), k4), mul(I23, F31, k7), k4), n2, o4)
+    div(add(add(mul(I11, F12, k4), mul(I12, F22, k3), k3), mul(I13, F32, k4), k3), n2, o2)
+    div(add(add(mul(I11, F11, k3), mul(I12, F21, k1), k1), mul(I13, F31, k2), k1), n2, o1)
 
 
 # operations 70: 18 +, 38 *, 1 /, 4 neg, 1 sqrt, 1 atan2, 1 lt, 1 eq, 5 where
@@ -3456,7 +3465,8 @@ def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) 
     v11t = td1 * td1
     v22t = td2 * td2
     v33t = td3 * td3
-    xt = v11t + v22t + v33t
+    part_ = v11t + v22t
+    xt = part_ + v33t
     neart = xt < 6
     zt = m.where(neart, xt, xt - xt) / 4
     C7t = (
@@ -3607,11 +3617,12 @@ def interpolate_blocks(
     v11t = mul(td1, td1, k13)
     td2 = mul(t, d2, k15)
     v22t = mul(td2, td2, k16)
-    td3 = mul(t, d3, k17)
-    v33t = mul(td3, td3, k18)
-    xt = add(add(v11t, v22t, k13), v33t, k13)
+    part_ = add(v11t, v22t, k13)
+    td3 = mul(t, d3, k16)
+    v33t = mul(td3, td3, k17)
+    xt = add(part_, v33t, k13)
     neart = m.less(xt, n6, mask2)
-    zt = div(m.where(neart, xt, sub(xt, xt, k16), k18), n4, k16)
+    zt = div(m.where(neart, xt, sub(xt, xt, k17), k18), n4, k17)
     xxt = m.where(neart, add(n6, xt, k18), xt, k18)
     alphat = sqrt(xxt, k13)
     C7t = div(
@@ -3623,20 +3634,20 @@ def interpolate_blocks(
     C3t = div(sub(n1, mul(n6, mul(zt, C5t, k18), k18), k18), n6, k18)
     C1t = sub(n1, mul(zt, C3t, k18), k18)
     CC1t = mul(C1t, C1t, k19)
-    C0t = sqrt(sub(n1, mul(zt, CC1t, k16), k16), k16)
+    C0t = sqrt(sub(n1, mul(zt, CC1t, k17), k17), k17)
     tt = tan(div(alphat, n4, k19), k19)
     ttt = mul(tt, tt, k20)
     belowt = add(n1, ttt, k21)
     wt = m.where(neart, div(C1t, n2, k18), div(div(mul(n2, tt, k19), belowt, k19), alphat, k13), k18)
-    st = m.where(neart, C0t, div(sub(n1, ttt, k13), belowt, k13), k16)
+    st = m.where(neart, C0t, div(sub(n1, ttt, k13), belowt, k13), k17)
     wd1 = mul(td1, wt, k13)
     gone = add(add(mul(td1, axis1, k5), mul(td2, axis2, k19), k5), mul(td3, axis3, k19), k5)
     wd2 = mul(td2, wt, k15)
-    wd3 = mul(td3, wt, k17)
+    wd3 = mul(td3, wt, k16)
     z1 = add(add(mul(bva1, st, k18), mul(wd1, aa, k19), k18), sub(mul(wd2, bva3, k19), mul(wd3, bva2, k20), k19), k18)
     z2 = add(add(mul(bva2, st, k19), mul(wd2, aa, k20), k19), sub(mul(wd3, bva1, k20), mul(wd1, bva3, k21), k20), k19)
     z3 = add(add(mul(bva3, st, k20), mul(wd3, aa, k21), k20), sub(mul(wd1, bva2, k21), mul(wd2, bva1, k22), k21), k20)
-    z0 = sub(mul(st, aa, k16), add(add(mul(wd1, bva1, k13), mul(wd2, bva2, k15), k13), mul(wd3, bva3, k15), k13), k13)
+    z0 = sub(mul(st, aa, k17), add(add(mul(wd1, bva1, k13), mul(wd2, bva2, k15), k13), mul(wd3, bva3, k15), k13), k13)
     sst = add(add(mul(z1, z1, k15), mul(z2, z2, k16), k15), mul(z3, z3, k16), k15)
     stillt = m.equal(sst, n0, mask2)
     roott = sqrt(m.where(stillt, add(n1, sst, k16), sst, k16), k16)
@@ -3682,17 +3693,16 @@ def interpolate_blocks(
     m.where(clear, mul(z3, factor, k1), mul(axis3, rn, k2), o3)
 
 
-# operations 27: 13 +, 14 *
+# operations 26: 12 +, 14 *
 def adjoint(m: Any, c: Any, v: Components) -> Result:
     v1, v2, v3 = v
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    x12 = v11 + v22
-    x = x12 + v33
-    f, g, _ = c.pose(m, x)
+    f, g, _ = c.pose(m, v11, v22, v33)
     x23 = v22 + v33
     x13 = v11 + v33
+    x12 = v11 + v22
     fv1 = v1 * f
     fv2 = v2 * f
     fv3 = v3 * f
@@ -3718,26 +3728,25 @@ def adjoint_blocks(
 ) -> None:
     v1, v2, v3 = v
     o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
-    k1, k2, k3, k4, k5, k6, k7, *spare = scratch
+    k1, k2, k3, k4, k5, k6, *spare = scratch
     *spare_masks, = masks
     n1, = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
-    x12 = add(v11, v22, k3)
-    v33 = mul(v3, v3, k4)
-    x23 = add(v22, v33, k2)
-    x13 = add(v11, v33, k1)
-    x = add(x12, v33, k4)
-    f, g, _ = c.pose((k5, k6, k7), (*spare,), (*spare_masks,), x)
-    sub(n1, mul(g, x23, k2), o1)
-    sub(n1, mul(g, x13, k1), o5)
+    v33 = mul(v3, v3, k3)
+    f, g, _ = c.pose((k4, k5, k6), (*spare,), (*spare_masks,), v11, v22, v33)
+    x23 = add(v22, v33, k6)
+    sub(n1, mul(g, x23, k6), o1)
+    x13 = add(v11, v33, k3)
+    sub(n1, mul(g, x13, k3), o5)
+    x12 = add(v11, v22, k1)
     sub(n1, mul(g, x12, k1), o9)
     gv1 = mul(v1, g, k1)
     gv2 = mul(v2, g, k2)
     gvv3 = mul(gv2, v3, k2)
     gvv1 = mul(gv1, v2, k3)
     gvv2 = mul(gv1, v3, k1)
-    fv3 = mul(v3, f, k4)
+    fv3 = mul(v3, f, k5)
     sub(gvv1, fv3, o2)
     add(gvv1, fv3, o4)
     fv2 = mul(v2, f, k3)
@@ -3748,16 +3757,14 @@ def adjoint_blocks(
     add(gvv3, fv1, o8)
 
 
-# operations 115: 43 +, 60 *, 12 neg
+# operations 114: 42 +, 60 *, 12 neg
 def transform_point_jacobians(m: Any, c: Any, v: Components, r: Components) -> Result:
     v1, v2, v3 = v
     r1, r2, r3 = r
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    x12 = v11 + v22
-    x = x12 + v33
-    f, g, h = c.pose(m, x)
+    f, g, h = c.pose(m, v11, v22, v33)
     gv1 = v1 * g
     gv2 = v2 * g
     gv3 = v3 * g
@@ -3790,6 +3797,7 @@ def transform_point_jacobians(m: Any, c: Any, v: Components, r: Components) -> R
     minus_moved2 = -moved2
     x23 = v22 + v33
     x13 = v11 + v33
+    x12 = v11 + v22
     fv1 = v1 * f
     fv2 = v2 * f
     fv3 = v3 * f
@@ -3829,14 +3837,13 @@ def transform_point_jacobians_blocks(
     n1, = numbers
     v11 = mul(v1, v1, k1)
     v22 = mul(v2, v2, k2)
-    x12 = add(v11, v22, k3)
-    v33 = mul(v3, v3, k4)
+    v33 = mul(v3, v3, k3)
+    f, g, h = c.pose((k4, k5, k6), (*spare,), (*spare_masks,), v11, v22, v33)
+    x12 = add(v11, v22, k7)
+    sub(n1, mul(g, x12, k7), o18)
     x13 = add(v11, v33, k1)
-    x23 = add(v22, v33, k2)
-    x = add(x12, v33, k4)
-    f, g, h = c.pose((k5, k6, k7), (*spare,), (*spare_masks,), x)
-    sub(n1, mul(g, x12, k3), o18)
     sub(n1, mul(g, x13, k1), o14)
+    x23 = add(v22, v33, k1)
     sub(n1, mul(g, x23, k1), o10)
     gv2 = mul(v2, g, k1)
     gvv3 = mul(gv2, v3, k2)
@@ -3845,48 +3852,48 @@ def transform_point_jacobians_blocks(
     sub(gvv3, fv1, o15)
     gv1 = mul(v1, g, k2)
     gvv2 = mul(gv1, v3, k3)
-    fv2 = mul(v2, f, k4)
+    fv2 = mul(v2, f, k7)
     sub(gvv2, fv2, o16)
     add(gvv2, fv2, o12)
     gvv1 = mul(gv1, v2, k3)
-    fv3 = mul(v3, f, k4)
+    fv3 = mul(v3, f, k7)
     add(gvv1, fv3, o13)
     sub(gvv1, fv3, o11)
-    v_r1 = sub(mul(v2, r3, k3), mul(v3, r2, k4), k3)
-    gv_r1 = mul(v_r1, g, k4)
+    v_r1 = sub(mul(v2, r3, k3), mul(v3, r2, k7), k3)
+    gv_r1 = mul(v_r1, g, k7)
     v_r3 = sub(mul(v1, r2, k8), mul(v2, r1, k9), k8)
     gv_r3 = mul(v_r3, g, k9)
     v_r2 = sub(mul(v3, r1, k10), mul(v1, r3, k11), k10)
     moved2 = add(r2, add(mul(v_r2, f, k11), sub(mul(v3, gv_r1, k12), mul(v1, gv_r3, k13), k12), k11), k11)
     gv_r2 = mul(v_r2, g, k10)
     moved1 = add(r1, add(mul(v_r1, f, k3), sub(mul(v2, gv_r3, k9), mul(v3, gv_r2, k12), k9), k3), k3)
-    moved3 = add(r3, add(mul(v_r3, f, k8), sub(mul(v1, gv_r2, k9), mul(v2, gv_r1, k4), k4), k4), k4)
-    gv3 = mul(v3, g, k6)
+    moved3 = add(r3, add(mul(v_r3, f, k8), sub(mul(v1, gv_r2, k9), mul(v2, gv_r1, k7), k7), k7), k7)
+    gv3 = mul(v3, g, k5)
     minus_moved2 = neg(moved2, k8)
     cv1 = mul(v1, h, k9)
     d13 = mul(cv1, v3, k10)
     T13 = add(d13, gv2, k12)
     T31 = sub(d13, gv2, k1)
     cv2 = mul(v2, h, k10)
-    cv3 = mul(v3, h, k7)
-    T33 = add(f, mul(cv3, v3, k7), k7)
+    cv3 = mul(v3, h, k6)
+    T33 = add(f, mul(cv3, v3, k6), k6)
     d23 = mul(cv2, v3, k13)
     T22 = add(f, mul(cv2, v2, k10), k10)
-    T11 = add(f, mul(cv1, v1, k14), k5)
+    T11 = add(f, mul(cv1, v1, k14), k4)
     d12 = mul(cv1, v2, k9)
     T23 = sub(d23, gv1, k14)
     T32 = add(d23, gv1, k2)
     neg(add(mul(minus_moved2, T13, k13), mul(moved1, T23, k15), k13), o9)
     T12 = sub(d12, gv3, k13)
-    T21 = add(d12, gv3, k6)
+    T21 = add(d12, gv3, k5)
     neg(add(mul(minus_moved2, T12, k9), mul(moved1, T22, k15), k9), o8)
     neg(add(mul(minus_moved2, T11, k8), mul(moved1, T21, k9), k8), o7)
     minus_moved1 = neg(moved1, k3)
     neg(add(mul(moved3, T13, k8), mul(minus_moved1, T33, k9), k8), o6)
     neg(add(mul(moved3, T12, k8), mul(minus_moved1, T32, k9), k8), o5)
-    neg(add(mul(moved3, T11, k5), mul(minus_moved1, T31, k3), k3), o4)
+    neg(add(mul(moved3, T11, k4), mul(minus_moved1, T31, k3), k3), o4)
     minus_moved3 = neg(moved3, k3)
-    neg(add(mul(minus_moved3, T23, k4), mul(moved2, T33, k5), k4), o3)
+    neg(add(mul(minus_moved3, T23, k4), mul(moved2, T33, k6), k4), o3)
     neg(add(mul(minus_moved3, T22, k4), mul(moved2, T32, k2), k2), o2)
     neg(add(mul(minus_moved3, T21, k2), mul(moved2, T31, k1), k1), o1)
 
@@ -3908,7 +3915,7 @@ KERNELS: Mapping[str, Kernel] = {
         tensor_blocks,
         (("v", (3,)),),
         (3, 3),
-        registers=7,
+        registers=6,
         masks=0,
         numbers=(1,),
         lent=(('pose', 0, 0),),
@@ -3941,7 +3948,7 @@ KERNELS: Mapping[str, Kernel] = {
         tangent_blocks,
         (("v", (3,)),),
         (3, 3),
-        registers=5,
+        registers=6,
         masks=0,
         numbers=(),
         lent=(('pose', 0, 0),),
@@ -3963,7 +3970,7 @@ KERNELS: Mapping[str, Kernel] = {
         body_tangent_blocks,
         (("v", (3,)),),
         (3, 3),
-        registers=5,
+        registers=6,
         masks=0,
         numbers=(),
         lent=(('pose', 0, 0),),
@@ -4007,7 +4014,7 @@ KERNELS: Mapping[str, Kernel] = {
         tangent_dot_blocks,
         (("v", (3,)), ("v_dot", (3,)),),
         (3, 3),
-        registers=8,
+        registers=9,
         masks=0,
         numbers=(2,),
         lent=(('tangent', 0, 0),),
@@ -4018,7 +4025,7 @@ KERNELS: Mapping[str, Kernel] = {
         twist_dot_blocks,
         (("v", (3,)), ("v_dot", (3,)), ("v_ddot", (3,)),),
         (3,),
-        registers=9,
+        registers=11,
         masks=0,
         numbers=(),
         lent=(('tangent', 0, 0),),
@@ -4263,7 +4270,7 @@ KERNELS: Mapping[str, Kernel] = {
         registers=30,
         masks=3,
         numbers=(-2, 0, 1, 2, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
-        lent=(('ray', 0, 0), ('unfolded', 5, 0), ('coefficient_of', 5, 1), ('tangent_inv_at', 4, 2), ('pose', 1, 0)),
+        lent=(('ray', 0, 0), ('unfolded', 5, 0), ('coefficient_of', 5, 1), ('tangent_inv_at', 4, 2), ('pose', 0, 0)),
         real=True,
     ),
     "body_retract_jacobians": Kernel(
@@ -4271,7 +4278,7 @@ KERNELS: Mapping[str, Kernel] = {
         body_retract_jacobians_blocks,
         (("v", (3,)), ("delta", (3,)),),
         (18,),
-        registers=32,
+        registers=34,
         masks=3,
         numbers=(-2, 0, 1, 2, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600),
         lent=(('ray', 0, 0), ('unfolded', 5, 0), ('coefficient_of', 5, 1), ('tangent_inv_at', 4, 2), ('pose', 0, 0)),
@@ -4315,7 +4322,7 @@ KERNELS: Mapping[str, Kernel] = {
         adjoint_blocks,
         (("v", (3,)),),
         (3, 3),
-        registers=7,
+        registers=6,
         masks=0,
         numbers=(1,),
         lent=(('pose', 0, 0),),

@@ -34,7 +34,7 @@ EQUIVALENT = {
     r"/ sign;": "sign is 1 or -1",
     r"still[1t] = ss[1t] <": "the root of 0 is 0: another number stands in its place for gradients alone",
     r"pose_at\[1[23] \* pose_by\] = \(\w+\)0;": "the same number is stored in both places",
-    r"shadow_jacobian_core: .* extent < 0 \?": "at the identity the axis is NaN, and so every entry",
+    r"(turn|shadow|shadow_jacobian)_core: .* extent < 0 \?": "at the identity the axis is NaN, and so every entry",
     r"rotation_\w+_shadow_jacobian_core: const int still = total <": "the same",
     r"rotation_\w+retract_core: .*(factor|z0s) = still \?": "it is multiplied by a vector that is 0 there",
     r"angle_core: const int resting = x <": "of v = 0 the angle that is computed is 0 too: it is chosen for gradients",
@@ -43,6 +43,7 @@ EQUIVALENT = {
     r"\* \(50[57] - z\w\)": "the last terms of the series: less than a condition makes of what is cut off",
     r"versine(\w) = tthalf\1 [<>]=? 1[567] \? 2 \* tthalf\1 / belowhalf\1 : 2 - 2 / belowhalf\1;": "both are 1 - cos",
     r"lost(\w) = (\(alpha\1 [<>]=? [789] \? -?left\1 : \(\w+\)0\)|-?left\1) / \(": "rounding takes nothing here",
+    r"v\d\d\w_in\b": "nor here",
     r"_scalars\(.*&\w+_(3, &\w+_2|5, &\w+_4)\b": "results that nothing reads change places",
 }
 """Changes that change no result, by their function and line, and why."""

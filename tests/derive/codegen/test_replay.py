@@ -166,7 +166,7 @@ def test_untouched_kernels_pass_and_further_charts_are_sampled(texts, tmp_path: 
 def test_results_off_by_more_than_rounding_fail_in_every_type(texts, tmp_path: Path, dtype):
     """A thousand units are added in one type only; the others do not see it."""
     off = 1000 * float(np.finfo(dtype).eps)
-    entry = "sub(n1, mul(g, x23, k2), o1)"
+    entry = "sub(n1, mul(g, x23, k7), o1)"
     wrong = f"add({entry}, {off!r} * (o1.dtype == '{dtype}'), o1)"
     folder = broken(texts, tmp_path, "_geometry.py", re.escape(entry), wrong)
     with pytest.raises(ValidationFailed, match=rf"tensor \({dtype}"):

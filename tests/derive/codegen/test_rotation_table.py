@@ -11,6 +11,7 @@ from derive.codegen.cases import batches, digits, exact
 from derive.codegen.facts import Facts
 from derive.codegen.lowered import geometry, lower_chart
 from derive.codegen.lowering.real import narrowed
+from derive.codegen.lowering.scalars import SQUARES
 from derive.codegen.module import companion_texts, module_name, module_text, shared_texts
 from derive.codegen.programs.program import Call
 from derive.codegen.signatures import POSES, ROTATIONS
@@ -56,8 +57,8 @@ def test_of_the_recipe_of_poses_the_half_that_is_not_needed_is_gone(name: str) -
 
 def test_a_call_asks_for_no_more_slopes_than_are_read() -> None:
     names = ("f", "g", "_", "_", "_", "_")
-    found = narrowed(Call(names, "tangent", ("x",)))
-    assert found == Call(("f", "g", "_"), "pose", ("x",))
+    found = narrowed(Call(names, "tangent", SQUARES))
+    assert found == Call(("f", "g", "_"), "pose", SQUARES)
     kept = Call(("gain",), "gain_unit", ("e0", "e1", "e2", "e3"))
     assert narrowed(kept) == kept
 
