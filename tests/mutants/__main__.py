@@ -9,6 +9,7 @@ statements mutants of the papers' statements
 rooms      where mutants are made and which checks should kill them, in stages
 road       the checks that are no tests: proofs, validation, comparison of what is emitted
 texts      what emitted texts say but for comments, layout and names of variables
+knowledge  what is known of the unchanged tree
 suite      tests, chosen and in order, inside this process
 reach      which checks reach which lines
 tree       copies of the working tree
@@ -36,8 +37,9 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from . import record, report
+from .knowledge import NotControlled
 from .rooms import ROOMS
-from .run import NotControlled, Run
+from .run import Run
 
 ROOT = Path(__file__).parent.parent.parent
 PAGE = "docs/assurance.md"

@@ -8,10 +8,10 @@ from pathlib import Path
 from typing import Any
 
 from . import road, suite
-from .child import isolated
+from .knowledge import Knowledge, NotControlled, Watched
 from .mutant import EQUIVALENT, KILLED, PROSE, SURVIVED, Fate
 from .python import Edit
-from .reach import Reach, Table
+from .reach import Reach
 from .tree import Deciding, deciding, forget
 
 KERNELS = ("tests/generated",)
@@ -33,51 +33,6 @@ TEMPLATES = "templates"
 VALIDATING = "validating"
 CONTROLLING = "controls of proofs"
 COMMENT = {".py.j2": "# one more comment\n", ".h.j2": "// one more comment\n"}
-
-
-@dataclass(frozen=True)
-class Knowledge:
-    """Of the unchanged tree: seconds of the checks of every stage, what they reach, and what is emitted.
-
-    ``setups`` are seconds too, of all fixtures, ``left_out`` the tests that cannot take part, by reason, and
-    ``printing`` the lines that only make texts. ``controlling`` are those that only make controls of proofs, and
-    ``controls`` what these are of.
-    """
-
-    seconds: Mapping[str, Mapping[str, float]]
-    setups: float
-    table: Table
-    printing: frozenset[tuple[str, int]]
-    controlling: frozenset[tuple[str, int]]
-    controls: Sequence[str]
-    left_out: Mapping[str, Sequence[str]]
-    prints: Mapping[str, road.Prints]
-
-    def plan(self, edit: Edit | None) -> dict[str, list[str]]:
-        """The checks that reach an edit, by stage, in their order."""
-        reached = None if edit is None else self.table.checks(edit.path, edit.lines)
-        return {
-            stage: [name for name in seconds if reached is None or name in reached or stage == "kernels"]
-            for stage, seconds in self.seconds.items()
-        }
-
-    def processor(self, edit: Edit | None) -> float:
-        """Seconds of processor time that those take, watched."""
-        planned = ((stage, name) for stage, names in self.plan(edit).items() for name in names)
-        return self.setups + sum(self.seconds[stage][name] for stage, name in planned)
-
-    def prints_only(self, edit: Edit) -> bool:
-        """Whether an edit is in what makes texts, and in nothing that validates them."""
-        places = self._places(edit)
-        return bool(places) and places <= self.printing
-
-    def controls_only(self, edit: Edit) -> bool:
-        """Whether an edit is in what makes theorems wrong on purpose, and in nothing that decides them."""
-        places = self._places(edit)
-        return bool(places) and places <= self.controlling
-
-    def _places(self, edit: Edit) -> set[tuple[str, int]]:
-        return {(edit.path, line) for line in range(edit.lines[0], edit.lines[1] + 1)} & self.table.lines.keys()
 
 
 @dataclass(frozen=True)
@@ -122,11 +77,38 @@ class Checks:
         name = f"{self.name}-again"
         return replace(self, name=name, tests=tests, stages=(TESTS,), emits=False, controlled=False, later=True)
 
-    def prepare(self, folder: Path) -> Knowledge:
-        """Run everything once on the unchanged tree, and watch."""
-        commented = isolated(lambda: self._commented(folder)) if TEMPLATES in self.watched else []
-        kernels = isolated(lambda: suite.run_all(KERNELS, few=FEW)) if self.emits else suite.Times()
-        prints = isolated(road.prints) if self.emits else {}
+    @property
+    def looks(self) -> Mapping[str, Callable[[Path], Any]]:
+        """What has to look at the unchanged tree, each in a process and a copy of its own; the longest first."""
+        looks: dict[str, Callable[[Path], Any]] = {"watched": self._watched}
+        if TEMPLATES in self.watched:
+            looks["commented"] = self._commented
+        if self.emits:
+            looks |= {"kernels": lambda _: suite.run_all(KERNELS, few=FEW), "prints": lambda _: road.prints()}
+        return looks
+
+    def knowledge(self, found: Mapping[str, Any]) -> Knowledge:
+        """What those have found, taken together."""
+        watched: Watched = found["watched"]
+        tests, kernels = watched.tests, found.get("kernels", suite.Times())
+        too_long = [*tests.longer(TOO_LONG, TOO_LONG_FIXTURE), *kernels.longer(LONG, LONG_FIXTURE)]
+        left_out = {
+            "takes long": too_long,
+            "fails unchanged": sorted({*tests.failed, *kernels.failed} - {*too_long}),
+            "fails for one more comment in what is emitted": sorted({*found.get("commented", ())} - {*tests.failed}),
+            "starts a program of its own": sorted(watched.starters),
+        }
+        out = {name for names in left_out.values() for name in names}
+        long = {*tests.longer(LONG, LONG_FIXTURE)}
+        quick, last = tests.without(out | long), tests.without(out | tests.seconds.keys() - long)
+        seconds = {**watched.first, TESTS: quick, "kernels": kernels.without(out), LAST: last}
+        if not (quick or last or self.later):
+            raise NotControlled(f"no test of {', '.join(self.tests)} can be used: {left_out}")
+        setups, apart = tests.setups + kernels.setups, (watched.printing, watched.controlling)
+        return Knowledge(seconds, setups, watched.table, *apart, watched.controls, left_out, found.get("prints", {}))
+
+    def _watched(self, folder: Path) -> Watched:
+        """Run everything but the tests of kernels once, and watch."""
         reach = Reach(folder, [f"{source}/*" for source in self.watched])
         with reach.open():
             road.import_all()
@@ -134,22 +116,9 @@ class Checks:
             with reach.by(CONTROLLING):
                 controls = road.controls() if self.controlled else ()
             tests = suite.run_all(self.tests, reach, few=self.few)
-        too_long = [*tests.longer(TOO_LONG, TOO_LONG_FIXTURE), *kernels.longer(LONG, LONG_FIXTURE)]
-        left_out = {
-            "takes long": too_long,
-            "fails unchanged": sorted({*tests.failed, *kernels.failed} - {*too_long}),
-            "fails for one more comment in what is emitted": sorted(set(commented) - {*tests.failed}),
-            "starts a program of its own": sorted(reach.starters & tests.seconds.keys()),
-        }
-        out = {name for names in left_out.values() for name in names}
-        long = {*tests.longer(LONG, LONG_FIXTURE)}
-        quick, last = tests.without(out | long), tests.without(out | tests.seconds.keys() - long)
-        seconds = {**first, TESTS: quick, "kernels": kernels.without(out), LAST: last}
-        if not (quick or last or self.later):
-            raise RuntimeError(f"no test of {', '.join(self.tests)} can be used: {left_out}")
-        table = reach.table([name for stage in seconds.values() for name in stage])
-        setups, apart = tests.setups + kernels.setups, _apart(reach, set().union(*first.values()))
-        return Knowledge(seconds, setups, table, *apart, controls, left_out, prints)
+        table = reach.table([name for stage in (*first.values(), tests.seconds) for name in stage])
+        apart = _apart(reach, set().union(*first.values()))
+        return Watched(first, tests, table, *apart, controls, frozenset(reach.starters & tests.seconds.keys()))
 
     def _first_stage(self, stage: str, reach: Reach) -> dict[str, float]:
         def around(name: str, validate: Any) -> Any:

@@ -17,6 +17,7 @@ from typing import Any
 from . import past, road
 from .checks import Checks
 from .child import Child, Outcome, outcomes, shared
+from .knowledge import NotControlled
 from .mutant import KILLED, SURVIVED, TIMEOUT, Fate, Mutant, keyed, sample
 from .past import Known, known
 from .record import Record, Trial, read
@@ -65,10 +66,6 @@ class Work:
         if again and isinstance(self.room, Files):
             parts.append(Part(self.room.again(self.known.changed), again))
         return parts
-
-
-class NotControlled(Exception):
-    """The unchanged tree does not survive its own checks, so that killing says nothing."""
 
 
 class Run:
@@ -135,8 +132,15 @@ class Run:
         return Work(room, total, chosen, now, known(pasts, now))
 
     def _prepared(self, checks: Sequence[Checks], copies: list[Copy]) -> dict[Checks, Any]:
-        jobs = {self.folder(self.deciding(of)) / f"checks-{of.name}.pickle": partial(prepare, of) for of in checks}
-        return dict(zip(checks, self._values(jobs, copies)))
+        wanted = [(of, look) for of in checks for look in of.looks]
+        jobs = {
+            self.folder(self.deciding(of)) / f"checks-{of.name}-{look}.pickle": partial(prepare, of, look)
+            for of, look in wanted
+        }
+        found: dict[Checks, dict[str, Any]] = {}
+        for (of, look), value in zip(wanted, self._values(jobs, copies), strict=True):
+            found.setdefault(of, {})[look] = value
+        return {of: of.knowledge(looks) for of, looks in found.items()}
 
     def _values(self, jobs: Mapping[Path, Callable[[Path], Any]], copies: list[Copy]) -> list[Any]:
         """Values of jobs, each kept in a file of its own."""
@@ -203,10 +207,10 @@ def _progress(work: Work, fates: Mapping[str, Fate]) -> str:
     return f"{work.room.name}: {sum(done.values())} of {len(work.sample)}: {counts}"
 
 
-def prepare(checks: Checks, folder: Path) -> Any:
+def prepare(checks: Checks, look: str, folder: Path) -> Any:
     """Look at the unchanged tree, inside a copy."""
     enter(folder)
-    return checks.prepare(folder)
+    return checks.looks[look](folder)
 
 
 def draw(room: Room, seed: int, count: int, folder: Path) -> tuple[int, dict[str, Mutant]]:

@@ -14,12 +14,13 @@ from tests.mutants import checks, report
 from tests.mutants.__main__ import main
 from tests.mutants.checks import Checks
 from tests.mutants.child import Child, isolated, outcomes
+from tests.mutants.knowledge import NotControlled
 from tests.mutants.mutant import KILLED, SURVIVED, Fate
 from tests.mutants.past import Past, known
 from tests.mutants.programs import FORMS, Programs
 from tests.mutants.record import Record, read
 from tests.mutants.rooms import Files
-from tests.mutants.run import NotControlled, Run
+from tests.mutants.run import Run
 from tests.mutants.tree import Deciding
 
 # another test of this process may have imported JAX, which warns of every fork; what is forked here does without it
@@ -88,9 +89,12 @@ def test_long_tests_are_asked_last_and_longer_ones_left_out(tree: Path, monkeypa
 def test_a_run_goes_on_where_it_stopped_until_the_tree_changes(tree: Path) -> None:
     first = run(tree, 4)
     (kept,) = (tree / ".mutants").rglob("toy.jsonl")
+    (looked,) = (tree / ".mutants").rglob("checks-toy-*.pickle")
+    found = looked.stat().st_mtime_ns
     lines = kept.read_text(encoding="utf-8").splitlines()
     kept.write_text("\n".join(lines[:3]) + "\n", encoding="utf-8")
     assert run(tree, 4) == first
+    assert looked.stat().st_mtime_ns == found
     again = kept.read_text(encoding="utf-8").splitlines()
     assert again[:3] == lines[:3]
     assert len(again) == len(lines)
