@@ -48,29 +48,29 @@
 #   [breusing] phi at 0: [phi](alpha -> 0) = 0; [phi](alpha -> -alpha) = -phi
 #
 # Operations:
-#   quaternion: 56: 16 +, 31 *, 6 /, 1 neg, 2 sqrt
-#   tensor: 110: 42 +, 61 *, 5 /, 2 sqrt
-#   pose: 83: 33 +, 43 *, 5 /, 2 sqrt
-#   transform_point: 95: 36 +, 52 *, 5 /, 2 sqrt
-#   transform_line: 134: 51 +, 76 *, 5 /, 2 sqrt
+#   quaternion: 54: 16 +, 29 *, 6 /, 1 neg, 2 sqrt
+#   tensor: 108: 42 +, 59 *, 5 /, 2 sqrt
+#   pose: 81: 33 +, 41 *, 5 /, 2 sqrt
+#   transform_point: 93: 36 +, 50 *, 5 /, 2 sqrt
+#   transform_line: 132: 51 +, 74 *, 5 /, 2 sqrt
 #   inverse: 6: 6 neg
-#   tangent: 124: 46 +, 69 *, 7 /, 2 sqrt
-#   tangent_inv: 108: 39 +, 49 *, 17 /, 1 neg, 2 sqrt
-#   body_tangent: 124: 46 +, 69 *, 7 /, 2 sqrt
-#   body_tangent_inv: 108: 39 +, 49 *, 17 /, 1 neg, 2 sqrt
-#   twist: 158: 57 +, 92 *, 7 /, 2 sqrt
-#   rate: 140: 50 +, 79 *, 8 /, 1 neg, 2 sqrt
-#   tangent_dot: 256: 92 +, 149 *, 13 /, 2 sqrt
-#   twist_dot: 284: 105 +, 166 *, 11 /, 2 sqrt
-#   rate_dot: 289: 108 +, 156 *, 21 /, 2 neg, 2 sqrt
-#   twist_jacobian: 286: 108 +, 165 *, 11 /, 2 sqrt
-#   rate_jacobian: 246: 89 +, 130 *, 23 /, 2 neg, 2 sqrt
+#   tangent: 124: 47 +, 68 *, 7 /, 2 sqrt
+#   tangent_inv: 106: 39 +, 47 *, 17 /, 1 neg, 2 sqrt
+#   body_tangent: 124: 47 +, 68 *, 7 /, 2 sqrt
+#   body_tangent_inv: 106: 39 +, 47 *, 17 /, 1 neg, 2 sqrt
+#   twist: 158: 58 +, 91 *, 7 /, 2 sqrt
+#   rate: 138: 50 +, 77 *, 8 /, 1 neg, 2 sqrt
+#   tangent_dot: 256: 93 +, 148 *, 13 /, 2 sqrt
+#   twist_dot: 284: 106 +, 165 *, 11 /, 2 sqrt
+#   rate_dot: 289: 109 +, 155 *, 21 /, 2 neg, 2 sqrt
+#   twist_jacobian: 286: 109 +, 164 *, 11 /, 2 sqrt
+#   rate_jacobian: 246: 90 +, 129 *, 23 /, 2 neg, 2 sqrt
 #   from_quaternion: 81: 25 +, 42 *, 6 /, 1 neg, 4 sqrt, 1 lt, 2 where
 #   from_tensor: 148: 48 +, 54 *, 10 /, 5 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 112: 33 +, 36 *, 7 /, 5 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 34: 6 +, 17 *, 7 /, 1 sqrt, 1 tan, 1 lt, 1 where
 #   to_screw: 106: 25 +, 36 *, 14 /, 1 neg, 8 abs, 3 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
-#   angle: 88: 26 +, 27 *, 12 /, 6 abs, 6 sqrt, 1 atan2, 3 eq, 7 where
+#   angle: 86: 26 +, 25 *, 12 /, 6 abs, 6 sqrt, 1 atan2, 3 eq, 7 where
 #   to_exponential: 66: 20 +, 30 *, 7 /, 5 sqrt, 1 atan2, 1 eq, 2 where
 #   from_exponential: 67: 17 +, 26 *, 10 /, 2 sqrt, 2 tan, 2 atan2, 2 lt, 1 eq, 5 where
 #   turn: 98: 22 +, 38 *, 18 /, 6 abs, 4 sqrt, 1 lt, 2 eq, 7 where
@@ -78,22 +78,22 @@
 #   identity_jacobian: 12: 12 +
 #   shadow_jacobian: 241: 68 +, 103 *, 33 /, 1 neg, 6 abs, 10 sqrt, 5 lt, 3 eq, 1 and, 1 or, 10 where
 #   principal: 83: 21 +, 33 *, 15 /, 4 sqrt, 2 lt, 8 where
-#   compose: 251: 85 +, 137 *, 17 /, 1 neg, 8 sqrt, 1 lt, 2 where
-#   between: 257: 85 +, 137 *, 17 /, 7 neg, 8 sqrt, 1 lt, 2 where
-#   compose_jacobians: 1098: 419 +, 579 *, 75 /, 8 neg, 14 sqrt, 1 lt, 2 where
-#   between_jacobians: 1122: 419 +, 579 *, 75 /, 32 neg, 14 sqrt, 1 lt, 2 where
-#   retract: 412: 136 +, 170 *, 48 /, 2 neg, 3 abs, 11 sqrt, 4 tan, 4 atan2, 8 lt, 2 eq, 24 where
-#   body_retract: 412: 136 +, 170 *, 48 /, 2 neg, 3 abs, 11 sqrt, 4 tan, 4 atan2, 8 lt, 2 eq, 24 where
-#   retract_jacobians: 1222: 460 +, 594 *, 100 /, 9 neg, 3 abs, 13 sqrt, 4 tan, 4 atan2, 8 lt, 2 eq, 25 where
-#   body_retract_jacobians: 1222: 460 +, 594 *, 100 /, 9 neg, 3 abs, 13 sqrt, 4 tan, 4 atan2, 8 lt, 2 eq, 25
+#   compose: 247: 85 +, 133 *, 17 /, 1 neg, 8 sqrt, 1 lt, 2 where
+#   between: 253: 85 +, 133 *, 17 /, 7 neg, 8 sqrt, 1 lt, 2 where
+#   compose_jacobians: 1092: 421 +, 571 *, 75 /, 8 neg, 14 sqrt, 1 lt, 2 where
+#   between_jacobians: 1116: 421 +, 571 *, 75 /, 32 neg, 14 sqrt, 1 lt, 2 where
+#   retract: 410: 136 +, 168 *, 48 /, 2 neg, 3 abs, 11 sqrt, 4 tan, 4 atan2, 8 lt, 2 eq, 24 where
+#   body_retract: 410: 136 +, 168 *, 48 /, 2 neg, 3 abs, 11 sqrt, 4 tan, 4 atan2, 8 lt, 2 eq, 24 where
+#   retract_jacobians: 1218: 461 +, 589 *, 100 /, 9 neg, 3 abs, 13 sqrt, 4 tan, 4 atan2, 8 lt, 2 eq, 25 where
+#   body_retract_jacobians: 1218: 461 +, 589 *, 100 /, 9 neg, 3 abs, 13 sqrt, 4 tan, 4 atan2, 8 lt, 2 eq, 25
 #       where
-#   local: 363: 125 +, 165 *, 39 /, 7 neg, 7 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-#   body_local: 363: 125 +, 165 *, 39 /, 7 neg, 7 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-#   interpolate: 810: 269 +, 349 *, 85 /, 8 neg, 7 abs, 18 sqrt, 5 tan, 4 atan2, 13 lt, 5 eq, 1 and, 3 or, 43
+#   local: 359: 125 +, 161 *, 39 /, 7 neg, 7 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   body_local: 359: 125 +, 161 *, 39 /, 7 neg, 7 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   interpolate: 806: 269 +, 345 *, 85 /, 8 neg, 7 abs, 18 sqrt, 5 tan, 4 atan2, 13 lt, 5 eq, 1 and, 3 or, 43
 #       where
-#   adjoint: 110: 42 +, 61 *, 5 /, 2 sqrt
-#   transform_point_jacobians: 239: 100 +, 127 *, 7 /, 3 neg, 2 sqrt
-#   transform_line_jacobians: 338: 133 +, 190 *, 7 /, 6 neg, 2 sqrt
+#   adjoint: 108: 42 +, 59 *, 5 /, 2 sqrt
+#   transform_point_jacobians: 239: 101 +, 126 *, 7 /, 3 neg, 2 sqrt
+#   transform_line_jacobians: 338: 134 +, 189 *, 7 /, 6 neg, 2 sqrt
 r"""Breusing's chart: Rodrigues dual vectors ``v = sin(α/4)/sqrt(cos(α/4)) u`` of rigid displacements.
 
 .. math::
@@ -144,7 +144,7 @@ def __dir__() -> list[str]:
 # --- scalars of x = v·v, of angles and quaternions: plain, and in place -------------------------------------------
 
 
-# operations 32: 9 +, 14 *, 6 /, 1 neg, 2 sqrt
+# operations 30: 9 +, 12 *, 6 /, 1 neg, 2 sqrt
 def _quaternion(m: Any, x: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     c = (below - below + 2) / below
@@ -157,8 +157,7 @@ def _quaternion(m: Any, x: Any) -> Result:
     over = 1 / (1 + cc)
     rho = 4 * (w * over)
     sy = -(rho * w / 2)
-    weight = 3 + 2 * cc
-    h = 2 * (c * w) * (weight * over)
+    h = 2 * (c * w) * (2 + over)
     ww = w * w
     wy = s * h / 2 - w * ww
     return s, w, sy, wy
@@ -167,7 +166,7 @@ def _quaternion(m: Any, x: Any) -> Result:
 def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3, o4 = out
     k1, *_ = scratch
-    n1, n2, n3, n4 = numbers
+    n1, n2, n4 = numbers
     below = add(x, sqrt(add(mul(x, x, o4), n4, o4), o4), o4)
     c = div(add(sub(below, below, o1), n2, o1), below, o4)
     above = sub(c, x, o1)
@@ -176,9 +175,8 @@ def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: R
     rootc = sqrt(c, o3)
     w = div(mul(n2, rootc, o3), size, o2)
     cc = mul(c, c, o3)
-    over = div(n1, add(n1, cc, k1), k1)
-    weight = add(n3, mul(n2, cc, o3), o3)
-    h = mul(mul(n2, mul(c, w, o4), o4), mul(weight, over, o3), o4)
+    over = div(n1, add(n1, cc, o3), o3)
+    h = mul(mul(n2, mul(c, w, o4), o4), add(n2, over, k1), o4)
     rho = mul(n4, mul(w, over, o3), o3)
     neg(div(mul(rho, w, o3), n2, o3), o3)
     ww = mul(w, w, k1)
@@ -186,7 +184,7 @@ def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: R
     return o1, o2, o3, o4
 
 
-# operations 29: 10 +, 12 *, 5 /, 2 sqrt
+# operations 27: 10 +, 10 *, 5 /, 2 sqrt
 def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     below = x + m.sqrt(x * x + 4)
@@ -199,16 +197,15 @@ def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     f = 2 * (s * w)
     g = 8 * (c / (size * size))
     cc = c * c
-    weight = 3 + 2 * cc
     over = 1 / (1 + cc)
-    h = 2 * (c * w) * (weight * over)
+    h = 2 * (c * w) * (2 + over)
     return f, g, h
 
 
 def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3 = out
-    k1, k2, k3, *_ = scratch
-    n1, n2, n3, n4, n8 = numbers
+    k1, k2, *_ = scratch
+    n1, n2, n4, n8 = numbers
     x = add(add(v11, v22, o2), v33, o2)
     below = add(x, sqrt(add(mul(x, x, o3), n4, o3), o3), o3)
     c = div(add(sub(below, below, o1), n2, o1), below, o3)
@@ -220,13 +217,12 @@ def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v
     mul(n2, mul(s, w, o1), o1)
     mul(n8, div(c, mul(size, size, o2), o2), o2)
     cc = mul(c, c, k2)
-    weight = add(n3, mul(n2, cc, k3), k3)
     over = div(n1, add(n1, cc, k2), k2)
-    mul(mul(n2, mul(c, w, o3), o3), mul(weight, over, k1), o3)
+    mul(mul(n2, mul(c, w, o3), o3), add(n2, over, k1), o3)
     return o1, o2, o3
 
 
-# operations 47: 14 +, 24 *, 7 /, 2 sqrt
+# operations 47: 15 +, 23 *, 7 /, 2 sqrt
 def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     below = x + m.sqrt(x * x + 4)
@@ -239,14 +235,14 @@ def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     f = 2 * (s * w)
     g = 8 * (c / (size * size))
     cc = c * c
-    weight = 3 + 2 * cc
     over = 1 / (1 + cc)
-    h = 2 * (c * w) * (weight * over)
+    h = 2 * (c * w) * (2 + over)
     rho = 4 * (w * over)
     fy = h - rho * g
     gy = f * h - g * g
     decline = 2 * (c * over)
     share = 4 * (cc * over)
+    weight = 3 + 2 * cc
     hgrowth = share - 5 - 8 * (cc / weight)
     hy = h * decline * hgrowth / 2
     return f, g, h, fy, gy, hy
@@ -254,33 +250,33 @@ def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 
 def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, *_ = scratch
+    k1, k2, *_ = scratch
     n1, n2, n3, n4, n5, n8 = numbers
-    x = add(add(v11, v22, o2), v33, o2)
+    x = add(add(v11, v22, o1), v33, o1)
     below = add(x, sqrt(add(mul(x, x, o6), n4, o6), o6), o6)
-    c = div(add(sub(below, below, o1), n2, o1), below, o6)
-    above = sub(c, x, o1)
+    c = div(add(sub(below, below, o4), n2, o4), below, o6)
+    cc = mul(c, c, o4)
+    over = div(n1, add(n1, cc, o5), o5)
+    share = mul(n4, mul(cc, over, k1), k1)
+    weight = add(n3, mul(n2, cc, o2), o2)
+    hgrowth = sub(sub(share, n5, k1), mul(n8, div(cc, weight, o4), o4), o4)
+    rootc = sqrt(c, k1)
     size = add(c, x, o2)
+    w = div(mul(n2, rootc, k1), size, k1)
+    above = sub(c, x, o1)
     s = div(above, size, o1)
-    rootc = sqrt(c, o4)
-    w = div(mul(n2, rootc, o4), size, o4)
     f = mul(n2, mul(s, w, o1), o1)
     g = mul(n8, div(c, mul(size, size, o2), o2), o2)
-    cc = mul(c, c, k1)
-    weight = add(n3, mul(n2, cc, k2), k2)
-    over = div(n1, add(n1, cc, k3), k3)
-    h = mul(mul(n2, mul(c, w, o3), o3), mul(weight, over, o5), o3)
-    rho = mul(n4, mul(w, over, o4), o4)
-    sub(h, mul(rho, g, o4), o4)
-    sub(mul(f, h, o5), mul(g, g, k4), o5)
+    h = mul(mul(n2, mul(c, w, o3), o3), add(n2, over, k2), o3)
     decline = mul(n2, mul(c, over, o6), o6)
-    share = mul(n4, mul(cc, over, k3), k3)
-    hgrowth = sub(sub(share, n5, k3), mul(n8, div(cc, weight, k1), k1), k1)
     div(mul(mul(h, decline, o6), hgrowth, o6), n2, o6)
+    rho = mul(n4, mul(w, over, o4), o4)
+    sub(mul(f, h, o5), mul(g, g, k1), o5)
+    sub(h, mul(rho, g, o4), o4)
     return o1, o2, o3, o4, o5, o6
 
 
-# operations 81: 23 +, 45 *, 11 /, 2 sqrt
+# operations 81: 24 +, 44 *, 11 /, 2 sqrt
 def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     below = x + m.sqrt(x * x + 4)
@@ -293,14 +289,14 @@ def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     f = 2 * (s * w)
     g = 8 * (c / (size * size))
     cc = c * c
-    weight = 3 + 2 * cc
     over = 1 / (1 + cc)
-    h = 2 * (c * w) * (weight * over)
+    h = 2 * (c * w) * (2 + over)
     rho = 4 * (w * over)
     fy = h - rho * g
     gy = f * h - g * g
     decline = 2 * (c * over)
     share = 4 * (cc * over)
+    weight = 3 + 2 * cc
     hgrowth = share - 5 - 8 * (cc / weight)
     hy = h * decline * hgrowth / 2
     rhogrowth = share - 3
@@ -322,33 +318,33 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     n_minus_2, n1, n2, n3, n4, n5, n8, n48 = numbers
     x = add(add(v11, v22, o1), v33, o1)
     below = add(x, sqrt(add(mul(x, x, o7), n4, o7), o7), o7)
-    c = div(add(sub(below, below, o4), n2, o4), below, o7)
-    rootc = sqrt(c, o4)
+    c = div(add(sub(below, below, o9), n2, o9), below, o7)
+    cc = mul(c, c, o9)
+    over = div(n1, add(n1, cc, o5), o5)
+    share = mul(n4, mul(cc, over, o4), o4)
+    weight = add(n3, mul(n2, cc, o8), o8)
+    hgrowth = sub(sub(share, n5, k1), mul(n8, div(cc, weight, k2), k2), k1)
+    rootc = sqrt(c, k2)
     size = add(c, x, o2)
-    w = div(mul(n2, rootc, o4), size, o4)
+    w = div(mul(n2, rootc, k2), size, k2)
     above = sub(c, x, o1)
     s = div(above, size, o1)
     f = mul(n2, mul(s, w, o1), o1)
     g = mul(n8, div(c, mul(size, size, o2), o2), o2)
-    cc = mul(c, c, o9)
-    weight = add(n3, mul(n2, cc, o5), o5)
-    over = div(n1, add(n1, cc, o8), o8)
-    h = mul(mul(n2, mul(c, w, o3), o3), mul(weight, over, k1), o3)
+    h = mul(mul(n2, mul(c, w, o3), o3), add(n2, over, o6), o3)
     decline = mul(n2, mul(c, over, o7), o7)
-    rho = mul(n4, mul(w, over, o4), o4)
-    share = mul(n4, mul(cc, over, k1), k1)
-    sharey = mul(n_minus_2, mul(mul(share, over, o8), decline, o8), o8)
-    hgrowth = sub(sub(share, n5, k2), mul(n8, div(cc, weight, o6), o6), k2)
+    rho = mul(n4, mul(w, over, k2), k2)
+    sharey = mul(n_minus_2, mul(mul(share, over, o5), decline, o5), o5)
     hy = div(mul(mul(h, decline, o6), hgrowth, o6), n2, o6)
     decliney = mul(mul(decline, decline, k3), sub(div(share, n2, k4), n1, k4), k3)
     div(
-        add(mul(mul(hy, decline, k4), hgrowth, k4), mul(h, add(mul(decliney, hgrowth, k2), mul(decline, add(sharey,
-        mul(n48, div(mul(cc, decline, o9), mul(weight, weight, o5), o9), o9), o9), o9), o9), o9), o9), n2, o9
+        add(mul(mul(hy, decline, k4), hgrowth, k4), mul(h, add(mul(decliney, hgrowth, k1), mul(decline, add(sharey,
+        mul(n48, div(mul(cc, decline, o9), mul(weight, weight, o8), o9), o9), o9), o9), o9), o9), o9), n2, o9
     )
     rhogrowth = sub(share, n3, o5)
     rhoy = div(mul(mul(rho, decline, o7), rhogrowth, o7), n2, o7)
-    gy = sub(mul(f, h, o5), mul(g, g, o8), o5)
-    sub(sub(hy, mul(rhoy, g, o7), o7), mul(rho, gy, o8), o7)
+    gy = sub(mul(f, h, o5), mul(g, g, o4), o5)
+    sub(sub(hy, mul(rhoy, g, o7), o7), mul(rho, gy, o4), o7)
     fy = sub(h, mul(rho, g, o4), o4)
     sub(add(mul(fy, h, o8), mul(f, hy, k1), o8), mul(n2, mul(g, gy, k1), k1), o8)
     return o1, o2, o3, o4, o5, o6, o7, o8, o9
@@ -426,7 +422,7 @@ def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: R
     return o1,
 
 
-# operations 31: 7 +, 14 *, 7 /, 1 neg, 2 sqrt
+# operations 29: 7 +, 12 *, 7 /, 1 neg, 2 sqrt
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     c = (below - below + 2) / below
@@ -435,9 +431,8 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     size = c + x
     w = 2 * rootc / size
     cc = c * c
-    weight = 3 + 2 * cc
     over = 1 / (1 + cc)
-    h = 2 * (c * w) * (weight * over)
+    h = 2 * (c * w) * (2 + over)
     g = 8 * (c / (size * size))
     fiy = -(h / g)
     decline = 2 * (c * over)
@@ -457,9 +452,8 @@ def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, mask
     w = div(mul(n2, rootc, o3), size, o3)
     g = mul(n8, div(c, mul(size, size, k1), k1), k1)
     cc = mul(c, c, k2)
-    weight = add(n3, mul(n2, cc, k3), k3)
     over = div(n1, add(n1, cc, k2), k2)
-    h = mul(mul(n2, mul(c, w, o3), o3), mul(weight, over, k3), o3)
+    h = mul(mul(n2, mul(c, w, o3), o3), add(n2, over, k3), o3)
     neg(div(h, g, o3), o3)
     decline = mul(n2, mul(c, over, o4), o4)
     div(mul(hi, decline, o4), n2, o4)
@@ -467,7 +461,7 @@ def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, mask
     return o1, o2, o3, o4
 
 
-# operations 33: 8 +, 14 *, 8 /, 1 neg, 2 sqrt
+# operations 31: 8 +, 12 *, 8 /, 1 neg, 2 sqrt
 def _tangent_inv(m: Any, x: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     c = (below - below + 2) / below
@@ -479,9 +473,8 @@ def _tangent_inv(m: Any, x: Any) -> Result:
     size = c + x
     w = rootc_by_2 / size
     cc = c * c
-    weight = 3 + 2 * cc
     over = 1 / (1 + cc)
-    h = 2 * (c * w) * (weight * over)
+    h = 2 * (c * w) * (2 + over)
     g = 8 * (c / (size * size))
     fiy = -(h / g)
     decline = 2 * (c * over)
@@ -504,16 +497,15 @@ def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     w = div(rootc_by_2, size, o3)
     g = mul(n8, div(c, mul(size, size, k1), k1), k1)
     cc = mul(c, c, k2)
-    weight = add(n3, mul(n2, cc, k3), k3)
     over = div(n1, add(n1, cc, k2), k2)
-    h = mul(mul(n2, mul(c, w, o3), o3), mul(weight, over, k3), o3)
+    h = mul(mul(n2, mul(c, w, o3), o3), add(n2, over, k3), o3)
     neg(div(h, g, o3), o3)
     decline = mul(n2, mul(c, over, o4), o4)
     div(mul(hi, decline, o4), n2, o4)
     return o1, o2, o3, o4
 
 
-# operations 60: 14 +, 28 *, 14 /, 2 neg, 2 sqrt
+# operations 60: 15 +, 27 *, 14 /, 2 neg, 2 sqrt
 def _tangent_inv_dot(m: Any, x: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     c = (below - below + 2) / below
@@ -525,14 +517,14 @@ def _tangent_inv_dot(m: Any, x: Any) -> Result:
     size = c + x
     w = rootc_by_2 / size
     cc = c * c
-    weight = 3 + 2 * cc
     over = 1 / (1 + cc)
-    h = 2 * (c * w) * (weight * over)
+    h = 2 * (c * w) * (2 + over)
     g = 8 * (c / (size * size))
     fiy = -(h / g)
     decline = 2 * (c * over)
     hiy = hi * decline / 2
     share = 4 * (cc * over)
+    weight = 3 + 2 * cc
     hgrowth = share - 5 - 8 * (cc / weight)
     hy = h * decline * hgrowth / 2
     s = above / size
@@ -546,38 +538,38 @@ def _tangent_inv_dot(m: Any, x: Any) -> Result:
 
 def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, *_ = scratch
+    k1, k2, k3, k4, k5, k6, *_ = scratch
     n1, n2, n3, n4, n5, n8 = numbers
     below = add(x, sqrt(add(mul(x, x, o6), n4, o6), o6), o6)
     c = div(add(sub(below, below, o5), n2, o5), below, o6)
     above = sub(c, x, o5)
     rootc = sqrt(c, o2)
-    rootc_by_2 = mul(n2, rootc, o3)
+    rootc_by_2 = mul(n2, rootc, k1)
     hi = div(n3, mul(n4, rootc, o2), o2)
     div(above, rootc_by_2, o1)
-    size = add(c, x, k1)
-    w = div(rootc_by_2, size, o3)
+    size = add(c, x, k2)
+    w = div(rootc_by_2, size, k1)
     s = div(above, size, o5)
-    g = mul(n8, div(c, mul(size, size, k1), k1), k1)
+    g = mul(n8, div(c, mul(size, size, k2), k2), k2)
     f = mul(n2, mul(s, w, o5), o5)
-    cc = mul(c, c, o4)
-    weight = add(n3, mul(n2, cc, k2), k2)
-    over = div(n1, add(n1, cc, k3), k3)
-    h = mul(mul(n2, mul(c, w, o3), o3), mul(weight, over, k4), o3)
+    cc = mul(c, c, k3)
+    over = div(n1, add(n1, cc, k4), k4)
+    h = mul(mul(n2, mul(c, w, k1), k1), add(n2, over, o3), k1)
     decline = mul(n2, mul(c, over, o6), o6)
-    gy = sub(mul(f, h, o5), mul(g, g, k4), o5)
-    share = mul(n4, mul(cc, over, k3), k3)
-    hgrowth = sub(sub(share, n5, k4), mul(n8, div(cc, weight, o4), o4), o4)
-    hy = div(mul(mul(h, decline, k2), hgrowth, o4), n2, o4)
+    gy = sub(mul(f, h, o5), mul(g, g, o3), o5)
+    share = mul(n4, mul(cc, over, k4), k4)
     fiy = neg(div(h, g, o3), o3)
-    neg(div(add(hy, mul(fiy, gy, o5), o5), g, o5), o5)
-    decliney = mul(mul(decline, decline, k1), sub(div(share, n2, o4), n1, o4), k1)
     hiy = div(mul(hi, decline, o4), n2, o4)
+    weight = add(n3, mul(n2, cc, k5), k5)
+    hgrowth = sub(sub(share, n5, k6), mul(n8, div(cc, weight, k3), k3), k3)
+    hy = div(mul(mul(h, decline, k1), hgrowth, k1), n2, k1)
+    neg(div(add(hy, mul(fiy, gy, o5), o5), g, o5), o5)
+    decliney = mul(mul(decline, decline, k1), sub(div(share, n2, k2), n1, k2), k1)
     div(add(mul(hiy, decline, o6), mul(hi, decliney, k1), o6), n2, o6)
     return o1, o2, o3, o4, o5, o6
 
 
-# operations 27: 8 +, 12 *, 5 /, 2 sqrt
+# operations 25: 8 +, 10 *, 5 /, 2 sqrt
 def _ray(m: Any, x: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     c = (below - below + 2) / below
@@ -590,16 +582,15 @@ def _ray(m: Any, x: Any) -> Result:
     f = 2 * (s * w)
     g = 8 * (c / (size * size))
     cc = c * c
-    weight = 3 + 2 * cc
     over = 1 / (1 + cc)
-    h = 2 * (c * w) * (weight * over)
+    h = 2 * (c * w) * (2 + over)
     return above, b, size, f, g, h
 
 
 def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3, o4, o5, o6 = out
     k1, *_ = scratch
-    n1, n2, n3, n4, n8 = numbers
+    n1, n2, n4, n8 = numbers
     below = add(x, sqrt(add(mul(x, x, o1), n4, o1), o1), o1)
     c = div(add(sub(below, below, o2), n2, o2), below, o1)
     rootc = sqrt(c, o2)
@@ -607,9 +598,8 @@ def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x:
     size = add(c, x, o3)
     w = div(b, size, o4)
     cc = mul(c, c, o6)
-    weight = add(n3, mul(n2, cc, o5), o5)
     over = div(n1, add(n1, cc, o6), o6)
-    mul(mul(n2, mul(c, w, k1), k1), mul(weight, over, o6), o6)
+    mul(mul(n2, mul(c, w, o5), o5), add(n2, over, o6), o6)
     mul(n8, div(c, mul(size, size, o5), o5), o5)
     above = sub(c, x, o1)
     s = div(above, size, k1)
@@ -975,17 +965,17 @@ CHART = Chart(
         "-1.0",
     ),
     functions={
-        "quaternion": Function(_quaternion, _quaternion_blocks, 1, 0, (1, 2, 3, 4)),
-        "pose": Function(_pose, _pose_blocks, 3, 0, (1, 2, 3, 4, 8)),
-        "tangent": Function(_tangent, _tangent_blocks, 4, 0, (1, 2, 3, 4, 5, 8)),
+        "quaternion": Function(_quaternion, _quaternion_blocks, 1, 0, (1, 2, 4)),
+        "pose": Function(_pose, _pose_blocks, 2, 0, (1, 2, 4, 8)),
+        "tangent": Function(_tangent, _tangent_blocks, 2, 0, (1, 2, 3, 4, 5, 8)),
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 4, 0, (-2, 1, 2, 3, 4, 5, 8, 48)),
         "rate": Function(_rate, _rate_blocks, 2, 0, (1, 2, 3, 4)),
         "inverse": Function(_inverse, _inverse_blocks, 0, 0, (4, 9, 32)),
         "inverse_at": Function(_inverse_at, _inverse_at_blocks, 1, 0, (2, 3, 4)),
         "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 3, 0, (1, 2, 3, 4, 8)),
         "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 3, 0, (1, 2, 3, 4, 8)),
-        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 4, 0, (1, 2, 3, 4, 5, 8)),
-        "ray": Function(_ray, _ray_blocks, 1, 0, (1, 2, 3, 4, 8)),
+        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 6, 0, (1, 2, 3, 4, 5, 8)),
+        "ray": Function(_ray, _ray_blocks, 1, 0, (1, 2, 4, 8)),
         "gain_unit": Function(_gain_unit, _gain_unit_blocks, 2, 1, (-1, 0, 1, 2)),
         "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 0, (1, 2)),
         "gain_product": Function(_gain_product, _gain_product_blocks, 3, 1, (-1, 0, 1, 2)),
@@ -999,7 +989,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 3, 2, (-1, 0, 1, 2, 4, 6, 8)),
     },
     kernels=SHARED,
-    programs="3de97184c643962e",
+    programs="3443286c4633e748",
 )
 
 KERNELS = PoseKernels(CHART)
