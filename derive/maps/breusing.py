@@ -75,6 +75,11 @@ class BreusingScalars(DependentScalars):
     def w(self) -> Coefficient:
         return self.m.name("w", 2 * self._root / self._size)
 
+    @cached_property
+    def _twice(self) -> Coefficient:
+        """2 w."""
+        return self.m.name("w2", 2 * self.w)
+
     @property
     def ray(self) -> tuple[Coefficient, Coefficient, Coefficient]:
         return self._above, self.m.name("b", 2 * self._root), self._size
@@ -90,7 +95,7 @@ class BreusingScalars(DependentScalars):
     @cached_property
     def h(self) -> Coefficient:
         """``2 c w (3 + 2 c²)/(1 + c²)``, of fewer operations."""
-        return self.m.name("h", 2 * (self.c * self.w) * (2 + self._over))
+        return self.m.name("h", self.c * self._twice * (2 + self._over))
 
     @cached_property
     def _decline(self) -> Coefficient:
@@ -111,6 +116,10 @@ class BreusingScalars(DependentScalars):
     @cached_property
     def _sharing(self) -> Coefficient:
         return self.m.name("sharey", -2 * (self._share * self._over * self._decline))
+
+    @cached_property
+    def f(self) -> Coefficient:
+        return self.m.name("f", self.s * self._twice)
 
     @cached_property
     def g(self) -> Coefficient:

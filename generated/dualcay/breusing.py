@@ -49,28 +49,28 @@
 #
 # Operations:
 #   quaternion: 54: 16 +, 29 *, 6 /, 1 neg, 2 sqrt
-#   tensor: 108: 42 +, 59 *, 5 /, 2 sqrt
-#   pose: 81: 33 +, 41 *, 5 /, 2 sqrt
-#   transform_point: 93: 36 +, 50 *, 5 /, 2 sqrt
-#   transform_line: 132: 51 +, 74 *, 5 /, 2 sqrt
+#   tensor: 107: 42 +, 58 *, 5 /, 2 sqrt
+#   pose: 80: 33 +, 40 *, 5 /, 2 sqrt
+#   transform_point: 92: 36 +, 49 *, 5 /, 2 sqrt
+#   transform_line: 131: 51 +, 73 *, 5 /, 2 sqrt
 #   inverse: 6: 6 neg
-#   tangent: 124: 47 +, 68 *, 7 /, 2 sqrt
+#   tangent: 123: 47 +, 67 *, 7 /, 2 sqrt
 #   tangent_inv: 106: 39 +, 47 *, 17 /, 1 neg, 2 sqrt
-#   body_tangent: 124: 47 +, 68 *, 7 /, 2 sqrt
+#   body_tangent: 123: 47 +, 67 *, 7 /, 2 sqrt
 #   body_tangent_inv: 106: 39 +, 47 *, 17 /, 1 neg, 2 sqrt
-#   twist: 158: 58 +, 91 *, 7 /, 2 sqrt
+#   twist: 157: 58 +, 90 *, 7 /, 2 sqrt
 #   rate: 138: 50 +, 77 *, 8 /, 1 neg, 2 sqrt
-#   tangent_dot: 256: 93 +, 148 *, 13 /, 2 sqrt
-#   twist_dot: 284: 106 +, 165 *, 11 /, 2 sqrt
-#   rate_dot: 289: 109 +, 155 *, 21 /, 2 neg, 2 sqrt
-#   twist_jacobian: 286: 109 +, 164 *, 11 /, 2 sqrt
-#   rate_jacobian: 246: 90 +, 129 *, 23 /, 2 neg, 2 sqrt
+#   tangent_dot: 255: 93 +, 147 *, 13 /, 2 sqrt
+#   twist_dot: 283: 106 +, 164 *, 11 /, 2 sqrt
+#   rate_dot: 288: 109 +, 154 *, 21 /, 2 neg, 2 sqrt
+#   twist_jacobian: 285: 109 +, 163 *, 11 /, 2 sqrt
+#   rate_jacobian: 245: 90 +, 128 *, 23 /, 2 neg, 2 sqrt
 #   from_quaternion: 81: 25 +, 42 *, 6 /, 1 neg, 4 sqrt, 1 lt, 2 where
 #   from_tensor: 148: 48 +, 54 *, 10 /, 5 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 112: 33 +, 36 *, 7 /, 5 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 34: 6 +, 17 *, 7 /, 1 sqrt, 1 tan, 1 lt, 1 where
 #   to_screw: 106: 25 +, 36 *, 14 /, 1 neg, 8 abs, 3 sqrt, 1 atan2, 4 lt, 3 eq, 1 and, 1 or, 9 where
-#   angle: 86: 26 +, 25 *, 12 /, 6 abs, 6 sqrt, 1 atan2, 3 eq, 7 where
+#   angle: 85: 26 +, 24 *, 12 /, 6 abs, 6 sqrt, 1 atan2, 3 eq, 7 where
 #   to_exponential: 66: 20 +, 30 *, 7 /, 5 sqrt, 1 atan2, 1 eq, 2 where
 #   from_exponential: 67: 17 +, 26 *, 10 /, 2 sqrt, 2 tan, 2 atan2, 2 lt, 1 eq, 5 where
 #   turn: 98: 22 +, 38 *, 18 /, 6 abs, 4 sqrt, 1 lt, 2 eq, 7 where
@@ -78,22 +78,22 @@
 #   identity_jacobian: 12: 12 +
 #   shadow_jacobian: 241: 68 +, 103 *, 33 /, 1 neg, 6 abs, 10 sqrt, 5 lt, 3 eq, 1 and, 1 or, 10 where
 #   principal: 83: 21 +, 33 *, 15 /, 4 sqrt, 2 lt, 8 where
-#   compose: 247: 85 +, 133 *, 17 /, 1 neg, 8 sqrt, 1 lt, 2 where
-#   between: 253: 85 +, 133 *, 17 /, 7 neg, 8 sqrt, 1 lt, 2 where
-#   compose_jacobians: 1092: 421 +, 571 *, 75 /, 8 neg, 14 sqrt, 1 lt, 2 where
-#   between_jacobians: 1116: 421 +, 571 *, 75 /, 32 neg, 14 sqrt, 1 lt, 2 where
-#   retract: 410: 136 +, 168 *, 48 /, 2 neg, 3 abs, 11 sqrt, 4 tan, 4 atan2, 8 lt, 2 eq, 24 where
-#   body_retract: 410: 136 +, 168 *, 48 /, 2 neg, 3 abs, 11 sqrt, 4 tan, 4 atan2, 8 lt, 2 eq, 24 where
-#   retract_jacobians: 1218: 461 +, 589 *, 100 /, 9 neg, 3 abs, 13 sqrt, 4 tan, 4 atan2, 8 lt, 2 eq, 25 where
-#   body_retract_jacobians: 1218: 461 +, 589 *, 100 /, 9 neg, 3 abs, 13 sqrt, 4 tan, 4 atan2, 8 lt, 2 eq, 25
+#   compose: 245: 85 +, 131 *, 17 /, 1 neg, 8 sqrt, 1 lt, 2 where
+#   between: 251: 85 +, 131 *, 17 /, 7 neg, 8 sqrt, 1 lt, 2 where
+#   compose_jacobians: 1088: 421 +, 567 *, 75 /, 8 neg, 14 sqrt, 1 lt, 2 where
+#   between_jacobians: 1112: 421 +, 567 *, 75 /, 32 neg, 14 sqrt, 1 lt, 2 where
+#   retract: 409: 136 +, 167 *, 48 /, 2 neg, 3 abs, 11 sqrt, 4 tan, 4 atan2, 8 lt, 2 eq, 24 where
+#   body_retract: 409: 136 +, 167 *, 48 /, 2 neg, 3 abs, 11 sqrt, 4 tan, 4 atan2, 8 lt, 2 eq, 24 where
+#   retract_jacobians: 1216: 461 +, 587 *, 100 /, 9 neg, 3 abs, 13 sqrt, 4 tan, 4 atan2, 8 lt, 2 eq, 25 where
+#   body_retract_jacobians: 1216: 461 +, 587 *, 100 /, 9 neg, 3 abs, 13 sqrt, 4 tan, 4 atan2, 8 lt, 2 eq, 25
 #       where
-#   local: 359: 125 +, 161 *, 39 /, 7 neg, 7 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-#   body_local: 359: 125 +, 161 *, 39 /, 7 neg, 7 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-#   interpolate: 806: 269 +, 345 *, 85 /, 8 neg, 7 abs, 18 sqrt, 5 tan, 4 atan2, 13 lt, 5 eq, 1 and, 3 or, 43
+#   local: 357: 125 +, 159 *, 39 /, 7 neg, 7 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   body_local: 357: 125 +, 159 *, 39 /, 7 neg, 7 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
+#   interpolate: 804: 269 +, 343 *, 85 /, 8 neg, 7 abs, 18 sqrt, 5 tan, 4 atan2, 13 lt, 5 eq, 1 and, 3 or, 43
 #       where
-#   adjoint: 108: 42 +, 59 *, 5 /, 2 sqrt
-#   transform_point_jacobians: 239: 101 +, 126 *, 7 /, 3 neg, 2 sqrt
-#   transform_line_jacobians: 338: 134 +, 189 *, 7 /, 6 neg, 2 sqrt
+#   adjoint: 107: 42 +, 58 *, 5 /, 2 sqrt
+#   transform_point_jacobians: 238: 101 +, 125 *, 7 /, 3 neg, 2 sqrt
+#   transform_line_jacobians: 337: 134 +, 188 *, 7 /, 6 neg, 2 sqrt
 r"""Breusing's chart: Rodrigues dual vectors ``v = sin(α/4)/sqrt(cos(α/4)) u`` of rigid displacements.
 
 .. math::
@@ -157,7 +157,8 @@ def _quaternion(m: Any, x: Any) -> Result:
     over = 1 / (1 + cc)
     rho = 4 * (w * over)
     sy = -(rho * w / 2)
-    h = 2 * (c * w) * (2 + over)
+    w2 = 2 * w
+    h = c * w2 * (2 + over)
     ww = w * w
     wy = s * h / 2 - w * ww
     return s, w, sy, wy
@@ -165,26 +166,27 @@ def _quaternion(m: Any, x: Any) -> Result:
 
 def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3, o4 = out
-    k1, *_ = scratch
+    k1, k2, *_ = scratch
     n1, n2, n4 = numbers
     below = add(x, sqrt(add(mul(x, x, o4), n4, o4), o4), o4)
     c = div(add(sub(below, below, o1), n2, o1), below, o4)
     above = sub(c, x, o1)
     size = add(c, x, o2)
     s = div(above, size, o1)
-    rootc = sqrt(c, o3)
-    w = div(mul(n2, rootc, o3), size, o2)
-    cc = mul(c, c, o3)
-    over = div(n1, add(n1, cc, o3), o3)
-    h = mul(mul(n2, mul(c, w, o4), o4), add(n2, over, k1), o4)
+    rootc = sqrt(c, k1)
+    w = div(mul(n2, rootc, k1), size, o2)
+    cc = mul(c, c, k1)
+    over = div(n1, add(n1, cc, k1), k1)
     rho = mul(n4, mul(w, over, o3), o3)
     neg(div(mul(rho, w, o3), n2, o3), o3)
+    w2 = mul(n2, w, k2)
+    h = mul(mul(c, w2, o4), add(n2, over, k1), o4)
     ww = mul(w, w, k1)
     sub(div(mul(s, h, o4), n2, o4), mul(w, ww, k1), o4)
     return o1, o2, o3, o4
 
 
-# operations 27: 10 +, 10 *, 5 /, 2 sqrt
+# operations 26: 10 +, 9 *, 5 /, 2 sqrt
 def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     below = x + m.sqrt(x * x + 4)
@@ -194,11 +196,12 @@ def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     s = above / size
     rootc = m.sqrt(c)
     w = 2 * rootc / size
-    f = 2 * (s * w)
+    w2 = 2 * w
+    f = s * w2
     g = 8 * (c / (size * size))
     cc = c * c
     over = 1 / (1 + cc)
-    h = 2 * (c * w) * (2 + over)
+    h = c * w2 * (2 + over)
     return f, g, h
 
 
@@ -214,15 +217,16 @@ def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v
     s = div(above, size, o1)
     rootc = sqrt(c, k1)
     w = div(mul(n2, rootc, k1), size, k1)
-    mul(n2, mul(s, w, o1), o1)
+    w2 = mul(n2, w, k1)
+    mul(s, w2, o1)
     mul(n8, div(c, mul(size, size, o2), o2), o2)
     cc = mul(c, c, k2)
     over = div(n1, add(n1, cc, k2), k2)
-    mul(mul(n2, mul(c, w, o3), o3), add(n2, over, k1), o3)
+    mul(mul(c, w2, o3), add(n2, over, k1), o3)
     return o1, o2, o3
 
 
-# operations 47: 15 +, 23 *, 7 /, 2 sqrt
+# operations 46: 15 +, 22 *, 7 /, 2 sqrt
 def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     below = x + m.sqrt(x * x + 4)
@@ -232,11 +236,12 @@ def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     s = above / size
     rootc = m.sqrt(c)
     w = 2 * rootc / size
-    f = 2 * (s * w)
+    w2 = 2 * w
+    f = s * w2
     g = 8 * (c / (size * size))
     cc = c * c
     over = 1 / (1 + cc)
-    h = 2 * (c * w) * (2 + over)
+    h = c * w2 * (2 + over)
     rho = 4 * (w * over)
     fy = h - rho * g
     gy = f * h - g * g
@@ -265,9 +270,10 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     w = div(mul(n2, rootc, k1), size, k1)
     above = sub(c, x, o1)
     s = div(above, size, o1)
-    f = mul(n2, mul(s, w, o1), o1)
     g = mul(n8, div(c, mul(size, size, o2), o2), o2)
-    h = mul(mul(n2, mul(c, w, o3), o3), add(n2, over, k2), o3)
+    w2 = mul(n2, w, o3)
+    f = mul(s, w2, o1)
+    h = mul(mul(c, w2, o3), add(n2, over, k2), o3)
     decline = mul(n2, mul(c, over, o6), o6)
     div(mul(mul(h, decline, o6), hgrowth, o6), n2, o6)
     rho = mul(n4, mul(w, over, o4), o4)
@@ -276,7 +282,7 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     return o1, o2, o3, o4, o5, o6
 
 
-# operations 81: 24 +, 44 *, 11 /, 2 sqrt
+# operations 80: 24 +, 43 *, 11 /, 2 sqrt
 def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     below = x + m.sqrt(x * x + 4)
@@ -286,11 +292,12 @@ def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     s = above / size
     rootc = m.sqrt(c)
     w = 2 * rootc / size
-    f = 2 * (s * w)
+    w2 = 2 * w
+    f = s * w2
     g = 8 * (c / (size * size))
     cc = c * c
     over = 1 / (1 + cc)
-    h = 2 * (c * w) * (2 + over)
+    h = c * w2 * (2 + over)
     rho = 4 * (w * over)
     fy = h - rho * g
     gy = f * h - g * g
@@ -329,9 +336,10 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     w = div(mul(n2, rootc, k2), size, k2)
     above = sub(c, x, o1)
     s = div(above, size, o1)
-    f = mul(n2, mul(s, w, o1), o1)
     g = mul(n8, div(c, mul(size, size, o2), o2), o2)
-    h = mul(mul(n2, mul(c, w, o3), o3), add(n2, over, o6), o3)
+    w2 = mul(n2, w, o3)
+    f = mul(s, w2, o1)
+    h = mul(mul(c, w2, o3), add(n2, over, o6), o3)
     decline = mul(n2, mul(c, over, o7), o7)
     rho = mul(n4, mul(w, over, k2), k2)
     sharey = mul(n_minus_2, mul(mul(share, over, o5), decline, o5), o5)
@@ -430,9 +438,10 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     hi = 3 / (4 * rootc)
     size = c + x
     w = 2 * rootc / size
+    w2 = 2 * w
     cc = c * c
     over = 1 / (1 + cc)
-    h = 2 * (c * w) * (2 + over)
+    h = c * w2 * (2 + over)
     g = 8 * (c / (size * size))
     fiy = -(h / g)
     decline = 2 * (c * over)
@@ -450,10 +459,11 @@ def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, mask
     hi = div(n3, mul(n4, rootc, o2), o2)
     size = add(c, x, k1)
     w = div(mul(n2, rootc, o3), size, o3)
+    w2 = mul(n2, w, o3)
     g = mul(n8, div(c, mul(size, size, k1), k1), k1)
     cc = mul(c, c, k2)
     over = div(n1, add(n1, cc, k2), k2)
-    h = mul(mul(n2, mul(c, w, o3), o3), add(n2, over, k3), o3)
+    h = mul(mul(c, w2, o3), add(n2, over, k3), o3)
     neg(div(h, g, o3), o3)
     decline = mul(n2, mul(c, over, o4), o4)
     div(mul(hi, decline, o4), n2, o4)
@@ -472,9 +482,10 @@ def _tangent_inv(m: Any, x: Any) -> Result:
     hi = 3 / (4 * rootc)
     size = c + x
     w = rootc_by_2 / size
+    w2 = 2 * w
     cc = c * c
     over = 1 / (1 + cc)
-    h = 2 * (c * w) * (2 + over)
+    h = c * w2 * (2 + over)
     g = 8 * (c / (size * size))
     fiy = -(h / g)
     decline = 2 * (c * over)
@@ -495,17 +506,18 @@ def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     hi = div(n3, mul(n4, rootc, o2), o2)
     size = add(c, x, k1)
     w = div(rootc_by_2, size, o3)
+    w2 = mul(n2, w, o3)
     g = mul(n8, div(c, mul(size, size, k1), k1), k1)
     cc = mul(c, c, k2)
     over = div(n1, add(n1, cc, k2), k2)
-    h = mul(mul(n2, mul(c, w, o3), o3), add(n2, over, k3), o3)
+    h = mul(mul(c, w2, o3), add(n2, over, k3), o3)
     neg(div(h, g, o3), o3)
     decline = mul(n2, mul(c, over, o4), o4)
     div(mul(hi, decline, o4), n2, o4)
     return o1, o2, o3, o4
 
 
-# operations 60: 15 +, 27 *, 14 /, 2 neg, 2 sqrt
+# operations 59: 15 +, 26 *, 14 /, 2 neg, 2 sqrt
 def _tangent_inv_dot(m: Any, x: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     c = (below - below + 2) / below
@@ -516,9 +528,10 @@ def _tangent_inv_dot(m: Any, x: Any) -> Result:
     hi = 3 / (4 * rootc)
     size = c + x
     w = rootc_by_2 / size
+    w2 = 2 * w
     cc = c * c
     over = 1 / (1 + cc)
-    h = 2 * (c * w) * (2 + over)
+    h = c * w2 * (2 + over)
     g = 8 * (c / (size * size))
     fiy = -(h / g)
     decline = 2 * (c * over)
@@ -528,7 +541,7 @@ def _tangent_inv_dot(m: Any, x: Any) -> Result:
     hgrowth = share - 5 - 8 * (cc / weight)
     hy = h * decline * hgrowth / 2
     s = above / size
-    f = 2 * (s * w)
+    f = s * w2
     gy = f * h - g * g
     fiyy = -((hy + fiy * gy) / g)
     decliney = decline * decline * (share / 2 - 1)
@@ -549,12 +562,13 @@ def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, mas
     div(above, rootc_by_2, o1)
     size = add(c, x, k2)
     w = div(rootc_by_2, size, k1)
+    w2 = mul(n2, w, k1)
     s = div(above, size, o5)
     g = mul(n8, div(c, mul(size, size, k2), k2), k2)
-    f = mul(n2, mul(s, w, o5), o5)
+    f = mul(s, w2, o5)
     cc = mul(c, c, k3)
     over = div(n1, add(n1, cc, k4), k4)
-    h = mul(mul(n2, mul(c, w, k1), k1), add(n2, over, o3), k1)
+    h = mul(mul(c, w2, k1), add(n2, over, o3), k1)
     decline = mul(n2, mul(c, over, o6), o6)
     gy = sub(mul(f, h, o5), mul(g, g, o3), o5)
     share = mul(n4, mul(cc, over, k4), k4)
@@ -569,7 +583,7 @@ def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, mas
     return o1, o2, o3, o4, o5, o6
 
 
-# operations 25: 8 +, 10 *, 5 /, 2 sqrt
+# operations 24: 8 +, 9 *, 5 /, 2 sqrt
 def _ray(m: Any, x: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     c = (below - below + 2) / below
@@ -579,11 +593,12 @@ def _ray(m: Any, x: Any) -> Result:
     size = c + x
     s = above / size
     w = b / size
-    f = 2 * (s * w)
+    w2 = 2 * w
+    f = s * w2
     g = 8 * (c / (size * size))
     cc = c * c
     over = 1 / (1 + cc)
-    h = 2 * (c * w) * (2 + over)
+    h = c * w2 * (2 + over)
     return above, b, size, f, g, h
 
 
@@ -597,13 +612,14 @@ def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x:
     b = mul(n2, rootc, o2)
     size = add(c, x, o3)
     w = div(b, size, o4)
+    w2 = mul(n2, w, o4)
     cc = mul(c, c, o6)
     over = div(n1, add(n1, cc, o6), o6)
-    mul(mul(n2, mul(c, w, o5), o5), add(n2, over, o6), o6)
+    mul(mul(c, w2, o5), add(n2, over, o6), o6)
     mul(n8, div(c, mul(size, size, o5), o5), o5)
     above = sub(c, x, o1)
     s = div(above, size, k1)
-    mul(n2, mul(s, w, o4), o4)
+    mul(s, w2, o4)
     return o1, o2, o3, o4, o5, o6
 
 
@@ -965,7 +981,7 @@ CHART = Chart(
         "-1.0",
     ),
     functions={
-        "quaternion": Function(_quaternion, _quaternion_blocks, 1, 0, (1, 2, 4)),
+        "quaternion": Function(_quaternion, _quaternion_blocks, 2, 0, (1, 2, 4)),
         "pose": Function(_pose, _pose_blocks, 2, 0, (1, 2, 4, 8)),
         "tangent": Function(_tangent, _tangent_blocks, 2, 0, (1, 2, 3, 4, 5, 8)),
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 4, 0, (-2, 1, 2, 3, 4, 5, 8, 48)),
@@ -989,7 +1005,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 3, 2, (-1, 0, 1, 2, 4, 6, 8)),
     },
     kernels=SHARED,
-    programs="3443286c4633e748",
+    programs="f83ad522012e464e",
 )
 
 KERNELS = PoseKernels(CHART)
