@@ -134,6 +134,9 @@ def test_arrays_pointers_and_calls():
             double w = table[i][j];
             sum += w * local[i];
         }
+        int k = 1;
+        const double former = table[0][k--];
+        sum += former - 2.5 + k;
         out[0] = sum;
         *(out + 1) = table[1][1] - local[1];
     }"""
