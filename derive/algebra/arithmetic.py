@@ -26,7 +26,7 @@ class Arithmetic(Protocol):
         """Return the value, a named one, whose rounding is corrected afterwards: by a step of Newton's method."""
 
     def rounded_off(self, value: Coefficient, /) -> Coefficient:
-        """Return what rounding took from a sum, where its terms are known; else 0."""
+        """Return what rounding took from additions that are known to make a value; 0 where none are."""
 
     def div(self, a: Coefficient, b: Coefficient, /) -> Coefficient:
         """Return a/b, exact where both are exact."""

@@ -75,10 +75,10 @@ class BreusingScalars(DependentScalars):
     def w(self) -> Coefficient:
         return self.m.name("w", 2 * self._root / self._size)
 
-    @cached_property
+    @property
     def _twice(self) -> Coefficient:
         """2 w."""
-        return self.m.name("w2", 2 * self.w)
+        return 2 * self.w
 
     @property
     def ray(self) -> tuple[Coefficient, Coefficient, Coefficient]:

@@ -70,7 +70,7 @@ class ExponentialScalars(DependentScalars):
 
     @cached_property
     def _lost(self) -> Coefficient:
-        """``(α² − root²)/2α``, where α² is not rounded."""
+        """``(α² − root²)/2α``, α² the exact sum of the squares that are given."""
         return self.m.name("lost", self._left / (2 * self._angle))
 
     @property

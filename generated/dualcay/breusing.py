@@ -157,8 +157,7 @@ def _quaternion(m: Any, x: Any) -> Result:
     over = 1 / (1 + cc)
     rho = 4 * (w * over)
     sy = -(rho * w / 2)
-    w2 = 2 * w
-    h = c * w2 * (2 + over)
+    h = c * (2 * w) * (2 + over)
     ww = w * w
     wy = s * h / 2 - w * ww
     return s, w, sy, wy
@@ -166,21 +165,20 @@ def _quaternion(m: Any, x: Any) -> Result:
 
 def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
     o1, o2, o3, o4 = out
-    k1, k2, *_ = scratch
+    k1, *_ = scratch
     n1, n2, n4 = numbers
     below = add(x, sqrt(add(mul(x, x, o4), n4, o4), o4), o4)
     c = div(add(sub(below, below, o1), n2, o1), below, o4)
     above = sub(c, x, o1)
     size = add(c, x, o2)
     s = div(above, size, o1)
-    rootc = sqrt(c, k1)
-    w = div(mul(n2, rootc, k1), size, o2)
-    cc = mul(c, c, k1)
-    over = div(n1, add(n1, cc, k1), k1)
+    rootc = sqrt(c, o3)
+    w = div(mul(n2, rootc, o3), size, o2)
+    cc = mul(c, c, o3)
+    over = div(n1, add(n1, cc, o3), o3)
+    h = mul(mul(c, mul(n2, w, k1), o4), add(n2, over, k1), o4)
     rho = mul(n4, mul(w, over, o3), o3)
     neg(div(mul(rho, w, o3), n2, o3), o3)
-    w2 = mul(n2, w, k2)
-    h = mul(mul(c, w2, o4), add(n2, over, k1), o4)
     ww = mul(w, w, k1)
     sub(div(mul(s, h, o4), n2, o4), mul(w, ww, k1), o4)
     return o1, o2, o3, o4
@@ -196,12 +194,12 @@ def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     s = above / size
     rootc = m.sqrt(c)
     w = 2 * rootc / size
-    w2 = 2 * w
-    f = s * w2
+    w_by_2 = 2 * w
+    f = s * w_by_2
     g = 8 * (c / (size * size))
     cc = c * c
     over = 1 / (1 + cc)
-    h = c * w2 * (2 + over)
+    h = c * w_by_2 * (2 + over)
     return f, g, h
 
 
@@ -217,12 +215,12 @@ def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v
     s = div(above, size, o1)
     rootc = sqrt(c, k1)
     w = div(mul(n2, rootc, k1), size, k1)
-    w2 = mul(n2, w, k1)
-    mul(s, w2, o1)
+    w_by_2 = mul(n2, w, k1)
+    mul(s, w_by_2, o1)
     mul(n8, div(c, mul(size, size, o2), o2), o2)
     cc = mul(c, c, k2)
     over = div(n1, add(n1, cc, k2), k2)
-    mul(mul(c, w2, o3), add(n2, over, k1), o3)
+    mul(mul(c, w_by_2, o3), add(n2, over, k1), o3)
     return o1, o2, o3
 
 
@@ -236,12 +234,12 @@ def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     s = above / size
     rootc = m.sqrt(c)
     w = 2 * rootc / size
-    w2 = 2 * w
-    f = s * w2
+    w_by_2 = 2 * w
+    f = s * w_by_2
     g = 8 * (c / (size * size))
     cc = c * c
     over = 1 / (1 + cc)
-    h = c * w2 * (2 + over)
+    h = c * w_by_2 * (2 + over)
     rho = 4 * (w * over)
     fy = h - rho * g
     gy = f * h - g * g
@@ -271,9 +269,9 @@ def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows
     above = sub(c, x, o1)
     s = div(above, size, o1)
     g = mul(n8, div(c, mul(size, size, o2), o2), o2)
-    w2 = mul(n2, w, o3)
-    f = mul(s, w2, o1)
-    h = mul(mul(c, w2, o3), add(n2, over, k2), o3)
+    w_by_2 = mul(n2, w, o3)
+    f = mul(s, w_by_2, o1)
+    h = mul(mul(c, w_by_2, o3), add(n2, over, k2), o3)
     decline = mul(n2, mul(c, over, o6), o6)
     div(mul(mul(h, decline, o6), hgrowth, o6), n2, o6)
     rho = mul(n4, mul(w, over, o4), o4)
@@ -292,12 +290,12 @@ def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     s = above / size
     rootc = m.sqrt(c)
     w = 2 * rootc / size
-    w2 = 2 * w
-    f = s * w2
+    w_by_2 = 2 * w
+    f = s * w_by_2
     g = 8 * (c / (size * size))
     cc = c * c
     over = 1 / (1 + cc)
-    h = c * w2 * (2 + over)
+    h = c * w_by_2 * (2 + over)
     rho = 4 * (w * over)
     fy = h - rho * g
     gy = f * h - g * g
@@ -337,9 +335,9 @@ def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     above = sub(c, x, o1)
     s = div(above, size, o1)
     g = mul(n8, div(c, mul(size, size, o2), o2), o2)
-    w2 = mul(n2, w, o3)
-    f = mul(s, w2, o1)
-    h = mul(mul(c, w2, o3), add(n2, over, o6), o3)
+    w_by_2 = mul(n2, w, o3)
+    f = mul(s, w_by_2, o1)
+    h = mul(mul(c, w_by_2, o3), add(n2, over, o6), o3)
     decline = mul(n2, mul(c, over, o7), o7)
     rho = mul(n4, mul(w, over, k2), k2)
     sharey = mul(n_minus_2, mul(mul(share, over, o5), decline, o5), o5)
@@ -438,10 +436,9 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     hi = 3 / (4 * rootc)
     size = c + x
     w = 2 * rootc / size
-    w2 = 2 * w
     cc = c * c
     over = 1 / (1 + cc)
-    h = c * w2 * (2 + over)
+    h = c * (2 * w) * (2 + over)
     g = 8 * (c / (size * size))
     fiy = -(h / g)
     decline = 2 * (c * over)
@@ -459,11 +456,10 @@ def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, mask
     hi = div(n3, mul(n4, rootc, o2), o2)
     size = add(c, x, k1)
     w = div(mul(n2, rootc, o3), size, o3)
-    w2 = mul(n2, w, o3)
     g = mul(n8, div(c, mul(size, size, k1), k1), k1)
     cc = mul(c, c, k2)
     over = div(n1, add(n1, cc, k2), k2)
-    h = mul(mul(c, w2, o3), add(n2, over, k3), o3)
+    h = mul(mul(c, mul(n2, w, o3), o3), add(n2, over, k3), o3)
     neg(div(h, g, o3), o3)
     decline = mul(n2, mul(c, over, o4), o4)
     div(mul(hi, decline, o4), n2, o4)
@@ -482,10 +478,9 @@ def _tangent_inv(m: Any, x: Any) -> Result:
     hi = 3 / (4 * rootc)
     size = c + x
     w = rootc_by_2 / size
-    w2 = 2 * w
     cc = c * c
     over = 1 / (1 + cc)
-    h = c * w2 * (2 + over)
+    h = c * (2 * w) * (2 + over)
     g = 8 * (c / (size * size))
     fiy = -(h / g)
     decline = 2 * (c * over)
@@ -506,11 +501,10 @@ def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: 
     hi = div(n3, mul(n4, rootc, o2), o2)
     size = add(c, x, k1)
     w = div(rootc_by_2, size, o3)
-    w2 = mul(n2, w, o3)
     g = mul(n8, div(c, mul(size, size, k1), k1), k1)
     cc = mul(c, c, k2)
     over = div(n1, add(n1, cc, k2), k2)
-    h = mul(mul(c, w2, o3), add(n2, over, k3), o3)
+    h = mul(mul(c, mul(n2, w, o3), o3), add(n2, over, k3), o3)
     neg(div(h, g, o3), o3)
     decline = mul(n2, mul(c, over, o4), o4)
     div(mul(hi, decline, o4), n2, o4)
@@ -528,10 +522,10 @@ def _tangent_inv_dot(m: Any, x: Any) -> Result:
     hi = 3 / (4 * rootc)
     size = c + x
     w = rootc_by_2 / size
-    w2 = 2 * w
+    w_by_2 = 2 * w
     cc = c * c
     over = 1 / (1 + cc)
-    h = c * w2 * (2 + over)
+    h = c * w_by_2 * (2 + over)
     g = 8 * (c / (size * size))
     fiy = -(h / g)
     decline = 2 * (c * over)
@@ -541,7 +535,7 @@ def _tangent_inv_dot(m: Any, x: Any) -> Result:
     hgrowth = share - 5 - 8 * (cc / weight)
     hy = h * decline * hgrowth / 2
     s = above / size
-    f = s * w2
+    f = s * w_by_2
     gy = f * h - g * g
     fiyy = -((hy + fiy * gy) / g)
     decliney = decline * decline * (share / 2 - 1)
@@ -562,13 +556,13 @@ def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, mas
     div(above, rootc_by_2, o1)
     size = add(c, x, k2)
     w = div(rootc_by_2, size, k1)
-    w2 = mul(n2, w, k1)
+    w_by_2 = mul(n2, w, k1)
     s = div(above, size, o5)
     g = mul(n8, div(c, mul(size, size, k2), k2), k2)
-    f = mul(s, w2, o5)
+    f = mul(s, w_by_2, o5)
     cc = mul(c, c, k3)
     over = div(n1, add(n1, cc, k4), k4)
-    h = mul(mul(c, w2, k1), add(n2, over, o3), k1)
+    h = mul(mul(c, w_by_2, k1), add(n2, over, o3), k1)
     decline = mul(n2, mul(c, over, o6), o6)
     gy = sub(mul(f, h, o5), mul(g, g, o3), o5)
     share = mul(n4, mul(cc, over, k4), k4)
@@ -593,12 +587,12 @@ def _ray(m: Any, x: Any) -> Result:
     size = c + x
     s = above / size
     w = b / size
-    w2 = 2 * w
-    f = s * w2
+    w_by_2 = 2 * w
+    f = s * w_by_2
     g = 8 * (c / (size * size))
     cc = c * c
     over = 1 / (1 + cc)
-    h = c * w2 * (2 + over)
+    h = c * w_by_2 * (2 + over)
     return above, b, size, f, g, h
 
 
@@ -612,14 +606,14 @@ def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x:
     b = mul(n2, rootc, o2)
     size = add(c, x, o3)
     w = div(b, size, o4)
-    w2 = mul(n2, w, o4)
+    w_by_2 = mul(n2, w, o4)
     cc = mul(c, c, o6)
     over = div(n1, add(n1, cc, o6), o6)
-    mul(mul(c, w2, o5), add(n2, over, o6), o6)
+    mul(mul(c, w_by_2, o5), add(n2, over, o6), o6)
     mul(n8, div(c, mul(size, size, o5), o5), o5)
     above = sub(c, x, o1)
     s = div(above, size, k1)
-    mul(s, w2, o4)
+    mul(s, w_by_2, o4)
     return o1, o2, o3, o4, o5, o6
 
 
@@ -981,7 +975,7 @@ CHART = Chart(
         "-1.0",
     ),
     functions={
-        "quaternion": Function(_quaternion, _quaternion_blocks, 2, 0, (1, 2, 4)),
+        "quaternion": Function(_quaternion, _quaternion_blocks, 1, 0, (1, 2, 4)),
         "pose": Function(_pose, _pose_blocks, 2, 0, (1, 2, 4, 8)),
         "tangent": Function(_tangent, _tangent_blocks, 2, 0, (1, 2, 3, 4, 5, 8)),
         "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 4, 0, (-2, 1, 2, 3, 4, 5, 8, 48)),
@@ -1005,7 +999,7 @@ CHART = Chart(
         "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 3, 2, (-1, 0, 1, 2, 4, 6, 8)),
     },
     kernels=SHARED,
-    programs="f83ad522012e464e",
+    programs="505b25b47702a086",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -79,7 +79,7 @@ class Checks:
 
     @property
     def looks(self) -> Mapping[str, Callable[[Path], Any]]:
-        """What has to look at the unchanged tree, each in a process and a copy of its own; the longest first."""
+        """What has to look at the unchanged tree, each in a process of its own; the longest first."""
         looks: dict[str, Callable[[Path], Any]] = {"watched": self._watched}
         if TEMPLATES in self.watched:
             looks["commented"] = self._commented

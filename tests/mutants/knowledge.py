@@ -11,7 +11,7 @@ from .reach import Table
 
 
 class NotControlled(Exception):
-    """The unchanged tree does not survive its own checks, so that killing says nothing."""
+    """The unchanged tree does not survive its own checks, or none of them can be used: killing would say nothing."""
 
 
 @dataclass(frozen=True)

@@ -33,7 +33,7 @@ class Scalar:
 
 
 SQUARES = ("v11", "v22", "v33")
-"""The terms of x: of their sum alone nothing tells what rounding took."""
+"""The terms of x, for maps and operators: of their sum alone nothing tells what rounding took. Ways back do with x."""
 
 
 def _of_x(*results: str, arguments: tuple[str, ...] = ("x",)) -> Scalar:

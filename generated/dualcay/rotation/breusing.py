@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="9df232f3f88e6580",
+    programs="ba3cfff2d68cc5ba",
 )
 
 KERNELS = RotationKernels(CHART)

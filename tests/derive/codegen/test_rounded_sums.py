@@ -24,7 +24,12 @@ EPS = 2.0**-52
 class Sharp(Plain):
     """Floats, with a root and a tangent that are rounded once; what a printed program calls, too."""
 
-    sqrt, tan = staticmethod(math.sqrt), staticmethod(math.tan)
+    sqrt = staticmethod(math.sqrt)
+
+    @staticmethod
+    def tan(angle: float) -> float:
+        with mpmath.workdps(40):
+            return float(mpmath.tan(angle))
 
 
 def compiled(program: Program) -> Callable[..., tuple[float, ...]]:
