@@ -79,6 +79,17 @@ def test_wrong_random_poses_are_found(what: str) -> None:
         helpers(dualcay, SimpleNamespace(**RIGHT | {"random": wrong}))  # type: ignore[arg-type]
 
 
+def steep(v: Any) -> Any:
+    order = np.argsort(abs(v[..., :3]), axis=-1)
+    return np.concatenate([np.take_along_axis(part, order, -1) for part in (v[..., :3], v[..., 3:])], axis=-1)
+
+
+def test_steep_axes_are_found() -> None:
+    """Of both signs alike, so that only their squares tell."""
+    with pytest.raises(ValidationFailed, match="prefer an axis"):
+        helpers(dualcay, SimpleNamespace(**RIGHT | {"random": redrawn(steep)}))  # type: ignore[arg-type]
+
+
 def test_a_wrong_rest_is_found() -> None:
     with pytest.raises(ValidationFailed, match="identity moves"):
         helpers(dualcay, SimpleNamespace(**RIGHT | {"identity": lambda: np.ones(6)}))  # type: ignore[arg-type]
