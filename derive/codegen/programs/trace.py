@@ -76,7 +76,7 @@ class Trace(Folding):
         return value
 
     def rounded_off(self, value: Number) -> Number:
-        """What rounding took from a sum and from sums in it: two terms and what their rounded sum holds of each tell."""
+        """What rounding took from a sum and sums in it: two terms, and what their rounded sum holds of each, tell."""
         node = self._nodes[value.index] if isinstance(value, Value) else None
         if node is None or node.op != "add":
             return 0
