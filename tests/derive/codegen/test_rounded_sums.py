@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import random
 from collections.abc import Callable, Sequence
 from fractions import Fraction
@@ -11,25 +10,15 @@ from typing import Any
 import mpmath
 import pytest
 
-from derive.algebra.arithmetic import PLAIN, Plain
+from derive.algebra.arithmetic import PLAIN
 from derive.codegen.lowering.scalars import SQUARES, scalar_program
 from derive.codegen.programs.program import Program
 from derive.codegen.programs.trace import Trace
 from derive.codegen.targets import infix
 from derive.maps.exponential_chart import Exponential
+from tests.support.sharp import Sharp
 
 EPS = 2.0**-52
-
-
-class Sharp(Plain):
-    """Floats, with a root and a tangent that are rounded once; what a printed program calls, too."""
-
-    sqrt = staticmethod(math.sqrt)
-
-    @staticmethod
-    def tan(angle: float) -> float:
-        with mpmath.workdps(40):
-            return float(mpmath.tan(angle))
 
 
 def compiled(program: Program) -> Callable[..., tuple[float, ...]]:

@@ -5,21 +5,12 @@ from __future__ import annotations
 import mpmath
 import pytest
 
-from derive.algebra.arithmetic import Plain
 from derive.maps.exponential_chart import ExponentialScalars, PrincipalScalars
+from tests.support.sharp import Sharp
 
 EPS = 2.0**-52
 SQUARES = [17 + 0.07 * k for k in range(310)]
 """Of angles from 4 to 2π, where a float is off by up to 2 eps."""
-
-
-class Sharp(Plain):
-    """Floats, with a tangent that is rounded once."""
-
-    @staticmethod
-    def tan(angle: float) -> float:
-        with mpmath.workdps(40):
-            return float(mpmath.tan(angle))
 
 
 class Lossy(ExponentialScalars):
