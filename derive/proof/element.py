@@ -88,7 +88,7 @@ class Element:
         library, product = self.ring.polynomials, self.ring.polynomials.product
         mine, theirs = cofactors(library, partner.denominator, self.denominator)
         terms = {key: product(c, theirs) for key, c in self.terms.items()}
-        return Element(self.ring, terms, product(mine, divisor))
+        return Element(self.ring, terms, product(mine, divisor))._in_lowest_terms()
 
     def __rtruediv__(self, other: object) -> Element:
         partner = self._partner(other)
@@ -203,6 +203,13 @@ class Element:
         if ring.root and index == 0:  # s² = 1 + x/k, so d/dx = d/ds / (2 k s)
             below = below * library.generators[0] * (2 * ring.root)
         return Element(ring, {key: c for key, c in terms.items() if c}, below)
+
+    def _in_lowest_terms(self) -> Element:
+        """The same without a common factor, if it is a function of the squares: what it enters stays small."""
+        if self.terms.keys() != {0}:
+            return self
+        above, below = cofactors(self.ring.polynomials, self.denominator, self.terms[0])
+        return Element(self.ring, {0: above}, below)
 
     def _numerator(self, what: str) -> Polynomial:
         """The numerator of an element that depends on the squares alone."""

@@ -229,6 +229,18 @@ def test_cleared(backend: str) -> None:
     assert all(n.denominator == exact.polynomials.one for n in numerators)
 
 
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_quotients_of_functions_of_the_square_are_in_lowest_terms(backend: str) -> None:
+    exact = ring(backend)
+    one_plus, library = 1 + exact.square("v"), exact.polynomials
+    again = exact.constant(1)
+    for _ in range(5):
+        again = (again / one_plus) * one_plus**2 / one_plus  # would grow by one power each time
+    assert (again.terms, again.denominator) == ({0: library.one}, library.one)
+    third = one_plus / (one_plus * one_plus * 3)
+    assert (third.terms, third.denominator) == ({0: library.one}, 3 * one_plus.terms[0])
+
+
 INTEGERS = st.integers(-(10**40), 10**40)
 
 
