@@ -1,7 +1,8 @@
 """Translation validation: what was printed is executed as text on disk, and its results equal the formula's.
 
 ============= ========================================================================================
-run           load a package from disk and call its public functions, in both layouts
+loading       load a package from disk under a name of its own
+run           call its public functions, in both layouts
 refusals      wrong calls, which a package must refuse as documented
 sample        what of a chart has not been shown by another of the package
 c_text        interpret a C header, in all the ways its functions may be called

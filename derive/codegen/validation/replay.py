@@ -29,7 +29,7 @@ from . import ways
 from .calls import NUMPY, Call, Caller, Library, alone, several
 from .helpers import helpers
 from .known import Analysis, Known, require_sharp
-from .run import loaded, module_of
+from .loading import loaded, module_of
 from .sample import its_own
 
 FEW = 20

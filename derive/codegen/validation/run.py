@@ -1,14 +1,8 @@
-"""Load a package of kernels from disk and compare its public functions with their expectations."""
+"""Compare the public functions of a package on disk with their expectations."""
 
 from __future__ import annotations
 
-import importlib
-import importlib.util
-import itertools
-import os
-import sys
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from pathlib import Path
 from types import ModuleType
 from typing import Any, TypeAlias
@@ -24,12 +18,11 @@ from ..lowered import lower_chart
 from ..rows import Table
 from ..signatures import POSES
 from .errors import ValidationFailed
+from .loading import loaded, module_of
 from .refusals import refuse
 from .sample import Choose, everything
 
 Objects: TypeAlias = "np.ndarray[Any, np.dtype[Any]]"
-
-_serial = itertools.count()
 
 
 def validate(folder: Path, chart: Chart, choose: Choose = everything, tables: Sequence[Table] = (POSES,)) -> int:
@@ -46,42 +39,10 @@ def validate(folder: Path, chart: Chart, choose: Choose = everything, tables: Se
         return sum(_validate(module_of(package, chart, table), chart, table, choose) for table in tables)
 
 
-def module_of(package: str, chart: Chart, table: Table) -> ModuleType:
-    """The module of a chart that holds the functions of a table."""
-    return importlib.import_module(".".join(filter(None, (package, table.name, chart.name))))
-
-
 def _validate(module: ModuleType, chart: Chart, table: Table, choose: Choose) -> int:
     chosen = choose(lower_chart(chart, table), batches(chart, table))
     compared = sum(_check(module, batch, (-1, 0) if whole else (-1,)) for batch, whole in chosen)
     return compared + refuse(module, table)
-
-
-NATIVE = "DUALCAY_NATIVE"
-"""What switches compiled functions off that may be installed: a package has to answer for itself."""
-
-
-@contextmanager
-def loaded(folder: Path) -> Iterator[str]:
-    """Import a folder as a package under a name of its own, so that no other copy answers for it."""
-    name = f"_dualcay_validated_{next(_serial)}"
-    init = folder / "__init__.py"
-    spec = importlib.util.spec_from_file_location(name, init, submodule_search_locations=[str(folder)])
-    if spec is None or spec.loader is None:
-        raise ValidationFailed(f"{folder} is not a package")
-    package = importlib.util.module_from_spec(spec)
-    sys.modules[name] = package
-    writes, sys.dont_write_bytecode = sys.dont_write_bytecode, True
-    native, os.environ[NATIVE] = os.environ.get(NATIVE), "0"
-    try:
-        spec.loader.exec_module(package)
-        yield name
-    finally:
-        sys.dont_write_bytecode = writes
-        os.environ.pop(NATIVE)
-        os.environ.update({NATIVE: native} if native is not None else {})
-        for loaded in [key for key in sys.modules if key == name or key.startswith(name + ".")]:
-            del sys.modules[loaded]
 
 
 def _check(module: ModuleType, batch: Batch, layouts: Sequence[int]) -> int:
