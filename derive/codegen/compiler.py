@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 import tempfile
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from copy import deepcopy
@@ -127,17 +128,18 @@ def _execute(chart: Chart, target: Target, staging: Path, seen: Seen, report: Pr
     first = not seen.by_table
     report(f"{chart.name}: validating")
     if first and chart.order > HEAVY:
-        _show_geometry(target, seen)
+        _show_geometry(target, staging, seen)
     validated = target.validate(staging, chart, seen.new)
     report(f"{chart.name}: replaying")
     return validated, target.replay(staging, chart, first), target.test(staging, chart)
 
 
-def _show_geometry(target: Target, seen: Seen) -> None:
+def _show_geometry(target: Target, staging: Path, seen: Seen) -> None:
     """Execute the geometry in a chart of low order, which is not published."""
     module = _printed(LIGHT, target, _silent)
     with tempfile.TemporaryDirectory() as folder:
-        files.write(Path(folder), {**shared_texts(target), **module.texts})
+        shutil.copytree(staging, folder, dirs_exist_ok=True)
+        files.write(Path(folder), module.texts)
         target.validate(Path(folder), LIGHT, seen.new)
 
 
