@@ -50,13 +50,17 @@ def lower(proved: Proved) -> Lowered:
     return lower_chart(proved.formulas)
 
 
-@lru_cache(maxsize=8)
 def lower_chart(chart: Chart, table: Table = POSES) -> Lowered:
     """A function of the table has a program of its own where knowing the chart saves operations worth their lines.
 
     So it does where scalars are constant (h = 0 for n = 1) or equal (g = h for n = 2). Of rotations such savings count
     that poses have as well: slopes which calls return in vain are not worth lines.
     """
+    return _lowered(chart, table)
+
+
+@lru_cache(maxsize=8)
+def _lowered(chart: Chart, table: Table) -> Lowered:
     saving = table.functions if table is POSES else lower_chart(chart).own
     scalars, own, counted, called = _scalars(chart), {}, {}, set()
     for name, shared in geometry(table).items():

@@ -18,8 +18,9 @@ import mpmath
 import sympy
 
 from .edges import DIGITS, Edge, angle_of
+from .elementary import evaluate
 from .expressions import PhiError
-from .families import alpha, evaluate
+from .families import alpha
 from .intervals import smallest
 from .split import Polynomial, polynomial
 

@@ -9,8 +9,9 @@ from typing import Any
 import mpmath
 import sympy
 
+from .elementary import evaluate
 from .expressions import PhiError
-from .families import alpha, evaluate
+from .families import alpha
 
 DIGITS = 60
 FURTHEST = 4

@@ -23,19 +23,16 @@ from functools import cached_property
 from types import SimpleNamespace
 from typing import Any, TypeAlias
 
-import mpmath
 import sympy
 from sympy.polys.ring_series import rs_cos, rs_mul, rs_series_inversion, rs_sin, rs_trunc
 
 from ..algebra import Coefficient, Tensor, Vector, functions, real_part
+from .elementary import evaluate
 from .polynomials import require_order, x
 from .sign_tests import is_zero
 
 alpha = sympy.Symbol("alpha")
 """The dual angle α: rotation angle + ε translation along the screw axis."""
-
-FURTHER = ("asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log")
-"""Functions that a library may have besides."""
 
 Triple: TypeAlias = tuple[sympy.Expr, sympy.Expr, sympy.Expr]
 
@@ -215,62 +212,3 @@ def of_angle(phi: sympy.Expr) -> SimpleNamespace:
 def by_square(expression: sympy.Expr, phi: sympy.Expr) -> sympy.Expr:
     """The derivative by x = φ² of a function of α."""
     return expression.diff(alpha) / (2 * phi * phi.diff(alpha))
-
-
-def evaluate(expression: sympy.Expr, symbol: sympy.Symbol, value: Coefficient, library: Any = functions) -> Coefficient:
-    """Return an elementary expression in one symbol at a number of any type.
-
-    Parameters
-    ----------
-    library
-        Provides ``sin``, ``cos``, ``sqrt`` of the numbers; quotients of these give tan and cot.
-    """
-
-    def at(e: sympy.Expr) -> Coefficient:
-        if e == symbol:
-            return value
-        if e.is_Integer:
-            return int(e)
-        if e.is_Add:
-            return sum(at(a) for a in e.args)
-        if e.is_Mul:
-            numerator, denominator = sympy.fraction(e)
-            above = [at(a) for a in sympy.Mul.make_args(numerator)]
-            return over(product(above), at(denominator)) if denominator != 1 else product(above)
-        if e.is_Rational:
-            return over(value * 0 + int(e.p), int(e.q))
-        if not e.free_symbols:
-            return value * 0 + mpmath.mpf(e.evalf(mpmath.mp.dps + 5))
-        if e.is_Pow:
-            return power(e)
-        if e.func.__name__ in FURTHER:
-            return getattr(library, e.func.__name__)(at(e.args[0]))
-        sine, cosine = (f(at(e.args[0])) for f in (library.sin, library.cos))
-        quotient = {sympy.tan: (sine, cosine), sympy.cot: (cosine, sine), sympy.sin: (sine, 1), sympy.cos: (cosine, 1)}
-        above, below = quotient[e.func]
-        return above if isinstance(below, int) else over(above, below)
-
-    def power(e: sympy.Expr) -> Coefficient:
-        base, exponent = e.as_base_exp()
-        root = at(base) if exponent.q == 1 else library.sqrt(at(base))
-        if exponent.q > 2:  # of a positive number
-            return library.exp(library.log(at(base)) * (value * 0 + int(exponent.p)) / int(exponent.q))
-        raised = root ** abs(int(exponent.p))
-        return raised if exponent > 0 else over(1 + 0 * raised, raised)
-
-    return at(expression)
-
-
-def product(factors: list[Coefficient]) -> Coefficient:
-    """Return the product of at least one number."""
-    result = factors[0]
-    for factor in factors[1:]:
-        result = result * factor
-    return result
-
-
-def over(a: Coefficient, b: Coefficient) -> Coefficient:
-    """Return a/b; a zero below is a `ZeroDivisionError` for every number type."""
-    if is_zero(real_part(b)):
-        raise ZeroDivisionError(f"division of {a!r} by {b!r}")
-    return a / b

@@ -9,7 +9,8 @@ import mpmath
 import sympy
 
 from .edges import DIGITS
-from .families import alpha, evaluate
+from .elementary import evaluate
+from .families import alpha
 
 ARCS = 128
 NOT_INTERVALS = "interval arithmetic does not know it"

@@ -21,7 +21,8 @@ from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
 from ..algebra.arithmetic import PLAIN
 from ..maps.chart import Chart
-from ..maps.families import alpha, evaluate
+from ..maps.elementary import evaluate
+from ..maps.families import alpha
 from ..maps.polynomials import x
 from .element import Element
 from .exact import Ring

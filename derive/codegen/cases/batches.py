@@ -84,4 +84,4 @@ def _batch(cases: tuple[Expectation, ...], table: Table, chart: Chart | None = N
 
 def _decimal(case: Expectation) -> Expectation:
     arguments = tuple(tuple(map(decimals.Decimal, argument)) for argument in case.arguments)
-    return Expectation(case.function, arguments, lambda: case.result)
+    return Expectation(case.function, arguments, lambda: tuple(map(decimals.Decimal, case.result)))

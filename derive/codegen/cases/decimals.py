@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import decimal
 from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
@@ -20,83 +21,102 @@ CONDITION = mpmath.mpf(10) ** 8
 """What errors of constants and scalars grow by, at most, in the results of the seeded cases."""
 
 
+NUMBERS = decimal.Context(prec=DIGITS, Emin=decimal.MIN_EMIN, Emax=decimal.MAX_EMAX, traps=[])
+"""Arithmetic as IEEE 754 has it: what is not defined is NaN, and a quotient by zero infinite, for a selection computes
+both sides, and the one not taken may divide by zero."""
+
+LESS, GREATER = decimal.Decimal(-1), decimal.Decimal(1)
+
+
 class Decimal:
     """A real number of 50 digits: + - * / with exact partners, comparison, ``abs`` and the functions of kernels."""
 
     __slots__ = ("value",)
 
     def __init__(self, value: Any) -> None:
-        self.value = mpmath.mpf(value.numerator) / value.denominator if isinstance(value, int | Fraction) else value
+        self.value = value if isinstance(value, decimal.Decimal) else _of(value)
 
     @staticmethod
-    def _value(other: object) -> Any:
+    def _value(other: object) -> decimal.Decimal:
         if isinstance(other, Decimal):
             return other.value
         if isinstance(other, int | Fraction):
-            return Decimal(other).value
+            return _of(other)
         raise TypeError(f"a kernel mixed a 50-digit number with {type(other).__name__} {other!r}")
 
     def __add__(self, other: object) -> Decimal:
-        return Decimal(self.value + self._value(other))
+        return Decimal(NUMBERS.add(self.value, self._value(other)))
 
     def __sub__(self, other: object) -> Decimal:
-        return Decimal(self.value - self._value(other))
+        return Decimal(NUMBERS.subtract(self.value, self._value(other)))
 
     def __rsub__(self, other: object) -> Decimal:
-        return Decimal(self._value(other) - self.value)
+        return Decimal(NUMBERS.subtract(self._value(other), self.value))
 
     def __mul__(self, other: object) -> Decimal:
-        return Decimal(self.value * self._value(other))
+        return Decimal(NUMBERS.multiply(self.value, self._value(other)))
 
     def __truediv__(self, other: object) -> Decimal:
-        return Decimal(_quotient(self.value, self._value(other)))
+        return Decimal(NUMBERS.divide(self.value, self._value(other)))
 
     def __rtruediv__(self, other: object) -> Decimal:
-        return Decimal(_quotient(self._value(other), self.value))
+        return Decimal(NUMBERS.divide(self._value(other), self.value))
 
     __radd__, __rmul__ = __add__, __mul__
 
     def __neg__(self) -> Decimal:
-        return Decimal(-self.value)
+        return Decimal(NUMBERS.minus(self.value))
 
     def __lt__(self, other: object) -> bool:
-        return bool(self.value < self._value(other))
+        return NUMBERS.compare(self.value, self._value(other)) == LESS
 
     def __gt__(self, other: object) -> bool:
-        return bool(self.value > self._value(other))
+        return NUMBERS.compare(self.value, self._value(other)) == GREATER
 
     def __eq__(self, other: object) -> bool:
-        return bool(self.value == self._value(other))
+        return self.value == self._value(other)
 
     __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
-        return str(mpmath.nstr(self.value, DIGITS))
+        return str(self.value)
 
     def __abs__(self) -> Decimal:
-        return Decimal(abs(self.value))
+        return Decimal(NUMBERS.abs(self.value))
 
     def sqrt(self) -> Decimal:
-        return Decimal(mpmath.sqrt(self.value) if self.value >= 0 else mpmath.nan)
+        return Decimal(NUMBERS.sqrt(self.value))
 
     def tan(self) -> Decimal:
-        return Decimal(mpmath.tan(self.value))
+        return Decimal(mpmath.tan(_binary(self.value)))
 
     def arctan2(self, other: object) -> Decimal:
-        return Decimal(mpmath.atan2(self.value, self._value(other)))
+        return Decimal(mpmath.atan2(_binary(self.value), _binary(self._value(other))))
 
     def expm1(self) -> Decimal:
-        return Decimal(mpmath.expm1(self.value))
+        return Decimal(mpmath.expm1(_binary(self.value)))
 
     def log1p(self) -> Decimal:
-        return Decimal(mpmath.log1p(self.value) if self.value > -1 else mpmath.nan)
+        return Decimal(mpmath.log1p(_binary(self.value)) if self.value > -1 else mpmath.nan)
 
 
-def _quotient(a: Any, b: Any) -> Any:
-    """The IEEE quotient: a selection computes both sides, and the one not taken may divide by zero."""
-    if b:
-        return a / b
-    return a * mpmath.inf if a else mpmath.nan
+def _of(value: Any) -> decimal.Decimal:
+    """An int, a Fraction or a number of mpmath."""
+    if isinstance(value, int):
+        return decimal.Decimal(value)
+    if isinstance(value, Fraction):
+        return NUMBERS.divide(decimal.Decimal(value.numerator), decimal.Decimal(value.denominator))
+    if not mpmath.isfinite(value):
+        return decimal.Decimal(float(value))
+    mantissa, exponent = value.man_exp
+    digits = decimal.Decimal(-mantissa if value < 0 else mantissa)
+    scale = decimal.Decimal(1 << abs(exponent))
+    return NUMBERS.multiply(digits, scale) if exponent > 0 else NUMBERS.divide(digits, scale)
+
+
+def _binary(value: decimal.Decimal) -> Any:
+    """The same as a number of mpmath, which has the functions."""
+    return mpmath.mpf(str(value) if value.is_finite() else float(value))
 
 
 def later(function: Callable[..., Flat], *arguments: Any) -> Callable[[], Flat]:
@@ -109,14 +129,14 @@ def later(function: Callable[..., Flat], *arguments: Any) -> Callable[[], Flat]:
     return computed
 
 
-def tolerance(chart: Chart, remainder: float = 0.0) -> Any:
+def tolerance(chart: Chart, remainder: float = 0.0) -> Decimal:
     """How far results of 50-digit numbers may be off, by 1 and their own size."""
-    return CONDITION * max(CONSTANTS, mpmath.mpf(chart.remainder), mpmath.mpf(remainder))
+    return Decimal(CONDITION * max(CONSTANTS, mpmath.mpf(chart.remainder), mpmath.mpf(remainder)))
 
 
-def close(got: Any, expected: Any, tolerance: Any) -> bool:
+def close(got: Any, expected: Any, tolerance: Decimal) -> bool:
     """Whether a result of 50-digit numbers is the expected one."""
-    value = got.value if isinstance(got, Decimal) else Decimal(got).value
-    if mpmath.isnan(expected):
-        return bool(mpmath.isnan(value))
-    return bool(abs(value - expected) <= tolerance * (1 + abs(expected)))
+    value, wanted = (number if isinstance(number, Decimal) else Decimal(number) for number in (got, expected))
+    if wanted.value.is_nan():
+        return value.value.is_nan()
+    return abs(value - wanted) < tolerance * (1 + abs(wanted))

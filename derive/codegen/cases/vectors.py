@@ -16,7 +16,8 @@ import sympy
 from ...algebra import Dual, Quaternion, Tensor, Vector, real_part
 from ...algebra.functions import atan2
 from ...maps.chart import Chart
-from ...maps.families import alpha, by_square, evaluate
+from ...maps.elementary import evaluate
+from ...maps.families import alpha, by_square
 from ...maps.inverse import polar
 from ...maps.pose import Screw, natural_invariants, quaternion_from_screw
 from ...maps.sign_tests import is_zero, orientation

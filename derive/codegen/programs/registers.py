@@ -55,7 +55,7 @@ def place_returned(program: Program) -> Placement:
 
 def _best(program: Program, fixed: Mapping[str, Place]) -> Placement:
     """The way that needs fewest registers: outputs asked for in either order, calls made early or late."""
-    ways = itertools.product((program.outputs, program.outputs[::-1]), (True, False))
+    ways = itertools.product((program.outputs, program.outputs[::-1]), (True, False) if program.calls else (True,))
     return min((_Allocator(program, fixed, *way).run() for way in ways), key=lambda found: found.registers)
 
 
@@ -122,7 +122,7 @@ class _Allocator:
         """Statements in order: always the one that leaves the fewest values alive, the first in depth among equals."""
         waiting = list(self._depth_first())
         leaves = {name: Counter(self._leaves(name)) for name in waiting}
-        reads = sum(leaves.values(), Counter[str]())
+        reads = Counter(itertools.chain.from_iterable(counted.elements() for counted in leaves.values()))
 
         def growth(name: str) -> float:
             if self.eager and isinstance(self.makers[name], Call):

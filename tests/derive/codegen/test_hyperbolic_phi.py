@@ -20,7 +20,8 @@ from derive.codegen.module import module_name, module_text, shared_texts
 from derive.codegen.signatures import PUBLIC
 from derive.codegen.targets import TARGETS
 from derive.maps import parameterization
-from derive.maps.families import alpha, evaluate
+from derive.maps.elementary import evaluate
+from derive.maps.families import alpha
 from derive.maps.lowered_phi import Lowering
 from derive.output import files
 from derive.proof import prove

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from derive.codegen import ValidationFailed
+from derive.codegen import ValidationFailed, lowered
 from derive.codegen.cases import batches
 from derive.codegen.facts import Facts
 from derive.codegen.lowered import geometry, lower, lower_chart
@@ -86,7 +86,7 @@ def test_that_a_chart_has_nothing_to_do_is_not_shown_by_another_one(tmp_path: Pa
         with monkeypatch.context() as patch:
             if returns:
                 patch.setattr(type(charts[1]), "returns", returns)
-            lower_chart.cache_clear()
+            lowered._lowered.cache_clear()
             proved = map(prove, charts)
             modules = {module_name(p.formulas, target): module_text(Facts(p, lower(p)), target) for p in proved}
             files.write(tmp_path, {**shared_texts(target), **modules})
@@ -94,7 +94,7 @@ def test_that_a_chart_has_nothing_to_do_is_not_shown_by_another_one(tmp_path: Pa
             validate(tmp_path, charts[0], seen.new)
             with pytest.raises(ValidationFailed, match=r"lambert\.principal") if returns else nullcontext():
                 validate(tmp_path, charts[1], seen.new)
-    lower_chart.cache_clear()
+    lowered._lowered.cache_clear()
 
 
 def validate_all(folder: Path) -> None:

@@ -1,0 +1,83 @@
+"""Numbers of 50 digits: their arithmetic is that of real numbers, and IEEE's where there is none."""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Callable
+from fractions import Fraction
+from typing import Any
+
+import mpmath
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from derive.codegen.cases.decimals import DIGITS, Decimal, close
+
+pytestmark = pytest.mark.smoke
+
+RATIONALS = st.fractions(-(10**6), 10**6, max_denominator=10**6)
+ROUNDING = Fraction(1, 10 ** (DIGITS - 2))
+NAN, INFINITE = Decimal(mpmath.nan), Decimal(mpmath.inf)
+
+
+def exactly(number: Decimal) -> Fraction:
+    return Fraction(number.value)
+
+
+@given(a=RATIONALS, b=RATIONALS)
+@pytest.mark.parametrize("operation", [operator.add, operator.sub, operator.mul, operator.truediv])
+def test_operations_are_rounded_to_these_digits(operation: Callable[..., Any], a: Fraction, b: Fraction) -> None:
+    if operation is operator.truediv and not b:
+        return
+    wanted = operation(a, b)
+    for first, second in ((Decimal(a), Decimal(b)), (a, Decimal(b)), (Decimal(a), b)):
+        assert abs(exactly(operation(first, second)) - wanted) <= ROUNDING * (abs(a) + abs(b) + abs(wanted))
+
+
+@given(a=RATIONALS, b=RATIONALS)
+def test_order_and_sign(a: Fraction, b: Fraction) -> None:
+    first, second = Decimal(a), Decimal(b)
+    assert ((first < second), (first > second), (first == second)) == ((a < b), (a > b), (a == b))
+    assert (first < b, first > b, first == b) == (a < b, a > b, a == b)
+    assert (exactly(-first), exactly(abs(first))) == (-exactly(first), abs(exactly(first)))
+
+
+@given(bits=st.integers(-(2**200), 2**200), shift=st.integers(-1200, 1200))
+def test_numbers_of_mpmath_are_taken_as_they_are(bits: int, shift: int) -> None:
+    with mpmath.workprec(200):
+        value = mpmath.ldexp(mpmath.mpf(bits), shift)
+        assert abs(exactly(Decimal(value)) - (exact := bits * Fraction(2) ** shift)) <= ROUNDING * abs(exact)
+
+
+@pytest.mark.parametrize("name", ["sqrt", "tan", "expm1", "log1p"])
+def test_functions_are_those_of_mpmath(name: str) -> None:
+    with mpmath.workdps(DIGITS):
+        for number in (mpmath.mpf(7) / 9, mpmath.mpf(3) * 10**-30, mpmath.mpf(2) ** 70):
+            wanted = getattr(mpmath, name)(number)
+            if (mpmath.isfinite(wanted) and number < 1) or name != "expm1":
+                assert close(getattr(Decimal(number), name)(), wanted, Decimal(mpmath.mpf(10) ** -45))
+        for y, x in ((3, -4), (-3, -4), (0, -1), (5, 0)):
+            found = Decimal(y).arctan2(Decimal(x))
+            assert close(found, mpmath.atan2(y, x), Decimal(mpmath.mpf(10) ** -48))
+
+
+def test_what_is_not_defined() -> None:
+    one, zero = Decimal(1), Decimal(0)
+    for number in (zero / zero, Decimal(-1).sqrt(), Decimal(-2).log1p(), INFINITE - INFINITE, NAN * 0, NAN + one):
+        assert [number == number, number < one, number > one] == [False] * 3
+    assert [one / zero, -one / zero, one / INFINITE] == [INFINITE, -INFINITE, zero]
+    assert NAN.tan() != NAN.tan()
+    for other in (1.5, "1", None):
+        with pytest.raises(TypeError, match="a kernel mixed a 50-digit number with"):
+            one + other
+
+
+def test_close_is_within_the_tolerance_by_1_and_the_size() -> None:
+    pairs = {
+        True: [(Fraction(10009, 10000), 1), (100, Fraction(1001, 10)), (mpmath.nan, NAN), (NAN, mpmath.nan)],
+        False: [(Fraction(1003, 1000), 1), (99, 100), (NAN, 1), (1, NAN), (INFINITE, 1), (1, INFINITE)],
+    }
+    for wanted, numbers in pairs.items():
+        for got, expected in numbers:
+            assert close(got, expected, Decimal(Fraction(1, 1000))) is wanted, (got, expected)
