@@ -32,10 +32,11 @@ from .vectors import Vectors, is_whole
 
 SEED = 2011
 
-SMALL = 1e-22
-"""Small components of a quaternion: a row of the rotation's matrix that belongs to one is good to 28 digits only."""
+SMALL = 1e-21 / 7
+"""Small components of a quaternion: a row of the rotation's matrix that belongs to one is good to 28 digits only. They
+are no short fraction in any base: of those, sums may be exact."""
 
-SMALL_AT_EDGE = 1e-11
+SMALL_AT_EDGE = 1e-10 / 7
 """Likewise where no v is left at half a turn: the scalar part may not be smaller, and a wrong row loses it twice."""
 
 NEAR_EDGE = 1e-12

@@ -87,7 +87,7 @@ def survives(text, kernels, keep=lambda function, arguments: True, table=POSES):
 
 
 def numbers(case):
-    return [[component.value for component in argument] for argument in case.arguments]
+    return [[mpmath.mpf(str(component.value)) for component in argument] for argument in case.arguments]
 
 
 # --- the text is right --------------------------------------------------------------------------------------------
