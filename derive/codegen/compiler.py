@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
 import tempfile
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from copy import deepcopy
@@ -136,11 +135,8 @@ def _execute(chart: Chart, target: Target, staging: Path, seen: Seen, report: Pr
 
 def _show_geometry(target: Target, staging: Path, seen: Seen) -> None:
     """Execute the geometry in a chart of low order, which is not published."""
-    module = _printed(LIGHT, target, _silent)
-    with tempfile.TemporaryDirectory() as folder:
-        shutil.copytree(staging, folder, dirs_exist_ok=True)
-        files.write(Path(folder), module.texts)
-        target.validate(Path(folder), LIGHT, seen.new)
+    _staged(_printed(LIGHT, target, _silent), staging)
+    target.validate(staging, LIGHT, seen.new)
 
 
 def generate(
