@@ -3,19 +3,24 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 from fractions import Fraction
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
 
+import dualcay
 from derive.codegen.cases import samples
 from derive.codegen.lowered import lower_chart
 from derive.codegen.validation import NUMPY, ValidationFailed
 from derive.codegen.validation.c_interpreter import load
-from derive.codegen.validation.helpers import COUNT, SIGMAS, _directed
+from derive.codegen.validation.helpers import COUNT, SIGMAS, _directed, helpers
 from derive.codegen.validation.known import Analysis, Known, require_sharp
 from derive.codegen.validation.rounding import FUNCTION_UNITS
 from derive.maps import Cayley
+from dualcay import cayley3
 
 CHART = Cayley(3)
 
@@ -60,6 +65,15 @@ def test_directions_may_lean_by_as_much_as_chance_makes_them(size: int, deviatio
     _directed(leaning(size, 0.95 * most), "axes")
     with pytest.raises(ValidationFailed, match="axes prefer a side"):
         _directed(leaning(size, 1.05 * most), "axes")
+
+
+def test_rotations_without_a_bound_are_uniform_among_rotations_and_not_by_angle() -> None:
+    def by_angle(*arguments: Any, **options: Any) -> Any:
+        return cayley3.random(*arguments, **{"max_angle": math.pi} | options)
+
+    right = {name: getattr(cayley3, name) for name in dir(cayley3)}
+    with pytest.raises(ValidationFailed, match="quaternions of random prefer"):
+        helpers(dualcay, SimpleNamespace(**right | {"random": by_angle}))  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize(("step", "value"), [("k++", 34), ("++k", 44), ("k--", 32), ("--k", 22)])
