@@ -59,7 +59,7 @@ def lower_chart(chart: Chart, table: Table = POSES) -> Lowered:
     return _lowered(chart, table)
 
 
-@lru_cache(maxsize=8)
+@lru_cache(maxsize=8)  # behind the default: the cache would take the same table, given or not, for two
 def _lowered(chart: Chart, table: Table) -> Lowered:
     saving = table.functions if table is POSES else lower_chart(chart).own
     scalars, own, counted, called = _scalars(chart), {}, {}, set()
