@@ -31,14 +31,15 @@ def evaluate(expression: sympy.Expr, symbol: sympy.Symbol, value: Coefficient, l
     Parameters
     ----------
     library
-        Provides ``sin``, ``cos``, ``sqrt`` of the numbers; quotients of these give tan and cot.
+        Provides ``sin``, ``cos``, ``sqrt`` of the numbers; quotients of these give tan and cot, ``exp`` and ``log``
+        the powers with other denominators than 2, of positive numbers.
 
     Raises
     ------
     ZeroDivisionError
         If a part is divided by zero, whatever the number type.
     ValueError
-        If a part is no elementary function.
+        If a part is no elementary function, or of another symbol.
     """
     known: list[Coefficient] = []
     for step in _steps(expression, symbol):
@@ -93,6 +94,8 @@ class _Reader:
 
     def _power(self, e: sympy.Expr) -> Step:
         base, exponent = e.as_base_exp()
+        if not exponent.is_Rational:
+            raise self._refused(e)
         at, p, q = self.place(base), int(exponent.p), int(exponent.q)
         if q > 2:  # of a positive number
             return lambda known, value, library: library.exp(library.log(known[at]) * (value * 0 + p) / q)
@@ -104,14 +107,17 @@ class _Reader:
         return power
 
     def _function(self, e: sympy.Expr) -> Step:
+        if e.func.__name__ not in FUNCTIONS and e.func not in QUOTIENTS:
+            raise self._refused(e)
         argument = e.args[0]
         if quotient := QUOTIENTS.get(e.func):
             above, below = (self.place(f(argument, evaluate=False)) for f in quotient)
             return lambda known, value, library: over(known[above], known[below])
         name, at = e.func.__name__, self.place(argument)
-        if name not in FUNCTIONS:
-            raise ValueError(f"not an elementary expression in {self._symbol}: {e}")
         return lambda known, value, library: getattr(library, name)(known[at])
+
+    def _refused(self, e: sympy.Expr) -> ValueError:
+        return ValueError(f"not an elementary expression in {self._symbol}: {e}")
 
 
 def over(a: Coefficient, b: Coefficient) -> Coefficient:

@@ -206,10 +206,11 @@ class Element:
 
     def _in_lowest_terms(self) -> Element:
         """The same without a common factor, if it is a function of the squares: what it enters stays small."""
-        if self.terms.keys() != {0}:
+        if self.terms.keys() - {0}:
             return self
-        above, below = cofactors(self.ring.polynomials, self.denominator, self.terms[0])
-        return Element(self.ring, {0: above}, below)
+        library = self.ring.polynomials
+        above, below = cofactors(library, self.denominator, self.terms.get(0, library.zero))
+        return Element(self.ring, {0: above} if above else {}, below)
 
     def _numerator(self, what: str) -> Polynomial:
         """The numerator of an element that depends on the squares alone."""

@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import decimal
 import hashlib
 import json
 from collections.abc import Callable, Iterable, Iterator, Mapping
@@ -14,7 +15,7 @@ from typing import Any
 import mpmath
 
 from derive.codegen.cases import batches, cases, far, samples
-from derive.codegen.cases.decimals import DIGITS
+from derive.codegen.cases.decimals import DIGITS, Decimal
 from derive.codegen.rows import Table
 from derive.codegen.signatures import POSES, ROTATIONS
 from derive.maps import Cayley, family
@@ -30,6 +31,7 @@ CHARTS: Mapping[str, tuple[Chart, ...]] = {
 TABLES = {"poses": POSES, "rotations": ROTATIONS}
 SHOWN = 12
 """Digits that count: there are many more, so that no rounding makes one of these another."""
+ROUNDED = decimal.Context(prec=SHOWN)
 FAR = 1e20
 
 Call = tuple[str, Any]
@@ -78,7 +80,9 @@ def _text(value: Any) -> str:
         return f"({' '.join(map(_text, value))})"
     if value is None or isinstance(value, int | str):
         return str(value)
-    return str(mpmath.nstr(getattr(value, "value", value), SHOWN))
+    if isinstance(value, Decimal):
+        return str(value.value.normalize(ROUNDED) + 0)  # no zero has a sign
+    return str(mpmath.nstr(value, SHOWN))
 
 
 def _digest(texts: Iterable[str]) -> str:

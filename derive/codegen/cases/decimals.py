@@ -22,14 +22,18 @@ CONDITION = mpmath.mpf(10) ** 8
 
 
 NUMBERS = decimal.Context(prec=DIGITS, Emin=decimal.MIN_EMIN, Emax=decimal.MAX_EMAX, traps=[])
-"""Arithmetic as IEEE 754 has it: what is not defined is NaN, and a quotient by zero infinite, for a selection computes
-both sides, and the one not taken may divide by zero."""
+"""What is not defined is NaN, and a quotient by zero infinite, for a selection computes both sides, and the one not
+taken may divide by zero. Zeros have no sign that counts."""
 
+TWO = decimal.Decimal(2)
 LESS, GREATER = decimal.Decimal(-1), decimal.Decimal(1)
 
 
 class Decimal:
-    """A real number of 50 digits: + - * / with exact partners, comparison, ``abs`` and the functions of kernels."""
+    """A real number of 50 digits: + - * / with exact partners, comparison, ``abs`` and the functions of kernels.
+
+    These but for ``sqrt`` are to as many digits as mpmath works with.
+    """
 
     __slots__ = ("value",)
 
@@ -97,20 +101,22 @@ class Decimal:
         return Decimal(mpmath.expm1(_binary(self.value)))
 
     def log1p(self) -> Decimal:
-        return Decimal(mpmath.log1p(_binary(self.value)) if self.value > -1 else mpmath.nan)
+        return Decimal(mpmath.log1p(_binary(self.value)) if self > -1 else mpmath.nan)
 
 
 def _of(value: Any) -> decimal.Decimal:
-    """An int, a Fraction or a number of mpmath."""
+    """An int, a Fraction or a number of mpmath; nothing else is to so many digits."""
     if isinstance(value, int):
-        return decimal.Decimal(value)
+        return NUMBERS.create_decimal(value)
     if isinstance(value, Fraction):
         return NUMBERS.divide(decimal.Decimal(value.numerator), decimal.Decimal(value.denominator))
+    if not isinstance(value, mpmath.mpf):
+        raise TypeError(f"no number of {DIGITS} digits: {type(value).__name__} {value!r}")
     if not mpmath.isfinite(value):
         return decimal.Decimal(float(value))
     mantissa, exponent = value.man_exp
-    digits = decimal.Decimal(-mantissa if value < 0 else mantissa)
-    scale = decimal.Decimal(1 << abs(exponent))
+    digits = decimal.Decimal(int(-mantissa if value < 0 else mantissa))  # of its own type where gmpy2 is installed
+    scale = NUMBERS.power(TWO, abs(exponent))
     return NUMBERS.multiply(digits, scale) if exponent > 0 else NUMBERS.divide(digits, scale)
 
 

@@ -81,7 +81,11 @@ def _compare(row: Any, case: Expectation, agree: Any, where: str) -> None:
     if len(row) != len(case.result):
         raise ValidationFailed(f"{where}: {len(row)} components, expected {len(case.result)}")
     for index, (got, expected) in enumerate(zip(row, case.result, strict=True)):
-        if not agree(got, expected):
+        try:
+            right = agree(got, expected)
+        except TypeError as error:
+            raise ValidationFailed(f"{where}, component {index}: {error}") from error
+        if not right:
             raise ValidationFailed(f"{where}, component {index}: {got} is not {expected}")
 
 

@@ -63,6 +63,7 @@ def flipped(text: str, function: str, pattern: str, replacement: str) -> str:
         (GEOMETRY, "tensor", r"gvv1 - fv3", "gvv1 + fv3"),
         (GEOMETRY, "twist", r"gs = g \* side", "gs = g"),
         (GEOMETRY, "from_pose", r"Q32 - Q23", "Q23 - Q32"),
+        (GEOMETRY, "principal", r"m\.where\(beyond, u1 \* rk, v1\)", "0.25"),
         (GEOMETRY, "compose", r"z0 = ab \* aa - ", "z0 = ab * aa + "),
         (GEOMETRY, "pose_blocks", r"v22 = mul\(v2, v2, k\d+\)", "v22 = mul(v2, v2, k1)"),
         (GEOMETRY, "rate_blocks", r"sub\(", "add("),

@@ -239,6 +239,8 @@ def test_quotients_of_functions_of_the_square_are_in_lowest_terms(backend: str) 
     assert (again.terms, again.denominator) == ({0: library.one}, library.one)
     third = one_plus / (one_plus * one_plus * 3)
     assert (third.terms, third.denominator) == ({0: library.one}, 3 * one_plus.terms[0])
+    zero = exact.constant(0) / one_plus
+    assert (zero.terms, zero.denominator, (zero + 1).denominator) == ({}, library.one, library.one)
 
 
 INTEGERS = st.integers(-(10**40), 10**40)
