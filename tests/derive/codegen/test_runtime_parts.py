@@ -1,0 +1,57 @@
+"""Parts of the run time that results do not show: of the templates, not of a checkout."""
+
+from __future__ import annotations
+
+import importlib
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from derive.codegen.module import shared_texts
+from derive.codegen.targets import TARGETS
+from derive.codegen.validation.loading import loaded
+from derive.output import files
+
+LINE = 64
+"""Bytes of a cache line, and of the widest vector register."""
+
+
+@pytest.fixture(scope="module")
+def part(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[[str], Any]]:
+    """A module of the NumPy target's run time, by name."""
+    folder: Path = tmp_path_factory.mktemp("kernels")
+    files.write(folder, shared_texts(TARGETS["numpy"]))
+    with loaded(folder) as package:
+        yield lambda name: importlib.import_module(f"{package}.{name}")
+
+
+@pytest.mark.parametrize("spoilt", [0, 4])  # both violations are NaN, or the second one
+def test_no_number_is_the_largest_violation(part: Callable[[str], Any], spoilt: int) -> None:
+    """What is said is the first element that is wrong, and its largest violation."""
+    checks = part("_checks")
+    q = np.zeros((3, 8))
+    q[:, 0] = 1
+    q[1] = 2, 0, 0, 0, 1, 0, 0, 0  # its square by 3, the other product by 1
+    for largest in ("3", "nan"):
+        with pytest.raises(ValueError, match=rf"q\[1\] is no unit dual quaternion: .*, off by {largest} "):
+            checks.require(checks.LAWS["from_quaternion"], q, -1)
+        q[1, spoilt] = np.nan
+
+
+def test_rows_of_scratch_begin_on_a_cache_line(part: Callable[[str], Any]) -> None:
+    kernel = part("_kernel")
+    for size in (1, 63, 64, 1000, 100_000):
+        scratch = kernel.Scratch()
+        memory = scratch.take(size)
+        assert memory.ctypes.data % LINE == 0
+        assert memory.size >= size
+        scratch.give_back(memory)
+        assert scratch.take(size) is memory
+    for dtype in map(np.dtype, (np.float32, np.float64, np.longdouble)):
+        for cells in (1, 7, 8, 100, 16384):
+            padded = kernel._padded(cells, dtype)
+            assert padded >= cells
+            assert padded * dtype.itemsize % LINE == 0
