@@ -27,6 +27,16 @@ def test_at_a_glance_what_is_printed_stands_left_of_what_is_right(results: list[
         assert f"| $`{printed}`$ | $`{right}`$ |" in row
 
 
+def test_the_first_table_counts_what_is_of_each_paper(results: list[Result]) -> None:
+    report = Report.of(PAPERS, results, (), "..")
+    lines = FORMATS["markdown"](report).splitlines()
+    (head,) = (line for line in lines if line.startswith("| paper |"))
+    statuses = [Status(word.strip()) for word in head.split("|")[2:-2]]
+    for chapter in report.chapters:
+        counts = " | ".join(str(chapter.counts[status]) for status in statuses)
+        assert f"| {chapter.paper.short} | {counts} | {len(chapter.results)} |" in lines
+
+
 def test_readings_are_counted_from_one(results: list[Result]) -> None:
     first = results[0]
     readings = tuple(Verdict(Letter(name, "real"), name, name == "a", "") for name in "ab")

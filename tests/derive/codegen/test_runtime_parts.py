@@ -41,6 +41,15 @@ def test_no_number_is_the_largest_violation(part: Callable[[str], Any], spoilt: 
         q[1, spoilt] = np.nan
 
 
+def test_the_first_element_that_is_wrong_is_said_whatever_is_wrong_of_it(part: Callable[[str], Any]) -> None:
+    checks = part("_checks")
+    q = np.zeros((3, 8))
+    q[:, 0] = 1
+    q[1, 0], q[2, 4] = 2, 5  # another law, whose words come first in the alphabet
+    with pytest.raises(ValueError, match=r"q\[1\] is no unit dual quaternion: the square of its real part"):
+        checks.require(checks.LAWS["from_quaternion"], q, -1)
+
+
 def test_rows_of_scratch_begin_on_a_cache_line(part: Callable[[str], Any]) -> None:
     kernel = part("_kernel")
     for size in (1, 63, 64, 1000, 100_000):
@@ -55,3 +64,11 @@ def test_rows_of_scratch_begin_on_a_cache_line(part: Callable[[str], Any]) -> No
             padded = kernel._padded(cells, dtype)
             assert padded >= cells
             assert padded * dtype.itemsize % LINE == 0
+
+
+@pytest.mark.parametrize("shape", [(6,), (2, 3)])
+def test_poses_are_taken_one_by_one_from_components_that_stand_first(part: Callable[[str], Any], shape: Any) -> None:
+    last = np.arange(30.0).reshape(5, *shape)
+    first = np.moveaxis(last, 0, -1)
+    for array, axis in ((last, -1), (first, 0)):
+        assert part("_runtime")._poses(array, shape, (5,), axis) == last.reshape(5, 6).tolist()
