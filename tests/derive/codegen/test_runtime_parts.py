@@ -72,3 +72,12 @@ def test_poses_are_taken_one_by_one_from_components_that_stand_first(part: Calla
     first = np.moveaxis(last, 0, -1)
     for array, axis in ((last, -1), (first, 0)):
         assert part("_runtime")._poses(array, shape, (5,), axis) == last.reshape(5, 6).tolist()
+
+
+def test_rows_are_read_where_they_lie_if_they_are_dense_or_one_value(part: Callable[[str], Any]) -> None:
+    is_read, dtype = part("_kernel")._unit_stride, np.dtype(np.float64)
+    dense, one = np.ones((6, 10)), np.broadcast_to(np.ones((6, 1)), (6, 10))
+    spread, same = np.ones((6, 20))[:, ::2], np.broadcast_to(np.ones(20)[::2], (6, 10))
+    for rows, wanted in ((dense, True), (one, True), (spread, False), (same, False), (dense.astype(np.float32), False)):
+        assert is_read(rows, dtype, broadcast=True) is wanted
+    assert [is_read(rows, dtype) for rows in (dense, one)] == [True, False]
