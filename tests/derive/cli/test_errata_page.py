@@ -1,0 +1,46 @@
+"""The page of errata: what stands in its columns, and how readings are counted."""
+
+from __future__ import annotations
+
+import pytest
+
+from derive.papers import PAPERS, Result, Status, verify
+from derive.papers.language.terms import Letter
+from derive.papers.report import FORMATS, Report
+from derive.papers.report.pages import differing_sides
+from derive.papers.result import Verdict
+
+
+@pytest.fixture(scope="module")
+def results() -> list[Result]:
+    return verify("karakilic-2010", ["14", "20", "half-angle", "5"])
+
+
+def test_at_a_glance_what_is_printed_stands_left_of_what_is_right(results: list[Result]) -> None:
+    page = FORMATS["markdown"](Report.of(PAPERS, results, (), ".."))
+    errata = [result for result in results if result.status is Status.ERRATUM]
+    assert errata
+    for result in errata:
+        (row,) = (line for line in page.splitlines() if line.startswith("| [") and f"(#{result.anchor})" in line)
+        printed, right = differing_sides(result)
+        assert printed != right
+        assert f"| $`{printed}`$ | $`{right}`$ |" in row
+
+
+def test_the_first_table_counts_what_is_of_each_paper(results: list[Result]) -> None:
+    report = Report.of(PAPERS, results, (), "..")
+    lines = FORMATS["markdown"](report).splitlines()
+    (head,) = (line for line in lines if line.startswith("| paper |"))
+    statuses = [Status(word.strip()) for word in head.split("|")[2:-2]]
+    for chapter in report.chapters:
+        counts = " | ".join(str(chapter.counts[status]) for status in statuses)
+        assert f"| {chapter.paper.short} | {counts} | {len(chapter.results)} |" in lines
+
+
+def test_readings_are_counted_from_one(results: list[Result]) -> None:
+    first = results[0]
+    readings = tuple(Verdict(Letter(name, "real"), name, name == "a", "") for name in "ab")
+    unclear = Result(first.paper, first.equation, Status.AMBIGUOUS, "readings differ", readings)
+    page = FORMATS["markdown"](Report.of(PAPERS, [unclear], (), ".."))
+    decided = [line for line in page.splitlines() if line.endswith((": true", ": false"))]
+    assert decided == ["Reading 1 (a): true", "Reading 2 (b): false"]

@@ -1,0 +1,83 @@
+"""Parts of the run time that results do not show: of the templates, not of a checkout."""
+
+from __future__ import annotations
+
+import importlib
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from derive.codegen.module import shared_texts
+from derive.codegen.targets import TARGETS
+from derive.codegen.validation.loading import loaded
+from derive.output import files
+
+LINE = 64
+"""Bytes of a cache line, and of the widest vector register."""
+
+
+@pytest.fixture(scope="module")
+def part(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[[str], Any]]:
+    """A module of the NumPy target's run time, by name."""
+    folder: Path = tmp_path_factory.mktemp("kernels")
+    files.write(folder, shared_texts(TARGETS["numpy"]))
+    with loaded(folder) as package:
+        yield lambda name: importlib.import_module(f"{package}.{name}")
+
+
+@pytest.mark.parametrize("spoilt", [0, 4])  # both violations are NaN, or the second one
+def test_no_number_is_the_largest_violation(part: Callable[[str], Any], spoilt: int) -> None:
+    """What is said is the first element that is wrong, and its largest violation."""
+    checks = part("_checks")
+    q = np.zeros((3, 8))
+    q[:, 0] = 1
+    q[1] = 2, 0, 0, 0, 1, 0, 0, 0  # its square by 3, the other product by 1
+    for largest in ("3", "nan"):
+        with pytest.raises(ValueError, match=rf"q\[1\] is no unit dual quaternion: .*, off by {largest} "):
+            checks.require(checks.LAWS["from_quaternion"], q, -1)
+        q[1, spoilt] = np.nan
+
+
+def test_the_first_element_that_is_wrong_is_said_whatever_is_wrong_of_it(part: Callable[[str], Any]) -> None:
+    checks = part("_checks")
+    q = np.zeros((3, 8))
+    q[:, 0] = 1
+    q[1, 0], q[2, 4] = 2, 5  # another law, whose words come first in the alphabet
+    with pytest.raises(ValueError, match=r"q\[1\] is no unit dual quaternion: the square of its real part"):
+        checks.require(checks.LAWS["from_quaternion"], q, -1)
+
+
+def test_rows_of_scratch_begin_on_a_cache_line(part: Callable[[str], Any]) -> None:
+    kernel = part("_kernel")
+    for size in (1, 63, 64, 1000, 100_000):
+        scratch = kernel.Scratch()
+        memory = scratch.take(size)
+        assert memory.ctypes.data % LINE == 0
+        assert memory.size >= size
+        scratch.give_back(memory)
+        assert scratch.take(size) is memory
+    for dtype in map(np.dtype, (np.float32, np.float64, np.longdouble)):
+        for cells in (1, 7, 8, 100, 16384):
+            padded = kernel._padded(cells, dtype)
+            assert padded >= cells
+            assert padded * dtype.itemsize % LINE == 0
+
+
+@pytest.mark.parametrize("shape", [(6,), (2, 3)])
+def test_poses_are_taken_one_by_one_from_components_that_stand_first(part: Callable[[str], Any], shape: Any) -> None:
+    last = np.arange(30.0).reshape(5, *shape)
+    first = np.moveaxis(last, 0, -1)
+    for array, axis in ((last, -1), (first, 0)):
+        assert part("_runtime")._poses(array, shape, (5,), axis) == last.reshape(5, 6).tolist()
+
+
+def test_rows_are_read_where_they_lie_if_they_are_dense_or_one_value(part: Callable[[str], Any]) -> None:
+    is_read, dtype = part("_kernel")._unit_stride, np.dtype(np.float64)
+    dense, one = np.ones((6, 10)), np.broadcast_to(np.ones((6, 1)), (6, 10))
+    spread, same = np.ones((6, 20))[:, ::2], np.broadcast_to(np.ones(20)[::2], (6, 10))
+    for rows, wanted in ((dense, True), (one, True), (spread, False), (same, False), (dense.astype(np.float32), False)):
+        assert is_read(rows, dtype, broadcast=True) is wanted
+    assert [is_read(rows, dtype) for rows in (dense, one)] == [True, False]
