@@ -72,7 +72,7 @@ native: $(READY)  ## compile the committed charts and install them, dualcay-nati
 	$(PIP) ./build/native
 
 bench: $(VENV)/.bench  ## proof times by order, then kernels, compiled ones too, against peers and their former release (docs/benchmarks.md)
-	$(RUN) benchmarks/proofs.py
+	$(RUN) -m benchmarks.proofs
 	$(RUN) -m benchmarks -o docs/benchmarks.md
 
 parameterizations: $(VENV)/.bench  ## what charts are like, measured too: docs/parameterizations.md and its plot

@@ -19,6 +19,10 @@ from .errors import ValidationFailed
 from .rounding import Array
 
 COUNT, SEED = 2000, 7
+
+SIGNS = 11
+"""A seed of its own: signs drawn as poses are would go with them."""
+
 LENGTH = 2.5
 SIGMAS = 5 / math.sqrt(COUNT)
 
@@ -103,7 +107,7 @@ def _uniform(module: ModuleType, moves: bool) -> None:
     v = module.random(COUNT, rng=SEED)
     _require(abs(module.principal(v) - v) <= 1e-9 * (1 + abs(v)), "random is not principal")
     quaternion = module.quaternion(v)[:, :4]
-    signed = quaternion * np.sign(np.random.default_rng(SEED).uniform(-1, 1, (COUNT, 1)))
+    signed = quaternion * np.sign(np.random.default_rng(SIGNS).uniform(-1, 1, (COUNT, 1)))
     _directed(signed, "quaternions of random")
     if moves:
         _translations(module, v, 1.0, quaternion[:, 1:] / np.linalg.norm(quaternion[:, 1:], axis=-1, keepdims=True))
