@@ -8,13 +8,19 @@ from fractions import Fraction
 from types import SimpleNamespace
 from typing import Any
 
+import mpmath
 import numpy as np
 import pytest
 
+from derive.algebra import Vector
+from derive.codegen.cases.maps_at import flat
+from derive.codegen.cases.vectors import Vectors
 from derive.codegen.validation import ValidationFailed
 from derive.codegen.validation.c_interpreter import load
 from derive.codegen.validation.c_text import _drawn
 from derive.codegen.validation.helpers import COUNT, SEED, SIGMAS, _translations, _uniform
+from derive.maps import Cayley
+from derive.maps.pose import tensor_from_screw
 from dualcay import cayley3
 
 HOLDS = {"<": (True, False, False), "<=": (True, True, False), "==": (False, True, False)}
@@ -27,6 +33,15 @@ def test_comparisons_of_c_tell_smaller_from_equal_from_greater() -> None:
     for name, holds in expected.items():
         program = load(f"double f(double a) {{ return a {name} 2 ? 1 : 0; }}")
         assert tuple(bool(program.call("f", Fraction(a))) for a in (1, 2, 3)) == holds, name
+
+
+def test_where_no_branch_is_named_it_is_the_principal_one() -> None:
+    chart = Vectors(Cayley(2))
+    v = Vector(mpmath.mpf(1) / 5, mpmath.mpf(0), mpmath.mpf(0))
+    q = chart.quaternion(Vector.dual(v, 0 * v))
+    R = tensor_from_screw(chart.screw(Vector.dual(v, 0 * v))[0])
+    for found in (chart.of_quaternion(q), chart.of_tensor(R)):
+        assert flat(found) == pytest.approx((*v, 0, 0, 0), abs=1e-12)
 
 
 def test_arguments_of_rational_functions_are_drawn_on_both_sides_of_0() -> None:
