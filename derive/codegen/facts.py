@@ -157,4 +157,5 @@ def _multiple_of_pi(angle: sympy.Expr) -> str:
     if not factor.is_Rational:
         with mpmath.workdps(DIGITS + 10):
             return _decimal(mpmath.mpf(angle.evalf(DIGITS + 10)))
-    return "pi" if factor == 1 else f"{factor} * pi"
+    above = "pi" if factor.p == 1 else f"{factor.p} * pi"
+    return above if factor.q == 1 else f"{above} / {factor.q}"  # 3/2 would be 1 in C

@@ -26,6 +26,7 @@ NUMBERS = decimal.Context(prec=DIGITS, Emin=decimal.MIN_EMIN, Emax=decimal.MAX_E
 taken may divide by zero. Zeros have no sign that counts."""
 
 TWO = decimal.Decimal(2)
+NAN = decimal.Decimal("NaN")
 LESS, GREATER = decimal.Decimal(-1), decimal.Decimal(1)
 
 
@@ -92,6 +93,8 @@ class Decimal:
         return Decimal(NUMBERS.sqrt(self.value))
 
     def tan(self) -> Decimal:
+        if not self.value.is_finite():  # mpmath would raise a flag that NumPy warns of
+            return Decimal(NAN)
         return Decimal(mpmath.tan(_binary(self.value)))
 
     def arctan2(self, other: object) -> Decimal:

@@ -146,6 +146,8 @@ class Folding(ABC):
     def where(self, condition: Number, a: Number, b: Number) -> Number:
         if isinstance(condition, bool):
             return a if condition else b
+        if a is b or (a == b and not isinstance(a, Value) and not isinstance(b, Value)):
+            return a
         if (common := lcm(*(value.denominator for value in (a, b) if isinstance(value, Fraction)))) > 1:
             return self.div(self.where(condition, self.mul(common, a), self.mul(common, b)), common)
         return self.record("where", condition, a, b)
