@@ -87,8 +87,9 @@ r"""Orthographic projection: Rodrigues dual vectors ``v = sin(α/2) u`` of rigid
 
 ``tangent`` v ends, and with it the domain, at Re alpha = pi.
 ``tangent_inv`` is defined for |Re v| < 1; v ends, and with it the domain, at Re alpha = pi.
-A pose has 1 vector. Forward maps are NaN where v ends, at |Re v| = 1: beyond Re|v| = 1 in float64, 1 in
-float32. What is exported are the methods of one `PoseKernels`, whose conventions and shapes hold here.
+A pose has 1 vector. From where v ends, at |Re v| = 1, forward maps have NaN among their entries, and results of
+other functions, such as ``principal`` and ``angle``, mean nothing.
+What is exported are the methods of one `PoseKernels`, whose conventions and shapes hold here.
 """
 
 from __future__ import annotations

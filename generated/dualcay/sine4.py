@@ -91,8 +91,9 @@ r"""Sine chart of order 4: Rodrigues dual vectors ``v = sin(α/8) u`` of rigid d
 
 ``tangent`` loses rank at Re alpha = 2*pi; v ends, and with it the domain, at Re alpha = 4*pi.
 ``tangent_inv`` is defined for |Re v| < 1; pole at Re alpha = 2*pi; v ends, and with it the domain, at Re alpha = 4*pi.
-A pose has 4 vectors. Forward maps are NaN where v ends, at |Re v| = 1: beyond Re|v| = 1 in float64, 1 in
-float32. What is exported are the methods of one `PoseKernels`, whose conventions and shapes hold here.
+A pose has 4 vectors. From where v ends, at |Re v| = 1, forward maps have NaN among their entries, and results of
+other functions, such as ``principal`` and ``angle``, mean nothing.
+What is exported are the methods of one `PoseKernels`, whose conventions and shapes hold here.
 """
 
 from __future__ import annotations
