@@ -16,7 +16,7 @@ ROOMS = ("about", "workers", "output", "algebra", "maps", "proof", "papers", "co
 
 IN_CODEGEN = (
     "programs", "lowering", "rows", "signatures", "lowered", "cases", "differential", "validation", "facts",
-    "fingerprint", "targets", "catalogue", "module", "package", "compiler",
+    "fingerprint", "targets", "taken", "catalogue", "module", "package", "compiler",
 )  # fmt: skip
 """Likewise the rooms and modules of codegen; inside derive.papers a test of its own says what may."""
 

@@ -7,7 +7,8 @@ from pathlib import Path
 import click
 
 from ..codegen import Package, catalogue, generate_charts
-from ..codegen import check as check_folder
+from ..codegen.compiler import check_charts as check_folder
+from ..codegen.compiler import expected
 from ..maps import PhiError
 from ..output.tables import Column, Grid, columns
 from ..workers import cores
@@ -47,9 +48,10 @@ def generate(
         raise click.UsageError(f"name a folder with -o: only {catalogue.TARGET} kernels have a place, in a checkout")
     folder = output or catalogue.COMMITTED
     try:
-        with display.progress((CHECKED if check else WRITTEN) * len(charts)) as step:
+        printed, unmade = expected(folder, charts, target, max_n) if check else (charts, {})
+        with display.progress((CHECKED if check else WRITTEN) * len(printed)) as step:
             if check:
-                found = check_folder(folder, orders, target, step, max_n, families=families, phi=phi, name=name)
+                found = check_folder(folder, printed, unmade, target, step)
             else:
                 processes = cores() if len(charts) > FEW else 1
                 package = generate_charts(charts, target, folder, force=force, progress=step, processes=processes)

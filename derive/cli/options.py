@@ -37,10 +37,10 @@ def _range(part: str, value: str) -> range:
 
 
 def names(choices: tuple[str, ...]) -> Callable[[click.Context, click.Parameter, str], tuple[str, ...]]:
-    """Return a parser of comma-separated names out of a fixed set."""
+    """Return a parser of comma-separated names out of a fixed set, each once."""
 
     def parse(context: click.Context, parameter: click.Parameter, value: str) -> tuple[str, ...]:
-        given = tuple(part.strip() for part in value.split(","))
+        given = listed(context, parameter, value)
         unknown = ", ".join(repr(name) for name in given if name not in choices)
         if unknown:
             raise click.BadParameter(f"expected names out of {', '.join(choices)}, got {unknown}")

@@ -11,6 +11,7 @@ differential tables of seeded cases for the tests of compiled targets
 validation   the file on disk computes its formula
 facts        what a module says besides its programs
 targets      the languages: a printer and a template folder each
+taken        names that a chart of one's own may not bear
 catalogue    what is committed, and the commands that make it
 module       the texts of a package, through the templates
 package      a module with its texts, and a package of them

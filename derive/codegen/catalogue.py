@@ -3,13 +3,19 @@
 from __future__ import annotations
 
 import itertools
+import re
 import shlex
 from collections.abc import Iterable
 from pathlib import Path
 
+import sympy
+
 from .. import about
 from ..maps import Cayley, family, parameterization
 from ..maps.chart import Chart
+from ..maps.families import alpha
+from ..maps.sine import Sine
+from . import taken
 from .signatures import ROTATIONS
 
 ORDERS, FAMILIES, TARGET, MAX_ORDER = about.ORDERS, about.FAMILIES, about.TARGET, about.MAX_ORDER
@@ -62,7 +68,28 @@ def charts(
         raise ValueError(f"{name!r} is the name of the folder of rotations, or begins as names of its functions do")
     if name in {chart.name for chart in committed()}:
         raise ValueError(f"{name!r} is the name of a committed module")
-    return [parameterization(phi, name or "", given[0] if given else None), *named]
+    taken.require_free(name or "")
+    own: Chart = parameterization(phi, name or "", given[0] if given else None)
+    _require_no_other(own)
+    return [own, *named]
+
+
+def _require_no_other(own: Chart) -> None:
+    """Refuse the name of another chart; but sin(α/N) may be called sineN, by what divides its angle."""
+    other = _called(own.name)
+    if other is None or own.phi == other.phi:
+        return
+    if not (isinstance(other, Sine) and own.phi == sympy.sin(alpha / other.order)):
+        raise ValueError(f"{own.name!r} is the name of the chart of phi = {other.phi}: take another for {own.phi}")
+
+
+def _called(name: str) -> Chart | None:
+    """The chart that a name denotes, with or without a φ; None of a name that is free."""
+    cayley = re.fullmatch(r"cayley([1-9]\d*)", name)
+    try:
+        return Cayley(int(cayley[1])) if cayley else family(name)
+    except ValueError:
+        return None
 
 
 def committed() -> list[Chart]:

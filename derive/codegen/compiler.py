@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from copy import deepcopy
 from dataclasses import replace
 from pathlib import Path
@@ -243,13 +243,26 @@ def check(
     module that bears our header is printed by the command in it, unless its order is above the cap.
     """
     asked = catalogue.charts(orders or (), families, phi, name) or catalogue.committed()
+    return check_charts(folder, *expected(folder, asked, target, cap), target, progress)
+
+
+def expected(
+    folder: Path, asked: Iterable[Chart], target: str, cap: int = catalogue.MAX_ORDER
+) -> tuple[list[Chart], dict[str, str]]:
+    """The charts whose modules a folder should hold, and by file name why others are not printed."""
     chosen, wanted = _target(target), {chart.name: chart for chart in asked}
     further = {chart.name: chart for chart in _charts_in(folder, chosen) if chart.name not in wanted}
     above = [chart for chart in further.values() if chart.order > cap]
     reason = f"is above the cap {cap}, so not compared; raise it with --max-n"
     unmade = {module_name(chart, chosen): f"order {chart.order} {reason}" for chart in above}
-    made = [*wanted.values(), *(chart for chart in further.values() if chart not in above)]
-    package = print_charts(made, chosen, progress)
+    return [*wanted.values(), *(chart for chart in further.values() if chart not in above)], unmade
+
+
+def check_charts(
+    folder: Path, charts: Sequence[Chart], unmade: Mapping[str, str], target: str, progress: Progress | None = None
+) -> list[files.Difference]:
+    """The same for charts as they are, and reasons why a file is none of theirs."""
+    package = print_charts(charts, _target(target), progress)
     return list(files.compare(folder, package.texts, unmade))
 
 

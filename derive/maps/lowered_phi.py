@@ -21,6 +21,8 @@ from .of_order import of_twice
 from .split import is_small, plus, times
 
 DIGITS = 60
+LEVELS = 5
+"""Of a factor (`split`): angles 1e-30 beside half a turn, which are tried, have to stay on their side of it."""
 
 
 def number(expression: sympy.Expr) -> Any:
@@ -61,9 +63,8 @@ class Lowering:
         """Its value."""
         if alpha not in expression.free_symbols:
             found = number(expression)
-            if not is_small(found):
-                raise PhiError(f"kernels take {expression} as a factor or a term only")
-            return found if found.denominator != 1 else int(found)
+            if is_small(found):
+                return found if found.denominator != 1 else int(found)
         if expression not in self._known:
             self._known[expression] = self.m.name(self._name(), self._computed(expression))
         return self._known[expression]
@@ -73,6 +74,8 @@ class Lowering:
         return f"{self.prefix}{self._count}"
 
     def _computed(self, e: sympy.Expr) -> Coefficient:
+        if alpha not in e.free_symbols:
+            return self._constant(number(e))
         if e.is_Add:
             return self._sum(e)
         if e.is_Mul:
@@ -80,6 +83,12 @@ class Lowering:
         if e.is_Pow:
             return self._power(e)
         return self._functions[e.func](e.args[0])
+
+    def _constant(self, value: Any) -> Coefficient:
+        """A number that is no small fraction, such as the slope of π α, of the angle's type."""
+        angle = self._known[alpha]
+        one = self.m.name(self._name(), angle - angle + 1)
+        return times(value, one, self.m, self._name(), LEVELS)
 
     def _sum(self, e: sympy.Expr) -> Coefficient:
         constants, terms = e.as_independent(alpha, as_Add=True)
@@ -99,7 +108,7 @@ class Lowering:
             else:
                 above = above * self.at(factor)
         if constant != 1:
-            above = times(number(constant), above, self.m, self._name()) if not _is_one(above) else above
+            above = times(number(constant), above, self.m, self._name(), LEVELS) if not _is_one(above) else above
         if _is_one(above):
             return _over(number(constant), below, self.m)
         return above if _is_one(below) else self.m.div(above, below)
@@ -205,4 +214,4 @@ def _over(constant: Any, below: Coefficient, m: Arithmetic) -> Coefficient:
     """A number over a value."""
     if is_small(constant):
         return m.div(constant.numerator, below if constant.denominator == 1 else constant.denominator * below)
-    return times(constant, m.div(1, below), m, "over")
+    return times(constant, m.div(1, below), m, "over", LEVELS)

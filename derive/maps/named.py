@@ -109,7 +109,7 @@ def parameterization(phi: str | sympy.Expr, name: str, order: int | None = None)
     expression = parsed(phi, order) if isinstance(phi, str) else phi
     if not (name.isidentifier() and name.isascii() and not keyword.iskeyword(name)):
         raise PhiError(f"the name of a module is an identifier, got {name!r}")
-    if parity(expression) != -1:
+    if expression != 0 and parity(expression) != -1:  # of 0 the slope is at fault
         raise PhiError(f"phi = {expression} is not odd by its structure: a sum of odd terms, products odd times even")
     with_n = f" -n {order}" if order is not None else ""
     selection = ("--phi", f"{shlex.quote(phi if isinstance(phi, str) else str(phi))} --name {name}{with_n}")

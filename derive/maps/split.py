@@ -43,14 +43,20 @@ class Polynomial:
         """The value at x."""
         centred = x - self.centre if self.centre else x
         t = m.name(f"{name}_t", shifted(centred, self.scale, m))
+        unit = m.name(f"{name}_unit", t - t + 1) if self._is_long else 1
         total: Coefficient = 0
         for place, level in reversed(list(enumerate(self.levels))):
             value: Coefficient = 0
             for coefficient in reversed(level):
-                value = value * t + coefficient
+                value = value * t + coefficient * unit
             below = self.shift if place == 0 else BITS
             total = shifted(value + total, below, m)
         return m.name(name, total)
+
+    @property
+    def _is_long(self) -> bool:
+        """Whether it is a constant of many digits, powers of which would be integers that float32 does not hold."""
+        return not any(any(level[1:]) for level in self.levels) and any(any(level) for level in self.levels[1:])
 
     @property
     def rounding(self) -> Any:
@@ -85,21 +91,22 @@ def polynomial(
     coefficients: Sequence[Any], scale: int = 0, levels: int = LEVELS, centre: Fraction = Fraction(0)
 ) -> Polynomial:
     """Split the coefficients of powers of (x − centre)/2^scale."""
-    largest = max(map(abs, coefficients))
-    shift = BITS - 1 - int(mpmath.ceil(mpmath.log(largest, 2))) if largest else 0
-    rest, found = [c * mpmath.mpf(2) ** shift for c in coefficients], []
-    for _ in range(levels):
-        level = tuple(int(mpmath.nint(c)) for c in rest)
-        found.append(level)
-        rest = [(c - n) * 2**BITS for c, n in zip(rest, level, strict=True)]
+    with mpmath.workprec(max(mpmath.mp.prec, BITS * (levels + 1))):  # a caller may have less, which cut the last level
+        largest = max(map(abs, coefficients))
+        shift = BITS - 1 - int(mpmath.ceil(mpmath.log(largest, 2))) if largest else 0
+        rest, found = [c * mpmath.mpf(2) ** shift for c in coefficients], []
+        for _ in range(levels):
+            level = tuple(int(mpmath.nint(c)) for c in rest)
+            found.append(level)
+            rest = [(c - n) * 2**BITS for c, n in zip(rest, level, strict=True)]
     return Polynomial(tuple(found), shift, scale, centre)
 
 
-def times(number: Any, value: Coefficient, m: Arithmetic, name: str) -> Coefficient:
+def times(number: Any, value: Coefficient, m: Arithmetic, name: str, levels: int = LEVELS) -> Coefficient:
     """A real number times a value."""
     if is_small(number):
         return m.div(number.numerator * value, number.denominator)
-    split = polynomial([number])
+    split = polynomial([number], levels=levels)
     total: Coefficient = 0
     for place, (digit,) in reversed(list(enumerate(split.levels))):
         total = shifted(digit * value + total, split.shift if place == 0 else BITS, m)

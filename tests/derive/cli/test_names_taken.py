@@ -1,0 +1,82 @@
+"""``dualcay generate --name``: what a package holds, or another chart is called, names no chart of one's own."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+
+from derive import generate
+from derive.cli import display
+from derive.codegen import catalogue, taken
+from derive.codegen.targets import TARGETS
+from tests.support.command import dualcay
+
+FILES = ("_native", "_tools", "_chart", "__main__", "_mine")
+WITHIN = ("convert", "matrix6", "backend", "importlib", "sorted", "compiled", "geometry", "tiles")
+CHARTS = ("cayley7", "sine7", "scaled7", "reduced_euler_rodrigues")
+
+
+@pytest.mark.parametrize(
+    ("name", "reason"),
+    [
+        *((name, "with a leading underscore") for name in FILES),
+        *((name, "in packages of kernels: take another") for name in WITHIN),
+        ("rotation", "the folder of rotations"),
+        *((name, "is the name of the chart of phi = ") for name in CHARTS),
+    ],
+)
+def test_taken_names_are_refused(tmp_path: Path, name: str, reason: str) -> None:
+    done = dualcay("generate", "--name", name, "--phi", "sin(alpha/3)", "-o", str(tmp_path / "kernels"))
+    assert done.returncode == 2
+    assert "--name" in done.stderr
+    assert reason in done.stderr
+    assert not (tmp_path / "kernels").exists()
+
+
+@pytest.mark.parametrize("target", TARGETS)
+def test_no_shared_file_can_be_overwritten(target: str) -> None:
+    stems = {Path(file).stem for file in TARGETS[target].shared() if file.endswith(f".{TARGETS[target].extension}")}
+    assert stems <= taken.names()
+
+
+@pytest.mark.parametrize(
+    ("name", "phi"),
+    [("sine7", "sin(alpha/14)"), ("cayley7", "tan(alpha/14)"), ("sine6", "sin(alpha/6)"), ("cayley07", "alpha/2")],
+)
+def test_a_chart_may_bear_its_own_name(name: str, phi: str) -> None:
+    assert [chart.name for chart in catalogue.charts((), (), phi, name)] == [name]
+
+
+def test_the_library_refuses_them_too(tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match="leading underscore"):
+        generate(phi="alpha/2", name="_native", output=tmp_path)
+
+
+def test_a_slope_of_0_is_named_as_such(tmp_path: Path) -> None:
+    done = dualcay("generate", "--phi", "0*alpha", "--name", "mine", "-o", str(tmp_path / "kernels"))
+    assert done.returncode == 2
+    assert "phi'(0) = 0.0, and has to be positive" in done.stderr
+
+
+def test_what_is_shown_twice_is_shown_once() -> None:
+    once, twice = (dualcay("show", "-n", "3", "--what", what).stdout for what in ("q,p", "q,p,q"))
+    assert twice == once
+    assert once.index("q_3") < once.index("p_3")
+
+
+def test_progress_of_a_check_counts_what_the_folder_holds(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    generate([1], output=tmp_path)
+    totals: list[int] = []
+    steps: list[str] = []
+
+    @contextmanager
+    def counted(total: int) -> Iterator[Callable[[str], None]]:
+        totals.append(total)
+        yield steps.append
+
+    monkeypatch.setattr(display, "progress", counted)
+    assert dualcay("generate", "-n", "2", "-o", str(tmp_path), "--check").returncode == 1  # cayley2 is missing
+    assert totals == [len(steps)] == [4]  # two modules, and two steps for each
