@@ -23,7 +23,6 @@ from .angle_ratio import Ratio, ratio
 from .by_angle import ByAngle
 from .dependent import DependentScalars
 from .edges import DIGITS, Edge, edge_of
-from .expressions import PhiError
 from .families import alpha
 from .first_guess import Guess, guess
 from .lowered_phi import Lowering, require_known
@@ -241,13 +240,7 @@ class General(ByAngle):
     def near(self) -> Ratio:
         """a(x) below a limit."""
         require_known(self.expression)
-        self._require_half_turn()
         return ratio(self.expression, self._edge)
-
-    def _require_half_turn(self) -> None:
-        if self.edge.evalf(DIGITS) < sympy.pi.evalf(DIGITS):
-            reason = f"ends at alpha = {self.edge}, and poses that turn further, up to pi, have no v"
-            raise PhiError(f"phi = {self.expression} {reason}: its chart is symbolic only")
 
     @cached_property
     def far(self) -> Guess:
