@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections import Counter
 from collections.abc import Mapping, Set
 from dataclasses import dataclass
@@ -10,7 +9,6 @@ from functools import cache, lru_cache
 from types import MappingProxyType
 
 from ..maps.chart import Chart
-from ..maps.expressions import PhiError
 from ..proof import Proved
 from .lowering.scalars import scalar_program, scalar_programs
 from .programs.program import Call, Program, Step
@@ -58,14 +56,7 @@ def lower_chart(chart: Chart, table: Table = POSES) -> Lowered:
     So it does where scalars are constant (h = 0 for n = 1) or equal (g = h for n = 2). Of rotations such savings count
     that poses have as well: slopes which calls return in vain are not worth lines.
     """
-    _require_half_turn(chart)
     return _lowered(chart, table)
-
-
-def _require_half_turn(chart: Chart) -> None:
-    if float(chart.edge) < math.pi:
-        reason = f"ends at alpha = {chart.edge}, and poses that turn further, up to pi, have no v"
-        raise PhiError(f"phi = {chart.phi} {reason}: its chart is symbolic only")
 
 
 @lru_cache(maxsize=8)  # behind the default: the cache would take the same table, given or not, for two

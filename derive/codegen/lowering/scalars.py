@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Container, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -10,6 +11,7 @@ import sympy
 
 from ...algebra import Quaternion, Vector
 from ...maps.chart import Chart
+from ...maps.expressions import PhiError
 from ...maps.lowered_phi import number
 from ...maps.split import plus
 from ..programs.program import Constant, Program
@@ -91,6 +93,9 @@ def _beyond(chart: Chart, trace: Trace, arguments: Sequence[Number]) -> tuple[Nu
 def _reached(chart: Chart, trace: Trace, arguments: Sequence[Number]) -> tuple[Number, ...]:
     """An angle α ≥ 0, by whole turns less where it is beyond the edge: the nearest of its pose that the chart has."""
     (angle,) = arguments
+    if float(chart.edge) < math.pi:
+        reason = f"ends at alpha = {chart.edge}, and poses that turn further, up to pi, have no v"
+        raise PhiError(f"phi = {chart.phi} {reason}: its chart is symbolic only")
     if chart.edge.is_infinite:
         return (angle,)
     zero = trace.name("zero", angle - angle)
