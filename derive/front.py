@@ -65,8 +65,8 @@ def Parameterization(phi: str | sympy.Expr, name: str = "phi", order: int | None
     ----------
     phi : str or Expr
         Odd by its structure, φ′(0) > 0; of one that ends before half a turn, as sin α does, there are formulas but no
-        kernels. What is beyond 4π is left out. Of a text numbers, ``alpha``, ``n``, ``pi``, ``+ - * / **`` and elementary
-        functions are understood, and nothing of it is run. An expression is one in `derive.alpha`.
+        kernels. What is beyond 4π is left out. Of a text numbers, ``alpha``, ``n``, ``pi``, ``+ - * / **`` and
+        elementary functions are understood, and nothing of it is run. An expression is one in `derive.alpha`.
     name : str
         An identifier.
     order : int, optional
