@@ -3,22 +3,29 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cache
 
 from .facts import Facts
 from .lowered import Lowered, geometry
 from .programs.program import Call, Program, Statement
+from .rows import Table
 
 DIGITS = 16
 
 
 def fingerprint(facts: Facts, lowered: Lowered) -> str:
     """Hexadecimal digits of a digest of all that a chart computes for a table: programs, arrays, tables of branches."""
-    lines = [*_lines(geometry(lowered.table)), *_lines(lowered.scalars), *_lines(lowered.own)]
+    lines = [*_geometry(lowered.table), *_lines(lowered.scalars), *_lines(lowered.own)]
     rows = lowered.table.kernels.values()
     lines += [f"{row.name} {row.arguments} {row.results} {row.constants}" for row in rows]
     lines += [f"{facts.turns} {facts.returns}"]
     return hashlib.sha256("\n".join(lines).encode()).hexdigest()[:DIGITS]
+
+
+@cache  # the same for all charts
+def _geometry(table: Table) -> Sequence[str]:
+    return tuple(_lines(geometry(table)))
 
 
 def _lines(programs: Mapping[str, Program]) -> Iterator[str]:

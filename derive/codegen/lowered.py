@@ -11,7 +11,7 @@ from types import MappingProxyType
 from ..maps.chart import Chart
 from ..proof import Proved
 from .lowering.scalars import scalar_program, scalar_programs
-from .programs.program import Call, Program, Step
+from .programs.program import Call, Operand, Program, Step
 from .rows import Table
 from .signatures import POSES, ROTATIONS
 
@@ -53,8 +53,8 @@ def lower(proved: Proved) -> Lowered:
 def lower_chart(chart: Chart, table: Table = POSES) -> Lowered:
     """A function of the table has a program of its own where knowing the chart saves operations worth their lines.
 
-    So it does where scalars are constant (h = 0 for n = 1) or equal (g = h for n = 2). Of rotations such savings count
-    that poses have as well: slopes which calls return in vain are not worth lines.
+    So it may where scalars that it reads are constant: h = 0 for n = 1, h_i = 1 for n = 2. Of rotations such savings
+    count that poses have as well: slopes which calls return in vain are not worth lines.
     """
     return _lowered(chart, table)
 
@@ -67,10 +67,11 @@ def _lowered(chart: Chart, table: Table) -> Lowered:
         functions = {call.function for call in shared.calls}
         if not functions <= scalars.keys():
             continue
-        program = table.kernels[name].traced(chart)
         operations = sum((scalars[call.function].operations for call in shared.calls), shared.operations)
-        saves = is_worth(program.operations.total(), operations.total())
-        if saves and table.functions[name].source in saving:
+        program = None
+        if table.functions[name].source in saving and any(_tells(call, scalars) for call in shared.calls):
+            program = table.kernels[name].traced(chart)
+        if program and is_worth(program.operations.total(), operations.total()):
             own[name], operations = program, program.operations
         else:
             called |= functions
@@ -78,13 +79,35 @@ def _lowered(chart: Chart, table: Table) -> Lowered:
     return Lowered(table, {name: program for name, program in scalars.items() if name in called}, own, counted)
 
 
-def _scalars(chart: Chart) -> dict[str, Program]:
+def _tells(call: Call, scalars: Mapping[str, Program]) -> bool:
+    """Whether a result of a scalar program that is read there is constant."""
+    program = scalars[call.function]
+    read = (output for name, output in zip(call.names, program.outputs, strict=True) if name != "_")
+    return not _constants(program).isdisjoint(read)
+
+
+def _constants(program: Program) -> set[Operand]:
+    """What does not depend on the inputs, elements among it that are made of ``x - x``."""
+    found: set[Operand] = {output for output in program.outputs if not isinstance(output, str)}
+    for step in program.steps:
+        nothing = step.op == "sub" and step.args[0] == step.args[1]
+        if nothing or all(arg in found for arg in step.args if isinstance(arg, str)):
+            found.add(step.name)
+    return found
+
+
+@lru_cache(maxsize=4)  # every table asks for them
+def _scalars(chart: Chart) -> Mapping[str, Program]:
     """The scalar programs of a chart, with elements for constants that geometry divides: those would become floats."""
     scalars = scalar_programs(chart)
-    programs = (program for table in (POSES, ROTATIONS) for program in geometry(table).values())
-    asked = (program for program in programs if {c.function for c in program.calls} <= scalars.keys())
-    divided = set().union(*(_divided(program, scalars) for program in asked))
-    return {name: scalar_program(name, chart, {i for f, i in divided if f == name}) for name in scalars}
+    constant = {name for name, program in scalars.items() if not all(isinstance(o, str) for o in program.outputs)}
+    elements: dict[str, set[int]] = {}
+    for program in (program for table in (POSES, ROTATIONS) for program in geometry(table).values()):
+        functions = {call.function for call in program.calls}
+        if functions <= scalars.keys() and functions & constant:
+            for function, place in _divided(program, scalars):
+                elements.setdefault(function, set()).add(place)
+    return scalars | {name: scalar_program(name, chart, places) for name, places in elements.items()}
 
 
 Result = tuple[str, int]

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
+from typing import NamedTuple
 
 from .folding import Folding
 from .program import Call, Constant, Operand, Program, Statement, Step
@@ -22,13 +23,11 @@ class UnnamedValueError(ValueError):
     """A value used more than once has no name, so the printed source could not speak the paper's letters."""
 
 
-@dataclass(frozen=True, slots=True)
-class _Const:
+class _Const(NamedTuple):
     value: Constant
 
 
-@dataclass(frozen=True, slots=True)
-class _Node:
+class _Node(NamedTuple):
     op: str
     args: tuple[int | _Const, ...]
 
