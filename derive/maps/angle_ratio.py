@@ -21,7 +21,7 @@ from .edges import DIGITS, Edge, angle_of
 from .elementary import evaluate
 from .expressions import PhiError
 from .families import alpha
-from .intervals import smallest
+from .intervals import is_analytic, smallest
 from .split import Exactly, Polynomial, is_small, polynomial
 
 NEAR = mpmath.mpf("1.3")
@@ -127,11 +127,8 @@ def _interpolated(phi: sympy.Expr, edge: Edge, X: Any, degree: int) -> list[Any]
 
 def _circle(phi: sympy.Expr, X: Any) -> tuple[Any, Any]:
     """The bound of a, and the m within which it is analytic: of all circles that serve, that of the largest m."""
-    best: tuple[Any, Any] | None = None
-    for radius in RADII:
-        found = smallest(phi, radius)
-        if found is not None and found**2 > 2 * X and (best is None or found**2 > best[1]):
-            best = radius / found, found**2
-    if best is None:
-        raise PhiError(f"nothing proves that the inverse of phi = {phi} is analytic near 0")
-    return best
+    found = [(least**2, radius) for radius in RADII if (least := smallest(phi, radius)) is not None]
+    for within, radius in sorted(found, key=lambda pair: -pair[0]):
+        if within > 2 * X and is_analytic(phi, radius):
+            return radius / mpmath.sqrt(within), within
+    raise PhiError(f"nothing proves that the inverse of phi = {phi} is analytic near 0")

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import Any
+from functools import lru_cache, reduce
+from operator import add, mul
+from typing import Any, TypeAlias
 
 import mpmath
 import sympy
@@ -22,16 +24,24 @@ def smallest(phi: sympy.Expr, radius: Any) -> Any:
         slope = mpmath.mpf(evaluate(phi.diff(alpha), alpha, mpmath.mpf(0)))
     least = mpmath.inf
     try:
-        for box in _cells(radius):
-            _interval(phi, box)
         for box in _arcs(radius):
-            value = _interval(phi, box)
+            value = on_intervals(phi)(box)
             if not (value / box / slope).real > 0:
                 return None
             least = min(least, mpmath.mpf(abs(value).a))
     except (ZeroDivisionError, ValueError, TypeError):
         return None
     return least if least > 0 and mpmath.isfinite(least) else None
+
+
+def is_analytic(phi: sympy.Expr, radius: Any) -> bool:
+    """Whether φ is proved to be analytic in a quarter of a disc."""
+    try:
+        for box in _cells(radius):
+            on_intervals(phi)(box)
+    except (ZeroDivisionError, ValueError, TypeError):
+        return False
+    return True
 
 
 def _arcs(radius: Any) -> Iterator[Any]:
@@ -51,30 +61,42 @@ def _cells(radius: Any, parts: int = 12) -> Iterator[Any]:
                 yield iv.mpc(side * iv.mpf([i, i + 1]), side * iv.mpf([j, j + 1]))
 
 
-def _interval(e: sympy.Expr, z: Any) -> Any:
-    """An expression on a complex interval; ValueError where a branch cut or a pole may be met."""
-    iv = mpmath.iv
+Interval: TypeAlias = Any
+"""A complex interval of mpmath, or a real one."""
+
+
+@lru_cache(maxsize=256)
+def on_intervals(e: sympy.Expr) -> Callable[[Interval], Interval]:
+    """An expression as a function of complex intervals; ValueError where a branch cut or a pole may be met."""
     if e == alpha:
-        return z
+        return lambda z: z
     if not e.free_symbols:
-        with mpmath.workdps(DIGITS):
-            value = mpmath.mpf(e.evalf(DIGITS))
-        off = abs(value) * mpmath.mpf(2) ** -45
-        return iv.mpf([value - off, value + off])
-    arguments = [_interval(a, z) for a in e.args if not (e.is_Pow and a == e.exp)]
+        constant = _constant(e)
+        return lambda z: constant
+    parts = [on_intervals(a) for a in e.args if not (e.is_Pow and a == e.exp)]
+    first, exponent = parts[0], e.exp if e.is_Pow else None
     if e.is_Add or e.is_Mul:
-        first, *rest = arguments
-        for other in rest:
-            first = first + other if e.is_Add else first * other
-        return first
-    if e.is_Pow and e.exp.is_Integer:
-        power = arguments[0]
-        for _ in range(abs(int(e.exp)) - 1):
-            power = power * arguments[0]
-        return power if e.exp > 0 else 1 / _away(power)
-    if e.is_Pow and e.exp.is_Rational:
-        return iv.exp(_log(arguments[0]) * int(e.exp.p) / int(e.exp.q))
-    return _functions()[e.func](_complex(arguments[0]))
+        combine = add if e.is_Add else mul
+        return lambda z: reduce(combine, (part(z) for part in parts))
+    if exponent is not None and exponent.is_Integer:
+        return lambda z: _power(first(z), int(exponent))
+    if exponent is not None and exponent.is_Rational:
+        p, q = int(exponent.p), int(exponent.q)
+        return lambda z: mpmath.iv.exp(_log(first(z)) * p / q)
+    function = _functions()[e.func]
+    return lambda z: function(_complex(first(z)))
+
+
+def _constant(e: sympy.Expr) -> Interval:
+    with mpmath.workdps(DIGITS):
+        value = mpmath.mpf(e.evalf(DIGITS))
+    off = abs(value) * mpmath.mpf(2) ** -45
+    return mpmath.iv.mpf([value - off, value + off])
+
+
+def _power(base: Interval, exponent: int) -> Interval:
+    power = reduce(mul, [base] * abs(exponent))
+    return power if exponent > 0 else 1 / _away(power)
 
 
 def _functions() -> dict[Any, Callable[[Any], Any]]:

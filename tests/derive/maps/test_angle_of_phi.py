@@ -54,8 +54,10 @@ def _called(guess: Guess) -> str:
 
 
 def test_near_0_the_ratio_and_its_derivatives_are_within_the_remainder(chart) -> None:
+    edge = edge_of(chart.phi)
+
     def ratio(x):
-        return angle_of(chart.phi, edge_of(chart.phi), mpmath.sqrt(x)) / mpmath.sqrt(x)
+        return angle_of(chart.phi, edge, mpmath.sqrt(x)) / mpmath.sqrt(x)
 
     limit = mpmath.mpf(chart.near.limit.numerator) / chart.near.limit.denominator
     with mpmath.workdps(2 * DIGITS):
