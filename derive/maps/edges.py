@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
 from typing import Any
 
 import mpmath
@@ -17,6 +18,8 @@ DIGITS = 60
 FURTHEST = 4
 """Where a chart without an edge is cut, in units of π."""
 GRID = 2000
+ROUNDING = 2.0**-52
+"""Of floats."""
 
 
 @dataclass(frozen=True)
@@ -65,11 +68,11 @@ def real_value(expression: sympy.Expr, at: Any, phi: sympy.Expr) -> Any:
         If it is no real number there.
     """
     value = evaluate(expression, alpha, at)
-    if isinstance(value, mpmath.mpc):
+    if isinstance(value, mpmath.mpc | complex):
         if value.imag != 0:
             raise PhiError(f"phi = {phi} is no real number at alpha = {mpmath.nstr(at, 5)}")
         value = value.real
-    return mpmath.mpf(value)
+    return value if isinstance(value, float | mpmath.mpf) else mpmath.mpf(value)
 
 
 def _fold(phi: sympy.Expr, slope: sympy.Expr, low: Any, high: Any) -> Edge:
@@ -116,17 +119,31 @@ def _end(phi: sympy.Expr, edge: Edge, size: Any) -> Any:
 
 
 def angle_of(phi: sympy.Expr, edge: Edge, size: Any) -> Any:
-    """φ⁻¹ by Newton's method between bounds, in the working precision."""
-    slope = phi.diff(alpha)
-    low, high = mpmath.mpf(0), _end(phi, edge, size)
-    guess = min(size / evaluate(slope, alpha, low), high / 2)
+    """φ⁻¹ of a length in the working precision, from what floats make of it."""
+    slope, high = _slope(phi), _end(phi, edge, size)
+    guess = min(size / real_value(slope, mpmath.mpf(0), phi), high / 2)
+    try:
+        found = _solved(phi, slope, float(size), float(high), float(guess), ROUNDING)
+        guess = mpmath.mpf(found) if 0 < found < high else guess
+    except (ArithmeticError, ValueError):  # beyond what floats hold, or where φ is real to more digits only
+        pass
+    return _solved(phi, slope, size, high, guess, mpmath.eps)
+
+
+@lru_cache(maxsize=64)
+def _slope(phi: sympy.Expr) -> sympy.Expr:
+    return phi.diff(alpha)
+
+
+def _solved(phi: sympy.Expr, slope: sympy.Expr, size: Any, high: Any, guess: Any, eps: Any) -> Any:
+    """Newton's method between bounds: for φ, or 1/φ, which ends in no pole; where both leave them they are halved."""
+    low = 0 * high
     for _ in range(8 * mpmath.mp.prec):
-        miss = real_value(phi, guess, phi) - size
-        low, high = (low, guess) if miss > 0 else (guess, high)
-        better = guess - miss / real_value(slope, guess, phi)
-        if not low <= better <= high:
-            better = (low + high) / 2
+        reached, rise = real_value(phi, guess, phi), real_value(slope, guess, phi)
+        low, high = (guess, high) if reached < size else (low, guess)
+        steps = (size - reached) / rise, (1 - reached / size) * reached / rise
+        better = next((guess + step for step in steps if low <= guess + step <= high), (low + high) / 2)
         guess, step = better, abs(better - guess)
-        if step <= 8 * mpmath.eps * better:
+        if step <= 8 * eps * better:
             break
     return guess

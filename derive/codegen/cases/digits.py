@@ -28,7 +28,7 @@ from .maps_at import MAPS, Flat, flat, reached
 from .point import value
 from .screws import covering, half_turns, steep, translation
 from .steps import SMALL_STEP, by, far_steps, steps_to_pole
-from .vectors import Vectors, is_whole
+from .vectors import Vectors, is_whole, vectors_of
 
 SEED = 2011
 
@@ -63,7 +63,7 @@ def near_edge(chart: Vectors) -> float:
 def expectations(chart: Chart, table: Table = POSES) -> Iterator[tuple[Expectation, ...]]:
     """Inverse maps, screws, shadows (at most eight branches) and composition: a batch for each function and branch."""
     batches: dict[str, list[Expectation]] = {}
-    at = Vectors(chart)
+    at = vectors_of(chart)
     for case in restricted((*_seeded(at), *undecided(at, table)), table):
         batches.setdefault(case.function, []).append(case)
     yield from map(tuple, batches.values())
@@ -269,7 +269,7 @@ def _half_turns_of(chart: Vectors, re: Vector) -> int:
 
 def algebraic(chart: Chart, table: Table = POSES) -> Iterator[tuple[Expectation, ...]]:
     """Every algebraic function of a chart whose formulas no ring holds, at seeded vectors; no rotation among them."""
-    draw, at = random.Random(SEED), Vectors(chart)
+    draw, at = random.Random(SEED), vectors_of(chart)
     points = []
     for size in (mpmath.mpf(0), *(at.size(mpmath.mpf(share) * at.first_pole) for share in SIZES)):
         u = Vector(*(mpmath.mpf(draw.uniform(-1, 1)) for _ in range(3)))

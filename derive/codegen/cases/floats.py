@@ -25,7 +25,7 @@ from .maps_at import Flat, seeded_arguments
 from .point import value
 from .screws import half_turns
 from .seeded import WIDE, nearby
-from .vectors import Vectors
+from .vectors import Vectors, vectors_of
 
 SEED = 131
 SIDE = 3
@@ -51,7 +51,7 @@ def samples(chart: Chart, table: Table = POSES, chosen: Container[str] | None = 
     rows = _chosen(table, chosen)
     draw = random.Random(SEED)
     with mpmath.workdps(DIGITS):
-        at = Vectors(chart)
+        at = vectors_of(chart)
         vectors, others = list(_vectors(at, draw)), [_drawn(draw, 2, 6) for _ in range(SIDE)]
         return [*_algebraic(at, rows, vectors, others, others[-1:]), *_inverse(at, table, rows, draw)]
 
@@ -70,7 +70,7 @@ def far(chart: Chart, size: Any, table: Table = POSES, chosen: Container[str] | 
     # the slope of a turn is a difference of terms that are Re|v|² as large
     with mpmath.workdps(DIGITS + 2 * int(mpmath.log10(size))):
         v = (*(mpmath.mpf(size) * c for c in _drawn(draw, 1, 3)), *_drawn(draw, 1, 3))
-        at = Vectors(chart)
+        at = vectors_of(chart)
         if not at.reaches(Vector(*v[:3]).magnitude()):
             return []
         near = _drawn(draw, float(at.slope(0)), 6)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable, Iterator, Mapping
+from functools import lru_cache
 from typing import Any
 
 import mpmath
@@ -100,7 +101,7 @@ def _retract(body: bool) -> Callable[..., Flat]:
     """R(v) with exp(δ) on one side, on the branch whose angle is nearest that of v along the new axis."""
 
     def retracted(chart: Vectors, branch: int, v: Flat, delta: Flat) -> Flat:
-        small, here = quaternion_exponential(_dual(delta) / 2), chart.quaternion(_dual(v))
+        small, here = _turning(mpmath.mp.prec, *delta), chart.quaternion(_dual(v))
         q = here * small if body else small * here
         (length, u), (own, axis) = polar(q.vector), polar(_dual(v))
         angle = 2 * atan2(length, q.scalar)
@@ -109,6 +110,12 @@ def _retract(body: bool) -> Callable[..., Flat]:
         return flat(chart.at(Screw(angle + 2 * mpmath.pi * turns, u)))
 
     return retracted
+
+
+@lru_cache(maxsize=16)  # most quotients of differences move another argument
+def _turning(precision: int, *delta: Any) -> Quaternion:
+    """exp(δ/2)."""
+    return quaternion_exponential(_dual(delta) / 2)
 
 
 def _interpolate(chart: Vectors, branch: int, v1: Flat, v2: Flat, t: Flat) -> Flat:

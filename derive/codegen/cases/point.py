@@ -26,7 +26,7 @@ class Numbers:
 
     def derivatives(self, expression: sympy.Expr, symbol: sympy.Symbol, value: Any, order: int) -> Sequence[Any]:
         """A formula at an exact number and its derivatives, rounded to the working precision."""
-        if alpha in expression.free_symbols:
+        if _of_angle(expression):
             return self.chart.derivatives(expression, value, order)
         return _derivatives(expression, symbol, mpmath.mpf(value), order, mpmath.mp.dps)
 
@@ -37,6 +37,11 @@ def value(chart: Vectors, row: Function, branch: int | None, arguments: Sequence
     if row.source in ALGEBRAIC:
         return evaluated(row, Formulas(chart.chart, Numbers(chart)), arguments, zero)
     return row.part(MAPS[row.source](chart, branch or 0, *row.embedded(arguments, zero)))
+
+
+@lru_cache(maxsize=256)  # a tree is walked to tell
+def _of_angle(expression: sympy.Expr) -> bool:
+    return alpha in expression.free_symbols
 
 
 @lru_cache(maxsize=1024)  # points differ in other components more often than in x

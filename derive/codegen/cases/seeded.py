@@ -29,7 +29,7 @@ from .decimals import DIGITS
 from .exact import ALGEBRAIC, Flat
 from .maps_at import flat, seeded_arguments
 from .point import value
-from .vectors import Vectors
+from .vectors import Vectors, vectors_of
 
 SEED = 88
 POINTS = 5
@@ -56,7 +56,7 @@ def cases(chart: Chart, table: Table = POSES) -> Sequence[Case]:
     """Cases of every function of the module of a chart, by default that of poses, in the order of their signatures."""
     draw = random.Random(SEED)
     with mpmath.workdps(DIGITS):
-        vectors = Vectors(chart)
+        vectors = vectors_of(chart)
         found = [case for _ in range(POINTS) for case in _algebraic(vectors, table, draw)]
         for source, branch, arguments in seeded_arguments(vectors, draw, nearby):
             if row := table.sources.get(source):

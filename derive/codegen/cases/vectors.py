@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Any
 
 import mpmath
@@ -16,6 +16,7 @@ import sympy
 from ...algebra import Dual, Quaternion, Tensor, Vector, real_part
 from ...algebra.functions import atan2
 from ...maps.chart import Chart
+from ...maps.edges import Edge, angle_of
 from ...maps.elementary import evaluate
 from ...maps.families import alpha, by_square
 from ...maps.inverse import polar
@@ -70,6 +71,11 @@ class Vectors:
         return {}
 
     @cached_property
+    def _quaternions(self) -> dict[tuple[Any, ...], Quaternion]:
+        """Quaternions that have been computed, by precision and components of v."""
+        return {}
+
+    @cached_property
     def _values(self) -> dict[tuple[int, sympy.Expr, Any, int], tuple[Any, ...]]:
         """Values and slopes of functions of α that have been computed: points differ in other components more often."""
         return {}
@@ -97,34 +103,16 @@ class Vectors:
         """
         length = real_part(size)
         at = mpmath.mp.prec, length
-        if at not in self._roots:  # far vectors take hundreds of steps
+        if at not in self._roots:
             self._roots[at] = self._root(length)
         root = self._roots[at]
         return Dual(root, size.du / self.slope(root)) if isinstance(size, Dual) else root
 
     def _root(self, size: Any) -> Any:
-        """Newton's method between bounds: where it leaves them, or the first guess is beyond, they are halved."""
-        low, high = mpmath.mpf(0), self._beyond(size)
-        guess = min(size / self.slope(low), high / 2)
-        for _ in range(4 * mpmath.mp.prec):
-            miss = self.size(guess) - size
-            low, high = (low, guess) if miss > 0 else (guess, high)
-            better = guess - miss / self.slope(guess)
-            if not low <= better <= high:
-                better = (low + high) / 2
-            guess, step = better, abs(better - guess)
-            if step <= 4 * mpmath.eps * better:
-                break
-        if abs(self.size(guess) - size) <= mpmath.sqrt(mpmath.eps) * size:
-            return guess
+        root = angle_of(self.chart.phi, Edge(self.chart.edge, ""), size) if size else size
+        if abs(self.size(root) - size) <= mpmath.sqrt(mpmath.eps) * size:
+            return root
         raise ArithmeticError(f"no angle below {self.chart.edge} has |v| = {mpmath.nstr(size)} in {self.chart.name}")
-
-    def _beyond(self, size: Any) -> Any:
-        """The edge; where there is none, an angle with a greater φ."""
-        high = 2 * mpmath.pi if mpmath.isinf(self.edge) else self.edge
-        while mpmath.isinf(self.edge) and self.size(high) <= size:
-            high = 2 * high
-        return high
 
     def reaches(self, size: Any) -> bool:
         """Whether there is a vector of this length."""
@@ -215,8 +203,11 @@ class Vectors:
 
     def quaternion(self, v: Vector) -> Quaternion:
         """``cos(α/2) + sin(α/2) u``."""
-        length, u = polar(v)
-        return quaternion_from_screw(Screw(self.angle(length), u))
+        at = mpmath.mp.prec, *v.re, *v.du
+        if at not in self._quaternions:  # most quotients of differences move another argument
+            length, u = polar(v)
+            self._quaternions[at] = quaternion_from_screw(Screw(self.angle(length), u))
+        return self._quaternions[at]
 
     def shadow(self, v: Vector, branch: int) -> Vector:
         """The vector of the same pose that lies so many branches on."""
@@ -228,6 +219,16 @@ class Vectors:
         for halves in range(1, 2 * MAX_BRANCHES, 2):
             if halves * sympy.pi < self.chart.edge:
                 yield halves
+
+
+def vectors_of(chart: Chart) -> Vectors:
+    """Those of a chart in the working precision: asked for again, what has been computed of them is known."""
+    return _vectors(chart, mpmath.mp.prec)
+
+
+@lru_cache(maxsize=4)
+def _vectors(chart: Chart, precision: int) -> Vectors:
+    return Vectors(chart)
 
 
 def is_whole(number: Any) -> bool:
