@@ -5,6 +5,7 @@ from __future__ import annotations
 import decimal
 from collections.abc import Callable
 from fractions import Fraction
+from functools import lru_cache, partial
 from typing import Any
 
 import mpmath
@@ -25,9 +26,33 @@ NUMBERS = decimal.Context(prec=DIGITS, Emin=decimal.MIN_EMIN, Emax=decimal.MAX_E
 """What is not defined is NaN, and a quotient by zero infinite, for a selection computes both sides, and the one not
 taken may divide by zero. Zeros have no sign that counts."""
 
-TWO = decimal.Decimal(2)
+ONE, TWO = decimal.Decimal(1), decimal.Decimal(2)
 NAN = decimal.Decimal("NaN")
 LESS, GREATER = decimal.Decimal(-1), decimal.Decimal(1)
+
+
+def _operation(compute: Callable[..., decimal.Decimal], swapped: bool = False) -> Callable[[Decimal, object], Decimal]:
+    """An operation with an exact partner; each step of a kernel is one, so it makes its result without another call."""
+
+    def operation(self: Decimal, other: object) -> Decimal:
+        value = other.value if type(other) is Decimal else _partner(other)
+        result = _new(Decimal)
+        result.value = compute(value, self.value) if swapped else compute(self.value, value)
+        return result
+
+    return operation
+
+
+def _partner(other: object) -> decimal.Decimal:
+    if isinstance(other, int):
+        return _integer(other)
+    if isinstance(other, Fraction):
+        return _of(other)
+    raise TypeError(f"a kernel mixed a 50-digit number with {type(other).__name__} {other!r}")
+
+
+_new = object.__new__
+_integer = lru_cache(maxsize=256)(NUMBERS.create_decimal)
 
 
 class Decimal:
@@ -41,45 +66,22 @@ class Decimal:
     def __init__(self, value: Any) -> None:
         self.value = value if isinstance(value, decimal.Decimal) else _of(value)
 
-    @staticmethod
-    def _value(other: object) -> decimal.Decimal:
-        if isinstance(other, Decimal):
-            return other.value
-        if isinstance(other, int | Fraction):
-            return _of(other)
-        raise TypeError(f"a kernel mixed a 50-digit number with {type(other).__name__} {other!r}")
-
-    def __add__(self, other: object) -> Decimal:
-        return Decimal(NUMBERS.add(self.value, self._value(other)))
-
-    def __sub__(self, other: object) -> Decimal:
-        return Decimal(NUMBERS.subtract(self.value, self._value(other)))
-
-    def __rsub__(self, other: object) -> Decimal:
-        return Decimal(NUMBERS.subtract(self._value(other), self.value))
-
-    def __mul__(self, other: object) -> Decimal:
-        return Decimal(NUMBERS.multiply(self.value, self._value(other)))
-
-    def __truediv__(self, other: object) -> Decimal:
-        return Decimal(NUMBERS.divide(self.value, self._value(other)))
-
-    def __rtruediv__(self, other: object) -> Decimal:
-        return Decimal(NUMBERS.divide(self._value(other), self.value))
-
-    __radd__, __rmul__ = __add__, __mul__
+    __add__ = __radd__ = _operation(NUMBERS.add)
+    __mul__ = __rmul__ = _operation(NUMBERS.multiply)
+    __sub__, __rsub__ = _operation(NUMBERS.subtract), _operation(NUMBERS.subtract, swapped=True)
+    __truediv__, __rtruediv__ = _operation(NUMBERS.divide), _operation(NUMBERS.divide, swapped=True)
 
     def __neg__(self) -> Decimal:
         return Decimal(NUMBERS.minus(self.value))
 
     def __lt__(self, other: object) -> bool:
-        return NUMBERS.compare(self.value, self._value(other)) == LESS
+        return NUMBERS.compare(self.value, _value(other)) == LESS
 
     def __gt__(self, other: object) -> bool:
-        return NUMBERS.compare(self.value, self._value(other)) == GREATER
+        return NUMBERS.compare(self.value, _value(other)) == GREATER
 
     def __eq__(self, other: object) -> bool:
-        return self.value == self._value(other)
+        return self.value == _value(other)
 
     __hash__ = None  # type: ignore[assignment]
 
@@ -95,16 +97,26 @@ class Decimal:
     def tan(self) -> Decimal:
         if not self.value.is_finite():  # mpmath would raise a flag that NumPy warns of
             return Decimal(NAN)
-        return Decimal(mpmath.tan(_binary(self.value)))
+        return _computed(mpmath.tan, mpmath.mp.prec, self.value)
 
     def arctan2(self, other: object) -> Decimal:
-        return Decimal(mpmath.atan2(_binary(self.value), _binary(self._value(other))))
+        return _computed(mpmath.atan2, mpmath.mp.prec, self.value, _value(other))
 
     def expm1(self) -> Decimal:
-        return Decimal(mpmath.expm1(_binary(self.value)))
+        return _computed(mpmath.expm1, mpmath.mp.prec, self.value)
 
     def log1p(self) -> Decimal:
-        return Decimal(mpmath.log1p(_binary(self.value)) if self > -1 else mpmath.nan)
+        return _computed(mpmath.log1p, mpmath.mp.prec, self.value) if self > -1 else Decimal(NAN)
+
+
+@lru_cache(maxsize=4096)  # every form of a program, in every layout, asks for the same
+def _computed(function: Callable[..., Any], precision: int, *values: decimal.Decimal) -> Decimal:
+    """A function of mpmath, which works with so many bits."""
+    return Decimal(function(*map(_binary, values)))
+
+
+def _value(other: object) -> decimal.Decimal:
+    return other.value if isinstance(other, Decimal) else _partner(other)
 
 
 def _of(value: Any) -> decimal.Decimal:
@@ -119,13 +131,19 @@ def _of(value: Any) -> decimal.Decimal:
         return decimal.Decimal(float(value))
     mantissa, exponent = value.man_exp
     digits = decimal.Decimal(int(-mantissa if value < 0 else mantissa))  # of its own type where gmpy2 is installed
-    scale = NUMBERS.power(TWO, abs(exponent))
+    scale = _power_of_two(abs(exponent))
     return NUMBERS.multiply(digits, scale) if exponent > 0 else NUMBERS.divide(digits, scale)
+
+
+_power_of_two = lru_cache(maxsize=1024)(partial(NUMBERS.power, TWO))
 
 
 def _binary(value: decimal.Decimal) -> Any:
     """The same as a number of mpmath, which has the functions."""
-    return mpmath.mpf(str(value) if value.is_finite() else float(value))
+    if not value.is_finite():
+        return mpmath.mpf(float(value))
+    above, below = value.as_integer_ratio()
+    return mpmath.mpf(above) / below
 
 
 def later(function: Callable[..., Flat], *arguments: Any) -> Callable[[], Flat]:
@@ -145,7 +163,8 @@ def tolerance(chart: Chart, remainder: float = 0.0) -> Decimal:
 
 def close(got: Any, expected: Any, tolerance: Decimal) -> bool:
     """Whether a result of 50-digit numbers is the expected one."""
-    value, wanted = (number if isinstance(number, Decimal) else Decimal(number) for number in (got, expected))
-    if wanted.value.is_nan():
-        return value.value.is_nan()
-    return abs(value - wanted) < tolerance * (1 + abs(wanted))
+    value, wanted = (number.value if isinstance(number, Decimal) else _of(number) for number in (got, expected))
+    if wanted.is_nan():
+        return value.is_nan()
+    most = NUMBERS.multiply(tolerance.value, NUMBERS.add(ONE, NUMBERS.abs(wanted)))
+    return NUMBERS.compare(NUMBERS.abs(NUMBERS.subtract(value, wanted)), most) == LESS
