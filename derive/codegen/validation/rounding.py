@@ -30,6 +30,10 @@ FUNCTION_UNITS = 8
 """Units of roundoff in tan, atan2, expm1 and log1p: NumPy's vectorized ones keep within 4 units in the last place."""
 
 
+HALF = 53
+"""Binary digits of a float: two of them hold those of the widest there are."""
+
+
 @dataclass(frozen=True, slots=True)
 class Ball:
     """Numbers as computed exactly, and how far those computed in each type may be from them."""
@@ -172,13 +176,22 @@ def exact(ball: Ball) -> Ball:
 
 
 def long(values: Sequence[Any]) -> Array:
-    """Numbers of many digits as the widest floats there are, rounded once."""
-    many = map(_many, values)
-    parts = [mpmath.frexp(value) if mpmath.isfinite(value) else (value, 0) for value in many]
-    heads = [float(mantissa) for mantissa, _ in parts]
-    tails = [float(mantissa - head) if mpmath.isfinite(head) else 0.0 for (mantissa, _), head in zip(parts, heads)]
-    mantissas = np.array(heads, np.longdouble) + np.array(tails, np.longdouble)
-    return np.ldexp(mantissas, [int(exponent) for _, exponent in parts])
+    """Numbers of many digits as the widest floats there are."""
+    heads, tails, exponents = zip(*map(_split, values), strict=True)
+    mantissas = np.array(heads, np.longdouble) + np.ldexp(np.array(tails, np.longdouble), -HALF)
+    return np.ldexp(mantissas, exponents)
+
+
+def _split(value: Any) -> tuple[float, float, int]:
+    """The leading digits of a number, so many as two floats hold, and the power of 2 of the first: a + 2^-53 b."""
+    number = _many(value)
+    sign, mantissa, exponent, bits = number._mpf_
+    if not mantissa:
+        return float(number), 0.0, 0  # 0, infinite or none
+    surplus = bits - 2 * HALF
+    leading = int(mantissa >> surplus if surplus > 0 else mantissa << -surplus)
+    head, tail = divmod(-leading if sign else leading, 1 << HALF)
+    return float(head), float(tail), exponent + surplus + HALF
 
 
 def _many(value: Any) -> Any:
