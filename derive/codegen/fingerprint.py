@@ -16,7 +16,7 @@ DIGITS = 16
 
 def fingerprint(facts: Facts, lowered: Lowered) -> str:
     """Hexadecimal digits of a digest of all that a chart computes for a table: programs, arrays, tables of branches."""
-    lines = [*_geometry(lowered.table), *_lines(lowered.scalars), *_lines(lowered.own)]
+    lines = [*of_geometry(lowered.table), *_lines(lowered.scalars), *_lines(lowered.own)]
     rows = lowered.table.kernels.values()
     lines += [f"{row.name} {row.arguments} {row.results} {row.constants}" for row in rows]
     lines += [f"{facts.turns} {facts.returns}"]
@@ -24,7 +24,8 @@ def fingerprint(facts: Facts, lowered: Lowered) -> str:
 
 
 @cache  # the same for all charts
-def _geometry(table: Table) -> Sequence[str]:
+def of_geometry(table: Table) -> Sequence[str]:
+    """Lines of the geometry of a table."""
     return tuple(_lines(geometry(table)))
 
 

@@ -128,7 +128,7 @@ def test_a_call_gives_named_results_once_and_its_arguments_need_names():
 
 @pytest.mark.parametrize("chart", CHARTS, ids=lambda chart: chart.name)
 def test_geometry_with_its_calls_looked_into_is_what_the_chart_traces_itself(chart):
-    """Scalars are counted rightly, and no chart is left untraced in vain: knowing it would save no more than it does."""
+    """Scalars are counted rightly, and where a chart is not traced itself, it would not have been worth it."""
     lowered = lower_chart(chart)
     for function, row in KERNELS.items():
         if function in lowered.operations and function not in lowered.own:
