@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import gc
 import tempfile
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from copy import deepcopy
 from dataclasses import replace
 from pathlib import Path
@@ -24,6 +26,9 @@ from .validation import Seen
 
 HEAVY = 8
 """The highest order whose chart shows the geometry itself: exact elements are polynomials of many times its degree."""
+
+OBJECTS = 20_000
+"""After so many new ones Python looks for unreachable cycles."""
 
 LIGHT = Cayley(3)
 """The chart that shows it elsewhere: the lowest order in which no scalar is simpler than in all others."""
@@ -56,8 +61,8 @@ def build_charts(
     if processes < 1:
         raise ValueError(f"processes must be an integer >= 1, got {processes}")
     report, seen = progress or _silent, Seen() if seen is None else seen
-    shared = shared_texts(target)
-    with tempfile.TemporaryDirectory() as folder:
+    with collected_rarely(), tempfile.TemporaryDirectory() as folder:
+        shared = shared_texts(target)
         staging = Path(folder)
         files.write(staging, shared)
         printed = (_staged(_printed(chart, target, report), staging) for chart in charts)
@@ -126,11 +131,23 @@ def _execute(chart: Chart, target: Target, staging: Path, seen: Seen, report: Pr
     """Execute one module; what is the same in all of them is validated and replayed in the first that has it."""
     first = not seen.by_table
     report(f"{chart.name}: validating")
-    if first and chart.order > HEAVY:
-        _show_geometry(target, staging, seen)
-    validated = target.validate(staging, chart, seen.new)
-    report(f"{chart.name}: replaying")
-    return validated, target.replay(staging, chart, first), target.test(staging, chart)
+    with collected_rarely():
+        if first and chart.order > HEAVY:
+            _show_geometry(target, staging, seen)
+        validated = target.validate(staging, chart, seen.new)
+        report(f"{chart.name}: replaying")
+        return validated, target.replay(staging, chart, first), target.test(staging, chart)
+
+
+@contextmanager
+def collected_rarely() -> Iterator[None]:
+    """Meanwhile unreachable cycles are looked for less often: of millions of objects hardly one is part of one."""
+    first, *others = gc.get_threshold()
+    gc.set_threshold(max(first, OBJECTS) if first else 0, *others)  # 0 is never
+    try:
+        yield
+    finally:
+        gc.set_threshold(first, *others)
 
 
 def _show_geometry(target: Target, staging: Path, seen: Seen) -> None:

@@ -127,10 +127,10 @@ def _of(value: Any) -> decimal.Decimal:
         return NUMBERS.divide(decimal.Decimal(value.numerator), decimal.Decimal(value.denominator))
     if not isinstance(value, mpmath.mpf):
         raise TypeError(f"no number of {DIGITS} digits: {type(value).__name__} {value!r}")
-    if not mpmath.isfinite(value):
-        return decimal.Decimal(float(value))
-    mantissa, exponent = value.man_exp
-    digits = decimal.Decimal(int(-mantissa if value < 0 else mantissa))  # of its own type where gmpy2 is installed
+    sign, mantissa, exponent, _ = value._mpf_
+    if not mantissa:
+        return decimal.Decimal(float(value))  # 0, infinite or none
+    digits = decimal.Decimal(int(-mantissa if sign else mantissa))  # of its own type where gmpy2 is installed
     scale = _power_of_two(abs(exponent))
     return NUMBERS.multiply(digits, scale) if exponent > 0 else NUMBERS.divide(digits, scale)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import gc
 import hashlib
 import os
 import re
@@ -35,6 +36,19 @@ def package():
 
 
 GEOMETRY = "_geometry.py"
+
+
+@pytest.mark.parametrize(("before", "meanwhile"), [(700, compiler.OBJECTS), (10**6, 10**6), (0, 0)])
+def test_cycles_are_collected_rarely_while_charts_are_built_and_as_before_afterwards(before, meanwhile, monkeypatch):
+    seen = []
+    monkeypatch.setattr(compiler, "shared_texts", lambda target: seen.append(gc.get_threshold()) or {})
+    usual = gc.get_threshold()
+    gc.set_threshold(before, 5, 7)
+    try:
+        compiler.build_charts([], NUMPY)
+        assert (seen, gc.get_threshold()) == ([(meanwhile, 5, 7)], (before, 5, 7))
+    finally:
+        gc.set_threshold(*usual)
 
 
 def flipped(text: str, function: str, pattern: str, replacement: str) -> str:
