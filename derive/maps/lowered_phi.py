@@ -22,7 +22,7 @@ from .split import is_small, plus, times
 
 DIGITS = 60
 LEVELS = 5
-"""Of a factor (`split`): angles 1e-30 beside half a turn, which are tried, have to stay on their side of it."""
+"""Of a factor or term (`split`): angles 1e-30 beside half a turn, which are tried, have to stay on their side."""
 
 
 def number(expression: sympy.Expr) -> Any:
@@ -95,7 +95,7 @@ class Lowering:
         first, *rest = map(self.at, sympy.Add.make_args(terms))
         for term in rest:
             first = first + term
-        return first if constants == 0 else plus(first, number(constants), self.m, self._name())
+        return first if constants == 0 else plus(first, number(constants), self.m, self._name(), LEVELS)
 
     def _product(self, e: sympy.Expr) -> Coefficient:
         constant, factors = e.as_independent(alpha, as_Add=False)

@@ -113,11 +113,11 @@ def times(number: Any, value: Coefficient, m: Arithmetic, name: str, levels: int
     return m.name(name, total)
 
 
-def plus(value: Coefficient, number: Any, m: Arithmetic, name: str) -> Coefficient:
+def plus(value: Coefficient, number: Any, m: Arithmetic, name: str, levels: int = LEVELS) -> Coefficient:
     """A value and a real number."""
     if is_small(number):
         return value + number
-    split = polynomial([number])
+    split = polynomial([number], levels=levels)
     total, below = value, split.shift
     for (digit,) in split.levels:
         total = shifted(shifted(total, -below, m) + digit, below, m)
