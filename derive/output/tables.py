@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 import shutil
 import textwrap
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 
 from rich.console import Console, JustifyMethod
@@ -42,6 +42,8 @@ class Grid:
         The width below which it is lines, where cells may be broken; otherwise that of its longest words.
     ruled : bool
         Lines between rows.
+    remarks : collection of str
+        Rows whose cells are about the row before, not what the headings say.
     """
 
     title: str
@@ -49,6 +51,7 @@ class Grid:
     rows: Sequence[Sequence[str]]
     least: int | None = None
     ruled: bool = False
+    remarks: Collection[str] = ()
 
     def text(self, width: int = WIDTH) -> str:
         """It within a width."""
@@ -77,7 +80,7 @@ class Grid:
         for name, *cells in self.rows:
             yield from textwrap.wrap(name, width, subsequent_indent=INDENT)
             for heading, cell in zip(headings, cells, strict=True):
-                line = f"{heading}: {' '.join(cell.split())}"
+                line = " ".join([*([] if name in self.remarks else [f"{heading}:"]), *cell.split()])
                 yield from textwrap.wrap(line, width, initial_indent=INDENT, subsequent_indent=2 * INDENT)
 
 

@@ -13,6 +13,9 @@ from .plain import plain
 NARROWEST = 72
 """Columns that two formulas side by side need."""
 
+KNOWN, DIFFERENT = "how it is known", "where they differ"
+"""Rows below an erratum."""
+
 
 def as_text(report: Report, width: int = WIDTH) -> str:
     """Plain text within a width."""
@@ -45,10 +48,10 @@ def errata(chapter: Chapter) -> Grid:
 def _erratum(result: Result) -> Iterator[tuple[str, ...]]:
     """A row with both forms, how that is known, and numbers for which they differ."""
     yield _name(result), _lines(plain(result.printed), *domain(result)), plain(result.corrected or "")
-    yield "how it is known", result.method, readings(result)
+    yield KNOWN, result.method, readings(result)
     if result.counterexample is not None:
         whole = f"in full: {command(result)} --format json"
-        yield "where they differ", "\n".join(example(result.counterexample)), whole
+        yield DIFFERENT, "\n".join(example(result.counterexample)), whole
 
 
 def ambiguous(chapter: Chapter) -> Grid:
@@ -95,7 +98,8 @@ def _grid(chapter: Chapter, status: Status, headings: tuple[str, str, str], rows
     title = f"{chapter.paper.short}, {status}: {MEANING[status]}"
     first, second, third = headings
     last = Column(third, ratio=3 if status is Status.ERRATUM else 2)
-    return Grid(title, [Column(first, width=24), Column(second, ratio=3), last], list(rows), NARROWEST, ruled=True)
+    columns = [Column(first, width=24), Column(second, ratio=3), last]
+    return Grid(title, columns, list(rows), NARROWEST, ruled=True, remarks=(KNOWN, DIFFERENT))
 
 
 def _lines(*parts: str) -> str:

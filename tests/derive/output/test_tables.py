@@ -21,6 +21,12 @@ def test_a_table_that_does_not_fit_is_lines_with_all_its_cells() -> None:
     assert WORDS.text(49).startswith("words\nfirst of all\n  a statement: word word")
 
 
+def test_cells_of_a_remark_are_not_told_under_headings() -> None:
+    rows = [("a", "1"), ("why", "it is so")]
+    text = Grid("counts", [Column("module"), Column("calls")], rows, least=50, remarks=("why",)).text(20)
+    assert text == "counts\na\n  calls: 1\nwhy\n  it is so\n"
+
+
 def test_cells_are_printed_as_they_are() -> None:
     """Brackets are no styles and colons no pictures."""
     cells = "[bold]R[1:2][/bold]", ":rocket:"

@@ -158,6 +158,7 @@ def test_an_erratum_has_three_rows() -> None:
     grid = errata(chapter(ERRATUM))
     assert [column.heading for column in grid.columns] == ["equation", "printed", "corrected"]
     first, second, third = grid.rows
+    assert set(grid.remarks) == {second[0], third[0]}
     assert tuple(first) == ("(7)\ntitle", "a = b\nfor a ≠ 0, as stated", "a = -b")
     assert tuple(second) == ("how it is known", "exact", "12 readings, none true")
     assert tuple(third) == (
