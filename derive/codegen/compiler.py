@@ -61,7 +61,7 @@ def build_charts(
     if processes < 1:
         raise ValueError(f"processes must be an integer >= 1, got {processes}")
     report, seen = progress or _silent, Seen() if seen is None else seen
-    with collected_rarely(), tempfile.TemporaryDirectory() as folder:
+    with _collected_rarely(), tempfile.TemporaryDirectory() as folder:
         shared = shared_texts(target)
         staging = Path(folder)
         files.write(staging, shared)
@@ -131,7 +131,7 @@ def _execute(chart: Chart, target: Target, staging: Path, seen: Seen, report: Pr
     """Execute one module; what is the same in all of them is validated and replayed in the first that has it."""
     first = not seen.by_table
     report(f"{chart.name}: validating")
-    with collected_rarely():
+    with _collected_rarely():
         if first and chart.order > HEAVY:
             _show_geometry(target, staging, seen)
         validated = target.validate(staging, chart, seen.new)
@@ -140,7 +140,7 @@ def _execute(chart: Chart, target: Target, staging: Path, seen: Seen, report: Pr
 
 
 @contextmanager
-def collected_rarely() -> Iterator[None]:
+def _collected_rarely() -> Iterator[None]:
     """Meanwhile unreachable cycles are looked for less often: of millions of objects hardly one is part of one."""
     first, *others = gc.get_threshold()
     gc.set_threshold(max(first, OBJECTS) if first else 0, *others)  # 0 is never

@@ -16,7 +16,7 @@ DIGITS = 16
 
 def fingerprint(facts: Facts, lowered: Lowered) -> str:
     """Hexadecimal digits of a digest of all that a chart computes for a table: programs, arrays, tables of branches."""
-    lines = [*of_geometry(lowered.table), *_lines(lowered.scalars), *_lines(lowered.own)]
+    lines = [*_of_geometry(lowered.table), *_lines(lowered.scalars), *_lines(lowered.own)]
     rows = lowered.table.kernels.values()
     lines += [f"{row.name} {row.arguments} {row.results} {row.constants}" for row in rows]
     lines += [f"{facts.turns} {facts.returns}"]
@@ -24,8 +24,7 @@ def fingerprint(facts: Facts, lowered: Lowered) -> str:
 
 
 @cache  # the same for all charts
-def of_geometry(table: Table) -> Sequence[str]:
-    """Lines of the geometry of a table."""
+def _of_geometry(table: Table) -> Sequence[str]:
     return tuple(_lines(geometry(table)))
 
 

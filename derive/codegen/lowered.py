@@ -53,8 +53,9 @@ def lower(proved: Proved) -> Lowered:
 def lower_chart(chart: Chart, table: Table = POSES) -> Lowered:
     """A function of the table has a program of its own where knowing the chart saves operations worth their lines.
 
-    So it may where scalars that it reads are constant: h = 0 for n = 1, h_i = 1 for n = 2. Of rotations such savings
-    count that poses have as well: slopes which calls return in vain are not worth lines.
+    So it may where scalars that it reads are constant (h = 0 for n = 1, h_i = 1 for n = 2) or computed of the same (the
+    angle, of any φ). Of rotations such savings count that poses have as well: slopes which calls return in vain are not
+    worth lines.
     """
     return _lowered(chart, table)
 
@@ -69,7 +70,7 @@ def _lowered(chart: Chart, table: Table) -> Lowered:
             continue
         operations = sum((scalars[call.function].operations for call in shared.calls), shared.operations)
         program = None
-        if table.functions[name].source in saving and any(_tells(call, scalars) for call in shared.calls):
+        if table.functions[name].source in saving and _may_save(shared, scalars):
             program = table.kernels[name].traced(chart)
         if program and is_worth(program.operations.total(), operations.total()):
             own[name], operations = program, program.operations
@@ -79,11 +80,28 @@ def _lowered(chart: Chart, table: Table) -> Lowered:
     return Lowered(table, {name: program for name, program in scalars.items() if name in called}, own, counted)
 
 
-def _tells(call: Call, scalars: Mapping[str, Program]) -> bool:
-    """Whether a result of a scalar program that is read there is constant."""
-    program = scalars[call.function]
-    read = (output for name, output in zip(call.names, program.outputs, strict=True) if name != "_")
-    return not _constants(program).isdisjoint(read)
+def _may_save(shared: Program, scalars: Mapping[str, Program]) -> bool:
+    """Whether knowing the chart can be worth lines: constants, what no one reads, what calls compute of the same."""
+    called = [(scalars[call.function], _read(call, scalars[call.function])) for call in shared.calls]
+    if any(not _constants(program).isdisjoint(read) for program, read in called):
+        return True
+    least = shared.operations.total() + max((_needed(program, read) for program, read in called), default=0)
+    return is_worth(least, sum((program.operations.total() for program, _ in called), shared.operations.total()))
+
+
+def _read(call: Call, program: Program) -> set[Operand]:
+    """Of the results of a scalar program those that are read there."""
+    return {output for name, output in zip(call.names, program.outputs, strict=True) if name != "_"}
+
+
+def _needed(program: Program, outputs: Set[Operand]) -> int:
+    """How many operations some outputs take."""
+    needed, count = set(outputs), 0
+    for step in reversed(program.steps):
+        if step.name in needed:
+            needed.update(step.args)
+            count += 1
+    return count
 
 
 def _constants(program: Program) -> set[Operand]:

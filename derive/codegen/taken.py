@@ -12,6 +12,13 @@ from .targets import TARGETS, Target
 
 ENTRY = "__init__.py"
 
+HEADERS = frozenset({
+    "assert", "complex", "ctype", "errno", "fenv", "float", "inttypes", "iso646", "limits", "locale", "math", "setjmp",
+    "signal", "stdalign", "stdarg", "stdatomic", "stdbit", "stdbool", "stdckdint", "stddef", "stdint", "stdio",
+    "stdlib", "stdnoreturn", "string", "tgmath", "threads", "time", "uchar", "wchar", "wctype", "python",
+})  # fmt: skip
+"""Of C's library (C23, 7.1.2) and Python's: a package's own would be found before them where its folder is searched."""
+
 
 @cache
 def names() -> frozenset[str]:
@@ -47,5 +54,7 @@ def require_free(name: str) -> None:
     """
     if name.startswith("_"):
         raise ValueError(f"names with a leading underscore are those of a package's own files, got {name!r}")
+    if name.lower() in HEADERS:  # some file systems tell no capitals
+        raise ValueError(f"a header {name}.h would stand before that of C or Python: take another name than {name!r}")
     if name in names():
         raise ValueError(f"{name!r} is the name of a file or of something else in packages of kernels: take another")

@@ -116,7 +116,7 @@ def _missed(bound: Any, rho: Any, degree: int) -> Any:
 
 def _interpolated(phi: sympy.Expr, edge: Edge, X: Any, degree: int) -> list[Any]:
     nodes = [X / 2 * (1 + mpmath.cospi((mpmath.mpf(k) + mpmath.mpf(1) / 2) / (degree + 1))) for k in range(degree + 1)]
-    values = [angle_of(phi, edge, mpmath.sqrt(x)) / mpmath.sqrt(x) for x in nodes]
+    values = [angle_of(phi, edge.angle, mpmath.sqrt(x)) / mpmath.sqrt(x) for x in nodes]
     matrix = mpmath.matrix(degree + 1, degree + 1)
     for i, x in enumerate(nodes):
         for k in range(degree + 1):
@@ -127,8 +127,8 @@ def _interpolated(phi: sympy.Expr, edge: Edge, X: Any, degree: int) -> list[Any]
 
 def _circle(phi: sympy.Expr, X: Any) -> tuple[Any, Any]:
     """The bound of a, and the m within which it is analytic: of all circles that serve, that of the largest m."""
-    found = [(least**2, radius) for radius in RADII if (least := smallest(phi, radius)) is not None]
-    for within, radius in sorted(found, key=lambda pair: -pair[0]):
-        if within > 2 * X and is_analytic(phi, radius):
-            return radius / mpmath.sqrt(within), within
+    found = [(least, radius) for radius in RADII if (least := smallest(phi, radius)) is not None]
+    for least, radius in sorted(found, key=lambda pair: -pair[0]):
+        if least**2 > 2 * X and is_analytic(phi, radius):
+            return radius / least, least**2
     raise PhiError(f"nothing proves that the inverse of phi = {phi} is analytic near 0")

@@ -108,18 +108,20 @@ def _named(root: Any) -> sympy.Expr:
     return sympy.Float(mpmath.nstr(root, 50), 50)
 
 
-def _end(phi: sympy.Expr, edge: Edge, size: Any) -> Any:
+def _end(phi: sympy.Expr, edge: sympy.Expr, size: Any) -> Any:
     """The edge, or an angle beyond that of a length."""
-    if not edge.angle.is_infinite:
-        return mpmath.mpf(edge.angle.evalf(mpmath.mp.dps + 5))
+    if not edge.is_infinite:
+        return mpmath.mpf(edge.evalf(mpmath.mp.dps + 5))
     high = mpmath.mpf(1)
     while real_value(phi, high, phi) <= size:
         high = 2 * high
     return high
 
 
-def angle_of(phi: sympy.Expr, edge: Edge, size: Any) -> Any:
-    """φ⁻¹ of a length in the working precision, from what floats make of it."""
+def angle_of(phi: sympy.Expr, edge: sympy.Expr, size: Any) -> Any:
+    """φ⁻¹ of a length, which is below that of the edge, in the working precision: from what floats make of it."""
+    if size == 0:
+        return size
     slope, high = _slope(phi), _end(phi, edge, size)
     guess = min(size / real_value(slope, mpmath.mpf(0), phi), high / 2)
     try:

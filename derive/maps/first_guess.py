@@ -188,7 +188,7 @@ def guess(phi: sympy.Expr, edge: Edge, limit: Fraction) -> Guess:
     """
     with mpmath.workdps(DIGITS):
         end, start = mpmath.mpf(edge.angle.evalf(DIGITS)), mpmath.mpf(limit.numerator) / limit.denominator
-        first = angle_of(phi, edge, mpmath.sqrt(start)) * mpmath.mpf("0.98")
+        first = angle_of(phi, edge.angle, mpmath.sqrt(start)) * mpmath.mpf("0.98")
         for found in _guesses(phi, edge, first, end):
             try:
                 return replace(found, steps=max(found.steps, _steps(phi, edge, found, first)))
@@ -225,7 +225,7 @@ def _fitted(phi: sympy.Expr, edge: Edge, variable: Variable, first: Any, end: An
     count = FIT + 1
     shares = [(1 + mpmath.cospi((mpmath.mpf(k) + mpmath.mpf(1) / 2) / count)) / 2 for k in range(count)]
     nodes = [low + (high - low) * share for share in shares]
-    angles = [angle_of(phi, edge, mpmath.sqrt(variable.back(z))) for z in nodes]
+    angles = [angle_of(phi, edge.angle, mpmath.sqrt(variable.back(z))) for z in nodes]
     values = [(end - a) / z if variable.from_edge else a for z, a in zip(nodes, angles, strict=True)]
     centre, scale = (low + high) / 2, int(mpmath.ceil(mpmath.log((high - low) / 2, 2)))
     middle = Fraction(int(mpmath.nint(centre * 2 ** (4 - scale))), 1) * Fraction(2) ** (scale - 4)

@@ -25,7 +25,7 @@ def smallest(phi: sympy.Expr, radius: Any) -> Any:
     least = mpmath.inf
     try:
         for box in _arcs(radius):
-            value = on_intervals(phi)(box)
+            value = _on_intervals(phi)(box)
             if not (value / box / slope).real > 0:
                 return None
             least = min(least, mpmath.mpf(abs(value).a))
@@ -38,7 +38,7 @@ def is_analytic(phi: sympy.Expr, radius: Any) -> bool:
     """Whether φ is proved to be analytic in a quarter of a disc."""
     try:
         for box in _cells(radius):
-            on_intervals(phi)(box)
+            _on_intervals(phi)(box)
     except (ZeroDivisionError, ValueError, TypeError):
         return False
     return True
@@ -66,14 +66,14 @@ Interval: TypeAlias = Any
 
 
 @lru_cache(maxsize=256)
-def on_intervals(e: sympy.Expr) -> Callable[[Interval], Interval]:
+def _on_intervals(e: sympy.Expr) -> Callable[[Interval], Interval]:
     """An expression as a function of complex intervals; ValueError where a branch cut or a pole may be met."""
     if e == alpha:
         return lambda z: z
     if not e.free_symbols:
         constant = _constant(e)
         return lambda z: constant
-    parts = [on_intervals(a) for a in e.args if not (e.is_Pow and a == e.exp)]
+    parts = [_on_intervals(a) for a in e.args if not (e.is_Pow and a == e.exp)]
     first, exponent = parts[0], e.exp if e.is_Pow else None
     if e.is_Add or e.is_Mul:
         combine = add if e.is_Add else mul

@@ -13,7 +13,7 @@ from ..algebra import Coefficient
 from ..algebra.arithmetic import PLAIN, Arithmetic
 from .chart import DEFINITIONS, Scalars
 from .closed_inverse import closed_inverse
-from .edges import Edge, angle_of
+from .edges import angle_of
 from .families import alpha, of_angle
 from .formula import Formula, IsotropicMap, QuaternionMap
 from .polynomials import x
@@ -96,7 +96,7 @@ class Parameterized(ABC):
 
     def inverse(self, size: Any) -> Any:
         """φ⁻¹ of a length below `range`, in the working precision of mpmath: Newton's method between bounds."""
-        return angle_of(self.phi, Edge(self.edge, ""), mpmath.mpf(size))
+        return angle_of(self.phi, self.edge, mpmath.mpf(size))
 
     def latex(self) -> str:
         """Return φ and the four maps as LaTeX."""

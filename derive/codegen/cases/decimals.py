@@ -32,7 +32,7 @@ LESS, GREATER = decimal.Decimal(-1), decimal.Decimal(1)
 
 
 def _operation(compute: Callable[..., decimal.Decimal], swapped: bool = False) -> Callable[[Decimal, object], Decimal]:
-    """An operation with an exact partner; each step of a kernel is one, so it makes its result without another call."""
+    """An operation with an exact partner; each step of a kernel is one, so it makes its result without more calls."""
 
     def operation(self: Decimal, other: object) -> Decimal:
         value = other.value if type(other) is Decimal else _partner(other)
@@ -64,7 +64,7 @@ class Decimal:
     __slots__ = ("value",)
 
     def __init__(self, value: Any) -> None:
-        self.value = value if isinstance(value, decimal.Decimal) else _of(value)
+        self.value = _of(value)
 
     __add__ = __radd__ = _operation(NUMBERS.add)
     __mul__ = __rmul__ = _operation(NUMBERS.multiply)
@@ -120,7 +120,9 @@ def _value(other: object) -> decimal.Decimal:
 
 
 def _of(value: Any) -> decimal.Decimal:
-    """An int, a Fraction or a number of mpmath; nothing else is to so many digits."""
+    """A decimal number, an int, a Fraction or a number of mpmath; nothing else is to so many digits."""
+    if isinstance(value, decimal.Decimal):
+        return value
     if isinstance(value, int):
         return NUMBERS.create_decimal(value)
     if isinstance(value, Fraction):
@@ -142,8 +144,13 @@ def _binary(value: decimal.Decimal) -> Any:
     """The same as a number of mpmath, which has the functions."""
     if not value.is_finite():
         return mpmath.mpf(float(value))
-    above, below = value.as_integer_ratio()
-    return mpmath.mpf(above) / below
+    places = DIGITS - value.adjusted()  # of a whole number with all its digits
+    return mpmath.mpf(int(NUMBERS.scaleb(value, places))) / _power_of_ten(places, mpmath.mp.prec)
+
+
+@lru_cache(maxsize=256)
+def _power_of_ten(exponent: int, precision: int) -> Any:
+    return mpmath.mpf(10) ** exponent
 
 
 def later(function: Callable[..., Flat], *arguments: Any) -> Callable[[], Flat]:

@@ -6,7 +6,7 @@ No scalar of the chart is used, nor its way back: what they compute has to agree
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
 from typing import Any
 
@@ -16,7 +16,7 @@ import sympy
 from ...algebra import Dual, Quaternion, Tensor, Vector, real_part
 from ...algebra.functions import atan2
 from ...maps.chart import Chart
-from ...maps.edges import Edge, angle_of
+from ...maps.edges import angle_of
 from ...maps.elementary import evaluate
 from ...maps.families import alpha, by_square
 from ...maps.inverse import polar
@@ -39,27 +39,32 @@ SHORT = 0.9
 
 @dataclass(frozen=True)
 class Vectors:
-    """v_k = φ(α + 2πk) u of a chart, in the working precision of mpmath."""
+    """v_k = φ(α + 2πk) u of a chart, in the working precision of mpmath; where it ends, in that of the beginning."""
 
     chart: Chart
+    precision: int = field(default_factory=lambda: mpmath.mp.prec)
 
     @cached_property
     def edge(self) -> Any:
         """Re α beyond which there is no v."""
-        edge = self.chart.edge
-        return mpmath.inf if edge.is_infinite else mpmath.mpf(edge.evalf(mpmath.mp.dps + 5))
+        return self._number(self.chart.edge)
 
     @cached_property
     def is_folded(self) -> bool:
         """Whether v ends at the edge, with φ′ = 0; else it is infinite there, or there is none."""
         if mpmath.isinf(self.edge):
             return False
-        return bool(abs(self.slope(self.edge * (1 - FEW * mpmath.eps))) < self.slope(0))
+        with mpmath.workprec(self.precision):
+            return bool(abs(self.slope(self.edge * (1 - FEW * mpmath.eps))) < self.slope(0))
 
     @cached_property
     def first_pole(self) -> Any:
         """The least Re α > 0 where v, T or its inverse is singular."""
-        return mpmath.mpf(self.chart.singular_angles[0].evalf(mpmath.mp.dps + 5))
+        return self._number(self.chart.singular_angles[0])
+
+    def _number(self, angle: sympy.Expr) -> Any:
+        with mpmath.workprec(self.precision):
+            return mpmath.inf if angle.is_infinite else mpmath.mpf(angle.evalf(mpmath.mp.dps + 5))
 
     @cached_property
     def _slope(self) -> sympy.Expr:
@@ -109,7 +114,7 @@ class Vectors:
         return Dual(root, size.du / self.slope(root)) if isinstance(size, Dual) else root
 
     def _root(self, size: Any) -> Any:
-        root = angle_of(self.chart.phi, Edge(self.chart.edge, ""), size) if size else size
+        root = angle_of(self.chart.phi, self.chart.edge, size)
         if abs(self.size(root) - size) <= mpmath.sqrt(mpmath.eps) * size:
             return root
         raise ArithmeticError(f"no angle below {self.chart.edge} has |v| = {mpmath.nstr(size)} in {self.chart.name}")
@@ -226,9 +231,7 @@ def vectors_of(chart: Chart) -> Vectors:
     return _vectors(chart, mpmath.mp.prec)
 
 
-@lru_cache(maxsize=4)
-def _vectors(chart: Chart, precision: int) -> Vectors:
-    return Vectors(chart)
+_vectors = lru_cache(maxsize=2)(Vectors)
 
 
 def is_whole(number: Any) -> bool:

@@ -31,7 +31,7 @@ FUNCTION_UNITS = 8
 
 
 HALF = 53
-"""Binary digits of a float: two of them hold those of the widest there are."""
+"""Binary digits of a float: two hold as many as `long` takes, more than most long doubles have."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -183,7 +183,7 @@ def long(values: Sequence[Any]) -> Array:
 
 
 def _split(value: Any) -> tuple[float, float, int]:
-    """The leading digits of a number, so many as two floats hold, and the power of 2 of the first: a + 2^-53 b."""
+    """The leading digits of a number as two whole floats, and the power of 2 of the first; others are cut off."""
     number = _many(value)
     sign, mantissa, exponent, bits = number._mpf_
     if not mantissa:
@@ -195,7 +195,9 @@ def _split(value: Any) -> tuple[float, float, int]:
 
 
 def _many(value: Any) -> Any:
-    return mpmath.mpf(value.numerator) / value.denominator if isinstance(value, int | Fraction) else value
+    if isinstance(value, int | Fraction):
+        return mpmath.mpf(value.numerator) / value.denominator
+    return value if isinstance(value, mpmath.mpf) else mpmath.mpf(value)
 
 
 def _bits(value: Any) -> int:

@@ -17,7 +17,7 @@ from derive.algebra import Vector
 from derive.codegen import ValidationFailed
 from derive.codegen.cases import batches
 from derive.codegen.cases.maps_at import flat
-from derive.codegen.cases.vectors import Vectors
+from derive.codegen.cases.vectors import Vectors, vectors_of
 from derive.codegen.compiler import build_charts
 from derive.codegen.lowered import geometry
 from derive.codegen.lowering import calculus
@@ -270,6 +270,15 @@ def test_the_angle_of_a_vector_is_found(phi: sympy.Expr, edge: sympy.Expr, angle
 def test_no_angle_is_found_beyond_the_edge():
     with mpmath.workdps(50), pytest.raises(ArithmeticError, match=r"no angle below 3\*pi has \|v\| = 1.5 in sine6"):
         Vectors(Sine()).angle(mpmath.mpf("1.5"))
+
+
+def test_where_a_chart_ends_is_known_to_as_many_digits_whoever_asks_first():
+    with mpmath.workdps(50):
+        chart = vectors_of(Cayley(3))
+    found = chart.edge, chart.first_pole
+    with mpmath.workdps(50):
+        assert chart is vectors_of(Cayley(3))
+        assert all(abs(angle - k * mpmath.pi) < mpmath.mpf(10) ** -48 for angle, k in zip(found, (3, 2), strict=True))
 
 
 def test_a_vector_far_out_is_no_tie():

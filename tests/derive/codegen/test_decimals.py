@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import decimal
 import operator
 from collections.abc import Callable
 from fractions import Fraction
@@ -81,6 +82,8 @@ def test_long_numbers_are_rounded_before_anything_else() -> None:
             wanted = int(mpmath.floor(number / mpmath.ln(10)))
             assert Decimal(number).expm1().value.adjusted() == wanted
         assert Decimal(10**5000).tan().value.is_finite()
+        tiny = Decimal(decimal.Decimal("1e-3000000"))  # as a fraction it would have as many digits
+        assert abs(tiny.tan() / tiny - 1) < Fraction(1, 10**48)
 
 
 @pytest.mark.parametrize("name", ["sqrt", "tan", "expm1", "log1p"])

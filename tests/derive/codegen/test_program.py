@@ -12,11 +12,12 @@ from derive.codegen.programs.trace import Trace, UnnamedValueError
 from derive.codegen.signatures import KERNELS
 from derive.codegen.targets import infix
 from derive.maps import Cayley
-from derive.maps.named import family
+from derive.maps.named import family, parameterization
 
 pytestmark = pytest.mark.smoke
 
-CHARTS = [*map(Cayley, (1, 2, 3, 5, 8, 11)), *map(family, ("scaled1", "scaled2", "orthographic", "breusing"))]
+FAMILIES = ("scaled1", "scaled2", "orthographic", "breusing")
+CHARTS = [*map(Cayley, (1, 2, 3, 5, 8, 11)), *map(family, FAMILIES), parameterization("atan(alpha)", "arctangent")]
 
 
 def traced(count: int = 2):

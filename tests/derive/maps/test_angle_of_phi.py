@@ -57,7 +57,7 @@ def test_near_0_the_ratio_and_its_derivatives_are_within_the_remainder(chart) ->
     edge = edge_of(chart.phi)
 
     def ratio(x):
-        return angle_of(chart.phi, edge, mpmath.sqrt(x)) / mpmath.sqrt(x)
+        return angle_of(chart.phi, edge.angle, mpmath.sqrt(x)) / mpmath.sqrt(x)
 
     limit = mpmath.mpf(chart.near.limit.numerator) / chart.near.limit.denominator
     with mpmath.workdps(2 * DIGITS):

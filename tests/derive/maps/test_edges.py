@@ -39,4 +39,6 @@ def test_angles_are_found_up_to_the_edge(phi: sympy.Expr, edge: Edge):
         for share in ("1e-20", "0.3", "0.999"):
             angle = mpmath.mpf(share) * end
             # at 0.999 of the way to a fold, an eps of |v| moves α by some 1e6 of it
-            assert abs(angle_of(phi, edge, phi.evalf(DIGITS, subs={alpha: angle})) / angle - 1) < mpmath.mpf(10) ** -40
+            found = angle_of(phi, edge.angle, phi.evalf(DIGITS, subs={alpha: angle}))
+            assert abs(found / angle - 1) < mpmath.mpf(10) ** -40
+        assert angle_of(phi, edge.angle, mpmath.mpf(0)) == 0
