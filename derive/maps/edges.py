@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
@@ -18,8 +19,6 @@ DIGITS = 60
 FURTHEST = 4
 """Where a chart without an edge is cut, in units of π."""
 GRID = 2000
-ROUNDING = 2.0**-52
-"""Of floats."""
 
 
 @dataclass(frozen=True)
@@ -125,7 +124,7 @@ def angle_of(phi: sympy.Expr, edge: sympy.Expr, size: Any) -> Any:
     slope, high = _slope(phi), _end(phi, edge, size)
     guess = min(size / real_value(slope, mpmath.mpf(0), phi), high / 2)
     try:
-        found = _solved(phi, slope, float(size), float(high), float(guess), ROUNDING)
+        found = _solved(phi, slope, float(size), float(high), float(guess), sys.float_info.epsilon)
         guess = mpmath.mpf(found) if 0 < found < high else guess
     except (ArithmeticError, ValueError):  # beyond what floats hold, or where φ is real to more digits only
         pass
@@ -144,7 +143,8 @@ def _solved(phi: sympy.Expr, slope: sympy.Expr, size: Any, high: Any, guess: Any
         reached, rise = real_value(phi, guess, phi), real_value(slope, guess, phi)
         low, high = (guess, high) if reached < size else (low, guess)
         steps = (size - reached) / rise, (1 - reached / size) * reached / rise
-        better = next((guess + step for step in steps if low <= guess + step <= high), (low + high) / 2)
+        inside = (at for at in (guess + step for step in steps) if low <= at <= high)
+        better = next(inside, (low + high) / 2)
         guess, step = better, abs(better - guess)
         if step <= 8 * eps * better:
             break

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import mpmath
 import pytest
 import sympy
 
+from derive.maps import edges
 from derive.maps.edges import DIGITS, Edge, angle_of, edge_of
 from derive.maps.families import alpha
 
@@ -21,6 +24,31 @@ EDGES = [
 @pytest.mark.parametrize(("phi", "edge"), EDGES)
 def test_edges_have_exact_names(phi: sympy.Expr, edge: Edge):
     assert edge_of(phi) == edge
+
+
+LENGTHS = [
+    (sympy.tan(alpha / 6), 3 * sympy.pi, ("1e-20", "0.3", "5", "1e15", "1e100")),
+    (sympy.sin(alpha / 4), 2 * sympy.pi, ("1e-20", "0.3", "0.99")),
+    (alpha + alpha**3, sympy.oo, ("1e-20", "0.3", "5")),
+]
+
+
+@pytest.mark.parametrize(("phi", "edge", "lengths"), LENGTHS, ids=str)
+def test_few_steps_to_an_angle_are_taken_in_many_digits(phi, edge, lengths, monkeypatch: pytest.MonkeyPatch):
+    """Floats begin, so that three or four double what they know; next to a pole, which floats may miss, some more."""
+    taken = set()
+    evaluated = edges.real_value
+
+    def watched(expression: sympy.Expr, at: Any, of: sympy.Expr) -> Any:
+        taken.update([at] if expression == phi and isinstance(at, mpmath.mpf) else [])
+        return evaluated(expression, at, of)
+
+    monkeypatch.setattr(edges, "real_value", watched)
+    for length in lengths:
+        taken.clear()
+        with mpmath.workdps(DIGITS):
+            angle_of(phi, edge, mpmath.mpf(length))
+        assert len(taken) <= 6 + (mpmath.mpf(length) > 10**9) * 6, length
 
 
 def test_an_edge_without_a_name_is_a_decimal():
