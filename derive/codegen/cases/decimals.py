@@ -150,6 +150,7 @@ def _binary(value: decimal.Decimal) -> Any:
 
 @lru_cache(maxsize=256)
 def _power_of_ten(exponent: int, precision: int) -> Any:
+    """In the working precision, which is named for what is kept."""
     return mpmath.mpf(10) ** exponent
 
 

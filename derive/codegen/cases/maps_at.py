@@ -114,7 +114,7 @@ def _retract(body: bool) -> Callable[..., Flat]:
 
 @lru_cache(maxsize=16)  # most quotients of differences move another argument
 def _turning(precision: int, *delta: Any) -> Quaternion:
-    """exp(δ/2)."""
+    """exp(δ/2) in the working precision, which is named for what is kept."""
     return quaternion_exponential(_dual(delta) / 2)
 
 
