@@ -86,18 +86,17 @@ INVERSE = definition(
 )
 
 LETTERS = (cosine, sine, x, *PHI)
-FREE = (sine, *PHI)
-
-
-def _letters(*vectors: sympy.Symbol) -> Letters:
-    return Letters(LETTERS, vectors, FREE)
 
 
 def _theorem(
-    name: str, claim: tuple[Equation, ...], *premises: Premise, vectors: tuple[sympy.Symbol, ...] = (v,)
+    name: str,
+    claim: tuple[Equation, ...],
+    *premises: Premise,
+    vectors: tuple[sympy.Symbol, ...] = (v,),
+    free: tuple[sympy.Symbol, ...] = (sine, phi, phi_1),
 ) -> Theorem:
     used = (*premises, *SQUARES) if vectors else (*premises, SQUARES[0], SQUARES[2])
-    return Theorem(name, claim, used, Identity(_letters(*vectors)), SCOPE)
+    return Theorem(name, claim, used, Identity(Letters(LETTERS, vectors, free)), SCOPE)
 
 
 def _of_maps() -> tuple[Theorem, ...]:
@@ -106,6 +105,7 @@ def _of_maps() -> tuple[Theorem, ...]:
             "any phi: orthogonality",
             (Equation(R * transpose(R), I), Equation(det(R), sympy.Integer(1))),
             TENSOR, *SCALARS[3:5],
+            free=(phi,),
         ),
         _theorem(
             "any phi: quaternion",
@@ -114,12 +114,13 @@ def _of_maps() -> tuple[Theorem, ...]:
                 Equation(q_hat * point * conjugate(q_hat), R * point),
             ),
             QUATERNION, TENSOR, *SCALARS[:2], *SCALARS[3:5],
-            vectors=(v, point),
+            vectors=(v, point), free=(phi,),
         ),
         _theorem(
             "any phi: axis",
             (Equation(T * v, v / phi_1), Equation(det(T), 2 * (1 - COS) / (phi_1 * phi**2))),
             TANGENT, *SCALARS[3:6],
+            free=(phi, phi_1),
         ),
         _theorem(
             "any phi: inverse",
@@ -134,7 +135,7 @@ def _of_motion() -> tuple[Theorem, ...]:
         "any phi: twist",
         (Equation(omega, T * rate(v)), Equation(rate(R), skew(omega) * R)),
         TENSOR, TANGENT, *SCALARS[3:6], definition(omega, vect(rate(R) * transpose(R))), *MOTION, *OF_ANGLE,
-        vectors=(v, v_dot),
+        vectors=(v, v_dot), free=(phi, phi_1),
     )  # fmt: skip
     body = _theorem(
         "any phi: body twist",

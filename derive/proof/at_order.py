@@ -1,22 +1,26 @@
-"""The formulas of one order are the theorem's: equal as functions of x, decided in Q(x)."""
+"""The formulas of one order are the theorem's: equal as functions of x."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from functools import lru_cache
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import lru_cache, partial
 from typing import Any, Protocol
 
 import sympy
 from sympy.polys.fields import field
 
 from ..maps import polynomials
+from .element import Element
+from .evaluation import NoValueError
+from .exact import Ring
 from .formulas import Formulas
 from .identity import Check, Claim, Proof, decide
-from .marks import R, Shifted, c, d, dcay, dcay_inv, n, p, q, q_hat
+from .marks import R, Shifted, c, d, dcay, dcay_inv, n, p, q, q_hat, text, x
 from .statement import Equation
 
-METHOD = "instance of the theorem for all n, residues in Q(x)"
-Checks = Callable[[], Iterator[Check]]
+METHOD = "instance of the theorem for all n, residues in Q(x), of the quaternion with the root of 1 + x"
+Stated = Callable[[], Sequence[Any]]
+"""The coefficients that the code has."""
 
 
 class Coefficients(Protocol):
@@ -67,48 +71,58 @@ def instances(cayley: CayleyFormulas) -> tuple[Proof, ...]:
     Returns
     -------
     tuple of Proof
-        Of scope "n = 7": the polynomials, the quaternion (its coefficients squared, free of the root), the orthogonal
-        tensor, the tangent operator and its inverse.
+        Of scope "n = 7": the polynomials, the quaternion, the orthogonal tensor, the tangent operator and its inverse.
     """
-    order, at = cayley.order, at_order(cayley.order)
 
-    def polynomial_checks() -> Iterator[Check]:
-        yield from at.same(("p", "q", "c", "d"), (cayley.p, cayley.q, cayley.c, cayley.d), at.polynomials)
+    def stated(name: str) -> tuple[sympy.Expr, ...]:
+        found = getattr(cayley, name)
+        if isinstance(found, sympy.Expr):
+            return (found,)
+        return tuple(found.coefficients)
 
-    def quaternion() -> Iterator[Check]:
-        s, t = cayley.quaternion.coefficients
-        yield from at.same(("scalar^2", "scalar * vector", "vector^2"), (s * s, s * t, t * t), at.squares)
+    def proof(*names: str) -> Proof:
+        named = {f"Cayley({cayley.order}).{name}": (LETTERS[name], partial(stated, name)) for name in names}
+        return same_as_theorem(at_order(cayley.order), named)
 
-    def isotropic(name: str) -> Checks:
-        return lambda: at.same(BASIS, getattr(cayley, name).coefficients, at.tensors[name])
-
-    table: tuple[tuple[tuple[str, ...], Checks], ...] = (
-        (("p", "q", "c", "d"), polynomial_checks),
-        (("quaternion",), quaternion),
-        *(((name,), isotropic(name)) for name in ("tensor", "tangent", "tangent_inv")),
-    )
-    owner = f"Cayley({order})"
-    return tuple(same_as_theorem(order, [(a, f"{owner}.{a}") for a in names], checks) for names, checks in table)
+    return (proof("p", "q", "c", "d"), *map(proof, ("quaternion", "tensor", "tangent", "tangent_inv")))
 
 
 class AtOrder:
-    """The theorems' formulas at one order, elements of Q(x)."""
+    """The theorems' formulas at one order, elements of Q(x), of the quaternion with the root of 1 + x."""
 
     def __init__(self, order: int) -> None:
+        self.order = order
         self.functions, self.x = field("x", sympy.ZZ)
         p_n, q_n = (self.functions.one * value for value in polynomials.pair(order, self.x))
         power = (1 + self.x) ** order
-        brackets = ((order * power / (1 + self.x) - p_n * q_n) / self.x, ((1 + self.x) * q_n - order * p_n) / self.x)
-        self.polynomials = (p_n, q_n, *brackets)
-        self.squares = (p_n * p_n / power, p_n * q_n / power, q_n * q_n / power)
-        self.tensors = {
-            name: getattr(Formulas(), name)(order, self.x, p_n, q_n) for name in ("tensor", "tangent", "tangent_inv")
+        ring = Ring(root=True)  # of sqrt(1 + x), an odd power of which the quaternion has for odd n
+        self.square, root = ring.square("v"), ring.square_root() ** order
+        tensors = {R: Formulas.tensor, dcay: Formulas.tangent, dcay_inv: Formulas.tangent_inv}
+        self.values: Mapping[sympy.Expr, tuple[Any, ...]] = {
+            p: (p_n,),
+            q: (q_n,),
+            c: ((order * power / (1 + self.x) - p_n * q_n) / self.x,),
+            d: (((1 + self.x) * q_n - order * p_n) / self.x,),
+            q_hat: tuple(value / root for value in polynomials.pair(order, self.square)),
+            **{letter: formula(order, self.x, p_n, q_n) for letter, formula in tensors.items()},
         }
 
-    def same(self, names: Sequence[str], stated: Sequence[Any], expected: Sequence[Any]) -> Iterator[Check]:
-        for name, value, theorem in zip(names, stated, expected, strict=True):
-            found = self.functions.from_expr(value) if isinstance(value, sympy.Expr) else value
-            yield name, found - theorem
+    def same(self, name: sympy.Expr, stated: Sequence[Any], term: sympy.Expr) -> Iterator[Check]:
+        """What is stated under a name, and what a letter of the theorems is at this order."""
+        letter, index, order = term.args
+        if (index, order) != (n, self.order):
+            raise NoValueError(f"{text(term)} is not at n = {self.order}")
+        for place, (value, theorem) in enumerate(zip(stated, self.values[letter], strict=True), 1):
+            label = f", coefficient {place}" if len(stated) > 1 else ""
+            yield f"{name}{label}", self._difference(value, theorem)
+
+    def _difference(self, value: Any, theorem: Any) -> Any:
+        """In the ring of the theorem's."""
+        if not isinstance(value, sympy.Expr):
+            return value - theorem
+        if isinstance(theorem, Element):
+            return theorem.ring.lift(value, {x: self.square}) - theorem
+        return self.functions.from_expr(value) - theorem
 
 
 @lru_cache(maxsize=2)
@@ -117,12 +131,16 @@ def at_order(order: int) -> AtOrder:
     return AtOrder(order)
 
 
-BASIS = ("of I", "of skew(v)", "of v⊗v")
-
-
-def same_as_theorem(order: int, stated: Sequence[tuple[str, str]], checks: Checks) -> Proof:
+def same_as_theorem(at: AtOrder, named: Mapping[str, tuple[sympy.Expr, Stated]]) -> Proof:
     """Decide that what the code has under a name is what the theorems call by a letter."""
-    code = (sympy.Symbol(name, commutative=LETTERS[letter].is_commutative) for letter, name in stated)
-    right = (Shifted(LETTERS[letter], n, sympy.Integer(order)) for letter, _ in stated)
-    claim = tuple(map(Equation, code, right))
-    return decide(Claim(", ".join(name for _, name in stated), claim, METHOD), checks, f"n = {order}")
+    code = {name: sympy.Symbol(name, commutative=letter.is_commutative) for name, (letter, _) in named.items()}
+    claim = tuple(
+        Equation(code[name], Shifted(letter, n, sympy.Integer(at.order))) for name, (letter, _) in named.items()
+    )
+
+    def checks() -> Iterator[Check]:
+        for equation in claim:
+            _, stated = named[equation.left.name]
+            yield from at.same(equation.left, stated(), equation.right)
+
+    return decide(Claim(", ".join(named), claim, METHOD), checks, f"n = {at.order}")

@@ -5,6 +5,7 @@ No proof: it ties the words of a statement that is decided by components to what
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
@@ -14,14 +15,22 @@ import sympy
 from ..algebra import Dual, Isotropic, Quaternion, Vector, dual_part, real_part
 from ..maps import polynomials
 from . import marks
-from .evaluation import Evaluation, mapped
+from .evaluation import Evaluation, NoValueError, mapped
 from .formulas import Formulas
 from .identity import Check
 from .statement import Equation
 
 PLACE, SPEED, OTHER = (2, -4, 10), (3, 5, -1), (1, -2, 3)
-ROOT = 11
-"""The root of 1 + 2² + 4² + 10²."""
+"""1 + 2² + 4² + 10² is the square of 11."""
+
+
+def _root(square: Dual) -> Dual:
+    """The root of a dual number whose real part is the square of a whole number, or one over it."""
+    above, below = map(math.isqrt, real_part(square).as_integer_ratio())
+    root = Fraction(above, below)
+    if root * root != real_part(square):
+        raise NoValueError(f"{real_part(square)} is the square of no rational number")
+    return Dual(root, dual_part(square) / (2 * root))
 
 
 class AtPoint(Evaluation):
@@ -38,16 +47,14 @@ class AtPoint(Evaluation):
         v = Vector(*(Dual(Fraction(place), Fraction(speed)) for place, speed in zip(PLACE, SPEED, strict=True)))
         x = v.dot(v)
         p, q = (Dual(Fraction(1)) * value for value in polynomials.pair_by_squaring(n, x))
-        self.root = Fraction(ROOT)
-        factor = self.root**-n
+        root = _root(1 + x)
         formulas, rates = Formulas(), v.map(dual_part)
         tensors = {marks.R: formulas.tensor, marks.dcay: formulas.tangent, marks.dcay_inv: formulas.tangent_inv}
         values = {letter: Isotropic(*formula(n, x, p, q), x).tensor(v) for letter, formula in tensors.items()}
         omega = values[marks.dcay].map(real_part) @ rates
-        quaternion = Quaternion(p * factor, v * (q * factor))
+        z = Quaternion(p, v * q)
         known = {marks.x: x, marks.p: p, marks.q: q, marks.v: v, marks.v_dot: rates, marks.omega: omega}
-        known[marks.z] = quaternion * self.root**n
-        known |= {marks.point: Vector(*map(Fraction, OTHER)), marks.q_hat: quaternion}
+        known |= {marks.point: Vector(*map(Fraction, OTHER)), marks.z: z, marks.q_hat: z * (1 / root**n)}
         super().__init__(known | values)
 
     def number(self, value: Fraction) -> Fraction:
@@ -57,7 +64,8 @@ class AtPoint(Evaluation):
         return mapped(dual_part, value)
 
     def power(self, base: sympy.Expr, exponent: sympy.Expr) -> Any:
-        return self.value(base) ** int(exponent) if base != 1 + marks.x else self.root ** int(2 * exponent)
+        root = _root(self.value(base)) ** abs(int(2 * exponent))
+        return root if exponent > 0 else 1 / root
 
     def checks(self, equation: Equation) -> Iterator[Check]:
         """Left minus right at the point, component by component."""

@@ -25,7 +25,8 @@ from sympy.polys.rings import ring
 
 from .identity import Check, Multiplier
 from .marks import Shifted, j, n, text, x
-from .statement import Equation, Premise, definition
+from .statement import Equation, definition
+from .theorem import Task
 
 POLYNOMIALS, N, J = ring([n, j], sympy.QQ)
 
@@ -96,27 +97,36 @@ class Coefficients:
     def title(self) -> str:
         return "coefficient by coefficient as multiples of one quotient of factorials, residues in Q[n, j]"
 
-    def checks(
-        self, claim: Sequence[Equation], premises: Sequence[Premise], zeroed: sympy.Expr | None
-    ) -> Iterator[Check | Multiplier]:
-        given = [premise.equation for premise in premises]
+    def weaker(self) -> Iterator[tuple[str, Coefficients]]:
+        return iter(())
+
+    def checks(self, task: Task) -> Iterator[Check | Multiplier]:
+        claim, given = task.claim, [premise.equation for premise in task.premises]
         rule = next(e.right for e in given if isinstance(e.left, sympy.binomial))
         known = {e.left: _written_out(e.right, rule) for e in [*given, *claim] if e.right.has(sympy.Sum)}
         reader = _Reader(known, [e for e in given if e.left in known and not e.right.has(sympy.Sum)])
         first = self.start.right
-        for equation in given:
-            if isinstance(equation.left, sympy.binomial) or equation.left in known:
-                continue
+        laws = [e for e in given if not isinstance(e.left, sympy.binomial) and e.left not in known]
+        for equation in task.supposed:
+            yield f"supposed, {equation.text}", 1  # there is nothing here that would say so
+        for equation in claim:
+            yield f"what determines {text(equation.left)}", 0 if self._determined(equation.left, laws) else 1
+        for equation in laws:
             left, right = equation.left, equation.right
             at = equation.text
-            if isinstance(left, Shifted) and left.args[2] == first:
-                stated = known[left.args[0]].xreplace({n: first})
-                yield from _zero(f"start, {at}", reader.series(stated - right), first)
-            elif isinstance(left, Shifted):
-                onward = known[left.args[0]].xreplace({n: n + 1})
-                yield from _zero(f"step, {at}", reader.series(onward - right), first)
+            if isinstance(left, Shifted):
+                place = left.args[2]
+                stated = known[left.args[0]].xreplace({n: place})
+                yield from _zero(f"{'start' if place == first else 'step'}, {at}", reader.series(stated - right), first)
             else:
                 yield from _zero(at, reader.series(left - right), first)
+
+    def _determined(self, term: sympy.Expr, laws: Sequence[Equation]) -> bool:
+        """Whether there are a start and a step of a sequence, or an equation with it."""
+        if any(e.left.has(term) or e.right.has(term) for e in laws if not isinstance(e.left, Shifted)):
+            return True
+        places = {e.left.args[2] for e in laws if e.left.args[:2] == (term, n)}
+        return places == {self.start.right, n + 1}
 
 
 @dataclass(frozen=True)
@@ -174,7 +184,7 @@ def _zero(label: str, series: Series, first: sympy.Expr) -> Iterator[Check]:
         last = max([begun, *series.head])
     else:  # n is a number, hence finitely many coefficients
         last = max([begun, *series.head, *map(_last_index, general.atoms(sympy.factorial))]) + 1
-    for power in range(min([start for start, _ in series.tails], default=0), last + 1):
+    for power in range(min([0, *series.head, *(start for start, _ in series.tails)]), last + 1):
         yield f"{label}, coefficient of x^{power}", residue(series.coefficient(power), int(first))
 
 

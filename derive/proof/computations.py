@@ -6,16 +6,18 @@ which dcay loses rank.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import partial
+from itertools import product
 from typing import Any
 
 import sympy
 
 from ..maps import closed_forms, polynomials
-from .at_order import BASIS, METHOD, AtOrder, at_order, same_as_theorem
-from .exact import Ring
+from .at_order import LETTERS, METHOD, AtOrder, Stated, at_order, same_as_theorem
 from .identity import Check, Claim, Proof, decide
+from .marks import q
 from .statement import Equation
 
 Function = Callable[..., Any]
@@ -57,56 +59,61 @@ def computations(order: int, of: Computed | None = None) -> tuple[Proof, ...]:
     """
     functions, at = of or Computed(), at_order(order)
 
-    def sums() -> Iterator[Check]:
-        found = [getattr(functions, f"{letter}_binomial")(order) for letter in "pqcd"]
-        yield from at.same("pqcd", found, at.polynomials)
+    def sums(letter: str) -> Stated:
+        return lambda: (getattr(functions, f"{letter}_binomial")(order),)
 
-    def pairs() -> Iterator[Check]:
+    def multiplied() -> Any:
         halves = [polynomials.pair(k, at.x) if k else (1, 0) for k in (order // 2, order - order // 2)]
-        yield from at.same("pq", functions.multiply(halves[0], halves[1], at.x), at.polynomials[:2])
-        yield from at.same("pq", functions.pair_by_squaring(order, at.x), at.polynomials[:2])
-        yield from at.same("cd", functions.brackets(order, at.x), at.polynomials[2:])
+        return functions.multiply(*halves, at.x)
 
-    def quaternion() -> Iterator[Check]:
-        ring = Ring(root=True)  # of s = sqrt(1 + x), an odd power of which is the root for odd n
-        square, root = ring.square("v"), ring.square_root() ** order
-        stated, pair = functions.quaternion(order, square), polynomials.pair(order, square)
-        for name, value, expected in zip(("scalar", "vector"), stated, pair, strict=True):
-            yield name, value * root - expected
+    def isotropic(name: str) -> Stated:
+        return lambda: getattr(functions, name)(order, at.x).coefficients
 
-    def isotropic(name: str) -> Callable[[], Iterator[Check]]:
-        return lambda: at.same(BASIS, getattr(functions, name)(order, at.x).coefficients, at.tensors[name])
-
-    parts = ("multiply", "pq"), ("pair_by_squaring", "pq"), ("brackets", "cd")
-    stated = [(letter, f"polynomials.{name}({order}).{letter}") for name, letters in parts for letter in letters]
-    forms = {"quaternion": quaternion} | {name: isotropic(name) for name in ("tensor", "tangent", "tangent_inv")}
+    pairs: Mapping[str, tuple[str, Callable[[], Any]]] = {
+        "multiply": ("pq", multiplied),
+        "pair_by_squaring": ("pq", lambda: functions.pair_by_squaring(order, at.x)),
+        "brackets": ("cd", lambda: functions.brackets(order, at.x)),
+    }
+    forms: dict[str, Stated] = {"quaternion": lambda: functions.quaternion(order, at.square)}
+    forms |= {name: isotropic(name) for name in ("tensor", "tangent", "tangent_inv")}
     return (
-        same_as_theorem(order, [(letter, f"polynomials.{letter}_binomial({order})") for letter in "pqcd"], sums),
-        same_as_theorem(order, stated, pairs),
-        *(same_as_theorem(order, [(n, f"closed_forms.{n}({order}, x)")], form) for n, form in forms.items()),
-        _singular_angles(order, at, functions),
+        same_as_theorem(at, {f"polynomials.{a}_binomial({order})": (LETTERS[a], sums(a)) for a in "pqcd"}),
+        same_as_theorem(
+            at,
+            {
+                f"polynomials.{name}({order}).{letter}": (LETTERS[letter], partial(_part, pair, place))
+                for name, (letters, pair) in pairs.items()
+                for place, letter in enumerate(letters)
+            },
+        ),
+        *(same_as_theorem(at, {f"closed_forms.{a}({order}, x)": (LETTERS[a], form)}) for a, form in forms.items()),
+        _singular_angles(at, functions),
     )
 
 
-def _singular_angles(order: int, at: AtOrder, functions: Computed) -> Proof:
-    """sin α/2 = 0 at all but the last, where α/2n is a right angle; tan α/2n are the poles; there are no others."""
-    angles, poles = (sympy.Symbol(f"polynomials.{name}({order})") for name in ("singular_angles", "poles"))
+def _part(pair: Callable[[], Any], place: int) -> tuple[Any]:
+    return (pair()[place],)
+
+
+def _singular_angles(at: AtOrder, functions: Computed) -> Proof:
+    """sin α/2 = 0 at all but the last, which is nπ; tan α/2n are the poles; there are no others."""
+    names = [f"polynomials.{name}({at.order})" for name in ("singular_angles", "poles")]
+    turns, last, poles = map(sympy.Symbol, (f"{names[0]}[:-1]", f"{names[0]}[-1]", names[1]))
     claim = (
-        Equation(sympy.sin(angles / 2), sympy.Integer(0)),
-        Equation(poles, sympy.tan(angles / (2 * order))),
+        Equation(sympy.sin(turns / 2), sympy.Integer(0)),
+        Equation(poles, sympy.tan(turns / (2 * at.order))),
+        Equation(last, at.order * sympy.pi),
     )
 
     def checks() -> Iterator[Check]:
-        *full_turns, last = functions.singular_angles(order)
-        found = functions.poles(order)
+        *full_turns, end = functions.singular_angles(at.order)
+        found = functions.poles(at.order)
         yield "the number of poles less that of angles", len(found) - len(full_turns)
-        for angle, pole in zip(full_turns, found, strict=False):
-            yield f"sin of half {angle}", sympy.sin(angle / 2)
-            yield f"pole at {angle}", pole - sympy.tan(angle / (2 * order))
-        yield f"cos of {last} by {2 * order}", sympy.cos(last / (2 * order))
-        q_n = at.polynomials[1].numer
-        yield "their number less the degree of q", len(set(full_turns)) - q_n.degree()
-        outside = [angle for angle in full_turns if not 0 < angle / sympy.pi < order]
+        places = [{turns: angle, poles: pole} for angle, pole in zip(full_turns, found, strict=False)]
+        for equation, values in (*product(claim[:2], places), (claim[2], {last: end})):
+            yield f"{equation.text} at {values}", (equation.left - equation.right).xreplace(values)
+        yield "their number less the degree of q", len(set(full_turns)) - at.values[q][0].numer.degree()
+        outside = [angle for angle in full_turns if not 0 < angle / sympy.pi < at.order]
         yield "how many are not between 0 and nπ", len(outside)
 
-    return decide(Claim(f"{angles}, {poles}", claim, METHOD), checks, f"n = {order}")
+    return decide(Claim(", ".join(names), claim, METHOD), checks, f"n = {at.order}")

@@ -1,8 +1,9 @@
 """Controls: every theorem once more with one thing wrong, which must make that theorem fail.
 
-One for each equation of a claim and each of its integers, one for each premise, one for each multiplier; at one order,
-one for each formula, each definition and each multiplier of the componentwise road. A control that is proved all the
-same shows a check that cannot fail, a premise that is not used, or a theorem that says too little.
+One for each equation of a claim and each of its integers, one for each premise, one for each letter that is free, one
+for each multiplier; at one order, one for each formula, each claim, each premise and each definition of the
+componentwise road. A control that is proved all the same shows a check that cannot fail, a premise that is not used, or
+a theorem that says too little.
 """
 
 from __future__ import annotations
@@ -22,6 +23,7 @@ from .components import STATEMENTS, Components, hamilton
 from .computations import Computed, computations
 from .identity import NO_VALUE, Proof
 from .scalars import BENDS, SLOPES, VALUES, ScalarProofs
+from .statement import Premise
 from .theorem import Theorem
 
 
@@ -64,6 +66,8 @@ def controls(claimed: Iterable[Theorem], known: Mapping[str, Proof]) -> Iterator
     for theorem in claimed:
         yield from _of_claim(theorem, known)
         yield from _of_premises(theorem, known)
+        for hypothesis, method in theorem.method.weaker():
+            yield Control(theorem.name, hypothesis, replace(theorem, method=method).decide(known))
         for multiplier in known[theorem.name].multipliers:
             zeroed = theorem.decide(known, multiplier.expression)
             yield Control(theorem.name, f"multiplier 0 in place of {multiplier.text}", zeroed)
@@ -160,6 +164,11 @@ def controls_at(cayley: CayleyFormulas) -> Iterator[Control]:
     words = [(name, tuple(e.altered() for e in claim), premises) for name, claim, premises in STATEMENTS]
     for proof in Components(cayley).proofs(words):
         yield Control(proof.name, f"claim {proof.statement}", proof)
+    for place in range(max(len(premises) for _, _, premises in STATEMENTS)):
+        words = [(name, claim, _with_altered(place, premises)) for name, claim, premises in STATEMENTS]
+        for proof in Components(cayley).proofs(words):
+            if place < len(proof.premises):
+                yield Control(proof.name, f"premise {proof.premises[place]}", proof)
     for altered, places in _DEFINITIONS.items():
         decided = tuple(altered(cayley).proofs())
         yield from (Control(decided[place].name, str(altered.__doc__), decided[place]) for place in places)
@@ -178,6 +187,10 @@ def controls_of(chart: Chart) -> Iterator[Control]:
             yield Control(decided[place].name, f"{name} + x", decided[place])
     *_, failing = ScalarProofs(_Wrong(chart, "phi", chart.phi.xreplace({alpha: 2 * alpha}))).proofs()
     yield Control(failing.name, "phi of twice the angle", failing)
+
+
+def _with_altered(place: int, premises: tuple[Premise, ...]) -> tuple[Premise, ...]:
+    return tuple(premise.altered() if k == place else premise for k, premise in enumerate(premises))
 
 
 def _altered(cayley: CayleyFormulas, name: str) -> Iterator[tuple[str, CayleyFormulas]]:

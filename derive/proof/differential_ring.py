@@ -59,9 +59,12 @@ class DifferentialRing:
         self.polynomials, *symbols = ring(generators, sympy.QQ)
         self.letters = dict(zip(generators, symbols, strict=True))
         self.free = frozenset(free)
+        if n in self.free:
+            raise ValueError("n is an order: no letter that may be 0")
         self.zeroed = zeroed
         self.origin: dict[PolyElement, PolyElement] = {}
         self.relations: list[PolyElement] = []
+        self.cleared: list[tuple[int, ...]] = []
         self.units: list[_Unit] = []
         self._bases: dict[PolyElement, PolyElement] = {}
 
@@ -74,8 +77,9 @@ class DifferentialRing:
         return Quotient(self, self.polynomials.ground_new(_rational(value)), ())
 
     def relate(self, difference: Quotient) -> None:
-        """Let this polynomial be 0."""
+        """Let this be 0; a quotient is multiplied by its units for that."""
         self.relations.append(difference.numerator)
+        self.cleared.append(difference.powers)
 
     def grows(self, letter: sympy.Symbol, base: Quotient) -> None:
         """Let the letter be a power of this base, with an exponent that varies."""

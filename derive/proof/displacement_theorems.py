@@ -143,7 +143,7 @@ FIRST_ORDER = Theorem(
         Equation((1 + b_2) * (1 + b_1), (1 - dot(b_1, b_2)) * (1 + b)),
     ),
     (definition(b, first_order(b_2, b_1)),),
-    Identity(Letters((), (b_1, b_2), (b_1, b_2))),
+    Identity(Letters((), (b_1, b_2), (b_1,))),
     "n = 1",
 )
 _DOT, _CROSS = dot(sigma_2, sigma_1), cross(sigma_2, sigma_1)
@@ -158,7 +158,7 @@ SECOND_ORDER = Theorem(
         ),
     ),
     (definition(sigma, second_order(sigma_2, sigma_1)),),
-    Identity(Letters((), (sigma_1, sigma_2), (sigma_1, sigma_2))),
+    Identity(Letters((), (sigma_1, sigma_2), (sigma_1,))),
     "n = 2",
 )
 COMPOSITION_AT = {1: FIRST_ORDER, 2: SECOND_ORDER}
@@ -181,7 +181,7 @@ def displacement_theorems(formulas: Formulas) -> tuple[Theorem, ...]:
             ANGLES.premise(0, *on_axis), ANGLES.premise(1, *on_axis), *DOUBLE_ANGLE.given(), pythagoras(alpha / 2),
             definition(Shifted(PART[1], alpha, 0), 1, wrong=sympy.Integer(0)),
         ),
-        Identity(Letters((*HALF, *PART), (u,), (HALF[0], PART[0]))),
+        Identity(Letters((*HALF, *PART), (u,), (PART[0],))),
     )  # fmt: skip
     return (
         DOUBLE_ANGLE, EXPONENTIAL, QUATERNION_EXPONENTIAL, screw, _pose(formulas), _line(tensor), TURNED,
@@ -237,9 +237,10 @@ def _shadow(formulas: Formulas, sign: int) -> Theorem:
             formulas.defined(R, "tensor", (n, r**2, p, q), r * u),
             formulas.defined(R_k, "tensor", (n, r_k**2, p_k, q_k), r_k * u),
             *TURNED.given(),
+            MOEBIUS,
             definition(sympy.cos(n * beta), sign, wrong=sympy.Integer(0)),
             definition(sympy.sin(n * beta), 0),
             ORIGIN_P,
         ),
-        Identity(Letters((p, q, sine, cosine, r, r_k), (u,), (r, r_k, sine, cosine))),
+        Identity(Letters((p, q, sine, cosine, r), (u,), (r, sine, cosine))),
     )

@@ -61,13 +61,13 @@ class Evaluation(ABC):
     def number(self, value: Fraction) -> Any:
         """A rational number."""
 
-    @abstractmethod
     def differentiated(self, mark: Any, value: Any) -> Any:
         """The derivative of a value that `rate` or `prime` stands for."""
+        raise NoValueError("nothing says how anything varies")
 
-    @abstractmethod
     def power(self, base: sympy.Expr, exponent: sympy.Expr) -> Any:
         """A power whose exponent is no integer."""
+        raise NoValueError(f"nothing says what {marks.text(base**exponent)} is")
 
     def value(self, expression: sympy.Expr) -> Any:
         """The value of an expression: a number, or a vector, quaternion or tensor of numbers."""

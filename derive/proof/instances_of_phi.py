@@ -57,8 +57,9 @@ def _at_origin(chart: Chart) -> Proof:
     claim = (Equation(Shifted(phi, alpha, zero), zero), Equation(Shifted(phi, alpha, -alpha), -phi))
 
     def checks() -> Iterator[Check]:
-        yield "phi at 0", chart.phi.subs(alpha, 0)
-        yield "phi odd", sympy.expand(chart.phi.subs(alpha, -alpha) + chart.phi)
+        for equation in claim:
+            there = chart.phi.subs(alpha, equation.left.args[2])
+            yield equation.text, sympy.expand(there - equation.right.xreplace({phi: chart.phi}))
         slope = chart.phi.diff(alpha).subs(alpha, 0)
         yield "phi' at 0 is a number other than 0", 0 if slope.is_finite and slope.is_nonzero else 1
 

@@ -57,7 +57,7 @@ ANGLE = Theorem(
         *map(_of_length, circular(alpha / 2)),
         definition(rate(r), 1),
     ),
-    Determined(Letters(LETTERS, free=(r,)), Equation(r, sympy.Integer(0))),
+    Determined(Letters(LETTERS), Equation(r, sympy.Integer(0))),
     SCOPE,
 )
 

@@ -22,6 +22,12 @@ X, r, alpha, theta, beta, gamma, i, epsilon = sympy.symbols("X r alpha theta bet
 p, q, p_m, q_m, p_k, q_k, c, d = sympy.symbols("p_n q_n p_m q_m p_k q_k c_n d_n")
 p_sum, q_sum, p_double, q_double = sympy.symbols("p_{m+n} q_{m+n} p_{2n} q_{2n}")
 
+TERMS = {
+    p: ("p", n), q: ("q", n), c: ("c", n), d: ("d", n), p_m: ("p", m), q_m: ("q", m), p_sum: ("p", m + n),
+    q_sum: ("q", m + n), p_double: ("p", 2 * n), q_double: ("q", 2 * n),
+}  # fmt: skip
+"""Letters for terms of sequences: which sequence, and the index."""
+
 
 def structure(name: str) -> sympy.Symbol:
     """A letter for a vector, tensor or quaternion."""

@@ -12,6 +12,7 @@ so that f, g and h of T = f I + g skew(v) + h v⊗v are these. Along v it is ``(
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from fractions import Fraction
 from functools import cached_property
 from types import SimpleNamespace
 from typing import Any
@@ -25,6 +26,7 @@ from ..maps.elementary import evaluate
 from ..maps.families import alpha
 from ..maps.polynomials import x
 from .element import Element
+from .evaluation import Evaluation
 from .exact import Ring
 from .identity import Check, Claim, Proof, decide
 from .marks import Shifted, prime
@@ -69,6 +71,13 @@ SECOND_DERIVATIVES = tuple(
     Equation(of, 2 * prime(slope)) for of, slope in zip((fyy, gyy, hyy, fiyy, hiyy), (fy, gy, hy, fiy, hiy))
 )
 ANGLE = (Equation((f + x * h) * slope, sympy.Integer(1)), Equation(Shifted(s, x, sympy.Integer(0)), sympy.Integer(1)))
+
+
+class _AtAngle(Evaluation):
+    """Values at an angle, rational functions of a tangent."""
+
+    def number(self, value: Fraction) -> Fraction:
+        return value
 
 
 def is_algebraic(chart: Chart) -> bool:
@@ -162,12 +171,13 @@ class ScalarProofs:
             yield equation.text, self.ring.lift(equation.left, values) - self.ring.lift(equation.right, values)
 
     def _angle(self) -> Iterator[Check]:
-        """``(f + x h) φ′ − 1`` at ``x = φ²``, and s − 1 at x = 0."""
+        """Both sides at ``x = φ²``, what is said at x = 0 there."""
         angle = RationalFunctions((), {alpha.name: _steps(self.chart.phi)}).symbol(alpha.name)
         phi, rate = (evaluate(e, alpha, angle, TRIGONOMETRY) for e in (self.chart.phi, self.chart.phi.diff(alpha)))
-        along, start = (equation.text for equation in ANGLE)
-        yield along, self._at(self.values[f] + self.values[x] * self.values[h], phi * phi) * rate - 1
-        yield start, self._at(self.values[s], phi * 0) - 1
+        values = {letter: self._at(self.values[letter], phi * phi) for letter in (f, h, x)}
+        at = _AtAngle(values | {slope: rate, Shifted(s, x, sympy.Integer(0)): self._at(self.values[s], phi * 0)})
+        for equation in ANGLE:
+            yield equation.text, at.value(equation.left) - at.value(equation.right)
 
     def _at(self, element: Element, square: Ratio) -> Ratio:
         """A function of x at this x, in lowest terms first."""

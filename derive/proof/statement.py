@@ -34,6 +34,11 @@ class Equation:
     wrong: sympy.Expr | None = field(default=None, compare=False)
 
     @cached_property
+    def letters(self) -> frozenset[sympy.Symbol]:
+        """The letters on both sides."""
+        return frozenset(self.left.free_symbols | self.right.free_symbols)
+
+    @cached_property
     def text(self) -> str:
         """As plain text."""
         return f"{text(self.left)} = {text(self.right)}"

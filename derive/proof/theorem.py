@@ -7,10 +7,10 @@ start and obeys the same law; which of the two it is, the premises say.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
-from typing import Any, Protocol
+from typing import Any, Protocol, TypeVar
 
 import sympy
 
@@ -31,10 +31,31 @@ class Method(Protocol):
     def title(self) -> str:
         """How it is done, in words."""
 
-    def checks(
-        self, claim: Sequence[Equation], premises: Sequence[Premise], zeroed: sympy.Expr | None
-    ) -> Iterator[Check | Multiplier]:
+    def weaker(self) -> Iterator[tuple[str, Method]]:
+        """The method with one hypothesis less, for controls, and which."""
+
+    def checks(self, task: Task) -> Iterator[Check | Multiplier]:
         """Residues and multipliers."""
+
+
+@dataclass(frozen=True)
+class Task:
+    """What a method is to decide.
+
+    Attributes
+    ----------
+    claim : tuple of Equation
+    premises : tuple of Premise
+    supposed : tuple of Equation
+        What letters stand for in the theorems that premises are taken from, which has to hold here, too.
+    zeroed : Expr, optional
+        A multiplier to be taken as 0, for controls.
+    """
+
+    claim: tuple[Equation, ...]
+    premises: tuple[Premise, ...]
+    supposed: tuple[Equation, ...] = ()
+    zeroed: sympy.Expr | None = None
 
 
 @dataclass(frozen=True)
@@ -70,10 +91,25 @@ class Theorem:
         def checks() -> Iterator[Check | Multiplier]:
             for premise in self.premises:
                 if premise.theorem:
-                    yield f"premise by {premise.theorem}", 0 if _is_proved(premise, known) else 1
-            yield from self.method.checks(self.claim, self.premises, zeroed)
+                    yield f"premise by {premise.theorem}", 0 if _is_proved(premise, known, self.scope) else 1
+            yield from self.method.checks(Task(self.claim, self.premises, self._supposed(known), zeroed))
 
         return decide(Claim(self.name, self.claim, self.method.title, self.premises), checks, self.scope)
+
+    def _supposed(self, known: Mapping[str, Proof]) -> tuple[Equation, ...]:
+        """What the theorems that premises name have letters stand for, where these stand for something here too."""
+        own = [premise.equation for premise in self.premises if not premise.theorem]
+        stand = {side for e in own for side in (e.left, e.right) if side.is_Symbol}
+        here = set().union(*(e.letters for e in (*self.claim, *(premise.equation for premise in self.premises))))
+        there = (
+            other.equation.replaced(dict(premise.instance))
+            for premise in self.premises
+            if premise.theorem in known
+            for other in known[premise.theorem].premises
+            if not other.theorem
+        )
+        supposed = {e.text: e for e in there if e.left in stand and e.letters <= here}
+        return tuple(e for said, e in supposed.items() if said not in {e.text for e in own})
 
     def premise(self, place: int, *instance: tuple[sympy.Expr, sympy.Expr]) -> Premise:
         """An equation of the claim, as a premise of another theorem; with other letters, if given."""
@@ -93,13 +129,23 @@ class Theorem:
         return replace(self, premises=(*self.premises[:place], premise, *self.premises[place + 1 :]))
 
 
-def _is_proved(premise: Premise, known: Mapping[str, Proof]) -> bool:
-    """Whether the theorem that the premise names is proved and says it, or whether it is altered for a control."""
-    proof = known.get(premise.theorem)
-    if proof is None or not proof.proved:
+def _is_proved(premise: Premise, known: Mapping[str, Proof], scope: str) -> bool:
+    """Whether the theorem that the premise names is proved, for these orders at least, and says it."""
+    proof, changes = known.get(premise.theorem), dict(premise.instance)
+    if proof is None or not proof.proved or proof.scope not in (ALL_ORDERS, scope):
         return False
-    said = (equation.replaced(dict(premise.instance)) for equation in proof.claim)
+    said = (equation.replaced(changes) for equation in proof.claim if _keeps_terms(equation, changes))
     return any((e.left, e.right) == (premise.equation.left, premise.equation.right) for e in said)
+
+
+def _keeps_terms(equation: Equation, changes: Mapping[sympy.Expr, sympy.Expr]) -> bool:
+    """Whether terms of sequences in an equation become terms of the same ones, with the index as it is then."""
+    for letter in equation.letters & marks.TERMS.keys():
+        sequence, index = marks.TERMS[letter]
+        there = marks.TERMS.get(changes.get(letter, letter))
+        if marks.x in changes or there != (sequence, index.xreplace(changes)):
+            return False
+    return True
 
 
 @dataclass(frozen=True)
@@ -113,13 +159,16 @@ class Identity:
     def title(self) -> str:
         return f"identity, residues in Q[{_names(self.letters)}] localized, modulo the relations given"
 
-    def checks(
-        self, claim: Sequence[Equation], premises: Sequence[Premise], zeroed: sympy.Expr | None
-    ) -> Iterator[Check | Multiplier]:
-        setting = Setting(self.letters, premises, claim, zeroed)
+    def weaker(self) -> Iterator[tuple[str, Identity]]:
+        return _less_free(self)
+
+    def checks(self, task: Task) -> Iterator[Check | Multiplier]:
+        setting = Setting(self.letters, task.premises, (*task.claim, *task.supposed), task.zeroed)
         yield from _compatible(setting)
-        for equation in claim:
+        for equation in task.claim:
             yield from differences(setting, equation.text, equation)
+        for equation in task.supposed:
+            yield from differences(setting, f"supposed, {equation.text}", equation)
 
 
 @dataclass(frozen=True)
@@ -147,17 +196,21 @@ class Determined:
         way = "induction on" if self.by_steps else "initial value and differential equation in"
         return f"{way} {self.start.left}, residues in Q[{_names(self.letters)}] localized"
 
-    def checks(
-        self, claim: Sequence[Equation], premises: Sequence[Premise], zeroed: sympy.Expr | None
-    ) -> Iterator[Check | Multiplier]:
+    def weaker(self) -> Iterator[tuple[str, Determined]]:
+        return _less_free(self)
+
+    def checks(self, task: Task) -> Iterator[Check | Multiplier]:
+        claim, premises = task.claim, task.premises
         index, first = self.start.left, self.start.right
         starts = dict(_laws(premises, index, first))
         steps = dict(_laws(premises, index, index + 1))
         others = [p for p in premises if not _is_law(p.equation, index, (first, index + 1))]
         unknown = {equation.left: equation.right for equation in claim}
         terms = [Equation(right, right) for right in unknown.values()]
-        ring = Setting(self.letters, [p for p in others if _rated(p) not in unknown], terms, zeroed)
+        ring = Setting(self.letters, [p for p in others if _rated(p) not in unknown], terms, task.zeroed)
         yield from _compatible(ring)
+        for equation in task.supposed:
+            yield from differences(ring, f"supposed, {equation.text}", equation)
         at_start = {index: first} | {term: value for term, value in starts.items() if term not in unknown}
         for left, right in unknown.items():
             begun = Equation(right.xreplace(at_start), starts[left])
@@ -179,9 +232,12 @@ def differences(setting: Setting, label: str, equation: Equation) -> Iterator[Ch
 
 
 def _compatible(setting: Setting) -> Iterator[Check | Multiplier]:
-    """The relations leave no zero divisors, and the derivation keeps them."""
-    for relation in setting.ring.relations:
+    """The relations leave no zero divisors, nothing uncertified was multiplied by to have them, and the derivation
+    keeps them."""
+    ring = setting.ring
+    for relation, powers in zip(ring.relations, ring.cleared, strict=True):
         yield f"the relation {relation} is irreducible", _factors(relation) - 1
+        yield from ring.multiplier(powers)
     for difference in setting.relation_rates():
         yield "the rate of a relation", difference.residue
         yield from setting.ring.multiplier(difference.powers)
@@ -213,4 +269,15 @@ def _laws(
 
 
 def _names(letters: Letters) -> str:
-    return ", ".join(str(letter) for letter in (*letters.scalars, *letters.vectors))
+    names = ", ".join(str(letter) for letter in (*letters.scalars, *letters.vectors))
+    return f"{names}; {', '.join(map(str, letters.free))} free" if letters.free else names
+
+
+_InLetters = TypeVar("_InLetters", Identity, Determined)
+
+
+def _less_free(method: _InLetters) -> Iterator[tuple[str, _InLetters]]:
+    """A method that knows of one letter less that it varies independently."""
+    for letter in method.letters.free:
+        rest = tuple(other for other in method.letters.free if other != letter)
+        yield f"{letter} that depends on others", replace(method, letters=replace(method.letters, free=rest))

@@ -117,6 +117,7 @@ def test_symbolic_and_numeric_forms_are_one(n: int, draw_exact) -> None:
             assert values == getattr(closed_forms, name)(n, square)
             for value, expression in zip(values.coefficients, formula.coefficients, strict=True):
                 at = {x: sympy.Rational(square.re)}
+                assert isinstance(real_part(value), Fraction)  # which a float would be equal to
                 assert real_part(value) == Fraction(str(expression.subs(at)))
                 assert dual_part(value) == square.du * Fraction(str(expression.diff(x).subs(at)))
 

@@ -15,9 +15,12 @@ from derive.papers import PAPERS
 from derive.papers.equation import Equation as Entry
 from derive.papers.language.terms import Apply, Letter, Number, Term, walk
 from derive.proof import marks
+from derive.proof.any_phi import ANY_PHI
+from derive.proof.components import STATEMENTS
 from derive.proof.displacement_theorems import COMPOSITION_AT
 from derive.proof.every_order import stated
 from derive.proof.formulas import Formulas
+from derive.proof.limit_theorems import GROWING_ORDER
 from derive.proof.statement import Equation
 
 LETTERS = {
@@ -143,6 +146,19 @@ def _definitions(theorem: Any) -> Iterator[Equation]:
 def test_numbers_are_those_of_the_entries_that_say_the_same(equation: Equation) -> None:
     same = tuple(number for number in CHAINS if says(number, equation))
     assert same == tuple(sorted(equation.numbers))
+
+
+@cache
+def further() -> list[Equation]:
+    """Every equation with numbers of what is said of one order, of every φ and as n grows."""
+    found = [e for _, claim, premises in STATEMENTS for e in (*claim, *(premise.equation for premise in premises))]
+    found += [e for t in (*ANY_PHI, *GROWING_ORDER) for e in (*t.claim, *_definitions(t))]
+    return [equation for equation in found if equation.numbers]
+
+
+@pytest.mark.parametrize("equation", further(), ids=str)
+def test_numbers_of_further_statements_are_of_entries_that_say_the_same(equation: Equation) -> None:
+    assert all(says(number, equation) for number in equation.numbers)
 
 
 def test_most_numbers_are_cited() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import pytest
 import sympy
@@ -12,6 +13,7 @@ from derive.maps.families import alpha
 from derive.proof import ProofFailed, prove
 from derive.proof.any_phi import ANY_PHI, any_phi
 from derive.proof.controls import controls
+from derive.proof.instances_of_phi import _at_origin
 
 
 def test_they_are_proved():
@@ -33,6 +35,18 @@ def test_a_wrong_coefficient_is_no_instance():
     chart.__dict__["tangent"] = replace(right, coefficients=(*right.coefficients[:2], 2 * right.coefficients[2]))
     with pytest.raises(ProofFailed, match=r"tangent\[2\]"):
         prove(chart)
+
+
+HALF_ODD = sympy.sin(alpha / 4) + sympy.sin(alpha / 4) ** 2
+
+
+@pytest.mark.parametrize(
+    ("phi", "failing"), [(HALF_ODD, "[phi](alpha -> -alpha) = -phi"), (alpha + 1, "[phi](alpha -> 0) = 0")]
+)
+def test_where_phi_starts_is_what_is_decided(phi: sympy.Expr, failing: str):
+    proof = _at_origin(SimpleNamespace(phi=phi, name="mistaken"))
+    assert failing in [residue.label for residue in proof.failures]
+    assert failing in proof.statement
 
 
 @pytest.mark.parametrize("phi", [sympy.sin(alpha / 4) + 1, sympy.sin(alpha / 4) ** 3, sympy.cos(alpha)])

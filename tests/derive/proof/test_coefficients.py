@@ -5,7 +5,7 @@ from math import comb
 import pytest
 import sympy
 
-from derive.proof.coefficients import BINOMIAL, NotDecidedError, Series, _written_out, residue
+from derive.proof.coefficients import BINOMIAL, NotDecidedError, Series, _written_out, _zero, residue
 from derive.proof.marks import j, n
 
 B = sympy.binomial
@@ -53,6 +53,13 @@ def _value(e: sympy.Expr, order: int, k: int) -> int:
 )
 def test_what_is_no_identity(wrong: sympy.Expr) -> None:
     assert not zero(wrong)
+
+
+@pytest.mark.parametrize("tails", [(), ((1, j * 0),), ((2, n - n),)])
+@pytest.mark.parametrize("power", [0, 1, 3])
+def test_every_coefficient_of_the_head_counts(power: int, tails: tuple[tuple[int, sympy.Expr], ...]) -> None:
+    found = dict(_zero("", Series({power: n}, tails), sympy.Integer(1)))
+    assert [label for label, value in found.items() if value != 0] == [f", coefficient of x^{power}"]
 
 
 def test_factorials_of_negative_numbers_are_refused() -> None:

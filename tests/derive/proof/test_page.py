@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import pytest
 
 from derive.proof import __main__ as command
 from derive.proof.controls import Control, controls
+from derive.proof.evaluation import NoValueError
 from derive.proof.every_order import decided
-from derive.proof.identity import Proof
+from derive.proof.identity import Check, Claim, Proof, decide
 from derive.proof.page import counts, page
 from derive.proof.theorem import Theorem
 
@@ -38,6 +39,24 @@ def test_a_page_that_says_otherwise_is_stale(tmp_path: Path, capsys: pytest.Capt
     assert command._deliver(TEXT, place, check=True) == 0
     assert command._deliver(TEXT.replace("(57)", "(58)"), place, check=True) == 1
     assert f"accept with:  python -m derive.proof -o {place}" in capsys.readouterr().err
+
+
+def test_a_control_that_is_not_noticed_is_an_error(
+    claimed: tuple[Proof, ...], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(command, "decided", lambda _: claimed[:1])
+    monkeypatch.setattr(command, "ORDERS", ())
+    monkeypatch.setattr(command, "controls", lambda *_: [Control("t", "nothing altered", claimed[0])])
+    assert command.main([]) == 1
+    assert capsys.readouterr().err == "t: nothing altered\n"
+
+
+def test_what_has_no_value_is_no_control() -> None:
+    def checks() -> Iterator[Check]:
+        raise NoValueError("nothing says what it is")
+        yield
+
+    assert not Control("t", "a", decide(Claim("t", (), ""), checks)).noticed
 
 
 SAMPLE = 4

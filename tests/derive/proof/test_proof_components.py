@@ -1,17 +1,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from typing import Any
 
 import pytest
 import sympy
 
-from derive.maps import Cayley
-from derive.proof.at_order import instances
-from derive.proof.components import Components
+from derive.maps import Cayley, polynomials
+from derive.proof import marks
+from derive.proof.at_order import LETTERS, instances
+from derive.proof.components import ROTATED, STATEMENTS, Components
 from derive.proof.computations import Computed, computations
 from derive.proof.controls import controls_at, controls_of
 from derive.proof.identity import Multiplier
+from derive.proof.statement import Equation
 
 
 @pytest.mark.parametrize("backend", ["flint", "sympy"])
@@ -89,6 +92,43 @@ def test_words_are_evaluated() -> None:
     for proof in Components(Cayley(4)).proofs():
         labels = [residue.label for residue in proof.residues if " at v = " in residue.label]
         assert any(label.startswith(equation.text) for equation in proof.claim for label in labels)
+
+
+@pytest.mark.parametrize(("letter", "other"), [("p", marks.q), ("c", marks.d), ("tangent", marks.R)])
+def test_letters_are_what_is_decided(letter: str, other: sympy.Expr, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(LETTERS, letter, other)  # "Cayley(3).p is q at n = 3"
+    failed = [proof for proof in (*instances(Cayley(3)), *computations(3)) if not proof.proved]
+    assert failed
+    assert all(any(equation.right.args[0] == other for equation in proof.claim) for proof in failed)
+
+
+def test_premises_are_evaluated() -> None:
+    wrong = replace(ROTATED, equation=Equation(marks.R * marks.point, marks.q_hat * marks.point * marks.q_hat))
+    words = [(name, claim, tuple(wrong if p == ROTATED else p for p in given)) for name, claim, given in STATEMENTS]
+    decided = list(Components(Cayley(3)).proofs(words))
+    assert [proof.proved for proof in decided] == [wrong not in proof.premises for proof in decided]
+    assert not all(proof.proved for proof in decided)
+
+
+def test_the_sign_of_a_quaternion_is_decided(stated: Callable[[int], Any]) -> None:
+    s, t = stated(3).quaternion.coefficients
+    failed = [proof.name for proof in instances(stated(3).with_map("quaternion", (-s, -t))) if not proof.proved]
+    assert failed == ["Cayley(3).quaternion"]
+
+
+@pytest.mark.parametrize(
+    ("angles", "label"),
+    [
+        (lambda n: (*polynomials.singular_angles(n)[:-1], 3 * n * sympy.pi), "[-1] = 3*pi"),
+        (lambda n: (sympy.pi, *polynomials.singular_angles(n)[1:]), "sin("),
+        (lambda n: (n * sympy.pi,), "the number of poles"),
+        (lambda n: (8 * sympy.pi, *polynomials.singular_angles(n)[1:]), "how many are not between"),
+    ],
+)
+def test_wrong_singular_angles_are_noticed(angles: Callable[[int], Any], label: str) -> None:
+    *_, proof = computations(3, replace(Computed(), singular_angles=angles))
+    assert not proof.proved
+    assert any(label in residue.label for residue in proof.failures)
 
 
 def test_every_computation_is_stated() -> None:

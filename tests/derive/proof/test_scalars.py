@@ -6,7 +6,7 @@ import pytest
 import sympy
 
 from derive.maps import Cayley, x
-from derive.proof import root_of
+from derive.proof import root_of, scalars
 from derive.proof.controls import controls_of
 from derive.proof.scalars import ScalarProofs
 
@@ -23,6 +23,14 @@ def test_scalars_of_cayley_maps_are_proved(n: int, backend: str) -> None:
 
 def test_every_control_is_noticed_where_the_chain_computes() -> None:
     assert [str(control) for control in controls_of(Cayley(11)) if not control.noticed] == []
+
+
+@pytest.mark.parametrize("place", [0, 1])
+def test_words_about_the_angle_are_what_is_decided(place: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    altered = tuple(e.altered() if k == place else e for k, e in enumerate(scalars.ANGLE))
+    monkeypatch.setattr(scalars, "ANGLE", altered)
+    *_, proof = ScalarProofs(Cayley(3)).proofs()
+    assert [residue.label for residue in proof.failures] == [altered[place].text]
 
 
 def test_the_root_of_formulas() -> None:

@@ -1,0 +1,163 @@
+"""What a theorem takes as given has to hold where it is used: for its orders, at its letters, with its relations."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+import sympy
+
+from derive.proof import theorems
+from derive.proof.any_phi import ANY_PHI
+from derive.proof.controls import controls
+from derive.proof.every_order import stated
+from derive.proof.formulas import Formulas
+from derive.proof.identity import Proof
+from derive.proof.limit_theorems import GROWING_ORDER
+from derive.proof.marks import Shifted, m, n, p, p_double, p_m, p_sum, q, q_double, q_m, q_sum, x
+from derive.proof.polynomial_theorems import (
+    ADDITION,
+    ANGLES,
+    BINOMIAL,
+    BRACKET_SUMS,
+    COSINE,
+    NORM,
+    RECURRENCE,
+    RISE,
+    SINE,
+    SUMS,
+    TURN,
+    TWICE,
+)
+from derive.proof.setting import Letters, Setting
+from derive.proof.statement import Equation, Premise, definition
+from derive.proof.theorem import Identity, Theorem
+
+ORIGIN = (definition(Shifted(p, x, 0), 1), definition(Shifted(q, x, 0), n))
+ONE = sympy.Integer(1)
+
+
+def known() -> dict[str, Proof]:
+    return {proof.name: proof for proof in theorems()}
+
+
+def test_a_theorem_at_one_order_is_no_premise_for_others() -> None:
+    at_one = (definition(p, 1), definition(q, 1))
+    special = Theorem("special", (Equation(p, q),), at_one, Identity(Letters(())), "n = 1")
+    proved = {"special": special.decide({})}
+    general = Theorem("general", (Equation(p, q),), (special.premise(0),), Identity(Letters((q,))))
+    assert proved["special"].proved
+    assert not general.decide(proved).proved
+    assert replace(general, scope="n = 1").decide(proved).proved
+
+
+TERMS = {p: n, q: n, p_m: m, q_m: m, p_sum: m + n, q_sum: m + n, p_double: 2 * n, q_double: 2 * n}
+INSTANCES = [
+    premise
+    for theorem in (*stated(Formulas()), *ANY_PHI, *GROWING_ORDER)
+    for premise in theorem.premises
+    if premise.instance
+]
+
+
+@pytest.mark.parametrize("premise", INSTANCES, ids=str)
+def test_terms_are_replaced_by_those_of_the_same_index(premise: Premise) -> None:
+    changes = dict(premise.instance)
+    index = {letter: at for letter, at in changes.items() if letter in (m, n)}
+    for letter in changes.keys() & TERMS.keys():
+        assert TERMS[changes[letter]] == TERMS[letter].xreplace(index)
+
+
+@pytest.mark.parametrize(
+    "instance",
+    [
+        ((m, 2 * n), *TWICE[1:]),
+        (*TWICE[1:],),
+        (TWICE[0], (p_m, q), *TWICE[2:]),
+        (*TWICE[:3], (p_sum, q_double), (q_sum, p_double)),
+        (*TWICE, (x, x**2)),
+        ((n, n + 1),),
+    ],
+    ids=str,
+)
+def test_an_instance_with_terms_of_another_index_is_no_premise(
+    instance: tuple[tuple[sympy.Expr, sympy.Expr], ...],
+) -> None:
+    premises = tuple(ADDITION.premise(place, *instance) for place in (0, 1))
+    claim = (premises[0].equation,)
+    letters = Identity(Letters((p_double, q_double, p_m, q_m, p_sum, q_sum, p, q, x)))
+    proof = Theorem("wrong", claim, premises, letters).decide(known())
+    assert [residue.label for residue in proof.failures] == 2 * ["premise by addition"]
+
+
+def test_what_a_letter_stands_for_in_a_theorem_it_stands_for_where_that_is_used() -> None:
+    letters = Identity(Letters((COSINE, SINE, TURN, RISE), free=(TURN, RISE)))
+    right = Theorem("angles", ANGLES.claim, (definition(x, RISE**2 / TURN**2), *ANGLES.given()), letters)
+    assert right.decide(known()).proved
+    other = right.with_premise(0, definition(x, 5))
+    assert [residue.label.split(",")[0] for residue in other.decide(known()).failures] == ["supposed"]
+
+
+def test_sums_need_a_start_and_a_step() -> None:
+    for missing in range(4):
+        fewer = tuple(premise for place, premise in enumerate(RECURRENCE) if place != missing)
+        proof = replace(SUMS, premises=(*fewer, BINOMIAL)).decide({})
+        assert [residue.label for residue in proof.failures] == [f"what determines {'pq'[missing // 2]}_n"]
+    seven = tuple(Equation(e.left, sympy.Sum(7 * e.right.function, *e.right.limits)) for e in SUMS.claim)
+    assert not replace(SUMS, claim=seven, premises=(RECURRENCE[1], RECURRENCE[3], BINOMIAL)).decide({}).proved
+
+
+def test_sums_need_an_equation_where_they_have_no_recurrence() -> None:
+    rest = tuple(premise for premise in BRACKET_SUMS.premises if premise.theorem != "brackets")
+    proof = replace(BRACKET_SUMS, premises=rest).decide(known())
+    assert [residue.label for residue in proof.failures] == ["what determines c_n", "what determines d_n"]
+
+
+def test_relations_are_multiplied_by_nothing_that_vanishes_at_an_order() -> None:
+    y = sympy.Symbol("y")
+    premises = (*ORIGIN, definition(y**2, 1 / (p - q)))  # p = q at n = 1
+    claim = (Equation((p - q) * y**2, ONE),)
+    proof = Theorem("t", claim, premises, Identity(Letters((y, p, q, x, n), (), (x,)))).decide({})
+    assert not proof.failures
+    assert [multiplier.nonzero for multiplier in proof.multipliers] == [False]
+    assert not proof.proved
+
+
+def test_relations_that_leave_zero_divisors_prove_nothing() -> None:
+    claim = (Equation((x**3 - 1) / (x - 1), x + 2),)
+    proof = Theorem("t", claim, (definition(x**2, 1),), Identity(Letters((x,), (), (x,)))).decide({})
+    assert any("is irreducible" in residue.label for residue in proof.failures)
+
+
+def test_what_nothing_is_known_of_is_not_certified() -> None:
+    at = Setting(Letters((p, q, x, n, TURN), (), (x,)), ORIGIN).ring
+    one = at.constant(1) / (at.generator(TURN) - at.generator(q))
+    assert [multiplier.nonzero for multiplier in at.multiplier(one.powers)] == [False]
+
+
+@pytest.mark.parametrize(("base", "certified"), [(p - q, False), (1 + x, True)], ids=str)
+def test_a_power_is_certified_as_its_base_is(base: sympy.Expr, certified: bool) -> None:
+    at = Setting(Letters((p, q, x, n), (), (x,)), ORIGIN, [Equation(base**n, ONE)])
+    one = 1 / at.value(base**n)
+    assert [multiplier.nonzero for multiplier in at.ring.multiplier(one.powers)] == [certified]
+
+
+def test_an_order_is_no_letter_that_may_be_0() -> None:
+    with pytest.raises(ValueError, match="n is an order"):
+        Setting(Letters((p, q, x, n), (), (x, n)), ORIGIN)
+
+
+def test_a_theorem_that_is_not_used_is_noticed_among_the_premises() -> None:
+    axis = next(theorem for theorem in stated(Formulas()) if theorem.name == "axis")
+    padded = replace(axis, premises=(*axis.premises, NORM.premise(0)))
+    unnoticed = [control for control in controls([padded], known()) if not control.noticed]
+    assert [control.proof.premises[-1].equation.left for control in unnoticed] == [(1 + x) ** n]
+
+
+def test_a_letter_that_need_not_be_free_is_noticed() -> None:
+    axis = next(theorem for theorem in stated(Formulas()) if theorem.name == "axis")
+    assert isinstance(axis.method, Identity)
+    letters = replace(axis.method.letters, scalars=(*axis.method.letters.scalars, TURN), free=(x, TURN))
+    wider = replace(axis, method=replace(axis.method, letters=letters))
+    unnoticed = [control.alteration for control in controls([wider], known()) if not control.noticed]
+    assert unnoticed == ["cos(theta) that depends on others"]
