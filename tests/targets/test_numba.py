@@ -88,6 +88,13 @@ def test_parallel_loops(compiled):
     assert_nearly_equal(components_last(first, 1), expected, eps=40)
 
 
+def test_parallel_loops_of_a_result_in_several_parts(compiled):
+    values = inputs(load(ORDER), "pose", ORDER, (200,))
+    expected, rows = load(ORDER).pose(*values), [components_first(a, 1) for a in values]
+    assert_nearly_equal(compiled(ORDER).pose(*values, parallel=True), expected, eps=40)
+    assert_nearly_equal(components_last(compiled(ORDER).pose(*rows, axis=0, parallel=True), 2), expected, eps=40)
+
+
 def test_out_is_written_and_may_overlap(compiled):
     module, v = compiled(ORDER), sampling.poses(ORDER, "shadow", count=4)
     expected = load(ORDER).principal(v)

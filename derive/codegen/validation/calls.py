@@ -93,6 +93,8 @@ class Caller:
         results = found if isinstance(found, tuple) else (found,)
         if len(results) != len(call.row.results):
             raise self.failure(call, how, f"{len(results)} results")
+        if self.library is NUMPY and "out" not in options and _share_memory(results, arrays):
+            raise self.failure(call, how, "a result lies in the memory of an argument")
         return tuple(map(np.asarray, results))
 
     def check(self, call: Call, given: Sequence[Array] | None = None, how: str = "", **options: Any) -> None:
@@ -139,6 +141,10 @@ class Caller:
     def failure(self, call: Call, how: str, what: str) -> ValidationFailed:
         name = self.module.__name__.rpartition(".")[2]
         return ValidationFailed(f"{name}.{call}{f', {how}' if how else ''}, in {self.library.name}: {what}")
+
+
+def _share_memory(results: Sequence[Array], arguments: Sequence[Array]) -> bool:
+    return any(np.may_share_memory(result, given) for result in results for given in arguments)
 
 
 def laid(array: Array, components: int, axis: int) -> Array:

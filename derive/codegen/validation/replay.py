@@ -156,6 +156,8 @@ def _every_function(caller: Caller, found: Sequence[Known], chart: Chart, few: i
                     caller.check(Call(known, several(known, count), dtype, axis))
             if known.row.keywords:
                 ways.keywords(caller, known, dtype, few)
+            if known.has_zeros:
+                ways.zeros(caller, known, dtype, few)
         first = Call(known, several(known, 1), caller.library.dtypes[0])
         for name in known.row.aliases if chart.cayley else ():
             caller.check(replace(first, name=name))

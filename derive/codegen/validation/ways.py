@@ -22,6 +22,8 @@ from .rounding import Array
 SCALAR_LAST = [1, 2, 3, 0, 5, 6, 7, 4]
 """The components of a dual quaternion in the order of ``scalar_first=False``."""
 
+SCALAR_BACK = [SCALAR_LAST.index(i) for i in range(len(SCALAR_LAST))]
+
 OFFSETS = ((0, 0), (0, 5), (3, 0))
 """Where an argument and a result begin in the memory they share."""
 
@@ -34,18 +36,19 @@ def kinds(found: Sequence[Known]) -> list[Known]:
     kinds: dict[tuple[Any, ...], Known] = {}
     for known in found:
         row = known.row
-        kind = (len(row.arguments), len(row.results), bool(row.constants), row.branch, row.real)
+        seen = len(row.arguments), len(row.results), bool(row.constants), row.branch, row.real, row.keywords
+        kind = (*seen, known.stands)
         if kind not in kinds or (any(known.branch) and not any(kinds[kind].branch)):
             kinds[kind] = known
     return list(kinds.values())
 
 
 def broadcasting(caller: Caller, known: Known, dtype: np.dtype[Any], few: int) -> None:
-    """Arguments whose batch axes are missing or of length 1, any two of them, up to a few poses and beyond."""
+    """Arguments whose batch axes are missing or of length 1, any two of them: few poses, blocks of rows and in rows."""
     length = -(-(few + 1) // 3)
-    for width, axis in itertools.product((2, length), (-1, 0)):
+    for width, axis in itertools.product((2, length, 2 * length + 1), (-1, 0)):
         whole = (3, width)
-        shapes = ((), (width,), (1, width), (3, 1), whole)
+        shapes = (whole, (width,)) if width > length else (whole, (width,), (1, width), (3, 1), ())
         for chosen in itertools.product(shapes, repeat=len(known.shape)):
             if sum(shape != whole for shape in chosen) > 2:
                 continue
@@ -101,8 +104,7 @@ def keywords(caller: Caller, known: Known, dtype: np.dtype[Any], few: int) -> No
         if SCALAR_FIRST in known.row.keywords:
             given = _ordered(call.arguments(), known.row.arguments, SCALAR_LAST, axis)
             found = caller.run(call, given, "scalar last", scalar_first=False)
-            back = [SCALAR_LAST.index(i) for i in range(len(SCALAR_LAST))]
-            caller.compare(call, _ordered(found, known.row.results, back, axis), "scalar last")
+            caller.compare(call, _ordered(found, known.row.results, SCALAR_BACK, axis), "scalar last")
 
 
 def _ordered(arrays: Sequence[Array], kinds: Sequence[Kind], order: Sequence[int], axis: int) -> list[Array]:
@@ -113,8 +115,16 @@ def _ordered(arrays: Sequence[Array], kinds: Sequence[Kind], order: Sequence[int
     ]
 
 
+def zeros(caller: Caller, known: Known, dtype: np.dtype[Any], few: int) -> None:
+    """Zeros of the other sign, which are the same numbers."""
+    for count in (few // 2, few + 1):
+        call = Call(known, several(known, count), dtype)
+        given = [np.where(array == 0, -np.zeros_like(array), array) for array in call.arguments()]
+        caller.check(call, given, "zeros with a sign")
+
+
 def out(caller: Caller, known: Known, dtype: np.dtype[Any], few: int) -> None:
-    """Results in arrays that are given: of other types and layouts, and over the memory of arguments."""
+    """Results in arrays that are given: of other types and layouts, over the memory of arguments, in another order."""
     (array,) = known.row.results
     other = np.dtype(np.float32 if dtype == np.float64 else np.float64)
     for count, axis in itertools.product((3, few + 1), (-1, 0)):
@@ -124,17 +134,22 @@ def out(caller: Caller, known: Known, dtype: np.dtype[Any], few: int) -> None:
         _into(caller, call, call.arguments(), _strided(np.full(shape, BEFORE, dtype)), "out with gaps")
         _into(caller, call, call.arguments(), np.full(shape, BEFORE, other), f"out of {other}")
         _into(caller, call, call.arguments(), _strided(np.full(shape, BEFORE, other)), f"out of {other} with gaps")
+        if SCALAR_FIRST in known.row.keywords:
+            place = np.full(shape, BEFORE, dtype)
+            given = _ordered(call.arguments(), known.row.arguments, SCALAR_LAST, axis)
+            _into(caller, call, given, place, "out, scalar last", scalar_first=False)
         for position, (start, behind) in itertools.product(range(len(known.shape)), OFFSETS):
             given = call.arguments()
             given[position], place = _together(given[position], shape, start, behind)
             _into(caller, call, given, place, f"out over argument {position + 1}")
 
 
-def _into(caller: Caller, call: Call, given: Sequence[Array], place: Array, how: str) -> None:
-    (found,) = caller.run(call, given, how, out=place)
+def _into(caller: Caller, call: Call, given: Sequence[Array], place: Array, how: str, **options: Any) -> None:
+    (found,) = results = caller.run(call, given, how, out=place, **options)
     if found is not place:
         raise caller.failure(call, how, "the array returned is another")
-    caller.compare(call, (found,), how, dtype=place.dtype)
+    ordered = _ordered(results, call.row.results, SCALAR_BACK, call.axis) if options else results
+    caller.compare(call, ordered, how, dtype=place.dtype)
 
 
 def _together(array: Array, shape: tuple[int, ...], start: int, behind: int) -> tuple[Array, Array]:

@@ -83,6 +83,26 @@ OTHERS = {
         KERNEL, r"range\(0, length, step\)",
         "range(0, length - step, step)",
     ),
+    "blocks of all rows but the first": (
+        KERNEL, r"in np\.ndindex\(batch\[: axis - 1\]\)",
+        "in list(np.ndindex(batch[: axis - 1]))[:1]",
+    ),
+    "a zero with a sign": (
+        "_selection.py", r"np\.copyto\(out, np\.equal\(a, b\)\)",
+        "np.copyto(out, np.equal(a, b) & (np.signbit(a) == np.signbit(b)))",
+    ),
+    "what is given in place of a result": (
+        BRANCHES, r"array\.copy\(\) if out is None",
+        "array if out is None",
+    ),
+    "another array than out where v stands": (
+        BRANCHES, r"else filled\(array, out\)",
+        "else array.copy()",
+    ),
+    "another array than out in another order": (
+        RUNTIME, r"filled\(q\.take\(SCALAR_LAST\[:size\], axis\), out\)",
+        "filled(q.take(SCALAR_LAST[:size], axis), None)",
+    ),
     "overlap not seen": (
         RUNTIME, r"if out is None or overlaps else out",
         "if out is None else out",

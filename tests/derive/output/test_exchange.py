@@ -136,6 +136,20 @@ def test_a_run_waits_for_another_in_the_same_folder_and_not_for_a_dead_one(tmp_p
     assert not leftovers(folder)
 
 
+def test_what_appears_while_a_run_waits_is_looked_at(tmp_path):
+    holds = run("-c", HOLD, tmp_path, stdout=subprocess.PIPE)
+    assert holds.stdout.readline() == "held\n"
+    header = {"a.h": "// python -m derive generate -n 1 --target c\n"}
+    waits = run("-c", WRITE, tmp_path, json.dumps(header), "{}", stderr=subprocess.PIPE)
+    with pytest.raises(subprocess.TimeoutExpired):
+        waits.wait(1)
+    folder_with(tmp_path, OTHER)
+    holds.kill()
+    holds.communicate()
+    assert "a folder holds those of one" in waits.communicate(timeout=60)[1]
+    assert held(tmp_path) == OTHER
+
+
 MANY = """
 import sys, pathlib
 from derive.output import write

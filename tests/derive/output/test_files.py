@@ -133,6 +133,28 @@ def test_comparison_finds_forged_headers_further_folders_and_what_a_killed_run_l
     ]
 
 
+def test_comparison_leaves_aside_what_python_keeps_and_nothing_of_such_a_name(tmp_path: Path):
+    files.write(tmp_path, {"a.py": OURS, "sub/b.py": OURS})
+    (tmp_path / "__pycache__").mkdir()
+    (tmp_path / "__pycache__2").mkdir()
+    (tmp_path / "sub" / "__pycache__").write_text("")
+    found = [(d.path.name, d.kind) for d in files.compare(tmp_path, {"a.py": OURS, "sub/b.py": OURS})]
+    assert found == [("__pycache__2", "foreign"), ("__pycache__", "foreign")]
+
+
+HEADER = "// python -m derive generate -n 1 --target c\n"
+
+
+@pytest.mark.parametrize(("first", "second"), [({"a.py": OURS}, {"a.h": HEADER}), ({"a.h": HEADER}, {"a.py": OURS})])
+def test_whichever_target_was_first_the_other_is_refused(
+    tmp_path: Path, first: dict[str, str], second: dict[str, str]
+):
+    files.write(tmp_path, first)
+    with pytest.raises(RefusedError, match="a folder holds those of one"):
+        files.write(tmp_path, second)
+    assert [path.name for path in tmp_path.iterdir()] == list(first)
+
+
 def test_a_folder_in_a_files_place_is_missing(tmp_path: Path):
     (tmp_path / "a.py").mkdir()
     assert [d.kind for d in files.compare(tmp_path, {"a.py": OURS})] == ["missing"]
