@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import re
+from collections.abc import Callable, Iterator
 from functools import cache
 from typing import Any
 
 import pytest
 import sympy
 
-from derive.maps import Cayley
+from derive.maps import Cayley, closed_forms
 from derive.maps.cayley import EQUATIONS
 from derive.papers import PAPERS
 from derive.papers.equation import Equation as Entry
 from derive.papers.language.terms import Apply, Letter, Number, Term, walk
-from derive.proof import marks
+from derive.proof import formulas, marks
 from derive.proof.any_phi import ANY_PHI
 from derive.proof.components import STATEMENTS
 from derive.proof.displacement_theorems import COMPOSITION_AT
@@ -188,3 +189,13 @@ def test_numbers_of_maps_are_those_of_the_entries_about_them(name: str, n: int) 
     assert (at_order is not None) == (n <= 5)
     general = [number for title, number in printed.items() if title.startswith(f"{KINDS[name]} of order n")]
     assert list(EQUATIONS[name]) == general
+
+
+STATED = [getattr(at, name) for at in (closed_forms, formulas) for name in KINDS if hasattr(at, name)]
+
+
+@pytest.mark.parametrize("function", STATED, ids=lambda function: f"{function.__module__}.{function.__name__}")
+def test_numbers_in_words_are_those_of_maps(function: Callable[..., Any]) -> None:
+    assert function.__doc__
+    cited = re.findall(r"CP23 \((\d+)\)", function.__doc__)
+    assert cited == [str(EQUATIONS[function.__name__][0])]
