@@ -40,8 +40,9 @@
 #   [n = 1] closed_forms.tensor(1, x): closed_forms.tensor(1, x) = [R](n -> 1)
 #   [n = 1] closed_forms.tangent(1, x): closed_forms.tangent(1, x) = [dcay_n](n -> 1)
 #   [n = 1] closed_forms.tangent_inv(1, x): closed_forms.tangent_inv(1, x) = [dcay_n^-1](n -> 1)
-#   [n = 1] polynomials.singular_angles(1), polynomials.poles(1): sin(polynomials.singular_angles(1)/2) = 0;
-#       polynomials.poles(1) = tan(polynomials.singular_angles(1)/2)
+#   [n = 1] polynomials.singular_angles(1), polynomials.poles(1): sin(polynomials.singular_angles(1)[:-1]/2) =
+#       0; polynomials.poles(1) = tan(polynomials.singular_angles(1)[:-1]/2); polynomials.singular_angles(1)[-1]
+#       = pi
 #   [n = 1] composition at n = 1: b = (b_2 x b_1 + b_2 + b_1)/(1 - b_1.b_2); (b_2 + 1)*(b_1 + 1) = (1 -
 #       b_1.b_2)*(b + 1)
 #   [n = 1] definition at n: qhat^2*(-v + 1)^n = (v + 1)^n

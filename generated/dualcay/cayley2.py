@@ -40,8 +40,9 @@
 #   [n = 2] closed_forms.tensor(2, x): closed_forms.tensor(2, x) = [R](n -> 2)
 #   [n = 2] closed_forms.tangent(2, x): closed_forms.tangent(2, x) = [dcay_n](n -> 2)
 #   [n = 2] closed_forms.tangent_inv(2, x): closed_forms.tangent_inv(2, x) = [dcay_n^-1](n -> 2)
-#   [n = 2] polynomials.singular_angles(2), polynomials.poles(2): sin(polynomials.singular_angles(2)/2) = 0;
-#       polynomials.poles(2) = tan(polynomials.singular_angles(2)/4)
+#   [n = 2] polynomials.singular_angles(2), polynomials.poles(2): sin(polynomials.singular_angles(2)[:-1]/2) =
+#       0; polynomials.poles(2) = tan(polynomials.singular_angles(2)[:-1]/4); polynomials.singular_angles(2)[-1]
+#       = 2*pi
 #   [n = 2] composition at n = 2: sigma = (2*sigma_2 x sigma_1 + (1 - sigma_2.sigma_2)*sigma_1 + (1 -
 #       sigma_1.sigma_1)*sigma_2)/((sigma_2 x sigma_1).(sigma_2 x sigma_1) + (1 - sigma_2.sigma_1)^2); (1 +
 #       sigma.sigma)*(sigma_2 + 1)^2*(sigma_1 + 1)^2 = (1 + sigma_1.sigma_1)*(1 + sigma_2.sigma_2)*(sigma + 1)^2

@@ -40,8 +40,9 @@
 #   [n = 3] closed_forms.tensor(3, x): closed_forms.tensor(3, x) = [R](n -> 3)
 #   [n = 3] closed_forms.tangent(3, x): closed_forms.tangent(3, x) = [dcay_n](n -> 3)
 #   [n = 3] closed_forms.tangent_inv(3, x): closed_forms.tangent_inv(3, x) = [dcay_n^-1](n -> 3)
-#   [n = 3] polynomials.singular_angles(3), polynomials.poles(3): sin(polynomials.singular_angles(3)/2) = 0;
-#       polynomials.poles(3) = tan(polynomials.singular_angles(3)/6)
+#   [n = 3] polynomials.singular_angles(3), polynomials.poles(3): sin(polynomials.singular_angles(3)[:-1]/2) =
+#       0; polynomials.poles(3) = tan(polynomials.singular_angles(3)[:-1]/6); polynomials.singular_angles(3)[-1]
+#       = 3*pi
 #   [n = 3] definition at n: qhat^2*(-v + 1)^n = (v + 1)^n
 #   [n = 3] quaternion at n: qhat*(point + 1)*qhat = z*(point + 1)*z/|z|^2
 #   [n = 3] tensor at n: qhat*point*conj(qhat) = R*point

@@ -40,8 +40,9 @@
 #   [n = 4] closed_forms.tensor(4, x): closed_forms.tensor(4, x) = [R](n -> 4)
 #   [n = 4] closed_forms.tangent(4, x): closed_forms.tangent(4, x) = [dcay_n](n -> 4)
 #   [n = 4] closed_forms.tangent_inv(4, x): closed_forms.tangent_inv(4, x) = [dcay_n^-1](n -> 4)
-#   [n = 4] polynomials.singular_angles(4), polynomials.poles(4): sin(polynomials.singular_angles(4)/2) = 0;
-#       polynomials.poles(4) = tan(polynomials.singular_angles(4)/8)
+#   [n = 4] polynomials.singular_angles(4), polynomials.poles(4): sin(polynomials.singular_angles(4)[:-1]/2) =
+#       0; polynomials.poles(4) = tan(polynomials.singular_angles(4)[:-1]/8); polynomials.singular_angles(4)[-1]
+#       = 4*pi
 #   [n = 4] definition at n: qhat^2*(-v + 1)^n = (v + 1)^n
 #   [n = 4] quaternion at n: qhat*(point + 1)*qhat = z*(point + 1)*z/|z|^2
 #   [n = 4] tensor at n: qhat*point*conj(qhat) = R*point

@@ -40,8 +40,9 @@
 #   [n = 5] closed_forms.tensor(5, x): closed_forms.tensor(5, x) = [R](n -> 5)
 #   [n = 5] closed_forms.tangent(5, x): closed_forms.tangent(5, x) = [dcay_n](n -> 5)
 #   [n = 5] closed_forms.tangent_inv(5, x): closed_forms.tangent_inv(5, x) = [dcay_n^-1](n -> 5)
-#   [n = 5] polynomials.singular_angles(5), polynomials.poles(5): sin(polynomials.singular_angles(5)/2) = 0;
-#       polynomials.poles(5) = tan(polynomials.singular_angles(5)/10)
+#   [n = 5] polynomials.singular_angles(5), polynomials.poles(5): sin(polynomials.singular_angles(5)[:-1]/2) =
+#       0; polynomials.poles(5) = tan(polynomials.singular_angles(5)[:-1]/10);
+#       polynomials.singular_angles(5)[-1] = 5*pi
 #   [n = 5] definition at n: qhat^2*(-v + 1)^n = (v + 1)^n
 #   [n = 5] quaternion at n: qhat*(point + 1)*qhat = z*(point + 1)*z/|z|^2
 #   [n = 5] tensor at n: qhat*point*conj(qhat) = R*point

@@ -40,8 +40,9 @@
 #   [n = 8] closed_forms.tensor(8, x): closed_forms.tensor(8, x) = [R](n -> 8)
 #   [n = 8] closed_forms.tangent(8, x): closed_forms.tangent(8, x) = [dcay_n](n -> 8)
 #   [n = 8] closed_forms.tangent_inv(8, x): closed_forms.tangent_inv(8, x) = [dcay_n^-1](n -> 8)
-#   [n = 8] polynomials.singular_angles(8), polynomials.poles(8): sin(polynomials.singular_angles(8)/2) = 0;
-#       polynomials.poles(8) = tan(polynomials.singular_angles(8)/16)
+#   [n = 8] polynomials.singular_angles(8), polynomials.poles(8): sin(polynomials.singular_angles(8)[:-1]/2) =
+#       0; polynomials.poles(8) = tan(polynomials.singular_angles(8)[:-1]/16);
+#       polynomials.singular_angles(8)[-1] = 8*pi
 #   [n = 8] definition at n: qhat^2*(-v + 1)^n = (v + 1)^n
 #   [n = 8] quaternion at n: qhat*(point + 1)*qhat = z*(point + 1)*z/|z|^2
 #   [n = 8] tensor at n: qhat*point*conj(qhat) = R*point
