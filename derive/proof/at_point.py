@@ -64,8 +64,7 @@ class AtPoint(Evaluation):
         return mapped(dual_part, value)
 
     def power(self, base: sympy.Expr, exponent: sympy.Expr) -> Any:
-        root = _root(self.value(base)) ** abs(int(2 * exponent))
-        return root if exponent > 0 else 1 / root
+        return _root(self.value(base)) ** int(2 * exponent)
 
     def checks(self, equation: Equation) -> Iterator[Check]:
         """Left minus right at the point, component by component."""

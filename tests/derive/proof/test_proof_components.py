@@ -2,17 +2,21 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from fractions import Fraction
 from typing import Any
 
 import pytest
 import sympy
 
+from derive.algebra import Dual
 from derive.maps import Cayley, polynomials
 from derive.proof import marks
 from derive.proof.at_order import LETTERS, instances
+from derive.proof.at_point import AtPoint, _root
 from derive.proof.components import ROTATED, STATEMENTS, Components
 from derive.proof.computations import Computed, computations
 from derive.proof.controls import controls_at, controls_of
+from derive.proof.evaluation import NoValueError
 from derive.proof.identity import Multiplier
 from derive.proof.statement import Equation
 
@@ -100,6 +104,14 @@ def test_letters_are_what_is_decided(letter: str, other: sympy.Expr, monkeypatch
     failed = [proof for proof in (*instances(Cayley(3)), *computations(3)) if not proof.proved]
     assert failed
     assert all(any(equation.right.args[0] == other for equation in proof.claim) for proof in failed)
+
+
+def test_roots_at_a_point_are_exact() -> None:
+    root = _root(Dual(Fraction(9, 4), Fraction(5)))
+    assert root * root == Dual(Fraction(9, 4), Fraction(5))
+    assert AtPoint(3).power(1 + marks.x, -sympy.Rational(3, 2)).re == Fraction(1, 11**3)
+    with pytest.raises(NoValueError, match="9/5 is the square of no rational number"):
+        _root(Dual(Fraction(9, 5), Fraction(5)))
 
 
 def test_premises_are_evaluated() -> None:
