@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from derive.codegen.signatures import PUBLIC
+from derive.proof import marks as m
 from derive.proof import theorems
 from derive.proof.coverage import COVERAGE
 
@@ -20,6 +21,27 @@ def test_theorems_exist_and_are_proved(name: str) -> None:
     proved = {proof.name for proof in theorems() if proof.proved}
     assert COVERAGE[name].theorems
     assert set(COVERAGE[name].theorems) <= proved
+
+
+ABOUT = {
+    "quaternion": {m.q_hat}, "tensor": {m.R}, "pose": {m.Q, m.rho}, "transform_point": {m.R, m.rho, m.point},
+    "transform_line": {m.R, m.rho, m.along}, "inverse": {m.R}, "tangent": {m.dcay}, "tangent_inv": {m.dcay_inv},
+    "body_tangent": {m.dcay, m.omega_body}, "body_tangent_inv": {m.dcay_inv, m.omega_body}, "twist": {m.dcay, m.omega},
+    "body_twist": {m.dcay, m.omega_body}, "rate": {m.dcay_inv, m.omega}, "body_rate": {m.dcay_inv, m.omega_body},
+    "tangent_dot": {m.dcay, m.v_dot}, "rate_dot": {m.dcay_inv, m.v_dot}, "twist_jacobian": {m.twist_jacobian},
+    "rate_jacobian": {m.rate_jacobian}, "cotangent": {m.dcay}, "from_quaternion": {m.q_hat, m.alpha},
+    "from_tensor": {m.R, m.alpha}, "from_screw": {m.q_hat, m.alpha}, "to_screw": {m.R, m.alpha}, "shadow": {m.R_k},
+    "shadow_jacobian": {m.R_k}, "principal": {m.R_k}, "compose": {m.first, m.second}, "between": {m.first, m.second},
+    "compose_jacobians": {m.omega_1, m.omega_2}, "retract": {m.first, m.second}, "singular_angles": {m.dcay},
+}  # fmt: skip
+"""The letters that some theorem on a function must speak of."""
+
+
+@pytest.mark.parametrize("name", ABOUT)
+def test_theorems_speak_of_what_they_are_named_for(name: str) -> None:
+    claims = {proof.name: proof.claim for proof in theorems()}
+    spoken = [set().union(*(equation.letters for equation in claims[theorem])) for theorem in COVERAGE[name].theorems]
+    assert any(letters >= ABOUT[name] for letters in spoken), (name, spoken)
 
 
 def test_validations_are_those_of_the_table() -> None:
