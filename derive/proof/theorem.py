@@ -101,13 +101,7 @@ class Theorem:
         own = [premise.equation for premise in self.premises if not premise.theorem]
         stand = {side for e in own for side in (e.left, e.right) if side.is_Symbol}
         here = set().union(*(e.letters for e in (*self.claim, *(premise.equation for premise in self.premises))))
-        there = (
-            other.equation.replaced(dict(premise.instance))
-            for premise in self.premises
-            if premise.theorem in known
-            for other in known[premise.theorem].premises
-            if not other.theorem
-        )
+        there = (e for premise in self.premises if premise.theorem for e in _rests_on(premise, known))
         supposed = {e.text: e for e in there if e.left in stand and e.letters <= here}
         return tuple(e for said, e in supposed.items() if said not in {e.text for e in own})
 
@@ -127,6 +121,13 @@ class Theorem:
     def with_premise(self, place: int, premise: Premise) -> Theorem:
         """The theorem with another premise."""
         return replace(self, premises=(*self.premises[:place], premise, *self.premises[place + 1 :]))
+
+
+def _rests_on(premise: Premise, known: Mapping[str, Proof]) -> Iterator[Equation]:
+    """What letters stand for in the theorem that a premise names, and in those which that one rests on."""
+    for other in known[premise.theorem].premises if premise.theorem in known else ():
+        for equation in _rests_on(other, known) if other.theorem else (other.equation,):
+            yield equation.replaced(dict(premise.instance))
 
 
 def _is_proved(premise: Premise, known: Mapping[str, Proof], scope: str) -> bool:

@@ -96,6 +96,11 @@ def test_what_a_letter_stands_for_in_a_theorem_it_stands_for_where_that_is_used(
     assert right.decide(known()).proved
     other = right.with_premise(0, definition(x, 5))
     assert [residue.label.split(",")[0] for residue in other.decide(known()).failures] == ["supposed"]
+    between = Theorem("between", ANGLES.claim[:1], (ANGLES.premise(0),), letters)  # where x stands for nothing
+    proved = known() | {"between": between.decide(known())}
+    assert proved["between"].proved
+    resting = Theorem("resting", between.claim, (definition(x, 5), between.premise(0)), letters)
+    assert [residue.label.split(",")[0] for residue in resting.decide(proved).failures] == ["supposed"]
 
 
 def test_sums_need_a_start_and_a_step() -> None:
