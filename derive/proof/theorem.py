@@ -7,9 +7,10 @@ start and obeys the same law; which of the two it is, the premises say.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
+from itertools import combinations
 from typing import Any, Protocol, TypeVar
 
 import sympy
@@ -165,7 +166,7 @@ class Identity:
 
     def checks(self, task: Task) -> Iterator[Check | Multiplier]:
         setting = Setting(self.letters, task.premises, (*task.claim, *task.supposed), task.zeroed)
-        yield from _compatible(setting)
+        yield from _compatible(setting, task.premises)
         for equation in task.claim:
             yield from differences(setting, equation.text, equation)
         for equation in task.supposed:
@@ -209,7 +210,7 @@ class Determined:
         unknown = {equation.left: equation.right for equation in claim}
         terms = [Equation(right, right) for right in unknown.values()]
         ring = Setting(self.letters, [p for p in others if _rated(p) not in unknown], terms, task.zeroed)
-        yield from _compatible(ring)
+        yield from _compatible(ring, premises)
         for equation in task.supposed:
             yield from differences(ring, f"supposed, {equation.text}", equation)
         at_start = {index: first} | {term: value for term, value in starts.items() if term not in unknown}
@@ -232,10 +233,14 @@ def differences(setting: Setting, label: str, equation: Equation) -> Iterator[Ch
         yield from setting.ring.multiplier(difference.powers)
 
 
-def _compatible(setting: Setting) -> Iterator[Check | Multiplier]:
-    """The relations leave no zero divisors, nothing uncertified was multiplied by to have them, and the derivation
-    keeps them."""
-    ring = setting.ring
+def _compatible(setting: Setting, premises: Sequence[Premise]) -> Iterator[Check | Multiplier]:
+    """Nothing is said twice. The relations leave no zero divisors and do not contradict each other, nothing uncertified
+    was multiplied by to have them, and the derivation keeps them."""
+    ring, said = setting.ring, [premise.equation.left for premise in premises]
+    yield "what is said more than once", len(said) - len(set(said))
+    leading = [relation.leading_expv() for relation in ring.relations]
+    shared = sum(any(map(min, a, b)) for a, b in combinations(leading, 2))
+    yield "relations that reduce the same letter", shared  # without, they are a Groebner basis, and 1 is not in it
     for relation, powers in zip(ring.relations, ring.cleared, strict=True):
         yield f"the relation {relation} is irreducible", _factors(relation) - 1
         yield from ring.multiplier(powers)
