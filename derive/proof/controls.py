@@ -185,8 +185,13 @@ def controls_of(chart: Chart) -> Iterator[Control]:
         decided = tuple(ScalarProofs(_Wrong(chart, "scalars", scalars)).proofs())
         for place in (LOWERED, RELATED) if name in VALUES else (DERIVED if name in SLOPES else DERIVED_TWICE,):
             yield Control(decided[place].name, f"{name} + x", decided[place])
-    *_, failing = ScalarProofs(_Wrong(chart, "phi", chart.phi.xreplace({alpha: 2 * alpha}))).proofs()
-    yield Control(failing.name, "phi of twice the angle", failing)
+    start = sympy.Rational(3, 4)  # its cosine is rational
+    altered = {"phi of twice the angle": chart.phi.xreplace({alpha: 2 * alpha})}
+    if chart.cayley:  # where the tangent of a sum obeys the same differential equation
+        altered["phi that begins elsewhere"] = (chart.phi + start) / (1 - start * chart.phi)
+    for alteration, other in altered.items():
+        *_, failing = ScalarProofs(_Wrong(chart, "phi", other)).proofs()
+        yield Control(failing.name, alteration, failing)
 
 
 def _with_altered(place: int, premises: tuple[Premise, ...]) -> tuple[Premise, ...]:

@@ -4,7 +4,8 @@ A theorem for every n has n, x, p_n, q_n and the components of vectors as genera
 product of *units*. Whatever is divided by becomes a unit, and every unit must be certified: it must not vanish
 identically for any n, or multiplying by it would turn everything into 0 = 0. It is certified
 
-* if it is a polynomial in letters that vary freely, such as x, or a power of one;
+* if it is a polynomial in letters that vary freely, such as x, or a power of one; one relation at most, which is
+  irreducible, may hold between these, since two may have zero divisors together;
 * if its value at the origin (x = 0, p_n = 1, q_n = n) is a polynomial in n without a positive integer root.
 
 An identity so decided holds between rational functions of x at every n, hence wherever both sides are defined, where a
@@ -127,13 +128,18 @@ class DifferentialRing:
     def _certified(self, polynomial: PolyElement) -> bool:
         """Whether a polynomial vanishes identically for no n."""
         polynomial = self._bases.get(polynomial, polynomial)
-        if self._occurring(polynomial) <= self.free:
+        letters = self._occurring(polynomial)
+        if letters <= self.free and sum(bool(letters & self._occurring(r)) for r in self.relations) <= 1:
             return bool(polynomial != 0)
         zero = self.polynomials.zero
         here = polynomial.compose([*((self.letters[letter], zero) for letter in self.free), *self.origin.items()])
         if self._occurring(here) != {n}:
             return bool(here.is_ground and here != 0)
         return not any(root.is_integer and root > 0 for root in sympy.Poly(here.as_expr(), n).ground_roots())
+
+    def letters_of(self, value: Quotient) -> set[sympy.Symbol]:
+        """The letters in a numerator."""
+        return self._occurring(value.numerator)
 
     def _occurring(self, polynomial: PolyElement) -> set[sympy.Symbol]:
         """The letters in a polynomial."""

@@ -84,6 +84,8 @@ class Proof:
         What is stated; `statement` and `latex` print it.
     premises : tuple of Premise
         Everything that was taken as given: definitions, and equations of other theorems.
+    conditions : tuple of Equation
+        What letters stand for in these theorems, where nothing is said of it here.
     scope : str
         "all n", or the one order it was decided for, as in "n = 7".
     status : {"proved", "failed"}
@@ -100,6 +102,7 @@ class Proof:
     name: str
     claim: tuple[Equation, ...]
     premises: tuple[Premise, ...] = field(repr=False)
+    conditions: tuple[Equation, ...] = field(repr=False)
     scope: str
     status: Literal["proved", "failed"]
     method: str
@@ -160,6 +163,7 @@ class Claim:
     equations: tuple[Equation, ...]
     method: str
     premises: tuple[Premise, ...] = ()
+    conditions: tuple[Equation, ...] = ()
 
 
 def decide(claim: Claim, checks: Callable[[], Iterable[Check | Multiplier]], scope: str = ALL_ORDERS) -> Proof:
@@ -194,6 +198,6 @@ def decide(claim: Claim, checks: Callable[[], Iterable[Check | Multiplier]], sco
     holds = bool(residues) and certified and all(residue.vanishes for residue in residues)
     seconds = time.perf_counter() - start
     return Proof(
-        claim.name, claim.equations, claim.premises, scope, "proved" if holds else "failed", claim.method, seconds,
-        tuple(multipliers.values()), tuple(residues),
+        claim.name, claim.equations, claim.premises, claim.conditions, scope, "proved" if holds else "failed",
+        claim.method, seconds, tuple(multipliers.values()), tuple(residues),
     )  # fmt: skip

@@ -6,7 +6,8 @@ have it. With ``q̂ = s + w v`` and ``y = v · v̇``, ``ṡ = s_y y``, ``ẇ = w
 .. math:: \omega = 2 s w\,\dot v + 2 w^2\,v \times \dot v + 2 (s w_y - w s_y)\,(v \cdot \dot v)\,v
 
 so that f, g and h of T = f I + g skew(v) + h v⊗v are these. Along v it is ``(f + x h) v̇``, and α̇ = φ̇/φ′ there:
-``(f + x h) φ′ = 1`` at ``x = φ²`` and q̂ = 1 at v = 0 say that ``q̂ = cos(α/2) + u sin(α/2)`` for ``v = φ(α) u``.
+``(f + x h) φ′ = 1`` at ``x = φ²``, q̂ = 1 at v = 0 and φ = 0 at α = 0 say that ``q̂ = cos(α/2) + u sin(α/2)`` for
+``v = φ(α) u``.
 """
 
 from __future__ import annotations
@@ -43,7 +44,7 @@ BENDS = ("fyy", "gyy", "hyy", "fiyy", "hiyy")
 s, w, f, g, h, fi, hi = sympy.symbols(VALUES)
 sy, wy, fy, gy, hy, fiy, hiy = sympy.symbols(SLOPES)
 fyy, gyy, hyy, fiyy, hiyy = sympy.symbols(BENDS)
-a, b, slope = sympy.symbols("a b phi'")
+a, b, phi, slope = sympy.symbols("a b phi phi'")
 
 FORMULAS = {
     "quaternion": (s, w),
@@ -70,7 +71,12 @@ DERIVATIVES = tuple(
 SECOND_DERIVATIVES = tuple(
     Equation(of, 2 * prime(slope)) for of, slope in zip((fyy, gyy, hyy, fiyy, hiyy), (fy, gy, hy, fiy, hiy))
 )
-ANGLE = (Equation((f + x * h) * slope, sympy.Integer(1)), Equation(Shifted(s, x, sympy.Integer(0)), sympy.Integer(1)))
+_ZERO, _ONE = sympy.Integer(0), sympy.Integer(1)
+ANGLE = (
+    Equation((f + x * h) * slope, _ONE),
+    Equation(Shifted(s, x, _ZERO), _ONE),
+    Equation(Shifted(phi, alpha, _ZERO), _ZERO),
+)
 
 
 class _AtAngle(Evaluation):
@@ -173,9 +179,11 @@ class ScalarProofs:
     def _angle(self) -> Iterator[Check]:
         """Both sides at ``x = φ²``, what is said at x = 0 there."""
         angle = RationalFunctions((), {alpha.name: _steps(self.chart.phi)}).symbol(alpha.name)
-        phi, rate = (evaluate(e, alpha, angle, TRIGONOMETRY) for e in (self.chart.phi, self.chart.phi.diff(alpha)))
-        values = {letter: self._at(self.values[letter], phi * phi) for letter in (f, h, x)}
-        at = _AtAngle(values | {slope: rate, Shifted(s, x, sympy.Integer(0)): self._at(self.values[s], phi * 0)})
+        size, rate = (evaluate(e, alpha, angle, TRIGONOMETRY) for e in (self.chart.phi, self.chart.phi.diff(alpha)))
+        values = {letter: self._at(self.values[letter], size * size) for letter in (f, h, x)}
+        starts = (self._at(self.values[s], size * 0), self.chart.phi.subs(alpha, 0))
+        values |= dict(zip((e.left for e in ANGLE[1:]), starts, strict=True))
+        at = _AtAngle(values | {slope: rate})
         for equation in ANGLE:
             yield equation.text, at.value(equation.left) - at.value(equation.right)
 

@@ -69,6 +69,7 @@ class Setting(Evaluation):
         self._roots = _roots([*given, *claim], [e.left for e in given if _is_power(e.left)])
         roots = tuple(symbol for symbol, _ in self._roots.values())
         components = {v: [sympy.Symbol(f"{v}_{axis}") for axis in (3, 2, 1)] for v in letters.vectors}
+        self._components = {c for v in letters.vectors for c in components[v]}
         generators = [c for v in letters.vectors for c in components[v]] + [*roots, *letters.scalars]
         free = [g for letter in letters.free for g in components.get(letter, [letter])]
         self.ring = DifferentialRing(generators, free, zeroed)
@@ -102,13 +103,20 @@ class Setting(Evaluation):
 
     def _start(self, shifted: sympy.Expr, value: sympy.Expr) -> None:
         self.definitions[shifted] = value
-        if shifted.args[0] in self.ring.letters:
-            self.ring.origin[self.ring.letters[shifted.args[0]]] = self.value(value).numerator
+        term, variable, place = shifted.args
+        if term in self.ring.letters and place == 0 and not variable.is_integer:
+            self.ring.origin[self.ring.letters[term]] = _polynomial(self.value(value), value)
 
     def _derive(self, derivation: dict[Any, Quotient], term: sympy.Expr, value: sympy.Expr) -> None:
         letter = self._roots[term.base][0] if term.is_Pow else term
         pairs = zip(flat(self.value(letter)), flat(self.value(value)), strict=True)
-        derivation.update((generator.numerator, rate) for generator, rate in pairs)
+        derivation.update((_polynomial(generator, term), rate) for generator, rate in pairs)
+        if not derivation.keys() <= set(self.ring.letters.values()):
+            raise NoValueError(f"{marks.text(term)} is no letter, whose rate or slope may be given")
+
+    def has_rate(self, letter: sympy.Expr) -> bool:
+        """Whether something says how a letter varies."""
+        return self.ring.letters.get(letter) in self.rates
 
     # --- values ---------------------------------------------------------------------------------------------------
 
@@ -142,9 +150,18 @@ class Setting(Evaluation):
         return {generator: slope * speed for generator, slope in self._slopes.items()} | self._rates
 
     def relation_rates(self) -> list[Quotient]:
-        """The rates of what the relations say is 0."""
-        zeros = (Quotient(self.ring, relation, ()) for relation in self.ring.relations)
-        return [zero.derivative(rates) for zero in zeros for rates in (self.rates,) if rates]
+        """Rates and slopes of what the relations say is 0, and of letters with both, the rate less slope times speed.
+
+        Vectors have no slope: what is said of their components is not asked for one.
+        """
+        zeros = [Quotient(self.ring, relation, ()) for relation in self.ring.relations]
+        found = [zero.derivative(self.rates) for zero in zeros if self.rates]
+        if self._slopes:
+            slopes = {**self._slopes, self.ring.letters[marks.x]: self.ring.constant(1)}
+            found += [zero.derivative(slopes) for zero in zeros if not self.ring.letters_of(zero) & self._components]
+        speed = self._rates.get(self.ring.letters.get(marks.x))
+        both = self._slopes.keys() & self._rates.keys() if speed is not None else ()
+        return found + [self._rates[letter] - self._slopes[letter] * speed for letter in both]
 
     def differences(self, equation: Equation) -> list[Quotient]:
         """Left minus right, by components, real parts before dual parts."""
@@ -153,6 +170,13 @@ class Setting(Evaluation):
         if any(isinstance(c, Dual) for pair in pairs for c in pair):
             found += [dual_part(a) - dual_part(b) for a, b in pairs]
         return [part if isinstance(part, Quotient) else self.ring.constant(part) for part in found]
+
+
+def _polynomial(value: Quotient, expression: sympy.Expr) -> Any:
+    """A value that is a polynomial."""
+    if any(value.powers):
+        raise NoValueError(f"{marks.text(expression)} is no polynomial")
+    return value.numerator
 
 
 def _derivative(rates: Mapping[Any, Any], value: Any) -> Any:

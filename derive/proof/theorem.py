@@ -7,7 +7,7 @@ start and obeys the same law; which of the two it is, the premises say.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from itertools import combinations
@@ -89,22 +89,29 @@ class Theorem:
             A multiplier to be taken as 0, for controls.
         """
 
+        supposed = self._supposed(known)
+
         def checks() -> Iterator[Check | Multiplier]:
             for premise in self.premises:
                 if premise.theorem:
                     yield f"premise by {premise.theorem}", 0 if _is_proved(premise, known, self.scope) else 1
-            yield from self.method.checks(Task(self.claim, self.premises, self._supposed(known), zeroed))
+            yield from self.method.checks(Task(self.claim, self.premises, tuple(filter(self._said, supposed)), zeroed))
 
-        return decide(Claim(self.name, self.claim, self.method.title, self.premises), checks, self.scope)
+        laws = marks.Shifted, marks.rate, marks.prime
+        conditions = tuple(e for e in supposed if not self._said(e) and not isinstance(e.left, laws))
+        return decide(Claim(self.name, self.claim, self.method.title, self.premises, conditions), checks, self.scope)
 
     def _supposed(self, known: Mapping[str, Proof]) -> tuple[Equation, ...]:
-        """What the theorems that premises name have letters stand for, where these stand for something here too."""
-        own = [premise.equation for premise in self.premises if not premise.theorem]
-        stand = {side for e in own for side in (e.left, e.right) if side.is_Symbol}
+        """What letters stand for in the theorems that premises name, of those that are here and not said here."""
+        own = {premise.equation.text for premise in self.premises if not premise.theorem}
         here = set().union(*(e.letters for e in (*self.claim, *(premise.equation for premise in self.premises))))
         there = (e for premise in self.premises if premise.theorem for e in _rests_on(premise, known))
-        supposed = {e.text: e for e in there if e.left in stand and e.letters <= here}
-        return tuple(e for said, e in supposed.items() if said not in {e.text for e in own})
+        return tuple({e.text: e for e in there if e.letters <= here and e.text not in own}.values())
+
+    def _said(self, equation: Equation) -> bool:
+        """Whether something is said here of what an equation is about: then it has to hold, else it is a condition."""
+        own = [premise.equation for premise in self.premises if not premise.theorem]
+        return equation.left in {e.left for e in own} | {e.right for e in own if e.right.is_Symbol}
 
     def premise(self, place: int, *instance: tuple[sympy.Expr, sympy.Expr]) -> Premise:
         """An equation of the claim, as a premise of another theorem; with other letters, if given."""
@@ -201,6 +208,20 @@ class Determined:
     def weaker(self) -> Iterator[tuple[str, Determined]]:
         return _less_free(self)
 
+    def _moving(
+        self, ring: Setting, starts: Container[Any], steps: Container[Any], others: Sequence[Premise]
+    ) -> Iterator[Check]:
+        """There is a law for every letter that goes with the index or variable, which goes by itself."""
+        index = self.start.left
+        for letter in self.letters.scalars:
+            goes = letter != index and index in marks.TERMS.get(letter, ("", letter))[1].free_symbols
+            known = (letter in starts and letter in steps) if self.by_steps else ring.has_rate(letter)
+            yield f"law of {marks.text(letter)}", 1 if goes and not known else 0
+        if self.by_steps:
+            yield "what is said at one index only", sum(index in premise.equation.letters for premise in others)
+        elif index in self.letters.scalars:
+            yield f"rate of {index} less 1", ring.value(marks.rate(index)) - 1
+
     def checks(self, task: Task) -> Iterator[Check | Multiplier]:
         claim, premises = task.claim, task.premises
         index, first = self.start.left, self.start.right
@@ -213,6 +234,7 @@ class Determined:
         yield from _compatible(ring, premises)
         for equation in task.supposed:
             yield from differences(ring, f"supposed, {equation.text}", equation)
+        yield from self._moving(ring, starts, steps, others)
         at_start = {index: first} | {term: value for term, value in starts.items() if term not in unknown}
         for left, right in unknown.items():
             begun = Equation(right.xreplace(at_start), starts[left])

@@ -136,7 +136,7 @@ def says(number: int, equation: Equation) -> bool:
 def equations() -> list[Equation]:
     """Every equation of a claim or a definition."""
     found = [e for t in (*stated(Formulas()), *COMPOSITION_AT.values()) for e in (*t.claim, *_definitions(t))]
-    return list({(e.left, e.right): e for e in found}.values())
+    return list({(e.left, e.right, e.numbers): e for e in found}.values())
 
 
 def _definitions(theorem: Any) -> Iterator[Equation]:
