@@ -58,7 +58,7 @@
 #       hiy = 2*d/dx hi
 #   [n = 8] second slopes: fyy = 2*d/dx fy; gyy = 2*d/dx gy; hyy = 2*d/dx hy; fiyy = 2*d/dx fiy; hiyy = 2*d/dx
 #       hiy
-#   [n = 8] q = cos(alpha/2) + u sin(alpha/2): phi'*(h*x + f) = 1; [s](x -> 0) = 1
+#   [n = 8] q = cos(alpha/2) + u sin(alpha/2): phi'*(h*x + f) = 1; [s](x -> 0) = 1; [phi](alpha -> 0) = 0
 #
 # Operations:
 #   quaternion: 60: 22 +, 35 *, 3 /

@@ -29,7 +29,7 @@
 #       fi; hiy = 2*d/dx hi
 #   [scaled4] second slopes: fyy = 2*d/dx fy; gyy = 2*d/dx gy; hyy = 2*d/dx hy; fiyy = 2*d/dx fiy; hiyy = 2*d/dx
 #       hiy
-#   [scaled4] q = cos(alpha/2) + u sin(alpha/2): phi'*(h*x + f) = 1; [s](x -> 0) = 1
+#   [scaled4] q = cos(alpha/2) + u sin(alpha/2): phi'*(h*x + f) = 1; [s](x -> 0) = 1; [phi](alpha -> 0) = 0
 #
 # Operations:
 #   quaternion: 45: 14 +, 24 *, 7 /

@@ -29,7 +29,8 @@
 #       2*d/dx fi; hiy = 2*d/dx hi
 #   [wiener_milenkovic] second slopes: fyy = 2*d/dx fy; gyy = 2*d/dx gy; hyy = 2*d/dx hy; fiyy = 2*d/dx fiy;
 #       hiyy = 2*d/dx hiy
-#   [wiener_milenkovic] q = cos(alpha/2) + u sin(alpha/2): phi'*(h*x + f) = 1; [s](x -> 0) = 1
+#   [wiener_milenkovic] q = cos(alpha/2) + u sin(alpha/2): phi'*(h*x + f) = 1; [s](x -> 0) = 1; [phi](alpha ->
+#       0) = 0
 #
 # Operations:
 #   quaternion: 36: 9 +, 20 *, 7 /

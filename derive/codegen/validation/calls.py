@@ -97,6 +97,17 @@ class Caller:
             raise self.failure(call, how, "a result lies in the memory of an argument")
         return tuple(map(np.asarray, results))
 
+    def refused(self, call: Call, given: Sequence[Array], words: str, **options: Any) -> None:
+        """A call whose arguments are wrong, which has to say so in these words."""
+        try:
+            self.run(call, given, **options)
+        except ValidationFailed as error:
+            if words not in str(error.__cause__):
+                raise self.failure(call, words, f"is refused otherwise: {error.__cause__!r}") from error
+            self.count += 1
+        else:
+            raise self.failure(call, words, "is not refused")
+
     def check(self, call: Call, given: Sequence[Array] | None = None, how: str = "", **options: Any) -> None:
         """Call and compare every result array."""
         self.compare(call, self.run(call, given, how, **options), how)

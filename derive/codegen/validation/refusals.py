@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from ..rows import Array, Function, Table
-from ..signatures import POSES
+from ..signatures import CHECK, POSES
 from .errors import ValidationFailed
 
 
@@ -62,6 +62,9 @@ def _wrong(row: Function, out: bool) -> Iterator[Wrong]:
     if len(right) > 1:
         batches = [np.zeros((length, *kind.shape)) for length, kind in enumerate(row.arguments, 2)]
         yield Wrong(batches, ValueError, "broadcast together")
+    if CHECK in row.keywords:
+        zeros = [np.zeros((3, *kind.shape)) for kind in row.arguments]
+        yield Wrong(zeros, ValueError, "[0] is no ", {"check": True})
     if row.branch:
         yield Wrong(right, TypeError, "branch must be an integer", {"branch": 0.5})
     if out and len(row.results) == 1:

@@ -158,6 +158,8 @@ def _every_function(caller: Caller, found: Sequence[Known], chart: Chart, few: i
                 ways.keywords(caller, known, dtype, few)
             if known.has_zeros:
                 ways.zeros(caller, known, dtype, few)
+        if not known.row.real and caller.library is NUMPY:
+            ways.complex_numbers(caller, known)
         first = Call(known, several(known, 1), caller.library.dtypes[0])
         for name in known.row.aliases if chart.cayley else ():
             caller.check(replace(first, name=name))

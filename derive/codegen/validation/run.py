@@ -19,6 +19,7 @@ from ..rows import Table
 from ..signatures import POSES
 from .errors import ValidationFailed
 from .loading import loaded, module_of
+from .offered import offered
 from .refusals import refuse
 from .sample import Choose, everything
 
@@ -40,6 +41,7 @@ def validate(folder: Path, chart: Chart, choose: Choose = everything, tables: Se
 
 
 def _validate(module: ModuleType, chart: Chart, table: Table, choose: Choose) -> int:
+    offered(module, chart, table)
     chosen = choose(lower_chart(chart, table), batches(chart, table))
     compared = sum(_check(module, batch, (-1, 0) if whole else (-1,)) for batch, whole in chosen)
     return compared + refuse(module, table)

@@ -27,6 +27,9 @@ SCALAR_BACK = [SCALAR_LAST.index(i) for i in range(len(SCALAR_LAST))]
 OFFSETS = ((0, 0), (0, 5), (3, 0))
 """Where an argument and a result begin in the memory they share."""
 
+STRETCHED = 1.01
+"""What is right, times this, is refused."""
+
 BEFORE = np.nan
 """What stands where results are to be written."""
 
@@ -101,6 +104,9 @@ def keywords(caller: Caller, known: Known, dtype: np.dtype[Any], few: int) -> No
         call = Call(known, several(known, count), dtype, axis)
         if CHECK in known.row.keywords and known.row.branch:
             caller.check(call, how="checked", check=True)
+            given = call.arguments()
+            given[0][(1, ...) if axis else (..., 1)] *= STRETCHED
+            caller.refused(call, given, "1] is no ", check=True)
         if SCALAR_FIRST in known.row.keywords:
             given = _ordered(call.arguments(), known.row.arguments, SCALAR_LAST, axis)
             found = caller.run(call, given, "scalar last", scalar_first=False)
@@ -121,6 +127,16 @@ def zeros(caller: Caller, known: Known, dtype: np.dtype[Any], few: int) -> None:
         call = Call(known, several(known, count), dtype)
         given = [np.where(array == 0, -np.zeros_like(array), array) for array in call.arguments()]
         caller.check(call, given, "zeros with a sign")
+
+
+def complex_numbers(caller: Caller, known: Known) -> None:
+    """Complex numbers whose imaginary parts are 0: so are those of results, which are complex."""
+    call = Call(known, several(known, 3), np.dtype(float))
+    given = [array.astype(complex) for array in call.arguments()]
+    results = caller.run(call, given, "complex")
+    if any(result.dtype != complex for result in results):
+        raise caller.failure(call, "complex", f"results are {', '.join(str(result.dtype) for result in results)}")
+    caller.compare(call, [result.real for result in results], "complex")
 
 
 def out(caller: Caller, known: Known, dtype: np.dtype[Any], few: int) -> None:

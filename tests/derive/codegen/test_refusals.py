@@ -46,6 +46,8 @@ def test_the_kernels_refuse_what_is_wrong() -> None:
     ("twist", ValueError, "broadcast together"),
     ("compose", TypeError, "v1 must be real"),
     ("shadow", TypeError, "branch must be an integer"),
+    ("from_quaternion", ValueError, "[0] is no "),
+    ("from_tensor", ValueError, "[0] is no "),
     ("pose", TypeError, "out must be an array"),
     ("pose", ValueError, "out must have shape"),
     ("pose", TypeError, "out must be able to hold"),

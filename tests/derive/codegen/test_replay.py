@@ -155,6 +155,22 @@ OTHERS = {
         RUNTIME, r"q\.take\(SCALAR_LAST\[:size\], axis\)",
         "q",
     ),
+    "real numbers alone": (
+        "_geometry.py", r"real=False",
+        "real=True",
+    ),
+    "a check of nothing": (
+        "_checks.py", r"if not len\(bad\):",
+        "if True:",
+    ),
+    "a check that allows too much": (
+        "_checks.py", r"np\.logical_not\(size <= allowed\)",
+        "np.logical_not(size <= 1e8 * allowed)",
+    ),
+    "where a check fails": (
+        "_checks.py", r"bad\[0\]",
+        "bad[-1] * 0",
+    ),
     "a check of what is right": (
         "_checks.py", r"T\[15\] - 1",
         "T[15]",
