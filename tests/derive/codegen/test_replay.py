@@ -16,7 +16,7 @@ from derive.codegen import build
 from derive.codegen.cases import samples
 from derive.codegen.lowered import lower_chart
 from derive.codegen.targets import TARGETS
-from derive.codegen.validation import NUMPY, ValidationFailed, validate
+from derive.codegen.validation import NUMPY, Seen, ValidationFailed, validate
 from derive.codegen.validation.known import Analysis, require_sharp
 from derive.codegen.validation.rounding import Ball, Rounding
 from derive.maps import Cayley
@@ -196,6 +196,14 @@ def test_untouched_kernels_pass_and_further_charts_are_sampled(texts, tmp_path: 
     assert every > 2 * some[0] > 1000
     assert some[1] > 500
     assert sys.gettrace() is trace
+
+
+def test_a_further_chart_is_asked_for_its_own_names(texts, tmp_path: Path):
+    folder = broken(texts, tmp_path, "cayley4.py", r"\ntwist = KERNELS\.twist", "\ntwist = KERNELS.body_twist")
+    seen = Seen()
+    seen.leave(CHART, TARGET.tables)
+    with pytest.raises(ValidationFailed, match="twist is not the function twist"):
+        validate(folder, Cayley(4), seen.new)
 
 
 @pytest.mark.parametrize("dtype", NUMPY.dtypes, ids=str)

@@ -80,6 +80,9 @@ MISFITS = {
     "a first term as a value at the origin": identity(
         {S * y: A}, (definition(S, A / y), definition(Shifted(y, n, 1), 1)), Letters((y, A, n))
     ),
+    "a zeroth term as a value at the origin": identity(
+        {S * y: A}, (definition(S, A / y), definition(Shifted(y, n, 0), 1)), Letters((y, A, n))
+    ),
     "a value elsewhere as one at the origin": identity(
         {S * (y - x): A}, (definition(S, A / (y - x)), definition(Shifted(y, x, 5), 5)), Letters((y, A, x), (), (x,))
     ),
@@ -90,6 +93,9 @@ MISFITS = {
     ),
     "the slope of a quotient": identity(
         {prime(p): n}, (definition(G, p / x), definition(prime(G), n)), Letters((p, x, n), (), (x,))
+    ),
+    "the slope of a product": identity(
+        {prime(p): n}, (definition(G, p * x), definition(prime(G), n)), Letters((p, x, n), (), (x,))
     ),
     "two definitions of one letter": identity({y: 2}, (definition(y, 1), definition(y, 2)), Letters((x,))),
 }
