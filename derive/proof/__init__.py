@@ -7,7 +7,8 @@ identity               `Proof`, and `decide`: every residue is zero, no multipli
 differential_ring      polynomials modulo relations, localized, with a derivation; n stays a symbol
 evaluation             what an expression is, once its letters have values
 setting                the values that premises give, in such a ring
-theorem                `Theorem`, decided as an identity or by a start and a law
+theorem                `Theorem`: what it claims, takes as given, and supposes with others that it rests on
+methods                to decide one: as an identity, or by a start and a law
 coefficients           series with binomial coefficients, decided for all n and j
 formulas               the coefficients of R, dcay and its inverse that the theorems speak of
 polynomial_theorems    theorems on p_n, q_n for all n

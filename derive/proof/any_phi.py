@@ -37,9 +37,10 @@ from .marks import (
     vect,
     x,
 )  # fmt: skip
+from .methods import Identity
 from .setting import Letters
 from .statement import Equation, Premise, definition
-from .theorem import Identity, Theorem
+from .theorem import Theorem
 
 SCOPE = "every phi"
 

@@ -54,10 +54,11 @@ from .marks import (
     v_dot,
     x,
 )  # fmt: skip
+from .methods import Identity
 from .polynomial_theorems import SLOPES
 from .setting import Letters
 from .statement import Equation, Premise, definition
-from .theorem import Identity, Theorem
+from .theorem import Theorem
 
 NORM = p**2 + x * q**2
 GROWTH = 2 * n / (1 + x)

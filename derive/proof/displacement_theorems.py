@@ -60,10 +60,11 @@ from .marks import (
     x,
     x_dual,
 )  # fmt: skip
+from .methods import Determined, Identity
 from .polynomial_theorems import ANGLES, ONE, ORIGIN, SLOPES, pairs, turning
 from .setting import Letters
 from .statement import Equation, Premise, definition
-from .theorem import Determined, Identity, Theorem
+from .theorem import Theorem
 
 ZERO = Equation(alpha, sympy.Integer(0))
 UNIT = definition(dot(u, u), 1)

@@ -19,9 +19,10 @@ import sympy
 
 from .displacement_theorems import DOUBLE_ANGLE, EXPONENTIAL, QUATERNION_EXPONENTIAL, UNIT, circular, pythagoras
 from .marks import I, R, Shifted, alpha, dyad, epsilon, exponential, q_hat, r, rate, skew, structure, u, v
+from .methods import Determined, Identity
 from .setting import Letters
 from .statement import Equation, Premise, definition
-from .theorem import Determined, Identity, Theorem
+from .theorem import Theorem
 
 SCOPE = "1/(2n)^2 = epsilon, to first order"
 

@@ -33,10 +33,11 @@ from .marks import (
     vect,
     x,
 )  # fmt: skip
+from .methods import Identity
 from .polynomial_theorems import NORM, ORIGIN, SLOPES, VECTOR_POWERS
 from .setting import Letters
 from .statement import Equation, Premise, definition
-from .theorem import Identity, Theorem
+from .theorem import Theorem
 
 SQUARE = definition(dot(v, v), x)
 ORIGIN_P, ORIGIN_Q = ORIGIN.premise(0), ORIGIN.premise(1)

@@ -32,9 +32,10 @@ from .marks import (
     v,
     x,
 )  # fmt: skip
+from .methods import Determined, Identity
 from .setting import Letters
 from .statement import Equation, Premise, definition
-from .theorem import Determined, Identity, Theorem
+from .theorem import Theorem
 
 ONE = Equation(n, sympy.Integer(1))
 """Where sequences start."""

@@ -40,9 +40,10 @@ from .marks import (
     transport,
     u,
 )  # fmt: skip
+from .methods import Identity
 from .setting import Letters
 from .statement import Equation, Premise, definition
-from .theorem import Identity, Theorem
+from .theorem import Theorem
 
 
 def transport_theorems(formulas: Formulas) -> tuple[Theorem, ...]:

@@ -3,6 +3,7 @@
 ============= ========================================================================================
 loading       load a package from disk under a name of its own
 run           call its public functions, in both layouts
+offered       the names and constants of a module, which are its own text
 refusals      wrong calls, which a package must refuse as documented
 sample        what of a chart has not been shown by another of the package
 c_text        interpret a C header, in all the ways its functions may be called

@@ -17,11 +17,12 @@ from derive.proof.formulas import Formulas
 from derive.proof.identity import Proof
 from derive.proof.instances_of_phi import instance
 from derive.proof.marks import R, Shifted, alpha, cross, dot, n, p, prime, q, rate, skew, u, v, x
+from derive.proof.methods import Determined, Identity
 from derive.proof.polynomial_theorems import ANGLES, COSINE, NORM, ONE, RISE, SINE, SUMS, TURN, recurring
 from derive.proof.scalars import FORMULAS
 from derive.proof.setting import Letters
 from derive.proof.statement import Equation, Premise, definition
-from derive.proof.theorem import Determined, Identity, Theorem
+from derive.proof.theorem import Theorem
 
 A, S, G, y, si, co = sympy.symbols("A S G y si co")
 ZERO = Equation(alpha, sympy.Integer(0))

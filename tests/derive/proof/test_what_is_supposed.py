@@ -15,6 +15,7 @@ from derive.proof.formulas import Formulas
 from derive.proof.identity import Proof
 from derive.proof.limit_theorems import GROWING_ORDER
 from derive.proof.marks import Shifted, m, n, p, p_double, p_m, p_sum, q, q_double, q_m, q_sum, x
+from derive.proof.methods import Identity
 from derive.proof.polynomial_theorems import (
     ADDITION,
     ANGLES,
@@ -31,7 +32,7 @@ from derive.proof.polynomial_theorems import (
 )
 from derive.proof.setting import Letters, Setting
 from derive.proof.statement import Equation, Premise, definition
-from derive.proof.theorem import Identity, Theorem
+from derive.proof.theorem import Theorem
 
 ORIGIN = (definition(Shifted(p, x, 0), 1), definition(Shifted(q, x, 0), n))
 ONE = sympy.Integer(1)
