@@ -73,6 +73,6 @@ def _lines(proof: Proof) -> Iterator[str]:
         numbers = ", ".join(f"({number})" for number in equation.numbers)
         yield f"- $`{equation.latex}`${f' — CP23 {numbers}' if numbers else ''}"
     yield from (f"- given `{premise}`" for premise in proof.premises)
-    yield from (f"- where `{condition}`, as there" for condition in proof.conditions)
+    yield from (f"- where `{condition}`, as theorems given suppose" for condition in proof.conditions)
     yield from (f"- multiplied by `{factor}`, zero where `{factor.vanishes}`" for factor in proof.multipliers)
     yield f"- by {proof.method}; residues: {len(proof.residues)}"
