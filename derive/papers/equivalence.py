@@ -14,6 +14,7 @@ What has an order n is compared at each of the orders that it is executed at.
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import partial
@@ -94,16 +95,16 @@ def _environments(entry: Equation, pair: Pair, orders: Sequence[int], make: Call
     mentioned = dict.fromkeys(letter for part in pair for letter in letters(part))
     needed = dict.fromkeys(x for f in mentioned if f in functions for x in functions[f].arguments)
     free = [x for x in {**mentioned, **needed} if x not in functions and x.kind.varies]
-    order = next((x for x in free if x.kind is ORDER), None)
-    branch = next((x for x in free if x.kind is BRANCH), None)
+    fixed = {x.kind: x for x in free if x.kind in FIXED}
     stand_ins = {x: Letter(x.name, FREE.get(x.kind.name, x.kind.name)) for x in free if x.kind not in FIXED}
-    for n in orders if order is not None else (0,):
-        for k in range((entry.branches or n) if branch is not None else 1):
+    for n in orders if ORDER in fixed else (0,):
+        branches = range((entry.branches or n) if BRANCH in fixed else 1)
+        for k, sign in itertools.product(branches, (1, -1) if SIGN in fixed else (1,)):
             point = make(stand_ins.values(), takes_apart(*pair), entry.moving, 4 * n or STEPS,
                          framed=not entry.components)  # fmt: skip
-            fixed = {x: {ORDER: n, BRANCH: k, SIGN: 1}[x.kind] for x in free if x.kind in FIXED}
+            chosen = {x: {ORDER: n, BRANCH: k, SIGN: sign}[kind] for kind, x in fixed.items()}
             known = {x: point.values[stand_in] for x, stand_in in stand_ins.items()}
-            yield Env(point.field, {**known, **fixed}, functions, point.dual, point.moving)
+            yield Env(point.field, {**known, **chosen}, functions, point.dual, point.moving)
 
 
 def _same(env: Env, a: Term, b: Term) -> bool:

@@ -7,7 +7,7 @@ import pytest
 from derive.papers import PAPERS
 from derive.papers.condurache_popa_2023.alphabet import alpha, n, u, v
 from derive.papers.decide import ORDERS, decide
-from derive.papers.equation import equation
+from derive.papers.equation import Equation, equation
 from derive.papers.equivalence import equivalent
 from derive.papers.karakilic_2010.marks import ordered
 from derive.papers.language.notation import (
@@ -28,8 +28,9 @@ from derive.papers.language.notation import (
     tan,
 )  # fmt: skip
 from derive.papers.language.notation import identity as I
-from derive.papers.language.terms import Letter, Number, Term
+from derive.papers.language.terms import Letter, Number, Term, letters
 from derive.papers.mutation import Score, try_mutants
+from derive.papers.numbers.kinds import SIGN
 
 a, b = (Letter(name, "dual number") for name in "ab")
 w = Letter("w", "dual vector")
@@ -80,6 +81,13 @@ def test_what_is_also_true_is_not_the_same(before: Term, after: Term) -> None:
 def _score(number: str) -> Score:
     (paper, entry), = ((p, e) for p in PAPERS for e in p.entries() if e.number == number)
     return try_mutants(decide(paper.slug, entry, paper.lost, count=False))
+
+
+@pytest.mark.parametrize("entry", [e for e in PAPERS[0].entries() if e.number in ("18", "18-axis")], ids=str)
+def test_a_sign_that_is_lost_is_not_the_same(entry: Equation) -> None:
+    sign = next(x for x in letters(entry.readings[0].statement) if x.kind is SIGN)
+    assert equivalent(entry, (sign * a, a * sign), ORDERS)
+    assert not equivalent(entry, (sign * a, a), ORDERS)
 
 
 def test_equivalent_mutants_are_counted_apart() -> None:
