@@ -28,6 +28,8 @@ TERMS = {
 }  # fmt: skip
 """Letters for terms of sequences: which sequence, and the index."""
 
+INDICES = frozenset((n, m))
+
 
 def structure(name: str) -> sympy.Symbol:
     """A letter for a vector, tensor or quaternion."""

@@ -177,7 +177,7 @@ class ScalarProofs:
             yield equation.text, self.ring.lift(equation.left, values) - self.ring.lift(equation.right, values)
 
     def _angle(self) -> Iterator[Check]:
-        """Both sides at ``x = φ²``, what is said at x = 0 there."""
+        """Both sides at ``x = φ²``; of starts, at x = 0 and α = 0."""
         angle = RationalFunctions((), {alpha.name: _steps(self.chart.phi)}).symbol(alpha.name)
         size, rate = (evaluate(e, alpha, angle, TRIGONOMETRY) for e in (self.chart.phi, self.chart.phi.diff(alpha)))
         values = {letter: self._at(self.values[letter], size * size) for letter in (f, h, x)}

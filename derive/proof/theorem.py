@@ -144,7 +144,12 @@ def _is_proved(premise: Premise, known: Mapping[str, Proof], scope: str) -> bool
 
 
 def _keeps_terms(equation: Equation, changes: Mapping[sympy.Expr, sympy.Expr]) -> bool:
-    """Whether terms of sequences in an equation become terms of the same ones, with the index as it is then."""
+    """Whether terms of sequences in an equation become terms of the same ones, with the index as it is then.
+
+    Where an index changes there may be no other letters, such as dcay_n, that go with it.
+    """
+    if changes.keys() & marks.INDICES and not equation.letters <= {*marks.TERMS, *marks.INDICES, marks.x, marks.j}:
+        return False
     for letter in equation.letters & marks.TERMS.keys():
         sequence, index = marks.TERMS[letter]
         there = marks.TERMS.get(changes.get(letter, letter))

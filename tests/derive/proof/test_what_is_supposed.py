@@ -10,11 +10,12 @@ import sympy
 from derive.proof import theorems
 from derive.proof.any_phi import ANY_PHI
 from derive.proof.controls import controls
+from derive.proof.displacement_theorems import TURNED
 from derive.proof.every_order import stated
 from derive.proof.formulas import Formulas
 from derive.proof.identity import Proof
 from derive.proof.limit_theorems import GROWING_ORDER
-from derive.proof.marks import Shifted, m, n, p, p_double, p_m, p_sum, q, q_double, q_m, q_sum, x
+from derive.proof.marks import Shifted, m, n, p, p_double, p_m, p_sum, q, q_double, q_m, q_sum, v, x
 from derive.proof.methods import Identity
 from derive.proof.polynomial_theorems import (
     ADDITION,
@@ -89,6 +90,14 @@ def test_an_instance_with_terms_of_another_index_is_no_premise(
     letters = Identity(Letters((p_double, q_double, p_m, q_m, p_sum, q_sum, p, q, x)))
     proof = Theorem("wrong", claim, premises, letters).decide(known())
     assert [residue.label for residue in proof.failures][:2] == 2 * ["premise by addition"]
+
+
+@pytest.mark.parametrize("theorem", [TURNED, next(t for t in stated(Formulas()) if t.name == "inverse")])
+def test_an_index_changes_only_where_every_letter_that_goes_with_it_does(theorem: Theorem) -> None:
+    premise = theorem.premise(0, (n, 2 * n), (p, p_double), (q, q_double))
+    letters = Identity(Letters((p_double, q_double, x, n), (v,), (x,)))
+    proof = Theorem("wrong", (premise.equation,), (premise,), letters).decide(known())
+    assert proof.failures[0].label == f"premise by {theorem.name}"
 
 
 def test_what_a_letter_stands_for_in_a_theorem_it_stands_for_where_that_is_used() -> None:
