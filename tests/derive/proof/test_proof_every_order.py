@@ -12,15 +12,12 @@ from derive.proof.controls import controls
 from derive.proof.displacement_theorems import COMPOSITION_AT, DOUBLE_ANGLE, EXPONENTIAL
 from derive.proof.every_order import decided, stated
 from derive.proof.formulas import Formulas
-from derive.proof.identity import ALL_ORDERS, Proof
+from derive.proof.identity import ALL_ORDERS
 from derive.proof.marks import I, alpha, dcay, det, n, p, q, skew, u, v, x
 from derive.proof.polynomial_theorems import BRACKET_SUMS, POWERS, SLOPES, SUMS
 from derive.proof.statement import Equation, definition
 from derive.proof.theorem import Theorem
-
-
-def known() -> dict[str, Proof]:
-    return {proof.name: proof for proof in theorems()}
+from tests.support.theorems import known
 
 
 def theorem(name: str) -> Theorem:

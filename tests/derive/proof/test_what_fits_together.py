@@ -8,13 +8,11 @@ import pytest
 import sympy
 
 from derive.maps import family
-from derive.proof import theorems
 from derive.proof.at_order import at_order, same_as_theorem
 from derive.proof.displacement_theorems import EXPONENTIAL, ROTATION
 from derive.proof.evaluation import NoValueError
 from derive.proof.every_order import stated
 from derive.proof.formulas import Formulas
-from derive.proof.identity import Proof
 from derive.proof.instances_of_phi import instance
 from derive.proof.marks import R, Shifted, alpha, cross, dot, n, p, prime, q, rate, skew, u, v, x
 from derive.proof.methods import Determined, Identity
@@ -23,14 +21,11 @@ from derive.proof.scalars import FORMULAS
 from derive.proof.setting import Letters
 from derive.proof.statement import Equation, Premise, definition
 from derive.proof.theorem import Theorem
+from tests.support.theorems import known
 
 A, S, G, y, si, co = sympy.symbols("A S G y si co")
 ZERO = Equation(alpha, sympy.Integer(0))
 ANGULAR = Letters((COSINE, SINE, TURN, RISE), free=(TURN, RISE))
-
-
-def known() -> dict[str, Proof]:
-    return {proof.name: proof for proof in theorems()}
 
 
 def by_steps(right: sympy.Expr, following: sympy.Expr, letter: sympy.Symbol, *others: Premise) -> Theorem:

@@ -7,13 +7,11 @@ from dataclasses import replace
 import pytest
 import sympy
 
-from derive.proof import theorems
 from derive.proof.any_phi import ANY_PHI
 from derive.proof.controls import controls
 from derive.proof.displacement_theorems import TURNED
 from derive.proof.every_order import stated
 from derive.proof.formulas import Formulas
-from derive.proof.identity import Proof
 from derive.proof.limit_theorems import GROWING_ORDER
 from derive.proof.marks import Shifted, m, n, p, p_double, p_m, p_sum, q, q_double, q_m, q_sum, v, x
 from derive.proof.methods import Identity
@@ -34,13 +32,10 @@ from derive.proof.polynomial_theorems import (
 from derive.proof.setting import Letters, Setting
 from derive.proof.statement import Equation, Premise, definition
 from derive.proof.theorem import Theorem
+from tests.support.theorems import known
 
 ORIGIN = (definition(Shifted(p, x, 0), 1), definition(Shifted(q, x, 0), n))
 ONE = sympy.Integer(1)
-
-
-def known() -> dict[str, Proof]:
-    return {proof.name: proof for proof in theorems()}
 
 
 def test_a_theorem_at_one_order_is_no_premise_for_others() -> None:
