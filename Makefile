@@ -71,7 +71,7 @@ native: $(READY)  ## compile the committed charts and install them, dualcay-nati
 	$(RUN) -m derive generate --target native -o build/native
 	$(PIP) ./build/native
 
-bench: $(VENV)/.bench  ## proof times by order, then kernels, compiled ones too, against peers and their former release (docs/benchmarks.md)
+bench: $(VENV)/.bench  ## proof times by order, then kernels, compiled ones too, against peers (docs/benchmarks.md)
 	$(RUN) -m benchmarks.proofs
 	$(RUN) -m benchmarks -o docs/benchmarks.md
 
