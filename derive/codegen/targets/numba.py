@@ -16,8 +16,7 @@ from ...maps.chart import Chart
 from ...output import RefusedError
 from ..facts import Facts
 from ..lowered import Lowered, geometry
-from ..programs.program import Call, Operand, Program, Statement, summary
-from ..programs.registers import results
+from ..programs.program import Call, Operand, Program, Statement, results, summary
 from ..rows import Table
 from ..signatures import POSES, ROTATIONS
 from ..validation import Choose, Library, everything

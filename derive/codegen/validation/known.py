@@ -15,7 +15,7 @@ from ..cases import Samples
 from ..cases.decimals import DIGITS
 from ..lowered import Lowered, geometry
 from ..programs.program import Operand, Program
-from ..programs.registers import results as result_names
+from ..programs.program import results as result_names
 from ..rows import Function
 from .rounding import Array, Ball, Rounding, long
 
