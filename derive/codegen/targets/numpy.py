@@ -239,11 +239,4 @@ class Numpy(python.PythonTarget):
             for name, program in lowered.scalars.items()
             if name not in known
         ]
-        own = [python.printed(program, two_forms(program)) for program in lowered.own.values()]
-        return {
-            "calls": _called((*scalars, *own)),
-            "scalars": scalars,
-            "own": own,
-            "rows": lowered.table.kernels,
-            "programs": fingerprint(facts, lowered),
-        }
+        return {"calls": _called(scalars), "scalars": scalars, "programs": fingerprint(facts, lowered)}
