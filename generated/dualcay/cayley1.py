@@ -65,21 +65,21 @@
 # Operations:
 #   quaternion: 30: 8 +, 18 *, 3 /, 1 sqrt
 #   tensor: 87: 35 +, 50 *, 2 /
-#   pose: 44: 20 +, 22 *, 2 /
+#   pose: 60: 26 +, 32 *, 2 /
 #   transform_point: 72: 29 +, 41 *, 2 /
 #   transform_line: 111: 44 +, 65 *, 2 /
 #   inverse: 6: 6 neg
-#   tangent: 36: 8 +, 18 *, 3 /, 7 neg
-#   tangent_inv: 57: 21 +, 21 *, 15 /
-#   body_tangent: 36: 8 +, 18 *, 3 /, 7 neg
-#   body_tangent_inv: 57: 21 +, 21 *, 15 /
-#   twist: 80: 29 +, 47 *, 3 /, 1 neg
+#   tangent: 86: 35 +, 47 *, 3 /, 1 neg
+#   tangent_inv: 77: 33 +, 35 *, 9 /
+#   body_tangent: 86: 35 +, 47 *, 3 /, 1 neg
+#   body_tangent_inv: 77: 33 +, 35 *, 9 /
+#   twist: 120: 46 +, 70 *, 3 /, 1 neg
 #   rate: 109: 44 +, 65 *
-#   tangent_dot: 86: 26 +, 49 *, 4 /, 7 neg
-#   twist_dot: 116: 44 +, 67 *, 4 /, 1 neg
-#   rate_dot: 163: 72 +, 80 *, 11 /
-#   twist_jacobian: 148: 54 +, 89 *, 4 /, 1 neg
-#   rate_jacobian: 85: 34 +, 42 *, 9 /
+#   tangent_dot: 189: 73 +, 109 *, 6 /, 1 neg
+#   twist_dot: 217: 86 +, 126 *, 4 /, 1 neg
+#   rate_dot: 231: 96 +, 128 *, 7 /
+#   twist_jacobian: 219: 89 +, 125 *, 4 /, 1 neg
+#   rate_jacobian: 188: 77 +, 102 *, 9 /
 #   from_quaternion: 64: 22 +, 38 *, 4 /
 #   from_tensor: 125: 42 +, 45 *, 7 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 89: 27 +, 27 *, 4 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -89,8 +89,8 @@
 #   to_exponential: 38: 10 +, 18 *, 4 /, 1 neg, 1 sqrt, 1 atan2, 1 eq, 2 where
 #   from_exponential: 48: 13 +, 19 *, 5 /, 1 sqrt, 2 tan, 2 atan2, 1 lt, 1 eq, 4 where
 #   identity_jacobian: 12: 12 +
-#   compose: 135: 56 +, 71 *, 8 /
-#   between: 141: 56 +, 71 *, 8 /, 6 neg
+#   compose: 185: 68 +, 109 *, 8 /
+#   between: 191: 68 +, 109 *, 8 /, 6 neg
 #   compose_jacobians: 925: 374 +, 493 *, 50 /, 8 neg
 #   between_jacobians: 949: 374 +, 493 *, 50 /, 32 neg
 #   retract: 354: 119 +, 149 *, 38 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
@@ -102,7 +102,7 @@
 #   interpolate: 729: 245 +, 317 *, 71 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 12 lt, 5 eq, 1 and, 3 or, 42
 #       where
 #   adjoint: 87: 35 +, 50 *, 2 /
-#   transform_point_jacobians: 134: 58 +, 63 *, 3 /, 10 neg
+#   transform_point_jacobians: 201: 89 +, 105 *, 3 /, 4 neg
 #   transform_line_jacobians: 300: 122 +, 168 *, 3 /, 7 neg
 r"""Cayley map of order 1: Rodrigues dual vectors ``v = tan(α/2) u`` of rigid displacements.
 
@@ -185,6 +185,21 @@ def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return r, r, 0, fy, fy, 0
 
 
+# operations 14: 4 +, 5 *, 4 /, 1 neg
+def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
+    N = 1 + x
+    r = 2 * (N / N / N)
+    e = 2 / N
+    eg = e * r
+    fy = -eg
+    egy = e * fy
+    ee = 2 * e / N
+    eeg = ee * r
+    fyy = eeg - egy
+    return r, r, 0, fy, fy, 0, fyy, fyy, 0
+
+
 # operations 5: 1 +, 1 *, 2 /, 1 neg
 def _rate(m: Any, x: Any) -> Result:
     x1 = 1 + x
@@ -211,8 +226,16 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 
 # operations 2: 2 +
 def _tangent_inv(m: Any, x: Any) -> Result:
-    one = x - x + 1
-    return one, one, 0, 0
+    zero = x - x
+    one = zero + 1
+    return one, one, zero, 0
+
+
+# operations 2: 2 +
+def _tangent_inv_dot(m: Any, x: Any) -> Result:
+    zero = x - x
+    one = zero + 1
+    return one, one, zero, 0, 0, 0
 
 
 # operations 4: 1 +, 1 *, 2 /
@@ -242,7 +265,8 @@ def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1:
 
 # operations 7: 3 +, 2 *, 1 /, 1 atan2
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
-    one = x - x + 1
+    zero = x - x
+    one = zero + 1
     angle = 2 * m.atan2(r * one, 1)
     slope = 2 / (1 + x)
     return angle, slope, one
@@ -300,11 +324,13 @@ CHART = Chart(
         "quaternion": _quaternion,
         "pose": _pose,
         "tangent": _tangent,
+        "tangent_dot": _tangent_dot,
         "rate": _rate,
         "inverse": _inverse,
         "inverse_at": _inverse_at,
         "tangent_inv_at": _tangent_inv_at,
         "tangent_inv": _tangent_inv,
+        "tangent_inv_dot": _tangent_inv_dot,
         "ray": _ray,
         "gain_unit": _gain_unit,
         "gain_positive": _gain_positive,
@@ -316,7 +342,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="aad1daaae7d0a3fd",
+    programs="9a340c20e4169f31",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -80,7 +80,7 @@
 #   twist_dot: 227: 91 +, 131 *, 4 /, 1 neg
 #   rate_dot: 234: 97 +, 128 *, 8 /, 1 neg
 #   twist_jacobian: 229: 94 +, 130 *, 4 /, 1 neg
-#   rate_jacobian: 73: 25 +, 33 *, 9 /, 6 neg
+#   rate_jacobian: 191: 78 +, 102 *, 10 /, 1 neg
 #   from_quaternion: 71: 24 +, 38 *, 5 /, 1 neg, 1 lt, 2 where
 #   from_tensor: 136: 47 +, 49 *, 8 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 100: 32 +, 31 *, 5 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -253,7 +253,8 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 def _tangent_inv(m: Any, x: Any) -> Result:
     p = 1 - x
     fi = p / 2
-    one = x - x + 1
+    zero = x - x
+    one = zero + 1
     fiy = -one
     return fi, one, fiy, 0
 
@@ -262,7 +263,8 @@ def _tangent_inv(m: Any, x: Any) -> Result:
 def _tangent_inv_dot(m: Any, x: Any) -> Result:
     p = 1 - x
     fi = p / 2
-    one = x - x + 1
+    zero = x - x
+    one = zero + 1
     fiy = -one
     return fi, one, fiy, 0, 0, 0
 
@@ -418,7 +420,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="4c179d8ea42e30b0",
+    programs="905f7a0e3c50cd22",
 )
 
 KERNELS = PoseKernels(CHART)

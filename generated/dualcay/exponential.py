@@ -145,7 +145,8 @@ def __dir__() -> list[str]:
 # operations 96: 28 +, 28 *, 24 /, 1 neg, 2 sqrt, 2 tan, 3 lt, 8 where
 def _quaternion(m: Any, x: Any) -> Result:
     near = x < 6
-    z = m.where(near, x, x - x) / 4
+    zero = x - x
+    z = m.where(near, x, zero) / 4
     C7 = (
         (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
         / 93024)))) / 3603600)) / 72 / 5040
@@ -315,14 +316,16 @@ def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 
 # operations 2: 2 +
 def _rate(m: Any, x: Any) -> Result:
-    one = x - x + 1
-    return one, 0
+    zero = x - x
+    one = zero + 1
+    return one, zero
 
 
 # operations 97: 29 +, 27 *, 25 /, 2 sqrt, 2 tan, 3 lt, 9 where
 def _inverse(m: Any, x: Any, fe: Any) -> Result:
     near = x < 6
-    z = m.where(near, x, x - x) / 4
+    zero = x - x
+    z = m.where(near, x, zero) / 4
     C7 = (
         (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
         / 93024)))) / 3603600)) / 72 / 5040
@@ -360,7 +363,8 @@ def _inverse(m: Any, x: Any, fe: Any) -> Result:
 # operations 84: 27 +, 25 *, 19 /, 2 sqrt, 1 tan, 3 lt, 7 where
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     near = x < 6
-    z = m.where(near, x, x - x) / 4
+    zero = x - x
+    z = m.where(near, x, zero) / 4
     C7 = (
         (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
         / 93024)))) / 3603600)) / 72 / 5040
@@ -392,7 +396,8 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 # operations 114: 37 +, 38 *, 24 /, 1 neg, 2 sqrt, 1 tan, 3 lt, 8 where
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     near = x < 6
-    z = m.where(near, x, x - x) / 4
+    zero = x - x
+    z = m.where(near, x, zero) / 4
     C7 = (
         (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
         / 93024)))) / 3603600)) / 72 / 5040
@@ -432,7 +437,8 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 # operations 127: 39 +, 40 *, 30 /, 1 neg, 2 sqrt, 2 tan, 3 lt, 10 where
 def _tangent_inv(m: Any, x: Any) -> Result:
     near = x < 6
-    z = m.where(near, x, x - x) / 4
+    zero = x - x
+    z = m.where(near, x, zero) / 4
     C7 = (
         (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
         / 93024)))) / 3603600)) / 72 / 5040
@@ -478,7 +484,8 @@ def _tangent_inv(m: Any, x: Any) -> Result:
 # operations 170: 56 +, 58 *, 36 /, 2 neg, 2 sqrt, 2 tan, 3 lt, 11 where
 def _tangent_inv_dot(m: Any, x: Any) -> Result:
     near = x < 6
-    z = m.where(near, x, x - x) / 4
+    zero = x - x
+    z = m.where(near, x, zero) / 4
     C7 = (
         (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
         / 93024)))) / 3603600)) / 72 / 5040
@@ -531,7 +538,8 @@ def _tangent_inv_dot(m: Any, x: Any) -> Result:
 # operations 94: 28 +, 26 *, 24 /, 2 sqrt, 2 tan, 3 lt, 9 where
 def _ray(m: Any, x: Any) -> Result:
     near = x < 6
-    z = m.where(near, x, x - x) / 4
+    zero = x - x
+    z = m.where(near, x, zero) / 4
     C7 = (
         (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
         / 93024)))) / 3603600)) / 72 / 5040
@@ -601,7 +609,8 @@ def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1:
 # operations 68: 19 +, 17 *, 13 /, 1 neg, 2 sqrt, 1 tan, 5 lt, 1 eq, 1 and, 1 or, 7 where
 def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     near = x < 6
-    z = m.where(near, x, x - x) / 4
+    zero = x - x
+    z = m.where(near, x, zero) / 4
     C7 = (
         (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
         / 93024)))) / 3603600)) / 72 / 5040
@@ -628,7 +637,8 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
 # operations 73: 19 +, 19 *, 13 /, 1 neg, 2 abs, 2 sqrt, 1 tan, 1 atan2, 5 lt, 1 eq, 1 and, 1 or, 7 where
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     near = x < 6
-    z = m.where(near, x, x - x) / 4
+    zero = x - x
+    z = m.where(near, x, zero) / 4
     C7 = (
         (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
         / 93024)))) / 3603600)) / 72 / 5040
@@ -674,7 +684,8 @@ def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
     beyond1 = limit1 < limit1 + (x - limit1) / 16
     rx = m.sqrt(x)
     near = x < 6
-    z = m.where(near, x, x - x) / 4
+    zero = x - x
+    z = m.where(near, x, zero) / 4
     C7 = (
         (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
         / 93024)))) / 3603600)) / 72 / 5040
@@ -746,7 +757,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="f23cbc638aed059c",
+    programs="1e87430bb77d4e49",
 )
 
 KERNELS = PoseKernels(CHART)

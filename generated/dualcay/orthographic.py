@@ -39,17 +39,17 @@
 #   transform_line: 111: 44 +, 65 *, 1 /, 1 sqrt
 #   inverse: 6: 6 neg
 #   tangent: 88: 37 +, 48 *, 2 /, 1 sqrt
-#   tangent_inv: 30: 5 +, 7 *, 10 /, 7 neg, 1 sqrt
+#   tangent_inv: 81: 33 +, 35 *, 11 /, 1 neg, 1 sqrt
 #   body_tangent: 88: 37 +, 48 *, 2 /, 1 sqrt
-#   body_tangent_inv: 30: 5 +, 7 *, 10 /, 7 neg, 1 sqrt
+#   body_tangent_inv: 81: 33 +, 35 *, 11 /, 1 neg, 1 sqrt
 #   twist: 122: 48 +, 71 *, 2 /, 1 sqrt
-#   rate: 72: 26 +, 42 *, 2 /, 1 neg, 1 sqrt
+#   rate: 113: 44 +, 65 *, 2 /, 1 neg, 1 sqrt
 #   tangent_dot: 198: 78 +, 114 *, 5 /, 1 sqrt
 #   twist_dot: 226: 91 +, 131 *, 3 /, 1 sqrt
-#   rate_dot: 161: 61 +, 84 *, 11 /, 4 neg, 1 sqrt
+#   rate_dot: 243: 98 +, 131 *, 11 /, 2 neg, 1 sqrt
 #   twist_jacobian: 228: 94 +, 130 *, 3 /, 1 sqrt
-#   rate_jacobian: 141: 52 +, 79 *, 7 /, 2 neg, 1 sqrt
-#   from_quaternion: 48: 15 +, 28 *, 3 /, 1 lt, 1 where
+#   rate_jacobian: 200: 79 +, 105 *, 13 /, 2 neg, 1 sqrt
+#   from_quaternion: 65: 22 +, 38 *, 3 /, 1 lt, 1 where
 #   from_tensor: 133: 45 +, 49 *, 7 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 97: 30 +, 31 *, 4 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 26: 5 +, 14 *, 4 /, 1 tan, 1 lt, 1 where
@@ -60,8 +60,8 @@
 #   identity_jacobian: 12: 12 +
 #   compose: 192: 72 +, 110 *, 6 /, 2 sqrt, 1 lt, 1 where
 #   between: 198: 72 +, 110 *, 6 /, 6 neg, 2 sqrt, 1 lt, 1 where
-#   compose_jacobians: 939: 381 +, 496 *, 48 /, 7 neg, 5 sqrt, 1 lt, 1 where
-#   between_jacobians: 963: 381 +, 496 *, 48 /, 31 neg, 5 sqrt, 1 lt, 1 where
+#   compose_jacobians: 940: 382 +, 496 *, 48 /, 7 neg, 5 sqrt, 1 lt, 1 where
+#   between_jacobians: 964: 382 +, 496 *, 48 /, 31 neg, 5 sqrt, 1 lt, 1 where
 #   retract: 363: 125 +, 151 *, 41 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 20 where
 #   body_retract: 363: 125 +, 151 *, 41 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 20 where
 #   retract_jacobians: 1130: 441 +, 548 *, 86 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 21 where
@@ -215,13 +215,28 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     return fe, hi, fiy, hiy
 
 
-# operations 5: 1 +, 2 /, 1 neg, 1 sqrt
+# operations 6: 2 +, 2 /, 1 neg, 1 sqrt
 def _tangent_inv(m: Any, x: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
     h = 2 / c
     fiy = -(h / 2)
-    return c, 0, fiy, 0
+    zero = x - x
+    return c, zero, fiy, 0
+
+
+# operations 14: 4 +, 3 *, 4 /, 2 neg, 1 sqrt
+def _tangent_inv_dot(m: Any, x: Any) -> Result:
+    cc = 1 - x
+    c = m.sqrt(cc)
+    h = 2 / c
+    fiy = -(h / 2)
+    hy = h / cc
+    f = 2 * c
+    gy = f * h - 4
+    fiyy = -((hy + fiy * gy) / 2)
+    zero = x - x
+    return c, zero, fiy, 0, fiyy, 0
 
 
 # operations 6: 3 +, 1 *, 1 /, 1 sqrt
@@ -230,8 +245,16 @@ def _ray(m: Any, x: Any) -> Result:
     c = m.sqrt(cc)
     f = 2 * c
     h = 2 / c
-    one = x - x + 1
+    zero = x - x
+    one = zero + 1
     return c, 1, one, f, 2, h
+
+
+# operations 2: 1 lt, 1 where
+def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
+    negative = e0 < 0
+    gain = m.where(negative, -1, 1)
+    return gain,
 
 
 # operations 9: 3 +, 4 *, 1 /, 1 sqrt
@@ -326,7 +349,9 @@ CHART = Chart(
         "inverse_at": _inverse_at,
         "tangent_inv_at": _tangent_inv_at,
         "tangent_inv": _tangent_inv,
+        "tangent_inv_dot": _tangent_inv_dot,
         "ray": _ray,
+        "gain_unit": _gain_unit,
         "gain_positive": _gain_positive,
         "gain_product": _gain_product,
         "natural": _natural,
@@ -336,7 +361,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="607bc00134e70aab",
+    programs="e253dd67e389eecd",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -38,17 +38,17 @@
 #   transform_point: 75: 29 +, 41 *, 5 /
 #   transform_line: 114: 44 +, 65 *, 5 /
 #   inverse: 6: 6 neg
-#   tangent: 42: 8 +, 19 *, 8 /, 7 neg
-#   tangent_inv: 51: 21 +, 18 *, 12 /
-#   body_tangent: 42: 8 +, 19 *, 8 /, 7 neg
-#   body_tangent_inv: 51: 21 +, 18 *, 12 /
-#   twist: 86: 29 +, 48 *, 8 /, 1 neg
+#   tangent: 91: 35 +, 47 *, 8 /, 1 neg
+#   tangent_inv: 79: 33 +, 36 *, 10 /
+#   body_tangent: 91: 35 +, 47 *, 8 /, 1 neg
+#   body_tangent_inv: 79: 33 +, 36 *, 10 /
+#   twist: 125: 46 +, 70 *, 8 /, 1 neg
 #   rate: 111: 44 +, 66 *, 1 /
-#   tangent_dot: 97: 27 +, 53 *, 10 /, 7 neg
-#   twist_dot: 159: 57 +, 90 *, 11 /, 1 neg
-#   rate_dot: 166: 72 +, 85 *, 9 /
-#   twist_jacobian: 155: 54 +, 90 *, 10 /, 1 neg
-#   rate_jacobian: 85: 34 +, 42 *, 9 /
+#   tangent_dot: 196: 73 +, 109 *, 13 /, 1 neg
+#   twist_dot: 224: 86 +, 126 *, 11 /, 1 neg
+#   rate_dot: 233: 96 +, 129 *, 8 /
+#   twist_jacobian: 226: 89 +, 125 *, 11 /, 1 neg
+#   rate_jacobian: 190: 77 +, 103 *, 10 /
 #   from_quaternion: 68: 24 +, 39 *, 5 /
 #   from_tensor: 129: 44 +, 46 *, 8 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 93: 29 +, 28 *, 5 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -71,7 +71,7 @@
 #   interpolate: 747: 251 +, 319 *, 81 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 12 lt, 5 eq, 1 and, 3 or, 42
 #       where
 #   adjoint: 90: 35 +, 50 *, 5 /
-#   transform_point_jacobians: 149: 58 +, 73 *, 8 /, 10 neg
+#   transform_point_jacobians: 206: 89 +, 105 *, 8 /, 4 neg
 #   transform_line_jacobians: 305: 122 +, 168 *, 8 /, 7 neg
 r"""Normal Rodrigues vector of order 1: Rodrigues dual vectors ``v = 2 tan(α/2) u`` of rigid displacements.
 
@@ -164,6 +164,28 @@ def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f_v, g_v, 0, fy_v, gy_v, 0
 
 
+# operations 21: 4 +, 5 *, 11 /, 1 neg
+def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
+    z = x / 4
+    N = 1 + z
+    r = 2 * (N / N / N)
+    f_v = r / 2
+    g_v = r / 4
+    e = 2 / N
+    eg = e * r
+    fy = -eg
+    fy_v = fy / 8
+    gy_v = fy / 16
+    egy = e * fy
+    ee = 2 * e / N
+    eeg = ee * r
+    fyy = eeg - egy
+    fyy_v = fyy / 32
+    gyy_v = fyy / 64
+    return f_v, g_v, 0, fy_v, gy_v, 0, fyy_v, gyy_v, 0
+
+
 # operations 8: 1 +, 1 *, 5 /, 1 neg
 def _rate(m: Any, x: Any) -> Result:
     z = x / 4
@@ -178,31 +200,44 @@ def _rate(m: Any, x: Any) -> Result:
 
 # operations 3: 2 +, 1 /
 def _inverse(m: Any, x: Any, fe: Any) -> Result:
-    one = x - x + 1
+    zero = x - x
+    one = zero + 1
     hi = one / 2
     return 2, hi
 
 
 # operations 3: 2 +, 1 /
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    one = x - x + 1
+    zero = x - x
+    one = zero + 1
     hi = one / 2
     return hi,
 
 
 # operations 3: 2 +, 1 /
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    one = x - x + 1
+    zero = x - x
+    one = zero + 1
     hi = one / 2
     return 2, hi, 0, 0
 
 
 # operations 4: 2 +, 1 *, 1 /
 def _tangent_inv(m: Any, x: Any) -> Result:
-    one = x - x + 1
+    zero = x - x
+    one = zero + 1
     fi = 2 * one
     hi = one / 2
-    return fi, hi, 0, 0
+    return fi, hi, zero, 0
+
+
+# operations 4: 2 +, 1 *, 1 /
+def _tangent_inv_dot(m: Any, x: Any) -> Result:
+    zero = x - x
+    one = zero + 1
+    fi = 2 * one
+    hi = one / 2
+    return fi, hi, zero, 0, 0, 0
 
 
 # operations 10: 3 +, 1 *, 6 /
@@ -212,7 +247,8 @@ def _ray(m: Any, x: Any) -> Result:
     r = 2 * (N / N / N)
     f_v = r / 2
     g_v = r / 4
-    one = x - x + 1
+    zero = x - x
+    one = zero + 1
     b = one / 2
     return 1, b, 1, f_v, g_v, 0
 
@@ -301,11 +337,13 @@ CHART = Chart(
         "quaternion": _quaternion,
         "pose": _pose,
         "tangent": _tangent,
+        "tangent_dot": _tangent_dot,
         "rate": _rate,
         "inverse": _inverse,
         "inverse_at": _inverse_at,
         "tangent_inv_at": _tangent_inv_at,
         "tangent_inv": _tangent_inv,
+        "tangent_inv_dot": _tangent_inv_dot,
         "ray": _ray,
         "gain_unit": _gain_unit,
         "gain_positive": _gain_positive,
@@ -317,7 +355,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="292ece69e2dc6070",
+    programs="2ca4b63e559995fa",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -48,7 +48,7 @@
 #   twist_dot: 237: 91 +, 131 *, 14 /, 1 neg
 #   rate_dot: 237: 97 +, 129 *, 10 /, 1 neg
 #   twist_jacobian: 239: 94 +, 130 *, 14 /, 1 neg
-#   rate_jacobian: 73: 25 +, 33 *, 9 /, 6 neg
+#   rate_jacobian: 194: 78 +, 103 *, 12 /, 1 neg
 #   from_quaternion: 77: 26 +, 40 *, 7 /, 1 neg, 1 lt, 2 where
 #   from_tensor: 142: 49 +, 51 *, 10 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 106: 34 +, 33 *, 7 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -231,14 +231,16 @@ def _inverse(m: Any, x: Any, fe: Any) -> Result:
     p = 1 - z
     fi = p / 2
     fi_v = 4 * fi
-    one = x - x + 1
+    zero = x - x
+    one = zero + 1
     hi = one / 4
     return fi_v, hi
 
 
 # operations 3: 2 +, 1 /
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    one = x - x + 1
+    zero = x - x
+    one = zero + 1
     hi = one / 4
     return hi,
 
@@ -249,7 +251,8 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     p = 1 - z
     fi = p / 2
     fi_v = 4 * fi
-    one = x - x + 1
+    zero = x - x
+    one = zero + 1
     hi = one / 4
     fiy = -hi
     return fi_v, hi, fiy, 0
@@ -261,7 +264,8 @@ def _tangent_inv(m: Any, x: Any) -> Result:
     p = 1 - z
     fi = p / 2
     fi_v = 4 * fi
-    one = x - x + 1
+    zero = x - x
+    one = zero + 1
     hi = one / 4
     fiy = -hi
     return fi_v, hi, fiy, 0
@@ -273,7 +277,8 @@ def _tangent_inv_dot(m: Any, x: Any) -> Result:
     p = 1 - z
     fi = p / 2
     fi_v = 4 * fi
-    one = x - x + 1
+    zero = x - x
+    one = zero + 1
     hi = one / 4
     fiy = -hi
     return fi_v, hi, fiy, 0, 0, 0
@@ -291,7 +296,8 @@ def _ray(m: Any, x: Any) -> Result:
     g = 4 * r
     g_v = g / 16
     h_v = g / 64
-    one = x - x + 1
+    zero = x - x
+    one = zero + 1
     b = one / 2
     return p, b, root, f_v, g_v, h_v
 
@@ -444,7 +450,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="5d364c1b6faf1468",
+    programs="8839adb436a286da",
 )
 
 KERNELS = PoseKernels(CHART)

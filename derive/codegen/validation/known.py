@@ -67,7 +67,7 @@ class Analysis:
     def __init__(self, chart: Chart, lowered: Lowered, dtypes: Sequence[np.dtype[Any]]) -> None:
         self.chart = chart
         self.lowered = lowered
-        self.programs = {**geometry(lowered.table), **lowered.own}
+        self.programs = geometry(lowered.table)
         self.rounding = Rounding(tuple(dtypes))
 
     def known(self, samples: Samples) -> Known:

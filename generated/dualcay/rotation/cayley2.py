@@ -5,7 +5,7 @@
 # What was proved is told in the module for poses. Operations:
 #   quaternion 16, tensor 38, transform_point 45, inverse 3, tangent 36, tangent_inv 33, body_tangent 36,
 #       body_tangent_inv 33, twist 46, rate 42, tangent_dot 74, twist_dot 82, rate_dot 83, twist_jacobian 81,
-#       rate_jacobian 28, from_quaternion 9, from_tensor 62, from_angle_axis 8, to_angle_axis 46, angle 12,
+#       rate_jacobian 68, from_quaternion 9, from_tensor 62, from_angle_axis 8, to_angle_axis 46, angle 12,
 #       to_exponential 21, from_exponential 34, turn 30, shadow 48, identity_jacobian 6, shadow_jacobian 62,
 #       principal 28, compose 76, between 79, compose_jacobians 348, between_jacobians 360, retract 180,
 #       body_retract 180, retract_jacobians 489, body_retract_jacobians 491, local 92, body_local 92,
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="ab990ddac90d49e8",
+    programs="1114c114922446c4",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -5,7 +5,7 @@
 # What was proved is told in the module for poses. Operations:
 #   quaternion 20, tensor 42, transform_point 49, inverse 3, tangent 40, tangent_inv 36, body_tangent 40,
 #       body_tangent_inv 36, twist 50, rate 45, tangent_dot 81, twist_dot 89, rate_dot 86, twist_jacobian 88,
-#       rate_jacobian 28, from_quaternion 10, from_tensor 63, from_angle_axis 10, to_angle_axis 49, angle 13,
+#       rate_jacobian 71, from_quaternion 10, from_tensor 63, from_angle_axis 10, to_angle_axis 49, angle 13,
 #       to_exponential 25, from_exponential 36, turn 32, shadow 52, identity_jacobian 6, shadow_jacobian 66,
 #       principal 30, compose 91, between 94, compose_jacobians 374, between_jacobians 386, retract 190,
 #       body_retract 190, retract_jacobians 509, body_retract_jacobians 511, local 106, body_local 106,
@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="00473cccea117ec3",
+    programs="655c893ae678466e",
 )
 
 KERNELS = RotationKernels(CHART)
