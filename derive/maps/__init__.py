@@ -3,8 +3,8 @@
 CP23 is Condurache and Popa, Symmetry 15(11) 2011 (2023), cited by equation number.
 """
 
+from .any_phi.expressions import PhiError
 from .cayley import Cayley
-from .expressions import PhiError
 from .formula import Formula, IsotropicMap, QuaternionMap
 from .named import family, parameterization
 from .polynomials import x

@@ -11,8 +11,9 @@ from collections.abc import Callable
 import pytest
 import sympy
 
-from derive.maps import PhiError, expressions, parameterization
-from derive.maps.expressions import parity, parsed
+from derive.maps import PhiError, parameterization
+from derive.maps.any_phi import expressions
+from derive.maps.any_phi.expressions import parity, parsed
 from derive.maps.families import alpha
 
 WORDS = (

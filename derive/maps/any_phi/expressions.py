@@ -14,7 +14,7 @@ from typing import Any
 
 import sympy
 
-from .families import alpha
+from ..families import alpha
 
 FUNCTIONS: Mapping[str, Callable[[sympy.Expr], sympy.Expr]] = {
     name: getattr(sympy, name)

@@ -13,12 +13,12 @@ from typing import Any
 import mpmath
 import sympy
 
-from ..algebra import Coefficient
-from ..algebra.arithmetic import Arithmetic
+from ...algebra import Coefficient
+from ...algebra.arithmetic import Arithmetic
+from ..families import alpha
+from ..order_charts import double_angle
 from .expressions import PhiError
-from .families import alpha
-from .of_order import of_twice
-from .split import is_small, plus, times
+from .real_constants import is_small, plus, times
 
 DIGITS = 60
 LEVELS = 5
@@ -150,7 +150,7 @@ class Lowering:
         if argument not in self._pairs:
             m, scope = self.m, _Prefixed(self.m, self._name())
             quarter = m.name(self._name(), m.tan(m.div(self.at(argument), 4)))
-            sine, cosine = (m.name(self._name(), value) for value in of_twice(quarter, scope))
+            sine, cosine = (m.name(self._name(), value) for value in double_angle(quarter, scope))
             self._pairs[argument] = 2 * (sine * cosine), 1 - 2 * (sine * sine)
         return self._pairs[argument]
 
