@@ -13,8 +13,9 @@ from typing import TypeAlias
 import sympy
 
 from .any_phi.edges import edge_of
-from .any_phi.expressions import PhiError, parity, parsed
+from .any_phi.expressions import parity, parsed
 from .any_phi.general import General
+from .any_phi.grammar import PhiError
 from .breusing import Breusing
 from .exponential_chart import Exponential
 from .families import alpha

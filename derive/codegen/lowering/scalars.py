@@ -10,7 +10,7 @@ from typing import Any
 import sympy
 
 from ...algebra import Quaternion, Vector
-from ...maps.any_phi.expressions import PhiError
+from ...maps.any_phi.grammar import PhiError
 from ...maps.any_phi.lowering import number
 from ...maps.any_phi.real_constants import plus
 from ...maps.chart import Chart

@@ -13,7 +13,7 @@ import sympy
 
 from ..families import alpha
 from .elementary import evaluate
-from .expressions import PhiError
+from .grammar import PhiError
 
 DIGITS = 60
 FURTHEST = 4

@@ -16,7 +16,7 @@ from ...algebra.arithmetic import PLAIN, Arithmetic
 from ..families import alpha
 from .closed_inverse import closed_inverse
 from .edges import DIGITS, Edge, angle_of, real_value
-from .expressions import PhiError
+from .grammar import PhiError
 from .lowering import Lowering
 from .real_constants import Polynomial, plus, polynomial, times
 

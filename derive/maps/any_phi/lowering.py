@@ -17,7 +17,7 @@ from ...algebra import Coefficient
 from ...algebra.arithmetic import Arithmetic
 from ..families import alpha
 from ..order_charts import double_angle
-from .expressions import PhiError
+from .grammar import PhiError
 from .real_constants import is_small, plus, times
 
 DIGITS = 60

@@ -20,7 +20,7 @@ import sympy
 from ..families import alpha
 from .edges import DIGITS, Edge, angle_of
 from .elementary import evaluate
-from .expressions import PhiError
+from .grammar import PhiError
 from .intervals import is_analytic, smallest
 from .real_constants import Exactly, Polynomial, is_small, polynomial
 
