@@ -13,19 +13,19 @@ from typing import Any
 import mpmath
 import sympy
 
-from ..algebra import Coefficient, Quaternion
-from ..algebra.arithmetic import Arithmetic
-from . import turns
-from .families import alpha
-from .lowered_phi import number
-from .own_axis import OwnAxis
-from .split import times
+from ...algebra import Coefficient, Quaternion
+from ...algebra.arithmetic import Arithmetic
+from .. import branches
+from ..families import alpha
+from ..own_axis import QuaternionChart
+from .lowering import number
+from .real_constants import times
 
 FURTHEST = 4 * sympy.pi
 """Up to where singular angles are named in a chart without an edge."""
 
 
-class ByAngle(OwnAxis):
+class AngleChart(QuaternionChart):
     """A chart that finds its angle from |v| to go from branch to branch."""
 
     order = 1
@@ -85,7 +85,7 @@ class ByAngle(OwnAxis):
         self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic
     ) -> tuple[Any, Sequence[Coefficient]]:
         """Beyond half a turn; back by whole turns to the angle that sine and cosine of its half say."""
-        selected, (one, _) = turns.beyond(x, table, m)
+        selected, (one, _) = branches.beyond(x, table, m)
         at, r = self.scalars(x, m), m.name("rx", m.sqrt(x))
         s, sine = at.s, m.name("sine", at.w * r)
         sign = m.name("side", m.where(m.less(s, 0), -1, 1))

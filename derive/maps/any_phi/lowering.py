@@ -13,16 +13,19 @@ from typing import Any
 import mpmath
 import sympy
 
-from ..algebra import Coefficient
-from ..algebra.arithmetic import Arithmetic
-from .expressions import PhiError
-from .families import alpha
-from .of_order import of_twice
-from .split import is_small, plus, times
+from ...algebra import Coefficient
+from ...algebra.arithmetic import Arithmetic
+from ..families import alpha
+from ..order_charts import double_angle
+from .grammar import PhiError
+from .real_constants import is_small, plus, times
 
 DIGITS = 60
 LEVELS = 5
 """Of a factor or term (`split`): angles 1e-30 beside half a turn, which are tried, have to stay on their side."""
+
+ARC_SERIES = tuple(45045 // odd for odd in range(1, 15, 2))
+"""Coefficients of the series of the arc tangent, signs alternating, over the first."""
 
 
 def number(expression: sympy.Expr) -> Any:
@@ -131,9 +134,9 @@ class Lowering:
             sympy.sin: lambda e: self._pair(e)[0],
             sympy.cos: lambda e: self._pair(e)[1],
             sympy.tan: lambda e: m.tan(self.at(e)),
-            sympy.asin: lambda e: m.atan2(self.at(e), self._other(e)),
-            sympy.acos: lambda e: m.atan2(self._other(e), self.at(e)),
-            sympy.atan: lambda e: m.atan2(self.at(e), 1),
+            sympy.asin: lambda e: 2 * self._short_arc(self.at(e) / (1 + self.at(sympy.sqrt(1 - e**2)))),
+            sympy.acos: lambda e: 2 * self._atan(self.at(sympy.sqrt((1 - e) / (1 + e)))),
+            sympy.atan: lambda e: self._atan(self.at(e)),
             sympy.sinh: lambda e: self._hyperbolic(e)[0],
             sympy.cosh: lambda e: self._hyperbolic(e)[1],
             sympy.tanh: self._tanh,
@@ -141,16 +144,41 @@ class Lowering:
             sympy.log: self._log,
         }
 
-    def _other(self, e: sympy.Expr) -> Coefficient:
-        """``√(1 − e²)``."""
-        return self.at(sympy.sqrt(1 - e**2))
+    def _atan(self, value: Coefficient) -> Coefficient:
+        """Return the arc tangent; beyond 1 it is ``π/2 − atan(1/a)``.
+
+        The operation `atan2` takes no complex numbers, and complex steps go through forward maps.
+        """
+        m, a = self.m, self._named(value)
+        short = self._named(m.less(self._named(a * a), 1))
+        arc = self._named(self._short_arc(m.where(short, a, 1) / m.where(short, 1, a)))
+        side = self._named(m.where(m.less(a, 0), -1, 1))
+        with mpmath.workdps(DIGITS):
+            right_angle = mpmath.pi / 2
+        return m.where(short, arc, side * plus(-(side * arc), right_angle, m, self._name(), LEVELS))
+
+    def _short_arc(self, value: Coefficient) -> Coefficient:
+        """Return the arc tangent of a number up to 1.
+
+        A series gives the arc of a quarter of the angle, to 1e-10. A step by the tangent of what is left corrects it.
+        """
+        m, u = self.m, self._named(value)
+        quarter = u
+        for _ in range(2):
+            quarter = self._named(quarter / (1 + m.sqrt(1 + quarter * quarter)))
+        square, series = self._named(quarter * quarter), 0
+        for coefficient in reversed(ARC_SERIES):
+            series = coefficient - square * series
+        start = m.corrected(self._named(m.div(4 * (quarter * series), ARC_SERIES[0])))
+        tangent = self._named(m.tan(start))
+        return start - (tangent - u) / (1 + tangent * u)
 
     def _pair(self, argument: sympy.Expr) -> tuple[Coefficient, Coefficient]:
         """Sine and cosine, by the tangent of a quarter, whose pole is far."""
         if argument not in self._pairs:
             m, scope = self.m, _Prefixed(self.m, self._name())
             quarter = m.name(self._name(), m.tan(m.div(self.at(argument), 4)))
-            sine, cosine = (m.name(self._name(), value) for value in of_twice(quarter, scope))
+            sine, cosine = (m.name(self._name(), value) for value in double_angle(quarter, scope))
             self._pairs[argument] = 2 * (sine * cosine), 1 - 2 * (sine * sine)
         return self._pairs[argument]
 

@@ -11,9 +11,9 @@ from typing import Any
 import mpmath
 import sympy
 
+from ..families import alpha
 from .elementary import evaluate
-from .expressions import PhiError
-from .families import alpha
+from .grammar import PhiError
 
 DIGITS = 60
 FURTHEST = 4

@@ -16,7 +16,7 @@ import sympy
 
 from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import Arithmetic
-from . import turns, way_back
+from . import branches, gains
 from .cayley import Cayley
 from .cayley_scalars import CayleyScalars
 from .chart import Scalars
@@ -57,7 +57,7 @@ class ScaledScalars:
 
 
 @dataclass(frozen=True)
-class Scaled(turns.InTurns, Parameterized):
+class Scaled(branches.BranchesOfOrder, Parameterized):
     """v = K tan(α/2n) u, up to |Re α| = nπ."""
 
     name: str
@@ -103,7 +103,7 @@ class Scaled(turns.InTurns, Parameterized):
         return self._times(t, m, "v"), self._times(slope, m, "v_slope")
 
     def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
-        return self._times(way_back.gain(self.order, q, size, m, positive), m, "gain")
+        return self._times(gains.gain(self.order, q, size, m, positive), m, "gain")
 
     def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         at = self.scalars(x, m)
@@ -114,25 +114,25 @@ class Scaled(turns.InTurns, Parameterized):
 
     def direction(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         tangent = divided(r, self.scale, m)
-        return turns.direction(self.order, self._inner(x, m), y, tangent, m)
+        return branches.direction(self.order, self._inner(x, m), y, tangent, m)
 
     def natural(
         self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic
     ) -> tuple[Coefficient, Coefficient, Coefficient]:
         tangent = divided(r, self.scale, m)
-        angle, slope, sign = turns.natural(self.order, self._inner(x, m), y, tangent, m)
+        angle, slope, sign = branches.natural(self.order, self._inner(x, m), y, tangent, m)
         return angle, divided(slope, self.scale, m), sign
 
     def unfolded(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         return 2 * self.order * m.atan2(divided(r, self.scale, m), 1)
 
     def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> tuple[Coefficient, Coefficient]:
-        rk, slope = turns.turned(m.name("rt", divided(r, self.scale, m)), turn, m)
+        rk, slope = branches.turned(m.name("rt", divided(r, self.scale, m)), turn, m)
         return self._times(rk, m, "rv"), slope
 
     def returns(self) -> tuple[tuple[Any, Any, Any], ...]:
         square = self.scale**2
-        rows = turns.returns(self.order)
+        rows = branches.returns(self.order)
         return tuple((limit * square.numerator / square.denominator, *turn) for limit, *turn in rows)
 
     def _inner(self, x: Coefficient, m: Arithmetic) -> CayleyScalars:

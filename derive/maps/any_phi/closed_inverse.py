@@ -13,7 +13,7 @@ from typing import Any
 
 import sympy
 
-from .families import alpha
+from ..families import alpha
 
 PRINCIPAL = {sympy.sin: sympy.asin}
 """Inverses up to the first fold, which SymPy does not call so."""

@@ -11,14 +11,14 @@ from typing import Any, Protocol
 import mpmath
 import sympy
 
-from ..algebra import Coefficient
-from ..algebra.arithmetic import PLAIN, Arithmetic
+from ...algebra import Coefficient
+from ...algebra.arithmetic import PLAIN, Arithmetic
+from ..families import alpha
 from .closed_inverse import closed_inverse
 from .edges import DIGITS, Edge, angle_of, real_value
-from .expressions import PhiError
-from .families import alpha
-from .lowered_phi import Lowering
-from .split import Polynomial, plus, polynomial, times
+from .grammar import PhiError
+from .lowering import Lowering
+from .real_constants import Polynomial, plus, polynomial, times
 
 FIT = 12
 """The degree of a first guess."""

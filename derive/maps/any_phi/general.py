@@ -16,18 +16,18 @@ from functools import cached_property
 import mpmath
 import sympy
 
-from ..algebra import Coefficient
-from ..algebra.arithmetic import Arithmetic
-from . import stumpff
-from .angle_ratio import Ratio, ratio
-from .by_angle import ByAngle
-from .dependent import DependentScalars
+from ...algebra import Coefficient
+from ...algebra.arithmetic import Arithmetic
+from .. import stumpff
+from ..dependent import DependentScalars
+from ..families import alpha
+from ..order_charts import double_angle
+from .angle_chart import AngleChart
 from .edges import DIGITS, Edge, edge_of
-from .families import alpha
 from .first_guess import Guess, guess
-from .lowered_phi import Lowering, require_known
-from .of_order import of_twice
-from .split import plus
+from .lowering import Lowering, require_known
+from .near_zero import Ratio, ratio
+from .real_constants import plus
 
 
 class GeneralScalars(DependentScalars):
@@ -140,7 +140,7 @@ class GeneralScalars(DependentScalars):
     @cached_property
     def _trigonometry(self) -> tuple[Coefficient, Coefficient]:
         """Cosine of α/2, and sine of it over |v|."""
-        sine, cosine = of_twice(self.m.name("t", self.m.tan(self.m.div(self.far_angle, 4))), self.m)
+        sine, cosine = double_angle(self.m.name("t", self.m.tan(self.m.div(self.far_angle, 4))), self.m)
         return cosine, sine / self._length
 
     @cached_property
@@ -216,7 +216,7 @@ class GeneralAtAngle(GeneralScalars):
 
 
 @dataclass(frozen=True)
-class General(ByAngle):
+class General(AngleChart):
     """v = φ(α) u up to the first φ′ = 0 or pole of φ, at most to 4π."""
 
     name: str

@@ -15,8 +15,8 @@ from functools import partial
 import mpmath
 import sympy
 
+from ..families import alpha
 from .elementary import evaluate
-from .families import alpha
 
 POINTS = 400
 """Angles at which an extremum is looked for."""

@@ -14,13 +14,13 @@ import sympy
 
 from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import Arithmetic
-from . import turns
+from . import branches
 from .families import alpha
-from .own_axis import OwnAxis
-from .way_back import has_ladder
+from .gains import has_ladder
+from .own_axis import QuaternionChart
 
 
-class OfOrder(turns.InTurns, OwnAxis):
+class OrderChart(branches.BranchesOfOrder, QuaternionChart):
     """A chart v = φ(α) u of order n, φ a function of θ = α/2n with its edge at θ = π/2."""
 
     @abstractmethod
@@ -39,7 +39,7 @@ class OfOrder(turns.InTurns, OwnAxis):
 
     def coefficient(self, angle: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         """Of the angle brought into (−nπ, nπ]: on by 2nπ sine and cosine of θ are the opposite ones."""
-        return self._folded(*of_twice(m.name("t", m.tan(m.div(angle, 4 * self.order))), m), m)
+        return self._folded(*double_angle(m.name("t", m.tan(m.div(angle, 4 * self.order))), m), m)
 
     def _folded(self, sine: Coefficient, cosine: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         further = m.name("further", cosine)
@@ -77,7 +77,7 @@ class OfOrder(turns.InTurns, OwnAxis):
         # the root is not taken of 0: its slope there is infinite, and 0 times that is no gradient
         sine = m.name("sin", m.sqrt(m.where(still, cosine, square)))
         t = m.name("t", m.tan(m.div(m.atan2(sine, cosine), 2 * self.order)))
-        of_angle, cos = of_twice(t, m)
+        of_angle, cos = double_angle(t, m)
         above, below = self.factor(m.name("costheta", cos), m)
         at_rest, below_rest = self.factor(1, m)
         return (
@@ -109,7 +109,7 @@ class OfOrder(turns.InTurns, OwnAxis):
         return mpmath.mpf(self.phi.subs(alpha, angle).evalf(mpmath.mp.dps + 5)) ** 2
 
 
-def of_twice(t: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+def double_angle(t: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
     """Sine and cosine of twice the angle whose tangent is t."""
     tt = m.name("tt", t * t)
     below = m.name("below", 1 + tt)

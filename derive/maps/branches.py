@@ -90,7 +90,7 @@ def returns(n: int) -> Iterator[tuple[Any, Any, Any]]:
         yield ((mpmath.sinpi(half) / mpmath.cospi(half)) ** 2, *turn(n, -j))
 
 
-class InTurns:
+class BranchesOfOrder:
     """A chart of order n, up to |Re α| = nπ; from each of its n branches to the next θ turns by π/n."""
 
     order: int

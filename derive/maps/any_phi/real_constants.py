@@ -13,8 +13,8 @@ from typing import Any
 
 import mpmath
 
-from ..algebra import Coefficient
-from ..algebra.arithmetic import Arithmetic
+from ...algebra import Coefficient
+from ...algebra.arithmetic import Arithmetic
 
 BITS, LEVELS = 22, 3
 SMALL = 2**24

@@ -17,12 +17,12 @@ from typing import Any
 import mpmath
 import sympy
 
+from ..families import alpha
 from .edges import DIGITS, Edge, angle_of
 from .elementary import evaluate
-from .expressions import PhiError
-from .families import alpha
+from .grammar import PhiError
 from .intervals import is_analytic, smallest
-from .split import Exactly, Polynomial, is_small, polynomial
+from .real_constants import Exactly, Polynomial, is_small, polynomial
 
 NEAR = mpmath.mpf("1.3")
 """The angle up to which a(x) is interpolated, or a fifth of the edge if that is less."""

@@ -10,9 +10,9 @@ from typing import Any, TypeAlias
 import mpmath
 import sympy
 
+from ..families import alpha
 from .edges import DIGITS
 from .elementary import evaluate
-from .families import alpha
 
 ARCS = 128
 NOT_INTERVALS = "interval arithmetic does not know it"
