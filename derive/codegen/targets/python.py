@@ -15,7 +15,7 @@ from ... import about
 from ...maps.cayley import EQUATIONS
 from ...maps.chart import DEFINITIONS, Chart
 from ...maps.named import NUMBERED, SINGLE
-from ..facts import Facts, comment, numbers, operations, theorem_lines
+from ..facts import Facts, numbers
 from ..lowered import Lowered, lower_chart
 from ..programs.program import Program, summary
 from ..rows import Function, Table, inside
@@ -151,8 +151,7 @@ class PythonTarget(ABC):
 
 def interface(words: Words, table: Table) -> Data:
     """What the template of the interface of a table is given."""
-    theorems = {"theorems": comment(theorem_lines(), "#")} if table is POSES else {}
-    return theorems | {
+    return {
         "words": words,
         "definitions": DEFINITIONS,
         "equations": {name: numbers(equations) for name, equations in EQUATIONS.items()},
@@ -192,7 +191,6 @@ def described_part(facts: Facts, lowered: Lowered, words: Words) -> dict[str, An
         "parameter": chart.parameter,
         "branches": chart.branches,
         "singular": facts.singular,
-        "operations": comment(operations(lowered), "#"),
     }
 
 
