@@ -29,5 +29,5 @@ def failures(text: str, name: str, names: dict[str, Any] | None = None) -> str:
 
 
 def of_docstrings(functions: Iterable[Any], names: Mapping[str, Any] | None = None) -> str:
-    """Return the failures of the docstrings of functions, each run by itself with the names that all examples assume."""
+    """Return the failures of the docstrings of functions, each run by itself with the names that examples assume."""
     return "".join(failures(inspect.getdoc(one) or "", one.__qualname__, dict(names or {})) for one in functions)
