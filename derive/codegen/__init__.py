@@ -1,7 +1,7 @@
 """From proved formulas to files of kernels.
 
 ============ ==============================================================================
-programs     straight-line programs: traced, scheduled, placed in registers
+programs     straight-line programs, traced from formulas
 lowering     recipes: the geometry that all charts share, and the scalars of a chart
 rows         what a row says of a kernel function: arrays, recipe, names, its part for rotations
 signatures   the table of kernel functions, and of those of rotations

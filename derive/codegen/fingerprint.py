@@ -16,7 +16,7 @@ DIGITS = 16
 
 def fingerprint(facts: Facts, lowered: Lowered) -> str:
     """Hexadecimal digits of a digest of all that a chart computes for a table: programs, arrays, tables of branches."""
-    lines = [*_of_geometry(lowered.table), *_lines(lowered.scalars), *_lines(lowered.own)]
+    lines = [*_of_geometry(lowered.table), *_lines(lowered.scalars)]
     rows = lowered.table.kernels.values()
     lines += [f"{row.name} {row.arguments} {row.results} {row.constants}" for row in rows]
     lines += [f"{facts.turns} {facts.returns}"]

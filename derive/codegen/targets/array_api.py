@@ -57,8 +57,7 @@ class ArrayApi(python.PythonTarget):
             for name, program in lowered.scalars.items()
             if name not in known
         ]
-        own = [python.printed(program, infix.body(program)) for program in lowered.own.values()]
-        return {"scalars": scalars, "own": own, "rows": lowered.table.kernels}
+        return {"scalars": scalars}
 
     def libraries(self) -> Sequence[Library]:
         """NumPy, and the strict reference of the standard where it is installed, in the standard's types."""

@@ -2,8 +2,8 @@
 
 ``geometry.h`` holds what all charts share and is read once for each: a chart defines its scalars, says in macros what
 geometry cannot know, and includes it. Macros are the chart's name in the names of its functions (``DUALCAY_NAME``) and
-of its scalars (``DUALCAY_CHART``), its branches, what its functions call of ``math.h``, and the functions that are its
-own. That of rotations lies in a folder of its own; a chart's header there takes the scalars of that for poses.
+of its scalars (``DUALCAY_CHART``), its branches, and what its functions call of ``math.h``. The geometry of rotations
+lies in a folder of its own; a chart's header there takes the scalars of that for poses.
 """
 
 from __future__ import annotations
@@ -102,8 +102,7 @@ def level(program: Program) -> int:
 def levels(lowered: Lowered) -> dict[str, int]:
     """What every kernel function of a chart needs of ``math.h``, with the scalars that it calls."""
     found = {}
-    for name, shared in geometry(lowered.table).items():
-        program = lowered.own.get(name, shared)
+    for name, program in geometry(lowered.table).items():
         called = [lowered.scalars[call.function] for call in program.calls if call.function in lowered.scalars]
         found[name] = max(map(level, [program, *called]))
     return found
@@ -111,8 +110,7 @@ def levels(lowered: Lowered) -> dict[str, int]:
 
 def scalars(lowered: Lowered) -> Mapping[str, Program]:
     """The scalars of a chart, and what stands for others that geometry names."""
-    shared = (program for name, program in geometry(lowered.table).items() if name not in lowered.own)
-    named = {call.function for program in shared for call in program.calls}
+    named = {call.function for program in geometry(lowered.table).values() for call in program.calls}
     return {**lowered.scalars, **{name: IDLE[name] for name in sorted(named - lowered.scalars.keys())}}
 
 
@@ -137,7 +135,6 @@ def own_geometry(facts: Facts, lowered: Lowered, known: Mapping[str, Program]) -
     prefix = c_text.prefix(chart, lowered.table)
     decimals = dict(zip(table_names(chart), itertools.chain(*facts.returns), strict=True))
     new = [program for name, program in scalars(lowered).items() if name not in known]
-    own = [(program, lowered.table.kernels[name].results) for name, program in lowered.own.items()]
     return {
         "name": chart.name,
         "prefix": prefix,
@@ -147,7 +144,6 @@ def own_geometry(facts: Facts, lowered: Lowered, known: Mapping[str, Program]) -
         "aliases": lowered.table.aliases(chart),
         "levels": levels(lowered),
         "scalars": [(level(program), c99.scalar(program, decimals)) for program in new],
-        "own": [(level(program), c99.core(program, made, decimals)) for program, made in own],
     }
 
 

@@ -16,8 +16,7 @@ from ...maps.chart import Chart
 from ...output import RefusedError
 from ..facts import Facts
 from ..lowered import Lowered, geometry
-from ..programs.program import Call, Operand, Program, Statement, summary
-from ..programs.registers import results
+from ..programs.program import Call, Operand, Program, Statement, results, summary
 from ..rows import Table
 from ..signatures import POSES, ROTATIONS
 from ..validation import Choose, Library, everything
@@ -180,9 +179,7 @@ class Numba(python.PythonTarget):
     def programs(self, facts: Facts, lowered: Lowered, known: Container[str] = ()) -> Data:
         named = lowered.scalars.items()
         scalars = [python.printed(program, body(program)) for name, program in named if name not in known]
-        own = [python.printed(program, parts(program, "_own_", lowered.table)) for program in lowered.own.values()]
-        calls = ["prange"] * bool(own) + _called([*(program.forms for program in scalars), *_cores(own)])
-        return {"scalars": scalars, "own": own, "rows": lowered.table.kernels, "calls": sorted(calls)}
+        return {"scalars": scalars, "calls": _called([program.forms for program in scalars])}
 
     def validate(self, folder: Path, chart: Chart, choose: Choose = everything) -> int:
         """Run the source of a package which wants its compiler even so."""
