@@ -17,7 +17,7 @@ from pathlib import Path
 from ...maps.cayley import EQUATIONS
 from ...maps.chart import Chart
 from .. import differential
-from ..facts import Facts, comment, numbers, operations, theorem_lines
+from ..facts import Facts, numbers
 from ..lowered import Lowered, geometry, lower_chart
 from ..lowering.scalars import SCALARS, table_names
 from ..programs.program import Program
@@ -119,8 +119,7 @@ def shared_geometry(table: Table) -> Data:
     programs, (v,) = geometry(table), table.sources["shadow"].arguments
     names = tuple(f"{v.name}{place}" for place in range(1, v.size + 1))
     copy = Program("copy", ((v.name, names),), (), names)
-    theorems = {"theorems": comment(theorem_lines(), C.comment)} if table is POSES else {}
-    return theorems | {
+    return {
         "equations": {name: numbers(found) for name, found in EQUATIONS.items()},
         "copy": c99.core(copy, [v.called("to")], {}),
         "cores": {name: c99.core(program, table.kernels[name].results, {}) for name, program in programs.items()},
@@ -180,8 +179,7 @@ class C:
         found = {}
         for table in self.tables[1:]:
             lowered = lower_chart(facts.chart, table)
-            told = comment(operations(lowered), self.comment)
-            data = {**own_geometry(facts, lowered, scalars(facts.lowered)), "operations": told}
+            data = own_geometry(facts, lowered, scalars(facts.lowered))
             found[inside(table, f"{facts.chart.name}.h")] = (inside(table, "chart.h"), data)
         return found
 

@@ -143,10 +143,6 @@ def _shared(table: Table) -> dict[str, tuple[str, tuple[str, ...]]]:
 
 
 WORDS = python.Words(
-    value="ArrayLike",
-    array_like="array_like",
-    array="ndarray",
-    kept="float32 and float64",
     options="*, axis: int = -1, out: Array | None = None, parallel: bool = False",
     passed="axis, out, parallel",
     passed_alone="axis, None, False",
@@ -168,7 +164,7 @@ class Numba(python.PythonTarget):
             **self.package(),
             **self.per_table(),
             "_chart.py": {},
-            "_checks.py": {"words": WORDS},
+            "_checks.py": {},
             "_compiled.py": {},
             "_inside.py": {"shared": {name: found for table in self.tables for name, found in _shared(table).items()}},
             "_runtime.py": {},
