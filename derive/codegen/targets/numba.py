@@ -20,7 +20,7 @@ from ..programs.program import Call, Operand, Program, Statement, summary
 from ..programs.registers import results
 from ..rows import Table
 from ..signatures import POSES, ROTATIONS
-from ..validation import Choose, Library, everything
+from ..validation import Library
 from . import infix, python
 from .expression import WIDTH
 from .target import Data
@@ -188,10 +188,10 @@ class Numba(python.PythonTarget):
         calls = ["prange"] * bool(own) + _called([*(program.forms for program in scalars), *_cores(own)])
         return {"scalars": scalars, "own": own, "rows": lowered.table.kernels, "calls": sorted(calls)}
 
-    def validate(self, folder: Path, chart: Chart, choose: Choose = everything) -> int:
+    def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
         """Run the source of a package which wants its compiler even so."""
         try:
-            return super().validate(folder, chart, choose)
+            return super().validate(folder, chart, geometry)
         except ImportError as error:
             raise RefusedError(f"cannot validate what was printed: {error}") from error
 
