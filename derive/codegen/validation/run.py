@@ -67,14 +67,14 @@ def chosen(chart: Chart, table: Table, whole: bool) -> list[Batch]:
 def own_functions(chart: Chart, table: Table) -> Collection[str]:
     """Return functions that together read every result of a chart's own scalar programs.
 
-    Functions that have a program of their own are among them, and those that have nothing to do in this chart.
+    Functions that have nothing to do in this chart are among them.
     """
     lowered, programs, found = lower_chart(chart, table), geometry(table), dict[str, None]()
     read: set[tuple[str, int]] = set()
     for name, row in table.public.items():
-        own = row.kernel in lowered.own or row.kernel not in lowered.operations
-        new = set[tuple[str, int]]() if own else _results_read(programs[row.kernel], programs, lowered) - read
-        if own or new:
+        absent = row.kernel not in lowered.operations
+        new = set[tuple[str, int]]() if absent else _results_read(programs[row.kernel], programs, lowered) - read
+        if absent or new:
             found[name] = None
             read |= new
     return found
