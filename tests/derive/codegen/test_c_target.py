@@ -19,6 +19,7 @@ from derive.codegen.rows import inside
 from derive.codegen.signatures import KERNELS, POSES, ROTATIONS
 from derive.codegen.targets import TARGETS, c, c99
 from derive.codegen.validation import compiled
+from derive.codegen.validation.float_cases import cases
 from derive.maps import Cayley
 from derive.output import files
 from tests.support import packages
