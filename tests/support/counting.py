@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from derive.codegen.cases import batches
+
 from derive.codegen.lowered import lower_chart
 from derive.codegen.targets.numpy import Numpy
 from derive.codegen.validation import Choose, ValidationFailed, everything

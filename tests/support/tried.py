@@ -13,9 +13,9 @@ from pathlib import Path
 from typing import Any
 
 import mpmath
-
 from derive.codegen.cases import batches, cases, far, samples
 from derive.codegen.cases.decimals import DIGITS, Decimal
+
 from derive.codegen.rows import Table
 from derive.codegen.signatures import POSES, ROTATIONS
 from derive.maps import Cayley, family

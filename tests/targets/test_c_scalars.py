@@ -20,8 +20,8 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy
-
 from derive.codegen.cases.exact import ALGEBRAIC, Formulas, evaluated
+
 from derive.codegen.facts import Facts
 from derive.codegen.lowered import lower, lower_chart
 from derive.codegen.module import companion_texts, module_name, module_text, shared_texts

@@ -17,10 +17,6 @@ from . import python
 from .target import Data
 
 WORDS = python.Words(
-    value="Array",
-    array_like="array",
-    array="array",
-    kept="the library, type and device of their arguments",
     options="*, axis: int = -1",
     passed="axis",
     passed_alone="axis",
@@ -46,7 +42,7 @@ class ArrayApi(python.PythonTarget):
             **self.package(),
             **self.per_table(),
             "_chart.py": {},
-            "_checks.py": {"words": WORDS},
+            "_checks.py": {},
             "_runtime.py": {},
             "_tools.py": {},
         }

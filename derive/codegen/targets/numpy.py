@@ -14,10 +14,6 @@ from . import python
 from .target import Data
 
 WORDS = python.Words(
-    value="ArrayLike",
-    array_like="array_like",
-    array="ndarray",
-    kept="float32, float64 and longdouble",
     options="*, axis: int = -1, out: Array | None = None",
     passed="axis, out",
     passed_alone="axis, None",
@@ -42,12 +38,11 @@ class Numpy(python.PythonTarget):
             **self.per_table(),
             "_branches.py": {},
             "_chart.py": {},
-            "_checks.py": {"words": WORDS},
+            "_checks.py": {},
             "_kernel.py": {},
             "_native.py": {},
             "_recorder.py": {},
             "_runtime.py": {},
-            "_selection.py": {},
             "_tools.py": {},
         }
 

@@ -12,12 +12,12 @@ import mpmath
 import numpy as np
 import pytest
 import sympy
-
-from derive.algebra import Vector
-from derive.codegen import ValidationFailed
 from derive.codegen.cases import batches
 from derive.codegen.cases.maps_at import flat
 from derive.codegen.cases.vectors import Vectors, vectors_of
+
+from derive.algebra import Vector
+from derive.codegen import ValidationFailed
 from derive.codegen.compiler import build_charts
 from derive.codegen.lowered import geometry
 from derive.codegen.lowering import calculus

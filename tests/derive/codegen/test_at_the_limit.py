@@ -10,15 +10,15 @@ from typing import Any
 
 import numpy as np
 import pytest
-
-import dualcay
 from derive.codegen.cases import samples
-from derive.codegen.lowered import lower_chart
-from derive.codegen.validation import NUMPY, ValidationFailed
-from derive.codegen.validation.c_interpreter import load
 from derive.codegen.validation.helpers import COUNT, SIGMAS, _directed, helpers
 from derive.codegen.validation.known import Analysis, Known, require_sharp
 from derive.codegen.validation.rounding import FUNCTION_UNITS
+
+import dualcay
+from derive.codegen.lowered import lower_chart
+from derive.codegen.validation import NUMPY, ValidationFailed
+from derive.codegen.validation.c_interpreter import load
 from derive.maps import Cayley
 from dualcay import cayley3
 

@@ -7,10 +7,10 @@ import subprocess
 
 import pytest
 from click.testing import CliRunner
+from derive.codegen.cases import cases
 
 from derive.cli.commands import cli
 from derive.codegen import ValidationFailed, check, generate
-from derive.codegen.cases import cases
 from derive.codegen.lowered import geometry, lower_chart
 from derive.codegen.lowering.scalars import SCALARS
 from derive.codegen.module import notices

@@ -10,10 +10,10 @@ from typing import Any
 
 import mpmath
 import pytest
-
 from derive.codegen.cases import decimals, digits
 from derive.codegen.cases.decimals import Decimal
 from derive.codegen.cases.exact import Expectation
+
 from derive.codegen.lowered import Lowered, geometry, lower_chart
 from derive.codegen.programs.program import Call, Program
 from derive.codegen.signatures import FUNCTIONS

@@ -10,10 +10,9 @@ from typing import Any
 
 import mpmath
 import pytest
+from derive.codegen.cases.decimals import DIGITS, Decimal, close
 from hypothesis import given
 from hypothesis import strategies as st
-
-from derive.codegen.cases.decimals import DIGITS, Decimal, close
 
 pytestmark = pytest.mark.smoke
 

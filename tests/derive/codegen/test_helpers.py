@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+from derive.codegen.validation.helpers import helpers
 
 import dualcay
 from derive.codegen.validation.errors import ValidationFailed
-from derive.codegen.validation.helpers import helpers
 from dualcay import cayley3
 
 NAMES = ("identity", "random", "singular_angles", "to_screw", "principal", "quaternion", "pose", "from_screw", "rate")

@@ -7,12 +7,12 @@ from types import SimpleNamespace
 from typing import Any
 
 import pytest
+from derive.codegen.validation.offered import offered
 
 import dualcay
 from derive.codegen.catalogue import committed
 from derive.codegen.signatures import POSES, ROTATIONS
 from derive.codegen.validation.errors import ValidationFailed
-from derive.codegen.validation.offered import offered
 from derive.maps import Cayley
 from dualcay import cayley4
 from dualcay.rotation import cayley4 as rotation4

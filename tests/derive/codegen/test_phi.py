@@ -10,18 +10,18 @@ import mpmath
 import numpy as np
 import pytest
 import sympy
+from derive.codegen.cases import samples
+from derive.codegen.cases.vectors import Vectors
+from derive.codegen.validation.rounding import long
 
 from derive.algebra import Dual, Vector
 from derive.codegen import generate
-from derive.codegen.cases import samples
-from derive.codegen.cases.vectors import Vectors
 from derive.codegen.catalogue import chart_of, charts, command
 from derive.codegen.facts import Facts
 from derive.codegen.lowered import lower
 from derive.codegen.module import module_name, module_text, shared_texts
 from derive.codegen.signatures import PUBLIC
 from derive.codegen.targets import TARGETS
-from derive.codegen.validation.rounding import long
 from derive.maps import PhiError, parameterization
 from derive.maps.families import alpha
 from derive.maps.pose import Screw

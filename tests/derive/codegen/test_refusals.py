@@ -9,10 +9,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+from derive.codegen.validation.refusals import refuse
 
 from derive.codegen.signatures import PUBLIC
 from derive.codegen.validation.errors import ValidationFailed
-from derive.codegen.validation.refusals import refuse
 from dualcay import cayley3
 
 

@@ -11,14 +11,14 @@ from pathlib import Path
 import mpmath
 import numpy as np
 import pytest
+from derive.codegen.cases import samples
+from derive.codegen.validation.known import Analysis, require_sharp
+from derive.codegen.validation.rounding import Ball, Rounding
 
 from derive.codegen import build
-from derive.codegen.cases import samples
 from derive.codegen.lowered import lower_chart
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation import NUMPY, Seen, ValidationFailed, validate
-from derive.codegen.validation.known import Analysis, require_sharp
-from derive.codegen.validation.rounding import Ball, Rounding
 from derive.maps import Cayley
 from derive.output import files
 from tests.support.packages import unvalidated

@@ -12,16 +12,16 @@ from typing import Any
 
 import numpy as np
 import pytest
+from derive.codegen.cases import batches, cases
+from derive.codegen.validation.calls import Call, Caller
+from derive.codegen.validation.sample import Seen
 
 import dualcay
-from derive.codegen.cases import batches, cases
 from derive.codegen.lowered import lower_chart
 from derive.codegen.rows import Table
 from derive.codegen.signatures import POSES, ROTATIONS
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation import replay
-from derive.codegen.validation.calls import Call, Caller
-from derive.codegen.validation.sample import Seen
 from derive.maps import Cayley, family
 from derive.maps.chart import Chart
 

@@ -12,10 +12,10 @@ import sys
 from pathlib import Path
 
 import pytest
+from derive.codegen.cases import batches, digits, exact
 
 import derive
 from derive.codegen import ValidationFailed, build, catalogue, check, compiler, signatures
-from derive.codegen.cases import batches, digits, exact
 from derive.codegen.module import notices
 from derive.codegen.rows import Function
 from derive.codegen.signatures import POSES, PUBLIC

@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from derive.codegen.cases import batches, digits, exact
 
 from derive.codegen import ValidationFailed, catalogue
-from derive.codegen.cases import batches, digits, exact
 from derive.codegen.facts import Facts
 from derive.codegen.lowered import geometry, lower_chart
 from derive.codegen.lowering.real import narrowed

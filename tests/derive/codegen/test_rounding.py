@@ -7,7 +7,6 @@ from fractions import Fraction
 
 import mpmath
 import numpy as np
-
 from derive.codegen.validation.rounding import long
 
 

@@ -6,9 +6,9 @@ from contextlib import nullcontext
 from pathlib import Path
 
 import pytest
+from derive.codegen.cases import batches
 
 from derive.codegen import ValidationFailed, lowered
-from derive.codegen.cases import batches
 from derive.codegen.facts import Facts
 from derive.codegen.lowered import geometry, lower, lower_chart
 from derive.codegen.module import module_name, module_text, shared_texts

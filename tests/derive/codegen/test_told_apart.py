@@ -11,14 +11,14 @@ from typing import Any
 import mpmath
 import numpy as np
 import pytest
-
-from derive.algebra import Vector
 from derive.codegen.cases.maps_at import flat
 from derive.codegen.cases.vectors import Vectors
+from derive.codegen.validation.helpers import COUNT, SEED, SIGMAS, _translations, _uniform
+
+from derive.algebra import Vector
 from derive.codegen.validation import ValidationFailed
 from derive.codegen.validation.c_interpreter import load
 from derive.codegen.validation.c_text import _drawn
-from derive.codegen.validation.helpers import COUNT, SEED, SIGMAS, _translations, _uniform
 from derive.maps import Cayley
 from derive.maps.pose import tensor_from_screw
 from dualcay import cayley3

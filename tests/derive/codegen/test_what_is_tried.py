@@ -6,13 +6,13 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
+from derive.codegen.validation.sample import Seen
 
 import dualcay
 from derive.codegen.signatures import POSES, ROTATIONS
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation import replay
 from derive.codegen.validation.run import validate
-from derive.codegen.validation.sample import Seen
 from derive.maps import Cayley, family
 from tests.support import tried
 
