@@ -1,4 +1,4 @@
-"""What the module of a chart says besides its programs: header, constants, angles, in the words templates ask for."""
+"""Header, constants and singular angles of a chart's module, as its template prints them."""
 
 from __future__ import annotations
 
@@ -14,14 +14,16 @@ import sympy
 
 from ..maps import Formula
 from ..maps.chart import Chart
-from ..proof import Proof, Proved, theorems
+from ..proof import Proved, theorems
 from .lowered import Lowered
-from .programs.program import summary
 
 DIGITS = 40
 """Decimal digits of printed constants: enough for longdouble, and for validation at 30 digits."""
 
 WIDTH = 110
+
+LETTERS_MAX = 600
+"""Characters of the polynomials in a header; longer ones are left to the command that shows them."""
 
 LICENCE = "SPDX-License-Identifier: BSD-3-Clause"
 
@@ -91,36 +93,16 @@ class Facts:
         return {name: f"{self.chart.overflow(most)[1]:.1g}" for name, most in largest}
 
     def header(self, command: str, template: str) -> list[str]:
-        """Lines of the header: command, formulas, what was proved, operation counts."""
+        """Lines of the header: command, licence, template, φ, polynomials, and the number of proofs."""
         chart = self.chart
-        lines = [*head(command, template), "", f"{chart.title}, v = {self.parameter} u; formulas, x = v.v (CP23):"]
-        lines += [f"  {letter} = {_plain(value)}" for letter, value in chart.letters]
-        for item in self.maps:
-            lines.append(f"  {', '.join(filter(None, (item.name, numbers(item.equations))))}:")
-            basis = (symbol.replace(r"\tilde{v}", "skew(v)").replace(r" \otimes ", "(x)") for symbol in item.basis)
-            pairs = zip(basis, item.coefficients, strict=True)
-            lines += [f"    {symbol or '1'}: {_plain(coefficient)}" for symbol, coefficient in pairs]
-        lines += ["", "Proved exactly, besides the theorems in the header of the interface:"]
-        lines += statements(proof for proof in self.proved.proofs if proof not in theorems())
-        lines += ["", "Operations:"]
-        lines += [f"  {name}: {summary(count)}" for name, count in self.lowered.operations.items()]
-        return lines
-
-
-def statements(proofs: Iterable[Proof]) -> list[str]:
-    """What was proved, a line each."""
-    return [f"  [{proof.scope}] {proof.name}: {proof.statement}" for proof in proofs]
-
-
-def operations(lowered: Lowered) -> list[str]:
-    """Lines of the header of a module for another table than that of poses."""
-    counts = ", ".join(f"{name} {count.total()}" for name, count in lowered.operations.items())
-    return ["What was proved is told in the module for poses. Operations:", f"  {counts}"]
-
-
-def theorem_lines() -> list[str]:
-    """What holds for every order, for the header of the files that all charts share."""
-    return ["Proved exactly, for every order n of a Cayley map:", *statements(theorems())]
+        polynomials = [f"  {letter} = {_plain(value)}" for letter, value in chart.letters]
+        if sum(map(len, polynomials)) > LETTERS_MAX:
+            polynomials = [f"  p, q: dualcay show {' '.join(chart.selection)} --what p,q"]
+        own = sum(proof not in theorems() for proof in self.proved.proofs)
+        shared = len(self.proved.proofs) - own
+        general = f" and {shared} theorems for every n" if shared else ""
+        proved = f"Proved exactly: {own} identities of this chart{general}, listed in docs/theorems.md."
+        return [*head(command, template), "", f"{chart.title}, v = {self.parameter} u", *polynomials, proved]
 
 
 def head(command: str, template: str) -> list[str]:

@@ -9,18 +9,14 @@ from importlib.util import find_spec
 import numpy as np
 
 from ..facts import Facts
-from ..lowered import Lowered, geometry
+from ..lowered import Lowered
 from ..rows import Table
 from ..signatures import POSES, ROTATIONS
 from ..validation import Library, Machinery
-from . import infix, python
+from . import python
 from .target import Data
 
 WORDS = python.Words(
-    value="Array",
-    array_like="array",
-    array="array",
-    kept="the library, type and device of their arguments",
     options="*, axis: int = -1",
     passed="axis",
     passed_alone="axis",
@@ -46,21 +42,16 @@ class ArrayApi(python.PythonTarget):
             **self.package(),
             **self.per_table(),
             "_chart.py": {},
-            "_checks.py": {"words": WORDS},
+            "_checks.py": {},
             "_runtime.py": {},
             "_tools.py": {},
         }
 
     def geometry(self, table: Table) -> Data:
-        programs = [python.printed(program, infix.body(program)) for program in geometry(table).values()]
-        return {"programs": programs, "rows": table.kernels}
+        return {"programs": python.printed_geometry(table), "rows": table.kernels}
 
     def programs(self, facts: Facts, lowered: Lowered, known: Container[str] = ()) -> Data:
-        scalars = [
-            python.printed(program, infix.body(program, alone=True), python.components(program))
-            for name, program in lowered.scalars.items()
-            if name not in known
-        ]
+        scalars = [python.printed_scalar(program) for name, program in lowered.scalars.items() if name not in known]
         return {"scalars": scalars}
 
     def libraries(self) -> Sequence[Library]:

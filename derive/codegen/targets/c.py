@@ -17,13 +17,13 @@ from pathlib import Path
 from ...maps.cayley import EQUATIONS
 from ...maps.chart import Chart
 from .. import differential
-from ..facts import Facts, comment, numbers, operations, theorem_lines
+from ..facts import Facts, numbers
 from ..lowered import Lowered, geometry, lower_chart
 from ..lowering.scalars import SCALARS, table_names
 from ..programs.program import Program
 from ..rows import Array, Function, Table, inside
 from ..signatures import POSES, ROTATIONS
-from ..validation import Choose, c_text, compiled, everything
+from ..validation import c_text, compiled
 from . import c99
 from .said import SAID
 from .target import Data, require_functions
@@ -119,8 +119,7 @@ def shared_geometry(table: Table) -> Data:
     programs, (v,) = geometry(table), table.sources["shadow"].arguments
     names = tuple(f"{v.name}{place}" for place in range(1, v.size + 1))
     copy = Program("copy", ((v.name, names),), (), names)
-    theorems = {"theorems": comment(theorem_lines(), C.comment)} if table is POSES else {}
-    return theorems | {
+    return {
         "equations": {name: numbers(found) for name, found in EQUATIONS.items()},
         "copy": c99.core(copy, [v.called("to")], {}),
         "cores": {name: c99.core(program, table.kernels[name].results, {}) for name, program in programs.items()},
@@ -180,8 +179,7 @@ class C:
         found = {}
         for table in self.tables[1:]:
             lowered = lower_chart(facts.chart, table)
-            told = comment(operations(lowered), self.comment)
-            data = {**own_geometry(facts, lowered, scalars(facts.lowered)), "operations": told}
+            data = own_geometry(facts, lowered, scalars(facts.lowered))
             found[inside(table, f"{facts.chart.name}.h")] = (inside(table, "chart.h"), data)
         return found
 
@@ -202,12 +200,11 @@ class C:
             require_functions(where, plain, table)
             require_functions(f"{where}, rows", [name.removesuffix("_rows") for name in rows], table)
 
-    def validate(self, folder: Path, chart: Chart, choose: Choose = everything) -> int:
-        """All of it: a header is read anew for each chart, geometry included."""
-        return c_text.validate(folder, chart, self.tables)
+    def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
+        return c_text.validate(folder, chart, geometry, self.tables)
 
-    def replay(self, folder: Path, chart: Chart, all_ways: bool) -> int:
-        """Floats are left to the compiled test."""
+    def replay(self, folder: Path, chart: Chart, geometry: bool) -> int:
+        """Return 0: floats are left to the compiled test."""
         return 0
 
     def test(self, folder: Path, chart: Chart) -> int | None:

@@ -19,7 +19,7 @@ from ..lowered import Lowered, geometry
 from ..programs.program import Call, Operand, Program, Statement, results, summary
 from ..rows import Table
 from ..signatures import POSES, ROTATIONS
-from ..validation import Choose, Library, everything
+from ..validation import Library
 from . import infix, python
 from .expression import WIDTH
 from .target import Data
@@ -143,10 +143,6 @@ def _shared(table: Table) -> dict[str, tuple[str, tuple[str, ...]]]:
 
 
 WORDS = python.Words(
-    value="ArrayLike",
-    array_like="array_like",
-    array="ndarray",
-    kept="float32 and float64",
     options="*, axis: int = -1, out: Array | None = None, parallel: bool = False",
     passed="axis, out, parallel",
     passed_alone="axis, None, False",
@@ -168,7 +164,7 @@ class Numba(python.PythonTarget):
             **self.package(),
             **self.per_table(),
             "_chart.py": {},
-            "_checks.py": {"words": WORDS},
+            "_checks.py": {},
             "_compiled.py": {},
             "_inside.py": {"shared": {name: found for table in self.tables for name, found in _shared(table).items()}},
             "_runtime.py": {},
@@ -185,10 +181,10 @@ class Numba(python.PythonTarget):
         scalars = [python.printed(program, body(program)) for name, program in named if name not in known]
         return {"scalars": scalars, "calls": _called([program.forms for program in scalars])}
 
-    def validate(self, folder: Path, chart: Chart, choose: Choose = everything) -> int:
+    def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
         """Run the source of a package which wants its compiler even so."""
         try:
-            return super().validate(folder, chart, choose)
+            return super().validate(folder, chart, geometry)
         except ImportError as error:
             raise RefusedError(f"cannot validate what was printed: {error}") from error
 

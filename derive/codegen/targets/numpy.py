@@ -6,18 +6,14 @@ from collections.abc import Container, Mapping
 
 from ..facts import Facts
 from ..fingerprint import fingerprint
-from ..lowered import Lowered, geometry
+from ..lowered import Lowered
 from ..rows import Table
 from ..signatures import POSES, ROTATIONS
 from ..validation import Machinery
-from . import infix, python
+from . import python
 from .target import Data
 
 WORDS = python.Words(
-    value="ArrayLike",
-    array_like="array_like",
-    array="ndarray",
-    kept="float32, float64 and longdouble",
     options="*, axis: int = -1, out: Array | None = None",
     passed="axis, out",
     passed_alone="axis, None",
@@ -42,7 +38,7 @@ class Numpy(python.PythonTarget):
             **self.per_table(),
             "_branches.py": {},
             "_chart.py": {},
-            "_checks.py": {"words": WORDS},
+            "_checks.py": {},
             "_kernel.py": {},
             "_native.py": {},
             "_recorder.py": {},
@@ -51,13 +47,8 @@ class Numpy(python.PythonTarget):
         }
 
     def geometry(self, table: Table) -> Data:
-        programs = [python.printed(program, infix.body(program)) for program in geometry(table).values()]
-        return {"programs": programs, "rows": table.kernels}
+        return {"programs": python.printed_geometry(table), "rows": table.kernels}
 
     def programs(self, facts: Facts, lowered: Lowered, known: Container[str] = ()) -> Data:
-        scalars = [
-            python.printed(program, infix.body(program, alone=True), python.components(program))
-            for name, program in lowered.scalars.items()
-            if name not in known
-        ]
+        scalars = [python.printed_scalar(program) for name, program in lowered.scalars.items() if name not in known]
         return {"scalars": scalars, "programs": fingerprint(facts, lowered)}

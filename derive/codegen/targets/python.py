@@ -7,7 +7,7 @@ import re
 import textwrap
 from abc import ABC, abstractmethod
 from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
@@ -15,14 +15,15 @@ from ... import about
 from ...maps.cayley import EQUATIONS
 from ...maps.chart import DEFINITIONS, Chart
 from ...maps.named import NUMBERED, SINGLE
-from ..facts import Facts, comment, numbers, operations, theorem_lines
+from ..facts import Facts, numbers
 from ..lowered import Lowered, lower_chart
+from ..lowered import printed_geometry as lowered_geometry
 from ..programs.program import Program, summary
 from ..rows import Function, Table, inside
-from ..signatures import ANGLE, BY_V_OF_POINT, JACOBIAN, POSES, QUATERNION, TENSOR, V
-from ..validation import NUMPY, Choose, Library, Machinery, everything, replay, validate
+from ..signatures import JACOBIAN, POSES
+from ..validation import NUMPY, Library, Machinery, replay, validate
+from . import infix
 from .expression import WIDTH
-from .said import SAID
 from .target import Data, require_functions
 
 INTERFACE = "_interface.py"
@@ -30,25 +31,22 @@ INTERFACE = "_interface.py"
 CLASSES = {"": "PoseKernels", "rotation": "RotationKernels"}
 """The classes of kernels, by table."""
 
-SHAPES = {
-    "vector": V, "quaternion": QUATERNION, "tensor": TENSOR, "jacobian": JACOBIAN, "angle": ANGLE,
-    "by_point": BY_V_OF_POINT,
-}  # fmt: skip
-"""Arrays whose shapes docstrings tell, by what they call them."""
-
-
 @dataclass(frozen=True, slots=True)
 class Words:
-    """How a target speaks of arrays, what it keeps of them, and the keyword parameters of its functions.
+    """Keyword parameters of a target's functions, as its templates spell them.
 
-    ``passed`` is what a function passes on of them, ``passed_alone`` one that does more with the result; ``placed`` is
-    where that result goes. ``makes`` says that there are arrays without arguments: the identity, random poses.
+    Parameters
+    ----------
+    options : str
+        Keyword parameters of functions that return one array.
+    passed, passed_alone : str
+        Arguments that a method passes on for them, and without a place for the result.
+    placed : str
+        Arguments that place a result.
+    makes : bool
+        True where arrays are made without arguments: the identity, random poses.
     """
 
-    value: str
-    array_like: str
-    array: str
-    kept: str
     options: str
     passed: str
     passed_alone: str
@@ -68,12 +66,12 @@ class Words:
 
 @dataclass(frozen=True, slots=True)
 class Printed:
-    """A program as its template shows it: parameters of its function, operations, and what the printer makes of it."""
+    """A program as its template shows it: the parameters of its function and the text of its body."""
 
     name: str
-    summary: str
     parameters: tuple[str, ...]
     forms: Any
+    summary: str = ""
 
 
 class PythonTarget(ABC):
@@ -135,11 +133,11 @@ class PythonTarget(ABC):
         for table in self.tables:
             require_complete(texts, self.words, table)
 
-    def validate(self, folder: Path, chart: Chart, choose: Choose = everything) -> int:
-        return validate(folder, chart, choose, self.tables)
+    def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
+        return validate(folder, chart, geometry, self.tables)
 
-    def replay(self, folder: Path, chart: Chart, all_ways: bool) -> int:
-        return replay(folder, chart, self.machinery, self.libraries(), self.tables, all_ways=all_ways)
+    def replay(self, folder: Path, chart: Chart, geometry: bool) -> int:
+        return replay(folder, chart, self.machinery, self.libraries(), self.tables, geometry=geometry)
 
     def libraries(self) -> Sequence[Library]:
         """Whose arrays the functions are given in a replay."""
@@ -150,16 +148,15 @@ class PythonTarget(ABC):
 
 
 def interface(words: Words, table: Table) -> Data:
-    """What the template of the interface of a table is given."""
-    theorems = {"theorems": comment(theorem_lines(), "#")} if table is POSES else {}
-    return theorems | {
-        "words": words,
+    """Return what fills the template of the interface of a table."""
+    jacobian = (JACOBIAN if table is POSES else JACOBIAN.of_rotation).shape
+    return asdict(words) | {
         "definitions": DEFINITIONS,
         "equations": {name: numbers(equations) for name, equations in EQUATIONS.items()},
-        "poses": table is POSES,
-        "class": CLASSES[table.name],
-        "said": SAID[table.name],
-        "shape": {what: (array if table is POSES else array.of_rotation).shape for what, array in SHAPES.items()},
+        "rotations": table is not POSES,
+        "up": ".." if table.name else ".",
+        "n": jacobian[0],
+        "jacobian": f"(..., {', '.join(map(str, jacobian))})",
     }
 
 
@@ -192,7 +189,6 @@ def described_part(facts: Facts, lowered: Lowered, words: Words) -> dict[str, An
         "parameter": chart.parameter,
         "branches": chart.branches,
         "singular": facts.singular,
-        "operations": comment(operations(lowered), "#"),
     }
 
 
@@ -208,15 +204,25 @@ def _quoted(names: Iterable[str]) -> str:
     return "\n".join(f"    {line}" for line in lines)
 
 
-def printed(program: Program, forms: Any, parameters: tuple[str, ...] = ()) -> Printed:
-    """A program of a geometry, whose parameters are its arguments, or another with the parameters given."""
-    arguments = tuple(argument for argument, _ in program.inputs)
-    return Printed(program.name, f"operations {summary(program.operations)}", parameters or arguments, forms)
+def printed_geometry(table: Table) -> list[Printed]:
+    """Return the geometry programs of a table as plain functions; those that users call all take ``m`` and ``c``."""
+    return [
+        Printed(name, _parameters(program, name in table.kernels), infix.body(program))
+        for name, program in lowered_geometry(table).items()
+    ]
 
 
-def components(program: Program) -> tuple[str, ...]:
-    """The parameters of a scalar program."""
-    return tuple(name for _, names in program.inputs for name in names)
+def _parameters(program: Program, kernel: bool) -> tuple[str, ...]:
+    context = ("m: Any", "c: Any")[: 2 if kernel else len(program.context.split(", ")) if program.context else 0]
+    numbers = (names == (argument,) for argument, names in program.inputs)
+    given = (f"{argument}: {'Any' if n else 'Components'}" for n, (argument, _) in zip(numbers, program.inputs))
+    return (*context, *given)
+
+
+def printed_scalar(program: Program) -> Printed:
+    """Return a scalar program as a plain function of numbers."""
+    parameters = tuple(name for _, names in program.inputs for name in names)
+    return Printed(program.name, parameters, infix.body(program, alone=True), f"operations {summary(program.operations)}")
 
 
 def require_complete(texts: Mapping[str, str], words: Words, table: Table = POSES) -> None:
