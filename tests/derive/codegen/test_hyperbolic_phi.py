@@ -21,8 +21,8 @@ from derive.codegen.signatures import PUBLIC
 from derive.codegen.targets import TARGETS
 from derive.maps import parameterization
 from derive.maps.any_phi.elementary import evaluate
-from derive.maps.families import alpha
 from derive.maps.any_phi.lowering import Lowering
+from derive.maps.families import alpha
 from derive.output import files
 from derive.proof import prove
 from tests.support import families
