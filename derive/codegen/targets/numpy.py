@@ -6,7 +6,7 @@ from collections.abc import Container, Mapping
 
 from ..facts import Facts
 from ..fingerprint import fingerprint
-from ..lowered import Lowered
+from ..lowered import Lowered, lower_chart
 from ..rows import Table
 from ..signatures import POSES, ROTATIONS
 from ..validation import Machinery
@@ -40,6 +40,7 @@ class Numpy(python.PythonTarget):
             "_chart.py": {},
             "_checks.py": {},
             "_kernel.py": {},
+            "_multiple.py": {},
             "_native.py": {},
             "_recorder.py": {},
             "_runtime.py": {},
@@ -50,5 +51,14 @@ class Numpy(python.PythonTarget):
         return {"programs": python.printed_geometry(table), "rows": table.kernels}
 
     def programs(self, facts: Facts, lowered: Lowered, known: Container[str] = ()) -> Data:
-        scalars = [python.printed_scalar(program) for name, program in lowered.scalars.items() if name not in known]
-        return {"scalars": scalars, "programs": fingerprint(facts, lowered)}
+        base = facts.chart.base
+        own = {} if base else {name: p for name, p in lowered.scalars.items() if name not in known}
+        found: Data = {
+            "scalars": list(map(python.printed_scalar, own.values())),
+            "programs": fingerprint(facts, lowered),
+        }
+        if lowered.table is POSES:
+            of_base = lower_chart(base).scalars.values() if base else ()
+            constant = tuple(p.name for p in of_base if not all(isinstance(output, str) for output in p.outputs))
+            found |= {"base": base.name if base else None, "factor": facts.chart.factor, "constant": constant}
+        return found
