@@ -42,5 +42,5 @@ def test_readings_are_counted_from_one(results: list[Result]) -> None:
     readings = tuple(Verdict(Letter(name, "real"), name, name == "a", "") for name in "ab")
     unclear = Result(first.paper, first.equation, Status.AMBIGUOUS, "readings differ", readings)
     page = FORMATS["markdown"](Report.of(PAPERS, [unclear], (), ".."))
-    decided = [line for line in page.splitlines() if line.endswith((": true", ": false"))]
-    assert decided == ["Reading 1 (a): true", "Reading 2 (b): false"]
+    decided = [line for line in page.splitlines() if line.startswith("Reading ")]
+    assert decided == ["Reading 1 (a), true: $`a`$\\", "Reading 2 (b), false: $`b`$\\"]

@@ -68,7 +68,7 @@ def test_magnitudes_of_the_first_vector_are_tangents() -> None:
 
 
 @pytest.mark.parametrize(("dual", "moving"), [(False, False), (True, False), (False, True), (True, True)])
-def test_numbers_have_the_parts_of_their_layout(make, dual: bool, moving: bool) -> None:
+def test_numbers_have_the_parts_of_their_layout(dual: bool, moving: bool) -> None:
     value = Generic([a], dual, moving).values[a]
     layers = 0
     while isinstance(value, Dual):
@@ -94,7 +94,7 @@ def test_real_letters_do_not_move() -> None:
 
 
 @pytest.mark.parametrize("steps", [2, 4, 6])
-def test_parts_of_angles_have_sine_and_cosine(make, steps: int) -> None:
+def test_parts_of_angles_have_sine_and_cosine(steps: int) -> None:
     point = Generic([alpha], dual=False, moving=False, steps=steps)
     for multiple in (1, 3, -2):
         part = point.values[alpha] * Fraction(multiple, steps)
@@ -106,7 +106,7 @@ def test_parts_of_angles_have_sine_and_cosine(make, steps: int) -> None:
 
 
 @pytest.mark.parametrize("branch", [0, 1, 2])
-def test_a_branch_is_so_many_turns_less(make, branch: int) -> None:
+def test_a_branch_is_so_many_turns_less(branch: int) -> None:
     point = Generic([alpha, a], dual=False, moving=False)
     before = dict(point.values)
     point.fix_branch(k, branch)
