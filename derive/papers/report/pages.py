@@ -63,7 +63,7 @@ def notes(result: Result) -> tuple[str, ...]:
     """What is to be said beside the formula."""
     entry = result.equation
     said = f"In the paper: “{entry.said}”" if entry.said else ""
-    fixed = f"Reading fixed by {entry.fixed_by}." if entry.fixed_by else ""
+    fixed = f"The reading follows from {entry.fixed_by}." if entry.fixed_by else ""
     return tuple(note for note in (said, entry.remark, fixed) if note)
 
 
@@ -120,9 +120,9 @@ def escape(text: str) -> str:
     """Plain text for pdflatex."""
     pieces = _ACCENTED.split(_decomposed(text))
     whole = []
-    for plain, letter, accent in zip(pieces[::3], [*pieces[1::3], ""], [*pieces[2::3], ""], strict=True):
+    for plain, symbol, accent in zip(pieces[::3], [*pieces[1::3], ""], [*pieces[2::3], ""], strict=True):
         whole.append("".join(map(_escaped, plain)))
-        whole.append(rf"$\{_ACCENT[accent]}{{{_escaped(letter).strip('$')}}}$" if accent else "")
+        whole.append(rf"$\{_ACCENT[accent]}{{{_escaped(symbol).strip('$')}}}$" if accent else "")
     return "".join(whole)
 
 
@@ -133,6 +133,6 @@ def _escaped(character: str) -> str:
 
 
 def _decomposed(text: str) -> str:
-    """Letters with a hat, a tilde or a dot, in two characters."""
+    """Symbols with a hat, a tilde or a dot, in two characters."""
     pairs = ((character, unicodedata.normalize("NFD", character)) for character in text)
     return "".join(two if two[1:] in _ACCENT and one not in _SPECIAL else one for one, two in pairs)

@@ -13,7 +13,7 @@ import pytest
 from rich.cells import cell_len
 
 from derive.papers import PAPERS, Result, Status, verify
-from derive.papers.language.terms import Letter
+from derive.papers.language.terms import Symbol
 from derive.papers.report import FORMATS, Report
 from derive.papers.report.pages import escape, mathml
 from derive.papers.report.plain import plain
@@ -27,7 +27,7 @@ SAMPLE = ("14", "20", "orthogonal", "zero-components", "half-angle", "5")
 def report() -> Report:
     results = verify("karakilic-2010", SAMPLE)
     first = results[0]
-    readings = (Verdict(Letter("a", "real"), "one", True, ""), Verdict(Letter("b", "real"), "other", False, ""))
+    readings = (Verdict(Symbol("a", "real"), "one", True, ""), Verdict(Symbol("b", "real"), "other", False, ""))
     unclear = Result(first.paper, first.equation, Status.AMBIGUOUS, "readings differ", readings)
     return Report.of(PAPERS, [*results, unclear], theorems()[:2], "..")
 
