@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import ast
 import re
-import textwrap
 from abc import ABC, abstractmethod
-from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -21,7 +20,6 @@ from ..programs.program import Program, summary
 from ..rows import Function, Table, inside
 from ..signatures import JACOBIAN, POSES
 from ..validation import NUMPY, Choose, Library, Machinery, everything, replay, validate
-from .expression import WIDTH
 from .target import Data, require_functions
 
 INTERFACE = "_interface.py"
@@ -104,6 +102,8 @@ class PythonTarget(ABC):
         for table in self.tables:
             found[inside(table, "_geometry.py")] = self.geometry(table)
             found[inside(table, INTERFACE)] = interface(self.words, table)
+            functions = sorted((*table.public, *self.words.plain))
+            found[inside(table, "_functions.pyi")] = {"class": CLASSES[table.name], "functions": functions}
         return found
 
     @abstractmethod
@@ -115,14 +115,14 @@ class PythonTarget(ABC):
         """What the template of a chart is given of its programs, but of the scalars that are known already."""
 
     def module(self, facts: Facts) -> Data:
-        return {**described(facts, self.words), **self.programs(facts, facts.lowered)}
+        return {**described(facts), **self.programs(facts, facts.lowered)}
 
     def companions(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
         """The modules of the chart for further tables, which take the scalars of that for poses."""
         found = {}
         for table in self.tables[1:]:
             lowered = lower_chart(facts.chart, table)
-            told = described_part(facts, lowered, self.words)
+            told = described_part(facts, lowered)
             data = {**told, **self.programs(facts, lowered, facts.lowered.scalars)}
             found[inside(table, f"{facts.chart.name}.py")] = (inside(table, "chart.py"), data)
         return found
@@ -158,10 +158,11 @@ def interface(words: Words, table: Table) -> Data:
     }
 
 
-def described(facts: Facts, words: Words) -> dict[str, Any]:
+def described(facts: Facts) -> dict[str, Any]:
     """What every Python module says of its chart."""
     chart = facts.chart
-    return _exports(chart, POSES, words) | {
+    return {
+        "aliases": POSES.aliases(chart),
         "title": chart.title,
         "parameter": chart.parameter,
         "branches": chart.branches,
@@ -177,10 +178,11 @@ def described(facts: Facts, words: Words) -> dict[str, Any]:
     }
 
 
-def described_part(facts: Facts, lowered: Lowered, words: Words) -> dict[str, Any]:
+def described_part(facts: Facts, lowered: Lowered) -> dict[str, Any]:
     """What the module of a chart for another table says: of the chart what differs from that for poses."""
     chart = facts.chart
-    return _exports(chart, lowered.table, words) | {
+    return {
+        "aliases": lowered.table.aliases(chart),
         "name": chart.name,
         "order": chart.order,
         "title": chart.title,
@@ -188,18 +190,6 @@ def described_part(facts: Facts, lowered: Lowered, words: Words) -> dict[str, An
         "branches": chart.branches,
         "singular": facts.singular,
     }
-
-
-def _exports(chart: Chart, table: Table, words: Words) -> dict[str, Any]:
-    """The names that a module exports."""
-    exported = table.aliases(chart) | {name: name for name in (*table.public, *words.plain)}
-    return {"exports": _quoted(exported), "exported": dict(sorted(exported.items()))}
-
-
-def _quoted(names: Iterable[str]) -> str:
-    """Names as lines of a list."""
-    lines = textwrap.wrap(" ".join(f'"{name}",' for name in sorted(names)), WIDTH - 4)
-    return "\n".join(f"    {line}" for line in lines)
 
 
 def printed(program: Program, forms: Any, parameters: tuple[str, ...] = ()) -> Printed:

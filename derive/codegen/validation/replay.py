@@ -161,7 +161,7 @@ def _every_function(caller: Caller, found: Sequence[Known], chart: Chart, few: i
         if not known.row.real and caller.library is NUMPY:
             ways.complex_numbers(caller, known)
         first = Call(known, several(known, 1), caller.library.dtypes[0])
-        for name in known.row.aliases if chart.cayley else ():
+        for name in known.row.aliases_in(chart):
             caller.check(replace(first, name=name))
         for turns in (-1, 2) if known.branch else ():
             caller.check(replace(first, branch=(known.branch[0] + turns * chart.branches,)))
