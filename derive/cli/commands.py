@@ -51,7 +51,7 @@ def cli() -> None:
               "1-5,8; by default the committed ones.")  # fmt: skip
 @click.option("--family", "families", callback=options.listed, metavar="NAMES", help="Other parameterizations, e.g. "
               "lambert,sine7.")  # fmt: skip
-@click.option("--phi", metavar="EXPR", help="A parameterization v = φ(α) u of your own, e.g. "
+@click.option("--phi", callback=options.phi, metavar="EXPR", help="A parameterization v = φ(α) u of your own, e.g. "
               "'alpha/(1 + alpha**2/40)'; -n is the n in it.")  # fmt: skip
 @click.option("--name", metavar="NAME", help="Name of its module.")
 @click.option("--target", type=click.Choice(about.TARGETS), default=about.TARGET, show_default=True,
@@ -88,7 +88,7 @@ def show(**given: Any) -> None:
 @click.option("-n", "orders", callback=options.orders, metavar="ORDERS", help="Orders n of v = tan(α/2n) u, e.g. 1-4.")
 @click.option("--family", "families", callback=options.listed, metavar="NAMES", help="Other parameterizations, e.g. "
               "exponential,lambert; without any, the committed ones.")  # fmt: skip
-@click.option("--phi", metavar="EXPR", help="One of your own, e.g. 'alpha/(1 + alpha**2/40)'.")
+@click.option("--phi", callback=options.phi, metavar="EXPR", help="One of your own, e.g. 'alpha/(1 + alpha**2/40)'.")
 @click.option("--plot", type=options.Place(dir_okay=False), help="File of a plot against the angle, by its ending.")
 @click.option("--format", "form", type=click.Choice(("text", "json", "markdown")), default="text", show_default=True,
               help="How the figures are written.")  # fmt: skip

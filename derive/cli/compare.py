@@ -11,7 +11,7 @@ import click
 
 from ..codegen import catalogue
 from ..maps import PhiError
-from ..maps.stretch import Stretch
+from ..maps.any_phi.stretch import Stretch
 from ..output.tables import Column, Grid, columns
 from . import compare_page, compare_plot, options
 from .compared import ANGLES, COUNTED, Compared, errors, number, times

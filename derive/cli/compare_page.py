@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 import sympy
 
-from ..maps.stretch import POINTS, best, bound
+from ..maps.any_phi.stretch import POINTS, best, bound
 from .compared import ANGLES, COUNTED, Compared, errors, number, times
 
 PAGE = """# Parameterizations

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import click
 
-from ..maps.stretch import Stretch, stretch
+from ..maps.any_phi.stretch import Stretch, stretch
 from .compared import Compared
 
 FURTHEST = 4 * math.pi

@@ -12,9 +12,9 @@ from typing import Any, TypeAlias
 from ..codegen import catalogue
 from ..codegen.lowered import lower_chart
 from ..maps import PhiError
+from ..maps.any_phi.stretch import Stretch, stretch
 from ..maps.chart import Chart
 from ..maps.families import alpha
-from ..maps.stretch import Stretch, stretch
 
 ANGLES = {"π/2": math.pi / 2, "π": math.pi, "3π/2": 3 * math.pi / 2}
 """Where singular values are shown, and errors."""

@@ -6,7 +6,6 @@ import gc
 import tempfile
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from copy import deepcopy
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, cast
@@ -15,23 +14,19 @@ from ..maps import Cayley
 from ..maps.chart import Chart
 from ..output import files
 from ..proof import prove
-from ..workers import workers
+from ..workers import each
 from . import catalogue
 from .facts import Facts
 from .lowered import lower
 from .module import companion_texts, module_name, module_text, notices, shared_texts
 from .package import Counts, Module, Package
 from .targets import TARGETS, Target
-from .validation import Seen
 
-HEAVY = 8
-"""The highest order whose chart shows the geometry itself: exact elements are polynomials of many times its degree."""
+GC_THRESHOLD = 20_000
+"""New objects after which Python looks for unreachable cycles."""
 
-OBJECTS = 20_000
-"""After so many new ones Python looks for unreachable cycles."""
-
-LIGHT = Cayley(3)
-"""The chart that shows it elsewhere: the lowest order in which no scalar is simpler than in all others."""
+GEOMETRY_ORDERS = range(3, 9)
+"""Orders that may show the shared geometry: below, some scalars are simpler; above, exact elements take long."""
 
 Progress = Callable[[str], None]
 
@@ -48,29 +43,38 @@ def build(orders: Iterable[int], target: Target, progress: Progress | None = Non
 
 
 def build_charts(
-    charts: Sequence[Chart],
-    target: Target,
-    progress: Progress | None = None,
-    seen: Seen | None = None,
-    processes: int = 1,
+    charts: Sequence[Chart], target: Target, progress: Progress | None = None, processes: int = 1
 ) -> Package:
-    """The same for any charts, executed in so many processes besides this one, or in this one alone.
+    """Prove, print and execute the modules of any charts, in so many processes besides this one, or in this one alone.
 
-    ``seen`` is what has been shown of the geometry of the target, and grows.
+    The shared geometry is validated and replayed once, in one of the charts or else in the Cayley map of order 3. Every
+    other chart is executed as far as it is its own.
     """
     if processes < 1:
         raise ValueError(f"processes must be an integer >= 1, got {processes}")
-    report, seen = progress or _silent, Seen() if seen is None else seen
-    with _collected_rarely(), tempfile.TemporaryDirectory() as folder:
+    report, several = progress or _silent, min(processes, len(charts))
+    with relaxed_gc(), tempfile.TemporaryDirectory() as folder:
         shared = shared_texts(target)
         staging = Path(folder)
         files.write(staging, shared)
-        printed = (_staged(_printed(chart, target, report), staging) for chart in charts)
-        if min(processes, len(charts)) > 1:
-            modules = _executed_at_once(printed, target, staging, report, seen, min(processes, len(charts)))
-        else:
-            modules = [_executed(module, target, staging, report, seen) for module in printed]
-    return Package.of(shared, modules)
+        first = geometry_chart(charts)
+        shown = [] if first in charts else [first]
+        modules: list[Module] = []
+
+        def calls() -> Iterator[tuple[Chart, Target, Path, bool]]:
+            for chart in (*shown, *charts):
+                told = _silent if chart in shown else report
+                modules.append(_printed(chart, target, told))
+                files.write(staging, modules[-1].texts)
+                told(f"{chart.name}: validating")
+                yield without_caches(chart), target, staging, chart == first
+
+        executed: list[Module] = []
+        for counts in each(_execute, calls(), several):
+            executed.append(modules[len(executed)].counted(counts))
+            if len(executed) > len(shown):
+                report(f"{executed[-1].proved.formulas.name}: replayed")
+    return Package.of(shared, executed[len(shown) :])
 
 
 def print_charts(charts: Sequence[Chart], target: Target, progress: Progress | None = None) -> Package:
@@ -91,69 +95,33 @@ def _printed(chart: Chart, target: Target, report: Progress) -> Module:
     return Module(name, proved, module_text(facts, target), companion_texts(facts, target))
 
 
-def _staged(module: Module, staging: Path) -> Module:
-    files.write(staging, module.texts)
-    return module
+def without_caches(chart: Chart) -> Chart:
+    """Return the same chart with nothing computed yet: cached functions cannot be sent to another process."""
+    return cast(Chart, replace(cast(Any, chart)))
 
 
-def _executed(module: Module, target: Target, staging: Path, report: Progress, seen: Seen) -> Module:
-    return module.counted(_execute(module.proved.formulas, target, staging, seen, report))
+def geometry_chart(charts: Iterable[Chart]) -> Chart:
+    """Return the chart that shows the shared geometry."""
+    fit = (chart for chart in charts if chart.cayley and chart.order in GEOMETRY_ORDERS)
+    return min(fit, key=lambda chart: chart.order, default=Cayley(3))
 
 
-def _executed_at_once(
-    printed: Iterable[Module], target: Target, staging: Path, report: Progress, seen: Seen, processes: int
-) -> list[Module]:
-    """The modules, each executed by the next free process while further ones are printed here.
-
-    What a chart has to show of the geometry is what no earlier one shows, whether or not that one is done yet: nothing
-    is published unless all succeed. So the same calls are made as one after another, whatever the number of processes,
-    and of several that fail the first is told.
-    """
-    begun, modules = [], []
-    with workers(processes) as pool:
-        for module in printed:
-            chart = module.proved.formulas
-            begun.append((module, pool.submit(_execute, _bare(chart), target, staging, deepcopy(seen))))
-            seen.leave(chart, target.tables)
-        for module, counts in begun:
-            report(f"{module.proved.formulas.name}: validating")
-            modules.append(module.counted(counts.result()))
-            report(f"{module.proved.formulas.name}: replayed")
-    return modules
-
-
-def _bare(chart: Any) -> Chart:
-    """The same chart with nothing computed yet: what its functions keep cannot be sent to another process."""
-    return cast(Chart, replace(chart))
-
-
-def _execute(chart: Chart, target: Target, staging: Path, seen: Seen, report: Progress = _silent) -> Counts:
-    """Execute one module; what is the same in all of them is validated and replayed in the first that has it."""
-    first = not seen.by_table
-    report(f"{chart.name}: validating")
-    with _collected_rarely():
-        if first and chart.order > HEAVY:
-            _show_geometry(target, staging, seen)
-        validated = target.validate(staging, chart, seen.new)
-        report(f"{chart.name}: replaying")
-        return validated, target.replay(staging, chart, first), target.test(staging, chart)
+def _execute(chart: Chart, target: Target, staging: Path, geometry: bool) -> Counts:
+    """Validate, replay and test one module, with the geometry that all charts share or without."""
+    with relaxed_gc():
+        validated = target.validate(staging, chart, geometry)
+        return validated, target.replay(staging, chart, geometry), target.test(staging, chart)
 
 
 @contextmanager
-def _collected_rarely() -> Iterator[None]:
-    """Meanwhile unreachable cycles are looked for less often: of millions of objects hardly one is part of one."""
+def relaxed_gc() -> Iterator[None]:
+    """Look for unreachable cycles less often: of millions of objects hardly one is part of one."""
     first, *others = gc.get_threshold()
-    gc.set_threshold(max(first, OBJECTS) if first else 0, *others)  # 0 is never
+    gc.set_threshold(max(first, GC_THRESHOLD) if first else 0, *others)  # 0 is never
     try:
         yield
     finally:
         gc.set_threshold(first, *others)
-
-
-def _show_geometry(target: Target, staging: Path, seen: Seen) -> None:
-    """Execute the geometry in a chart of low order, which is not published."""
-    _staged(_printed(LIGHT, target, _silent), staging)
-    target.validate(staging, LIGHT, seen.new)
 
 
 def generate(

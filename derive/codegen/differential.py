@@ -6,11 +6,12 @@ import itertools
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from ..maps.chart import Chart
-from .cases import Case, cases
 from .rows import Array, Table
 from .signatures import POSES
+from .validation.float_cases import Case, cases
 
 GATE = 8
 """Largest error, in units of the machine epsilon and of the scale of the result."""
@@ -60,6 +61,6 @@ def _results(arrays: Sequence[Array], found: Sequence[Case]) -> Iterator[Values]
         start, scale = end, last
 
 
-def _hexadecimal(values: Sequence[float]) -> tuple[str, ...]:
+def _hexadecimal(values: Sequence[Any]) -> tuple[str, ...]:
     """Exact numbers in C, without trailing zeros."""
-    return tuple(re.sub(r"\.?0*p", "p", value.hex()) for value in values)
+    return tuple(re.sub(r"\.?0*p", "p", float(value).hex()) for value in values)

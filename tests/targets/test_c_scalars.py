@@ -21,7 +21,6 @@ import numpy as np
 import pytest
 import sympy
 
-from derive.codegen.cases.exact import ALGEBRAIC, Formulas, evaluated
 from derive.codegen.facts import Facts
 from derive.codegen.lowered import lower, lower_chart
 from derive.codegen.module import companion_texts, module_name, module_text, shared_texts
@@ -29,6 +28,7 @@ from derive.codegen.rows import Function, Table, inside
 from derive.codegen.targets import TARGETS
 from derive.codegen.targets.c import levels
 from derive.codegen.validation.c_text import prefix
+from derive.codegen.validation.formulas import ALGEBRAIC, Formulas, evaluated
 from derive.maps import Cayley
 from derive.output import files
 from derive.proof import prove

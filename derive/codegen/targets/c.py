@@ -23,7 +23,7 @@ from ..lowering.scalars import SCALARS, table_names
 from ..programs.program import Program
 from ..rows import Array, Function, Table, inside
 from ..signatures import POSES, ROTATIONS
-from ..validation import Choose, c_text, compiled, everything
+from ..validation import c_text, compiled
 from . import c99
 from .said import SAID
 from .target import Data, require_functions
@@ -200,12 +200,11 @@ class C:
             require_functions(where, plain, table)
             require_functions(f"{where}, rows", [name.removesuffix("_rows") for name in rows], table)
 
-    def validate(self, folder: Path, chart: Chart, choose: Choose = everything) -> int:
-        """All of it: a header is read anew for each chart, geometry included."""
-        return c_text.validate(folder, chart, self.tables)
+    def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
+        return c_text.validate(folder, chart, geometry, self.tables)
 
-    def replay(self, folder: Path, chart: Chart, all_ways: bool) -> int:
-        """Floats are left to the compiled test."""
+    def replay(self, folder: Path, chart: Chart, geometry: bool) -> int:
+        """Return 0: floats are left to the compiled test."""
         return 0
 
     def test(self, folder: Path, chart: Chart) -> int | None:

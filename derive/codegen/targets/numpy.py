@@ -6,11 +6,11 @@ from collections.abc import Container, Mapping
 
 from ..facts import Facts
 from ..fingerprint import fingerprint
-from ..lowered import Lowered, geometry
+from ..lowered import Lowered
 from ..rows import Table
 from ..signatures import POSES, ROTATIONS
 from ..validation import Machinery
-from . import infix, python
+from . import python
 from .target import Data
 
 WORDS = python.Words(
@@ -43,18 +43,12 @@ class Numpy(python.PythonTarget):
             "_native.py": {},
             "_recorder.py": {},
             "_runtime.py": {},
-            "_selection.py": {},
             "_tools.py": {},
         }
 
     def geometry(self, table: Table) -> Data:
-        programs = [python.printed(program, infix.body(program)) for program in geometry(table).values()]
-        return {"programs": programs, "rows": table.kernels}
+        return {"programs": python.printed_geometry(table), "rows": table.kernels}
 
     def programs(self, facts: Facts, lowered: Lowered, known: Container[str] = ()) -> Data:
-        scalars = [
-            python.printed(program, infix.body(program, alone=True), python.components(program))
-            for name, program in lowered.scalars.items()
-            if name not in known
-        ]
+        scalars = [python.printed_scalar(program) for name, program in lowered.scalars.items() if name not in known]
         return {"scalars": scalars, "programs": fingerprint(facts, lowered)}

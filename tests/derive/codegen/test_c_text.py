@@ -8,9 +8,9 @@ from functools import cache
 
 import mpmath
 import pytest
+from derive.codegen.cases.decimals import DIGITS
 
 from derive.codegen import ValidationFailed, build, cases
-from derive.codegen.cases.decimals import DIGITS
 from derive.codegen.rows import inside
 from derive.codegen.signatures import POSES, PUBLIC, ROTATIONS
 from derive.codegen.targets import TARGETS

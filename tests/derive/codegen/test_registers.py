@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import pytest
+from derive.codegen.programs.registers import MASK_OPS, place, results
 
 from derive.codegen.lowered import geometry, lower_chart
 from derive.codegen.programs.program import Call, Program, Step
-from derive.codegen.programs.registers import MASK_OPS, place, results
 from derive.codegen.targets.numpy import two_scalar_forms
 from derive.maps import Cayley
 
