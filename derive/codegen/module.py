@@ -11,7 +11,7 @@ from . import catalogue
 from .facts import Facts, comment, head
 from .targets.target import Target
 
-HASHED = (".txt", ".cmake", ".py", ".toml", ".build", ".options")
+HASHED = (".txt", ".cmake", ".py", ".pyi", ".toml", ".build", ".options")
 """Ends of the names of files whose comments begin with #, in every target."""
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Container, Mapping
 
+from ...maps.chart import Chart
 from ..facts import Facts
 from ..fingerprint import fingerprint
 from ..lowered import Lowered, lower_chart
@@ -53,12 +54,13 @@ class Numpy(python.PythonTarget):
     def programs(self, facts: Facts, lowered: Lowered, known: Container[str] = ()) -> Data:
         base = facts.chart.base
         own = {} if base else {name: p for name, p in lowered.scalars.items() if name not in known}
-        found: Data = {
-            "scalars": list(map(python.printed_scalar, own.values())),
-            "programs": fingerprint(facts, lowered),
-        }
-        if lowered.table is POSES:
-            of_base = lower_chart(base).scalars.values() if base else ()
-            constant = tuple(p.name for p in of_base if not all(isinstance(output, str) for output in p.outputs))
-            found |= {"base": base.name if base else None, "factor": facts.chart.factor, "constant": constant}
-        return found
+        found = {"scalars": list(map(python.printed_scalar, own.values())), "programs": fingerprint(facts, lowered)}
+        return {**found, **_multiple(facts.chart)} if lowered.table is POSES else found
+
+
+def _multiple(chart: Chart) -> Data:
+    """Return the base chart of a multiple, the factor, and the scalar programs of the base that return integers."""
+    base = chart.base
+    programs = lower_chart(base).scalars.values() if base else ()
+    constant = tuple(p.name for p in programs if not all(isinstance(output, str) for output in p.outputs))
+    return {"base": base.name if base else None, "factor": chart.factor, "constant": constant}
