@@ -110,14 +110,12 @@ def controls() -> list[str]:
 def validations(everything: bool, around: Around) -> dict[str, Check]:
     """Emission with validation, of everything or of some NumPy kernels.
 
-    As in a package, what is the same in all charts is validated in the first that is built here. ``around`` is put
-    between the road and the execution that ends it.
+    ``around`` is put between the road and the execution that ends it.
     """
-    shown = {name: importlib.import_module("derive.codegen.validation").Seen() for name in targets()}
 
     def check(name: str, target: Any, which: Which) -> Check:
         watched = Otherwise(target, **{part: around(name, getattr(target, part)) for part in EXECUTED})
-        return lambda: build(which, watched, shown[target.name])
+        return lambda: build(which, watched)
 
     return {name: check(name, targets()[target], which) for name, (target, which) in emissions(everything).items()}
 
@@ -176,9 +174,9 @@ def targets() -> Mapping[str, Any]:
     return {name: found[name] for name in sorted(found, key=lambda name: (name == "c", name != "numpy"))}
 
 
-def build(which: Which, target: Any, seen: Any = None) -> Any:
-    """Everything that is emitted for a chart; ``seen`` is what has been shown of what it shares with others."""
-    return importlib.import_module("derive.codegen.compiler").build_charts([chart(which)], target, seen=seen)
+def build(which: Which, target: Any) -> Any:
+    """Everything that is emitted for a chart."""
+    return importlib.import_module("derive.codegen.build").build([chart(which)], target)
 
 
 def programs() -> Iterator[tuple[Which | None, str, Any]]:

@@ -7,8 +7,6 @@ import time
 from pathlib import Path
 from typing import Any
 
-from derive.codegen.cases import batches
-from derive.codegen.lowered import lower_chart
 from derive.codegen.targets.numpy import Numpy
 from derive.codegen.validation import Choose, ValidationFailed, everything
 from derive.maps.chart import Chart
@@ -25,8 +23,7 @@ class Counting(Numpy):
             time.sleep(0.5 if chart.name == self.failing[0] else 0)
             raise ValidationFailed(f"{chart.name}.pose, component 0: 1 is not 2")
         assert (folder / f"{chart.name}.py").is_file()
-        chosen = [choose(lower_chart(chart, table), batches(chart, table)) for table in self.tables]
-        return sum(1 + whole for batches_of_table in chosen for _, whole in batches_of_table)
+        return 1
 
     def replay(self, folder: Path, chart: Chart, all_ways: bool) -> int:
         return 2 if all_ways else 1

@@ -14,8 +14,8 @@ from pathlib import Path
 
 from ...maps.chart import Chart
 from ...output import RefusedError
-from ..facts import Facts
 from ..lowered import Lowered, geometry
+from ..package import Data, Facts
 from ..programs.program import Call, Operand, Program, Statement, summary
 from ..programs.registers import results
 from ..rows import Table
@@ -23,7 +23,6 @@ from ..signatures import POSES, ROTATIONS
 from ..validation import Choose, Library, everything
 from . import infix, python
 from .expression import WIDTH
-from .target import Data
 
 MOST_OUTPUTS = 9
 """Stores in a loop which LLVM still vectorises."""

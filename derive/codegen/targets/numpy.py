@@ -13,9 +13,8 @@ from collections.abc import Container, Iterable, Iterator, Mapping, Set
 from dataclasses import dataclass
 from itertools import chain
 
-from ..facts import Facts
-from ..fingerprint import fingerprint
 from ..lowered import Lowered, geometry
+from ..package import Data, Facts, fingerprint
 from ..programs.program import Call, Operand, Program, Step
 from ..programs.registers import Placement, all_results, place, place_returned, results
 from ..rows import Table
@@ -23,7 +22,6 @@ from ..signatures import POSES, ROTATIONS
 from ..validation import Machinery
 from . import infix, python
 from .expression import WIDTH, fill
-from .target import Data
 
 _FUNCTIONS = {
     "add": "add", "sub": "sub", "mul": "mul", "div": "div", "neg": "neg", "abs": "absolute", "sqrt": "sqrt",

@@ -15,15 +15,15 @@ from ... import about
 from ...maps.cayley import EQUATIONS
 from ...maps.chart import DEFINITIONS, Chart
 from ...maps.named import NUMBERED, SINGLE
-from ..facts import Facts, comment, numbers, operations, theorem_lines
 from ..lowered import Lowered, lower_chart
+from ..package import Data, Facts, comment, numbers, operations, theorem_lines
 from ..programs.program import Program, summary
 from ..rows import Function, Table, inside
 from ..signatures import ANGLE, BY_V_OF_POINT, JACOBIAN, POSES, QUATERNION, TENSOR, V
 from ..validation import NUMPY, Choose, Library, Machinery, everything, replay, validate
 from .expression import WIDTH
 from .said import SAID
-from .target import Data, require_functions
+from .target import require_functions
 
 INTERFACE = "_interface.py"
 

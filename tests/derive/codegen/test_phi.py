@@ -16,9 +16,8 @@ from derive.codegen import generate
 from derive.codegen.cases import samples
 from derive.codegen.cases.vectors import Vectors
 from derive.codegen.catalogue import chart_of, charts, command
-from derive.codegen.facts import Facts
 from derive.codegen.lowered import lower
-from derive.codegen.module import module_name, module_text, shared_texts
+from derive.codegen.package import Facts, module_texts, shared_texts
 from derive.codegen.signatures import PUBLIC
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation.rounding import long
@@ -53,7 +52,7 @@ def kernels(tmp_path_factory: pytest.TempPathFactory) -> ModuleType:
     """As printed; generated ones are validated besides."""
     target, proved = TARGETS["numpy"], prove(parameterization(TEXT, "folded"))
     folder = tmp_path_factory.mktemp("phi")
-    text = {module_name(proved.formulas, target): module_text(Facts(proved, lower(proved)), target)}
+    text = module_texts(Facts(proved, lower(proved)), target)
     files.write(folder / "of_phi", {**shared_texts(target), **text})
     with pytest.MonkeyPatch.context() as patch:
         patch.syspath_prepend(folder)

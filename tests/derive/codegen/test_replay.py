@@ -12,7 +12,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from derive.codegen import build
+from derive.codegen.build import build
 from derive.codegen.cases import samples
 from derive.codegen.lowered import lower_chart
 from derive.codegen.targets import TARGETS
@@ -33,7 +33,7 @@ INTERFACE, MODULE = "_interface.py", "cayley3.py"
 
 @pytest.fixture(scope="module")
 def texts():
-    return build([3, 4], unvalidated(TARGET)).texts
+    return build([Cayley(3), Cayley(4)], unvalidated(TARGET)).texts
 
 
 def broken(texts, folder: Path, file: str, pattern: str, replacement: str) -> Path:

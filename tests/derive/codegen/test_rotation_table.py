@@ -8,11 +8,10 @@ import pytest
 
 from derive.codegen import ValidationFailed, catalogue
 from derive.codegen.cases import batches, digits, exact
-from derive.codegen.facts import Facts
 from derive.codegen.lowered import geometry, lower_chart
 from derive.codegen.lowering.real import narrowed
 from derive.codegen.lowering.scalars import SQUARES
-from derive.codegen.module import companion_texts, module_name, module_text, shared_texts
+from derive.codegen.package import Facts, module_texts, shared_texts
 from derive.codegen.programs.program import Call
 from derive.codegen.signatures import POSES, ROTATIONS
 from derive.codegen.targets import TARGETS
@@ -82,8 +81,7 @@ def test_a_function_without_an_expectation_is_not_generated(name: str, monkeypat
 def texts() -> dict[str, str]:
     chart, target = Cayley(1), TARGETS["numpy"]
     facts = Facts(prove(chart), lower_chart(chart))
-    module = {module_name(chart, target): module_text(facts, target)}
-    return {**shared_texts(target), **companion_texts(facts, target), **module}
+    return shared_texts(target) | module_texts(facts, target)
 
 
 GEOMETRY, INTERFACE, OWN = "rotation/_geometry.py", "rotation/_interface.py", "rotation/cayley1.py"

@@ -9,9 +9,8 @@ import pytest
 
 from derive.codegen import ValidationFailed, lowered
 from derive.codegen.cases import batches
-from derive.codegen.facts import Facts
 from derive.codegen.lowered import geometry, lower, lower_chart
-from derive.codegen.module import module_name, module_text, shared_texts
+from derive.codegen.package import Facts, module_texts, shared_texts
 from derive.codegen.signatures import FUNCTIONS, KERNELS, POSES
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation import Seen, validate
@@ -27,8 +26,10 @@ ORDERS = (1, 3, 4)
 @pytest.fixture(scope="module")
 def texts():
     target, charts = TARGETS["numpy"], map(Cayley, ORDERS)
-    modules = {module_name(c, target): module_text(Facts(p, lower(p)), target) for c in charts for p in [prove(c)]}
-    return {**shared_texts(target), **modules}
+    found = shared_texts(target)
+    for proved in map(prove, charts):
+        found |= module_texts(Facts(proved, lower(proved)), target)
+    return found
 
 
 @pytest.fixture(scope="module")
@@ -87,9 +88,10 @@ def test_that_a_chart_has_nothing_to_do_is_not_shown_by_another_one(tmp_path: Pa
             if returns:
                 patch.setattr(type(charts[1]), "returns", returns)
             lowered._lowered.cache_clear()
-            proved = map(prove, charts)
-            modules = {module_name(p.formulas, target): module_text(Facts(p, lower(p)), target) for p in proved}
-            files.write(tmp_path, {**shared_texts(target), **modules})
+            texts = shared_texts(target)
+            for proved in map(prove, charts):
+                texts |= module_texts(Facts(proved, lower(proved)), target)
+            files.write(tmp_path, texts)
             seen = Seen()
             validate(tmp_path, charts[0], seen.new)
             with pytest.raises(ValidationFailed, match=r"lambert\.principal") if returns else nullcontext():
